@@ -1,0 +1,81 @@
+/* Errors as values.  Leaves to the drivers where they are shown.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/error.h"
+
+#include <stdarg.h>
+#include <string.h>
+
+static void
+set_place(struct error *e, enum error_kind kind, const char *file, int line,
+    int column)
+{
+	e->kind = kind;
+	e->line = line;
+	e->column = column;
+	e->hint[0] = '\0';
+	snprintf(e->file, sizeof e->file, "%s", file);
+}
+
+bool
+error_set(struct error *e, enum error_kind kind, const char *format, ...)
+{
+	if (e == NULL)
+		return false;
+	set_place(e, kind, "", 0, 0);
+	va_list ap;
+	va_start(ap, format);
+	vsnprintf(e->text, sizeof e->text, format, ap);
+	va_end(ap);
+	return false;
+}
+
+bool
+error_at(struct error *e, enum error_kind kind, const char *file, int line,
+    int column, const char *format, ...)
+{
+	if (e == NULL)
+		return false;
+	set_place(e, kind, file, line, column);
+	va_list ap;
+	va_start(ap, format);
+	vsnprintf(e->text, sizeof e->text, format, ap);
+	va_end(ap);
+	return false;
+}
+
+bool
+error_hint(struct error *e, const char *format, ...)
+{
+	if (e == NULL)
+		return false;
+	va_list ap;
+	va_start(ap, format);
+	vsnprintf(e->hint, sizeof e->hint, format, ap);
+	va_end(ap);
+	return false;
+}
+
+struct error *
+error_add(struct error_list *list)
+{
+	size_t room = sizeof list->item / sizeof list->item[0];
+	if (list->n < room)
+		return &list->item[list->n++];
+	/* Written over and over: the count is what is kept of it. */
+	static _Thread_local struct error beyond;
+	list->more++;
+	return &beyond;
+}
+
+void
+error_print(const struct error *e, FILE *out)
+{
+	if (e->file[0] != '\0')
+		fprintf(out, "%s:", e->file);
+	if (e->line > 0)
+		fprintf(out, "%d:%d:", e->line, e->column);
+	fprintf(out, "%s%s\n",
+	    e->file[0] != '\0' || e->line > 0 ? " " : "tipspeed: ", e->text);
+	if (e->hint[0] != '\0')
+		fprintf(out, "  hint: %s\n", e->hint);
+}

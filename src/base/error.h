@@ -1,0 +1,57 @@
+/* What went wrong, where, and what to do next.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_BASE_ERROR_H
+#define TIPSPEED_BASE_ERROR_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+/* The kinds are the program's exit codes; see tipspeed(1), EXIT STATUS. */
+enum error_kind {
+	ERROR_NONE = 0,
+	ERROR_CHECK = 1,   /* a check or an assertion said no */
+	ERROR_USAGE = 2,   /* a command that cannot be understood */
+	ERROR_DATA = 3,    /* a file whose contents are wrong */
+	ERROR_NUMERIC = 4, /* a computation without an answer */
+	ERROR_SYSTEM = 5   /* a file or resource the system refused */
+};
+
+/* A plain value: nothing to free.  line and column count from 1; 0: none.
+ * text: what was wanted and what was found; hint: the next step, or "". */
+struct error {
+	enum error_kind kind;
+	int line, column;
+	char file[240];
+	char text[512];
+	char hint[256];
+};
+
+/* Several faults of one file, in the order found; further ones are counted
+ * only. */
+struct error_list {
+	size_t n, more;
+	struct error item[20];
+};
+
+/* Fill e (NULL allowed: then nothing is kept).  Always returns false, so that
+ * a function can say: return error_set(...). */
+bool error_set(struct error *e, enum error_kind kind, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* The same for a place in a file.  line 0: no place known. */
+bool error_at(struct error *e, enum error_kind kind, const char *file, int line,
+    int column, const char *format, ...) __attribute__((format(printf, 6, 7)));
+
+/* The next step, added to an error already set.  Returns false. */
+bool error_hint(struct error *e, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* One more fault in the list, or one more counted.  Returns a pointer to hang
+ * a hint on, never NULL. */
+struct error *error_add(struct error_list *list);
+
+/* "file:line:column: text" and, where there is one, a line with the hint. */
+void error_print(const struct error *e, FILE *out);
+
+#endif

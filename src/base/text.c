@@ -1,0 +1,226 @@
+/* Numbers, words and widths, the same in every locale.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/text.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+
+/* strtod is safe here: the program sets LC_CTYPE only, so the decimal sign is
+ * always a point.  Its extras (hex, inf, nan) are refused before the call. */
+bool
+text_number(const char *s, double *value)
+{
+	while (*s == ' ' || *s == '\t')
+		s++;
+	if (*s == '\0' || s[strspn(s, "+-0123456789.eE \t")] != '\0')
+		return false;
+	char *end;
+	errno = 0;
+	double v = strtod(s, &end);
+	if (end == s || end[strspn(end, " \t")] != '\0' || !isfinite(v))
+		return false;
+	*value = v;
+	return true;
+}
+
+bool
+text_whole(const char *s, uint64_t *value)
+{
+	if (!isdigit((unsigned char)*s))
+		return false;
+	char *end;
+	errno = 0;
+	unsigned long long v = strtoull(s, &end, 10);
+	if (*end != '\0' || errno == ERANGE)
+		return false;
+	*value = v;
+	return true;
+}
+
+const char *
+text_exact(double value, char buf[static 32])
+{
+	for (int digits = 6; digits <= 17; digits++) {
+		snprintf(buf, 32, "%.*g", digits, value);
+		if (strtod(buf, NULL) == value)
+			break;
+	}
+	return buf;
+}
+
+char *
+text_trim(char *s)
+{
+	while (isspace((unsigned char)*s))
+		s++;
+	size_t n = strlen(s);
+	while (n > 0 && isspace((unsigned char)s[n - 1]))
+		s[--n] = '\0';
+	return s;
+}
+
+/* Plain letters of U+00C0..U+00FF; '*' marks the two signs among them. */
+static const char LATIN1[] = "aaaaaaaceeeeiiiidnooooo*ouuuuyts"
+			     "aaaaaaaceeeeiiiidnooooo*ouuuuyty";
+
+char *
+text_fold(const char *s)
+{
+	char *folded = xcalloc(strlen(s) + 1, 1);
+	size_t n = 0;
+	while (*s != '\0') {
+		unsigned char c = (unsigned char)s[0];
+		unsigned char d = (unsigned char)s[1];
+		char plain = '*';
+		if (c == 0xC3 && d >= 0x80 && d <= 0xBF)
+			plain = LATIN1[d - 0x80];
+		if (plain != '*') {
+			folded[n++] = plain;
+			s += 2;
+		} else {
+			folded[n++] = c < 0x80 ? (char)tolower(c) : (char)c;
+			s++;
+		}
+	}
+	return folded;
+}
+
+char *
+text_slug(const char *s)
+{
+	char *slug = text_fold(s);
+	size_t n = 0;
+	for (const char *p = slug; *p != '\0'; p++) {
+		bool keep = isalnum((unsigned char)*p) || *p == '.';
+		if (keep)
+			slug[n++] = *p;
+		else if (n > 0 && slug[n - 1] != '-')
+			slug[n++] = '-';
+	}
+	while (n > 0 && slug[n - 1] == '-')
+		n--;
+	slug[n] = '\0';
+	return slug;
+}
+
+bool
+text_same(const char *a, const char *b)
+{
+	char *fold_a = text_fold(a), *fold_b = text_fold(b);
+	bool same = strcmp(fold_a, fold_b) == 0;
+	free(fold_a);
+	free(fold_b);
+	return same;
+}
+
+static size_t
+least(size_t a, size_t b, size_t c)
+{
+	size_t m = a < b ? a : b;
+	return m < c ? m : c;
+}
+
+size_t
+text_distance(const char *a, const char *b)
+{
+	enum { LONGEST = 40 };
+	size_t n = strlen(a), m = strlen(b);
+	if (n > LONGEST || m > LONGEST)
+		return n > m ? n : m;
+	size_t d[LONGEST + 1][LONGEST + 1];
+	for (size_t i = 0; i <= n; i++)
+		d[i][0] = i;
+	for (size_t j = 0; j <= m; j++)
+		d[0][j] = j;
+	for (size_t i = 1; i <= n; i++) {
+		for (size_t j = 1; j <= m; j++) {
+			size_t other = a[i - 1] != b[j - 1];
+			d[i][j] = least(d[i - 1][j] + 1, d[i][j - 1] + 1,
+			    d[i - 1][j - 1] + other);
+			bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] &&
+				       a[i - 2] == b[j - 1];
+			if (swapped && d[i - 2][j - 2] + 1 < d[i][j])
+				d[i][j] = d[i - 2][j - 2] + 1;
+		}
+	}
+	return d[n][m];
+}
+
+/* Length of the UTF-8 sequence at s (at most n bytes), 0 when malformed. */
+static size_t
+sequence(const unsigned char *s, size_t n)
+{
+	if (s[0] < 0x80)
+		return s[0] != 0;
+	size_t length = s[0] >= 0xF0 ? 4 : s[0] >= 0xE0 ? 3 : 2;
+	if (s[0] < 0xC2 || s[0] > 0xF4 || length > n)
+		return 0;
+	for (size_t i = 1; i < length; i++)
+		if ((s[i] & 0xC0) != 0x80)
+			return 0;
+	return length;
+}
+
+bool
+text_is_utf8(const char *s, size_t n)
+{
+	for (size_t i = 0; i < n;) {
+		size_t step = sequence((const unsigned char *)s + i, n - i);
+		if (step == 0)
+			return false;
+		i += step;
+	}
+	return true;
+}
+
+int
+text_width(const char *s)
+{
+	int width = 0;
+	size_t n = strlen(s);
+	for (size_t i = 0; i < n; width++) {
+		size_t step = sequence((const unsigned char *)s + i, n - i);
+		i += step > 0 ? step : 1;
+	}
+	return width;
+}
+
+void
+text_wrap(const char *text, int margin, int width, FILE *out)
+{
+	int column = 0;
+	size_t blanks = strspn(text, " ");
+	margin += (int)blanks;
+	char *copy = xstrdup(text + blanks), *save = NULL;
+	for (char *word = strtok_r(copy, " ", &save); word != NULL;
+	     word = strtok_r(NULL, " ", &save)) {
+		int wide = text_width(word);
+		if (column > 0 && column + 1 + wide > width) {
+			fputc('\n', out);
+			column = 0;
+		}
+		if (column == 0)
+			column = fprintf(out, "%*s", margin, "");
+		else
+			column += fprintf(out, " ");
+		fputs(word, out);
+		column += wide;
+	}
+	fputc('\n', out);
+	free(copy);
+}
+
+uint64_t
+text_digest(uint64_t h, const void *bytes, size_t n)
+{
+	const unsigned char *b = bytes;
+	for (size_t i = 0; i < n; i++)
+		h = (h ^ b[i]) * UINT64_C(0x100000001b3);
+	return h;
+}

@@ -1,0 +1,52 @@
+/* Text without a locale: numbers, words, names, widths.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_BASE_TEXT_H
+#define TIPSPEED_BASE_TEXT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+/* Read all of s as a decimal number with a point ("11.2", "1e-3"), whatever
+ * the locale.  Blanks around it are allowed; hex, "inf" and "nan" are not. */
+bool text_number(const char *s, double *value);
+
+/* Read all of s as a whole number from 0 to 2^64-1. */
+bool text_whole(const char *s, uint64_t *value);
+
+/* Shortest decimal form that reads back as the same double; buf of 32. */
+const char *text_exact(double value, char buf[static 32]);
+
+/* Without blanks at both ends, in place; returns a pointer into s. */
+char *text_trim(char *s);
+
+/* A copy in small letters with the accents of Latin letters taken off, so that
+ * "Borlänge" is "borlange".  Other bytes stay.  The caller frees. */
+char *text_fold(const char *s);
+
+/* text_fold, with every run of other than [a-z0-9.] turned into one '-'. */
+char *text_slug(const char *s);
+
+/* Same word but for case and accents. */
+bool text_same(const char *a, const char *b);
+
+/* Number of single-letter edits between a and b (Damerau-Levenshtein). */
+size_t text_distance(const char *a, const char *b);
+
+/* Columns a UTF-8 string takes on a terminal; an invalid byte counts as 1. */
+int text_width(const char *s);
+
+/* Prints text to out in lines of at most width columns, broken at blanks, each
+ * behind margin blanks; blanks at its start widen the margin. */
+void text_wrap(const char *text, int margin, int width, FILE *out);
+
+/* True when s[0..n) is well-formed UTF-8 without NUL. */
+bool text_is_utf8(const char *s, size_t n);
+
+/* FNV-1a, 64 bits, of n bytes going on from h; start with TEXT_DIGEST_START.
+ * Tells files apart that were changed by mistake; no protection from malice. */
+uint64_t text_digest(uint64_t h, const void *bytes, size_t n);
+#define TEXT_DIGEST_START UINT64_C(0xcbf29ce484222325)
+
+#endif

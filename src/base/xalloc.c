@@ -1,0 +1,84 @@
+/* Allocation that cannot fail from the caller's point of view.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/xalloc.h"
+
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/error.h"
+
+static void
+out_of_memory(void)
+{
+	static const char say[] = "tipspeed: out of memory\n";
+	ssize_t written = write(STDERR_FILENO, say, sizeof say - 1);
+	(void)written;
+	exit(ERROR_SYSTEM);
+}
+
+void *
+xcalloc(size_t n, size_t size)
+{
+	void *p = calloc(n > 0 ? n : 1, size > 0 ? size : 1);
+	if (p == NULL)
+		out_of_memory();
+	return p;
+}
+
+void *
+xrealloc(void *p, size_t n, size_t size)
+{
+	if (size > 0 && n > SIZE_MAX / size)
+		out_of_memory();
+	void *q = realloc(p, n * size > 0 ? n * size : 1);
+	if (q == NULL)
+		out_of_memory();
+	return q;
+}
+
+char *
+xstrndup(const char *s, size_t n)
+{
+	char *copy = xcalloc(n + 1, 1);
+	memcpy(copy, s, n);
+	return copy;
+}
+
+char *
+xstrdup(const char *s)
+{
+	return xstrndup(s, strlen(s));
+}
+
+char *
+xasprintf(const char *format, ...)
+{
+	va_list ap, again;
+	va_start(ap, format);
+	va_copy(again, ap);
+	int n = vsnprintf(NULL, 0, format, ap);
+	va_end(ap);
+	char *s = xcalloc(n < 0 ? 1 : (size_t)n + 1, 1);
+	if (n >= 0)
+		vsnprintf(s, (size_t)n + 1, format, again);
+	va_end(again);
+	return s;
+}
+
+double *
+xdoubles(size_t n)
+{
+	enum { LINE = 64 };
+	if (n > SIZE_MAX / sizeof(double) - LINE)
+		out_of_memory();
+	size_t bytes = (n * sizeof(double) + LINE) / LINE * LINE;
+	void *p = aligned_alloc(LINE, bytes);
+	if (p == NULL)
+		out_of_memory();
+	memset(p, 0, bytes);
+	return p;
+}

@@ -1,0 +1,21 @@
+/* Memory that is either there or ends the program.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_BASE_XALLOC_H
+#define TIPSPEED_BASE_XALLOC_H
+
+#include <stddef.h>
+
+#define ARRAY_LEN(a) (sizeof(a) / sizeof((a)[0]))
+
+/* Zeroed memory for n objects of the given size; never NULL, free with free().
+ * On failure the program ends with exit code 5. */
+void *xcalloc(size_t n, size_t size);
+void *xrealloc(void *p, size_t n, size_t size);
+char *xstrdup(const char *s);
+char *xstrndup(const char *s, size_t n);
+char *xasprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* Zeroed doubles whose address is a multiple of 64 bytes, for the kernels. */
+double *xdoubles(size_t n);
+
+#endif

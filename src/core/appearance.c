@@ -1,0 +1,160 @@
+/* Eq 1: the daughter distribution, as a curve and as the matrix of Table 1.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/appearance.h"
+
+#include <math.h>
+
+#include "core/elementary.h"
+
+static double
+polynomial(const double beta[static 4], double u)
+{
+	return beta[0] + u * (beta[1] + u * (beta[2] + u * beta[3]));
+}
+
+double
+appearance_density(const double beta[static 4], double u)
+{
+	double p = polynomial(beta, u);
+	return p > 0 ? p : 0;
+}
+
+double
+appearance_primitive(const double beta[static 4], double u)
+{
+	return beta[0] * el_log(u) +
+	       u * (beta[1] + u * (beta[2] / 2 + u * beta[3] / 3));
+}
+
+/* Where the polynomial turns: roots of its derivative strictly between a and
+ * b, in rising order.  Returns how many. */
+static size_t
+turning_points(const double beta[static 4], double a, double b, double at[2])
+{
+	double c = beta[1], d = 2 * beta[2], e = 3 * beta[3];
+	double discriminant = d * d - 4 * e * c;
+	if (discriminant < 0)
+		return 0;
+	double q = -(d + copysign(sqrt(discriminant), d)) / 2;
+	double root[2] = {e != 0 ? q / e : NAN, q != 0 ? c / q : NAN};
+	if (root[1] < root[0]) {
+		double swap = root[0];
+		root[0] = root[1];
+		root[1] = swap;
+	}
+	size_t n = 0;
+	for (size_t i = 0; i < 2; i++)
+		if (root[i] > a && root[i] < b)
+			at[n++] = root[i];
+	return n;
+}
+
+/* The root between a and b, where the polynomial is monotone and changes sign;
+ * halved until neighbouring doubles. */
+static double
+root_between(const double beta[static 4], double a, double b)
+{
+	int rising = polynomial(beta, b) > 0;
+	for (;;) {
+		double middle = a + (b - a) / 2;
+		if (middle <= a || middle >= b)
+			return middle;
+		if ((polynomial(beta, middle) > 0) == rising)
+			b = middle;
+		else
+			a = middle;
+	}
+}
+
+/* Ends of the stretches of one sign within [2^-10, 1], both ends included;
+ * edge has room for five.  Returns the number of edges. */
+static size_t
+sign_edges(const double beta[static 4], double edge[static 5])
+{
+	double turn[2], stop[4];
+	size_t n_turn = turning_points(beta, APPEARANCE_FINEST, 1, turn);
+	size_t n_stop = 0, n = 0;
+	stop[n_stop++] = APPEARANCE_FINEST;
+	for (size_t i = 0; i < n_turn; i++)
+		stop[n_stop++] = turn[i];
+	stop[n_stop++] = 1;
+	edge[n++] = stop[0];
+	for (size_t i = 1; i < n_stop; i++) {
+		double a = polynomial(beta, stop[i - 1]);
+		double b = polynomial(beta, stop[i]);
+		if ((a > 0) != (b > 0))
+			edge[n++] = root_between(beta, stop[i - 1], stop[i]);
+	}
+	edge[n++] = 1;
+	return n;
+}
+
+struct appearance
+appearance_of(const double beta[static 4])
+{
+	struct appearance a = {
+	    {beta[0], beta[1], beta[2], beta[3]}, 0, {0}, {0}, {0}, 0};
+	double edge[5];
+	size_t n = sign_edges(beta, edge);
+	for (size_t i = 1; i < n; i++) {
+		double middle = edge[i - 1] + (edge[i] - edge[i - 1]) / 2;
+		if (!(polynomial(beta, middle) > 0))
+			continue;
+		double share = appearance_primitive(beta, edge[i]) -
+			       appearance_primitive(beta, edge[i - 1]);
+		a.lower[a.n] = edge[i - 1];
+		a.upper[a.n] = edge[i];
+		a.below[a.n] = a.total;
+		a.total += share > 0 ? share : 0;
+		a.n++;
+	}
+	if (!isfinite(a.total) || !(a.total > 0)) {
+		a.total = 0;
+		a.n = 0;
+	}
+	return a;
+}
+
+double
+appearance_passing(const struct appearance *a, double u)
+{
+	if (u >= 1)
+		return 1;
+	double sum = 0;
+	for (size_t i = 0; i < a->n && u > a->lower[i]; i++) {
+		double end = u < a->upper[i] ? u : a->upper[i];
+		sum = a->below[i] + appearance_primitive(a->beta, end) -
+		      appearance_primitive(a->beta, a->lower[i]);
+	}
+	return a->total > 0 ? sum / a->total : 0;
+}
+
+double
+appearance_argument(enum appearance_form form, double parent, double daughter)
+{
+	switch (form) {
+	case APPEARANCE_PROGENY_MM:
+		return daughter * 1000;
+	case APPEARANCE_PARENT_MM:
+		return parent * 1000;
+	default:
+		return daughter / parent;
+	}
+}
+
+void
+appearance_matrix(const double beta[static 4], enum appearance_form form,
+    const double *x, size_t n, double *a)
+{
+	for (size_t i = 0; i < n; i++) {
+		double sum = 0;
+		for (size_t j = 0; j < n; j++) {
+			double u = appearance_argument(form, x[i], x[j]);
+			a[j * n + i] = j < i ? 0 : appearance_density(beta, u);
+			sum += a[j * n + i];
+		}
+		bool broken = sum > 0 && isfinite(sum);
+		for (size_t j = i; j < n; j++)
+			a[j * n + i] = broken ? a[j * n + i] / sum : j == i;
+	}
+}

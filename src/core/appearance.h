@@ -1,0 +1,61 @@
+/* Appearance (Eq 1): into which sizes a broken fragment falls.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_APPEARANCE_H
+#define TIPSPEED_CORE_APPEARANCE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/params.h"
+
+/* Daughters finer than 2^-10 of the parent do not occur. */
+#define APPEARANCE_FINEST (1.0 / 1024)
+
+enum { APPEARANCE_PIECES = 4 };
+
+/* The daughter distribution of the form `ratio`, u = daughter / parent:
+ *   p(u) = max(0, beta1 + beta2 u + beta3 u^2 + beta4 u^3), u in [2^-10, 1]
+ *   B(u) = integral of p d ln u up to u, over the integral up to 1
+ * D3: read literally Eq 1 gives every daughter the same share; u is the ratio.
+ * D4: p is clipped at 0 and normalised, so that mass is kept.
+ *
+ * p is above 0 on n pieces lower[i]..upper[i], finest first; below[i] is the
+ * integral up to lower[i].  total is the integral over all; 0 means that p is
+ * 0 everywhere and a fragment keeps its parent's size. */
+struct appearance {
+	double beta[4];
+	size_t n;
+	double lower[APPEARANCE_PIECES], upper[APPEARANCE_PIECES];
+	double below[APPEARANCE_PIECES];
+	double total;
+};
+
+/* Cannot fail. */
+struct appearance appearance_of(const double beta[static 4]);
+
+/* p(u), not normalised, clipped at 0.   Source: paper Eq 1. */
+double appearance_density(const double beta[static 4], double u);
+
+/* What p is a function of, for a parent and a daughter of the sizes given, m:
+ * their ratio, or one of the two in mm (departure D3). */
+double appearance_argument(
+    enum appearance_form form, double parent, double daughter);
+
+/* Antiderivative of the unclipped polynomial with respect to ln u. */
+double appearance_primitive(const double beta[static 4], double u);
+
+/* B(u) in [0, 1]: 0 below 2^-10, 1 at u >= 1.  Where total is 0 it is 0 for
+ * every u < 1. */
+double appearance_passing(const struct appearance *a, double u);
+
+/* Appearance matrix of Table 1 for size classes.
+ *   a_ij share of class i that falls into class j, j at or below i; columns
+ *   (one parent i each) add up to 1.
+ * beta; form; x [n] class sizes, m, coarsest first.
+ * a [n * n] out, a[j * n + i]; above the diagonal 0.
+ * A parent with no share anywhere keeps its mass: a_ii = 1.
+ * Cannot fail.   Source: paper Eq 1 and Table 1, departures D3 and D4. */
+void appearance_matrix(const double beta[static 4], enum appearance_form form,
+    const double *x, size_t n, double *a);
+
+#endif

@@ -1,0 +1,345 @@
+/* Search, then polish: generations of the genetic algorithm on the batch
+ * kernel, then bounded least squares on the accurate product from several
+ * starts.
+ *
+ * The genetic algorithm finds the region; the polish finds the optimum.  One
+ * start is not enough: p(u) is clipped at 0, and each pattern of its zeros has
+ * a valley of its own. So the leaders of two early generations, when the
+ * population still spans several valleys, are kept as starts beside the best of
+ * the last one; and from the best of all short hops are tried until none helps.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/calibrate.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "core/energy.h"
+#include "core/ga.h"
+#include "core/misfit.h"
+#include "core/polish.h"
+#include "core/rng.h"
+
+enum {
+	SCOUTS = 16,             /* leaders kept of each early generation */
+	STARTS = 2 * SCOUTS + 1, /* and the best of the last */
+	LEADERS = 64,            /* spread over this many */
+	POLISH_STEPS = 300,
+	HOPS = 64,     /* fruitless ones in a row that end the polish */
+	EARLIEST = 25, /* generations before the stop rules apply */
+	USE_HOP = 1 << 20
+};
+
+static const size_t SCOUT_GENERATION[2] = {6, 11};
+
+struct calibration {
+	struct calibrate_options options;
+	uint64_t site_digest;
+	struct misfit *misfit;
+	struct kernel *kernel;
+	struct ga *ga;
+	struct polish *polish;
+	double *told;
+	enum calibrate_state state, stop;
+	size_t stall, evaluations;
+	double stall_from;
+	struct params start[STARTS];
+	size_t n_start, done, hops, fruitless;
+	struct params best;
+	double best_misfit; /* accurate; INFINITY before the polish */
+};
+
+struct calibrate_options
+calibrate_options_default(void)
+{
+	return (struct calibrate_options){.seed = 1,
+	    .population = 8000,
+	    .generations = 800,
+	    .stall = 20,
+	    .tolerance = 0.05,
+	    .polish = true,
+	    .threads = 1,
+	    .isa = KERNEL_BEST,
+	    .bounds = bounds_default(),
+	    .settings = model_settings_default()};
+}
+
+const char *
+calibrate_state_name(enum calibrate_state state)
+{
+	static const char *const NAMES[] = {"searching", "polishing",
+	    "tolerance", "stall", "generations", "stopped"};
+	return NAMES[state];
+}
+
+static struct misfit *
+training_misfit(
+    const struct site *site, const struct calibrate_options *options)
+{
+	bool *train = xcalloc(site->n_run, sizeof *train);
+	if (options->train == NULL)
+		misfit_default_train(site, train);
+	struct misfit *m =
+	    misfit_new(site, options->train != NULL ? options->train : train,
+		options->run_weight, options->by_sd, options->settings);
+	free(train);
+	return m;
+}
+
+struct calibration *
+calibration_new(
+    const struct site *site, const struct calibrate_options *options)
+{
+	struct calibration *c = xcalloc(1, sizeof *c);
+	struct ga_options ga = ga_options_default();
+	c->options = *options;
+	c->site_digest = site->digest;
+	c->misfit = training_misfit(site, options);
+	assert(c->misfit->n_residual > 0);
+	c->kernel = kernel_new(c->misfit, options->isa, options->threads);
+	ga.population = options->population;
+	ga.seed = options->seed;
+	if (ga.elite > ga.population / 4)
+		ga.elite = ga.population / 4;
+	c->ga = ga_new(
+	    &ga, PARAM_COUNT, options->bounds.lower, options->bounds.upper);
+	c->polish = polish_new(c->misfit);
+	c->told = xdoubles(options->population);
+	c->stall_from = INFINITY;
+	c->best_misfit = INFINITY;
+	return c;
+}
+
+void
+calibration_free(struct calibration *c)
+{
+	if (c == NULL)
+		return;
+	polish_free(c->polish);
+	ga_free(c->ga);
+	kernel_free(c->kernel);
+	misfit_free(c->misfit);
+	free(c->told);
+	free(c);
+}
+
+static struct params
+genes(const double *const *gene, size_t i)
+{
+	struct params p;
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		params_set(&p, j, gene[j][i]);
+	return p;
+}
+
+static struct params
+search_best(const struct calibration *c)
+{
+	struct params p;
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		params_set(&p, j, ga_best(c->ga)[j]);
+	return p;
+}
+
+static void
+keep_scouts(struct calibration *c)
+{
+	size_t index[LEADERS];
+	size_t n = c->options.population;
+	size_t leaders = n < LEADERS ? n : LEADERS;
+	ga_leaders(c->ga, leaders, index);
+	for (size_t i = 0; i < SCOUTS; i++)
+		c->start[c->n_start++] =
+		    genes(ga_told(c->ga), index[i * leaders / SCOUTS]);
+}
+
+static void
+end_search(struct calibration *c, enum calibrate_state why)
+{
+	c->stop = why;
+	c->best = search_best(c);
+	c->state = c->options.polish ? CALIBRATE_POLISHING : why;
+	c->start[c->n_start++] = c->best;
+}
+
+static void
+generation(struct calibration *c)
+{
+	const struct calibrate_options *o = &c->options;
+	kernel_evaluate(c->kernel, ga_ask(c->ga), o->population, c->told);
+	ga_tell(c->ga, c->told);
+	struct ga_status s = ga_status(c->ga);
+	c->evaluations += o->population;
+	c->stall++;
+	if (s.best < 0.999 * c->stall_from) {
+		c->stall_from = s.best;
+		c->stall = 0;
+	}
+	for (size_t i = 0; i < 2 && o->polish; i++)
+		if (s.generation == SCOUT_GENERATION[i])
+			keep_scouts(c);
+	/* Where the misfit is flat all candidates are alike at once, before the
+	 * search has looked around; and a perfect fit leaves both misfits near
+	 * 0, where the last term ends it. */
+	bool together = s.median - s.best <= o->tolerance * s.best + 1e-16;
+	bool early = s.generation < EARLIEST;
+	if (s.generation >= o->generations)
+		end_search(c, CALIBRATE_GENERATIONS);
+	else if (!early && o->tolerance > 0 && together)
+		end_search(c, CALIBRATE_TOLERANCE);
+	else if (!early && o->stall > 0 && c->stall >= o->stall)
+		end_search(c, CALIBRATE_STALLED);
+}
+
+/* A place some way from p: most parameters move little, a few far. */
+static struct params
+hop(const struct calibration *c, struct params p)
+{
+	const struct bounds *b = &c->options.bounds;
+	struct rng_key key = rng_key(c->options.seed, c->hops, USE_HOP);
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		double v = 2 * rng_uniform(key, (uint32_t)j) - 1;
+		double size = rng_uniform(key, (uint32_t)(j + PARAM_COUNT));
+		double x = params_get(&p, j) +
+			   (b->upper[j] - b->lower[j]) * size * v * v * v;
+		params_set(&p, j, fmin(fmax(x, b->lower[j]), b->upper[j]));
+	}
+	return p;
+}
+
+/* beta may be scaled as it likes (D4).  At half the largest size its bounds
+ * allow, hops reach every direction alike. */
+static void
+centre_beta(const struct bounds *b, struct params *p)
+{
+	double reach = INFINITY;
+	for (size_t j = 0; j < 4; j++)
+		reach = fmin(reach, fmin(b->upper[j], -b->lower[j]));
+	if (!(reach > 0))
+		return;
+	params_scale_beta(p);
+	for (size_t j = 0; j < 4; j++)
+		p->beta[j] *= reach / 2;
+}
+
+static void
+polish_one(struct calibration *c)
+{
+	bool hopping = c->done >= c->n_start;
+	struct params p = hopping ? hop(c, c->best) : c->start[c->done];
+	struct polish_result r =
+	    polish_run(c->polish, &c->options.bounds, POLISH_STEPS, &p);
+	c->evaluations += (size_t)r.evaluations;
+	c->done++;
+	if (hopping) {
+		c->hops++;
+		c->fruitless++;
+	}
+	if (r.misfit < c->best_misfit) {
+		bool better = r.misfit < c->best_misfit * (1 - 1e-7);
+		c->best_misfit = r.misfit;
+		c->best = p;
+		centre_beta(&c->options.bounds, &c->best);
+		if (better)
+			c->fruitless = 0;
+	}
+	if (c->fruitless >= HOPS)
+		c->state = c->stop;
+}
+
+enum calibrate_state
+calibration_step(struct calibration *c)
+{
+	if (c->state == CALIBRATE_SEARCHING)
+		generation(c);
+	else if (c->state == CALIBRATE_POLISHING)
+		polish_one(c);
+	return c->state;
+}
+
+void
+calibration_stop(struct calibration *c, bool polish)
+{
+	if (c->state == CALIBRATE_SEARCHING)
+		end_search(c, CALIBRATE_STOPPED);
+	if (c->state == CALIBRATE_POLISHING && !polish)
+		c->state = c->stop = CALIBRATE_STOPPED;
+}
+
+struct calibrate_status
+calibration_status(const struct calibration *c)
+{
+	struct ga_status s = ga_status(c->ga);
+	struct calibrate_status status = {.state = c->state,
+	    .generation = s.generation,
+	    .evaluations = c->evaluations,
+	    .stall = c->stall,
+	    .infinite = s.infinite,
+	    .best = fmin(s.best, c->best_misfit),
+	    .median = s.median,
+	    .worst = s.worst,
+	    .starts_done = c->done,
+	    .starts = c->n_start,
+	    .params =
+		c->state == CALIBRATE_SEARCHING ? search_best(c) : c->best};
+	params_scale_beta(&status.params);
+	return status;
+}
+
+void
+calibration_spread(
+    const struct calibration *c, size_t parameter, double *p10, double *p90)
+{
+	ga_spread(c->ga, parameter, p10, p90);
+}
+
+static double
+feed_misfit(const struct misfit *m)
+{
+	double sum = 0;
+	for (size_t r = 0; r < m->n_run; r++) {
+		const struct misfit_run *run = &m->run[r];
+		for (size_t i = 0; i < run->n; i++) {
+			double d = psd_passing(&run->feed, run->sieve[i]) -
+				   run->measured[i];
+			sum += run->weight[i] * run->weight[i] * d * d;
+		}
+	}
+	return sum;
+}
+
+/* On a bound: nearer to it than a millionth of the range, and free to move.  A
+ * beta's bound only limits its scale. */
+static bool
+on_bound(const struct bounds *b, const struct params *p, size_t j)
+{
+	double x = params_get(p, j), range = b->upper[j] - b->lower[j];
+	double near = fmin(x - b->lower[j], b->upper[j] - x);
+	return j >= PARAM_F_MAT && range > 0 && near <= 1e-6 * range;
+}
+
+struct fit
+calibration_fit(struct calibration *c)
+{
+	struct ga_status s = ga_status(c->ga);
+	struct params p =
+	    c->state == CALIBRATE_SEARCHING ? search_best(c) : c->best;
+	struct fit fit = {.misfit = misfit_at(c->misfit, &p),
+	    .rmse = misfit_rmse(c->misfit, &p),
+	    .feed_misfit = feed_misfit(c->misfit),
+	    .n_residual = c->misfit->n_residual,
+	    .stop = c->stop,
+	    .generations = s.generation,
+	    .evaluations = c->evaluations,
+	    .hops = c->hops,
+	    .seed = c->options.seed,
+	    .site_digest = c->site_digest,
+	    .population = c->options.population,
+	    .settings = c->options.settings};
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		fit.on_bound[j] = on_bound(&c->options.bounds, &p, j);
+	params_scale_beta(&p);
+	fit.params = p;
+	return fit;
+}

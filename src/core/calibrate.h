@@ -1,0 +1,102 @@
+/* Calibration: the search for the parameters that explain a site's runs.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_CALIBRATE_H
+#define TIPSPEED_CORE_CALIBRATE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/kernel.h"
+#include "core/params.h"
+#include "core/site.h"
+
+/* tolerance: the search ends when the median candidate's misfit is no more than
+ * this share above the best one's; 0: never.  stall: it ends when the best has
+ * not fallen by 0.1 % within this many generations; 0: never. Neither counts in
+ * the first 25 generations. train, run_weight [n_run] or NULL for the default
+ * (slowest and fastest, all weights 1); by_sd: weigh sieves by the sheet's
+ * standard deviations. */
+struct calibrate_options {
+	uint64_t seed;
+	size_t population, generations, stall;
+	double tolerance;
+	bool polish;
+	unsigned threads;
+	enum kernel_isa isa;
+	struct bounds bounds;
+	struct model_settings settings;
+	const bool *train;
+	const double *run_weight;
+	bool by_sd;
+};
+
+/* Population, generations and bounds of the paper. */
+struct calibrate_options calibrate_options_default(void);
+
+/* Going on, or why it ended. */
+enum calibrate_state {
+	CALIBRATE_SEARCHING,
+	CALIBRATE_POLISHING,
+	CALIBRATE_TOLERANCE,   /* the population came together */
+	CALIBRATE_STALLED,     /* the best stood still */
+	CALIBRATE_GENERATIONS, /* all generations were used */
+	CALIBRATE_STOPPED      /* the caller said so */
+};
+
+/* Name for people and JSON: "tolerance", "stall", "generations", "stopped". */
+const char *calibrate_state_name(enum calibrate_state state);
+
+/* One search.  It never prints, waits, reads a clock or catches a signal; to
+ * stop it is to stop calling, and the best so far is kept. */
+struct calibration;
+
+/* The site must outlive it.  At least one training run must have a product with
+ * a sieve that its feed covers (asserted). */
+struct calibration *calibration_new(
+    const struct site *site, const struct calibrate_options *options);
+void calibration_free(struct calibration *c);
+
+/* One generation, or the polish of one start.  Returns the state after it; to
+ * call it after the end changes nothing. */
+enum calibrate_state calibration_step(struct calibration *c);
+
+/* Ends the search after the generation done; what is left is the polish, if it
+ * is on and `polish` is true. */
+void calibration_stop(struct calibration *c, bool polish);
+
+struct calibrate_status {
+	enum calibrate_state state;
+	size_t generation, evaluations;
+	size_t stall;    /* generations since the best last fell by 0.1 % */
+	size_t infinite; /* candidates whose misfit was not a number */
+	double best, median, worst; /* misfits on the search's scheme */
+	size_t starts_done, starts; /* of the polish */
+	struct params params;       /* the best so far */
+};
+
+struct calibrate_status calibration_status(const struct calibration *c);
+
+/* Middle 80 % of the last generation's values of a parameter. */
+void calibration_spread(
+    const struct calibration *c, size_t parameter, double *p10, double *p90);
+
+/* A result with its origin: it never travels without. */
+struct fit {
+	struct params params; /* beta scaled to 1 (D4) */
+	double misfit;        /* on model_product, at the training runs */
+	double rmse;          /* of passing at the training runs, 0..1 */
+	double feed_misfit;   /* of the null model product = feed */
+	size_t n_residual;
+	bool on_bound[PARAM_COUNT];
+	enum calibrate_state stop;
+	size_t generations, evaluations, hops;
+	uint64_t seed, site_digest;
+	size_t population;
+	struct model_settings settings;
+};
+
+/* The result so far, at any time after the first step. */
+struct fit calibration_fit(struct calibration *c);
+
+#endif

@@ -1,0 +1,105 @@
+/* Eq 2 to the letter: P = B S f + (I - S) f on the feed's size classes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/classes.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "core/appearance.h"
+#include "core/energy.h"
+#include "core/selection.h"
+
+/* n feed sieves make n classes: n - 1 intervals and the pan. */
+struct classes {
+	size_t n_sieve;
+	double *sieve;
+	struct psd feed;    /* its sieves and passings */
+	struct psd product; /* on the feed's sieves */
+	double *x, *f, *S, *matrix;
+	struct model_settings settings;
+	struct params p;
+};
+
+void
+classes_sizes(const struct psd *feed, double *x)
+{
+	size_t pan = feed->n - 1;
+	for (size_t i = 0; i < pan; i++)
+		x[i] = sqrt(feed->size[i] * feed->size[i + 1]);
+	x[pan] = feed->size[pan] / 2;
+}
+
+struct classes *
+classes_new(const struct psd *feed, const double *sieve, size_t n,
+    struct model_settings settings)
+{
+	struct classes *c = xcalloc(1, sizeof *c);
+	c->settings = settings;
+	c->n_sieve = n;
+	c->sieve = xdoubles(n);
+	for (size_t i = 0; i < n; i++)
+		c->sieve[i] = sieve[i];
+	c->feed = psd_copy(feed);
+	c->product = psd_copy(feed);
+	c->x = xdoubles(feed->n);
+	c->f = xdoubles(feed->n);
+	c->S = xdoubles(feed->n);
+	c->matrix = xdoubles(feed->n * feed->n);
+	classes_sizes(feed, c->x);
+	for (size_t i = 0; i + 1 < feed->n; i++)
+		c->f[i] = feed->passing[i] - feed->passing[i + 1];
+	c->f[feed->n - 1] = feed->passing[feed->n - 1];
+	return c;
+}
+
+void
+classes_free(struct classes *c)
+{
+	if (c == NULL)
+		return;
+	psd_free(&c->feed);
+	psd_free(&c->product);
+	free(c->sieve);
+	free(c->x);
+	free(c->f);
+	free(c->S);
+	free(c->matrix);
+	free(c);
+}
+
+void
+classes_set(struct classes *c, const struct params *p)
+{
+	c->p = *p;
+	appearance_matrix(
+	    p->beta, c->settings.appearance, c->x, c->feed.n, c->matrix);
+}
+
+void
+classes_product(struct classes *c, double v, double *passing)
+{
+	size_t n = c->feed.n;
+	selection(&c->p, c->settings.k, energy_specific(v), c->x, n, c->S);
+	double finer = 0;
+	for (size_t j = n; j-- > 0;) {
+		double mass = (1 - c->S[j]) * c->f[j];
+		for (size_t i = 0; i <= j; i++)
+			mass += c->matrix[j * n + i] * c->S[i] * c->f[i];
+		finer += mass;
+		c->product.passing[j] = finer < 1 ? finer : 1;
+	}
+	for (size_t i = 0; i < c->n_sieve; i++)
+		passing[i] = psd_passing(&c->product, c->sieve[i]);
+}
+
+double
+classes_selected(struct classes *c, double v)
+{
+	double sum = 0;
+	selection(
+	    &c->p, c->settings.k, energy_specific(v), c->x, c->feed.n, c->S);
+	for (size_t i = 0; i < c->feed.n; i++)
+		sum += c->S[i] * c->f[i];
+	return sum;
+}

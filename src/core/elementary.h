@@ -1,0 +1,116 @@
+/* exp and log that give the same bits on every machine and in every lane.
+ *
+ * The C library's differ in the last bit between processors (it picks a variant
+ * with fused multiply-add where there is one), and a genetic algorithm turns
+ * one bit into another search.  These are plain double arithmetic without
+ * branches, so that gcc turns a loop over lanes into vector code.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_ELEMENTARY_H
+#define TIPSPEED_CORE_ELEMENTARY_H
+
+#include <stdint.h>
+#include <string.h>
+
+static inline double
+el_from_bits(uint64_t bits)
+{
+	double d;
+	memcpy(&d, &bits, sizeof d);
+	return d;
+}
+
+static inline uint64_t
+el_to_bits(double d)
+{
+	uint64_t bits;
+	memcpy(&bits, &d, sizeof bits);
+	return bits;
+}
+
+/* e^r - 1 and the power of two, so that exp(x) = scale * (1 + result).
+ * x is first held to -708..708; NaN gives the value at an end, so callers test
+ * for NaN themselves.
+ * Method: x = n ln 2 + r, |r| <= ln 2 / 2 (Cody and Waite), Taylor in r. */
+static inline double
+el_exp_parts(double x, double *scale)
+{
+	const double round = 6755399441055744.0; /* 1.5 * 2^52 */
+	x = x > -708.0 ? x : -708.0;
+	x = x < 708.0 ? x : 708.0;
+	double shifted = x * 1.4426950408889634074 + round;
+	double n = shifted - round;
+	double r = x - n * 6.93147180369123816490e-01;
+	r = r - n * 1.90821492927058770002e-10;
+	double p = 1.0 / 6227020800.0;
+	p = p * r + 1.0 / 479001600.0;
+	p = p * r + 1.0 / 39916800.0;
+	p = p * r + 1.0 / 3628800.0;
+	p = p * r + 1.0 / 362880.0;
+	p = p * r + 1.0 / 40320.0;
+	p = p * r + 1.0 / 5040.0;
+	p = p * r + 1.0 / 720.0;
+	p = p * r + 1.0 / 120.0;
+	p = p * r + 1.0 / 24.0;
+	p = p * r + 1.0 / 6.0;
+	p = p * r + 0.5;
+	/* The low bits of shifted hold n; moved into the exponent they scale.
+	 * */
+	*scale = el_from_bits((el_to_bits(shifted) + 1023) << 52);
+	return p * r * r + r;
+}
+
+/* exp(x) to 1 ulp or so; beyond -708..708 the value at that end. */
+static inline double
+el_exp(double x)
+{
+	double scale, p = el_exp_parts(x, &scale);
+	return scale * p + scale;
+}
+
+/* exp(x) - 1 without loss near 0. */
+static inline double
+el_expm1(double x)
+{
+	double scale, p = el_exp_parts(x, &scale);
+	return scale * p + (scale - 1.0);
+}
+
+/* ln(x) to 2 ulp or so for normal x > 0.
+ * Method: x = 2^k m, m in [sqrt(1/2), sqrt(2)), ln m by the odd series in
+ * z = (m - 1) / (m + 1). */
+static inline double
+el_log(double x)
+{
+	const double magic = 6755399441055744.0;
+	uint64_t bits = el_to_bits(x);
+	uint64_t over = (bits - UINT64_C(0x3fe6a09e667f3bcd)) >> 52;
+	/* over is the exponent k modulo 2^12, as an unsigned number. */
+	uint64_t k = (over ^ 0x800) - 0x800;
+	double m = el_from_bits(bits - (k << 52));
+	double kd = el_from_bits((k + el_to_bits(magic))) - magic;
+	double f = m - 1.0;
+	double z = f / (2.0 + f);
+	double w = z * z;
+	double p = 1.0 / 21.0;
+	p = p * w + 1.0 / 19.0;
+	p = p * w + 1.0 / 17.0;
+	p = p * w + 1.0 / 15.0;
+	p = p * w + 1.0 / 13.0;
+	p = p * w + 1.0 / 11.0;
+	p = p * w + 1.0 / 9.0;
+	p = p * w + 1.0 / 7.0;
+	p = p * w + 1.0 / 5.0;
+	p = p * w + 1.0 / 3.0;
+	double ln_m = 2.0 * z + 2.0 * z * (w * p);
+	return kd * 6.93147180369123816490e-01 +
+	       (ln_m + kd * 1.90821492927058770002e-10);
+}
+
+/* x^a for normal x > 0. */
+static inline double
+el_pow(double x, double a)
+{
+	return el_exp(a * el_log(x));
+}
+
+#endif

@@ -1,0 +1,22 @@
+/* Energy of an impact (Eq 4) and the smallest size it breaks.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_ENERGY_H
+#define TIPSPEED_CORE_ENERGY_H
+
+#include "core/params.h"
+
+/* Specific energy of a fragment thrown at tip speed v.
+ *   E = v^2 / 2
+ * v rotor tip speed, m/s.  Returns J/kg.   Source: paper Eq 4. */
+double energy_specific(double v);
+
+/* The tip speed, m/s, that gives the specific energy E, J/kg. */
+double energy_tip_speed(double E);
+
+/* Break size: the smallest size that can break at tip speed v.
+ *   x* = (E0_min / E)^(1 / alpha)
+ * v m/s.  Returns m: 0 where every size breaks, INFINITY where none does (as
+ * with alpha = 0 and E <= E0_min).   Source: Eq 3 at S = 0. */
+double energy_break_size(const struct params *p, double v);
+
+#endif

@@ -1,0 +1,65 @@
+/* A genetic algorithm with real genes in a box; knows nothing of crushing.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_GA_H
+#define TIPSPEED_CORE_GA_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Ask for candidates, evaluate them in any way, tell their misfits: that is one
+ * generation.  Tournament selection, blend crossover, mutation, elitism.  The
+ * random numbers are a function of (seed, generation, candidate, gene), so the
+ * same seed gives the same generations whoever evaluates them. */
+struct ga;
+
+struct ga_options {
+	size_t population; /* candidates a generation, at least 8 */
+	size_t tournament; /* candidates a parent is the best of */
+	size_t elite;      /* best candidates kept unchanged, at least 1 */
+	double crossover;  /* share of children with two parents */
+	double mutation;   /* chance for each gene */
+	uint64_t seed;
+};
+
+/* The paper's population, and operators found good on its Table 3. */
+struct ga_options ga_options_default(void);
+
+/* Genes lie in lower..upper [n_gene]; where both are equal the gene is fixed.
+ * The first generation is uniform in the box. */
+struct ga *ga_new(const struct ga_options *options, size_t n_gene,
+    const double *lower, const double *upper);
+void ga_free(struct ga *ga);
+
+/* This generation's candidates: one array a gene, [population], aligned to 64
+ * bytes and readable up to the next multiple of 64.  Borrowed until ga_tell. */
+const double *const *ga_ask(const struct ga *ga);
+
+/* Takes the misfits of this generation's candidates (lower is better, INFINITY
+ * for a candidate that cannot be judged) and breeds the next generation. */
+void ga_tell(struct ga *ga, const double *misfit);
+
+/* State after the last ga_tell, by value.  worst and median count infinite
+ * misfits as such. */
+struct ga_status {
+	size_t generation; /* generations told */
+	size_t evaluations;
+	size_t infinite;      /* misfits told that were INFINITY, in all */
+	double best;          /* lowest misfit ever told */
+	double median, worst; /* of the last generation */
+};
+
+struct ga_status ga_status(const struct ga *ga);
+
+/* Genes [n_gene] of the best candidate ever told. */
+const double *ga_best(const struct ga *ga);
+
+/* Index, within the last generation told, of candidates in order of rising
+ * misfit; the first `n` places are sorted.  Genes through ga_told. */
+void ga_leaders(const struct ga *ga, size_t n, size_t *index);
+const double *const *ga_told(const struct ga *ga);
+
+/* Lowest and highest value of a gene among the middle 80 % of the last
+ * generation told (its 10 % and 90 % quantiles). */
+void ga_spread(const struct ga *ga, size_t gene, double *p10, double *p90);
+
+#endif

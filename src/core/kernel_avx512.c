@@ -1,0 +1,17 @@
+/* The kernel for avx512.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/plan.h"
+
+#if defined __x86_64__
+#pragma GCC target("avx512f,avx512dq,avx512vl,avx512bw,prefer-vector-width=512")
+#define KERNEL_NAME kernel_block_avx512
+#include "core/kernel_body.h"
+#else
+void
+kernel_block_avx512(const struct plan *plan,
+    const double *const theta[PARAM_COUNT], size_t offset, double *scratch,
+    double *misfit)
+{
+	kernel_block_base(plan, theta, offset, scratch, misfit);
+}
+#endif

@@ -1,0 +1,155 @@
+/* Eq 5.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/misfit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+
+size_t
+misfit_covered(const struct psd *feed, const struct psd *psd)
+{
+	size_t n = 0;
+	while (n < psd->n && psd_covers(feed, psd->size[n]))
+		n++;
+	return n;
+}
+
+size_t
+misfit_default_train(const struct site *site, bool *train)
+{
+	size_t first = site->n_run, last = site->n_run;
+	for (size_t r = 0; r < site->n_run; r++) {
+		train[r] = false;
+		if (site->run[r].product.n == 0)
+			continue;
+		if (first == site->n_run)
+			first = r;
+		last = r;
+	}
+	if (first == site->n_run)
+		return 0;
+	train[first] = train[last] = true;
+	return first == last ? 1 : 2;
+}
+
+static void
+fill_run(
+    struct misfit_run *to, const struct run *run, double run_weight, bool by_sd)
+{
+	to->speed = run->speed;
+	to->feed = run->feed;
+	to->n = misfit_covered(&run->feed, &run->product);
+	to->sieve = xdoubles(to->n);
+	to->measured = xdoubles(to->n);
+	to->weight = xdoubles(to->n);
+	for (size_t i = 0; i < to->n; i++) {
+		bool has_sd = by_sd && run->product_sd != NULL;
+		to->sieve[i] = run->product.size[i];
+		to->measured[i] = run->product.passing[i];
+		to->weight[i] =
+		    sqrt(run_weight) / (has_sd ? run->product_sd[i] : 1);
+	}
+}
+
+struct misfit *
+misfit_new(const struct site *site, const bool *train, const double *run_weight,
+    bool by_sd, struct model_settings settings)
+{
+	struct misfit *m = xcalloc(1, sizeof *m);
+	size_t widest = 0;
+	m->settings = settings;
+	m->run = xcalloc(site->n_run, sizeof *m->run);
+	m->model = xcalloc(site->n_run, sizeof *m->model);
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (!train[r] || site->run[r].product.n == 0)
+			continue;
+		struct misfit_run *run = &m->run[m->n_run];
+		double weight = run_weight != NULL ? run_weight[r] : 1;
+		fill_run(run, &site->run[r], weight, by_sd);
+		run->run = r;
+		m->model[m->n_run++] =
+		    model_new(&run->feed, run->sieve, run->n, settings);
+		m->n_residual += run->n;
+		widest = run->n > widest ? run->n : widest;
+	}
+	m->passing = xdoubles(widest);
+	m->d_passing = xdoubles(widest * PARAM_COUNT);
+	return m;
+}
+
+void
+misfit_free(struct misfit *m)
+{
+	if (m == NULL)
+		return;
+	for (size_t r = 0; r < m->n_run; r++) {
+		free(m->run[r].sieve);
+		free(m->run[r].measured);
+		free(m->run[r].weight);
+		model_free(m->model[r]);
+	}
+	free(m->run);
+	free(m->model);
+	free(m->passing);
+	free(m->d_passing);
+	free(m);
+}
+
+/* Adds up the squares of run r, weighted or not. */
+static double
+run_squares(struct misfit *m, size_t r, const struct params *p, bool weighted)
+{
+	const struct misfit_run *run = &m->run[r];
+	double sum = 0;
+	model_set(m->model[r], p);
+	model_product(m->model[r], run->speed, m->passing);
+	for (size_t i = 0; i < run->n; i++) {
+		double d = m->passing[i] - run->measured[i];
+		d *= weighted ? run->weight[i] : 1;
+		sum += d * d;
+	}
+	return sum;
+}
+
+double
+misfit_at(struct misfit *m, const struct params *p)
+{
+	double sum = 0;
+	for (size_t r = 0; r < m->n_run; r++)
+		sum += run_squares(m, r, p, true);
+	return isfinite(sum) ? sum : INFINITY;
+}
+
+double
+misfit_rmse(struct misfit *m, const struct params *p)
+{
+	double sum = 0;
+	for (size_t r = 0; r < m->n_run; r++)
+		sum += run_squares(m, r, p, false);
+	return sqrt(sum / (double)(m->n_residual > 0 ? m->n_residual : 1));
+}
+
+double
+misfit_jacobian(struct misfit *m, const struct params *p, double *r, double *J)
+{
+	double sum = 0;
+	for (size_t k = 0; k < m->n_run; k++) {
+		const struct misfit_run *run = &m->run[k];
+		model_set(m->model[k], p);
+		model_jacobian(
+		    m->model[k], run->speed, m->passing, m->d_passing);
+		for (size_t i = 0; i < run->n; i++) {
+			double w = run->weight[i];
+			*r = w * (m->passing[i] - run->measured[i]);
+			sum += *r * *r;
+			for (size_t j = 0; j < PARAM_COUNT; j++)
+				J[j] = w * m->d_passing[i * PARAM_COUNT + j];
+			r++;
+			J += PARAM_COUNT;
+		}
+	}
+	return isfinite(sum) ? sum : INFINITY;
+}

@@ -1,0 +1,64 @@
+/* Misfit (Eq 5): how far simulated products lie from measured ones.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_MISFIT_H
+#define TIPSPEED_CORE_MISFIT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/params.h"
+#include "core/product.h"
+#include "core/site.h"
+
+/* One training run as the misfit sees it: the product's sieves that the feed
+ * covers.  weight multiplies a difference before it is squared. */
+struct misfit_run {
+	size_t run; /* index into the site's runs */
+	double speed;
+	struct psd feed; /* borrowed from the site */
+	size_t n;
+	double *sieve;    /* m, coarsest first */
+	double *measured; /* passing, 0..1 */
+	double *weight;
+};
+
+/* The objective of a calibration, plain to read:
+ *   E = sum over training runs and product sieves of
+ *       (weight (measured - simulated passing))^2
+ * D6: the minus between the two squares in print would have no lower bound. */
+struct misfit {
+	struct model_settings settings;
+	size_t n_run, n_residual;
+	struct misfit_run *run;
+	struct model **model; /* [n_run] */
+	double *passing, *d_passing;
+};
+
+/* train [n_run] true for the runs to train on; those without a product are left
+ * out.  run_weight [n_run] or NULL: weight of each run's squares, >= 0.
+ * by_sd: divide each difference by the sheet's standard deviation where it
+ * states one.  The site must outlive the misfit. */
+struct misfit *misfit_new(const struct site *site, const bool *train,
+    const double *run_weight, bool by_sd, struct model_settings settings);
+void misfit_free(struct misfit *m);
+
+/* The misfit at p; INFINITY where it is not a number.   Source: paper Eq 5. */
+double misfit_at(struct misfit *m, const struct params *p);
+
+/* Weighted differences simulated - measured, r [n_residual], and their
+ * derivatives, J [n_residual * PARAM_COUNT] by rows.  Returns the misfit. */
+double misfit_jacobian(
+    struct misfit *m, const struct params *p, double *r, double *J);
+
+/* Root mean square of the unweighted differences at p, 0..1. */
+double misfit_rmse(struct misfit *m, const struct params *p);
+
+/* Number of sieves of psd that the feed covers; the finest ones are left out
+ * first, so these are psd's leading sieves. */
+size_t misfit_covered(const struct psd *feed, const struct psd *psd);
+
+/* The default training set: the slowest and the fastest run with a product.
+ * Returns how many were marked, 0..2. */
+size_t misfit_default_train(const struct site *site, bool *train);
+
+#endif

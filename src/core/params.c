@@ -1,0 +1,99 @@
+/* The table of parameters.  Everything that prints, parses or bounds one reads
+ * it here.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/params.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+const struct param_info PARAMS[PARAM_COUNT] = {
+    {"beta1", "β1", "-", -1000, 1000, "appearance: constant term"},
+    {"beta2", "β2", "-", -1000, 1000, "appearance: term in u"},
+    {"beta3", "β3", "-", -1000, 1000, "appearance: term in u squared"},
+    {"beta4", "β4", "-", -1000, 1000, "appearance: term in u cubed"},
+    {"f_mat", "f_mat", "kg/(J m)", 0.001, 3,
+	"material: a higher one breaks more"},
+    {"e0_min", "E0_min", "J m/kg", 0, 30, "threshold energy for breakage"},
+    {"alpha", "α", "-", 0, 1, "size dependency of breakage"},
+};
+
+double
+params_get(const struct params *p, size_t i)
+{
+	assert(i < PARAM_COUNT);
+	switch (i) {
+	case PARAM_F_MAT:
+		return p->f_mat;
+	case PARAM_E0_MIN:
+		return p->e0_min;
+	case PARAM_ALPHA:
+		return p->alpha;
+	default:
+		return p->beta[i];
+	}
+}
+
+void
+params_set(struct params *p, size_t i, double value)
+{
+	assert(i < PARAM_COUNT);
+	switch (i) {
+	case PARAM_F_MAT:
+		p->f_mat = value;
+		break;
+	case PARAM_E0_MIN:
+		p->e0_min = value;
+		break;
+	case PARAM_ALPHA:
+		p->alpha = value;
+		break;
+	default:
+		p->beta[i] = value;
+	}
+}
+
+size_t
+params_find(const char *name)
+{
+	size_t i = 0;
+	while (i < PARAM_COUNT && strcmp(PARAMS[i].name, name) != 0)
+		i++;
+	return i;
+}
+
+/* 1 - exp(-u) has density u exp(-u) in ln u; this is its cubic. */
+struct params
+params_default_beta(void)
+{
+	return (struct params){{0, 1, -1, 0.5}, 0, 0, 0};
+}
+
+void
+params_scale_beta(struct params *p)
+{
+	double largest = 0;
+	for (size_t i = 0; i < 4; i++)
+		largest = fmax(largest, fabs(p->beta[i]));
+	if (largest > 0)
+		for (size_t i = 0; i < 4; i++)
+			p->beta[i] /= largest;
+}
+
+struct bounds
+bounds_default(void)
+{
+	struct bounds b;
+	for (size_t i = 0; i < PARAM_COUNT; i++) {
+		b.lower[i] = PARAMS[i].lower;
+		b.upper[i] = PARAMS[i].upper;
+	}
+	return b;
+}
+
+struct model_settings
+model_settings_default(void)
+{
+	return (struct model_settings){
+	    METHOD_CONTINUOUS, APPEARANCE_RATIO, 1.0};
+}

@@ -1,0 +1,280 @@
+/* Cuts a misfit into what the kernel sums: classes, sieves, weights.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/plan.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "core/appearance.h"
+#include "core/classes.h"
+#include "core/elementary.h"
+#include "core/energy.h"
+
+/* Classes are at most this wide in ln x: a quarter octave and a little, so that
+ * the steps of the EN 933 series (1.4, 1.43) make two. */
+static const double WIDEST = 0.18;
+
+static int
+falling(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+	return (x < y) - (x > y);
+}
+
+/* All feed and product sieves of all runs between the coarsest and the finest
+ * feed sieve, ln x, coarsest first. */
+static size_t
+collect_edges(const struct misfit *m, double *edge)
+{
+	double top = -1e3, bottom = 1e3;
+	size_t n = 0, kept = 0;
+	for (size_t r = 0; r < m->n_run; r++) {
+		const struct psd *feed = &m->run[r].feed;
+		for (size_t i = 0; i < feed->n; i++)
+			edge[n++] = el_log(feed->size[i]);
+		top = fmax(top, el_log(feed->size[0]));
+		bottom = fmin(bottom, el_log(feed->size[feed->n - 1]));
+	}
+	for (size_t r = 0; r < m->n_run; r++)
+		for (size_t i = 0; i < m->run[r].n; i++)
+			edge[n++] = el_log(m->run[r].sieve[i]);
+	qsort(edge, n, sizeof *edge, falling);
+	for (size_t i = 0; i < n; i++) {
+		bool inside = edge[i] <= top && edge[i] >= bottom;
+		bool other = kept == 0 || edge[kept - 1] - edge[i] > 1e-12;
+		if (inside && other)
+			edge[kept++] = edge[i];
+	}
+	return kept;
+}
+
+static void
+plan_classes(struct plan *plan, const double *edge, size_t n)
+{
+	size_t room = 0;
+	for (size_t e = 0; e + 1 < n; e++)
+		room += (size_t)((edge[e] - edge[e + 1]) / WIDEST) + 1;
+	plan->upper = xdoubles(room);
+	plan->lower = xdoubles(room);
+	plan->middle = xdoubles(room);
+	for (size_t e = 0; e + 1 < n; e++) {
+		double width = edge[e] - edge[e + 1];
+		size_t parts = (size_t)(width / WIDEST) + 1;
+		for (size_t i = 0; i < parts; i++) {
+			size_t c = plan->n_class++;
+			plan->upper[c] =
+			    edge[e] - width * (double)i / (double)parts;
+			plan->lower[c] =
+			    i + 1 == parts ? edge[e + 1]
+					   : edge[e] - width * (double)(i + 1) /
+							   (double)parts;
+			plan->middle[c] = (plan->upper[c] + plan->lower[c]) / 2;
+		}
+	}
+}
+
+/* dF / d ln x of a feed at ln x = t. */
+static double
+feed_density(const struct psd *feed, double t)
+{
+	for (size_t i = 0; i + 1 < feed->n; i++) {
+		double upper = el_log(feed->size[i]);
+		double lower = el_log(feed->size[i + 1]);
+		if (t <= upper && t >= lower)
+			return (feed->passing[i] - feed->passing[i + 1]) /
+			       (upper - lower);
+	}
+	return 0;
+}
+
+static void
+set_powers(double u, double to[static 3])
+{
+	to[0] = u;
+	to[1] = u * u;
+	to[2] = u * u * u;
+}
+
+static void
+plan_sieve(const struct plan *plan, struct plan_sieve *s, double log_s)
+{
+	size_t n = plan->n_class;
+	double h = 2 * plan->half_node;
+	s->u = xdoubles(3 * n);
+	s->one = xdoubles(n);
+	s->step = xdoubles(n);
+	for (size_t c = 0; c < n; c++) {
+		double log_u = log_s - plan->middle[c];
+		if (plan->lower[c] >= log_s - 1e-12)
+			s->n_above = c + 1;
+		s->one[c] = el_exp(log_u) >= APPEARANCE_FINEST;
+		set_powers(s->one[c] > 0 ? el_exp(log_u) : 0, s->u + 3 * c);
+		if (c > 0)
+			s->step[c] =
+			    (plan->middle[c - 1] - plan->middle[c]) / 2;
+	}
+	/* Node j lies at ln u = -j h. */
+	double nodes = n > 0 ? (plan->middle[0] - log_s) / h : 0;
+	double j = floor(nodes < 0 ? 0 : nodes);
+	s->start_one = nodes < KERNEL_U_NODES - 1;
+	s->start_node = s->start_one > 0 ? (size_t)j : 0;
+	s->start_step = s->start_one > 0 ? 1 - (nodes - j) : 0;
+}
+
+static void
+plan_nodes(struct plan *plan)
+{
+	double h = -el_log(APPEARANCE_FINEST) / (KERNEL_U_NODES - 1);
+	plan->half_node = h / 2;
+	for (size_t j = 0; j < KERNEL_U_NODES; j++)
+		set_powers(el_exp(-h * (double)j), plan->u[j]);
+	/* The rule gives u^m times (m h/2) coth(m h/2) for its integral. */
+	plan->correction[0] = 1;
+	for (size_t m = 1; m < 4; m++) {
+		double a = (double)m * h / 2, e = el_exp(-2 * a);
+		plan->correction[m] = (1 - e) / (1 + e) / a;
+	}
+}
+
+/* The sieves of all runs together, and each run's passings at them. */
+static void
+plan_targets(struct plan *plan, const struct misfit *m)
+{
+	size_t room = m->n_residual, n = 0;
+	double *sieve = xdoubles(room);
+	for (size_t r = 0; r < m->n_run; r++)
+		for (size_t i = 0; i < m->run[r].n; i++)
+			sieve[n++] = m->run[r].sieve[i];
+	qsort(sieve, n, sizeof *sieve, falling);
+	for (size_t i = 0; i < n; i++)
+		if (plan->n_sieve == 0 || sieve[plan->n_sieve - 1] > sieve[i])
+			sieve[plan->n_sieve++] = sieve[i];
+	plan->sieve = xcalloc(plan->n_sieve, sizeof *plan->sieve);
+	for (size_t s = 0; s < plan->n_sieve; s++)
+		plan_sieve(plan, &plan->sieve[s], el_log(sieve[s]));
+	for (size_t r = 0; r < m->n_run; r++) {
+		const struct misfit_run *from = &m->run[r];
+		struct plan_run *run = &plan->run[r];
+		run->n_target = plan->n_sieve;
+		run->target = xcalloc(plan->n_sieve, sizeof *run->target);
+		for (size_t i = 0, s = 0; i < from->n; i++) {
+			while (sieve[s] > from->sieve[i])
+				s++;
+			run->target[s].feed_passing =
+			    psd_passing(&from->feed, sieve[s]);
+			run->target[s].measured = from->measured[i];
+			run->target[s].weight = from->weight[i];
+		}
+	}
+	free(sieve);
+}
+
+static void
+plan_continuous(struct plan *plan, const struct misfit *m)
+{
+	size_t room = m->n_residual;
+	for (size_t r = 0; r < m->n_run; r++)
+		room += m->run[r].feed.n;
+	double *edge = xdoubles(room);
+	plan_classes(plan, edge, collect_edges(m, edge));
+	free(edge);
+	plan_nodes(plan);
+	for (size_t r = 0; r < m->n_run; r++) {
+		plan->run[r].mass = xdoubles(plan->n_class);
+		for (size_t c = 0; c < plan->n_class; c++)
+			plan->run[r].mass[c] =
+			    feed_density(&m->run[r].feed, plan->middle[c]);
+	}
+	plan_targets(plan, m);
+	plan->scratch = KERNEL_LANES * (plan->n_run * (2 * plan->n_class + 3) +
+					   KERNEL_U_NODES);
+}
+
+static void
+plan_class_run(struct plan_run *run, const struct misfit_run *from,
+    enum appearance_form form)
+{
+	const struct psd *feed = &from->feed;
+	size_t n = run->n_size = feed->n;
+	double *x = xdoubles(n);
+	classes_sizes(feed, x);
+	run->mass = xdoubles(n);
+	run->log_size = xdoubles(n);
+	run->argument = xdoubles(3 * n * n);
+	for (size_t i = 0; i < n; i++) {
+		run->log_size[i] = el_log(x[i]);
+		run->mass[i] =
+		    feed->passing[i] - (i + 1 < n ? feed->passing[i + 1] : 0);
+		for (size_t j = 0; j < n; j++)
+			set_powers(appearance_argument(form, x[i], x[j]),
+			    run->argument + 3 * (i * n + j));
+	}
+	free(x);
+	run->n_target = from->n;
+	run->target = xcalloc(from->n, sizeof *run->target);
+	for (size_t s = 0; s < from->n; s++) {
+		struct plan_target *t = &run->target[s];
+		double size = from->sieve[s];
+		while (t->sieve + 2 < n && feed->size[t->sieve + 1] > size)
+			t->sieve++;
+		double upper = feed->size[t->sieve];
+		double lower = feed->size[t->sieve + 1];
+		double share = el_log(size / lower) / el_log(upper / lower);
+		t->share = fmin(fmax(share, 0), 1);
+		t->measured = from->measured[s];
+		t->weight = from->weight[s];
+	}
+}
+
+static void
+plan_class_runs(struct plan *plan, const struct misfit *m)
+{
+	size_t widest = 0;
+	for (size_t r = 0; r < m->n_run; r++) {
+		plan_class_run(
+		    &plan->run[r], &m->run[r], m->settings.appearance);
+		if (plan->run[r].n_size > widest)
+			widest = plan->run[r].n_size;
+	}
+	plan->scratch = KERNEL_LANES * 3 * widest;
+}
+
+void
+plan_make(struct plan *plan, const struct misfit *m)
+{
+	*plan = (struct plan){.method = m->settings.method,
+	    .k = m->settings.k,
+	    .n_run = m->n_run,
+	    .run = xcalloc(m->n_run, sizeof *plan->run)};
+	for (size_t r = 0; r < m->n_run; r++) {
+		plan->run[r].E = energy_specific(m->run[r].speed);
+		plan->run[r].log_E = el_log(plan->run[r].E);
+	}
+	if (plan->method == METHOD_CLASSES)
+		plan_class_runs(plan, m);
+	else
+		plan_continuous(plan, m);
+}
+
+void
+plan_clear(struct plan *plan)
+{
+	for (size_t r = 0; r < plan->n_run; r++) {
+		free(plan->run[r].mass);
+		free(plan->run[r].target);
+		free(plan->run[r].log_size);
+		free(plan->run[r].argument);
+	}
+	for (size_t s = 0; s < plan->n_sieve; s++) {
+		free(plan->sieve[s].u);
+		free(plan->sieve[s].one);
+		free(plan->sieve[s].step);
+	}
+	free(plan->run);
+	free(plan->sieve);
+	free(plan->upper);
+	free(plan->lower);
+	free(plan->middle);
+}

@@ -1,0 +1,89 @@
+/* One product with what can be read off it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/predict.h"
+
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "core/energy.h"
+#include "core/product.h"
+
+static int
+falling(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+	return (x < y) - (x > y);
+}
+
+/* All sieves of the site that the feed covers, coarsest first. */
+static struct psd
+all_sieves(const struct site *site, const struct psd *feed)
+{
+	size_t room = 0, n = 0, kept = 0;
+	for (size_t r = 0; r < site->n_run; r++)
+		room += site->run[r].feed.n + site->run[r].product.n;
+	struct psd psd = psd_new(room);
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		for (size_t i = 0; i < run->feed.n; i++)
+			psd.size[n++] = run->feed.size[i];
+		for (size_t i = 0; i < run->product.n; i++)
+			psd.size[n++] = run->product.size[i];
+	}
+	qsort(psd.size, n, sizeof *psd.size, falling);
+	for (size_t i = 0; i < n; i++) {
+		double x = psd.size[i];
+		bool other = kept == 0 || psd.size[kept - 1] > x;
+		if (other && psd_covers(feed, x))
+			psd.size[kept++] = x;
+	}
+	psd.n = kept;
+	return psd;
+}
+
+struct prediction
+predict(const struct site *site, const struct params *p,
+    struct model_settings settings, double speed, size_t feed_run)
+{
+	const struct psd *feed = &site->run[feed_run].feed;
+	struct prediction out = {.speed = speed,
+	    .energy = energy_specific(speed),
+	    .feed_run = feed_run,
+	    .product = all_sieves(site, feed),
+	    .break_size = energy_break_size(p, speed)};
+	out.feed = psd_copy(&out.product);
+	for (size_t i = 0; i < out.feed.n; i++)
+		out.feed.passing[i] = psd_passing(feed, out.feed.size[i]);
+	struct model *model =
+	    model_new(feed, out.product.size, out.product.n, settings);
+	model_set(model, p);
+	model_product(model, speed, out.product.passing);
+	out.selected = model_selected(model, speed);
+	out.no_daughters = !model_breaks(model);
+	model_free(model);
+	out.p20 = psd_size(&out.product, 0.2);
+	out.p50 = psd_size(&out.product, 0.5);
+	out.p80 = psd_size(&out.product, 0.8);
+	return out;
+}
+
+void
+prediction_free(struct prediction *prediction)
+{
+	psd_free(&prediction->feed);
+	psd_free(&prediction->product);
+}
+
+bool
+predict_extrapolates(const struct site *site, const bool *train, double speed)
+{
+	double slowest = 1e300, fastest = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (!train[r])
+			continue;
+		double v = site->run[r].speed;
+		slowest = v < slowest ? v : slowest;
+		fastest = v > fastest ? v : fastest;
+	}
+	return speed < slowest - 1e-9 || speed > fastest + 1e-9;
+}

@@ -1,0 +1,35 @@
+/* Prediction: the product of a site at any tip speed.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_PREDICT_H
+#define TIPSPEED_CORE_PREDICT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/params.h"
+#include "core/site.h"
+
+/* product, feed [same sieves]: all sieves of the site's feed and products that
+ * the feed covers.  Sizes in m; NAN where they lie outside the sieves. */
+struct prediction {
+	double speed;    /* m/s */
+	double energy;   /* J/kg */
+	size_t feed_run; /* the run whose feed was taken */
+	struct psd feed, product;
+	double p20, p50, p80;
+	double break_size; /* x*; INFINITY: nothing breaks; 0: all sizes do */
+	double selected;   /* mass fraction of the feed that is selected */
+	bool no_daughters; /* p(u) is 0 everywhere: product = feed */
+};
+
+/* feed_run: the run whose feed to take, as a rule site_run_nearest of the
+ * speed. Cannot fail; free with prediction_free. */
+struct prediction predict(const struct site *site, const struct params *p,
+    struct model_settings settings, double speed, size_t feed_run);
+void prediction_free(struct prediction *prediction);
+
+/* True when speed lies outside the speeds of the runs marked in train. */
+bool predict_extrapolates(
+    const struct site *site, const bool *train, double speed);
+
+#endif

@@ -1,0 +1,109 @@
+/* Sieve curves: reading between the sieves, both ways.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/psd.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "core/elementary.h"
+
+struct psd
+psd_new(size_t n)
+{
+	return (struct psd){n, xdoubles(n), xdoubles(n)};
+}
+
+struct psd
+psd_copy(const struct psd *psd)
+{
+	struct psd copy = psd_new(psd->n);
+	if (psd->n > 0) {
+		memcpy(copy.size, psd->size, psd->n * sizeof *copy.size);
+		memcpy(
+		    copy.passing, psd->passing, psd->n * sizeof *copy.passing);
+	}
+	return copy;
+}
+
+void
+psd_free(struct psd *psd)
+{
+	free(psd->size);
+	free(psd->passing);
+	*psd = (struct psd){0, NULL, NULL};
+}
+
+size_t
+psd_fault(const struct psd *psd)
+{
+	for (size_t i = 0; i < psd->n; i++) {
+		double x = psd->size[i], p = psd->passing[i];
+		if (!(x > 0 && isfinite(x)) || !(p >= 0 && p <= 1))
+			return i;
+		if (i > 0 && (x >= psd->size[i - 1] || p > psd->passing[i - 1]))
+			return i;
+	}
+	return psd->n;
+}
+
+double
+psd_passing(const struct psd *psd, double x)
+{
+	assert(psd->n >= 1 && x > 0);
+	if (x >= psd->size[0])
+		return psd->passing[0];
+	for (size_t i = 1; i < psd->n; i++) {
+		if (x < psd->size[i])
+			continue;
+		double coarse = psd->size[i - 1], fine = psd->size[i];
+		double t = el_log(x / fine) / el_log(coarse / fine);
+		return psd->passing[i] +
+		       t * (psd->passing[i - 1] - psd->passing[i]);
+	}
+	return psd->passing[psd->n - 1];
+}
+
+double
+psd_size(const struct psd *psd, double passing)
+{
+	if (psd->n == 0 || passing > psd->passing[0])
+		return NAN;
+	for (size_t i = 1; i < psd->n; i++) {
+		double above = psd->passing[i - 1], below = psd->passing[i];
+		if (passing < below)
+			continue;
+		/* On a level stretch every size would do: take the finest. */
+		double t =
+		    above > below ? (passing - below) / (above - below) : 0;
+		double coarse = psd->size[i - 1], fine = psd->size[i];
+		return fine * el_exp(t * el_log(coarse / fine));
+	}
+	return NAN;
+}
+
+bool
+psd_covers(const struct psd *psd, double x)
+{
+	if (psd->n == 0)
+		return false;
+	size_t finest = psd->n - 1;
+	return x >= psd->size[finest] || psd->passing[finest] <= 0;
+}
+
+double
+psd_rms(const double *a, const double *b, size_t n, size_t *worst)
+{
+	double sum = 0, largest = -1;
+	for (size_t i = 0; i < n; i++) {
+		double d = fabs(a[i] - b[i]);
+		sum += d * d;
+		if (d > largest && worst != NULL) {
+			largest = d;
+			*worst = i;
+		}
+	}
+	return n > 0 ? sqrt(sum / (double)n) : NAN;
+}

@@ -1,0 +1,46 @@
+/* Particle size distributions: passing against sieve size.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_PSD_H
+#define TIPSPEED_CORE_PSD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A sieve analysis.
+ *   size    [n] sieve openings, m, coarsest first, strictly falling, > 0
+ *   passing [n] mass fraction finer than the sieve, 0..1, never rising as the
+ *               sieves get finer
+ * Between sieves passing is straight on log size; above the coarsest sieve it
+ * is passing[0].  Below the finest sieve nothing is known, unless passing is 0
+ * there. */
+struct psd {
+	size_t n;
+	double *size;
+	double *passing;
+};
+
+/* n sieves, all zero.  psd_free takes the arrays, not the struct. */
+struct psd psd_new(size_t n);
+struct psd psd_copy(const struct psd *psd);
+void psd_free(struct psd *psd);
+
+/* Index of the first sieve that breaks a rule stated above, or n if none. */
+size_t psd_fault(const struct psd *psd);
+
+/* Passing at size x (m), straight on log size; the end values outside the
+ * sieves.  Asserts n >= 1 and x > 0. */
+double psd_passing(const struct psd *psd, double x);
+
+/* The size (m) that the given fraction passes, straight on log size: P80 is
+ * psd_size(psd, 0.8).  NAN where it lies outside the sieves. */
+double psd_size(const struct psd *psd, double passing);
+
+/* True when passing at x is known: x within the sieves or above them, or below
+ * a finest sieve that passes nothing. */
+bool psd_covers(const struct psd *psd, double x);
+
+/* Root mean square and largest difference of passing, 0..1, between two
+ * curves at the n sizes given; worst: index of the largest, may be NULL. */
+double psd_rms(const double *a, const double *b, size_t n, size_t *worst);
+
+#endif

@@ -1,0 +1,61 @@
+/* Random numbers as a function of where they are used.
+ *
+ * Nothing is carried from one number to the next, so the same seed gives the
+ * same numbers with any number of threads and in any order of evaluation.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_RNG_H
+#define TIPSPEED_CORE_RNG_H
+
+#include <stdint.h>
+
+/* Two words that stand for one stream of numbers. */
+struct rng_key {
+	uint32_t a, b;
+};
+
+/* Mixer of splitmix64 (Steele, Lea, Flood 2014): every bit of z moves every bit
+ * of the result. */
+static inline uint64_t
+rng_mix(uint64_t z)
+{
+	z += UINT64_C(0x9e3779b97f4a7c15);
+	z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+	z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+	return z ^ (z >> 31);
+}
+
+/* The stream for a seed, a generation and a use within it. */
+static inline struct rng_key
+rng_key(uint64_t seed, uint64_t generation, uint64_t use)
+{
+	uint64_t z = rng_mix(rng_mix(rng_mix(seed) ^ generation) ^ use);
+	return (struct rng_key){(uint32_t)z, (uint32_t)(z >> 32)};
+}
+
+/* Number i of a stream: 32 bits, by a multiply-xorshift hash of i in which the
+ * key enters twice; 32-bit operations only, which every vector unit has. */
+static inline uint32_t
+rng_bits(struct rng_key key, uint32_t i)
+{
+	uint32_t x = i * UINT32_C(0x9e3779b9) + key.a;
+	x ^= x >> 16;
+	x *= UINT32_C(0x7feb352d);
+	x ^= x >> 15;
+	x += key.b;
+	x *= UINT32_C(0x846ca68b);
+	x ^= x >> 16;
+	x *= UINT32_C(0xc2b2ae35);
+	x ^= x >> 15;
+	return x;
+}
+
+/* Number i of a stream, uniform in (0, 1). */
+static inline double
+rng_uniform(struct rng_key key, uint32_t i)
+{
+	/* Through a signed conversion, which vector units have. */
+	double centred = (double)(int32_t)(rng_bits(key, i) ^ 0x80000000u);
+	return (centred + 2147483648.5) * (1.0 / 4294967296.0);
+}
+
+#endif

@@ -1,0 +1,91 @@
+/* Sites and runs as plain data.  Files are read and written in io.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/site.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+struct site *
+site_new(size_t n_run)
+{
+	struct site *site = xcalloc(1, sizeof *site);
+	site->name = xstrdup("");
+	site->rock = xstrdup("");
+	site->machine = xstrdup("");
+	site->provenance = xstrdup("");
+	site->path = xstrdup("");
+	site->n_run = n_run;
+	site->run = xcalloc(n_run, sizeof *site->run);
+	return site;
+}
+
+void
+site_free(struct site *site)
+{
+	if (site == NULL)
+		return;
+	for (size_t r = 0; r < site->n_run; r++) {
+		psd_free(&site->run[r].feed);
+		psd_free(&site->run[r].product);
+		free(site->run[r].product_sd);
+	}
+	for (size_t i = 0; i < site->n_note; i++) {
+		free(site->note[i].key);
+		free(site->note[i].value);
+	}
+	free(site->note);
+	free(site->run);
+	free(site->name);
+	free(site->rock);
+	free(site->machine);
+	free(site->provenance);
+	free(site->path);
+	free(site);
+}
+
+static uint64_t
+digest_psd(uint64_t h, const struct psd *psd)
+{
+	h = text_digest(h, &psd->n, sizeof psd->n);
+	h = text_digest(h, psd->size, psd->n * sizeof *psd->size);
+	return text_digest(h, psd->passing, psd->n * sizeof *psd->passing);
+}
+
+uint64_t
+site_digest(const struct site *site)
+{
+	uint64_t h = TEXT_DIGEST_START;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		h = text_digest(h, &run->speed, sizeof run->speed);
+		h = digest_psd(h, &run->feed);
+		h = digest_psd(h, &run->product);
+		if (run->product_sd != NULL)
+			h = text_digest(h, run->product_sd,
+			    run->product.n * sizeof *run->product_sd);
+	}
+	return h;
+}
+
+size_t
+site_run_at(const struct site *site, double speed)
+{
+	size_t r = 0;
+	while (r < site->n_run && fabs(site->run[r].speed - speed) > 1e-3)
+		r++;
+	return r;
+}
+
+size_t
+site_run_nearest(const struct site *site, double speed)
+{
+	size_t best = 0;
+	for (size_t r = 1; r < site->n_run; r++)
+		if (fabs(site->run[r].speed - speed) <
+		    fabs(site->run[best].speed - speed) - 1e-9)
+			best = r;
+	return best;
+}

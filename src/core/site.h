@@ -1,0 +1,54 @@
+/* A site: the runs of one quarry's crusher, each with feed and product.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_SITE_H
+#define TIPSPEED_CORE_SITE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/psd.h"
+
+/* One rotor tip speed.  product.n is 0 where only the feed was sampled.
+ * product_sd: standard deviation of each product passing, 0..1, or NULL. */
+struct run {
+	double speed; /* m/s */
+	struct psd feed;
+	struct psd product;
+	double *product_sd;
+};
+
+/* A line of the sheet's heading that tipspeed does not use but keeps. */
+struct site_note {
+	char *key, *value;
+};
+
+/* Strings are never NULL; "" where the sheet says nothing.  run[] is in order
+ * of rising speed.  individual_feeds: each run has a feed sample of its own;
+ * otherwise every run holds a copy of the one feed. */
+struct site {
+	char *name, *rock, *machine, *provenance;
+	double top_size; /* m; 0 when not stated */
+	bool individual_feeds;
+	size_t n_run;
+	struct run *run;
+	size_t n_note;
+	struct site_note *note;
+	char *path;      /* file it was read from, or "" */
+	uint64_t digest; /* of the numbers: sizes, passings, speeds */
+};
+
+/* An empty site with n_run runs. */
+struct site *site_new(size_t n_run);
+void site_free(struct site *site);
+
+/* Digest of everything a calibration depends on; site_read sets it. */
+uint64_t site_digest(const struct site *site);
+
+/* Index of the run at the given speed (to 0.001 m/s), or n_run if none. */
+size_t site_run_at(const struct site *site, double speed);
+
+/* The run whose speed is nearest; the slower of two equally near. */
+size_t site_run_nearest(const struct site *site, double speed);
+
+#endif

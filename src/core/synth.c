@@ -1,0 +1,125 @@
+/* Reconstructed and synthetic sites.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/synth.h"
+
+#include <math.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "core/elementary.h"
+#include "core/product.h"
+#include "core/rng.h"
+
+/* EN 933-2, the basic series with set 1 above 4 mm; mm. */
+static const double SIEVES_MM[] = {
+    63, 45, 31.5, 22.4, 16, 11.2, 8, 5.6, 4, 2, 1, 0.5, 0.25, 0.125, 0.063};
+
+/* Twice the top size, the top size, and the series below the former; sieves
+ * within 5 % of the two are left out. */
+static struct psd
+feed_sieves(double top_mm)
+{
+	struct psd feed = psd_new(ARRAY_LEN(SIEVES_MM) + 2);
+	double own[2] = {2 * top_mm, top_mm};
+	size_t n = 0, next_own = 0;
+	feed.size[n++] = own[next_own++] / 1000;
+	for (size_t i = 0; i < ARRAY_LEN(SIEVES_MM); i++) {
+		double s = SIEVES_MM[i];
+		if (s > own[0] * 0.95)
+			continue;
+		if (next_own < 2 && s < own[1] * 1.05) {
+			feed.size[n++] = own[1] / 1000;
+			next_own++;
+		}
+		if (s < own[1] * 0.95 || s > own[1] * 1.05)
+			feed.size[n++] = s / 1000;
+	}
+	feed.n = n;
+	return feed;
+}
+
+/* To 0.01 % of mass, as a careful laboratory reports. */
+static double
+rounded(double passing)
+{
+	return floor(passing * 1e4 + 0.5) / 1e4;
+}
+
+static struct psd
+make_feed(const struct synth *s, double n)
+{
+	struct psd feed = feed_sieves(s->top_size * 1000);
+	for (size_t i = 0; i < feed.n; i++) {
+		double d = feed.size[i] / s->top_size;
+		double above = 0.9 + 0.1 * el_log(d) / el_log(2);
+		feed.passing[i] =
+		    rounded(d >= 1 ? fmin(above, 1) : 0.9 * el_pow(d, n));
+	}
+	return feed;
+}
+
+/* A standard normal number: twelve uniform ones less six.  Its tails end at 6,
+ * and it needs no function whose last bit differs between machines. */
+static double
+normal(struct rng_key key, uint32_t i)
+{
+	double sum = 0;
+	for (uint32_t j = 0; j < 12; j++)
+		sum += rng_uniform(key, 12 * i + j);
+	return sum - 6;
+}
+
+static uint64_t
+numbers_digest(const struct synth *s)
+{
+	uint64_t h = TEXT_DIGEST_START;
+	h = text_digest(h, &s->top_size, sizeof s->top_size);
+	h = text_digest(h, &s->params, sizeof s->params);
+	h = text_digest(h, &s->n, sizeof s->n);
+	return h;
+}
+
+static struct psd
+make_product(const struct synth *s, const struct psd *feed, double speed,
+    struct rng_key key)
+{
+	struct psd product = psd_copy(feed);
+	struct model *model =
+	    model_new(feed, feed->size, feed->n, model_settings_default());
+	model_set(model, &s->params);
+	model_product(model, speed, product.passing);
+	model_free(model);
+	double ceiling = 1;
+	for (size_t i = 0; i < product.n; i++) {
+		double p = product.passing[i];
+		double sd = 2 * s->noise * sqrt(fmax(p * (1 - p), 0));
+		p += sd * normal(key, (uint32_t)i);
+		p = rounded(fmin(fmax(p, 0), ceiling));
+		product.passing[i] = ceiling = p;
+	}
+	return product;
+}
+
+struct site *
+synth_site(const struct synth *s)
+{
+	enum { USE_FEED = 1, USE_PRODUCT = 2 };
+	struct site *site = site_new(s->n_speed);
+	uint64_t numbers = numbers_digest(s);
+	site->top_size = s->top_size;
+	site->individual_feeds = s->individual_feeds;
+	for (size_t r = 0; r < s->n_speed; r++) {
+		struct run *run = &site->run[r];
+		struct rng_key feed_key =
+		    rng_key(s->seed ^ numbers, r, USE_FEED);
+		double n = s->n;
+		if (s->individual_feeds)
+			n *= 1 + 0.05 * normal(feed_key, 0);
+		run->speed = s->speed[r];
+		run->feed = make_feed(s, n);
+		run->product = make_product(s, &run->feed, s->speed[r],
+		    rng_key(s->seed ^ numbers, r, USE_PRODUCT));
+	}
+	site->digest = site_digest(site);
+	return site;
+}
