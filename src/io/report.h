@@ -1,0 +1,61 @@
+/* Results as tables: for people, spreadsheets, documents and programs.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_REPORT_H
+#define TIPSPEED_IO_REPORT_H
+
+#include <jansson.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+enum report_format { REPORT_TABLE, REPORT_CSV, REPORT_JSON, REPORT_MARKDOWN };
+
+/* Names in the order of the enum, for options. */
+extern const char *const REPORT_FORMATS[4];
+
+/* One result of a command: rows under headed columns, with the words around
+ * them.  Table and markdown round numbers and show title, provenance and notes;
+ * csv and json are exact (%.17g) and leave the notes out.  csv puts command,
+ * site and provenance into columns of their own, so that a row never travels
+ * without saying where it is from. */
+struct report;
+
+/* command: name of the command that made it; copied. */
+struct report *report_new(const char *command);
+void report_free(struct report *report);
+
+void report_title(struct report *report, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* The site a result is about and what its data are (may be ""). */
+void report_site(
+    struct report *report, const char *name, const char *provenance);
+
+/* A column: key for csv and json ("p80_mm"), head for people ("P80 mm"). */
+void report_column(struct report *report, const char *key, const char *head);
+
+/* Cells fill the columns from left to right, row by row.  decimals: for
+ * people; -1: as many significant digits as needed, up to 6.  NAN is shown as
+ * the words given by report_missing, empty in csv and null in json. */
+void report_number(struct report *report, double value, int decimals);
+void report_text(struct report *report, const char *text);
+
+/* What to show for the next NAN cells ("below 0.063 mm"); default "-". */
+void report_missing(struct report *report, const char *words);
+
+/* A line below the table. */
+void report_note(struct report *report, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* The object printed as JSON instead of the default, which has the rows as
+ * objects: {"command":..,"rows":[{key: value}, ..]}.  Takes the reference. */
+void report_json(struct report *report, json_t *object);
+
+/* value, or null where it is not finite. */
+json_t *report_json_number(double value);
+
+/* Prints it; JSON is one line. */
+void report_print(
+    const struct report *report, enum report_format format, FILE *out);
+
+#endif

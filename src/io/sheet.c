@@ -1,0 +1,368 @@
+/* From the bytes of a CSV file to a grid of cells.  libcsv takes the quotes
+ * off; the columns of the cells are found here, because it does not keep them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sheet.h"
+
+#include <assert.h>
+#include <csv.h>
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+/* A sieve sheet has a few kB and some dozen lines; the limits keep time and
+ * memory small when the file is something else. */
+enum {
+	MOST_ROWS = 2000,
+	MOST_CELLS = 256,
+	MOST_LINE = 20000,
+	SHOWN = 40 /* bytes of a cell quoted in a message */
+};
+
+static bool
+later(const struct error *a, const struct error *b)
+{
+	if (strcmp(a->file, b->file) != 0)
+		return false;
+	return a->line > b->line ||
+	       (a->line == b->line && a->column > b->column);
+}
+
+struct error *
+sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
+{
+	struct error e;
+	va_list ap;
+	va_start(ap, format);
+	char text[sizeof e.text];
+	vsnprintf(text, sizeof text, format, ap);
+	va_end(ap);
+	error_at(
+	    &e, ERROR_DATA, sheet->path, where.line, where.column, "%s", text);
+	sheet->n_fault++;
+	struct error_list *list = sheet->errors;
+	struct error *slot = error_add(list);
+	size_t i = list->n - 1;
+	bool full = list->more > 0;
+	if (full && !later(&list->item[i], &e)) {
+		*slot = e;
+		return slot;
+	}
+	for (; i > 0 && later(&list->item[i - 1], &e); i--)
+		list->item[i] = list->item[i - 1];
+	list->item[i] = e;
+	return &list->item[i];
+}
+
+struct error *
+sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted)
+{
+	if (found.text[0] == '\0')
+		return sheet_fault(
+		    sheet, found, "%s was wanted, found an empty cell", wanted);
+	size_t n = strlen(found.text);
+	bool cut = n > SHOWN;
+	/* A cut never falls inside a character. */
+	for (n = cut ? SHOWN : n; cut && (found.text[n] & 0xC0) == 0x80; n--)
+		;
+	return sheet_fault(sheet, found, "%s was wanted, found '%.*s%s'",
+	    wanted, (int)n, found.text, cut ? "..." : "");
+}
+
+struct cell
+sheet_cell(const struct row *row, size_t i)
+{
+	if (i < row->n_all)
+		return row->cell[i];
+	static char nothing[1] = "";
+	return (struct cell){nothing, row->line, row->end};
+}
+
+/* What to do about a cell that is no number. */
+static const char *
+number_hint(const struct sheet *sheet, const char *s)
+{
+	static const char *const absent[] = {"", "-", "--", "\u2013", "\u2014",
+	    "n/a", "na", "nan", "#n/a", "none", "null", "?"};
+	for (size_t i = 0; i < ARRAY_LEN(absent); i++)
+		if (strcasecmp(s, absent[i]) == 0)
+			return "leave the cell empty where the sieve was not "
+			       "used";
+	const char *comma = strchr(s, ',');
+	bool commas = comma != NULL && strchr(comma + 1, ',') != NULL;
+	bool both = comma != NULL && strchr(s, '.') != NULL;
+	size_t n = strspn(s, "+-0123456789");
+	bool group = n > 0 && strchr(" '\xC2\xE2", s[n]) != NULL &&
+		     s[n] != '\0' && isdigit((unsigned char)s[strlen(s) - 1]);
+	if (commas || both || group)
+		return "write thousands without a separator: 1000";
+	if (comma != NULL && sheet->separator == ',')
+		return "decimal commas need ; between the cells";
+	return n > 0 ? "write the number alone; units belong in the header"
+		     : "write digits and a decimal point";
+}
+
+bool
+sheet_number(
+    struct sheet *sheet, struct cell cell, const char *wanted, double *value)
+{
+	char copy[64];
+	bool fits = strlen(cell.text) < sizeof copy;
+	snprintf(copy, sizeof copy, "%s", cell.text);
+	char *point = strchr(copy, '.'), *comma = strchr(copy, ',');
+	if (comma != NULL && point == NULL && sheet->separator != ',')
+		*comma = '.';
+	if (!fits || !text_number(copy, value)) {
+		error_hint(sheet_wanted(sheet, cell, wanted), "%s",
+		    number_hint(sheet, cell.text));
+		return false;
+	}
+	char sign = comma != NULL ? ',' : point != NULL ? '.' : '\0';
+	if (sheet->decimal == '\0')
+		sheet->decimal = sign;
+	if (sign == '\0' || sign == sheet->decimal || sheet->mixed)
+		return true;
+	sheet->mixed = true;
+	error_hint(sheet_fault(sheet, cell,
+		       "a decimal %s as above was wanted, found %s",
+		       sign == ',' ? "point" : "comma", cell.text),
+	    "use one decimal sign, and no separator for thousands");
+	return false;
+}
+
+/* A place in a line of text; column counts characters. */
+struct cursor {
+	const char *p;
+	int column;
+};
+
+static void
+step(struct cursor *c)
+{
+	do
+		c->p++;
+	while ((*c->p & 0xC0) == 0x80);
+	c->column++;
+}
+
+static void
+skip_blanks(struct cursor *c, char separator)
+{
+	while ((*c->p == ' ' || *c->p == '\t') && *c->p != separator)
+		step(c);
+}
+
+/* From the opening quote to behind the closing one; false when it is open. */
+static bool
+skip_quoted(struct cursor *c)
+{
+	step(c);
+	while (*c->p != '\0' && (c->p[0] != '"' || c->p[1] == '"')) {
+		if (*c->p == '"')
+			step(c);
+		step(c);
+	}
+	if (*c->p == '\0')
+		return false;
+	step(c);
+	return true;
+}
+
+/* To the separator or the end of the line, told as a fault when a quote stands
+ * in the way. */
+static bool
+skip_cell(struct sheet *sheet, struct cursor *c, int line)
+{
+	struct cell start = {NULL, line, c->column};
+	bool quoted = *c->p == '"';
+	if (quoted && !skip_quoted(c)) {
+		error_hint(sheet_fault(sheet, start,
+			       "a quote is left open at the end of the line"),
+		    "close it on its line; a quote inside a cell is \"\"");
+		return false;
+	}
+	skip_blanks(c, sheet->separator);
+	while (*c->p != '\0' && *c->p != sheet->separator) {
+		if (quoted || *c->p == '"') {
+			start.column = c->column;
+			error_hint(sheet_fault(sheet, start, "%s",
+				       quoted ? "text after a closing quote"
+					      : "a quote inside a cell"),
+			    "put quotes round the whole cell and write a "
+			    "quote inside it as \"\"");
+			return false;
+		}
+		step(c);
+	}
+	return true;
+}
+
+/* Columns of the cells of a line.  Returns how many; 0 after a fault. */
+static size_t
+scan_line(struct sheet *sheet, const char *text, struct row *row,
+    int column[static MOST_CELLS])
+{
+	struct cursor c = {text, 1};
+	for (size_t n = 0; n < MOST_CELLS;) {
+		skip_blanks(&c, sheet->separator);
+		column[n++] = c.column;
+		if (!skip_cell(sheet, &c, row->line))
+			return 0;
+		row->end = c.column;
+		if (*c.p == '\0')
+			return n;
+		step(&c);
+	}
+	error_hint(sheet_fault(sheet, (struct cell){NULL, row->line, c.column},
+		       "more than %d cells in a line", MOST_CELLS),
+	    "a sieve sheet has a few columns: is this the right file?");
+	return 0;
+}
+
+/* Where libcsv delivers the cells of one line. */
+struct delivery {
+	struct row *row;
+	const int *column;
+	size_t n; /* as the scan found */
+};
+
+static void
+take_cell(void *text, size_t n, void *data)
+{
+	struct delivery *d = data;
+	size_t i = d->row->n_all++;
+	assert(i < d->n);
+	char *copy = xstrndup(text, n);
+	d->row->cell[i] =
+	    (struct cell){xstrdup(text_trim(copy)), d->row->line, d->column[i]};
+	if (d->row->cell[i].text[0] != '\0')
+		d->row->n = i + 1;
+	free(copy);
+}
+
+static void
+free_row(struct row *row)
+{
+	for (size_t i = 0; i < row->n_all; i++)
+		free(row->cell[i].text);
+	free(row->cell);
+}
+
+static void *
+grow(void *p, size_t n)
+{
+	return xrealloc(p, 1, n);
+}
+
+/* Each line has a parser of its own, so that line numbers stay true.  The scan
+ * has seen to it that libcsv meets no error and finds as many cells. */
+static void
+split_line(struct sheet *sheet, struct row *row, const char *text)
+{
+	int column[MOST_CELLS];
+	size_t n = scan_line(sheet, text, row, column);
+	if (n == 0) {
+		sheet->lost = true;
+		return;
+	}
+	row->cell = xcalloc(n, sizeof *row->cell);
+	struct delivery d = {row, column, n};
+	struct csv_parser parser;
+	csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI);
+	csv_set_realloc_func(&parser, grow);
+	csv_set_delim(&parser, (unsigned char)sheet->separator);
+	csv_parse(&parser, text, strlen(text), take_cell, NULL, &d);
+	csv_fini(&parser, take_cell, NULL, &d);
+	csv_free(&parser);
+}
+
+/* Rows without a word are left out, as are comments and "sep=;", which some
+ * spreadsheets put first.  False: the limits say that this is no sheet. */
+static bool
+add_row(struct sheet *sheet, const char *line, int number)
+{
+	const char *first = line + strspn(line, " \t\"");
+	if (*first == '#' || (number == 1 && strncmp(first, "sep=", 4) == 0))
+		return true;
+	if (strlen(line) > MOST_LINE || sheet->n_row == MOST_ROWS) {
+		error_hint(sheet_fault(sheet, (struct cell){NULL, number, 1},
+			       "more than %d lines, or %d bytes in a line",
+			       MOST_ROWS, MOST_LINE),
+		    "a sieve sheet has a few kB: is this the right file?");
+		sheet->lost = true;
+		return false;
+	}
+	struct row *row = &sheet->row[sheet->n_row];
+	*row = (struct row){.line = number, .end = 1};
+	split_line(sheet, row, line);
+	if (row->n > 0)
+		sheet->n_row++;
+	else
+		free_row(row);
+	return true;
+}
+
+/* Ends each line in place with a NUL on its way. */
+static void
+split_text(struct sheet *sheet, char *text)
+{
+	sheet->row = xcalloc(MOST_ROWS, sizeof *sheet->row);
+	for (int number = 1; *text != '\0'; number++) {
+		size_t n = strcspn(text, "\r\n");
+		bool pair = text[n] == '\r' && text[n + 1] == '\n';
+		char *next = text + n + (pair ? 2 : text[n] != '\0');
+		text[n] = '\0';
+		if (!add_row(sheet, text, number))
+			return;
+		text = next;
+	}
+}
+
+/* What stands behind size_mm (or _um, _m) at the start of a line; without such
+ * a line the most frequent of the three. */
+static char
+find_separator(const char *text)
+{
+	size_t count[128] = {0};
+	for (const char *p = text; *p != '\0'; p++) {
+		if (strchr(",;\t", *p) != NULL)
+			count[(int)*p]++;
+		if (p > text && p[-1] != '\n' && p[-1] != '\r')
+			continue;
+		const char *word = p + strspn(p, " \t\"");
+		if (strncasecmp(word, "size_", 5) != 0)
+			continue;
+		word += strcspn(word, " \",;\t\r\n");
+		word += strspn(word, " \"");
+		if (*word == ',' || *word == ';' || *word == '\t')
+			return *word;
+	}
+	bool comma = count[','] >= count[';'] && count[','] >= count['\t'];
+	return comma ? ',' : count[';'] >= count['\t'] ? ';' : '\t';
+}
+
+struct sheet *
+sheet_new(const char *path, char *text, struct error_list *errors)
+{
+	struct sheet *sheet = xcalloc(1, sizeof *sheet);
+	sheet->path = xstrdup(path);
+	sheet->errors = errors;
+	sheet->separator = find_separator(text);
+	split_text(sheet, text);
+	return sheet;
+}
+
+void
+sheet_free(struct sheet *sheet)
+{
+	for (size_t i = 0; i < sheet->n_row; i++)
+		free_row(&sheet->row[i]);
+	free(sheet->row);
+	free(sheet->path);
+	free(sheet);
+}

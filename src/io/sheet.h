@@ -1,0 +1,67 @@
+/* A CSV sheet as a grid of cells, each knowing its place in the file.  What
+ * the cells mean is left to the reader of the sheet.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_SHEET_H
+#define TIPSPEED_IO_SHEET_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/error.h"
+
+/* text: without blanks at both ends, never NULL.  column: of its first
+ * character, counted from 1 in characters, not bytes. */
+struct cell {
+	char *text;
+	int line, column;
+};
+
+/* n: cells up to the last that is not empty, 1 or more.  n_all: with the empty
+ * ones that spreadsheets add at the end.  end: column behind the line. */
+struct row {
+	size_t n, n_all;
+	struct cell *cell;
+	int line, end;
+};
+
+/* Blank lines and lines that start with # are left out of row[].  n_fault
+ * counts the faults told so far; lost: a line is not in row[]. */
+struct sheet {
+	char *path;
+	char separator; /* ',', ';' or tab */
+	char decimal;   /* decimal sign seen first, '\0' before that */
+	bool mixed;     /* a second decimal sign was told */
+	bool lost;
+	size_t n_row, n_fault;
+	struct row *row;
+	struct error_list *errors; /* borrowed */
+};
+
+/* Splits a text of UTF-8 with LF, CRLF or CR line ends, at most 2000 lines of
+ * cells and 256 cells a line, and takes it apart doing so.  What is wrong is
+ * told in errors (never NULL): a line with wrong quotes is left out, one beyond
+ * the limits ends the sheet. */
+struct sheet *sheet_new(
+    const char *path, char *text, struct error_list *errors);
+void sheet_free(struct sheet *sheet);
+
+/* Cell i of a row; an empty one at the end of the line when there is none. */
+struct cell sheet_cell(const struct row *row, size_t i);
+
+/* One more fault of kind ERROR_DATA, put in its place among those of the same
+ * file: the list holds the first faults of the file, whatever the order in
+ * which they are found.  Returns a pointer to hang a hint on, never NULL. */
+struct error *sheet_fault(struct sheet *sheet, struct cell where,
+    const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* The fault "WANTED was wanted, found 'CELL'", the cell cut when long. */
+struct error *sheet_wanted(
+    struct sheet *sheet, struct cell found, const char *wanted);
+
+/* The cell as a number with a decimal point, or a decimal comma where the
+ * comma does not separate the cells.  A fault and false when it is none, or
+ * when it is the first whose decimal sign is not that of the others. */
+bool sheet_number(
+    struct sheet *sheet, struct cell cell, const char *wanted, double *value);
+
+#endif

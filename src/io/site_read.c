@@ -1,0 +1,360 @@
+/* From a sheet of cells to a site: heading, sieves, runs.  Cells and their
+ * places come from sheet, columns and their units from site_column.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/site_read.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/site_column.h"
+#include "io/site_sieve.h"
+#include "io/textfile.h"
+
+static void
+read_top_size(struct site *site, struct sheet *sheet, struct cell cell)
+{
+	double mm = site_sieve_mm(sheet, cell, 1, "a positive size in mm");
+	if (mm <= 0)
+		error_hint(sheet_wanted(sheet, cell, "a positive size in mm"),
+		    "give the size, or take the line out");
+	site->top_size = mm / 1000;
+}
+
+static void
+add_note(struct site *site, const char *key, const char *value)
+{
+	site->note = xrealloc(site->note, site->n_note + 1, sizeof *site->note);
+	site->note[site->n_note++] =
+	    (struct site_note){xstrdup(key), xstrdup(value)};
+}
+
+static const char *const KEYS[] = {
+    "site", "rock", "machine", "provenance", "top_size_mm"};
+enum { TOP_SIZE = 4, N_KEY = 5 };
+
+static void
+take_value(struct site *site, size_t key, struct sheet *sheet, struct cell cell)
+{
+	char **text[TOP_SIZE] = {
+	    &site->name, &site->rock, &site->machine, &site->provenance};
+	if (key == TOP_SIZE) {
+		read_top_size(site, sheet, cell);
+		return;
+	}
+	free(*text[key]);
+	*text[key] = xstrdup(cell.text);
+}
+
+/* seen: line of each known key, 0 before it is met. */
+static void
+read_heading_line(struct site *site, struct sheet *sheet, const struct row *row,
+    int seen[static N_KEY])
+{
+	struct cell key = row->cell[0], value = sheet_cell(row, 1);
+	size_t k = 0;
+	while (k < N_KEY && !text_same(key.text, KEYS[k]))
+		k++;
+	if (key.text[0] == '\0' || row->n_all < 2) {
+		error_hint(sheet_wanted(sheet, key, "a key and its value"),
+		    "write key%cvalue, or begin a remark with #",
+		    sheet->separator);
+	} else if (row->n > 2) {
+		error_hint(sheet_wanted(sheet, row->cell[2],
+			       "the end of the line behind key and value"),
+		    "put quotes round a value that holds the separator; "
+		    "decimal commas need ; between the cells");
+	} else if (k < N_KEY && seen[k] > 0) {
+		error_hint(sheet_fault(sheet, key,
+			       "%s was wanted once, found in line %d already",
+			       KEYS[k], seen[k]),
+		    "take one of the two lines out");
+	} else if (k < N_KEY) {
+		take_value(site, k, sheet, value);
+	} else {
+		add_note(site, key.text, value.text);
+	}
+	if (k < N_KEY)
+		seen[k] = row->line;
+}
+
+/* File name without folder and extension.  A name that is not UTF-8, or has
+ * control characters in it, could not be written into a sheet again. */
+static char *
+name_from(const char *path)
+{
+	const char *slash = strrchr(path, '/');
+	const char *name = slash != NULL ? slash + 1 : path;
+	const char *dot = strrchr(name, '.');
+	bool extension = dot != NULL && dot > name;
+	size_t n = extension ? (size_t)(dot - name) : strlen(name);
+	bool good = text_is_utf8(name, n);
+	char *copy = xstrndup(name, n);
+	for (char *p = copy; *p != '\0'; p++) {
+		unsigned char c = (unsigned char)*p;
+		if (c < 0x20 || c == 0x7F || (c >= 0x80 && !good))
+			*p = '_';
+	}
+	return copy;
+}
+
+static void
+read_heading(struct site *site, struct sheet *sheet, size_t n_line)
+{
+	int seen[N_KEY] = {0};
+	for (size_t i = 0; i < n_line; i++)
+		read_heading_line(site, sheet, &sheet->row[i], seen);
+	if (site->name[0] == '\0') {
+		free(site->name);
+		site->name = name_from(sheet->path);
+	}
+}
+
+/* Without a first line of the table nothing else can be judged.  The place
+ * told is the first line that looks like the table. */
+static void
+tell_no_table(struct sheet *sheet)
+{
+	struct row none = {.line = 1, .end = 1};
+	struct cell found =
+	    sheet->n_row > 0 ? sheet->row[0].cell[0] : sheet_cell(&none, 0);
+	for (size_t i = sheet->n_row; i-- > 0;) {
+		struct cell cell = sheet->row[i].cell[0];
+		double v;
+		if (text_number(cell.text, &v) ||
+		    strncasecmp(cell.text, "size", 4) == 0)
+			found = cell;
+	}
+	error_hint(
+	    sheet_wanted(sheet, found, "a line that begins with size_mm"),
+	    "the first line of the table reads "
+	    "size_mm,feed,product@69,product@79");
+}
+
+static void
+read_heads(struct table *t)
+{
+	t->column = xcalloc(t->head->n, sizeof *t->column);
+	for (size_t at = 1; at < t->head->n; at++) {
+		struct column c = {.head = t->head->cell[at], .at = at};
+		if (site_column_head(t, &c))
+			t->column[t->n_column++] = c;
+		else
+			t->lost = true;
+	}
+}
+
+static size_t
+count_role(const struct table *t, enum role role)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < t->n_column; i++)
+		n += t->column[i].role == role;
+	return n;
+}
+
+/* A feed for each product, a product for each standard deviation. */
+static void
+check_partner(struct table *t, const struct column *c)
+{
+	const struct column *shared = site_column_find(t, FEED, 0);
+	bool alone = site_column_find(t, PRODUCT, c->speed) == NULL;
+	if (c->role == FEED && c->speed > 0 && shared != NULL)
+		error_hint(sheet_fault(t->sheet, c->head,
+			       "one kind of feed was wanted, found feed and %s",
+			       c->head.text),
+		    "use feed for all runs, or feed@ with the speed for each");
+	if (c->role == SD && alone)
+		error_hint(sheet_fault(t->sheet, c->head,
+			       "a product for %s was wanted, found none",
+			       c->head.text),
+		    "add its product column, or take this one out");
+	if (c->role == PRODUCT && shared == NULL && count_role(t, FEED) > 0 &&
+	    site_column_find(t, FEED, c->speed) == NULL)
+		error_hint(
+		    sheet_fault(t->sheet, c->head,
+			"a feed for %s was wanted, found none", c->head.text),
+		    "add a column feed@ with this speed");
+}
+
+/* Each product value needs a standard deviation, and the other way round. */
+static void
+check_sd(struct table *t, const struct column *sd)
+{
+	const struct column *product = site_column_find(t, PRODUCT, sd->speed);
+	for (size_t i = 0; i < t->n_row && product != NULL; i++) {
+		struct cell a = sheet_cell(&t->row[i], product->at);
+		struct cell b = sheet_cell(&t->row[i], sd->at);
+		bool has = a.text[0] != '\0', has_sd = b.text[0] != '\0';
+		if (has == has_sd || !(t->mm[i] > 0))
+			continue;
+		error_hint(sheet_wanted(t->sheet, b,
+			       has ? "a standard deviation"
+				   : "no standard deviation without product"),
+		    has ? "fill it, or take the column out"
+			: "leave both cells empty where the sieve was not "
+			  "used");
+	}
+}
+
+static void
+read_columns(struct table *t)
+{
+	for (size_t i = 0; i < t->n_column; i++) {
+		struct column *c = &t->column[i];
+		site_column_values(t, c);
+		if (c->role == SD)
+			check_sd(t, c);
+		if (!t->lost)
+			check_partner(t, c);
+	}
+	struct cell head = t->head->cell[0];
+	if (!t->lost && count_role(t, FEED) == 0)
+		error_hint(sheet_fault(t->sheet, head,
+			       "a feed column was wanted, found none"),
+		    "add a column feed, or feed@ with the speed of each run");
+	if (!t->lost && count_role(t, PRODUCT) < 2)
+		error_hint(sheet_fault(t->sheet, head,
+			       "products at two or more speeds were wanted, "
+			       "found %zu",
+			       count_role(t, PRODUCT)),
+		    "add columns such as product@69 and product@79");
+}
+
+static void
+read_table(struct table *t, size_t head)
+{
+	t->head = &t->sheet->row[head];
+	t->row = t->head + 1;
+	t->n_row = t->sheet->n_row - head - 1;
+	read_heads(t);
+	site_sieve_rows(t);
+	if (t->n_row > 0)
+		read_columns(t);
+	else if (!t->lost)
+		error_hint(sheet_fault(t->sheet, t->head->cell[0],
+			       "a row for each sieve was wanted below this "
+			       "line, found none"),
+		    "add rows such as 22.4,100,100,100");
+}
+
+static struct psd
+make_psd(const struct table *t, const struct column *c)
+{
+	struct psd psd = psd_new(site_column_count(t, c));
+	size_t n = 0;
+	for (size_t i = 0; i < t->n_row; i++) {
+		if (!(t->mm[i] > 0) || isnan(c->pct[i]))
+			continue;
+		psd.size[n] = t->mm[i] / 1000;
+		psd.passing[n++] = c->pct[i] / 100;
+	}
+	return psd;
+}
+
+static void
+fill_run(const struct table *t, const struct column *shared, struct run *run)
+{
+	const struct column *own = site_column_find(t, FEED, run->speed);
+	const struct column *product = site_column_find(t, PRODUCT, run->speed);
+	const struct column *sd = site_column_find(t, SD, run->speed);
+	run->feed = make_psd(t, shared != NULL ? shared : own);
+	if (product != NULL)
+		run->product = make_psd(t, product);
+	if (sd == NULL)
+		return;
+	struct psd deviation = make_psd(t, sd);
+	run->product_sd = deviation.passing;
+	free(deviation.size);
+}
+
+static int
+by_speed(const void *a, const void *b)
+{
+	const struct run *r = a, *s = b;
+	return (r->speed > s->speed) - (r->speed < s->speed);
+}
+
+/* A run for each speed with a product or a feed of its own. */
+static void
+make_runs(struct site *site, const struct table *t)
+{
+	const struct column *shared = site_column_find(t, FEED, 0);
+	site->individual_feeds = shared == NULL;
+	site->run = xrealloc(site->run, t->n_column, sizeof *site->run);
+	for (size_t i = 0; i < t->n_column; i++) {
+		const struct column *c = &t->column[i];
+		if (c->role != SD && c->speed > 0 &&
+		    site_run_at(site, c->speed) == site->n_run)
+			site->run[site->n_run++] =
+			    (struct run){.speed = c->speed};
+	}
+	qsort(site->run, site->n_run, sizeof *site->run, by_speed);
+	for (size_t r = 0; r < site->n_run; r++)
+		fill_run(t, shared, &site->run[r]);
+	site->digest = site_digest(site);
+}
+
+static void
+table_clear(struct table *t)
+{
+	for (size_t i = 0; i < t->n_column; i++)
+		free(t->column[i].pct);
+	free(t->column);
+	free(t->mm);
+}
+
+/* text is taken apart. */
+static struct site *
+read_text(const char *path, char *text, struct error_list *errors)
+{
+	struct sheet *sheet = sheet_new(path, text, errors);
+	struct table t = {.sheet = sheet, .lost = sheet->lost};
+	struct site *site = site_new(0);
+	size_t head = 0;
+	while (head < sheet->n_row && site_sieve_unit(&sheet->row[head]) <= 0)
+		head++;
+	if (head < sheet->n_row) {
+		read_heading(site, sheet, head);
+		read_table(&t, head);
+	} else if (!sheet->lost) {
+		tell_no_table(sheet);
+	}
+	if (sheet->n_fault == 0) {
+		free(site->path);
+		site->path = xstrdup(path);
+		make_runs(site, &t);
+	} else {
+		site_free(site);
+		site = NULL;
+	}
+	table_clear(&t);
+	sheet_free(sheet);
+	return site;
+}
+
+struct site *
+site_read_text(const char *path_for_messages, const char *bytes, size_t n,
+    struct error_list *errors)
+{
+	char *text = textfile_check(path_for_messages, bytes, n, errors);
+	if (text == NULL)
+		return NULL;
+	struct site *site = read_text(path_for_messages, text, errors);
+	free(text);
+	return site;
+}
+
+struct site *
+site_read(const char *path, struct error_list *errors)
+{
+	char *text = textfile_read(path, errors);
+	if (text == NULL)
+		return NULL;
+	struct site *site = read_text(path, text, errors);
+	free(text);
+	return site;
+}

@@ -1,0 +1,128 @@
+/* From the first cells of the rows to sieve sizes, coarsest first.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/site_sieve.h"
+
+#include <math.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+/* The limits of a sieve, mm: what lies outside is a slip of the pen. */
+static const double FINEST = 1e-6, COARSEST = 1e4;
+
+/* mm a unit of the words that may begin the table. */
+static const struct {
+	const char *word;
+	double mm;
+} SIZE_WORDS[] = {{"size_mm", 1}, {"size_um", 1e-3}, {"size_m", 1e3}};
+
+double
+site_sieve_unit(const struct row *row)
+{
+	for (size_t w = 0; w < ARRAY_LEN(SIZE_WORDS); w++)
+		if (text_same(row->cell[0].text, SIZE_WORDS[w].word))
+			return SIZE_WORDS[w].mm;
+	return 0;
+}
+
+double
+site_sieve_mm(
+    struct sheet *sheet, struct cell cell, double unit, const char *wanted)
+{
+	double v;
+	if (!sheet_number(sheet, cell, wanted, &v))
+		return NAN;
+	double mm = site_column_round(v * unit, 1e9);
+	if ((mm >= FINEST && mm <= COARSEST) || v == 0)
+		return mm;
+	error_hint(
+	    sheet_wanted(sheet, cell,
+		v > 0 ? "a size from 1e-6 to 1e4 mm" : "a positive size"),
+	    "check the number and its unit");
+	return NAN;
+}
+
+static double
+row_mm(struct table *t, const struct row *row, double unit)
+{
+	struct cell cell = row->cell[0];
+	if (row->n > t->head->n) {
+		error_hint(sheet_fault(t->sheet, row->cell[t->head->n],
+			       "%zu cells were wanted as in line %d, found %zu",
+			       t->head->n, t->head->line, row->n),
+		    t->sheet->separator == ','
+			? "decimal commas need ; between the cells; otherwise "
+			  "take the last cells out"
+			: "take the last cells out, or head their columns");
+		return NAN;
+	}
+	if (text_same(cell.text, "pan"))
+		return 0;
+	return site_sieve_mm(t->sheet, cell, unit, "a sieve size or pan");
+}
+
+static bool
+is_finest_first(const struct table *t)
+{
+	size_t rising = 0, last = t->n_row;
+	for (size_t i = 0; i < t->n_row; i++) {
+		if (isnan(t->mm[i]))
+			continue;
+		if (last < t->n_row && t->mm[i] <= t->mm[last])
+			return false;
+		rising += last < t->n_row;
+		last = i;
+	}
+	return rising > 0;
+}
+
+/* Neighbours are compared, so that one wrong size is one fault. */
+static void
+check_order(struct table *t)
+{
+	size_t last = t->n_row;
+	for (size_t i = 0; i < t->n_row; i++) {
+		if (isnan(t->mm[i]))
+			continue;
+		struct cell cell = t->row[i].cell[0];
+		size_t twin = 0;
+		while (twin < i && t->mm[twin] != t->mm[i])
+			twin++;
+		if (twin < i)
+			error_hint(sheet_fault(t->sheet, cell,
+				       "each sieve was wanted once, found %s "
+				       "in line %d already",
+				       cell.text, t->row[twin].line),
+			    "take one of the two rows out, or correct its "
+			    "size");
+		else if (last < t->n_row && t->mm[i] > t->mm[last])
+			error_hint(sheet_fault(t->sheet, cell,
+				       "sieves coarsest first were wanted, "
+				       "found %s after %s",
+				       cell.text, t->row[last].cell[0].text),
+			    "sort the rows by size, largest first, or correct "
+			    "the size");
+		last = i;
+	}
+}
+
+void
+site_sieve_rows(struct table *t)
+{
+	double unit = site_sieve_unit(t->head);
+	t->mm = xdoubles(t->n_row);
+	for (size_t i = 0; i < t->n_row; i++) {
+		t->mm[i] = row_mm(t, &t->row[i], unit);
+		t->lost = t->lost || isnan(t->mm[i]);
+	}
+	if (!is_finest_first(t)) {
+		check_order(t);
+		return;
+	}
+	error_hint(sheet_fault(t->sheet, t->row[0].cell[0],
+		       "sieves coarsest first were wanted, found the table "
+		       "finest first"),
+	    "sort the rows by size, largest first (in a spreadsheet: Data, "
+	    "Sort, Descending)");
+	t->lost = true;
+}

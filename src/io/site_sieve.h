@@ -1,0 +1,20 @@
+/* The first column of a sieve sheet: sizes of the sieves and the pan.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_SITE_SIEVE_H
+#define TIPSPEED_IO_SITE_SIEVE_H
+
+#include "io/site_column.h"
+
+/* mm in the unit that the row names when it begins a table (size_mm, size_um,
+ * size_m); 0 when it does not begin one. */
+double site_sieve_unit(const struct row *row);
+
+/* A size in mm to 9 decimals, 0 where the cell says 0; NAN after a fault. */
+double site_sieve_mm(
+    struct sheet *sheet, struct cell cell, double unit, const char *wanted);
+
+/* Reads t->mm and tells sizes that are wrong, out of order or there twice, and
+ * rows with more cells than the head. */
+void site_sieve_rows(struct table *t);
+
+#endif

@@ -1,0 +1,229 @@
+/* From a site to its sheet, and the sheet safely to the disk.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/site_write.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+/* A curve to write and the first of its sieves not yet written. */
+struct curve {
+	const char *role;
+	double speed; /* m/s; 0: without one in the header */
+	const struct psd *psd;
+	const double *value; /* [psd->n] fractions */
+	size_t next;
+};
+
+/* The reader takes percents that are all 1 or less for fractions, so a curve
+ * like that is written in fractions. */
+static bool
+is_small(const struct curve *c)
+{
+	return strcmp(c->role, "product") == 0 && c->value[0] <= 0.01;
+}
+
+static double
+size_mm(double size)
+{
+	return round(size * 1e12) / 1e9;
+}
+
+/* Of a fraction to 14 decimals: percent has 12. */
+static double
+as_written(const struct curve *c, double fraction)
+{
+	return round(fraction * 1e14) / (is_small(c) ? 1e14 : 1e12);
+}
+
+/* Quotes where the reader needs them; a line end would break the row. */
+static void
+write_cell(const char *text, FILE *out)
+{
+	bool quote = strpbrk(text, ",\"") != NULL;
+	if (quote)
+		fputc('"', out);
+	for (; *text != '\0'; text++) {
+		if (*text == '"')
+			fputc('"', out);
+		fputc(*text == '\n' || *text == '\r' ? ' ' : *text, out);
+	}
+	if (quote)
+		fputc('"', out);
+}
+
+static void
+write_line(const char *key, const char *value, FILE *out)
+{
+	write_cell(key, out);
+	fputc(',', out);
+	write_cell(value, out);
+	fputc('\n', out);
+}
+
+static void
+write_heading(const struct site *site, FILE *out)
+{
+	char top[32] = "";
+	if (site->top_size > 0)
+		text_exact(size_mm(site->top_size), top);
+	const char *const line[][2] = {{"site", site->name},
+	    {"rock", site->rock}, {"top_size_mm", top},
+	    {"machine", site->machine}, {"provenance", site->provenance}};
+	for (size_t i = 0; i < ARRAY_LEN(line); i++)
+		if (line[i][1][0] != '\0')
+			write_line(line[i][0], line[i][1], out);
+	for (size_t i = 0; i < site->n_note; i++)
+		write_line(site->note[i].key, site->note[i].value, out);
+}
+
+/* One feed serves all runs, unless there are several or one of the runs has
+ * nothing but its feed, which no other column would name. */
+static bool
+has_own_feeds(const struct site *site)
+{
+	bool own = site->individual_feeds;
+	for (size_t r = 0; r < site->n_run; r++)
+		own = own || site->run[r].product.n == 0;
+	return own;
+}
+
+/* The columns in their order; room for three a run and one more. */
+static size_t
+list_curves(const struct site *site, struct curve *curve)
+{
+	bool own = has_own_feeds(site);
+	size_t n = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		const struct psd *feed = &run->feed;
+		const struct psd *product = &run->product;
+		if (own || r == 0)
+			curve[n++] = (struct curve){"feed",
+			    own ? run->speed : 0, feed, feed->passing, 0};
+		if (product->n > 0)
+			curve[n++] = (struct curve){"product", run->speed,
+			    product, product->passing, 0};
+		if (product->n > 0 && run->product_sd != NULL)
+			curve[n++] = (struct curve){
+			    "sd", run->speed, product, run->product_sd, 0};
+	}
+	return n;
+}
+
+/* The coarsest sieve not yet written, mm, or 0 when all are. */
+static double
+next_mm(const struct curve *curve, size_t n)
+{
+	double mm = 0;
+	for (size_t i = 0; i < n; i++) {
+		const struct curve *c = &curve[i];
+		if (c->next < c->psd->n)
+			mm = fmax(mm, size_mm(c->psd->size[c->next]));
+	}
+	return mm;
+}
+
+static void
+write_row(struct curve *curve, size_t n, double mm, FILE *out)
+{
+	char number[32];
+	fputs(text_exact(mm, number), out);
+	for (size_t i = 0; i < n; i++) {
+		struct curve *c = &curve[i];
+		fputc(',', out);
+		bool used = false;
+		for (; c->next < c->psd->n; c->next++) {
+			if (size_mm(c->psd->size[c->next]) < mm)
+				break;
+			if (!used)
+				fputs(
+				    text_exact(as_written(c, c->value[c->next]),
+					number),
+				    out);
+			used = true;
+		}
+	}
+	fputc('\n', out);
+}
+
+void
+site_write(const struct site *site, FILE *out)
+{
+	char number[32];
+	struct curve *curve = xcalloc(3 * site->n_run + 1, sizeof *curve);
+	size_t n = list_curves(site, curve);
+	write_heading(site, out);
+	fputs("size_mm", out);
+	for (size_t i = 0; i < n; i++) {
+		const struct curve *c = &curve[i];
+		fprintf(out, ",%s%s%s%s", c->role,
+		    is_small(c) ? "_fraction" : "", c->speed > 0 ? "@" : "",
+		    c->speed > 0 ? text_exact(c->speed, number) : "");
+	}
+	fputc('\n', out);
+	for (double mm; (mm = next_mm(curve, n)) > 0;)
+		write_row(curve, n, mm, out);
+	free(curve);
+}
+
+/* All of the sheet in the open file, and that on the disk.  Closes it. */
+static bool
+write_through(const struct site *site, int fd)
+{
+	FILE *out = fdopen(fd, "w");
+	if (out == NULL) {
+		close(fd);
+		return false;
+	}
+	site_write(site, out);
+	bool good = fflush(out) == 0 && !ferror(out) && fsync(fd) == 0;
+	int reason = errno;
+	good = fclose(out) == 0 && good;
+	errno = reason;
+	return good;
+}
+
+/* A new file beside path with its rights, if it exists; -1 with errno. */
+static int
+open_beside(const char *path, const char *beside)
+{
+	struct stat about;
+	bool there = stat(path, &about) == 0;
+	/* A rename would put a file in the place of a folder or a device. */
+	if (there && !S_ISREG(about.st_mode)) {
+		errno = S_ISDIR(about.st_mode) ? EISDIR : EINVAL;
+		return -1;
+	}
+	int fd = open(beside, O_WRONLY | O_CREAT | O_EXCL, 0666);
+	if (fd >= 0 && there)
+		fchmod(fd, about.st_mode & 0777);
+	return fd;
+}
+
+bool
+site_save(const struct site *site, const char *path, struct error *error)
+{
+	char *beside = xasprintf("%s.%ld.tmp", path, (long)getpid());
+	int fd = open_beside(path, beside);
+	bool made = fd >= 0;
+	bool good =
+	    made && write_through(site, fd) && rename(beside, path) == 0;
+	int reason = errno;
+	if (made && !good)
+		unlink(beside);
+	free(beside);
+	if (good)
+		return true;
+	error_at(error, ERROR_SYSTEM, path, 0, 0,
+	    "the site cannot be saved: %s", strerror(reason));
+	return error_hint(
+	    error, "check the folder, its rights and the room on the disk");
+}

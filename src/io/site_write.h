@@ -1,0 +1,26 @@
+/* Writes a site file, see tipspeed-site(5), that site_read reads back.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_SITE_WRITE_H
+#define TIPSPEED_IO_SITE_WRITE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "base/error.h"
+#include "core/site.h"
+
+/* Writes the sheet: comma, decimal point, LF, no byte order mark; sizes in mm
+ * to 9 decimals, passing and standard deviations in % to 12, a product that
+ * passes 1 % or less everywhere as fractions.  A site that came
+ * from site_read reads back with the same digest.  Sieves nearer than 1e-9 mm
+ * are one row.  Whether all was written is for the caller to ask of out. */
+void site_write(const struct site *site, FILE *out);
+
+/* The same to a file: first to a new one beside it, which takes its place only
+ * when all of it is on the disk, so that path holds the old or the new sheet
+ * and never half of one.  The rights of a file that is there are kept; a
+ * symbolic link is replaced by the file. On failure false, an error of kind
+ * ERROR_SYSTEM, and the old file untouched. */
+bool site_save(const struct site *site, const char *path, struct error *error);
+
+#endif

@@ -1,0 +1,29 @@
+/* Reads rows of material parameters, as Table 3 of the paper has them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_TABLE3_H
+#define TIPSPEED_IO_TABLE3_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/error.h"
+
+/* One row, as printed.  top_size_mm mm; f_mat kg/(J m); e0_min J m/kg. */
+struct material {
+	char *rock, *site, *feed_source;
+	double top_size_mm, f_mat, e0_min, alpha;
+	bool individual_feeds; /* "Individual" and "Unique Feeds" */
+};
+
+struct materials {
+	size_t n;
+	struct material *row;
+};
+
+/* Columns rock,site,top_size_mm,f_mat,feed_source,E0_min,alpha in this order;
+ * lines that begin with # are skipped. NULL with file:line on a row that is not
+ * so. */
+struct materials *materials_read(const char *path, struct error *error);
+void materials_free(struct materials *materials);
+
+#endif

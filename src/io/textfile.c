@@ -1,0 +1,178 @@
+/* Reading bytes and telling text from what is not.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/textfile.h"
+
+#include <errno.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+enum { MOST_BYTES = 10 * 1000 * 1000 };
+
+/* Offset of the first control character, NUL among them, or n. */
+static size_t
+first_control(const char *bytes, size_t n)
+{
+	size_t i = 0;
+	while (i < n && ((unsigned char)bytes[i] >= 0x20 ||
+			    memchr("\t\n\r\f", bytes[i], 4) != NULL))
+		i++;
+	return i;
+}
+
+static size_t
+first_not_utf8(const char *bytes, size_t n)
+{
+	for (size_t i = 0, k; i < n; i += k)
+		for (k = 1; !text_is_utf8(bytes + i, k);)
+			if (++k > 4 || i + k > n)
+				return i;
+	return n;
+}
+
+struct place {
+	int line, column;
+};
+
+static struct place
+place_of(const char *bytes, size_t offset)
+{
+	struct place place = {1, 1};
+	for (size_t i = 0; i < offset; i++) {
+		bool pair = bytes[i] == '\r' && bytes[i + 1] == '\n';
+		if (bytes[i] == '\n' || (bytes[i] == '\r' && !pair)) {
+			place.line++;
+			place.column = 1;
+		} else if ((bytes[i] & 0xC0) != 0x80) {
+			place.column++;
+		}
+	}
+	return place;
+}
+
+/* What the bytes are instead of text, and where that shows; NULL for text. */
+static const char *
+other_kind(const char *bytes, size_t n, size_t *bad)
+{
+	*bad = 0;
+	bool marked = n > 1 && (memcmp(bytes, "\xFF\xFE", 2) == 0 ||
+				   memcmp(bytes, "\xFE\xFF", 2) == 0);
+	bool every_other = n > 3 && (bytes[0] == 0) != (bytes[1] == 0) &&
+			   (bytes[0] == 0) == (bytes[2] == 0) &&
+			   (bytes[1] == 0) == (bytes[3] == 0);
+	if (marked || every_other)
+		return "UTF-8 was wanted, this looks like UTF-16";
+	*bad = first_control(bytes, n);
+	if (*bad < n)
+		return "text was wanted, this is not a text file";
+	*bad = first_not_utf8(bytes, n);
+	if (*bad < n)
+		return "UTF-8 was wanted, this looks like Latin-1";
+	return NULL;
+}
+
+static bool
+is_blank(const char *bytes, size_t n)
+{
+	for (size_t i = 0; i < n; i++)
+		if (memchr(" \t\r\n", bytes[i], 4) == NULL)
+			return false;
+	return true;
+}
+
+static char *
+refuse_size(const char *path, double bytes, struct error_list *errors)
+{
+	struct error *e = error_add(errors);
+	error_at(e, ERROR_DATA, path, 0, 0,
+	    "at most %d MB were wanted, found %.1f MB", MOST_BYTES / 1000000,
+	    bytes / 1e6);
+	error_hint(e, "a sieve sheet has a few kB: is this the right file?");
+	return NULL;
+}
+
+char *
+textfile_check(
+    const char *path, const char *bytes, size_t n, struct error_list *errors)
+{
+	if (n > MOST_BYTES)
+		return refuse_size(path, (double)n, errors);
+	if (n >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0) {
+		bytes += 3;
+		n -= 3;
+	}
+	size_t bad;
+	const char *kind = other_kind(bytes, n, &bad);
+	if (kind == NULL && !is_blank(bytes, n))
+		return xstrndup(bytes, n);
+	struct error *e = error_add(errors);
+	struct place at = {1, 1};
+	if (kind != NULL)
+		at = place_of(bytes, bad);
+	error_at(e, ERROR_DATA, path, at.line, at.column, "%s",
+	    kind != NULL ? kind
+			 : "a site sheet was wanted, found an empty file");
+	error_hint(e,
+	    kind != NULL ? "in the spreadsheet, save the sheet as \"CSV UTF-8\""
+			 : "tipspeed-site(5) shows what a site file holds");
+	return NULL;
+}
+
+/* Reads to the end, or until it is too much, in growing pieces, because a pipe
+ * does not know its size.  NULL with errno set when the system refuses. */
+static char *
+load(FILE *file, size_t *n)
+{
+	char *bytes = NULL;
+	*n = 0;
+	for (size_t got = 1, room = 0; got > 0 && *n <= MOST_BYTES; *n += got) {
+		if (*n == room) {
+			room = room * 2 + 16384;
+			bytes = xrealloc(bytes, room, 1);
+		}
+		got = fread(bytes + *n, 1, room - *n, file);
+	}
+	if (!ferror(file))
+		return bytes;
+	int reason = errno;
+	free(bytes);
+	errno = reason;
+	return NULL;
+}
+
+static char *
+refuse_system(const char *path, struct error_list *errors)
+{
+	int reason = errno;
+	struct error *e = error_add(errors);
+	error_at(
+	    e, ERROR_SYSTEM, path, 0, 0, "cannot read: %s", strerror(reason));
+	error_hint(e, "check the name, the folder and the rights");
+	return NULL;
+}
+
+char *
+textfile_read(const char *path, struct error_list *errors)
+{
+	FILE *file = fopen(path, "rb");
+	if (file == NULL)
+		return refuse_system(path, errors);
+	struct stat about;
+	size_t n;
+	char *bytes = NULL, *text = NULL;
+	if (fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode) &&
+	    about.st_size > MOST_BYTES)
+		refuse_size(path, (double)about.st_size, errors);
+	else if ((bytes = load(file, &n)) == NULL)
+		refuse_system(path, errors);
+	else
+		text = textfile_check(path, bytes, n, errors);
+	free(bytes);
+	fclose(file);
+	return text;
+}

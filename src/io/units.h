@@ -1,0 +1,23 @@
+/* Between SI inside and what people read: mm and per cent.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_UNITS_H
+#define TIPSPEED_IO_UNITS_H
+
+#include <math.h>
+
+/* mm of a size in m; a size that came from a sheet gives its number back
+ * (0.063, not 0.063000000000000000001), true to a picometre. */
+static inline double
+units_mm(double m)
+{
+	return isfinite(m) ? round(m * 1e12) / 1e9 : m;
+}
+
+/* Per cent of a passing, 0..1; exact for sheets with up to 12 decimals. */
+static inline double
+units_pct(double passing)
+{
+	return isfinite(passing) ? round(passing * 1e14) / 1e12 : passing;
+}
+
+#endif
