@@ -1,0 +1,205 @@
+/* check: the sheet doctor.  It reports and mends nothing.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/data.h"
+#include "core/misfit.h"
+#include "io/units.h"
+
+/* Product coarser than feed by more than this is no sampling error. */
+static const double COARSER_FAULT = 0.02;
+
+/* Closer to the feed than this on every sieve: nothing breaks. */
+static const double NOTHING = 0.01;
+
+/* Where a run's product is coarser than its feed: on how many of the compared
+ * sieves, and where by most. */
+struct coarser {
+	size_t sieves, compared;
+	double most, at; /* passing, 0..1; m */
+	double farthest; /* largest difference of either sign */
+};
+
+static struct coarser
+find_coarser(const struct run *run)
+{
+	struct coarser found = {0};
+	found.compared = misfit_covered(&run->feed, &run->product);
+	for (size_t i = 0; i < found.compared; i++) {
+		double x = run->product.size[i];
+		double by =
+		    psd_passing(&run->feed, x) - run->product.passing[i];
+		found.farthest = fmax(found.farthest, fabs(by));
+		/* Less than rounding of the sheet's numbers is nothing. */
+		if (by <= 1e-9)
+			continue;
+		found.sieves++;
+		if (by > found.most) {
+			found.most = by;
+			found.at = x;
+		}
+	}
+	return found;
+}
+
+void
+data_warn_coarser(struct session *s, const struct site *site)
+{
+	for (size_t r = 0; r < site->n_run; r++) {
+		struct coarser c = find_coarser(&site->run[r]);
+		if (c.sieves > 0)
+			session_note(s,
+			    "  at %g m/s the product is coarser than the feed "
+			    "on %zu of %zu sieves, by up to %.2f points at %g "
+			    "mm: see check",
+			    site->run[r].speed, c.sieves, c.compared,
+			    100 * c.most, units_mm(c.at));
+	}
+}
+
+/* A finding is a fault, which makes check say no, or a remark. */
+static void
+finding(struct report *r, const struct entry *entry, bool fault,
+    const char *where, char *text)
+{
+	report_text(r, entry->key);
+	report_text(r, fault ? "FAULT" : "remark");
+	report_text(r, where);
+	report_text(r, text);
+	free(text);
+}
+
+static bool
+check_run(struct report *r, const struct entry *entry, const struct run *run)
+{
+	struct coarser c = find_coarser(run);
+	char *where = xasprintf("%g m/s", run->speed);
+	bool fault = c.most > COARSER_FAULT;
+	if (c.sieves > 0)
+		finding(r, entry, fault, where,
+		    xasprintf("product coarser than feed on %zu of %zu sieves, "
+			      "by up to %.2f points at %g mm: crushing cannot "
+			      "coarsen%s",
+			c.sieves, c.compared, 100 * c.most, units_mm(c.at),
+			fault ? ": were the samples mixed up?"
+			      : "; within what sampling may do"));
+	if (run->product.n > 0 && c.farthest < NOTHING)
+		finding(r, entry, false, where,
+		    xasprintf("product equals feed within %.2f points: nothing "
+			      "breaks at this speed, as the feed has next to "
+			      "nothing above the break size",
+			100 * c.farthest));
+	if (run->product.n > c.compared)
+		finding(r, entry, false, where,
+		    xasprintf("%zu product sieves finer than the feed's finest "
+			      "are not compared (%g mm and below)",
+			run->product.n - c.compared,
+			units_mm(run->product.size[c.compared])));
+	if (run->product.n == 0)
+		finding(r, entry, false, where,
+		    xstrdup("a feed without a product: used for "
+			    "predictions only"));
+	free(where);
+	return !fault;
+}
+
+/* Passing that falls from a slower to a faster run by more than sampling does:
+ * a faster rotor breaks more. */
+static bool
+check_order(struct report *r, const struct entry *entry)
+{
+	const struct site *site = entry->site;
+	bool ok = true;
+	for (size_t i = 1; i < site->n_run; i++) {
+		const struct run *slow = &site->run[i - 1];
+		const struct run *fast = &site->run[i];
+		double most = 0, at = 0;
+		for (size_t j = 0; j < fast->product.n; j++) {
+			double x = fast->product.size[j];
+			if (!psd_covers(&slow->product, x))
+				continue;
+			double by = psd_passing(&slow->product, x) -
+				    fast->product.passing[j];
+			if (by > most) {
+				most = by;
+				at = x;
+			}
+		}
+		if (most <= COARSER_FAULT)
+			continue;
+		char *where = xasprintf("%g, %g m/s", slow->speed, fast->speed);
+		finding(r, entry, !site->individual_feeds, where,
+		    xasprintf("the faster run's product is coarser by %.2f "
+			      "points at %g mm: %s",
+			100 * most, units_mm(at),
+			site->individual_feeds
+			    ? "its feed may have been coarser"
+			    : "are the speeds swapped?"));
+		free(where);
+		ok = ok && site->individual_feeds;
+	}
+	return ok;
+}
+
+/* Other loaded sites with the very same numbers. */
+static void
+check_twins(struct session *s, struct report *r, size_t index)
+{
+	const struct entry *entry = &s->entry[index];
+	for (size_t i = 0; i < s->n_entry; i++) {
+		const struct entry *other = &s->entry[i];
+		if (i == index || other->site->digest != entry->site->digest)
+			continue;
+		finding(r, entry, false, "all runs",
+		    xasprintf("twins: %s (%s) has the very same numbers as %s "
+			      "(%s)",
+			entry->site->name, entry->site->rock, other->site->name,
+			other->site->rock));
+	}
+}
+
+static bool
+check_site(struct session *s, struct report *r, size_t index)
+{
+	const struct entry *entry = &s->entry[index];
+	bool ok = true;
+	for (size_t i = 0; i < entry->site->n_run; i++)
+		ok = check_run(r, entry, &entry->site->run[i]) && ok;
+	ok = check_order(r, entry) && ok;
+	check_twins(s, r, index);
+	if (entry->site->provenance[0] == '\0')
+		finding(r, entry, false, "sheet",
+		    xstrdup("provenance is not stated: a line "
+			    "'provenance,...' says where the data are from"));
+	return ok;
+}
+
+bool
+cmd_check(struct session *s, const struct args *args, struct error *error)
+{
+	size_t first = s->current, last = s->current;
+	if (args->n_operand > 0 && strcmp(args->operand[0], "all") == 0) {
+		first = 0;
+		last = s->n_entry - 1;
+	} else if (args->n_operand > 0) {
+		if (!session_find(s, args->operand[0], &first, error))
+			return false;
+		last = first;
+	}
+	struct report *r = report_new("check");
+	report_column(r, "site", "site");
+	report_column(r, "kind", "kind");
+	report_column(r, "where", "where");
+	report_column(r, "finding", "finding");
+	bool ok = true;
+	for (size_t i = first; i <= last; i++)
+		ok = check_site(s, r, i) && ok;
+	report_note(r, ok ? "no faults found" : "there are faults");
+	session_report(s, r);
+	return ok ||
+	       error_set(error, ERROR_CHECK, "check found faults in the sheet");
+}

@@ -1,0 +1,103 @@
+/* Looking things up in the command table.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/command.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+const struct command *
+command_find(const char *name)
+{
+	for (const struct command *c = COMMANDS; c->name != NULL; c++)
+		if (strcmp(c->name, name) == 0 ||
+		    (c->alias != NULL && strcmp(c->alias, name) == 0))
+			return c;
+	return NULL;
+}
+
+const char *
+command_nearest(const char *name)
+{
+	const char *nearest = NULL;
+	size_t least = 3; /* more edits than this is another word */
+	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+		size_t d = text_distance(c->name, name);
+		size_t n = strlen(name);
+		if (n >= 3 && strncmp(c->name, name, n) == 0)
+			d = 1;
+		if (d < least) {
+			least = d;
+			nearest = c->name;
+		}
+	}
+	return nearest;
+}
+
+size_t
+command_option_index(const struct command *command, const char *name)
+{
+	const struct command_option *o = command->option;
+	for (size_t i = 0; o != NULL && o[i].name != NULL; i++)
+		if (strcmp(o[i].name, name) == 0)
+			return i;
+	return OPTIONS;
+}
+
+/* Appends to a string that grows. */
+static void
+append(char **text, const char *more)
+{
+	char *longer = xasprintf("%s%s", *text, more);
+	free(*text);
+	*text = longer;
+}
+
+static const char *
+placeholder(const struct command_option *o)
+{
+	switch (o->kind) {
+	case VALUE_NUMBER:
+		return "X";
+	case VALUE_NUMBERS:
+		return "X,X..";
+	case VALUE_WHOLE:
+		return "N";
+	case VALUE_CHOICE:
+		return o->choices;
+	default:
+		return "TEXT";
+	}
+}
+
+char *
+command_usage(const struct command *command)
+{
+	char *usage = xstrdup(command->name);
+	if (command->operands[0] != '\0') {
+		append(&usage, " ");
+		append(&usage, command->operands);
+	}
+	const struct command_option *o = command->option;
+	for (; o != NULL && o->name != NULL; o++) {
+		char *part = xasprintf(" [%s=%s]", o->name, placeholder(o));
+		for (char *p = part + 1; *p != '\0'; p++)
+			if (*p == ' ')
+				*p = '|';
+		append(&usage, part);
+		free(part);
+	}
+	return usage;
+}
+
+const struct value *
+args_value(
+    const struct command *command, const struct args *args, const char *name)
+{
+	size_t i = command_option_index(command, name);
+	assert(i < OPTIONS);
+	return &args->value[i];
+}

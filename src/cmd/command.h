@@ -1,0 +1,95 @@
+/* The command table: everything a user can say, as data.
+ *
+ * The parser, usage lines, help, the manual's COMMANDS section and several
+ * tests read this table; to add a command is to add a row and a function.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_COMMAND_H
+#define TIPSPEED_CMD_COMMAND_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/error.h"
+
+struct session;
+
+enum value_kind {
+	VALUE_NUMBER,  /* decimal point; the option's unit may follow */
+	VALUE_WHOLE,   /* 0 to 2^64-1 */
+	VALUE_CHOICE,  /* one of the option's choices */
+	VALUE_NUMBERS, /* a,b,c or a..b[:step] */
+	VALUE_TEXT
+};
+
+/* One key=value of a command. */
+struct command_option {
+	const char *name;
+	enum value_kind kind;
+	const char *unit;     /* "m/s"; "" where there is none */
+	double least, most;   /* of numbers */
+	const char *choices;  /* "on off" */
+	const char *fallback; /* default, as typed; "" where there is none */
+	const char *brief;
+};
+
+struct value {
+	bool given;
+	double number;
+	uint64_t whole;
+	size_t choice;    /* index into the choices */
+	const char *text; /* as typed */
+	size_t n;
+	double *list;
+};
+
+enum { OPTIONS = 12, OPERANDS = 256 };
+
+/* A parsed call.  value[i] belongs to the command's option i; an option with a
+ * fallback that was not given has the fallback's value and given = false. */
+struct args {
+	size_t n_operand;
+	const char *operand[OPERANDS];
+	struct value value[OPTIONS];
+};
+
+enum need { NEED_NOTHING, NEED_SITE };
+
+/* bare: option that a bare word stands for ("predict 74"), or NULL.
+ * pairs: options may be written as two words ("set method classes").
+ * operands: as shown in usage; at least `least` and at most `most` of them.
+ * text: sentences for help and manual.  example: lines of a script that runs in
+ * a folder with the project's data/. */
+struct command {
+	const char *name, *alias, *group, *brief;
+	const char *operands;
+	size_t least, most;
+	enum need need;
+	const char *bare;
+	bool pairs;
+	const struct command_option
+	    *option; /* ends with a name of NULL, or NULL */
+	const char *text, *example;
+	bool (*run)(struct session *, const struct args *, struct error *);
+};
+
+/* The table, by group; ends with a name of NULL. */
+extern const struct command COMMANDS[];
+
+/* By full name or alias; NULL if there is none. */
+const struct command *command_find(const char *name);
+
+/* The name nearest to a mistyped one, or NULL when none is near. */
+const char *command_nearest(const char *name);
+
+/* Index of an option, or OPTIONS if the command has none of that name. */
+size_t command_option_index(const struct command *command, const char *name);
+
+/* "predict [speed=V]": the call as shown in help.  The caller frees. */
+char *command_usage(const struct command *command);
+
+/* Value of an option of the call; asserts that the command has it. */
+const struct value *args_value(
+    const struct command *command, const struct args *args, const char *name);
+
+#endif

@@ -1,0 +1,321 @@
+/* Sheets in and out.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/data.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "core/synth.h"
+#include "io/site_write.h"
+#include "io/table3.h"
+#include "io/units.h"
+
+static const struct value *
+option(const char *command, const struct args *args, const char *name)
+{
+	return args_value(command_find(command), args, name);
+}
+
+bool
+cmd_load(struct session *s, const struct args *args, struct error *error)
+{
+	for (size_t i = 0; i < args->n_operand; i++) {
+		if (!session_load(s, args->operand[i], error))
+			return false;
+		const struct entry *entry = session_entry(s);
+		char *label = session_label(entry->site);
+		session_note(
+		    s, "loaded %s: %zu runs", label, entry->site->n_run);
+		free(label);
+		data_warn_coarser(s, entry->site);
+	}
+	return true;
+}
+
+/* "69 74 79", of the runs that have a product. */
+static char *
+product_speeds(const struct site *site)
+{
+	char *list = xstrdup("");
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (site->run[r].product.n == 0)
+			continue;
+		char *longer = xasprintf("%s%s%g", list,
+		    list[0] != '\0' ? " " : "", site->run[r].speed);
+		free(list);
+		list = longer;
+	}
+	return list;
+}
+
+/* The first words of the provenance: "reconstructed", "synthetic"; "not
+ * stated" where there are none. */
+static char *
+data_kind(const struct site *site)
+{
+	const char *p = site->provenance;
+	size_t n = strcspn(p, " ;,");
+	return n > 0 ? xstrndup(p, n) : xstrdup("not stated");
+}
+
+bool
+cmd_sites(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	struct report *r = report_new("sites");
+	report_column(r, "key", "site");
+	report_column(r, "name", "name");
+	report_column(r, "rock", "rock");
+	report_column(r, "top_size_mm", "top mm");
+	report_column(r, "speeds", "speeds m/s");
+	report_column(r, "calibrated", "calibrated");
+	report_column(r, "data", "data");
+	for (size_t i = 0; i < s->n_entry; i++) {
+		const struct entry *entry = &s->entry[i];
+		char *speeds = product_speeds(entry->site);
+		char *kind = data_kind(entry->site);
+		char *key =
+		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
+		report_text(r, s->format == REPORT_TABLE ? key : entry->key);
+		report_text(r, entry->site->name);
+		report_text(r, entry->site->rock);
+		report_number(r,
+		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
+					      : NAN,
+		    -1);
+		report_text(r, speeds);
+		report_text(r, entry->has_fit      ? "yes"
+			       : entry->has_params ? "set by hand"
+						   : "no");
+		report_text(r, kind);
+		free(speeds);
+		free(kind);
+		free(key);
+	}
+	report_note(r, s->n_entry > 0 ? "* is the site in use"
+				      : "no site is loaded: load FILE");
+	session_report(s, r);
+	return true;
+}
+
+bool
+cmd_use(struct session *s, const struct args *args, struct error *error)
+{
+	return session_find(s, args->operand[0], &s->current, error);
+}
+
+static void
+show_site(struct session *s)
+{
+	const struct site *site = session_entry(s)->site;
+	struct report *r = report_new("show");
+	char *label = session_label(site), *speeds = product_speeds(site);
+	report_title(r, "%s", label);
+	report_site(r, site->name, site->provenance);
+	report_column(r, "what", "what");
+	report_column(r, "value", "value");
+	const char *rows[][2] = {{"data", site->provenance},
+	    {"machine", site->machine}, {"file", site->path},
+	    {"speeds m/s", speeds},
+	    {"feeds", site->individual_feeds ? "one for each speed"
+					     : "one for all speeds"}};
+	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
+		report_text(r, rows[i][0]);
+		report_text(r, rows[i][1]);
+	}
+	for (size_t i = 0; i < site->n_note; i++) {
+		report_text(r, site->note[i].key);
+		report_text(r, site->note[i].value);
+	}
+	free(label);
+	free(speeds);
+	session_report(s, r);
+}
+
+/* A table with one column for each curve, on the union of their sieves. */
+static void
+show_curves(struct session *s, const char *what, const struct psd *const *curve,
+    char *const *head, size_t n)
+{
+	const struct site *site = session_entry(s)->site;
+	struct report *r = report_new("show");
+	char *label = session_label(site);
+	report_title(r, "%s: %s, %% passing", label, what);
+	free(label);
+	report_site(r, site->name, site->provenance);
+	report_column(r, "sieve_mm", "sieve mm");
+	for (size_t i = 0; i < n; i++)
+		report_column(r, head[i], head[i]);
+	double below = INFINITY;
+	for (;;) {
+		double x = 0;
+		for (size_t i = 0; i < n; i++)
+			for (size_t j = 0; j < curve[i]->n; j++)
+				if (curve[i]->size[j] < below)
+					x = fmax(x, curve[i]->size[j]);
+		if (x <= 0)
+			break;
+		below = x;
+		report_number(r, units_mm(x), -1);
+		report_missing(r, "");
+		for (size_t i = 0; i < n; i++) {
+			double passing = NAN;
+			for (size_t j = 0; j < curve[i]->n; j++)
+				if (curve[i]->size[j] == x)
+					passing = curve[i]->passing[j];
+			report_number(r, units_pct(passing), 2);
+		}
+	}
+	session_report(s, r);
+}
+
+enum { CURVES = 20 };
+
+static void
+show_psd(struct session *s, bool feed)
+{
+	const struct site *site = session_entry(s)->site;
+	const struct psd *curve[CURVES];
+	char *head[CURVES];
+	size_t n = 0;
+	for (size_t r = 0; r < site->n_run && n < CURVES; r++) {
+		const struct run *run = &site->run[r];
+		if (!feed && run->product.n == 0)
+			continue;
+		if (feed && !site->individual_feeds && r > 0)
+			continue;
+		bool shared = feed && !site->individual_feeds;
+		curve[n] = feed ? &run->feed : &run->product;
+		head[n++] = shared ? xstrdup("feed")
+				   : xasprintf("%s@%g",
+					 feed ? "feed" : "product", run->speed);
+	}
+	show_curves(s, feed ? "feed" : "measured products", curve, head, n);
+	for (size_t i = 0; i < n; i++)
+		free(head[i]);
+}
+
+bool
+cmd_show(struct session *s, const struct args *args, struct error *error)
+{
+	static const char *const WHAT[] = {"site", "feed", "product"};
+	const char *what = args->n_operand > 0 ? args->operand[0] : WHAT[0];
+	if (strcmp(what, "site") == 0)
+		show_site(s);
+	else if (strcmp(what, "feed") == 0)
+		show_psd(s, true);
+	else if (strcmp(what, "product") == 0)
+		show_psd(s, false);
+	else
+		return error_set(error, ERROR_USAGE,
+		    "show wants site, feed or product, not '%s'", what);
+	return true;
+}
+
+/* Fills in the names and says what the site is: nothing that was measured. */
+static void
+describe_synth(struct site *site, const struct material *m,
+    const struct synth *synth, const char *source)
+{
+	free(site->name);
+	free(site->rock);
+	free(site->machine);
+	free(site->provenance);
+	site->name = xstrdup(m->site);
+	site->rock = xstrdup(m->rock);
+	site->machine = xstrdup("Metso Barmac 5100 SE");
+	site->provenance = xasprintf(
+	    "reconstructed from %s, not measured; f_mat %g, E0_min %g, alpha "
+	    "%g, default beta; %s; feed 100 %% at twice the top size, 90 %% "
+	    "at it, below 90 (d/D)^n, n=%g%s; noise sd %g points at 50 %% "
+	    "passing; seed %llu; middle speed assumed",
+	    source, m->f_mat, m->e0_min, m->alpha, m->feed_source, synth->n,
+	    m->individual_feeds ? " varied by 5 % from feed to feed" : "",
+	    100 * synth->noise, (unsigned long long)synth->seed);
+}
+
+static struct site *
+synth_row(const struct material *m, const struct args *args)
+{
+	const struct value *speeds = option("synth", args, "speeds");
+	struct synth synth = {.top_size = m->top_size_mm / 1000,
+	    .params = params_default_beta(),
+	    .individual_feeds = m->individual_feeds,
+	    .n = option("synth", args, "n")->number,
+	    .noise = option("synth", args, "noise")->number / 100,
+	    .seed = option("synth", args, "seed")->whole,
+	    .n_speed = speeds->n,
+	    .speed = speeds->list};
+	synth.params.f_mat = m->f_mat;
+	synth.params.e0_min = m->e0_min;
+	synth.params.alpha = m->alpha;
+	struct site *site = synth_site(&synth);
+	const char *slash = strrchr(args->operand[0], '/');
+	const char *file = slash != NULL ? slash + 1 : args->operand[0];
+	describe_synth(site, m, &synth,
+	    strcmp(file, "table3.csv") == 0 ? "Table 3" : file);
+	return site;
+}
+
+bool
+cmd_synth(struct session *s, const struct args *args, struct error *error)
+{
+	const struct value *wanted = option("synth", args, "site");
+	const struct value *speeds = option("synth", args, "speeds");
+	for (size_t i = 1; i < speeds->n; i++)
+		if (speeds->list[i] <= speeds->list[i - 1])
+			return error_set(error, ERROR_USAGE,
+			    "speeds go from slow to fast, each once");
+	struct materials *m = materials_read(args->operand[0], error);
+	if (m == NULL)
+		return false;
+	size_t made = 0;
+	for (size_t i = 0; i < m->n; i++) {
+		if (wanted->given && !text_same(wanted->text, m->row[i].site))
+			continue;
+		session_add(s, synth_row(&m->row[i], args));
+		made++;
+	}
+	materials_free(m);
+	if (made == 0)
+		return error_set(error, ERROR_USAGE, "%s has no site '%s'",
+		    args->operand[0], wanted->text);
+	session_note(s, "made %zu site%s: not measured at a plant", made,
+	    made == 1 ? "" : "s");
+	return true;
+}
+
+/* "gavle-11.2-2.csv" in the folder, from the key "gavle/11.2/2". */
+static char *
+file_name(const struct entry *entry, const char *folder)
+{
+	char *stem = text_slug(entry->key);
+	char *path = xasprintf("%s/%s.csv", folder, stem);
+	free(stem);
+	return path;
+}
+
+bool
+cmd_write(struct session *s, const struct args *args, struct error *error)
+{
+	const char *path = args->operand[0];
+	struct stat info;
+	bool folder = stat(path, &info) == 0 && S_ISDIR(info.st_mode);
+	if (!folder)
+		return site_save(session_entry(s)->site, path, error);
+	for (size_t i = 0; i < s->n_entry; i++) {
+		char *file = file_name(&s->entry[i], path);
+		bool ok = site_save(s->entry[i].site, file, error);
+		free(file);
+		if (!ok)
+			return false;
+	}
+	session_note(s, "wrote %zu sites to %s", s->n_entry, path);
+	return true;
+}

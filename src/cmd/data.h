@@ -1,0 +1,23 @@
+/* Commands about sheets: load, sites, use, show, synth, write.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_DATA_H
+#define TIPSPEED_CMD_DATA_H
+
+#include <stdbool.h>
+
+#include "cmd/command.h"
+#include "cmd/session.h"
+
+bool cmd_load(struct session *, const struct args *, struct error *);
+bool cmd_sites(struct session *, const struct args *, struct error *);
+bool cmd_use(struct session *, const struct args *, struct error *);
+bool cmd_show(struct session *, const struct args *, struct error *);
+bool cmd_synth(struct session *, const struct args *, struct error *);
+bool cmd_write(struct session *, const struct args *, struct error *);
+bool cmd_check(struct session *, const struct args *, struct error *);
+
+/* Says beside the results where a run's product is coarser than its feed; the
+ * numbers stay as they are. */
+void data_warn_coarser(struct session *s, const struct site *site);
+
+#endif

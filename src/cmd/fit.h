@@ -1,0 +1,38 @@
+/* Commands that calibrate, and what a fit is worth.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_FIT_H
+#define TIPSPEED_CMD_FIT_H
+
+#include <stdbool.h>
+
+#include "cmd/command.h"
+#include "cmd/session.h"
+
+bool cmd_calibrate(struct session *, const struct args *, struct error *);
+
+/* Takes the job's result into its site and reports it. */
+void fit_finish(struct session *s);
+
+/* Above this RMSE (passing, 0..1) at the training runs a fit is called poor: a
+ * careful sample repeats to 0.005 or 0.01. */
+#define FIT_POOR 0.02
+
+/* Below this share of the null model's misfit taken away, the products cannot
+ * be told from the feed. */
+#define FIT_NOTHING 0.5
+
+/* True when the fit explains little that product = feed does not. */
+bool fit_breaks_nothing(const struct fit *fit);
+
+/* False where an appearance other than ratio is set with another method than
+ * classes. */
+bool fit_settings_agree(
+    const struct model_settings *settings, struct error *error);
+
+/* {"beta":[4],"f_mat":..,"e0_min":..,"alpha":..} */
+json_t *fit_params_json(const struct params *p);
+
+/* "poor", "good", or "nothing breaks". */
+const char *fit_verdict(const struct fit *fit);
+
+#endif

@@ -1,0 +1,11 @@
+/* The generated parts of the manual.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_MANUAL_H
+#define TIPSPEED_CMD_MANUAL_H
+
+#include <stdio.h>
+
+/* The COMMANDS section of tipspeed(1) in mdoc, from the command table. */
+void manual_commands(FILE *out);
+
+#endif

@@ -1,0 +1,186 @@
+/* sweep: products over a range of speeds.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/fit.h"
+#include "core/predict.h"
+#include "io/units.h"
+
+static const struct value *
+option(const struct args *args, const char *name)
+{
+	return args_value(command_find("sweep"), args, name);
+}
+
+/* Words for a size that lies outside the sieves. */
+static void
+outside_words(struct report *r, const struct psd *psd, double passing)
+{
+	bool fine = psd->passing[psd->n - 1] >= passing;
+	char *words = xasprintf("%s %g", fine ? "below" : "above",
+	    units_mm(psd->size[fine ? psd->n - 1 : 0]));
+	report_missing(r, words);
+	free(words);
+}
+
+/* A row of sizes, one cell a speed. */
+static void
+size_row(struct report *r, const char *name, const struct prediction *p,
+    size_t n, double passing)
+{
+	report_text(r, name);
+	report_missing(r, "");
+	report_number(r, NAN, 0);
+	for (size_t i = 0; i < n; i++) {
+		outside_words(r, &p[i].product, passing);
+		double x = passing < 0.3   ? p[i].p20
+			   : passing < 0.7 ? p[i].p50
+					   : p[i].p80;
+		report_number(r, 1000 * x, 2);
+	}
+}
+
+/* Sieves down, speeds across: for as many speeds as fit a screen. */
+static void
+sweep_across(
+    struct session *s, struct report *r, const struct prediction *p, size_t n)
+{
+	const struct entry *entry = session_entry(s);
+	report_column(r, "sieve_mm", "sieve mm");
+	report_column(r, "feed_pct", "feed %");
+	for (size_t i = 0; i < n; i++) {
+		bool outside =
+		    predict_extrapolates(entry->site, entry->train, p[i].speed);
+		char *key = xasprintf("passing_pct@%g", p[i].speed);
+		char *head =
+		    xasprintf("%g m/s%s", p[i].speed, outside ? "*" : "");
+		report_column(r, key, head);
+		free(key);
+		free(head);
+	}
+	for (size_t row = 0; row < p[0].product.n; row++) {
+		char *size = xasprintf("%g", units_mm(p[0].product.size[row]));
+		report_text(r, size);
+		free(size);
+		report_number(r, units_pct(p[0].feed.passing[row]), 1);
+		for (size_t i = 0; i < n; i++)
+			report_number(
+			    r, units_pct(p[i].product.passing[row]), 1);
+	}
+	size_row(r, "P20 mm", p, n, 0.2);
+	size_row(r, "P50 mm", p, n, 0.5);
+	size_row(r, "P80 mm", p, n, 0.8);
+	report_text(r, "breaks from mm");
+	report_missing(r, "");
+	report_number(r, NAN, 0);
+	report_missing(r, "none");
+	for (size_t i = 0; i < n; i++)
+		report_number(r, 1000 * p[i].break_size, 2);
+}
+
+/* One row a speed: for long sweeps. */
+static void
+sweep_down(
+    struct session *s, struct report *r, const struct prediction *p, size_t n)
+{
+	const struct entry *entry = session_entry(s);
+	report_column(r, "speed", "m/s");
+	report_column(r, "energy_j_kg", "J/kg");
+	report_column(r, "break_mm", "breaks from mm");
+	report_column(r, "p20_mm", "P20 mm");
+	report_column(r, "p50_mm", "P50 mm");
+	report_column(r, "p80_mm", "P80 mm");
+	report_column(r, "finest_pct", "finest sieve %");
+	report_column(r, "extrapolated", "extrapolated");
+	for (size_t i = 0; i < n; i++) {
+		size_t finest = p[i].product.n - 1;
+		report_number(r, p[i].speed, -1);
+		report_number(r, p[i].energy, 0);
+		report_missing(r, "none");
+		report_number(r, 1000 * p[i].break_size, 2);
+		outside_words(r, &p[i].product, 0.2);
+		report_number(r, 1000 * p[i].p20, 2);
+		outside_words(r, &p[i].product, 0.5);
+		report_number(r, 1000 * p[i].p50, 2);
+		outside_words(r, &p[i].product, 0.8);
+		report_number(r, 1000 * p[i].p80, 2);
+		report_number(r, units_pct(p[i].product.passing[finest]), 1);
+		report_text(r,
+		    predict_extrapolates(entry->site, entry->train, p[i].speed)
+			? "yes"
+			: "no");
+	}
+}
+
+static void
+sweep_json(
+    struct session *s, struct report *r, const struct prediction *p, size_t n)
+{
+	json_t *o = json_object(), *products = json_array();
+	for (size_t i = 0; i < n; i++)
+		json_array_append_new(
+		    products, answers_prediction_json(s, &p[i]));
+	json_object_set_new(o, "command", json_string("sweep"));
+	json_object_set_new(
+	    o, "site", json_string(session_entry(s)->site->name));
+	json_object_set_new(o, "products", products);
+	report_json(r, o);
+}
+
+/* A sweep shows what the speed does, so it takes one feed for all: that of the
+ * run in the middle. */
+static double
+middle_speed(const struct site *site)
+{
+	return (site->run[0].speed + site->run[site->n_run - 1].speed) / 2;
+}
+
+bool
+cmd_sweep(struct session *s, const struct args *args, struct error *error)
+{
+	enum { ACROSS = 7 };
+	if (!answers_ready(s, error))
+		return false;
+	const struct entry *entry = session_entry(s);
+	const struct value *speeds = option(args, "speeds");
+	size_t n = speeds->n;
+	size_t feed;
+	if (!answers_feed(entry->site, option(args, "feed"),
+		middle_speed(entry->site), &feed, error))
+		return false;
+	struct prediction *p = xcalloc(n, sizeof *p);
+	bool outside = false;
+	for (size_t i = 0; i < n; i++) {
+		p[i] = predict(entry->site, &entry->params, s->settings,
+		    speeds->list[i], feed);
+		outside = outside || predict_extrapolates(entry->site,
+					 entry->train, speeds->list[i]);
+	}
+	struct report *r = report_new("sweep");
+	char *label = session_label(entry->site);
+	report_title(r, "%s: products, %% passing", label);
+	free(label);
+	report_site(r, entry->site->name, entry->site->provenance);
+	bool across = n <= ACROSS;
+	(across ? sweep_across : sweep_down)(s, r, p, n);
+	if (entry->site->individual_feeds)
+		report_note(r,
+		    "feed: the sample taken at %g m/s, for all speeds",
+		    entry->site->run[feed].speed);
+	if (outside && across)
+		report_note(r, "* extrapolated: outside the speeds trained on");
+	if (entry->has_fit && entry->fit.rmse > FIT_POOR)
+		report_note(r,
+		    "the calibration is poor (%.1f points RMS): do not rely "
+		    "on these",
+		    100 * entry->fit.rmse);
+	sweep_json(s, r, p, n);
+	for (size_t i = 0; i < n; i++)
+		prediction_free(&p[i]);
+	free(p);
+	session_report(s, r);
+	return true;
+}

@@ -1,0 +1,134 @@
+/* validate: the model against runs it has not seen.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/fit.h"
+#include "core/validate.h"
+#include "io/units.h"
+
+static json_t *
+validation_as_json(const struct validation *v)
+{
+	static const char *const NAMES[3] = {"p20", "p50", "p80"};
+	json_t *o = json_object(), *null = json_object();
+	json_object_set_new(o, "speed", json_real(v->speed));
+	json_object_set_new(o, "rmse_pct", report_json_number(100 * v->rmse));
+	for (size_t i = 0; i < 3; i++) {
+		json_t *size = json_object();
+		json_object_set_new(size, "measured_mm",
+		    report_json_number(1000 * v->size[i].measured));
+		json_object_set_new(size, "predicted_mm",
+		    report_json_number(1000 * v->size[i].predicted));
+		json_object_set_new(o, NAMES[i], size);
+	}
+	json_object_set_new(
+	    null, "feed_rmse_pct", report_json_number(100 * v->feed_rmse));
+	json_object_set_new(null, "interpolation_rmse_pct",
+	    report_json_number(100 * v->interpolation_rmse));
+	json_object_set_new(o, "null", null);
+	json_object_set_new(
+	    o, "loses_to_interpolation", json_boolean(validation_loses(v)));
+	return o;
+}
+
+static void
+validation_rows(struct report *r, const struct validation *v)
+{
+	for (size_t i = 0; i < 3; i++) {
+		const struct validate_size *size = &v->size[i];
+		char *name = xasprintf("P%.0f", 100 * size->passing);
+		report_number(r, v->speed, -1);
+		report_text(r, name);
+		report_missing(r, "outside");
+		report_number(r, 1000 * size->measured, 3);
+		report_number(r, 1000 * size->predicted, 3);
+		report_number(r, 1000 * (size->predicted - size->measured), 3);
+		free(name);
+	}
+}
+
+static void
+validation_notes(struct report *r, const struct validation *v)
+{
+	report_note(r,
+	    "at %g m/s: RMSE %.2f points over %zu sieves, misfit %.4g; worst "
+	    "%+.2f points at %g mm",
+	    v->speed, 100 * v->rmse, v->n_sieve, v->misfit,
+	    100 * v->worst_difference, units_mm(v->worst_sieve));
+	report_note(r,
+	    "  without a model: product = feed %.2f points; interpolation of "
+	    "the measured training products %.2f points",
+	    100 * v->feed_rmse, 100 * v->interpolation_rmse);
+	if (validation_loses(v))
+		report_note(r,
+		    "  the model does worse than interpolation at this speed: "
+		    "between the trained speeds, trust the interpolation");
+	if (v->n_left_out > 0)
+		report_note(r,
+		    "  %zu finer sieves are not compared: the feed is not "
+		    "sieved that fine",
+		    v->n_left_out);
+}
+
+static void
+add_validations(struct session *s, struct report *r, json_t *list)
+{
+	const struct entry *entry = session_entry(s);
+	const struct site *site = entry->site;
+	size_t n = 0;
+	for (size_t i = 0; i < site->n_run; i++) {
+		const struct run *run = &site->run[i];
+		if (entry->train[i] ||
+		    misfit_covered(&run->feed, &run->product) == 0)
+			continue;
+		struct validation v = validate_run(
+		    site, i, entry->train, &entry->params, s->settings);
+		validation_rows(r, &v);
+		validation_notes(r, &v);
+		json_array_append_new(list, validation_as_json(&v));
+		n++;
+	}
+	if (n == 0)
+		report_note(r,
+		    "no run was held out: a third speed, not trained on, "
+		    "would test the model");
+}
+
+bool
+cmd_validate(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	if (!answers_ready(s, error))
+		return false;
+	const struct entry *entry = session_entry(s);
+	struct report *r = report_new("validate");
+	char *label = session_label(entry->site);
+	report_title(r, "%s: held-out speeds, measured and predicted", label);
+	free(label);
+	report_site(r, entry->site->name, entry->site->provenance);
+	report_column(r, "speed", "m/s");
+	report_column(r, "size", "size");
+	report_column(r, "measured_mm", "measured mm");
+	report_column(r, "predicted_mm", "predicted mm");
+	report_column(r, "difference_mm", "difference mm");
+	json_t *o = json_object(), *list = json_array();
+	json_object_set_new(o, "command", json_string("validate"));
+	json_object_set_new(o, "site", json_string(entry->site->name));
+	json_object_set_new(o, "holdout", list);
+	add_validations(s, r, list);
+	if (entry->has_fit) {
+		const char *verdict = fit_verdict(&entry->fit);
+		json_object_set_new(o, "verdict", json_string(verdict));
+		if (entry->fit.rmse > FIT_POOR)
+			report_note(r,
+			    "poor fit already at the training runs: %.1f "
+			    "points RMS",
+			    100 * entry->fit.rmse);
+	}
+	report_json(r, o);
+	session_report(s, r);
+	return true;
+}

@@ -1,0 +1,258 @@
+/* The plain driver: reads lines, pumps the session's job, prints progress.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/batch.h"
+
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+enum { STATUS_INTERRUPTED = 130 };
+
+static volatile sig_atomic_t interrupted;
+
+static void
+on_interrupt(int signal)
+{
+	(void)signal;
+	interrupted = 1;
+}
+
+void
+batch_catch_interrupt(void)
+{
+	struct sigaction action = {.sa_handler = on_interrupt};
+	sigemptyset(&action.sa_mask);
+	sigaction(SIGINT, &action, NULL);
+}
+
+/* The line at fault, cut to fit a screen, and a caret under the column. */
+static void
+print_caret(const char *line, int column, FILE *out)
+{
+	enum { BEFORE = 40, SHOWN = 72 };
+	int skip = column > BEFORE ? column - BEFORE : 0, shown = 0;
+	const char *p = line;
+	for (int i = 0; i < skip && *p != '\0'; i++)
+		for (p++; (*p & 0xC0) == 0x80; p++)
+			;
+	fputs("  ", out);
+	for (; *p != '\0' && shown < SHOWN; shown++) {
+		fputc(*p == '\t' ? ' ' : *p, out);
+		for (p++; (*p & 0xC0) == 0x80; p++)
+			fputc(*p, out);
+	}
+	fprintf(out, "\n  %*s^\n", column - skip - 1, "");
+}
+
+static void
+print_error(const struct error *e, const char *line, const char *name)
+{
+	struct error bare = *e;
+	bare.hint[0] = '\0';
+	error_print(&bare, stderr);
+	if (e->line > 0 && strcmp(e->file, name) == 0)
+		print_caret(line, e->column, stderr);
+	if (e->hint[0] != '\0')
+		fprintf(stderr, "  hint: %s\n", e->hint);
+}
+
+/* What a terminal shows while a calibration runs: one line, four times a
+ * second; elsewhere a row at generation 1 and every ten. */
+struct progress {
+	bool terminal;
+	double shown;
+	size_t row;
+	int width;
+};
+
+static void
+progress_line(struct progress *p, const struct calibrate_status *st)
+{
+	double now = session_clock();
+	if (now - p->shown < 0.25)
+		return;
+	p->shown = now;
+	char text[128];
+	if (st->state == CALIBRATE_POLISHING)
+		snprintf(text, sizeof text, "  polish %zu  best %.4g",
+		    st->starts_done, st->best);
+	else
+		snprintf(text, sizeof text,
+		    "  generation %zu  best %.4g  median %.4g  stall %zu",
+		    st->generation, st->best, st->median, st->stall);
+	int width = text_width(text);
+	fprintf(stderr, "\r%s%*s", text,
+	    p->width > width ? p->width - width : 0, "");
+	p->width = width;
+	fflush(stderr);
+}
+
+static void
+progress_row(struct progress *p, const struct calibrate_status *st)
+{
+	bool due = st->generation == 1 || st->generation % 10 == 0;
+	if (st->state == CALIBRATE_POLISHING || !due ||
+	    st->generation == p->row)
+		return;
+	p->row = st->generation;
+	fprintf(stderr, "  generation %4zu  best %.6g  median %.6g\n",
+	    st->generation, st->best, st->median);
+}
+
+static void
+progress(struct session *s, struct progress *p)
+{
+	if (!session_busy(s) || s->notes == NULL)
+		return;
+	struct calibrate_status st = calibration_status(s->job.calibration);
+	if (p->terminal)
+		progress_line(p, &st);
+	else
+		progress_row(p, &st);
+}
+
+/* Runs the job to its end.  False when it was interrupted. */
+static bool
+pump(struct session *s)
+{
+	struct progress p = {
+	    .terminal = isatty(STDERR_FILENO) != 0, .shown = session_clock()};
+	while (session_busy(s) && !interrupted) {
+		session_step(s);
+		progress(s, &p);
+	}
+	if (p.width > 0)
+		fprintf(stderr, "\r%*s\r", p.width, "");
+	if (!interrupted)
+		return true;
+	session_stop(s, true);
+	return false;
+}
+
+static int
+run_line(struct session *s, const char *line, const char *name, int number)
+{
+	size_t at = 0;
+	do {
+		struct error error = {0};
+		if (!session_line(s, line, at, name, number, &at, &error)) {
+			fflush(s->out);
+			print_error(&error, line, name);
+			return (int)error.kind;
+		}
+		if (!pump(s)) {
+			fprintf(stderr, "%s:%d: interrupted\n", name, number);
+			return STATUS_INTERRUPTED;
+		}
+	} while (at > 0 && !s->quit);
+	return 0;
+}
+
+/* Cuts the line end off; true when the line goes on (it ended in \). */
+static bool
+goes_on(char *line)
+{
+	size_t n = strcspn(line, "\r\n");
+	line[n] = '\0';
+	if (n == 0 || line[n - 1] != '\\')
+		return false;
+	line[n - 1] = ' ';
+	return true;
+}
+
+static int
+bad_bytes(const char *name, int number)
+{
+	fprintf(stderr,
+	    "%s:%d:1: this is not text (a script is UTF-8 without NUL)\n"
+	    "  hint: is it a site file or a program? a script holds "
+	    "commands, one a line\n",
+	    name, number);
+	return ERROR_USAGE;
+}
+
+int
+batch_stream(struct session *s, FILE *in, const char *name)
+{
+	char *piece = NULL, *line = xstrdup("");
+	size_t room = 0;
+	ssize_t got;
+	int status = 0, number = 0, first = 1;
+	while (status == 0 && !s->quit && !interrupted &&
+	       (got = getline(&piece, &room, in)) >= 0) {
+		number++;
+		if (!text_is_utf8(piece, (size_t)got)) {
+			status = bad_bytes(name, number);
+			break;
+		}
+		bool more = goes_on(piece);
+		char *joined = xasprintf("%s%s", line, piece);
+		free(line);
+		line = joined;
+		if (more)
+			continue;
+		status = run_line(s, line, name, first);
+		first = number + 1;
+		line[0] = '\0';
+	}
+	if (status == 0 && line[0] != '\0' && !s->quit)
+		status = run_line(s, line, name, first);
+	free(piece);
+	free(line);
+	return interrupted ? STATUS_INTERRUPTED : status;
+}
+
+int
+batch_text(struct session *s, const char *text, const char *name, int line)
+{
+	return run_line(s, text, name, line);
+}
+
+int
+batch_file(struct session *s, const char *path)
+{
+	FILE *in = fopen(path, "r");
+	if (in == NULL) {
+		fprintf(stderr, "%s: cannot read: %s\n", path, strerror(errno));
+		return ERROR_SYSTEM;
+	}
+	int status = batch_stream(s, in, path);
+	if (ferror(in)) {
+		fprintf(stderr, "%s: cannot read: %s\n", path, strerror(errno));
+		status = ERROR_SYSTEM;
+	}
+	fclose(in);
+	return status;
+}
+
+int
+batch_typed(struct session *s)
+{
+	char *line = NULL;
+	size_t room = 0;
+	while (!s->quit) {
+		fprintf(s->out, "tipspeed%s%s> ", s->n_entry > 0 ? " " : "",
+		    s->n_entry > 0 ? session_entry(s)->key : "");
+		fflush(s->out);
+		ssize_t got = getline(&line, &room, stdin);
+		if (got < 0 && interrupted) {
+			clearerr(stdin);
+			fputc('\n', s->out);
+		} else if (got < 0) {
+			fputc('\n', s->out);
+			break;
+		} else {
+			goes_on(line);
+			run_line(s, line, "line", 1);
+		}
+		interrupted = 0;
+	}
+	free(line);
+	return 0;
+}

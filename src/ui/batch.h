@@ -1,0 +1,22 @@
+/* Runs scripts: from the command line, files, standard input, or typed lines.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_BATCH_H
+#define TIPSPEED_UI_BATCH_H
+
+#include <stdio.h>
+
+#include "cmd/session.h"
+
+/* Each returns the exit status so far: 0, or that of the first error, which
+ * ends a script and is printed to stderr with its line and a caret. */
+int batch_text(struct session *s, const char *text, const char *name, int line);
+int batch_stream(struct session *s, FILE *in, const char *name);
+int batch_file(struct session *s, const char *path);
+
+/* Lines typed at a terminal: an error is printed and the next line read. */
+int batch_typed(struct session *s);
+
+/* From now on ^C ends a calibration, and with it a script (status 130). */
+void batch_catch_interrupt(void);
+
+#endif
