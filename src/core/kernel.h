@@ -41,7 +41,7 @@ enum kernel_isa kernel_isa_best(void);
  * in the order of PARAMS, aligned to 64 bytes and readable up to the next
  * multiple of KERNEL_LANES. Not a number becomes INFINITY. Threads share the
  * blocks. */
-enum { KERNEL_LANES = 16 };
+enum { KERNEL_LANES = 8 };
 void kernel_evaluate(struct kernel *kernel,
     const double *const theta[PARAM_COUNT], size_t n, double *misfit);
 

@@ -4,6 +4,7 @@
 
 #if defined __x86_64__
 #pragma GCC target("avx512f,avx512dq,avx512vl,avx512bw,prefer-vector-width=512")
+#define LANES 8
 #define KERNEL_NAME kernel_block_avx512
 #include "core/kernel_body.h"
 #else
@@ -12,6 +13,6 @@ kernel_block_avx512(const struct plan *plan,
     const double *const theta[PARAM_COUNT], size_t offset, double *scratch,
     double *misfit)
 {
-	kernel_block_base(plan, theta, offset, scratch, misfit);
+	kernel_block_base(plan, theta, index, scratch, misfit);
 }
 #endif

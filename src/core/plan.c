@@ -162,8 +162,9 @@ plan_targets(struct plan *plan, const struct misfit *m)
 		for (size_t i = 0, s = 0; i < from->n; i++) {
 			while (sieve[s] > from->sieve[i])
 				s++;
-			run->target[s].feed_passing =
-			    psd_passing(&from->feed, sieve[s]);
+			run->target[s].difference =
+			    psd_passing(&from->feed, sieve[s]) -
+			    from->measured[i];
 			run->target[s].measured = from->measured[i];
 			run->target[s].weight = from->weight[i];
 		}
@@ -188,8 +189,8 @@ plan_continuous(struct plan *plan, const struct misfit *m)
 			    feed_density(&m->run[r].feed, plan->middle[c]);
 	}
 	plan_targets(plan, m);
-	plan->scratch = KERNEL_LANES * (plan->n_run * (2 * plan->n_class + 3) +
-					   KERNEL_U_NODES);
+	plan->scratch = KERNEL_LANES * (2 * plan->n_run * (plan->n_class + 1) +
+					   2 * plan->n_class + KERNEL_U_NODES);
 }
 
 static void

@@ -4,6 +4,7 @@
 #define TIPSPEED_CORE_PLAN_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "core/kernel.h"
 #include "core/params.h"
@@ -12,7 +13,9 @@ enum { KERNEL_GAUSS = 3, KERNEL_U_NODES = 41 };
 
 /* A product sieve of a run. */
 struct plan_target {
-	double feed_passing, measured;
+	double
+	    difference; /* feed - measured passing: what product = feed misses */
+	double measured;
 	double weight; /* 0 where the run has no such sieve */
 	size_t sieve;  /* `classes`: the feed sieve at or above it, */
 	double share;  /* and how much of that one's passing to take */
@@ -57,10 +60,11 @@ struct plan {
 void plan_make(struct plan *plan, const struct misfit *m);
 void plan_clear(struct plan *plan);
 
-/* Evaluates one block of KERNEL_LANES candidates from theta + offset. */
+/* Evaluates KERNEL_LANES candidates, those of the indices, and puts each misfit
+ * in its place. */
 typedef void kernel_block(const struct plan *plan,
-    const double *const theta[PARAM_COUNT], size_t offset, double *scratch,
-    double *misfit);
+    const double *const theta[PARAM_COUNT], const uint32_t *index,
+    double *scratch, double *misfit);
 
 kernel_block kernel_block_base;
 kernel_block kernel_block_avx2;
