@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/data.h"
 #include "cmd/info.h"
 #include "cmd/session.h"
 #include "config.h"
@@ -42,18 +43,20 @@ static const struct option LONG_OPTIONS[] = {
 static void
 print_help(void)
 {
-	fputs("usage: tipspeed [-c CMD]... [-f FILE]... [--format=FORMAT] "
-	      "[--seed=N]\n"
-	      "                [--store=PATH] [FILE...]\n\n"
-	      "Loads the site FILEs, then runs the commands of -c and -f in "
-	      "order. Without\n-c and -f, commands come from standard input.\n"
-	      "\n  -c CMD           run the commands in CMD\n"
-	      "  -f FILE          run the commands in FILE\n"
-	      "  --format=FORMAT  table, csv, json or markdown\n"
-	      "  --seed=N         seed of calibrations\n"
-	      "  --store=PATH     the material store; :memory: for none\n"
-	      "  --help           this text\n"
-	      "  --version        the version\n\ncommands\n",
+	fputs(
+	    "usage: tipspeed [-c CMD]... [-f FILE]... [--format=FORMAT] "
+	    "[--seed=N]\n"
+	    "                [--store=PATH] [FILE...]\n\n"
+	    "Loads the site FILEs (a FILE.tip is a script and is run), then "
+	    "runs the commands\nof -c and -f in order. Without -c and -f, "
+	    "commands come from standard input.\n"
+	    "\n  -c CMD           run the commands in CMD\n"
+	    "  -f FILE          run the commands in FILE; - is standard input\n"
+	    "  --format=FORMAT  table, csv, json or markdown\n"
+	    "  --seed=N         seed of calibrations\n"
+	    "  --store=PATH     accepted; nothing is stored by this version\n"
+	    "  --help           this text\n"
+	    "  --version        the version\n\ncommands\n",
 	    stdout);
 	info_list(stdout);
 }
@@ -85,10 +88,12 @@ take_option(struct invocation *in, int option, const char *value)
 	case OPTION_FORMAT:
 		return take_format(value, &in->format);
 	case OPTION_SEED:
-		if (text_whole(value, &in->seed))
+		if (text_whole(value, &in->seed) && in->seed <= INT64_MAX)
 			return true;
 		fprintf(stderr,
-		    "tipspeed: --seed wants a whole number, not '%s'\n", value);
+		    "tipspeed: --seed wants a whole number below 2^63, not "
+		    "'%s'\n",
+		    value);
 		return false;
 	case OPTION_STORE:
 		return true; /* nothing is remembered yet */
@@ -124,7 +129,7 @@ open_file(struct session *s, const char *path)
 	if (n > 4 && strcmp(path + n - 4, ".tip") == 0)
 		return batch_file(s, path);
 	struct error error = {0};
-	if (session_load(s, path, &error))
+	if (data_load(s, path, &error))
 		return 0;
 	error_print(&error, stderr);
 	return (int)error.kind;

@@ -132,7 +132,7 @@ text_distance(const char *a, const char *b)
 	enum { LONGEST = 40 };
 	size_t n = strlen(a), m = strlen(b);
 	if (n > LONGEST || m > LONGEST)
-		return n > m ? n : m;
+		return strcmp(a, b) == 0 ? 0 : n > m ? n : m;
 	size_t d[LONGEST + 1][LONGEST + 1];
 	for (size_t i = 0; i <= n; i++)
 		d[i][0] = i;
@@ -164,7 +164,12 @@ sequence(const unsigned char *s, size_t n)
 	for (size_t i = 1; i < length; i++)
 		if ((s[i] & 0xC0) != 0x80)
 			return 0;
-	return length;
+	/* Longer than need be, a half of a UTF-16 pair, beyond U+10FFFF. */
+	bool overlong =
+	    (s[0] == 0xE0 && s[1] < 0xA0) || (s[0] == 0xF0 && s[1] < 0x90);
+	bool outside =
+	    (s[0] == 0xED && s[1] >= 0xA0) || (s[0] == 0xF4 && s[1] >= 0x90);
+	return overlong || outside ? 0 : length;
 }
 
 bool

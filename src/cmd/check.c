@@ -198,6 +198,7 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	bool ok = true;
 	for (size_t i = first; i <= last; i++)
 		ok = check_site(s, r, i) && ok;
+	report_json_key(r, "ok", json_boolean(ok));
 	report_note(r, ok ? "no faults found" : "there are faults");
 	session_report(s, r);
 	return ok ||

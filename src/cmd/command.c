@@ -3,6 +3,7 @@
 #include "cmd/command.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -91,6 +92,36 @@ command_usage(const struct command *command)
 		free(part);
 	}
 	return usage;
+}
+
+/* Whole numbers in full, the rest short; "" where there is no limit worth
+ * saying. */
+static char *
+limit_text(double limit)
+{
+	if (fabs(limit) > 1e15)
+		return xstrdup("");
+	return xasprintf(fabs(limit) >= 1e5 ? "%.0f" : "%g", limit);
+}
+
+char *
+command_limits(const struct command_option *o)
+{
+	if (o->kind == VALUE_TEXT)
+		return xstrdup("text");
+	if (o->kind == VALUE_CHOICE) {
+		char *list = xstrdup("");
+		for (const char *c = o->choices; *c != '\0'; c++)
+			append(&list, *c == ' ' ? ", " : (char[2]){*c, '\0'});
+		return list;
+	}
+	char *least = limit_text(o->least), *most = limit_text(o->most);
+	char *text =
+	    xasprintf("%s %s%s%s%s", least, most[0] != '\0' ? "to " : "or more",
+		most, o->unit[0] != '\0' ? " " : "", o->unit);
+	free(least);
+	free(most);
+	return text;
 }
 
 const struct value *

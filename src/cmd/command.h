@@ -88,6 +88,9 @@ size_t command_option_index(const struct command *command, const char *name);
 /* "predict [speed=V]": the call as shown in help.  The caller frees. */
 char *command_usage(const struct command *command);
 
+/* What an option may be: "1 to 200 m/s", "on, off".  The caller frees. */
+char *command_limits(const struct command_option *option);
+
 /* Value of an option of the call; asserts that the command has it. */
 const struct value *args_value(
     const struct command *command, const struct args *args, const char *name);

@@ -22,18 +22,24 @@ option(const char *command, const struct args *args, const char *name)
 }
 
 bool
+data_load(struct session *s, const char *path, struct error *error)
+{
+	if (!session_load(s, path, error))
+		return false;
+	const struct entry *entry = session_entry(s);
+	char *label = session_label(entry->site);
+	session_note(s, "loaded %s: %zu runs", label, entry->site->n_run);
+	free(label);
+	data_warn_coarser(s, entry->site);
+	return true;
+}
+
+bool
 cmd_load(struct session *s, const struct args *args, struct error *error)
 {
-	for (size_t i = 0; i < args->n_operand; i++) {
-		if (!session_load(s, args->operand[i], error))
+	for (size_t i = 0; i < args->n_operand; i++)
+		if (!data_load(s, args->operand[i], error))
 			return false;
-		const struct entry *entry = session_entry(s);
-		char *label = session_label(entry->site);
-		session_note(
-		    s, "loaded %s: %zu runs", label, entry->site->n_run);
-		free(label);
-		data_warn_coarser(s, entry->site);
-	}
 	return true;
 }
 
@@ -316,6 +322,7 @@ cmd_write(struct session *s, const struct args *args, struct error *error)
 		if (!ok)
 			return false;
 	}
-	session_note(s, "wrote %zu sites to %s", s->n_entry, path);
+	session_note(s, "wrote %zu site%s to %s", s->n_entry,
+	    s->n_entry == 1 ? "" : "s", path);
 	return true;
 }

@@ -16,6 +16,9 @@ bool cmd_synth(struct session *, const struct args *, struct error *);
 bool cmd_write(struct session *, const struct args *, struct error *);
 bool cmd_check(struct session *, const struct args *, struct error *);
 
+/* Loads a site file and says so beside the results. */
+bool data_load(struct session *s, const char *path, struct error *error);
+
 /* Says beside the results where a run's product is coarser than its feed; the
  * numbers stay as they are. */
 void data_warn_coarser(struct session *s, const struct site *site);

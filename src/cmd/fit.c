@@ -85,6 +85,25 @@ check_training(const struct site *site, const bool *train, struct error *error)
 	return true;
 }
 
+/* Weights by standard deviation need one for every training run; a run without
+ * would count next to nothing beside the others. */
+static bool
+check_weights(const struct site *site, const bool *train, struct error *error)
+{
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (!train[r] || site->run[r].product_sd != NULL)
+			continue;
+		error_set(error, ERROR_DATA,
+		    "weights=sd wants standard deviations for every training "
+		    "run; %s has none at %g m/s",
+		    site->name, site->run[r].speed);
+		return error_hint(error,
+		    "add a column sd@%g, or calibrate without weights",
+		    site->run[r].speed);
+	}
+	return true;
+}
+
 bool
 fit_settings_agree(const struct model_settings *settings, struct error *error)
 {
@@ -128,6 +147,8 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	bool *train = xcalloc(site->n_run, sizeof *train);
 	if (!mark_training(site, option(args, "train"), train, error) ||
 	    !check_training(site, train, error) ||
+	    (option(args, "weights")->choice == 1 &&
+		!check_weights(site, train, error)) ||
 	    !fit_settings_agree(&s->settings, error)) {
 		free(train);
 		return false;
@@ -313,6 +334,8 @@ fit_finish(struct session *s)
 	double seconds = session_clock() - s->job.started;
 	entry->fit = calibration_fit(s->job.calibration);
 	entry->params = entry->fit.params;
+	s->answer[ANSWER_MISFIT] = entry->fit.misfit;
+	s->answer[ANSWER_RMSE] = 100 * entry->fit.rmse;
 	entry->has_fit = entry->has_params = true;
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);

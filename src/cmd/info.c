@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "config.h"
-#include "core/kernel.h"
+#include "core/isa.h"
 
 void
 info_list(FILE *out)
@@ -31,13 +31,12 @@ info_list(FILE *out)
 static void
 print_option(const struct command_option *o, FILE *out)
 {
-	char *limits = o->kind == VALUE_CHOICE ? xstrdup(o->choices)
-		       : o->kind == VALUE_TEXT
-			   ? xstrdup("text")
-			   : xasprintf("%g to %g%s%s", o->least, o->most,
-				 o->unit[0] != '\0' ? " " : "", o->unit);
-	fprintf(out, "  %-14s %s (%s)%s%s\n", o->name, o->brief, limits,
+	char *limits = command_limits(o);
+	char *text = xasprintf("%s (%s)%s%s", o->brief, limits,
 	    o->fallback[0] != '\0' ? ", default " : "", o->fallback);
+	fprintf(out, "  %s\n", o->name);
+	text_wrap(text, 6, 78, out);
+	free(text);
 	free(limits);
 }
 
@@ -64,17 +63,25 @@ info_command(const struct command *c, FILE *out)
 	free(copy);
 }
 
+/* Help is words for people: among JSON or CSV it goes beside the results. */
+static FILE *
+help_stream(const struct session *s)
+{
+	bool words = s->format == REPORT_TABLE || s->format == REPORT_MARKDOWN;
+	return words || s->notes == NULL ? s->out : s->notes;
+}
+
 bool
 cmd_help(struct session *s, const struct args *args, struct error *error)
 {
 	if (args->n_operand == 0) {
-		info_list(s->out);
+		info_list(help_stream(s));
 		return true;
 	}
 	const char *name = args->operand[0];
 	const struct command *command = command_find(name);
 	if (command != NULL) {
-		info_command(command, s->out);
+		info_command(command, help_stream(s));
 		return true;
 	}
 	const char *near = command_nearest(name);
@@ -89,11 +96,10 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	static const char *const SETS[] = {"baseline", "avx2", "avx512"};
 	struct report *r = report_new("version");
 	const char *rows[][2] = {{"tipspeed", PACKAGE_VERSION},
 	    {"gsl", GSL_VERSION}, {"jansson", JANSSON_VERSION},
-	    {"instructions", SETS[kernel_isa_best()]}};
+	    {"instructions", isa_name(isa_usable(ISA_BEST))}};
 	report_column(r, "part", "part");
 	report_column(r, "version", "version");
 	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {

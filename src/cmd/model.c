@@ -69,6 +69,13 @@ cmd_params(struct session *s, const struct args *args, struct error *error)
 	if (strcmp(verb, "list") != 0)
 		return error_set(error, ERROR_USAGE,
 		    "params wants set or list, not '%s'", verb);
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		if (!args->value[j].given)
+			continue;
+		error_set(error, ERROR_USAGE,
+		    "params lists; to change %s it wants set", PARAMS[j].name);
+		return error_hint(error, "params set %s=..", PARAMS[j].name);
+	}
 	show_params(s, entry);
 	return true;
 }
@@ -204,10 +211,16 @@ cmd_seed(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
 	const struct value *value =
-	    args_value(command_find("seed"), args, "value");
-	if (value->given)
+	    args_value(command_find("seed"), args, "seed");
+	if (value->given) {
 		s->seed = value->whole;
-	else
-		session_note(s, "seed %llu", (unsigned long long)s->seed);
+		return true;
+	}
+	struct report *r = report_new("seed");
+	char *text = xasprintf("%llu", (unsigned long long)s->seed);
+	report_column(r, "seed", "seed");
+	report_text(r, text);
+	free(text);
+	session_report(s, r);
 	return true;
 }

@@ -120,7 +120,7 @@ number(const struct command_option *option, const char *word, double *value,
 	free(text);
 	const char *in = option->unit[0] != '\0' ? " in " : "";
 	const char *space = option->unit[0] != '\0' ? " " : "";
-	if (!ok && strchr(word, ',') != NULL) {
+	if (!ok && option->kind == VALUE_NUMBER && strchr(word, ',') != NULL) {
 		error_set(error, ERROR_USAGE,
 		    "%s wants a number, not '%s': a comma is no decimal sign "
 		    "here",
@@ -162,17 +162,22 @@ range(const struct command_option *option, char *word, char *dots,
 	if (colon != NULL)
 		*colon = '\0';
 	struct command_option step_of = *option;
-	step_of.least = 1e-9;
+	step_of.name = "the step";
+	step_of.least = 0.001;
 	bool ok = number(option, word, &from, error) &&
 		  number(option, dots + 2, &to, error) &&
 		  (colon == NULL || number(&step_of, colon + 1, &step, error));
 	if (!ok)
 		return false;
 	double steps = floor((to - from) / step + 1e-9);
-	if (steps < 0 || steps >= MOST)
+	if (steps < 0)
 		return error_set(error, ERROR_USAGE,
-		    "%s: a range goes from low to high in at most %d steps",
-		    option->name, (int)MOST);
+		    "%s: a range goes from low to high, not from %g to %g",
+		    option->name, from, to);
+	if (steps >= MOST)
+		return error_set(error, ERROR_USAGE,
+		    "%s: a range has at most %d steps, not %.0f", option->name,
+		    (int)MOST, steps);
 	for (double i = 0; i <= steps; i++) {
 		value->list = xrealloc(value->list, value->n + 1, sizeof from);
 		value->list[value->n++] = from + i * step;
@@ -190,16 +195,30 @@ numbers(const struct command_option *option, const char *word,
 	if (dots != NULL) {
 		ok = range(option, text, dots, value, error);
 	} else {
-		char *save = NULL;
-		char *part = strtok_r(text, ",", &save);
-		for (; ok && part != NULL; part = strtok_r(NULL, ",", &save))
+		for (char *part = text; ok && part != NULL;) {
+			char *comma = strchr(part, ',');
+			if (comma != NULL)
+				*comma = '\0';
 			ok = add_number(option, part, value, error);
+			part = comma != NULL ? comma + 1 : NULL;
+		}
 	}
 	free(text);
 	if (ok && value->n == 0)
 		return error_set(error, ERROR_USAGE,
 		    "%s wants numbers (65,74 or 65..85:5)", option->name);
 	return ok;
+}
+
+static bool
+wrong_whole(
+    const struct command_option *option, const char *word, struct error *error)
+{
+	char *limits = command_limits(option);
+	error_set(error, ERROR_USAGE, "%s wants a whole number, %s; not '%s'",
+	    option->name, limits, word);
+	free(limits);
+	return false;
 }
 
 static bool
@@ -217,9 +236,7 @@ take_value(const struct command_option *option, const char *word,
 		    (double)value->whole >= option->least &&
 		    (double)value->whole <= option->most)
 			return true;
-		return error_set(error, ERROR_USAGE,
-		    "%s wants a whole number from %.0f to %.0f, not '%s'",
-		    option->name, option->least, option->most, word);
+		return wrong_whole(option, word, error);
 	case VALUE_CHOICE:
 		if (is_choice(option->choices, word, &value->choice))
 			return true;
@@ -282,6 +299,20 @@ take_argument(const struct command *command, char *word, struct args *args,
 	return true;
 }
 
+/* True, with the error, when a name stands alone at the end: "set method". */
+static bool
+lacks_value(
+    const struct command *command, const char *name, struct error *error)
+{
+	size_t i = command_option_index(command, name);
+	if (i == OPTIONS)
+		return false;
+	char *limits = command_limits(&command->option[i]);
+	error_set(error, ERROR_USAGE, "%s wants a value: %s", name, limits);
+	free(limits);
+	return true;
+}
+
 /* "method classes" where "method=classes" would do. */
 static bool
 take_pair(const struct command *command, const char *name, char *word,
@@ -290,6 +321,8 @@ take_pair(const struct command *command, const char *name, char *word,
 	size_t i = command_option_index(command, name);
 	if (i == OPTIONS)
 		return unknown_option(command, name, error);
+	if (args->value[i].given)
+		return error_set(error, ERROR_USAGE, "%s is given twice", name);
 	args->value[i].given = true;
 	return take_value(&command->option[i], word, &args->value[i], error);
 }
@@ -361,6 +394,11 @@ parse_call(const struct words *words, struct place place, struct args *args,
 		return NULL;
 	}
 	for (size_t i = 1; i < words->n; i++) {
+		if (command->pairs && i + 1 == words->n &&
+		    lacks_value(command, words->text[i], error)) {
+			put_place(error, place, words, i);
+			return NULL;
+		}
 		bool pair = command->pairs && i + 1 < words->n &&
 			    strchr(words->text[i], '=') == NULL;
 		bool ok =
@@ -375,7 +413,12 @@ parse_call(const struct words *words, struct place place, struct args *args,
 	}
 	if (!check_operands(command, args, error) ||
 	    !take_fallbacks(command, args, error)) {
-		put_place(error, place, words, 0);
+		size_t at = 0;
+		for (size_t i = 1;
+		     i < words->n && args->n_operand > command->most; i++)
+			if (words->text[i] == args->operand[command->most])
+				at = i;
+		put_place(error, place, words, at);
 		return NULL;
 	}
 	return command;

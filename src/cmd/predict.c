@@ -239,6 +239,11 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 		return false;
 	struct prediction p =
 	    predict(entry->site, &entry->params, s->settings, speed, feed);
+	s->answer[ANSWER_SPEED] = speed;
+	s->answer[ANSWER_P20] = 1000 * p.p20;
+	s->answer[ANSWER_P50] = 1000 * p.p50;
+	s->answer[ANSWER_P80] = 1000 * p.p80;
+	s->answer[ANSWER_BREAK] = 1000 * p.break_size;
 	struct report *r = prediction_report(s, &p);
 	note_sizes(r, &p);
 	note_breakage(r, &p);

@@ -3,6 +3,7 @@
 #include "cmd/session.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,6 +33,8 @@ session_new(FILE *out, FILE *notes)
 	s->bounds = bounds_default();
 	s->seed = 1;
 	s->threads = processors();
+	for (size_t i = 0; i < ANSWERS; i++)
+		s->answer[i] = NAN;
 	s->out = out;
 	s->notes = notes;
 	return s;
@@ -165,17 +168,19 @@ session_find(
     struct session *s, const char *name, size_t *index, struct error *error)
 {
 	int best = 0;
-	size_t found = 0;
+	size_t found = 0, last = 0;
 	for (size_t i = 0; i < s->n_entry; i++) {
 		int match = answers(&s->entry[i], name);
 		if (match == 0 || match < best)
 			continue;
 		found = match > best ? 1 : found + 1;
 		best = match;
-		*index = i;
+		last = i;
 	}
-	if (found == 1)
+	if (found == 1) {
+		*index = last;
 		return true;
+	}
 	char *keys = list_keys(s, best > 0 ? name : NULL);
 	if (best > 0) {
 		error_set(

@@ -24,6 +24,20 @@ struct entry {
 	struct fit fit;       /* where the parameters were found */
 };
 
+/* The newest answers, for assert: sizes in mm, rmse and holdout in points; NAN
+ * before there is one. */
+enum answer {
+	ANSWER_P20,
+	ANSWER_P50,
+	ANSWER_P80,
+	ANSWER_BREAK,
+	ANSWER_SPEED,
+	ANSWER_MISFIT,
+	ANSWER_RMSE,
+	ANSWER_HOLDOUT, /* the largest of validate's */
+	ANSWERS
+};
+
 /* A calibration under way.  The driver pumps it: session_step until
  * session_busy is false. */
 struct job {
@@ -44,6 +58,7 @@ struct session {
 	enum report_format format;
 	FILE *out;   /* results */
 	FILE *notes; /* what is said beside results; NULL: nothing */
+	double answer[ANSWERS];
 	struct job job;
 	bool quit;
 };

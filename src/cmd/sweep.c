@@ -115,6 +115,30 @@ sweep_down(
 	}
 }
 
+/* One row a speed and sieve: for spreadsheets and programs. */
+static void
+sweep_long(
+    struct session *s, struct report *r, const struct prediction *p, size_t n)
+{
+	const struct entry *entry = session_entry(s);
+	report_column(r, "speed", "m/s");
+	report_column(r, "extrapolated", "extrapolated");
+	report_column(r, "sieve_mm", "sieve mm");
+	report_column(r, "feed_pct", "feed %");
+	report_column(r, "passing_pct", "product %");
+	for (size_t i = 0; i < n; i++) {
+		bool outside =
+		    predict_extrapolates(entry->site, entry->train, p[i].speed);
+		for (size_t j = 0; j < p[i].product.n; j++) {
+			report_number(r, p[i].speed, -1);
+			report_text(r, outside ? "yes" : "no");
+			report_number(r, units_mm(p[i].product.size[j]), -1);
+			report_number(r, units_pct(p[i].feed.passing[j]), 1);
+			report_number(r, units_pct(p[i].product.passing[j]), 1);
+		}
+	}
+}
+
 static void
 sweep_json(
     struct session *s, struct report *r, const struct prediction *p, size_t n)
@@ -165,7 +189,8 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	free(label);
 	report_site(r, entry->site->name, entry->site->provenance);
 	bool across = n <= ACROSS;
-	(across ? sweep_across : sweep_down)(s, r, p, n);
+	bool csv = s->format == REPORT_CSV;
+	(csv ? sweep_long : across ? sweep_across : sweep_down)(s, r, p, n);
 	if (entry->site->individual_feeds)
 		report_note(r,
 		    "feed: the sample taken at %g m/s, for all speeds",

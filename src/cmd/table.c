@@ -3,6 +3,7 @@
 #include "cmd/command.h"
 
 #include "cmd/answers.h"
+#include "cmd/assert.h"
 #include "cmd/data.h"
 #include "cmd/fit.h"
 #include "cmd/info.h"
@@ -19,7 +20,8 @@ static const struct command_option SYNTH_OPTIONS[] = {
 	"exponent of the feed below the top size"},
     {"noise", VALUE_NUMBER, "", 0, 10, NULL, "0.5",
 	"standard deviation in points at 50 % passing"},
-    {"seed", VALUE_WHOLE, "", 0, 1.8e19, NULL, "1", "of the noise"},
+    {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "1",
+	"of the noise"},
     {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "69,74,79",
 	"tip speeds, slow to fast"},
     LAST_OPTION};
@@ -46,11 +48,12 @@ static const struct command_option SET_OPTIONS[] = {
     LAST_OPTION};
 
 static const struct command_option SEED_OPTIONS[] = {
-    {"value", VALUE_WHOLE, "", 0, 1.8e19, NULL, "", "seed of calibrations"},
+    {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "",
+	"seed of calibrations"},
     LAST_OPTION};
 
 static const struct command_option CALIBRATE_OPTIONS[] = {
-    {"seed", VALUE_WHOLE, "", 0, 1.8e19, NULL, "",
+    {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "",
 	"of the random numbers; else the session's"},
     {"population", VALUE_WHOLE, "", 8, 1e6, NULL, "8000",
 	"candidates a generation"},
@@ -168,7 +171,7 @@ const struct command COMMANDS[] = {
 	.text = "Writes the site in use to FILE, or all loaded sites into an "
 		"existing FOLDER under their own names. The file is written "
 		"beside its place and then renamed: it is whole or not there.",
-	.example = "load data/sites/tierp.csv\nwrite /tmp/tierp-copy.csv",
+	.example = "load data/sites/tierp.csv\nwrite tierp-copy.csv",
 	.run = cmd_write},
     {.name = "params",
 	.group = "model",
@@ -210,7 +213,7 @@ const struct command COMMANDS[] = {
 	.group = "model",
 	.brief = "seed of calibrations",
 	.operands = "",
-	.bare = "value",
+	.bare = "seed",
 	.option = SEED_OPTIONS,
 	.text = "The same seed gives the same result to the last bit, with "
 		"any number of threads.",
@@ -264,6 +267,20 @@ const struct command COMMANDS[] = {
 		"squared. A model that loses to interpolation is told so.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate",
 	.run = cmd_validate},
+    {.name = "assert",
+	.group = "session",
+	.brief = "stop with status 1 unless an answer is as expected",
+	.operands = "VALUE =|<|> VALUE [within NUMBER]",
+	.least = 3,
+	.most = 5,
+	.text = "A value is a number or the newest answer: p20, p50, p80, "
+		"break (mm) and speed of predict; misfit and rmse (points) of "
+		"calibrate; holdout, the largest RMSE of validate (points). "
+		"For plant checks that run by themselves.",
+	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
+		   "assert p50 = 2.81 within 0.05\nvalidate\n"
+		   "assert holdout < 1",
+	.run = cmd_assert},
     {.name = "help",
 	.group = "session",
 	.brief = "what commands there are",

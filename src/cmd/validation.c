@@ -58,10 +58,17 @@ validation_notes(struct report *r, const struct validation *v)
 	    "%+.2f points at %g mm",
 	    v->speed, 100 * v->rmse, v->n_sieve, v->misfit,
 	    100 * v->worst_difference, units_mm(v->worst_sieve));
-	report_note(r,
-	    "  without a model: product = feed %.2f points; interpolation of "
-	    "the measured training products %.2f points",
-	    100 * v->feed_rmse, 100 * v->interpolation_rmse);
+	if (isfinite(v->interpolation_rmse))
+		report_note(r,
+		    "  without a model: product = feed %.2f points; "
+		    "interpolation of the measured training products %.2f "
+		    "points",
+		    100 * v->feed_rmse, 100 * v->interpolation_rmse);
+	else
+		report_note(r,
+		    "  without a model: product = feed %.2f points; there are "
+		    "no two training products to interpolate on these sieves",
+		    100 * v->feed_rmse);
 	if (validation_loses(v))
 		report_note(r,
 		    "  the model does worse than interpolation at this speed: "
@@ -79,6 +86,7 @@ add_validations(struct session *s, struct report *r, json_t *list)
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
 	size_t n = 0;
+	s->answer[ANSWER_HOLDOUT] = NAN;
 	for (size_t i = 0; i < site->n_run; i++) {
 		const struct run *run = &site->run[i];
 		if (entry->train[i] ||
@@ -89,6 +97,8 @@ add_validations(struct session *s, struct report *r, json_t *list)
 		validation_rows(r, &v);
 		validation_notes(r, &v);
 		json_array_append_new(list, validation_as_json(&v));
+		s->answer[ANSWER_HOLDOUT] =
+		    fmax(s->answer[ANSWER_HOLDOUT], 100 * v.rmse);
 		n++;
 	}
 	if (n == 0)

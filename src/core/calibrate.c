@@ -24,6 +24,7 @@
 enum {
 	SCOUTS = 16,             /* leaders kept of each early generation */
 	STARTS = 2 * SCOUTS + 1, /* and the best of the last */
+	BATCH = 8,               /* starts or hops polished side by side */
 	LEADERS = 64,            /* spread over this many */
 	POLISH_STEPS = 300,
 	HOPS = 64,     /* fruitless ones in a row that end the polish */
@@ -33,13 +34,21 @@ enum {
 
 static const size_t SCOUT_GENERATION[2] = {6, 11};
 
+/* What one start needs to be polished beside others. */
+struct worker {
+	struct misfit *misfit;
+	struct polish *polish;
+	struct params p;
+	struct polish_result result;
+};
+
 struct calibration {
 	struct calibrate_options options;
 	uint64_t site_digest;
 	struct misfit *misfit;
 	struct kernel *kernel;
 	struct ga *ga;
-	struct polish *polish;
+	struct worker worker[BATCH];
 	double *told;
 	enum calibrate_state state, stop;
 	size_t stall, evaluations;
@@ -47,7 +56,7 @@ struct calibration {
 	struct params start[STARTS];
 	size_t n_start, done, hops, fruitless;
 	struct params best;
-	double best_misfit; /* accurate; INFINITY before the polish */
+	double best_misfit; /* accurate; INFINITY during the search */
 };
 
 struct calibrate_options
@@ -60,7 +69,7 @@ calibrate_options_default(void)
 	    .tolerance = 0.05,
 	    .polish = true,
 	    .threads = 1,
-	    .isa = KERNEL_BEST,
+	    .isa = ISA_BEST,
 	    .bounds = bounds_default(),
 	    .settings = model_settings_default()};
 }
@@ -100,11 +109,16 @@ calibration_new(
 	c->kernel = kernel_new(c->misfit, options->isa, options->threads);
 	ga.population = options->population;
 	ga.seed = options->seed;
+	ga.threads = options->threads;
+	ga.isa = options->isa;
 	if (ga.elite > ga.population / 4)
 		ga.elite = ga.population / 4;
 	c->ga = ga_new(
 	    &ga, PARAM_COUNT, options->bounds.lower, options->bounds.upper);
-	c->polish = polish_new(c->misfit);
+	for (size_t i = 0; i < BATCH; i++) {
+		c->worker[i].misfit = training_misfit(site, options);
+		c->worker[i].polish = polish_new(c->worker[i].misfit);
+	}
 	c->told = xdoubles(options->population);
 	c->stall_from = INFINITY;
 	c->best_misfit = INFINITY;
@@ -116,7 +130,10 @@ calibration_free(struct calibration *c)
 {
 	if (c == NULL)
 		return;
-	polish_free(c->polish);
+	for (size_t i = 0; i < BATCH; i++) {
+		polish_free(c->worker[i].polish);
+		misfit_free(c->worker[i].misfit);
+	}
 	ga_free(c->ga);
 	kernel_free(c->kernel);
 	misfit_free(c->misfit);
@@ -159,6 +176,7 @@ end_search(struct calibration *c, enum calibrate_state why)
 {
 	c->stop = why;
 	c->best = search_best(c);
+	c->best_misfit = misfit_at(c->misfit, &c->best);
 	c->state = c->options.polish ? CALIBRATE_POLISHING : why;
 	c->start[c->n_start++] = c->best;
 }
@@ -192,12 +210,13 @@ generation(struct calibration *c)
 		end_search(c, CALIBRATE_STALLED);
 }
 
-/* A place some way from p: most parameters move little, a few far. */
+/* A place some way from the best: most parameters move little, a few far. */
 static struct params
-hop(const struct calibration *c, struct params p)
+hop(const struct calibration *c, size_t number)
 {
 	const struct bounds *b = &c->options.bounds;
-	struct rng_key key = rng_key(c->options.seed, c->hops, USE_HOP);
+	struct rng_key key = rng_key(c->options.seed, number, USE_HOP);
+	struct params p = c->best;
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		double v = 2 * rng_uniform(key, (uint32_t)j) - 1;
 		double size = rng_uniform(key, (uint32_t)(j + PARAM_COUNT));
@@ -224,26 +243,40 @@ centre_beta(const struct bounds *b, struct params *p)
 }
 
 static void
-polish_one(struct calibration *c)
+take_polished(struct calibration *c, const struct worker *w, bool hopping)
+{
+	c->evaluations += (size_t)w->result.evaluations;
+	c->fruitless += hopping;
+	c->hops += hopping;
+	if (!(w->result.misfit < c->best_misfit))
+		return;
+	if (w->result.misfit < c->best_misfit * (1 - 1e-7))
+		c->fruitless = 0;
+	c->best_misfit = w->result.misfit;
+	c->best = w->p;
+	centre_beta(&c->options.bounds, &c->best);
+}
+
+/* Polishes the next starts, or hops from the best, a batch at a time: always
+ * the same batch, so that the number of threads changes nothing. */
+static void
+polish_batch(struct calibration *c)
 {
 	bool hopping = c->done >= c->n_start;
-	struct params p = hopping ? hop(c, c->best) : c->start[c->done];
-	struct polish_result r =
-	    polish_run(c->polish, &c->options.bounds, POLISH_STEPS, &p);
-	c->evaluations += (size_t)r.evaluations;
-	c->done++;
-	if (hopping) {
-		c->hops++;
-		c->fruitless++;
-	}
-	if (r.misfit < c->best_misfit) {
-		bool better = r.misfit < c->best_misfit * (1 - 1e-7);
-		c->best_misfit = r.misfit;
-		c->best = p;
-		centre_beta(&c->options.bounds, &c->best);
-		if (better)
-			c->fruitless = 0;
-	}
+	size_t left = c->n_start - c->done;
+	size_t n = hopping || left > BATCH ? BATCH : left;
+	for (size_t i = 0; i < n; i++)
+		c->worker[i].p =
+		    hopping ? hop(c, c->hops + i) : c->start[c->done + i];
+	int threads = (int)c->options.threads;
+#pragma omp parallel for num_threads(threads) \
+    schedule(dynamic, 1) if (threads > 1)
+	for (size_t i = 0; i < n; i++)
+		c->worker[i].result = polish_run(c->worker[i].polish,
+		    &c->options.bounds, POLISH_STEPS, &c->worker[i].p);
+	for (size_t i = 0; i < n; i++)
+		take_polished(c, &c->worker[i], hopping);
+	c->done += n;
 	if (c->fruitless >= HOPS)
 		c->state = c->stop;
 }
@@ -254,7 +287,7 @@ calibration_step(struct calibration *c)
 	if (c->state == CALIBRATE_SEARCHING)
 		generation(c);
 	else if (c->state == CALIBRATE_POLISHING)
-		polish_one(c);
+		polish_batch(c);
 	return c->state;
 }
 

@@ -23,7 +23,7 @@ struct calibrate_options {
 	double tolerance;
 	bool polish;
 	unsigned threads;
-	enum kernel_isa isa;
+	enum isa isa;
 	struct bounds bounds;
 	struct model_settings settings;
 	const bool *train;
@@ -57,7 +57,7 @@ struct calibration *calibration_new(
     const struct site *site, const struct calibrate_options *options);
 void calibration_free(struct calibration *c);
 
-/* One generation, or the polish of one start.  Returns the state after it; to
+/* One generation, or the polish of a few starts. Returns the state after it; to
  * call it after the end changes nothing. */
 enum calibrate_state calibration_step(struct calibration *c);
 

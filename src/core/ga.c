@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "core/breed.h"
 #include "core/rng.h"
 
 struct ga {
@@ -19,20 +20,29 @@ struct ga {
 	double *misfit;         /* [population] of told */
 	double *best;           /* [n_gene] */
 	double *scale;          /* [n_gene] standard deviation of told */
-	size_t *order;          /* scratch */
-	double *sorted;         /* scratch */
+	uint32_t *rank, *spare; /* [population] told, best first; scratch */
+	uint32_t *key;
+	double *sorted;
+	breed_block *breed;
 	struct ga_status status;
 };
 
 /* Uses of random numbers, each a stream of its own in every generation. */
-enum use { USE_START, USE_PARENT, USE_PAIR, USE_BLEND, USE_MUTATE, USE_STEP };
+enum use { USE_START, USE_PARENT, USE_PAIR, USE_BLEND, USE_MUTATE };
 
 enum { STREAM = 64 }; /* room for genes or draws within a use */
 
 struct ga_options
 ga_options_default(void)
 {
-	return (struct ga_options){8000, 6, 16, 0.9, 0.03, 1};
+	return (struct ga_options){.population = 8000,
+	    .tournament = 6,
+	    .elite = 16,
+	    .crossover = 0.9,
+	    .mutation = 0.03,
+	    .seed = 1,
+	    .threads = 1,
+	    .isa = ISA_BEST};
 }
 
 static struct rng_key
@@ -48,9 +58,12 @@ start(struct ga *ga)
 	for (size_t g = 0; g < ga->n_gene; g++) {
 		struct rng_key key = stream(ga, USE_START, g);
 		double width = ga->upper[g] - ga->lower[g];
-		for (size_t i = 0; i < ga->options.population; i++)
-			ga->asked[g][i] = ga->lower[g] +
-					  width * rng_uniform(key, (uint32_t)i);
+		for (size_t i = 0; i < ga->options.population; i++) {
+			double x = ga->lower[g] +
+				   width * rng_uniform(key, (uint32_t)i);
+			/* Rounding may step over the upper end. */
+			ga->asked[g][i] = x < ga->upper[g] ? x : ga->upper[g];
+		}
 	}
 }
 
@@ -58,6 +71,8 @@ struct ga *
 ga_new(const struct ga_options *options, size_t n_gene, const double *lower,
     const double *upper)
 {
+	static breed_block *const BREEDERS[] = {
+	    breed_block_base, breed_block_avx2, breed_block_avx512};
 	assert(options->population >= 8 && n_gene < STREAM);
 	assert(options->elite >= 1 && options->elite < options->population);
 	struct ga *ga = xcalloc(1, sizeof *ga);
@@ -78,7 +93,10 @@ ga_new(const struct ga_options *options, size_t n_gene, const double *lower,
 	}
 	ga->misfit = xdoubles(n);
 	ga->sorted = xdoubles(n);
-	ga->order = xcalloc(n, sizeof *ga->order);
+	ga->rank = xcalloc(n, sizeof *ga->rank);
+	ga->spare = xcalloc(n, sizeof *ga->spare);
+	ga->key = xcalloc(n, sizeof *ga->key);
+	ga->breed = BREEDERS[isa_usable(options->isa)];
 	ga->status.best = INFINITY;
 	ga->status.median = ga->status.worst = INFINITY;
 	start(ga);
@@ -102,7 +120,9 @@ ga_free(struct ga *ga)
 	free(ga->scale);
 	free(ga->misfit);
 	free(ga->sorted);
-	free(ga->order);
+	free(ga->rank);
+	free(ga->spare);
+	free(ga->key);
 	free(ga);
 }
 
@@ -145,23 +165,49 @@ kth(double *a, size_t n, size_t k)
 	return a[k];
 }
 
-/* Moves the n best of told to the front of order, best first; equal misfits in
+static uint64_t
+bits_of(double misfit)
+{
+	uint64_t bits;
+	memcpy(&bits, &misfit, sizeof bits);
+	return bits;
+}
+
+enum { DIGIT = 11, DIGITS = 1 << DIGIT };
+
+/* One pass of a radix sort: from -> to by a digit of their keys, stable. */
+static void
+sort_pass(const struct ga *ga, int shift, const uint32_t *from, uint32_t *to)
+{
+	uint32_t count[DIGITS + 1] = {0};
+	size_t n = ga->options.population;
+	for (size_t i = 0; i < n; i++)
+		count[((ga->key[i] >> shift) & (DIGITS - 1)) + 1]++;
+	for (size_t d = 0; d < DIGITS; d++)
+		count[d + 1] += count[d];
+	for (size_t i = 0; i < n; i++) {
+		uint32_t c = from != NULL ? from[i] : (uint32_t)i;
+		to[count[(ga->key[c] >> shift) & (DIGITS - 1)]++] = c;
+	}
+}
+
+/* Ranks the candidates told.  The bits of doubles above 0 rise with their
+ * values, so their distance from the best one's makes a key; it is cut to 22
+ * bits that resolve the better half, and candidates of equal keys stay in the
  * order of their index. */
 static void
-sort_leaders(const struct ga *ga, size_t n, size_t *order)
+rank(struct ga *ga, uint64_t best, uint64_t typical)
 {
-	size_t kept = 0;
+	const uint64_t most = (1u << 2 * DIGIT) - 1;
+	int shift = 0;
+	while ((typical - best) >> shift > most / 4)
+		shift++;
 	for (size_t i = 0; i < ga->options.population; i++) {
-		double f = ga->misfit[i];
-		if (kept == n && !(f < ga->misfit[order[n - 1]]))
-			continue;
-		size_t at = kept < n ? kept++ : n - 1;
-		while (at > 0 && f < ga->misfit[order[at - 1]]) {
-			order[at] = order[at - 1];
-			at--;
-		}
-		order[at] = i;
+		uint64_t key = (bits_of(ga->misfit[i]) - best) >> shift;
+		ga->key[i] = (uint32_t)(key < most ? key : most);
 	}
+	sort_pass(ga, 0, NULL, ga->spare);
+	sort_pass(ga, DIGIT, ga->spare, ga->rank);
 }
 
 static void
@@ -169,17 +215,20 @@ take_status(struct ga *ga)
 {
 	struct ga_status *s = &ga->status;
 	size_t n = ga->options.population, best = 0;
-	s->worst = -INFINITY;
+	double worst = -INFINITY, last_median = s->median;
 	for (size_t i = 0; i < n; i++) {
 		double f = ga->misfit[i];
 		s->infinite += isinf(f) != 0;
-		s->worst = f > s->worst ? f : s->worst;
+		worst = f > worst ? f : worst;
 		best = f < ga->misfit[best] ? i : best;
 	}
-	memcpy(ga->sorted, ga->misfit, n * sizeof *ga->sorted);
-	s->median = kth(ga->sorted, n, n / 2);
-	if (ga->misfit[best] < s->best || s->generation == 0) {
-		s->best = ga->misfit[best];
+	double least = ga->misfit[best];
+	double typical = last_median > least ? last_median : worst;
+	rank(ga, bits_of(least), bits_of(typical));
+	s->worst = worst;
+	s->median = ga->misfit[ga->rank[n / 2]];
+	if (least < s->best || s->generation == 0) {
+		s->best = least;
 		for (size_t g = 0; g < ga->n_gene; g++)
 			ga->best[g] = ga->told[g][best];
 	}
@@ -187,96 +236,84 @@ take_status(struct ga *ga)
 	s->evaluations += n;
 }
 
+/* Sums of deviations and of their squares.  Eight sums at a time, always the
+ * same eight, so that the bits do not depend on the width of a register. */
+static void
+add_moments(
+    const struct ga *ga, size_t g, double shift, double *sum, double *squares)
+{
+	enum { SUMS = 8 };
+	double s[SUMS] = {0}, q[SUMS] = {0};
+	const double *x = ga->told[g];
+	size_t n = ga->options.population, i = 0;
+	for (; i + SUMS <= n; i += SUMS)
+		for (size_t l = 0; l < SUMS; l++) {
+			double d = x[i + l] - shift;
+			s[l] += d;
+			q[l] += d * d;
+		}
+	for (; i < n; i++) {
+		s[0] += x[i] - shift;
+		q[0] += (x[i] - shift) * (x[i] - shift);
+	}
+	for (size_t l = 0; l < SUMS; l++) {
+		*sum += s[l];
+		*squares += q[l];
+	}
+}
+
 static void
 take_scale(struct ga *ga)
 {
 	double n = (double)ga->options.population;
+	int threads = (int)ga->options.threads;
+#pragma omp parallel for num_threads(threads) \
+    schedule(static, 1) if (threads > 1)
 	for (size_t g = 0; g < ga->n_gene; g++) {
 		double sum = 0, squares = 0, shift = ga->told[g][0];
-		for (size_t i = 0; i < ga->options.population; i++) {
-			double d = ga->told[g][i] - shift;
-			sum += d;
-			squares += d * d;
-		}
+		add_moments(ga, g, shift, &sum, &squares);
 		double variance = squares / n - sum / n * (sum / n);
 		ga->scale[g] = variance > 0 ? sqrt(variance) : 0;
 	}
 }
 
-/* The best of a few candidates drawn at random. */
-static size_t
-tournament(const struct ga *ga, struct rng_key key, size_t i)
+static void
+set_keys(const struct ga *ga, struct breed_keys *keys)
 {
-	size_t n = ga->options.population, winner = 0;
-	for (size_t t = 0; t < ga->options.tournament; t++) {
-		uint64_t bits =
-		    rng_bits(key, (uint32_t)(i * ga->options.tournament + t));
-		size_t drawn = (size_t)(bits * n >> 32);
-		if (t == 0 || ga->misfit[drawn] < ga->misfit[winner])
-			winner = drawn;
+	for (size_t i = 0; i < 2; i++)
+		keys->parent[i] = stream(ga, USE_PARENT, i);
+	keys->pair = stream(ga, USE_PAIR, 0);
+	keys->line = stream(ga, USE_PAIR, 1);
+	for (size_t g = 0; g < ga->n_gene; g++) {
+		keys->blend[g] = stream(ga, USE_BLEND, g);
+		keys->mutate[g] = stream(ga, USE_MUTATE, g);
 	}
-	return winner;
-}
-
-/* A step with long tails, of about unit size: most are small, a few reach far.
- * */
-static double
-long_tailed(double u)
-{
-	double v = 2 * u - 1, away = 1 - fabs(v);
-	return 0.5 * v / (away * away + 0.02);
-}
-
-/* One gene of a child.  Where a value would leave the box it goes half-way from
- * the parent to the bound. */
-static double
-child_gene(const struct ga *ga, size_t g, double a, double b, double blend,
-    double mutate, double step)
-{
-	double x = a + blend * (b - a);
-	if (mutate < ga->options.mutation)
-		x += ga->scale[g] * long_tailed(step);
-	if (x < ga->lower[g])
-		x = a + (ga->lower[g] - a) * (mutate < 0.5 ? 1 : step);
-	if (x > ga->upper[g])
-		x = a + (ga->upper[g] - a) * (mutate < 0.5 ? 1 : step);
-	return x;
 }
 
 static void
 breed(struct ga *ga)
 {
-	size_t n = ga->options.population;
-	struct rng_key first = stream(ga, USE_PARENT, 0);
-	struct rng_key second = stream(ga, USE_PARENT, 1);
-	struct rng_key pair = stream(ga, USE_PAIR, 0);
-	struct rng_key line = stream(ga, USE_PAIR, 1);
-	struct rng_key blend[STREAM], mutate[STREAM], step[STREAM];
-	for (size_t g = 0; g < ga->n_gene; g++) {
-		blend[g] = stream(ga, USE_BLEND, g);
-		mutate[g] = stream(ga, USE_MUTATE, g);
-		step[g] = stream(ga, USE_STEP, g);
-	}
-	sort_leaders(ga, ga->options.elite, ga->order);
-	for (size_t i = 0; i < n; i++) {
-		uint32_t c = (uint32_t)i;
-		bool elite = i < ga->options.elite;
-		size_t a = elite ? ga->order[i] : tournament(ga, first, i);
-		size_t b = tournament(ga, second, i);
-		bool crossed = rng_uniform(pair, c) < ga->options.crossover;
-		double along = rng_uniform(line, c);
-		for (size_t g = 0; g < ga->n_gene; g++) {
-			double x = ga->told[g][a];
-			double u =
-			    along < 0.5 ? 2 * along : rng_uniform(blend[g], c);
-			double share = crossed ? 1.8 * u - 0.4 : 0;
-			if (!elite)
-				x = child_gene(ga, g, x, ga->told[g][b], share,
-				    rng_uniform(mutate[g], c),
-				    rng_uniform(step[g], c));
-			ga->asked[g][i] = x;
-		}
-	}
+	const struct ga_options *o = &ga->options;
+	struct breed b = {.n_gene = ga->n_gene,
+	    .n = o->population,
+	    .told = (const double *const *)ga->told,
+	    .asked = ga->asked,
+	    .rank = ga->rank,
+	    .lower = ga->lower,
+	    .upper = ga->upper,
+	    .scale = ga->scale,
+	    .over_tournament = 1 / (double)o->tournament,
+	    .crossover = o->crossover,
+	    .mutation = o->mutation};
+	set_keys(ga, &b.keys);
+	ptrdiff_t n = (ptrdiff_t)o->population;
+	int threads = (int)o->threads;
+#pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
+	for (ptrdiff_t i = 0; i < n; i += BREED_BLOCK)
+		ga->breed(&b, (size_t)i);
+	for (size_t i = 0; i < o->elite; i++)
+		for (size_t g = 0; g < ga->n_gene; g++)
+			ga->asked[g][i] = ga->told[g][ga->rank[i]];
 }
 
 void
@@ -306,7 +343,8 @@ ga_best(const struct ga *ga)
 void
 ga_leaders(const struct ga *ga, size_t n, size_t *index)
 {
-	sort_leaders(ga, n, index);
+	for (size_t i = 0; i < n; i++)
+		index[i] = ga->rank[i];
 }
 
 void

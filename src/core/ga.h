@@ -6,6 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/isa.h"
+
 /* Ask for candidates, evaluate them in any way, tell their misfits: that is one
  * generation.  Tournament selection, blend crossover, mutation, elitism.  The
  * random numbers are a function of (seed, generation, candidate, gene), so the
@@ -19,6 +21,8 @@ struct ga_options {
 	double crossover;  /* share of children with two parents */
 	double mutation;   /* chance for each gene */
 	uint64_t seed;
+	unsigned threads;
+	enum isa isa;
 };
 
 /* The paper's population, and operators found good on its Table 3. */

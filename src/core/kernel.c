@@ -16,61 +16,28 @@
 
 struct kernel {
 	struct plan plan;
-	enum kernel_isa isa;
 	kernel_block *block;
+	kernel_bins *bins;
 	unsigned threads;
-	double **scratch;               /* [threads] */
-	double over_E, bottom, per_bin; /* for the order of candidates */
+	double **scratch; /* [threads] */
 	size_t room;
 	unsigned char *bin;
 	uint32_t *index;
 };
 
-enum { BINS = 64 };
-
-enum kernel_isa
-kernel_isa_best(void)
-{
-#if defined __x86_64__
-	if (__builtin_cpu_supports("avx512f") &&
-	    __builtin_cpu_supports("avx512dq") &&
-	    __builtin_cpu_supports("avx512vl") &&
-	    __builtin_cpu_supports("avx512bw"))
-		return KERNEL_AVX512;
-	if (__builtin_cpu_supports("avx2"))
-		return KERNEL_AVX2;
-#endif
-	return KERNEL_BASE;
-}
-
-const char *
-kernel_isa_name(const struct kernel *kernel)
-{
-	static const char *const NAMES[] = {"baseline", "avx2", "avx512"};
-	return NAMES[kernel->isa];
-}
-
 struct kernel *
-kernel_new(const struct misfit *m, enum kernel_isa isa, unsigned threads)
+kernel_new(const struct misfit *m, enum isa isa, unsigned threads)
 {
 	static kernel_block *const BLOCKS[] = {
 	    kernel_block_base, kernel_block_avx2, kernel_block_avx512};
+	static kernel_bins *const BINS[] = {
+	    kernel_bins_base, kernel_bins_avx2, kernel_bins_avx512};
 	assert(threads >= 1);
 	struct kernel *kernel = xcalloc(1, sizeof *kernel);
-	enum kernel_isa best = kernel_isa_best();
-	kernel->isa = isa < best ? isa : best;
-	kernel->block = BLOCKS[kernel->isa];
+	enum isa usable = isa_usable(isa);
+	kernel->block = BLOCKS[usable];
+	kernel->bins = BINS[usable];
 	plan_make(&kernel->plan, m);
-	double mean = 0, low = 0, high = -20;
-	for (size_t r = 0; r < m->n_run; r++) {
-		const struct psd *feed = &m->run[r].feed;
-		mean += energy_specific(m->run[r].speed) / (double)m->n_run;
-		low = fmin(low, el_log(feed->size[feed->n - 1]));
-		high = fmax(high, el_log(feed->size[0]));
-	}
-	kernel->over_E = 1 / mean;
-	kernel->bottom = low;
-	kernel->per_bin = BINS / (high - low);
 	kernel->threads = threads;
 	kernel->scratch = xcalloc(threads, sizeof *kernel->scratch);
 	for (unsigned t = 0; t < threads; t++)
@@ -96,20 +63,12 @@ kernel_free(struct kernel *kernel)
  * lanes break the same sizes skips the rest at once.  The order changes no bit
  * of any misfit. */
 static void
-order(struct kernel *kernel, const double *const theta[PARAM_COUNT], size_t n)
+order(struct kernel *kernel, size_t n)
 {
-	size_t count[BINS + 1] = {0};
-	for (size_t i = 0; i < n; i++) {
-		double log_x = el_log(theta[PARAM_E0_MIN][i] * kernel->over_E) /
-			       (theta[PARAM_ALPHA][i] + 1e-9);
-		double bin = (log_x - kernel->bottom) * kernel->per_bin;
-		bin = bin > 0 ? bin : 0;
-		bin = bin < BINS - 1 ? bin : BINS - 1;
-		kernel->bin[i] = (unsigned char)(int)bin;
-	}
+	size_t count[KERNEL_BINS + 1] = {0};
 	for (size_t i = 0; i < n; i++)
 		count[kernel->bin[i] + 1]++;
-	for (size_t b = 0; b < BINS; b++)
+	for (size_t b = 0; b < KERNEL_BINS; b++)
 		count[b + 1] += count[b];
 	for (size_t i = 0; i < n; i++)
 		kernel->index[count[kernel->bin[i]]++] = (uint32_t)i;
@@ -124,7 +83,7 @@ make_room(struct kernel *kernel, size_t n)
 	if (n <= kernel->room)
 		return;
 	kernel->room = n;
-	kernel->bin = xrealloc(kernel->bin, n, 1);
+	kernel->bin = xrealloc(kernel->bin, n + KERNEL_LANES, 1);
 	kernel->index =
 	    xrealloc(kernel->index, n + KERNEL_LANES, sizeof *kernel->index);
 }
@@ -136,11 +95,20 @@ kernel_evaluate(struct kernel *kernel, const double *const theta[PARAM_COUNT],
 	ptrdiff_t blocks = (ptrdiff_t)((n + KERNEL_LANES - 1) / KERNEL_LANES);
 	int threads = (int)kernel->threads;
 	make_room(kernel, n);
-	order(kernel, theta, n);
-#pragma omp parallel for num_threads(threads) \
-    schedule(dynamic, 8) if (threads > 1)
-	for (ptrdiff_t b = 0; b < blocks; b++)
-		kernel->block(&kernel->plan, theta,
-		    kernel->index + b * KERNEL_LANES,
-		    kernel->scratch[omp_get_thread_num()], misfit);
+#pragma omp parallel num_threads(threads) if (threads > 1)
+	{
+#pragma omp for schedule(static)
+		for (ptrdiff_t b = 0; b < blocks; b++)
+			kernel->bins(&kernel->plan,
+			    theta[PARAM_E0_MIN] + b * KERNEL_LANES,
+			    theta[PARAM_ALPHA] + b * KERNEL_LANES,
+			    kernel->bin + b * KERNEL_LANES);
+#pragma omp single
+		order(kernel, n);
+#pragma omp for schedule(dynamic, 8)
+		for (ptrdiff_t b = 0; b < blocks; b++)
+			kernel->block(&kernel->plan, theta,
+			    kernel->index + b * KERNEL_LANES,
+			    kernel->scratch[omp_get_thread_num()], misfit);
+	}
 }

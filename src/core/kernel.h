@@ -5,6 +5,7 @@
 
 #include <stddef.h>
 
+#include "core/isa.h"
 #include "core/misfit.h"
 
 /* A search evaluates millions of candidates, so this computes the misfit of
@@ -23,19 +24,10 @@
  * number of threads or the instruction set (no fused multiply-add, own exp). */
 struct kernel;
 
-/* Instruction sets, in rising order; KERNEL_BEST picks at run time. */
-enum kernel_isa { KERNEL_BASE, KERNEL_AVX2, KERNEL_AVX512, KERNEL_BEST };
-
 /* The misfit is read here and not kept.  threads >= 1. */
 struct kernel *kernel_new(
-    const struct misfit *m, enum kernel_isa isa, unsigned threads);
+    const struct misfit *m, enum isa isa, unsigned threads);
 void kernel_free(struct kernel *kernel);
-
-/* Name of the instruction set in use: "baseline", "avx2" or "avx512". */
-const char *kernel_isa_name(const struct kernel *kernel);
-
-/* The best set this processor has; a forced one is lowered to it. */
-enum kernel_isa kernel_isa_best(void);
 
 /* misfit [n] out, for candidates theta[PARAM_COUNT][n], one array a parameter
  * in the order of PARAMS, aligned to 64 bytes and readable up to the next

@@ -19,24 +19,15 @@ static const double GAUSS_FROM_TOP[KERNEL_GAUSS] = {
     0.1127016653792583, 0.5, 0.8872983346207417};
 static const double GAUSS_WEIGHT[KERNEL_GAUSS] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
-static inline lanes
-gather(const double *gene, const uint32_t *index)
-{
-	lanes v;
-	for (size_t l = 0; l < LANES; l++)
-		v[l] = gene[index[l]];
-	return v;
-}
-
 static inline void
 load(struct block *b, const struct plan *plan,
     const double *const theta[PARAM_COUNT], const uint32_t *index)
 {
 	for (size_t m = 0; m < 4; m++)
-		b->beta[m] = gather(theta[m], index);
-	b->f = gather(theta[PARAM_F_MAT], index) * plan->k;
-	b->e0 = gather(theta[PARAM_E0_MIN], index);
-	b->alpha = gather(theta[PARAM_ALPHA], index);
+		b->beta[m] = lanes_gather(theta[m], index);
+	b->f = lanes_gather(theta[PARAM_F_MAT], index) * plan->k;
+	b->e0 = lanes_gather(theta[PARAM_E0_MIN], index);
+	b->alpha = lanes_gather(theta[PARAM_ALPHA], index);
 	b->over_alpha = 1 / lanes_max(b->alpha, lanes_of(1e-9));
 	/* S is 0 below the size of the first and exactly 1 above that of the
 	 * second, where the exponent reaches 38. */
@@ -317,4 +308,19 @@ KERNEL_NAME(const struct plan *plan, const double *const theta[PARAM_COUNT],
 {
 	for (size_t i = 0; i < KERNEL_LANES; i += LANES)
 		evaluate(plan, theta, index + i, scratch, misfit);
+}
+
+void
+BINS_NAME(const struct plan *plan, const double *e0, const double *alpha,
+    unsigned char *bin)
+{
+	for (size_t i = 0; i < KERNEL_LANES; i += LANES) {
+		lanes log_x = lanes_log(lanes_load(e0 + i) * plan->over_E) /
+			      (lanes_load(alpha + i) + 1e-9);
+		lanes at = lanes_max(
+		    (log_x - plan->bottom) * plan->per_bin, lanes_of(0));
+		at = lanes_min(at, lanes_of(KERNEL_BINS - 1));
+		for (size_t l = 0; l < LANES; l++)
+			bin[i + l] = (unsigned char)(int32_t)at[l];
+	}
 }

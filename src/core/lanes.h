@@ -27,6 +27,15 @@ lanes_of(double x)
 	return (lanes){0} + x;
 }
 
+static inline lanes
+lanes_gather(const double *from, const uint32_t *index)
+{
+	lanes v;
+	for (size_t l = 0; l < LANES; l++)
+		v[l] = from[index[l]];
+	return v;
+}
+
 /* max(a, 0) */
 static inline lanes
 lanes_positive(lanes a)

@@ -242,6 +242,21 @@ plan_class_runs(struct plan *plan, const struct misfit *m)
 	plan->scratch = KERNEL_LANES * 3 * widest;
 }
 
+static void
+plan_order(struct plan *plan, const struct misfit *m)
+{
+	double mean = 0, low = 1e3, high = -1e3;
+	for (size_t r = 0; r < m->n_run; r++) {
+		const struct psd *feed = &m->run[r].feed;
+		mean += plan->run[r].E / (double)m->n_run;
+		low = fmin(low, el_log(feed->size[feed->n - 1]));
+		high = fmax(high, el_log(feed->size[0]));
+	}
+	plan->over_E = 1 / mean;
+	plan->bottom = low;
+	plan->per_bin = KERNEL_BINS / (high - low);
+}
+
 void
 plan_make(struct plan *plan, const struct misfit *m)
 {
@@ -253,6 +268,7 @@ plan_make(struct plan *plan, const struct misfit *m)
 		plan->run[r].E = energy_specific(m->run[r].speed);
 		plan->run[r].log_E = el_log(plan->run[r].E);
 	}
+	plan_order(plan, m);
 	if (plan->method == METHOD_CLASSES)
 		plan_class_runs(plan, m);
 	else

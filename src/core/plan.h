@@ -53,7 +53,8 @@ struct plan {
 	double u[KERNEL_U_NODES][3];
 	double half_node;     /* half the distance of the nodes of u, in ln u */
 	double correction[4]; /* makes the trapezoidal rule exact for u^m */
-	size_t scratch;       /* doubles of workspace a thread needs */
+	double over_E, bottom, per_bin; /* for the order of candidates */
+	size_t scratch; /* doubles of workspace a thread needs */
 };
 
 /* Fills the plan, which plan_clear empties.  The misfit is read, not kept. */
@@ -69,5 +70,15 @@ typedef void kernel_block(const struct plan *plan,
 kernel_block kernel_block_base;
 kernel_block kernel_block_avx2;
 kernel_block kernel_block_avx512;
+
+/* Which break sizes KERNEL_LANES candidates belong together by, at the mean
+ * energy: a bin of ln x* for each. */
+enum { KERNEL_BINS = 64 };
+typedef void kernel_bins(const struct plan *plan, const double *e0,
+    const double *alpha, unsigned char *bin);
+
+kernel_bins kernel_bins_base;
+kernel_bins kernel_bins_avx2;
+kernel_bins kernel_bins_avx512;
 
 #endif

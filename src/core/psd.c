@@ -81,7 +81,8 @@ psd_size(const struct psd *psd, double passing)
 		double coarse = psd->size[i - 1], fine = psd->size[i];
 		return fine * el_exp(t * el_log(coarse / fine));
 	}
-	return NAN;
+	bool only = psd->n == 1 && passing >= psd->passing[0];
+	return only ? psd->size[0] : NAN;
 }
 
 bool

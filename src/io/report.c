@@ -28,7 +28,7 @@ struct report {
 	char *key[COLUMNS], *head[COLUMNS];
 	struct cell *cell; /* row by row */
 	char **note;
-	json_t *json;
+	json_t *json, *extra;
 };
 
 static char *
@@ -49,6 +49,7 @@ report_new(const char *command)
 	struct report *r = xcalloc(1, sizeof *r);
 	r->command = xstrdup(command);
 	r->missing = xstrdup("-");
+	r->extra = json_object();
 	return r;
 }
 
@@ -73,6 +74,7 @@ report_free(struct report *r)
 	free(r->provenance);
 	free(r->missing);
 	json_decref(r->json);
+	json_decref(r->extra);
 	free(r);
 }
 
@@ -149,6 +151,12 @@ report_json(struct report *r, json_t *object)
 {
 	json_decref(r->json);
 	r->json = object;
+}
+
+void
+report_json_key(struct report *r, const char *key, json_t *value)
+{
+	json_object_set_new(r->extra, key, value);
 }
 
 json_t *
@@ -257,6 +265,23 @@ first_clause(const char *provenance)
 	return (int)strcspn(provenance, ";");
 }
 
+/* A row of a table (0: the heads) without blanks at its end. */
+static void
+print_trimmed(const struct report *r, size_t row, FILE *out)
+{
+	char *line = NULL;
+	size_t n = 0;
+	FILE *memory = open_memstream(&line, &n);
+	if (memory == NULL)
+		return;
+	print_row(r, row - 1, row == 0, "  ", memory);
+	fclose(memory);
+	while (n > 0 && line[n - 1] == ' ')
+		n--;
+	fprintf(out, "  %.*s\n", (int)n, line);
+	free(line);
+}
+
 static void
 print_table(const struct report *r, FILE *out)
 {
@@ -265,11 +290,8 @@ print_table(const struct report *r, FILE *out)
 	if (r->provenance != NULL && r->provenance[0] != '\0')
 		fprintf(out, "data: %.*s\n", first_clause(r->provenance),
 		    r->provenance);
-	for (size_t row = 0; row <= n_rows(r) && r->n_column > 0; row++) {
-		fputs("  ", out);
-		print_row(r, row - 1, row == 0, "  ", out);
-		fputc('\n', out);
-	}
+	for (size_t row = 0; row <= n_rows(r) && n_rows(r) > 0; row++)
+		print_trimmed(r, row, out);
 	for (size_t i = 0; i < r->n_note; i++)
 		text_wrap(r->note[i], 0, 78, out);
 }
@@ -371,6 +393,7 @@ print_json(const struct report *r, FILE *out)
 			json_object_set_new(
 			    object, "site", json_string(r->site));
 		json_object_set_new(object, "rows", rows_as_json(r));
+		json_object_update_missing(object, r->extra);
 	}
 	if (r->provenance != NULL)
 		json_object_set_new(

@@ -51,6 +51,9 @@ void report_note(struct report *report, const char *format, ...)
  * objects: {"command":..,"rows":[{key: value}, ..]}.  Takes the reference. */
 void report_json(struct report *report, json_t *object);
 
+/* One more key of the default object.  Takes the reference. */
+void report_json_key(struct report *report, const char *key, json_t *value);
+
 /* value, or null where it is not finite. */
 json_t *report_json_number(double value);
 

@@ -14,7 +14,8 @@ static const double FINEST = 1e-6, COARSEST = 1e4;
 static const struct {
 	const char *word;
 	double mm;
-} SIZE_WORDS[] = {{"size_mm", 1}, {"size_um", 1e-3}, {"size_m", 1e3}};
+} SIZE_WORDS[] = {{"size_mm", 1}, {"size_um", 1e-3}, {"size_\xC2\xB5m", 1e-3},
+    {"size_\xCE\xBCm", 1e-3}, {"size_m", 1e3}};
 
 double
 site_sieve_unit(const struct row *row)
@@ -30,6 +31,11 @@ site_sieve_mm(
     struct sheet *sheet, struct cell cell, double unit, const char *wanted)
 {
 	double v;
+	if (cell.text[0] == '\0') {
+		error_hint(sheet_wanted(sheet, cell, wanted),
+		    "write the sieve's size, or take the row out");
+		return NAN;
+	}
 	if (!sheet_number(sheet, cell, wanted, &v))
 		return NAN;
 	double mm = site_column_round(v * unit, 1e9);

@@ -211,7 +211,14 @@ batch_stream(struct session *s, FILE *in, const char *name)
 int
 batch_text(struct session *s, const char *text, const char *name, int line)
 {
-	return run_line(s, text, name, line);
+	char *copy = xstrdup(text), *save = NULL;
+	int status = 0;
+	for (char *one = strtok_r(copy, "\r\n", &save);
+	     one != NULL && status == 0 && !s->quit;
+	     one = strtok_r(NULL, "\r\n", &save))
+		status = run_line(s, one, name, line);
+	free(copy);
+	return status;
 }
 
 int
@@ -231,28 +238,45 @@ batch_file(struct session *s, const char *path)
 	return status;
 }
 
+static void
+print_prompt(struct session *s, bool goes_on)
+{
+	if (goes_on)
+		fputs("> ", s->out);
+	else if (s->n_entry > 0)
+		fprintf(s->out, "tipspeed %s> ", session_entry(s)->key);
+	else
+		fputs("tipspeed> ", s->out);
+	fflush(s->out);
+}
+
 int
 batch_typed(struct session *s)
 {
-	char *line = NULL;
+	char *piece = NULL, *line = xstrdup("");
 	size_t room = 0;
-	while (!s->quit) {
-		fprintf(s->out, "tipspeed%s%s> ", s->n_entry > 0 ? " " : "",
-		    s->n_entry > 0 ? session_entry(s)->key : "");
-		fflush(s->out);
-		ssize_t got = getline(&line, &room, stdin);
-		if (got < 0 && interrupted) {
-			clearerr(stdin);
+	for (int number = 1; !s->quit; interrupted = 0) {
+		print_prompt(s, line[0] != '\0');
+		ssize_t got = getline(&piece, &room, stdin);
+		bool more = got >= 0 && goes_on(piece);
+		if (got < 0)
 			fputc('\n', s->out);
-		} else if (got < 0) {
-			fputc('\n', s->out);
+		if (got < 0 && !interrupted)
 			break;
-		} else {
-			goes_on(line);
-			run_line(s, line, "line", 1);
+		if (got < 0) {
+			clearerr(stdin);
+			line[0] = '\0';
+			continue;
 		}
-		interrupted = 0;
+		char *joined = xasprintf("%s%s", line, piece);
+		free(line);
+		line = joined;
+		if (more)
+			continue;
+		run_line(s, line, "typed", number++);
+		line[0] = '\0';
 	}
+	free(piece);
 	free(line);
 	return 0;
 }

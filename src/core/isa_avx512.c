@@ -1,12 +1,16 @@
-/* The kernel for avx512.
+/* The kernel and the breeding for avx512.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/breed.h"
 #include "core/plan.h"
 
 #if defined __x86_64__
 #pragma GCC target("avx512f,avx512dq,avx512vl,avx512bw,prefer-vector-width=512")
 #define LANES 8
 #define KERNEL_NAME kernel_block_avx512
+#define BREED_NAME breed_block_avx512
+#define BINS_NAME kernel_bins_avx512
 #include "core/kernel_body.h"
+#include "core/breed_body.h"
 #else
 void
 kernel_block_avx512(const struct plan *plan,
@@ -14,5 +18,18 @@ kernel_block_avx512(const struct plan *plan,
     double *misfit)
 {
 	kernel_block_base(plan, theta, index, scratch, misfit);
+}
+
+void
+breed_block_avx512(const struct breed *b, size_t first)
+{
+	breed_block_base(b, first);
+}
+
+void
+kernel_bins_avx512(const struct plan *plan, const double *e0,
+    const double *alpha, unsigned char *bin)
+{
+	kernel_bins_base(plan, e0, alpha, bin);
 }
 #endif

@@ -1,0 +1,78 @@
+/* Compares answers with what was expected of them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/assert.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+
+/* What an assertion may name, in the units people see. */
+static const struct {
+	const char *name;
+	size_t answer;
+} NAMES[] = {{"p20", ANSWER_P20}, {"p50", ANSWER_P50}, {"p80", ANSWER_P80},
+    {"break", ANSWER_BREAK}, {"speed", ANSWER_SPEED}, {"misfit", ANSWER_MISFIT},
+    {"rmse", ANSWER_RMSE}, {"holdout", ANSWER_HOLDOUT}};
+
+static bool
+side(const struct session *s, const char *word, double *value,
+    struct error *error)
+{
+	if (text_number(word, value))
+		return true;
+	for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++) {
+		if (strcmp(word, NAMES[i].name) != 0)
+			continue;
+		*value = s->answer[NAMES[i].answer];
+		if (!isnan(*value))
+			return true;
+		error_set(error, ERROR_CHECK, "%s is not known", word);
+		return error_hint(error,
+		    "p20, p50, p80, break and speed come from predict, misfit "
+		    "and rmse from calibrate, holdout from validate");
+	}
+	error_set(error, ERROR_USAGE,
+	    "assert wants a number or a name, not '%s'", word);
+	return error_hint(
+	    error, "names: p20 p50 p80 break speed misfit rmse holdout");
+}
+
+/* 1 or 0; -1 where there is no such operator. */
+static int
+holds(const char *op, double a, double b, double within)
+{
+	if (strcmp(op, "=") == 0)
+		return fabs(a - b) <= within;
+	if (strcmp(op, "<") == 0)
+		return a < b;
+	if (strcmp(op, ">") == 0)
+		return a > b;
+	return -1;
+}
+
+bool
+cmd_assert(struct session *s, const struct args *args, struct error *error)
+{
+	const char *const *word = args->operand;
+	double a, b, within = 0;
+	bool has_within = args->n_operand > 3;
+	if (has_within &&
+	    (args->n_operand != 5 || strcmp(word[3], "within") != 0 ||
+		!text_number(word[4], &within) || within < 0))
+		return error_set(error, ERROR_USAGE,
+		    "after the comparison assert wants: within NUMBER");
+	if (!side(s, word[0], &a, error) || !side(s, word[2], &b, error))
+		return false;
+	int result = holds(word[1], a, b, within);
+	if (result < 0)
+		return error_set(error, ERROR_USAGE,
+		    "assert wants = < or > between two values, not '%s'",
+		    word[1]);
+	if (result > 0)
+		return true;
+	return error_set(error, ERROR_CHECK,
+	    "assertion failed: %s %s %s%s%s: found %.6g and %.6g", word[0],
+	    word[1], word[2], has_within ? " within " : "",
+	    has_within ? word[4] : "", a, b);
+}

@@ -1,0 +1,86 @@
+/* Children from parents, LANES at a time.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/breed.h"
+#include "core/lanes.h"
+
+static inline lanes
+uniform(struct rng_key key, size_t first)
+{
+	lanes v;
+	for (size_t l = 0; l < LANES; l++)
+		v[l] = rng_uniform(key, (uint32_t)(first + l));
+	return v;
+}
+
+/* The best of a tournament, drawn through its rank: the least of k uniform
+ * numbers is 1 - (1 - u)^(1/k). */
+static inline void
+choose(const struct breed *b, struct rng_key key, size_t first, uint32_t *index)
+{
+	lanes u = uniform(key, first);
+	lanes r = 1 - lanes_exp(lanes_log(1 - u) * b->over_tournament);
+	r = lanes_max(r * (double)b->n, lanes_of(0));
+	r = lanes_min(r, lanes_of((double)(b->n - 1)));
+	for (size_t l = 0; l < LANES; l++)
+		index[l] = b->rank[(int32_t)r[l]];
+}
+
+/* One number makes two: whether to mutate, and by how much, of about unit size;
+ * most steps are small, a few reach far. */
+static inline lanes
+mutation_step(const struct breed *b, lanes u)
+{
+	lanes v = u * (2 / b->mutation) - 1;
+	lanes away = 1 - lanes_max(v, -v);
+	lanes step = 0.5 * v / (away * away + 0.02);
+	return (lanes)((u < b->mutation) & (lanes_mask)step);
+}
+
+/* A value outside the box goes to a place between the parent and the bound. */
+static inline lanes
+into_box(const struct breed *b, size_t g, lanes x, lanes parent, lanes u)
+{
+	lanes lower = lanes_of(b->lower[g]), upper = lanes_of(b->upper[g]);
+	lanes_mask under = x<lower, over = x> upper;
+	if (!lanes_any(under | over))
+		return x;
+	/* Every other child lands on the bound itself: optima often lie there.
+	 * */
+	lanes part = lanes_min(2 * u, lanes_of(1));
+	x = lanes_select(under, parent + (lower - parent) * part, x);
+	x = lanes_select(over, parent + (upper - parent) * part, x);
+	x = lanes_max(x, lower);
+	return lanes_min(x, upper);
+}
+
+static inline void
+breed_lanes(const struct breed *b, size_t first)
+{
+	uint32_t mother[LANES], father[LANES];
+	choose(b, b->keys.parent[0], first, mother);
+	choose(b, b->keys.parent[1], first, father);
+	lanes_mask crossed = uniform(b->keys.pair, first) < b->crossover;
+	lanes along = uniform(b->keys.line, first);
+	lanes_mask straight = along < 0.5;
+	for (size_t g = 0; g < b->n_gene; g++) {
+		lanes x = lanes_gather(b->told[g], mother);
+		lanes y = lanes_gather(b->told[g], father);
+		lanes own = uniform(b->keys.blend[g], first);
+		lanes u = lanes_select(straight, 2 * along, own);
+		lanes share = (lanes)(crossed & (lanes_mask)(1.8 * u - 0.4));
+		lanes child = x + share * (y - x);
+		lanes m = uniform(b->keys.mutate[g], first);
+		if (lanes_any(m < b->mutation))
+			child += b->scale[g] * mutation_step(b, m);
+		child = into_box(b, g, child, x, own);
+		for (size_t l = 0; l < LANES; l++)
+			b->asked[g][first + l] = child[l];
+	}
+}
+
+void
+BREED_NAME(const struct breed *b, size_t first)
+{
+	for (size_t i = 0; i < BREED_BLOCK; i += LANES)
+		breed_lanes(b, first + i);
+}

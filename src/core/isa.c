@@ -1,0 +1,35 @@
+/* What this processor can do.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/isa.h"
+
+#include <assert.h>
+
+static enum isa
+best(void)
+{
+#if defined __x86_64__
+	if (__builtin_cpu_supports("avx512f") &&
+	    __builtin_cpu_supports("avx512dq") &&
+	    __builtin_cpu_supports("avx512vl") &&
+	    __builtin_cpu_supports("avx512bw"))
+		return ISA_AVX512;
+	if (__builtin_cpu_supports("avx2"))
+		return ISA_AVX2;
+#endif
+	return ISA_BASE;
+}
+
+enum isa
+isa_usable(enum isa wanted)
+{
+	enum isa most = best();
+	return wanted < most ? wanted : most;
+}
+
+const char *
+isa_name(enum isa isa)
+{
+	static const char *const NAMES[] = {"baseline", "avx2", "avx512"};
+	assert(isa < ISA_BEST);
+	return NAMES[isa];
+}

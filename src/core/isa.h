@@ -1,0 +1,15 @@
+/* Instruction sets of the parts compiled for several.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_ISA_H
+#define TIPSPEED_CORE_ISA_H
+
+/* In rising order; ISA_BEST picks at run time. */
+enum isa { ISA_BASE, ISA_AVX2, ISA_AVX512, ISA_BEST };
+
+/* The set asked for, or the best this processor has if that is less. */
+enum isa isa_usable(enum isa wanted);
+
+/* "baseline", "avx2" or "avx512". */
+const char *isa_name(enum isa isa);
+
+#endif
