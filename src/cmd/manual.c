@@ -9,26 +9,45 @@
 #include "base/xalloc.h"
 #include "cmd/command.h"
 
-/* Text of a paragraph: a new sentence on a new line, as mdoc wants it, and
- * nothing that roff would take for a request. */
+/* Text of a paragraph: a new sentence on a new line, as mdoc wants it, lines
+ * short, and nothing that roff would take for a request. */
 static void
 print_text(const char *text, FILE *out)
 {
-	bool start = true;
-	for (const char *p = text; *p != '\0'; p++) {
-		if (start && (*p == '.' || *p == '\''))
-			fputs("\\&", out);
-		start = false;
-		if (*p == '\\')
-			fputs("\\e", out);
-		else if (p > text && p[0] == ' ' && p[-1] == '.') {
+	size_t column = 0;
+	char *copy = xstrdup(text), *save = NULL;
+	for (char *word = strtok_r(copy, " ", &save); word != NULL;
+	     word = strtok_r(NULL, " ", &save)) {
+		size_t n = strlen(word);
+		if (column > 0 && column + 1 + n > 76) {
 			fputc('\n', out);
-			start = true;
-		} else {
-			fputc(*p, out);
+			column = 0;
+		}
+		if (column > 0)
+			column += (size_t)fprintf(out, " ");
+		else if (*word == '.' || *word == '\'')
+			fputs("\\&", out);
+		for (const char *p = word; *p != '\0'; p++)
+			fputs(*p == '\\' ? "\\e" : (char[2]){*p, '\0'}, out);
+		column += n;
+		if (word[n - 1] == '.') {
+			fputc('\n', out);
+			column = 0;
 		}
 	}
-	fputc('\n', out);
+	if (column > 0)
+		fputc('\n', out);
+	free(copy);
+}
+
+/* "list the loaded sites" as the first sentence of a paragraph. */
+static void
+print_brief(const struct command *c, FILE *out)
+{
+	char *line = xasprintf(
+	    "%c%s.", toupper((unsigned char)c->brief[0]), c->brief + 1);
+	print_text(line, out);
+	free(line);
 }
 
 /* A word as an argument of a macro: quoted, so that no letter acts. */
@@ -49,12 +68,7 @@ print_options(const struct command *c, FILE *out)
 	fputs(".Bl -tag -width 12n -compact\n", out);
 	for (const struct command_option *o = c->option; o->name != NULL; o++) {
 		fprintf(out, ".It Cm %s\n", o->name);
-		char *limits =
-		    o->kind == VALUE_CHOICE ? xstrdup(o->choices)
-		    : o->kind == VALUE_TEXT
-			? xstrdup("text")
-			: xasprintf("%g to %g%s%s", o->least, o->most,
-			      o->unit[0] != '\0' ? " " : "", o->unit);
+		char *limits = command_limits(o);
 		char *line = xasprintf("%s (%s)%s%s", o->brief, limits,
 		    o->fallback[0] != '\0' ? ", default " : "", o->fallback);
 		print_text(line, out);
@@ -95,6 +109,7 @@ manual_commands(FILE *out)
 		free(usage);
 		if (c->alias != NULL)
 			fprintf(out, "Also called\n.Cm %s .\n", c->alias);
+		print_brief(c, out);
 		print_text(c->text, out);
 		print_options(c, out);
 		print_example(c, out);
