@@ -1,0 +1,40 @@
+#!/bin/sh
+# Every shipped site: the same misfit from different seeds, and a predicted curve
+# at the held-out speed within the stated sampling noise of the curve that the
+# site was made from.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "${srcdir:-.}/tests/tap.sh"
+scratch
+seeds=${TIPSPEED_TEST_SEEDS:-10}
+for f in "$dir"/data/sites/*.csv; do
+	name=$(basename "$f" .csv)
+	i=0
+	while [ $i -lt "$seeds" ]; do
+		i=$((i + 1))
+		echo "calibrate seed=$i"
+	done >"$dir/script"
+	"$TIPSPEED" --format=json "$f" <"$dir/script" \
+		>"$dir/out" 2>"$dir/log" || remark "$dir/log"
+	sed -n 's/.*"command":"calibrate".*"misfit":\([^,]*\),.*/\1/p' \
+		"$dir/out" | awk -v want="$seeds" '
+		NR == 1 { low = high = $1 }
+		$1 < low { low = $1 }
+		$1 > high { high = $1 }
+		END { printf "# misfit %.9g .. %.9g over %d seeds\n",
+			low, high, NR
+		    exit !(NR == want && low > 0 && high <= low * (1 + 1e-6)) }'
+	result $? "$name: the same misfit from $seeds seeds"
+	made=$(sed -n 's/^provenance.*\(f_mat [0-9.]*\), \(E0_min [0-9.]*\), \(alpha [0-9.]*\),.*/\1 \2 \3/p' "$f" |
+		sed 's/E0_min/e0_min/; s/\([a-z]\) \([0-9]\)/\1=\2/g')
+	"$TIPSPEED" --format=csv "$f" -c 'calibrate; predict 74' \
+		-c "params set beta1=0 beta2=1 beta3=-1 beta4=0.5 $made" \
+		-c 'predict 74' 2>>"$dir/log" | grep '^predict,' | awk -F, '
+		$(NF - 3) in found { d = $(NF - 1) - found[$(NF - 3)]
+			sum += d * d; n++; next }
+		{ found[$(NF - 3)] = $(NF - 1) }
+		END { printf "# RMSE to the true curve %.3f points, %d sieves\n",
+			sqrt(sum / n), n
+		    exit !(n >= 9 && sqrt(sum / n) <= 0.5) }'
+	result $? "$name: the held-out curve within the noise"
+done
+finish

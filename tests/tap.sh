@@ -1,0 +1,34 @@
+# Helpers of the shell tests: TAP on standard output.  Sourced, not run.
+# SPDX-License-Identifier: GPL-3.0-or-later
+n=0
+bad=0
+
+# result STATUS NAME: one test point.
+result() {
+	n=$((n + 1))
+	if [ "$1" -eq 0 ]; then
+		printf 'ok %d - %s\n' $n "$2"
+	else
+		printf 'not ok %d - %s\n' $n "$2"
+		bad=$((bad + 1))
+	fi
+}
+
+# Lines of a file as TAP remarks.
+remark() { sed 's/^/# /' "$1"; }
+
+finish() {
+	echo "1..$n"
+	[ "$bad" -eq 0 ]
+	exit $?
+}
+
+# A folder of its own, with data/ as the shipped one.
+scratch() {
+	dir=$(mktemp -d) || exit 99
+	trap 'rm -rf "$dir"' EXIT
+	ln -s "$(cd "$srcdir" && pwd)/data" "$dir/data"
+}
+
+srcdir=${srcdir:-.}
+TIPSPEED=${TIPSPEED:-$(pwd)/tipspeed}

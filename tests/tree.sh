@@ -1,0 +1,88 @@
+#!/bin/sh
+# The tree itself: layers, what core may use, sizes of files and functions.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "${srcdir:-.}/tests/tap.sh"
+cd "$srcdir" || exit 99
+tmp=$(mktemp) || exit 99
+trap 'rm -f "$tmp"' EXIT
+
+# none NAME: passes when $tmp is empty, else shows it.
+none() {
+	remark "$tmp"
+	[ ! -s "$tmp" ]
+	result $? "$1"
+}
+
+# layer NAME ALLOWED...: NAME includes only itself and the layers allowed.
+layer() {
+	name=$1
+	shift
+	allowed=$(printf '%s\n' "$name" "$@" | paste -sd '|' -)
+	grep -nE '^#include "[a-z]+/' "src/$name"/*.[ch] |
+		grep -vE "#include \"($allowed)/" >"$tmp"
+none "$name includes only: $*"
+}
+layer base
+layer core base
+layer io core base
+layer plot base
+layer cmd io plot core base
+layer ui cmd io plot core base
+
+# What core must not use.
+for word in 'stdio\.h' 'time\.h' 'signal\.h' 'getenv' 'unistd\.h' 'locale\.h' \
+	'printf' 'errno'; do
+	grep -nwE "$word" src/core/*.[ch] >"$tmp"
+none "core is free of $word"
+done
+grep -lE 'sqlite3\.h' -r src | grep -v '^src/io/' >"$tmp"
+none "SQLite in io only"
+grep -lE 'readline/' -r src | grep -v '^src/ui/' >"$tmp"
+none "readline in ui only"
+grep -lE 'n?curses\.h' -r src | grep -v '^src/ui/' >"$tmp"
+none "ncurses in ui only"
+
+# Variables outside functions: only constant tables, but for ui.
+awk '/^(static )?[a-z_ ]+\**[a-z_]+(\[.*\])?( = .*)?;$/ &&
+	!/const|typedef|extern|^struct [a-z_]+;|return/ { print FILENAME ": " $0 }' \
+	src/base/*.c src/core/*.c src/io/*.c src/plot/*.c src/cmd/*.c >"$tmp"
+none "no file-scope variables outside ui"
+
+wc -l src/*/*.[ch] src/*.c tests/unit/*.c |
+	awk '$2 != "total" && $1 > 450' >"$tmp"
+none "no file over 450 lines"
+
+# A function runs from the line of its name in column 0 to the closing brace.
+awk 'FNR == 1 { name = "" }
+	/^[a-zA-Z_]+\(/ { name = $0; start = FNR }
+	/^}/ && name != "" {
+		if (FNR - start > 50)
+			print FILENAME ": " FNR - start " lines: " name
+		name = ""
+	}' src/*/*.[ch] src/*.c tests/unit/*.c >"$tmp"
+none "no function over 50 lines"
+
+awk 'length > 0 {
+	line = $0; gsub(/\t/, "        ", line)
+	gsub(/[\200-\277]/, "", line)
+	if (length(line) > 80) print FILENAME ":" FNR ": " length(line)
+	}' src/*/*.[ch] src/*.c >"$tmp"
+none "no line over 80 columns"
+
+for f in src/*/*.c src/*/*.h; do
+	head -n 12 "$f" | grep -q 'SPDX-License-Identifier' || echo "$f"
+done >"$tmp"
+none "every file opens with its duty and its licence"
+
+# Each .c in src/core with a header includes that header first.
+for f in src/*/*.c; do
+	h=${f%.c}.h
+	[ -f "$h" ] || continue
+	first=$(grep -m1 '^#include' "$f")
+	[ "$first" = "#include \"${h#src/}\"" ] || echo "$f: $first"
+done >"$tmp"
+none "a file includes its own header first"
+
+grep -nwE 'TODO|FIXME|XXX' -r src tests/unit man >"$tmp"
+none "no marks left"
+finish

@@ -1,0 +1,77 @@
+/* A session to try commands at.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_TESTS_DESK_H
+#define TIPSPEED_TESTS_DESK_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "base/xalloc.h"
+#include "cmd/session.h"
+
+/* A session whose results and notes are kept. */
+struct desk {
+	struct session *session;
+	struct error error;
+	char *out, *notes;
+	size_t n_out, n_notes;
+	FILE *out_file, *notes_file;
+};
+
+static inline int
+desk_open(void **state)
+{
+	struct desk *desk = xcalloc(1, sizeof *desk);
+	desk->out_file = open_memstream(&desk->out, &desk->n_out);
+	desk->notes_file = open_memstream(&desk->notes, &desk->n_notes);
+	desk->session = session_new(desk->out_file, desk->notes_file);
+	desk->session->threads = 1;
+	*state = desk;
+	return 0;
+}
+
+static inline int
+desk_close(void **state)
+{
+	struct desk *desk = *state;
+	session_free(desk->session);
+	fclose(desk->out_file);
+	fclose(desk->notes_file);
+	free(desk->out);
+	free(desk->notes);
+	free(desk);
+	return 0;
+}
+
+/* Runs a line to its end, jobs included. */
+static inline bool
+desk_say(struct desk *desk, const char *line)
+{
+	size_t next = 0;
+	desk->error = (struct error){0};
+	do {
+		if (!session_line(desk->session, line, next, "script.tip", 12,
+			&next, &desk->error))
+			return false;
+		while (session_busy(desk->session))
+			session_step(desk->session);
+	} while (next > 0);
+	fflush(desk->out_file);
+	fflush(desk->notes_file);
+	return true;
+}
+
+static inline void
+desk_expect(struct desk *desk, const char *line)
+{
+	if (!desk_say(desk, line))
+		fail_msg("%s: %s", line, desk->error.text);
+}
+
+#endif

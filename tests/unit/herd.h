@@ -1,0 +1,86 @@
+/* Candidates as the kernel takes them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_TESTS_HERD_H
+#define TIPSPEED_TESTS_HERD_H
+
+#include <stdlib.h>
+
+#include "made.h"
+
+#include "core/kernel.h"
+
+/* gene[PARAM_COUNT][n], readable as the kernel wants it. */
+struct herd {
+	size_t n;
+	double *gene[PARAM_COUNT];
+};
+
+static inline struct herd
+herd_new(size_t n)
+{
+	struct herd herd = {n, {0}};
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		herd.gene[j] = xdoubles(n + 64);
+	return herd;
+}
+
+static inline void
+herd_free(struct herd *herd)
+{
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		free(herd->gene[j]);
+}
+
+static inline void
+herd_put(struct herd *herd, size_t i, const struct params *p)
+{
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		herd->gene[j][i] = params_get(p, j);
+}
+
+static inline struct params
+herd_get(const struct herd *herd, size_t i)
+{
+	struct params p;
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		params_set(&p, j, herd->gene[j][i]);
+	return p;
+}
+
+/* Parts of the box: all of it, and a half near a row of Table 3, so that the
+ * break size of many a candidate lies within the feed. */
+static inline struct herd
+herd_any(size_t n, uint64_t seed)
+{
+	struct herd herd = herd_new(n);
+	struct draw draw = draw_start(seed);
+	for (size_t i = 0; i < n; i++) {
+		struct params p = made_any_params(&draw);
+		if (i % 2 == 1) {
+			const struct table_row *row = &TABLE_3[i % 19];
+			p.f_mat = row->f_mat;
+			p.e0_min = row->e0_min;
+			p.alpha = row->alpha;
+		}
+		if (i % 50 == 7)
+			p.e0_min = 0;
+		if (i % 50 == 8)
+			p.alpha = 0;
+		if (i % 50 == 9)
+			p.alpha = p.e0_min = 0;
+		herd_put(&herd, i, &p);
+	}
+	return herd;
+}
+
+static inline void
+herd_evaluate(const struct misfit *m, enum isa isa, unsigned threads,
+    const struct herd *herd, double *misfit)
+{
+	struct kernel *kernel = kernel_new(m, isa, threads);
+	kernel_evaluate(
+	    kernel, (const double *const *)herd->gene, herd->n, misfit);
+	kernel_free(kernel);
+}
+
+#endif

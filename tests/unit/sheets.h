@@ -1,0 +1,109 @@
+/* What the tests of site files share.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_TESTS_SHEETS_H
+#define TIPSPEED_TESTS_SHEETS_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/site_read.h"
+#include "io/site_write.h"
+
+#define TOP "size_mm,feed,product@69,product@79\n"
+#define ROWS "8,100,100,100\n4,60,80,90\n1,10,20,30\n"
+#define GOOD                                                                  \
+	"# made up for this test\nsite,Tierp\nrock,Granite\n"                 \
+	"top_size_mm,11.2\nmachine,Metso Barmac 5100 SE\n"                    \
+	"provenance,\"made up, here; seed 9\"\noperator,\"\"\"Åsa\"\"\"\n\n" \
+	"size_mm,feed,product@69,sd@69,product@74,product@79.5\n"             \
+	"22.4,100,100,0.5,100,\n16,95.5,97.25,0.5,,99\n"                      \
+	"11.2,80.123456789012,85,0.25,88,90\n0.063,5,6.1,1,7,8\n"
+
+/* Sheets that all say the same as TOP ROWS. */
+static const char *const SAME[] = {
+    TOP ROWS,
+    "\xEF\xBB\xBF" TOP ROWS,
+    "\n# c\n,,,\n" TOP "# \"c\n\n" ROWS ",,,\n",
+    "sep=,\n" TOP ROWS,
+    "size_mm,feed,product@69,product@79,,\n8,100,100,100,,\n4,60,80,90,\n"
+    "1,10,20,30",
+    "size_mm,feed,product@69,product@79\r\n8,100,100,100\r\n4,60,80,90\r\n"
+    "1,10,20,30\r\n",
+    "size_mm,feed,product@69,product@79\r8,100,100,100\r4,60,80,90\r"
+    "1,10,20,30\r",
+    "size_mm;feed;product@69;product@79\n8,0;100;100;100\n4;60,0;80;90\n"
+    "1;10;2,0e1;30\n",
+    "note;1,5 a, b\nsize_mm;feed;product@69;product@79\n8.0;100;100;100\n"
+    "4;60.0;80;90\n1;10;20;30\n",
+    "size_mm\tfeed\tproduct@69\tproduct@79\n8\t100\t100\t100\n"
+    "4\t60,0\t80\t90\n1\t10\t20\t30\n",
+    "\"Size_MM\" , \"Feed\" ,Product@69 m/s,product @ 79m/s\n" ROWS,
+    "size_um,feed,product@79,product@69\n8000,100,100,100\n4e3,60,90,80\n"
+    "1000,10,30,20\n",
+    "size_\xC2\xB5m,feed,product@79,product@69\n8000,100,100,100\n"
+    "4000,60,90,80\n1000,10,30,20\n",
+    "size_m,feed,product@69,product@79\n0.008,100,100,100\n0.004,60,80,90\n"
+    "0.001,10,20,30\n",
+    "size_mm,feed_fraction,product_passing_pct@69,product_fraction@79\n"
+    "8,1,100,1\n4,.6,80,.9\n1,.1,20,.3\n",
+    "size_mm,feed_retained_g,retained_g@69,product_retained_g@79\n8,0,0,0\n"
+    "4,80,1.25,10\n1,100,3.75,60\npan,20,1.25,30\n",
+    "size_mm,feed_retained_pct,retained_pct@69,product_retained_pct@79\n"
+    "8,0,0,0\n4,40,20,10\n1,50,60,60\n0,10,20,\n",
+    "size_mm,feed_cum_retained_pct,cum_retained_pct@69,product@79\n8,0,0,100\n"
+    "4,40,20,90\n1,90,80,30\nPan,100,,0\n",
+};
+
+static inline struct site *
+read_string(const char *text, struct error_list *errors)
+{
+	*errors = (struct error_list){0};
+	return site_read_text("here/tierp.csv", text, strlen(text), errors);
+}
+
+static inline struct site *
+accept(const char *text)
+{
+	struct error_list errors;
+	struct site *site = read_string(text, &errors);
+	for (size_t i = 0; i < errors.n; i++)
+		error_print(&errors.item[i], stderr);
+	assert_non_null(site);
+	assert_int_equal(errors.n, 0);
+	return site;
+}
+static inline char *
+written(const struct site *site)
+{
+	char *text = NULL;
+	size_t n = 0;
+	FILE *out = open_memstream(&text, &n);
+	site_write(site, out);
+	fclose(out);
+	return text;
+}
+
+static inline bool
+reads_back(const struct site *site)
+{
+	char *text = written(site);
+	struct site *again = accept(text);
+	char *twice = written(again);
+	bool same =
+	    again->digest == site->digest && again->n_note == site->n_note &&
+	    again->top_size == site->top_size && strcmp(text, twice) == 0;
+	site_free(again);
+	free(text);
+	free(twice);
+	return same;
+}
+
+#endif

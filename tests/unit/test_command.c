@@ -1,0 +1,164 @@
+/* The command table: everything that is read from it can rely on this.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <ctype.h>
+#include <string.h>
+
+#include "call.h"
+
+static size_t
+count_named(const char *name)
+{
+	size_t n = 0;
+	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+		n += strcmp(c->name, name) == 0;
+		n += c->alias != NULL && strcmp(c->alias, name) == 0;
+	}
+	return n;
+}
+
+static void
+names_and_aliases_are_unique(void **state)
+{
+	(void)state;
+	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+		assert_int_equal(count_named(c->name), 1);
+		assert_ptr_equal(command_find(c->name), c);
+		if (c->alias == NULL)
+			continue;
+		assert_int_equal(count_named(c->alias), 1);
+		assert_ptr_equal(command_find(c->alias), c);
+	}
+	assert_null(command_find("no-such"));
+}
+
+static void
+groups_are_contiguous(void **state)
+{
+	(void)state;
+	for (const struct command *c = COMMANDS + 1; c->name != NULL; c++)
+		if (strcmp(c->group, c[-1].group) != 0)
+			for (const struct command *d = COMMANDS; d < c; d++)
+				if (strcmp(c->group, d->group) == 0)
+					fail_msg("group of %s", c->name);
+}
+
+/* Lower case, no full stop; sentences end with one. */
+static void
+words_for_people_are_there(void **state)
+{
+	(void)state;
+	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+		size_t n = strlen(c->brief), end = strlen(c->text);
+		assert_true(n > 0 && c->brief[n - 1] != '.');
+		assert_false(isupper((unsigned char)c->brief[0]));
+		assert_true(end > 0 && c->text[end - 1] == '.');
+		assert_true(c->example[0] != '\0');
+		assert_non_null(strstr(c->example, c->name));
+		assert_true(c->least <= c->most && c->most < OPERANDS);
+		assert_true((c->most > 0) == (c->operands[0] != '\0'));
+		assert_non_null(c->run);
+		const struct command_option *o = c->option;
+		for (; o != NULL && o->name != NULL; o++)
+			assert_true(o->brief[0] != '\0' &&
+				    o->brief[strlen(o->brief) - 1] != '.');
+	}
+}
+
+static void
+options_are_in_order(void **state)
+{
+	(void)state;
+	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+		size_t n = 0;
+		const struct command_option *o = c->option;
+		for (; o != NULL && o[n].name != NULL; n++) {
+			assert_int_equal(command_option_index(c, o[n].name), n);
+			bool choice = o[n].kind == VALUE_CHOICE;
+			assert_true(choice == (o[n].choices != NULL));
+			bool limits = !choice && o[n].kind != VALUE_TEXT;
+			assert_true(!limits || o[n].least < o[n].most);
+			assert_non_null(o[n].unit);
+		}
+		assert_true(n <= OPTIONS);
+		assert_int_equal(command_option_index(c, "none"), OPTIONS);
+		if (c->bare != NULL)
+			assert_true(command_option_index(c, c->bare) < OPTIONS);
+	}
+}
+
+/* Each fallback is a value that could be typed, within the limits. */
+static void
+fallbacks_are_valid(void **state)
+{
+	(void)state;
+	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+		const struct command_option *o = c->option;
+		for (; o != NULL && o->name != NULL; o++) {
+			if (o->fallback[0] == '\0')
+				continue;
+			char *typed = xasprintf("%s %s %s=\"%s\"", c->name,
+			    c->least > 0 ? "x" : "", o->name, o->fallback);
+			char *bare = xasprintf(
+			    "%s %s", c->name, c->least > 0 ? "x" : "");
+			struct call *a = call_accept(typed),
+				    *b = call_accept(bare);
+			const struct value *u = call_value(a, o->name);
+			const struct value *v = call_value(b, o->name);
+			assert_true(u->given && !v->given);
+			assert_string_equal(v->text, o->fallback);
+			assert_true(u->number == v->number);
+			assert_true(u->whole == v->whole && u->n == v->n);
+			assert_int_equal(u->choice, v->choice);
+			call_free(a);
+			call_free(b);
+			free(typed);
+			free(bare);
+		}
+	}
+}
+
+static void
+examples_parse(void **state)
+{
+	(void)state;
+	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+		char *copy = xstrdup(c->example), *save = NULL;
+		char *line = strtok_r(copy, "\n", &save);
+		for (; line != NULL; line = strtok_r(NULL, "\n", &save))
+			call_free(call_accept(line));
+		free(copy);
+	}
+}
+
+static void
+usage_names_operands_and_options(void **state)
+{
+	(void)state;
+	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+		char *usage = command_usage(c);
+		assert_true(strncmp(usage, c->name, strlen(c->name)) == 0);
+		assert_non_null(strstr(usage, c->operands));
+		const struct command_option *o = c->option;
+		for (; o != NULL && o->name != NULL; o++) {
+			char *key = xasprintf("[%s=", o->name);
+			assert_non_null(strstr(usage, key));
+			free(key);
+		}
+		free(usage);
+	}
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(names_and_aliases_are_unique),
+	    cmocka_unit_test(groups_are_contiguous),
+	    cmocka_unit_test(words_for_people_are_there),
+	    cmocka_unit_test(options_are_in_order),
+	    cmocka_unit_test(fallbacks_are_valid),
+	    cmocka_unit_test(examples_parse),
+	    cmocka_unit_test(usage_names_operands_and_options),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

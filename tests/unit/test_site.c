@@ -1,0 +1,323 @@
+/* Site files: what is accepted, what is refused and how that is told, and that
+ * a written site reads back to the same bits.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "sheets.h"
+
+#include <math.h>
+
+/* One sheet a line: where the first fault is, and parts of text and hint. */
+static const struct {
+	const char *sheet;
+	int line, column;
+	const char *text, *hint;
+} FAULTS[] = {
+    {TOP "8,100,100,100\n4,60,62,90\n1,10,71,30\n", 4, 6,
+	"passing rises from 62 to 71 at 1 mm (finer sieve, more passing): "
+	"check the row",
+	"finer"},
+    {TOP "8,100,101,100\n4,60,80,90\n", 2, 7, "0 to 100 %", "check"},
+    {TOP "8,100,100,100\n4,-1,80,90\n", 3, 3, "found '-1'", "check"},
+    {TOP "8,100,1,100\n4,60,0.8,90\n", 1, 14, "percent was wanted",
+	"multiply by 100 or head the column product_fraction@69"},
+    {"size_mm,feed,product_fraction@69,product@79\n8,100,1,100\n4,60,80,90\n"
+     "1,10,20,30\n",
+	3, 6, "fraction", "divide by 100 or head the column product@69"},
+    {TOP "8,100,100,100\n4,60,80,90\n4,10,20,30\n", 4, 1,
+	"found 4 in line 3 already", "correct"},
+    {TOP "8,100,100,100\n1,10,20,30\n4,10,20,30\n", 4, 1,
+	"coarsest first were wanted, found 4 after 1", "sort"},
+    {TOP "1,10,20,30\n4,60,80,90\n8,100,100,100\n", 2, 1, "finest first",
+	"largest first"},
+    {TOP "8,100,100,100\n-4,60,80,90\n", 3, 1, "positive size", "unit"},
+    {TOP "99999,100,100,100\n4,60,80,90\n", 2, 1, "1e4 mm", "unit"},
+    {TOP "22.4,99.5,100,100\n4,60,80,90\n", 2, 6, "99.5 % at 22.4 mm",
+	"add 31.5 mm with 100"},
+    {TOP "90,99.5,100,100\n4,60,80,90\n", 2, 4, "99.5 % at 90 mm",
+	"coarser than 90 mm with 100"},
+    {"size_mm,product@69,product@79\n8,100,100\n4,80,90\n", 1, 1, "feed",
+	"add a column feed"},
+    {"size_mm,feed,product,product@79\n" ROWS, 1, 14, "tip speed",
+	"product@69"},
+    {"size_mm,feed,product@,product@79\n" ROWS, 1, 14, "tip speed", "@"},
+    {"size_mm,feed,product@fast,product@79\n" ROWS, 1, 14, "product@fast", "@"},
+    {"size_mm,feed,product@-69,product@79\n" ROWS, 1, 14, "above 0", "@"},
+    {"size_mm,feed,product@201,product@79\n" ROWS, 1, 14, "200 m/s", "@"},
+    {"size_mm,feed,product@79,product@79 m/s\n" ROWS, 1, 25, "wanted once",
+	"speed"},
+    {"size_mm,feed,feed,product@79\n" ROWS, 1, 14, "wanted once", "keep"},
+    {"size_mm,feed,product@69\n8,100,100\n4,60,80\n", 1, 1,
+	"two or more speeds were wanted, found 1", "product@79"},
+    {"size_mm,feed,feed@69,product@69,product@79\n8,100,100,100,100\n"
+     "4,60,60,80,90\n",
+	1, 14, "one kind of feed", "feed@"},
+    {"size_mm,feed@69,product@69,product@79\n" ROWS, 1, 28,
+	"a feed for product@79", "feed@"},
+    {"size_mm,feed,product@69,product@79,sd@74\n8,100,100,100,1\n"
+     "4,50,60,60,1\n",
+	1, 36, "a product for sd@74", "take this one out"},
+    {TOP "8,100,100,100\n4,60,nan,90\n", 3, 6, "found 'nan'", "empty"},
+    {TOP "8,100,100,100\n4,60,inf,90\n", 3, 6, "found 'inf'", "digits"},
+    {TOP "8,100,100,100\n4,60,-,90\n", 3, 6, "found '-'", "empty"},
+    {TOP "8,100,100,100\n4,60,n/a,90\n", 3, 6, "found 'n/a'", "empty"},
+    {TOP "8,100,100,100\n4,60,NA,90\n", 3, 6, "found 'NA'", "empty"},
+    {TOP "8,100,100,100\n4,60,80 %,90\n", 3, 6, "found '80 %'", "header"},
+    {TOP "8,100,100,100\n4,60,wet,90\n", 3, 6, "number was wanted", "digits"},
+    {TOP "8,100,100,100\n5,6,60,80,90\n", 3, 11, "4 cells were wanted",
+	"decimal commas need ;"},
+    {TOP "8,100,100,100\n4,60,\"80,5\",90\n", 3, 6, "'80,5'",
+	"decimal commas need ;"},
+    {TOP "8,100,100,100\n4,60,\"1,000.5\",90\n", 3, 6, "'1,000.5'",
+	"thousands"},
+    {TOP "8,100,100,100\n4,60,1 000,90\n", 3, 6, "'1 000'", "thousands"},
+    {"size_mm;feed;product@69;product@79\n8;100;100;100\n4;60,5;80.5;90\n", 3,
+	8, "decimal comma", "one decimal sign"},
+    {"size_mm;feed;product@69;product@79\n8;100;100;100\n4;60;8;90;5\n", 3, 11,
+	"4 cells were wanted", "take the last cells out"},
+    {TOP "8,100,100,100\ntotal of it\n4,60,80,90\n1,10,20,30\n", 3, 1,
+	"sieve size or pan was wanted, found 'total of it'", "digits"},
+    {TOP "8,100,100,100\n,60,80,90\n", 3, 1, "found an empty cell", ""},
+    {TOP "8,100,100,100\n4,,80,90\n", 1, 9, "2 or more sieves", "fill"},
+    {TOP "8,100,,100\n4,60,,90\n", 1, 14, "1 or more sieves", "take it out"},
+    {TOP, 1, 1, "a row for each sieve", "add rows"},
+    {"site,Tierp\n22.4,100,100\n16,95,97\n", 2, 1,
+	"a line that begins with size_mm was wanted, found '22.4'",
+	"size_mm,feed,product@69,product@79"},
+    {"site,Tierp\nsize,feed,product@69\n", 2, 1, "found 'size'", "size_mm,"},
+    {"# nothing\n", 1, 1, "size_mm", "size_mm,"},
+    {"size_mm,fed,product@69,product@79\n" ROWS, 1, 9, "found 'fed'",
+	"understood are feed,"},
+    {"size_mm,feed,,product@79\n" ROWS, 1, 14, "empty cell", "understood"},
+    {"size_mm,feed,product@69,product@79,sd@69\n8,100,100,100,1\n"
+     "4,60,80,90,\n",
+	3, 12, "standard deviation was wanted", "fill"},
+    {"size_mm,feed,product@69,product@79,sd@69\n8,100,100,100,0\n"
+     "4,60,80,90,1\n",
+	2, 15, "above 0", "points"},
+    {"size_mm,feed,product@69,product@79,sd@69\n8,100,,100,1\n"
+     "4,60,80,90,1\n",
+	2, 12, "without product", "empty"},
+    {"size_mm,feed,retained_g@69,product@79\n8,100,0,100\n4,60,-3,90\n"
+     "pan,,5,\n",
+	3, 6, "0 g or more", "check"},
+    {"size_mm,feed,retained_g@69,product@79\n8,100,0,100\n4,60,3,90\n", 1, 14,
+	"mass in the pan", "pan"},
+    {"size_mm,feed,retained_g@69,product@79\n8,100,0,100\n4,60,0,90\n"
+     "pan,,0\n",
+	1, 14, "found 0 g", "take it out"},
+    {"size_mm,feed,retained_pct@69,product@79\n8,100,0,100\n4,60,30,90\n"
+     "pan,,60\n",
+	1, 14, "sum to 100 % were wanted, found 90", "check"},
+    {"size_mm,feed,retained_pct@69,product@79\n8,100,80,100\n4,60,30,90\n", 1,
+	14, "found 110", "check"},
+    {TOP "8,100,100,100\n4,60,80,90\npan,0,3,\n", 4, 7, "nothing passing",
+	"empty"},
+    {TOP "8,100,100,100\npan,,,\n4,60,80,90\n", 4, 1, "found 4 after pan",
+	"sort"},
+    {"site,A\nsite,B\n" TOP ROWS, 2, 1, "found in line 1 already", "take"},
+    {"top_size_mm,big\n" TOP ROWS, 1, 13, "found 'big'", "digits"},
+    {"top_size_mm,0\n" TOP ROWS, 1, 13, "positive size", "take the line out"},
+    {"top_size_mm,11,2\n" TOP ROWS, 1, 16, "found '2'", "decimal commas"},
+    {"Tierp\n" TOP ROWS, 1, 1, "a key and its value", "key,value"},
+    {"provenance,\"from Table 3\n" TOP ROWS, 1, 12, "left open", "close"},
+    {"ägare,\"Å\" Öberg\n" TOP ROWS, 1, 11, "after a closing quote", "whole"},
+    {"ägare,Å \"Ö\"\n" TOP ROWS, 1, 9, "quote inside", "whole"},
+    {"", 1, 1, "empty file", "tipspeed-site"},
+    {"\xEF\xBB\xBF \r\n", 1, 1, "empty file", "tipspeed-site"},
+    {"site,Tierp\nrock,Gr\xE5 gnejs\n" TOP ROWS, 2, 8, "Latin-1", "CSV UTF-8"},
+    {"site,T\x01\n" TOP ROWS, 1, 7, "not a text file", "CSV UTF-8"},
+};
+
+static void
+each_fault_has_its_place_and_next_step(void **state)
+{
+	(void)state;
+	for (size_t i = 0; i < ARRAY_LEN(FAULTS); i++) {
+		struct error_list errors;
+		assert_null(read_string(FAULTS[i].sheet, &errors));
+		const struct error *e = &errors.item[0];
+		bool good = errors.n >= 1 && e->kind == ERROR_DATA &&
+			    e->line == FAULTS[i].line &&
+			    e->column == FAULTS[i].column &&
+			    strstr(e->text, FAULTS[i].text) != NULL &&
+			    strstr(e->hint, FAULTS[i].hint) != NULL;
+		if (good && errors.n == 1)
+			continue;
+		fprintf(stderr, "%s", FAULTS[i].sheet);
+		for (size_t k = 0; k < errors.n; k++)
+			error_print(&errors.item[k], stderr);
+		fail_msg("fault %zu: wanted one at %d:%d with '%s', '%s'", i,
+		    FAULTS[i].line, FAULTS[i].column, FAULTS[i].text,
+		    FAULTS[i].hint);
+	}
+}
+
+static void
+every_spelling_gives_the_same_site(void **state)
+{
+	(void)state;
+	for (size_t i = 0; i < ARRAY_LEN(SAME); i++) {
+		struct site *site = accept(SAME[i]);
+		struct site *plain = accept(SAME[0]);
+		if (site->digest != plain->digest)
+			fail_msg(
+			    "spelling %zu reads otherwise:\n%s", i, SAME[i]);
+		assert_string_equal(site->name, "tierp");
+		assert_false(site->individual_feeds);
+		site_free(site);
+		site_free(plain);
+	}
+}
+
+static void
+a_site_is_read_in_si_units(void **state)
+{
+	(void)state;
+	struct site *site = accept(GOOD);
+	assert_string_equal(site->name, "Tierp");
+	assert_string_equal(site->rock, "Granite");
+	assert_string_equal(site->machine, "Metso Barmac 5100 SE");
+	assert_string_equal(site->provenance, "made up, here; seed 9");
+	assert_string_equal(site->path, "here/tierp.csv");
+	assert_int_equal(site->n_note, 1);
+	assert_string_equal(site->note[0].key, "operator");
+	assert_string_equal(site->note[0].value, "\"Åsa\"");
+	assert_true(site->top_size == 11.2 / 1000);
+	assert_int_equal(site->n_run, 3);
+	assert_true(site->digest == site_digest(site));
+	const struct run *run = site->run;
+	assert_true(run[0].speed == 69 && run[2].speed == 79.5);
+	assert_int_equal(run[0].feed.n, 4);
+	assert_true(run[1].feed.passing[2] == 80.123456789012 / 100);
+	assert_true(run[1].feed.size[3] == 0.063 / 1000);
+	assert_int_equal(run[1].product.n, 3);
+	assert_true(run[2].product.size[0] == 16.0 / 1000);
+	assert_true(run[0].product_sd[2] == 0.25 / 100);
+	assert_null(run[1].product_sd);
+	site_free(site);
+}
+
+static void
+individual_feeds_may_lack_a_product(void **state)
+{
+	(void)state;
+	struct site *site =
+	    accept("size_mm,feed@79,product@79,feed@74,product@69,feed@69\n"
+		   "8,100,100,100,100,100\n4,60,90,61,80,62\n1,10,30,,,12\n");
+	assert_true(site->individual_feeds);
+	assert_int_equal(site->n_run, 3);
+	assert_int_equal(site->run[0].feed.n, 3);
+	assert_true(site->run[0].feed.passing[1] == 62.0 / 100);
+	assert_int_equal(site->run[1].feed.n, 2);
+	assert_int_equal(site->run[1].product.n, 0);
+	assert_int_equal(site->run[2].product.n, 3);
+	site_free(site);
+}
+
+static void
+retained_counts_the_coarsest_sieve_and_the_pan(void **state)
+{
+	(void)state;
+	struct site *site =
+	    accept("size_mm,feed,retained_g@69,retained_pct@79\n"
+		   "8,100,100,10\n4,60,200,20\n1,10,600,60\npan,0,100,\n");
+	const double passing[] = {0.9, 0.7, 0.1};
+	for (size_t i = 0; i < 3; i++)
+		for (size_t r = 0; r < 2; r++) {
+			double p = site->run[r].product.passing[i];
+			assert_true(fabs(p - passing[i]) < 1e-14);
+		}
+	site_free(site);
+}
+
+static void
+all_faults_are_told_in_file_order(void **state)
+{
+	(void)state;
+	struct error_list errors;
+	assert_null(read_string(
+	    "site,A\nrock,\"open\ntop_size_mm,-1\nsite,B\n" TOP
+	    "8,100,100,100,7\n4,60,110,x\ntotal of it\n1,70,20,30\n",
+	    &errors));
+	static const int place[][2] = {
+	    {2, 6}, {3, 13}, {4, 1}, {6, 15}, {7, 6}, {7, 10}, {8, 1}, {9, 3}};
+	for (size_t i = 0; i < errors.n && i < ARRAY_LEN(place); i++) {
+		assert_int_equal(errors.item[i].line, place[i][0]);
+		assert_int_equal(errors.item[i].column, place[i][1]);
+		assert_string_equal(errors.item[i].file, "here/tierp.csv");
+	}
+	assert_int_equal(errors.n, ARRAY_LEN(place));
+	assert_int_equal(errors.more, 0);
+}
+
+static void
+a_full_list_keeps_the_first_faults(void **state)
+{
+	(void)state;
+	char text[4000] = TOP "9,100,100,100\n";
+	for (int i = 0; i < 30; i++) {
+		size_t n = strlen(text);
+		snprintf(text + n, sizeof text - n, "%g,x,y,1\n", 8 - i / 10.0);
+	}
+	struct error_list errors;
+	assert_null(read_string(text, &errors));
+	assert_int_equal(errors.n, ARRAY_LEN(errors.item));
+	assert_int_equal(errors.more, 60 - errors.n);
+	for (size_t i = 0; i < errors.n; i++) {
+		assert_int_equal(errors.item[i].line, 3 + i / 2);
+		assert_true(i % 2 == 0 || errors.item[i].column ==
+					      errors.item[i - 1].column + 2);
+	}
+}
+
+static void
+a_written_site_reads_back_to_the_same_bits(void **state)
+{
+	(void)state;
+	static const char *const sheet[] = {GOOD,
+	    "size_um,feed@69,retained_g@69,feed_fraction@79.25,"
+	    "product_fraction@79.25,feed@80\n"
+	    "31000.123,100,0,1,1,100\n7.1,33.333333333333336,7.7,"
+	    "0.981379781,,7\n3.3,1,0.1,0.7,0.123456789,1\npan,,3.3\n",
+	    "size_mm,feed,cum_retained_pct@69,fraction@79\n8,100,99.01,.01\n"
+	    "4,60,99.123456789,0\n"};
+	for (size_t i = 0; i < ARRAY_LEN(sheet); i++) {
+		struct site *site = accept(sheet[i]);
+		assert_true(reads_back(site));
+		site_free(site);
+	}
+}
+
+static void
+the_sheet_is_written_like_this(void **state)
+{
+	(void)state;
+	struct site *site = accept(GOOD);
+	char *text = written(site);
+	assert_string_equal(text,
+	    "site,Tierp\nrock,Granite\ntop_size_mm,11.2\n"
+	    "machine,Metso Barmac 5100 SE\n"
+	    "provenance,\"made up, here; seed 9\"\n"
+	    "operator,\"\"\"Åsa\"\"\"\n"
+	    "size_mm,feed,product@69,sd@69,product@74,product@79.5\n"
+	    "22.4,100,100,0.5,100,\n16,95.5,97.25,0.5,,99\n"
+	    "11.2,80.123456789012,85,0.25,88,90\n0.063,5,6.1,1,7,8\n");
+	free(text);
+	site_free(site);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(each_fault_has_its_place_and_next_step),
+	    cmocka_unit_test(every_spelling_gives_the_same_site),
+	    cmocka_unit_test(a_site_is_read_in_si_units),
+	    cmocka_unit_test(individual_feeds_may_lack_a_product),
+	    cmocka_unit_test(retained_counts_the_coarsest_sieve_and_the_pan),
+	    cmocka_unit_test(all_faults_are_told_in_file_order),
+	    cmocka_unit_test(a_full_list_keeps_the_first_faults),
+	    cmocka_unit_test(a_written_site_reads_back_to_the_same_bits),
+	    cmocka_unit_test(the_sheet_is_written_like_this),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

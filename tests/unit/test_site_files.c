@@ -1,0 +1,276 @@
+/* Site files of any bytes, and files that cannot be read or written.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "sheets.h"
+
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* Whatever the bytes are: a site that keeps the rules and reads back, or faults
+ * of the file in their order. */
+static void
+read_anything(const char *bytes, size_t n)
+{
+	struct error_list errors = {0};
+	struct site *site = site_read_text("x.csv", bytes, n, &errors);
+	assert_true((site == NULL) == (errors.n > 0));
+	for (size_t i = 0; i < errors.n; i++) {
+		const struct error *e = &errors.item[i];
+		assert_int_equal(e->kind, ERROR_DATA);
+		assert_true(e->text[0] != '\0' && e->hint[0] != '\0');
+		assert_true(n == 0 || (e->line > 0 && e->column > 0));
+		assert_true(i == 0 || e[-1].line <= e->line);
+	}
+	if (site == NULL)
+		return;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		assert_int_equal(psd_fault(&run->feed), run->feed.n);
+		assert_int_equal(psd_fault(&run->product), run->product.n);
+		assert_true(run->feed.n >= 2 && run->feed.passing[0] >= 1);
+	}
+	if (!reads_back(site))
+		fail_msg("does not read back:\n%.*s", (int)n, bytes);
+	site_free(site);
+}
+
+static void
+every_prefix_is_read_or_refused(void **state)
+{
+	(void)state;
+	for (size_t i = 0; i < ARRAY_LEN(SAME); i++)
+		for (size_t n = 0; n <= strlen(SAME[i]); n++)
+			read_anything(SAME[i], n);
+	for (size_t n = 0; n <= strlen(GOOD); n++)
+		read_anything(GOOD, n);
+}
+
+static uint64_t
+next_random(uint64_t *x)
+{
+	*x ^= *x << 13;
+	*x ^= *x >> 7;
+	*x ^= *x << 17;
+	return *x >> 11;
+}
+
+static void
+every_mutation_is_read_or_refused(void **state)
+{
+	(void)state;
+	static const char bytes[] = "0123456789,,;;..\"\"\n\r\t@-#% eE\xC3\xA5";
+	uint64_t seed = 20240509;
+	char text[2000];
+	for (int i = 0; i < 6000; i++) {
+		size_t which = next_random(&seed) % (ARRAY_LEN(SAME) + 1);
+		snprintf(text, sizeof text, "%s",
+		    which == 0 ? GOOD : SAME[which - 1]);
+		size_t n = strlen(text);
+		size_t changes = 1 + next_random(&seed) % 3;
+		for (size_t k = 0; k < changes; k++) {
+			size_t at = next_random(&seed) % n;
+			size_t from = next_random(&seed) % n;
+			char byte =
+			    bytes[next_random(&seed) % (sizeof bytes - 1)];
+			switch (next_random(&seed) % 4) {
+			case 0:
+				text[at] = byte;
+				break;
+			case 1:
+				memmove(text + at, text + at + 1, n - at);
+				n--;
+				break;
+			case 2:
+				memmove(text + at + 1, text + at, n - at);
+				text[at] = byte;
+				n++;
+				break;
+			default:
+				text[at] = text[from];
+			}
+		}
+		read_anything(text, n);
+	}
+}
+
+static void
+expect_other_file(const char *bytes, size_t n, const char *part)
+{
+	struct error_list errors = {0};
+	assert_null(site_read_text("x.csv", bytes, n, &errors));
+	assert_non_null(strstr(errors.item[0].text, part));
+	assert_true(errors.item[0].hint[0] != '\0');
+}
+
+static void
+large_garbage_is_refused(void **state)
+{
+	(void)state;
+	enum { N = 10 * 1000 * 1000 };
+	char *bytes = xcalloc(N + 1, 1);
+	static const struct {
+		const char *fill, *part;
+	} garbage[] = {{"lorem ipsum\n", "more than 2000 lines"},
+	    {"lorem ipsum ", "20000 bytes"}, {",", "20000 bytes"},
+	    {"\"", "20000 bytes"}, {"1,2,3\n", "more than 2000 lines"},
+	    {"#\n", "size_mm"}, {"\n ", "empty file"}};
+	for (size_t i = 0; i < ARRAY_LEN(garbage); i++) {
+		for (size_t k = 0; k < N; k++)
+			bytes[k] = garbage[i].fill[k % strlen(garbage[i].fill)];
+		expect_other_file(bytes, N, garbage[i].part);
+		expect_other_file(bytes, N + 1, "10 MB were wanted");
+	}
+	uint64_t seed = 7;
+	for (size_t k = 0; k < N; k++)
+		bytes[k] = (char)next_random(&seed);
+	expect_other_file(bytes, N, "not a text file");
+	free(bytes);
+}
+
+static void
+utf_16_is_named(void **state)
+{
+	(void)state;
+	expect_other_file("\xFF\xFEs\0i\0t\0e\0", 10, "UTF-16");
+	expect_other_file("\xFE\xFF\0s\0i\0t\0e", 10, "UTF-16");
+	expect_other_file("s\0i\0t\0e\0", 8, "UTF-16");
+	expect_other_file("PK\3\4\0\0\0\0", 8, "not a text file");
+	expect_other_file("site,T\0", 7, "not a text file");
+}
+
+/* A folder for the files of a test; the group's teardown takes it away. */
+static int
+make_folder(void **state)
+{
+	char *folder = xstrdup("/tmp/tipspeed-test-XXXXXX");
+	*state = mkdtemp(folder);
+	return *state == NULL;
+}
+
+static int
+drop_folder(void **state)
+{
+	char *folder = *state;
+	int failed = rmdir(folder);
+	free(folder);
+	return failed;
+}
+
+static void
+expect_file_fault(const char *path, enum error_kind kind, const char *part)
+{
+	struct error_list errors = {0};
+	assert_null(site_read(path, &errors));
+	assert_int_equal(errors.n, 1);
+	assert_int_equal(errors.item[0].kind, kind);
+	assert_string_equal(errors.item[0].file, path);
+	assert_non_null(strstr(errors.item[0].text, part));
+	assert_true(errors.item[0].hint[0] != '\0');
+}
+
+static void
+files_that_cannot_be_read_are_told(void **state)
+{
+	const char *folder = *state;
+	char *path = xasprintf("%s/x.csv", folder);
+	expect_file_fault(path, ERROR_SYSTEM, "No such file");
+	expect_file_fault(folder, ERROR_SYSTEM, "directory");
+	FILE *file = fopen(path, "w");
+	assert_non_null(file);
+	expect_file_fault(path, ERROR_DATA, "empty file");
+	/* A hole: large, and nothing on the disk. */
+	assert_int_equal(ftruncate(fileno(file), 3000000000), 0);
+	fclose(file);
+	expect_file_fault(path, ERROR_DATA, "found 3000.0 MB");
+	if (geteuid() != 0) { /* to root every file is readable */
+		chmod(path, 0);
+		expect_file_fault(path, ERROR_SYSTEM, "ermission");
+	}
+	unlink(path);
+	free(path);
+}
+
+static void
+a_saved_site_reads_back(void **state)
+{
+	char *path = xasprintf("%s/Gåsgruvan 2.b.csv", (char *)*state);
+	struct error error = {0};
+	struct error_list errors = {0};
+	struct site *site = accept(TOP ROWS);
+	free(site->name);
+	site->name = xstrdup("");
+	for (int i = 0; i < 2; i++) {
+		assert_true(site_save(site, path, &error));
+		chmod(path, 0640);
+	}
+	struct stat about;
+	assert_int_equal(stat(path, &about), 0);
+	assert_int_equal(about.st_mode & 0777, 0640);
+	struct site *again = site_read(path, &errors);
+	assert_non_null(again);
+	assert_true(again->digest == site->digest);
+	assert_string_equal(again->name, "Gåsgruvan 2.b");
+	assert_string_equal(again->path, path);
+	unlink(path);
+	free(path);
+	site_free(site);
+	site_free(again);
+}
+
+/* The old sheet stays and nothing else is left when the disk takes no more;
+ * drop_folder fails if something is. */
+static void
+a_save_that_fails_leaves_the_old_file(void **state)
+{
+	const char *folder = *state;
+	char *path = xasprintf("%s/x.csv", folder);
+	char *none = xasprintf("%s/none/x.csv", folder);
+	struct error error = {0};
+	struct site *site = accept(GOOD), *small = accept(TOP ROWS);
+	assert_true(site_save(small, path, &error));
+	struct rlimit before, tight;
+	getrlimit(RLIMIT_FSIZE, &before);
+	tight = before;
+	tight.rlim_cur = 100;
+	signal(SIGXFSZ, SIG_IGN);
+	setrlimit(RLIMIT_FSIZE, &tight);
+	assert_false(site_save(site, path, &error));
+	setrlimit(RLIMIT_FSIZE, &before);
+	signal(SIGXFSZ, SIG_DFL);
+	assert_int_equal(error.kind, ERROR_SYSTEM);
+	assert_string_equal(error.file, path);
+	assert_false(site_save(site, none, &error));
+	assert_non_null(strstr(error.text, "No such file"));
+	assert_false(site_save(site, folder, &error));
+	assert_false(site_save(site, "/dev/null", NULL));
+	struct error_list errors = {0};
+	struct site *kept = site_read(path, &errors);
+	assert_non_null(kept);
+	assert_true(kept->digest == small->digest);
+	unlink(path);
+	free(path);
+	free(none);
+	site_free(kept);
+	site_free(small);
+	site_free(site);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(every_prefix_is_read_or_refused),
+	    cmocka_unit_test(every_mutation_is_read_or_refused),
+	    cmocka_unit_test(large_garbage_is_refused),
+	    cmocka_unit_test(utf_16_is_named),
+	    cmocka_unit_test_setup_teardown(
+		files_that_cannot_be_read_are_told, make_folder, drop_folder),
+	    cmocka_unit_test_setup_teardown(
+		a_saved_site_reads_back, make_folder, drop_folder),
+	    cmocka_unit_test_setup_teardown(
+		a_save_that_fails_leaves_the_old_file, make_folder,
+		drop_folder),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,321 @@
+/* What stands beside a calibration: made-up sites, their digest, predictions,
+ * and the comparison with runs held out.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <stdlib.h>
+
+#include "made.h"
+#include "naive.h"
+
+#include "core/energy.h"
+#include "core/predict.h"
+#include "core/validate.h"
+
+static void
+made_up_runs_are_the_models_products(void **state)
+{
+	(void)state;
+	for (size_t row = 0; row < ARRAY_LEN(TABLE_3); row++) {
+		struct params p = made_params(&TABLE_3[row]);
+		struct site *site = made_site(&TABLE_3[row], 0, row);
+		double exact[20];
+		assert_int_equal(site->n_run, 3);
+		for (size_t r = 0; r < 3; r++) {
+			const struct run *run = &site->run[r];
+			assert_true(run->speed == 69 + 5 * (double)r);
+			made_product(run, &p, exact);
+			for (size_t i = 0; i < run->product.n; i++)
+				expect_near("product", run->product.passing[i],
+				    exact[i], 0.50001e-4);
+			assert_int_equal(psd_fault(&run->feed), run->feed.n);
+		}
+		site_free(site);
+	}
+}
+
+static void
+made_up_feeds_have_the_form_stated(void **state)
+{
+	(void)state;
+	struct site *one = made_site(&TABLE_3[1], 0, 1);
+	const struct psd *feed = &one->run[0].feed;
+	expect_near("coarsest", feed->size[0], 22.4e-3, 1e-12);
+	assert_true(feed->passing[0] == 1);
+	expect_near("top", psd_passing(feed, 11.2e-3), 0.9, 1e-12);
+	expect_near("5.6 mm", psd_passing(feed, 5.6e-3), 0.45, 1e-12);
+	expect_near("0.063 mm", feed->size[feed->n - 1], 63e-6, 1e-12);
+	for (size_t r = 1; r < 3; r++)
+		assert_memory_equal(one->run[r].feed.passing, feed->passing,
+		    feed->n * sizeof *feed->passing);
+	assert_false(one->individual_feeds);
+	struct site *each = made_site(&TABLE_3[TIERP], 0, 1);
+	assert_true(each->individual_feeds);
+	assert_true(
+	    each->run[0].feed.passing[4] != each->run[1].feed.passing[4]);
+	site_free(one);
+	site_free(each);
+}
+
+/* 2 noise sqrt(P (1 - P)), over many seeds; P around 0.5. */
+static void
+made_up_noise_has_the_deviation_asked_for(void **state)
+{
+	(void)state;
+	enum { SEEDS = 300 };
+	struct site *exact = made_site(&TABLE_3[1], 0, 1);
+	const struct psd *product = &exact->run[1].product;
+	size_t i = 0;
+	while (product->passing[i] > 0.6)
+		i++;
+	double p = product->passing[i], sum = 0, squares = 0;
+	for (uint64_t seed = 1; seed <= SEEDS; seed++) {
+		struct site *site = made_site(&TABLE_3[1], 0.005, seed);
+		const struct psd *noisy = &site->run[1].product;
+		double d = noisy->passing[i] - p;
+		sum += d;
+		squares += d * d;
+		assert_int_equal(psd_fault(noisy), noisy->n);
+		site_free(site);
+	}
+	double sd = 2 * 0.005 * sqrt(p * (1 - p));
+	expect_near("mean", sum / SEEDS, 0, 4 * sd / sqrt(SEEDS));
+	expect_near("deviation", sqrt(squares / SEEDS), sd, 0.17 * sd);
+	site_free(exact);
+}
+
+static void
+twins_have_the_same_digest(void **state)
+{
+	(void)state;
+	struct site *ubbarp = made_site(&TABLE_3[0], 0.005, 3);
+	struct site *gasgruvan = made_site(&TABLE_3[18], 0.005, 3);
+	struct site *other = made_site(&TABLE_3[0], 0.005, 4);
+	free(ubbarp->name);
+	ubbarp->name = xstrdup("Ubbarp");
+	assert_true(ubbarp->digest == gasgruvan->digest);
+	assert_true(ubbarp->digest == site_digest(ubbarp));
+	assert_true(ubbarp->digest != other->digest);
+	site_free(ubbarp);
+	site_free(gasgruvan);
+	site_free(other);
+}
+
+static void
+any_number_changes_the_digest(void **state)
+{
+	(void)state;
+	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 3);
+	struct run *run = &site->run[1];
+	run->product_sd = xdoubles(run->product.n);
+	double *numbers[] = {&run->speed, &run->feed.size[3],
+	    &run->feed.passing[5], &run->product.size[2],
+	    &run->product.passing[4], &run->product_sd[1]};
+	uint64_t before = site_digest(site);
+	for (size_t i = 0; i < ARRAY_LEN(numbers); i++) {
+		double was = *numbers[i];
+		*numbers[i] = was + 1e-9;
+		assert_true(site_digest(site) != before);
+		*numbers[i] = was;
+		assert_true(site_digest(site) == before);
+	}
+	run->product.n--;
+	assert_true(site_digest(site) != before);
+	site_free(site);
+}
+
+static void
+runs_are_found_by_speed(void **state)
+{
+	(void)state;
+	struct site *site = made_site(&TABLE_3[TIERP], 0, 3);
+	assert_int_equal(site_run_at(site, 74), 1);
+	assert_int_equal(site_run_at(site, 74.0005), 1);
+	assert_int_equal(site_run_at(site, 74.1), 3);
+	assert_int_equal(site_run_nearest(site, 10), 0);
+	assert_int_equal(site_run_nearest(site, 71.5), 0);
+	assert_int_equal(site_run_nearest(site, 71.6), 1);
+	assert_int_equal(site_run_nearest(site, 76.5), 1);
+	assert_int_equal(site_run_nearest(site, 90), 2);
+	site_free(site);
+}
+
+/* One run has a product on other sieves than the rest. */
+static void
+a_prediction_is_on_all_sieves_the_feed_covers(void **state)
+{
+	(void)state;
+	struct site *site = made_site(&TABLE_3[TIERP], 0, 3);
+	struct params p = made_params(&TABLE_3[TIERP]);
+	struct psd *product = &site->run[2].product;
+	product->size[3] = 6.3e-3;
+	product->size[product->n - 1] = 45e-6;
+	struct prediction a =
+	    predict(site, &p, model_settings_default(), 77, 1);
+	assert_int_equal(a.product.n, site->run[1].feed.n + 1);
+	assert_int_equal(psd_fault(&a.product), a.product.n);
+	assert_int_equal(psd_fault(&a.feed), a.feed.n);
+	double exact[20], x = energy_break_size(&p, 77);
+	naive_continuous(&site->run[1].feed, a.product.size, a.product.n, &p,
+	    77, 20000, exact);
+	for (size_t i = 0; i < a.product.n; i++) {
+		expect_near("product", a.product.passing[i], exact[i], 2e-6);
+		expect_near("feed", a.feed.passing[i],
+		    naive_passing(&site->run[1].feed, a.product.size[i]),
+		    1e-14);
+	}
+	assert_true(a.p50 == psd_size(&a.product, 0.5));
+	assert_true(a.p20 < a.p50 && a.p50 < a.p80);
+	assert_true(a.break_size == x && a.energy == 77 * 77 / 2.0);
+	assert_true(a.selected > 0.2);
+	assert_true(a.selected < 1 - psd_passing(&site->run[1].feed, x));
+	assert_false(a.no_daughters);
+	prediction_free(&a);
+	p.beta[1] = p.beta[3] = -1;
+	a = predict(site, &p, model_settings_default(), 77, 1);
+	assert_true(a.no_daughters);
+	assert_memory_equal(
+	    a.product.passing, a.feed.passing, a.feed.n * sizeof(double));
+	prediction_free(&a);
+	site_free(site);
+}
+
+static void
+speeds_outside_the_training_runs_extrapolate(void **state)
+{
+	(void)state;
+	struct site *site = made_site(&TABLE_3[TIERP], 0, 3);
+	const bool outer[3] = {true, false, true};
+	const bool slow[3] = {true, true, false};
+	assert_false(predict_extrapolates(site, outer, 74));
+	assert_false(predict_extrapolates(site, outer, 69));
+	assert_false(predict_extrapolates(site, outer, 79));
+	assert_true(predict_extrapolates(site, outer, 79.1));
+	assert_true(predict_extrapolates(site, outer, 68.9));
+	assert_true(predict_extrapolates(site, slow, 75));
+	site_free(site);
+}
+
+/* Straight in v^2 through the two runs given. */
+static double
+naive_between(const struct run *a, const struct run *b, double v, double x)
+{
+	double A = a->speed * a->speed, B = b->speed * b->speed;
+	double t = (v * v - A) / (B - A);
+	return (1 - t) * naive_passing(&a->product, x) +
+	       t * naive_passing(&b->product, x);
+}
+
+static void
+interpolation_is_straight_in_v_squared(void **state)
+{
+	(void)state;
+	static const struct {
+		bool train[3];
+		double v;
+		size_t a, b;
+	} rows[] = {{{true, false, true}, 74, 0, 2},
+	    {{true, true, true}, 71, 0, 1}, {{true, true, true}, 78, 1, 2},
+	    {{true, true, true}, 74, 0, 1}, {{true, true, true}, 60, 0, 1},
+	    {{true, true, true}, 85, 1, 2}, {{true, true, false}, 79, 0, 1},
+	    {{false, true, true}, 69, 1, 2}, {{true, false, true}, 90, 0, 2}};
+	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 3);
+	for (size_t i = 0; i < ARRAY_LEN(rows); i++)
+		for (double x = 70e-6; x < 0.03; x *= 1.7)
+			expect_near("passing",
+			    validate_interpolation(
+				site, rows[i].train, rows[i].v, x),
+			    naive_between(&site->run[rows[i].a],
+				&site->run[rows[i].b], rows[i].v, x),
+			    1e-13);
+	const bool one[3] = {true, false, false};
+	assert_true(isnan(validate_interpolation(site, one, 74, 4e-3)));
+	assert_true(
+	    isnan(validate_interpolation(site, rows[0].train, 74, 50e-6)));
+	site->run[2].product.n = 0;
+	assert_true(
+	    isnan(validate_interpolation(site, rows[0].train, 74, 4e-3)));
+	site_free(site);
+}
+
+static void
+validation_is_the_plain_comparison(void **state)
+{
+	(void)state;
+	const bool train[3] = {true, false, true};
+	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 8);
+	struct run *run = &site->run[1];
+	struct params p = made_params(&TABLE_3[TIERP]);
+	p.f_mat = 1.2;
+	run->product.size[run->product.n - 1] = 45e-6;
+	struct validation v =
+	    validate_run(site, 1, train, &p, model_settings_default());
+	size_t n = run->product.n - 1, worst = 0;
+	double exact[20], sum = 0, feed = 0, between = 0, most = 0;
+	naive_continuous(
+	    &run->feed, run->product.size, n, &p, 74, 40000, exact);
+	for (size_t i = 0; i < n; i++) {
+		double x = run->product.size[i], m = run->product.passing[i];
+		sum += (exact[i] - m) * (exact[i] - m);
+		feed += pow(naive_passing(&run->feed, x) - m, 2);
+		between += pow(
+		    naive_between(&site->run[0], &site->run[2], 74, x) - m, 2);
+		worst = fabs(exact[i] - m) > most ? i : worst;
+		most = fmax(most, fabs(exact[i] - m));
+	}
+	assert_true(v.holdout && v.run == 1 && v.speed == 74);
+	assert_int_equal(v.n_sieve, n);
+	assert_int_equal(v.n_left_out, 1);
+	expect_near("misfit", v.misfit, sum, 1e-6);
+	expect_near("rmse", v.rmse, sqrt(sum / (double)n), 1e-6);
+	expect_near("feed", v.feed_rmse, sqrt(feed / (double)n), 1e-12);
+	expect_near("interpolation", v.interpolation_rmse,
+	    sqrt(between / (double)n), 1e-12);
+	assert_true(v.worst_sieve == run->product.size[worst]);
+	expect_near("worst", v.worst_difference,
+	    exact[worst] - run->product.passing[worst], 1e-5);
+	assert_true(validation_loses(&v) == (between < sum));
+	v = validate_run(site, 0, train, &p, model_settings_default());
+	assert_false(v.holdout || validation_loses(&v));
+	site_free(site);
+}
+
+static void
+validation_compares_p20_p50_and_p80(void **state)
+{
+	(void)state;
+	const bool train[3] = {true, false, true};
+	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 8);
+	struct params p = made_params(&TABLE_3[TIERP]);
+	struct validation v =
+	    validate_run(site, 1, train, &p, model_settings_default());
+	struct psd found = psd_copy(&site->run[1].product);
+	made_product(&site->run[1], &p, found.passing);
+	for (size_t i = 0; i < 3; i++) {
+		double passing = 0.2 + 0.3 * (double)i;
+		expect_near("passing", v.size[i].passing, passing, 1e-15);
+		expect_near("measured", v.size[i].measured,
+		    psd_size(&site->run[1].product, passing), 1e-12);
+		expect_near("predicted", v.size[i].predicted,
+		    psd_size(&found, passing), 1e-12);
+	}
+	psd_free(&found);
+	site_free(site);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(made_up_runs_are_the_models_products),
+	    cmocka_unit_test(made_up_feeds_have_the_form_stated),
+	    cmocka_unit_test(made_up_noise_has_the_deviation_asked_for),
+	    cmocka_unit_test(twins_have_the_same_digest),
+	    cmocka_unit_test(any_number_changes_the_digest),
+	    cmocka_unit_test(runs_are_found_by_speed),
+	    cmocka_unit_test(a_prediction_is_on_all_sieves_the_feed_covers),
+	    cmocka_unit_test(speeds_outside_the_training_runs_extrapolate),
+	    cmocka_unit_test(interpolation_is_straight_in_v_squared),
+	    cmocka_unit_test(validation_is_the_plain_comparison),
+	    cmocka_unit_test(validation_compares_p20_p50_and_p80),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
