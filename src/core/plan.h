@@ -13,8 +13,7 @@ enum { KERNEL_GAUSS = 3, KERNEL_U_NODES = 41 };
 
 /* A product sieve of a run. */
 struct plan_target {
-	double
-	    difference; /* feed - measured passing: what product = feed misses */
+	double difference; /* feed less measured passing */
 	double measured;
 	double weight; /* 0 where the run has no such sieve */
 	size_t sieve;  /* `classes`: the feed sieve at or above it, */

@@ -212,6 +212,34 @@ each_generation_draws_anew(void **state)
 	ga_free(ga);
 }
 
+/* Without crossover what is no parent's gene has mutated. */
+static void
+genes_mutate_as_often_as_asked(void **state)
+{
+	(void)state;
+	enum { N = 400 };
+	struct ga_options options = {.population = N,
+	    .tournament = 2,
+	    .elite = 1,
+	    .mutation = 0.2,
+	    .seed = 3,
+	    .threads = 1,
+	    .isa = ISA_BEST};
+	struct ga *ga = ga_new(&options, GENES, LOWER, UPPER);
+	double mutated = 0;
+	generation(ga, N, rosenbrock);
+	for (size_t g = 0; g < GENES; g++)
+		for (size_t i = 1; i < N; i++) {
+			size_t parent = 0;
+			while (parent < N &&
+			       ga_told(ga)[g][parent] != ga_ask(ga)[g][i])
+				parent++;
+			mutated += parent == N;
+		}
+	expect_near("share", mutated / (GENES * (N - 1)), 0.2, 0.03);
+	ga_free(ga);
+}
+
 static void
 the_best_never_rises_and_is_what_was_told(void **state)
 {
@@ -351,6 +379,7 @@ main(void)
 	    cmocka_unit_test(a_seed_is_a_search),
 	    cmocka_unit_test(threads_and_instructions_breed_the_same_bits),
 	    cmocka_unit_test(each_generation_draws_anew),
+	    cmocka_unit_test(genes_mutate_as_often_as_asked),
 	    cmocka_unit_test(the_best_never_rises_and_is_what_was_told),
 	    cmocka_unit_test(a_fixed_gene_stays),
 	    cmocka_unit_test(minima_are_found_roughly),
