@@ -215,9 +215,11 @@ print_curves(struct session *s, const struct prediction *p)
 	size_t run = site_run_at(site, p->speed), n = 0;
 	struct curve curve[3];
 	curve[n++] = curve_of(&p->feed, "feed", '.');
-	if (run < site->n_run && site->run[run].product.n > 0)
-		curve[n++] = curve_of(&site->run[run].product, "measured", 'o');
 	curve[n++] = curve_of(&p->product, "predicted", '#');
+	if (run < site->n_run && site->run[run].product.n > 0) {
+		curve[n] = curve_of(&site->run[run].product, "measured", 'o');
+		curve[n++].points = true;
+	}
 	fputc('\n', s->out);
 	curve_print(curve, n, 1000 * p->break_size, WIDTH, HEIGHT, s->out);
 	for (size_t i = 0; i < n; i++) {

@@ -6,7 +6,7 @@
 static inline lanes
 uniform(struct rng_key key, size_t first)
 {
-	lanes v;
+	lanes v = {0};
 	for (size_t l = 0; l < LANES; l++)
 		v[l] = rng_uniform(key, (uint32_t)(first + l));
 	return v;

@@ -16,7 +16,7 @@ typedef int64_t lanes_mask __attribute__((vector_size(8 * LANES)));
 static inline lanes
 lanes_load(const double *from)
 {
-	lanes v;
+	lanes v = {0};
 	memcpy(&v, from, sizeof v);
 	return v;
 }
@@ -30,7 +30,7 @@ lanes_of(double x)
 static inline lanes
 lanes_gather(const double *from, const uint32_t *index)
 {
-	lanes v;
+	lanes v = {0};
 	for (size_t l = 0; l < LANES; l++)
 		v[l] = from[index[l]];
 	return v;
@@ -64,7 +64,7 @@ lanes_min(lanes a, lanes b)
 static inline lanes
 lanes_exp(lanes a)
 {
-	lanes r;
+	lanes r = {0};
 	for (size_t l = 0; l < LANES; l++)
 		r[l] = el_exp(a[l]);
 	return r;
@@ -73,7 +73,7 @@ lanes_exp(lanes a)
 static inline lanes
 lanes_log(lanes a)
 {
-	lanes r;
+	lanes r = {0};
 	for (size_t l = 0; l < LANES; l++)
 		r[l] = el_log(a[l]);
 	return r;
