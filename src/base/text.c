@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/text.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -10,6 +9,26 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+
+/* Not those of <ctype.h>, which go by the locale: in Latin-1 a byte of UTF-8
+ * may be a letter. */
+static bool
+is_digit(char c)
+{
+	return c >= '0' && c <= '9';
+}
+
+static bool
+is_blank(char c)
+{
+	return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+static char
+small(char c)
+{
+	return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
 
 /* strtod is safe here: the program sets LC_CTYPE only, so the decimal sign is
  * always a point.  Its extras (hex, inf, nan) are refused before the call. */
@@ -32,7 +51,7 @@ text_number(const char *s, double *value)
 bool
 text_whole(const char *s, uint64_t *value)
 {
-	if (!isdigit((unsigned char)*s))
+	if (!is_digit(*s))
 		return false;
 	char *end;
 	errno = 0;
@@ -57,10 +76,10 @@ text_exact(double value, char buf[static 32])
 char *
 text_trim(char *s)
 {
-	while (isspace((unsigned char)*s))
+	while (is_blank(*s))
 		s++;
 	size_t n = strlen(s);
-	while (n > 0 && isspace((unsigned char)s[n - 1]))
+	while (n > 0 && is_blank(s[n - 1]))
 		s[--n] = '\0';
 	return s;
 }
@@ -84,7 +103,7 @@ text_fold(const char *s)
 			folded[n++] = plain;
 			s += 2;
 		} else {
-			folded[n++] = c < 0x80 ? (char)tolower(c) : (char)c;
+			folded[n++] = small((char)c);
 			s++;
 		}
 	}
@@ -97,7 +116,8 @@ text_slug(const char *s)
 	char *slug = text_fold(s);
 	size_t n = 0;
 	for (const char *p = slug; *p != '\0'; p++) {
-		bool keep = isalnum((unsigned char)*p) || *p == '.';
+		bool keep =
+		    (is_digit(*p) || (*p >= 'a' && *p <= 'z')) || *p == '.';
 		if (keep)
 			slug[n++] = *p;
 		else if (n > 0 && slug[n - 1] != '-')

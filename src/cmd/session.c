@@ -202,6 +202,7 @@ session_load(struct session *s, const char *path, struct error *error)
 	struct error_list *errors = xcalloc(1, sizeof *errors);
 	struct site *site = site_read(path, errors);
 	if (site == NULL) {
+		/* The last is returned, so that they are shown in order. */
 		for (size_t i = 0; i + 1 < errors->n && s->notes != NULL; i++)
 			error_print(&errors->item[i], s->notes);
 		*error = errors->item[errors->n - 1];
@@ -307,7 +308,8 @@ session_stop(struct session *s, bool keep)
 	if (!session_busy(s))
 		return;
 	calibration_stop(s->job.calibration, false);
-	if (keep)
+	/* Before its first generation there is nothing to keep. */
+	if (keep && calibration_status(s->job.calibration).generation > 0)
 		fit_finish(s);
 	calibration_free(s->job.calibration);
 	free(s->job.train);

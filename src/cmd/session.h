@@ -79,7 +79,7 @@ bool session_find(
     struct session *s, const char *name, size_t *index, struct error *error);
 
 /* Reads a site file and adds it.  Every fault of the file is printed to notes
- * but the first, which is the error. */
+ * but the last, which is the error. */
 bool session_load(struct session *s, const char *path, struct error *error);
 
 /* Prints a result and frees it. */

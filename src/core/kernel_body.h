@@ -48,14 +48,11 @@ static inline void
 cumulate(struct block *b, const struct plan *plan, lanes *below)
 {
 	size_t last = KERNEL_U_NODES - 1;
-	lanes beta[4];
-	for (size_t m = 0; m < 4; m++)
-		beta[m] = b->beta[m] * plan->correction[m];
-	lanes before = density(beta, plan->u[last], 1);
+	lanes before = density(b->beta, plan->u[last], 1);
 	lanes sum = lanes_of(0);
 	below[last] = sum;
 	for (size_t n = last; n-- > 0;) {
-		lanes p = density(beta, plan->u[n], 1);
+		lanes p = density(b->beta, plan->u[n], 1);
 		sum += plan->half_node * (before + p);
 		below[n] = sum;
 		before = p;

@@ -130,12 +130,6 @@ plan_nodes(struct plan *plan)
 	plan->half_node = h / 2;
 	for (size_t j = 0; j < KERNEL_U_NODES; j++)
 		set_powers(el_exp(-h * (double)j), plan->u[j]);
-	/* The rule gives u^m times (m h/2) coth(m h/2) for its integral. */
-	plan->correction[0] = 1;
-	for (size_t m = 1; m < 4; m++) {
-		double a = (double)m * h / 2, e = el_exp(-2 * a);
-		plan->correction[m] = (1 - e) / (1 + e) / a;
-	}
 }
 
 /* The sieves of all runs together, and each run's passings at them. */

@@ -50,8 +50,7 @@ struct plan {
 	struct plan_sieve *sieve;
 	double *upper, *lower, *middle; /* [n_class] ln x */
 	double u[KERNEL_U_NODES][3];
-	double half_node;     /* half the distance of the nodes of u, in ln u */
-	double correction[4]; /* makes the trapezoidal rule exact for u^m */
+	double half_node; /* half the distance of the nodes of u, in ln u */
 	double over_E, bottom, per_bin; /* for the order of candidates */
 	size_t scratch; /* doubles of workspace a thread needs */
 };

@@ -75,7 +75,8 @@ psd_size(const struct psd *psd, double passing)
 		double above = psd->passing[i - 1], below = psd->passing[i];
 		if (passing < below)
 			continue;
-		/* On a level stretch every size would do: take the finest. */
+		/* On a level stretch every size would do: take the first
+		 * interval's finer end. */
 		double t =
 		    above > below ? (passing - below) / (above - below) : 0;
 		double coarse = psd->size[i - 1], fine = psd->size[i];

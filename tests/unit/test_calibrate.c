@@ -5,6 +5,7 @@
 #include "naive.h"
 
 #include "core/calibrate.h"
+#include "core/misfit.h"
 
 static const double NOISE = 0.005;
 
@@ -160,7 +161,7 @@ a_stopped_search_keeps_its_best(void **state)
 	struct calibrate_options o = small_options(1);
 	struct calibration *c = calibration_new(site, &o);
 	double before = INFINITY;
-	for (size_t i = 1; i <= 7; i++) {
+	for (size_t i = 1; i <= 5; i++) {
 		assert_int_equal(calibration_step(c), CALIBRATE_SEARCHING);
 		struct calibrate_status s = calibration_status(c);
 		assert_int_equal(s.generation, i);
@@ -227,9 +228,8 @@ static void
 the_result_never_gets_worse_in_the_polish(void **state)
 {
 	(void)state;
-	static const size_t rows[] = {0, 2, 12};
-	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
-		struct site *site = made_site(&TABLE_3[rows[i]], NOISE, 9);
+	for (size_t row = 0; row <= 12; row += 6) {
+		struct site *site = made_site(&TABLE_3[row], NOISE, 9);
 		for (uint64_t seed = 1; seed <= 3; seed++)
 			expect_no_rise(site, seed);
 		site_free(site);
@@ -253,8 +253,8 @@ a_fit_says_where_it_is_from(void **state)
 	struct calibrate_options o = small_options(7);
 	struct calibration *c = calibration_new(site, &o);
 	calibration_step(c);
-	struct calibrate_status s = calibration_status(c);
-	assert_true(largest_beta(&s.params) == 1);
+	struct params early = calibration_status(c).params;
+	assert_true(largest_beta(&early) == 1);
 	calibration_free(c);
 	struct fit fit = fit_of(site, &o);
 	double feed = 0, squares = 0, passing[20];
@@ -277,6 +277,7 @@ a_fit_says_where_it_is_from(void **state)
 	assert_true(largest_beta(&fit.params) == 1);
 	assert_int_equal(fit.n_residual, n);
 	assert_int_equal(fit.seed, 7);
+	assert_true(fit.hops > 0);
 	assert_int_equal(fit.population, 600);
 	assert_true(fit.site_digest == site_digest(site));
 	assert_int_equal(fit.settings.method, METHOD_CONTINUOUS);
@@ -302,9 +303,6 @@ bounds_hold_and_are_told(void **state)
 	assert_true(fit.params.f_mat == 1.2 && fit.params.alpha == 0.97);
 	assert_false(fit.on_bound[PARAM_F_MAT]);
 	assert_false(fit.on_bound[PARAM_ALPHA]);
-	o.bounds.lower[0] = o.bounds.upper[0] = 0;
-	fit = fit_of(site, &o);
-	assert_true(fit.params.beta[0] == 0);
 	site_free(site);
 }
 
@@ -325,8 +323,7 @@ other_runs_may_train(void **state)
 	o.train = all;
 	struct fit three = fit_of(site, &o);
 	assert_int_equal(three.n_residual, 3 * n);
-	assert_true(three.misfit > outer.misfit);
-	assert_true(three.misfit > slower.misfit);
+	assert_true(three.misfit > fmax(outer.misfit, slower.misfit));
 	site_free(site);
 }
 
@@ -371,8 +368,13 @@ classes_are_calibrated_too(void **state)
 	struct calibrate_options o = small_options(1);
 	o.settings.method = METHOD_CLASSES;
 	struct fit fit = fit_of(site, &o);
+	const bool ends[3] = {true, false, true};
+	struct misfit *m = misfit_new(site, ends, NULL, false, o.settings);
+	double misfit = misfit_at(m, &fit.params);
+	expect_near("misfit", fit.misfit, misfit, 1e-9 * misfit);
 	assert_int_equal(fit.settings.method, METHOD_CLASSES);
 	assert_true(fit.misfit < 0.02 * fit.feed_misfit);
+	misfit_free(m);
 	site_free(site);
 }
 

@@ -145,6 +145,26 @@ commands_that_need_a_site_say_so(void **state)
 	assert_true(n >= 8);
 }
 
+/* Without a site and with nonsense they succeed or are refused. */
+static void
+all_other_commands_do_without_one(void **state)
+{
+	struct desk *desk = *state;
+	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+		if (c->need != NEED_NOTHING || strcmp(c->name, "tui") == 0)
+			continue;
+		char *line = xasprintf("%s%s", c->name,
+		    c->least == 1  ? " none"
+		    : c->least > 1 ? " 1 = 1"
+				   : "");
+		if (!desk_say(desk, line))
+			assert_true(desk->error.text[0] != '\0');
+		desk->session->quit = false;
+		free(line);
+	}
+	assert_int_equal(desk->session->n_entry, 0);
+}
+
 static void
 errors_carry_file_line_and_column(void **state)
 {
@@ -333,6 +353,7 @@ main(void)
 	    at_desk(every_key_reaches_its_site),
 	    at_desk(a_use_that_fails_changes_nothing),
 	    at_desk(commands_that_need_a_site_say_so),
+	    at_desk(all_other_commands_do_without_one),
 	    at_desk(errors_carry_file_line_and_column),
 	    at_desk(a_faulty_sheet_is_told_by_its_own_place),
 	    at_desk(a_line_stops_at_its_first_error),

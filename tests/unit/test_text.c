@@ -134,7 +134,7 @@ static const struct {
     {"Gåsgruvan", "gasgruvan", "gasgruvan"}, {"UMEÅ", "umea", "umea"},
     {"Kållered  2", "kallered  2", "kallered-2"},
     {"Gävle 11.2", "gavle 11.2", "gavle-11.2"},
-    {" Ærø / Øst! ", " aro / ost! ", "aro-ost"}, {"ÿÝçñß", "yycns", "yycns"},
+    {" Ærø / æÐ! ", " aro / ad! ", "aro-ad"}, {"ÿÝçñß", "yycns", "yycns"},
     {"3×4÷2", "3×4÷2", "3-4-2"}, {"TITLE I", "title i", "title-i"},
     {"łódź", "łodź", "od"}, {"", "", ""}, {"--", "--", ""}};
 

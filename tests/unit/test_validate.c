@@ -83,6 +83,20 @@ made_up_noise_has_the_deviation_asked_for(void **state)
 }
 
 static void
+made_up_noise_keeps_the_rules_of_a_curve(void **state)
+{
+	(void)state;
+	for (uint64_t seed = 1; seed <= 40; seed++) {
+		struct site *site = made_site(&TABLE_3[seed % 19], 0.08, seed);
+		for (size_t r = 0; r < 3; r++) {
+			const struct psd *product = &site->run[r].product;
+			assert_int_equal(psd_fault(product), product->n);
+		}
+		site_free(site);
+	}
+}
+
+static void
 twins_have_the_same_digest(void **state)
 {
 	(void)state;
@@ -308,6 +322,7 @@ main(void)
 	    cmocka_unit_test(made_up_runs_are_the_models_products),
 	    cmocka_unit_test(made_up_feeds_have_the_form_stated),
 	    cmocka_unit_test(made_up_noise_has_the_deviation_asked_for),
+	    cmocka_unit_test(made_up_noise_keeps_the_rules_of_a_curve),
 	    cmocka_unit_test(twins_have_the_same_digest),
 	    cmocka_unit_test(any_number_changes_the_digest),
 	    cmocka_unit_test(runs_are_found_by_speed),
