@@ -2,11 +2,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/job.h"
 #include "core/energy.h"
 #include "core/misfit.h"
 #include "io/units.h"
@@ -115,9 +117,10 @@ fit_settings_agree(const struct model_settings *settings, struct error *error)
 	return error_hint(error, "set method classes, or set appearance ratio");
 }
 
-static void
-announce(struct session *s, const struct entry *entry)
+void
+fit_announce(struct session *s)
 {
+	const struct entry *entry = &s->entry[s->job.entry];
 	const struct calibrate_options *o = &s->job.options;
 	char *train = speeds(entry->site, s->job.train, false);
 	char *holdout = speeds(entry->site, s->job.train, true);
@@ -139,40 +142,84 @@ option(const struct args *args, const char *name)
 	return args_value(command_find("calibrate"), args, name);
 }
 
-bool
-cmd_calibrate(struct session *s, const struct args *args, struct error *error)
+static struct calibrate_options
+chosen_options(const struct session *s, const struct args *args)
 {
-	struct entry *entry = session_entry(s);
-	const struct site *site = entry->site;
-	bool *train = xcalloc(site->n_run, sizeof *train);
-	if (!mark_training(site, option(args, "train"), train, error) ||
-	    !check_training(site, train, error) ||
-	    (option(args, "weights")->choice == 1 &&
-		!check_weights(site, train, error)) ||
-	    !fit_settings_agree(&s->settings, error)) {
-		free(train);
-		return false;
-	}
 	struct calibrate_options o = calibrate_options_default();
 	const struct value *seed = option(args, "seed");
 	const struct value *threads = option(args, "threads");
+	const struct value *polish = option(args, "polish");
+	o.plain = option(args, "preset")->choice == 1;
 	o.seed = seed->given ? seed->whole : s->seed;
 	o.threads = threads->given ? (unsigned)threads->whole : s->threads;
+	o.isa = s->isa;
 	o.population = (size_t)option(args, "population")->whole;
 	o.generations = (size_t)option(args, "generations")->whole;
 	o.stall = (size_t)option(args, "stall")->whole;
 	o.tolerance = option(args, "tolerance")->number;
-	o.polish = option(args, "polish")->choice == 0;
+	o.polish = polish->choice == 0 && (polish->given || !o.plain);
 	o.by_sd = option(args, "weights")->choice == 1;
 	o.bounds = s->bounds;
 	o.settings = s->settings;
-	o.train = train;
-	s->job = (struct job){.calibration = calibration_new(site, &o),
-	    .entry = s->current,
-	    .started = session_clock(),
-	    .options = o,
-	    .train = train};
-	announce(s, entry);
+	return o;
+}
+
+static bool
+open_log(const struct value *value, FILE **log, struct error *error)
+{
+	*log = NULL;
+	if (!value->given)
+		return true;
+	*log = fopen(value->text, "w");
+	return *log != NULL ||
+	       error_set(error, ERROR_SYSTEM, "cannot write %s: %s",
+		   value->text, strerror(errno));
+}
+
+static bool
+calibrate_all(
+    struct session *s, const struct args *args, FILE *log, struct error *error)
+{
+	if (option(args, "train")->given || option(args, "weights")->choice) {
+		if (log != NULL)
+			fclose(log);
+		return error_set(error, ERROR_USAGE,
+		    "calibrate all takes every site's own speeds and no "
+		    "weights");
+	}
+	struct calibrate_options o = chosen_options(s, args);
+	job_start(s, &o, NULL, true, log);
+	return true;
+}
+
+bool
+cmd_calibrate(struct session *s, const struct args *args, struct error *error)
+{
+	const struct site *site = session_entry(s)->site;
+	bool all = args->n_operand > 0;
+	if (all && strcmp(args->operand[0], "all") != 0)
+		return error_set(error, ERROR_USAGE,
+		    "calibrate wants options or all, not '%s'",
+		    args->operand[0]);
+	FILE *log;
+	if (!fit_settings_agree(&s->settings, error) ||
+	    !open_log(option(args, "log"), &log, error))
+		return false;
+	if (all)
+		return calibrate_all(s, args, log, error);
+	bool *train = xcalloc(site->n_run, sizeof *train);
+	if (!mark_training(site, option(args, "train"), train, error) ||
+	    !check_training(site, train, error) ||
+	    (option(args, "weights")->choice == 1 &&
+		!check_weights(site, train, error))) {
+		free(train);
+		if (log != NULL)
+			fclose(log);
+		return false;
+	}
+	struct calibrate_options o = chosen_options(s, args);
+	job_start(s, &o, train, false, log);
+	s->job.pause_at = (size_t)option(args, "pause")->whole;
 	return true;
 }
 
@@ -250,8 +297,37 @@ explain_nothing(struct report *report, const struct entry *entry)
 			    "a higher speed would tell more");
 }
 
+/* Names the parameters that can go far together for a tenth more misfit, each
+ * with its step; all signs may be turned. */
 static void
-add_verdict(struct report *report, const struct entry *entry)
+add_flat(
+    struct report *report, const struct fit *fit, const struct bounds *bounds)
+{
+	const double worth_saying = 0.05, part_of_it = 0.25;
+	if (fit->flat.reach < worth_saying)
+		return;
+	char *list = xstrdup("");
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		double part = fit->flat.part[j];
+		double range =
+		    j < PARAM_F_MAT ? 2 : bounds->upper[j] - bounds->lower[j];
+		if (fabs(part) < part_of_it * fit->flat.reach)
+			continue;
+		char *longer = xasprintf("%s%s%s %+.2g", list,
+		    list[0] != '\0' ? ", " : "", PARAMS[j].name, part * range);
+		free(list);
+		list = longer;
+	}
+	report_note(report,
+	    "flat direction: together, %s (or all the other way) raise the "
+	    "misfit by a tenth only",
+	    list);
+	free(list);
+}
+
+static void
+add_verdict(struct report *report, const struct entry *entry,
+    const struct bounds *bounds)
 {
 	const struct fit *fit = &entry->fit;
 	if (fit->rmse > FIT_POOR)
@@ -269,10 +345,10 @@ add_verdict(struct report *report, const struct entry *entry)
 		report_note(report,
 		    "a parameter on its bound is set by the bound, not by the "
 		    "data");
+	add_flat(report, fit, bounds);
 	report_note(report,
-	    "E0_min, alpha and f_mat trade off against each other, and beta "
-	    "counts only by its direction: rely on the curves, not on single "
-	    "values");
+	    "beta counts only by its direction; rely on the curves, not on "
+	    "single values");
 }
 
 static const char *
@@ -322,16 +398,15 @@ fit_report(
 	    fit->misfit, 100 * fit->rmse, fit->n_residual);
 	report_note(r, "stopped after %zu generations, %zu evaluations: %s",
 	    fit->generations, fit->evaluations, stop_sentence(fit));
-	add_verdict(r, entry);
+	add_verdict(r, entry, bounds);
 	report_json(r, fit_as_json(entry, seconds));
 	return r;
 }
 
 void
-fit_finish(struct session *s)
+fit_take(struct session *s)
 {
 	struct entry *entry = &s->entry[s->job.entry];
-	double seconds = session_clock() - s->job.started;
 	entry->fit = calibration_fit(s->job.calibration);
 	entry->params = entry->fit.params;
 	s->answer[ANSWER_MISFIT] = entry->fit.misfit;
@@ -339,6 +414,13 @@ fit_finish(struct session *s)
 	entry->has_fit = entry->has_params = true;
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);
+}
+
+void
+fit_show(struct session *s)
+{
+	double seconds = session_clock() - s->job.started;
 	session_note(s, "  done in %.2f s", seconds);
-	session_report(s, fit_report(entry, &s->job.options.bounds, seconds));
+	session_report(s, fit_report(&s->entry[s->job.entry],
+			      &s->job.options.bounds, seconds));
 }

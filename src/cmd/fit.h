@@ -10,8 +10,12 @@
 
 bool cmd_calibrate(struct session *, const struct args *, struct error *);
 
-/* Takes the job's result into its site and reports it. */
-void fit_finish(struct session *s);
+/* Says beside the results what the job is about to do. */
+void fit_announce(struct session *s);
+
+/* Takes the job's result into its site; reports it. */
+void fit_take(struct session *s);
+void fit_show(struct session *s);
 
 /* Above this RMSE (passing, 0..1) at the training runs a fit is called poor: a
  * careful sample repeats to 0.005 or 0.01. */

@@ -167,7 +167,8 @@ show_settings(struct session *s)
 	    {"method", s->settings.method == METHOD_CLASSES ? "classes"
 							    : "continuous"},
 	    {"appearance", FORMS[s->settings.appearance]}, {"k", k},
-	    {"threads", threads}, {"format", REPORT_FORMATS[s->format]}};
+	    {"threads", threads}, {"isa", isa_name(isa_usable(s->isa))},
+	    {"format", REPORT_FORMATS[s->format]}};
 	report_column(r, "setting", "setting");
 	report_column(r, "value", "value");
 	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
@@ -188,6 +189,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	const struct value *form = args_value(self, args, "appearance");
 	const struct value *k = args_value(self, args, "k");
 	const struct value *threads = args_value(self, args, "threads");
+	const struct value *isa = args_value(self, args, "isa");
 	const struct value *format = args_value(self, args, "format");
 	if (method->given)
 		s->settings.method = (enum method)method->choice;
@@ -197,6 +199,8 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		s->settings.k = k->number;
 	if (threads->given)
 		s->threads = (unsigned)threads->whole;
+	if (isa->given)
+		s->isa = (enum isa)isa->choice;
 	if (format->given)
 		s->format = (enum report_format)format->choice;
 	bool any = method->given || form->given || k->given || threads->given ||

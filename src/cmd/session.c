@@ -13,7 +13,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/command.h"
-#include "cmd/fit.h"
 #include "cmd/parse.h"
 #include "io/site_read.h"
 #include "io/units.h"
@@ -33,6 +32,7 @@ session_new(FILE *out, FILE *notes)
 	s->bounds = bounds_default();
 	s->seed = 1;
 	s->threads = processors();
+	s->isa = ISA_BEST;
 	for (size_t i = 0; i < ANSWERS; i++)
 		s->answer[i] = NAN;
 	s->out = out;
@@ -225,15 +225,16 @@ session_report(struct session *s, struct report *report)
 }
 
 void
-session_note(struct session *s, const char *format, ...)
+session_note(const struct session *s, const char *format, ...)
 {
 	if (s->notes == NULL)
 		return;
+	char text[1024];
 	va_list ap;
 	va_start(ap, format);
-	vfprintf(s->notes, format, ap);
+	vsnprintf(text, sizeof text, format, ap);
 	va_end(ap);
-	fputc('\n', s->notes);
+	text_wrap(text, 0, 78, s->notes);
 }
 
 static bool
@@ -286,34 +287,6 @@ session_line(struct session *s, const char *line, size_t from, const char *file,
 		}
 	}
 	return true;
-}
-
-bool
-session_busy(const struct session *s)
-{
-	return s->job.calibration != NULL;
-}
-
-void
-session_step(struct session *s)
-{
-	enum calibrate_state state = calibration_step(s->job.calibration);
-	if (state >= CALIBRATE_TOLERANCE)
-		session_stop(s, true);
-}
-
-void
-session_stop(struct session *s, bool keep)
-{
-	if (!session_busy(s))
-		return;
-	calibration_stop(s->job.calibration, false);
-	/* Before its first generation there is nothing to keep. */
-	if (keep && calibration_status(s->job.calibration).generation > 0)
-		fit_finish(s);
-	calibration_free(s->job.calibration);
-	free(s->job.train);
-	s->job = (struct job){0};
 }
 
 double

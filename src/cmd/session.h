@@ -46,6 +46,11 @@ struct job {
 	double started; /* s, of a clock that only goes forward */
 	struct calibrate_options options;
 	bool *train;
+	bool all;               /* one loaded site after the other */
+	bool paused;            /* stopped by ^C; `continue` goes on */
+	size_t pause_at;        /* generation to stop after; 0: none */
+	struct report *summary; /* of all */
+	FILE *log;              /* every generation as CSV, or NULL */
 };
 
 struct session {
@@ -55,6 +60,7 @@ struct session {
 	struct bounds bounds;
 	uint64_t seed;
 	unsigned threads;
+	enum isa isa;
 	enum report_format format;
 	FILE *out;   /* results */
 	FILE *notes; /* what is said beside results; NULL: nothing */
@@ -86,7 +92,7 @@ bool session_load(struct session *s, const char *path, struct error *error);
 void session_report(struct session *s, struct report *report);
 
 /* A line beside the results. */
-void session_note(struct session *s, const char *format, ...)
+void session_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Runs the commands of one line.  place names it in errors.  Stops at the first
@@ -99,6 +105,10 @@ bool session_busy(const struct session *s);
 
 /* One step of the job; prints its result and ends it when it is done. */
 void session_step(struct session *s);
+
+/* Stops the job for the user: the best so far becomes the site's fit, and
+ * `continue` goes on from there. */
+void session_pause(struct session *s);
 
 /* Ends the job.  keep: the best so far becomes the site's fit. */
 void session_stop(struct session *s, bool keep);

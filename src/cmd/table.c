@@ -7,6 +7,7 @@
 #include "cmd/data.h"
 #include "cmd/fit.h"
 #include "cmd/info.h"
+#include "cmd/job.h"
 #include "cmd/model.h"
 
 #define LAST_OPTION                                      \
@@ -43,6 +44,8 @@ static const struct command_option SET_OPTIONS[] = {
 	"the size that Eq 1 is a function of"},
     {"k", VALUE_NUMBER, "", 0.001, 1000, NULL, "", "number of impacts"},
     {"threads", VALUE_WHOLE, "", 1, 64, NULL, "", "threads of a calibration"},
+    {"isa", VALUE_CHOICE, "", 0, 0, "baseline avx2 avx512 best", "",
+	"instruction set of a calibration; results are the same"},
     {"format", VALUE_CHOICE, "", 0, 0, "table csv json markdown", "",
 	"form of the results"},
     LAST_OPTION};
@@ -71,6 +74,12 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
 	"speeds to train on; else the slowest and the fastest"},
     {"weights", VALUE_CHOICE, "", 0, 0, "off sd", "off",
 	"sd: divide by the sheet's standard deviations"},
+    {"preset", VALUE_CHOICE, "", 0, 0, "best paper", "best",
+	"paper: a textbook genetic algorithm, without polish"},
+    {"pause", VALUE_WHOLE, "", 1, 1e6, NULL, "",
+	"stop after this generation, as ^C does"},
+    {"log", VALUE_TEXT, "", 0, 0, NULL, "",
+	"file for every generation, as CSV"},
     LAST_OPTION};
 
 #define FEED_OPTION                                            \
@@ -223,7 +232,8 @@ const struct command COMMANDS[] = {
 	.alias = "fit",
 	.group = "fit",
 	.brief = "find the parameters that explain the runs",
-	.operands = "",
+	.operands = "[all]",
+	.most = 1,
 	.need = NEED_SITE,
 	.option = CALIBRATE_OPTIONS,
 	.text = "A genetic algorithm searches within the bounds, then "
@@ -233,6 +243,22 @@ const struct command COMMANDS[] = {
 		"differences of passing, as fractions.",
 	.example = "load data/sites/tierp.csv\ncalibrate seed=1\nvalidate",
 	.run = cmd_calibrate},
+    {.name = "continue",
+	.group = "fit",
+	.brief = "go on with a stopped calibration",
+	.operands = "",
+	.text = "^C or pause= stopped it. The result is the same as if it "
+		"had not been stopped.",
+	.example = "load data/sites/tierp.csv\ncalibrate pause=10\ncontinue",
+	.run = cmd_continue},
+    {.name = "accept",
+	.group = "fit",
+	.brief = "keep the best of a stopped calibration as it is",
+	.operands = "",
+	.text = "The parameters are in use already; this lets go of what "
+		"'continue' would need.",
+	.example = "load data/sites/tierp.csv\ncalibrate pause=10\naccept",
+	.run = cmd_accept},
     {.name = "predict",
 	.group = "answers",
 	.brief = "the product at a tip speed",

@@ -3,6 +3,7 @@
 #ifndef TIPSPEED_CORE_BREED_H
 #define TIPSPEED_CORE_BREED_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -25,6 +26,7 @@ struct breed {
 	const uint32_t *rank;
 	const double *lower, *upper, *scale;
 	double over_tournament, crossover, mutation;
+	bool anywhere;
 	struct breed_keys keys;
 };
 

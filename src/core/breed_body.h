@@ -36,6 +36,15 @@ mutation_step(const struct breed *b, lanes u)
 	return (lanes)((u < b->mutation) & (lanes_mask)step);
 }
 
+/* The same for any place in the box. */
+static inline lanes
+mutate_anywhere(const struct breed *b, size_t g, lanes child, lanes u)
+{
+	lanes place =
+	    b->lower[g] + u * ((b->upper[g] - b->lower[g]) / b->mutation);
+	return lanes_select(u < b->mutation, place, child);
+}
+
 /* A value outside the box goes to a place between the parent and the bound. */
 static inline lanes
 into_box(const struct breed *b, size_t g, lanes x, lanes parent, lanes u)
@@ -71,7 +80,9 @@ breed_lanes(const struct breed *b, size_t first)
 		lanes child = x + share * (y - x);
 		lanes m = uniform(b->keys.mutate[g], first);
 		if (lanes_any(m < b->mutation))
-			child += b->scale[g] * mutation_step(b, m);
+			child = b->anywhere
+				    ? mutate_anywhere(b, g, child, m)
+				    : child + b->scale[g] * mutation_step(b, m);
 		child = into_box(b, g, child, x, own);
 		for (size_t l = 0; l < LANES; l++)
 			b->asked[g][first + l] = child[l];

@@ -13,10 +13,12 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/xalloc.h"
 #include "core/energy.h"
 #include "core/ga.h"
+#include "core/kernel.h"
 #include "core/misfit.h"
 #include "core/polish.h"
 #include "core/rng.h"
@@ -55,6 +57,8 @@ struct calibration {
 	double stall_from;
 	struct params start[STARTS];
 	size_t n_start, done, hops, fruitless;
+	size_t n_history, history_room;
+	struct calibrate_generation *history;
 	struct params best;
 	double best_misfit; /* accurate; INFINITY during the search */
 };
@@ -107,6 +111,8 @@ calibration_new(
 	c->misfit = training_misfit(site, options);
 	assert(c->misfit->n_residual > 0);
 	c->kernel = kernel_new(c->misfit, options->isa, options->threads);
+	if (options->plain)
+		ga = ga_options_plain();
 	ga.population = options->population;
 	ga.seed = options->seed;
 	ga.threads = options->threads;
@@ -138,7 +144,15 @@ calibration_free(struct calibration *c)
 	kernel_free(c->kernel);
 	misfit_free(c->misfit);
 	free(c->told);
+	free(c->history);
 	free(c);
+}
+
+static int
+rising(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+	return (x > y) - (x < y);
 }
 
 static struct params
@@ -181,6 +195,42 @@ end_search(struct calibration *c, enum calibrate_state why)
 	c->start[c->n_start++] = c->best;
 }
 
+/* The middle 80 % of a parameter among the first candidates told. */
+static void
+sample_spread(const struct calibration *c, size_t j, double *p10, double *p90)
+{
+	enum { SAMPLE = 256 };
+	double value[SAMPLE];
+	size_t n = c->options.population;
+	n = n < SAMPLE ? n : SAMPLE;
+	memcpy(value, ga_told(c->ga)[j], n * sizeof *value);
+	qsort(value, n, sizeof *value, rising);
+	*p10 = value[n / 10];
+	*p90 = value[n - 1 - n / 10];
+}
+
+static void
+remember(struct calibration *c, const struct ga_status *s)
+{
+	if (c->n_history == c->history_room) {
+		c->history_room = 2 * c->history_room + 64;
+		c->history =
+		    xrealloc(c->history, c->history_room, sizeof *c->history);
+	}
+	struct calibrate_generation *g = &c->history[c->n_history++];
+	*g = (struct calibrate_generation){
+	    .best = s->best, .median = s->median, .params = search_best(c)};
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		sample_spread(c, j, &g->p10[j], &g->p90[j]);
+}
+
+const struct calibrate_generation *
+calibration_history(const struct calibration *c, size_t *n)
+{
+	*n = c->n_history;
+	return c->history;
+}
+
 static void
 generation(struct calibration *c)
 {
@@ -188,6 +238,7 @@ generation(struct calibration *c)
 	kernel_evaluate(c->kernel, ga_ask(c->ga), o->population, c->told);
 	ga_tell(c->ga, c->told);
 	struct ga_status s = ga_status(c->ga);
+	remember(c, &s);
 	c->evaluations += o->population;
 	c->stall++;
 	if (s.best < 0.999 * c->stall_from) {
@@ -320,13 +371,6 @@ calibration_status(const struct calibration *c)
 	return status;
 }
 
-void
-calibration_spread(
-    const struct calibration *c, size_t parameter, double *p10, double *p90)
-{
-	ga_spread(c->ga, parameter, p10, p90);
-}
-
 static double
 feed_misfit(const struct misfit *m)
 {
@@ -362,7 +406,8 @@ calibration_fit(struct calibration *c)
 	    .rmse = misfit_rmse(c->misfit, &p),
 	    .feed_misfit = feed_misfit(c->misfit),
 	    .n_residual = c->misfit->n_residual,
-	    .stop = c->stop,
+	    .stop =
+		c->state >= CALIBRATE_TOLERANCE ? c->stop : CALIBRATE_STOPPED,
 	    .generations = s.generation,
 	    .evaluations = c->evaluations,
 	    .hops = c->hops,
@@ -373,6 +418,7 @@ calibration_fit(struct calibration *c)
 	for (size_t j = 0; j < PARAM_COUNT; j++)
 		fit.on_bound[j] = on_bound(&c->options.bounds, &p, j);
 	params_scale_beta(&p);
+	fit.flat = flat_direction(c->misfit, &p, &c->options.bounds);
 	fit.params = p;
 	return fit;
 }

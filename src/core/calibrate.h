@@ -7,7 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/kernel.h"
+#include "core/flat.h"
+#include "core/isa.h"
 #include "core/params.h"
 #include "core/site.h"
 
@@ -29,6 +30,7 @@ struct calibrate_options {
 	const bool *train;
 	const double *run_weight;
 	bool by_sd;
+	bool plain; /* a textbook genetic algorithm, as in the paper */
 };
 
 /* Population, generations and bounds of the paper. */
@@ -77,9 +79,17 @@ struct calibrate_status {
 
 struct calibrate_status calibration_status(const struct calibration *c);
 
-/* Middle 80 % of the last generation's values of a parameter. */
-void calibration_spread(
-    const struct calibration *c, size_t parameter, double *p10, double *p90);
+/* What is remembered of a generation.  p10, p90: middle 80 % of the values of
+ * each parameter among the first few hundred candidates, a random sample. */
+struct calibrate_generation {
+	double best, median;
+	struct params params; /* the best so far, beta as bred */
+	double p10[PARAM_COUNT], p90[PARAM_COUNT];
+};
+
+/* All generations so far, [*n]; borrowed until the next step. */
+const struct calibrate_generation *calibration_history(
+    const struct calibration *c, size_t *n);
 
 /* A result with its origin: it never travels without. */
 struct fit {
@@ -89,6 +99,7 @@ struct fit {
 	double feed_misfit;   /* of the null model product = feed */
 	size_t n_residual;
 	bool on_bound[PARAM_COUNT];
+	struct flat flat; /* what the data tell least */
 	enum calibrate_state stop;
 	size_t generations, evaluations, hops;
 	uint64_t seed, site_digest;

@@ -45,6 +45,16 @@ ga_options_default(void)
 	    .isa = ISA_BEST};
 }
 
+struct ga_options
+ga_options_plain(void)
+{
+	struct ga_options o = ga_options_default();
+	o.tournament = 2;
+	o.mutation = 0.05;
+	o.anywhere = true;
+	return o;
+}
+
 static struct rng_key
 stream(const struct ga *ga, enum use use, size_t i)
 {
@@ -304,7 +314,8 @@ breed(struct ga *ga)
 	    .scale = ga->scale,
 	    .over_tournament = 1 / (double)o->tournament,
 	    .crossover = o->crossover,
-	    .mutation = o->mutation};
+	    .mutation = o->mutation,
+	    .anywhere = o->anywhere};
 	set_keys(ga, &b.keys);
 	ptrdiff_t n = (ptrdiff_t)o->population;
 	int threads = (int)o->threads;

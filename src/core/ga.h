@@ -3,6 +3,7 @@
 #ifndef TIPSPEED_CORE_GA_H
 #define TIPSPEED_CORE_GA_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -20,6 +21,7 @@ struct ga_options {
 	size_t elite;      /* best candidates kept unchanged, at least 1 */
 	double crossover;  /* share of children with two parents */
 	double mutation;   /* chance for each gene */
+	bool anywhere;     /* mutate to any place in the box, not nearby */
 	uint64_t seed;
 	unsigned threads;
 	enum isa isa;
@@ -27,6 +29,9 @@ struct ga_options {
 
 /* The paper's population, and operators found good on its Table 3. */
 struct ga_options ga_options_default(void);
+
+/* A textbook algorithm: tournaments of two, mutation anywhere in the box. */
+struct ga_options ga_options_plain(void);
 
 /* Genes lie in lower..upper [n_gene]; where both are equal the gene is fixed.
  * The first generation is uniform in the box. */

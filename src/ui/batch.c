@@ -131,7 +131,7 @@ pump(struct session *s)
 		fprintf(stderr, "\r%*s\r", p.width, "");
 	if (!interrupted)
 		return true;
-	session_stop(s, true);
+	session_pause(s);
 	return false;
 }
 

@@ -1,0 +1,301 @@
+/* Starts, pauses, ends and sums up calibrations.  The driver pumps them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/job.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/fit.h"
+#include "core/validate.h"
+#include "io/units.h"
+
+/* Begins with the site of job.entry. */
+static void
+begin(struct session *s)
+{
+	struct job *job = &s->job;
+	const struct site *site = s->entry[job->entry].site;
+	if (job->train == NULL || job->all) {
+		free(job->train);
+		job->train = xcalloc(site->n_run, sizeof *job->train);
+		misfit_default_train(site, job->train);
+	}
+	job->options.train = job->train;
+	job->calibration = calibration_new(site, &job->options);
+	job->started = session_clock();
+	fit_announce(s);
+}
+
+static void
+clear(struct session *s)
+{
+	calibration_free(s->job.calibration);
+	free(s->job.train);
+	if (s->job.log != NULL)
+		fclose(s->job.log);
+	s->job = (struct job){0};
+}
+
+/* The next site of `all` that can be calibrated; n_entry when there is none. */
+static size_t
+next_site(const struct session *s, size_t from)
+{
+	for (size_t i = from; i < s->n_entry; i++) {
+		const struct site *site = s->entry[i].site;
+		for (size_t r = 0; r < site->n_run; r++)
+			if (misfit_covered(
+				&site->run[r].feed, &site->run[r].product) > 0)
+				return i;
+	}
+	return s->n_entry;
+}
+
+static struct report *
+new_summary(void)
+{
+	struct report *r = report_new("calibrate");
+	report_title(r, "all sites, calibrated");
+	report_column(r, "site", "site");
+	report_column(r, "f_mat", "f_mat");
+	report_column(r, "e0_min", "e0_min");
+	report_column(r, "alpha", "alpha");
+	report_column(r, "misfit", "misfit");
+	report_column(r, "rmse_pct", "RMSE");
+	report_column(r, "holdout_pct", "hold-out");
+	report_column(r, "remark", "remark");
+	return r;
+}
+
+static void
+write_log_head(FILE *log)
+{
+	fputs("site,generation,best,median", log);
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		fprintf(log, ",%s,%s_p10,%s_p90", PARAMS[j].name,
+		    PARAMS[j].name, PARAMS[j].name);
+	fputc('\n', log);
+}
+
+void
+job_start(struct session *s, const struct calibrate_options *options,
+    bool *train, bool all, FILE *log)
+{
+	session_stop(s, false);
+	s->job = (struct job){.options = *options,
+	    .entry = all ? next_site(s, 0) : s->current,
+	    .train = train,
+	    .all = all,
+	    .log = log,
+	    .summary = all ? new_summary() : NULL};
+	if (log != NULL)
+		write_log_head(log);
+	if (s->job.entry < s->n_entry)
+		begin(s);
+}
+
+static double
+holdout_rmse(const struct session *s, const struct entry *entry)
+{
+	double largest = NAN;
+	for (size_t r = 0; r < entry->site->n_run; r++) {
+		const struct run *run = &entry->site->run[r];
+		if (entry->train[r] ||
+		    misfit_covered(&run->feed, &run->product) == 0)
+			continue;
+		struct validation v = validate_run(
+		    entry->site, r, entry->train, &entry->params, s->settings);
+		largest = fmax(largest, v.rmse);
+	}
+	return largest;
+}
+
+/* "alpha on bound; twin of ubbarp; poor". */
+static char *
+remarks(const struct session *s, const struct entry *entry)
+{
+	char *text = xstrdup("");
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		if (!entry->fit.on_bound[j])
+			continue;
+		char *longer =
+		    xasprintf("%s%s on bound; ", text, PARAMS[j].name);
+		free(text);
+		text = longer;
+	}
+	for (size_t i = 0; i < s->n_entry; i++) {
+		const struct entry *other = &s->entry[i];
+		if (other == entry ||
+		    other->site->digest != entry->site->digest)
+			continue;
+		char *longer = xasprintf("%stwin of %s; ", text, other->key);
+		free(text);
+		text = longer;
+	}
+	const char *verdict = fit_verdict(&entry->fit);
+	if (strcmp(verdict, "good") != 0) {
+		char *longer = xasprintf("%s%s; ", text, verdict);
+		free(text);
+		text = longer;
+	}
+	size_t n = strlen(text);
+	if (n >= 2)
+		text[n - 2] = '\0';
+	return text;
+}
+
+static void
+summarise(struct session *s, const struct entry *entry)
+{
+	struct report *r = s->job.summary;
+	char *words = remarks(s, entry);
+	report_text(r, entry->key);
+	report_number(r, entry->fit.params.f_mat, 3);
+	report_number(r, entry->fit.params.e0_min, 2);
+	report_number(r, entry->fit.params.alpha, 3);
+	report_number(r, entry->fit.misfit, -1);
+	report_number(r, 100 * entry->fit.rmse, 2);
+	report_number(r, 100 * holdout_rmse(s, entry), 2);
+	report_text(r, words);
+	free(words);
+}
+
+static void
+write_log(const struct session *s)
+{
+	FILE *log = s->job.log;
+	size_t n;
+	const struct calibrate_generation *g =
+	    calibration_history(s->job.calibration, &n);
+	for (size_t i = 0; i < n; i++) {
+		fprintf(log, "%s,%zu,%.17g,%.17g", s->entry[s->job.entry].key,
+		    i + 1, g[i].best, g[i].median);
+		for (size_t j = 0; j < PARAM_COUNT; j++)
+			fprintf(log, ",%.17g,%.17g,%.17g",
+			    params_get(&g[i].params, j), g[i].p10[j],
+			    g[i].p90[j]);
+		fputc('\n', log);
+	}
+	if (fflush(log) != 0 || ferror(log))
+		session_note(s, "the log could not be written: is the disk "
+				"full?");
+}
+
+/* Takes the result of the calibration that ended or was stopped. */
+static void
+take_result(struct session *s)
+{
+	fit_take(s);
+	if (s->job.log != NULL)
+		write_log(s);
+	if (s->job.all)
+		summarise(s, &s->entry[s->job.entry]);
+	else
+		fit_show(s);
+}
+
+bool
+session_busy(const struct session *s)
+{
+	return s->job.calibration != NULL && !s->job.paused;
+}
+
+static void
+end_all(struct session *s)
+{
+	struct report *summary = s->job.summary;
+	bool all = s->job.all;
+	clear(s);
+	if (all)
+		session_report(s, summary);
+}
+
+void
+session_step(struct session *s)
+{
+	enum calibrate_state state = calibration_step(s->job.calibration);
+	size_t generation = calibration_status(s->job.calibration).generation;
+	if (state == CALIBRATE_SEARCHING && generation == s->job.pause_at)
+		session_pause(s);
+	if (state < CALIBRATE_TOLERANCE)
+		return;
+	take_result(s);
+	size_t next = s->job.all ? next_site(s, s->job.entry + 1) : s->n_entry;
+	if (next == s->n_entry) {
+		end_all(s);
+		return;
+	}
+	calibration_free(s->job.calibration);
+	s->job.entry = next;
+	begin(s);
+}
+
+void
+session_pause(struct session *s)
+{
+	if (!session_busy(s))
+		return;
+	struct calibrate_status st = calibration_status(s->job.calibration);
+	/* Before its first generation there is nothing to keep. */
+	if (st.generation > 0)
+		take_result(s);
+	if (s->job.all || st.generation == 0) {
+		end_all(s);
+		return;
+	}
+	s->job.paused = true;
+	if (s->job.log != NULL)
+		fclose(s->job.log);
+	s->job.log = NULL;
+	session_note(s,
+	    "stopped at generation %zu of %zu, best %.4g kept; continue, "
+	    "accept or calibrate again",
+	    st.generation, s->job.options.generations, st.best);
+}
+
+void
+session_stop(struct session *s, bool keep)
+{
+	if (s->job.calibration == NULL)
+		return;
+	bool any = calibration_status(s->job.calibration).generation > 0;
+	calibration_stop(s->job.calibration, false);
+	if (keep && any && !s->job.paused)
+		take_result(s);
+	if (!keep)
+		report_free(s->job.summary);
+	if (!keep)
+		s->job.all = false;
+	end_all(s);
+}
+
+static bool
+need_paused(const struct session *s, const char *name, struct error *error)
+{
+	if (s->job.calibration != NULL && s->job.paused)
+		return true;
+	error_set(error, ERROR_USAGE, "%s: no calibration was stopped", name);
+	return error_hint(
+	    error, "^C or pause= stops a calibration and keeps it");
+}
+
+bool
+cmd_continue(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	if (!need_paused(s, "continue", error))
+		return false;
+	s->job.paused = false;
+	return true;
+}
+
+bool
+cmd_accept(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	if (!need_paused(s, "accept", error))
+		return false;
+	clear(s);
+	return true;
+}

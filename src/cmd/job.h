@@ -1,0 +1,19 @@
+/* The session's job: a calibration under way, of one site or of all.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_JOB_H
+#define TIPSPEED_CMD_JOB_H
+
+#include <stdbool.h>
+
+#include "cmd/command.h"
+#include "cmd/session.h"
+
+bool cmd_continue(struct session *, const struct args *, struct error *);
+bool cmd_accept(struct session *, const struct args *, struct error *);
+
+/* Starts the job on one site (all: first of all loaded ones), with the options
+ * given; takes train, which may be NULL for the default, and log. */
+void job_start(struct session *s, const struct calibrate_options *options,
+    bool *train, bool all, FILE *log);
+
+#endif

@@ -1,0 +1,24 @@
+/* Directions in which the data say next to nothing.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_FLAT_H
+#define TIPSPEED_CORE_FLAT_H
+
+#include "core/misfit.h"
+#include "core/params.h"
+
+/* The direction in which the misfit rises least at a fitted point, to second
+ * order. part [PARAM_COUNT]: how far each parameter goes along it, in shares of
+ * its search range, for a rise of a tenth of the misfit; 0 for parameters that
+ * are fixed or on a bound. reach: the longest of these steps. */
+struct flat {
+	double part[PARAM_COUNT];
+	double reach;
+};
+
+/* From the singular values of the Jacobian, its columns scaled by the search
+ * ranges.  The largest beta is held, as only the direction of beta counts (D4);
+ * the others count in shares of twice its size.  Cannot fail. */
+struct flat flat_direction(
+    struct misfit *m, const struct params *p, const struct bounds *bounds);
+
+#endif

@@ -1,0 +1,205 @@
+/* Jobs: stopping, going on, all sites at once, and that no way of driving one
+ * changes a bit of its result.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "desk.h"
+
+#include <string.h>
+#include <unistd.h>
+
+#include "core/isa.h"
+
+static const char LOAD[] = "synth data/table3.csv site=Tierp seed=9";
+static const char SEARCH[] =
+    "calibrate seed=3 population=600 generations=40 tolerance=0 stall=0";
+
+static void
+start(struct desk *desk, const char *line)
+{
+	size_t next = 0;
+	desk->error = (struct error){0};
+	assert_true(session_line(
+	    desk->session, line, 0, "script.tip", 1, &next, &desk->error));
+	assert_true(session_busy(desk->session));
+}
+
+static void
+steps(struct desk *desk, int n)
+{
+	while (n-- > 0 && session_busy(desk->session))
+		session_step(desk->session);
+}
+
+static void
+expect_same(const struct fit *a, const struct fit *b)
+{
+	assert_memory_equal(&a->params, &b->params, sizeof a->params);
+	assert_memory_equal(&a->misfit, &b->misfit, sizeof a->misfit);
+	assert_int_equal(a->generations, b->generations);
+	assert_int_equal(a->evaluations, b->evaluations);
+	assert_int_equal(a->stop, b->stop);
+}
+
+/* The fit of an undisturbed search. */
+static struct fit
+whole(struct desk *desk)
+{
+	assert_true(desk_say(desk, SEARCH));
+	return session_entry(desk->session)->fit;
+}
+
+static void
+chdir_to_source(void)
+{
+	const char *srcdir = getenv("srcdir");
+	if (srcdir != NULL)
+		assert_int_equal(chdir(srcdir), 0);
+}
+
+static int
+open_with_site(void **state)
+{
+	desk_open(state);
+	assert_true(desk_say(*state, LOAD));
+	return 0;
+}
+
+static void
+a_stopped_calibration_goes_on_to_the_same_bits(void **state)
+{
+	struct desk *desk = *state;
+	struct fit want = whole(desk);
+	static const int at[] = {1, 15, 40, 43};
+	for (size_t i = 0; i < ARRAY_LEN(at); i++) {
+		start(desk, SEARCH);
+		steps(desk, at[i]);
+		session_pause(desk->session);
+		assert_false(session_busy(desk->session));
+		struct fit half = session_entry(desk->session)->fit;
+		assert_int_equal(half.stop, CALIBRATE_STOPPED);
+		assert_true(half.misfit >= want.misfit);
+		assert_true(desk_say(desk, "continue"));
+		expect_same(&session_entry(desk->session)->fit, &want);
+	}
+}
+
+static void
+threads_and_instruction_sets_change_no_bit(void **state)
+{
+	struct desk *desk = *state;
+	struct fit want = whole(desk);
+	static const char *const lines[] = {"set threads 2", "set threads 8",
+	    "set isa baseline", "set isa avx2", "set isa avx512"};
+	for (size_t i = 0; i < ARRAY_LEN(lines); i++) {
+		assert_true(desk_say(desk, lines[i]));
+		struct fit got = whole(desk);
+		expect_same(&got, &want);
+	}
+}
+
+static void
+a_paused_calibration_can_be_accepted(void **state)
+{
+	struct desk *desk = *state;
+	start(desk, SEARCH);
+	steps(desk, 5);
+	session_pause(desk->session);
+	struct fit half = session_entry(desk->session)->fit;
+	assert_true(desk_say(desk, "accept"));
+	expect_same(&session_entry(desk->session)->fit, &half);
+	assert_false(desk_say(desk, "continue"));
+	assert_non_null(strstr(desk->error.text, "no calibration"));
+	assert_false(desk_say(desk, "accept"));
+}
+
+static void
+a_pause_before_the_first_generation_keeps_nothing(void **state)
+{
+	struct desk *desk = *state;
+	start(desk, SEARCH);
+	session_pause(desk->session);
+	assert_false(session_entry(desk->session)->has_fit);
+	assert_false(desk_say(desk, "continue"));
+}
+
+static void
+a_new_calibration_replaces_a_paused_one(void **state)
+{
+	struct desk *desk = *state;
+	struct fit want = whole(desk);
+	start(desk, "calibrate seed=8 population=600");
+	steps(desk, 5);
+	session_pause(desk->session);
+	struct fit got = whole(desk);
+	expect_same(&got, &want);
+}
+
+static void
+all_sites_give_what_each_gives_alone(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	struct fit want = whole(desk);
+	assert_true(desk_say(desk, "synth data/table3.csv site=Bro seed=9"));
+	assert_true(desk_say(desk, "calibrate all seed=3 population=600 "
+				   "generations=40 tolerance=0 stall=0"));
+	expect_same(&s->entry[0].fit, &want);
+	assert_true(s->entry[1].has_fit);
+	fflush(s->out);
+	assert_non_null(strstr(desk->out, "all sites, calibrated"));
+	assert_non_null(strstr(desk->out, "  tierp "));
+	assert_non_null(strstr(desk->out, "  bro "));
+}
+
+static void
+the_paper_preset_is_another_search_without_polish(void **state)
+{
+	struct desk *desk = *state;
+	struct fit best = whole(desk);
+	assert_true(desk_say(desk, "calibrate preset=paper seed=3 "
+				   "population=600 generations=40 "
+				   "tolerance=0 stall=0"));
+	const struct fit *plain = &session_entry(desk->session)->fit;
+	assert_int_equal(plain->evaluations, 600 * 40);
+	assert_true(plain->misfit > best.misfit);
+}
+
+static void
+a_flat_direction_raises_the_misfit_by_a_tenth(void **state)
+{
+	struct desk *desk = *state;
+	assert_true(desk_say(desk, "calibrate seed=1"));
+	const struct entry *entry = session_entry(desk->session);
+	struct misfit *m = misfit_new(
+	    entry->site, entry->train, NULL, false, model_settings_default());
+	struct params p = entry->fit.params;
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		double range =
+		    j < PARAM_F_MAT ? 2 : PARAMS[j].upper - PARAMS[j].lower;
+		double part = 0.3 * entry->fit.flat.part[j];
+		params_set(&p, j, params_get(&p, j) + part * range);
+	}
+	/* 0.3 of the way is 0.09 of the rise, to second order. */
+	double rise = misfit_at(m, &p) / entry->fit.misfit - 1;
+	assert_true(rise > 0.001 && rise < 0.03);
+	misfit_free(m);
+}
+
+#define WITH_SITE(f) \
+	cmocka_unit_test_setup_teardown(f, open_with_site, desk_close)
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    WITH_SITE(a_stopped_calibration_goes_on_to_the_same_bits),
+	    WITH_SITE(threads_and_instruction_sets_change_no_bit),
+	    WITH_SITE(a_paused_calibration_can_be_accepted),
+	    WITH_SITE(a_pause_before_the_first_generation_keeps_nothing),
+	    WITH_SITE(a_new_calibration_replaces_a_paused_one),
+	    WITH_SITE(all_sites_give_what_each_gives_alone),
+	    WITH_SITE(the_paper_preset_is_another_search_without_polish),
+	    WITH_SITE(a_flat_direction_raises_the_misfit_by_a_tenth),
+	};
+	chdir_to_source();
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
