@@ -2,16 +2,12 @@
  * and how their cost grows.  Prints plain tables; bench/README.md says how to
  * read them.  Leaves the comparison with other optimisers to peers.cc.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <dirent.h>
 #include <math.h>
-#include <omp.h>
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <time.h>
 
-#include "base/text.h"
 #include "base/xalloc.h"
 #include "core/calibrate.h"
 #include "core/ga.h"
@@ -20,163 +16,31 @@
 #include "core/misfit.h"
 #include "core/rng.h"
 #include "core/synth.h"
-#include "io/site_read.h"
+#include "measure.h"
 
-enum { HERD = 8000, GENERATIONS = 800 }; /* the paper's */
-enum { REPEATS = 9, RUNS = 5, SEEDS = 5, MOST_SITES = 64 };
+enum { HERD = 8000, REPEATS = 9, RUNS = 5, SEEDS = 5 };
 
 static const double LEAST_SECONDS = 0.05; /* a timed repetition's */
 static const double NEAR = 0.02;          /* of each parameter's value */
 static const double AT_OPTIMUM = 1e-6;    /* misfit above the best, relative */
-
-static double
-now(void)
-{
-	struct timespec t;
-	clock_gettime(CLOCK_MONOTONIC, &t);
-	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int
-rising(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-	return (x > y) - (x < y);
-}
-
-/* Puts value [n] in rising order and returns the middle one. */
-static double
-median(double *value, size_t n)
-{
-	qsort(value, n, sizeof *value, rising);
-	return n % 2 != 0 ? value[n / 2]
-			  : (value[n / 2 - 1] + value[n / 2]) / 2;
-}
-
-static void
-print_padded(const char *text, int width)
-{
-	printf("%s%*s", text, width - text_width(text), "");
-}
-
-static int
-is_site_file(const struct dirent *entry)
-{
-	const char *dot = strrchr(entry->d_name, '.');
-	return dot != NULL && strcmp(dot, ".csv") == 0;
-}
-
-/* Reads data/sites in the order of the names; ends the program on a fault. */
-static size_t
-read_sites(const char *data, struct site *site[static MOST_SITES])
-{
-	struct dirent **entry = NULL;
-	char *folder = xasprintf("%s/sites", data);
-	int found = scandir(folder, &entry, is_site_file, alphasort);
-	size_t n = 0;
-	for (int i = 0; i < found; i++) {
-		char *path = xasprintf("%s/%s", folder, entry[i]->d_name);
-		struct error_list errors = {0};
-		if (n < MOST_SITES)
-			site[n] = site_read(path, &errors);
-		if (errors.n > 0) {
-			error_print(&errors.item[0], stderr);
-			exit(3);
-		}
-		n += n < MOST_SITES;
-		free(path);
-		free(entry[i]);
-	}
-	if (n == 0) {
-		fprintf(stderr,
-		    "bench: %s: site files were wanted, "
-		    "found none\n",
-		    folder);
-		exit(5);
-	}
-	free(entry);
-	free(folder);
-	return n;
-}
-
-static struct site *
-site_named(struct site *const *site, size_t n, const char *name)
-{
-	for (size_t i = 0; i < n; i++)
-		if (text_same(site[i]->name, name))
-			return site[i];
-	fprintf(stderr, "bench: the site %s was wanted, found none\n", name);
-	exit(3);
-}
-
-static unsigned
-all_threads(void)
-{
-	return (unsigned)omp_get_num_procs();
-}
-
-/* First line of a file of /proc that begins with key, from `skip` on. */
-static void
-print_proc(const char *label, const char *path, const char *key)
-{
-	char line[512];
-	FILE *in = fopen(path, "r");
-	while (in != NULL && fgets(line, sizeof line, in) != NULL) {
-		if (strncmp(line, key, strlen(key)) != 0)
-			continue;
-		const char *colon = strchr(line, ':');
-		printf("%s%s", label, colon != NULL ? colon + 2 : line);
-		break;
-	}
-	if (in != NULL)
-		fclose(in);
-}
-
-static void
-print_machine(void)
-{
-	char date[32];
-	time_t t = time(NULL);
-	strftime(date, sizeof date, "%Y-%m-%d", gmtime(&t));
-	printf("date             %s\n", date);
-	print_proc("processor        ", "/proc/cpuinfo", "model name");
-	printf("cores            %u\n", all_threads());
-	printf("instruction set  %s\n", isa_name(isa_usable(ISA_BEST)));
-	printf("compiler         %s\n", __VERSION__);
-	print_proc("load at start    ", "/proc/loadavg", "");
-}
 
 /* HERD candidates, one array a parameter. */
 struct herd {
 	double *gene[PARAM_COUNT];
 };
 
-static struct herd
-herd_new(void)
-{
-	struct herd h;
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		h.gene[j] = xdoubles(HERD + KERNEL_LANES);
-	return h;
-}
-
-static void
-herd_free(struct herd *h)
-{
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		free(h->gene[j]);
-}
-
 /* Uniform within lower..upper. */
 static struct herd
 herd_in(const double *lower, const double *upper)
 {
-	struct herd h = herd_new();
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	struct herd h;
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		struct rng_key key = rng_key(1, 0, j);
+		double width = upper[j] - lower[j];
+		h.gene[j] = xdoubles(HERD + KERNEL_LANES);
 		for (uint32_t i = 0; i < HERD; i++)
-			h.gene[j][i] =
-			    lower[j] + (upper[j] - lower[j]) *
-					   rng_uniform(rng_key(1, 0, j), i);
+			h.gene[j][i] = lower[j] + width * rng_uniform(key, i);
+	}
 	return h;
 }
 
@@ -199,57 +63,36 @@ herd_near(const struct params *p)
 	return herd_in(b.lower, b.upper);
 }
 
+static void
+herd_free(struct herd *h)
+{
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		free(h->gene[j]);
+}
+
+/* Seconds to evaluate the herd so many times. */
+static double
+herd_seconds(struct kernel *kernel, const struct herd *h, size_t rounds)
+{
+	static double misfit[HERD];
+	double start = measure_now();
+	for (size_t i = 0; i < rounds; i++)
+		kernel_evaluate(
+		    kernel, (const double *const *)h->gene, HERD, misfit);
+	return measure_now() - start;
+}
+
 /* Median seconds a candidate. */
 static double
 candidate_seconds(struct kernel *kernel, const struct herd *h)
 {
-	double *misfit = xdoubles(HERD + KERNEL_LANES), took[REPEATS];
-	const double *const *theta = (const double *const *)h->gene;
+	double took[REPEATS];
 	size_t rounds = 1;
-	for (;;) {
-		double start = now();
-		for (size_t i = 0; i < rounds; i++)
-			kernel_evaluate(kernel, theta, HERD, misfit);
-		if (now() - start >= 1.2 * LEAST_SECONDS)
-			break;
+	while (herd_seconds(kernel, h, rounds) < 1.2 * LEAST_SECONDS)
 		rounds *= 2;
-	}
-	for (size_t r = 0; r < REPEATS; r++) {
-		double start = now();
-		for (size_t i = 0; i < rounds; i++)
-			kernel_evaluate(kernel, theta, HERD, misfit);
-		took[r] = (now() - start) / (double)(rounds * HERD);
-	}
-	free(misfit);
-	return median(took, REPEATS);
-}
-
-static struct misfit *
-misfit_of(const struct site *site, bool all_runs)
-{
-	bool *train = xcalloc(site->n_run, sizeof *train);
-	misfit_default_train(site, train);
-	for (size_t r = 0; r < site->n_run && all_runs; r++)
-		train[r] = true;
-	struct misfit *m =
-	    misfit_new(site, train, NULL, false, model_settings_default());
-	free(train);
-	return m;
-}
-
-/* Runs to the end; returns the seconds it took. */
-static double
-calibrate(const struct site *site, const struct calibrate_options *options,
-    struct fit *fit)
-{
-	double start = now();
-	struct calibration *c = calibration_new(site, options);
-	while (calibration_step(c) <= CALIBRATE_POLISHING)
-		;
-	double took = now() - start;
-	*fit = calibration_fit(c);
-	calibration_free(c);
-	return took;
+	for (size_t r = 0; r < REPEATS; r++)
+		took[r] = herd_seconds(kernel, h, rounds);
+	return measure_median(took, REPEATS) / (double)(rounds * HERD);
 }
 
 static void
@@ -268,8 +111,8 @@ bench_kernel(const struct site *site)
 {
 	struct calibrate_options o = calibrate_options_default();
 	struct fit fit;
-	calibrate(site, &o, &fit);
-	struct misfit *m = misfit_of(site, false);
+	measure_calibrate(site, &o, &fit);
+	struct misfit *m = measure_misfit(site, false);
 	struct herd near = herd_near(&fit.params), wide = herd_wide();
 	printf("\n1. Kernel, %s, %zu training runs, %zu residuals: million "
 	       "candidates/s\n(%d candidates, median of %d repetitions of "
@@ -279,43 +122,48 @@ bench_kernel(const struct site *site)
 	printf("%-12s%8s%14s%14s\n", "set", "threads", "near", "whole bounds");
 	for (enum isa isa = ISA_BASE; isa <= isa_usable(ISA_BEST); isa++) {
 		kernel_row(m, isa, 1, &near, &wide);
-		if (all_threads() >= 2)
+		if (measure_threads() >= 2)
 			kernel_row(m, isa, 2, &near, &wide);
-		if (all_threads() > 2)
-			kernel_row(m, isa, all_threads(), &near, &wide);
+		if (measure_threads() > 2)
+			kernel_row(m, isa, measure_threads(), &near, &wide);
 	}
 	herd_free(&near);
 	herd_free(&wide);
 	misfit_free(m);
 }
 
-/* Seconds within the kernel and within ga_tell, and the best misfit found. */
+/* Seconds within the kernel and within ga_tell, and what was found. */
 struct parts {
-	double kernel, tell, best;
+	double kernel, tell;
+	struct params best;
 };
 
 /* The paper's full run without calibrate.c. */
 static struct parts
-drive(const struct site *site, unsigned threads)
+drive(const struct site *site, const struct calibrate_options *full)
 {
-	struct bounds b = bounds_default();
 	struct ga_options o = ga_options_default();
-	struct misfit *m = misfit_of(site, false);
-	struct kernel *kernel = kernel_new(m, ISA_BEST, threads);
-	o.population = HERD;
-	o.threads = threads;
-	struct ga *ga = ga_new(&o, PARAM_COUNT, b.lower, b.upper);
-	double *told = xdoubles(HERD);
-	struct parts parts = {0, 0, 0};
-	for (size_t g = 0; g < GENERATIONS; g++) {
-		double start = now();
-		kernel_evaluate(kernel, ga_ask(ga), HERD, told);
-		double middle = now();
+	struct misfit *m = measure_misfit(site, false);
+	struct kernel *kernel = kernel_new(m, full->isa, full->threads);
+	o.population = full->population;
+	o.seed = full->seed;
+	o.threads = full->threads;
+	o.isa = full->isa;
+	struct ga *ga =
+	    ga_new(&o, PARAM_COUNT, full->bounds.lower, full->bounds.upper);
+	double *told = xdoubles(o.population);
+	struct parts parts = {.kernel = 0};
+	for (size_t g = 0; g < full->generations; g++) {
+		double start = measure_now();
+		kernel_evaluate(kernel, ga_ask(ga), o.population, told);
+		double middle = measure_now();
 		ga_tell(ga, told);
 		parts.kernel += middle - start;
-		parts.tell += now() - middle;
+		parts.tell += measure_now() - middle;
 	}
-	parts.best = ga_status(ga).best;
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		params_set(&parts.best, j, ga_best(ga)[j]);
+	params_scale_beta(&parts.best);
 	free(told);
 	ga_free(ga);
 	kernel_free(kernel);
@@ -323,50 +171,53 @@ drive(const struct site *site, unsigned threads)
 	return parts;
 }
 
+/* Not one bit apart: the populations were the same. */
+static bool
+same_params(const struct params *a, const struct params *b)
+{
+	bool same = true;
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		same = same && !(params_get(a, j) < params_get(b, j)) &&
+		       !(params_get(a, j) > params_get(b, j));
+	return same;
+}
+
 static void
 full_run_row(const struct site *site, unsigned threads)
 {
-	struct calibrate_options o = calibrate_options_default();
+	struct calibrate_options o = measure_full_run(threads);
 	double wall[RUNS], kernel[RUNS], tell[RUNS];
 	struct fit fit;
 	bool same = true;
-	o.population = HERD;
-	o.generations = GENERATIONS;
-	o.tolerance = 0;
-	o.stall = 0;
-	o.polish = false;
-	o.threads = threads;
 	for (size_t i = 0; i < RUNS; i++) {
-		wall[i] = calibrate(site, &o, &fit);
-		struct parts parts = drive(site, threads);
+		wall[i] = measure_calibrate(site, &o, &fit);
+		struct parts parts = drive(site, &o);
 		kernel[i] = parts.kernel;
 		tell[i] = parts.tell;
-		/* misfit_at is not the kernel's scheme, but near it. */
-		same =
-		    same && fabs(parts.best - fit.misfit) < 0.05 * fit.misfit;
+		same = same && same_params(&parts.best, &fit.params);
 	}
-	double w = median(wall, RUNS), k = median(kernel, RUNS);
-	double t = median(tell, RUNS);
-	printf("%8u%10.3f%10.3f%10.3f%12.2f%12.4g%12.4g\n", threads, w, k, t,
-	    HERD * (double)GENERATIONS / w / 1e6, fit.misfit, fit.rmse * 100);
+	double w = measure_median(wall, RUNS), k = measure_median(kernel, RUNS);
+	double t = measure_median(tell, RUNS);
+	printf("%8u%10.3f%10.3f%10.3f%10.3f%12.2f%12.4g\n", threads, w, k, t,
+	    w - k - t, (double)fit.evaluations / w / 1e6, fit.misfit);
 	printf(
 	    "        operators and bookkeeping: %.0f %% on top of the kernel "
-	    "(ga_tell %.0f %%)%s\n",
-	    100 * (w / k - 1), 100 * t / k,
+	    "(ga_tell %.0f %%, the rest %.0f %%)%s\n",
+	    100 * (w / k - 1), 100 * t / k, 100 * (w - k - t) / k,
 	    same ? "" : "; NOT THE SAME POPULATIONS");
 }
 
 static void
 bench_full_run(const struct site *site)
 {
-	printf("\n2. The paper's full run, %s: %d candidates, %d generations, "
-	       "no polish\n(median of %d; kernel and ga_tell timed apart over "
-	       "the same populations)\n\n",
-	    site->name, HERD, GENERATIONS, RUNS);
-	printf("%8s%10s%10s%10s%12s%12s%12s\n", "threads", "seconds",
-	    "kernel s", "ga_tell s", "million/s", "misfit", "rmse points");
-	full_run_row(site, all_threads());
-	if (all_threads() > 1)
+	printf("\n2. The paper's full run, %s: 8000 candidates, 800 "
+	       "generations, no polish\n(median of %d; kernel and ga_tell "
+	       "timed apart over the same populations)\n\n",
+	    site->name, RUNS);
+	printf("%8s%10s%10s%10s%10s%12s%12s\n", "threads", "seconds",
+	    "kernel s", "ga_tell s", "rest s", "million/s", "misfit");
+	full_run_row(site, measure_threads());
+	if (measure_threads() > 1)
 		full_run_row(site, 1);
 }
 
@@ -377,30 +228,37 @@ struct trial {
 	double *clock, *misfit; /* [n] after each step */
 };
 
+static void
+trial_note(struct trial *t, double clock, double misfit)
+{
+	if (t->n == t->room) {
+		t->room = 2 * t->room + 256;
+		t->clock = xrealloc(t->clock, t->room, sizeof *t->clock);
+		t->misfit = xrealloc(t->misfit, t->room, sizeof *t->misfit);
+	}
+	t->clock[t->n] = clock;
+	t->misfit[t->n++] = misfit;
+}
+
+/* The clock stands still while the accurate misfit is looked up. */
 static struct trial
 trial_run(const struct site *site, uint64_t seed)
 {
 	struct calibrate_options o = calibrate_options_default();
-	struct misfit *m = misfit_of(site, false);
-	struct trial t = {.n = 0, .room = 0};
+	struct misfit *m = measure_misfit(site, false);
+	struct trial t = {.n = 0};
 	enum calibrate_state state = CALIBRATE_SEARCHING;
 	o.seed = seed;
-	o.threads = all_threads();
-	double start = now();
+	o.threads = measure_threads();
+	double start = measure_now();
 	struct calibration *c = calibration_new(site, &o);
-	double clock = now() - start;
+	double clock = measure_now() - start;
 	while (state <= CALIBRATE_POLISHING) {
-		start = now();
+		start = measure_now();
 		state = calibration_step(c);
-		clock += now() - start;
-		if (t.n == t.room) {
-			t.room = 2 * t.room + 256;
-			t.clock = xrealloc(t.clock, t.room, sizeof *t.clock);
-			t.misfit = xrealloc(t.misfit, t.room, sizeof *t.misfit);
-		}
+		clock += measure_now() - start;
 		struct params p = calibration_status(c).params;
-		t.clock[t.n] = clock;
-		t.misfit[t.n++] = misfit_at(m, &p);
+		trial_note(&t, clock, misfit_at(m, &p));
 	}
 	t.fit = calibration_fit(c);
 	calibration_free(c);
@@ -418,78 +276,92 @@ trial_reached(const struct trial *t, double best)
 	return NAN;
 }
 
-/* What the table says of one site. */
+/* What the trials of one site say. */
 struct summary {
-	double seconds, worst_seconds, reached, spread;
-	size_t missed;
+	double seconds, worst_seconds, reached, best, spread;
+	size_t missed, least, most; /* seeds; generations */
 };
+
+static struct summary
+summarise(const struct trial *trial)
+{
+	struct summary sum = {.best = INFINITY, .least = SIZE_MAX};
+	double seconds[SEEDS], reached[SEEDS], worst = 0;
+	size_t n = 0;
+	for (size_t i = 0; i < SEEDS; i++) {
+		const struct fit *fit = &trial[i].fit;
+		seconds[i] = trial[i].clock[trial[i].n - 1];
+		sum.best = fmin(sum.best, fit->misfit);
+		worst = fmax(worst, fit->misfit);
+		if (fit->generations < sum.least)
+			sum.least = fit->generations;
+		if (fit->generations > sum.most)
+			sum.most = fit->generations;
+	}
+	for (size_t i = 0; i < SEEDS; i++) {
+		double at = trial_reached(&trial[i], sum.best);
+		if (!isnan(at))
+			reached[n++] = at;
+	}
+	sum.missed = SEEDS - n;
+	sum.seconds = measure_median(seconds, SEEDS);
+	sum.worst_seconds = seconds[SEEDS - 1];
+	sum.reached = measure_median(reached, n);
+	sum.spread = worst / sum.best - 1;
+	return sum;
+}
 
 static struct summary
 bench_site(const struct site *site)
 {
 	struct trial trial[SEEDS];
-	double seconds[SEEDS], reached[SEEDS], best = INFINITY, worst = 0;
-	size_t least = SIZE_MAX, most = 0, n = 0;
-	struct summary sum = {0};
+	char stem[64];
+	for (size_t i = 0; i < SEEDS; i++)
+		trial[i] = trial_run(site, i + 1);
+	struct summary s = summarise(trial);
 	for (size_t i = 0; i < SEEDS; i++) {
-		struct trial *t = &trial[i];
-		*t = trial_run(site, i + 1);
-		seconds[i] = t->clock[t->n - 1];
-		best = fmin(best, t->fit.misfit);
-		worst = fmax(worst, t->fit.misfit);
-		size_t g = t->fit.generations;
-		least = g < least ? g : least;
-		most = g > most ? g : most;
-	}
-	for (size_t i = 0; i < SEEDS; i++) {
-		double at = trial_reached(&trial[i], best);
-		if (isnan(at))
-			sum.missed++;
-		else
-			reached[n++] = at;
 		free(trial[i].clock);
 		free(trial[i].misfit);
 	}
-	sum.seconds = median(seconds, SEEDS);
-	sum.worst_seconds = seconds[SEEDS - 1];
-	sum.reached = median(reached, n);
-	sum.spread = worst / best - 1;
-	print_padded(site->name, 14);
-	printf("%6.1f%9.3f%9.3f%9.3f%5zu-%-4zu%14.6e%10.1e%5zu\n",
-	    site->top_size * 1e3, sum.seconds, sum.worst_seconds, sum.reached,
-	    least, most, best, sum.spread, sum.missed);
-	return sum;
+	printf("%-14s%9.3f%9.3f%10.3f%7zu-%-4zu%14.6e%10.1e%7zu\n",
+	    measure_stem(site, stem), s.seconds, s.worst_seconds, s.reached,
+	    s.least, s.most, s.best, s.spread, s.missed);
+	return s;
 }
 
 static void
-bench_sites(struct site *const *site, size_t n)
+bench_sites(const struct measure_sites *sites)
 {
-	double seconds[MOST_SITES], reached[MOST_SITES], worst = 0, spread = 0;
-	size_t missed = 0;
-	printf("\n3. Ordinary calibration, %u threads, %d seeds a site; "
-	       "seconds\n(optimum: until within %.0e of the best of the seeds; "
-	       "missed: seeds that never were)\n\n",
-	    all_threads(), SEEDS, AT_OPTIMUM);
-	print_padded("site", 14);
-	printf("%6s%9s%9s%9s%10s%14s%10s%5s\n", "mm", "median", "worst",
-	    "optimum", "generat.", "misfit", "spread", "miss");
+	size_t n = sites->n, missed = 0;
+	double *seconds = xdoubles(n), *reached = xdoubles(n);
+	double worst = 0, spread = 0;
+	printf(
+	    "\n3. Ordinary calibration, %u threads, %d seeds a site; "
+	    "seconds\n(optimum: until within %.0e of the best of the seeds, "
+	    "median; missed: seeds that\nnever were; spread: worst over best "
+	    "misfit, less 1)\n\n",
+	    measure_threads(), SEEDS, AT_OPTIMUM);
+	printf("%-14s%9s%9s%10s%12s%14s%10s%7s\n", "site", "median", "worst",
+	    "optimum", "generations", "misfit", "spread", "missed");
 	for (size_t i = 0; i < n; i++) {
-		struct summary s = bench_site(site[i]);
+		struct summary s = bench_site(sites->site[i]);
 		seconds[i] = s.seconds;
 		reached[i] = s.reached;
 		worst = fmax(worst, s.worst_seconds);
 		spread = fmax(spread, s.spread);
 		missed += s.missed;
 	}
-	double middle = median(seconds, n);
-	printf("\nwhole calibration: median site %.3f s, slowest site's median "
-	       "%.3f s, worst %.3f s\nlargest spread %.1e, %zu of %zu runs "
-	       "missed\n",
+	double middle = measure_median(seconds, n);
+	printf(
+	    "\nwhole calibration: median site %.3f s, slowest site %.3f s, "
+	    "worst run %.3f s\nlargest spread %.1e, %zu of %zu runs missed\n",
 	    middle, seconds[n - 1], worst, spread, missed, n * SEEDS);
-	middle = median(reached, n);
+	middle = measure_median(reached, n);
 	printf(
 	    "\n4. Time to optimum: median site %.3f s, slowest site %.3f s\n",
 	    middle, reached[n - 1]);
+	free(seconds);
+	free(reached);
 }
 
 /* The curve on n sieves evenly spaced on log size over the same sizes. */
@@ -508,22 +380,19 @@ resample(struct psd *psd, size_t n)
 	*psd = to;
 }
 
-static const struct params TIERP_PRINTED = {{0, 1, -1, 0.5}, 2.18, 16.74, 0.96};
+/* As printed in Table 3, with the default beta. */
+static const struct params TIERP = {{0, 1, -1, 0.5}, 2.18, 16.74, 0.96};
 
-/* Microseconds a candidate near Tierp's parameters and over the bounds, for
- * made-up runs; sieves 0 leaves the sieves of EN 933. */
-struct cost {
-	double near, wide;
-};
-
-static struct cost
-cost_of(size_t runs, size_t product_sieves, size_t feed_sieves)
+/* Runs made with Tierp's parameters; n_product, n_feed: sieves, or 0 for those
+ * of EN 933. */
+static struct site *
+made_site(size_t runs, size_t n_product, size_t n_feed)
 {
 	double speed[8];
 	for (size_t i = 0; i < runs; i++)
 		speed[i] = 65 + 20 * (double)i / (double)(runs - 1);
 	struct synth synth = {.top_size = 0.0112,
-	    .params = TIERP_PRINTED,
+	    .params = TIERP,
 	    .individual_feeds = true,
 	    .n = 1,
 	    .noise = 0.005,
@@ -532,14 +401,26 @@ cost_of(size_t runs, size_t product_sieves, size_t feed_sieves)
 	    .speed = speed};
 	struct site *site = synth_site(&synth);
 	for (size_t r = 0; r < runs; r++) {
-		if (product_sieves > 0)
-			resample(&site->run[r].product, product_sieves);
-		if (feed_sieves > 0)
-			resample(&site->run[r].feed, feed_sieves);
+		if (n_product > 0)
+			resample(&site->run[r].product, n_product);
+		if (n_feed > 0)
+			resample(&site->run[r].feed, n_feed);
 	}
-	struct misfit *m = misfit_of(site, true);
+	return site;
+}
+
+/* Microseconds a candidate. */
+struct cost {
+	double near, wide;
+};
+
+static struct cost
+cost_of(size_t runs, size_t n_product, size_t n_feed)
+{
+	struct site *site = made_site(runs, n_product, n_feed);
+	struct misfit *m = measure_misfit(site, true);
 	struct kernel *kernel = kernel_new(m, ISA_BEST, 1);
-	struct herd near = herd_near(&TIERP_PRINTED), wide = herd_wide();
+	struct herd near = herd_near(&TIERP), wide = herd_wide();
 	struct cost cost = {1e6 * candidate_seconds(kernel, &near),
 	    1e6 * candidate_seconds(kernel, &wide)};
 	herd_free(&near);
@@ -551,58 +432,54 @@ cost_of(size_t runs, size_t product_sieves, size_t feed_sieves)
 }
 
 static void
-cost_row(const char *what, double factor, struct cost cost, struct cost first)
+cost_row(size_t runs, size_t product, const char *feed, double factor,
+    struct cost cost, struct cost first)
 {
-	print_padded(what, 30);
-	printf("%10.3f%10.2f%10.3f%10.2f\n", cost.near,
-	    cost.near / first.near / factor, cost.wide,
+	printf("%6zu%10zu%8s%10.3f%10.2f%10.3f%10.2f\n", runs, product, feed,
+	    cost.near, cost.near / first.near / factor, cost.wide,
 	    cost.wide / first.wide / factor);
 }
 
 static void
 bench_scaling(void)
 {
-	char what[64];
 	struct cost first = {0, 0};
-	printf(
-	    "\n5. Scaling: microseconds a candidate, one thread, and the "
-	    "ratio to cost in\nproportion to the first row of the group\n\n");
-	print_padded("", 30);
-	printf("%10s%10s%10s%10s\n", "near", "ratio", "bounds", "ratio");
-	for (int feed_too = 0; feed_too < 2; feed_too++)
-		for (size_t n = 8; n <= 64; n *= 2) {
-			struct cost cost = cost_of(2, n, feed_too ? n : 0);
-			snprintf(what, sizeof what,
-			    "2 runs, %zu sieves, feed %s", n,
-			    feed_too ? "too" : "12");
-			first = n == 8 ? cost : first;
-			cost_row(what, (double)n / 8, cost, first);
-		}
+	printf("\n5. Scaling: microseconds a candidate, one thread, near the "
+	       "optimum and over the\nwhole bounds, and the ratio to cost in "
+	       "proportion to the first row of its group\n\n");
+	printf("%6s%10s%8s%10s%10s%10s%10s\n", "runs", "product", "feed",
+	    "near", "ratio", "bounds", "ratio");
+	for (size_t n = 8; n <= 64; n *= 2) {
+		struct cost cost = cost_of(2, n, n);
+		first = n == 8 ? cost : first;
+		cost_row(2, n, "same", (double)n / 8, cost, first);
+	}
+	for (size_t n = 8; n <= 64; n *= 2) {
+		struct cost cost = cost_of(2, n, 0);
+		first = n == 8 ? cost : first;
+		cost_row(2, n, "12", (double)n / 8, cost, first);
+	}
 	for (size_t runs = 2; runs <= 8; runs *= 2) {
 		struct cost cost = cost_of(runs, 0, 0);
-		snprintf(
-		    what, sizeof what, "%zu runs, 12 sieves, feed 12", runs);
 		first = runs == 2 ? cost : first;
-		cost_row(what, (double)runs / 2, cost, first);
+		cost_row(runs, 12, "12", (double)runs / 2, cost, first);
 	}
 }
 
 int
 main(int argc, char **argv)
 {
-	struct site *site[MOST_SITES] = {NULL};
 	if (argc != 2) {
 		fprintf(stderr, "usage: bench DATA_DIR\n");
 		return 2;
 	}
-	size_t n = read_sites(argv[1], site);
-	const struct site *tierp = site_named(site, n, "Tierp");
-	print_machine();
+	struct measure_sites sites = measure_read_sites(argv[1]);
+	const struct site *tierp = measure_site(&sites, "Tierp");
+	measure_print_machine();
 	bench_kernel(tierp);
 	bench_full_run(tierp);
-	bench_sites(site, n);
+	bench_sites(&sites);
 	bench_scaling();
-	for (size_t i = 0; i < n; i++)
-		site_free(site[i]);
+	measure_free_sites(&sites);
 	return ferror(stdout) != 0;
 }

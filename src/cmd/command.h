@@ -43,7 +43,7 @@ struct value {
 	double *list;
 };
 
-enum { OPTIONS = 12, OPERANDS = 256 };
+enum { OPTIONS = 16, OPERANDS = 256 };
 
 /* A parsed call.  value[i] belongs to the command's option i; an option with a
  * fallback that was not given has the fallback's value and given = false. */

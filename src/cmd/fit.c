@@ -219,8 +219,12 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	}
 	struct calibrate_options o = chosen_options(s, args);
 	job_start(s, &o, train, false, log);
+	const struct value *checkpoint = option(args, "checkpoint");
+	const struct value *resume = option(args, "resume");
 	s->job.pause_at = (size_t)option(args, "pause")->whole;
-	return true;
+	if (checkpoint->given)
+		s->job.checkpoint = xstrdup(checkpoint->text);
+	return !resume->given || job_resume(s, resume->text, error);
 }
 
 static json_t *

@@ -9,6 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/fit.h"
 #include "core/validate.h"
+#include "io/checkpoint.h"
 #include "io/units.h"
 
 /* Begins with the site of job.entry. */
@@ -28,9 +29,68 @@ begin(struct session *s)
 	fit_announce(s);
 }
 
+/* Everything beside the site that the result depends on, in one line. */
+static char *
+options_text(const struct session *s)
+{
+	const struct calibrate_options *o = &s->job.options;
+	char *text = NULL;
+	size_t n = 0;
+	FILE *out = open_memstream(&text, &n);
+	if (out == NULL)
+		return xstrdup("");
+	fprintf(out,
+	    "seed=%llu population=%zu generations=%zu stall=%zu "
+	    "tolerance=%a polish=%d plain=%d sd=%d method=%d "
+	    "appearance=%d k=%a bounds",
+	    (unsigned long long)o->seed, o->population, o->generations,
+	    o->stall, o->tolerance, o->polish, o->plain, o->by_sd,
+	    (int)o->settings.method, (int)o->settings.appearance,
+	    o->settings.k);
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		fprintf(out, " %a..%a", o->bounds.lower[j], o->bounds.upper[j]);
+	fputs(" train", out);
+	for (size_t r = 0; r < s->entry[s->job.entry].site->n_run; r++)
+		fputc(s->job.train[r] ? '1' : '0', out);
+	fclose(out);
+	return text;
+}
+
+static void
+save_checkpoint(struct session *s)
+{
+	struct error error = {0};
+	char *options = options_text(s);
+	struct checkpoint_of of = {
+	    s->entry[s->job.entry].site->digest, options};
+	if (checkpoint_save(s->job.checkpoint, &of, s->job.calibration, &error))
+		session_note(s, "checkpoint written: %s", s->job.checkpoint);
+	else if (s->notes != NULL)
+		error_print(&error, s->notes);
+	free(options);
+}
+
+bool
+job_resume(struct session *s, const char *path, struct error *error)
+{
+	char *options = options_text(s);
+	struct checkpoint_of of = {
+	    s->entry[s->job.entry].site->digest, options};
+	bool ok = checkpoint_load(path, &of, s->job.calibration, error);
+	free(options);
+	if (!ok) {
+		session_stop(s, false);
+		return false;
+	}
+	session_note(s, "  going on after generation %zu",
+	    calibration_status(s->job.calibration).generation);
+	return true;
+}
+
 static void
 clear(struct session *s)
 {
+	free(s->job.checkpoint);
 	calibration_free(s->job.calibration);
 	free(s->job.train);
 	if (s->job.log != NULL)
@@ -244,6 +304,8 @@ session_pause(struct session *s)
 		end_all(s);
 		return;
 	}
+	if (s->job.checkpoint != NULL)
+		save_checkpoint(s);
 	s->job.paused = true;
 	if (s->job.log != NULL)
 		fclose(s->job.log);

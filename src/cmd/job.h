@@ -11,6 +11,9 @@
 bool cmd_continue(struct session *, const struct args *, struct error *);
 bool cmd_accept(struct session *, const struct args *, struct error *);
 
+/* Restores the job that was just started from a checkpoint. */
+bool job_resume(struct session *s, const char *path, struct error *error);
+
 /* Starts the job on one site (all: first of all loaded ones), with the options
  * given; takes train, which may be NULL for the default, and log. */
 void job_start(struct session *s, const struct calibrate_options *options,

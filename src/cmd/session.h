@@ -50,6 +50,7 @@ struct job {
 	bool paused;            /* stopped by ^C; `continue` goes on */
 	size_t pause_at;        /* generation to stop after; 0: none */
 	struct report *summary; /* of all */
+	char *checkpoint;       /* file to write when stopped, or NULL */
 	FILE *log;              /* every generation as CSV, or NULL */
 };
 

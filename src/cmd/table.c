@@ -78,6 +78,10 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
 	"paper: a textbook genetic algorithm, without polish"},
     {"pause", VALUE_WHOLE, "", 1, 1e6, NULL, "",
 	"stop after this generation, as ^C does"},
+    {"checkpoint", VALUE_TEXT, "", 0, 0, NULL, "",
+	"file to write when the calibration is stopped"},
+    {"resume", VALUE_TEXT, "", 0, 0, NULL, "",
+	"checkpoint of this site and these options to go on from"},
     {"log", VALUE_TEXT, "", 0, 0, NULL, "",
 	"file for every generation, as CSV"},
     LAST_OPTION};

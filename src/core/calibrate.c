@@ -17,51 +17,10 @@
 
 #include "base/xalloc.h"
 #include "core/energy.h"
-#include "core/ga.h"
-#include "core/kernel.h"
-#include "core/misfit.h"
-#include "core/polish.h"
+#include "core/calibration.h"
 #include "core/rng.h"
 
-enum {
-	SCOUTS = 16,             /* leaders kept of each early generation */
-	STARTS = 2 * SCOUTS + 1, /* and the best of the last */
-	BATCH = 8,               /* starts or hops polished side by side */
-	LEADERS = 64,            /* spread over this many */
-	POLISH_STEPS = 300,
-	HOPS = 64,     /* fruitless ones in a row that end the polish */
-	EARLIEST = 25, /* generations before the stop rules apply */
-	USE_HOP = 1 << 20
-};
-
 static const size_t SCOUT_GENERATION[2] = {6, 11};
-
-/* What one start needs to be polished beside others. */
-struct worker {
-	struct misfit *misfit;
-	struct polish *polish;
-	struct params p;
-	struct polish_result result;
-};
-
-struct calibration {
-	struct calibrate_options options;
-	uint64_t site_digest;
-	struct misfit *misfit;
-	struct kernel *kernel;
-	struct ga *ga;
-	struct worker worker[BATCH];
-	double *told;
-	enum calibrate_state state, stop;
-	size_t stall, evaluations;
-	double stall_from;
-	struct params start[STARTS];
-	size_t n_start, done, hops, fruitless;
-	size_t n_history, history_room;
-	struct calibrate_generation *history;
-	struct params best;
-	double best_misfit; /* accurate; INFINITY during the search */
-};
 
 struct calibrate_options
 calibrate_options_default(void)
@@ -164,15 +123,6 @@ genes(const double *const *gene, size_t i)
 	return p;
 }
 
-static struct params
-search_best(const struct calibration *c)
-{
-	struct params p;
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		params_set(&p, j, ga_best(c->ga)[j]);
-	return p;
-}
-
 static void
 keep_scouts(struct calibration *c)
 {
@@ -189,7 +139,7 @@ static void
 end_search(struct calibration *c, enum calibrate_state why)
 {
 	c->stop = why;
-	c->best = search_best(c);
+	c->best = calibration_search_best(c);
 	c->best_misfit = misfit_at(c->misfit, &c->best);
 	c->state = c->options.polish ? CALIBRATE_POLISHING : why;
 	c->start[c->n_start++] = c->best;
@@ -218,8 +168,9 @@ remember(struct calibration *c, const struct ga_status *s)
 		    xrealloc(c->history, c->history_room, sizeof *c->history);
 	}
 	struct calibrate_generation *g = &c->history[c->n_history++];
-	*g = (struct calibrate_generation){
-	    .best = s->best, .median = s->median, .params = search_best(c)};
+	*g = (struct calibrate_generation){.best = s->best,
+	    .median = s->median,
+	    .params = calibration_search_best(c)};
 	for (size_t j = 0; j < PARAM_COUNT; j++)
 		sample_spread(c, j, &g->p10[j], &g->p90[j]);
 }
@@ -349,76 +300,4 @@ calibration_stop(struct calibration *c, bool polish)
 		end_search(c, CALIBRATE_STOPPED);
 	if (c->state == CALIBRATE_POLISHING && !polish)
 		c->state = c->stop = CALIBRATE_STOPPED;
-}
-
-struct calibrate_status
-calibration_status(const struct calibration *c)
-{
-	struct ga_status s = ga_status(c->ga);
-	struct calibrate_status status = {.state = c->state,
-	    .generation = s.generation,
-	    .evaluations = c->evaluations,
-	    .stall = c->stall,
-	    .infinite = s.infinite,
-	    .best = fmin(s.best, c->best_misfit),
-	    .median = s.median,
-	    .worst = s.worst,
-	    .starts_done = c->done,
-	    .starts = c->n_start,
-	    .params =
-		c->state == CALIBRATE_SEARCHING ? search_best(c) : c->best};
-	params_scale_beta(&status.params);
-	return status;
-}
-
-static double
-feed_misfit(const struct misfit *m)
-{
-	double sum = 0;
-	for (size_t r = 0; r < m->n_run; r++) {
-		const struct misfit_run *run = &m->run[r];
-		for (size_t i = 0; i < run->n; i++) {
-			double d = psd_passing(&run->feed, run->sieve[i]) -
-				   run->measured[i];
-			sum += run->weight[i] * run->weight[i] * d * d;
-		}
-	}
-	return sum;
-}
-
-/* On a bound: nearer to it than a millionth of the range, and free to move.  A
- * beta's bound only limits its scale. */
-static bool
-on_bound(const struct bounds *b, const struct params *p, size_t j)
-{
-	double x = params_get(p, j), range = b->upper[j] - b->lower[j];
-	double near = fmin(x - b->lower[j], b->upper[j] - x);
-	return j >= PARAM_F_MAT && range > 0 && near <= 1e-6 * range;
-}
-
-struct fit
-calibration_fit(struct calibration *c)
-{
-	struct ga_status s = ga_status(c->ga);
-	struct params p =
-	    c->state == CALIBRATE_SEARCHING ? search_best(c) : c->best;
-	struct fit fit = {.misfit = misfit_at(c->misfit, &p),
-	    .rmse = misfit_rmse(c->misfit, &p),
-	    .feed_misfit = feed_misfit(c->misfit),
-	    .n_residual = c->misfit->n_residual,
-	    .stop =
-		c->state >= CALIBRATE_TOLERANCE ? c->stop : CALIBRATE_STOPPED,
-	    .generations = s.generation,
-	    .evaluations = c->evaluations,
-	    .hops = c->hops,
-	    .seed = c->options.seed,
-	    .site_digest = c->site_digest,
-	    .population = c->options.population,
-	    .settings = c->options.settings};
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		fit.on_bound[j] = on_bound(&c->options.bounds, &p, j);
-	params_scale_beta(&p);
-	fit.flat = flat_direction(c->misfit, &p, &c->options.bounds);
-	fit.params = p;
-	return fit;
 }

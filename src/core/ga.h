@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "core/isa.h"
+#include "core/visit.h"
 
 /* Ask for candidates, evaluate them in any way, tell their misfits: that is one
  * generation.  Tournament selection, blend crossover, mutation, elitism.  The
@@ -46,6 +47,9 @@ const double *const *ga_ask(const struct ga *ga);
 /* Takes the misfits of this generation's candidates (lower is better, INFINITY
  * for a candidate that cannot be judged) and breeds the next generation. */
 void ga_tell(struct ga *ga, const double *misfit);
+
+/* Walks through all that the generations to come depend on. */
+bool ga_visit(struct ga *ga, const struct visit *visit);
 
 /* State after the last ga_tell, by value.  worst and median count infinite
  * misfits as such. */

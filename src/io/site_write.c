@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "io/replace.h"
 
 /* A curve to write and the first of its sieves not yet written. */
 struct curve {
@@ -174,56 +175,14 @@ site_write(const struct site *site, FILE *out)
 	free(curve);
 }
 
-/* All of the sheet in the open file, and that on the disk.  Closes it. */
-static bool
-write_through(const struct site *site, int fd)
+static void
+write_site(const void *data, FILE *out)
 {
-	FILE *out = fdopen(fd, "w");
-	if (out == NULL) {
-		close(fd);
-		return false;
-	}
-	site_write(site, out);
-	bool good = fflush(out) == 0 && !ferror(out) && fsync(fd) == 0;
-	int reason = errno;
-	good = fclose(out) == 0 && good;
-	errno = reason;
-	return good;
-}
-
-/* A new file beside path with its rights, if it exists; -1 with errno. */
-static int
-open_beside(const char *path, const char *beside)
-{
-	struct stat about;
-	bool there = stat(path, &about) == 0;
-	/* A rename would put a file in the place of a folder or a device. */
-	if (there && !S_ISREG(about.st_mode)) {
-		errno = S_ISDIR(about.st_mode) ? EISDIR : EINVAL;
-		return -1;
-	}
-	int fd = open(beside, O_WRONLY | O_CREAT | O_EXCL, 0666);
-	if (fd >= 0 && there)
-		fchmod(fd, about.st_mode & 0777);
-	return fd;
+	site_write(data, out);
 }
 
 bool
 site_save(const struct site *site, const char *path, struct error *error)
 {
-	char *beside = xasprintf("%s.%ld.tmp", path, (long)getpid());
-	int fd = open_beside(path, beside);
-	bool made = fd >= 0;
-	bool good =
-	    made && write_through(site, fd) && rename(beside, path) == 0;
-	int reason = errno;
-	if (made && !good)
-		unlink(beside);
-	free(beside);
-	if (good)
-		return true;
-	error_at(error, ERROR_SYSTEM, path, 0, 0,
-	    "the site cannot be saved: %s", strerror(reason));
-	return error_hint(
-	    error, "check the folder, its rights and the room on the disk");
+	return replace_file(path, write_site, site, error);
 }

@@ -12,15 +12,19 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
-enum { STATUS_INTERRUPTED = 130 };
+/* The status of a program that a signal ended, as shells count it. */
+static int
+status_of(int signal)
+{
+	return 128 + signal;
+}
 
 static volatile sig_atomic_t interrupted;
 
 static void
 on_interrupt(int signal)
 {
-	(void)signal;
-	interrupted = 1;
+	interrupted = signal;
 }
 
 void
@@ -29,6 +33,8 @@ batch_catch_interrupt(void)
 	struct sigaction action = {.sa_handler = on_interrupt};
 	sigemptyset(&action.sa_mask);
 	sigaction(SIGINT, &action, NULL);
+	sigaction(SIGTERM, &action, NULL);
+	sigaction(SIGHUP, &action, NULL);
 }
 
 /* The line at fault, cut to fit a screen, and a caret under the column. */
@@ -148,7 +154,7 @@ run_line(struct session *s, const char *line, const char *name, int number)
 		}
 		if (!pump(s)) {
 			fprintf(stderr, "%s:%d: interrupted\n", name, number);
-			return STATUS_INTERRUPTED;
+			return status_of(interrupted);
 		}
 	} while (at > 0 && !s->quit);
 	return 0;
@@ -205,7 +211,7 @@ batch_stream(struct session *s, FILE *in, const char *name)
 		status = run_line(s, line, name, first);
 	free(piece);
 	free(line);
-	return interrupted ? STATUS_INTERRUPTED : status;
+	return interrupted ? status_of(interrupted) : status;
 }
 
 int
@@ -238,6 +244,13 @@ batch_file(struct session *s, const char *path)
 	return status;
 }
 
+/* A signal other than ^C: the terminal or the system wants the program gone. */
+static bool
+ended(void)
+{
+	return interrupted != 0 && interrupted != SIGINT;
+}
+
 static void
 print_prompt(struct session *s, bool goes_on)
 {
@@ -261,7 +274,7 @@ batch_typed(struct session *s)
 		bool more = got >= 0 && goes_on(piece);
 		if (got < 0)
 			fputc('\n', s->out);
-		if (got < 0 && !interrupted)
+		if (got < 0 && interrupted != SIGINT)
 			break;
 		if (got < 0) {
 			clearerr(stdin);
@@ -275,8 +288,10 @@ batch_typed(struct session *s)
 			continue;
 		run_line(s, line, "typed", number++);
 		line[0] = '\0';
+		if (ended())
+			break;
 	}
 	free(piece);
 	free(line);
-	return 0;
+	return ended() ? status_of(interrupted) : 0;
 }

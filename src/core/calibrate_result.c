@@ -1,0 +1,121 @@
+/* What a calibration has found so far, and all of it for a checkpoint.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/calibration.h"
+
+#include <math.h>
+
+struct calibrate_status
+calibration_status(const struct calibration *c)
+{
+	struct ga_status s = ga_status(c->ga);
+	struct calibrate_status status = {.state = c->state,
+	    .generation = s.generation,
+	    .evaluations = c->evaluations,
+	    .stall = c->stall,
+	    .infinite = s.infinite,
+	    .best = fmin(s.best, c->best_misfit),
+	    .median = s.median,
+	    .worst = s.worst,
+	    .starts_done = c->done,
+	    .starts = c->n_start,
+	    .params = c->state == CALIBRATE_SEARCHING
+			  ? calibration_search_best(c)
+			  : c->best};
+	params_scale_beta(&status.params);
+	return status;
+}
+
+static bool
+visit_params(const struct visit *v, const char *name, struct params *p)
+{
+	double value[PARAM_COUNT];
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		value[j] = params_get(p, j);
+	bool ok = v->real(v->data, name, value, PARAM_COUNT);
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		params_set(p, j, value[j]);
+	return ok;
+}
+
+bool
+calibration_visit(struct calibration *c, const struct visit *v)
+{
+	size_t state[2] = {c->state, c->stop};
+	size_t whole[6] = {c->stall, c->evaluations, c->n_start, c->done,
+	    c->hops, c->fruitless};
+	double real[2] = {c->stall_from, c->best_misfit};
+	bool ok = ga_visit(c->ga, v) && v->whole(v->data, "state", state, 2) &&
+		  v->whole(v->data, "counts", whole, 6) &&
+		  v->real(v->data, "levels", real, 2) &&
+		  visit_params(v, "kept", &c->best) &&
+		  state[0] <= CALIBRATE_STOPPED &&
+		  state[1] <= CALIBRATE_STOPPED && whole[2] <= STARTS;
+	if (!ok)
+		return false;
+	c->state = (enum calibrate_state)state[0];
+	c->stop = (enum calibrate_state)state[1];
+	c->stall = whole[0];
+	c->evaluations = whole[1];
+	c->n_start = whole[2];
+	c->done = whole[3];
+	c->hops = whole[4];
+	c->fruitless = whole[5];
+	c->stall_from = real[0];
+	c->best_misfit = real[1];
+	for (size_t i = 0; ok && i < c->n_start; i++)
+		ok = visit_params(v, "start", &c->start[i]);
+	return ok;
+}
+
+static double
+feed_misfit(const struct misfit *m)
+{
+	double sum = 0;
+	for (size_t r = 0; r < m->n_run; r++) {
+		const struct misfit_run *run = &m->run[r];
+		for (size_t i = 0; i < run->n; i++) {
+			double d = psd_passing(&run->feed, run->sieve[i]) -
+				   run->measured[i];
+			sum += run->weight[i] * run->weight[i] * d * d;
+		}
+	}
+	return sum;
+}
+
+/* On a bound: nearer to it than a millionth of the range, and free to move.  A
+ * beta's bound only limits its scale. */
+static bool
+on_bound(const struct bounds *b, const struct params *p, size_t j)
+{
+	double x = params_get(p, j), range = b->upper[j] - b->lower[j];
+	double near = fmin(x - b->lower[j], b->upper[j] - x);
+	return j >= PARAM_F_MAT && range > 0 && near <= 1e-6 * range;
+}
+
+struct fit
+calibration_fit(struct calibration *c)
+{
+	struct ga_status s = ga_status(c->ga);
+	struct params p = c->state == CALIBRATE_SEARCHING
+			      ? calibration_search_best(c)
+			      : c->best;
+	struct fit fit = {.misfit = misfit_at(c->misfit, &p),
+	    .rmse = misfit_rmse(c->misfit, &p),
+	    .feed_misfit = feed_misfit(c->misfit),
+	    .n_residual = c->misfit->n_residual,
+	    .stop =
+		c->state >= CALIBRATE_TOLERANCE ? c->stop : CALIBRATE_STOPPED,
+	    .generations = s.generation,
+	    .evaluations = c->evaluations,
+	    .hops = c->hops,
+	    .seed = c->options.seed,
+	    .site_digest = c->site_digest,
+	    .population = c->options.population,
+	    .settings = c->options.settings};
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		fit.on_bound[j] = on_bound(&c->options.bounds, &p, j);
+	params_scale_beta(&p);
+	fit.flat = flat_direction(c->misfit, &p, &c->options.bounds);
+	fit.params = p;
+	return fit;
+}

@@ -1,0 +1,60 @@
+/* The inside of a calibration, for the files that make it up.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_CALIBRATION_H
+#define TIPSPEED_CORE_CALIBRATION_H
+
+#include "core/calibrate.h"
+#include "core/ga.h"
+#include "core/kernel.h"
+#include "core/misfit.h"
+#include "core/polish.h"
+
+enum {
+	SCOUTS = 16,             /* leaders kept of each early generation */
+	STARTS = 2 * SCOUTS + 1, /* and the best of the last */
+	BATCH = 8,               /* starts or hops polished side by side */
+	LEADERS = 64,            /* spread over this many */
+	POLISH_STEPS = 300,
+	HOPS = 64,     /* fruitless ones in a row that end the polish */
+	EARLIEST = 25, /* generations before the stop rules apply */
+	USE_HOP = 1 << 20
+};
+
+/* What one start needs to be polished beside others. */
+struct worker {
+	struct misfit *misfit;
+	struct polish *polish;
+	struct params p;
+	struct polish_result result;
+};
+
+struct calibration {
+	struct calibrate_options options;
+	uint64_t site_digest;
+	struct misfit *misfit;
+	struct kernel *kernel;
+	struct ga *ga;
+	struct worker worker[BATCH];
+	double *told;
+	enum calibrate_state state, stop;
+	size_t stall, evaluations;
+	double stall_from;
+	struct params start[STARTS];
+	size_t n_start, done, hops, fruitless;
+	size_t n_history, history_room;
+	struct calibrate_generation *history;
+	struct params best;
+	double best_misfit; /* accurate; INFINITY during the search */
+};
+
+/* The best candidate of the search so far. */
+static inline struct params
+calibration_search_best(const struct calibration *c)
+{
+	struct params p;
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		params_set(&p, j, ga_best(c->ga)[j]);
+	return p;
+}
+
+#endif
