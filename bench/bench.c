@@ -14,61 +14,14 @@
 #include "core/isa.h"
 #include "core/kernel.h"
 #include "core/misfit.h"
-#include "core/rng.h"
 #include "core/synth.h"
+#include "herd.h"
 #include "measure.h"
 
-enum { HERD = 8000, REPEATS = 9, RUNS = 5, SEEDS = 5 };
+enum { REPEATS = 9, RUNS = 5, SEEDS = 5 };
 
 static const double LEAST_SECONDS = 0.05; /* a timed repetition's */
-static const double NEAR = 0.02;          /* of each parameter's value */
 static const double AT_OPTIMUM = 1e-6;    /* misfit above the best, relative */
-
-/* HERD candidates, one array a parameter. */
-struct herd {
-	double *gene[PARAM_COUNT];
-};
-
-/* Uniform within lower..upper. */
-static struct herd
-herd_in(const double *lower, const double *upper)
-{
-	struct herd h;
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		struct rng_key key = rng_key(1, 0, j);
-		double width = upper[j] - lower[j];
-		h.gene[j] = xdoubles(HERD + KERNEL_LANES);
-		for (uint32_t i = 0; i < HERD; i++)
-			h.gene[j][i] = lower[j] + width * rng_uniform(key, i);
-	}
-	return h;
-}
-
-static struct herd
-herd_wide(void)
-{
-	struct bounds b = bounds_default();
-	return herd_in(b.lower, b.upper);
-}
-
-static struct herd
-herd_near(const struct params *p)
-{
-	struct bounds b = bounds_default();
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		double x = params_get(p, j);
-		b.lower[j] = x - NEAR * fabs(x);
-		b.upper[j] = fmin(x + NEAR * fabs(x), b.upper[j]);
-	}
-	return herd_in(b.lower, b.upper);
-}
-
-static void
-herd_free(struct herd *h)
-{
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		free(h->gene[j]);
-}
 
 /* Seconds to evaluate the herd so many times. */
 static double
@@ -118,7 +71,7 @@ bench_kernel(const struct site *site)
 	       "candidates/s\n(%d candidates, median of %d repetitions of "
 	       ">= %.0f ms; near: within %.0f %% of the optimum)\n\n",
 	    site->name, m->n_run, m->n_residual, HERD, REPEATS,
-	    1e3 * LEAST_SECONDS, 100 * NEAR);
+	    1e3 * LEAST_SECONDS, 100 * HERD_NEAR);
 	printf("%-12s%8s%14s%14s\n", "set", "threads", "near", "whole bounds");
 	for (enum isa isa = ISA_BASE; isa <= isa_usable(ISA_BEST); isa++) {
 		kernel_row(m, isa, 1, &near, &wide);

@@ -131,6 +131,8 @@ open_file(struct session *s, const char *path)
 	struct error error = {0};
 	if (data_load(s, path, &error))
 		return 0;
+	if (error.kind == ERROR_SYSTEM && command_find(path) != NULL)
+		error_hint(&error, "commands go behind -c: -c '%s'", path);
 	error_print(&error, stderr);
 	return (int)error.kind;
 }

@@ -17,7 +17,7 @@ for f in "$dir"/data/sites/*.csv; do
 	result $? "$(basename "$f") says that it is reconstructed"
 done
 for f in "$dir"/data/sites/*.csv; do
-	(cd "$dir" && "$TIPSPEED" "$f" -c 'write out/again.csv') 2>/dev/null
+	(cd "$dir" && "$TIPSPEED" "$f" -c 'write out/again.csv replace=on') 2>/dev/null
 	cmp -s "$f" "$dir/out/again.csv"
 	result $? "$(basename "$f") is written as it was read"
 done

@@ -13,7 +13,8 @@ static const struct {
 	size_t answer;
 } NAMES[] = {{"p20", ANSWER_P20}, {"p50", ANSWER_P50}, {"p80", ANSWER_P80},
     {"break", ANSWER_BREAK}, {"speed", ANSWER_SPEED}, {"misfit", ANSWER_MISFIT},
-    {"rmse", ANSWER_RMSE}, {"holdout", ANSWER_HOLDOUT}};
+    {"rmse", ANSWER_RMSE}, {"holdout", ANSWER_HOLDOUT}, {"poor", ANSWER_POOR},
+    {"extrapolated", ANSWER_EXTRAPOLATED}};
 
 static bool
 side(const struct session *s, const char *word, double *value,
@@ -29,13 +30,16 @@ side(const struct session *s, const char *word, double *value,
 			return true;
 		error_set(error, ERROR_CHECK, "%s is not known", word);
 		return error_hint(error,
-		    "p20, p50, p80, break and speed come from predict, misfit "
-		    "and rmse from calibrate, holdout from validate");
+		    "p20, p50, p80, break, speed and extrapolated come from "
+		    "predict, misfit, rmse and poor from calibrate, holdout "
+		    "from validate; another site or a new calibration "
+		    "forgets them");
 	}
 	error_set(error, ERROR_USAGE,
 	    "assert wants a number or a name, not '%s'", word);
-	return error_hint(
-	    error, "names: p20 p50 p80 break speed misfit rmse holdout");
+	return error_hint(error,
+	    "names: p20 p50 p80 break speed extrapolated misfit rmse poor "
+	    "holdout");
 }
 
 /* 1 or 0; -1 where there is no such operator. */

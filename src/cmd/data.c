@@ -24,6 +24,13 @@ option(const char *command, const struct args *args, const char *name)
 bool
 data_load(struct session *s, const char *path, struct error *error)
 {
+	size_t n = strlen(path);
+	if (n > 4 && strcmp(path + n - 4, ".tip") == 0) {
+		error_set(error, ERROR_USAGE,
+		    "%s is a script by its name, not a sheet", path);
+		return error_hint(
+		    error, "run it from the shell: tipspeed %s", path);
+	}
 	if (!session_load(s, path, error))
 		return false;
 	const struct entry *entry = session_entry(s);
@@ -113,7 +120,12 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 bool
 cmd_use(struct session *s, const struct args *args, struct error *error)
 {
-	return session_find(s, args->operand[0], &s->current, error);
+	size_t before = s->current;
+	if (!session_find(s, args->operand[0], &s->current, error))
+		return false;
+	if (s->current != before)
+		session_forget(s);
+	return true;
 }
 
 static void
@@ -307,22 +319,39 @@ file_name(const struct entry *entry, const char *folder)
 	return path;
 }
 
+static bool
+write_one(struct session *s, const struct site *site, const char *path,
+    bool replace, struct error *error)
+{
+	struct stat info;
+	if (!replace && stat(path, &info) == 0) {
+		error_set(error, ERROR_USAGE, "%s is there already", path);
+		return error_hint(error,
+		    "replace=on writes over it; this writes a site's sheet, "
+		    "not results");
+	}
+	if (!site_save(site, path, error))
+		return false;
+	session_note(s, "wrote %s", path);
+	return true;
+}
+
 bool
 cmd_write(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
+	bool replace = option("write", args, "replace")->choice == 1;
 	struct stat info;
 	bool folder = stat(path, &info) == 0 && S_ISDIR(info.st_mode);
 	if (!folder)
-		return site_save(session_entry(s)->site, path, error);
+		return write_one(
+		    s, session_entry(s)->site, path, replace, error);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		char *file = file_name(&s->entry[i], path);
-		bool ok = site_save(s->entry[i].site, file, error);
+		bool ok = write_one(s, s->entry[i].site, file, replace, error);
 		free(file);
 		if (!ok)
 			return false;
 	}
-	session_note(s, "wrote %zu site%s to %s", s->n_entry,
-	    s->n_entry == 1 ? "" : "s", path);
 	return true;
 }

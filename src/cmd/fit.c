@@ -413,8 +413,10 @@ fit_take(struct session *s)
 	struct entry *entry = &s->entry[s->job.entry];
 	entry->fit = calibration_fit(s->job.calibration);
 	entry->params = entry->fit.params;
+	session_forget(s);
 	s->answer[ANSWER_MISFIT] = entry->fit.misfit;
 	s->answer[ANSWER_RMSE] = 100 * entry->fit.rmse;
+	s->answer[ANSWER_POOR] = entry->fit.rmse > FIT_POOR;
 	entry->has_fit = entry->has_params = true;
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);

@@ -38,8 +38,9 @@ show_params(struct session *s, const struct entry *entry)
 /* Parameters not named keep their value; where there is none yet, beta has a
  * default and the others must be named. */
 static bool
-set_params(struct entry *entry, const struct args *args, struct error *error)
+set_params(struct session *s, const struct args *args, struct error *error)
 {
+	struct entry *entry = session_entry(s);
 	const struct command *self = command_find("params");
 	struct params p =
 	    entry->has_params ? entry->params : params_default_beta();
@@ -53,6 +54,7 @@ set_params(struct entry *entry, const struct args *args, struct error *error)
 			    "yet",
 			    PARAMS[j].name, entry->site->name);
 	}
+	session_forget(s);
 	entry->params = p;
 	entry->has_params = true;
 	entry->has_fit = false;
@@ -65,7 +67,7 @@ cmd_params(struct session *s, const struct args *args, struct error *error)
 	struct entry *entry = session_entry(s);
 	const char *verb = args->n_operand > 0 ? args->operand[0] : "list";
 	if (strcmp(verb, "set") == 0)
-		return set_params(entry, args, error);
+		return set_params(s, args, error);
 	if (strcmp(verb, "list") != 0)
 		return error_set(error, ERROR_USAGE,
 		    "params wants set or list, not '%s'", verb);
@@ -191,6 +193,8 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	const struct value *threads = args_value(self, args, "threads");
 	const struct value *isa = args_value(self, args, "isa");
 	const struct value *format = args_value(self, args, "format");
+	if (method->given || form->given || k->given)
+		session_forget(s);
 	if (method->given)
 		s->settings.method = (enum method)method->choice;
 	if (form->given)

@@ -67,6 +67,9 @@ answers_prediction_json(struct session *s, const struct prediction *p)
 	json_object_set_new(
 	    o, "break_mm", report_json_number(1000 * p->break_size));
 	json_object_set_new(o, "params", fit_params_json(&entry->params));
+	if (entry->has_fit)
+		json_object_set_new(
+		    o, "verdict", json_string(fit_verdict(&entry->fit)));
 	return o;
 }
 
@@ -242,6 +245,8 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 	struct prediction p =
 	    predict(entry->site, &entry->params, s->settings, speed, feed);
 	s->answer[ANSWER_SPEED] = speed;
+	s->answer[ANSWER_EXTRAPOLATED] =
+	    predict_extrapolates(entry->site, entry->train, speed);
 	s->answer[ANSWER_P20] = 1000 * p.p20;
 	s->answer[ANSWER_P50] = 1000 * p.p50;
 	s->answer[ANSWER_P80] = 1000 * p.p80;

@@ -33,8 +33,7 @@ session_new(FILE *out, FILE *notes)
 	s->seed = 1;
 	s->threads = processors();
 	s->isa = ISA_BEST;
-	for (size_t i = 0; i < ANSWERS; i++)
-		s->answer[i] = NAN;
+	session_forget(s);
 	s->out = out;
 	s->notes = notes;
 	return s;
@@ -65,6 +64,13 @@ session_entry(struct session *s)
 {
 	assert(s->current < s->n_entry);
 	return &s->entry[s->current];
+}
+
+void
+session_forget(struct session *s)
+{
+	for (size_t i = 0; i < ANSWERS; i++)
+		s->answer[i] = NAN;
 }
 
 static bool
@@ -123,6 +129,7 @@ session_add(struct session *s, struct site *site)
 	s->entry = xrealloc(s->entry, s->n_entry + 1, sizeof *s->entry);
 	s->current = s->n_entry++;
 	s->entry[s->current] = entry;
+	session_forget(s);
 }
 
 /* How well a loaded site answers to a name: 0 not, 1 by its name, 2 by name and

@@ -34,7 +34,9 @@ enum answer {
 	ANSWER_SPEED,
 	ANSWER_MISFIT,
 	ANSWER_RMSE,
-	ANSWER_HOLDOUT, /* the largest of validate's */
+	ANSWER_HOLDOUT,      /* the largest of validate's */
+	ANSWER_POOR,         /* 1: the calibration is poor */
+	ANSWER_EXTRAPOLATED, /* 1: predict was outside the trained speeds */
 	ANSWERS
 };
 
@@ -75,6 +77,10 @@ void session_free(struct session *s);
 
 /* The site in use; asserts that there is one. */
 struct entry *session_entry(struct session *s);
+
+/* Forgets the newest answers, because the site or its parameters are others
+ * now. */
+void session_forget(struct session *s);
 
 /* Adds a site, which the session then owns, and makes it the one in use. */
 void session_add(struct session *s, struct site *site);

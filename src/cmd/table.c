@@ -27,6 +27,11 @@ static const struct command_option SYNTH_OPTIONS[] = {
 	"tip speeds, slow to fast"},
     LAST_OPTION};
 
+static const struct command_option WRITE_OPTIONS[] = {
+    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"write over files that are there"},
+    LAST_OPTION};
+
 static const struct command_option PARAMS_OPTIONS[] = {
     {"beta1", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "constant term"},
     {"beta2", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "term in u"},
@@ -181,9 +186,12 @@ const struct command COMMANDS[] = {
 	.least = 1,
 	.most = 1,
 	.need = NEED_SITE,
+	.option = WRITE_OPTIONS,
 	.text = "Writes the site in use to FILE, or all loaded sites into an "
-		"existing FOLDER under their own names. The file is written "
-		"beside its place and then renamed: it is whole or not there.",
+		"existing FOLDER under their own names. A file that is "
+		"there is replaced with replace=on only. Sheets are "
+		"written with commas and decimal points; results are saved "
+		"by the shell: tipspeed --format=csv ... >FILE.",
 	.example = "load data/sites/tierp.csv\nwrite tierp-copy.csv",
 	.run = cmd_write},
     {.name = "params",
@@ -304,9 +312,12 @@ const struct command COMMANDS[] = {
 	.least = 3,
 	.most = 5,
 	.text = "A value is a number or the newest answer: p20, p50, p80, "
-		"break (mm) and speed of predict; misfit and rmse (points) of "
-		"calibrate; holdout, the largest RMSE of validate (points). "
-		"For plant checks that run by themselves.",
+		"break (mm), speed and extrapolated (1 or 0) of predict; "
+		"misfit, rmse (points) and poor (1 or 0) of calibrate; "
+		"holdout, the largest RMSE of validate (points). Another "
+		"site, other parameters or a new calibration make them "
+		"unknown. For plant checks that run by themselves, which "
+		"should hold poor = 0 first.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
 		   "assert p50 = 2.81 within 0.05\nvalidate\n"
 		   "assert holdout < 1",

@@ -50,6 +50,9 @@ validation_rows(struct report *r, const struct validation *v)
 	}
 }
 
+/* A difference of RMSE, passing 0..1, that sampling could tell. */
+static const double CLEARLY = 0.001;
+
 static void
 validation_notes(struct report *r, const struct validation *v)
 {
@@ -69,10 +72,18 @@ validation_notes(struct report *r, const struct validation *v)
 		    "  without a model: product = feed %.2f points; there are "
 		    "no two training products to interpolate on these sieves",
 		    100 * v->feed_rmse);
-	if (validation_loses(v))
+	bool loses = validation_loses(v);
+	bool clearly = loses && v->rmse > 1.1 * v->interpolation_rmse &&
+		       v->rmse - v->interpolation_rmse > CLEARLY;
+	if (clearly)
 		report_note(r,
 		    "  the model does worse than interpolation at this speed: "
-		    "between the trained speeds, trust the interpolation");
+		    "between the trained speeds, the interpolated products "
+		    "are the better guess");
+	else if (loses)
+		report_note(r,
+		    "  the model does no better than interpolation at this "
+		    "speed; the two are within what sampling tells apart");
 	if (v->n_left_out > 0)
 		report_note(r,
 		    "  %zu finer sieves are not compared: the feed is not "

@@ -66,15 +66,16 @@ calibration_new(
 	struct calibration *c = xcalloc(1, sizeof *c);
 	struct ga_options ga = ga_options_default();
 	c->options = *options;
+	c->pool = pool_new(options->threads);
 	c->site_digest = site->digest;
 	c->misfit = training_misfit(site, options);
 	assert(c->misfit->n_residual > 0);
-	c->kernel = kernel_new(c->misfit, options->isa, options->threads);
+	c->kernel = kernel_new(c->misfit, options->isa, c->pool);
 	if (options->plain)
 		ga = ga_options_plain();
 	ga.population = options->population;
 	ga.seed = options->seed;
-	ga.threads = options->threads;
+	ga.pool = c->pool;
 	ga.isa = options->isa;
 	if (ga.elite > ga.population / 4)
 		ga.elite = ga.population / 4;
@@ -101,6 +102,7 @@ calibration_free(struct calibration *c)
 	}
 	ga_free(c->ga);
 	kernel_free(c->kernel);
+	pool_free(c->pool);
 	misfit_free(c->misfit);
 	free(c->told);
 	free(c->history);
@@ -259,6 +261,16 @@ take_polished(struct calibration *c, const struct worker *w, bool hopping)
 	centre_beta(&c->options.bounds, &c->best);
 }
 
+static void
+polish_one(void *data, size_t i, unsigned thread)
+{
+	(void)thread;
+	struct calibration *c = data;
+	struct worker *w = &c->worker[i];
+	w->result =
+	    polish_run(w->polish, &c->options.bounds, POLISH_STEPS, &w->p);
+}
+
 /* Polishes the next starts, or hops from the best, a batch at a time: always
  * the same batch, so that the number of threads changes nothing. */
 static void
@@ -270,12 +282,7 @@ polish_batch(struct calibration *c)
 	for (size_t i = 0; i < n; i++)
 		c->worker[i].p =
 		    hopping ? hop(c, c->hops + i) : c->start[c->done + i];
-	int threads = (int)c->options.threads;
-#pragma omp parallel for num_threads(threads) \
-    schedule(dynamic, 1) if (threads > 1)
-	for (size_t i = 0; i < n; i++)
-		c->worker[i].result = polish_run(c->worker[i].polish,
-		    &c->options.bounds, POLISH_STEPS, &c->worker[i].p);
+	pool_run(c->pool, n, polish_one, c);
 	for (size_t i = 0; i < n; i++)
 		take_polished(c, &c->worker[i], hopping);
 	c->done += n;

@@ -32,6 +32,7 @@ struct calibration {
 	struct calibrate_options options;
 	uint64_t site_digest;
 	struct misfit *misfit;
+	struct pool *pool;
 	struct kernel *kernel;
 	struct ga *ga;
 	struct worker worker[BATCH];

@@ -41,7 +41,6 @@ ga_options_default(void)
 	    .crossover = 0.9,
 	    .mutation = 0.03,
 	    .seed = 1,
-	    .threads = 1,
 	    .isa = ISA_BEST};
 }
 
@@ -246,43 +245,23 @@ take_status(struct ga *ga)
 	s->evaluations += n;
 }
 
-/* Sums of deviations and of their squares.  Eight sums at a time, always the
- * same eight, so that the bits do not depend on the width of a register. */
-static void
-add_moments(
-    const struct ga *ga, size_t g, double shift, double *sum, double *squares)
-{
-	enum { SUMS = 8 };
-	double s[SUMS] = {0}, q[SUMS] = {0};
-	const double *x = ga->told[g];
-	size_t n = ga->options.population, i = 0;
-	for (; i + SUMS <= n; i += SUMS)
-		for (size_t l = 0; l < SUMS; l++) {
-			double d = x[i + l] - shift;
-			s[l] += d;
-			q[l] += d * d;
-		}
-	for (; i < n; i++) {
-		s[0] += x[i] - shift;
-		q[0] += (x[i] - shift) * (x[i] - shift);
-	}
-	for (size_t l = 0; l < SUMS; l++) {
-		*sum += s[l];
-		*squares += q[l];
-	}
-}
-
+/* Standard deviations of the first candidates, which are a random sample: a few
+ * per cent more or less are nothing to a mutation. */
 static void
 take_scale(struct ga *ga)
 {
-	double n = (double)ga->options.population;
-	int threads = (int)ga->options.threads;
-#pragma omp parallel for num_threads(threads) \
-    schedule(static, 1) if (threads > 1)
+	enum { SAMPLE = 1000 };
+	size_t n = ga->options.population;
+	n = n < SAMPLE ? n : SAMPLE;
 	for (size_t g = 0; g < ga->n_gene; g++) {
-		double sum = 0, squares = 0, shift = ga->told[g][0];
-		add_moments(ga, g, shift, &sum, &squares);
-		double variance = squares / n - sum / n * (sum / n);
+		const double *x = ga->told[g];
+		double sum = 0, squares = 0;
+		for (size_t i = 0; i < n; i++) {
+			sum += x[i] - x[0];
+			squares += (x[i] - x[0]) * (x[i] - x[0]);
+		}
+		double mean = sum / (double)n;
+		double variance = squares / (double)n - mean * mean;
 		ga->scale[g] = variance > 0 ? sqrt(variance) : 0;
 	}
 }
@@ -298,6 +277,25 @@ set_keys(const struct ga *ga, struct breed_keys *keys)
 		keys->blend[g] = stream(ga, USE_BLEND, g);
 		keys->mutate[g] = stream(ga, USE_MUTATE, g);
 	}
+}
+
+/* One breeding, for the threads that share it. */
+struct brood {
+	const struct breed *breed;
+	breed_block *block;
+};
+
+enum { CHUNK = 125 * BREED_BLOCK };
+
+static void
+breed_chunk(void *data, size_t chunk, unsigned thread)
+{
+	(void)thread;
+	const struct brood *b = data;
+	size_t end = (chunk + 1) * CHUNK;
+	end = end < b->breed->n ? end : b->breed->n;
+	for (size_t i = chunk * CHUNK; i < end; i += BREED_BLOCK)
+		b->block(b->breed, i);
 }
 
 static void
@@ -317,11 +315,9 @@ breed(struct ga *ga)
 	    .mutation = o->mutation,
 	    .anywhere = o->anywhere};
 	set_keys(ga, &b.keys);
-	ptrdiff_t n = (ptrdiff_t)o->population;
-	int threads = (int)o->threads;
-#pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
-	for (ptrdiff_t i = 0; i < n; i += BREED_BLOCK)
-		ga->breed(&b, (size_t)i);
+	struct brood brood = {&b, ga->breed};
+	pool_run(
+	    o->pool, (o->population + CHUNK - 1) / CHUNK, breed_chunk, &brood);
 	for (size_t i = 0; i < o->elite; i++)
 		for (size_t g = 0; g < ga->n_gene; g++)
 			ga->asked[g][i] = ga->told[g][ga->rank[i]];

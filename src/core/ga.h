@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/pool.h"
 #include "core/isa.h"
 #include "core/visit.h"
 
@@ -24,7 +25,7 @@ struct ga_options {
 	double mutation;   /* chance for each gene */
 	bool anywhere;     /* mutate to any place in the box, not nearby */
 	uint64_t seed;
-	unsigned threads;
+	struct pool *pool; /* threads to share the work, or NULL */
 	enum isa isa;
 };
 

@@ -2,9 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/kernel.h"
 
-#include <assert.h>
 #include <math.h>
-#include <omp.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,27 +16,27 @@ struct kernel {
 	struct plan plan;
 	kernel_block *block;
 	kernel_bins *bins;
-	unsigned threads;
-	double **scratch; /* [threads] */
+	struct pool *pool; /* borrowed */
+	double **scratch;  /* [threads] */
 	size_t room;
 	unsigned char *bin;
 	uint32_t *index;
 };
 
 struct kernel *
-kernel_new(const struct misfit *m, enum isa isa, unsigned threads)
+kernel_new(const struct misfit *m, enum isa isa, struct pool *pool)
 {
 	static kernel_block *const BLOCKS[] = {
 	    kernel_block_base, kernel_block_avx2, kernel_block_avx512};
 	static kernel_bins *const BINS[] = {
 	    kernel_bins_base, kernel_bins_avx2, kernel_bins_avx512};
-	assert(threads >= 1);
 	struct kernel *kernel = xcalloc(1, sizeof *kernel);
 	enum isa usable = isa_usable(isa);
 	kernel->block = BLOCKS[usable];
 	kernel->bins = BINS[usable];
 	plan_make(&kernel->plan, m);
-	kernel->threads = threads;
+	kernel->pool = pool;
+	unsigned threads = pool_threads(pool);
 	kernel->scratch = xcalloc(threads, sizeof *kernel->scratch);
 	for (unsigned t = 0; t < threads; t++)
 		kernel->scratch[t] = xdoubles(kernel->plan.scratch);
@@ -51,7 +49,7 @@ kernel_free(struct kernel *kernel)
 	if (kernel == NULL)
 		return;
 	plan_clear(&kernel->plan);
-	for (unsigned t = 0; t < kernel->threads; t++)
+	for (unsigned t = 0; t < pool_threads(kernel->pool); t++)
 		free(kernel->scratch[t]);
 	free(kernel->scratch);
 	free(kernel->bin);
@@ -59,22 +57,27 @@ kernel_free(struct kernel *kernel)
 	free(kernel);
 }
 
-/* Orders candidates by their break size, coarse classes of it: a block whose
- * lanes break the same sizes skips the rest at once.  The order changes no bit
- * of any misfit. */
+/* Orders the candidates from..to-1 by their break size, coarse classes of it: a
+ * block whose lanes break the same sizes skips the rest at once.  The order
+ * changes no bit of any misfit. */
 static void
-order(struct kernel *kernel, size_t n)
+order(struct kernel *kernel, const double *const theta[PARAM_COUNT],
+    size_t from, size_t to)
 {
 	size_t count[KERNEL_BINS + 1] = {0};
-	for (size_t i = 0; i < n; i++)
+	for (size_t i = from; i < to; i += KERNEL_LANES)
+		kernel->bins(&kernel->plan, theta[PARAM_E0_MIN] + i,
+		    theta[PARAM_ALPHA] + i, kernel->bin + i);
+	for (size_t i = from; i < to; i++)
 		count[kernel->bin[i] + 1]++;
 	for (size_t b = 0; b < KERNEL_BINS; b++)
 		count[b + 1] += count[b];
-	for (size_t i = 0; i < n; i++)
-		kernel->index[count[kernel->bin[i]]++] = (uint32_t)i;
+	uint32_t *index = kernel->index + from;
+	for (size_t i = from; i < to; i++)
+		index[count[kernel->bin[i]]++] = (uint32_t)i;
 	/* The last block is filled up with its last candidate. */
-	for (size_t i = n; i % KERNEL_LANES != 0; i++)
-		kernel->index[i] = kernel->index[n - 1];
+	for (size_t i = to - from; i % KERNEL_LANES != 0; i++)
+		index[i] = index[to - from - 1];
 }
 
 static void
@@ -88,27 +91,36 @@ make_room(struct kernel *kernel, size_t n)
 	    xrealloc(kernel->index, n + KERNEL_LANES, sizeof *kernel->index);
 }
 
+/* One evaluation, for the threads that share it. */
+struct batch {
+	struct kernel *kernel;
+	const double *const *theta;
+	size_t n;
+	double *misfit;
+};
+
+/* Each thread orders and evaluates chunks of its own, so that threads meet only
+ * once, at the end. */
+enum { CHUNK = 63 * KERNEL_LANES };
+
+static void
+evaluate_chunk(void *data, size_t chunk, unsigned thread)
+{
+	const struct batch *b = data;
+	size_t from = chunk * CHUNK;
+	size_t to = from + CHUNK < b->n ? from + CHUNK : b->n;
+	order(b->kernel, b->theta, from, to);
+	for (size_t i = from; i < to; i += KERNEL_LANES)
+		b->kernel->block(&b->kernel->plan, b->theta,
+		    b->kernel->index + i, b->kernel->scratch[thread],
+		    b->misfit);
+}
+
 void
 kernel_evaluate(struct kernel *kernel, const double *const theta[PARAM_COUNT],
     size_t n, double *misfit)
 {
-	ptrdiff_t blocks = (ptrdiff_t)((n + KERNEL_LANES - 1) / KERNEL_LANES);
-	int threads = (int)kernel->threads;
+	struct batch batch = {kernel, theta, n, misfit};
 	make_room(kernel, n);
-#pragma omp parallel num_threads(threads) if (threads > 1)
-	{
-#pragma omp for schedule(static)
-		for (ptrdiff_t b = 0; b < blocks; b++)
-			kernel->bins(&kernel->plan,
-			    theta[PARAM_E0_MIN] + b * KERNEL_LANES,
-			    theta[PARAM_ALPHA] + b * KERNEL_LANES,
-			    kernel->bin + b * KERNEL_LANES);
-#pragma omp single
-		order(kernel, n);
-#pragma omp for schedule(dynamic, 8)
-		for (ptrdiff_t b = 0; b < blocks; b++)
-			kernel->block(&kernel->plan, theta,
-			    kernel->index + b * KERNEL_LANES,
-			    kernel->scratch[omp_get_thread_num()], misfit);
-	}
+	pool_run(kernel->pool, (n + CHUNK - 1) / CHUNK, evaluate_chunk, &batch);
 }

@@ -5,6 +5,7 @@
 
 #include <stddef.h>
 
+#include "base/pool.h"
 #include "core/isa.h"
 #include "core/misfit.h"
 
@@ -24,9 +25,10 @@
  * number of threads or the instruction set (no fused multiply-add, own exp). */
 struct kernel;
 
-/* The misfit is read here and not kept.  threads >= 1. */
+/* The misfit is read here and not kept.  pool: threads to share the work, must
+ * outlive the kernel; NULL: the caller's alone. */
 struct kernel *kernel_new(
-    const struct misfit *m, enum isa isa, unsigned threads);
+    const struct misfit *m, enum isa isa, struct pool *pool);
 void kernel_free(struct kernel *kernel);
 
 /* misfit [n] out, for candidates theta[PARAM_COUNT][n], one array a parameter

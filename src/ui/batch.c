@@ -198,7 +198,10 @@ batch_stream(struct session *s, FILE *in, const char *name)
 			break;
 		}
 		bool more = goes_on(piece);
-		char *joined = xasprintf("%s%s", line, piece);
+		/* Some editors begin UTF-8 with a byte order mark. */
+		bool mark =
+		    number == 1 && strncmp(piece, "\xEF\xBB\xBF", 3) == 0;
+		char *joined = xasprintf("%s%s", line, piece + (mark ? 3 : 0));
 		free(line);
 		line = joined;
 		if (more)

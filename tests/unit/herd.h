@@ -77,10 +77,12 @@ static inline void
 herd_evaluate(const struct misfit *m, enum isa isa, unsigned threads,
     const struct herd *herd, double *misfit)
 {
-	struct kernel *kernel = kernel_new(m, isa, threads);
+	struct pool *pool = pool_new(threads);
+	struct kernel *kernel = kernel_new(m, isa, pool);
 	kernel_evaluate(
 	    kernel, (const double *const *)herd->gene, herd->n, misfit);
 	kernel_free(kernel);
+	pool_free(pool);
 }
 
 #endif

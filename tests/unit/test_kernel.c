@@ -253,7 +253,7 @@ check_company(
 {
 	struct herd alone = herd_new(1), copies = herd_new(KERNEL_LANES);
 	double misfit[KERNEL_LANES];
-	struct kernel *kernel = kernel_new(m, ISA_BEST, 1);
+	struct kernel *kernel = kernel_new(m, ISA_BEST, NULL);
 	for (size_t i = 0; i < HERD; i += 7) {
 		struct params p = herd_get(herd, i);
 		herd_put(&alone, 0, &p);
@@ -309,7 +309,8 @@ static void
 check_count(
     const struct misfit *m, const struct herd *herd, const double *plain)
 {
-	struct kernel *kernel = kernel_new(m, ISA_BEST, 2);
+	struct pool *pool = pool_new(2);
+	struct kernel *kernel = kernel_new(m, ISA_BEST, pool);
 	double misfit[100];
 	for (size_t n = 0; n < 70; n++) {
 		for (size_t i = 0; i < ARRAY_LEN(misfit); i++)
@@ -321,6 +322,7 @@ check_count(
 			assert_true(misfit[i] == -3);
 	}
 	kernel_free(kernel);
+	pool_free(pool);
 }
 
 static void
@@ -340,7 +342,7 @@ a_forced_set_is_lowered_to_the_processor(void **state)
 	enum isa best = isa_usable(ISA_BEST);
 	assert_true(best < ISA_BEST);
 	for (int isa = ISA_BASE; isa <= ISA_BEST; isa++) {
-		struct kernel *kernel = kernel_new(m, (enum isa)isa, 1);
+		struct kernel *kernel = kernel_new(m, (enum isa)isa, NULL);
 		int want = isa < (int)best ? isa : (int)best;
 		assert_string_equal(
 		    isa_name(isa_usable((enum isa)isa)), names[want]);

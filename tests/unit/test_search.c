@@ -159,10 +159,11 @@ threads_and_instructions_breed_the_same_bits(void **state)
 	options.population = N;
 	for (int isa = ISA_BASE; isa <= ISA_BEST; isa++)
 		for (unsigned threads = 1; threads <= 8; threads += 7) {
-			options.threads = 1;
+			struct pool *pool = pool_new(threads);
+			options.pool = NULL;
 			options.isa = ISA_BASE;
 			struct ga *a = ga_new(&options, GENES, LOWER, UPPER);
-			options.threads = threads;
+			options.pool = pool;
 			options.isa = (enum isa)isa;
 			struct ga *b = ga_new(&options, GENES, LOWER, UPPER);
 			for (int k = 0; k < 12; k++) {
@@ -172,6 +173,7 @@ threads_and_instructions_breed_the_same_bits(void **state)
 			}
 			ga_free(a);
 			ga_free(b);
+			pool_free(pool);
 		}
 }
 
@@ -193,7 +195,6 @@ each_generation_draws_anew(void **state)
 	    .tournament = 1,
 	    .elite = 1,
 	    .seed = 1,
-	    .threads = 1,
 	    .isa = ISA_BEST};
 	struct ga *ga = ga_new(&options, GENES, LOWER, UPPER);
 	double first[N];
@@ -223,7 +224,6 @@ genes_mutate_as_often_as_asked(void **state)
 	    .elite = 1,
 	    .mutation = 0.2,
 	    .seed = 3,
-	    .threads = 1,
 	    .isa = ISA_BEST};
 	struct ga *ga = ga_new(&options, GENES, LOWER, UPPER);
 	double mutated = 0;

@@ -1,0 +1,65 @@
+/* Herds of candidates to time the kernel with.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_BENCH_HERD_H
+#define TIPSPEED_BENCH_HERD_H
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "core/kernel.h"
+#include "core/params.h"
+#include "core/rng.h"
+
+enum { HERD = 8000 };
+
+static const double HERD_NEAR = 0.02; /* of each parameter's value */
+
+/* HERD candidates, one array a parameter. */
+struct herd {
+	double *gene[PARAM_COUNT];
+};
+
+/* Uniform within lower..upper. */
+static inline struct herd
+herd_in(const double *lower, const double *upper)
+{
+	struct herd h;
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		struct rng_key key = rng_key(1, 0, j);
+		double width = upper[j] - lower[j];
+		h.gene[j] = xdoubles(HERD + KERNEL_LANES);
+		for (uint32_t i = 0; i < HERD; i++)
+			h.gene[j][i] = lower[j] + width * rng_uniform(key, i);
+	}
+	return h;
+}
+
+static inline struct herd
+herd_wide(void)
+{
+	struct bounds b = bounds_default();
+	return herd_in(b.lower, b.upper);
+}
+
+static inline struct herd
+herd_near(const struct params *p)
+{
+	struct bounds b = bounds_default();
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		double x = params_get(p, j);
+		b.lower[j] = x - HERD_NEAR * fabs(x);
+		b.upper[j] = fmin(x + HERD_NEAR * fabs(x), b.upper[j]);
+	}
+	return herd_in(b.lower, b.upper);
+}
+
+static inline void
+herd_free(struct herd *h)
+{
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		free(h->gene[j]);
+}
+
+#endif

@@ -1,0 +1,175 @@
+/* Work sharing by one atomic ticket.
+ *
+ * OpenMP was tried first: its barriers wait for every thread, so that on a
+ * machine busy with something else a calibration of 2 s took 12.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/pool.h"
+
+#include <pthread.h>
+#include <sched.h>
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+
+enum { SPINS = 4000 }; /* looks for work before going to sleep: some 10 us */
+
+/* What a thread is told when it starts. */
+struct worker {
+	struct pool *pool;
+	unsigned number;
+};
+
+/* ticket holds the number of the job above and the next piece below; a closed
+ * job's next piece is CLOSED, so that no thread that comes late takes a piece
+ * while the next job is being put together. */
+struct pool {
+	unsigned threads;
+	pthread_t *thread;
+	struct worker *worker;
+	pthread_mutex_t lock;
+	pthread_cond_t wake;
+	atomic_bool quit;
+	atomic_uint sleepers;
+	atomic_uint_fast64_t ticket;
+	atomic_size_t done, n;
+	_Atomic(void (*)(void *, size_t, unsigned)) run;
+	_Atomic(void *) data;
+};
+
+static const uint64_t CLOSED = UINT32_MAX;
+
+/* Takes and runs one piece; false when there is none. */
+static bool
+take_piece(struct pool *pool, unsigned number)
+{
+	uint_fast64_t ticket = atomic_load(&pool->ticket);
+	size_t piece = (size_t)(ticket & CLOSED);
+	if (piece == CLOSED || piece >= atomic_load(&pool->n))
+		return false;
+	void (*run)(void *, size_t, unsigned) = atomic_load(&pool->run);
+	void *data = atomic_load(&pool->data);
+	/* Fails, to be tried again, when another took it or the job changed
+	 * since it was looked at. */
+	if (atomic_compare_exchange_strong(
+		&pool->ticket, &ticket, ticket + 1)) {
+		run(data, piece, number);
+		atomic_fetch_add(&pool->done, 1);
+	}
+	return true;
+}
+
+static bool
+is_idle(struct pool *pool)
+{
+	size_t piece = (size_t)(atomic_load(&pool->ticket) & CLOSED);
+	return piece == CLOSED || piece >= atomic_load(&pool->n);
+}
+
+static void
+sleep_until_work(struct pool *pool)
+{
+	pthread_mutex_lock(&pool->lock);
+	atomic_fetch_add(&pool->sleepers, 1);
+	while (is_idle(pool) && !atomic_load(&pool->quit))
+		pthread_cond_wait(&pool->wake, &pool->lock);
+	atomic_fetch_sub(&pool->sleepers, 1);
+	pthread_mutex_unlock(&pool->lock);
+}
+
+static void *
+work(void *argument)
+{
+	const struct worker *worker = argument;
+	struct pool *pool = worker->pool;
+	int idle = 0;
+	while (!atomic_load(&pool->quit)) {
+		if (take_piece(pool, worker->number)) {
+			idle = 0;
+		} else if (++idle > SPINS) {
+			sleep_until_work(pool);
+			idle = 0;
+		}
+	}
+	return NULL;
+}
+
+static void
+wake_all(struct pool *pool)
+{
+	if (atomic_load(&pool->sleepers) == 0)
+		return;
+	pthread_mutex_lock(&pool->lock);
+	pthread_cond_broadcast(&pool->wake);
+	pthread_mutex_unlock(&pool->lock);
+}
+
+struct pool *
+pool_new(unsigned threads)
+{
+	struct pool *pool = xcalloc(1, sizeof *pool);
+	pthread_mutex_init(&pool->lock, NULL);
+	pthread_cond_init(&pool->wake, NULL);
+	atomic_store(&pool->ticket, CLOSED);
+	pool->thread = xcalloc(threads, sizeof *pool->thread);
+	pool->worker = xcalloc(threads, sizeof *pool->worker);
+	pool->threads = 1;
+	while (pool->threads < threads) {
+		unsigned i = pool->threads;
+		pool->worker[i] = (struct worker){pool, i};
+		if (pthread_create(
+			&pool->thread[i], NULL, work, &pool->worker[i]) != 0)
+			break;
+		pool->threads++;
+	}
+	return pool;
+}
+
+void
+pool_free(struct pool *pool)
+{
+	if (pool == NULL)
+		return;
+	pthread_mutex_lock(&pool->lock);
+	atomic_store(&pool->quit, true);
+	pthread_cond_broadcast(&pool->wake);
+	pthread_mutex_unlock(&pool->lock);
+	for (unsigned i = 1; i < pool->threads; i++)
+		pthread_join(pool->thread[i], NULL);
+	pthread_mutex_destroy(&pool->lock);
+	pthread_cond_destroy(&pool->wake);
+	free(pool->thread);
+	free(pool->worker);
+	free(pool);
+}
+
+unsigned
+pool_threads(const struct pool *pool)
+{
+	return pool != NULL ? pool->threads : 1;
+}
+
+void
+pool_run(struct pool *pool, size_t n,
+    void (*run)(void *data, size_t piece, unsigned thread), void *data)
+{
+	if (pool_threads(pool) == 1) {
+		for (size_t i = 0; i < n; i++)
+			run(data, i, 0);
+		return;
+	}
+	uint64_t job = (atomic_load(&pool->ticket) >> 32) + 1;
+	atomic_store(&pool->n, n);
+	atomic_store(&pool->run, run);
+	atomic_store(&pool->data, data);
+	atomic_store(&pool->done, 0);
+	atomic_store(&pool->ticket, job << 32);
+	wake_all(pool);
+	while (take_piece(pool, 0))
+		;
+	while (atomic_load(&pool->done) < n)
+		sched_yield();
+	atomic_store(&pool->ticket, job << 32 | CLOSED);
+}
