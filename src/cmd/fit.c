@@ -3,29 +3,12 @@
 #include "cmd/fit.h"
 
 #include <errno.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/xalloc.h"
 #include "cmd/job.h"
-#include "core/energy.h"
 #include "core/misfit.h"
-#include "io/units.h"
-
-bool
-fit_breaks_nothing(const struct fit *fit)
-{
-	return fit->misfit > (1 - FIT_NOTHING) * fit->feed_misfit;
-}
-
-const char *
-fit_verdict(const struct fit *fit)
-{
-	if (fit->rmse > FIT_POOR)
-		return "poor";
-	return fit_breaks_nothing(fit) ? "nothing breaks" : "good";
-}
 
 /* "69, 79" of the runs marked (or, with `other`, of those not marked). */
 static char *
@@ -142,6 +125,30 @@ option(const struct args *args, const char *name)
 	return args_value(command_find("calibrate"), args, name);
 }
 
+/* The weights in the order of the training runs, as one for each run. */
+static bool
+spread_weights(const struct site *site, const bool *train,
+    const struct value *value, double **run_weight, struct error *error)
+{
+	size_t n = 0;
+	*run_weight = NULL;
+	if (!value->given)
+		return true;
+	double *weight = xdoubles(site->n_run);
+	for (size_t r = 0; r < site->n_run; r++)
+		if (train[r] && n++ < value->n)
+			weight[r] = value->list[n - 1];
+	if (n == value->n) {
+		*run_weight = weight;
+		return true;
+	}
+	free(weight);
+	return error_set(error, ERROR_USAGE,
+	    "run_weights wants %zu numbers, one for each training run, not "
+	    "%zu",
+	    n, value->n);
+}
+
 static struct calibrate_options
 chosen_options(const struct session *s, const struct args *args)
 {
@@ -180,7 +187,9 @@ static bool
 calibrate_all(
     struct session *s, const struct args *args, FILE *log, struct error *error)
 {
-	if (option(args, "train")->given || option(args, "weights")->choice) {
+	if (option(args, "train")->given ||
+	    option(args, "run_weights")->given ||
+	    option(args, "weights")->choice) {
 		if (log != NULL)
 			fclose(log);
 		return error_set(error, ERROR_USAGE,
@@ -188,7 +197,7 @@ calibrate_all(
 		    "weights");
 	}
 	struct calibrate_options o = chosen_options(s, args);
-	job_start(s, &o, NULL, true, log);
+	job_start(s, &o, NULL, NULL, true, log);
 	return true;
 }
 
@@ -207,204 +216,27 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		return false;
 	if (all)
 		return calibrate_all(s, args, log, error);
+	double *run_weight = NULL;
 	bool *train = xcalloc(site->n_run, sizeof *train);
 	if (!mark_training(site, option(args, "train"), train, error) ||
 	    !check_training(site, train, error) ||
 	    (option(args, "weights")->choice == 1 &&
-		!check_weights(site, train, error))) {
+		!check_weights(site, train, error)) ||
+	    !spread_weights(
+		site, train, option(args, "run_weights"), &run_weight, error)) {
 		free(train);
 		if (log != NULL)
 			fclose(log);
 		return false;
 	}
 	struct calibrate_options o = chosen_options(s, args);
-	job_start(s, &o, train, false, log);
+	job_start(s, &o, train, run_weight, false, log);
 	const struct value *checkpoint = option(args, "checkpoint");
 	const struct value *resume = option(args, "resume");
 	s->job.pause_at = (size_t)option(args, "pause")->whole;
 	if (checkpoint->given)
 		s->job.checkpoint = xstrdup(checkpoint->text);
 	return !resume->given || job_resume(s, resume->text, error);
-}
-
-static json_t *
-speeds_as_json(const struct site *site, const bool *train, bool other)
-{
-	json_t *list = json_array();
-	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].product.n > 0 && train[r] != other)
-			json_array_append_new(
-			    list, json_real(site->run[r].speed));
-	return list;
-}
-
-json_t *
-fit_params_json(const struct params *p)
-{
-	json_t *object = json_object(), *beta = json_array();
-	for (size_t b = 0; b < 4; b++)
-		json_array_append_new(beta, report_json_number(p->beta[b]));
-	json_object_set_new(object, "beta", beta);
-	json_object_set_new(object, "f_mat", report_json_number(p->f_mat));
-	json_object_set_new(object, "e0_min", report_json_number(p->e0_min));
-	json_object_set_new(object, "alpha", report_json_number(p->alpha));
-	return object;
-}
-
-static json_t *
-fit_as_json(const struct entry *entry, double seconds)
-{
-	const struct fit *fit = &entry->fit;
-	json_t *o = json_object();
-	json_object_set_new(o, "command", json_string("calibrate"));
-	json_object_set_new(o, "site", json_string(entry->site->name));
-	json_object_set_new(o, "seed", json_integer((json_int_t)fit->seed));
-	json_object_set_new(
-	    o, "population", json_integer((json_int_t)fit->population));
-	json_object_set_new(
-	    o, "generations", json_integer((json_int_t)fit->generations));
-	json_object_set_new(
-	    o, "evaluations", json_integer((json_int_t)fit->evaluations));
-	json_object_set_new(
-	    o, "stop", json_string(calibrate_state_name(fit->stop)));
-	json_object_set_new(o, "misfit", report_json_number(fit->misfit));
-	json_object_set_new(o, "seconds", report_json_number(seconds));
-	json_object_set_new(o, "params", fit_params_json(&fit->params));
-	json_object_set_new(
-	    o, "train", speeds_as_json(entry->site, entry->train, false));
-	json_object_set_new(
-	    o, "holdout", speeds_as_json(entry->site, entry->train, true));
-	json_object_set_new(o, "rmse_pct", report_json_number(fit->rmse * 100));
-	json_object_set_new(o, "verdict", json_string(fit_verdict(fit)));
-	return o;
-}
-
-/* Why nothing breaks, in terms of the break size and the feed. */
-static void
-explain_nothing(struct report *report, const struct entry *entry)
-{
-	const struct run *fastest = &entry->site->run[entry->site->n_run - 1];
-	double x = energy_break_size(&entry->fit.params, fastest->speed);
-	double coarser =
-	    isfinite(x) && x > 0 ? 1 - psd_passing(&fastest->feed, x) : 0;
-	report_note(report,
-	    "nothing breaks: the products cannot be told from the feed "
-	    "(product = feed misses them by %.2f points RMS, the fit by %.2f)",
-	    100 * sqrt(entry->fit.feed_misfit / (double)entry->fit.n_residual),
-	    100 * entry->fit.rmse);
-	report_note(report,
-	    "  why: only fragments coarser than the break size break; at %g "
-	    "m/s that is %.3g mm or more, and %.1f %% of the feed is coarser",
-	    fastest->speed, units_mm(x), 100 * coarser);
-	report_note(report, "  the parameters above therefore fit sampling "
-			    "noise: a coarser feed or "
-			    "a higher speed would tell more");
-}
-
-/* Names the parameters that can go far together for a tenth more misfit, each
- * with its step; all signs may be turned. */
-static void
-add_flat(
-    struct report *report, const struct fit *fit, const struct bounds *bounds)
-{
-	const double worth_saying = 0.05, part_of_it = 0.25;
-	if (fit->flat.reach < worth_saying)
-		return;
-	char *list = xstrdup("");
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		double part = fit->flat.part[j];
-		double range =
-		    j < PARAM_F_MAT ? 2 : bounds->upper[j] - bounds->lower[j];
-		if (fabs(part) < part_of_it * fit->flat.reach)
-			continue;
-		char *longer = xasprintf("%s%s%s %+.2g", list,
-		    list[0] != '\0' ? ", " : "", PARAMS[j].name, part * range);
-		free(list);
-		list = longer;
-	}
-	report_note(report,
-	    "flat direction: together, %s (or all the other way) raise the "
-	    "misfit by a tenth only",
-	    list);
-	free(list);
-}
-
-static void
-add_verdict(struct report *report, const struct entry *entry,
-    const struct bounds *bounds)
-{
-	const struct fit *fit = &entry->fit;
-	if (fit->rmse > FIT_POOR)
-		report_note(report,
-		    "poor fit: the model misses the training products by %.1f "
-		    "points RMS; sampling repeats to 0.5 to 1: do not rely on "
-		    "its predictions, and look at the data with 'check'",
-		    100 * fit->rmse);
-	else if (fit_breaks_nothing(fit))
-		explain_nothing(report, entry);
-	bool any = false;
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		any = any || fit->on_bound[j];
-	if (any)
-		report_note(report,
-		    "a parameter on its bound is set by the bound, not by the "
-		    "data");
-	add_flat(report, fit, bounds);
-	report_note(report,
-	    "beta counts only by its direction; rely on the curves, not on "
-	    "single values");
-}
-
-static const char *
-stop_sentence(const struct fit *fit)
-{
-	switch (fit->stop) {
-	case CALIBRATE_TOLERANCE:
-		return "the population came together within the tolerance";
-	case CALIBRATE_STALLED:
-		return "the best misfit stood still";
-	case CALIBRATE_GENERATIONS:
-		return "all generations were used";
-	default:
-		return "it was stopped; the best so far is kept";
-	}
-}
-
-static struct report *
-fit_report(
-    const struct entry *entry, const struct bounds *bounds, double seconds)
-{
-	const struct fit *fit = &entry->fit;
-	struct report *r = report_new("calibrate");
-	char *label = session_label(entry->site);
-	report_title(r, "%s: calibrated parameters", label);
-	free(label);
-	report_site(r, entry->site->name, entry->site->provenance);
-	report_column(r, "parameter", "parameter");
-	report_column(r, "value", "value");
-	report_column(r, "unit", "unit");
-	report_column(r, "lower", "from");
-	report_column(r, "upper", "to");
-	report_column(r, "remark", "remark");
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		bool fixed = bounds->lower[j] >= bounds->upper[j];
-		report_text(r, PARAMS[j].name);
-		report_number(r, params_get(&fit->params, j), 4);
-		report_text(r, PARAMS[j].unit);
-		report_number(r, bounds->lower[j], -1);
-		report_number(r, bounds->upper[j], -1);
-		report_text(r, fixed              ? "held fixed"
-			       : fit->on_bound[j] ? "ON ITS BOUND"
-			       : j < PARAM_F_MAT  ? "scaled to largest 1"
-						  : "");
-	}
-	report_note(r, "misfit %.6g, %.2f points RMS over %zu sieves",
-	    fit->misfit, 100 * fit->rmse, fit->n_residual);
-	report_note(r, "stopped after %zu generations, %zu evaluations: %s",
-	    fit->generations, fit->evaluations, stop_sentence(fit));
-	add_verdict(r, entry, bounds);
-	report_json(r, fit_as_json(entry, seconds));
-	return r;
 }
 
 void

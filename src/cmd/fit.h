@@ -28,6 +28,10 @@ void fit_show(struct session *s);
 /* True when the fit explains little that product = feed does not. */
 bool fit_breaks_nothing(const struct fit *fit);
 
+/* The table of a site's fit, with its JSON; seconds: how long it took. */
+struct report *fit_report(
+    const struct entry *entry, const struct bounds *bounds, double seconds);
+
 /* False where an appearance other than ratio is set with another method than
  * classes. */
 bool fit_settings_agree(

@@ -24,6 +24,7 @@ begin(struct session *s)
 		misfit_default_train(site, job->train);
 	}
 	job->options.train = job->train;
+	job->options.run_weight = job->run_weight;
 	job->calibration = calibration_new(site, &job->options);
 	job->started = session_clock();
 	fit_announce(s);
@@ -51,7 +52,8 @@ options_text(const struct session *s)
 		fprintf(out, " %a..%a", o->bounds.lower[j], o->bounds.upper[j]);
 	fputs(" train", out);
 	for (size_t r = 0; r < s->entry[s->job.entry].site->n_run; r++)
-		fputc(s->job.train[r] ? '1' : '0', out);
+		fprintf(out, " %d*%a", s->job.train[r],
+		    s->job.run_weight != NULL ? s->job.run_weight[r] : 1);
 	fclose(out);
 	return text;
 }
@@ -91,6 +93,7 @@ static void
 clear(struct session *s)
 {
 	free(s->job.checkpoint);
+	free(s->job.run_weight);
 	calibration_free(s->job.calibration);
 	free(s->job.train);
 	if (s->job.log != NULL)
@@ -140,12 +143,13 @@ write_log_head(FILE *log)
 
 void
 job_start(struct session *s, const struct calibrate_options *options,
-    bool *train, bool all, FILE *log)
+    bool *train, double *run_weight, bool all, FILE *log)
 {
 	session_stop(s, false);
 	s->job = (struct job){.options = *options,
 	    .entry = all ? next_site(s, 0) : s->current,
 	    .train = train,
+	    .run_weight = run_weight,
 	    .all = all,
 	    .log = log,
 	    .summary = all ? new_summary() : NULL};

@@ -15,8 +15,9 @@ bool cmd_accept(struct session *, const struct args *, struct error *);
 bool job_resume(struct session *s, const char *path, struct error *error);
 
 /* Starts the job on one site (all: first of all loaded ones), with the options
- * given; takes train, which may be NULL for the default, and log. */
+ * given; takes train and run_weight, either of which may be NULL for the
+ * default, and log. */
 void job_start(struct session *s, const struct calibrate_options *options,
-    bool *train, bool all, FILE *log);
+    bool *train, double *run_weight, bool all, FILE *log);
 
 #endif

@@ -52,6 +52,7 @@ struct job {
 	bool paused;            /* stopped by ^C; `continue` goes on */
 	size_t pause_at;        /* generation to stop after; 0: none */
 	struct report *summary; /* of all */
+	double *run_weight;     /* [n_run] of the site, or NULL */
 	char *checkpoint;       /* file to write when stopped, or NULL */
 	FILE *log;              /* every generation as CSV, or NULL */
 };

@@ -79,6 +79,8 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
 	"speeds to train on; else the slowest and the fastest"},
     {"weights", VALUE_CHOICE, "", 0, 0, "off sd", "off",
 	"sd: divide by the sheet's standard deviations"},
+    {"run_weights", VALUE_NUMBERS, "", 0.001, 1000, NULL, "",
+	"weight of each training run's squares, slow to fast"},
     {"preset", VALUE_CHOICE, "", 0, 0, "best paper", "best",
 	"paper: a textbook genetic algorithm, without polish"},
     {"pause", VALUE_WHOLE, "", 1, 1e6, NULL, "",

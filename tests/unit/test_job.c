@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "core/isa.h"
+#include "core/validate.h"
 
 static const char LOAD[] = "synth data/table3.csv site=Tierp seed=9";
 static const char SEARCH[] =
@@ -94,6 +95,26 @@ threads_and_instruction_sets_change_no_bit(void **state)
 		struct fit got = whole(desk);
 		expect_same(&got, &want);
 	}
+}
+
+static void
+run_weights_pull_the_fit_to_a_run(void **state)
+{
+	struct desk *desk = *state;
+	const struct entry *entry = session_entry(desk->session);
+	double rmse[2];
+	static const char *const lines[] = {
+	    "calibrate seed=1 run_weights=100,1",
+	    "calibrate seed=1 run_weights=1,100"};
+	for (size_t i = 0; i < 2; i++) {
+		assert_true(desk_say(desk, lines[i]));
+		rmse[i] = validate_run(entry->site, 0, entry->train,
+		    &entry->params, model_settings_default())
+			      .rmse;
+	}
+	assert_true(rmse[0] < rmse[1]);
+	assert_false(desk_say(desk, "calibrate run_weights=1,2,3"));
+	assert_non_null(strstr(desk->error.text, "wants 2 numbers"));
 }
 
 static void
@@ -269,6 +290,7 @@ main(void)
 	const struct CMUnitTest tests[] = {
 	    WITH_SITE(a_stopped_calibration_goes_on_to_the_same_bits),
 	    WITH_SITE(threads_and_instruction_sets_change_no_bit),
+	    WITH_SITE(run_weights_pull_the_fit_to_a_run),
 	    WITH_SITE(a_paused_calibration_can_be_accepted),
 	    WITH_SITE(a_pause_before_the_first_generation_keeps_nothing),
 	    WITH_SITE(a_new_calibration_replaces_a_paused_one),
