@@ -27,4 +27,11 @@ for page in "$dir"/man/*; do
 	[ -s "$dir/points" ]
 	result $? "$name has examples, and they ran"
 done
+# The sheet printed in README loads, and its command line runs.
+sed -n '/^    site,My quarry/,/^$/s/^    //p' "$srcdir/README.md" >"$dir/my.csv"
+"$TIPSPEED" "$dir/my.csv" -c check -c calibrate -c validate -c 'predict 67' \
+	>"$dir/out" 2>"$dir/log"
+result $? "the sheet in README loads and is calibrated"
+grep -q '^P20 .*P50 .*P80 ' "$dir/out"
+result $? "and its product is predicted"
 finish

@@ -151,7 +151,7 @@ end_search(struct calibration *c, enum calibrate_state why)
 static void
 sample_spread(const struct calibration *c, size_t j, double *p10, double *p90)
 {
-	enum { SAMPLE = 256 };
+	enum { SAMPLE = 128 };
 	double value[SAMPLE];
 	size_t n = c->options.population;
 	n = n < SAMPLE ? n : SAMPLE;
