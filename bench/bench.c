@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/pool.h"
 #include "base/xalloc.h"
 #include "core/calibrate.h"
 #include "core/ga.h"
@@ -52,16 +53,19 @@ static void
 kernel_row(const struct misfit *m, enum isa isa, unsigned threads,
     const struct herd *near, const struct herd *wide)
 {
-	struct kernel *kernel = kernel_new(m, isa, threads);
+	struct pool *pool = pool_new(threads);
+	struct kernel *kernel = kernel_new(m, isa, pool);
 	printf("%-12s%8u%14.2f%14.2f\n", isa_name(isa), threads,
 	    1e-6 / candidate_seconds(kernel, near),
 	    1e-6 / candidate_seconds(kernel, wide));
 	kernel_free(kernel);
+	pool_free(pool);
 }
 
 static void
-bench_kernel(const struct site *site)
+bench_kernel(const struct measure_sites *sites)
 {
+	const struct site *site = measure_site(sites, "Tierp");
 	struct calibrate_options o = calibrate_options_default();
 	struct fit fit;
 	measure_calibrate(site, &o, &fit);
@@ -97,10 +101,11 @@ drive(const struct site *site, const struct calibrate_options *full)
 {
 	struct ga_options o = ga_options_default();
 	struct misfit *m = measure_misfit(site, false);
-	struct kernel *kernel = kernel_new(m, full->isa, full->threads);
+	struct pool *pool = pool_new(full->threads);
+	struct kernel *kernel = kernel_new(m, full->isa, pool);
 	o.population = full->population;
 	o.seed = full->seed;
-	o.threads = full->threads;
+	o.pool = pool;
 	o.isa = full->isa;
 	struct ga *ga =
 	    ga_new(&o, PARAM_COUNT, full->bounds.lower, full->bounds.upper);
@@ -120,6 +125,7 @@ drive(const struct site *site, const struct calibrate_options *full)
 	free(told);
 	ga_free(ga);
 	kernel_free(kernel);
+	pool_free(pool);
 	misfit_free(m);
 	return parts;
 }
@@ -161,8 +167,9 @@ full_run_row(const struct site *site, unsigned threads)
 }
 
 static void
-bench_full_run(const struct site *site)
+bench_full_run(const struct measure_sites *sites)
 {
+	const struct site *site = measure_site(sites, "Tierp");
 	printf("\n2. The paper's full run, %s: 8000 candidates, 800 "
 	       "generations, no polish\n(median of %d; kernel and ga_tell "
 	       "timed apart over the same populations)\n\n",
@@ -372,7 +379,7 @@ cost_of(size_t runs, size_t n_product, size_t n_feed)
 {
 	struct site *site = made_site(runs, n_product, n_feed);
 	struct misfit *m = measure_misfit(site, true);
-	struct kernel *kernel = kernel_new(m, ISA_BEST, 1);
+	struct kernel *kernel = kernel_new(m, ISA_BEST, NULL);
 	struct herd near = herd_near(&TIERP), wide = herd_wide();
 	struct cost cost = {1e6 * candidate_seconds(kernel, &near),
 	    1e6 * candidate_seconds(kernel, &wide)};
@@ -394,8 +401,9 @@ cost_row(size_t runs, size_t product, const char *feed, double factor,
 }
 
 static void
-bench_scaling(void)
+bench_scaling(const struct measure_sites *sites)
 {
+	(void)sites;
 	struct cost first = {0, 0};
 	printf("\n5. Scaling: microseconds a candidate, one thread, near the "
 	       "optimum and over the\nwhole bounds, and the ratio to cost in "
@@ -422,17 +430,20 @@ bench_scaling(void)
 int
 main(int argc, char **argv)
 {
+	static void (*const tables[])(const struct measure_sites *) = {
+	    bench_kernel, bench_full_run, bench_sites, bench_scaling};
 	if (argc != 2) {
 		fprintf(stderr, "usage: bench DATA_DIR\n");
 		return 2;
 	}
 	struct measure_sites sites = measure_read_sites(argv[1]);
-	const struct site *tierp = measure_site(&sites, "Tierp");
 	measure_print_machine();
-	bench_kernel(tierp);
-	bench_full_run(tierp);
-	bench_sites(&sites);
-	bench_scaling();
+	for (size_t i = 0; i < ARRAY_LEN(tables); i++) {
+		struct measure_load load = measure_load();
+		tables[i](&sites);
+		measure_print_others(&load);
+		fflush(stdout);
+	}
 	measure_free_sites(&sites);
 	return ferror(stdout) != 0;
 }

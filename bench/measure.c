@@ -4,11 +4,12 @@
 #include "measure.h"
 
 #include <dirent.h>
-#include <omp.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -42,7 +43,8 @@ measure_median(double *value, size_t n)
 unsigned
 measure_threads(void)
 {
-	return (unsigned)omp_get_num_procs();
+	long n = sysconf(_SC_NPROCESSORS_ONLN);
+	return n >= 1 ? (unsigned)n : 1;
 }
 
 /* The first line of a file of /proc that begins with key, behind its colon
@@ -77,11 +79,38 @@ measure_print_machine(void)
 	print_proc("load at start", "/proc/loadavg", "");
 }
 
-void
-measure_print_padded(const char *text, int width)
+/* Seconds of all that cores did but idle and wait, stolen time with it. */
+static double
+all_work(void)
 {
-	int pad = width - text_width(text);
-	printf("%s%*s", text, pad > 0 ? pad : 0, "");
+	double tick[8] = {0};
+	FILE *in = fopen("/proc/stat", "r");
+	if (in == NULL)
+		return 0;
+	bool good = fscanf(in, "cpu %lf %lf %lf %lf %lf %lf %lf %lf", &tick[0],
+			&tick[1], &tick[2], &tick[3], &tick[4], &tick[5],
+			&tick[6], &tick[7]) == 8;
+	fclose(in);
+	double sum = 0;
+	for (size_t i = 0; i < 8 && good; i++)
+		sum += i == 3 || i == 4 ? 0 : tick[i];
+	return sum / (double)sysconf(_SC_CLK_TCK);
+}
+
+struct measure_load
+measure_load(void)
+{
+	return (struct measure_load){measure_now(), all_work(),
+	    (double)clock() / (double)CLOCKS_PER_SEC};
+}
+
+void
+measure_print_others(const struct measure_load *since)
+{
+	struct measure_load now = measure_load();
+	double others = (now.all - since->all) - (now.own - since->own);
+	printf("\n(meanwhile other processes used %.2f cores)\n",
+	    fmax(others, 0) / (now.clock - since->clock));
 }
 
 static int

@@ -22,8 +22,16 @@ unsigned measure_threads(void);
 /* Date, processor, cores, instruction set and load, a line each. */
 void measure_print_machine(void);
 
-/* Pads text, UTF-8, to the width. */
-void measure_print_padded(const char *text, int width);
+/* The work of all processes and of this one so far, seconds of one core. */
+struct measure_load {
+	double clock, all, own;
+};
+
+struct measure_load measure_load(void);
+
+/* A line that says how many cores others used since then: above some 0.1 the
+ * figures of several threads are worth little. */
+void measure_print_others(const struct measure_load *since);
 
 /* The sites of DATA/sites in the order of the file names.  A fault, or no
  * site, ends the program with a message. */

@@ -5,14 +5,12 @@
 // accurate misfit, to see whether anybody finds a lower one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -32,225 +30,13 @@ extern "C" {
 #include "core/polish.h"
 #include "measure.h"
 }
+#include "plain.h"
 
 namespace
 {
 
 using Theta = std::vector<double>; // in the order of PARAMS
 using Objective = std::function<double(const double *)>;
-
-// -- The objective, plainly ---------------------------------------------------
-
-constexpr std::size_t CLASSES = 40, POINTS = 2 * CLASSES, NODES = 81;
-
-double
-passing_at(const struct psd &psd, double x)
-{
-	if (x >= psd.size[0])
-		return psd.passing[0];
-	for (std::size_t i = 1; i < psd.n; i++)
-		if (x >= psd.size[i]) {
-			double t = std::log(x / psd.size[i]) /
-				   std::log(psd.size[i - 1] / psd.size[i]);
-			return psd.passing[i] +
-			       t * (psd.passing[i - 1] - psd.passing[i]);
-		}
-	return psd.passing[psd.n - 1];
-}
-
-// P(s) = F(s) + sum over x > s of S(x) B(s/x) dF(x), 40 classes that end at
-// every sieve, two Gauss points a class; B from 81 nodes of u, 8 an octave.
-class PlainMisfit
-{
-      public:
-	explicit PlainMisfit(const struct misfit &m)
-	{
-		std::vector<double> sieves, edges;
-		for (std::size_t r = 0; r < m.n_run; r++) {
-			const struct misfit_run &run = m.run[r];
-			sieves.insert(
-			    sieves.end(), run.sieve, run.sieve + run.n);
-			edges.insert(edges.end(), run.feed.size,
-			    run.feed.size + run.feed.n);
-		}
-		falling(sieves);
-		edges.insert(edges.end(), sieves.begin(), sieves.end());
-		falling(edges);
-		make_points(split(edges));
-		for (double s : sieves)
-			if (s < edges[0])
-				add_sieve(s);
-		for (std::size_t r = 0; r < m.n_run; r++)
-			add_run(m.run[r]);
-		for (std::size_t j = 0; j < NODES; j++)
-			u[j] = std::exp2(-double(j) / 8);
-	}
-
-	double operator()(const double *theta) const
-	{
-		std::array<double, NODES> below;
-		double total = daughters(theta, below), sum = 0;
-		std::array<double, POINTS> power;
-		for (std::size_t q = 0; q < POINTS; q++)
-			power[q] = std::exp(theta[6] * log_x[q]);
-		for (const Run &run : runs)
-			sum += run_misfit(run, theta, power, below, total);
-		return std::isfinite(sum) ? sum : 1e6;
-	}
-
-	std::size_t n_sieve() const
-	{
-		return targets.size();
-	}
-
-      private:
-	// Where B(s/x) lies in the table of nodes, for a sieve and a point.
-	struct Place {
-		std::size_t node;
-		double share;
-	};
-	struct Target {
-		double size;
-		std::vector<Place> above; // points coarser than the sieve
-	};
-	struct Run {
-		double energy;
-		std::array<double, POINTS> mass;
-		std::vector<double> feed, measured, weight; // by sieve
-	};
-
-	std::array<double, POINTS> log_x, width; // of a point's half class
-	std::array<double, NODES> u;
-	std::vector<Target> targets;
-	std::vector<Run> runs;
-
-	static void falling(std::vector<double> &x)
-	{
-		std::sort(x.begin(), x.end(), std::greater<double>());
-		x.erase(std::unique(x.begin(), x.end()), x.end());
-	}
-
-	// Ends of 40 classes, ln x: the widest are split first.
-	static std::vector<double> split(const std::vector<double> &edges)
-	{
-		std::size_t n = edges.size() - 1;
-		if (n > CLASSES)
-			throw std::runtime_error("more than 40 intervals");
-		std::vector<int> parts(n, 1);
-		auto wide = [&](std::size_t i) {
-			return std::log(edges[i] / edges[i + 1]) / parts[i];
-		};
-		for (std::size_t k = n; k < CLASSES; k++) {
-			std::size_t widest = 0;
-			for (std::size_t i = 1; i < n; i++)
-				if (wide(i) > wide(widest) * (1 + 1e-9))
-					widest = i;
-			parts[widest]++;
-		}
-		std::vector<double> end{std::log(edges[0])};
-		for (std::size_t i = 0; i < n; i++)
-			for (int k = 1; k <= parts[i]; k++)
-				end.push_back(std::log(edges[i]) - k * wide(i));
-		return end;
-	}
-
-	void make_points(const std::vector<double> &end)
-	{
-		for (std::size_t c = 0; c < CLASSES; c++) {
-			double middle = (end[c] + end[c + 1]) / 2;
-			double half = (end[c] - end[c + 1]) / 2;
-			log_x[2 * c] = middle + half / std::sqrt(3.0);
-			log_x[2 * c + 1] = middle - half / std::sqrt(3.0);
-			width[2 * c] = width[2 * c + 1] = half;
-		}
-	}
-
-	void add_sieve(double s)
-	{
-		Target t{s, {}};
-		for (std::size_t q = 0; q < POINTS && log_x[q] > std::log(s);
-		     q++) {
-			double at =
-			    8 * (log_x[q] - std::log(s)) / std::log(2.0);
-			bool finest = at >= NODES - 1;
-			std::size_t node = finest ? NODES - 2 : std::size_t(at);
-			t.above.push_back(
-			    {node, finest ? 1 : at - double(node)});
-		}
-		targets.push_back(t);
-	}
-
-	void add_run(const struct misfit_run &from)
-	{
-		Run run;
-		run.energy = from.speed * from.speed / 2;
-		for (std::size_t q = 0; q < POINTS; q++) {
-			double h = width[q] * 1e-3, x = log_x[q];
-			run.mass[q] =
-			    (passing_at(from.feed, std::exp(x + h)) -
-				passing_at(from.feed, std::exp(x - h))) /
-			    (2 * h) * width[q];
-		}
-		for (const Target &t : targets) {
-			run.feed.push_back(passing_at(from.feed, t.size));
-			run.measured.push_back(0);
-			run.weight.push_back(0);
-			for (std::size_t i = 0; i < from.n; i++)
-				if (from.sieve[i] == t.size) {
-					run.measured.back() = from.measured[i];
-					run.weight.back() = from.weight[i];
-				}
-		}
-		runs.push_back(run);
-	}
-
-	// Integral of p(u) d ln u from 2^-10 up to each node; the last is 0.
-	double daughters(
-	    const double *beta, std::array<double, NODES> &below) const
-	{
-		double sum = 0, before = 0;
-		for (std::size_t j = NODES; j-- > 0;) {
-			double p =
-			    beta[0] +
-			    u[j] *
-				(beta[1] + u[j] * (beta[2] + u[j] * beta[3]));
-			p = p > 0 ? p : 0;
-			if (j < NODES - 1)
-				sum += (before + p) * (std::log(2.0) / 16);
-			below[j] = sum;
-			before = p;
-		}
-		return sum;
-	}
-
-	double run_misfit(const Run &run, const double *theta,
-	    const std::array<double, POINTS> &power,
-	    const std::array<double, NODES> &below, double total) const
-	{
-		std::array<double, POINTS> broken;
-		for (std::size_t q = 0; q < POINTS; q++) {
-			double over = power[q] * run.energy - theta[5];
-			broken[q] =
-			    over > 0
-				? run.mass[q] * (1 - std::exp(-theta[4] * over))
-				: 0;
-		}
-		double misfit = 0;
-		for (std::size_t s = 0; s < targets.size(); s++) {
-			const std::vector<Place> &above = targets[s].above;
-			double sum = 0;
-			for (std::size_t q = 0; q < above.size(); q++) {
-				const double *B = &below[above[q].node];
-				sum += broken[q] *
-				       (B[0] + above[q].share * (B[1] - B[0]));
-			}
-			double P = run.feed[s] + (total > 0 ? sum / total : 0);
-			double d = run.weight[s] * (P - run.measured[s]);
-			misfit += d * d;
-		}
-		return misfit;
-	}
-};
 
 // -- The other optimisers -----------------------------------------------------
 
@@ -320,50 +106,49 @@ nlopt_search(const Objective &objective, nlopt::algorithm algorithm,
 	return found;
 }
 
-// An optimiser as it is run here.  exact: also runs on the accurate misfit,
-// where those of pagmo stop at differences of `tolerance`, not at their
-// default of 1e-6.
+// An optimiser as it is run here.  small: few evaluations, so that it is run
+// with several seeds, and on the accurate misfit too.
 struct Peer {
 	const char *name;
-	bool exact;
-	std::function<Found(const Objective &, double tolerance, unsigned seed)>
-	    search;
+	bool small;
+	std::function<Found(const Objective &, unsigned seed)> search;
 };
 
-const double PAGMO_DEFAULT = 1e-6, PAGMO_EXACT = 1e-13;
+// Those of pagmo would stop at differences of 1e-6, above the misfit's own.
+const double STOP_AT = 1e-12;
 
 const std::vector<Peer> PEERS = {
     {"pagmo2 sga 8000 x 800", false,
-	[](const Objective &o, double, unsigned seed) {
+	[](const Objective &o, unsigned seed) {
 		return evolve(o,
 		    pagmo::algorithm{pagmo::sga{800, 0.9, 1., 0.02, 1., 2,
 			"exponential", "polynomial", "tournament", seed}},
 		    8000, seed);
 	}},
     {"pagmo2 de 100 x 2000", true,
-	[](const Objective &o, double tolerance, unsigned seed) {
+	[](const Objective &o, unsigned seed) {
 		return evolve(o,
-		    pagmo::algorithm{pagmo::de{
-			2000, 0.8, 0.9, 2, tolerance, tolerance, seed}},
+		    pagmo::algorithm{
+			pagmo::de{2000, 0.8, 0.9, 2, STOP_AT, STOP_AT, seed}},
 		    100, seed);
 	}},
     {"pagmo2 cmaes 100 x 2000", true,
-	[](const Objective &o, double tolerance, unsigned seed) {
+	[](const Objective &o, unsigned seed) {
 		return evolve(o,
 		    pagmo::algorithm{pagmo::cmaes{2000, -1, -1, -1, -1, 0.5,
-			tolerance, tolerance, false, true, seed}},
+			STOP_AT, STOP_AT, false, true, seed}},
 		    100, seed);
 	}},
     {"NLopt CRS2_LM, 80", true,
-	[](const Objective &o, double, unsigned seed) {
+	[](const Objective &o, unsigned seed) {
 		return nlopt_search(o, nlopt::GN_CRS2_LM, 80, 200000, seed);
 	}},
     {"NLopt ISRES", true,
-	[](const Objective &o, double, unsigned seed) {
+	[](const Objective &o, unsigned seed) {
 		return nlopt_search(o, nlopt::GN_ISRES, 0, 200000, seed);
 	}},
     {"NLopt ESCH", false,
-	[](const Objective &o, double, unsigned seed) {
+	[](const Objective &o, unsigned seed) {
 		return nlopt_search(o, nlopt::GN_ESCH, 0, 6400000, seed);
 	}},
 };
@@ -379,26 +164,34 @@ params_of(const double *theta)
 	return p;
 }
 
-// What a row says of several seeds; misfits on the accurate objective.
+// What a row says of several seeds.  own: the misfit as the optimiser saw it;
+// misfit: the accurate one of the point found.
 struct Row {
 	std::string name;
-	std::vector<double> seconds, evaluations, misfit;
+	std::vector<double> seconds, evaluations, own, misfit;
+
+	void add(double s, double n, double seen, double accurate)
+	{
+		seconds.push_back(s);
+		evaluations.push_back(n);
+		own.push_back(seen);
+		misfit.push_back(accurate);
+	}
 };
 
 Row
-tipspeed_row(const char *what, const struct site *site,
+tipspeed_row(const std::string &what, const struct site *site,
     struct calibrate_options options, unsigned seeds)
 {
-	Row row{"tipspeed " + std::string(what) + ", " +
-		    std::to_string(options.threads) +
+	Row row{"tipspeed " + what + ", " + std::to_string(options.threads) +
 		    (options.threads > 1 ? " threads" : " thread"),
-	    {}, {}, {}};
+	    {}, {}, {}, {}};
 	for (unsigned seed = 1; seed <= seeds; seed++) {
 		struct fit fit;
 		options.seed = seed;
-		row.seconds.push_back(measure_calibrate(site, &options, &fit));
-		row.evaluations.push_back(double(fit.evaluations));
-		row.misfit.push_back(fit.misfit);
+		double seconds = measure_calibrate(site, &options, &fit);
+		row.add(
+		    seconds, double(fit.evaluations), fit.misfit, fit.misfit);
 	}
 	return row;
 }
@@ -433,56 +226,83 @@ void
 print_row(const Row &row, double best, double full_all, double full_one)
 {
 	double seconds = middle(row.seconds), n = middle(row.evaluations);
-	std::printf("%-30s%9.0f%9.3f%9.3f%14.7e%10.1e%10.1e%8.2f%8.2f\n",
-	    row.name.c_str(), n, seconds, n / seconds / 1e6, least(row.misfit),
-	    least(row.misfit) / best - 1, most(row.misfit) / best - 1,
-	    seconds / full_all, seconds / full_one);
+	std::printf("%-30s%9.0f%9.3f%7.2f%11.3e%11.3e%9.1e%9.1e%7.2f%7.2f\n",
+	    row.name.c_str(), n, seconds, n / seconds / 1e6, least(row.own),
+	    least(row.misfit), least(row.misfit) / best - 1,
+	    most(row.misfit) / best - 1, seconds / full_all,
+	    seconds / full_one);
 }
 
+Row
+peer_row(const Peer &peer, const Objective &objective, struct misfit *accurate,
+    unsigned seeds)
+{
+	Row row{peer.name, {}, {}, {}, {}};
+	for (unsigned seed = 1; seed <= (peer.small ? seeds : 1); seed++) {
+		Found f = peer.search(objective, seed);
+		struct params p = params_of(f.x.data());
+		row.add(f.seconds, f.evaluations, f.misfit,
+		    misfit_at(accurate, &p));
+	}
+	return row;
+}
+
+// tipspeed's full run comes first: on all threads, then on one.
 std::vector<Row>
-race(const struct site *site, struct misfit *accurate, unsigned seeds)
+race(const struct site *site, const Objective &objective,
+    struct misfit *accurate, unsigned seeds)
 {
 	unsigned all = measure_threads();
-	Objective plain = PlainMisfit(*accurate);
 	std::vector<Row> rows = {
 	    tipspeed_row("8000 x 800", site, measure_full_run(all), seeds),
 	    tipspeed_row("8000 x 800", site, measure_full_run(1), seeds),
 	    tipspeed_row("ordinary", site, ordinary(all), seeds),
 	    tipspeed_row("ordinary", site, ordinary(1), seeds)};
-	for (const Peer &peer : PEERS) {
-		Row row{peer.name, {}, {}, {}};
-		for (unsigned seed = 1; seed <= seeds; seed++) {
-			Found f = peer.search(plain, PAGMO_DEFAULT, seed);
-			struct params p = params_of(f.x.data());
-			row.seconds.push_back(f.seconds);
-			row.evaluations.push_back(f.evaluations);
-			row.misfit.push_back(misfit_at(accurate, &p));
-		}
-		rows.push_back(row);
-	}
+	for (const Peer &peer : PEERS)
+		rows.push_back(peer_row(peer, objective, accurate, seeds));
 	return rows;
+}
+
+// The plain misfit where tipspeed's calibration ends, to show that it is the
+// same objective but for its coarser scheme.
+double
+at_optimum(const struct site *site, const Objective &objective)
+{
+	struct calibrate_options o = ordinary(1);
+	struct fit fit;
+	Theta theta(PARAM_COUNT);
+	measure_calibrate(site, &o, &fit);
+	for (std::size_t j = 0; j < PARAM_COUNT; j++)
+		theta[j] = params_get(&fit.params, j);
+	return objective(theta.data());
 }
 
 void
 print_race(const struct site *site, unsigned seeds)
 {
+	struct measure_load load = measure_load();
 	struct misfit *accurate = measure_misfit(site, false);
-	std::size_t n_sieve = PlainMisfit(*accurate).n_sieve();
-	std::printf("\nSpeed, %s: plain objective, %zu classes, %zu sieves, "
-		    "%zu speeds; %u seeds\n\n",
-	    site->name, CLASSES, n_sieve, accurate->n_run, seeds);
-	std::vector<Row> rows = race(site, accurate, seeds);
-	std::printf("%-30s%9s%9s%9s%14s%10s%10s%8s%8s\n", "", "evalu-", "",
-	    "million", "best accur.", "gap, best", "gap,worst", "times",
-	    "times");
-	std::printf("%-30s%9s%9s%9s%14s%10s%10s%8s%8s\n", "optimiser", "ations",
-	    "seconds", "/second", "misfit", "seed", "seed", "full", "full 1");
+	plain::Misfit misfit(*accurate);
+	Objective objective = misfit;
+	std::printf("\nSpeed, %s: plain objective of %zu classes, %zu sieves, "
+		    "%zu speeds, %.4e at\ntipspeed's optimum; %u seeds, one "
+		    "for those of 6.4 million evaluations\n\n",
+	    site->name, plain::CLASSES, misfit.n_sieve(), accurate->n_run,
+	    at_optimum(site, objective), seeds);
+	std::vector<Row> rows = race(site, objective, accurate, seeds);
+	std::printf("%-30s%9s%9s%7s%11s%11s%9s%9s%7s%7s\n", "", "evalu-", "",
+	    "mill.", "own", "accurate", "gap,best", "gap,", "times", "times");
+	std::printf("%-30s%9s%9s%7s%11s%11s%9s%9s%7s%7s\n", "optimiser",
+	    "ations", "seconds", "per s", "misfit", "misfit", "seed", "worst",
+	    "full", "full 1");
 	double best = INFINITY;
 	for (const Row &row : rows)
 		best = std::min(best, least(row.misfit));
 	for (const Row &row : rows)
 		print_row(row, best, middle(rows[0].seconds),
 		    middle(rows[1].seconds));
+	measure_print_others(&load);
+	std::fflush(stdout);
 	misfit_free(accurate);
 }
 
@@ -506,11 +326,11 @@ exact_search(const struct site *site, unsigned seeds)
 		return misfit_at(m, &p);
 	};
 	for (const Peer &peer : PEERS) {
-		if (!peer.exact)
+		if (!peer.small)
 			continue;
 		double best = INFINITY;
 		for (unsigned seed = 1; seed <= seeds; seed++) {
-			Found f = peer.search(accurate, PAGMO_EXACT, seed);
+			Found f = peer.search(accurate, seed);
 			struct params p = params_of(f.x.data());
 			best = std::min(best, f.misfit);
 			e.polished = std::min(e.polished,
@@ -547,6 +367,7 @@ void
 print_exactness(const std::vector<struct site *> &sites, unsigned seeds)
 {
 	double worst = -INFINITY;
+	struct measure_load load = measure_load();
 	std::printf("\nExactness: tipspeed's ordinary calibration (worst of %u "
 		    "seeds) and the best of %u\nseeds of each peer on the same "
 		    "accurate misfit; peers relative to the best known\n\n",
@@ -557,6 +378,7 @@ print_exactness(const std::vector<struct site *> &sites, unsigned seeds)
 	for (const struct site *site : sites)
 		worst = std::max(worst, print_exact(site, seeds));
 	std::printf("\nlargest gap %.1e\n", worst);
+	measure_print_others(&load);
 }
 
 int
@@ -572,7 +394,7 @@ usage()
 int
 main(int argc, char **argv)
 {
-	enum { SEEDS = 2 };
+	enum { SEEDS = 3 };
 	if (argc < 2)
 		return usage();
 	bool all = argc > 2 && std::strcmp(argv[2], "all") == 0;
