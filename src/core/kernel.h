@@ -20,9 +20,10 @@
  * Within 0.05 points of model_product at Table 3 (tested); the answer of a
  * search is polished and reported on model_product.  `classes` is exact.
  *
- * Nothing is allocated or printed after kernel_new.  A candidate's misfit
- * depends on that candidate alone, bit for bit: not on its neighbours, the
- * number of threads or the instruction set (no fused multiply-add, own exp). */
+ * Nothing is printed, nor allocated after the first batch of a size. A
+ * candidate's misfit depends on that candidate alone, bit for bit: not on its
+ * neighbours, the number of threads or the instruction set (no fused
+ * multiply-add, own exp). */
 struct kernel;
 
 /* The misfit is read here and not kept.  pool: threads to share the work, must
