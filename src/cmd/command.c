@@ -13,7 +13,7 @@
 const struct command *
 command_find(const char *name)
 {
-	for (const struct command *c = COMMANDS; c->name != NULL; c++)
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
 		if (strcmp(c->name, name) == 0 ||
 		    (c->alias != NULL && strcmp(c->alias, name) == 0))
 			return c;
@@ -25,7 +25,7 @@ command_nearest(const char *name)
 {
 	const char *nearest = NULL;
 	size_t least = 3; /* more edits than this is another word */
-	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		size_t d = text_distance(c->name, name);
 		size_t n = strlen(name);
 		if (n >= 3 && strncmp(c->name, name, n) == 0)

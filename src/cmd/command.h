@@ -73,8 +73,9 @@ struct command {
 	bool (*run)(struct session *, const struct args *, struct error *);
 };
 
-/* The table, by group; ends with a name of NULL. */
-extern const struct command COMMANDS[];
+/* The table, by group: the first command for NULL, then the one after. NULL
+ * at the end. */
+const struct command *command_next(const struct command *after);
 
 /* By full name or alias; NULL if there is none. */
 const struct command *command_find(const char *name);

@@ -15,7 +15,7 @@ void
 info_list(FILE *out)
 {
 	const char *group = "";
-	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (strcmp(group, c->group) != 0)
 			fprintf(out, "%s\n", c->group);
 		group = c->group;

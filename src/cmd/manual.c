@@ -94,7 +94,7 @@ void
 manual_commands(FILE *out)
 {
 	const char *group = "";
-	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (strcmp(group, c->group) != 0) {
 			if (group[0] != '\0')
 				fputs(".El\n", out);

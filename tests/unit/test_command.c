@@ -9,7 +9,7 @@ static size_t
 count_named(const char *name)
 {
 	size_t n = 0;
-	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		n += strcmp(c->name, name) == 0;
 		n += c->alias != NULL && strcmp(c->alias, name) == 0;
 	}
@@ -20,7 +20,7 @@ static void
 names_and_aliases_are_unique(void **state)
 {
 	(void)state;
-	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		assert_int_equal(count_named(c->name), 1);
 		assert_ptr_equal(command_find(c->name), c);
 		if (c->alias == NULL)
@@ -35,11 +35,16 @@ static void
 groups_are_contiguous(void **state)
 {
 	(void)state;
-	for (const struct command *c = COMMANDS + 1; c->name != NULL; c++)
-		if (strcmp(c->group, c[-1].group) != 0)
-			for (const struct command *d = COMMANDS; d < c; d++)
-				if (strcmp(c->group, d->group) == 0)
-					fail_msg("group of %s", c->name);
+	const struct command *before = NULL;
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
+		bool same =
+		    before != NULL && strcmp(c->group, before->group) == 0;
+		for (const struct command *d = NULL;
+		     !same && (d = command_next(d)) != c;)
+			if (strcmp(c->group, d->group) == 0)
+				fail_msg("group of %s", c->name);
+		before = c;
+	}
 }
 
 /* Lower case, no full stop; sentences end with one. */
@@ -47,7 +52,7 @@ static void
 words_for_people_are_there(void **state)
 {
 	(void)state;
-	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		size_t n = strlen(c->brief), end = strlen(c->text);
 		assert_true(n > 0 && c->brief[n - 1] != '.');
 		assert_false(isupper((unsigned char)c->brief[0]));
@@ -68,7 +73,7 @@ static void
 options_are_in_order(void **state)
 {
 	(void)state;
-	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		size_t n = 0;
 		const struct command_option *o = c->option;
 		for (; o != NULL && o[n].name != NULL; n++) {
@@ -91,7 +96,7 @@ static void
 fallbacks_are_valid(void **state)
 {
 	(void)state;
-	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		const struct command_option *o = c->option;
 		for (; o != NULL && o->name != NULL; o++) {
 			if (o->fallback[0] == '\0')
@@ -121,7 +126,7 @@ static void
 examples_parse(void **state)
 {
 	(void)state;
-	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		char *copy = xstrdup(c->example), *save = NULL;
 		char *line = strtok_r(copy, "\n", &save);
 		for (; line != NULL; line = strtok_r(NULL, "\n", &save))
@@ -134,7 +139,7 @@ static void
 usage_names_operands_and_options(void **state)
 {
 	(void)state;
-	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		char *usage = command_usage(c);
 		assert_true(strncmp(usage, c->name, strlen(c->name)) == 0);
 		assert_non_null(strstr(usage, c->operands));

@@ -126,7 +126,7 @@ commands_that_need_a_site_say_so(void **state)
 {
 	struct desk *desk = *state;
 	size_t n = 0;
-	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (c->need == NEED_NOTHING)
 			continue;
 		char *line = xasprintf(
@@ -150,7 +150,7 @@ static void
 all_other_commands_do_without_one(void **state)
 {
 	struct desk *desk = *state;
-	for (const struct command *c = COMMANDS; c->name != NULL; c++) {
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (c->need != NEED_NOTHING || strcmp(c->name, "tui") == 0)
 			continue;
 		char *line = xasprintf("%s%s", c->name,

@@ -1,0 +1,82 @@
+/* Commands that set the model, as rows of the command table.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/table.h"
+
+#include "cmd/model.h"
+
+static const struct command_option PARAMS_OPTIONS[] = {
+    {"beta1", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "constant term"},
+    {"beta2", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "term in u"},
+    {"beta3", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "term in u squared"},
+    {"beta4", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "term in u cubed"},
+    {"f_mat", VALUE_NUMBER, "kg/(J m)", 0, 1e4, NULL, "", "material parameter"},
+    {"e0_min", VALUE_NUMBER, "J m/kg", 0, 1e4, NULL, "", "threshold energy"},
+    {"alpha", VALUE_NUMBER, "", 0, 1e2, NULL, "", "size dependency"},
+    LAST_OPTION};
+
+static const struct command_option SET_OPTIONS[] = {
+    {"method", VALUE_CHOICE, "", 0, 0, "continuous classes", "",
+	"how products are computed"},
+    {"appearance", VALUE_CHOICE, "", 0, 0, "ratio progeny_mm parent_mm", "",
+	"the size that Eq 1 is a function of"},
+    {"k", VALUE_NUMBER, "", 0.001, 1000, NULL, "", "number of impacts"},
+    {"threads", VALUE_WHOLE, "", 1, 64, NULL, "", "threads of a calibration"},
+    {"isa", VALUE_CHOICE, "", 0, 0, "baseline avx2 avx512 best", "",
+	"instruction set of a calibration; results are the same"},
+    {"format", VALUE_CHOICE, "", 0, 0, "table csv json markdown", "",
+	"form of the results"},
+    LAST_OPTION};
+
+static const struct command_option SEED_OPTIONS[] = {
+    {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "",
+	"seed of calibrations"},
+    LAST_OPTION};
+
+const struct command TABLE_MODEL[] = {
+    {.name = "params",
+	.group = "model",
+	.brief = "show or set the model's parameters",
+	.operands = "[list|set]",
+	.most = 1,
+	.need = NEED_SITE,
+	.option = PARAMS_OPTIONS,
+	.text = "'params set' takes known parameters in place of a "
+		"calibration; those not named keep their value, and beta "
+		"starts from (0, 1, -1, 0.5).",
+	.example = "load data/sites/tierp.csv\n"
+		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
+		   "predict 74",
+	.run = cmd_params},
+    {.name = "bounds",
+	.group = "model",
+	.brief = "limits of the search",
+	.operands = "[default | PARAMETER FROM..TO | PARAMETER VALUE]",
+	.most = 2,
+	.text = "Without operands shows them. One VALUE holds the parameter "
+		"fixed. The defaults are those of the paper's Table 2.",
+	.example = "bounds f_mat 1.2\nbounds alpha 0.8..1\nbounds",
+	.run = cmd_bounds},
+    {.name = "set",
+	.group = "model",
+	.brief = "show or change settings",
+	.operands = "",
+	.pairs = true,
+	.option = SET_OPTIONS,
+	.text = "Settings are written 'set method classes' or 'set "
+		"method=classes'. The method classes is the paper to the "
+		"letter; continuous, the default, is its limit for fine "
+		"classes and does not depend on how the sieves lie. "
+		"Appearances other than ratio work with classes only.",
+	.example = "set method classes\nset",
+	.run = cmd_set},
+    {.name = "seed",
+	.group = "model",
+	.brief = "seed of calibrations",
+	.operands = "",
+	.bare = "seed",
+	.option = SEED_OPTIONS,
+	.text = "The same seed gives the same result to the last bit, with "
+		"any number of threads.",
+	.example = "seed 7",
+	.run = cmd_seed},
+    {.name = NULL}};

@@ -1,0 +1,49 @@
+/* Commands about the session itself, as rows of the command table.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/table.h"
+
+#include "cmd/assert.h"
+#include "cmd/info.h"
+
+const struct command TABLE_SESSION[] = {
+    {.name = "assert",
+	.group = "session",
+	.brief = "stop with status 1 unless an answer is as expected",
+	.operands = "VALUE =|<|> VALUE [within NUMBER]",
+	.least = 3,
+	.most = 5,
+	.text = "A value is a number or the newest answer: p20, p50, p80, "
+		"break (mm), speed and extrapolated (1 or 0) of predict; "
+		"misfit, rmse (points) and poor (1 or 0) of calibrate; "
+		"holdout, the largest RMSE of validate (points). Another "
+		"site, other parameters or a new calibration make them "
+		"unknown. For plant checks that run by themselves, which "
+		"should hold poor = 0 first.",
+	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
+		   "assert p50 = 2.81 within 0.05\nvalidate\n"
+		   "assert holdout < 1",
+	.run = cmd_assert},
+    {.name = "help",
+	.group = "session",
+	.brief = "what commands there are",
+	.operands = "[COMMAND]",
+	.most = 1,
+	.text = "With a command's name: all about it.",
+	.example = "help predict",
+	.run = cmd_help},
+    {.name = "version",
+	.group = "session",
+	.brief = "version of the program",
+	.operands = "",
+	.text = "With the libraries and instructions that numbers depend on.",
+	.example = "version",
+	.run = cmd_version},
+    {.name = "quit",
+	.alias = "exit",
+	.group = "session",
+	.brief = "leave the program",
+	.operands = "",
+	.text = "The rest of a script is not run.",
+	.example = "quit",
+	.run = cmd_quit},
+    {.name = NULL}};
