@@ -334,7 +334,7 @@ exact_search(const struct site *site, unsigned seeds)
 			struct params p = params_of(f.x.data());
 			best = std::min(best, f.misfit);
 			e.polished = std::min(e.polished,
-			    polish_run(polish, &bounds, 1000, &p).misfit);
+			    polish_run(polish, &bounds, 1000, 0, &p).misfit);
 		}
 		e.peer.push_back(best);
 	}
@@ -366,7 +366,7 @@ print_exact(const struct site *site, unsigned seeds)
 void
 print_exactness(const std::vector<struct site *> &sites, unsigned seeds)
 {
-	double worst = -INFINITY;
+	double worst = 0;
 	struct measure_load load = measure_load();
 	std::printf("\nExactness: tipspeed's ordinary calibration (worst of %u "
 		    "seeds) and the best of %u\nseeds of each peer on the same "

@@ -14,7 +14,7 @@
 
 #include "base/xalloc.h"
 
-enum { SPINS = 4000 }; /* looks for work before going to sleep: some 10 us */
+enum { SPINS = 60000 }; /* looks for work before going to sleep: some 10 us */
 
 /* What a thread is told when it starts. */
 struct worker {

@@ -14,18 +14,20 @@ enum { BREED_GENES = 16, BREED_BLOCK = 8 };
 /* Streams of random numbers of one generation. */
 struct breed_keys {
 	struct rng_key parent[2], pair, line;
-	struct rng_key blend[BREED_GENES], mutate[BREED_GENES];
+	struct rng_key gene[BREED_GENES];
 };
 
-/* told, asked: one array a gene.  rank [n]: candidates of told, best first.
- * over_tournament: 1 / size.  scale [n_gene]: unit of a mutation. */
+/* told, asked: one array a gene.  parent: winners of tournaments, drawn by the
+ * top bits of a random number, shifted down by draw_shift.  scale [n_gene]: unit
+ * of a mutation. */
 struct breed {
-	size_t n_gene, n;
+	size_t n_gene;
 	const double *const *told;
 	double *const *asked;
-	const uint32_t *rank;
+	const uint32_t *parent;
+	int draw_shift;
 	const double *lower, *upper, *scale;
-	double over_tournament, crossover, mutation;
+	double crossover, mutation;
 	bool anywhere;
 	struct breed_keys keys;
 };

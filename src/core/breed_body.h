@@ -12,17 +12,25 @@ uniform(struct rng_key key, size_t first)
 	return v;
 }
 
-/* The best of a tournament, drawn through its rank: the least of k uniform
- * numbers is 1 - (1 - u)^(1/k). */
+/* A gene's two random numbers. */
+static inline void
+uniform_pair(struct rng_key key, size_t first, lanes *a, lanes *b)
+{
+	for (size_t l = 0; l < LANES; l++) {
+		uint32_t bits = rng_bits(key, (uint32_t)(first + l));
+		(*a)[l] = rng_unit(bits);
+		(*b)[l] = rng_unit(rng_more(bits));
+	}
+}
+
 static inline void
 choose(const struct breed *b, struct rng_key key, size_t first, uint32_t *index)
 {
-	lanes u = uniform(key, first);
-	lanes r = 1 - lanes_exp(lanes_log(1 - u) * b->over_tournament);
-	r = lanes_max(r * (double)b->n, lanes_of(0));
-	r = lanes_min(r, lanes_of((double)(b->n - 1)));
+	uint32_t draw[LANES];
 	for (size_t l = 0; l < LANES; l++)
-		index[l] = b->rank[(int32_t)r[l]];
+		draw[l] = rng_bits(key, (uint32_t)(first + l)) >> b->draw_shift;
+	for (size_t l = 0; l < LANES; l++)
+		index[l] = b->parent[draw[l]];
 }
 
 /* One number makes two: whether to mutate, and by how much, of about unit size;
@@ -74,11 +82,11 @@ breed_lanes(const struct breed *b, size_t first)
 	for (size_t g = 0; g < b->n_gene; g++) {
 		lanes x = lanes_gather(b->told[g], mother);
 		lanes y = lanes_gather(b->told[g], father);
-		lanes own = uniform(b->keys.blend[g], first);
+		lanes m = {0}, own = m;
+		uniform_pair(b->keys.gene[g], first, &m, &own);
 		lanes u = lanes_select(straight, 2 * along, own);
 		lanes share = (lanes)(crossed & (lanes_mask)(1.8 * u - 0.4));
 		lanes child = x + share * (y - x);
-		lanes m = uniform(b->keys.mutate[g], first);
 		if (lanes_any(m < b->mutation))
 			child = b->anywhere
 				    ? mutate_anywhere(b, g, child, m)

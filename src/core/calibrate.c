@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/pool.h"
 #include "base/xalloc.h"
 #include "core/energy.h"
 #include "core/calibration.h"
@@ -70,12 +71,11 @@ calibration_new(
 	c->site_digest = site->digest;
 	c->misfit = training_misfit(site, options);
 	assert(c->misfit->n_residual > 0);
-	c->kernel = kernel_new(c->misfit, options->isa, c->pool);
+	c->kernel = kernel_new(c->misfit, options->isa, pool_threads(c->pool));
 	if (options->plain)
 		ga = ga_options_plain();
 	ga.population = options->population;
 	ga.seed = options->seed;
-	ga.pool = c->pool;
 	ga.isa = options->isa;
 	if (ga.elite > ga.population / 4)
 		ga.elite = ga.population / 4;
@@ -109,13 +109,6 @@ calibration_free(struct calibration *c)
 	free(c);
 }
 
-static int
-rising(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-	return (x > y) - (x < y);
-}
-
 static struct params
 genes(const double *const *gene, size_t i)
 {
@@ -147,20 +140,6 @@ end_search(struct calibration *c, enum calibrate_state why)
 	c->start[c->n_start++] = c->best;
 }
 
-/* The middle 80 % of a parameter among the first candidates told. */
-static void
-sample_spread(const struct calibration *c, size_t j, double *p10, double *p90)
-{
-	enum { SAMPLE = 128 };
-	double value[SAMPLE];
-	size_t n = c->options.population;
-	n = n < SAMPLE ? n : SAMPLE;
-	memcpy(value, ga_told(c->ga)[j], n * sizeof *value);
-	qsort(value, n, sizeof *value, rising);
-	*p10 = value[n / 10];
-	*p90 = value[n - 1 - n / 10];
-}
-
 static void
 remember(struct calibration *c, const struct ga_status *s)
 {
@@ -174,7 +153,7 @@ remember(struct calibration *c, const struct ga_status *s)
 	    .median = s->median,
 	    .params = calibration_search_best(c)};
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		sample_spread(c, j, &g->p10[j], &g->p90[j]);
+		ga_spread(c->ga, j, &g->p10[j], &g->p90[j]);
 }
 
 const struct calibrate_generation *
@@ -184,11 +163,23 @@ calibration_history(const struct calibration *c, size_t *n)
 	return c->history;
 }
 
+/* Breeds and judges a part of the generation. */
+static void
+judge_part(void *data, size_t part, unsigned thread)
+{
+	struct calibration *c = data;
+	size_t from = part * KERNEL_PART, to = from + KERNEL_PART;
+	to = to < c->options.population ? to : c->options.population;
+	kernel_evaluate_part(
+	    c->kernel, ga_ask_part(c->ga, from, to), from, to, thread, c->told);
+}
+
 static void
 generation(struct calibration *c)
 {
 	const struct calibrate_options *o = &c->options;
-	kernel_evaluate(c->kernel, ga_ask(c->ga), o->population, c->told);
+	size_t parts = (o->population + KERNEL_PART - 1) / KERNEL_PART;
+	pool_run(c->pool, parts, judge_part, c);
 	ga_tell(c->ga, c->told);
 	struct ga_status s = ga_status(c->ga);
 	remember(c, &s);
@@ -267,8 +258,9 @@ polish_one(void *data, size_t i, unsigned thread)
 	(void)thread;
 	struct calibration *c = data;
 	struct worker *w = &c->worker[i];
-	w->result =
-	    polish_run(w->polish, &c->options.bounds, POLISH_STEPS, &w->p);
+	double rival = c->done >= c->n_start ? c->best_misfit : 0;
+	w->result = polish_run(
+	    w->polish, &c->options.bounds, POLISH_STEPS, rival, &w->p);
 }
 
 /* Polishes the next starts, or hops from the best, a batch at a time: always

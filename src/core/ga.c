@@ -10,6 +10,7 @@
 
 #include "base/xalloc.h"
 #include "core/breed.h"
+#include "core/elementary.h"
 #include "core/rng.h"
 
 struct ga {
@@ -22,13 +23,19 @@ struct ga {
 	double *scale;          /* [n_gene] standard deviation of told */
 	uint32_t *rank, *spare; /* [population] told, best first; scratch */
 	uint32_t *key;
-	double *sorted;
-	breed_block *breed;
+	size_t n_draw;    /* a power of two: tournaments with different ends */
+	uint32_t *winner; /* [n_draw] their ranks, */
+	uint32_t *parent; /* [n_draw] and who won them */
+	struct breed breed;
+	breed_block *block;
+	bool ready; /* the candidates are there without breeding */
 	struct ga_status status;
 };
 
+enum { SPREAD_SAMPLE = 256, SCALE_SAMPLE = 1000 };
+
 /* Uses of random numbers, each a stream of its own in every generation. */
-enum use { USE_START, USE_PARENT, USE_PAIR, USE_BLEND, USE_MUTATE };
+enum use { USE_START, USE_PARENT, USE_PAIR, USE_GENE };
 
 enum { STREAM = 64 }; /* room for genes or draws within a use */
 
@@ -74,14 +81,55 @@ start(struct ga *ga)
 			ga->asked[g][i] = x < ga->upper[g] ? x : ga->upper[g];
 		}
 	}
+	ga->ready = true;
+}
+
+/* The best of a tournament of k is found by its rank: the least of k uniform
+ * numbers is 1 - (1 - u)^(1/k).  As many values of u as there are candidates,
+ * or a few more, stand for all. */
+static void
+plan_tournaments(struct ga *ga)
+{
+	size_t n = ga->options.population;
+	double over = 1 / (double)ga->options.tournament;
+	for (ga->n_draw = 4; ga->n_draw < n;)
+		ga->n_draw *= 2;
+	ga->winner = xcalloc(ga->n_draw, sizeof *ga->winner);
+	ga->parent = xcalloc(ga->n_draw, sizeof *ga->parent);
+	for (size_t i = 0; i < ga->n_draw; i++) {
+		double u = ((double)i + 0.5) / (double)ga->n_draw;
+		double rank = (double)n * (1 - el_pow(1 - u, over));
+		size_t r = rank > 0 ? (size_t)rank : 0;
+		ga->winner[i] = (uint32_t)(r < n ? r : n - 1);
+	}
+}
+
+/* What breeding needs that stays the same. */
+static void
+plan_breeding(struct ga *ga)
+{
+	static breed_block *const BREEDERS[] = {
+	    breed_block_base, breed_block_avx2, breed_block_avx512};
+	const struct ga_options *o = &ga->options;
+	int shift = 32;
+	for (size_t n = ga->n_draw; n > 1; n /= 2)
+		shift--;
+	ga->block = BREEDERS[isa_usable(o->isa)];
+	ga->breed = (struct breed){.n_gene = ga->n_gene,
+	    .parent = ga->parent,
+	    .draw_shift = shift,
+	    .lower = ga->lower,
+	    .upper = ga->upper,
+	    .scale = ga->scale,
+	    .crossover = o->crossover,
+	    .mutation = o->mutation,
+	    .anywhere = o->anywhere};
 }
 
 struct ga *
 ga_new(const struct ga_options *options, size_t n_gene, const double *lower,
     const double *upper)
 {
-	static breed_block *const BREEDERS[] = {
-	    breed_block_base, breed_block_avx2, breed_block_avx512};
 	assert(options->population >= 8 && n_gene < STREAM);
 	assert(options->elite >= 1 && options->elite < options->population);
 	struct ga *ga = xcalloc(1, sizeof *ga);
@@ -101,11 +149,11 @@ ga_new(const struct ga_options *options, size_t n_gene, const double *lower,
 		ga->asked[g] = xdoubles(n + 64);
 	}
 	ga->misfit = xdoubles(n);
-	ga->sorted = xdoubles(n);
 	ga->rank = xcalloc(n, sizeof *ga->rank);
 	ga->spare = xcalloc(n, sizeof *ga->spare);
 	ga->key = xcalloc(n, sizeof *ga->key);
-	ga->breed = BREEDERS[isa_usable(options->isa)];
+	plan_tournaments(ga);
+	plan_breeding(ga);
 	ga->status.best = INFINITY;
 	ga->status.median = ga->status.worst = INFINITY;
 	start(ga);
@@ -128,17 +176,12 @@ ga_free(struct ga *ga)
 	free(ga->best);
 	free(ga->scale);
 	free(ga->misfit);
-	free(ga->sorted);
+	free(ga->winner);
+	free(ga->parent);
 	free(ga->rank);
 	free(ga->spare);
 	free(ga->key);
 	free(ga);
-}
-
-const double *const *
-ga_ask(const struct ga *ga)
-{
-	return (const double *const *)ga->asked;
 }
 
 const double *const *
@@ -250,9 +293,8 @@ take_status(struct ga *ga)
 static void
 take_scale(struct ga *ga)
 {
-	enum { SAMPLE = 1000 };
 	size_t n = ga->options.population;
-	n = n < SAMPLE ? n : SAMPLE;
+	n = n < SCALE_SAMPLE ? n : SCALE_SAMPLE;
 	for (size_t g = 0; g < ga->n_gene; g++) {
 		const double *x = ga->told[g];
 		double sum = 0, squares = 0;
@@ -273,54 +315,42 @@ set_keys(const struct ga *ga, struct breed_keys *keys)
 		keys->parent[i] = stream(ga, USE_PARENT, i);
 	keys->pair = stream(ga, USE_PAIR, 0);
 	keys->line = stream(ga, USE_PAIR, 1);
-	for (size_t g = 0; g < ga->n_gene; g++) {
-		keys->blend[g] = stream(ga, USE_BLEND, g);
-		keys->mutate[g] = stream(ga, USE_MUTATE, g);
-	}
-}
-
-/* One breeding, for the threads that share it. */
-struct brood {
-	const struct breed *breed;
-	breed_block *block;
-};
-
-enum { CHUNK = 125 * BREED_BLOCK };
-
-static void
-breed_chunk(void *data, size_t chunk, unsigned thread)
-{
-	(void)thread;
-	const struct brood *b = data;
-	size_t end = (chunk + 1) * CHUNK;
-	end = end < b->breed->n ? end : b->breed->n;
-	for (size_t i = chunk * CHUNK; i < end; i += BREED_BLOCK)
-		b->block(b->breed, i);
+	for (size_t g = 0; g < ga->n_gene; g++)
+		keys->gene[g] = stream(ga, USE_GENE, g);
 }
 
 static void
-breed(struct ga *ga)
+prepare_breeding(struct ga *ga)
 {
-	const struct ga_options *o = &ga->options;
-	struct breed b = {.n_gene = ga->n_gene,
-	    .n = o->population,
-	    .told = (const double *const *)ga->told,
-	    .asked = ga->asked,
-	    .rank = ga->rank,
-	    .lower = ga->lower,
-	    .upper = ga->upper,
-	    .scale = ga->scale,
-	    .over_tournament = 1 / (double)o->tournament,
-	    .crossover = o->crossover,
-	    .mutation = o->mutation,
-	    .anywhere = o->anywhere};
-	set_keys(ga, &b.keys);
-	struct brood brood = {&b, ga->breed};
-	pool_run(
-	    o->pool, (o->population + CHUNK - 1) / CHUNK, breed_chunk, &brood);
-	for (size_t i = 0; i < o->elite; i++)
+	for (size_t i = 0; i < ga->n_draw; i++)
+		ga->parent[i] = ga->rank[ga->winner[i]];
+	ga->breed.told = (const double *const *)ga->told;
+	ga->breed.asked = ga->asked;
+	set_keys(ga, &ga->breed.keys);
+	ga->ready = false;
+}
+
+const double *const *
+ga_ask_part(const struct ga *ga, size_t from, size_t to)
+{
+	const double *const *asked = (const double *const *)ga->asked;
+	if (ga->ready)
+		return asked;
+	assert(from % GA_PART == 0 && to <= ga->options.population);
+	for (size_t i = from; i < to; i += BREED_BLOCK)
+		ga->block(&ga->breed, i);
+	for (size_t i = from; i < to && i < ga->options.elite; i++)
 		for (size_t g = 0; g < ga->n_gene; g++)
 			ga->asked[g][i] = ga->told[g][ga->rank[i]];
+	return asked;
+}
+
+const double *const *
+ga_ask(struct ga *ga)
+{
+	const double *const *asked = ga_ask_part(ga, 0, ga->options.population);
+	ga->ready = true;
+	return asked;
 }
 
 void
@@ -332,7 +362,7 @@ ga_tell(struct ga *ga, const double *misfit)
 	memcpy(ga->misfit, misfit, ga->options.population * sizeof *misfit);
 	take_status(ga);
 	take_scale(ga);
-	breed(ga);
+	prepare_breeding(ga);
 }
 
 struct ga_status
@@ -357,16 +387,21 @@ ga_leaders(const struct ga *ga, size_t n, size_t *index)
 void
 ga_spread(const struct ga *ga, size_t gene, double *p10, double *p90)
 {
-	size_t n = ga->options.population;
-	memcpy(ga->sorted, ga->told[gene], n * sizeof *ga->sorted);
-	*p10 = kth(ga->sorted, n, n / 10);
-	*p90 = kth(ga->sorted, n, n - 1 - n / 10);
+	/* Any run of candidates is a random sample, but for the elite. */
+	double sample[SPREAD_SAMPLE];
+	size_t first = ga->options.elite;
+	size_t n = ga->options.population - first;
+	n = n < SPREAD_SAMPLE ? n : SPREAD_SAMPLE;
+	memcpy(sample, ga->told[gene] + first, n * sizeof *sample);
+	*p10 = kth(sample, n, n / 10);
+	*p90 = kth(sample, n, n - 1 - n / 10);
 }
 
 bool
 ga_visit(struct ga *ga, const struct visit *v)
 {
 	struct ga_status *s = &ga->status;
+	ga_ask(ga);
 	size_t whole[3] = {s->generation, s->evaluations, s->infinite};
 	double real[3] = {s->best, s->median, s->worst};
 	bool ok = v->whole(v->data, "generations", whole, 3) &&

@@ -7,7 +7,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "base/pool.h"
 #include "core/isa.h"
 #include "core/visit.h"
 
@@ -25,7 +24,6 @@ struct ga_options {
 	double mutation;   /* chance for each gene */
 	bool anywhere;     /* mutate to any place in the box, not nearby */
 	uint64_t seed;
-	struct pool *pool; /* threads to share the work, or NULL */
 	enum isa isa;
 };
 
@@ -43,10 +41,16 @@ void ga_free(struct ga *ga);
 
 /* This generation's candidates: one array a gene, [population], aligned to 64
  * bytes and readable up to the next multiple of 64.  Borrowed until ga_tell. */
-const double *const *ga_ask(const struct ga *ga);
+const double *const *ga_ask(struct ga *ga);
 
-/* Takes the misfits of this generation's candidates (lower is better, INFINITY
- * for a candidate that cannot be judged) and breeds the next generation. */
+/* The same with only from..to-1 sure to be there, for several threads at once
+ * that each judge parts of their own.  from: a multiple of GA_PART; to: at most
+ * the population. */
+enum { GA_PART = 8 };
+const double *const *ga_ask_part(const struct ga *ga, size_t from, size_t to);
+
+/* Takes the misfits of this generation's candidates, all of which were asked
+ * for: lower is better, INFINITY for a candidate that cannot be judged. */
 void ga_tell(struct ga *ga, const double *misfit);
 
 /* Walks through all that the generations to come depend on. */
@@ -73,7 +77,8 @@ void ga_leaders(const struct ga *ga, size_t n, size_t *index);
 const double *const *ga_told(const struct ga *ga);
 
 /* Lowest and highest value of a gene among the middle 80 % of the last
- * generation told (its 10 % and 90 % quantiles). */
+ * generation told (its 10 % and 90 % quantiles): of at most 256 candidates that
+ * are not of the elite. */
 void ga_spread(const struct ga *ga, size_t gene, double *p10, double *p90);
 
 #endif

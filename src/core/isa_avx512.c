@@ -14,10 +14,10 @@
 #else
 void
 kernel_block_avx512(const struct plan *plan,
-    const double *const theta[PARAM_COUNT], size_t offset, double *scratch,
-    double *misfit)
+    const double *const theta[PARAM_COUNT], const uint32_t *index, bool calm,
+    double *scratch, double *misfit)
 {
-	kernel_block_base(plan, theta, index, scratch, misfit);
+	kernel_block_base(plan, theta, index, calm, scratch, misfit);
 }
 
 void
@@ -27,9 +27,9 @@ breed_block_avx512(const struct breed *b, size_t first)
 }
 
 void
-kernel_bins_avx512(const struct plan *plan, const double *e0,
-    const double *alpha, unsigned char *bin)
+kernel_bins_avx512(const struct plan *plan,
+    const double *const theta[PARAM_COUNT], size_t first, uint16_t *bin)
 {
-	kernel_bins_base(plan, e0, alpha, bin);
+	kernel_bins_base(plan, theta, first, bin);
 }
 #endif

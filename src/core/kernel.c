@@ -1,30 +1,24 @@
-/* Picks the instruction set and hands blocks of candidates to it.
+/* Picks the instruction set and hands it blocks of like candidates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/kernel.h"
 
-#include <math.h>
-#include <stdbool.h>
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/elementary.h"
-#include "core/energy.h"
 #include "core/plan.h"
 
 struct kernel {
 	struct plan plan;
 	kernel_block *block;
 	kernel_bins *bins;
-	struct pool *pool; /* borrowed */
-	double **scratch;  /* [threads] */
-	size_t room;
-	unsigned char *bin;
-	uint32_t *index;
+	unsigned threads;
+	double **scratch; /* [threads] */
 };
 
 struct kernel *
-kernel_new(const struct misfit *m, enum isa isa, struct pool *pool)
+kernel_new(const struct misfit *m, enum isa isa, unsigned threads)
 {
 	static kernel_block *const BLOCKS[] = {
 	    kernel_block_base, kernel_block_avx2, kernel_block_avx512};
@@ -35,8 +29,7 @@ kernel_new(const struct misfit *m, enum isa isa, struct pool *pool)
 	kernel->block = BLOCKS[usable];
 	kernel->bins = BINS[usable];
 	plan_make(&kernel->plan, m);
-	kernel->pool = pool;
-	unsigned threads = pool_threads(pool);
+	kernel->threads = threads;
 	kernel->scratch = xcalloc(threads, sizeof *kernel->scratch);
 	for (unsigned t = 0; t < threads; t++)
 		kernel->scratch[t] = xdoubles(kernel->plan.scratch);
@@ -49,78 +42,91 @@ kernel_free(struct kernel *kernel)
 	if (kernel == NULL)
 		return;
 	plan_clear(&kernel->plan);
-	for (unsigned t = 0; t < pool_threads(kernel->pool); t++)
+	for (unsigned t = 0; t < kernel->threads; t++)
 		free(kernel->scratch[t]);
 	free(kernel->scratch);
-	free(kernel->bin);
-	free(kernel->index);
 	free(kernel);
+}
+
+/* Candidates in the order in which blocks take them; those that are calm come
+ * last and start a block of their own. */
+struct queue {
+	size_t n, n_steep;
+	uint32_t index[KERNEL_PART + 2 * KERNEL_LANES];
+};
+
+/* Fills the last block up with its last candidate. */
+static void
+fill_block(struct queue *q)
+{
+	for (; q->n % KERNEL_LANES != 0; q->n++)
+		q->index[q->n] = q->index[q->n - 1];
 }
 
 /* Orders the candidates from..to-1 by their break size, coarse classes of it: a
  * block whose lanes break the same sizes skips the rest at once.  The order
  * changes no bit of any misfit. */
 static void
-order(struct kernel *kernel, const double *const theta[PARAM_COUNT],
-    size_t from, size_t to)
+line_up(const struct kernel *kernel, const double *const theta[PARAM_COUNT],
+    size_t from, size_t to, struct queue *q)
 {
-	size_t count[KERNEL_BINS + 1] = {0};
-	for (size_t i = from; i < to; i += KERNEL_LANES)
-		kernel->bins(&kernel->plan, theta[PARAM_E0_MIN] + i,
-		    theta[PARAM_ALPHA] + i, kernel->bin + i);
-	for (size_t i = from; i < to; i++)
-		count[kernel->bin[i] + 1]++;
-	for (size_t b = 0; b < KERNEL_BINS; b++)
-		count[b + 1] += count[b];
-	uint32_t *index = kernel->index + from;
-	for (size_t i = from; i < to; i++)
-		index[count[kernel->bin[i]]++] = (uint32_t)i;
-	/* The last block is filled up with its last candidate. */
-	for (size_t i = to - from; i % KERNEL_LANES != 0; i++)
-		index[i] = index[to - from - 1];
+	uint16_t bin[KERNEL_PART];
+	uint32_t place[2 * KERNEL_BINS + 1] = {0}, order[KERNEL_PART];
+	size_t n = to - from;
+	for (size_t i = 0; i < n; i += KERNEL_LANES)
+		kernel->bins(&kernel->plan, theta, from + i, bin + i);
+	for (size_t i = 0; i < n; i++)
+		place[bin[i] + 1]++;
+	for (size_t b = 0; b < 2 * KERNEL_BINS; b++)
+		place[b + 1] += place[b];
+	size_t steep = place[KERNEL_BINS];
+	for (size_t i = 0; i < n; i++)
+		order[place[bin[i]]++] = (uint32_t)(from + i);
+	memcpy(q->index, order, steep * sizeof *order);
+	q->n = steep;
+	fill_block(q);
+	memcpy(q->index + q->n, order + steep, (n - steep) * sizeof *order);
+	q->n_steep = q->n;
+	q->n += n - steep;
+	fill_block(q);
 }
 
-static void
-make_room(struct kernel *kernel, size_t n)
+void
+kernel_evaluate_part(const struct kernel *kernel,
+    const double *const theta[PARAM_COUNT], size_t from, size_t to,
+    unsigned thread, double *misfit)
 {
-	if (n <= kernel->room)
-		return;
-	kernel->room = n;
-	kernel->bin = xrealloc(kernel->bin, n + KERNEL_LANES, 1);
-	kernel->index =
-	    xrealloc(kernel->index, n + KERNEL_LANES, sizeof *kernel->index);
+	struct queue q;
+	assert(to - from <= KERNEL_PART && from % KERNEL_LANES == 0);
+	line_up(kernel, theta, from, to, &q);
+	for (size_t i = 0; i < q.n; i += KERNEL_LANES)
+		kernel->block(&kernel->plan, theta, q.index + i, i >= q.n_steep,
+		    kernel->scratch[thread], misfit);
 }
 
 /* One evaluation, for the threads that share it. */
 struct batch {
-	struct kernel *kernel;
+	const struct kernel *kernel;
 	const double *const *theta;
 	size_t n;
 	double *misfit;
 };
 
-/* Each thread orders and evaluates chunks of its own, so that threads meet only
- * once, at the end. */
-enum { CHUNK = 63 * KERNEL_LANES };
-
 static void
-evaluate_chunk(void *data, size_t chunk, unsigned thread)
+evaluate_part(void *data, size_t part, unsigned thread)
 {
 	const struct batch *b = data;
-	size_t from = chunk * CHUNK;
-	size_t to = from + CHUNK < b->n ? from + CHUNK : b->n;
-	order(b->kernel, b->theta, from, to);
-	for (size_t i = from; i < to; i += KERNEL_LANES)
-		b->kernel->block(&b->kernel->plan, b->theta,
-		    b->kernel->index + i, b->kernel->scratch[thread],
-		    b->misfit);
+	size_t from = part * KERNEL_PART, to = from + KERNEL_PART;
+	kernel_evaluate_part(b->kernel, b->theta, from, to < b->n ? to : b->n,
+	    thread, b->misfit);
 }
 
 void
-kernel_evaluate(struct kernel *kernel, const double *const theta[PARAM_COUNT],
-    size_t n, double *misfit)
+kernel_evaluate(const struct kernel *kernel, struct pool *pool,
+    const double *const theta[PARAM_COUNT], size_t n, double *misfit)
 {
 	struct batch batch = {kernel, theta, n, misfit};
-	make_room(kernel, n);
-	pool_run(kernel->pool, (n + CHUNK - 1) / CHUNK, evaluate_chunk, &batch);
+	assert(pool_threads(pool) <= kernel->threads);
+	pool_run(
+	    pool, (n + KERNEL_PART - 1) / KERNEL_PART, evaluate_part, &batch);
 }

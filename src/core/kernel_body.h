@@ -14,10 +14,25 @@ struct block {
 	lanes beta[4], f, e0, alpha, over_alpha, log_e0, log_full, over_total;
 };
 
-/* 3-point Gauss-Legendre on an interval seen from its upper end. */
-static const double GAUSS_FROM_TOP[KERNEL_GAUSS] = {
-    0.1127016653792583, 0.5, 0.8872983346207417};
-static const double GAUSS_WEIGHT[KERNEL_GAUSS] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+/* Where f (x^alpha E - e0) is more in the whole of a class, all of it breaks:
+ * the rest is below 1e-5. */
+static const double FULL = 12;
+
+/* The exponent rises by alpha (f e0 + itself) in ln x.  Where that is less at
+ * x*, two Gauss points a class are as good as three. */
+static const double CALM = 6;
+
+/* Gauss-Legendre on an interval, seen from its upper end. */
+struct gauss {
+	size_t n;
+	double from_top[3], weight[3];
+};
+
+static const struct gauss GAUSS_2 = {
+    2, {0.2113248654051871, 0.7886751345948129, 0}, {0.5, 0.5, 0}};
+static const struct gauss GAUSS_3 = {3,
+    {0.1127016653792583, 0.5, 0.8872983346207417},
+    {5.0 / 18, 8.0 / 18, 5.0 / 18}};
 
 static inline void
 load(struct block *b, const struct plan *plan,
@@ -29,36 +44,23 @@ load(struct block *b, const struct plan *plan,
 	b->e0 = lanes_gather(theta[PARAM_E0_MIN], index);
 	b->alpha = lanes_gather(theta[PARAM_ALPHA], index);
 	b->over_alpha = 1 / lanes_max(b->alpha, lanes_of(1e-9));
-	/* S is 0 below the size of the first and exactly 1 above that of the
-	 * second, where the exponent reaches 38. */
+	/* S is 0 below the size of the first and 1 above that of the second,
+	 * where the exponent reaches FULL. */
 	b->log_e0 = lanes_log(b->e0);
-	b->log_full = lanes_log(38 / b->f + b->e0);
+	b->log_full = lanes_log(FULL / b->f + b->e0);
 }
 
-/* p(u) clipped; one is 0 where u is below 2^-10. */
 static inline lanes
-density(const lanes beta[static 4], const double u[static 3], double one)
+positive(lanes a)
 {
-	return lanes_positive((beta[0] * one + beta[1] * u[0]) +
-			      (beta[2] * u[1] + beta[3] * u[2]));
+	return lanes_max(a, lanes_of(0));
 }
 
-/* Integral of p from 2^-10 up to each node of u; node 0 is u = 1. */
-static inline void
-cumulate(struct block *b, const struct plan *plan, lanes *below)
+/* p(u), clipped. */
+static inline lanes
+density(const lanes beta[static 4], double u)
 {
-	size_t last = KERNEL_U_NODES - 1;
-	lanes before = density(b->beta, plan->u[last], 1);
-	lanes sum = lanes_of(0);
-	below[last] = sum;
-	for (size_t n = last; n-- > 0;) {
-		lanes p = density(b->beta, plan->u[n], 1);
-		sum += plan->half_node * (before + p);
-		below[n] = sum;
-		before = p;
-	}
-	/* Where p is 0 everywhere nothing moves: product = feed. */
-	b->over_total = (lanes)((sum > 0.0) & (lanes_mask)(1 / sum));
+	return positive(beta[0] + u * (beta[1] + u * (beta[2] + u * beta[3])));
 }
 
 /* Mass S dF of a class and its first moment about the middle. */
@@ -66,21 +68,55 @@ struct share {
 	lanes mass, moment;
 };
 
-/* From the Gauss points between max(from, lower) and upper; power, where it is
- * not NULL, has x^alpha at the points of the whole class. */
+/* p at a node of u, and its integral from 2^-10 up to there. */
+struct node {
+	lanes p, below;
+};
+
+/* Workspace of a block, in the thread's scratch. */
+struct room {
+	lanes *from, *full;  /* [n_run] ln x* and ln x where S becomes 1 */
+	struct share *share; /* [n_run * n_class] */
+	struct node *node;   /* [KERNEL_NODES] */
+	lanes *B, *p;        /* [n_class] as seen from one sieve */
+	size_t n_full;       /* classes, from the coarsest, that break whole */
+	size_t n_active;     /* and those of which any lane breaks some */
+};
+
+/* p at the nodes of u and its integral up to each. */
+static inline void
+cumulate(struct block *b, const struct plan *plan, const struct room *room)
+{
+	size_t last = KERNEL_NODES - 1;
+	lanes sum = lanes_of(0);
+	struct node *node = room->node;
+	node[last].p = density(b->beta, plan->u[last]);
+	node[last].below = sum;
+	for (size_t n = last; n-- > 0;) {
+		node[n].p = density(b->beta, plan->u[n]);
+		sum += plan->half_step[n] * (node[n + 1].p + node[n].p);
+		node[n].below = sum;
+	}
+	/* Where p is 0 everywhere nothing moves: product = feed. */
+	b->over_total = (lanes)((sum > 0.0) & (lanes_mask)(1 / sum));
+}
+
+/* From the Gauss points g between max(from, lower) and upper; power, where it
+ * is not NULL, has x^alpha at the points of the whole class. */
 static inline struct share
 class_share(const struct block *b, const struct plan *plan, size_t c, double E,
-    double density_c, lanes from, const lanes *power)
+    double density_c, lanes from, const struct gauss *g, const lanes *power)
 {
 	double upper = plan->upper[c], mid = plan->middle[c];
 	lanes bottom = lanes_min(
 	    lanes_max(from, lanes_of(plan->lower[c])), lanes_of(upper));
 	lanes width = upper - bottom, sum = lanes_of(0), first = sum;
-	for (size_t q = 0; q < KERNEL_GAUSS; q++) {
-		lanes t = upper - width * GAUSS_FROM_TOP[q];
-		lanes w = power != NULL ? power[q] : lanes_exp(b->alpha * t);
-		lanes y = lanes_positive(b->f * (w * E - b->e0));
-		lanes S = (1 - lanes_exp(-y)) * GAUSS_WEIGHT[q];
+	for (size_t q = 0; q < g->n; q++) {
+		lanes t = upper - width * g->from_top[q];
+		lanes w =
+		    power != NULL ? power[q] : lanes_exp_quick(b->alpha * t);
+		lanes y = positive(b->f * (w * E - b->e0));
+		lanes S = (1 - lanes_exp_quick(-y)) * g->weight[q];
 		sum += S;
 		first += S * (t - mid);
 	}
@@ -88,145 +124,156 @@ class_share(const struct block *b, const struct plan *plan, size_t c, double E,
 	return (struct share){scale * sum, scale * first};
 }
 
-/* The same where S is exactly 1. */
-static inline struct share
-full_share(const struct plan *plan, size_t c, double density_c)
-{
-	double upper = plan->upper[c], width = upper - plan->lower[c];
-	double sum = 0, first = 0;
-	for (size_t q = 0; q < KERNEL_GAUSS; q++) {
-		double t = upper - width * GAUSS_FROM_TOP[q];
-		sum += GAUSS_WEIGHT[q];
-		first += GAUSS_WEIGHT[q] * (t - plan->middle[c]);
-	}
-	double scale = density_c * width;
-	return (struct share){lanes_of(scale * sum), lanes_of(scale * first)};
-}
-
-/* Workspace of a block, in the thread's scratch. */
-struct room {
-	lanes *from, *full;  /* [n_run] ln x* and ln x where S becomes 1 */
-	struct share *share; /* [n_run * n_class] */
-	lanes *below;        /* [KERNEL_U_NODES] */
-	lanes *B, *p;        /* [n_class] as seen from one sieve */
-};
-
-/* Shares of class c in every run.  Returns false when no lane breaks any of
- * it. */
-static inline bool
+/* Shares of class c in every run.  any: some lane breaks some of it; all: every
+ * lane breaks all of it, in every run. */
+static inline void
 one_class(const struct block *b, const struct plan *plan, size_t c,
-    const struct room *room)
+    const struct gauss *g, const struct room *room, bool *any, bool *all)
 {
 	double lower = plan->lower[c], upper = plan->upper[c];
-	lanes power[KERNEL_GAUSS] = {{0}};
-	bool have_power = false, any = false;
+	lanes power[3] = {{0}};
+	bool have_power = false;
+	*any = false;
+	*all = true;
 	for (size_t r = 0; r < plan->n_run; r++) {
 		const struct plan_run *run = &plan->run[r];
 		struct share *share = &room->share[r * plan->n_class + c];
 		lanes from = room->from[r];
-		bool some = lanes_any(from < upper);
-		any = any || some;
-		if (!some || run->mass[c] <= 0) {
-			*share = (struct share){lanes_of(0), lanes_of(0)};
+		lanes_mask full = room->full[r] <= lower;
+		share->mass = lanes_of(run->whole[c]);
+		share->moment = lanes_of(0);
+		if (lanes_all(full)) {
+			*any = true;
 			continue;
 		}
-		if (lanes_all(room->full[r] <= lower)) {
-			*share = full_share(plan, c, run->mass[c]);
+		*all = false;
+		if (!lanes_any(from < upper)) {
+			share->mass = share->moment;
 			continue;
 		}
+		*any = true;
 		bool whole = lanes_all(from <= lower);
-		for (size_t q = 0; whole && !have_power && q < KERNEL_GAUSS;
-		     q++)
-			power[q] = lanes_exp(
+		for (size_t q = 0; whole && !have_power && q < g->n; q++)
+			power[q] = lanes_exp_quick(
 			    b->alpha *
-			    (upper - (upper - lower) * GAUSS_FROM_TOP[q]));
+			    (upper - (upper - lower) * g->from_top[q]));
 		have_power = have_power || whole;
-		*share = whole ? class_share(b, plan, c, run->E, run->mass[c],
-				     from, power)
-			       : class_share(b, plan, c, run->E, run->mass[c],
-				     from, NULL);
+		struct share part = whole ? class_share(b, plan, c, run->E,
+						run->mass[c], from, g, power)
+					  : class_share(b, plan, c, run->E,
+						run->mass[c], from, g, NULL);
+		share->mass = lanes_select(full, share->mass, part.mass);
+		share->moment = (lanes)(~full & (lanes_mask)part.moment);
 	}
-	return any;
 }
 
-/* Shares of all classes and runs; returns how many classes, from the coarsest,
- * have any. */
-static inline size_t
-shares(const struct block *b, const struct plan *plan, const struct room *room)
+/* Shares of all classes and runs. */
+static inline void
+shares(const struct block *b, const struct plan *plan, const struct gauss *g,
+    struct room *room)
 {
+	bool any = true, all = true;
 	for (size_t r = 0; r < plan->n_run; r++) {
 		double log_E = plan->run[r].log_E;
 		room->from[r] = (b->log_e0 - log_E) * b->over_alpha;
 		room->full[r] = (b->log_full - log_E) * b->over_alpha;
 	}
 	size_t c = 0;
-	while (c < plan->n_class && one_class(b, plan, c, room))
-		c++;
-	return c;
-}
-
-/* B and p at the middle of each class as seen from a sieve, not yet divided by
- * the total. */
-static inline void
-walk_B(const struct block *b, const struct plan_sieve *sieve, size_t n,
-    const struct room *room)
-{
-	size_t node = sieve->start_node;
-	lanes rise = room->below[node] - room->below[node + 1];
-	lanes B = sieve->start_one *
-		  (room->below[node + 1] + sieve->start_step * rise);
-	lanes p = density(b->beta, sieve->u, sieve->one[0]);
-	room->B[0] = B;
-	room->p[0] = p;
-	for (size_t c = 1; c < n; c++) {
-		lanes next = density(b->beta, sieve->u + 3 * c, sieve->one[c]);
-		B += sieve->step[c] * (p + next);
-		p = next;
-		room->B[c] = B;
-		room->p[c] = p;
+	for (room->n_full = 0; c < plan->n_class; c++) {
+		bool full = all;
+		one_class(b, plan, c, g, room, &any, &all);
+		if (!any)
+			break;
+		all = all && full;
+		room->n_full += all;
 	}
+	room->n_active = c;
 }
 
-/* Mass of a run broken to below the sieve that room->B belongs to. */
+/* B, not yet divided by the total. */
 static inline lanes
-broken_below(
-    const struct plan *plan, size_t r, size_t n, const struct room *room)
+view_B(const struct plan_view *v, const struct node *node)
 {
-	const struct share *share = room->share + r * plan->n_class;
+	const struct node *at = node + v->node;
+	return at[1].below +
+	       (v->below_fine * at[1].p + v->below_coarse * at[0].p);
+}
+
+static inline lanes
+view_p(const struct plan_view *v, const struct node *node)
+{
+	const struct node *at = node + v->node;
+	return v->fine * at[1].p + v->coarse * at[0].p;
+}
+
+/* Mass of a run broken to below a sieve: of the first n classes, which break
+ * whole. */
+static inline lanes
+whole_below(const struct plan_run *run, const struct plan_sieve *sieve,
+    size_t n, const struct room *room)
+{
 	lanes sum = lanes_of(0);
 	for (size_t c = 0; c < n; c++)
+		sum += run->whole[c] * view_B(&sieve->view[c], room->node);
+	return sum;
+}
+
+/* The same with that of the classes from..n-1 added. */
+static inline lanes
+broken_below(const struct share *share, size_t from, size_t n,
+    const struct room *room, lanes sum)
+{
+	for (size_t c = from; c < n; c++)
 		sum +=
 		    share[c].mass * room->B[c] - share[c].moment * room->p[c];
 	return sum;
 }
 
+/* Weighted squares of a sieve's differences, over the runs. */
 static inline lanes
-continuous_block(const struct plan *plan, struct block *b, double *scratch)
+sieve_squares(const struct plan *plan, const struct block *b, size_t s,
+    const struct room *room)
+{
+	const struct plan_sieve *sieve = &plan->sieve[s];
+	size_t n =
+	    sieve->n_above < room->n_active ? sieve->n_above : room->n_active;
+	size_t full = room->n_full < n ? room->n_full : n;
+	lanes squares = lanes_of(0), whole = squares;
+	for (size_t c = full; c < n; c++) {
+		room->B[c] = view_B(&sieve->view[c], room->node);
+		room->p[c] = view_p(&sieve->view[c], room->node);
+	}
+	for (size_t r = 0; r < plan->n_run; r++) {
+		const struct plan_run *run = &plan->run[r];
+		const struct plan_target *t = &run->target[s];
+		if (r == 0 || !plan->one_feed)
+			whole = whole_below(run, sieve, full, room);
+		lanes part = broken_below(
+		    room->share + r * plan->n_class, full, n, room, whole);
+		lanes d = t->weight * (t->difference + part * b->over_total);
+		squares += d * d;
+	}
+	return squares;
+}
+
+static inline lanes
+continuous_block(
+    const struct plan *plan, struct block *b, bool calm, double *scratch)
 {
 	lanes *at = (lanes *)(void *)scratch, sum = lanes_of(0);
 	size_t n_run = plan->n_run;
-	struct room room = {.from = at,
-	    .full = at + n_run,
-	    .below = at + 2 * n_run,
-	    .B = at + 2 * n_run + KERNEL_U_NODES,
-	    .p = at + 2 * n_run + KERNEL_U_NODES + plan->n_class};
+	struct room room = {.from = at, .full = at + n_run};
+	room.B = at + 2 * n_run;
+	room.p = room.B + plan->n_class;
 	room.share = (void *)(room.p + plan->n_class);
-	cumulate(b, plan, room.below);
-	size_t n_active = shares(b, plan, &room);
-	for (size_t s = 0; s < plan->n_sieve; s++) {
-		const struct plan_sieve *sieve = &plan->sieve[s];
-		size_t n =
-		    sieve->n_above < n_active ? sieve->n_above : n_active;
-		if (n > 0)
-			walk_B(b, sieve, n, &room);
-		for (size_t r = 0; r < n_run; r++) {
-			const struct plan_target *t = &plan->run[r].target[s];
-			lanes part =
-			    broken_below(plan, r, n, &room) * b->over_total;
-			lanes d = t->weight * (t->difference + part);
-			sum += d * d;
-		}
-	}
+	room.node = (void *)(room.share + n_run * plan->n_class);
+	cumulate(b, plan, &room);
+	if (calm)
+		shares(b, plan, &GAUSS_2, &room);
+	else
+		shares(b, plan, &GAUSS_3, &room);
+	for (size_t s = 0; s < plan->n_sieve; s++)
+		sum += sieve_squares(plan, b, s, &room);
 	return sum;
 }
 
@@ -236,7 +283,7 @@ classes_selection(const struct block *b, const struct plan_run *run, lanes *S)
 {
 	for (size_t i = 0; i < run->n_size; i++) {
 		lanes w = lanes_exp(b->alpha * run->log_size[i]);
-		lanes y = lanes_positive(b->f * (w * run->E - b->e0));
+		lanes y = positive(b->f * (w * run->E - b->e0));
 		S[i] = 1 - lanes_exp(-y);
 	}
 }
@@ -248,8 +295,7 @@ classes_break(const struct block *b, const struct plan_run *run, size_t i,
 {
 	lanes sum = lanes_of(0);
 	for (size_t j = i; j < run->n_size; j++) {
-		p[j] = density(
-		    b->beta, run->argument + 3 * (i * run->n_size + j), 1);
+		p[j] = density(b->beta, run->argument[i * run->n_size + j]);
 		sum += p[j];
 	}
 	double f = run->mass[i];
@@ -285,7 +331,7 @@ classes_run(const struct block *b, const struct plan_run *run, double *scratch)
 
 static inline void
 evaluate(const struct plan *plan, const double *const theta[PARAM_COUNT],
-    const uint32_t *index, double *scratch, double *misfit)
+    const uint32_t *index, bool calm, double *scratch, double *misfit)
 {
 	struct block b;
 	lanes sum = lanes_of(0);
@@ -294,30 +340,35 @@ evaluate(const struct plan *plan, const double *const theta[PARAM_COUNT],
 		for (size_t r = 0; r < plan->n_run; r++)
 			sum += classes_run(&b, &plan->run[r], scratch);
 	else
-		sum = continuous_block(plan, &b, scratch);
+		sum = continuous_block(plan, &b, calm, scratch);
 	for (size_t l = 0; l < LANES; l++)
 		misfit[index[l]] = sum[l] <= 1e300 ? sum[l] : HUGE_VAL;
 }
 
 void
 KERNEL_NAME(const struct plan *plan, const double *const theta[PARAM_COUNT],
-    const uint32_t *index, double *scratch, double *misfit)
+    const uint32_t *index, bool calm, double *scratch, double *misfit)
 {
 	for (size_t i = 0; i < KERNEL_LANES; i += LANES)
-		evaluate(plan, theta, index + i, scratch, misfit);
+		evaluate(plan, theta, index + i, calm, scratch, misfit);
 }
 
 void
-BINS_NAME(const struct plan *plan, const double *e0, const double *alpha,
-    unsigned char *bin)
+BINS_NAME(const struct plan *plan, const double *const theta[PARAM_COUNT],
+    size_t first, uint16_t *bin)
 {
 	for (size_t i = 0; i < KERNEL_LANES; i += LANES) {
-		lanes log_x = lanes_log(lanes_load(e0 + i) * plan->over_E) /
-			      (lanes_load(alpha + i) + 1e-9);
+		lanes f = lanes_load(theta[PARAM_F_MAT] + first + i) * plan->k;
+		lanes e0 = lanes_load(theta[PARAM_E0_MIN] + first + i);
+		lanes alpha = lanes_load(theta[PARAM_ALPHA] + first + i);
+		lanes log_x = lanes_log(e0 * plan->over_E) / (alpha + 1e-9);
 		lanes at = lanes_max(
 		    (log_x - plan->bottom) * plan->per_bin, lanes_of(0));
 		at = lanes_min(at, lanes_of(KERNEL_BINS - 1));
+		lanes steep = alpha * f * e0;
 		for (size_t l = 0; l < LANES; l++)
-			bin[i + l] = (unsigned char)(int32_t)at[l];
+			bin[i + l] =
+			    (uint16_t)((int32_t)at[l] +
+				       (steep[l] < CALM ? KERNEL_BINS : 0));
 	}
 }

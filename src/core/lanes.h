@@ -5,8 +5,12 @@
 #ifndef TIPSPEED_CORE_LANES_H
 #define TIPSPEED_CORE_LANES_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#if LANES > 2
+#include <immintrin.h>
+#endif
 
 #include "core/elementary.h"
 
@@ -36,29 +40,29 @@ lanes_gather(const double *from, const uint32_t *index)
 	return v;
 }
 
-/* max(a, 0) */
-static inline lanes
-lanes_positive(lanes a)
-{
-	return (lanes)((a > 0.0) & (lanes_mask)a);
-}
-
 static inline lanes
 lanes_select(lanes_mask mask, lanes a, lanes b)
 {
 	return (lanes)((mask & (lanes_mask)a) | (~mask & (lanes_mask)b));
 }
 
+/* The larger; b where a is not a number. */
 static inline lanes
 lanes_max(lanes a, lanes b)
 {
-	return lanes_select(a > b, a, b);
+	lanes r = {0};
+	for (size_t l = 0; l < LANES; l++)
+		r[l] = a[l] > b[l] ? a[l] : b[l];
+	return r;
 }
 
 static inline lanes
 lanes_min(lanes a, lanes b)
 {
-	return lanes_select(a < b, a, b);
+	lanes r = {0};
+	for (size_t l = 0; l < LANES; l++)
+		r[l] = a[l] < b[l] ? a[l] : b[l];
+	return r;
 }
 
 static inline lanes
@@ -70,6 +74,23 @@ lanes_exp(lanes a)
 	return r;
 }
 
+/* exp to 2e-10: el_exp_parts with fewer terms and ln 2 in one piece. */
+static inline lanes
+lanes_exp_quick(lanes x)
+{
+	const double round = 6755399441056767.0; /* 1.5 * 2^52 + 1023 */
+	x = lanes_max(x, lanes_of(-708));
+	x = lanes_min(x, lanes_of(708));
+	lanes shifted = x * 1.4426950408889634074 + round;
+	lanes r = x - (shifted - round) * 0.69314718055994530942;
+	lanes r2 = r * r;
+	lanes low = 0.5000000013457727 + 0.16666666681614198 * r;
+	lanes middle = 0.0416664650060376 + 0.00833331093446465 * r;
+	lanes high = 0.0013933641032215737 + 0.00019890980860877146 * r;
+	lanes q = low + r2 * (middle + r2 * high);
+	return (lanes)((lanes_mask)shifted << 52) * (1 + (r + r2 * q));
+}
+
 static inline lanes
 lanes_log(lanes a)
 {
@@ -79,23 +100,32 @@ lanes_log(lanes a)
 	return r;
 }
 
-/* True when the condition holds in every lane, in any lane. */
-static inline int
-lanes_all(lanes_mask mask)
+/* A bit for each lane in which the condition holds. */
+static inline unsigned
+lanes_bits(lanes_mask mask)
 {
-	int64_t all = -1;
-	for (size_t l = 0; l < LANES; l++)
-		all &= mask[l];
-	return all != 0;
+#if LANES == 8
+	return (unsigned)_mm512_movepi64_mask((__m512i)mask);
+#elif LANES == 4
+	return (unsigned)_mm256_movemask_pd((__m256d)mask);
+#else
+	unsigned bits = 0;
+	for (unsigned l = 0; l < LANES; l++)
+		bits |= (unsigned)(mask[l] != 0) << l;
+	return bits;
+#endif
 }
 
-static inline int
+static inline bool
+lanes_all(lanes_mask mask)
+{
+	return lanes_bits(mask) == (1u << LANES) - 1;
+}
+
+static inline bool
 lanes_any(lanes_mask mask)
 {
-	int64_t any = 0;
-	for (size_t l = 0; l < LANES; l++)
-		any |= mask[l];
-	return any != 0;
+	return lanes_bits(mask) != 0;
 }
 
 #endif

@@ -89,47 +89,52 @@ feed_density(const struct psd *feed, double t)
 	return 0;
 }
 
-static void
-set_powers(double u, double to[static 3])
+/* Nodes lie close where p(u) bends, near u = 1, and wider below: node j at
+ * ln u = -j (1 + j / BEND) of a unit. */
+static double
+node_depth(size_t j)
 {
-	to[0] = u;
-	to[1] = u * u;
-	to[2] = u * u * u;
-}
-
-static void
-plan_sieve(const struct plan *plan, struct plan_sieve *s, double log_s)
-{
-	size_t n = plan->n_class;
-	double h = 2 * plan->half_node;
-	s->u = xdoubles(3 * n);
-	s->one = xdoubles(n);
-	s->step = xdoubles(n);
-	for (size_t c = 0; c < n; c++) {
-		double log_u = log_s - plan->middle[c];
-		if (plan->lower[c] >= log_s - 1e-12)
-			s->n_above = c + 1;
-		s->one[c] = el_exp(log_u) >= APPEARANCE_FINEST;
-		set_powers(s->one[c] > 0 ? el_exp(log_u) : 0, s->u + 3 * c);
-		if (c > 0)
-			s->step[c] =
-			    (plan->middle[c - 1] - plan->middle[c]) / 2;
-	}
-	/* Node j lies at ln u = -j h. */
-	double nodes = n > 0 ? (plan->middle[0] - log_s) / h : 0;
-	double j = floor(nodes < 0 ? 0 : nodes);
-	s->start_one = nodes < KERNEL_U_NODES - 1;
-	s->start_node = s->start_one > 0 ? (size_t)j : 0;
-	s->start_step = s->start_one > 0 ? 1 - (nodes - j) : 0;
+	const double BEND = 16, last = KERNEL_NODES - 1;
+	double deepest = -el_log(APPEARANCE_FINEST), at = (double)j;
+	return deepest * at * (1 + at / BEND) / (last * (1 + last / BEND));
 }
 
 static void
 plan_nodes(struct plan *plan)
 {
-	double h = -el_log(APPEARANCE_FINEST) / (KERNEL_U_NODES - 1);
-	plan->half_node = h / 2;
-	for (size_t j = 0; j < KERNEL_U_NODES; j++)
-		set_powers(el_exp(-h * (double)j), plan->u[j]);
+	for (size_t j = 0; j < KERNEL_NODES; j++) {
+		plan->u[j] = el_exp(-node_depth(j));
+		plan->half_step[j] = (node_depth(j + 1) - node_depth(j)) / 2;
+	}
+}
+
+static struct plan_view
+view_at(double depth)
+{
+	struct plan_view v = {.node = KERNEL_NODES - 2};
+	if (depth > node_depth(KERNEL_NODES - 1))
+		return v;
+	v.node = 0;
+	while (v.node < KERNEL_NODES - 2 && node_depth(v.node + 1) < depth)
+		v.node++;
+	double step = node_depth(v.node + 1) - node_depth(v.node);
+	v.coarse = (node_depth(v.node + 1) - depth) / step;
+	v.fine = 1 - v.coarse;
+	v.below_coarse = step * v.coarse * v.coarse / 2;
+	v.below_fine = step * v.coarse - v.below_coarse;
+	return v;
+}
+
+static void
+plan_sieve(const struct plan *plan, struct plan_sieve *s, double log_s)
+{
+	s->view = xcalloc(plan->n_class, sizeof *s->view);
+	for (size_t c = 0; c < plan->n_class; c++) {
+		if (plan->lower[c] < log_s - 1e-12)
+			break;
+		s->n_above = c + 1;
+		s->view[c] = view_at(plan->middle[c] - log_s);
+	}
 }
 
 /* The sieves of all runs together, and each run's passings at them. */
@@ -172,19 +177,28 @@ plan_continuous(struct plan *plan, const struct misfit *m)
 	size_t room = m->n_residual;
 	for (size_t r = 0; r < m->n_run; r++)
 		room += m->run[r].feed.n;
+	plan->one_feed = true;
 	double *edge = xdoubles(room);
 	plan_classes(plan, edge, collect_edges(m, edge));
 	free(edge);
 	plan_nodes(plan);
 	for (size_t r = 0; r < m->n_run; r++) {
-		plan->run[r].mass = xdoubles(plan->n_class);
-		for (size_t c = 0; c < plan->n_class; c++)
-			plan->run[r].mass[c] =
+		struct plan_run *run = &plan->run[r];
+		run->mass = xdoubles(plan->n_class);
+		run->whole = xdoubles(plan->n_class);
+		for (size_t c = 0; c < plan->n_class; c++) {
+			run->mass[c] =
 			    feed_density(&m->run[r].feed, plan->middle[c]);
+			run->whole[c] =
+			    run->mass[c] * (plan->upper[c] - plan->lower[c]);
+			plan->one_feed = plan->one_feed &&
+					 run->mass[c] == plan->run[0].mass[c];
+		}
 	}
 	plan_targets(plan, m);
-	plan->scratch = KERNEL_LANES * (2 * plan->n_run * (plan->n_class + 1) +
-					   2 * plan->n_class + KERNEL_U_NODES);
+	plan->scratch =
+	    KERNEL_LANES * (2 * plan->n_run * (plan->n_class + 1) +
+			       2 * plan->n_class + 2 * KERNEL_NODES);
 }
 
 static void
@@ -197,14 +211,14 @@ plan_class_run(struct plan_run *run, const struct misfit_run *from,
 	classes_sizes(feed, x);
 	run->mass = xdoubles(n);
 	run->log_size = xdoubles(n);
-	run->argument = xdoubles(3 * n * n);
+	run->argument = xdoubles(n * n);
 	for (size_t i = 0; i < n; i++) {
 		run->log_size[i] = el_log(x[i]);
 		run->mass[i] =
 		    feed->passing[i] - (i + 1 < n ? feed->passing[i + 1] : 0);
 		for (size_t j = 0; j < n; j++)
-			set_powers(appearance_argument(form, x[i], x[j]),
-			    run->argument + 3 * (i * n + j));
+			run->argument[i * n + j] =
+			    appearance_argument(form, x[i], x[j]);
 	}
 	free(x);
 	run->n_target = from->n;
@@ -274,15 +288,13 @@ plan_clear(struct plan *plan)
 {
 	for (size_t r = 0; r < plan->n_run; r++) {
 		free(plan->run[r].mass);
+		free(plan->run[r].whole);
 		free(plan->run[r].target);
 		free(plan->run[r].log_size);
 		free(plan->run[r].argument);
 	}
-	for (size_t s = 0; s < plan->n_sieve; s++) {
-		free(plan->sieve[s].u);
-		free(plan->sieve[s].one);
-		free(plan->sieve[s].step);
-	}
+	for (size_t s = 0; s < plan->n_sieve; s++)
+		free(plan->sieve[s].view);
 	free(plan->run);
 	free(plan->sieve);
 	free(plan->upper);

@@ -3,13 +3,14 @@
 #ifndef TIPSPEED_CORE_PLAN_H
 #define TIPSPEED_CORE_PLAN_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include "core/kernel.h"
 #include "core/params.h"
 
-enum { KERNEL_GAUSS = 3, KERNEL_U_NODES = 41 };
+enum { KERNEL_NODES = 33 };
 
 /* A product sieve of a run. */
 struct plan_target {
@@ -23,34 +24,41 @@ struct plan_target {
 struct plan_run {
 	double E, log_E; /* J/kg */
 	double *mass; /* [n_class] dF / d ln x; for `classes` the mass itself */
+	double *whole;              /* [n_class] mass of the class */
 	size_t n_target;            /* the plan's sieves; `classes`: its own */
 	struct plan_target *target; /* [n_target] */
 	/* `classes` only: its own classes and the arguments of p. */
 	size_t n_size;
 	double *log_size; /* [n_size] */
-	double *argument; /* [parent][daughter][3]: powers 1..3 */
+	double *argument; /* [parent][daughter] */
+};
+
+/* Where the middle of a class lies among the nodes of u, seen from a sieve:
+ * between node and the finer one after it.  p is straight between nodes, so
+ * p = fine p[node + 1] + coarse p[node] and
+ * B = B[node + 1] + below_fine p[node + 1] + below_coarse p[node].
+ * All weights are 0 below 2^-10, where node + 1 is the last. */
+struct plan_view {
+	size_t node;
+	double fine, coarse, below_fine, below_coarse;
 };
 
 /* A sieve at which some run has a product, with the classes above it. */
 struct plan_sieve {
-	size_t n_above;    /* classes 0..n_above-1 are coarser */
-	double *u;         /* [n_class][3]: u, u^2, u^3; all 0 below 2^-10 */
-	double *one;       /* [n_class] 1, or 0 below 2^-10 */
-	double *step;      /* [n_class] half the distance to the class before */
-	size_t start_node; /* B at the coarsest class: above this node of u, */
-	double start_step; /* this much of the way to the next in ln u, */
-	double start_one;  /* or nothing when 0 (below 2^-10) */
+	size_t n_above;         /* classes 0..n_above-1 are coarser */
+	struct plan_view *view; /* [n_class] */
 };
 
 struct plan {
 	enum method method;
 	double k;
 	size_t n_run, n_class, n_sieve;
+	bool one_feed; /* all runs have that of the first */
 	struct plan_run *run;
 	struct plan_sieve *sieve;
 	double *upper, *lower, *middle; /* [n_class] ln x */
-	double u[KERNEL_U_NODES][3];
-	double half_node; /* half the distance of the nodes of u, in ln u */
+	double u[KERNEL_NODES];         /* 1 to 2^-10 */
+	double half_step[KERNEL_NODES]; /* to the next node, in ln u, halved */
 	double over_E, bottom, per_bin; /* for the order of candidates */
 	size_t scratch; /* doubles of workspace a thread needs */
 };
@@ -60,20 +68,21 @@ void plan_make(struct plan *plan, const struct misfit *m);
 void plan_clear(struct plan *plan);
 
 /* Evaluates KERNEL_LANES candidates, those of the indices, and puts each misfit
- * in its place. */
+ * in its place.  calm: all of them are, see KERNEL_BINS. */
 typedef void kernel_block(const struct plan *plan,
-    const double *const theta[PARAM_COUNT], const uint32_t *index,
+    const double *const theta[PARAM_COUNT], const uint32_t *index, bool calm,
     double *scratch, double *misfit);
 
 kernel_block kernel_block_base;
 kernel_block kernel_block_avx2;
 kernel_block kernel_block_avx512;
 
-/* Which break sizes KERNEL_LANES candidates belong together by, at the mean
- * energy: a bin of ln x* for each. */
-enum { KERNEL_BINS = 64 };
-typedef void kernel_bins(const struct plan *plan, const double *e0,
-    const double *alpha, unsigned char *bin);
+/* Which of the candidates first..first+KERNEL_LANES-1 belong together: a bin of
+ * ln x* at the mean energy for each, plus KERNEL_BINS for the calm ones, whose
+ * S rises so slowly that fewer Gauss points do. */
+enum { KERNEL_BINS = 256 };
+typedef void kernel_bins(const struct plan *plan,
+    const double *const theta[PARAM_COUNT], size_t first, uint16_t *bin);
 
 kernel_bins kernel_bins_base;
 kernel_bins kernel_bins_avx2;

@@ -144,9 +144,22 @@ accept(struct polish *s)
 	s->J_try = J;
 }
 
+/* Every PATIENCE evaluations: whether so far above the rival's misfit more of
+ * such gains are of no use.  Where the misfit falls ever slower, as it does on
+ * the E0_min, alpha, f_mat ridge, the rest of the way is some few times the
+ * last gain. */
+enum { PATIENCE = 8 };
+static bool
+is_hopeless(double before, double now, double rival)
+{
+	double above = now - rival;
+	return rival > 0 &&
+	       (above < 1e-9 * rival || 16 * (before - now) < above);
+}
+
 struct polish_result
 polish_run(struct polish *s, const struct bounds *bounds, int max_steps,
-    struct params *p)
+    double rival, struct params *p)
 {
 	const double least_damping = 1e-14, most_damping = 1e12;
 	double damping = 1e-2, grow = 2;
@@ -155,7 +168,13 @@ polish_run(struct polish *s, const struct bounds *bounds, int max_steps,
 	memset(s->scale, 0, sizeof s->scale);
 	struct polish_result result = {
 	    misfit_jacobian(s->misfit, p, s->r, s->J), 1, false};
+	double before = result.misfit;
 	while (result.evaluations < max_steps && !result.converged) {
+		if (result.evaluations % PATIENCE == 0) {
+			if (is_hopeless(before, result.misfit, rival))
+				break;
+			before = result.misfit;
+		}
 		update_scale(s);
 		size_t n_free = free_columns(s, bounds, p, column);
 		if (n_free == 0 || !isfinite(result.misfit)) {

@@ -21,7 +21,8 @@ struct polish_result {
 };
 
 /* Lowers the misfit from *p within the bounds, at most max_steps steps;
- * *p moves to the best found and never gets worse.
+ * *p moves to the best found and never gets worse.  Gives up where it comes to
+ * rest above the misfit `rival`, or within 1e-9 of it; 0 for no rival.
  *
  * Bounded least squares by Levenberg and Marquardt: parameters whose bound
  * stands in the way of descent are held, the rest take the damped Gauss-Newton
@@ -29,6 +30,6 @@ struct polish_result {
  * J. J. (1978), The Levenberg-Marquardt algorithm, in Numerical Analysis, LNM
  * 630; Kanzow, Yamashita, Fukushima (2004), J. Comput. Appl. Math. 172. */
 struct polish_result polish_run(struct polish *polish,
-    const struct bounds *bounds, int max_steps, struct params *p);
+    const struct bounds *bounds, int max_steps, double rival, struct params *p);
 
 #endif

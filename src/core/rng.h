@@ -49,13 +49,29 @@ rng_bits(struct rng_key key, uint32_t i)
 	return x;
 }
 
+/* A second number from the bits of a first one. */
+static inline uint32_t
+rng_more(uint32_t x)
+{
+	x *= UINT32_C(0x9e3779b1);
+	x ^= x >> 15;
+	return x * UINT32_C(0x85ebca77);
+}
+
+/* 32 bits as a number in (0, 1). */
+static inline double
+rng_unit(uint32_t bits)
+{
+	/* Through a signed conversion, which vector units have. */
+	double centred = (double)(int32_t)(bits ^ 0x80000000u);
+	return (centred + 2147483648.5) * (1.0 / 4294967296.0);
+}
+
 /* Number i of a stream, uniform in (0, 1). */
 static inline double
 rng_uniform(struct rng_key key, uint32_t i)
 {
-	/* Through a signed conversion, which vector units have. */
-	double centred = (double)(int32_t)(rng_bits(key, i) ^ 0x80000000u);
-	return (centred + 2147483648.5) * (1.0 / 4294967296.0);
+	return rng_unit(rng_bits(key, i));
 }
 
 #endif

@@ -78,9 +78,9 @@ herd_evaluate(const struct misfit *m, enum isa isa, unsigned threads,
     const struct herd *herd, double *misfit)
 {
 	struct pool *pool = pool_new(threads);
-	struct kernel *kernel = kernel_new(m, isa, pool);
+	struct kernel *kernel = kernel_new(m, isa, threads);
 	kernel_evaluate(
-	    kernel, (const double *const *)herd->gene, herd->n, misfit);
+	    kernel, pool, (const double *const *)herd->gene, herd->n, misfit);
 	kernel_free(kernel);
 	pool_free(pool);
 }
