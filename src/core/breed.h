@@ -18,8 +18,8 @@ struct breed_keys {
 };
 
 /* told, asked: one array a gene.  parent: winners of tournaments, drawn by the
- * top bits of a random number, shifted down by draw_shift.  scale [n_gene]: unit
- * of a mutation. */
+ * top bits of a random number, shifted down by draw_shift.  scale [n_gene]:
+ * unit of a mutation. */
 struct breed {
 	size_t n_gene;
 	const double *const *told;

@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "base/xalloc.h"
+
 struct calibrate_status
 calibration_status(const struct calibration *c)
 {
@@ -37,15 +39,37 @@ visit_params(const struct visit *v, const char *name, struct params *p)
 	return ok;
 }
 
+static bool
+visit_history(struct calibration *c, const struct visit *v, size_t n)
+{
+	bool ok = true;
+	if (n > c->history_room) {
+		c->history_room = n;
+		c->history = xrealloc(c->history, n, sizeof *c->history);
+	}
+	c->n_history = n;
+	for (size_t i = 0; ok && i < n; i++) {
+		struct calibrate_generation *g = &c->history[i];
+		double misfit[2] = {g->best, g->median};
+		ok = v->real(v->data, "generation", misfit, 2) &&
+		     visit_params(v, "best_then", &g->params) &&
+		     v->real(v->data, "p10", g->p10, PARAM_COUNT) &&
+		     v->real(v->data, "p90", g->p90, PARAM_COUNT);
+		g->best = misfit[0];
+		g->median = misfit[1];
+	}
+	return ok;
+}
+
 bool
 calibration_visit(struct calibration *c, const struct visit *v)
 {
 	size_t state[2] = {c->state, c->stop};
-	size_t whole[6] = {c->stall, c->evaluations, c->n_start, c->done,
-	    c->hops, c->fruitless};
+	size_t whole[7] = {c->stall, c->evaluations, c->n_start, c->done,
+	    c->hops, c->fruitless, c->n_history};
 	double real[2] = {c->stall_from, c->best_misfit};
 	bool ok = ga_visit(c->ga, v) && v->whole(v->data, "state", state, 2) &&
-		  v->whole(v->data, "counts", whole, 6) &&
+		  v->whole(v->data, "counts", whole, 7) &&
 		  v->real(v->data, "levels", real, 2) &&
 		  visit_params(v, "kept", &c->best) &&
 		  state[0] <= CALIBRATE_STOPPED &&
@@ -64,7 +88,9 @@ calibration_visit(struct calibration *c, const struct visit *v)
 	c->best_misfit = real[1];
 	for (size_t i = 0; ok && i < c->n_start; i++)
 		ok = visit_params(v, "start", &c->start[i]);
-	return ok;
+	/* One generation made one entry. */
+	return ok && whole[6] == ga_status(c->ga).generation &&
+	       visit_history(c, v, whole[6]);
 }
 
 static double

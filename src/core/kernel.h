@@ -34,11 +34,11 @@ struct kernel *kernel_new(
 void kernel_free(struct kernel *kernel);
 
 /* misfit [to] out in from..to-1, for those candidates of
- * theta[PARAM_COUNT][to], one array a parameter in the order of PARAMS,
- * aligned to 64 bytes and readable up to the next multiple of KERNEL_LANES.  from is a multiple of
- * KERNEL_LANES, and to - from at most KERNEL_PART.  Not a number becomes
- * INFINITY.  thread: below that of kernel_new; two at once have different
- * ones. */
+ * theta[PARAM_COUNT][to], one array a parameter in the order of PARAMS, aligned
+ * to 64 bytes and readable up to the next multiple of KERNEL_LANES.  from is a
+ * multiple of KERNEL_LANES, and to - from at most KERNEL_PART.  Not a number
+ * becomes INFINITY.  thread: below that of kernel_new; two at once have
+ * different ones. */
 enum { KERNEL_LANES = 8, KERNEL_PART = 63 * KERNEL_LANES };
 void kernel_evaluate_part(const struct kernel *kernel,
     const double *const theta[PARAM_COUNT], size_t from, size_t to,
