@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
+#include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "core/energy.h"
 #include "io/units.h"
@@ -50,9 +51,7 @@ static json_t *
 fit_as_json(const struct entry *entry, double seconds)
 {
 	const struct fit *fit = &entry->fit;
-	json_t *o = json_object();
-	json_object_set_new(o, "command", json_string("calibrate"));
-	json_object_set_new(o, "site", json_string(entry->site->name));
+	json_t *o = answers_json("calibrate", entry->site);
 	json_object_set_new(o, "seed", json_integer((json_int_t)fit->seed));
 	json_object_set_new(
 	    o, "population", json_integer((json_int_t)fit->population));
@@ -170,11 +169,8 @@ fit_report(
     const struct entry *entry, const struct bounds *bounds, double seconds)
 {
 	const struct fit *fit = &entry->fit;
-	struct report *r = report_new("calibrate");
-	char *label = session_label(entry->site);
-	report_title(r, "%s: calibrated parameters", label);
-	free(label);
-	report_site(r, entry->site->name, entry->site->provenance);
+	struct report *r =
+	    answers_report(entry->site, "calibrate", "calibrated parameters");
 	report_column(r, "parameter", "parameter");
 	report_column(r, "value", "value");
 	report_column(r, "unit", "unit");

@@ -15,6 +15,8 @@ static const struct command_option PREDICT_OPTIONS[] = {
     FEED_OPTION,
     {"curve", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"draw feed, measured and predicted as text"},
+    {"interpolated", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"add the measured products interpolated at this speed"},
     LAST_OPTION};
 
 static const struct command_option SWEEP_OPTIONS[] = {
@@ -31,7 +33,10 @@ const struct command TABLE_ANSWERS[] = {
 	.bare = "speed",
 	.option = PREDICT_OPTIONS,
 	.text = "Needs parameters: calibrate, or params set. Outside the "
-		"trained speeds the answer is marked as extrapolated.",
+		"trained speeds the answer is marked as extrapolated. "
+		"interpolated=on puts beside it the products measured at the "
+		"next lower and higher speed, interpolated in speed squared: "
+		"the answer without a model.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74",
 	.run = cmd_predict},
     {.name = "sweep",

@@ -125,19 +125,15 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 	if (!answers_ready(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	struct report *r = report_new("validate");
-	char *label = session_label(entry->site);
-	report_title(r, "%s: held-out speeds, measured and predicted", label);
-	free(label);
-	report_site(r, entry->site->name, entry->site->provenance);
+	struct report *r = answers_report(
+	    entry->site, "validate", "held-out speeds, measured and predicted");
 	report_column(r, "speed", "m/s");
 	report_column(r, "size", "size");
 	report_column(r, "measured_mm", "measured mm");
 	report_column(r, "predicted_mm", "predicted mm");
 	report_column(r, "difference_mm", "difference mm");
-	json_t *o = json_object(), *list = json_array();
-	json_object_set_new(o, "command", json_string("validate"));
-	json_object_set_new(o, "site", json_string(entry->site->name));
+	json_t *o = answers_json("validate", entry->site);
+	json_t *list = json_array();
 	json_object_set_new(o, "holdout", list);
 	add_validations(s, r, list);
 	if (entry->has_fit) {
