@@ -8,18 +8,19 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/answers.h"
 
-static void
-show_params(struct session *s, const struct entry *entry)
+const char *const MODEL_FORMS[3] = {"ratio", "progeny_mm", "parent_mm"};
+
+void
+model_show_params(struct session *s)
 {
-	struct report *r = report_new("params");
-	char *label = session_label(entry->site);
-	report_title(r, "%s: parameters %s", label,
-	    entry->has_fit      ? "found by calibration"
-	    : entry->has_params ? "set by hand"
-				: "not known yet");
-	free(label);
-	report_site(r, entry->site->name, entry->site->provenance);
+	const struct entry *entry = session_entry(s);
+	struct report *r =
+	    answers_report(entry->site, "params", "parameters %s",
+		entry->has_fit      ? "found by calibration"
+		: entry->has_params ? "set by hand"
+				    : "not known yet");
 	report_column(r, "parameter", "parameter");
 	report_column(r, "value", "value");
 	report_column(r, "unit", "unit");
@@ -64,7 +65,6 @@ set_params(struct session *s, const struct args *args, struct error *error)
 bool
 cmd_params(struct session *s, const struct args *args, struct error *error)
 {
-	struct entry *entry = session_entry(s);
 	const char *verb = args->n_operand > 0 ? args->operand[0] : "list";
 	if (strcmp(verb, "set") == 0)
 		return set_params(s, args, error);
@@ -78,12 +78,12 @@ cmd_params(struct session *s, const struct args *args, struct error *error)
 		    "params lists; to change %s it wants set", PARAMS[j].name);
 		return error_hint(error, "params set %s=..", PARAMS[j].name);
 	}
-	show_params(s, entry);
+	model_show_params(s);
 	return true;
 }
 
-static void
-show_bounds(struct session *s)
+void
+model_show_bounds(struct session *s)
 {
 	struct report *r = report_new("bounds");
 	report_title(r, "search bounds");
@@ -121,7 +121,7 @@ bool
 cmd_bounds(struct session *s, const struct args *args, struct error *error)
 {
 	if (args->n_operand == 0) {
-		show_bounds(s);
+		model_show_bounds(s);
 		return true;
 	}
 	if (strcmp(args->operand[0], "default") == 0) {
@@ -161,14 +161,11 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 static void
 show_settings(struct session *s)
 {
-	static const char *const FORMS[] = {"ratio", "progeny_mm", "parent_mm"};
 	struct report *r = report_new("set");
 	char *k = xasprintf("%g", s->settings.k);
 	char *threads = xasprintf("%u", s->threads);
-	const char *rows[][2] = {
-	    {"method", s->settings.method == METHOD_CLASSES ? "classes"
-							    : "continuous"},
-	    {"appearance", FORMS[s->settings.appearance]}, {"k", k},
+	const char *rows[][2] = {{"method", answers_method(s->settings.method)},
+	    {"appearance", MODEL_FORMS[s->settings.appearance]}, {"k", k},
 	    {"threads", threads}, {"isa", isa_name(isa_usable(s->isa))},
 	    {"format", REPORT_FORMATS[s->format]}};
 	report_column(r, "setting", "setting");

@@ -244,15 +244,23 @@ session_note(const struct session *s, const char *format, ...)
 	text_wrap(text, 0, 78, s->notes);
 }
 
+bool
+session_need_site(
+    const struct session *s, const char *what, struct error *error)
+{
+	if (s->n_entry > 0)
+		return true;
+	error_set(
+	    error, ERROR_USAGE, "%s needs a site, and none is loaded", what);
+	return error_hint(error, "load its sieve sheet first: load FILE");
+}
+
 static bool
 check_need(
     struct session *s, const struct command *command, struct error *error)
 {
-	if (command->need == NEED_NOTHING || s->n_entry > 0)
-		return true;
-	error_set(error, ERROR_USAGE, "%s needs a site, and none is loaded",
-	    command->name);
-	return error_hint(error, "load its sieve sheet first: load FILE");
+	return command->need == NEED_NOTHING ||
+	       session_need_site(s, command->name, error);
 }
 
 static bool

@@ -79,6 +79,10 @@ void session_free(struct session *s);
 /* The site in use; asserts that there is one. */
 struct entry *session_entry(struct session *s);
 
+/* False, with the next step, when no site is loaded; what: who needs it. */
+bool session_need_site(
+    const struct session *s, const char *what, struct error *error);
+
 /* Forgets the newest answers, because the site or its parameters are others
  * now. */
 void session_forget(struct session *s);

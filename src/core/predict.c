@@ -67,6 +67,26 @@ predict(const struct site *site, const struct params *p,
 	return out;
 }
 
+/* A feed of one class alone, selected as a whole: the class's mean S. */
+void
+predict_selection(const struct psd *feed, const struct params *p,
+    struct model_settings settings, double speed, double *S)
+{
+	for (size_t i = 0; i < feed->n; i++) {
+		bool pan = i + 1 == feed->n;
+		S[i] = 0;
+		if (pan && settings.method == METHOD_CONTINUOUS)
+			continue;
+		double one[2] = {1, 0};
+		struct psd class = {pan ? 1 : 2, feed->size + i, one};
+		struct model *model =
+		    model_new(&class, feed->size + i, 1, settings);
+		model_set(model, p);
+		S[i] = model_selected(model, speed);
+		model_free(model);
+	}
+}
+
 void
 prediction_free(struct prediction *prediction)
 {
