@@ -10,6 +10,8 @@
 
 bool cmd_calibrate(struct session *, const struct args *, struct error *);
 
+bool cmd_history(struct session *, const struct args *, struct error *);
+
 /* Says beside the results what the job is about to do. */
 void fit_announce(struct session *s);
 

@@ -45,6 +45,7 @@ entry_free(struct entry *entry)
 	site_free(entry->site);
 	free(entry->key);
 	free(entry->train);
+	free(entry->history.generation);
 }
 
 void

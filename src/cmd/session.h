@@ -13,6 +13,14 @@
 #include "core/site.h"
 #include "io/report.h"
 
+/* The generations of a calibration, [n], with the bounds it searched in.
+ * from: the number of the first, more than 1 after a resume. */
+struct history {
+	size_t n, from;
+	struct calibrate_generation *generation;
+	struct bounds bounds;
+};
+
 /* A loaded site with its answers.  key: how it is called here, "gavle/4".
  * train [site->n_run]: runs to train on, or that were trained on. */
 struct entry {
@@ -20,8 +28,9 @@ struct entry {
 	char *key;
 	bool *train;
 	bool has_params, has_fit;
-	struct params params; /* set by hand or found */
-	struct fit fit;       /* where the parameters were found */
+	struct params params;   /* set by hand or found */
+	struct fit fit;         /* where the parameters were found */
+	struct history history; /* of the last calibration; owned */
 };
 
 /* The newest answers, for assert: sizes in mm, rmse and holdout in points; NAN
