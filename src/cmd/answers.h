@@ -12,6 +12,7 @@
 bool cmd_predict(struct session *, const struct args *, struct error *);
 bool cmd_sweep(struct session *, const struct args *, struct error *);
 bool cmd_validate(struct session *, const struct args *, struct error *);
+bool cmd_compare(struct session *, const struct args *, struct error *);
 
 /* A report about a site, headed "Tierp, Granite, 11.2 mm: " and what the format
  * says. */

@@ -24,6 +24,10 @@ static const struct command_option SWEEP_OPTIONS[] = {
 	"rotor tip speeds"},
     FEED_OPTION, LAST_OPTION};
 
+static const struct command_option COMPARE_OPTIONS[] = {
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "where sites meet"},
+    FEED_OPTION, LAST_OPTION};
+
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
 	.group = "answers",
@@ -50,6 +54,22 @@ const struct command TABLE_ANSWERS[] = {
 		"are listed one a row.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nsweep 65,74,85",
 	.run = cmd_sweep},
+    {.name = "compare",
+	.group = "answers",
+	.brief = "two speeds or two sites side by side",
+	.operands = "SPEED SPEED | SITE SITE",
+	.least = 2,
+	.most = 2,
+	.need = NEED_SITE,
+	.option = COMPARE_OPTIONS,
+	.text = "The predicted products of the site in use at two speeds, on "
+		"one feed, or those of two loaded sites at one speed, each on "
+		"its own: passing sieve by sieve and the difference, second "
+		"less first; P20, P50 and P80; the fines; the break sizes.",
+	.example = "load data/sites/tierp.csv\n"
+		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
+		   "compare 69 79",
+	.run = cmd_compare},
     {.name = "validate",
 	.group = "answers",
 	.brief = "compare with the speeds held out",

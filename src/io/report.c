@@ -106,6 +106,10 @@ report_number(struct report *r, double value, int decimals)
 		text = xasprintf("%.6g", value);
 	else
 		text = xasprintf("%.*f", decimals, value);
+	/* What rounds to nothing has no sign. */
+	if (text[0] == '-' && strpbrk(text, "123456789") == NULL &&
+	    isfinite(value))
+		memmove(text, text + 1, strlen(text));
 	add_cell(r, false, value, text);
 }
 
