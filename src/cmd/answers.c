@@ -120,6 +120,28 @@ answers_note_sizes(struct report *r, const struct psd *psd)
 	free(p80);
 }
 
+void
+answers_note_doubt(
+    struct session *s, struct report *r, double speed, size_t feed_run)
+{
+	const struct entry *entry = session_entry(s);
+	const struct site *site = entry->site;
+	if (predict_extrapolates(site, entry->train, speed))
+		report_note(r,
+		    "extrapolated: %.1f m/s lies outside the speeds trained "
+		    "on",
+		    speed);
+	if (site->individual_feeds &&
+	    fabs(site->run[feed_run].speed - speed) > 1e-3)
+		report_note(r, "feed: the sample taken at %g m/s",
+		    site->run[feed_run].speed);
+	if (entry->has_fit && entry->fit.rmse > FIT_POOR)
+		report_note(r,
+		    "the calibration is poor (%.1f points RMS): do not rely "
+		    "on this",
+		    100 * entry->fit.rmse);
+}
+
 json_t *
 answers_list_json(const double *value, size_t n, double (*shown)(double))
 {

@@ -12,6 +12,8 @@
 bool cmd_predict(struct session *, const struct args *, struct error *);
 bool cmd_sweep(struct session *, const struct args *, struct error *);
 bool cmd_validate(struct session *, const struct args *, struct error *);
+bool cmd_find(struct session *, const struct args *, struct error *);
+bool cmd_spec(struct session *, const struct args *, struct error *);
 bool cmd_compare(struct session *, const struct args *, struct error *);
 
 /* A report about a site, headed "Tierp, Granite, 11.2 mm: " and what the format
@@ -43,6 +45,15 @@ void answers_size_cell(struct report *r, const struct psd *psd, double passing);
 
 /* The note "P20 1.14 mm, P50 2.91 mm, P80 5.28 mm". */
 void answers_note_sizes(struct report *r, const struct psd *psd);
+
+/* Notes on how far to trust an answer for the site in use at a speed from the
+ * feed of a run. */
+void answers_note_doubt(
+    struct session *s, struct report *r, double speed, size_t feed_run);
+
+/* Columns and a row for each prediction: energy, break size, P20, P50, P80. */
+void answers_speed_rows(
+    struct session *s, struct report *r, const struct prediction *p, size_t n);
 
 /* {"command":..,"site":..}, to add to. */
 json_t *answers_json(const char *command, const struct site *site);

@@ -73,27 +73,6 @@ note_feed_gaps(
 	free(list);
 }
 
-static void
-note_doubt(struct session *s, struct report *r, const struct prediction *p)
-{
-	const struct entry *entry = session_entry(s);
-	const struct site *site = entry->site;
-	if (predict_extrapolates(site, entry->train, p->speed))
-		report_note(r,
-		    "extrapolated: %.1f m/s lies outside the speeds trained "
-		    "on",
-		    p->speed);
-	if (site->individual_feeds &&
-	    fabs(site->run[p->feed_run].speed - p->speed) > 1e-3)
-		report_note(r, "feed: the sample taken at %g m/s",
-		    site->run[p->feed_run].speed);
-	if (entry->has_fit && entry->fit.rmse > FIT_POOR)
-		report_note(r,
-		    "the calibration is poor (%.1f points RMS): do not rely "
-		    "on this",
-		    100 * entry->fit.rmse);
-}
-
 /* Measured passing at a sieve of a run at this very speed, else NAN. */
 static double
 measured_at(const struct site *site, double speed, double x)
@@ -177,7 +156,7 @@ explained(struct session *s, const struct prediction *p, bool wanted)
 		    "nothing is interpolated: %g m/s does not lie between "
 		    "measured runs",
 		    p->speed);
-	note_doubt(s, r, p);
+	answers_note_doubt(s, r, p->speed, p->feed_run);
 	report_json(r, o);
 	free(between);
 	return r;

@@ -204,22 +204,27 @@ session_find(
 	return false;
 }
 
+void
+session_tell_faults(const struct session *s, const char *path,
+    const struct error_list *errors, struct error *error)
+{
+	for (size_t i = 0; i + 1 < errors->n && s->notes != NULL; i++)
+		error_print(&errors->item[i], s->notes);
+	*error = errors->item[errors->n - 1];
+	if (errors->more > 0)
+		session_note(
+		    s, "%s: %zu more faults are not shown", path, errors->more);
+}
+
 bool
 session_load(struct session *s, const char *path, struct error *error)
 {
 	struct error_list *errors = xcalloc(1, sizeof *errors);
 	struct site *site = site_read(path, errors);
-	if (site == NULL) {
-		/* The last is returned, so that they are shown in order. */
-		for (size_t i = 0; i + 1 < errors->n && s->notes != NULL; i++)
-			error_print(&errors->item[i], s->notes);
-		*error = errors->item[errors->n - 1];
-		if (errors->more > 0)
-			session_note(s, "%s: %zu more faults are not shown",
-			    path, errors->more);
-	} else {
+	if (site == NULL)
+		session_tell_faults(s, path, errors, error);
+	else
 		session_add(s, site);
-	}
 	free(errors);
 	return site != NULL;
 }

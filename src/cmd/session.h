@@ -46,6 +46,7 @@ enum answer {
 	ANSWER_HOLDOUT,      /* the largest of validate's */
 	ANSWER_POOR,         /* 1: the calibration is poor */
 	ANSWER_EXTRAPOLATED, /* 1: predict was outside the trained speeds */
+	ANSWER_INSIDE,       /* 1: the product lies within a grading */
 	ANSWERS
 };
 
@@ -108,6 +109,11 @@ bool session_find(
 /* Reads a site file and adds it.  Every fault of the file is printed to notes
  * but the last, which is the error. */
 bool session_load(struct session *s, const char *path, struct error *error);
+
+/* The faults of a file: the last becomes the error, those before it are printed
+ * to notes, so that they are shown in order. */
+void session_tell_faults(const struct session *s, const char *path,
+    const struct error_list *errors, struct error *error);
 
 /* Prints a result and frees it. */
 void session_report(struct session *s, struct report *report);

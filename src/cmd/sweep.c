@@ -65,9 +65,8 @@ sweep_across(
 		report_number(r, 1000 * p[i].break_size, 2);
 }
 
-/* One row a speed: for long sweeps. */
-static void
-sweep_down(
+void
+answers_speed_rows(
     struct session *s, struct report *r, const struct prediction *p, size_t n)
 {
 	const struct entry *entry = session_entry(s);
@@ -81,7 +80,8 @@ sweep_down(
 	report_column(r, "extrapolated", "extrapolated");
 	for (size_t i = 0; i < n; i++) {
 		size_t finest = p[i].product.n - 1;
-		report_number(r, p[i].speed, -1);
+		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;
+		report_number(r, p[i].speed, round ? -1 : 2);
 		report_number(r, p[i].energy, 0);
 		report_missing(r, "none");
 		report_number(r, 1000 * p[i].break_size, 2);
@@ -158,7 +158,9 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	    answers_report(entry->site, "sweep", "products, %% passing");
 	bool across = n <= ACROSS;
 	bool csv = s->format == REPORT_CSV;
-	(csv ? sweep_long : across ? sweep_across : sweep_down)(s, r, p, n);
+	(csv         ? sweep_long
+	    : across ? sweep_across
+		     : answers_speed_rows)(s, r, p, n);
 	if (entry->site->individual_feeds)
 		report_note(r,
 		    "feed: the sample taken at %g m/s, for all speeds",

@@ -28,6 +28,21 @@ static const struct command_option COMPARE_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "where sites meet"},
     FEED_OPTION, LAST_OPTION};
 
+static const struct command_option FIND_OPTIONS[] = {
+    {"p20", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P20"},
+    {"p50", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P50"},
+    {"p80", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P80"},
+    {"passing", VALUE_NUMBER, "%", 0, 100, NULL, "", "wanted passing"},
+    {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "size of that passing"},
+    {"spec", VALUE_TEXT, "", 0, 0, NULL, "", "file of a grading envelope"},
+    {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "65", "slowest speed"},
+    {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "85", "fastest speed"},
+    FEED_OPTION, LAST_OPTION};
+
+static const struct command_option SPEC_OPTIONS[] = {
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
+    FEED_OPTION, LAST_OPTION};
+
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
 	.group = "answers",
@@ -70,6 +85,40 @@ const struct command TABLE_ANSWERS[] = {
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "compare 69 79",
 	.run = cmd_compare},
+    {.name = "find",
+	.group = "answers",
+	.brief = "the speed that gives a wanted product",
+	.operands = "",
+	.need = NEED_SITE,
+	.option = FIND_OPTIONS,
+	.text = "The inverse of predict: the tip speed for a P20, P50 or P80, "
+		"for a passing at a size, or the speeds at which the product "
+		"keeps within a grading envelope, see tipspeed-spec(5). A "
+		"faster rotor never makes a coarser product, so there is one "
+		"answer or none; where there is none, the products at both "
+		"ends, or the nearest speed and the sieve that fails, are "
+		"shown. One feed serves for all speeds, that of the middle "
+		"run unless feed= says otherwise.",
+	.example = "load data/sites/tierp.csv\n"
+		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
+		   "find p80=5\nfind passing=40 at=2\n"
+		   "find spec=data/specs/en-12620-0-8.csv",
+	.run = cmd_find},
+    {.name = "spec",
+	.group = "answers",
+	.brief = "the product against a grading envelope",
+	.operands = "FILE",
+	.least = 1,
+	.most = 1,
+	.need = NEED_SITE,
+	.option = SPEC_OPTIONS,
+	.text = "Each sieve of the envelope with its limits, the passing "
+		"predicted at a speed, and ok, above or below. FILE is as "
+		"tipspeed-spec(5) says; data/specs has some.",
+	.example = "load data/sites/tierp.csv\n"
+		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
+		   "spec data/specs/en-12620-0-8.csv speed=79",
+	.run = cmd_spec},
     {.name = "validate",
 	.group = "answers",
 	.brief = "compare with the speeds held out",

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/predict.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
@@ -82,7 +83,7 @@ predict_selection(const struct psd *feed, const struct params *p,
 		struct model *model =
 		    model_new(&class, feed->size + i, 1, settings);
 		model_set(model, p);
-		S[i] = model_selected(model, speed);
+		S[i] = fmin(model_selected(model, speed), 1);
 		model_free(model);
 	}
 }
