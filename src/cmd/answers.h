@@ -14,7 +14,11 @@ bool cmd_sweep(struct session *, const struct args *, struct error *);
 bool cmd_validate(struct session *, const struct args *, struct error *);
 bool cmd_find(struct session *, const struct args *, struct error *);
 bool cmd_spec(struct session *, const struct args *, struct error *);
+bool cmd_why(struct session *, const struct args *, struct error *);
 bool cmd_compare(struct session *, const struct args *, struct error *);
+
+/* A break size below this, m, is none: every size can break. */
+#define ANSWERS_NO_SIZE 1e-6
 
 /* A report about a site, headed "Tierp, Granite, 11.2 mm: " and what the format
  * says. */

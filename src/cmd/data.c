@@ -103,7 +103,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    -1);
 		report_text(r, speeds);
 		report_text(r, entry->has_fit      ? "yes"
-			       : entry->has_params ? "set by hand"
+			       : entry->has_params ? session_origin(entry)
 						   : "no");
 		report_text(r, kind);
 		free(speeds);

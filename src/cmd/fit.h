@@ -30,6 +30,10 @@ void fit_show(struct session *s);
 /* True when the fit explains little that product = feed does not. */
 bool fit_breaks_nothing(const struct fit *fit);
 
+/* True when parameter j is part of a flat direction worth speaking of: the
+ * misfit hardly rises along it. */
+bool fit_is_flat(const struct fit *fit, size_t j);
+
 /* The table of a site's fit, with its JSON; seconds: how long it took. */
 struct report *fit_report(
     const struct entry *entry, const struct bounds *bounds, double seconds);

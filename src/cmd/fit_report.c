@@ -95,31 +95,38 @@ explain_nothing(struct report *report, const struct entry *entry)
 			    "a higher speed would tell more");
 }
 
+bool
+fit_is_flat(const struct fit *fit, size_t j)
+{
+	const double worth_saying = 0.05, part_of_it = 0.25;
+	return fit->flat.reach >= worth_saying &&
+	       fabs(fit->flat.part[j]) >= part_of_it * fit->flat.reach;
+}
+
 /* Names the parameters that can go far together for a tenth more misfit, each
  * with its step; all signs may be turned. */
 static void
 add_flat(
     struct report *report, const struct fit *fit, const struct bounds *bounds)
 {
-	const double worth_saying = 0.05, part_of_it = 0.25;
-	if (fit->flat.reach < worth_saying)
-		return;
 	char *list = xstrdup("");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		double part = fit->flat.part[j];
 		double range =
 		    j < PARAM_F_MAT ? 2 : bounds->upper[j] - bounds->lower[j];
-		if (fabs(part) < part_of_it * fit->flat.reach)
+		if (!fit_is_flat(fit, j))
 			continue;
 		char *longer = xasprintf("%s%s%s %+.2g", list,
 		    list[0] != '\0' ? ", " : "", PARAMS[j].name, part * range);
 		free(list);
 		list = longer;
 	}
-	report_note(report,
-	    "flat direction: together, %s (or all the other way) raise the "
-	    "misfit by a tenth only",
-	    list);
+	if (list[0] != '\0')
+		report_note(report,
+		    "flat direction: together, %s (or all the other way) raise "
+		    "the "
+		    "misfit by a tenth only",
+		    list);
 	free(list);
 }
 

@@ -34,16 +34,22 @@ note_breakage(
 		    "more would, and the feed has none above %g mm: product = "
 		    "feed",
 		    p->speed, 1000 * p->break_size, units_mm(top));
-	else if (p->break_size <= 0)
+	else if (params->e0_min <= 0)
 		report_note(r,
-		    "all sizes can break (%s); %.1f %% of the feed is broken",
-		    params->e0_min <= 0 ? "e0_min is 0: there is no threshold"
-					: "alpha is next to 0: size makes "
-					  "no difference",
+		    "all sizes can break (e0_min is 0: there is no "
+		    "threshold); %.1f %% of the feed is broken",
 		    100 * p->selected);
+	else if (p->break_size < ANSWERS_NO_SIZE)
+		report_note(r,
+		    "all sizes can break (alpha is %.2g: size makes next to "
+		    "no difference); %.1f %% of the feed is broken",
+		    params->alpha, 100 * p->selected);
 	else
 		report_note(r,
-		    "breaks from %.2f mm up; %.1f %% of the feed is broken",
+		    p->break_size < 1e-4 ? "breaks from %.3g mm up; %.1f %% of "
+					   "the feed is broken"
+					 : "breaks from %.2f mm up; %.1f %% of "
+					   "the feed is broken",
 		    1000 * p->break_size, 100 * p->selected);
 }
 

@@ -46,6 +46,7 @@ entry_free(struct entry *entry)
 	free(entry->key);
 	free(entry->train);
 	free(entry->history.generation);
+	free(entry->origin);
 }
 
 void
@@ -65,6 +66,16 @@ session_entry(struct session *s)
 {
 	assert(s->current < s->n_entry);
 	return &s->entry[s->current];
+}
+
+const char *
+session_origin(const struct entry *entry)
+{
+	if (entry->has_fit)
+		return "found by calibration";
+	if (!entry->has_params)
+		return "not known yet";
+	return entry->origin != NULL ? entry->origin : "set by hand";
 }
 
 void

@@ -29,6 +29,7 @@ struct entry {
 	bool *train;
 	bool has_params, has_fit;
 	struct params params;   /* set by hand or found */
+	char *origin;           /* "taken from bro", or NULL; owned */
 	struct fit fit;         /* where the parameters were found */
 	struct history history; /* of the last calibration; owned */
 };
@@ -92,6 +93,9 @@ struct entry *session_entry(struct session *s);
 /* False, with the next step, when no site is loaded; what: who needs it. */
 bool session_need_site(
     const struct session *s, const char *what, struct error *error);
+
+/* Where the site's parameters are from, in words: "set by hand". */
+const char *session_origin(const struct entry *entry);
 
 /* Forgets the newest answers, because the site or its parameters are others
  * now. */

@@ -39,6 +39,10 @@ static const struct command_option FIND_OPTIONS[] = {
     {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "85", "fastest speed"},
     FEED_OPTION, LAST_OPTION};
 
+static const struct command_option WHY_OPTIONS[] = {
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
+    LAST_OPTION};
+
 static const struct command_option SPEC_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
     FEED_OPTION, LAST_OPTION};
@@ -131,4 +135,18 @@ const struct command TABLE_ANSWERS[] = {
 		"squared. A model that loses to interpolation is told so.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate",
 	.run = cmd_validate},
+    {.name = "why",
+	.group = "answers",
+	.brief = "why the numbers look the way they do",
+	.operands = "",
+	.need = NEED_SITE,
+	.bare = "speed",
+	.option = WHY_OPTIONS,
+	.text = "Plain sentences about the site in use at a speed: what "
+		"breaks, how much of the feed that is, how far the speed is "
+		"from those trained on, how good the fit is, which parameters "
+		"the data do not tell, where the data are from. What does not "
+		"apply is not said.",
+	.example = "load data/sites/tierp.csv\ncalibrate\nwhy 85",
+	.run = cmd_why},
     {.name = NULL}};
