@@ -66,8 +66,10 @@ const struct command TABLE_DATA[] = {
 	.need = NEED_SITE,
 	.text = "Looks at the site in use, another one, or all. Reports "
 		"products coarser than their feed, a faster run with a coarser "
-		"product, runs where nothing breaks, sieves that cannot be "
-		"compared, and twins: loaded sites with the very same numbers. "
+		"product, a passing that stands out from its neighbours as "
+		"swapped digits do, runs where nothing breaks, sieves that "
+		"cannot be compared, and twins: loaded sites with the very "
+		"same numbers. "
 		"Nothing is changed. A fault (not a remark) ends a script "
 		"with exit status 1.",
 	.example = "load data/sites/ubbarp.csv data/sites/gasgruvan.csv\n"
