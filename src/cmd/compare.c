@@ -193,6 +193,19 @@ comparison_notes(
 	}
 }
 
+/* 69 or 69m/s. */
+static bool
+is_speed(const char *word, double *v)
+{
+	char *copy = xstrdup(word);
+	size_t n = strlen(copy);
+	if (n > 3 && strcmp(copy + n - 3, "m/s") == 0)
+		copy[n - 3] = '\0';
+	bool ok = text_number(copy, v);
+	free(copy);
+	return ok;
+}
+
 /* Two speeds of the site in use, on one feed. */
 static bool
 take_speeds(struct session *s, const struct args *args, struct side side[2],
@@ -210,8 +223,7 @@ take_speeds(struct session *s, const struct args *args, struct side side[2],
 		return false;
 	for (size_t i = 0; i < 2; i++) {
 		double v;
-		text_number(args->operand[i], &v);
-		if (!(v >= 1 && v <= 200))
+		if (!is_speed(args->operand[i], &v) || v < 1 || v > 200)
 			return error_set(error, ERROR_USAGE,
 			    "compare wants speeds from 1 to 200 m/s, not %s",
 			    args->operand[i]);
@@ -281,8 +293,8 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 {
 	struct side side[2] = {{0}};
 	double v;
-	bool sites = !text_number(args->operand[0], &v) ||
-		     !text_number(args->operand[1], &v);
+	bool sites =
+	    !is_speed(args->operand[0], &v) || !is_speed(args->operand[1], &v);
 	bool ok = sites ? take_sites(s, args, side, error)
 			: take_speeds(s, args, side, error);
 	if (ok)
