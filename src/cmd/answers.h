@@ -1,4 +1,4 @@
-/* Commands that answer: predict, sweep, validate.
+/* Commands that answer, and what they have in common.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ANSWERS_H
 #define TIPSPEED_CMD_ANSWERS_H
@@ -12,15 +12,62 @@
 bool cmd_predict(struct session *, const struct args *, struct error *);
 bool cmd_sweep(struct session *, const struct args *, struct error *);
 bool cmd_validate(struct session *, const struct args *, struct error *);
+bool cmd_find(struct session *, const struct args *, struct error *);
+bool cmd_spec(struct session *, const struct args *, struct error *);
+bool cmd_why(struct session *, const struct args *, struct error *);
+bool cmd_compare(struct session *, const struct args *, struct error *);
 
-/* False, with the next step, where the site has no parameters yet, or the
- * settings do not go together. */
+/* A break size below this, m, is none: every size can break. */
+#define ANSWERS_NO_SIZE 1e-6
+
+/* A report about a site, headed "Tierp, Granite, 11.2 mm: " and what the format
+ * says. */
+struct report *answers_report(const struct site *site, const char *command,
+    const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* False, with the next step, where the site (in use) has no parameters yet, or
+ * the settings do not go together. */
+bool answers_known(
+    const struct session *s, const struct entry *entry, struct error *error);
 bool answers_ready(struct session *s, struct error *error);
 
 /* The run whose feed to take: at the speed the option names, else the run
  * nearest to the speed given. */
 bool answers_feed(const struct site *site, const struct value *feed,
     double speed, size_t *run, struct error *error);
+
+/* Where speeds are compared one feed serves for all, so that what differs is
+ * what the speed does: that of the run nearest to this speed, m/s. */
+double answers_middle(const struct site *site);
+
+/* Keeps what `assert` may ask of the prediction. */
+void answers_remember(struct session *s, const struct prediction *p);
+
+/* A cell with the size, mm, that the given share passes, 0..1; "below 0.063"
+ * where it lies outside the sieves. */
+void answers_size_cell(struct report *r, const struct psd *psd, double passing);
+
+/* The note "P20 1.14 mm, P50 2.91 mm, P80 5.28 mm". */
+void answers_note_sizes(struct report *r, const struct psd *psd);
+
+/* Notes on how far to trust an answer for the site in use at a speed from the
+ * feed of a run. */
+void answers_note_doubt(
+    struct session *s, struct report *r, double speed, size_t feed_run);
+
+/* Columns and a row for each prediction: energy, break size, P20, P50, P80. */
+void answers_speed_rows(
+    struct session *s, struct report *r, const struct prediction *p, size_t n);
+
+/* {"command":..,"site":..}, to add to. */
+json_t *answers_json(const char *command, const struct site *site);
+
+/* The numbers as shown (units_mm, units_pct); null where not finite. */
+json_t *answers_list_json(
+    const double *value, size_t n, double (*shown)(double));
+
+/* "classes" or "continuous". */
+const char *answers_method(enum method method);
 
 /* The JSON object of predict, see tipspeed(1), OUTPUT. */
 json_t *answers_prediction_json(struct session *s, const struct prediction *p);

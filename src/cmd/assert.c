@@ -14,7 +14,7 @@ static const struct {
 } NAMES[] = {{"p20", ANSWER_P20}, {"p50", ANSWER_P50}, {"p80", ANSWER_P80},
     {"break", ANSWER_BREAK}, {"speed", ANSWER_SPEED}, {"misfit", ANSWER_MISFIT},
     {"rmse", ANSWER_RMSE}, {"holdout", ANSWER_HOLDOUT}, {"poor", ANSWER_POOR},
-    {"extrapolated", ANSWER_EXTRAPOLATED}};
+    {"extrapolated", ANSWER_EXTRAPOLATED}, {"inside", ANSWER_INSIDE}};
 
 static bool
 side(const struct session *s, const char *word, double *value,
@@ -31,15 +31,15 @@ side(const struct session *s, const char *word, double *value,
 		error_set(error, ERROR_CHECK, "%s is not known", word);
 		return error_hint(error,
 		    "p20, p50, p80, break, speed and extrapolated come from "
-		    "predict, misfit, rmse and poor from calibrate, holdout "
-		    "from validate; another site or a new calibration "
-		    "forgets them");
+		    "predict and find, inside from spec, misfit, rmse and "
+		    "poor from calibrate, holdout from validate; another site "
+		    "or a new calibration forgets them");
 	}
 	error_set(error, ERROR_USAGE,
 	    "assert wants a number or a name, not '%s'", word);
 	return error_hint(error,
-	    "names: p20 p50 p80 break speed extrapolated misfit rmse poor "
-	    "holdout");
+	    "names: p20 p50 p80 break speed extrapolated inside misfit rmse "
+	    "poor holdout");
 }
 
 /* 1 or 0; -1 where there is no such operator. */

@@ -50,9 +50,8 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* "69 74 79", of the runs that have a product. */
-static char *
-product_speeds(const struct site *site)
+char *
+data_speeds(const struct site *site)
 {
 	char *list = xstrdup("");
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -91,7 +90,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	report_column(r, "data", "data");
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		char *speeds = product_speeds(entry->site);
+		char *speeds = data_speeds(entry->site);
 		char *kind = data_kind(entry->site);
 		char *key =
 		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
@@ -104,7 +103,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    -1);
 		report_text(r, speeds);
 		report_text(r, entry->has_fit      ? "yes"
-			       : entry->has_params ? "set by hand"
+			       : entry->has_params ? session_origin(entry)
 						   : "no");
 		report_text(r, kind);
 		free(speeds);
@@ -125,114 +124,6 @@ cmd_use(struct session *s, const struct args *args, struct error *error)
 		return false;
 	if (s->current != before)
 		session_forget(s);
-	return true;
-}
-
-static void
-show_site(struct session *s)
-{
-	const struct site *site = session_entry(s)->site;
-	struct report *r = report_new("show");
-	char *label = session_label(site), *speeds = product_speeds(site);
-	report_title(r, "%s", label);
-	report_site(r, site->name, site->provenance);
-	report_column(r, "what", "what");
-	report_column(r, "value", "value");
-	const char *rows[][2] = {{"data", site->provenance},
-	    {"machine", site->machine}, {"file", site->path},
-	    {"speeds m/s", speeds},
-	    {"feeds", site->individual_feeds ? "one for each speed"
-					     : "one for all speeds"}};
-	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
-		report_text(r, rows[i][0]);
-		report_text(r, rows[i][1]);
-	}
-	for (size_t i = 0; i < site->n_note; i++) {
-		report_text(r, site->note[i].key);
-		report_text(r, site->note[i].value);
-	}
-	free(label);
-	free(speeds);
-	session_report(s, r);
-}
-
-/* A table with one column for each curve, on the union of their sieves. */
-static void
-show_curves(struct session *s, const char *what, const struct psd *const *curve,
-    char *const *head, size_t n)
-{
-	const struct site *site = session_entry(s)->site;
-	struct report *r = report_new("show");
-	char *label = session_label(site);
-	report_title(r, "%s: %s, %% passing", label, what);
-	free(label);
-	report_site(r, site->name, site->provenance);
-	report_column(r, "sieve_mm", "sieve mm");
-	for (size_t i = 0; i < n; i++)
-		report_column(r, head[i], head[i]);
-	double below = INFINITY;
-	for (;;) {
-		double x = 0;
-		for (size_t i = 0; i < n; i++)
-			for (size_t j = 0; j < curve[i]->n; j++)
-				if (curve[i]->size[j] < below)
-					x = fmax(x, curve[i]->size[j]);
-		if (x <= 0)
-			break;
-		below = x;
-		report_number(r, units_mm(x), -1);
-		report_missing(r, "");
-		for (size_t i = 0; i < n; i++) {
-			double passing = NAN;
-			for (size_t j = 0; j < curve[i]->n; j++)
-				if (curve[i]->size[j] == x)
-					passing = curve[i]->passing[j];
-			report_number(r, units_pct(passing), 2);
-		}
-	}
-	session_report(s, r);
-}
-
-enum { CURVES = 20 };
-
-static void
-show_psd(struct session *s, bool feed)
-{
-	const struct site *site = session_entry(s)->site;
-	const struct psd *curve[CURVES];
-	char *head[CURVES];
-	size_t n = 0;
-	for (size_t r = 0; r < site->n_run && n < CURVES; r++) {
-		const struct run *run = &site->run[r];
-		if (!feed && run->product.n == 0)
-			continue;
-		if (feed && !site->individual_feeds && r > 0)
-			continue;
-		bool shared = feed && !site->individual_feeds;
-		curve[n] = feed ? &run->feed : &run->product;
-		head[n++] = shared ? xstrdup("feed")
-				   : xasprintf("%s@%g",
-					 feed ? "feed" : "product", run->speed);
-	}
-	show_curves(s, feed ? "feed" : "measured products", curve, head, n);
-	for (size_t i = 0; i < n; i++)
-		free(head[i]);
-}
-
-bool
-cmd_show(struct session *s, const struct args *args, struct error *error)
-{
-	static const char *const WHAT[] = {"site", "feed", "product"};
-	const char *what = args->n_operand > 0 ? args->operand[0] : WHAT[0];
-	if (strcmp(what, "site") == 0)
-		show_site(s);
-	else if (strcmp(what, "feed") == 0)
-		show_psd(s, true);
-	else if (strcmp(what, "product") == 0)
-		show_psd(s, false);
-	else
-		return error_set(error, ERROR_USAGE,
-		    "show wants site, feed or product, not '%s'", what);
 	return true;
 }
 

@@ -1,4 +1,4 @@
-/* Commands about sheets: load, sites, use, show, synth, write.
+/* Commands about sheets: load, sites, use, check, synth, write.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_DATA_H
 #define TIPSPEED_CMD_DATA_H
@@ -11,13 +11,15 @@
 bool cmd_load(struct session *, const struct args *, struct error *);
 bool cmd_sites(struct session *, const struct args *, struct error *);
 bool cmd_use(struct session *, const struct args *, struct error *);
-bool cmd_show(struct session *, const struct args *, struct error *);
 bool cmd_synth(struct session *, const struct args *, struct error *);
 bool cmd_write(struct session *, const struct args *, struct error *);
 bool cmd_check(struct session *, const struct args *, struct error *);
 
 /* Loads a site file and says so beside the results. */
 bool data_load(struct session *s, const char *path, struct error *error);
+
+/* "69 74 79", of the runs that have a product.  The caller frees. */
+char *data_speeds(const struct site *site);
 
 /* Says beside the results where a run's product is coarser than its feed; the
  * numbers stay as they are. */

@@ -239,12 +239,29 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	return !resume->given || job_resume(s, resume->text, error);
 }
 
+/* Keeps the job's generations in its site. */
+static void
+take_history(struct entry *entry, const struct job *job)
+{
+	size_t n, size = sizeof(struct calibrate_generation);
+	const struct calibrate_generation *g =
+	    calibration_history(job->calibration, &n);
+	free(entry->history.generation);
+	entry->history = (struct history){.n = n,
+	    .from = entry->fit.generations - n + 1,
+	    .generation = xcalloc(n, size),
+	    .bounds = job->options.bounds};
+	if (n > 0)
+		memcpy(entry->history.generation, g, n * size);
+}
+
 void
 fit_take(struct session *s)
 {
 	struct entry *entry = &s->entry[s->job.entry];
 	entry->fit = calibration_fit(s->job.calibration);
 	entry->params = entry->fit.params;
+	take_history(entry, &s->job);
 	session_forget(s);
 	s->answer[ANSWER_MISFIT] = entry->fit.misfit;
 	s->answer[ANSWER_RMSE] = 100 * entry->fit.rmse;

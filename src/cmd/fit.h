@@ -10,6 +10,8 @@
 
 bool cmd_calibrate(struct session *, const struct args *, struct error *);
 
+bool cmd_history(struct session *, const struct args *, struct error *);
+
 /* Says beside the results what the job is about to do. */
 void fit_announce(struct session *s);
 
@@ -27,6 +29,10 @@ void fit_show(struct session *s);
 
 /* True when the fit explains little that product = feed does not. */
 bool fit_breaks_nothing(const struct fit *fit);
+
+/* True when parameter j is part of a flat direction worth speaking of: the
+ * misfit hardly rises along it. */
+bool fit_is_flat(const struct fit *fit, size_t j);
 
 /* The table of a site's fit, with its JSON; seconds: how long it took. */
 struct report *fit_report(

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
+#include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "core/energy.h"
 #include "io/units.h"
@@ -50,9 +51,7 @@ static json_t *
 fit_as_json(const struct entry *entry, double seconds)
 {
 	const struct fit *fit = &entry->fit;
-	json_t *o = json_object();
-	json_object_set_new(o, "command", json_string("calibrate"));
-	json_object_set_new(o, "site", json_string(entry->site->name));
+	json_t *o = answers_json("calibrate", entry->site);
 	json_object_set_new(o, "seed", json_integer((json_int_t)fit->seed));
 	json_object_set_new(
 	    o, "population", json_integer((json_int_t)fit->population));
@@ -96,31 +95,38 @@ explain_nothing(struct report *report, const struct entry *entry)
 			    "a higher speed would tell more");
 }
 
+bool
+fit_is_flat(const struct fit *fit, size_t j)
+{
+	const double worth_saying = 0.05, part_of_it = 0.25;
+	return fit->flat.reach >= worth_saying &&
+	       fabs(fit->flat.part[j]) >= part_of_it * fit->flat.reach;
+}
+
 /* Names the parameters that can go far together for a tenth more misfit, each
  * with its step; all signs may be turned. */
 static void
 add_flat(
     struct report *report, const struct fit *fit, const struct bounds *bounds)
 {
-	const double worth_saying = 0.05, part_of_it = 0.25;
-	if (fit->flat.reach < worth_saying)
-		return;
 	char *list = xstrdup("");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		double part = fit->flat.part[j];
 		double range =
 		    j < PARAM_F_MAT ? 2 : bounds->upper[j] - bounds->lower[j];
-		if (fabs(part) < part_of_it * fit->flat.reach)
+		if (!fit_is_flat(fit, j))
 			continue;
 		char *longer = xasprintf("%s%s%s %+.2g", list,
 		    list[0] != '\0' ? ", " : "", PARAMS[j].name, part * range);
 		free(list);
 		list = longer;
 	}
-	report_note(report,
-	    "flat direction: together, %s (or all the other way) raise the "
-	    "misfit by a tenth only",
-	    list);
+	if (list[0] != '\0')
+		report_note(report,
+		    "flat direction: together, %s (or all the other way) raise "
+		    "the "
+		    "misfit by a tenth only",
+		    list);
 	free(list);
 }
 
@@ -170,11 +176,8 @@ fit_report(
     const struct entry *entry, const struct bounds *bounds, double seconds)
 {
 	const struct fit *fit = &entry->fit;
-	struct report *r = report_new("calibrate");
-	char *label = session_label(entry->site);
-	report_title(r, "%s: calibrated parameters", label);
-	free(label);
-	report_site(r, entry->site->name, entry->site->provenance);
+	struct report *r =
+	    answers_report(entry->site, "calibrate", "calibrated parameters");
 	report_column(r, "parameter", "parameter");
 	report_column(r, "value", "value");
 	report_column(r, "unit", "unit");

@@ -8,18 +8,16 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/answers.h"
 
-static void
-show_params(struct session *s, const struct entry *entry)
+const char *const MODEL_FORMS[3] = {"ratio", "progeny_mm", "parent_mm"};
+
+void
+model_show_params(struct session *s)
 {
-	struct report *r = report_new("params");
-	char *label = session_label(entry->site);
-	report_title(r, "%s: parameters %s", label,
-	    entry->has_fit      ? "found by calibration"
-	    : entry->has_params ? "set by hand"
-				: "not known yet");
-	free(label);
-	report_site(r, entry->site->name, entry->site->provenance);
+	const struct entry *entry = session_entry(s);
+	struct report *r = answers_report(
+	    entry->site, "params", "parameters %s", session_origin(entry));
 	report_column(r, "parameter", "parameter");
 	report_column(r, "value", "value");
 	report_column(r, "unit", "unit");
@@ -35,12 +33,25 @@ show_params(struct session *s, const struct entry *entry)
 	session_report(s, r);
 }
 
+/* Gives the site in use other parameters; takes origin, NULL: by hand. */
+static void
+take_params(struct session *s, const struct params *p, char *origin)
+{
+	struct entry *entry = session_entry(s);
+	session_forget(s);
+	entry->params = *p;
+	entry->has_params = true;
+	entry->has_fit = false;
+	free(entry->origin);
+	entry->origin = origin;
+}
+
 /* Parameters not named keep their value; where there is none yet, beta has a
  * default and the others must be named. */
 static bool
 set_params(struct session *s, const struct args *args, struct error *error)
 {
-	struct entry *entry = session_entry(s);
+	const struct entry *entry = session_entry(s);
 	const struct command *self = command_find("params");
 	struct params p =
 	    entry->has_params ? entry->params : params_default_beta();
@@ -54,36 +65,128 @@ set_params(struct session *s, const struct args *args, struct error *error)
 			    "yet",
 			    PARAMS[j].name, entry->site->name);
 	}
-	session_forget(s);
-	entry->params = p;
-	entry->has_params = true;
-	entry->has_fit = false;
+	take_params(s, &p, NULL);
 	return true;
 }
+
+/* The loaded site that the second operand names, with parameters. */
+static const struct entry *
+other_site(struct session *s, const struct args *args, struct error *error)
+{
+	size_t at;
+	if (args->n_operand < 2) {
+		error_set(error, ERROR_USAGE, "params %s wants a loaded site",
+		    args->operand[0]);
+		error_hint(error, "'sites' lists them");
+		return NULL;
+	}
+	if (!session_find(s, args->operand[1], &at, error))
+		return NULL;
+	if (s->entry[at].has_params)
+		return &s->entry[at];
+	error_set(error, ERROR_USAGE, "%s has no parameters yet",
+	    s->entry[at].site->name);
+	error_hint(error, "calibrate it first, or set them there");
+	return NULL;
+}
+
+static bool
+use_params(struct session *s, const struct args *args, struct error *error)
+{
+	const struct entry *from = other_site(s, args, error);
+	if (from == NULL)
+		return false;
+	if (from == session_entry(s))
+		return error_set(error, ERROR_USAGE,
+		    "%s is the site in use: its parameters are in use already",
+		    from->key);
+	take_params(s, &from->params, xasprintf("taken from %s", from->key));
+	session_note(s, "%s now has the parameters of %s (%s)",
+	    session_entry(s)->key, from->key, session_origin(from));
+	return true;
+}
+
+/* The parameters of the site in use and of another; beta, of which only the
+ * direction counts, is scaled to 1 in both. */
+static bool
+diff_params(struct session *s, const struct args *args, struct error *error)
+{
+	const struct entry *mine = session_entry(s);
+	const struct entry *other = other_site(s, args, error);
+	if (other == NULL || !answers_ready(s, error))
+		return false;
+	struct params a = mine->params, b = other->params;
+	params_scale_beta(&a);
+	params_scale_beta(&b);
+	struct report *r = answers_report(
+	    mine->site, "params", "parameters beside those of %s", other->key);
+	report_column(r, "parameter", "parameter");
+	report_column(r, "value", mine->key);
+	report_column(r, "other", other->key);
+	report_column(r, "difference", "difference");
+	report_column(r, "unit", "unit");
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		double x = params_get(&a, j), y = params_get(&b, j);
+		report_text(r, PARAMS[j].name);
+		report_number(r, x, 4);
+		report_number(r, y, 4);
+		report_number(r, y - x, 4);
+		report_text(r, PARAMS[j].unit);
+	}
+	report_json_key(r, "other_site", json_string(other->site->name));
+	report_note(r, "%s: %s; %s: %s; beta scaled to largest 1", mine->key,
+	    session_origin(mine), other->key, session_origin(other));
+	report_note(r, "e0_min, alpha and f_mat trade off against each other: "
+		       "'compare' tells what the difference does");
+	session_report(s, r);
+	return true;
+}
+
+static bool
+list_params(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	model_show_params(s);
+	return true;
+}
+
+/* Only set takes values, only diff and use take a site. */
+static const struct {
+	const char *verb;
+	bool values;
+	size_t operands;
+	bool (*run)(struct session *, const struct args *, struct error *);
+} VERBS[] = {{"list", false, 1, list_params}, {"set", true, 1, set_params},
+    {"diff", false, 2, diff_params}, {"use", false, 2, use_params}};
 
 bool
 cmd_params(struct session *s, const struct args *args, struct error *error)
 {
-	struct entry *entry = session_entry(s);
 	const char *verb = args->n_operand > 0 ? args->operand[0] : "list";
-	if (strcmp(verb, "set") == 0)
-		return set_params(s, args, error);
-	if (strcmp(verb, "list") != 0)
+	size_t i = 0;
+	while (i < ARRAY_LEN(VERBS) && strcmp(verb, VERBS[i].verb) != 0)
+		i++;
+	if (i == ARRAY_LEN(VERBS))
 		return error_set(error, ERROR_USAGE,
-		    "params wants set or list, not '%s'", verb);
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		    "params wants list, set, diff or use, not '%s'", verb);
+	if (args->n_operand > VERBS[i].operands)
+		return error_set(error, ERROR_USAGE,
+		    "params %s: '%s' is one word too many", verb,
+		    args->operand[1]);
+	for (size_t j = 0; j < PARAM_COUNT && !VERBS[i].values; j++) {
 		if (!args->value[j].given)
 			continue;
 		error_set(error, ERROR_USAGE,
-		    "params lists; to change %s it wants set", PARAMS[j].name);
+		    "params %s takes no values; to change %s it wants set",
+		    verb, PARAMS[j].name);
 		return error_hint(error, "params set %s=..", PARAMS[j].name);
 	}
-	show_params(s, entry);
-	return true;
+	return VERBS[i].run(s, args, error);
 }
 
-static void
-show_bounds(struct session *s)
+void
+model_show_bounds(struct session *s)
 {
 	struct report *r = report_new("bounds");
 	report_title(r, "search bounds");
@@ -121,7 +224,7 @@ bool
 cmd_bounds(struct session *s, const struct args *args, struct error *error)
 {
 	if (args->n_operand == 0) {
-		show_bounds(s);
+		model_show_bounds(s);
 		return true;
 	}
 	if (strcmp(args->operand[0], "default") == 0) {
@@ -161,14 +264,11 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 static void
 show_settings(struct session *s)
 {
-	static const char *const FORMS[] = {"ratio", "progeny_mm", "parent_mm"};
 	struct report *r = report_new("set");
 	char *k = xasprintf("%g", s->settings.k);
 	char *threads = xasprintf("%u", s->threads);
-	const char *rows[][2] = {
-	    {"method", s->settings.method == METHOD_CLASSES ? "classes"
-							    : "continuous"},
-	    {"appearance", FORMS[s->settings.appearance]}, {"k", k},
+	const char *rows[][2] = {{"method", answers_method(s->settings.method)},
+	    {"appearance", MODEL_FORMS[s->settings.appearance]}, {"k", k},
 	    {"threads", threads}, {"isa", isa_name(isa_usable(s->isa))},
 	    {"format", REPORT_FORMATS[s->format]}};
 	report_column(r, "setting", "setting");

@@ -8,6 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/fit.h"
 #include "core/predict.h"
+#include "core/validate.h"
 #include "io/units.h"
 #include "plot/curve.h"
 
@@ -17,65 +18,10 @@ option(const char *command, const struct args *args, const char *name)
 	return args_value(command_find(command), args, name);
 }
 
-bool
-answers_ready(struct session *s, struct error *error)
-{
-	const struct entry *entry = session_entry(s);
-	if (entry->has_params)
-		return fit_settings_agree(&s->settings, error);
-	error_set(
-	    error, ERROR_USAGE, "%s has no parameters yet", entry->site->name);
-	return error_hint(
-	    error, "'calibrate' finds them, or 'params set' takes known ones");
-}
-
-static json_t *
-psd_as_json(const struct psd *psd, bool sizes)
-{
-	json_t *list = json_array();
-	for (size_t i = 0; i < psd->n; i++)
-		json_array_append_new(list,
-		    report_json_number(sizes ? units_mm(psd->size[i])
-					     : units_pct(psd->passing[i])));
-	return list;
-}
-
-static const char *
-method_name(enum method method)
-{
-	return method == METHOD_CLASSES ? "classes" : "continuous";
-}
-
-json_t *
-answers_prediction_json(struct session *s, const struct prediction *p)
-{
-	const struct entry *entry = session_entry(s);
-	json_t *o = json_object();
-	json_object_set_new(o, "command", json_string("predict"));
-	json_object_set_new(o, "site", json_string(entry->site->name));
-	json_object_set_new(o, "speed", json_real(p->speed));
-	json_object_set_new(o, "extrapolated",
-	    json_boolean(
-		predict_extrapolates(entry->site, entry->train, p->speed)));
-	json_object_set_new(
-	    o, "method", json_string(method_name(s->settings.method)));
-	json_object_set_new(o, "sieve_mm", psd_as_json(&p->product, true));
-	json_object_set_new(o, "passing_pct", psd_as_json(&p->product, false));
-	json_object_set_new(o, "p20_mm", report_json_number(1000 * p->p20));
-	json_object_set_new(o, "p50_mm", report_json_number(1000 * p->p50));
-	json_object_set_new(o, "p80_mm", report_json_number(1000 * p->p80));
-	json_object_set_new(
-	    o, "break_mm", report_json_number(1000 * p->break_size));
-	json_object_set_new(o, "params", fit_params_json(&entry->params));
-	if (entry->has_fit)
-		json_object_set_new(
-		    o, "verdict", json_string(fit_verdict(&entry->fit)));
-	return o;
-}
-
 /* Which sizes break at this speed, in a sentence. */
 static void
-note_breakage(struct report *r, const struct prediction *p)
+note_breakage(
+    struct report *r, const struct params *params, const struct prediction *p)
 {
 	double top = p->feed.size[0];
 	if (p->no_daughters)
@@ -88,31 +34,49 @@ note_breakage(struct report *r, const struct prediction *p)
 		    "more would, and the feed has none above %g mm: product = "
 		    "feed",
 		    p->speed, 1000 * p->break_size, units_mm(top));
+	else if (params->e0_min <= 0)
+		report_note(r,
+		    "all sizes can break (e0_min is 0: there is no "
+		    "threshold); %.1f %% of the feed is broken",
+		    100 * p->selected);
+	else if (p->break_size < ANSWERS_NO_SIZE)
+		report_note(r,
+		    "all sizes can break (alpha is %.2g: size makes next to "
+		    "no difference); %.1f %% of the feed is broken",
+		    params->alpha, 100 * p->selected);
 	else
 		report_note(r,
-		    "breaks from %.2f mm up; %.1f %% of the feed is broken",
+		    p->break_size < 1e-4 ? "breaks from %.3g mm up; %.1f %% of "
+					   "the feed is broken"
+					 : "breaks from %.2f mm up; %.1f %% of "
+					   "the feed is broken",
 		    1000 * p->break_size, 100 * p->selected);
 }
 
+/* Sieves that the feed was not sieved on. */
 static void
-note_doubt(struct session *s, struct report *r, const struct prediction *p)
+note_feed_gaps(
+    struct report *r, const struct site *site, const struct prediction *p)
 {
-	const struct entry *entry = session_entry(s);
-	const struct site *site = entry->site;
-	if (predict_extrapolates(site, entry->train, p->speed))
+	const struct psd *feed = &site->run[p->feed_run].feed;
+	char *list = xstrdup("");
+	for (size_t i = 0; i < p->feed.n; i++) {
+		size_t j = 0;
+		while (j < feed->n && feed->size[j] != p->feed.size[i])
+			j++;
+		if (j < feed->n)
+			continue;
+		char *longer = xasprintf("%s%s%g", list,
+		    list[0] != '\0' ? ", " : "", units_mm(p->feed.size[i]));
+		free(list);
+		list = longer;
+	}
+	if (list[0] != '\0')
 		report_note(r,
-		    "extrapolated: %.1f m/s lies outside the speeds trained "
-		    "on",
-		    p->speed);
-	if (site->individual_feeds &&
-	    fabs(site->run[p->feed_run].speed - p->speed) > 1e-3)
-		report_note(r, "feed: the sample taken at %g m/s",
-		    site->run[p->feed_run].speed);
-	if (entry->has_fit && entry->fit.rmse > FIT_POOR)
-		report_note(r,
-		    "the calibration is poor (%.1f points RMS): do not rely "
-		    "on this",
-		    100 * entry->fit.rmse);
+		    "the feed was not sieved at %s mm: its passing there is "
+		    "read between its neighbours",
+		    list);
+	free(list);
 }
 
 /* Measured passing at a sieve of a run at this very speed, else NAN. */
@@ -129,23 +93,41 @@ measured_at(const struct site *site, double speed, double x)
 	return NAN;
 }
 
+/* Measured products interpolated in speed squared at each sieve, [n]; NULL
+ * where no measured runs lie on both sides of the speed. */
+static double *
+interpolated(const struct site *site, const struct prediction *p)
+{
+	bool *measured = xcalloc(site->n_run, sizeof *measured);
+	double *passing = NULL;
+	for (size_t r = 0; r < site->n_run; r++)
+		measured[r] = site->run[r].product.n > 0;
+	if (!predict_extrapolates(site, measured, p->speed)) {
+		passing = xdoubles(p->product.n);
+		for (size_t i = 0; i < p->product.n; i++)
+			passing[i] = validate_interpolation(
+			    site, measured, p->speed, p->product.size[i]);
+	}
+	free(measured);
+	return passing;
+}
+
 static struct report *
-prediction_report(struct session *s, const struct prediction *p)
+prediction_report(
+    struct session *s, const struct prediction *p, const double *between)
 {
 	const struct site *site = session_entry(s)->site;
 	size_t run = site_run_at(site, p->speed);
 	bool measured = run < site->n_run && site->run[run].product.n > 0;
-	struct report *r = report_new("predict");
-	char *label = session_label(site);
-	report_title(r, "%s: product at %.1f m/s (%.0f J/kg)", label, p->speed,
-	    p->energy);
-	free(label);
-	report_site(r, site->name, site->provenance);
+	struct report *r = answers_report(site, "predict",
+	    "product at %.1f m/s (%.0f J/kg)", p->speed, p->energy);
 	report_column(r, "sieve_mm", "sieve mm");
 	report_column(r, "feed_pct", "feed %");
 	report_column(r, "passing_pct", "product %");
 	if (measured)
 		report_column(r, "measured_pct", "measured %");
+	if (between != NULL)
+		report_column(r, "interpolated_pct", "interpolated %");
 	for (size_t i = 0; i < p->product.n; i++) {
 		double x = p->product.size[i];
 		report_number(r, units_mm(x), -1);
@@ -154,47 +136,36 @@ prediction_report(struct session *s, const struct prediction *p)
 		if (measured)
 			report_number(
 			    r, units_pct(measured_at(site, p->speed, x)), 1);
+		if (between != NULL)
+			report_number(r, units_pct(between[i]), 1);
 	}
 	return r;
 }
 
-/* "P50 2.81 mm", or "P20 below 0.063 mm". */
-static char *
-size_words(const struct psd *psd, double passing, double x)
+/* The report with what is to be said of it; wanted: with the interpolated
+ * products. */
+static struct report *
+explained(struct session *s, const struct prediction *p, bool wanted)
 {
-	if (isfinite(x))
-		return xasprintf("P%.0f %.2f mm", 100 * passing, 1000 * x);
-	bool fine = psd->passing[psd->n - 1] >= passing;
-	return xasprintf("P%.0f %s %g mm", 100 * passing,
-	    fine ? "below" : "above",
-	    units_mm(psd->size[fine ? psd->n - 1 : 0]));
-}
-
-static void
-note_sizes(struct report *r, const struct prediction *p)
-{
-	char *p20 = size_words(&p->product, 0.2, p->p20);
-	char *p50 = size_words(&p->product, 0.5, p->p50);
-	char *p80 = size_words(&p->product, 0.8, p->p80);
-	report_note(r, "%s, %s, %s", p20, p50, p80);
-	free(p20);
-	free(p50);
-	free(p80);
-}
-
-bool
-answers_feed(const struct site *site, const struct value *feed, double speed,
-    size_t *run, struct error *error)
-{
-	*run = site_run_nearest(site, speed);
-	if (!feed->given)
-		return true;
-	*run = site_run_at(site, feed->number);
-	if (*run < site->n_run)
-		return true;
-	error_set(error, ERROR_USAGE, "%s has no feed sampled at %g m/s",
-	    site->name, feed->number);
-	return error_hint(error, "'show feed' lists the feeds");
+	const struct entry *entry = session_entry(s);
+	double *between = wanted ? interpolated(entry->site, p) : NULL;
+	struct report *r = prediction_report(s, p, between);
+	json_t *o = answers_prediction_json(s, p);
+	answers_note_sizes(r, &p->product);
+	note_breakage(r, &entry->params, p);
+	note_feed_gaps(r, entry->site, p);
+	if (between != NULL)
+		json_object_set_new(o, "interpolated_pct",
+		    answers_list_json(between, p->product.n, units_pct));
+	else if (wanted)
+		report_note(r,
+		    "nothing is interpolated: %g m/s does not lie between "
+		    "measured runs",
+		    p->speed);
+	answers_note_doubt(s, r, p->speed, p->feed_run);
+	report_json(r, o);
+	free(between);
+	return r;
 }
 
 /* What a curve is drawn from: sizes in mm and passings in per cent. */
@@ -244,19 +215,9 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 		return false;
 	struct prediction p =
 	    predict(entry->site, &entry->params, s->settings, speed, feed);
-	s->answer[ANSWER_SPEED] = speed;
-	s->answer[ANSWER_EXTRAPOLATED] =
-	    predict_extrapolates(entry->site, entry->train, speed);
-	s->answer[ANSWER_P20] = 1000 * p.p20;
-	s->answer[ANSWER_P50] = 1000 * p.p50;
-	s->answer[ANSWER_P80] = 1000 * p.p80;
-	s->answer[ANSWER_BREAK] = 1000 * p.break_size;
-	struct report *r = prediction_report(s, &p);
-	note_sizes(r, &p);
-	note_breakage(r, &p);
-	note_doubt(s, r, &p);
-	report_json(r, answers_prediction_json(s, &p));
-	session_report(s, r);
+	answers_remember(s, &p);
+	bool wanted = option("predict", args, "interpolated")->choice == 1;
+	session_report(s, explained(s, &p, wanted));
 	bool curve = option("predict", args, "curve")->choice == 1;
 	if (curve && s->format == REPORT_TABLE)
 		print_curves(s, &p);

@@ -45,6 +45,8 @@ entry_free(struct entry *entry)
 	site_free(entry->site);
 	free(entry->key);
 	free(entry->train);
+	free(entry->history.generation);
+	free(entry->origin);
 }
 
 void
@@ -64,6 +66,16 @@ session_entry(struct session *s)
 {
 	assert(s->current < s->n_entry);
 	return &s->entry[s->current];
+}
+
+const char *
+session_origin(const struct entry *entry)
+{
+	if (entry->has_fit)
+		return "found by calibration";
+	if (!entry->has_params)
+		return "not known yet";
+	return entry->origin != NULL ? entry->origin : "set by hand";
 }
 
 void
@@ -203,22 +215,27 @@ session_find(
 	return false;
 }
 
+void
+session_tell_faults(const struct session *s, const char *path,
+    const struct error_list *errors, struct error *error)
+{
+	for (size_t i = 0; i + 1 < errors->n && s->notes != NULL; i++)
+		error_print(&errors->item[i], s->notes);
+	*error = errors->item[errors->n - 1];
+	if (errors->more > 0)
+		session_note(
+		    s, "%s: %zu more faults are not shown", path, errors->more);
+}
+
 bool
 session_load(struct session *s, const char *path, struct error *error)
 {
 	struct error_list *errors = xcalloc(1, sizeof *errors);
 	struct site *site = site_read(path, errors);
-	if (site == NULL) {
-		/* The last is returned, so that they are shown in order. */
-		for (size_t i = 0; i + 1 < errors->n && s->notes != NULL; i++)
-			error_print(&errors->item[i], s->notes);
-		*error = errors->item[errors->n - 1];
-		if (errors->more > 0)
-			session_note(s, "%s: %zu more faults are not shown",
-			    path, errors->more);
-	} else {
+	if (site == NULL)
+		session_tell_faults(s, path, errors, error);
+	else
 		session_add(s, site);
-	}
 	free(errors);
 	return site != NULL;
 }
@@ -244,15 +261,23 @@ session_note(const struct session *s, const char *format, ...)
 	text_wrap(text, 0, 78, s->notes);
 }
 
+bool
+session_need_site(
+    const struct session *s, const char *what, struct error *error)
+{
+	if (s->n_entry > 0)
+		return true;
+	error_set(
+	    error, ERROR_USAGE, "%s needs a site, and none is loaded", what);
+	return error_hint(error, "load its sieve sheet first: load FILE");
+}
+
 static bool
 check_need(
     struct session *s, const struct command *command, struct error *error)
 {
-	if (command->need == NEED_NOTHING || s->n_entry > 0)
-		return true;
-	error_set(error, ERROR_USAGE, "%s needs a site, and none is loaded",
-	    command->name);
-	return error_hint(error, "load its sieve sheet first: load FILE");
+	return command->need == NEED_NOTHING ||
+	       session_need_site(s, command->name, error);
 }
 
 static bool

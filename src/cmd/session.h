@@ -13,6 +13,14 @@
 #include "core/site.h"
 #include "io/report.h"
 
+/* The generations of a calibration, [n], with the bounds it searched in.
+ * from: the number of the first, more than 1 after a resume. */
+struct history {
+	size_t n, from;
+	struct calibrate_generation *generation;
+	struct bounds bounds;
+};
+
 /* A loaded site with its answers.  key: how it is called here, "gavle/4".
  * train [site->n_run]: runs to train on, or that were trained on. */
 struct entry {
@@ -20,8 +28,10 @@ struct entry {
 	char *key;
 	bool *train;
 	bool has_params, has_fit;
-	struct params params; /* set by hand or found */
-	struct fit fit;       /* where the parameters were found */
+	struct params params;   /* set by hand or found */
+	char *origin;           /* "taken from bro", or NULL; owned */
+	struct fit fit;         /* where the parameters were found */
+	struct history history; /* of the last calibration; owned */
 };
 
 /* The newest answers, for assert: sizes in mm, rmse and holdout in points; NAN
@@ -37,6 +47,7 @@ enum answer {
 	ANSWER_HOLDOUT,      /* the largest of validate's */
 	ANSWER_POOR,         /* 1: the calibration is poor */
 	ANSWER_EXTRAPOLATED, /* 1: predict was outside the trained speeds */
+	ANSWER_INSIDE,       /* 1: the product lies within a grading */
 	ANSWERS
 };
 
@@ -79,6 +90,13 @@ void session_free(struct session *s);
 /* The site in use; asserts that there is one. */
 struct entry *session_entry(struct session *s);
 
+/* False, with the next step, when no site is loaded; what: who needs it. */
+bool session_need_site(
+    const struct session *s, const char *what, struct error *error);
+
+/* Where the site's parameters are from, in words: "set by hand". */
+const char *session_origin(const struct entry *entry);
+
 /* Forgets the newest answers, because the site or its parameters are others
  * now. */
 void session_forget(struct session *s);
@@ -95,6 +113,11 @@ bool session_find(
 /* Reads a site file and adds it.  Every fault of the file is printed to notes
  * but the last, which is the error. */
 bool session_load(struct session *s, const char *path, struct error *error);
+
+/* The faults of a file: the last becomes the error, those before it are printed
+ * to notes, so that they are shown in order. */
+void session_tell_faults(const struct session *s, const char *path,
+    const struct error_list *errors, struct error *error);
 
 /* Prints a result and frees it. */
 void session_report(struct session *s, struct report *report);

@@ -15,17 +15,6 @@ option(const struct args *args, const char *name)
 	return args_value(command_find("sweep"), args, name);
 }
 
-/* Words for a size that lies outside the sieves. */
-static void
-outside_words(struct report *r, const struct psd *psd, double passing)
-{
-	bool fine = psd->passing[psd->n - 1] >= passing;
-	char *words = xasprintf("%s %g", fine ? "below" : "above",
-	    units_mm(psd->size[fine ? psd->n - 1 : 0]));
-	report_missing(r, words);
-	free(words);
-}
-
 /* A row of sizes, one cell a speed. */
 static void
 size_row(struct report *r, const char *name, const struct prediction *p,
@@ -34,13 +23,8 @@ size_row(struct report *r, const char *name, const struct prediction *p,
 	report_text(r, name);
 	report_missing(r, "");
 	report_number(r, NAN, 0);
-	for (size_t i = 0; i < n; i++) {
-		outside_words(r, &p[i].product, passing);
-		double x = passing < 0.3   ? p[i].p20
-			   : passing < 0.7 ? p[i].p50
-					   : p[i].p80;
-		report_number(r, 1000 * x, 2);
-	}
+	for (size_t i = 0; i < n; i++)
+		answers_size_cell(r, &p[i].product, passing);
 }
 
 /* Sieves down, speeds across: for as many speeds as fit a screen. */
@@ -81,9 +65,8 @@ sweep_across(
 		report_number(r, 1000 * p[i].break_size, 2);
 }
 
-/* One row a speed: for long sweeps. */
-static void
-sweep_down(
+void
+answers_speed_rows(
     struct session *s, struct report *r, const struct prediction *p, size_t n)
 {
 	const struct entry *entry = session_entry(s);
@@ -93,20 +76,18 @@ sweep_down(
 	report_column(r, "p20_mm", "P20 mm");
 	report_column(r, "p50_mm", "P50 mm");
 	report_column(r, "p80_mm", "P80 mm");
-	report_column(r, "finest_pct", "finest sieve %");
+	report_column(r, "finest_pct", "finest %");
 	report_column(r, "extrapolated", "extrapolated");
 	for (size_t i = 0; i < n; i++) {
 		size_t finest = p[i].product.n - 1;
-		report_number(r, p[i].speed, -1);
+		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;
+		report_number(r, p[i].speed, round ? -1 : 2);
 		report_number(r, p[i].energy, 0);
 		report_missing(r, "none");
 		report_number(r, 1000 * p[i].break_size, 2);
-		outside_words(r, &p[i].product, 0.2);
-		report_number(r, 1000 * p[i].p20, 2);
-		outside_words(r, &p[i].product, 0.5);
-		report_number(r, 1000 * p[i].p50, 2);
-		outside_words(r, &p[i].product, 0.8);
-		report_number(r, 1000 * p[i].p80, 2);
+		answers_size_cell(r, &p[i].product, 0.2);
+		answers_size_cell(r, &p[i].product, 0.5);
+		answers_size_cell(r, &p[i].product, 0.8);
 		report_number(r, units_pct(p[i].product.passing[finest]), 1);
 		report_text(r,
 		    predict_extrapolates(entry->site, entry->train, p[i].speed)
@@ -143,23 +124,13 @@ static void
 sweep_json(
     struct session *s, struct report *r, const struct prediction *p, size_t n)
 {
-	json_t *o = json_object(), *products = json_array();
+	json_t *o = answers_json("sweep", session_entry(s)->site);
+	json_t *products = json_array();
 	for (size_t i = 0; i < n; i++)
 		json_array_append_new(
 		    products, answers_prediction_json(s, &p[i]));
-	json_object_set_new(o, "command", json_string("sweep"));
-	json_object_set_new(
-	    o, "site", json_string(session_entry(s)->site->name));
 	json_object_set_new(o, "products", products);
 	report_json(r, o);
-}
-
-/* A sweep shows what the speed does, so it takes one feed for all: that of the
- * run in the middle. */
-static double
-middle_speed(const struct site *site)
-{
-	return (site->run[0].speed + site->run[site->n_run - 1].speed) / 2;
 }
 
 bool
@@ -173,7 +144,7 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	size_t n = speeds->n;
 	size_t feed;
 	if (!answers_feed(entry->site, option(args, "feed"),
-		middle_speed(entry->site), &feed, error))
+		answers_middle(entry->site), &feed, error))
 		return false;
 	struct prediction *p = xcalloc(n, sizeof *p);
 	bool outside = false;
@@ -183,14 +154,13 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 		outside = outside || predict_extrapolates(entry->site,
 					 entry->train, speeds->list[i]);
 	}
-	struct report *r = report_new("sweep");
-	char *label = session_label(entry->site);
-	report_title(r, "%s: products, %% passing", label);
-	free(label);
-	report_site(r, entry->site->name, entry->site->provenance);
+	struct report *r =
+	    answers_report(entry->site, "sweep", "products, %% passing");
 	bool across = n <= ACROSS;
 	bool csv = s->format == REPORT_CSV;
-	(csv ? sweep_long : across ? sweep_across : sweep_down)(s, r, p, n);
+	(csv         ? sweep_long
+	    : across ? sweep_across
+		     : answers_speed_rows)(s, r, p, n);
 	if (entry->site->individual_feeds)
 		report_note(r,
 		    "feed: the sample taken at %g m/s, for all speeds",

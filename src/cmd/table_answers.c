@@ -15,11 +15,36 @@ static const struct command_option PREDICT_OPTIONS[] = {
     FEED_OPTION,
     {"curve", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"draw feed, measured and predicted as text"},
+    {"interpolated", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"add the measured products interpolated at this speed"},
     LAST_OPTION};
 
 static const struct command_option SWEEP_OPTIONS[] = {
     {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "65..85:5",
 	"rotor tip speeds"},
+    FEED_OPTION, LAST_OPTION};
+
+static const struct command_option COMPARE_OPTIONS[] = {
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "where sites meet"},
+    FEED_OPTION, LAST_OPTION};
+
+static const struct command_option FIND_OPTIONS[] = {
+    {"p20", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P20"},
+    {"p50", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P50"},
+    {"p80", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P80"},
+    {"passing", VALUE_NUMBER, "%", 0, 100, NULL, "", "wanted passing"},
+    {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "size of that passing"},
+    {"spec", VALUE_TEXT, "", 0, 0, NULL, "", "file of a grading envelope"},
+    {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "65", "slowest speed"},
+    {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "85", "fastest speed"},
+    FEED_OPTION, LAST_OPTION};
+
+static const struct command_option WHY_OPTIONS[] = {
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
+    LAST_OPTION};
+
+static const struct command_option SPEC_OPTIONS[] = {
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
     FEED_OPTION, LAST_OPTION};
 
 const struct command TABLE_ANSWERS[] = {
@@ -31,7 +56,10 @@ const struct command TABLE_ANSWERS[] = {
 	.bare = "speed",
 	.option = PREDICT_OPTIONS,
 	.text = "Needs parameters: calibrate, or params set. Outside the "
-		"trained speeds the answer is marked as extrapolated.",
+		"trained speeds the answer is marked as extrapolated. "
+		"interpolated=on puts beside it the products measured at the "
+		"next lower and higher speed, interpolated in speed squared: "
+		"the answer without a model.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74",
 	.run = cmd_predict},
     {.name = "sweep",
@@ -45,6 +73,56 @@ const struct command TABLE_ANSWERS[] = {
 		"are listed one a row.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nsweep 65,74,85",
 	.run = cmd_sweep},
+    {.name = "compare",
+	.group = "answers",
+	.brief = "two speeds or two sites side by side",
+	.operands = "SPEED SPEED | SITE SITE",
+	.least = 2,
+	.most = 2,
+	.need = NEED_SITE,
+	.option = COMPARE_OPTIONS,
+	.text = "The predicted products of the site in use at two speeds, on "
+		"one feed, or those of two loaded sites at one speed, each on "
+		"its own: passing sieve by sieve and the difference, second "
+		"less first; P20, P50 and P80; the fines; the break sizes.",
+	.example = "load data/sites/tierp.csv\n"
+		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
+		   "compare 69 79",
+	.run = cmd_compare},
+    {.name = "find",
+	.group = "answers",
+	.brief = "the speed that gives a wanted product",
+	.operands = "",
+	.need = NEED_SITE,
+	.option = FIND_OPTIONS,
+	.text = "The inverse of predict: the tip speed for a P20, P50 or P80, "
+		"for a passing at a size, or the speeds at which the product "
+		"keeps within a grading envelope, see tipspeed-spec(5). A "
+		"faster rotor never makes a coarser product, so there is one "
+		"answer or none; where there is none, the products at both "
+		"ends, or the nearest speed and the sieve that fails, are "
+		"shown. One feed serves for all speeds, that of the middle "
+		"run unless feed= says otherwise.",
+	.example = "load data/sites/tierp.csv\n"
+		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
+		   "find p80=5\nfind passing=40 at=2\n"
+		   "find spec=data/specs/en-12620-0-8.csv",
+	.run = cmd_find},
+    {.name = "spec",
+	.group = "answers",
+	.brief = "the product against a grading envelope",
+	.operands = "FILE",
+	.least = 1,
+	.most = 1,
+	.need = NEED_SITE,
+	.option = SPEC_OPTIONS,
+	.text = "Each sieve of the envelope with its limits, the passing "
+		"predicted at a speed, and ok, above or below. FILE is as "
+		"tipspeed-spec(5) says; data/specs has some.",
+	.example = "load data/sites/tierp.csv\n"
+		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
+		   "spec data/specs/en-12620-0-8.csv speed=79",
+	.run = cmd_spec},
     {.name = "validate",
 	.group = "answers",
 	.brief = "compare with the speeds held out",
@@ -57,4 +135,18 @@ const struct command TABLE_ANSWERS[] = {
 		"squared. A model that loses to interpolation is told so.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate",
 	.run = cmd_validate},
+    {.name = "why",
+	.group = "answers",
+	.brief = "why the numbers look the way they do",
+	.operands = "",
+	.need = NEED_SITE,
+	.bare = "speed",
+	.option = WHY_OPTIONS,
+	.text = "Plain sentences about the site in use at a speed: what "
+		"breaks, how much of the feed that is, how far the speed is "
+		"from those trained on, how good the fit is, which parameters "
+		"the data do not tell, where the data are from. What does not "
+		"apply is not said.",
+	.example = "load data/sites/tierp.csv\ncalibrate\nwhy 85",
+	.run = cmd_why},
     {.name = NULL}};

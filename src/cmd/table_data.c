@@ -3,6 +3,11 @@
 #include "cmd/table.h"
 
 #include "cmd/data.h"
+#include "cmd/show.h"
+
+static const struct command_option SHOW_OPTIONS[] = {
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "of the selection"},
+    LAST_OPTION};
 
 static const struct command_option SYNTH_OPTIONS[] = {
     {"site", VALUE_TEXT, "", 0, 0, NULL, "", "make only the sites so called"},
@@ -61,8 +66,10 @@ const struct command TABLE_DATA[] = {
 	.need = NEED_SITE,
 	.text = "Looks at the site in use, another one, or all. Reports "
 		"products coarser than their feed, a faster run with a coarser "
-		"product, runs where nothing breaks, sieves that cannot be "
-		"compared, and twins: loaded sites with the very same numbers. "
+		"product, a passing that stands out from its neighbours as "
+		"swapped digits do, runs where nothing breaks, sieves that "
+		"cannot be compared, and twins: loaded sites with the very "
+		"same numbers. "
 		"Nothing is changed. A fault (not a remark) ends a script "
 		"with exit status 1.",
 	.example = "load data/sites/ubbarp.csv data/sites/gasgruvan.csv\n"
@@ -70,13 +77,22 @@ const struct command TABLE_DATA[] = {
 	.run = cmd_check},
     {.name = "show",
 	.group = "data",
-	.brief = "show what a sheet says",
-	.operands = "[site|feed|product]",
+	.brief = "show a site, and what the model makes of it",
+	.operands = "[site|feed|product|params|bounds|model|selection|"
+		    "appearance]",
 	.most = 1,
-	.need = NEED_SITE,
+	.option = SHOW_OPTIONS,
 	.text = "site: where the sheet is from and what it holds; feed and "
-		"product: the measured curves.",
-	.example = "load data/sites/tierp.csv\nshow product",
+		"product: the measured curves; params and bounds: as those "
+		"commands do; model: settings, energy and break size at each "
+		"run's speed, and the equations with their numbers; "
+		"selection: how much of each size class breaks at a speed "
+		"(Eq 3), and how much of the feed that is; appearance: into "
+		"which classes a broken one falls, the matrix of the paper's "
+		"Table 1.",
+	.example = "load data/sites/tierp.csv\n"
+		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
+		   "show model\nshow selection speed=79",
 	.run = cmd_show},
     {.name = "synth",
 	.group = "data",

@@ -38,6 +38,11 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
 	"file for every generation, as CSV"},
     LAST_OPTION};
 
+static const struct command_option HISTORY_OPTIONS[] = {
+    {"every", VALUE_WHOLE, "", 1, 1e6, NULL, "",
+	"show every N-th generation; else as many as fit a screen"},
+    LAST_OPTION};
+
 const struct command TABLE_FIT[] = {
     {.name = "calibrate",
 	.alias = "fit",
@@ -70,4 +75,21 @@ const struct command TABLE_FIT[] = {
 		"'continue' would need.",
 	.example = "load data/sites/tierp.csv\ncalibrate pause=10\naccept",
 	.run = cmd_accept},
+    {.name = "history",
+	.group = "fit",
+	.brief = "how the last calibration came together",
+	.operands = "",
+	.need = NEED_SITE,
+	.bare = "every",
+	.option = HISTORY_OPTIONS,
+	.text = "A row a generation of the site in use: the best and the "
+		"median misfit, and the spread of each parameter, which is "
+		"the middle 80 % of the population in per cent of the "
+		"parameter's bounds. A spread that stays wide says that the "
+		"data do not tell this parameter. csv and json have the 10 % "
+		"and 90 % values themselves. The misfits are those of the "
+		"search, which is coarser than the polish that follows.",
+	.example = "load data/sites/tierp.csv\n"
+		   "calibrate population=500 generations=40\nhistory",
+	.run = cmd_history},
     {.name = NULL}};

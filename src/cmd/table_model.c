@@ -35,14 +35,16 @@ static const struct command_option SEED_OPTIONS[] = {
 const struct command TABLE_MODEL[] = {
     {.name = "params",
 	.group = "model",
-	.brief = "show or set the model's parameters",
-	.operands = "[list|set]",
-	.most = 1,
+	.brief = "show, set or compare the model's parameters",
+	.operands = "[list | set | diff SITE | use SITE]",
+	.most = 2,
 	.need = NEED_SITE,
 	.option = PARAMS_OPTIONS,
 	.text = "'params set' takes known parameters in place of a "
 		"calibration; those not named keep their value, and beta "
-		"starts from (0, 1, -1, 0.5).",
+		"starts from (0, 1, -1, 0.5). 'params diff SITE' shows those "
+		"of another loaded site beside them; 'params use SITE' takes "
+		"them over, and says so from then on.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "predict 74",

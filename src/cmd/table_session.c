@@ -13,7 +13,8 @@ const struct command TABLE_SESSION[] = {
 	.least = 3,
 	.most = 5,
 	.text = "A value is a number or the newest answer: p20, p50, p80, "
-		"break (mm), speed and extrapolated (1 or 0) of predict; "
+		"break (mm), speed and extrapolated (1 or 0) of predict and "
+		"find; inside (1 or 0) of spec and find spec=; "
 		"misfit, rmse (points) and poor (1 or 0) of calibrate; "
 		"holdout, the largest RMSE of validate (points). Another "
 		"site, other parameters or a new calibration make them "

@@ -53,6 +53,26 @@ validation_rows(struct report *r, const struct validation *v)
 /* A difference of RMSE, passing 0..1, that sampling could tell. */
 static const double CLEARLY = 0.001;
 
+/* RMSE of the other sieves than the worst, passing 0..1. */
+static double
+rest(const struct validation *v)
+{
+	double n = (double)v->n_sieve;
+	double square =
+	    n * v->rmse * v->rmse - v->worst_difference * v->worst_difference;
+	return sqrt(fmax(square, 0) / (n - 1));
+}
+
+/* The worst sieve is far beyond the others and beyond sampling: rather a slip
+ * of the pen than a fault of the model, which errs on several sieves. */
+static bool
+stands_out(const struct validation *v)
+{
+	const double times = 4, least = 0.03;
+	double worst = fabs(v->worst_difference);
+	return v->n_sieve > 3 && worst > least && worst > times * rest(v);
+}
+
 static void
 validation_notes(struct report *r, const struct validation *v)
 {
@@ -72,6 +92,11 @@ validation_notes(struct report *r, const struct validation *v)
 		    "  without a model: product = feed %.2f points; there are "
 		    "no two training products to interpolate on these sieves",
 		    100 * v->feed_rmse);
+	if (stands_out(v))
+		report_note(r,
+		    "  the sieve of %g mm stands out: the others are %.2f "
+		    "points off (RMS); look at that cell of the sheet",
+		    units_mm(v->worst_sieve), 100 * rest(v));
 	bool loses = validation_loses(v);
 	bool clearly = loses && v->rmse > 1.1 * v->interpolation_rmse &&
 		       v->rmse - v->interpolation_rmse > CLEARLY;
@@ -125,19 +150,15 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 	if (!answers_ready(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	struct report *r = report_new("validate");
-	char *label = session_label(entry->site);
-	report_title(r, "%s: held-out speeds, measured and predicted", label);
-	free(label);
-	report_site(r, entry->site->name, entry->site->provenance);
+	struct report *r = answers_report(
+	    entry->site, "validate", "held-out speeds, measured and predicted");
 	report_column(r, "speed", "m/s");
 	report_column(r, "size", "size");
 	report_column(r, "measured_mm", "measured mm");
 	report_column(r, "predicted_mm", "predicted mm");
 	report_column(r, "difference_mm", "difference mm");
-	json_t *o = json_object(), *list = json_array();
-	json_object_set_new(o, "command", json_string("validate"));
-	json_object_set_new(o, "site", json_string(entry->site->name));
+	json_t *o = answers_json("validate", entry->site);
+	json_t *list = json_array();
 	json_object_set_new(o, "holdout", list);
 	add_validations(s, r, list);
 	if (entry->has_fit) {

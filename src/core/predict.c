@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/predict.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
@@ -65,6 +66,26 @@ predict(const struct site *site, const struct params *p,
 	out.p50 = psd_size(&out.product, 0.5);
 	out.p80 = psd_size(&out.product, 0.8);
 	return out;
+}
+
+/* A feed of one class alone, selected as a whole: the class's mean S. */
+void
+predict_selection(const struct psd *feed, const struct params *p,
+    struct model_settings settings, double speed, double *S)
+{
+	for (size_t i = 0; i < feed->n; i++) {
+		bool pan = i + 1 == feed->n;
+		S[i] = 0;
+		if (pan && settings.method == METHOD_CONTINUOUS)
+			continue;
+		double one[2] = {1, 0};
+		struct psd class = {pan ? 1 : 2, feed->size + i, one};
+		struct model *model =
+		    model_new(&class, feed->size + i, 1, settings);
+		model_set(model, p);
+		S[i] = fmin(model_selected(model, speed), 1);
+		model_free(model);
+	}
 }
 
 void

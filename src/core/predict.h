@@ -28,6 +28,14 @@ struct prediction predict(const struct site *site, const struct params *p,
     struct model_settings settings, double speed, size_t feed_run);
 void prediction_free(struct prediction *prediction);
 
+/* Selection of each size class of a feed: the share of its mass that breaks.
+ * Class i lies between the sieves i and i + 1, the last is the pan.
+ * S [feed->n] out, 0..1; weighted by the classes' masses it sums to `selected`.
+ * Method continuous: the mean of Eq 3 over the class, straight on log size, and
+ * 0 in the pan, which is never broken; classes: Eq 3 at the class's size. */
+void predict_selection(const struct psd *feed, const struct params *p,
+    struct model_settings settings, double speed, double *S);
+
 /* True when speed lies outside the speeds of the runs marked in train. */
 bool predict_extrapolates(
     const struct site *site, const bool *train, double speed);

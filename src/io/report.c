@@ -1,8 +1,8 @@
-/* Formats results.  Leaves to the commands what they contain.
+/* Collects results and prints them for programs.  What they contain is left to
+ * the commands, how people see them to report_table.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/report.h"
 
-#include <assert.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -10,26 +10,9 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "io/report_inside.h"
 
 const char *const REPORT_FORMATS[4] = {"table", "csv", "json", "markdown"};
-
-enum { COLUMNS = 24 };
-
-/* text is what people see; number is exact.  is_text: no number. */
-struct cell {
-	bool is_text;
-	double number;
-	char *text;
-};
-
-struct report {
-	char *command, *title, *site, *provenance, *missing;
-	size_t n_column, n_cell, n_note;
-	char *key[COLUMNS], *head[COLUMNS];
-	struct cell *cell; /* row by row */
-	char **note;
-	json_t *json, *extra;
-};
 
 static char *
 format_text(const char *format, va_list ap)
@@ -66,6 +49,8 @@ report_free(struct report *r)
 		free(r->cell[i].text);
 	for (size_t i = 0; i < r->n_note; i++)
 		free(r->note[i]);
+	free(r->key);
+	free(r->head);
 	free(r->cell);
 	free(r->note);
 	free(r->command);
@@ -98,7 +83,8 @@ report_site(struct report *r, const char *name, const char *provenance)
 void
 report_column(struct report *r, const char *key, const char *head)
 {
-	assert(r->n_column < COLUMNS);
+	r->key = xrealloc(r->key, r->n_column + 1, sizeof *r->key);
+	r->head = xrealloc(r->head, r->n_column + 1, sizeof *r->head);
 	r->key[r->n_column] = xstrdup(key);
 	r->head[r->n_column++] = xstrdup(head);
 }
@@ -120,6 +106,10 @@ report_number(struct report *r, double value, int decimals)
 		text = xasprintf("%.6g", value);
 	else
 		text = xasprintf("%.*f", decimals, value);
+	/* What rounds to nothing has no sign. */
+	if (text[0] == '-' && strpbrk(text, "123456789") == NULL &&
+	    isfinite(value))
+		memmove(text, text + 1, strlen(text));
 	add_cell(r, false, value, text);
 }
 
@@ -165,161 +155,6 @@ report_json_number(double value)
 	return isfinite(value) ? json_real(value) : json_null();
 }
 
-static size_t
-n_rows(const struct report *r)
-{
-	return r->n_column > 0 ? r->n_cell / r->n_column : 0;
-}
-
-/* A column of numbers is set flush right. */
-static bool
-is_number_column(const struct report *r, size_t column)
-{
-	for (size_t row = 0; row < n_rows(r); row++)
-		if (r->cell[row * r->n_column + column].is_text)
-			return false;
-	return true;
-}
-
-static int
-column_width(const struct report *r, size_t column)
-{
-	int width = text_width(r->head[column]);
-	for (size_t row = 0; row < n_rows(r); row++) {
-		int w = text_width(r->cell[row * r->n_column + column].text);
-		width = w > width ? w : width;
-	}
-	return width;
-}
-
-static void
-print_padded(const char *text, int width, bool right, bool last, FILE *out)
-{
-	int pad = width - text_width(text);
-	fprintf(out, "%*s%s%*s", right ? pad : 0, "", text,
-	    right || last ? 0 : pad, "");
-}
-
-/* True where the last column holds sentences that would not fit a screen behind
- * the columns before it. */
-static bool
-wraps(const struct report *r, int *indent)
-{
-	enum { SCREEN = 78, LEAST = 24 };
-	*indent = 2;
-	for (size_t c = 0; c + 1 < r->n_column; c++)
-		*indent += column_width(r, c) + 2;
-	return r->n_column > 0 && *indent<SCREEN - LEAST && * indent +
-					  column_width(r, r->n_column - 1)>
-				      SCREEN;
-}
-
-/* The last cell of a row, wrapped under itself. */
-static void
-print_sentence(const char *text, int indent, FILE *out)
-{
-	const int screen = 78;
-	char *copy = xstrdup(text), *save = NULL;
-	int column = indent;
-	for (char *word = strtok_r(copy, " ", &save); word != NULL;
-	     word = strtok_r(NULL, " ", &save)) {
-		bool first = column == indent;
-		if (!first && column + 1 + text_width(word) > screen) {
-			fprintf(out, "\n%*s", indent, "");
-			column = indent;
-			first = true;
-		}
-		column += fprintf(out, "%s", first ? "" : " ");
-		fputs(word, out);
-		column += text_width(word);
-	}
-	free(copy);
-}
-
-static void
-print_row(const struct report *r, size_t row, bool head, const char *between,
-    FILE *out)
-{
-	int indent;
-	bool wrap = wraps(r, &indent) && between[1] != '|';
-	for (size_t c = 0; c < r->n_column; c++) {
-		const char *text =
-		    head ? r->head[c] : r->cell[row * r->n_column + c].text;
-		if (wrap && c + 1 == r->n_column) {
-			print_sentence(text, indent, out);
-			return;
-		}
-		bool last = c + 1 == r->n_column && between[1] != '|';
-		print_padded(text, column_width(r, c), is_number_column(r, c),
-		    last, out);
-		if (c + 1 < r->n_column)
-			fputs(between, out);
-	}
-}
-
-/* Length of the provenance's first clause, which says what the data are; the
- * rest says how they were made. */
-static int
-first_clause(const char *provenance)
-{
-	return (int)strcspn(provenance, ";");
-}
-
-/* A row of a table (0: the heads) without blanks at its end. */
-static void
-print_trimmed(const struct report *r, size_t row, FILE *out)
-{
-	char *line = NULL;
-	size_t n = 0;
-	FILE *memory = open_memstream(&line, &n);
-	if (memory == NULL)
-		return;
-	print_row(r, row - 1, row == 0, "  ", memory);
-	fclose(memory);
-	while (n > 0 && line[n - 1] == ' ')
-		n--;
-	fprintf(out, "  %.*s\n", (int)n, line);
-	free(line);
-}
-
-static void
-print_table(const struct report *r, FILE *out)
-{
-	if (r->title != NULL)
-		fprintf(out, "%s\n", r->title);
-	if (r->provenance != NULL && r->provenance[0] != '\0')
-		fprintf(out, "data: %.*s\n", first_clause(r->provenance),
-		    r->provenance);
-	for (size_t row = 0; row <= n_rows(r) && n_rows(r) > 0; row++)
-		print_trimmed(r, row, out);
-	for (size_t i = 0; i < r->n_note; i++)
-		text_wrap(r->note[i], 0, 78, out);
-}
-
-static void
-print_markdown(const struct report *r, FILE *out)
-{
-	if (r->title != NULL)
-		fprintf(out, "**%s**\n\n", r->title);
-	if (r->provenance != NULL && r->provenance[0] != '\0')
-		fprintf(out, "Data: %.*s\n\n", first_clause(r->provenance),
-		    r->provenance);
-	for (size_t row = 0; row <= n_rows(r) && r->n_column > 0; row++) {
-		fputs("| ", out);
-		print_row(r, row - 1, row == 0, " | ", out);
-		fputs(" |\n", out);
-		if (row > 0)
-			continue;
-		for (size_t c = 0; c < r->n_column; c++)
-			fprintf(out, "%s",
-			    is_number_column(r, c) ? "|--:" : "|---");
-		fputs("|\n", out);
-	}
-	for (size_t i = 0; i < r->n_note; i++)
-		fprintf(out, "\n%s\n", r->note[i]);
-	fputc('\n', out);
-}
-
 static void
 print_csv_text(const char *text, FILE *out)
 {
@@ -342,7 +177,7 @@ print_csv(const struct report *r, FILE *out)
 	for (size_t c = 0; c < r->n_column; c++)
 		fprintf(out, ",%s", r->key[c]);
 	fputc('\n', out);
-	for (size_t i = 0; i < n_rows(r) * r->n_column; i++) {
+	for (size_t i = 0; i < report_rows(r) * r->n_column; i++) {
 		if (i % r->n_column == 0) {
 			fputs(r->command, out);
 			if (r->site != NULL) {
@@ -350,7 +185,7 @@ print_csv(const struct report *r, FILE *out)
 				print_csv_text(r->site, out);
 				fputc(',', out);
 				char *kind = xstrndup(r->provenance,
-				    (size_t)first_clause(r->provenance));
+				    (size_t)report_first_clause(r->provenance));
 				print_csv_text(kind, out);
 				free(kind);
 			}
@@ -369,7 +204,7 @@ static json_t *
 rows_as_json(const struct report *r)
 {
 	json_t *rows = json_array();
-	for (size_t row = 0; row < n_rows(r); row++) {
+	for (size_t row = 0; row < report_rows(r); row++) {
 		json_t *object = json_object();
 		for (size_t c = 0; c < r->n_column; c++) {
 			const struct cell *cell =
@@ -414,9 +249,9 @@ report_print(const struct report *r, enum report_format format, FILE *out)
 		print_json(r, out);
 		break;
 	case REPORT_MARKDOWN:
-		print_markdown(r, out);
+		report_print_markdown(r, out);
 		break;
 	default:
-		print_table(r, out);
+		report_print_table(r, out);
 	}
 }

@@ -17,7 +17,8 @@ extern const char *const REPORT_FORMATS[4];
  * them.  Table and markdown round numbers and show title, provenance and notes;
  * csv and json are exact (%.17g) and leave the notes out.  csv puts command,
  * site and provenance into columns of their own, so that a row never travels
- * without saying where it is from. */
+ * without saying where it is from.  A table wider than a screen goes on in
+ * further blocks, each with the first column again. */
 struct report;
 
 /* command: name of the command that made it; copied. */

@@ -108,20 +108,29 @@ number_hint(const struct sheet *sheet, const char *s)
 }
 
 bool
-sheet_number(
-    struct sheet *sheet, struct cell cell, const char *wanted, double *value)
+sheet_value(const struct sheet *sheet, struct cell cell, double *value)
 {
 	char copy[64];
 	bool fits = strlen(cell.text) < sizeof copy;
 	snprintf(copy, sizeof copy, "%s", cell.text);
-	char *point = strchr(copy, '.'), *comma = strchr(copy, ',');
-	if (comma != NULL && point == NULL && sheet->separator != ',')
+	char *comma = strchr(copy, ',');
+	if (comma != NULL && strchr(copy, '.') == NULL &&
+	    sheet->separator != ',')
 		*comma = '.';
-	if (!fits || !text_number(copy, value)) {
+	return fits && text_number(copy, value);
+}
+
+bool
+sheet_number(
+    struct sheet *sheet, struct cell cell, const char *wanted, double *value)
+{
+	if (!sheet_value(sheet, cell, value)) {
 		error_hint(sheet_wanted(sheet, cell, wanted), "%s",
 		    number_hint(sheet, cell.text));
 		return false;
 	}
+	const char *comma = strchr(cell.text, ',');
+	const char *point = strchr(cell.text, '.');
 	char sign = comma != NULL ? ',' : point != NULL ? '.' : '\0';
 	if (sheet->decimal == '\0')
 		sheet->decimal = sign;
@@ -323,8 +332,8 @@ split_text(struct sheet *sheet, char *text)
 	}
 }
 
-/* What stands behind size_mm (or _um, _m) at the start of a line; without such
- * a line the most frequent of the three. */
+/* What stands behind size_mm (sieve mm, size_um) at the start of a line;
+ * without such a line the most frequent of the three. */
 static char
 find_separator(const char *text)
 {
@@ -335,10 +344,10 @@ find_separator(const char *text)
 		if (p > text && p[-1] != '\n' && p[-1] != '\r')
 			continue;
 		const char *word = p + strspn(p, " \t\"");
-		if (strncasecmp(word, "size_", 5) != 0)
+		if (strncasecmp(word, "size", 4) != 0 &&
+		    strncasecmp(word, "sieve", 5) != 0)
 			continue;
-		word += strcspn(word, " \",;\t\r\n");
-		word += strspn(word, " \"");
+		word += strcspn(word, ",;\t\r\n");
 		if (*word == ',' || *word == ';' || *word == '\t')
 			return *word;
 	}

@@ -64,4 +64,7 @@ struct error *sheet_wanted(
 bool sheet_number(
     struct sheet *sheet, struct cell cell, const char *wanted, double *value);
 
+/* The same, but false without a fault. */
+bool sheet_value(const struct sheet *sheet, struct cell cell, double *value);
+
 #endif

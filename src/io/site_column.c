@@ -10,31 +10,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
-enum kind { PASSING, FRACTION, RETAINED_G, RETAINED_PCT, CUM_RETAINED };
-
-static const char *const ROLES[] = {"feed", "product", "sd"};
-
-/* What may follow the role in a header, and the largest value. */
-static const struct {
-	const char *suffix;
-	enum kind kind;
-	double most;
-	const char *wanted;
-} UNITS[] = {
-    {"", PASSING, 100, "passing from 0 to 100 %"},
-    {"_passing_pct", PASSING, 100, "passing from 0 to 100 %"},
-    {"_fraction", FRACTION, 1, "a fraction from 0 to 1"},
-    {"_retained_g", RETAINED_G, 1e12, "mass retained, 0 g or more,"},
-    {"_retained_pct", RETAINED_PCT, 100, "mass retained, 0 to 100 %,"},
-    {"_cum_retained_pct", CUM_RETAINED, 100, "mass retained, 0 to 100 %,"},
-};
-
-/* Speeds nearer than this, m/s, are one run, as for site_run_at. */
-static const double SAME_SPEED = 1e-3;
-
-/* Above this a tip speed is a slip of the pen; m/s. */
-static const double FASTEST = 200;
-
 /* Percent that the parts of a sieving may miss of the whole. */
 static const double SUM_TOLERANCE = 0.5;
 
@@ -42,16 +17,6 @@ double
 site_column_round(double v, double per_unit)
 {
 	return round(v * per_unit) / per_unit + 0.0;
-}
-
-struct column *
-site_column_find(const struct table *t, enum role role, double speed)
-{
-	for (size_t i = 0; i < t->n_column; i++)
-		if (t->column[i].role == role &&
-		    fabs(t->column[i].speed - speed) <= SAME_SPEED)
-			return &t->column[i];
-	return NULL;
 }
 
 size_t
@@ -63,99 +28,10 @@ site_column_count(const struct table *t, const struct column *c)
 	return n;
 }
 
-/* A bare unit, retained_g@69, is the product's. */
-static bool
-find_word(const char *word, struct column *c)
-{
-	char name[40];
-	c->role = SD;
-	c->unit = 0;
-	if (strcmp(word, ROLES[SD]) == 0)
-		return true;
-	for (c->unit = 0; c->unit < ARRAY_LEN(UNITS); c->unit++) {
-		const char *suffix = UNITS[c->unit].suffix;
-		for (c->role = FEED; c->role <= PRODUCT; c->role++) {
-			snprintf(
-			    name, sizeof name, "%s%s", ROLES[c->role], suffix);
-			if (strcmp(word, name) == 0)
-				return true;
-		}
-		c->role = PRODUCT;
-		if (suffix[0] != '\0' && strcmp(word, suffix + 1) == 0)
-			return true;
-	}
-	return false;
-}
-
-/* 69, 69.5, "69 m/s" or 69m/s; text is changed. */
-static bool
-find_speed(struct table *t, char *text, struct column *c)
-{
-	size_t n = strlen(text);
-	if (n >= 3 && strcmp(text + n - 3, "m/s") == 0)
-		text[n - 3] = '\0';
-	char *comma = strchr(text, ',');
-	if (comma != NULL && t->sheet->separator != ',')
-		*comma = '.';
-	if (text_number(text, &c->speed) && c->speed > SAME_SPEED &&
-	    c->speed <= FASTEST)
-		return true;
-	error_hint(sheet_wanted(t->sheet, c->head,
-		       "a tip speed above 0, up to 200 m/s,"),
-	    "write it behind @, as in product@69");
-	return false;
-}
-
-/* The speed behind the @, which only the feed of all runs may lack. */
-static bool
-split_head(struct table *t, char *word, struct column *c)
-{
-	char *at = strchr(word, '@');
-	if (at != NULL)
-		*at = '\0';
-	if (!find_word(text_trim(word), c)) {
-		error_hint(sheet_wanted(t->sheet, c->head, "a column header"),
-		    "understood are feed, feed@69, product@69 and sd@69; feed "
-		    "and product also with _fraction, _passing_pct, "
-		    "_retained_g, _retained_pct, _cum_retained_pct before "
-		    "the @");
-		return false;
-	}
-	c->speed = 0;
-	if (at != NULL)
-		return find_speed(t, text_trim(at + 1), c);
-	if (c->role == FEED)
-		return true;
-	error_hint(
-	    sheet_wanted(t->sheet, c->head, "a column with its tip speed"),
-	    "write the speed in m/s behind @: %s@69", ROLES[c->role]);
-	return false;
-}
-
-bool
-site_column_head(struct table *t, struct column *c)
-{
-	char *word = text_fold(c->head.text);
-	bool good = split_head(t, word, c);
-	free(word);
-	if (!good)
-		return false;
-	const struct column *twin = site_column_find(t, c->role, c->speed);
-	if (twin == NULL)
-		return true;
-	error_hint(sheet_fault(t->sheet, c->head,
-		       "%s was wanted once, found at column %d already",
-		       c->head.text, twin->head.column),
-	    c->speed > 0 ? "each run has a speed of its own: average the two, "
-			   "or change one"
-			 : "keep one of the two");
-	return false;
-}
-
 static bool
 is_retained(const struct column *c)
 {
-	enum kind kind = UNITS[c->unit].kind;
+	enum unit_kind kind = SITE_UNITS[c->unit].kind;
 	return kind == RETAINED_G || kind == RETAINED_PCT;
 }
 
@@ -164,8 +40,8 @@ static const char *
 other_head(const struct column *c, const char *suffix, char buf[static 64])
 {
 	const char *at = strchr(c->head.text, '@');
-	snprintf(
-	    buf, 64, "%s%s%.30s", ROLES[c->role], suffix, at != NULL ? at : "");
+	snprintf(buf, 64, "%s%s%.30s", SITE_ROLES[c->role], suffix,
+	    at != NULL ? at : "");
 	return buf;
 }
 
@@ -179,14 +55,15 @@ in_range(struct table *t, struct column *c, struct cell cell, double v)
 		    "give it in percentage points of passing");
 		return false;
 	}
-	if (v >= 0 && v <= UNITS[c->unit].most)
+	if (v >= 0 && v <= SITE_UNITS[c->unit].most)
 		return true;
-	bool percent = UNITS[c->unit].kind == FRACTION && v > 1;
+	bool percent = SITE_UNITS[c->unit].kind == FRACTION && v > 1;
 	/* One percent in a column of fractions says it for all of them. */
 	if (percent && c->told_percent)
 		return false;
 	c->told_percent = c->told_percent || percent;
-	struct error *e = sheet_wanted(t->sheet, cell, UNITS[c->unit].wanted);
+	struct error *e =
+	    sheet_wanted(t->sheet, cell, SITE_UNITS[c->unit].wanted);
 	if (percent)
 		error_hint(e, "divide by 100 or head the column %s",
 		    other_head(c, "", head));
@@ -200,7 +77,7 @@ static bool
 read_pan(struct table *t, struct column *c, struct cell cell, double v)
 {
 	c->pan = v;
-	bool cumulative = UNITS[c->unit].kind == CUM_RETAINED;
+	bool cumulative = SITE_UNITS[c->unit].kind == CUM_RETAINED;
 	if (is_retained(c))
 		return in_range(t, c, cell, v);
 	if (v == (cumulative ? 100 : 0))
@@ -230,6 +107,49 @@ read_cells(struct table *t, struct column *c)
 	}
 }
 
+/* True where a column of passing has what sieves retain: numbers that rise and
+ * fall and sum to 100. */
+static bool
+looks_retained(const struct table *t, const struct column *c)
+{
+	double sum = 0, last = NAN;
+	bool rises = false, falls = false;
+	for (size_t i = 0; i < t->n_row; i++) {
+		double v;
+		struct cell cell = sheet_cell(&t->row[i], c->at);
+		if (cell.text[0] == '\0')
+			continue;
+		if (!sheet_value(t->sheet, cell, &v))
+			return false;
+		sum += v;
+		rises = rises || v > last;
+		falls = falls || v < last;
+		last = v;
+	}
+	return rises && falls && fabs(sum - 100) <= 2 * SUM_TOLERANCE;
+}
+
+/* One guess for the sheet, in place of a fault for each row. */
+static void
+tell_retained(struct table *t, struct column *c)
+{
+	char head[64];
+	c->faulty = true;
+	for (size_t i = 0; i < t->n_row; i++)
+		c->pct[i] = NAN;
+	if (t->told_retained)
+		return;
+	t->told_retained = true;
+	error_hint(
+	    sheet_fault(t->sheet, c->head,
+		"passing was wanted in column %s, this looks like mass "
+		"retained on each sieve, %%: the numbers rise and fall and "
+		"sum to 100",
+		c->head.text),
+	    "head the column %s, and others like it so, too",
+	    other_head(c, "_retained_pct", head));
+}
+
 /* A column of percent without any above 1. */
 static void
 check_percent(struct table *t, struct column *c)
@@ -238,7 +158,7 @@ check_percent(struct table *t, struct column *c)
 	double most = isnan(c->pan) ? 0 : c->pan;
 	for (size_t i = 0; i < t->n_row; i++)
 		most = c->pct[i] > most ? c->pct[i] : most;
-	bool percent = c->role != SD && UNITS[c->unit].most == 100;
+	bool percent = c->role != SD && SITE_UNITS[c->unit].most == 100;
 	if (!percent || most <= 0 || most > 1)
 		return;
 	error_hint(sheet_fault(t->sheet, c->head,
@@ -256,7 +176,7 @@ static double
 total_retained(struct table *t, struct column *c)
 {
 	char head[64];
-	bool grams = UNITS[c->unit].kind == RETAINED_G;
+	bool grams = SITE_UNITS[c->unit].kind == RETAINED_G;
 	double sum = isnan(c->pan) ? 0 : c->pan;
 	for (size_t i = 0; i < t->n_row; i++)
 		sum += isnan(c->pct[i]) ? 0 : c->pct[i];
@@ -306,7 +226,7 @@ convert_retained(struct table *t, struct column *c)
 static void
 convert(struct table *t, struct column *c)
 {
-	enum kind kind = UNITS[c->unit].kind;
+	enum unit_kind kind = SITE_UNITS[c->unit].kind;
 	if (is_retained(c))
 		convert_retained(t, c);
 	for (size_t i = 0; i < t->n_row; i++) {
@@ -360,10 +280,10 @@ check_coarsest(struct table *t, struct column *c)
 	    text_exact(c->pct[i], p), text_exact(t->mm[i], mm));
 	while (s > 0 && series[s - 1] <= t->mm[i])
 		s--;
-	const char *all = is_retained(c) || UNITS[c->unit].kind == CUM_RETAINED
-			      ? "0"
-			  : UNITS[c->unit].kind == FRACTION ? "1"
-							    : "100";
+	const char *all =
+	    is_retained(c) || SITE_UNITS[c->unit].kind == CUM_RETAINED ? "0"
+	    : SITE_UNITS[c->unit].kind == FRACTION                     ? "1"
+								       : "100";
 	if (s > 0)
 		error_hint(e, "add %g mm with %s", series[s - 1], all);
 	else
@@ -376,6 +296,11 @@ site_column_values(struct table *t, struct column *c)
 {
 	c->pct = xdoubles(t->n_row);
 	c->pan = NAN;
+	if (c->role != SD && SITE_UNITS[c->unit].kind == PASSING &&
+	    looks_retained(t, c)) {
+		tell_retained(t, c);
+		return;
+	}
 	read_cells(t, c);
 	check_percent(t, c);
 	convert(t, c);

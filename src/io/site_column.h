@@ -10,6 +10,20 @@
 
 enum role { FEED, PRODUCT, SD };
 
+enum unit_kind { PASSING, FRACTION, RETAINED_G, RETAINED_PCT, CUM_RETAINED };
+
+/* What may follow the role in a head, and the largest value. */
+struct site_unit {
+	const char *suffix;
+	enum unit_kind kind;
+	double most;
+	const char *wanted;
+};
+
+enum { SITE_N_UNIT = 6 };
+extern const struct site_unit SITE_UNITS[SITE_N_UNIT];
+extern const char *const SITE_ROLES[3];
+
 /* pct [n_row of the table]: passing in %, or standard deviation of passing in
  * percentage points; NAN where the cell is empty or at fault.  pan: value in
  * the pan's row in the unit of the column, or NAN.  faulty: a cell is at fault,
@@ -36,7 +50,7 @@ struct table {
 	double *mm;
 	size_t n_column;
 	struct column *column;
-	bool lost;
+	bool lost, told_retained;
 };
 
 /* Role, unit and speed from c->head; a fault and false when they are not

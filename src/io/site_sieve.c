@@ -3,6 +3,8 @@
 #include "io/site_sieve.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -10,20 +12,57 @@
 /* The limits of a sieve, mm: what lies outside is a slip of the pen. */
 static const double FINEST = 1e-6, COARSEST = 1e4;
 
-/* mm a unit of the words that may begin the table. */
+/* mm a unit of the words that may begin the table, letters only. */
 static const struct {
 	const char *word;
 	double mm;
-} SIZE_WORDS[] = {{"size_mm", 1}, {"size_um", 1e-3}, {"size_\xC2\xB5m", 1e-3},
-    {"size_\xCE\xBCm", 1e-3}, {"size_m", 1e3}};
+} SIZE_WORDS[] = {{"sizemm", 1}, {"sizeum", 1e-3}, {"sizem", 1e3},
+    {"sievemm", 1}, {"sieveum", 1e-3}, {"sievem", 1e3}, {"sievesizemm", 1},
+    {"sievesizeum", 1e-3}, {"sievesizem", 1e3}};
+
+/* The letters of "Size (mm)" in small, the two signs for micro as u; a word
+ * longer than any is cut. */
+static void
+letters(const char *text, char word[static 16])
+{
+	char *folded = text_fold(text);
+	size_t n = 0;
+	for (const char *p = folded; *p != '\0' && n < 15; p++) {
+		bool micro = strncmp(p, "\xC2\xB5", 2) == 0 ||
+			     strncmp(p, "\xCE\xBC", 2) == 0;
+		if (micro || (*p >= 'a' && *p <= 'z') ||
+		    (*p >= '0' && *p <= '9'))
+			word[n++] = micro ? 'u' : *p;
+		p += micro;
+	}
+	word[n] = '\0';
+	free(folded);
+}
 
 double
 site_sieve_unit(const struct row *row)
 {
+	char word[16];
+	letters(row->cell[0].text, word);
 	for (size_t w = 0; w < ARRAY_LEN(SIZE_WORDS); w++)
-		if (text_same(row->cell[0].text, SIZE_WORDS[w].word))
+		if (strcmp(word, SIZE_WORDS[w].word) == 0)
 			return SIZE_WORDS[w].mm;
 	return 0;
+}
+
+/* What is left under the finest sieve, as labs of several languages head it:
+ * pan, Botten, <0.063. */
+static bool
+is_pan(const char *text)
+{
+	static const char *const WORDS[] = {"pan", "bottom", "receiver", "rest",
+	    "botten", "bunn", "boden", "fond", "fondo"};
+	if (text[0] == '<')
+		return true;
+	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
+		if (text_same(text, WORDS[i]))
+			return true;
+	return false;
 }
 
 double
@@ -62,7 +101,7 @@ row_mm(struct table *t, const struct row *row, double unit)
 			: "take the last cells out, or head their columns");
 		return NAN;
 	}
-	if (text_same(cell.text, "pan"))
+	if (is_pan(cell.text))
 		return 0;
 	return site_sieve_mm(t->sheet, cell, unit, "a sieve size or pan");
 }

@@ -67,6 +67,9 @@ other_kind(const char *bytes, size_t n, size_t *bad)
 			   (bytes[1] == 0) == (bytes[3] == 0);
 	if (marked || every_other)
 		return "UTF-8 was wanted, this looks like UTF-16";
+	if (n > 3 && memcmp(bytes, "PK\3\4", 4) == 0)
+		return "text was wanted, this is a workbook (.xlsx, .ods), "
+		       "not a text file";
 	*bad = first_control(bytes, n);
 	if (*bad < n)
 		return "text was wanted, this is not a text file";

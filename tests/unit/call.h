@@ -52,6 +52,14 @@ call_free(struct call *call)
 	free(call);
 }
 
+/* As many words as the command wants at least. */
+static inline const char *
+call_operands(const struct command *command)
+{
+	static const char *const words[] = {"", "x", "x x", "x x x"};
+	return words[command->least];
+}
+
 static inline const struct value *
 call_value(const struct call *call, const char *name)
 {

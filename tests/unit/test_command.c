@@ -101,10 +101,10 @@ fallbacks_are_valid(void **state)
 		for (; o != NULL && o->name != NULL; o++) {
 			if (o->fallback[0] == '\0')
 				continue;
+			const char *operands = call_operands(c);
 			char *typed = xasprintf("%s %s %s=\"%s\"", c->name,
-			    c->least > 0 ? "x" : "", o->name, o->fallback);
-			char *bare = xasprintf(
-			    "%s %s", c->name, c->least > 0 ? "x" : "");
+			    operands, o->name, o->fallback);
+			char *bare = xasprintf("%s %s", c->name, operands);
 			struct call *a = call_accept(typed),
 				    *b = call_accept(bare);
 			const struct value *u = call_value(a, o->name);

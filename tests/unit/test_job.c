@@ -284,6 +284,31 @@ other_and_damaged_checkpoints_are_refused(void **state)
 #define WITH_SITE(f) \
 	cmocka_unit_test_setup_teardown(f, open_with_site, desk_close)
 
+/* The job is gone, its generations are not; each site has its own. */
+static void
+the_generations_stay_with_their_site(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	desk_expect(desk, "load data/sites/bro.csv; bounds alpha 0.5..1; "
+			  "calibrate population=64 generations=7 stall=0 "
+			  "tolerance=0; bounds default");
+	const struct history *h = &session_entry(s)->history;
+	assert_false(session_busy(s));
+	assert_int_equal(h->n, 7);
+	assert_int_equal(h->from, 1);
+	assert_true(h->bounds.lower[PARAM_ALPHA] == 0.5);
+	for (size_t i = 1; i < h->n; i++)
+		assert_true(h->generation[i].best <= h->generation[i - 1].best);
+	assert_int_equal(s->entry[0].history.n, 0);
+	desk_expect(desk, "params set f_mat=1; history; calibrate "
+			  "population=64 generations=3; history");
+	assert_int_equal(h->n, 3);
+	s->current = 0;
+	assert_false(desk_say(desk, "history"));
+	assert_non_null(strstr(desk->error.text, "not been calibrated"));
+}
+
 int
 main(void)
 {
@@ -299,6 +324,7 @@ main(void)
 	    WITH_SITE(a_checkpoint_goes_on_to_the_same_bits),
 	    WITH_SITE(other_and_damaged_checkpoints_are_refused),
 	    WITH_SITE(a_flat_direction_raises_the_misfit_by_a_tenth),
+	    WITH_SITE(the_generations_stay_with_their_site),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);

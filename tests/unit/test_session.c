@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <unistd.h>
 
+#include "call.h"
 #include "desk.h"
 #include "made.h"
 
@@ -129,8 +130,8 @@ commands_that_need_a_site_say_so(void **state)
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (c->need == NEED_NOTHING)
 			continue;
-		char *line = xasprintf(
-		    "seed 1; %s%s", c->name, c->least > 0 ? " x" : "");
+		char *line =
+		    xasprintf("seed 1; %s %s", c->name, call_operands(c));
 		assert_false(desk_say(desk, line));
 		assert_int_equal(desk->error.kind, ERROR_USAGE);
 		assert_non_null(strstr(desk->error.text, c->name));

@@ -1,0 +1,195 @@
+/* What the commands that answer have in common.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/answers.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "cmd/fit.h"
+#include "io/units.h"
+
+struct report *
+answers_report(
+    const struct site *site, const char *command, const char *format, ...)
+{
+	struct report *r = report_new(command);
+	char title[200], *label = session_label(site);
+	va_list ap;
+	va_start(ap, format);
+	vsnprintf(title, sizeof title, format, ap);
+	va_end(ap);
+	report_title(r, "%s: %s", label, title);
+	report_site(r, site->name, site->provenance);
+	free(label);
+	return r;
+}
+
+bool
+answers_known(
+    const struct session *s, const struct entry *entry, struct error *error)
+{
+	if (entry->has_params)
+		return fit_settings_agree(&s->settings, error);
+	error_set(
+	    error, ERROR_USAGE, "%s has no parameters yet", entry->site->name);
+	return error_hint(
+	    error, "'calibrate' finds them, or 'params set' takes known ones");
+}
+
+bool
+answers_ready(struct session *s, struct error *error)
+{
+	return answers_known(s, session_entry(s), error);
+}
+
+bool
+answers_feed(const struct site *site, const struct value *feed, double speed,
+    size_t *run, struct error *error)
+{
+	*run = site_run_nearest(site, speed);
+	if (!feed->given)
+		return true;
+	*run = site_run_at(site, feed->number);
+	if (*run < site->n_run)
+		return true;
+	error_set(error, ERROR_USAGE, "%s has no feed sampled at %g m/s",
+	    site->name, feed->number);
+	return error_hint(error, "'show feed' lists the feeds");
+}
+
+double
+answers_middle(const struct site *site)
+{
+	return (site->run[0].speed + site->run[site->n_run - 1].speed) / 2;
+}
+
+void
+answers_remember(struct session *s, const struct prediction *p)
+{
+	const struct entry *entry = session_entry(s);
+	s->answer[ANSWER_SPEED] = p->speed;
+	s->answer[ANSWER_EXTRAPOLATED] =
+	    predict_extrapolates(entry->site, entry->train, p->speed);
+	s->answer[ANSWER_P20] = 1000 * p->p20;
+	s->answer[ANSWER_P50] = 1000 * p->p50;
+	s->answer[ANSWER_P80] = 1000 * p->p80;
+	s->answer[ANSWER_BREAK] = 1000 * p->break_size;
+}
+
+static char *
+outside_words(const struct psd *psd, double passing)
+{
+	bool fine = psd->passing[psd->n - 1] >= passing;
+	return xasprintf("%s %g", fine ? "below" : "above",
+	    units_mm(psd->size[fine ? psd->n - 1 : 0]));
+}
+
+void
+answers_size_cell(struct report *r, const struct psd *psd, double passing)
+{
+	char *words = outside_words(psd, passing);
+	report_missing(r, words);
+	report_number(r, 1000 * psd_size(psd, passing), 2);
+	free(words);
+}
+
+/* "P50 2.81 mm", or "P20 below 0.063 mm". */
+static char *
+size_words(const struct psd *psd, double passing)
+{
+	double x = psd_size(psd, passing);
+	if (isfinite(x))
+		return xasprintf("P%.0f %.2f mm", 100 * passing, 1000 * x);
+	char *outside = outside_words(psd, passing);
+	char *words = xasprintf("P%.0f %s mm", 100 * passing, outside);
+	free(outside);
+	return words;
+}
+
+void
+answers_note_sizes(struct report *r, const struct psd *psd)
+{
+	char *p20 = size_words(psd, 0.2), *p50 = size_words(psd, 0.5);
+	char *p80 = size_words(psd, 0.8);
+	report_note(r, "%s, %s, %s", p20, p50, p80);
+	free(p20);
+	free(p50);
+	free(p80);
+}
+
+void
+answers_note_doubt(
+    struct session *s, struct report *r, double speed, size_t feed_run)
+{
+	const struct entry *entry = session_entry(s);
+	const struct site *site = entry->site;
+	if (predict_extrapolates(site, entry->train, speed))
+		report_note(r,
+		    "extrapolated: %.1f m/s lies outside the speeds trained "
+		    "on",
+		    speed);
+	if (site->individual_feeds &&
+	    fabs(site->run[feed_run].speed - speed) > 1e-3)
+		report_note(r, "feed: the sample taken at %g m/s",
+		    site->run[feed_run].speed);
+	if (entry->has_fit && entry->fit.rmse > FIT_POOR)
+		report_note(r,
+		    "the calibration is poor (%.1f points RMS): do not rely "
+		    "on this",
+		    100 * entry->fit.rmse);
+}
+
+json_t *
+answers_list_json(const double *value, size_t n, double (*shown)(double))
+{
+	json_t *list = json_array();
+	for (size_t i = 0; i < n; i++)
+		json_array_append_new(
+		    list, report_json_number(shown(value[i])));
+	return list;
+}
+
+json_t *
+answers_json(const char *command, const struct site *site)
+{
+	json_t *o = json_object();
+	json_object_set_new(o, "command", json_string(command));
+	json_object_set_new(o, "site", json_string(site->name));
+	return o;
+}
+
+const char *
+answers_method(enum method method)
+{
+	return method == METHOD_CLASSES ? "classes" : "continuous";
+}
+
+json_t *
+answers_prediction_json(struct session *s, const struct prediction *p)
+{
+	const struct entry *entry = session_entry(s);
+	json_t *o = answers_json("predict", entry->site);
+	json_object_set_new(o, "speed", json_real(p->speed));
+	json_object_set_new(o, "extrapolated",
+	    json_boolean(
+		predict_extrapolates(entry->site, entry->train, p->speed)));
+	json_object_set_new(
+	    o, "method", json_string(answers_method(s->settings.method)));
+	json_object_set_new(o, "sieve_mm",
+	    answers_list_json(p->product.size, p->product.n, units_mm));
+	json_object_set_new(o, "passing_pct",
+	    answers_list_json(p->product.passing, p->product.n, units_pct));
+	json_object_set_new(o, "p20_mm", report_json_number(1000 * p->p20));
+	json_object_set_new(o, "p50_mm", report_json_number(1000 * p->p50));
+	json_object_set_new(o, "p80_mm", report_json_number(1000 * p->p80));
+	json_object_set_new(
+	    o, "break_mm", report_json_number(1000 * p->break_size));
+	json_object_set_new(o, "params", fit_params_json(&entry->params));
+	if (entry->has_fit)
+		json_object_set_new(
+		    o, "verdict", json_string(fit_verdict(&entry->fit)));
+	return o;
+}

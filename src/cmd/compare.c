@@ -1,0 +1,307 @@
+/* compare: two speeds of a site, or two sites at a speed, side by side.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/fit.h"
+#include "core/predict.h"
+#include "io/units.h"
+
+/* One of the two, with its name for people. */
+struct side {
+	const struct entry *entry;
+	struct prediction p;
+	char *head;
+};
+
+static bool
+extrapolates(const struct side *side)
+{
+	return predict_extrapolates(
+	    side->entry->site, side->entry->train, side->p.speed);
+}
+
+/* Passing at a size, NAN where the side's sieves do not tell it. */
+static double
+passing_at(const struct side *side, double x)
+{
+	return psd_covers(&side->p.product, x)
+		   ? psd_passing(&side->p.product, x)
+		   : NAN;
+}
+
+/* Sieves of both, coarsest first; the caller frees. */
+static double *
+all_sieves(const struct side side[2], size_t *n)
+{
+	const struct psd *a = &side[0].p.product, *b = &side[1].p.product;
+	double *x = xdoubles(a->n + b->n);
+	size_t i = 0, j = 0;
+	*n = 0;
+	while (i < a->n || j < b->n) {
+		double next =
+		    fmax(i < a->n ? a->size[i] : 0, j < b->n ? b->size[j] : 0);
+		i += i < a->n && a->size[i] == next;
+		j += j < b->n && b->size[j] == next;
+		x[(*n)++] = next;
+	}
+	return x;
+}
+
+/* What both have one number of, beside the sieves. */
+static const struct {
+	const char *key, *head;
+	double passing; /* of P20 and so on; 0: the break size */
+} SIZES[] = {{"p20_mm", "P20 mm", 0.2}, {"p50_mm", "P50 mm", 0.5},
+    {"p80_mm", "P80 mm", 0.8}, {"break_mm", "breaks from mm", 0}};
+
+static double
+size_of(const struct side *side, size_t i)
+{
+	return 1000 * (SIZES[i].passing > 0
+			      ? psd_size(&side->p.product, SIZES[i].passing)
+			      : side->p.break_size);
+}
+
+static void
+size_cell(struct report *r, const struct side *side, size_t i)
+{
+	if (SIZES[i].passing > 0) {
+		answers_size_cell(r, &side->p.product, SIZES[i].passing);
+		return;
+	}
+	report_missing(r, "none");
+	report_number(r, size_of(side, i), 2);
+}
+
+/* csv calls a row passing_pct@4, a table just 4. */
+static void
+comparison_rows(struct report *r, const struct side side[2], const double *x,
+    size_t n, bool csv)
+{
+	report_column(r, "quantity", "sieve mm");
+	report_column(r, "a", side[0].head);
+	report_column(r, "b", side[1].head);
+	report_column(r, "difference", "difference");
+	for (size_t i = 0; i < n; i++) {
+		double a = passing_at(&side[0], x[i]);
+		double b = passing_at(&side[1], x[i]);
+		char *name =
+		    xasprintf(csv ? "passing_pct@%g" : "%g", units_mm(x[i]));
+		report_text(r, name);
+		report_missing(r, "-");
+		report_number(r, units_pct(a), 1);
+		report_number(r, units_pct(b), 1);
+		report_number(r, 100 * (b - a), 1);
+		free(name);
+	}
+	for (size_t i = 0; i < ARRAY_LEN(SIZES); i++) {
+		report_text(r, csv ? SIZES[i].key : SIZES[i].head);
+		size_cell(r, &side[0], i);
+		size_cell(r, &side[1], i);
+		report_missing(r, "-");
+		report_number(
+		    r, size_of(&side[1], i) - size_of(&side[0], i), 2);
+	}
+}
+
+static json_t *
+side_json(const struct side *side, const double *x, size_t n)
+{
+	json_t *o = json_object(), *passing = json_array();
+	json_object_set_new(o, "site", json_string(side->entry->site->name));
+	json_object_set_new(o, "speed", json_real(side->p.speed));
+	json_object_set_new(
+	    o, "extrapolated", json_boolean(extrapolates(side)));
+	for (size_t i = 0; i < n; i++)
+		json_array_append_new(passing,
+		    report_json_number(units_pct(passing_at(side, x[i]))));
+	json_object_set_new(o, "passing_pct", passing);
+	for (size_t i = 0; i < ARRAY_LEN(SIZES); i++)
+		json_object_set_new(
+		    o, SIZES[i].key, report_json_number(size_of(side, i)));
+	return o;
+}
+
+static json_t *
+comparison_json(const struct side side[2], const double *x, size_t n)
+{
+	json_t *o = json_object();
+	json_object_set_new(o, "command", json_string("compare"));
+	json_object_set_new(o, "sieve_mm", answers_list_json(x, n, units_mm));
+	json_object_set_new(o, "a", side_json(&side[0], x, n));
+	json_object_set_new(o, "b", side_json(&side[1], x, n));
+	return o;
+}
+
+/* The provenance of both: once where they have the same. */
+static char *
+provenance(const struct side side[2])
+{
+	char *first[2];
+	for (size_t i = 0; i < 2; i++) {
+		const char *text = side[i].entry->site->provenance;
+		first[i] = text[0] != '\0' ? xstrndup(text, strcspn(text, ";"))
+					   : xstrdup("not stated");
+	}
+	bool same = strcmp(first[0], first[1]) == 0;
+	char *both = same ? xstrdup(first[0])
+			  : xasprintf("%s: %s, %s: %s", side[0].head, first[0],
+				side[1].head, first[1]);
+	free(first[0]);
+	free(first[1]);
+	return both;
+}
+
+/* Doubts about either side, and the fines. */
+static void
+comparison_notes(
+    struct report *r, const struct side side[2], const double *x, size_t n)
+{
+	double finest = NAN, a = NAN, b = NAN;
+	for (size_t i = 0; i < n; i++) {
+		double at_a = passing_at(&side[0], x[i]);
+		double at_b = passing_at(&side[1], x[i]);
+		if (isnan(at_a) || isnan(at_b))
+			continue;
+		finest = x[i];
+		a = at_a;
+		b = at_b;
+	}
+	if (isfinite(finest))
+		report_note(r,
+		    "fines below %g mm: %.1f %% and %.1f %%, %+.1f points",
+		    units_mm(finest), 100 * a, 100 * b, 100 * (b - a));
+	report_note(r, "broken: %.1f %% and %.1f %% of the feed",
+	    100 * side[0].p.selected, 100 * side[1].p.selected);
+	for (size_t i = 0; i < 2; i++) {
+		const struct entry *entry = side[i].entry;
+		if (extrapolates(&side[i]))
+			report_note(r,
+			    "%s is extrapolated: outside the speeds "
+			    "trained on",
+			    side[i].head);
+		if (entry->has_fit && entry->fit.rmse > FIT_POOR)
+			report_note(r,
+			    "the calibration of %s is poor (%.1f points RMS): "
+			    "do not rely on it",
+			    entry->key, 100 * entry->fit.rmse);
+	}
+}
+
+/* 69 or 69m/s. */
+static bool
+is_speed(const char *word, double *v)
+{
+	char *copy = xstrdup(word);
+	size_t n = strlen(copy);
+	if (n > 3 && strcmp(copy + n - 3, "m/s") == 0)
+		copy[n - 3] = '\0';
+	bool ok = text_number(copy, v);
+	free(copy);
+	return ok;
+}
+
+/* Two speeds of the site in use, on one feed. */
+static bool
+take_speeds(struct session *s, const struct args *args, struct side side[2],
+    struct error *error)
+{
+	const struct command *self = command_find("compare");
+	const struct entry *entry = session_entry(s);
+	size_t feed;
+	if (args_value(self, args, "speed")->given)
+		return error_set(error, ERROR_USAGE,
+		    "compare takes two speeds, or two sites and a speed");
+	if (!answers_ready(s, error) ||
+	    !answers_feed(entry->site, args_value(self, args, "feed"),
+		answers_middle(entry->site), &feed, error))
+		return false;
+	for (size_t i = 0; i < 2; i++) {
+		double v;
+		if (!is_speed(args->operand[i], &v) || v < 1 || v > 200)
+			return error_set(error, ERROR_USAGE,
+			    "compare wants speeds from 1 to 200 m/s, not %s",
+			    args->operand[i]);
+		side[i].entry = entry;
+		side[i].p =
+		    predict(entry->site, &entry->params, s->settings, v, feed);
+		side[i].head = xasprintf("%g m/s", v);
+	}
+	return true;
+}
+
+/* Two loaded sites at one speed, each with its own feed and parameters. */
+static bool
+take_sites(struct session *s, const struct args *args, struct side side[2],
+    struct error *error)
+{
+	const struct command *self = command_find("compare");
+	double v = args_value(self, args, "speed")->number;
+	for (size_t i = 0; i < 2; i++) {
+		size_t at, feed;
+		if (!session_find(s, args->operand[i], &at, error))
+			return false;
+		const struct entry *entry = &s->entry[at];
+		if (!answers_known(s, entry, error) ||
+		    !answers_feed(entry->site, args_value(self, args, "feed"),
+			v, &feed, error))
+			return false;
+		side[i].entry = entry;
+		side[i].p =
+		    predict(entry->site, &entry->params, s->settings, v, feed);
+		side[i].head = xstrdup(entry->key);
+	}
+	return true;
+}
+
+static struct report *
+comparison(struct session *s, const struct side side[2], bool sites)
+{
+	const struct site *a = side[0].entry->site, *b = side[1].entry->site;
+	size_t n;
+	double *x = all_sieves(side, &n);
+	struct report *r =
+	    sites ? report_new("compare")
+		  : answers_report(a, "compare", "%s and %s, %% passing",
+			side[0].head, side[1].head);
+	if (sites) {
+		char *both = xasprintf("%s, %s", a->name, b->name);
+		char *data = provenance(side);
+		report_title(r, "%s and %s at %g m/s, %% passing", a->name,
+		    b->name, side[0].p.speed);
+		report_site(r, both, data);
+		free(both);
+		free(data);
+	}
+	comparison_rows(r, side, x, n, s->format == REPORT_CSV);
+	comparison_notes(r, side, x, n);
+	if (!sites && a->individual_feeds)
+		report_note(r, "feed: the sample taken at %g m/s, for both",
+		    a->run[side[0].p.feed_run].speed);
+	report_json(r, comparison_json(side, x, n));
+	free(x);
+	return r;
+}
+
+bool
+cmd_compare(struct session *s, const struct args *args, struct error *error)
+{
+	struct side side[2] = {{0}};
+	double v;
+	bool sites =
+	    !is_speed(args->operand[0], &v) || !is_speed(args->operand[1], &v);
+	bool ok = sites ? take_sites(s, args, side, error)
+			: take_speeds(s, args, side, error);
+	if (ok)
+		session_report(s, comparison(s, side, sites));
+	for (size_t i = 0; i < 2; i++) {
+		prediction_free(&side[i].p);
+		free(side[i].head);
+	}
+	return ok;
+}

@@ -1,0 +1,275 @@
+/* find: the tip speed that gives a wanted product.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/grading.h"
+#include "core/inverse.h"
+#include "core/predict.h"
+#include "io/units.h"
+
+static const struct value *
+option(const struct args *args, const char *name)
+{
+	return args_value(command_find("find"), args, name);
+}
+
+/* What is wanted: that a share passes a size; and on which feed, between which
+ * speeds.  name: p80, p50 or p20, or NULL where the passing is looked at. */
+struct wish {
+	const char *name;
+	double passing, x; /* 0..1; m */
+	double from, to;
+	size_t feed;
+	struct inverse inverse;
+};
+
+static double
+passing_over(void *data, double v)
+{
+	struct wish *wish = data;
+	return psd_passing(inverse_at(&wish->inverse, v), wish->x) -
+	       wish->passing;
+}
+
+/* Exactly one of the wishes is given, with what belongs to it. */
+static bool
+check_wish(const struct args *args, struct error *error)
+{
+	static const char *const ONE[] = {
+	    "p20", "p50", "p80", "passing", "spec"};
+	size_t given = 0;
+	for (size_t i = 0; i < ARRAY_LEN(ONE); i++)
+		given += option(args, ONE[i])->given;
+	bool at = option(args, "at")->given;
+	if (given != 1)
+		error_set(error, ERROR_USAGE,
+		    "find wants one of p20, p50, p80, passing and spec, not "
+		    "%zu",
+		    given);
+	else if (at != option(args, "passing")->given)
+		error_set(error, ERROR_USAGE,
+		    "passing and at go together: so much passing at a size");
+	else if (option(args, "from")->number >= option(args, "to")->number)
+		error_set(error, ERROR_USAGE,
+		    "find wants from below to, not %g and %g m/s",
+		    option(args, "from")->number, option(args, "to")->number);
+	else
+		return true;
+	return error_hint(error, "find p80=5, find passing=40 at=2, find "
+				 "spec=FILE");
+}
+
+/* Sizes are read between the sieves as predict reads them; a passing is that of
+ * the size itself. */
+static bool
+open_wish(struct session *s, const struct args *args, struct wish *wish,
+    struct error *error)
+{
+	static const char *const NAMES[3] = {"p20", "p50", "p80"};
+	static const double PASSING[3] = {0.2, 0.5, 0.8};
+	const struct entry *entry = session_entry(s);
+	const struct psd *feed = &entry->site->run[wish->feed].feed;
+	wish->x = option(args, "at")->number / 1000;
+	wish->passing = option(args, "passing")->number / 100;
+	for (size_t i = 0; i < 3; i++) {
+		if (!option(args, NAMES[i])->given)
+			continue;
+		wish->name = NAMES[i];
+		wish->passing = PASSING[i];
+		wish->x = option(args, NAMES[i])->number / 1000;
+	}
+	if (!psd_covers(feed, wish->x)) {
+		error_set(error, ERROR_USAGE,
+		    "%g mm is finer than the feed's finest sieve, %g mm",
+		    1000 * wish->x, units_mm(feed->size[feed->n - 1]));
+		return error_hint(error, "nothing is known of what is finer");
+	}
+	struct prediction p = predict(
+	    entry->site, &entry->params, s->settings, wish->from, wish->feed);
+	wish->inverse = inverse_new(feed,
+	    wish->name != NULL ? p.product.size : &wish->x,
+	    wish->name != NULL ? p.product.n : 1, &entry->params, s->settings);
+	prediction_free(&p);
+	return true;
+}
+
+/* What is wanted, at a speed, in mm or %; NAN outside the sieves. */
+static double
+value_at(struct wish *wish, double v)
+{
+	const struct psd *product = inverse_at(&wish->inverse, v);
+	return wish->name != NULL ? 1000 * psd_size(product, wish->passing)
+				  : units_pct(psd_passing(product, wish->x));
+}
+
+static char *
+wish_words(const struct wish *wish)
+{
+	return wish->name != NULL ? xasprintf("P%.0f %g mm",
+					100 * wish->passing, units_mm(wish->x))
+				  : xasprintf("%g %% passing %g mm",
+					100 * wish->passing, units_mm(wish->x));
+}
+
+static json_t *
+wish_json(struct session *s, struct wish *wish, double speed,
+    const struct prediction *p, size_t n)
+{
+	const struct entry *entry = session_entry(s);
+	json_t *o = answers_json("find", entry->site), *list = json_array();
+	char *key = wish->name != NULL ? xasprintf("%s_mm", wish->name)
+				       : xstrdup("passing_pct");
+	json_object_set_new(o, "wanted", json_string(key));
+	json_object_set_new(o, "value",
+	    json_real(wish->name != NULL ? units_mm(wish->x)
+					 : units_pct(wish->passing)));
+	json_object_set_new(o, "at_mm",
+	    wish->name != NULL ? json_null() : json_real(units_mm(wish->x)));
+	json_object_set_new(o, "from", json_real(wish->from));
+	json_object_set_new(o, "to", json_real(wish->to));
+	json_object_set_new(
+	    o, "value_from", report_json_number(value_at(wish, wish->from)));
+	json_object_set_new(
+	    o, "value_to", report_json_number(value_at(wish, wish->to)));
+	json_object_set_new(o, "speed", report_json_number(speed));
+	for (size_t i = 0; i < n; i++)
+		json_array_append_new(list, answers_prediction_json(s, &p[i]));
+	json_object_set_new(o, "products", list);
+	free(key);
+	return o;
+}
+
+/* Why there is no such speed: what the two ends give. */
+static void
+note_unreached(struct report *r, struct wish *wish, const char *words)
+{
+	const char *what = wish->name != NULL ? "mm" : "%";
+	double low = value_at(wish, wish->from),
+	       high = value_at(wish, wish->to);
+	bool above = passing_over(wish, wish->from) > 0;
+	report_note(r,
+	    "no speed from %g to %g m/s gives %s: the product is %s even at "
+	    "%g m/s",
+	    wish->from, wish->to, words, above ? "finer" : "coarser",
+	    above ? wish->from : wish->to);
+	if (isfinite(low) && isfinite(high))
+		report_note(r, "it is %.2f %s at %g m/s and %.2f %s at %g m/s",
+		    low, what, wish->from, high, what, wish->to);
+}
+
+/* The product at the speed found; without one those at the two ends. */
+static void
+answer_wish(struct session *s, struct wish *wish)
+{
+	const double exact = 1e-9;
+	const struct entry *entry = session_entry(s);
+	double v = inverse_speed(passing_over, wish, wish->from, wish->to);
+	bool found = isfinite(v) && passing_over(wish, v) < exact;
+	double speed[2] = {found ? v : wish->from, wish->to};
+	size_t n = found ? 1 : 2;
+	struct prediction p[2];
+	for (size_t i = 0; i < n; i++)
+		p[i] = predict(entry->site, &entry->params, s->settings,
+		    speed[i], wish->feed);
+	session_forget(s);
+	if (found)
+		answers_remember(s, &p[0]);
+	char *words = wish_words(wish);
+	struct report *r =
+	    answers_report(entry->site, "find", "the speed for %s", words);
+	answers_speed_rows(s, r, p, n);
+	if (found)
+		report_note(r, "%s at %.2f m/s", words, v);
+	else
+		note_unreached(r, wish, words);
+	answers_note_doubt(
+	    s, r, found ? v : entry->site->run[wish->feed].speed, wish->feed);
+	report_json(r, wish_json(s, wish, found ? v : NAN, p, n));
+	for (size_t i = 0; i < n; i++)
+		prediction_free(&p[i]);
+	free(words);
+	session_report(s, r);
+}
+
+static void
+note_window(struct report *r, const struct wish *wish, const struct grading *g,
+    const struct window *w)
+{
+	if (w->inside) {
+		report_note(r,
+		    "within the limits from %.2f to %.2f m/s; shown at %.2f",
+		    w->slowest, w->fastest, w->slowest);
+		return;
+	}
+	report_note(r,
+	    "no speed from %g to %g m/s keeps within the limits; the nearest "
+	    "is %.2f m/s",
+	    wish->from, wish->to, w->nearest);
+	report_note(r, "it fails at %g mm: %.1f points too %s passing",
+	    units_mm(g->spec->size[w->worst]), 100 * fabs(w->by),
+	    w->by > 0 ? "much" : "little");
+}
+
+static bool
+answer_spec(struct session *s, const struct args *args, const struct wish *wish,
+    struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	struct grading g;
+	if (!grading_open(s, option(args, "spec")->text, wish->feed, &g, error))
+		return false;
+	struct window w =
+	    inverse_window(&g.inverse, &g.envelope, wish->from, wish->to);
+	double v = w.inside ? w.slowest : w.nearest;
+	struct report *r = answers_report(
+	    entry->site, "find", "the speeds for %s", g.spec->name);
+	grading_rows(r, &g, v);
+	note_window(r, wish, &g, &w);
+	grading_notes(r, &g);
+	answers_note_doubt(s, r, v, wish->feed);
+	json_t *o = answers_json("find", entry->site);
+	json_object_set_new(o, "wanted", json_string("spec"));
+	json_object_set_new(o, "from", json_real(wish->from));
+	json_object_set_new(o, "to", json_real(wish->to));
+	json_object_set_new(o, "inside", json_boolean(w.inside));
+	json_object_set_new(
+	    o, "slowest", w.inside ? json_real(w.slowest) : json_null());
+	json_object_set_new(
+	    o, "fastest", w.inside ? json_real(w.fastest) : json_null());
+	json_object_set_new(o, "speed", json_real(v));
+	json_object_set_new(o, "worst_mm",
+	    w.inside ? json_null()
+		     : json_real(units_mm(g.spec->size[w.worst])));
+	json_object_set_new(o, "outside_pct", json_real(100 * w.by));
+	grading_json(o, &g, v);
+	report_json(r, o);
+	session_forget(s);
+	s->answer[ANSWER_INSIDE] = w.inside;
+	s->answer[ANSWER_SPEED] = v;
+	session_report(s, r);
+	grading_close(&g);
+	return true;
+}
+
+bool
+cmd_find(struct session *s, const struct args *args, struct error *error)
+{
+	if (!answers_ready(s, error) || !check_wish(args, error))
+		return false;
+	const struct site *site = session_entry(s)->site;
+	struct wish wish = {.from = option(args, "from")->number,
+	    .to = option(args, "to")->number};
+	if (!answers_feed(site, option(args, "feed"), answers_middle(site),
+		&wish.feed, error))
+		return false;
+	if (option(args, "spec")->given)
+		return answer_spec(s, args, &wish, error);
+	if (!open_wish(s, args, &wish, error))
+		return false;
+	answer_wish(s, &wish);
+	inverse_free(&wish.inverse);
+	return true;
+}

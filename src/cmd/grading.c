@@ -1,0 +1,171 @@
+/* spec: a predicted product against the limits of a grading.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/grading.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "core/predict.h"
+#include "io/units.h"
+
+bool
+grading_open(struct session *s, const char *path, size_t feed,
+    struct grading *grading, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	const struct psd *from = &entry->site->run[feed].feed;
+	struct error_list *errors = xcalloc(1, sizeof *errors);
+	struct spec *spec = spec_read(path, errors);
+	if (spec == NULL)
+		session_tell_faults(s, path, errors, error);
+	free(errors);
+	*grading = (struct grading){.spec = spec};
+	if (spec == NULL)
+		return false;
+	while (grading->n < spec->n && psd_covers(from, spec->size[grading->n]))
+		grading->n++;
+	if (grading->n == 0) {
+		spec_free(spec);
+		return error_set(error, ERROR_DATA,
+		    "%s: none of its sieves lies within those of the feed",
+		    path);
+	}
+	grading->inverse = inverse_new(
+	    from, spec->size, grading->n, &entry->params, s->settings);
+	grading->envelope = (struct envelope){spec->least, spec->most};
+	return true;
+}
+
+void
+grading_close(struct grading *grading)
+{
+	inverse_free(&grading->inverse);
+	spec_free(grading->spec);
+}
+
+/* Of sieve i, at the speed the inverse was asked for last. */
+static const char *
+verdict(const struct grading *grading, size_t i)
+{
+	const double exact = 1e-9;
+	if (i >= grading->n)
+		return "not known";
+	double passing = grading->inverse.product.passing[i];
+	if (passing < grading->spec->least[i] - exact)
+		return "below";
+	return passing > grading->spec->most[i] + exact ? "above" : "ok";
+}
+
+void
+grading_rows(struct report *r, struct grading *grading, double v)
+{
+	const struct spec *spec = grading->spec;
+	const struct psd *product = inverse_at(&grading->inverse, v);
+	report_column(r, "sieve_mm", "sieve mm");
+	report_column(r, "min_pct", "from %");
+	report_column(r, "max_pct", "to %");
+	report_column(r, "passing_pct", "product %");
+	report_column(r, "verdict", "verdict");
+	for (size_t i = 0; i < spec->n; i++) {
+		report_number(r, units_mm(spec->size[i]), -1);
+		report_number(r, units_pct(spec->least[i]), -1);
+		report_number(r, units_pct(spec->most[i]), -1);
+		report_number(r,
+		    i < grading->n ? units_pct(product->passing[i]) : NAN, 1);
+		report_text(r, verdict(grading, i));
+	}
+}
+
+void
+grading_notes(struct report *r, const struct grading *grading)
+{
+	const struct spec *spec = grading->spec;
+	if (grading->n < spec->n)
+		report_note(r,
+		    "not judged: %g mm and below, finer than the feed was "
+		    "sieved",
+		    units_mm(spec->size[grading->n]));
+	if (spec->source[0] != '\0')
+		report_note(r, "limits: %s", spec->source);
+}
+
+void
+grading_json(json_t *o, struct grading *grading, double v)
+{
+	const struct spec *spec = grading->spec;
+	json_t *verdicts = json_array(), *passing = json_array();
+	inverse_at(&grading->inverse, v);
+	for (size_t i = 0; i < spec->n; i++) {
+		double p =
+		    i < grading->n ? grading->inverse.product.passing[i] : NAN;
+		json_array_append_new(
+		    passing, report_json_number(units_pct(p)));
+		json_array_append_new(
+		    verdicts, json_string(verdict(grading, i)));
+	}
+	json_object_set_new(o, "spec", json_string(spec->name));
+	json_object_set_new(o, "source", json_string(spec->source));
+	json_object_set_new(
+	    o, "sieve_mm", answers_list_json(spec->size, spec->n, units_mm));
+	json_object_set_new(
+	    o, "min_pct", answers_list_json(spec->least, spec->n, units_pct));
+	json_object_set_new(
+	    o, "max_pct", answers_list_json(spec->most, spec->n, units_pct));
+	json_object_set_new(o, "passing_pct", passing);
+	json_object_set_new(o, "verdict", verdicts);
+}
+
+/* What is wrong, in a line. */
+static void
+note_verdict(struct report *r, struct grading *grading, double v)
+{
+	size_t worst, out = 0;
+	double by =
+	    inverse_outside(&grading->inverse, &grading->envelope, v, &worst);
+	for (size_t i = 0; i < grading->n; i++)
+		out += verdict(grading, i)[0] != 'o';
+	if (out == 0)
+		report_note(r, "within the limits");
+	else
+		report_note(r,
+		    "outside on %zu of %zu sieves; worst at %g mm, %.1f "
+		    "points too %s",
+		    out, grading->n, units_mm(grading->spec->size[worst]),
+		    100 * fabs(by), by > 0 ? "much" : "little");
+}
+
+bool
+cmd_spec(struct session *s, const struct args *args, struct error *error)
+{
+	if (!answers_ready(s, error))
+		return false;
+	const struct entry *entry = session_entry(s);
+	const struct command *self = command_find("spec");
+	double v = args_value(self, args, "speed")->number;
+	size_t feed, worst;
+	struct grading g;
+	if (!answers_feed(
+		entry->site, args_value(self, args, "feed"), v, &feed, error) ||
+	    !grading_open(s, args->operand[0], feed, &g, error))
+		return false;
+	bool outside = predict_extrapolates(entry->site, entry->train, v);
+	bool inside = inverse_outside(&g.inverse, &g.envelope, v, &worst) == 0;
+	struct report *r = answers_report(
+	    entry->site, "spec", "%s at %g m/s", g.spec->name, v);
+	grading_rows(r, &g, v);
+	note_verdict(r, &g, v);
+	grading_notes(r, &g);
+	answers_note_doubt(s, r, v, feed);
+	json_t *o = answers_json("spec", entry->site);
+	json_object_set_new(o, "speed", json_real(v));
+	json_object_set_new(o, "extrapolated", json_boolean(outside));
+	json_object_set_new(o, "inside", json_boolean(inside));
+	grading_json(o, &g, v);
+	report_json(r, o);
+	s->answer[ANSWER_INSIDE] = inside;
+	session_report(s, r);
+	grading_close(&g);
+	return true;
+}

@@ -1,0 +1,93 @@
+/* history: the generations of a calibration.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/fit.h"
+
+/* Rows that fit a screen with their heading. */
+enum { ROWS = 18 };
+
+/* The middle 80 % of the candidates in per cent of the bounds; 0 where a
+ * parameter is held fixed. */
+static double
+spread(const struct history *h, const struct calibrate_generation *g, size_t j)
+{
+	double range = h->bounds.upper[j] - h->bounds.lower[j];
+	return range > 0 ? 100 * (g->p90[j] - g->p10[j]) / range : 0;
+}
+
+static void
+add_heads(struct report *r, bool exact)
+{
+	report_column(r, "generation", "gen");
+	report_column(r, "best", "best");
+	report_column(r, "median", "median");
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		char *p10 = xasprintf("%s_p10", PARAMS[j].name);
+		char *p90 = xasprintf("%s_p90", PARAMS[j].name);
+		if (exact) {
+			report_column(r, PARAMS[j].name, PARAMS[j].name);
+			report_column(r, p10, p10);
+			report_column(r, p90, p90);
+		} else {
+			report_column(r, p90, PARAMS[j].name);
+		}
+		free(p10);
+		free(p90);
+	}
+}
+
+static void
+add_row(struct report *r, const struct history *h, size_t i, bool exact)
+{
+	const struct calibrate_generation *g = &h->generation[i];
+	report_number(r, (double)(h->from + i), -1);
+	report_number(r, g->best, 6);
+	report_number(r, g->median, 6);
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		if (exact) {
+			report_number(r, params_get(&g->params, j), -1);
+			report_number(r, g->p10[j], -1);
+			report_number(r, g->p90[j], -1);
+		} else {
+			report_number(r, spread(h, g, j), 1);
+		}
+	}
+}
+
+bool
+cmd_history(struct session *s, const struct args *args, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	const struct history *h = &entry->history;
+	if (h->n == 0) {
+		error_set(error, ERROR_USAGE,
+		    "%s has not been calibrated in this session",
+		    entry->site->name);
+		return error_hint(error, "calibrate it first");
+	}
+	const struct value *every =
+	    args_value(command_find("history"), args, "every");
+	size_t step =
+	    every->given ? (size_t)every->whole : (h->n + ROWS - 1) / ROWS;
+	bool exact = s->format == REPORT_CSV || s->format == REPORT_JSON;
+	struct report *r =
+	    answers_report(entry->site, "history", "%zu generations", h->n);
+	add_heads(r, exact);
+	for (size_t i = 0; i < h->n; i++)
+		if (i % step == 0 || i + 1 == h->n)
+			add_row(r, h, i, exact);
+	report_note(r,
+	    "best and median misfit of the search; then the spread of each "
+	    "parameter, %% of its bounds");
+	if (h->from > 1)
+		report_note(r,
+		    "generations before %zu are not known: the calibration "
+		    "went on from a checkpoint",
+		    h->from);
+	session_report(s, r);
+	return true;
+}

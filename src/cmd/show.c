@@ -1,0 +1,185 @@
+/* show: what a sheet says, and the table of all that can be shown.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/show.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/data.h"
+#include "cmd/model.h"
+#include "io/units.h"
+
+static bool
+show_site(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	const struct site *site = session_entry(s)->site;
+	struct report *r = report_new("show");
+	char *label = session_label(site), *speeds = data_speeds(site);
+	char *top = site->top_size > 0
+			? xasprintf("%g", units_mm(site->top_size))
+			: xstrdup("not stated");
+	report_title(r, "%s", label);
+	report_site(r, site->name, site->provenance);
+	report_column(r, "what", "what");
+	report_column(r, "value", "value");
+	const char *rows[][2] = {{"data", site->provenance},
+	    {"rock", site->rock}, {"top size mm", top},
+	    {"machine", site->machine}, {"file", site->path},
+	    {"speeds m/s", speeds},
+	    {"feeds", site->individual_feeds ? "one for each speed"
+					     : "one for all speeds"}};
+	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
+		report_text(r, rows[i][0]);
+		report_text(r, rows[i][1]);
+	}
+	for (size_t i = 0; i < site->n_note; i++) {
+		report_text(r, site->note[i].key);
+		report_text(r, site->note[i].value);
+	}
+	free(label);
+	free(speeds);
+	free(top);
+	session_report(s, r);
+	return true;
+}
+
+/* The largest sieve of the curves below a size, m; 0 when there is none. */
+static double
+next_sieve(const struct psd *const *curve, size_t n, double below)
+{
+	double x = 0;
+	for (size_t i = 0; i < n; i++)
+		for (size_t j = 0; j < curve[i]->n; j++)
+			if (curve[i]->size[j] < below)
+				x = fmax(x, curve[i]->size[j]);
+	return x;
+}
+
+/* Passing at a sieve that the curve has, else NAN. */
+static double
+passing_at(const struct psd *curve, double x)
+{
+	for (size_t j = 0; j < curve->n; j++)
+		if (curve->size[j] == x)
+			return curve->passing[j];
+	return NAN;
+}
+
+/* Columns feed@69, or the one feed of all runs, or product@69; their curves go
+ * to curve [n_run].  Returns how many. */
+static size_t
+add_columns(struct report *r, const struct site *site, bool feed,
+    const struct psd **curve)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < site->n_run; i++) {
+		const struct run *run = &site->run[i];
+		bool shared = feed && !site->individual_feeds;
+		if ((!feed && run->product.n == 0) || (shared && i > 0))
+			continue;
+		char *head = shared
+				 ? xstrdup("feed")
+				 : xasprintf("%s@%g", feed ? "feed" : "product",
+				       run->speed);
+		report_column(r, head, head);
+		curve[n++] = feed ? &run->feed : &run->product;
+		free(head);
+	}
+	return n;
+}
+
+static bool
+show_curves(struct session *s, bool feed)
+{
+	const struct site *site = session_entry(s)->site;
+	const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
+	struct report *r = answers_report(site, "show", "%s, %% passing",
+	    feed ? "feed" : "measured products");
+	report_column(r, "sieve_mm", "sieve mm");
+	size_t n = add_columns(r, site, feed, curve);
+	report_missing(r, "");
+	for (double x = INFINITY; (x = next_sieve(curve, n, x)) > 0;) {
+		report_number(r, units_mm(x), -1);
+		for (size_t i = 0; i < n; i++)
+			report_number(r, units_pct(passing_at(curve[i], x)), 2);
+	}
+	free(curve);
+	session_report(s, r);
+	return true;
+}
+
+static bool
+show_feed(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	return show_curves(s, true);
+}
+
+static bool
+show_product(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	return show_curves(s, false);
+}
+
+static bool
+show_params(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	model_show_params(s);
+	return true;
+}
+
+static bool
+show_bounds(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	model_show_bounds(s);
+	return true;
+}
+
+/* What can be shown; the first is shown when nothing is named. */
+static const struct {
+	const char *name;
+	enum need need;
+	bool at_speed; /* takes the option speed */
+	bool (*show)(struct session *, const struct args *, struct error *);
+} WHAT[] = {
+    {"site", NEED_SITE, false, show_site},
+    {"feed", NEED_SITE, false, show_feed},
+    {"product", NEED_SITE, false, show_product},
+    {"params", NEED_SITE, false, show_params},
+    {"bounds", NEED_NOTHING, false, show_bounds},
+    {"model", NEED_SITE, false, show_model},
+    {"selection", NEED_SITE, true, show_selection},
+    {"appearance", NEED_SITE, false, show_appearance},
+};
+
+bool
+cmd_show(struct session *s, const struct args *args, struct error *error)
+{
+	const char *what = args->n_operand > 0 ? args->operand[0] : "site";
+	size_t i = 0;
+	while (i < ARRAY_LEN(WHAT) && strcmp(what, WHAT[i].name) != 0)
+		i++;
+	const struct command *self = command_find("show");
+	if (i == ARRAY_LEN(WHAT)) {
+		error_set(error, ERROR_USAGE, "there is no '%s' to show", what);
+		return error_hint(error, "show %s", self->operands);
+	}
+	if (args_value(self, args, "speed")->given && !WHAT[i].at_speed)
+		return error_set(error, ERROR_USAGE,
+		    "show %s takes no speed: it is the same at all", what);
+	if (WHAT[i].need == NEED_SITE && !session_need_site(s, "show", error))
+		return false;
+	return WHAT[i].show(s, args, error);
+}

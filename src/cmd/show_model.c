@@ -1,0 +1,266 @@
+/* show: the model taken apart, equation by equation.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/fit.h"
+#include "cmd/model.h"
+#include "cmd/show.h"
+#include "core/appearance.h"
+#include "core/classes.h"
+#include "core/energy.h"
+#include "core/predict.h"
+#include "io/units.h"
+
+/* The equations with the numbers of this site in them. */
+static void
+note_equations(struct report *r, const struct params *p, double k)
+{
+	report_note(r, "Eq 4: E = v^2 / 2, J/kg at v m/s");
+	report_note(r,
+	    "Eq 3: S(x) = 1 - exp(-%.4g (x^%.4g E - %.4g)), x in m; 0 where "
+	    "the bracket is negative",
+	    p->f_mat * k, p->alpha, p->e0_min);
+	report_note(r,
+	    "Eq 1: p(u) = max(0, %.4g %+.4g u %+.4g u^2 %+.4g u^3), u = "
+	    "daughter / parent",
+	    p->beta[0], p->beta[1], p->beta[2], p->beta[3]);
+}
+
+static json_t *
+model_json(const struct session *s, const struct entry *entry)
+{
+	json_t *o = answers_json("show", entry->site), *runs = json_array();
+	json_object_set_new(o, "what", json_string("model"));
+	json_object_set_new(
+	    o, "method", json_string(answers_method(s->settings.method)));
+	json_object_set_new(
+	    o, "appearance", json_string(MODEL_FORMS[s->settings.appearance]));
+	json_object_set_new(o, "k", json_real(s->settings.k));
+	json_object_set_new(o, "params",
+	    entry->has_params ? fit_params_json(&entry->params) : json_null());
+	json_object_set_new(o, "runs", runs);
+	return o;
+}
+
+bool
+show_model(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	const struct entry *entry = session_entry(s);
+	const struct site *site = entry->site;
+	struct report *r = answers_report(site, "show", "the model");
+	json_t *o = model_json(s, entry), *runs = json_object_get(o, "runs");
+	report_column(r, "speed", "m/s");
+	report_column(r, "energy_j_kg", "E J/kg");
+	report_column(r, "break_mm", "breaks from mm");
+	report_column(r, "selected_pct", "feed broken %");
+	for (size_t i = 0; i < site->n_run; i++) {
+		double v = site->run[i].speed, x = NAN, selected = NAN;
+		if (entry->has_params) {
+			struct prediction p =
+			    predict(site, &entry->params, s->settings, v, i);
+			x = 1000 * p.break_size;
+			selected = 100 * p.selected;
+			prediction_free(&p);
+		}
+		report_number(r, v, -1);
+		report_number(r, energy_specific(v), 0);
+		report_number(r, x, 2);
+		report_number(r, selected, 1);
+		json_t *run = json_object();
+		json_object_set_new(run, "speed", json_real(v));
+		json_object_set_new(
+		    run, "energy_j_kg", json_real(energy_specific(v)));
+		json_object_set_new(run, "break_mm", report_json_number(x));
+		json_object_set_new(
+		    run, "selected_pct", report_json_number(selected));
+		json_array_append_new(runs, run);
+	}
+	report_note(r, "method %s, appearance %s, k %g",
+	    answers_method(s->settings.method),
+	    MODEL_FORMS[s->settings.appearance], s->settings.k);
+	if (entry->has_params)
+		note_equations(r, &entry->params, s->settings.k);
+	else
+		report_note(r, "no parameters yet: calibrate, or params set");
+	report_json(r, o);
+	session_report(s, r);
+	return true;
+}
+
+/* A row for each class of the feed. */
+static void
+selection_rows(struct report *r, const struct psd *feed, const double *S)
+{
+	report_column(r, "from_mm", "from mm");
+	report_column(r, "to_mm", "to mm");
+	report_column(r, "feed_pct", "feed %");
+	report_column(r, "s_pct", "S %");
+	report_column(r, "selected_pct", "selected %");
+	for (size_t i = 0; i < feed->n; i++) {
+		bool pan = i + 1 == feed->n;
+		double mass =
+		    feed->passing[i] - (pan ? 0 : feed->passing[i + 1]);
+		report_number(r, pan ? 0 : units_mm(feed->size[i + 1]), -1);
+		report_number(r, units_mm(feed->size[i]), -1);
+		report_number(r, units_pct(mass), 1);
+		report_number(r, 100 * S[i], 1);
+		report_number(r, 100 * S[i] * mass, 1);
+	}
+}
+
+bool
+show_selection(struct session *s, const struct args *args, struct error *error)
+{
+	if (!answers_ready(s, error))
+		return false;
+	const struct entry *entry = session_entry(s);
+	double v = args_value(command_find("show"), args, "speed")->number;
+	size_t run = site_run_nearest(entry->site, v);
+	const struct psd *feed = &entry->site->run[run].feed;
+	struct prediction p =
+	    predict(entry->site, &entry->params, s->settings, v, run);
+	double *S = xdoubles(feed->n);
+	predict_selection(feed, &entry->params, s->settings, v, S);
+	struct report *r = answers_report(
+	    entry->site, "show", "selection at %g m/s (Eq 3)", v);
+	selection_rows(r, feed, S);
+	report_json_key(r, "what", json_string("selection"));
+	report_json_key(r, "speed", json_real(v));
+	report_json_key(
+	    r, "selected_pct", report_json_number(100 * p.selected));
+	report_json_key(r, "break_mm", report_json_number(1000 * p.break_size));
+	report_note(r,
+	    "S: share of the class that breaks; selected: share of all the "
+	    "feed, %.1f %% in sum",
+	    100 * p.selected);
+	if (isfinite(p.break_size) && p.break_size > 0)
+		report_note(r, "fragments of %.3g mm or more can break",
+		    1000 * p.break_size);
+	if (entry->site->individual_feeds)
+		report_note(r, "feed: the sample taken at %g m/s",
+		    entry->site->run[run].speed);
+	free(S);
+	prediction_free(&p);
+	session_report(s, r);
+	return true;
+}
+
+/* A class is called by the sieve it lies on. */
+static char *
+class_name(const struct psd *feed, size_t i)
+{
+	return i + 1 < feed->n ? xasprintf("on %g", units_mm(feed->size[i + 1]))
+			       : xstrdup("pan");
+}
+
+/* Parents across and daughters down; a: as appearance_matrix has it. */
+static void
+matrix_across(struct report *r, const struct psd *feed, const double *a)
+{
+	report_column(r, "daughter", "daughter");
+	for (size_t i = 0; i < feed->n; i++) {
+		char *name = class_name(feed, i);
+		report_column(r, name, name);
+		free(name);
+	}
+	for (size_t j = 0; j < feed->n; j++) {
+		char *name = class_name(feed, j);
+		report_text(r, name);
+		report_missing(r, "");
+		for (size_t i = 0; i < feed->n; i++)
+			report_number(
+			    r, i <= j ? 100 * a[j * feed->n + i] : NAN, 1);
+		free(name);
+	}
+}
+
+/* A row for each parent and daughter: for spreadsheets. */
+static void
+matrix_long(
+    struct report *r, const struct psd *feed, const double *x, const double *a)
+{
+	report_column(r, "parent_mm", "parent mm");
+	report_column(r, "daughter_mm", "daughter mm");
+	report_column(r, "share_pct", "share %");
+	for (size_t i = 0; i < feed->n; i++)
+		for (size_t j = 0; j < feed->n; j++) {
+			report_number(r, units_mm(x[i]), -1);
+			report_number(r, units_mm(x[j]), -1);
+			report_number(r, 100 * a[j * feed->n + i], 1);
+		}
+}
+
+/* B(u) at u = 1/2, 1/4 and so on to 1/1024. */
+static void
+note_passing(struct report *r, const struct params *p)
+{
+	struct appearance of = appearance_of(p->beta);
+	char *text = xstrdup("");
+	for (int i = 1; i < 10; i++) {
+		char *more =
+		    xasprintf("%s%s1/%d: %.1f %%", text, i > 1 ? ", " : "",
+			1 << i, 100 * appearance_passing(&of, ldexp(1, -i)));
+		free(text);
+		text = more;
+	}
+	report_note(r,
+	    "B(u), the share of a broken fragment finer than u times its "
+	    "size, which the method continuous takes: %s; below 1/1024 "
+	    "there is nothing",
+	    text);
+	free(text);
+}
+
+static json_t *
+appearance_json(const struct session *s, const struct entry *entry, size_t n,
+    const double *x, const double *a)
+{
+	json_t *o = answers_json("show", entry->site), *rows = json_array();
+	json_object_set_new(o, "what", json_string("appearance"));
+	json_object_set_new(
+	    o, "appearance", json_string(MODEL_FORMS[s->settings.appearance]));
+	json_object_set_new(o, "class_mm", answers_list_json(x, n, units_mm));
+	for (size_t j = 0; j < n; j++)
+		json_array_append_new(
+		    rows, answers_list_json(a + j * n, n, units_pct));
+	json_object_set_new(o, "share_pct", rows);
+	return o;
+}
+
+bool
+show_appearance(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	const struct entry *entry = session_entry(s);
+	const struct psd *feed = &entry->site->run[0].feed;
+	struct params p =
+	    entry->has_params ? entry->params : params_default_beta();
+	double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
+	classes_sizes(feed, x);
+	appearance_matrix(p.beta, s->settings.appearance, x, feed->n, a);
+	struct report *r = answers_report(
+	    entry->site, "show", "appearance (Eq 1), %% of each broken class");
+	if (s->format == REPORT_CSV)
+		matrix_long(r, feed, x, a);
+	else
+		matrix_across(r, feed, a);
+	report_note(r,
+	    "parent classes across, daughters down; a class is called by the "
+	    "sieve it lies on; columns sum to 100");
+	if (!entry->has_params)
+		report_note(r, "beta is the default: there are no parameters "
+			       "yet");
+	if (s->settings.appearance == APPEARANCE_RATIO)
+		note_passing(r, &p);
+	report_json(r, appearance_json(s, entry, feed->n, x, a));
+	free(x);
+	free(a);
+	session_report(s, r);
+	return true;
+}

@@ -1,0 +1,304 @@
+/* why: in plain words, why the numbers look the way they do.  Each sentence
+ * follows from numbers of the site in use; what does not apply is not said.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/fit.h"
+#include "core/energy.h"
+#include "core/misfit.h"
+#include "core/validate.h"
+#include "io/units.h"
+
+/* Where a number begins to be worth a sentence. */
+static const double FEW = 0.05;         /* of the feed above the break size */
+static const double MOST_BREAKS = 0.85; /* of what could break */
+static const double SAMPLING = 0.01;    /* passing that sampling tells apart */
+static const double STILL = 0.001; /* passing that a speed of 1 m/s moves */
+
+/* What is explained: the site at a speed. */
+struct subject {
+	struct session *s;
+	const struct entry *entry;
+	const struct psd *feed;
+	struct prediction p;
+	json_t *list; /* the sentences */
+};
+
+static void
+say(const struct subject *a, json_t *sentence)
+{
+	json_array_append_new(a->list, sentence);
+}
+
+/* Share of the feed above the break size, 0..1. */
+static double
+breakable(const struct subject *a)
+{
+	double x = a->p.break_size;
+	return isfinite(x) && x > 0 ? 1 - psd_passing(a->feed, x) : x <= 0;
+}
+
+static void
+say_breakage(const struct subject *a)
+{
+	const struct prediction *p = &a->p;
+	double can = breakable(a), does = p->selected;
+	if (p->no_daughters)
+		say(a,
+		    json_sprintf("The appearance is 0 for every daughter, so "
+				 "that nothing breaks and product = feed"));
+	else if (p->break_size >= a->feed->size[0])
+		say(a,
+		    json_sprintf("At %g m/s only fragments of %.3g mm or more "
+				 "break, and the feed has none above %g mm: "
+				 "product = feed",
+			p->speed, 1000 * p->break_size,
+			units_mm(a->feed->size[0])));
+	else if (p->break_size < ANSWERS_NO_SIZE)
+		say(a, json_sprintf(
+			   "With %s every size can break; %.0f %% of the feed "
+			   "does at %g m/s",
+			   a->entry->params.e0_min <= 0 ? "e0_min at 0"
+							: "so low an alpha",
+			   100 * does, p->speed));
+	else
+		say(a, json_sprintf(
+			   "At %g m/s an impact has %.0f J/kg, which breaks "
+			   "fragments from %.3g mm up; %.0f %% of the feed is "
+			   "that coarse, and %.0f %% of the feed breaks",
+			   p->speed, p->energy, 1000 * p->break_size, 100 * can,
+			   100 * does));
+}
+
+static void
+say_how_much(const struct subject *a)
+{
+	const struct prediction *p = &a->p;
+	double can = breakable(a), does = p->selected;
+	double moved =
+	    psd_rms(p->feed.passing, p->product.passing, p->feed.n, NULL);
+	if (can > 0 && can < FEW)
+		say(a, json_sprintf(
+			   "With so little of the feed above the break size "
+			   "the product can hardly differ from the feed"));
+	else if (can >= FEW && does < MOST_BREAKS * can)
+		say(a, json_sprintf(
+			   "Of what could break only %.0f %% does: f_mat %.3g "
+			   "is low, so that the impact just above the "
+			   "threshold often fails",
+			   100 * does / can, a->entry->params.f_mat));
+	bool some = !p->no_daughters && p->break_size < a->feed->size[0];
+	if (some && moved < SAMPLING)
+		say(a, json_sprintf(
+			   "Product and feed lie %.2f points apart (RMS), "
+			   "less than two samples of one belt",
+			   100 * moved));
+}
+
+/* What a change of speed by 1 m/s either way does. */
+static void
+say_response(const struct subject *a)
+{
+	double v = a->p.speed, n = (double)a->p.product.n, sum = 0;
+	struct prediction fast = predict(a->entry->site, &a->entry->params,
+	    a->s->settings, v + 1, a->p.feed_run);
+	for (size_t i = 0; i < a->p.product.n; i++)
+		sum +=
+		    pow(fast.product.passing[i] - a->p.product.passing[i], 2);
+	prediction_free(&fast);
+	if (sqrt(sum / n) < STILL && a->p.break_size < a->feed->size[0])
+		say(a, json_sprintf(
+			   "The speed makes next to no difference here: 1 m/s "
+			   "more moves the product by %.2f points (RMS)",
+			   100 * sqrt(sum / n)));
+	if (a->s->settings.method == METHOD_CLASSES)
+		say(a, json_sprintf(
+			   "The method classes gives each class one size, so "
+			   "that the product stands still while the break "
+			   "size moves within a class, and then jumps"));
+}
+
+static void
+say_trained(const struct subject *a)
+{
+	const struct site *site = a->entry->site;
+	double slow = INFINITY, fast = 0, v = a->p.speed;
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (!a->entry->train[r])
+			continue;
+		slow = fmin(slow, site->run[r].speed);
+		fast = fmax(fast, site->run[r].speed);
+	}
+	if (!predict_extrapolates(site, a->entry->train, v)) {
+		say(a, json_sprintf("%g m/s lies within the speeds %s, %g to "
+				    "%g m/s",
+			   v, a->entry->has_fit ? "trained on" : "measured",
+			   slow, fast));
+		return;
+	}
+	double near = v > fast ? fast : slow;
+	double more = energy_specific(v) / energy_specific(near) - 1;
+	say(a, json_sprintf(
+		   "%g m/s is outside the speeds %s, %g to %g m/s: an impact "
+		   "has %.1f %% %s energy than at %g m/s, and nothing "
+		   "measured says what that does",
+		   v, a->entry->has_fit ? "trained on" : "measured", slow, fast,
+		   100 * fabs(more), more > 0 ? "more" : "less", near));
+}
+
+/* "alpha" or "beta3 and beta4" of those for which `is` holds; NULL for none. */
+static char *
+names_of(const struct fit *fit, bool (*is)(const struct fit *, size_t))
+{
+	char *names = NULL;
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		if (!is(fit, j))
+			continue;
+		char *longer = names == NULL ? xstrdup(PARAMS[j].name)
+					     : xasprintf("%s and %s", names,
+						   PARAMS[j].name);
+		free(names);
+		names = longer;
+	}
+	return names;
+}
+
+static bool
+is_on_bound(const struct fit *fit, size_t j)
+{
+	return fit->on_bound[j];
+}
+
+static void
+say_parameters(const struct subject *a, const struct fit *fit)
+{
+	char *bound = names_of(fit, is_on_bound);
+	char *flat = names_of(fit, fit_is_flat);
+	if (bound != NULL)
+		say(a, json_sprintf("%s on a bound of the search: the bound, "
+				    "not the data, sets the value",
+			   bound));
+	if (flat != NULL)
+		say(a, json_sprintf(
+			   "The data do not tell %s well: far other values, "
+			   "changed together, fit a tenth worse only; the "
+			   "curves are to be relied on, not these values",
+			   flat));
+	free(bound);
+	free(flat);
+}
+
+static void
+say_fit(const struct subject *a)
+{
+	const struct entry *entry = a->entry;
+	const struct fit *fit = &entry->fit;
+	if (!entry->has_fit) {
+		say(a, json_sprintf("The parameters were %s, not found by a "
+				    "calibration on this site's runs",
+			   session_origin(entry)));
+		return;
+	}
+	if (fit->rmse > FIT_POOR)
+		say(a, json_sprintf(
+			   "The fit is poor: it misses the products it was "
+			   "trained on by %.1f points (RMS), where sampling "
+			   "repeats to 0.5 to 1; look for faults in the sheet "
+			   "with 'check'",
+			   100 * fit->rmse));
+	else if (fit_breaks_nothing(fit))
+		say(a, json_sprintf("The training products cannot be told from "
+				    "their feed, so that the parameters fit "
+				    "sampling noise"));
+	else
+		say(a, json_sprintf("The fit is good: %.2f points (RMS) off "
+				    "the products it was trained on",
+			   100 * fit->rmse));
+	say_parameters(a, fit);
+}
+
+/* A measured product at this very speed that was not trained on. */
+static void
+say_measured(const struct subject *a)
+{
+	const struct site *site = a->entry->site;
+	size_t r = site_run_at(site, a->p.speed);
+	if (r == site->n_run || a->entry->train[r] ||
+	    misfit_covered(&site->run[r].feed, &site->run[r].product) == 0)
+		return;
+	struct validation v = validate_run(
+	    site, r, a->entry->train, &a->entry->params, a->s->settings);
+	say(a, json_sprintf("The product measured at %g m/s, not trained on, "
+			    "lies %.2f points (RMS) off the prediction%s",
+		   v.speed, 100 * v.rmse,
+		   validation_loses(&v) ? "; interpolating the trained "
+					  "products comes nearer"
+					: ""));
+}
+
+/* What was not measured at a plant says so in its provenance. */
+static void
+say_data(const struct subject *a)
+{
+	const char *from = a->entry->site->provenance;
+	if (from[0] == '\0')
+		say(a, json_sprintf("Where the data are from is not stated"));
+	else if (strncmp(from, "measured", 8) != 0)
+		say(a, json_sprintf("The data are not from a plant's sieves: "
+				    "%.*s",
+			   (int)strcspn(from, ";"), from));
+}
+
+static void
+print_sentences(const struct subject *a)
+{
+	size_t i;
+	json_t *sentence;
+	bool csv = a->s->format == REPORT_CSV;
+	struct report *r =
+	    answers_report(a->entry->site, "why", "why, at %g m/s", a->p.speed);
+	if (csv)
+		report_column(r, "sentence", "sentence");
+	json_array_foreach(a->list, i, sentence)
+	{
+		if (csv)
+			report_text(r, json_string_value(sentence));
+		else
+			report_note(r, "%s.", json_string_value(sentence));
+	}
+	json_t *o = answers_json("why", a->entry->site);
+	json_object_set_new(o, "speed", json_real(a->p.speed));
+	json_object_set(o, "sentences", a->list);
+	report_json(r, o);
+	session_report(a->s, r);
+}
+
+bool
+cmd_why(struct session *s, const struct args *args, struct error *error)
+{
+	if (!answers_ready(s, error))
+		return false;
+	const struct entry *entry = session_entry(s);
+	double v = args_value(command_find("why"), args, "speed")->number;
+	size_t run = site_run_nearest(entry->site, v);
+	struct subject a = {.s = s,
+	    .entry = entry,
+	    .feed = &entry->site->run[run].feed,
+	    .p = predict(entry->site, &entry->params, s->settings, v, run),
+	    .list = json_array()};
+	say_breakage(&a);
+	say_how_much(&a);
+	say_response(&a);
+	say_trained(&a);
+	say_measured(&a);
+	say_fit(&a);
+	say_data(&a);
+	print_sentences(&a);
+	json_decref(a.list);
+	prediction_free(&a.p);
+	return true;
+}

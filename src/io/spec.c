@@ -1,0 +1,213 @@
+/* From a sheet of cells to the limits of a grading.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/spec.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/sheet.h"
+#include "io/site_sieve.h"
+#include "io/textfile.h"
+
+static const char *const HEADS[2] = {"min_pct", "max_pct"};
+
+/* Keys that are neither spec nor source are remarks. */
+static void
+read_heading(struct spec *spec, struct sheet *sheet, size_t n_line)
+{
+	for (size_t i = 0; i < n_line; i++) {
+		struct cell key = sheet->row[i].cell[0];
+		struct cell value = sheet_cell(&sheet->row[i], 1);
+		char **text = text_same(key.text, "spec")     ? &spec->name
+			      : text_same(key.text, "source") ? &spec->source
+							      : NULL;
+		if (sheet->row[i].n > 2)
+			error_hint(sheet_wanted(sheet, sheet->row[i].cell[2],
+				       "the end of the line behind key and "
+				       "value"),
+			    "put quotes round a value that holds the "
+			    "separator");
+		if (text == NULL)
+			continue;
+		free(*text);
+		*text = xstrdup(value.text);
+	}
+}
+
+/* at: place of min_pct and max_pct in a row, 0 where there is none. */
+static void
+read_heads(const struct table *t, size_t at[static 2])
+{
+	at[0] = at[1] = 0;
+	for (size_t i = 1; i < t->head->n; i++) {
+		struct cell head = t->head->cell[i];
+		bool is_max = text_same(head.text, HEADS[1]);
+		if ((is_max || text_same(head.text, HEADS[0])) &&
+		    at[is_max] == 0)
+			at[is_max] = i;
+		else
+			error_hint(sheet_wanted(t->sheet, head,
+				       "a column min_pct or max_pct, each "
+				       "once,"),
+			    "a grading envelope has size_mm,min_pct,max_pct, "
+			    "see tipspeed-spec(5)");
+	}
+	if (at[0] == 0 && at[1] == 0 && t->head->n < 2)
+		error_hint(sheet_fault(t->sheet, t->head->cell[0],
+			       "a column min_pct or max_pct was wanted, found "
+			       "none"),
+		    "the line reads size_mm,min_pct,max_pct");
+}
+
+/* The limit of a row as passing, NAN where the cell is empty or at fault. */
+static double
+read_limit(const struct table *t, size_t row, size_t at)
+{
+	double v;
+	struct cell cell = sheet_cell(&t->row[row], at);
+	if (at == 0 || cell.text[0] == '\0' ||
+	    !sheet_number(t->sheet, cell, "a number", &v))
+		return NAN;
+	if (v >= 0 && v <= 100)
+		return v / 100;
+	error_hint(sheet_wanted(t->sheet, cell, "passing from 0 to 100 %"),
+	    "leave the cell empty where there is no limit");
+	return NAN;
+}
+
+/* Neither limit rises from a sieve to the next finer one that has it. */
+static void
+check_fall(const struct table *t, const double *limit, size_t at)
+{
+	char size[32];
+	double last = INFINITY;
+	for (size_t i = 0; i < t->n_row; i++) {
+		if (isnan(limit[i]))
+			continue;
+		if (limit[i] > last)
+			error_hint(
+			    sheet_fault(t->sheet, sheet_cell(&t->row[i], at),
+				"%s rises from %g to %g at %s mm (finer "
+				"sieve, more passing)",
+				t->head->cell[at].text, 100 * last,
+				100 * limit[i], text_exact(t->mm[i], size)),
+			    "check the row");
+		last = limit[i];
+	}
+}
+
+static void
+read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
+{
+	spec->n = t->n_row;
+	spec->size = xdoubles(t->n_row);
+	spec->least = xdoubles(t->n_row);
+	spec->most = xdoubles(t->n_row);
+	for (size_t i = 0; i < t->n_row; i++) {
+		struct cell cell = t->row[i].cell[0];
+		spec->size[i] = t->mm[i] / 1000;
+		spec->least[i] = read_limit(t, i, at[0]);
+		spec->most[i] = read_limit(t, i, at[1]);
+		if (t->mm[i] <= 0)
+			error_hint(sheet_wanted(t->sheet, cell, "a sieve size"),
+			    "an envelope has no pan: take the row out");
+		if (spec->least[i] > spec->most[i])
+			error_hint(
+			    sheet_fault(t->sheet, cell,
+				"min_pct up to max_pct was wanted, "
+				"found %g above %g",
+				100 * spec->least[i], 100 * spec->most[i]),
+			    "have the two changed places?");
+	}
+	for (size_t i = 0; i < 2 && !t->lost; i++)
+		check_fall(t, i == 0 ? spec->least : spec->most, at[i]);
+}
+
+static void
+read_table(struct spec *spec, struct sheet *sheet, size_t head)
+{
+	struct table t = {.sheet = sheet,
+	    .head = &sheet->row[head],
+	    .n_row = sheet->n_row - head - 1,
+	    .row = &sheet->row[head] + 1,
+	    .lost = sheet->lost};
+	size_t at[2];
+	read_heads(&t, at);
+	site_sieve_rows(&t);
+	if (t.n_row == 0 && !t.lost)
+		error_hint(sheet_fault(sheet, t.head->cell[0],
+			       "a row for each sieve was wanted below this "
+			       "line, found none"),
+		    "add rows such as 4,85,99");
+	read_rows(spec, &t, at);
+	free(t.mm);
+}
+
+static struct spec *
+read_text(const char *path, char *text, struct error_list *errors)
+{
+	struct sheet *sheet = sheet_new(path, text, errors);
+	struct spec *spec = xcalloc(1, sizeof *spec);
+	spec->name = xstrdup("");
+	spec->source = xstrdup("");
+	size_t head = 0;
+	while (head < sheet->n_row && site_sieve_unit(&sheet->row[head]) <= 0)
+		head++;
+	read_heading(spec, sheet, head);
+	if (head < sheet->n_row) {
+		read_table(spec, sheet, head);
+	} else if (!sheet->lost) {
+		struct row none = {.line = 1, .end = 1};
+		error_hint(sheet_wanted(sheet, sheet_cell(&none, 0),
+			       "a line that begins with size_mm"),
+		    "the first line of the table reads "
+		    "size_mm,min_pct,max_pct");
+	}
+	if (spec->name[0] == '\0') {
+		free(spec->name);
+		spec->name = xstrdup(path);
+	}
+	if (sheet->n_fault > 0) {
+		spec_free(spec);
+		spec = NULL;
+	}
+	sheet_free(sheet);
+	return spec;
+}
+
+/* text is taken apart and freed; NULL after a fault that is told already. */
+static struct spec *
+take_text(const char *path, char *text, struct error_list *errors)
+{
+	struct spec *spec = text != NULL ? read_text(path, text, errors) : NULL;
+	free(text);
+	return spec;
+}
+
+struct spec *
+spec_read(const char *path, struct error_list *errors)
+{
+	return take_text(path, textfile_read(path, errors), errors);
+}
+
+struct spec *
+spec_read_text(
+    const char *path, const char *bytes, size_t n, struct error_list *errors)
+{
+	return take_text(path, textfile_check(path, bytes, n, errors), errors);
+}
+
+void
+spec_free(struct spec *spec)
+{
+	if (spec == NULL)
+		return;
+	free(spec->name);
+	free(spec->source);
+	free(spec->size);
+	free(spec->least);
+	free(spec->most);
+	free(spec);
+}

@@ -1,0 +1,29 @@
+/* Reads a grading envelope, see tipspeed-spec(5).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_SPEC_H
+#define TIPSPEED_IO_SPEC_H
+
+#include <stddef.h>
+
+#include "base/error.h"
+
+/* size [n] m, coarsest first; least, most [n] passing 0..1, NAN where there is
+ * no limit.  Strings are never NULL; source: "" when not stated. */
+struct spec {
+	char *name, *source;
+	size_t n;
+	double *size, *least, *most;
+};
+
+/* NULL and all the faults of the sheet, each with its line and column, in
+ * errors, a list that the caller has zeroed; ERROR_SYSTEM when the file cannot
+ * be read. */
+struct spec *spec_read(const char *path, struct error_list *errors);
+
+/* The same from n bytes in memory; path stands in the messages. */
+struct spec *spec_read_text(
+    const char *path, const char *bytes, size_t n, struct error_list *errors);
+
+void spec_free(struct spec *spec);
+
+#endif
