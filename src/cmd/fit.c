@@ -248,7 +248,6 @@ take_history(struct entry *entry, const struct job *job)
 	    calibration_history(job->calibration, &n);
 	free(entry->history.generation);
 	entry->history = (struct history){.n = n,
-	    .from = entry->fit.generations - n + 1,
 	    .generation = xcalloc(n, size),
 	    .bounds = job->options.bounds};
 	if (n > 0)

@@ -104,24 +104,33 @@ fit_is_flat(const struct fit *fit, size_t j)
 }
 
 /* Names the parameters that can go far together for a tenth more misfit, each
- * with its step; all signs may be turned. */
+ * with its step; all signs may be turned.  Steps beyond the search range say no
+ * more than that the data are silent. */
 static void
 add_flat(
     struct report *report, const struct fit *fit, const struct bounds *bounds)
 {
 	char *list = xstrdup("");
+	bool silent = fit->flat.reach > 1;
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		double part = fit->flat.part[j];
 		double range =
 		    j < PARAM_F_MAT ? 2 : bounds->upper[j] - bounds->lower[j];
 		if (!fit_is_flat(fit, j))
 			continue;
-		char *longer = xasprintf("%s%s%s %+.2g", list,
-		    list[0] != '\0' ? ", " : "", PARAMS[j].name, part * range);
+		const char *comma = list[0] != '\0' ? ", " : "";
+		char *longer =
+		    silent ? xasprintf("%s%s%s", list, comma, PARAMS[j].name)
+			   : xasprintf("%s%s%s %+.2g", list, comma,
+				 PARAMS[j].name, part * range);
 		free(list);
 		list = longer;
 	}
-	if (list[0] != '\0')
+	if (silent)
+		report_note(report,
+		    "flat direction: the data say next to nothing about %s",
+		    list);
+	else if (list[0] != '\0')
 		report_note(report,
 		    "flat direction: together, %s (or all the other way) raise "
 		    "the "

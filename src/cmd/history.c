@@ -44,7 +44,7 @@ static void
 add_row(struct report *r, const struct history *h, size_t i, bool exact)
 {
 	const struct calibrate_generation *g = &h->generation[i];
-	report_number(r, (double)(h->from + i), -1);
+	report_number(r, (double)(i + 1), -1);
 	report_number(r, g->best, 6);
 	report_number(r, g->median, 6);
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
@@ -83,11 +83,6 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	report_note(r,
 	    "best and median misfit of the search; then the spread of each "
 	    "parameter, %% of its bounds");
-	if (h->from > 1)
-		report_note(r,
-		    "generations before %zu are not known: the calibration "
-		    "went on from a checkpoint",
-		    h->from);
 	session_report(s, r);
 	return true;
 }

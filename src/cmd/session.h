@@ -13,10 +13,9 @@
 #include "core/site.h"
 #include "io/report.h"
 
-/* The generations of a calibration, [n], with the bounds it searched in.
- * from: the number of the first, more than 1 after a resume. */
+/* The generations of a calibration, [n], with the bounds it searched in. */
 struct history {
-	size_t n, from;
+	size_t n;
 	struct calibrate_generation *generation;
 	struct bounds bounds;
 };
