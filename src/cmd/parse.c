@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/parse.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,80 +9,6 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-
-static int
-column_of(const char *line, size_t offset)
-{
-	char *head = xstrndup(line, offset);
-	int column = text_width(head) + 1;
-	free(head);
-	return column;
-}
-
-/* Copies one word from *at on, without its quotes; moves *at behind it. */
-static bool
-take_word(const char *line, size_t *at, char *word)
-{
-	bool quoted = false;
-	size_t n = 0, i = *at;
-	while (line[i] != '\0') {
-		char c = line[i];
-		if (c == '"')
-			quoted = !quoted;
-		else if (!quoted && (isspace((unsigned char)c) || c == ';'))
-			break;
-		else
-			word[n++] = c;
-		i++;
-	}
-	word[n] = '\0';
-	*at = i;
-	return !quoted;
-}
-
-bool
-words_split(const char *line, size_t from, struct place place,
-    struct words *words, struct error *error)
-{
-	size_t i = from;
-	words->n = 0;
-	words->next = strlen(line);
-	while (line[i] != '\0') {
-		if (isspace((unsigned char)line[i])) {
-			i++;
-			continue;
-		}
-		if (line[i] == '#')
-			break;
-		if (line[i] == ';') {
-			words->next = i + 1;
-			break;
-		}
-		int column = column_of(line, i);
-		if (words->n == OPERANDS)
-			return error_at(error, ERROR_USAGE, place.file,
-			    place.line, column, "more than %d words",
-			    (int)OPERANDS);
-		char *word = xcalloc(strlen(line + i) + 1, 1);
-		words->text[words->n] = word;
-		words->column[words->n++] = column;
-		if (!take_word(line, &i, word)) {
-			error_at(error, ERROR_USAGE, place.file, place.line,
-			    column, "a quote (\") is not closed");
-			return error_hint(
-			    error, "add the closing \" or remove the first");
-		}
-	}
-	return true;
-}
-
-void
-words_free(struct words *words)
-{
-	for (size_t i = 0; i < words->n; i++)
-		free(words->text[i]);
-	words->n = 0;
-}
 
 static bool
 is_choice(const char *choices, const char *word, size_t *index)
@@ -268,23 +193,27 @@ unknown_option(
 /* One word behind the command's name: key=value, the bare option or an
  * operand. */
 static bool
-take_argument(const struct command *command, char *word, struct args *args,
-    struct error *error)
+take_argument(const struct command *command, const char *word,
+    struct args *args, struct error *error)
 {
-	char *equals = strchr(word, '=');
+	const char *equals = strchr(word, '=');
 	size_t key = equals != NULL ? (size_t)(equals - word) : 0;
 	bool is_key =
 	    key > 0 &&
 	    strspn(word, "abcdefghijklmnopqrstuvwxyz0123456789_") == key;
 	size_t i = OPTIONS;
 	if (is_key && command->option != NULL) {
-		*equals = '\0';
-		i = command_option_index(command, word);
+		char *name = xstrndup(word, key);
+		i = command_option_index(command, name);
+		bool ok = i < OPTIONS && !args->value[i].given;
 		if (i == OPTIONS)
-			return unknown_option(command, word, error);
-		if (args->value[i].given)
-			return error_set(
-			    error, ERROR_USAGE, "%s is given twice", word);
+			unknown_option(command, name, error);
+		else if (!ok)
+			error_set(
+			    error, ERROR_USAGE, "%s is given twice", name);
+		free(name);
+		if (!ok)
+			return false;
 		word = equals + 1;
 	} else if (command->bare != NULL) {
 		size_t bare = command_option_index(command, command->bare);
@@ -372,14 +301,18 @@ put_place(struct error *error, struct place place, const struct words *words,
 }
 
 static void
-unknown_command(const char *name, struct error *error)
+unknown_command(const char *name, bool prompt, struct error *error)
 {
 	const char *near = command_nearest(name);
+	char *several = command_candidates(name);
 	error_set(error, ERROR_USAGE, "there is no command '%s'", name);
-	if (near != NULL)
+	if (prompt && strchr(several, ',') != NULL)
+		error_hint(error, "it may begin %s", several);
+	else if (near != NULL)
 		error_hint(error, "did you mean '%s'?", near);
 	else
 		error_hint(error, "'help' lists the commands");
+	free(several);
 }
 
 const struct command *
@@ -387,9 +320,10 @@ parse_call(const struct words *words, struct place place, struct args *args,
     struct error *error)
 {
 	memset(args, 0, sizeof *args);
-	const struct command *command = command_find(words->text[0]);
+	const struct command *command =
+	    command_called(words->text[0], place.prompt);
 	if (command == NULL) {
-		unknown_command(words->text[0], error);
+		unknown_command(words->text[0], place.prompt, error);
 		put_place(error, place, words, 0);
 		return NULL;
 	}

@@ -14,6 +14,7 @@
 #include "base/xalloc.h"
 #include "cmd/command.h"
 #include "cmd/parse.h"
+#include "cmd/turn.h"
 #include "io/site_read.h"
 #include "io/units.h"
 
@@ -53,6 +54,8 @@ session_free(struct session *s)
 	if (s == NULL)
 		return;
 	session_stop(s, false);
+	struct error stopped = {0};
+	session_settle(s, false, &stopped);
 	for (size_t i = 0; i < s->n_entry; i++)
 		entry_free(&s->entry[i]);
 	free(s->entry);
@@ -226,7 +229,7 @@ session_load(struct session *s, const char *path, struct error *error)
 void
 session_report(struct session *s, struct report *report)
 {
-	report_print(report, s->format, s->out);
+	report_print(report, s->format, s->semicolon, s->out);
 	fflush(s->out);
 	report_free(report);
 }
@@ -262,7 +265,12 @@ run_words(struct session *s, const struct words *words, struct place place,
 	struct args args;
 	const struct command *command = parse_call(words, place, &args, error);
 	bool ok = command != NULL && check_need(s, command, error) &&
-		  command->run(s, &args, error);
+		  turn_begin(s, command, &args, words, place, error);
+	if (ok) {
+		ok = command->run(s, &args, error);
+		if (!ok || !session_busy(s))
+			ok = turn_end(s, ok, error);
+	}
 	args_free(&args);
 	if (ok || error->line > 0 || error->file[0] != '\0')
 		return ok;
@@ -276,9 +284,11 @@ bool
 session_line(struct session *s, const char *line, size_t from, const char *file,
     int number, size_t *next, struct error *error)
 {
-	struct place place = {file, number};
+	struct place place = {file, number, s->prompt};
 	size_t end = strlen(line);
 	*next = 0;
+	if (!session_settle(s, true, error))
+		return false;
 	while (from < end && !s->quit) {
 		struct words words;
 		bool ok = words_split(line, from, place, &words, error);

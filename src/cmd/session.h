@@ -57,6 +57,8 @@ struct job {
 	FILE *log;              /* every generation as CSV, or NULL */
 };
 
+struct turn;
+
 struct session {
 	size_t n_entry, current; /* current is meaningful when n_entry > 0 */
 	struct entry *entry;
@@ -66,10 +68,13 @@ struct session {
 	unsigned threads;
 	enum isa isa;
 	enum report_format format;
-	FILE *out;   /* results */
-	FILE *notes; /* what is said beside results; NULL: nothing */
+	bool semicolon; /* in csv, with decimal commas */
+	bool prompt;    /* lines are typed by somebody */
+	FILE *out;      /* results */
+	FILE *notes;    /* what is said beside results; NULL: nothing */
 	double answer[ANSWERS];
 	struct job job;
+	struct turn *turn; /* the commands under way, innermost first */
 	bool quit;
 };
 
@@ -120,6 +125,11 @@ void session_pause(struct session *s);
 
 /* Ends the job.  keep: the best so far becomes the site's fit. */
 void session_stop(struct session *s, bool keep);
+
+/* Ends the commands whose job or script is over, see turn.h; session_line does
+ * so before the next command.  A driver that does not go on with the line calls
+ * it. ok: they did what they should. */
+bool session_settle(struct session *s, bool ok, struct error *error);
 
 /* Seconds of a clock that only goes forward. */
 double session_clock(void);

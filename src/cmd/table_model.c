@@ -25,6 +25,8 @@ static const struct command_option SET_OPTIONS[] = {
 	"instruction set of a calibration; results are the same"},
     {"format", VALUE_CHOICE, "", 0, 0, "table csv json markdown", "",
 	"form of the results"},
+    {"csv", VALUE_CHOICE, "", 0, 0, "comma semicolon", "",
+	"semicolon: decimal commas, for spreadsheets in Swedish or German"},
     LAST_OPTION};
 
 static const struct command_option SEED_OPTIONS[] = {

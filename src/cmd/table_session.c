@@ -12,6 +12,7 @@ const struct command TABLE_SESSION[] = {
 	.operands = "VALUE =|<|> VALUE [within NUMBER]",
 	.least = 3,
 	.most = 5,
+	.flags = COMMAND_VERBATIM | COMMAND_UNSAVED,
 	.text = "A value is a number or the newest answer: p20, p50, p80, "
 		"break (mm), speed and extrapolated (1 or 0) of predict; "
 		"misfit, rmse (points) and poor (1 or 0) of calibrate; "

@@ -153,6 +153,8 @@ run_line(struct session *s, const char *line, const char *name, int number)
 			return (int)error.kind;
 		}
 		if (!pump(s)) {
+			if (!session_settle(s, true, &error))
+				print_error(&error, line, name);
 			fprintf(stderr, "%s:%d: interrupted\n", name, number);
 			return status_of(interrupted);
 		}
@@ -271,6 +273,7 @@ batch_typed(struct session *s)
 {
 	char *piece = NULL, *line = xstrdup("");
 	size_t room = 0;
+	s->prompt = true;
 	for (int number = 1; !s->quit; interrupted = 0) {
 		print_prompt(s, line[0] != '\0');
 		ssize_t got = getline(&piece, &room, stdin);
