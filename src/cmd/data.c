@@ -28,8 +28,7 @@ data_load(struct session *s, const char *path, struct error *error)
 	if (n > 4 && strcmp(path + n - 4, ".tip") == 0) {
 		error_set(error, ERROR_USAGE,
 		    "%s is a script by its name, not a sheet", path);
-		return error_hint(
-		    error, "run it from the shell: tipspeed %s", path);
+		return error_hint(error, "run it: source %s", path);
 	}
 	if (!session_load(s, path, error))
 		return false;

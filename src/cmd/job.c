@@ -336,6 +336,16 @@ session_stop(struct session *s, bool keep)
 	end_all(s);
 }
 
+void
+session_let_go(struct session *s)
+{
+	if (s->job.calibration == NULL)
+		return;
+	session_stop(s, false);
+	session_note(s, "the stopped calibration is let go of: 'continue' "
+			"has nothing to go on with");
+}
+
 static bool
 need_paused(const struct session *s, const char *name, struct error *error)
 {

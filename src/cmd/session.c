@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -14,6 +15,7 @@
 #include "base/xalloc.h"
 #include "cmd/command.h"
 #include "cmd/parse.h"
+#include "cmd/script.h"
 #include "cmd/turn.h"
 #include "io/site_read.h"
 #include "io/units.h"
@@ -40,12 +42,14 @@ session_new(FILE *out, FILE *notes)
 	return s;
 }
 
-static void
-entry_free(struct entry *entry)
+void
+entries_free(struct entry *entry, size_t n)
 {
-	site_free(entry->site);
-	free(entry->key);
-	free(entry->train);
+	for (size_t i = 0; i < n; i++) {
+		free(entry[i].key);
+		free(entry[i].train);
+	}
+	free(entry);
 }
 
 void
@@ -54,11 +58,14 @@ session_free(struct session *s)
 	if (s == NULL)
 		return;
 	session_stop(s, false);
+	script_close(s, 0);
 	struct error stopped = {0};
 	session_settle(s, false, &stopped);
-	for (size_t i = 0; i < s->n_entry; i++)
-		entry_free(&s->entry[i]);
-	free(s->entry);
+	entries_free(s->entry, s->n_entry);
+	for (size_t i = 0; i < s->n_site; i++)
+		site_free(s->site[i]);
+	free(s->site);
+	free(s->first);
 	free(s);
 }
 
@@ -123,8 +130,9 @@ new_key(struct session *s, const struct site *site)
 	return key;
 }
 
-void
-session_add(struct session *s, struct site *site)
+/* Behind the others. */
+static void
+append(struct session *s, struct site *site)
 {
 	struct entry entry = {.site = site, .key = new_key(s, site)};
 	entry.train = xcalloc(site->n_run, sizeof *entry.train);
@@ -132,7 +140,63 @@ session_add(struct session *s, struct site *site)
 	s->entry = xrealloc(s->entry, s->n_entry + 1, sizeof *s->entry);
 	s->current = s->n_entry++;
 	s->entry[s->current] = entry;
+	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
+	s->site[s->n_site++] = site;
 	session_forget(s);
+}
+
+/* The loaded site that was read from the same file, or n_entry. */
+static size_t
+former(const struct session *s, const struct site *site)
+{
+	struct stat file, other;
+	if (stat(site->path, &file) != 0)
+		return s->n_entry;
+	for (size_t i = 0; i < s->n_entry; i++)
+		if (stat(s->entry[i].site->path, &other) == 0 &&
+		    file.st_dev == other.st_dev && file.st_ino == other.st_ino)
+			return i;
+	return s->n_entry;
+}
+
+void
+session_add(struct session *s, struct site *site)
+{
+	size_t place = former(s, site);
+	if (place == s->n_entry) {
+		append(s, site);
+		return;
+	}
+	session_note(s, "%s was loaded before: this takes its place",
+	    s->entry[place].key);
+	session_drop(s, place);
+	append(s, site);
+	struct entry entry = s->entry[s->current];
+	memmove(&s->entry[place + 1], &s->entry[place],
+	    (s->current - place) * sizeof entry);
+	s->entry[place] = entry;
+	if (s->job.calibration != NULL && s->job.entry >= place)
+		s->job.entry++;
+	s->current = place;
+}
+
+void
+session_drop(struct session *s, size_t index)
+{
+	if (s->job.calibration != NULL && s->job.entry == index)
+		session_let_go(s);
+	else if (s->job.calibration != NULL && s->job.entry > index)
+		s->job.entry--;
+	free(s->entry[index].key);
+	free(s->entry[index].train);
+	s->n_entry--;
+	memmove(&s->entry[index], &s->entry[index + 1],
+	    (s->n_entry - index) * sizeof *s->entry);
+	if (s->current == index)
+		session_forget(s);
+	bool last = s->current == index && index == s->n_entry;
+	if (s->current > index || (last && index > 0))
+		s->current--;
 }
 
 /* How well a loaded site answers to a name: 0 not, 1 by its name, 2 by name and
@@ -268,7 +332,7 @@ run_words(struct session *s, const struct words *words, struct place place,
 		  turn_begin(s, command, &args, words, place, error);
 	if (ok) {
 		ok = command->run(s, &args, error);
-		if (!ok || !session_busy(s))
+		if (!ok || turn_over(s))
 			ok = turn_end(s, ok, error);
 	}
 	args_free(&args);
@@ -284,8 +348,8 @@ bool
 session_line(struct session *s, const char *line, size_t from, const char *file,
     int number, size_t *next, struct error *error)
 {
-	struct place place = {file, number, s->prompt};
-	size_t end = strlen(line);
+	struct place place = {file, number, s->prompt && s->script == NULL};
+	size_t end = strlen(line), depth = script_depth(s);
 	*next = 0;
 	if (!session_settle(s, true, error))
 		return false;
@@ -298,7 +362,7 @@ session_line(struct session *s, const char *line, size_t from, const char *file,
 		words_free(&words);
 		if (!ok)
 			return false;
-		if (session_busy(s)) {
+		if (session_busy(s) || script_depth(s) > depth) {
 			*next = from;
 			return true;
 		}

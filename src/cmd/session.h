@@ -57,6 +57,8 @@ struct job {
 	FILE *log;              /* every generation as CSV, or NULL */
 };
 
+struct choices;
+struct script;
 struct turn;
 
 struct session {
@@ -70,11 +72,16 @@ struct session {
 	enum report_format format;
 	bool semicolon; /* in csv, with decimal commas */
 	bool prompt;    /* lines are typed by somebody */
+	bool timing;    /* tell how long each command took */
 	FILE *out;      /* results */
 	FILE *notes;    /* what is said beside results; NULL: nothing */
 	double answer[ANSWERS];
 	struct job job;
-	struct turn *turn; /* the commands under way, innermost first */
+	size_t n_site;
+	struct site **site;    /* every site there was; entries borrow them */
+	struct choices *first; /* what the command line set; reset goes there */
+	struct script *script; /* scripts being read, innermost first */
+	struct turn *turn;     /* commands under way, innermost first */
 	bool quit;
 };
 
@@ -88,8 +95,14 @@ struct entry *session_entry(struct session *s);
  * now. */
 void session_forget(struct session *s);
 
-/* Adds a site, which the session then owns, and makes it the one in use. */
+/* Adds a site, which the session then owns, and makes it the one in use.  It
+ * takes the place of a site that was read from the same file. */
 void session_add(struct session *s, struct site *site);
+
+/* Takes a site out of those loaded, and lets go of a calibration of it. */
+void session_drop(struct session *s, size_t index);
+
+void entries_free(struct entry *entry, size_t n);
 
 /* Finds a loaded site by name without case and accents ("borlange"), by name
  * and top size ("gavle/4") or by key.  Several or none: an error that lists
@@ -109,8 +122,8 @@ void session_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Runs the commands of one line.  place names it in errors.  Stops at the first
- * error, and after a command that started a job: then *next is where to go on
- * (an offset into line), otherwise 0. */
+ * error, and after a command that started a job or opened a script: then *next
+ * is where to go on (an offset into line) after it, otherwise 0. */
 bool session_line(struct session *s, const char *line, size_t from,
     const char *file, int number, size_t *next, struct error *error);
 
@@ -118,6 +131,9 @@ bool session_busy(const struct session *s);
 
 /* One step of the job; prints its result and ends it when it is done. */
 void session_step(struct session *s);
+
+/* Lets go of a calibration that was stopped, and says so. */
+void session_let_go(struct session *s);
 
 /* Stops the job for the user: the best so far becomes the site's fit, and
  * `continue` goes on from there. */

@@ -3,6 +3,7 @@
 #include "cmd/table.h"
 
 #include "cmd/data.h"
+#include "cmd/manage.h"
 
 static const struct command_option SYNTH_OPTIONS[] = {
     {"site", VALUE_TEXT, "", 0, 0, NULL, "", "make only the sites so called"},
@@ -30,7 +31,8 @@ const struct command TABLE_DATA[] = {
 	.most = OPERANDS - 1,
 	.text = "Reads sieve sheets, see tipspeed-site(5), and makes the last "
 		"one the site in use. A sheet with faults is refused with the "
-		"place of each fault; the sites already loaded stay.",
+		"place of each fault; the sites already loaded stay. A sheet "
+		"that is loaded again takes the place of the former.",
 	.example = "load data/sites/tierp.csv\nshow",
 	.run = cmd_load},
     {.name = "sites",
@@ -53,6 +55,18 @@ const struct command TABLE_DATA[] = {
 	.example = "load data/sites/borlange.csv data/sites/tierp.csv\n"
 		   "use borlange\nshow",
 	.run = cmd_use},
+    {.name = "drop",
+	.group = "data",
+	.brief = "forget a site",
+	.operands = "SITE",
+	.least = 1,
+	.most = 1,
+	.need = NEED_SITE,
+	.flags = COMMAND_CHANGES,
+	.text = "Its file stays. If it was in use, the site loaded after it "
+		"is next, or else the one before.",
+	.example = "load data/sites/bro.csv data/sites/tierp.csv\ndrop bro",
+	.run = cmd_drop},
     {.name = "check",
 	.group = "data",
 	.brief = "look for faults in sheets",

@@ -4,8 +4,56 @@
 
 #include "cmd/assert.h"
 #include "cmd/info.h"
+#include "cmd/manage.h"
+#include "cmd/script.h"
+
+static const struct command_option TIMING_OPTIONS[] = {
+    {"state", VALUE_CHOICE, "", 0, 0, "on off", "on", "tell it or not"},
+    LAST_OPTION};
 
 const struct command TABLE_SESSION[] = {
+    {.name = "reset",
+	.group = "session",
+	.brief = "forget all that was loaded and set",
+	.operands = "",
+	.flags = COMMAND_CHANGES,
+	.text = "As if the program had just been started; what the command "
+		"line set (seed, format) is set again.",
+	.example = "load data/sites/tierp.csv\nset method classes\nreset",
+	.run = cmd_reset},
+    {.name = "source",
+	.group = "session",
+	.brief = "run a script",
+	.operands = "FILE",
+	.least = 1,
+	.most = 1,
+	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
+	.text = "Runs the commands in FILE, which may source others, up to "
+		"16 deep. The first error ends all of them; a prompt goes on. "
+		"Names of files are relative to the working folder, not to "
+		"the script's.",
+	.example = "source data/sessions/tierp.tip",
+	.run = cmd_source},
+    {.name = "echo",
+	.group = "session",
+	.brief = "print words",
+	.operands = "[WORD]...",
+	.most = OPERANDS - 1,
+	.text = "A line among the results, with one blank between words; "
+		"quotes keep others.",
+	.example = "echo \"Tierp, at 74 m/s:\"",
+	.run = cmd_echo},
+    {.name = "timing",
+	.group = "session",
+	.brief = "tell how long each command takes",
+	.operands = "",
+	.flags = COMMAND_UNSAVED,
+	.bare = "state",
+	.option = TIMING_OPTIONS,
+	.text = "Seconds of wall clock, on standard error. A calibration is "
+		"counted to its end, a script to its last line.",
+	.example = "timing on\nversion\ntiming off",
+	.run = cmd_timing},
     {.name = "assert",
 	.group = "session",
 	.brief = "stop with status 1 unless an answer is as expected",

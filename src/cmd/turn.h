@@ -16,6 +16,9 @@ bool turn_begin(struct session *s, const struct command *command,
     const struct args *args, const struct words *words, struct place place,
     struct error *error);
 
+/* True when the innermost command has no job and no script left. */
+bool turn_over(const struct session *s);
+
 /* The innermost command is over: its results are handed over.  ok: it did what
  * it should; else error says why not, and is kept.  Returns false when it did
  * not, or the results could not be handed over. */
