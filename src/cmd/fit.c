@@ -198,6 +198,7 @@ calibrate_all(
 	}
 	struct calibrate_options o = chosen_options(s, args);
 	job_start(s, &o, NULL, NULL, true, log);
+	s->job.pause_at = (size_t)option(args, "pause")->whole;
 	return true;
 }
 

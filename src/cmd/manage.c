@@ -5,6 +5,8 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
+#include "cmd/journal.h"
+#include "cmd/script.h"
 #include "cmd/snapshot.h"
 
 bool
@@ -18,15 +20,17 @@ cmd_drop(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-void
-manage_reset(struct session *s)
+/* Forgets all that was loaded and set. */
+static void
+forget_all(struct session *s, const struct choices *choices)
 {
 	session_let_go(s);
 	entries_free(s->entry, s->n_entry);
 	s->entry = NULL;
 	s->n_entry = s->current = 0;
-	choices_put(s, s->first);
+	choices_put(s, choices);
 	session_forget(s);
+	journal_restart(s);
 }
 
 bool
@@ -34,7 +38,21 @@ cmd_reset(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	manage_reset(s);
+	forget_all(s, s->first);
+	journal_settings(s);
+	return true;
+}
+
+/* The script says by itself what the command line had set when it was saved. */
+bool
+cmd_restore(struct session *s, const struct args *args, struct error *error)
+{
+	struct choices plain = *s->first;
+	plain.seed = 1;
+	plain.format = REPORT_TABLE;
+	if (!script_open(s, args->operand[0], error))
+		return false;
+	forget_all(s, &plain);
 	return true;
 }
 

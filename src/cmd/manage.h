@@ -13,7 +13,6 @@ bool cmd_reset(struct session *, const struct args *, struct error *);
 bool cmd_echo(struct session *, const struct args *, struct error *);
 bool cmd_timing(struct session *, const struct args *, struct error *);
 
-/* All that was loaded and set is forgotten. */
-void manage_reset(struct session *s);
+bool cmd_restore(struct session *, const struct args *, struct error *);
 
 #endif

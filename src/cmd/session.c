@@ -3,6 +3,7 @@
 #include "cmd/session.h"
 
 #include <assert.h>
+#include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -17,6 +18,7 @@
 #include "cmd/parse.h"
 #include "cmd/script.h"
 #include "cmd/turn.h"
+#include "cmd/undo.h"
 #include "io/site_read.h"
 #include "io/units.h"
 
@@ -66,6 +68,8 @@ session_free(struct session *s)
 		site_free(s->site[i]);
 	free(s->site);
 	free(s->first);
+	undo_free(s->undo);
+	journal_free(s->journal);
 	free(s);
 }
 
@@ -270,8 +274,29 @@ session_find(
 	return false;
 }
 
+/* Takes the site, or refuses it. */
+static bool
+add_checked(struct session *s, struct site *site, const char *digest,
+    struct error *error)
+{
+	char found[17];
+	snprintf(found, sizeof found, "%016" PRIx64, site->digest);
+	if (digest == NULL || strcmp(digest, found) == 0) {
+		session_add(s, site);
+		return true;
+	}
+	error_at(error, ERROR_DATA, site->path, 0, 0,
+	    "the sheet with digest %s was wanted, found %s: its numbers are "
+	    "others",
+	    digest, found);
+	site_free(site);
+	return error_hint(
+	    error, "without digest= it is loaded as it is; results change");
+}
+
 bool
-session_load(struct session *s, const char *path, struct error *error)
+session_load(struct session *s, const char *path, const char *digest,
+    struct error *error)
 {
 	struct error_list *errors = xcalloc(1, sizeof *errors);
 	struct site *site = site_read(path, errors);
@@ -283,11 +308,9 @@ session_load(struct session *s, const char *path, struct error *error)
 		if (errors->more > 0)
 			session_note(s, "%s: %zu more faults are not shown",
 			    path, errors->more);
-	} else {
-		session_add(s, site);
 	}
 	free(errors);
-	return site != NULL;
+	return site != NULL && add_checked(s, site, digest, error);
 }
 
 void

@@ -50,7 +50,8 @@ struct job {
 	bool *train;
 	bool all;               /* one loaded site after the other */
 	bool paused;            /* stopped by ^C; `continue` goes on */
-	size_t pause_at;        /* generation to stop after; 0: none */
+	size_t step;            /* of all sites so far */
+	size_t pause_at;        /* step to stop after; 0: none */
 	struct report *summary; /* of all */
 	double *run_weight;     /* [n_run] of the site, or NULL */
 	char *checkpoint;       /* file to write when stopped, or NULL */
@@ -58,8 +59,10 @@ struct job {
 };
 
 struct choices;
+struct journal;
 struct script;
 struct turn;
+struct undo;
 
 struct session {
 	size_t n_entry, current; /* current is meaningful when n_entry > 0 */
@@ -80,6 +83,8 @@ struct session {
 	size_t n_site;
 	struct site **site;    /* every site there was; entries borrow them */
 	struct choices *first; /* what the command line set; reset goes there */
+	struct journal *journal;
+	struct undo *undo;
 	struct script *script; /* scripts being read, innermost first */
 	struct turn *turn;     /* commands under way, innermost first */
 	bool quit;
@@ -110,9 +115,11 @@ void entries_free(struct entry *entry, size_t n);
 bool session_find(
     struct session *s, const char *name, size_t *index, struct error *error);
 
-/* Reads a site file and adds it.  Every fault of the file is printed to notes
+/* Reads a site file and adds it.  digest: the one it must have, as hexadecimal
+ * digits, or NULL.  Every fault of the file is printed to notes
  * but the last, which is the error. */
-bool session_load(struct session *s, const char *path, struct error *error);
+bool session_load(struct session *s, const char *path, const char *digest,
+    struct error *error);
 
 /* Prints a result and frees it. */
 void session_report(struct session *s, struct report *report);

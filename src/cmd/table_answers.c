@@ -28,6 +28,7 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "the product at a tip speed",
 	.operands = "",
 	.need = NEED_SITE,
+	.flags = COMMAND_LATEST,
 	.bare = "speed",
 	.option = PREDICT_OPTIONS,
 	.text = "Needs parameters: calibrate, or params set. Outside the "

@@ -5,6 +5,11 @@
 #include "cmd/data.h"
 #include "cmd/manage.h"
 
+static const struct command_option LOAD_OPTIONS[] = {
+    {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
+	"refuse a sheet with other numbers; as save writes it"},
+    LAST_OPTION};
+
 static const struct command_option SYNTH_OPTIONS[] = {
     {"site", VALUE_TEXT, "", 0, 0, NULL, "", "make only the sites so called"},
     {"n", VALUE_NUMBER, "", 0.05, 5, NULL, "1",
@@ -29,6 +34,8 @@ const struct command TABLE_DATA[] = {
 	.operands = "FILE...",
 	.least = 1,
 	.most = OPERANDS - 1,
+	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
+	.option = LOAD_OPTIONS,
 	.text = "Reads sieve sheets, see tipspeed-site(5), and makes the last "
 		"one the site in use. A sheet with faults is refused with the "
 		"place of each fault; the sites already loaded stay. A sheet "
@@ -49,6 +56,7 @@ const struct command TABLE_DATA[] = {
 	.least = 1,
 	.most = 1,
 	.need = NEED_SITE,
+	.flags = COMMAND_CHANGES,
 	.text = "Case and accents do not matter: borlange finds Borlänge. "
 		"Sites of one name are told apart by their top size: "
 		"gavle/4, gavle/11.2.",
@@ -98,6 +106,7 @@ const struct command TABLE_DATA[] = {
 	.operands = "FILE",
 	.least = 1,
 	.most = 1,
+	.flags = COMMAND_CHANGES | COMMAND_FILES,
 	.option = SYNTH_OPTIONS,
 	.text = "FILE holds rows of parameters as data/table3.csv does. Each "
 		"row becomes a site whose products are computed by the model, "
@@ -112,6 +121,7 @@ const struct command TABLE_DATA[] = {
 	.least = 1,
 	.most = 1,
 	.need = NEED_SITE,
+	.flags = COMMAND_FILES | COMMAND_UNSAVED,
 	.option = WRITE_OPTIONS,
 	.text = "Writes the site in use to FILE, or all loaded sites into an "
 		"existing FOLDER under their own names. A file that is "

@@ -1,7 +1,9 @@
-/* What goes with every command: where its results go, how long it takes.
+/* What goes with every command: where its results go, how long it takes,
+ * what of it can be undone and saved.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/turn.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,6 +11,7 @@
 #include "cmd/redirect.h"
 #include "cmd/script.h"
 #include "cmd/snapshot.h"
+#include "cmd/undo.h"
 
 /* Turns nest: a script's commands run within the turn of its source. */
 struct turn {
@@ -17,6 +20,12 @@ struct turn {
 	struct redirect *redirect; /* or NULL */
 	struct place place;        /* of the redirection */
 	int column;
+	char *label, *line;      /* as typed; for the journal */
+	struct snapshot *before; /* or NULL where it changes nothing */
+	struct mark mark;        /* the journal when it began */
+	size_t steps;            /* that could be undone then */
+	bool stopped;            /* its calibration was, after */
+	size_t stopped_at;       /* so many steps */
 	double started;
 	bool timed;
 	size_t scripts;                 /* that were open when it began */
@@ -37,10 +46,10 @@ turn_begin(struct session *s, const struct command *command,
     const struct args *args, const struct words *words, struct place place,
     struct error *error)
 {
-	(void)args;
 	if (s->first == NULL) {
 		s->first = xcalloc(1, sizeof *s->first);
 		*s->first = choices_take(s);
+		journal_settings(s);
 	}
 	struct turn *t = xcalloc(1, sizeof *t);
 	*t = (struct turn){.outer = s->turn,
@@ -58,8 +67,68 @@ turn_begin(struct session *s, const struct command *command,
 		free(t);
 		return false;
 	}
+	t->label = journal_label(command, words);
+	t->line = journal_line(command, args, words);
+	t->mark = journal_mark(s);
+	t->steps = undo_depth(s);
+	if (command->flags & COMMAND_CHANGES)
+		t->before = snapshot_take(s);
 	s->turn = t;
 	return true;
+}
+
+void
+turn_stopped(struct session *s, size_t steps)
+{
+	if (s->turn == NULL)
+		return;
+	s->turn->stopped = true;
+	s->turn->stopped_at = steps;
+}
+
+/* True where its results go elsewhere, by itself or with its script. */
+static bool
+is_redirected(const struct turn *t)
+{
+	while (t != NULL && t->redirect == NULL)
+		t = t->outer;
+	return t != NULL;
+}
+
+/* What went elsewhere is not done again, but for what it changed. */
+static void
+record(struct session *s, const struct turn *t, bool changed)
+{
+	bool elsewhere = is_redirected(t),
+	     latest = (t->command->flags & COMMAND_LATEST) != 0;
+	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
+	    (t->stopped && t->stopped_at == 0))
+		return;
+	char *pause =
+	    t->stopped ? xasprintf(" pause=%zu", t->stopped_at) : xstrdup("");
+	char *line = xasprintf(
+	    "%s%s%s", t->line, pause, elsewhere ? " > /dev/null" : "");
+	journal_add(s, line, latest ? t->command->name : NULL);
+	free(pause);
+	free(line);
+}
+
+/* Where the outermost turn began, for one within it. */
+static size_t
+floor_of(const struct turn *t)
+{
+	size_t floor = SIZE_MAX;
+	for (t = t->outer; t != NULL; t = t->outer)
+		floor = t->steps;
+	return floor;
+}
+
+static void
+turn_free(struct turn *t)
+{
+	free(t->label);
+	free(t->line);
+	free(t);
 }
 
 bool
@@ -76,16 +145,24 @@ turn_end(struct session *s, bool ok, struct error *error)
 	/* The report of a check that says no is a result. */
 	bool keep = ok || error->kind == ERROR_CHECK;
 	struct error late = {0};
+	bool changed = t->before != NULL && snapshot_differs(t->before, s);
 	s->turn = t->outer;
+	if (ok)
+		record(s, t, changed);
 	if (t->redirect != NULL &&
 	    !redirect_close(s, t->redirect, keep, &late) && ok) {
 		*error = late;
 		ok = put_place(t, error);
 	}
+	if (changed)
+		undo_push(
+		    s, t->before, t->mark, t->steps, floor_of(t), t->label);
+	else
+		snapshot_free(t->before);
 	if (t->timed && s->timing)
 		session_note(s, "%s: %.3f s", t->command->name,
 		    session_clock() - t->started);
-	free(t);
+	turn_free(t);
 	return ok;
 }
 

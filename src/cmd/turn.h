@@ -19,6 +19,10 @@ bool turn_begin(struct session *s, const struct command *command,
 /* True when the innermost command has no job and no script left. */
 bool turn_over(const struct session *s);
 
+/* The innermost command's calibration was stopped after so many steps: a saved
+ * script stops it there. */
+void turn_stopped(struct session *s, size_t steps);
+
 /* The innermost command is over: its results are handed over.  ok: it did what
  * it should; else error says why not, and is kept.  Returns false when it did
  * not, or the results could not be handed over. */

@@ -4,12 +4,21 @@
 
 #include <math.h>
 
+/* Batches polished so far; the last of the starts may be a short one. */
+static size_t
+batches(const struct calibration *c)
+{
+	size_t starts = c->done < c->n_start ? c->done : c->n_start;
+	return (starts + BATCH - 1) / BATCH + (c->done - starts) / BATCH;
+}
+
 struct calibrate_status
 calibration_status(const struct calibration *c)
 {
 	struct ga_status s = ga_status(c->ga);
 	struct calibrate_status status = {.state = c->state,
 	    .generation = s.generation,
+	    .step = s.generation + batches(c),
 	    .evaluations = c->evaluations,
 	    .stall = c->stall,
 	    .infinite = s.infinite,
