@@ -75,6 +75,7 @@ struct session {
 	enum report_format format;
 	bool semicolon; /* in csv, with decimal commas */
 	bool prompt;    /* lines are typed by somebody */
+	bool safe;      /* no command may touch files or the shell */
 	bool timing;    /* tell how long each command took */
 	FILE *out;      /* results */
 	FILE *notes;    /* what is said beside results; NULL: nothing */

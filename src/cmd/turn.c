@@ -41,11 +41,47 @@ put_place(const struct turn *t, struct error *error)
 	return false;
 }
 
+/* The file that an option of the call names: index of the option, or OPTIONS. */
+static size_t
+file_option(const struct command *command, const struct args *args)
+{
+	const struct command_option *o = command->option;
+	for (size_t i = 0; o != NULL && o[i].name != NULL; i++)
+		if (o[i].kind == VALUE_FILE && args->value[i].given)
+			return i;
+	return OPTIONS;
+}
+
+/* --safe: neither files nor the shell. */
+static bool
+check_safe(const struct command *command, const struct args *args,
+    const struct words *words, struct error *error)
+{
+	size_t option = file_option(command, args);
+	if (command->flags & COMMAND_FILES)
+		error_set(error, ERROR_USAGE, "%s is off: it works on files",
+		    command->name);
+	else if (option < OPTIONS)
+		error_set(error, ERROR_USAGE, "%s= is off: it names a file",
+		    command->option[option].name);
+	else if (words->to != TO_SCREEN)
+		error_set(error, ERROR_USAGE, "%s is off",
+		    words->to == TO_PIPE ? "a shell command"
+					 : "writing to a file");
+	else
+		return true;
+	return error_hint(error,
+	    "the program was started with --safe; it takes site files as "
+	    "operands only");
+}
+
 bool
 turn_begin(struct session *s, const struct command *command,
     const struct args *args, const struct words *words, struct place place,
     struct error *error)
 {
+	if (s->safe && !check_safe(command, args, words, error))
+		return false;
 	if (s->first == NULL) {
 		s->first = xcalloc(1, sizeof *s->first);
 		*s->first = choices_take(s);
