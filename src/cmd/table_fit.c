@@ -7,7 +7,7 @@
 
 #define PAUSE_OPTION                                           \
 	{                                                      \
-		"pause", VALUE_WHOLE, "", 1, 1e6, NULL, "",    \
+		"pause", VALUE_WHOLE, "", 1, 1e9, NULL, "",    \
 		    "stop after this generation, as ^C does; " \
 		    "steps of the polish count on"             \
 	}

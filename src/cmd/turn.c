@@ -41,7 +41,7 @@ put_place(const struct turn *t, struct error *error)
 	return false;
 }
 
-/* The file that an option of the call names: index of the option, or OPTIONS. */
+/* Index of an option of the call that names a file, or OPTIONS. */
 static size_t
 file_option(const struct command *command, const struct args *args)
 {
