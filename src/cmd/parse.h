@@ -10,11 +10,13 @@
 #include "cmd/command.h"
 
 /* Where a line comes from, for messages.  prompt: it was typed at a prompt,
- * where names of commands may be cut short. */
+ * where names of commands may be cut short.  column: of the character that a
+ * command begins at, where it is known; else 0. */
 struct place {
 	const char *file;
 	int line;
 	bool prompt;
+	int column;
 };
 
 /* Where the results of a command go. */
@@ -32,6 +34,8 @@ struct words {
 	enum target to;
 	char *target;
 	int to_column;
+	size_t reached; /* an offset in the line, and its column */
+	int reached_column;
 };
 
 /* Splits the command that begins at line + from: words between blanks, "quoted"

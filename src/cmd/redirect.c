@@ -159,6 +159,9 @@ write_pipe(const struct redirect *r, struct error *error)
 	FILE *out = popen(r->target, "w");
 	if (out == NULL)
 		return cannot_write(r->target, errno, error);
+	/* Nothing may be left to write when it is closed: that would hide how
+	 * the command ended. */
+	setvbuf(out, NULL, _IONBF, 0);
 	sigaction(SIGPIPE, &ignore, &pipe);
 	sigaction(SIGINT, &ignore, &interrupt);
 	put_text(r, out);

@@ -132,7 +132,9 @@ bool
 session_line(struct session *s, const char *line, size_t from, const char *file,
     int number, size_t *next, struct error *error)
 {
-	struct place place = {file, number, s->prompt && s->script == NULL};
+	struct place place = {.file = file,
+	    .line = number,
+	    .prompt = s->prompt && s->script == NULL};
 	size_t end = strlen(line), depth = script_depth(s);
 	*next = 0;
 	if (!session_settle(s, true, error))
@@ -143,6 +145,7 @@ session_line(struct session *s, const char *line, size_t from, const char *file,
 		if (ok && words.n > 0)
 			ok = run_words(s, &words, place, error);
 		from = words.next;
+		place.column = words.reached_column;
 		words_free(&words);
 		if (!ok)
 			return false;

@@ -127,7 +127,7 @@ const struct command TABLE_DATA[] = {
 		"existing FOLDER under their own names. A file that is "
 		"there is replaced with replace=on only. Sheets are "
 		"written with commas and decimal points; results are saved "
-		"by the shell: tipspeed --format=csv ... >FILE.",
+		"with > FILE behind the command that gives them.",
 	.example = "load data/sites/tierp.csv\nwrite tierp-copy.csv",
 	.run = cmd_write},
     {.name = NULL}};

@@ -8,13 +8,17 @@
 #include "base/xalloc.h"
 #include "cmd/parse.h"
 
+/* Goes on from the last place asked for, so that a long line costs no more than
+ * its length. */
 static int
-column_of(const char *line, size_t offset)
+column_of(const char *line, struct words *words, size_t offset)
 {
-	char *head = xstrndup(line, offset);
-	int column = text_width(head) + 1;
-	free(head);
-	return column;
+	char *between =
+	    xstrndup(line + words->reached, offset - words->reached);
+	words->reached_column += text_width(between);
+	words->reached = offset;
+	free(between);
+	return words->reached_column;
 }
 
 static bool
@@ -24,25 +28,36 @@ ends_word(char c, bool verbatim)
 	       (!verbatim && (c == '>' || c == '|'));
 }
 
-/* Copies one word from *at on, without its quotes; moves *at behind it. False
- * on an open quote. */
+/* Without the quotes around it; two within quotes are one. */
+static char *
+unquoted(const char *text, size_t n)
+{
+	char *word = xcalloc(n + 1, 1);
+	bool quoted = false;
+	size_t length = 0;
+	for (size_t i = 0; i < n; i++) {
+		bool twice = quoted && i + 1 < n && text[i + 1] == '"';
+		if (text[i] != '"')
+			word[length++] = text[i];
+		else if (twice)
+			word[length++] = text[i++];
+		else
+			quoted = !quoted;
+	}
+	return word;
+}
+
+/* Copies one word from *at on and moves *at behind it. False on an open quote;
+ * the caller frees the word in any case. */
 static bool
-take_word(const char *line, size_t *at, bool verbatim, char *word)
+take_word(const char *line, size_t *at, bool verbatim, char **word)
 {
 	bool quoted = false;
-	size_t n = 0, i = *at;
-	for (; line[i] != '\0'; i++) {
-		char c = line[i];
-		if (quoted && c == '"' && line[i + 1] == '"')
-			word[n++] = line[i++];
-		else if (c == '"')
-			quoted = !quoted;
-		else if (!quoted && ends_word(c, verbatim))
-			break;
-		else
-			word[n++] = c;
-	}
-	word[n] = '\0';
+	size_t i = *at;
+	for (; line[i] != '\0' && (quoted || !ends_word(line[i], verbatim));
+	     i++)
+		quoted = quoted != (line[i] == '"');
+	*word = unquoted(line + *at, i - *at);
 	*at = i;
 	return !quoted;
 }
@@ -70,7 +85,7 @@ take_pipe(const char *line, size_t i, struct words *words)
 	char *rest = xstrdup(line + i + 1);
 	words->to = TO_PIPE;
 	words->target = xstrdup(text_trim(rest));
-	words->next = strlen(line);
+	words->next = i + strlen(line + i);
 	free(rest);
 	return words->target[0] != '\0' && words->target[0] != '|';
 }
@@ -83,9 +98,8 @@ take_file(const char *line, size_t *at, struct place place, struct words *words,
 	bool append = line[*at + 1] == '>';
 	words->to = append ? TO_END : TO_FILE;
 	*at = skip_blanks(line, *at + (append ? 2 : 1));
-	int column = column_of(line, *at);
-	words->target = xcalloc(strlen(line + *at) + 1, 1);
-	if (!take_word(line, at, false, words->target))
+	int column = column_of(line, words, *at);
+	if (!take_word(line, at, false, &words->target))
 		return open_quote(place, column, error);
 	if (words->target[0] == '\0') {
 		error_at(error, ERROR_USAGE, place.file, place.line,
@@ -97,7 +111,7 @@ take_file(const char *line, size_t *at, struct place place, struct words *words,
 	if (line[*at] == '\0' || line[*at] == ';' || line[*at] == '#')
 		return true;
 	error_at(error, ERROR_USAGE, place.file, place.line,
-	    column_of(line, *at), "nothing goes behind the file '%s'",
+	    column_of(line, words, *at), "nothing goes behind the file '%s'",
 	    words->target);
 	return error_hint(error,
 	    "a name with blanks is quoted: > \"my file.csv\"; a command has "
@@ -109,7 +123,7 @@ take_redirection(const char *line, size_t *at, struct place place,
     struct words *words, struct error *error)
 {
 	char sign = line[*at];
-	words->to_column = column_of(line, *at);
+	words->to_column = column_of(line, words, *at);
 	if (words->n == 0)
 		return error_at(error, ERROR_USAGE, place.file, place.line,
 		    words->to_column, "a command was wanted before %c", sign);
@@ -137,14 +151,13 @@ static bool
 add_word(const char *line, size_t *at, struct place place, bool verbatim,
     struct words *words, struct error *error)
 {
-	int column = column_of(line, *at);
+	int column = column_of(line, words, *at);
 	if (words->n == OPERANDS)
 		return error_at(error, ERROR_USAGE, place.file, place.line,
 		    column, "more than %d words", (int)OPERANDS);
-	char *word = xcalloc(strlen(line + *at) + 1, 1);
-	words->text[words->n] = word;
-	words->column[words->n++] = column;
-	return take_word(line, at, verbatim, word) ||
+	size_t i = words->n++;
+	words->column[i] = column;
+	return take_word(line, at, verbatim, &words->text[i]) ||
 	       open_quote(place, column, error);
 }
 
@@ -156,7 +169,9 @@ words_split(const char *line, size_t from, struct place place,
 	words->n = 0;
 	words->to = TO_SCREEN;
 	words->target = NULL;
-	words->next = strlen(line);
+	words->next = from;
+	words->reached = place.column > 0 ? from : 0;
+	words->reached_column = place.column > 0 ? place.column : 1;
 	while (line[i] != '\0' && line[i] != '#' && line[i] != ';') {
 		bool verbatim = is_verbatim(words, place);
 		bool sign = line[i] == '>' || line[i] == '|';
@@ -168,8 +183,8 @@ words_split(const char *line, size_t from, struct place place,
 			return false;
 		i = skip_blanks(line, i);
 	}
-	if (line[i] == ';')
-		words->next = i + 1;
+	words->next = line[i] == ';' ? i + 1 : i + strlen(line + i);
+	column_of(line, words, words->next);
 	return true;
 }
 

@@ -144,12 +144,13 @@ pump(struct session *s)
 
 static int run_scripts(struct session *s, size_t depth);
 
-/* Ends what the line has under way after an error or an interruption. */
+/* Ends what the line has under way after an error or an interruption; the
+ * latter keeps the results so far. */
 static void
 give_up(struct session *s, int status, const char *line, const char *name)
 {
 	struct error error = {.kind = (enum error_kind)status};
-	bool ok = status == 0;
+	bool ok = status == 0 || interrupted;
 	if (!session_settle(s, ok, &error) && ok)
 		print_error(&error, line, name);
 }
