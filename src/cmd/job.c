@@ -150,6 +150,7 @@ job_start(struct session *s, const struct calibrate_options *options,
 	session_stop(s, false);
 	s->job = (struct job){.options = *options,
 	    .entry = all ? next_site(s, 0) : s->current,
+	    .turn = s->turn,
 	    .train = train,
 	    .run_weight = run_weight,
 	    .all = all,
@@ -338,6 +339,8 @@ session_stop(struct session *s, bool keep)
 	calibration_stop(s->job.calibration, false);
 	if (keep && any && !s->job.paused)
 		take_result(s);
+	if (session_busy(s))
+		turn_stopped(s, keep ? s->job.step : 0);
 	if (!keep)
 		report_free(s->job.summary);
 	if (!keep)
@@ -378,6 +381,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 		    s->job.step);
 	s->job.pause_at = (size_t)pause->whole;
 	s->job.paused = false;
+	s->job.turn = s->turn;
 	return true;
 }
 

@@ -45,7 +45,8 @@ enum answer {
 struct job {
 	struct calibration *calibration;
 	size_t entry;
-	double started; /* s, of a clock that only goes forward */
+	struct turn *turn; /* the command that runs it */
+	double started;    /* s, of a clock that only goes forward */
 	struct calibrate_options options;
 	bool *train;
 	bool all;               /* one loaded site after the other */

@@ -28,8 +28,7 @@ struct turn {
 	size_t stopped_at;       /* so many steps */
 	double started;
 	bool timed;
-	size_t scripts;                 /* that were open when it began */
-	const struct calibration *busy; /* a job of others under way then */
+	size_t scripts; /* that were open when it began */
 };
 
 static bool
@@ -94,8 +93,7 @@ turn_begin(struct session *s, const struct command *command,
 	    .column = words->to_column,
 	    .started = session_clock(),
 	    .timed = s->timing,
-	    .scripts = script_depth(s),
-	    .busy = session_busy(s) ? s->job.calibration : NULL};
+	    .scripts = script_depth(s)};
 	if (words->to != TO_SCREEN)
 		t->redirect = redirect_open(s, words, error);
 	if (words->to != TO_SCREEN && t->redirect == NULL) {
@@ -116,10 +114,11 @@ turn_begin(struct session *s, const struct command *command,
 void
 turn_stopped(struct session *s, size_t steps)
 {
-	if (s->turn == NULL)
+	struct turn *t = s->job.turn;
+	if (t == NULL)
 		return;
-	s->turn->stopped = true;
-	s->turn->stopped_at = steps;
+	t->stopped = true;
+	t->stopped_at = steps;
 }
 
 /* True where its results go elsewhere, by itself or with its script. */
@@ -131,6 +130,12 @@ is_redirected(const struct turn *t)
 	return t != NULL;
 }
 
+static bool
+came_to_nothing(const struct turn *t)
+{
+	return t->stopped && t->stopped_at == 0;
+}
+
 /* What went elsewhere is not done again, but for what it changed. */
 static void
 record(struct session *s, const struct turn *t, bool changed)
@@ -138,7 +143,7 @@ record(struct session *s, const struct turn *t, bool changed)
 	bool elsewhere = is_redirected(t),
 	     latest = (t->command->flags & COMMAND_LATEST) != 0;
 	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
-	    (t->stopped && t->stopped_at == 0))
+	    came_to_nothing(t))
 		return;
 	char *pause =
 	    t->stopped ? xasprintf(" pause=%zu", t->stopped_at) : xstrdup("");
@@ -170,7 +175,7 @@ turn_free(struct turn *t)
 bool
 turn_over(const struct session *s)
 {
-	bool working = session_busy(s) && s->job.calibration != s->turn->busy;
+	bool working = session_busy(s) && s->job.turn == s->turn;
 	return !working && script_depth(s) <= s->turn->scripts;
 }
 
@@ -181,7 +186,8 @@ turn_end(struct session *s, bool ok, struct error *error)
 	/* The report of a check that says no is a result. */
 	bool keep = ok || error->kind == ERROR_CHECK;
 	struct error late = {0};
-	bool changed = t->before != NULL && snapshot_differs(t->before, s);
+	bool changed = t->before != NULL && !came_to_nothing(t) &&
+		       snapshot_differs(t->before, s);
 	s->turn = t->outer;
 	if (ok)
 		record(s, t, changed);

@@ -19,8 +19,8 @@ bool turn_begin(struct session *s, const struct command *command,
 /* True when the innermost command has no job and no script left. */
 bool turn_over(const struct session *s);
 
-/* The innermost command's calibration was stopped after so many steps: a saved
- * script stops it there. */
+/* The job was stopped after so many steps: a saved script stops it there; 0: it
+ * came to nothing. */
 void turn_stopped(struct session *s, size_t steps);
 
 /* The innermost command is over: its results are handed over.  ok: it did what

@@ -154,6 +154,29 @@ undo_lets_go_of_a_stopped_calibration(void **state)
 	}
 }
 
+/* As a driver may do between two steps. */
+static void
+undo_ends_a_running_calibration(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	const char *line = "calibrate population=64 generations=9";
+	size_t next;
+	desk_expect(desk, "seed 3");
+	size_t depth = undo_depth(s), lines = journal_mark(s).n;
+	assert_true(session_line(s, line, 0, "x", 1, &next, &desk->error));
+	session_step(s);
+	assert_true(session_line(s, "seed", 0, "x", 1, &next, &desk->error));
+	assert_true(session_line(s, "undo", 0, "x", 1, &next, &desk->error));
+	assert_false(session_busy(s));
+	assert_int_equal(s->seed, 1);
+	assert_false(session_entry(s)->has_fit);
+	assert_true(session_settle(s, true, &desk->error));
+	assert_int_equal(undo_depth(s), depth - 1);
+	/* What was asked since "seed 3" went with it. */
+	assert_int_equal(journal_mark(s).n, lines - 1);
+}
+
 static void
 undo_forgets_the_answers(void **state)
 {
@@ -176,6 +199,7 @@ main(void)
 	    at_desk(a_load_that_fails_half_way_is_one_step),
 	    at_desk(undo_gives_back_the_former_fit),
 	    at_desk(undo_lets_go_of_a_stopped_calibration),
+	    at_desk(undo_ends_a_running_calibration),
 	    at_desk(undo_forgets_the_answers),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
