@@ -27,18 +27,18 @@ struct invocation {
 	struct action *action;
 	enum report_format format;
 	uint64_t seed;
-	bool help, version;
+	bool help, version, safe;
 	int first_file;
 };
 
-enum { OPTION_FORMAT = 256, OPTION_SEED, OPTION_STORE };
+enum { OPTION_FORMAT = 256, OPTION_SEED, OPTION_STORE, OPTION_SAFE };
 
 static const struct option LONG_OPTIONS[] = {
     {"format", required_argument, NULL, OPTION_FORMAT},
     {"seed", required_argument, NULL, OPTION_SEED},
     {"store", required_argument, NULL, OPTION_STORE},
-    {"help", no_argument, NULL, 'h'}, {"version", no_argument, NULL, 'V'},
-    {NULL, 0, NULL, 0}};
+    {"safe", no_argument, NULL, OPTION_SAFE}, {"help", no_argument, NULL, 'h'},
+    {"version", no_argument, NULL, 'V'}, {NULL, 0, NULL, 0}};
 
 static void
 print_help(void)
@@ -46,7 +46,7 @@ print_help(void)
 	fputs(
 	    "usage: tipspeed [-c CMD]... [-f FILE]... [--format=FORMAT] "
 	    "[--seed=N]\n"
-	    "                [--store=PATH] [FILE...]\n\n"
+	    "                [--store=PATH] [--safe] [FILE...]\n\n"
 	    "Loads the site FILEs (a FILE.tip is a script and is run), then "
 	    "runs the commands\nof -c and -f in order. Without -c and -f, "
 	    "commands come from standard input.\n"
@@ -55,6 +55,7 @@ print_help(void)
 	    "  --format=FORMAT  table, csv, json or markdown\n"
 	    "  --seed=N         seed of calibrations\n"
 	    "  --store=PATH     accepted; nothing is stored by this version\n"
+	    "  --safe           no command may touch files or the shell\n"
 	    "  --help           this text\n"
 	    "  --version        the version\n\ncommands\n",
 	    stdout);
@@ -97,6 +98,9 @@ take_option(struct invocation *in, int option, const char *value)
 		return false;
 	case OPTION_STORE:
 		return true; /* nothing is remembered yet */
+	case OPTION_SAFE:
+		in->safe = true;
+		return true;
 	case 'h':
 		in->help = true;
 		return true;
@@ -192,6 +196,7 @@ main(int argc, char **argv)
 		struct session *s = session_new(stdout, stderr);
 		s->format = in.format;
 		s->seed = in.seed;
+		s->safe = in.safe;
 		batch_catch_interrupt();
 		if (in.help)
 			print_help();

@@ -46,4 +46,17 @@ for signal in INT TERM HUP; do
 	kill -s TERM $pid
 	wait $pid
 done
+# Results that go to a file are written when ^C stops what gives them.
+env --default-signal=INT "$TIPSPEED" data/sites/tierp.csv \
+	-c "$run > fit.json" >out 2>log &
+pid=$!
+tries=0
+until grep -q 'generation  *10 ' log || [ $tries -ge 300 ]; do
+	sleep 0.1
+	tries=$((tries + 1))
+done
+kill -s INT $pid
+wait $pid
+[ $? -eq 130 ] && [ ! -s out ] && grep -q '"stop":"stopped"' fit.json
+result $? "INT: a redirected calibration writes the best so far"
 finish

@@ -20,6 +20,54 @@ command_find(const char *name)
 	return NULL;
 }
 
+/* Appends to a string that grows. */
+static void
+append(char **text, const char *more)
+{
+	char *longer = xasprintf("%s%s", *text, more);
+	free(*text);
+	*text = longer;
+}
+
+static bool
+begins(const char *name, const char *start)
+{
+	return name != NULL && strncmp(name, start, strlen(start)) == 0;
+}
+
+const struct command *
+command_called(const char *name, bool prompt)
+{
+	const struct command *found = command_find(name);
+	if (found != NULL || !prompt)
+		return found;
+	char *start = text_fold(name);
+	size_t n = 0;
+	const struct command *exact = command_find(start);
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
+		if (!begins(c->name, start) && !begins(c->alias, start))
+			continue;
+		found = c;
+		n++;
+	}
+	free(start);
+	return exact != NULL ? exact : n == 1 ? found : NULL;
+}
+
+char *
+command_candidates(const char *name)
+{
+	char *list = xstrdup(""), *start = text_fold(name);
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
+		if (!begins(c->name, start) && !begins(c->alias, start))
+			continue;
+		append(&list, list[0] != '\0' ? ", " : "");
+		append(&list, c->name);
+	}
+	free(start);
+	return list;
+}
+
 const char *
 command_nearest(const char *name)
 {
@@ -48,15 +96,6 @@ command_option_index(const struct command *command, const char *name)
 	return OPTIONS;
 }
 
-/* Appends to a string that grows. */
-static void
-append(char **text, const char *more)
-{
-	char *longer = xasprintf("%s%s", *text, more);
-	free(*text);
-	*text = longer;
-}
-
 static const char *
 placeholder(const struct command_option *o)
 {
@@ -69,6 +108,8 @@ placeholder(const struct command_option *o)
 		return "N";
 	case VALUE_CHOICE:
 		return o->choices;
+	case VALUE_FILE:
+		return "FILE";
 	default:
 		return "TEXT";
 	}
@@ -109,6 +150,8 @@ command_limits(const struct command_option *o)
 {
 	if (o->kind == VALUE_TEXT)
 		return xstrdup("text");
+	if (o->kind == VALUE_FILE)
+		return xstrdup("file");
 	if (o->kind == VALUE_CHOICE) {
 		char *list = xstrdup("");
 		for (const char *c = o->choices; *c != '\0'; c++)

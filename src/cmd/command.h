@@ -19,7 +19,8 @@ enum value_kind {
 	VALUE_WHOLE,   /* 0 to 2^64-1 */
 	VALUE_CHOICE,  /* one of the option's choices */
 	VALUE_NUMBERS, /* a,b,c or a..b[:step] */
-	VALUE_TEXT
+	VALUE_TEXT,
+	VALUE_FILE /* text that names a file */
 };
 
 /* One key=value of a command. */
@@ -55,6 +56,15 @@ struct args {
 
 enum need { NEED_NOTHING, NEED_SITE };
 
+/* What the session has to know of a command. */
+enum command_flag {
+	COMMAND_CHANGES = 1,  /* changes the session: can be undone */
+	COMMAND_FILES = 2,    /* operands are files: refused by --safe */
+	COMMAND_VERBATIM = 4, /* > and | are words like others */
+	COMMAND_UNSAVED = 8,  /* save leaves it out, or it sees to it itself */
+	COMMAND_LATEST = 16   /* of several in a row save keeps the last */
+};
+
 /* bare: option that a bare word stands for ("predict 74"), or NULL.
  * pairs: options may be written as two words ("set method classes").
  * operands: as shown in usage; at least `least` and at most `most` of them.
@@ -65,6 +75,7 @@ struct command {
 	const char *operands;
 	size_t least, most;
 	enum need need;
+	unsigned flags; /* command_flag */
 	const char *bare;
 	bool pairs;
 	const struct command_option
@@ -79,6 +90,13 @@ const struct command *command_next(const struct command *after);
 
 /* By full name or alias; NULL if there is none. */
 const struct command *command_find(const char *name);
+
+/* The same; at a prompt also without case and by a prefix that only one command
+ * has. */
+const struct command *command_called(const char *name, bool prompt);
+
+/* "calibrate, check": names that begin so, without case.  The caller frees. */
+char *command_candidates(const char *name);
 
 /* The name nearest to a mistyped one, or NULL when none is near. */
 const char *command_nearest(const char *name);

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/journal.h"
 #include "core/synth.h"
 #include "io/site_write.h"
 #include "io/table3.h"
@@ -21,31 +22,45 @@ option(const char *command, const struct args *args, const char *name)
 	return args_value(command_find(command), args, name);
 }
 
-bool
-data_load(struct session *s, const char *path, struct error *error)
+static bool
+load(struct session *s, const char *path, const char *digest,
+    struct error *error)
 {
 	size_t n = strlen(path);
 	if (n > 4 && strcmp(path + n - 4, ".tip") == 0) {
 		error_set(error, ERROR_USAGE,
 		    "%s is a script by its name, not a sheet", path);
-		return error_hint(
-		    error, "run it from the shell: tipspeed %s", path);
+		return error_hint(error, "run it: source %s", path);
 	}
-	if (!session_load(s, path, error))
+	if (!session_load(s, path, digest, error))
 		return false;
 	const struct entry *entry = session_entry(s);
 	char *label = session_label(entry->site);
 	session_note(s, "loaded %s: %zu runs", label, entry->site->n_run);
 	free(label);
 	data_warn_coarser(s, entry->site);
+	char *line = journal_load(entry->site);
+	journal_add(s, line, NULL);
+	free(line);
 	return true;
+}
+
+bool
+data_load(struct session *s, const char *path, struct error *error)
+{
+	return load(s, path, NULL, error);
 }
 
 bool
 cmd_load(struct session *s, const struct args *args, struct error *error)
 {
+	const struct value *digest = option("load", args, "digest");
+	if (digest->given && args->n_operand > 1)
+		return error_set(error, ERROR_USAGE,
+		    "digest= goes with one file, not with %zu",
+		    args->n_operand);
 	for (size_t i = 0; i < args->n_operand; i++)
-		if (!data_load(s, args->operand[i], error))
+		if (!load(s, args->operand[i], digest->text, error))
 			return false;
 	return true;
 }

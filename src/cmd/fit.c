@@ -198,6 +198,7 @@ calibrate_all(
 	}
 	struct calibrate_options o = chosen_options(s, args);
 	job_start(s, &o, NULL, NULL, true, log);
+	s->job.pause_at = (size_t)option(args, "pause")->whole;
 	return true;
 }
 
@@ -246,12 +247,16 @@ take_history(struct entry *entry, const struct job *job)
 	size_t n, size = sizeof(struct calibrate_generation);
 	const struct calibrate_generation *g =
 	    calibration_history(job->calibration, &n);
-	free(entry->history.generation);
-	entry->history = (struct history){.n = n,
+	history_drop(entry->history);
+	entry->history = NULL;
+	if (n == 0)
+		return;
+	struct history *h = entry->history = xcalloc(1, sizeof *h);
+	*h = (struct history){.holders = 1,
+	    .n = n,
 	    .generation = xcalloc(n, size),
 	    .bounds = job->options.bounds};
-	if (n > 0)
-		memcpy(entry->history.generation, g, n * size);
+	memcpy(h->generation, g, n * size);
 }
 
 void

@@ -58,12 +58,21 @@ add_row(struct report *r, const struct history *h, size_t i, bool exact)
 	}
 }
 
+void
+history_drop(struct history *h)
+{
+	if (h == NULL || --h->holders > 0)
+		return;
+	free(h->generation);
+	free(h);
+}
+
 bool
 cmd_history(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
-	const struct history *h = &entry->history;
-	if (h->n == 0) {
+	const struct history *h = entry->history;
+	if (h == NULL) {
 		error_set(error, ERROR_USAGE,
 		    "%s has not been calibrated in this session",
 		    entry->site->name);

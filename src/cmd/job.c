@@ -8,6 +8,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/fit.h"
+#include "cmd/turn.h"
 #include "core/validate.h"
 #include "io/checkpoint.h"
 #include "io/units.h"
@@ -84,8 +85,9 @@ job_resume(struct session *s, const char *path, struct error *error)
 		session_stop(s, false);
 		return false;
 	}
-	session_note(s, "  going on after generation %zu",
-	    calibration_status(s->job.calibration).generation);
+	struct calibrate_status st = calibration_status(s->job.calibration);
+	s->job.step = st.step;
+	session_note(s, "  going on after generation %zu", st.generation);
 	return true;
 }
 
@@ -148,6 +150,7 @@ job_start(struct session *s, const struct calibrate_options *options,
 	session_stop(s, false);
 	s->job = (struct job){.options = *options,
 	    .entry = all ? next_site(s, 0) : s->current,
+	    .turn = s->turn,
 	    .train = train,
 	    .run_weight = run_weight,
 	    .all = all,
@@ -275,15 +278,10 @@ end_all(struct session *s)
 		session_report(s, summary);
 }
 
-void
-session_step(struct session *s)
+/* The calibration is done: on to the next site of `all`, or to the end. */
+static void
+next_or_end(struct session *s)
 {
-	enum calibrate_state state = calibration_step(s->job.calibration);
-	size_t generation = calibration_status(s->job.calibration).generation;
-	if (state == CALIBRATE_SEARCHING && generation == s->job.pause_at)
-		session_pause(s);
-	if (state < CALIBRATE_TOLERANCE)
-		return;
 	take_result(s);
 	size_t next = s->job.all ? next_site(s, s->job.entry + 1) : s->n_entry;
 	if (next == s->n_entry) {
@@ -296,6 +294,17 @@ session_step(struct session *s)
 }
 
 void
+session_step(struct session *s)
+{
+	bool over = calibration_step(s->job.calibration) >= CALIBRATE_TOLERANCE;
+	s->job.step++;
+	if (over)
+		next_or_end(s);
+	if (session_busy(s) && s->job.step == s->job.pause_at)
+		session_pause(s);
+}
+
+void
 session_pause(struct session *s)
 {
 	if (!session_busy(s))
@@ -304,6 +313,7 @@ session_pause(struct session *s)
 	/* Before its first generation there is nothing to keep. */
 	if (st.generation > 0)
 		take_result(s);
+	turn_stopped(s, s->job.step);
 	if (s->job.all || st.generation == 0) {
 		end_all(s);
 		return;
@@ -329,11 +339,23 @@ session_stop(struct session *s, bool keep)
 	calibration_stop(s->job.calibration, false);
 	if (keep && any && !s->job.paused)
 		take_result(s);
+	if (session_busy(s))
+		turn_stopped(s, keep ? s->job.step : 0);
 	if (!keep)
 		report_free(s->job.summary);
 	if (!keep)
 		s->job.all = false;
 	end_all(s);
+}
+
+void
+session_let_go(struct session *s)
+{
+	if (s->job.calibration == NULL)
+		return;
+	session_stop(s, false);
+	session_note(s, "the stopped calibration is let go of: 'continue' "
+			"has nothing to go on with");
 }
 
 static bool
@@ -349,10 +371,17 @@ need_paused(const struct session *s, const char *name, struct error *error)
 bool
 cmd_continue(struct session *s, const struct args *args, struct error *error)
 {
-	(void)args;
 	if (!need_paused(s, "continue", error))
 		return false;
+	const struct value *pause =
+	    args_value(command_find("continue"), args, "pause");
+	if (pause->given && pause->whole <= s->job.step)
+		return error_set(error, ERROR_USAGE,
+		    "pause wants a generation beyond %zu, which is done",
+		    s->job.step);
+	s->job.pause_at = (size_t)pause->whole;
 	s->job.paused = false;
+	s->job.turn = s->turn;
 	return true;
 }
 

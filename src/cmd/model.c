@@ -270,7 +270,8 @@ show_settings(struct session *s)
 	const char *rows[][2] = {{"method", answers_method(s->settings.method)},
 	    {"appearance", MODEL_FORMS[s->settings.appearance]}, {"k", k},
 	    {"threads", threads}, {"isa", isa_name(isa_usable(s->isa))},
-	    {"format", REPORT_FORMATS[s->format]}};
+	    {"format", REPORT_FORMATS[s->format]},
+	    {"csv", s->semicolon ? "semicolon" : "comma"}};
 	report_column(r, "setting", "setting");
 	report_column(r, "value", "value");
 	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
@@ -293,6 +294,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	const struct value *threads = args_value(self, args, "threads");
 	const struct value *isa = args_value(self, args, "isa");
 	const struct value *format = args_value(self, args, "format");
+	const struct value *csv = args_value(self, args, "csv");
 	if (method->given || form->given || k->given)
 		session_forget(s);
 	if (method->given)
@@ -307,8 +309,10 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		s->isa = (enum isa)isa->choice;
 	if (format->given)
 		s->format = (enum report_format)format->choice;
+	if (csv->given)
+		s->semicolon = csv->choice == 1;
 	bool any = method->given || form->given || k->given || threads->given ||
-		   format->given;
+		   isa->given || format->given || csv->given;
 	if (!any)
 		show_settings(s);
 	return true;

@@ -9,24 +9,39 @@
 #include "base/error.h"
 #include "cmd/command.h"
 
-/* Where a line comes from, for messages. */
+/* Where a line comes from, for messages.  prompt: it was typed at a prompt,
+ * where names of commands may be cut short.  column: of the character that a
+ * command begins at, where it is known; else 0. */
 struct place {
 	const char *file;
 	int line;
+	bool prompt;
+	int column;
 };
 
+/* Where the results of a command go. */
+enum target { TO_SCREEN, TO_FILE, TO_END, TO_PIPE };
+
 /* The words of one command and the characters they start at (from 1).
- * last: the offset in the line at which the next command may begin. */
+ * next: the offset in the line at which the next command may begin.
+ * target: file of TO_FILE (">") and TO_END (">>"), shell command of TO_PIPE;
+ * to_column: where > or | stands. */
 struct words {
 	size_t n;
 	char *text[OPERANDS];
 	int column[OPERANDS];
 	size_t next;
+	enum target to;
+	char *target;
+	int to_column;
+	size_t reached; /* an offset in the line, and its column */
+	int reached_column;
 };
 
 /* Splits the command that begins at line + from: words between blanks, "quoted"
- * ones whole, up to ; or # or the end.  False on an open quote or too many
- * words.  Free with words_free in any case. */
+ * ones whole ("" within quotes is one quote), up to ; or # or the end.  False
+ * on an open quote, too many words or a faulty redirection.  Free with
+ * words_free in any case. */
 bool words_split(const char *line, size_t from, struct place place,
     struct words *words, struct error *error);
 void words_free(struct words *words);

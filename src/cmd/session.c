@@ -14,7 +14,9 @@
 #include "base/xalloc.h"
 #include "cmd/command.h"
 #include "cmd/parse.h"
-#include "io/site_read.h"
+#include "cmd/script.h"
+#include "cmd/turn.h"
+#include "cmd/undo.h"
 #include "io/units.h"
 
 static unsigned
@@ -39,25 +41,22 @@ session_new(FILE *out, FILE *notes)
 	return s;
 }
 
-static void
-entry_free(struct entry *entry)
-{
-	site_free(entry->site);
-	free(entry->key);
-	free(entry->train);
-	free(entry->history.generation);
-	free(entry->origin);
-}
-
 void
 session_free(struct session *s)
 {
 	if (s == NULL)
 		return;
 	session_stop(s, false);
-	for (size_t i = 0; i < s->n_entry; i++)
-		entry_free(&s->entry[i]);
-	free(s->entry);
+	script_close(s, 0);
+	struct error stopped = {0};
+	session_settle(s, false, &stopped);
+	entries_free(s->entry, s->n_entry);
+	for (size_t i = 0; i < s->n_site; i++)
+		site_free(s->site[i]);
+	free(s->site);
+	free(s->first);
+	undo_free(s->undo);
+	journal_free(s->journal);
 	free(s);
 }
 
@@ -85,136 +84,6 @@ session_forget(struct session *s)
 		s->answer[i] = NAN;
 }
 
-static bool
-key_taken(const struct session *s, const char *key)
-{
-	for (size_t i = 0; i < s->n_entry; i++)
-		if (strcmp(s->entry[i].key, key) == 0)
-			return true;
-	return false;
-}
-
-static char *
-sized_key(const char *slug, const struct site *site)
-{
-	return xasprintf("%s/%g", slug, units_mm(site->top_size));
-}
-
-/* "tierp"; of several sites with one name each has its size, "gavle/11.2"; of
- * several with one size the later ones have a number, "gavle/11.2/2". */
-static char *
-new_key(struct session *s, const struct site *site)
-{
-	char *slug = text_slug(site->name), *key = xstrdup(slug);
-	bool shared = false;
-	for (size_t i = 0; i < s->n_entry; i++) {
-		struct entry *other = &s->entry[i];
-		char *name = text_slug(other->site->name);
-		shared = shared || strcmp(name, slug) == 0;
-		if (strcmp(other->key, slug) == 0 &&
-		    other->site->top_size > 0) {
-			free(other->key);
-			other->key = sized_key(slug, other->site);
-		}
-		free(name);
-	}
-	if (shared && site->top_size > 0) {
-		free(key);
-		key = sized_key(slug, site);
-	}
-	char *stem = xstrdup(key);
-	for (int i = 2; key_taken(s, key); i++) {
-		free(key);
-		key = xasprintf("%s/%d", stem, i);
-	}
-	free(stem);
-	free(slug);
-	return key;
-}
-
-void
-session_add(struct session *s, struct site *site)
-{
-	struct entry entry = {.site = site, .key = new_key(s, site)};
-	entry.train = xcalloc(site->n_run, sizeof *entry.train);
-	misfit_default_train(site, entry.train);
-	s->entry = xrealloc(s->entry, s->n_entry + 1, sizeof *s->entry);
-	s->current = s->n_entry++;
-	s->entry[s->current] = entry;
-	session_forget(s);
-}
-
-/* How well a loaded site answers to a name: 0 not, 1 by its name, 2 by name and
- * top size, 3 by its key. */
-static int
-answers(const struct entry *entry, const char *wanted)
-{
-	char *name = text_slug(entry->site->name);
-	char *sized = xasprintf("%s/%g", name, units_mm(entry->site->top_size));
-	char *folded = text_fold(wanted), *slug = text_slug(wanted);
-	int match = 0;
-	if (strcmp(entry->key, folded) == 0)
-		match = 3;
-	else if (strcmp(sized, folded) == 0)
-		match = 2;
-	else if (strcmp(name, slug) == 0)
-		match = 1;
-	free(name);
-	free(sized);
-	free(folded);
-	free(slug);
-	return match;
-}
-
-/* "gavle/4, gavle/11.2"; of those that answer, or of all. */
-static char *
-list_keys(const struct session *s, const char *wanted)
-{
-	char *list = xstrdup("");
-	for (size_t i = 0; i < s->n_entry; i++) {
-		if (wanted != NULL && answers(&s->entry[i], wanted) == 0)
-			continue;
-		char *longer = xasprintf("%s%s%s", list,
-		    list[0] != '\0' ? ", " : "", s->entry[i].key);
-		free(list);
-		list = longer;
-	}
-	return list;
-}
-
-bool
-session_find(
-    struct session *s, const char *name, size_t *index, struct error *error)
-{
-	int best = 0;
-	size_t found = 0, last = 0;
-	for (size_t i = 0; i < s->n_entry; i++) {
-		int match = answers(&s->entry[i], name);
-		if (match == 0 || match < best)
-			continue;
-		found = match > best ? 1 : found + 1;
-		best = match;
-		last = i;
-	}
-	if (found == 1) {
-		*index = last;
-		return true;
-	}
-	char *keys = list_keys(s, best > 0 ? name : NULL);
-	if (best > 0) {
-		error_set(
-		    error, ERROR_USAGE, "several sites are called '%s'", name);
-		error_hint(error, "use one of: %s", keys);
-	} else {
-		error_set(error, ERROR_USAGE, "no site '%s' is loaded", name);
-		error_hint(error,
-		    keys[0] != '\0' ? "loaded: %s" : "load its file first%s",
-		    keys);
-	}
-	free(keys);
-	return false;
-}
-
 void
 session_tell_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error)
@@ -227,23 +96,10 @@ session_tell_faults(const struct session *s, const char *path,
 		    s, "%s: %zu more faults are not shown", path, errors->more);
 }
 
-bool
-session_load(struct session *s, const char *path, struct error *error)
-{
-	struct error_list *errors = xcalloc(1, sizeof *errors);
-	struct site *site = site_read(path, errors);
-	if (site == NULL)
-		session_tell_faults(s, path, errors, error);
-	else
-		session_add(s, site);
-	free(errors);
-	return site != NULL;
-}
-
 void
 session_report(struct session *s, struct report *report)
 {
-	report_print(report, s->format, s->out);
+	report_print(report, s->format, s->semicolon, s->out);
 	fflush(s->out);
 	report_free(report);
 }
@@ -287,7 +143,12 @@ run_words(struct session *s, const struct words *words, struct place place,
 	struct args args;
 	const struct command *command = parse_call(words, place, &args, error);
 	bool ok = command != NULL && check_need(s, command, error) &&
-		  command->run(s, &args, error);
+		  turn_begin(s, command, &args, words, place, error);
+	if (ok) {
+		ok = command->run(s, &args, error);
+		if (!ok || turn_over(s))
+			ok = turn_end(s, ok, error);
+	}
 	args_free(&args);
 	if (ok || error->line > 0 || error->file[0] != '\0')
 		return ok;
@@ -301,19 +162,24 @@ bool
 session_line(struct session *s, const char *line, size_t from, const char *file,
     int number, size_t *next, struct error *error)
 {
-	struct place place = {file, number};
-	size_t end = strlen(line);
+	struct place place = {.file = file,
+	    .line = number,
+	    .prompt = s->prompt && s->script == NULL};
+	size_t end = strlen(line), depth = script_depth(s);
 	*next = 0;
+	if (!session_settle(s, true, error))
+		return false;
 	while (from < end && !s->quit) {
 		struct words words;
 		bool ok = words_split(line, from, place, &words, error);
 		if (ok && words.n > 0)
 			ok = run_words(s, &words, place, error);
 		from = words.next;
+		place.column = words.reached_column;
 		words_free(&words);
 		if (!ok)
 			return false;
-		if (session_busy(s)) {
+		if (session_busy(s) || script_depth(s) > depth) {
 			*next = from;
 			return true;
 		}

@@ -13,9 +13,10 @@
 #include "core/site.h"
 #include "io/report.h"
 
-/* The generations of a calibration, [n], with the bounds it searched in. */
+/* The generations of a calibration, [n], with the bounds it searched in.
+ * Shared by the entries and snapshots that hold it. */
 struct history {
-	size_t n;
+	size_t holders, n;
 	struct calibrate_generation *generation;
 	struct bounds bounds;
 };
@@ -27,10 +28,10 @@ struct entry {
 	char *key;
 	bool *train;
 	bool has_params, has_fit;
-	struct params params;   /* set by hand or found */
-	char *origin;           /* "taken from bro", or NULL; owned */
-	struct fit fit;         /* where the parameters were found */
-	struct history history; /* of the last calibration; owned */
+	struct params params;    /* set by hand or found */
+	char *origin;            /* "taken from bro", or NULL; owned */
+	struct fit fit;          /* where the parameters were found */
+	struct history *history; /* of the last calibration, or NULL */
 };
 
 /* The newest answers, for assert: sizes in mm, rmse and holdout in points; NAN
@@ -55,17 +56,25 @@ enum answer {
 struct job {
 	struct calibration *calibration;
 	size_t entry;
-	double started; /* s, of a clock that only goes forward */
+	struct turn *turn; /* the command that runs it */
+	double started;    /* s, of a clock that only goes forward */
 	struct calibrate_options options;
 	bool *train;
 	bool all;               /* one loaded site after the other */
 	bool paused;            /* stopped by ^C; `continue` goes on */
-	size_t pause_at;        /* generation to stop after; 0: none */
+	size_t step;            /* of all sites so far */
+	size_t pause_at;        /* step to stop after; 0: none */
 	struct report *summary; /* of all */
 	double *run_weight;     /* [n_run] of the site, or NULL */
 	char *checkpoint;       /* file to write when stopped, or NULL */
 	FILE *log;              /* every generation as CSV, or NULL */
 };
+
+struct choices;
+struct journal;
+struct script;
+struct turn;
+struct undo;
 
 struct session {
 	size_t n_entry, current; /* current is meaningful when n_entry > 0 */
@@ -76,10 +85,21 @@ struct session {
 	unsigned threads;
 	enum isa isa;
 	enum report_format format;
-	FILE *out;   /* results */
-	FILE *notes; /* what is said beside results; NULL: nothing */
+	bool semicolon; /* in csv, with decimal commas */
+	bool prompt;    /* lines are typed by somebody */
+	bool safe;      /* no command may touch files or the shell */
+	bool timing;    /* tell how long each command took */
+	FILE *out;      /* results */
+	FILE *notes;    /* what is said beside results; NULL: nothing */
 	double answer[ANSWERS];
 	struct job job;
+	size_t n_site;
+	struct site **site;    /* every site there was; entries borrow them */
+	struct choices *first; /* what the command line set; reset goes there */
+	struct journal *journal;
+	struct undo *undo;
+	struct script *script; /* scripts being read, innermost first */
+	struct turn *turn;     /* commands under way, innermost first */
 	bool quit;
 };
 
@@ -100,8 +120,22 @@ const char *session_origin(const struct entry *entry);
  * now. */
 void session_forget(struct session *s);
 
-/* Adds a site, which the session then owns, and makes it the one in use. */
+/* Adds a site, which the session then owns, and makes it the one in use.  It
+ * takes the place of a site that was read from the same file. */
 void session_add(struct session *s, struct site *site);
+
+/* Takes a site out of those loaded, and lets go of a calibration of it. */
+void session_drop(struct session *s, size_t index);
+
+/* Frees entries [n] with what they own. */
+void entries_free(struct entry *entry, size_t n);
+
+/* Another entry of the same site, with copies of what it owns and a share in
+ * its history. */
+struct entry entry_copy(const struct entry *from);
+
+/* Gives a share in it up; NULL is allowed. */
+void history_drop(struct history *history);
 
 /* Finds a loaded site by name without case and accents ("borlange"), by name
  * and top size ("gavle/4") or by key.  Several or none: an error that lists
@@ -109,9 +143,11 @@ void session_add(struct session *s, struct site *site);
 bool session_find(
     struct session *s, const char *name, size_t *index, struct error *error);
 
-/* Reads a site file and adds it.  Every fault of the file is printed to notes
+/* Reads a site file and adds it.  digest: the one it must have, as hexadecimal
+ * digits, or NULL.  Every fault of the file is printed to notes
  * but the last, which is the error. */
-bool session_load(struct session *s, const char *path, struct error *error);
+bool session_load(struct session *s, const char *path, const char *digest,
+    struct error *error);
 
 /* The faults of a file: the last becomes the error, those before it are printed
  * to notes, so that they are shown in order. */
@@ -126,8 +162,8 @@ void session_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Runs the commands of one line.  place names it in errors.  Stops at the first
- * error, and after a command that started a job: then *next is where to go on
- * (an offset into line), otherwise 0. */
+ * error, and after a command that started a job or opened a script: then *next
+ * is where to go on (an offset into line) after it, otherwise 0. */
 bool session_line(struct session *s, const char *line, size_t from,
     const char *file, int number, size_t *next, struct error *error);
 
@@ -136,12 +172,20 @@ bool session_busy(const struct session *s);
 /* One step of the job; prints its result and ends it when it is done. */
 void session_step(struct session *s);
 
+/* Lets go of a calibration that was stopped, and says so. */
+void session_let_go(struct session *s);
+
 /* Stops the job for the user: the best so far becomes the site's fit, and
  * `continue` goes on from there. */
 void session_pause(struct session *s);
 
 /* Ends the job.  keep: the best so far becomes the site's fit. */
 void session_stop(struct session *s, bool keep);
+
+/* Ends the commands whose job or script is over, see turn.h; session_line does
+ * so before the next command.  A driver that does not go on with the line calls
+ * it. ok: they did what they should. */
+bool session_settle(struct session *s, bool ok, struct error *error);
 
 /* Seconds of a clock that only goes forward. */
 double session_clock(void);

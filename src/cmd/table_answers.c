@@ -34,7 +34,7 @@ static const struct command_option FIND_OPTIONS[] = {
     {"p80", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P80"},
     {"passing", VALUE_NUMBER, "%", 0, 100, NULL, "", "wanted passing"},
     {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "size of that passing"},
-    {"spec", VALUE_TEXT, "", 0, 0, NULL, "", "file of a grading envelope"},
+    {"spec", VALUE_FILE, "", 0, 0, NULL, "", "file of a grading envelope"},
     {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "65", "slowest speed"},
     {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "85", "fastest speed"},
     FEED_OPTION, LAST_OPTION};
@@ -53,6 +53,7 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "the product at a tip speed",
 	.operands = "",
 	.need = NEED_SITE,
+	.flags = COMMAND_LATEST,
 	.bare = "speed",
 	.option = PREDICT_OPTIONS,
 	.text = "Needs parameters: calibrate, or params set. Outside the "
@@ -114,6 +115,7 @@ const struct command TABLE_ANSWERS[] = {
 	.operands = "FILE",
 	.least = 1,
 	.most = 1,
+	.flags = COMMAND_FILES,
 	.need = NEED_SITE,
 	.option = SPEC_OPTIONS,
 	.text = "Each sieve of the envelope with its limits, the passing "

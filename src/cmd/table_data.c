@@ -3,10 +3,16 @@
 #include "cmd/table.h"
 
 #include "cmd/data.h"
+#include "cmd/manage.h"
 #include "cmd/show.h"
 
 static const struct command_option SHOW_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "of the selection"},
+    LAST_OPTION};
+
+static const struct command_option LOAD_OPTIONS[] = {
+    {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
+	"refuse a sheet with other numbers; as save writes it"},
     LAST_OPTION};
 
 static const struct command_option SYNTH_OPTIONS[] = {
@@ -33,9 +39,12 @@ const struct command TABLE_DATA[] = {
 	.operands = "FILE...",
 	.least = 1,
 	.most = OPERANDS - 1,
+	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
+	.option = LOAD_OPTIONS,
 	.text = "Reads sieve sheets, see tipspeed-site(5), and makes the last "
 		"one the site in use. A sheet with faults is refused with the "
-		"place of each fault; the sites already loaded stay.",
+		"place of each fault; the sites already loaded stay. A sheet "
+		"that is loaded again takes the place of the former.",
 	.example = "load data/sites/tierp.csv\nshow",
 	.run = cmd_load},
     {.name = "sites",
@@ -52,12 +61,25 @@ const struct command TABLE_DATA[] = {
 	.least = 1,
 	.most = 1,
 	.need = NEED_SITE,
+	.flags = COMMAND_CHANGES,
 	.text = "Case and accents do not matter: borlange finds Borlänge. "
 		"Sites of one name are told apart by their top size: "
 		"gavle/4, gavle/11.2.",
 	.example = "load data/sites/borlange.csv data/sites/tierp.csv\n"
 		   "use borlange\nshow",
 	.run = cmd_use},
+    {.name = "drop",
+	.group = "data",
+	.brief = "forget a site",
+	.operands = "SITE",
+	.least = 1,
+	.most = 1,
+	.need = NEED_SITE,
+	.flags = COMMAND_CHANGES,
+	.text = "Its file stays. If it was in use, the site loaded after it "
+		"is next, or else the one before.",
+	.example = "load data/sites/bro.csv data/sites/tierp.csv\ndrop bro",
+	.run = cmd_drop},
     {.name = "check",
 	.group = "data",
 	.brief = "look for faults in sheets",
@@ -100,6 +122,7 @@ const struct command TABLE_DATA[] = {
 	.operands = "FILE",
 	.least = 1,
 	.most = 1,
+	.flags = COMMAND_CHANGES | COMMAND_FILES,
 	.option = SYNTH_OPTIONS,
 	.text = "FILE holds rows of parameters as data/table3.csv does. Each "
 		"row becomes a site whose products are computed by the model, "
@@ -114,12 +137,13 @@ const struct command TABLE_DATA[] = {
 	.least = 1,
 	.most = 1,
 	.need = NEED_SITE,
+	.flags = COMMAND_FILES | COMMAND_UNSAVED,
 	.option = WRITE_OPTIONS,
 	.text = "Writes the site in use to FILE, or all loaded sites into an "
 		"existing FOLDER under their own names. A file that is "
 		"there is replaced with replace=on only. Sheets are "
 		"written with commas and decimal points; results are saved "
-		"by the shell: tipspeed --format=csv ... >FILE.",
+		"with > FILE behind the command that gives them.",
 	.example = "load data/sites/tierp.csv\nwrite tierp-copy.csv",
 	.run = cmd_write},
     {.name = NULL}};

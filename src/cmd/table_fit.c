@@ -5,6 +5,13 @@
 #include "cmd/fit.h"
 #include "cmd/job.h"
 
+#define PAUSE_OPTION                                           \
+	{                                                      \
+		"pause", VALUE_WHOLE, "", 1, 1e9, NULL, "",    \
+		    "stop after this generation, as ^C does; " \
+		    "steps of the polish count on"             \
+	}
+
 static const struct command_option CALIBRATE_OPTIONS[] = {
     {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "",
 	"of the random numbers; else the session's"},
@@ -28,13 +35,12 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
 	"weight of each training run's squares, slow to fast"},
     {"preset", VALUE_CHOICE, "", 0, 0, "best paper", "best",
 	"paper: a textbook genetic algorithm, without polish"},
-    {"pause", VALUE_WHOLE, "", 1, 1e6, NULL, "",
-	"stop after this generation, as ^C does"},
-    {"checkpoint", VALUE_TEXT, "", 0, 0, NULL, "",
+    PAUSE_OPTION,
+    {"checkpoint", VALUE_FILE, "", 0, 0, NULL, "",
 	"file to write when the calibration is stopped"},
-    {"resume", VALUE_TEXT, "", 0, 0, NULL, "",
+    {"resume", VALUE_FILE, "", 0, 0, NULL, "",
 	"checkpoint of this site and these options to go on from"},
-    {"log", VALUE_TEXT, "", 0, 0, NULL, "",
+    {"log", VALUE_FILE, "", 0, 0, NULL, "",
 	"file for every generation, as CSV"},
     LAST_OPTION};
 
@@ -42,6 +48,8 @@ static const struct command_option HISTORY_OPTIONS[] = {
     {"every", VALUE_WHOLE, "", 1, 1e6, NULL, "",
 	"show every N-th generation; else as many as fit a screen"},
     LAST_OPTION};
+static const struct command_option CONTINUE_OPTIONS[] = {
+    PAUSE_OPTION, LAST_OPTION};
 
 const struct command TABLE_FIT[] = {
     {.name = "calibrate",
@@ -51,6 +59,7 @@ const struct command TABLE_FIT[] = {
 	.operands = "[all]",
 	.most = 1,
 	.need = NEED_SITE,
+	.flags = COMMAND_CHANGES,
 	.option = CALIBRATE_OPTIONS,
 	.text = "A genetic algorithm searches within the bounds, then "
 		"bounded least squares goes to the bottom of the valleys it "
@@ -63,6 +72,8 @@ const struct command TABLE_FIT[] = {
 	.group = "fit",
 	.brief = "go on with a stopped calibration",
 	.operands = "",
+	.flags = COMMAND_CHANGES,
+	.option = CONTINUE_OPTIONS,
 	.text = "^C or pause= stopped it. The result is the same as if it "
 		"had not been stopped.",
 	.example = "load data/sites/tierp.csv\ncalibrate pause=10\ncontinue",

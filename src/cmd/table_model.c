@@ -25,6 +25,8 @@ static const struct command_option SET_OPTIONS[] = {
 	"instruction set of a calibration; results are the same"},
     {"format", VALUE_CHOICE, "", 0, 0, "table csv json markdown", "",
 	"form of the results"},
+    {"csv", VALUE_CHOICE, "", 0, 0, "comma semicolon", "",
+	"semicolon: decimal commas, for spreadsheets in Swedish or German"},
     LAST_OPTION};
 
 static const struct command_option SEED_OPTIONS[] = {
@@ -39,6 +41,7 @@ const struct command TABLE_MODEL[] = {
 	.operands = "[list | set | diff SITE | use SITE]",
 	.most = 2,
 	.need = NEED_SITE,
+	.flags = COMMAND_CHANGES,
 	.option = PARAMS_OPTIONS,
 	.text = "'params set' takes known parameters in place of a "
 		"calibration; those not named keep their value, and beta "
@@ -54,6 +57,7 @@ const struct command TABLE_MODEL[] = {
 	.brief = "limits of the search",
 	.operands = "[default | PARAMETER FROM..TO | PARAMETER VALUE]",
 	.most = 2,
+	.flags = COMMAND_CHANGES,
 	.text = "Without operands shows them. One VALUE holds the parameter "
 		"fixed. The defaults are those of the paper's Table 2.",
 	.example = "bounds f_mat 1.2\nbounds alpha 0.8..1\nbounds",
@@ -62,6 +66,7 @@ const struct command TABLE_MODEL[] = {
 	.group = "model",
 	.brief = "show or change settings",
 	.operands = "",
+	.flags = COMMAND_CHANGES,
 	.pairs = true,
 	.option = SET_OPTIONS,
 	.text = "Settings are written 'set method classes' or 'set "
@@ -75,6 +80,7 @@ const struct command TABLE_MODEL[] = {
 	.group = "model",
 	.brief = "seed of calibrations",
 	.operands = "",
+	.flags = COMMAND_CHANGES,
 	.bare = "seed",
 	.option = SEED_OPTIONS,
 	.text = "The same seed gives the same result to the last bit, with "

@@ -4,14 +4,118 @@
 
 #include "cmd/assert.h"
 #include "cmd/info.h"
+#include "cmd/journal.h"
+#include "cmd/manage.h"
+#include "cmd/script.h"
+#include "cmd/undo.h"
+
+static const struct command_option SAVE_OPTIONS[] = {
+    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"write over a file that is there"},
+    LAST_OPTION};
+
+static const struct command_option TIMING_OPTIONS[] = {
+    {"state", VALUE_CHOICE, "", 0, 0, "on off", "on", "tell it or not"},
+    LAST_OPTION};
 
 const struct command TABLE_SESSION[] = {
+    {.name = "undo",
+	.group = "session",
+	.brief = "take back the last change",
+	.operands = "",
+	.flags = COMMAND_UNSAVED,
+	.text = "Of sites, the site in use, parameters, calibrations, bounds, "
+		"settings and seed: 200 steps. A calibration is one step, and "
+		"so is a script that was sourced. Files that were written "
+		"stay as they are.",
+	.example = "set k 2\nundo",
+	.run = cmd_undo},
+    {.name = "redo",
+	.group = "session",
+	.brief = "do again what undo took back",
+	.operands = "",
+	.flags = COMMAND_UNSAVED,
+	.text = "Until something else is changed.",
+	.example = "set k 2\nundo\nredo",
+	.run = cmd_redo},
+    {.name = "save",
+	.group = "session",
+	.brief = "write the session as a script",
+	.operands = "FILE.tip",
+	.least = 1,
+	.most = 1,
+	.flags = COMMAND_FILES | COMMAND_UNSAVED,
+	.option = SAVE_OPTIONS,
+	.text = "The commands that made the session what it is and gave its "
+		"results, without those that were undone. Of predictions in a "
+		"row the last is kept; results that went to a file or a shell "
+		"command are left out, and so are assertions and help. Run "
+		"anywhere, the script gives the very same results, as long as "
+		"the sheets are where they were: a sheet with other numbers "
+		"is refused.",
+	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
+		   "save plant.tip",
+	.run = cmd_save},
+    {.name = "restore",
+	.group = "session",
+	.brief = "put a saved session in the place of this one",
+	.operands = "FILE.tip",
+	.least = 1,
+	.most = 1,
+	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
+	.text = "Forgets all, also what the command line set, and runs the "
+		"script. One undo brings back what was there.",
+	.example = "seed 7\nsave seven.tip\nreset\nrestore seven.tip",
+	.run = cmd_restore},
+    {.name = "reset",
+	.group = "session",
+	.brief = "forget all that was loaded and set",
+	.operands = "",
+	.flags = COMMAND_CHANGES | COMMAND_UNSAVED,
+	.text = "As if the program had just been started; what the command "
+		"line set (seed, format) is set again.",
+	.example = "load data/sites/tierp.csv\nset method classes\nreset",
+	.run = cmd_reset},
+    {.name = "source",
+	.group = "session",
+	.brief = "run a script",
+	.operands = "FILE",
+	.least = 1,
+	.most = 1,
+	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
+	.text = "Runs the commands in FILE, which may source others, up to "
+		"16 deep. The first error ends all of them; a prompt goes on. "
+		"Names of files are relative to the working folder, not to "
+		"the script's.",
+	.example = "source data/sessions/tierp.tip",
+	.run = cmd_source},
+    {.name = "echo",
+	.group = "session",
+	.brief = "print words",
+	.operands = "[WORD]...",
+	.most = OPERANDS - 1,
+	.text = "A line among the results, with one blank between words; "
+		"quotes keep others.",
+	.example = "echo \"Tierp, at 74 m/s:\"",
+	.run = cmd_echo},
+    {.name = "timing",
+	.group = "session",
+	.brief = "tell how long each command takes",
+	.operands = "",
+	.flags = COMMAND_UNSAVED,
+	.bare = "state",
+	.option = TIMING_OPTIONS,
+	.text = "Seconds of wall clock, on standard error. A calibration is "
+		"counted to its end, a script to its last line.",
+	.example = "timing on\nversion\ntiming off",
+	.run = cmd_timing},
     {.name = "assert",
 	.group = "session",
 	.brief = "stop with status 1 unless an answer is as expected",
 	.operands = "VALUE =|<|> VALUE [within NUMBER]",
 	.least = 3,
 	.most = 5,
+	.flags = COMMAND_VERBATIM | COMMAND_UNSAVED,
 	.text = "A value is a number or the newest answer: p20, p50, p80, "
 		"break (mm), speed and extrapolated (1 or 0) of predict and "
 		"find; inside (1 or 0) of spec and find spec=; "
@@ -29,6 +133,7 @@ const struct command TABLE_SESSION[] = {
 	.brief = "what commands there are",
 	.operands = "[COMMAND]",
 	.most = 1,
+	.flags = COMMAND_UNSAVED,
 	.text = "With a command's name: all about it.",
 	.example = "help predict",
 	.run = cmd_help},
@@ -36,6 +141,7 @@ const struct command TABLE_SESSION[] = {
 	.group = "session",
 	.brief = "version of the program",
 	.operands = "",
+	.flags = COMMAND_UNSAVED,
 	.text = "With the libraries and instructions that numbers depend on.",
 	.example = "version",
 	.run = cmd_version},
@@ -44,6 +150,7 @@ const struct command TABLE_SESSION[] = {
 	.group = "session",
 	.brief = "leave the program",
 	.operands = "",
+	.flags = COMMAND_UNSAVED,
 	.text = "The rest of a script is not run.",
 	.example = "quit",
 	.run = cmd_quit},

@@ -252,13 +252,22 @@ take_polished(struct calibration *c, const struct worker *w, bool hopping)
 	centre_beta(&c->options.bounds, &c->best);
 }
 
+/* Most of the misfit is there without a model, too: noise makes many shallow
+ * valleys, which take more hops, and the descent along them is slow. */
+static bool
+is_noisy(const struct calibration *c)
+{
+	return c->best_misfit > misfit_of_feed(c->misfit) / 2;
+}
+
 static void
 polish_one(void *data, size_t i, unsigned thread)
 {
 	(void)thread;
 	struct calibration *c = data;
 	struct worker *w = &c->worker[i];
-	double rival = c->done >= c->n_start ? c->best_misfit : 0;
+	bool hopping = c->done >= c->n_start;
+	double rival = hopping && !is_noisy(c) ? c->best_misfit : 0;
 	w->result = polish_run(
 	    w->polish, &c->options.bounds, POLISH_STEPS, rival, &w->p);
 }
@@ -278,7 +287,7 @@ polish_batch(struct calibration *c)
 	for (size_t i = 0; i < n; i++)
 		take_polished(c, &c->worker[i], hopping);
 	c->done += n;
-	if (c->fruitless >= HOPS)
+	if (c->fruitless >= (is_noisy(c) ? HOPS_IN_NOISE : HOPS))
 		c->state = c->stop;
 }
 

@@ -71,6 +71,7 @@ void calibration_stop(struct calibration *c, bool polish);
 struct calibrate_status {
 	enum calibrate_state state;
 	size_t generation, evaluations;
+	size_t step;     /* generations, and batches of the polish */
 	size_t stall;    /* generations since the best last fell by 0.1 % */
 	size_t infinite; /* candidates whose misfit was not a number */
 	double best, median, worst; /* misfits on the search's scheme */

@@ -5,6 +5,13 @@
 #include <math.h>
 
 #include "base/xalloc.h"
+/* Batches polished so far; the last of the starts may be a short one. */
+static size_t
+batches(const struct calibration *c)
+{
+	size_t starts = c->done < c->n_start ? c->done : c->n_start;
+	return (starts + BATCH - 1) / BATCH + (c->done - starts) / BATCH;
+}
 
 struct calibrate_status
 calibration_status(const struct calibration *c)
@@ -12,6 +19,7 @@ calibration_status(const struct calibration *c)
 	struct ga_status s = ga_status(c->ga);
 	struct calibrate_status status = {.state = c->state,
 	    .generation = s.generation,
+	    .step = s.generation + batches(c),
 	    .evaluations = c->evaluations,
 	    .stall = c->stall,
 	    .infinite = s.infinite,
@@ -93,21 +101,6 @@ calibration_visit(struct calibration *c, const struct visit *v)
 	       visit_history(c, v, whole[6]);
 }
 
-static double
-feed_misfit(const struct misfit *m)
-{
-	double sum = 0;
-	for (size_t r = 0; r < m->n_run; r++) {
-		const struct misfit_run *run = &m->run[r];
-		for (size_t i = 0; i < run->n; i++) {
-			double d = psd_passing(&run->feed, run->sieve[i]) -
-				   run->measured[i];
-			sum += run->weight[i] * run->weight[i] * d * d;
-		}
-	}
-	return sum;
-}
-
 /* On a bound: nearer to it than a millionth of the range, and free to move.  A
  * beta's bound only limits its scale. */
 static bool
@@ -127,7 +120,7 @@ calibration_fit(struct calibration *c)
 			      : c->best;
 	struct fit fit = {.misfit = misfit_at(c->misfit, &p),
 	    .rmse = misfit_rmse(c->misfit, &p),
-	    .feed_misfit = feed_misfit(c->misfit),
+	    .feed_misfit = misfit_of_feed(c->misfit),
 	    .n_residual = c->misfit->n_residual,
 	    .stop =
 		c->state >= CALIBRATE_TOLERANCE ? c->stop : CALIBRATE_STOPPED,

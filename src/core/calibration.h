@@ -15,8 +15,9 @@ enum {
 	BATCH = 8,               /* starts or hops polished side by side */
 	LEADERS = 64,            /* spread over this many */
 	POLISH_STEPS = 300,
-	HOPS = 64,     /* fruitless ones in a row that end the polish */
-	EARLIEST = 25, /* generations before the stop rules apply */
+	HOPS = 64,           /* fruitless ones in a row that end the polish, */
+	HOPS_IN_NOISE = 256, /* and where there is little but noise */
+	EARLIEST = 25,       /* generations before the stop rules apply */
 	USE_HOP = 1 << 20
 };
 

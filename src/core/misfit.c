@@ -153,3 +153,18 @@ misfit_jacobian(struct misfit *m, const struct params *p, double *r, double *J)
 	}
 	return isfinite(sum) ? sum : INFINITY;
 }
+
+double
+misfit_of_feed(const struct misfit *m)
+{
+	double sum = 0;
+	for (size_t r = 0; r < m->n_run; r++) {
+		const struct misfit_run *run = &m->run[r];
+		for (size_t i = 0; i < run->n; i++) {
+			double d = psd_passing(&run->feed, run->sieve[i]) -
+				   run->measured[i];
+			sum += run->weight[i] * run->weight[i] * d * d;
+		}
+	}
+	return sum;
+}

@@ -61,4 +61,7 @@ size_t misfit_covered(const struct psd *feed, const struct psd *psd);
  * Returns how many were marked, 0..2. */
 size_t misfit_default_train(const struct site *site, bool *train);
 
+/* The misfit of the null model product = feed. */
+double misfit_of_feed(const struct misfit *m);
+
 #endif

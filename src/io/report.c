@@ -155,10 +155,22 @@ report_json_number(double value)
 	return isfinite(value) ? json_real(value) : json_null();
 }
 
+/* Commas and points, or semicolons and decimal commas. */
 static void
-print_csv_text(const char *text, FILE *out)
+print_csv_number(double value, char separator, FILE *out)
 {
-	if (strpbrk(text, ",\"\n") == NULL) {
+	char text[32];
+	snprintf(text, sizeof text, "%.17g", value);
+	char *point = strchr(text, '.');
+	if (separator == ';' && point != NULL)
+		*point = ',';
+	fputs(text, out);
+}
+
+static void
+print_csv_text(const char *text, char separator, FILE *out)
+{
+	if (strpbrk(text, (char[]){separator, '"', '\n', '\0'}) == NULL) {
 		fputs(text, out);
 		return;
 	}
@@ -168,33 +180,41 @@ print_csv_text(const char *text, FILE *out)
 	fputc('"', out);
 }
 
+/* The columns that stand before those of the result. */
 static void
-print_csv(const struct report *r, FILE *out)
+print_csv_origin(const struct report *r, char separator, FILE *out)
+{
+	fputs(r->command, out);
+	if (r->site == NULL)
+		return;
+	fputc(separator, out);
+	print_csv_text(r->site, separator, out);
+	fputc(separator, out);
+	char *kind =
+	    xstrndup(r->provenance, (size_t)report_first_clause(r->provenance));
+	print_csv_text(kind, separator, out);
+	free(kind);
+}
+
+static void
+print_csv(const struct report *r, char separator, FILE *out)
 {
 	if (r->n_column == 0)
 		return;
-	fputs(r->site != NULL ? "command,site,provenance" : "command", out);
+	fputs("command", out);
+	if (r->site != NULL)
+		fprintf(out, "%csite%cprovenance", separator, separator);
 	for (size_t c = 0; c < r->n_column; c++)
-		fprintf(out, ",%s", r->key[c]);
+		fprintf(out, "%c%s", separator, r->key[c]);
 	fputc('\n', out);
 	for (size_t i = 0; i < report_rows(r) * r->n_column; i++) {
-		if (i % r->n_column == 0) {
-			fputs(r->command, out);
-			if (r->site != NULL) {
-				fputc(',', out);
-				print_csv_text(r->site, out);
-				fputc(',', out);
-				char *kind = xstrndup(r->provenance,
-				    (size_t)report_first_clause(r->provenance));
-				print_csv_text(kind, out);
-				free(kind);
-			}
-		}
-		fputc(',', out);
+		if (i % r->n_column == 0)
+			print_csv_origin(r, separator, out);
+		fputc(separator, out);
 		if (r->cell[i].is_text)
-			print_csv_text(r->cell[i].text, out);
+			print_csv_text(r->cell[i].text, separator, out);
 		else if (isfinite(r->cell[i].number))
-			fprintf(out, "%.17g", r->cell[i].number);
+			print_csv_number(r->cell[i].number, separator, out);
 		if (i % r->n_column == r->n_column - 1)
 			fputc('\n', out);
 	}
@@ -239,11 +259,12 @@ print_json(const struct report *r, FILE *out)
 }
 
 void
-report_print(const struct report *r, enum report_format format, FILE *out)
+report_print(const struct report *r, enum report_format format, bool semicolon,
+    FILE *out)
 {
 	switch (format) {
 	case REPORT_CSV:
-		print_csv(r, out);
+		print_csv(r, semicolon ? ';' : ',', out);
 		break;
 	case REPORT_JSON:
 		print_json(r, out);

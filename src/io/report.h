@@ -58,8 +58,9 @@ void report_json_key(struct report *report, const char *key, json_t *value);
 /* value, or null where it is not finite. */
 json_t *report_json_number(double value);
 
-/* Prints it; JSON is one line. */
-void report_print(
-    const struct report *report, enum report_format format, FILE *out);
+/* Prints it; JSON is one line.  semicolon: csv has semicolons, and commas in
+ * its numbers, as spreadsheets have in Swedish and German. */
+void report_print(const struct report *report, enum report_format format,
+    bool semicolon, FILE *out);
 
 #endif

@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/script.h"
 
 /* The status of a program that a signal ended, as shells count it. */
 static int
@@ -141,10 +142,23 @@ pump(struct session *s)
 	return false;
 }
 
+static int run_scripts(struct session *s, size_t depth);
+
+/* Ends what the line has under way after an error or an interruption; the
+ * latter keeps the results so far. */
+static void
+give_up(struct session *s, int status, const char *line, const char *name)
+{
+	struct error error = {.kind = (enum error_kind)status};
+	bool ok = status == 0 || interrupted;
+	if (!session_settle(s, ok, &error) && ok)
+		print_error(&error, line, name);
+}
+
 static int
 run_line(struct session *s, const char *line, const char *name, int number)
 {
-	size_t at = 0;
+	size_t at = 0, depth = script_depth(s);
 	do {
 		struct error error = {0};
 		if (!session_line(s, line, at, name, number, &at, &error)) {
@@ -153,98 +167,66 @@ run_line(struct session *s, const char *line, const char *name, int number)
 			return (int)error.kind;
 		}
 		if (!pump(s)) {
+			give_up(s, 0, line, name);
 			fprintf(stderr, "%s:%d: interrupted\n", name, number);
 			return status_of(interrupted);
 		}
+		int status = run_scripts(s, depth);
+		if (status != 0 || s->quit)
+			give_up(s, status, line, name);
+		if (status != 0)
+			return status;
 	} while (at > 0 && !s->quit);
 	return 0;
 }
 
-/* Cuts the line end off; true when the line goes on (it ended in \). */
-static bool
-goes_on(char *line)
-{
-	size_t n = strcspn(line, "\r\n");
-	line[n] = '\0';
-	if (n == 0 || line[n - 1] != '\\')
-		return false;
-	line[n - 1] = ' ';
-	return true;
-}
-
+/* Runs the scripts that are open beyond `depth` of them. */
 static int
-bad_bytes(const char *name, int number)
+run_scripts(struct session *s, size_t depth)
 {
-	fprintf(stderr,
-	    "%s:%d:1: this is not text (a script is UTF-8 without NUL)\n"
-	    "  hint: is it a site file or a program? a script holds "
-	    "commands, one a line\n",
-	    name, number);
-	return ERROR_USAGE;
+	int status = 0;
+	while (status == 0 && script_depth(s) > depth && !s->quit &&
+	       !interrupted) {
+		struct error error = {0};
+		struct place place;
+		char *line = script_line(s, &place, &error);
+		if (line != NULL)
+			status = run_line(s, line, place.file, place.line);
+		else if (error.kind != ERROR_NONE)
+			print_error(&error, "", "");
+		if (line == NULL)
+			status = (int)error.kind;
+		free(line);
+	}
+	script_close(s, depth);
+	return interrupted ? status_of(interrupted) : status;
 }
 
 int
 batch_stream(struct session *s, FILE *in, const char *name)
 {
-	char *piece = NULL, *line = xstrdup("");
-	size_t room = 0;
-	ssize_t got;
-	int status = 0, number = 0, first = 1;
-	while (status == 0 && !s->quit && !interrupted &&
-	       (got = getline(&piece, &room, in)) >= 0) {
-		number++;
-		if (!text_is_utf8(piece, (size_t)got)) {
-			status = bad_bytes(name, number);
-			break;
-		}
-		bool more = goes_on(piece);
-		/* Some editors begin UTF-8 with a byte order mark. */
-		bool mark =
-		    number == 1 && strncmp(piece, "\xEF\xBB\xBF", 3) == 0;
-		char *joined = xasprintf("%s%s", line, piece + (mark ? 3 : 0));
-		free(line);
-		line = joined;
-		if (more)
-			continue;
-		status = run_line(s, line, name, first);
-		first = number + 1;
-		line[0] = '\0';
-	}
-	if (status == 0 && line[0] != '\0' && !s->quit)
-		status = run_line(s, line, name, first);
-	free(piece);
-	free(line);
-	return interrupted ? status_of(interrupted) : status;
+	size_t depth = script_depth(s);
+	script_open_stream(s, in, name);
+	return run_scripts(s, depth);
 }
 
 int
 batch_text(struct session *s, const char *text, const char *name, int line)
 {
-	char *copy = xstrdup(text), *save = NULL;
-	int status = 0;
-	for (char *one = strtok_r(copy, "\r\n", &save);
-	     one != NULL && status == 0 && !s->quit;
-	     one = strtok_r(NULL, "\r\n", &save))
-		status = run_line(s, one, name, line);
-	free(copy);
-	return status;
+	size_t depth = script_depth(s);
+	script_open_text(s, text, name, line);
+	return run_scripts(s, depth);
 }
 
 int
 batch_file(struct session *s, const char *path)
 {
-	FILE *in = fopen(path, "r");
-	if (in == NULL) {
-		fprintf(stderr, "%s: cannot read: %s\n", path, strerror(errno));
-		return ERROR_SYSTEM;
-	}
-	int status = batch_stream(s, in, path);
-	if (ferror(in)) {
-		fprintf(stderr, "%s: cannot read: %s\n", path, strerror(errno));
-		status = ERROR_SYSTEM;
-	}
-	fclose(in);
-	return status;
+	size_t depth = script_depth(s);
+	struct error error = {0};
+	if (script_open(s, path, &error))
+		return run_scripts(s, depth);
+	error_print(&error, stderr);
+	return (int)error.kind;
 }
 
 /* A signal other than ^C: the terminal or the system wants the program gone. */
@@ -271,10 +253,11 @@ batch_typed(struct session *s)
 {
 	char *piece = NULL, *line = xstrdup("");
 	size_t room = 0;
+	s->prompt = true;
 	for (int number = 1; !s->quit; interrupted = 0) {
 		print_prompt(s, line[0] != '\0');
 		ssize_t got = getline(&piece, &room, stdin);
-		bool more = got >= 0 && goes_on(piece);
+		bool more = got >= 0 && script_goes_on(piece);
 		if (got < 0)
 			fputc('\n', s->out);
 		if (got < 0 && interrupted != SIGINT)

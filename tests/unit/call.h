@@ -15,7 +15,7 @@
 #include "cmd/command.h"
 #include "cmd/parse.h"
 
-static const struct place CALL_PLACE = {"script.tip", 3};
+static const struct place CALL_PLACE = {.file = "script.tip", .line = 3};
 
 /* A parsed line; command is NULL where it was refused. */
 struct call {

@@ -80,7 +80,8 @@ options_are_in_order(void **state)
 			assert_int_equal(command_option_index(c, o[n].name), n);
 			bool choice = o[n].kind == VALUE_CHOICE;
 			assert_true(choice == (o[n].choices != NULL));
-			bool limits = !choice && o[n].kind != VALUE_TEXT;
+			bool limits = o[n].kind < VALUE_CHOICE ||
+				      o[n].kind == VALUE_NUMBERS;
 			assert_true(!limits || o[n].least < o[n].most);
 			assert_non_null(o[n].unit);
 		}
@@ -120,6 +121,39 @@ fallbacks_are_valid(void **state)
 			free(bare);
 		}
 	}
+}
+
+/* --safe goes by the flag; the usage shows what it stands for. */
+static void
+commands_on_files_are_marked(void **state)
+{
+	(void)state;
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
+		bool shows = strstr(c->operands, "FILE") != NULL;
+		bool marked = (c->flags & COMMAND_FILES) != 0;
+		if (shows != marked)
+			fail_msg("%s: FILE and COMMAND_FILES", c->name);
+	}
+}
+
+static void
+names_may_be_cut_short_at_a_prompt(void **state)
+{
+	(void)state;
+	static const char *const called[][2] = {{"pred", "predict"},
+	    {"PREDICT", "predict"}, {"SeE", "seed"}, {"set", "set"},
+	    {"fit", "calibrate"}, {"ex", "quit"}};
+	for (size_t i = 0; i < ARRAY_LEN(called); i++)
+		assert_string_equal(
+		    command_called(called[i][0], true)->name, called[i][1]);
+	static const char *const none[] = {"", "s", "se", "predicts", "x"};
+	for (size_t i = 0; i < ARRAY_LEN(none); i++)
+		assert_null(command_called(none[i], true));
+	assert_null(command_called("pred", false));
+	assert_null(command_called("PREDICT", false));
+	char *names = command_candidates("SE");
+	assert_string_equal(names, "set, seed");
+	free(names);
 }
 
 static void
@@ -162,6 +196,8 @@ main(void)
 	    cmocka_unit_test(words_for_people_are_there),
 	    cmocka_unit_test(options_are_in_order),
 	    cmocka_unit_test(fallbacks_are_valid),
+	    cmocka_unit_test(commands_on_files_are_marked),
+	    cmocka_unit_test(names_may_be_cut_short_at_a_prompt),
 	    cmocka_unit_test(examples_parse),
 	    cmocka_unit_test(usage_names_operands_and_options),
 	};

@@ -237,7 +237,7 @@ a_checkpoint_goes_on_to_the_same_bits(void **state)
 		assert_true(desk_say(desk, "set threads 2"));
 		assert_true(say_with(desk, "resume", path));
 		expect_same(&session_entry(desk->session)->fit, &want);
-		assert_int_equal(session_entry(desk->session)->history.n,
+		assert_int_equal(session_entry(desk->session)->history->n,
 		    session_entry(desk->session)->fit.generations);
 	}
 	unlink(path);
@@ -295,16 +295,18 @@ the_generations_stay_with_their_site(void **state)
 	desk_expect(desk, "load data/sites/bro.csv; bounds alpha 0.5..1; "
 			  "calibrate population=64 generations=7 stall=0 "
 			  "tolerance=0; bounds default");
-	const struct history *h = &session_entry(s)->history;
+	const struct history *h = session_entry(s)->history;
 	assert_false(session_busy(s));
 	assert_int_equal(h->n, 7);
 	assert_true(h->bounds.lower[PARAM_ALPHA] == 0.5);
 	for (size_t i = 1; i < h->n; i++)
 		assert_true(h->generation[i].best <= h->generation[i - 1].best);
-	assert_int_equal(s->entry[0].history.n, 0);
+	assert_null(s->entry[0].history);
 	desk_expect(desk, "params set f_mat=1; history; calibrate "
 			  "population=64 generations=3; history");
-	assert_int_equal(h->n, 3);
+	assert_int_equal(session_entry(s)->history->n, 3);
+	desk_expect(desk, "undo; history");
+	assert_int_equal(session_entry(s)->history->n, 7);
 	s->current = 0;
 	assert_false(desk_say(desk, "history"));
 	assert_non_null(strstr(desk->error.text, "not been calibrated"));

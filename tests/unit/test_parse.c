@@ -19,6 +19,10 @@ static const struct {
     {"use Gåsgruvan å ö", "use|Gåsgruvan|å|ö", 20, 17},
     {"load \"a;b #c.csv\"", "load|a;b #c.csv", 17, 6},
     {"load a#b", "load|a#b", 8, 6}, {"load a\" \"b", "load|a b", 10, 6},
+    {"use \"a \"\"b\"\"\"", "use|a \"b\"", 13, 5},
+    {"predict 74>a; x", "predict|74", 13, 9},
+    {"predict \">\" | a; b # c", "predict|>", 22, 9},
+    {"assert p50 > 3 | 2", "assert|p50|>|3|||2", 18, 18},
     {"use \"\"", "use|", 6, 5}, {"a=\"b c\"d", "a=b cd", 8, 1}};
 
 static void
@@ -84,7 +88,21 @@ static const struct {
     {"set method", 5, "method wants a value", ""},
     {"use", 1, "use wants SITE", "usage: use SITE"},
     {"predict speed=74,5", 9, "74,5", "write a point"},
-    {"predict 74,5", 9, "comma", "write a point"},
+    {"predict 74,5", 9, "comma", "write a point: 74.5"},
+    {"predict 74,5m/s", 9, "comma", "write a point: 74.5"},
+    {"predict 74,5,6", 9, "comma", "write a point: 11.2"},
+    {"predict 69 m/s", 12, "a unit stands at its number", "write 69m/s"},
+    {"sweep speeds=65..70 m/s", 21, "unit", "write 65..70m/s"},
+    {"sweep 55-75", 7, "not '55-75'", "a range has two points: 55..75"},
+    {"sweep 55-75m/s", 7, "not '55-75m/s'", "55..75"},
+    {"sweep a-b", 7, "not 'a-b'", ""},
+    {"set method=", 5, "method wants a value: continuous, classes", ""},
+    {"set method = classes", 5, "not '='", "=: method=classes"},
+    {"set method= classes", 5, "wants a value", "=: method=classes"},
+    {"predict speed = 74", 9, "not 'speed'", "=: speed=74"},
+    {"predict speed =74", 9, "not 'speed'", "=: speed=74"},
+    {"calibrate seed =", 16, "too many", "=: seed=.."},
+    {"set method Clases", 5, "not 'Clases'", "'classes'"},
     {"predict speed=fast", 9, "not 'fast'", ""},
     {"predict speed=", 9, "speed wants a number", ""},
     {"predict speed=74km/h", 9, "'74km/h'", ""},
@@ -107,6 +125,14 @@ static const struct {
     {"sweep 65,x", 7, "not 'x'", ""}, {"sweep ,", 7, "speeds wants", ""},
     {"sweep 65,,75", 7, "not ''", ""}, {"sweep 65,75,", 7, "not ''", ""},
     {"use \"Borl", 5, "quote", "closing"},
+    {"predict >", 9, "a file was wanted behind >", "product.csv"},
+    {"predict >> ; seed", 9, "a file was wanted behind >>", ""},
+    {"> a", 1, "a command was wanted before >", ""},
+    {"åä | ", 4, "a shell command was wanted", "sweep | less"},
+    {"predict || a", 9, "a shell command was wanted", ""},
+    {"predict > a b", 13, "nothing goes behind the file 'a'", "quoted"},
+    {"predict > a | b", 13, "nothing goes behind the file 'a'", "one >"},
+    {"predict > \"a", 11, "quote", "closing"},
     {"åäö \"Borl", 5, "quote", "closing"}};
 
 static void
@@ -129,6 +155,32 @@ faults_are_told_with_their_place(void **state)
 		if (FAULTS[i].column > 0 && e->column != FAULTS[i].column)
 			fail_msg("%s: column %d", FAULTS[i].line, e->column);
 		call_free(call);
+	}
+}
+
+static void
+results_go_where_the_line_says(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *line;
+		enum target to;
+		const char *target;
+		int column;
+	} lines[] = {{"seed>a", TO_FILE, "a", 5},
+	    {"seed >> \"å b\" # c", TO_END, "å b", 6},
+	    {"å | sort -k 2; wc > \"x\" ", TO_PIPE, "sort -k 2; wc > \"x\"",
+		3}};
+	for (size_t i = 0; i < ARRAY_LEN(lines); i++) {
+		struct words words;
+		struct error error = {0};
+		assert_true(
+		    words_split(lines[i].line, 0, CALL_PLACE, &words, &error));
+		assert_int_equal(words.n, 1);
+		assert_int_equal(words.to, lines[i].to);
+		assert_string_equal(words.target, lines[i].target);
+		assert_int_equal(words.to_column, lines[i].column);
+		words_free(&words);
 	}
 }
 
@@ -232,6 +284,7 @@ main(void)
 	    cmocka_unit_test(lines_are_split_into_words),
 	    cmocka_unit_test(a_line_can_be_taken_up_in_its_midst),
 	    cmocka_unit_test(faults_are_told_with_their_place),
+	    cmocka_unit_test(results_go_where_the_line_says),
 	    cmocka_unit_test(a_setting_is_given_once),
 	    cmocka_unit_test(too_many_words_are_refused),
 	    cmocka_unit_test(lists_and_ranges_become_numbers),

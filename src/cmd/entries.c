@@ -1,0 +1,262 @@
+/* The loaded sites of a session: their keys, finding, adding, dropping.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/session.h"
+#include "io/site_read.h"
+#include "io/units.h"
+
+static void
+entry_clear(struct entry *entry)
+{
+	free(entry->key);
+	free(entry->train);
+	free(entry->origin);
+	history_drop(entry->history);
+}
+
+void
+entries_free(struct entry *entry, size_t n)
+{
+	for (size_t i = 0; i < n; i++)
+		entry_clear(&entry[i]);
+	free(entry);
+}
+
+struct entry
+entry_copy(const struct entry *from)
+{
+	struct entry to = *from;
+	size_t runs = from->site->n_run;
+	to.key = xstrdup(from->key);
+	to.origin = from->origin != NULL ? xstrdup(from->origin) : NULL;
+	to.train = xcalloc(runs, sizeof *to.train);
+	memcpy(to.train, from->train, runs * sizeof *to.train);
+	if (to.history != NULL)
+		to.history->holders++;
+	return to;
+}
+
+static bool
+key_taken(const struct session *s, const char *key)
+{
+	for (size_t i = 0; i < s->n_entry; i++)
+		if (strcmp(s->entry[i].key, key) == 0)
+			return true;
+	return false;
+}
+
+static char *
+sized_key(const char *slug, const struct site *site)
+{
+	return xasprintf("%s/%g", slug, units_mm(site->top_size));
+}
+
+/* "tierp"; of several sites with one name each has its size, "gavle/11.2"; of
+ * several with one size the later ones have a number, "gavle/11.2/2". */
+static char *
+new_key(struct session *s, const struct site *site)
+{
+	char *slug = text_slug(site->name), *key = xstrdup(slug);
+	bool shared = false;
+	for (size_t i = 0; i < s->n_entry; i++) {
+		struct entry *other = &s->entry[i];
+		char *name = text_slug(other->site->name);
+		shared = shared || strcmp(name, slug) == 0;
+		if (strcmp(other->key, slug) == 0 &&
+		    other->site->top_size > 0) {
+			free(other->key);
+			other->key = sized_key(slug, other->site);
+		}
+		free(name);
+	}
+	if (shared && site->top_size > 0) {
+		free(key);
+		key = sized_key(slug, site);
+	}
+	char *stem = xstrdup(key);
+	for (int i = 2; key_taken(s, key); i++) {
+		free(key);
+		key = xasprintf("%s/%d", stem, i);
+	}
+	free(stem);
+	free(slug);
+	return key;
+}
+
+/* Behind the others. */
+static void
+append(struct session *s, struct site *site)
+{
+	struct entry entry = {.site = site, .key = new_key(s, site)};
+	entry.train = xcalloc(site->n_run, sizeof *entry.train);
+	misfit_default_train(site, entry.train);
+	s->entry = xrealloc(s->entry, s->n_entry + 1, sizeof *s->entry);
+	s->current = s->n_entry++;
+	s->entry[s->current] = entry;
+	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
+	s->site[s->n_site++] = site;
+	session_forget(s);
+}
+
+/* The loaded site that was read from the same file, or n_entry. */
+static size_t
+former(const struct session *s, const struct site *site)
+{
+	struct stat file, other;
+	if (stat(site->path, &file) != 0)
+		return s->n_entry;
+	for (size_t i = 0; i < s->n_entry; i++)
+		if (stat(s->entry[i].site->path, &other) == 0 &&
+		    file.st_dev == other.st_dev && file.st_ino == other.st_ino)
+			return i;
+	return s->n_entry;
+}
+
+void
+session_add(struct session *s, struct site *site)
+{
+	size_t place = former(s, site);
+	if (place == s->n_entry) {
+		append(s, site);
+		return;
+	}
+	session_note(s, "%s was loaded before: this takes its place",
+	    s->entry[place].key);
+	session_drop(s, place);
+	append(s, site);
+	struct entry entry = s->entry[s->current];
+	memmove(&s->entry[place + 1], &s->entry[place],
+	    (s->current - place) * sizeof entry);
+	s->entry[place] = entry;
+	if (s->job.calibration != NULL && s->job.entry >= place)
+		s->job.entry++;
+	s->current = place;
+}
+
+void
+session_drop(struct session *s, size_t index)
+{
+	if (s->job.calibration != NULL && s->job.entry == index)
+		session_let_go(s);
+	else if (s->job.calibration != NULL && s->job.entry > index)
+		s->job.entry--;
+	entry_clear(&s->entry[index]);
+	s->n_entry--;
+	memmove(&s->entry[index], &s->entry[index + 1],
+	    (s->n_entry - index) * sizeof *s->entry);
+	if (s->current == index)
+		session_forget(s);
+	bool last = s->current == index && index == s->n_entry;
+	if (s->current > index || (last && index > 0))
+		s->current--;
+}
+
+/* How well a loaded site answers to a name: 0 not, 1 by its name, 2 by name and
+ * top size, 3 by its key. */
+static int
+answers(const struct entry *entry, const char *wanted)
+{
+	char *name = text_slug(entry->site->name);
+	char *sized = xasprintf("%s/%g", name, units_mm(entry->site->top_size));
+	char *folded = text_fold(wanted), *slug = text_slug(wanted);
+	int match = 0;
+	if (strcmp(entry->key, folded) == 0)
+		match = 3;
+	else if (strcmp(sized, folded) == 0)
+		match = 2;
+	else if (strcmp(name, slug) == 0)
+		match = 1;
+	free(name);
+	free(sized);
+	free(folded);
+	free(slug);
+	return match;
+}
+
+/* "gavle/4, gavle/11.2"; of those that answer, or of all. */
+static char *
+list_keys(const struct session *s, const char *wanted)
+{
+	char *list = xstrdup("");
+	for (size_t i = 0; i < s->n_entry; i++) {
+		if (wanted != NULL && answers(&s->entry[i], wanted) == 0)
+			continue;
+		char *longer = xasprintf("%s%s%s", list,
+		    list[0] != '\0' ? ", " : "", s->entry[i].key);
+		free(list);
+		list = longer;
+	}
+	return list;
+}
+
+bool
+session_find(
+    struct session *s, const char *name, size_t *index, struct error *error)
+{
+	int best = 0;
+	size_t found = 0, last = 0;
+	for (size_t i = 0; i < s->n_entry; i++) {
+		int match = answers(&s->entry[i], name);
+		if (match == 0 || match < best)
+			continue;
+		found = match > best ? 1 : found + 1;
+		best = match;
+		last = i;
+	}
+	if (found == 1) {
+		*index = last;
+		return true;
+	}
+	char *keys = list_keys(s, best > 0 ? name : NULL);
+	if (best > 0) {
+		error_set(
+		    error, ERROR_USAGE, "several sites are called '%s'", name);
+		error_hint(error, "use one of: %s", keys);
+	} else {
+		error_set(error, ERROR_USAGE, "no site '%s' is loaded", name);
+		error_hint(error,
+		    keys[0] != '\0' ? "loaded: %s" : "load its file first%s",
+		    keys);
+	}
+	free(keys);
+	return false;
+}
+
+/* Takes the site, or refuses it. */
+static bool
+add_checked(struct session *s, struct site *site, const char *digest,
+    struct error *error)
+{
+	char found[17];
+	snprintf(found, sizeof found, "%016" PRIx64, site->digest);
+	if (digest == NULL || strcmp(digest, found) == 0) {
+		session_add(s, site);
+		return true;
+	}
+	error_at(error, ERROR_DATA, site->path, 0, 0,
+	    "the sheet with digest %s was wanted, found %s: its numbers are "
+	    "others",
+	    digest, found);
+	site_free(site);
+	return error_hint(
+	    error, "without digest= it is loaded as it is; results change");
+}
+
+bool
+session_load(struct session *s, const char *path, const char *digest,
+    struct error *error)
+{
+	struct error_list *errors = xcalloc(1, sizeof *errors);
+	struct site *site = site_read(path, errors);
+	if (site == NULL)
+		session_tell_faults(s, path, errors, error);
+	free(errors);
+	return site != NULL && add_checked(s, site, digest, error);
+}

@@ -1,0 +1,300 @@
+/* Commands that succeeded, in a form that can be run again.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/journal.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "config.h"
+#include "io/replace.h"
+
+struct journal {
+	size_t n, start;
+	char **line;
+};
+
+struct mark
+journal_mark(const struct session *s)
+{
+	const struct journal *j = s->journal;
+	return j != NULL ? (struct mark){j->n, j->start} : (struct mark){0};
+}
+
+static void
+append(struct journal *j, char *line)
+{
+	j->line = xrealloc(j->line, j->n + 1, sizeof *j->line);
+	j->line[j->n++] = line;
+}
+
+struct tail
+journal_cut(struct session *s, struct mark mark)
+{
+	struct tail tail = {.from = mark, .to = journal_mark(s)};
+	struct journal *j = s->journal;
+	if (j == NULL)
+		return tail;
+	tail.line = xcalloc(j->n + 1, sizeof *tail.line);
+	for (size_t i = mark.n; i < j->n; i++)
+		tail.line[tail.n++] = j->line[i];
+	j->n = mark.n < j->n ? mark.n : j->n;
+	j->start = mark.start;
+	return tail;
+}
+
+void
+journal_paste(struct session *s, struct tail *tail)
+{
+	struct journal *j = s->journal;
+	if (j == NULL)
+		return;
+	/* Results may have come in since the lines were cut off. */
+	if (tail->to.start != tail->from.start)
+		j->start = j->n + tail->to.start - tail->from.n;
+	for (size_t i = 0; i < tail->n; i++)
+		append(j, tail->line[i]);
+	free(tail->line);
+	*tail = (struct tail){0};
+}
+
+void
+tail_free(struct tail *tail)
+{
+	for (size_t i = 0; i < tail->n; i++)
+		free(tail->line[i]);
+	free(tail->line);
+}
+
+void
+journal_free(struct journal *j)
+{
+	if (j == NULL)
+		return;
+	for (size_t i = 0; i < j->n; i++)
+		free(j->line[i]);
+	free(j->line);
+	free(j);
+}
+
+/* True for "predict 74" and the name predict. */
+static bool
+is_call_of(const char *line, const char *name)
+{
+	size_t n = strlen(name);
+	return strncmp(line, name, n) == 0 &&
+	       (line[n] == '\0' || line[n] == ' ');
+}
+
+void
+journal_add(struct session *s, const char *line, const char *latest)
+{
+	if (s->journal == NULL)
+		s->journal = xcalloc(1, sizeof *s->journal);
+	struct journal *j = s->journal;
+	if (latest != NULL && j->n > j->start &&
+	    is_call_of(j->line[j->n - 1], latest))
+		free(j->line[--j->n]);
+	append(j, xstrdup(line));
+}
+
+void
+journal_restart(struct session *s)
+{
+	if (s->journal != NULL)
+		s->journal->start = s->journal->n;
+}
+
+void
+journal_settings(struct session *s)
+{
+	char *seed = xasprintf("seed %" PRIu64, s->seed);
+	char *format = xasprintf("set format %s", REPORT_FORMATS[s->format]);
+	if (s->seed != 1)
+		journal_add(s, seed, NULL);
+	if (s->format != REPORT_TABLE)
+		journal_add(s, format, NULL);
+	free(seed);
+	free(format);
+}
+
+/* Appends a word, in quotes where it would not be read as one. */
+static void
+put_word(FILE *out, const char *word)
+{
+	bool plain = word[0] != '\0' && strpbrk(word, " \t;#\"|>\\") == NULL;
+	fputs(plain ? " " : " \"", out);
+	for (const char *p = word; *p != '\0'; p++) {
+		if (*p == '"')
+			fputc('"', out);
+		fputc(*p, out);
+	}
+	if (!plain)
+		fputc('"', out);
+}
+
+/* From the root; links are left as they are. */
+static void
+put_path(FILE *out, const char *path)
+{
+	char folder[4096];
+	bool rooted = path[0] == '/' || getcwd(folder, sizeof folder) == NULL;
+	while (strncmp(path, "./", 2) == 0)
+		path += 2;
+	char *whole = rooted ? xstrdup(path) : xasprintf("%s/%s", folder, path);
+	put_word(out, whole);
+	free(whole);
+}
+
+/* True for an option that a saved line does without. */
+static bool
+is_passing(
+    const struct command *command, const struct args *args, const char *word)
+{
+	const struct command_option *o = command->option;
+	const char *equals = strchr(word, '=');
+	for (size_t i = 0; o != NULL && o[i].name != NULL; i++) {
+		bool here = args->value[i].given && equals != NULL &&
+			    args->value[i].text == equals + 1;
+		if (here && (o[i].kind == VALUE_FILE ||
+				strcmp(o[i].name, "pause") == 0))
+			return true;
+	}
+	return false;
+}
+
+static bool
+is_operand(const struct args *args, const char *word)
+{
+	for (size_t i = 0; i < args->n_operand; i++)
+		if (args->operand[i] == word)
+			return true;
+	return false;
+}
+
+char *
+journal_line(const struct command *command, const struct args *args,
+    const struct words *words)
+{
+	char *line = NULL;
+	size_t n = 0;
+	FILE *out = open_memstream(&line, &n);
+	if (out == NULL)
+		return xstrdup("");
+	fputs(command->name, out);
+	for (size_t i = 1; i < words->n; i++) {
+		const char *word = words->text[i];
+		if ((command->flags & COMMAND_FILES) && is_operand(args, word))
+			put_path(out, word);
+		else if (!is_passing(command, args, word))
+			put_word(out, word);
+	}
+	fclose(out);
+	return line;
+}
+
+char *
+journal_load(const struct site *site)
+{
+	char *line = NULL;
+	size_t n = 0;
+	FILE *out = open_memstream(&line, &n);
+	if (out == NULL)
+		return xstrdup("");
+	fputs("load", out);
+	put_path(out, site->path);
+	fprintf(out, " digest=%016" PRIx64, site->digest);
+	fclose(out);
+	return line;
+}
+
+char *
+journal_label(const struct command *command, const struct words *words)
+{
+	char *label = xstrdup(command->name);
+	for (size_t i = 1; i < words->n; i++) {
+		char *longer = xasprintf("%s %s", label, words->text[i]);
+		free(label);
+		label = longer;
+	}
+	return label;
+}
+
+/* What the data are, for who reads the script; no letter of it may end or
+ * continue the comment. */
+static void
+put_provenance(FILE *out, const struct site *site)
+{
+	char *kind = xstrndup(site->provenance, strcspn(site->provenance, ";"));
+	char *line = xasprintf("# %s: %s", site->name,
+	    kind[0] != '\0' ? kind : "provenance not stated");
+	for (char *p = line; *p != '\0'; p++)
+		fputc((unsigned char)*p < ' ' || *p == '\\' ? ' ' : *p, out);
+	fputc('\n', out);
+	free(line);
+	free(kind);
+}
+
+static void
+put_script(const void *data, FILE *out)
+{
+	const struct session *s = data;
+	const struct journal *j = s->journal;
+	fprintf(out,
+	    "# A session of tipspeed %s, written by 'save'.\n"
+	    "# A sheet whose numbers are others now is refused.\n",
+	    PACKAGE_VERSION);
+	for (size_t i = 0; i < s->n_entry; i++)
+		put_provenance(out, s->entry[i].site);
+	for (size_t i = j != NULL ? j->start : 0; j != NULL && i < j->n; i++)
+		fprintf(out, "%s\n", j->line[i]);
+}
+
+/* Names of files may hold bytes that no script can. */
+static bool
+can_be_saved(const struct journal *j, struct error *error)
+{
+	for (size_t i = j != NULL ? j->start : 0; j != NULL && i < j->n; i++) {
+		if (text_is_utf8(j->line[i], strlen(j->line[i])) &&
+		    strpbrk(j->line[i], "\r\n") == NULL)
+			continue;
+		error_set(error, ERROR_DATA,
+		    "a script cannot say '%.200s': a name in it is no UTF-8 "
+		    "or has a line break",
+		    j->line[i]);
+		return error_hint(error, "rename the file, and load it again");
+	}
+	return true;
+}
+
+bool
+cmd_save(struct session *s, const struct args *args, struct error *error)
+{
+	const char *path = args->operand[0];
+	size_t n = strlen(path);
+	if (n < 5 || strcmp(path + n - 4, ".tip") != 0) {
+		error_set(error, ERROR_USAGE,
+		    "save writes a script, and '%s' does not end in .tip",
+		    path);
+		return error_hint(
+		    error, "results are saved with > FILE, sheets with write");
+	}
+	struct stat info;
+	bool replace =
+	    args_value(command_find("save"), args, "replace")->choice == 1;
+	if (!replace && stat(path, &info) == 0) {
+		error_set(error, ERROR_USAGE, "%s is there already", path);
+		return error_hint(error, "replace=on writes over it");
+	}
+	if (!can_be_saved(s->journal, error) ||
+	    !replace_file(path, put_script, s, error))
+		return false;
+	struct mark mark = journal_mark(s);
+	session_note(s, "saved %s: %zu commands", path, mark.n - mark.start);
+	return true;
+}

@@ -1,0 +1,58 @@
+/* What led to the session's state and results, as lines of a script.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_JOURNAL_H
+#define TIPSPEED_CMD_JOURNAL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "cmd/command.h"
+#include "cmd/parse.h"
+#include "cmd/session.h"
+
+/* A place in the journal; start: where the last reset left it. */
+struct mark {
+	size_t n, start;
+};
+
+struct mark journal_mark(const struct session *s);
+
+/* Lines cut off the journal, to be put back. */
+struct tail {
+	size_t n;
+	char **line;
+	struct mark from, to; /* the journal before the lines and behind them */
+};
+
+struct tail journal_cut(struct session *s, struct mark mark);
+void journal_paste(struct session *s, struct tail *tail);
+void tail_free(struct tail *tail);
+
+/* Adds a line.  latest: the name of a command whose former line it replaces, if
+ * that is the last; or NULL. */
+void journal_add(struct session *s, const char *line, const char *latest);
+
+/* What came before is no part of the session any more. */
+void journal_restart(struct session *s);
+
+/* Lines for what the command line has set. */
+void journal_settings(struct session *s);
+
+/* The call as a line that means the same in any folder and script: full name,
+ * absolute paths.  Options that name files and pause= are left out: what the
+ * former write is no part of the session, and the latter is put in as it turned
+ * out.  The caller frees. */
+char *journal_line(const struct command *command, const struct args *args,
+    const struct words *words);
+
+/* "load FILE digest=HEX" for a site that was read. */
+char *journal_load(const struct site *site);
+
+/* The call as typed, with the command's full name.  The caller frees. */
+char *journal_label(const struct command *command, const struct words *words);
+
+bool cmd_save(struct session *, const struct args *, struct error *);
+
+void journal_free(struct journal *journal);
+
+#endif

@@ -1,0 +1,92 @@
+/* What is loaded and set as a whole, and small things about the session.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/manage.h"
+
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "cmd/journal.h"
+#include "cmd/script.h"
+#include "cmd/snapshot.h"
+
+bool
+cmd_drop(struct session *s, const struct args *args, struct error *error)
+{
+	size_t index;
+	if (!session_find(s, args->operand[0], &index, error))
+		return false;
+	session_note(s, "dropped %s", s->entry[index].key);
+	session_drop(s, index);
+	return true;
+}
+
+/* Forgets all that was loaded and set. */
+static void
+forget_all(struct session *s, const struct choices *choices)
+{
+	session_let_go(s);
+	entries_free(s->entry, s->n_entry);
+	s->entry = NULL;
+	s->n_entry = s->current = 0;
+	choices_put(s, choices);
+	session_forget(s);
+	journal_restart(s);
+}
+
+bool
+cmd_reset(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	forget_all(s, s->first);
+	journal_settings(s);
+	return true;
+}
+
+/* The script says by itself what the command line had set when it was saved. */
+bool
+cmd_restore(struct session *s, const struct args *args, struct error *error)
+{
+	struct choices plain = *s->first;
+	plain.seed = 1;
+	plain.format = REPORT_TABLE;
+	if (!script_open(s, args->operand[0], error))
+		return false;
+	forget_all(s, &plain);
+	return true;
+}
+
+bool
+cmd_echo(struct session *s, const struct args *args, struct error *error)
+{
+	(void)error;
+	char *text = xstrdup("");
+	for (size_t i = 0; i < args->n_operand; i++) {
+		char *longer = xasprintf(
+		    "%s%s%s", text, i > 0 ? " " : "", args->operand[i]);
+		free(text);
+		text = longer;
+	}
+	if (s->format == REPORT_JSON) {
+		struct report *r = report_new("echo");
+		json_t *o = json_object();
+		json_object_set_new(o, "command", json_string("echo"));
+		json_object_set_new(o, "text", json_string(text));
+		report_json(r, o);
+		session_report(s, r);
+	} else {
+		fprintf(s->out, "%s\n", text);
+	}
+	free(text);
+	return true;
+}
+
+bool
+cmd_timing(struct session *s, const struct args *args, struct error *error)
+{
+	(void)error;
+	const struct value *state =
+	    args_value(command_find("timing"), args, "state");
+	s->timing = state->choice == 0;
+	return true;
+}

@@ -1,0 +1,24 @@
+/* Results of one command into a file or a shell command.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_REDIRECT_H
+#define TIPSPEED_CMD_REDIRECT_H
+
+#include <stdbool.h>
+
+#include "cmd/parse.h"
+#include "cmd/session.h"
+
+struct redirect;
+
+/* From now on the session's results are kept for the target of words, in the
+ * form that a file's name asks for.  NULL, with an error of kind ERROR_SYSTEM,
+ * where the file cannot be written. */
+struct redirect *redirect_open(
+    struct session *s, const struct words *words, struct error *error);
+
+/* Results go where they went before.  keep: those kept are handed over, all or
+ * none of them.  False when that failed, or the shell command did. */
+bool redirect_close(struct session *s, struct redirect *redirect, bool keep,
+    struct error *error);
+
+#endif

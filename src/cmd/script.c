@@ -1,0 +1,164 @@
+/* Lines from files, streams and the command line alike.  Leaves to the driver
+ * to run them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/script.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+struct script {
+	struct script *outer;
+	FILE *in;
+	bool borrowed;
+	char *name, *text; /* what in reads from, where it is no file */
+	int number;        /* of the last line read */
+	bool one_number;   /* all lines have it */
+};
+
+size_t
+script_depth(const struct session *s)
+{
+	size_t n = 0;
+	for (const struct script *i = s->script; i != NULL; i = i->outer)
+		n++;
+	return n;
+}
+
+static struct script *
+push(struct session *s, FILE *in, const char *name)
+{
+	struct script *script = xcalloc(1, sizeof *script);
+	script->outer = s->script;
+	script->in = in;
+	script->name = xstrdup(name);
+	s->script = script;
+	return script;
+}
+
+bool
+script_open(struct session *s, const char *path, struct error *error)
+{
+	enum { DEEPEST = 16 };
+	if (script_depth(s) >= DEEPEST) {
+		error_set(error, ERROR_USAGE,
+		    "scripts are nested more than %d deep", (int)DEEPEST);
+		return error_hint(error, "does %s source itself?", path);
+	}
+	FILE *in = fopen(path, "r");
+	if (in == NULL)
+		return error_set(error, ERROR_SYSTEM,
+		    "cannot read script %s: %s", path, strerror(errno));
+	push(s, in, path);
+	return true;
+}
+
+void
+script_open_stream(struct session *s, FILE *in, const char *name)
+{
+	push(s, in, name)->borrowed = true;
+}
+
+void
+script_open_text(
+    struct session *s, const char *text, const char *name, int line)
+{
+	struct script *script = push(s, NULL, name);
+	script->text = xstrdup(text);
+	script->in = fmemopen(script->text, strlen(text), "r");
+	script->number = line;
+	script->one_number = true;
+}
+
+void
+script_close(struct session *s, size_t depth)
+{
+	while (script_depth(s) > depth) {
+		struct script *script = s->script;
+		s->script = script->outer;
+		if (script->in != NULL && !script->borrowed)
+			fclose(script->in);
+		free(script->name);
+		free(script->text);
+		free(script);
+	}
+}
+
+bool
+script_goes_on(char *line)
+{
+	size_t n = strcspn(line, "\r\n");
+	line[n] = '\0';
+	if (n == 0 || line[n - 1] != '\\')
+		return false;
+	line[n - 1] = ' ';
+	return true;
+}
+
+static bool
+check_text(const struct script *script, const char *piece, size_t n,
+    struct error *error)
+{
+	if (text_is_utf8(piece, n))
+		return true;
+	error_at(error, ERROR_USAGE, script->name, script->number, 1,
+	    "this is not text (a script is UTF-8 without NUL)");
+	return error_hint(error,
+	    "is it a site file or a program? a script holds commands, one a "
+	    "line");
+}
+
+/* Joins the pieces of the next line; NULL at the end and on an error. */
+static char *
+join(struct script *script, int *first, struct error *error)
+{
+	char *piece = NULL, *line = NULL;
+	size_t room = 0;
+	ssize_t got;
+	bool more = true, good = true;
+	while (more && (got = getline(&piece, &room, script->in)) >= 0) {
+		script->number += !script->one_number;
+		good = check_text(script, piece, (size_t)got, error);
+		if (!good)
+			break;
+		if (line == NULL)
+			*first = script->number;
+		more = script_goes_on(piece);
+		/* Some editors begin UTF-8 with a byte order mark. */
+		bool mark = script->number == 1 &&
+			    strncmp(piece, "\xEF\xBB\xBF", 3) == 0;
+		char *joined = xasprintf(
+		    "%s%s", line != NULL ? line : "", piece + (mark ? 3 : 0));
+		free(line);
+		line = joined;
+	}
+	if (good && more && ferror(script->in))
+		good = error_at(error, ERROR_SYSTEM, script->name, 0, 0,
+		    "cannot be read: %s", strerror(errno));
+	free(piece);
+	if (good)
+		return line;
+	free(line);
+	return NULL;
+}
+
+char *
+script_line(struct session *s, struct place *place, struct error *error)
+{
+	struct script *script = s->script;
+	*place = (struct place){.file = script->name};
+	char *line =
+	    script->in != NULL ? join(script, &place->line, error) : NULL;
+	if (line == NULL && error->kind == ERROR_NONE)
+		script_close(s, script_depth(s) - 1);
+	return line;
+}
+
+bool
+cmd_source(struct session *s, const struct args *args, struct error *error)
+{
+	return script_open(s, args->operand[0], error);
+}

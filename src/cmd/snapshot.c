@@ -1,0 +1,124 @@
+/* Copies of what a session holds, for undo and reset.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/snapshot.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+
+struct snapshot {
+	size_t n_entry, current;
+	struct entry *entry;
+	struct choices choices;
+};
+
+struct choices
+choices_take(const struct session *s)
+{
+	return (struct choices){.settings = s->settings,
+	    .bounds = s->bounds,
+	    .seed = s->seed,
+	    .threads = s->threads,
+	    .isa = s->isa,
+	    .format = s->format,
+	    .semicolon = s->semicolon};
+}
+
+void
+choices_put(struct session *s, const struct choices *c)
+{
+	s->settings = c->settings;
+	s->bounds = c->bounds;
+	s->seed = c->seed;
+	s->threads = c->threads;
+	s->isa = c->isa;
+	s->format = c->format;
+	s->semicolon = c->semicolon;
+}
+
+static bool
+same_choices(const struct choices *a, const struct choices *b)
+{
+	const struct model_settings *x = &a->settings, *y = &b->settings;
+	return x->method == y->method && x->appearance == y->appearance &&
+	       x->k == y->k && a->seed == b->seed &&
+	       memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0 &&
+	       a->threads == b->threads && a->isa == b->isa &&
+	       a->format == b->format && a->semicolon == b->semicolon;
+}
+
+static struct entry *
+copy_entries(const struct entry *from, size_t n)
+{
+	struct entry *to = xcalloc(n + 1, sizeof *to);
+	for (size_t i = 0; i < n; i++)
+		to[i] = entry_copy(&from[i]);
+	return to;
+}
+
+struct snapshot *
+snapshot_take(const struct session *s)
+{
+	struct snapshot *snapshot = xcalloc(1, sizeof *snapshot);
+	*snapshot = (struct snapshot){.n_entry = s->n_entry,
+	    .current = s->current,
+	    .entry = copy_entries(s->entry, s->n_entry),
+	    .choices = choices_take(s)};
+	return snapshot;
+}
+
+void
+snapshot_free(struct snapshot *snapshot)
+{
+	if (snapshot == NULL)
+		return;
+	entries_free(snapshot->entry, snapshot->n_entry);
+	free(snapshot);
+}
+
+void
+snapshot_put(struct session *s, const struct snapshot *snapshot)
+{
+	entries_free(s->entry, s->n_entry);
+	s->entry = copy_entries(snapshot->entry, snapshot->n_entry);
+	s->n_entry = snapshot->n_entry;
+	s->current = snapshot->current;
+	choices_put(s, &snapshot->choices);
+	session_forget(s);
+}
+
+bool
+snapshot_same_fit(const struct fit *a, const struct fit *b)
+{
+	return memcmp(&a->params, &b->params, sizeof a->params) == 0 &&
+	       a->misfit == b->misfit && a->stop == b->stop &&
+	       a->generations == b->generations &&
+	       a->evaluations == b->evaluations && a->seed == b->seed &&
+	       a->population == b->population;
+}
+
+static bool
+same_entry(const struct entry *a, const struct entry *b)
+{
+	return a->site == b->site && strcmp(a->key, b->key) == 0 &&
+	       memcmp(a->train, b->train, a->site->n_run * sizeof *a->train) ==
+		   0 &&
+	       a->has_params == b->has_params && a->has_fit == b->has_fit &&
+	       memcmp(&a->params, &b->params, sizeof a->params) == 0 &&
+	       snapshot_same_fit(&a->fit, &b->fit);
+}
+
+bool
+snapshot_differs(const struct snapshot *snapshot, const struct session *s)
+{
+	struct choices now = choices_take(s);
+	if (snapshot->n_entry != s->n_entry ||
+	    snapshot->current != s->current ||
+	    !same_choices(&snapshot->choices, &now))
+		return true;
+	for (size_t i = 0; i < s->n_entry; i++)
+		if (!same_entry(&snapshot->entry[i], &s->entry[i]))
+			return true;
+	return false;
+}

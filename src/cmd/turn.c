@@ -1,0 +1,217 @@
+/* What goes with every command: where its results go, how long it takes,
+ * what of it can be undone and saved.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/turn.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/redirect.h"
+#include "cmd/script.h"
+#include "cmd/snapshot.h"
+#include "cmd/undo.h"
+
+/* Turns nest: a script's commands run within the turn of its source. */
+struct turn {
+	struct turn *outer;
+	const struct command *command;
+	struct redirect *redirect; /* or NULL */
+	struct place place;        /* of the redirection */
+	int column;
+	char *label, *line;      /* as typed; for the journal */
+	struct snapshot *before; /* or NULL where it changes nothing */
+	struct mark mark;        /* the journal when it began */
+	size_t steps;            /* that could be undone then */
+	bool stopped;            /* its calibration was, after */
+	size_t stopped_at;       /* so many steps */
+	double started;
+	bool timed;
+	size_t scripts; /* that were open when it began */
+};
+
+static bool
+put_place(const struct turn *t, struct error *error)
+{
+	snprintf(error->file, sizeof error->file, "%s", t->place.file);
+	error->line = t->place.line;
+	error->column = t->column;
+	return false;
+}
+
+/* Index of an option of the call that names a file, or OPTIONS. */
+static size_t
+file_option(const struct command *command, const struct args *args)
+{
+	const struct command_option *o = command->option;
+	for (size_t i = 0; o != NULL && o[i].name != NULL; i++)
+		if (o[i].kind == VALUE_FILE && args->value[i].given)
+			return i;
+	return OPTIONS;
+}
+
+/* --safe: neither files nor the shell. */
+static bool
+check_safe(const struct command *command, const struct args *args,
+    const struct words *words, struct error *error)
+{
+	size_t option = file_option(command, args);
+	if (command->flags & COMMAND_FILES)
+		error_set(error, ERROR_USAGE, "%s is off: it works on files",
+		    command->name);
+	else if (option < OPTIONS)
+		error_set(error, ERROR_USAGE, "%s= is off: it names a file",
+		    command->option[option].name);
+	else if (words->to != TO_SCREEN)
+		error_set(error, ERROR_USAGE, "%s is off",
+		    words->to == TO_PIPE ? "a shell command"
+					 : "writing to a file");
+	else
+		return true;
+	return error_hint(error,
+	    "the program was started with --safe; it takes site files as "
+	    "operands only");
+}
+
+bool
+turn_begin(struct session *s, const struct command *command,
+    const struct args *args, const struct words *words, struct place place,
+    struct error *error)
+{
+	if (s->safe && !check_safe(command, args, words, error))
+		return false;
+	if (s->first == NULL) {
+		s->first = xcalloc(1, sizeof *s->first);
+		*s->first = choices_take(s);
+		journal_settings(s);
+	}
+	struct turn *t = xcalloc(1, sizeof *t);
+	*t = (struct turn){.outer = s->turn,
+	    .command = command,
+	    .place = place,
+	    .column = words->to_column,
+	    .started = session_clock(),
+	    .timed = s->timing,
+	    .scripts = script_depth(s)};
+	if (words->to != TO_SCREEN)
+		t->redirect = redirect_open(s, words, error);
+	if (words->to != TO_SCREEN && t->redirect == NULL) {
+		put_place(t, error);
+		free(t);
+		return false;
+	}
+	t->label = journal_label(command, words);
+	t->line = journal_line(command, args, words);
+	t->mark = journal_mark(s);
+	t->steps = undo_depth(s);
+	if (command->flags & COMMAND_CHANGES)
+		t->before = snapshot_take(s);
+	s->turn = t;
+	return true;
+}
+
+void
+turn_stopped(struct session *s, size_t steps)
+{
+	struct turn *t = s->job.turn;
+	if (t == NULL)
+		return;
+	t->stopped = true;
+	t->stopped_at = steps;
+}
+
+/* True where its results go elsewhere, by itself or with its script. */
+static bool
+is_redirected(const struct turn *t)
+{
+	while (t != NULL && t->redirect == NULL)
+		t = t->outer;
+	return t != NULL;
+}
+
+static bool
+came_to_nothing(const struct turn *t)
+{
+	return t->stopped && t->stopped_at == 0;
+}
+
+/* What went elsewhere is not done again, but for what it changed. */
+static void
+record(struct session *s, const struct turn *t, bool changed)
+{
+	bool elsewhere = is_redirected(t),
+	     latest = (t->command->flags & COMMAND_LATEST) != 0;
+	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
+	    came_to_nothing(t))
+		return;
+	char *pause =
+	    t->stopped ? xasprintf(" pause=%zu", t->stopped_at) : xstrdup("");
+	char *line = xasprintf(
+	    "%s%s%s", t->line, pause, elsewhere ? " > /dev/null" : "");
+	journal_add(s, line, latest ? t->command->name : NULL);
+	free(pause);
+	free(line);
+}
+
+/* Where the outermost turn began, for one within it. */
+static size_t
+floor_of(const struct turn *t)
+{
+	size_t floor = SIZE_MAX;
+	for (t = t->outer; t != NULL; t = t->outer)
+		floor = t->steps;
+	return floor;
+}
+
+static void
+turn_free(struct turn *t)
+{
+	free(t->label);
+	free(t->line);
+	free(t);
+}
+
+bool
+turn_over(const struct session *s)
+{
+	bool working = session_busy(s) && s->job.turn == s->turn;
+	return !working && script_depth(s) <= s->turn->scripts;
+}
+
+bool
+turn_end(struct session *s, bool ok, struct error *error)
+{
+	struct turn *t = s->turn;
+	/* The report of a check that says no is a result. */
+	bool keep = ok || error->kind == ERROR_CHECK;
+	struct error late = {0};
+	bool changed = t->before != NULL && !came_to_nothing(t) &&
+		       snapshot_differs(t->before, s);
+	s->turn = t->outer;
+	if (ok)
+		record(s, t, changed);
+	if (t->redirect != NULL &&
+	    !redirect_close(s, t->redirect, keep, &late) && ok) {
+		*error = late;
+		ok = put_place(t, error);
+	}
+	if (changed)
+		undo_push(
+		    s, t->before, t->mark, t->steps, floor_of(t), t->label);
+	else
+		snapshot_free(t->before);
+	if (t->timed && s->timing)
+		session_note(s, "%s: %.3f s", t->command->name,
+		    session_clock() - t->started);
+	turn_free(t);
+	return ok;
+}
+
+bool
+session_settle(struct session *s, bool ok, struct error *error)
+{
+	while (s->turn != NULL && turn_over(s))
+		ok = turn_end(s, ok, error);
+	return ok;
+}

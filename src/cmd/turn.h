@@ -1,0 +1,31 @@
+/* A command under way: from its first word to the end of its job or script.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_TURN_H
+#define TIPSPEED_CMD_TURN_H
+
+#include <stdbool.h>
+
+#include "cmd/command.h"
+#include "cmd/parse.h"
+#include "cmd/session.h"
+
+struct turn;
+
+/* Before a command runs.  False where its results cannot go where it says. */
+bool turn_begin(struct session *s, const struct command *command,
+    const struct args *args, const struct words *words, struct place place,
+    struct error *error);
+
+/* True when the innermost command has no job and no script left. */
+bool turn_over(const struct session *s);
+
+/* The job was stopped after so many steps: a saved script stops it there; 0: it
+ * came to nothing. */
+void turn_stopped(struct session *s, size_t steps);
+
+/* The innermost command is over: its results are handed over.  ok: it did what
+ * it should; else error says why not, and is kept.  Returns false when it did
+ * not, or the results could not be handed over. */
+bool turn_end(struct session *s, bool ok, struct error *error);
+
+#endif

@@ -1,0 +1,126 @@
+/* A step holds the session before it and, once undone, after it, with the lines
+ * of the journal in between.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/undo.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+
+enum { STEPS = 200 };
+
+struct step {
+	char *label;
+	struct snapshot *before, *after; /* after: of undone steps */
+	struct mark mark;
+	struct tail tail; /* of undone steps */
+};
+
+/* The first `done` of the n steps can be undone, the others redone. */
+struct undo {
+	size_t n, done;
+	struct step step[2 * STEPS]; /* the upper half is for scripts */
+};
+
+static void
+step_free(struct step *step)
+{
+	free(step->label);
+	snapshot_free(step->before);
+	snapshot_free(step->after);
+	tail_free(&step->tail);
+}
+
+static void
+cut_steps(struct undo *undo, size_t n)
+{
+	while (undo->n > n)
+		step_free(&undo->step[--undo->n]);
+}
+
+void
+undo_free(struct undo *undo)
+{
+	if (undo != NULL)
+		cut_steps(undo, 0);
+	free(undo);
+}
+
+size_t
+undo_depth(const struct session *s)
+{
+	return s->undo != NULL ? s->undo->done : 0;
+}
+
+void
+undo_push(struct session *s, struct snapshot *before, struct mark mark,
+    size_t depth, size_t floor, const char *label)
+{
+	if (s->undo == NULL)
+		s->undo = xcalloc(1, sizeof *s->undo);
+	struct undo *undo = s->undo;
+	cut_steps(undo, depth < undo->done ? depth : undo->done);
+	bool inner = floor != SIZE_MAX;
+	if (undo->n >= (inner ? 2 * STEPS : STEPS)) {
+		size_t oldest = inner ? floor : 0;
+		step_free(&undo->step[oldest]);
+		undo->n--;
+		memmove(&undo->step[oldest], &undo->step[oldest + 1],
+		    (undo->n - oldest) * sizeof undo->step[0]);
+	}
+	undo->step[undo->n++] = (struct step){
+	    .label = xstrdup(label), .before = before, .mark = mark};
+	undo->done = undo->n;
+}
+
+/* A calibration that was stopped is kept only where its site and the fit it
+ * left there stay. */
+static void
+put(struct session *s, const struct snapshot *snapshot)
+{
+	struct entry held = {0};
+	bool paused = s->job.calibration != NULL && s->job.paused;
+	if (paused)
+		held = s->entry[s->job.entry];
+	snapshot_put(s, snapshot);
+	for (size_t i = 0; i < s->n_entry && paused; i++) {
+		if (s->entry[i].site != held.site ||
+		    !snapshot_same_fit(&s->entry[i].fit, &held.fit))
+			continue;
+		s->job.entry = i;
+		return;
+	}
+	session_let_go(s);
+}
+
+bool
+cmd_undo(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	if (undo_depth(s) == 0)
+		return error_set(error, ERROR_USAGE, "nothing to undo");
+	struct step *step = &s->undo->step[--s->undo->done];
+	step->after = snapshot_take(s);
+	step->tail = journal_cut(s, step->mark);
+	put(s, step->before);
+	session_note(s, "undone: %s", step->label);
+	return true;
+}
+
+bool
+cmd_redo(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	if (s->undo == NULL || s->undo->done == s->undo->n)
+		return error_set(error, ERROR_USAGE, "nothing to redo");
+	struct step *step = &s->undo->step[s->undo->done++];
+	step->mark = journal_mark(s);
+	journal_paste(s, &step->tail);
+	put(s, step->after);
+	snapshot_free(step->after);
+	step->after = NULL;
+	session_note(s, "done again: %s", step->label);
+	return true;
+}

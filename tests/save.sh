@@ -1,0 +1,110 @@
+#!/bin/sh
+# A saved session, run again anywhere, gives the very same results, and saved
+# again the very same script.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "${srcdir:-.}/tests/tap.sh"
+scratch
+here="$dir/a b å\"q;#>"
+mkdir "$here" "$dir/else"
+cp "$srcdir"/data/sites/tierp.csv "$srcdir"/data/sites/bro.csv \
+	"$srcdir/data/table3.csv" "$here"
+cp "$srcdir/data/sites/ossjo.csv" "$here/"'a "quoted" name.csv'
+
+# same FILE FILE: alike but for the seconds of calibrations.
+same() {
+	sed 's/"seconds":[^,]*//' "$1" >"$dir/left"
+	sed 's/"seconds":[^,]*//' "$2" | diff "$dir/left" - >"$dir/diff"
+}
+
+# replays NAME OPTIONS SCRIPT: runs the script, saves, and runs what was saved.
+replays() {
+	rm -f "$dir"/*.tip
+	(cd "$here" && "$TIPSPEED" $2 -c "$3" -c 'save ../one.tip') \
+		>"$dir/first" 2>"$dir/log"
+	result $? "$1: saved"
+	(cd "$dir/else" && "$TIPSPEED" ../one.tip -c 'save ../two.tip') \
+		>"$dir/second" 2>"$dir/log"
+	result $? "$1: replayed in another folder"
+	same "$dir/first" "$dir/second"
+	result $? "$1: the results are the same"
+	remark "$dir/diff"
+	cmp "$dir/one.tip" "$dir/two.tip" >"$dir/diff" 2>&1
+	result $? "$1: the script is the same"
+	(cd "$dir/else" && "$TIPSPEED" --seed=99 --format=csv \
+		-c 'load ../data/sites/umea.csv' -c 'restore ../one.tip' \
+		-c 'save ../three.tip') >"$dir/third" 2>"$dir/log"
+	same "$dir/first" "$dir/third" && cmp -s "$dir/one.tip" "$dir/three.tip"
+	result $? "$1: and so they are restored in the midst of another"
+	remark "$dir/diff"
+}
+
+quick='population=200 generations=8'
+replays 'one site' '' "load tierp.csv; calibrate $quick; predict 74; validate
+	sweep 70..80:5; show product; check; echo \"a \"\"b\\ #>\" å"
+replays 'names with blanks and quotes' --format=json \
+	"load \"a \"\"quoted\"\" name.csv\" ./bro.csv; use ÖSSJÖ
+	calibrate seed=5 $quick; predict; use bro; calibrate $quick; sweep 70,80"
+replays 'settings' '--seed=7 --format=csv' "synth table3.csv site=Umeå seed=3
+	set method classes k 2; bounds alpha 0.5; seed; set; calibrate $quick
+	params set f_mat=2; params; predict 74; bounds default; bounds
+	set format json csv semicolon; predict 75 feed=69; drop umea"
+replays 'all sites' '' "load tierp.csv bro.csv; calibrate all $quick polish=off
+	predict; sites"
+replays 'stopped in the search' --format=json "load tierp.csv
+	calibrate $quick pause=5; predict 74; seed 3; continue; predict 74"
+replays 'stopped and accepted' --format=json "load tierp.csv
+	calibrate $quick pause=5; accept; sweep 70,71"
+replays 'stopped in the polish' --format=json "load tierp.csv
+	calibrate $quick pause=11; continue pause=13; predict 75"
+replays 'stopped among all' --format=json "load tierp.csv bro.csv
+	calibrate all $quick pause=12; use tierp; predict 75"
+replays 'stopped between sites' --format=json "load tierp.csv bro.csv
+	calibrate all $quick polish=off pause=8; use tierp; predict 75"
+replays 'files aside' --format=json "load tierp.csv
+	calibrate $quick log=log.csv checkpoint=point pause=6 > fit.json
+	predict 74 | cat >product.csv
+	calibrate $quick resume=point > fit.json
+	predict 74 > product.json; write copy.csv replace=on; sweep 70,71"
+
+# What was undone is not in it, nor what came before a reset.
+run() { (cd "$here" && "$TIPSPEED" "$@"); }
+run -c "load bro.csv; reset; load tierp.csv; params set f_mat=2 e0_min=16 alpha=1
+	predict 71; predict 72; seed 3; undo; redo; undo; predict 73
+	set k 2; predict 76; undo; load bro.csv; undo; redo
+	save ../undone.tip" >"$dir/out" 2>"$dir/log"
+grep -v '^#' "$dir/undone.tip" | sed 's/".*\/\([a-z]*.csv\)"/\1/' >"$dir/out"
+cat >"$dir/want" <<'END'
+load tierp.csv digest=812272b685abdf02
+params set f_mat=2 e0_min=16 alpha=1
+predict 73
+load bro.csv digest=7cf447237a8dfa59
+END
+diff "$dir/want" "$dir/out" >"$dir/diff"
+result $? "what was undone is left out"
+remark "$dir/diff"
+run -c "load tierp.csv; source ../undone.tip; undo; undo
+	restore ../undone.tip; undo; save ../empty.tip" >"$dir/out" 2>&1
+result $? "source and restore are one step each"
+[ "$(grep -vc '^#' "$dir/empty.tip")" -eq 0 ]
+result $? "an empty session is an empty script"
+
+# refused NAME STATUS WORDS COMMANDS
+refused() {
+	run -c "$4" >"$dir/out" 2>&1
+	[ $? -eq "$2" ] && grep -q "$3" "$dir/out"
+	result $? "$1 is refused"
+}
+sed 's/92.92/92.93/' "$here/tierp.csv" >"$here/bro.csv"
+refused 'a sheet that has changed' 3 'digest 7cf447237a8dfa59 was wanted, found' \
+	'source ../undone.tip'
+refused 'a script that is there' 2 'is there already' 'save ../undone.tip'
+refused 'another name' 2 'does not end in .tip' 'save results.csv'
+refused 'a folder that is not there' 5 'cannot be saved' 'save no/such.tip'
+refused 'a digest for two files' 2 'one file' 'load a b digest=1'
+name=$(printf 'line\nbreak.csv')
+cp "$here/tierp.csv" "$here/$name"
+(cd "$here" && "$TIPSPEED" "$name" -c 'save ../three.tip replace=on') \
+	>"$dir/out" 2>&1
+[ $? -eq 3 ] && grep -q 'a script cannot say' "$dir/out"
+result $? "a name that no script can hold is refused"
+finish

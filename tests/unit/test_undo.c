@@ -1,0 +1,206 @@
+/* Every change can be taken back and done again; nothing else makes a step.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <string.h>
+#include <unistd.h>
+
+#include "cmd/snapshot.h"
+#include "cmd/undo.h"
+#include "desk.h"
+
+static int
+open_with_sites(void **state)
+{
+	desk_open(state);
+	const char *srcdir = getenv("srcdir");
+	if (srcdir != NULL)
+		assert_int_equal(chdir(srcdir), 0);
+	desk_expect(*state, "load data/sites/bro.csv data/sites/tierp.csv");
+	return 0;
+}
+
+static bool
+is_as(const struct session *s, struct snapshot *then)
+{
+	bool same = !snapshot_differs(then, s);
+	snapshot_free(then);
+	return same;
+}
+
+static void
+every_change_is_undone_and_done_again(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	static const char *const lines[] = {"use bro", "use tierp",
+	    "params set f_mat=2 e0_min=16 alpha=1",
+	    "calibrate population=64 generations=2",
+	    "calibrate population=64 generations=3 train=69,74",
+	    "calibrate all population=64 generations=2", "bounds alpha 0.5",
+	    "bounds default", "set method classes", "set k 2 threads 3",
+	    "set format csv csv semicolon", "set isa baseline", "seed 5",
+	    "load data/sites/gavle-4.csv data/sites/gavle-11.2.csv",
+	    "synth data/table3.csv site=Bro", "load data/sites/tierp.csv",
+	    "drop gavle/4", "drop tierp", "reset"};
+	for (size_t i = 0; i < ARRAY_LEN(lines); i++) {
+		struct snapshot *before = snapshot_take(s);
+		size_t depth = undo_depth(s);
+		desk_expect(desk, lines[i]);
+		struct snapshot *after = snapshot_take(s);
+		if (undo_depth(s) != depth + 1)
+			fail_msg("%s made no step", lines[i]);
+		desk_expect(desk, "undo");
+		assert_non_null(strstr(desk->notes, lines[i]));
+		if (!is_as(s, before))
+			fail_msg("%s was not undone", lines[i]);
+		desk_expect(desk, "redo");
+		if (!is_as(s, after))
+			fail_msg("%s was not done again", lines[i]);
+	}
+	while (undo_depth(s) > 0)
+		desk_expect(desk, "undo");
+	assert_int_equal(s->n_entry, 0);
+	while (desk_say(desk, "redo"))
+		;
+	assert_string_equal(desk->error.text, "nothing to redo");
+	assert_int_equal(undo_depth(s), ARRAY_LEN(lines) + 1);
+}
+
+static void
+what_changes_nothing_makes_no_step(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "params set f_mat=2 e0_min=16 alpha=1");
+	size_t depth = undo_depth(desk->session);
+	desk_expect(desk, "predict 74; sweep 70..75; show; sites; set; seed; "
+			  "params; bounds; use tierp; seed 1; echo a; check");
+	assert_false(desk_say(desk, "bounds alpha 3..1"));
+	assert_false(desk_say(desk, "use nobody"));
+	assert_int_equal(undo_depth(desk->session), depth);
+}
+
+static void
+a_hundred_steps_can_be_undone(void **state)
+{
+	struct desk *desk = *state;
+	for (int i = 0; i < 500; i++) {
+		char *line = xasprintf("seed %d", 1000 + i);
+		desk_expect(desk, line);
+		free(line);
+	}
+	for (int i = 0; i < 100; i++)
+		desk_expect(desk, "undo");
+	assert_int_equal(desk->session->seed, 1399);
+	while (desk_say(desk, "undo"))
+		;
+	assert_string_equal(desk->error.text, "nothing to undo");
+	assert_true(desk->session->seed < 1399);
+}
+
+static void
+a_new_change_empties_redo(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "seed 2; seed 3; undo; seed");
+	desk_expect(desk, "redo; undo; seed 4");
+	assert_false(desk_say(desk, "redo"));
+	desk_expect(desk, "undo");
+	assert_int_equal(desk->session->seed, 2);
+}
+
+static void
+a_load_that_fails_half_way_is_one_step(void **state)
+{
+	struct desk *desk = *state;
+	struct snapshot *before = snapshot_take(desk->session);
+	assert_false(desk_say(desk, "load data/sites/ubbarp.csv none.csv"));
+	assert_int_equal(desk->session->n_entry, 3);
+	desk_expect(desk, "undo");
+	assert_true(is_as(desk->session, before));
+}
+
+static void
+undo_gives_back_the_former_fit(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "calibrate seed=1 population=64 generations=3");
+	struct fit first = session_entry(desk->session)->fit;
+	desk_expect(desk, "calibrate seed=2 population=64 generations=3");
+	assert_false(
+	    snapshot_same_fit(&session_entry(desk->session)->fit, &first));
+	desk_expect(desk, "undo");
+	assert_true(
+	    snapshot_same_fit(&session_entry(desk->session)->fit, &first));
+	assert_non_null(strstr(desk->notes, "undone: calibrate seed=2"));
+}
+
+/* It goes on only where its site and the fit it left are still there. */
+static void
+undo_lets_go_of_a_stopped_calibration(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "calibrate population=64 generations=9 pause=3; "
+			  "seed 3; use bro; undo; undo; continue; undo; seed");
+	assert_false(desk_say(desk, "continue"));
+	assert_int_equal(session_entry(desk->session)->fit.generations, 3);
+	static const char *const gone[] = {
+	    "undo; undo", "drop tierp", "load data/sites/tierp.csv", "reset"};
+	for (size_t i = 0; i < ARRAY_LEN(gone); i++) {
+		desk_expect(desk, "reset; load data/sites/tierp.csv; seed 3; "
+				  "calibrate population=64 pause=3");
+		desk_expect(desk, gone[i]);
+		if (desk_say(desk, "continue"))
+			fail_msg("went on after %s", gone[i]);
+		assert_non_null(strstr(desk->notes, "is let go of"));
+	}
+}
+
+/* As a driver may do between two steps. */
+static void
+undo_ends_a_running_calibration(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	const char *line = "calibrate population=64 generations=9";
+	size_t next;
+	desk_expect(desk, "seed 3");
+	size_t depth = undo_depth(s), lines = journal_mark(s).n;
+	assert_true(session_line(s, line, 0, "x", 1, &next, &desk->error));
+	session_step(s);
+	assert_true(session_line(s, "seed", 0, "x", 1, &next, &desk->error));
+	assert_true(session_line(s, "undo", 0, "x", 1, &next, &desk->error));
+	assert_false(session_busy(s));
+	assert_int_equal(s->seed, 1);
+	assert_false(session_entry(s)->has_fit);
+	assert_true(session_settle(s, true, &desk->error));
+	assert_int_equal(undo_depth(s), depth - 1);
+	/* What was asked since "seed 3" went with it. */
+	assert_int_equal(journal_mark(s).n, lines - 1);
+}
+
+static void
+undo_forgets_the_answers(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "params set f_mat=2 e0_min=16 alpha=1; predict 74; "
+			  "assert p50 > 0; params set f_mat=1; predict; undo");
+	assert_false(desk_say(desk, "assert p50 > 0"));
+}
+
+int
+main(void)
+{
+#define at_desk(test) \
+	cmocka_unit_test_setup_teardown(test, open_with_sites, desk_close)
+	const struct CMUnitTest tests[] = {
+	    at_desk(every_change_is_undone_and_done_again),
+	    at_desk(what_changes_nothing_makes_no_step),
+	    at_desk(a_hundred_steps_can_be_undone),
+	    at_desk(a_new_change_empties_redo),
+	    at_desk(a_load_that_fails_half_way_is_one_step),
+	    at_desk(undo_gives_back_the_former_fit),
+	    at_desk(undo_lets_go_of_a_stopped_calibration),
+	    at_desk(undo_ends_a_running_calibration),
+	    at_desk(undo_forgets_the_answers),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
