@@ -69,6 +69,8 @@ placeholder(const struct command_option *o)
 		return "N";
 	case VALUE_CHOICE:
 		return o->choices;
+	case VALUE_FILE:
+		return "FILE";
 	default:
 		return "TEXT";
 	}
@@ -107,8 +109,8 @@ limit_text(double limit)
 char *
 command_limits(const struct command_option *o)
 {
-	if (o->kind == VALUE_TEXT)
-		return xstrdup("text");
+	if (o->kind == VALUE_TEXT || o->kind == VALUE_FILE)
+		return xstrdup(o->kind == VALUE_FILE ? "a file" : "text");
 	if (o->kind == VALUE_CHOICE) {
 		char *list = xstrdup("");
 		for (const char *c = o->choices; *c != '\0'; c++)

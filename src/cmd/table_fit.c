@@ -30,12 +30,11 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
 	"paper: a textbook genetic algorithm, without polish"},
     {"pause", VALUE_WHOLE, "", 1, 1e6, NULL, "",
 	"stop after this generation, as ^C does"},
-    {"checkpoint", VALUE_TEXT, "", 0, 0, NULL, "",
-	"file to write when the calibration is stopped"},
-    {"resume", VALUE_TEXT, "", 0, 0, NULL, "",
-	"checkpoint of this site and these options to go on from"},
-    {"log", VALUE_TEXT, "", 0, 0, NULL, "",
-	"file for every generation, as CSV"},
+    {"checkpoint", VALUE_FILE, "", 0, 0, NULL, "",
+	"written when the calibration is stopped"},
+    {"resume", VALUE_FILE, "", 0, 0, NULL, "",
+	"a checkpoint of this site and these options to go on from"},
+    {"log", VALUE_FILE, "", 0, 0, NULL, "", "for every generation, as CSV"},
     LAST_OPTION};
 
 const struct command TABLE_FIT[] = {
@@ -44,6 +43,7 @@ const struct command TABLE_FIT[] = {
 	.group = "fit",
 	.brief = "find the parameters that explain the runs",
 	.operands = "[all]",
+	.expect = {"all"},
 	.most = 1,
 	.need = NEED_SITE,
 	.option = CALIBRATE_OPTIONS,

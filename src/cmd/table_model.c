@@ -37,6 +37,7 @@ const struct command TABLE_MODEL[] = {
 	.group = "model",
 	.brief = "show or set the model's parameters",
 	.operands = "[list|set]",
+	.expect = {"list set"},
 	.most = 1,
 	.need = NEED_SITE,
 	.option = PARAMS_OPTIONS,
@@ -51,6 +52,7 @@ const struct command TABLE_MODEL[] = {
 	.group = "model",
 	.brief = "limits of the search",
 	.operands = "[default | PARAMETER FROM..TO | PARAMETER VALUE]",
+	.expect = {"default PARAMETER", ""},
 	.most = 2,
 	.text = "Without operands shows them. One VALUE holds the parameter "
 		"fixed. The defaults are those of the paper's Table 2.",

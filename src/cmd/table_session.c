@@ -10,6 +10,7 @@ const struct command TABLE_SESSION[] = {
 	.group = "session",
 	.brief = "stop with status 1 unless an answer is as expected",
 	.operands = "VALUE =|<|> VALUE [within NUMBER]",
+	.expect = {"ANSWER", "= < >", "ANSWER", "within", ""},
 	.least = 3,
 	.most = 5,
 	.text = "A value is a number or the newest answer: p20, p50, p80, "
@@ -27,6 +28,7 @@ const struct command TABLE_SESSION[] = {
 	.group = "session",
 	.brief = "what commands there are",
 	.operands = "[COMMAND]",
+	.expect = {"COMMAND"},
 	.most = 1,
 	.text = "With a command's name: all about it.",
 	.example = "help predict",
