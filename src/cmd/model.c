@@ -170,7 +170,8 @@ show_settings(struct session *s)
 							    : "continuous"},
 	    {"appearance", FORMS[s->settings.appearance]}, {"k", k},
 	    {"threads", threads}, {"isa", isa_name(isa_usable(s->isa))},
-	    {"format", REPORT_FORMATS[s->format]}};
+	    {"format", REPORT_FORMATS[s->format]},
+	    {"pager", s->pager ? "on" : "off"}};
 	report_column(r, "setting", "setting");
 	report_column(r, "value", "value");
 	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
@@ -193,6 +194,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	const struct value *threads = args_value(self, args, "threads");
 	const struct value *isa = args_value(self, args, "isa");
 	const struct value *format = args_value(self, args, "format");
+	const struct value *pager = args_value(self, args, "pager");
 	if (method->given || form->given || k->given)
 		session_forget(s);
 	if (method->given)
@@ -207,8 +209,10 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		s->isa = (enum isa)isa->choice;
 	if (format->given)
 		s->format = (enum report_format)format->choice;
+	if (pager->given)
+		s->pager = pager->choice == 0;
 	bool any = method->given || form->given || k->given || threads->given ||
-		   format->given;
+		   isa->given || format->given || pager->given;
 	if (!any)
 		show_settings(s);
 	return true;

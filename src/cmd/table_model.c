@@ -25,6 +25,8 @@ static const struct command_option SET_OPTIONS[] = {
 	"instruction set of a calibration; results are the same"},
     {"format", VALUE_CHOICE, "", 0, 0, "table csv json markdown", "",
 	"form of the results"},
+    {"pager", VALUE_CHOICE, "", 0, 0, "on off", "",
+	"at the prompt, page what is taller than the screen"},
     LAST_OPTION};
 
 static const struct command_option SEED_OPTIONS[] = {

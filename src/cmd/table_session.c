@@ -5,6 +5,11 @@
 #include "cmd/assert.h"
 #include "cmd/info.h"
 
+static const struct command_option MAN_OPTIONS[] = {
+    {"page", VALUE_CHOICE, "", 0, 0, "tipspeed site model", "tipspeed",
+	"page of the manual"},
+    LAST_OPTION};
+
 const struct command TABLE_SESSION[] = {
     {.name = "assert",
 	.group = "session",
@@ -27,12 +32,35 @@ const struct command TABLE_SESSION[] = {
     {.name = "help",
 	.group = "session",
 	.brief = "what commands there are",
-	.operands = "[COMMAND]",
-	.expect = {"COMMAND"},
-	.most = 1,
-	.text = "With a command's name: all about it.",
+	.operands = "[COMMAND|GROUP] [example]",
+	.expect = {"COMMAND GROUP", "example"},
+	.most = 2,
+	.text = "With a command's name: all about it; with a group's name: the "
+		"commands of the group. 'help COMMAND example' prints an "
+		"example that can be run as it stands.",
 	.example = "help predict",
 	.run = cmd_help},
+    {.name = "apropos",
+	.group = "session",
+	.brief = "find commands by a word of their help",
+	.operands = "WORD",
+	.expect = {""},
+	.least = 1,
+	.most = 1,
+	.text = "Searches names, help texts, options and their choices, "
+		"without regard to case and accents.",
+	.example = "apropos threads",
+	.run = cmd_apropos},
+    {.name = "man",
+	.group = "session",
+	.brief = "open the manual",
+	.operands = "",
+	.bare = "page",
+	.option = MAN_OPTIONS,
+	.text = "At the prompt man(1) shows the page. Elsewhere, and where "
+		"there is no man(1), prints the list of commands.",
+	.example = "man site",
+	.run = cmd_man},
     {.name = "version",
 	.group = "session",
 	.brief = "version of the program",

@@ -1,41 +1,15 @@
-/* The plain driver: reads lines, pumps the session's job, prints progress.
+/* The plain driver: reads lines, runs them, prints errors.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/batch.h"
 
 #include <errno.h>
-#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
-
-/* The status of a program that a signal ended, as shells count it. */
-static int
-status_of(int signal)
-{
-	return 128 + signal;
-}
-
-static volatile sig_atomic_t interrupted;
-
-static void
-on_interrupt(int signal)
-{
-	interrupted = signal;
-}
-
-void
-batch_catch_interrupt(void)
-{
-	struct sigaction action = {.sa_handler = on_interrupt};
-	sigemptyset(&action.sa_mask);
-	sigaction(SIGINT, &action, NULL);
-	sigaction(SIGTERM, &action, NULL);
-	sigaction(SIGHUP, &action, NULL);
-}
+#include "ui/pump.h"
 
 /* The line at fault, cut to fit a screen, and a caret under the column. */
 static void
@@ -56,8 +30,8 @@ print_caret(const char *line, int column, FILE *out)
 	fprintf(out, "\n  %*s^\n", column - skip - 1, "");
 }
 
-static void
-print_error(const struct error *e, const char *line, const char *name)
+void
+batch_error(const struct error *e, const char *line, const char *name)
 {
 	struct error bare = *e;
 	bare.hint[0] = '\0';
@@ -68,79 +42,6 @@ print_error(const struct error *e, const char *line, const char *name)
 		fprintf(stderr, "  hint: %s\n", e->hint);
 }
 
-/* What a terminal shows while a calibration runs: one line, four times a
- * second; elsewhere a row at generation 1 and every ten. */
-struct progress {
-	bool terminal;
-	double shown;
-	size_t row;
-	int width;
-};
-
-static void
-progress_line(struct progress *p, const struct calibrate_status *st)
-{
-	double now = session_clock();
-	if (now - p->shown < 0.25)
-		return;
-	p->shown = now;
-	char text[128];
-	if (st->state == CALIBRATE_POLISHING)
-		snprintf(text, sizeof text, "  polish %zu  best %.4g",
-		    st->starts_done, st->best);
-	else
-		snprintf(text, sizeof text,
-		    "  generation %zu  best %.4g  median %.4g  stall %zu",
-		    st->generation, st->best, st->median, st->stall);
-	int width = text_width(text);
-	fprintf(stderr, "\r%s%*s", text,
-	    p->width > width ? p->width - width : 0, "");
-	p->width = width;
-	fflush(stderr);
-}
-
-static void
-progress_row(struct progress *p, const struct calibrate_status *st)
-{
-	bool due = st->generation == 1 || st->generation % 10 == 0;
-	if (st->state == CALIBRATE_POLISHING || !due ||
-	    st->generation == p->row)
-		return;
-	p->row = st->generation;
-	fprintf(stderr, "  generation %4zu  best %.6g  median %.6g\n",
-	    st->generation, st->best, st->median);
-}
-
-static void
-progress(struct session *s, struct progress *p)
-{
-	if (!session_busy(s) || s->notes == NULL)
-		return;
-	struct calibrate_status st = calibration_status(s->job.calibration);
-	if (p->terminal)
-		progress_line(p, &st);
-	else
-		progress_row(p, &st);
-}
-
-/* Runs the job to its end.  False when it was interrupted. */
-static bool
-pump(struct session *s)
-{
-	struct progress p = {
-	    .terminal = isatty(STDERR_FILENO) != 0, .shown = session_clock()};
-	while (session_busy(s) && !interrupted) {
-		session_step(s);
-		progress(s, &p);
-	}
-	if (p.width > 0)
-		fprintf(stderr, "\r%*s\r", p.width, "");
-	if (!interrupted)
-		return true;
-	session_pause(s);
-	return false;
-}
-
 static int
 run_line(struct session *s, const char *line, const char *name, int number)
 {
@@ -149,20 +50,20 @@ run_line(struct session *s, const char *line, const char *name, int number)
 		struct error error = {0};
 		if (!session_line(s, line, at, name, number, &at, &error)) {
 			fflush(s->out);
-			print_error(&error, line, name);
+			batch_error(&error, line, name);
 			return (int)error.kind;
 		}
-		if (!pump(s)) {
+		if (!pump_run(s)) {
+			session_pause(s);
 			fprintf(stderr, "%s:%d: interrupted\n", name, number);
-			return status_of(interrupted);
+			return pump_status();
 		}
 	} while (at > 0 && !s->quit);
 	return 0;
 }
 
-/* Cuts the line end off; true when the line goes on (it ended in \). */
-static bool
-goes_on(char *line)
+bool
+batch_goes_on(char *line)
 {
 	size_t n = strcspn(line, "\r\n");
 	line[n] = '\0';
@@ -190,14 +91,14 @@ batch_stream(struct session *s, FILE *in, const char *name)
 	size_t room = 0;
 	ssize_t got;
 	int status = 0, number = 0, first = 1;
-	while (status == 0 && !s->quit && !interrupted &&
+	while (status == 0 && !s->quit && pump_signal() == 0 &&
 	       (got = getline(&piece, &room, in)) >= 0) {
 		number++;
 		if (!text_is_utf8(piece, (size_t)got)) {
 			status = bad_bytes(name, number);
 			break;
 		}
-		bool more = goes_on(piece);
+		bool more = batch_goes_on(piece);
 		/* Some editors begin UTF-8 with a byte order mark. */
 		bool mark =
 		    number == 1 && strncmp(piece, "\xEF\xBB\xBF", 3) == 0;
@@ -214,7 +115,7 @@ batch_stream(struct session *s, FILE *in, const char *name)
 		status = run_line(s, line, name, first);
 	free(piece);
 	free(line);
-	return interrupted ? status_of(interrupted) : status;
+	return pump_signal() != 0 ? pump_status() : status;
 }
 
 int
@@ -247,23 +148,17 @@ batch_file(struct session *s, const char *path)
 	return status;
 }
 
-/* A signal other than ^C: the terminal or the system wants the program gone. */
-static bool
-ended(void)
-{
-	return interrupted != 0 && interrupted != SIGINT;
-}
-
+/* On standard error: standard output is no terminal here, else readline would be
+ * asked. */
 static void
 print_prompt(struct session *s, bool goes_on)
 {
 	if (goes_on)
-		fputs("> ", s->out);
+		fputs("> ", stderr);
 	else if (s->n_entry > 0)
-		fprintf(s->out, "tipspeed %s> ", session_entry(s)->key);
+		fprintf(stderr, "%s> ", session_entry(s)->key);
 	else
-		fputs("tipspeed> ", s->out);
-	fflush(s->out);
+		fputs("tipspeed> ", stderr);
 }
 
 int
@@ -271,13 +166,13 @@ batch_typed(struct session *s)
 {
 	char *piece = NULL, *line = xstrdup("");
 	size_t room = 0;
-	for (int number = 1; !s->quit; interrupted = 0) {
+	for (int number = 1; !s->quit; pump_forget_interrupt()) {
 		print_prompt(s, line[0] != '\0');
 		ssize_t got = getline(&piece, &room, stdin);
-		bool more = got >= 0 && goes_on(piece);
+		bool more = got >= 0 && batch_goes_on(piece);
 		if (got < 0)
-			fputc('\n', s->out);
-		if (got < 0 && interrupted != SIGINT)
+			fputc('\n', stderr);
+		if (got < 0 && pump_signal() != SIGINT)
 			break;
 		if (got < 0) {
 			clearerr(stdin);
@@ -291,10 +186,10 @@ batch_typed(struct session *s)
 			continue;
 		run_line(s, line, "typed", number++);
 		line[0] = '\0';
-		if (ended())
+		if (pump_ended())
 			break;
 	}
 	free(piece);
 	free(line);
-	return ended() ? status_of(interrupted) : 0;
+	return pump_ended() ? pump_status() : 0;
 }

@@ -13,10 +13,16 @@ int batch_text(struct session *s, const char *text, const char *name, int line);
 int batch_stream(struct session *s, FILE *in, const char *name);
 int batch_file(struct session *s, const char *path);
 
-/* Lines typed at a terminal: an error is printed and the next line read. */
+/* Lines typed at a terminal while results go elsewhere: an error is printed and
+ * the next line read. */
 int batch_typed(struct session *s);
 
-/* From now on ^C ends a calibration, and with it a script (status 130). */
-void batch_catch_interrupt(void);
+/* Cuts the line end off; true when the line goes on (it ended in \, which then is
+ * a blank). */
+bool batch_goes_on(char *line);
+
+/* Prints an error to stderr; the line with a caret where the error lies in it.
+ * name: what the line's place is called. */
+void batch_error(const struct error *e, const char *line, const char *name);
 
 #endif
