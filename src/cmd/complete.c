@@ -322,12 +322,13 @@ find_word(const char *line, size_t *command, size_t *word)
 	bool quoted = false, inside = false;
 	size_t i = 0;
 	*command = 0;
-	*word = strlen(line);
 	for (; line[i] != '\0'; i++) {
 		char c = line[i];
 		bool ends = !quoted && (isspace((unsigned char)c) || c == ';');
-		if (!inside && c == '#')
+		if (!inside && c == '#') {
+			*word = strlen(line);
 			return false;
+		}
 		if (c == '"')
 			quoted = !quoted;
 		if (!inside && !ends)

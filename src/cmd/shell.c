@@ -78,7 +78,8 @@ shell_bash(FILE *out)
 			print_argument(o, out);
 	print_options(out);
 	fputs("	esac\n"
-	      "	mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$cur\")\n"
+	      "	mapfile -t COMPREPLY < \\\n"
+	      "		<(compgen -W \"$words\" -- \"$cur\")\n"
 	      "	[[ ${COMPREPLY[0]-} != *= ]] || compopt -o nospace\n"
 	      "} &&\n"
 	      "	complete -F _tipspeed tipspeed\n",

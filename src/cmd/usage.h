@@ -8,8 +8,8 @@
 #include <stdio.h>
 
 /* An option of the command line.  code: what getopt_long returns for it, the
- * letter where it has one.  argument: its name in usage, or NULL.  choices: what
- * the argument may be, between blanks, or NULL. */
+ * letter where it has one.  argument: its name in usage, or NULL.  choices:
+ * what the argument may be, between blanks, or NULL. */
 struct usage_option {
 	int code;
 	const char *name, *argument, *choices, *brief;

@@ -10,28 +10,32 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "ui/pump.h"
+#include "ui/terminal.h"
 
 /* The line at fault, cut to fit a screen, and a caret under the column. */
 static void
 print_caret(const char *line, int column, FILE *out)
 {
-	enum { BEFORE = 40, SHOWN = 72 };
-	int skip = column > BEFORE ? column - BEFORE : 0, shown = 0;
+	enum { MOST = 72 };
+	int rows, columns;
+	terminal_size(&rows, &columns);
+	int room = columns < MOST + 8 ? columns - 8 : MOST, shown = 0;
+	int before = room * 5 / 9, skip = column > before ? column - before : 0;
 	const char *p = line;
 	for (int i = 0; i < skip && *p != '\0'; i++)
 		for (p++; (*p & 0xC0) == 0x80; p++)
 			;
 	fputs("  ", out);
-	for (; *p != '\0' && shown < SHOWN; shown++) {
+	for (; *p != '\0' && shown < room; shown++) {
 		fputc(*p == '\t' ? ' ' : *p, out);
 		for (p++; (*p & 0xC0) == 0x80; p++)
 			fputc(*p, out);
 	}
-	fprintf(out, "\n  %*s^\n", column - skip - 1, "");
+	fprintf(out, "\n  %*s^\n", column > skip ? column - skip - 1 : 0, "");
 }
 
-void
-batch_error(const struct error *e, const char *line, const char *name)
+static void
+print_error(const struct error *e, const char *line, const char *name)
 {
 	struct error bare = *e;
 	bare.hint[0] = '\0';
@@ -42,22 +46,32 @@ batch_error(const struct error *e, const char *line, const char *name)
 		fprintf(stderr, "  hint: %s\n", e->hint);
 }
 
-static int
-run_line(struct session *s, const char *line, const char *name, int number)
+int
+batch_line(struct session *s, const char *line, const char *name, int number,
+    struct page *page)
 {
 	size_t at = 0;
 	do {
 		struct error error = {0};
-		if (!session_line(s, line, at, name, number, &at, &error)) {
+		page_hold(page);
+		bool ok = session_line(s, line, at, name, number, &at, &error);
+		page_show(page);
+		if (!ok) {
 			fflush(s->out);
-			batch_error(&error, line, name);
+			print_error(&error, line, name);
 			return (int)error.kind;
 		}
 		if (!pump_run(s)) {
+			page_hold(page);
 			session_pause(s);
-			fprintf(stderr, "%s:%d: interrupted\n", name, number);
+			page_show(page);
+			/* At a prompt one sees that. */
+			if (page == NULL)
+				fprintf(stderr, "%s:%d: interrupted\n", name,
+				    number);
 			return pump_status();
 		}
+		page_show(page);
 	} while (at > 0 && !s->quit);
 	return 0;
 }
@@ -107,12 +121,12 @@ batch_stream(struct session *s, FILE *in, const char *name)
 		line = joined;
 		if (more)
 			continue;
-		status = run_line(s, line, name, first);
+		status = batch_line(s, line, name, first, NULL);
 		first = number + 1;
 		line[0] = '\0';
 	}
 	if (status == 0 && line[0] != '\0' && !s->quit)
-		status = run_line(s, line, name, first);
+		status = batch_line(s, line, name, first, NULL);
 	free(piece);
 	free(line);
 	return pump_signal() != 0 ? pump_status() : status;
@@ -126,7 +140,7 @@ batch_text(struct session *s, const char *text, const char *name, int line)
 	for (char *one = strtok_r(copy, "\r\n", &save);
 	     one != NULL && status == 0 && !s->quit;
 	     one = strtok_r(NULL, "\r\n", &save))
-		status = run_line(s, one, name, line);
+		status = batch_line(s, one, name, line, NULL);
 	free(copy);
 	return status;
 }
@@ -148,8 +162,8 @@ batch_file(struct session *s, const char *path)
 	return status;
 }
 
-/* On standard error: standard output is no terminal here, else readline would be
- * asked. */
+/* On standard error: standard output is no terminal here, else readline would
+ * be asked. */
 static void
 print_prompt(struct session *s, bool goes_on)
 {
@@ -184,7 +198,7 @@ batch_typed(struct session *s)
 		line = joined;
 		if (more)
 			continue;
-		run_line(s, line, "typed", number++);
+		batch_line(s, line, "typed", number++, NULL);
 		line[0] = '\0';
 		if (pump_ended())
 			break;

@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "cmd/session.h"
+#include "ui/pager.h"
 
 /* Each returns the exit status so far: 0, or that of the first error, which
  * ends a script and is printed to stderr with its line and a caret. */
@@ -17,12 +18,13 @@ int batch_file(struct session *s, const char *path);
  * the next line read. */
 int batch_typed(struct session *s);
 
-/* Cuts the line end off; true when the line goes on (it ended in \, which then is
- * a blank). */
+/* Cuts the line end off; true when the line goes on (it ended in \, which then
+ * is a blank). */
 bool batch_goes_on(char *line);
 
-/* Prints an error to stderr; the line with a caret where the error lies in it.
- * name: what the line's place is called. */
-void batch_error(const struct error *e, const char *line, const char *name);
+/* Runs one line with its jobs; name and number: what its place is called.  An
+ * error is printed.  page: what holds its results back at a prompt, or NULL. */
+int batch_line(struct session *s, const char *line, const char *name,
+    int number, struct page *page);
 
 #endif

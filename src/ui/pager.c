@@ -6,9 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "ui/pump.h"
 #include "ui/terminal.h"
 
 /* What a shell ends with when there is no such program. */
@@ -76,25 +78,38 @@ run_pager(const char *command, const char *text)
 }
 
 bool
-page_open(struct page *page)
+page_open(struct page *page, struct session *s)
 {
-	*page = (struct page){0};
+	*page = (struct page){.session = s, .out = s->out, .notes = s->notes};
 	page->file = open_memstream(&page->text, &page->n);
+	if (page->file != NULL)
+		s->out = page->file;
 	return page->file != NULL;
 }
 
 void
-page_show(struct page *page, bool paged)
+page_hold(struct page *page)
 {
+	if (page != NULL && isatty(STDERR_FILENO))
+		page->session->notes = page->file;
+}
+
+void
+page_show(struct page *page)
+{
+	if (page == NULL)
+		return;
 	int rows, columns;
+	page->session->notes = page->notes;
 	fflush(page->file);
 	const char *text = page->text + page->shown;
 	page->shown = page->n;
 	terminal_size(&rows, &columns);
 	const char *command = pager_command();
+	bool paged =
+	    page->session->pager && command[0] != '\0' && !terminal_is_dumb();
 	/* The prompt takes a row, too. */
-	bool tall = paged && command[0] != '\0' && !terminal_is_dumb() &&
-		    count_rows(text, columns) >= rows;
+	bool tall = paged && !pump_ended() && count_rows(text, columns) >= rows;
 	if (!tall || !run_pager(command, text))
 		fputs(text, stdout);
 	fflush(stdout);
@@ -103,6 +118,7 @@ page_show(struct page *page, bool paged)
 void
 page_close(struct page *page)
 {
+	page->session->out = page->out;
 	fclose(page->file);
 	free(page->text);
 }

@@ -7,20 +7,29 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Results held back until it is known how tall they are.  Write to file. */
+#include "cmd/session.h"
+
+/* What a line has to say, held back until it is known how tall it is.  The
+ * session's results go to file, and with them its notes while they are held. */
 struct page {
-	FILE *file;
+	struct session *session;
+	FILE *file, *out, *notes;
 	char *text;
 	size_t n, shown;
 };
 
 /* False when there is no memory: then nothing is held back. */
-bool page_open(struct page *page);
+bool page_open(struct page *page, struct session *s);
 
-/* Shows on standard output what was written since the last time.  paged: a
- * pager may be used. */
-void page_show(struct page *page, bool paged);
+/* Holds notes back, too, so that they stand beside their results.  Nothing for
+ * NULL. */
+void page_hold(struct page *page);
 
+/* Shows on standard output what is new, through a pager where it is tall, and
+ * lets notes through again. */
+void page_show(struct page *page);
+
+/* Gives the session back its streams. */
 void page_close(struct page *page);
 
 #endif

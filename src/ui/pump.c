@@ -88,8 +88,9 @@ progress_line(struct progress *p, const struct calibrate_status *st)
 		    st->generation, st->best, st->median, st->stall);
 	int rows, columns, width = text_width(text);
 	terminal_size(&rows, &columns);
-	if (width >= columns)
-		text[width = columns - 1] = '\0';
+	int room = columns > 12 ? columns - 3 : 9; /* with the echo of ^C */
+	if (width > room)
+		text[width = room] = '\0';
 	fprintf(stderr, "\r%s%*s", text,
 	    p->width > width ? p->width - width : 0, "");
 	p->width = width;

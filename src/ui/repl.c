@@ -224,50 +224,15 @@ read_line(const char *text)
 	return at.line;
 }
 
-/* Runs a line; what it has to say is held back and shown piece by piece: before
- * a calibration begins and after it ends. */
-static void
-run_pieces(struct session *s, const char *line, int number, struct page *page)
-{
-	static const char NAME[] = "typed";
-	FILE *notes = s->notes;
-	/* Remarks stay beside their results, also in the pager. */
-	FILE *beside = isatty(STDERR_FILENO) ? page->file : notes;
-	size_t next = 0;
-	do {
-		struct error error = {0};
-		s->notes = beside;
-		bool ok =
-		    session_line(s, line, next, NAME, number, &next, &error);
-		page_show(page, s->pager);
-		s->notes = notes;
-		if (!ok) {
-			batch_error(&error, line, NAME);
-			break;
-		}
-		bool done = pump_run(s);
-		s->notes = beside;
-		if (!done)
-			session_pause(s);
-		page_show(page, s->pager);
-		s->notes = notes;
-		if (!done)
-			break;
-	} while (next > 0 && !s->quit);
-}
-
 static void
 run_line(struct session *s, const char *line, int number)
 {
 	struct page page;
-	FILE *out = s->out;
 	typed_add(line);
-	if (!page_open(&page))
-		return;
-	s->out = page.file;
-	run_pieces(s, line, number, &page);
-	s->out = out;
-	page_close(&page);
+	bool held = page_open(&page, s);
+	batch_line(s, line, "typed", number, held ? &page : NULL);
+	if (held)
+		page_close(&page);
 }
 
 /* What was typed up to Return: one line, or several that were pasted. */
@@ -298,7 +263,8 @@ take_lines(struct session *s, char *typed, int *number)
 static void
 set_up(struct session *s)
 {
-	struct sigaction action = {.sa_handler = on_wake};
+	struct sigaction action = {
+	    .sa_handler = on_wake, .sa_flags = SA_RESTART};
 	sigemptyset(&action.sa_mask);
 	sigaction(SIGCONT, &action, NULL);
 	action.sa_handler = on_resize;
@@ -308,6 +274,8 @@ set_up(struct session *s)
 	rl_readline_name = "tipspeed";
 	rl_catch_signals = 0;
 	rl_catch_sigwinch = 0;
+	/* A pager must not see sizes of before a change. */
+	rl_change_environment = 0;
 	rl_attempted_completion_function = on_complete;
 	rl_completer_word_break_characters = " \t\n;=,";
 	rl_completer_quote_characters = "";

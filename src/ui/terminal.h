@@ -10,8 +10,8 @@ enum colour { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER };
 /* Reads "auto", "always" or "never". */
 bool terminal_colour_word(const char *word, enum colour *colour);
 
-/* Whether to use colour: the first of --color (asked), TIPSPEED_COLOR and
- * NO_COLOR that says, else whether standard output is a terminal that has it. */
+/* Whether to use colour: as the first of --color (asked), TIPSPEED_COLOR and
+ * NO_COLOR says; else whether standard output is a terminal that has it. */
 bool terminal_colour(enum colour asked);
 
 /* Standard input and output are terminals: somebody sits there. */

@@ -8,8 +8,8 @@
 void typed_open(void);
 
 /* Adds a line, in memory and at the end of the file, before it is run: whatever
- * ends the program then, the line is there.  Lines of several sessions at a time
- * stand in the order they were typed. */
+ * ends the program then, the line is there.  Lines of several sessions at a
+ * time stand in the order they were typed. */
 void typed_add(const char *line);
 
 void typed_close(void);
