@@ -12,6 +12,9 @@ export HOME XDG_STATE_HOME XDG_CONFIG_HOME TIPSPEED
 unset NO_COLOR TIPSPEED_COLOR TIPSPEED_PAGER PAGER INPUTRC
 mkdir -p "$dir/config/tipspeed"
 cp data/sites/bro.csv 'two words.csv'
+mkdir bin
+printf '#!/bin/sh\necho "MAN $*"\n' >bin/man
+chmod +x bin/man
 escape=$(printf '\033')
 
 if command -v expect >/dev/null; then
