@@ -1,5 +1,6 @@
 /* tipspeed: reads the command line and hands over to a driver.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <assert.h>
 #include <getopt.h>
 #include <gsl/gsl_errno.h>
 #include <locale.h>
@@ -11,10 +12,13 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/data.h"
-#include "cmd/info.h"
 #include "cmd/session.h"
+#include "cmd/usage.h"
 #include "config.h"
 #include "ui/batch.h"
+#include "ui/pump.h"
+#include "ui/repl.h"
+#include "ui/terminal.h"
 
 /* One -c or -f, in the order given. */
 struct action {
@@ -27,40 +31,10 @@ struct invocation {
 	struct action *action;
 	enum report_format format;
 	uint64_t seed;
+	enum colour color;
 	bool help, version, safe;
 	int first_file;
 };
-
-enum { OPTION_FORMAT = 256, OPTION_SEED, OPTION_STORE, OPTION_SAFE };
-
-static const struct option LONG_OPTIONS[] = {
-    {"format", required_argument, NULL, OPTION_FORMAT},
-    {"seed", required_argument, NULL, OPTION_SEED},
-    {"store", required_argument, NULL, OPTION_STORE},
-    {"safe", no_argument, NULL, OPTION_SAFE}, {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, 'V'}, {NULL, 0, NULL, 0}};
-
-static void
-print_help(void)
-{
-	fputs(
-	    "usage: tipspeed [-c CMD]... [-f FILE]... [--format=FORMAT] "
-	    "[--seed=N]\n"
-	    "                [--store=PATH] [--safe] [FILE...]\n\n"
-	    "Loads the site FILEs (a FILE.tip is a script and is run), then "
-	    "runs the commands\nof -c and -f in order. Without -c and -f, "
-	    "commands come from standard input.\n"
-	    "\n  -c CMD           run the commands in CMD\n"
-	    "  -f FILE          run the commands in FILE; - is standard input\n"
-	    "  --format=FORMAT  table, csv, json or markdown\n"
-	    "  --seed=N         seed of calibrations\n"
-	    "  --store=PATH     accepted; nothing is stored by this version\n"
-	    "  --safe           no command may touch files or the shell\n"
-	    "  --help           this text\n"
-	    "  --version        the version\n\ncommands\n",
-	    stdout);
-	info_list(stdout);
-}
 
 static bool
 take_format(const char *word, enum report_format *format)
@@ -78,6 +52,16 @@ take_format(const char *word, enum report_format *format)
 }
 
 static bool
+take_color(const char *word, enum colour *colour)
+{
+	if (terminal_colour_word(word, colour))
+		return true;
+	fprintf(stderr,
+	    "tipspeed: --color wants auto, always or never, not '%s'\n", word);
+	return false;
+}
+
+static bool
 take_option(struct invocation *in, int option, const char *value)
 {
 	switch (option) {
@@ -86,9 +70,9 @@ take_option(struct invocation *in, int option, const char *value)
 		in->action[in->n_action++] =
 		    (struct action){(char)option, value};
 		return true;
-	case OPTION_FORMAT:
+	case USAGE_FORMAT:
 		return take_format(value, &in->format);
-	case OPTION_SEED:
+	case USAGE_SEED:
 		if (text_whole(value, &in->seed) && in->seed <= INT64_MAX)
 			return true;
 		fprintf(stderr,
@@ -96,11 +80,13 @@ take_option(struct invocation *in, int option, const char *value)
 		    "'%s'\n",
 		    value);
 		return false;
-	case OPTION_STORE:
+	case USAGE_STORE:
 		return true; /* nothing is remembered yet */
-	case OPTION_SAFE:
+	case USAGE_SAFE:
 		in->safe = true;
 		return true;
+	case USAGE_COLOR:
+		return take_color(value, &in->color);
 	case 'h':
 		in->help = true;
 		return true;
@@ -116,9 +102,24 @@ take_option(struct invocation *in, int option, const char *value)
 static bool
 read_command_line(struct invocation *in, int argc, char **argv)
 {
+	enum { MOST = 32 };
+	struct option options[MOST] = {{0}};
+	char letters[2 * MOST] = "";
+	size_t n = 0, m = 0;
+	for (const struct usage_option *o = USAGE_OPTIONS; o->code != 0; o++) {
+		bool takes = o->argument != NULL;
+		if (o->name != NULL)
+			options[n++] = (struct option){o->name,
+			    takes ? required_argument : no_argument, NULL,
+			    o->code};
+		assert(n < MOST);
+		if (o->code < 256)
+			letters[m++] = (char)o->code;
+		if (o->code < 256 && takes)
+			letters[m++] = ':';
+	}
 	int option;
-	while ((option = getopt_long(
-		    argc, argv, "c:f:hV", LONG_OPTIONS, NULL)) != -1)
+	while ((option = getopt_long(argc, argv, letters, options, NULL)) != -1)
 		if (!take_option(in, option, optarg))
 			return false;
 	in->first_file = optind;
@@ -161,12 +162,17 @@ static int
 run(struct session *s, const struct invocation *in, int argc, char **argv)
 {
 	int status = 0;
+	bool prompt = in->n_action == 0 && terminal_attended();
+	if (prompt)
+		repl_begin(s);
 	for (int i = in->first_file; status == 0 && i < argc; i++)
 		status = open_file(s, argv[i]);
 	if (status != 0)
 		return status;
 	if (in->n_action > 0)
 		return run_actions(s, in);
+	if (prompt)
+		return repl_run(s, terminal_colour(in->color));
 	if (isatty(STDIN_FILENO))
 		return batch_typed(s);
 	return batch_stream(s, stdin, "stdin");
@@ -197,9 +203,9 @@ main(int argc, char **argv)
 		s->format = in.format;
 		s->seed = in.seed;
 		s->safe = in.safe;
-		batch_catch_interrupt();
+		pump_catch_signals();
 		if (in.help)
-			print_help();
+			usage_print(stdout);
 		if (in.version)
 			printf("tipspeed %s\n", PACKAGE_VERSION);
 		status = in.help || in.version ? 0 : run(s, &in, argc, argv);

@@ -1,12 +1,28 @@
-/* Build-time only: prints the generated part of tipspeed(1).
+/* Build-time only: prints what is made from the tables.
+ *   commands, environment, status: parts of tipspeed(1)
+ *   bash: completion for the shell
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdio.h>
+#include <string.h>
 
 #include "cmd/manual.h"
+#include "cmd/shell.h"
+
+static const struct {
+	const char *name;
+	void (*print)(FILE *out);
+} PARTS[] = {{"commands", manual_commands}, {"environment", manual_environment},
+    {"status", manual_status}, {"bash", shell_bash}};
 
 int
-main(void)
+main(int argc, char **argv)
 {
-	manual_commands(stdout);
-	return ferror(stdout) != 0;
+	for (size_t i = 0; i < sizeof PARTS / sizeof PARTS[0]; i++) {
+		if (argc != 2 || strcmp(argv[1], PARTS[i].name) != 0)
+			continue;
+		PARTS[i].print(stdout);
+		return fflush(stdout) != 0 || ferror(stdout);
+	}
+	fputs("usage: make-manual commands|environment|status|bash\n", stderr);
+	return 2;
 }

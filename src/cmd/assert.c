@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/xalloc.h"
 
 /* What an assertion may name, in the units people see. */
 static const struct {
@@ -16,13 +17,19 @@ static const struct {
     {"rmse", ANSWER_RMSE}, {"holdout", ANSWER_HOLDOUT}, {"poor", ANSWER_POOR},
     {"extrapolated", ANSWER_EXTRAPOLATED}, {"inside", ANSWER_INSIDE}};
 
+const char *
+assert_name(size_t index)
+{
+	return index < ARRAY_LEN(NAMES) ? NAMES[index].name : NULL;
+}
+
 static bool
 side(const struct session *s, const char *word, double *value,
     struct error *error)
 {
 	if (text_number(word, value))
 		return true;
-	for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++) {
+	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
 		if (strcmp(word, NAMES[i].name) != 0)
 			continue;
 		*value = s->answer[NAMES[i].answer];

@@ -10,4 +10,7 @@
 
 bool cmd_assert(struct session *, const struct args *, struct error *);
 
+/* What an assertion may name, from index 0; NULL behind the last. */
+const char *assert_name(size_t index);
+
 #endif

@@ -19,8 +19,8 @@ enum value_kind {
 	VALUE_WHOLE,   /* 0 to 2^64-1 */
 	VALUE_CHOICE,  /* one of the option's choices */
 	VALUE_NUMBERS, /* a,b,c or a..b[:step] */
-	VALUE_TEXT,
-	VALUE_FILE /* text that names a file */
+	VALUE_FILE,    /* path of a file */
+	VALUE_TEXT
 };
 
 /* One key=value of a command. */
@@ -44,7 +44,7 @@ struct value {
 	double *list;
 };
 
-enum { OPTIONS = 16, OPERANDS = 256 };
+enum { OPTIONS = 16, OPERANDS = 256, EXPECTS = 5 };
 
 /* A parsed call.  value[i] belongs to the command's option i; an option with a
  * fallback that was not given has the fallback's value and given = false. */
@@ -68,11 +68,14 @@ enum command_flag {
 /* bare: option that a bare word stands for ("predict 74"), or NULL.
  * pairs: options may be written as two words ("set method classes").
  * operands: as shown in usage; at least `least` and at most `most` of them.
+ * expect: what completion offers for the first operand, the second ...; the
+ * last one holds for all further ones.  Words between blanks: one in capitals
+ * stands for what there is (see KINDS in complete.c), others for themselves.
  * text: sentences for help and manual.  example: lines of a script that runs in
  * a folder with the project's data/. */
 struct command {
 	const char *name, *alias, *group, *brief;
-	const char *operands;
+	const char *operands, *expect[EXPECTS];
 	size_t least, most;
 	enum need need;
 	unsigned flags; /* command_flag */

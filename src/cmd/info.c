@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/info.h"
 
+#include <assert.h>
 #include <gsl/gsl_version.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,19 +12,26 @@
 #include "config.h"
 #include "core/isa.h"
 
-void
-info_list(FILE *out)
+static void
+print_brief(const struct command *c, FILE *out)
 {
-	const char *group = "";
+	char *name = c->alias != NULL ? xasprintf("%s, %s", c->name, c->alias)
+				      : xstrdup(c->name);
+	fprintf(out, "  %-16s %s\n", name, c->brief);
+	free(name);
+}
+
+void
+info_list(const char *group, FILE *out)
+{
+	const char *last = "";
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (strcmp(group, c->group) != 0)
+		if (group != NULL && strcmp(group, c->group) != 0)
+			continue;
+		if (strcmp(last, c->group) != 0)
 			fprintf(out, "%s\n", c->group);
-		group = c->group;
-		char *name = c->alias != NULL
-				 ? xasprintf("%s, %s", c->name, c->alias)
-				 : xstrdup(c->name);
-		fprintf(out, "  %-16s %s\n", name, c->brief);
-		free(name);
+		last = c->group;
+		print_brief(c, out);
 	}
 	fputs("help COMMAND tells more; the manual is tipspeed(1)\n", out);
 }
@@ -38,6 +46,17 @@ print_option(const struct command_option *o, FILE *out)
 	text_wrap(text, 6, 78, out);
 	free(text);
 	free(limits);
+}
+
+/* Each line behind the margin. */
+static void
+print_example(const struct command *c, const char *margin, FILE *out)
+{
+	char *copy = xstrdup(c->example), *save = NULL;
+	for (char *line = strtok_r(copy, "\n", &save); line != NULL;
+	     line = strtok_r(NULL, "\n", &save))
+		fprintf(out, "%s%s\n", margin, line);
+	free(copy);
 }
 
 void
@@ -56,11 +75,7 @@ info_command(const struct command *c, FILE *out)
 	     o != NULL && o->name != NULL; o++)
 		print_option(o, out);
 	fputs("\nexample\n", out);
-	char *copy = xstrdup(c->example), *save = NULL;
-	for (char *line = strtok_r(copy, "\n", &save); line != NULL;
-	     line = strtok_r(NULL, "\n", &save))
-		fprintf(out, "  %s\n", line);
-	free(copy);
+	print_example(c, "  ", out);
 }
 
 /* Help is words for people: among JSON or CSV it goes beside the results. */
@@ -71,24 +86,107 @@ help_stream(const struct session *s)
 	return words || s->notes == NULL ? s->out : s->notes;
 }
 
-bool
-cmd_help(struct session *s, const struct args *args, struct error *error)
+static bool
+is_group(const char *name)
 {
-	if (args->n_operand == 0) {
-		info_list(help_stream(s));
-		return true;
-	}
-	const char *name = args->operand[0];
-	const struct command *command = command_find(name);
-	if (command != NULL) {
-		info_command(command, help_stream(s));
-		return true;
-	}
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
+		if (strcmp(c->group, name) == 0)
+			return true;
+	return false;
+}
+
+static bool
+unknown(const char *name, struct error *error)
+{
 	const char *near = command_nearest(name);
 	error_set(error, ERROR_USAGE, "there is no command '%s'", name);
 	if (near != NULL)
-		error_hint(error, "did you mean '%s'?", near);
-	return false;
+		return error_hint(error, "did you mean '%s'?", near);
+	return error_hint(error, "apropos %s searches all help", name);
+}
+
+bool
+cmd_help(struct session *s, const struct args *args, struct error *error)
+{
+	FILE *out = help_stream(s);
+	const char *name = args->n_operand > 0 ? args->operand[0] : NULL;
+	const struct command *command =
+	    name != NULL ? command_find(name) : NULL;
+	bool example = args->n_operand == 2;
+	if (example && strcmp(args->operand[1], "example") != 0)
+		return error_set(error, ERROR_USAGE,
+		    "behind the command help wants: example; not '%s'",
+		    args->operand[1]);
+	if (command != NULL && example)
+		print_example(command, "", out);
+	else if (command != NULL)
+		info_command(command, out);
+	else if (name == NULL || (is_group(name) && !example))
+		info_list(name, out);
+	else
+		return unknown(name, error);
+	return true;
+}
+
+static bool
+holds(const char *text, const char *folded)
+{
+	char *here = text_fold(text);
+	bool found = strstr(here, folded) != NULL;
+	free(here);
+	return found;
+}
+
+/* Whether anything the table says of a command holds a word. */
+static bool
+tells_of(const struct command *c, const char *folded)
+{
+	bool found = holds(c->name, folded) || holds(c->brief, folded) ||
+		     holds(c->text, folded) || holds(c->operands, folded) ||
+		     (c->alias != NULL && holds(c->alias, folded));
+	const struct command_option *o = c->option;
+	for (; !found && o != NULL && o->name != NULL; o++)
+		found = holds(o->name, folded) || holds(o->brief, folded) ||
+			(o->choices != NULL && holds(o->choices, folded));
+	return found;
+}
+
+bool
+cmd_apropos(struct session *s, const struct args *args, struct error *error)
+{
+	char *folded = text_fold(args->operand[0]);
+	size_t found = 0;
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
+		if (!tells_of(c, folded))
+			continue;
+		print_brief(c, help_stream(s));
+		found++;
+	}
+	free(folded);
+	if (found > 0)
+		return true;
+	error_set(
+	    error, ERROR_USAGE, "no help speaks of '%s'", args->operand[0]);
+	return error_hint(error, "'help' lists the commands");
+}
+
+bool
+cmd_man(struct session *s, const struct args *args, struct error *error)
+{
+	(void)error;
+	/* In the order of the choices in the table. */
+	static const char *const PAGES[] = {"tipspeed.1", "tipspeed-site.5",
+	    "tipspeed-spec.5", "tipspeed-model.7"};
+	size_t i = args_value(command_find("man"), args, "page")->choice;
+	assert(i < ARRAY_LEN(PAGES));
+	if (s->show_page != NULL && s->show_page(PAGES[i]))
+		return true;
+	info_list(NULL, help_stream(s));
+	session_note(s,
+	    "the page %s is shown at the prompt where man(1) is; the source "
+	    "has it in the folder man",
+	    PAGES[i]);
+	return true;
 }
 
 bool

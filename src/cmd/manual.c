@@ -8,6 +8,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/command.h"
+#include "cmd/usage.h"
 
 /* Text of a paragraph: a new sentence on a new line, as mdoc wants it, lines
  * short, and nothing that roff would take for a request. */
@@ -115,4 +116,23 @@ manual_commands(FILE *out)
 		print_example(c, out);
 	}
 	fputs(".El\n", out);
+}
+
+void
+manual_environment(FILE *out)
+{
+	const struct usage_word *w = USAGE_ENVIRONMENT;
+	for (; w->name != NULL; w++) {
+		fprintf(out, ".It Ev %s\n", w->name);
+		print_text(w->meaning, out);
+	}
+}
+
+void
+manual_status(FILE *out)
+{
+	for (const struct usage_word *w = USAGE_STATUS; w->name != NULL; w++) {
+		fprintf(out, ".It %s\n", w->name);
+		print_text(w->meaning, out);
+	}
 }

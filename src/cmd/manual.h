@@ -8,4 +8,8 @@
 /* The COMMANDS section of tipspeed(1) in mdoc, from the command table. */
 void manual_commands(FILE *out);
 
+/* The items of the ENVIRONMENT and EXIT STATUS lists. */
+void manual_environment(FILE *out);
+void manual_status(FILE *out);
+
 #endif

@@ -271,7 +271,8 @@ show_settings(struct session *s)
 	    {"appearance", MODEL_FORMS[s->settings.appearance]}, {"k", k},
 	    {"threads", threads}, {"isa", isa_name(isa_usable(s->isa))},
 	    {"format", REPORT_FORMATS[s->format]},
-	    {"csv", s->semicolon ? "semicolon" : "comma"}};
+	    {"csv", s->semicolon ? "semicolon" : "comma"},
+	    {"pager", s->pager ? "on" : "off"}};
 	report_column(r, "setting", "setting");
 	report_column(r, "value", "value");
 	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
@@ -295,6 +296,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	const struct value *isa = args_value(self, args, "isa");
 	const struct value *format = args_value(self, args, "format");
 	const struct value *csv = args_value(self, args, "csv");
+	const struct value *pager = args_value(self, args, "pager");
 	if (method->given || form->given || k->given)
 		session_forget(s);
 	if (method->given)
@@ -311,8 +313,10 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		s->format = (enum report_format)format->choice;
 	if (csv->given)
 		s->semicolon = csv->choice == 1;
+	if (pager->given)
+		s->pager = pager->choice == 0;
 	bool any = method->given || form->given || k->given || threads->given ||
-		   isa->given || format->given || csv->given;
+		   isa->given || format->given || csv->given || pager->given;
 	if (!any)
 		show_settings(s);
 	return true;

@@ -35,6 +35,7 @@ session_new(FILE *out, FILE *notes)
 	s->seed = 1;
 	s->threads = processors();
 	s->isa = ISA_BEST;
+	s->pager = true;
 	session_forget(s);
 	s->out = out;
 	s->notes = notes;

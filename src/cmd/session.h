@@ -93,6 +93,9 @@ struct session {
 	FILE *notes;    /* what is said beside results; NULL: nothing */
 	double answer[ANSWERS];
 	struct job job;
+	bool pager; /* at a prompt, what is taller than the screen is paged */
+	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
+						where there is no terminal */
 	size_t n_site;
 	struct site **site;    /* every site there was; entries borrow them */
 	struct choices *first; /* what the command line set; reset goes there */

@@ -37,11 +37,10 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
 	"paper: a textbook genetic algorithm, without polish"},
     PAUSE_OPTION,
     {"checkpoint", VALUE_FILE, "", 0, 0, NULL, "",
-	"file to write when the calibration is stopped"},
+	"written when the calibration is stopped"},
     {"resume", VALUE_FILE, "", 0, 0, NULL, "",
-	"checkpoint of this site and these options to go on from"},
-    {"log", VALUE_FILE, "", 0, 0, NULL, "",
-	"file for every generation, as CSV"},
+	"a checkpoint of this site and these options to go on from"},
+    {"log", VALUE_FILE, "", 0, 0, NULL, "", "for every generation, as CSV"},
     LAST_OPTION};
 
 static const struct command_option HISTORY_OPTIONS[] = {
@@ -57,6 +56,7 @@ const struct command TABLE_FIT[] = {
 	.group = "fit",
 	.brief = "find the parameters that explain the runs",
 	.operands = "[all]",
+	.expect = {"all"},
 	.most = 1,
 	.need = NEED_SITE,
 	.flags = COMMAND_CHANGES,

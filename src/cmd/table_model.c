@@ -27,6 +27,8 @@ static const struct command_option SET_OPTIONS[] = {
 	"form of the results"},
     {"csv", VALUE_CHOICE, "", 0, 0, "comma semicolon", "",
 	"semicolon: decimal commas, for spreadsheets in Swedish or German"},
+    {"pager", VALUE_CHOICE, "", 0, 0, "on off", "",
+	"at the prompt, page what is taller than the screen"},
     LAST_OPTION};
 
 static const struct command_option SEED_OPTIONS[] = {
@@ -39,6 +41,7 @@ const struct command TABLE_MODEL[] = {
 	.group = "model",
 	.brief = "show, set or compare the model's parameters",
 	.operands = "[list | set | diff SITE | use SITE]",
+	.expect = {"list set diff use", "SITE"},
 	.most = 2,
 	.need = NEED_SITE,
 	.flags = COMMAND_CHANGES,
@@ -56,6 +59,7 @@ const struct command TABLE_MODEL[] = {
 	.group = "model",
 	.brief = "limits of the search",
 	.operands = "[default | PARAMETER FROM..TO | PARAMETER VALUE]",
+	.expect = {"default PARAMETER", ""},
 	.most = 2,
 	.flags = COMMAND_CHANGES,
 	.text = "Without operands shows them. One VALUE holds the parameter "

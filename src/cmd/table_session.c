@@ -18,6 +18,11 @@ static const struct command_option TIMING_OPTIONS[] = {
     {"state", VALUE_CHOICE, "", 0, 0, "on off", "on", "tell it or not"},
     LAST_OPTION};
 
+static const struct command_option MAN_OPTIONS[] = {
+    {"page", VALUE_CHOICE, "", 0, 0, "tipspeed site spec model", "tipspeed",
+	"page of the manual"},
+    LAST_OPTION};
+
 const struct command TABLE_SESSION[] = {
     {.name = "undo",
 	.group = "session",
@@ -42,6 +47,7 @@ const struct command TABLE_SESSION[] = {
 	.group = "session",
 	.brief = "write the session as a script",
 	.operands = "FILE.tip",
+	.expect = {"FILE"},
 	.least = 1,
 	.most = 1,
 	.flags = COMMAND_FILES | COMMAND_UNSAVED,
@@ -60,6 +66,7 @@ const struct command TABLE_SESSION[] = {
 	.group = "session",
 	.brief = "put a saved session in the place of this one",
 	.operands = "FILE.tip",
+	.expect = {"FILE"},
 	.least = 1,
 	.most = 1,
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
@@ -80,6 +87,7 @@ const struct command TABLE_SESSION[] = {
 	.group = "session",
 	.brief = "run a script",
 	.operands = "FILE",
+	.expect = {"FILE"},
 	.least = 1,
 	.most = 1,
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
@@ -93,6 +101,7 @@ const struct command TABLE_SESSION[] = {
 	.group = "session",
 	.brief = "print words",
 	.operands = "[WORD]...",
+	.expect = {""},
 	.most = OPERANDS - 1,
 	.text = "A line among the results, with one blank between words; "
 		"quotes keep others.",
@@ -113,6 +122,7 @@ const struct command TABLE_SESSION[] = {
 	.group = "session",
 	.brief = "stop with status 1 unless an answer is as expected",
 	.operands = "VALUE =|<|> VALUE [within NUMBER]",
+	.expect = {"ANSWER", "= < >", "ANSWER", "within", ""},
 	.least = 3,
 	.most = 5,
 	.flags = COMMAND_VERBATIM | COMMAND_UNSAVED,
@@ -131,12 +141,38 @@ const struct command TABLE_SESSION[] = {
     {.name = "help",
 	.group = "session",
 	.brief = "what commands there are",
-	.operands = "[COMMAND]",
-	.most = 1,
+	.operands = "[COMMAND|GROUP] [example]",
+	.expect = {"COMMAND GROUP", "example"},
+	.most = 2,
 	.flags = COMMAND_UNSAVED,
-	.text = "With a command's name: all about it.",
+	.text = "With a command's name: all about it; with a group's name: the "
+		"commands of the group. 'help COMMAND example' prints an "
+		"example that can be run as it stands.",
 	.example = "help predict",
 	.run = cmd_help},
+    {.name = "apropos",
+	.group = "session",
+	.brief = "find commands by a word of their help",
+	.operands = "WORD",
+	.expect = {""},
+	.least = 1,
+	.most = 1,
+	.flags = COMMAND_UNSAVED,
+	.text = "Searches names, help texts, options and their choices, "
+		"without regard to case and accents.",
+	.example = "apropos threads",
+	.run = cmd_apropos},
+    {.name = "man",
+	.group = "session",
+	.brief = "open the manual",
+	.operands = "",
+	.flags = COMMAND_UNSAVED,
+	.bare = "page",
+	.option = MAN_OPTIONS,
+	.text = "At the prompt man(1) shows the page. Elsewhere, and where "
+		"there is no man(1), prints the list of commands.",
+	.example = "man site",
+	.run = cmd_man},
     {.name = "version",
 	.group = "session",
 	.brief = "version of the program",

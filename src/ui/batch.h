@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "cmd/session.h"
+#include "ui/pager.h"
 
 /* Each returns the exit status so far: 0, or that of the first error, which
  * ends a script and is printed to stderr with its line and a caret. */
@@ -13,10 +14,13 @@ int batch_text(struct session *s, const char *text, const char *name, int line);
 int batch_stream(struct session *s, FILE *in, const char *name);
 int batch_file(struct session *s, const char *path);
 
-/* Lines typed at a terminal: an error is printed and the next line read. */
+/* Lines typed at a terminal while results go elsewhere: an error is printed and
+ * the next line read. */
 int batch_typed(struct session *s);
 
-/* From now on ^C ends a calibration, and with it a script (status 130). */
-void batch_catch_interrupt(void);
+/* Runs one line with its jobs; name and number: what its place is called.  An
+ * error is printed.  page: what holds its results back at a prompt, or NULL. */
+int batch_line(struct session *s, const char *line, const char *name,
+    int number, struct page *page);
 
 #endif

@@ -80,8 +80,7 @@ options_are_in_order(void **state)
 			assert_int_equal(command_option_index(c, o[n].name), n);
 			bool choice = o[n].kind == VALUE_CHOICE;
 			assert_true(choice == (o[n].choices != NULL));
-			bool limits = o[n].kind < VALUE_CHOICE ||
-				      o[n].kind == VALUE_NUMBERS;
+			bool limits = !choice && o[n].kind < VALUE_FILE;
 			assert_true(!limits || o[n].least < o[n].most);
 			assert_non_null(o[n].unit);
 		}

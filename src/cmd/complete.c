@@ -1,0 +1,418 @@
+/* Finds the word at the cursor, what the table says of its place, and what
+ * there is of that kind.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/complete.h"
+
+#include <assert.h>
+#include <ctype.h>
+#include <dirent.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/assert.h"
+#include "cmd/command.h"
+#include "cmd/parse.h"
+
+/* A completion being made.  typed: the word so far, without its quotes; quoted:
+ * whether it began with one. */
+struct work {
+	const struct session *session;
+	struct completion *result;
+	char *typed;
+	bool quoted;
+};
+
+/* What the words before the cursor have used up.  awaits: the option whose
+ * value comes next, where options are written as pairs; else OPTIONS. */
+struct used {
+	bool given[OPTIONS];
+	size_t awaits, n_operand;
+};
+
+static char *
+without_quotes(const char *text)
+{
+	char *copy = xcalloc(strlen(text) + 1, 1);
+	for (size_t n = 0; *text != '\0'; text++)
+		if (*text != '"')
+			copy[n++] = *text;
+	return copy;
+}
+
+static void
+put(struct work *w, const char *text, char append)
+{
+	struct completion *c = w->result;
+	c->candidate = xrealloc(c->candidate, c->n + 1, sizeof *c->candidate);
+	c->candidate[c->n++] = (struct candidate){xstrdup(text), append};
+}
+
+static void
+offer(struct work *w, const char *text, char append)
+{
+	if (strncmp(text, w->typed, strlen(w->typed)) == 0)
+		put(w, text, append);
+}
+
+static void
+offer_commands(struct work *w)
+{
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
+		offer(w, c->name, ' ');
+		if (c->alias != NULL)
+			offer(w, c->alias, ' ');
+	}
+}
+
+static void
+offer_groups(struct work *w)
+{
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
+		offer(w, c->group, ' ');
+}
+
+static void
+offer_answers(struct work *w)
+{
+	for (size_t i = 0; assert_name(i) != NULL; i++)
+		offer(w, assert_name(i), ' ');
+}
+
+static void
+offer_parameters(struct work *w)
+{
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		offer(w, PARAMS[j].name, ' ');
+}
+
+/* Without case and accents, as `use` finds them. */
+static void
+offer_sites(struct work *w)
+{
+	char *folded = text_fold(w->typed);
+	for (size_t i = 0; i < w->session->n_entry; i++) {
+		const char *key = w->session->entry[i].key;
+		if (strncmp(key, folded, strlen(folded)) == 0)
+			put(w, key, ' ');
+	}
+	free(folded);
+}
+
+static void
+offer_speeds(struct work *w)
+{
+	if (w->session->n_entry == 0)
+		return;
+	const struct site *site = w->session->entry[w->session->current].site;
+	for (size_t r = 0; r < site->n_run; r++) {
+		char *text = xasprintf("%g", site->run[r].speed);
+		offer(w, text, ' ');
+		free(text);
+	}
+}
+
+/* A quote or a control character in a name could not be typed. */
+static bool
+can_be_typed(const char *name)
+{
+	for (const char *p = name; *p != '\0'; p++)
+		if (*p == '"' || iscntrl((unsigned char)*p))
+			return false;
+	return text_is_utf8(name, strlen(name));
+}
+
+static void
+put_file(struct work *w, const char *path)
+{
+	struct stat status;
+	bool folder = stat(path, &status) == 0 && S_ISDIR(status.st_mode);
+	bool quotes =
+	    w->quoted || path[strcspn(path, " ;|<>")] != '\0' || path[0] == '#';
+	/* The quote of a folder stays open for what is in it. */
+	char *text = xasprintf("%s%s%s%s", quotes ? "\"" : "", path,
+	    folder ? "/" : "", quotes && !folder ? "\"" : "");
+	put(w, text, folder ? '\0' : ' ');
+	free(text);
+}
+
+static void
+offer_files(struct work *w)
+{
+	const char *slash = strrchr(w->typed, '/');
+	size_t head = slash != NULL ? (size_t)(slash - w->typed) + 1 : 0;
+	const char *tail = w->typed + head;
+	char *folder = head > 0 ? xstrndup(w->typed, head) : xstrdup(".");
+	DIR *dir = opendir(folder);
+	free(folder);
+	if (dir == NULL)
+		return;
+	for (struct dirent *e; (e = readdir(dir)) != NULL;) {
+		const char *name = e->d_name;
+		bool hidden = name[0] == '.' && tail[0] != '.';
+		bool self = strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
+		if (hidden || self || !can_be_typed(name) ||
+		    strncmp(name, tail, strlen(tail)) != 0)
+			continue;
+		char *path =
+		    xasprintf("%.*s%s", (int)head, w->typed, e->d_name);
+		put_file(w, path);
+		free(path);
+	}
+	closedir(dir);
+}
+
+/* The words in capitals of the table. */
+static const struct {
+	const char *word;
+	void (*offer)(struct work *);
+} KINDS[] = {{"ANSWER", offer_answers}, {"COMMAND", offer_commands},
+    {"FILE", offer_files}, {"GROUP", offer_groups},
+    {"PARAMETER", offer_parameters}, {"SITE", offer_sites},
+    {"SPEED", offer_speeds}};
+
+static void
+offer_kind(struct work *w, const char *word)
+{
+	size_t i = 0;
+	while (i < ARRAY_LEN(KINDS) && strcmp(KINDS[i].word, word) != 0)
+		i++;
+	assert(i < ARRAY_LEN(KINDS));
+	KINDS[i].offer(w);
+}
+
+/* A list of words between blanks: kinds in capitals, others as they are. */
+static void
+offer_words(struct work *w, const char *list)
+{
+	char *copy = xstrdup(list), *save = NULL;
+	for (char *word = strtok_r(copy, " ", &save); word != NULL;
+	     word = strtok_r(NULL, " ", &save))
+		if (isupper((unsigned char)word[0]))
+			offer_kind(w, word);
+		else
+			offer(w, word, ' ');
+	free(copy);
+}
+
+static void
+offer_operand(struct work *w, const struct command *command, size_t i)
+{
+	size_t last = 0;
+	while (last + 1 < EXPECTS && command->expect[last + 1] != NULL)
+		last++;
+	const char *list = command->expect[i < last ? i : last];
+	if (i < command->most && list != NULL)
+		offer_words(w, list);
+}
+
+static void
+offer_values(struct work *w, const struct command_option *o)
+{
+	if (o->kind == VALUE_CHOICE)
+		offer_words(w, o->choices);
+	else if (o->kind == VALUE_FILE)
+		offer_files(w);
+	else if (strcmp(o->unit, "m/s") == 0)
+		offer_speeds(w);
+}
+
+static struct used
+use_up(const struct command *command, const struct words *words)
+{
+	struct used used = {.awaits = OPTIONS};
+	for (size_t i = 1; i < words->n; i++) {
+		char *word = words->text[i];
+		size_t key = strcspn(word, "=");
+		bool pair = word[key] == '\0' && command->pairs;
+		bool named = word[key] == '=' || pair;
+		char *name = xstrndup(word, key);
+		size_t option =
+		    named ? command_option_index(command, name) : OPTIONS;
+		free(name);
+		if (option == OPTIONS && command->bare != NULL) {
+			option = command_option_index(command, command->bare);
+			option = used.given[option] ? OPTIONS : option;
+		}
+		if (option == OPTIONS)
+			used.n_operand++;
+		else
+			used.given[option] = true;
+		if (pair && option < OPTIONS && ++i == words->n)
+			used.awaits = option;
+	}
+	return used;
+}
+
+static void
+offer_arguments(
+    struct work *w, const struct command *command, const struct used *used)
+{
+	const struct command_option *o = command->option;
+	if (used->awaits < OPTIONS) {
+		offer_values(w, &o[used->awaits]);
+		return;
+	}
+	for (size_t i = 0; o != NULL && o[i].name != NULL; i++) {
+		if (used->given[i])
+			continue;
+		offer(w, o[i].name, command->pairs ? ' ' : '=');
+		if (command->bare != NULL &&
+		    strcmp(o[i].name, command->bare) == 0)
+			offer_values(w, &o[i]);
+	}
+	offer_operand(w, command, used->n_operand);
+}
+
+/* Narrows the completion to what is behind a character of the word. */
+static void
+narrow(struct work *w, const char *line, const char *behind)
+{
+	w->result->start = (size_t)(behind - line) + 1;
+	w->quoted = behind[1] == '"';
+	free(w->typed);
+	w->typed = without_quotes(behind + 1);
+}
+
+/* The option that the word, or a bare word there, is a value of; NULL if there
+ * is none. */
+static const struct command_option *
+option_at(const struct command *command, const char *typed,
+    const struct used *used, bool *named)
+{
+	size_t key = strcspn(typed, "="), i = OPTIONS;
+	char *name = xstrndup(typed, key);
+	if (typed[key] == '=')
+		i = command_option_index(command, name);
+	free(name);
+	*named = i < OPTIONS;
+	if (!*named && command->bare != NULL)
+		i = command_option_index(command, command->bare);
+	return *named || (i < OPTIONS && !used->given[i]) ? &command->option[i]
+							  : NULL;
+}
+
+static void
+offer_behind(struct work *w, const struct words *words, const char *line)
+{
+	const struct command *command = command_called(words->text[0], true);
+	if (command == NULL)
+		return;
+	struct used used = use_up(command, words);
+	bool named;
+	const struct command_option *o =
+	    option_at(command, w->typed, &used, &named);
+	const char *word = line + w->result->start;
+	if (named)
+		narrow(w, line, strchr(word, '='));
+	if (o != NULL && o->kind == VALUE_NUMBERS && strchr(word, ',') != NULL)
+		narrow(w, line, strrchr(word, ','));
+	if (named)
+		offer_values(w, o);
+	else
+		offer_arguments(w, command, &used);
+}
+
+/* Where the last command of a line and its last word begin.  False in a
+ * comment. */
+static bool
+find_word(const char *line, size_t *command, size_t *word)
+{
+	bool quoted = false, inside = false;
+	size_t i = 0;
+	*command = 0;
+	for (; line[i] != '\0'; i++) {
+		char c = line[i];
+		bool ends = !quoted && (isspace((unsigned char)c) || c == ';');
+		if (!inside && c == '#') {
+			*word = strlen(line);
+			return false;
+		}
+		if (c == '"')
+			quoted = !quoted;
+		if (!inside && !ends)
+			*word = i;
+		inside = !ends;
+		if (ends && c == ';')
+			*command = i + 1;
+	}
+	if (!inside)
+		*word = i;
+	return true;
+}
+
+static int
+by_text(const void *a, const void *b)
+{
+	const struct candidate *p = a, *q = b;
+	return strcmp(p->text, q->text);
+}
+
+static void
+sort(struct completion *c)
+{
+	size_t kept = 0;
+	if (c->n > 1)
+		qsort(c->candidate, c->n, sizeof *c->candidate, by_text);
+	for (size_t i = 0; i < c->n; i++)
+		if (kept > 0 &&
+		    by_text(&c->candidate[kept - 1], &c->candidate[i]) == 0)
+			free(c->candidate[i].text);
+		else
+			c->candidate[kept++] = c->candidate[i];
+	c->n = kept;
+}
+
+/* line ends at the cursor. */
+static void
+complete_end(struct work *w, const char *line)
+{
+	size_t from;
+	if (!find_word(line, &from, &w->result->start))
+		return;
+	size_t start = w->result->start;
+	w->typed = without_quotes(line + start);
+	w->quoted = line[start] == '"';
+	char *before = xstrndup(line + from, start - from);
+	struct words words;
+	struct error error = {0};
+	struct place place = {.file = "", .prompt = true};
+	bool ok = words_split(before, 0, place, &words, &error);
+	if (words.to == TO_FILE || words.to == TO_END) {
+		if (words.target != NULL && words.target[0] == '\0')
+			offer_files(w);
+	} else if (ok && words.to == TO_SCREEN && words.n == 0) {
+		offer_commands(w);
+	} else if (ok && words.to == TO_SCREEN) {
+		offer_behind(w, &words, line);
+	}
+	words_free(&words);
+	free(before);
+	free(w->typed);
+	sort(w->result);
+}
+
+struct completion *
+complete(const struct session *s, const char *line, size_t cursor)
+{
+	struct work w = {.session = s};
+	w.result = xcalloc(1, sizeof *w.result);
+	w.result->start = cursor;
+	char *head = xstrndup(line, cursor);
+	complete_end(&w, head);
+	free(head);
+	return w.result;
+}
+
+void
+completion_free(struct completion *c)
+{
+	if (c == NULL)
+		return;
+	for (size_t i = 0; i < c->n; i++)
+		free(c->candidate[i].text);
+	free(c->candidate);
+	free(c);
+}

@@ -1,0 +1,110 @@
+/* The command line's words.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/usage.h"
+
+#include <stdlib.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/info.h"
+
+const struct usage_option USAGE_OPTIONS[] = {
+    {'c', NULL, "CMD", NULL, "run the commands in CMD"},
+    {'f', NULL, "FILE", NULL, "run the commands in FILE; - is standard input"},
+    {USAGE_FORMAT, "format", "FORM", "table csv json markdown",
+	"form of the results"},
+    {USAGE_SEED, "seed", "N", NULL, "seed of calibrations"},
+    {USAGE_STORE, "store", "PATH", NULL,
+	"accepted; nothing is stored by this version"},
+    {USAGE_COLOR, "color", "WHEN", "auto always never", "colour at the prompt"},
+    {USAGE_SAFE, "safe", NULL, NULL, "no command may touch files or the shell"},
+    {'h', "help", NULL, NULL, "this text"},
+    {'V', "version", NULL, NULL, "the version"}, {.code = 0}};
+
+const struct usage_word USAGE_ENVIRONMENT[] = {
+    {"TIPSPEED_COLOR",
+	"Colour at the prompt, where --color does not say: auto, always or "
+	"never."},
+    {"NO_COLOR",
+	"Not empty: no colour, where neither --color nor TIPSPEED_COLOR says "
+	"otherwise."},
+    {"TERM", "Kind of the terminal; dumb has no colour and no pager."},
+    {"TIPSPEED_PAGER",
+	"Program that shows results taller than the screen; empty: none."},
+    {"PAGER", "The same, where TIPSPEED_PAGER is not set."},
+    {"XDG_STATE_HOME",
+	"Folder of tipspeed/history, the lines typed at the prompt; else "
+	".local/state in HOME."},
+    {"XDG_CONFIG_HOME",
+	"Folder of tipspeed/init.tip, the commands run before the first "
+	"prompt; else .config in HOME."},
+    {"HOME", "Your home folder."},
+    {"LC_CTYPE",
+	"Kinds of characters, as LC_ALL and LANG where they stand in for it; "
+	"text is UTF-8 and numbers have a point whatever it says."},
+    {.name = NULL}};
+
+const struct usage_word USAGE_STATUS[] = {
+    {"0", "All commands did what they were told."},
+    {"1", "A check or an assertion said no: check found a fault, or assert did "
+	  "not hold."},
+    {"2", "Usage: the command line or a command cannot be understood, or lacks "
+	  "something, such as parameters to predict with."},
+    {"3", "Bad data: a site file, a grading envelope or a table of "
+	  "parameters has a fault."},
+    {"4", "A computation has no answer. Kept for that case; no command of this "
+	  "version ends so."},
+    {"5", "The system refused something: a file cannot be read or written, a "
+	  "shell command failed, or memory has run out."},
+    {"129", "Ended by a hang-up, after the best so far was printed."},
+    {"130",
+	"Interrupted from the keyboard. A calibration ends with the generation "
+	"or the step it is at, and prints the best found so far. At the prompt "
+	"it can then go on: continue."},
+    {"143", "Ended by kill, after the best so far was printed."},
+    {.name = NULL}};
+
+static void
+print_options(FILE *out)
+{
+	for (const struct usage_option *o = USAGE_OPTIONS; o->code != 0; o++) {
+		char letter[3] = {o->code < 256 ? '-' : '\0',
+		    o->code < 256 ? (char)o->code : '\0', '\0'};
+		char *option = xasprintf("%s%s%s%s%s%s", letter,
+		    letter[0] != '\0' && o->name != NULL ? ", " : "",
+		    o->name != NULL ? "--" : "", o->name != NULL ? o->name : "",
+		    o->argument == NULL ? ""
+		    : o->name != NULL   ? "="
+					: " ",
+		    o->argument != NULL ? o->argument : "");
+		fprintf(out, "  %-16s %s%s%s\n", option, o->brief,
+		    o->choices != NULL ? ": " : "",
+		    o->choices != NULL ? o->choices : "");
+		free(option);
+	}
+}
+
+static void
+print_words(const char *title, const struct usage_word *word, FILE *out)
+{
+	fprintf(out, "\n%s\n", title);
+	for (; word->name != NULL; word++) {
+		fprintf(out, "  %s\n", word->name);
+		text_wrap(word->meaning, 6, 78, out);
+	}
+}
+
+void
+usage_print(FILE *out)
+{
+	fputs("usage: tipspeed [-c CMD]... [-f FILE]... [OPTION]... [FILE...]\n"
+	      "\nLoads the site FILEs (a FILE.tip is a script and is run), "
+	      "then runs the commands\nof -c and -f in order. Without -c and "
+	      "-f, commands come from standard input.\n\n",
+	    out);
+	print_options(out);
+	fputs("\ncommands\n", out);
+	info_list(NULL, out);
+	print_words("environment", USAGE_ENVIRONMENT, out);
+	print_words("exit status", USAGE_STATUS, out);
+}

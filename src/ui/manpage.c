@@ -1,0 +1,56 @@
+/* Finds a page of the manual and hands it to man(1).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/manpage.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/xalloc.h"
+
+/* The page in the folder man beside the program; NULL where there is none, or
+ * its path is none to give to a shell.  The caller frees. */
+static char *
+page_beside(const char *page)
+{
+	char self[PATH_MAX];
+	ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
+	if (n < 0)
+		return NULL;
+	self[n] = '\0';
+	char *slash = strrchr(self, '/');
+	if (slash == NULL || strchr(self, '\'') != NULL)
+		return NULL;
+	*slash = '\0';
+	char *path = xasprintf("%s/man/%s", self, page);
+	if (access(path, R_OK) == 0)
+		return path;
+	free(path);
+	return NULL;
+}
+
+/* True when the shell runs it and it succeeds. */
+static bool
+succeeds(char *command)
+{
+	bool ok = system(command) == 0;
+	free(command);
+	return ok;
+}
+
+bool
+manpage_show(const char *page)
+{
+	char *beside = page_beside(page);
+	if (beside != NULL) {
+		bool shown = succeeds(xasprintf("man -l '%s'", beside));
+		free(beside);
+		return shown;
+	}
+	int name = (int)strcspn(page, ".");
+	const char *section = page + name + 1;
+	return succeeds(xasprintf(
+		   "man -w %s %.*s >/dev/null 2>&1", section, name, page)) &&
+	       succeeds(xasprintf("man %s %.*s", section, name, page));
+}

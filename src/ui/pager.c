@@ -1,0 +1,124 @@
+/* Measures text against the screen; runs the user's pager.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/pager.h"
+
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "ui/pump.h"
+#include "ui/terminal.h"
+
+/* What a shell ends with when there is no such program. */
+enum { NO_PROGRAM = 127 };
+
+/* Rows the text takes, long lines folded. */
+static int
+count_rows(const char *text, int columns)
+{
+	int rows = 0;
+	char *copy = xstrdup(text);
+	for (char *line = copy, *end; line[0] != '\0'; line = end) {
+		end = line + strcspn(line, "\n");
+		if (*end == '\n')
+			*end++ = '\0';
+		int width = text_width(line);
+		rows += width > 0 ? (width + columns - 1) / columns : 1;
+	}
+	free(copy);
+	return rows;
+}
+
+static const char *
+pager_command(void)
+{
+	const char *own = getenv("TIPSPEED_PAGER"), *any = getenv("PAGER");
+	if (own != NULL || any != NULL)
+		return own != NULL ? own : any;
+	return "command -v less >/dev/null || exit 127; exec less -FRX";
+}
+
+static void
+pass(int signal)
+{
+	(void)signal;
+}
+
+/* The pager's own business: ^C, and to end before all is written.  Handlers
+ * and not SIG_IGN, which the pager would inherit. */
+static void
+leave_signals(struct sigaction was[2])
+{
+	struct sigaction action = {.sa_handler = pass, .sa_flags = SA_RESTART};
+	sigemptyset(&action.sa_mask);
+	sigaction(SIGINT, &action, &was[0]);
+	sigaction(SIGPIPE, &action, &was[1]);
+}
+
+static bool
+run_pager(const char *command, const char *text)
+{
+	struct sigaction was[2];
+	fflush(stdout);
+	leave_signals(was);
+	FILE *pager = popen(command, "w");
+	int status = -1;
+	if (pager != NULL) {
+		fputs(text, pager);
+		status = pclose(pager);
+	}
+	sigaction(SIGINT, &was[0], NULL);
+	sigaction(SIGPIPE, &was[1], NULL);
+	return status >= 0 &&
+	       !(WIFEXITED(status) && WEXITSTATUS(status) == NO_PROGRAM);
+}
+
+bool
+page_open(struct page *page, struct session *s)
+{
+	*page = (struct page){.session = s, .out = s->out, .notes = s->notes};
+	page->file = open_memstream(&page->text, &page->n);
+	if (page->file != NULL)
+		s->out = page->file;
+	return page->file != NULL;
+}
+
+void
+page_hold(struct page *page)
+{
+	if (page != NULL && isatty(STDERR_FILENO))
+		page->session->notes = page->file;
+}
+
+void
+page_show(struct page *page)
+{
+	if (page == NULL)
+		return;
+	int rows, columns;
+	page->session->notes = page->notes;
+	fflush(page->file);
+	const char *text = page->text + page->shown;
+	page->shown = page->n;
+	terminal_size(&rows, &columns);
+	const char *command = pager_command();
+	bool paged =
+	    page->session->pager && command[0] != '\0' && !terminal_is_dumb();
+	/* The prompt takes a row, too. */
+	bool tall = paged && !pump_ended() && count_rows(text, columns) >= rows;
+	if (!tall || !run_pager(command, text))
+		fputs(text, stdout);
+	fflush(stdout);
+}
+
+void
+page_close(struct page *page)
+{
+	page->session->out = page->out;
+	fclose(page->file);
+	free(page->text);
+}

@@ -1,0 +1,161 @@
+/* The job, pumped.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/pump.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "ui/terminal.h"
+
+static volatile sig_atomic_t noted, asked;
+
+static void
+on_signal(int signal)
+{
+	if (noted == 0 || noted == SIGINT)
+		noted = signal;
+}
+
+static void
+on_ask(int signal)
+{
+	asked = signal;
+}
+
+void
+pump_catch_signals(void)
+{
+	struct sigaction action = {.sa_handler = on_signal};
+	sigemptyset(&action.sa_mask);
+	sigaction(SIGINT, &action, NULL);
+	sigaction(SIGTERM, &action, NULL);
+	sigaction(SIGHUP, &action, NULL);
+	action.sa_handler = on_ask;
+	action.sa_flags = SA_RESTART;
+	sigaction(SIGUSR1, &action, NULL);
+}
+
+int
+pump_signal(void)
+{
+	return noted;
+}
+
+bool
+pump_ended(void)
+{
+	return noted != 0 && noted != SIGINT;
+}
+
+void
+pump_forget_interrupt(void)
+{
+	/* Between the two, another signal may come. */
+	if (noted == SIGINT)
+		noted = 0;
+}
+
+int
+pump_status(void)
+{
+	return noted != 0 ? 128 + noted : 0;
+}
+
+/* What a terminal shows while a calibration runs: one line, four times a
+ * second; elsewhere a row at generation 1 and every ten. */
+struct progress {
+	bool terminal;
+	double shown;
+	size_t row;
+	int width;
+};
+
+static void
+progress_line(struct progress *p, const struct calibrate_status *st)
+{
+	double now = session_clock();
+	if (now - p->shown < 0.25)
+		return;
+	p->shown = now;
+	char text[128];
+	if (st->state == CALIBRATE_POLISHING)
+		snprintf(text, sizeof text, "  polish %zu  best %.4g",
+		    st->starts_done, st->best);
+	else
+		snprintf(text, sizeof text,
+		    "  generation %zu  best %.4g  median %.4g  stall %zu",
+		    st->generation, st->best, st->median, st->stall);
+	int rows, columns, width = text_width(text);
+	terminal_size(&rows, &columns);
+	int room = columns > 12 ? columns - 3 : 9; /* with the echo of ^C */
+	if (width > room)
+		text[width = room] = '\0';
+	fprintf(stderr, "\r%s%*s", text,
+	    p->width > width ? p->width - width : 0, "");
+	p->width = width;
+	fflush(stderr);
+}
+
+static void
+progress_row(struct progress *p, const struct calibrate_status *st)
+{
+	bool due = st->generation == 1 || st->generation % 10 == 0;
+	if (st->state == CALIBRATE_POLISHING || !due ||
+	    st->generation == p->row)
+		return;
+	p->row = st->generation;
+	fprintf(stderr, "  generation %4zu  best %.6g  median %.6g\n",
+	    st->generation, st->best, st->median);
+}
+
+static void
+progress(struct session *s, struct progress *p)
+{
+	if (!session_busy(s) || s->notes == NULL)
+		return;
+	struct calibrate_status st = calibration_status(s->job.calibration);
+	if (p->terminal)
+		progress_line(p, &st);
+	else
+		progress_row(p, &st);
+}
+
+static void
+clear_line(struct progress *p)
+{
+	if (p->width > 0)
+		fprintf(stderr, "\r%*s\r", p->width, "");
+	p->width = 0;
+}
+
+/* The answer to SIGUSR1. */
+static void
+answer(const struct session *s, struct progress *p)
+{
+	struct calibrate_status st = calibration_status(s->job.calibration);
+	clear_line(p);
+	fprintf(stderr,
+	    "%s: generation %zu of %zu, best %.4g, median %.4g, %.1f s%s\n",
+	    s->entry[s->job.entry].key, st.generation,
+	    s->job.options.generations, st.best, st.median,
+	    session_clock() - s->job.started,
+	    st.state == CALIBRATE_POLISHING ? ", polishing" : "");
+	asked = 0;
+}
+
+bool
+pump_run(struct session *s)
+{
+	struct progress p = {
+	    .terminal = isatty(STDERR_FILENO) != 0, .shown = session_clock()};
+	asked = 0;
+	while (session_busy(s) && noted == 0) {
+		session_step(s);
+		if (session_busy(s) && asked)
+			answer(s, &p);
+		progress(s, &p);
+	}
+	clear_line(&p);
+	return noted == 0;
+}

@@ -1,0 +1,29 @@
+/* Runs the session's job and shows how it goes; what signals ask for.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_PUMP_H
+#define TIPSPEED_UI_PUMP_H
+
+#include "cmd/session.h"
+
+/* From now on SIGINT, SIGTERM and SIGHUP are noted, and SIGUSR1 asks a
+ * calibration for a line about itself. */
+void pump_catch_signals(void);
+
+/* The signal noted, or 0.  SIGINT gives way to the others. */
+int pump_signal(void);
+
+/* True when the terminal or the system wants the program gone. */
+bool pump_ended(void);
+
+/* A SIGINT has been answered. */
+void pump_forget_interrupt(void);
+
+/* The exit status of a program that the noted signal ended, as shells count
+ * it; 0 without one. */
+int pump_status(void);
+
+/* Runs the job to its end.  False when a signal came: then the job is as it
+ * was, for session_pause. */
+bool pump_run(struct session *s);
+
+#endif

@@ -1,0 +1,337 @@
+/* The prompt, its signals and its lines.  Signals are let in only where the
+ * program waits: in pselect at the prompt, and while a command runs.  So none
+ * finds readline or the session half done.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/repl.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/select.h>
+#include <unistd.h>
+
+#include <readline/readline.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/complete.h"
+#include "cmd/script.h"
+#include "config.h"
+#include "ui/batch.h"
+#include "ui/home.h"
+#include "ui/manpage.h"
+#include "ui/pager.h"
+#include "ui/pump.h"
+#include "ui/typed.h"
+
+/* readline's callbacks have no argument to pass this by.  before: the lines of
+ * a command that goes on, joined. */
+static struct {
+	struct session *session;
+	char *before, *line;
+	bool done;
+} at;
+
+static volatile sig_atomic_t stopping, woken, resized;
+
+static void
+on_stop(int signal)
+{
+	stopping = signal;
+}
+
+static void
+on_wake(int signal)
+{
+	woken = signal;
+}
+
+static void
+on_resize(int signal)
+{
+	resized = signal;
+}
+
+static void
+on_line(char *line)
+{
+	rl_callback_handler_remove();
+	at.line = line;
+	at.done = true;
+}
+
+/* How many bytes all candidates begin with. */
+static size_t
+shared_bytes(char **text, size_t n)
+{
+	size_t shared = strlen(text[0]);
+	for (size_t i = 1; i < n; i++) {
+		size_t same = 0;
+		while (same < shared && text[i][same] == text[0][same])
+			same++;
+		shared = same;
+	}
+	return shared;
+}
+
+/* The text to put in the place of readline's word, which begins at start; NULL
+ * where the two do not go together.  from: where the candidate's begins. */
+static char *
+fit_word(const struct candidate *c, const char *line, long from, long start)
+{
+	const char *tail = c->append == '=' ? "=" : "";
+	if (from >= start)
+		return xasprintf("%.*s%s%s", (int)(from - start), line + start,
+		    c->text, tail);
+	size_t head = (size_t)(start - from);
+	if (strncmp(c->text, line + from, head) != 0)
+		return NULL;
+	return xasprintf("%s%s", c->text + head, tail);
+}
+
+/* For readline: NULL, or what all candidates share and then each of them. */
+static char **
+on_complete(const char *text, int start, int end)
+{
+	(void)text;
+	size_t before = strlen(at.before), n = 0;
+	char *line = xasprintf("%s%s", at.before, rl_line_buffer);
+	struct completion *c = complete(at.session, line, before + (size_t)end);
+	char **matches = xcalloc(c->n + 2, sizeof *matches);
+	for (size_t i = 0; i < c->n; i++) {
+		char *word = fit_word(&c->candidate[i], line, (long)c->start,
+		    (long)before + start);
+		if (word != NULL)
+			matches[++n] = word;
+	}
+	rl_attempted_completion_over = 1;
+	rl_completion_append_character =
+	    n == 1 && c->candidate[0].append == ' ' ? ' ' : '\0';
+	if (n > 0)
+		matches[0] = xstrndup(matches[1], shared_bytes(matches + 1, n));
+	if (n == 1) {
+		free(matches[1]);
+		matches[1] = NULL;
+	}
+	completion_free(c);
+	free(line);
+	if (n > 0)
+		return matches;
+	free(matches);
+	return NULL;
+}
+
+/* "tierp (fit)> ".  Keys are ASCII, whatever the site is called. */
+static char *
+prompt(const struct session *s, bool colour)
+{
+	if (at.before[0] != '\0')
+		return xstrdup("> ");
+	const struct entry *entry =
+	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
+	const char *state = entry == NULL       ? ""
+			    : entry->has_fit    ? " (fit)"
+			    : entry->has_params ? " (params)"
+						: "";
+	const char *name =
+	    entry != NULL && entry->key[0] != '\0' ? entry->key : "tipspeed";
+	return xasprintf("%s%s%s%s> ", colour ? "\001\033[1m\002" : "", name,
+	    colour ? "\001\033[0m\002" : "", state);
+}
+
+/* Stops the program as ^Z does without readline, and takes the terminal again
+ * when it goes on. */
+static void
+stop(const sigset_t *let_in)
+{
+	struct sigaction was, usual = {.sa_handler = SIG_DFL};
+	sigset_t held;
+	stopping = 0;
+	rl_deprep_terminal();
+	sigaction(SIGTSTP, &usual, &was);
+	raise(SIGTSTP);
+	sigprocmask(SIG_SETMASK, let_in, &held);
+	sigprocmask(SIG_SETMASK, &held, NULL);
+	sigaction(SIGTSTP, &was, NULL);
+	woken = SIGCONT;
+}
+
+static void
+answer_signals(const sigset_t *let_in)
+{
+	if (stopping)
+		stop(let_in);
+	if (woken) {
+		/* The shell may have set the terminal to its liking. */
+		rl_deprep_terminal();
+		rl_prep_terminal(1);
+		resized = woken;
+		rl_on_new_line();
+	}
+	if (resized)
+		rl_resize_terminal();
+	if (woken)
+		rl_forced_update_display();
+	woken = resized = 0;
+}
+
+/* Reads up to the end of a line or a signal that is not answered here. */
+static void
+wait_for_line(const sigset_t *let_in)
+{
+	while (!at.done && pump_signal() == 0) {
+		fd_set in;
+		FD_ZERO(&in);
+		FD_SET(STDIN_FILENO, &in);
+		if (pselect(STDIN_FILENO + 1, &in, NULL, NULL, NULL, let_in) >
+		    0)
+			rl_callback_read_char();
+		else
+			answer_signals(let_in);
+	}
+}
+
+/* A line as typed, which the caller frees; NULL at the end of input or at a
+ * signal. */
+static char *
+read_line(const char *text)
+{
+	static const int held_signals[] = {
+	    SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT, SIGWINCH};
+	struct sigaction stop_action = {.sa_handler = on_stop}, was;
+	sigset_t held, let_in;
+	sigemptyset(&held);
+	for (size_t i = 0; i < ARRAY_LEN(held_signals); i++)
+		sigaddset(&held, held_signals[i]);
+	sigprocmask(SIG_BLOCK, &held, &let_in);
+	sigaction(SIGTSTP, NULL, &was);
+	if (was.sa_handler != SIG_IGN)
+		sigaction(SIGTSTP, &stop_action, NULL);
+	at.line = NULL;
+	at.done = false;
+	rl_reset_screen_size();
+	rl_callback_handler_install(text, on_line);
+	wait_for_line(&let_in);
+	if (!at.done) {
+		rl_callback_sigcleanup();
+		rl_point = rl_end;
+		rl_redisplay();
+		fputs(pump_ended() ? "\n" : "^C\n", rl_outstream);
+		rl_callback_handler_remove();
+	}
+	sigaction(SIGTSTP, &was, NULL);
+	sigprocmask(SIG_SETMASK, &let_in, NULL);
+	return at.line;
+}
+
+static void
+run_line(struct session *s, const char *line, int number)
+{
+	struct page page;
+	typed_add(line);
+	bool held = page_open(&page, s);
+	batch_line(s, line, "typed", number, held ? &page : NULL);
+	if (held)
+		page_close(&page);
+}
+
+/* What was typed up to Return: one line, or several that were pasted. */
+static void
+take_lines(struct session *s, char *typed, int *number)
+{
+	if (!text_is_utf8(typed, strlen(typed))) {
+		fputs(
+		    "this is not UTF-8: is the terminal set to it?\n", stderr);
+		return;
+	}
+	for (char *line = typed, *end; line != NULL && !s->quit; line = end) {
+		end = strchr(line, '\n');
+		if (end != NULL)
+			*end++ = '\0';
+		bool more = script_goes_on(line);
+		char *joined = xasprintf("%s%s", at.before, line);
+		free(at.before);
+		at.before = xstrdup(more ? joined : "");
+		if (!more)
+			run_line(s, joined, (*number)++);
+		free(joined);
+		if (pump_signal() != 0)
+			break;
+	}
+}
+
+static void
+set_up(struct session *s)
+{
+	struct sigaction action = {
+	    .sa_handler = on_wake, .sa_flags = SA_RESTART};
+	sigemptyset(&action.sa_mask);
+	sigaction(SIGCONT, &action, NULL);
+	action.sa_handler = on_resize;
+	sigaction(SIGWINCH, &action, NULL);
+	at.session = s;
+	at.before = xstrdup("");
+	rl_readline_name = "tipspeed";
+	rl_catch_signals = 0;
+	rl_catch_sigwinch = 0;
+	/* A pager must not see sizes of before a change. */
+	rl_change_environment = 0;
+	rl_attempted_completion_function = on_complete;
+	rl_completer_word_break_characters = " \t\n;=,";
+	rl_completer_quote_characters = "";
+	rl_initialize();
+	/* Text is UTF-8 in every locale: its bytes are no meta keys. */
+	rl_variable_bind("input-meta", "on");
+	rl_variable_bind("output-meta", "on");
+	rl_variable_bind("convert-meta", "off");
+	typed_open();
+}
+
+void
+repl_begin(struct session *s)
+{
+	fprintf(stderr, "tipspeed %s: help lists the commands, quit leaves\n",
+	    PACKAGE_VERSION);
+	s->show_page = manpage_show;
+	char *path = home_path("XDG_CONFIG_HOME", ".config", "init.tip");
+	if (path != NULL && access(path, F_OK) == 0)
+		batch_file(s, path);
+	free(path);
+	pump_forget_interrupt();
+}
+
+/* At the end of input readline ends the line itself, but only where it turns
+ * bracketed paste off. */
+static void
+end_line(void)
+{
+	if (strcmp(rl_variable_value("enable-bracketed-paste"), "on") != 0)
+		fputc('\n', stdout);
+}
+
+int
+repl_run(struct session *s, bool colour)
+{
+	int number = 1;
+	set_up(s);
+	s->prompt = true;
+	while (!s->quit && !pump_ended()) {
+		char *text = prompt(s, colour);
+		char *typed = read_line(text);
+		free(text);
+		if (typed != NULL) {
+			take_lines(s, typed, &number);
+			free(typed);
+		} else if (pump_signal() == 0) {
+			end_line();
+			break;
+		}
+		if (pump_signal() != 0)
+			at.before[0] = '\0';
+		pump_forget_interrupt();
+	}
+	typed_close();
+	free(at.before);
+	return pump_status();
+}

@@ -1,0 +1,19 @@
+/* The prompt: readline on a terminal.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_REPL_H
+#define TIPSPEED_UI_REPL_H
+
+#include <stdbool.h>
+
+#include "cmd/session.h"
+
+/* Says what this is and runs the user's init file; before the files of the
+ * command line are opened. */
+void repl_begin(struct session *s);
+
+/* Reads and runs lines until quit, ^D, SIGTERM or SIGHUP; returns the exit
+ * status: 0, 143 or 129.  Errors are printed and the next line is read.
+ * pump_catch_signals must have been called. */
+int repl_run(struct session *s, bool colour);
+
+#endif

@@ -1,0 +1,58 @@
+/* The terminal, asked.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/terminal.h"
+
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+bool
+terminal_colour_word(const char *word, enum colour *colour)
+{
+	static const char *const words[] = {"auto", "always", "never"};
+	for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+		if (strcmp(word, words[i]) != 0)
+			continue;
+		*colour = (enum colour)i;
+		return true;
+	}
+	return false;
+}
+
+bool
+terminal_is_dumb(void)
+{
+	const char *term = getenv("TERM");
+	return term == NULL || term[0] == '\0' || strcmp(term, "dumb") == 0;
+}
+
+bool
+terminal_colour(enum colour asked)
+{
+	const char *own = getenv("TIPSPEED_COLOR"), *no = getenv("NO_COLOR");
+	if (asked == COLOUR_AUTO && own != NULL)
+		terminal_colour_word(own, &asked);
+	if (asked != COLOUR_AUTO)
+		return asked == COLOUR_ALWAYS;
+	if (no != NULL && no[0] != '\0')
+		return false;
+	return isatty(STDOUT_FILENO) && !terminal_is_dumb();
+}
+
+bool
+terminal_attended(void)
+{
+	return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
+}
+
+void
+terminal_size(int *rows, int *columns)
+{
+	struct winsize size = {0};
+	bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 ||
+		     ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0;
+	*rows = known && size.ws_row > 0 ? size.ws_row : 24;
+	*columns = known && size.ws_col > 0 ? size.ws_col : 80;
+}

@@ -1,0 +1,26 @@
+/* What the terminal is and can do.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_TERMINAL_H
+#define TIPSPEED_UI_TERMINAL_H
+
+#include <stdbool.h>
+
+enum colour { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER };
+
+/* Reads "auto", "always" or "never". */
+bool terminal_colour_word(const char *word, enum colour *colour);
+
+/* Whether to use colour: as the first of --color (asked), TIPSPEED_COLOR and
+ * NO_COLOR says; else whether standard output is a terminal that has it. */
+bool terminal_colour(enum colour asked);
+
+/* Standard input and output are terminals: somebody sits there. */
+bool terminal_attended(void);
+
+/* One that knows no escapes, or does not say what it is. */
+bool terminal_is_dumb(void);
+
+/* Of standard error; 24 by 80 where it does not say. */
+void terminal_size(int *rows, int *columns);
+
+#endif

@@ -1,0 +1,17 @@
+/* The history: lines typed at the prompt, kept from one session to the next.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_TYPED_H
+#define TIPSPEED_UI_TYPED_H
+
+/* Reads the history into readline.  A history that cannot be read or kept gets
+ * one remark on stderr, and the session does without. */
+void typed_open(void);
+
+/* Adds a line, in memory and at the end of the file, before it is run: whatever
+ * ends the program then, the line is there.  Lines of several sessions at a
+ * time stand in the order they were typed. */
+void typed_add(const char *line);
+
+void typed_close(void);
+
+#endif

@@ -1,0 +1,136 @@
+#!/bin/sh
+# Table, help, manual and shell completion say the same words, and nothing else:
+# commands, options, exit statuses, variables, pages of the manual.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "${srcdir:-.}/tests/tap.sh"
+scratch
+page=$PWD/man/tipspeed.1
+bash=$PWD/completions/tipspeed
+srcdir=$(cd "$srcdir" && pwd)
+cd "$dir" || exit 99
+"$TIPSPEED" --help >help
+"$TIPSPEED" -c help >commands
+
+# same NAME A B: the two files hold the same words, in any order.
+same() {
+	tr -s ' \t' '\n\n' <"$2" | grep . | sort >a
+	tr -s ' \t' '\n\n' <"$3" | grep . | sort >b
+	[ -s a ] && diff a b >diff
+	result $? "$1"
+	remark diff
+}
+
+# section NAME: that section of the manual.
+section() {
+	awk -v name="$1" '/^\.Sh / { here = $0 == ".Sh " name } here' "$page"
+}
+
+# block NAME: the lines set in by two blanks below a heading of the help.
+block() { awk -v n="$1" '$0 == n { h = 1; next } /^[^ ]|^$/ { h = 0 } h' help; }
+
+# Commands and their aliases.
+sed -n 's/^  \([a-z, ]*[a-z]\)  .*/\1/p' commands | tr ',' ' ' >all
+{
+	section COMMANDS | sed -n 's/^\.It "\([a-z]*\).*/\1/p'
+	section COMMANDS | grep -A 1 '^Also called' |
+		sed -n 's/^\.Cm \([a-z]*\) .*/\1/p'
+} >in_manual
+same "commands: help and manual" all in_manual
+awk "/^\\t-c\\)/ { h = 1; next } h && /;;/ { exit }
+	h { gsub(/words=|'/, \"\"); print }" "$bash" >in_bash
+same "commands: help and completion" all in_bash
+sed -n 's/^  \([a-z, ]*[a-z]\)  .*/\1/p' help | tr ',' ' ' >in_help
+same "commands: help and --help" all in_help
+
+# Options of each command.
+tr -s ' \n' '\n\n' <all | while read -r name; do
+	[ -n "$name" ] || continue
+	"$TIPSPEED" -c "help $name" >one
+	full=$(sed -n '1s/ .*//p' one)
+	awk -v c="$full" '/^options$/ { h = 1; next } /^$/ { h = 0 }
+		h && /^  [a-z]/ { print c "." $1 }' one
+done | sort -u >all_options
+section COMMANDS | awk '/^\.It "/ { c = $2; gsub(/"/, "", c) }
+	/^\.It Cm / { print c "." $3 }' >in_manual
+same "options of commands: help and manual" all_options in_manual
+section COMMANDS | awk '/^\.It "/' | tr -d '"' >usages
+awk '{ c = $2; for (i = 3; i <= NF; i++) if ($i ~ /^\[[a-z0-9_]+=/) {
+	sub(/^\[/, "", $i); sub(/=.*/, "", $i); print c "." $i } }' usages >in_usage
+same "options of commands: help and usage" all_options in_usage
+
+# Options of the command line, and what they take.
+awk '/^  -/ { for (i = 1; i <= NF && $i ~ /^-/; i++) { sub(/,$/, "", $i)
+	sub(/=.*/, "", $i); print $i } }' help >all
+section OPTIONS | sed -n 's/^\.It Fl //p' |
+	awk '{ for (i = 1; i <= NF; i++) { if ($i == "," || $i == "Ns") continue
+		if ($i == "=" || $i == "Ar") break
+		print "-" $i } }' | sed 's/,$//' >in_manual
+same "options: --help and manual" all in_manual
+awk '/case \$cur in/ { h = 1 } h && /words=/ { print; exit }' "$bash" |
+	sed "s/.*words='//; s/'//; s/=//g" >in_bash
+same "options: --help and completion" all in_bash
+for option in format color; do
+	sed -n "s/^  --$option=.*: //p" help >all
+	awk -v o="--$option)" '$1 == o { h = 1; next } h { print; exit }' \
+		"$bash" | sed "s/.*words='//; s/'//" >in_bash
+	same "--$option: --help and completion" all in_bash
+	section OPTIONS | awk -v o="-$option" '/^\.It Fl / { h = $3 == o } h' |
+		sed -n 's/^\.Cm \([a-z]*\).*/\1/p' >in_manual
+	same "--$option: --help and manual" all in_manual
+done
+
+# Exit statuses, also those of the source.
+block 'exit status' | sed -n 's/^  \([0-9][0-9]*\)$/\1/p' >all
+section 'EXIT STATUS' | sed -n 's/^\.It \([0-9]*\)$/\1/p' >in_manual
+same "exit statuses: --help and manual" all in_manual
+{
+	sed -n 's/^	ERROR_[A-Z]* = \([0-9]*\).*/\1/p' \
+		"$srcdir/src/base/error.h"
+	# 128 and the signals that are caught to end the program.
+	grep -oE 'sigaction\(SIG(HUP|INT|TERM)' "$srcdir/src/ui/pump.c" |
+		sed 's/.*SIGHUP/129/; s/.*SIGINT/130/; s/.*SIGTERM/143/' |
+		sort -u
+} >in_source
+same "exit statuses: --help and source" all in_source
+
+# Variables, also those of the source.
+block environment | sed -n 's/^  \([A-Z_][A-Z_]*\)$/\1/p' >all
+section ENVIRONMENT | sed -n 's/^\.It Ev \([A-Z_]*\)$/\1/p' >in_manual
+same "variables: --help and manual" all in_manual
+{
+	cat "$srcdir"/src/*.c "$srcdir"/src/*/*.c | tr -s '\n\t ' '   ' |
+		grep -oE '(getenv|home_path)\( ?"[A-Z_]+"' |
+		sed 's/.*"\(.*\)"/\1/' | sort -u
+	cat "$srcdir"/src/*.c | grep -oE 'setlocale\(LC_[A-Z]+' |
+		sed 's/setlocale(//'
+} >in_source
+same "variables: --help and source" all in_source
+
+# Pages.
+"$TIPSPEED" -c 'help man' | sed -n 's/.*\[page=\(.*\)\]/\1/p' |
+	tr '|' '\n' >all
+for f in "$page" "$srcdir"/man/*.[0-9]; do
+	basename "$f" | sed 's/\..*//; s/^tipspeed-//'
+done >in_man
+same "pages: help man and the folder" all in_man
+
+# The completion does what it says: complete WORD..., at the end of the last.
+if command -v bash >/dev/null; then
+	complete() {
+		bash -c 'compopt() { :; }; . "$0"; COMP_WORDS=("$@")
+			COMP_CWORD=$(($# - 1)); _tipspeed
+			echo "${COMPREPLY[*]}"' "$bash" tipspeed "$@"
+	}
+	[ "$(complete -c predi)" = predict ]
+	result $? "bash: a command behind -c"
+	[ "$(complete -c "'predi")" = predict ]
+	result $? "bash: also in a quote"
+	[ "$(complete --form)" = --format= ]
+	result $? "bash: an option"
+	[ "$(complete --format = c)" = csv ] &&
+		[ "$(complete --format =)" = 'table csv json markdown' ]
+	result $? "bash: what an option takes"
+	[ -z "$(complete data/)" ]
+	result $? "bash: files are left to bash"
+fi
+finish
