@@ -14,6 +14,9 @@
 #include "io/site_sieve.h"
 #include "io/textfile.h"
 
+/* A sieve sheet has some dozen lines. */
+enum { MOST_ROWS = 2000 };
+
 static void
 read_top_size(struct site *site, struct sheet *sheet, struct cell cell)
 {
@@ -311,7 +314,7 @@ table_clear(struct table *t)
 static struct site *
 read_text(const char *path, char *text, struct error_list *errors)
 {
-	struct sheet *sheet = sheet_new(path, text, errors);
+	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
 	struct table t = {.sheet = sheet, .lost = sheet->lost};
 	struct site *site = site_new(0);
 	size_t head = 0;
