@@ -35,7 +35,14 @@ data_load(struct session *s, const char *path, struct error *error)
 		return false;
 	const struct entry *entry = session_entry(s);
 	char *label = session_label(entry->site);
-	session_note(s, "loaded %s: %zu runs", label, entry->site->n_run);
+	if (site_products(entry->site) > 0)
+		session_note(
+		    s, "loaded %s: %zu runs", label, entry->site->n_run);
+	else
+		session_note(s,
+		    "loaded %s: a feed and no product: 'guess' tells what to "
+		    "expect",
+		    label);
 	free(label);
 	data_warn_coarser(s, entry->site);
 	return true;
@@ -170,6 +177,8 @@ show_curves(struct session *s, const char *what, const struct psd *const *curve,
 	report_column(r, "sieve_mm", "sieve mm");
 	for (size_t i = 0; i < n; i++)
 		report_column(r, head[i], head[i]);
+	if (n == 0)
+		report_note(r, "the sheet has a feed only");
 	double below = INFINITY;
 	for (;;) {
 		double x = 0;

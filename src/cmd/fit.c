@@ -198,7 +198,9 @@ calibrate_all(
 	}
 	struct calibrate_options o = chosen_options(s, args);
 	job_start(s, &o, NULL, NULL, true, log);
-	return true;
+	return session_busy(s) ||
+	       error_set(error, ERROR_DATA,
+		   "no loaded site has a product to calibrate on");
 }
 
 bool

@@ -155,8 +155,12 @@ job_start(struct session *s, const struct calibrate_options *options,
 	    .summary = all ? new_summary() : NULL};
 	if (log != NULL)
 		write_log_head(log);
-	if (s->job.entry < s->n_entry)
+	if (s->job.entry < s->n_entry) {
 		begin(s);
+		return;
+	}
+	report_free(s->job.summary);
+	clear(s);
 }
 
 static double

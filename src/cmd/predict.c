@@ -99,7 +99,8 @@ note_doubt(struct session *s, struct report *r, const struct prediction *p)
 {
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
-	if (predict_extrapolates(site, entry->train, p->speed))
+	if (predict_extrapolates(site, entry->train, p->speed) &&
+	    site_products(site) > 0)
 		report_note(r,
 		    "extrapolated: %.1f m/s lies outside the speeds trained "
 		    "on",

@@ -219,11 +219,11 @@ read_columns(struct table *t)
 		error_hint(sheet_fault(t->sheet, head,
 			       "a feed column was wanted, found none"),
 		    "add a column feed, or feed@ with the speed of each run");
-	if (!t->lost && count_role(t, PRODUCT) < 2)
+	/* A feed without any product will do for a guess. */
+	if (!t->lost && count_role(t, PRODUCT) == 1)
 		error_hint(sheet_fault(t->sheet, head,
 			       "products at two or more speeds were wanted, "
-			       "found %zu",
-			       count_role(t, PRODUCT)),
+			       "found 1"),
 		    "add columns such as product@69 and product@79");
 }
 
@@ -281,7 +281,8 @@ by_speed(const void *a, const void *b)
 	return (r->speed > s->speed) - (r->speed < s->speed);
 }
 
-/* A run for each speed with a product or a feed of its own. */
+/* A run for each speed with a product or a feed of its own; where there is only
+ * the feed of all runs, one run without a speed. */
 static void
 make_runs(struct site *site, const struct table *t)
 {
@@ -295,6 +296,8 @@ make_runs(struct site *site, const struct table *t)
 			site->run[site->n_run++] =
 			    (struct run){.speed = c->speed};
 	}
+	if (site->n_run == 0)
+		site->run[site->n_run++] = (struct run){.speed = 0};
 	qsort(site->run, site->n_run, sizeof *site->run, by_speed);
 	for (size_t r = 0; r < site->n_run; r++)
 		fill_run(t, shared, &site->run[r]);
