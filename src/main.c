@@ -27,6 +27,7 @@ struct invocation {
 	struct action *action;
 	enum report_format format;
 	uint64_t seed;
+	const char *store; /* NULL: the default place */
 	bool help, version;
 	int first_file;
 };
@@ -54,7 +55,8 @@ print_help(void)
 	    "  -f FILE          run the commands in FILE; - is standard input\n"
 	    "  --format=FORMAT  table, csv, json or markdown\n"
 	    "  --seed=N         seed of calibrations\n"
-	    "  --store=PATH     accepted; nothing is stored by this version\n"
+	    "  --store=PATH     file of calibrations, or :memory: to leave no "
+	    "trace\n"
 	    "  --help           this text\n"
 	    "  --version        the version\n\ncommands\n",
 	    stdout);
@@ -96,7 +98,11 @@ take_option(struct invocation *in, int option, const char *value)
 		    value);
 		return false;
 	case OPTION_STORE:
-		return true; /* nothing is remembered yet */
+		in->store = value;
+		if (value[0] != '\0')
+			return true;
+		fputs("tipspeed: --store wants a file or :memory:\n", stderr);
+		return false;
 	case 'h':
 		in->help = true;
 		return true;
@@ -192,6 +198,8 @@ main(int argc, char **argv)
 		struct session *s = session_new(stdout, stderr);
 		s->format = in.format;
 		s->seed = in.seed;
+		store_free(s->store);
+		s->store = store_new(in.store);
 		batch_catch_interrupt();
 		if (in.help)
 			print_help();

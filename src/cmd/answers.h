@@ -22,6 +22,9 @@ bool answers_ready(struct session *s, struct error *error);
 bool answers_feed(const struct site *site, const struct value *feed,
     double speed, size_t *run, struct error *error);
 
+/* Says where parameters are from that were recalled. */
+void answers_note_recalled(struct report *r, const struct entry *entry);
+
 /* The JSON object of predict, see tipspeed(1), OUTPUT. */
 json_t *answers_prediction_json(struct session *s, const struct prediction *p);
 

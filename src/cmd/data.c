@@ -110,9 +110,10 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 					      : NAN,
 		    -1);
 		report_text(r, speeds);
-		report_text(r, entry->has_fit      ? "yes"
-			       : entry->has_params ? "set by hand"
-						   : "no");
+		report_text(r, entry->has_fit               ? "yes"
+			       : entry->recalled[0] != '\0' ? "from store"
+			       : entry->has_params          ? "set by hand"
+							    : "no");
 		report_text(r, kind);
 		free(speeds);
 		free(kind);

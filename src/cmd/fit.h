@@ -28,6 +28,10 @@ void fit_show(struct session *s);
 /* True when the fit explains little that product = feed does not. */
 bool fit_breaks_nothing(const struct fit *fit);
 
+/* The largest RMSE of the entry's fit at the runs held out, 0..1; NAN when none
+ * was. */
+double fit_holdout_rmse(const struct entry *entry);
+
 /* The table of a site's fit, with its JSON; seconds: how long it took. */
 struct report *fit_report(
     const struct entry *entry, const struct bounds *bounds, double seconds);

@@ -14,10 +14,12 @@ show_params(struct session *s, const struct entry *entry)
 {
 	struct report *r = report_new("params");
 	char *label = session_label(entry->site);
-	report_title(r, "%s: parameters %s", label,
-	    entry->has_fit      ? "found by calibration"
-	    : entry->has_params ? "set by hand"
-				: "not known yet");
+	report_title(r, "%s: parameters %s%s", label,
+	    entry->has_fit               ? "found by calibration"
+	    : entry->recalled[0] != '\0' ? "from store: "
+	    : entry->has_params          ? "set by hand"
+					 : "not known yet",
+	    entry->recalled);
 	free(label);
 	report_site(r, entry->site->name, entry->site->provenance);
 	report_column(r, "parameter", "parameter");
@@ -58,6 +60,7 @@ set_params(struct session *s, const struct args *args, struct error *error)
 	entry->params = p;
 	entry->has_params = true;
 	entry->has_fit = false;
+	entry->recalled[0] = '\0';
 	return true;
 }
 

@@ -70,6 +70,9 @@ answers_prediction_json(struct session *s, const struct prediction *p)
 	if (entry->has_fit)
 		json_object_set_new(
 		    o, "verdict", json_string(fit_verdict(&entry->fit)));
+	if (entry->recalled[0] != '\0')
+		json_object_set_new(
+		    o, "recalled", json_string(entry->recalled));
 	return o;
 }
 
@@ -94,11 +97,21 @@ note_breakage(struct report *r, const struct prediction *p)
 		    1000 * p->break_size, 100 * p->selected);
 }
 
+void
+answers_note_recalled(struct report *r, const struct entry *entry)
+{
+	if (entry->recalled[0] != '\0')
+		report_note(r,
+		    "parameters from store: %s; they are no fit of this site",
+		    entry->recalled);
+}
+
 static void
 note_doubt(struct session *s, struct report *r, const struct prediction *p)
 {
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
+	answers_note_recalled(r, entry);
 	if (predict_extrapolates(site, entry->train, p->speed) &&
 	    site_products(site) > 0)
 		report_note(r,

@@ -36,6 +36,7 @@ session_new(FILE *out, FILE *notes)
 	session_forget(s);
 	s->out = out;
 	s->notes = notes;
+	s->store = store_new(":memory:");
 	return s;
 }
 
@@ -56,6 +57,7 @@ session_free(struct session *s)
 	for (size_t i = 0; i < s->n_entry; i++)
 		entry_free(&s->entry[i]);
 	free(s->entry);
+	store_free(s->store);
 	free(s);
 }
 

@@ -12,6 +12,7 @@
 #include "core/params.h"
 #include "core/site.h"
 #include "io/report.h"
+#include "io/store.h"
 
 /* A loaded site with its answers.  key: how it is called here, "gavle/4".
  * train [site->n_run]: runs to train on, or that were trained on. */
@@ -22,6 +23,8 @@ struct entry {
 	bool has_params, has_fit;
 	struct params params; /* set by hand or found */
 	struct fit fit;       /* where the parameters were found */
+	char options[400];    /* of the fit, in the words of calibrate */
+	char recalled[64];    /* material the parameters are of, or "" */
 };
 
 /* The newest answers, for assert: sizes in mm, rmse and holdout in points; NAN
@@ -70,6 +73,7 @@ struct session {
 	FILE *notes; /* what is said beside results; NULL: nothing */
 	double answer[ANSWERS];
 	struct job job;
+	struct store *store; /* ":memory:" until another is put here */
 	bool quit;
 };
 

@@ -191,6 +191,7 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	bool across = n <= ACROSS;
 	bool csv = s->format == REPORT_CSV;
 	(csv ? sweep_long : across ? sweep_across : sweep_down)(s, r, p, n);
+	answers_note_recalled(r, entry);
 	if (entry->site->individual_feeds)
 		report_note(r,
 		    "feed: the sample taken at %g m/s, for all speeds",
