@@ -14,6 +14,7 @@ bool cmd_remember(struct session *, const struct args *, struct error *);
 bool cmd_forget(struct session *, const struct args *, struct error *);
 bool cmd_export(struct session *, const struct args *, struct error *);
 bool cmd_import(struct session *, const struct args *, struct error *);
+bool cmd_guess(struct session *, const struct args *, struct error *);
 
 /* A material by its name, one's own before Table 3's: "tierp", else
  * "table3/tierp".  None: an error with the name that is nearest. */

@@ -31,6 +31,16 @@ static const struct command_option IMPORT_OPTIONS[] = {
 	"take the place of materials of the same names"},
     LAST_OPTION};
 
+static const struct command_option GUESS_OPTIONS[] = {
+    {"rock", VALUE_TEXT, "", 0, 0, NULL, "", "kind of rock; else the sheet's"},
+    {"top", VALUE_NUMBER, "mm", 0.1, 1000, NULL, "",
+	"top size; else the sheet's"},
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
+    {"nearest", VALUE_WHOLE, "", 1, 100, NULL, "5", "materials to guess from"},
+    {"feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"take the feed sampled at this speed"},
+    LAST_OPTION};
+
 const struct command TABLE_STORE[] = {
     {.name = "materials",
 	.group = "store",
@@ -110,4 +120,20 @@ const struct command TABLE_STORE[] = {
 		   "params set f_mat=2 e0_min=17 alpha=0.95\nremember trial\n"
 		   "export trial.csv\nimport trial.csv replace=on",
 	.run = cmd_import},
+    {.name = "guess",
+	.group = "store",
+	.brief = "a first product for a site with no calibration",
+	.operands = "",
+	.need = NEED_SITE,
+	.option = GUESS_OPTIONS,
+	.text = "Takes the materials nearest to the site: the same rock "
+		"before any other, then the top size by its ratio. The guess "
+		"is the median of the products with each of them; least and "
+		"most are their spread. The site needs a feed only, and its "
+		"own materials are left out. The error of such guesses is "
+		"that of Table 3's sites, each guessed from the others, on "
+		"reconstructed data. Tells what to expect from other "
+		"quarries, and is no calibration.",
+	.example = "load data/sites/tierp.csv\nguess rock=granite top=11.2",
+	.run = cmd_guess},
     {.name = NULL}};
