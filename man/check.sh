@@ -212,6 +212,8 @@ for path in "$@"; do
 	work=$top/work-$number
 	cases=$top/cases-$number
 	mkdir "$work" "$cases" && ln -s "$source/data" "$work/data" || exit 2
+	XDG_DATA_HOME=$top/share-$number
+	export XDG_DATA_HOME
 	if ! extract "$path" "$cases" 2>"$cases/extract"; then
 		tell 1 "$page: read" "$cases/extract"
 		continue

@@ -31,6 +31,7 @@ struct invocation {
 	struct action *action;
 	enum report_format format;
 	uint64_t seed;
+	const char *store; /* NULL: the default place */
 	enum colour color;
 	bool help, version, safe;
 	int first_file;
@@ -81,7 +82,11 @@ take_option(struct invocation *in, int option, const char *value)
 		    value);
 		return false;
 	case USAGE_STORE:
-		return true; /* nothing is remembered yet */
+		in->store = value;
+		if (value[0] != '\0')
+			return true;
+		fputs("tipspeed: --store wants a file or :memory:\n", stderr);
+		return false;
 	case USAGE_SAFE:
 		in->safe = true;
 		return true;
@@ -203,6 +208,10 @@ main(int argc, char **argv)
 		s->format = in.format;
 		s->seed = in.seed;
 		s->safe = in.safe;
+		store_free(s->store);
+		/* Nor may a script of others touch the user's materials. */
+		bool none = in.safe && in.store == NULL;
+		s->store = store_new(none ? ":memory:" : in.store);
 		pump_catch_signals();
 		if (in.help)
 			usage_print(stdout);

@@ -18,7 +18,7 @@ chmod +x bin/man
 escape=$(printf '\033')
 
 if command -v expect >/dev/null; then
-	LC_ALL=C.UTF-8 timeout 60 expect "$srcdir/tests/repl.exp" >points 2>log
+	LC_ALL=C.UTF-8 timeout -k 2 60 expect "$srcdir/tests/repl.exp" >points 2>log
 	result $? "the session with expect ends"
 	remark log
 	while read -r line; do

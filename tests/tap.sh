@@ -28,6 +28,9 @@ scratch() {
 	dir=$(mktemp -d) || exit 99
 	trap 'rm -rf "$dir"' EXIT
 	ln -s "$(cd "$srcdir" && pwd)/data" "$dir/data"
+	# The store goes there too, and not to the home of whoever tests.
+	XDG_DATA_HOME=$dir/share
+	export XDG_DATA_HOME
 }
 
 srcdir=${srcdir:-.}

@@ -121,12 +121,23 @@ answers_note_sizes(struct report *r, const struct psd *psd)
 }
 
 void
+answers_note_recalled(struct report *r, const struct entry *entry)
+{
+	if (entry->recalled[0] != '\0')
+		report_note(r,
+		    "parameters from store: %s; they are no fit of this site",
+		    entry->recalled);
+}
+
+void
 answers_note_doubt(
     struct session *s, struct report *r, double speed, size_t feed_run)
 {
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
-	if (predict_extrapolates(site, entry->train, speed))
+	answers_note_recalled(r, entry);
+	if (predict_extrapolates(site, entry->train, speed) &&
+	    site_products(site) > 0)
 		report_note(r,
 		    "extrapolated: %.1f m/s lies outside the speeds trained "
 		    "on",
@@ -191,5 +202,8 @@ answers_prediction_json(struct session *s, const struct prediction *p)
 	if (entry->has_fit)
 		json_object_set_new(
 		    o, "verdict", json_string(fit_verdict(&entry->fit)));
+	if (entry->recalled[0] != '\0')
+		json_object_set_new(
+		    o, "recalled", json_string(entry->recalled));
 	return o;
 }

@@ -68,6 +68,8 @@ json_t *answers_list_json(
 
 /* "classes" or "continuous". */
 const char *answers_method(enum method method);
+/* Says where parameters are from that were recalled. */
+void answers_note_recalled(struct report *r, const struct entry *entry);
 
 /* The JSON object of predict, see tipspeed(1), OUTPUT. */
 json_t *answers_prediction_json(struct session *s, const struct prediction *p);

@@ -84,7 +84,8 @@ static bool
 check_run(struct report *r, const struct entry *entry, const struct run *run)
 {
 	struct coarser c = find_coarser(run);
-	char *where = xasprintf("%g m/s", run->speed);
+	char *where =
+	    run->speed > 0 ? xasprintf("%g m/s", run->speed) : xstrdup("feed");
 	bool fault = c.most > COARSER_FAULT;
 	if (c.sieves > 0)
 		finding(r, entry, fault, where,

@@ -114,6 +114,17 @@ offer_speeds(struct work *w)
 	}
 }
 
+static void
+offer_materials(struct work *w)
+{
+	struct stored_list list = {0};
+	struct error error = {0};
+	if (store_list_all(w->session->store, &list, &error))
+		for (size_t i = 0; i < list.n; i++)
+			offer(w, list.item[i].name, ' ');
+	stored_list_free(&list);
+}
+
 /* A quote or a control character in a name could not be typed. */
 static bool
 can_be_typed(const char *name)
@@ -170,8 +181,8 @@ static const struct {
 	void (*offer)(struct work *);
 } KINDS[] = {{"ANSWER", offer_answers}, {"COMMAND", offer_commands},
     {"FILE", offer_files}, {"GROUP", offer_groups},
-    {"PARAMETER", offer_parameters}, {"SITE", offer_sites},
-    {"SPEED", offer_speeds}};
+    {"MATERIAL", offer_materials}, {"PARAMETER", offer_parameters},
+    {"SITE", offer_sites}, {"SPEED", offer_speeds}};
 
 static void
 offer_kind(struct work *w, const char *word)

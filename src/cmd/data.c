@@ -36,7 +36,14 @@ load(struct session *s, const char *path, const char *digest,
 		return false;
 	const struct entry *entry = session_entry(s);
 	char *label = session_label(entry->site);
-	session_note(s, "loaded %s: %zu runs", label, entry->site->n_run);
+	if (site_products(entry->site) > 0)
+		session_note(
+		    s, "loaded %s: %zu runs", label, entry->site->n_run);
+	else
+		session_note(s,
+		    "loaded %s: a feed and no product: 'guess' tells what to "
+		    "expect",
+		    label);
 	free(label);
 	data_warn_coarser(s, entry->site);
 	char *line = journal_load(entry->site);
@@ -117,7 +124,8 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 					      : NAN,
 		    -1);
 		report_text(r, speeds);
-		report_text(r, entry->has_fit      ? "yes"
+		report_text(r, entry->has_fit               ? "yes"
+			       : entry->recalled[0] != '\0' ? "from store"
 			       : entry->has_params ? session_origin(entry)
 						   : "no");
 		report_text(r, kind);

@@ -199,7 +199,9 @@ calibrate_all(
 	struct calibrate_options o = chosen_options(s, args);
 	job_start(s, &o, NULL, NULL, true, log);
 	s->job.pause_at = (size_t)option(args, "pause")->whole;
-	return true;
+	return session_busy(s) ||
+	       error_set(error, ERROR_DATA,
+		   "no loaded site has a product to calibrate on");
 }
 
 bool
@@ -259,10 +261,55 @@ take_history(struct entry *entry, const struct job *job)
 	memcpy(h->generation, g, n * size);
 }
 
+/* The options of the job as one would type them, for whoever asks later how the
+ * fit was found; bounds only where they are not the default ones. */
+static void
+describe_options(const struct session *s, FILE *out)
+{
+	const struct job *job = &s->job;
+	const struct calibrate_options *o = &job->options;
+	const struct bounds usual = bounds_default();
+	const char *sign = " run_weights=";
+	fprintf(out,
+	    "population=%zu generations=%zu tolerance=%g stall=%zu polish=%s",
+	    o->population, o->generations, o->tolerance, o->stall,
+	    o->polish ? "on" : "off");
+	fprintf(out, "%s%s", o->plain ? " preset=paper" : "",
+	    o->by_sd ? " weights=sd" : "");
+	for (size_t r = 0; r < s->entry[job->entry].site->n_run; r++) {
+		if (job->run_weight == NULL || !job->train[r])
+			continue;
+		fprintf(out, "%s%g", sign, job->run_weight[r]);
+		sign = ",";
+	}
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		if (o->bounds.lower[j] != usual.lower[j] ||
+		    o->bounds.upper[j] != usual.upper[j])
+			fprintf(out, "; bounds %s %g..%g", PARAMS[j].name,
+			    o->bounds.lower[j], o->bounds.upper[j]);
+}
+
+static void
+keep_options(const struct session *s, struct entry *entry)
+{
+	char *text = NULL;
+	size_t n = 0;
+	FILE *out = open_memstream(&text, &n);
+	entry->options[0] = '\0';
+	if (out == NULL)
+		return;
+	describe_options(s, out);
+	fclose(out);
+	snprintf(entry->options, sizeof entry->options, "%s", text);
+	free(text);
+}
+
 void
 fit_take(struct session *s)
 {
 	struct entry *entry = &s->entry[s->job.entry];
+	keep_options(s, entry);
+	entry->recalled[0] = '\0';
 	entry->fit = calibration_fit(s->job.calibration);
 	entry->params = entry->fit.params;
 	take_history(entry, &s->job);

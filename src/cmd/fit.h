@@ -33,6 +33,9 @@ bool fit_breaks_nothing(const struct fit *fit);
 /* True when parameter j is part of a flat direction worth speaking of: the
  * misfit hardly rises along it. */
 bool fit_is_flat(const struct fit *fit, size_t j);
+/* The largest RMSE of the entry's fit at the runs held out, 0..1; NAN when none
+ * was. */
+double fit_holdout_rmse(const struct entry *entry);
 
 /* The table of a site's fit, with its JSON; seconds: how long it took. */
 struct report *fit_report(

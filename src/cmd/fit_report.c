@@ -7,6 +7,7 @@
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "core/energy.h"
+#include "core/validate.h"
 #include "io/units.h"
 
 bool
@@ -21,6 +22,22 @@ fit_verdict(const struct fit *fit)
 	if (fit->rmse > FIT_POOR)
 		return "poor";
 	return fit_breaks_nothing(fit) ? "nothing breaks" : "good";
+}
+
+double
+fit_holdout_rmse(const struct entry *entry)
+{
+	double largest = NAN;
+	for (size_t r = 0; r < entry->site->n_run; r++) {
+		const struct run *run = &entry->site->run[r];
+		if (entry->train[r] ||
+		    misfit_covered(&run->feed, &run->product) == 0)
+			continue;
+		struct validation v = validate_run(entry->site, r, entry->train,
+		    &entry->fit.params, entry->fit.settings);
+		largest = fmax(largest, v.rmse);
+	}
+	return largest;
 }
 
 static json_t *

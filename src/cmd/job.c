@@ -158,24 +158,12 @@ job_start(struct session *s, const struct calibrate_options *options,
 	    .summary = all ? new_summary() : NULL};
 	if (log != NULL)
 		write_log_head(log);
-	if (s->job.entry < s->n_entry)
+	if (s->job.entry < s->n_entry) {
 		begin(s);
-}
-
-static double
-holdout_rmse(const struct session *s, const struct entry *entry)
-{
-	double largest = NAN;
-	for (size_t r = 0; r < entry->site->n_run; r++) {
-		const struct run *run = &entry->site->run[r];
-		if (entry->train[r] ||
-		    misfit_covered(&run->feed, &run->product) == 0)
-			continue;
-		struct validation v = validate_run(
-		    entry->site, r, entry->train, &entry->params, s->settings);
-		largest = fmax(largest, v.rmse);
+		return;
 	}
-	return largest;
+	report_free(s->job.summary);
+	clear(s);
 }
 
 /* "alpha on bound; twin of ubbarp; poor". */
@@ -223,7 +211,7 @@ summarise(struct session *s, const struct entry *entry)
 	report_number(r, entry->fit.params.alpha, 3);
 	report_number(r, entry->fit.misfit, -1);
 	report_number(r, 100 * entry->fit.rmse, 2);
-	report_number(r, 100 * holdout_rmse(s, entry), 2);
+	report_number(r, 100 * fit_holdout_rmse(entry), 2);
 	report_text(r, words);
 	free(words);
 }

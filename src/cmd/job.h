@@ -16,7 +16,7 @@ bool job_resume(struct session *s, const char *path, struct error *error);
 
 /* Starts the job on one site (all: first of all loaded ones), with the options
  * given; takes train and run_weight, either of which may be NULL for the
- * default, and log. */
+ * default, and log.  Where no site has a product, nothing is started. */
 void job_start(struct session *s, const struct calibrate_options *options,
     bool *train, double *run_weight, bool all, FILE *log);
 

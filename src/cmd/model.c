@@ -33,17 +33,17 @@ model_show_params(struct session *s)
 	session_report(s, r);
 }
 
-/* Gives the site in use other parameters; takes origin, NULL: by hand. */
-static void
-take_params(struct session *s, const struct params *p, char *origin)
+void
+model_take_params(struct session *s, struct entry *entry,
+    const struct params *p, char *origin)
 {
-	struct entry *entry = session_entry(s);
 	session_forget(s);
 	entry->params = *p;
 	entry->has_params = true;
 	entry->has_fit = false;
 	free(entry->origin);
 	entry->origin = origin;
+	entry->recalled[0] = '\0';
 }
 
 /* Parameters not named keep their value; where there is none yet, beta has a
@@ -65,7 +65,7 @@ set_params(struct session *s, const struct args *args, struct error *error)
 			    "yet",
 			    PARAMS[j].name, entry->site->name);
 	}
-	take_params(s, &p, NULL);
+	model_take_params(s, session_entry(s), &p, NULL);
 	return true;
 }
 
@@ -100,7 +100,8 @@ use_params(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "%s is the site in use: its parameters are in use already",
 		    from->key);
-	take_params(s, &from->params, xasprintf("taken from %s", from->key));
+	model_take_params(s, session_entry(s), &from->params,
+	    xasprintf("taken from %s", from->key));
 	session_note(s, "%s now has the parameters of %s (%s)",
 	    session_entry(s)->key, from->key, session_origin(from));
 	return true;

@@ -20,4 +20,9 @@ extern const char *const MODEL_FORMS[3];
 void model_show_params(struct session *s);
 void model_show_bounds(struct session *s);
 
+/* Gives a site other parameters, which are no fit; origin says in words where
+ * they are from and is taken; NULL: set by hand. */
+void model_take_params(struct session *s, struct entry *entry,
+    const struct params *p, char *origin);
+
 #endif

@@ -39,6 +39,7 @@ session_new(FILE *out, FILE *notes)
 	session_forget(s);
 	s->out = out;
 	s->notes = notes;
+	s->store = store_new(":memory:");
 	return s;
 }
 
@@ -58,6 +59,7 @@ session_free(struct session *s)
 	free(s->first);
 	undo_free(s->undo);
 	journal_free(s->journal);
+	store_free(s->store);
 	free(s);
 }
 

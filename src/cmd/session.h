@@ -12,6 +12,7 @@
 #include "core/params.h"
 #include "core/site.h"
 #include "io/report.h"
+#include "io/store.h"
 
 /* The generations of a calibration, [n], with the bounds it searched in.
  * Shared by the entries and snapshots that hold it. */
@@ -32,6 +33,8 @@ struct entry {
 	char *origin;            /* "taken from bro", or NULL; owned */
 	struct fit fit;          /* where the parameters were found */
 	struct history *history; /* of the last calibration, or NULL */
+	char options[400];       /* of the fit, in the words of calibrate */
+	char recalled[64];       /* material the parameters are of, or "" */
 };
 
 /* The newest answers, for assert: sizes in mm, rmse and holdout in points; NAN
@@ -103,6 +106,7 @@ struct session {
 	struct undo *undo;
 	struct script *script; /* scripts being read, innermost first */
 	struct turn *turn;     /* commands under way, innermost first */
+	struct store *store;   /* ":memory:" until another is put here */
 	bool quit;
 };
 

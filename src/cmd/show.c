@@ -102,6 +102,8 @@ show_curves(struct session *s, bool feed)
 	    feed ? "feed" : "measured products");
 	report_column(r, "sieve_mm", "sieve mm");
 	size_t n = add_columns(r, site, feed, curve);
+	if (n == 0)
+		report_note(r, "the sheet has a feed only");
 	report_missing(r, "");
 	for (double x = INFINITY; (x = next_sieve(curve, n, x)) > 0;) {
 		report_number(r, units_mm(x), -1);

@@ -161,6 +161,7 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	(csv         ? sweep_long
 	    : across ? sweep_across
 		     : answers_speed_rows)(s, r, p, n);
+	answers_note_recalled(r, entry);
 	if (entry->site->individual_feeds)
 		report_note(r,
 		    "feed: the sample taken at %g m/s, for all speeds",

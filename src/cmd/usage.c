@@ -15,7 +15,7 @@ const struct usage_option USAGE_OPTIONS[] = {
 	"form of the results"},
     {USAGE_SEED, "seed", "N", NULL, "seed of calibrations"},
     {USAGE_STORE, "store", "PATH", NULL,
-	"accepted; nothing is stored by this version"},
+	"file of remembered calibrations, or :memory: to leave no trace"},
     {USAGE_COLOR, "color", "WHEN", "auto always never", "colour at the prompt"},
     {USAGE_SAFE, "safe", NULL, NULL, "no command may touch files or the shell"},
     {'h', "help", NULL, NULL, "this text"},
@@ -38,6 +38,9 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
     {"XDG_CONFIG_HOME",
 	"Folder of tipspeed/init.tip, the commands run before the first "
 	"prompt; else .config in HOME."},
+    {"XDG_DATA_HOME",
+	"Folder of tipspeed/store.db, the remembered calibrations; else "
+	".local/share in HOME."},
     {"HOME", "Your home folder."},
     {"LC_CTYPE",
 	"Kinds of characters, as LC_ALL and LANG where they stand in for it; "
@@ -51,11 +54,13 @@ const struct usage_word USAGE_STATUS[] = {
     {"2", "Usage: the command line or a command cannot be understood, or lacks "
 	  "something, such as parameters to predict with."},
     {"3", "Bad data: a site file, a grading envelope or a table of "
-	  "parameters has a fault."},
+	  "parameters has a fault, or the store is damaged or not one of "
+	  "this program's."},
     {"4", "A computation has no answer. Kept for that case; no command of this "
 	  "version ends so."},
     {"5", "The system refused something: a file cannot be read or written, a "
-	  "shell command failed, or memory has run out."},
+	  "shell command failed, the store is in use by another program, or "
+	  "memory has run out."},
     {"129", "Ended by a hang-up, after the best so far was printed."},
     {"130",
 	"Interrupted from the keyboard. A calibration ends with the generation "

@@ -161,6 +161,7 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 	json_t *list = json_array();
 	json_object_set_new(o, "holdout", list);
 	add_validations(s, r, list);
+	answers_note_recalled(r, entry);
 	if (entry->has_fit) {
 		const char *verdict = fit_verdict(&entry->fit);
 		json_object_set_new(o, "verdict", json_string(verdict));

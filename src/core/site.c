@@ -71,6 +71,15 @@ site_digest(const struct site *site)
 }
 
 size_t
+site_products(const struct site *site)
+{
+	size_t n = 0;
+	for (size_t r = 0; r < site->n_run; r++)
+		n += site->run[r].product.n > 0;
+	return n;
+}
+
+size_t
 site_run_at(const struct site *site, double speed)
 {
 	size_t r = 0;

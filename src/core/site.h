@@ -12,7 +12,7 @@
 /* One rotor tip speed.  product.n is 0 where only the feed was sampled.
  * product_sd: standard deviation of each product passing, 0..1, or NULL. */
 struct run {
-	double speed; /* m/s */
+	double speed; /* m/s; 0 of a feed for any speed, without product */
 	struct psd feed;
 	struct psd product;
 	double *product_sd;
@@ -44,6 +44,9 @@ void site_free(struct site *site);
 
 /* Digest of everything a calibration depends on; site_read sets it. */
 uint64_t site_digest(const struct site *site);
+
+/* How many runs have a product. */
+size_t site_products(const struct site *site);
 
 /* Index of the run at the given speed (to 0.001 m/s), or n_run if none. */
 size_t site_run_at(const struct site *site, double speed);

@@ -8,7 +8,7 @@
 #include "io/report_inside.h"
 
 /* Columns of a terminal, less two for its edges. */
-enum { SCREEN = 78 };
+enum { SCREEN = 79 };
 
 /* A column of numbers is set flush right. */
 static bool

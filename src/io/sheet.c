@@ -15,10 +15,9 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
-/* A sieve sheet has a few kB and some dozen lines; the limits keep time and
- * memory small when the file is something else. */
+/* A sheet has a few kB; the limits keep time and memory small when the file is
+ * something else. */
 enum {
-	MOST_ROWS = 2000,
 	MOST_CELLS = 256,
 	MOST_LINE = 20000,
 	SHOWN = 40 /* bytes of a cell quoted in a message */
@@ -298,10 +297,10 @@ add_row(struct sheet *sheet, const char *line, int number)
 	const char *first = line + strspn(line, " \t\"");
 	if (*first == '#' || (number == 1 && strncmp(first, "sep=", 4) == 0))
 		return true;
-	if (strlen(line) > MOST_LINE || sheet->n_row == MOST_ROWS) {
+	if (strlen(line) > MOST_LINE || sheet->n_row == sheet->most_rows) {
 		error_hint(sheet_fault(sheet, (struct cell){NULL, number, 1},
-			       "more than %d lines, or %d bytes in a line",
-			       MOST_ROWS, MOST_LINE),
+			       "more than %zu lines, or %d bytes in a line",
+			       sheet->most_rows, MOST_LINE),
 		    "a sieve sheet has a few kB: is this the right file?");
 		sheet->lost = true;
 		return false;
@@ -320,7 +319,7 @@ add_row(struct sheet *sheet, const char *line, int number)
 static void
 split_text(struct sheet *sheet, char *text)
 {
-	sheet->row = xcalloc(MOST_ROWS, sizeof *sheet->row);
+	sheet->row = xcalloc(sheet->most_rows, sizeof *sheet->row);
 	for (int number = 1; *text != '\0'; number++) {
 		size_t n = strcspn(text, "\r\n");
 		bool pair = text[n] == '\r' && text[n + 1] == '\n';
@@ -356,11 +355,13 @@ find_separator(const char *text)
 }
 
 struct sheet *
-sheet_new(const char *path, char *text, struct error_list *errors)
+sheet_new(
+    const char *path, char *text, size_t most_rows, struct error_list *errors)
 {
 	struct sheet *sheet = xcalloc(1, sizeof *sheet);
 	sheet->path = xstrdup(path);
 	sheet->errors = errors;
+	sheet->most_rows = most_rows;
 	sheet->separator = find_separator(text);
 	split_text(sheet, text);
 	return sheet;
@@ -374,4 +375,19 @@ sheet_free(struct sheet *sheet)
 	free(sheet->row);
 	free(sheet->path);
 	free(sheet);
+}
+
+void
+sheet_write_cell(const char *text, FILE *out)
+{
+	bool quote = strpbrk(text, ",\"") != NULL;
+	if (quote)
+		fputc('"', out);
+	for (; *text != '\0'; text++) {
+		if (*text == '"')
+			fputc('"', out);
+		fputc(*text == '\n' || *text == '\r' ? ' ' : *text, out);
+	}
+	if (quote)
+		fputc('"', out);
 }

@@ -6,6 +6,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 #include "base/error.h"
 
@@ -32,17 +33,17 @@ struct sheet {
 	char decimal;   /* decimal sign seen first, '\0' before that */
 	bool mixed;     /* a second decimal sign was told */
 	bool lost;
-	size_t n_row, n_fault;
+	size_t n_row, most_rows, n_fault;
 	struct row *row;
 	struct error_list *errors; /* borrowed */
 };
 
-/* Splits a text of UTF-8 with LF, CRLF or CR line ends, at most 2000 lines of
- * cells and 256 cells a line, and takes it apart doing so.  What is wrong is
+/* Splits a text of UTF-8 with LF, CRLF or CR line ends, at most most_rows lines
+ * of cells and 256 cells a line, and takes it apart doing so.  What is wrong is
  * told in errors (never NULL): a line with wrong quotes is left out, one beyond
  * the limits ends the sheet. */
 struct sheet *sheet_new(
-    const char *path, char *text, struct error_list *errors);
+    const char *path, char *text, size_t most_rows, struct error_list *errors);
 void sheet_free(struct sheet *sheet);
 
 /* Cell i of a row; an empty one at the end of the line when there is none. */
@@ -66,5 +67,8 @@ bool sheet_number(
 
 /* The same, but false without a fault. */
 bool sheet_value(const struct sheet *sheet, struct cell cell, double *value);
+/* A cell for a sheet with commas: quotes where the reader needs them, and no
+ * line end, which would break the row. */
+void sheet_write_cell(const char *text, FILE *out);
 
 #endif

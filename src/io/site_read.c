@@ -14,6 +14,9 @@
 #include "io/site_sieve.h"
 #include "io/textfile.h"
 
+/* A sieve sheet has some dozen lines. */
+enum { MOST_ROWS = 2000 };
+
 static void
 read_top_size(struct site *site, struct sheet *sheet, struct cell cell)
 {
@@ -216,11 +219,11 @@ read_columns(struct table *t)
 		error_hint(sheet_fault(t->sheet, head,
 			       "a feed column was wanted, found none"),
 		    "add a column feed, or feed@ with the speed of each run");
-	if (!t->lost && count_role(t, PRODUCT) < 2)
+	/* A feed without any product will do for a guess. */
+	if (!t->lost && count_role(t, PRODUCT) == 1)
 		error_hint(sheet_fault(t->sheet, head,
 			       "products at two or more speeds were wanted, "
-			       "found %zu",
-			       count_role(t, PRODUCT)),
+			       "found 1"),
 		    "add columns such as product@69 and product@79");
 }
 
@@ -278,7 +281,8 @@ by_speed(const void *a, const void *b)
 	return (r->speed > s->speed) - (r->speed < s->speed);
 }
 
-/* A run for each speed with a product or a feed of its own. */
+/* A run for each speed with a product or a feed of its own; where there is only
+ * the feed of all runs, one run without a speed. */
 static void
 make_runs(struct site *site, const struct table *t)
 {
@@ -292,6 +296,8 @@ make_runs(struct site *site, const struct table *t)
 			site->run[site->n_run++] =
 			    (struct run){.speed = c->speed};
 	}
+	if (site->n_run == 0)
+		site->run[site->n_run++] = (struct run){.speed = 0};
 	qsort(site->run, site->n_run, sizeof *site->run, by_speed);
 	for (size_t r = 0; r < site->n_run; r++)
 		fill_run(t, shared, &site->run[r]);
@@ -311,7 +317,7 @@ table_clear(struct table *t)
 static struct site *
 read_text(const char *path, char *text, struct error_list *errors)
 {
-	struct sheet *sheet = sheet_new(path, text, errors);
+	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
 	struct table t = {.sheet = sheet, .lost = sheet->lost};
 	struct site *site = site_new(0);
 	size_t head = 0;

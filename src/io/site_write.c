@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/replace.h"
+#include "io/sheet.h"
 
 /* A curve to write and the first of its sieves not yet written. */
 struct curve {
@@ -44,28 +45,12 @@ as_written(const struct curve *c, double fraction)
 	return round(fraction * 1e14) / (is_small(c) ? 1e14 : 1e12);
 }
 
-/* Quotes where the reader needs them; a line end would break the row. */
-static void
-write_cell(const char *text, FILE *out)
-{
-	bool quote = strpbrk(text, ",\"") != NULL;
-	if (quote)
-		fputc('"', out);
-	for (; *text != '\0'; text++) {
-		if (*text == '"')
-			fputc('"', out);
-		fputc(*text == '\n' || *text == '\r' ? ' ' : *text, out);
-	}
-	if (quote)
-		fputc('"', out);
-}
-
 static void
 write_line(const char *key, const char *value, FILE *out)
 {
-	write_cell(key, out);
+	sheet_write_cell(key, out);
 	fputc(',', out);
-	write_cell(value, out);
+	sheet_write_cell(value, out);
 	fputc('\n', out);
 }
 

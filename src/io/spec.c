@@ -11,6 +11,8 @@
 #include "io/site_sieve.h"
 #include "io/textfile.h"
 
+enum { MOST_ROWS = 200 };
+
 static const char *const HEADS[2] = {"min_pct", "max_pct"};
 
 /* Keys that are neither spec nor source are remarks. */
@@ -148,7 +150,7 @@ read_table(struct spec *spec, struct sheet *sheet, size_t head)
 static struct spec *
 read_text(const char *path, char *text, struct error_list *errors)
 {
-	struct sheet *sheet = sheet_new(path, text, errors);
+	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
 	struct spec *spec = xcalloc(1, sizeof *spec);
 	spec->name = xstrdup("");
 	spec->source = xstrdup("");

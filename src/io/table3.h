@@ -24,6 +24,10 @@ struct materials {
  * lines that begin with # are skipped. NULL with file:line on a row that is not
  * so. */
 struct materials *materials_read(const char *path, struct error *error);
+
+/* The rows of data/table3.csv as they were when the program was built. */
+struct materials *materials_table3(void);
+
 void materials_free(struct materials *materials);
 
 #endif

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/repl.h"
 
+#include <errno.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -31,6 +32,7 @@ static struct {
 	struct session *session;
 	char *before, *line;
 	bool done;
+	sigset_t let_in; /* signals while the program waits */
 } at;
 
 static volatile sig_atomic_t stopping, woken, resized;
@@ -143,7 +145,7 @@ prompt(const struct session *s, bool colour)
 /* Stops the program as ^Z does without readline, and takes the terminal again
  * when it goes on. */
 static void
-stop(const sigset_t *let_in)
+stop(void)
 {
 	struct sigaction was, usual = {.sa_handler = SIG_DFL};
 	sigset_t held;
@@ -151,17 +153,17 @@ stop(const sigset_t *let_in)
 	rl_deprep_terminal();
 	sigaction(SIGTSTP, &usual, &was);
 	raise(SIGTSTP);
-	sigprocmask(SIG_SETMASK, let_in, &held);
+	sigprocmask(SIG_SETMASK, &at.let_in, &held);
 	sigprocmask(SIG_SETMASK, &held, NULL);
 	sigaction(SIGTSTP, &was, NULL);
 	woken = SIGCONT;
 }
 
 static void
-answer_signals(const sigset_t *let_in)
+answer_signals(void)
 {
 	if (stopping)
-		stop(let_in);
+		stop();
 	if (woken) {
 		/* The shell may have set the terminal to its liking. */
 		rl_deprep_terminal();
@@ -176,19 +178,36 @@ answer_signals(const sigset_t *let_in)
 	woken = resized = 0;
 }
 
+/* For readline.  ^C empties the terminal's queue, also between pselect and here,
+ * and readline's own reading would then wait for a key with signals held.  At a
+ * signal any harmless byte will do: the line is dropped. */
+static int
+on_read(FILE *in)
+{
+	unsigned char c = 0;
+	sigset_t held;
+	sigprocmask(SIG_SETMASK, &at.let_in, &held);
+	ssize_t got = 0;
+	do
+		got = pump_signal() == 0 ? read(fileno(in), &c, 1) : 1;
+	while (got < 0 && errno == EINTR);
+	sigprocmask(SIG_SETMASK, &held, NULL);
+	return got == 1 ? c : EOF;
+}
+
 /* Reads up to the end of a line or a signal that is not answered here. */
 static void
-wait_for_line(const sigset_t *let_in)
+wait_for_line(void)
 {
 	while (!at.done && pump_signal() == 0) {
 		fd_set in;
 		FD_ZERO(&in);
 		FD_SET(STDIN_FILENO, &in);
-		if (pselect(STDIN_FILENO + 1, &in, NULL, NULL, NULL, let_in) >
-		    0)
+		if (pselect(STDIN_FILENO + 1, &in, NULL, NULL, NULL,
+			&at.let_in) > 0)
 			rl_callback_read_char();
 		else
-			answer_signals(let_in);
+			answer_signals();
 	}
 }
 
@@ -200,11 +219,11 @@ read_line(const char *text)
 	static const int held_signals[] = {
 	    SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT, SIGWINCH};
 	struct sigaction stop_action = {.sa_handler = on_stop}, was;
-	sigset_t held, let_in;
+	sigset_t held;
 	sigemptyset(&held);
 	for (size_t i = 0; i < ARRAY_LEN(held_signals); i++)
 		sigaddset(&held, held_signals[i]);
-	sigprocmask(SIG_BLOCK, &held, &let_in);
+	sigprocmask(SIG_BLOCK, &held, &at.let_in);
 	sigaction(SIGTSTP, NULL, &was);
 	if (was.sa_handler != SIG_IGN)
 		sigaction(SIGTSTP, &stop_action, NULL);
@@ -212,7 +231,7 @@ read_line(const char *text)
 	at.done = false;
 	rl_reset_screen_size();
 	rl_callback_handler_install(text, on_line);
-	wait_for_line(&let_in);
+	wait_for_line();
 	if (!at.done) {
 		rl_callback_sigcleanup();
 		rl_point = rl_end;
@@ -221,7 +240,7 @@ read_line(const char *text)
 		rl_callback_handler_remove();
 	}
 	sigaction(SIGTSTP, &was, NULL);
-	sigprocmask(SIG_SETMASK, &let_in, NULL);
+	sigprocmask(SIG_SETMASK, &at.let_in, NULL);
 	return at.line;
 }
 
@@ -277,6 +296,7 @@ set_up(struct session *s)
 	rl_catch_sigwinch = 0;
 	/* A pager must not see sizes of before a change. */
 	rl_change_environment = 0;
+	rl_getc_function = on_read;
 	rl_attempted_completion_function = on_complete;
 	rl_completer_word_break_characters = " \t\n;=,";
 	rl_completer_quote_characters = "";

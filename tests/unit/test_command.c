@@ -141,7 +141,7 @@ names_may_be_cut_short_at_a_prompt(void **state)
 	(void)state;
 	static const char *const called[][2] = {{"pred", "predict"},
 	    {"PREDICT", "predict"}, {"SeE", "seed"}, {"set", "set"},
-	    {"fit", "calibrate"}, {"ex", "quit"}};
+	    {"fit", "calibrate"}, {"exi", "quit"}};
 	for (size_t i = 0; i < ARRAY_LEN(called); i++)
 		assert_string_equal(
 		    command_called(called[i][0], true)->name, called[i][1]);

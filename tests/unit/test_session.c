@@ -146,7 +146,8 @@ commands_that_need_a_site_say_so(void **state)
 	assert_true(n >= 8);
 }
 
-/* Without a site and with nonsense they succeed or are refused. */
+/* Without a site and with nonsense they succeed or are refused; the nonsense is
+ * in a folder that is not there, so that no file is written. */
 static void
 all_other_commands_do_without_one(void **state)
 {
@@ -155,7 +156,7 @@ all_other_commands_do_without_one(void **state)
 		if (c->need != NEED_NOTHING || strcmp(c->name, "tui") == 0)
 			continue;
 		char *line = xasprintf("%s%s", c->name,
-		    c->least == 1  ? " none"
+		    c->least == 1  ? " none/none"
 		    : c->least > 1 ? " 1 = 1"
 				   : "");
 		if (!desk_say(desk, line))

@@ -256,6 +256,25 @@ a_save_that_fails_leaves_the_old_file(void **state)
 	site_free(site);
 }
 
+/* A feed alone serves a guess; it reads back as it was. */
+static void
+a_feed_needs_no_product(void **state)
+{
+	(void)state;
+	struct site *site = accept("size_mm,feed\n8,100\n4,60\n");
+	assert_int_equal(site->n_run, 1);
+	assert_true(site->run[0].speed == 0 && !site->individual_feeds);
+	assert_int_equal(site->run[0].feed.n, 2);
+	assert_int_equal(site_products(site), 0);
+	assert_true(reads_back(site));
+	site_free(site);
+	site = accept("size_mm,feed@79,feed@69\n8,100,100\n4,60,50\n");
+	assert_int_equal(site->n_run, 2);
+	assert_true(site->run[0].speed == 69 && site->individual_feeds);
+	assert_true(reads_back(site));
+	site_free(site);
+}
+
 int
 main(void)
 {
@@ -271,6 +290,7 @@ main(void)
 	    cmocka_unit_test_setup_teardown(
 		a_save_that_fails_leaves_the_old_file, make_folder,
 		drop_folder),
+	    cmocka_unit_test(a_feed_needs_no_product),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

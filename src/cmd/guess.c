@@ -1,0 +1,339 @@
+/* guess: a first product for a site with no calibration.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/guess.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/fit.h"
+#include "cmd/store.h"
+#include "io/units.h"
+
+/* What a guess is made from.  list: all materials; m [list.n]: the same for
+ * core; pick [n]: the nearest ones. */
+struct basis {
+	struct stored_list list;
+	struct guess_material *m, wanted;
+	bool *leave_out;
+	size_t n, *pick;
+};
+
+static const struct value *
+option(const struct args *args, const char *name)
+{
+	return args_value(command_find("guess"), args, name);
+}
+
+static void
+basis_free(struct basis *b)
+{
+	stored_list_free(&b->list);
+	free(b->m);
+	free(b->leave_out);
+	free(b->pick);
+}
+
+static void
+basis_find(struct basis *b, size_t most)
+{
+	size_t n = b->list.n;
+	b->m = xcalloc(n, sizeof *b->m);
+	b->leave_out = xcalloc(n, sizeof *b->leave_out);
+	b->pick = xcalloc(most, sizeof *b->pick);
+	for (size_t i = 0; i < n; i++) {
+		const struct stored *m = &b->list.item[i];
+		double top_mm = m->top_size_mm;
+		b->m[i] = (struct guess_material){m->site, m->rock,
+		    isfinite(top_mm) ? top_mm / 1000 : 0, m->params,
+		    stored_settings(m)};
+		b->leave_out[i] = text_same(m->site, b->wanted.site);
+	}
+	b->n = guess_nearest(b->m, n, &b->wanted, b->leave_out, most, b->pick);
+}
+
+/* Rock and top size as given, else the sheet's. */
+static bool
+find_wanted(const struct site *site, const struct args *args,
+    struct guess_material *wanted, struct error *error)
+{
+	const struct value *rock = option(args, "rock");
+	const struct value *top = option(args, "top");
+	*wanted = (struct guess_material){.site = site->name,
+	    .rock = rock->given ? rock->text : site->rock,
+	    .top_size = top->given ? top->number / 1000 : site->top_size};
+	if (wanted->rock[0] != '\0' || wanted->top_size > 0)
+		return true;
+	error_set(error, ERROR_USAGE,
+	    "guess wants a rock or a top size, and the sheet of %s states "
+	    "neither",
+	    site->name);
+	return error_hint(error, "guess rock=granite top=11.2");
+}
+
+/* Of Table 3 alone, so that it is the same for everyone. */
+static struct guess_error
+table3_error(const struct basis *b, size_t nearest, double speed, char **worst)
+{
+	size_t first = 0;
+	while (!stored_is_table3(&b->list.item[first]))
+		first++;
+	struct guess_error e = guess_leave_one_out(
+	    b->m + first, b->list.n - first, nearest, speed);
+	*worst = xstrdup(b->list.item[first + e.worst_at].name);
+	return e;
+}
+
+static json_t *
+curve_json(const struct psd *psd, bool sizes)
+{
+	json_t *list = json_array();
+	for (size_t i = 0; i < psd->n; i++)
+		json_array_append_new(
+		    list, json_real(sizes ? units_mm(psd->size[i])
+					  : units_pct(psd->passing[i])));
+	return list;
+}
+
+/* "p20_mm": middle and "p20_range_mm": [least, most]. */
+static void
+range_json(json_t *o, const char *name, const struct guess_range *range)
+{
+	char *middle = xasprintf("%s_mm", name);
+	char *ends = xasprintf("%s_range_mm", name);
+	json_t *pair = json_array();
+	json_array_append_new(pair, report_json_number(1000 * range->least));
+	json_array_append_new(pair, report_json_number(1000 * range->most));
+	json_object_set_new(
+	    o, middle, report_json_number(1000 * range->middle));
+	json_object_set_new(o, ends, pair);
+	free(middle);
+	free(ends);
+}
+
+static json_t *
+materials_json(const struct basis *b)
+{
+	json_t *list = json_array();
+	for (size_t i = 0; i < b->n; i++) {
+		const struct stored *m = &b->list.item[b->pick[i]];
+		json_t *o = json_object();
+		json_object_set_new(o, "name", json_string(m->name));
+		json_object_set_new(o, "site", json_string(m->site));
+		json_object_set_new(o, "rock", json_string(m->rock));
+		json_object_set_new(
+		    o, "top_size_mm", report_json_number(m->top_size_mm));
+		json_object_set_new(o, "origin", json_string(m->origin));
+		json_object_set_new(
+		    o, "provenance", json_string(m->provenance));
+		json_object_set_new(o, "params", fit_params_json(&m->params));
+		json_array_append_new(list, o);
+	}
+	return list;
+}
+
+static json_t *
+error_json(const struct guess_error *e, const char *worst)
+{
+	json_t *o = json_object();
+	json_object_set_new(
+	    o, "data", json_string("reconstructed from Table 3"));
+	json_object_set_new(o, "sites", json_integer((json_int_t)e->n));
+	json_object_set_new(
+	    o, "median_rmse_pct", report_json_number(100 * e->median));
+	json_object_set_new(
+	    o, "worst_rmse_pct", report_json_number(100 * e->worst));
+	json_object_set_new(o, "worst", json_string(worst));
+	json_object_set_new(
+	    o, "feed_rmse_pct", report_json_number(100 * e->feed));
+	return o;
+}
+
+static json_t *
+guess_json(const struct site *site, const struct basis *b,
+    const struct guess *guess, json_t *error)
+{
+	json_t *o = json_object();
+	json_object_set_new(o, "command", json_string("guess"));
+	json_object_set_new(o, "site", json_string(site->name));
+	json_object_set_new(o, "calibrated", json_false());
+	json_object_set_new(o, "rock", json_string(b->wanted.rock));
+	json_object_set_new(o, "top_size_mm",
+	    b->wanted.top_size > 0 ? json_real(units_mm(b->wanted.top_size))
+				   : json_null());
+	json_object_set_new(o, "speed", json_real(guess->speed));
+	json_object_set_new(o, "sieve_mm", curve_json(&guess->median, true));
+	json_object_set_new(
+	    o, "passing_pct", curve_json(&guess->median, false));
+	json_object_set_new(o, "least_pct", curve_json(&guess->least, false));
+	json_object_set_new(o, "most_pct", curve_json(&guess->most, false));
+	range_json(o, "p20", &guess->p20);
+	range_json(o, "p50", &guess->p50);
+	range_json(o, "p80", &guess->p80);
+	range_json(o, "break", &guess->break_size);
+	json_object_set_new(o, "materials", materials_json(b));
+	json_object_set_new(o, "leave_one_site_out", error);
+	return o;
+}
+
+static struct report *
+guess_table(const struct site *site, const struct guess *guess)
+{
+	struct report *r = report_new("guess");
+	char *label = session_label(site);
+	report_title(r, "%s: guessed product at %.1f m/s, not calibrated",
+	    label, guess->speed);
+	free(label);
+	report_site(r, site->name, site->provenance);
+	report_column(r, "sieve_mm", "sieve mm");
+	report_column(r, "feed_pct", "feed %");
+	report_column(r, "passing_pct", "guess %");
+	report_column(r, "least_pct", "least %");
+	report_column(r, "most_pct", "most %");
+	for (size_t i = 0; i < guess->median.n; i++) {
+		report_number(r, units_mm(guess->median.size[i]), -1);
+		report_number(r, units_pct(guess->feed.passing[i]), 1);
+		report_number(r, units_pct(guess->median.passing[i]), 1);
+		report_number(r, units_pct(guess->least.passing[i]), 1);
+		report_number(r, units_pct(guess->most.passing[i]), 1);
+	}
+	return r;
+}
+
+/* "2.81 (2.52..3.10)", in mm. */
+static char *
+range_words(const struct guess_range *range, const char *none)
+{
+	const double v[3] = {range->middle, range->least, range->most};
+	char *word[3];
+	for (size_t i = 0; i < 3; i++)
+		word[i] = isfinite(v[i]) ? xasprintf("%.2f", 1000 * v[i])
+					 : xstrdup(none);
+	char *words = xasprintf("%s (%s..%s)", word[0], word[1], word[2]);
+	for (size_t i = 0; i < 3; i++)
+		free(word[i]);
+	return words;
+}
+
+static void
+note_sizes(struct report *r, const struct guess *guess)
+{
+	const struct psd *psd = &guess->median;
+	char *none = xasprintf("<%g", units_mm(psd->size[psd->n - 1]));
+	char *p20 = range_words(&guess->p20, none);
+	char *p50 = range_words(&guess->p50, none);
+	char *p80 = range_words(&guess->p80, none);
+	char *breaks = range_words(&guess->break_size, "none");
+	report_note(r, "P20 %s, P50 %s, P80 %s mm", p20, p50, p80);
+	report_note(r, "breaks from %s mm up", breaks);
+	free(none);
+	free(p20);
+	free(p50);
+	free(p80);
+	free(breaks);
+}
+
+/* Names of the materials picked (or, with `left`, left out). */
+static char *
+names(const struct basis *b, bool left)
+{
+	char *list = xstrdup("");
+	for (size_t i = 0; i < (left ? b->list.n : b->n); i++) {
+		size_t at = left ? i : b->pick[i];
+		if (left && !b->leave_out[i])
+			continue;
+		char *longer = xasprintf("%s%s%s", list,
+		    list[0] != '\0' ? ", " : "", b->list.item[at].name);
+		free(list);
+		list = longer;
+	}
+	return list;
+}
+
+static void
+note_materials(struct report *r, const struct basis *b)
+{
+	size_t same = 0;
+	bool measured = true;
+	for (size_t i = 0; i < b->n; i++) {
+		const struct stored *m = &b->list.item[b->pick[i]];
+		char *kind = store_data_kind(m);
+		same += text_same(m->rock, b->wanted.rock);
+		measured = measured && strcmp(kind, "measured") == 0;
+		free(kind);
+	}
+	char *picked = names(b, false), *left = names(b, true);
+	if (b->n > 1)
+		report_note(r,
+		    "a guess from other quarries, not a calibration: the "
+		    "median of the products with each of the %zu nearest "
+		    "materials, and their spread",
+		    b->n);
+	else
+		report_note(r,
+		    "a guess from another quarry, not a calibration: the "
+		    "product with the nearest material, which tells no spread");
+	if (b->wanted.rock[0] == '\0')
+		report_note(
+		    r, "nearest by top size, no rock is stated: %s", picked);
+	else
+		report_note(r, "nearest by rock (%s, %zu of %zu)%s: %s",
+		    b->wanted.rock, same, b->n,
+		    b->wanted.top_size > 0 ? " and top size"
+					   : ", no top size is stated",
+		    picked);
+	if (!measured)
+		report_note(
+		    r, "some of them were not calibrated on measured data");
+	if (left[0] != '\0')
+		report_note(r, "left out, being this site's own: %s", left);
+	free(picked);
+	free(left);
+}
+
+static void
+report_guess(struct session *s, const struct basis *b,
+    const struct guess *guess, size_t nearest)
+{
+	const struct site *site = session_entry(s)->site;
+	struct report *r = guess_table(site, guess);
+	char *worst;
+	struct guess_error e = table3_error(b, nearest, guess->speed, &worst);
+	note_sizes(r, guess);
+	note_materials(r, b);
+	report_note(r,
+	    "how far such guesses err: each of %zu materials of Table 3, "
+	    "guessed from the other sites, misses its own model's product by "
+	    "%.1f points RMS (median), %.1f at worst (%s); product = feed "
+	    "misses by %.1f. Reconstructed data on made-up feeds, with no "
+	    "sampling error: a plant will be farther off",
+	    e.n, 100 * e.median, 100 * e.worst, worst, 100 * e.feed);
+	report_json(r, guess_json(site, b, guess, error_json(&e, worst)));
+	free(worst);
+	session_report(s, r);
+}
+
+bool
+cmd_guess(struct session *s, const struct args *args, struct error *error)
+{
+	const struct site *site = session_entry(s)->site;
+	double speed = option(args, "speed")->number;
+	size_t nearest = (size_t)option(args, "nearest")->whole, feed;
+	struct basis b = {0};
+	bool ok =
+	    find_wanted(site, args, &b.wanted, error) &&
+	    answers_feed(site, option(args, "feed"), speed, &feed, error) &&
+	    store_list_all(s->store, &b.list, error);
+	if (ok) {
+		basis_find(&b, nearest);
+		struct guess guess =
+		    guess_product(site, feed, b.m, b.pick, b.n, speed);
+		report_guess(s, &b, &guess, nearest);
+		guess_free(&guess);
+	}
+	basis_free(&b);
+	return ok;
+}

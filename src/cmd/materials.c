@@ -1,0 +1,147 @@
+/* materials: what the store has, and all about one of them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/store.h"
+
+static const struct value *
+option(const struct args *args, const char *name)
+{
+	return args_value(command_find("materials"), args, name);
+}
+
+const char *
+store_origin_words(const struct stored *m)
+{
+	return stored_is_table3(m)             ? "Table 3"
+	       : strcmp(m->origin, "fit") == 0 ? "fit"
+					       : "set by hand";
+}
+
+char *
+store_data_kind(const struct stored *m)
+{
+	size_t n = strcspn(m->provenance, " ;,");
+	return n > 0 ? xstrndup(m->provenance, n) : xstrdup("not stated");
+}
+
+/* Sizes are nominal: within 5 % they are the same, so that 11 finds 11.2. */
+static bool
+has_size(const struct stored *m, double top_mm)
+{
+	return fabs(m->top_size_mm - top_mm) <= 0.05 * top_mm;
+}
+
+static bool
+is_wanted(const struct stored *m, const struct args *args)
+{
+	const struct value *rock = option(args, "rock");
+	const struct value *top = option(args, "top");
+	enum { ALL, TABLE3, OWN } origin = option(args, "origin")->choice;
+	return (!rock->given || text_same(m->rock, rock->text)) &&
+	       (!top->given || has_size(m, top->number)) &&
+	       (origin == ALL || (origin == TABLE3) == stored_is_table3(m));
+}
+
+static void
+add_row(struct report *r, const struct stored *m)
+{
+	char *kind = store_data_kind(m);
+	report_text(r, m->name);
+	report_text(r, m->rock);
+	report_number(r, m->top_size_mm, -1);
+	report_number(r, m->params.f_mat, 2);
+	report_number(r, m->params.e0_min, 2);
+	report_number(r, m->params.alpha, 2);
+	report_text(r, store_origin_words(m));
+	report_text(r, kind);
+	free(kind);
+}
+
+/* "Diabase, Granite, ...", each once, where none was of the rock asked for. */
+static void
+note_rocks(struct report *r, const struct stored_list *list)
+{
+	char *rocks = xstrdup("");
+	for (size_t i = 0; i < list->n; i++) {
+		bool before = list->item[i].rock[0] == '\0';
+		for (size_t j = 0; j < i; j++)
+			before = before || text_same(list->item[j].rock,
+					       list->item[i].rock);
+		if (before)
+			continue;
+		char *longer = xasprintf("%s%s%s", rocks,
+		    rocks[0] != '\0' ? ", " : "", list->item[i].rock);
+		free(rocks);
+		rocks = longer;
+	}
+	report_note(r, "rocks: %s", rocks);
+	free(rocks);
+}
+
+static void
+show_list(
+    struct session *s, const struct args *args, const struct stored_list *list)
+{
+	struct report *r = report_new("materials");
+	size_t n = 0, own = 0;
+	report_column(r, "name", "name");
+	report_column(r, "rock", "rock");
+	report_column(r, "top_size_mm", "top mm");
+	report_column(r, "f_mat", "f_mat");
+	report_column(r, "e0_min", "E0_min");
+	report_column(r, "alpha", "alpha");
+	report_column(r, "origin", "origin");
+	report_column(r, "data", "data");
+	for (size_t i = 0; i < list->n; i++) {
+		own += !stored_is_table3(&list->item[i]);
+		if (!is_wanted(&list->item[i], args))
+			continue;
+		add_row(r, &list->item[i]);
+		n++;
+	}
+	report_note(r, "%zu of %zu materials; %zu are your own, in %s", n,
+	    list->n, own, store_path(s->store));
+	report_note(r, "Table 3 is that of the paper, and read only");
+	if (n == 0 && option(args, "rock")->given)
+		note_rocks(r, list);
+	session_report(s, r);
+}
+
+static void
+show_one(struct session *s, const struct stored *m)
+{
+	struct report *r = report_new("materials");
+	report_title(r, "%s: %s", m->name, store_origin_words(m));
+	report_site(r, m->site, m->provenance);
+	report_column(r, "field", "field");
+	report_column(r, "value", "value");
+	for (size_t i = 0; i < FIELD_COUNT; i++) {
+		char *text = stored_written(m, &FIELDS[i]);
+		report_text(r, FIELDS[i].name);
+		report_text(r, text);
+		free(text);
+	}
+	session_report(s, r);
+}
+
+bool
+cmd_materials(struct session *s, const struct args *args, struct error *error)
+{
+	struct stored_list list = {0};
+	bool ok = store_list_all(s->store, &list, error);
+	const struct stored *m = NULL;
+	if (ok && args->n_operand > 0) {
+		ok = store_find_material(&list, args->operand[0], &m, error);
+		if (ok)
+			show_one(s, m);
+	} else if (ok) {
+		show_list(s, args, &list);
+	}
+	stored_list_free(&list);
+	return ok;
+}

@@ -1,0 +1,300 @@
+/* remember, recall, forget: calibrations that outlive the session.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/store.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/fit.h"
+#include "cmd/model.h"
+#include "config.h"
+#include "io/units.h"
+
+static const struct value *
+option(const char *command, const struct args *args, const char *name)
+{
+	return args_value(command_find(command), args, name);
+}
+
+bool
+store_find_material(const struct stored_list *list, const char *name,
+    const struct stored **found, struct error *error)
+{
+	*found = stored_find(list, name);
+	if (*found == NULL) {
+		char *paper = xasprintf("table3/%s", name);
+		*found = stored_find(list, paper);
+		free(paper);
+	}
+	if (*found != NULL)
+		return true;
+	error_set(error, ERROR_USAGE, "the store has no material '%s'", name);
+	size_t best = 0, least = 3;
+	for (size_t i = 0; i < list->n; i++) {
+		const char *own = list->item[i].name;
+		bool paper = stored_is_table3(&list->item[i]);
+		size_t d = text_distance(own + (paper ? 7 : 0), name);
+		if (d < least) {
+			best = i;
+			least = d;
+		}
+	}
+	return error_hint(error,
+	    least < 3 ? "did you mean '%s'?" : "'materials' lists them%.0s",
+	    least < 3 ? list->item[best].name : "");
+}
+
+static void
+set(char **text, char *value)
+{
+	char *trimmed = xstrdup(text_trim(value));
+	free(value);
+	free(*text);
+	*text = trimmed;
+}
+
+static void
+set_copy(char **text, const char *value)
+{
+	set(text, xstrdup(value));
+}
+
+/* "69,79" of the runs trained on. */
+static char *
+train_words(const struct entry *entry)
+{
+	char *list = xstrdup("");
+	for (size_t r = 0; r < entry->site->n_run; r++) {
+		if (!entry->train[r] || entry->site->run[r].product.n == 0)
+			continue;
+		char *longer = xasprintf("%s%s%g", list,
+		    list[0] != '\0' ? "," : "", entry->site->run[r].speed);
+		free(list);
+		list = longer;
+	}
+	return list;
+}
+
+/* What only a calibration has. */
+static void
+take_fit(struct stored *m, const struct entry *entry)
+{
+	const struct fit *fit = &entry->fit;
+	set_copy(&m->options, entry->options);
+	set_copy(&m->stop, calibrate_state_name(fit->stop));
+	set(&m->train_mps, train_words(entry));
+	m->misfit = fit->misfit;
+	m->rmse_pct = 100 * fit->rmse;
+	m->holdout_pct = 100 * fit_holdout_rmse(entry);
+	m->seed = (int64_t)fit->seed;
+	m->generations = (int64_t)fit->generations;
+}
+
+static struct stored
+material_of(const struct session *s, const struct entry *entry)
+{
+	static const char *const FORMS[] = {"ratio", "progeny_mm", "parent_mm"};
+	const struct site *site = entry->site;
+	const struct model_settings *settings =
+	    entry->has_fit ? &entry->fit.settings : &s->settings;
+	bool classes = settings->method == METHOD_CLASSES;
+	struct stored m = stored_new();
+	set_copy(&m.site, site->name);
+	set_copy(&m.rock, site->rock);
+	set_copy(&m.machine, site->machine);
+	set_copy(&m.provenance, site->provenance);
+	set(&m.site_digest, xasprintf("%016" PRIx64, site->digest));
+	set_copy(&m.origin, entry->has_fit ? "fit" : "hand");
+	set_copy(&m.method, classes ? "classes" : "continuous");
+	set_copy(&m.appearance, FORMS[settings->appearance]);
+	set_copy(&m.version, PACKAGE_VERSION);
+	m.top_size_mm = site->top_size > 0 ? units_mm(site->top_size) : NAN;
+	m.k = settings->k;
+	m.params = entry->params;
+	if (entry->has_fit)
+		take_fit(&m, entry);
+	return m;
+}
+
+static bool
+check_remember(
+    const struct entry *entry, const struct args *args, struct error *error)
+{
+	const struct value *date = option("remember", args, "date");
+	const struct value *note = option("remember", args, "note");
+	if (!entry->has_params) {
+		error_set(error, ERROR_USAGE,
+		    "%s has no parameters to remember yet", entry->site->name);
+		return error_hint(error,
+		    "'calibrate' finds them, or 'params set' takes known ones");
+	}
+	if (entry->recalled[0] != '\0') {
+		error_set(error, ERROR_USAGE,
+		    "%s has the parameters of %s, which the store has already",
+		    entry->site->name, entry->recalled);
+		return error_hint(
+		    error, "'calibrate' finds the site's own parameters");
+	}
+	if (date->given && !stored_is_date(date->text))
+		return error_set(error, ERROR_USAGE,
+		    "date wants a day such as 2026-11-21, not '%s'",
+		    date->text);
+	return !note->given || stored_is_line(note->text) ||
+	       error_set(error, ERROR_USAGE,
+		   "note wants one line without control characters");
+}
+
+/* What was put, as the sign that it is on the disk. */
+static void
+report_remembered(struct session *s, const struct stored *m)
+{
+	struct report *r = report_new("remember");
+	char *kind = store_data_kind(m);
+	report_title(r, "remembered %s", m->name);
+	report_site(r, m->site, m->provenance);
+	report_column(r, "name", "name");
+	report_column(r, "origin", "origin");
+	report_column(r, "data", "data");
+	report_column(r, "rmse_pct", "RMSE");
+	report_column(r, "holdout_pct", "hold-out");
+	report_column(r, "date", "date");
+	report_text(r, m->name);
+	report_text(r, store_origin_words(m));
+	report_text(r, kind);
+	report_number(r, m->rmse_pct, 2);
+	report_number(r, m->holdout_pct, 2);
+	report_text(r, m->date);
+	report_note(r, "in %s", store_path(s->store));
+	free(kind);
+	session_report(s, r);
+}
+
+bool
+cmd_remember(struct session *s, const struct args *args, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	const struct value *date = option("remember", args, "date");
+	const struct value *note = option("remember", args, "note");
+	const char *name = args->n_operand > 0 ? args->operand[0] : entry->key;
+	if (!check_remember(entry, args, error) ||
+	    !stored_check_name(name, error))
+		return false;
+	struct stored m = material_of(s, entry);
+	set_copy(&m.name, name);
+	set_copy(&m.date, date->given ? date->text : "");
+	set_copy(&m.note, note->given ? note->text : "");
+	bool replace = option("remember", args, "replace")->choice == 1;
+	bool ok = store_put(s->store, &m, 1, replace, error);
+	if (ok)
+		report_remembered(s, &m);
+	stored_free(&m);
+	return ok;
+}
+
+/* What there is to know before relying on what was recalled. */
+static void
+note_recalled(
+    struct session *s, const struct entry *entry, const struct stored *m)
+{
+	char *digest = xasprintf("%016" PRIx64, entry->site->digest);
+	bool own = strcmp(digest, m->site_digest) == 0;
+	struct model_settings set_to = stored_settings(m);
+	session_note(s, "%s: parameters from store: %s (%s, %s; %s)",
+	    entry->site->name, m->name, m->site,
+	    m->rock[0] != '\0' ? m->rock : "rock not stated",
+	    store_origin_words(m));
+	session_note(s, "%s",
+	    own ? "  they were found on the very numbers of this sheet"
+		: "  they are no fit of this site");
+	if (set_to.method != s->settings.method ||
+	    set_to.appearance != s->settings.appearance ||
+	    set_to.k != s->settings.k)
+		session_note(s,
+		    "  they belong to other settings: set method=%s "
+		    "appearance=%s k=%g",
+		    m->method, m->appearance, m->k);
+	if (stored_is_table3(m))
+		session_note(s, "  Table 3 has no beta: the default is taken");
+	free(digest);
+}
+
+bool
+cmd_recall(struct session *s, const struct args *args, struct error *error)
+{
+	size_t index = s->current;
+	if (args->n_operand > 1 &&
+	    !session_find(s, args->operand[1], &index, error))
+		return false;
+	struct stored_list list = {0};
+	const struct stored *m;
+	bool ok = store_list_all(s->store, &list, error) &&
+		  store_find_material(&list, args->operand[0], &m, error);
+	if (ok) {
+		struct entry *entry = &s->entry[index];
+		model_take_params(
+		    s, entry, &m->params, xasprintf("from store: %s", m->name));
+		snprintf(
+		    entry->recalled, sizeof entry->recalled, "%s", m->name);
+		note_recalled(s, entry, m);
+	}
+	stored_list_free(&list);
+	return ok;
+}
+
+/* "params set beta1=.. ..; remember NAME": what would bring it back, but for
+ * its origin. */
+static char *
+bring_back(const struct stored *m)
+{
+	char *line = xstrdup("params set"), number[32];
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		char *longer = xasprintf("%s %s=%s", line, PARAMS[j].name,
+		    text_exact(params_get(&m->params, j), number));
+		free(line);
+		line = longer;
+	}
+	char *whole = xasprintf("%s; remember \"%s\"", line, m->name);
+	free(line);
+	return whole;
+}
+
+static void
+report_forgotten(struct session *s, const struct stored *m)
+{
+	struct report *r = report_new("forget");
+	char *line = bring_back(m);
+	report_title(
+	    r, "forgot %s: %s of %s", m->name, store_origin_words(m), m->site);
+	report_site(r, m->site, m->provenance);
+	report_column(r, "again", "this brings its parameters back");
+	report_text(r, line);
+	free(line);
+	session_report(s, r);
+}
+
+bool
+cmd_forget(struct session *s, const struct args *args, struct error *error)
+{
+	const char *name = args->operand[0];
+	struct stored_list list = {0};
+	if (stored_is_table3_name(name)) {
+		error_set(error, ERROR_USAGE,
+		    "%s is part of the program and cannot be forgotten", name);
+		return error_hint(
+		    error, "'materials origin=own' lists what can");
+	}
+	/* A row that is damaged cannot be listed, but can be taken out. */
+	bool listed = store_list(s->store, &list, NULL);
+	const struct stored *m = listed ? stored_find(&list, name) : NULL;
+	bool ok = store_forget(s->store, name, error);
+	if (ok && m != NULL)
+		report_forgotten(s, m);
+	else if (ok)
+		session_note(s, "forgot %s, which could not be read", name);
+	stored_list_free(&list);
+	return ok;
+}

@@ -1,0 +1,30 @@
+/* Commands about the store of materials.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_STORE_H
+#define TIPSPEED_CMD_STORE_H
+
+#include <stdbool.h>
+
+#include "cmd/command.h"
+#include "cmd/session.h"
+
+bool cmd_materials(struct session *, const struct args *, struct error *);
+bool cmd_recall(struct session *, const struct args *, struct error *);
+bool cmd_remember(struct session *, const struct args *, struct error *);
+bool cmd_forget(struct session *, const struct args *, struct error *);
+bool cmd_export(struct session *, const struct args *, struct error *);
+bool cmd_import(struct session *, const struct args *, struct error *);
+bool cmd_guess(struct session *, const struct args *, struct error *);
+
+/* A material by its name, one's own before Table 3's: "tierp", else
+ * "table3/tierp".  None: an error with the name that is nearest. */
+bool store_find_material(const struct stored_list *list, const char *name,
+    const struct stored **found, struct error *error);
+
+/* "fit", "set by hand" or "Table 3". */
+const char *store_origin_words(const struct stored *m);
+
+/* The first word of where a material's data are from: "measured". */
+char *store_data_kind(const struct stored *m);
+
+#endif

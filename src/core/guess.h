@@ -1,0 +1,71 @@
+/* A first guess for a site with no calibration, from materials of other sites.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_GUESS_H
+#define TIPSPEED_CORE_GUESS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/params.h"
+#include "core/psd.h"
+#include "core/site.h"
+
+/* A material to guess from, or what one is wanted for: then params are not
+ * looked at.  rock: "" when not known; top_size m, 0 when not known.  settings:
+ * those its parameters were found with.  Text is borrowed. */
+struct guess_material {
+	const char *site, *rock;
+	double top_size;
+	struct params params;
+	struct model_settings settings;
+};
+
+/* The nearest materials: the same rock (without case and accents) before any
+ * other, then the smallest |ln(top size / wanted top size)|, then the order of
+ * the list; an unknown size counts as the farthest.  Of materials with the very
+ * same numbers (departure D9) only the nearest counts.
+ *   leave_out [n]: true for those not to take
+ *   pick [most]: their indices out, nearest first.  Returns how many. */
+size_t guess_nearest(const struct guess_material *m, size_t n,
+    const struct guess_material *wanted, const bool *leave_out, size_t most,
+    size_t *pick);
+
+/* A value with its range over the materials; NAN where it lies below the finest
+ * sieve, INFINITY for a break size where nothing breaks. */
+struct guess_range {
+	double middle, least, most;
+};
+
+/* Curves on the same sieves.  median, least, most: sieve by sieve over the
+ * products, one for each material.  p20, p50, p80, m: middle is read off the
+ * median curve.  break_size, m: middle is the median. */
+struct guess {
+	double speed; /* m/s */
+	struct psd feed, median, least, most;
+	struct guess_range p20, p50, p80, break_size;
+};
+
+/* The products of the feed of that run at tip speed v (m/s), with each of the
+ * n >= 1 materials picked and its own settings.  Cannot fail; free with
+ * guess_free. */
+struct guess guess_product(const struct site *site, size_t feed_run,
+    const struct guess_material *m, const size_t *pick, size_t n, double v);
+void guess_free(struct guess *guess);
+
+/* How far such guesses err: RMSE of passing, 0..1, over the sieves.  n: how
+ * many were guessed; worst_at: index of the worst; feed: the median error of
+ * the guess that product = feed. */
+struct guess_error {
+	size_t n, worst_at;
+	double median, worst, feed;
+};
+
+/* Leaves one site out at a time: guesses the product at v of each material from
+ * the nearest others and compares it with the model's product of its own
+ * parameters.  The feed is made up, synth.h with n = 1.  Others are those of
+ * another site with other numbers; of materials with the same numbers one is
+ * guessed.  Each top size must be known. */
+struct guess_error guess_leave_one_out(
+    const struct guess_material *m, size_t n, size_t nearest, double v);
+
+#endif

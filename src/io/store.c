@@ -1,0 +1,340 @@
+/* Materials in and out of the store's file.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/store.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/store_schema.h"
+
+/* memory: the one database of ":memory:", NULL for a file. */
+struct store {
+	char *path;
+	bool own_folder; /* it may be made */
+	sqlite3 *memory;
+};
+
+/* $XDG_DATA_HOME counts only when it is absolute, as its standard says. */
+static char *
+default_path(void)
+{
+	const char *data = getenv("XDG_DATA_HOME"), *home = getenv("HOME");
+	if (data != NULL && data[0] == '/')
+		return xasprintf("%s/tipspeed/store.db", data);
+	if (home != NULL && home[0] == '/')
+		return xasprintf("%s/.local/share/tipspeed/store.db", home);
+	return xstrdup("");
+}
+
+struct store *
+store_new(const char *path)
+{
+	struct store *store = xcalloc(1, sizeof *store);
+	store->own_folder = path == NULL;
+	store->path = path != NULL ? xstrdup(path) : default_path();
+	return store;
+}
+
+void
+store_free(struct store *store)
+{
+	if (store == NULL)
+		return;
+	sqlite3_close(store->memory);
+	free(store->path);
+	free(store);
+}
+
+const char *
+store_path(const struct store *store)
+{
+	return store->path;
+}
+
+/* The folders above the file, for this user alone. */
+static bool
+make_folders(const char *path, struct error *error)
+{
+	char *folder = xstrdup(path);
+	bool ok = true;
+	for (char *p = folder + 1; ok && (p = strchr(p, '/')) != NULL; p++) {
+		*p = '\0';
+		ok = mkdir(folder, 0700) == 0 || errno == EEXIST;
+		if (!ok) {
+			error_at(error, ERROR_SYSTEM, folder, 0, 0,
+			    "the store's folder cannot be made: %s",
+			    strerror(errno));
+			error_hint(error, "check the rights, or take another "
+					  "store with --store=PATH");
+		}
+		*p = '/';
+	}
+	free(folder);
+	return ok;
+}
+
+/* *db is NULL where there is nothing to read. */
+static bool
+begin(struct store *store, bool make, sqlite3 **db, struct error *error)
+{
+	*db = store->memory;
+	if (*db != NULL)
+		return true;
+	if (store->path[0] == '\0') {
+		error_set(error, ERROR_SYSTEM,
+		    "there is no place for the store: HOME is not set");
+		return error_hint(error, "name one with --store=PATH");
+	}
+	if (make && store->own_folder && !make_folders(store->path, error))
+		return false;
+	if (!schema_open(store->path, make, db, error))
+		return false;
+	if (strcmp(store->path, ":memory:") == 0)
+		store->memory = *db;
+	return true;
+}
+
+static void
+end(struct store *store, sqlite3 *db)
+{
+	if (db != store->memory)
+		sqlite3_close(db);
+}
+
+/* "SELECT fold, digest, name, ..." or "INSERT ... VALUES (?, ?, ?, ...)": the
+ * fields follow fold and digest. */
+static char *
+columns(const char *before, bool marks, const char *after)
+{
+	char *sql = xasprintf("%s", before);
+	for (size_t i = 0; i < FIELD_COUNT; i++) {
+		char *longer =
+		    xasprintf("%s, %s", sql, marks ? "?" : FIELDS[i].name);
+		free(sql);
+		sql = longer;
+	}
+	char *whole = xasprintf("%s%s", sql, after);
+	free(sql);
+	return whole;
+}
+
+static const char *
+column_text(sqlite3_stmt *stmt, int i)
+{
+	const char *text = (const char *)sqlite3_column_text(stmt, i);
+	return text != NULL ? text : "";
+}
+
+static char *
+digest_text(const struct stored *m)
+{
+	return xasprintf("%016" PRIx64, stored_digest(m));
+}
+
+/* The row stmt stands on.  False when it is not what was put. */
+static bool
+take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
+    struct error *error)
+{
+	*m = stored_new();
+	for (int i = 0; i < FIELD_COUNT; i++) {
+		const struct field *f = &FIELDS[i];
+		bool none = sqlite3_column_type(stmt, i + 2) == SQLITE_NULL;
+		if (f->kind == FIELD_TEXT)
+			stored_set_text(m, f, column_text(stmt, i + 2));
+		else if (f->kind == FIELD_NUMBER && !none)
+			stored_set_number(
+			    m, f, sqlite3_column_double(stmt, i + 2));
+		else if (f->kind == FIELD_WHOLE && !none)
+			stored_set_whole(
+			    m, f, sqlite3_column_int64(stmt, i + 2));
+	}
+	char *digest = digest_text(m);
+	bool same = strcmp(digest, column_text(stmt, 1)) == 0;
+	free(digest);
+	if (same)
+		return true;
+	error_at(error, ERROR_DATA, store->path, 0, 0,
+	    "the store is damaged: '%.60s' is not what was remembered",
+	    m->name);
+	error_hint(error, "'forget' takes it out; then remember it again");
+	stored_free(m);
+	return false;
+}
+
+static bool
+read_rows(struct store *store, sqlite3 *db, struct stored_list *list,
+    struct error *error)
+{
+	char *sql = columns(
+	    "SELECT fold, digest", false, " FROM material ORDER BY fold");
+	sqlite3_stmt *stmt = NULL;
+	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
+	free(sql);
+	bool ok = code == SQLITE_OK || schema_fail(db, store->path, error);
+	while (ok && (code = sqlite3_step(stmt)) == SQLITE_ROW) {
+		struct stored m;
+		ok = take_row(store, stmt, &m, error);
+		if (ok)
+			stored_list_add(list, m);
+	}
+	if (ok && code != SQLITE_DONE)
+		ok = schema_fail(db, store->path, error);
+	sqlite3_finalize(stmt);
+	return ok;
+}
+
+bool
+store_list(struct store *store, struct stored_list *list, struct error *error)
+{
+	sqlite3 *db;
+	if (!begin(store, false, &db, error))
+		return false;
+	bool ok = db == NULL || read_rows(store, db, list, error);
+	end(store, db);
+	return ok;
+}
+
+bool
+store_list_all(
+    struct store *store, struct stored_list *list, struct error *error)
+{
+	if (!store_list(store, list, error))
+		return false;
+	stored_table3(list);
+	return true;
+}
+
+static void
+bind_text(sqlite3_stmt *stmt, int i, const char *text)
+{
+	sqlite3_bind_text(stmt, i, text, -1, SQLITE_TRANSIENT);
+}
+
+/* What is not known stays NULL. */
+static void
+bind_row(sqlite3_stmt *stmt, const struct stored *m)
+{
+	char *fold = text_fold(m->name), *digest = digest_text(m);
+	sqlite3_reset(stmt);
+	sqlite3_clear_bindings(stmt);
+	bind_text(stmt, 1, fold);
+	bind_text(stmt, 2, digest);
+	for (int i = 0; i < FIELD_COUNT; i++) {
+		const struct field *f = &FIELDS[i];
+		if (f->kind == FIELD_TEXT)
+			bind_text(stmt, i + 3, stored_text(m, f));
+		else if (f->kind == FIELD_NUMBER &&
+			 isfinite(stored_number(m, f)))
+			sqlite3_bind_double(stmt, i + 3, stored_number(m, f));
+		else if (f->kind == FIELD_WHOLE && stored_whole(m, f) >= 0)
+			sqlite3_bind_int64(stmt, i + 3, stored_whole(m, f));
+	}
+	free(fold);
+	free(digest);
+}
+
+static bool
+put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
+    const struct stored *m, struct error *error)
+{
+	bind_row(stmt, m);
+	if (sqlite3_step(stmt) == SQLITE_DONE)
+		return true;
+	if ((sqlite3_errcode(db) & 0xFF) != SQLITE_CONSTRAINT)
+		return schema_fail(db, store->path, error);
+	error_set(error, ERROR_USAGE, "the store has a material '%s' already",
+	    m->name);
+	return error_hint(
+	    error, "choose another name, or replace it with replace=on");
+}
+
+static bool
+put_rows(struct store *store, sqlite3 *db, const struct stored *item, size_t n,
+    bool replace, struct error *error)
+{
+	char *head = columns(replace ? "INSERT OR REPLACE INTO material "
+				       "(fold, digest"
+				     : "INSERT INTO material (fold, digest",
+	    false, ") VALUES (?, ?");
+	char *sql = columns(head, true, ")");
+	sqlite3_stmt *stmt = NULL;
+	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
+	bool ok = code == SQLITE_OK || schema_fail(db, store->path, error);
+	for (size_t i = 0; ok && i < n; i++)
+		ok = put_row(store, db, stmt, &item[i], error);
+	sqlite3_finalize(stmt);
+	free(head);
+	free(sql);
+	return ok;
+}
+
+/* Ends a transaction: keeps it all, or nothing when ok is false. */
+static bool
+commit(struct store *store, sqlite3 *db, bool ok, struct error *error)
+{
+	ok = ok && schema_run(db, store->path, "COMMIT", error);
+	if (!ok)
+		sqlite3_exec(db, "ROLLBACK", NULL, NULL, NULL);
+	return ok;
+}
+
+bool
+store_put(struct store *store, const struct stored *item, size_t n,
+    bool replace, struct error *error)
+{
+	sqlite3 *db;
+	if (!begin(store, true, &db, error))
+		return false;
+	bool ok = schema_run(db, store->path, "BEGIN IMMEDIATE", error);
+	if (ok) {
+		ok = put_rows(store, db, item, n, replace, error);
+		ok = commit(store, db, ok, error);
+	}
+	end(store, db);
+	return ok;
+}
+
+static bool
+delete_row(
+    struct store *store, sqlite3 *db, const char *name, struct error *error)
+{
+	char *fold = text_fold(name);
+	sqlite3_stmt *stmt = NULL;
+	sqlite3_prepare_v2(
+	    db, "DELETE FROM material WHERE fold = ?", -1, &stmt, NULL);
+	if (stmt != NULL)
+		bind_text(stmt, 1, fold);
+	bool ok = sqlite3_step(stmt) == SQLITE_DONE ||
+		  schema_fail(db, store->path, error);
+	sqlite3_finalize(stmt);
+	free(fold);
+	if (!ok || sqlite3_changes(db) > 0)
+		return ok;
+	error_set(error, ERROR_USAGE, "the store has no material '%s'", name);
+	return error_hint(error, "'materials origin=own' lists those it has");
+}
+
+bool
+store_forget(struct store *store, const char *name, struct error *error)
+{
+	sqlite3 *db;
+	if (!begin(store, false, &db, error))
+		return false;
+	if (db == NULL) {
+		error_set(
+		    error, ERROR_USAGE, "the store has no material '%s'", name);
+		return error_hint(error, "it is empty; 'remember' fills it");
+	}
+	bool ok = delete_row(store, db, name, error);
+	end(store, db);
+	return ok;
+}

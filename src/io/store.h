@@ -1,0 +1,49 @@
+/* The store: the user's own calibrations in a file that outlives the session.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_STORE_H
+#define TIPSPEED_IO_STORE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/error.h"
+#include "io/stored.h"
+
+/* A file is opened for each call and closed after it, so that nothing is lost
+ * when the file is moved away, or the program killed, in between.  What has
+ * been put is on the disk when the call returns.  Several programs may use one
+ * file at the same time; one that waits for another gives up after 5 s. */
+struct store;
+
+/* path: a file; ":memory:" for a store that ends with this one; NULL for
+ * $XDG_DATA_HOME/tipspeed/store.db, by default in ~/.local/share.  Opens and
+ * makes nothing yet, and cannot fail. */
+struct store *store_new(const char *path);
+void store_free(struct store *store);
+
+/* Where the store is, for people. */
+const char *store_path(const struct store *store);
+
+/* Adds the user's own materials to the list, in the order of their names; none
+ * where there is no file, and none is made.
+ *
+ * This and what follows fail with ERROR_SYSTEM where the system or another
+ * program is in the way, and with ERROR_DATA where the file is damaged, is none
+ * of tipspeed's or that of a newer one; the file is then as it was. */
+bool store_list(
+    struct store *store, struct stored_list *list, struct error *error);
+
+/* The user's own materials, then those of Table 3. */
+bool store_list_all(
+    struct store *store, struct stored_list *list, struct error *error);
+
+/* Puts n materials, all or none; makes the file, and for the default path its
+ * folders.  One of the same name (without case and accents) is replaced, or
+ * refused with ERROR_USAGE. */
+bool store_put(struct store *store, const struct stored *item, size_t n,
+    bool replace, struct error *error);
+
+/* Takes the material of that name out; ERROR_USAGE if there is none. */
+bool store_forget(struct store *store, const char *name, struct error *error);
+
+#endif

@@ -1,0 +1,26 @@
+/* Materials as a CSV sheet, to move them between stores and to keep safe.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_STORE_CSV_H
+#define TIPSPEED_IO_STORE_CSV_H
+
+#include <stdbool.h>
+
+#include "base/error.h"
+#include "io/stored.h"
+
+/* Writes a line of column names and one for each material, numbers exact.
+ * What was read from a sheet is written as the very same bytes. */
+void store_csv_write(const struct stored_list *list, FILE *out);
+
+/* The same to a file, which is there whole or not at all. */
+bool store_csv_save(
+    const struct stored_list *list, const char *path, struct error *error);
+
+/* Reads such a sheet, whatever the order of its columns.  there: names that
+ * must not occur, or NULL.  On failure false, and all the faults of the sheet
+ * in errors, which the caller has zeroed, each with its line and column; list
+ * then holds some of the rows. */
+bool store_csv_read(const char *path, const struct stored_list *there,
+    struct stored_list *list, struct error_list *errors);
+
+#endif

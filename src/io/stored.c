@@ -1,0 +1,339 @@
+/* The fields of a material as one table, which the file, its CSV form and what
+ * is shown are read from.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/stored.h"
+
+#include <assert.h>
+#include <ctype.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/table3.h"
+
+#define AT(member) offsetof(struct stored, member)
+#define BEYOND 1e300
+
+const struct field FIELDS[FIELD_COUNT] = {
+    {"name", FIELD_TEXT, AT(name), true, NULL, 0, 0},
+    {"site", FIELD_TEXT, AT(site), true, NULL, 0, 0},
+    {"rock", FIELD_TEXT, AT(rock), false, NULL, 0, 0},
+    {"top_size_mm", FIELD_NUMBER, AT(top_size_mm), false, NULL, 1e-3, 1e3},
+    {"machine", FIELD_TEXT, AT(machine), false, NULL, 0, 0},
+    {"provenance", FIELD_TEXT, AT(provenance), false, NULL, 0, 0},
+    {"site_digest", FIELD_TEXT, AT(site_digest), false, NULL, 0, 0},
+    {"origin", FIELD_TEXT, AT(origin), true, "fit hand", 0, 0},
+    {"beta1", FIELD_NUMBER, AT(params.beta[0]), true, NULL, -1e9, 1e9},
+    {"beta2", FIELD_NUMBER, AT(params.beta[1]), true, NULL, -1e9, 1e9},
+    {"beta3", FIELD_NUMBER, AT(params.beta[2]), true, NULL, -1e9, 1e9},
+    {"beta4", FIELD_NUMBER, AT(params.beta[3]), true, NULL, -1e9, 1e9},
+    {"f_mat", FIELD_NUMBER, AT(params.f_mat), true, NULL, 0, 1e4},
+    {"e0_min", FIELD_NUMBER, AT(params.e0_min), true, NULL, 0, 1e4},
+    {"alpha", FIELD_NUMBER, AT(params.alpha), true, NULL, 0, 100},
+    {"method", FIELD_TEXT, AT(method), true, "continuous classes", 0, 0},
+    {"appearance", FIELD_TEXT, AT(appearance), true,
+	"ratio progeny_mm parent_mm", 0, 0},
+    {"k", FIELD_NUMBER, AT(k), true, NULL, 1e-3, 1e3},
+    {"misfit", FIELD_NUMBER, AT(misfit), false, NULL, 0, BEYOND},
+    {"rmse_pct", FIELD_NUMBER, AT(rmse_pct), false, NULL, 0, 100},
+    {"holdout_pct", FIELD_NUMBER, AT(holdout_pct), false, NULL, 0, 100},
+    {"seed", FIELD_WHOLE, AT(seed), false, NULL, 0, 0},
+    {"options", FIELD_TEXT, AT(options), false, NULL, 0, 0},
+    {"generations", FIELD_WHOLE, AT(generations), false, NULL, 0, 0},
+    {"stop", FIELD_TEXT, AT(stop), false, "tolerance stall generations stopped",
+	0, 0},
+    {"train_mps", FIELD_TEXT, AT(train_mps), false, NULL, 0, 0},
+    {"date", FIELD_TEXT, AT(date), false, NULL, 0, 0},
+    {"note", FIELD_TEXT, AT(note), false, NULL, 0, 0},
+    {"version", FIELD_TEXT, AT(version), false, NULL, 0, 0},
+};
+
+static char **
+text_at(struct stored *m, const struct field *f)
+{
+	assert(f->kind == FIELD_TEXT);
+	return (char **)(void *)((char *)m + f->offset);
+}
+
+const char *
+stored_text(const struct stored *m, const struct field *f)
+{
+	char *text;
+	assert(f->kind == FIELD_TEXT);
+	memcpy(&text, (const char *)m + f->offset, sizeof text);
+	return text;
+}
+
+double
+stored_number(const struct stored *m, const struct field *f)
+{
+	double value;
+	assert(f->kind == FIELD_NUMBER);
+	memcpy(&value, (const char *)m + f->offset, sizeof value);
+	return value;
+}
+
+int64_t
+stored_whole(const struct stored *m, const struct field *f)
+{
+	int64_t value;
+	assert(f->kind == FIELD_WHOLE);
+	memcpy(&value, (const char *)m + f->offset, sizeof value);
+	return value;
+}
+
+void
+stored_set_text(struct stored *m, const struct field *f, const char *text)
+{
+	char *copy = xstrdup(text);
+	free(*text_at(m, f));
+	*text_at(m, f) = copy;
+}
+
+void
+stored_set_number(struct stored *m, const struct field *f, double value)
+{
+	assert(f->kind == FIELD_NUMBER);
+	memcpy((char *)m + f->offset, &value, sizeof value);
+}
+
+void
+stored_set_whole(struct stored *m, const struct field *f, int64_t value)
+{
+	assert(f->kind == FIELD_WHOLE);
+	memcpy((char *)m + f->offset, &value, sizeof value);
+}
+
+struct stored
+stored_new(void)
+{
+	struct stored m = {0};
+	for (size_t i = 0; i < FIELD_COUNT; i++) {
+		const struct field *f = &FIELDS[i];
+		if (f->kind == FIELD_TEXT)
+			stored_set_text(&m, f, "");
+		else if (f->kind == FIELD_NUMBER)
+			stored_set_number(&m, f, NAN);
+		else
+			stored_set_whole(&m, f, -1);
+	}
+	return m;
+}
+
+void
+stored_free(struct stored *m)
+{
+	for (size_t i = 0; i < FIELD_COUNT; i++)
+		if (FIELDS[i].kind == FIELD_TEXT)
+			free(*text_at(m, &FIELDS[i]));
+}
+
+void
+stored_list_free(struct stored_list *list)
+{
+	for (size_t i = 0; i < list->n; i++)
+		stored_free(&list->item[i]);
+	free(list->item);
+	*list = (struct stored_list){0};
+}
+
+void
+stored_list_add(struct stored_list *list, struct stored m)
+{
+	list->item = xrealloc(list->item, list->n + 1, sizeof m);
+	list->item[list->n++] = m;
+}
+
+const struct stored *
+stored_find(const struct stored_list *list, const char *name)
+{
+	const struct stored *found = NULL;
+	char *wanted = text_fold(name);
+	for (size_t i = 0; found == NULL && i < list->n; i++) {
+		char *fold = text_fold(list->item[i].name);
+		if (strcmp(fold, wanted) == 0)
+			found = &list->item[i];
+		free(fold);
+	}
+	free(wanted);
+	return found;
+}
+
+char *
+stored_written(const struct stored *m, const struct field *f)
+{
+	char number[32];
+	if (f->kind == FIELD_TEXT)
+		return xstrdup(stored_text(m, f));
+	if (f->kind == FIELD_NUMBER)
+		return xstrdup(isfinite(stored_number(m, f))
+				   ? text_exact(stored_number(m, f), number)
+				   : "");
+	int64_t whole = stored_whole(m, f);
+	return whole < 0 ? xstrdup("") : xasprintf("%" PRId64, whole);
+}
+
+uint64_t
+stored_digest(const struct stored *m)
+{
+	/* An empty field counts for nothing, so that a row keeps its digest
+	 * when a later schema adds a column. */
+	uint64_t h = TEXT_DIGEST_START;
+	for (size_t i = 0; i < FIELD_COUNT; i++) {
+		char *text = stored_written(m, &FIELDS[i]);
+		if (text[0] != '\0') {
+			h = text_digest(
+			    h, FIELDS[i].name, strlen(FIELDS[i].name) + 1);
+			h = text_digest(h, text, strlen(text) + 1);
+		}
+		free(text);
+	}
+	return h;
+}
+
+struct model_settings
+stored_settings(const struct stored *m)
+{
+	struct model_settings s = model_settings_default();
+	if (strcmp(m->method, "classes") == 0)
+		s.method = METHOD_CLASSES;
+	if (strcmp(m->appearance, "progeny_mm") == 0)
+		s.appearance = APPEARANCE_PROGENY_MM;
+	else if (strcmp(m->appearance, "parent_mm") == 0)
+		s.appearance = APPEARANCE_PARENT_MM;
+	s.k = m->k;
+	return s;
+}
+
+static const char TABLE3[] = "table3/";
+
+bool
+stored_is_table3_name(const char *name)
+{
+	char *folded = text_fold(name);
+	bool is = strncmp(folded, TABLE3, strlen(TABLE3)) == 0;
+	free(folded);
+	return is;
+}
+
+bool
+stored_check_name(const char *name, struct error *error)
+{
+	enum { MOST = 60 };
+	char *copy = xstrdup(name);
+	bool trimmed = strlen(text_trim(copy)) == strlen(name);
+	free(copy);
+	if (stored_is_table3_name(name)) {
+		error_set(error, ERROR_USAGE,
+		    "names that begin with %s are those of the paper's Table "
+		    "3, which does not change",
+		    TABLE3);
+		return error_hint(error, "choose another name");
+	}
+	if (name[0] != '\0' && name[0] != '#' && strlen(name) <= MOST &&
+	    trimmed && stored_is_line(name) && strchr(name, '"') == NULL)
+		return true;
+	return error_set(error, ERROR_USAGE,
+	    "a name of 1 to %d bytes on one line, without quotes and not "
+	    "beginning "
+	    "with #, was "
+	    "wanted, found '%.60s'",
+	    (int)MOST, name);
+}
+
+bool
+stored_is_table3(const struct stored *m)
+{
+	return strcmp(m->origin, "table3") == 0;
+}
+
+bool
+stored_is_line(const char *text)
+{
+	for (; *text != '\0'; text++)
+		if (iscntrl((unsigned char)*text))
+			return false;
+	return true;
+}
+
+bool
+stored_is_date(const char *text)
+{
+	static const int DAYS[] = {
+	    31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+	if (strlen(text) != 10)
+		return false;
+	for (size_t i = 0; i < 10; i++)
+		if (i == 4 || i == 7 ? text[i] != '-'
+				     : !isdigit((unsigned char)text[i]))
+			return false;
+	int year = atoi(text), month = atoi(text + 5), day = atoi(text + 8);
+	bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+	return month >= 1 && month <= 12 && day >= 1 &&
+	       day <= DAYS[month - 1] + (leap && month == 2);
+}
+
+/* As a session calls its sites: a later one of the same name has its size, and
+ * of the same name and size a number. */
+static char *
+table3_name(
+    const struct materials *rows, const struct stored_list *list, size_t i)
+{
+	char *slug = text_slug(rows->row[i].site);
+	bool shared = false;
+	for (size_t j = 0; j < rows->n; j++)
+		shared = shared || (j != i && text_same(rows->row[j].site,
+						  rows->row[i].site));
+	char *stem = shared ? xasprintf("%s%s/%g", TABLE3, slug,
+				  rows->row[i].top_size_mm)
+			    : xasprintf("%s%s", TABLE3, slug);
+	char *name = xstrdup(stem);
+	for (int n = 2; stored_find(list, name) != NULL; n++) {
+		free(name);
+		name = xasprintf("%s/%d", stem, n);
+	}
+	free(stem);
+	free(slug);
+	return name;
+}
+
+static void
+set(char **text, char *value)
+{
+	free(*text);
+	*text = value;
+}
+
+void
+stored_table3(struct stored_list *list)
+{
+	struct materials *rows = materials_table3();
+	for (size_t i = 0; i < rows->n; i++) {
+		const struct material *row = &rows->row[i];
+		struct stored m = stored_new();
+		set(&m.name, table3_name(rows, list, i));
+		set(&m.site, xstrdup(row->site));
+		set(&m.rock, xstrdup(row->rock));
+		set(&m.machine, xstrdup("Metso Barmac 5100 SE"));
+		set(&m.provenance,
+		    xasprintf("measured by the paper's authors and not public; "
+			      "Table 3 of Grunditz et al. (2021), %s; beta is "
+			      "not printed: default",
+			row->feed_source));
+		set(&m.origin, xstrdup("table3"));
+		set(&m.method, xstrdup("continuous"));
+		set(&m.appearance, xstrdup("ratio"));
+		set(&m.train_mps, xstrdup("69,79"));
+		m.top_size_mm = row->top_size_mm;
+		m.k = 1;
+		m.params = params_default_beta();
+		m.params.f_mat = row->f_mat;
+		m.params.e0_min = row->e0_min;
+		m.params.alpha = row->alpha;
+		stored_list_add(list, m);
+	}
+	materials_free(rows);
+}

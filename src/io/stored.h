@@ -1,0 +1,96 @@
+/* A material of the store: seven parameters with where they come from.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_STORED_H
+#define TIPSPEED_IO_STORED_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/error.h"
+#include "core/params.h"
+
+/* One material.  Text is never NULL and "" where nothing is known; a number is
+ * then NAN and a whole number -1.  provenance: that of the site's data, so that
+ * made-up data never pass for measured ones.  origin: "fit", "hand" or, of
+ * Table 3, "table3".  rmse_pct, holdout_pct: points at the training runs, and
+ * the largest at the others. */
+struct stored {
+	char *name, *site, *rock, *machine, *provenance, *site_digest;
+	char *origin, *method, *appearance, *options, *stop, *train_mps;
+	char *date, *note, *version;
+	double top_size_mm, k, misfit, rmse_pct, holdout_pct;
+	struct params params;
+	int64_t seed, generations;
+};
+
+struct stored_list {
+	size_t n;
+	struct stored *item;
+};
+
+enum field_kind { FIELD_TEXT, FIELD_NUMBER, FIELD_WHOLE };
+
+/* A column of the file and of its CSV form.  needed: never empty.  choices: of
+ * text, or NULL; least, most: of numbers. */
+struct field {
+	const char *name;
+	enum field_kind kind;
+	size_t offset;
+	bool needed;
+	const char *choices;
+	double least, most;
+};
+
+enum { FIELD_COUNT = 29, FIELD_NAME = 0 };
+extern const struct field FIELDS[FIELD_COUNT];
+
+/* A material of which nothing is known yet. */
+struct stored stored_new(void);
+void stored_free(struct stored *m);
+void stored_list_free(struct stored_list *list);
+
+/* Moves m to the end of the list. */
+void stored_list_add(struct stored_list *list, struct stored m);
+
+/* By name without case and accents; NULL if there is none. */
+const struct stored *stored_find(
+    const struct stored_list *list, const char *name);
+
+/* The value of a field.  set_text copies. */
+const char *stored_text(const struct stored *m, const struct field *f);
+double stored_number(const struct stored *m, const struct field *f);
+int64_t stored_whole(const struct stored *m, const struct field *f);
+void stored_set_text(struct stored *m, const struct field *f, const char *text);
+void stored_set_number(struct stored *m, const struct field *f, double value);
+void stored_set_whole(struct stored *m, const struct field *f, int64_t value);
+
+/* Any field as text that reads back the same, "" where nothing is known.  The
+ * caller frees. */
+char *stored_written(const struct stored *m, const struct field *f);
+
+/* Digest of all that is known of m: tells a row damaged on the disk. */
+uint64_t stored_digest(const struct stored *m);
+
+/* Method, appearance and k as settings. */
+struct model_settings stored_settings(const struct stored *m);
+
+/* A name is a line of 1 to 60 bytes without a double quote, does not begin with
+ * # and is not one of Table 3's ("table3/..."). */
+bool stored_check_name(const char *name, struct error *error);
+
+/* True for the rows of Table 3, which are read only, and for their names. */
+bool stored_is_table3(const struct stored *m);
+bool stored_is_table3_name(const char *name);
+
+/* A date that is one, YYYY-MM-DD. */
+bool stored_is_date(const char *text);
+
+/* One line of text, without control characters. */
+bool stored_is_line(const char *text);
+
+/* Adds the rows of Table 3, built into the program, named "table3/tierp",
+ * "table3/gavle/11.2", "table3/gavle/11.2/2". */
+void stored_table3(struct stored_list *list);
+
+#endif

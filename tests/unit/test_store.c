@@ -1,0 +1,280 @@
+/* The store: what is put comes back to the last bit, and a file that is none,
+ * damaged, old, new or locked is told from a good one.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "shelf.h"
+
+#include "io/store_schema.h"
+
+/* Every call fails with this kind of error, and the words and a hint. */
+static void
+expect_refusal(struct shelf *shelf, enum error_kind kind, const char *words)
+{
+	struct stored_list all = {0};
+	assert_false(store_list(shelf->store, &all, &shelf->error));
+	stored_list_free(&all);
+	assert_int_equal(shelf->error.kind, kind);
+	assert_string_equal(shelf->error.file, shelf->path);
+	assert_true(shelf->error.hint[0] != '\0');
+	if (strstr(shelf->error.text, words) == NULL)
+		fail_msg("%s: no %s", shelf->error.text, words);
+	struct stored m = sparse("late");
+	assert_false(store_put(shelf->store, &m, 1, true, &shelf->error));
+	assert_int_equal(shelf->error.kind, kind);
+	stored_free(&m);
+}
+
+/* SQL behind the store's back. */
+static void
+meddle(struct shelf *shelf, const char *sql)
+{
+	sqlite3 *db = NULL;
+	assert_int_equal(sqlite3_open(shelf->path, &db), SQLITE_OK);
+	if (sqlite3_exec(db, sql, NULL, NULL, NULL) != SQLITE_OK)
+		fail_msg("%s: %s", sql, sqlite3_errmsg(db));
+	sqlite3_close(db);
+}
+
+static void
+what_is_put_comes_back_to_the_bit(void **state)
+{
+	struct shelf *shelf = *state;
+	put(shelf, full("tierp"));
+	put(shelf, sparse("Åre/4"));
+	struct stored_list all = list(shelf);
+	struct stored a = sparse("Åre/4"), b = full("tierp");
+	assert_int_equal(all.n, 2);
+	expect_same(&all.item[0], &a);
+	expect_same(&all.item[1], &b);
+	stored_free(&a);
+	stored_free(&b);
+	stored_list_free(&all);
+}
+
+static void
+to_read_makes_no_file(void **state)
+{
+	struct shelf *shelf = *state;
+	expect_names(shelf, "");
+	assert_false(store_forget(shelf->store, "x", &shelf->error));
+	assert_int_equal(shelf->error.kind, ERROR_USAGE);
+	assert_int_not_equal(access(shelf->path, F_OK), 0);
+}
+
+static void
+a_name_is_taken_once(void **state)
+{
+	struct shelf *shelf = *state;
+	put(shelf, full("Gävle"));
+	struct stored two[2] = {sparse("new"), sparse("GAVLE")};
+	assert_false(store_put(shelf->store, two, 2, false, &shelf->error));
+	assert_int_equal(shelf->error.kind, ERROR_USAGE);
+	assert_non_null(strstr(shelf->error.text, "'GAVLE'"));
+	/* All or nothing. */
+	expect_names(shelf, "Gävle");
+	assert_true(store_put(shelf->store, two, 2, true, &shelf->error));
+	expect_names(shelf, "GAVLE new");
+	assert_true(store_forget(shelf->store, "gävle", &shelf->error));
+	assert_false(store_forget(shelf->store, "gävle", &shelf->error));
+	expect_names(shelf, "new");
+	stored_free(&two[0]);
+	stored_free(&two[1]);
+}
+
+static void
+memory_leaves_no_trace(void **state)
+{
+	struct shelf *shelf = *state;
+	assert_int_equal(chdir(shelf->folder), 0);
+	store_free(shelf->store);
+	shelf->store = store_new(":memory:");
+	put(shelf, full("a"));
+	put(shelf, full("b"));
+	expect_names(shelf, "a b");
+	assert_int_equal(rmdir(shelf->folder), 0);
+	assert_int_equal(mkdir(shelf->folder, 0700), 0);
+}
+
+static void
+the_default_place_is_made_for_this_user_alone(void **state)
+{
+	struct shelf *shelf = *state;
+	struct stat about;
+	store_free(shelf->store);
+	setenv("XDG_DATA_HOME", shelf->folder, 1);
+	shelf->store = store_new(NULL);
+	put(shelf, full("a"));
+	char *folder = xasprintf("%s/tipspeed", shelf->folder);
+	char *file = xasprintf("%s/store.db", folder);
+	assert_string_equal(store_path(shelf->store), file);
+	assert_int_equal(stat(folder, &about), 0);
+	assert_int_equal(about.st_mode & 0777, 0700);
+	assert_int_equal(access(file, R_OK), 0);
+	free(folder);
+	free(file);
+}
+
+/* A file as an earlier program left it: its schema, its row, its digest. */
+static void
+make_schema_1(struct shelf *shelf)
+{
+	struct stored m = sparse("old");
+	char *row = sqlite3_mprintf(
+	    "INSERT INTO about VALUES ('tipspeed 0.0.9');"
+	    "INSERT INTO material (fold, digest, name, site, origin, beta1,"
+	    " beta2, beta3, beta4, f_mat, e0_min, alpha, method, appearance, k)"
+	    " VALUES ('old', '%016llx', 'old', 'Nowhere', 'hand', 0, 1, -1,"
+	    " 0.5, 2.18, 16.74, 0.96, 'continuous', 'ratio', 1);"
+	    "PRAGMA application_id = %d; PRAGMA user_version = 1",
+	    (long long)stored_digest(&m), (int)SCHEMA_APPLICATION);
+	meddle(shelf, SCHEMA_STEPS[0]);
+	meddle(shelf, row);
+	sqlite3_free(row);
+	stored_free(&m);
+}
+
+static void
+an_older_schema_is_brought_up_to_date(void **state)
+{
+	struct shelf *shelf = *state;
+	make_schema_1(shelf);
+	put(shelf, full("new"));
+	struct stored_list all = list(shelf);
+	struct stored old = sparse("old"), new = full("new");
+	assert_int_equal(all.n, 2);
+	expect_same(&all.item[0], &new);
+	expect_same(&all.item[1], &old);
+	stored_free(&old);
+	stored_free(&new);
+	stored_list_free(&all);
+}
+
+/* A step that fails leaves the file as it was. */
+static void
+a_failed_migration_changes_nothing(void **state)
+{
+	struct shelf *shelf = *state;
+	make_schema_1(shelf);
+	meddle(shelf, "ALTER TABLE material ADD COLUMN train_mps REAL");
+	struct stored_list all = {0};
+	assert_false(store_list(shelf->store, &all, &shelf->error));
+	assert_int_equal(shelf->error.kind, ERROR_SYSTEM);
+	sqlite3 *db = NULL;
+	sqlite3_stmt *stmt = NULL;
+	sqlite3_open(shelf->path, &db);
+	sqlite3_prepare_v2(db, "SELECT program FROM about", -1, &stmt, NULL);
+	assert_int_equal(sqlite3_step(stmt), SQLITE_ROW);
+	assert_string_equal(
+	    (const char *)sqlite3_column_text(stmt, 0), "tipspeed 0.0.9");
+	sqlite3_finalize(stmt);
+	sqlite3_close(db);
+}
+
+static void
+a_newer_schema_is_refused(void **state)
+{
+	struct shelf *shelf = *state;
+	put(shelf, full("a"));
+	meddle(shelf, "UPDATE about SET program = 'tipspeed 9.9.9';"
+		      "PRAGMA user_version = 99");
+	expect_refusal(shelf, ERROR_DATA, "tipspeed 9.9.9 (schema 99)");
+	meddle(shelf, "PRAGMA user_version = 2");
+	expect_names(shelf, "a");
+}
+
+static void
+another_programs_database_is_refused(void **state)
+{
+	struct shelf *shelf = *state;
+	meddle(shelf, "CREATE TABLE places (url TEXT)");
+	expect_refusal(shelf, ERROR_DATA, "another program");
+}
+
+static void
+a_file_that_is_none_is_refused(void **state)
+{
+	struct shelf *shelf = *state;
+	char text[2000];
+	memset(text, 'x', sizeof text);
+	write_file(shelf->path, 0, text, sizeof text);
+	expect_refusal(shelf, ERROR_DATA, "no store of tipspeed");
+}
+
+static void
+a_damaged_file_is_refused(void **state)
+{
+	struct shelf *shelf = *state;
+	for (int i = 0; i < 40; i++) {
+		char name[20];
+		snprintf(name, sizeof name, "m%d", i);
+		put(shelf, full(name));
+	}
+	struct stat about;
+	assert_int_equal(stat(shelf->path, &about), 0);
+	char noise[3000];
+	for (size_t i = 0; i < sizeof noise; i++)
+		noise[i] =
+		    (char)(rng_uniform(rng_key(7, 0, 0), (uint32_t)i) * 255);
+	write_file(shelf->path, about.st_size / 2, noise, sizeof noise);
+	expect_refusal(shelf, ERROR_DATA, "damaged");
+	assert_int_equal(truncate(shelf->path, about.st_size / 3), 0);
+	expect_refusal(shelf, ERROR_DATA, "damaged");
+}
+
+/* A number changed on the disk makes no broken page, but another material. */
+static void
+a_changed_number_is_noticed(void **state)
+{
+	struct shelf *shelf = *state;
+	put(shelf, full("a"));
+	put(shelf, full("b"));
+	meddle(shelf, "UPDATE material SET alpha = 0.5 WHERE name = 'b'");
+	struct stored_list all = {0};
+	assert_false(store_list(shelf->store, &all, &shelf->error));
+	stored_list_free(&all);
+	assert_int_equal(shelf->error.kind, ERROR_DATA);
+	assert_non_null(strstr(shelf->error.text, "'b'"));
+	assert_true(store_forget(shelf->store, "b", &shelf->error));
+	expect_names(shelf, "a");
+}
+
+static void
+a_locked_store_is_waited_for_and_then_told(void **state)
+{
+	struct shelf *shelf = *state;
+	put(shelf, full("a"));
+	sqlite3 *db = NULL;
+	sqlite3_open(shelf->path, &db);
+	sqlite3_exec(db, "BEGIN IMMEDIATE", NULL, NULL, NULL);
+	struct stored m = full("b");
+	assert_false(store_put(shelf->store, &m, 1, false, &shelf->error));
+	assert_int_equal(shelf->error.kind, ERROR_SYSTEM);
+	assert_non_null(strstr(shelf->error.text, "another program"));
+	/* To read, nobody waits. */
+	expect_names(shelf, "a");
+	sqlite3_exec(db, "ROLLBACK", NULL, NULL, NULL);
+	sqlite3_close(db);
+	assert_true(store_put(shelf->store, &m, 1, false, &shelf->error));
+	stored_free(&m);
+	expect_names(shelf, "a b");
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(what_is_put_comes_back_to_the_bit),
+	    cmocka_unit_test(to_read_makes_no_file),
+	    cmocka_unit_test(a_name_is_taken_once),
+	    cmocka_unit_test(memory_leaves_no_trace),
+	    cmocka_unit_test(the_default_place_is_made_for_this_user_alone),
+	    cmocka_unit_test(an_older_schema_is_brought_up_to_date),
+	    cmocka_unit_test(a_failed_migration_changes_nothing),
+	    cmocka_unit_test(a_newer_schema_is_refused),
+	    cmocka_unit_test(another_programs_database_is_refused),
+	    cmocka_unit_test(a_file_that_is_none_is_refused),
+	    cmocka_unit_test(a_damaged_file_is_refused),
+	    cmocka_unit_test(a_changed_number_is_noticed),
+	    cmocka_unit_test(a_locked_store_is_waited_for_and_then_told),
+	};
+	return shelf_run(tests, ARRAY_LEN(tests));
+}

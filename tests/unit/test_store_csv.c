@@ -1,0 +1,139 @@
+/* Export, import, Table 3 and what a material's words may be.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "shelf.h"
+
+#include "io/store_csv.h"
+
+static char *
+contents(const char *path)
+{
+	char *text = xcalloc(100000, 1);
+	FILE *file = fopen(path, "r");
+	assert_non_null(file);
+	assert_true(fread(text, 1, 99999, file) > 0);
+	fclose(file);
+	return text;
+}
+
+static void
+export_and_import_go_round(void **state)
+{
+	struct shelf *shelf = *state;
+	struct error_list errors = {0};
+	put(shelf, full("b"));
+	put(shelf, sparse("a"));
+	struct stored_list all = list(shelf), again = {0};
+	assert_true(store_csv_save(&all, shelf->csv, &shelf->error));
+	char *first = contents(shelf->csv);
+	if (!store_csv_read(shelf->csv, NULL, &again, &errors))
+		fail_msg("%s", errors.item[0].text);
+	assert_int_equal(again.n, 2);
+	expect_same(&all.item[0], &again.item[0]);
+	expect_same(&all.item[1], &again.item[1]);
+	assert_true(store_csv_save(&again, shelf->csv, &shelf->error));
+	char *second = contents(shelf->csv);
+	assert_string_equal(first, second);
+	free(first);
+	free(second);
+	stored_list_free(&all);
+	stored_list_free(&again);
+}
+
+/* Head and one row of an export, with a word of the row replaced. */
+static void
+expect_fault(struct shelf *shelf, const char *old, const char *new, int line,
+    int column, const char *words)
+{
+	struct stored_list all = {0}, read = {0};
+	struct error_list errors = {0};
+	bool there = strstr(words, "the store has") != NULL;
+	stored_list_add(&all, sparse("a"));
+	assert_true(store_csv_save(&all, shelf->csv, &shelf->error));
+	char *text = contents(shelf->csv), *at = strstr(text, old);
+	assert_non_null(at);
+	*at = '\0';
+	char *changed = xasprintf("%s%s%s", text, new, at + strlen(old));
+	write_file(shelf->csv, 0, changed, strlen(changed));
+	assert_false(
+	    store_csv_read(shelf->csv, there ? &all : NULL, &read, &errors));
+	const struct error *e = &errors.item[0];
+	if (e->line != line || e->column != column || errors.n == 0 ||
+	    strstr(e->text, words) == NULL)
+		fail_msg("%d:%d: %s", e->line, e->column, e->text);
+	free(changed);
+	free(text);
+	stored_list_free(&all);
+	stored_list_free(&read);
+}
+
+static void
+faults_of_an_import_have_their_place(void **state)
+{
+	struct shelf *shelf = *state;
+	static const struct {
+		const char *old, *new;
+		int line, column;
+		const char *words;
+	} faults[] = {{"2.18", "many", 2, 32, "a number from 0 to 10000"},
+	    {"2.18", "-1", 2, 32, "a number from 0 to 10000"},
+	    {"2.18", "", 2, 32, "f_mat was wanted"},
+	    {"hand", "magic", 2, 16, "one of: fit hand"},
+	    {"\na,", "\n,", 2, 1, "name was wanted"},
+	    {"\na,", "\ntable3/a,", 2, 1, "Table 3"},
+	    {"\na,", "\nA,", 2, 1, "the store has 'A' already"},
+	    {"alpha", "gamma", 1, 103, "the name of a column"},
+	    {"continuous", "exact", 2, 48, "one of: continuous classes"},
+	    {"continuous,ratio,1,,,,,,,,,", "continuous,ratio,1,,,,-3,,,,,", 2,
+		70, "a whole number"},
+	    {"continuous,ratio,1,,,,,,,,,",
+		"continuous,ratio,1,,,,,,,,,2026-02-30", 2, 75, "a date"}};
+	for (size_t i = 0; i < ARRAY_LEN(faults); i++)
+		expect_fault(shelf, faults[i].old, faults[i].new,
+		    faults[i].line, faults[i].column, faults[i].words);
+}
+
+static void
+table_3_is_in_the_program(void **state)
+{
+	(void)state;
+	struct stored_list all = {0};
+	stored_table3(&all);
+	assert_int_equal(all.n, 19);
+	for (size_t i = 0; i < all.n; i++) {
+		struct params p = made_params(&TABLE_3[i]);
+		assert_string_equal(all.item[i].site, TABLE_3[i].site);
+		assert_memory_equal(&all.item[i].params, &p, sizeof p);
+		assert_true(all.item[i].top_size_mm == TABLE_3[i].top_mm);
+		assert_true(stored_is_table3(&all.item[i]));
+	}
+	assert_non_null(stored_find(&all, "table3/borlange"));
+	assert_non_null(stored_find(&all, "table3/GÄVLE/11.2/2"));
+	stored_list_free(&all);
+}
+
+static void
+dates_are_days_of_the_calendar(void **state)
+{
+	(void)state;
+	static const char *const good[] = {
+	    "2026-11-21", "2024-02-29", "2000-02-29", "1999-12-31"};
+	static const char *const bad[] = {"", "2026-11-31", "2023-02-29",
+	    "1900-02-29", "2026-00-10", "2026-13-01", "2026-1-01", "26-11-21",
+	    "2026-11-21 ", "2026/11/21", "2026-11-00", "+026-11-21"};
+	for (size_t i = 0; i < ARRAY_LEN(good); i++)
+		assert_true(stored_is_date(good[i]));
+	for (size_t i = 0; i < ARRAY_LEN(bad); i++)
+		assert_false(stored_is_date(bad[i]));
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(export_and_import_go_round),
+	    cmocka_unit_test(faults_of_an_import_have_their_place),
+	    cmocka_unit_test(table_3_is_in_the_program),
+	    cmocka_unit_test(dates_are_days_of_the_calendar),
+	};
+	return shelf_run(tests, ARRAY_LEN(tests));
+}
