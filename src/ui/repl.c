@@ -178,9 +178,9 @@ answer_signals(void)
 	woken = resized = 0;
 }
 
-/* For readline.  ^C empties the terminal's queue, also between pselect and here,
- * and readline's own reading would then wait for a key with signals held.  At a
- * signal any harmless byte will do: the line is dropped. */
+/* For readline.  ^C empties the terminal's queue, also between pselect and
+ * here, and readline's own reading would then wait for a key with signals held.
+ * At a signal any harmless byte will do: the line is dropped. */
 static int
 on_read(FILE *in)
 {
