@@ -11,12 +11,13 @@
 
 /* A block's parameters and what follows from them. */
 struct block {
-	lanes beta[4], f, e0, alpha, over_alpha, log_e0, log_full, over_total;
+	lanes beta[4], f, e0, alpha, over_alpha, f_e0, log_e0, log_full,
+	    over_total;
 };
 
 /* Where f (x^alpha E - e0) is more in the whole of a class, all of it breaks:
- * the rest is below 1e-5. */
-static const double FULL = 12;
+ * the rest is below 2e-4 and falls by the next class. */
+static const double FULL = 9;
 
 /* The exponent rises by alpha (f e0 + itself) in ln x.  Where that is less at
  * x*, two Gauss points a class are as good as three. */
@@ -46,6 +47,7 @@ load(struct block *b, const struct plan *plan,
 	b->over_alpha = 1 / lanes_max(b->alpha, lanes_of(1e-9));
 	/* S is 0 below the size of the first and 1 above that of the second,
 	 * where the exponent reaches FULL. */
+	b->f_e0 = b->f * b->e0;
 	b->log_e0 = lanes_log(b->e0);
 	b->log_full = lanes_log(FULL / b->f + b->e0);
 }
@@ -101,27 +103,58 @@ cumulate(struct block *b, const struct plan *plan, const struct room *room)
 	b->over_total = (lanes)((sum > 0.0) & (lanes_mask)(1 / sum));
 }
 
-/* From the Gauss points g between max(from, lower) and upper; power, where it
- * is not NULL, has x^alpha at the points of the whole class. */
-static inline struct share
-class_share(const struct block *b, const struct plan *plan, size_t c, double E,
-    double density_c, lanes from, const struct gauss *g, const lanes *power)
+/* x^alpha at ln x = t. */
+static inline lanes
+power_at(const struct block *b, lanes t)
 {
-	double upper = plan->upper[c], mid = plan->middle[c];
+	return lanes_exp_quick(lanes_min(b->alpha * t, lanes_of(708)));
+}
+
+/* Adds a Gauss point at a distance from the middle of its class. */
+static inline void
+add_gauss(struct share *sum, const struct block *b, double E, lanes power,
+    lanes weight, lanes distance)
+{
+	lanes y = b->f * E * power - b->f_e0;
+	lanes S = 1 - lanes_exp_quick(lanes_min(-y, lanes_of(0)));
+	sum->mass += weight * S;
+	sum->moment += weight * distance * S;
+}
+
+/* Of a class that breaks from its lower edge on; power has x^alpha at the
+ * points of g. */
+static inline struct share
+whole_share(const struct block *b, const struct plan *plan, size_t c,
+    const struct plan_run *run, const struct gauss *g, const lanes *power)
+{
+	double upper = plan->upper[c], width = upper - plan->lower[c];
+	struct share sum = {lanes_of(0), lanes_of(0)};
+	for (size_t q = 0; q < g->n; q++) {
+		double t = upper - width * g->from_top[q];
+		add_gauss(&sum, b, run->E, power[q], lanes_of(g->weight[q]),
+		    lanes_of(t - plan->middle[c]));
+	}
+	double scale = run->mass[c] * width;
+	return (struct share){scale * sum.mass, scale * sum.moment};
+}
+
+/* Of one that some lanes break from x* on; the same bits for the others. */
+static inline struct share
+split_share(const struct block *b, const struct plan *plan, size_t c,
+    const struct plan_run *run, const struct gauss *g, lanes from)
+{
+	double upper = plan->upper[c];
 	lanes bottom = lanes_min(
 	    lanes_max(from, lanes_of(plan->lower[c])), lanes_of(upper));
-	lanes width = upper - bottom, sum = lanes_of(0), first = sum;
+	lanes width = upper - bottom;
+	struct share sum = {lanes_of(0), lanes_of(0)};
 	for (size_t q = 0; q < g->n; q++) {
 		lanes t = upper - width * g->from_top[q];
-		lanes w =
-		    power != NULL ? power[q] : lanes_exp_quick(b->alpha * t);
-		lanes y = positive(b->f * (w * E - b->e0));
-		lanes S = (1 - lanes_exp_quick(-y)) * g->weight[q];
-		sum += S;
-		first += S * (t - mid);
+		add_gauss(&sum, b, run->E, power_at(b, t),
+		    lanes_of(g->weight[q]), t - plan->middle[c]);
 	}
-	lanes scale = density_c * width;
-	return (struct share){scale * sum, scale * first};
+	lanes scale = run->mass[c] * width;
+	return (struct share){scale * sum.mass, scale * sum.moment};
 }
 
 /* Shares of class c in every run.  any: some lane breaks some of it; all: every
@@ -153,15 +186,14 @@ one_class(const struct block *b, const struct plan *plan, size_t c,
 		}
 		*any = true;
 		bool whole = lanes_all(from <= lower);
+		double width = upper - lower;
 		for (size_t q = 0; whole && !have_power && q < g->n; q++)
-			power[q] = lanes_exp_quick(
-			    b->alpha *
-			    (upper - (upper - lower) * g->from_top[q]));
+			power[q] = power_at(
+			    b, lanes_of(upper - width * g->from_top[q]));
 		have_power = have_power || whole;
-		struct share part = whole ? class_share(b, plan, c, run->E,
-						run->mass[c], from, g, power)
-					  : class_share(b, plan, c, run->E,
-						run->mass[c], from, g, NULL);
+		struct share part = whole
+					? whole_share(b, plan, c, run, g, power)
+					: split_share(b, plan, c, run, g, from);
 		share->mass = lanes_select(full, share->mass, part.mass);
 		share->moment = (lanes)(~full & (lanes_mask)part.moment);
 	}
