@@ -80,7 +80,6 @@ struct room {
 	lanes *from, *full;  /* [n_run] ln x* and ln x where S becomes 1 */
 	struct share *share; /* [n_run * n_class] */
 	struct node *node;   /* [KERNEL_NODES] */
-	lanes *B, *p;        /* [n_class] as seen from one sieve */
 	size_t n_full;       /* classes, from the coarsest, that break whole */
 	size_t n_active;     /* and those of which any lane breaks some */
 };
@@ -250,15 +249,29 @@ whole_below(const struct plan_run *run, const struct plan_sieve *sieve,
 	return sum;
 }
 
-/* The same with that of the classes from..n-1 added. */
-static inline lanes
-broken_below(const struct share *share, size_t from, size_t n,
-    const struct room *room, lanes sum)
+/* Adds that of the classes from..n-1, for two runs side by side, which look B
+ * and p up but once; they may be the same one. */
+static inline void
+add_split(const struct plan_sieve *sieve, size_t from, size_t n,
+    const struct node *node, const struct share *share[static 2],
+    lanes below[static 2])
 {
-	for (size_t c = from; c < n; c++)
-		sum +=
-		    share[c].mass * room->B[c] - share[c].moment * room->p[c];
-	return sum;
+	lanes first = below[0], second = below[1];
+	for (size_t c = from; c < n; c++) {
+		lanes B = view_B(&sieve->view[c], node);
+		lanes p = view_p(&sieve->view[c], node);
+		first += share[0][c].mass * B - share[0][c].moment * p;
+		second += share[1][c].mass * B - share[1][c].moment * p;
+	}
+	below[0] = first;
+	below[1] = second;
+}
+
+static inline lanes
+square(const struct plan_target *t, const struct block *b, lanes below)
+{
+	lanes d = t->weight * (t->difference + below * b->over_total);
+	return d * d;
 }
 
 /* Weighted squares of a sieve's differences, over the runs. */
@@ -271,19 +284,21 @@ sieve_squares(const struct plan *plan, const struct block *b, size_t s,
 	    sieve->n_above < room->n_active ? sieve->n_above : room->n_active;
 	size_t full = room->n_full < n ? room->n_full : n;
 	lanes squares = lanes_of(0), whole = squares;
-	for (size_t c = full; c < n; c++) {
-		room->B[c] = view_B(&sieve->view[c], room->node);
-		room->p[c] = view_p(&sieve->view[c], room->node);
-	}
-	for (size_t r = 0; r < plan->n_run; r++) {
-		const struct plan_run *run = &plan->run[r];
-		const struct plan_target *t = &run->target[s];
-		if (r == 0 || !plan->one_feed)
-			whole = whole_below(run, sieve, full, room);
-		lanes part = broken_below(
-		    room->share + r * plan->n_class, full, n, room, whole);
-		lanes d = t->weight * (t->difference + part * b->over_total);
-		squares += d * d;
+	if (plan->one_feed)
+		whole = whole_below(&plan->run[0], sieve, full, room);
+	for (size_t r = 0; r < plan->n_run; r += 2) {
+		size_t other = r + 1 < plan->n_run ? r + 1 : r;
+		const struct plan_run *run[2] = {
+		    &plan->run[r], &plan->run[other]};
+		const struct share *share[2] = {room->share + r * plan->n_class,
+		    room->share + other * plan->n_class};
+		lanes below[2] = {whole, whole};
+		for (size_t i = 0; i < 2 && !plan->one_feed; i++)
+			below[i] = whole_below(run[i], sieve, full, room);
+		add_split(sieve, full, n, room->node, share, below);
+		squares += square(&run[0]->target[s], b, below[0]);
+		if (other > r)
+			squares += square(&run[1]->target[s], b, below[1]);
 	}
 	return squares;
 }
@@ -295,9 +310,7 @@ continuous_block(
 	lanes *at = (lanes *)(void *)scratch, sum = lanes_of(0);
 	size_t n_run = plan->n_run;
 	struct room room = {.from = at, .full = at + n_run};
-	room.B = at + 2 * n_run;
-	room.p = room.B + plan->n_class;
-	room.share = (void *)(room.p + plan->n_class);
+	room.share = (void *)(at + 2 * n_run);
 	room.node = (void *)(room.share + n_run * plan->n_class);
 	cumulate(b, plan, &room);
 	if (calm)
