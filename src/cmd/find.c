@@ -158,6 +158,8 @@ note_unreached(struct report *r, struct wish *wish, const char *words)
 	if (isfinite(low) && isfinite(high))
 		report_note(r, "it is %.2f %s at %g m/s and %.2f %s at %g m/s",
 		    low, what, wish->from, high, what, wish->to);
+	report_note(r, above ? "from= looks at slower speeds"
+			     : "to= looks at faster speeds");
 }
 
 /* The product at the speed found; without one those at the two ends. */

@@ -126,6 +126,12 @@ report_missing(struct report *r, const char *words)
 	r->missing = xstrdup(words);
 }
 
+size_t
+report_rows(const struct report *r)
+{
+	return r->n_column > 0 ? r->n_cell / r->n_column : 0;
+}
+
 void
 report_note(struct report *r, const char *format, ...)
 {

@@ -44,6 +44,9 @@ void report_text(struct report *report, const char *text);
 /* What to show for the next NAN cells ("below 0.063 mm"); default "-". */
 void report_missing(struct report *report, const char *words);
 
+/* How many rows are full. */
+size_t report_rows(const struct report *report);
+
 /* A line below the table. */
 void report_note(struct report *report, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
