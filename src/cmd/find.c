@@ -46,8 +46,8 @@ check_wish(const struct args *args, struct error *error)
 	bool at = option(args, "at")->given;
 	if (given != 1)
 		error_set(error, ERROR_USAGE,
-		    "find wants one of p20, p50, p80, passing and spec, not "
-		    "%zu",
+		    "find wants one of p20, p50, p80, passing and spec, "
+		    "found %zu of them",
 		    given);
 	else if (at != option(args, "passing")->given)
 		error_set(error, ERROR_USAGE,
