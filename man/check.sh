@@ -11,7 +11,7 @@
 #                       which must load without a fault.
 #   .\" file NAME       on the line before .Bd: the display is that file.
 #   .\" session         on the line before .Bd: all displays so marked are one
-#                       session at a prompt, with what it shows; see session.exp.
+#                       session at a prompt with what it shows, see session.exp.
 #                       RENEW=1 writes what is shown now into PAGE.
 #   .\" needs TOOL      on the line before .Bd: left out where there is no TOOL.
 # Commands run in a folder of the page's own that holds a link to SRCDIR/data,

@@ -69,7 +69,7 @@ read_head(struct sheet *sheet, size_t column[static FIELD_COUNT])
 		else
 			column[f] = i;
 	}
-	/* A file of another kind lacks most of them: the name stands for all. */
+	/* A file of another kind lacks most: the name stands for all. */
 	bool other = column[FIELD_NAME] == SIZE_MAX;
 	for (size_t f = 0; f < (other ? FIELD_NAME + 1 : FIELD_COUNT); f++)
 		if (column[f] == SIZE_MAX)
