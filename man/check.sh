@@ -9,6 +9,10 @@
 #   "tipspeed> COMMAND" lines of a display are one script, which must exit 0.
 #   .\" site-example    on the line before .Bd: the display is a site file,
 #                       which must load without a fault.
+#   .\" file NAME       on the line before .Bd: the display is that file.
+#   .\" session         on the line before .Bd: all displays so marked are one
+#                       session at a prompt with what it shows, see session.exp.
+#                       RENEW=1 writes what is shown now into PAGE.
 #   .\" needs TOOL      on the line before .Bd: left out where there is no TOOL.
 # Commands run in a folder of the page's own that holds a link to SRCDIR/data,
 # with the binary on PATH as tipspeed; what they write to standard error is not
@@ -35,12 +39,15 @@ trap 'exit 130' INT
 trap 'exit 143' TERM HUP
 mkdir "$top/bin" && ln -s "$binary" "$top/bin/tipspeed" || exit 2
 PATH=$top/bin:$PATH
-export PATH
+HOME=$top/home XDG_STATE_HOME=$top/home XDG_CONFIG_HOME=$top/home
+export PATH HOME XDG_STATE_HOME XDG_CONFIG_HOME
+unset TIPSPEED_COLOR
 tests=0
 failed=0
 
-# Takes a page apart: for example N the files N.kind (shell, script, site, bad),
-# N.text (what to run or load), N.want (its output) and N.needs (a tool).
+# Takes a page apart: for example N the files N.kind (shell, script, site, file,
+# bad), N.text (what to run or load), N.want (its output), N.needs (a tool) and
+# N.name (a file's); all sessions together in the file session.
 extract() {
 	awk -v folder="$2" '
 	function start(kind) {
@@ -91,27 +98,34 @@ extract() {
 			bad("a display within a display")
 		inside = 1
 		was = ""
-		if (site) {
-			start("site")
-			was = "site"
-		}
+		if (site || name != "") {
+			was = site ? "site" : "file"
+			start(was)
+			if (name != "")
+				print name > (base ".name")
+			close(base ".name")
+		} else if (session)
+			was = "session"
 		next
 	}
 	/^\.Ed/ {
 		finish()
-		inside = site = 0
-		needs = ""
+		inside = site = session = 0
+		needs = name = ""
 		next
 	}
 	!inside {
 		site = $0 ~ /^\.\\" *site-example *$/
+		session = $0 ~ /^\.\\" *session *$/
 		needs = $0 ~ /^\.\\" *needs / ? $3 : ""
+		name = $0 ~ /^\.\\" *file / ? $3 : ""
 		next
 	}
 	/^\.\\"/ { next }
 	{ line = plain($0) }
 	was == "bad" { next }
-	was == "site" { print line > (base ".text"); next }
+	was == "session" { print line > (folder "/session"); next }
+	was == "site" || was == "file" { print line > (base ".text"); next }
 	substr(line, 1, 2) == "$ " {
 		if (was == "script") {
 			bad("a shell command among lines for tipspeed")
@@ -199,10 +213,52 @@ run_example() {
 		printf 'exit status %s\n' "$status" >>"$base.got"
 		tell "$((status != 0))" "$page: the site file" "$base.got"
 		;;
+	file)
+		cp "$base.text" "$work/$(cat "$base.name")"
+		;;
 	*)
 		tell 1 "$page: a display" "$base.text"
 		;;
 	esac
+}
+
+# What differs from run to run, as the page has it.
+steady() {
+	sed -e 's/done in [0-9.]* s/done in 0.1 s/' \
+	    -e 's/threads [0-9][0-9]*/threads 2/' \
+	    -e "s|$XDG_DATA_HOME|/home/you/.local/share|"
+}
+
+# Puts what a session shows, in FILE, into the displays of PAGE.
+renew() {
+	awk -v sign='^([$]|[a-z][^ >]*( [(][a-z]+[)])?>) ' '
+	FNR == NR {
+		n += $0 ~ sign
+		gsub(/\\/, "\\e")
+		sub(/^[.\047]/, "\\\\\\&&")
+		block[n] = block[n] $0 "\n"
+		next
+	}
+	/^\.Ed/ { inside = 0 }
+	inside && $0 ~ sign { printf "%s", block[++command] }
+	!inside
+	/^\.Bd/ && was { inside = 1 }
+	{ was = $0 ~ /^\.\\" *session *$/ }' "$1" "$2" >"$top/page" &&
+	cat "$top/page" >"$2"
+}
+
+# run_session PAGE PATH: its session, in the page's folder.
+run_session() {
+	[ -f "$cases/session" ] || return 0
+	if ! command -v expect >/dev/null 2>&1; then
+		skip "$1: the session" expect
+		return
+	fi
+	(cd "$work" && expect "$source/man/session.exp" "$cases/session") \
+	    2>&1 | steady >"$cases/got"
+	diff -u "$cases/session" "$cases/got" >"$cases/diff"
+	tell $? "$1: the session, else RENEW=1" "$cases/diff"
+	[ -z "${RENEW-}" ] || renew "$cases/got" "$2"
 }
 
 number=0
@@ -222,6 +278,7 @@ for path in "$@"; do
 		[ -f "$kind_file" ] || continue
 		run_example "$page" "${kind_file%.kind}"
 	done
+	run_session "$page" "$path"
 done
 printf '1..%d\n' "$tests"
 [ "$failed" -eq 0 ]

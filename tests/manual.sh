@@ -27,11 +27,19 @@ for page in "$dir"/man/*; do
 	[ -s "$dir/points" ]
 	result $? "$name has examples, and they ran"
 done
-# The sheet printed in README loads, and its command line runs.
-sed -n '/^    site,My quarry/,/^$/s/^    //p' "$srcdir/README.md" >"$dir/my.csv"
-"$TIPSPEED" "$dir/my.csv" -c check -c calibrate -c validate -c 'predict 67' \
-	>"$dir/out" 2>"$dir/log"
-result $? "the sheet in README loads and is calibrated"
-grep -q '^P20 .*P50 .*P80 ' "$dir/out"
-result $? "and its product is predicted"
+# The sheet printed in README loads, and its session and its command line run.
+readme=$(cd "$srcdir" && pwd)/README.md
+cd "$dir" || exit 99
+sed -n '/^    site,My quarry/,/^$/s/^    //p' "$readme" >myquarry.csv
+sed -n 's/^    [a-z-]*\( (fit)\)*> //p' "$readme" >session
+[ "$(wc -l <session)" -ge 3 ]
+result $? "README has a session"
+XDG_DATA_HOME=$dir "$TIPSPEED" -f session >out 2>log
+result $? "it runs on the sheet in README"
+remark log
+grep -q '^P80 5.5 mm at 7[0-9.]* m/s' out && [ -s product.csv ] && [ -s quarry.tip ]
+result $? "finds a speed, and leaves the files"
+"$TIPSPEED" myquarry.csv -c calibrate -c 'predict 72' 2>log |
+	grep -q '^P20 .*P50 .*P80 '
+result $? "and the command line of README predicts"
 finish

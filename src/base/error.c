@@ -3,7 +3,12 @@
 #include "base/error.h"
 
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
 
 static void
 set_place(struct error *e, enum error_kind kind, const char *file, int line,
@@ -67,15 +72,35 @@ error_add(struct error_list *list)
 	return &beyond;
 }
 
+/* Lines that fit stay as they are, blanks and all: they may quote somebody. */
+static void
+print_line(char *line, bool wrap, int margin, FILE *out)
+{
+	enum { SCREEN = 79 };
+	if (!wrap || text_width(line) <= SCREEN)
+		fprintf(out, "%s\n", line);
+	else
+		text_hang(line, (int)strspn(line, " "), margin, SCREEN, out);
+	free(line);
+}
+
 void
 error_print(const struct error *e, FILE *out)
 {
-	if (e->file[0] != '\0')
-		fprintf(out, "%s:", e->file);
+	char place[32] = "";
 	if (e->line > 0)
-		fprintf(out, "%d:%d:", e->line, e->column);
-	fprintf(out, "%s%s\n",
-	    e->file[0] != '\0' || e->line > 0 ? " " : "tipspeed: ", e->text);
+		snprintf(place, sizeof place, "%d:%d:", e->line, e->column);
+	bool known = e->file[0] != '\0' || e->line > 0;
+	print_line(
+	    xasprintf("%s%s%s%s %s", e->file, e->file[0] != '\0' ? ":" : "",
+		place, known ? "" : "tipspeed:", e->text),
+	    isatty(fileno(out)) != 0, 4, out);
+	error_print_hint(e, out);
+}
+
+void
+error_print_hint(const struct error *e, FILE *out)
+{
 	if (e->hint[0] != '\0')
-		fprintf(out, "  hint: %s\n", e->hint);
+		print_line(xasprintf("  hint: %s", e->hint), true, 8, out);
 }

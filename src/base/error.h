@@ -24,7 +24,7 @@ struct error {
 	int line, column;
 	char file[240];
 	char text[512];
-	char hint[256];
+	char hint[512];
 };
 
 /* Several faults of one file, in the order found; further ones are counted
@@ -51,7 +51,12 @@ bool error_hint(struct error *e, const char *format, ...)
  * a hint on, never NULL. */
 struct error *error_add(struct error_list *list);
 
-/* "file:line:column: text" and, where there is one, a line with the hint. */
+/* "file:line:column: text" and, where there is one, the hint below it.  A hint
+ * goes on behind a margin where the screen ends; the text, which programs may
+ * read, on a terminal only. */
 void error_print(const struct error *e, FILE *out);
+
+/* The hint alone. */
+void error_print_hint(const struct error *e, FILE *out);
 
 #endif

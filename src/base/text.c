@@ -217,21 +217,20 @@ text_width(const char *s)
 }
 
 void
-text_wrap(const char *text, int margin, int width, FILE *out)
+text_hang(const char *text, int first, int margin, int width, FILE *out)
 {
 	int column = 0;
-	size_t blanks = strspn(text, " ");
-	margin += (int)blanks;
-	char *copy = xstrdup(text + blanks), *save = NULL;
+	char *copy = xstrdup(text), *save = NULL;
 	for (char *word = strtok_r(copy, " ", &save); word != NULL;
 	     word = strtok_r(NULL, " ", &save)) {
 		int wide = text_width(word);
 		if (column > 0 && column + 1 + wide > width) {
 			fputc('\n', out);
 			column = 0;
+			first = margin;
 		}
 		if (column == 0)
-			column = fprintf(out, "%*s", margin, "");
+			column = fprintf(out, "%*s", first, "");
 		else
 			column += fprintf(out, " ");
 		fputs(word, out);
@@ -239,6 +238,13 @@ text_wrap(const char *text, int margin, int width, FILE *out)
 	}
 	fputc('\n', out);
 	free(copy);
+}
+
+void
+text_wrap(const char *text, int margin, int width, FILE *out)
+{
+	margin += (int)strspn(text, " ");
+	text_hang(text, margin, margin, width, out);
 }
 
 uint64_t

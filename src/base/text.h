@@ -41,6 +41,9 @@ int text_width(const char *s);
  * behind margin blanks; blanks at its start widen the margin. */
 void text_wrap(const char *text, int margin, int width, FILE *out);
 
+/* The same with the first line behind first blanks. */
+void text_hang(const char *text, int first, int margin, int width, FILE *out);
+
 /* True when s[0..n) is well-formed UTF-8 without NUL. */
 bool text_is_utf8(const char *s, size_t n);
 

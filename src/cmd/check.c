@@ -146,7 +146,7 @@ check_order(struct report *r, const struct entry *entry)
 			100 * most, units_mm(at),
 			site->individual_feeds
 			    ? "its feed may have been coarser"
-			    : "are the speeds swapped?"));
+			    : "were speeds or digits swapped?"));
 		free(where);
 		ok = ok && site->individual_feeds;
 	}
@@ -251,8 +251,15 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = first; i <= last; i++)
 		ok = check_site(s, r, i) && ok;
 	report_json_key(r, "ok", json_boolean(ok));
-	report_note(r, ok ? "no faults found" : "there are faults");
+	report_note(r, "%s",
+	    !ok                   ? "there are faults"
+	    : report_rows(r) == 0 ? "no faults found"
+				  : "no faults found; remarks are for you "
+				    "to judge");
 	session_report(s, r);
-	return ok ||
-	       error_set(error, ERROR_CHECK, "check found faults in the sheet");
+	if (ok)
+		return true;
+	error_set(error, ERROR_CHECK, "check found faults in the sheet");
+	return error_hint(
+	    error, "correct the sheet where it was saved, and load it again");
 }

@@ -215,9 +215,11 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 		made++;
 	}
 	materials_free(m);
-	if (made == 0)
-		return error_set(error, ERROR_USAGE, "%s has no site '%s'",
+	if (made == 0) {
+		error_set(error, ERROR_USAGE, "%s has no site '%s'",
 		    args->operand[0], wanted->text);
+		return error_hint(error, "its column site has the names");
+	}
 	session_note(s, "made %zu site%s: not measured at a plant", made,
 	    made == 1 ? "" : "s");
 	return true;

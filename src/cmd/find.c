@@ -46,8 +46,8 @@ check_wish(const struct args *args, struct error *error)
 	bool at = option(args, "at")->given;
 	if (given != 1)
 		error_set(error, ERROR_USAGE,
-		    "find wants one of p20, p50, p80, passing and spec, not "
-		    "%zu",
+		    "find wants one of p20, p50, p80, passing and spec, "
+		    "found %zu of them",
 		    given);
 	else if (at != option(args, "passing")->given)
 		error_set(error, ERROR_USAGE,
@@ -158,6 +158,8 @@ note_unreached(struct report *r, struct wish *wish, const char *words)
 	if (isfinite(low) && isfinite(high))
 		report_note(r, "it is %.2f %s at %g m/s and %.2f %s at %g m/s",
 		    low, what, wish->from, high, what, wish->to);
+	report_note(r, above ? "from= looks at slower speeds"
+			     : "to= looks at faster speeds");
 }
 
 /* The product at the speed found; without one those at the two ends. */

@@ -33,7 +33,8 @@ info_list(const char *group, FILE *out)
 		last = c->group;
 		print_brief(c, out);
 	}
-	fputs("help COMMAND tells more; the manual is tipspeed(1)\n", out);
+	fputs(
+	    "\nhelp COMMAND tells all about one, apropos WORD searches\n", out);
 }
 
 static void
@@ -63,7 +64,8 @@ void
 info_command(const struct command *c, FILE *out)
 {
 	char *usage = command_usage(c);
-	fprintf(out, "%s - %s\n\n  %s\n", c->name, c->brief, usage);
+	fprintf(out, "%s - %s\n\n", c->name, c->brief);
+	text_hang(usage, 2, 6, 78, out);
 	free(usage);
 	if (c->alias != NULL)
 		fprintf(out, "  also called %s\n", c->alias);
@@ -76,6 +78,18 @@ info_command(const struct command *c, FILE *out)
 		print_option(o, out);
 	fputs("\nexample\n", out);
 	print_example(c, "  ", out);
+}
+
+/* For somebody who sees the program for the first time. */
+static void
+print_start(FILE *out)
+{
+	fputs("In the order of work, for the sheet quarry.csv:\n"
+	      "  load quarry.csv    check    calibrate    validate    "
+	      "predict 74\n"
+	      "undo takes the last change back, quit leaves; man tutorial is "
+	      "the first hour.\n\n",
+	    out);
 }
 
 /* Help is words for people: among JSON or CSV it goes beside the results. */
@@ -121,9 +135,11 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 		print_example(command, "", out);
 	else if (command != NULL)
 		info_command(command, out);
-	else if (name == NULL || (is_group(name) && !example))
+	else if (name == NULL || (is_group(name) && !example)) {
+		if (name == NULL)
+			print_start(out);
 		info_list(name, out);
-	else
+	} else
 		return unknown(name, error);
 	return true;
 }
@@ -175,8 +191,8 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
 	/* In the order of the choices in the table. */
-	static const char *const PAGES[] = {"tipspeed.1", "tipspeed-site.5",
-	    "tipspeed-spec.5", "tipspeed-model.7"};
+	static const char *const PAGES[] = {"tipspeed.1", "tipspeed-tutorial.7",
+	    "tipspeed-site.5", "tipspeed-spec.5", "tipspeed-model.7"};
 	size_t i = args_value(command_find("man"), args, "page")->choice;
 	assert(i < ARRAY_LEN(PAGES));
 	if (s->show_page != NULL && s->show_page(PAGES[i]))

@@ -1,11 +1,13 @@
-/* materials: what the store has, and all about one of them.
+/* materials, show store: what the store has, and all about one of them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/show.h"
 #include "cmd/store.h"
 
 static const struct value *
@@ -104,7 +106,7 @@ show_list(
 		add_row(r, &list->item[i]);
 		n++;
 	}
-	report_note(r, "%zu of %zu materials; %zu are your own, in %s", n,
+	report_note(r, "%zu of %zu materials, %zu of them your own, in %s", n,
 	    list->n, own, store_path(s->store));
 	report_note(r, "Table 3 is that of the paper, and read only");
 	if (n == 0 && option(args, "rock")->given)
@@ -127,6 +129,46 @@ show_one(struct session *s, const struct stored *m)
 		free(text);
 	}
 	session_report(s, r);
+}
+
+static void
+add_what(struct report *r, const char *what, char *value)
+{
+	report_text(r, what);
+	report_text(r, value);
+	free(value);
+}
+
+bool
+show_store(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	struct stored_list own = {0}, all = {0};
+	if (!store_list(s->store, &own, error)) {
+		stored_list_free(&own);
+		return false;
+	}
+	stored_table3(&all);
+	const char *path = store_path(s->store);
+	bool memory = strcmp(path, ":memory:") == 0;
+	int64_t bytes = store_bytes(s->store);
+	struct report *r = report_new("show");
+	report_title(r, "the store of materials");
+	report_column(r, "what", "what");
+	report_column(r, "value", "value");
+	add_what(r, "place", xstrdup(path));
+	add_what(r, "file",
+	    memory      ? xstrdup("none: it ends with the session")
+	    : bytes < 0 ? xstrdup("none yet: the first remember makes it")
+			: xasprintf("%" PRId64 " bytes", bytes));
+	add_what(r, "schema", xasprintf("%d", store_schema()));
+	add_what(r, "own materials", xasprintf("%zu", own.n));
+	add_what(r, "of Table 3", xasprintf("%zu, read only", all.n));
+	report_note(r, "'materials' lists them");
+	stored_list_free(&own);
+	stored_list_free(&all);
+	session_report(s, r);
+	return true;
 }
 
 bool

@@ -131,10 +131,17 @@ check_operands(
 	if (args->n_operand > command->most &&
 	    is_lone_unit(command, args, args->operand[command->most], error))
 		return false;
+	const char *more = args->n_operand > command->most
+			       ? args->operand[command->most]
+			       : NULL;
+	if (more != NULL && command_option_index(command, more) < OPTIONS) {
+		error_set(error, ERROR_USAGE, "%s wants a value", more);
+		return error_hint(error, "%s=..", more);
+	}
 	char *usage = command_usage(command);
-	if (args->n_operand > command->most)
+	if (more != NULL)
 		error_set(error, ERROR_USAGE, "%s: '%s' is one word too many",
-		    command->name, args->operand[command->most]);
+		    command->name, more);
 	else
 		error_set(error, ERROR_USAGE, "%s wants %s", command->name,
 		    command->operands);

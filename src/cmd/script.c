@@ -49,9 +49,12 @@ script_open(struct session *s, const char *path, struct error *error)
 		return error_hint(error, "does %s source itself?", path);
 	}
 	FILE *in = fopen(path, "r");
-	if (in == NULL)
-		return error_set(error, ERROR_SYSTEM,
-		    "cannot read script %s: %s", path, strerror(errno));
+	if (in == NULL) {
+		error_set(error, ERROR_SYSTEM, "cannot read script %s: %s",
+		    path, strerror(errno));
+		return error_hint(
+		    error, "check the name, the folder and the rights");
+	}
 	push(s, in, path);
 	return true;
 }

@@ -99,12 +99,14 @@ struct session {
 	unsigned threads;
 	enum isa isa;
 	enum report_format format;
-	bool semicolon; /* in csv, with decimal commas */
-	bool prompt;    /* lines are typed by somebody */
-	bool safe;      /* no command may touch files or the shell */
-	bool timing;    /* tell how long each command took */
-	FILE *out;      /* results */
-	FILE *notes;    /* what is said beside results; NULL: nothing */
+	bool semicolon;     /* in csv, with decimal commas */
+	bool prompt;        /* lines are typed by somebody */
+	bool safe;          /* no command may touch files or the shell */
+	bool timing;        /* tell how long each command took */
+	FILE *out;          /* results */
+	FILE *notes;        /* what is said beside results; NULL: nothing */
+	void (*tidy)(void); /* clears progress off the line of a note; NULL:
+			       there is none */
 	double answer[ANSWERS];
 	struct job job;
 	bool pager; /* at a prompt, what is taller than the screen is paged */

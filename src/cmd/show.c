@@ -164,6 +164,7 @@ static const struct {
     {"model", NEED_SITE, false, show_model},
     {"selection", NEED_SITE, true, show_selection},
     {"appearance", NEED_SITE, false, show_appearance},
+    {"store", NEED_NOTHING, false, show_store},
 };
 
 bool

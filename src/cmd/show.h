@@ -15,4 +15,7 @@ bool show_model(struct session *, const struct args *, struct error *);
 bool show_selection(struct session *, const struct args *, struct error *);
 bool show_appearance(struct session *, const struct args *, struct error *);
 
+/* Where the store is and what it holds. */
+bool show_store(struct session *, const struct args *, struct error *);
+
 #endif

@@ -105,9 +105,9 @@ const struct command TABLE_DATA[] = {
 	.group = "data",
 	.brief = "show a site, and what the model makes of it",
 	.operands = "[site|feed|product|params|bounds|model|selection|"
-		    "appearance]",
+		    "appearance|store]",
 	.expect = {"site feed product params bounds model selection "
-		   "appearance"},
+		   "appearance store"},
 	.most = 1,
 	.option = SHOW_OPTIONS,
 	.text = "site: where the sheet is from and what it holds; feed and "
@@ -117,7 +117,7 @@ const struct command TABLE_DATA[] = {
 		"selection: how much of each size class breaks at a speed "
 		"(Eq 3), and how much of the feed that is; appearance: into "
 		"which classes a broken one falls, the matrix of the paper's "
-		"Table 1.",
+		"Table 1; store: where remembered materials are kept.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "show model\nshow selection speed=79",

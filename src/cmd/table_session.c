@@ -19,8 +19,8 @@ static const struct command_option TIMING_OPTIONS[] = {
     LAST_OPTION};
 
 static const struct command_option MAN_OPTIONS[] = {
-    {"page", VALUE_CHOICE, "", 0, 0, "tipspeed site spec model", "tipspeed",
-	"page of the manual"},
+    {"page", VALUE_CHOICE, "", 0, 0, "tipspeed tutorial site spec model",
+	"tipspeed", "page of the manual"},
     LAST_OPTION};
 
 const struct command TABLE_SESSION[] = {

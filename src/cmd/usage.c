@@ -15,7 +15,7 @@ const struct usage_option USAGE_OPTIONS[] = {
 	"form of the results"},
     {USAGE_SEED, "seed", "N", NULL, "seed of calibrations"},
     {USAGE_STORE, "store", "PATH", NULL,
-	"file of remembered calibrations, or :memory: to leave no trace"},
+	"file of remembered calibrations; :memory: leaves no trace"},
     {USAGE_COLOR, "color", "WHEN", "auto always never", "colour at the prompt"},
     {USAGE_SAFE, "safe", NULL, NULL, "no command may touch files or the shell"},
     {'h', "help", NULL, NULL, "this text"},

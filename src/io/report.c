@@ -126,6 +126,12 @@ report_missing(struct report *r, const char *words)
 	r->missing = xstrdup(words);
 }
 
+size_t
+report_rows(const struct report *r)
+{
+	return r->n_column > 0 ? r->n_cell / r->n_column : 0;
+}
+
 void
 report_note(struct report *r, const char *format, ...)
 {
@@ -155,12 +161,13 @@ report_json_number(double value)
 	return isfinite(value) ? json_real(value) : json_null();
 }
 
-/* Commas and points, or semicolons and decimal commas. */
+/* Commas and points, or semicolons and decimal commas.  A sieve of 22.4 mm is
+ * 22.4: people look things up by it. */
 static void
 print_csv_number(double value, char separator, FILE *out)
 {
 	char text[32];
-	snprintf(text, sizeof text, "%.17g", value);
+	text_exact(value, text);
 	char *point = strchr(text, '.');
 	if (separator == ';' && point != NULL)
 		*point = ',';

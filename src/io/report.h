@@ -15,9 +15,10 @@ extern const char *const REPORT_FORMATS[4];
 
 /* One result of a command: rows under headed columns, with the words around
  * them.  Table and markdown round numbers and show title, provenance and notes;
- * csv and json are exact (%.17g) and leave the notes out.  csv puts command,
- * site and provenance into columns of their own, so that a row never travels
- * without saying where it is from.  A table wider than a screen goes on in
+ * csv and json are exact and leave the notes out: csv has the shortest number
+ * that reads back as the same, json %.17g.  csv puts command, site and
+ * provenance into columns of their own, so that a row never travels without
+ * saying where it is from.  A table wider than a screen goes on in
  * further blocks, each with the first column again. */
 struct report;
 
@@ -43,6 +44,9 @@ void report_text(struct report *report, const char *text);
 
 /* What to show for the next NAN cells ("below 0.063 mm"); default "-". */
 void report_missing(struct report *report, const char *words);
+
+/* How many rows are full. */
+size_t report_rows(const struct report *report);
 
 /* A line below the table. */
 void report_note(struct report *report, const char *format, ...)

@@ -21,12 +21,6 @@ struct report {
 	json_t *json, *extra;
 };
 
-static inline size_t
-report_rows(const struct report *r)
-{
-	return r->n_column > 0 ? r->n_cell / r->n_column : 0;
-}
-
 /* Length of the provenance's first clause, which says what the data are; the
  * rest says how they were made. */
 int report_first_clause(const char *provenance);

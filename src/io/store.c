@@ -59,6 +59,19 @@ store_path(const struct store *store)
 	return store->path;
 }
 
+int64_t
+store_bytes(const struct store *store)
+{
+	struct stat file;
+	return stat(store->path, &file) == 0 ? (int64_t)file.st_size : -1;
+}
+
+int
+store_schema(void)
+{
+	return SCHEMA_VERSION;
+}
+
 /* The folders above the file, for this user alone. */
 static bool
 make_folders(const char *path, struct error *error)

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "base/error.h"
 #include "io/stored.h"
@@ -23,6 +24,12 @@ void store_free(struct store *store);
 
 /* Where the store is, for people. */
 const char *store_path(const struct store *store);
+
+/* Bytes of the file; -1 where there is none (yet), as for ":memory:". */
+int64_t store_bytes(const struct store *store);
+
+/* The schema that files have once they were opened. */
+int store_schema(void);
 
 /* Adds the user's own materials to the list, in the order of their names; none
  * where there is no file, and none is made.

@@ -69,7 +69,9 @@ read_head(struct sheet *sheet, size_t column[static FIELD_COUNT])
 		else
 			column[f] = i;
 	}
-	for (size_t f = 0; f < FIELD_COUNT; f++)
+	/* A file of another kind lacks most: the name stands for all. */
+	bool other = column[FIELD_NAME] == SIZE_MAX;
+	for (size_t f = 0; f < (other ? FIELD_NAME + 1 : FIELD_COUNT); f++)
 		if (column[f] == SIZE_MAX)
 			error_hint(sheet_fault(sheet, sheet_cell(head, head->n),
 				       "a column %s was wanted, found none",

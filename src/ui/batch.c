@@ -43,8 +43,7 @@ print_error(const struct error *e, const char *line, const char *name)
 	error_print(&bare, stderr);
 	if (e->line > 0 && strcmp(e->file, name) == 0)
 		print_caret(line, e->column, stderr);
-	if (e->hint[0] != '\0')
-		fprintf(stderr, "  hint: %s\n", e->hint);
+	error_print_hint(e, stderr);
 }
 
 static int run_scripts(struct session *s, size_t depth, struct page *page);

@@ -68,8 +68,18 @@ struct progress {
 	bool terminal;
 	double shown;
 	size_t row;
-	int width;
 };
+
+/* Columns of the progress that is on the screen. */
+static int on_screen;
+
+static void
+clear_line(void)
+{
+	if (on_screen > 0)
+		fprintf(stderr, "\r%*s\r", on_screen, "");
+	on_screen = 0;
+}
 
 static void
 progress_line(struct progress *p, const struct calibrate_status *st)
@@ -92,8 +102,8 @@ progress_line(struct progress *p, const struct calibrate_status *st)
 	if (width > room)
 		text[width = room] = '\0';
 	fprintf(stderr, "\r%s%*s", text,
-	    p->width > width ? p->width - width : 0, "");
-	p->width = width;
+	    on_screen > width ? on_screen - width : 0, "");
+	on_screen = width;
 	fflush(stderr);
 }
 
@@ -121,20 +131,12 @@ progress(struct session *s, struct progress *p)
 		progress_row(p, &st);
 }
 
-static void
-clear_line(struct progress *p)
-{
-	if (p->width > 0)
-		fprintf(stderr, "\r%*s\r", p->width, "");
-	p->width = 0;
-}
-
 /* The answer to SIGUSR1. */
 static void
-answer(const struct session *s, struct progress *p)
+answer(const struct session *s)
 {
 	struct calibrate_status st = calibration_status(s->job.calibration);
-	clear_line(p);
+	clear_line();
 	fprintf(stderr,
 	    "%s: generation %zu of %zu, best %.4g, median %.4g, %.1f s%s\n",
 	    s->entry[s->job.entry].key, st.generation,
@@ -150,12 +152,13 @@ pump_run(struct session *s)
 	struct progress p = {
 	    .terminal = isatty(STDERR_FILENO) != 0, .shown = session_clock()};
 	asked = 0;
+	s->tidy = p.terminal ? clear_line : NULL;
 	while (session_busy(s) && noted == 0) {
 		session_step(s);
 		if (session_busy(s) && asked)
-			answer(s, &p);
+			answer(s);
 		progress(s, &p);
 	}
-	clear_line(&p);
+	clear_line();
 	return noted == 0;
 }
