@@ -145,15 +145,20 @@ prediction_report(
 /* The report with what is to be said of it; wanted: with the interpolated
  * products. */
 static struct report *
-explained(struct session *s, const struct prediction *p, bool wanted)
+explained(struct session *s, const struct prediction *p,
+    const struct params *params, bool wanted)
 {
 	const struct entry *entry = session_entry(s);
 	double *between = wanted ? interpolated(entry->site, p) : NULL;
 	struct report *r = prediction_report(s, p, between);
 	json_t *o = answers_prediction_json(s, p);
 	answers_note_sizes(r, &p->product);
-	note_breakage(r, &entry->params, p);
+	note_breakage(r, params, p);
 	note_feed_gaps(r, entry->site, p);
+	if (session_busy(s)) {
+		json_object_set_new(o, "params", fit_params_json(params));
+		report_note(r, "from the best parameters so far");
+	}
 	if (between != NULL)
 		json_object_set_new(o, "interpolated_pct",
 		    answers_list_json(between, p->product.n, units_pct));
@@ -205,19 +210,20 @@ print_curves(struct session *s, const struct prediction *p)
 bool
 cmd_predict(struct session *s, const struct args *args, struct error *error)
 {
-	if (!answers_ready(s, error))
-		return false;
 	struct entry *entry = session_entry(s);
+	struct params params = entry->params;
+	if (!answers_forming(s, &params) && !answers_ready(s, error))
+		return false;
 	double speed = option("predict", args, "speed")->number;
 	size_t feed;
 	if (!answers_feed(entry->site, option("predict", args, "feed"), speed,
 		&feed, error))
 		return false;
 	struct prediction p =
-	    predict(entry->site, &entry->params, s->settings, speed, feed);
+	    predict(entry->site, &params, s->settings, speed, feed);
 	answers_remember(s, &p);
 	bool wanted = option("predict", args, "interpolated")->choice == 1;
-	session_report(s, explained(s, &p, wanted));
+	session_report(s, explained(s, &p, &params, wanted));
 	bool curve = option("predict", args, "curve")->choice == 1;
 	if (curve && s->format == REPORT_TABLE)
 		print_curves(s, &p);

@@ -10,6 +10,7 @@
 #include "core/calibrate.h"
 #include "core/misfit.h"
 #include "core/params.h"
+#include "core/predict.h"
 #include "core/site.h"
 #include "io/report.h"
 #include "io/store.h"
@@ -95,6 +96,7 @@ struct session {
 	FILE *out;      /* results */
 	FILE *notes;    /* what is said beside results; NULL: nothing */
 	double answer[ANSWERS];
+	struct prediction last; /* of predict and find; product.n 0: none */
 	struct job job;
 	bool pager; /* at a prompt, what is taller than the screen is paged */
 	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
@@ -107,6 +109,7 @@ struct session {
 	struct script *script; /* scripts being read, innermost first */
 	struct turn *turn;     /* commands under way, innermost first */
 	struct store *store;   /* ":memory:" until another is put here */
+	bool wants_tui; /* the driver opens the full screen, then goes on */
 	bool quit;
 };
 
@@ -169,8 +172,8 @@ void session_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Runs the commands of one line.  place names it in errors.  Stops at the first
- * error, and after a command that started a job or opened a script: then *next
- * is where to go on (an offset into line) after it, otherwise 0. */
+ * error, and after a command that started a job, opened a script or asks for the
+ * full screen: then *next is where to go on (an offset into line) after it, otherwise 0. */
 bool session_line(struct session *s, const char *line, size_t from,
     const char *file, int number, size_t *next, struct error *error);
 

@@ -181,6 +181,17 @@ const struct command TABLE_SESSION[] = {
 	.text = "With the libraries and instructions that numbers depend on.",
 	.example = "version",
 	.run = cmd_version},
+    {.name = "tui",
+	.group = "session",
+	.brief = "open the full screen",
+	.operands = "",
+	.flags = COMMAND_UNSAVED,
+	.text = "On the site in use, at the speed last predicted, else at the "
+		"one held out, else at 74 m/s. The arrow keys move the speed "
+		"by 0.1 m/s, ? lists the keys and q comes back. Needs a "
+		"terminal.",
+	.example = "load data/sites/tierp.csv\ncalibrate\ntui",
+	.run = cmd_tui},
     {.name = "quit",
 	.alias = "exit",
 	.group = "session",

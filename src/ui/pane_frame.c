@@ -1,0 +1,322 @@
+/* What stands around every page: heading, slider, last command, state, hints.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <curses.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/fit.h"
+#include "core/energy.h"
+#include "ui/pane.h"
+#include "ui/screen.h"
+
+const int PANE_PAGE_UP = KEY_PPAGE, PANE_PAGE_DOWN = KEY_NPAGE;
+const int PANE_MOUSE = KEY_MOUSE, PANE_BACKSPACE = KEY_BACKSPACE;
+
+int
+pane_side_columns(enum page page, int columns)
+{
+	if (page == PAGE_PREDICT)
+		return 24;
+	if (page == PAGE_FIT)
+		return columns >= 120 ? 50 : 38;
+	return 0;
+}
+
+static void
+draw_header(struct tui *t)
+{
+	const struct area *area = &t->layout.header;
+	const struct entry *entry = tui_entry(t);
+	bool full = area->columns >= 76;
+	int width = 0, column;
+	for (size_t p = 0; p < PAGES; p++)
+		width +=
+		    full || p == t->page ? (int)strlen(PAGE_NAMES[p]) + 4 : 2;
+	char *label = entry != NULL ? session_label(entry->site)
+				    : xstrdup("no site is loaded");
+	struct area left = *area;
+	left.columns = area->columns - width - (full ? 8 : 0);
+	bool room = text_width(label) + 11 <= left.columns;
+	screen_text(
+	    &left, 0, 0, LOOK_BOLD, "%s%s", room ? "tipspeed  " : "", label);
+	free(label);
+	column = left.columns < 0 ? 0 : left.columns;
+	for (size_t p = 0; p < PAGES; p++) {
+		int from = column;
+		bool here = p == t->page;
+		if (here)
+			column = screen_text(area, 0, column, LOOK_REVERSE,
+			    "[%zu %s]", p + 1, PAGE_NAMES[p]);
+		else
+			column = screen_text(area, 0, column, 0,
+			    full ? " %zu %s" : "%zu", p + 1, PAGE_NAMES[p]);
+		t->tab[p] = (struct tab){from, column - from};
+		column++;
+	}
+	if (full)
+		screen_text(area, 0, column, LOOK_DIM, " ? help");
+}
+
+struct area
+pane_track(const struct tui *t)
+{
+	struct area track = t->layout.track;
+	bool ends = track.columns >= 30;
+	track.column += ends ? 4 : 0;
+	track.columns -= ends ? 8 : 0;
+	return track;
+}
+
+/* Returns the column of the cursor on the screen. */
+static int
+draw_track(struct tui *t)
+{
+	enum { MOST = 300 };
+	struct area track = pane_track(t);
+	const struct entry *entry = tui_entry(t);
+	struct slider_mark mark[MOST];
+	size_t n = 0;
+	for (size_t r = 0; entry != NULL && r < entry->site->n_run; r++)
+		if (entry->site->run[r].product.n > 0 && n < MOST)
+			mark[n++] = (struct slider_mark){
+			    slider_tenths(entry->site->run[r].speed),
+			    entry->train[r]};
+	char *text = xcalloc((size_t)track.columns + 1, 1);
+	int at = slider_draw(text, track.columns, t->tenths, mark, n);
+	bool focus = t->focus == FOCUS_SPEED;
+	const char *close = strchr(text + at, ']');
+	int length = close != NULL ? (int)(close - text) - at + 1 : 1;
+	screen_text(&track, 0, 0, 0, "%s", text);
+	screen_text(&track, 0, at,
+	    LOOK_BOLD | (focus ? LOOK_REVERSE : LOOK_PLAIN), "%.*s", length,
+	    text + at);
+	if (track.column > 0) {
+		screen_text(&t->layout.track, 0, 1, 0, "65");
+		screen_text(
+		    &t->layout.track, 0, t->layout.track.columns - 3, 0, "85");
+	}
+	free(text);
+	return track.column + at + (length > 1 ? 1 : 0);
+}
+
+static void
+draw_caption(const struct tui *t)
+{
+	const struct area *area = &t->layout.caption;
+	double speed = t->tenths / 10.0;
+	int column =
+	    screen_text(area, 0, 0, 0, "rotor tip speed %.1f m/s  %.0f J/kg",
+		speed, energy_specific(speed));
+	if (t->session->answer[ANSWER_EXTRAPOLATED] == 1)
+		column =
+		    screen_text(area, 0, column + 2, LOOK_BOLD, "EXTRAPOLATED");
+	if (column + 47 <= area->columns)
+		screen_text(area, 0, area->columns - 47, LOOK_DIM,
+		    "x extrapolated  | trained  o held out  step 0.1");
+}
+
+/* Returns the column of the cursor in it. */
+static int
+draw_command(const struct tui *t, const struct area *area)
+{
+	const struct typing *y = &t->typing;
+	if (y->active) {
+		/* The line moves to the left where it is too long. */
+		int before = 0, room = area->columns - 2;
+		char *head = xstrndup(y->text, y->at);
+		before = text_width(head);
+		free(head);
+		const char *shown = y->text;
+		for (; before > room && *shown != '\0'; before--)
+			for (shown++; (*shown & 0xC0) == 0x80; shown++)
+				;
+		screen_text(area, 0, 0, LOOK_BOLD, ":%s", shown);
+		return 1 + before;
+	}
+	const char *tail = "(last action, as a command)";
+	int column = screen_text(
+	    area, 0, 0, 0, ": %s", t->command != NULL ? t->command : "");
+	if (column + 4 + (int)strlen(tail) < area->columns)
+		screen_text(area, 0, area->columns - (int)strlen(tail) - 1,
+		    LOOK_DIM, "%s", tail);
+	return 0;
+}
+
+static void
+draw_message(const struct tui *t, const struct area *area)
+{
+	screen_text(area, 0, 0, t->bad ? LOOK_BOLD : LOOK_PLAIN, "%s%s",
+	    t->bad ? "! " : "", t->message);
+}
+
+/* What the site's parameters are worth, or how the search stands. */
+static void
+draw_state(const struct tui *t, const struct area *area)
+{
+	const struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	int column;
+	if (session_busy(s)) {
+		struct calibrate_status st =
+		    calibration_status(s->job.calibration);
+		column = screen_text(area, 0, 0, LOOK_BOLD,
+		    "%s  generation %zu of %zu%s",
+		    t->held ? "PAUSED" : "CALIBRATING", st.generation,
+		    s->job.options.generations,
+		    st.state == CALIBRATE_POLISHING ? ", polishing" : "");
+	} else if (entry == NULL) {
+		column = screen_text(
+		    area, 0, 0, 0, "READY  no site: type :load FILE");
+	} else if (!entry->has_params) {
+		column = screen_text(
+		    area, 0, 0, 0, "READY  not calibrated: f calibrates");
+	} else {
+		column = screen_text(area, 0, 0, 0, "READY  parameters %s%s%s",
+		    session_origin(entry), entry->has_fit ? ", fit " : "",
+		    entry->has_fit ? fit_verdict(&entry->fit) : "");
+	}
+	char right[64];
+	snprintf(right, sizeof right, "mouse %s  %s  %d colours",
+	    t->mouse ? "on" : "off",
+	    screen_charset() == CHARSET_ASCII ? "ascii" : "utf8",
+	    screen_depth());
+	int from = area->columns - (int)strlen(right) - 1;
+	if (from > column + 2)
+		screen_text(area, 0, from, LOOK_DIM, "%s", right);
+}
+
+static void
+draw_hints(const struct tui *t)
+{
+	static const char *const HINTS[PAGES] = {
+	    "<-/-> speed  c crosshair  x keep beside  f fit  e export  : "
+	    "command"
+	    "  u undo  ? keys  q quit",
+	    "f fit again  Space pause  s stop, keep  +/- pace  v picture  Tab "
+	    "generations  ? keys  q quit",
+	    "<-/-> speed  1-5 pages  : command  ? keys  q quit",
+	    "<-/-> speed  1-5 pages  : command  ? keys  q quit",
+	    "Up/Down site  Enter use it  x keep beside  : command  ? keys  q "
+	    "quit"};
+	/* What does not fit is left out by whole hints. */
+	char text[128];
+	int columns = t->layout.hints.columns;
+	snprintf(text, sizeof text, "%s", HINTS[t->page]);
+	while (text_width(text) > columns) {
+		char *cut = NULL;
+		for (char *p = strstr(text, "  "); p != NULL;
+		     p = strstr(p + 2, "  "))
+			cut = p;
+		if (cut == NULL)
+			break;
+		*cut = '\0';
+	}
+	screen_text(&t->layout.hints, 0, 0, LOOK_DIM, "%s", text);
+}
+
+/* A speed being typed stands where messages do. */
+static void
+draw_lower(struct tui *t, int *row, int *column)
+{
+	struct layout *l = &t->layout;
+	const struct area *note = l->status.rows > 0    ? &l->status
+				  : l->command.rows > 0 ? &l->command
+							: &l->track;
+	const struct area *line = l->command.rows > 0 ? &l->command : &l->track;
+	bool typing = t->typing.active;
+	if (typing ||
+	    (l->command.rows > 0 && !(line == note && t->message[0]))) {
+		if (typing && line == &l->track)
+			screen_text(line, 0, 0, 0, "%*s", line->columns, "");
+		int at = draw_command(t, line);
+		if (typing) {
+			*row = line->row;
+			*column = at;
+		}
+	}
+	if (note == line && typing)
+		return;
+	if (t->digits[0] != '\0')
+		screen_text(
+		    note, 0, 0, LOOK_BOLD, "speed: %s_ m/s (Enter)", t->digits);
+	else if (typing && t->typing.offers != NULL)
+		screen_text(note, 0, 0, 0, "%s", t->typing.offers);
+	else if (t->message[0] != '\0' && note != &l->track)
+		draw_message(t, note);
+	else if (note == &l->status)
+		draw_state(t, note);
+}
+
+static void
+draw_viewer(const struct tui *t)
+{
+	const struct area *body = &t->layout.body;
+	int line = -t->viewer.top;
+	const char *p = t->viewer.text;
+	for (; *p != '\0'; line++) {
+		size_t n = strcspn(p, "\n");
+		if (line >= 0)
+			screen_text(body, line, 0, 0, "%.*s",
+			    n < 400 ? (int)n : 400, p);
+		p += n + (p[n] == '\n');
+	}
+	bool more = t->viewer.lines - t->viewer.top > body->rows;
+	screen_text(&t->layout.hints, 0, 0, LOOK_REVERSE, "%s",
+	    more ? "more below: Down, PgDn   any other key goes back"
+		 : "any key goes back");
+}
+
+static void
+draw_body(struct tui *t)
+{
+	static void (*const pages[PAGES])(struct tui *) = {
+	    pane_predict, pane_fit, pane_data, pane_parity, pane_sites};
+	pages[t->page](t);
+}
+
+void
+pane_draw(struct tui *t)
+{
+	int rows, columns, row, column;
+	screen_begin(&rows, &columns);
+	t->layout =
+	    layout_make(rows, columns, pane_side_columns(t->page, columns));
+	bool viewing = t->viewer.text != NULL;
+	/* The text has the whole body, at any size. */
+	if (viewing && t->layout.body.rows < 2)
+		t->layout = (struct layout){.body = {0, 0, rows, columns}};
+	draw_header(t);
+	row = t->layout.track.row;
+	screen_rule(&t->layout.rule);
+	column = t->layout.track.rows > 0 ? draw_track(t) : 0;
+	if (viewing) {
+		draw_viewer(t);
+		screen_show(t->layout.body.row, 0);
+		return;
+	}
+	int at = t->page == PAGE_FIT && t->layout.caption.rows > 0
+		     ? pane_generations(t, &t->layout.caption)
+		     : -1;
+	if (at < 0)
+		draw_caption(t);
+	pane_numbers(t);
+	draw_body(t);
+	if (t->focus == FOCUS_GENERATION && at >= 0) {
+		row = t->layout.caption.row;
+		column = at;
+	}
+	if (t->focus == FOCUS_SITE && t->layout.body.rows > 1) {
+		row = t->layout.body.row + 1 + (int)t->site_at;
+		column = 0;
+	}
+	draw_lower(t, &row, &column);
+	if (!t->typing.active)
+		draw_hints(t);
+	else
+		draw_hints(t);
+	screen_show(row, column);
+}
