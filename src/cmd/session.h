@@ -172,8 +172,9 @@ void session_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Runs the commands of one line.  place names it in errors.  Stops at the first
- * error, and after a command that started a job, opened a script or asks for the
- * full screen: then *next is where to go on (an offset into line) after it, otherwise 0. */
+ * error, and after a command that started a job, opened a script or asks for
+ * the full screen: then *next is where to go on (an offset into line) after it,
+ * otherwise 0. */
 bool session_line(struct session *s, const char *line, size_t from,
     const char *file, int number, size_t *next, struct error *error);
 

@@ -137,12 +137,14 @@ take_numbers(struct tui *t)
 }
 
 /* What the session is like after any command. */
-static void
-look_around(struct tui *t)
+void
+conduct_look(struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
 	t->session->wants_tui = false;
+	if (s->last.product.n == 0)
+		t->now = (struct numbers){0};
 	if (t->site_at >= s->n_entry)
 		t->site_at = s->current;
 	if (t->cross_at >= s->last.product.n)
@@ -176,7 +178,7 @@ run(struct tui *t, const char *line)
 		t->asked = 0;
 	if (other)
 		t->site_at = s->current;
-	look_around(t);
+	conduct_look(t);
 	if (session_busy(s) && !was_busy) {
 		t->held = false;
 		t->generation = 0;
@@ -286,7 +288,7 @@ conduct_keep(struct tui *t)
 	session_settle(s, true, &error);
 	t->held = false;
 	t->asked = 0;
-	look_around(t);
+	conduct_look(t);
 	tui_say(t, false,
 	    "stopped, the best is kept: Space goes on, f starts "
 	    "again with the bounds that are set");
@@ -300,7 +302,7 @@ finish(struct tui *t)
 	if (!session_settle(t->session, true, &error))
 		say_error(t, &error);
 	t->held = false;
-	look_around(t);
+	conduct_look(t);
 	const struct entry *entry = tui_entry(t);
 	if (entry != NULL && entry->has_fit && error.kind == ERROR_NONE)
 		tui_say(t, false,

@@ -20,6 +20,9 @@ void conduct_typed(struct tui *t, const char *line);
  * it is not done already. */
 void conduct_predict(struct tui *t);
 
+/* Looks what the session is like after a command that was not run here. */
+void conduct_look(struct tui *t);
+
 /* Some steps of the calibration that runs, as many as are due. */
 void conduct_pump(struct tui *t);
 

@@ -35,7 +35,7 @@ const struct key KEYS[] = {
     {']', "]", ON_ALL, ACT_TO, TO_FASTEST, PREDICT, "to the fastest run"},
     {'m', "m", ON_ALL, ACT_TO, TO_MIDDLE, PREDICT, "to the middle of the runs"},
     {'\t', "Tab", ON_ALL, ACT_FOCUS, 1, NULL,
-	"choose what the arrows move: speed, crosshair, generation, site"},
+	"what the arrows move: speed, crosshair, generation, site"},
     {KEY_BTAB, "Shift-Tab", ON_ALL, ACT_FOCUS, -1, NULL, "the one before"},
     {'1', "1", ON_ALL, ACT_PAGE, PAGE_PREDICT, NULL, "page Predict"},
     {'2', "2", ON_ALL, ACT_PAGE, PAGE_FIT, NULL, "page Fit"},

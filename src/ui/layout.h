@@ -18,8 +18,8 @@ struct layout {
 
 /* Any size of at least 1 x 1.  What there is no room for drops in this order:
  * legend, side panel (a row of numbers takes its place), hints, rule, caption,
- * status, plot, header, command; track and numbers go last.  side_columns: width
- * of the side panel. */
+ * status, plot, header, command; track and numbers go last.  side_columns:
+ * width of the side panel. */
 struct layout layout_make(int rows, int columns, int side_columns);
 
 /* Whether a cell lies in the area. */

@@ -31,8 +31,8 @@ void pane_plot(const struct tui *t, const struct plot_request *request,
 /* The row of numbers that takes the side panel's place. */
 void pane_numbers(const struct tui *t);
 
-/* The slider of the generations, at the caption's place on the Fit page. Returns
- * the column of the cursor, or -1 where there are no generations. */
+/* The slider of the generations, at the caption's place on the Fit page.
+ * Returns the column of the cursor, or -1 where there are no generations. */
 int pane_generations(const struct tui *t, const struct area *area);
 
 #endif

@@ -26,38 +26,49 @@ pane_side_columns(enum page page, int columns)
 	return 0;
 }
 
+/* How a page is called in the heading: in full, by its number but for the one
+ * that is open, or all by their numbers. */
+static const char *
+tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
+{
+	bool here = p == t->page;
+	const char *name =
+	    columns >= 76 || (here && columns >= 34) ? PAGE_NAMES[p] : "";
+	const char *gap = name[0] != '\0' ? " " : "";
+	const char *open = here ? "[" : columns >= 76 ? " " : "";
+	snprintf(
+	    text, 24, "%s%zu%s%s%s", open, p + 1, gap, name, here ? "]" : "");
+	return text;
+}
+
 static void
 draw_header(struct tui *t)
 {
 	const struct area *area = &t->layout.header;
 	const struct entry *entry = tui_entry(t);
-	bool full = area->columns >= 76;
-	int width = 0, column;
+	char text[24];
+	int help = area->columns >= 76 ? 8 : 0, column = area->columns - help;
 	for (size_t p = 0; p < PAGES; p++)
-		width +=
-		    full || p == t->page ? (int)strlen(PAGE_NAMES[p]) + 4 : 2;
+		column -= (int)strlen(tab_text(t, p, area->columns, text)) + 1;
+	struct area left = *area;
+	left.columns = column < 0 ? 0 : column;
 	char *label = entry != NULL ? session_label(entry->site)
 				    : xstrdup("no site is loaded");
-	struct area left = *area;
-	left.columns = area->columns - width - (full ? 8 : 0);
-	bool room = text_width(label) + 11 <= left.columns;
-	screen_text(
-	    &left, 0, 0, LOOK_BOLD, "%s%s", room ? "tipspeed  " : "", label);
+	bool room = text_width(label) + 11 <= left.columns,
+	     fits = text_width(label) <= left.columns || entry == NULL;
+	screen_text(&left, 0, 0, LOOK_BOLD, "%s%s", room ? "tipspeed  " : "",
+	    fits ? label : entry->site->name);
 	free(label);
-	column = left.columns < 0 ? 0 : left.columns;
+	column = left.columns;
 	for (size_t p = 0; p < PAGES; p++) {
 		int from = column;
-		bool here = p == t->page;
-		if (here)
-			column = screen_text(area, 0, column, LOOK_REVERSE,
-			    "[%zu %s]", p + 1, PAGE_NAMES[p]);
-		else
-			column = screen_text(area, 0, column, 0,
-			    full ? " %zu %s" : "%zu", p + 1, PAGE_NAMES[p]);
+		column = screen_text(area, 0, column,
+		    p == t->page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
+		    tab_text(t, p, area->columns, text));
 		t->tab[p] = (struct tab){from, column - from};
 		column++;
 	}
-	if (full)
+	if (help > 0)
 		screen_text(area, 0, column, LOOK_DIM, " ? help");
 }
 
@@ -108,9 +119,9 @@ draw_caption(const struct tui *t)
 {
 	const struct area *area = &t->layout.caption;
 	double speed = t->tenths / 10.0;
-	int column =
-	    screen_text(area, 0, 0, 0, "rotor tip speed %.1f m/s  %.0f J/kg",
-		speed, energy_specific(speed));
+	int column = screen_text(area, 0, 0, 0, "%s%.1f m/s  %.0f J/kg",
+	    area->columns >= 36 ? "rotor tip speed " : "", speed,
+	    energy_specific(speed));
 	if (t->session->answer[ANSWER_EXTRAPOLATED] == 1)
 		column =
 		    screen_text(area, 0, column + 2, LOOK_BOLD, "EXTRAPOLATED");
@@ -146,11 +157,22 @@ draw_command(const struct tui *t, const struct area *area)
 	return 0;
 }
 
-static void
+/* One too long for its row goes on in the row of hints.  Returns whether it
+ * does. */
+static bool
 draw_message(const struct tui *t, const struct area *area)
 {
-	screen_text(area, 0, 0, t->bad ? LOOK_BOLD : LOOK_PLAIN, "%s%s",
-	    t->bad ? "! " : "", t->message);
+	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
+	unsigned look = t->bad ? LOOK_BOLD : LOOK_PLAIN;
+	size_t n = strlen(text), room = (size_t)area->columns, cut = n;
+	if (n > room && t->layout.hints.rows > 0) {
+		for (cut = room; cut > room / 2 && text[cut] != ' '; cut--)
+			;
+		screen_text(&t->layout.hints, 0, 0, look, "%s", text + cut + 1);
+	}
+	screen_text(area, 0, 0, look, "%.*s", (int)cut, text);
+	free(text);
+	return cut < n;
 }
 
 /* What the site's parameters are worth, or how the search stands. */
@@ -174,10 +196,12 @@ draw_state(const struct tui *t, const struct area *area)
 	} else if (!entry->has_params) {
 		column = screen_text(
 		    area, 0, 0, 0, "READY  not calibrated: f calibrates");
+	} else if (entry->has_fit) {
+		column = screen_text(
+		    area, 0, 0, 0, "READY  fit %s", fit_verdict(&entry->fit));
 	} else {
-		column = screen_text(area, 0, 0, 0, "READY  parameters %s%s%s",
-		    session_origin(entry), entry->has_fit ? ", fit " : "",
-		    entry->has_fit ? fit_verdict(&entry->fit) : "");
+		column = screen_text(area, 0, 0, 0, "READY  parameters %s",
+		    session_origin(entry));
 	}
 	char right[64];
 	snprintf(right, sizeof right, "mouse %s  %s  %d colours",
@@ -193,15 +217,15 @@ static void
 draw_hints(const struct tui *t)
 {
 	static const char *const HINTS[PAGES] = {
-	    "<-/-> speed  c crosshair  x keep beside  f fit  e export  : "
-	    "command"
-	    "  u undo  ? keys  q quit",
-	    "f fit again  Space pause  s stop, keep  +/- pace  v picture  Tab "
-	    "generations  ? keys  q quit",
-	    "<-/-> speed  1-5 pages  : command  ? keys  q quit",
-	    "<-/-> speed  1-5 pages  : command  ? keys  q quit",
-	    "Up/Down site  Enter use it  x keep beside  : command  ? keys  q "
-	    "quit"};
+	    "<-/-> speed  ? keys  q quit  f fit  : command  c crosshair  x "
+	    "keep "
+	    "beside  e export  u undo",
+	    "Space pause  ? keys  q quit  f fit again  s stop, keep  +/- pace  "
+	    "Tab generations  v picture",
+	    "<-/-> speed  ? keys  q quit  1-5 pages  : command",
+	    "<-/-> speed  ? keys  q quit  1-5 pages  : command",
+	    "Up/Down site  Enter use it  ? keys  q quit  x keep beside  : "
+	    "command"};
 	/* What does not fit is left out by whole hints. */
 	char text[128];
 	int columns = t->layout.hints.columns;
@@ -222,6 +246,7 @@ draw_hints(const struct tui *t)
 static void
 draw_lower(struct tui *t, int *row, int *column)
 {
+	bool wide = false;
 	struct layout *l = &t->layout;
 	const struct area *note = l->status.rows > 0    ? &l->status
 				  : l->command.rows > 0 ? &l->command
@@ -246,9 +271,11 @@ draw_lower(struct tui *t, int *row, int *column)
 	else if (typing && t->typing.offers != NULL)
 		screen_text(note, 0, 0, 0, "%s", t->typing.offers);
 	else if (t->message[0] != '\0' && note != &l->track)
-		draw_message(t, note);
+		wide = draw_message(t, note);
 	else if (note == &l->status)
 		draw_state(t, note);
+	if (!wide)
+		draw_hints(t);
 }
 
 static void
@@ -314,9 +341,5 @@ pane_draw(struct tui *t)
 		column = 0;
 	}
 	draw_lower(t, &row, &column);
-	if (!t->typing.active)
-		draw_hints(t);
-	else
-		draw_hints(t);
 	screen_show(row, column);
 }

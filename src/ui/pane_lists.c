@@ -107,7 +107,8 @@ pane_sites(struct tui *t)
 {
 	struct area area = t->layout.body;
 	const struct session *s = t->session;
-	screen_text(&area, 0, 0, LOOK_BOLD, "  %-14s %-34s %s", "site", "", "");
+	screen_text(&area, 0, 0, LOOK_BOLD, "  %-14s %-34s %s", "site", "",
+	    "parameters");
 	if (s->n_entry == 0)
 		screen_text(&area, 1, 2, 0, "none is loaded: type :load FILE");
 	int room = area.rows - 1;

@@ -137,8 +137,8 @@ draw_cross(const struct tui *t, int row)
 		screen_text(side, row++, 0, 0, "measured %-5g%5.1f %%",
 		    run->speed, 100 * psd_passing(&run->product, x));
 	}
-	screen_text(side, row++, 0, LOOK_BOLD, "PREDICTED %.1f%4.1f %%",
-	    p->speed, 100 * p->product.passing[t->cross_at]);
+	screen_text(side, row++, 0, LOOK_BOLD, "PRED %-9.1f%5.1f %%", p->speed,
+	    100 * p->product.passing[t->cross_at]);
 	char feed[24];
 	screen_text(side, row++, 0, 0, "feed 50 %%  %s",
 	    size_text(1000 * psd_size(&p->feed, 0.5), feed));
@@ -175,8 +175,10 @@ draw_side(const struct tui *t)
 	screen_text(side, 0, 0, LOOK_BOLD, "%.1f m/s  %.0f J/kg", t->now.speed,
 	    s->last.energy);
 	int row = draw_sizes(t, 1);
-	row = draw_fractions(t, row);
-	row = draw_cross(t, side->rows >= 18 || t->cross ? row : row + 1);
+	bool tight = t->cross && t->pin.site[0] != '\0' && side->rows < 20;
+	if (!tight)
+		row = draw_fractions(t, row);
+	row = draw_cross(t, row);
 	row = draw_pin(t, row);
 	draw_worth(t, row < side->rows - 2 ? side->rows - 2 : row);
 }
@@ -191,7 +193,7 @@ pane_numbers(const struct tui *t)
 	if (t->now.site[0] == '\0')
 		screen_text(area, 0, 0, 0, "nothing predicted yet");
 	else if (area->columns < 34)
-		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s  P80 %s",
+		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %.4s",
 		    size_text(t->now.p50, a), size_text(t->now.p80, b));
 	else
 		screen_text(area, 0, 0, LOOK_BOLD,

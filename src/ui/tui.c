@@ -197,6 +197,7 @@ start(struct tui *t, struct session *s)
 	    .picture = PLOT_PSD,
 	    .holdout = NAN};
 	conduct_begin(t);
+	conduct_look(t);
 }
 
 static void
