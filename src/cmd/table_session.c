@@ -19,7 +19,7 @@ static const struct command_option TIMING_OPTIONS[] = {
     LAST_OPTION};
 
 static const struct command_option MAN_OPTIONS[] = {
-    {"page", VALUE_CHOICE, "", 0, 0, "tipspeed site spec model", "tipspeed",
+    {"page", VALUE_CHOICE, "", 0, 0, "tipspeed site spec model tui", "tipspeed",
 	"page of the manual"},
     LAST_OPTION};
 
@@ -190,7 +190,7 @@ const struct command TABLE_SESSION[] = {
 		"one held out, else at 74 m/s. The arrow keys move the speed "
 		"by 0.1 m/s, ? lists the keys and q comes back. Needs a "
 		"terminal.",
-	.example = "load data/sites/tierp.csv\ncalibrate\ntui",
+	.example = "help tui",
 	.run = cmd_tui},
     {.name = "quit",
 	.alias = "exit",
