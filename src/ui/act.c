@@ -224,14 +224,6 @@ next_picture(struct tui *t)
 }
 
 static void
-suspend(void)
-{
-	screen_leave();
-	raise(SIGTSTP);
-	screen_return();
-}
-
-static void
 show_keys(struct tui *t)
 {
 	size_t n = 0;
@@ -291,7 +283,7 @@ show_act(struct tui *t, const struct key *key)
 		screen_resize();
 		break;
 	case ACT_SUSPEND:
-		suspend();
+		raise(SIGTSTP); /* the loop answers it */
 		break;
 	default:
 		t->leave = true;

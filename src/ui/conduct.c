@@ -11,7 +11,6 @@
 #include "cmd/fit.h"
 #include "cmd/script.h"
 #include "ui/pump.h"
-#include "ui/screen.h"
 #include "ui/typed.h"
 
 const double PACES[PACE_COUNT] = {1, 2, 5, 10, 20, 50, INFINITY};
@@ -227,14 +226,14 @@ conduct_typed(struct tui *t, const char *line)
 	/* Only a shell command may write past the session's streams. */
 	bool aside = strchr(line, '|') != NULL;
 	if (aside)
-		screen_leave();
+		tui_step_aside();
 	bool ok = conduct_run(t, line);
 	if (aside) {
 		fputs("\n[Return goes back]", stdout);
 		fflush(stdout);
 		for (int c = getchar(); c != '\n' && c != EOF; c = getchar())
 			;
-		screen_return();
+		tui_step_back();
 	}
 	bool moved_only =
 	    strncmp(line, "predict", 7) == 0 && strchr(line, '>') == NULL;

@@ -27,6 +27,8 @@
 
 static bool with_colour, linear;
 static volatile sig_atomic_t resized, stopping;
+/* Signals that are let in while the program waits. */
+static sigset_t let_in;
 
 void
 tui_choose(bool colour, bool is_linear)
@@ -73,7 +75,6 @@ static const int ANSWERED[] = {
     SIGINT, SIGTERM, SIGHUP, SIGWINCH, SIGTSTP, SIGCONT};
 
 struct signals {
-	sigset_t let_in;
 	struct sigaction resize, stop, go_on;
 };
 
@@ -84,7 +85,7 @@ hold_signals(struct signals *was)
 	sigemptyset(&held);
 	for (size_t i = 0; i < ARRAY_LEN(ANSWERED); i++)
 		sigaddset(&held, ANSWERED[i]);
-	sigprocmask(SIG_BLOCK, &held, &was->let_in);
+	sigprocmask(SIG_BLOCK, &held, &let_in);
 	struct sigaction action = {.sa_handler = on_resize};
 	sigemptyset(&action.sa_mask);
 	sigaction(SIGWINCH, &action, &was->resize);
@@ -101,13 +102,13 @@ give_signals_back(const struct signals *was)
 	sigaction(SIGWINCH, &was->resize, NULL);
 	sigaction(SIGCONT, &was->go_on, NULL);
 	sigaction(SIGTSTP, &was->stop, NULL);
-	sigprocmask(SIG_SETMASK, &was->let_in, NULL);
+	sigprocmask(SIG_SETMASK, &let_in, NULL);
 }
 
 /* Waits for a key, a signal, or the next generation that is due; without one
  * for ever. */
 static void
-wait_for_something(const struct tui *t, const sigset_t *let_in)
+wait_for_something(const struct tui *t)
 {
 	struct timespec time = {0}, *limit = NULL;
 	if (session_busy(t->session) && !t->held) {
@@ -121,30 +122,42 @@ wait_for_something(const struct tui *t, const sigset_t *let_in)
 	fd_set in;
 	FD_ZERO(&in);
 	FD_SET(STDIN_FILENO, &in);
-	pselect(STDIN_FILENO + 1, &in, NULL, NULL, limit, let_in);
+	pselect(STDIN_FILENO + 1, &in, NULL, NULL, limit, &let_in);
 }
 
-static void
-stop_here(const struct signals *was)
+void
+tui_step_aside(void)
 {
-	struct sigaction usual = {.sa_handler = SIG_DFL}, ours;
-	sigset_t held, only;
-	stopping = 0;
 	screen_leave();
-	sigaction(SIGTSTP, &usual, &ours);
-	raise(SIGTSTP);
-	sigemptyset(&only);
-	sigaddset(&only, SIGTSTP);
-	sigprocmask(SIG_UNBLOCK, &only, &held);
-	sigprocmask(SIG_SETMASK, &held, NULL);
-	sigaction(SIGTSTP, &ours, NULL);
-	(void)was;
+	sigprocmask(SIG_SETMASK, &let_in, NULL);
+}
+
+void
+tui_step_back(void)
+{
+	sigset_t held;
+	sigemptyset(&held);
+	for (size_t i = 0; i < ARRAY_LEN(ANSWERED); i++)
+		sigaddset(&held, ANSWERED[i]);
+	sigprocmask(SIG_BLOCK, &held, NULL);
+	pump_forget_interrupt();
 	screen_return();
 }
 
-/* Everything that was typed and dragged; only the newest speed is predicted.
- * False where the terminal is gone. */
-static bool
+static void
+stop_here(void)
+{
+	struct sigaction usual = {.sa_handler = SIG_DFL}, ours;
+	stopping = 0;
+	sigaction(SIGTSTP, &usual, &ours);
+	tui_step_aside();
+	raise(SIGTSTP);
+	tui_step_back();
+	sigaction(SIGTSTP, &ours, NULL);
+}
+
+/* Everything that was typed and dragged; only the newest speed is predicted. */
+static void
 take_keys(struct tui *t)
 {
 	wint_t code;
@@ -155,18 +168,17 @@ take_keys(struct tui *t)
 			continue;
 		act_key(t, (int)code, got == KEY_CODE_YES);
 	}
-	return true;
 }
 
 static void
-loop(struct tui *t, const struct signals *was)
+loop(struct tui *t)
 {
 	while (!t->leave && !t->session->quit && pump_signal() == 0) {
 		conduct_predict(t);
 		pane_draw(t);
-		wait_for_something(t, &was->let_in);
+		wait_for_something(t);
 		if (stopping)
-			stop_here(was);
+			stop_here();
 		if (resized)
 			screen_resize();
 		resized = 0;
@@ -179,9 +191,9 @@ loop(struct tui *t, const struct signals *was)
 static bool
 show_page(const char *page)
 {
-	screen_leave();
+	tui_step_aside();
 	bool shown = manpage_show(page);
-	screen_return();
+	tui_step_back();
 	return shown;
 }
 
@@ -243,7 +255,7 @@ tui_run(struct session *s)
 	start(&t, s);
 	s->prompt = true;
 	s->show_page = show_page;
-	loop(&t, &was);
+	loop(&t);
 	s->out = out;
 	s->notes = notes;
 	finish(&t);

@@ -80,6 +80,10 @@ size_t tui_generation(const struct tui *t);
 /* The site in use, or NULL. */
 const struct entry *tui_entry(const struct tui *t);
 
+/* Leaves terminal and signals to somebody else, and takes them back. */
+void tui_step_aside(void);
+void tui_step_back(void);
+
 /* A line for the message row. */
 void tui_say(struct tui *t, bool bad, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
