@@ -38,7 +38,10 @@ start() {
 	rm -f status after
 	mux kill-session -t one 2>/dev/null
 	# shellcheck disable=SC2086
-	mux new-session -d -s one $size env "$@" sh ./inside
+	case $* in
+	*'sh -'*) mux new-session -d -s one $size env "$@" ;;
+	*) mux new-session -d -s one $size env "$@" sh ./inside ;;
+	esac
 }
 keys() { mux send-keys -t one "$@"; }
 shot() { mux capture-pane -t one -p >screen 2>&1; }
@@ -121,8 +124,11 @@ keys : 'predict 99999' Enter
 want '^! ' "an error is told"
 keys '?'
 want 'speed down by 0.1' "the list of keys"
-keys q
-keys : Up
+keys / 'by 5'
+want 'speed up by 5'
+keys Down Enter
+want '\[79\.0\]' "finds a word, and Enter does what it says"
+keys 7 4 Enter : Up
 want '^:predict 99999' "the history"
 keys Escape
 
@@ -174,6 +180,44 @@ for signal in SEGV ABRT TERM HUP INT BUS FPE ILL; do
 	result $? "SIG$signal leaves the terminal as it was ($(cat status))"
 done
 
+# A shell of its own, for job control.
+start 80 24 PS1='shell: ' HISTFILE= sh -i
+keys "'$TIPSPEED' data/sites/tierp.csv -c calibrate -c tui" Enter
+want '\[74\.0\]'
+keys C-z
+want 'Stopped\|Suspended' "^Z"
+[ "$(mux display-message -t one -p "$flags")" = '0 1 00' ]
+result $? "gives the terminal back"
+keys fg Enter
+want '\[74\.0\]' "and fg comes back"
+keys Right
+want '\[74\.1\]'
+keys : 'show params | sort' Enter
+want 'Return goes back' "a shell command has the terminal to itself"
+keys Enter
+want '^65\|^ 65 x'
+keys q
+want 'shell:$'
+
+start 80 24 TERM=xterm-256color
+want '\[74\.0\]'
+press() { keys -l "$(printf '\033[<%s' "$1")"; }
+press '0;5;21M'
+press '0;5;21m'
+want '\[65\.0\]' "a click sets the speed"
+press '0;5;21M'
+press '32;40;21M'
+press '32;76;21M'
+press '0;76;21m'
+want '\[85\.0\]' "dragging moves it"
+press '65;40;10M'
+want '\[84\.9\]' "and the wheel"
+press '0;65;1M'
+press '0;65;1m'
+want 'site  *parameters' "a click opens a page"
+keys q
+want 'IT IS OVER'
+
 start 80 24 START='echo hello'
 want 'f calibrates' "without parameters it says what to do"
 keys q
@@ -190,4 +234,9 @@ want 'cannot show a full screen' "a terminal that cannot is told so"
 "$TIPSPEED" -c tui >out 2>log </dev/null
 [ $? -eq 2 ] && grep -q 'wants a terminal' log
 result $? "without a terminal tui is an error"
+"$TIPSPEED" --reset-tty >out
+grep -q '?1002l.*?25h.*?1049l' out
+result $? "--reset-tty writes what mends a terminal"
+start 80 24 sh -c "\"\$TIPSPEED\" data/sites/tierp.csv --linear -c tui"
+want 'tierp>$' "--linear opens the prompt"
 finish

@@ -13,6 +13,7 @@
 #include "ui/conduct.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
+#include "ui/view.h"
 
 enum { ESCAPE = 27 };
 
@@ -224,21 +225,6 @@ next_picture(struct tui *t)
 }
 
 static void
-show_keys(struct tui *t)
-{
-	size_t n = 0;
-	free(t->viewer.text);
-	t->viewer = (struct viewer){0};
-	FILE *out = open_memstream(&t->viewer.text, &n);
-	if (out == NULL)
-		return;
-	keys_list(out);
-	fclose(out);
-	for (size_t i = 0; i < n; i++)
-		t->viewer.lines += t->viewer.text[i] == '\n';
-}
-
-static void
 stop(struct tui *t)
 {
 	if (session_busy(t->session))
@@ -272,7 +258,7 @@ show_act(struct tui *t, const struct key *key)
 		next_picture(t);
 		break;
 	case ACT_HELP:
-		show_keys(t);
+		view_keys(t, "");
 		break;
 	case ACT_MOUSE:
 		t->mouse = !t->mouse && screen_mouse(true);
@@ -290,9 +276,12 @@ show_act(struct tui *t, const struct key *key)
 	}
 }
 
+/* Does what a key is for; nothing for NULL. */
 static void
 act(struct tui *t, const struct key *key)
 {
+	if (key == NULL)
+		return;
 	switch (key->act) {
 	case ACT_MOVE:
 		move_focus(t, key->amount);
@@ -330,27 +319,6 @@ act(struct tui *t, const struct key *key)
 	default:
 		show_act(t, key);
 	}
-}
-
-static void
-view_key(struct tui *t, int code, bool special)
-{
-	struct viewer *v = &t->viewer;
-	int page = t->layout.body.rows > 2 ? t->layout.body.rows - 1 : 1;
-	const struct key *key = keys_find(code, t->page);
-	if (key != NULL && key->act == ACT_LIST)
-		v->top += key->amount;
-	else if (special && (code == PANE_PAGE_DOWN || code == PANE_PAGE_UP))
-		v->top += code == PANE_PAGE_DOWN ? page : -page;
-	else if (code == ' ')
-		v->top += page;
-	else {
-		free(v->text);
-		*v = (struct viewer){0};
-		return;
-	}
-	v->top = v->top > v->lines - page ? v->lines - page : v->top;
-	v->top = v->top < 0 ? 0 : v->top;
 }
 
 static void
@@ -403,7 +371,7 @@ act_key(struct tui *t, int code, bool special)
 	else if (t->typing.active)
 		type_key(t, code, special);
 	else if (t->viewer.text != NULL)
-		view_key(t, code, special);
+		act(t, view_key(t, code, special));
 	else if (!(special && code == PANE_BACKSPACE ? digit_key(t, 127)
 						     : digit_key(t, code))) {
 		const struct key *key = keys_find(code, t->page);

@@ -12,6 +12,7 @@
 #include "cmd/script.h"
 #include "ui/pump.h"
 #include "ui/typed.h"
+#include "ui/view.h"
 
 const double PACES[PACE_COUNT] = {1, 2, 5, 10, 20, 50, INFINITY};
 
@@ -204,16 +205,13 @@ show_said(struct tui *t)
 	while (n > 0 && t->said_text[n - 1] == '\n')
 		n--;
 	char *text = xstrndup(t->said_text, n);
-	if (strchr(text, '\n') == NULL) {
-		if (n > 0)
-			tui_say(t, false, "%s", text);
-		free(text);
+	if (strchr(text, '\n') != NULL) {
+		view_text(t, text);
 		return;
 	}
-	free(t->viewer.text);
-	t->viewer = (struct viewer){.text = text, .lines = 1};
-	for (const char *p = text; *p != '\0'; p++)
-		t->viewer.lines += *p == '\n';
+	if (n > 0)
+		tui_say(t, false, "%s", text);
+	free(text);
 }
 
 void

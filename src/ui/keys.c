@@ -3,9 +3,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/keys.h"
 
-#include <stddef.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include <curses.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
 
 #define CONTROL(letter) ((letter)&0x1F)
 
@@ -104,17 +109,50 @@ only_on(const struct key *k)
 				      : "";
 }
 
+static char *
+line_of(const struct key *k)
+{
+	return xasprintf("  %-15s %s%s", k->name, k->what, only_on(k));
+}
+
+static bool
+has_word(const struct key *k, const char *word)
+{
+	if (k->name == NULL)
+		return false;
+	char *line = line_of(k), *folded = text_fold(line);
+	char *wanted = text_fold(word);
+	bool has = strstr(folded, wanted) != NULL;
+	free(line);
+	free(folded);
+	free(wanted);
+	return has;
+}
+
 void
-keys_list(FILE *out)
+keys_list(const char *word, FILE *out)
+{
+	for (const struct key *k = KEYS; k->code != 0; k++) {
+		if (!has_word(k, word))
+			continue;
+		char *line = line_of(k);
+		fprintf(out, "%s\n", line);
+		free(line);
+	}
+	if (word[0] == '\0')
+		fputs("  digits, Enter   type a speed\n"
+		      "  mouse           click and drag set the speed, the "
+		      "wheel moves it by 0.1 m/s\n",
+		    out);
+}
+
+const struct key *
+keys_nth(const char *word, size_t n)
 {
 	for (const struct key *k = KEYS; k->code != 0; k++)
-		if (k->name != NULL)
-			fprintf(out, "  %-15s %s%s\n", k->name, k->what,
-			    only_on(k));
-	fputs("  digits, Enter   type a speed\n"
-	      "  mouse           click and drag set the speed, the wheel "
-	      "moves it by 0.1 m/s\n",
-	    out);
+		if (has_word(k, word) && n-- == 0)
+			return k;
+	return NULL;
 }
 
 void

@@ -4,6 +4,7 @@
 #ifndef TIPSPEED_UI_KEYS_H
 #define TIPSPEED_UI_KEYS_H
 
+#include <stddef.h>
 #include <stdio.h>
 
 enum page { PAGE_PREDICT, PAGE_FIT, PAGE_DATA, PAGE_PARITY, PAGE_SITES, PAGES };
@@ -61,8 +62,10 @@ extern const struct key KEYS[];
 /* The row of a key on a page, or NULL. */
 const struct key *keys_find(int code, enum page page);
 
-/* A line for each key: for the ? page. */
-void keys_list(FILE *out);
+/* For the ? page: a line for each key whose line has the word, without regard
+ * to case; all for "".  keys_nth: the key of the n-th of these, or NULL. */
+void keys_list(const char *word, FILE *out);
+const struct key *keys_nth(const char *word, size_t n);
 
 /* The same for tipspeed-tui(1), as mdoc. */
 void keys_manual(FILE *out);

@@ -286,15 +286,22 @@ draw_viewer(const struct tui *t)
 	const char *p = t->viewer.text;
 	for (; *p != '\0'; line++) {
 		size_t n = strcspn(p, "\n");
+		bool chosen =
+		    t->viewer.keys && line + t->viewer.top == t->viewer.at;
 		if (line >= 0)
-			screen_text(body, line, 0, 0, "%.*s",
+			screen_text(body, line, 0,
+			    chosen ? LOOK_REVERSE : LOOK_PLAIN, "%.*s",
 			    n < 400 ? (int)n : 400, p);
 		p += n + (p[n] == '\n');
 	}
-	bool more = t->viewer.lines - t->viewer.top > body->rows;
-	screen_text(&t->layout.hints, 0, 0, LOOK_REVERSE, "%s",
-	    more ? "more below: Down, PgDn   any other key goes back"
-		 : "any key goes back");
+	const struct viewer *v = &t->viewer;
+	bool more = v->lines - v->top > body->rows;
+	if (v->filtering)
+		screen_text(&t->layout.status, 0, 0, LOOK_BOLD, "/%s", v->word);
+	screen_text(&t->layout.hints, 0, 0, LOOK_REVERSE, "%s%s",
+	    more ? "more below: Down, PgDn   " : "",
+	    v->keys ? "Enter does it   / finds a word   Esc goes back"
+		    : "any other key goes back");
 }
 
 static void
@@ -322,7 +329,10 @@ pane_draw(struct tui *t)
 	column = t->layout.track.rows > 0 ? draw_track(t) : 0;
 	if (viewing) {
 		draw_viewer(t);
-		screen_show(t->layout.body.row, 0);
+		screen_show(
+		    t->layout.body.row +
+			(t->viewer.keys ? t->viewer.at - t->viewer.top : 0),
+		    0);
 		return;
 	}
 	int at = t->page == PAGE_FIT && t->layout.caption.rows > 0

@@ -24,6 +24,7 @@
 #include "ui/screen.h"
 #include "ui/tui_state.h"
 #include "ui/typed.h"
+#include "ui/view.h"
 
 static bool with_colour, linear;
 static volatile sig_atomic_t resized, stopping;
@@ -218,7 +219,7 @@ finish(struct tui *t)
 	conduct_keep(t);
 	conduct_end(t);
 	typing_end(&t->typing);
-	free(t->viewer.text);
+	view_close(t);
 	free(t->command);
 }
 

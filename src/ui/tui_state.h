@@ -23,10 +23,14 @@ struct numbers {
 	double speed, p20, p50, p80, break_mm;
 };
 
-/* Text on the whole screen: lines from `top` on.  text NULL: none. */
+/* Text on the whole screen: lines from `top` on.  text NULL: none.  keys: the
+ * list of keys, of those that have the word; one of them, `at`, can be run. */
 struct viewer {
 	char *text;
 	int top, lines;
+	bool keys, filtering;
+	int at;
+	char word[32];
 };
 
 /* Where a page's name stands in the header. */

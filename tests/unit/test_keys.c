@@ -59,12 +59,15 @@ the_list_has_every_name(void **state)
 	size_t n = 0;
 	FILE *out = open_memstream(&text, &n);
 	assert_non_null(out);
-	keys_list(out);
+	keys_list("", out);
 	fclose(out);
 	for (const struct key *k = KEYS; k->code != 0; k++)
 		if (k->name != NULL)
 			assert_non_null(strstr(text, k->what));
 	free(text);
+	assert_ptr_equal(keys_nth("", 0), KEYS);
+	assert_int_equal(keys_nth("CALIBRATE, or", 0)->code, 'f');
+	assert_null(keys_nth("no such word", 0));
 }
 
 int
