@@ -219,6 +219,7 @@ conduct_typed(struct tui *t, const char *line)
 {
 	if (line[strspn(line, " \t")] == '\0')
 		return;
+	bool searching = session_busy(t->session);
 	conduct_keep(t);
 	typed_add(line);
 	/* Only a shell command may write past the session's streams. */
@@ -232,6 +233,11 @@ conduct_typed(struct tui *t, const char *line)
 		for (int c = getchar(); c != '\n' && c != EOF; c = getchar())
 			;
 		tui_step_back();
+	}
+	/* A bound edited in a search: on with the new ones. */
+	if (ok && searching && strncmp(line, "bounds ", 7) == 0) {
+		conduct_run(t, "calibrate");
+		return;
 	}
 	bool moved_only =
 	    strncmp(line, "predict", 7) == 0 && strchr(line, '>') == NULL;

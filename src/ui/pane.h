@@ -33,6 +33,6 @@ void pane_numbers(const struct tui *t);
 
 /* The slider of the generations, at the caption's place on the Fit page.
  * Returns the column of the cursor, or -1 where there are no generations. */
-int pane_generations(const struct tui *t, const struct area *area);
+int pane_generations(struct tui *t, const struct area *area);
 
 #endif

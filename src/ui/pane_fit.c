@@ -40,7 +40,7 @@ tui_generation(const struct tui *t)
 }
 
 int
-pane_generations(const struct tui *t, const struct area *area)
+pane_generations(struct tui *t, const struct area *area)
 {
 	size_t n, at = tui_generation(t);
 	const struct bounds *bounds;
@@ -52,6 +52,7 @@ pane_generations(const struct tui *t, const struct area *area)
 	int room = area->columns - from - (int)strlen(last) - 1;
 	if (room < 12)
 		return -1;
+	t->scrubber = (struct area){area->row, from, 1, room};
 	for (int c = 0; c < room; c++)
 		screen_text(area, 0, from + c, LOOK_DIM, "-");
 	screen_text(area, 0, from + room, 0, "%s", last);
@@ -126,8 +127,8 @@ draw_progress(const struct tui *t, const struct area *side, int row)
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	double seconds = session_clock() - s->job.started;
 	double rate = seconds > 0 ? (double)st.evaluations / seconds : 0;
-	screen_text(side, row++, 0, LOOK_BOLD, "%s generation %zu of %zu",
-	    t->held ? "PAUSED" : "", st.generation, o->generations);
+	screen_text(side, row++, 0, LOOK_BOLD, "%sgeneration %zu of %zu",
+	    t->held ? "PAUSED " : "", st.generation, o->generations);
 	if (st.state == CALIBRATE_POLISHING)
 		screen_text(side, row++, 0, 0, "polishing: %zu starts done",
 		    st.starts_done);
@@ -138,9 +139,10 @@ draw_progress(const struct tui *t, const struct area *side, int row)
 	    side, row++, 0, 0, "best %.4g median %.4g", st.best, st.median);
 	screen_text(side, row++, 0, 0, "worst %.3g  seed %llu", st.worst,
 	    (unsigned long long)o->seed);
+	screen_text(side, row++, 0, 0, "%.0f evaluations a second", rate);
 	if (st.generation > 0)
-		screen_text(side, row++, 0, 0,
-		    "%.3g/s  %.1f s, at most %.0f s more", rate, seconds,
+		screen_text(side, row++, 0, 0, "%.1f s, at most %.0f s more",
+		    seconds,
 		    seconds * (double)(o->generations - st.generation) /
 			(double)st.generation);
 	return row;
@@ -168,11 +170,10 @@ draw_result(const struct tui *t, const struct area *side, int row)
 	    n, why_stopped(entry->fit.stop));
 	screen_text(side, row++, 0, 0, "best %.4g median %.4g", g[at - 1].best,
 	    g[at - 1].median);
-	screen_text(
-	    side, row++, 0, 0, "polished: misfit %.4g", entry->fit.misfit);
-	screen_text(side, row++, 0, 0, "%.2f points RMS, %s  seed %llu",
-	    100 * entry->fit.rmse, fit_verdict(&entry->fit),
-	    (unsigned long long)entry->fit.seed);
+	screen_text(side, row++, 0, 0, "polished: misfit %.4g  seed %llu",
+	    entry->fit.misfit, (unsigned long long)entry->fit.seed);
+	screen_text(side, row++, 0, 0, "%.2f points RMS, %s",
+	    100 * entry->fit.rmse, fit_verdict(&entry->fit));
 	return row;
 }
 

@@ -151,7 +151,8 @@ draw_command(const struct tui *t, const struct area *area)
 	const char *tail = "(last action, as a command)";
 	int column = screen_text(
 	    area, 0, 0, 0, ": %s", t->command != NULL ? t->command : "");
-	if (column + 4 + (int)strlen(tail) < area->columns)
+	if (t->command != NULL &&
+	    column + 4 + (int)strlen(tail) < area->columns)
 		screen_text(area, 0, area->columns - (int)strlen(tail) - 1,
 		    LOOK_DIM, "%s", tail);
 	return 0;
@@ -319,6 +320,7 @@ pane_draw(struct tui *t)
 	screen_begin(&rows, &columns);
 	t->layout =
 	    layout_make(rows, columns, pane_side_columns(t->page, columns));
+	t->scrubber = (struct area){0};
 	bool viewing = t->viewer.text != NULL;
 	/* The text has the whole body, at any size. */
 	if (viewing && t->layout.body.rows < 2)

@@ -85,20 +85,25 @@ pane_parity(struct tui *t)
 	pane_plot(t, &request, &plot);
 }
 
+enum { KEY_ENDS = 17, LABEL_ENDS = 50 };
+
 static void
 draw_site(const struct tui *t, const struct area *area, int row, size_t i)
 {
 	const struct entry *e = &t->session->entry[i];
 	unsigned look = i == t->site_at ? LOOK_REVERSE : LOOK_PLAIN;
 	char *label = session_label(e->site);
-	int column = screen_text(area, row, 0, look, "%c %-14s %-34s ",
-	    i == t->session->current ? '*' : ' ', e->key, label);
+	/* Columns are set one by one: names may have wide letters. */
+	screen_text(area, row, 0, look, "%*s", area->columns, "");
+	screen_text(area, row, 0, look, "%c %s",
+	    i == t->session->current ? '*' : ' ', e->key);
+	screen_text(area, row, KEY_ENDS, look, "%s", label);
 	if (e->has_fit)
-		screen_text(area, row, column, look, "fit %s, %.2f points",
+		screen_text(area, row, LABEL_ENDS, look, "fit %s, %.2f points",
 		    fit_verdict(&e->fit), 100 * e->fit.rmse);
 	else
-		screen_text(area, row, column, look, "parameters %s",
-		    session_origin(e));
+		screen_text(
+		    area, row, LABEL_ENDS, look, "%s", session_origin(e));
 	free(label);
 }
 
@@ -107,8 +112,8 @@ pane_sites(struct tui *t)
 {
 	struct area area = t->layout.body;
 	const struct session *s = t->session;
-	screen_text(&area, 0, 0, LOOK_BOLD, "  %-14s %-34s %s", "site", "",
-	    "parameters");
+	screen_text(&area, 0, 2, LOOK_BOLD, "site");
+	screen_text(&area, 0, LABEL_ENDS, LOOK_BOLD, "parameters");
 	if (s->n_entry == 0)
 		screen_text(&area, 1, 2, 0, "none is loaded: type :load FILE");
 	int room = area.rows - 1;

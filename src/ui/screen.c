@@ -13,6 +13,7 @@
 
 #include <curses.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "ui/rescue.h"
 #include "ui/terminal.h"
@@ -210,6 +211,17 @@ put_cell(int row, int column, uint32_t code, unsigned look, enum series series)
 	mvadd_wch(row, column, &cell);
 }
 
+/* A letter without its accent, where there is nothing but ASCII. */
+static wchar_t
+bare_letter(const char *bytes, size_t n)
+{
+	char *letter = xstrndup(bytes, n), *folded = text_fold(letter);
+	wchar_t bare = folded[0] > 0 && folded[1] == '\0' ? folded[0] : L'?';
+	free(letter);
+	free(folded);
+	return bare;
+}
+
 int
 screen_series(const struct area *area, int row, int column, enum series series,
     unsigned look, const char *text)
@@ -217,7 +229,10 @@ screen_series(const struct area *area, int row, int column, enum series series,
 	if (row < 0 || row >= area->rows || column < 0)
 		return column;
 	while (*text != '\0') {
+		const char *from = text;
 		wchar_t c = next_character(&text);
+		if (!is.utf8 && c > 126)
+			c = bare_letter(from, (size_t)(text - from));
 		int width = is.utf8 ? wcwidth(c) : 1;
 		if (width < 0 || column + width > area->columns)
 			break;

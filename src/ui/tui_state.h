@@ -47,9 +47,11 @@ struct tui {
 	int asked;    /* tenths last predicted at; 0: not yet */
 	double moved; /* when the slider last was */
 	struct numbers now, pause, pin; /* site "": none */
-	bool cross, band, mouse, dragging;
-	size_t cross_at; /* a sieve of the prediction */
-	size_t site_at;  /* of the Sites page */
+	bool cross, band, mouse;
+	bool dragging;        /* the focus follows the mouse */
+	struct area scrubber; /* of no rows where it is not drawn */
+	size_t cross_at;      /* a sieve of the prediction */
+	size_t site_at;       /* of the Sites page */
 	enum plot_kind picture;
 	bool held;         /* the calibration waits */
 	int pace;          /* index of PACES */
