@@ -28,12 +28,12 @@ static void
 press(struct tui *t, const MEVENT *e)
 {
 	for (size_t p = 0; p < PAGES; p++)
-		if (e->y == t->layout.header.row && t->layout.header.rows > 0 &&
+		if (e->y == t->places.header.row && t->places.header.rows > 0 &&
 		    e->x >= t->tab[p].column &&
 		    e->x < t->tab[p].column + t->tab[p].columns)
 			act_key(t, '1' + (int)p, false);
 	bool scrubber = area_has(&t->scrubber, e->y, e->x);
-	if (!scrubber && !area_has(&t->layout.track, e->y, e->x))
+	if (!scrubber && !area_has(&t->places.track, e->y, e->x))
 		return;
 	t->dragging = true;
 	t->focus = scrubber ? FOCUS_GENERATION : FOCUS_SPEED;

@@ -11,7 +11,7 @@ extern const int PANE_PAGE_UP, PANE_PAGE_DOWN, PANE_MOUSE, PANE_BACKSPACE;
 /* One frame, with the cursor on the focus. */
 void pane_draw(struct tui *t);
 
-/* The track of the slider without its ends, in the layout that was drawn. */
+/* The track of the slider without its ends, in the frame that was drawn. */
 struct area pane_track(const struct tui *t);
 
 /* How wide the side panel of a page is. */
@@ -24,7 +24,7 @@ void pane_data(struct tui *t);
 void pane_parity(struct tui *t);
 void pane_sites(struct tui *t);
 
-/* A plot in the layout's plot area, or in words why there is none. */
+/* A plot in the plot area, or in words why there is none. */
 void pane_plot(const struct tui *t, const struct plot_request *request,
     const struct area *area);
 

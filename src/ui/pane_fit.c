@@ -181,7 +181,7 @@ static void
 draw_side(const struct tui *t)
 {
 	enum { LEAST = 7 };
-	const struct area *side = &t->layout.side;
+	const struct area *side = &t->places.side;
 	if (side->rows == 0)
 		return;
 	screen_wall(side->row, side->column - 1, side->rows);
@@ -213,9 +213,9 @@ pane_fit(struct tui *t)
 	    .other_speed = NAN,
 	    .crosshair_mm = NAN,
 	    .generation = t->generation,
-	    .legend = t->layout.legend.rows > 0};
-	struct area plot = t->layout.plot;
-	plot.rows += t->layout.legend.rows;
+	    .legend = t->places.legend.rows > 0};
+	struct area plot = t->places.plot;
+	plot.rows += t->places.legend.rows;
 	pane_plot(t, &request, &plot);
 	draw_side(t);
 }

@@ -44,7 +44,7 @@ tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 static void
 draw_header(struct tui *t)
 {
-	const struct area *area = &t->layout.header;
+	const struct area *area = &t->places.header;
 	const struct entry *entry = tui_entry(t);
 	char text[24];
 	int help = area->columns >= 76 ? 8 : 0, column = area->columns - help;
@@ -75,7 +75,7 @@ draw_header(struct tui *t)
 struct area
 pane_track(const struct tui *t)
 {
-	struct area track = t->layout.track;
+	struct area track = t->places.track;
 	bool ends = track.columns >= 30;
 	track.column += ends ? 4 : 0;
 	track.columns -= ends ? 8 : 0;
@@ -106,9 +106,9 @@ draw_track(struct tui *t)
 	    LOOK_BOLD | (focus ? LOOK_REVERSE : LOOK_PLAIN), "%.*s", length,
 	    text + at);
 	if (track.column > 0) {
-		screen_text(&t->layout.track, 0, 1, 0, "65");
+		screen_text(&t->places.track, 0, 1, 0, "65");
 		screen_text(
-		    &t->layout.track, 0, t->layout.track.columns - 3, 0, "85");
+		    &t->places.track, 0, t->places.track.columns - 3, 0, "85");
 	}
 	free(text);
 	return track.column + at + (length > 1 ? 1 : 0);
@@ -117,7 +117,7 @@ draw_track(struct tui *t)
 static void
 draw_caption(const struct tui *t)
 {
-	const struct area *area = &t->layout.caption;
+	const struct area *area = &t->places.caption;
 	double speed = t->tenths / 10.0;
 	int column = screen_text(area, 0, 0, 0, "%s%.1f m/s  %.0f J/kg",
 	    area->columns >= 36 ? "rotor tip speed " : "", speed,
@@ -166,10 +166,10 @@ draw_message(const struct tui *t, const struct area *area)
 	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
 	unsigned look = t->bad ? LOOK_BOLD : LOOK_PLAIN;
 	size_t n = strlen(text), room = (size_t)area->columns, cut = n;
-	if (n > room && t->layout.hints.rows > 0) {
+	if (n > room && t->places.hints.rows > 0) {
 		for (cut = room; cut > room / 2 && text[cut] != ' '; cut--)
 			;
-		screen_text(&t->layout.hints, 0, 0, look, "%s", text + cut + 1);
+		screen_text(&t->places.hints, 0, 0, look, "%s", text + cut + 1);
 	}
 	screen_text(area, 0, 0, look, "%.*s", (int)cut, text);
 	free(text);
@@ -229,7 +229,7 @@ draw_hints(const struct tui *t)
 	    "command"};
 	/* What does not fit is left out by whole hints. */
 	char text[128];
-	int columns = t->layout.hints.columns;
+	int columns = t->places.hints.columns;
 	snprintf(text, sizeof text, "%s", HINTS[t->page]);
 	while (text_width(text) > columns) {
 		char *cut = NULL;
@@ -240,7 +240,7 @@ draw_hints(const struct tui *t)
 			break;
 		*cut = '\0';
 	}
-	screen_text(&t->layout.hints, 0, 0, LOOK_DIM, "%s", text);
+	screen_text(&t->places.hints, 0, 0, LOOK_DIM, "%s", text);
 }
 
 /* A speed being typed stands where messages do. */
@@ -248,7 +248,7 @@ static void
 draw_lower(struct tui *t, int *row, int *column)
 {
 	bool wide = false;
-	struct layout *l = &t->layout;
+	struct places *l = &t->places;
 	const struct area *note = l->status.rows > 0    ? &l->status
 				  : l->command.rows > 0 ? &l->command
 							: &l->track;
@@ -282,7 +282,7 @@ draw_lower(struct tui *t, int *row, int *column)
 static void
 draw_viewer(const struct tui *t)
 {
-	const struct area *body = &t->layout.body;
+	const struct area *body = &t->places.body;
 	int line = -t->viewer.top;
 	const char *p = t->viewer.text;
 	for (; *p != '\0'; line++) {
@@ -298,8 +298,8 @@ draw_viewer(const struct tui *t)
 	const struct viewer *v = &t->viewer;
 	bool more = v->lines - v->top > body->rows;
 	if (v->filtering)
-		screen_text(&t->layout.status, 0, 0, LOOK_BOLD, "/%s", v->word);
-	screen_text(&t->layout.hints, 0, 0, LOOK_REVERSE, "%s%s",
+		screen_text(&t->places.status, 0, 0, LOOK_BOLD, "/%s", v->word);
+	screen_text(&t->places.hints, 0, 0, LOOK_REVERSE, "%s%s",
 	    more ? "more below: Down, PgDn   " : "",
 	    v->keys ? "Enter does it   / finds a word   Esc goes back"
 		    : "any other key goes back");
@@ -318,38 +318,38 @@ pane_draw(struct tui *t)
 {
 	int rows, columns, row, column;
 	screen_begin(&rows, &columns);
-	t->layout =
-	    layout_make(rows, columns, pane_side_columns(t->page, columns));
+	t->places =
+	    places_make(rows, columns, pane_side_columns(t->page, columns));
 	t->scrubber = (struct area){0};
 	bool viewing = t->viewer.text != NULL;
 	/* The text has the whole body, at any size. */
-	if (viewing && t->layout.body.rows < 2)
-		t->layout = (struct layout){.body = {0, 0, rows, columns}};
+	if (viewing && t->places.body.rows < 2)
+		t->places = (struct places){.body = {0, 0, rows, columns}};
 	draw_header(t);
-	row = t->layout.track.row;
-	screen_rule(&t->layout.rule);
-	column = t->layout.track.rows > 0 ? draw_track(t) : 0;
+	row = t->places.track.row;
+	screen_rule(&t->places.rule);
+	column = t->places.track.rows > 0 ? draw_track(t) : 0;
 	if (viewing) {
 		draw_viewer(t);
 		screen_show(
-		    t->layout.body.row +
+		    t->places.body.row +
 			(t->viewer.keys ? t->viewer.at - t->viewer.top : 0),
 		    0);
 		return;
 	}
-	int at = t->page == PAGE_FIT && t->layout.caption.rows > 0
-		     ? pane_generations(t, &t->layout.caption)
+	int at = t->page == PAGE_FIT && t->places.caption.rows > 0
+		     ? pane_generations(t, &t->places.caption)
 		     : -1;
 	if (at < 0)
 		draw_caption(t);
 	pane_numbers(t);
 	draw_body(t);
 	if (t->focus == FOCUS_GENERATION && at >= 0) {
-		row = t->layout.caption.row;
+		row = t->places.caption.row;
 		column = at;
 	}
-	if (t->focus == FOCUS_SITE && t->layout.body.rows > 1) {
-		row = t->layout.body.row + 1 + (int)t->site_at;
+	if (t->focus == FOCUS_SITE && t->places.body.rows > 1) {
+		row = t->places.body.row + 1 + (int)t->site_at;
 		column = 0;
 	}
 	draw_lower(t, &row, &column);

@@ -42,7 +42,7 @@ draw_heads(const struct tui *t, const struct area *area)
 void
 pane_data(struct tui *t)
 {
-	const struct area *area = &t->layout.body;
+	const struct area *area = &t->places.body;
 	const struct entry *entry = tui_entry(t);
 	if (entry == NULL || entry->site->n_run == 0)
 		return;
@@ -79,9 +79,9 @@ pane_parity(struct tui *t)
 	    .speed = t->tenths / 10.0,
 	    .other_speed = NAN,
 	    .crosshair_mm = NAN,
-	    .legend = t->layout.legend.rows > 0};
-	struct area plot = t->layout.body;
-	plot.rows = t->layout.plot.rows + t->layout.legend.rows;
+	    .legend = t->places.legend.rows > 0};
+	struct area plot = t->places.body;
+	plot.rows = t->places.plot.rows + t->places.legend.rows;
 	pane_plot(t, &request, &plot);
 }
 
@@ -110,7 +110,7 @@ draw_site(const struct tui *t, const struct area *area, int row, size_t i)
 void
 pane_sites(struct tui *t)
 {
-	struct area area = t->layout.body;
+	struct area area = t->places.body;
 	const struct session *s = t->session;
 	screen_text(&area, 0, 2, LOOK_BOLD, "site");
 	screen_text(&area, 0, LABEL_ENDS, LOOK_BOLD, "parameters");

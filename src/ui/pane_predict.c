@@ -59,9 +59,9 @@ draw_size(
 {
 	char size[24], change[24];
 	bool any = t->pause.site[0] != '\0';
-	screen_text(&t->layout.side, row, 0, LOOK_BOLD, "%-4s%s", name,
+	screen_text(&t->places.side, row, 0, LOOK_BOLD, "%-4s%s", name,
 	    size_text(now, size));
-	screen_text(&t->layout.side, row, 16, 0, "%s",
+	screen_text(&t->places.side, row, 16, 0, "%s",
 	    change_text(now, any ? before : NAN, change));
 	return row + 1;
 }
@@ -73,7 +73,7 @@ draw_sizes(const struct tui *t, int row)
 	row = draw_size(t, row, "P20", t->now.p20, t->pause.p20);
 	row = draw_size(t, row, "P50", t->now.p50, t->pause.p50);
 	row = draw_size(t, row, "P80", t->now.p80, t->pause.p80);
-	screen_text(&t->layout.side, row, 0, 0, "breaks from %s",
+	screen_text(&t->places.side, row, 0, 0, "breaks from %s",
 	    size_text(t->now.break_mm, size));
 	return row + 1;
 }
@@ -87,7 +87,7 @@ draw_fractions(const struct tui *t, int row)
 	const struct psd *product = &t->session->last.product;
 	for (size_t i = 0; i < 3; i++)
 		if (psd_covers(product, sizes[i]))
-			screen_text(&t->layout.side, row++, 0, 0,
+			screen_text(&t->places.side, row++, 0, 0,
 			    "%-14s%5.1f %%", names[i],
 			    100 * psd_passing(product, sizes[i]));
 	return row;
@@ -96,7 +96,7 @@ draw_fractions(const struct tui *t, int row)
 static int
 draw_pin(const struct tui *t, int row)
 {
-	const struct area *side = &t->layout.side;
+	const struct area *side = &t->places.side;
 	const struct numbers *pin = &t->pin, *now = &t->now;
 	const char *names[] = {"P20", "P50", "P80"};
 	const double kept[] = {pin->p20, pin->p50, pin->p80};
@@ -119,7 +119,7 @@ draw_pin(const struct tui *t, int row)
 static int
 draw_cross(const struct tui *t, int row)
 {
-	const struct area *side = &t->layout.side;
+	const struct area *side = &t->places.side;
 	const struct prediction *p = &t->session->last;
 	const struct site *site = tui_entry(t)->site;
 	if (!t->cross || t->cross_at >= p->product.n)
@@ -148,7 +148,7 @@ draw_cross(const struct tui *t, int row)
 static void
 draw_worth(const struct tui *t, int row)
 {
-	const struct area *side = &t->layout.side;
+	const struct area *side = &t->places.side;
 	const struct entry *entry = tui_entry(t);
 	if (entry->has_fit)
 		screen_text(side, row++, 0, 0, "fit %s, seed %llu",
@@ -162,7 +162,7 @@ draw_worth(const struct tui *t, int row)
 static void
 draw_side(const struct tui *t)
 {
-	const struct area *side = &t->layout.side;
+	const struct area *side = &t->places.side;
 	const struct session *s = t->session;
 	if (side->rows == 0)
 		return;
@@ -186,7 +186,7 @@ draw_side(const struct tui *t)
 void
 pane_numbers(const struct tui *t)
 {
-	const struct area *area = &t->layout.numbers;
+	const struct area *area = &t->places.numbers;
 	char a[24], b[24], c[24], d[24];
 	if (area->rows == 0)
 		return;
@@ -217,10 +217,10 @@ pane_predict(struct tui *t)
 		request.other_speed = t->pin.speed;
 	if (t->cross && t->cross_at < p->product.n)
 		request.crosshair_mm = units_mm(p->product.size[t->cross_at]);
-	struct area plot = t->layout.plot;
+	struct area plot = t->places.plot;
 	/* The plot's own legend, where there is room for one. */
-	request.legend = t->layout.legend.rows > 0;
-	plot.rows += t->layout.legend.rows;
+	request.legend = t->places.legend.rows > 0;
+	plot.rows += t->places.legend.rows;
 	pane_plot(t, &request, &plot);
 	draw_side(t);
 }

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "plot/canvas.h"
-#include "ui/layout.h"
+#include "ui/places.h"
 
 /* How a piece of text looks: bits. */
 enum { LOOK_PLAIN = 0, LOOK_BOLD = 1, LOOK_DIM = 2, LOOK_REVERSE = 4 };

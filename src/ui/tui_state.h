@@ -10,7 +10,7 @@
 #include "cmd/plots.h"
 #include "cmd/session.h"
 #include "ui/keys.h"
-#include "ui/layout.h"
+#include "ui/places.h"
 #include "ui/slider.h"
 #include "ui/typing.h"
 
@@ -40,7 +40,7 @@ struct tab {
 
 struct tui {
 	struct session *session;
-	struct layout layout;
+	struct places places;
 	enum page page;
 	enum focus focus;
 	int tenths;   /* of the slider */

@@ -80,7 +80,7 @@ static void
 scroll_by(struct tui *t, int by)
 {
 	struct viewer *v = &t->viewer;
-	int rows = t->layout.body.rows > 1 ? t->layout.body.rows : 1;
+	int rows = t->places.body.rows > 1 ? t->places.body.rows : 1;
 	int last = v->lines - 1;
 	if (v->keys) {
 		v->at += by;
@@ -102,7 +102,7 @@ view_key(struct tui *t, int code, bool special)
 {
 	struct viewer *v = &t->viewer;
 	const struct key *key = keys_find(code, t->page), *chosen = NULL;
-	int page = t->layout.body.rows > 2 ? t->layout.body.rows - 1 : 1;
+	int page = t->places.body.rows > 2 ? t->places.body.rows - 1 : 1;
 	if (filter(t, code, special))
 		return NULL;
 	if (key != NULL && key->act == ACT_LIST) {

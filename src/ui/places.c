@@ -1,6 +1,6 @@
 /* Arithmetic of rows and columns: no terminal, no session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/layout.h"
+#include "ui/places.h"
 
 #include <stddef.h>
 
@@ -38,7 +38,7 @@ enum {
 enum { PLOT_COLUMNS = 34, LEGEND_COLUMNS = 50 };
 
 static void
-split_body(struct layout *l, int rows, int side_columns)
+split_body(struct places *l, int rows, int side_columns)
 {
 	bool side = rows >= FOR_SIDE && side_columns > 0 &&
 		    l->body.columns - side_columns >= PLOT_COLUMNS;
@@ -53,10 +53,10 @@ split_body(struct layout *l, int rows, int side_columns)
 	l->side.columns = side_columns;
 }
 
-struct layout
-layout_make(int rows, int columns, int side_columns)
+struct places
+places_make(int rows, int columns, int side_columns)
 {
-	struct layout l = {.body = {0, 0, rows, columns}};
+	struct places l = {.body = {0, 0, rows, columns}};
 	struct area *left = &l.body;
 	if (rows >= FOR_HEADER) {
 		l.header = (struct area){0, 0, 1, columns};

@@ -9,10 +9,10 @@
 #include <cmocka.h>
 
 #include "base/xalloc.h"
-#include "ui/layout.h"
+#include "ui/places.h"
 
 static void
-expect_apart(const struct layout *l, int rows, int columns)
+expect_apart(const struct places *l, int rows, int columns)
 {
 	const struct area *areas[] = {&l->header, &l->plot, &l->side,
 	    &l->legend, &l->rule, &l->numbers, &l->caption, &l->track,
@@ -44,8 +44,8 @@ no_size_is_refused(void **state)
 	for (int rows = 1; rows <= 100; rows++)
 		for (int columns = 1; columns <= 300; columns += 3)
 			for (size_t i = 0; i < ARRAY_LEN(sides); i++) {
-				struct layout l =
-				    layout_make(rows, columns, sides[i]);
+				struct places l =
+				    places_make(rows, columns, sides[i]);
 				expect_apart(&l, rows, columns);
 				assert_int_equal(l.track.rows, 1);
 				assert_true(rows < 2 || l.numbers.rows == 1 ||
@@ -57,20 +57,20 @@ static void
 panels_drop_in_their_order(void **state)
 {
 	(void)state;
-	struct layout l = layout_make(24, 80, 24);
+	struct places l = places_make(24, 80, 24);
 	assert_true(l.plot.rows >= 14 && l.side.columns == 24);
 	assert_int_equal(l.legend.rows, 1);
-	l = layout_make(18, 80, 24);
+	l = places_make(18, 80, 24);
 	assert_int_equal(l.legend.rows, 0);
 	assert_true(l.side.rows > 0);
-	l = layout_make(12, 40, 24);
+	l = places_make(12, 40, 24);
 	assert_int_equal(l.side.rows, 0);
 	assert_true(l.plot.rows > 0);
 	assert_int_equal(l.numbers.rows, 1);
-	l = layout_make(5, 20, 24);
+	l = places_make(5, 20, 24);
 	assert_int_equal(l.plot.rows, 0);
 	assert_int_equal(l.numbers.rows, 1);
-	l = layout_make(1, 20, 24);
+	l = places_make(1, 20, 24);
 	assert_int_equal(l.numbers.rows, 0);
 	assert_int_equal(l.track.row, 0);
 }

@@ -1,7 +1,7 @@
 /* Where the parts of the full screen stand at a size.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_LAYOUT_H
-#define TIPSPEED_UI_LAYOUT_H
+#ifndef TIPSPEED_UI_PLACES_H
+#define TIPSPEED_UI_PLACES_H
 
 #include <stdbool.h>
 
@@ -11,7 +11,7 @@ struct area {
 };
 
 /* body: all between header and rule; plot and side are its two parts. */
-struct layout {
+struct places {
 	struct area header, body, plot, side, legend, rule, numbers, caption,
 	    track, command, status, hints;
 };
@@ -20,7 +20,7 @@ struct layout {
  * legend, side panel (a row of numbers takes its place), hints, rule, caption,
  * status, plot, header, command; track and numbers go last.  side_columns:
  * width of the side panel. */
-struct layout layout_make(int rows, int columns, int side_columns);
+struct places places_make(int rows, int columns, int side_columns);
 
 /* Whether a cell lies in the area. */
 bool area_has(const struct area *area, int row, int column);
