@@ -20,7 +20,7 @@ struct canvas *
 plots_draw(struct session *s, const struct plot_request *request, int columns,
     int rows, struct error *error)
 {
-	static const char marks[] = "ov^";
+	static const char marks[] = "v^o";
 	if (s->n_entry == 0) {
 		error_set(error, ERROR_USAGE, "no site is loaded");
 		return NULL;

@@ -28,6 +28,9 @@ void pane_sites(struct tui *t);
 void pane_plot(const struct tui *t, const struct plot_request *request,
     const struct area *area);
 
+/* Curves in the plot area, with a legend below them where there is room. */
+void pane_curves(const struct tui *t, struct plot_request *request);
+
 /* The row of numbers that takes the side panel's place. */
 void pane_numbers(const struct tui *t);
 

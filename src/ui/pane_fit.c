@@ -212,10 +212,7 @@ pane_fit(struct tui *t)
 	    .speed = t->tenths / 10.0,
 	    .other_speed = NAN,
 	    .crosshair_mm = NAN,
-	    .generation = t->generation,
-	    .legend = t->places.legend.rows > 0};
-	struct area plot = t->places.plot;
-	plot.rows += t->places.legend.rows;
-	pane_plot(t, &request, &plot);
+	    .generation = t->generation};
+	pane_curves(t, &request);
 	draw_side(t);
 }

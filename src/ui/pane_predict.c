@@ -30,6 +30,46 @@ pane_plot(const struct tui *t, const struct plot_request *request,
 	screen_text(area, area->rows / 3 + 1, 1, 0, "%s", error.hint);
 }
 
+/* One row, where the plot's own legend would leave the plot little room. */
+static void
+draw_legend(const struct tui *t)
+{
+	static const char marks[] = "v^o";
+	const struct area *area = &t->places.legend;
+	const struct entry *entry = tui_entry(t);
+	bool ascii = screen_charset() == CHARSET_ASCII;
+	int column = screen_series(
+	    area, 0, 0, SERIES_FEED, 0, ascii ? ". feed" : "\u2508 feed");
+	size_t shown = 0;
+	for (size_t r = 0; entry != NULL && r < entry->site->n_run; r++) {
+		char text[24];
+		if (entry->site->run[r].product.n == 0)
+			continue;
+		snprintf(text, sizeof text, "%c %g", marks[shown % 3],
+		    entry->site->run[r].speed);
+		column = screen_series(area, 0, column + 2,
+		    (enum series)(SERIES_MEASURED_1 + shown % 3), 0, text);
+		shown++;
+	}
+	column = screen_series(area, 0, column + 2, SERIES_PREDICTED, LOOK_BOLD,
+	    ascii ? "# predicted" : "\u254C predicted");
+	screen_series(area, 0, column + 2, SERIES_BREAK, 0,
+	    ascii ? ": break size" : "\u250A break size");
+}
+
+void
+pane_curves(const struct tui *t, struct plot_request *request)
+{
+	enum { TALL = 20 };
+	struct area plot = t->places.plot;
+	request->legend = plot.rows >= TALL;
+	if (request->legend)
+		plot.rows += t->places.legend.rows;
+	else if (t->places.legend.rows > 0 && request->kind == PLOT_PSD)
+		draw_legend(t);
+	pane_plot(t, request, &plot);
+}
+
 /* "2.81 mm", or why there is no such number. */
 static const char *
 size_text(double mm, char text[static 24])
@@ -217,10 +257,6 @@ pane_predict(struct tui *t)
 		request.other_speed = t->pin.speed;
 	if (t->cross && t->cross_at < p->product.n)
 		request.crosshair_mm = units_mm(p->product.size[t->cross_at]);
-	struct area plot = t->places.plot;
-	/* The plot's own legend, where there is room for one. */
-	request.legend = t->places.legend.rows > 0;
-	plot.rows += t->places.legend.rows;
-	pane_plot(t, &request, &plot);
+	pane_curves(t, &request);
 	draw_side(t);
 }
