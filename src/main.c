@@ -18,7 +18,9 @@
 #include "ui/batch.h"
 #include "ui/pump.h"
 #include "ui/repl.h"
+#include "ui/rescue.h"
 #include "ui/terminal.h"
+#include "ui/tui.h"
 
 /* One -c or -f, in the order given. */
 struct action {
@@ -33,7 +35,7 @@ struct invocation {
 	uint64_t seed;
 	const char *store; /* NULL: the default place */
 	enum colour color;
-	bool help, version, safe;
+	bool help, version, safe, linear, reset_tty;
 	int first_file;
 };
 
@@ -92,6 +94,12 @@ take_option(struct invocation *in, int option, const char *value)
 		return true;
 	case USAGE_COLOR:
 		return take_color(value, &in->color);
+	case USAGE_LINEAR:
+		in->linear = true;
+		return true;
+	case USAGE_RESET_TTY:
+		in->reset_tty = true;
+		return true;
 	case 'h':
 		in->help = true;
 		return true;
@@ -203,7 +211,11 @@ main(int argc, char **argv)
 	struct invocation in = {.seed = 1};
 	in.action = xcalloc((size_t)argc, sizeof *in.action);
 	int status = ERROR_USAGE;
-	if (read_command_line(&in, argc, argv)) {
+	bool understood = read_command_line(&in, argc, argv);
+	if (understood && in.reset_tty) {
+		rescue_reset();
+		status = 0;
+	} else if (understood) {
 		struct session *s = session_new(stdout, stderr);
 		s->format = in.format;
 		s->seed = in.seed;
@@ -213,6 +225,7 @@ main(int argc, char **argv)
 		bool none = in.safe && in.store == NULL;
 		s->store = store_new(none ? ":memory:" : in.store);
 		pump_catch_signals();
+		tui_choose(terminal_colour(in.color), in.linear);
 		if (in.help)
 			usage_print(stdout);
 		if (in.version)

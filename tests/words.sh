@@ -109,7 +109,7 @@ same "variables: --help and source" all in_source
 # Pages.
 "$TIPSPEED" -c 'help man' | sed -n 's/.*\[page=\(.*\)\]/\1/p' |
 	tr '|' '\n' >all
-for f in "$page" "$srcdir"/man/*.[0-9]; do
+for f in "$page" "$srcdir"/man/*.[0-9] "$srcdir"/man/*-*.in; do
 	basename "$f" | sed 's/\..*//; s/^tipspeed-//'
 done >in_man
 same "pages: help man and the folder" all in_man

@@ -1,5 +1,6 @@
 /* Build-time only: prints what is made from the tables.
  *   commands, environment, status: parts of tipspeed(1)
+ *   keys: those of tipspeed-tui(1)
  *   bash: completion for the shell
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdio.h>
@@ -7,12 +8,13 @@
 
 #include "cmd/manual.h"
 #include "cmd/shell.h"
+#include "ui/keys.h"
 
 static const struct {
 	const char *name;
 	void (*print)(FILE *out);
 } PARTS[] = {{"commands", manual_commands}, {"environment", manual_environment},
-    {"status", manual_status}, {"bash", shell_bash}};
+    {"status", manual_status}, {"bash", shell_bash}, {"keys", keys_manual}};
 
 int
 main(int argc, char **argv)
@@ -23,6 +25,7 @@ main(int argc, char **argv)
 		PARTS[i].print(stdout);
 		return fflush(stdout) != 0 || ferror(stdout);
 	}
-	fputs("usage: make-manual commands|environment|status|bash\n", stderr);
+	fputs("usage: make-manual commands|environment|status|bash|keys\n",
+	    stderr);
 	return 2;
 }

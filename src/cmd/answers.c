@@ -46,6 +46,17 @@ answers_ready(struct session *s, struct error *error)
 }
 
 bool
+answers_forming(const struct session *s, struct params *params)
+{
+	if (!session_busy(s) || s->job.entry != s->current)
+		return false;
+	struct calibrate_status st = calibration_status(s->job.calibration);
+	if (st.generation > 0)
+		*params = st.params;
+	return st.generation > 0;
+}
+
+bool
 answers_feed(const struct site *site, const struct value *feed, double speed,
     size_t *run, struct error *error)
 {
@@ -77,6 +88,10 @@ answers_remember(struct session *s, const struct prediction *p)
 	s->answer[ANSWER_P50] = 1000 * p->p50;
 	s->answer[ANSWER_P80] = 1000 * p->p80;
 	s->answer[ANSWER_BREAK] = 1000 * p->break_size;
+	prediction_free(&s->last);
+	s->last = *p;
+	s->last.feed = psd_copy(&p->feed);
+	s->last.product = psd_copy(&p->product);
 }
 
 static char *

@@ -31,6 +31,10 @@ bool answers_known(
     const struct session *s, const struct entry *entry, struct error *error);
 bool answers_ready(struct session *s, struct error *error);
 
+/* While the site in use is being calibrated: true, with the best parameters so
+ * far. */
+bool answers_forming(const struct session *s, struct params *params);
+
 /* The run whose feed to take: at the speed the option names, else the run
  * nearest to the speed given. */
 bool answers_feed(const struct site *site, const struct value *feed,

@@ -3,6 +3,7 @@
 #include "cmd/manage.h"
 
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "base/xalloc.h"
 #include "cmd/journal.h"
@@ -88,5 +89,18 @@ cmd_timing(struct session *s, const struct args *args, struct error *error)
 	const struct value *state =
 	    args_value(command_find("timing"), args, "state");
 	s->timing = state->choice == 0;
+	return true;
+}
+
+bool
+cmd_tui(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO)) {
+		error_set(error, ERROR_USAGE,
+		    "tui wants a terminal for input and output");
+		return error_hint(error, "'predict' answers without one");
+	}
+	s->wants_tui = true;
 	return true;
 }

@@ -15,4 +15,6 @@ bool cmd_timing(struct session *, const struct args *, struct error *);
 
 bool cmd_restore(struct session *, const struct args *, struct error *);
 
+bool cmd_tui(struct session *, const struct args *, struct error *);
+
 #endif

@@ -169,7 +169,7 @@ note_band(struct report *r, const struct entry *entry, double speed)
  * the interpolated products. */
 static struct report *
 explained(struct session *s, const struct prediction *p,
-    const struct band *band, bool wanted)
+    const struct params *params, const struct band *band, bool wanted)
 {
 	const struct entry *entry = session_entry(s);
 	double *between = wanted ? interpolated(entry->site, p) : NULL;
@@ -180,8 +180,12 @@ explained(struct session *s, const struct prediction *p,
 		note_band(r, entry, p->speed);
 		doubt_band_json(o, band);
 	}
-	note_breakage(r, &entry->params, p);
+	note_breakage(r, params, p);
 	note_feed_gaps(r, entry->site, p);
+	if (session_busy(s)) {
+		json_object_set_new(o, "params", fit_params_json(params));
+		report_note(r, "from the best parameters so far");
+	}
 	if (between != NULL)
 		json_object_set_new(o, "interpolated_pct",
 		    answers_list_json(between, p->product.n, units_pct));
@@ -233,22 +237,25 @@ print_curves(struct session *s, const struct prediction *p)
 bool
 cmd_predict(struct session *s, const struct args *args, struct error *error)
 {
-	if (!answers_ready(s, error))
-		return false;
 	struct entry *entry = session_entry(s);
+	struct params params = entry->params;
+	if (!answers_forming(s, &params) && !answers_ready(s, error))
+		return false;
 	double speed = option("predict", args, "speed")->number;
 	size_t feed;
 	if (!answers_feed(entry->site, option("predict", args, "feed"), speed,
 		&feed, error))
 		return false;
 	struct prediction p =
-	    predict(entry->site, &entry->params, s->settings, speed, feed);
+	    predict(entry->site, &params, s->settings, speed, feed);
 	answers_remember(s, &p);
 	bool wanted = option("predict", args, "interpolated")->choice == 1;
 	const struct value *asked = option("predict", args, "band");
 	struct band band = {0};
-	bool has_band = asked->choice == 1 && doubt_band(s, entry, &p, &band);
-	struct report *r = explained(s, &p, has_band ? &band : NULL, wanted);
+	bool has_band = !session_busy(s) && asked->choice == 1 &&
+			doubt_band(s, entry, &p, &band);
+	struct report *r =
+	    explained(s, &p, &params, has_band ? &band : NULL, wanted);
 	if (asked->given && asked->choice == 1 && !has_band)
 		report_note(r, "no band: the parameters are no fit of this "
 			       "site with these settings");

@@ -57,6 +57,7 @@ session_free(struct session *s)
 		site_free(s->site[i]);
 	free(s->site);
 	free(s->first);
+	prediction_free(&s->last);
 	undo_free(s->undo);
 	journal_free(s->journal);
 	store_free(s->store);
@@ -85,6 +86,8 @@ session_forget(struct session *s)
 {
 	for (size_t i = 0; i < ANSWERS; i++)
 		s->answer[i] = NAN;
+	prediction_free(&s->last);
+	s->last = (struct prediction){0};
 }
 
 void
@@ -184,7 +187,8 @@ session_line(struct session *s, const char *line, size_t from, const char *file,
 		words_free(&words);
 		if (!ok)
 			return false;
-		if (session_busy(s) || script_depth(s) > depth) {
+		if (session_busy(s) || s->wants_tui ||
+		    script_depth(s) > depth) {
 			*next = from;
 			return true;
 		}

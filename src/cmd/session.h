@@ -10,6 +10,7 @@
 #include "core/calibrate.h"
 #include "core/misfit.h"
 #include "core/params.h"
+#include "core/predict.h"
 #include "core/site.h"
 #include "core/uncertainty.h"
 #include "io/report.h"
@@ -108,6 +109,7 @@ struct session {
 	void (*tidy)(void); /* clears progress off the line of a note; NULL:
 			       there is none */
 	double answer[ANSWERS];
+	struct prediction last; /* of predict and find; product.n 0: none */
 	struct job job;
 	bool pager; /* at a prompt, what is taller than the screen is paged */
 	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
@@ -120,6 +122,7 @@ struct session {
 	struct script *script; /* scripts being read, innermost first */
 	struct turn *turn;     /* commands under way, innermost first */
 	struct store *store;   /* ":memory:" until another is put here */
+	bool wants_tui; /* the driver opens the full screen, then goes on */
 	bool quit;
 };
 
@@ -183,8 +186,9 @@ void session_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Runs the commands of one line.  place names it in errors.  Stops at the first
- * error, and after a command that started a job or opened a script: then *next
- * is where to go on (an offset into line) after it, otherwise 0. */
+ * error, and after a command that started a job, opened a script or asks for
+ * the full screen: then *next is where to go on (an offset into line) after it,
+ * otherwise 0. */
 bool session_line(struct session *s, const char *line, size_t from,
     const char *file, int number, size_t *next, struct error *error);
 

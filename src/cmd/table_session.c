@@ -19,7 +19,7 @@ static const struct command_option TIMING_OPTIONS[] = {
     LAST_OPTION};
 
 static const struct command_option MAN_OPTIONS[] = {
-    {"page", VALUE_CHOICE, "", 0, 0, "tipspeed tutorial site spec model",
+    {"page", VALUE_CHOICE, "", 0, 0, "tipspeed tutorial tui site spec model",
 	"tipspeed", "page of the manual"},
     LAST_OPTION};
 
@@ -181,6 +181,17 @@ const struct command TABLE_SESSION[] = {
 	.text = "With the libraries and instructions that numbers depend on.",
 	.example = "version",
 	.run = cmd_version},
+    {.name = "tui",
+	.group = "session",
+	.brief = "open the full screen",
+	.operands = "",
+	.flags = COMMAND_UNSAVED,
+	.text = "On the site in use, at the speed last predicted, else at the "
+		"one held out, else at 74 m/s. The arrow keys move the speed "
+		"by 0.1 m/s, ? lists the keys and q comes back. Needs a "
+		"terminal.",
+	.example = "help tui",
+	.run = cmd_tui},
     {.name = "quit",
 	.alias = "exit",
 	.group = "session",

@@ -142,8 +142,10 @@ record(struct session *s, const struct turn *t, bool changed)
 {
 	bool elsewhere = is_redirected(t),
 	     latest = (t->command->flags & COMMAND_LATEST) != 0;
+	/* What is asked while a calibration runs hangs on the moment. */
+	bool between = session_busy(s) && s->job.turn != t;
 	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
-	    came_to_nothing(t))
+	    between || came_to_nothing(t))
 		return;
 	char *pause =
 	    t->stopped ? xasprintf(" pause=%zu", t->stopped_at) : xstrdup("");

@@ -18,6 +18,10 @@ const struct usage_option USAGE_OPTIONS[] = {
 	"file of remembered calibrations; :memory: leaves no trace"},
     {USAGE_COLOR, "color", "WHEN", "auto always never", "colour at the prompt"},
     {USAGE_SAFE, "safe", NULL, NULL, "no command may touch files or the shell"},
+    {USAGE_LINEAR, "linear", NULL, NULL,
+	"the prompt in the place of the full screen, for screen readers"},
+    {USAGE_RESET_TTY, "reset-tty", NULL, NULL,
+	"mend a terminal after a kill -9, and end"},
     {'h', "help", NULL, NULL, "this text"},
     {'V', "version", NULL, NULL, "the version"}, {.code = 0}};
 

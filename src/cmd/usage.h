@@ -15,7 +15,15 @@ struct usage_option {
 	const char *name, *argument, *choices, *brief;
 };
 
-enum { USAGE_FORMAT = 256, USAGE_SEED, USAGE_STORE, USAGE_SAFE, USAGE_COLOR };
+enum {
+	USAGE_FORMAT = 256,
+	USAGE_SEED,
+	USAGE_STORE,
+	USAGE_SAFE,
+	USAGE_COLOR,
+	USAGE_LINEAR,
+	USAGE_RESET_TTY
+};
 
 /* Ends with a code of 0.  One without a name has its letter only. */
 extern const struct usage_option USAGE_OPTIONS[];

@@ -12,6 +12,7 @@
 #include "cmd/script.h"
 #include "ui/pump.h"
 #include "ui/terminal.h"
+#include "ui/tui.h"
 
 /* The line at fault, cut to fit a screen, and a caret under the column. */
 static void
@@ -93,6 +94,10 @@ batch_line(struct session *s, const char *line, const char *name, int number,
 			return interrupt(s, line, name, number, page);
 		page_show(page);
 		int status = run_scripts(s, depth, page);
+		if (status == 0 && s->wants_tui) {
+			s->wants_tui = false;
+			status = tui_run(s);
+		}
 		if (status != 0 || s->quit)
 			give_up(s, status, line, name);
 		page_show(page);

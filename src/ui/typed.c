@@ -18,10 +18,12 @@
 enum { MOST = 5000 };
 
 static int file = -1;
+static bool opened;
 
 void
 typed_open(void)
 {
+	opened = true;
 	using_history();
 	stifle_history(MOST);
 	char *path = home_path("XDG_STATE_HOME", ".local/state", "history");
@@ -56,7 +58,8 @@ typed_add(const char *line)
 	if (write(file, whole, n) != (ssize_t)n) {
 		fprintf(stderr, "the history is no longer kept: %s\n",
 		    strerror(errno));
-		typed_close();
+		close(file);
+		file = -1;
 	}
 	free(whole);
 }
@@ -67,4 +70,11 @@ typed_close(void)
 	if (file >= 0)
 		close(file);
 	file = -1;
+	opened = false;
+}
+
+bool
+typed_is_open(void)
+{
+	return opened;
 }

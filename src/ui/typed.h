@@ -3,6 +3,8 @@
 #ifndef TIPSPEED_UI_TYPED_H
 #define TIPSPEED_UI_TYPED_H
 
+#include <stdbool.h>
+
 /* Reads the history into readline.  A history that cannot be read or kept gets
  * one remark on stderr, and the session does without. */
 void typed_open(void);
@@ -13,5 +15,8 @@ void typed_open(void);
 void typed_add(const char *line);
 
 void typed_close(void);
+
+/* Between the two. */
+bool typed_is_open(void);
 
 #endif

@@ -1,0 +1,384 @@
+/* From keys of the table to what they do.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/act.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "ui/conduct.h"
+#include "ui/pane.h"
+#include "ui/screen.h"
+#include "ui/view.h"
+
+enum { ESCAPE = 27 };
+
+/* A list moves up and down, whatever the focus is. */
+static int
+moved(int at, int by, size_t n)
+{
+	int to = at + by;
+	return n == 0 || to < 0 ? 0 : to >= (int)n ? (int)n - 1 : to;
+}
+
+static void
+move_generation(struct tui *t, int by)
+{
+	size_t n;
+	const struct bounds *bounds;
+	if (tui_history(t, &n, &bounds) == NULL)
+		return;
+	size_t at = tui_generation(t);
+	t->generation = (size_t)moved((int)at - 1, by, n) + 1;
+	/* At its end a search that runs is followed again. */
+	if (t->generation == n)
+		t->generation = 0;
+}
+
+static void
+move_focus(struct tui *t, int by)
+{
+	switch (t->focus) {
+	case FOCUS_SPEED:
+		t->tenths = slider_clamp(t->tenths + by);
+		break;
+	case FOCUS_CROSS:
+		/* Sieves stand coarsest first, the plot finest first. */
+		t->cross_at = (size_t)moved(
+		    (int)t->cross_at, -by, t->session->last.product.n);
+		break;
+	case FOCUS_GENERATION:
+		move_generation(t, by);
+		break;
+	case FOCUS_SITE:
+		t->site_at =
+		    (size_t)moved((int)t->site_at, by, t->session->n_entry);
+		break;
+	}
+}
+
+static void
+move_to(struct tui *t, int where)
+{
+	const struct entry *entry = tui_entry(t);
+	if (where == TO_LEAST)
+		t->tenths = SLIDER_LEAST;
+	else if (where == TO_MOST)
+		t->tenths = SLIDER_MOST;
+	else if (entry != NULL && where == TO_MIDDLE)
+		t->tenths = slider_tenths(answers_middle(entry->site));
+	else if (entry != NULL)
+		t->tenths = slider_tenths(
+		    entry->site
+			->run[where == TO_SLOWEST ? 0 : entry->site->n_run - 1]
+			.speed);
+}
+
+/* Whether the arrows can move it here. */
+static bool
+can_focus(const struct tui *t, enum focus focus)
+{
+	size_t n;
+	const struct bounds *bounds;
+	switch (focus) {
+	case FOCUS_CROSS:
+		return t->cross && t->page == PAGE_PREDICT;
+	case FOCUS_GENERATION:
+		return t->page == PAGE_FIT &&
+		       tui_history(t, &n, &bounds) != NULL;
+	case FOCUS_SITE:
+		return t->page == PAGE_SITES;
+	default:
+		return true;
+	}
+}
+
+static void
+next_focus(struct tui *t, int by)
+{
+	enum { COUNT = FOCUS_SITE + 1 };
+	int focus = (int)t->focus;
+	do
+		focus = (focus + by + COUNT) % COUNT;
+	while (!can_focus(t, (enum focus)focus));
+	t->focus = (enum focus)focus;
+}
+
+static void
+go_to(struct tui *t, enum page page)
+{
+	t->page = page;
+	if (page == PAGE_SITES)
+		t->focus = FOCUS_SITE;
+	else if (!can_focus(t, t->focus) || t->focus == FOCUS_SITE)
+		t->focus = FOCUS_SPEED;
+}
+
+/* The command of a key, with the speed or the site in it. */
+static char *
+compose(const struct tui *t, const struct key *key)
+{
+	char speed[16];
+	const struct session *s = t->session;
+	snprintf(speed, sizeof speed, "%.1f", t->tenths / 10.0);
+	const char *hole = strstr(key->command, "%s");
+	if (hole == NULL)
+		return xstrdup(key->command);
+	const char *with = key->act != ACT_CHOOSE    ? speed
+			   : t->site_at < s->n_entry ? s->entry[t->site_at].key
+						     : "";
+	return xasprintf("%.*s%s%s", (int)(hole - key->command), key->command,
+	    with, hole + 2);
+}
+
+static void
+run_key(struct tui *t, const struct key *key)
+{
+	char *line = compose(t, key);
+	if (key->act == ACT_TYPE) {
+		typing_begin(&t->typing, line);
+	} else if (key->act == ACT_RUN) {
+		conduct_typed(t, line);
+	} else {
+		conduct_keep(t);
+		conduct_run(t, line);
+	}
+	free(line);
+}
+
+static void
+fit(struct tui *t, const struct key *key)
+{
+	go_to(t, PAGE_FIT);
+	run_key(t, key);
+}
+
+/* Pauses, goes on, or takes a stopped one up again. */
+static void
+hold(struct tui *t, const struct key *key)
+{
+	const struct session *s = t->session;
+	if (session_busy(s)) {
+		t->held = !t->held;
+		t->due = session_clock();
+		tui_say(
+		    t, false, t->held ? "paused: Space goes on" : "going on");
+	} else if (s->job.calibration != NULL) {
+		run_key(t, key);
+	} else {
+		tui_say(t, false, "no calibration is under way: f starts one");
+	}
+}
+
+static void
+set_pace(struct tui *t, int by)
+{
+	t->pace = moved(t->pace, by, PACE_COUNT);
+	t->due = session_clock();
+	if (t->pace == PACE_FULL)
+		tui_say(t, false, "pace: as fast as it can");
+	else
+		tui_say(
+		    t, false, "pace: %g generations a second", PACES[t->pace]);
+}
+
+static void
+pin(struct tui *t)
+{
+	bool same = t->pin.site[0] != '\0';
+	t->pin = same ? (struct numbers){0} : t->now;
+	if (same)
+		tui_say(t, false, "no longer kept");
+	else if (t->pin.site[0] == '\0')
+		tui_say(t, true, "nothing is predicted yet: f calibrates");
+	else
+		tui_say(t, false,
+		    "%s at %.1f m/s is kept beside: go to another speed or "
+		    "site",
+		    t->pin.site, t->pin.speed);
+}
+
+static void
+cross(struct tui *t)
+{
+	t->cross = !t->cross && t->session->last.product.n > 0;
+	if (t->cross && t->cross_at == 0)
+		t->cross_at = t->session->last.product.n / 3;
+	if (t->cross)
+		t->page = PAGE_PREDICT;
+	t->focus = t->cross ? FOCUS_CROSS : FOCUS_SPEED;
+	if (t->cross)
+		tui_say(t, false,
+		    "the arrows move the crosshair; Tab: the speed again");
+}
+
+static void
+next_picture(struct tui *t)
+{
+	t->picture = t->picture == PLOT_PSD           ? PLOT_CONVERGENCE
+		     : t->picture == PLOT_CONVERGENCE ? PLOT_SPREAD
+						      : PLOT_PSD;
+}
+
+static void
+stop(struct tui *t)
+{
+	if (session_busy(t->session))
+		conduct_keep(t);
+	else
+		tui_say(
+		    t, false, "nothing runs that could be stopped: q leaves");
+}
+
+/* What changes how the screen looks and no more. */
+static void
+show_act(struct tui *t, const struct key *key)
+{
+	switch (key->act) {
+	case ACT_PAGE:
+		go_to(t, (enum page)key->amount);
+		break;
+	case ACT_FOCUS:
+		next_focus(t, key->amount);
+		break;
+	case ACT_CROSS:
+		cross(t);
+		break;
+	case ACT_BAND:
+		t->band = !t->band;
+		break;
+	case ACT_PIN:
+		pin(t);
+		break;
+	case ACT_PICTURE:
+		next_picture(t);
+		break;
+	case ACT_HELP:
+		view_keys(t, "");
+		break;
+	case ACT_MOUSE:
+		t->mouse = !t->mouse && screen_mouse(true);
+		if (!t->mouse)
+			screen_mouse(false);
+		break;
+	case ACT_REDRAW:
+		screen_resize();
+		break;
+	case ACT_SUSPEND:
+		raise(SIGTSTP); /* the loop answers it */
+		break;
+	default:
+		t->leave = true;
+	}
+}
+
+/* Does what a key is for; nothing for NULL. */
+static void
+act(struct tui *t, const struct key *key)
+{
+	if (key == NULL)
+		return;
+	switch (key->act) {
+	case ACT_MOVE:
+		move_focus(t, key->amount);
+		break;
+	case ACT_FINE:
+		t->tenths = slider_clamp(t->tenths + key->amount);
+		break;
+	case ACT_TO:
+		move_to(t, key->amount);
+		break;
+	case ACT_LIST:
+		if (t->page == PAGE_SITES)
+			t->focus = FOCUS_SITE;
+		if (t->focus != FOCUS_SPEED)
+			move_focus(t, key->amount);
+		break;
+	case ACT_RUN:
+	case ACT_TYPE:
+	case ACT_CHOOSE:
+		run_key(t, key);
+		break;
+	case ACT_FIT:
+		fit(t, key);
+		break;
+	case ACT_HOLD:
+		hold(t, key);
+		break;
+	case ACT_KEEP:
+	case ACT_STOP:
+		stop(t);
+		break;
+	case ACT_PACE:
+		set_pace(t, key->amount);
+		break;
+	default:
+		show_act(t, key);
+	}
+}
+
+static void
+type_key(struct tui *t, int code, bool special)
+{
+	struct typing *y = &t->typing;
+	enum typing_result result = typing_key(y, t->session, code, special);
+	if (result == TYPING_ON)
+		return;
+	typing_end(y);
+	if (result == TYPING_DONE)
+		conduct_typed(t, y->text);
+}
+
+/* Digits of a speed; 1 to 5 are pages, but no speed here begins with them. */
+static bool
+digit_key(struct tui *t, int code)
+{
+	size_t n = strlen(t->digits);
+	bool digit = code >= '0' && code <= '9';
+	if (n == 0 && !(code >= '6' && code <= '8'))
+		return false;
+	if ((digit || code == '.') && n + 1 < sizeof t->digits) {
+		t->digits[n] = (char)code;
+		t->digits[n + 1] = '\0';
+	} else if (code == '\n' || code == '\r') {
+		if (!slider_read(t->digits, &t->tenths))
+			tui_say(t, true,
+			    "a speed from 65 to 85 m/s was wanted, not %s",
+			    t->digits);
+		t->digits[0] = '\0';
+	} else if (code == 127 || code == '\b') {
+		t->digits[n - 1] = '\0';
+	} else {
+		t->digits[0] = '\0';
+		return code == ESCAPE;
+	}
+	return true;
+}
+
+void
+act_key(struct tui *t, int code, bool special)
+{
+	/* A character beyond ASCII is no key: its number may be one's. */
+	bool foreign = !special && code > 127 && !t->typing.active;
+	if (foreign)
+		return;
+	if (special && code == PANE_MOUSE)
+		act_mouse(t);
+	else if (t->typing.active)
+		type_key(t, code, special);
+	else if (t->viewer.text != NULL)
+		act(t, view_key(t, code, special));
+	else if (!(special && code == PANE_BACKSPACE ? digit_key(t, 127)
+						     : digit_key(t, code))) {
+		const struct key *key = keys_find(code, t->page);
+		if (key != NULL)
+			act(t, key);
+		else if (!special && code > ' ')
+			tui_say(t, false,
+			    "this key does nothing: ? lists the keys");
+	}
+}

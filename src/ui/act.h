@@ -1,0 +1,15 @@
+/* What keys and mouse do on the full screen.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_ACT_H
+#define TIPSPEED_UI_ACT_H
+
+#include "ui/tui_state.h"
+
+/* Takes one key: code as ncurses has it; special: one with a name, no
+ * character. */
+void act_key(struct tui *t, int code, bool special);
+
+/* Takes the mouse event that ncurses holds. */
+void act_mouse(struct tui *t);
+
+#endif

@@ -1,0 +1,338 @@
+/* The driver of the full screen: lines, scripts, jobs.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/conduct.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/fit.h"
+#include "cmd/script.h"
+#include "ui/pump.h"
+#include "ui/typed.h"
+#include "ui/view.h"
+
+const double PACES[PACE_COUNT] = {1, 2, 5, 10, 20, 50, INFINITY};
+
+/* A slider that stood still for so long has paused, s. */
+static const double PAUSE = 0.7;
+
+void
+tui_say(struct tui *t, bool bad, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	vsnprintf(t->message, sizeof t->message, format, ap);
+	va_end(ap);
+	t->bad = bad;
+}
+
+void
+conduct_begin(struct tui *t)
+{
+	t->said = open_memstream(&t->said_text, &t->said_n);
+	if (t->said == NULL)
+		return;
+	t->session->out = t->session->notes = t->said;
+}
+
+void
+conduct_end(struct tui *t)
+{
+	if (t->said != NULL)
+		fclose(t->said);
+	free(t->said_text);
+	t->said = NULL;
+	t->said_text = NULL;
+}
+
+/* Forgets what was said before. */
+static void
+hush(struct tui *t)
+{
+	rewind(t->said);
+	fflush(t->said);
+}
+
+static void
+say_error(struct tui *t, const struct error *e)
+{
+	tui_say(t, true, "%s%s%s", e->text, e->hint[0] != '\0' ? ": " : "",
+	    e->hint);
+}
+
+static bool run_to_end(
+    struct tui *t, const char *line, const char *name, int number);
+
+/* The scripts that a line opened, to their end. */
+static bool
+run_scripts(struct tui *t, size_t depth)
+{
+	struct session *s = t->session;
+	bool ok = true;
+	while (ok && script_depth(s) > depth && !s->quit) {
+		struct error error = {0};
+		struct place place;
+		char *line = script_line(s, &place, &error);
+		ok = line != NULL ? run_to_end(t, line, place.file, place.line)
+				  : error.kind == ERROR_NONE;
+		if (line == NULL && !ok)
+			say_error(t, &error);
+		free(line);
+	}
+	script_close(s, depth);
+	return ok;
+}
+
+/* A signal ends what runs, as it does elsewhere. */
+static void
+pump_to_end(struct session *s)
+{
+	while (session_busy(s) && pump_signal() == 0)
+		session_step(s);
+	session_pause(s);
+}
+
+static bool
+run_to_end(struct tui *t, const char *line, const char *name, int number)
+{
+	struct session *s = t->session;
+	size_t at = 0, depth = script_depth(s);
+	struct error error = {0};
+	bool ok = true;
+	do {
+		ok = session_line(s, line, at, name, number, &at, &error);
+		if (!ok) {
+			say_error(t, &error);
+			break;
+		}
+		/* A calibration at the end of a typed line is to be watched. */
+		if (number == 0 && session_busy(s) &&
+		    script_depth(s) == depth && line[at] == '\0' && !s->job.all)
+			return true;
+		pump_to_end(s);
+		ok = run_scripts(t, depth);
+	} while (ok && at > 0 && !s->quit);
+	if (!session_settle(s, ok, &error) && ok)
+		say_error(t, &error);
+	return ok;
+}
+
+static void
+take_numbers(struct tui *t)
+{
+	const struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	t->now = (struct numbers){0};
+	if (entry == NULL || s->last.product.n == 0)
+		return;
+	snprintf(t->now.site, sizeof t->now.site, "%s", entry->key);
+	t->now.speed = s->last.speed;
+	t->now.p20 = s->answer[ANSWER_P20];
+	t->now.p50 = s->answer[ANSWER_P50];
+	t->now.p80 = s->answer[ANSWER_P80];
+	t->now.break_mm = s->answer[ANSWER_BREAK];
+}
+
+/* What the session is like after any command. */
+void
+conduct_look(struct tui *t)
+{
+	const struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	t->session->wants_tui = false;
+	if (s->last.product.n == 0)
+		t->now = (struct numbers){0};
+	if (t->site_at >= s->n_entry)
+		t->site_at = s->current;
+	if (t->cross_at >= s->last.product.n)
+		t->cross_at = 0;
+	t->holdout = entry != NULL && entry->has_fit
+			 ? 100 * fit_holdout_rmse(entry)
+			 : NAN;
+	size_t n;
+	const struct bounds *bounds;
+	tui_history(t, &n, &bounds);
+	if (t->generation > n)
+		t->generation = 0;
+}
+
+static bool
+run(struct tui *t, const char *line)
+{
+	struct session *s = t->session;
+	const double *said = s->answer;
+	bool was_busy = session_busy(s);
+	char site[sizeof t->now.site] = "";
+	if (tui_entry(t) != NULL)
+		snprintf(site, sizeof site, "%s", tui_entry(t)->key);
+	hush(t);
+	bool ok = run_to_end(t, line, "typed", 0);
+	if (said[ANSWER_SPEED] >= SLIDER_LEAST / 10.0 &&
+	    said[ANSWER_SPEED] <= SLIDER_MOST / 10.0)
+		t->tenths = slider_tenths(said[ANSWER_SPEED]);
+	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
+	if (s->last.product.n == 0 || other)
+		t->asked = 0;
+	if (other)
+		t->site_at = s->current;
+	conduct_look(t);
+	if (session_busy(s) && !was_busy) {
+		t->held = false;
+		t->generation = 0;
+		t->due = session_clock();
+	}
+	return ok;
+}
+
+bool
+conduct_run(struct tui *t, const char *line)
+{
+	free(t->command);
+	t->command = xstrdup(line);
+	t->message[0] = '\0';
+	return run(t, line);
+}
+
+/* One line is a message, more are shown on the whole screen. */
+static void
+show_said(struct tui *t)
+{
+	fflush(t->said);
+	size_t n = t->said_n;
+	while (n > 0 && t->said_text[n - 1] == '\n')
+		n--;
+	char *text = xstrndup(t->said_text, n);
+	if (strchr(text, '\n') != NULL) {
+		view_text(t, text);
+		return;
+	}
+	if (n > 0)
+		tui_say(t, false, "%s", text);
+	free(text);
+}
+
+void
+conduct_typed(struct tui *t, const char *line)
+{
+	if (line[strspn(line, " \t")] == '\0')
+		return;
+	bool searching = session_busy(t->session);
+	conduct_keep(t);
+	typed_add(line);
+	/* Only a shell command may write past the session's streams. */
+	bool aside = strchr(line, '|') != NULL;
+	if (aside)
+		tui_step_aside();
+	bool ok = conduct_run(t, line);
+	if (aside) {
+		fputs("\n[Return goes back]", stdout);
+		fflush(stdout);
+		for (int c = getchar(); c != '\n' && c != EOF; c = getchar())
+			;
+		tui_step_back();
+	}
+	/* A bound edited in a search: on with the new ones. */
+	if (ok && searching && strncmp(line, "bounds ", 7) == 0) {
+		conduct_run(t, "calibrate");
+		return;
+	}
+	bool moved_only =
+	    strncmp(line, "predict", 7) == 0 && strchr(line, '>') == NULL;
+	if (ok && !session_busy(t->session) && !moved_only)
+		show_said(t);
+}
+
+void
+conduct_predict(struct tui *t)
+{
+	const struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	bool forming = entry != NULL && session_busy(s) &&
+		       s->job.entry == s->current &&
+		       calibration_status(s->job.calibration).generation > 0;
+	if (t->asked == t->tenths || entry == NULL)
+		return;
+	if (!entry->has_params && !forming)
+		return;
+	char line[40];
+	double now = session_clock();
+	if (now - t->moved > PAUSE || t->pause.site[0] == '\0' ||
+	    strcmp(t->pause.site, entry->key) != 0)
+		t->pause = t->now;
+	if (t->asked != 0)
+		t->moved = now;
+	snprintf(line, sizeof line, "predict speed=%.1f", t->tenths / 10.0);
+	hush(t);
+	struct error error = {0};
+	size_t next;
+	if (!session_line(t->session, line, 0, "typed", 1, &next, &error))
+		say_error(t, &error);
+	if (t->asked != 0 || t->command == NULL) {
+		free(t->command);
+		t->command = xstrdup(line);
+	}
+	if (t->asked != 0)
+		t->message[0] = '\0';
+	t->asked = t->tenths;
+	take_numbers(t);
+}
+
+void
+conduct_keep(struct tui *t)
+{
+	struct session *s = t->session;
+	if (!session_busy(s))
+		return;
+	struct error error = {0};
+	session_pause(s);
+	session_settle(s, true, &error);
+	t->held = false;
+	t->asked = 0;
+	conduct_look(t);
+	tui_say(t, false,
+	    "stopped, the best is kept: Space goes on, f starts "
+	    "again with the bounds that are set");
+}
+
+/* The calibration has come to its end. */
+static void
+finish(struct tui *t)
+{
+	struct error error = {0};
+	if (!session_settle(t->session, true, &error))
+		say_error(t, &error);
+	t->held = false;
+	conduct_look(t);
+	const struct entry *entry = tui_entry(t);
+	if (entry != NULL && entry->has_fit && error.kind == ERROR_NONE)
+		tui_say(t, false,
+		    "calibrated: %s, %.2f points RMS, %zu generations%s",
+		    fit_verdict(&entry->fit), 100 * entry->fit.rmse,
+		    entry->fit.generations,
+		    t->page == PAGE_FIT ? "; Tab and the arrows go through them"
+					: "");
+}
+
+void
+conduct_pump(struct tui *t)
+{
+	static const double FRAME = 0.02; /* s, at full pace */
+	struct session *s = t->session;
+	if (!session_busy(s) || t->held)
+		return;
+	double began = session_clock();
+	if (t->pace < PACE_FULL && began < t->due)
+		return;
+	do
+		session_step(s);
+	while (session_busy(s) && t->pace == PACE_FULL &&
+	       session_clock() - began < FRAME);
+	if (t->pace < PACE_FULL)
+		t->due = began + 1 / PACES[t->pace];
+	t->asked = 0;
+	if (!session_busy(s))
+		finish(t);
+}

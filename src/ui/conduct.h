@@ -1,0 +1,32 @@
+/* Runs command lines for the full screen, with all they print kept off it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_CONDUCT_H
+#define TIPSPEED_UI_CONDUCT_H
+
+#include "ui/tui_state.h"
+
+/* Takes the session's results and notes, and gives them back. */
+void conduct_begin(struct tui *t);
+void conduct_end(struct tui *t);
+
+/* Runs a line that a key composed, and shows it.  False with a message where
+ * it failed. */
+bool conduct_run(struct tui *t, const char *line);
+
+/* The same for a typed line: what it prints is shown. */
+void conduct_typed(struct tui *t, const char *line);
+
+/* Predicts at the slider's speed, where there is something to predict with and
+ * it is not done already. */
+void conduct_predict(struct tui *t);
+
+/* Looks what the session is like after a command that was not run here. */
+void conduct_look(struct tui *t);
+
+/* Some steps of the calibration that runs, as many as are due. */
+void conduct_pump(struct tui *t);
+
+/* Stops the calibration that runs and keeps its best. */
+void conduct_keep(struct tui *t);
+
+#endif

@@ -1,0 +1,174 @@
+/* The table of keys.  Only the names of keys are taken from curses here: who
+ * prints the manual does not link it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/keys.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <curses.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+#define CONTROL(letter) ((letter)&0x1F)
+
+const char *const PAGE_NAMES[PAGES] = {
+    "Predict", "Fit", "Data", "Parity", "Sites"};
+
+#define PREDICT "predict speed=%s"
+
+const struct key KEYS[] = {
+    {KEY_LEFT, "Left, h", ON_ALL, ACT_MOVE, -1, PREDICT,
+	"speed down by 0.1 m/s; or what Tab has chosen, to the left"},
+    {'h', NULL, ON_ALL, ACT_MOVE, -1, PREDICT, NULL},
+    {KEY_RIGHT, "Right, l", ON_ALL, ACT_MOVE, 1, PREDICT,
+	"speed up by 0.1 m/s; or what Tab has chosen, to the right"},
+    {'l', NULL, ON_ALL, ACT_MOVE, 1, PREDICT, NULL},
+    {KEY_SLEFT, "Shift-Left, H", ON_ALL, ACT_FINE, -10, PREDICT,
+	"speed down by 1 m/s"},
+    {'H', NULL, ON_ALL, ACT_FINE, -10, PREDICT, NULL},
+    {KEY_SRIGHT, "Shift-Right, L", ON_ALL, ACT_FINE, 10, PREDICT,
+	"speed up by 1 m/s"},
+    {'L', NULL, ON_ALL, ACT_FINE, 10, PREDICT, NULL},
+    {KEY_NPAGE, "PgDn", ON_ALL, ACT_FINE, -50, PREDICT, "speed down by 5 m/s"},
+    {KEY_PPAGE, "PgUp", ON_ALL, ACT_FINE, 50, PREDICT, "speed up by 5 m/s"},
+    {KEY_HOME, "Home", ON_ALL, ACT_TO, TO_LEAST, PREDICT, "to 65 m/s"},
+    {KEY_END, "End", ON_ALL, ACT_TO, TO_MOST, PREDICT, "to 85 m/s"},
+    {'[', "[", ON_ALL, ACT_TO, TO_SLOWEST, PREDICT, "to the slowest run"},
+    {']', "]", ON_ALL, ACT_TO, TO_FASTEST, PREDICT, "to the fastest run"},
+    {'m', "m", ON_ALL, ACT_TO, TO_MIDDLE, PREDICT, "to the middle of the runs"},
+    {'\t', "Tab", ON_ALL, ACT_FOCUS, 1, NULL,
+	"what the arrows move: speed, crosshair, generation, site"},
+    {KEY_BTAB, "Shift-Tab", ON_ALL, ACT_FOCUS, -1, NULL, "the one before"},
+    {'1', "1", ON_ALL, ACT_PAGE, PAGE_PREDICT, NULL, "page Predict"},
+    {'2', "2", ON_ALL, ACT_PAGE, PAGE_FIT, NULL, "page Fit"},
+    {'3', "3", ON_ALL, ACT_PAGE, PAGE_DATA, NULL, "page Data"},
+    {'4', "4", ON_ALL, ACT_PAGE, PAGE_PARITY, NULL, "page Parity"},
+    {'5', "5", ON_ALL, ACT_PAGE, PAGE_SITES, NULL, "page Sites"},
+    {KEY_UP, "Up, k", ON_ALL, ACT_LIST, -1, NULL, "up in a list"},
+    {'k', NULL, ON_ALL, ACT_LIST, -1, NULL, NULL},
+    {KEY_DOWN, "Down, j", ON_ALL, ACT_LIST, 1, NULL, "down in a list"},
+    {'j', NULL, ON_ALL, ACT_LIST, 1, NULL, NULL},
+    {'\n', "Enter", ON_SITES, ACT_CHOOSE, 0, "use %s", "use this site"},
+    {'c', "c", ON_ALL, ACT_CROSS, 0, NULL,
+	"crosshair on and off: it reads the curves at a sieve"},
+    {'b', "b", ON_ALL, ACT_BAND, 0, NULL,
+	"band of uncertainty on and off, where it is known"},
+    {'x', "x", ON_ALL, ACT_PIN, 0, NULL,
+	"keep this prediction beside the next ones; again: let it go"},
+    {'v', "v", ON_FIT, ACT_PICTURE, 1, NULL,
+	"the next picture: curves, convergence, spread"},
+    {'f', "f", ON_ALL, ACT_FIT, 0, "calibrate", "calibrate, or start again"},
+    {' ', "Space", ON_ALL, ACT_HOLD, 0, "continue",
+	"pause the calibration and go on; once stopped: continue"},
+    {'s', "s", ON_ALL, ACT_KEEP, 0, NULL,
+	"stop the calibration and keep the best"},
+    {'+', "+", ON_ALL, ACT_PACE, 1, NULL, "calibrate faster"},
+    {'=', NULL, ON_ALL, ACT_PACE, 1, NULL, NULL},
+    {'-', "-", ON_ALL, ACT_PACE, -1, NULL, "calibrate slower"},
+    {'d', "d", ON_ALL, ACT_RUN, 0, "describe", "the same in words"},
+    {'e', "e", ON_ALL, ACT_TYPE, 0, "predict speed=%s > ",
+	"export: give a file name"},
+    {':', ":", ON_ALL, ACT_TYPE, 0, "",
+	"type a command; Tab completes, Up and Down have earlier ones"},
+    {'u', "u", ON_ALL, ACT_RUN, 0, "undo", "take back the last change"},
+    {'U', "U", ON_ALL, ACT_RUN, 0, "redo", "do it again"},
+    {'w', "w", ON_ALL, ACT_TYPE, 0, "save ",
+	"write the session as a script: give a file name"},
+    {'?', "?, F1", ON_ALL, ACT_HELP, 0, NULL, "this list"},
+    {KEY_F(1), NULL, ON_ALL, ACT_HELP, 0, NULL, NULL},
+    {'M', "M", ON_ALL, ACT_MOUSE, 0, NULL,
+	"mouse on and off; Shift and drag select text"},
+    {CONTROL('L'), "^L", ON_ALL, ACT_REDRAW, 0, NULL, "draw all anew"},
+    {CONTROL('C'), "^C", ON_ALL, ACT_STOP, 0, NULL,
+	"stop the calibration and keep the best"},
+    {CONTROL('Z'), "^Z", ON_ALL, ACT_SUSPEND, 0, NULL,
+	"to the shell; fg comes back"},
+    {'q', "q", ON_ALL, ACT_LEAVE, 0, NULL, "leave the full screen"},
+    {.code = 0}};
+
+const struct key *
+keys_find(int code, enum page page)
+{
+	if (code == KEY_ENTER || code == '\r')
+		code = '\n';
+	for (const struct key *k = KEYS; k->code != 0; k++)
+		if (k->code == code && (k->pages & (1U << page)))
+			return k;
+	return NULL;
+}
+
+/* The only page a key is there on, in words; "" where it is on all. */
+static const char *
+only_on(const struct key *k)
+{
+	return k->pages == ON_FIT     ? " (page Fit)"
+	       : k->pages == ON_SITES ? " (page Sites)"
+				      : "";
+}
+
+static char *
+line_of(const struct key *k)
+{
+	return xasprintf("  %-15s %s%s", k->name, k->what, only_on(k));
+}
+
+static bool
+has_word(const struct key *k, const char *word)
+{
+	if (k->name == NULL)
+		return false;
+	char *line = line_of(k), *folded = text_fold(line);
+	char *wanted = text_fold(word);
+	bool has = strstr(folded, wanted) != NULL;
+	free(line);
+	free(folded);
+	free(wanted);
+	return has;
+}
+
+void
+keys_list(const char *word, FILE *out)
+{
+	for (const struct key *k = KEYS; k->code != 0; k++) {
+		if (!has_word(k, word))
+			continue;
+		char *line = line_of(k);
+		fprintf(out, "%s\n", line);
+		free(line);
+	}
+	if (word[0] == '\0')
+		fputs("  digits, Enter   type a speed\n"
+		      "  mouse           click and drag set the speed, the "
+		      "wheel moves it by 0.1 m/s\n",
+		    out);
+}
+
+const struct key *
+keys_nth(const char *word, size_t n)
+{
+	for (const struct key *k = KEYS; k->code != 0; k++)
+		if (has_word(k, word) && n-- == 0)
+			return k;
+	return NULL;
+}
+
+void
+keys_manual(FILE *out)
+{
+	fputs(".Bl -tag -width Shift-Right\n", out);
+	for (const struct key *k = KEYS; k->code != 0; k++) {
+		if (k->name == NULL)
+			continue;
+		/* The control characters of mdoc would be taken as such. */
+		fprintf(out, ".It %s%s\n%s%s.\n",
+		    k->name[1] == '\0' ? "\\&" : "", k->name, k->what,
+		    only_on(k));
+		if (k->command != NULL && k->command[0] != '\0' &&
+		    k->act == ACT_RUN)
+			fprintf(out, "Runs\n.Ic %s .\n", k->command);
+	}
+	fputs(".It digits, Enter\nType a speed.\n.El\n", out);
+}

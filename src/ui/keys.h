@@ -1,0 +1,73 @@
+/* The keys of the full screen, as data: what is pressed, what it does, and the
+ * command it composes.  The ? page and the manual are printed from it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_KEYS_H
+#define TIPSPEED_UI_KEYS_H
+
+#include <stddef.h>
+#include <stdio.h>
+
+enum page { PAGE_PREDICT, PAGE_FIT, PAGE_DATA, PAGE_PARITY, PAGE_SITES, PAGES };
+
+extern const char *const PAGE_NAMES[PAGES];
+
+/* On which pages a key is there: bits of 1 << page. */
+enum { ON_ALL = (1 << PAGES) - 1, ON_FIT = 1 << PAGE_FIT };
+enum { ON_SITES = 1 << PAGE_SITES };
+
+enum key_act {
+	ACT_MOVE,    /* the focus by so many steps */
+	ACT_FINE,    /* the slider by so many tenths */
+	ACT_TO,      /* the slider to an end, or a run */
+	ACT_PAGE,    /* to a page */
+	ACT_FOCUS,   /* what the arrows move */
+	ACT_LIST,    /* up and down */
+	ACT_RUN,     /* the command */
+	ACT_TYPE,    /* the command into the command line, to be completed */
+	ACT_CROSS,   /* crosshair on or off */
+	ACT_BAND,    /* uncertainty on or off */
+	ACT_PIN,     /* keep this prediction to compare with */
+	ACT_PICTURE, /* the next picture of the page */
+	ACT_FIT,     /* start, or start again */
+	ACT_HOLD,    /* pause and go on */
+	ACT_KEEP,    /* stop and keep the best */
+	ACT_PACE,    /* slower or faster */
+	ACT_CHOOSE,  /* use the site under the cursor */
+	ACT_HELP,
+	ACT_MOUSE,
+	ACT_REDRAW,
+	ACT_STOP, /* ^C */
+	ACT_SUSPEND,
+	ACT_LEAVE
+};
+
+/* To an end of the slider, or a run: amounts of ACT_TO. */
+enum { TO_LEAST, TO_MOST, TO_SLOWEST, TO_FASTEST, TO_MIDDLE };
+
+/* code: as ncurses gives it; name: as shown, NULL for a second way to press
+ * what stands in the row above.  command: what it composes, with %s for the
+ * slider's speed or the site's key, or NULL. */
+struct key {
+	int code;
+	const char *name;
+	unsigned pages;
+	enum key_act act;
+	int amount;
+	const char *command, *what;
+};
+
+/* Ends with a code of 0. */
+extern const struct key KEYS[];
+
+/* The row of a key on a page, or NULL. */
+const struct key *keys_find(int code, enum page page);
+
+/* For the ? page: a line for each key whose line has the word, without regard
+ * to case; all for "".  keys_nth: the key of the n-th of these, or NULL. */
+void keys_list(const char *word, FILE *out);
+const struct key *keys_nth(const char *word, size_t n);
+
+/* The same for tipspeed-tui(1), as mdoc. */
+void keys_manual(FILE *out);
+
+#endif

@@ -1,0 +1,218 @@
+/* The Fit page: the search, generation by generation, while it runs and after.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/fit.h"
+#include "ui/pane.h"
+#include "ui/screen.h"
+
+const struct calibrate_generation *
+tui_history(const struct tui *t, size_t *n, const struct bounds **bounds)
+{
+	const struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	*n = 0;
+	if (entry == NULL)
+		return NULL;
+	if (session_busy(s) && s->job.entry == s->current) {
+		*bounds = &s->job.options.bounds;
+		const struct calibrate_generation *g =
+		    calibration_history(s->job.calibration, n);
+		return *n > 0 ? g : NULL;
+	}
+	if (entry->history == NULL || entry->history->n == 0)
+		return NULL;
+	*n = entry->history->n;
+	*bounds = &entry->history->bounds;
+	return entry->history->generation;
+}
+
+size_t
+tui_generation(const struct tui *t)
+{
+	size_t n;
+	const struct bounds *bounds;
+	tui_history(t, &n, &bounds);
+	return t->generation > 0 && t->generation < n ? t->generation : n;
+}
+
+int
+pane_generations(struct tui *t, const struct area *area)
+{
+	size_t n, at = tui_generation(t);
+	const struct bounds *bounds;
+	if (tui_history(t, &n, &bounds) == NULL)
+		return -1;
+	char label[32], last[32];
+	int from = screen_text(area, 0, 0, 0, "generation 1 ");
+	snprintf(last, sizeof last, " %zu", n);
+	int room = area->columns - from - (int)strlen(last) - 1;
+	if (room < 12)
+		return -1;
+	t->scrubber = (struct area){area->row, from, 1, room};
+	for (int c = 0; c < room; c++)
+		screen_text(area, 0, from + c, LOOK_DIM, "-");
+	screen_text(area, 0, from + room, 0, "%s", last);
+	snprintf(label, sizeof label, "[%zu]", at);
+	int length = (int)strlen(label);
+	double share = n > 1 ? (double)(at - 1) / (double)(n - 1) : 1;
+	int column = from + (int)lround(share * (room - length));
+	screen_text(area, 0, column,
+	    LOOK_BOLD | (t->focus == FOCUS_GENERATION ? LOOK_REVERSE : 0), "%s",
+	    label);
+	return column + 1;
+}
+
+/* Where a value stands within its bounds, as a cell of a bar. */
+static int
+cell_of(double value, double lower, double upper, int width)
+{
+	double share = upper > lower ? (value - lower) / (upper - lower) : 0.5;
+	share = share < 0 ? 0 : share > 1 ? 1 : share;
+	return (int)lround(share * (width - 1));
+}
+
+/* "beta1 |  ==*=    | -0.591": the bounds, the middle 80 % of the candidates
+ * and the best. */
+static void
+draw_parameter(const struct area *side, int row, size_t j,
+    const struct calibrate_generation *g, const struct bounds *bounds)
+{
+	enum { NAME = 7, VALUE = 18, MOST = 40 };
+	double lower = bounds->lower[j], upper = bounds->upper[j];
+	double best = params_get(&g->params, j);
+	int width = side->columns - NAME - VALUE - 2;
+	width = width > MOST ? MOST : width < 3 ? 3 : width;
+	char bar[MOST + 1];
+	memset(bar, ' ', (size_t)width);
+	bar[width] = '\0';
+	int from = cell_of(g->p10[j], lower, upper, width);
+	int to = cell_of(g->p90[j], lower, upper, width);
+	for (int c = from; c <= to; c++)
+		bar[c] = '=';
+	bar[cell_of(best, lower, upper, width)] = '*';
+	double near = 0.02 * (upper - lower);
+	const char *remark = lower >= upper ? "fixed"
+			     : best - lower < near || upper - best < near
+				 ? "NEAR BOUND"
+				 : "";
+	screen_text(side, row, 0, 0, "%-7s|%s|%7.3g %s", PARAMS[j].name, bar,
+	    best, remark);
+}
+
+static int
+draw_parameters(const struct tui *t, const struct area *side, int row)
+{
+	size_t n;
+	const struct bounds *bounds;
+	const struct calibrate_generation *g = tui_history(t, &n, &bounds);
+	if (g == NULL)
+		return row;
+	screen_text(side, row++, 0, LOOK_DIM, "bounds, = middle 80 %%, * best");
+	g += tui_generation(t) - 1;
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		draw_parameter(side, row++, j, g, bounds);
+	return row;
+}
+
+/* How far the search is, and how fast. */
+static int
+draw_progress(const struct tui *t, const struct area *side, int row)
+{
+	const struct session *s = t->session;
+	const struct calibrate_options *o = &s->job.options;
+	struct calibrate_status st = calibration_status(s->job.calibration);
+	double seconds = session_clock() - s->job.started;
+	double rate = seconds > 0 ? (double)st.evaluations / seconds : 0;
+	screen_text(side, row++, 0, LOOK_BOLD, "%sgeneration %zu of %zu",
+	    t->held ? "PAUSED " : "", st.generation, o->generations);
+	if (st.state == CALIBRATE_POLISHING)
+		screen_text(side, row++, 0, 0, "polishing: %zu starts done",
+		    st.starts_done);
+	else
+		screen_text(side, row++, 0, 0, "stall %zu of %zu, tolerance %g",
+		    st.stall, o->stall, o->tolerance);
+	screen_text(
+	    side, row++, 0, 0, "best %.4g median %.4g", st.best, st.median);
+	screen_text(side, row++, 0, 0, "worst %.3g  seed %llu", st.worst,
+	    (unsigned long long)o->seed);
+	screen_text(side, row++, 0, 0, "%.0f evaluations a second", rate);
+	if (st.generation > 0)
+		screen_text(side, row++, 0, 0, "%.1f s, at most %.0f s more",
+		    seconds,
+		    seconds * (double)(o->generations - st.generation) /
+			(double)st.generation);
+	return row;
+}
+
+static const char *
+why_stopped(enum calibrate_state stop)
+{
+	return stop == CALIBRATE_TOLERANCE     ? "came together"
+	       : stop == CALIBRATE_STALLED     ? "stood still"
+	       : stop == CALIBRATE_GENERATIONS ? "all used"
+					       : "stopped";
+}
+
+static int
+draw_result(const struct tui *t, const struct area *side, int row)
+{
+	const struct entry *entry = tui_entry(t);
+	size_t n, at = tui_generation(t);
+	const struct bounds *bounds;
+	const struct calibrate_generation *g = tui_history(t, &n, &bounds);
+	if (g == NULL || !entry->has_fit)
+		return row;
+	screen_text(side, row++, 0, LOOK_BOLD, "generation %zu of %zu (%s)", at,
+	    n, why_stopped(entry->fit.stop));
+	screen_text(side, row++, 0, 0, "best %.4g median %.4g", g[at - 1].best,
+	    g[at - 1].median);
+	screen_text(side, row++, 0, 0, "polished: misfit %.4g  seed %llu",
+	    entry->fit.misfit, (unsigned long long)entry->fit.seed);
+	screen_text(side, row++, 0, 0, "%.2f points RMS, %s",
+	    100 * entry->fit.rmse, fit_verdict(&entry->fit));
+	return row;
+}
+
+static void
+draw_side(const struct tui *t)
+{
+	enum { LEAST = 7 };
+	const struct area *side = &t->places.side;
+	if (side->rows == 0)
+		return;
+	screen_wall(side->row, side->column - 1, side->rows);
+	int row = session_busy(t->session) ? draw_progress(t, side, 0)
+					   : draw_result(t, side, 0);
+	if (row == 0) {
+		screen_text(side, 0, 0, 0, "not calibrated yet: f starts");
+		screen_text(side, 1, 0, 0, "+ and - set the pace");
+		return;
+	}
+	row = draw_parameters(t, side, row);
+	struct area below = *side;
+	below.row += row + 1;
+	below.rows -= row + 1;
+	struct plot_request request = {.kind = PLOT_CONVERGENCE,
+	    .speed = NAN,
+	    .other_speed = NAN,
+	    .crosshair_mm = NAN,
+	    .generation = t->generation};
+	if (below.rows >= LEAST && t->picture != PLOT_CONVERGENCE)
+		pane_plot(t, &request, &below);
+}
+
+void
+pane_fit(struct tui *t)
+{
+	struct plot_request request = {.kind = t->picture,
+	    .speed = t->tenths / 10.0,
+	    .other_speed = NAN,
+	    .crosshair_mm = NAN,
+	    .generation = t->generation};
+	pane_curves(t, &request);
+	draw_side(t);
+}

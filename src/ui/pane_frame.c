@@ -1,0 +1,357 @@
+/* What stands around every page: heading, slider, last command, state, hints.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <curses.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/fit.h"
+#include "core/energy.h"
+#include "ui/pane.h"
+#include "ui/screen.h"
+
+const int PANE_PAGE_UP = KEY_PPAGE, PANE_PAGE_DOWN = KEY_NPAGE;
+const int PANE_MOUSE = KEY_MOUSE, PANE_BACKSPACE = KEY_BACKSPACE;
+
+int
+pane_side_columns(enum page page, int columns)
+{
+	if (page == PAGE_PREDICT)
+		return 24;
+	if (page == PAGE_FIT)
+		return columns >= 120 ? 50 : 38;
+	return 0;
+}
+
+/* How a page is called in the heading: in full, by its number but for the one
+ * that is open, or all by their numbers. */
+static const char *
+tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
+{
+	bool here = p == t->page;
+	const char *name =
+	    columns >= 76 || (here && columns >= 34) ? PAGE_NAMES[p] : "";
+	const char *gap = name[0] != '\0' ? " " : "";
+	const char *open = here ? "[" : columns >= 76 ? " " : "";
+	snprintf(
+	    text, 24, "%s%zu%s%s%s", open, p + 1, gap, name, here ? "]" : "");
+	return text;
+}
+
+static void
+draw_header(struct tui *t)
+{
+	const struct area *area = &t->places.header;
+	const struct entry *entry = tui_entry(t);
+	char text[24];
+	int help = area->columns >= 76 ? 8 : 0, column = area->columns - help;
+	for (size_t p = 0; p < PAGES; p++)
+		column -= (int)strlen(tab_text(t, p, area->columns, text)) + 1;
+	struct area left = *area;
+	left.columns = column < 0 ? 0 : column;
+	char *label = entry != NULL ? session_label(entry->site)
+				    : xstrdup("no site is loaded");
+	bool room = text_width(label) + 11 <= left.columns,
+	     fits = text_width(label) <= left.columns || entry == NULL;
+	screen_text(&left, 0, 0, LOOK_BOLD, "%s%s", room ? "tipspeed  " : "",
+	    fits ? label : entry->site->name);
+	free(label);
+	column = left.columns;
+	for (size_t p = 0; p < PAGES; p++) {
+		int from = column;
+		column = screen_text(area, 0, column,
+		    p == t->page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
+		    tab_text(t, p, area->columns, text));
+		t->tab[p] = (struct tab){from, column - from};
+		column++;
+	}
+	if (help > 0)
+		screen_text(area, 0, column, LOOK_DIM, " ? help");
+}
+
+struct area
+pane_track(const struct tui *t)
+{
+	struct area track = t->places.track;
+	bool ends = track.columns >= 30;
+	track.column += ends ? 4 : 0;
+	track.columns -= ends ? 8 : 0;
+	return track;
+}
+
+/* Returns the column of the cursor on the screen. */
+static int
+draw_track(struct tui *t)
+{
+	enum { MOST = 300 };
+	struct area track = pane_track(t);
+	const struct entry *entry = tui_entry(t);
+	struct slider_mark mark[MOST];
+	size_t n = 0;
+	for (size_t r = 0; entry != NULL && r < entry->site->n_run; r++)
+		if (entry->site->run[r].product.n > 0 && n < MOST)
+			mark[n++] = (struct slider_mark){
+			    slider_tenths(entry->site->run[r].speed),
+			    entry->train[r]};
+	char *text = xcalloc((size_t)track.columns + 1, 1);
+	int at = slider_draw(text, track.columns, t->tenths, mark, n);
+	bool focus = t->focus == FOCUS_SPEED;
+	const char *close = strchr(text + at, ']');
+	int length = close != NULL ? (int)(close - text) - at + 1 : 1;
+	screen_text(&track, 0, 0, 0, "%s", text);
+	screen_text(&track, 0, at,
+	    LOOK_BOLD | (focus ? LOOK_REVERSE : LOOK_PLAIN), "%.*s", length,
+	    text + at);
+	if (track.column > 0) {
+		screen_text(&t->places.track, 0, 1, 0, "65");
+		screen_text(
+		    &t->places.track, 0, t->places.track.columns - 3, 0, "85");
+	}
+	free(text);
+	return track.column + at + (length > 1 ? 1 : 0);
+}
+
+static void
+draw_caption(const struct tui *t)
+{
+	const struct area *area = &t->places.caption;
+	double speed = t->tenths / 10.0;
+	int column = screen_text(area, 0, 0, 0, "%s%.1f m/s  %.0f J/kg",
+	    area->columns >= 36 ? "rotor tip speed " : "", speed,
+	    energy_specific(speed));
+	if (t->session->answer[ANSWER_EXTRAPOLATED] == 1)
+		column =
+		    screen_text(area, 0, column + 2, LOOK_BOLD, "EXTRAPOLATED");
+	if (column + 47 <= area->columns)
+		screen_text(area, 0, area->columns - 47, LOOK_DIM,
+		    "x extrapolated  | trained  o held out  step 0.1");
+}
+
+/* Returns the column of the cursor in it. */
+static int
+draw_command(const struct tui *t, const struct area *area)
+{
+	const struct typing *y = &t->typing;
+	if (y->active) {
+		/* The line moves to the left where it is too long. */
+		int before = 0, room = area->columns - 2;
+		char *head = xstrndup(y->text, y->at);
+		before = text_width(head);
+		free(head);
+		const char *shown = y->text;
+		for (; before > room && *shown != '\0'; before--)
+			for (shown++; (*shown & 0xC0) == 0x80; shown++)
+				;
+		screen_text(area, 0, 0, LOOK_BOLD, ":%s", shown);
+		return 1 + before;
+	}
+	const char *tail = "(last action, as a command)";
+	int column = screen_text(
+	    area, 0, 0, 0, ": %s", t->command != NULL ? t->command : "");
+	if (t->command != NULL &&
+	    column + 4 + (int)strlen(tail) < area->columns)
+		screen_text(area, 0, area->columns - (int)strlen(tail) - 1,
+		    LOOK_DIM, "%s", tail);
+	return 0;
+}
+
+/* One too long for its row goes on in the row of hints.  Returns whether it
+ * does. */
+static bool
+draw_message(const struct tui *t, const struct area *area)
+{
+	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
+	unsigned look = t->bad ? LOOK_BOLD : LOOK_PLAIN;
+	size_t n = strlen(text), room = (size_t)area->columns, cut = n;
+	if (n > room && t->places.hints.rows > 0) {
+		for (cut = room; cut > room / 2 && text[cut] != ' '; cut--)
+			;
+		screen_text(&t->places.hints, 0, 0, look, "%s", text + cut + 1);
+	}
+	screen_text(area, 0, 0, look, "%.*s", (int)cut, text);
+	free(text);
+	return cut < n;
+}
+
+/* What the site's parameters are worth, or how the search stands. */
+static void
+draw_state(const struct tui *t, const struct area *area)
+{
+	const struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	int column;
+	if (session_busy(s)) {
+		struct calibrate_status st =
+		    calibration_status(s->job.calibration);
+		column = screen_text(area, 0, 0, LOOK_BOLD,
+		    "%s  generation %zu of %zu%s",
+		    t->held ? "PAUSED" : "CALIBRATING", st.generation,
+		    s->job.options.generations,
+		    st.state == CALIBRATE_POLISHING ? ", polishing" : "");
+	} else if (entry == NULL) {
+		column = screen_text(
+		    area, 0, 0, 0, "READY  no site: type :load FILE");
+	} else if (!entry->has_params) {
+		column = screen_text(
+		    area, 0, 0, 0, "READY  not calibrated: f calibrates");
+	} else if (entry->has_fit) {
+		column = screen_text(
+		    area, 0, 0, 0, "READY  fit %s", fit_verdict(&entry->fit));
+	} else {
+		column = screen_text(area, 0, 0, 0, "READY  parameters %s",
+		    session_origin(entry));
+	}
+	char right[64];
+	snprintf(right, sizeof right, "mouse %s  %s  %d colours",
+	    t->mouse ? "on" : "off",
+	    screen_charset() == CHARSET_ASCII ? "ascii" : "utf8",
+	    screen_depth());
+	int from = area->columns - (int)strlen(right) - 1;
+	if (from > column + 2)
+		screen_text(area, 0, from, LOOK_DIM, "%s", right);
+}
+
+static void
+draw_hints(const struct tui *t)
+{
+	static const char *const HINTS[PAGES] = {
+	    "<-/-> speed  ? keys  q quit  f fit  : command  c crosshair  x "
+	    "keep "
+	    "beside  e export  u undo",
+	    "Space pause  ? keys  q quit  f fit again  s stop, keep  +/- pace  "
+	    "Tab generations  v picture",
+	    "<-/-> speed  ? keys  q quit  1-5 pages  : command",
+	    "<-/-> speed  ? keys  q quit  1-5 pages  : command",
+	    "Up/Down site  Enter use it  ? keys  q quit  x keep beside  : "
+	    "command"};
+	/* What does not fit is left out by whole hints. */
+	char text[128];
+	int columns = t->places.hints.columns;
+	snprintf(text, sizeof text, "%s", HINTS[t->page]);
+	while (text_width(text) > columns) {
+		char *cut = NULL;
+		for (char *p = strstr(text, "  "); p != NULL;
+		     p = strstr(p + 2, "  "))
+			cut = p;
+		if (cut == NULL)
+			break;
+		*cut = '\0';
+	}
+	screen_text(&t->places.hints, 0, 0, LOOK_DIM, "%s", text);
+}
+
+/* A speed being typed stands where messages do. */
+static void
+draw_lower(struct tui *t, int *row, int *column)
+{
+	bool wide = false;
+	struct places *l = &t->places;
+	const struct area *note = l->status.rows > 0    ? &l->status
+				  : l->command.rows > 0 ? &l->command
+							: &l->track;
+	const struct area *line = l->command.rows > 0 ? &l->command : &l->track;
+	bool typing = t->typing.active;
+	if (typing ||
+	    (l->command.rows > 0 && !(line == note && t->message[0]))) {
+		if (typing && line == &l->track)
+			screen_text(line, 0, 0, 0, "%*s", line->columns, "");
+		int at = draw_command(t, line);
+		if (typing) {
+			*row = line->row;
+			*column = at;
+		}
+	}
+	if (note == line && typing)
+		return;
+	if (t->digits[0] != '\0')
+		screen_text(
+		    note, 0, 0, LOOK_BOLD, "speed: %s_ m/s (Enter)", t->digits);
+	else if (typing && t->typing.offers != NULL)
+		screen_text(note, 0, 0, 0, "%s", t->typing.offers);
+	else if (t->message[0] != '\0' && note != &l->track)
+		wide = draw_message(t, note);
+	else if (note == &l->status)
+		draw_state(t, note);
+	if (!wide)
+		draw_hints(t);
+}
+
+static void
+draw_viewer(const struct tui *t)
+{
+	const struct area *body = &t->places.body;
+	int line = -t->viewer.top;
+	const char *p = t->viewer.text;
+	for (; *p != '\0'; line++) {
+		size_t n = strcspn(p, "\n");
+		bool chosen =
+		    t->viewer.keys && line + t->viewer.top == t->viewer.at;
+		if (line >= 0)
+			screen_text(body, line, 0,
+			    chosen ? LOOK_REVERSE : LOOK_PLAIN, "%.*s",
+			    n < 400 ? (int)n : 400, p);
+		p += n + (p[n] == '\n');
+	}
+	const struct viewer *v = &t->viewer;
+	bool more = v->lines - v->top > body->rows;
+	if (v->filtering)
+		screen_text(&t->places.status, 0, 0, LOOK_BOLD, "/%s", v->word);
+	screen_text(&t->places.hints, 0, 0, LOOK_REVERSE, "%s%s",
+	    more ? "more below: Down, PgDn   " : "",
+	    v->keys ? "Enter does it   / finds a word   Esc goes back"
+		    : "any other key goes back");
+}
+
+static void
+draw_body(struct tui *t)
+{
+	static void (*const pages[PAGES])(struct tui *) = {
+	    pane_predict, pane_fit, pane_data, pane_parity, pane_sites};
+	pages[t->page](t);
+}
+
+void
+pane_draw(struct tui *t)
+{
+	int rows, columns, row, column;
+	screen_begin(&rows, &columns);
+	t->places =
+	    places_make(rows, columns, pane_side_columns(t->page, columns));
+	t->scrubber = (struct area){0};
+	bool viewing = t->viewer.text != NULL;
+	/* The text has the whole body, at any size. */
+	if (viewing && t->places.body.rows < 2)
+		t->places = (struct places){.body = {0, 0, rows, columns}};
+	draw_header(t);
+	row = t->places.track.row;
+	screen_rule(&t->places.rule);
+	column = t->places.track.rows > 0 ? draw_track(t) : 0;
+	if (viewing) {
+		draw_viewer(t);
+		screen_show(
+		    t->places.body.row +
+			(t->viewer.keys ? t->viewer.at - t->viewer.top : 0),
+		    0);
+		return;
+	}
+	int at = t->page == PAGE_FIT && t->places.caption.rows > 0
+		     ? pane_generations(t, &t->places.caption)
+		     : -1;
+	if (at < 0)
+		draw_caption(t);
+	pane_numbers(t);
+	draw_body(t);
+	if (t->focus == FOCUS_GENERATION && at >= 0) {
+		row = t->places.caption.row;
+		column = at;
+	}
+	if (t->focus == FOCUS_SITE && t->places.body.rows > 1) {
+		row = t->places.body.row + 1 + (int)t->site_at;
+		column = 0;
+	}
+	draw_lower(t, &row, &column);
+	screen_show(row, column);
+}

@@ -1,0 +1,148 @@
+/* What is written in a signal handler is prepared before: nothing there may
+ * take memory or ask ncurses.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/rescue.h"
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <curses.h>
+
+#include "base/xalloc.h"
+
+static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+
+/* Mouse off, keys as usual; the cursor and the screen follow. */
+#define MOUSE_OFF "\033[?1002l\033[?1000l\033[?1006l"
+
+static struct {
+	volatile sig_atomic_t open;
+	struct termios usual;
+	bool known;
+	char bytes[256];
+	size_t n;
+	struct sigaction was[ARRAY_LEN(FAULTS)];
+	char stack[16384]; /* for a fault by an overflow of the usual one */
+} at;
+
+static void
+put_right(void)
+{
+	if (!at.open)
+		return;
+	at.open = 0;
+	/* A background program would be stopped by setting the terminal. */
+	sigset_t out;
+	sigemptyset(&out);
+	sigaddset(&out, SIGTTOU);
+	sigprocmask(SIG_BLOCK, &out, NULL);
+	ssize_t written = write(STDOUT_FILENO, at.bytes, at.n);
+	(void)written;
+	if (at.known)
+		tcsetattr(STDIN_FILENO, TCSADRAIN, &at.usual);
+}
+
+static void
+on_fault(int signal)
+{
+	put_right();
+	struct sigaction usual = {.sa_handler = SIG_DFL};
+	sigaction(signal, &usual, NULL);
+	raise(signal);
+}
+
+/* While the screen is open, only xalloc ends the program: what it said was
+ * wiped away with the screen. */
+static void
+on_exit_early(void)
+{
+	static const char say[] =
+	    "tipspeed: ended with its screen open: out of memory\n";
+	if (!at.open)
+		return;
+	put_right();
+	ssize_t written = write(STDERR_FILENO, say, sizeof say - 1);
+	(void)written;
+}
+
+void
+rescue_note(void)
+{
+	at.known = tcgetattr(STDIN_FILENO, &at.usual) == 0;
+}
+
+/* Adds bytes without the pauses old terminals were given. */
+static void
+add(const char *text)
+{
+	if (text == NULL || text == (const char *)-1)
+		return;
+	while (*text != '\0' && at.n < sizeof at.bytes) {
+		const char *end =
+		    strncmp(text, "$<", 2) == 0 ? strchr(text, '>') : NULL;
+		if (end != NULL)
+			text = end + 1;
+		else
+			at.bytes[at.n++] = *text++;
+	}
+}
+
+void
+rescue_prepare(void)
+{
+	static bool asked;
+	at.n = 0;
+	if (tigetstr("kmous") != NULL && tigetstr("kmous") != (char *)-1)
+		add(MOUSE_OFF);
+	add(tigetstr("rmkx"));
+	add(tigetstr("sgr0"));
+	add(tigetstr("cnorm"));
+	add(tigetstr("rmcup"));
+	add("\r\n");
+	stack_t stack = {.ss_sp = at.stack, .ss_size = sizeof at.stack};
+	sigaltstack(&stack, NULL);
+	struct sigaction action = {
+	    .sa_handler = on_fault, .sa_flags = (int)SA_ONSTACK};
+	sigemptyset(&action.sa_mask);
+	for (size_t i = 0; i < ARRAY_LEN(FAULTS); i++)
+		sigaction(FAULTS[i], &action, &at.was[i]);
+	if (!asked)
+		atexit(on_exit_early);
+	asked = true;
+	at.open = 1;
+}
+
+void
+rescue_done(void)
+{
+	at.open = 0;
+	for (size_t i = 0; i < ARRAY_LEN(FAULTS); i++)
+		sigaction(FAULTS[i], &at.was[i], NULL);
+}
+
+void
+rescue_reset(void)
+{
+	static const char bytes[] =
+	    MOUSE_OFF "\033[?1l\033>\033[?2004l\033[0m\033[?25h\033[?1049l";
+	struct termios t;
+	ssize_t written = write(STDOUT_FILENO, bytes, sizeof bytes - 1);
+	(void)written;
+	if (tcgetattr(STDIN_FILENO, &t) != 0)
+		return;
+	t.c_iflag |= ICRNL | BRKINT | IXON;
+	t.c_iflag &= ~(tcflag_t)(INLCR | IGNCR);
+	t.c_oflag |= OPOST | ONLCR;
+	t.c_lflag |= ISIG | ICANON | IEXTEN | ECHO | ECHOE | ECHOK;
+	t.c_cc[VINTR] = 3;
+	t.c_cc[VQUIT] = 28;
+	t.c_cc[VEOF] = 4;
+	t.c_cc[VSUSP] = 26;
+	t.c_cc[VMIN] = 1;
+	t.c_cc[VTIME] = 0;
+	tcsetattr(STDIN_FILENO, TCSANOW, &t);
+}

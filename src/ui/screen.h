@@ -1,0 +1,57 @@
+/* The terminal as a full screen: ncurses, opened, written on and put away.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_SCREEN_H
+#define TIPSPEED_UI_SCREEN_H
+
+#include <stdbool.h>
+
+#include "plot/canvas.h"
+#include "ui/places.h"
+
+/* How a piece of text looks: bits. */
+enum { LOOK_PLAIN = 0, LOOK_BOLD = 1, LOOK_DIM = 2, LOOK_REVERSE = 4 };
+
+/* Takes the terminal over.  False where it has no such abilities or ncurses
+ * does not know it; then nothing is changed. */
+bool screen_open(bool colour);
+void screen_close(void);
+
+/* What lines are drawn with here. */
+enum charset screen_charset(void);
+
+/* Number of colours in use, 0 without. */
+int screen_depth(void);
+
+/* Has the mouse reported or not; false where the terminal has none. */
+bool screen_mouse(bool on);
+
+/* Leaves the terminal to somebody else for a while, and takes it back. */
+void screen_leave(void);
+void screen_return(void);
+
+/* Asks the terminal for its size; all is drawn anew. */
+void screen_resize(void);
+
+/* A new frame, of the size it has now. */
+void screen_begin(int *rows, int *columns);
+
+/* UTF-8 from the cell of an area on, cut at its right edge; nothing below its
+ * last row.  Returns the column behind it, within the area. */
+int screen_text(const struct area *area, int row, int column, unsigned look,
+    const char *format, ...) __attribute__((format(printf, 5, 6)));
+
+/* The same in the colour of a series. */
+int screen_series(const struct area *area, int row, int column,
+    enum series series, unsigned look, const char *text);
+
+/* A line along the row, or along the column, of the area. */
+void screen_rule(const struct area *area);
+void screen_wall(int row, int column, int rows);
+
+/* A canvas at the top left of an area, which is as large or larger. */
+void screen_canvas(const struct area *area, const struct canvas *canvas);
+
+/* Ends the frame with the cursor there: what changed is sent. */
+void screen_show(int row, int column);
+
+#endif

@@ -1,0 +1,38 @@
+/* The slider: a speed as a whole number of 0.1 m/s, and its track.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_SLIDER_H
+#define TIPSPEED_UI_SLIDER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* In tenths of a m/s. */
+enum { SLIDER_LEAST = 650, SLIDER_MOST = 850 };
+
+/* A speed that was measured, and whether it was trained on. */
+struct slider_mark {
+	int tenths;
+	bool trained;
+};
+
+/* The nearest value the slider can have. */
+int slider_clamp(int tenths);
+
+/* Tenths of a speed, m/s, rounded. */
+int slider_tenths(double speed);
+
+/* Reads "74", "74.3"; false where it is no such speed between 65 and 85. */
+bool slider_read(const char *text, int *tenths);
+
+/* The column of a value on a track of so many columns, 0 at its left end, and
+ * the value of a column; those off the track stand for its ends. */
+int slider_column(int tenths, int width);
+int slider_at(int column, int width);
+
+/* Draws the track into text [width + 1]: 'x' where no speed was trained on
+ * that side, '-' between trained ones, "|69" at these and "o74" at those held
+ * out, the value as "[74.0]" on top.  Returns the column of its '['. */
+int slider_draw(char *text, int width, int tenths,
+    const struct slider_mark *mark, size_t n);
+
+#endif

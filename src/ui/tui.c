@@ -1,0 +1,271 @@
+/* The full screen's loop: waits, takes keys, moves the session, draws.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/tui.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/select.h>
+#include <unistd.h>
+#include <wchar.h>
+
+#include <curses.h>
+
+#include "base/xalloc.h"
+#include "ui/act.h"
+#include "ui/conduct.h"
+#include "ui/manpage.h"
+#include "ui/pane.h"
+#include "ui/pump.h"
+#include "ui/repl.h"
+#include "ui/rescue.h"
+#include "ui/screen.h"
+#include "ui/tui_state.h"
+#include "ui/typed.h"
+#include "ui/view.h"
+
+static bool with_colour, linear;
+static volatile sig_atomic_t resized, stopping;
+/* Signals that are let in while the program waits. */
+static sigset_t let_in;
+
+void
+tui_choose(bool colour, bool is_linear)
+{
+	with_colour = colour;
+	linear = is_linear;
+}
+
+const struct entry *
+tui_entry(const struct tui *t)
+{
+	const struct session *s = t->session;
+	return s->n_entry > 0 ? &s->entry[s->current] : NULL;
+}
+
+static void
+on_resize(int signal)
+{
+	resized = signal;
+}
+
+static void
+on_stop(int signal)
+{
+	stopping = signal;
+}
+
+/* The speed last predicted, else that of a run held out, else 74 m/s. */
+static int
+first_speed(const struct session *s)
+{
+	double speed = s->answer[ANSWER_SPEED];
+	if (speed >= SLIDER_LEAST / 10.0 && speed <= SLIDER_MOST / 10.0)
+		return slider_tenths(speed);
+	const struct entry *e = s->n_entry > 0 ? &s->entry[s->current] : NULL;
+	for (size_t r = 0; e != NULL && r < e->site->n_run; r++)
+		if (!e->train[r] && e->site->run[r].product.n > 0)
+			return slider_tenths(e->site->run[r].speed);
+	return 740;
+}
+
+/* Signals that the loop answers; they come in only while it waits. */
+static const int ANSWERED[] = {
+    SIGINT, SIGTERM, SIGHUP, SIGWINCH, SIGTSTP, SIGCONT};
+
+struct signals {
+	struct sigaction resize, stop, go_on;
+};
+
+static void
+hold_signals(struct signals *was)
+{
+	sigset_t held;
+	sigemptyset(&held);
+	for (size_t i = 0; i < ARRAY_LEN(ANSWERED); i++)
+		sigaddset(&held, ANSWERED[i]);
+	sigprocmask(SIG_BLOCK, &held, &let_in);
+	struct sigaction action = {.sa_handler = on_resize};
+	sigemptyset(&action.sa_mask);
+	sigaction(SIGWINCH, &action, &was->resize);
+	sigaction(SIGCONT, &action, &was->go_on);
+	action.sa_handler = on_stop;
+	sigaction(SIGTSTP, NULL, &was->stop);
+	if (was->stop.sa_handler != SIG_IGN)
+		sigaction(SIGTSTP, &action, NULL);
+}
+
+static void
+give_signals_back(const struct signals *was)
+{
+	sigaction(SIGWINCH, &was->resize, NULL);
+	sigaction(SIGCONT, &was->go_on, NULL);
+	sigaction(SIGTSTP, &was->stop, NULL);
+	sigprocmask(SIG_SETMASK, &let_in, NULL);
+}
+
+/* Waits for a key, a signal, or the next generation that is due; without one
+ * for ever. */
+static void
+wait_for_something(const struct tui *t)
+{
+	struct timespec time = {0}, *limit = NULL;
+	if (session_busy(t->session) && !t->held) {
+		double left =
+		    t->pace == PACE_FULL ? 0 : t->due - session_clock();
+		left = left > 0 ? left : 0;
+		time.tv_sec = (time_t)left;
+		time.tv_nsec = (long)(1e9 * (left - floor(left)));
+		limit = &time;
+	}
+	fd_set in;
+	FD_ZERO(&in);
+	FD_SET(STDIN_FILENO, &in);
+	pselect(STDIN_FILENO + 1, &in, NULL, NULL, limit, &let_in);
+}
+
+void
+tui_step_aside(void)
+{
+	screen_leave();
+	sigprocmask(SIG_SETMASK, &let_in, NULL);
+}
+
+void
+tui_step_back(void)
+{
+	sigset_t held;
+	sigemptyset(&held);
+	for (size_t i = 0; i < ARRAY_LEN(ANSWERED); i++)
+		sigaddset(&held, ANSWERED[i]);
+	sigprocmask(SIG_BLOCK, &held, NULL);
+	pump_forget_interrupt();
+	screen_return();
+}
+
+static void
+stop_here(void)
+{
+	struct sigaction usual = {.sa_handler = SIG_DFL}, ours;
+	stopping = 0;
+	sigaction(SIGTSTP, &usual, &ours);
+	tui_step_aside();
+	raise(SIGTSTP);
+	tui_step_back();
+	sigaction(SIGTSTP, &ours, NULL);
+}
+
+/* Everything that was typed and dragged; only the newest speed is predicted. */
+static void
+take_keys(struct tui *t)
+{
+	wint_t code;
+	int got;
+	while (
+	    !t->leave && !t->session->quit && (got = get_wch(&code)) != ERR) {
+		if (got == KEY_CODE_YES && code == KEY_RESIZE)
+			continue;
+		act_key(t, (int)code, got == KEY_CODE_YES);
+	}
+}
+
+static void
+loop(struct tui *t)
+{
+	while (!t->leave && !t->session->quit && pump_signal() == 0) {
+		conduct_predict(t);
+		pane_draw(t);
+		wait_for_something(t);
+		if (stopping)
+			stop_here();
+		if (resized)
+			screen_resize();
+		resized = 0;
+		take_keys(t);
+		conduct_pump(t);
+	}
+}
+
+/* man(1) wants the terminal for itself. */
+static bool
+show_page(const char *page)
+{
+	tui_step_aside();
+	bool shown = manpage_show(page);
+	tui_step_back();
+	return shown;
+}
+
+static void
+start(struct tui *t, struct session *s)
+{
+	enum { PACE = 4 };
+	*t = (struct tui){.session = s,
+	    .tenths = first_speed(s),
+	    .site_at = s->current,
+	    .mouse = true,
+	    .pace = PACE,
+	    .picture = PLOT_PSD,
+	    .holdout = NAN};
+	conduct_begin(t);
+	conduct_look(t);
+}
+
+static void
+finish(struct tui *t)
+{
+	conduct_keep(t);
+	conduct_end(t);
+	typing_end(&t->typing);
+	view_close(t);
+	free(t->command);
+}
+
+/* At the prompt there is nothing to do: it is what --linear asks for. */
+static int
+run_linear(struct session *s)
+{
+	if (!s->prompt)
+		return repl_run(s, with_colour);
+	session_note(s, "this is the prompt, which --linear asked for");
+	return 0;
+}
+
+int
+tui_run(struct session *s)
+{
+	struct signals was;
+	struct tui t;
+	FILE *out = s->out, *notes = s->notes;
+	bool (*page)(const char *) = s->show_page;
+	bool prompt = s->prompt, history = typed_is_open();
+	if (linear)
+		return run_linear(s);
+	rescue_note();
+	hold_signals(&was);
+	if (!screen_open(with_colour)) {
+		give_signals_back(&was);
+		session_note(s, "this terminal cannot show a full screen: is "
+				"TERM right? 'predict' answers without one");
+		return ERROR_SYSTEM;
+	}
+	if (!history)
+		typed_open();
+	start(&t, s);
+	s->prompt = true;
+	s->show_page = show_page;
+	loop(&t);
+	s->out = out;
+	s->notes = notes;
+	finish(&t);
+	s->prompt = prompt;
+	s->show_page = page;
+	if (!history)
+		typed_close();
+	screen_close();
+	rescue_done();
+	give_signals_back(&was);
+	return pump_status();
+}

@@ -1,0 +1,19 @@
+/* The full screen: the session with its curves, moved by keys and mouse.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_TUI_H
+#define TIPSPEED_UI_TUI_H
+
+#include <stdbool.h>
+
+#include "cmd/session.h"
+
+/* What the command line said: colour, and --linear: no full screen, but the
+ * prompt, for who has the screen read out. */
+void tui_choose(bool colour, bool linear);
+
+/* Opens the full screen until it is left.  Where the terminal cannot show it,
+ * says so beside the results and comes back.  Returns the exit status: 0, or
+ * what a signal asks for, see pump_status. */
+int tui_run(struct session *s);
+
+#endif

@@ -1,0 +1,97 @@
+/* What the full screen knows beside the session.  The panes read it; keys and
+ * commands change it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_TUI_STATE_H
+#define TIPSPEED_UI_TUI_STATE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "cmd/plots.h"
+#include "cmd/session.h"
+#include "ui/keys.h"
+#include "ui/places.h"
+#include "ui/slider.h"
+#include "ui/typing.h"
+
+/* What the arrow keys move. */
+enum focus { FOCUS_SPEED, FOCUS_CROSS, FOCUS_GENERATION, FOCUS_SITE };
+
+/* The numbers of a prediction, for a difference: sizes in mm. */
+struct numbers {
+	char site[64];
+	double speed, p20, p50, p80, break_mm;
+};
+
+/* Text on the whole screen: lines from `top` on.  text NULL: none.  keys: the
+ * list of keys, of those that have the word; one of them, `at`, can be run. */
+struct viewer {
+	char *text;
+	int top, lines;
+	bool keys, filtering;
+	int at;
+	char word[32];
+};
+
+/* Where a page's name stands in the header. */
+struct tab {
+	int column, columns;
+};
+
+struct tui {
+	struct session *session;
+	struct places places;
+	enum page page;
+	enum focus focus;
+	int tenths;   /* of the slider */
+	int asked;    /* tenths last predicted at; 0: not yet */
+	double moved; /* when the slider last was */
+	struct numbers now, pause, pin; /* site "": none */
+	bool cross, band, mouse;
+	bool dragging;        /* the focus follows the mouse */
+	struct area scrubber; /* of no rows where it is not drawn */
+	size_t cross_at;      /* a sieve of the prediction */
+	size_t site_at;       /* of the Sites page */
+	enum plot_kind picture;
+	bool held;         /* the calibration waits */
+	int pace;          /* index of PACES */
+	double due;        /* when the next generation is */
+	size_t generation; /* looked at, 1..; 0: the last */
+	double holdout;    /* RMSE of the site in use, points, or NAN */
+	char digits[8];    /* a speed being typed */
+	struct typing typing;
+	struct viewer viewer;
+	struct tab tab[PAGES];
+	char *command; /* the last one, for show */
+	char message[800];
+	bool bad;   /* the message is an error */
+	FILE *said; /* what commands print */
+	char *said_text;
+	size_t said_n;
+	bool leave;
+};
+
+/* Generations a second; the last: as many as can be. */
+enum { PACE_COUNT = 7, PACE_FULL = PACE_COUNT - 1 };
+extern const double PACES[PACE_COUNT];
+
+/* The generations of the calibration that runs, else of the site's last one;
+ * NULL where there are none.  bounds: those it searches in. */
+const struct calibrate_generation *tui_history(
+    const struct tui *t, size_t *n, const struct bounds **bounds);
+
+/* The generation looked at, 1..n. */
+size_t tui_generation(const struct tui *t);
+
+/* The site in use, or NULL. */
+const struct entry *tui_entry(const struct tui *t);
+
+/* Leaves terminal and signals to somebody else, and takes them back. */
+void tui_step_aside(void);
+void tui_step_back(void);
+
+/* A line for the message row. */
+void tui_say(struct tui *t, bool bad, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+#endif

@@ -1,0 +1,238 @@
+/* Editing of one line: no screen here.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/typing.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <curses.h>
+#include <readline/history.h>
+
+#include "base/xalloc.h"
+#include "cmd/complete.h"
+
+#define CONTROL(letter) ((letter)&0x1F)
+enum { ESCAPE = 27, DELETE = 127 };
+
+static void
+put_text(struct typing *t, const char *text)
+{
+	snprintf(t->text, sizeof t->text, "%s", text);
+	t->n = t->at = strlen(t->text);
+}
+
+void
+typing_begin(struct typing *t, const char *text)
+{
+	typing_end(t);
+	t->active = true;
+	t->back = 0;
+	put_text(t, text);
+}
+
+void
+typing_end(struct typing *t)
+{
+	free(t->offers);
+	t->offers = NULL;
+	t->active = false;
+}
+
+/* Puts text in the place of the bytes from start to the cursor. */
+static void
+replace(struct typing *t, size_t start, const char *text, size_t n)
+{
+	if (t->n - (t->at - start) + n + 1 > sizeof t->text)
+		return;
+	memmove(t->text + start + n, t->text + t->at, t->n - t->at + 1);
+	memcpy(t->text + start, text, n);
+	t->n = t->n - (t->at - start) + n;
+	t->at = start + n;
+}
+
+static void
+insert(struct typing *t, unsigned code)
+{
+	char bytes[4];
+	size_t n = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
+	static const unsigned char lead[] = {0, 0, 0xC0, 0xE0, 0xF0};
+	for (size_t i = n; i-- > 1; code >>= 6)
+		bytes[i] = (char)(0x80 | (code & 0x3F));
+	bytes[0] = (char)(lead[n] | code);
+	replace(t, t->at, bytes, n);
+}
+
+/* The offset of the character before, and behind, an offset. */
+static size_t
+before(const struct typing *t, size_t at)
+{
+	while (at > 0 && (t->text[--at] & 0xC0) == 0x80)
+		;
+	return at;
+}
+
+static size_t
+behind(const struct typing *t, size_t at)
+{
+	while (at < t->n && (t->text[++at] & 0xC0) == 0x80)
+		;
+	return at;
+}
+
+static size_t
+word_before(const struct typing *t)
+{
+	size_t at = t->at;
+	while (at > 0 && t->text[at - 1] == ' ')
+		at--;
+	while (at > 0 && t->text[at - 1] != ' ')
+		at--;
+	return at;
+}
+
+static void
+go_back(struct typing *t, int by)
+{
+	int back = t->back + by;
+	if (back < 0 || back > history_length)
+		return;
+	t->back = back;
+	put_text(
+	    t, back == 0
+		   ? ""
+		   : history_get(history_base + history_length - back)->line);
+}
+
+/* How many bytes all candidates begin with. */
+static size_t
+shared(const struct completion *c)
+{
+	size_t n = strlen(c->candidate[0].text);
+	for (size_t i = 1; i < c->n; i++) {
+		size_t same = 0;
+		while (same < n &&
+		       c->candidate[i].text[same] == c->candidate[0].text[same])
+			same++;
+		n = same;
+	}
+	return n;
+}
+
+static void
+show_offers(struct typing *t, const struct completion *c)
+{
+	size_t n = 0;
+	FILE *out = open_memstream(&t->offers, &n);
+	if (out == NULL)
+		return;
+	for (size_t i = 0; i < c->n; i++)
+		fprintf(out, "%s%s%s", i > 0 ? "  " : "", c->candidate[i].text,
+		    c->candidate[i].append == '=' ? "=" : "");
+	fclose(out);
+}
+
+static void
+complete_word(struct typing *t, const struct session *s)
+{
+	struct completion *c = complete(s, t->text, t->at);
+	if (c->n > 0)
+		replace(t, c->start, c->candidate[0].text, shared(c));
+	if (c->n == 1 && c->candidate[0].append != '\0')
+		insert(t, (unsigned char)c->candidate[0].append);
+	if (c->n > 1)
+		show_offers(t, c);
+	completion_free(c);
+}
+
+/* Keys with a name; false where it is none of them. */
+static bool
+edit(struct typing *t, int code)
+{
+	switch (code) {
+	case KEY_LEFT:
+		t->at = before(t, t->at);
+		return true;
+	case KEY_RIGHT:
+		t->at = behind(t, t->at);
+		return true;
+	case KEY_HOME:
+		t->at = 0;
+		return true;
+	case KEY_END:
+		t->at = t->n;
+		return true;
+	case KEY_UP:
+		go_back(t, 1);
+		return true;
+	case KEY_DOWN:
+		go_back(t, -1);
+		return true;
+	case KEY_BACKSPACE:
+		replace(t, before(t, t->at), "", 0);
+		return true;
+	case KEY_DC:
+		if (t->at < t->n) {
+			t->at = behind(t, t->at);
+			replace(t, before(t, t->at), "", 0);
+		}
+		return true;
+	default:
+		return false;
+	}
+}
+
+/* What the control keys are short for. */
+static int
+meaning(int code)
+{
+	switch (code) {
+	case CONTROL('A'):
+		return KEY_HOME;
+	case CONTROL('E'):
+		return KEY_END;
+	case CONTROL('B'):
+		return KEY_LEFT;
+	case CONTROL('F'):
+		return KEY_RIGHT;
+	case CONTROL('P'):
+		return KEY_UP;
+	case CONTROL('N'):
+		return KEY_DOWN;
+	case CONTROL('D'):
+		return KEY_DC;
+	case CONTROL('H'):
+	case DELETE:
+		return KEY_BACKSPACE;
+	default:
+		return 0;
+	}
+}
+
+enum typing_result
+typing_key(struct typing *t, const struct session *s, int code, bool special)
+{
+	free(t->offers);
+	t->offers = NULL;
+	bool rubbed_out = !special && t->n == 0 && meaning(code) != 0 &&
+			  meaning(code) == KEY_BACKSPACE;
+	if (!special && (code == ESCAPE || code == CONTROL('C')))
+		rubbed_out = true;
+	if (rubbed_out || (special && code == KEY_BACKSPACE && t->n == 0))
+		return TYPING_GIVEN_UP;
+	if (code == KEY_ENTER || (!special && (code == '\n' || code == '\r')))
+		return TYPING_DONE;
+	if (special || meaning(code) != 0)
+		edit(t, special ? code : meaning(code));
+	else if (code == '\t')
+		complete_word(t, s);
+	else if (code == CONTROL('U'))
+		replace(t, 0, "", 0);
+	else if (code == CONTROL('W'))
+		replace(t, word_before(t), "", 0);
+	else if (code == CONTROL('K'))
+		t->text[t->n = t->at] = '\0';
+	else if (code >= ' ')
+		insert(t, (unsigned)code);
+	return TYPING_ON;
+}

@@ -1,0 +1,30 @@
+/* A line being typed on the full screen, with completion and history.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_TYPING_H
+#define TIPSPEED_UI_TYPING_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "cmd/session.h"
+
+/* text [n], UTF-8; at: the cursor, an offset.  back: how many lines of the
+ * history up; offers: what completion found, for show, or NULL. */
+struct typing {
+	bool active;
+	char text[2000];
+	size_t n, at;
+	int back;
+	char *offers;
+};
+
+enum typing_result { TYPING_ON, TYPING_DONE, TYPING_GIVEN_UP };
+
+void typing_begin(struct typing *t, const char *text);
+
+/* Takes a key (code: of ncurses where special, else a character). */
+enum typing_result typing_key(
+    struct typing *t, const struct session *s, int code, bool special);
+void typing_end(struct typing *t);
+
+#endif

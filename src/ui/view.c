@@ -1,0 +1,124 @@
+/* Scrolling and choosing; the pane draws it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/view.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ui/pane.h"
+
+static int
+count_lines(const char *text)
+{
+	int lines = 0;
+	for (const char *p = text; *p != '\0'; p++)
+		lines += *p == '\n' || p[1] == '\0';
+	return lines;
+}
+
+void
+view_close(struct tui *t)
+{
+	free(t->viewer.text);
+	t->viewer = (struct viewer){0};
+}
+
+void
+view_text(struct tui *t, char *text)
+{
+	view_close(t);
+	t->viewer = (struct viewer){.text = text, .lines = count_lines(text)};
+}
+
+void
+view_keys(struct tui *t, const char *word)
+{
+	char kept[sizeof t->viewer.word], *text = NULL;
+	size_t n = 0;
+	bool filtering = t->viewer.filtering;
+	snprintf(kept, sizeof kept, "%s", word);
+	FILE *out = open_memstream(&text, &n);
+	if (out == NULL)
+		return;
+	keys_list(kept, out);
+	fclose(out);
+	view_text(t, text);
+	t->viewer.keys = true;
+	t->viewer.filtering = filtering;
+	memcpy(t->viewer.word, kept, sizeof kept);
+}
+
+/* A character of the word behind '/'; false where it is none. */
+static bool
+filter(struct tui *t, int code, bool special)
+{
+	struct viewer *v = &t->viewer;
+	char word[sizeof v->word + 1];
+	bool back = (special && code == PANE_BACKSPACE) ||
+		    (!special && (code == 127 || code == '\b'));
+	if (!v->keys || (!v->filtering && code != '/'))
+		return false;
+	if (!v->filtering) {
+		v->filtering = true;
+		return true;
+	}
+	snprintf(word, sizeof word, "%s", v->word);
+	size_t n = strlen(word);
+	if (back && n > 0)
+		word[n - 1] = '\0';
+	else if (!back && !special && code >= ' ' && code < 127 &&
+		 n + 1 < sizeof v->word)
+		word[n] = (char)code, word[n + 1] = '\0';
+	else
+		return false;
+	view_keys(t, word);
+	return true;
+}
+
+static void
+scroll_by(struct tui *t, int by)
+{
+	struct viewer *v = &t->viewer;
+	int rows = t->places.body.rows > 1 ? t->places.body.rows : 1;
+	int last = v->lines - 1;
+	if (v->keys) {
+		v->at += by;
+		v->at = v->at > last ? last : v->at;
+		v->at = v->at < 0 ? 0 : v->at;
+		if (v->at >= v->top + rows)
+			v->top = v->at - rows + 1;
+		if (v->at < v->top)
+			v->top = v->at;
+		return;
+	}
+	v->top += by;
+	v->top = v->top > v->lines - rows ? v->lines - rows : v->top;
+	v->top = v->top < 0 ? 0 : v->top;
+}
+
+const struct key *
+view_key(struct tui *t, int code, bool special)
+{
+	struct viewer *v = &t->viewer;
+	const struct key *key = keys_find(code, t->page), *chosen = NULL;
+	int page = t->places.body.rows > 2 ? t->places.body.rows - 1 : 1;
+	if (filter(t, code, special))
+		return NULL;
+	if (key != NULL && key->act == ACT_LIST) {
+		scroll_by(t, key->amount);
+		return NULL;
+	}
+	if (special && (code == PANE_PAGE_DOWN || code == PANE_PAGE_UP)) {
+		scroll_by(t, code == PANE_PAGE_DOWN ? page : -page);
+		return NULL;
+	}
+	if (code == ' ') {
+		scroll_by(t, page);
+		return NULL;
+	}
+	if (v->keys && (code == '\n' || code == '\r'))
+		chosen = keys_nth(v->word, (size_t)v->at);
+	view_close(t);
+	return chosen;
+}

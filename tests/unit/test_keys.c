@@ -1,0 +1,83 @@
+/* The table of keys: each means one thing on a page.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "ui/keys.h"
+
+static void
+no_key_means_two_things(void **state)
+{
+	(void)state;
+	for (const struct key *a = KEYS; a->code != 0; a++)
+		for (const struct key *b = KEYS; b != a; b++)
+			assert_false(
+			    a->code == b->code && (a->pages & b->pages));
+}
+
+static void
+every_key_is_found_on_its_pages_only(void **state)
+{
+	(void)state;
+	for (const struct key *k = KEYS; k->code != 0; k++)
+		for (int page = 0; page < PAGES; page++)
+			if (k->pages & (1U << page))
+				assert_ptr_equal(
+				    keys_find(k->code, (enum page)page), k);
+	assert_null(keys_find('v', PAGE_PREDICT));
+	assert_non_null(keys_find('v', PAGE_FIT));
+	assert_ptr_equal(
+	    keys_find('\r', PAGE_SITES), keys_find('\n', PAGE_SITES));
+	assert_null(keys_find(1, PAGE_FIT));
+}
+
+/* A second way to press a key does what the row above does. */
+static void
+second_ways_do_the_same(void **state)
+{
+	(void)state;
+	for (const struct key *k = KEYS + 1; k->code != 0; k++)
+		if (k->name == NULL) {
+			assert_int_equal(k->act, k[-1].act);
+			assert_int_equal(k->amount, k[-1].amount);
+		} else {
+			assert_non_null(k->what);
+		}
+}
+
+static void
+the_list_has_every_name(void **state)
+{
+	(void)state;
+	char *text = NULL;
+	size_t n = 0;
+	FILE *out = open_memstream(&text, &n);
+	assert_non_null(out);
+	keys_list("", out);
+	fclose(out);
+	for (const struct key *k = KEYS; k->code != 0; k++)
+		if (k->name != NULL)
+			assert_non_null(strstr(text, k->what));
+	free(text);
+	assert_ptr_equal(keys_nth("", 0), KEYS);
+	assert_int_equal(keys_nth("CALIBRATE, or", 0)->code, 'f');
+	assert_null(keys_nth("no such word", 0));
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(no_key_means_two_things),
+	    cmocka_unit_test(every_key_is_found_on_its_pages_only),
+	    cmocka_unit_test(second_ways_do_the_same),
+	    cmocka_unit_test(the_list_has_every_name),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,86 @@
+/* The layout: at every size all that is there lies on the screen, and nothing
+ * on top of another.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "base/xalloc.h"
+#include "ui/places.h"
+
+static void
+expect_apart(const struct places *l, int rows, int columns)
+{
+	const struct area *areas[] = {&l->header, &l->plot, &l->side,
+	    &l->legend, &l->rule, &l->numbers, &l->caption, &l->track,
+	    &l->command, &l->status, &l->hints};
+	for (size_t i = 0; i < ARRAY_LEN(areas); i++) {
+		const struct area *a = areas[i];
+		if (a->rows == 0)
+			continue;
+		assert_true(a->rows > 0 && a->columns > 0);
+		assert_true(a->row >= 0 && a->row + a->rows <= rows);
+		assert_true(
+		    a->column >= 0 && a->column + a->columns <= columns);
+		for (size_t j = 0; j < i; j++) {
+			const struct area *b = areas[j];
+			bool beside = a->column >= b->column + b->columns ||
+				      b->column >= a->column + a->columns;
+			assert_true(b->rows == 0 || beside ||
+				    a->row >= b->row + b->rows ||
+				    b->row >= a->row + a->rows);
+		}
+	}
+}
+
+static void
+no_size_is_refused(void **state)
+{
+	(void)state;
+	static const int sides[] = {0, 24, 38, 50};
+	for (int rows = 1; rows <= 100; rows++)
+		for (int columns = 1; columns <= 300; columns += 3)
+			for (size_t i = 0; i < ARRAY_LEN(sides); i++) {
+				struct places l =
+				    places_make(rows, columns, sides[i]);
+				expect_apart(&l, rows, columns);
+				assert_int_equal(l.track.rows, 1);
+				assert_true(rows < 2 || l.numbers.rows == 1 ||
+					    l.side.rows > 0);
+			}
+}
+
+static void
+panels_drop_in_their_order(void **state)
+{
+	(void)state;
+	struct places l = places_make(24, 80, 24);
+	assert_true(l.plot.rows >= 14 && l.side.columns == 24);
+	assert_int_equal(l.legend.rows, 1);
+	l = places_make(18, 80, 24);
+	assert_int_equal(l.legend.rows, 0);
+	assert_true(l.side.rows > 0);
+	l = places_make(12, 40, 24);
+	assert_int_equal(l.side.rows, 0);
+	assert_true(l.plot.rows > 0);
+	assert_int_equal(l.numbers.rows, 1);
+	l = places_make(5, 20, 24);
+	assert_int_equal(l.plot.rows, 0);
+	assert_int_equal(l.numbers.rows, 1);
+	l = places_make(1, 20, 24);
+	assert_int_equal(l.numbers.rows, 0);
+	assert_int_equal(l.track.row, 0);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(no_size_is_refused),
+	    cmocka_unit_test(panels_drop_in_their_order),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
