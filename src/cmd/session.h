@@ -73,6 +73,13 @@ struct job {
 	FILE *log;              /* every generation as CSV, or NULL */
 };
 
+/* The terminal that results go to.  columns: 0 where they go elsewhere;
+ * colours: 0 (none), 8, 16 or 256; drawing: it shows more than ASCII. */
+struct screen {
+	int columns, rows, colours;
+	bool drawing;
+};
+
 struct choices;
 struct journal;
 struct script;
@@ -94,6 +101,7 @@ struct session {
 	bool timing;    /* tell how long each command took */
 	FILE *out;      /* results */
 	FILE *notes;    /* what is said beside results; NULL: nothing */
+	struct screen screen;
 	double answer[ANSWERS];
 	struct job job;
 	bool pager; /* at a prompt, what is taller than the screen is paged */
