@@ -40,6 +40,8 @@ struct plot_request {
 	bool legend;    /* draw legend, notes and foot below */
 	size_t n_speed; /* sweep: speeds [n_speed]; 0: 65 to 85 in fives */
 	const double *speeds;
+	double feed_speed; /* psd: take the feed sampled at this speed; 0: the
+			    * nearest one */
 };
 
 /* Of that kind with nothing else asked for: NANs, ASCII, with a legend. */

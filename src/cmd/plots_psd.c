@@ -176,7 +176,8 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 {
 	const struct site *site = session_entry(s)->site;
 	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
-	size_t feed = site_run_nearest(site, speed);
+	size_t feed =
+	    site_run_nearest(site, q->feed_speed > 0 ? q->feed_speed : speed);
 	struct curves c = {0};
 	struct params params;
 	struct error unknown = {0};
