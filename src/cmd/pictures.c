@@ -53,16 +53,24 @@ pictures_request(const struct command *self, const struct args *args,
 	return true;
 }
 
-/* The numbers of a chart: one row a point. */
-static struct report *
-chart_report(const struct session *s, const struct chart *chart)
+struct report *
+pictures_report(
+    const struct session *s, const char *command, const struct chart *chart)
 {
-	struct report *r = report_new("plot");
+	struct report *r = report_new(command);
 	const char *name = "";
 	if (s->n_entry > 0)
 		name = s->entry[s->current].site->name;
 	report_title(r, "%s", chart->title);
 	report_site(r, name, chart->about);
+	return r;
+}
+
+/* The numbers of a chart: one row a point. */
+static struct report *
+chart_report(const struct session *s, const struct chart *chart)
+{
+	struct report *r = pictures_report(s, "plot", chart);
 	report_column(r, "series", "series");
 	report_column(r, "x", chart->x.title);
 	report_column(r, "y", chart->y.title);

@@ -10,10 +10,15 @@
 #include "cmd/session.h"
 
 bool cmd_plot(struct session *, const struct args *, struct error *);
+bool cmd_describe(struct session *, const struct args *, struct error *);
 
 /* What the call asks for: its kind and the options that plot and describe have
  * in common. */
 bool pictures_request(const struct command *self, const struct args *args,
     struct plot_request *request, struct error *error);
+
+/* A report headed as the chart is. */
+struct report *pictures_report(
+    const struct session *s, const char *command, const struct chart *chart);
 
 #endif

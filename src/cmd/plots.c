@@ -95,9 +95,8 @@ plots_site_chart(const struct site *site, struct axis x, struct axis y,
 	va_end(ap);
 	const char *from = site->provenance;
 	char *title = xasprintf("%s: %s", label, words);
-	char *about = from[0] == '\0' ? xstrdup("data: not stated where from")
-				      : xasprintf("data: %.*s",
-					    (int)strcspn(from, ";"), from);
+	char *about = from[0] == '\0' ? xstrdup("not stated where from")
+				      : xstrndup(from, strcspn(from, ";"));
 	struct chart *c = chart_new(title, about, x, y);
 	free(about);
 	free(title);

@@ -61,9 +61,8 @@ plots_convergence(
 static struct axis
 parameter_axis(void)
 {
-	struct axis axis = {.title = xstrdup("parameter"),
-	    .low = 0.5,
-	    .high = PARAM_COUNT + 0.5};
+	struct axis axis = {
+	    .title = xstrdup("parameter"), .low = 1, .high = PARAM_COUNT};
 	for (size_t j = 0; j < PARAM_COUNT; j++)
 		axis_add(&axis, (double)(PARAM_COUNT - j), PARAMS[j].name, 0);
 	return axis;
@@ -190,9 +189,8 @@ plots_parity(
 		struct axis y = axis_log("predicted, mm", low, high);
 		char *title = xasprintf("sizes at speeds held out, %zu site%s",
 		    pairs.n_site, pairs.n_site == 1 ? "" : "s");
-		chart = chart_new(title,
-		    "data: as each sheet states; 'sites' and 'show' tell", x,
-		    y);
+		chart =
+		    chart_new(title, "as the sheets of the sites state", x, y);
 		free(title);
 		put_pairs(chart, &pairs, x.low, x.high);
 	} else {

@@ -37,7 +37,8 @@ add_selection(struct chart *chart, const struct session *s,
 	double mm = 1000 * energy_break_size(params, speed);
 	free(name);
 	name = xasprintf("breaks from %.2f mm at %g m/s", mm, speed);
-	chart_add_rule(chart, name, SERIES_BREAK, mm);
+	chart_add_rule(chart, name,
+	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm);
 	free(name);
 }
 
@@ -153,7 +154,7 @@ plots_map(struct session *s, const struct plot_request *q, struct error *error)
 		high = fmax(high, p->e0_min);
 	}
 	struct chart *chart = chart_new("materials by rock",
-	    "data: Table 3 of Grunditz et al. (2021) and the user's own fits",
+	    "Table 3 of Grunditz et al. (2021) and the user's own fits",
 	    axis_linear("f_mat, kg/(J m)", 0, f_mat),
 	    axis_linear("E0_min, J m/kg", low, high));
 	for (size_t i = 0; i < list.n; i++)

@@ -142,7 +142,9 @@ note_crosshair(struct chart *chart, double x)
 		free(half);
 		half = more;
 	}
-	chart_add_rule(chart, "crosshair", SERIES_CROSSHAIR, x);
+	char *name = xasprintf("crosshair at %g mm", x);
+	chart_add_rule(chart, name, SERIES_CROSSHAIR, x);
+	free(name);
 	chart_note(chart, "%s", at);
 	chart_note(chart, "%s", half);
 	free(at);
@@ -150,13 +152,13 @@ note_crosshair(struct chart *chart, double x)
 }
 
 static void
-note_prediction(
-    struct chart *chart, struct session *s, const struct prediction *p)
+note_prediction(struct chart *chart, struct session *s,
+    const struct prediction *p, enum series rule)
 {
 	const struct entry *entry = session_entry(s);
 	double mm = 1000 * p->break_size;
 	char *name = xasprintf("breaks from %.2f mm at %g m/s", mm, p->speed);
-	chart_add_rule(chart, name, SERIES_BREAK, mm);
+	chart_add_rule(chart, name, rule, mm);
 	free(name);
 	char p20[32], p50[32], p80[32];
 	const double at[] = {p->p20, p->p50, p->p80};
@@ -200,9 +202,9 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 		known ? "product at %.1f m/s" : "feed and products", speed);
 	put_curves(chart, &c);
 	if (one != NULL)
-		note_prediction(chart, s, one);
+		note_prediction(chart, s, one, SERIES_BREAK);
 	if (two != NULL)
-		note_prediction(chart, s, two);
+		note_prediction(chart, s, two, SERIES_OTHER);
 	if (!known)
 		chart_note(chart, "no prediction: %s", unknown.text);
 	if (!isnan(q->crosshair_mm))

@@ -25,6 +25,9 @@ static const struct command_option PLOT_OPTIONS[] = {WHAT_OPTIONS,
 	"what lines are drawn with"},
     LAST_OPTION};
 
+static const struct command_option DESCRIBE_OPTIONS[] = {
+    WHAT_OPTIONS, LAST_OPTION};
+
 const struct command TABLE_PICTURES[] = {
     {.name = "plot",
 	.group = "pictures",
@@ -49,4 +52,21 @@ const struct command TABLE_PICTURES[] = {
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "plot psd speed=74 at=2",
 	.run = cmd_plot},
+    {.name = "describe",
+	.group = "pictures",
+	.brief = "a picture in sentences",
+	.operands = "KIND",
+	.expect = {PLOT_KINDS},
+	.least = 1,
+	.most = 1,
+	.option = DESCRIBE_OPTIONS,
+	.text = "What plot would draw, for those who hear the screen or "
+		"cannot see the picture: the axes, where each curve begins "
+		"and ends and its P20, P50 and P80, where curves lie furthest "
+		"apart, the break size, and where the data are from. The "
+		"kinds and options are those of plot.",
+	.example = "load data/sites/tierp.csv\n"
+		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
+		   "describe psd speed=74",
+	.run = cmd_describe},
     {.name = NULL}};

@@ -39,8 +39,8 @@ struct chart_rule {
 	char *name;
 };
 
-/* Later series lie on top.  about: where the data are from, shown at the foot;
- * note: lines below the legend. */
+/* Later series lie on top.  about: where the data are from, shown at the foot
+ * behind "data: "; note: lines below the legend. */
 struct chart {
 	char *title, *about;
 	struct axis x, y;

@@ -13,10 +13,15 @@
 uint32_t
 layout_rule_code(enum series series, enum charset charset)
 {
-	bool crosshair = series == SERIES_CROSSHAIR;
-	if (charset == CHARSET_ASCII)
-		return crosshair ? '|' : ':';
-	return crosshair ? 0x2502 : 0x250A;
+	bool ascii = charset == CHARSET_ASCII;
+	switch (series) {
+	case SERIES_CROSSHAIR:
+		return ascii ? '|' : 0x2502;
+	case SERIES_OTHER:
+		return ascii ? '!' : 0x254E;
+	default:
+		return ascii ? ':' : 0x250A;
+	}
 }
 
 char *
@@ -103,6 +108,16 @@ flow_notes(struct layout *l, int row)
 	return rows;
 }
 
+/* Where the data are from. */
+static int
+flow_foot(struct layout *l, int row)
+{
+	char *text = xasprintf("data: %s", l->chart->about);
+	int rows = flow_text(l, row, text, CELL_DIM);
+	free(text);
+	return rows;
+}
+
 /* Columns for the labels of the y axis and its line; none on a canvas that is
  * hardly wider. */
 static int
@@ -135,7 +150,7 @@ layout_make(const struct chart *chart, struct canvas *canvas,
     enum charset charset, bool legend)
 {
 	enum { Y_TITLE, LEGEND, SECOND, FOOT, TITLE, LABELS, AXIS, PARTS };
-	enum { LEAST = 3, PLENTY = 7 };
+	enum { LEAST = 3, PLENTY = 6 };
 	struct layout l = {
 	    .chart = chart, .canvas = canvas, .charset = charset};
 	l.left = gutter(chart, canvas->columns);
@@ -143,7 +158,7 @@ layout_make(const struct chart *chart, struct canvas *canvas,
 	int rows[PARTS] = {[Y_TITLE] = 1,
 	    [LEGEND] = legend ? flow_notes(&l, -1) : 0,
 	    [SECOND] = label_rows(&l) - 1,
-	    [FOOT] = legend ? flow_text(&l, -1, chart->about, 0) : 0,
+	    [FOOT] = legend ? flow_foot(&l, -1) : 0,
 	    [TITLE] = 1,
 	    [LABELS] = 1,
 	    [AXIS] = 1};
@@ -262,7 +277,7 @@ layout_draw_around(struct layout *l)
 	if (l->legend >= 0)
 		flow_notes(l, l->legend);
 	if (l->foot >= 0)
-		flow_text(l, l->foot, l->chart->about, CELL_DIM);
+		flow_foot(l, l->foot);
 }
 
 int

@@ -23,7 +23,7 @@ static const enum charset CHARSETS[] = {
 static struct chart *
 empty(void)
 {
-	return chart_new("title", "data: made up",
+	return chart_new("title", "made up",
 	    axis_sieves("size, mm", SIEVES, N), axis_percent("passing, %"));
 }
 
