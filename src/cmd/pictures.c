@@ -1,4 +1,4 @@
-/* plot: a picture as text, or its numbers.
+/* plot: a picture as text, its numbers, or a file for a paper.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/pictures.h"
 
@@ -8,6 +8,8 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "config.h"
+#include "plot/picture.h"
 
 /* Index of a word in a list with blanks between; false where it has none such.
  */
@@ -115,6 +117,16 @@ print_chart(struct session *s, const struct args *args,
 	canvas_free(canvas);
 }
 
+static bool
+write_picture(struct session *s, const struct chart *chart,
+    enum picture_form form, struct error *error)
+{
+	if (picture_write(chart, form, "tipspeed " PACKAGE_VERSION, s->out))
+		return true;
+	return error_set(
+	    error, ERROR_SYSTEM, "the picture %s cannot be drawn", s->file);
+}
+
 bool
 cmd_plot(struct session *s, const struct args *args, struct error *error)
 {
@@ -130,10 +142,14 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 	enum charset charset = choice != AUTO      ? (enum charset)(choice - 1)
 			       : s->screen.drawing ? CHARSET_BRAILLE
 						   : CHARSET_ASCII;
-	if (s->format == REPORT_TABLE)
+	enum picture_form form;
+	bool ok = true;
+	if (s->file != NULL && picture_form_of(s->file, &form))
+		ok = write_picture(s, chart, form, error);
+	else if (s->format == REPORT_TABLE)
 		print_chart(s, args, chart, charset);
 	else
 		session_report(s, chart_report(s, chart));
 	chart_free(chart);
-	return true;
+	return ok;
 }

@@ -91,6 +91,7 @@ redirect_open(struct session *s, const struct words *words, struct error *error)
 	r->form = r->to == TO_PIPE ? s->format : form_of(r->target, s->format);
 	r->screen = s->screen;
 	s->screen = (struct screen){0};
+	s->file = r->to == TO_PIPE ? NULL : r->target;
 	s->out = r->memory;
 	s->format = r->form;
 	return r;
@@ -180,6 +181,7 @@ redirect_close(
 {
 	s->out = r->out;
 	s->screen = r->screen;
+	s->file = NULL;
 	/* Unless the command itself was to set it. */
 	if (s->format == r->form)
 		s->format = r->before;

@@ -102,6 +102,7 @@ struct session {
 	FILE *out;      /* results */
 	FILE *notes;    /* what is said beside results; NULL: nothing */
 	struct screen screen;
+	const char *file; /* results go there; NULL: no file */
 	double answer[ANSWERS];
 	struct job job;
 	bool pager; /* at a prompt, what is taller than the screen is paged */

@@ -36,18 +36,23 @@ const struct command TABLE_PICTURES[] = {
 	.expect = {PLOT_KINDS},
 	.least = 1,
 	.most = 1,
+	.flags = COMMAND_DRAWS,
 	.option = PLOT_OPTIONS,
-	.text = "psd: feed, measured and predicted products; parity: P20, P50 "
-		"and P80 predicted against measured, at the speeds held out "
-		"of all loaded sites; convergence: best and median misfit of "
-		"the search; spread: the candidates within the bounds of each "
-		"parameter; residuals: predicted less measured, sieve by "
-		"sieve; selection: how much of each size breaks (Eq 3); "
-		"appearance: the sizes it breaks into (Eq 1); map: the "
-		"materials of the store by rock; sweep: products of several "
-		"speeds. Lines are told apart by their marks and dashes, with "
-		"and without colour. charset=auto draws with braille dots on "
-		"a terminal with UTF-8, elsewhere with ASCII characters.",
+	.text =
+	    "psd: feed, measured and predicted products; parity: P20, P50 "
+	    "and P80 predicted against measured, at the speeds held out "
+	    "of all loaded sites; convergence: best and median misfit of "
+	    "the search; spread: the candidates within the bounds of each "
+	    "parameter; residuals: predicted less measured, sieve by "
+	    "sieve; selection: how much of each size breaks (Eq 3); "
+	    "appearance: the sizes it breaks into (Eq 1); map: the "
+	    "materials of the store by rock; sweep: products of several "
+	    "speeds. Lines are told apart by their marks and dashes, with "
+	    "and without colour. charset=auto draws with braille dots on "
+	    "a terminal with UTF-8, elsewhere with ASCII characters. Behind "
+	    "> a file whose name ends in .svg, .png or .pdf becomes a "
+	    "picture for a paper, with the same ticks and lines; .csv and "
+	    ".json take the numbers, .txt the text.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "plot psd speed=74 at=2",

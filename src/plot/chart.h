@@ -85,6 +85,10 @@ double chart_at_y(
 struct canvas *chart_draw(const struct chart *chart, int columns, int rows,
     enum charset charset, bool legend);
 
+/* How many dots of a line's path are drawn, then left out, and so on; off is 0
+ * of a solid line. */
+void chart_dash(enum chart_line line, int *on, int *off);
+
 /* One entry of the legend, "-v- measured 69"; the caller frees. */
 char *chart_legend(const struct chart_series *series, enum charset charset);
 

@@ -45,21 +45,17 @@ dots_code(enum charset charset, unsigned dots)
 	return 0x2800 + code;
 }
 
-/* What is shown of a line after `step` dots of its path.  In ASCII a cell is
- * a step, and the character tells most. */
+/* Whether a line is drawn after `step` dots of its path.  In ASCII a cell is a
+ * step, and the character tells most. */
 static bool
 is_inked(enum chart_line line, enum charset charset, int step)
 {
-	static const struct {
-		int on, off, ascii_on, ascii_off;
-	} STYLES[] = {[CHART_MARKS] = {0, 1, 0, 1},
-	    [CHART_SOLID] = {1, 0, 1, 0},
-	    [CHART_DASHED] = {4, 3, 2, 1},
-	    [CHART_LONG] = {9, 3, 5, 1},
-	    [CHART_DOTTED] = {1, 2, 1, 0}};
-	bool ascii = charset == CHARSET_ASCII;
-	int on = ascii ? STYLES[line].ascii_on : STYLES[line].on;
-	int off = ascii ? STYLES[line].ascii_off : STYLES[line].off;
+	int on, off;
+	chart_dash(line, &on, &off);
+	if (charset == CHARSET_ASCII && on > 0) {
+		on = (on + 1) / 2;
+		off = on > 1 ? 1 : 0;
+	}
 	return step % (on + off) < on;
 }
 
