@@ -15,37 +15,42 @@ done >all.tip
 	-f all.tip >out.txt 2>err.txt
 result $? "every kind is written in every form"
 
-bad=
+wrong=
 for kind in $kinds; do
 	if command -v xmllint >/dev/null; then
-		xmllint --noout "$kind.svg" || bad="$bad $kind"
+		xmllint --noout "$kind.svg" || wrong="$wrong $kind"
 	else
 		[ "$(grep -c '^<svg\|^</svg>' "$kind.svg")" = 2 ] ||
-			bad="$bad $kind"
+			wrong="$wrong $kind"
 	fi
 	grep -q '>data: .*drawn by tipspeed [0-9]' "$kind.svg" ||
-		bad="$bad $kind"
+		wrong="$wrong $kind"
 done
-result ${#bad} "SVG is well formed and names its data and program:$bad"
+result ${#wrong} "SVG is well formed and names its data and program:$wrong"
 
-bad=
+wrong=
 for kind in $kinds; do
-	[ "$(head -c 4 "$kind.png" | tail -c 3)" = PNG ] || bad="$bad $kind"
-	[ "$(head -c 5 "$kind.pdf")" = %PDF- ] || bad="$bad $kind"
-	[ "$(wc -c <"$kind.png")" -gt 20000 ] || bad="$bad $kind"
+	[ "$(head -c 4 "$kind.png" | tail -c 3)" = PNG ] || wrong="$wrong $kind"
+	[ "$(head -c 5 "$kind.pdf")" = %PDF- ] || wrong="$wrong $kind"
+	[ "$(wc -c <"$kind.png")" -gt 20000 ] || wrong="$wrong $kind"
 done
-result ${#bad} "PNG and PDF are such:$bad"
+result ${#wrong} "PNG and PDF are such:$wrong"
 
 grep -q 'reconstructed from Table 3, not measured' psd.svg &&
 	grep -q 'passing, %' psd.svg && grep -q 'size, mm' psd.svg
 result $? "psd: provenance, axes with units"
-bad=
+wrong=
 for sieve in 0.063 0.125 0.25 0.5 1 2 4 5.6 8 11.2 16 22.4; do
-	grep -q ">$sieve</text>" psd.svg || bad="$bad $sieve"
+	grep -q ">$sieve</text>" psd.svg || wrong="$wrong $sieve"
 done
-result ${#bad} "psd: every sieve has its label:$bad"
+result ${#wrong} "psd: every sieve has its label:$wrong"
 ! grep -l "$(printf '\033')" ./*.txt >/dev/null
 result $? "no escape in a text file, whatever the terminal"
+
+TERM=xterm-256color "$TIPSPEED" --color=always data/sites/tierp.csv \
+	-c 'plot psd' 2>err.txt | grep -q "$(printf '\033')"
+[ $? = 1 ]
+result $? "nor in a pipe"
 
 sed 's/Tierp/<\&Tierp/' data/sites/tierp.csv >odd.csv
 "$TIPSPEED" odd.csv -c 'plot psd > odd.svg' 2>err.txt &&

@@ -23,8 +23,8 @@ static const enum charset CHARSETS[] = {
 static struct chart *
 empty(void)
 {
-	return chart_new("title", "made up",
-	    axis_sieves("size, mm", SIEVES, N), axis_percent("passing, %"));
+	return chart_new("title", "made up", axis_sieves("size, mm", SIEVES, N),
+	    axis_percent("passing, %"));
 }
 
 /* One curve of the sheet. */
@@ -268,9 +268,9 @@ values_are_read_off_straight_on_the_log(void **state)
 	(void)state;
 	struct chart *chart = with(SOLID);
 	const struct chart_series *s = &chart->series[0];
-	assert_float_equal(chart_at(chart, s, sqrt(2 * 4)), 50, 1e-9);
-	assert_float_equal(chart_at_y(chart, s, 50), sqrt(2 * 4), 1e-9);
-	assert_float_equal(chart_at(chart, s, 22.4), 100, 1e-9);
+	assert_true(fabs(chart_at(chart, s, sqrt(2 * 4)) - 50) < 1e-9);
+	assert_true(fabs(chart_at_y(chart, s, 50) - sqrt(2 * 4)) < 1e-9);
+	assert_true(fabs(chart_at(chart, s, 22.4) - 100) < 1e-9);
 	assert_true(isnan(chart_at(chart, s, 30)));
 	assert_true(isnan(chart_at_y(chart, s, 0.5)));
 	chart_free(chart);
