@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "config.h"
@@ -68,14 +69,32 @@ pictures_report(
 	return r;
 }
 
+/* "passing_pct" of "passing, %".  The caller frees. */
+static char *
+key_of(const struct axis *axis)
+{
+	size_t n = strlen(axis->title);
+	bool share = n > 0 && axis->title[n - 1] == '%';
+	char *words = share ? xasprintf("%.*spct", (int)n - 1, axis->title)
+			    : xstrdup(axis->title);
+	char *key = text_slug(words);
+	free(words);
+	for (n = strlen(key); n > 0 && key[n - 1] == '-'; n--)
+		key[n - 1] = '\0';
+	for (char *c = key; *c != '\0'; c++)
+		*c = *c == '-' ? '_' : *c;
+	return key;
+}
+
 /* The numbers of a chart: one row a point. */
 static struct report *
 chart_report(const struct session *s, const struct chart *chart)
 {
 	struct report *r = pictures_report(s, "plot", chart);
+	char *x = key_of(&chart->x), *y = key_of(&chart->y);
 	report_column(r, "series", "series");
-	report_column(r, "x", chart->x.title);
-	report_column(r, "y", chart->y.title);
+	report_column(r, x, chart->x.title);
+	report_column(r, y, chart->y.title);
 	report_column(r, "low", "low");
 	report_column(r, "high", "high");
 	for (size_t i = 0; i < chart->n; i++)
@@ -89,6 +108,8 @@ chart_report(const struct session *s, const struct chart *chart)
 			report_number(r, p->low != NULL ? p->low[j] : NAN, -1);
 			report_number(r, p->low != NULL ? p->high[j] : NAN, -1);
 		}
+	free(x);
+	free(y);
 	return r;
 }
 

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
@@ -57,12 +58,15 @@ plots_convergence(
 	return chart;
 }
 
-/* One row for each parameter, the first on top. */
+/* One row for each parameter, the first on top, half a row within the ends; not
+ * quite half, lest rounding put two into one row of cells. */
 static struct axis
 parameter_axis(void)
 {
-	struct axis axis = {
-	    .title = xstrdup("parameter"), .low = 1, .high = PARAM_COUNT};
+	const double margin = 0.45;
+	struct axis axis = {.title = xstrdup("parameter"),
+	    .low = margin,
+	    .high = PARAM_COUNT + margin};
 	for (size_t j = 0; j < PARAM_COUNT; j++)
 		axis_add(&axis, (double)(PARAM_COUNT - j), PARAMS[j].name, 0);
 	return axis;
@@ -114,11 +118,29 @@ plots_spread(
 	return chart;
 }
 
-/* Sizes measured and predicted, mm: P20, P50, P80 of each run held out. */
+/* Sizes measured and predicted, mm: P20, P50, P80 of each run held out.  about:
+ * where the sites' data are from, each once. */
 struct pairs {
 	size_t n, n_site;
+	char *about;
 	double (*measured)[3], (*predicted)[3];
 };
+
+static void
+add_about(struct pairs *pairs, const char *provenance)
+{
+	char *clause = provenance[0] == '\0'
+			   ? xstrdup("not stated where from")
+			   : xstrndup(provenance, strcspn(provenance, ";"));
+	char *before = pairs->about;
+	if (before == NULL)
+		pairs->about = xstrdup(clause);
+	else if (strstr(before, clause) == NULL)
+		pairs->about = xasprintf("%s; %s", before, clause);
+	if (pairs->about != before)
+		free(before);
+	free(clause);
+}
 
 static void
 add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
@@ -139,7 +161,10 @@ add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
 			pairs->predicted[n][i] = 1000 * v.size[i].predicted;
 		}
 	}
-	pairs->n_site += pairs->n > before;
+	if (pairs->n == before)
+		return;
+	pairs->n_site++;
+	add_about(pairs, entry->site->provenance);
 }
 
 static void
@@ -189,8 +214,7 @@ plots_parity(
 		struct axis y = axis_log("predicted, mm", low, high);
 		char *title = xasprintf("sizes at speeds held out, %zu site%s",
 		    pairs.n_site, pairs.n_site == 1 ? "" : "s");
-		chart =
-		    chart_new(title, "as the sheets of the sites state", x, y);
+		chart = chart_new(title, pairs.about, x, y);
 		free(title);
 		put_pairs(chart, &pairs, x.low, x.high);
 	} else {
@@ -200,6 +224,7 @@ plots_parity(
 		error_hint(error, "load sites with three speeds, then "
 				  "calibrate all");
 	}
+	free(pairs.about);
 	free(pairs.measured);
 	free(pairs.predicted);
 	return chart;

@@ -7,7 +7,7 @@
 #include "plot/layout.h"
 
 /* The data's part of a canvas.  dots [width * height]: those set so far. */
-struct pen {
+struct brush {
 	struct layout at;
 	unsigned char *dots;
 };
@@ -60,7 +60,7 @@ is_inked(enum chart_line line, enum charset charset, int step)
 }
 
 static void
-put(struct pen *p, int column, int row, uint32_t code, enum series series,
+put(struct brush *p, int column, int row, uint32_t code, enum series series,
     unsigned attribute)
 {
 	if (column < 0 || column >= p->at.width || row < 0 ||
@@ -74,7 +74,7 @@ put(struct pen *p, int column, int row, uint32_t code, enum series series,
 }
 
 static void
-put_dot(struct pen *p, const struct chart_series *s, int x, int y)
+put_dot(struct brush *p, const struct chart_series *s, int x, int y)
 {
 	int across = dots_across(p->at.charset),
 	    down = dots_down(p->at.charset);
@@ -92,7 +92,7 @@ put_dot(struct pen *p, const struct chart_series *s, int x, int y)
 /* From point i to the next, dot by dot; the first dot belongs to the segment
  * before. */
 static void
-draw_segment(struct pen *p, const struct chart_series *s, size_t i, int *step)
+draw_segment(struct brush *p, const struct chart_series *s, size_t i, int *step)
 {
 	int across = dots_across(p->at.charset),
 	    down = dots_down(p->at.charset);
@@ -111,7 +111,7 @@ draw_segment(struct pen *p, const struct chart_series *s, size_t i, int *step)
 }
 
 static void
-draw_line(struct pen *p, const struct chart_series *s)
+draw_line(struct brush *p, const struct chart_series *s)
 {
 	int step = 0;
 	for (size_t i = 0; i + 1 < s->n; i++) {
@@ -123,7 +123,7 @@ draw_line(struct pen *p, const struct chart_series *s)
 }
 
 static void
-draw_marks(struct pen *p, const struct chart_series *s)
+draw_marks(struct brush *p, const struct chart_series *s)
 {
 	for (size_t i = 0; i < s->n && s->mark != 0; i++)
 		if (isfinite(s->y[i]))
@@ -134,7 +134,7 @@ draw_marks(struct pen *p, const struct chart_series *s)
 
 /* y of the band's edge at x, straight between the points. */
 static double
-edge_at(struct pen *p, const struct chart_series *s, double *edge, double x)
+edge_at(struct brush *p, const struct chart_series *s, double *edge, double x)
 {
 	struct chart_series copy = *s;
 	copy.y = edge;
@@ -142,7 +142,7 @@ edge_at(struct pen *p, const struct chart_series *s, double *edge, double x)
 }
 
 static double
-x_at(const struct pen *p, int column)
+x_at(const struct brush *p, int column)
 {
 	const struct axis *a = &p->at.chart->x;
 	double t = p->at.width > 1 ? (double)column / (p->at.width - 1) : 0;
@@ -151,7 +151,7 @@ x_at(const struct pen *p, int column)
 }
 
 static void
-draw_band(struct pen *p, const struct chart_series *s)
+draw_band(struct brush *p, const struct chart_series *s)
 {
 	uint32_t shade = p->at.charset == CHARSET_ASCII ? ',' : 0x2591;
 	for (int column = 0; column < p->at.width && s->low != NULL; column++) {
@@ -168,7 +168,7 @@ draw_band(struct pen *p, const struct chart_series *s)
 
 /* Faint, and only where the plot is tall enough for them not to crowd it. */
 static void
-draw_guides(struct pen *p)
+draw_guides(struct brush *p)
 {
 	enum { TALL = 12, EVERY = 4 };
 	uint32_t code = p->at.charset == CHARSET_ASCII ? '-' : 0x00B7;
@@ -182,7 +182,7 @@ draw_guides(struct pen *p)
 }
 
 static void
-draw_rules(struct pen *p)
+draw_rules(struct brush *p)
 {
 	for (size_t i = 0; i < p->at.chart->n_rule; i++) {
 		const struct chart_rule *r = &p->at.chart->rule[i];
@@ -195,7 +195,7 @@ draw_rules(struct pen *p)
 }
 
 static void
-draw_data(struct pen *p)
+draw_data(struct brush *p)
 {
 	const struct chart *c = p->at.chart;
 	for (size_t i = 0; i < c->n; i++)
@@ -213,7 +213,7 @@ chart_draw(const struct chart *chart, int columns, int rows,
     enum charset charset, bool legend)
 {
 	struct canvas *canvas = canvas_new(columns, rows);
-	struct pen p = {.at = layout_make(chart, canvas, charset, legend)};
+	struct brush p = {.at = layout_make(chart, canvas, charset, legend)};
 	p.dots = xcalloc((size_t)(p.at.width * p.at.height), 1);
 	layout_draw_around(&p.at);
 	draw_data(&p);
