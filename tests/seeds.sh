@@ -26,7 +26,7 @@ for f in "$dir"/data/sites/*.csv; do
 	result $? "$name: the same misfit from $seeds seeds"
 	made=$(sed -n 's/^provenance.*\(f_mat [0-9.]*\), \(E0_min [0-9.]*\), \(alpha [0-9.]*\),.*/\1 \2 \3/p' "$f" |
 		sed 's/E0_min/e0_min/; s/\([a-z]\) \([0-9]\)/\1=\2/g')
-	"$TIPSPEED" --format=csv "$f" -c 'calibrate; predict 74' \
+	"$TIPSPEED" --format=csv "$f" -c 'calibrate; predict 74 band=off' \
 		-c "params set beta1=0 beta2=1 beta3=-1 beta4=0.5 $made" \
 		-c 'predict 74' 2>>"$dir/log" | grep '^predict,' | awk -F, '
 		$(NF - 3) in found { d = $(NF - 1) - found[$(NF - 3)]

@@ -96,24 +96,43 @@ answers_size_cell(struct report *r, const struct psd *psd, double passing)
 	free(words);
 }
 
-/* "P50 2.81 mm", or "P20 below 0.063 mm". */
+/* "2.81"; NAN, as ranges have it: "below 0.063", the finest sieve. */
 static char *
-size_words(const struct psd *psd, double passing)
+range_words(const struct psd *psd, double x)
+{
+	return isfinite(x)
+		   ? xasprintf("%.2f", 1000 * x)
+		   : xasprintf("below %g", units_mm(psd->size[psd->n - 1]));
+}
+
+/* "P50 2.81 mm", or "P20 below 0.063 mm"; where there is a range, followed by
+ * " (2.75 to 2.90)". */
+static char *
+size_phrase(const struct psd *psd, double passing, const double *range)
 {
 	double x = psd_size(psd, passing);
-	if (isfinite(x))
-		return xasprintf("P%.0f %.2f mm", 100 * passing, 1000 * x);
-	char *outside = outside_words(psd, passing);
-	char *words = xasprintf("P%.0f %s mm", 100 * passing, outside);
-	free(outside);
-	return words;
+	char *own = isfinite(x) ? xasprintf("%.2f", 1000 * x)
+				: outside_words(psd, passing);
+	char *words = xasprintf("P%.0f %s mm", 100 * passing, own);
+	free(own);
+	if (range == NULL || !isfinite(range[1]))
+		return words;
+	char *low = range_words(psd, range[0]);
+	char *high = range_words(psd, range[1]);
+	char *longer = xasprintf("%s (%s to %s)", words, low, high);
+	free(low);
+	free(high);
+	free(words);
+	return longer;
 }
 
 void
-answers_note_sizes(struct report *r, const struct psd *psd)
+answers_note_sizes(
+    struct report *r, const struct psd *psd, const struct band *band)
 {
-	char *p20 = size_words(psd, 0.2), *p50 = size_words(psd, 0.5);
-	char *p80 = size_words(psd, 0.8);
+	char *p20 = size_phrase(psd, 0.2, band != NULL ? band->p20 : NULL);
+	char *p50 = size_phrase(psd, 0.5, band != NULL ? band->p50 : NULL);
+	char *p80 = size_phrase(psd, 0.8, band != NULL ? band->p80 : NULL);
 	report_note(r, "%s, %s, %s", p20, p50, p80);
 	free(p20);
 	free(p50);

@@ -47,8 +47,10 @@ void answers_remember(struct session *s, const struct prediction *p);
  * where it lies outside the sieves. */
 void answers_size_cell(struct report *r, const struct psd *psd, double passing);
 
-/* The note "P20 1.14 mm, P50 2.91 mm, P80 5.28 mm". */
-void answers_note_sizes(struct report *r, const struct psd *psd);
+/* The note "P20 1.14 mm, P50 2.91 mm, P80 5.28 mm", with their ranges where a
+ * band is given: "P20 1.14 mm (1.12 to 1.18)". */
+void answers_note_sizes(
+    struct report *r, const struct psd *psd, const struct band *band);
 
 /* Notes on how far to trust an answer for the site in use at a speed from the
  * feed of a run. */

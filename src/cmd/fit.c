@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/doubt.h"
 #include "cmd/job.h"
 #include "core/misfit.h"
 
@@ -313,6 +314,8 @@ fit_take(struct session *s)
 	entry->fit = calibration_fit(s->job.calibration);
 	entry->params = entry->fit.params;
 	take_history(entry, &s->job);
+	doubt_drop(entry->doubt);
+	entry->doubt = doubt_new(entry->site, &s->job.options);
 	session_forget(s);
 	s->answer[ANSWER_MISFIT] = entry->fit.misfit;
 	s->answer[ANSWER_RMSE] = 100 * entry->fit.rmse;

@@ -5,6 +5,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/doubt.h"
 #include "cmd/fit.h"
 #include "core/energy.h"
 #include "core/validate.h"
@@ -87,6 +88,7 @@ fit_as_json(const struct entry *entry, double seconds)
 	    o, "holdout", speeds_as_json(entry->site, entry->train, true));
 	json_object_set_new(o, "rmse_pct", report_json_number(fit->rmse * 100));
 	json_object_set_new(o, "verdict", json_string(fit_verdict(fit)));
+	json_object_set_new(o, "interval", doubt_json(doubt_of(entry)));
 	return o;
 }
 
@@ -177,6 +179,7 @@ add_verdict(struct report *report, const struct entry *entry,
 		    "a parameter on its bound is set by the bound, not by the "
 		    "data");
 	add_flat(report, fit, bounds);
+	doubt_note(report);
 	report_note(report,
 	    "beta counts only by its direction; rely on the curves, not on "
 	    "single values");
@@ -206,6 +209,7 @@ fit_report(
 	    answers_report(entry->site, "calibrate", "calibrated parameters");
 	report_column(r, "parameter", "parameter");
 	report_column(r, "value", "value");
+	doubt_columns(r);
 	report_column(r, "unit", "unit");
 	report_column(r, "lower", "from");
 	report_column(r, "upper", "to");
@@ -214,12 +218,13 @@ fit_report(
 		bool fixed = bounds->lower[j] >= bounds->upper[j];
 		report_text(r, PARAMS[j].name);
 		report_number(r, params_get(&fit->params, j), 4);
+		doubt_cells(r, doubt_of(entry), j);
 		report_text(r, PARAMS[j].unit);
 		report_number(r, bounds->lower[j], -1);
 		report_number(r, bounds->upper[j], -1);
 		report_text(r, fixed              ? "held fixed"
 			       : fit->on_bound[j] ? "ON ITS BOUND"
-			       : j < PARAM_F_MAT  ? "scaled to largest 1"
+			       : j < PARAM_F_MAT  ? "largest is 1"
 						  : "");
 	}
 	report_note(r, "misfit %.6g, %.2f points RMS over %zu sieves",

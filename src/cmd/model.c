@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/doubt.h"
 
 const char *const MODEL_FORMS[3] = {"ratio", "progeny_mm", "parent_mm"};
 
@@ -16,20 +17,27 @@ void
 model_show_params(struct session *s)
 {
 	const struct entry *entry = session_entry(s);
+	const struct uncertainty *u = doubt_of(entry);
 	struct report *r = answers_report(
 	    entry->site, "params", "parameters %s", session_origin(entry));
 	report_column(r, "parameter", "parameter");
 	report_column(r, "value", "value");
+	if (u != NULL)
+		doubt_columns(r);
 	report_column(r, "unit", "unit");
 	report_column(r, "meaning", "meaning");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		report_text(r, PARAMS[j].name);
 		report_number(r,
 		    entry->has_params ? params_get(&entry->params, j) : NAN,
-		    -1);
+		    u != NULL ? 4 : -1);
+		if (u != NULL)
+			doubt_cells(r, u, j);
 		report_text(r, PARAMS[j].unit);
 		report_text(r, PARAMS[j].meaning);
 	}
+	if (u != NULL)
+		doubt_note(r);
 	session_report(s, r);
 }
 

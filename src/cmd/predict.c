@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
+#include "cmd/doubt.h"
 #include "cmd/fit.h"
 #include "cmd/plots.h"
 #include "core/predict.h"
@@ -113,8 +114,8 @@ interpolated(const struct site *site, const struct prediction *p)
 }
 
 static struct report *
-prediction_report(
-    struct session *s, const struct prediction *p, const double *between)
+prediction_report(struct session *s, const struct prediction *p,
+    const struct band *band, const double *between)
 {
 	const struct site *site = session_entry(s)->site;
 	size_t run = site_run_at(site, p->speed);
@@ -124,6 +125,10 @@ prediction_report(
 	report_column(r, "sieve_mm", "sieve mm");
 	report_column(r, "feed_pct", "feed %");
 	report_column(r, "passing_pct", "product %");
+	if (band != NULL) {
+		report_column(r, "low_pct", "low %");
+		report_column(r, "high_pct", "high %");
+	}
 	if (measured)
 		report_column(r, "measured_pct", "measured %");
 	if (between != NULL)
@@ -133,6 +138,10 @@ prediction_report(
 		report_number(r, units_mm(x), -1);
 		report_number(r, units_pct(p->feed.passing[i]), 1);
 		report_number(r, units_pct(p->product.passing[i]), 1);
+		if (band != NULL) {
+			report_number(r, units_pct(band->low[i]), 1);
+			report_number(r, units_pct(band->high[i]), 1);
+		}
 		if (measured)
 			report_number(
 			    r, units_pct(measured_at(site, p->speed, x)), 1);
@@ -142,16 +151,35 @@ prediction_report(
 	return r;
 }
 
-/* The report with what is to be said of it; wanted: with the interpolated
- * products. */
+/* What the band is, and what it leaves out. */
+static void
+note_band(struct report *r, const struct entry *entry, double speed)
+{
+	doubt_note(r);
+	if (entry->fit.rmse > FIT_POOR)
+		report_note(r, "the band is too narrow: the fit is poor, and "
+			       "the model's own error is not in it");
+	else if (predict_extrapolates(entry->site, entry->train, speed))
+		report_note(r, "the band knows nothing of the model's own "
+			       "error, which grows beyond the speeds trained "
+			       "on");
+}
+
+/* The report with what is to be said of it; band: NULL for none; wanted: with
+ * the interpolated products. */
 static struct report *
-explained(struct session *s, const struct prediction *p, bool wanted)
+explained(struct session *s, const struct prediction *p,
+    const struct band *band, bool wanted)
 {
 	const struct entry *entry = session_entry(s);
 	double *between = wanted ? interpolated(entry->site, p) : NULL;
-	struct report *r = prediction_report(s, p, between);
+	struct report *r = prediction_report(s, p, band, between);
 	json_t *o = answers_prediction_json(s, p);
-	answers_note_sizes(r, &p->product);
+	answers_note_sizes(r, &p->product, band);
+	if (band != NULL) {
+		note_band(r, entry, p->speed);
+		doubt_band_json(o, band);
+	}
 	note_breakage(r, &entry->params, p);
 	note_feed_gaps(r, entry->site, p);
 	if (between != NULL)
@@ -200,7 +228,15 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 	    predict(entry->site, &entry->params, s->settings, speed, feed);
 	answers_remember(s, &p);
 	bool wanted = option("predict", args, "interpolated")->choice == 1;
-	session_report(s, explained(s, &p, wanted));
+	const struct value *asked = option("predict", args, "band");
+	struct band band = {0};
+	bool has_band = asked->choice == 1 && doubt_band(s, entry, &p, &band);
+	struct report *r = explained(s, &p, has_band ? &band : NULL, wanted);
+	if (asked->given && asked->choice == 1 && !has_band)
+		report_note(r, "no band: the parameters are no fit of this "
+			       "site with these settings");
+	session_report(s, r);
+	band_free(&band);
 	bool curve = option("predict", args, "curve")->choice == 1;
 	bool ok =
 	    !curve || s->format != REPORT_TABLE || print_curves(s, &p, error);

@@ -11,6 +11,7 @@
 #include "core/misfit.h"
 #include "core/params.h"
 #include "core/site.h"
+#include "core/uncertainty.h"
 #include "io/report.h"
 #include "io/store.h"
 
@@ -20,6 +21,15 @@ struct history {
 	size_t holders, n;
 	struct calibrate_generation *generation;
 	struct bounds bounds;
+};
+
+/* What the data of a fit leave open: drawn from its misfit when first asked
+ * for.  Shared as a history is. */
+struct doubt {
+	size_t holders;
+	struct misfit *misfit;
+	struct bounds bounds;
+	struct uncertainty *uncertainty; /* NULL: not drawn yet */
 };
 
 /* A loaded site with its answers.  key: how it is called here, "gavle/4".
@@ -33,6 +43,7 @@ struct entry {
 	char *origin;            /* "taken from bro", or NULL; owned */
 	struct fit fit;          /* where the parameters were found */
 	struct history *history; /* of the last calibration, or NULL */
+	struct doubt *doubt;     /* of the fit, or NULL */
 	char options[400];       /* of the fit, in the words of calibrate */
 	char recalled[64];       /* material the parameters are of, or "" */
 };
@@ -147,11 +158,12 @@ void session_drop(struct session *s, size_t index);
 void entries_free(struct entry *entry, size_t n);
 
 /* Another entry of the same site, with copies of what it owns and a share in
- * its history. */
+ * its history and its doubt. */
 struct entry entry_copy(const struct entry *from);
 
 /* Gives a share in it up; NULL is allowed. */
 void history_drop(struct history *history);
+void doubt_drop(struct doubt *doubt);
 
 /* Finds a loaded site by name without case and accents ("borlange"), by name
  * and top size ("gavle/4") or by key.  Several or none: an error that lists

@@ -17,6 +17,8 @@ static const struct command_option PREDICT_OPTIONS[] = {
 	"draw feed, measured and predicted as text"},
     {"interpolated", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"add the measured products interpolated at this speed"},
+    {"band", VALUE_CHOICE, "", 0, 0, "off on", "on",
+	"show how far the data leave a calibrated product open"},
     LAST_OPTION};
 
 static const struct command_option SWEEP_OPTIONS[] = {
@@ -60,7 +62,10 @@ const struct command TABLE_ANSWERS[] = {
 		"trained speeds the answer is marked as extrapolated. "
 		"interpolated=on puts beside it the products measured at the "
 		"next lower and higher speed, interpolated in speed squared: "
-		"the answer without a model.",
+		"the answer without a model. Where the parameters were "
+		"found by calibrate, low and high are the band in which 80 % "
+		"of the fits lie that the data allow; see UNCERTAINTY in "
+		"tipspeed-model(7).",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74",
 	.run = cmd_predict},
     {.name = "sweep",

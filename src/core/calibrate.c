@@ -46,8 +46,8 @@ calibrate_state_name(enum calibrate_state state)
 	return NAMES[state];
 }
 
-static struct misfit *
-training_misfit(
+struct misfit *
+calibrate_misfit(
     const struct site *site, const struct calibrate_options *options)
 {
 	bool *train = xcalloc(site->n_run, sizeof *train);
@@ -69,7 +69,7 @@ calibration_new(
 	c->options = *options;
 	c->pool = pool_new(options->threads);
 	c->site_digest = site->digest;
-	c->misfit = training_misfit(site, options);
+	c->misfit = calibrate_misfit(site, options);
 	assert(c->misfit->n_residual > 0);
 	c->kernel = kernel_new(c->misfit, options->isa, pool_threads(c->pool));
 	if (options->plain)
@@ -82,7 +82,7 @@ calibration_new(
 	c->ga = ga_new(
 	    &ga, PARAM_COUNT, options->bounds.lower, options->bounds.upper);
 	for (size_t i = 0; i < BATCH; i++) {
-		c->worker[i].misfit = training_misfit(site, options);
+		c->worker[i].misfit = calibrate_misfit(site, options);
 		c->worker[i].polish = polish_new(c->worker[i].misfit);
 	}
 	c->told = xdoubles(options->population);

@@ -37,6 +37,11 @@ struct calibrate_options {
 /* Population, generations and bounds of the paper. */
 struct calibrate_options calibrate_options_default(void);
 
+/* The misfit that a calibration with these options brings down.  The site must
+ * outlive it; misfit_free. */
+struct misfit *calibrate_misfit(
+    const struct site *site, const struct calibrate_options *options);
+
 /* Going on, or why it ended. */
 enum calibrate_state {
 	CALIBRATE_SEARCHING,

@@ -5,6 +5,8 @@
 #include <math.h>
 
 #include "base/xalloc.h"
+#include "core/sensitivity.h"
+
 /* Batches polished so far; the last of the starts may be a short one. */
 static size_t
 batches(const struct calibration *c)
@@ -101,16 +103,6 @@ calibration_visit(struct calibration *c, const struct visit *v)
 	       visit_history(c, v, whole[6]);
 }
 
-/* On a bound: nearer to it than a millionth of the range, and free to move.  A
- * beta's bound only limits its scale. */
-static bool
-on_bound(const struct bounds *b, const struct params *p, size_t j)
-{
-	double x = params_get(p, j), range = b->upper[j] - b->lower[j];
-	double near = fmin(x - b->lower[j], b->upper[j] - x);
-	return j >= PARAM_F_MAT && range > 0 && near <= 1e-6 * range;
-}
-
 struct fit
 calibration_fit(struct calibration *c)
 {
@@ -132,7 +124,8 @@ calibration_fit(struct calibration *c)
 	    .population = c->options.population,
 	    .settings = c->options.settings};
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		fit.on_bound[j] = on_bound(&c->options.bounds, &p, j);
+		fit.on_bound[j] =
+		    sensitivity_on_bound(&c->options.bounds, &p, j);
 	params_scale_beta(&p);
 	fit.flat = flat_direction(c->misfit, &p, &c->options.bounds);
 	fit.params = p;

@@ -15,9 +15,7 @@ struct flat {
 	double reach;
 };
 
-/* From the singular values of the Jacobian, its columns scaled by the search
- * ranges.  The largest beta is held, as only the direction of beta counts (D4);
- * the others count in shares of twice its size.  Cannot fail. */
+/* The last direction of sensitivity.h.  Cannot fail. */
 struct flat flat_direction(
     struct misfit *m, const struct params *p, const struct bounds *bounds);
 

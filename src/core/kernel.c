@@ -71,7 +71,8 @@ line_up(const struct kernel *kernel, const double *const theta[PARAM_COUNT],
     size_t from, size_t to, struct queue *q)
 {
 	uint16_t bin[KERNEL_PART];
-	uint32_t place[2 * KERNEL_BINS + 1] = {0}, order[KERNEL_PART];
+	uint32_t place[2 * KERNEL_BINS + 1] = {0};
+	uint32_t order[KERNEL_PART] = {0};
 	size_t n = to - from;
 	for (size_t i = 0; i < n; i += KERNEL_LANES)
 		kernel->bins(&kernel->plan, theta, from + i, bin + i);

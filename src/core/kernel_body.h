@@ -11,12 +11,13 @@
 
 /* A block's parameters and what follows from them. */
 struct block {
-	lanes beta[4], f, e0, alpha, over_alpha, log_e0, log_full, over_total;
+	lanes beta[4], f, e0, alpha, over_alpha, f_e0, log_e0, log_full,
+	    over_total;
 };
 
 /* Where f (x^alpha E - e0) is more in the whole of a class, all of it breaks:
- * the rest is below 1e-5. */
-static const double FULL = 12;
+ * the rest is below 2e-4 and falls by the next class. */
+static const double FULL = 9;
 
 /* The exponent rises by alpha (f e0 + itself) in ln x.  Where that is less at
  * x*, two Gauss points a class are as good as three. */
@@ -46,6 +47,7 @@ load(struct block *b, const struct plan *plan,
 	b->over_alpha = 1 / lanes_max(b->alpha, lanes_of(1e-9));
 	/* S is 0 below the size of the first and 1 above that of the second,
 	 * where the exponent reaches FULL. */
+	b->f_e0 = b->f * b->e0;
 	b->log_e0 = lanes_log(b->e0);
 	b->log_full = lanes_log(FULL / b->f + b->e0);
 }
@@ -78,7 +80,6 @@ struct room {
 	lanes *from, *full;  /* [n_run] ln x* and ln x where S becomes 1 */
 	struct share *share; /* [n_run * n_class] */
 	struct node *node;   /* [KERNEL_NODES] */
-	lanes *B, *p;        /* [n_class] as seen from one sieve */
 	size_t n_full;       /* classes, from the coarsest, that break whole */
 	size_t n_active;     /* and those of which any lane breaks some */
 };
@@ -101,27 +102,58 @@ cumulate(struct block *b, const struct plan *plan, const struct room *room)
 	b->over_total = (lanes)((sum > 0.0) & (lanes_mask)(1 / sum));
 }
 
-/* From the Gauss points g between max(from, lower) and upper; power, where it
- * is not NULL, has x^alpha at the points of the whole class. */
-static inline struct share
-class_share(const struct block *b, const struct plan *plan, size_t c, double E,
-    double density_c, lanes from, const struct gauss *g, const lanes *power)
+/* x^alpha at ln x = t. */
+static inline lanes
+power_at(const struct block *b, lanes t)
 {
-	double upper = plan->upper[c], mid = plan->middle[c];
+	return lanes_exp_quick(lanes_min(b->alpha * t, lanes_of(708)));
+}
+
+/* Adds a Gauss point at a distance from the middle of its class. */
+static inline void
+add_gauss(struct share *sum, const struct block *b, double E, lanes power,
+    lanes weight, lanes distance)
+{
+	lanes y = b->f * E * power - b->f_e0;
+	lanes S = 1 - lanes_exp_quick(lanes_min(-y, lanes_of(0)));
+	sum->mass += weight * S;
+	sum->moment += weight * distance * S;
+}
+
+/* Of a class that breaks from its lower edge on; power has x^alpha at the
+ * points of g. */
+static inline struct share
+whole_share(const struct block *b, const struct plan *plan, size_t c,
+    const struct plan_run *run, const struct gauss *g, const lanes *power)
+{
+	double upper = plan->upper[c], width = upper - plan->lower[c];
+	struct share sum = {lanes_of(0), lanes_of(0)};
+	for (size_t q = 0; q < g->n; q++) {
+		double t = upper - width * g->from_top[q];
+		add_gauss(&sum, b, run->E, power[q], lanes_of(g->weight[q]),
+		    lanes_of(t - plan->middle[c]));
+	}
+	double scale = run->mass[c] * width;
+	return (struct share){scale * sum.mass, scale * sum.moment};
+}
+
+/* Of one that some lanes break from x* on; the same bits for the others. */
+static inline struct share
+split_share(const struct block *b, const struct plan *plan, size_t c,
+    const struct plan_run *run, const struct gauss *g, lanes from)
+{
+	double upper = plan->upper[c];
 	lanes bottom = lanes_min(
 	    lanes_max(from, lanes_of(plan->lower[c])), lanes_of(upper));
-	lanes width = upper - bottom, sum = lanes_of(0), first = sum;
+	lanes width = upper - bottom;
+	struct share sum = {lanes_of(0), lanes_of(0)};
 	for (size_t q = 0; q < g->n; q++) {
 		lanes t = upper - width * g->from_top[q];
-		lanes w =
-		    power != NULL ? power[q] : lanes_exp_quick(b->alpha * t);
-		lanes y = positive(b->f * (w * E - b->e0));
-		lanes S = (1 - lanes_exp_quick(-y)) * g->weight[q];
-		sum += S;
-		first += S * (t - mid);
+		add_gauss(&sum, b, run->E, power_at(b, t),
+		    lanes_of(g->weight[q]), t - plan->middle[c]);
 	}
-	lanes scale = density_c * width;
-	return (struct share){scale * sum, scale * first};
+	lanes scale = run->mass[c] * width;
+	return (struct share){scale * sum.mass, scale * sum.moment};
 }
 
 /* Shares of class c in every run.  any: some lane breaks some of it; all: every
@@ -153,15 +185,14 @@ one_class(const struct block *b, const struct plan *plan, size_t c,
 		}
 		*any = true;
 		bool whole = lanes_all(from <= lower);
+		double width = upper - lower;
 		for (size_t q = 0; whole && !have_power && q < g->n; q++)
-			power[q] = lanes_exp_quick(
-			    b->alpha *
-			    (upper - (upper - lower) * g->from_top[q]));
+			power[q] = power_at(
+			    b, lanes_of(upper - width * g->from_top[q]));
 		have_power = have_power || whole;
-		struct share part = whole ? class_share(b, plan, c, run->E,
-						run->mass[c], from, g, power)
-					  : class_share(b, plan, c, run->E,
-						run->mass[c], from, g, NULL);
+		struct share part = whole
+					? whole_share(b, plan, c, run, g, power)
+					: split_share(b, plan, c, run, g, from);
 		share->mass = lanes_select(full, share->mass, part.mass);
 		share->moment = (lanes)(~full & (lanes_mask)part.moment);
 	}
@@ -218,15 +249,29 @@ whole_below(const struct plan_run *run, const struct plan_sieve *sieve,
 	return sum;
 }
 
-/* The same with that of the classes from..n-1 added. */
-static inline lanes
-broken_below(const struct share *share, size_t from, size_t n,
-    const struct room *room, lanes sum)
+/* Adds that of the classes from..n-1, for two runs side by side, which look B
+ * and p up but once; they may be the same one. */
+static inline void
+add_split(const struct plan_sieve *sieve, size_t from, size_t n,
+    const struct node *node, const struct share *share[static 2],
+    lanes below[static 2])
 {
-	for (size_t c = from; c < n; c++)
-		sum +=
-		    share[c].mass * room->B[c] - share[c].moment * room->p[c];
-	return sum;
+	lanes first = below[0], second = below[1];
+	for (size_t c = from; c < n; c++) {
+		lanes B = view_B(&sieve->view[c], node);
+		lanes p = view_p(&sieve->view[c], node);
+		first += share[0][c].mass * B - share[0][c].moment * p;
+		second += share[1][c].mass * B - share[1][c].moment * p;
+	}
+	below[0] = first;
+	below[1] = second;
+}
+
+static inline lanes
+square(const struct plan_target *t, const struct block *b, lanes below)
+{
+	lanes d = t->weight * (t->difference + below * b->over_total);
+	return d * d;
 }
 
 /* Weighted squares of a sieve's differences, over the runs. */
@@ -239,19 +284,21 @@ sieve_squares(const struct plan *plan, const struct block *b, size_t s,
 	    sieve->n_above < room->n_active ? sieve->n_above : room->n_active;
 	size_t full = room->n_full < n ? room->n_full : n;
 	lanes squares = lanes_of(0), whole = squares;
-	for (size_t c = full; c < n; c++) {
-		room->B[c] = view_B(&sieve->view[c], room->node);
-		room->p[c] = view_p(&sieve->view[c], room->node);
-	}
-	for (size_t r = 0; r < plan->n_run; r++) {
-		const struct plan_run *run = &plan->run[r];
-		const struct plan_target *t = &run->target[s];
-		if (r == 0 || !plan->one_feed)
-			whole = whole_below(run, sieve, full, room);
-		lanes part = broken_below(
-		    room->share + r * plan->n_class, full, n, room, whole);
-		lanes d = t->weight * (t->difference + part * b->over_total);
-		squares += d * d;
+	if (plan->one_feed)
+		whole = whole_below(&plan->run[0], sieve, full, room);
+	for (size_t r = 0; r < plan->n_run; r += 2) {
+		size_t other = r + 1 < plan->n_run ? r + 1 : r;
+		const struct plan_run *run[2] = {
+		    &plan->run[r], &plan->run[other]};
+		const struct share *share[2] = {room->share + r * plan->n_class,
+		    room->share + other * plan->n_class};
+		lanes below[2] = {whole, whole};
+		for (size_t i = 0; i < 2 && !plan->one_feed; i++)
+			below[i] = whole_below(run[i], sieve, full, room);
+		add_split(sieve, full, n, room->node, share, below);
+		squares += square(&run[0]->target[s], b, below[0]);
+		if (other > r)
+			squares += square(&run[1]->target[s], b, below[1]);
 	}
 	return squares;
 }
@@ -263,9 +310,7 @@ continuous_block(
 	lanes *at = (lanes *)(void *)scratch, sum = lanes_of(0);
 	size_t n_run = plan->n_run;
 	struct room room = {.from = at, .full = at + n_run};
-	room.B = at + 2 * n_run;
-	room.p = room.B + plan->n_class;
-	room.share = (void *)(room.p + plan->n_class);
+	room.share = (void *)(at + 2 * n_run);
 	room.node = (void *)(room.share + n_run * plan->n_class);
 	cumulate(b, plan, &room);
 	if (calm)

@@ -40,17 +40,18 @@ fill_run(
     struct misfit_run *to, const struct run *run, double run_weight, bool by_sd)
 {
 	to->speed = run->speed;
+	to->run_weight = run_weight;
+	to->by_sd = by_sd && run->product_sd != NULL;
 	to->feed = run->feed;
 	to->n = misfit_covered(&run->feed, &run->product);
 	to->sieve = xdoubles(to->n);
 	to->measured = xdoubles(to->n);
 	to->weight = xdoubles(to->n);
 	for (size_t i = 0; i < to->n; i++) {
-		bool has_sd = by_sd && run->product_sd != NULL;
 		to->sieve[i] = run->product.size[i];
 		to->measured[i] = run->product.passing[i];
 		to->weight[i] =
-		    sqrt(run_weight) / (has_sd ? run->product_sd[i] : 1);
+		    sqrt(run_weight) / (to->by_sd ? run->product_sd[i] : 1);
 	}
 }
 
@@ -98,18 +99,20 @@ misfit_free(struct misfit *m)
 	free(m);
 }
 
-/* Adds up the squares of run r, weighted or not. */
+/* Differences of run r, weighted or not, d [its n]; returns their squares'
+ * sum. */
 static double
-run_squares(struct misfit *m, size_t r, const struct params *p, bool weighted)
+run_differences(struct misfit *m, size_t r, const struct params *p,
+    bool weighted, double *d)
 {
 	const struct misfit_run *run = &m->run[r];
 	double sum = 0;
 	model_set(m->model[r], p);
 	model_product(m->model[r], run->speed, m->passing);
 	for (size_t i = 0; i < run->n; i++) {
-		double d = m->passing[i] - run->measured[i];
-		d *= weighted ? run->weight[i] : 1;
-		sum += d * d;
+		d[i] = m->passing[i] - run->measured[i];
+		d[i] *= weighted ? run->weight[i] : 1;
+		sum += d[i] * d[i];
 	}
 	return sum;
 }
@@ -119,7 +122,18 @@ misfit_at(struct misfit *m, const struct params *p)
 {
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++)
-		sum += run_squares(m, r, p, true);
+		sum += run_differences(m, r, p, true, m->passing);
+	return isfinite(sum) ? sum : INFINITY;
+}
+
+double
+misfit_differences(struct misfit *m, const struct params *p, double *d)
+{
+	double sum = 0;
+	for (size_t r = 0; r < m->n_run; r++) {
+		sum += run_differences(m, r, p, true, d);
+		d += m->run[r].n;
+	}
 	return isfinite(sum) ? sum : INFINITY;
 }
 
@@ -128,7 +142,7 @@ misfit_rmse(struct misfit *m, const struct params *p)
 {
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++)
-		sum += run_squares(m, r, p, false);
+		sum += run_differences(m, r, p, false, m->passing);
 	return sqrt(sum / (double)(m->n_residual > 0 ? m->n_residual : 1));
 }
 

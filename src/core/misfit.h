@@ -15,6 +15,8 @@
 struct misfit_run {
 	size_t run; /* index into the site's runs */
 	double speed;
+	double run_weight;
+	bool by_sd;      /* weight has the sheet's standard deviations */
 	struct psd feed; /* borrowed from the site */
 	size_t n;
 	double *sieve;    /* m, coarsest first */
@@ -44,6 +46,10 @@ void misfit_free(struct misfit *m);
 
 /* The misfit at p; INFINITY where it is not a number.   Source: paper Eq 5. */
 double misfit_at(struct misfit *m, const struct params *p);
+
+/* The same, with the weighted differences simulated - measured, r [n_residual]
+ * out. */
+double misfit_differences(struct misfit *m, const struct params *p, double *r);
 
 /* Weighted differences simulated - measured, r [n_residual], and their
  * derivatives, J [n_residual * PARAM_COUNT] by rows.  Returns the misfit. */

@@ -196,9 +196,8 @@ plan_continuous(struct plan *plan, const struct misfit *m)
 		}
 	}
 	plan_targets(plan, m);
-	plan->scratch =
-	    KERNEL_LANES * (2 * plan->n_run * (plan->n_class + 1) +
-			       2 * plan->n_class + 2 * KERNEL_NODES);
+	plan->scratch = KERNEL_LANES * 2 *
+			(plan->n_run * (plan->n_class + 1) + KERNEL_NODES);
 }
 
 static void

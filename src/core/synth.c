@@ -58,17 +58,6 @@ make_feed(const struct synth *s, double n)
 	return feed;
 }
 
-/* A standard normal number: twelve uniform ones less six.  Its tails end at 6,
- * and it needs no function whose last bit differs between machines. */
-static double
-normal(struct rng_key key, uint32_t i)
-{
-	double sum = 0;
-	for (uint32_t j = 0; j < 12; j++)
-		sum += rng_uniform(key, 12 * i + j);
-	return sum - 6;
-}
-
 static uint64_t
 numbers_digest(const struct synth *s)
 {
@@ -93,7 +82,7 @@ make_product(const struct synth *s, const struct psd *feed, double speed,
 	for (size_t i = 0; i < product.n; i++) {
 		double p = product.passing[i];
 		double sd = 2 * s->noise * sqrt(fmax(p * (1 - p), 0));
-		p += sd * normal(key, (uint32_t)i);
+		p += sd * rng_normal(key, (uint32_t)i);
 		p = rounded(fmin(fmax(p, 0), ceiling));
 		product.passing[i] = ceiling = p;
 	}
@@ -114,7 +103,7 @@ synth_site(const struct synth *s)
 		    rng_key(s->seed ^ numbers, r, USE_FEED);
 		double n = s->n;
 		if (s->individual_feeds)
-			n *= 1 + 0.05 * normal(feed_key, 0);
+			n *= 1 + 0.05 * rng_normal(feed_key, 0);
 		run->speed = s->speed[r];
 		run->feed = make_feed(s, n);
 		run->product = make_product(s, &run->feed, s->speed[r],

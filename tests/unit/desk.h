@@ -9,6 +9,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -72,6 +73,15 @@ desk_expect(struct desk *desk, const char *line)
 {
 	if (!desk_say(desk, line))
 		fail_msg("%s: %s", line, desk->error.text);
+}
+
+/* Once, at the start of main: names of files in tests are relative to srcdir. */
+static inline void
+chdir_to_source(void)
+{
+	const char *srcdir = getenv("srcdir");
+	if (srcdir != NULL && chdir(srcdir) != 0)
+		fail_msg("srcdir is not there: %s", srcdir);
 }
 
 #endif

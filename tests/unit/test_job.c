@@ -48,14 +48,6 @@ whole(struct desk *desk)
 	return session_entry(desk->session)->fit;
 }
 
-static void
-chdir_to_source(void)
-{
-	const char *srcdir = getenv("srcdir");
-	if (srcdir != NULL)
-		assert_int_equal(chdir(srcdir), 0);
-}
-
 static int
 open_with_site(void **state)
 {

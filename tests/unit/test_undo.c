@@ -11,9 +11,6 @@ static int
 open_with_sites(void **state)
 {
 	desk_open(state);
-	const char *srcdir = getenv("srcdir");
-	if (srcdir != NULL)
-		assert_int_equal(chdir(srcdir), 0);
 	desk_expect(*state, "load data/sites/bro.csv data/sites/tierp.csv");
 	return 0;
 }
@@ -202,5 +199,6 @@ main(void)
 	    at_desk(undo_ends_a_running_calibration),
 	    at_desk(undo_forgets_the_answers),
 	};
+	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

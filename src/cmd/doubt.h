@@ -1,0 +1,38 @@
+/* How far a fit and its products are open: draws kept with the entry.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_DOUBT_H
+#define TIPSPEED_CMD_DOUBT_H
+
+#include <stdbool.h>
+
+#include "cmd/session.h"
+#include "core/predict.h"
+
+/* Of the fit that a calibration of the site with these options found. */
+struct doubt *doubt_new(
+    const struct site *site, const struct calibrate_options *options);
+
+/* The draws of the entry's fit, made when first asked for; NULL where its
+ * parameters are no fit of its own. */
+const struct uncertainty *doubt_of(const struct entry *entry);
+
+/* The band of the entry's prediction.  False, and nothing to free, where there
+ * is none: parameters that are no fit, or a fit made with other settings. */
+bool doubt_band(const struct session *s, const struct entry *entry,
+    const struct prediction *p, struct band *band);
+
+/* Columns low and high, and their cells for parameter j; u may be NULL, which
+ * shows "-". */
+void doubt_columns(struct report *r);
+void doubt_cells(struct report *r, const struct uncertainty *u, size_t j);
+
+/* Says what low and high are. */
+void doubt_note(struct report *r);
+
+/* {"beta1":[low, high], .. "alpha":[low, high]} */
+json_t *doubt_json(const struct uncertainty *u);
+
+/* Adds the band to the object of predict. */
+void doubt_band_json(json_t *o, const struct band *band);
+
+#endif
