@@ -51,6 +51,7 @@ pictures_request(const struct command *self, const struct args *args,
 		request->other_speed = other->number;
 	if (at->given)
 		request->crosshair_mm = at->number;
+	request->band = args_value(self, args, "band")->choice == 1;
 	request->n_speed = speeds->n;
 	request->speeds = speeds->list;
 	return true;

@@ -7,6 +7,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/doubt.h"
 #include "cmd/plots.h"
 #include "core/misfit.h"
 #include "core/predict.h"
@@ -173,6 +174,31 @@ note_prediction(struct chart *chart, struct session *s,
 		: "");
 }
 
+/* The shade of a prediction with the site's own parameters, whose series is the
+ * chart's last. */
+static void
+shade_prediction(
+    struct chart *chart, struct session *s, const struct prediction *p)
+{
+	struct band band;
+	if (!doubt_band(s, session_entry(s), p, &band)) {
+		chart_note(chart, "no band: parameters that are no fit of "
+				  "this site have none");
+		return;
+	}
+	struct chart_series *series = &chart->series[chart->n - 1];
+	chart_add_band(series);
+	for (size_t i = 0; i < series->n; i++) {
+		series->low[i] = units_pct(band.low[i]);
+		series->high[i] = units_pct(band.high[i]);
+	}
+	chart_note(chart,
+	    "shaded: the middle %d %% of what the fits that the data allow "
+	    "predict; P50 %.2f to %.2f mm",
+	    UNCERTAINTY_LEVEL, 1000 * band.p50[0], 1000 * band.p50[1]);
+	band_free(&band);
+}
+
 struct chart *
 plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 {
@@ -203,6 +229,9 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 	put_curves(chart, &c);
 	if (one != NULL)
 		note_prediction(chart, s, one, SERIES_BREAK);
+	const struct params *own = &session_entry(s)->params;
+	if (one != NULL && q->band && memcmp(own, &params, sizeof params) == 0)
+		shade_prediction(chart, s, one);
 	if (two != NULL)
 		note_prediction(chart, s, two, SERIES_OTHER);
 	if (!known)

@@ -4,16 +4,18 @@
 
 #include "cmd/pictures.h"
 
-#define WHAT_OPTIONS                                                   \
-	{"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",               \
-	    "rotor tip speed of psd and selection; the middle one"},   \
-	    {"other", VALUE_NUMBER, "m/s", 1, 200, NULL, "",           \
-		"another speed beside it"},                            \
-	    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "65..85:5", \
-		"tip speeds of sweep"},                                \
-	{                                                              \
-		"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",         \
-		    "psd: a line at this size, and the passings there" \
+#define WHAT_OPTIONS                                                       \
+	{"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                   \
+	    "rotor tip speed of psd and selection; the middle one"},       \
+	    {"other", VALUE_NUMBER, "m/s", 1, 200, NULL, "",               \
+		"another speed beside it"},                                \
+	    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "65..85:5",     \
+		"tip speeds of sweep"},                                    \
+	    {"band", VALUE_CHOICE, "", 0, 0, "off on", "off",              \
+		"psd: shade what other fits that the data allow predict"}, \
+	{                                                                  \
+		"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",             \
+		    "psd: a line at this size, and the passings there"     \
 	}
 
 static const struct command_option PLOT_OPTIONS[] = {WHAT_OPTIONS,

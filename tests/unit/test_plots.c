@@ -152,6 +152,25 @@ a_generation_shows_its_own_best(void **state)
 }
 
 static void
+a_band_holds_the_prediction_of_a_fit(void **state)
+{
+	struct desk *desk = *state;
+	struct plot_request q = plots_request(PLOT_PSD);
+	q.band = true;
+	desk_expect(desk, PARAMS_SET);
+	struct chart *c = chart_of(desk, &q);
+	assert_null(c->series[c->n - 1].low);
+	chart_free(c);
+	desk_expect(desk, SEARCH);
+	c = chart_of(desk, &q);
+	const struct chart_series *s = &c->series[c->n - 1];
+	assert_non_null(s->low);
+	for (size_t i = 0; i < s->n; i++)
+		assert_true(s->low[i] <= s->y[i] && s->y[i] <= s->high[i]);
+	chart_free(c);
+}
+
+static void
 what_is_missing_is_said(void **state)
 {
 	struct desk *desk = *state;
@@ -210,6 +229,9 @@ main(void)
 		desk_close),
 	    cmocka_unit_test_setup_teardown(
 		a_generation_shows_its_own_best, open_with_site, desk_close),
+	    cmocka_unit_test_setup_teardown(
+		a_band_holds_the_prediction_of_a_fit, open_with_site,
+		desk_close),
 	    cmocka_unit_test_setup_teardown(
 		what_is_missing_is_said, open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(
