@@ -224,6 +224,7 @@ main(int argc, char **argv)
 		/* Nor may a script of others touch the user's materials. */
 		bool none = in.safe && in.store == NULL;
 		s->store = store_new(none ? ":memory:" : in.store);
+		s->screen = terminal_screen(terminal_colour(in.color));
 		pump_catch_signals();
 		tui_choose(terminal_colour(in.color), in.linear);
 		if (in.help)

@@ -37,6 +37,8 @@ none "core is free of $word"
 done
 grep -lE 'sqlite3\.h' -r src | grep -v '^src/io/' >"$tmp"
 none "SQLite in io only"
+grep -lE 'cairo' -r src | grep -v '^src/plot/' >"$tmp"
+none "cairo in plot only"
 grep -lE 'readline/' -r src | grep -v '^src/ui/' >"$tmp"
 none "readline in ui only"
 grep -lE 'n?curses\.h' -r src | grep -v '^src/ui/' >"$tmp"

@@ -62,7 +62,8 @@ enum command_flag {
 	COMMAND_FILES = 2,    /* operands are files: refused by --safe */
 	COMMAND_VERBATIM = 4, /* > and | are words like others */
 	COMMAND_UNSAVED = 8,  /* save leaves it out, or it sees to it itself */
-	COMMAND_LATEST = 16   /* of several in a row save keeps the last */
+	COMMAND_LATEST = 16,  /* of several in a row save keeps the last */
+	COMMAND_DRAWS = 32    /* may write into a picture's file */
 };
 
 /* bare: option that a bare word stands for ("predict 74"), or NULL.

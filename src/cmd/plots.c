@@ -1,37 +1,152 @@
-/* Pictures of a session: curves in ASCII.
+/* Plots of a session: what all kinds share, and which function makes each.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/plots.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
 
-static void
-draw_psd(struct canvas *c, const struct psd *psd, char mark, enum series series)
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/fit.h"
+
+struct plot_request
+plots_request(enum plot_kind kind)
 {
-	for (size_t i = 0; i < psd->n; i++) {
-		double at = log(psd->size[i] / 63e-6) / log(22.4 / 0.063);
-		int column = (int)lround(at * (c->columns - 1));
-		int row = (int)lround((1 - psd->passing[i]) * (c->rows - 1));
-		char text[2] = {mark, '\0'};
-		canvas_text(c, column, row, text, series, 0);
+	return (struct plot_request){.kind = kind,
+	    .speed = NAN,
+	    .other_speed = NAN,
+	    .crosshair_mm = NAN,
+	    .charset = CHARSET_ASCII,
+	    .legend = true};
+}
+
+static bool
+is_running(const struct session *s)
+{
+	return s->job.calibration != NULL && s->job.entry == s->current;
+}
+
+struct plots_past
+plots_past(const struct session *s)
+{
+	struct plots_past past = {0};
+	const struct history *h = s->entry[s->current].history;
+	if (is_running(s)) {
+		past.generation =
+		    calibration_history(s->job.calibration, &past.n);
+		past.bounds = &s->job.options.bounds;
+	} else if (h != NULL) {
+		past = (struct plots_past){h->n, h->generation, &h->bounds};
 	}
+	return past;
+}
+
+size_t
+plots_generation(const struct session *s, const struct plot_request *request,
+    const struct plots_past *past, struct error *error)
+{
+	if (past->n == 0) {
+		error_set(error, ERROR_USAGE,
+		    "%s has not been calibrated in this session",
+		    s->entry[s->current].site->name);
+		error_hint(error, "calibrate it first");
+		return past->n;
+	}
+	if (request->generation <= past->n)
+		return request->generation > 0 ? request->generation - 1
+					       : past->n - 1;
+	error_set(error, ERROR_USAGE, "there is no generation %zu, only %zu",
+	    request->generation, past->n);
+	return past->n;
+}
+
+bool
+plots_params(const struct session *s, const struct plot_request *request,
+    struct params *params, struct error *error)
+{
+	const struct entry *entry = &s->entry[s->current];
+	struct plots_past past = plots_past(s);
+	bool search = request->generation > 0 || is_running(s);
+	if (search && past.n > 0) {
+		size_t i = plots_generation(s, request, &past, error);
+		if (i == past.n)
+			return false;
+		*params = request->generation > 0
+			      ? past.generation[i].params
+			      : calibration_status(s->job.calibration).params;
+		return true;
+	}
+	if (!answers_known(s, entry, error))
+		return false;
+	*params = entry->params;
+	return true;
+}
+
+struct chart *
+plots_site_chart(const struct site *site, struct axis x, struct axis y,
+    const char *format, ...)
+{
+	char words[160], *label = session_label(site);
+	va_list ap;
+	va_start(ap, format);
+	vsnprintf(words, sizeof words, format, ap);
+	va_end(ap);
+	const char *from = site->provenance;
+	char *title = xasprintf("%s: %s", label, words);
+	char *about = from[0] == '\0' ? xstrdup("not stated where from")
+				      : xstrndup(from, strcspn(from, ";"));
+	struct chart *c = chart_new(title, about, x, y);
+	free(about);
+	free(title);
+	free(label);
+	return c;
+}
+
+struct chart_series
+plots_look(size_t i)
+{
+	static const char MARKS[] = "v^ox*+@&$%szNHKTUYAEMRW", ASCII[] = "=-~";
+	enum { COLOURS = 3 };
+	return (struct chart_series){
+	    .series = (enum series)(SERIES_MEASURED_1 + i % COLOURS),
+	    .line = CHART_SOLID,
+	    .ascii = ASCII[i % COLOURS],
+	    .mark = MARKS[i % (sizeof MARKS - 1)]};
+}
+
+struct chart *
+plots_chart(
+    struct session *s, const struct plot_request *request, struct error *error)
+{
+	static const struct {
+		plots_maker *make;
+		bool any_site;
+	} KINDS[] = {[PLOT_PSD] = {plots_psd, false},
+	    [PLOT_PARITY] = {plots_parity, false},
+	    [PLOT_CONVERGENCE] = {plots_convergence, false},
+	    [PLOT_SPREAD] = {plots_spread, false},
+	    [PLOT_RESIDUALS] = {plots_residuals, false},
+	    [PLOT_SELECTION] = {plots_selection, false},
+	    [PLOT_APPEARANCE] = {plots_appearance, false},
+	    [PLOT_MAP] = {plots_map, true},
+	    [PLOT_SWEEP] = {plots_sweep, false}};
+	if (!KINDS[request->kind].any_site &&
+	    !session_need_site(s, "this plot", error))
+		return NULL;
+	return KINDS[request->kind].make(s, request, error);
 }
 
 struct canvas *
 plots_draw(struct session *s, const struct plot_request *request, int columns,
     int rows, struct error *error)
 {
-	static const char marks[] = "v^o";
-	if (s->n_entry == 0) {
-		error_set(error, ERROR_USAGE, "no site is loaded");
+	struct chart *chart = plots_chart(s, request, error);
+	if (chart == NULL)
 		return NULL;
-	}
-	const struct site *site = session_entry(s)->site;
-	struct canvas *c = canvas_new(columns, rows);
-	draw_psd(c, &site->run[0].feed, '.', SERIES_FEED);
-	for (size_t r = 0; r < site->n_run; r++)
-		draw_psd(c, &site->run[r].product, marks[r % 3],
-		    (enum series)(SERIES_MEASURED_1 + r % 3));
-	if (request->kind == PLOT_PSD)
-		draw_psd(c, &s->last.product, '#', SERIES_PREDICTED);
-	return c;
+	struct canvas *canvas =
+	    chart_draw(chart, columns, rows, request->charset, request->legend);
+	chart_free(chart);
+	return canvas;
 }

@@ -1,12 +1,13 @@
-/* Pictures of a session: from its site, parameters and history to a canvas.
+/* Plots of a session: which curves each kind has.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_PLOTS_H
 #define TIPSPEED_CMD_PLOTS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "cmd/session.h"
-#include "plot/canvas.h"
+#include "plot/chart.h"
 
 enum plot_kind {
 	PLOT_PSD,
@@ -20,20 +21,76 @@ enum plot_kind {
 	PLOT_SWEEP
 };
 
+/* In the order of the enum, a blank between two. */
+#define PLOT_KINDS                                                      \
+	"psd parity convergence spread residuals selection appearance " \
+	"map sweep"
+
 struct plot_request {
 	enum plot_kind kind;
-	double speed;
-	double other_speed;
-	double crosshair_mm;
-	bool band;
-	size_t generation;
+	double speed;        /* of psd, selection; NAN: the middle of the
+			      * site's speeds */
+	double other_speed;  /* a second prediction beside the first, or NAN */
+	double crosshair_mm; /* psd: a vertical line with values; NAN: none */
+	bool band; /* psd: shade the uncertainty of the prediction, if there is
+		    * one */
+	size_t generation; /* psd, convergence, spread: as of this generation of
+			    * the history (1..n); 0: the last */
 	enum charset charset;
-	bool legend;
+	bool legend;    /* draw legend, notes and foot below */
+	size_t n_speed; /* sweep: speeds [n_speed]; 0: 65 to 85 in fives */
+	const double *speeds;
+	double feed_speed; /* psd: take the feed sampled at this speed; 0: the
+			    * nearest one */
 };
 
-/* NULL with an error that says what is missing.  Exactly columns x rows; the
- * caller frees with canvas_free. */
+/* Of that kind with nothing else asked for: NANs, ASCII, with a legend. */
+struct plot_request plots_request(enum plot_kind kind);
+
+/* The chart, or NULL with an error that says what is missing (no site, no
+ * parameters, no history).  The caller frees with chart_free. */
+struct chart *plots_chart(
+    struct session *s, const struct plot_request *request, struct error *error);
+
+/* The same drawn in exactly columns x rows.  The caller frees with
+ * canvas_free. */
 struct canvas *plots_draw(struct session *s, const struct plot_request *request,
     int columns, int rows, struct error *error);
+
+/* What is known of the search: of the calibration under way, else of the site's
+ * last one.  n is 0 where there is none.  Borrowed. */
+struct plots_past {
+	size_t n;
+	const struct calibrate_generation *generation;
+	const struct bounds *bounds;
+};
+struct plots_past plots_past(const struct session *s);
+
+/* Index of the generation asked for; n with an error where there is none. */
+size_t plots_generation(const struct session *s,
+    const struct plot_request *request, const struct plots_past *past,
+    struct error *error);
+
+/* The parameters to draw with: of the generation asked for, the best so far of
+ * a calibration under way, or the site's. */
+bool plots_params(const struct session *s, const struct plot_request *request,
+    struct params *params, struct error *error);
+
+/* Title "Tierp, Granite, 11.2 mm: ..." and where the site's data are from; it
+ * takes the axes. */
+struct chart *plots_site_chart(const struct site *site, struct axis x,
+    struct axis y, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* The looks that several series of a chart take in turn; the first 23
+ * differ without colour. */
+struct chart_series plots_look(size_t i);
+
+/* The kinds; see plots_chart. */
+typedef struct chart *plots_maker(
+    struct session *, const struct plot_request *, struct error *);
+plots_maker plots_psd, plots_sweep, plots_residuals, plots_parity;
+plots_maker plots_convergence, plots_spread;
+plots_maker plots_selection, plots_appearance, plots_map;
 
 #endif

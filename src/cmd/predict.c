@@ -8,10 +8,10 @@
 #include "base/xalloc.h"
 #include "cmd/doubt.h"
 #include "cmd/fit.h"
+#include "cmd/plots.h"
 #include "core/predict.h"
 #include "core/validate.h"
 #include "io/units.h"
-#include "plot/curve.h"
 
 static const struct value *
 option(const char *command, const struct args *args, const char *name)
@@ -200,38 +200,21 @@ explained(struct session *s, const struct prediction *p,
 	return r;
 }
 
-/* What a curve is drawn from: sizes in mm and passings in per cent. */
-static struct curve
-curve_of(const struct psd *psd, const char *name, char mark)
-{
-	double *size = xdoubles(psd->n), *passing = xdoubles(psd->n);
-	for (size_t i = 0; i < psd->n; i++) {
-		size[i] = 1000 * psd->size[i];
-		passing[i] = 100 * psd->passing[i];
-	}
-	return (struct curve){name, mark, false, psd->n, size, passing};
-}
-
-/* The feed, the measured product where there is one, and the prediction. */
-static void
-print_curves(struct session *s, const struct prediction *p)
+/* The psd plot of the prediction, in plain text wherever it goes. */
+static bool
+print_curves(struct session *s, const struct prediction *p, struct error *error)
 {
 	enum { WIDTH = 78, HEIGHT = 24 };
-	const struct site *site = session_entry(s)->site;
-	size_t run = site_run_at(site, p->speed), n = 0;
-	struct curve curve[3];
-	curve[n++] = curve_of(&p->feed, "feed", '.');
-	curve[n++] = curve_of(&p->product, "predicted", '#');
-	if (run < site->n_run && site->run[run].product.n > 0) {
-		curve[n] = curve_of(&site->run[run].product, "measured", 'o');
-		curve[n++].points = true;
-	}
+	struct plot_request request = plots_request(PLOT_PSD);
+	request.speed = p->speed;
+	request.feed_speed = session_entry(s)->site->run[p->feed_run].speed;
+	struct canvas *canvas = plots_draw(s, &request, WIDTH, HEIGHT, error);
+	if (canvas == NULL)
+		return false;
 	fputc('\n', s->out);
-	curve_print(curve, n, 1000 * p->break_size, WIDTH, HEIGHT, s->out);
-	for (size_t i = 0; i < n; i++) {
-		free(curve[i].size);
-		free(curve[i].passing);
-	}
+	canvas_print(canvas, 0, s->out);
+	canvas_free(canvas);
+	return true;
 }
 
 bool
@@ -262,8 +245,8 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 	session_report(s, r);
 	band_free(&band);
 	bool curve = option("predict", args, "curve")->choice == 1;
-	if (curve && s->format == REPORT_TABLE)
-		print_curves(s, &p);
+	bool ok =
+	    !curve || s->format != REPORT_TABLE || print_curves(s, &p, error);
 	prediction_free(&p);
-	return true;
+	return ok;
 }

@@ -21,6 +21,7 @@ struct redirect {
 	char *text;
 	size_t n;
 	enum report_format form, before;
+	struct screen screen; /* before, too */
 };
 
 /* The form that the end of a file's name asks for. */
@@ -88,6 +89,9 @@ redirect_open(struct session *s, const struct words *words, struct error *error)
 	r->out = s->out;
 	r->before = s->format;
 	r->form = r->to == TO_PIPE ? s->format : form_of(r->target, s->format);
+	r->screen = s->screen;
+	s->screen = (struct screen){0};
+	s->file = r->to == TO_PIPE ? NULL : r->target;
 	s->out = r->memory;
 	s->format = r->form;
 	return r;
@@ -176,6 +180,8 @@ redirect_close(
     struct session *s, struct redirect *r, bool keep, struct error *error)
 {
 	s->out = r->out;
+	s->screen = r->screen;
+	s->file = NULL;
 	/* Unless the command itself was to set it. */
 	if (s->format == r->form)
 		s->format = r->before;

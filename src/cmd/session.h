@@ -85,6 +85,13 @@ struct job {
 	FILE *log;              /* every generation as CSV, or NULL */
 };
 
+/* The terminal that results go to.  columns: 0 where they go elsewhere;
+ * colours: 0 (none), 8, 16 or 256; drawing: it shows more than ASCII. */
+struct screen {
+	int columns, rows, colours;
+	bool drawing;
+};
+
 struct choices;
 struct journal;
 struct script;
@@ -108,6 +115,8 @@ struct session {
 	FILE *notes;        /* what is said beside results; NULL: nothing */
 	void (*tidy)(void); /* clears progress off the line of a note; NULL:
 			       there is none */
+	struct screen screen;
+	const char *file; /* results go there; NULL: no file */
 	double answer[ANSWERS];
 	struct prediction last; /* of predict and find; product.n 0: none */
 	struct job job;

@@ -5,7 +5,7 @@
 #include "base/xalloc.h"
 
 static const struct command *const GROUPS[] = {TABLE_DATA, TABLE_FIT,
-    TABLE_ANSWERS, TABLE_STORE, TABLE_MODEL, TABLE_SESSION};
+    TABLE_ANSWERS, TABLE_PICTURES, TABLE_STORE, TABLE_MODEL, TABLE_SESSION};
 
 const struct command *
 command_next(const struct command *after)

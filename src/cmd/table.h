@@ -7,7 +7,7 @@
 
 /* Each ends with a name of NULL. */
 extern const struct command TABLE_DATA[], TABLE_MODEL[], TABLE_FIT[],
-    TABLE_ANSWERS[], TABLE_STORE[], TABLE_SESSION[];
+    TABLE_ANSWERS[], TABLE_STORE[], TABLE_PICTURES[], TABLE_SESSION[];
 
 #define LAST_OPTION                                      \
 	{                                                \

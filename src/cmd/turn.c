@@ -12,6 +12,7 @@
 #include "cmd/script.h"
 #include "cmd/snapshot.h"
 #include "cmd/undo.h"
+#include "plot/picture.h"
 
 /* Turns nest: a script's commands run within the turn of its source. */
 struct turn {
@@ -74,6 +75,26 @@ check_safe(const struct command *command, const struct args *args,
 	    "operands only");
 }
 
+/* A file for a picture wants one command that draws, and holds one picture. */
+static bool
+can_take(const struct command *command, const struct words *words,
+    struct error *error)
+{
+	enum picture_form form;
+	if (words->to == TO_PIPE || !picture_form_of(words->target, &form))
+		return true;
+	if (!(command->flags & COMMAND_DRAWS)) {
+		error_set(error, ERROR_USAGE, "%s draws nothing for %s",
+		    command->name, words->target);
+		return error_hint(error, "plot KIND > FILE makes a picture");
+	}
+	if (words->to == TO_FILE)
+		return true;
+	error_set(error, ERROR_USAGE, "a picture cannot be added to %s",
+	    words->target);
+	return error_hint(error, "use > in the place of >>");
+}
+
 bool
 turn_begin(struct session *s, const struct command *command,
     const struct args *args, const struct words *words, struct place place,
@@ -94,7 +115,7 @@ turn_begin(struct session *s, const struct command *command,
 	    .started = session_clock(),
 	    .timed = s->timing,
 	    .scripts = script_depth(s)};
-	if (words->to != TO_SCREEN)
+	if (words->to != TO_SCREEN && can_take(command, words, error))
 		t->redirect = redirect_open(s, words, error);
 	if (words->to != TO_SCREEN && t->redirect == NULL) {
 		put_place(t, error);

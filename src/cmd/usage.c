@@ -16,7 +16,8 @@ const struct usage_option USAGE_OPTIONS[] = {
     {USAGE_SEED, "seed", "N", NULL, "seed of calibrations"},
     {USAGE_STORE, "store", "PATH", NULL,
 	"file of remembered calibrations; :memory: leaves no trace"},
-    {USAGE_COLOR, "color", "WHEN", "auto always never", "colour at the prompt"},
+    {USAGE_COLOR, "color", "WHEN", "auto always never",
+	"colour at the prompt and in plots"},
     {USAGE_SAFE, "safe", NULL, NULL, "no command may touch files or the shell"},
     {USAGE_LINEAR, "linear", NULL, NULL,
 	"the prompt in the place of the full screen, for screen readers"},
@@ -33,6 +34,8 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
 	"Not empty: no colour, where neither --color nor TIPSPEED_COLOR says "
 	"otherwise."},
     {"TERM", "Kind of the terminal; dumb has no colour and no pager."},
+    {"COLORTERM", "truecolor or 24bit: plots have 256 colours, whatever TERM "
+		  "says."},
     {"TIPSPEED_PAGER",
 	"Program that shows results taller than the screen; empty: none."},
     {"PAGER", "The same, where TIPSPEED_PAGER is not set."},

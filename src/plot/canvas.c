@@ -1,57 +1,180 @@
-/* A grid of cells.
+/* A grid of cells: text into it, escape sequences out of it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#define _XOPEN_SOURCE 700 /* wcwidth */
 #include "plot/canvas.h"
 
 #include <assert.h>
+#include <stdbool.h>
 #include <stdlib.h>
+#include <wchar.h>
 
 #include "base/xalloc.h"
 
 struct canvas *
 canvas_new(int columns, int rows)
 {
-	struct canvas *canvas = xcalloc(1, sizeof *canvas);
+	assert(columns >= 1 && rows >= 1);
+	struct canvas *c = xcalloc(1, sizeof *c);
 	size_t n = (size_t)columns * (size_t)rows;
-	canvas->columns = columns;
-	canvas->rows = rows;
-	canvas->cell = xcalloc(n, sizeof *canvas->cell);
+	*c = (struct canvas){columns, rows, xcalloc(n, sizeof *c->cell)};
 	for (size_t i = 0; i < n; i++)
-		canvas->cell[i].code = ' ';
-	return canvas;
+		c->cell[i].code = ' ';
+	return c;
 }
 
 void
 canvas_free(struct canvas *canvas)
 {
-	if (canvas == NULL)
-		return;
-	free(canvas->cell);
+	if (canvas != NULL)
+		free(canvas->cell);
 	free(canvas);
 }
 
 struct canvas_cell *
 canvas_at(struct canvas *canvas, int column, int row)
 {
-	assert(column >= 0 && column < canvas->columns && row >= 0 &&
-	       row < canvas->rows);
+	assert(column >= 0 && column < canvas->columns);
+	assert(row >= 0 && row < canvas->rows);
 	return &canvas->cell[row * canvas->columns + column];
+}
+
+/* The code point at *text, which moves behind it; U+FFFD for what is no
+ * UTF-8. */
+static uint32_t
+next_code(const char **text)
+{
+	const unsigned char *p = (const unsigned char *)*text;
+	int more = p[0] < 0x80   ? 0
+		   : p[0] < 0xC2 ? -1
+		   : p[0] < 0xE0 ? 1
+		   : p[0] < 0xF0 ? 2
+		   : p[0] < 0xF5 ? 3
+				 : -1;
+	uint32_t code = more > 0 ? p[0] & (0x3Fu >> more) : p[0];
+	(*text)++;
+	for (int i = 1; i <= more; i++) {
+		if ((p[i] & 0xC0) != 0x80)
+			return 0xFFFD;
+		code = code << 6 | (p[i] & 0x3F);
+		(*text)++;
+	}
+	return more < 0 ? 0xFFFD : code;
+}
+
+/* Columns of a character; 1 where the locale does not know it, 0 for marks
+ * that combine with the one before. */
+static int
+width_of(uint32_t code)
+{
+	int width = code < 0x80 ? 1 : wcwidth((wchar_t)code);
+	return width < 0 ? 1 : width;
 }
 
 void
 canvas_text(struct canvas *canvas, int column, int row, const char *text,
     enum series series, unsigned attribute)
 {
-	for (; *text != '\0' && column < canvas->columns; text++, column++)
-		if (row >= 0 && row < canvas->rows && column >= 0)
-			*canvas_at(canvas, column, row) = (struct canvas_cell){
-			    (unsigned char)*text, (unsigned char)series,
-			    (unsigned char)attribute};
+	if (row < 0 || row >= canvas->rows)
+		return;
+	struct canvas_cell cell = {
+	    .series = (unsigned char)series,
+	    .attribute = (unsigned char)attribute,
+	};
+	while (*text != '\0') {
+		cell.code = next_code(&text);
+		int width = width_of(cell.code);
+		if (cell.code < ' ')
+			cell.code = ' ';
+		if (column + width > canvas->columns)
+			return;
+		if (column >= 0 && width > 0)
+			*canvas_at(canvas, column, row) = cell;
+		cell.code = 0;
+		if (column >= 0 && width == 2)
+			*canvas_at(canvas, column + 1, row) = cell;
+		column += width;
+	}
 }
 
+/* The safe colours of Okabe and Ito as near as each depth has them; no bright
+ * black, which some terminals do not show. */
 int
 canvas_colour(enum series series, int depth)
 {
-	static const int colours[SERIES_COUNT] = {
-	    -1, 3, 6, 4, 5, 2, 1, 3, 5, 7};
-	return depth > 0 ? colours[series] : -1;
+	static const struct {
+		int of8, of16, of256;
+	} COLOURS[SERIES_COUNT] = {
+	    [SERIES_TEXT] = {-1, -1, -1},
+	    [SERIES_FEED] = {3, 3, 178},
+	    [SERIES_MEASURED_1] = {6, 14, 74},
+	    [SERIES_MEASURED_2] = {2, 10, 36},
+	    [SERIES_MEASURED_3] = {4, 12, 33},
+	    [SERIES_PREDICTED] = {1, 9, 202},
+	    [SERIES_OTHER] = {5, 13, 175},
+	    [SERIES_BAND] = {1, 1, 180},
+	    [SERIES_BREAK] = {3, 11, 227},
+	    [SERIES_CROSSHAIR] = {-1, -1, -1},
+	};
+	return depth <= 0    ? -1
+	       : depth < 16  ? COLOURS[series].of8
+	       : depth < 256 ? COLOURS[series].of16
+			     : COLOURS[series].of256;
+}
+
+static void
+print_style(const struct canvas_cell *cell, int depth, FILE *out)
+{
+	int colour = canvas_colour((enum series)cell->series, depth);
+	fputs("\033[0", out);
+	if (cell->attribute & CELL_BOLD)
+		fputs(";1", out);
+	if (cell->attribute & CELL_DIM)
+		fputs(";2", out);
+	if (cell->attribute & CELL_REVERSE)
+		fputs(";7", out);
+	if (colour >= 0 && depth >= 256)
+		fprintf(out, ";38;5;%d", colour);
+	else if (colour >= 0)
+		fprintf(out, ";%d", colour < 8 ? 30 + colour : 90 + colour - 8);
+	fputc('m', out);
+}
+
+static void
+print_code(uint32_t code, FILE *out)
+{
+	static const unsigned LEAD[] = {0, 0xC0, 0xE0, 0xF0};
+	int more = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+	fputc((int)(LEAD[more] | code >> (6 * more)), out);
+	while (more-- > 0)
+		fputc((int)(0x80 | (code >> (6 * more) & 0x3F)), out);
+}
+
+static void
+print_row(const struct canvas_cell *cell, int columns, int depth, FILE *out)
+{
+	struct canvas_cell plain = {.series = SERIES_TEXT}, style = plain;
+	while (columns > 0 && cell[columns - 1].code == ' ' &&
+	       !(cell[columns - 1].attribute & CELL_REVERSE))
+		columns--;
+	for (int i = 0; i < columns; i++) {
+		bool same = cell[i].series == style.series &&
+			    cell[i].attribute == style.attribute;
+		if (depth > 0 && !same && cell[i].code != 0) {
+			print_style(&cell[i], depth, out);
+			style = cell[i];
+		}
+		if (cell[i].code != 0)
+			print_code(cell[i].code, out);
+	}
+	if (style.series != plain.series || style.attribute != plain.attribute)
+		fputs("\033[0m", out);
+	fputc('\n', out);
+}
+
+void
+canvas_print(const struct canvas *canvas, int depth, FILE *out)
+{
+	for (int row = 0; row < canvas->rows; row++)
+		print_row(canvas->cell + row * canvas->columns, canvas->columns,
+		    depth, out);
 }

@@ -24,6 +24,7 @@
 #include "ui/manpage.h"
 #include "ui/pager.h"
 #include "ui/pump.h"
+#include "ui/terminal.h"
 #include "ui/typed.h"
 
 /* readline's callbacks have no argument to pass this by.  before: the lines of
@@ -340,6 +341,7 @@ repl_run(struct session *s, bool colour)
 		char *text = prompt(s, colour);
 		char *typed = read_line(text);
 		free(text);
+		s->screen = terminal_screen(colour);
 		if (typed != NULL) {
 			take_lines(s, typed, &number);
 			free(typed);

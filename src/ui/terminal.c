@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/terminal.h"
 
+#include <langinfo.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,4 +56,30 @@ terminal_size(int *rows, int *columns)
 		     ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0;
 	*rows = known && size.ws_row > 0 ? size.ws_row : 24;
 	*columns = known && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+static int
+colour_depth(const char *term)
+{
+	const char *more = getenv("COLORTERM");
+	bool many = more != NULL && (strcmp(more, "truecolor") == 0 ||
+					strcmp(more, "24bit") == 0);
+	return many || strstr(term, "256color") != NULL ? 256
+	       : strstr(term, "16color") != NULL        ? 16
+							: 8;
+}
+
+/* The Linux console has no braille in its font. */
+struct screen
+terminal_screen(bool colour)
+{
+	struct screen screen = {0};
+	const char *term = getenv("TERM");
+	if (!isatty(STDOUT_FILENO))
+		return screen;
+	terminal_size(&screen.rows, &screen.columns);
+	screen.colours = colour && term != NULL ? colour_depth(term) : 0;
+	screen.drawing = strcmp(nl_langinfo(CODESET), "UTF-8") == 0 &&
+			 !terminal_is_dumb() && strcmp(term, "linux") != 0;
+	return screen;
 }

@@ -5,6 +5,8 @@
 
 #include <stdbool.h>
 
+#include "cmd/session.h"
+
 enum colour { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER };
 
 /* Reads "auto", "always" or "never". */
@@ -22,5 +24,8 @@ bool terminal_is_dumb(void);
 
 /* Of standard error; 24 by 80 where it does not say. */
 void terminal_size(int *rows, int *columns);
+
+/* The terminal that standard output is; all zero where it is none. */
+struct screen terminal_screen(bool colour);
 
 #endif

@@ -1,0 +1,167 @@
+/* Plots of the model itself: selection, appearance, and the materials.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/plots.h"
+#include "core/appearance.h"
+#include "core/energy.h"
+#include "core/selection.h"
+#include "io/units.h"
+
+enum { SAMPLES = 241 };
+
+/* Value i of SAMPLES between low and high, evenly on the log. */
+static double
+sample(double low, double high, size_t i)
+{
+	return low * pow(high / low, (double)i / (SAMPLES - 1));
+}
+
+static void
+add_selection(struct chart *chart, const struct session *s,
+    const struct params *params, double speed, struct chart_series look)
+{
+	char *name = xasprintf("%g m/s", speed);
+	struct chart_series *series = chart_add(chart, name, look, SAMPLES);
+	for (size_t i = 0; i < SAMPLES; i++) {
+		series->x[i] = sample(chart->x.low, chart->x.high, i);
+		double x = series->x[i] / 1000, S;
+		selection(
+		    params, s->settings.k, energy_specific(speed), &x, 1, &S);
+		series->y[i] = 100 * S;
+	}
+	double mm = 1000 * energy_break_size(params, speed);
+	free(name);
+	name = xasprintf("breaks from %.2f mm at %g m/s", mm, speed);
+	chart_add_rule(chart, name,
+	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm);
+	free(name);
+}
+
+struct chart *
+plots_selection(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	const struct site *site = session_entry(s)->site;
+	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
+	struct params params;
+	if (!plots_params(s, q, &params, error))
+		return NULL;
+	const struct psd *feed = &site->run[site_run_nearest(site, speed)].feed;
+	double *size = xdoubles(feed->n);
+	for (size_t i = 0; i < feed->n; i++)
+		size[i] = units_mm(feed->size[i]);
+	struct chart *chart =
+	    plots_site_chart(site, axis_sieves("size, mm", size, feed->n),
+		axis_percent("selected S(x), %"), "selection (Eq 3)");
+	free(size);
+	if (!isnan(q->other_speed))
+		add_selection(chart, s, &params, q->other_speed,
+		    (struct chart_series){.series = SERIES_OTHER,
+			.line = CHART_LONG,
+			.ascii = '%'});
+	add_selection(chart, s, &params, speed,
+	    (struct chart_series){
+		.series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'});
+	return chart;
+}
+
+struct chart *
+plots_appearance(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	struct params params;
+	if (!plots_params(s, q, &params, error))
+		return NULL;
+	if (s->settings.appearance != APPEARANCE_RATIO) {
+		error_set(error, ERROR_USAGE,
+		    "only the appearance of the form ratio can be drawn");
+		error_hint(error, "'show appearance' prints the matrix of any "
+				  "form");
+		return NULL;
+	}
+	struct appearance a = appearance_of(params.beta);
+	struct chart *chart = plots_site_chart(session_entry(s)->site,
+	    axis_log("daughter / parent u, -", 0.001, 1),
+	    axis_percent("finer than u B(u), %"), "appearance (Eq 1)");
+	struct chart_series *series = chart_add(chart, "B(u)",
+	    (struct chart_series){
+		.series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'},
+	    SAMPLES);
+	for (size_t i = 0; i < SAMPLES; i++) {
+		series->x[i] = sample(chart->x.low, chart->x.high, i);
+		series->y[i] = 100 * appearance_passing(&a, series->x[i]);
+	}
+	return chart;
+}
+
+/* Materials of one rock, in a series of their own. */
+static void
+add_rock(struct chart *chart, const struct stored_list *list, const char *rock)
+{
+	struct chart_series look = plots_look(chart->n);
+	look.line = CHART_MARKS;
+	struct chart_series *series = chart_add(
+	    chart, rock[0] != '\0' ? rock : "not stated", look, list->n);
+	series->n = 0;
+	for (size_t i = 0; i < list->n; i++) {
+		if (!text_same(list->item[i].rock, rock))
+			continue;
+		series->x[series->n] = list->item[i].params.f_mat;
+		series->y[series->n++] = list->item[i].params.e0_min;
+	}
+}
+
+/* The first of its rock in the list. */
+static bool
+is_first(const struct stored_list *list, size_t at)
+{
+	for (size_t i = 0; i < at; i++)
+		if (text_same(list->item[i].rock, list->item[at].rock))
+			return false;
+	return true;
+}
+
+static void
+add_own(struct chart *chart, const struct entry *entry)
+{
+	struct chart_series *own = chart_add(chart, entry->site->name,
+	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'}, 1);
+	own->x[0] = entry->params.f_mat;
+	own->y[0] = entry->params.e0_min;
+}
+
+struct chart *
+plots_map(struct session *s, const struct plot_request *q, struct error *error)
+{
+	(void)q;
+	struct stored_list list = {0};
+	if (!store_list_all(s->store, &list, error))
+		return NULL;
+	const struct entry *entry = s->n_entry > 0 ? session_entry(s) : NULL;
+	if (entry != NULL && !entry->has_params)
+		entry = NULL;
+	double f_mat = 0, low = INFINITY, high = 0;
+	for (size_t i = 0; i < list.n + (entry != NULL); i++) {
+		const struct params *p =
+		    i < list.n ? &list.item[i].params : &entry->params;
+		f_mat = fmax(f_mat, p->f_mat);
+		low = fmin(low, p->e0_min);
+		high = fmax(high, p->e0_min);
+	}
+	struct chart *chart = chart_new("materials by rock",
+	    "Table 3 of Grunditz et al. (2021) and the user's own fits",
+	    axis_linear("f_mat, kg/(J m)", 0, f_mat),
+	    axis_linear("E0_min, J m/kg", low, high));
+	for (size_t i = 0; i < list.n; i++)
+		if (is_first(&list, i))
+			add_rock(chart, &list, list.item[i].rock);
+	if (entry != NULL)
+		add_own(chart, entry);
+	stored_list_free(&list);
+	return chart;
+}

@@ -1,0 +1,341 @@
+/* Plots over the sieves: the products at a speed, those of several speeds, and
+ * what is left between measured and predicted.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/doubt.h"
+#include "cmd/plots.h"
+#include "core/misfit.h"
+#include "core/predict.h"
+#include "io/units.h"
+
+/* Curves to be drawn on one axis.  psd is borrowed, or of a prediction that
+ * is kept for it. */
+struct curves {
+	size_t n, n_prediction;
+	struct {
+		const struct psd *psd;
+		char *name;
+		struct chart_series look;
+	} item[16];
+	struct prediction prediction[8];
+};
+
+static const struct chart_series FEED = {
+    .series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'};
+static const struct chart_series PREDICTED = {
+    .series = SERIES_PREDICTED, .line = CHART_DASHED, .ascii = '#'};
+static const struct chart_series OTHER = {
+    .series = SERIES_OTHER, .line = CHART_LONG, .ascii = '%'};
+
+/* Takes the name. */
+static void
+add_curve(struct curves *c, const struct psd *psd, char *name,
+    struct chart_series look)
+{
+	c->item[c->n].psd = psd;
+	c->item[c->n].name = name;
+	c->item[c->n++].look = look;
+}
+
+static const struct prediction *
+add_prediction(struct curves *c, struct session *s, const struct params *params,
+    double speed, size_t feed, struct chart_series look)
+{
+	const struct site *site = session_entry(s)->site;
+	struct prediction *p = &c->prediction[c->n_prediction++];
+	*p = predict(site, params, s->settings, speed, feed);
+	add_curve(c, &p->product, xasprintf("predicted %g m/s", speed), look);
+	return p;
+}
+
+/* The sieves of all curves as an axis. */
+static struct axis
+sieves_of(const struct curves *c)
+{
+	size_t n = 0;
+	double *size = NULL;
+	for (size_t i = 0; i < c->n; i++) {
+		const struct psd *psd = c->item[i].psd;
+		size = xrealloc(size, n + psd->n + 1, sizeof *size);
+		for (size_t j = 0; j < psd->n; j++)
+			size[n++] = units_mm(psd->size[j]);
+	}
+	struct axis axis = axis_sieves("size, mm", size, n);
+	free(size);
+	return axis;
+}
+
+static void
+put_curves(struct chart *chart, const struct curves *c)
+{
+	for (size_t i = 0; i < c->n; i++) {
+		const struct psd *psd = c->item[i].psd;
+		struct chart_series *s =
+		    chart_add(chart, c->item[i].name, c->item[i].look, psd->n);
+		for (size_t j = 0; j < psd->n; j++) {
+			s->x[j] = units_mm(psd->size[j]);
+			s->y[j] = units_pct(psd->passing[j]);
+		}
+	}
+}
+
+static void
+free_curves(struct curves *c)
+{
+	for (size_t i = 0; i < c->n; i++)
+		free(c->item[i].name);
+	for (size_t i = 0; i < c->n_prediction; i++)
+		prediction_free(&c->prediction[i]);
+}
+
+/* Whether the run has a product and is one of the `most` such nearest to the
+ * speed. */
+static bool
+is_near(const struct site *site, size_t run, double speed, size_t most)
+{
+	size_t nearer = 0;
+	double far = fabs(site->run[run].speed - speed);
+	for (size_t i = 0; i < site->n_run; i++) {
+		double d = fabs(site->run[i].speed - speed);
+		nearer += site->run[i].product.n > 0 &&
+			  (d < far || (d == far && i < run));
+	}
+	return site->run[run].product.n > 0 && nearer < most;
+}
+
+static void
+add_measured(
+    struct curves *c, const struct site *site, double speed, size_t most)
+{
+	size_t taken = 0;
+	for (size_t i = 0; i < site->n_run; i++)
+		if (is_near(site, i, speed, most))
+			add_curve(c, &site->run[i].product,
+			    xasprintf("measured %g m/s", site->run[i].speed),
+			    plots_look(taken++));
+}
+
+/* "at 2 mm: feed 16.0, measured 69 m/s 29.0 % passing", and of each curve the
+ * size that half of it passes. */
+static void
+note_crosshair(struct chart *chart, double x)
+{
+	char *at = xasprintf("at %g mm:", x), *half = xstrdup("50 % pass:");
+	for (size_t i = 0; i < chart->n; i++) {
+		const struct chart_series *s = &chart->series[i];
+		const char *comma = i + 1 < chart->n ? "," : "";
+		double y = chart_at(chart, s, x),
+		       p50 = chart_at_y(chart, s, 50);
+		char *more =
+		    isnan(y)
+			? xasprintf("%s %s -%s", at, s->name, comma)
+			: xasprintf("%s %s %.1f %%%s", at, s->name, y, comma);
+		free(at);
+		at = more;
+		more = isnan(p50) ? xasprintf("%s %s -%s", half, s->name, comma)
+				  : xasprintf("%s %s %.2f mm%s", half, s->name,
+					p50, comma);
+		free(half);
+		half = more;
+	}
+	char *name = xasprintf("crosshair at %g mm", x);
+	chart_add_rule(chart, name, SERIES_CROSSHAIR, x);
+	free(name);
+	chart_note(chart, "%s", at);
+	chart_note(chart, "%s", half);
+	free(at);
+	free(half);
+}
+
+static void
+note_prediction(struct chart *chart, struct session *s,
+    const struct prediction *p, enum series rule)
+{
+	const struct entry *entry = session_entry(s);
+	double mm = 1000 * p->break_size;
+	char *name = xasprintf("breaks from %.2f mm at %g m/s", mm, p->speed);
+	chart_add_rule(chart, name, rule, mm);
+	free(name);
+	char p20[32], p50[32], p80[32];
+	const double at[] = {p->p20, p->p50, p->p80};
+	char *const words[] = {p20, p50, p80};
+	for (size_t i = 0; i < ARRAY_LEN(at); i++)
+		snprintf(words[i], sizeof p20,
+		    isnan(at[i]) ? "outside" : "%.2f mm", 1000 * at[i]);
+	chart_note(chart, "predicted %g m/s: P20 %s, P50 %s, P80 %s%s",
+	    p->speed, p20, p50, p80,
+	    predict_extrapolates(entry->site, entry->train, p->speed)
+		? "; extrapolated"
+		: "");
+}
+
+/* The shade of a prediction with the site's own parameters, whose series is the
+ * chart's last. */
+static void
+shade_prediction(
+    struct chart *chart, struct session *s, const struct prediction *p)
+{
+	struct band band;
+	if (!doubt_band(s, session_entry(s), p, &band)) {
+		chart_note(chart, "no band: parameters that are no fit of "
+				  "this site have none");
+		return;
+	}
+	struct chart_series *series = &chart->series[chart->n - 1];
+	chart_add_band(series);
+	for (size_t i = 0; i < series->n; i++) {
+		series->low[i] = units_pct(band.low[i]);
+		series->high[i] = units_pct(band.high[i]);
+	}
+	chart_note(chart,
+	    "shaded: the middle %d %% of what the fits that the data allow "
+	    "predict; P50 %.2f to %.2f mm",
+	    UNCERTAINTY_LEVEL, 1000 * band.p50[0], 1000 * band.p50[1]);
+	band_free(&band);
+}
+
+struct chart *
+plots_psd(struct session *s, const struct plot_request *q, struct error *error)
+{
+	const struct site *site = session_entry(s)->site;
+	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
+	size_t feed =
+	    site_run_nearest(site, q->feed_speed > 0 ? q->feed_speed : speed);
+	struct curves c = {0};
+	struct params params;
+	struct error unknown = {0};
+	/* What was measured is worth a look before there are parameters. */
+	bool known = plots_params(s, q, &params, &unknown);
+	if (!known && (q->generation > 0 || site_products(site) == 0)) {
+		*error = unknown;
+		return NULL;
+	}
+	add_curve(&c, &site->run[feed].feed, xstrdup("feed"), FEED);
+	add_measured(&c, site, speed, 3);
+	const struct prediction *one = NULL, *two = NULL;
+	if (known && !isnan(q->other_speed))
+		two =
+		    add_prediction(&c, s, &params, q->other_speed, feed, OTHER);
+	if (known)
+		one = add_prediction(&c, s, &params, speed, feed, PREDICTED);
+	struct chart *chart =
+	    plots_site_chart(site, sieves_of(&c), axis_percent("passing, %"),
+		known ? "product at %.1f m/s" : "feed and products", speed);
+	put_curves(chart, &c);
+	if (one != NULL)
+		note_prediction(chart, s, one, SERIES_BREAK);
+	const struct params *own = &session_entry(s)->params;
+	if (one != NULL && q->band && memcmp(own, &params, sizeof params) == 0)
+		shade_prediction(chart, s, one);
+	if (two != NULL)
+		note_prediction(chart, s, two, SERIES_OTHER);
+	if (!known)
+		chart_note(chart, "no prediction: %s", unknown.text);
+	if (!isnan(q->crosshair_mm))
+		note_crosshair(chart, q->crosshair_mm);
+	free_curves(&c);
+	return chart;
+}
+
+struct chart *
+plots_sweep(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	static const double USUAL[] = {65, 70, 75, 80, 85};
+	const struct site *site = session_entry(s)->site;
+	size_t n = q->n_speed > 0 ? q->n_speed : ARRAY_LEN(USUAL);
+	const double *speed = q->n_speed > 0 ? q->speeds : USUAL;
+	struct curves c = {0};
+	struct params params;
+	if (!plots_params(s, q, &params, error))
+		return NULL;
+	if (n > ARRAY_LEN(c.prediction)) {
+		error_set(
+		    error, ERROR_USAGE, "%zu speeds are too many to draw", n);
+		error_hint(error, "up to %zu can be told apart",
+		    ARRAY_LEN(c.prediction));
+		return NULL;
+	}
+	size_t feed = site_run_nearest(site, answers_middle(site));
+	add_curve(&c, &site->run[feed].feed, xstrdup("feed"), FEED);
+	for (size_t i = 0; i < n; i++)
+		add_prediction(&c, s, &params, speed[i], feed, plots_look(i));
+	struct chart *chart = plots_site_chart(site, sieves_of(&c),
+	    axis_percent("passing, %"), "products at %zu speeds", n);
+	put_curves(chart, &c);
+	free_curves(&c);
+	return chart;
+}
+
+/* The product of a run and the prediction for it at the sieves that its feed
+ * covers: differences in points. */
+static void
+add_residuals(struct chart *chart, struct session *s, size_t run,
+    const struct params *params, struct chart_series look)
+{
+	const struct entry *entry = session_entry(s);
+	const struct run *r = &entry->site->run[run];
+	size_t n = misfit_covered(&r->feed, &r->product);
+	struct prediction p =
+	    predict(entry->site, params, s->settings, r->speed, run);
+	char *name = xasprintf(
+	    "%g m/s%s", r->speed, entry->train[run] ? "" : " (held out)");
+	struct chart_series *series = chart_add(chart, name, look, n);
+	for (size_t i = 0; i < n; i++) {
+		double predicted = psd_passing(&p.product, r->product.size[i]);
+		series->x[i] = units_mm(r->product.size[i]);
+		series->y[i] = 100 * (predicted - r->product.passing[i]);
+	}
+	free(name);
+	prediction_free(&p);
+}
+
+/* A round axis that holds all y of the chart and 0, with a guide at 0. */
+static struct axis
+around_zero(const struct chart *chart, const char *title)
+{
+	double low = 0, high = 0;
+	for (size_t i = 0; i < chart->n; i++)
+		for (size_t j = 0; j < chart->series[i].n; j++) {
+			low = fmin(low, chart->series[i].y[j]);
+			high = fmax(high, chart->series[i].y[j]);
+		}
+	struct axis axis = axis_linear(title, low, high);
+	for (size_t i = 0; i < axis.n; i++)
+		axis.tick[i].guide = axis.tick[i].at == 0;
+	return axis;
+}
+
+struct chart *
+plots_residuals(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	enum { MOST = 12 };
+	const struct site *site = session_entry(s)->site;
+	struct params params;
+	struct curves c = {0};
+	if (!plots_params(s, q, &params, error))
+		return NULL;
+	if (site_products(site) == 0) {
+		error_set(error, ERROR_USAGE, "%s has no measured product",
+		    site->name);
+		return NULL;
+	}
+	double middle = answers_middle(site);
+	add_measured(&c, site, middle, MOST);
+	struct chart *chart = plots_site_chart(site, sieves_of(&c),
+	    (struct axis){0}, "predicted less measured, sieve by sieve");
+	size_t taken = 0;
+	for (size_t i = 0; i < site->n_run; i++)
+		if (is_near(site, i, middle, MOST))
+			add_residuals(
+			    chart, s, i, &params, plots_look(taken++));
+	chart->y = around_zero(chart, "difference, points");
+	free_curves(&c);
+	return chart;
+}

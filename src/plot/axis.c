@@ -1,0 +1,232 @@
+/* Ticks of axes: sieves, round numbers, decades; labels by rank.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "plot/axis.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+
+/* Same size, but for how it was computed. */
+static bool
+near(double a, double b)
+{
+	return fabs(a - b) <= 1e-6 * fabs(b);
+}
+
+static bool
+is_doubling(double size)
+{
+	static const double SERIES[] = {0.063, 0.125, 0.25, 0.5};
+	for (size_t i = 0; i < ARRAY_LEN(SERIES); i++)
+		if (near(size, SERIES[i]))
+			return true;
+	double power = log2(size);
+	return power >= -1e-6 && fabs(power - round(power)) < 1e-6;
+}
+
+/* 5.6, 11.2, 22.4 and 2.8, 1.4. */
+static bool
+is_between(double size)
+{
+	double power = log2(size / 1.4);
+	return power > -0.5 && fabs(power - round(power)) < 1e-6;
+}
+
+void
+axis_add(struct axis *axis, double at, const char *label, int rank)
+{
+	axis->tick = xrealloc(axis->tick, axis->n + 1, sizeof *axis->tick);
+	struct axis_tick *t = &axis->tick[axis->n++];
+	*t = (struct axis_tick){.at = at, .rank = rank};
+	snprintf(t->label, sizeof t->label, "%s", label);
+}
+
+static void
+add_number(struct axis *axis, double at, int rank)
+{
+	char label[24];
+	snprintf(label, sizeof label, "%g", at);
+	axis_add(axis, at, label, rank);
+}
+
+static int
+compare_ticks(const void *a, const void *b)
+{
+	double x = ((const struct axis_tick *)a)->at;
+	double y = ((const struct axis_tick *)b)->at;
+	return (x > y) - (x < y);
+}
+
+static bool
+has_tick(const struct axis *axis, double at)
+{
+	for (size_t i = 0; i < axis->n; i++)
+		if (near(axis->tick[i].at, at))
+			return true;
+	return false;
+}
+
+struct axis
+axis_sieves(const char *title, const double *size, size_t n)
+{
+	struct axis a = {.title = xstrdup(title), .log = true};
+	for (size_t i = 0; i < n; i++)
+		if (!has_tick(&a, size[i]))
+			add_number(&a, size[i],
+			    is_doubling(size[i])  ? 1
+			    : is_between(size[i]) ? 2
+						  : 3);
+	if (a.n == 0)
+		add_number(&a, 1, 0);
+	qsort(a.tick, a.n, sizeof *a.tick, compare_ticks);
+	a.tick[0].rank = a.tick[a.n - 1].rank = 0;
+	a.low = a.tick[0].at / (a.n > 1 ? 1 : 2);
+	a.high = a.tick[a.n - 1].at * (a.n > 1 ? 1 : 2);
+	return a;
+}
+
+struct axis
+axis_percent(const char *title)
+{
+	static const double TICKS[] = {0, 20, 50, 80, 100};
+	struct axis a = {.title = xstrdup(title), .high = 100};
+	for (size_t i = 0; i < ARRAY_LEN(TICKS); i++) {
+		bool guide = i > 0 && i + 1 < ARRAY_LEN(TICKS);
+		add_number(&a, TICKS[i], guide ? 2 - (i == 2) : 0);
+		a.tick[i].guide = guide;
+	}
+	return a;
+}
+
+/* 1, 2 or 5 times a power of ten that goes into range some four times. */
+static double
+round_step(double range)
+{
+	double power = pow(10, floor(log10(range / 4)));
+	double part = range / 4 / power;
+	return power * (part < 1.5 ? 1 : part < 3.5 ? 2 : part < 7.5 ? 5 : 10);
+}
+
+struct axis
+axis_linear(const char *title, double low, double high)
+{
+	struct axis a = {.title = xstrdup(title)};
+	if (!(high > low)) {
+		low -= low == 0 ? 1 : fabs(low) / 10;
+		high += high == 0 ? 1 : fabs(high) / 10;
+	}
+	double step = round_step(high - low);
+	a.low = floor(low / step + 1e-9) * step;
+	a.high = ceil(high / step - 1e-9) * step;
+	long n = lround((a.high - a.low) / step);
+	for (long i = 0; i <= n; i++) {
+		double at = a.low + (double)i * step;
+		add_number(&a, fabs(at) < step / 1000 ? 0 : at,
+		    i == 0 || i == n ? 0 : 1);
+	}
+	return a;
+}
+
+/* Step i of ..., 1, 2, 5, 10, 20, ...; step 0 is 1. */
+static double
+step_at(int i)
+{
+	static const double STEPS[] = {1, 2, 5};
+	int decade = (int)floor(i / 3.0);
+	return STEPS[i - 3 * decade] * pow(10, decade);
+}
+
+struct axis
+axis_log(const char *title, double low, double high)
+{
+	struct axis a = {.title = xstrdup(title), .log = true};
+	int first = 3 * (int)floor(log10(low));
+	while (step_at(first + 1) <= low * (1 + 1e-9))
+		first++;
+	int last = first + 1;
+	while (step_at(last) < high * (1 - 1e-9))
+		last++;
+	for (int i = first; i <= last; i++)
+		add_number(&a, step_at(i),
+		    i == first || i == last ? 0
+		    : i % 3 == 0            ? 1
+					    : 2);
+	a.low = a.tick[0].at;
+	a.high = a.tick[a.n - 1].at;
+	return a;
+}
+
+void
+axis_free(struct axis *axis)
+{
+	free(axis->title);
+	free(axis->tick);
+}
+
+double
+axis_share(const struct axis *axis, double value)
+{
+	double low = axis->log ? log(axis->low) : axis->low;
+	double high = axis->log ? log(axis->high) : axis->high;
+	if (axis->log && !(value > 0))
+		return 0;
+	double t = ((axis->log ? log(value) : value) - low) / (high - low);
+	return fmin(fmax(t, 0), 1);
+}
+
+/* A row's cells from `from` on, with a blank around them, are free. */
+static bool
+has_room(const char *taken, int columns, int from, int length)
+{
+	for (int i = from - 1; i <= from + length; i++)
+		if (i >= 0 && i < columns && taken[i])
+			return false;
+	return true;
+}
+
+static bool
+place_label(const struct axis_tick *tick, double share, int columns, int rows,
+    char *taken, int *column, int *row)
+{
+	int length = (int)strlen(tick->label);
+	int middle = (int)lround(share * (columns - 1));
+	int from = middle - length / 2;
+	if (from + length > columns)
+		from = columns - length;
+	if (from < 0)
+		from = 0;
+	for (int r = 0; r < rows && length <= columns; r++) {
+		char *cells = taken + (size_t)r * (size_t)columns;
+		if (!has_room(cells, columns, from, length))
+			continue;
+		memset(cells + from, 1, (size_t)length);
+		*column = from;
+		*row = r;
+		return true;
+	}
+	*row = AXIS_DROPPED;
+	return false;
+}
+
+int
+axis_place(
+    const struct axis *axis, int columns, int rows, int *column, int *row)
+{
+	enum { RANKS = 4 };
+	int used = 0;
+	char *taken = xcalloc((size_t)columns, (size_t)rows + 1);
+	for (int rank = 0; rank < RANKS; rank++)
+		for (size_t i = 0; i < axis->n; i++) {
+			const struct axis_tick *t = &axis->tick[i];
+			if (t->rank == rank &&
+			    place_label(t, axis_share(axis, t->at), columns,
+				rows, taken, &column[i], &row[i]) &&
+			    row[i] + 1 > used)
+				used = row[i] + 1;
+		}
+	free(taken);
+	return used;
+}

@@ -1,0 +1,60 @@
+/* Axes: where the ticks stand and which of their labels are shown.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_PLOT_AXIS_H
+#define TIPSPEED_PLOT_AXIS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* rank: labels of rank 0 are placed first.  guide: a faint line across the
+ * plot where there is room. */
+struct axis_tick {
+	double at;
+	char label[24];
+	int rank;
+	bool guide;
+};
+
+/* From low to high; log: distances are those of the logarithm.  title: with
+ * the unit, "size, mm". */
+struct axis {
+	char *title;
+	bool log;
+	double low, high;
+	size_t n;
+	struct axis_tick *tick;
+};
+
+/* A tick at every sieve of size [n], mm, in any order, repeated ones allowed;
+ * its label is the number as given.  Ranks: the ends, then the doubling series
+ * (0.063, 0.125 .. 16), then 5.6, 11.2 and the like, then any other.  At least
+ * two sizes that differ are wanted; less is made a range around the one. */
+struct axis axis_sieves(const char *title, const double *size, size_t n);
+
+/* 0 to 100 %, with guides at 20, 50 and 80: where P20, P50, P80 are read. */
+struct axis axis_percent(const char *title);
+
+/* Round numbers that cover low to high, which may be equal. */
+struct axis axis_linear(const char *title, double low, double high);
+
+/* The same in 1-2-5 steps of a log axis; low > 0. */
+struct axis axis_log(const char *title, double low, double high);
+
+/* One tick, beside those there are. */
+void axis_add(struct axis *axis, double at, const char *label, int rank);
+
+void axis_free(struct axis *axis);
+
+/* Where a value stands, 0 at low and 1 at high; never beyond. */
+double axis_share(const struct axis *axis, double value);
+
+enum { AXIS_DROPPED = -1 };
+
+/* Lays the labels of an axis across `columns`, the tick of share 0 in the first
+ * and that of share 1 in the last: by rank, centred, a blank between two, in
+ * up to `rows` rows.  column, row [axis->n] out: where each label begins, row
+ * AXIS_DROPPED of those without room.  Returns how many rows are used. */
+int axis_place(
+    const struct axis *axis, int columns, int rows, int *column, int *row);
+
+#endif

@@ -1,0 +1,156 @@
+/* Charts as data: made, asked, freed.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "plot/chart.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+
+struct chart *
+chart_new(const char *title, const char *about, struct axis x, struct axis y)
+{
+	struct chart *c = xcalloc(1, sizeof *c);
+	c->title = xstrdup(title);
+	c->about = xstrdup(about);
+	c->x = x;
+	c->y = y;
+	return c;
+}
+
+void
+chart_free(struct chart *chart)
+{
+	if (chart == NULL)
+		return;
+	for (size_t i = 0; i < chart->n; i++) {
+		struct chart_series *s = &chart->series[i];
+		free(s->name);
+		free(s->x);
+		free(s->y);
+		free(s->low);
+		free(s->high);
+	}
+	for (size_t i = 0; i < chart->n_rule; i++)
+		free(chart->rule[i].name);
+	for (size_t i = 0; i < chart->n_note; i++)
+		free(chart->note[i]);
+	axis_free(&chart->x);
+	axis_free(&chart->y);
+	free(chart->series);
+	free(chart->rule);
+	free(chart->note);
+	free(chart->title);
+	free(chart->about);
+	free(chart);
+}
+
+struct chart_series *
+chart_add(
+    struct chart *chart, const char *name, struct chart_series look, size_t n)
+{
+	chart->series =
+	    xrealloc(chart->series, chart->n + 1, sizeof *chart->series);
+	struct chart_series *s = &chart->series[chart->n++];
+	*s = look;
+	s->name = xstrdup(name);
+	s->n = n;
+	s->x = xdoubles(n);
+	s->y = xdoubles(n);
+	s->low = s->high = NULL;
+	return s;
+}
+
+void
+chart_add_band(struct chart_series *series)
+{
+	series->low = xdoubles(series->n);
+	series->high = xdoubles(series->n);
+}
+
+void
+chart_add_rule(
+    struct chart *chart, const char *name, enum series series, double x)
+{
+	if (!(x >= chart->x.low && x <= chart->x.high))
+		return;
+	chart->rule =
+	    xrealloc(chart->rule, chart->n_rule + 1, sizeof *chart->rule);
+	chart->rule[chart->n_rule++] =
+	    (struct chart_rule){x, series, xstrdup(name)};
+}
+
+void
+chart_note(struct chart *chart, const char *format, ...)
+{
+	char text[400];
+	va_list ap;
+	va_start(ap, format);
+	vsnprintf(text, sizeof text, format, ap);
+	va_end(ap);
+	chart->note =
+	    xrealloc(chart->note, chart->n_note + 1, sizeof *chart->note);
+	chart->note[chart->n_note++] = xstrdup(text);
+}
+
+/* b at the place of `at` between a0 and a1, a straight or by its logarithm. */
+static double
+between(bool by_log, const double *a, const double *b, double at)
+{
+	if (a[0] == a[1])
+		return b[0];
+	double t = by_log ? log(at / a[0]) / log(a[1] / a[0])
+			  : (at - a[0]) / (a[1] - a[0]);
+	return b[0] + t * (b[1] - b[0]);
+}
+
+/* True when `at` lies between two neighbours, with a rounding of grace. */
+static bool
+holds(const double *a, double at)
+{
+	double grace = 1e-9 * fabs(at);
+	return at >= fmin(a[0], a[1]) - grace && at <= fmax(a[0], a[1]) + grace;
+}
+
+double
+chart_at(const struct chart *chart, const struct chart_series *series, double x)
+{
+	for (size_t i = 0; i + 1 < series->n; i++)
+		if (holds(series->x + i, x))
+			return between(
+			    chart->x.log, series->x + i, series->y + i, x);
+	return NAN;
+}
+
+double
+chart_at_y(
+    const struct chart *chart, const struct chart_series *series, double y)
+{
+	for (size_t i = 0; i + 1 < series->n; i++) {
+		if (!holds(series->y + i, y))
+			continue;
+		double x[2] = {series->x[i], series->x[i + 1]};
+		bool by_log = chart->x.log;
+		if (by_log) {
+			x[0] = log(x[0]);
+			x[1] = log(x[1]);
+		}
+		double at = between(chart->y.log, series->y + i, x, y);
+		return by_log ? exp(at) : at;
+	}
+	return NAN;
+}
+
+void
+chart_dash(enum chart_line line, int *on, int *off)
+{
+	static const int DASHES[][2] = {[CHART_MARKS] = {0, 1},
+	    [CHART_SOLID] = {1, 0},
+	    [CHART_DASHED] = {4, 3},
+	    [CHART_LONG] = {9, 3},
+	    [CHART_DOTTED] = {1, 2}};
+	*on = DASHES[line][0];
+	*off = DASHES[line][1];
+}

@@ -1,0 +1,95 @@
+/* Charts: what is drawn, as plain data, apart from where it is drawn.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_PLOT_CHART_H
+#define TIPSPEED_PLOT_CHART_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "plot/axis.h"
+#include "plot/canvas.h"
+
+/* Dashes are counted along the path, so that a steep part looks like a flat
+ * one. */
+enum chart_line {
+	CHART_MARKS, /* no line */
+	CHART_SOLID,
+	CHART_DASHED,
+	CHART_LONG, /* long dashes */
+	CHART_DOTTED
+};
+
+/* One curve or set of points.  x, y [n] in the axes' units; a NAN in y lifts
+ * the pen.  low, high [n]: a shade behind all lines, or both NULL. ascii: what
+ * a line is drawn with where there are only ASCII characters; mark: an ASCII
+ * character at each point, 0: none. */
+struct chart_series {
+	char *name;
+	enum series series;
+	enum chart_line line;
+	char ascii, mark;
+	size_t n;
+	double *x, *y, *low, *high;
+};
+
+/* A line across the plot from its foot to its top, at x. */
+struct chart_rule {
+	double x;
+	enum series series;
+	char *name;
+};
+
+/* Later series lie on top.  about: where the data are from, shown at the foot
+ * behind "data: "; note: lines below the legend. */
+struct chart {
+	char *title, *about;
+	struct axis x, y;
+	size_t n, n_rule, n_note;
+	struct chart_series *series;
+	struct chart_rule *rule;
+	char **note;
+};
+
+/* The chart takes the axes; the words are copied. */
+struct chart *chart_new(
+    const char *title, const char *about, struct axis x, struct axis y);
+void chart_free(struct chart *chart);
+
+/* A series of n points at zero, to be filled in. `look` is what tells it from
+ * others without colour: its line, its ascii, its mark; its data are ignored.
+ * Borrowed until the next. */
+struct chart_series *chart_add(
+    struct chart *chart, const char *name, struct chart_series look, size_t n);
+
+/* Arrays low and high for a series, for its shade. */
+void chart_add_band(struct chart_series *series);
+
+/* Nothing is added where x lies outside the axis. */
+void chart_add_rule(
+    struct chart *chart, const char *name, enum series series, double x);
+
+void chart_note(struct chart *chart, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* y at x, straight between the points as the axes have it; NAN outside the
+ * points.  at_y: x at y of points whose y never turns. */
+double chart_at(
+    const struct chart *chart, const struct chart_series *series, double x);
+double chart_at_y(
+    const struct chart *chart, const struct chart_series *series, double y);
+
+/* The chart in exactly columns x rows cells, whatever they are.  Where room is
+ * short its parts go in this order: title of the y axis, notes and legend,
+ * second row of labels, foot, title, labels, axis.  legend: whether to draw
+ * legend, notes and foot at all.  The caller frees. */
+struct canvas *chart_draw(const struct chart *chart, int columns, int rows,
+    enum charset charset, bool legend);
+
+/* How many dots of a line's path are drawn, then left out, and so on; off is 0
+ * of a solid line. */
+void chart_dash(enum chart_line line, int *on, int *off);
+
+/* One entry of the legend, "-v- measured 69"; the caller frees. */
+char *chart_legend(const struct chart_series *series, enum charset charset);
+
+#endif

@@ -1,0 +1,126 @@
+/* A pen that writes PNG and PDF through cairo.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <cairo-pdf.h>
+#include <cairo.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "plot/pen.h"
+
+/* Dots of a PNG to a point: 300 to the inch, as journals ask for. */
+#define PNG_SCALE (300.0 / 72)
+
+struct picture {
+	struct pen pen;
+	cairo_surface_t *surface;
+	cairo_t *cairo;
+	bool pdf;
+	FILE *out;
+};
+
+static cairo_status_t
+put_bytes(void *out, const unsigned char *bytes, unsigned n)
+{
+	return fwrite(bytes, 1, n, out) == n ? CAIRO_STATUS_SUCCESS
+					     : CAIRO_STATUS_WRITE_ERROR;
+}
+
+static void
+set_colour(cairo_t *c, unsigned rgb, double opacity)
+{
+	cairo_set_source_rgba(c, (rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0,
+	    (rgb & 255) / 255.0, opacity);
+}
+
+static void
+cairo_pen_path(struct pen *pen, const double *x, const double *y, size_t n,
+    const struct pen_stroke *stroke)
+{
+	cairo_t *c = ((struct picture *)pen)->cairo;
+	unsigned colour = pen_colour(stroke->series);
+	int on, off;
+	chart_dash(stroke->line, &on, &off);
+	double dash[2] = {on, off};
+	cairo_new_path(c);
+	for (size_t i = 0; i < n; i++)
+		cairo_line_to(c, x[i], y[i]);
+	if (stroke->fill != PEN_OPEN) {
+		cairo_close_path(c);
+		set_colour(c, stroke->fill == PEN_WHITE ? 0xFFFFFF : colour,
+		    stroke->fill == PEN_TINT ? 0.2 : 1);
+		cairo_fill_preserve(c);
+	}
+	set_colour(c, colour, 1);
+	cairo_set_dash(c, dash, off > 0 ? 2 : 0, 0);
+	cairo_set_line_width(c, stroke->width);
+	if (stroke->width > 0)
+		cairo_stroke(c);
+}
+
+static void
+cairo_pen_text(struct pen *pen, double x, double y, const char *text,
+    const struct pen_style *style)
+{
+	cairo_t *c = ((struct picture *)pen)->cairo;
+	cairo_text_extents_t size;
+	cairo_select_font_face(c, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+	    style->bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+	cairo_set_font_size(c, style->size);
+	cairo_text_extents(c, text, &size);
+	set_colour(c, pen_colour(style->series), 1);
+	cairo_save(c);
+	cairo_translate(c, x, y);
+	if (style->upward)
+		cairo_rotate(c, -acos(0));
+	cairo_move_to(c, -size.x_advance * style->anchor / 2, 0);
+	cairo_show_text(c, text);
+	cairo_restore(c);
+}
+
+static bool
+cairo_pen_close(struct pen *pen)
+{
+	struct picture *p = (struct picture *)pen;
+	cairo_status_t written = CAIRO_STATUS_SUCCESS;
+	bool ok = cairo_status(p->cairo) == CAIRO_STATUS_SUCCESS;
+	if (p->pdf)
+		cairo_surface_finish(p->surface);
+	else
+		written = cairo_surface_write_to_png_stream(
+		    p->surface, put_bytes, p->out);
+	ok = ok && written == CAIRO_STATUS_SUCCESS &&
+	     cairo_surface_status(p->surface) == CAIRO_STATUS_SUCCESS;
+	cairo_destroy(p->cairo);
+	cairo_surface_destroy(p->surface);
+	free(p);
+	return ok;
+}
+
+struct pen *
+pen_cairo(double width, double height, const char *title, const char *about,
+    bool pdf, FILE *out)
+{
+	struct picture *p = xcalloc(1, sizeof *p);
+	p->pen = (struct pen){cairo_pen_path, cairo_pen_text, cairo_pen_close};
+	p->pdf = pdf;
+	p->out = out;
+	if (pdf) {
+		p->surface = cairo_pdf_surface_create_for_stream(
+		    put_bytes, out, width, height);
+		cairo_pdf_surface_set_metadata(
+		    p->surface, CAIRO_PDF_METADATA_TITLE, title);
+		cairo_pdf_surface_set_metadata(
+		    p->surface, CAIRO_PDF_METADATA_SUBJECT, about);
+	} else {
+		p->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24,
+		    (int)ceil(width * PNG_SCALE),
+		    (int)ceil(height * PNG_SCALE));
+	}
+	p->cairo = cairo_create(p->surface);
+	if (!pdf)
+		cairo_scale(p->cairo, PNG_SCALE, PNG_SCALE);
+	cairo_set_source_rgb(p->cairo, 1, 1, 1);
+	cairo_paint(p->cairo);
+	return &p->pen;
+}

@@ -1,0 +1,22 @@
+/* Charts as pictures for papers: SVG, PNG, PDF.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_PLOT_PICTURE_H
+#define TIPSPEED_PLOT_PICTURE_H
+
+#include <stdio.h>
+
+#include "plot/chart.h"
+
+enum picture_form { PICTURE_SVG, PICTURE_PNG, PICTURE_PDF };
+
+/* The form that the end of a file's name asks for (".svg"); false where it asks
+ * for none. */
+bool picture_form_of(const char *path, enum picture_form *form);
+
+/* Writes the chart with axes, legend, notes and, at the foot, where the data
+ * are from and what drew it (program: "tipspeed 0.1.0").  Ticks, marks and
+ * dashes are those of chart_draw.  False when it cannot be drawn or written. */
+bool picture_write(const struct chart *chart, enum picture_form form,
+    const char *program, FILE *out);
+
+#endif

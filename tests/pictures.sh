@@ -1,0 +1,71 @@
+#!/bin/sh
+# Plots written to files: each is of its kind and says where its data are from.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "${srcdir:-.}/tests/tap.sh"
+scratch
+cd "$dir" || exit 99
+# Under sanitizers: fontconfig keeps what it found to the end of the program.
+echo leak:libfontconfig >leaks
+LSAN_OPTIONS=suppressions=$dir/leaks:print_suppressions=0
+export LSAN_OPTIONS
+kinds='psd parity convergence spread residuals selection appearance map sweep'
+for kind in $kinds; do
+	for form in svg png pdf txt csv; do
+		echo "plot $kind > $kind.$form"
+	done
+done >all.tip
+"$TIPSPEED" data/sites/tierp.csv \
+	-c 'calibrate population=50 generations=26 polish=off > fit.txt' \
+	-f all.tip >out.txt 2>err.txt
+result $? "every kind is written in every form"
+
+wrong=
+for kind in $kinds; do
+	if command -v xmllint >/dev/null; then
+		xmllint --noout "$kind.svg" || wrong="$wrong $kind"
+	else
+		[ "$(grep -c '^<svg\|^</svg>' "$kind.svg")" = 2 ] ||
+			wrong="$wrong $kind"
+	fi
+	grep -q '>data: .*drawn by tipspeed [0-9]' "$kind.svg" ||
+		wrong="$wrong $kind"
+done
+result ${#wrong} "SVG is well formed and names its data and program:$wrong"
+
+wrong=
+for kind in $kinds; do
+	[ "$(head -c 4 "$kind.png" | tail -c 3)" = PNG ] || wrong="$wrong $kind"
+	[ "$(head -c 5 "$kind.pdf")" = %PDF- ] || wrong="$wrong $kind"
+	[ "$(wc -c <"$kind.png")" -gt 20000 ] || wrong="$wrong $kind"
+done
+result ${#wrong} "PNG and PDF are such:$wrong"
+
+grep -q 'reconstructed from Table 3, not measured' psd.svg &&
+	grep -q 'passing, %' psd.svg && grep -q 'size, mm' psd.svg
+result $? "psd: provenance, axes with units"
+wrong=
+for sieve in 0.063 0.125 0.25 0.5 1 2 4 5.6 8 11.2 16 22.4; do
+	grep -q ">$sieve</text>" psd.svg || wrong="$wrong $sieve"
+done
+result ${#wrong} "psd: every sieve has its label:$wrong"
+! grep -l "$(printf '\033')" ./*.txt >/dev/null
+result $? "no escape in a text file, whatever the terminal"
+
+TERM=xterm-256color "$TIPSPEED" --color=always data/sites/tierp.csv \
+	-c 'plot psd' 2>err.txt | grep -q "$(printf '\033')"
+[ $? = 1 ]
+result $? "nor in a pipe"
+
+sed 's/Tierp/<\&Tierp/' data/sites/tierp.csv >odd.csv
+"$TIPSPEED" odd.csv -c 'plot psd > odd.svg' 2>err.txt &&
+	grep -q '&lt;&amp;Tierp' odd.svg
+result $? "a name of marks does no harm to SVG"
+
+echo kept >kept.svg
+"$TIPSPEED" data/sites/tierp.csv -c 'predict > kept.svg' 2>err.txt
+[ $? = 2 ] && grep -q 'draws nothing' err.txt && grep -q kept kept.svg
+result $? "a table does not go into a picture's file"
+"$TIPSPEED" data/sites/tierp.csv -c 'plot psd >> kept.svg' 2>err.txt
+[ $? = 2 ] && grep -q 'cannot be added' err.txt && grep -q kept kept.svg
+result $? "a picture is not added to another"
+finish

@@ -1,0 +1,295 @@
+/* Charts on a canvas: exact size, ticks, lines that stay inside and differ.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "plot/chart.h"
+
+static const double SIEVES[] = {
+    22.4, 16, 11.2, 8, 5.6, 4, 2, 1, 0.5, 0.25, 0.125, 0.063};
+static const double PASSING[] = {100, 99, 97, 92, 83, 66, 34, 18, 9, 5, 2, 1};
+enum { N = sizeof SIEVES / sizeof SIEVES[0] };
+
+static const enum charset CHARSETS[] = {
+    CHARSET_ASCII, CHARSET_QUADRANTS, CHARSET_BRAILLE};
+
+static struct chart *
+empty(void)
+{
+	return chart_new("title", "made up", axis_sieves("size, mm", SIEVES, N),
+	    axis_percent("passing, %"));
+}
+
+/* One curve of the sheet. */
+static struct chart *
+with(struct chart_series look)
+{
+	struct chart *chart = empty();
+	struct chart_series *s = chart_add(chart, "curve", look, N);
+	memcpy(s->x, SIEVES, sizeof SIEVES);
+	memcpy(s->y, PASSING, sizeof PASSING);
+	return chart;
+}
+
+static const struct chart_series SOLID = {.series = SERIES_MEASURED_1,
+    .line = CHART_SOLID,
+    .ascii = '=',
+    .mark = 'v'};
+
+static void
+any_size_is_exact_and_safe(void **state)
+{
+	(void)state;
+	static const int sizes[][2] = {{20, 5}, {300, 100}, {1, 1}, {2, 3},
+	    {40, 12}, {80, 24}, {7, 40}, {300, 3}, {11, 6}};
+	struct chart *chart = with(SOLID);
+	chart_add_band(&chart->series[0]);
+	chart_add_rule(chart, "break", SERIES_BREAK, 5);
+	chart_note(chart, "a note of some words that are wrapped");
+	for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
+		for (size_t c = 0; c < 6; c++) {
+			struct canvas *canvas = chart_draw(chart, sizes[i][0],
+			    sizes[i][1], CHARSETS[c % 3], c < 3);
+			assert_int_equal(canvas->columns, sizes[i][0]);
+			assert_int_equal(canvas->rows, sizes[i][1]);
+			canvas_free(canvas);
+		}
+	chart_free(chart);
+}
+
+/* Cells of a series whose character is `code`, or any for 0. */
+static int
+count(struct canvas *canvas, enum series series, uint32_t code)
+{
+	int n = 0;
+	for (int i = 0; i < canvas->columns * canvas->rows; i++)
+		n += canvas->cell[i].series == series &&
+		     canvas->cell[i].code != ' ' &&
+		     (code == 0 || canvas->cell[i].code == code);
+	return n;
+}
+
+/* The row with the most '+', which is the x axis; its ticks by column. */
+static int
+axis_row(struct canvas *canvas)
+{
+	int row = 0, most = 0;
+	for (int r = 0; r < canvas->rows; r++) {
+		int n = 0;
+		for (int c = 0; c < canvas->columns; c++)
+			n += canvas_at(canvas, c, r)->code == '+';
+		if (n > most) {
+			most = n;
+			row = r;
+		}
+	}
+	return row;
+}
+
+static void
+every_sieve_has_a_tick_where_it_belongs(void **state)
+{
+	(void)state;
+	struct chart *chart = with(SOLID);
+	for (int columns = 60; columns <= 120; columns += 20) {
+		struct canvas *c =
+		    chart_draw(chart, columns, 24, CHARSET_ASCII, true);
+		int row = axis_row(c), left = 4;
+		for (size_t i = 0; i < N; i++) {
+			double t = log(SIEVES[i] / 0.063) / log(22.4 / 0.063);
+			int at = left + (int)lround(t * (columns - left - 1));
+			assert_int_equal(canvas_at(c, at, row)->code, '+');
+		}
+		canvas_free(c);
+	}
+	chart_free(chart);
+}
+
+static void
+labels_go_by_rank_and_into_a_second_row(void **state)
+{
+	(void)state;
+	struct axis a = axis_sieves("size, mm", SIEVES, N);
+	int column[N], row[N];
+	assert_int_equal(axis_place(&a, 200, 2, column, row), 1);
+	for (size_t i = 0; i < a.n; i++)
+		assert_int_equal(row[i], 0);
+	assert_int_equal(axis_place(&a, 36, 2, column, row), 2);
+	assert_int_equal(row[0], 0);
+	assert_int_equal(row[N - 1], 0);
+	for (size_t i = 0; i < a.n; i++)
+		if (row[i] != AXIS_DROPPED)
+			assert_in_range(column[i] + 36 * row[i], 36 * row[i],
+			    36 * row[i] + 36 - (int)strlen(a.tick[i].label));
+	/* 5.6 and 11.2 give way to 4 and 8. */
+	assert_string_equal(a.tick[7].label, "5.6");
+	assert_string_equal(a.tick[8].label, "8");
+	assert_true(row[8] == 0 && row[7] == 1);
+	axis_free(&a);
+}
+
+static void
+round_axes_cover_what_they_are_asked(void **state)
+{
+	(void)state;
+	static const double ends[][2] = {
+	    {0, 1}, {-0.9, 0.8}, {1, 400}, {3, 3}, {0, 0}, {14.8, 29.2}};
+	for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+		struct axis a = axis_linear("x", ends[i][0], ends[i][1]);
+		assert_true(a.low <= ends[i][0] && a.high >= ends[i][1]);
+		assert_in_range(a.n, 2, 9);
+		axis_free(&a);
+		double low = 0.01 + fabs(ends[i][0]);
+		double high = low + fabs(ends[i][1]);
+		a = axis_log("x", low, high);
+		assert_true(a.low <= low && a.high >= high * (1 - 1e-9));
+		assert_true(a.n >= 2 && a.low < a.high);
+		axis_free(&a);
+	}
+}
+
+/* A line that rises to the right: seen from the left, no cell of a column lies
+ * wholly below all cells of the column before. */
+static void
+a_rising_curve_rises_in_every_charset(void **state)
+{
+	(void)state;
+	struct chart_series look = SOLID;
+	look.mark = 0;
+	struct chart *chart = with(look);
+	for (size_t k = 0; k < 3; k++) {
+		struct canvas *c =
+		    chart_draw(chart, 78, 24, CHARSETS[k], false);
+		int before = c->rows, seen = 0;
+		for (int x = 0; x < c->columns; x++) {
+			int top = c->rows;
+			for (int y = c->rows - 1; y >= 0; y--)
+				if (canvas_at(c, x, y)->series == look.series)
+					top = y;
+			if (top == c->rows)
+				continue;
+			assert_true(top <= before);
+			before = top;
+			seen++;
+		}
+		assert_true(seen >= 73);
+		canvas_free(c);
+	}
+	chart_free(chart);
+}
+
+static void
+points_outside_stay_off_the_axes(void **state)
+{
+	(void)state;
+	struct chart *chart = with(SOLID);
+	chart->series[0].y[0] = 1e9;
+	chart->series[0].y[N - 1] = -1e9;
+	chart->series[0].y[5] = NAN;
+	struct canvas *c = chart_draw(chart, 78, 24, CHARSET_ASCII, false);
+	int row = axis_row(c);
+	for (int x = 0; x < c->columns; x++)
+		for (int y = row; y < c->rows; y++)
+			assert_int_equal(
+			    canvas_at(c, x, y)->series, SERIES_TEXT);
+	canvas_free(c);
+	chart_free(chart);
+}
+
+/* Dots of a line in braille. */
+static int
+ink(enum chart_line line)
+{
+	int n = 0;
+	struct chart *chart =
+	    with((struct chart_series){.series = SERIES_OTHER, .line = line});
+	struct canvas *c = chart_draw(chart, 200, 60, CHARSET_BRAILLE, false);
+	for (int i = 0; i < c->columns * c->rows; i++)
+		if (c->cell[i].series == SERIES_OTHER)
+			n += __builtin_popcount(c->cell[i].code & 0xFF);
+	canvas_free(c);
+	chart_free(chart);
+	return n;
+}
+
+static void
+line_styles_differ_without_colour(void **state)
+{
+	(void)state;
+	assert_true(ink(CHART_SOLID) > ink(CHART_LONG) * 5 / 4);
+	assert_true(ink(CHART_LONG) > ink(CHART_DASHED) * 5 / 4);
+	assert_true(ink(CHART_DASHED) > ink(CHART_DOTTED) * 5 / 4);
+	assert_true(ink(CHART_DOTTED) > 100);
+	assert_int_equal(ink(CHART_MARKS), 0);
+}
+
+static void
+a_mark_stands_at_every_point(void **state)
+{
+	(void)state;
+	struct chart *chart = with(SOLID);
+	for (size_t k = 0; k < 3; k++) {
+		struct canvas *c =
+		    chart_draw(chart, 100, 30, CHARSETS[k], false);
+		assert_int_equal(count(c, SERIES_MEASURED_1, 'v'), N);
+		canvas_free(c);
+	}
+	chart_free(chart);
+}
+
+static void
+a_band_lies_behind_its_line(void **state)
+{
+	(void)state;
+	struct chart *chart = with(SOLID);
+	struct chart_series *s = &chart->series[0];
+	chart_add_band(s);
+	for (size_t i = 0; i < N; i++) {
+		s->low[i] = fmax(0, s->y[i] - 10);
+		s->high[i] = fmin(100, s->y[i] + 10);
+	}
+	struct canvas *c = chart_draw(chart, 78, 24, CHARSET_BRAILLE, false);
+	assert_true(count(c, SERIES_BAND, 0x2591) > 78);
+	assert_true(count(c, SERIES_MEASURED_1, 0) >= 70);
+	canvas_free(c);
+	chart_free(chart);
+}
+
+static void
+values_are_read_off_straight_on_the_log(void **state)
+{
+	(void)state;
+	struct chart *chart = with(SOLID);
+	const struct chart_series *s = &chart->series[0];
+	assert_true(fabs(chart_at(chart, s, sqrt(2 * 4)) - 50) < 1e-9);
+	assert_true(fabs(chart_at_y(chart, s, 50) - sqrt(2 * 4)) < 1e-9);
+	assert_true(fabs(chart_at(chart, s, 22.4) - 100) < 1e-9);
+	assert_true(isnan(chart_at(chart, s, 30)));
+	assert_true(isnan(chart_at_y(chart, s, 0.5)));
+	chart_free(chart);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(any_size_is_exact_and_safe),
+	    cmocka_unit_test(every_sieve_has_a_tick_where_it_belongs),
+	    cmocka_unit_test(labels_go_by_rank_and_into_a_second_row),
+	    cmocka_unit_test(round_axes_cover_what_they_are_asked),
+	    cmocka_unit_test(a_rising_curve_rises_in_every_charset),
+	    cmocka_unit_test(points_outside_stay_off_the_axes),
+	    cmocka_unit_test(line_styles_differ_without_colour),
+	    cmocka_unit_test(a_mark_stands_at_every_point),
+	    cmocka_unit_test(a_band_lies_behind_its_line),
+	    cmocka_unit_test(values_are_read_off_straight_on_the_log),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
