@@ -3,6 +3,7 @@
 #include "ui/tui.h"
 
 #include <math.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -171,6 +172,21 @@ take_keys(struct tui *t)
 	}
 }
 
+/* A terminal that was closed under the program without a hang-up: reading it
+ * would go round for ever. */
+static void
+notice_end(void)
+{
+	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
+	if (poll(&in, 1, 0) <= 0 || !(in.revents & (POLLHUP | POLLERR)))
+		return;
+	/* pselect lets no signal in while there is something to read. */
+	sigset_t held;
+	raise(SIGHUP);
+	sigprocmask(SIG_SETMASK, &let_in, &held);
+	sigprocmask(SIG_SETMASK, &held, NULL);
+}
+
 static void
 loop(struct tui *t)
 {
@@ -178,6 +194,7 @@ loop(struct tui *t)
 		conduct_predict(t);
 		pane_draw(t);
 		wait_for_something(t);
+		notice_end();
 		if (stopping)
 			stop_here();
 		if (resized)
