@@ -237,5 +237,6 @@ main(void)
 	    cmocka_unit_test_setup_teardown(
 		odd_sheets_are_drawn, open_with_site, desk_close),
 	};
+	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
