@@ -17,10 +17,7 @@ enum { KINDS = PLOT_SWEEP + 1 };
 static int
 open_with_site(void **state)
 {
-	const char *srcdir = getenv("srcdir");
 	desk_open(state);
-	if (srcdir != NULL)
-		assert_int_equal(chdir(srcdir), 0);
 	desk_expect(*state, "load data/sites/tierp.csv");
 	return 0;
 }
