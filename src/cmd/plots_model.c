@@ -88,13 +88,13 @@ plots_appearance(
 	struct chart *chart = plots_site_chart(session_entry(s)->site,
 	    axis_log("daughter / parent u, -", 0.001, 1),
 	    axis_percent("finer than u B(u), %"), "appearance (Eq 1)");
-	struct chart_series *series = chart_add(chart, "B(u)",
+	struct chart_series *curve = chart_add(chart, "B(u)",
 	    (struct chart_series){
 		.series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'},
 	    SAMPLES);
 	for (size_t i = 0; i < SAMPLES; i++) {
-		series->x[i] = sample(chart->x.low, chart->x.high, i);
-		series->y[i] = 100 * appearance_passing(&a, series->x[i]);
+		curve->x[i] = sample(chart->x.low, chart->x.high, i);
+		curve->y[i] = 100 * appearance_passing(&a, curve->x[i]);
 	}
 	return chart;
 }

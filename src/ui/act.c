@@ -190,7 +190,10 @@ static void
 pin(struct tui *t)
 {
 	bool same = t->pin.site[0] != '\0';
-	t->pin = same ? (struct numbers){0} : t->now;
+	if (same)
+		memset(&t->pin, 0, sizeof t->pin);
+	else
+		t->pin = t->now;
 	if (same)
 		tui_say(t, false, "no longer kept");
 	else if (t->pin.site[0] == '\0')
