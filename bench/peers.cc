@@ -334,7 +334,7 @@ exact_search(const struct site *site, unsigned seeds)
 			struct params p = params_of(f.x.data());
 			best = std::min(best, f.misfit);
 			e.polished = std::min(e.polished,
-			    polish_run(polish, &bounds, 1000, 0, &p).misfit);
+			    polish_run(polish, &bounds, 1000, NULL, &p).misfit);
 		}
 		e.peer.push_back(best);
 	}

@@ -266,10 +266,10 @@ polish_one(void *data, size_t i, unsigned thread)
 	(void)thread;
 	struct calibration *c = data;
 	struct worker *w = &c->worker[i];
-	bool hopping = c->done >= c->n_start;
-	double rival = hopping && !is_noisy(c) ? c->best_misfit : 0;
-	w->result = polish_run(
-	    w->polish, &c->options.bounds, POLISH_STEPS, rival, &w->p);
+	struct polish_rival best = {
+	    c->best_misfit, is_noisy(c) ? HOPE_IN_NOISE : HOPE};
+	w->result = polish_run(w->polish, &c->options.bounds, POLISH_STEPS,
+	    c->done >= c->n_start ? &best : NULL, &w->p);
 }
 
 /* Polishes the next starts, or hops from the best, a batch at a time: always

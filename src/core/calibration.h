@@ -17,7 +17,12 @@ enum {
 	POLISH_STEPS = 300,
 	HOPS = 64,           /* fruitless ones in a row that end the polish, */
 	HOPS_IN_NOISE = 256, /* and where there is little but noise */
-	EARLIEST = 25,       /* generations before the stop rules apply */
+	/* Where the misfit falls ever slower, as it does on the E0_min, alpha,
+	 * f_mat ridge, the rest of a hop's way is some few times its last gain;
+	 * in noise it is more. */
+	HOPE = 16,
+	HOPE_IN_NOISE = 200,
+	EARLIEST = 25, /* generations before the stop rules apply */
 	USE_HOP = 1 << 20
 };
 

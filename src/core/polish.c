@@ -145,21 +145,21 @@ accept(struct polish *s)
 }
 
 /* Every PATIENCE evaluations: whether so far above the rival's misfit more of
- * such gains are of no use.  Where the misfit falls ever slower, as it does on
- * the E0_min, alpha, f_mat ridge, the rest of the way is some few times the
- * last gain. */
+ * such gains are of no use. */
 enum { PATIENCE = 8 };
 static bool
-is_hopeless(double before, double now, double rival)
+is_hopeless(double before, double now, const struct polish_rival *rival)
 {
-	double above = now - rival;
-	return rival > 0 &&
-	       (above < 1e-9 * rival || 16 * (before - now) < above);
+	if (rival == NULL)
+		return false;
+	double above = now - rival->misfit;
+	return above < 1e-9 * rival->misfit ||
+	       rival->hope * (before - now) < above;
 }
 
 struct polish_result
 polish_run(struct polish *s, const struct bounds *bounds, int max_steps,
-    double rival, struct params *p)
+    const struct polish_rival *rival, struct params *p)
 {
 	const double least_damping = 1e-14, most_damping = 1e12;
 	double damping = 1e-2, grow = 2;

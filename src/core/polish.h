@@ -20,9 +20,15 @@ struct polish_result {
 	bool converged;  /* no step lowers it by more than 1e-13 of itself */
 };
 
+/* What a polish has to be better than, or it is of no use. */
+struct polish_rival {
+	double misfit;
+	double hope; /* as many times its last gain it may still gain */
+};
+
 /* Lowers the misfit from *p within the bounds, at most max_steps steps;
- * *p moves to the best found and never gets worse.  Gives up where it comes to
- * rest above the misfit `rival`, or within 1e-9 of it; 0 for no rival.
+ * *p moves to the best found and never gets worse.  Gives up where it would
+ * come to rest above the rival, or is within 1e-9 of it; NULL for no rival.
  *
  * Bounded least squares by Levenberg and Marquardt: parameters whose bound
  * stands in the way of descent are held, the rest take the damped Gauss-Newton
@@ -30,6 +36,7 @@ struct polish_result {
  * J. J. (1978), The Levenberg-Marquardt algorithm, in Numerical Analysis, LNM
  * 630; Kanzow, Yamashita, Fukushima (2004), J. Comput. Appl. Math. 172. */
 struct polish_result polish_run(struct polish *polish,
-    const struct bounds *bounds, int max_steps, double rival, struct params *p);
+    const struct bounds *bounds, int max_steps,
+    const struct polish_rival *rival, struct params *p);
 
 #endif

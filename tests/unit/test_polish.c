@@ -36,7 +36,7 @@ polish_goes_to_the_bottom_of_an_exact_valley(void **state)
 		struct bounds bounds = bounds_default();
 		double before = misfit_at(m, &p);
 		struct polish_result r =
-		    polish_run(polish, &bounds, 300, 0, &p);
+		    polish_run(polish, &bounds, 300, NULL, &p);
 		if (!(r.misfit < 1e-20))
 			fail_msg("row %zu: misfit %g after %d", row, r.misfit,
 			    r.evaluations);
@@ -72,7 +72,7 @@ polish_is_never_worse_and_keeps_to_the_bounds(void **state)
 		p.e0_min = fmin(p.e0_min, 25);
 		b.lower[held] = b.upper[held] = params_get(&p, held);
 		double before = misfit_at(m, &p);
-		struct polish_result r = polish_run(polish, &b, 30, 0, &p);
+		struct polish_result r = polish_run(polish, &b, 30, NULL, &p);
 		assert_true(r.misfit <= before);
 		expect_near(
 		    "misfit", r.misfit, misfit_at(m, &p), 1e-12 * before);
@@ -100,16 +100,16 @@ polish_leaves_a_bound_that_does_not_hold_it(void **state)
 	struct bounds b = bounds_default();
 	p.alpha = b.upper[PARAM_ALPHA];
 	p.e0_min = 19;
-	struct polish_result r = polish_run(polish, &b, 300, 0, &p);
+	struct polish_result r = polish_run(polish, &b, 300, NULL, &p);
 	assert_true(r.misfit < 1e-20);
 	expect_near("alpha", p.alpha, truth.alpha, 1e-7);
 	p.alpha = b.lower[PARAM_ALPHA] = 0.92;
-	r = polish_run(polish, &b, 300, 0, &p);
+	r = polish_run(polish, &b, 300, NULL, &p);
 	expect_near("alpha", p.alpha, truth.alpha, 1e-7);
 	b.lower[PARAM_ALPHA] = 0;
 	b.upper[PARAM_ALPHA] = 0.9; /* now the truth is out of reach */
 	p.alpha = 0.85;
-	r = polish_run(polish, &b, 300, 0, &p);
+	r = polish_run(polish, &b, 300, NULL, &p);
 	assert_true(r.misfit > 1e-12 && p.alpha == 0.9);
 	polish_free(polish);
 	misfit_free(m);
