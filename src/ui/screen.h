@@ -9,12 +9,29 @@
 #include "ui/places.h"
 
 /* How a piece of text looks: bits. */
-enum { LOOK_PLAIN = 0, LOOK_BOLD = 1, LOOK_DIM = 2, LOOK_REVERSE = 4 };
+enum {
+	LOOK_PLAIN = 0,
+	LOOK_BOLD = CELL_BOLD,
+	LOOK_DIM = CELL_DIM,
+	LOOK_REVERSE = CELL_REVERSE
+};
 
 /* Takes the terminal over.  False where it has no such abilities or ncurses
  * does not know it; then nothing is changed. */
 bool screen_open(bool colour);
 void screen_close(void);
+
+/* Draws aside of any terminal, with all characters there are, on frames of
+ * that size, until screen_back: that gives the terminal back, where there is
+ * one, and returns the last frame, which the caller frees, or NULL without one.
+ * The two may be nested. */
+struct display;
+struct display *screen_aside(
+    int rows, int columns, enum charset charset, int depth);
+struct canvas *screen_back(struct display *was);
+
+/* Of the last frame. */
+void screen_size(int *rows, int *columns);
 
 /* What lines are drawn with here. */
 enum charset screen_charset(void);
