@@ -164,7 +164,7 @@ hold(struct tui *t, const struct key *key)
 	const struct session *s = t->session;
 	if (session_busy(s)) {
 		t->held = !t->held;
-		t->due = session_clock();
+		t->due = t->clock;
 		tui_say(
 		    t, false, t->held ? "paused: Space goes on" : "going on");
 	} else if (s->job.calibration != NULL) {
@@ -178,7 +178,7 @@ static void
 set_pace(struct tui *t, int by)
 {
 	t->pace = moved(t->pace, by, PACE_COUNT);
-	t->due = session_clock();
+	t->due = t->clock;
 	if (t->pace == PACE_FULL)
 		tui_say(t, false, "pace: as fast as it can");
 	else
