@@ -140,11 +140,8 @@ print_chart(struct session *s, const struct args *args,
 }
 
 static bool
-write_picture(struct session *s, const struct chart *chart,
-    enum picture_form form, struct error *error)
+cannot_draw(const struct session *s, struct error *error)
 {
-	if (picture_write(chart, form, "tipspeed " PACKAGE_VERSION, s->out))
-		return true;
 	return error_set(
 	    error, ERROR_SYSTEM, "the picture %s cannot be drawn", s->file);
 }
@@ -195,6 +192,32 @@ screen_report(const struct canvas *canvas)
 	return r;
 }
 
+static bool
+write_screen(struct session *s, const struct canvas *canvas, int colours,
+    enum picture_form form, struct error *error)
+{
+	const struct entry *entry =
+	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
+	char *label = entry != NULL ? session_label(entry->site)
+				    : xstrdup("no site loaded");
+	char *title =
+	    s->last.product.n > 0
+		? xasprintf("tipspeed, the full screen: %s at %.1f m/s", label,
+		      s->last.speed)
+		: xasprintf("tipspeed, the full screen: %s", label);
+	const char *from = entry != NULL ? entry->site->provenance : "";
+	char *about =
+	    xasprintf("A text screen of %d columns and %d rows.%s%.*s",
+		canvas->columns, canvas->rows, from[0] ? " Data: " : "",
+		(int)strcspn(from, ";"), from);
+	bool ok = picture_cells(canvas, colours, form, title, about, s->out) ||
+		  cannot_draw(s, error);
+	free(about);
+	free(title);
+	free(label);
+	return ok;
+}
+
 bool
 cmd_screen(struct session *s, const struct args *args, struct error *error)
 {
@@ -207,12 +230,15 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 	struct canvas *canvas = s->draw_screen(s, &r, error);
 	if (canvas == NULL)
 		return false;
-	if (s->format == REPORT_TABLE)
+	bool ok = true;
+	if (picture)
+		ok = write_screen(s, canvas, r.colours, form, error);
+	else if (s->format == REPORT_TABLE)
 		canvas_print(canvas, r.colours, s->out);
 	else
 		session_report(s, screen_report(canvas));
 	canvas_free(canvas);
-	return true;
+	return ok;
 }
 
 bool
@@ -233,7 +259,9 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 	enum picture_form form;
 	bool ok = true;
 	if (s->file != NULL && picture_form_of(s->file, &form))
-		ok = write_picture(s, chart, form, error);
+		ok = picture_write(
+			 chart, form, "tipspeed " PACKAGE_VERSION, s->out) ||
+		     cannot_draw(s, error);
 	else if (s->format == REPORT_TABLE)
 		print_chart(s, args, chart, charset);
 	else
