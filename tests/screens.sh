@@ -20,6 +20,23 @@ compare() {
 	[ $same -eq 0 ] || { remark difference; echo "# make renew-screens"; }
 }
 
+# Names of digits alone are those of tests/tui.sh, from a real terminal.
+mkdir screens
+"$TIPSPEED" -f "$srcdir/tests/screens.tip" >out 2>log
+good=$?
+remark log >all
+[ $good -eq 0 ] || cat all
+result $good "every screen is drawn"
+[ "${RENEW:-}" != 1 ] || rm -f "$srcdir"/tests/screens/[a-z]*
+for screen in screens/*; do
+	name=${screen#screens/}
+	compare "screen $name" "$srcdir/tests/screens/$name" "$screen"
+done
+for golden in "$srcdir"/tests/screens/[a-z]*; do
+	[ -e "screens/${golden##*/}" ] && continue
+	result 1 "screen ${golden##*/} is drawn by tests/screens.tip"
+done
+
 cat >readme.tip <<'END'
 load data/sites/tierp.csv
 calibrate

@@ -298,7 +298,10 @@ act(struct tui *t, const struct key *key)
 	case ACT_LIST:
 		if (t->page == PAGE_SITES)
 			t->focus = FOCUS_SITE;
-		if (t->focus != FOCUS_SPEED)
+		if (t->page == PAGE_DATA && tui_entry(t) != NULL)
+			t->data_top = (size_t)moved((int)t->data_top,
+			    key->amount, tui_entry(t)->site->run[0].feed.n);
+		else if (t->focus != FOCUS_SPEED)
 			move_focus(t, key->amount);
 		break;
 	case ACT_RUN:

@@ -12,6 +12,7 @@
 #include "cmd/fit.h"
 #include "cmd/script.h"
 #include "ui/pump.h"
+#include "ui/screen.h"
 #include "ui/typed.h"
 #include "ui/view.h"
 
@@ -49,10 +50,14 @@ conduct_end(struct tui *t)
 	t->said_text = NULL;
 }
 
-/* Forgets what was said before. */
+/* Forgets what was said before; what is said next is for this screen, which
+ * has no use for escapes. */
 static void
 hush(struct tui *t)
 {
+	struct screen screen = {.drawing = screen_charset() != CHARSET_ASCII};
+	screen_size(&screen.rows, &screen.columns);
+	t->session->screen = screen;
 	rewind(t->said);
 	fflush(t->said);
 }

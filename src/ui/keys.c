@@ -68,7 +68,8 @@ const struct key KEYS[] = {
     {'+', "+", ON_ALL, ACT_PACE, 1, NULL, "calibrate faster"},
     {'=', NULL, ON_ALL, ACT_PACE, 1, NULL, NULL},
     {'-', "-", ON_ALL, ACT_PACE, -1, NULL, "calibrate slower"},
-    {'d', "d", ON_ALL, ACT_RUN, 0, "describe", "the same in words"},
+    {'d', "d", ON_ALL, ACT_RUN, 0, "describe psd speed=%s",
+	"the curves in words"},
     {'e', "e", ON_ALL, ACT_TYPE, 0, "predict speed=%s > ",
 	"export: give a file name"},
     {':', ":", ON_ALL, ACT_TYPE, 0, "",
@@ -205,7 +206,8 @@ keys_manual(FILE *out)
 		    only_on(k));
 		if (k->command != NULL && k->command[0] != '\0' &&
 		    k->act == ACT_RUN)
-			fprintf(out, "Runs\n.Ic %s .\n", k->command);
+			fprintf(out, "Runs\n.Ic %.*s .\n",
+			    (int)strcspn(k->command, " "), k->command);
 	}
 	fputs(".It digits, Enter\nType a speed.\n.El\n", out);
 }

@@ -243,6 +243,23 @@ screen_text(const struct area *area, int row, int column, unsigned look,
 	return screen_series(area, row, column, SERIES_TEXT, look, text);
 }
 
+int
+screen_words(const struct area *area, int row, unsigned look, const char *text)
+{
+	char *wrapped = NULL, *save = NULL;
+	size_t n = 0;
+	FILE *memory = open_memstream(&wrapped, &n);
+	if (memory == NULL)
+		return row;
+	text_wrap(text, 0, area->columns, memory);
+	fclose(memory);
+	for (char *line = strtok_r(wrapped, "\n", &save); line != NULL;
+	     line = strtok_r(NULL, "\n", &save))
+		screen_series(area, row++, 0, SERIES_TEXT, look, line);
+	free(wrapped);
+	return row;
+}
+
 void
 screen_rule(const struct area *area)
 {

@@ -61,6 +61,11 @@ int screen_text(const struct area *area, int row, int column, unsigned look,
 int screen_series(const struct area *area, int row, int column,
     enum series series, unsigned look, const char *text);
 
+/* Text in as many rows of the area as it takes, broken at blanks.  Returns the
+ * row behind it. */
+int screen_words(
+    const struct area *area, int row, unsigned look, const char *text);
+
 /* A line along the row, or along the column, of the area. */
 void screen_rule(const struct area *area);
 void screen_wall(int row, int column, int rows);

@@ -229,7 +229,7 @@ tui_begin(struct tui *t, struct session *s)
 	    .pace = PACE,
 	    .picture = PLOT_PSD,
 	    .holdout = NAN,
-	    .before = {s->out, s->notes, s->show_page, s->prompt}};
+	    .before = {s->out, s->notes, s->show_page, s->prompt, s->screen}};
 	s->prompt = true;
 	s->show_page = NULL;
 	conduct_begin(t);
@@ -246,6 +246,7 @@ tui_end(struct tui *t)
 	s->notes = t->before.notes;
 	s->show_page = t->before.show_page;
 	s->prompt = t->before.prompt;
+	s->screen = t->before.screen;
 	conduct_keep(t);
 	conduct_end(t);
 	typing_end(&t->typing);

@@ -55,6 +55,7 @@ struct tui {
 	struct area scrubber; /* of no rows where it is not drawn */
 	size_t cross_at;      /* a sieve of the prediction */
 	size_t site_at;       /* of the Sites page */
+	size_t data_top;      /* first sieve shown on the Data page */
 	enum plot_kind picture;
 	bool held;         /* the calibration waits */
 	int pace;          /* index of PACES */
@@ -77,6 +78,7 @@ struct tui {
 		FILE *out, *notes;
 		bool (*show_page)(const char *page);
 		bool prompt;
+		struct screen screen;
 	} before;
 };
 
