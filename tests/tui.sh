@@ -125,6 +125,10 @@ keys Enter
 want ': set k 1\.' "a typed command"
 keys : 'sh' Tab 'prod' Tab Enter
 want 'product at each speed\|product' "completion, and what it prints"
+keys q : 'plot psd' Enter
+want 'data: reconstructed'
+! grep -q '\[0' screen
+result $? "without escapes, on a terminal with colours"
 keys q
 keys : 'predict 99999' Enter
 want '^! ' "an error is told"

@@ -142,8 +142,9 @@ print_chart(struct session *s, const struct args *args,
 static bool
 cannot_draw(const struct session *s, struct error *error)
 {
-	return error_set(
+	error_set(
 	    error, ERROR_SYSTEM, "the picture %s cannot be drawn", s->file);
+	return error_hint(error, "try a smaller one, or .svg");
 }
 
 static struct screen_request
