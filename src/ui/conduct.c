@@ -368,7 +368,7 @@ conduct_pump(struct tui *t)
 		return;
 	do
 		session_step(s);
-	while (session_busy(s) && t->pace == PACE_FULL &&
+	while (session_busy(s) && t->pace == PACE_FULL && pump_signal() == 0 &&
 	       (t->aside || session_clock() - began < FRAME));
 	if (t->pace < PACE_FULL)
 		t->due = t->clock + 1 / PACES[t->pace];
