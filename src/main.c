@@ -19,6 +19,7 @@
 #include "ui/pump.h"
 #include "ui/repl.h"
 #include "ui/rescue.h"
+#include "ui/shot.h"
 #include "ui/terminal.h"
 #include "ui/tui.h"
 
@@ -225,6 +226,7 @@ main(int argc, char **argv)
 		bool none = in.safe && in.store == NULL;
 		s->store = store_new(none ? ":memory:" : in.store);
 		s->screen = terminal_screen(terminal_colour(in.color));
+		s->draw_screen = shot_draw;
 		pump_catch_signals();
 		tui_choose(terminal_colour(in.color), in.linear);
 		if (in.help)

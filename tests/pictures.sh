@@ -56,6 +56,22 @@ TERM=xterm-256color "$TIPSPEED" --color=always data/sites/tierp.csv \
 [ $? = 1 ]
 result $? "nor in a pipe"
 
+"$TIPSPEED" data/sites/tierp.csv -c calibrate -c 'screen > screen.svg' \
+	-c 'screen > screen.png' -c 'screen > screen.pdf' \
+	-c 'screen > screen.txt' >out.txt 2>err.txt
+result $? "the full screen is written in every form"
+if command -v xmllint >/dev/null; then
+	xmllint --noout screen.svg
+	result $? "its SVG is well formed"
+fi
+grep -q '<title>tipspeed, .*Tierp, Granite, 11.2 mm at 74.0 m/s<' screen.svg &&
+	grep -q '<desc>.*Data: reconstructed from Table 3, not' screen.svg &&
+	grep -q '>\[74.0\]<' screen.svg && grep -q '\[74.0\]' screen.txt
+result $? "says what it shows, and has its words"
+[ "$(head -c 4 screen.png | tail -c 3)" = PNG ] &&
+	[ "$(head -c 5 screen.pdf)" = %PDF- ]
+result $? "PNG and PDF of it are such"
+
 sed 's/Tierp/<\&Tierp/' data/sites/tierp.csv >odd.csv
 "$TIPSPEED" odd.csv -c 'plot psd > odd.svg' 2>err.txt &&
 	grep -q '&lt;&amp;Tierp' odd.svg

@@ -72,6 +72,12 @@ start 80 24
 want '\[74\.0\]' "it opens at the speed held out"
 same 80x24
 before=$(p50)
+keys : 'screen > shot' Enter
+want ': screen > shot'
+diff "$golden/80x24" shot >difference
+good=$?
+remark difference
+result $good "screen writes what the terminal shows"
 keys Right
 want '\[74\.1\]' "an arrow moves the speed by 0.1"
 keys Right Right Right Right
@@ -119,6 +125,10 @@ keys Enter
 want ': set k 1\.' "a typed command"
 keys : 'sh' Tab 'prod' Tab Enter
 want 'product at each speed\|product' "completion, and what it prints"
+keys q : 'plot psd' Enter
+want 'data: reconstructed'
+! grep -q '\[0' screen
+result $? "without escapes, on a terminal with colours"
 keys q
 keys : 'predict 99999' Enter
 want '^! ' "an error is told"
@@ -138,6 +148,10 @@ keys - - f
 want 'CALIBRATING' "it can be watched"
 keys Right
 want '\[74\.1\]' "the speed moves while it runs"
+keys : 'screen > shot' Enter
+want ': screen > shot'
+grep -q CALIBRATING shot && grep -q CALIBRATING screen
+result $? "a picture does not stop it"
 keys Space
 want 'PAUSED' "pause"
 keys Space + + + + + + + +

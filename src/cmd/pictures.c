@@ -140,13 +140,106 @@ print_chart(struct session *s, const struct args *args,
 }
 
 static bool
-write_picture(struct session *s, const struct chart *chart,
+cannot_draw(const struct session *s, struct error *error)
+{
+	error_set(
+	    error, ERROR_SYSTEM, "the picture %s cannot be drawn", s->file);
+	return error_hint(error, "try a smaller one, or .svg");
+}
+
+static struct screen_request
+screen_request(const struct session *s, const struct args *args, bool picture)
+{
+	static const int DEPTHS[] = {0, 256, 16, 8, 0};
+	const struct command *self = command_find("screen");
+	const struct value *page = args_value(self, args, "page");
+	const struct value *keys = args_value(self, args, "keys");
+	size_t charset = args_value(self, args, "charset")->choice;
+	size_t colours = args_value(self, args, "colours")->choice;
+	bool drawing = picture || s->screen.drawing;
+	return (struct screen_request){
+	    .columns = (int)args_value(self, args, "width")->number,
+	    .rows = (int)args_value(self, args, "height")->number,
+	    .page = page->given ? (int)page->choice + 1 : 0,
+	    .keys = keys->given ? keys->text : "",
+	    .charset_asked = charset > 0,
+	    .charset = charset > 0 ? (enum charset)(charset - 1)
+		       : drawing   ? CHARSET_BRAILLE
+				   : CHARSET_ASCII,
+	    .colours_asked = colours > 0,
+	    .colours = colours > 0 ? DEPTHS[colours]
+		       : picture   ? 256
+				   : s->screen.colours};
+}
+
+/* The rows of a screen, for who reads them by a program. */
+static struct report *
+screen_report(const struct canvas *canvas)
+{
+	char *text = NULL;
+	size_t n = 0;
+	struct report *r = report_new("screen");
+	FILE *memory = open_memstream(&text, &n);
+	if (memory == NULL)
+		return r;
+	canvas_print(canvas, 0, memory);
+	fclose(memory);
+	report_column(r, "text", "text");
+	for (char *line = text; *line != '\0'; line += strlen(line) + 1) {
+		line[strcspn(line, "\n")] = '\0';
+		report_text(r, line);
+	}
+	free(text);
+	return r;
+}
+
+static bool
+write_screen(struct session *s, const struct canvas *canvas, int colours,
     enum picture_form form, struct error *error)
 {
-	if (picture_write(chart, form, "tipspeed " PACKAGE_VERSION, s->out))
-		return true;
-	return error_set(
-	    error, ERROR_SYSTEM, "the picture %s cannot be drawn", s->file);
+	const struct entry *entry =
+	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
+	char *label = entry != NULL ? session_label(entry->site)
+				    : xstrdup("no site loaded");
+	char *title =
+	    s->last.product.n > 0
+		? xasprintf("tipspeed, the full screen: %s at %.1f m/s", label,
+		      s->last.speed)
+		: xasprintf("tipspeed, the full screen: %s", label);
+	const char *from = entry != NULL ? entry->site->provenance : "";
+	char *about =
+	    xasprintf("A text screen of %d columns and %d rows.%s%.*s",
+		canvas->columns, canvas->rows, from[0] ? " Data: " : "",
+		(int)strcspn(from, ";"), from);
+	bool ok = picture_cells(canvas, colours, form, title, about, s->out) ||
+		  cannot_draw(s, error);
+	free(about);
+	free(title);
+	free(label);
+	return ok;
+}
+
+bool
+cmd_screen(struct session *s, const struct args *args, struct error *error)
+{
+	enum picture_form form;
+	bool picture = s->file != NULL && picture_form_of(s->file, &form);
+	if (s->draw_screen == NULL)
+		return error_set(
+		    error, ERROR_SYSTEM, "there is no full screen here");
+	struct screen_request r = screen_request(s, args, picture);
+	struct canvas *canvas = s->draw_screen(s, &r, error);
+	if (canvas == NULL)
+		return false;
+	bool ok = true;
+	if (picture)
+		ok = write_screen(s, canvas, r.colours, form, error);
+	else if (s->format == REPORT_TABLE)
+		canvas_print(canvas, r.colours, s->out);
+	else
+		session_report(s, screen_report(canvas));
+	canvas_free(canvas);
+	return ok;
 }
 
 bool
@@ -167,7 +260,9 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 	enum picture_form form;
 	bool ok = true;
 	if (s->file != NULL && picture_form_of(s->file, &form))
-		ok = write_picture(s, chart, form, error);
+		ok = picture_write(
+			 chart, form, "tipspeed " PACKAGE_VERSION, s->out) ||
+		     cannot_draw(s, error);
 	else if (s->format == REPORT_TABLE)
 		print_chart(s, args, chart, charset);
 	else

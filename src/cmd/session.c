@@ -154,6 +154,7 @@ run_words(struct session *s, const struct words *words, struct place place,
 		  turn_begin(s, command, &args, words, place, error);
 	if (ok) {
 		ok = command->run(s, &args, error);
+		turn_ran(s);
 		if (!ok || turn_over(s))
 			ok = turn_end(s, ok, error);
 	}

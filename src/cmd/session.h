@@ -92,8 +92,10 @@ struct screen {
 	bool drawing;
 };
 
+struct canvas;
 struct choices;
 struct journal;
+struct screen_request;
 struct script;
 struct turn;
 struct undo;
@@ -123,6 +125,9 @@ struct session {
 	bool pager; /* at a prompt, what is taller than the screen is paged */
 	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
 						where there is no terminal */
+	/* Draws the full screen, see pictures.h; NULL: there is none. */
+	struct canvas *(*draw_screen)(
+	    struct session *, const struct screen_request *, struct error *);
 	size_t n_site;
 	struct site **site;    /* every site there was; entries borrow them */
 	struct choices *first; /* what the command line set; reset goes there */

@@ -27,6 +27,21 @@ static const struct command_option PLOT_OPTIONS[] = {WHAT_OPTIONS,
 	"what lines are drawn with"},
     LAST_OPTION};
 
+static const struct command_option SCREEN_OPTIONS[] = {
+    {"width", VALUE_NUMBER, "columns", 1, 1000, NULL, "",
+	"as the full screen that is open; 100 elsewhere"},
+    {"height", VALUE_NUMBER, "rows", 1, 1000, NULL, "",
+	"as the full screen that is open; 30 elsewhere"},
+    {"page", VALUE_CHOICE, "", 0, 0, "predict fit data parity sites", "",
+	"the page that is shown; predict where none is open"},
+    {"charset", VALUE_CHOICE, "", 0, 0, "auto ascii quadrants braille", "auto",
+	"what lines are drawn with"},
+    {"colours", VALUE_CHOICE, "", 0, 0, "auto 256 16 8 0", "auto",
+	"how many; auto: as the terminal, 256 in a picture's file"},
+    {"keys", VALUE_TEXT, "", 0, 0, NULL, "",
+	"keys to press first, by their names in tipspeed-tui(1)"},
+    LAST_OPTION};
+
 static const struct command_option DESCRIBE_OPTIONS[] = {
     WHAT_OPTIONS, LAST_OPTION};
 
@@ -76,4 +91,25 @@ const struct command TABLE_PICTURES[] = {
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "describe psd speed=74",
 	.run = cmd_describe},
+    {.name = "screen",
+	.group = "pictures",
+	.brief = "a picture of the full screen",
+	.operands = "",
+	.flags = COMMAND_DRAWS | COMMAND_UNSAVED,
+	.option = SCREEN_OPTIONS,
+	.text = "Typed in the full screen: as it stands behind the command "
+		"line; a calibration that runs goes on. Elsewhere: as tui "
+		"would open on the site in use, drawn without a terminal by "
+		"the same program. Behind > a file whose name ends in .svg, "
+		".png or .pdf becomes a picture with the colours of a dark "
+		"terminal; without a file, and in .txt, it is text. keys= "
+		"has them pressed before, with a blank between two: "
+		"keys=\"Left Left c\"; what is no name is typed where a "
+		"line or a speed is being typed, and they do what they do "
+		"in the full screen. One generation of a calibration passes "
+		"with each key.",
+	.example = "load data/sites/tierp.csv\n"
+		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
+		   "screen width=80 height=24",
+	.run = cmd_screen},
     {.name = NULL}};

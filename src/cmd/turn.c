@@ -28,7 +28,7 @@ struct turn {
 	bool stopped;            /* its calibration was, after */
 	size_t stopped_at;       /* so many steps */
 	double started;
-	bool timed;
+	bool timed, running;
 	size_t scripts; /* that were open when it began */
 };
 
@@ -114,6 +114,7 @@ turn_begin(struct session *s, const struct command *command,
 	    .column = words->to_column,
 	    .started = session_clock(),
 	    .timed = s->timing,
+	    .running = true,
 	    .scripts = script_depth(s)};
 	if (words->to != TO_SCREEN && can_take(command, words, error))
 		t->redirect = redirect_open(s, words, error);
@@ -195,11 +196,18 @@ turn_free(struct turn *t)
 	free(t);
 }
 
+void
+turn_ran(struct session *s)
+{
+	s->turn->running = false;
+}
+
 bool
 turn_over(const struct session *s)
 {
 	bool working = session_busy(s) && s->job.turn == s->turn;
-	return !working && script_depth(s) <= s->turn->scripts;
+	return !working && !s->turn->running &&
+	       script_depth(s) <= s->turn->scripts;
 }
 
 bool

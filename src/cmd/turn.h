@@ -16,7 +16,12 @@ bool turn_begin(struct session *s, const struct command *command,
     const struct args *args, const struct words *words, struct place place,
     struct error *error);
 
-/* True when the innermost command has no job and no script left. */
+/* The innermost command itself has done its part.  Until then lines that it
+ * runs are turns within its own. */
+void turn_ran(struct session *s);
+
+/* True when the innermost command has done its part, and has no job and no
+ * script left. */
 bool turn_over(const struct session *s);
 
 /* The job was stopped after so many steps: a saved script stops it there; 0: it

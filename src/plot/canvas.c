@@ -70,23 +70,31 @@ width_of(uint32_t code)
 	return width < 0 ? 1 : width;
 }
 
-void
-canvas_text(struct canvas *canvas, int column, int row, const char *text,
-    enum series series, unsigned attribute)
+/* Those that a terminal would act on, or XML not hold. */
+static bool
+is_control(uint32_t code)
+{
+	return code < ' ' || (code >= 0x7F && code < 0xA0);
+}
+
+int
+canvas_text_within(struct canvas *canvas, int column, int row, int end,
+    const char *text, enum series series, unsigned attribute)
 {
 	if (row < 0 || row >= canvas->rows)
-		return;
+		return column;
+	end = end < canvas->columns ? end : canvas->columns;
 	struct canvas_cell cell = {
 	    .series = (unsigned char)series,
 	    .attribute = (unsigned char)attribute,
 	};
 	while (*text != '\0') {
 		cell.code = next_code(&text);
-		int width = width_of(cell.code);
-		if (cell.code < ' ')
+		if (is_control(cell.code))
 			cell.code = ' ';
-		if (column + width > canvas->columns)
-			return;
+		int width = width_of(cell.code);
+		if (column + width > end)
+			break;
 		if (column >= 0 && width > 0)
 			*canvas_at(canvas, column, row) = cell;
 		cell.code = 0;
@@ -94,6 +102,15 @@ canvas_text(struct canvas *canvas, int column, int row, const char *text,
 			*canvas_at(canvas, column + 1, row) = cell;
 		column += width;
 	}
+	return column;
+}
+
+void
+canvas_text(struct canvas *canvas, int column, int row, const char *text,
+    enum series series, unsigned attribute)
+{
+	canvas_text_within(
+	    canvas, column, row, canvas->columns, text, series, attribute);
 }
 
 /* The safe colours of Okabe and Ito as near as each depth has them; no bright
@@ -139,20 +156,24 @@ print_style(const struct canvas_cell *cell, int depth, FILE *out)
 	fputc('m', out);
 }
 
-static void
-print_code(uint32_t code, FILE *out)
+const char *
+canvas_utf8(uint32_t code, char text[static 5])
 {
 	static const unsigned LEAD[] = {0, 0xC0, 0xE0, 0xF0};
 	int more = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
-	fputc((int)(LEAD[more] | code >> (6 * more)), out);
+	char *p = text;
+	*p++ = (char)(LEAD[more] | code >> (6 * more));
 	while (more-- > 0)
-		fputc((int)(0x80 | (code >> (6 * more) & 0x3F)), out);
+		*p++ = (char)(0x80 | (code >> (6 * more) & 0x3F));
+	*p = '\0';
+	return text;
 }
 
 static void
 print_row(const struct canvas_cell *cell, int columns, int depth, FILE *out)
 {
 	struct canvas_cell plain = {.series = SERIES_TEXT}, style = plain;
+	char text[5];
 	while (columns > 0 && cell[columns - 1].code == ' ' &&
 	       !(cell[columns - 1].attribute & CELL_REVERSE))
 		columns--;
@@ -164,7 +185,7 @@ print_row(const struct canvas_cell *cell, int columns, int depth, FILE *out)
 			style = cell[i];
 		}
 		if (cell[i].code != 0)
-			print_code(cell[i].code, out);
+			fputs(canvas_utf8(cell[i].code, text), out);
 	}
 	if (style.series != plain.series || style.attribute != plain.attribute)
 		fputs("\033[0m", out);

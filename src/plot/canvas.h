@@ -52,6 +52,13 @@ struct canvas_cell *canvas_at(struct canvas *canvas, int column, int row);
 void canvas_text(struct canvas *canvas, int column, int row, const char *text,
     enum series series, unsigned attribute);
 
+/* The same, cut at column `end`.  Returns the column behind the text. */
+int canvas_text_within(struct canvas *canvas, int column, int row, int end,
+    const char *text, enum series series, unsigned attribute);
+
+/* A code point as UTF-8 in text, which it returns. */
+const char *canvas_utf8(uint32_t code, char text[static 5]);
+
 /* Depth of colour: 0 (none), 8, 16 or 256. Colour of a series in it, or -1 for
  * that of the text; safe for red-green blindness, and never the only mark. */
 int canvas_colour(enum series series, int depth);

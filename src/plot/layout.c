@@ -253,16 +253,37 @@ draw_labels(struct layout *l)
 }
 
 /* "passing, % / size, mm": what is up and what is across. */
+/* "Tierp, Granite, 11.2 mm: product", where that is too wide "Tierp: product",
+ * or "product". */
+static char *
+short_title(const char *title, int columns)
+{
+	const char *rest = strstr(title, ": ");
+	if (text_width(title) <= columns || rest == NULL)
+		return xstrdup(title);
+	char *named =
+	    xasprintf("%.*s%s", (int)strcspn(title, ",:"), title, rest);
+	if (text_width(named) <= columns)
+		return named;
+	free(named);
+	return xstrdup(rest + 2);
+}
+
 static void
 draw_titles(struct layout *l)
 {
 	const struct chart *c = l->chart;
+	int columns = l->canvas->columns;
 	char *axes = xasprintf("%s  against  %s", c->y.title, c->x.title);
+	char *title = short_title(c->title, columns);
 	if (l->title >= 0)
 		canvas_text(
-		    l->canvas, 0, l->title, c->title, SERIES_TEXT, CELL_BOLD);
+		    l->canvas, 0, l->title, title, SERIES_TEXT, CELL_BOLD);
 	if (l->y_title >= 0)
-		canvas_text(l->canvas, 0, l->y_title, axes, SERIES_TEXT, 0);
+		canvas_text(l->canvas, 0, l->y_title,
+		    text_width(axes) <= columns ? axes : c->y.title,
+		    SERIES_TEXT, 0);
+	free(title);
 	free(axes);
 }
 

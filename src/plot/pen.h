@@ -7,7 +7,10 @@
 
 #include "plot/picture.h"
 
-enum pen_fill { PEN_OPEN, PEN_WHITE, PEN_FULL, PEN_TINT };
+/* How much is left of the colour of what is faint. */
+#define PEN_FAINT 0.6
+
+enum pen_fill { PEN_OPEN, PEN_PAPER, PEN_FULL, PEN_TINT };
 enum pen_anchor { PEN_START, PEN_MIDDLE, PEN_END };
 
 /* How a path is drawn.  width 0: its outline is not; a fill closes it. */
@@ -18,31 +21,56 @@ struct pen_stroke {
 	enum pen_fill fill;
 };
 
-/* size in points; upward: reads from below to above. */
+/* size in points; upward: reads from below to above; inverse: in the colour of
+ * the paper; faint: as dim on a terminal.  length: stretched to that, 0: as it
+ * comes. */
 struct pen_style {
-	double size;
+	double size, length;
 	enum pen_anchor anchor;
-	bool bold, upward;
+	bool bold, upward, inverse, faint;
 	enum series series;
 };
 
-/* path: through x, y [n].  text: its base line begins, is centred or ends at x,
+/* How bars are drawn: with round ends, so that one of no length is a dot. */
+struct pen_bar {
+	enum series series;
+	double width, opacity;
+	bool round;
+};
+
+/* What is drawn on, and its colours as 0xRRGGBB.  corner: radius of its
+ * corners, edge: the line around it where that is not 0. mono: all letters have
+ * one width. */
+struct pen_paper {
+	unsigned colour, edge, ink[SERIES_COUNT];
+	double corner;
+	bool mono;
+};
+
+/* path: through x, y [n].  bars: n straight ones, bar i from x, y [2 i] to the
+ * next.  text: its base line begins, is centred or ends at x,
  * y.  close: writes what is left; false when that failed; frees the pen. */
 struct pen {
 	void (*path)(struct pen *, const double *x, const double *y, size_t n,
 	    const struct pen_stroke *);
+	void (*bars)(struct pen *, const double *x, const double *y, size_t n,
+	    const struct pen_bar *);
 	void (*text)(struct pen *, double x, double y, const char *text,
 	    const struct pen_style *);
 	bool (*close)(struct pen *);
 };
 
-/* title and about go into the file's description. */
-struct pen *pen_svg(double width, double height, const char *title,
-    const char *about, FILE *out);
-struct pen *pen_cairo(double width, double height, const char *title,
-    const char *about, bool pdf, FILE *out);
+/* A pen for a form.  title and about go into the file's description; the paper
+ * is borrowed until the pen is closed. */
+struct pen *pen_open(enum picture_form form, double width, double height,
+    const struct pen_paper *paper, const char *title, const char *about,
+    FILE *out);
 
-/* 0xRRGGBB on white paper; safe for red-green blindness. */
-unsigned pen_colour(enum series series);
+/* The two there are. */
+struct pen *pen_svg(double width, double height, const struct pen_paper *paper,
+    const char *title, const char *about, FILE *out);
+struct pen *pen_cairo(double width, double height,
+    const struct pen_paper *paper, const char *title, const char *about,
+    bool pdf, FILE *out);
 
 #endif

@@ -13,6 +13,7 @@
 
 struct picture {
 	struct pen pen;
+	const struct pen_paper *paper;
 	cairo_surface_t *surface;
 	cairo_t *cairo;
 	bool pdf;
@@ -37,8 +38,9 @@ static void
 cairo_pen_path(struct pen *pen, const double *x, const double *y, size_t n,
     const struct pen_stroke *stroke)
 {
-	cairo_t *c = ((struct picture *)pen)->cairo;
-	unsigned colour = pen_colour(stroke->series);
+	const struct picture *p = (struct picture *)pen;
+	cairo_t *c = p->cairo;
+	unsigned colour = p->paper->ink[stroke->series];
 	int on, off;
 	chart_dash(stroke->line, &on, &off);
 	double dash[2] = {on, off};
@@ -47,7 +49,8 @@ cairo_pen_path(struct pen *pen, const double *x, const double *y, size_t n,
 		cairo_line_to(c, x[i], y[i]);
 	if (stroke->fill != PEN_OPEN) {
 		cairo_close_path(c);
-		set_colour(c, stroke->fill == PEN_WHITE ? 0xFFFFFF : colour,
+		set_colour(c,
+		    stroke->fill == PEN_PAPER ? p->paper->colour : colour,
 		    stroke->fill == PEN_TINT ? 0.2 : 1);
 		cairo_fill_preserve(c);
 	}
@@ -59,18 +62,45 @@ cairo_pen_path(struct pen *pen, const double *x, const double *y, size_t n,
 }
 
 static void
+cairo_pen_bars(struct pen *pen, const double *x, const double *y, size_t n,
+    const struct pen_bar *bar)
+{
+	const struct picture *p = (struct picture *)pen;
+	cairo_t *c = p->cairo;
+	cairo_new_path(c);
+	for (size_t i = 0; i < 2 * n; i += 2) {
+		cairo_move_to(c, x[i], y[i]);
+		cairo_line_to(c, x[i + 1], y[i + 1]);
+	}
+	set_colour(c, p->paper->ink[bar->series], bar->opacity);
+	cairo_set_dash(c, NULL, 0, 0);
+	cairo_set_line_width(c, bar->width);
+	cairo_set_line_cap(
+	    c, bar->round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+	cairo_stroke(c);
+	cairo_set_line_cap(c, CAIRO_LINE_CAP_BUTT);
+}
+
+static void
 cairo_pen_text(struct pen *pen, double x, double y, const char *text,
     const struct pen_style *style)
 {
-	cairo_t *c = ((struct picture *)pen)->cairo;
+	const struct picture *p = (struct picture *)pen;
+	const struct pen_paper *paper = p->paper;
+	cairo_t *c = p->cairo;
 	cairo_text_extents_t size;
-	cairo_select_font_face(c, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+	cairo_select_font_face(c, paper->mono ? "monospace" : "sans-serif",
+	    CAIRO_FONT_SLANT_NORMAL,
 	    style->bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
 	cairo_set_font_size(c, style->size);
 	cairo_text_extents(c, text, &size);
-	set_colour(c, pen_colour(style->series), 1);
+	set_colour(c,
+	    style->inverse ? paper->colour : paper->ink[style->series],
+	    style->faint ? PEN_FAINT : 1);
 	cairo_save(c);
 	cairo_translate(c, x, y);
+	if (style->length > 0 && size.x_advance > 0)
+		cairo_scale(c, style->length / size.x_advance, 1);
 	if (style->upward)
 		cairo_rotate(c, -acos(0));
 	cairo_move_to(c, -size.x_advance * style->anchor / 2, 0);
@@ -98,11 +128,13 @@ cairo_pen_close(struct pen *pen)
 }
 
 struct pen *
-pen_cairo(double width, double height, const char *title, const char *about,
-    bool pdf, FILE *out)
+pen_cairo(double width, double height, const struct pen_paper *paper,
+    const char *title, const char *about, bool pdf, FILE *out)
 {
 	struct picture *p = xcalloc(1, sizeof *p);
-	p->pen = (struct pen){cairo_pen_path, cairo_pen_text, cairo_pen_close};
+	p->pen = (struct pen){
+	    cairo_pen_path, cairo_pen_bars, cairo_pen_text, cairo_pen_close};
+	p->paper = paper;
 	p->pdf = pdf;
 	p->out = out;
 	if (pdf) {
@@ -120,7 +152,7 @@ pen_cairo(double width, double height, const char *title, const char *about,
 	p->cairo = cairo_create(p->surface);
 	if (!pdf)
 		cairo_scale(p->cairo, PNG_SCALE, PNG_SCALE);
-	cairo_set_source_rgb(p->cairo, 1, 1, 1);
+	set_colour(p->cairo, paper->colour, 1);
 	cairo_paint(p->cairo);
 	return &p->pen;
 }

@@ -1,5 +1,6 @@
 /* A pen that writes SVG, with text that stays text.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
@@ -7,8 +8,16 @@
 
 struct svg {
 	struct pen pen;
+	const struct pen_paper *paper;
 	FILE *out;
 };
+
+static const char SANS[] = "Helvetica, Arial, sans-serif";
+/* Those of the systems by their names: a browser's own monospace is often
+ * Courier. */
+static const char MONO[] =
+    "ui-monospace, SFMono-Regular, Menlo, Consolas, DejaVu Sans Mono, "
+    "Liberation Mono, monospace";
 
 /* Text of an element. */
 static void
@@ -30,8 +39,9 @@ static void
 svg_path(struct pen *pen, const double *x, const double *y, size_t n,
     const struct pen_stroke *stroke)
 {
-	FILE *out = ((struct svg *)pen)->out;
-	unsigned colour = pen_colour(stroke->series);
+	const struct svg *svg = (struct svg *)pen;
+	FILE *out = svg->out;
+	unsigned colour = svg->paper->ink[stroke->series];
 	int on, off;
 	fputs("<path d=\"", out);
 	for (size_t i = 0; i < n; i++)
@@ -41,7 +51,7 @@ svg_path(struct pen *pen, const double *x, const double *y, size_t n,
 		fputs(" fill=\"none\"", out);
 	else
 		fprintf(out, " fill=\"#%06x\"",
-		    stroke->fill == PEN_WHITE ? 0xFFFFFF : colour);
+		    stroke->fill == PEN_PAPER ? svg->paper->colour : colour);
 	if (stroke->fill == PEN_TINT)
 		fputs(" fill-opacity=\"0.2\"", out);
 	if (stroke->width > 0)
@@ -53,17 +63,47 @@ svg_path(struct pen *pen, const double *x, const double *y, size_t n,
 	fputs("/>\n", out);
 }
 
+/* Lengths that are none are left out as far as SVG lets one. */
+static void
+svg_bars(struct pen *pen, const double *x, const double *y, size_t n,
+    const struct pen_bar *bar)
+{
+	const struct svg *svg = (struct svg *)pen;
+	fprintf(svg->out,
+	    "<path fill=\"none\" stroke=\"#%06x\" stroke-width=\"%g\"",
+	    svg->paper->ink[bar->series], bar->width);
+	if (bar->opacity < 1)
+		fprintf(svg->out, " stroke-opacity=\"%g\"", bar->opacity);
+	if (bar->round)
+		fputs(" stroke-linecap=\"round\"", svg->out);
+	fputs(" d=\"", svg->out);
+	for (size_t i = 0; i < 2 * n; i += 2) {
+		fprintf(svg->out, "M%g %g", x[i], y[i]);
+		if (fabs(y[i] - y[i + 1]) < 1e-9)
+			fprintf(svg->out, "h%g", x[i + 1] - x[i]);
+		else
+			fprintf(svg->out, "L%g %g", x[i + 1], y[i + 1]);
+	}
+	fputs("\"/>\n", svg->out);
+}
+
 static void
 svg_text(struct pen *pen, double x, double y, const char *text,
     const struct pen_style *style)
 {
 	static const char *const ANCHORS[] = {"start", "middle", "end"};
-	FILE *out = ((struct svg *)pen)->out;
+	const struct svg *svg = (struct svg *)pen;
+	FILE *out = svg->out;
 	fprintf(out,
 	    "<text x=\"%.2f\" y=\"%.2f\" font-size=\"%.1f\" "
 	    "text-anchor=\"%s\" fill=\"#%06x\"",
 	    x, y, style->size, ANCHORS[style->anchor],
-	    pen_colour(style->series));
+	    style->inverse ? svg->paper->colour
+			   : svg->paper->ink[style->series]);
+	if (style->length > 0)
+		fprintf(out, " textLength=\"%g\"", style->length);
+	if (style->faint)
+		fprintf(out, " fill-opacity=\"%g\"", PEN_FAINT);
 	if (style->bold)
 		fputs(" font-weight=\"bold\"", out);
 	if (style->upward)
@@ -83,24 +123,40 @@ svg_close(struct pen *pen)
 	return ok;
 }
 
+static void
+put_paper(const struct svg *svg, double width, double height)
+{
+	const struct pen_paper *p = svg->paper;
+	if (p->corner > 0)
+		fprintf(svg->out,
+		    "<rect x=\"0.5\" y=\"0.5\" width=\"%g\" height=\"%g\" "
+		    "rx=\"%g\" fill=\"#%06x\" stroke=\"#%06x\"/>\n",
+		    width - 1, height - 1, p->corner, p->colour, p->edge);
+	else
+		fprintf(svg->out,
+		    "<rect width=\"100%%\" height=\"100%%\" "
+		    "fill=\"#%06x\"/>\n",
+		    p->colour);
+}
+
 struct pen *
-pen_svg(double width, double height, const char *title, const char *about,
-    FILE *out)
+pen_svg(double width, double height, const struct pen_paper *paper,
+    const char *title, const char *about, FILE *out)
 {
 	struct svg *svg = xcalloc(1, sizeof *svg);
-	svg->pen = (struct pen){svg_path, svg_text, svg_close};
+	svg->pen = (struct pen){svg_path, svg_bars, svg_text, svg_close};
+	svg->paper = paper;
 	svg->out = out;
 	fprintf(out,
 	    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-	    "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%gpt\" "
-	    "height=\"%gpt\" viewBox=\"0 0 %g %g\" "
-	    "font-family=\"Helvetica, Arial, sans-serif\">\n<title>",
-	    width, height, width, height);
+	    "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
+	    "width=\"%gpt\" height=\"%gpt\" viewBox=\"0 0 %g %g\" "
+	    "font-family=\"%s\">\n<title>",
+	    width, height, width, height, paper->mono ? MONO : SANS);
 	put_text(title, out);
 	fputs("</title>\n<desc>", out);
 	put_text(about, out);
-	fputs("</desc>\n<rect width=\"100%\" height=\"100%\" "
-	      "fill=\"#ffffff\"/>\n",
-	    out);
+	fputs("</desc>\n", out);
+	put_paper(svg, width, height);
 	return &svg->pen;
 }

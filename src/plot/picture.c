@@ -48,20 +48,28 @@ picture_form_of(const char *path, enum picture_form *form)
 	return false;
 }
 
-unsigned
-pen_colour(enum series series)
+/* White; the inks are safe for red-green blindness. */
+static const struct pen_paper WHITE = {.colour = 0xFFFFFF,
+    .ink = {[SERIES_TEXT] = 0x000000,
+	[SERIES_FEED] = 0xE69F00,
+	[SERIES_MEASURED_1] = 0x0072B2,
+	[SERIES_MEASURED_2] = 0x009E73,
+	[SERIES_MEASURED_3] = 0x56B4E9,
+	[SERIES_PREDICTED] = 0xD55E00,
+	[SERIES_OTHER] = 0xCC79A7,
+	[SERIES_BAND] = 0xD55E00,
+	[SERIES_BREAK] = 0x555555,
+	[SERIES_CROSSHAIR] = 0x000000}};
+
+struct pen *
+pen_open(enum picture_form form, double width, double height,
+    const struct pen_paper *paper, const char *title, const char *about,
+    FILE *out)
 {
-	static const unsigned COLOURS[SERIES_COUNT] = {[SERIES_TEXT] = 0x000000,
-	    [SERIES_FEED] = 0xE69F00,
-	    [SERIES_MEASURED_1] = 0x0072B2,
-	    [SERIES_MEASURED_2] = 0x009E73,
-	    [SERIES_MEASURED_3] = 0x56B4E9,
-	    [SERIES_PREDICTED] = 0xD55E00,
-	    [SERIES_OTHER] = 0xCC79A7,
-	    [SERIES_BAND] = 0xD55E00,
-	    [SERIES_BREAK] = 0x555555,
-	    [SERIES_CROSSHAIR] = 0x000000};
-	return COLOURS[series];
+	return form == PICTURE_SVG
+		   ? pen_svg(width, height, paper, title, about, out)
+		   : pen_cairo(width, height, paper, title, about,
+			 form == PICTURE_PDF, out);
 }
 
 static double
@@ -173,7 +181,7 @@ draw_mark(struct page *p, char mark, enum series series, double x, double y)
 	if (n > 0)
 		p->pen->path(p->pen, px, py, n,
 		    &(struct pen_stroke){series, CHART_SOLID, 0.8,
-			mark == '#' ? PEN_FULL : PEN_WHITE});
+			mark == '#' ? PEN_FULL : PEN_PAPER});
 	else
 		p->pen->text(p->pen, x, y + 3, text,
 		    &(struct pen_style){.size = 9,
@@ -333,10 +341,8 @@ picture_write(const struct chart *chart, enum picture_form form,
 		rows += *c == '\n';
 	p.height = fmax(LEAST_HEIGHT, ROW * (double)(chart->n + chart->n_rule));
 	double height = TOP + p.height + BELOW + FOOT_ROW * (double)rows;
-	p.pen = form == PICTURE_SVG
-		    ? pen_svg(PAGE, height, chart->title, chart->about, out)
-		    : pen_cairo(PAGE, height, chart->title, chart->about,
-			  form == PICTURE_PDF, out);
+	p.pen = pen_open(
+	    form, PAGE, height, &WHITE, chart->title, chart->about, out);
 	draw_page(&p, foot);
 	free(foot);
 	return p.pen->close(p.pen);

@@ -19,4 +19,11 @@ bool picture_form_of(const char *path, enum picture_form *form);
 bool picture_write(const struct chart *chart, enum picture_form form,
     const char *program, FILE *out);
 
+/* Writes cells as a terminal with a dark ground shows them; lines, dots and
+ * blocks are shapes, so that they join whatever the font.  depth: how many
+ * colours, 0, 8, 16 or 256; title and about: described so.  False when it
+ * cannot be drawn or written. */
+bool picture_cells(const struct canvas *canvas, int depth,
+    enum picture_form form, const char *title, const char *about, FILE *out);
+
 #endif

@@ -164,7 +164,7 @@ hold(struct tui *t, const struct key *key)
 	const struct session *s = t->session;
 	if (session_busy(s)) {
 		t->held = !t->held;
-		t->due = session_clock();
+		t->due = t->clock;
 		tui_say(
 		    t, false, t->held ? "paused: Space goes on" : "going on");
 	} else if (s->job.calibration != NULL) {
@@ -178,7 +178,7 @@ static void
 set_pace(struct tui *t, int by)
 {
 	t->pace = moved(t->pace, by, PACE_COUNT);
-	t->due = session_clock();
+	t->due = t->clock;
 	if (t->pace == PACE_FULL)
 		tui_say(t, false, "pace: as fast as it can");
 	else
@@ -298,7 +298,10 @@ act(struct tui *t, const struct key *key)
 	case ACT_LIST:
 		if (t->page == PAGE_SITES)
 			t->focus = FOCUS_SITE;
-		if (t->focus != FOCUS_SPEED)
+		if (t->page == PAGE_DATA && tui_entry(t) != NULL)
+			t->data_top = (size_t)moved((int)t->data_top,
+			    key->amount, tui_entry(t)->site->run[0].feed.n);
+		else if (t->focus != FOCUS_SPEED)
 			move_focus(t, key->amount);
 		break;
 	case ACT_RUN:

@@ -8,9 +8,11 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/command.h"
 #include "cmd/fit.h"
 #include "cmd/script.h"
 #include "ui/pump.h"
+#include "ui/screen.h"
 #include "ui/typed.h"
 #include "ui/view.h"
 
@@ -48,10 +50,14 @@ conduct_end(struct tui *t)
 	t->said_text = NULL;
 }
 
-/* Forgets what was said before. */
+/* Forgets what was said before; what is said next is for this screen, which
+ * has no use for escapes. */
 static void
 hush(struct tui *t)
 {
+	struct screen screen = {.drawing = screen_charset() != CHARSET_ASCII};
+	screen_size(&screen.rows, &screen.columns);
+	t->session->screen = screen;
 	rewind(t->said);
 	fflush(t->said);
 }
@@ -182,7 +188,7 @@ run(struct tui *t, const char *line)
 	if (session_busy(s) && !was_busy) {
 		t->held = false;
 		t->generation = 0;
-		t->due = session_clock();
+		t->due = t->started = t->clock;
 	}
 	return ok;
 }
@@ -214,16 +220,51 @@ show_said(struct tui *t)
 	free(text);
 }
 
+/* Whether a line asks for a picture of the screen. */
+static bool
+is_screen(const char *line)
+{
+	char word[16];
+	size_t at = strspn(line, " \t"), n = strcspn(line + at, " \t>;|");
+	if (strchr(line, ';') != NULL || n == 0 || n >= sizeof word)
+		return false;
+	memcpy(word, line + at, n);
+	word[n] = '\0';
+	return command_called(word, true) == command_find("screen");
+}
+
+/* Stops no search, and the screen stays as it stands until it is drawn. */
+static void
+draw_screen(struct tui *t, const char *line)
+{
+	struct error error = {0};
+	size_t next;
+	hush(t);
+	bool ok = session_line(t->session, line, 0, "typed", 0, &next, &error);
+	free(t->command);
+	t->command = xstrdup(line);
+	t->message[0] = '\0';
+	if (ok)
+		show_said(t);
+	else
+		say_error(t, &error);
+}
+
 void
 conduct_typed(struct tui *t, const char *line)
 {
 	if (line[strspn(line, " \t")] == '\0')
 		return;
 	bool searching = session_busy(t->session);
+	if (!t->aside)
+		typed_add(line);
+	if (is_screen(line)) {
+		draw_screen(t, line);
+		return;
+	}
 	conduct_keep(t);
-	typed_add(line);
 	/* Only a shell command may write past the session's streams. */
-	bool aside = strchr(line, '|') != NULL;
+	bool aside = strchr(line, '|') != NULL && !t->aside;
 	if (aside)
 		tui_step_aside();
 	bool ok = conduct_run(t, line);
@@ -258,12 +299,11 @@ conduct_predict(struct tui *t)
 	if (!entry->has_params && !forming)
 		return;
 	char line[40];
-	double now = session_clock();
-	if (now - t->moved > PAUSE || t->pause.site[0] == '\0' ||
+	if (t->clock - t->moved > PAUSE || t->pause.site[0] == '\0' ||
 	    strcmp(t->pause.site, entry->key) != 0)
 		t->pause = t->now;
 	if (t->asked != 0)
-		t->moved = now;
+		t->moved = t->clock;
 	snprintf(line, sizeof line, "predict speed=%.1f", t->tenths / 10.0);
 	hush(t);
 	struct error error = {0};
@@ -324,14 +364,14 @@ conduct_pump(struct tui *t)
 	if (!session_busy(s) || t->held)
 		return;
 	double began = session_clock();
-	if (t->pace < PACE_FULL && began < t->due)
+	if (t->pace < PACE_FULL && t->clock < t->due)
 		return;
 	do
 		session_step(s);
-	while (session_busy(s) && t->pace == PACE_FULL &&
-	       session_clock() - began < FRAME);
+	while (session_busy(s) && t->pace == PACE_FULL && pump_signal() == 0 &&
+	       (t->aside || session_clock() - began < FRAME));
 	if (t->pace < PACE_FULL)
-		t->due = began + 1 / PACES[t->pace];
+		t->due = t->clock + 1 / PACES[t->pace];
 	t->asked = 0;
 	if (!session_busy(s))
 		finish(t);

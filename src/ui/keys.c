@@ -68,7 +68,8 @@ const struct key KEYS[] = {
     {'+', "+", ON_ALL, ACT_PACE, 1, NULL, "calibrate faster"},
     {'=', NULL, ON_ALL, ACT_PACE, 1, NULL, NULL},
     {'-', "-", ON_ALL, ACT_PACE, -1, NULL, "calibrate slower"},
-    {'d', "d", ON_ALL, ACT_RUN, 0, "describe", "the same in words"},
+    {'d', "d", ON_ALL, ACT_RUN, 0, "describe psd speed=%s",
+	"the curves in words"},
     {'e', "e", ON_ALL, ACT_TYPE, 0, "predict speed=%s > ",
 	"export: give a file name"},
     {':', ":", ON_ALL, ACT_TYPE, 0, "",
@@ -98,6 +99,43 @@ keys_find(int code, enum page page)
 		if (k->code == code && (k->pages & (1U << page)))
 			return k;
 	return NULL;
+}
+
+/* Whether one of the names of a row, "Left, h", is this. */
+static bool
+has_name(const char *names, const char *name)
+{
+	size_t n = strlen(name);
+	for (; names != NULL;
+	     names = strstr(names, ", "), names += names ? 2 : 0)
+		if (strncmp(names, name, n) == 0 &&
+		    (names[n] == ',' || names[n] == '\0'))
+			return true;
+	return false;
+}
+
+bool
+keys_code(const char *name, int *code)
+{
+	static const struct {
+		const char *name;
+		int code;
+	} MORE[] = {
+	    {"Esc", 27}, {"Backspace", KEY_BACKSPACE}, {"Delete", KEY_DC}};
+	*code = (unsigned char)name[0];
+	if (name[0] != '\0' && name[1] == '\0')
+		return *code > ' ' && *code < 127;
+	for (const struct key *k = KEYS; k->code != 0; k++)
+		if (has_name(k->name, name)) {
+			*code = k->code;
+			return true;
+		}
+	for (size_t i = 0; i < ARRAY_LEN(MORE); i++)
+		if (strcmp(MORE[i].name, name) == 0) {
+			*code = MORE[i].code;
+			return true;
+		}
+	return false;
 }
 
 /* The only page a key is there on, in words; "" where it is on all. */
@@ -168,7 +206,8 @@ keys_manual(FILE *out)
 		    only_on(k));
 		if (k->command != NULL && k->command[0] != '\0' &&
 		    k->act == ACT_RUN)
-			fprintf(out, "Runs\n.Ic %s .\n", k->command);
+			fprintf(out, "Runs\n.Ic %.*s .\n",
+			    (int)strcspn(k->command, " "), k->command);
 	}
 	fputs(".It digits, Enter\nType a speed.\n.El\n", out);
 }

@@ -4,6 +4,7 @@
 #ifndef TIPSPEED_UI_KEYS_H
 #define TIPSPEED_UI_KEYS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -61,6 +62,10 @@ extern const struct key KEYS[];
 
 /* The row of a key on a page, or NULL. */
 const struct key *keys_find(int code, enum page page);
+
+/* The code of a key by its name ("Left", "^L", "Esc") or its character; false
+ * where there is none such.  Those above 255 are special keys of ncurses. */
+bool keys_code(const char *name, int *code);
 
 /* For the ? page: a line for each key whose line has the word, without regard
  * to case; all for "".  keys_nth: the key of the n-th of these, or NULL. */

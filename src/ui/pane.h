@@ -31,6 +31,13 @@ void pane_plot(const struct tui *t, const struct plot_request *request,
 /* Curves in the plot area, with a legend below them where there is room. */
 void pane_curves(const struct tui *t, struct plot_request *request);
 
+/* The viewer's text with its hints. */
+void pane_text(const struct tui *t);
+
+/* A row of hints, two blanks between them: what does not fit is left out by
+ * whole ones. */
+void pane_hints(const struct area *area, unsigned look, const char *hints);
+
 /* The row of numbers that takes the side panel's place. */
 void pane_numbers(const struct tui *t);
 

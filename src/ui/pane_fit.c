@@ -125,7 +125,7 @@ draw_progress(const struct tui *t, const struct area *side, int row)
 	const struct session *s = t->session;
 	const struct calibrate_options *o = &s->job.options;
 	struct calibrate_status st = calibration_status(s->job.calibration);
-	double seconds = session_clock() - s->job.started;
+	double seconds = t->clock - t->started;
 	double rate = seconds > 0 ? (double)st.evaluations / seconds : 0;
 	screen_text(side, row++, 0, LOOK_BOLD, "%sgeneration %zu of %zu",
 	    t->held ? "PAUSED " : "", st.generation, o->generations);

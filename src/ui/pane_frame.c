@@ -51,15 +51,16 @@ draw_header(struct tui *t)
 	for (size_t p = 0; p < PAGES; p++)
 		column -= (int)strlen(tab_text(t, p, area->columns, text)) + 1;
 	struct area left = *area;
-	left.columns = column < 0 ? 0 : column;
-	char *label = entry != NULL ? session_label(entry->site)
-				    : xstrdup("no site is loaded");
+	left.columns = column < 1 ? 0 : column - 1;
+	char *label = entry != NULL       ? session_label(entry->site)
+		      : left.columns < 18 ? xstrdup("no site")
+					  : xstrdup("no site is loaded");
 	bool room = text_width(label) + 11 <= left.columns,
 	     fits = text_width(label) <= left.columns || entry == NULL;
 	screen_text(&left, 0, 0, LOOK_BOLD, "%s%s", room ? "tipspeed  " : "",
 	    fits ? label : entry->site->name);
 	free(label);
-	column = left.columns;
+	column = column < 0 ? 0 : column;
 	for (size_t p = 0; p < PAGES; p++) {
 		int from = column;
 		column = screen_text(area, 0, column,
@@ -118,13 +119,18 @@ static void
 draw_caption(const struct tui *t)
 {
 	const struct area *area = &t->places.caption;
+	static const char far[] = "  EXTRAPOLATED";
 	double speed = t->tenths / 10.0;
-	int column = screen_text(area, 0, 0, 0, "%s%.1f m/s  %.0f J/kg",
-	    area->columns >= 36 ? "rotor tip speed " : "", speed,
-	    energy_specific(speed));
-	if (t->session->answer[ANSWER_EXTRAPOLATED] == 1)
-		column =
-		    screen_text(area, 0, column + 2, LOOK_BOLD, "EXTRAPOLATED");
+	bool is_far = t->session->answer[ANSWER_EXTRAPOLATED] == 1;
+	int room = area->columns - (is_far ? (int)sizeof far - 1 : 0);
+	int column = screen_text(area, 0, 0, 0, "%s%.1f%s",
+	    room >= 36 ? "rotor tip speed " : "", speed,
+	    room >= 8 ? " m/s" : "");
+	if (column + 11 <= room)
+		column = screen_text(
+		    area, 0, column, 0, "  %.0f J/kg", energy_specific(speed));
+	if (is_far)
+		column = screen_text(area, 0, column, LOOK_BOLD, "%s", far);
 	if (column + 47 <= area->columns)
 		screen_text(area, 0, area->columns - 47, LOOK_DIM,
 		    "x extrapolated  | trained  o held out  step 0.1");
@@ -158,22 +164,24 @@ draw_command(const struct tui *t, const struct area *area)
 	return 0;
 }
 
-/* One too long for its row goes on in the row of hints.  Returns whether it
- * does. */
+/* One too long for its row goes on in the row of hints, or begins in that of
+ * the command where there are none.  Returns whether it takes the hints. */
 static bool
-draw_message(const struct tui *t, const struct area *area)
+draw_message(const struct tui *t, const struct area *row)
 {
+	struct area area = *row;
 	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
-	unsigned look = t->bad ? LOOK_BOLD : LOOK_PLAIN;
-	size_t n = strlen(text), room = (size_t)area->columns, cut = n;
-	if (n > room && t->places.hints.rows > 0) {
-		for (cut = room; cut > room / 2 && text[cut] != ' '; cut--)
-			;
-		screen_text(&t->places.hints, 0, 0, look, "%s", text + cut + 1);
-	}
-	screen_text(area, 0, 0, look, "%.*s", (int)cut, text);
+	bool wide = text_width(text) > area.columns,
+	     hints = wide && t->places.hints.rows > 0;
+	if (wide && (hints || t->places.status.rows > 0))
+		area.rows = 2;
+	if (area.rows == 2 && !hints)
+		area.row--;
+	for (int r = 0; r < area.rows; r++)
+		screen_text(&area, r, 0, 0, "%*s", area.columns, "");
+	screen_words(&area, 0, t->bad ? LOOK_BOLD : LOOK_PLAIN, text);
 	free(text);
-	return cut < n;
+	return hints;
 }
 
 /* What the site's parameters are worth, or how the search stands. */
@@ -187,7 +195,8 @@ draw_state(const struct tui *t, const struct area *area)
 		struct calibrate_status st =
 		    calibration_status(s->job.calibration);
 		column = screen_text(area, 0, 0, LOOK_BOLD,
-		    "%s  generation %zu of %zu%s",
+		    area->columns < 34 ? "%s %zu/%zu"
+				       : "%s  generation %zu of %zu%s",
 		    t->held ? "PAUSED" : "CALIBRATING", st.generation,
 		    s->job.options.generations,
 		    st.state == CALIBRATE_POLISHING ? ", polishing" : "");
@@ -214,6 +223,23 @@ draw_state(const struct tui *t, const struct area *area)
 		screen_text(area, 0, from, LOOK_DIM, "%s", right);
 }
 
+void
+pane_hints(const struct area *area, unsigned look, const char *hints)
+{
+	char text[128];
+	snprintf(text, sizeof text, "%s", hints);
+	while (text_width(text) > area->columns) {
+		char *cut = NULL;
+		for (char *p = strstr(text, "  "); p != NULL;
+		     p = strstr(p + 2, "  "))
+			cut = p;
+		if (cut == NULL)
+			break;
+		*cut = '\0';
+	}
+	screen_text(area, 0, 0, look, "%s", text);
+}
+
 static void
 draw_hints(const struct tui *t)
 {
@@ -227,20 +253,7 @@ draw_hints(const struct tui *t)
 	    "<-/-> speed  ? keys  q quit  1-5 pages  : command",
 	    "Up/Down site  Enter use it  ? keys  q quit  x keep beside  : "
 	    "command"};
-	/* What does not fit is left out by whole hints. */
-	char text[128];
-	int columns = t->places.hints.columns;
-	snprintf(text, sizeof text, "%s", HINTS[t->page]);
-	while (text_width(text) > columns) {
-		char *cut = NULL;
-		for (char *p = strstr(text, "  "); p != NULL;
-		     p = strstr(p + 2, "  "))
-			cut = p;
-		if (cut == NULL)
-			break;
-		*cut = '\0';
-	}
-	screen_text(&t->places.hints, 0, 0, LOOK_DIM, "%s", text);
+	pane_hints(&t->places.hints, LOOK_DIM, HINTS[t->page]);
 }
 
 /* A speed being typed stands where messages do. */
@@ -254,8 +267,9 @@ draw_lower(struct tui *t, int *row, int *column)
 							: &l->track;
 	const struct area *line = l->command.rows > 0 ? &l->command : &l->track;
 	bool typing = t->typing.active;
-	if (typing ||
-	    (l->command.rows > 0 && !(line == note && t->message[0]))) {
+	bool taken = line == note && (t->message[0] || t->digits[0] ||
+					 session_busy(t->session));
+	if (typing || (l->command.rows > 0 && !taken)) {
 		if (typing && line == &l->track)
 			screen_text(line, 0, 0, 0, "%*s", line->columns, "");
 		int at = draw_command(t, line);
@@ -267,42 +281,18 @@ draw_lower(struct tui *t, int *row, int *column)
 	if (note == line && typing)
 		return;
 	if (t->digits[0] != '\0')
-		screen_text(
-		    note, 0, 0, LOOK_BOLD, "speed: %s_ m/s (Enter)", t->digits);
+		screen_text(note, 0, 0, LOOK_BOLD,
+		    note->columns < 24 ? "%s_ m/s, Enter"
+				       : "speed: %s_ m/s (Enter)",
+		    t->digits);
 	else if (typing && t->typing.offers != NULL)
 		screen_text(note, 0, 0, 0, "%s", t->typing.offers);
 	else if (t->message[0] != '\0' && note != &l->track)
 		wide = draw_message(t, note);
-	else if (note == &l->status)
+	else if (note == &l->status || session_busy(t->session))
 		draw_state(t, note);
 	if (!wide)
 		draw_hints(t);
-}
-
-static void
-draw_viewer(const struct tui *t)
-{
-	const struct area *body = &t->places.body;
-	int line = -t->viewer.top;
-	const char *p = t->viewer.text;
-	for (; *p != '\0'; line++) {
-		size_t n = strcspn(p, "\n");
-		bool chosen =
-		    t->viewer.keys && line + t->viewer.top == t->viewer.at;
-		if (line >= 0)
-			screen_text(body, line, 0,
-			    chosen ? LOOK_REVERSE : LOOK_PLAIN, "%.*s",
-			    n < 400 ? (int)n : 400, p);
-		p += n + (p[n] == '\n');
-	}
-	const struct viewer *v = &t->viewer;
-	bool more = v->lines - v->top > body->rows;
-	if (v->filtering)
-		screen_text(&t->places.status, 0, 0, LOOK_BOLD, "/%s", v->word);
-	screen_text(&t->places.hints, 0, 0, LOOK_REVERSE, "%s%s",
-	    more ? "more below: Down, PgDn   " : "",
-	    v->keys ? "Enter does it   / finds a word   Esc goes back"
-		    : "any other key goes back");
 }
 
 static void
@@ -322,15 +312,14 @@ pane_draw(struct tui *t)
 	    places_make(rows, columns, pane_side_columns(t->page, columns));
 	t->scrubber = (struct area){0};
 	bool viewing = t->viewer.text != NULL;
-	/* The text has the whole body, at any size. */
-	if (viewing && t->places.body.rows < 2)
-		t->places = (struct places){.body = {0, 0, rows, columns}};
+	if (viewing)
+		t->places = places_text(rows, columns);
 	draw_header(t);
 	row = t->places.track.row;
 	screen_rule(&t->places.rule);
 	column = t->places.track.rows > 0 ? draw_track(t) : 0;
 	if (viewing) {
-		draw_viewer(t);
+		pane_text(t);
 		screen_show(
 		    t->places.body.row +
 			(t->viewer.keys ? t->viewer.at - t->viewer.top : 0),

@@ -26,8 +26,8 @@ pane_plot(const struct tui *t, const struct plot_request *request,
 		canvas_free(canvas);
 		return;
 	}
-	screen_text(area, area->rows / 3, 1, LOOK_BOLD, "%s", error.text);
-	screen_text(area, area->rows / 3 + 1, 1, 0, "%s", error.hint);
+	int row = screen_words(area, area->rows / 3, LOOK_BOLD, error.text);
+	screen_words(area, row, 0, error.hint);
 }
 
 /* One row, where the plot's own legend would leave the plot little room. */
@@ -38,6 +38,8 @@ draw_legend(const struct tui *t)
 	const struct area *area = &t->places.legend;
 	const struct entry *entry = tui_entry(t);
 	bool ascii = screen_charset() == CHARSET_ASCII;
+	if (entry == NULL)
+		return;
 	int column = screen_series(
 	    area, 0, 0, SERIES_FEED, 0, ascii ? ". feed" : "\u2508 feed");
 	size_t shown = 0;
@@ -51,6 +53,8 @@ draw_legend(const struct tui *t)
 		    (enum series)(SERIES_MEASURED_1 + shown % 3), 0, text);
 		shown++;
 	}
+	if (t->now.site[0] == '\0')
+		return;
 	column = screen_series(area, 0, column + 2, SERIES_PREDICTED, LOOK_BOLD,
 	    ascii ? "# predicted" : "\u254C predicted");
 	screen_series(area, 0, column + 2, SERIES_BREAK, 0,
@@ -62,7 +66,8 @@ pane_curves(const struct tui *t, struct plot_request *request)
 {
 	enum { TALL = 20 };
 	struct area plot = t->places.plot;
-	request->legend = plot.rows >= TALL;
+	request->legend = plot.rows >= TALL || (request->kind != PLOT_PSD &&
+						   t->places.legend.rows > 0);
 	if (request->legend)
 		plot.rows += t->places.legend.rows;
 	else if (t->places.legend.rows > 0 && request->kind == PLOT_PSD)
@@ -231,7 +236,9 @@ pane_numbers(const struct tui *t)
 	if (area->rows == 0)
 		return;
 	if (t->now.site[0] == '\0')
-		screen_text(area, 0, 0, 0, "nothing predicted yet");
+		screen_text(area, 0, 0, 0,
+		    area->columns < 21 ? "not predicted yet"
+				       : "nothing predicted yet");
 	else if (area->columns < 34)
 		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %.4s",
 		    size_text(t->now.p50, a), size_text(t->now.p80, b));

@@ -81,3 +81,18 @@ places_make(int rows, int columns, int side_columns)
 	split_body(&l, rows, side ? side_columns : 0);
 	return l;
 }
+
+struct places
+places_text(int rows, int columns)
+{
+	enum { FOR_TEXT_HINTS = 3, FOR_TEXT_HEADER = 8 };
+	struct places l = {.body = {0, 0, rows, columns}};
+	if (rows >= FOR_TEXT_HINTS)
+		l.hints = take_bottom(&l.body);
+	if (rows >= FOR_TEXT_HEADER) {
+		l.header = (struct area){0, 0, 1, columns};
+		l.body.row++;
+		l.body.rows--;
+	}
+	return l;
+}

@@ -22,6 +22,10 @@ struct places {
  * width of the side panel. */
 struct places places_make(int rows, int columns, int side_columns);
 
+/* The same for text on all of the screen: between header and hints, as long as
+ * there is room for these. */
+struct places places_text(int rows, int columns);
+
 /* Whether a cell lies in the area. */
 bool area_has(const struct area *area, int row, int column);
 

@@ -1,4 +1,5 @@
-/* ncurses, and nothing of what is shown on it.
+/* A frame is drawn on a canvas, and ncurses shows it: nothing else here is of
+ * ncurses, and nothing of what is shown.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/screen.h"
 
@@ -18,12 +19,14 @@
 #include "ui/rescue.h"
 #include "ui/terminal.h"
 
-/* ncurses keeps its state by itself, too. */
-static struct {
+/* screen: NULL where nothing is shown, only drawn.  frame: the last one, or
+ * NULL.  ncurses keeps its state by itself, too. */
+static struct display {
 	SCREEN *screen;
-	bool utf8, mouse, wide_keys;
+	bool utf8, mouse;
 	int depth, rows, columns;
 	enum charset charset;
+	struct canvas *frame;
 } is;
 
 /* The console has no braille, and a serial terminal nothing but ASCII. */
@@ -91,7 +94,37 @@ screen_close(void)
 	screen_mouse(false);
 	endwin();
 	delscreen(is.screen);
-	is.screen = NULL;
+	canvas_free(is.frame);
+	is = (struct display){0};
+}
+
+struct display *
+screen_aside(int rows, int columns, enum charset charset, int depth)
+{
+	struct display *was = xcalloc(1, sizeof *was);
+	*was = is;
+	is = (struct display){.rows = rows,
+	    .columns = columns,
+	    .charset = charset,
+	    .depth = depth,
+	    .utf8 = true};
+	return was;
+}
+
+struct canvas *
+screen_back(struct display *was)
+{
+	struct canvas *frame = is.frame;
+	is = *was;
+	free(was);
+	return frame;
+}
+
+void
+screen_size(int *rows, int *columns)
+{
+	*rows = is.rows;
+	*columns = is.columns;
 }
 
 enum charset
@@ -117,6 +150,8 @@ has_mouse_keys(void)
 bool
 screen_mouse(bool on)
 {
+	if (is.screen == NULL)
+		return true;
 	if (on && !has_mouse_keys())
 		return false;
 	if (on)
@@ -157,6 +192,8 @@ void
 screen_resize(void)
 {
 	struct winsize size = {0};
+	if (is.screen == NULL)
+		return;
 	if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 &&
 	    size.ws_col > 0)
 		resizeterm(size.ws_row, size.ws_col);
@@ -166,60 +203,20 @@ screen_resize(void)
 void
 screen_begin(int *rows, int *columns)
 {
-	erase();
-	getmaxyx(stdscr, *rows, *columns);
-	is.rows = *rows;
-	is.columns = *columns;
-}
-
-static attr_t
-attributes(unsigned look)
-{
-	return ((look & LOOK_BOLD) ? A_BOLD : 0) |
-	       ((look & LOOK_DIM) && is.depth == 256 ? A_DIM : 0) |
-	       ((look & LOOK_REVERSE) ? A_REVERSE : 0);
-}
-
-/* The next character of UTF-8; a byte that is none becomes '?'. */
-static wchar_t
-next_character(const char **text)
-{
-	const unsigned char *p = (const unsigned char *)*text;
-	int more = p[0] >= 0xF0 ? 3 : p[0] >= 0xE0 ? 2 : p[0] >= 0xC0 ? 1 : 0;
-	uint32_t code = more == 0 ? p[0] : p[0] & (0x3FU >> more);
-	for (int i = 1; i <= more; i++) {
-		if ((p[i] & 0xC0) != 0x80) {
-			*text += i;
-			return L'?';
-		}
-		code = code << 6 | (p[i] & 0x3F);
-	}
-	*text += more + 1;
-	return code < ' ' || (more == 0 && code > 126) ? L'?' : (wchar_t)code;
+	if (is.screen != NULL)
+		getmaxyx(stdscr, is.rows, is.columns);
+	canvas_free(is.frame);
+	is.frame = canvas_new(is.columns, is.rows);
+	screen_size(rows, columns);
 }
 
 static void
 put_cell(int row, int column, uint32_t code, unsigned look, enum series series)
 {
-	wchar_t text[2] = {(wchar_t)code, 0};
-	cchar_t cell;
-	if (!is.utf8 && code > 126)
-		text[0] = L'?';
-	short pair = is.depth > 0 && series != SERIES_TEXT ? (short)(series + 1)
-							   : (short)0;
-	setcchar(&cell, text, attributes(look), pair, NULL);
-	mvadd_wch(row, column, &cell);
-}
-
-/* A letter without its accent, where there is nothing but ASCII. */
-static wchar_t
-bare_letter(const char *bytes, size_t n)
-{
-	char *letter = xstrndup(bytes, n), *folded = text_fold(letter);
-	wchar_t bare = folded[0] > 0 && folded[1] == '\0' ? folded[0] : L'?';
-	free(letter);
-	free(folded);
-	return bare;
+	if (row < 0 || row >= is.rows || column < 0 || column >= is.columns)
+		return;
+	*canvas_at(is.frame, column, row) = (struct canvas_cell){
+	    code, (unsigned char)series, (unsigned char)look};
 }
 
 int
@@ -228,20 +225,10 @@ screen_series(const struct area *area, int row, int column, enum series series,
 {
 	if (row < 0 || row >= area->rows || column < 0)
 		return column;
-	while (*text != '\0') {
-		const char *from = text;
-		wchar_t c = next_character(&text);
-		if (!is.utf8 && c > 126)
-			c = bare_letter(from, (size_t)(text - from));
-		int width = is.utf8 ? wcwidth(c) : 1;
-		if (width < 0 || column + width > area->columns)
-			break;
-		if (width > 0)
-			put_cell(area->row + row, area->column + column,
-			    (uint32_t)c, look, series);
-		column += width;
-	}
-	return column;
+	return canvas_text_within(is.frame, area->column + column,
+		   area->row + row, area->column + area->columns, text, series,
+		   look) -
+	       area->column;
 }
 
 int
@@ -254,6 +241,23 @@ screen_text(const struct area *area, int row, int column, unsigned look,
 	vsnprintf(text, sizeof text, format, ap);
 	va_end(ap);
 	return screen_series(area, row, column, SERIES_TEXT, look, text);
+}
+
+int
+screen_words(const struct area *area, int row, unsigned look, const char *text)
+{
+	char *wrapped = NULL, *save = NULL;
+	size_t n = 0;
+	FILE *memory = open_memstream(&wrapped, &n);
+	if (memory == NULL)
+		return row;
+	text_wrap(text, 0, area->columns, memory);
+	fclose(memory);
+	for (char *line = strtok_r(wrapped, "\n", &save); line != NULL;
+	     line = strtok_r(NULL, "\n", &save))
+		screen_series(area, row++, 0, SERIES_TEXT, look, line);
+	free(wrapped);
+	return row;
 }
 
 void
@@ -290,9 +294,52 @@ screen_canvas(const struct area *area, const struct canvas *canvas)
 		}
 }
 
+static attr_t
+attributes(unsigned look)
+{
+	return ((look & LOOK_BOLD) ? A_BOLD : 0) |
+	       ((look & LOOK_DIM) && is.depth == 256 ? A_DIM : 0) |
+	       ((look & LOOK_REVERSE) ? A_REVERSE : 0);
+}
+
+/* A letter without its accent, where there is nothing but ASCII. */
+static wchar_t
+bare_letter(uint32_t code)
+{
+	char letter[5], *folded = text_fold(canvas_utf8(code, letter));
+	wchar_t bare = folded[0] > 0 && folded[1] == '\0' ? folded[0] : L'?';
+	free(folded);
+	return bare;
+}
+
+static void
+show_cell(int row, int column, const struct canvas_cell *from)
+{
+	wchar_t text[2] = {(wchar_t)from->code, 0};
+	cchar_t cell;
+	if (!is.utf8 && from->code > 126)
+		text[0] = bare_letter(from->code);
+	short pair = is.depth > 0 && from->series != SERIES_TEXT
+			 ? (short)(from->series + 1)
+			 : (short)0;
+	setcchar(&cell, text, attributes(from->attribute), pair, NULL);
+	mvadd_wch(row, column, &cell);
+}
+
 void
 screen_show(int row, int column)
 {
+	if (is.screen == NULL)
+		return;
+	erase();
+	for (int r = 0; r < is.rows; r++)
+		for (int c = 0; c < is.columns; c++) {
+			const struct canvas_cell *at =
+			    canvas_at(is.frame, c, r);
+			bool blank = at->code == ' ' && at->attribute == 0;
+			if (at->code != 0 && !blank)
+				show_cell(r, c, at);
+		}
 	move(row < is.rows ? row : is.rows - 1,
 	    column < is.columns ? column : is.columns - 1);
 	wnoutrefresh(stdscr);

@@ -9,12 +9,29 @@
 #include "ui/places.h"
 
 /* How a piece of text looks: bits. */
-enum { LOOK_PLAIN = 0, LOOK_BOLD = 1, LOOK_DIM = 2, LOOK_REVERSE = 4 };
+enum {
+	LOOK_PLAIN = 0,
+	LOOK_BOLD = CELL_BOLD,
+	LOOK_DIM = CELL_DIM,
+	LOOK_REVERSE = CELL_REVERSE
+};
 
 /* Takes the terminal over.  False where it has no such abilities or ncurses
  * does not know it; then nothing is changed. */
 bool screen_open(bool colour);
 void screen_close(void);
+
+/* Draws aside of any terminal, with all characters there are, on frames of
+ * that size, until screen_back: that gives the terminal back, where there is
+ * one, and returns the last frame, which the caller frees, or NULL without one.
+ * The two may be nested. */
+struct display;
+struct display *screen_aside(
+    int rows, int columns, enum charset charset, int depth);
+struct canvas *screen_back(struct display *was);
+
+/* Of the last frame. */
+void screen_size(int *rows, int *columns);
 
 /* What lines are drawn with here. */
 enum charset screen_charset(void);
@@ -43,6 +60,11 @@ int screen_text(const struct area *area, int row, int column, unsigned look,
 /* The same in the colour of a series. */
 int screen_series(const struct area *area, int row, int column,
     enum series series, unsigned look, const char *text);
+
+/* Text in as many rows of the area as it takes, broken at blanks.  Returns the
+ * row behind it. */
+int screen_words(
+    const struct area *area, int row, unsigned look, const char *text);
 
 /* A line along the row, or along the column, of the area. */
 void screen_rule(const struct area *area);

@@ -23,6 +23,7 @@
 #include "ui/repl.h"
 #include "ui/rescue.h"
 #include "ui/screen.h"
+#include "ui/shot.h"
 #include "ui/tui_state.h"
 #include "ui/typed.h"
 #include "ui/view.h"
@@ -191,6 +192,7 @@ static void
 loop(struct tui *t)
 {
 	while (!t->leave && !t->session->quit && pump_signal() == 0) {
+		t->clock = session_clock();
 		conduct_predict(t);
 		pane_draw(t);
 		wait_for_something(t);
@@ -200,6 +202,7 @@ loop(struct tui *t)
 		if (resized)
 			screen_resize();
 		resized = 0;
+		t->clock = session_clock();
 		take_keys(t);
 		conduct_pump(t);
 	}
@@ -215,8 +218,8 @@ show_page(const char *page)
 	return shown;
 }
 
-static void
-start(struct tui *t, struct session *s)
+void
+tui_begin(struct tui *t, struct session *s)
 {
 	enum { PACE = 4 };
 	*t = (struct tui){.session = s,
@@ -225,14 +228,25 @@ start(struct tui *t, struct session *s)
 	    .mouse = true,
 	    .pace = PACE,
 	    .picture = PLOT_PSD,
-	    .holdout = NAN};
+	    .holdout = NAN,
+	    .before = {s->out, s->notes, s->show_page, s->prompt, s->screen}};
+	s->prompt = true;
+	s->show_page = NULL;
 	conduct_begin(t);
 	conduct_look(t);
+	shot_of(t);
 }
 
-static void
-finish(struct tui *t)
+void
+tui_end(struct tui *t)
 {
+	struct session *s = t->session;
+	shot_of(NULL);
+	s->out = t->before.out;
+	s->notes = t->before.notes;
+	s->show_page = t->before.show_page;
+	s->prompt = t->before.prompt;
+	s->screen = t->before.screen;
 	conduct_keep(t);
 	conduct_end(t);
 	typing_end(&t->typing);
@@ -255,9 +269,7 @@ tui_run(struct session *s)
 {
 	struct signals was;
 	struct tui t;
-	FILE *out = s->out, *notes = s->notes;
-	bool (*page)(const char *) = s->show_page;
-	bool prompt = s->prompt, history = typed_is_open();
+	bool history = typed_is_open();
 	if (linear)
 		return run_linear(s);
 	rescue_note();
@@ -270,15 +282,10 @@ tui_run(struct session *s)
 	}
 	if (!history)
 		typed_open();
-	start(&t, s);
-	s->prompt = true;
+	tui_begin(&t, s);
 	s->show_page = show_page;
 	loop(&t);
-	s->out = out;
-	s->notes = notes;
-	finish(&t);
-	s->prompt = prompt;
-	s->show_page = page;
+	tui_end(&t);
 	if (!history)
 		typed_close();
 	screen_close();

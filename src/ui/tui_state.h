@@ -43,15 +43,19 @@ struct tui {
 	struct places places;
 	enum page page;
 	enum focus focus;
-	int tenths;   /* of the slider */
-	int asked;    /* tenths last predicted at; 0: not yet */
-	double moved; /* when the slider last was */
+	bool aside;     /* drawn without a terminal */
+	double clock;   /* s; a step with every key where it is drawn aside */
+	double started; /* the search, by that clock */
+	int tenths;     /* of the slider */
+	int asked;      /* tenths last predicted at; 0: not yet */
+	double moved;   /* when the slider last was */
 	struct numbers now, pause, pin; /* site "": none */
 	bool cross, band, mouse;
 	bool dragging;        /* the focus follows the mouse */
 	struct area scrubber; /* of no rows where it is not drawn */
 	size_t cross_at;      /* a sieve of the prediction */
 	size_t site_at;       /* of the Sites page */
+	size_t data_top;      /* first sieve shown on the Data page */
 	enum plot_kind picture;
 	bool held;         /* the calibration waits */
 	int pace;          /* index of PACES */
@@ -69,6 +73,13 @@ struct tui {
 	char *said_text;
 	size_t said_n;
 	bool leave;
+	/* The session's, which it gets back. */
+	struct {
+		FILE *out, *notes;
+		bool (*show_page)(const char *page);
+		bool prompt;
+		struct screen screen;
+	} before;
 };
 
 /* Generations a second; the last: as many as can be. */
@@ -85,6 +96,11 @@ size_t tui_generation(const struct tui *t);
 
 /* The site in use, or NULL. */
 const struct entry *tui_entry(const struct tui *t);
+
+/* A full screen on a session, as it opens, and its end: what runs is stopped
+ * and kept, and the session has its ways again. */
+void tui_begin(struct tui *t, struct session *s);
+void tui_end(struct tui *t);
 
 /* Leaves terminal and signals to somebody else, and takes them back. */
 void tui_step_aside(void);

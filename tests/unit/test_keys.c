@@ -70,6 +70,36 @@ the_list_has_every_name(void **state)
 	assert_null(keys_nth("no such word", 0));
 }
 
+static void
+keys_are_called_by_every_name(void **state)
+{
+	(void)state;
+	int code;
+	for (const struct key *k = KEYS; k->code != 0; k++) {
+		if (k->name == NULL)
+			continue;
+		char *names = strdup(k->name), *save = NULL;
+		for (char *name = strtok_r(names, ",", &save); name != NULL;
+		     name = strtok_r(NULL, ",", &save)) {
+			name += name[0] == ' ';
+			assert_true(keys_code(name, &code));
+			const struct key *found = keys_find(
+			    code, k->pages == ON_FIT     ? PAGE_FIT
+				  : k->pages == ON_SITES ? PAGE_SITES
+							 : PAGE_PREDICT);
+			assert_non_null(found);
+			assert_int_equal(found->act, k->act);
+			assert_int_equal(found->amount, k->amount);
+		}
+		free(names);
+	}
+	assert_true(keys_code("Esc", &code) && code == 27);
+	assert_true(keys_code("x", &code) && code == 'x');
+	assert_false(keys_code("Rigth", &code));
+	assert_false(keys_code("", &code));
+	assert_false(keys_code("\u00e5", &code));
+}
+
 int
 main(void)
 {
@@ -78,6 +108,7 @@ main(void)
 	    cmocka_unit_test(every_key_is_found_on_its_pages_only),
 	    cmocka_unit_test(second_ways_do_the_same),
 	    cmocka_unit_test(the_list_has_every_name),
+	    cmocka_unit_test(keys_are_called_by_every_name),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -75,12 +75,28 @@ panels_drop_in_their_order(void **state)
 	assert_int_equal(l.track.row, 0);
 }
 
+static void
+text_has_the_room_at_any_size(void **state)
+{
+	(void)state;
+	for (int rows = 1; rows <= 100; rows++) {
+		struct places l = places_text(rows, 80);
+		int taken = l.header.rows + l.hints.rows;
+		assert_int_equal(l.body.rows + taken, rows);
+		assert_int_equal(l.body.row, l.header.rows);
+		assert_true(l.body.rows >= 1 && taken <= 2);
+		assert_true(l.hints.rows == 0 || l.hints.row == rows - 1);
+	}
+	assert_int_equal(places_text(24, 80).body.rows, 22);
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(no_size_is_refused),
 	    cmocka_unit_test(panels_drop_in_their_order),
+	    cmocka_unit_test(text_has_the_room_at_any_size),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

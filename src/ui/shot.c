@@ -1,0 +1,145 @@
+/* Presses keys by their names and draws frames without a terminal.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/shot.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "ui/act.h"
+#include "ui/conduct.h"
+#include "ui/pane.h"
+#include "ui/pump.h"
+#include "ui/screen.h"
+#include "ui/tui_state.h"
+
+static const struct tui *open_screen;
+
+void
+shot_of(const struct tui *t)
+{
+	open_screen = t;
+}
+
+/* What the loop does between two keys; the clock goes on by a second, so that
+ * the same keys give the same picture on any machine. */
+static void
+press(struct tui *t, int code)
+{
+	act_key(t, code, code > 255);
+	t->clock++;
+	conduct_pump(t);
+	conduct_predict(t);
+	pane_draw(t);
+}
+
+/* A word that is typed: a speed, or into a line. */
+static bool
+is_typed(const struct tui *t, const char *word)
+{
+	return t->typing.active || t->viewer.filtering ||
+	       word[strspn(word, "0123456789.")] == '\0';
+}
+
+static bool
+press_word(struct tui *t, const char *word, struct error *error)
+{
+	int code;
+	if (strcmp(word, "^Z") == 0) {
+		error_set(error, ERROR_USAGE,
+		    "^Z leaves to the shell, and there is none here");
+		return error_hint(error, "leave it out");
+	}
+	if (keys_code(word, &code)) {
+		press(t, code);
+		return true;
+	}
+	if (!is_typed(t, word)) {
+		error_set(error, ERROR_USAGE, "there is no key '%s'", word);
+		return error_hint(error,
+		    "the names are those of tipspeed-tui(1), with a blank "
+		    "between two: keys=\"Left Space c\"");
+	}
+	for (; *word != '\0'; word++)
+		press(t, (unsigned char)*word);
+	return true;
+}
+
+static bool
+press_all(struct tui *t, const char *keys, struct error *error)
+{
+	char *copy = xstrdup(keys), *save = NULL;
+	bool ok = true;
+	for (char *word = strtok_r(copy, " ", &save);
+	     ok && word != NULL && !t->leave && !t->session->quit;
+	     word = strtok_r(NULL, " ", &save)) {
+		ok = press_word(t, word, error);
+		if (ok && pump_signal() != 0)
+			ok = error_set(error, ERROR_SYSTEM,
+			    "interrupted at the key '%s'", word);
+	}
+	free(copy);
+	return ok;
+}
+
+/* The open one, as it stands; the copy is drawn, so that nothing of it
+ * changes. */
+static bool
+draw_open(const struct screen_request *request, struct error *error)
+{
+	struct tui t = *open_screen;
+	if (request->keys[0] != '\0') {
+		error_set(error, ERROR_USAGE,
+		    "keys= is for a picture without a full screen");
+		return error_hint(
+		    error, "press the keys here, then type :screen");
+	}
+	if (request->page > 0)
+		t.page = (enum page)(request->page - 1);
+	pane_draw(&t);
+	return true;
+}
+
+static bool
+draw_new(struct session *s, const struct screen_request *request,
+    struct error *error)
+{
+	struct tui t;
+	tui_begin(&t, s);
+	t.aside = true;
+	conduct_predict(&t);
+	pane_draw(&t);
+	if (request->page > 0)
+		press(&t, '0' + request->page);
+	bool ok = press_all(&t, request->keys, error);
+	/* Before the session has its streams again: what a search that ends
+	 * here says is not for the picture. */
+	conduct_keep(&t);
+	tui_end(&t);
+	return ok;
+}
+
+struct canvas *
+shot_draw(struct session *s, const struct screen_request *request,
+    struct error *error)
+{
+	struct screen_request r = *request;
+	int rows = 30, columns = 100;
+	if (open_screen != NULL)
+		screen_size(&rows, &columns);
+	r.rows = r.rows > 0 ? r.rows : rows;
+	r.columns = r.columns > 0 ? r.columns : columns;
+	if (open_screen != NULL && !r.charset_asked)
+		r.charset = screen_charset();
+	if (open_screen != NULL && !r.colours_asked)
+		r.colours = screen_depth();
+	struct display *was =
+	    screen_aside(r.rows, r.columns, r.charset, r.colours);
+	bool ok =
+	    open_screen != NULL ? draw_open(&r, error) : draw_new(s, &r, error);
+	struct canvas *canvas = screen_back(was);
+	if (ok)
+		return canvas;
+	canvas_free(canvas);
+	return NULL;
+}

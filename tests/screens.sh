@@ -1,0 +1,55 @@
+#!/bin/sh
+# What the program draws of its full screen is what was looked at: the screens in
+# tests/screens, the text in README and its picture.
+# `make renew-screens` writes them anew: look at the difference.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "${srcdir:-.}/tests/tap.sh"
+scratch
+srcdir=$(cd "$srcdir" && pwd)
+cd "$dir" || exit 99
+LC_ALL=C.UTF-8
+export LC_ALL
+unset NO_COLOR TIPSPEED_COLOR
+
+# compare NAME OLD NEW: the old file is like the new one, or becomes it.
+compare() {
+	[ "${RENEW:-}" != 1 ] || cp "$3" "$2"
+	diff "$2" "$3" >difference 2>&1
+	same=$?
+	result $same "$1"
+	[ $same -eq 0 ] || { remark difference; echo "# make renew-screens"; }
+}
+
+# Names of digits alone are those of tests/tui.sh, from a real terminal.
+mkdir screens
+"$TIPSPEED" -f "$srcdir/tests/screens.tip" >out 2>log
+good=$?
+remark log >all
+[ $good -eq 0 ] || cat all
+result $good "every screen is drawn"
+[ "${RENEW:-}" != 1 ] || rm -f "$srcdir"/tests/screens/[a-z]*
+for screen in screens/*; do
+	name=${screen#screens/}
+	compare "screen $name" "$srcdir/tests/screens/$name" "$screen"
+done
+for golden in "$srcdir"/tests/screens/[a-z]*; do
+	[ -e "screens/${golden##*/}" ] && continue
+	result 1 "screen ${golden##*/} is drawn by tests/screens.tip"
+done
+
+cat >readme.tip <<'END'
+load data/sites/tierp.csv
+calibrate
+screen width=80 height=24 charset=ascii > text
+screen > workbench.svg
+END
+"$TIPSPEED" -f readme.tip >out 2>log
+result $? "the screens of README are drawn"
+# The text stands behind the line that names its command, and a blank one.
+awk 'FILENAME == "text" { text[++n] = $0; next }
+	at > 1 && at <= n + 1 { print "    " text[at++ - 1]; next }
+	at == 1 { at = 2 } /`screen width=80 height=24` is the text/ { at = 1 }
+	{ print }' text "$srcdir/README.md" >README.md
+compare "README has the text of the screen" "$srcdir/README.md" README.md
+compare "and its picture" "$srcdir/doc/workbench.svg" workbench.svg
+finish
