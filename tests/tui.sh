@@ -142,6 +142,21 @@ keys Space
 want 'PAUSED' "pause"
 keys Space + + + + + + + +
 want 'calibrated: good' "a calibration to its end"
+keys - - - - f
+want 'CALIBRATING.* 1[0-9] of' "a calibration to be edited"
+keys : 'bounds e0_min 0..9' Enter
+want 'goes on within the new bounds' \
+	"a bound edited while it runs holds from there on"
+want 'generation [1-9][0-9] of 800'
+keys Space
+want 'PAUSED'
+keys : 'bounds e0_min 0..12' Enter
+want ': bounds e0_min 0..12'
+keys Space + + + + + + + +
+want 'calibrated: good' "and it comes to its end"
+keys : 'show params' Enter
+want 'e0_min  *1[0-2]\.' "within them"
+keys q
 keys Tab Home
 keys Left Left Left
 want 'generation 1 .*\]-' "the generations are gone through"

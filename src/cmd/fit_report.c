@@ -77,6 +77,9 @@ fit_as_json(const struct entry *entry, double seconds)
 	    o, "generations", json_integer((json_int_t)fit->generations));
 	json_object_set_new(
 	    o, "evaluations", json_integer((json_int_t)fit->evaluations));
+	if (fit->edits > 0)
+		json_object_set_new(o, "bounds_edited_at",
+		    json_integer((json_int_t)fit->edited_at));
 	json_object_set_new(
 	    o, "stop", json_string(calibrate_state_name(fit->stop)));
 	json_object_set_new(o, "misfit", report_json_number(fit->misfit));
@@ -231,6 +234,11 @@ fit_report(
 	    fit->misfit, 100 * fit->rmse, fit->n_residual);
 	report_note(r, "stopped after %zu generations, %zu evaluations: %s",
 	    fit->generations, fit->evaluations, stop_sentence(fit));
+	if (fit->edits > 0)
+		report_note(r,
+		    "the bounds were edited after generation %zu%s: what "
+		    "'save' writes repeats that, calibrate alone does not",
+		    fit->edited_at, fit->edits > 1 ? " and before" : "");
 	add_verdict(r, entry, bounds);
 	report_json(r, fit_as_json(entry, seconds));
 	return r;
