@@ -3,61 +3,9 @@
 # With RENEW=1 it writes the golden screens anew: look at the difference.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
-if ! command -v tmux >/dev/null; then
-	echo '1..0 # SKIP no tmux here'
-	exit 0
-fi
-scratch
-golden=$(cd "$srcdir/tests" && pwd)/screens
-cd "$dir" || exit 99
-HOME=$dir
-TMUX_TMPDIR=$dir
-LC_ALL=C.UTF-8
-export HOME TMUX_TMPDIR LC_ALL TIPSPEED
-unset NO_COLOR TIPSPEED_COLOR TMUX XDG_STATE_HOME XDG_CONFIG_HOME
-mux() { tmux -L tipspeed "$@"; }
-trap 'mux kill-server 2>/dev/null; rm -rf "$dir"' EXIT
+golden=$(cd "${srcdir:-.}/tests" && pwd)/screens
+. "${srcdir:-.}/tests/mux.sh"
 
-# What runs in the terminal: settings before and after, and the status.
-cat >inside <<'EOF'
-stty -a >before
-"$TIPSPEED" data/sites/tierp.csv -c "${START:-calibrate}" -c tui
-echo $? >status
-stty -a >after
-echo 'IT IS OVER'
-exec sleep 1000
-EOF
-
-# A session of no use keeps the server alive between the others.
-mux -f /dev/null new-session -d -s idle 'exec sleep 1000'
-
-# start COLUMNS ROWS [VARIABLE=VALUE]...: a terminal of that size with the program.
-start() {
-	size="-x $1 -y $2"
-	shift 2
-	rm -f status after
-	mux kill-session -t one 2>/dev/null
-	# shellcheck disable=SC2086
-	case $* in
-	*'sh -'*) mux new-session -d -s one $size env "$@" ;;
-	*) mux new-session -d -s one $size env "$@" sh ./inside ;;
-	esac
-}
-keys() { mux send-keys -t one "$@"; }
-shot() { mux capture-pane -t one -p >screen 2>&1; }
-# want PATTERN [NAME]: waits until the screen has it, ten seconds at most.
-want() {
-	tries=0
-	until shot; grep -q -e "$1" screen || [ $tries -ge 100 ]; do
-		sleep 0.1
-		tries=$((tries + 1))
-	done
-	[ $tries -lt 100 ]
-	good=$?
-	[ -z "${2:-}" ] && [ $good -eq 0 ] && return
-	[ $good -eq 0 ] || remark screen
-	result $good "${2:-the screen has $1}"
-}
 # same NAME: the screen is the golden one.
 same() {
 	[ -z "${RENEW:-}" ] || cp screen "$golden/$1"
@@ -179,29 +127,13 @@ want 'IT IS OVER' "q leaves"
 [ "$(cat status)" = 0 ] && cmp -s before after && ! grep -q 'rotor tip' screen
 result $? "and the terminal is as it was"
 
-# tmux tells in these whether the screen is the other one, the cursor shown and
-# the mouse asked for.
-flags='#{alternate_on} #{cursor_flag} #{mouse_any_flag}#{mouse_button_flag}'
-for signal in SEGV ABRT TERM HUP INT BUS FPE ILL; do
-	start 80 24
-	want '\[74\.0\]'
-	during=$(mux display-message -t one -p "$flags")
-	kill -s $signal "$(pgrep -n -f "^$TIPSPEED data/sites/tierp.csv" || echo 0)"
-	want 'IT IS OVER'
-	tries=0
-	until [ -s after ] || [ $tries -ge 50 ]; do sleep 0.1; tries=$((tries + 1)); done
-	[ "$during" = '1 1 11' ] && cmp -s before after &&
-		[ "$(mux display-message -t one -p "$flags")" = '0 1 00' ]
-	result $? "SIG$signal leaves the terminal as it was ($(cat status))"
-done
-
 # A shell of its own, for job control.
 start 80 24 PS1='shell: ' HISTFILE= sh -i
 keys "'$TIPSPEED' data/sites/tierp.csv -c calibrate -c tui" Enter
 want '\[74\.0\]'
 keys C-z
 want 'Stopped\|Suspended' "^Z"
-[ "$(mux display-message -t one -p "$flags")" = '0 1 00' ]
+[ "$(flags)" = '0 1 00' ]
 result $? "gives the terminal back"
 keys fg Enter
 want '\[74\.0\]' "and fg comes back"

@@ -76,7 +76,7 @@ screen_open(bool colour)
 		delscreen(is.screen);
 		return false;
 	}
-	rescue_prepare();
+	rescue_screen();
 	is.utf8 = strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 	is.charset = find_charset();
 	set_modes();
@@ -157,9 +157,10 @@ void
 screen_resize(void)
 {
 	struct winsize size = {0};
+	/* Without memory for it, ncurses 6.4 has spoilt the heap. */
 	if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 &&
-	    size.ws_col > 0)
-		resizeterm(size.ws_row, size.ws_col);
+	    size.ws_col > 0 && resizeterm(size.ws_row, size.ws_col) == ERR)
+		xalloc_fail();
 	clearok(curscr, TRUE);
 }
 
