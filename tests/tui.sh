@@ -169,14 +169,60 @@ start 80 24 START='echo hello'
 want 'f calibrates' "without parameters it says what to do"
 keys q
 want 'IT IS OVER'
-for vars in 'TERM=vt100' 'TERM=linux' 'TERM=xterm' 'NO_COLOR=1' 'LC_ALL=C'; do
-	start 80 24 "$vars"
-	want '\[74\.0\]' "$vars"
+# What it makes of a terminal, and that the shell goes on in a row of its own.
+# kind WORDS VARIABLE=VALUE..: WORDS are those at the right of its status line.
+kind() {
+	words=$1
+	shift
+	start 80 24 "$@"
+	want '\[74\.0\]'
+	mux pipe-pane -t one 'cat >bytes'
+	keys C-l Right
+	want '\[74\.1\]'
+	grep -q "$words\$" screen
+	right=$?
 	keys q
-	want 'IT IS OVER'
+	want '^IT IS OVER'
+	mux pipe-pane -t one
+	[ $right -eq 0 ] && [ "$(flags)" = '0 1 00' ]
+	result $? "$*: $words"
+}
+high=$(printf '[\200-\377]')
+colour=$(printf '\033\\[[0-9;]*3[0-9][0-9;]*m')
+kind 'mouse off  ascii  0 colours' TERM=vt100
+! LC_ALL=C grep -q "?100[026]h\|$colour" bytes
+result $? "without a word of mouse and colour"
+kind 'mouse off  ascii  8 colours' TERM=ansi
+kind 'mouse on  ascii  8 colours' TERM=linux
+kind 'mouse on  utf8  8 colours' TERM=xterm
+kind 'mouse on  utf8  8 colours' TERM=screen
+kind 'mouse on  utf8  256 colours' TERM=screen-256color
+kind 'mouse on  utf8  256 colours' TERM=xterm-256color
+LC_ALL=C grep -q "$colour" bytes
+result $? "with colours"
+kind 'mouse on  utf8  0 colours' TERM=xterm-256color NO_COLOR=1
+! LC_ALL=C grep -q "$colour" bytes
+result $? "without one"
+kind 'mouse on  ascii  256 colours' TERM=xterm-256color LC_ALL=C
+! LC_ALL=C grep -q "$high" bytes
+result $? "and not a byte beyond ASCII"
+start 80 24 TERM=xterm LC_ALL=C \
+	'START=load data/sites/ossjo.csv; params set f_mat=1 e0_min=9 alpha=1'
+want '^Ossjo.*at 74\.0' "a name there is without its accents"
+keys q
+start 80 24 TERM=vt100
+want '\[74\.0\]'
+keys M
+want 'this terminal has no mouse' "M says so where there is none"
+keys PageUp
+want '\[79\.0\]' "keys that its description does not have"
+keys -l "$(printf '\033[99;5:3X\033Oy')"
+keys Right
+want '\[79\.1\]' "a sequence that nobody knows is no keys"
+for term in dumb no-such-terminal ''; do
+	start 80 24 "TERM=$term"
+	want 'cannot show a full screen' "TERM=$term cannot, and is told so"
 done
-start 80 24 TERM=dumb
-want 'cannot show a full screen' "a terminal that cannot is told so"
 
 "$TIPSPEED" -c tui >out 2>log </dev/null
 [ $? -eq 2 ] && grep -q 'wants a terminal' log

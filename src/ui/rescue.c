@@ -123,7 +123,10 @@ rescue_screen(void)
 	add(tigetstr("rmkx"));
 	add(tigetstr("sgr0"));
 	add(tigetstr("cnorm"));
-	add(tigetstr("rmcup"));
+	if (tigetstr("rmcup") != NULL)
+		add(tigetstr("rmcup"));
+	else
+		add(tparm(tigetstr("cup"), LINES - 1, 0));
 	add("\r\n");
 	watch();
 }

@@ -61,6 +61,13 @@ set_modes(void)
 	nodelay(stdscr, TRUE);
 	meta(stdscr, TRUE);
 	set_escdelay(25);
+	/* What most terminals send, whatever their description says. */
+	define_key("\033[1;2D", KEY_SLEFT);
+	define_key("\033[1;2C", KEY_SRIGHT);
+	define_key("\033[1~", KEY_HOME);
+	define_key("\033[4~", KEY_END);
+	define_key("\033[5~", KEY_PPAGE);
+	define_key("\033[6~", KEY_NPAGE);
 }
 
 bool
@@ -81,15 +88,25 @@ screen_open(bool colour)
 	is.charset = find_charset();
 	set_modes();
 	set_colours(colour);
-	screen_mouse(true);
 	return true;
+}
+
+/* Not every terminal has a second screen to leave: where the picture stays, the
+ * shell goes on in a row of its own. */
+static void
+end_screen(void)
+{
+	screen_mouse(false);
+	move(LINES - 1, 0);
+	clrtoeol();
+	refresh();
+	endwin();
 }
 
 void
 screen_close(void)
 {
-	screen_mouse(false);
-	endwin();
+	end_screen();
 	delscreen(is.screen);
 	is.screen = NULL;
 }
@@ -131,14 +148,19 @@ screen_mouse(bool on)
 	return true;
 }
 
+bool
+screen_mouse_on(void)
+{
+	return is.mouse;
+}
+
 void
 screen_leave(void)
 {
 	bool mouse = is.mouse;
-	screen_mouse(false);
-	is.mouse = mouse;
 	def_prog_mode();
-	endwin();
+	end_screen();
+	is.mouse = mouse;
 	fflush(stdout);
 }
 
@@ -199,28 +221,30 @@ next_character(const char **text)
 	return code < ' ' || (more == 0 && code > 126) ? L'?' : (wchar_t)code;
 }
 
+/* A letter without its accent, where there is nothing but ASCII. */
+static wchar_t
+bare_letter(uint32_t code)
+{
+	char letter[] = {
+	    (char)(0xC0 | (code >> 6)), (char)(0x80 | (code & 63)), '\0'};
+	char *folded = text_fold(code < 0x800 ? letter : "");
+	char bare = folded[0] > 0 && folded[1] == '\0' ? folded[0] : '?';
+	bool capital = code >= 0xC0 && code < 0xDF && bare >= 'a';
+	free(folded);
+	return capital ? bare - 'a' + 'A' : bare;
+}
+
 static void
 put_cell(int row, int column, uint32_t code, unsigned look, enum series series)
 {
 	wchar_t text[2] = {(wchar_t)code, 0};
 	cchar_t cell;
 	if (!is.utf8 && code > 126)
-		text[0] = L'?';
+		text[0] = bare_letter(code);
 	short pair = is.depth > 0 && series != SERIES_TEXT ? (short)(series + 1)
 							   : (short)0;
 	setcchar(&cell, text, attributes(look), pair, NULL);
 	mvadd_wch(row, column, &cell);
-}
-
-/* A letter without its accent, where there is nothing but ASCII. */
-static wchar_t
-bare_letter(const char *bytes, size_t n)
-{
-	char *letter = xstrndup(bytes, n), *folded = text_fold(letter);
-	wchar_t bare = folded[0] > 0 && folded[1] == '\0' ? folded[0] : L'?';
-	free(letter);
-	free(folded);
-	return bare;
 }
 
 int
@@ -230,10 +254,7 @@ screen_series(const struct area *area, int row, int column, enum series series,
 	if (row < 0 || row >= area->rows || column < 0)
 		return column;
 	while (*text != '\0') {
-		const char *from = text;
 		wchar_t c = next_character(&text);
-		if (!is.utf8 && c > 126)
-			c = bare_letter(from, (size_t)(text - from));
 		int width = is.utf8 ? wcwidth(c) : 1;
 		if (width < 0 || column + width > area->columns)
 			break;
