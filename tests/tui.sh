@@ -120,8 +120,11 @@ keys w 'kept.tip' Enter
 want ': save kept.tip'
 tries=0
 until [ -s kept.tip ] || [ $tries -ge 30 ]; do sleep 0.1; tries=$((tries + 1)); done
-"$TIPSPEED" -f kept.tip >replay 2>log
-result $? "the session is written as a script that runs"
+"$TIPSPEED" -f kept.tip -c 'save again.tip' >replay 2>log
+cmp kept.tip again.tip >>log && grep -q '^bounds e0_min 0..12$' kept.tip
+good=$?
+[ $good -eq 0 ] || remark log
+result $good "the session is written as a script that does the same"
 keys q
 want 'IT IS OVER' "q leaves"
 [ "$(cat status)" = 0 ] && cmp -s before after && ! grep -q 'rotor tip' screen
@@ -162,6 +165,23 @@ want '\[84\.9\]' "and the wheel"
 press '0;65;1M'
 press '0;65;1m'
 want 'site  *parameters' "a click opens a page"
+keys q
+want 'IT IS OVER'
+
+# The same by the coding that terminals like tmux and screen have: motion comes
+# without a button.
+start 80 24 TERM=tmux-256color
+want '\[74\.0\]'
+# shellcheck disable=SC2046
+press() { keys -H 1b 5b 4d $(printf '%x ' $((32 + $1)) $((32 + $2)) $((32 + $3))); }
+press 0 5 21
+press 3 5 21
+want '\[65\.0\]' "a click coded as X10 has it"
+press 0 5 21
+press 32 40 21
+press 32 76 21
+press 3 76 21
+want '\[85\.0\]' "and a drag"
 keys q
 want 'IT IS OVER'
 
