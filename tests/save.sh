@@ -56,6 +56,13 @@ replays 'stopped and accepted' --format=json "load tierp.csv
 	calibrate $quick pause=5; accept; sweep 70,71"
 replays 'stopped in the polish' --format=json "load tierp.csv
 	calibrate $quick pause=11; continue pause=13; predict 75"
+replays 'bounds edited in the search' --format=json "load tierp.csv
+	calibrate $quick pause=3; bounds e0_min 0..9; continue pause=5
+	bounds alpha 0.5; bounds e0_min 0..50; continue; predict 75"
+grep -q '"bounds_edited_at":5' "$dir/first"
+result $? "bounds edited in the search: the result says so"
+replays 'bounds edited in the polish' --format=json "load tierp.csv
+	calibrate $quick pause=11; bounds f_mat 0.5..0.7; continue; predict 75"
 replays 'stopped among all' --format=json "load tierp.csv bro.csv
 	calibrate all $quick pause=12; use tierp; predict 75"
 replays 'stopped between sites' --format=json "load tierp.csv bro.csv

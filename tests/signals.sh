@@ -29,7 +29,7 @@ for signal in INT TERM HUP; do
 	result $? "$signal ends with status $want"
 	grep -q 'calibrated parameters' out
 	result $? "$signal prints the best so far"
-	[ "$(head -n 1 point)" = 'tipspeed checkpoint 2' ]
+	[ "$(head -n 1 point)" = 'tipspeed checkpoint 3' ]
 	result $? "$signal writes the checkpoint"
 	[ "$(tail -n 1 point | cut -c1-4)" = 'end ' ]
 	result $? "$signal writes all of it"

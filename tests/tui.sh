@@ -3,61 +3,9 @@
 # With RENEW=1 it writes the golden screens anew: look at the difference.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
-if ! command -v tmux >/dev/null; then
-	echo '1..0 # SKIP no tmux here'
-	exit 0
-fi
-scratch
-golden=$(cd "$srcdir/tests" && pwd)/screens
-cd "$dir" || exit 99
-HOME=$dir
-TMUX_TMPDIR=$dir
-LC_ALL=C.UTF-8
-export HOME TMUX_TMPDIR LC_ALL TIPSPEED
-unset NO_COLOR TIPSPEED_COLOR TMUX XDG_STATE_HOME XDG_CONFIG_HOME
-mux() { tmux -L tipspeed "$@"; }
-trap 'mux kill-server 2>/dev/null; rm -rf "$dir"' EXIT
+golden=$(cd "${srcdir:-.}/tests" && pwd)/screens
+. "${srcdir:-.}/tests/mux.sh"
 
-# What runs in the terminal: settings before and after, and the status.
-cat >inside <<'EOF'
-stty -a >before
-"$TIPSPEED" data/sites/tierp.csv -c "${START:-calibrate}" -c tui
-echo $? >status
-stty -a >after
-echo 'IT IS OVER'
-exec sleep 1000
-EOF
-
-# A session of no use keeps the server alive between the others.
-mux -f /dev/null new-session -d -s idle 'exec sleep 1000'
-
-# start COLUMNS ROWS [VARIABLE=VALUE]...: a terminal of that size with the program.
-start() {
-	size="-x $1 -y $2"
-	shift 2
-	rm -f status after
-	mux kill-session -t one 2>/dev/null
-	# shellcheck disable=SC2086
-	case $* in
-	*'sh -'*) mux new-session -d -s one $size env "$@" ;;
-	*) mux new-session -d -s one $size env "$@" sh ./inside ;;
-	esac
-}
-keys() { mux send-keys -t one "$@"; }
-shot() { mux capture-pane -t one -p >screen 2>&1; }
-# want PATTERN [NAME]: waits until the screen has it, ten seconds at most.
-want() {
-	tries=0
-	until shot; grep -q -e "$1" screen || [ $tries -ge 100 ]; do
-		sleep 0.1
-		tries=$((tries + 1))
-	done
-	[ $tries -lt 100 ]
-	good=$?
-	[ -z "${2:-}" ] && [ $good -eq 0 ] && return
-	[ $good -eq 0 ] || remark screen
-	result $good "${2:-the screen has $1}"
-}
 # same NAME: the screen is the golden one.
 same() {
 	[ -z "${RENEW:-}" ] || cp screen "$golden/$1"
@@ -156,6 +104,21 @@ keys Space
 want 'PAUSED' "pause"
 keys Space + + + + + + + +
 want 'calibrated: good' "a calibration to its end"
+keys - - - - f
+want 'CALIBRATING.* 1[0-9] of' "a calibration to be edited"
+keys : 'bounds e0_min 0..9' Enter
+want 'goes on within the new bounds' \
+	"a bound edited while it runs holds from there on"
+want 'generation [1-9][0-9] of 800'
+keys Space
+want 'PAUSED'
+keys : 'bounds e0_min 0..12' Enter
+want ': bounds e0_min 0..12'
+keys Space + + + + + + + +
+want 'calibrated: good' "and it comes to its end"
+keys : 'show params' Enter
+want 'e0_min  *1[0-2]\.' "within them"
+keys q
 keys Tab Home
 keys Left Left Left
 want 'generation 1 .*\]-' "the generations are gone through"
@@ -171,28 +134,15 @@ keys w 'kept.tip' Enter
 want ': save kept.tip'
 tries=0
 until [ -s kept.tip ] || [ $tries -ge 30 ]; do sleep 0.1; tries=$((tries + 1)); done
-"$TIPSPEED" -f kept.tip >replay 2>log
-result $? "the session is written as a script that runs"
+"$TIPSPEED" -f kept.tip -c 'save again.tip' >replay 2>log
+cmp kept.tip again.tip >>log && grep -q '^bounds e0_min 0..12$' kept.tip
+good=$?
+[ $good -eq 0 ] || remark log
+result $good "the session is written as a script that does the same"
 keys q
 want 'IT IS OVER' "q leaves"
 [ "$(cat status)" = 0 ] && cmp -s before after && ! grep -q 'rotor tip' screen
 result $? "and the terminal is as it was"
-
-# tmux tells in these whether the screen is the other one, the cursor shown and
-# the mouse asked for.
-flags='#{alternate_on} #{cursor_flag} #{mouse_any_flag}#{mouse_button_flag}'
-for signal in SEGV ABRT TERM HUP INT BUS FPE ILL; do
-	start 80 24
-	want '\[74\.0\]'
-	during=$(mux display-message -t one -p "$flags")
-	kill -s $signal "$(pgrep -n -f "^$TIPSPEED data/sites/tierp.csv" || echo 0)"
-	want 'IT IS OVER'
-	tries=0
-	until [ -s after ] || [ $tries -ge 50 ]; do sleep 0.1; tries=$((tries + 1)); done
-	[ "$during" = '1 1 11' ] && cmp -s before after &&
-		[ "$(mux display-message -t one -p "$flags")" = '0 1 00' ]
-	result $? "SIG$signal leaves the terminal as it was ($(cat status))"
-done
 
 # A shell of its own, for job control.
 start 80 24 PS1='shell: ' HISTFILE= sh -i
@@ -200,7 +150,7 @@ keys "'$TIPSPEED' data/sites/tierp.csv -c calibrate -c tui" Enter
 want '\[74\.0\]'
 keys C-z
 want 'Stopped\|Suspended' "^Z"
-[ "$(mux display-message -t one -p "$flags")" = '0 1 00' ]
+[ "$(flags)" = '0 1 00' ]
 result $? "gives the terminal back"
 keys fg Enter
 want '\[74\.0\]' "and fg comes back"
@@ -232,18 +182,81 @@ want 'site  *parameters' "a click opens a page"
 keys q
 want 'IT IS OVER'
 
+# The same by the coding that terminals like tmux and screen have: motion comes
+# without a button.
+start 80 24 TERM=tmux-256color
+want '\[74\.0\]'
+# shellcheck disable=SC2046
+press() { keys -H 1b 5b 4d $(printf '%x ' $((32 + $1)) $((32 + $2)) $((32 + $3))); }
+press 0 5 21
+press 3 5 21
+want '\[65\.0\]' "a click coded as X10 has it"
+press 0 5 21
+press 32 40 21
+press 32 76 21
+press 3 76 21
+want '\[85\.0\]' "and a drag"
+keys q
+want 'IT IS OVER'
+
 start 80 24 START='echo hello'
 want 'f calibrates' "without parameters it says what to do"
 keys q
 want 'IT IS OVER'
-for vars in 'TERM=vt100' 'TERM=linux' 'TERM=xterm' 'NO_COLOR=1' 'LC_ALL=C'; do
-	start 80 24 "$vars"
-	want '\[74\.0\]' "$vars"
+# What it makes of a terminal, and that the shell goes on in a row of its own.
+# kind WORDS VARIABLE=VALUE..: WORDS are those at the right of its status line.
+kind() {
+	words=$1
+	shift
+	start 80 24 "$@"
+	want '\[74\.0\]'
+	mux pipe-pane -t one 'cat >bytes'
+	keys C-l Right
+	want '\[74\.1\]'
+	grep -q "$words\$" screen
+	right=$?
 	keys q
-	want 'IT IS OVER'
+	want '^IT IS OVER'
+	mux pipe-pane -t one
+	[ $right -eq 0 ] && [ "$(flags)" = '0 1 00' ]
+	result $? "$*: $words"
+}
+high=$(printf '[\200-\377]')
+colour=$(printf '\033\\[[0-9;]*3[0-9][0-9;]*m')
+kind 'mouse off  ascii  0 colours' TERM=vt100
+! LC_ALL=C grep -q "?100[026]h\|$colour" bytes
+result $? "without a word of mouse and colour"
+kind 'mouse off  ascii  8 colours' TERM=ansi
+kind 'mouse on  ascii  8 colours' TERM=linux
+kind 'mouse on  utf8  8 colours' TERM=xterm
+kind 'mouse on  utf8  8 colours' TERM=screen
+kind 'mouse on  utf8  256 colours' TERM=screen-256color
+kind 'mouse on  utf8  256 colours' TERM=xterm-256color
+LC_ALL=C grep -q "$colour" bytes
+result $? "with colours"
+kind 'mouse on  utf8  0 colours' TERM=xterm-256color NO_COLOR=1
+! LC_ALL=C grep -q "$colour" bytes
+result $? "without one"
+kind 'mouse on  ascii  256 colours' TERM=xterm-256color LC_ALL=C
+! LC_ALL=C grep -q "$high" bytes
+result $? "and not a byte beyond ASCII"
+start 80 24 TERM=xterm LC_ALL=C \
+	'START=load data/sites/ossjo.csv; params set f_mat=1 e0_min=9 alpha=1'
+want '^Ossjo.*at 74\.0' "a name there is without its accents"
+keys q
+start 80 24 TERM=vt100
+want '\[74\.0\]'
+keys M
+want 'this terminal has no mouse' "M says so where there is none"
+keys PageUp
+want '\[79\.0\]' "keys that its description does not have"
+keys -l "$(printf '\033[99;5:3X\033Oy')"
+keys Right
+want '\[79\.1\]' "a sequence that nobody knows is no keys"
+for term in dumb no-such-terminal ''; do
+	start 80 24 "TERM=$term"
+	want 'cannot show a full screen' "TERM=$term cannot, and is told so"
 done
-start 80 24 TERM=dumb
-want 'cannot show a full screen' "a terminal that cannot is told so"
 
 "$TIPSPEED" -c tui >out 2>log </dev/null
 [ $? -eq 2 ] && grep -q 'wants a terminal' log

@@ -11,8 +11,8 @@
 
 #include "base/error.h"
 
-static void
-out_of_memory(void)
+void
+xalloc_fail(void)
 {
 	static const char say[] = "tipspeed: out of memory\n";
 	ssize_t written = write(STDERR_FILENO, say, sizeof say - 1);
@@ -25,7 +25,7 @@ xcalloc(size_t n, size_t size)
 {
 	void *p = calloc(n > 0 ? n : 1, size > 0 ? size : 1);
 	if (p == NULL)
-		out_of_memory();
+		xalloc_fail();
 	return p;
 }
 
@@ -33,10 +33,10 @@ void *
 xrealloc(void *p, size_t n, size_t size)
 {
 	if (size > 0 && n > SIZE_MAX / size)
-		out_of_memory();
+		xalloc_fail();
 	void *q = realloc(p, n * size > 0 ? n * size : 1);
 	if (q == NULL)
-		out_of_memory();
+		xalloc_fail();
 	return q;
 }
 
@@ -74,11 +74,11 @@ xdoubles(size_t n)
 {
 	enum { LINE = 64 };
 	if (n > SIZE_MAX / sizeof(double) - LINE)
-		out_of_memory();
+		xalloc_fail();
 	size_t bytes = (n * sizeof(double) + LINE) / LINE * LINE;
 	void *p = aligned_alloc(LINE, bytes);
 	if (p == NULL)
-		out_of_memory();
+		xalloc_fail();
 	memset(p, 0, bytes);
 	return p;
 }

@@ -18,4 +18,7 @@ char *xasprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Zeroed doubles whose address is a multiple of 64 bytes, for the kernels. */
 double *xdoubles(size_t n);
 
+/* What these do when there is none, for a library that says so. */
+_Noreturn void xalloc_fail(void);
+
 #endif

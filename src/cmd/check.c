@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/data.h"
+#include "cmd/fit.h"
 #include "core/misfit.h"
 #include "core/smooth.h"
 #include "io/units.h"
@@ -195,6 +196,26 @@ check_smooth(struct report *r, const struct entry *entry, bool feed)
 	free(run);
 }
 
+/* A cell that neither its neighbours nor the other runs give away may lie off
+ * what all of them together fit. */
+static void
+check_fit(struct report *r, const struct entry *entry)
+{
+	struct validation v = fit_outlier(entry);
+	if (v.worst_difference == 0)
+		return;
+	const struct run *run = &entry->site->run[v.run];
+	char *where = xasprintf("%g m/s", v.speed);
+	finding(r, entry, false, where,
+	    xasprintf("product passing %g %% at %g mm lies %.1f points %s the "
+		      "calibrated product: were digits swapped, here or beside "
+		      "it?",
+		units_pct(psd_passing(&run->product, v.worst_sieve)),
+		units_mm(v.worst_sieve), 100 * fabs(v.worst_difference),
+		v.worst_difference < 0 ? "above" : "below"));
+	free(where);
+}
+
 /* Other loaded sites with the very same numbers. */
 static void
 check_twins(struct session *s, struct report *r, size_t index)
@@ -222,6 +243,7 @@ check_site(struct session *s, struct report *r, size_t index)
 	ok = check_order(r, entry) && ok;
 	check_smooth(r, entry, true);
 	check_smooth(r, entry, false);
+	check_fit(r, entry);
 	check_twins(s, r, index);
 	if (entry->site->provenance[0] == '\0')
 		finding(r, entry, false, "sheet",

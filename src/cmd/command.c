@@ -41,8 +41,10 @@ command_called(const char *name, bool prompt)
 	const struct command *found = command_find(name);
 	if (found != NULL || !prompt)
 		return found;
+	/* Less leaves by q, and one too many is not to leave the program. */
+	enum { LEAST = 2 };
 	char *start = text_fold(name);
-	size_t n = 0;
+	size_t n = strlen(start) < LEAST ? LEAST : 0;
 	const struct command *exact = command_find(start);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (!begins(c->name, start) && !begins(c->alias, start))

@@ -95,8 +95,8 @@ const struct command *command_next(const struct command *after);
 /* By full name or alias; NULL if there is none. */
 const struct command *command_find(const char *name);
 
-/* The same; at a prompt also without case and by a prefix that only one command
- * has. */
+/* The same; at a prompt also without case and by a prefix of two letters or
+ * more that only one command has. */
 const struct command *command_called(const char *name, bool prompt);
 
 /* "calibrate, check": names that begin so, without case.  The caller frees. */

@@ -265,7 +265,7 @@ take_history(struct entry *entry, const struct job *job)
 /* The options of the job as one would type them, for whoever asks later how the
  * fit was found; bounds only where they are not the default ones. */
 static void
-describe_options(const struct session *s, FILE *out)
+describe_options(const struct session *s, const struct fit *fit, FILE *out)
 {
 	const struct job *job = &s->job;
 	const struct calibrate_options *o = &job->options;
@@ -283,6 +283,9 @@ describe_options(const struct session *s, FILE *out)
 		fprintf(out, "%s%g", sign, job->run_weight[r]);
 		sign = ",";
 	}
+	if (fit->edits > 0)
+		fprintf(out, "; bounds edited after generation %zu%s",
+		    fit->edited_at, fit->edits > 1 ? " and before" : "");
 	for (size_t j = 0; j < PARAM_COUNT; j++)
 		if (o->bounds.lower[j] != usual.lower[j] ||
 		    o->bounds.upper[j] != usual.upper[j])
@@ -299,7 +302,7 @@ keep_options(const struct session *s, struct entry *entry)
 	entry->options[0] = '\0';
 	if (out == NULL)
 		return;
-	describe_options(s, out);
+	describe_options(s, &entry->fit, out);
 	fclose(out);
 	snprintf(entry->options, sizeof entry->options, "%s", text);
 	free(text);
@@ -309,9 +312,9 @@ void
 fit_take(struct session *s)
 {
 	struct entry *entry = &s->entry[s->job.entry];
-	keep_options(s, entry);
 	entry->recalled[0] = '\0';
 	entry->fit = calibration_fit(s->job.calibration);
+	keep_options(s, entry);
 	entry->params = entry->fit.params;
 	take_history(entry, &s->job);
 	doubt_drop(entry->doubt);

@@ -7,6 +7,7 @@
 
 #include "cmd/command.h"
 #include "cmd/session.h"
+#include "core/validate.h"
 
 bool cmd_calibrate(struct session *, const struct args *, struct error *);
 
@@ -36,6 +37,10 @@ bool fit_is_flat(const struct fit *fit, size_t j);
 /* The largest RMSE of the entry's fit at the runs held out, 0..1; NAN when none
  * was. */
 double fit_holdout_rmse(const struct entry *entry);
+
+/* The cell of a product (worst_sieve) that lies farthest off the entry's fit,
+ * by more than a careful sample does; worst_difference is 0 where none does. */
+struct validation fit_outlier(const struct entry *entry);
 
 /* The table of a site's fit, with its JSON; seconds: how long it took. */
 struct report *fit_report(

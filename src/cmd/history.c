@@ -92,6 +92,12 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	report_note(r,
 	    "best and median misfit of the search; then the spread of each "
 	    "parameter, %% of its bounds");
+	if (entry->fit.edits > 0)
+		report_note(r,
+		    "the bounds were edited after generation %zu%s: earlier "
+		    "spreads are told in %% of those set since",
+		    entry->fit.edited_at,
+		    entry->fit.edits > 1 ? " and before" : "");
 	session_report(s, r);
 	return true;
 }

@@ -63,6 +63,12 @@ static void
 save_checkpoint(struct session *s)
 {
 	struct error error = {0};
+	if (calibration_fit(s->job.calibration).edits > 0) {
+		session_note(s,
+		    "no checkpoint written: it cannot tell of bounds that were "
+		    "edited on the way; 'save FILE.tip' can");
+		return;
+	}
 	char *options = options_text(s);
 	struct checkpoint_of of = {
 	    s->entry[s->job.entry].site->digest, options};
@@ -356,6 +362,21 @@ need_paused(const struct session *s, const char *name, struct error *error)
 	    error, "^C or pause= stops a calibration and keeps it");
 }
 
+/* On within the session's bounds, where these are others than it began with. */
+static void
+take_bounds(struct session *s)
+{
+	struct job *job = &s->job;
+	if (memcmp(&s->bounds, &job->options.bounds, sizeof s->bounds) == 0)
+		return;
+	job->options.bounds = s->bounds;
+	calibration_set_bounds(job->calibration, &s->bounds);
+	session_note(s,
+	    "  going on after generation %zu within the bounds that were "
+	    "edited",
+	    calibration_status(job->calibration).generation);
+}
+
 bool
 cmd_continue(struct session *s, const struct args *args, struct error *error)
 {
@@ -367,6 +388,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "pause wants a generation beyond %zu, which is done",
 		    s->job.step);
+	take_bounds(s);
 	s->job.pause_at = (size_t)pause->whole;
 	s->job.paused = false;
 	s->job.turn = s->turn;

@@ -187,8 +187,9 @@ put_place(struct error *error, struct place place,
 static void
 unknown_command(const char *name, bool prompt, struct error *error)
 {
-	const char *near = command_nearest(name);
 	char *several = command_candidates(name);
+	bool one = prompt && several[0] != '\0';
+	const char *near = one ? several : command_nearest(name);
 	error_set(error, ERROR_USAGE, "there is no command '%s'", name);
 	if (prompt && strchr(several, ',') != NULL)
 		error_hint(error, "it may begin %s", several);

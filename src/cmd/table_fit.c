@@ -37,7 +37,8 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
 	"paper: a textbook genetic algorithm, without polish"},
     PAUSE_OPTION,
     {"checkpoint", VALUE_FILE, "", 0, 0, NULL, "",
-	"written when the calibration is stopped"},
+	"written when the calibration is stopped; not once bounds were "
+	"edited on the way"},
     {"resume", VALUE_FILE, "", 0, 0, NULL, "",
 	"a checkpoint of this site and these options to go on from"},
     {"log", VALUE_FILE, "", 0, 0, NULL, "", "for every generation, as CSV"},
@@ -75,7 +76,9 @@ const struct command TABLE_FIT[] = {
 	.flags = COMMAND_CHANGES,
 	.option = CONTINUE_OPTIONS,
 	.text = "^C or pause= stopped it. The result is the same as if it "
-		"had not been stopped.",
+		"had not been stopped; but bounds that were edited since hold "
+		"from here on: candidates outside them are brought to them, "
+		"and the result says after which generation.",
 	.example = "load data/sites/tierp.csv\ncalibrate pause=10\ncontinue",
 	.run = cmd_continue},
     {.name = "accept",

@@ -196,7 +196,7 @@ generation(struct calibration *c)
 	 * search has looked around; and a perfect fit leaves both misfits near
 	 * 0, where the last term ends it. */
 	bool together = s.median - s.best <= o->tolerance * s.best + 1e-16;
-	bool early = s.generation < EARLIEST;
+	bool early = s.generation - c->edited_at < EARLIEST;
 	if (s.generation >= o->generations)
 		end_search(c, CALIBRATE_GENERATIONS);
 	else if (!early && o->tolerance > 0 && together)
@@ -308,4 +308,33 @@ calibration_stop(struct calibration *c, bool polish)
 		end_search(c, CALIBRATE_STOPPED);
 	if (c->state == CALIBRATE_POLISHING && !polish)
 		c->state = c->stop = CALIBRATE_STOPPED;
+}
+
+/* The same beta, scaled so that as little as possible is cut off (D4). */
+static void
+bring(const struct bounds *b, struct params *p)
+{
+	centre_beta(b, p);
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		params_set(p, j,
+		    fmin(fmax(params_get(p, j), b->lower[j]), b->upper[j]));
+}
+
+void
+calibration_set_bounds(struct calibration *c, const struct bounds *bounds)
+{
+	assert(c->state <= CALIBRATE_POLISHING);
+	c->options.bounds = *bounds;
+	c->edits++;
+	c->edited_at = ga_status(c->ga).generation;
+	c->stall = 0;
+	c->stall_from = INFINITY;
+	ga_set_box(c->ga, bounds->lower, bounds->upper);
+	for (size_t i = 0; i < c->n_start; i++)
+		bring(bounds, &c->start[i]);
+	if (c->state == CALIBRATE_SEARCHING)
+		return;
+	bring(bounds, &c->best);
+	c->best_misfit = misfit_at(c->misfit, &c->best);
+	c->done = c->fruitless = 0;
 }

@@ -16,9 +16,9 @@
 /* tolerance: the search ends when the median candidate's misfit is no more than
  * this share above the best one's; 0: never.  stall: it ends when the best has
  * not fallen by 0.1 % within this many generations; 0: never. Neither counts in
- * the first 25 generations. train, run_weight [n_run] or NULL for the default
- * (slowest and fastest, all weights 1); by_sd: weigh sieves by the sheet's
- * standard deviations. */
+ * the first 25 generations, nor in those after other bounds. train, run_weight
+ * [n_run] or NULL for the default (slowest and fastest, all weights 1); by_sd:
+ * weigh sieves by the sheet's standard deviations. */
 struct calibrate_options {
 	uint64_t seed;
 	size_t population, generations, stall;
@@ -73,6 +73,13 @@ enum calibrate_state calibration_step(struct calibration *c);
  * is on and `polish` is true. */
 void calibration_stop(struct calibration *c, bool polish);
 
+/* Goes on within other bounds, from the present population (ga_set_box). What
+ * is kept for the polish is brought to them, and a polish under way begins
+ * again. Generations and history go on, the stop rules begin anew. Only before
+ * the end (asserted). What is found then depends on when: the fit's `edits`
+ * says so. */
+void calibration_set_bounds(struct calibration *c, const struct bounds *bounds);
+
 struct calibrate_status {
 	enum calibrate_state state;
 	size_t generation, evaluations;
@@ -115,6 +122,7 @@ struct fit {
 	struct flat flat; /* what the data tell least */
 	enum calibrate_state stop;
 	size_t generations, evaluations, hops;
+	size_t edits, edited_at; /* changes of the bounds, last generation */
 	uint64_t seed, site_digest;
 	size_t population;
 	struct model_settings settings;

@@ -33,6 +33,9 @@ calibration_status(const struct calibration *c)
 	    .params = c->state == CALIBRATE_SEARCHING
 			  ? calibration_search_best(c)
 			  : c->best};
+	/* Other bounds, and nothing judged within them yet. */
+	if (isinf(status.best) && s.generation > 0)
+		status.best = misfit_at(c->misfit, &status.params);
 	params_scale_beta(&status.params);
 	return status;
 }
@@ -75,11 +78,11 @@ bool
 calibration_visit(struct calibration *c, const struct visit *v)
 {
 	size_t state[2] = {c->state, c->stop};
-	size_t whole[7] = {c->stall, c->evaluations, c->n_start, c->done,
-	    c->hops, c->fruitless, c->n_history};
+	size_t whole[9] = {c->stall, c->evaluations, c->n_start, c->done,
+	    c->hops, c->fruitless, c->n_history, c->edits, c->edited_at};
 	double real[2] = {c->stall_from, c->best_misfit};
 	bool ok = ga_visit(c->ga, v) && v->whole(v->data, "state", state, 2) &&
-		  v->whole(v->data, "counts", whole, 7) &&
+		  v->whole(v->data, "counts", whole, 9) &&
 		  v->real(v->data, "levels", real, 2) &&
 		  visit_params(v, "kept", &c->best) &&
 		  state[0] <= CALIBRATE_STOPPED &&
@@ -94,6 +97,8 @@ calibration_visit(struct calibration *c, const struct visit *v)
 	c->done = whole[3];
 	c->hops = whole[4];
 	c->fruitless = whole[5];
+	c->edits = whole[7];
+	c->edited_at = whole[8];
 	c->stall_from = real[0];
 	c->best_misfit = real[1];
 	for (size_t i = 0; ok && i < c->n_start; i++)
@@ -119,6 +124,8 @@ calibration_fit(struct calibration *c)
 	    .generations = s.generation,
 	    .evaluations = c->evaluations,
 	    .hops = c->hops,
+	    .edits = c->edits,
+	    .edited_at = c->edited_at,
 	    .seed = c->options.seed,
 	    .site_digest = c->site_digest,
 	    .population = c->options.population,

@@ -45,6 +45,7 @@ struct calibration {
 	double *told;
 	enum calibrate_state state, stop;
 	size_t stall, evaluations;
+	size_t edits, edited_at; /* of the bounds; generation of the last */
 	double stall_from;
 	struct params start[STARTS];
 	size_t n_start, done, hops, fruitless;

@@ -365,6 +365,24 @@ ga_tell(struct ga *ga, const double *misfit)
 	prepare_breeding(ga);
 }
 
+void
+ga_set_box(struct ga *ga, const double *lower, const double *upper)
+{
+	ga_ask(ga);
+	for (size_t g = 0; g < ga->n_gene; g++) {
+		double low = lower[g], high = upper[g];
+		double best = fmin(fmax(ga->best[g], low), high);
+		for (size_t i = 0; i < ga->options.population; i++)
+			ga->asked[g][i] =
+			    fmin(fmax(ga->asked[g][i], low), high);
+		if (best != ga->best[g])
+			ga->status.best = INFINITY;
+		ga->best[g] = best;
+		ga->lower[g] = low;
+		ga->upper[g] = high;
+	}
+}
+
 struct ga_status
 ga_status(const struct ga *ga)
 {

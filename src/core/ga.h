@@ -53,6 +53,12 @@ const double *const *ga_ask_part(const struct ga *ga, size_t from, size_t to);
  * for: lower is better, INFINITY for a candidate that cannot be judged. */
 void ga_tell(struct ga *ga, const double *misfit);
 
+/* Another box from the next generation on, whose candidates are bred and
+ * brought to its limits. Where the best ever told lies outside, so is it, and
+ * its misfit is INFINITY until the next ga_tell. To draw half of them anew
+ * where the box has grown was tried: none came near the leaders. */
+void ga_set_box(struct ga *ga, const double *lower, const double *upper);
+
 /* Walks through all that the generations to come depend on. */
 bool ga_visit(struct ga *ga, const struct visit *visit);
 

@@ -12,7 +12,7 @@
 #include "base/xalloc.h"
 #include "io/replace.h"
 
-static const char TITLE[] = "tipspeed checkpoint 2";
+static const char TITLE[] = "tipspeed checkpoint 3";
 
 static bool
 put_reals(void *data, const char *name, double *value, size_t n)

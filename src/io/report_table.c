@@ -40,7 +40,7 @@ print_padded(const char *text, int width, bool right, bool last, FILE *out)
 }
 
 /* True where the last column holds sentences that would not fit a screen behind
- * the columns before it. */
+ * the columns before it. One column alone is something to be copied. */
 static bool
 wraps(const struct report *r, int *indent)
 {
@@ -48,7 +48,7 @@ wraps(const struct report *r, int *indent)
 	*indent = 2;
 	for (size_t c = 0; c + 1 < r->n_column; c++)
 		*indent += column_width(r, c) + 2;
-	return r->n_column > 0 && *indent<SCREEN - LEAST && * indent +
+	return r->n_column > 1 && *indent<SCREEN - LEAST && * indent +
 					  column_width(r, r->n_column - 1)>
 				      SCREEN;
 }

@@ -107,31 +107,44 @@ read_cells(struct table *t, struct column *c)
 	}
 }
 
-/* True where a column of passing has what sieves retain: numbers that rise and
- * fall and sum to 100. */
-static bool
-looks_retained(const struct table *t, const struct column *c)
+/* What a column of passing seems to have instead: "_retained_pct" or
+ * "_retained_g", or NULL. sum: of its numbers.  Passing falls from its first
+ * number; what sieves retain rises to its largest and falls again, and sums to
+ * 100 %, less a pan that is not there, or to any number of grams. */
+static const char *
+seems_retained(const struct table *t, const struct column *c, double *sum)
 {
-	double sum = 0, last = NAN;
-	bool rises = false, falls = false;
+	double first = NAN, last = NAN, largest = 0;
+	size_t rises = 0, falls = 0;
+	*sum = 0;
 	for (size_t i = 0; i < t->n_row; i++) {
 		double v;
 		struct cell cell = sheet_cell(&t->row[i], c->at);
 		if (cell.text[0] == '\0')
 			continue;
 		if (!sheet_value(t->sheet, cell, &v))
-			return false;
-		sum += v;
-		rises = rises || v > last;
-		falls = falls || v < last;
+			return NULL;
+		*sum += v;
+		rises += v > last;
+		falls += v < last;
+		first = isnan(first) ? v : first;
+		largest = fmax(largest, v);
 		last = v;
 	}
-	return rises && falls && fabs(sum - 100) <= 2 * SUM_TOLERANCE;
+	bool hill = first <= largest / 2;
+	double most = 100 + 2 * SUM_TOLERANCE, least = hill ? 90 : 200 - most;
+	if (rises > 0 && t->told_retained)
+		return ""; /* one of the others like it */
+	if (rises == 0 || falls == 0 || *sum < least)
+		return NULL;
+	if (*sum <= most)
+		return "_retained_pct";
+	return hill && rises > 1 ? "_retained_g" : NULL;
 }
 
-/* One guess for the sheet, in place of a fault for each row. */
+/* One guess for the sheet, in place of a fault for each cell. */
 static void
-tell_retained(struct table *t, struct column *c)
+tell_retained(struct table *t, struct column *c, const char *suffix, double sum)
 {
 	char head[64];
 	c->faulty = true;
@@ -140,14 +153,16 @@ tell_retained(struct table *t, struct column *c)
 	if (t->told_retained)
 		return;
 	t->told_retained = true;
+	bool grams = strcmp(suffix, "_retained_g") == 0;
 	error_hint(
 	    sheet_fault(t->sheet, c->head,
-		"passing was wanted in column %s, this looks like mass "
-		"retained on each sieve, %%: the numbers rise and fall and "
-		"sum to 100",
-		c->head.text),
+		"passing was wanted in column %s, this looks like %s "
+		"retained on each sieve%s: the numbers rise and fall and "
+		"sum to %.9g",
+		c->head.text, grams ? "grams" : "mass", grams ? "" : ", %",
+		site_column_round(sum, 10)),
 	    "head the column %s, and others like it so, too",
-	    other_head(c, "_retained_pct", head));
+	    other_head(c, suffix, head));
 }
 
 /* A column of percent without any above 1. */
@@ -296,9 +311,13 @@ site_column_values(struct table *t, struct column *c)
 {
 	c->pct = xdoubles(t->n_row);
 	c->pan = NAN;
-	if (c->role != SD && SITE_UNITS[c->unit].kind == PASSING &&
-	    looks_retained(t, c)) {
-		tell_retained(t, c);
+	double sum;
+	const char *suffix =
+	    c->role != SD && SITE_UNITS[c->unit].kind == PASSING
+		? seems_retained(t, c, &sum)
+		: NULL;
+	if (suffix != NULL) {
+		tell_retained(t, c, suffix, sum);
 		return;
 	}
 	read_cells(t, c);

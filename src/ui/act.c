@@ -264,9 +264,11 @@ show_act(struct tui *t, const struct key *key)
 		view_keys(t, "");
 		break;
 	case ACT_MOUSE:
-		t->mouse = !t->mouse && screen_mouse(true);
-		if (!t->mouse)
+		if (t->mouse)
 			screen_mouse(false);
+		else if (!screen_mouse(true))
+			tui_say(t, false, "this terminal has no mouse");
+		t->mouse = screen_mouse_on();
 		break;
 	case ACT_REDRAW:
 		screen_resize();

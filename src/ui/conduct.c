@@ -255,7 +255,9 @@ conduct_typed(struct tui *t, const char *line)
 {
 	if (line[strspn(line, " \t")] == '\0')
 		return;
-	bool searching = session_busy(t->session);
+	struct session *s = t->session;
+	const struct bounds before = s->bounds;
+	bool searching = session_busy(s) && !t->held;
 	if (!t->aside)
 		typed_add(line);
 	if (is_screen(line)) {
@@ -275,14 +277,18 @@ conduct_typed(struct tui *t, const char *line)
 			;
 		tui_step_back();
 	}
-	/* A bound edited in a search: on with the new ones. */
-	if (ok && searching && strncmp(line, "bounds ", 7) == 0) {
-		conduct_run(t, "calibrate");
+	/* Bounds edited in a search: on within them. Where it was paused the
+	 * user says when. */
+	if (searching && memcmp(&before, &s->bounds, sizeof before) != 0 &&
+	    !session_busy(s)) {
+		bool on = s->job.paused;
+		if (conduct_run(t, on ? "continue" : "calibrate") && on)
+			tui_say(t, false, "goes on within the new bounds");
 		return;
 	}
 	bool moved_only =
 	    strncmp(line, "predict", 7) == 0 && strchr(line, '>') == NULL;
-	if (ok && !session_busy(t->session) && !moved_only)
+	if (ok && !session_busy(s) && !moved_only)
 		show_said(t);
 }
 
@@ -334,7 +340,7 @@ conduct_keep(struct tui *t)
 	conduct_look(t);
 	tui_say(t, false,
 	    "stopped, the best is kept: Space goes on, f starts "
-	    "again with the bounds that are set");
+	    "anew, both within the bounds that are set");
 }
 
 /* The calibration has come to its end. */

@@ -24,6 +24,7 @@
 #include "ui/manpage.h"
 #include "ui/pager.h"
 #include "ui/pump.h"
+#include "ui/rescue.h"
 #include "ui/terminal.h"
 #include "ui/typed.h"
 
@@ -212,6 +213,12 @@ wait_for_line(void)
 	}
 }
 
+static bool
+pastes_in_brackets(void)
+{
+	return strcmp(rl_variable_value("enable-bracketed-paste"), "on") == 0;
+}
+
 /* A line as typed, which the caller frees; NULL at the end of input or at a
  * signal. */
 static char *
@@ -231,6 +238,7 @@ read_line(const char *text)
 	at.line = NULL;
 	at.done = false;
 	rl_reset_screen_size();
+	rescue_prompt(pastes_in_brackets() ? "\033[?2004l\r\n" : "\n");
 	rl_callback_handler_install(text, on_line);
 	wait_for_line();
 	if (!at.done) {
@@ -240,6 +248,7 @@ read_line(const char *text)
 		fputs(pump_ended() ? "\n" : "^C\n", rl_outstream);
 		rl_callback_handler_remove();
 	}
+	rescue_done();
 	sigaction(SIGTSTP, &was, NULL);
 	sigprocmask(SIG_SETMASK, &at.let_in, NULL);
 	return at.line;
@@ -327,7 +336,7 @@ repl_begin(struct session *s)
 static void
 end_line(void)
 {
-	if (strcmp(rl_variable_value("enable-bracketed-paste"), "on") != 0)
+	if (!pastes_in_brackets())
 		fputc('\n', stdout);
 }
 

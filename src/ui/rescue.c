@@ -14,7 +14,9 @@
 
 #include "base/xalloc.h"
 
-static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+/* What ends a program that does not catch it; TERM, HUP and INT are caught. */
+static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT,
+    SIGSYS, SIGTRAP, SIGXCPU, SIGXFSZ, SIGALRM, SIGUSR2};
 
 /* Mouse off, keys as usual; the cursor and the screen follow. */
 #define MOUSE_OFF "\033[?1002l\033[?1000l\033[?1006l"
@@ -22,7 +24,7 @@ static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 static struct {
 	volatile sig_atomic_t open;
 	struct termios usual;
-	bool known;
+	bool known, full; /* full: what was said is wiped away with it */
 	char bytes[256];
 	size_t n;
 	struct sigaction was[ARRAY_LEN(FAULTS)];
@@ -55,8 +57,7 @@ on_fault(int signal)
 	raise(signal);
 }
 
-/* While the screen is open, only xalloc ends the program: what it said was
- * wiped away with the screen. */
+/* While the terminal is in use, only xalloc ends the program. */
 static void
 on_exit_early(void)
 {
@@ -65,7 +66,8 @@ on_exit_early(void)
 	if (!at.open)
 		return;
 	put_right();
-	ssize_t written = write(STDERR_FILENO, say, sizeof say - 1);
+	ssize_t written =
+	    at.full ? write(STDERR_FILENO, say, sizeof say - 1) : 0;
 	(void)written;
 }
 
@@ -91,29 +93,52 @@ add(const char *text)
 	}
 }
 
-void
-rescue_prepare(void)
+static void
+watch(void)
 {
 	static bool asked;
-	at.n = 0;
-	if (tigetstr("kmous") != NULL && tigetstr("kmous") != (char *)-1)
-		add(MOUSE_OFF);
-	add(tigetstr("rmkx"));
-	add(tigetstr("sgr0"));
-	add(tigetstr("cnorm"));
-	add(tigetstr("rmcup"));
-	add("\r\n");
 	stack_t stack = {.ss_sp = at.stack, .ss_size = sizeof at.stack};
 	sigaltstack(&stack, NULL);
 	struct sigaction action = {
 	    .sa_handler = on_fault, .sa_flags = (int)SA_ONSTACK};
 	sigemptyset(&action.sa_mask);
-	for (size_t i = 0; i < ARRAY_LEN(FAULTS); i++)
+	for (size_t i = 0; i < ARRAY_LEN(FAULTS); i++) {
 		sigaction(FAULTS[i], &action, &at.was[i]);
+		if (at.was[i].sa_handler == SIG_IGN)
+			sigaction(FAULTS[i], &at.was[i], NULL);
+	}
 	if (!asked)
 		atexit(on_exit_early);
 	asked = true;
 	at.open = 1;
+}
+
+void
+rescue_screen(void)
+{
+	at.n = 0;
+	at.full = true;
+	if (tigetstr("kmous") != NULL && tigetstr("kmous") != (char *)-1)
+		add(MOUSE_OFF);
+	add(tigetstr("rmkx"));
+	add(tigetstr("sgr0"));
+	add(tigetstr("cnorm"));
+	if (tigetstr("rmcup") != NULL)
+		add(tigetstr("rmcup"));
+	else
+		add(tparm(tigetstr("cup"), LINES - 1, 0));
+	add("\r\n");
+	watch();
+}
+
+void
+rescue_prompt(const char *bytes)
+{
+	rescue_note();
+	at.n = 0;
+	at.full = false;
+	add(bytes);
+	watch();
 }
 
 void
@@ -142,6 +167,8 @@ rescue_reset(void)
 	t.c_cc[VQUIT] = 28;
 	t.c_cc[VEOF] = 4;
 	t.c_cc[VSUSP] = 26;
+	t.c_cc[VLNEXT] = 22;
+	t.c_cc[VDISCARD] = 15;
 	t.c_cc[VMIN] = 1;
 	t.c_cc[VTIME] = 0;
 	tcsetattr(STDIN_FILENO, TCSANOW, &t);

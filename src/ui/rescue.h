@@ -1,4 +1,4 @@
-/* Puts the terminal right on every way out of the full screen.
+/* Puts the terminal right on every way out of the full screen and the prompt.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_UI_RESCUE_H
 #define TIPSPEED_UI_RESCUE_H
@@ -7,12 +7,16 @@
 void rescue_note(void);
 
 /* Writes down what puts the terminal right, from what ncurses knows of it, and
- * from now on does so when a fault or a failed check ends the program (SEGV,
- * BUS, FPE, ILL, ABRT), or memory runs out.  SIGTERM, SIGHUP and SIGINT leave
- * by the usual way. */
-void rescue_prepare(void);
+ * from now on does so when a fault, a failed check or a signal that is not
+ * caught ends the program (SEGV, ABRT, QUIT, ..), or memory runs out. SIGTERM,
+ * SIGHUP and SIGINT leave by the usual way. */
+void rescue_screen(void);
 
-/* The screen has been closed. */
+/* The same while readline has the terminal, as it is set now. bytes: to be
+ * written then. */
+void rescue_prompt(const char *bytes);
+
+/* The screen has been closed, or the prompt has its line. */
 void rescue_done(void);
 
 /* Mends a terminal that a killed program left behind; for --reset-tty. */

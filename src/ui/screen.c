@@ -64,6 +64,13 @@ set_modes(void)
 	nodelay(stdscr, TRUE);
 	meta(stdscr, TRUE);
 	set_escdelay(25);
+	/* What most terminals send, whatever their description says. */
+	define_key("\033[1;2D", KEY_SLEFT);
+	define_key("\033[1;2C", KEY_SRIGHT);
+	define_key("\033[1~", KEY_HOME);
+	define_key("\033[4~", KEY_END);
+	define_key("\033[5~", KEY_PPAGE);
+	define_key("\033[6~", KEY_NPAGE);
 }
 
 bool
@@ -79,20 +86,30 @@ screen_open(bool colour)
 		delscreen(is.screen);
 		return false;
 	}
-	rescue_prepare();
+	rescue_screen();
 	is.utf8 = strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 	is.charset = find_charset();
 	set_modes();
 	set_colours(colour);
-	screen_mouse(true);
 	return true;
+}
+
+/* Not every terminal has a second screen to leave: where the picture stays, the
+ * shell goes on in a row of its own. */
+static void
+end_screen(void)
+{
+	screen_mouse(false);
+	move(LINES - 1, 0);
+	clrtoeol();
+	refresh();
+	endwin();
 }
 
 void
 screen_close(void)
 {
-	screen_mouse(false);
-	endwin();
+	end_screen();
 	delscreen(is.screen);
 	canvas_free(is.frame);
 	is = (struct display){0};
@@ -166,14 +183,19 @@ screen_mouse(bool on)
 	return true;
 }
 
+bool
+screen_mouse_on(void)
+{
+	return is.mouse;
+}
+
 void
 screen_leave(void)
 {
 	bool mouse = is.mouse;
-	screen_mouse(false);
-	is.mouse = mouse;
 	def_prog_mode();
-	endwin();
+	end_screen();
+	is.mouse = mouse;
 	fflush(stdout);
 }
 
@@ -194,9 +216,10 @@ screen_resize(void)
 	struct winsize size = {0};
 	if (is.screen == NULL)
 		return;
+	/* Without memory for it, ncurses 6.4 has spoilt the heap. */
 	if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 &&
-	    size.ws_col > 0)
-		resizeterm(size.ws_row, size.ws_col);
+	    size.ws_col > 0 && resizeterm(size.ws_row, size.ws_col) == ERR)
+		xalloc_fail();
 	clearok(curscr, TRUE);
 }
 
@@ -307,9 +330,10 @@ static wchar_t
 bare_letter(uint32_t code)
 {
 	char letter[5], *folded = text_fold(canvas_utf8(code, letter));
-	wchar_t bare = folded[0] > 0 && folded[1] == '\0' ? folded[0] : L'?';
+	char bare = folded[0] > 0 && folded[1] == '\0' ? folded[0] : '?';
+	bool capital = code >= 0xC0 && code < 0xDF && bare >= 'a';
 	free(folded);
-	return bare;
+	return capital ? bare - 'a' + 'A' : bare;
 }
 
 static void

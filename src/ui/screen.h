@@ -41,6 +41,7 @@ int screen_depth(void);
 
 /* Has the mouse reported or not; false where the terminal has none. */
 bool screen_mouse(bool on);
+bool screen_mouse_on(void);
 
 /* Leaves the terminal to somebody else for a while, and takes it back. */
 void screen_leave(void);

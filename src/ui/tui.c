@@ -159,15 +159,39 @@ stop_here(void)
 	sigaction(SIGTSTP, &ours, NULL);
 }
 
+/* The rest of a sequence that the terminal's description does not have would be
+ * taken for keys. True where there was one: it came with its Escape at once. */
+static bool
+pass_over_sequence(void)
+{
+	wint_t code = 0;
+	int got = get_wch(&code);
+	if (got == OK && (code == '[' || code == 'O')) {
+		bool long_one = code == '[';
+		do
+			got = get_wch(&code);
+		while (got == OK && long_one && code < '@');
+		return true;
+	}
+	if (got == OK)
+		unget_wch((wchar_t)code);
+	else if (got == KEY_CODE_YES)
+		ungetch((int)code);
+	return false;
+}
+
 /* Everything that was typed and dragged; only the newest speed is predicted. */
 static void
 take_keys(struct tui *t)
 {
+	enum { ESCAPE = 27 };
 	wint_t code;
 	int got;
 	while (
 	    !t->leave && !t->session->quit && (got = get_wch(&code)) != ERR) {
 		if (got == KEY_CODE_YES && code == KEY_RESIZE)
+			continue;
+		if (got == OK && code == ESCAPE && pass_over_sequence())
 			continue;
 		act_key(t, (int)code, got == KEY_CODE_YES);
 	}
@@ -225,7 +249,7 @@ tui_begin(struct tui *t, struct session *s)
 	*t = (struct tui){.session = s,
 	    .tenths = first_speed(s),
 	    .site_at = s->current,
-	    .mouse = true,
+	    .mouse = screen_mouse(true),
 	    .pace = PACE,
 	    .picture = PLOT_PSD,
 	    .holdout = NAN,

@@ -275,6 +275,31 @@ other_and_damaged_checkpoints_are_refused(void **state)
 	free(path);
 }
 
+/* The checkpoint of before stays; the fit tells of the edit. */
+static void
+edited_bounds_are_told_and_keep_the_checkpoint(void **state)
+{
+	struct desk *desk = *state;
+	const struct entry *entry = session_entry(desk->session);
+	char *path = made_path("edited"), *line;
+	struct fit want = whole(desk);
+	assert_null(strstr(entry->options, "edited"));
+	assert_true(say_with(desk, "pause=5 checkpoint", path));
+	desk_expect(desk, "bounds f_mat 0.5..0.6; continue pause=9; "
+			  "bounds f_mat 0.5..0.7; continue pause=12");
+	assert_true(entry->fit.params.f_mat <= 0.7);
+	assert_non_null(strstr(entry->options,
+	    "; bounds edited after generation 9 and before; "
+	    "bounds f_mat 0.5..0.7"));
+	assert_true(desk_say(desk, "continue; bounds default"));
+	line = xasprintf("%s resume=%s", SEARCH, path);
+	assert_true(desk_say(desk, line));
+	expect_same(&entry->fit, &want);
+	unlink(path);
+	free(line);
+	free(path);
+}
+
 #define WITH_SITE(f) \
 	cmocka_unit_test_setup_teardown(f, open_with_site, desk_close)
 
@@ -317,6 +342,7 @@ main(void)
 	    WITH_SITE(all_sites_give_what_each_gives_alone),
 	    WITH_SITE(the_paper_preset_is_another_search_without_polish),
 	    WITH_SITE(a_checkpoint_goes_on_to_the_same_bits),
+	    WITH_SITE(edited_bounds_are_told_and_keep_the_checkpoint),
 	    WITH_SITE(other_and_damaged_checkpoints_are_refused),
 	    WITH_SITE(a_flat_direction_raises_the_misfit_by_a_tenth),
 	    WITH_SITE(the_generations_stay_with_their_site),

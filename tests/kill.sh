@@ -1,0 +1,147 @@
+#!/bin/sh
+# Every way out, from every state, leaves the terminal as it was: its settings, the
+# screen it shows, the cursor and the mouse; and the status is the one to expect.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "${srcdir:-.}/tests/tap.sh"
+# A sanitizer would take the faults, and all the memory there is.
+ASAN_OPTIONS=$ASAN_OPTIONS:handle_segv=0:handle_sigbus=0:handle_sigfpe=0
+export ASAN_OPTIONS
+. "${srcdir:-.}/tests/mux.sh"
+limits=$(command -v prlimit)
+! grep -q __asan_init "$TIPSPEED" || limits=
+
+quick='START=params set f_mat=2 e0_min=16 alpha=1'
+
+# enter STATE: the program is in it.
+enter() {
+	case $1 in
+	prompt*) start 80 24 AT_PROMPT=1 ;;
+	*) start 80 24 "$quick" ;;
+	esac
+	case $1 in
+	idle) want '\[74\.0\]' ;;
+	calibrating)
+		want '\[74\.0\]'
+		keys - - f
+		want 'generation [2-9] of 800'
+		;;
+	list)
+		want '\[74\.0\]'
+		keys '?'
+		want 'speed down by 0.1'
+		;;
+	typing)
+		want '\[74\.0\]'
+		keys : 'predict 7'
+		want '^:predict 7'
+		;;
+	prompt)
+		want 'tierp>$'
+		keys 'predict 7'
+		want 'predict 7$'
+		;;
+	'prompt calibrating')
+		want 'tierp>$'
+		keys 'calibrate generations=1000000 tolerance=0 stall=0' Enter
+		want '^  generation [1-9]'
+		;;
+	esac
+}
+
+# over STATE WAY STATUS: it has ended so, and nothing of it is left.
+over() {
+	want 'IT IS OVER'
+	waits after
+	[ "$(cat status)" = "$3" ] && cmp -s before after && [ "$(flags)" = '0 1 00' ]
+	good=$?
+	[ $good -eq 0 ] || {
+		echo "# status $(cat status), screen $(flags)"
+		diff before after | sed 's/^/# /'
+	}
+	result $good "$1: $2"
+}
+
+for state in idle calibrating list typing prompt 'prompt calibrating'; do
+	for signal in SEGV BUS FPE ILL ABRT TERM HUP INT QUIT XCPU KILL; do
+		# ^C is for the line and for the calibration there.
+		case $state$signal in prompt*INT) continue ;; esac
+		enter "$state"
+		kill -s $signal "$(cat pid)"
+		over "$state" "SIG$signal" $((128 + $(/bin/kill -l $signal)))
+	done
+done
+
+enter idle
+keys q
+over idle q 0
+enter calibrating
+keys q
+over calibrating q 0
+enter list
+keys q q
+over list 'q, q' 0
+enter typing
+keys C-u quit Enter
+over typing quit 0
+enter prompt
+keys C-u C-d
+over prompt '^D' 0
+
+# A storm of sizes over a search at full speed, and the last one holds.
+enter idle
+keys : 'calibrate generations=1000000 tolerance=0 stall=0' Enter + + + + + + +
+want 'pace: as fast as it can'
+awk 'BEGIN { srand(7); for (i = 0; i < 50; i++)
+	print 1 + int(300 * rand() ^ 2), 1 + int(100 * rand() ^ 2) }' >sizes
+while read -r columns rows; do
+	mux resize-window -t one -x "$columns" -y "$rows"
+done <sizes
+mux resize-window -t one -x 1 -y 1
+mux resize-window -t one -x 80 -y 24
+want 'rotor tip speed\|generation [0-9]* of 1000000' "50 sizes in a search"
+keys q
+over calibrating '50 sizes, then q' 0
+
+# A shell with job control stops it in the midst, by key and by signal.
+start 80 24 PS1='shell: ' HISTFILE= sh -i
+want 'shell:$'
+keys 'stty brkint; stty -a >before' Enter
+keys "sh -c 'echo \$\$ >pid; exec \"\$TIPSPEED\" data/sites/tierp.csv -c tui'" Enter
+want 'f calibrates'
+keys - - f
+want 'generation [2-9] of 800'
+for how in '^Z' SIGTSTP; do
+	if [ $how = ^Z ]; then keys C-z; else kill -s TSTP "$(cat pid)"; fi
+	want 'Stopped'
+	keys 'stty -a >after' Enter
+	waits after
+	cmp -s before after && [ "$(flags)" = '0 1 00' ]
+	result $? "calibrating: $how gives the terminal back"
+	rm after
+	keys clear Enter fg Enter
+	want 'generation [1-9][0-9]* of 800'
+	[ "$(flags)" = '1 1 11' ]
+	result $? "and fg goes on with the search"
+done
+keys q
+want 'shell:$'
+keys 'echo status $?; stty -a >after' Enter
+want 'status 0'
+waits after
+cmp -s before after
+result $? "and then q leaves it as it was"
+
+# From here on it gets no more memory, and is made to ask for some.
+if [ -n "$limits" ]; then
+	for state in idle calibrating list typing; do
+		enter $state
+		prlimit --as=1 --pid "$(cat pid)"
+		mux resize-window -t one -x 300 -y 100
+		over $state 'out of memory' 5
+	done
+	enter prompt
+	prlimit --as=1 --pid "$(cat pid)"
+	keys C-u 'calibrate population=1000000' Enter
+	over prompt 'out of memory' 5
+fi
+finish
