@@ -168,10 +168,9 @@ command_limits(const struct command_option *o)
 }
 
 const struct value *
-args_value(
-    const struct command *command, const struct args *args, const char *name)
+args_value(const struct args *args, const char *name)
 {
-	size_t i = command_option_index(command, name);
+	size_t i = command_option_index(args->command, name);
 	assert(i < OPTIONS);
 	return &args->value[i];
 }

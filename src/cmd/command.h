@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 
+struct command;
 struct session;
 
 enum value_kind {
@@ -49,6 +50,7 @@ enum { OPTIONS = 16, OPERANDS = 256, EXPECTS = 5 };
 /* A parsed call.  value[i] belongs to the command's option i; an option with a
  * fallback that was not given has the fallback's value and given = false. */
 struct args {
+	const struct command *command;
 	size_t n_operand;
 	const char *operand[OPERANDS];
 	struct value value[OPTIONS];
@@ -115,7 +117,6 @@ char *command_usage(const struct command *command);
 char *command_limits(const struct command_option *option);
 
 /* Value of an option of the call; asserts that the command has it. */
-const struct value *args_value(
-    const struct command *command, const struct args *args, const char *name);
+const struct value *args_value(const struct args *args, const char *name);
 
 #endif

@@ -211,14 +211,13 @@ static bool
 take_speeds(struct session *s, const struct args *args, struct side side[2],
     struct error *error)
 {
-	const struct command *self = command_find("compare");
 	const struct entry *entry = session_entry(s);
 	size_t feed;
-	if (args_value(self, args, "speed")->given)
+	if (args_value(args, "speed")->given)
 		return error_set(error, ERROR_USAGE,
 		    "compare takes two speeds, or two sites and a speed");
 	if (!answers_ready(s, error) ||
-	    !answers_feed(entry->site, args_value(self, args, "feed"),
+	    !answers_feed(entry->site, args_value(args, "feed"),
 		answers_middle(entry->site), &feed, error))
 		return false;
 	for (size_t i = 0; i < 2; i++) {
@@ -240,16 +239,15 @@ static bool
 take_sites(struct session *s, const struct args *args, struct side side[2],
     struct error *error)
 {
-	const struct command *self = command_find("compare");
-	double v = args_value(self, args, "speed")->number;
+	double v = args_value(args, "speed")->number;
 	for (size_t i = 0; i < 2; i++) {
 		size_t at, feed;
 		if (!session_find(s, args->operand[i], &at, error))
 			return false;
 		const struct entry *entry = &s->entry[at];
 		if (!answers_known(s, entry, error) ||
-		    !answers_feed(entry->site, args_value(self, args, "feed"),
-			v, &feed, error))
+		    !answers_feed(
+			entry->site, args_value(args, "feed"), v, &feed, error))
 			return false;
 		side[i].entry = entry;
 		side[i].p =

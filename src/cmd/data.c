@@ -16,12 +16,6 @@
 #include "io/table3.h"
 #include "io/units.h"
 
-static const struct value *
-option(const char *command, const struct args *args, const char *name)
-{
-	return args_value(command_find(command), args, name);
-}
-
 static bool
 load(struct session *s, const char *path, const char *digest,
     struct error *error)
@@ -61,7 +55,7 @@ data_load(struct session *s, const char *path, struct error *error)
 bool
 cmd_load(struct session *s, const struct args *args, struct error *error)
 {
-	const struct value *digest = option("load", args, "digest");
+	const struct value *digest = args_value(args, "digest");
 	if (digest->given && args->n_operand > 1)
 		return error_set(error, ERROR_USAGE,
 		    "digest= goes with one file, not with %zu",
@@ -175,13 +169,13 @@ describe_synth(struct site *site, const struct material *m,
 static struct site *
 synth_row(const struct material *m, const struct args *args)
 {
-	const struct value *speeds = option("synth", args, "speeds");
+	const struct value *speeds = args_value(args, "speeds");
 	struct synth synth = {.top_size = m->top_size_mm / 1000,
 	    .params = params_default_beta(),
 	    .individual_feeds = m->individual_feeds,
-	    .n = option("synth", args, "n")->number,
-	    .noise = option("synth", args, "noise")->number / 100,
-	    .seed = option("synth", args, "seed")->whole,
+	    .n = args_value(args, "n")->number,
+	    .noise = args_value(args, "noise")->number / 100,
+	    .seed = args_value(args, "seed")->whole,
 	    .n_speed = speeds->n,
 	    .speed = speeds->list};
 	synth.params.f_mat = m->f_mat;
@@ -198,8 +192,8 @@ synth_row(const struct material *m, const struct args *args)
 bool
 cmd_synth(struct session *s, const struct args *args, struct error *error)
 {
-	const struct value *wanted = option("synth", args, "site");
-	const struct value *speeds = option("synth", args, "speeds");
+	const struct value *wanted = args_value(args, "site");
+	const struct value *speeds = args_value(args, "speeds");
 	for (size_t i = 1; i < speeds->n; i++)
 		if (speeds->list[i] <= speeds->list[i - 1])
 			return error_set(error, ERROR_USAGE,
@@ -256,7 +250,7 @@ bool
 cmd_write(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
-	bool replace = option("write", args, "replace")->choice == 1;
+	bool replace = args_value(args, "replace")->choice == 1;
 	struct stat info;
 	bool folder = stat(path, &info) == 0 && S_ISDIR(info.st_mode);
 	if (!folder)

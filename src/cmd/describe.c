@@ -198,9 +198,8 @@ tale_report(const struct session *s, const struct tale *t, const char *kind)
 bool
 cmd_describe(struct session *s, const struct args *args, struct error *error)
 {
-	const struct command *self = command_find("describe");
 	struct plot_request request;
-	if (!pictures_request(self, args, &request, error))
+	if (!pictures_request(args, &request, error))
 		return false;
 	struct chart *chart = plots_chart(s, &request, error);
 	if (chart == NULL)

@@ -10,12 +10,6 @@
 #include "core/predict.h"
 #include "io/units.h"
 
-static const struct value *
-option(const struct args *args, const char *name)
-{
-	return args_value(command_find("find"), args, name);
-}
-
 /* What is wanted: that a share passes a size; and on which feed, between which
  * speeds.  name: p80, p50 or p20, or NULL where the passing is looked at. */
 struct wish {
@@ -42,20 +36,22 @@ check_wish(const struct args *args, struct error *error)
 	    "p20", "p50", "p80", "passing", "spec"};
 	size_t given = 0;
 	for (size_t i = 0; i < ARRAY_LEN(ONE); i++)
-		given += option(args, ONE[i])->given;
-	bool at = option(args, "at")->given;
+		given += args_value(args, ONE[i])->given;
+	bool at = args_value(args, "at")->given;
 	if (given != 1)
 		error_set(error, ERROR_USAGE,
 		    "find wants one of p20, p50, p80, passing and spec, "
 		    "found %zu of them",
 		    given);
-	else if (at != option(args, "passing")->given)
+	else if (at != args_value(args, "passing")->given)
 		error_set(error, ERROR_USAGE,
 		    "passing and at go together: so much passing at a size");
-	else if (option(args, "from")->number >= option(args, "to")->number)
+	else if (args_value(args, "from")->number >=
+		 args_value(args, "to")->number)
 		error_set(error, ERROR_USAGE,
 		    "find wants from below to, not %g and %g m/s",
-		    option(args, "from")->number, option(args, "to")->number);
+		    args_value(args, "from")->number,
+		    args_value(args, "to")->number);
 	else
 		return true;
 	return error_hint(error, "find p80=5, find passing=40 at=2, find "
@@ -72,14 +68,14 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 	static const double PASSING[3] = {0.2, 0.5, 0.8};
 	const struct entry *entry = session_entry(s);
 	const struct psd *feed = &entry->site->run[wish->feed].feed;
-	wish->x = option(args, "at")->number / 1000;
-	wish->passing = option(args, "passing")->number / 100;
+	wish->x = args_value(args, "at")->number / 1000;
+	wish->passing = args_value(args, "passing")->number / 100;
 	for (size_t i = 0; i < 3; i++) {
-		if (!option(args, NAMES[i])->given)
+		if (!args_value(args, NAMES[i])->given)
 			continue;
 		wish->name = NAMES[i];
 		wish->passing = PASSING[i];
-		wish->x = option(args, NAMES[i])->number / 1000;
+		wish->x = args_value(args, NAMES[i])->number / 1000;
 	}
 	if (!psd_covers(feed, wish->x)) {
 		error_set(error, ERROR_USAGE,
@@ -221,7 +217,8 @@ answer_spec(struct session *s, const struct args *args, const struct wish *wish,
 {
 	const struct entry *entry = session_entry(s);
 	struct grading g;
-	if (!grading_open(s, option(args, "spec")->text, wish->feed, &g, error))
+	if (!grading_open(
+		s, args_value(args, "spec")->text, wish->feed, &g, error))
 		return false;
 	struct window w =
 	    inverse_window(&g.inverse, &g.envelope, wish->from, wish->to);
@@ -262,12 +259,12 @@ cmd_find(struct session *s, const struct args *args, struct error *error)
 	if (!answers_ready(s, error) || !check_wish(args, error))
 		return false;
 	const struct site *site = session_entry(s)->site;
-	struct wish wish = {.from = option(args, "from")->number,
-	    .to = option(args, "to")->number};
-	if (!answers_feed(site, option(args, "feed"), answers_middle(site),
+	struct wish wish = {.from = args_value(args, "from")->number,
+	    .to = args_value(args, "to")->number};
+	if (!answers_feed(site, args_value(args, "feed"), answers_middle(site),
 		&wish.feed, error))
 		return false;
-	if (option(args, "spec")->given)
+	if (args_value(args, "spec")->given)
 		return answer_spec(s, args, &wish, error);
 	if (!open_wish(s, args, &wish, error))
 		return false;

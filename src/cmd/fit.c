@@ -120,12 +120,6 @@ fit_announce(struct session *s)
 	free(holdout);
 }
 
-static const struct value *
-option(const struct args *args, const char *name)
-{
-	return args_value(command_find("calibrate"), args, name);
-}
-
 /* The weights in the order of the training runs, as one for each run. */
 static bool
 spread_weights(const struct site *site, const bool *train,
@@ -154,19 +148,19 @@ static struct calibrate_options
 chosen_options(const struct session *s, const struct args *args)
 {
 	struct calibrate_options o = calibrate_options_default();
-	const struct value *seed = option(args, "seed");
-	const struct value *threads = option(args, "threads");
-	const struct value *polish = option(args, "polish");
-	o.plain = option(args, "preset")->choice == 1;
+	const struct value *seed = args_value(args, "seed");
+	const struct value *threads = args_value(args, "threads");
+	const struct value *polish = args_value(args, "polish");
+	o.plain = args_value(args, "preset")->choice == 1;
 	o.seed = seed->given ? seed->whole : s->seed;
 	o.threads = threads->given ? (unsigned)threads->whole : s->threads;
 	o.isa = s->isa;
-	o.population = (size_t)option(args, "population")->whole;
-	o.generations = (size_t)option(args, "generations")->whole;
-	o.stall = (size_t)option(args, "stall")->whole;
-	o.tolerance = option(args, "tolerance")->number;
+	o.population = (size_t)args_value(args, "population")->whole;
+	o.generations = (size_t)args_value(args, "generations")->whole;
+	o.stall = (size_t)args_value(args, "stall")->whole;
+	o.tolerance = args_value(args, "tolerance")->number;
 	o.polish = polish->choice == 0 && (polish->given || !o.plain);
-	o.by_sd = option(args, "weights")->choice == 1;
+	o.by_sd = args_value(args, "weights")->choice == 1;
 	o.bounds = s->bounds;
 	o.settings = s->settings;
 	return o;
@@ -188,9 +182,9 @@ static bool
 calibrate_all(
     struct session *s, const struct args *args, FILE *log, struct error *error)
 {
-	if (option(args, "train")->given ||
-	    option(args, "run_weights")->given ||
-	    option(args, "weights")->choice) {
+	if (args_value(args, "train")->given ||
+	    args_value(args, "run_weights")->given ||
+	    args_value(args, "weights")->choice) {
 		if (log != NULL)
 			fclose(log);
 		return error_set(error, ERROR_USAGE,
@@ -199,7 +193,7 @@ calibrate_all(
 	}
 	struct calibrate_options o = chosen_options(s, args);
 	job_start(s, &o, NULL, NULL, true, log);
-	s->job.pause_at = (size_t)option(args, "pause")->whole;
+	s->job.pause_at = (size_t)args_value(args, "pause")->whole;
 	return session_busy(s) ||
 	       error_set(error, ERROR_DATA,
 		   "no loaded site has a product to calibrate on");
@@ -216,18 +210,18 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		    args->operand[0]);
 	FILE *log;
 	if (!fit_settings_agree(&s->settings, error) ||
-	    !open_log(option(args, "log"), &log, error))
+	    !open_log(args_value(args, "log"), &log, error))
 		return false;
 	if (all)
 		return calibrate_all(s, args, log, error);
 	double *run_weight = NULL;
 	bool *train = xcalloc(site->n_run, sizeof *train);
-	if (!mark_training(site, option(args, "train"), train, error) ||
+	if (!mark_training(site, args_value(args, "train"), train, error) ||
 	    !check_training(site, train, error) ||
-	    (option(args, "weights")->choice == 1 &&
+	    (args_value(args, "weights")->choice == 1 &&
 		!check_weights(site, train, error)) ||
-	    !spread_weights(
-		site, train, option(args, "run_weights"), &run_weight, error)) {
+	    !spread_weights(site, train, args_value(args, "run_weights"),
+		&run_weight, error)) {
 		free(train);
 		if (log != NULL)
 			fclose(log);
@@ -235,9 +229,9 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	}
 	struct calibrate_options o = chosen_options(s, args);
 	job_start(s, &o, train, run_weight, false, log);
-	const struct value *checkpoint = option(args, "checkpoint");
-	const struct value *resume = option(args, "resume");
-	s->job.pause_at = (size_t)option(args, "pause")->whole;
+	const struct value *checkpoint = args_value(args, "checkpoint");
+	const struct value *resume = args_value(args, "resume");
+	s->job.pause_at = (size_t)args_value(args, "pause")->whole;
 	if (checkpoint->given)
 		s->job.checkpoint = xstrdup(checkpoint->text);
 	return !resume->given || job_resume(s, resume->text, error);

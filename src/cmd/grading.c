@@ -142,12 +142,11 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 	if (!answers_ready(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	const struct command *self = command_find("spec");
-	double v = args_value(self, args, "speed")->number;
+	double v = args_value(args, "speed")->number;
 	size_t feed, worst;
 	struct grading g;
 	if (!answers_feed(
-		entry->site, args_value(self, args, "feed"), v, &feed, error) ||
+		entry->site, args_value(args, "feed"), v, &feed, error) ||
 	    !grading_open(s, args->operand[0], feed, &g, error))
 		return false;
 	bool outside = predict_extrapolates(entry->site, entry->train, v);

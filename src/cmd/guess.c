@@ -22,12 +22,6 @@ struct basis {
 	size_t n, *pick;
 };
 
-static const struct value *
-option(const struct args *args, const char *name)
-{
-	return args_value(command_find("guess"), args, name);
-}
-
 static void
 basis_free(struct basis *b)
 {
@@ -60,8 +54,8 @@ static bool
 find_wanted(const struct site *site, const struct args *args,
     struct guess_material *wanted, struct error *error)
 {
-	const struct value *rock = option(args, "rock");
-	const struct value *top = option(args, "top");
+	const struct value *rock = args_value(args, "rock");
+	const struct value *top = args_value(args, "top");
 	*wanted = (struct guess_material){.site = site->name,
 	    .rock = rock->given ? rock->text : site->rock,
 	    .top_size = top->given ? top->number / 1000 : site->top_size};
@@ -320,12 +314,12 @@ bool
 cmd_guess(struct session *s, const struct args *args, struct error *error)
 {
 	const struct site *site = session_entry(s)->site;
-	double speed = option(args, "speed")->number;
-	size_t nearest = (size_t)option(args, "nearest")->whole, feed;
+	double speed = args_value(args, "speed")->number;
+	size_t nearest = (size_t)args_value(args, "nearest")->whole, feed;
 	struct basis b = {0};
 	bool ok =
 	    find_wanted(site, args, &b.wanted, error) &&
-	    answers_feed(site, option(args, "feed"), speed, &feed, error) &&
+	    answers_feed(site, args_value(args, "feed"), speed, &feed, error) &&
 	    store_list_all(s->store, &b.list, error);
 	if (ok) {
 		basis_find(&b, nearest);

@@ -78,8 +78,7 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 		    entry->site->name);
 		return error_hint(error, "calibrate it first");
 	}
-	const struct value *every =
-	    args_value(command_find("history"), args, "every");
+	const struct value *every = args_value(args, "every");
 	size_t step =
 	    every->given ? (size_t)every->whole : (h->n + ROWS - 1) / ROWS;
 	bool exact = s->format == REPORT_CSV || s->format == REPORT_JSON;

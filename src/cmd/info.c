@@ -194,7 +194,7 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 	static const char *const PAGES[] = {"tipspeed.1", "tipspeed-tutorial.7",
 	    "tipspeed-tui.1", "tipspeed-site.5", "tipspeed-spec.5",
 	    "tipspeed-model.7"};
-	size_t i = args_value(command_find("man"), args, "page")->choice;
+	size_t i = args_value(args, "page")->choice;
 	assert(i < ARRAY_LEN(PAGES));
 	if (s->show_page != NULL && s->show_page(PAGES[i]))
 		return true;

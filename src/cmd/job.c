@@ -361,8 +361,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 {
 	if (!need_paused(s, "continue", error))
 		return false;
-	const struct value *pause =
-	    args_value(command_find("continue"), args, "pause");
+	const struct value *pause = args_value(args, "pause");
 	if (pause->given && pause->whole <= s->job.step)
 		return error_set(error, ERROR_USAGE,
 		    "pause wants a generation beyond %zu, which is done",

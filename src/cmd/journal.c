@@ -153,10 +153,9 @@ put_path(FILE *out, const char *path)
 
 /* True for an option that a saved line does without. */
 static bool
-is_passing(
-    const struct command *command, const struct args *args, const char *word)
+is_passing(const struct args *args, const char *word)
 {
-	const struct command_option *o = command->option;
+	const struct command_option *o = args->command->option;
 	const char *equals = strchr(word, '=');
 	for (size_t i = 0; o != NULL && o[i].name != NULL; i++) {
 		bool here = args->value[i].given && equals != NULL &&
@@ -178,20 +177,20 @@ is_operand(const struct args *args, const char *word)
 }
 
 char *
-journal_line(const struct command *command, const struct args *args,
-    const struct words *words)
+journal_line(const struct args *args, const struct words *words)
 {
 	char *line = NULL;
 	size_t n = 0;
 	FILE *out = open_memstream(&line, &n);
 	if (out == NULL)
 		return xstrdup("");
-	fputs(command->name, out);
+	fputs(args->command->name, out);
 	for (size_t i = 1; i < words->n; i++) {
 		const char *word = words->text[i];
-		if ((command->flags & COMMAND_FILES) && is_operand(args, word))
+		if ((args->command->flags & COMMAND_FILES) &&
+		    is_operand(args, word))
 			put_path(out, word);
-		else if (!is_passing(command, args, word))
+		else if (!is_passing(args, word))
 			put_word(out, word);
 	}
 	fclose(out);
@@ -285,8 +284,7 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 		    error, "results are saved with > FILE, sheets with write");
 	}
 	struct stat info;
-	bool replace =
-	    args_value(command_find("save"), args, "replace")->choice == 1;
+	bool replace = args_value(args, "replace")->choice == 1;
 	if (!replace && stat(path, &info) == 0) {
 		error_set(error, ERROR_USAGE, "%s is there already", path);
 		return error_hint(error, "replace=on writes over it");

@@ -86,8 +86,7 @@ bool
 cmd_timing(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	const struct value *state =
-	    args_value(command_find("timing"), args, "state");
+	const struct value *state = args_value(args, "state");
 	s->timing = state->choice == 0;
 	return true;
 }

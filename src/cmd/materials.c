@@ -10,12 +10,6 @@
 #include "cmd/show.h"
 #include "cmd/store.h"
 
-static const struct value *
-option(const struct args *args, const char *name)
-{
-	return args_value(command_find("materials"), args, name);
-}
-
 const char *
 store_origin_words(const struct stored *m)
 {
@@ -41,9 +35,9 @@ has_size(const struct stored *m, double top_mm)
 static bool
 is_wanted(const struct stored *m, const struct args *args)
 {
-	const struct value *rock = option(args, "rock");
-	const struct value *top = option(args, "top");
-	enum { ALL, TABLE3, OWN } origin = option(args, "origin")->choice;
+	const struct value *rock = args_value(args, "rock");
+	const struct value *top = args_value(args, "top");
+	enum { ALL, TABLE3, OWN } origin = args_value(args, "origin")->choice;
 	return (!rock->given || text_same(m->rock, rock->text)) &&
 	       (!top->given || has_size(m, top->number)) &&
 	       (origin == ALL || (origin == TABLE3) == stored_is_table3(m));
@@ -109,7 +103,7 @@ show_list(
 	report_note(r, "%zu of %zu materials, %zu of them your own, in %s", n,
 	    list->n, own, store_path(s->store));
 	report_note(r, "Table 3 is that of the paper, and read only");
-	if (n == 0 && option(args, "rock")->given)
+	if (n == 0 && args_value(args, "rock")->given)
 		note_rocks(r, list);
 	session_report(s, r);
 }

@@ -60,11 +60,10 @@ static bool
 set_params(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
-	const struct command *self = command_find("params");
 	struct params p =
 	    entry->has_params ? entry->params : params_default_beta();
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		const struct value *v = args_value(self, args, PARAMS[j].name);
+		const struct value *v = args_value(args, PARAMS[j].name);
 		if (v->given)
 			params_set(&p, j, v->number);
 		else if (!entry->has_params && j >= PARAM_F_MAT)
@@ -297,15 +296,14 @@ bool
 cmd_set(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	const struct command *self = command_find("set");
-	const struct value *method = args_value(self, args, "method");
-	const struct value *form = args_value(self, args, "appearance");
-	const struct value *k = args_value(self, args, "k");
-	const struct value *threads = args_value(self, args, "threads");
-	const struct value *isa = args_value(self, args, "isa");
-	const struct value *format = args_value(self, args, "format");
-	const struct value *csv = args_value(self, args, "csv");
-	const struct value *pager = args_value(self, args, "pager");
+	const struct value *method = args_value(args, "method");
+	const struct value *form = args_value(args, "appearance");
+	const struct value *k = args_value(args, "k");
+	const struct value *threads = args_value(args, "threads");
+	const struct value *isa = args_value(args, "isa");
+	const struct value *format = args_value(args, "format");
+	const struct value *csv = args_value(args, "csv");
+	const struct value *pager = args_value(args, "pager");
 	if (method->given || form->given || k->given)
 		session_forget(s);
 	if (method->given)
@@ -335,8 +333,7 @@ bool
 cmd_seed(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	const struct value *value =
-	    args_value(command_find("seed"), args, "seed");
+	const struct value *value = args_value(args, "seed");
 	if (value->given) {
 		s->seed = value->whole;
 		return true;

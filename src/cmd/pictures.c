@@ -31,8 +31,8 @@ find_word(const char *list, const char *word, size_t *index)
 }
 
 bool
-pictures_request(const struct command *self, const struct args *args,
-    struct plot_request *request, struct error *error)
+pictures_request(
+    const struct args *args, struct plot_request *request, struct error *error)
 {
 	size_t kind;
 	if (!find_word(PLOT_KINDS, args->operand[0], &kind)) {
@@ -41,17 +41,17 @@ pictures_request(const struct command *self, const struct args *args,
 		return error_hint(error, "the plots are: %s", PLOT_KINDS);
 	}
 	*request = plots_request((enum plot_kind)kind);
-	const struct value *speed = args_value(self, args, "speed");
-	const struct value *other = args_value(self, args, "other");
-	const struct value *at = args_value(self, args, "at");
-	const struct value *speeds = args_value(self, args, "speeds");
+	const struct value *speed = args_value(args, "speed");
+	const struct value *other = args_value(args, "other");
+	const struct value *at = args_value(args, "at");
+	const struct value *speeds = args_value(args, "speeds");
 	if (speed->given)
 		request->speed = speed->number;
 	if (other->given)
 		request->other_speed = other->number;
 	if (at->given)
 		request->crosshair_mm = at->number;
-	request->band = args_value(self, args, "band")->choice == 1;
+	request->band = args_value(args, "band")->choice == 1;
 	request->n_speed = speeds->n;
 	request->speeds = speeds->list;
 	return true;
@@ -128,12 +128,11 @@ print_chart(struct session *s, const struct args *args,
     const struct chart *chart, enum charset charset)
 {
 	enum { WIDTH = 78, WIDEST = 100, HEIGHT = 24 };
-	const struct command *self = command_find("plot");
 	const struct screen *screen = &s->screen;
-	int columns = size_of(
-	    args_value(self, args, "width"), screen->columns, WIDEST, WIDTH);
+	int columns =
+	    size_of(args_value(args, "width"), screen->columns, WIDEST, WIDTH);
 	int rows = size_of(
-	    args_value(self, args, "height"), screen->rows - 2, HEIGHT, HEIGHT);
+	    args_value(args, "height"), screen->rows - 2, HEIGHT, HEIGHT);
 	struct canvas *canvas = chart_draw(chart, columns, rows, charset, true);
 	canvas_print(canvas, screen->colours, s->out);
 	canvas_free(canvas);
@@ -153,14 +152,13 @@ bool
 cmd_plot(struct session *s, const struct args *args, struct error *error)
 {
 	enum { AUTO };
-	const struct command *self = command_find("plot");
 	struct plot_request request;
-	if (!pictures_request(self, args, &request, error))
+	if (!pictures_request(args, &request, error))
 		return false;
 	struct chart *chart = plots_chart(s, &request, error);
 	if (chart == NULL)
 		return false;
-	size_t choice = args_value(self, args, "charset")->choice;
+	size_t choice = args_value(args, "charset")->choice;
 	enum charset charset = choice != AUTO      ? (enum charset)(choice - 1)
 			       : s->screen.drawing ? CHARSET_BRAILLE
 						   : CHARSET_ASCII;

@@ -14,8 +14,8 @@ bool cmd_describe(struct session *, const struct args *, struct error *);
 
 /* What the call asks for: its kind and the options that plot and describe have
  * in common. */
-bool pictures_request(const struct command *self, const struct args *args,
-    struct plot_request *request, struct error *error);
+bool pictures_request(
+    const struct args *args, struct plot_request *request, struct error *error);
 
 /* A report headed as the chart is. */
 struct report *pictures_report(

@@ -13,12 +13,6 @@
 #include "core/validate.h"
 #include "io/units.h"
 
-static const struct value *
-option(const char *command, const struct args *args, const char *name)
-{
-	return args_value(command_find(command), args, name);
-}
-
 /* Which sizes break at this speed, in a sentence. */
 static void
 note_breakage(
@@ -224,16 +218,16 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 	struct params params = entry->params;
 	if (!answers_forming(s, &params) && !answers_ready(s, error))
 		return false;
-	double speed = option("predict", args, "speed")->number;
+	double speed = args_value(args, "speed")->number;
 	size_t feed;
-	if (!answers_feed(entry->site, option("predict", args, "feed"), speed,
-		&feed, error))
+	if (!answers_feed(
+		entry->site, args_value(args, "feed"), speed, &feed, error))
 		return false;
 	struct prediction p =
 	    predict(entry->site, &params, s->settings, speed, feed);
 	answers_remember(s, &p);
-	bool wanted = option("predict", args, "interpolated")->choice == 1;
-	const struct value *asked = option("predict", args, "band");
+	bool wanted = args_value(args, "interpolated")->choice == 1;
+	const struct value *asked = args_value(args, "band");
 	struct band band = {0};
 	bool has_band = !session_busy(s) && asked->choice == 1 &&
 			doubt_band(s, entry, &p, &band);
@@ -244,7 +238,7 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 			       "site with these settings");
 	session_report(s, r);
 	band_free(&band);
-	bool curve = option("predict", args, "curve")->choice == 1;
+	bool curve = args_value(args, "curve")->choice == 1;
 	bool ok =
 	    !curve || s->format != REPORT_TABLE || print_curves(s, &p, error);
 	prediction_free(&p);

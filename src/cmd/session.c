@@ -151,7 +151,7 @@ run_words(struct session *s, const struct words *words, struct place place,
 	struct args args;
 	const struct command *command = parse_call(words, place, &args, error);
 	bool ok = command != NULL && check_need(s, command, error) &&
-		  turn_begin(s, command, &args, words, place, error);
+		  turn_begin(s, &args, words, place, error);
 	if (ok) {
 		ok = command->run(s, &args, error);
 		if (!ok || turn_over(s))

@@ -174,12 +174,11 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 	size_t i = 0;
 	while (i < ARRAY_LEN(WHAT) && strcmp(what, WHAT[i].name) != 0)
 		i++;
-	const struct command *self = command_find("show");
 	if (i == ARRAY_LEN(WHAT)) {
 		error_set(error, ERROR_USAGE, "there is no '%s' to show", what);
-		return error_hint(error, "show %s", self->operands);
+		return error_hint(error, "show %s", args->command->operands);
 	}
-	if (args_value(self, args, "speed")->given && !WHAT[i].at_speed)
+	if (args_value(args, "speed")->given && !WHAT[i].at_speed)
 		return error_set(error, ERROR_USAGE,
 		    "show %s takes no speed: it is the same at all", what);
 	if (WHAT[i].need == NEED_SITE && !session_need_site(s, "show", error))

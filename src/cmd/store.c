@@ -14,12 +14,6 @@
 #include "config.h"
 #include "io/units.h"
 
-static const struct value *
-option(const char *command, const struct args *args, const char *name)
-{
-	return args_value(command_find(command), args, name);
-}
-
 bool
 store_find_material(const struct stored_list *list, const char *name,
     const struct stored **found, struct error *error)
@@ -124,8 +118,8 @@ static bool
 check_remember(
     const struct entry *entry, const struct args *args, struct error *error)
 {
-	const struct value *date = option("remember", args, "date");
-	const struct value *note = option("remember", args, "note");
+	const struct value *date = args_value(args, "date");
+	const struct value *note = args_value(args, "note");
 	if (!entry->has_params) {
 		error_set(error, ERROR_USAGE,
 		    "%s has no parameters to remember yet", entry->site->name);
@@ -177,8 +171,8 @@ bool
 cmd_remember(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
-	const struct value *date = option("remember", args, "date");
-	const struct value *note = option("remember", args, "note");
+	const struct value *date = args_value(args, "date");
+	const struct value *note = args_value(args, "note");
 	const char *name = args->n_operand > 0 ? args->operand[0] : entry->key;
 	if (!check_remember(entry, args, error) ||
 	    !stored_check_name(name, error))
@@ -187,7 +181,7 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	set_copy(&m.name, name);
 	set_copy(&m.date, date->given ? date->text : "");
 	set_copy(&m.note, note->given ? note->text : "");
-	bool replace = option("remember", args, "replace")->choice == 1;
+	bool replace = args_value(args, "replace")->choice == 1;
 	bool ok = store_put(s->store, &m, 1, replace, error);
 	if (ok)
 		report_remembered(s, &m);

@@ -7,18 +7,13 @@
 #include "cmd/store.h"
 #include "io/store_csv.h"
 
-static bool
-replaces(const char *command, const struct args *args)
-{
-	return args_value(command_find(command), args, "replace")->choice == 1;
-}
-
 bool
 cmd_export(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
 	struct stored_list list = {0};
-	if (!replaces("export", args) && access(path, F_OK) == 0) {
+	if (args_value(args, "replace")->choice == 0 &&
+	    access(path, F_OK) == 0) {
 		error_set(error, ERROR_USAGE, "%s is there already", path);
 		return error_hint(error, "replace=on writes over it");
 	}
@@ -48,7 +43,7 @@ bool
 cmd_import(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
-	bool replace = replaces("import", args);
+	bool replace = args_value(args, "replace")->choice == 1;
 	struct error_list *errors = xcalloc(1, sizeof *errors);
 	struct stored_list there = {0}, list = {0};
 	bool ok = store_list(s->store, &there, error);

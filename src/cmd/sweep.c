@@ -9,12 +9,6 @@
 #include "core/predict.h"
 #include "io/units.h"
 
-static const struct value *
-option(const struct args *args, const char *name)
-{
-	return args_value(command_find("sweep"), args, name);
-}
-
 /* A row of sizes, one cell a speed. */
 static void
 size_row(struct report *r, const char *name, const struct prediction *p,
@@ -140,10 +134,10 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	if (!answers_ready(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	const struct value *speeds = option(args, "speeds");
+	const struct value *speeds = args_value(args, "speeds");
 	size_t n = speeds->n;
 	size_t feed;
-	if (!answers_feed(entry->site, option(args, "feed"),
+	if (!answers_feed(entry->site, args_value(args, "feed"),
 		answers_middle(entry->site), &feed, error))
 		return false;
 	struct prediction *p = xcalloc(n, sizeof *p);

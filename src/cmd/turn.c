@@ -43,9 +43,9 @@ put_place(const struct turn *t, struct error *error)
 
 /* Index of an option of the call that names a file, or OPTIONS. */
 static size_t
-file_option(const struct command *command, const struct args *args)
+file_option(const struct args *args)
 {
-	const struct command_option *o = command->option;
+	const struct command_option *o = args->command->option;
 	for (size_t i = 0; o != NULL && o[i].name != NULL; i++)
 		if (o[i].kind == VALUE_FILE && args->value[i].given)
 			return i;
@@ -54,10 +54,11 @@ file_option(const struct command *command, const struct args *args)
 
 /* --safe: neither files nor the shell. */
 static bool
-check_safe(const struct command *command, const struct args *args,
-    const struct words *words, struct error *error)
+check_safe(
+    const struct args *args, const struct words *words, struct error *error)
 {
-	size_t option = file_option(command, args);
+	const struct command *command = args->command;
+	size_t option = file_option(args);
 	if (command->flags & COMMAND_FILES)
 		error_set(error, ERROR_USAGE, "%s is off: it works on files",
 		    command->name);
@@ -96,11 +97,11 @@ can_take(const struct command *command, const struct words *words,
 }
 
 bool
-turn_begin(struct session *s, const struct command *command,
-    const struct args *args, const struct words *words, struct place place,
-    struct error *error)
+turn_begin(struct session *s, const struct args *args,
+    const struct words *words, struct place place, struct error *error)
 {
-	if (s->safe && !check_safe(command, args, words, error))
+	const struct command *command = args->command;
+	if (s->safe && !check_safe(args, words, error))
 		return false;
 	if (s->first == NULL) {
 		s->first = xcalloc(1, sizeof *s->first);
@@ -123,7 +124,7 @@ turn_begin(struct session *s, const struct command *command,
 		return false;
 	}
 	t->label = journal_label(command, words);
-	t->line = journal_line(command, args, words);
+	t->line = journal_line(args, words);
 	t->mark = journal_mark(s);
 	t->steps = undo_depth(s);
 	if (command->flags & COMMAND_CHANGES)

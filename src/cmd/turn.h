@@ -12,9 +12,8 @@
 struct turn;
 
 /* Before a command runs.  False where its results cannot go where it says. */
-bool turn_begin(struct session *s, const struct command *command,
-    const struct args *args, const struct words *words, struct place place,
-    struct error *error);
+bool turn_begin(struct session *s, const struct args *args,
+    const struct words *words, struct place place, struct error *error);
 
 /* True when the innermost command has no job and no script left. */
 bool turn_over(const struct session *s);

@@ -63,7 +63,7 @@ call_operands(const struct command *command)
 static inline const struct value *
 call_value(const struct call *call, const char *name)
 {
-	return args_value(call->command, &call->args, name);
+	return args_value(&call->args, name);
 }
 
 #endif
