@@ -9,14 +9,6 @@
 #include "cmd/session.h"
 #include "core/predict.h"
 
-bool cmd_predict(struct session *, const struct args *, struct error *);
-bool cmd_sweep(struct session *, const struct args *, struct error *);
-bool cmd_validate(struct session *, const struct args *, struct error *);
-bool cmd_find(struct session *, const struct args *, struct error *);
-bool cmd_spec(struct session *, const struct args *, struct error *);
-bool cmd_why(struct session *, const struct args *, struct error *);
-bool cmd_compare(struct session *, const struct args *, struct error *);
-
 /* A break size below this, m, is none: every size can break. */
 #define ANSWERS_NO_SIZE 1e-6
 

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/data.h"
+#include "cmd/table.h"
 #include "core/misfit.h"
 #include "core/smooth.h"
 #include "io/units.h"

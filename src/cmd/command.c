@@ -9,6 +9,40 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/table.h"
+
+/* In the order of help and manual. */
+static const struct {
+	const char *name;
+	const struct command *command;
+} GROUPS[] = {{"data", TABLE_DATA}, {"fit", TABLE_FIT},
+    {"answers", TABLE_ANSWERS}, {"pictures", TABLE_PICTURES},
+    {"store", TABLE_STORE}, {"model", TABLE_MODEL}, {"session", TABLE_SESSION}};
+
+const struct command *
+command_next(const struct command *after)
+{
+	bool take = after == NULL;
+	for (size_t g = 0; g < ARRAY_LEN(GROUPS); g++)
+		for (const struct command *c = GROUPS[g].command;
+		     c->name != NULL; c++) {
+			if (take)
+				return c;
+			take = c == after;
+		}
+	return NULL;
+}
+
+const char *
+command_group(const struct command *command)
+{
+	for (size_t g = 0; g < ARRAY_LEN(GROUPS); g++)
+		for (const struct command *c = GROUPS[g].command;
+		     c->name != NULL; c++)
+			if (c == command)
+				return GROUPS[g].name;
+	return NULL;
+}
 
 const struct command *
 command_find(const char *name)
@@ -119,7 +153,7 @@ char *
 command_usage(const struct command *command)
 {
 	char *usage = xstrdup(command->name);
-	if (command->operands[0] != '\0') {
+	if (command->operands != NULL) {
 		append(&usage, " ");
 		append(&usage, command->operands);
 	}

@@ -56,6 +56,9 @@ struct args {
 	struct value value[OPTIONS];
 };
 
+/* What a command does.  False with an error where it cannot. */
+typedef bool command_run(struct session *, const struct args *, struct error *);
+
 enum need { NEED_NOTHING, NEED_SITE };
 
 /* What the session has to know of a command. */
@@ -70,14 +73,14 @@ enum command_flag {
 
 /* bare: option that a bare word stands for ("predict 74"), or NULL.
  * pairs: options may be written as two words ("set method classes").
- * operands: as shown in usage; at least `least` and at most `most` of them.
+ * operands: as shown in usage, or NULL; at least `least` and at most `most`.
  * expect: what completion offers for the first operand, the second ...; the
  * last one holds for all further ones.  Words between blanks: one in capitals
  * stands for what there is (see KINDS in complete.c), others for themselves.
  * text: sentences for help and manual.  example: lines of a script that runs in
  * a folder with the project's data/. */
 struct command {
-	const char *name, *alias, *group, *brief;
+	const char *name, *alias, *brief;
 	const char *operands, *expect[EXPECTS];
 	size_t least, most;
 	enum need need;
@@ -87,12 +90,15 @@ struct command {
 	const struct command_option
 	    *option; /* ends with a name of NULL, or NULL */
 	const char *text, *example;
-	bool (*run)(struct session *, const struct args *, struct error *);
+	command_run *run;
 };
 
 /* The table, by group: the first command for NULL, then the one after. NULL
  * at the end. */
 const struct command *command_next(const struct command *after);
+
+/* The group it stands in: "answers". */
+const char *command_group(const struct command *command);
 
 /* By full name or alias; NULL if there is none. */
 const struct command *command_find(const char *name);

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/journal.h"
+#include "cmd/table.h"
 #include "core/synth.h"
 #include "io/site_write.h"
 #include "io/table3.h"

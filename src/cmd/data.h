@@ -8,13 +8,6 @@
 #include "cmd/command.h"
 #include "cmd/session.h"
 
-bool cmd_load(struct session *, const struct args *, struct error *);
-bool cmd_sites(struct session *, const struct args *, struct error *);
-bool cmd_use(struct session *, const struct args *, struct error *);
-bool cmd_synth(struct session *, const struct args *, struct error *);
-bool cmd_write(struct session *, const struct args *, struct error *);
-bool cmd_check(struct session *, const struct args *, struct error *);
-
 /* Loads a site file and says so beside the results. */
 bool data_load(struct session *s, const char *path, struct error *error);
 

@@ -7,6 +7,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/pictures.h"
+#include "cmd/table.h"
 
 /* A chart being told. */
 struct tale {

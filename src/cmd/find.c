@@ -6,6 +6,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/grading.h"
+#include "cmd/table.h"
 #include "core/inverse.h"
 #include "core/predict.h"
 #include "io/units.h"

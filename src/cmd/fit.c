@@ -9,6 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/doubt.h"
 #include "cmd/job.h"
+#include "cmd/table.h"
 #include "core/misfit.h"
 
 /* "69, 79" of the runs marked (or, with `other`, of those not marked). */

@@ -8,10 +8,6 @@
 #include "cmd/command.h"
 #include "cmd/session.h"
 
-bool cmd_calibrate(struct session *, const struct args *, struct error *);
-
-bool cmd_history(struct session *, const struct args *, struct error *);
-
 /* Says beside the results what the job is about to do. */
 void fit_announce(struct session *s);
 

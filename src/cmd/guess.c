@@ -1,5 +1,6 @@
 /* guess: a first product for a site with no calibration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/table.h"
 #include "core/guess.h"
 
 #include <math.h>

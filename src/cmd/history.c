@@ -6,6 +6,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/table.h"
 
 /* Rows that fit a screen with their heading. */
 enum { ROWS = 18 };

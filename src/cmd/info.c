@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/table.h"
 #include "config.h"
 #include "core/isa.h"
 
@@ -26,11 +27,12 @@ info_list(const char *group, FILE *out)
 {
 	const char *last = "";
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (group != NULL && strcmp(group, c->group) != 0)
+		const char *its = command_group(c);
+		if (group != NULL && strcmp(group, its) != 0)
 			continue;
-		if (strcmp(last, c->group) != 0)
-			fprintf(out, "%s\n", c->group);
-		last = c->group;
+		if (strcmp(last, its) != 0)
+			fprintf(out, "%s\n", its);
+		last = its;
 		print_brief(c, out);
 	}
 	fputs(
@@ -104,7 +106,7 @@ static bool
 is_group(const char *name)
 {
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
-		if (strcmp(c->group, name) == 0)
+		if (strcmp(command_group(c), name) == 0)
 			return true;
 	return false;
 }
@@ -158,7 +160,8 @@ static bool
 tells_of(const struct command *c, const char *folded)
 {
 	bool found = holds(c->name, folded) || holds(c->brief, folded) ||
-		     holds(c->text, folded) || holds(c->operands, folded) ||
+		     holds(c->text, folded) ||
+		     (c->operands != NULL && holds(c->operands, folded)) ||
 		     (c->alias != NULL && holds(c->alias, folded));
 	const struct command_option *o = c->option;
 	for (; !found && o != NULL && o->name != NULL; o++)

@@ -9,12 +9,6 @@
 #include "cmd/command.h"
 #include "cmd/session.h"
 
-bool cmd_help(struct session *, const struct args *, struct error *);
-bool cmd_apropos(struct session *, const struct args *, struct error *);
-bool cmd_man(struct session *, const struct args *, struct error *);
-bool cmd_version(struct session *, const struct args *, struct error *);
-bool cmd_quit(struct session *, const struct args *, struct error *);
-
 /* The list of commands by group; of one group, or of all for NULL. */
 void info_list(const char *group, FILE *out);
 

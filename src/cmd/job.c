@@ -8,6 +8,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/fit.h"
+#include "cmd/table.h"
 #include "cmd/turn.h"
 #include "core/validate.h"
 #include "io/checkpoint.h"

@@ -8,9 +8,6 @@
 #include "cmd/command.h"
 #include "cmd/session.h"
 
-bool cmd_continue(struct session *, const struct args *, struct error *);
-bool cmd_accept(struct session *, const struct args *, struct error *);
-
 /* Restores the job that was just started from a checkpoint. */
 bool job_resume(struct session *s, const char *path, struct error *error);
 

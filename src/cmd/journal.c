@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/table.h"
 #include "config.h"
 #include "io/replace.h"
 

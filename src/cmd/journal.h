@@ -50,8 +50,6 @@ char *journal_load(const struct site *site);
 /* The call as typed, with the command's full name.  The caller frees. */
 char *journal_label(const struct command *command, const struct words *words);
 
-bool cmd_save(struct session *, const struct args *, struct error *);
-
 void journal_free(struct journal *journal);
 
 #endif

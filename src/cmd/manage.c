@@ -1,7 +1,5 @@
 /* What is loaded and set as a whole, and small things about the session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/manage.h"
-
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -9,6 +7,7 @@
 #include "cmd/journal.h"
 #include "cmd/script.h"
 #include "cmd/snapshot.h"
+#include "cmd/table.h"
 
 bool
 cmd_drop(struct session *s, const struct args *args, struct error *error)

@@ -96,13 +96,14 @@ manual_commands(FILE *out)
 {
 	const char *group = "";
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (strcmp(group, c->group) != 0) {
+		const char *its = command_group(c);
+		if (strcmp(group, its) != 0) {
 			if (group[0] != '\0')
 				fputs(".El\n", out);
 			fprintf(out, ".Ss %c%s\n.Bl -tag -width Ds\n",
-			    toupper((unsigned char)c->group[0]), c->group + 1);
+			    toupper((unsigned char)its[0]), its + 1);
 		}
-		group = c->group;
+		group = its;
 		char *usage = command_usage(c);
 		fputs(".It ", out);
 		print_quoted(usage, out);

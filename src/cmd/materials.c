@@ -9,6 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/show.h"
 #include "cmd/store.h"
+#include "cmd/table.h"
 
 const char *
 store_origin_words(const struct stored *m)

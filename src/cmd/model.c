@@ -10,12 +10,16 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
+#include "cmd/table.h"
 
 const char *const MODEL_FORMS[3] = {"ratio", "progeny_mm", "parent_mm"};
 
-void
-model_show_params(struct session *s)
+bool
+model_show_params(
+    struct session *s, const struct args *args, struct error *error)
 {
+	(void)args;
+	(void)error;
 	const struct entry *entry = session_entry(s);
 	const struct uncertainty *u = doubt_of(entry);
 	struct report *r = answers_report(
@@ -39,6 +43,7 @@ model_show_params(struct session *s)
 	if (u != NULL)
 		doubt_note(r);
 	session_report(s, r);
+	return true;
 }
 
 void
@@ -150,23 +155,15 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-static bool
-list_params(struct session *s, const struct args *args, struct error *error)
-{
-	(void)args;
-	(void)error;
-	model_show_params(s);
-	return true;
-}
-
 /* Only set takes values, only diff and use take a site. */
 static const struct {
 	const char *verb;
 	bool values;
 	size_t operands;
-	bool (*run)(struct session *, const struct args *, struct error *);
-} VERBS[] = {{"list", false, 1, list_params}, {"set", true, 1, set_params},
-    {"diff", false, 2, diff_params}, {"use", false, 2, use_params}};
+	command_run *run;
+} VERBS[] = {{"list", false, 1, model_show_params},
+    {"set", true, 1, set_params}, {"diff", false, 2, diff_params},
+    {"use", false, 2, use_params}};
 
 bool
 cmd_params(struct session *s, const struct args *args, struct error *error)
@@ -193,9 +190,12 @@ cmd_params(struct session *s, const struct args *args, struct error *error)
 	return VERBS[i].run(s, args, error);
 }
 
-void
-model_show_bounds(struct session *s)
+bool
+model_show_bounds(
+    struct session *s, const struct args *args, struct error *error)
 {
+	(void)args;
+	(void)error;
 	struct report *r = report_new("bounds");
 	report_title(r, "search bounds");
 	report_column(r, "parameter", "parameter");
@@ -209,6 +209,7 @@ model_show_bounds(struct session *s)
 		report_text(r, PARAMS[j].unit);
 	}
 	session_report(s, r);
+	return true;
 }
 
 /* "a..b", or one number, which holds the parameter fixed. */
@@ -231,10 +232,8 @@ read_range(const char *word, double *lower, double *upper)
 bool
 cmd_bounds(struct session *s, const struct args *args, struct error *error)
 {
-	if (args->n_operand == 0) {
-		model_show_bounds(s);
-		return true;
-	}
+	if (args->n_operand == 0)
+		return model_show_bounds(s, args, error);
 	if (strcmp(args->operand[0], "default") == 0) {
 		s->bounds = bounds_default();
 		return true;

@@ -9,9 +9,6 @@
 #include "cmd/plots.h"
 #include "cmd/session.h"
 
-bool cmd_plot(struct session *, const struct args *, struct error *);
-bool cmd_describe(struct session *, const struct args *, struct error *);
-
 /* What the call asks for: its kind and the options that plot and describe have
  * in common. */
 bool pictures_request(

@@ -9,6 +9,7 @@
 #include "cmd/doubt.h"
 #include "cmd/fit.h"
 #include "cmd/plots.h"
+#include "cmd/table.h"
 #include "core/predict.h"
 #include "core/validate.h"
 #include "io/units.h"

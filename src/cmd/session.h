@@ -66,6 +66,9 @@ enum answer {
 	ANSWERS
 };
 
+/* What an assertion calls them. */
+extern const char *const ANSWER_NAMES[ANSWERS];
+
 /* A calibration under way.  The driver pumps it: session_step until
  * session_busy is false. */
 struct job {

@@ -10,6 +10,7 @@
 #include "cmd/answers.h"
 #include "cmd/data.h"
 #include "cmd/model.h"
+#include "cmd/table.h"
 #include "io/units.h"
 
 static bool
@@ -93,10 +94,13 @@ add_columns(struct report *r, const struct site *site, bool feed,
 	return n;
 }
 
+/* show feed and show product. */
 static bool
-show_curves(struct session *s, bool feed)
+show_curves(struct session *s, const struct args *args, struct error *error)
 {
+	(void)error;
 	const struct site *site = session_entry(s)->site;
+	bool feed = strcmp(args->operand[0], "feed") == 0;
 	const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
 	struct report *r = answers_report(site, "show", "%s, %% passing",
 	    feed ? "feed" : "measured products");
@@ -115,52 +119,18 @@ show_curves(struct session *s, bool feed)
 	return true;
 }
 
-static bool
-show_feed(struct session *s, const struct args *args, struct error *error)
-{
-	(void)args;
-	(void)error;
-	return show_curves(s, true);
-}
-
-static bool
-show_product(struct session *s, const struct args *args, struct error *error)
-{
-	(void)args;
-	(void)error;
-	return show_curves(s, false);
-}
-
-static bool
-show_params(struct session *s, const struct args *args, struct error *error)
-{
-	(void)args;
-	(void)error;
-	model_show_params(s);
-	return true;
-}
-
-static bool
-show_bounds(struct session *s, const struct args *args, struct error *error)
-{
-	(void)args;
-	(void)error;
-	model_show_bounds(s);
-	return true;
-}
-
 /* What can be shown; the first is shown when nothing is named. */
 static const struct {
 	const char *name;
 	enum need need;
 	bool at_speed; /* takes the option speed */
-	bool (*show)(struct session *, const struct args *, struct error *);
+	command_run *show;
 } WHAT[] = {
     {"site", NEED_SITE, false, show_site},
-    {"feed", NEED_SITE, false, show_feed},
-    {"product", NEED_SITE, false, show_product},
-    {"params", NEED_SITE, false, show_params},
-    {"bounds", NEED_NOTHING, false, show_bounds},
+    {"feed", NEED_SITE, false, show_curves},
+    {"product", NEED_SITE, false, show_curves},
+    {"params", NEED_SITE, false, model_show_params},
+    {"bounds", NEED_NOTHING, false, model_show_bounds},
     {"model", NEED_SITE, false, show_model},
     {"selection", NEED_SITE, true, show_selection},
     {"appearance", NEED_SITE, false, show_appearance},

@@ -8,14 +8,10 @@
 #include "cmd/command.h"
 #include "cmd/session.h"
 
-bool cmd_show(struct session *, const struct args *, struct error *);
-
 /* The parts of show that take the model apart; they need a site. */
-bool show_model(struct session *, const struct args *, struct error *);
-bool show_selection(struct session *, const struct args *, struct error *);
-bool show_appearance(struct session *, const struct args *, struct error *);
+command_run show_model, show_selection, show_appearance;
 
 /* Where the store is and what it holds. */
-bool show_store(struct session *, const struct args *, struct error *);
+command_run show_store;
 
 #endif

@@ -11,6 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
+#include "cmd/table.h"
 #include "config.h"
 #include "io/units.h"
 

@@ -5,6 +5,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/store.h"
+#include "cmd/table.h"
 #include "io/store_csv.h"
 
 bool

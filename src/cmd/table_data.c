@@ -2,18 +2,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-#include "cmd/data.h"
-#include "cmd/manage.h"
-#include "cmd/show.h"
-
 static const struct command_option SHOW_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "of the selection"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option LOAD_OPTIONS[] = {
     {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
 	"refuse a sheet with other numbers; as save writes it"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option SYNTH_OPTIONS[] = {
     {"site", VALUE_TEXT, "", 0, 0, NULL, "", "make only the sites so called"},
@@ -25,16 +21,15 @@ static const struct command_option SYNTH_OPTIONS[] = {
 	"of the noise"},
     {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "69,74,79",
 	"tip speeds, slow to fast"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option WRITE_OPTIONS[] = {
     {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"write over files that are there"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 const struct command TABLE_DATA[] = {
     {.name = "load",
-	.group = "data",
 	.brief = "read site files",
 	.operands = "FILE...",
 	.expect = {"FILE"},
@@ -49,14 +44,11 @@ const struct command TABLE_DATA[] = {
 	.example = "load data/sites/tierp.csv\nshow",
 	.run = cmd_load},
     {.name = "sites",
-	.group = "data",
 	.brief = "list the loaded sites",
-	.operands = "",
 	.text = "The first column is what 'use' takes.",
 	.example = "load data/sites/tierp.csv data/sites/bro.csv\nsites",
 	.run = cmd_sites},
     {.name = "use",
-	.group = "data",
 	.brief = "choose the site to work on",
 	.operands = "SITE",
 	.expect = {"SITE"},
@@ -71,7 +63,6 @@ const struct command TABLE_DATA[] = {
 		   "use borlange\nshow",
 	.run = cmd_use},
     {.name = "drop",
-	.group = "data",
 	.brief = "forget a site",
 	.operands = "SITE",
 	.expect = {"SITE"},
@@ -84,7 +75,6 @@ const struct command TABLE_DATA[] = {
 	.example = "load data/sites/bro.csv data/sites/tierp.csv\ndrop bro",
 	.run = cmd_drop},
     {.name = "check",
-	.group = "data",
 	.brief = "look for faults in sheets",
 	.operands = "[SITE|all]",
 	.expect = {"SITE all"},
@@ -102,7 +92,6 @@ const struct command TABLE_DATA[] = {
 		   "check all",
 	.run = cmd_check},
     {.name = "show",
-	.group = "data",
 	.brief = "show a site, and what the model makes of it",
 	.operands = "[site|feed|product|params|bounds|model|selection|"
 		    "appearance|store]",
@@ -123,7 +112,6 @@ const struct command TABLE_DATA[] = {
 		   "show model\nshow selection speed=79",
 	.run = cmd_show},
     {.name = "synth",
-	.group = "data",
 	.brief = "make sites from material parameters",
 	.operands = "FILE",
 	.expect = {"FILE"},
@@ -138,7 +126,6 @@ const struct command TABLE_DATA[] = {
 	.example = "synth data/table3.csv site=Tierp seed=9\nshow product",
 	.run = cmd_synth},
     {.name = "write",
-	.group = "data",
 	.brief = "write site files",
 	.operands = "FILE|FOLDER",
 	.expect = {"FILE"},

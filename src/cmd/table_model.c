@@ -2,8 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-#include "cmd/model.h"
-
 static const struct command_option PARAMS_OPTIONS[] = {
     {"beta1", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "constant term"},
     {"beta2", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "term in u"},
@@ -12,7 +10,7 @@ static const struct command_option PARAMS_OPTIONS[] = {
     {"f_mat", VALUE_NUMBER, "kg/(J m)", 0, 1e4, NULL, "", "material parameter"},
     {"e0_min", VALUE_NUMBER, "J m/kg", 0, 1e4, NULL, "", "threshold energy"},
     {"alpha", VALUE_NUMBER, "", 0, 1e2, NULL, "", "size dependency"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option SET_OPTIONS[] = {
     {"method", VALUE_CHOICE, "", 0, 0, "continuous classes", "",
@@ -29,16 +27,15 @@ static const struct command_option SET_OPTIONS[] = {
 	"semicolon: decimal commas, for spreadsheets in Swedish or German"},
     {"pager", VALUE_CHOICE, "", 0, 0, "on off", "",
 	"at the prompt, page what is taller than the screen"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option SEED_OPTIONS[] = {
     {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "",
 	"seed of calibrations"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 const struct command TABLE_MODEL[] = {
     {.name = "params",
-	.group = "model",
 	.brief = "show, set or compare the model's parameters",
 	.operands = "[list | set | diff SITE | use SITE]",
 	.expect = {"list set diff use", "SITE"},
@@ -56,7 +53,6 @@ const struct command TABLE_MODEL[] = {
 		   "predict 74",
 	.run = cmd_params},
     {.name = "bounds",
-	.group = "model",
 	.brief = "limits of the search",
 	.operands = "[default | PARAMETER FROM..TO | PARAMETER VALUE]",
 	.expect = {"default PARAMETER", ""},
@@ -67,9 +63,7 @@ const struct command TABLE_MODEL[] = {
 	.example = "bounds f_mat 1.2\nbounds alpha 0.8..1\nbounds",
 	.run = cmd_bounds},
     {.name = "set",
-	.group = "model",
 	.brief = "show or change settings",
-	.operands = "",
 	.flags = COMMAND_CHANGES,
 	.pairs = true,
 	.option = SET_OPTIONS,
@@ -81,9 +75,7 @@ const struct command TABLE_MODEL[] = {
 	.example = "set method classes\nset",
 	.run = cmd_set},
     {.name = "seed",
-	.group = "model",
 	.brief = "seed of calibrations",
-	.operands = "",
 	.flags = COMMAND_CHANGES,
 	.bare = "seed",
 	.option = SEED_OPTIONS,

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-#include "cmd/pictures.h"
+#include "cmd/plots.h"
 
 #define WHAT_OPTIONS                                                       \
 	{"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                   \
@@ -25,14 +25,13 @@ static const struct command_option PLOT_OPTIONS[] = {WHAT_OPTIONS,
 	"as the screen, 24 at most"},
     {"charset", VALUE_CHOICE, "", 0, 0, "auto ascii quadrants braille", "auto",
 	"what lines are drawn with"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option DESCRIBE_OPTIONS[] = {
-    WHAT_OPTIONS, LAST_OPTION};
+    WHAT_OPTIONS, {.name = NULL}};
 
 const struct command TABLE_PICTURES[] = {
     {.name = "plot",
-	.group = "pictures",
 	.brief = "draw a picture",
 	.operands = "KIND",
 	.expect = {PLOT_KINDS},
@@ -60,7 +59,6 @@ const struct command TABLE_PICTURES[] = {
 		   "plot psd speed=74 at=2",
 	.run = cmd_plot},
     {.name = "describe",
-	.group = "pictures",
 	.brief = "a picture in sentences",
 	.operands = "KIND",
 	.expect = {PLOT_KINDS},

@@ -2,32 +2,23 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-#include "cmd/assert.h"
-#include "cmd/info.h"
-#include "cmd/journal.h"
-#include "cmd/manage.h"
-#include "cmd/script.h"
-#include "cmd/undo.h"
-
 static const struct command_option SAVE_OPTIONS[] = {
     {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"write over a file that is there"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option TIMING_OPTIONS[] = {
     {"state", VALUE_CHOICE, "", 0, 0, "on off", "on", "tell it or not"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option MAN_OPTIONS[] = {
     {"page", VALUE_CHOICE, "", 0, 0, "tipspeed tutorial tui site spec model",
 	"tipspeed", "page of the manual"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 const struct command TABLE_SESSION[] = {
     {.name = "undo",
-	.group = "session",
 	.brief = "take back the last change",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.text = "Of sites, the site in use, parameters, calibrations, bounds, "
 		"settings and seed: 200 steps. A calibration is one step, and "
@@ -36,15 +27,12 @@ const struct command TABLE_SESSION[] = {
 	.example = "set k 2\nundo",
 	.run = cmd_undo},
     {.name = "redo",
-	.group = "session",
 	.brief = "do again what undo took back",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.text = "Until something else is changed.",
 	.example = "set k 2\nundo\nredo",
 	.run = cmd_redo},
     {.name = "save",
-	.group = "session",
 	.brief = "write the session as a script",
 	.operands = "FILE.tip",
 	.expect = {"FILE"},
@@ -63,7 +51,6 @@ const struct command TABLE_SESSION[] = {
 		   "save plant.tip",
 	.run = cmd_save},
     {.name = "restore",
-	.group = "session",
 	.brief = "put a saved session in the place of this one",
 	.operands = "FILE.tip",
 	.expect = {"FILE"},
@@ -75,16 +62,13 @@ const struct command TABLE_SESSION[] = {
 	.example = "seed 7\nsave seven.tip\nreset\nrestore seven.tip",
 	.run = cmd_restore},
     {.name = "reset",
-	.group = "session",
 	.brief = "forget all that was loaded and set",
-	.operands = "",
 	.flags = COMMAND_CHANGES | COMMAND_UNSAVED,
 	.text = "As if the program had just been started; what the command "
 		"line set (seed, format) is set again.",
 	.example = "load data/sites/tierp.csv\nset method classes\nreset",
 	.run = cmd_reset},
     {.name = "source",
-	.group = "session",
 	.brief = "run a script",
 	.operands = "FILE",
 	.expect = {"FILE"},
@@ -98,7 +82,6 @@ const struct command TABLE_SESSION[] = {
 	.example = "source data/sessions/tierp.tip",
 	.run = cmd_source},
     {.name = "echo",
-	.group = "session",
 	.brief = "print words",
 	.operands = "[WORD]...",
 	.expect = {""},
@@ -108,9 +91,7 @@ const struct command TABLE_SESSION[] = {
 	.example = "echo \"Tierp, at 74 m/s:\"",
 	.run = cmd_echo},
     {.name = "timing",
-	.group = "session",
 	.brief = "tell how long each command takes",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.bare = "state",
 	.option = TIMING_OPTIONS,
@@ -119,7 +100,6 @@ const struct command TABLE_SESSION[] = {
 	.example = "timing on\nversion\ntiming off",
 	.run = cmd_timing},
     {.name = "assert",
-	.group = "session",
 	.brief = "stop with status 1 unless an answer is as expected",
 	.operands = "VALUE =|<|> VALUE [within NUMBER]",
 	.expect = {"ANSWER", "= < >", "ANSWER", "within", ""},
@@ -139,7 +119,6 @@ const struct command TABLE_SESSION[] = {
 		   "assert holdout < 1",
 	.run = cmd_assert},
     {.name = "help",
-	.group = "session",
 	.brief = "what commands there are",
 	.operands = "[COMMAND|GROUP] [example]",
 	.expect = {"COMMAND GROUP", "example"},
@@ -151,7 +130,6 @@ const struct command TABLE_SESSION[] = {
 	.example = "help predict",
 	.run = cmd_help},
     {.name = "apropos",
-	.group = "session",
 	.brief = "find commands by a word of their help",
 	.operands = "WORD",
 	.expect = {""},
@@ -163,9 +141,7 @@ const struct command TABLE_SESSION[] = {
 	.example = "apropos threads",
 	.run = cmd_apropos},
     {.name = "man",
-	.group = "session",
 	.brief = "open the manual",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.bare = "page",
 	.option = MAN_OPTIONS,
@@ -174,17 +150,13 @@ const struct command TABLE_SESSION[] = {
 	.example = "man site",
 	.run = cmd_man},
     {.name = "version",
-	.group = "session",
 	.brief = "version of the program",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.text = "With the libraries and instructions that numbers depend on.",
 	.example = "version",
 	.run = cmd_version},
     {.name = "tui",
-	.group = "session",
 	.brief = "open the full screen",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.text = "On the site in use, at the speed last predicted, else at the "
 		"one held out, else at 74 m/s. The arrow keys move the speed "
@@ -194,9 +166,7 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_tui},
     {.name = "quit",
 	.alias = "exit",
-	.group = "session",
 	.brief = "leave the program",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.text = "The rest of a script is not run.",
 	.example = "quit",

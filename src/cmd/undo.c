@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/table.h"
 
 enum { STEPS = 200 };
 

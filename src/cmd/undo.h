@@ -11,9 +11,6 @@
 #include "cmd/session.h"
 #include "cmd/snapshot.h"
 
-bool cmd_undo(struct session *, const struct args *, struct error *);
-bool cmd_redo(struct session *, const struct args *, struct error *);
-
 /* How many steps can be undone now. */
 size_t undo_depth(const struct session *s);
 

@@ -6,6 +6,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/table.h"
 #include "core/validate.h"
 #include "io/units.h"
 

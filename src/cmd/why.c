@@ -8,6 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/table.h"
 #include "core/energy.h"
 #include "core/misfit.h"
 #include "core/validate.h"
