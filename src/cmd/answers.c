@@ -16,14 +16,14 @@ answers_report(
     const struct site *site, const char *command, const char *format, ...)
 {
 	struct report *r = report_new(command);
-	char title[200], *label = session_label(site);
 	va_list ap;
 	va_start(ap, format);
-	vsnprintf(title, sizeof title, format, ap);
+	char *title = xvasprintf(format, ap), *label = session_label(site);
 	va_end(ap);
 	report_title(r, "%s: %s", label, title);
 	report_site(r, site->name, site->provenance);
 	free(label);
+	free(title);
 	return r;
 }
 
@@ -134,11 +134,10 @@ size_phrase(const struct psd *psd, double passing, const double *range)
 		return words;
 	char *low = range_words(psd, range[0]);
 	char *high = range_words(psd, range[1]);
-	char *longer = xasprintf("%s (%s to %s)", words, low, high);
+	xappend(&words, " (%s to %s)", low, high);
 	free(low);
 	free(high);
-	free(words);
-	return longer;
+	return words;
 }
 
 void

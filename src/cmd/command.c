@@ -54,15 +54,6 @@ command_find(const char *name)
 	return NULL;
 }
 
-/* Appends to a string that grows. */
-static void
-append(char **text, const char *more)
-{
-	char *longer = xasprintf("%s%s", *text, more);
-	free(*text);
-	*text = longer;
-}
-
 static bool
 begins(const char *name, const char *start)
 {
@@ -95,8 +86,7 @@ command_candidates(const char *name)
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (!begins(c->name, start) && !begins(c->alias, start))
 			continue;
-		append(&list, list[0] != '\0' ? ", " : "");
-		append(&list, c->name);
+		xlist(&list, ", ", "%s", c->name);
 	}
 	free(start);
 	return list;
@@ -153,17 +143,15 @@ char *
 command_usage(const struct command *command)
 {
 	char *usage = xstrdup(command->name);
-	if (command->operands != NULL) {
-		append(&usage, " ");
-		append(&usage, command->operands);
-	}
+	if (command->operands != NULL)
+		xappend(&usage, " %s", command->operands);
 	const struct command_option *o = command->option;
 	for (; o != NULL && o->name != NULL; o++) {
 		char *part = xasprintf(" [%s=%s]", o->name, placeholder(o));
 		for (char *p = part + 1; *p != '\0'; p++)
 			if (*p == ' ')
 				*p = '|';
-		append(&usage, part);
+		xappend(&usage, "%s", part);
 		free(part);
 	}
 	return usage;
@@ -189,7 +177,7 @@ command_limits(const struct command_option *o)
 	if (o->kind == VALUE_CHOICE) {
 		char *list = xstrdup("");
 		for (const char *c = o->choices; *c != '\0'; c++)
-			append(&list, *c == ' ' ? ", " : (char[2]){*c, '\0'});
+			xappend(&list, *c == ' ' ? ", " : "%c", *c);
 		return list;
 	}
 	char *least = limit_text(o->least), *most = limit_text(o->most);

@@ -68,17 +68,14 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 }
 
 char *
-data_speeds(const struct site *site)
+data_speeds(
+    const struct site *site, const char *between, const bool *mark, bool marked)
 {
 	char *list = xstrdup("");
-	for (size_t r = 0; r < site->n_run; r++) {
-		if (site->run[r].product.n == 0)
-			continue;
-		char *longer = xasprintf("%s%s%g", list,
-		    list[0] != '\0' ? " " : "", site->run[r].speed);
-		free(list);
-		list = longer;
-	}
+	for (size_t r = 0; r < site->n_run; r++)
+		if (site->run[r].product.n > 0 &&
+		    (mark == NULL || mark[r] == marked))
+			xlist(&list, between, "%g", site->run[r].speed);
 	return list;
 }
 
@@ -107,7 +104,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	report_column(r, "data", "data");
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		char *speeds = data_speeds(entry->site);
+		char *speeds = data_speeds(entry->site, " ", NULL, true);
 		char *kind = data_kind(entry->site);
 		char *key =
 		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);

@@ -11,8 +11,10 @@
 /* Loads a site file and says so beside the results. */
 bool data_load(struct session *s, const char *path, struct error *error);
 
-/* "69 74 79", of the runs that have a product.  The caller frees. */
-char *data_speeds(const struct site *site);
+/* "69, 79": speeds of the runs that have a product, and whose mark [n_run] is
+ * `marked`; mark NULL: of all.  The caller frees. */
+char *data_speeds(const struct site *site, const char *between,
+    const bool *mark, bool marked);
 
 /* Says beside the results where a run's product is coarser than its feed; the
  * numbers stay as they are. */

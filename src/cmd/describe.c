@@ -49,18 +49,16 @@ static char *
 sizes_of(const struct tale *t, const struct chart_series *s)
 {
 	static const double PASSING[] = {20, 50, 80};
-	char *text = xstrdup(";");
+	char *text = xstrdup("");
 	bool psd = t->kind == PLOT_PSD || t->kind == PLOT_SWEEP;
 	for (size_t i = 0; psd && i < ARRAY_LEN(PASSING); i++) {
 		double x = chart_at_y(t->chart, s, PASSING[i]);
-		char *more = isnan(x) ? xasprintf("%s P%g outside the sieves,",
-					    text, PASSING[i])
-				      : xasprintf("%s P%g %.2f mm,", text,
-					    PASSING[i], x);
-		free(text);
-		text = more;
+		xappend(&text, "%s P%g ", i > 0 ? "," : ";", PASSING[i]);
+		if (isnan(x))
+			xappend(&text, "outside the sieves");
+		else
+			xappend(&text, "%.2f mm", x);
 	}
-	text[strlen(text) - 1] = '\0';
 	return text;
 }
 
@@ -103,10 +101,8 @@ say_points(struct tale *t, const struct chart_series *s)
 	for (size_t i = 0; i < s->n && shown < FEW; i++) {
 		if (isnan(s->y[i]))
 			continue;
-		char *more = xasprintf("%s%s %.3g and %.3g", text,
-		    shown++ > 0 ? ";" : "", s->x[i], s->y[i]);
-		free(text);
-		text = more;
+		xlist(&text, ";", " %.3g and %.3g", s->x[i], s->y[i]);
+		shown++;
 	}
 	say(t,
 	    json_sprintf("%s, %zu point%s, across and up:%s%s", s->name, s->n,

@@ -188,14 +188,9 @@ static char *
 list_keys(const struct session *s, const char *wanted)
 {
 	char *list = xstrdup("");
-	for (size_t i = 0; i < s->n_entry; i++) {
-		if (wanted != NULL && answers(&s->entry[i], wanted) == 0)
-			continue;
-		char *longer = xasprintf("%s%s%s", list,
-		    list[0] != '\0' ? ", " : "", s->entry[i].key);
-		free(list);
-		list = longer;
-	}
+	for (size_t i = 0; i < s->n_entry; i++)
+		if (wanted == NULL || answers(&s->entry[i], wanted) > 0)
+			xlist(&list, ", ", "%s", s->entry[i].key);
 	return list;
 }
 

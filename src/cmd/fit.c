@@ -7,26 +7,11 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/data.h"
 #include "cmd/doubt.h"
 #include "cmd/job.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
-
-/* "69, 79" of the runs marked (or, with `other`, of those not marked). */
-static char *
-speeds(const struct site *site, const bool *train, bool other)
-{
-	char *list = xstrdup("");
-	for (size_t r = 0; r < site->n_run; r++) {
-		if (site->run[r].product.n == 0 || train[r] == other)
-			continue;
-		char *longer = xasprintf("%s%s%g", list,
-		    list[0] != '\0' ? ", " : "", site->run[r].speed);
-		free(list);
-		list = longer;
-	}
-	return list;
-}
 
 /* Marks the runs at the speeds given; each must have a product. */
 static bool
@@ -107,8 +92,8 @@ fit_announce(struct session *s)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	const struct calibrate_options *o = &s->job.options;
-	char *train = speeds(entry->site, s->job.train, false);
-	char *holdout = speeds(entry->site, s->job.train, true);
+	char *train = data_speeds(entry->site, ", ", s->job.train, true);
+	char *holdout = data_speeds(entry->site, ", ", s->job.train, false);
 	session_note(s, "calibrating %s on %s m/s%s%s%s", entry->site->name,
 	    train, holdout[0] != '\0' ? " (held out: " : "", holdout,
 	    holdout[0] != '\0' ? ")" : "");
@@ -259,52 +244,39 @@ take_history(struct entry *entry, const struct job *job)
 
 /* The options of the job as one would type them, for whoever asks later how the
  * fit was found; bounds only where they are not the default ones. */
-static void
-describe_options(const struct session *s, FILE *out)
+static char *
+options_words(const struct session *s)
 {
 	const struct job *job = &s->job;
 	const struct calibrate_options *o = &job->options;
 	const struct bounds usual = bounds_default();
 	const char *sign = " run_weights=";
-	fprintf(out,
-	    "population=%zu generations=%zu tolerance=%g stall=%zu polish=%s",
+	char *words = xasprintf("population=%zu generations=%zu tolerance=%g "
+				"stall=%zu polish=%s%s%s",
 	    o->population, o->generations, o->tolerance, o->stall,
-	    o->polish ? "on" : "off");
-	fprintf(out, "%s%s", o->plain ? " preset=paper" : "",
+	    o->polish ? "on" : "off", o->plain ? " preset=paper" : "",
 	    o->by_sd ? " weights=sd" : "");
 	for (size_t r = 0; r < s->entry[job->entry].site->n_run; r++) {
 		if (job->run_weight == NULL || !job->train[r])
 			continue;
-		fprintf(out, "%s%g", sign, job->run_weight[r]);
+		xappend(&words, "%s%g", sign, job->run_weight[r]);
 		sign = ",";
 	}
 	for (size_t j = 0; j < PARAM_COUNT; j++)
 		if (o->bounds.lower[j] != usual.lower[j] ||
 		    o->bounds.upper[j] != usual.upper[j])
-			fprintf(out, "; bounds %s %g..%g", PARAMS[j].name,
+			xappend(&words, "; bounds %s %g..%g", PARAMS[j].name,
 			    o->bounds.lower[j], o->bounds.upper[j]);
-}
-
-static void
-keep_options(const struct session *s, struct entry *entry)
-{
-	char *text = NULL;
-	size_t n = 0;
-	FILE *out = open_memstream(&text, &n);
-	entry->options[0] = '\0';
-	if (out == NULL)
-		return;
-	describe_options(s, out);
-	fclose(out);
-	snprintf(entry->options, sizeof entry->options, "%s", text);
-	free(text);
+	return words;
 }
 
 void
 fit_take(struct session *s)
 {
 	struct entry *entry = &s->entry[s->job.entry];
-	keep_options(s, entry);
+	char *options = options_words(s);
+	snprintf(entry->options, sizeof entry->options, "%s", options);
+	free(options);
 	entry->recalled[0] = '\0';
 	entry->fit = calibration_fit(s->job.calibration);
 	entry->params = entry->fit.params;

@@ -137,13 +137,9 @@ add_flat(
 		    j < PARAM_F_MAT ? 2 : bounds->upper[j] - bounds->lower[j];
 		if (!fit_is_flat(fit, j))
 			continue;
-		const char *comma = list[0] != '\0' ? ", " : "";
-		char *longer =
-		    silent ? xasprintf("%s%s%s", list, comma, PARAMS[j].name)
-			   : xasprintf("%s%s%s %+.2g", list, comma,
-				 PARAMS[j].name, part * range);
-		free(list);
-		list = longer;
+		xlist(&list, ", ", "%s", PARAMS[j].name);
+		if (!silent)
+			xappend(&list, " %+.2g", part * range);
 	}
 	if (silent)
 		report_note(report,

@@ -238,12 +238,8 @@ names(const struct basis *b, bool left)
 	char *list = xstrdup("");
 	for (size_t i = 0; i < (left ? b->list.n : b->n); i++) {
 		size_t at = left ? i : b->pick[i];
-		if (left && !b->leave_out[i])
-			continue;
-		char *longer = xasprintf("%s%s%s", list,
-		    list[0] != '\0' ? ", " : "", b->list.item[at].name);
-		free(list);
-		list = longer;
+		if (!left || b->leave_out[i])
+			xlist(&list, ", ", "%s", b->list.item[at].name);
 	}
 	return list;
 }

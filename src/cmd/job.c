@@ -37,26 +37,21 @@ static char *
 options_text(const struct session *s)
 {
 	const struct calibrate_options *o = &s->job.options;
-	char *text = NULL;
-	size_t n = 0;
-	FILE *out = open_memstream(&text, &n);
-	if (out == NULL)
-		return xstrdup("");
-	fprintf(out,
-	    "seed=%llu population=%zu generations=%zu stall=%zu "
-	    "tolerance=%a polish=%d plain=%d sd=%d method=%d "
-	    "appearance=%d k=%a bounds",
-	    (unsigned long long)o->seed, o->population, o->generations,
-	    o->stall, o->tolerance, o->polish, o->plain, o->by_sd,
-	    (int)o->settings.method, (int)o->settings.appearance,
-	    o->settings.k);
+	char *text =
+	    xasprintf("seed=%llu population=%zu generations=%zu stall=%zu "
+		      "tolerance=%a polish=%d plain=%d sd=%d method=%d "
+		      "appearance=%d k=%a bounds",
+		(unsigned long long)o->seed, o->population, o->generations,
+		o->stall, o->tolerance, o->polish, o->plain, o->by_sd,
+		(int)o->settings.method, (int)o->settings.appearance,
+		o->settings.k);
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		fprintf(out, " %a..%a", o->bounds.lower[j], o->bounds.upper[j]);
-	fputs(" train", out);
+		xappend(
+		    &text, " %a..%a", o->bounds.lower[j], o->bounds.upper[j]);
+	xappend(&text, " train");
 	for (size_t r = 0; r < s->entry[s->job.entry].site->n_run; r++)
-		fprintf(out, " %d*%a", s->job.train[r],
+		xappend(&text, " %d*%a", s->job.train[r],
 		    s->job.run_weight != NULL ? s->job.run_weight[r] : 1);
-	fclose(out);
 	return text;
 }
 
@@ -172,32 +167,18 @@ static char *
 remarks(const struct session *s, const struct entry *entry)
 {
 	char *text = xstrdup("");
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		if (!entry->fit.on_bound[j])
-			continue;
-		char *longer =
-		    xasprintf("%s%s on bound; ", text, PARAMS[j].name);
-		free(text);
-		text = longer;
-	}
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		if (entry->fit.on_bound[j])
+			xlist(&text, "; ", "%s on bound", PARAMS[j].name);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *other = &s->entry[i];
-		if (other == entry ||
-		    other->site->digest != entry->site->digest)
-			continue;
-		char *longer = xasprintf("%stwin of %s; ", text, other->key);
-		free(text);
-		text = longer;
+		if (other != entry &&
+		    other->site->digest == entry->site->digest)
+			xlist(&text, "; ", "twin of %s", other->key);
 	}
 	const char *verdict = fit_verdict(&entry->fit);
-	if (strcmp(verdict, "good") != 0) {
-		char *longer = xasprintf("%s%s; ", text, verdict);
-		free(text);
-		text = longer;
-	}
-	size_t n = strlen(text);
-	if (n >= 2)
-		text[n - 2] = '\0';
+	if (strcmp(verdict, "good") != 0)
+		xlist(&text, "; ", "%s", verdict);
 	return text;
 }
 

@@ -126,29 +126,26 @@ journal_settings(struct session *s)
 
 /* Appends a word, in quotes where it would not be read as one. */
 static void
-put_word(FILE *out, const char *word)
+put_word(char **line, const char *word)
 {
 	bool plain = word[0] != '\0' && strpbrk(word, " \t;#\"|>\\") == NULL;
-	fputs(plain ? " " : " \"", out);
-	for (const char *p = word; *p != '\0'; p++) {
-		if (*p == '"')
-			fputc('"', out);
-		fputc(*p, out);
-	}
+	xappend(line, plain ? " " : " \"");
+	for (const char *p = word; *p != '\0'; p++)
+		xappend(line, *p == '"' ? "\"\"" : "%c", *p);
 	if (!plain)
-		fputc('"', out);
+		xappend(line, "\"");
 }
 
 /* From the root; links are left as they are. */
 static void
-put_path(FILE *out, const char *path)
+put_path(char **line, const char *path)
 {
 	char folder[4096];
 	bool rooted = path[0] == '/' || getcwd(folder, sizeof folder) == NULL;
 	while (strncmp(path, "./", 2) == 0)
 		path += 2;
 	char *whole = rooted ? xstrdup(path) : xasprintf("%s/%s", folder, path);
-	put_word(out, whole);
+	put_word(line, whole);
 	free(whole);
 }
 
@@ -180,36 +177,24 @@ is_operand(const struct args *args, const char *word)
 char *
 journal_line(const struct args *args, const struct words *words)
 {
-	char *line = NULL;
-	size_t n = 0;
-	FILE *out = open_memstream(&line, &n);
-	if (out == NULL)
-		return xstrdup("");
-	fputs(args->command->name, out);
+	char *line = xstrdup(args->command->name);
 	for (size_t i = 1; i < words->n; i++) {
 		const char *word = words->text[i];
 		if ((args->command->flags & COMMAND_FILES) &&
 		    is_operand(args, word))
-			put_path(out, word);
+			put_path(&line, word);
 		else if (!is_passing(args, word))
-			put_word(out, word);
+			put_word(&line, word);
 	}
-	fclose(out);
 	return line;
 }
 
 char *
 journal_load(const struct site *site)
 {
-	char *line = NULL;
-	size_t n = 0;
-	FILE *out = open_memstream(&line, &n);
-	if (out == NULL)
-		return xstrdup("");
-	fputs("load", out);
-	put_path(out, site->path);
-	fprintf(out, " digest=%016" PRIx64, site->digest);
-	fclose(out);
+	char *line = xstrdup("load");
+	put_path(&line, site->path);
+	xappend(&line, " digest=%016" PRIx64, site->digest);
 	return line;
 }
 
@@ -217,11 +202,8 @@ char *
 journal_label(const struct command *command, const struct words *words)
 {
 	char *label = xstrdup(command->name);
-	for (size_t i = 1; i < words->n; i++) {
-		char *longer = xasprintf("%s %s", label, words->text[i]);
-		free(label);
-		label = longer;
-	}
+	for (size_t i = 1; i < words->n; i++)
+		xappend(&label, " %s", words->text[i]);
 	return label;
 }
 

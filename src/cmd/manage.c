@@ -61,12 +61,8 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
 	char *text = xstrdup("");
-	for (size_t i = 0; i < args->n_operand; i++) {
-		char *longer = xasprintf(
-		    "%s%s%s", text, i > 0 ? " " : "", args->operand[i]);
-		free(text);
-		text = longer;
-	}
+	for (size_t i = 0; i < args->n_operand; i++)
+		xappend(&text, i > 0 ? " %s" : "%s", args->operand[i]);
 	if (s->format == REPORT_JSON) {
 		struct report *r = report_new("echo");
 		json_t *o = json_object();

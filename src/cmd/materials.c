@@ -69,12 +69,8 @@ note_rocks(struct report *r, const struct stored_list *list)
 		for (size_t j = 0; j < i; j++)
 			before = before || text_same(list->item[j].rock,
 					       list->item[i].rock);
-		if (before)
-			continue;
-		char *longer = xasprintf("%s%s%s", rocks,
-		    rocks[0] != '\0' ? ", " : "", list->item[i].rock);
-		free(rocks);
-		rocks = longer;
+		if (!before)
+			xlist(&rocks, ", ", "%s", list->item[i].rock);
 	}
 	report_note(r, "rocks: %s", rocks);
 	free(rocks);

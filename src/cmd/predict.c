@@ -62,10 +62,7 @@ note_feed_gaps(
 			j++;
 		if (j < feed->n)
 			continue;
-		char *longer = xasprintf("%s%s%g", list,
-		    list[0] != '\0' ? ", " : "", units_mm(p->feed.size[i]));
-		free(list);
-		list = longer;
+		xlist(&list, ", ", "%g", units_mm(p->feed.size[i]));
 	}
 	if (list[0] != '\0')
 		report_note(r,

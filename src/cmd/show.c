@@ -20,7 +20,8 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	const struct site *site = session_entry(s)->site;
 	struct report *r = report_new("show");
-	char *label = session_label(site), *speeds = data_speeds(site);
+	char *label = session_label(site),
+	     *speeds = data_speeds(site, " ", NULL, true);
 	char *top = site->top_size > 0
 			? xasprintf("%g", units_mm(site->top_size))
 			: xstrdup("not stated");

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/data.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
 #include "cmd/table.h"
@@ -58,22 +59,6 @@ set_copy(char **text, const char *value)
 	set(text, xstrdup(value));
 }
 
-/* "69,79" of the runs trained on. */
-static char *
-train_words(const struct entry *entry)
-{
-	char *list = xstrdup("");
-	for (size_t r = 0; r < entry->site->n_run; r++) {
-		if (!entry->train[r] || entry->site->run[r].product.n == 0)
-			continue;
-		char *longer = xasprintf("%s%s%g", list,
-		    list[0] != '\0' ? "," : "", entry->site->run[r].speed);
-		free(list);
-		list = longer;
-	}
-	return list;
-}
-
 /* What only a calibration has. */
 static void
 take_fit(struct stored *m, const struct entry *entry)
@@ -81,7 +66,7 @@ take_fit(struct stored *m, const struct entry *entry)
 	const struct fit *fit = &entry->fit;
 	set_copy(&m->options, entry->options);
 	set_copy(&m->stop, calibrate_state_name(fit->stop));
-	set(&m->train_mps, train_words(entry));
+	set(&m->train_mps, data_speeds(entry->site, ",", entry->train, true));
 	m->misfit = fit->misfit;
 	m->rmse_pct = 100 * fit->rmse;
 	m->holdout_pct = 100 * fit_holdout_rmse(entry);
@@ -246,15 +231,11 @@ static char *
 bring_back(const struct stored *m)
 {
 	char *line = xstrdup("params set"), number[32];
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		char *longer = xasprintf("%s %s=%s", line, PARAMS[j].name,
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		xappend(&line, " %s=%s", PARAMS[j].name,
 		    text_exact(params_get(&m->params, j), number));
-		free(line);
-		line = longer;
-	}
-	char *whole = xasprintf("%s; remember \"%s\"", line, m->name);
-	free(line);
-	return whole;
+	xappend(&line, "; remember \"%s\"", m->name);
+	return line;
 }
 
 static void

@@ -151,20 +151,14 @@ say_trained(const struct subject *a)
 		   100 * fabs(more), more > 0 ? "more" : "less", near));
 }
 
-/* "alpha" or "beta3 and beta4" of those for which `is` holds; NULL for none. */
+/* "alpha" or "beta3 and beta4" of those for which `is` holds; "" for none. */
 static char *
 names_of(const struct fit *fit, bool (*is)(const struct fit *, size_t))
 {
-	char *names = NULL;
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		if (!is(fit, j))
-			continue;
-		char *longer = names == NULL ? xstrdup(PARAMS[j].name)
-					     : xasprintf("%s and %s", names,
-						   PARAMS[j].name);
-		free(names);
-		names = longer;
-	}
+	char *names = xstrdup("");
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		if (is(fit, j))
+			xlist(&names, " and ", "%s", PARAMS[j].name);
 	return names;
 }
 
@@ -179,11 +173,11 @@ say_parameters(const struct subject *a, const struct fit *fit)
 {
 	char *bound = names_of(fit, is_on_bound);
 	char *flat = names_of(fit, fit_is_flat);
-	if (bound != NULL)
+	if (bound[0] != '\0')
 		say(a, json_sprintf("%s on a bound of the search: the bound, "
 				    "not the data, sets the value",
 			   bound));
-	if (flat != NULL)
+	if (flat[0] != '\0')
 		say(a, json_sprintf(
 			   "The data do not tell %s well: far other values, "
 			   "changed together, fit a tenth worse only; the "

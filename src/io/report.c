@@ -14,18 +14,6 @@
 
 const char *const REPORT_FORMATS[4] = {"table", "csv", "json", "markdown"};
 
-static char *
-format_text(const char *format, va_list ap)
-{
-	va_list again;
-	va_copy(again, ap);
-	int n = vsnprintf(NULL, 0, format, again);
-	va_end(again);
-	char *text = xcalloc(n > 0 ? (size_t)n + 1 : 1, 1);
-	vsnprintf(text, (size_t)n + 1, format, ap);
-	return text;
-}
-
 struct report *
 report_new(const char *command)
 {
@@ -69,7 +57,7 @@ report_title(struct report *r, const char *format, ...)
 	va_list ap;
 	va_start(ap, format);
 	free(r->title);
-	r->title = format_text(format, ap);
+	r->title = xvasprintf(format, ap);
 	va_end(ap);
 }
 
@@ -138,7 +126,7 @@ report_note(struct report *r, const char *format, ...)
 	va_list ap;
 	va_start(ap, format);
 	r->note = xrealloc(r->note, r->n_note + 1, sizeof *r->note);
-	r->note[r->n_note++] = format_text(format, ap);
+	r->note[r->n_note++] = xvasprintf(format, ap);
 	va_end(ap);
 }
 

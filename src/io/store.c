@@ -127,16 +127,11 @@ end(struct store *store, sqlite3 *db)
 static char *
 columns(const char *before, bool marks, const char *after)
 {
-	char *sql = xasprintf("%s", before);
-	for (size_t i = 0; i < FIELD_COUNT; i++) {
-		char *longer =
-		    xasprintf("%s, %s", sql, marks ? "?" : FIELDS[i].name);
-		free(sql);
-		sql = longer;
-	}
-	char *whole = xasprintf("%s%s", sql, after);
-	free(sql);
-	return whole;
+	char *sql = xstrdup(before);
+	for (size_t i = 0; i < FIELD_COUNT; i++)
+		xappend(&sql, ", %s", marks ? "?" : FIELDS[i].name);
+	xappend(&sql, "%s", after);
+	return sql;
 }
 
 static const char *

@@ -254,19 +254,13 @@ connect_closed_folder(const char *path)
 	free(log);
 	if (!alone)
 		return NULL;
-	char *uri = xasprintf("file:"), *hex = NULL;
-	for (const char *p = path; *p != '\0'; p++) {
-		hex = strchr("?#%", *p) != NULL
-			  ? xasprintf("%s%%%02X", uri, (unsigned)*p)
-			  : xasprintf("%s%c", uri, *p);
-		free(uri);
-		uri = hex;
-	}
-	hex = xasprintf("%s?immutable=1", uri);
+	char *uri = xstrdup("file:");
+	for (const char *p = path; *p != '\0'; p++)
+		xappend(&uri, strchr("?#%", *p) != NULL ? "%%%02X" : "%c", *p);
+	xappend(&uri, "?immutable=1");
 	sqlite3 *db = NULL;
-	sqlite3_open_v2(hex, &db, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, NULL);
+	sqlite3_open_v2(uri, &db, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, NULL);
 	free(uri);
-	free(hex);
 	return db;
 }
 
