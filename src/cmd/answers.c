@@ -186,6 +186,30 @@ answers_note_doubt(
 		    100 * entry->fit.rmse);
 }
 
+void
+answers_say(json_t *list, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	json_array_append_new(list, json_vsprintf(format, ap));
+	va_end(ap);
+}
+
+void
+answers_tell(const struct session *s, struct report *r, const json_t *list)
+{
+	bool csv = s->format == REPORT_CSV;
+	if (csv)
+		report_column(r, "sentence", "sentence");
+	for (size_t i = 0; i < json_array_size(list); i++) {
+		const char *words = json_string_value(json_array_get(list, i));
+		if (csv)
+			report_text(r, words);
+		else
+			report_note(r, "%s.", words);
+	}
+}
+
 json_t *
 answers_list_json(const double *value, size_t n, double (*shown)(double))
 {
@@ -216,7 +240,7 @@ answers_prediction_json(struct session *s, const struct prediction *p)
 {
 	const struct entry *entry = session_entry(s);
 	json_t *o = answers_json("predict", entry->site);
-	json_object_set_new(o, "speed", json_real(p->speed));
+	report_put(o, "speed", p->speed);
 	json_object_set_new(o, "extrapolated",
 	    json_boolean(
 		predict_extrapolates(entry->site, entry->train, p->speed)));
@@ -226,11 +250,10 @@ answers_prediction_json(struct session *s, const struct prediction *p)
 	    answers_list_json(p->product.size, p->product.n, units_mm));
 	json_object_set_new(o, "passing_pct",
 	    answers_list_json(p->product.passing, p->product.n, units_pct));
-	json_object_set_new(o, "p20_mm", report_json_number(1000 * p->p20));
-	json_object_set_new(o, "p50_mm", report_json_number(1000 * p->p50));
-	json_object_set_new(o, "p80_mm", report_json_number(1000 * p->p80));
-	json_object_set_new(
-	    o, "break_mm", report_json_number(1000 * p->break_size));
+	report_put(o, "p20_mm", 1000 * p->p20);
+	report_put(o, "p50_mm", 1000 * p->p50);
+	report_put(o, "p80_mm", 1000 * p->p80);
+	report_put(o, "break_mm", 1000 * p->break_size);
 	json_object_set_new(o, "params", fit_params_json(&entry->params));
 	if (entry->has_fit)
 		json_object_set_new(

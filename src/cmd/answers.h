@@ -64,8 +64,17 @@ json_t *answers_json(const char *command, const struct site *site);
 json_t *answers_list_json(
     const double *value, size_t n, double (*shown)(double));
 
+/* One more sentence, without its full stop, for a list. */
+void answers_say(json_t *list, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* The sentences of a list: notes, or rows of csv. */
+void answers_tell(
+    const struct session *s, struct report *r, const json_t *list);
+
 /* "classes" or "continuous". */
 const char *answers_method(enum method method);
+
 /* Says where parameters are from that were recalled. */
 void answers_note_recalled(struct report *r, const struct entry *entry);
 

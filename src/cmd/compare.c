@@ -115,7 +115,7 @@ side_json(const struct side *side, const double *x, size_t n)
 {
 	json_t *o = json_object(), *passing = json_array();
 	json_object_set_new(o, "site", json_string(side->entry->site->name));
-	json_object_set_new(o, "speed", json_real(side->p.speed));
+	report_put(o, "speed", side->p.speed);
 	json_object_set_new(
 	    o, "extrapolated", json_boolean(extrapolates(side)));
 	for (size_t i = 0; i < n; i++)
@@ -123,8 +123,7 @@ side_json(const struct side *side, const double *x, size_t n)
 		    report_json_number(units_pct(passing_at(side, x[i]))));
 	json_object_set_new(o, "passing_pct", passing);
 	for (size_t i = 0; i < ARRAY_LEN(SIZES); i++)
-		json_object_set_new(
-		    o, SIZES[i].key, report_json_number(size_of(side, i)));
+		report_put(o, SIZES[i].key, size_of(side, i));
 	return o;
 }
 

@@ -120,18 +120,14 @@ wish_json(struct session *s, struct wish *wish, double speed,
 	char *key = wish->name != NULL ? xasprintf("%s_mm", wish->name)
 				       : xstrdup("passing_pct");
 	json_object_set_new(o, "wanted", json_string(key));
-	json_object_set_new(o, "value",
-	    json_real(wish->name != NULL ? units_mm(wish->x)
-					 : units_pct(wish->passing)));
-	json_object_set_new(o, "at_mm",
-	    wish->name != NULL ? json_null() : json_real(units_mm(wish->x)));
-	json_object_set_new(o, "from", json_real(wish->from));
-	json_object_set_new(o, "to", json_real(wish->to));
-	json_object_set_new(
-	    o, "value_from", report_json_number(value_at(wish, wish->from)));
-	json_object_set_new(
-	    o, "value_to", report_json_number(value_at(wish, wish->to)));
-	json_object_set_new(o, "speed", report_json_number(speed));
+	report_put(o, "value",
+	    wish->name != NULL ? units_mm(wish->x) : units_pct(wish->passing));
+	report_put(o, "at_mm", wish->name != NULL ? NAN : units_mm(wish->x));
+	report_put(o, "from", wish->from);
+	report_put(o, "to", wish->to);
+	report_put(o, "value_from", value_at(wish, wish->from));
+	report_put(o, "value_to", value_at(wish, wish->to));
+	report_put(o, "speed", speed);
 	for (size_t i = 0; i < n; i++)
 		json_array_append_new(list, answers_prediction_json(s, &p[i]));
 	json_object_set_new(o, "products", list);
@@ -232,18 +228,15 @@ answer_spec(struct session *s, const struct args *args, const struct wish *wish,
 	answers_note_doubt(s, r, v, wish->feed);
 	json_t *o = answers_json("find", entry->site);
 	json_object_set_new(o, "wanted", json_string("spec"));
-	json_object_set_new(o, "from", json_real(wish->from));
-	json_object_set_new(o, "to", json_real(wish->to));
+	report_put(o, "from", wish->from);
+	report_put(o, "to", wish->to);
 	json_object_set_new(o, "inside", json_boolean(w.inside));
-	json_object_set_new(
-	    o, "slowest", w.inside ? json_real(w.slowest) : json_null());
-	json_object_set_new(
-	    o, "fastest", w.inside ? json_real(w.fastest) : json_null());
-	json_object_set_new(o, "speed", json_real(v));
-	json_object_set_new(o, "worst_mm",
-	    w.inside ? json_null()
-		     : json_real(units_mm(g.spec->size[w.worst])));
-	json_object_set_new(o, "outside_pct", json_real(100 * w.by));
+	report_put(o, "slowest", w.inside ? w.slowest : NAN);
+	report_put(o, "fastest", w.inside ? w.fastest : NAN);
+	report_put(o, "speed", v);
+	report_put(
+	    o, "worst_mm", w.inside ? NAN : units_mm(g.spec->size[w.worst]));
+	report_put(o, "outside_pct", 100 * w.by);
 	grading_json(o, &g, v);
 	report_json(r, o);
 	session_forget(s);

@@ -59,9 +59,9 @@ fit_params_json(const struct params *p)
 	for (size_t b = 0; b < 4; b++)
 		json_array_append_new(beta, report_json_number(p->beta[b]));
 	json_object_set_new(object, "beta", beta);
-	json_object_set_new(object, "f_mat", report_json_number(p->f_mat));
-	json_object_set_new(object, "e0_min", report_json_number(p->e0_min));
-	json_object_set_new(object, "alpha", report_json_number(p->alpha));
+	report_put(object, "f_mat", p->f_mat);
+	report_put(object, "e0_min", p->e0_min);
+	report_put(object, "alpha", p->alpha);
 	return object;
 }
 
@@ -79,14 +79,14 @@ fit_as_json(const struct entry *entry, double seconds)
 	    o, "evaluations", json_integer((json_int_t)fit->evaluations));
 	json_object_set_new(
 	    o, "stop", json_string(calibrate_state_name(fit->stop)));
-	json_object_set_new(o, "misfit", report_json_number(fit->misfit));
-	json_object_set_new(o, "seconds", report_json_number(seconds));
+	report_put(o, "misfit", fit->misfit);
+	report_put(o, "seconds", seconds);
 	json_object_set_new(o, "params", fit_params_json(&fit->params));
 	json_object_set_new(
 	    o, "train", speeds_as_json(entry->site, entry->train, false));
 	json_object_set_new(
 	    o, "holdout", speeds_as_json(entry->site, entry->train, true));
-	json_object_set_new(o, "rmse_pct", report_json_number(fit->rmse * 100));
+	report_put(o, "rmse_pct", fit->rmse * 100);
 	json_object_set_new(o, "verdict", json_string(fit_verdict(fit)));
 	json_object_set_new(o, "interval", doubt_json(doubt_of(entry)));
 	return o;

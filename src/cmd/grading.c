@@ -159,7 +159,7 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 	grading_notes(r, &g);
 	answers_note_doubt(s, r, v, feed);
 	json_t *o = answers_json("spec", entry->site);
-	json_object_set_new(o, "speed", json_real(v));
+	report_put(o, "speed", v);
 	json_object_set_new(o, "extrapolated", json_boolean(outside));
 	json_object_set_new(o, "inside", json_boolean(inside));
 	grading_json(o, &g, v);

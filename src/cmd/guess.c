@@ -83,14 +83,9 @@ table3_error(const struct basis *b, size_t nearest, double speed, char **worst)
 }
 
 static json_t *
-curve_json(const struct psd *psd, bool sizes)
+passing_json(const struct psd *psd)
 {
-	json_t *list = json_array();
-	for (size_t i = 0; i < psd->n; i++)
-		json_array_append_new(
-		    list, json_real(sizes ? units_mm(psd->size[i])
-					  : units_pct(psd->passing[i])));
-	return list;
+	return answers_list_json(psd->passing, psd->n, units_pct);
 }
 
 /* "p20_mm": middle and "p20_range_mm": [least, most]. */
@@ -99,12 +94,10 @@ range_json(json_t *o, const char *name, const struct guess_range *range)
 {
 	char *middle = xasprintf("%s_mm", name);
 	char *ends = xasprintf("%s_range_mm", name);
-	json_t *pair = json_array();
-	json_array_append_new(pair, report_json_number(1000 * range->least));
-	json_array_append_new(pair, report_json_number(1000 * range->most));
-	json_object_set_new(
-	    o, middle, report_json_number(1000 * range->middle));
-	json_object_set_new(o, ends, pair);
+	report_put(o, middle, 1000 * range->middle);
+	json_object_set_new(o, ends,
+	    json_pack("[o, o]", report_json_number(1000 * range->least),
+		report_json_number(1000 * range->most)));
 	free(middle);
 	free(ends);
 }
@@ -119,8 +112,7 @@ materials_json(const struct basis *b)
 		json_object_set_new(o, "name", json_string(m->name));
 		json_object_set_new(o, "site", json_string(m->site));
 		json_object_set_new(o, "rock", json_string(m->rock));
-		json_object_set_new(
-		    o, "top_size_mm", report_json_number(m->top_size_mm));
+		report_put(o, "top_size_mm", m->top_size_mm);
 		json_object_set_new(o, "origin", json_string(m->origin));
 		json_object_set_new(
 		    o, "provenance", json_string(m->provenance));
@@ -137,13 +129,10 @@ error_json(const struct guess_error *e, const char *worst)
 	json_object_set_new(
 	    o, "data", json_string("reconstructed from Table 3"));
 	json_object_set_new(o, "sites", json_integer((json_int_t)e->n));
-	json_object_set_new(
-	    o, "median_rmse_pct", report_json_number(100 * e->median));
-	json_object_set_new(
-	    o, "worst_rmse_pct", report_json_number(100 * e->worst));
+	report_put(o, "median_rmse_pct", 100 * e->median);
+	report_put(o, "worst_rmse_pct", 100 * e->worst);
 	json_object_set_new(o, "worst", json_string(worst));
-	json_object_set_new(
-	    o, "feed_rmse_pct", report_json_number(100 * e->feed));
+	report_put(o, "feed_rmse_pct", 100 * e->feed);
 	return o;
 }
 
@@ -151,20 +140,17 @@ static json_t *
 guess_json(const struct site *site, const struct basis *b,
     const struct guess *guess, json_t *error)
 {
-	json_t *o = json_object();
-	json_object_set_new(o, "command", json_string("guess"));
-	json_object_set_new(o, "site", json_string(site->name));
+	double top = b->wanted.top_size;
+	json_t *o = answers_json("guess", site);
 	json_object_set_new(o, "calibrated", json_false());
 	json_object_set_new(o, "rock", json_string(b->wanted.rock));
-	json_object_set_new(o, "top_size_mm",
-	    b->wanted.top_size > 0 ? json_real(units_mm(b->wanted.top_size))
-				   : json_null());
-	json_object_set_new(o, "speed", json_real(guess->speed));
-	json_object_set_new(o, "sieve_mm", curve_json(&guess->median, true));
-	json_object_set_new(
-	    o, "passing_pct", curve_json(&guess->median, false));
-	json_object_set_new(o, "least_pct", curve_json(&guess->least, false));
-	json_object_set_new(o, "most_pct", curve_json(&guess->most, false));
+	report_put(o, "top_size_mm", top > 0 ? units_mm(top) : NAN);
+	report_put(o, "speed", guess->speed);
+	json_object_set_new(o, "sieve_mm",
+	    answers_list_json(guess->median.size, guess->median.n, units_mm));
+	json_object_set_new(o, "passing_pct", passing_json(&guess->median));
+	json_object_set_new(o, "least_pct", passing_json(&guess->least));
+	json_object_set_new(o, "most_pct", passing_json(&guess->most));
 	range_json(o, "p20", &guess->p20);
 	range_json(o, "p50", &guess->p50);
 	range_json(o, "p80", &guess->p80);
@@ -177,12 +163,8 @@ guess_json(const struct site *site, const struct basis *b,
 static struct report *
 guess_table(const struct site *site, const struct guess *guess)
 {
-	struct report *r = report_new("guess");
-	char *label = session_label(site);
-	report_title(r, "%s: guessed product at %.1f m/s, not calibrated",
-	    label, guess->speed);
-	free(label);
-	report_site(r, site->name, site->provenance);
+	struct report *r = answers_report(site, "guess",
+	    "guessed product at %.1f m/s, not calibrated", guess->speed);
 	report_column(r, "sieve_mm", "sieve mm");
 	report_column(r, "feed_pct", "feed %");
 	report_column(r, "passing_pct", "guess %");

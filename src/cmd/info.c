@@ -224,10 +224,8 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 		report_text(r, rows[i][0]);
 		report_text(r, rows[i][1]);
 	}
-	json_t *o = json_object();
-	json_object_set_new(o, "command", json_string("version"));
-	json_object_set_new(o, "version", json_string(PACKAGE_VERSION));
-	report_json(r, o);
+	report_json(r, json_pack("{s:s, s:s}", "command", "version", "version",
+			   PACKAGE_VERSION));
 	session_report(s, r);
 	return true;
 }

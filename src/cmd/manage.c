@@ -65,10 +65,8 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 		xappend(&text, i > 0 ? " %s" : "%s", args->operand[i]);
 	if (s->format == REPORT_JSON) {
 		struct report *r = report_new("echo");
-		json_t *o = json_object();
-		json_object_set_new(o, "command", json_string("echo"));
-		json_object_set_new(o, "text", json_string(text));
-		report_json(r, o);
+		report_json(r,
+		    json_pack("{s:s, s:s}", "command", "echo", "text", text));
 		session_report(s, r);
 	} else {
 		fprintf(s->out, "%s\n", text);

@@ -38,7 +38,7 @@ model_json(const struct session *s, const struct entry *entry)
 	    o, "method", json_string(answers_method(s->settings.method)));
 	json_object_set_new(
 	    o, "appearance", json_string(MODEL_FORMS[s->settings.appearance]));
-	json_object_set_new(o, "k", json_real(s->settings.k));
+	report_put(o, "k", s->settings.k);
 	json_object_set_new(o, "params",
 	    entry->has_params ? fit_params_json(&entry->params) : json_null());
 	json_object_set_new(o, "runs", runs);
@@ -72,12 +72,10 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		report_number(r, x, 2);
 		report_number(r, selected, 1);
 		json_t *run = json_object();
-		json_object_set_new(run, "speed", json_real(v));
-		json_object_set_new(
-		    run, "energy_j_kg", json_real(energy_specific(v)));
-		json_object_set_new(run, "break_mm", report_json_number(x));
-		json_object_set_new(
-		    run, "selected_pct", report_json_number(selected));
+		report_put(run, "speed", v);
+		report_put(run, "energy_j_kg", energy_specific(v));
+		report_put(run, "break_mm", x);
+		report_put(run, "selected_pct", selected);
 		json_array_append_new(runs, run);
 	}
 	report_note(r, "method %s, appearance %s, k %g",

@@ -15,20 +15,16 @@ validation_as_json(const struct validation *v)
 {
 	static const char *const NAMES[3] = {"p20", "p50", "p80"};
 	json_t *o = json_object(), *null = json_object();
-	json_object_set_new(o, "speed", json_real(v->speed));
-	json_object_set_new(o, "rmse_pct", report_json_number(100 * v->rmse));
+	report_put(o, "speed", v->speed);
+	report_put(o, "rmse_pct", 100 * v->rmse);
 	for (size_t i = 0; i < 3; i++) {
 		json_t *size = json_object();
-		json_object_set_new(size, "measured_mm",
-		    report_json_number(1000 * v->size[i].measured));
-		json_object_set_new(size, "predicted_mm",
-		    report_json_number(1000 * v->size[i].predicted));
+		report_put(size, "measured_mm", 1000 * v->size[i].measured);
+		report_put(size, "predicted_mm", 1000 * v->size[i].predicted);
 		json_object_set_new(o, NAMES[i], size);
 	}
-	json_object_set_new(
-	    null, "feed_rmse_pct", report_json_number(100 * v->feed_rmse));
-	json_object_set_new(null, "interpolation_rmse_pct",
-	    report_json_number(100 * v->interpolation_rmse));
+	report_put(null, "feed_rmse_pct", 100 * v->feed_rmse);
+	report_put(null, "interpolation_rmse_pct", 100 * v->interpolation_rmse);
 	json_object_set_new(o, "null", null);
 	json_object_set_new(
 	    o, "loses_to_interpolation", json_boolean(validation_loses(v)));

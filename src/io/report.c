@@ -149,6 +149,12 @@ report_json_number(double value)
 	return isfinite(value) ? json_real(value) : json_null();
 }
 
+void
+report_put(json_t *object, const char *key, double value)
+{
+	json_object_set_new(object, key, report_json_number(value));
+}
+
 /* Commas and points, or semicolons and decimal commas.  A sieve of 22.4 mm is
  * 22.4: people look things up by it. */
 static void

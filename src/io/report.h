@@ -59,8 +59,9 @@ void report_json(struct report *report, json_t *object);
 /* One more key of the default object.  Takes the reference. */
 void report_json_key(struct report *report, const char *key, json_t *value);
 
-/* value, or null where it is not finite. */
+/* value, or null where it is not finite; the same under a key of an object. */
 json_t *report_json_number(double value);
+void report_put(json_t *object, const char *key, double value);
 
 /* Prints it; JSON is one line.  semicolon: csv has semicolons, and commas in
  * its numbers, as spreadsheets have in Swedish and German. */
