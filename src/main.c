@@ -217,8 +217,8 @@ main(int argc, char **argv)
 		status = 0;
 	} else if (understood) {
 		struct session *s = session_new(stdout, stderr);
-		s->format = in.format;
-		s->seed = in.seed;
+		s->set.format = in.format;
+		s->set.seed = in.seed;
 		s->safe = in.safe;
 		store_free(s->store);
 		/* Nor may a script of others touch the user's materials. */

@@ -32,7 +32,7 @@ answers_known(
     const struct session *s, const struct entry *entry, struct error *error)
 {
 	if (entry->has_params)
-		return fit_settings_agree(&s->settings, error);
+		return fit_settings_agree(&s->set.model, error);
 	error_set(
 	    error, ERROR_USAGE, "%s has no parameters yet", entry->site->name);
 	return error_hint(
@@ -198,7 +198,7 @@ answers_say(json_t *list, const char *format, ...)
 void
 answers_tell(const struct session *s, struct report *r, const json_t *list)
 {
-	bool csv = s->format == REPORT_CSV;
+	bool csv = s->set.format == REPORT_CSV;
 	if (csv)
 		report_column(r, "sentence", "sentence");
 	for (size_t i = 0; i < json_array_size(list); i++) {
@@ -245,7 +245,7 @@ answers_prediction_json(struct session *s, const struct prediction *p)
 	    json_boolean(
 		predict_extrapolates(entry->site, entry->train, p->speed)));
 	json_object_set_new(
-	    o, "method", json_string(answers_method(s->settings.method)));
+	    o, "method", json_string(answers_method(s->set.model.method)));
 	json_object_set_new(o, "sieve_mm",
 	    answers_list_json(p->product.size, p->product.n, units_mm));
 	json_object_set_new(o, "passing_pct",

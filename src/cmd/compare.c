@@ -228,7 +228,7 @@ take_speeds(struct session *s, const struct args *args, struct side side[2],
 			    args->operand[i]);
 		side[i].entry = entry;
 		side[i].p =
-		    predict(entry->site, &entry->params, s->settings, v, feed);
+		    predict(entry->site, &entry->params, s->set.model, v, feed);
 		side[i].head = xasprintf("%g m/s", v);
 	}
 	return true;
@@ -251,7 +251,7 @@ take_sites(struct session *s, const struct args *args, struct side side[2],
 			return false;
 		side[i].entry = entry;
 		side[i].p =
-		    predict(entry->site, &entry->params, s->settings, v, feed);
+		    predict(entry->site, &entry->params, s->set.model, v, feed);
 		side[i].head = xstrdup(entry->key);
 	}
 	return true;
@@ -276,7 +276,7 @@ comparison(struct session *s, const struct side side[2], bool sites)
 		free(both);
 		free(data);
 	}
-	comparison_rows(r, side, x, n, s->format == REPORT_CSV);
+	comparison_rows(r, side, x, n, s->set.format == REPORT_CSV);
 	comparison_notes(r, side, x, n);
 	if (!sites && a->individual_feeds)
 		report_note(r, "feed: the sample taken at %g m/s, for both",

@@ -108,7 +108,8 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		char *kind = data_kind(entry->site);
 		char *key =
 		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
-		report_text(r, s->format == REPORT_TABLE ? key : entry->key);
+		report_text(
+		    r, s->set.format == REPORT_TABLE ? key : entry->key);
 		report_text(r, entry->site->name);
 		report_text(r, entry->site->rock);
 		report_number(r,

@@ -41,24 +41,18 @@ doubt_of(const struct entry *entry)
 	return d->uncertainty;
 }
 
-static bool
-same_settings(const struct model_settings *a, const struct model_settings *b)
-{
-	return a->method == b->method && a->appearance == b->appearance &&
-	       a->k == b->k;
-}
-
 bool
 doubt_band(const struct session *s, const struct entry *entry,
     const struct prediction *p, struct band *band)
 {
 	const struct uncertainty *u =
-	    same_settings(&s->settings, &entry->fit.settings) ? doubt_of(entry)
-							      : NULL;
+	    model_settings_same(&s->set.model, &entry->fit.settings)
+		? doubt_of(entry)
+		: NULL;
 	if (u == NULL)
 		return false;
 	*band = uncertainty_band(u, &entry->params,
-	    &entry->site->run[p->feed_run].feed, &p->product, s->settings,
+	    &entry->site->run[p->feed_run].feed, &p->product, s->set.model,
 	    p->speed);
 	return true;
 }

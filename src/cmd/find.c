@@ -85,10 +85,10 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 		return error_hint(error, "nothing is known of what is finer");
 	}
 	struct prediction p = predict(
-	    entry->site, &entry->params, s->settings, wish->from, wish->feed);
+	    entry->site, &entry->params, s->set.model, wish->from, wish->feed);
 	wish->inverse = inverse_new(feed,
 	    wish->name != NULL ? p.product.size : &wish->x,
-	    wish->name != NULL ? p.product.n : 1, &entry->params, s->settings);
+	    wish->name != NULL ? p.product.n : 1, &entry->params, s->set.model);
 	prediction_free(&p);
 	return true;
 }
@@ -167,7 +167,7 @@ answer_wish(struct session *s, struct wish *wish)
 	size_t n = found ? 1 : 2;
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
-		p[i] = predict(entry->site, &entry->params, s->settings,
+		p[i] = predict(entry->site, &entry->params, s->set.model,
 		    speed[i], wish->feed);
 	session_forget(s);
 	if (found)

@@ -138,17 +138,17 @@ chosen_options(const struct session *s, const struct args *args)
 	const struct value *threads = args_value(args, "threads");
 	const struct value *polish = args_value(args, "polish");
 	o.plain = args_value(args, "preset")->choice == 1;
-	o.seed = seed->given ? seed->whole : s->seed;
-	o.threads = threads->given ? (unsigned)threads->whole : s->threads;
-	o.isa = s->isa;
+	o.seed = seed->given ? seed->whole : s->set.seed;
+	o.threads = threads->given ? (unsigned)threads->whole : s->set.threads;
+	o.isa = s->set.isa;
 	o.population = (size_t)args_value(args, "population")->whole;
 	o.generations = (size_t)args_value(args, "generations")->whole;
 	o.stall = (size_t)args_value(args, "stall")->whole;
 	o.tolerance = args_value(args, "tolerance")->number;
 	o.polish = polish->choice == 0 && (polish->given || !o.plain);
 	o.by_sd = args_value(args, "weights")->choice == 1;
-	o.bounds = s->bounds;
-	o.settings = s->settings;
+	o.bounds = s->set.bounds;
+	o.settings = s->set.model;
 	return o;
 }
 
@@ -195,7 +195,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		    "calibrate wants options or all, not '%s'",
 		    args->operand[0]);
 	FILE *log;
-	if (!fit_settings_agree(&s->settings, error) ||
+	if (!fit_settings_agree(&s->set.model, error) ||
 	    !open_log(args_value(args, "log"), &log, error))
 		return false;
 	if (all)

@@ -34,7 +34,7 @@ grading_open(struct session *s, const char *path, size_t feed,
 		    path);
 	}
 	grading->inverse = inverse_new(
-	    from, spec->size, grading->n, &entry->params, s->settings);
+	    from, spec->size, grading->n, &entry->params, s->set.model);
 	grading->envelope = (struct envelope){spec->least, spec->most};
 	return true;
 }

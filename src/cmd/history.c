@@ -82,7 +82,8 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	const struct value *every = args_value(args, "every");
 	size_t step =
 	    every->given ? (size_t)every->whole : (h->n + ROWS - 1) / ROWS;
-	bool exact = s->format == REPORT_CSV || s->format == REPORT_JSON;
+	bool exact =
+	    s->set.format == REPORT_CSV || s->set.format == REPORT_JSON;
 	struct report *r =
 	    answers_report(entry->site, "history", "%zu generations", h->n);
 	add_heads(r, exact);

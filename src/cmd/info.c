@@ -98,7 +98,8 @@ print_start(FILE *out)
 static FILE *
 help_stream(const struct session *s)
 {
-	bool words = s->format == REPORT_TABLE || s->format == REPORT_MARKDOWN;
+	bool words =
+	    s->set.format == REPORT_TABLE || s->set.format == REPORT_MARKDOWN;
 	return words || s->notes == NULL ? s->out : s->notes;
 }
 

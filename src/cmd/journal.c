@@ -23,8 +23,7 @@ struct journal {
 struct mark
 journal_mark(const struct session *s)
 {
-	const struct journal *j = s->journal;
-	return j != NULL ? (struct mark){j->n, j->start} : (struct mark){0};
+	return (struct mark){s->journal->n, s->journal->start};
 }
 
 static void
@@ -39,8 +38,6 @@ journal_cut(struct session *s, struct mark mark)
 {
 	struct tail tail = {.from = mark, .to = journal_mark(s)};
 	struct journal *j = s->journal;
-	if (j == NULL)
-		return tail;
 	tail.line = xcalloc(j->n + 1, sizeof *tail.line);
 	for (size_t i = mark.n; i < j->n; i++)
 		tail.line[tail.n++] = j->line[i];
@@ -53,8 +50,6 @@ void
 journal_paste(struct session *s, struct tail *tail)
 {
 	struct journal *j = s->journal;
-	if (j == NULL)
-		return;
 	/* Results may have come in since the lines were cut off. */
 	if (tail->to.start != tail->from.start)
 		j->start = j->n + tail->to.start - tail->from.n;
@@ -72,11 +67,15 @@ tail_free(struct tail *tail)
 	free(tail->line);
 }
 
+struct journal *
+journal_new(void)
+{
+	return xcalloc(1, sizeof(struct journal));
+}
+
 void
 journal_free(struct journal *j)
 {
-	if (j == NULL)
-		return;
 	for (size_t i = 0; i < j->n; i++)
 		free(j->line[i]);
 	free(j->line);
@@ -95,8 +94,6 @@ is_call_of(const char *line, const char *name)
 void
 journal_add(struct session *s, const char *line, const char *latest)
 {
-	if (s->journal == NULL)
-		s->journal = xcalloc(1, sizeof *s->journal);
 	struct journal *j = s->journal;
 	if (latest != NULL && j->n > j->start &&
 	    is_call_of(j->line[j->n - 1], latest))
@@ -107,18 +104,18 @@ journal_add(struct session *s, const char *line, const char *latest)
 void
 journal_restart(struct session *s)
 {
-	if (s->journal != NULL)
-		s->journal->start = s->journal->n;
+	s->journal->start = s->journal->n;
 }
 
 void
 journal_settings(struct session *s)
 {
-	char *seed = xasprintf("seed %" PRIu64, s->seed);
-	char *format = xasprintf("set format %s", REPORT_FORMATS[s->format]);
-	if (s->seed != 1)
+	char *seed = xasprintf("seed %" PRIu64, s->set.seed);
+	char *format =
+	    xasprintf("set format %s", REPORT_FORMATS[s->set.format]);
+	if (s->set.seed != 1)
 		journal_add(s, seed, NULL);
-	if (s->format != REPORT_TABLE)
+	if (s->set.format != REPORT_TABLE)
 		journal_add(s, format, NULL);
 	free(seed);
 	free(format);
@@ -233,7 +230,7 @@ put_script(const void *data, FILE *out)
 	    PACKAGE_VERSION);
 	for (size_t i = 0; i < s->n_entry; i++)
 		put_provenance(out, s->entry[i].site);
-	for (size_t i = j != NULL ? j->start : 0; j != NULL && i < j->n; i++)
+	for (size_t i = j->start; i < j->n; i++)
 		fprintf(out, "%s\n", j->line[i]);
 }
 
@@ -241,7 +238,7 @@ put_script(const void *data, FILE *out)
 static bool
 can_be_saved(const struct journal *j, struct error *error)
 {
-	for (size_t i = j != NULL ? j->start : 0; j != NULL && i < j->n; i++) {
+	for (size_t i = j->start; i < j->n; i++) {
 		if (text_is_utf8(j->line[i], strlen(j->line[i])) &&
 		    strpbrk(j->line[i], "\r\n") == NULL)
 			continue;

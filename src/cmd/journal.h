@@ -50,6 +50,7 @@ char *journal_load(const struct site *site);
 /* The call as typed, with the command's full name.  The caller frees. */
 char *journal_label(const struct command *command, const struct words *words);
 
+struct journal *journal_new(void);
 void journal_free(struct journal *journal);
 
 #endif

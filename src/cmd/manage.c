@@ -28,7 +28,7 @@ forget_all(struct session *s, const struct choices *choices)
 	entries_free(s->entry, s->n_entry);
 	s->entry = NULL;
 	s->n_entry = s->current = 0;
-	choices_put(s, choices);
+	s->set = *choices;
 	session_forget(s);
 	journal_restart(s);
 }
@@ -63,7 +63,7 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 	char *text = xstrdup("");
 	for (size_t i = 0; i < args->n_operand; i++)
 		xappend(&text, i > 0 ? " %s" : "%s", args->operand[i]);
-	if (s->format == REPORT_JSON) {
+	if (s->set.format == REPORT_JSON) {
 		struct report *r = report_new("echo");
 		report_json(r,
 		    json_pack("{s:s, s:s}", "command", "echo", "text", text));

@@ -204,8 +204,8 @@ model_show_bounds(
 	report_column(r, "unit", "unit");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		report_text(r, PARAMS[j].name);
-		report_number(r, s->bounds.lower[j], -1);
-		report_number(r, s->bounds.upper[j], -1);
+		report_number(r, s->set.bounds.lower[j], -1);
+		report_number(r, s->set.bounds.upper[j], -1);
 		report_text(r, PARAMS[j].unit);
 	}
 	session_report(s, r);
@@ -235,7 +235,7 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 	if (args->n_operand == 0)
 		return model_show_bounds(s, args, error);
 	if (strcmp(args->operand[0], "default") == 0) {
-		s->bounds = bounds_default();
+		s->set.bounds = bounds_default();
 		return true;
 	}
 	size_t j = params_find(args->operand[0]);
@@ -263,8 +263,8 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 	if (fmax(fabs(lower), fabs(upper)) > 1e9)
 		return error_set(error, ERROR_USAGE,
 		    "%s lies between -1e9 and 1e9", PARAMS[j].name);
-	s->bounds.lower[j] = lower;
-	s->bounds.upper[j] = upper;
+	s->set.bounds.lower[j] = lower;
+	s->set.bounds.upper[j] = upper;
 	return true;
 }
 
@@ -272,13 +272,14 @@ static void
 show_settings(struct session *s)
 {
 	struct report *r = report_new("set");
-	char *k = xasprintf("%g", s->settings.k);
-	char *threads = xasprintf("%u", s->threads);
-	const char *rows[][2] = {{"method", answers_method(s->settings.method)},
-	    {"appearance", MODEL_FORMS[s->settings.appearance]}, {"k", k},
-	    {"threads", threads}, {"isa", isa_name(isa_usable(s->isa))},
-	    {"format", REPORT_FORMATS[s->format]},
-	    {"csv", s->semicolon ? "semicolon" : "comma"},
+	char *k = xasprintf("%g", s->set.model.k);
+	char *threads = xasprintf("%u", s->set.threads);
+	const char *rows[][2] = {
+	    {"method", answers_method(s->set.model.method)},
+	    {"appearance", MODEL_FORMS[s->set.model.appearance]}, {"k", k},
+	    {"threads", threads}, {"isa", isa_name(isa_usable(s->set.isa))},
+	    {"format", REPORT_FORMATS[s->set.format]},
+	    {"csv", s->set.semicolon ? "semicolon" : "comma"},
 	    {"pager", s->pager ? "on" : "off"}};
 	report_column(r, "setting", "setting");
 	report_column(r, "value", "value");
@@ -306,19 +307,19 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	if (method->given || form->given || k->given)
 		session_forget(s);
 	if (method->given)
-		s->settings.method = (enum method)method->choice;
+		s->set.model.method = (enum method)method->choice;
 	if (form->given)
-		s->settings.appearance = (enum appearance_form)form->choice;
+		s->set.model.appearance = (enum appearance_form)form->choice;
 	if (k->given)
-		s->settings.k = k->number;
+		s->set.model.k = k->number;
 	if (threads->given)
-		s->threads = (unsigned)threads->whole;
+		s->set.threads = (unsigned)threads->whole;
 	if (isa->given)
-		s->isa = (enum isa)isa->choice;
+		s->set.isa = (enum isa)isa->choice;
 	if (format->given)
-		s->format = (enum report_format)format->choice;
+		s->set.format = (enum report_format)format->choice;
 	if (csv->given)
-		s->semicolon = csv->choice == 1;
+		s->set.semicolon = csv->choice == 1;
 	if (pager->given)
 		s->pager = pager->choice == 0;
 	bool any = method->given || form->given || k->given || threads->given ||
@@ -334,11 +335,11 @@ cmd_seed(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	const struct value *value = args_value(args, "seed");
 	if (value->given) {
-		s->seed = value->whole;
+		s->set.seed = value->whole;
 		return true;
 	}
 	struct report *r = report_new("seed");
-	char *text = xasprintf("%llu", (unsigned long long)s->seed);
+	char *text = xasprintf("%llu", (unsigned long long)s->set.seed);
 	report_column(r, "seed", "seed");
 	report_text(r, text);
 	free(text);

@@ -167,7 +167,7 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 	bool ok = true;
 	if (s->file != NULL && picture_form_of(s->file, &form))
 		ok = write_picture(s, chart, form, error);
-	else if (s->format == REPORT_TABLE)
+	else if (s->set.format == REPORT_TABLE)
 		print_chart(s, args, chart, charset);
 	else
 		session_report(s, chart_report(s, chart));

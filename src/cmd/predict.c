@@ -222,7 +222,7 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 		entry->site, args_value(args, "feed"), speed, &feed, error))
 		return false;
 	struct prediction p =
-	    predict(entry->site, &params, s->settings, speed, feed);
+	    predict(entry->site, &params, s->set.model, speed, feed);
 	answers_remember(s, &p);
 	bool wanted = args_value(args, "interpolated")->choice == 1;
 	const struct value *asked = args_value(args, "band");
@@ -237,8 +237,8 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 	session_report(s, r);
 	band_free(&band);
 	bool curve = args_value(args, "curve")->choice == 1;
-	bool ok =
-	    !curve || s->format != REPORT_TABLE || print_curves(s, &p, error);
+	bool ok = !curve || s->set.format != REPORT_TABLE ||
+		  print_curves(s, &p, error);
 	prediction_free(&p);
 	return ok;
 }

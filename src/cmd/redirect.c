@@ -87,13 +87,14 @@ redirect_open(struct session *s, const struct words *words, struct error *error)
 	r->to = words->to;
 	r->target = xstrdup(words->target);
 	r->out = s->out;
-	r->before = s->format;
-	r->form = r->to == TO_PIPE ? s->format : form_of(r->target, s->format);
+	r->before = s->set.format;
+	r->form = r->to == TO_PIPE ? s->set.format
+				   : form_of(r->target, s->set.format);
 	r->screen = s->screen;
 	s->screen = (struct screen){0};
 	s->file = r->to == TO_PIPE ? NULL : r->target;
 	s->out = r->memory;
-	s->format = r->form;
+	s->set.format = r->form;
 	return r;
 }
 
@@ -183,8 +184,8 @@ redirect_close(
 	s->screen = r->screen;
 	s->file = NULL;
 	/* Unless the command itself was to set it. */
-	if (s->format == r->form)
-		s->format = r->before;
+	if (s->set.format == r->form)
+		s->set.format = r->before;
 	bool whole = fclose(r->memory) == 0;
 	bool ok = true;
 	if (keep && !whole)

@@ -30,15 +30,17 @@ struct session *
 session_new(FILE *out, FILE *notes)
 {
 	struct session *s = xcalloc(1, sizeof *s);
-	s->settings = model_settings_default();
-	s->bounds = bounds_default();
-	s->seed = 1;
-	s->threads = processors();
-	s->isa = ISA_BEST;
+	s->set.model = model_settings_default();
+	s->set.bounds = bounds_default();
+	s->set.seed = 1;
+	s->set.threads = processors();
+	s->set.isa = ISA_BEST;
 	s->pager = true;
 	session_forget(s);
 	s->out = out;
 	s->notes = notes;
+	s->journal = journal_new();
+	s->undo = undo_new();
 	s->store = store_new(":memory:");
 	return s;
 }
@@ -105,7 +107,7 @@ session_tell_faults(const struct session *s, const char *path,
 void
 session_report(struct session *s, struct report *report)
 {
-	report_print(report, s->format, s->semicolon, s->out);
+	report_print(report, s->set.format, s->set.semicolon, s->out);
 	fflush(s->out);
 	report_free(report);
 }

@@ -95,7 +95,17 @@ struct screen {
 	bool drawing;
 };
 
-struct choices;
+/* What is set, as against loaded. */
+struct choices {
+	struct model_settings model;
+	struct bounds bounds;
+	uint64_t seed;
+	unsigned threads;
+	enum isa isa;
+	enum report_format format;
+	bool semicolon; /* in csv, with decimal commas */
+};
+
 struct journal;
 struct script;
 struct turn;
@@ -104,13 +114,7 @@ struct undo;
 struct session {
 	size_t n_entry, current; /* current is meaningful when n_entry > 0 */
 	struct entry *entry;
-	struct model_settings settings;
-	struct bounds bounds;
-	uint64_t seed;
-	unsigned threads;
-	enum isa isa;
-	enum report_format format;
-	bool semicolon;     /* in csv, with decimal commas */
+	struct choices set;
 	bool prompt;        /* lines are typed by somebody */
 	bool safe;          /* no command may touch files or the shell */
 	bool timing;        /* tell how long each command took */

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/answers.h"
 #include "cmd/data.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
@@ -77,11 +78,9 @@ take_fit(struct stored *m, const struct entry *entry)
 static struct stored
 material_of(const struct session *s, const struct entry *entry)
 {
-	static const char *const FORMS[] = {"ratio", "progeny_mm", "parent_mm"};
 	const struct site *site = entry->site;
 	const struct model_settings *settings =
-	    entry->has_fit ? &entry->fit.settings : &s->settings;
-	bool classes = settings->method == METHOD_CLASSES;
+	    entry->has_fit ? &entry->fit.settings : &s->set.model;
 	struct stored m = stored_new();
 	set_copy(&m.site, site->name);
 	set_copy(&m.rock, site->rock);
@@ -89,8 +88,8 @@ material_of(const struct session *s, const struct entry *entry)
 	set_copy(&m.provenance, site->provenance);
 	set(&m.site_digest, xasprintf("%016" PRIx64, site->digest));
 	set_copy(&m.origin, entry->has_fit ? "fit" : "hand");
-	set_copy(&m.method, classes ? "classes" : "continuous");
-	set_copy(&m.appearance, FORMS[settings->appearance]);
+	set_copy(&m.method, answers_method(settings->method));
+	set_copy(&m.appearance, MODEL_FORMS[settings->appearance]);
 	set_copy(&m.version, PACKAGE_VERSION);
 	m.top_size_mm = site->top_size > 0 ? units_mm(site->top_size) : NAN;
 	m.k = settings->k;
@@ -190,9 +189,7 @@ note_recalled(
 	session_note(s, "%s",
 	    own ? "  they were found on the very numbers of this sheet"
 		: "  they are no fit of this site");
-	if (set_to.method != s->settings.method ||
-	    set_to.appearance != s->settings.appearance ||
-	    set_to.k != s->settings.k)
+	if (!model_settings_same(&set_to, &s->set.model))
 		session_note(s,
 		    "  they belong to other settings: set method=%s "
 		    "appearance=%s k=%g",

@@ -144,7 +144,7 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	struct prediction *p = xcalloc(n, sizeof *p);
 	bool outside = false;
 	for (size_t i = 0; i < n; i++) {
-		p[i] = predict(entry->site, &entry->params, s->settings,
+		p[i] = predict(entry->site, &entry->params, s->set.model,
 		    speeds->list[i], feed);
 		outside = outside || predict_extrapolates(entry->site,
 					 entry->train, speeds->list[i]);
@@ -152,7 +152,7 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	struct report *r =
 	    answers_report(entry->site, "sweep", "products, %% passing");
 	bool across = n <= ACROSS;
-	bool csv = s->format == REPORT_CSV;
+	bool csv = s->set.format == REPORT_CSV;
 	(csv         ? sweep_long
 	    : across ? sweep_across
 		     : answers_speed_rows)(s, r, p, n);

@@ -105,7 +105,7 @@ turn_begin(struct session *s, const struct args *args,
 		return false;
 	if (s->first == NULL) {
 		s->first = xcalloc(1, sizeof *s->first);
-		*s->first = choices_take(s);
+		*s->first = s->set;
 		journal_settings(s);
 	}
 	struct turn *t = xcalloc(1, sizeof *t);

@@ -22,6 +22,7 @@ size_t undo_depth(const struct session *s);
 void undo_push(struct session *s, struct snapshot *before, struct mark mark,
     size_t depth, size_t floor, const char *label);
 
+struct undo *undo_new(void);
 void undo_free(struct undo *undo);
 
 #endif

@@ -126,7 +126,7 @@ add_validations(struct session *s, struct report *r, json_t *list)
 		    misfit_covered(&run->feed, &run->product) == 0)
 			continue;
 		struct validation v = validate_run(
-		    site, i, entry->train, &entry->params, s->settings);
+		    site, i, entry->train, &entry->params, s->set.model);
 		validation_rows(r, &v);
 		validation_notes(r, &v);
 		json_array_append_new(list, validation_as_json(&v));

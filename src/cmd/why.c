@@ -99,7 +99,7 @@ say_response(const struct subject *a)
 {
 	double v = a->p.speed, n = (double)a->p.product.n, sum = 0;
 	struct prediction fast = predict(a->entry->site, &a->entry->params,
-	    a->s->settings, v + 1, a->p.feed_run);
+	    a->s->set.model, v + 1, a->p.feed_run);
 	for (size_t i = 0; i < a->p.product.n; i++)
 		sum +=
 		    pow(fast.product.passing[i] - a->p.product.passing[i], 2);
@@ -109,7 +109,7 @@ say_response(const struct subject *a)
 		    "The speed makes next to no difference here: 1 m/s "
 		    "more moves the product by %.2f points (RMS)",
 		    100 * sqrt(sum / n));
-	if (a->s->settings.method == METHOD_CLASSES)
+	if (a->s->set.model.method == METHOD_CLASSES)
 		answers_say(a->list,
 		    "The method classes gives each class one size, so "
 		    "that the product stands still while the break "
@@ -224,7 +224,7 @@ say_measured(const struct subject *a)
 	    misfit_covered(&site->run[r].feed, &site->run[r].product) == 0)
 		return;
 	struct validation v = validate_run(
-	    site, r, a->entry->train, &a->entry->params, a->s->settings);
+	    site, r, a->entry->train, &a->entry->params, a->s->set.model);
 	answers_say(a->list,
 	    "The product measured at %g m/s, not trained on, "
 	    "lies %.2f points (RMS) off the prediction%s",
@@ -272,7 +272,7 @@ cmd_why(struct session *s, const struct args *args, struct error *error)
 	struct subject a = {.s = s,
 	    .entry = entry,
 	    .feed = &entry->site->run[run].feed,
-	    .p = predict(entry->site, &entry->params, s->settings, v, run),
+	    .p = predict(entry->site, &entry->params, s->set.model, v, run),
 	    .list = json_array()};
 	say_breakage(&a);
 	say_how_much(&a);

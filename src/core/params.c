@@ -97,3 +97,11 @@ model_settings_default(void)
 	return (struct model_settings){
 	    METHOD_CONTINUOUS, APPEARANCE_RATIO, 1.0};
 }
+
+bool
+model_settings_same(
+    const struct model_settings *a, const struct model_settings *b)
+{
+	return a->method == b->method && a->appearance == b->appearance &&
+	       a->k == b->k;
+}

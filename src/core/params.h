@@ -68,5 +68,7 @@ struct model_settings {
 };
 
 struct model_settings model_settings_default(void);
+bool model_settings_same(
+    const struct model_settings *a, const struct model_settings *b);
 
 #endif

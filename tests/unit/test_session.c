@@ -225,9 +225,9 @@ a_line_stops_at_its_first_error(void **state)
 {
 	struct desk *desk = *state;
 	assert_false(desk_say(desk, "seed 5; foo; seed 6"));
-	assert_int_equal(desk->session->seed, 5);
+	assert_int_equal(desk->session->set.seed, 5);
 	desk_expect(desk, "seed 7; quit; seed 8");
-	assert_int_equal(desk->session->seed, 7);
+	assert_int_equal(desk->session->set.seed, 7);
 	assert_true(desk->session->quit);
 }
 
@@ -249,9 +249,9 @@ a_session_survives_errors(void **state)
 		assert_true(desk->error.kind != ERROR_NONE);
 		assert_true(desk->error.text[0] != '\0');
 	}
-	assert_int_equal(desk->session->seed, 4);
-	assert_true(desk->session->settings.k == 2);
-	assert_true(desk->session->bounds.lower[PARAM_ALPHA] == 0.5);
+	assert_int_equal(desk->session->set.seed, 4);
+	assert_true(desk->session->set.model.k == 2);
+	assert_true(desk->session->set.bounds.lower[PARAM_ALPHA] == 0.5);
 	assert_int_equal(desk->session->n_entry, 1);
 	assert_false(session_entry(desk->session)->has_params);
 	desk_expect(desk, "set k 1; bounds default; "
@@ -270,7 +270,7 @@ a_calibration_is_a_job_in_the_midst_of_a_line(void **state)
 	size_t next = 0;
 	add(desk, TIERP);
 	assert_true(session_line(s, line, 0, "x", 1, &next, &desk->error));
-	assert_true(session_busy(s) && s->seed == 1);
+	assert_true(session_busy(s) && s->set.seed == 1);
 	assert_string_equal(line + next, " seed 9");
 	while (session_busy(s))
 		session_step(s);
@@ -280,7 +280,7 @@ a_calibration_is_a_job_in_the_midst_of_a_line(void **state)
 	assert_memory_equal(
 	    &entry->fit.params, &entry->params, sizeof entry->params);
 	assert_true(session_line(s, line, next, "x", 1, &next, &desk->error));
-	assert_true(s->seed == 9 && next == 0);
+	assert_true(s->set.seed == 9 && next == 0);
 	desk_expect(desk, "predict 74; params set f_mat=1");
 	assert_false(session_entry(s)->has_fit);
 	assert_true(session_entry(s)->params.f_mat == 1);
