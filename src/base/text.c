@@ -139,6 +139,20 @@ text_same(const char *a, const char *b)
 	return same;
 }
 
+bool
+text_choice(const char *list, const char *word, size_t *index)
+{
+	size_t n = strlen(word);
+	for (*index = 0; *list != '\0'; ++*index) {
+		size_t m = strcspn(list, " ");
+		if (n == m && strncmp(list, word, n) == 0)
+			return true;
+		list += m;
+		list += strspn(list, " ");
+	}
+	return false;
+}
+
 static size_t
 least(size_t a, size_t b, size_t c)
 {

@@ -31,6 +31,9 @@ char *text_slug(const char *s);
 /* Same word but for case and accents. */
 bool text_same(const char *a, const char *b);
 
+/* Index of a word in a list with blanks between; false if it has none such. */
+bool text_choice(const char *list, const char *word, size_t *index);
+
 /* Number of single-letter edits between a and b (Damerau-Levenshtein). */
 size_t text_distance(const char *a, const char *b);
 

@@ -184,9 +184,7 @@ put_place(struct error *error, struct place place,
     const struct command *command, const struct words *words, size_t i)
 {
 	hint_blanks(command, words, error);
-	snprintf(error->file, sizeof error->file, "%s", place.file);
-	error->line = place.line;
-	error->column = words->column[i];
+	error_place(error, place.file, place.line, words->column[i]);
 }
 
 static void

@@ -13,30 +13,12 @@
 #include "config.h"
 #include "plot/picture.h"
 
-/* Index of a word in a list with blanks between; false where it has none such.
- */
-static bool
-find_word(const char *list, const char *word, size_t *index)
-{
-	size_t n = strlen(word);
-	*index = 0;
-	while (*list != '\0') {
-		size_t m = strcspn(list, " ");
-		if (n == m && strncmp(list, word, n) == 0)
-			return true;
-		list += m;
-		list += strspn(list, " ");
-		(*index)++;
-	}
-	return false;
-}
-
 bool
 pictures_request(
     const struct args *args, struct plot_request *request, struct error *error)
 {
 	size_t kind;
-	if (!find_word(PLOT_KINDS, args->operand[0], &kind)) {
+	if (!text_choice(PLOT_KINDS, args->operand[0], &kind)) {
 		error_set(error, ERROR_USAGE, "there is no plot '%s'",
 		    args->operand[0]);
 		return error_hint(error, "the plots are: %s", PLOT_KINDS);

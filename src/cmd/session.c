@@ -139,20 +139,14 @@ session_need_site(
 }
 
 static bool
-check_need(
-    struct session *s, const struct command *command, struct error *error)
-{
-	return command->need == NEED_NOTHING ||
-	       session_need_site(s, command->name, error);
-}
-
-static bool
 run_words(struct session *s, const struct words *words, struct place place,
     struct error *error)
 {
 	struct args args;
 	const struct command *command = parse_call(words, place, &args, error);
-	bool ok = command != NULL && check_need(s, command, error) &&
+	bool ok = command != NULL &&
+		  (command->need == NEED_NOTHING ||
+		      session_need_site(s, command->name, error)) &&
 		  turn_begin(s, &args, words, place, error);
 	if (ok) {
 		ok = command->run(s, &args, error);
@@ -162,9 +156,7 @@ run_words(struct session *s, const struct words *words, struct place place,
 	args_free(&args);
 	if (ok || error->line > 0 || error->file[0] != '\0')
 		return ok;
-	snprintf(error->file, sizeof error->file, "%s", place.file);
-	error->line = place.line;
-	error->column = words->column[0];
+	error_place(error, place.file, place.line, words->column[0]);
 	return false;
 }
 

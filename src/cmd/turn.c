@@ -32,15 +32,6 @@ struct turn {
 	size_t scripts; /* that were open when it began */
 };
 
-static bool
-put_place(const struct turn *t, struct error *error)
-{
-	snprintf(error->file, sizeof error->file, "%s", t->place.file);
-	error->line = t->place.line;
-	error->column = t->column;
-	return false;
-}
-
 /* Index of an option of the call that names a file, or OPTIONS. */
 static size_t
 file_option(const struct args *args)
@@ -119,7 +110,7 @@ turn_begin(struct session *s, const struct args *args,
 	if (words->to != TO_SCREEN && can_take(command, words, error))
 		t->redirect = redirect_open(s, words, error);
 	if (words->to != TO_SCREEN && t->redirect == NULL) {
-		put_place(t, error);
+		error_place(error, place.file, place.line, t->column);
 		free(t);
 		return false;
 	}
@@ -218,7 +209,8 @@ turn_end(struct session *s, bool ok, struct error *error)
 	if (t->redirect != NULL &&
 	    !redirect_close(s, t->redirect, keep, &late) && ok) {
 		*error = late;
-		ok = put_place(t, error);
+		error_place(error, t->place.file, t->place.line, t->column);
+		ok = false;
 	}
 	if (changed)
 		undo_push(

@@ -9,22 +9,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
-static bool
-is_choice(const char *choices, const char *word, size_t *index)
-{
-	size_t i = 0, n = strlen(word);
-	for (const char *c = choices; *c != '\0'; i++) {
-		size_t length = strcspn(c, " ");
-		if (length == n && strncmp(c, word, n) == 0) {
-			*index = i;
-			return true;
-		}
-		c += length;
-		c += strspn(c, " ");
-	}
-	return false;
-}
-
 /* Cuts a unit off the end of a number: "74m/s", "11.2 mm". */
 static void
 cut_unit(char *text, const char *unit)
@@ -216,7 +200,7 @@ value_take(const struct command_option *option, const char *word,
 			return true;
 		return wrong_whole(option, word, error);
 	case VALUE_CHOICE:
-		if (is_choice(option->choices, word, &value->choice))
+		if (text_choice(option->choices, word, &value->choice))
 			return true;
 		return wrong_choice(option, word, error);
 	default:

@@ -79,25 +79,14 @@ read_head(struct sheet *sheet, size_t column[static FIELD_COUNT])
 			    "the columns are those that 'export' writes");
 }
 
-static bool
-is_choice(const char *choices, const char *word)
-{
-	size_t n = strlen(word);
-	for (const char *c = choices; *c != '\0'; c += *c == ' ') {
-		size_t length = strcspn(c, " ");
-		if (length == n && strncmp(c, word, n) == 0)
-			return true;
-		c += length;
-	}
-	return false;
-}
-
 static void
 take_text(struct sheet *sheet, struct cell cell, const struct field *f,
     struct stored *m)
 {
 	struct error why;
-	if (f->choices != NULL && !is_choice(f->choices, cell.text)) {
+	size_t choice;
+	if (f->choices != NULL &&
+	    !text_choice(f->choices, cell.text, &choice)) {
 		char *wanted = xasprintf("one of: %s", f->choices);
 		sheet_wanted(sheet, cell, wanted);
 		free(wanted);
