@@ -57,9 +57,10 @@ answers_forming(const struct session *s, struct params *params)
 }
 
 bool
-answers_feed(const struct site *site, const struct value *feed, double speed,
+answers_feed(const struct site *site, const struct args *args, double speed,
     size_t *run, struct error *error)
 {
+	const struct value *feed = args_value(args, "feed");
 	*run = site_run_nearest(site, speed);
 	if (!feed->given)
 		return true;
@@ -69,6 +70,14 @@ answers_feed(const struct site *site, const struct value *feed, double speed,
 	error_set(error, ERROR_USAGE, "%s has no feed sampled at %g m/s",
 	    site->name, feed->number);
 	return error_hint(error, "'show feed' lists the feeds");
+}
+
+struct prediction
+answers_predict(const struct session *s, const struct entry *entry,
+    double speed, size_t feed_run)
+{
+	return predict(
+	    entry->site, &entry->params, s->set.model, speed, feed_run);
 }
 
 double

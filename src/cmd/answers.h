@@ -27,10 +27,14 @@ bool answers_ready(struct session *s, struct error *error);
  * far. */
 bool answers_forming(const struct session *s, struct params *params);
 
-/* The run whose feed to take: at the speed the option names, else the run
- * nearest to the speed given. */
-bool answers_feed(const struct site *site, const struct value *feed,
+/* The run whose feed to take: at the speed that the option feed names, else the
+ * run nearest to the speed given. */
+bool answers_feed(const struct site *site, const struct args *args,
     double speed, size_t *run, struct error *error);
+
+/* The product of a site with its parameters. */
+struct prediction answers_predict(const struct session *s,
+    const struct entry *entry, double speed, size_t feed_run);
 
 /* Where speeds are compared one feed serves for all, so that what differs is
  * what the speed does: that of the run nearest to this speed, m/s. */

@@ -189,6 +189,16 @@ command_limits(const struct command_option *o)
 	return text;
 }
 
+char *
+command_option_words(const struct command_option *o)
+{
+	char *limits = command_limits(o);
+	char *words = xasprintf("%s (%s)%s%s", o->brief, limits,
+	    o->fallback[0] != '\0' ? ", default " : "", o->fallback);
+	free(limits);
+	return words;
+}
+
 const struct value *
 args_value(const struct args *args, const char *name)
 {

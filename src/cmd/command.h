@@ -119,6 +119,9 @@ size_t command_option_index(const struct command *command, const char *name);
 /* "predict [speed=V]": the call as shown in help.  The caller frees. */
 char *command_usage(const struct command *command);
 
+/* "brief (limits), default D": an option in words.  The caller frees. */
+char *command_option_words(const struct command_option *option);
+
 /* What an option may be: "1 to 200 m/s", "on, off".  The caller frees. */
 char *command_limits(const struct command_option *option);
 

@@ -217,8 +217,8 @@ take_speeds(struct session *s, const struct args *args, struct side side[2],
 		return error_set(error, ERROR_USAGE,
 		    "compare takes two speeds, or two sites and a speed");
 	if (!answers_ready(s, error) ||
-	    !answers_feed(entry->site, args_value(args, "feed"),
-		answers_middle(entry->site), &feed, error))
+	    !answers_feed(
+		entry->site, args, answers_middle(entry->site), &feed, error))
 		return false;
 	for (size_t i = 0; i < 2; i++) {
 		double v;
@@ -227,8 +227,7 @@ take_speeds(struct session *s, const struct args *args, struct side side[2],
 			    "compare wants speeds from 1 to 200 m/s, not %s",
 			    args->operand[i]);
 		side[i].entry = entry;
-		side[i].p =
-		    predict(entry->site, &entry->params, s->set.model, v, feed);
+		side[i].p = answers_predict(s, entry, v, feed);
 		side[i].head = xasprintf("%g m/s", v);
 	}
 	return true;
@@ -246,12 +245,10 @@ take_sites(struct session *s, const struct args *args, struct side side[2],
 			return false;
 		const struct entry *entry = &s->entry[at];
 		if (!answers_known(s, entry, error) ||
-		    !answers_feed(
-			entry->site, args_value(args, "feed"), v, &feed, error))
+		    !answers_feed(entry->site, args, v, &feed, error))
 			return false;
 		side[i].entry = entry;
-		side[i].p =
-		    predict(entry->site, &entry->params, s->set.model, v, feed);
+		side[i].p = answers_predict(s, entry, v, feed);
 		side[i].head = xstrdup(entry->key);
 	}
 	return true;

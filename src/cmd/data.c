@@ -79,14 +79,11 @@ data_speeds(
 	return list;
 }
 
-/* The first words of the provenance: "reconstructed", "synthetic"; "not
- * stated" where there are none. */
-static char *
-data_kind(const struct site *site)
+char *
+data_kind(const char *provenance)
 {
-	const char *p = site->provenance;
-	size_t n = strcspn(p, " ;,");
-	return n > 0 ? xstrndup(p, n) : xstrdup("not stated");
+	size_t n = strcspn(provenance, " ;,");
+	return n > 0 ? xstrndup(provenance, n) : xstrdup("not stated");
 }
 
 bool
@@ -105,7 +102,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
 		char *speeds = data_speeds(entry->site, " ", NULL, true);
-		char *kind = data_kind(entry->site);
+		char *kind = data_kind(entry->site->provenance);
 		char *key =
 		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
 		report_text(
@@ -228,17 +225,24 @@ file_name(const struct entry *entry, const char *folder)
 	return path;
 }
 
-static bool
-write_one(struct session *s, const struct site *site, const char *path,
-    bool replace, struct error *error)
+bool
+data_may_write(const struct args *args, const char *path, struct error *error)
 {
 	struct stat info;
-	if (!replace && stat(path, &info) == 0) {
-		error_set(error, ERROR_USAGE, "%s is there already", path);
+	if (args_value(args, "replace")->choice == 1 || stat(path, &info) != 0)
+		return true;
+	error_set(error, ERROR_USAGE, "%s is there already", path);
+	return error_hint(error, "replace=on writes over it");
+}
+
+static bool
+write_one(struct session *s, const struct args *args, const struct site *site,
+    const char *path, struct error *error)
+{
+	if (!data_may_write(args, path, error))
 		return error_hint(error,
 		    "replace=on writes over it; this writes a site's sheet, "
 		    "not results");
-	}
 	if (!site_save(site, path, error))
 		return false;
 	session_note(s, "wrote %s", path);
@@ -249,15 +253,13 @@ bool
 cmd_write(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
-	bool replace = args_value(args, "replace")->choice == 1;
 	struct stat info;
 	bool folder = stat(path, &info) == 0 && S_ISDIR(info.st_mode);
 	if (!folder)
-		return write_one(
-		    s, session_entry(s)->site, path, replace, error);
+		return write_one(s, args, session_entry(s)->site, path, error);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		char *file = file_name(&s->entry[i], path);
-		bool ok = write_one(s, s->entry[i].site, file, replace, error);
+		bool ok = write_one(s, args, s->entry[i].site, file, error);
 		free(file);
 		if (!ok)
 			return false;

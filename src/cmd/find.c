@@ -84,8 +84,7 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 		    1000 * wish->x, units_mm(feed->size[feed->n - 1]));
 		return error_hint(error, "nothing is known of what is finer");
 	}
-	struct prediction p = predict(
-	    entry->site, &entry->params, s->set.model, wish->from, wish->feed);
+	struct prediction p = answers_predict(s, entry, wish->from, wish->feed);
 	wish->inverse = inverse_new(feed,
 	    wish->name != NULL ? p.product.size : &wish->x,
 	    wish->name != NULL ? p.product.n : 1, &entry->params, s->set.model);
@@ -167,8 +166,7 @@ answer_wish(struct session *s, struct wish *wish)
 	size_t n = found ? 1 : 2;
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
-		p[i] = predict(entry->site, &entry->params, s->set.model,
-		    speed[i], wish->feed);
+		p[i] = answers_predict(s, entry, speed[i], wish->feed);
 	session_forget(s);
 	if (found)
 		answers_remember(s, &p[0]);
@@ -255,8 +253,7 @@ cmd_find(struct session *s, const struct args *args, struct error *error)
 	const struct site *site = session_entry(s)->site;
 	struct wish wish = {.from = args_value(args, "from")->number,
 	    .to = args_value(args, "to")->number};
-	if (!answers_feed(site, args_value(args, "feed"), answers_middle(site),
-		&wish.feed, error))
+	if (!answers_feed(site, args, answers_middle(site), &wish.feed, error))
 		return false;
 	if (args_value(args, "spec")->given)
 		return answer_spec(s, args, &wish, error);

@@ -146,8 +146,7 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 	double v = args_value(args, "speed")->number;
 	size_t feed, worst;
 	struct grading g;
-	if (!answers_feed(
-		entry->site, args_value(args, "feed"), v, &feed, error) ||
+	if (!answers_feed(entry->site, args, v, &feed, error) ||
 	    !grading_open(s, args->operand[0], feed, &g, error))
 		return false;
 	bool outside = predict_extrapolates(entry->site, entry->train, v);

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/data.h"
 #include "cmd/fit.h"
 #include "cmd/store.h"
 #include "io/units.h"
@@ -233,7 +234,7 @@ note_materials(struct report *r, const struct basis *b)
 	bool measured = true;
 	for (size_t i = 0; i < b->n; i++) {
 		const struct stored *m = &b->list.item[b->pick[i]];
-		char *kind = store_data_kind(m);
+		char *kind = data_kind(m->provenance);
 		same += text_same(m->rock, b->wanted.rock);
 		measured = measured && strcmp(kind, "measured") == 0;
 		free(kind);
@@ -296,10 +297,9 @@ cmd_guess(struct session *s, const struct args *args, struct error *error)
 	double speed = args_value(args, "speed")->number;
 	size_t nearest = (size_t)args_value(args, "nearest")->whole, feed;
 	struct basis b = {0};
-	bool ok =
-	    find_wanted(site, args, &b.wanted, error) &&
-	    answers_feed(site, args_value(args, "feed"), speed, &feed, error) &&
-	    store_list_all(s->store, &b.list, error);
+	bool ok = find_wanted(site, args, &b.wanted, error) &&
+		  answers_feed(site, args, speed, &feed, error) &&
+		  store_list_all(s->store, &b.list, error);
 	if (ok) {
 		basis_find(&b, nearest);
 		struct guess guess =

@@ -42,18 +42,14 @@ info_list(const char *group, FILE *out)
 static void
 print_option(const struct command_option *o, FILE *out)
 {
-	char *limits = command_limits(o);
-	char *text = xasprintf("%s (%s)%s%s", o->brief, limits,
-	    o->fallback[0] != '\0' ? ", default " : "", o->fallback);
+	char *text = command_option_words(o);
 	fprintf(out, "  %s\n", o->name);
 	text_wrap(text, 6, 78, out);
 	free(text);
-	free(limits);
 }
 
-/* Each line behind the margin. */
-static void
-print_example(const struct command *c, const char *margin, FILE *out)
+void
+info_example(const struct command *c, const char *margin, FILE *out)
 {
 	char *copy = xstrdup(c->example), *save = NULL;
 	for (char *line = strtok_r(copy, "\n", &save); line != NULL;
@@ -79,7 +75,7 @@ info_command(const struct command *c, FILE *out)
 	     o != NULL && o->name != NULL; o++)
 		print_option(o, out);
 	fputs("\nexample\n", out);
-	print_example(c, "  ", out);
+	info_example(c, "  ", out);
 }
 
 /* For somebody who sees the program for the first time. */
@@ -135,7 +131,7 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 		    "behind the command help wants: example; not '%s'",
 		    args->operand[1]);
 	if (command != NULL && example)
-		print_example(command, "", out);
+		info_example(command, "", out);
 	else if (command != NULL)
 		info_command(command, out);
 	else if (name == NULL || (is_group(name) && !example)) {

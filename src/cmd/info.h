@@ -12,6 +12,9 @@
 /* The list of commands by group; of one group, or of all for NULL. */
 void info_list(const char *group, FILE *out);
 
+/* The lines of its example, each behind the margin. */
+void info_example(const struct command *command, const char *margin, FILE *out);
+
 /* All that the table says of one command. */
 void info_command(const struct command *command, FILE *out);
 

@@ -6,11 +6,11 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/data.h"
 #include "cmd/table.h"
 #include "config.h"
 #include "io/replace.h"
@@ -263,13 +263,8 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 		return error_hint(
 		    error, "results are saved with > FILE, sheets with write");
 	}
-	struct stat info;
-	bool replace = args_value(args, "replace")->choice == 1;
-	if (!replace && stat(path, &info) == 0) {
-		error_set(error, ERROR_USAGE, "%s is there already", path);
-		return error_hint(error, "replace=on writes over it");
-	}
-	if (!can_be_saved(s->journal, error) ||
+	if (!data_may_write(args, path, error) ||
+	    !can_be_saved(s->journal, error) ||
 	    !replace_file(path, put_script, s, error))
 		return false;
 	struct mark mark = journal_mark(s);

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/data.h"
 #include "cmd/show.h"
 #include "cmd/store.h"
 #include "cmd/table.h"
@@ -17,13 +18,6 @@ store_origin_words(const struct stored *m)
 	return stored_is_table3(m)             ? "Table 3"
 	       : strcmp(m->origin, "fit") == 0 ? "fit"
 					       : "set by hand";
-}
-
-char *
-store_data_kind(const struct stored *m)
-{
-	size_t n = strcspn(m->provenance, " ;,");
-	return n > 0 ? xstrndup(m->provenance, n) : xstrdup("not stated");
 }
 
 /* Sizes are nominal: within 5 % they are the same, so that 11 finds 11.2. */
@@ -47,7 +41,7 @@ is_wanted(const struct stored *m, const struct args *args)
 static void
 add_row(struct report *r, const struct stored *m)
 {
-	char *kind = store_data_kind(m);
+	char *kind = data_kind(m->provenance);
 	report_text(r, m->name);
 	report_text(r, m->rock);
 	report_number(r, m->top_size_mm, -1);

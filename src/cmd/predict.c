@@ -218,8 +218,7 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 		return false;
 	double speed = args_value(args, "speed")->number;
 	size_t feed;
-	if (!answers_feed(
-		entry->site, args_value(args, "feed"), speed, &feed, error))
+	if (!answers_feed(entry->site, args, speed, &feed, error))
 		return false;
 	struct prediction p =
 	    predict(entry->site, &params, s->set.model, speed, feed);

@@ -61,8 +61,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed, x = NAN, selected = NAN;
 		if (entry->has_params) {
-			struct prediction p =
-			    predict(site, &entry->params, s->set.model, v, i);
+			struct prediction p = answers_predict(s, entry, v, i);
 			x = 1000 * p.break_size;
 			selected = 100 * p.selected;
 			prediction_free(&p);
@@ -120,8 +119,7 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	double v = args_value(args, "speed")->number;
 	size_t run = site_run_nearest(entry->site, v);
 	const struct psd *feed = &entry->site->run[run].feed;
-	struct prediction p =
-	    predict(entry->site, &entry->params, s->set.model, v, run);
+	struct prediction p = answers_predict(s, entry, v, run);
 	double *S = xdoubles(feed->n);
 	predict_selection(feed, &entry->params, s->set.model, v, S);
 	struct report *r = answers_report(

@@ -1,4 +1,4 @@
-/* remember, recall, forget: calibrations that outlive the session.
+/* remember, recall, forget, export, import: what outlives the session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/store.h"
 
@@ -15,6 +15,7 @@
 #include "cmd/model.h"
 #include "cmd/table.h"
 #include "config.h"
+#include "io/store_csv.h"
 #include "io/units.h"
 
 bool
@@ -132,7 +133,7 @@ static void
 report_remembered(struct session *s, const struct stored *m)
 {
 	struct report *r = report_new("remember");
-	char *kind = store_data_kind(m);
+	char *kind = data_kind(m->provenance);
 	report_title(r, "remembered %s", m->name);
 	report_site(r, m->site, m->provenance);
 	report_column(r, "name", "name");
@@ -269,5 +270,53 @@ cmd_forget(struct session *s, const struct args *args, struct error *error)
 	else if (ok)
 		session_note(s, "forgot %s, which could not be read", name);
 	stored_list_free(&list);
+	return ok;
+}
+
+bool
+cmd_export(struct session *s, const struct args *args, struct error *error)
+{
+	const char *path = args->operand[0];
+	struct stored_list list = {0};
+	bool ok = data_may_write(args, path, error) &&
+		  store_list(s->store, &list, error) &&
+		  store_csv_save(&list, path, error);
+	if (ok)
+		session_note(s, "wrote %zu material%s of your own to %s",
+		    list.n, list.n == 1 ? "" : "s", path);
+	stored_list_free(&list);
+	return ok;
+}
+
+/* All faults but the last are printed; that one is the error. */
+static bool
+tell_faults(
+    struct session *s, const struct error_list *errors, struct error *error)
+{
+	for (size_t i = 0; i + 1 < errors->n && s->notes != NULL; i++)
+		error_print(&errors->item[i], s->notes);
+	*error = errors->item[errors->n - 1];
+	if (errors->more > 0)
+		session_note(s, "%zu more faults are not shown", errors->more);
+	return false;
+}
+
+bool
+cmd_import(struct session *s, const struct args *args, struct error *error)
+{
+	const char *path = args->operand[0];
+	bool replace = args_value(args, "replace")->choice == 1;
+	struct error_list *errors = xcalloc(1, sizeof *errors);
+	struct stored_list there = {0}, list = {0};
+	bool ok = store_list(s->store, &there, error);
+	if (ok && !store_csv_read(path, replace ? NULL : &there, &list, errors))
+		ok = tell_faults(s, errors, error);
+	ok = ok && store_put(s->store, list.item, list.n, replace, error);
+	if (ok)
+		session_note(s, "took %zu material%s from %s", list.n,
+		    list.n == 1 ? "" : "s", path);
+	stored_list_free(&there);
+	stored_list_free(&list);
+	free(errors);
 	return ok;
 }

@@ -16,7 +16,4 @@ bool store_find_material(const struct stored_list *list, const char *name,
 /* "fit", "set by hand" or "Table 3". */
 const char *store_origin_words(const struct stored *m);
 
-/* The first word of where a material's data are from: "measured". */
-char *store_data_kind(const struct stored *m);
-
 #endif

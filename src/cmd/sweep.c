@@ -138,14 +138,13 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	const struct value *speeds = args_value(args, "speeds");
 	size_t n = speeds->n;
 	size_t feed;
-	if (!answers_feed(entry->site, args_value(args, "feed"),
-		answers_middle(entry->site), &feed, error))
+	if (!answers_feed(
+		entry->site, args, answers_middle(entry->site), &feed, error))
 		return false;
 	struct prediction *p = xcalloc(n, sizeof *p);
 	bool outside = false;
 	for (size_t i = 0; i < n; i++) {
-		p[i] = predict(entry->site, &entry->params, s->set.model,
-		    speeds->list[i], feed);
+		p[i] = answers_predict(s, entry, speeds->list[i], feed);
 		outside = outside || predict_extrapolates(entry->site,
 					 entry->train, speeds->list[i]);
 	}

@@ -98,8 +98,8 @@ static void
 say_response(const struct subject *a)
 {
 	double v = a->p.speed, n = (double)a->p.product.n, sum = 0;
-	struct prediction fast = predict(a->entry->site, &a->entry->params,
-	    a->s->set.model, v + 1, a->p.feed_run);
+	struct prediction fast =
+	    answers_predict(a->s, a->entry, v + 1, a->p.feed_run);
 	for (size_t i = 0; i < a->p.product.n; i++)
 		sum +=
 		    pow(fast.product.passing[i] - a->p.product.passing[i], 2);
@@ -272,7 +272,7 @@ cmd_why(struct session *s, const struct args *args, struct error *error)
 	struct subject a = {.s = s,
 	    .entry = entry,
 	    .feed = &entry->site->run[run].feed,
-	    .p = predict(entry->site, &entry->params, s->set.model, v, run),
+	    .p = answers_predict(s, entry, v, run),
 	    .list = json_array()};
 	say_breakage(&a);
 	say_how_much(&a);
