@@ -105,10 +105,6 @@ set_range(json_t *o, const char *key, const double range[2])
 void
 doubt_band_json(json_t *o, const struct band *band)
 {
-	json_object_set_new(
-	    o, "low_pct", answers_list_json(band->low, band->n, units_pct));
-	json_object_set_new(
-	    o, "high_pct", answers_list_json(band->high, band->n, units_pct));
 	set_range(o, "p20_range_mm", band->p20);
 	set_range(o, "p50_range_mm", band->p50);
 	set_range(o, "p80_range_mm", band->p80);

@@ -235,7 +235,7 @@ answer_spec(struct session *s, const struct args *args, const struct wish *wish,
 	report_put(
 	    o, "worst_mm", w.inside ? NAN : units_mm(g.spec->size[w.worst]));
 	report_put(o, "outside_pct", 100 * w.by);
-	grading_json(o, &g, v);
+	grading_json(o, r, g.spec);
 	report_json(r, o);
 	session_forget(s);
 	s->answer[ANSWER_INSIDE] = w.inside;

@@ -93,29 +93,14 @@ grading_notes(struct report *r, const struct grading *grading)
 }
 
 void
-grading_json(json_t *o, struct grading *grading, double v)
+grading_json(json_t *o, const struct report *r, const struct spec *spec)
 {
-	const struct spec *spec = grading->spec;
-	json_t *verdicts = json_array(), *passing = json_array();
-	inverse_at(&grading->inverse, v);
-	for (size_t i = 0; i < spec->n; i++) {
-		double p =
-		    i < grading->n ? grading->inverse.product.passing[i] : NAN;
-		json_array_append_new(
-		    passing, report_json_number(units_pct(p)));
-		json_array_append_new(
-		    verdicts, json_string(verdict(grading, i)));
-	}
+	static const char *const COLUMNS[] = {
+	    "sieve_mm", "min_pct", "max_pct", "passing_pct", "verdict"};
 	json_object_set_new(o, "spec", json_string(spec->name));
 	json_object_set_new(o, "source", json_string(spec->source));
-	json_object_set_new(
-	    o, "sieve_mm", answers_list_json(spec->size, spec->n, units_mm));
-	json_object_set_new(
-	    o, "min_pct", answers_list_json(spec->least, spec->n, units_pct));
-	json_object_set_new(
-	    o, "max_pct", answers_list_json(spec->most, spec->n, units_pct));
-	json_object_set_new(o, "passing_pct", passing);
-	json_object_set_new(o, "verdict", verdicts);
+	for (size_t i = 0; i < ARRAY_LEN(COLUMNS); i++)
+		report_put_column(o, r, COLUMNS[i]);
 }
 
 /* What is wrong, in a line. */
@@ -161,7 +146,7 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 	report_put(o, "speed", v);
 	json_object_set_new(o, "extrapolated", json_boolean(outside));
 	json_object_set_new(o, "inside", json_boolean(inside));
-	grading_json(o, &g, v);
+	grading_json(o, r, g.spec);
 	report_json(r, o);
 	s->answer[ANSWER_INSIDE] = inside;
 	session_report(s, r);

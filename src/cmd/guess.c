@@ -83,12 +83,6 @@ table3_error(const struct basis *b, size_t nearest, double speed, char **worst)
 	return e;
 }
 
-static json_t *
-passing_json(const struct psd *psd)
-{
-	return answers_list_json(psd->passing, psd->n, units_pct);
-}
-
 /* "p20_mm": middle and "p20_range_mm": [least, most]. */
 static void
 range_json(json_t *o, const char *name, const struct guess_range *range)
@@ -109,10 +103,8 @@ materials_json(const struct basis *b)
 	json_t *list = json_array();
 	for (size_t i = 0; i < b->n; i++) {
 		const struct stored *m = &b->list.item[b->pick[i]];
-		json_t *o = json_object();
-		json_object_set_new(o, "name", json_string(m->name));
-		json_object_set_new(o, "site", json_string(m->site));
-		json_object_set_new(o, "rock", json_string(m->rock));
+		json_t *o = json_pack("{s:s, s:s, s:s}", "name", m->name,
+		    "site", m->site, "rock", m->rock);
 		report_put(o, "top_size_mm", m->top_size_mm);
 		json_object_set_new(o, "origin", json_string(m->origin));
 		json_object_set_new(
@@ -126,10 +118,8 @@ materials_json(const struct basis *b)
 static json_t *
 error_json(const struct guess_error *e, const char *worst)
 {
-	json_t *o = json_object();
-	json_object_set_new(
-	    o, "data", json_string("reconstructed from Table 3"));
-	json_object_set_new(o, "sites", json_integer((json_int_t)e->n));
+	json_t *o = json_pack("{s:s, s:I}", "data",
+	    "reconstructed from Table 3", "sites", (json_int_t)e->n);
 	report_put(o, "median_rmse_pct", 100 * e->median);
 	report_put(o, "worst_rmse_pct", 100 * e->worst);
 	json_object_set_new(o, "worst", json_string(worst));
@@ -138,8 +128,8 @@ error_json(const struct guess_error *e, const char *worst)
 }
 
 static json_t *
-guess_json(const struct site *site, const struct basis *b,
-    const struct guess *guess, json_t *error)
+guess_json(const struct report *r, const struct site *site,
+    const struct basis *b, const struct guess *guess, json_t *error)
 {
 	double top = b->wanted.top_size;
 	json_t *o = answers_json("guess", site);
@@ -147,11 +137,10 @@ guess_json(const struct site *site, const struct basis *b,
 	json_object_set_new(o, "rock", json_string(b->wanted.rock));
 	report_put(o, "top_size_mm", top > 0 ? units_mm(top) : NAN);
 	report_put(o, "speed", guess->speed);
-	json_object_set_new(o, "sieve_mm",
-	    answers_list_json(guess->median.size, guess->median.n, units_mm));
-	json_object_set_new(o, "passing_pct", passing_json(&guess->median));
-	json_object_set_new(o, "least_pct", passing_json(&guess->least));
-	json_object_set_new(o, "most_pct", passing_json(&guess->most));
+	report_put_column(o, r, "sieve_mm");
+	report_put_column(o, r, "passing_pct");
+	report_put_column(o, r, "least_pct");
+	report_put_column(o, r, "most_pct");
 	range_json(o, "p20", &guess->p20);
 	range_json(o, "p50", &guess->p50);
 	range_json(o, "p80", &guess->p80);
@@ -285,7 +274,7 @@ report_guess(struct session *s, const struct basis *b,
 	    "misses by %.1f. Reconstructed data on made-up feeds, with no "
 	    "sampling error: a plant will be farther off",
 	    e.n, 100 * e.median, 100 * e.worst, worst, 100 * e.feed);
-	report_json(r, guess_json(site, b, guess, error_json(&e, worst)));
+	report_json(r, guess_json(r, site, b, guess, error_json(&e, worst)));
 	free(worst);
 	session_report(s, r);
 }

@@ -212,15 +212,12 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	struct report *r = report_new("version");
-	const char *rows[][2] = {{"tipspeed", PACKAGE_VERSION},
+	const char *const pairs[][2] = {{"tipspeed", PACKAGE_VERSION},
 	    {"gsl", GSL_VERSION}, {"jansson", JANSSON_VERSION},
 	    {"instructions", isa_name(isa_usable(ISA_BEST))}};
 	report_column(r, "part", "part");
 	report_column(r, "version", "version");
-	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
-		report_text(r, rows[i][0]);
-		report_text(r, rows[i][1]);
-	}
+	report_pairs(r, pairs, ARRAY_LEN(pairs));
 	report_json(r, json_pack("{s:s, s:s}", "command", "version", "version",
 			   PACKAGE_VERSION));
 	session_report(s, r);

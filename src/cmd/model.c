@@ -274,7 +274,7 @@ show_settings(struct session *s)
 	struct report *r = report_new("set");
 	char *k = xasprintf("%g", s->set.model.k);
 	char *threads = xasprintf("%u", s->set.threads);
-	const char *rows[][2] = {
+	const char *const pairs[][2] = {
 	    {"method", answers_method(s->set.model.method)},
 	    {"appearance", MODEL_FORMS[s->set.model.appearance]}, {"k", k},
 	    {"threads", threads}, {"isa", isa_name(isa_usable(s->set.isa))},
@@ -283,10 +283,7 @@ show_settings(struct session *s)
 	    {"pager", s->pager ? "on" : "off"}};
 	report_column(r, "setting", "setting");
 	report_column(r, "value", "value");
-	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
-		report_text(r, rows[i][0]);
-		report_text(r, rows[i][1]);
-	}
+	report_pairs(r, pairs, ARRAY_LEN(pairs));
 	free(k);
 	free(threads);
 	session_report(s, r);

@@ -29,16 +29,13 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	report_site(r, site->name, site->provenance);
 	report_column(r, "what", "what");
 	report_column(r, "value", "value");
-	const char *rows[][2] = {{"data", site->provenance},
+	const char *const pairs[][2] = {{"data", site->provenance},
 	    {"rock", site->rock}, {"top size mm", top},
 	    {"machine", site->machine}, {"file", site->path},
 	    {"speeds m/s", speeds},
 	    {"feeds", site->individual_feeds ? "one for each speed"
 					     : "one for all speeds"}};
-	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
-		report_text(r, rows[i][0]);
-		report_text(r, rows[i][1]);
-	}
+	report_pairs(r, pairs, ARRAY_LEN(pairs));
 	for (size_t i = 0; i < site->n_note; i++) {
 		report_text(r, site->note[i].key);
 		report_text(r, site->note[i].value);
@@ -60,16 +57,6 @@ next_sieve(const struct psd *const *curve, size_t n, double below)
 			if (curve[i]->size[j] < below)
 				x = fmax(x, curve[i]->size[j]);
 	return x;
-}
-
-/* Passing at a sieve that the curve has, else NAN. */
-static double
-passing_at(const struct psd *curve, double x)
-{
-	for (size_t j = 0; j < curve->n; j++)
-		if (curve->size[j] == x)
-			return curve->passing[j];
-	return NAN;
 }
 
 /* Columns feed@69, or the one feed of all runs, or product@69; their curves go
@@ -113,7 +100,8 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	for (double x = INFINITY; (x = next_sieve(curve, n, x)) > 0;) {
 		report_number(r, units_mm(x), -1);
 		for (size_t i = 0; i < n; i++)
-			report_number(r, units_pct(passing_at(curve[i], x)), 2);
+			report_number(
+			    r, units_pct(psd_at_sieve(curve[i], x)), 2);
 	}
 	free(curve);
 	session_report(s, r);

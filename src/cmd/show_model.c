@@ -32,7 +32,7 @@ note_equations(struct report *r, const struct params *p, double k)
 static json_t *
 model_json(const struct session *s, const struct entry *entry)
 {
-	json_t *o = answers_json("show", entry->site), *runs = json_array();
+	json_t *o = answers_json("show", entry->site);
 	json_object_set_new(o, "what", json_string("model"));
 	json_object_set_new(
 	    o, "method", json_string(answers_method(s->set.model.method)));
@@ -41,7 +41,6 @@ model_json(const struct session *s, const struct entry *entry)
 	report_put(o, "k", s->set.model.k);
 	json_object_set_new(o, "params",
 	    entry->has_params ? fit_params_json(&entry->params) : json_null());
-	json_object_set_new(o, "runs", runs);
 	return o;
 }
 
@@ -53,7 +52,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
 	struct report *r = answers_report(site, "show", "the model");
-	json_t *o = model_json(s, entry), *runs = json_object_get(o, "runs");
+	json_t *o = model_json(s, entry);
 	report_column(r, "speed", "m/s");
 	report_column(r, "energy_j_kg", "E J/kg");
 	report_column(r, "break_mm", "breaks from mm");
@@ -70,13 +69,8 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		report_number(r, energy_specific(v), 0);
 		report_number(r, x, 2);
 		report_number(r, selected, 1);
-		json_t *run = json_object();
-		report_put(run, "speed", v);
-		report_put(run, "energy_j_kg", energy_specific(v));
-		report_put(run, "break_mm", x);
-		report_put(run, "selected_pct", selected);
-		json_array_append_new(runs, run);
 	}
+	json_object_set_new(o, "runs", report_json_rows(r));
 	report_note(r, "method %s, appearance %s, k %g",
 	    answers_method(s->set.model.method),
 	    MODEL_FORMS[s->set.model.appearance], s->set.model.k);

@@ -108,6 +108,15 @@ report_text(struct report *r, const char *text)
 }
 
 void
+report_pairs(struct report *r, const char *const pairs[][2], size_t n)
+{
+	for (size_t i = 0; i < n; i++) {
+		report_text(r, pairs[i][0]);
+		report_text(r, pairs[i][1]);
+	}
+}
+
+void
 report_missing(struct report *r, const char *words)
 {
 	free(r->missing);
@@ -222,21 +231,37 @@ print_csv(const struct report *r, char separator, FILE *out)
 }
 
 static json_t *
-rows_as_json(const struct report *r)
+cell_json(const struct report *r, size_t row, size_t column)
+{
+	const struct cell *cell = &r->cell[row * r->n_column + column];
+	return cell->is_text ? json_string(cell->text)
+			     : report_json_number(cell->number);
+}
+
+json_t *
+report_json_rows(const struct report *r)
 {
 	json_t *rows = json_array();
 	for (size_t row = 0; row < report_rows(r); row++) {
 		json_t *object = json_object();
-		for (size_t c = 0; c < r->n_column; c++) {
-			const struct cell *cell =
-			    &r->cell[row * r->n_column + c];
-			json_object_set_new(object, r->key[c],
-			    cell->is_text ? json_string(cell->text)
-					  : report_json_number(cell->number));
-		}
+		for (size_t c = 0; c < r->n_column; c++)
+			json_object_set_new(
+			    object, r->key[c], cell_json(r, row, c));
 		json_array_append_new(rows, object);
 	}
 	return rows;
+}
+
+void
+report_put_column(json_t *object, const struct report *r, const char *key)
+{
+	size_t c = 0;
+	while (strcmp(r->key[c], key) != 0)
+		c++;
+	json_t *list = json_array();
+	for (size_t row = 0; row < report_rows(r); row++)
+		json_array_append_new(list, cell_json(r, row, c));
+	json_object_set_new(object, key, list);
 }
 
 static void
@@ -248,7 +273,7 @@ print_json(const struct report *r, FILE *out)
 		if (r->site != NULL)
 			json_object_set_new(
 			    object, "site", json_string(r->site));
-		json_object_set_new(object, "rows", rows_as_json(r));
+		json_object_set_new(object, "rows", report_json_rows(r));
 		json_object_update_missing(object, r->extra);
 	}
 	if (r->provenance != NULL)
