@@ -9,7 +9,6 @@
 #include "base/xalloc.h"
 #include "cmd/data.h"
 #include "cmd/doubt.h"
-#include "cmd/job.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
 

@@ -11,6 +11,15 @@
 /* Says beside the results what the job is about to do. */
 void fit_announce(struct session *s);
 
+/* Starts the job on one site (all: first of all loaded ones), with the options
+ * given; takes train and run_weight, either of which may be NULL for the
+ * default, and log.  Where no site has a product, nothing is started. */
+void job_start(struct session *s, const struct calibrate_options *options,
+    bool *train, double *run_weight, bool all, FILE *log);
+
+/* Restores the job that was just started from a checkpoint. */
+bool job_resume(struct session *s, const char *path, struct error *error);
+
 /* Takes the job's result into its site; reports it. */
 void fit_take(struct session *s);
 void fit_show(struct session *s);
@@ -29,6 +38,7 @@ bool fit_breaks_nothing(const struct fit *fit);
 /* True when parameter j is part of a flat direction worth speaking of: the
  * misfit hardly rises along it. */
 bool fit_is_flat(const struct fit *fit, size_t j);
+
 /* The largest RMSE of the entry's fit at the runs held out, 0..1; NAN when none
  * was. */
 double fit_holdout_rmse(const struct entry *entry);

@@ -1,7 +1,5 @@
 /* Starts, pauses, ends and sums up calibrations.  The driver pumps them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/job.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

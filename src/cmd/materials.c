@@ -8,7 +8,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/data.h"
-#include "cmd/show.h"
 #include "cmd/store.h"
 #include "cmd/table.h"
 

@@ -9,7 +9,6 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/value.h"
 
 static void
 unknown_option(

@@ -1,7 +1,5 @@
 /* show: what a sheet says, and the table of all that can be shown.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/show.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

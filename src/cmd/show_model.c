@@ -7,7 +7,7 @@
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
-#include "cmd/show.h"
+#include "cmd/table.h"
 #include "core/appearance.h"
 #include "core/classes.h"
 #include "core/energy.h"

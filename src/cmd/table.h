@@ -23,4 +23,8 @@ command_run cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset, cmd_source,
     cmd_echo, cmd_timing, cmd_assert, cmd_help, cmd_apropos, cmd_man,
     cmd_version, cmd_tui, cmd_quit;
 
+/* What show runs for some of its words: the parts of the model, which need a
+ * site, and the store. */
+command_run show_model, show_selection, show_appearance, show_store;
+
 #endif

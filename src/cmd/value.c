@@ -1,6 +1,6 @@
 /* What may stand behind an option: numbers, ranges, choices, text.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/value.h"
+#include "cmd/parse.h"
 
 #include <math.h>
 #include <stdlib.h>
