@@ -143,11 +143,10 @@ read_command_line(struct invocation *in, int argc, char **argv)
 static int
 open_file(struct session *s, const char *path)
 {
-	size_t n = strlen(path);
-	if (n > 4 && strcmp(path + n - 4, ".tip") == 0)
+	if (text_ends(path, ".tip"))
 		return batch_file(s, path);
 	struct error error = {0};
-	if (data_load(s, path, &error))
+	if (data_load(s, path, NULL, &error))
 		return 0;
 	if (error.kind == ERROR_SYSTEM && command_find(path) != NULL)
 		error_hint(&error, "commands go behind -c: -c '%s'", path);

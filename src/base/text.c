@@ -130,6 +130,13 @@ text_slug(const char *s)
 }
 
 bool
+text_ends(const char *s, const char *end)
+{
+	size_t n = strlen(s), m = strlen(end);
+	return n > m && strcmp(s + n - m, end) == 0;
+}
+
+bool
 text_same(const char *a, const char *b)
 {
 	char *fold_a = text_fold(a), *fold_b = text_fold(b);

@@ -28,6 +28,9 @@ char *text_fold(const char *s);
 /* text_fold, with every run of other than [a-z0-9.] turned into one '-'. */
 char *text_slug(const char *s);
 
+/* True when there is something before that end. */
+bool text_ends(const char *s, const char *end);
+
 /* Same word but for case and accents. */
 bool text_same(const char *a, const char *b);
 

@@ -59,8 +59,6 @@ struct args {
 /* What a command does.  False with an error where it cannot. */
 typedef bool command_run(struct session *, const struct args *, struct error *);
 
-enum need { NEED_NOTHING, NEED_SITE };
-
 /* What the session has to know of a command. */
 enum command_flag {
 	COMMAND_CHANGES = 1,  /* changes the session: can be undone */
@@ -68,7 +66,8 @@ enum command_flag {
 	COMMAND_VERBATIM = 4, /* > and | are words like others */
 	COMMAND_UNSAVED = 8,  /* save leaves it out, or it sees to it itself */
 	COMMAND_LATEST = 16,  /* of several in a row save keeps the last */
-	COMMAND_DRAWS = 32    /* may write into a picture's file */
+	COMMAND_DRAWS = 32,   /* may write into a picture's file */
+	COMMAND_AT_SITE = 64  /* needs a site to work on */
 };
 
 /* bare: option that a bare word stands for ("predict 74"), or NULL.
@@ -83,7 +82,6 @@ struct command {
 	const char *name, *alias, *brief;
 	const char *operands, *expect[EXPECTS];
 	size_t least, most;
-	enum need need;
 	unsigned flags; /* command_flag */
 	const char *bare;
 	bool pairs;

@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/parse.h"
 #include "cmd/table.h"
 #include "core/predict.h"
 #include "io/units.h"
@@ -193,19 +193,6 @@ comparison_notes(
 	}
 }
 
-/* 69 or 69m/s. */
-static bool
-is_speed(const char *word, double *v)
-{
-	char *copy = xstrdup(word);
-	size_t n = strlen(copy);
-	if (n > 3 && strcmp(copy + n - 3, "m/s") == 0)
-		copy[n - 3] = '\0';
-	bool ok = text_number(copy, v);
-	free(copy);
-	return ok;
-}
-
 /* Two speeds of the site in use, on one feed. */
 static bool
 take_speeds(struct session *s, const struct args *args, struct side side[2],
@@ -222,7 +209,8 @@ take_speeds(struct session *s, const struct args *args, struct side side[2],
 		return false;
 	for (size_t i = 0; i < 2; i++) {
 		double v;
-		if (!is_speed(args->operand[i], &v) || v < 1 || v > 200)
+		if (!value_number(args->operand[i], "m/s", &v) || v < 1 ||
+		    v > 200)
 			return error_set(error, ERROR_USAGE,
 			    "compare wants speeds from 1 to 200 m/s, not %s",
 			    args->operand[i]);
@@ -288,8 +276,8 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 {
 	struct side side[2] = {{0}};
 	double v;
-	bool sites =
-	    !is_speed(args->operand[0], &v) || !is_speed(args->operand[1], &v);
+	bool sites = !value_number(args->operand[0], "m/s", &v) ||
+		     !value_number(args->operand[1], "m/s", &v);
 	bool ok = sites ? take_sites(s, args, side, error)
 			: take_speeds(s, args, side, error);
 	if (ok)

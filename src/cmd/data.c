@@ -17,12 +17,11 @@
 #include "io/table3.h"
 #include "io/units.h"
 
-static bool
-load(struct session *s, const char *path, const char *digest,
+bool
+data_load(struct session *s, const char *path, const char *digest,
     struct error *error)
 {
-	size_t n = strlen(path);
-	if (n > 4 && strcmp(path + n - 4, ".tip") == 0) {
+	if (text_ends(path, ".tip")) {
 		error_set(error, ERROR_USAGE,
 		    "%s is a script by its name, not a sheet", path);
 		return error_hint(error, "run it: source %s", path);
@@ -48,12 +47,6 @@ load(struct session *s, const char *path, const char *digest,
 }
 
 bool
-data_load(struct session *s, const char *path, struct error *error)
-{
-	return load(s, path, NULL, error);
-}
-
-bool
 cmd_load(struct session *s, const struct args *args, struct error *error)
 {
 	const struct value *digest = args_value(args, "digest");
@@ -62,7 +55,7 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 		    "digest= goes with one file, not with %zu",
 		    args->n_operand);
 	for (size_t i = 0; i < args->n_operand; i++)
-		if (!load(s, args->operand[i], digest->text, error))
+		if (!data_load(s, args->operand[i], digest->text, error))
 			return false;
 	return true;
 }

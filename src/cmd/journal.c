@@ -255,8 +255,7 @@ bool
 cmd_save(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
-	size_t n = strlen(path);
-	if (n < 5 || strcmp(path + n - 4, ".tip") != 0) {
+	if (!text_ends(path, ".tip")) {
 		error_set(error, ERROR_USAGE,
 		    "save writes a script, and '%s' does not end in .tip",
 		    path);

@@ -58,6 +58,9 @@ void args_free(struct args *args);
 bool value_take(const struct command_option *option, const char *word,
     struct value *value, struct error *error);
 
+/* A number, with its unit or without: 69, 69m/s. */
+bool value_number(const char *word, const char *unit, double *value);
+
 /* The error that there is none.  Returns false. */
 bool value_wanted(const struct command_option *option, struct error *error);
 

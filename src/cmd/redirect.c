@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "io/replace.h"
 
@@ -33,12 +34,9 @@ form_of(const char *path, enum report_format other)
 		enum report_format form;
 	} ENDS[] = {{".csv", REPORT_CSV}, {".json", REPORT_JSON},
 	    {".md", REPORT_MARKDOWN}};
-	size_t n = strlen(path);
-	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++) {
-		size_t m = strlen(ENDS[i].end);
-		if (n > m && strcmp(path + n - m, ENDS[i].end) == 0)
+	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++)
+		if (text_ends(path, ENDS[i].end))
 			return ENDS[i].form;
-	}
 	return other;
 }
 

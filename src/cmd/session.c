@@ -145,7 +145,7 @@ run_words(struct session *s, const struct words *words, struct place place,
 	struct args args;
 	const struct command *command = parse_call(words, place, &args, error);
 	bool ok = command != NULL &&
-		  (command->need == NEED_NOTHING ||
+		  (!(command->flags & COMMAND_AT_SITE) ||
 		      session_need_site(s, command->name, error)) &&
 		  turn_begin(s, &args, words, place, error);
 	if (ok) {

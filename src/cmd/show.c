@@ -109,19 +109,19 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 /* What can be shown; the first is shown when nothing is named. */
 static const struct {
 	const char *name;
-	enum need need;
+	bool at_site;
 	bool at_speed; /* takes the option speed */
 	command_run *show;
 } WHAT[] = {
-    {"site", NEED_SITE, false, show_site},
-    {"feed", NEED_SITE, false, show_curves},
-    {"product", NEED_SITE, false, show_curves},
-    {"params", NEED_SITE, false, model_show_params},
-    {"bounds", NEED_NOTHING, false, model_show_bounds},
-    {"model", NEED_SITE, false, show_model},
-    {"selection", NEED_SITE, true, show_selection},
-    {"appearance", NEED_SITE, false, show_appearance},
-    {"store", NEED_NOTHING, false, show_store},
+    {"site", true, false, show_site},
+    {"feed", true, false, show_curves},
+    {"product", true, false, show_curves},
+    {"params", true, false, model_show_params},
+    {"bounds", false, false, model_show_bounds},
+    {"model", true, false, show_model},
+    {"selection", true, true, show_selection},
+    {"appearance", true, false, show_appearance},
+    {"store", false, false, show_store},
 };
 
 bool
@@ -138,7 +138,7 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 	if (args_value(args, "speed")->given && !WHAT[i].at_speed)
 		return error_set(error, ERROR_USAGE,
 		    "show %s takes no speed: it is the same at all", what);
-	if (WHAT[i].need == NEED_SITE && !session_need_site(s, "show", error))
+	if (WHAT[i].at_site && !session_need_site(s, "show", error))
 		return false;
 	return WHAT[i].show(s, args, error);
 }

@@ -54,8 +54,7 @@ const struct command TABLE_DATA[] = {
 	.expect = {"SITE"},
 	.least = 1,
 	.most = 1,
-	.need = NEED_SITE,
-	.flags = COMMAND_CHANGES,
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.text = "Case and accents do not matter: borlange finds Borlänge. "
 		"Sites of one name are told apart by their top size: "
 		"gavle/4, gavle/11.2.",
@@ -68,8 +67,7 @@ const struct command TABLE_DATA[] = {
 	.expect = {"SITE"},
 	.least = 1,
 	.most = 1,
-	.need = NEED_SITE,
-	.flags = COMMAND_CHANGES,
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.text = "Its file stays. If it was in use, the site loaded after it "
 		"is next, or else the one before.",
 	.example = "load data/sites/bro.csv data/sites/tierp.csv\ndrop bro",
@@ -79,7 +77,7 @@ const struct command TABLE_DATA[] = {
 	.operands = "[SITE|all]",
 	.expect = {"SITE all"},
 	.most = 1,
-	.need = NEED_SITE,
+	.flags = COMMAND_AT_SITE,
 	.text = "Looks at the site in use, another one, or all. Reports "
 		"products coarser than their feed, a faster run with a coarser "
 		"product, a passing that stands out from its neighbours as "
@@ -131,8 +129,7 @@ const struct command TABLE_DATA[] = {
 	.expect = {"FILE"},
 	.least = 1,
 	.most = 1,
-	.need = NEED_SITE,
-	.flags = COMMAND_FILES | COMMAND_UNSAVED,
+	.flags = COMMAND_AT_SITE | COMMAND_FILES | COMMAND_UNSAVED,
 	.option = WRITE_OPTIONS,
 	.text = "Writes the site in use to FILE, or all loaded sites into an "
 		"existing FOLDER under their own names. A file that is "

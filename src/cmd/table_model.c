@@ -40,8 +40,7 @@ const struct command TABLE_MODEL[] = {
 	.operands = "[list | set | diff SITE | use SITE]",
 	.expect = {"list set diff use", "SITE"},
 	.most = 2,
-	.need = NEED_SITE,
-	.flags = COMMAND_CHANGES,
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.option = PARAMS_OPTIONS,
 	.text = "'params set' takes known parameters in place of a "
 		"calibration; those not named keep their value, and beta "

@@ -55,10 +55,9 @@ const struct command TABLE_STORE[] = {
 	.brief = "take a material's parameters from the store",
 	.operands = "NAME [SITE]",
 	.expect = {"MATERIAL", "SITE"},
-	.flags = COMMAND_CHANGES,
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.least = 1,
 	.most = 2,
-	.need = NEED_SITE,
 	.text = "Gives the site in use, or SITE, the parameters of a "
 		"material; a name that is none of yours is looked for in "
 		"Table 3. They are shown as coming from the store wherever "
@@ -69,9 +68,8 @@ const struct command TABLE_STORE[] = {
 	.brief = "put the site's parameters into the store",
 	.operands = "[NAME]",
 	.expect = {""},
-	.flags = COMMAND_UNSAVED,
+	.flags = COMMAND_AT_SITE | COMMAND_UNSAVED,
 	.most = 1,
-	.need = NEED_SITE,
 	.option = REMEMBER_OPTIONS,
 	.text = "Keeps what a calibration found, or 'params set' said, with "
 		"its origin: the site and where its data are from, misfit, "
@@ -125,7 +123,7 @@ const struct command TABLE_STORE[] = {
 	.run = cmd_import},
     {.name = "guess",
 	.brief = "a first product for a site with no calibration",
-	.need = NEED_SITE,
+	.flags = COMMAND_AT_SITE,
 	.option = GUESS_OPTIONS,
 	.text = "Takes the materials nearest to the site: the same rock "
 		"before any other, then the top size by its ratio. The guess "

@@ -13,9 +13,18 @@
 static void
 cut_unit(char *text, const char *unit)
 {
-	size_t n = strlen(text), u = strlen(unit);
-	if (u > 0 && n > u && strcmp(text + n - u, unit) == 0)
-		text[n - u] = '\0';
+	if (unit[0] != '\0' && text_ends(text, unit))
+		text[strlen(text) - strlen(unit)] = '\0';
+}
+
+bool
+value_number(const char *word, const char *unit, double *value)
+{
+	char *text = xstrdup(word);
+	cut_unit(text, unit);
+	bool ok = text_number(text, value);
+	free(text);
+	return ok;
 }
 
 /* The next step where a number is written as in another language. */
@@ -46,10 +55,7 @@ static bool
 number(const struct command_option *option, const char *word, double *value,
     struct error *error)
 {
-	char *text = xstrdup(word);
-	cut_unit(text, option->unit);
-	bool ok = text_number(text, value);
-	free(text);
+	bool ok = value_number(word, option->unit, value);
 	const char *in = option->unit[0] != '\0' ? " in " : "";
 	const char *space = option->unit[0] != '\0' ? " " : "";
 	if (!ok && option->kind == VALUE_NUMBER && strchr(word, ',') != NULL) {

@@ -128,7 +128,7 @@ commands_that_need_a_site_say_so(void **state)
 	struct desk *desk = *state;
 	size_t n = 0;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (c->need == NEED_NOTHING)
+		if (!(c->flags & COMMAND_AT_SITE))
 			continue;
 		char *line =
 		    xasprintf("seed 1; %s %s", c->name, call_operands(c));
@@ -153,7 +153,7 @@ all_other_commands_do_without_one(void **state)
 {
 	struct desk *desk = *state;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (c->need != NEED_NOTHING || strcmp(c->name, "tui") == 0)
+		if ((c->flags & COMMAND_AT_SITE) || strcmp(c->name, "tui") == 0)
 			continue;
 		char *line = xasprintf("%s%s", c->name,
 		    c->least == 1  ? " none/none"
