@@ -32,9 +32,6 @@ void doubt_note(struct report *r);
 /* {"beta1":[low, high], .. "alpha":[low, high]} */
 json_t *doubt_json(const struct uncertainty *u);
 
-/* Adds [low, high] to an object: sizes in m, shown in mm. */
-void doubt_range_json(json_t *o, const char *key, double low, double high);
-
 /* Adds the ranges of the sizes to the object of predict. */
 void doubt_band_json(json_t *o, const struct band *band);
 

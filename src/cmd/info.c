@@ -58,8 +58,9 @@ info_example(const struct command *c, const char *margin, FILE *out)
 	free(copy);
 }
 
-void
-info_command(const struct command *c, FILE *out)
+/* All that the table says of one command. */
+static void
+print_command(const struct command *c, FILE *out)
 {
 	char *usage = command_usage(c);
 	fprintf(out, "%s - %s\n\n", c->name, c->brief);
@@ -133,7 +134,7 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 	if (command != NULL && example)
 		info_example(command, "", out);
 	else if (command != NULL)
-		info_command(command, out);
+		print_command(command, out);
 	else if (name == NULL || (is_group(name) && !example)) {
 		if (name == NULL)
 			print_start(out);

@@ -15,7 +15,4 @@ void info_list(const char *group, FILE *out);
 /* The lines of its example, each behind the margin. */
 void info_example(const struct command *command, const char *margin, FILE *out);
 
-/* All that the table says of one command. */
-void info_command(const struct command *command, FILE *out);
-
 #endif

@@ -22,7 +22,6 @@ struct params {
  * whose text says six variables where there are seven (departure D7). */
 struct param_info {
 	const char *name;    /* as typed */
-	const char *symbol;  /* as printed */
 	const char *unit;    /* "-" where there is none */
 	double lower, upper; /* default search bounds */
 	const char *meaning;

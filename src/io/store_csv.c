@@ -15,9 +15,10 @@
 /* More lines than that would not fit the 10 MB of a text file. */
 enum { MOST_ROWS = 10000 };
 
-void
-store_csv_write(const struct stored_list *list, FILE *out)
+static void
+write_list(const void *data, FILE *out)
 {
+	const struct stored_list *list = data;
 	for (size_t f = 0; f < FIELD_COUNT; f++)
 		fprintf(out, "%s%s", f > 0 ? "," : "", FIELDS[f].name);
 	fputc('\n', out);
@@ -31,12 +32,6 @@ store_csv_write(const struct stored_list *list, FILE *out)
 		}
 		fputc('\n', out);
 	}
-}
-
-static void
-write_list(const void *data, FILE *out)
-{
-	store_csv_write(data, out);
 }
 
 bool
