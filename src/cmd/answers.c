@@ -120,46 +120,38 @@ answers_size_cell(struct report *r, const struct psd *psd, double passing)
 	free(words);
 }
 
-/* "2.81"; NAN, as ranges have it: "below 0.063", the finest sieve. */
-static char *
-range_words(const struct psd *psd, double x)
-{
-	return isfinite(x)
-		   ? xasprintf("%.2f", 1000 * x)
-		   : xasprintf("below %g", units_mm(psd->size[psd->n - 1]));
-}
-
-/* "P50 2.81 mm", or "P20 below 0.063 mm"; where there is a range, followed by
- * " (2.75 to 2.90)". */
-static char *
-size_phrase(const struct psd *psd, double passing, const double *range)
+/* Adds "P50 2.81 mm", or "P20 below 0.063 mm", to a list; where there is a
+ * range, followed by " (2.75 to 2.90)", whose lower end may lie below the
+ * finest sieve. */
+static void
+add_size(
+    char **list, const struct psd *psd, double passing, const double *range)
 {
 	double x = psd_size(psd, passing);
-	char *own = isfinite(x) ? xasprintf("%.2f", 1000 * x)
-				: outside_words(psd, passing);
-	char *words = xasprintf("P%.0f %s mm", 100 * passing, own);
-	free(own);
+	char *size = isfinite(x) ? xasprintf("%.2f", 1000 * x)
+				 : outside_words(psd, passing);
+	xlist(list, ", ", "P%.0f %s mm", 100 * passing, size);
+	free(size);
 	if (range == NULL || !isfinite(range[1]))
-		return words;
-	char *low = range_words(psd, range[0]);
-	char *high = range_words(psd, range[1]);
-	xappend(&words, " (%s to %s)", low, high);
-	free(low);
-	free(high);
-	return words;
+		return;
+	if (isfinite(range[0]))
+		xappend(list, " (%.2f to ", 1000 * range[0]);
+	else
+		xappend(
+		    list, " (below %g to ", units_mm(psd->size[psd->n - 1]));
+	xappend(list, "%.2f)", 1000 * range[1]);
 }
 
 void
 answers_note_sizes(
     struct report *r, const struct psd *psd, const struct band *band)
 {
-	char *p20 = size_phrase(psd, 0.2, band != NULL ? band->p20 : NULL);
-	char *p50 = size_phrase(psd, 0.5, band != NULL ? band->p50 : NULL);
-	char *p80 = size_phrase(psd, 0.8, band != NULL ? band->p80 : NULL);
-	report_note(r, "%s, %s, %s", p20, p50, p80);
-	free(p20);
-	free(p50);
-	free(p80);
+	char *sizes = xstrdup("");
+	add_size(&sizes, psd, 0.2, band != NULL ? band->p20 : NULL);
+	add_size(&sizes, psd, 0.5, band != NULL ? band->p50 : NULL);
+	add_size(&sizes, psd, 0.8, band != NULL ? band->p80 : NULL);
+	report_note(r, "%s", sizes);
+	free(sizes);
 }
 
 void
