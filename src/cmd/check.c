@@ -95,28 +95,26 @@ check_run(struct report *r, const struct entry *entry, const struct run *run)
 	bool fault = c.most > COARSER_FAULT;
 	if (c.sieves > 0)
 		finding(r, entry, fault, where,
-		    "product coarser than feed on %zu of %zu sieves, "
-		    "by up to %.2f points at %g mm: crushing cannot "
-		    "coarsen%s",
+		    "product coarser than feed on %zu of %zu sieves, by up to "
+		    "%.2f points at %g mm: crushing cannot coarsen%s",
 		    c.sieves, c.compared, 100 * c.most, units_mm(c.at),
 		    fault ? ": were the samples mixed up?"
 			  : "; within what sampling may do");
 	if (run->product.n > 0 && c.farthest < NOTHING)
 		finding(r, entry, false, where,
-		    "product equals feed within %.2f points: nothing "
-		    "breaks at this speed, as the feed has next to "
-		    "nothing above the break size",
+		    "product equals feed within %.2f points: nothing breaks at "
+		    "this speed, as the feed has next to nothing above the "
+		    "break size",
 		    100 * c.farthest);
 	if (run->product.n > c.compared)
 		finding(r, entry, false, where,
-		    "%zu product sieves finer than the feed's finest "
-		    "are not compared (%g mm and below)",
+		    "%zu product sieves finer than the feed's finest are not "
+		    "compared (%g mm and below)",
 		    run->product.n - c.compared,
 		    units_mm(run->product.size[c.compared]));
 	if (run->product.n == 0)
 		finding(r, entry, false, where,
-		    "a feed without a product: used for "
-		    "predictions only");
+		    "a feed without a product: used for predictions only");
 	free(where);
 	return !fault;
 }
@@ -147,8 +145,8 @@ check_order(struct report *r, const struct entry *entry)
 			continue;
 		char *where = xasprintf("%g, %g m/s", slow->speed, fast->speed);
 		finding(r, entry, !site->individual_feeds, where,
-		    "the faster run's product is coarser by %.2f "
-		    "points at %g mm: %s",
+		    "the faster run's product is coarser by %.2f points at %g "
+		    "mm: %s",
 		    100 * most, units_mm(at),
 		    site->individual_feeds ? "its feed may have been coarser"
 					   : "were speeds or digits swapped?");
@@ -185,9 +183,8 @@ check_smooth(struct report *r, const struct entry *entry, bool feed)
 				  ? xstrdup("feed")
 				  : xasprintf("%g m/s", run[o.curve]->speed);
 		finding(r, entry, false, where,
-		    "%s passing %g %% at %g mm lies %.1f points %s "
-		    "a line between its neighbours%s: were digits "
-		    "swapped?",
+		    "%s passing %g %% at %g mm lies %.1f points %s a line "
+		    "between its neighbours%s: were digits swapped?",
 		    feed ? "feed" : "product",
 		    units_pct(curve[o.curve]->passing[o.sieve]),
 		    units_mm(curve[o.curve]->size[o.sieve]), 100 * fabs(o.off),
@@ -209,8 +206,7 @@ check_twins(struct session *s, struct report *r, size_t index)
 		if (i == index || other->site->digest != entry->site->digest)
 			continue;
 		finding(r, entry, false, "all runs",
-		    "twins: %s (%s) has the very same numbers as %s "
-		    "(%s)",
+		    "twins: %s (%s) has the very same numbers as %s (%s)",
 		    entry->site->name, entry->site->rock, other->site->name,
 		    other->site->rock);
 	}
@@ -229,8 +225,8 @@ check_site(struct session *s, struct report *r, size_t index)
 	check_twins(s, r, index);
 	if (entry->site->provenance[0] == '\0')
 		finding(r, entry, false, "sheet",
-		    "provenance is not stated: a line "
-		    "'provenance,...' says where the data are from");
+		    "provenance is not stated: a line 'provenance,...' says "
+		    "where the data are from");
 	return ok;
 }
 
@@ -256,10 +252,10 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 		ok = check_site(s, r, i) && ok;
 	report_json_key(r, "ok", json_boolean(ok));
 	report_note(r, "%s",
-	    !ok                   ? "there are faults"
-	    : report_rows(r) == 0 ? "no faults found"
-				  : "no faults found; remarks are for you "
-				    "to judge");
+	    !ok ? "there are faults"
+	    : report_rows(r) == 0
+		? "no faults found"
+		: "no faults found; remarks are for you to judge");
 	session_report(s, r);
 	if (ok)
 		return true;

@@ -76,10 +76,9 @@ say_curve(struct tale *t, const struct chart_series *s)
 		    t->list, "%s: %.4g%s throughout", s->name, s->y[first], y);
 	else
 		answers_say(t->list,
-		    "%s: from %.3g%s at %.3g%s to %.3g%s at "
-		    "%.3g%s%s",
-		    s->name, s->y[first], y, s->x[first], x, s->y[last], y,
-		    s->x[last], x, sizes);
+		    "%s: from %.3g%s at %.3g%s to %.3g%s at %.3g%s%s", s->name,
+		    s->y[first], y, s->x[first], x, s->y[last], y, s->x[last],
+		    x, sizes);
 	free(x);
 	free(y);
 	free(sizes);
@@ -115,10 +114,8 @@ say_spread(struct tale *t)
 			answers_say(t->list, "%s is held fixed", name);
 		else
 			answers_say(t->list,
-			    "%s: the middle 80 %% of the "
-			    "candidates from %.0f to %.0f %% "
-			    "of its bounds, the best at %.0f "
-			    "%%",
+			    "%s: the middle 80 %% of the candidates from %.0f "
+			    "to %.0f %% of its bounds, the best at %.0f %%",
 			    name, s->x[3 * j], s->x[3 * j + 1], best->x[j]);
 	}
 }
@@ -141,8 +138,7 @@ say_difference(struct tale *t, const struct chart_series *other)
 	char *x_unit = unit_of(&t->chart->x), *y_unit = unit_of(&t->chart->y);
 	if (!isnan(x))
 		answers_say(t->list,
-		    "%s and %s lie furthest apart at %.3g%s: "
-		    "%.3g and %.3g%s",
+		    "%s and %s lie furthest apart at %.3g%s: %.3g and %.3g%s",
 		    top->name, other->name, x, x_unit, here, there, y_unit);
 	free(x_unit);
 	free(y_unit);

@@ -20,9 +20,7 @@ mark_training(const struct site *site, const struct value *value, bool *train,
 	if (!value->given)
 		return misfit_default_train(site, train) > 0 ||
 		       error_set(error, ERROR_DATA,
-			   "%s has no product to "
-			   "calibrate on",
-			   site->name);
+			   "%s has no product to calibrate on", site->name);
 	for (size_t i = 0; i < value->n; i++) {
 		size_t r = site_run_at(site, value->list[i]);
 		if (r == site->n_run || site->run[r].product.n == 0) {
@@ -49,9 +47,9 @@ check_training(const struct site *site, const bool *train, struct error *error)
 		    "%s: no product sieve at %g m/s lies within the feed's "
 		    "sieves",
 		    site->name, run->speed);
-		return error_hint(error,
-		    "sieve the feed to finer sizes, or "
-		    "train on other runs: calibrate train=...");
+		return error_hint(
+		    error, "sieve the feed to finer sizes, or train on other "
+			   "runs: calibrate train=...");
 	}
 	return true;
 }
@@ -124,8 +122,7 @@ spread_weights(const struct site *site, const bool *train,
 	}
 	free(weight);
 	return error_set(error, ERROR_USAGE,
-	    "run_weights wants %zu numbers, one for each training run, not "
-	    "%zu",
+	    "run_weights wants %zu numbers, one for each training run, not %zu",
 	    n, value->n);
 }
 

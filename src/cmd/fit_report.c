@@ -109,9 +109,9 @@ explain_nothing(struct report *report, const struct entry *entry)
 	    "  why: only fragments coarser than the break size break; at %g "
 	    "m/s that is %.3g mm or more, and %.1f %% of the feed is coarser",
 	    fastest->speed, units_mm(x), 100 * coarser);
-	report_note(report, "  the parameters above therefore fit sampling "
-			    "noise: a coarser feed or "
-			    "a higher speed would tell more");
+	report_note(
+	    report, "  the parameters above therefore fit sampling noise: a "
+		    "coarser feed or a higher speed would tell more");
 }
 
 bool
@@ -148,8 +148,7 @@ add_flat(
 	else if (list[0] != '\0')
 		report_note(report,
 		    "flat direction: together, %s (or all the other way) raise "
-		    "the "
-		    "misfit by a tenth only",
+		    "the misfit by a tenth only",
 		    list);
 	free(list);
 }
@@ -171,14 +170,12 @@ add_verdict(struct report *report, const struct entry *entry,
 	for (size_t j = 0; j < PARAM_COUNT; j++)
 		any = any || fit->on_bound[j];
 	if (any)
-		report_note(report,
-		    "a parameter on its bound is set by the bound, not by the "
-		    "data");
+		report_note(report, "a parameter on its bound is set by the "
+				    "bound, not by the data");
 	add_flat(report, fit, bounds);
 	doubt_note(report);
-	report_note(report,
-	    "beta counts only by its direction; rely on the curves, not on "
-	    "single values");
+	report_note(report, "beta counts only by its direction; rely on the "
+			    "curves, not on single values");
 }
 
 static const char *

@@ -98,14 +98,13 @@ validation_notes(struct report *r, const struct validation *v)
 	bool clearly = loses && v->rmse > 1.1 * v->interpolation_rmse &&
 		       v->rmse - v->interpolation_rmse > CLEARLY;
 	if (clearly)
-		report_note(r,
-		    "  the model does worse than interpolation at this speed: "
-		    "between the trained speeds, the interpolated products "
-		    "are the better guess");
+		report_note(r, "  the model does worse than interpolation at "
+			       "this speed: between the trained speeds, the "
+			       "interpolated products are the better guess");
 	else if (loses)
-		report_note(r,
-		    "  the model does no better than interpolation at this "
-		    "speed; the two are within what sampling tells apart");
+		report_note(
+		    r, "  the model does no better than interpolation at this "
+		       "speed; the two are within what sampling tells apart");
 	if (v->n_left_out > 0)
 		report_note(r,
 		    "  %zu finer sieves are not compared: the feed is not "
@@ -135,9 +134,8 @@ add_validations(struct session *s, struct report *r, json_t *list)
 		n++;
 	}
 	if (n == 0)
-		report_note(r,
-		    "no run was held out: a third speed, not trained on, "
-		    "would test the model");
+		report_note(r, "no run was held out: a third speed, not "
+			       "trained on, would test the model");
 }
 
 bool

@@ -43,27 +43,26 @@ say_breakage(const struct subject *a)
 	const struct prediction *p = &a->p;
 	double can = breakable(a), does = p->selected;
 	if (p->no_daughters)
-		answers_say(a->list,
-		    "The appearance is 0 for every daughter, so "
-		    "that nothing breaks and product = feed");
+		answers_say(
+		    a->list, "The appearance is 0 for every daughter, so that "
+			     "nothing breaks and product = feed");
 	else if (p->break_size >= a->feed->size[0])
 		answers_say(a->list,
-		    "At %g m/s only fragments of %.3g mm or more "
-		    "break, and the feed has none above %g mm: "
-		    "product = feed",
+		    "At %g m/s only fragments of %.3g mm or more break, and "
+		    "the feed has none above %g mm: product = feed",
 		    p->speed, 1000 * p->break_size, units_mm(a->feed->size[0]));
 	else if (p->break_size < ANSWERS_NO_SIZE)
 		answers_say(a->list,
-		    "With %s every size can break; %.0f %% of the feed "
-		    "does at %g m/s",
+		    "With %s every size can break; %.0f %% of the feed does at "
+		    "%g m/s",
 		    a->entry->params.e0_min <= 0 ? "e0_min at 0"
 						 : "so low an alpha",
 		    100 * does, p->speed);
 	else
 		answers_say(a->list,
-		    "At %g m/s an impact has %.0f J/kg, which breaks "
-		    "fragments from %.3g mm up; %.0f %% of the feed is "
-		    "that coarse, and %.0f %% of the feed breaks",
+		    "At %g m/s an impact has %.0f J/kg, which breaks fragments "
+		    "from %.3g mm up; %.0f %% of the feed is that coarse, and "
+		    "%.0f %% of the feed breaks",
 		    p->speed, p->energy, 1000 * p->break_size, 100 * can,
 		    100 * does);
 }
@@ -76,20 +75,19 @@ say_how_much(const struct subject *a)
 	double moved =
 	    psd_rms(p->feed.passing, p->product.passing, p->feed.n, NULL);
 	if (can > 0 && can < FEW)
-		answers_say(a->list,
-		    "With so little of the feed above the break size "
-		    "the product can hardly differ from the feed");
+		answers_say(
+		    a->list, "With so little of the feed above the break size "
+			     "the product can hardly differ from the feed");
 	else if (can >= FEW && does < MOST_BREAKS * can)
 		answers_say(a->list,
-		    "Of what could break only %.0f %% does: f_mat %.3g "
-		    "is low, so that the impact just above the "
-		    "threshold often fails",
+		    "Of what could break only %.0f %% does: f_mat %.3g is low, "
+		    "so that the impact just above the threshold often fails",
 		    100 * does / can, a->entry->params.f_mat);
 	bool some = !p->no_daughters && p->break_size < a->feed->size[0];
 	if (some && moved < SAMPLING)
 		answers_say(a->list,
-		    "Product and feed lie %.2f points apart (RMS), "
-		    "less than two samples of one belt",
+		    "Product and feed lie %.2f points apart (RMS), less than "
+		    "two samples of one belt",
 		    100 * moved);
 }
 
@@ -106,14 +104,14 @@ say_response(const struct subject *a)
 	prediction_free(&fast);
 	if (sqrt(sum / n) < STILL && a->p.break_size < a->feed->size[0])
 		answers_say(a->list,
-		    "The speed makes next to no difference here: 1 m/s "
-		    "more moves the product by %.2f points (RMS)",
+		    "The speed makes next to no difference here: 1 m/s more "
+		    "moves the product by %.2f points (RMS)",
 		    100 * sqrt(sum / n));
 	if (a->s->set.model.method == METHOD_CLASSES)
-		answers_say(a->list,
-		    "The method classes gives each class one size, so "
-		    "that the product stands still while the break "
-		    "size moves within a class, and then jumps");
+		answers_say(
+		    a->list, "The method classes gives each class one size, so "
+			     "that the product stands still while the break "
+			     "size moves within a class, and then jumps");
 }
 
 static void
@@ -129,18 +127,16 @@ say_trained(const struct subject *a)
 	}
 	if (!predict_extrapolates(site, a->entry->train, v)) {
 		answers_say(a->list,
-		    "%g m/s lies within the speeds %s, %g to "
-		    "%g m/s",
-		    v, a->entry->has_fit ? "trained on" : "measured", slow,
-		    fast);
+		    "%g m/s lies within the speeds %s, %g to %g m/s", v,
+		    a->entry->has_fit ? "trained on" : "measured", slow, fast);
 		return;
 	}
 	double near = v > fast ? fast : slow;
 	double more = energy_specific(v) / energy_specific(near) - 1;
 	answers_say(a->list,
-	    "%g m/s is outside the speeds %s, %g to %g m/s: an impact "
-	    "has %.1f %% %s energy than at %g m/s, and nothing "
-	    "measured says what that does",
+	    "%g m/s is outside the speeds %s, %g to %g m/s: an impact has %.1f "
+	    "%% %s energy than at %g m/s, and nothing measured says what that "
+	    "does",
 	    v, a->entry->has_fit ? "trained on" : "measured", slow, fast,
 	    100 * fabs(more), more > 0 ? "more" : "less", near);
 }
@@ -169,14 +165,14 @@ say_parameters(const struct subject *a, const struct fit *fit)
 	char *flat = names_of(fit, fit_is_flat);
 	if (bound[0] != '\0')
 		answers_say(a->list,
-		    "%s on a bound of the search: the bound, "
-		    "not the data, sets the value",
+		    "%s on a bound of the search: the bound, not the data, "
+		    "sets the value",
 		    bound);
 	if (flat[0] != '\0')
 		answers_say(a->list,
-		    "The data do not tell %s well: far other values, "
-		    "changed together, fit a tenth worse only; the "
-		    "curves are to be relied on, not these values",
+		    "The data do not tell %s well: far other values, changed "
+		    "together, fit a tenth worse only; the curves are to be "
+		    "relied on, not these values",
 		    flat);
 	free(bound);
 	free(flat);
@@ -189,27 +185,25 @@ say_fit(const struct subject *a)
 	const struct fit *fit = &entry->fit;
 	if (!entry->has_fit) {
 		answers_say(a->list,
-		    "The parameters were %s, not found by a "
-		    "calibration on this site's runs",
+		    "The parameters were %s, not found by a calibration on "
+		    "this site's runs",
 		    session_origin(entry));
 		return;
 	}
 	if (fit->rmse > FIT_POOR)
 		answers_say(a->list,
-		    "The fit is poor: it misses the products it was "
-		    "trained on by %.1f points (RMS), where sampling "
-		    "repeats to 0.5 to 1; look for faults in the sheet "
-		    "with 'check'",
+		    "The fit is poor: it misses the products it was trained on "
+		    "by %.1f points (RMS), where sampling repeats to 0.5 to 1; "
+		    "look for faults in the sheet with 'check'",
 		    100 * fit->rmse);
 	else if (fit_breaks_nothing(fit))
-		answers_say(a->list,
-		    "The training products cannot be told from "
-		    "their feed, so that the parameters fit "
-		    "sampling noise");
+		answers_say(
+		    a->list, "The training products cannot be told from their "
+			     "feed, so that the parameters fit sampling noise");
 	else
 		answers_say(a->list,
-		    "The fit is good: %.2f points (RMS) off "
-		    "the products it was trained on",
+		    "The fit is good: %.2f points (RMS) off the products it "
+		    "was trained on",
 		    100 * fit->rmse);
 	say_parameters(a, fit);
 }
@@ -226,12 +220,12 @@ say_measured(const struct subject *a)
 	struct validation v = validate_run(
 	    site, r, a->entry->train, &a->entry->params, a->s->set.model);
 	answers_say(a->list,
-	    "The product measured at %g m/s, not trained on, "
-	    "lies %.2f points (RMS) off the prediction%s",
+	    "The product measured at %g m/s, not trained on, lies %.2f points "
+	    "(RMS) off the prediction%s",
 	    v.speed, 100 * v.rmse,
-	    validation_loses(&v) ? "; interpolating the trained "
-				   "products comes nearer"
-				 : "");
+	    validation_loses(&v)
+		? "; interpolating the trained products comes nearer"
+		: "");
 }
 
 /* What was not measured at a plant says so in its provenance. */
@@ -243,8 +237,7 @@ say_data(const struct subject *a)
 		answers_say(a->list, "Where the data are from is not stated");
 	else if (strncmp(from, "measured", 8) != 0)
 		answers_say(a->list,
-		    "The data are not from a plant's sieves: "
-		    "%.*s",
+		    "The data are not from a plant's sieves: %.*s",
 		    (int)strcspn(from, ";"), from);
 }
 

@@ -118,10 +118,9 @@ take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 	uint64_t whole;
 	if (cell.text[0] == '\0') {
 		if (f->needed)
-			error_hint(sheet_fault(sheet, cell,
-				       "%s was wanted, found an "
-				       "empty cell",
-				       f->name),
+			error_hint(
+			    sheet_fault(sheet, cell,
+				"%s was wanted, found an empty cell", f->name),
 			    "fill it, or take the row out");
 	} else if (f->kind == FIELD_TEXT) {
 		take_text(sheet, cell, f, m);
@@ -142,11 +141,10 @@ check_name(struct sheet *sheet, struct cell cell,
 		sheet_fault(sheet, cell,
 		    "the name %.60s was wanted once, found again", cell.text);
 	else if (there != NULL && stored_find(there, cell.text) != NULL)
-		error_hint(
-		    sheet_fault(sheet, cell,
-			"a new name was wanted, and the store has '%.60s' "
-			"already",
-			cell.text),
+		error_hint(sheet_fault(sheet, cell,
+			       "a new name was wanted, and the store has "
+			       "'%.60s' already",
+			       cell.text),
 		    "import with replace=on takes the sheet's");
 }
 

@@ -18,17 +18,15 @@ enum { WAIT_MS = 5000, PAUSE_MS = 20 };
 /* fold: the name without case and accents.  digest: of the row, see
  * stored_digest.  about: the program that made this schema. */
 const char *const SCHEMA_STEPS[SCHEMA_VERSION] = {
-    "CREATE TABLE about (program TEXT NOT NULL);"
-    "CREATE TABLE material ("
-    " fold TEXT PRIMARY KEY NOT NULL, digest TEXT NOT NULL,"
-    " name TEXT NOT NULL, site TEXT NOT NULL, rock TEXT, top_size_mm REAL,"
-    " machine TEXT, provenance TEXT, site_digest TEXT, origin TEXT NOT NULL,"
-    " beta1 REAL NOT NULL, beta2 REAL NOT NULL, beta3 REAL NOT NULL,"
-    " beta4 REAL NOT NULL, f_mat REAL NOT NULL, e0_min REAL NOT NULL,"
-    " alpha REAL NOT NULL, method TEXT NOT NULL, appearance TEXT NOT NULL,"
-    " k REAL NOT NULL, misfit REAL, rmse_pct REAL, holdout_pct REAL,"
-    " seed INTEGER, options TEXT, generations INTEGER, stop TEXT,"
-    " date TEXT, note TEXT, version TEXT);",
+    "CREATE TABLE about (program TEXT NOT NULL);CREATE TABLE material ( fold "
+    "TEXT PRIMARY KEY NOT NULL, digest TEXT NOT NULL, name TEXT NOT NULL, site "
+    "TEXT NOT NULL, rock TEXT, top_size_mm REAL, machine TEXT, provenance "
+    "TEXT, site_digest TEXT, origin TEXT NOT NULL, beta1 REAL NOT NULL, beta2 "
+    "REAL NOT NULL, beta3 REAL NOT NULL, beta4 REAL NOT NULL, f_mat REAL NOT "
+    "NULL, e0_min REAL NOT NULL, alpha REAL NOT NULL, method TEXT NOT NULL, "
+    "appearance TEXT NOT NULL, k REAL NOT NULL, misfit REAL, rmse_pct REAL, "
+    "holdout_pct REAL, seed INTEGER, options TEXT, generations INTEGER, stop "
+    "TEXT, date TEXT, note TEXT, version TEXT);",
     "ALTER TABLE material ADD COLUMN train_mps TEXT;"};
 
 /* The kind of error, its words and the next step, by SQLite's result code. */
@@ -57,8 +55,7 @@ static const struct problem {
     {SQLITE_CORRUPT, ERROR_DATA, "the store is damaged",
 	"move the file away, and import the newest export into a new one"},
     {SQLITE_NOTADB, ERROR_DATA,
-	"this is no store of tipspeed, or a damaged "
-	"one",
+	"this is no store of tipspeed, or a damaged one",
 	"move the file away, or take another with --store=PATH"}};
 
 bool
@@ -150,10 +147,9 @@ run_steps(sqlite3 *db, const char *path, struct error *error)
 			return false;
 	if (version >= SCHEMA_VERSION)
 		return true;
-	char *end = sqlite3_mprintf("DELETE FROM about;"
-				    "INSERT INTO about VALUES (%Q);"
-				    "PRAGMA application_id = %d;"
-				    "PRAGMA user_version = %d;",
+	char *end = sqlite3_mprintf(
+	    "DELETE FROM about;INSERT INTO about VALUES (%Q);PRAGMA "
+	    "application_id = %d;PRAGMA user_version = %d;",
 	    "tipspeed " PACKAGE_VERSION, (int)SCHEMA_APPLICATION,
 	    (int)SCHEMA_VERSION);
 	bool ok = schema_run(db, path, end, error);
@@ -237,8 +233,8 @@ connect(const char *path, bool make)
 	sqlite3_extended_result_codes(db, 1);
 	sqlite3_busy_timeout(db, WAIT_MS);
 	sqlite3_exec(db,
-	    "PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL;"
-	    "PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON",
+	    "PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL;PRAGMA "
+	    "trusted_schema = OFF; PRAGMA cell_size_check = ON",
 	    NULL, NULL, NULL);
 	return db;
 }

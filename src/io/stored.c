@@ -238,9 +238,7 @@ stored_check_name(const char *name, struct error *error)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "a name of 1 to %d bytes on one line, without quotes and not "
-	    "beginning "
-	    "with #, was "
-	    "wanted, found '%.60s'",
+	    "beginning with #, was wanted, found '%.60s'",
 	    (int)MOST, name);
 }
 
