@@ -72,6 +72,12 @@ answers_feed(const struct site *site, const struct args *args, double speed,
 	return error_hint(error, "'show feed' lists the feeds");
 }
 
+bool
+answers_extrapolates(const struct entry *entry, double speed)
+{
+	return predict_extrapolates(entry->site, entry->train, speed);
+}
+
 struct prediction
 answers_predict(const struct session *s, const struct entry *entry,
     double speed, size_t feed_run)
@@ -91,8 +97,7 @@ answers_remember(struct session *s, const struct prediction *p)
 {
 	const struct entry *entry = session_entry(s);
 	s->answer[ANSWER_SPEED] = p->speed;
-	s->answer[ANSWER_EXTRAPOLATED] =
-	    predict_extrapolates(entry->site, entry->train, p->speed);
+	s->answer[ANSWER_EXTRAPOLATED] = answers_extrapolates(entry, p->speed);
 	s->answer[ANSWER_P20] = 1000 * p->p20;
 	s->answer[ANSWER_P50] = 1000 * p->p50;
 	s->answer[ANSWER_P80] = 1000 * p->p80;
@@ -170,8 +175,7 @@ answers_note_doubt(
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
 	answers_note_recalled(r, entry);
-	if (predict_extrapolates(site, entry->train, speed) &&
-	    site_products(site) > 0)
+	if (answers_extrapolates(entry, speed) && site_products(site) > 0)
 		report_note(r,
 		    "extrapolated: %.1f m/s lies outside the speeds trained "
 		    "on",
@@ -243,8 +247,7 @@ answers_prediction_json(struct session *s, const struct prediction *p)
 	json_t *o = answers_json("predict", entry->site);
 	report_put(o, "speed", p->speed);
 	json_object_set_new(o, "extrapolated",
-	    json_boolean(
-		predict_extrapolates(entry->site, entry->train, p->speed)));
+	    json_boolean(answers_extrapolates(entry, p->speed)));
 	json_object_set_new(
 	    o, "method", json_string(answers_method(s->set.model.method)));
 	json_object_set_new(o, "sieve_mm",

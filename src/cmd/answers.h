@@ -27,6 +27,9 @@ bool answers_ready(struct session *s, struct error *error);
  * far. */
 bool answers_forming(const struct session *s, struct params *params);
 
+/* Whether a speed lies outside those trained on. */
+bool answers_extrapolates(const struct entry *entry, double speed);
+
 /* The run whose feed to take: at the speed that the option feed names, else the
  * run nearest to the speed given. */
 bool answers_feed(const struct site *site, const struct args *args,

@@ -19,13 +19,6 @@ struct side {
 	char *head;
 };
 
-static bool
-extrapolates(const struct side *side)
-{
-	return predict_extrapolates(
-	    side->entry->site, side->entry->train, side->p.speed);
-}
-
 /* Passing at a size, NAN where the side's sieves do not tell it. */
 static double
 passing_at(const struct side *side, double x)
@@ -116,8 +109,8 @@ side_json(const struct side *side, const double *x, size_t n)
 	json_t *o = json_object(), *passing = json_array();
 	json_object_set_new(o, "site", json_string(side->entry->site->name));
 	report_put(o, "speed", side->p.speed);
-	json_object_set_new(
-	    o, "extrapolated", json_boolean(extrapolates(side)));
+	json_object_set_new(o, "extrapolated",
+	    json_boolean(answers_extrapolates(side->entry, side->p.speed)));
 	for (size_t i = 0; i < n; i++)
 		json_array_append_new(passing,
 		    report_json_number(units_pct(passing_at(side, x[i]))));
@@ -180,7 +173,7 @@ comparison_notes(
 	    100 * side[0].p.selected, 100 * side[1].p.selected);
 	for (size_t i = 0; i < 2; i++) {
 		const struct entry *entry = side[i].entry;
-		if (extrapolates(&side[i]))
+		if (answers_extrapolates(entry, side[i].p.speed))
 			report_note(r,
 			    "%s is extrapolated: outside the speeds "
 			    "trained on",
@@ -193,52 +186,28 @@ comparison_notes(
 	}
 }
 
-/* Two speeds of the site in use, on one feed. */
+/* Side i: a loaded site at the speed of the option, with a feed of its own; or
+ * the site in use at a speed, with one feed for both. */
 static bool
-take_speeds(struct session *s, const struct args *args, struct side side[2],
-    struct error *error)
+take_side(struct session *s, const struct args *args, bool sites, size_t i,
+    struct side *side, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	size_t feed;
-	if (args_value(args, "speed")->given)
-		return error_set(error, ERROR_USAGE,
-		    "compare takes two speeds, or two sites and a speed");
-	if (!answers_ready(s, error) ||
-	    !answers_feed(
-		entry->site, args, answers_middle(entry->site), &feed, error))
-		return false;
-	for (size_t i = 0; i < 2; i++) {
-		double v;
-		if (!value_number(args->operand[i], "m/s", &v) || v < 1 ||
-		    v > 200)
-			return error_set(error, ERROR_USAGE,
-			    "compare wants speeds from 1 to 200 m/s, not %s",
-			    args->operand[i]);
-		side[i].entry = entry;
-		side[i].p = answers_predict(s, entry, v, feed);
-		side[i].head = xasprintf("%g m/s", v);
-	}
-	return true;
-}
-
-/* Two loaded sites at one speed, each with its own feed and parameters. */
-static bool
-take_sites(struct session *s, const struct args *args, struct side side[2],
-    struct error *error)
-{
+	const char *word = args->operand[i];
 	double v = args_value(args, "speed")->number;
-	for (size_t i = 0; i < 2; i++) {
-		size_t at, feed;
-		if (!session_find(s, args->operand[i], &at, error))
-			return false;
-		const struct entry *entry = &s->entry[at];
-		if (!answers_known(s, entry, error) ||
-		    !answers_feed(entry->site, args, v, &feed, error))
-			return false;
-		side[i].entry = entry;
-		side[i].p = answers_predict(s, entry, v, feed);
-		side[i].head = xstrdup(entry->key);
-	}
+	size_t at = s->current, feed;
+	if (sites && !session_find(s, word, &at, error))
+		return false;
+	const struct entry *entry = &s->entry[at];
+	double near = sites ? v : answers_middle(entry->site);
+	if (!answers_known(s, entry, error) ||
+	    !answers_feed(entry->site, args, near, &feed, error))
+		return false;
+	if (!sites && (!value_number(word, "m/s", &v) || v < 1 || v > 200))
+		return error_set(error, ERROR_USAGE,
+		    "compare wants speeds from 1 to 200 m/s, not %s", word);
+	side->entry = entry;
+	side->p = answers_predict(s, entry, v, feed);
+	side->head = sites ? xstrdup(entry->key) : xasprintf("%g m/s", v);
 	return true;
 }
 
@@ -278,8 +247,11 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 	double v;
 	bool sites = !value_number(args->operand[0], "m/s", &v) ||
 		     !value_number(args->operand[1], "m/s", &v);
-	bool ok = sites ? take_sites(s, args, side, error)
-			: take_speeds(s, args, side, error);
+	if (!sites && args_value(args, "speed")->given)
+		return error_set(error, ERROR_USAGE,
+		    "compare takes two speeds, or two sites and a speed");
+	bool ok = take_side(s, args, sites, 0, &side[0], error) &&
+		  take_side(s, args, sites, 1, &side[1], error);
 	if (ok)
 		session_report(s, comparison(s, side, sites));
 	for (size_t i = 0; i < 2; i++) {

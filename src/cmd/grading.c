@@ -134,7 +134,7 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 	if (!answers_feed(entry->site, args, v, &feed, error) ||
 	    !grading_open(s, args->operand[0], feed, &g, error))
 		return false;
-	bool outside = predict_extrapolates(entry->site, entry->train, v);
+	bool outside = answers_extrapolates(entry, v);
 	bool inside = inverse_outside(&g.inverse, &g.envelope, v, &worst) == 0;
 	struct report *r = answers_report(
 	    entry->site, "spec", "%s at %g m/s", g.spec->name, v);

@@ -135,7 +135,7 @@ note_band(struct report *r, const struct entry *entry, double speed)
 	if (entry->fit.rmse > FIT_POOR)
 		report_note(r, "the band is too narrow: the fit is poor, and "
 			       "the model's own error is not in it");
-	else if (predict_extrapolates(entry->site, entry->train, speed))
+	else if (answers_extrapolates(entry, speed))
 		report_note(r, "the band knows nothing of the model's own "
 			       "error, which grows beyond the speeds trained "
 			       "on");

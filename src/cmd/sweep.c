@@ -31,8 +31,7 @@ sweep_across(
 	report_column(r, "sieve_mm", "sieve mm");
 	report_column(r, "feed_pct", "feed %");
 	for (size_t i = 0; i < n; i++) {
-		bool outside =
-		    predict_extrapolates(entry->site, entry->train, p[i].speed);
+		bool outside = answers_extrapolates(entry, p[i].speed);
 		char *key = xasprintf("passing_pct@%g", p[i].speed);
 		char *head =
 		    xasprintf("%g m/s%s", p[i].speed, outside ? "*" : "");
@@ -84,10 +83,8 @@ answers_speed_rows(
 		answers_size_cell(r, &p[i].product, 0.5);
 		answers_size_cell(r, &p[i].product, 0.8);
 		report_number(r, units_pct(p[i].product.passing[finest]), 1);
-		report_text(r,
-		    predict_extrapolates(entry->site, entry->train, p[i].speed)
-			? "yes"
-			: "no");
+		report_text(
+		    r, answers_extrapolates(entry, p[i].speed) ? "yes" : "no");
 	}
 }
 
@@ -103,8 +100,7 @@ sweep_long(
 	report_column(r, "feed_pct", "feed %");
 	report_column(r, "passing_pct", "product %");
 	for (size_t i = 0; i < n; i++) {
-		bool outside =
-		    predict_extrapolates(entry->site, entry->train, p[i].speed);
+		bool outside = answers_extrapolates(entry, p[i].speed);
 		for (size_t j = 0; j < p[i].product.n; j++) {
 			report_number(r, p[i].speed, -1);
 			report_text(r, outside ? "yes" : "no");
@@ -145,8 +141,8 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	bool outside = false;
 	for (size_t i = 0; i < n; i++) {
 		p[i] = answers_predict(s, entry, speeds->list[i], feed);
-		outside = outside || predict_extrapolates(entry->site,
-					 entry->train, speeds->list[i]);
+		outside =
+		    outside || answers_extrapolates(entry, speeds->list[i]);
 	}
 	struct report *r =
 	    answers_report(entry->site, "sweep", "products, %% passing");

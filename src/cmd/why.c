@@ -43,9 +43,9 @@ say_breakage(const struct subject *a)
 	const struct prediction *p = &a->p;
 	double can = breakable(a), does = p->selected;
 	if (p->no_daughters)
-		answers_say(
-		    a->list, "The appearance is 0 for every daughter, so that "
-			     "nothing breaks and product = feed");
+		answers_say(a->list,
+		    "The appearance is 0 for every daughter, so that "
+		    "nothing breaks and product = feed");
 	else if (p->break_size >= a->feed->size[0])
 		answers_say(a->list,
 		    "At %g m/s only fragments of %.3g mm or more break, and "
@@ -75,9 +75,9 @@ say_how_much(const struct subject *a)
 	double moved =
 	    psd_rms(p->feed.passing, p->product.passing, p->feed.n, NULL);
 	if (can > 0 && can < FEW)
-		answers_say(
-		    a->list, "With so little of the feed above the break size "
-			     "the product can hardly differ from the feed");
+		answers_say(a->list,
+		    "With so little of the feed above the break size "
+		    "the product can hardly differ from the feed");
 	else if (can >= FEW && does < MOST_BREAKS * can)
 		answers_say(a->list,
 		    "Of what could break only %.0f %% does: f_mat %.3g is low, "
@@ -108,10 +108,10 @@ say_response(const struct subject *a)
 		    "moves the product by %.2f points (RMS)",
 		    100 * sqrt(sum / n));
 	if (a->s->set.model.method == METHOD_CLASSES)
-		answers_say(
-		    a->list, "The method classes gives each class one size, so "
-			     "that the product stands still while the break "
-			     "size moves within a class, and then jumps");
+		answers_say(a->list,
+		    "The method classes gives each class one size, so "
+		    "that the product stands still while the break "
+		    "size moves within a class, and then jumps");
 }
 
 static void
@@ -125,7 +125,7 @@ say_trained(const struct subject *a)
 		slow = fmin(slow, site->run[r].speed);
 		fast = fmax(fast, site->run[r].speed);
 	}
-	if (!predict_extrapolates(site, a->entry->train, v)) {
+	if (!answers_extrapolates(a->entry, v)) {
 		answers_say(a->list,
 		    "%g m/s lies within the speeds %s, %g to %g m/s", v,
 		    a->entry->has_fit ? "trained on" : "measured", slow, fast);
@@ -197,9 +197,9 @@ say_fit(const struct subject *a)
 		    "look for faults in the sheet with 'check'",
 		    100 * fit->rmse);
 	else if (fit_breaks_nothing(fit))
-		answers_say(
-		    a->list, "The training products cannot be told from their "
-			     "feed, so that the parameters fit sampling noise");
+		answers_say(a->list,
+		    "The training products cannot be told from their "
+		    "feed, so that the parameters fit sampling noise");
 	else
 		answers_say(a->list,
 		    "The fit is good: %.2f points (RMS) off the products it "
