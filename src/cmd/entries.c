@@ -93,16 +93,19 @@ new_key(struct session *s, const struct site *site)
 	return key;
 }
 
-/* Behind the others. */
 static void
-append(struct session *s, struct site *site)
+insert(struct session *s, struct site *site, size_t place)
 {
 	struct entry entry = {.site = site, .key = new_key(s, site)};
 	entry.train = xcalloc(site->n_run, sizeof *entry.train);
 	misfit_default_train(site, entry.train);
 	s->entry = xrealloc(s->entry, s->n_entry + 1, sizeof *s->entry);
-	s->current = s->n_entry++;
-	s->entry[s->current] = entry;
+	memmove(&s->entry[place + 1], &s->entry[place],
+	    (s->n_entry++ - place) * sizeof entry);
+	s->entry[place] = entry;
+	if (s->job.calibration != NULL && s->job.entry >= place)
+		s->job.entry++;
+	s->current = place;
 	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
 	s->site[s->n_site++] = site;
 	session_forget(s);
@@ -126,21 +129,12 @@ void
 session_add(struct session *s, struct site *site)
 {
 	size_t place = former(s, site);
-	if (place == s->n_entry) {
-		append(s, site);
-		return;
+	if (place < s->n_entry) {
+		session_note(s, "%s was loaded before: this takes its place",
+		    s->entry[place].key);
+		session_drop(s, place);
 	}
-	session_note(s, "%s was loaded before: this takes its place",
-	    s->entry[place].key);
-	session_drop(s, place);
-	append(s, site);
-	struct entry entry = s->entry[s->current];
-	memmove(&s->entry[place + 1], &s->entry[place],
-	    (s->current - place) * sizeof entry);
-	s->entry[place] = entry;
-	if (s->job.calibration != NULL && s->job.entry >= place)
-		s->job.entry++;
-	s->current = place;
+	insert(s, site, place);
 }
 
 void
