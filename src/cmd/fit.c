@@ -47,9 +47,9 @@ check_training(const struct site *site, const bool *train, struct error *error)
 		    "%s: no product sieve at %g m/s lies within the feed's "
 		    "sieves",
 		    site->name, run->speed);
-		return error_hint(
-		    error, "sieve the feed to finer sizes, or train on other "
-			   "runs: calibrate train=...");
+		return error_hint(error,
+		    "sieve the feed to finer sizes, or train on other "
+		    "runs: calibrate train=...");
 	}
 	return true;
 }
@@ -109,7 +109,6 @@ spread_weights(const struct site *site, const bool *train,
     const struct value *value, double **run_weight, struct error *error)
 {
 	size_t n = 0;
-	*run_weight = NULL;
 	if (!value->given)
 		return true;
 	double *weight = xdoubles(site->n_run);
@@ -149,73 +148,67 @@ chosen_options(const struct session *s, const struct args *args)
 }
 
 static bool
-open_log(const struct value *value, FILE **log, struct error *error)
+open_log(const struct value *value, struct job *job, struct error *error)
 {
-	*log = NULL;
-	if (!value->given)
-		return true;
-	*log = fopen(value->text, "w");
-	return *log != NULL ||
-	       error_set(error, ERROR_SYSTEM, "cannot write %s: %s",
-		   value->text, strerror(errno));
+	if (value->given && (job->log = fopen(value->text, "w")) == NULL)
+		return error_set(error, ERROR_SYSTEM, "cannot write %s: %s",
+		    value->text, strerror(errno));
+	return true;
 }
 
 static bool
-calibrate_all(
-    struct session *s, const struct args *args, FILE *log, struct error *error)
+check_all(const struct args *args, struct error *error)
 {
-	if (args_value(args, "train")->given ||
-	    args_value(args, "run_weights")->given ||
-	    args_value(args, "weights")->choice) {
-		if (log != NULL)
-			fclose(log);
-		return error_set(error, ERROR_USAGE,
-		    "calibrate all takes every site's own speeds and no "
-		    "weights");
-	}
-	struct calibrate_options o = chosen_options(s, args);
-	job_start(s, &o, NULL, NULL, true, log);
-	s->job.pause_at = (size_t)args_value(args, "pause")->whole;
-	return session_busy(s) ||
-	       error_set(error, ERROR_DATA,
-		   "no loaded site has a product to calibrate on");
+	if (!args_value(args, "train")->given &&
+	    !args_value(args, "run_weights")->given &&
+	    !args_value(args, "weights")->choice)
+		return true;
+	return error_set(error, ERROR_USAGE,
+	    "calibrate all takes every site's own speeds and no weights");
+}
+
+/* The runs to train on, and what each counts. */
+static bool
+choose_runs(const struct site *site, const struct args *args, struct job *job,
+    struct error *error)
+{
+	bool by_sd = args_value(args, "weights")->choice == 1;
+	job->train = xcalloc(site->n_run, sizeof *job->train);
+	return mark_training(
+		   site, args_value(args, "train"), job->train, error) &&
+	       check_training(site, job->train, error) &&
+	       (!by_sd || check_weights(site, job->train, error)) &&
+	       spread_weights(site, job->train, args_value(args, "run_weights"),
+		   &job->run_weight, error);
 }
 
 bool
 cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 {
 	const struct site *site = session_entry(s)->site;
-	bool all = args->n_operand > 0;
-	if (all && strcmp(args->operand[0], "all") != 0)
+	const struct value *checkpoint = args_value(args, "checkpoint");
+	const struct value *resume = args_value(args, "resume");
+	struct job job = {.options = chosen_options(s, args),
+	    .all = args->n_operand > 0,
+	    .pause_at = (size_t)args_value(args, "pause")->whole};
+	if (job.all && strcmp(args->operand[0], "all") != 0)
 		return error_set(error, ERROR_USAGE,
 		    "calibrate wants options or all, not '%s'",
 		    args->operand[0]);
-	FILE *log;
 	if (!fit_settings_agree(&s->set.model, error) ||
-	    !open_log(args_value(args, "log"), &log, error))
-		return false;
-	if (all)
-		return calibrate_all(s, args, log, error);
-	double *run_weight = NULL;
-	bool *train = xcalloc(site->n_run, sizeof *train);
-	if (!mark_training(site, args_value(args, "train"), train, error) ||
-	    !check_training(site, train, error) ||
-	    (args_value(args, "weights")->choice == 1 &&
-		!check_weights(site, train, error)) ||
-	    !spread_weights(site, train, args_value(args, "run_weights"),
-		&run_weight, error)) {
-		free(train);
-		if (log != NULL)
-			fclose(log);
+	    !open_log(args_value(args, "log"), &job, error) ||
+	    !(job.all ? check_all(args, error)
+		      : choose_runs(site, args, &job, error))) {
+		job_free(&job);
 		return false;
 	}
-	struct calibrate_options o = chosen_options(s, args);
-	job_start(s, &o, train, run_weight, false, log);
-	const struct value *checkpoint = args_value(args, "checkpoint");
-	const struct value *resume = args_value(args, "resume");
-	s->job.pause_at = (size_t)args_value(args, "pause")->whole;
-	if (checkpoint->given)
-		s->job.checkpoint = xstrdup(checkpoint->text);
+	if (checkpoint->given && !job.all)
+		job.checkpoint = xstrdup(checkpoint->text);
+	job_start(s, &job);
+	if (job.all)
+		return session_busy(s) ||
+		       error_set(error, ERROR_DATA,
+			   "no loaded site has a product to calibrate on");
 	return !resume->given || job_resume(s, resume->text, error);
 }
 

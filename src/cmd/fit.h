@@ -11,11 +11,14 @@
 /* Says beside the results what the job is about to do. */
 void fit_announce(struct session *s);
 
-/* Starts the job on one site (all: first of all loaded ones), with the options
- * given; takes train and run_weight, either of which may be NULL for the
- * default, and log.  Where no site has a product, nothing is started. */
-void job_start(struct session *s, const struct calibrate_options *options,
-    bool *train, double *run_weight, bool all, FILE *log);
+/* Starts a job, of which options, train, all, pause_at, run_weight, checkpoint
+ * and log say what is wanted, on the site in use (all: the first of those
+ * loaded); takes what it owns.  Where no site has a product, nothing is
+ * started. */
+void job_start(struct session *s, const struct job *job);
+
+/* Frees what it owns, and leaves it empty. */
+void job_free(struct job *job);
 
 /* Restores the job that was just started from a checkpoint. */
 bool job_resume(struct session *s, const char *path, struct error *error);

@@ -85,16 +85,17 @@ job_resume(struct session *s, const char *path, struct error *error)
 	return true;
 }
 
-static void
-clear(struct session *s)
+void
+job_free(struct job *job)
 {
-	free(s->job.checkpoint);
-	free(s->job.run_weight);
-	calibration_free(s->job.calibration);
-	free(s->job.train);
-	if (s->job.log != NULL)
-		fclose(s->job.log);
-	s->job = (struct job){0};
+	free(job->checkpoint);
+	free(job->run_weight);
+	calibration_free(job->calibration);
+	free(job->train);
+	report_free(job->summary);
+	if (job->log != NULL)
+		fclose(job->log);
+	*job = (struct job){0};
 }
 
 /* The next site of `all` that can be calibrated; n_entry when there is none. */
@@ -138,26 +139,19 @@ write_log_head(FILE *log)
 }
 
 void
-job_start(struct session *s, const struct calibrate_options *options,
-    bool *train, double *run_weight, bool all, FILE *log)
+job_start(struct session *s, const struct job *job)
 {
 	session_stop(s, false);
-	s->job = (struct job){.options = *options,
-	    .entry = all ? next_site(s, 0) : s->current,
-	    .turn = s->turn,
-	    .train = train,
-	    .run_weight = run_weight,
-	    .all = all,
-	    .log = log,
-	    .summary = all ? new_summary() : NULL};
-	if (log != NULL)
-		write_log_head(log);
-	if (s->job.entry < s->n_entry) {
+	s->job = *job;
+	s->job.turn = s->turn;
+	s->job.entry = job->all ? next_site(s, 0) : s->current;
+	s->job.summary = job->all ? new_summary() : NULL;
+	if (job->log != NULL)
+		write_log_head(job->log);
+	if (s->job.entry < s->n_entry)
 		begin(s);
-		return;
-	}
-	report_free(s->job.summary);
-	clear(s);
+	else
+		job_free(&s->job);
 }
 
 /* "alpha on bound; twin of ubbarp; poor". */
@@ -240,9 +234,9 @@ static void
 end_all(struct session *s)
 {
 	struct report *summary = s->job.summary;
-	bool all = s->job.all;
-	clear(s);
-	if (all)
+	s->job.summary = NULL;
+	job_free(&s->job);
+	if (summary != NULL)
 		session_report(s, summary);
 }
 
@@ -309,11 +303,10 @@ session_stop(struct session *s, bool keep)
 		take_result(s);
 	if (session_busy(s))
 		turn_stopped(s, keep ? s->job.step : 0);
-	if (!keep)
-		report_free(s->job.summary);
-	if (!keep)
-		s->job.all = false;
-	end_all(s);
+	if (keep)
+		end_all(s);
+	else
+		job_free(&s->job);
 }
 
 void
@@ -358,6 +351,6 @@ cmd_accept(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	if (!need_paused(s, "accept", error))
 		return false;
-	clear(s);
+	job_free(&s->job);
 	return true;
 }
