@@ -11,6 +11,11 @@
 #include "cmd/fit.h"
 #include "io/units.h"
 
+const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {
+    "p20_mm", "p50_mm", "p80_mm", "break_mm"};
+const char *const ANSWERS_HEADS[ANSWERS_SIZES] = {
+    "P20 mm", "P50 mm", "P80 mm", "breaks from mm"};
+
 struct report *
 answers_report(
     const struct site *site, const char *command, const char *format, ...)
@@ -98,10 +103,8 @@ answers_remember(struct session *s, const struct prediction *p)
 	const struct entry *entry = session_entry(s);
 	s->answer[ANSWER_SPEED] = p->speed;
 	s->answer[ANSWER_EXTRAPOLATED] = answers_extrapolates(entry, p->speed);
-	s->answer[ANSWER_P20] = 1000 * p->p20;
-	s->answer[ANSWER_P50] = 1000 * p->p50;
-	s->answer[ANSWER_P80] = 1000 * p->p80;
-	s->answer[ANSWER_BREAK] = 1000 * p->break_size;
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		s->answer[i] = answers_size(p, i);
 	prediction_free(&s->last);
 	s->last = *p;
 	s->last.feed = psd_copy(&p->feed);
@@ -116,12 +119,23 @@ outside_words(const struct psd *psd, double passing)
 	    units_mm(psd->size[fine ? psd->n - 1 : 0]));
 }
 
-void
-answers_size_cell(struct report *r, const struct psd *psd, double passing)
+double
+answers_size(const struct prediction *p, size_t i)
 {
-	char *words = outside_words(psd, passing);
+	const double sizes[ANSWERS_SIZES] = {
+	    p->p20, p->p50, p->p80, p->break_size};
+	return 1000 * sizes[i];
+}
+
+void
+answers_size_cell(struct report *r, const struct prediction *p, size_t i)
+{
+	static const double PASSING[ANSWERS_SIZES] = {0.2, 0.5, 0.8};
+	char *words = i == ANSWER_BREAK
+			  ? xstrdup("none")
+			  : outside_words(&p->product, PASSING[i]);
 	report_missing(r, words);
-	report_number(r, 1000 * psd_size(psd, passing), 2);
+	report_number(r, answers_size(p, i), 2);
 	free(words);
 }
 
@@ -254,10 +268,8 @@ answers_prediction_json(struct session *s, const struct prediction *p)
 	    answers_list_json(p->product.size, p->product.n, units_mm));
 	json_object_set_new(o, "passing_pct",
 	    answers_list_json(p->product.passing, p->product.n, units_pct));
-	report_put(o, "p20_mm", 1000 * p->p20);
-	report_put(o, "p50_mm", 1000 * p->p50);
-	report_put(o, "p80_mm", 1000 * p->p80);
-	report_put(o, "break_mm", 1000 * p->break_size);
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		report_put(o, ANSWERS_KEYS[i], answers_size(p, i));
 	json_object_set_new(o, "params", fit_params_json(&entry->params));
 	if (entry->has_fit)
 		json_object_set_new(

@@ -46,9 +46,18 @@ double answers_middle(const struct site *site);
 /* Keeps what `assert` may ask of the prediction. */
 void answers_remember(struct session *s, const struct prediction *p);
 
-/* A cell with the size, mm, that the given share passes, 0..1; "below 0.063"
- * where it lies outside the sieves. */
-void answers_size_cell(struct report *r, const struct psd *psd, double passing);
+/* The sizes every prediction has: ANSWER_P20 to ANSWER_BREAK. */
+enum { ANSWERS_SIZES = ANSWER_BREAK + 1 };
+
+/* How one is called in json and csv, and by people. */
+extern const char *const ANSWERS_KEYS[ANSWERS_SIZES],
+    *const ANSWERS_HEADS[ANSWERS_SIZES];
+
+/* That size, mm; NAN where it lies outside the sieves, or there is none. */
+double answers_size(const struct prediction *p, size_t i);
+
+/* A cell with it, or with "below 0.063", or "none". */
+void answers_size_cell(struct report *r, const struct prediction *p, size_t i);
 
 /* The note "P20 1.14 mm, P50 2.91 mm, P80 5.28 mm", with their ranges where a
  * band is given: "P20 1.14 mm (1.12 to 1.18)". */

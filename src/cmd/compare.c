@@ -46,32 +46,6 @@ all_sieves(const struct side side[2], size_t *n)
 	return x;
 }
 
-/* What both have one number of, beside the sieves. */
-static const struct {
-	const char *key, *head;
-	double passing; /* of P20 and so on; 0: the break size */
-} SIZES[] = {{"p20_mm", "P20 mm", 0.2}, {"p50_mm", "P50 mm", 0.5},
-    {"p80_mm", "P80 mm", 0.8}, {"break_mm", "breaks from mm", 0}};
-
-static double
-size_of(const struct side *side, size_t i)
-{
-	return 1000 * (SIZES[i].passing > 0
-			      ? psd_size(&side->p.product, SIZES[i].passing)
-			      : side->p.break_size);
-}
-
-static void
-size_cell(struct report *r, const struct side *side, size_t i)
-{
-	if (SIZES[i].passing > 0) {
-		answers_size_cell(r, &side->p.product, SIZES[i].passing);
-		return;
-	}
-	report_missing(r, "none");
-	report_number(r, size_of(side, i), 2);
-}
-
 /* csv calls a row passing_pct@4, a table just 4. */
 static void
 comparison_rows(struct report *r, const struct side side[2], const double *x,
@@ -93,13 +67,14 @@ comparison_rows(struct report *r, const struct side side[2], const double *x,
 		report_number(r, 100 * (b - a), 1);
 		free(name);
 	}
-	for (size_t i = 0; i < ARRAY_LEN(SIZES); i++) {
-		report_text(r, csv ? SIZES[i].key : SIZES[i].head);
-		size_cell(r, &side[0], i);
-		size_cell(r, &side[1], i);
+	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
+		report_text(r, csv ? ANSWERS_KEYS[i] : ANSWERS_HEADS[i]);
+		answers_size_cell(r, &side[0].p, i);
+		answers_size_cell(r, &side[1].p, i);
 		report_missing(r, "-");
-		report_number(
-		    r, size_of(&side[1], i) - size_of(&side[0], i), 2);
+		report_number(r,
+		    answers_size(&side[1].p, i) - answers_size(&side[0].p, i),
+		    2);
 	}
 }
 
@@ -115,8 +90,8 @@ side_json(const struct side *side, const double *x, size_t n)
 		json_array_append_new(passing,
 		    report_json_number(units_pct(passing_at(side, x[i]))));
 	json_object_set_new(o, "passing_pct", passing);
-	for (size_t i = 0; i < ARRAY_LEN(SIZES); i++)
-		report_put(o, SIZES[i].key, size_of(side, i));
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		report_put(o, ANSWERS_KEYS[i], answers_size(&side->p, i));
 	return o;
 }
 

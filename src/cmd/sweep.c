@@ -10,18 +10,6 @@
 #include "core/predict.h"
 #include "io/units.h"
 
-/* A row of sizes, one cell a speed. */
-static void
-size_row(struct report *r, const char *name, const struct prediction *p,
-    size_t n, double passing)
-{
-	report_text(r, name);
-	report_missing(r, "");
-	report_number(r, NAN, 0);
-	for (size_t i = 0; i < n; i++)
-		answers_size_cell(r, &p[i].product, passing);
-}
-
 /* Sieves down, speeds across: for as many speeds as fit a screen. */
 static void
 sweep_across(
@@ -48,15 +36,13 @@ sweep_across(
 			report_number(
 			    r, units_pct(p[i].product.passing[row]), 1);
 	}
-	size_row(r, "P20 mm", p, n, 0.2);
-	size_row(r, "P50 mm", p, n, 0.5);
-	size_row(r, "P80 mm", p, n, 0.8);
-	report_text(r, "breaks from mm");
-	report_missing(r, "");
-	report_number(r, NAN, 0);
-	report_missing(r, "none");
-	for (size_t i = 0; i < n; i++)
-		report_number(r, 1000 * p[i].break_size, 2);
+	for (size_t size = 0; size < ANSWERS_SIZES; size++) {
+		report_text(r, ANSWERS_HEADS[size]);
+		report_missing(r, "");
+		report_number(r, NAN, 0);
+		for (size_t i = 0; i < n; i++)
+			answers_size_cell(r, &p[i], size);
+	}
 }
 
 void
@@ -77,11 +63,10 @@ answers_speed_rows(
 		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;
 		report_number(r, p[i].speed, round ? -1 : 2);
 		report_number(r, p[i].energy, 0);
-		report_missing(r, "none");
-		report_number(r, 1000 * p[i].break_size, 2);
-		answers_size_cell(r, &p[i].product, 0.2);
-		answers_size_cell(r, &p[i].product, 0.5);
-		answers_size_cell(r, &p[i].product, 0.8);
+		answers_size_cell(r, &p[i], ANSWER_BREAK);
+		answers_size_cell(r, &p[i], ANSWER_P20);
+		answers_size_cell(r, &p[i], ANSWER_P50);
+		answers_size_cell(r, &p[i], ANSWER_P80);
 		report_number(r, units_pct(p[i].product.passing[finest]), 1);
 		report_text(
 		    r, answers_extrapolates(entry, p[i].speed) ? "yes" : "no");
