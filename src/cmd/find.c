@@ -12,9 +12,10 @@
 #include "io/units.h"
 
 /* What is wanted: that a share passes a size; and on which feed, between which
- * speeds.  name: p80, p50 or p20, or NULL where the passing is looked at. */
+ * speeds.  key: p80_mm, p50_mm or p20_mm; NULL where the passing is looked
+ * at. */
 struct wish {
-	const char *name;
+	const char *key;
 	double passing, x; /* 0..1; m */
 	double from, to;
 	size_t feed;
@@ -74,7 +75,7 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 	for (size_t i = 0; i < 3; i++) {
 		if (!args_value(args, NAMES[i])->given)
 			continue;
-		wish->name = NAMES[i];
+		wish->key = ANSWERS_KEYS[i];
 		wish->passing = PASSING[i];
 		wish->x = args_value(args, NAMES[i])->number / 1000;
 	}
@@ -86,8 +87,8 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 	}
 	struct prediction p = answers_predict(s, entry, wish->from, wish->feed);
 	wish->inverse = inverse_new(feed,
-	    wish->name != NULL ? p.product.size : &wish->x,
-	    wish->name != NULL ? p.product.n : 1, &entry->params, s->set.model);
+	    wish->key != NULL ? p.product.size : &wish->x,
+	    wish->key != NULL ? p.product.n : 1, &entry->params, s->set.model);
 	prediction_free(&p);
 	return true;
 }
@@ -97,17 +98,17 @@ static double
 value_at(struct wish *wish, double v)
 {
 	const struct psd *product = inverse_at(&wish->inverse, v);
-	return wish->name != NULL ? 1000 * psd_size(product, wish->passing)
-				  : units_pct(psd_passing(product, wish->x));
+	return wish->key != NULL ? 1000 * psd_size(product, wish->passing)
+				 : units_pct(psd_passing(product, wish->x));
 }
 
 static char *
 wish_words(const struct wish *wish)
 {
-	return wish->name != NULL ? xasprintf("P%.0f %g mm",
-					100 * wish->passing, units_mm(wish->x))
-				  : xasprintf("%g %% passing %g mm",
-					100 * wish->passing, units_mm(wish->x));
+	return wish->key != NULL ? xasprintf("P%.0f %g mm", 100 * wish->passing,
+				       units_mm(wish->x))
+				 : xasprintf("%g %% passing %g mm",
+				       100 * wish->passing, units_mm(wish->x));
 }
 
 static json_t *
@@ -116,12 +117,11 @@ wish_json(struct session *s, struct wish *wish, double speed,
 {
 	const struct entry *entry = session_entry(s);
 	json_t *o = answers_json("find", entry->site), *list = json_array();
-	char *key = wish->name != NULL ? xasprintf("%s_mm", wish->name)
-				       : xstrdup("passing_pct");
-	json_object_set_new(o, "wanted", json_string(key));
+	json_object_set_new(o, "wanted",
+	    json_string(wish->key != NULL ? wish->key : "passing_pct"));
 	report_put(o, "value",
-	    wish->name != NULL ? units_mm(wish->x) : units_pct(wish->passing));
-	report_put(o, "at_mm", wish->name != NULL ? NAN : units_mm(wish->x));
+	    wish->key != NULL ? units_mm(wish->x) : units_pct(wish->passing));
+	report_put(o, "at_mm", wish->key != NULL ? NAN : units_mm(wish->x));
 	report_put(o, "from", wish->from);
 	report_put(o, "to", wish->to);
 	report_put(o, "value_from", value_at(wish, wish->from));
@@ -130,7 +130,6 @@ wish_json(struct session *s, struct wish *wish, double speed,
 	for (size_t i = 0; i < n; i++)
 		json_array_append_new(list, answers_prediction_json(s, &p[i]));
 	json_object_set_new(o, "products", list);
-	free(key);
 	return o;
 }
 
@@ -138,7 +137,7 @@ wish_json(struct session *s, struct wish *wish, double speed,
 static void
 note_unreached(struct report *r, struct wish *wish, const char *words)
 {
-	const char *what = wish->name != NULL ? "mm" : "%";
+	const char *what = wish->key != NULL ? "mm" : "%";
 	double low = value_at(wish, wish->from),
 	       high = value_at(wish, wish->to);
 	bool above = passing_over(wish, wish->from) > 0;
