@@ -279,3 +279,13 @@ answers_prediction_json(struct session *s, const struct prediction *p)
 		    o, "recalled", json_string(entry->recalled));
 	return o;
 }
+
+void
+answers_put_products(
+    struct session *s, json_t *o, const struct prediction *p, size_t n)
+{
+	json_t *list = json_array();
+	for (size_t i = 0; i < n; i++)
+		json_array_append_new(list, answers_prediction_json(s, &p[i]));
+	json_object_set_new(o, "products", list);
+}

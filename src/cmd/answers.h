@@ -94,7 +94,10 @@ const char *answers_method(enum method method);
 /* Says where parameters are from that were recalled. */
 void answers_note_recalled(struct report *r, const struct entry *entry);
 
-/* The JSON object of predict, see tipspeed(1), OUTPUT. */
+/* The JSON object of predict, see tipspeed(1), OUTPUT; and the list of several,
+ * "products" of an object. */
 json_t *answers_prediction_json(struct session *s, const struct prediction *p);
+void answers_put_products(
+    struct session *s, json_t *o, const struct prediction *p, size_t n);
 
 #endif

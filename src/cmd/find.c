@@ -116,7 +116,7 @@ wish_json(struct session *s, struct wish *wish, double speed,
     const struct prediction *p, size_t n)
 {
 	const struct entry *entry = session_entry(s);
-	json_t *o = answers_json("find", entry->site), *list = json_array();
+	json_t *o = answers_json("find", entry->site);
 	json_object_set_new(o, "wanted",
 	    json_string(wish->key != NULL ? wish->key : "passing_pct"));
 	report_put(o, "value",
@@ -127,9 +127,7 @@ wish_json(struct session *s, struct wish *wish, double speed,
 	report_put(o, "value_from", value_at(wish, wish->from));
 	report_put(o, "value_to", value_at(wish, wish->to));
 	report_put(o, "speed", speed);
-	for (size_t i = 0; i < n; i++)
-		json_array_append_new(list, answers_prediction_json(s, &p[i]));
-	json_object_set_new(o, "products", list);
+	answers_put_products(s, o, p, n);
 	return o;
 }
 

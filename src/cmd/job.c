@@ -76,7 +76,7 @@ job_resume(struct session *s, const char *path, struct error *error)
 	bool ok = checkpoint_load(path, &of, s->job.calibration, error);
 	free(options);
 	if (!ok) {
-		session_stop(s, false);
+		session_stop(s);
 		return false;
 	}
 	struct calibrate_status st = calibration_status(s->job.calibration);
@@ -141,7 +141,7 @@ write_log_head(FILE *log)
 void
 job_start(struct session *s, const struct job *job)
 {
-	session_stop(s, false);
+	session_stop(s);
 	s->job = *job;
 	s->job.turn = s->turn;
 	s->job.entry = job->all ? next_site(s, 0) : s->current;
@@ -293,20 +293,11 @@ session_pause(struct session *s)
 }
 
 void
-session_stop(struct session *s, bool keep)
+session_stop(struct session *s)
 {
-	if (s->job.calibration == NULL)
-		return;
-	bool any = calibration_status(s->job.calibration).generation > 0;
-	calibration_stop(s->job.calibration, false);
-	if (keep && any && !s->job.paused)
-		take_result(s);
 	if (session_busy(s))
-		turn_stopped(s, keep ? s->job.step : 0);
-	if (keep)
-		end_all(s);
-	else
-		job_free(&s->job);
+		turn_stopped(s, 0);
+	job_free(&s->job);
 }
 
 void
@@ -314,7 +305,7 @@ session_let_go(struct session *s)
 {
 	if (s->job.calibration == NULL)
 		return;
-	session_stop(s, false);
+	session_stop(s);
 	session_note(s, "the stopped calibration is let go of: 'continue' "
 			"has nothing to go on with");
 }

@@ -50,7 +50,7 @@ session_free(struct session *s)
 {
 	if (s == NULL)
 		return;
-	session_stop(s, false);
+	session_stop(s);
 	script_close(s, 0);
 	struct error stopped = {0};
 	session_settle(s, false, &stopped);

@@ -220,8 +220,8 @@ void session_let_go(struct session *s);
  * `continue` goes on from there. */
 void session_pause(struct session *s);
 
-/* Ends the job.  keep: the best so far becomes the site's fit. */
-void session_stop(struct session *s, bool keep);
+/* Ends the job, and keeps nothing of it. */
+void session_stop(struct session *s);
 
 /* Ends the commands whose job or script is over, see turn.h; session_line does
  * so before the next command.  A driver that does not go on with the line calls

@@ -96,19 +96,6 @@ sweep_long(
 	}
 }
 
-static void
-sweep_json(
-    struct session *s, struct report *r, const struct prediction *p, size_t n)
-{
-	json_t *o = answers_json("sweep", session_entry(s)->site);
-	json_t *products = json_array();
-	for (size_t i = 0; i < n; i++)
-		json_array_append_new(
-		    products, answers_prediction_json(s, &p[i]));
-	json_object_set_new(o, "products", products);
-	report_json(r, o);
-}
-
 bool
 cmd_sweep(struct session *s, const struct args *args, struct error *error)
 {
@@ -148,7 +135,9 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 		    "the calibration is poor (%.1f points RMS): do not rely "
 		    "on these",
 		    100 * entry->fit.rmse);
-	sweep_json(s, r, p, n);
+	json_t *o = answers_json("sweep", entry->site);
+	answers_put_products(s, o, p, n);
+	report_json(r, o);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(p);

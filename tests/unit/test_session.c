@@ -298,7 +298,10 @@ a_stopped_job_is_kept_or_dropped(void **state)
 		    1, &next, &desk->error));
 		session_step(s);
 		session_step(s);
-		session_stop(s, keep == 1);
+		if (keep == 1)
+			session_pause(s);
+		else
+			session_stop(s);
 		assert_false(session_busy(s));
 		assert_true(session_entry(s)->has_fit == (keep == 1));
 	}
