@@ -2,12 +2,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/doubt.h"
 
+#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "io/units.h"
 
 struct doubt *
 doubt_new(const struct site *site, const struct calibrate_options *options)

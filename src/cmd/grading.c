@@ -8,7 +8,6 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/table.h"
-#include "core/predict.h"
 #include "io/units.h"
 
 bool

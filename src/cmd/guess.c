@@ -1,6 +1,5 @@
 /* guess: a first product for a site with no calibration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/table.h"
 #include "core/guess.h"
 
 #include <math.h>
@@ -13,6 +12,7 @@
 #include "cmd/data.h"
 #include "cmd/fit.h"
 #include "cmd/store.h"
+#include "cmd/table.h"
 #include "io/units.h"
 
 /* What a guess is made from.  list: all materials; m [list.n]: the same for

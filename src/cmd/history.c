@@ -1,11 +1,9 @@
 /* history: the generations of a calibration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/fit.h"
 #include "cmd/table.h"
 
 /* Rows that fit a screen with their heading. */

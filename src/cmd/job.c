@@ -8,9 +8,7 @@
 #include "cmd/fit.h"
 #include "cmd/table.h"
 #include "cmd/turn.h"
-#include "core/validate.h"
 #include "io/checkpoint.h"
-#include "io/units.h"
 
 /* Begins with the site of job.entry. */
 static void

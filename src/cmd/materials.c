@@ -145,7 +145,7 @@ show_store(struct session *s, const struct args *args, struct error *error)
 	    memory      ? xstrdup("none: it ends with the session")
 	    : bytes < 0 ? xstrdup("none yet: the first remember makes it")
 			: xasprintf("%" PRId64 " bytes", bytes));
-	add_what(r, "schema", xasprintf("%d", store_schema()));
+	add_what(r, "schema", xasprintf("%d", STORE_SCHEMA));
 	add_what(r, "own materials", xasprintf("%zu", own.n));
 	add_what(r, "of Table 3", xasprintf("%zu, read only", all.n));
 	report_note(r, "'materials' lists them");

@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
@@ -57,12 +56,6 @@ store_bytes(const struct store *store)
 {
 	struct stat file;
 	return stat(store->path, &file) == 0 ? (int64_t)file.st_size : -1;
-}
-
-int
-store_schema(void)
-{
-	return SCHEMA_VERSION;
 }
 
 /* The folders above the file, for this user alone. */

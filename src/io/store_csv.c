@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store_csv.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 

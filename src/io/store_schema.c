@@ -17,7 +17,7 @@ enum { WAIT_MS = 5000, PAUSE_MS = 20 };
 
 /* fold: the name without case and accents.  digest: of the row, see
  * stored_digest.  about: the program that made this schema. */
-const char *const SCHEMA_STEPS[SCHEMA_VERSION] = {
+const char *const SCHEMA_STEPS[STORE_SCHEMA] = {
     "CREATE TABLE about (program TEXT NOT NULL);CREATE TABLE material ( fold "
     "TEXT PRIMARY KEY NOT NULL, digest TEXT NOT NULL, name TEXT NOT NULL, site "
     "TEXT NOT NULL, rock TEXT, top_size_mm REAL, machine TEXT, provenance "
@@ -142,16 +142,16 @@ run_steps(sqlite3 *db, const char *path, struct error *error)
 	long version = ask_whole(db, "PRAGMA user_version");
 	if (version < 0)
 		return schema_fail(db, path, error);
-	for (long i = version; i < SCHEMA_VERSION; i++)
+	for (long i = version; i < STORE_SCHEMA; i++)
 		if (!schema_run(db, path, SCHEMA_STEPS[i], error))
 			return false;
-	if (version >= SCHEMA_VERSION)
+	if (version >= STORE_SCHEMA)
 		return true;
 	char *end = sqlite3_mprintf(
 	    "DELETE FROM about;INSERT INTO about VALUES (%Q);PRAGMA "
 	    "application_id = %d;PRAGMA user_version = %d;",
 	    "tipspeed " PACKAGE_VERSION, (int)SCHEMA_APPLICATION,
-	    (int)SCHEMA_VERSION);
+	    (int)STORE_SCHEMA);
 	bool ok = schema_run(db, path, end, error);
 	sqlite3_free(end);
 	return ok;
@@ -194,7 +194,7 @@ refuse_newer(sqlite3 *db, const char *path, long version, struct error *error)
 	    "the store was written by %.60s (schema %ld); this is tipspeed %s, "
 	    "which knows schemas up to %d",
 	    program != NULL ? program : "a newer tipspeed", version,
-	    PACKAGE_VERSION, (int)SCHEMA_VERSION);
+	    PACKAGE_VERSION, (int)STORE_SCHEMA);
 	free(program);
 	return error_hint(
 	    error, "use that program, or take another store with --store=PATH");
@@ -218,7 +218,7 @@ look(sqlite3 *db, const char *path, long *version, struct error *error)
 		    "another program");
 		return error_hint(error, "take another file with --store=PATH");
 	}
-	if (*version > SCHEMA_VERSION)
+	if (*version > STORE_SCHEMA)
 		return refuse_newer(db, path, *version, error);
 	return fresh || check_integrity(db, path, error);
 }
@@ -264,7 +264,7 @@ static bool
 prepare(
     sqlite3 *db, const char *path, bool make, long version, struct error *error)
 {
-	bool stale = version < SCHEMA_VERSION && (make || version > 0);
+	bool stale = version < STORE_SCHEMA && (make || version > 0);
 	return (!stale || migrate(db, path, error)) &&
 	       (!make || use_wal(db, path, error));
 }
