@@ -143,8 +143,8 @@ char *
 command_usage(const struct command *command)
 {
 	char *usage = xstrdup(command->name);
-	if (command->operands != NULL)
-		xappend(&usage, " %s", command->operands);
+	if (command->operands.usage != NULL)
+		xappend(&usage, " %s", command->operands.usage);
 	const struct command_option *o = command->option;
 	for (; o != NULL && o->name != NULL; o++) {
 		char *part = xasprintf(" [%s=%s]", o->name, placeholder(o));

@@ -70,18 +70,23 @@ enum command_flag {
 	COMMAND_AT_SITE = 64  /* needs a site to work on */
 };
 
+/* What a command works on: as shown in usage, or NULL; at least `least` and at
+ * most `most` of them.  expect: what completion offers for the first, the
+ * second ...; the last one holds for all further ones.  Words between blanks:
+ * one in capitals stands for what there is (see KINDS in complete.c), others
+ * for themselves. */
+struct command_operands {
+	const char *usage, *expect[EXPECTS];
+	size_t least, most;
+};
+
 /* bare: option that a bare word stands for ("predict 74"), or NULL.
  * pairs: options may be written as two words ("set method classes").
- * operands: as shown in usage, or NULL; at least `least` and at most `most`.
- * expect: what completion offers for the first operand, the second ...; the
- * last one holds for all further ones.  Words between blanks: one in capitals
- * stands for what there is (see KINDS in complete.c), others for themselves.
  * text: sentences for help and manual.  example: lines of a script that runs in
  * a folder with the project's data/. */
 struct command {
 	const char *name, *alias, *brief;
-	const char *operands, *expect[EXPECTS];
-	size_t least, most;
+	struct command_operands operands;
 	unsigned flags; /* command_flag */
 	const char *bare;
 	bool pairs;

@@ -211,10 +211,10 @@ static void
 offer_operand(struct work *w, const struct command *command, size_t i)
 {
 	size_t last = 0;
-	while (last + 1 < EXPECTS && command->expect[last + 1] != NULL)
+	while (last + 1 < EXPECTS && command->operands.expect[last + 1] != NULL)
 		last++;
-	const char *list = command->expect[i < last ? i : last];
-	if (i < command->most && list != NULL)
+	const char *list = command->operands.expect[i < last ? i : last];
+	if (i < command->operands.most && list != NULL)
 		offer_words(w, list);
 }
 

@@ -157,10 +157,11 @@ holds(const char *text, const char *folded)
 static bool
 tells_of(const struct command *c, const char *folded)
 {
-	bool found = holds(c->name, folded) || holds(c->brief, folded) ||
-		     holds(c->text, folded) ||
-		     (c->operands != NULL && holds(c->operands, folded)) ||
-		     (c->alias != NULL && holds(c->alias, folded));
+	bool found =
+	    holds(c->name, folded) || holds(c->brief, folded) ||
+	    holds(c->text, folded) ||
+	    (c->operands.usage != NULL && holds(c->operands.usage, folded)) ||
+	    (c->alias != NULL && holds(c->alias, folded));
 	const struct command_option *o = c->option;
 	for (; !found && o != NULL && o->name != NULL; o++)
 		found = holds(o->name, folded) || holds(o->brief, folded) ||

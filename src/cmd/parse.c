@@ -130,10 +130,10 @@ static bool
 check_operands(const struct args *args, struct error *error)
 {
 	const struct command *command = args->command;
-	const char *more = args->n_operand > command->most
-			       ? args->operand[command->most]
+	const char *more = args->n_operand > command->operands.most
+			       ? args->operand[command->operands.most]
 			       : NULL;
-	if (more == NULL && args->n_operand >= command->least)
+	if (more == NULL && args->n_operand >= command->operands.least)
 		return true;
 	if (more != NULL && is_lone_unit(args, more, error))
 		return false;
@@ -147,7 +147,7 @@ check_operands(const struct args *args, struct error *error)
 		    command->name, more);
 	else
 		error_set(error, ERROR_USAGE, "%s wants %s", command->name,
-		    command->operands);
+		    command->operands.usage);
 	error_hint(error, "usage: %s", usage);
 	free(usage);
 	return false;
@@ -233,8 +233,10 @@ parse_call(const struct words *words, struct place place, struct args *args,
 	if (!check_operands(args, error) || !take_fallbacks(args, error)) {
 		size_t at = 0;
 		for (size_t i = 1;
-		     i < words->n && args->n_operand > command->most; i++)
-			if (words->text[i] == args->operand[command->most])
+		     i < words->n && args->n_operand > command->operands.most;
+		     i++)
+			if (words->text[i] ==
+			    args->operand[command->operands.most])
 				at = i;
 		put_place(error, place, command, words, at);
 		return NULL;

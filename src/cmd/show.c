@@ -133,7 +133,8 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 		i++;
 	if (i == ARRAY_LEN(WHAT)) {
 		error_set(error, ERROR_USAGE, "there is no '%s' to show", what);
-		return error_hint(error, "show %s", args->command->operands);
+		return error_hint(
+		    error, "show %s", args->command->operands.usage);
 	}
 	if (args_value(args, "speed")->given && !WHAT[i].at_speed)
 		return error_set(error, ERROR_USAGE,

@@ -31,10 +31,7 @@ static const struct command_option WRITE_OPTIONS[] = {
 const struct command TABLE_DATA[] = {
     {.name = "load",
 	.brief = "read site files",
-	.operands = "FILE...",
-	.expect = {"FILE"},
-	.least = 1,
-	.most = OPERANDS - 1,
+	.operands = {"FILE...", {"FILE"}, 1, OPERANDS - 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.option = LOAD_OPTIONS,
 	.text = "Reads sieve sheets, see tipspeed-site(5), and makes the last "
@@ -50,10 +47,7 @@ const struct command TABLE_DATA[] = {
 	.run = cmd_sites},
     {.name = "use",
 	.brief = "choose the site to work on",
-	.operands = "SITE",
-	.expect = {"SITE"},
-	.least = 1,
-	.most = 1,
+	.operands = {"SITE", {"SITE"}, 1, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.text = "Case and accents do not matter: borlange finds Borlänge. "
 		"Sites of one name are told apart by their top size: "
@@ -63,10 +57,7 @@ const struct command TABLE_DATA[] = {
 	.run = cmd_use},
     {.name = "drop",
 	.brief = "forget a site",
-	.operands = "SITE",
-	.expect = {"SITE"},
-	.least = 1,
-	.most = 1,
+	.operands = {"SITE", {"SITE"}, 1, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.text = "Its file stays. If it was in use, the site loaded after it "
 		"is next, or else the one before.",
@@ -74,9 +65,7 @@ const struct command TABLE_DATA[] = {
 	.run = cmd_drop},
     {.name = "check",
 	.brief = "look for faults in sheets",
-	.operands = "[SITE|all]",
-	.expect = {"SITE all"},
-	.most = 1,
+	.operands = {"[SITE|all]", {"SITE all"}, 0, 1},
 	.flags = COMMAND_AT_SITE,
 	.text = "Looks at the site in use, another one, or all. Reports "
 		"products coarser than their feed, a faster run with a coarser "
@@ -91,11 +80,11 @@ const struct command TABLE_DATA[] = {
 	.run = cmd_check},
     {.name = "show",
 	.brief = "show a site, and what the model makes of it",
-	.operands = "[site|feed|product|params|bounds|model|selection|"
-		    "appearance|store]",
-	.expect = {"site feed product params bounds model selection "
-		   "appearance store"},
-	.most = 1,
+	.operands = {"[site|feed|product|params|bounds|model|selection|"
+		     "appearance|store]",
+	    {"site feed product params bounds model selection appearance "
+	     "store"},
+	    0, 1},
 	.option = SHOW_OPTIONS,
 	.text = "site: where the sheet is from and what it holds; feed and "
 		"product: the measured curves; params and bounds: as those "
@@ -111,10 +100,7 @@ const struct command TABLE_DATA[] = {
 	.run = cmd_show},
     {.name = "synth",
 	.brief = "make sites from material parameters",
-	.operands = "FILE",
-	.expect = {"FILE"},
-	.least = 1,
-	.most = 1,
+	.operands = {"FILE", {"FILE"}, 1, 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES,
 	.option = SYNTH_OPTIONS,
 	.text = "FILE holds rows of parameters as data/table3.csv does. Each "
@@ -125,10 +111,7 @@ const struct command TABLE_DATA[] = {
 	.run = cmd_synth},
     {.name = "write",
 	.brief = "write site files",
-	.operands = "FILE|FOLDER",
-	.expect = {"FILE"},
-	.least = 1,
-	.most = 1,
+	.operands = {"FILE|FOLDER", {"FILE"}, 1, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_FILES | COMMAND_UNSAVED,
 	.option = WRITE_OPTIONS,
 	.text = "Writes the site in use to FILE, or all loaded sites into an "

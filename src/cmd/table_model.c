@@ -37,9 +37,8 @@ static const struct command_option SEED_OPTIONS[] = {
 const struct command TABLE_MODEL[] = {
     {.name = "params",
 	.brief = "show, set or compare the model's parameters",
-	.operands = "[list | set | diff SITE | use SITE]",
-	.expect = {"list set diff use", "SITE"},
-	.most = 2,
+	.operands = {"[list | set | diff SITE | use SITE]",
+	    {"list set diff use", "SITE"}, 0, 2},
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.option = PARAMS_OPTIONS,
 	.text = "'params set' takes known parameters in place of a "
@@ -53,9 +52,8 @@ const struct command TABLE_MODEL[] = {
 	.run = cmd_params},
     {.name = "bounds",
 	.brief = "limits of the search",
-	.operands = "[default | PARAMETER FROM..TO | PARAMETER VALUE]",
-	.expect = {"default PARAMETER", ""},
-	.most = 2,
+	.operands = {"[default | PARAMETER FROM..TO | PARAMETER VALUE]",
+	    {"default PARAMETER", ""}, 0, 2},
 	.flags = COMMAND_CHANGES,
 	.text = "Without operands shows them. One VALUE holds the parameter "
 		"fixed. The defaults are those of the paper's Table 2.",

@@ -34,10 +34,7 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_redo},
     {.name = "save",
 	.brief = "write the session as a script",
-	.operands = "FILE.tip",
-	.expect = {"FILE"},
-	.least = 1,
-	.most = 1,
+	.operands = {"FILE.tip", {"FILE"}, 1, 1},
 	.flags = COMMAND_FILES | COMMAND_UNSAVED,
 	.option = SAVE_OPTIONS,
 	.text = "The commands that made the session what it is and gave its "
@@ -52,10 +49,7 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_save},
     {.name = "restore",
 	.brief = "put a saved session in the place of this one",
-	.operands = "FILE.tip",
-	.expect = {"FILE"},
-	.least = 1,
-	.most = 1,
+	.operands = {"FILE.tip", {"FILE"}, 1, 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.text = "Forgets all, also what the command line set, and runs the "
 		"script. One undo brings back what was there.",
@@ -70,10 +64,7 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_reset},
     {.name = "source",
 	.brief = "run a script",
-	.operands = "FILE",
-	.expect = {"FILE"},
-	.least = 1,
-	.most = 1,
+	.operands = {"FILE", {"FILE"}, 1, 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.text = "Runs the commands in FILE, which may source others, up to "
 		"16 deep. The first error ends all of them; a prompt goes on. "
@@ -83,9 +74,7 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_source},
     {.name = "echo",
 	.brief = "print words",
-	.operands = "[WORD]...",
-	.expect = {""},
-	.most = OPERANDS - 1,
+	.operands = {"[WORD]...", {""}, 0, OPERANDS - 1},
 	.text = "A line among the results, with one blank between words; "
 		"quotes keep others.",
 	.example = "echo \"Tierp, at 74 m/s:\"",
@@ -101,10 +90,8 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_timing},
     {.name = "assert",
 	.brief = "stop with status 1 unless an answer is as expected",
-	.operands = "VALUE =|<|> VALUE [within NUMBER]",
-	.expect = {"ANSWER", "= < >", "ANSWER", "within", ""},
-	.least = 3,
-	.most = 5,
+	.operands = {"VALUE =|<|> VALUE [within NUMBER]",
+	    {"ANSWER", "= < >", "ANSWER", "within", ""}, 3, 5},
 	.flags = COMMAND_VERBATIM | COMMAND_UNSAVED,
 	.text = "A value is a number or the newest answer: p20, p50, p80, "
 		"break (mm), speed and extrapolated (1 or 0) of predict and "
@@ -120,9 +107,8 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_assert},
     {.name = "help",
 	.brief = "what commands there are",
-	.operands = "[COMMAND|GROUP] [example]",
-	.expect = {"COMMAND GROUP", "example"},
-	.most = 2,
+	.operands = {"[COMMAND|GROUP] [example]", {"COMMAND GROUP", "example"},
+	    0, 2},
 	.flags = COMMAND_UNSAVED,
 	.text = "With a command's name: all about it; with a group's name: the "
 		"commands of the group. 'help COMMAND example' prints an "
@@ -131,10 +117,7 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_help},
     {.name = "apropos",
 	.brief = "find commands by a word of their help",
-	.operands = "WORD",
-	.expect = {""},
-	.least = 1,
-	.most = 1,
+	.operands = {"WORD", {""}, 1, 1},
 	.flags = COMMAND_UNSAVED,
 	.text = "Searches names, help texts, options and their choices, "
 		"without regard to case and accents.",

@@ -42,9 +42,7 @@ static const struct command_option GUESS_OPTIONS[] = {
 const struct command TABLE_STORE[] = {
     {.name = "materials",
 	.brief = "list the materials of the store, or show one",
-	.operands = "[NAME]",
-	.expect = {"MATERIAL"},
-	.most = 1,
+	.operands = {"[NAME]", {"MATERIAL"}, 0, 1},
 	.option = MATERIALS_OPTIONS,
 	.text = "Your own calibrations and the rows of the paper's Table 3, "
 		"which are called table3/... and are read only. With a NAME: "
@@ -53,11 +51,8 @@ const struct command TABLE_STORE[] = {
 	.run = cmd_materials},
     {.name = "recall",
 	.brief = "take a material's parameters from the store",
-	.operands = "NAME [SITE]",
-	.expect = {"MATERIAL", "SITE"},
+	.operands = {"NAME [SITE]", {"MATERIAL", "SITE"}, 1, 2},
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
-	.least = 1,
-	.most = 2,
 	.text = "Gives the site in use, or SITE, the parameters of a "
 		"material; a name that is none of yours is looked for in "
 		"Table 3. They are shown as coming from the store wherever "
@@ -66,10 +61,8 @@ const struct command TABLE_STORE[] = {
 	.run = cmd_recall},
     {.name = "remember",
 	.brief = "put the site's parameters into the store",
-	.operands = "[NAME]",
-	.expect = {""},
+	.operands = {"[NAME]", {""}, 0, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_UNSAVED,
-	.most = 1,
 	.option = REMEMBER_OPTIONS,
 	.text = "Keeps what a calibration found, or 'params set' said, with "
 		"its origin: the site and where its data are from, misfit, "
@@ -82,11 +75,8 @@ const struct command TABLE_STORE[] = {
 	.run = cmd_remember},
     {.name = "forget",
 	.brief = "take one of your materials out of the store",
-	.operands = "NAME",
-	.expect = {"MATERIAL"},
+	.operands = {"NAME", {"MATERIAL"}, 1, 1},
 	.flags = COMMAND_UNSAVED,
-	.least = 1,
-	.most = 1,
 	.text = "Prints the line that brings its parameters back; its origin "
 		"is gone, unless 'export' saved it. Table 3 stays.",
 	.example = "load data/sites/tierp.csv\n"
@@ -95,11 +85,8 @@ const struct command TABLE_STORE[] = {
 	.run = cmd_forget},
     {.name = "export",
 	.brief = "write your materials to a CSV file",
-	.operands = "FILE",
-	.expect = {"FILE"},
+	.operands = {"FILE", {"FILE"}, 1, 1},
 	.flags = COMMAND_FILES | COMMAND_UNSAVED,
-	.least = 1,
-	.most = 1,
 	.option = EXPORT_OPTIONS,
 	.text = "All of your own, with exact numbers, for 'import' into "
 		"another store. Table 3 is in every store already.",
@@ -107,11 +94,8 @@ const struct command TABLE_STORE[] = {
 	.run = cmd_export},
     {.name = "import",
 	.brief = "take materials from a CSV file",
-	.operands = "FILE",
-	.expect = {"FILE"},
+	.operands = {"FILE", {"FILE"}, 1, 1},
 	.flags = COMMAND_FILES | COMMAND_UNSAVED,
-	.least = 1,
-	.most = 1,
 	.option = IMPORT_OPTIONS,
 	.text = "Reads what 'export' wrote, or a spreadsheet made of it. Every "
 		"fault is named by its place, and if there is one nothing is "

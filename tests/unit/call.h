@@ -57,7 +57,7 @@ static inline const char *
 call_operands(const struct command *command)
 {
 	static const char *const words[] = {"", "x", "x x", "x x x"};
-	return words[command->least];
+	return words[command->operands.least];
 }
 
 static inline const struct value *

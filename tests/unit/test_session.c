@@ -156,9 +156,9 @@ all_other_commands_do_without_one(void **state)
 		if ((c->flags & COMMAND_AT_SITE) || strcmp(c->name, "tui") == 0)
 			continue;
 		char *line = xasprintf("%s%s", c->name,
-		    c->least == 1  ? " none/none"
-		    : c->least > 1 ? " 1 = 1"
-				   : "");
+		    c->operands.least == 1  ? " none/none"
+		    : c->operands.least > 1 ? " 1 = 1"
+					    : "");
 		if (!desk_say(desk, line))
 			assert_true(desk->error.text[0] != '\0');
 		desk->session->quit = false;
