@@ -124,13 +124,12 @@ note_verdict(struct report *r, struct grading *grading, double v)
 bool
 cmd_spec(struct session *s, const struct args *args, struct error *error)
 {
-	if (!answers_ready(s, error))
-		return false;
 	const struct entry *entry = session_entry(s);
 	double v = args_value(args, "speed")->number;
 	size_t feed, worst;
 	struct grading g;
-	if (!answers_feed(entry->site, args, v, &feed, error) ||
+	if (!answers_ready(s, error) ||
+	    !answers_feed(entry->site, args, v, &feed, error) ||
 	    !grading_open(s, args->operand[0], feed, &g, error))
 		return false;
 	bool outside = answers_extrapolates(entry, v);

@@ -15,8 +15,7 @@
 const char *const MODEL_FORMS[3] = {"ratio", "progeny_mm", "parent_mm"};
 
 bool
-model_show_params(
-    struct session *s, const struct args *args, struct error *error)
+show_params(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
@@ -161,9 +160,8 @@ static const struct {
 	bool values;
 	size_t operands;
 	command_run *run;
-} VERBS[] = {{"list", false, 1, model_show_params},
-    {"set", true, 1, set_params}, {"diff", false, 2, diff_params},
-    {"use", false, 2, use_params}};
+} VERBS[] = {{"list", false, 1, show_params}, {"set", true, 1, set_params},
+    {"diff", false, 2, diff_params}, {"use", false, 2, use_params}};
 
 bool
 cmd_params(struct session *s, const struct args *args, struct error *error)
@@ -191,8 +189,7 @@ cmd_params(struct session *s, const struct args *args, struct error *error)
 }
 
 bool
-model_show_bounds(
-    struct session *s, const struct args *args, struct error *error)
+show_bounds(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
@@ -233,7 +230,7 @@ bool
 cmd_bounds(struct session *s, const struct args *args, struct error *error)
 {
 	if (args->n_operand == 0)
-		return model_show_bounds(s, args, error);
+		return show_bounds(s, args, error);
 	if (strcmp(args->operand[0], "default") == 0) {
 		s->set.bounds = bounds_default();
 		return true;

@@ -11,9 +11,6 @@
 /* Names of the appearance forms, in the order of the enum. */
 extern const char *const MODEL_FORMS[3];
 
-/* The parameters of the site in use and the search bounds, as results. */
-command_run model_show_params, model_show_bounds;
-
 /* Gives a site other parameters, which are no fit; origin says in words where
  * they are from and is taken; NULL: set by hand. */
 void model_take_params(struct session *s, struct entry *entry,

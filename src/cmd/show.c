@@ -7,7 +7,6 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/data.h"
-#include "cmd/model.h"
 #include "cmd/table.h"
 #include "io/units.h"
 
@@ -116,8 +115,8 @@ static const struct {
     {"site", true, false, show_site},
     {"feed", true, false, show_curves},
     {"product", true, false, show_curves},
-    {"params", true, false, model_show_params},
-    {"bounds", false, false, model_show_bounds},
+    {"params", true, false, show_params},
+    {"bounds", false, false, show_bounds},
     {"model", true, false, show_model},
     {"selection", true, true, show_selection},
     {"appearance", true, false, show_appearance},

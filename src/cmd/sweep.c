@@ -100,13 +100,11 @@ bool
 cmd_sweep(struct session *s, const struct args *args, struct error *error)
 {
 	enum { ACROSS = 7 };
-	if (!answers_ready(s, error))
-		return false;
 	const struct entry *entry = session_entry(s);
 	const struct value *speeds = args_value(args, "speeds");
-	size_t n = speeds->n;
-	size_t feed;
-	if (!answers_feed(
+	size_t n = speeds->n, feed;
+	if (!answers_ready(s, error) ||
+	    !answers_feed(
 		entry->site, args, answers_middle(entry->site), &feed, error))
 		return false;
 	struct prediction *p = xcalloc(n, sizeof *p);

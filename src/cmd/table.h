@@ -1,4 +1,4 @@
-/* The command table's parts, one file a group.
+/* The command table's parts, one file a group, and what its rows run.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_TABLE_H
 #define TIPSPEED_CMD_TABLE_H
@@ -23,8 +23,9 @@ command_run cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset, cmd_source,
     cmd_echo, cmd_timing, cmd_assert, cmd_help, cmd_apropos, cmd_man,
     cmd_version, cmd_tui, cmd_quit;
 
-/* What show runs for some of its words: the parts of the model, which need a
- * site, and the store. */
-command_run show_model, show_selection, show_appearance, show_store;
+/* What show runs for some of its words: parameters and parts of the model,
+ * which need a site, bounds and the store. */
+command_run show_params, show_model, show_selection, show_appearance;
+command_run show_bounds, show_store;
 
 #endif
