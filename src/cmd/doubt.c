@@ -7,36 +7,16 @@
 
 #include "base/xalloc.h"
 
-struct doubt *
-doubt_new(const struct site *site, const struct calibrate_options *options)
-{
-	struct doubt *d = xcalloc(1, sizeof *d);
-	*d = (struct doubt){.holders = 1,
-	    .misfit = calibrate_misfit(site, options),
-	    .bounds = options->bounds};
-	return d;
-}
-
-void
-doubt_drop(struct doubt *d)
-{
-	if (d == NULL || --d->holders > 0)
-		return;
-	misfit_free(d->misfit);
-	free(d->uncertainty);
-	free(d);
-}
-
 const struct uncertainty *
 doubt_of(const struct entry *entry)
 {
-	struct doubt *d = entry->doubt;
-	if (!entry->has_fit || d == NULL)
+	struct history *h = entry->history;
+	if (!entry->has_fit || h == NULL)
 		return NULL;
-	if (d->uncertainty == NULL)
-		d->uncertainty = uncertainty_new(
-		    d->misfit, &entry->fit.params, &d->bounds, entry->fit.seed);
-	return d->uncertainty;
+	if (h->uncertainty == NULL)
+		h->uncertainty = uncertainty_new(
+		    h->misfit, &entry->fit.params, &h->bounds, entry->fit.seed);
+	return h->uncertainty;
 }
 
 bool

@@ -19,7 +19,6 @@ entry_clear(struct entry *entry)
 	free(entry->train);
 	free(entry->origin);
 	history_drop(entry->history);
-	doubt_drop(entry->doubt);
 }
 
 void
@@ -41,8 +40,6 @@ entry_copy(const struct entry *from)
 	memcpy(to.train, from->train, runs * sizeof *to.train);
 	if (to.history != NULL)
 		to.history->holders++;
-	if (to.doubt != NULL)
-		to.doubt->holders++;
 	return to;
 }
 

@@ -8,7 +8,6 @@
 
 #include "base/xalloc.h"
 #include "cmd/data.h"
-#include "cmd/doubt.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
 
@@ -212,23 +211,23 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	return !resume->given || job_resume(s, resume->text, error);
 }
 
-/* Keeps the job's generations in its site. */
+/* Keeps the job's generations and its misfit in its site. */
 static void
 take_history(struct entry *entry, const struct job *job)
 {
 	size_t n, size = sizeof(struct calibrate_generation);
 	const struct calibrate_generation *g =
 	    calibration_history(job->calibration, &n);
-	history_drop(entry->history);
-	entry->history = NULL;
-	if (n == 0)
-		return;
-	struct history *h = entry->history = xcalloc(1, sizeof *h);
+	struct history *h = xcalloc(1, sizeof *h);
 	*h = (struct history){.holders = 1,
 	    .n = n,
-	    .generation = xcalloc(n, size),
-	    .bounds = job->options.bounds};
-	memcpy(h->generation, g, n * size);
+	    .generation = xcalloc(n + 1, size),
+	    .bounds = job->options.bounds,
+	    .misfit = calibrate_misfit(entry->site, &job->options)};
+	if (n > 0)
+		memcpy(h->generation, g, n * size);
+	history_drop(entry->history);
+	entry->history = h;
 }
 
 /* The options of the job as one would type them, for whoever asks later how the
@@ -270,8 +269,6 @@ fit_take(struct session *s)
 	entry->fit = calibration_fit(s->job.calibration);
 	entry->params = entry->fit.params;
 	take_history(entry, &s->job);
-	doubt_drop(entry->doubt);
-	entry->doubt = doubt_new(entry->site, &s->job.options);
 	session_forget(s);
 	s->answer[ANSWER_MISFIT] = entry->fit.misfit;
 	s->answer[ANSWER_RMSE] = 100 * entry->fit.rmse;

@@ -63,6 +63,8 @@ history_drop(struct history *h)
 	if (h == NULL || --h->holders > 0)
 		return;
 	free(h->generation);
+	misfit_free(h->misfit);
+	free(h->uncertainty);
 	free(h);
 }
 
@@ -71,7 +73,7 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
 	const struct history *h = entry->history;
-	if (h == NULL) {
+	if (h == NULL || h->n == 0) {
 		error_set(error, ERROR_USAGE,
 		    "%s has not been calibrated in this session",
 		    entry->site->name);

@@ -16,20 +16,14 @@
 #include "io/report.h"
 #include "io/store.h"
 
-/* The generations of a calibration, [n], with the bounds it searched in.
- * Shared by the entries and snapshots that hold it. */
+/* What a calibration left: its generations, [n], with the bounds it searched
+ * in; and its misfit, from which is drawn, when first asked for, what the data
+ * leave open.  Shared by the entries and snapshots that hold it. */
 struct history {
 	size_t holders, n;
 	struct calibrate_generation *generation;
 	struct bounds bounds;
-};
-
-/* What the data of a fit leave open: drawn from its misfit when first asked
- * for.  Shared as a history is. */
-struct doubt {
-	size_t holders;
 	struct misfit *misfit;
-	struct bounds bounds;
 	struct uncertainty *uncertainty; /* NULL: not drawn yet */
 };
 
@@ -44,7 +38,6 @@ struct entry {
 	char *origin;            /* "taken from bro", or NULL; owned */
 	struct fit fit;          /* where the parameters were found */
 	struct history *history; /* of the last calibration, or NULL */
-	struct doubt *doubt;     /* of the fit, or NULL */
 	char options[400];       /* of the fit, in the words of calibrate */
 	char recalled[64];       /* material the parameters are of, or "" */
 };
@@ -170,12 +163,11 @@ void session_drop(struct session *s, size_t index);
 void entries_free(struct entry *entry, size_t n);
 
 /* Another entry of the same site, with copies of what it owns and a share in
- * its history and its doubt. */
+ * its history. */
 struct entry entry_copy(const struct entry *from);
 
 /* Gives a share in it up; NULL is allowed. */
 void history_drop(struct history *history);
-void doubt_drop(struct doubt *doubt);
 
 /* Finds a loaded site by name without case and accents ("borlange"), by name
  * and top size ("gavle/4") or by key.  Several or none: an error that lists
