@@ -109,9 +109,9 @@ explain_nothing(struct report *report, const struct entry *entry)
 	    "  why: only fragments coarser than the break size break; at %g "
 	    "m/s that is %.3g mm or more, and %.1f %% of the feed is coarser",
 	    fastest->speed, units_mm(x), 100 * coarser);
-	report_note(
-	    report, "  the parameters above therefore fit sampling noise: a "
-		    "coarser feed or a higher speed would tell more");
+	report_note(report,
+	    "  the parameters above therefore fit sampling noise: a "
+	    "coarser feed or a higher speed would tell more");
 }
 
 bool

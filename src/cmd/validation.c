@@ -102,9 +102,9 @@ validation_notes(struct report *r, const struct validation *v)
 			       "this speed: between the trained speeds, the "
 			       "interpolated products are the better guess");
 	else if (loses)
-		report_note(
-		    r, "  the model does no better than interpolation at this "
-		       "speed; the two are within what sampling tells apart");
+		report_note(r,
+		    "  the model does no better than interpolation at this "
+		    "speed; the two are within what sampling tells apart");
 	if (v->n_left_out > 0)
 		report_note(r,
 		    "  %zu finer sieves are not compared: the feed is not "
