@@ -144,11 +144,10 @@ read_command_line(struct invocation *in, int argc, char **argv)
 static int
 open_file(struct session *s, const char *path)
 {
-	size_t n = strlen(path);
-	if (n > 4 && strcmp(path + n - 4, ".tip") == 0)
+	if (text_ends(path, ".tip"))
 		return batch_file(s, path);
 	struct error error = {0};
-	if (data_load(s, path, &error))
+	if (data_load(s, path, NULL, &error))
 		return 0;
 	if (error.kind == ERROR_SYSTEM && command_find(path) != NULL)
 		error_hint(&error, "commands go behind -c: -c '%s'", path);
@@ -218,8 +217,8 @@ main(int argc, char **argv)
 		status = 0;
 	} else if (understood) {
 		struct session *s = session_new(stdout, stderr);
-		s->format = in.format;
-		s->seed = in.seed;
+		s->set.format = in.format;
+		s->set.seed = in.seed;
 		s->safe = in.safe;
 		store_free(s->store);
 		/* Nor may a script of others touch the user's materials. */

@@ -7,14 +7,13 @@
 #include <string.h>
 
 #include "cmd/manual.h"
-#include "cmd/shell.h"
 #include "ui/keys.h"
 
 static const struct {
 	const char *name;
 	void (*print)(FILE *out);
 } PARTS[] = {{"commands", manual_commands}, {"environment", manual_environment},
-    {"status", manual_status}, {"bash", shell_bash}, {"keys", keys_manual}};
+    {"status", manual_status}, {"bash", manual_bash}, {"keys", keys_manual}};
 
 int
 main(int argc, char **argv)

@@ -11,14 +11,19 @@
 #include "base/xalloc.h"
 
 static void
-set_place(struct error *e, enum error_kind kind, const char *file, int line,
-    int column)
+set(struct error *e, enum error_kind kind, const char *format, va_list ap)
 {
 	e->kind = kind;
+	e->hint[0] = '\0';
+	vsnprintf(e->text, sizeof e->text, format, ap);
+}
+
+void
+error_place(struct error *e, const char *file, int line, int column)
+{
+	snprintf(e->file, sizeof e->file, "%s", file);
 	e->line = line;
 	e->column = column;
-	e->hint[0] = '\0';
-	snprintf(e->file, sizeof e->file, "%s", file);
 }
 
 bool
@@ -26,10 +31,10 @@ error_set(struct error *e, enum error_kind kind, const char *format, ...)
 {
 	if (e == NULL)
 		return false;
-	set_place(e, kind, "", 0, 0);
+	error_place(e, "", 0, 0);
 	va_list ap;
 	va_start(ap, format);
-	vsnprintf(e->text, sizeof e->text, format, ap);
+	set(e, kind, format, ap);
 	va_end(ap);
 	return false;
 }
@@ -40,10 +45,10 @@ error_at(struct error *e, enum error_kind kind, const char *file, int line,
 {
 	if (e == NULL)
 		return false;
-	set_place(e, kind, file, line, column);
+	error_place(e, file, line, column);
 	va_list ap;
 	va_start(ap, format);
-	vsnprintf(e->text, sizeof e->text, format, ap);
+	set(e, kind, format, ap);
 	va_end(ap);
 	return false;
 }

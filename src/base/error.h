@@ -43,6 +43,9 @@ bool error_set(struct error *e, enum error_kind kind, const char *format, ...)
 bool error_at(struct error *e, enum error_kind kind, const char *file, int line,
     int column, const char *format, ...) __attribute__((format(printf, 6, 7)));
 
+/* Another place for an error already set. */
+void error_place(struct error *e, const char *file, int line, int column);
+
 /* The next step, added to an error already set.  Returns false. */
 bool error_hint(struct error *e, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

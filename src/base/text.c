@@ -130,6 +130,13 @@ text_slug(const char *s)
 }
 
 bool
+text_ends(const char *s, const char *end)
+{
+	size_t n = strlen(s), m = strlen(end);
+	return n > m && strcmp(s + n - m, end) == 0;
+}
+
+bool
 text_same(const char *a, const char *b)
 {
 	char *fold_a = text_fold(a), *fold_b = text_fold(b);
@@ -137,6 +144,20 @@ text_same(const char *a, const char *b)
 	free(fold_a);
 	free(fold_b);
 	return same;
+}
+
+bool
+text_choice(const char *list, const char *word, size_t *index)
+{
+	size_t n = strlen(word);
+	for (*index = 0; *list != '\0'; ++*index) {
+		size_t m = strcspn(list, " ");
+		if (n == m && strncmp(list, word, n) == 0)
+			return true;
+		list += m;
+		list += strspn(list, " ");
+	}
+	return false;
 }
 
 static size_t

@@ -28,8 +28,14 @@ char *text_fold(const char *s);
 /* text_fold, with every run of other than [a-z0-9.] turned into one '-'. */
 char *text_slug(const char *s);
 
+/* True when there is something before that end. */
+bool text_ends(const char *s, const char *end);
+
 /* Same word but for case and accents. */
 bool text_same(const char *a, const char *b);
+
+/* Index of a word in a list with blanks between; false if it has none such. */
+bool text_choice(const char *list, const char *word, size_t *index);
 
 /* Number of single-letter edits between a and b (Damerau-Levenshtein). */
 size_t text_distance(const char *a, const char *b);

@@ -55,18 +55,54 @@ xstrdup(const char *s)
 }
 
 char *
-xasprintf(const char *format, ...)
+xvasprintf(const char *format, va_list ap)
 {
-	va_list ap, again;
-	va_start(ap, format);
+	va_list again;
 	va_copy(again, ap);
-	int n = vsnprintf(NULL, 0, format, ap);
-	va_end(ap);
+	int n = vsnprintf(NULL, 0, format, again);
+	va_end(again);
 	char *s = xcalloc(n < 0 ? 1 : (size_t)n + 1, 1);
 	if (n >= 0)
-		vsnprintf(s, (size_t)n + 1, format, again);
-	va_end(again);
+		vsnprintf(s, (size_t)n + 1, format, ap);
 	return s;
+}
+
+char *
+xasprintf(const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	char *s = xvasprintf(format, ap);
+	va_end(ap);
+	return s;
+}
+
+/* Takes what is added. */
+static void
+add(char **text, const char *separator, char *more)
+{
+	char *longer = xasprintf("%s%s%s", *text, separator, more);
+	free(*text);
+	free(more);
+	*text = longer;
+}
+
+void
+xappend(char **text, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	add(text, "", xvasprintf(format, ap));
+	va_end(ap);
+}
+
+void
+xlist(char **list, const char *separator, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	add(list, *list[0] != '\0' ? separator : "", xvasprintf(format, ap));
+	va_end(ap);
 }
 
 double *

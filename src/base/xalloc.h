@@ -3,6 +3,7 @@
 #ifndef TIPSPEED_BASE_XALLOC_H
 #define TIPSPEED_BASE_XALLOC_H
 
+#include <stdarg.h>
 #include <stddef.h>
 
 #define ARRAY_LEN(a) (sizeof(a) / sizeof((a)[0]))
@@ -14,6 +15,15 @@ void *xrealloc(void *p, size_t n, size_t size);
 char *xstrdup(const char *s);
 char *xstrndup(const char *s, size_t n);
 char *xasprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
+char *xvasprintf(const char *format, va_list ap)
+    __attribute__((format(printf, 1, 0)));
+
+/* Adds to the end of a text that one of these gave; to a list that is not
+ * empty, behind the separator. */
+void xappend(char **text, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+void xlist(char **list, const char *separator, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* Zeroed doubles whose address is a multiple of 64 bytes, for the kernels. */
 double *xdoubles(size_t n);

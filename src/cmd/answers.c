@@ -11,19 +11,24 @@
 #include "cmd/fit.h"
 #include "io/units.h"
 
+const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {
+    "p20_mm", "p50_mm", "p80_mm", "break_mm"};
+const char *const ANSWERS_HEADS[ANSWERS_SIZES] = {
+    "P20 mm", "P50 mm", "P80 mm", "breaks from mm"};
+
 struct report *
 answers_report(
     const struct site *site, const char *command, const char *format, ...)
 {
 	struct report *r = report_new(command);
-	char title[200], *label = session_label(site);
 	va_list ap;
 	va_start(ap, format);
-	vsnprintf(title, sizeof title, format, ap);
+	char *title = xvasprintf(format, ap), *label = session_label(site);
 	va_end(ap);
 	report_title(r, "%s: %s", label, title);
 	report_site(r, site->name, site->provenance);
 	free(label);
+	free(title);
 	return r;
 }
 
@@ -32,7 +37,7 @@ answers_known(
     const struct session *s, const struct entry *entry, struct error *error)
 {
 	if (entry->has_params)
-		return fit_settings_agree(&s->settings, error);
+		return fit_settings_agree(&s->set.model, error);
 	error_set(
 	    error, ERROR_USAGE, "%s has no parameters yet", entry->site->name);
 	return error_hint(
@@ -57,9 +62,10 @@ answers_forming(const struct session *s, struct params *params)
 }
 
 bool
-answers_feed(const struct site *site, const struct value *feed, double speed,
+answers_feed(const struct site *site, const struct args *args, double speed,
     size_t *run, struct error *error)
 {
+	const struct value *feed = args_value(args, "feed");
 	*run = site_run_nearest(site, speed);
 	if (!feed->given)
 		return true;
@@ -69,6 +75,20 @@ answers_feed(const struct site *site, const struct value *feed, double speed,
 	error_set(error, ERROR_USAGE, "%s has no feed sampled at %g m/s",
 	    site->name, feed->number);
 	return error_hint(error, "'show feed' lists the feeds");
+}
+
+bool
+answers_extrapolates(const struct entry *entry, double speed)
+{
+	return predict_extrapolates(entry->site, entry->train, speed);
+}
+
+struct prediction
+answers_predict(const struct session *s, const struct entry *entry,
+    double speed, size_t feed_run)
+{
+	return predict(
+	    entry->site, &entry->params, s->set.model, speed, feed_run);
 }
 
 double
@@ -82,12 +102,9 @@ answers_remember(struct session *s, const struct prediction *p)
 {
 	const struct entry *entry = session_entry(s);
 	s->answer[ANSWER_SPEED] = p->speed;
-	s->answer[ANSWER_EXTRAPOLATED] =
-	    predict_extrapolates(entry->site, entry->train, p->speed);
-	s->answer[ANSWER_P20] = 1000 * p->p20;
-	s->answer[ANSWER_P50] = 1000 * p->p50;
-	s->answer[ANSWER_P80] = 1000 * p->p80;
-	s->answer[ANSWER_BREAK] = 1000 * p->break_size;
+	s->answer[ANSWER_EXTRAPOLATED] = answers_extrapolates(entry, p->speed);
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		s->answer[i] = answers_size(p, i);
 	prediction_free(&s->last);
 	s->last = *p;
 	s->last.feed = psd_copy(&p->feed);
@@ -102,56 +119,58 @@ outside_words(const struct psd *psd, double passing)
 	    units_mm(psd->size[fine ? psd->n - 1 : 0]));
 }
 
-void
-answers_size_cell(struct report *r, const struct psd *psd, double passing)
+double
+answers_size(const struct prediction *p, size_t i)
 {
-	char *words = outside_words(psd, passing);
+	const double sizes[ANSWERS_SIZES] = {
+	    p->p20, p->p50, p->p80, p->break_size};
+	return 1000 * sizes[i];
+}
+
+void
+answers_size_cell(struct report *r, const struct prediction *p, size_t i)
+{
+	static const double PASSING[ANSWERS_SIZES] = {0.2, 0.5, 0.8};
+	char *words = i == ANSWER_BREAK
+			  ? xstrdup("none")
+			  : outside_words(&p->product, PASSING[i]);
 	report_missing(r, words);
-	report_number(r, 1000 * psd_size(psd, passing), 2);
+	report_number(r, answers_size(p, i), 2);
 	free(words);
 }
 
-/* "2.81"; NAN, as ranges have it: "below 0.063", the finest sieve. */
-static char *
-range_words(const struct psd *psd, double x)
-{
-	return isfinite(x)
-		   ? xasprintf("%.2f", 1000 * x)
-		   : xasprintf("below %g", units_mm(psd->size[psd->n - 1]));
-}
-
-/* "P50 2.81 mm", or "P20 below 0.063 mm"; where there is a range, followed by
- * " (2.75 to 2.90)". */
-static char *
-size_phrase(const struct psd *psd, double passing, const double *range)
+/* Adds "P50 2.81 mm", or "P20 below 0.063 mm", to a list; where there is a
+ * range, followed by " (2.75 to 2.90)", whose lower end may lie below the
+ * finest sieve. */
+static void
+add_size(
+    char **list, const struct psd *psd, double passing, const double *range)
 {
 	double x = psd_size(psd, passing);
-	char *own = isfinite(x) ? xasprintf("%.2f", 1000 * x)
-				: outside_words(psd, passing);
-	char *words = xasprintf("P%.0f %s mm", 100 * passing, own);
-	free(own);
+	char *size = isfinite(x) ? xasprintf("%.2f", 1000 * x)
+				 : outside_words(psd, passing);
+	xlist(list, ", ", "P%.0f %s mm", 100 * passing, size);
+	free(size);
 	if (range == NULL || !isfinite(range[1]))
-		return words;
-	char *low = range_words(psd, range[0]);
-	char *high = range_words(psd, range[1]);
-	char *longer = xasprintf("%s (%s to %s)", words, low, high);
-	free(low);
-	free(high);
-	free(words);
-	return longer;
+		return;
+	if (isfinite(range[0]))
+		xappend(list, " (%.2f to ", 1000 * range[0]);
+	else
+		xappend(
+		    list, " (below %g to ", units_mm(psd->size[psd->n - 1]));
+	xappend(list, "%.2f)", 1000 * range[1]);
 }
 
 void
 answers_note_sizes(
     struct report *r, const struct psd *psd, const struct band *band)
 {
-	char *p20 = size_phrase(psd, 0.2, band != NULL ? band->p20 : NULL);
-	char *p50 = size_phrase(psd, 0.5, band != NULL ? band->p50 : NULL);
-	char *p80 = size_phrase(psd, 0.8, band != NULL ? band->p80 : NULL);
-	report_note(r, "%s, %s, %s", p20, p50, p80);
-	free(p20);
-	free(p50);
-	free(p80);
+	char *sizes = xstrdup("");
+	add_size(&sizes, psd, 0.2, band != NULL ? band->p20 : NULL);
+	add_size(&sizes, psd, 0.5, band != NULL ? band->p50 : NULL);
+	add_size(&sizes, psd, 0.8, band != NULL ? band->p80 : NULL);
+	report_note(r, "%s", sizes);
+	free(sizes);
 }
 
 void
@@ -170,8 +189,7 @@ answers_note_doubt(
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
 	answers_note_recalled(r, entry);
-	if (predict_extrapolates(site, entry->train, speed) &&
-	    site_products(site) > 0)
+	if (answers_extrapolates(entry, speed) && site_products(site) > 0)
 		report_note(r,
 		    "extrapolated: %.1f m/s lies outside the speeds trained "
 		    "on",
@@ -185,6 +203,30 @@ answers_note_doubt(
 		    "the calibration is poor (%.1f points RMS): do not rely "
 		    "on this",
 		    100 * entry->fit.rmse);
+}
+
+void
+answers_say(json_t *list, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	json_array_append_new(list, json_vsprintf(format, ap));
+	va_end(ap);
+}
+
+void
+answers_tell(const struct session *s, struct report *r, const json_t *list)
+{
+	bool csv = s->set.format == REPORT_CSV;
+	if (csv)
+		report_column(r, "sentence", "sentence");
+	for (size_t i = 0; i < json_array_size(list); i++) {
+		const char *words = json_string_value(json_array_get(list, i));
+		if (csv)
+			report_text(r, words);
+		else
+			report_note(r, "%s.", words);
+	}
 }
 
 json_t *
@@ -217,21 +259,17 @@ answers_prediction_json(struct session *s, const struct prediction *p)
 {
 	const struct entry *entry = session_entry(s);
 	json_t *o = answers_json("predict", entry->site);
-	json_object_set_new(o, "speed", json_real(p->speed));
+	report_put(o, "speed", p->speed);
 	json_object_set_new(o, "extrapolated",
-	    json_boolean(
-		predict_extrapolates(entry->site, entry->train, p->speed)));
+	    json_boolean(answers_extrapolates(entry, p->speed)));
 	json_object_set_new(
-	    o, "method", json_string(answers_method(s->settings.method)));
+	    o, "method", json_string(answers_method(s->set.model.method)));
 	json_object_set_new(o, "sieve_mm",
 	    answers_list_json(p->product.size, p->product.n, units_mm));
 	json_object_set_new(o, "passing_pct",
 	    answers_list_json(p->product.passing, p->product.n, units_pct));
-	json_object_set_new(o, "p20_mm", report_json_number(1000 * p->p20));
-	json_object_set_new(o, "p50_mm", report_json_number(1000 * p->p50));
-	json_object_set_new(o, "p80_mm", report_json_number(1000 * p->p80));
-	json_object_set_new(
-	    o, "break_mm", report_json_number(1000 * p->break_size));
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		report_put(o, ANSWERS_KEYS[i], answers_size(p, i));
 	json_object_set_new(o, "params", fit_params_json(&entry->params));
 	if (entry->has_fit)
 		json_object_set_new(
@@ -240,4 +278,14 @@ answers_prediction_json(struct session *s, const struct prediction *p)
 		json_object_set_new(
 		    o, "recalled", json_string(entry->recalled));
 	return o;
+}
+
+void
+answers_put_products(
+    struct session *s, json_t *o, const struct prediction *p, size_t n)
+{
+	json_t *list = json_array();
+	for (size_t i = 0; i < n; i++)
+		json_array_append_new(list, answers_prediction_json(s, &p[i]));
+	json_object_set_new(o, "products", list);
 }

@@ -9,14 +9,6 @@
 #include "cmd/session.h"
 #include "core/predict.h"
 
-bool cmd_predict(struct session *, const struct args *, struct error *);
-bool cmd_sweep(struct session *, const struct args *, struct error *);
-bool cmd_validate(struct session *, const struct args *, struct error *);
-bool cmd_find(struct session *, const struct args *, struct error *);
-bool cmd_spec(struct session *, const struct args *, struct error *);
-bool cmd_why(struct session *, const struct args *, struct error *);
-bool cmd_compare(struct session *, const struct args *, struct error *);
-
 /* A break size below this, m, is none: every size can break. */
 #define ANSWERS_NO_SIZE 1e-6
 
@@ -35,10 +27,17 @@ bool answers_ready(struct session *s, struct error *error);
  * far. */
 bool answers_forming(const struct session *s, struct params *params);
 
-/* The run whose feed to take: at the speed the option names, else the run
- * nearest to the speed given. */
-bool answers_feed(const struct site *site, const struct value *feed,
+/* Whether a speed lies outside those trained on. */
+bool answers_extrapolates(const struct entry *entry, double speed);
+
+/* The run whose feed to take: at the speed that the option feed names, else the
+ * run nearest to the speed given. */
+bool answers_feed(const struct site *site, const struct args *args,
     double speed, size_t *run, struct error *error);
+
+/* The product of a site with its parameters. */
+struct prediction answers_predict(const struct session *s,
+    const struct entry *entry, double speed, size_t feed_run);
 
 /* Where speeds are compared one feed serves for all, so that what differs is
  * what the speed does: that of the run nearest to this speed, m/s. */
@@ -47,9 +46,18 @@ double answers_middle(const struct site *site);
 /* Keeps what `assert` may ask of the prediction. */
 void answers_remember(struct session *s, const struct prediction *p);
 
-/* A cell with the size, mm, that the given share passes, 0..1; "below 0.063"
- * where it lies outside the sieves. */
-void answers_size_cell(struct report *r, const struct psd *psd, double passing);
+/* The sizes every prediction has: ANSWER_P20 to ANSWER_BREAK. */
+enum { ANSWERS_SIZES = ANSWER_BREAK + 1 };
+
+/* How one is called in json and csv, and by people. */
+extern const char *const ANSWERS_KEYS[ANSWERS_SIZES],
+    *const ANSWERS_HEADS[ANSWERS_SIZES];
+
+/* That size, mm; NAN where it lies outside the sieves, or there is none. */
+double answers_size(const struct prediction *p, size_t i);
+
+/* A cell with it, or with "below 0.063", or "none". */
+void answers_size_cell(struct report *r, const struct prediction *p, size_t i);
 
 /* The note "P20 1.14 mm, P50 2.91 mm, P80 5.28 mm", with their ranges where a
  * band is given: "P20 1.14 mm (1.12 to 1.18)". */
@@ -72,12 +80,24 @@ json_t *answers_json(const char *command, const struct site *site);
 json_t *answers_list_json(
     const double *value, size_t n, double (*shown)(double));
 
+/* One more sentence, without its full stop, for a list. */
+void answers_say(json_t *list, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* The sentences of a list: notes, or rows of csv. */
+void answers_tell(
+    const struct session *s, struct report *r, const json_t *list);
+
 /* "classes" or "continuous". */
 const char *answers_method(enum method method);
+
 /* Says where parameters are from that were recalled. */
 void answers_note_recalled(struct report *r, const struct entry *entry);
 
-/* The JSON object of predict, see tipspeed(1), OUTPUT. */
+/* The JSON object of predict, see tipspeed(1), OUTPUT; and the list of several,
+ * "products" of an object. */
 json_t *answers_prediction_json(struct session *s, const struct prediction *p);
+void answers_put_products(
+    struct session *s, json_t *o, const struct prediction *p, size_t n);
 
 #endif

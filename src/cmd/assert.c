@@ -1,27 +1,14 @@
 /* Compares answers with what was expected of them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/assert.h"
-
 #include <math.h>
 #include <string.h>
 
 #include "base/text.h"
-#include "base/xalloc.h"
+#include "cmd/session.h"
+#include "cmd/table.h"
 
-/* What an assertion may name, in the units people see. */
-static const struct {
-	const char *name;
-	size_t answer;
-} NAMES[] = {{"p20", ANSWER_P20}, {"p50", ANSWER_P50}, {"p80", ANSWER_P80},
-    {"break", ANSWER_BREAK}, {"speed", ANSWER_SPEED}, {"misfit", ANSWER_MISFIT},
-    {"rmse", ANSWER_RMSE}, {"holdout", ANSWER_HOLDOUT}, {"poor", ANSWER_POOR},
-    {"extrapolated", ANSWER_EXTRAPOLATED}, {"inside", ANSWER_INSIDE}};
-
-const char *
-assert_name(size_t index)
-{
-	return index < ARRAY_LEN(NAMES) ? NAMES[index].name : NULL;
-}
+const char *const ANSWER_NAMES[ANSWERS] = {"p20", "p50", "p80", "break",
+    "speed", "misfit", "rmse", "holdout", "poor", "extrapolated", "inside"};
 
 static bool
 side(const struct session *s, const char *word, double *value,
@@ -29,10 +16,10 @@ side(const struct session *s, const char *word, double *value,
 {
 	if (text_number(word, value))
 		return true;
-	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
-		if (strcmp(word, NAMES[i].name) != 0)
+	for (size_t i = 0; i < ANSWERS; i++) {
+		if (strcmp(word, ANSWER_NAMES[i]) != 0)
 			continue;
-		*value = s->answer[NAMES[i].answer];
+		*value = s->answer[i];
 		if (!isnan(*value))
 			return true;
 		error_set(error, ERROR_CHECK, "%s is not known", word);

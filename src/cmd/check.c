@@ -1,13 +1,14 @@
 /* check: the sheet doctor.  It reports and mends nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/data.h"
 #include "cmd/fit.h"
+#include "cmd/table.h"
 #include "core/misfit.h"
 #include "core/smooth.h"
 #include "io/units.h"
@@ -70,10 +71,14 @@ data_warn_coarser(struct session *s, const struct site *site)
 }
 
 /* A finding is a fault, which makes check say no, or a remark. */
-static void
+static void __attribute__((format(printf, 5, 6)))
 finding(struct report *r, const struct entry *entry, bool fault,
-    const char *where, char *text)
+    const char *where, const char *format, ...)
 {
+	va_list ap;
+	va_start(ap, format);
+	char *text = xvasprintf(format, ap);
+	va_end(ap);
 	report_text(r, entry->key);
 	report_text(r, fault ? "FAULT" : "remark");
 	report_text(r, where);
@@ -90,28 +95,26 @@ check_run(struct report *r, const struct entry *entry, const struct run *run)
 	bool fault = c.most > COARSER_FAULT;
 	if (c.sieves > 0)
 		finding(r, entry, fault, where,
-		    xasprintf("product coarser than feed on %zu of %zu sieves, "
-			      "by up to %.2f points at %g mm: crushing cannot "
-			      "coarsen%s",
-			c.sieves, c.compared, 100 * c.most, units_mm(c.at),
-			fault ? ": were the samples mixed up?"
-			      : "; within what sampling may do"));
+		    "product coarser than feed on %zu of %zu sieves, by up to "
+		    "%.2f points at %g mm: crushing cannot coarsen%s",
+		    c.sieves, c.compared, 100 * c.most, units_mm(c.at),
+		    fault ? ": were the samples mixed up?"
+			  : "; within what sampling may do");
 	if (run->product.n > 0 && c.farthest < NOTHING)
 		finding(r, entry, false, where,
-		    xasprintf("product equals feed within %.2f points: nothing "
-			      "breaks at this speed, as the feed has next to "
-			      "nothing above the break size",
-			100 * c.farthest));
+		    "product equals feed within %.2f points: nothing breaks at "
+		    "this speed, as the feed has next to nothing above the "
+		    "break size",
+		    100 * c.farthest);
 	if (run->product.n > c.compared)
 		finding(r, entry, false, where,
-		    xasprintf("%zu product sieves finer than the feed's finest "
-			      "are not compared (%g mm and below)",
-			run->product.n - c.compared,
-			units_mm(run->product.size[c.compared])));
+		    "%zu product sieves finer than the feed's finest are not "
+		    "compared (%g mm and below)",
+		    run->product.n - c.compared,
+		    units_mm(run->product.size[c.compared]));
 	if (run->product.n == 0)
 		finding(r, entry, false, where,
-		    xstrdup("a feed without a product: used for "
-			    "predictions only"));
+		    "a feed without a product: used for predictions only");
 	free(where);
 	return !fault;
 }
@@ -142,12 +145,11 @@ check_order(struct report *r, const struct entry *entry)
 			continue;
 		char *where = xasprintf("%g, %g m/s", slow->speed, fast->speed);
 		finding(r, entry, !site->individual_feeds, where,
-		    xasprintf("the faster run's product is coarser by %.2f "
-			      "points at %g mm: %s",
-			100 * most, units_mm(at),
-			site->individual_feeds
-			    ? "its feed may have been coarser"
-			    : "were speeds or digits swapped?"));
+		    "the faster run's product is coarser by %.2f points at %g "
+		    "mm: %s",
+		    100 * most, units_mm(at),
+		    site->individual_feeds ? "its feed may have been coarser"
+					   : "were speeds or digits swapped?");
 		free(where);
 		ok = ok && site->individual_feeds;
 	}
@@ -181,15 +183,13 @@ check_smooth(struct report *r, const struct entry *entry, bool feed)
 				  ? xstrdup("feed")
 				  : xasprintf("%g m/s", run[o.curve]->speed);
 		finding(r, entry, false, where,
-		    xasprintf("%s passing %g %% at %g mm lies %.1f points %s "
-			      "a line between its neighbours%s: were digits "
-			      "swapped?",
-			feed ? "feed" : "product",
-			units_pct(curve[o.curve]->passing[o.sieve]),
-			units_mm(curve[o.curve]->size[o.sieve]),
-			100 * fabs(o.off), o.off > 0 ? "above" : "below",
-			o.others > 0 ? ", as compared with the other runs"
-				     : ""));
+		    "%s passing %g %% at %g mm lies %.1f points %s a line "
+		    "between its neighbours%s: were digits swapped?",
+		    feed ? "feed" : "product",
+		    units_pct(curve[o.curve]->passing[o.sieve]),
+		    units_mm(curve[o.curve]->size[o.sieve]), 100 * fabs(o.off),
+		    o.off > 0 ? "above" : "below",
+		    o.others > 0 ? ", as compared with the other runs" : "");
 		free(where);
 	}
 	free(curve);
@@ -207,12 +207,11 @@ check_fit(struct report *r, const struct entry *entry)
 	const struct run *run = &entry->site->run[v.run];
 	char *where = xasprintf("%g m/s", v.speed);
 	finding(r, entry, false, where,
-	    xasprintf("product passing %g %% at %g mm lies %.1f points %s the "
-		      "calibrated product: were digits swapped, here or beside "
-		      "it?",
-		units_pct(psd_passing(&run->product, v.worst_sieve)),
-		units_mm(v.worst_sieve), 100 * fabs(v.worst_difference),
-		v.worst_difference < 0 ? "above" : "below"));
+	    "product passing %g %% at %g mm lies %.1f points %s the calibrated "
+	    "product: were digits swapped, here or beside it?",
+	    units_pct(psd_passing(&run->product, v.worst_sieve)),
+	    units_mm(v.worst_sieve), 100 * fabs(v.worst_difference),
+	    v.worst_difference < 0 ? "above" : "below");
 	free(where);
 }
 
@@ -226,10 +225,9 @@ check_twins(struct session *s, struct report *r, size_t index)
 		if (i == index || other->site->digest != entry->site->digest)
 			continue;
 		finding(r, entry, false, "all runs",
-		    xasprintf("twins: %s (%s) has the very same numbers as %s "
-			      "(%s)",
-			entry->site->name, entry->site->rock, other->site->name,
-			other->site->rock));
+		    "twins: %s (%s) has the very same numbers as %s (%s)",
+		    entry->site->name, entry->site->rock, other->site->name,
+		    other->site->rock);
 	}
 }
 
@@ -247,8 +245,8 @@ check_site(struct session *s, struct report *r, size_t index)
 	check_twins(s, r, index);
 	if (entry->site->provenance[0] == '\0')
 		finding(r, entry, false, "sheet",
-		    xstrdup("provenance is not stated: a line "
-			    "'provenance,...' says where the data are from"));
+		    "provenance is not stated: a line 'provenance,...' says "
+		    "where the data are from");
 	return ok;
 }
 
@@ -274,10 +272,10 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 		ok = check_site(s, r, i) && ok;
 	report_json_key(r, "ok", json_boolean(ok));
 	report_note(r, "%s",
-	    !ok                   ? "there are faults"
-	    : report_rows(r) == 0 ? "no faults found"
-				  : "no faults found; remarks are for you "
-				    "to judge");
+	    !ok ? "there are faults"
+	    : report_rows(r) == 0
+		? "no faults found"
+		: "no faults found; remarks are for you to judge");
 	session_report(s, r);
 	if (ok)
 		return true;

@@ -9,6 +9,40 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/table.h"
+
+/* In the order of help and manual. */
+static const struct {
+	const char *name;
+	const struct command *command;
+} GROUPS[] = {{"data", TABLE_DATA}, {"fit", TABLE_FIT},
+    {"answers", TABLE_ANSWERS}, {"pictures", TABLE_PICTURES},
+    {"store", TABLE_STORE}, {"model", TABLE_MODEL}, {"session", TABLE_SESSION}};
+
+const struct command *
+command_next(const struct command *after)
+{
+	bool take = after == NULL;
+	for (size_t g = 0; g < ARRAY_LEN(GROUPS); g++)
+		for (const struct command *c = GROUPS[g].command;
+		     c->name != NULL; c++) {
+			if (take)
+				return c;
+			take = c == after;
+		}
+	return NULL;
+}
+
+const char *
+command_group(const struct command *command)
+{
+	for (size_t g = 0; g < ARRAY_LEN(GROUPS); g++)
+		for (const struct command *c = GROUPS[g].command;
+		     c->name != NULL; c++)
+			if (c == command)
+				return GROUPS[g].name;
+	return NULL;
+}
 
 const struct command *
 command_find(const char *name)
@@ -18,15 +52,6 @@ command_find(const char *name)
 		    (c->alias != NULL && strcmp(c->alias, name) == 0))
 			return c;
 	return NULL;
-}
-
-/* Appends to a string that grows. */
-static void
-append(char **text, const char *more)
-{
-	char *longer = xasprintf("%s%s", *text, more);
-	free(*text);
-	*text = longer;
 }
 
 static bool
@@ -63,8 +88,7 @@ command_candidates(const char *name)
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (!begins(c->name, start) && !begins(c->alias, start))
 			continue;
-		append(&list, list[0] != '\0' ? ", " : "");
-		append(&list, c->name);
+		xlist(&list, ", ", "%s", c->name);
 	}
 	free(start);
 	return list;
@@ -121,17 +145,15 @@ char *
 command_usage(const struct command *command)
 {
 	char *usage = xstrdup(command->name);
-	if (command->operands[0] != '\0') {
-		append(&usage, " ");
-		append(&usage, command->operands);
-	}
+	if (command->operands.usage != NULL)
+		xappend(&usage, " %s", command->operands.usage);
 	const struct command_option *o = command->option;
 	for (; o != NULL && o->name != NULL; o++) {
 		char *part = xasprintf(" [%s=%s]", o->name, placeholder(o));
 		for (char *p = part + 1; *p != '\0'; p++)
 			if (*p == ' ')
 				*p = '|';
-		append(&usage, part);
+		xappend(&usage, "%s", part);
 		free(part);
 	}
 	return usage;
@@ -157,7 +179,7 @@ command_limits(const struct command_option *o)
 	if (o->kind == VALUE_CHOICE) {
 		char *list = xstrdup("");
 		for (const char *c = o->choices; *c != '\0'; c++)
-			append(&list, *c == ' ' ? ", " : (char[2]){*c, '\0'});
+			xappend(&list, *c == ' ' ? ", " : "%c", *c);
 		return list;
 	}
 	char *least = limit_text(o->least), *most = limit_text(o->most);
@@ -169,11 +191,20 @@ command_limits(const struct command_option *o)
 	return text;
 }
 
-const struct value *
-args_value(
-    const struct command *command, const struct args *args, const char *name)
+char *
+command_option_words(const struct command_option *o)
 {
-	size_t i = command_option_index(command, name);
+	char *limits = command_limits(o);
+	char *words = xasprintf("%s (%s)%s%s", o->brief, limits,
+	    o->fallback[0] != '\0' ? ", default " : "", o->fallback);
+	free(limits);
+	return words;
+}
+
+const struct value *
+args_value(const struct args *args, const char *name)
+{
+	size_t i = command_option_index(args->command, name);
 	assert(i < OPTIONS);
 	return &args->value[i];
 }

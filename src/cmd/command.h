@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 
+struct command;
 struct session;
 
 enum value_kind {
@@ -49,12 +50,14 @@ enum { OPTIONS = 16, OPERANDS = 256, EXPECTS = 5 };
 /* A parsed call.  value[i] belongs to the command's option i; an option with a
  * fallback that was not given has the fallback's value and given = false. */
 struct args {
+	const struct command *command;
 	size_t n_operand;
 	const char *operand[OPERANDS];
 	struct value value[OPTIONS];
 };
 
-enum need { NEED_NOTHING, NEED_SITE };
+/* What a command does.  False with an error where it cannot. */
+typedef bool command_run(struct session *, const struct args *, struct error *);
 
 /* What the session has to know of a command. */
 enum command_flag {
@@ -63,34 +66,42 @@ enum command_flag {
 	COMMAND_VERBATIM = 4, /* > and | are words like others */
 	COMMAND_UNSAVED = 8,  /* save leaves it out, or it sees to it itself */
 	COMMAND_LATEST = 16,  /* of several in a row save keeps the last */
-	COMMAND_DRAWS = 32    /* may write into a picture's file */
+	COMMAND_DRAWS = 32,   /* may write into a picture's file */
+	COMMAND_AT_SITE = 64  /* needs a site to work on */
+};
+
+/* What a command works on: as shown in usage, or NULL; at least `least` and at
+ * most `most` of them.  expect: what completion offers for the first, the
+ * second ...; the last one holds for all further ones.  Words between blanks:
+ * one in capitals stands for what there is (see KINDS in complete.c), others
+ * for themselves. */
+struct command_operands {
+	const char *usage, *expect[EXPECTS];
+	size_t least, most;
 };
 
 /* bare: option that a bare word stands for ("predict 74"), or NULL.
  * pairs: options may be written as two words ("set method classes").
- * operands: as shown in usage; at least `least` and at most `most` of them.
- * expect: what completion offers for the first operand, the second ...; the
- * last one holds for all further ones.  Words between blanks: one in capitals
- * stands for what there is (see KINDS in complete.c), others for themselves.
  * text: sentences for help and manual.  example: lines of a script that runs in
  * a folder with the project's data/. */
 struct command {
-	const char *name, *alias, *group, *brief;
-	const char *operands, *expect[EXPECTS];
-	size_t least, most;
-	enum need need;
+	const char *name, *alias, *brief;
+	struct command_operands operands;
 	unsigned flags; /* command_flag */
 	const char *bare;
 	bool pairs;
 	const struct command_option
 	    *option; /* ends with a name of NULL, or NULL */
 	const char *text, *example;
-	bool (*run)(struct session *, const struct args *, struct error *);
+	command_run *run;
 };
 
 /* The table, by group: the first command for NULL, then the one after. NULL
  * at the end. */
 const struct command *command_next(const struct command *after);
+
+/* The group it stands in: "answers". */
+const char *command_group(const struct command *command);
 
 /* By full name or alias; NULL if there is none. */
 const struct command *command_find(const char *name);
@@ -111,11 +122,13 @@ size_t command_option_index(const struct command *command, const char *name);
 /* "predict [speed=V]": the call as shown in help.  The caller frees. */
 char *command_usage(const struct command *command);
 
+/* "brief (limits), default D": an option in words.  The caller frees. */
+char *command_option_words(const struct command_option *option);
+
 /* What an option may be: "1 to 200 m/s", "on, off".  The caller frees. */
 char *command_limits(const struct command_option *option);
 
 /* Value of an option of the call; asserts that the command has it. */
-const struct value *args_value(
-    const struct command *command, const struct args *args, const char *name);
+const struct value *args_value(const struct args *args, const char *name);
 
 #endif

@@ -4,10 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/parse.h"
+#include "cmd/table.h"
 #include "core/predict.h"
 #include "io/units.h"
 
@@ -17,13 +18,6 @@ struct side {
 	struct prediction p;
 	char *head;
 };
-
-static bool
-extrapolates(const struct side *side)
-{
-	return predict_extrapolates(
-	    side->entry->site, side->entry->train, side->p.speed);
-}
 
 /* Passing at a size, NAN where the side's sieves do not tell it. */
 static double
@@ -52,32 +46,6 @@ all_sieves(const struct side side[2], size_t *n)
 	return x;
 }
 
-/* What both have one number of, beside the sieves. */
-static const struct {
-	const char *key, *head;
-	double passing; /* of P20 and so on; 0: the break size */
-} SIZES[] = {{"p20_mm", "P20 mm", 0.2}, {"p50_mm", "P50 mm", 0.5},
-    {"p80_mm", "P80 mm", 0.8}, {"break_mm", "breaks from mm", 0}};
-
-static double
-size_of(const struct side *side, size_t i)
-{
-	return 1000 * (SIZES[i].passing > 0
-			      ? psd_size(&side->p.product, SIZES[i].passing)
-			      : side->p.break_size);
-}
-
-static void
-size_cell(struct report *r, const struct side *side, size_t i)
-{
-	if (SIZES[i].passing > 0) {
-		answers_size_cell(r, &side->p.product, SIZES[i].passing);
-		return;
-	}
-	report_missing(r, "none");
-	report_number(r, size_of(side, i), 2);
-}
-
 /* csv calls a row passing_pct@4, a table just 4. */
 static void
 comparison_rows(struct report *r, const struct side side[2], const double *x,
@@ -99,13 +67,14 @@ comparison_rows(struct report *r, const struct side side[2], const double *x,
 		report_number(r, 100 * (b - a), 1);
 		free(name);
 	}
-	for (size_t i = 0; i < ARRAY_LEN(SIZES); i++) {
-		report_text(r, csv ? SIZES[i].key : SIZES[i].head);
-		size_cell(r, &side[0], i);
-		size_cell(r, &side[1], i);
+	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
+		report_text(r, csv ? ANSWERS_KEYS[i] : ANSWERS_HEADS[i]);
+		answers_size_cell(r, &side[0].p, i);
+		answers_size_cell(r, &side[1].p, i);
 		report_missing(r, "-");
-		report_number(
-		    r, size_of(&side[1], i) - size_of(&side[0], i), 2);
+		report_number(r,
+		    answers_size(&side[1].p, i) - answers_size(&side[0].p, i),
+		    2);
 	}
 }
 
@@ -114,16 +83,15 @@ side_json(const struct side *side, const double *x, size_t n)
 {
 	json_t *o = json_object(), *passing = json_array();
 	json_object_set_new(o, "site", json_string(side->entry->site->name));
-	json_object_set_new(o, "speed", json_real(side->p.speed));
-	json_object_set_new(
-	    o, "extrapolated", json_boolean(extrapolates(side)));
+	report_put(o, "speed", side->p.speed);
+	json_object_set_new(o, "extrapolated",
+	    json_boolean(answers_extrapolates(side->entry, side->p.speed)));
 	for (size_t i = 0; i < n; i++)
 		json_array_append_new(passing,
 		    report_json_number(units_pct(passing_at(side, x[i]))));
 	json_object_set_new(o, "passing_pct", passing);
-	for (size_t i = 0; i < ARRAY_LEN(SIZES); i++)
-		json_object_set_new(
-		    o, SIZES[i].key, report_json_number(size_of(side, i)));
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		report_put(o, ANSWERS_KEYS[i], answers_size(&side->p, i));
 	return o;
 }
 
@@ -180,7 +148,7 @@ comparison_notes(
 	    100 * side[0].p.selected, 100 * side[1].p.selected);
 	for (size_t i = 0; i < 2; i++) {
 		const struct entry *entry = side[i].entry;
-		if (extrapolates(&side[i]))
+		if (answers_extrapolates(entry, side[i].p.speed))
 			report_note(r,
 			    "%s is extrapolated: outside the speeds "
 			    "trained on",
@@ -193,69 +161,28 @@ comparison_notes(
 	}
 }
 
-/* 69 or 69m/s. */
+/* Side i: a loaded site at the speed of the option, with a feed of its own; or
+ * the site in use at a speed, with one feed for both. */
 static bool
-is_speed(const char *word, double *v)
+take_side(struct session *s, const struct args *args, bool sites, size_t i,
+    struct side *side, struct error *error)
 {
-	char *copy = xstrdup(word);
-	size_t n = strlen(copy);
-	if (n > 3 && strcmp(copy + n - 3, "m/s") == 0)
-		copy[n - 3] = '\0';
-	bool ok = text_number(copy, v);
-	free(copy);
-	return ok;
-}
-
-/* Two speeds of the site in use, on one feed. */
-static bool
-take_speeds(struct session *s, const struct args *args, struct side side[2],
-    struct error *error)
-{
-	const struct command *self = command_find("compare");
-	const struct entry *entry = session_entry(s);
-	size_t feed;
-	if (args_value(self, args, "speed")->given)
-		return error_set(error, ERROR_USAGE,
-		    "compare takes two speeds, or two sites and a speed");
-	if (!answers_ready(s, error) ||
-	    !answers_feed(entry->site, args_value(self, args, "feed"),
-		answers_middle(entry->site), &feed, error))
+	const char *word = args->operand[i];
+	double v = args_value(args, "speed")->number;
+	size_t at = s->current, feed;
+	if (sites && !session_find(s, word, &at, error))
 		return false;
-	for (size_t i = 0; i < 2; i++) {
-		double v;
-		if (!is_speed(args->operand[i], &v) || v < 1 || v > 200)
-			return error_set(error, ERROR_USAGE,
-			    "compare wants speeds from 1 to 200 m/s, not %s",
-			    args->operand[i]);
-		side[i].entry = entry;
-		side[i].p =
-		    predict(entry->site, &entry->params, s->settings, v, feed);
-		side[i].head = xasprintf("%g m/s", v);
-	}
-	return true;
-}
-
-/* Two loaded sites at one speed, each with its own feed and parameters. */
-static bool
-take_sites(struct session *s, const struct args *args, struct side side[2],
-    struct error *error)
-{
-	const struct command *self = command_find("compare");
-	double v = args_value(self, args, "speed")->number;
-	for (size_t i = 0; i < 2; i++) {
-		size_t at, feed;
-		if (!session_find(s, args->operand[i], &at, error))
-			return false;
-		const struct entry *entry = &s->entry[at];
-		if (!answers_known(s, entry, error) ||
-		    !answers_feed(entry->site, args_value(self, args, "feed"),
-			v, &feed, error))
-			return false;
-		side[i].entry = entry;
-		side[i].p =
-		    predict(entry->site, &entry->params, s->settings, v, feed);
-		side[i].head = xstrdup(entry->key);
-	}
+	const struct entry *entry = &s->entry[at];
+	double near = sites ? v : answers_middle(entry->site);
+	if (!answers_known(s, entry, error) ||
+	    !answers_feed(entry->site, args, near, &feed, error))
+		return false;
+	if (!sites && (!value_number(word, "m/s", &v) || v < 1 || v > 200))
+		return error_set(error, ERROR_USAGE,
+		    "compare wants speeds from 1 to 200 m/s, not %s", word);
+	side->entry = entry;
+	side->p = answers_predict(s, entry, v, feed);
+	side->head = sites ? xstrdup(entry->key) : xasprintf("%g m/s", v);
 	return true;
 }
 
@@ -278,7 +205,7 @@ comparison(struct session *s, const struct side side[2], bool sites)
 		free(both);
 		free(data);
 	}
-	comparison_rows(r, side, x, n, s->format == REPORT_CSV);
+	comparison_rows(r, side, x, n, s->set.format == REPORT_CSV);
 	comparison_notes(r, side, x, n);
 	if (!sites && a->individual_feeds)
 		report_note(r, "feed: the sample taken at %g m/s, for both",
@@ -293,10 +220,13 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 {
 	struct side side[2] = {{0}};
 	double v;
-	bool sites =
-	    !is_speed(args->operand[0], &v) || !is_speed(args->operand[1], &v);
-	bool ok = sites ? take_sites(s, args, side, error)
-			: take_speeds(s, args, side, error);
+	bool sites = !value_number(args->operand[0], "m/s", &v) ||
+		     !value_number(args->operand[1], "m/s", &v);
+	if (!sites && args_value(args, "speed")->given)
+		return error_set(error, ERROR_USAGE,
+		    "compare takes two speeds, or two sites and a speed");
+	bool ok = take_side(s, args, sites, 0, &side[0], error) &&
+		  take_side(s, args, sites, 1, &side[1], error);
 	if (ok)
 		session_report(s, comparison(s, side, sites));
 	for (size_t i = 0; i < 2; i++) {

@@ -12,7 +12,6 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/assert.h"
 #include "cmd/command.h"
 #include "cmd/parse.h"
 
@@ -71,14 +70,14 @@ static void
 offer_groups(struct work *w)
 {
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
-		offer(w, c->group, ' ');
+		offer(w, command_group(c), ' ');
 }
 
 static void
 offer_answers(struct work *w)
 {
-	for (size_t i = 0; assert_name(i) != NULL; i++)
-		offer(w, assert_name(i), ' ');
+	for (size_t i = 0; i < ANSWERS; i++)
+		offer(w, ANSWER_NAMES[i], ' ');
 }
 
 static void
@@ -212,10 +211,10 @@ static void
 offer_operand(struct work *w, const struct command *command, size_t i)
 {
 	size_t last = 0;
-	while (last + 1 < EXPECTS && command->expect[last + 1] != NULL)
+	while (last + 1 < EXPECTS && command->operands.expect[last + 1] != NULL)
 		last++;
-	const char *list = command->expect[i < last ? i : last];
-	if (i < command->most && list != NULL)
+	const char *list = command->operands.expect[i < last ? i : last];
+	if (i < command->operands.most && list != NULL)
 		offer_words(w, list);
 }
 

@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/data.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,23 +10,17 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/journal.h"
+#include "cmd/table.h"
 #include "core/synth.h"
 #include "io/site_write.h"
 #include "io/table3.h"
 #include "io/units.h"
 
-static const struct value *
-option(const char *command, const struct args *args, const char *name)
-{
-	return args_value(command_find(command), args, name);
-}
-
-static bool
-load(struct session *s, const char *path, const char *digest,
+bool
+data_load(struct session *s, const char *path, const char *digest,
     struct error *error)
 {
-	size_t n = strlen(path);
-	if (n > 4 && strcmp(path + n - 4, ".tip") == 0) {
+	if (text_ends(path, ".tip")) {
 		error_set(error, ERROR_USAGE,
 		    "%s is a script by its name, not a sheet", path);
 		return error_hint(error, "run it: source %s", path);
@@ -53,48 +46,36 @@ load(struct session *s, const char *path, const char *digest,
 }
 
 bool
-data_load(struct session *s, const char *path, struct error *error)
-{
-	return load(s, path, NULL, error);
-}
-
-bool
 cmd_load(struct session *s, const struct args *args, struct error *error)
 {
-	const struct value *digest = option("load", args, "digest");
+	const struct value *digest = args_value(args, "digest");
 	if (digest->given && args->n_operand > 1)
 		return error_set(error, ERROR_USAGE,
 		    "digest= goes with one file, not with %zu",
 		    args->n_operand);
 	for (size_t i = 0; i < args->n_operand; i++)
-		if (!load(s, args->operand[i], digest->text, error))
+		if (!data_load(s, args->operand[i], digest->text, error))
 			return false;
 	return true;
 }
 
 char *
-data_speeds(const struct site *site)
+data_speeds(
+    const struct site *site, const char *between, const bool *mark, bool marked)
 {
 	char *list = xstrdup("");
-	for (size_t r = 0; r < site->n_run; r++) {
-		if (site->run[r].product.n == 0)
-			continue;
-		char *longer = xasprintf("%s%s%g", list,
-		    list[0] != '\0' ? " " : "", site->run[r].speed);
-		free(list);
-		list = longer;
-	}
+	for (size_t r = 0; r < site->n_run; r++)
+		if (site->run[r].product.n > 0 &&
+		    (mark == NULL || mark[r] == marked))
+			xlist(&list, between, "%g", site->run[r].speed);
 	return list;
 }
 
-/* The first words of the provenance: "reconstructed", "synthetic"; "not
- * stated" where there are none. */
-static char *
-data_kind(const struct site *site)
+char *
+data_kind(const char *provenance)
 {
-	const char *p = site->provenance;
-	size_t n = strcspn(p, " ;,");
-	return n > 0 ? xstrndup(p, n) : xstrdup("not stated");
+	size_t n = strcspn(provenance, " ;,");
+	return n > 0 ? xstrndup(provenance, n) : xstrdup("not stated");
 }
 
 bool
@@ -112,11 +93,12 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	report_column(r, "data", "data");
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		char *speeds = data_speeds(entry->site);
-		char *kind = data_kind(entry->site);
+		char *speeds = data_speeds(entry->site, " ", NULL, true);
+		char *kind = data_kind(entry->site->provenance);
 		char *key =
 		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
-		report_text(r, s->format == REPORT_TABLE ? key : entry->key);
+		report_text(
+		    r, s->set.format == REPORT_TABLE ? key : entry->key);
 		report_text(r, entry->site->name);
 		report_text(r, entry->site->rock);
 		report_number(r,
@@ -175,13 +157,13 @@ describe_synth(struct site *site, const struct material *m,
 static struct site *
 synth_row(const struct material *m, const struct args *args)
 {
-	const struct value *speeds = option("synth", args, "speeds");
+	const struct value *speeds = args_value(args, "speeds");
 	struct synth synth = {.top_size = m->top_size_mm / 1000,
 	    .params = params_default_beta(),
 	    .individual_feeds = m->individual_feeds,
-	    .n = option("synth", args, "n")->number,
-	    .noise = option("synth", args, "noise")->number / 100,
-	    .seed = option("synth", args, "seed")->whole,
+	    .n = args_value(args, "n")->number,
+	    .noise = args_value(args, "noise")->number / 100,
+	    .seed = args_value(args, "seed")->whole,
 	    .n_speed = speeds->n,
 	    .speed = speeds->list};
 	synth.params.f_mat = m->f_mat;
@@ -198,8 +180,8 @@ synth_row(const struct material *m, const struct args *args)
 bool
 cmd_synth(struct session *s, const struct args *args, struct error *error)
 {
-	const struct value *wanted = option("synth", args, "site");
-	const struct value *speeds = option("synth", args, "speeds");
+	const struct value *wanted = args_value(args, "site");
+	const struct value *speeds = args_value(args, "speeds");
 	for (size_t i = 1; i < speeds->n; i++)
 		if (speeds->list[i] <= speeds->list[i - 1])
 			return error_set(error, ERROR_USAGE,
@@ -235,17 +217,24 @@ file_name(const struct entry *entry, const char *folder)
 	return path;
 }
 
-static bool
-write_one(struct session *s, const struct site *site, const char *path,
-    bool replace, struct error *error)
+bool
+data_may_write(const struct args *args, const char *path, struct error *error)
 {
 	struct stat info;
-	if (!replace && stat(path, &info) == 0) {
-		error_set(error, ERROR_USAGE, "%s is there already", path);
+	if (args_value(args, "replace")->choice == 1 || stat(path, &info) != 0)
+		return true;
+	error_set(error, ERROR_USAGE, "%s is there already", path);
+	return error_hint(error, "replace=on writes over it");
+}
+
+static bool
+write_one(struct session *s, const struct args *args, const struct site *site,
+    const char *path, struct error *error)
+{
+	if (!data_may_write(args, path, error))
 		return error_hint(error,
 		    "replace=on writes over it; this writes a site's sheet, "
 		    "not results");
-	}
 	if (!site_save(site, path, error))
 		return false;
 	session_note(s, "wrote %s", path);
@@ -256,15 +245,13 @@ bool
 cmd_write(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
-	bool replace = option("write", args, "replace")->choice == 1;
 	struct stat info;
 	bool folder = stat(path, &info) == 0 && S_ISDIR(info.st_mode);
 	if (!folder)
-		return write_one(
-		    s, session_entry(s)->site, path, replace, error);
+		return write_one(s, args, session_entry(s)->site, path, error);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		char *file = file_name(&s->entry[i], path);
-		bool ok = write_one(s, s->entry[i].site, file, replace, error);
+		bool ok = write_one(s, args, s->entry[i].site, file, error);
 		free(file);
 		if (!ok)
 			return false;

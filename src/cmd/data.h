@@ -8,18 +8,24 @@
 #include "cmd/command.h"
 #include "cmd/session.h"
 
-bool cmd_load(struct session *, const struct args *, struct error *);
-bool cmd_sites(struct session *, const struct args *, struct error *);
-bool cmd_use(struct session *, const struct args *, struct error *);
-bool cmd_synth(struct session *, const struct args *, struct error *);
-bool cmd_write(struct session *, const struct args *, struct error *);
-bool cmd_check(struct session *, const struct args *, struct error *);
+/* Loads a site file and says so beside the results.  digest: the one it must
+ * have, or NULL. */
+bool data_load(struct session *s, const char *path, const char *digest,
+    struct error *error);
 
-/* Loads a site file and says so beside the results. */
-bool data_load(struct session *s, const char *path, struct error *error);
+/* False, with an error, where a file is there already and the call does not say
+ * replace=on. */
+bool data_may_write(
+    const struct args *args, const char *path, struct error *error);
 
-/* "69 74 79", of the runs that have a product.  The caller frees. */
-char *data_speeds(const struct site *site);
+/* "69, 79": speeds of the runs that have a product, and whose mark [n_run] is
+ * `marked`; mark NULL: of all.  The caller frees. */
+char *data_speeds(const struct site *site, const char *between,
+    const bool *mark, bool marked);
+
+/* The first word of where data are from: "measured"; "not stated" where nothing
+ * is said.  The caller frees. */
+char *data_kind(const char *provenance);
 
 /* Says beside the results where a run's product is coarser than its feed; the
  * numbers stay as they are. */

@@ -7,6 +7,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/pictures.h"
+#include "cmd/table.h"
 
 /* A chart being told. */
 struct tale {
@@ -14,13 +15,6 @@ struct tale {
 	enum plot_kind kind;
 	json_t *list;
 };
-
-/* The sentence without its full stop; its reference is taken. */
-static void
-say(struct tale *t, json_t *sentence)
-{
-	json_array_append_new(t->list, sentence);
-}
 
 /* " mm" of "size, mm"; "" where there is no unit. */
 static char *
@@ -38,9 +32,9 @@ say_axes(struct tale *t)
 	static const char *const ways[] = {"Across", "Up"};
 	bool rows = t->kind == PLOT_SPREAD; /* one row a parameter */
 	for (size_t i = 0; i < ARRAY_LEN(axes) - rows; i++)
-		say(t, json_sprintf("%s: %s, from %.4g to %.4g%s", ways[i],
-			   axes[i]->title, axes[i]->low, axes[i]->high,
-			   axes[i]->log ? " on a log scale" : ""));
+		answers_say(t->list, "%s: %s, from %.4g to %.4g%s", ways[i],
+		    axes[i]->title, axes[i]->low, axes[i]->high,
+		    axes[i]->log ? " on a log scale" : "");
 }
 
 /* "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" of a product or a feed. */
@@ -48,18 +42,16 @@ static char *
 sizes_of(const struct tale *t, const struct chart_series *s)
 {
 	static const double PASSING[] = {20, 50, 80};
-	char *text = xstrdup(";");
+	char *text = xstrdup("");
 	bool psd = t->kind == PLOT_PSD || t->kind == PLOT_SWEEP;
 	for (size_t i = 0; psd && i < ARRAY_LEN(PASSING); i++) {
 		double x = chart_at_y(t->chart, s, PASSING[i]);
-		char *more = isnan(x) ? xasprintf("%s P%g outside the sieves,",
-					    text, PASSING[i])
-				      : xasprintf("%s P%g %.2f mm,", text,
-					    PASSING[i], x);
-		free(text);
-		text = more;
+		xappend(&text, "%s P%g ", i > 0 ? "," : ";", PASSING[i]);
+		if (isnan(x))
+			xappend(&text, "outside the sieves");
+		else
+			xappend(&text, "%.2f mm", x);
 	}
-	text[strlen(text) - 1] = '\0';
 	return text;
 }
 
@@ -80,13 +72,13 @@ say_curve(struct tale *t, const struct chart_series *s)
 	char *x = unit_of(&t->chart->x), *y = unit_of(&t->chart->y);
 	char *sizes = sizes_of(t, s);
 	if (first == last)
-		say(t, json_sprintf(
-			   "%s: %.4g%s throughout", s->name, s->y[first], y));
+		answers_say(
+		    t->list, "%s: %.4g%s throughout", s->name, s->y[first], y);
 	else
-		say(t, json_sprintf("%s: from %.3g%s at %.3g%s to %.3g%s at "
-				    "%.3g%s%s",
-			   s->name, s->y[first], y, s->x[first], x, s->y[last],
-			   y, s->x[last], x, sizes));
+		answers_say(t->list,
+		    "%s: from %.3g%s at %.3g%s to %.3g%s at %.3g%s%s", s->name,
+		    s->y[first], y, s->x[first], x, s->y[last], y, s->x[last],
+		    x, sizes);
 	free(x);
 	free(y);
 	free(sizes);
@@ -102,14 +94,11 @@ say_points(struct tale *t, const struct chart_series *s)
 	for (size_t i = 0; i < s->n && shown < FEW; i++) {
 		if (isnan(s->y[i]))
 			continue;
-		char *more = xasprintf("%s%s %.3g and %.3g", text,
-		    shown++ > 0 ? ";" : "", s->x[i], s->y[i]);
-		free(text);
-		text = more;
+		xlist(&text, ";", " %.3g and %.3g", s->x[i], s->y[i]);
+		shown++;
 	}
-	say(t,
-	    json_sprintf("%s, %zu point%s, across and up:%s%s", s->name, s->n,
-		s->n == 1 ? "" : "s", text, s->n > FEW ? " and more" : ""));
+	answers_say(t->list, "%s, %zu point%s, across and up:%s%s", s->name,
+	    s->n, s->n == 1 ? "" : "s", text, s->n > FEW ? " and more" : "");
 	free(text);
 }
 
@@ -122,14 +111,12 @@ say_spread(struct tale *t)
 	for (size_t j = 0; j < best->n; j++) {
 		const char *name = t->chart->y.tick[j].label;
 		if (isnan(best->x[j]))
-			say(t, json_sprintf("%s is held fixed", name));
+			answers_say(t->list, "%s is held fixed", name);
 		else
-			say(t, json_sprintf("%s: the middle 80 %% of the "
-					    "candidates from %.0f to %.0f %% "
-					    "of its bounds, the best at %.0f "
-					    "%%",
-				   name, s->x[3 * j], s->x[3 * j + 1],
-				   best->x[j]));
+			answers_say(t->list,
+			    "%s: the middle 80 %% of the candidates from %.0f "
+			    "to %.0f %% of its bounds, the best at %.0f %%",
+			    name, s->x[3 * j], s->x[3 * j + 1], best->x[j]);
 	}
 }
 
@@ -150,10 +137,9 @@ say_difference(struct tale *t, const struct chart_series *other)
 	}
 	char *x_unit = unit_of(&t->chart->x), *y_unit = unit_of(&t->chart->y);
 	if (!isnan(x))
-		say(t, json_sprintf("%s and %s lie furthest apart at %.3g%s: "
-				    "%.3g and %.3g%s",
-			   top->name, other->name, x, x_unit, here, there,
-			   y_unit));
+		answers_say(t->list,
+		    "%s and %s lie furthest apart at %.3g%s: %.3g and %.3g%s",
+		    top->name, other->name, x, x_unit, here, there, y_unit);
 	free(x_unit);
 	free(y_unit);
 }
@@ -177,18 +163,8 @@ say_series(struct tale *t)
 static struct report *
 tale_report(const struct session *s, const struct tale *t, const char *kind)
 {
-	size_t i;
-	json_t *sentence;
 	struct report *r = pictures_report(s, "describe", t->chart);
-	if (s->format == REPORT_CSV)
-		report_column(r, "sentence", "sentence");
-	json_array_foreach(t->list, i, sentence)
-	{
-		if (s->format == REPORT_CSV)
-			report_text(r, json_string_value(sentence));
-		else
-			report_note(r, "%s.", json_string_value(sentence));
-	}
+	answers_tell(s, r, t->list);
 	report_json(r, json_pack("{s:s, s:s, s:s, s:s, s:O}", "command",
 			   "describe", "kind", kind, "title", t->chart->title,
 			   "data", t->chart->about, "sentences", t->list));
@@ -198,9 +174,8 @@ tale_report(const struct session *s, const struct tale *t, const char *kind)
 bool
 cmd_describe(struct session *s, const struct args *args, struct error *error)
 {
-	const struct command *self = command_find("describe");
 	struct plot_request request;
-	if (!pictures_request(self, args, &request, error))
+	if (!pictures_request(args, &request, error))
 		return false;
 	struct chart *chart = plots_chart(s, &request, error);
 	if (chart == NULL)
@@ -212,10 +187,10 @@ cmd_describe(struct session *s, const struct args *args, struct error *error)
 	else
 		say_series(&t);
 	for (size_t i = 0; i < chart->n_rule; i++)
-		say(&t, json_sprintf("A line from foot to top: %s",
-			    chart->rule[i].name));
+		answers_say(
+		    t.list, "A line from foot to top: %s", chart->rule[i].name);
 	for (size_t i = 0; i < chart->n_note; i++)
-		say(&t, json_string(chart->note[i]));
+		answers_say(t.list, "%s", chart->note[i]);
 	session_report(s, tale_report(s, &t, args->operand[0]));
 	json_decref(t.list);
 	chart_free(chart);

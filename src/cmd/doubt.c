@@ -2,50 +2,21 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/doubt.h"
 
+#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "io/units.h"
-
-struct doubt *
-doubt_new(const struct site *site, const struct calibrate_options *options)
-{
-	struct doubt *d = xcalloc(1, sizeof *d);
-	*d = (struct doubt){.holders = 1,
-	    .misfit = calibrate_misfit(site, options),
-	    .bounds = options->bounds};
-	return d;
-}
-
-void
-doubt_drop(struct doubt *d)
-{
-	if (d == NULL || --d->holders > 0)
-		return;
-	misfit_free(d->misfit);
-	free(d->uncertainty);
-	free(d);
-}
 
 const struct uncertainty *
 doubt_of(const struct entry *entry)
 {
-	struct doubt *d = entry->doubt;
-	if (!entry->has_fit || d == NULL)
+	struct history *h = entry->history;
+	if (!entry->has_fit || h == NULL)
 		return NULL;
-	if (d->uncertainty == NULL)
-		d->uncertainty = uncertainty_new(
-		    d->misfit, &entry->fit.params, &d->bounds, entry->fit.seed);
-	return d->uncertainty;
-}
-
-static bool
-same_settings(const struct model_settings *a, const struct model_settings *b)
-{
-	return a->method == b->method && a->appearance == b->appearance &&
-	       a->k == b->k;
+	if (h->uncertainty == NULL)
+		h->uncertainty = uncertainty_new(
+		    h->misfit, &entry->fit.params, &h->bounds, entry->fit.seed);
+	return h->uncertainty;
 }
 
 bool
@@ -53,12 +24,13 @@ doubt_band(const struct session *s, const struct entry *entry,
     const struct prediction *p, struct band *band)
 {
 	const struct uncertainty *u =
-	    same_settings(&s->settings, &entry->fit.settings) ? doubt_of(entry)
-							      : NULL;
+	    model_settings_same(&s->set.model, &entry->fit.settings)
+		? doubt_of(entry)
+		: NULL;
 	if (u == NULL)
 		return false;
 	*band = uncertainty_band(u, &entry->params,
-	    &entry->site->run[p->feed_run].feed, &p->product, s->settings,
+	    &entry->site->run[p->feed_run].feed, &p->product, s->set.model,
 	    p->speed);
 	return true;
 }
@@ -111,10 +83,6 @@ set_range(json_t *o, const char *key, const double range[2])
 void
 doubt_band_json(json_t *o, const struct band *band)
 {
-	json_object_set_new(
-	    o, "low_pct", answers_list_json(band->low, band->n, units_pct));
-	json_object_set_new(
-	    o, "high_pct", answers_list_json(band->high, band->n, units_pct));
 	set_range(o, "p20_range_mm", band->p20);
 	set_range(o, "p50_range_mm", band->p50);
 	set_range(o, "p80_range_mm", band->p80);

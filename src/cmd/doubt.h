@@ -8,10 +8,6 @@
 #include "cmd/session.h"
 #include "core/predict.h"
 
-/* Of the fit that a calibration of the site with these options found. */
-struct doubt *doubt_new(
-    const struct site *site, const struct calibrate_options *options);
-
 /* The draws of the entry's fit, made when first asked for; NULL where its
  * parameters are no fit of its own. */
 const struct uncertainty *doubt_of(const struct entry *entry);
@@ -32,7 +28,7 @@ void doubt_note(struct report *r);
 /* {"beta1":[low, high], .. "alpha":[low, high]} */
 json_t *doubt_json(const struct uncertainty *u);
 
-/* Adds the band to the object of predict. */
+/* Adds the ranges of the sizes to the object of predict. */
 void doubt_band_json(json_t *o, const struct band *band);
 
 #endif

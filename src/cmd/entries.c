@@ -19,7 +19,6 @@ entry_clear(struct entry *entry)
 	free(entry->train);
 	free(entry->origin);
 	history_drop(entry->history);
-	doubt_drop(entry->doubt);
 }
 
 void
@@ -41,8 +40,6 @@ entry_copy(const struct entry *from)
 	memcpy(to.train, from->train, runs * sizeof *to.train);
 	if (to.history != NULL)
 		to.history->holders++;
-	if (to.doubt != NULL)
-		to.doubt->holders++;
 	return to;
 }
 
@@ -93,16 +90,19 @@ new_key(struct session *s, const struct site *site)
 	return key;
 }
 
-/* Behind the others. */
 static void
-append(struct session *s, struct site *site)
+insert(struct session *s, struct site *site, size_t place)
 {
 	struct entry entry = {.site = site, .key = new_key(s, site)};
 	entry.train = xcalloc(site->n_run, sizeof *entry.train);
 	misfit_default_train(site, entry.train);
 	s->entry = xrealloc(s->entry, s->n_entry + 1, sizeof *s->entry);
-	s->current = s->n_entry++;
-	s->entry[s->current] = entry;
+	memmove(&s->entry[place + 1], &s->entry[place],
+	    (s->n_entry++ - place) * sizeof entry);
+	s->entry[place] = entry;
+	if (s->job.calibration != NULL && s->job.entry >= place)
+		s->job.entry++;
+	s->current = place;
 	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
 	s->site[s->n_site++] = site;
 	session_forget(s);
@@ -126,21 +126,12 @@ void
 session_add(struct session *s, struct site *site)
 {
 	size_t place = former(s, site);
-	if (place == s->n_entry) {
-		append(s, site);
-		return;
+	if (place < s->n_entry) {
+		session_note(s, "%s was loaded before: this takes its place",
+		    s->entry[place].key);
+		session_drop(s, place);
 	}
-	session_note(s, "%s was loaded before: this takes its place",
-	    s->entry[place].key);
-	session_drop(s, place);
-	append(s, site);
-	struct entry entry = s->entry[s->current];
-	memmove(&s->entry[place + 1], &s->entry[place],
-	    (s->current - place) * sizeof entry);
-	s->entry[place] = entry;
-	if (s->job.calibration != NULL && s->job.entry >= place)
-		s->job.entry++;
-	s->current = place;
+	insert(s, site, place);
 }
 
 void
@@ -188,14 +179,9 @@ static char *
 list_keys(const struct session *s, const char *wanted)
 {
 	char *list = xstrdup("");
-	for (size_t i = 0; i < s->n_entry; i++) {
-		if (wanted != NULL && answers(&s->entry[i], wanted) == 0)
-			continue;
-		char *longer = xasprintf("%s%s%s", list,
-		    list[0] != '\0' ? ", " : "", s->entry[i].key);
-		free(list);
-		list = longer;
-	}
+	for (size_t i = 0; i < s->n_entry; i++)
+		if (wanted == NULL || answers(&s->entry[i], wanted) > 0)
+			xlist(&list, ", ", "%s", s->entry[i].key);
 	return list;
 }
 

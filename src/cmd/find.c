@@ -6,20 +6,16 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/grading.h"
+#include "cmd/table.h"
 #include "core/inverse.h"
 #include "core/predict.h"
 #include "io/units.h"
 
-static const struct value *
-option(const struct args *args, const char *name)
-{
-	return args_value(command_find("find"), args, name);
-}
-
 /* What is wanted: that a share passes a size; and on which feed, between which
- * speeds.  name: p80, p50 or p20, or NULL where the passing is looked at. */
+ * speeds.  key: p80_mm, p50_mm or p20_mm; NULL where the passing is looked
+ * at. */
 struct wish {
-	const char *name;
+	const char *key;
 	double passing, x; /* 0..1; m */
 	double from, to;
 	size_t feed;
@@ -42,20 +38,22 @@ check_wish(const struct args *args, struct error *error)
 	    "p20", "p50", "p80", "passing", "spec"};
 	size_t given = 0;
 	for (size_t i = 0; i < ARRAY_LEN(ONE); i++)
-		given += option(args, ONE[i])->given;
-	bool at = option(args, "at")->given;
+		given += args_value(args, ONE[i])->given;
+	bool at = args_value(args, "at")->given;
 	if (given != 1)
 		error_set(error, ERROR_USAGE,
 		    "find wants one of p20, p50, p80, passing and spec, "
 		    "found %zu of them",
 		    given);
-	else if (at != option(args, "passing")->given)
+	else if (at != args_value(args, "passing")->given)
 		error_set(error, ERROR_USAGE,
 		    "passing and at go together: so much passing at a size");
-	else if (option(args, "from")->number >= option(args, "to")->number)
+	else if (args_value(args, "from")->number >=
+		 args_value(args, "to")->number)
 		error_set(error, ERROR_USAGE,
 		    "find wants from below to, not %g and %g m/s",
-		    option(args, "from")->number, option(args, "to")->number);
+		    args_value(args, "from")->number,
+		    args_value(args, "to")->number);
 	else
 		return true;
 	return error_hint(error, "find p80=5, find passing=40 at=2, find "
@@ -72,14 +70,14 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 	static const double PASSING[3] = {0.2, 0.5, 0.8};
 	const struct entry *entry = session_entry(s);
 	const struct psd *feed = &entry->site->run[wish->feed].feed;
-	wish->x = option(args, "at")->number / 1000;
-	wish->passing = option(args, "passing")->number / 100;
+	wish->x = args_value(args, "at")->number / 1000;
+	wish->passing = args_value(args, "passing")->number / 100;
 	for (size_t i = 0; i < 3; i++) {
-		if (!option(args, NAMES[i])->given)
+		if (!args_value(args, NAMES[i])->given)
 			continue;
-		wish->name = NAMES[i];
+		wish->key = ANSWERS_KEYS[i];
 		wish->passing = PASSING[i];
-		wish->x = option(args, NAMES[i])->number / 1000;
+		wish->x = args_value(args, NAMES[i])->number / 1000;
 	}
 	if (!psd_covers(feed, wish->x)) {
 		error_set(error, ERROR_USAGE,
@@ -87,11 +85,10 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 		    1000 * wish->x, units_mm(feed->size[feed->n - 1]));
 		return error_hint(error, "nothing is known of what is finer");
 	}
-	struct prediction p = predict(
-	    entry->site, &entry->params, s->settings, wish->from, wish->feed);
+	struct prediction p = answers_predict(s, entry, wish->from, wish->feed);
 	wish->inverse = inverse_new(feed,
-	    wish->name != NULL ? p.product.size : &wish->x,
-	    wish->name != NULL ? p.product.n : 1, &entry->params, s->settings);
+	    wish->key != NULL ? p.product.size : &wish->x,
+	    wish->key != NULL ? p.product.n : 1, &entry->params, s->set.model);
 	prediction_free(&p);
 	return true;
 }
@@ -101,17 +98,17 @@ static double
 value_at(struct wish *wish, double v)
 {
 	const struct psd *product = inverse_at(&wish->inverse, v);
-	return wish->name != NULL ? 1000 * psd_size(product, wish->passing)
-				  : units_pct(psd_passing(product, wish->x));
+	return wish->key != NULL ? 1000 * psd_size(product, wish->passing)
+				 : units_pct(psd_passing(product, wish->x));
 }
 
 static char *
 wish_words(const struct wish *wish)
 {
-	return wish->name != NULL ? xasprintf("P%.0f %g mm",
-					100 * wish->passing, units_mm(wish->x))
-				  : xasprintf("%g %% passing %g mm",
-					100 * wish->passing, units_mm(wish->x));
+	return wish->key != NULL ? xasprintf("P%.0f %g mm", 100 * wish->passing,
+				       units_mm(wish->x))
+				 : xasprintf("%g %% passing %g mm",
+				       100 * wish->passing, units_mm(wish->x));
 }
 
 static json_t *
@@ -119,26 +116,18 @@ wish_json(struct session *s, struct wish *wish, double speed,
     const struct prediction *p, size_t n)
 {
 	const struct entry *entry = session_entry(s);
-	json_t *o = answers_json("find", entry->site), *list = json_array();
-	char *key = wish->name != NULL ? xasprintf("%s_mm", wish->name)
-				       : xstrdup("passing_pct");
-	json_object_set_new(o, "wanted", json_string(key));
-	json_object_set_new(o, "value",
-	    json_real(wish->name != NULL ? units_mm(wish->x)
-					 : units_pct(wish->passing)));
-	json_object_set_new(o, "at_mm",
-	    wish->name != NULL ? json_null() : json_real(units_mm(wish->x)));
-	json_object_set_new(o, "from", json_real(wish->from));
-	json_object_set_new(o, "to", json_real(wish->to));
-	json_object_set_new(
-	    o, "value_from", report_json_number(value_at(wish, wish->from)));
-	json_object_set_new(
-	    o, "value_to", report_json_number(value_at(wish, wish->to)));
-	json_object_set_new(o, "speed", report_json_number(speed));
-	for (size_t i = 0; i < n; i++)
-		json_array_append_new(list, answers_prediction_json(s, &p[i]));
-	json_object_set_new(o, "products", list);
-	free(key);
+	json_t *o = answers_json("find", entry->site);
+	json_object_set_new(o, "wanted",
+	    json_string(wish->key != NULL ? wish->key : "passing_pct"));
+	report_put(o, "value",
+	    wish->key != NULL ? units_mm(wish->x) : units_pct(wish->passing));
+	report_put(o, "at_mm", wish->key != NULL ? NAN : units_mm(wish->x));
+	report_put(o, "from", wish->from);
+	report_put(o, "to", wish->to);
+	report_put(o, "value_from", value_at(wish, wish->from));
+	report_put(o, "value_to", value_at(wish, wish->to));
+	report_put(o, "speed", speed);
+	answers_put_products(s, o, p, n);
 	return o;
 }
 
@@ -146,7 +135,7 @@ wish_json(struct session *s, struct wish *wish, double speed,
 static void
 note_unreached(struct report *r, struct wish *wish, const char *words)
 {
-	const char *what = wish->name != NULL ? "mm" : "%";
+	const char *what = wish->key != NULL ? "mm" : "%";
 	double low = value_at(wish, wish->from),
 	       high = value_at(wish, wish->to);
 	bool above = passing_over(wish, wish->from) > 0;
@@ -174,8 +163,7 @@ answer_wish(struct session *s, struct wish *wish)
 	size_t n = found ? 1 : 2;
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
-		p[i] = predict(entry->site, &entry->params, s->settings,
-		    speed[i], wish->feed);
+		p[i] = answers_predict(s, entry, speed[i], wish->feed);
 	session_forget(s);
 	if (found)
 		answers_remember(s, &p[0]);
@@ -221,7 +209,8 @@ answer_spec(struct session *s, const struct args *args, const struct wish *wish,
 {
 	const struct entry *entry = session_entry(s);
 	struct grading g;
-	if (!grading_open(s, option(args, "spec")->text, wish->feed, &g, error))
+	if (!grading_open(
+		s, args_value(args, "spec")->text, wish->feed, &g, error))
 		return false;
 	struct window w =
 	    inverse_window(&g.inverse, &g.envelope, wish->from, wish->to);
@@ -234,19 +223,16 @@ answer_spec(struct session *s, const struct args *args, const struct wish *wish,
 	answers_note_doubt(s, r, v, wish->feed);
 	json_t *o = answers_json("find", entry->site);
 	json_object_set_new(o, "wanted", json_string("spec"));
-	json_object_set_new(o, "from", json_real(wish->from));
-	json_object_set_new(o, "to", json_real(wish->to));
+	report_put(o, "from", wish->from);
+	report_put(o, "to", wish->to);
 	json_object_set_new(o, "inside", json_boolean(w.inside));
-	json_object_set_new(
-	    o, "slowest", w.inside ? json_real(w.slowest) : json_null());
-	json_object_set_new(
-	    o, "fastest", w.inside ? json_real(w.fastest) : json_null());
-	json_object_set_new(o, "speed", json_real(v));
-	json_object_set_new(o, "worst_mm",
-	    w.inside ? json_null()
-		     : json_real(units_mm(g.spec->size[w.worst])));
-	json_object_set_new(o, "outside_pct", json_real(100 * w.by));
-	grading_json(o, &g, v);
+	report_put(o, "slowest", w.inside ? w.slowest : NAN);
+	report_put(o, "fastest", w.inside ? w.fastest : NAN);
+	report_put(o, "speed", v);
+	report_put(
+	    o, "worst_mm", w.inside ? NAN : units_mm(g.spec->size[w.worst]));
+	report_put(o, "outside_pct", 100 * w.by);
+	grading_json(o, r, g.spec);
 	report_json(r, o);
 	session_forget(s);
 	s->answer[ANSWER_INSIDE] = w.inside;
@@ -262,12 +248,11 @@ cmd_find(struct session *s, const struct args *args, struct error *error)
 	if (!answers_ready(s, error) || !check_wish(args, error))
 		return false;
 	const struct site *site = session_entry(s)->site;
-	struct wish wish = {.from = option(args, "from")->number,
-	    .to = option(args, "to")->number};
-	if (!answers_feed(site, option(args, "feed"), answers_middle(site),
-		&wish.feed, error))
+	struct wish wish = {.from = args_value(args, "from")->number,
+	    .to = args_value(args, "to")->number};
+	if (!answers_feed(site, args, answers_middle(site), &wish.feed, error))
 		return false;
-	if (option(args, "spec")->given)
+	if (args_value(args, "spec")->given)
 		return answer_spec(s, args, &wish, error);
 	if (!open_wish(s, args, &wish, error))
 		return false;

@@ -7,25 +7,9 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "cmd/doubt.h"
-#include "cmd/job.h"
+#include "cmd/data.h"
+#include "cmd/table.h"
 #include "core/misfit.h"
-
-/* "69, 79" of the runs marked (or, with `other`, of those not marked). */
-static char *
-speeds(const struct site *site, const bool *train, bool other)
-{
-	char *list = xstrdup("");
-	for (size_t r = 0; r < site->n_run; r++) {
-		if (site->run[r].product.n == 0 || train[r] == other)
-			continue;
-		char *longer = xasprintf("%s%s%g", list,
-		    list[0] != '\0' ? ", " : "", site->run[r].speed);
-		free(list);
-		list = longer;
-	}
-	return list;
-}
 
 /* Marks the runs at the speeds given; each must have a product. */
 static bool
@@ -35,9 +19,7 @@ mark_training(const struct site *site, const struct value *value, bool *train,
 	if (!value->given)
 		return misfit_default_train(site, train) > 0 ||
 		       error_set(error, ERROR_DATA,
-			   "%s has no product to "
-			   "calibrate on",
-			   site->name);
+			   "%s has no product to calibrate on", site->name);
 	for (size_t i = 0; i < value->n; i++) {
 		size_t r = site_run_at(site, value->list[i]);
 		if (r == site->n_run || site->run[r].product.n == 0) {
@@ -65,8 +47,8 @@ check_training(const struct site *site, const bool *train, struct error *error)
 		    "sieves",
 		    site->name, run->speed);
 		return error_hint(error,
-		    "sieve the feed to finer sizes, or "
-		    "train on other runs: calibrate train=...");
+		    "sieve the feed to finer sizes, or train on other "
+		    "runs: calibrate train=...");
 	}
 	return true;
 }
@@ -106,8 +88,8 @@ fit_announce(struct session *s)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	const struct calibrate_options *o = &s->job.options;
-	char *train = speeds(entry->site, s->job.train, false);
-	char *holdout = speeds(entry->site, s->job.train, true);
+	char *train = data_speeds(entry->site, ", ", s->job.train, true);
+	char *holdout = data_speeds(entry->site, ", ", s->job.train, false);
 	session_note(s, "calibrating %s on %s m/s%s%s%s", entry->site->name,
 	    train, holdout[0] != '\0' ? " (held out: " : "", holdout,
 	    holdout[0] != '\0' ? ")" : "");
@@ -120,19 +102,12 @@ fit_announce(struct session *s)
 	free(holdout);
 }
 
-static const struct value *
-option(const struct args *args, const char *name)
-{
-	return args_value(command_find("calibrate"), args, name);
-}
-
 /* The weights in the order of the training runs, as one for each run. */
 static bool
 spread_weights(const struct site *site, const bool *train,
     const struct value *value, double **run_weight, struct error *error)
 {
 	size_t n = 0;
-	*run_weight = NULL;
 	if (!value->given)
 		return true;
 	double *weight = xdoubles(site->n_run);
@@ -145,8 +120,7 @@ spread_weights(const struct site *site, const bool *train,
 	}
 	free(weight);
 	return error_set(error, ERROR_USAGE,
-	    "run_weights wants %zu numbers, one for each training run, not "
-	    "%zu",
+	    "run_weights wants %zu numbers, one for each training run, not %zu",
 	    n, value->n);
 }
 
@@ -154,158 +128,137 @@ static struct calibrate_options
 chosen_options(const struct session *s, const struct args *args)
 {
 	struct calibrate_options o = calibrate_options_default();
-	const struct value *seed = option(args, "seed");
-	const struct value *threads = option(args, "threads");
-	const struct value *polish = option(args, "polish");
-	o.plain = option(args, "preset")->choice == 1;
-	o.seed = seed->given ? seed->whole : s->seed;
-	o.threads = threads->given ? (unsigned)threads->whole : s->threads;
-	o.isa = s->isa;
-	o.population = (size_t)option(args, "population")->whole;
-	o.generations = (size_t)option(args, "generations")->whole;
-	o.stall = (size_t)option(args, "stall")->whole;
-	o.tolerance = option(args, "tolerance")->number;
+	const struct value *seed = args_value(args, "seed");
+	const struct value *threads = args_value(args, "threads");
+	const struct value *polish = args_value(args, "polish");
+	o.plain = args_value(args, "preset")->choice == 1;
+	o.seed = seed->given ? seed->whole : s->set.seed;
+	o.threads = threads->given ? (unsigned)threads->whole : s->set.threads;
+	o.isa = s->set.isa;
+	o.population = (size_t)args_value(args, "population")->whole;
+	o.generations = (size_t)args_value(args, "generations")->whole;
+	o.stall = (size_t)args_value(args, "stall")->whole;
+	o.tolerance = args_value(args, "tolerance")->number;
 	o.polish = polish->choice == 0 && (polish->given || !o.plain);
-	o.by_sd = option(args, "weights")->choice == 1;
-	o.bounds = s->bounds;
-	o.settings = s->settings;
+	o.by_sd = args_value(args, "weights")->choice == 1;
+	o.bounds = s->set.bounds;
+	o.settings = s->set.model;
 	return o;
 }
 
 static bool
-open_log(const struct value *value, FILE **log, struct error *error)
+open_log(const struct value *value, struct job *job, struct error *error)
 {
-	*log = NULL;
-	if (!value->given)
-		return true;
-	*log = fopen(value->text, "w");
-	return *log != NULL ||
-	       error_set(error, ERROR_SYSTEM, "cannot write %s: %s",
-		   value->text, strerror(errno));
+	if (value->given && (job->log = fopen(value->text, "w")) == NULL)
+		return error_set(error, ERROR_SYSTEM, "cannot write %s: %s",
+		    value->text, strerror(errno));
+	return true;
 }
 
 static bool
-calibrate_all(
-    struct session *s, const struct args *args, FILE *log, struct error *error)
+check_all(const struct args *args, struct error *error)
 {
-	if (option(args, "train")->given ||
-	    option(args, "run_weights")->given ||
-	    option(args, "weights")->choice) {
-		if (log != NULL)
-			fclose(log);
-		return error_set(error, ERROR_USAGE,
-		    "calibrate all takes every site's own speeds and no "
-		    "weights");
-	}
-	struct calibrate_options o = chosen_options(s, args);
-	job_start(s, &o, NULL, NULL, true, log);
-	s->job.pause_at = (size_t)option(args, "pause")->whole;
-	return session_busy(s) ||
-	       error_set(error, ERROR_DATA,
-		   "no loaded site has a product to calibrate on");
+	if (!args_value(args, "train")->given &&
+	    !args_value(args, "run_weights")->given &&
+	    !args_value(args, "weights")->choice)
+		return true;
+	return error_set(error, ERROR_USAGE,
+	    "calibrate all takes every site's own speeds and no weights");
+}
+
+/* The runs to train on, and what each counts. */
+static bool
+choose_runs(const struct site *site, const struct args *args, struct job *job,
+    struct error *error)
+{
+	bool by_sd = args_value(args, "weights")->choice == 1;
+	job->train = xcalloc(site->n_run, sizeof *job->train);
+	return mark_training(
+		   site, args_value(args, "train"), job->train, error) &&
+	       check_training(site, job->train, error) &&
+	       (!by_sd || check_weights(site, job->train, error)) &&
+	       spread_weights(site, job->train, args_value(args, "run_weights"),
+		   &job->run_weight, error);
 }
 
 bool
 cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 {
 	const struct site *site = session_entry(s)->site;
-	bool all = args->n_operand > 0;
-	if (all && strcmp(args->operand[0], "all") != 0)
+	const struct value *checkpoint = args_value(args, "checkpoint");
+	const struct value *resume = args_value(args, "resume");
+	struct job job = {.options = chosen_options(s, args),
+	    .all = args->n_operand > 0,
+	    .pause_at = (size_t)args_value(args, "pause")->whole};
+	if (job.all && strcmp(args->operand[0], "all") != 0)
 		return error_set(error, ERROR_USAGE,
 		    "calibrate wants options or all, not '%s'",
 		    args->operand[0]);
-	FILE *log;
-	if (!fit_settings_agree(&s->settings, error) ||
-	    !open_log(option(args, "log"), &log, error))
-		return false;
-	if (all)
-		return calibrate_all(s, args, log, error);
-	double *run_weight = NULL;
-	bool *train = xcalloc(site->n_run, sizeof *train);
-	if (!mark_training(site, option(args, "train"), train, error) ||
-	    !check_training(site, train, error) ||
-	    (option(args, "weights")->choice == 1 &&
-		!check_weights(site, train, error)) ||
-	    !spread_weights(
-		site, train, option(args, "run_weights"), &run_weight, error)) {
-		free(train);
-		if (log != NULL)
-			fclose(log);
+	if (!fit_settings_agree(&s->set.model, error) ||
+	    !open_log(args_value(args, "log"), &job, error) ||
+	    !(job.all ? check_all(args, error)
+		      : choose_runs(site, args, &job, error))) {
+		job_free(&job);
 		return false;
 	}
-	struct calibrate_options o = chosen_options(s, args);
-	job_start(s, &o, train, run_weight, false, log);
-	const struct value *checkpoint = option(args, "checkpoint");
-	const struct value *resume = option(args, "resume");
-	s->job.pause_at = (size_t)option(args, "pause")->whole;
-	if (checkpoint->given)
-		s->job.checkpoint = xstrdup(checkpoint->text);
+	if (checkpoint->given && !job.all)
+		job.checkpoint = xstrdup(checkpoint->text);
+	job_start(s, &job);
+	if (job.all)
+		return session_busy(s) ||
+		       error_set(error, ERROR_DATA,
+			   "no loaded site has a product to calibrate on");
 	return !resume->given || job_resume(s, resume->text, error);
 }
 
-/* Keeps the job's generations in its site. */
+/* Keeps the job's generations and its misfit in its site. */
 static void
 take_history(struct entry *entry, const struct job *job)
 {
 	size_t n, size = sizeof(struct calibrate_generation);
 	const struct calibrate_generation *g =
 	    calibration_history(job->calibration, &n);
-	history_drop(entry->history);
-	entry->history = NULL;
-	if (n == 0)
-		return;
-	struct history *h = entry->history = xcalloc(1, sizeof *h);
+	struct history *h = xcalloc(1, sizeof *h);
 	*h = (struct history){.holders = 1,
 	    .n = n,
-	    .generation = xcalloc(n, size),
-	    .bounds = job->options.bounds};
-	memcpy(h->generation, g, n * size);
+	    .generation = xcalloc(n + 1, size),
+	    .bounds = job->options.bounds,
+	    .misfit = calibrate_misfit(entry->site, &job->options)};
+	if (n > 0)
+		memcpy(h->generation, g, n * size);
+	history_drop(entry->history);
+	entry->history = h;
 }
 
 /* The options of the job as one would type them, for whoever asks later how the
  * fit was found; bounds only where they are not the default ones. */
-static void
-describe_options(const struct session *s, const struct fit *fit, FILE *out)
+static char *
+options_words(const struct session *s, const struct fit *fit)
 {
 	const struct job *job = &s->job;
 	const struct calibrate_options *o = &job->options;
 	const struct bounds usual = bounds_default();
 	const char *sign = " run_weights=";
-	fprintf(out,
-	    "population=%zu generations=%zu tolerance=%g stall=%zu polish=%s",
+	char *words = xasprintf("population=%zu generations=%zu tolerance=%g "
+				"stall=%zu polish=%s%s%s",
 	    o->population, o->generations, o->tolerance, o->stall,
-	    o->polish ? "on" : "off");
-	fprintf(out, "%s%s", o->plain ? " preset=paper" : "",
+	    o->polish ? "on" : "off", o->plain ? " preset=paper" : "",
 	    o->by_sd ? " weights=sd" : "");
 	for (size_t r = 0; r < s->entry[job->entry].site->n_run; r++) {
 		if (job->run_weight == NULL || !job->train[r])
 			continue;
-		fprintf(out, "%s%g", sign, job->run_weight[r]);
+		xappend(&words, "%s%g", sign, job->run_weight[r]);
 		sign = ",";
 	}
 	if (fit->edits > 0)
-		fprintf(out, "; bounds edited after generation %zu%s",
+		xappend(&words, "; bounds edited after generation %zu%s",
 		    fit->edited_at, fit->edits > 1 ? " and before" : "");
 	for (size_t j = 0; j < PARAM_COUNT; j++)
 		if (o->bounds.lower[j] != usual.lower[j] ||
 		    o->bounds.upper[j] != usual.upper[j])
-			fprintf(out, "; bounds %s %g..%g", PARAMS[j].name,
+			xappend(&words, "; bounds %s %g..%g", PARAMS[j].name,
 			    o->bounds.lower[j], o->bounds.upper[j]);
-}
-
-static void
-keep_options(const struct session *s, struct entry *entry)
-{
-	char *text = NULL;
-	size_t n = 0;
-	FILE *out = open_memstream(&text, &n);
-	entry->options[0] = '\0';
-	if (out == NULL)
-		return;
-	describe_options(s, &entry->fit, out);
-	fclose(out);
-	snprintf(entry->options, sizeof entry->options, "%s", text);
-	free(text);
+	return words;
 }
 
 void
@@ -314,11 +267,11 @@ fit_take(struct session *s)
 	struct entry *entry = &s->entry[s->job.entry];
 	entry->recalled[0] = '\0';
 	entry->fit = calibration_fit(s->job.calibration);
-	keep_options(s, entry);
+	char *options = options_words(s, &entry->fit);
+	snprintf(entry->options, sizeof entry->options, "%s", options);
+	free(options);
 	entry->params = entry->fit.params;
 	take_history(entry, &s->job);
-	doubt_drop(entry->doubt);
-	entry->doubt = doubt_new(entry->site, &s->job.options);
 	session_forget(s);
 	s->answer[ANSWER_MISFIT] = entry->fit.misfit;
 	s->answer[ANSWER_RMSE] = 100 * entry->fit.rmse;

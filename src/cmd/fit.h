@@ -9,12 +9,20 @@
 #include "cmd/session.h"
 #include "core/validate.h"
 
-bool cmd_calibrate(struct session *, const struct args *, struct error *);
-
-bool cmd_history(struct session *, const struct args *, struct error *);
-
 /* Says beside the results what the job is about to do. */
 void fit_announce(struct session *s);
+
+/* Starts a job, of which options, train, all, pause_at, run_weight, checkpoint
+ * and log say what is wanted, on the site in use (all: the first of those
+ * loaded); takes what it owns.  Where no site has a product, nothing is
+ * started. */
+void job_start(struct session *s, const struct job *job);
+
+/* Frees what it owns, and leaves it empty. */
+void job_free(struct job *job);
+
+/* Restores the job that was just started from a checkpoint. */
+bool job_resume(struct session *s, const char *path, struct error *error);
 
 /* Takes the job's result into its site; reports it. */
 void fit_take(struct session *s);
@@ -34,6 +42,7 @@ bool fit_breaks_nothing(const struct fit *fit);
 /* True when parameter j is part of a flat direction worth speaking of: the
  * misfit hardly rises along it. */
 bool fit_is_flat(const struct fit *fit, size_t j);
+
 /* The largest RMSE of the entry's fit at the runs held out, 0..1; NAN when none
  * was. */
 double fit_holdout_rmse(const struct entry *entry);

@@ -81,9 +81,9 @@ fit_params_json(const struct params *p)
 	for (size_t b = 0; b < 4; b++)
 		json_array_append_new(beta, report_json_number(p->beta[b]));
 	json_object_set_new(object, "beta", beta);
-	json_object_set_new(object, "f_mat", report_json_number(p->f_mat));
-	json_object_set_new(object, "e0_min", report_json_number(p->e0_min));
-	json_object_set_new(object, "alpha", report_json_number(p->alpha));
+	report_put(object, "f_mat", p->f_mat);
+	report_put(object, "e0_min", p->e0_min);
+	report_put(object, "alpha", p->alpha);
 	return object;
 }
 
@@ -104,14 +104,14 @@ fit_as_json(const struct entry *entry, double seconds)
 		    json_integer((json_int_t)fit->edited_at));
 	json_object_set_new(
 	    o, "stop", json_string(calibrate_state_name(fit->stop)));
-	json_object_set_new(o, "misfit", report_json_number(fit->misfit));
-	json_object_set_new(o, "seconds", report_json_number(seconds));
+	report_put(o, "misfit", fit->misfit);
+	report_put(o, "seconds", seconds);
 	json_object_set_new(o, "params", fit_params_json(&fit->params));
 	json_object_set_new(
 	    o, "train", speeds_as_json(entry->site, entry->train, false));
 	json_object_set_new(
 	    o, "holdout", speeds_as_json(entry->site, entry->train, true));
-	json_object_set_new(o, "rmse_pct", report_json_number(fit->rmse * 100));
+	report_put(o, "rmse_pct", fit->rmse * 100);
 	json_object_set_new(o, "verdict", json_string(fit_verdict(fit)));
 	json_object_set_new(o, "interval", doubt_json(doubt_of(entry)));
 	return o;
@@ -134,9 +134,9 @@ explain_nothing(struct report *report, const struct entry *entry)
 	    "  why: only fragments coarser than the break size break; at %g "
 	    "m/s that is %.3g mm or more, and %.1f %% of the feed is coarser",
 	    fastest->speed, units_mm(x), 100 * coarser);
-	report_note(report, "  the parameters above therefore fit sampling "
-			    "noise: a coarser feed or "
-			    "a higher speed would tell more");
+	report_note(report,
+	    "  the parameters above therefore fit sampling noise: a "
+	    "coarser feed or a higher speed would tell more");
 }
 
 bool
@@ -162,13 +162,9 @@ add_flat(
 		    j < PARAM_F_MAT ? 2 : bounds->upper[j] - bounds->lower[j];
 		if (!fit_is_flat(fit, j))
 			continue;
-		const char *comma = list[0] != '\0' ? ", " : "";
-		char *longer =
-		    silent ? xasprintf("%s%s%s", list, comma, PARAMS[j].name)
-			   : xasprintf("%s%s%s %+.2g", list, comma,
-				 PARAMS[j].name, part * range);
-		free(list);
-		list = longer;
+		xlist(&list, ", ", "%s", PARAMS[j].name);
+		if (!silent)
+			xappend(&list, " %+.2g", part * range);
 	}
 	if (silent)
 		report_note(report,
@@ -177,8 +173,7 @@ add_flat(
 	else if (list[0] != '\0')
 		report_note(report,
 		    "flat direction: together, %s (or all the other way) raise "
-		    "the "
-		    "misfit by a tenth only",
+		    "the misfit by a tenth only",
 		    list);
 	free(list);
 }
@@ -207,14 +202,12 @@ add_verdict(struct report *report, const struct entry *entry,
 	for (size_t j = 0; j < PARAM_COUNT; j++)
 		any = any || fit->on_bound[j];
 	if (any)
-		report_note(report,
-		    "a parameter on its bound is set by the bound, not by the "
-		    "data");
+		report_note(report, "a parameter on its bound is set by the "
+				    "bound, not by the data");
 	add_flat(report, fit, bounds);
 	doubt_note(report);
-	report_note(report,
-	    "beta counts only by its direction; rely on the curves, not on "
-	    "single values");
+	report_note(report, "beta counts only by its direction; rely on the "
+			    "curves, not on single values");
 }
 
 static const char *

@@ -7,7 +7,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "core/predict.h"
+#include "cmd/table.h"
 #include "io/units.h"
 
 bool
@@ -33,7 +33,7 @@ grading_open(struct session *s, const char *path, size_t feed,
 		    path);
 	}
 	grading->inverse = inverse_new(
-	    from, spec->size, grading->n, &entry->params, s->settings);
+	    from, spec->size, grading->n, &entry->params, s->set.model);
 	grading->envelope = (struct envelope){spec->least, spec->most};
 	return true;
 }
@@ -92,29 +92,14 @@ grading_notes(struct report *r, const struct grading *grading)
 }
 
 void
-grading_json(json_t *o, struct grading *grading, double v)
+grading_json(json_t *o, const struct report *r, const struct spec *spec)
 {
-	const struct spec *spec = grading->spec;
-	json_t *verdicts = json_array(), *passing = json_array();
-	inverse_at(&grading->inverse, v);
-	for (size_t i = 0; i < spec->n; i++) {
-		double p =
-		    i < grading->n ? grading->inverse.product.passing[i] : NAN;
-		json_array_append_new(
-		    passing, report_json_number(units_pct(p)));
-		json_array_append_new(
-		    verdicts, json_string(verdict(grading, i)));
-	}
+	static const char *const COLUMNS[] = {
+	    "sieve_mm", "min_pct", "max_pct", "passing_pct", "verdict"};
 	json_object_set_new(o, "spec", json_string(spec->name));
 	json_object_set_new(o, "source", json_string(spec->source));
-	json_object_set_new(
-	    o, "sieve_mm", answers_list_json(spec->size, spec->n, units_mm));
-	json_object_set_new(
-	    o, "min_pct", answers_list_json(spec->least, spec->n, units_pct));
-	json_object_set_new(
-	    o, "max_pct", answers_list_json(spec->most, spec->n, units_pct));
-	json_object_set_new(o, "passing_pct", passing);
-	json_object_set_new(o, "verdict", verdicts);
+	for (size_t i = 0; i < ARRAY_LEN(COLUMNS); i++)
+		report_put_column(o, r, COLUMNS[i]);
 }
 
 /* What is wrong, in a line. */
@@ -139,18 +124,15 @@ note_verdict(struct report *r, struct grading *grading, double v)
 bool
 cmd_spec(struct session *s, const struct args *args, struct error *error)
 {
-	if (!answers_ready(s, error))
-		return false;
 	const struct entry *entry = session_entry(s);
-	const struct command *self = command_find("spec");
-	double v = args_value(self, args, "speed")->number;
+	double v = args_value(args, "speed")->number;
 	size_t feed, worst;
 	struct grading g;
-	if (!answers_feed(
-		entry->site, args_value(self, args, "feed"), v, &feed, error) ||
+	if (!answers_ready(s, error) ||
+	    !answers_feed(entry->site, args, v, &feed, error) ||
 	    !grading_open(s, args->operand[0], feed, &g, error))
 		return false;
-	bool outside = predict_extrapolates(entry->site, entry->train, v);
+	bool outside = answers_extrapolates(entry, v);
 	bool inside = inverse_outside(&g.inverse, &g.envelope, v, &worst) == 0;
 	struct report *r = answers_report(
 	    entry->site, "spec", "%s at %g m/s", g.spec->name, v);
@@ -159,10 +141,10 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 	grading_notes(r, &g);
 	answers_note_doubt(s, r, v, feed);
 	json_t *o = answers_json("spec", entry->site);
-	json_object_set_new(o, "speed", json_real(v));
+	report_put(o, "speed", v);
 	json_object_set_new(o, "extrapolated", json_boolean(outside));
 	json_object_set_new(o, "inside", json_boolean(inside));
-	grading_json(o, &g, v);
+	grading_json(o, r, g.spec);
 	report_json(r, o);
 	s->answer[ANSWER_INSIDE] = inside;
 	session_report(s, r);

@@ -31,8 +31,7 @@ void grading_rows(struct report *r, struct grading *grading, double v);
 /* Where the limits are from, and which sieves are not judged. */
 void grading_notes(struct report *r, const struct grading *grading);
 
-/* Adds spec, source, sieve_mm, min_pct, max_pct, passing_pct and verdict at
- * speed v; all but the names are null where v is not finite. */
-void grading_json(json_t *o, struct grading *grading, double v);
+/* Adds spec, source and the columns of grading_rows. */
+void grading_json(json_t *o, const struct report *r, const struct spec *spec);
 
 #endif

@@ -9,8 +9,10 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/data.h"
 #include "cmd/fit.h"
 #include "cmd/store.h"
+#include "cmd/table.h"
 #include "io/units.h"
 
 /* What a guess is made from.  list: all materials; m [list.n]: the same for
@@ -21,12 +23,6 @@ struct basis {
 	bool *leave_out;
 	size_t n, *pick;
 };
-
-static const struct value *
-option(const struct args *args, const char *name)
-{
-	return args_value(command_find("guess"), args, name);
-}
 
 static void
 basis_free(struct basis *b)
@@ -60,8 +56,8 @@ static bool
 find_wanted(const struct site *site, const struct args *args,
     struct guess_material *wanted, struct error *error)
 {
-	const struct value *rock = option(args, "rock");
-	const struct value *top = option(args, "top");
+	const struct value *rock = args_value(args, "rock");
+	const struct value *top = args_value(args, "top");
 	*wanted = (struct guess_material){.site = site->name,
 	    .rock = rock->given ? rock->text : site->rock,
 	    .top_size = top->given ? top->number / 1000 : site->top_size};
@@ -87,29 +83,16 @@ table3_error(const struct basis *b, size_t nearest, double speed, char **worst)
 	return e;
 }
 
-static json_t *
-curve_json(const struct psd *psd, bool sizes)
-{
-	json_t *list = json_array();
-	for (size_t i = 0; i < psd->n; i++)
-		json_array_append_new(
-		    list, json_real(sizes ? units_mm(psd->size[i])
-					  : units_pct(psd->passing[i])));
-	return list;
-}
-
 /* "p20_mm": middle and "p20_range_mm": [least, most]. */
 static void
 range_json(json_t *o, const char *name, const struct guess_range *range)
 {
 	char *middle = xasprintf("%s_mm", name);
 	char *ends = xasprintf("%s_range_mm", name);
-	json_t *pair = json_array();
-	json_array_append_new(pair, report_json_number(1000 * range->least));
-	json_array_append_new(pair, report_json_number(1000 * range->most));
-	json_object_set_new(
-	    o, middle, report_json_number(1000 * range->middle));
-	json_object_set_new(o, ends, pair);
+	report_put(o, middle, 1000 * range->middle);
+	json_object_set_new(o, ends,
+	    json_pack("[o, o]", report_json_number(1000 * range->least),
+		report_json_number(1000 * range->most)));
 	free(middle);
 	free(ends);
 }
@@ -120,12 +103,9 @@ materials_json(const struct basis *b)
 	json_t *list = json_array();
 	for (size_t i = 0; i < b->n; i++) {
 		const struct stored *m = &b->list.item[b->pick[i]];
-		json_t *o = json_object();
-		json_object_set_new(o, "name", json_string(m->name));
-		json_object_set_new(o, "site", json_string(m->site));
-		json_object_set_new(o, "rock", json_string(m->rock));
-		json_object_set_new(
-		    o, "top_size_mm", report_json_number(m->top_size_mm));
+		json_t *o = json_pack("{s:s, s:s, s:s}", "name", m->name,
+		    "site", m->site, "rock", m->rock);
+		report_put(o, "top_size_mm", m->top_size_mm);
 		json_object_set_new(o, "origin", json_string(m->origin));
 		json_object_set_new(
 		    o, "provenance", json_string(m->provenance));
@@ -138,38 +118,29 @@ materials_json(const struct basis *b)
 static json_t *
 error_json(const struct guess_error *e, const char *worst)
 {
-	json_t *o = json_object();
-	json_object_set_new(
-	    o, "data", json_string("reconstructed from Table 3"));
-	json_object_set_new(o, "sites", json_integer((json_int_t)e->n));
-	json_object_set_new(
-	    o, "median_rmse_pct", report_json_number(100 * e->median));
-	json_object_set_new(
-	    o, "worst_rmse_pct", report_json_number(100 * e->worst));
+	json_t *o = json_pack("{s:s, s:I}", "data",
+	    "reconstructed from Table 3", "sites", (json_int_t)e->n);
+	report_put(o, "median_rmse_pct", 100 * e->median);
+	report_put(o, "worst_rmse_pct", 100 * e->worst);
 	json_object_set_new(o, "worst", json_string(worst));
-	json_object_set_new(
-	    o, "feed_rmse_pct", report_json_number(100 * e->feed));
+	report_put(o, "feed_rmse_pct", 100 * e->feed);
 	return o;
 }
 
 static json_t *
-guess_json(const struct site *site, const struct basis *b,
-    const struct guess *guess, json_t *error)
+guess_json(const struct report *r, const struct site *site,
+    const struct basis *b, const struct guess *guess, json_t *error)
 {
-	json_t *o = json_object();
-	json_object_set_new(o, "command", json_string("guess"));
-	json_object_set_new(o, "site", json_string(site->name));
+	double top = b->wanted.top_size;
+	json_t *o = answers_json("guess", site);
 	json_object_set_new(o, "calibrated", json_false());
 	json_object_set_new(o, "rock", json_string(b->wanted.rock));
-	json_object_set_new(o, "top_size_mm",
-	    b->wanted.top_size > 0 ? json_real(units_mm(b->wanted.top_size))
-				   : json_null());
-	json_object_set_new(o, "speed", json_real(guess->speed));
-	json_object_set_new(o, "sieve_mm", curve_json(&guess->median, true));
-	json_object_set_new(
-	    o, "passing_pct", curve_json(&guess->median, false));
-	json_object_set_new(o, "least_pct", curve_json(&guess->least, false));
-	json_object_set_new(o, "most_pct", curve_json(&guess->most, false));
+	report_put(o, "top_size_mm", top > 0 ? units_mm(top) : NAN);
+	report_put(o, "speed", guess->speed);
+	report_put_column(o, r, "sieve_mm");
+	report_put_column(o, r, "passing_pct");
+	report_put_column(o, r, "least_pct");
+	report_put_column(o, r, "most_pct");
 	range_json(o, "p20", &guess->p20);
 	range_json(o, "p50", &guess->p50);
 	range_json(o, "p80", &guess->p80);
@@ -182,12 +153,8 @@ guess_json(const struct site *site, const struct basis *b,
 static struct report *
 guess_table(const struct site *site, const struct guess *guess)
 {
-	struct report *r = report_new("guess");
-	char *label = session_label(site);
-	report_title(r, "%s: guessed product at %.1f m/s, not calibrated",
-	    label, guess->speed);
-	free(label);
-	report_site(r, site->name, site->provenance);
+	struct report *r = answers_report(site, "guess",
+	    "guessed product at %.1f m/s, not calibrated", guess->speed);
 	report_column(r, "sieve_mm", "sieve mm");
 	report_column(r, "feed_pct", "feed %");
 	report_column(r, "passing_pct", "guess %");
@@ -243,12 +210,8 @@ names(const struct basis *b, bool left)
 	char *list = xstrdup("");
 	for (size_t i = 0; i < (left ? b->list.n : b->n); i++) {
 		size_t at = left ? i : b->pick[i];
-		if (left && !b->leave_out[i])
-			continue;
-		char *longer = xasprintf("%s%s%s", list,
-		    list[0] != '\0' ? ", " : "", b->list.item[at].name);
-		free(list);
-		list = longer;
+		if (!left || b->leave_out[i])
+			xlist(&list, ", ", "%s", b->list.item[at].name);
 	}
 	return list;
 }
@@ -260,7 +223,7 @@ note_materials(struct report *r, const struct basis *b)
 	bool measured = true;
 	for (size_t i = 0; i < b->n; i++) {
 		const struct stored *m = &b->list.item[b->pick[i]];
-		char *kind = store_data_kind(m);
+		char *kind = data_kind(m->provenance);
 		same += text_same(m->rock, b->wanted.rock);
 		measured = measured && strcmp(kind, "measured") == 0;
 		free(kind);
@@ -311,7 +274,7 @@ report_guess(struct session *s, const struct basis *b,
 	    "misses by %.1f. Reconstructed data on made-up feeds, with no "
 	    "sampling error: a plant will be farther off",
 	    e.n, 100 * e.median, 100 * e.worst, worst, 100 * e.feed);
-	report_json(r, guess_json(site, b, guess, error_json(&e, worst)));
+	report_json(r, guess_json(r, site, b, guess, error_json(&e, worst)));
 	free(worst);
 	session_report(s, r);
 }
@@ -320,13 +283,12 @@ bool
 cmd_guess(struct session *s, const struct args *args, struct error *error)
 {
 	const struct site *site = session_entry(s)->site;
-	double speed = option(args, "speed")->number;
-	size_t nearest = (size_t)option(args, "nearest")->whole, feed;
+	double speed = args_value(args, "speed")->number;
+	size_t nearest = (size_t)args_value(args, "nearest")->whole, feed;
 	struct basis b = {0};
-	bool ok =
-	    find_wanted(site, args, &b.wanted, error) &&
-	    answers_feed(site, option(args, "feed"), speed, &feed, error) &&
-	    store_list_all(s->store, &b.list, error);
+	bool ok = find_wanted(site, args, &b.wanted, error) &&
+		  answers_feed(site, args, speed, &feed, error) &&
+		  store_list_all(s->store, &b.list, error);
 	if (ok) {
 		basis_find(&b, nearest);
 		struct guess guess =

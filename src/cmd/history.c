@@ -1,11 +1,10 @@
 /* history: the generations of a calibration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/fit.h"
+#include "cmd/table.h"
 
 /* Rows that fit a screen with their heading. */
 enum { ROWS = 18 };
@@ -64,6 +63,8 @@ history_drop(struct history *h)
 	if (h == NULL || --h->holders > 0)
 		return;
 	free(h->generation);
+	misfit_free(h->misfit);
+	free(h->uncertainty);
 	free(h);
 }
 
@@ -72,17 +73,17 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
 	const struct history *h = entry->history;
-	if (h == NULL) {
+	if (h == NULL || h->n == 0) {
 		error_set(error, ERROR_USAGE,
 		    "%s has not been calibrated in this session",
 		    entry->site->name);
 		return error_hint(error, "calibrate it first");
 	}
-	const struct value *every =
-	    args_value(command_find("history"), args, "every");
+	const struct value *every = args_value(args, "every");
 	size_t step =
 	    every->given ? (size_t)every->whole : (h->n + ROWS - 1) / ROWS;
-	bool exact = s->format == REPORT_CSV || s->format == REPORT_JSON;
+	bool exact =
+	    s->set.format == REPORT_CSV || s->set.format == REPORT_JSON;
 	struct report *r =
 	    answers_report(entry->site, "history", "%zu generations", h->n);
 	add_heads(r, exact);

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/table.h"
 #include "config.h"
 #include "core/isa.h"
 
@@ -26,11 +27,12 @@ info_list(const char *group, FILE *out)
 {
 	const char *last = "";
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (group != NULL && strcmp(group, c->group) != 0)
+		const char *its = command_group(c);
+		if (group != NULL && strcmp(group, its) != 0)
 			continue;
-		if (strcmp(last, c->group) != 0)
-			fprintf(out, "%s\n", c->group);
-		last = c->group;
+		if (strcmp(last, its) != 0)
+			fprintf(out, "%s\n", its);
+		last = its;
 		print_brief(c, out);
 	}
 	fputs(
@@ -40,18 +42,14 @@ info_list(const char *group, FILE *out)
 static void
 print_option(const struct command_option *o, FILE *out)
 {
-	char *limits = command_limits(o);
-	char *text = xasprintf("%s (%s)%s%s", o->brief, limits,
-	    o->fallback[0] != '\0' ? ", default " : "", o->fallback);
+	char *text = command_option_words(o);
 	fprintf(out, "  %s\n", o->name);
 	text_wrap(text, 6, 78, out);
 	free(text);
-	free(limits);
 }
 
-/* Each line behind the margin. */
-static void
-print_example(const struct command *c, const char *margin, FILE *out)
+void
+info_example(const struct command *c, const char *margin, FILE *out)
 {
 	char *copy = xstrdup(c->example), *save = NULL;
 	for (char *line = strtok_r(copy, "\n", &save); line != NULL;
@@ -60,8 +58,9 @@ print_example(const struct command *c, const char *margin, FILE *out)
 	free(copy);
 }
 
-void
-info_command(const struct command *c, FILE *out)
+/* All that the table says of one command. */
+static void
+print_command(const struct command *c, FILE *out)
 {
 	char *usage = command_usage(c);
 	fprintf(out, "%s - %s\n\n", c->name, c->brief);
@@ -77,7 +76,7 @@ info_command(const struct command *c, FILE *out)
 	     o != NULL && o->name != NULL; o++)
 		print_option(o, out);
 	fputs("\nexample\n", out);
-	print_example(c, "  ", out);
+	info_example(c, "  ", out);
 }
 
 /* For somebody who sees the program for the first time. */
@@ -96,7 +95,8 @@ print_start(FILE *out)
 static FILE *
 help_stream(const struct session *s)
 {
-	bool words = s->format == REPORT_TABLE || s->format == REPORT_MARKDOWN;
+	bool words =
+	    s->set.format == REPORT_TABLE || s->set.format == REPORT_MARKDOWN;
 	return words || s->notes == NULL ? s->out : s->notes;
 }
 
@@ -104,7 +104,7 @@ static bool
 is_group(const char *name)
 {
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
-		if (strcmp(c->group, name) == 0)
+		if (strcmp(command_group(c), name) == 0)
 			return true;
 	return false;
 }
@@ -132,9 +132,9 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 		    "behind the command help wants: example; not '%s'",
 		    args->operand[1]);
 	if (command != NULL && example)
-		print_example(command, "", out);
+		info_example(command, "", out);
 	else if (command != NULL)
-		info_command(command, out);
+		print_command(command, out);
 	else if (name == NULL || (is_group(name) && !example)) {
 		if (name == NULL)
 			print_start(out);
@@ -157,9 +157,11 @@ holds(const char *text, const char *folded)
 static bool
 tells_of(const struct command *c, const char *folded)
 {
-	bool found = holds(c->name, folded) || holds(c->brief, folded) ||
-		     holds(c->text, folded) || holds(c->operands, folded) ||
-		     (c->alias != NULL && holds(c->alias, folded));
+	bool found =
+	    holds(c->name, folded) || holds(c->brief, folded) ||
+	    holds(c->text, folded) ||
+	    (c->operands.usage != NULL && holds(c->operands.usage, folded)) ||
+	    (c->alias != NULL && holds(c->alias, folded));
 	const struct command_option *o = c->option;
 	for (; !found && o != NULL && o->name != NULL; o++)
 		found = holds(o->name, folded) || holds(o->brief, folded) ||
@@ -194,7 +196,7 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 	static const char *const PAGES[] = {"tipspeed.1", "tipspeed-tutorial.7",
 	    "tipspeed-tui.1", "tipspeed-site.5", "tipspeed-spec.5",
 	    "tipspeed-model.7"};
-	size_t i = args_value(command_find("man"), args, "page")->choice;
+	size_t i = args_value(args, "page")->choice;
 	assert(i < ARRAY_LEN(PAGES));
 	if (s->show_page != NULL && s->show_page(PAGES[i]))
 		return true;
@@ -212,19 +214,14 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	struct report *r = report_new("version");
-	const char *rows[][2] = {{"tipspeed", PACKAGE_VERSION},
+	const char *const pairs[][2] = {{"tipspeed", PACKAGE_VERSION},
 	    {"gsl", GSL_VERSION}, {"jansson", JANSSON_VERSION},
 	    {"instructions", isa_name(isa_usable(ISA_BEST))}};
 	report_column(r, "part", "part");
 	report_column(r, "version", "version");
-	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
-		report_text(r, rows[i][0]);
-		report_text(r, rows[i][1]);
-	}
-	json_t *o = json_object();
-	json_object_set_new(o, "command", json_string("version"));
-	json_object_set_new(o, "version", json_string(PACKAGE_VERSION));
-	report_json(r, o);
+	report_pairs(r, pairs, ARRAY_LEN(pairs));
+	report_json(r, json_pack("{s:s, s:s}", "command", "version", "version",
+			   PACKAGE_VERSION));
 	session_report(s, r);
 	return true;
 }

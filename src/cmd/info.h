@@ -9,16 +9,10 @@
 #include "cmd/command.h"
 #include "cmd/session.h"
 
-bool cmd_help(struct session *, const struct args *, struct error *);
-bool cmd_apropos(struct session *, const struct args *, struct error *);
-bool cmd_man(struct session *, const struct args *, struct error *);
-bool cmd_version(struct session *, const struct args *, struct error *);
-bool cmd_quit(struct session *, const struct args *, struct error *);
-
 /* The list of commands by group; of one group, or of all for NULL. */
 void info_list(const char *group, FILE *out);
 
-/* All that the table says of one command. */
-void info_command(const struct command *command, FILE *out);
+/* The lines of its example, each behind the margin. */
+void info_example(const struct command *command, const char *margin, FILE *out);
 
 #endif

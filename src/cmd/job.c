@@ -1,17 +1,14 @@
 /* Starts, pauses, ends and sums up calibrations.  The driver pumps them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/job.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/xalloc.h"
 #include "cmd/fit.h"
+#include "cmd/table.h"
 #include "cmd/turn.h"
-#include "core/validate.h"
 #include "io/checkpoint.h"
-#include "io/units.h"
 
 /* Begins with the site of job.entry. */
 static void
@@ -36,26 +33,21 @@ static char *
 options_text(const struct session *s)
 {
 	const struct calibrate_options *o = &s->job.options;
-	char *text = NULL;
-	size_t n = 0;
-	FILE *out = open_memstream(&text, &n);
-	if (out == NULL)
-		return xstrdup("");
-	fprintf(out,
-	    "seed=%llu population=%zu generations=%zu stall=%zu "
-	    "tolerance=%a polish=%d plain=%d sd=%d method=%d "
-	    "appearance=%d k=%a bounds",
-	    (unsigned long long)o->seed, o->population, o->generations,
-	    o->stall, o->tolerance, o->polish, o->plain, o->by_sd,
-	    (int)o->settings.method, (int)o->settings.appearance,
-	    o->settings.k);
+	char *text =
+	    xasprintf("seed=%llu population=%zu generations=%zu stall=%zu "
+		      "tolerance=%a polish=%d plain=%d sd=%d method=%d "
+		      "appearance=%d k=%a bounds",
+		(unsigned long long)o->seed, o->population, o->generations,
+		o->stall, o->tolerance, o->polish, o->plain, o->by_sd,
+		(int)o->settings.method, (int)o->settings.appearance,
+		o->settings.k);
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		fprintf(out, " %a..%a", o->bounds.lower[j], o->bounds.upper[j]);
-	fputs(" train", out);
+		xappend(
+		    &text, " %a..%a", o->bounds.lower[j], o->bounds.upper[j]);
+	xappend(&text, " train");
 	for (size_t r = 0; r < s->entry[s->job.entry].site->n_run; r++)
-		fprintf(out, " %d*%a", s->job.train[r],
+		xappend(&text, " %d*%a", s->job.train[r],
 		    s->job.run_weight != NULL ? s->job.run_weight[r] : 1);
-	fclose(out);
 	return text;
 }
 
@@ -88,7 +80,7 @@ job_resume(struct session *s, const char *path, struct error *error)
 	bool ok = checkpoint_load(path, &of, s->job.calibration, error);
 	free(options);
 	if (!ok) {
-		session_stop(s, false);
+		session_stop(s);
 		return false;
 	}
 	struct calibrate_status st = calibration_status(s->job.calibration);
@@ -97,16 +89,17 @@ job_resume(struct session *s, const char *path, struct error *error)
 	return true;
 }
 
-static void
-clear(struct session *s)
+void
+job_free(struct job *job)
 {
-	free(s->job.checkpoint);
-	free(s->job.run_weight);
-	calibration_free(s->job.calibration);
-	free(s->job.train);
-	if (s->job.log != NULL)
-		fclose(s->job.log);
-	s->job = (struct job){0};
+	free(job->checkpoint);
+	free(job->run_weight);
+	calibration_free(job->calibration);
+	free(job->train);
+	report_free(job->summary);
+	if (job->log != NULL)
+		fclose(job->log);
+	*job = (struct job){0};
 }
 
 /* The next site of `all` that can be calibrated; n_entry when there is none. */
@@ -150,26 +143,19 @@ write_log_head(FILE *log)
 }
 
 void
-job_start(struct session *s, const struct calibrate_options *options,
-    bool *train, double *run_weight, bool all, FILE *log)
+job_start(struct session *s, const struct job *job)
 {
-	session_stop(s, false);
-	s->job = (struct job){.options = *options,
-	    .entry = all ? next_site(s, 0) : s->current,
-	    .turn = s->turn,
-	    .train = train,
-	    .run_weight = run_weight,
-	    .all = all,
-	    .log = log,
-	    .summary = all ? new_summary() : NULL};
-	if (log != NULL)
-		write_log_head(log);
-	if (s->job.entry < s->n_entry) {
+	session_stop(s);
+	s->job = *job;
+	s->job.turn = s->turn;
+	s->job.entry = job->all ? next_site(s, 0) : s->current;
+	s->job.summary = job->all ? new_summary() : NULL;
+	if (job->log != NULL)
+		write_log_head(job->log);
+	if (s->job.entry < s->n_entry)
 		begin(s);
-		return;
-	}
-	report_free(s->job.summary);
-	clear(s);
+	else
+		job_free(&s->job);
 }
 
 /* "alpha on bound; twin of ubbarp; poor". */
@@ -177,32 +163,18 @@ static char *
 remarks(const struct session *s, const struct entry *entry)
 {
 	char *text = xstrdup("");
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		if (!entry->fit.on_bound[j])
-			continue;
-		char *longer =
-		    xasprintf("%s%s on bound; ", text, PARAMS[j].name);
-		free(text);
-		text = longer;
-	}
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		if (entry->fit.on_bound[j])
+			xlist(&text, "; ", "%s on bound", PARAMS[j].name);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *other = &s->entry[i];
-		if (other == entry ||
-		    other->site->digest != entry->site->digest)
-			continue;
-		char *longer = xasprintf("%stwin of %s; ", text, other->key);
-		free(text);
-		text = longer;
+		if (other != entry &&
+		    other->site->digest == entry->site->digest)
+			xlist(&text, "; ", "twin of %s", other->key);
 	}
 	const char *verdict = fit_verdict(&entry->fit);
-	if (strcmp(verdict, "good") != 0) {
-		char *longer = xasprintf("%s%s; ", text, verdict);
-		free(text);
-		text = longer;
-	}
-	size_t n = strlen(text);
-	if (n >= 2)
-		text[n - 2] = '\0';
+	if (strcmp(verdict, "good") != 0)
+		xlist(&text, "; ", "%s", verdict);
 	return text;
 }
 
@@ -266,9 +238,9 @@ static void
 end_all(struct session *s)
 {
 	struct report *summary = s->job.summary;
-	bool all = s->job.all;
-	clear(s);
-	if (all)
+	s->job.summary = NULL;
+	job_free(&s->job);
+	if (summary != NULL)
 		session_report(s, summary);
 }
 
@@ -325,21 +297,11 @@ session_pause(struct session *s)
 }
 
 void
-session_stop(struct session *s, bool keep)
+session_stop(struct session *s)
 {
-	if (s->job.calibration == NULL)
-		return;
-	bool any = calibration_status(s->job.calibration).generation > 0;
-	calibration_stop(s->job.calibration, false);
-	if (keep && any && !s->job.paused)
-		take_result(s);
 	if (session_busy(s))
-		turn_stopped(s, keep ? s->job.step : 0);
-	if (!keep)
-		report_free(s->job.summary);
-	if (!keep)
-		s->job.all = false;
-	end_all(s);
+		turn_stopped(s, 0);
+	job_free(&s->job);
 }
 
 void
@@ -347,7 +309,7 @@ session_let_go(struct session *s)
 {
 	if (s->job.calibration == NULL)
 		return;
-	session_stop(s, false);
+	session_stop(s);
 	session_note(s, "the stopped calibration is let go of: 'continue' "
 			"has nothing to go on with");
 }
@@ -367,10 +329,11 @@ static void
 take_bounds(struct session *s)
 {
 	struct job *job = &s->job;
-	if (memcmp(&s->bounds, &job->options.bounds, sizeof s->bounds) == 0)
+	if (memcmp(&s->set.bounds, &job->options.bounds,
+		sizeof s->set.bounds) == 0)
 		return;
-	job->options.bounds = s->bounds;
-	calibration_set_bounds(job->calibration, &s->bounds);
+	job->options.bounds = s->set.bounds;
+	calibration_set_bounds(job->calibration, &s->set.bounds);
 	session_note(s,
 	    "  going on after generation %zu within the bounds that were "
 	    "edited",
@@ -382,8 +345,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 {
 	if (!need_paused(s, "continue", error))
 		return false;
-	const struct value *pause =
-	    args_value(command_find("continue"), args, "pause");
+	const struct value *pause = args_value(args, "pause");
 	if (pause->given && pause->whole <= s->job.step)
 		return error_set(error, ERROR_USAGE,
 		    "pause wants a generation beyond %zu, which is done",
@@ -401,6 +363,6 @@ cmd_accept(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	if (!need_paused(s, "accept", error))
 		return false;
-	clear(s);
+	job_free(&s->job);
 	return true;
 }

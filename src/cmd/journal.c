@@ -2,15 +2,15 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/journal.h"
 
-#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/data.h"
+#include "cmd/table.h"
 #include "config.h"
 #include "io/replace.h"
 
@@ -22,8 +22,7 @@ struct journal {
 struct mark
 journal_mark(const struct session *s)
 {
-	const struct journal *j = s->journal;
-	return j != NULL ? (struct mark){j->n, j->start} : (struct mark){0};
+	return (struct mark){s->journal->n, s->journal->start};
 }
 
 static void
@@ -38,8 +37,6 @@ journal_cut(struct session *s, struct mark mark)
 {
 	struct tail tail = {.from = mark, .to = journal_mark(s)};
 	struct journal *j = s->journal;
-	if (j == NULL)
-		return tail;
 	tail.line = xcalloc(j->n + 1, sizeof *tail.line);
 	for (size_t i = mark.n; i < j->n; i++)
 		tail.line[tail.n++] = j->line[i];
@@ -52,8 +49,6 @@ void
 journal_paste(struct session *s, struct tail *tail)
 {
 	struct journal *j = s->journal;
-	if (j == NULL)
-		return;
 	/* Results may have come in since the lines were cut off. */
 	if (tail->to.start != tail->from.start)
 		j->start = j->n + tail->to.start - tail->from.n;
@@ -71,11 +66,15 @@ tail_free(struct tail *tail)
 	free(tail->line);
 }
 
+struct journal *
+journal_new(void)
+{
+	return xcalloc(1, sizeof(struct journal));
+}
+
 void
 journal_free(struct journal *j)
 {
-	if (j == NULL)
-		return;
 	for (size_t i = 0; i < j->n; i++)
 		free(j->line[i]);
 	free(j->line);
@@ -94,8 +93,6 @@ is_call_of(const char *line, const char *name)
 void
 journal_add(struct session *s, const char *line, const char *latest)
 {
-	if (s->journal == NULL)
-		s->journal = xcalloc(1, sizeof *s->journal);
 	struct journal *j = s->journal;
 	if (latest != NULL && j->n > j->start &&
 	    is_call_of(j->line[j->n - 1], latest))
@@ -106,18 +103,18 @@ journal_add(struct session *s, const char *line, const char *latest)
 void
 journal_restart(struct session *s)
 {
-	if (s->journal != NULL)
-		s->journal->start = s->journal->n;
+	s->journal->start = s->journal->n;
 }
 
 void
 journal_settings(struct session *s)
 {
-	char *seed = xasprintf("seed %" PRIu64, s->seed);
-	char *format = xasprintf("set format %s", REPORT_FORMATS[s->format]);
-	if (s->seed != 1)
+	char *seed = xasprintf("seed %" PRIu64, s->set.seed);
+	char *format =
+	    xasprintf("set format %s", REPORT_FORMATS[s->set.format]);
+	if (s->set.seed != 1)
 		journal_add(s, seed, NULL);
-	if (s->format != REPORT_TABLE)
+	if (s->set.format != REPORT_TABLE)
 		journal_add(s, format, NULL);
 	free(seed);
 	free(format);
@@ -125,38 +122,34 @@ journal_settings(struct session *s)
 
 /* Appends a word, in quotes where it would not be read as one. */
 static void
-put_word(FILE *out, const char *word)
+put_word(char **line, const char *word)
 {
 	bool plain = word[0] != '\0' && strpbrk(word, " \t;#\"|>\\") == NULL;
-	fputs(plain ? " " : " \"", out);
-	for (const char *p = word; *p != '\0'; p++) {
-		if (*p == '"')
-			fputc('"', out);
-		fputc(*p, out);
-	}
+	xappend(line, plain ? " " : " \"");
+	for (const char *p = word; *p != '\0'; p++)
+		xappend(line, *p == '"' ? "\"\"" : "%c", *p);
 	if (!plain)
-		fputc('"', out);
+		xappend(line, "\"");
 }
 
 /* From the root; links are left as they are. */
 static void
-put_path(FILE *out, const char *path)
+put_path(char **line, const char *path)
 {
 	char folder[4096];
 	bool rooted = path[0] == '/' || getcwd(folder, sizeof folder) == NULL;
 	while (strncmp(path, "./", 2) == 0)
 		path += 2;
 	char *whole = rooted ? xstrdup(path) : xasprintf("%s/%s", folder, path);
-	put_word(out, whole);
+	put_word(line, whole);
 	free(whole);
 }
 
 /* True for an option that a saved line does without. */
 static bool
-is_passing(
-    const struct command *command, const struct args *args, const char *word)
+is_passing(const struct args *args, const char *word)
 {
-	const struct command_option *o = command->option;
+	const struct command_option *o = args->command->option;
 	const char *equals = strchr(word, '=');
 	for (size_t i = 0; o != NULL && o[i].name != NULL; i++) {
 		bool here = args->value[i].given && equals != NULL &&
@@ -178,38 +171,26 @@ is_operand(const struct args *args, const char *word)
 }
 
 char *
-journal_line(const struct command *command, const struct args *args,
-    const struct words *words)
+journal_line(const struct args *args, const struct words *words)
 {
-	char *line = NULL;
-	size_t n = 0;
-	FILE *out = open_memstream(&line, &n);
-	if (out == NULL)
-		return xstrdup("");
-	fputs(command->name, out);
+	char *line = xstrdup(args->command->name);
 	for (size_t i = 1; i < words->n; i++) {
 		const char *word = words->text[i];
-		if ((command->flags & COMMAND_FILES) && is_operand(args, word))
-			put_path(out, word);
-		else if (!is_passing(command, args, word))
-			put_word(out, word);
+		if ((args->command->flags & COMMAND_FILES) &&
+		    is_operand(args, word))
+			put_path(&line, word);
+		else if (!is_passing(args, word))
+			put_word(&line, word);
 	}
-	fclose(out);
 	return line;
 }
 
 char *
 journal_load(const struct site *site)
 {
-	char *line = NULL;
-	size_t n = 0;
-	FILE *out = open_memstream(&line, &n);
-	if (out == NULL)
-		return xstrdup("");
-	fputs("load", out);
-	put_path(out, site->path);
-	fprintf(out, " digest=%016" PRIx64, site->digest);
-	fclose(out);
+	char *line = xstrdup("load");
+	put_path(&line, site->path);
+	xappend(&line, " digest=%016" PRIx64, site->digest);
 	return line;
 }
 
@@ -217,11 +198,8 @@ char *
 journal_label(const struct command *command, const struct words *words)
 {
 	char *label = xstrdup(command->name);
-	for (size_t i = 1; i < words->n; i++) {
-		char *longer = xasprintf("%s %s", label, words->text[i]);
-		free(label);
-		label = longer;
-	}
+	for (size_t i = 1; i < words->n; i++)
+		xappend(&label, " %s", words->text[i]);
 	return label;
 }
 
@@ -251,7 +229,7 @@ put_script(const void *data, FILE *out)
 	    PACKAGE_VERSION);
 	for (size_t i = 0; i < s->n_entry; i++)
 		put_provenance(out, s->entry[i].site);
-	for (size_t i = j != NULL ? j->start : 0; j != NULL && i < j->n; i++)
+	for (size_t i = j->start; i < j->n; i++)
 		fprintf(out, "%s\n", j->line[i]);
 }
 
@@ -259,7 +237,7 @@ put_script(const void *data, FILE *out)
 static bool
 can_be_saved(const struct journal *j, struct error *error)
 {
-	for (size_t i = j != NULL ? j->start : 0; j != NULL && i < j->n; i++) {
+	for (size_t i = j->start; i < j->n; i++) {
 		if (text_is_utf8(j->line[i], strlen(j->line[i])) &&
 		    strpbrk(j->line[i], "\r\n") == NULL)
 			continue;
@@ -276,22 +254,15 @@ bool
 cmd_save(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
-	size_t n = strlen(path);
-	if (n < 5 || strcmp(path + n - 4, ".tip") != 0) {
+	if (!text_ends(path, ".tip")) {
 		error_set(error, ERROR_USAGE,
 		    "save writes a script, and '%s' does not end in .tip",
 		    path);
 		return error_hint(
 		    error, "results are saved with > FILE, sheets with write");
 	}
-	struct stat info;
-	bool replace =
-	    args_value(command_find("save"), args, "replace")->choice == 1;
-	if (!replace && stat(path, &info) == 0) {
-		error_set(error, ERROR_USAGE, "%s is there already", path);
-		return error_hint(error, "replace=on writes over it");
-	}
-	if (!can_be_saved(s->journal, error) ||
+	if (!data_may_write(args, path, error) ||
+	    !can_be_saved(s->journal, error) ||
 	    !replace_file(path, put_script, s, error))
 		return false;
 	struct mark mark = journal_mark(s);

@@ -42,8 +42,7 @@ void journal_settings(struct session *s);
  * absolute paths.  Options that name files and pause= are left out: what the
  * former write is no part of the session, and the latter is put in as it turned
  * out.  The caller frees. */
-char *journal_line(const struct command *command, const struct args *args,
-    const struct words *words);
+char *journal_line(const struct args *args, const struct words *words);
 
 /* "load FILE digest=HEX" for a site that was read. */
 char *journal_load(const struct site *site);
@@ -51,8 +50,7 @@ char *journal_load(const struct site *site);
 /* The call as typed, with the command's full name.  The caller frees. */
 char *journal_label(const struct command *command, const struct words *words);
 
-bool cmd_save(struct session *, const struct args *, struct error *);
-
+struct journal *journal_new(void);
 void journal_free(struct journal *journal);
 
 #endif

@@ -1,7 +1,5 @@
 /* What is loaded and set as a whole, and small things about the session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/manage.h"
-
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -9,6 +7,7 @@
 #include "cmd/journal.h"
 #include "cmd/script.h"
 #include "cmd/snapshot.h"
+#include "cmd/table.h"
 
 bool
 cmd_drop(struct session *s, const struct args *args, struct error *error)
@@ -29,7 +28,7 @@ forget_all(struct session *s, const struct choices *choices)
 	entries_free(s->entry, s->n_entry);
 	s->entry = NULL;
 	s->n_entry = s->current = 0;
-	choices_put(s, choices);
+	s->set = *choices;
 	session_forget(s);
 	journal_restart(s);
 }
@@ -62,18 +61,12 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
 	char *text = xstrdup("");
-	for (size_t i = 0; i < args->n_operand; i++) {
-		char *longer = xasprintf(
-		    "%s%s%s", text, i > 0 ? " " : "", args->operand[i]);
-		free(text);
-		text = longer;
-	}
-	if (s->format == REPORT_JSON) {
+	for (size_t i = 0; i < args->n_operand; i++)
+		xappend(&text, i > 0 ? " %s" : "%s", args->operand[i]);
+	if (s->set.format == REPORT_JSON) {
 		struct report *r = report_new("echo");
-		json_t *o = json_object();
-		json_object_set_new(o, "command", json_string("echo"));
-		json_object_set_new(o, "text", json_string(text));
-		report_json(r, o);
+		report_json(r,
+		    json_pack("{s:s, s:s}", "command", "echo", "text", text));
 		session_report(s, r);
 	} else {
 		fprintf(s->out, "%s\n", text);
@@ -86,8 +79,7 @@ bool
 cmd_timing(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	const struct value *state =
-	    args_value(command_find("timing"), args, "state");
+	const struct value *state = args_value(args, "state");
 	s->timing = state->choice == 0;
 	return true;
 }

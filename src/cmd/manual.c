@@ -8,6 +8,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/command.h"
+#include "cmd/info.h"
 #include "cmd/usage.h"
 
 /* Text of a paragraph: a new sentence on a new line, as mdoc wants it, lines
@@ -69,26 +70,11 @@ print_options(const struct command *c, FILE *out)
 	fputs(".Bl -tag -width 12n -compact\n", out);
 	for (const struct command_option *o = c->option; o->name != NULL; o++) {
 		fprintf(out, ".It Cm %s\n", o->name);
-		char *limits = command_limits(o);
-		char *line = xasprintf("%s (%s)%s%s", o->brief, limits,
-		    o->fallback[0] != '\0' ? ", default " : "", o->fallback);
-		print_text(line, out);
-		free(limits);
-		free(line);
+		char *words = command_option_words(o);
+		print_text(words, out);
+		free(words);
 	}
 	fputs(".El\n", out);
-}
-
-static void
-print_example(const struct command *c, FILE *out)
-{
-	fputs(".Bd -literal -offset indent\n", out);
-	char *copy = xstrdup(c->example), *save = NULL;
-	for (char *line = strtok_r(copy, "\n", &save); line != NULL;
-	     line = strtok_r(NULL, "\n", &save))
-		fprintf(out, "tipspeed> %s\n", line);
-	free(copy);
-	fputs(".Ed\n", out);
 }
 
 void
@@ -96,13 +82,14 @@ manual_commands(FILE *out)
 {
 	const char *group = "";
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (strcmp(group, c->group) != 0) {
+		const char *its = command_group(c);
+		if (strcmp(group, its) != 0) {
 			if (group[0] != '\0')
 				fputs(".El\n", out);
 			fprintf(out, ".Ss %c%s\n.Bl -tag -width Ds\n",
-			    toupper((unsigned char)c->group[0]), c->group + 1);
+			    toupper((unsigned char)its[0]), its + 1);
 		}
-		group = c->group;
+		group = its;
 		char *usage = command_usage(c);
 		fputs(".It ", out);
 		print_quoted(usage, out);
@@ -113,7 +100,9 @@ manual_commands(FILE *out)
 		print_brief(c, out);
 		print_text(c->text, out);
 		print_options(c, out);
-		print_example(c, out);
+		fputs(".Bd -literal -offset indent\n", out);
+		info_example(c, "tipspeed> ", out);
+		fputs(".Ed\n", out);
 	}
 	fputs(".El\n", out);
 }

@@ -1,4 +1,5 @@
-/* The generated parts of the manual.
+/* What is made from the tables at build time: parts of the manual, and
+ * completion of the command line by the shell.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_MANUAL_H
 #define TIPSPEED_CMD_MANUAL_H
@@ -11,5 +12,9 @@ void manual_commands(FILE *out);
 /* The items of the ENVIRONMENT and EXIT STATUS lists. */
 void manual_environment(FILE *out);
 void manual_status(FILE *out);
+
+/* A file for bash-completion: the options of the command line with what they
+ * take, the commands behind -c, and files. */
+void manual_bash(FILE *out);
 
 #endif

@@ -7,14 +7,9 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/show.h"
+#include "cmd/data.h"
 #include "cmd/store.h"
-
-static const struct value *
-option(const struct args *args, const char *name)
-{
-	return args_value(command_find("materials"), args, name);
-}
+#include "cmd/table.h"
 
 const char *
 store_origin_words(const struct stored *m)
@@ -22,13 +17,6 @@ store_origin_words(const struct stored *m)
 	return stored_is_table3(m)             ? "Table 3"
 	       : strcmp(m->origin, "fit") == 0 ? "fit"
 					       : "set by hand";
-}
-
-char *
-store_data_kind(const struct stored *m)
-{
-	size_t n = strcspn(m->provenance, " ;,");
-	return n > 0 ? xstrndup(m->provenance, n) : xstrdup("not stated");
 }
 
 /* Sizes are nominal: within 5 % they are the same, so that 11 finds 11.2. */
@@ -41,9 +29,9 @@ has_size(const struct stored *m, double top_mm)
 static bool
 is_wanted(const struct stored *m, const struct args *args)
 {
-	const struct value *rock = option(args, "rock");
-	const struct value *top = option(args, "top");
-	enum { ALL, TABLE3, OWN } origin = option(args, "origin")->choice;
+	const struct value *rock = args_value(args, "rock");
+	const struct value *top = args_value(args, "top");
+	enum { ALL, TABLE3, OWN } origin = args_value(args, "origin")->choice;
 	return (!rock->given || text_same(m->rock, rock->text)) &&
 	       (!top->given || has_size(m, top->number)) &&
 	       (origin == ALL || (origin == TABLE3) == stored_is_table3(m));
@@ -52,7 +40,7 @@ is_wanted(const struct stored *m, const struct args *args)
 static void
 add_row(struct report *r, const struct stored *m)
 {
-	char *kind = store_data_kind(m);
+	char *kind = data_kind(m->provenance);
 	report_text(r, m->name);
 	report_text(r, m->rock);
 	report_number(r, m->top_size_mm, -1);
@@ -74,12 +62,8 @@ note_rocks(struct report *r, const struct stored_list *list)
 		for (size_t j = 0; j < i; j++)
 			before = before || text_same(list->item[j].rock,
 					       list->item[i].rock);
-		if (before)
-			continue;
-		char *longer = xasprintf("%s%s%s", rocks,
-		    rocks[0] != '\0' ? ", " : "", list->item[i].rock);
-		free(rocks);
-		rocks = longer;
+		if (!before)
+			xlist(&rocks, ", ", "%s", list->item[i].rock);
 	}
 	report_note(r, "rocks: %s", rocks);
 	free(rocks);
@@ -109,7 +93,7 @@ show_list(
 	report_note(r, "%zu of %zu materials, %zu of them your own, in %s", n,
 	    list->n, own, store_path(s->store));
 	report_note(r, "Table 3 is that of the paper, and read only");
-	if (n == 0 && option(args, "rock")->given)
+	if (n == 0 && args_value(args, "rock")->given)
 		note_rocks(r, list);
 	session_report(s, r);
 }
@@ -161,7 +145,7 @@ show_store(struct session *s, const struct args *args, struct error *error)
 	    memory      ? xstrdup("none: it ends with the session")
 	    : bytes < 0 ? xstrdup("none yet: the first remember makes it")
 			: xasprintf("%" PRId64 " bytes", bytes));
-	add_what(r, "schema", xasprintf("%d", store_schema()));
+	add_what(r, "schema", xasprintf("%d", STORE_SCHEMA));
 	add_what(r, "own materials", xasprintf("%zu", own.n));
 	add_what(r, "of Table 3", xasprintf("%zu, read only", all.n));
 	report_note(r, "'materials' lists them");

@@ -10,12 +10,15 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
+#include "cmd/table.h"
 
 const char *const MODEL_FORMS[3] = {"ratio", "progeny_mm", "parent_mm"};
 
-void
-model_show_params(struct session *s)
+bool
+show_params(struct session *s, const struct args *args, struct error *error)
 {
+	(void)args;
+	(void)error;
 	const struct entry *entry = session_entry(s);
 	const struct uncertainty *u = doubt_of(entry);
 	struct report *r = answers_report(
@@ -39,6 +42,7 @@ model_show_params(struct session *s)
 	if (u != NULL)
 		doubt_note(r);
 	session_report(s, r);
+	return true;
 }
 
 void
@@ -60,11 +64,10 @@ static bool
 set_params(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
-	const struct command *self = command_find("params");
 	struct params p =
 	    entry->has_params ? entry->params : params_default_beta();
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		const struct value *v = args_value(self, args, PARAMS[j].name);
+		const struct value *v = args_value(args, PARAMS[j].name);
 		if (v->given)
 			params_set(&p, j, v->number);
 		else if (!entry->has_params && j >= PARAM_F_MAT)
@@ -151,22 +154,13 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-static bool
-list_params(struct session *s, const struct args *args, struct error *error)
-{
-	(void)args;
-	(void)error;
-	model_show_params(s);
-	return true;
-}
-
 /* Only set takes values, only diff and use take a site. */
 static const struct {
 	const char *verb;
 	bool values;
 	size_t operands;
-	bool (*run)(struct session *, const struct args *, struct error *);
-} VERBS[] = {{"list", false, 1, list_params}, {"set", true, 1, set_params},
+	command_run *run;
+} VERBS[] = {{"list", false, 1, show_params}, {"set", true, 1, set_params},
     {"diff", false, 2, diff_params}, {"use", false, 2, use_params}};
 
 bool
@@ -194,9 +188,11 @@ cmd_params(struct session *s, const struct args *args, struct error *error)
 	return VERBS[i].run(s, args, error);
 }
 
-void
-model_show_bounds(struct session *s)
+bool
+show_bounds(struct session *s, const struct args *args, struct error *error)
 {
+	(void)args;
+	(void)error;
 	struct report *r = report_new("bounds");
 	report_title(r, "search bounds");
 	report_column(r, "parameter", "parameter");
@@ -205,11 +201,12 @@ model_show_bounds(struct session *s)
 	report_column(r, "unit", "unit");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		report_text(r, PARAMS[j].name);
-		report_number(r, s->bounds.lower[j], -1);
-		report_number(r, s->bounds.upper[j], -1);
+		report_number(r, s->set.bounds.lower[j], -1);
+		report_number(r, s->set.bounds.upper[j], -1);
 		report_text(r, PARAMS[j].unit);
 	}
 	session_report(s, r);
+	return true;
 }
 
 /* "a..b", or one number, which holds the parameter fixed. */
@@ -232,12 +229,10 @@ read_range(const char *word, double *lower, double *upper)
 bool
 cmd_bounds(struct session *s, const struct args *args, struct error *error)
 {
-	if (args->n_operand == 0) {
-		model_show_bounds(s);
-		return true;
-	}
+	if (args->n_operand == 0)
+		return show_bounds(s, args, error);
 	if (strcmp(args->operand[0], "default") == 0) {
-		s->bounds = bounds_default();
+		s->set.bounds = bounds_default();
 		return true;
 	}
 	size_t j = params_find(args->operand[0]);
@@ -265,8 +260,8 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 	if (fmax(fabs(lower), fabs(upper)) > 1e9)
 		return error_set(error, ERROR_USAGE,
 		    "%s lies between -1e9 and 1e9", PARAMS[j].name);
-	s->bounds.lower[j] = lower;
-	s->bounds.upper[j] = upper;
+	s->set.bounds.lower[j] = lower;
+	s->set.bounds.upper[j] = upper;
 	return true;
 }
 
@@ -274,20 +269,18 @@ static void
 show_settings(struct session *s)
 {
 	struct report *r = report_new("set");
-	char *k = xasprintf("%g", s->settings.k);
-	char *threads = xasprintf("%u", s->threads);
-	const char *rows[][2] = {{"method", answers_method(s->settings.method)},
-	    {"appearance", MODEL_FORMS[s->settings.appearance]}, {"k", k},
-	    {"threads", threads}, {"isa", isa_name(isa_usable(s->isa))},
-	    {"format", REPORT_FORMATS[s->format]},
-	    {"csv", s->semicolon ? "semicolon" : "comma"},
+	char *k = xasprintf("%g", s->set.model.k);
+	char *threads = xasprintf("%u", s->set.threads);
+	const char *const pairs[][2] = {
+	    {"method", answers_method(s->set.model.method)},
+	    {"appearance", MODEL_FORMS[s->set.model.appearance]}, {"k", k},
+	    {"threads", threads}, {"isa", isa_name(isa_usable(s->set.isa))},
+	    {"format", REPORT_FORMATS[s->set.format]},
+	    {"csv", s->set.semicolon ? "semicolon" : "comma"},
 	    {"pager", s->pager ? "on" : "off"}};
 	report_column(r, "setting", "setting");
 	report_column(r, "value", "value");
-	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
-		report_text(r, rows[i][0]);
-		report_text(r, rows[i][1]);
-	}
+	report_pairs(r, pairs, ARRAY_LEN(pairs));
 	free(k);
 	free(threads);
 	session_report(s, r);
@@ -297,31 +290,30 @@ bool
 cmd_set(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	const struct command *self = command_find("set");
-	const struct value *method = args_value(self, args, "method");
-	const struct value *form = args_value(self, args, "appearance");
-	const struct value *k = args_value(self, args, "k");
-	const struct value *threads = args_value(self, args, "threads");
-	const struct value *isa = args_value(self, args, "isa");
-	const struct value *format = args_value(self, args, "format");
-	const struct value *csv = args_value(self, args, "csv");
-	const struct value *pager = args_value(self, args, "pager");
+	const struct value *method = args_value(args, "method");
+	const struct value *form = args_value(args, "appearance");
+	const struct value *k = args_value(args, "k");
+	const struct value *threads = args_value(args, "threads");
+	const struct value *isa = args_value(args, "isa");
+	const struct value *format = args_value(args, "format");
+	const struct value *csv = args_value(args, "csv");
+	const struct value *pager = args_value(args, "pager");
 	if (method->given || form->given || k->given)
 		session_forget(s);
 	if (method->given)
-		s->settings.method = (enum method)method->choice;
+		s->set.model.method = (enum method)method->choice;
 	if (form->given)
-		s->settings.appearance = (enum appearance_form)form->choice;
+		s->set.model.appearance = (enum appearance_form)form->choice;
 	if (k->given)
-		s->settings.k = k->number;
+		s->set.model.k = k->number;
 	if (threads->given)
-		s->threads = (unsigned)threads->whole;
+		s->set.threads = (unsigned)threads->whole;
 	if (isa->given)
-		s->isa = (enum isa)isa->choice;
+		s->set.isa = (enum isa)isa->choice;
 	if (format->given)
-		s->format = (enum report_format)format->choice;
+		s->set.format = (enum report_format)format->choice;
 	if (csv->given)
-		s->semicolon = csv->choice == 1;
+		s->set.semicolon = csv->choice == 1;
 	if (pager->given)
 		s->pager = pager->choice == 0;
 	bool any = method->given || form->given || k->given || threads->given ||
@@ -335,14 +327,13 @@ bool
 cmd_seed(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	const struct value *value =
-	    args_value(command_find("seed"), args, "seed");
+	const struct value *value = args_value(args, "seed");
 	if (value->given) {
-		s->seed = value->whole;
+		s->set.seed = value->whole;
 		return true;
 	}
 	struct report *r = report_new("seed");
-	char *text = xasprintf("%llu", (unsigned long long)s->seed);
+	char *text = xasprintf("%llu", (unsigned long long)s->set.seed);
 	report_column(r, "seed", "seed");
 	report_text(r, text);
 	free(text);

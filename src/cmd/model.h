@@ -8,17 +8,8 @@
 #include "cmd/command.h"
 #include "cmd/session.h"
 
-bool cmd_params(struct session *, const struct args *, struct error *);
-bool cmd_bounds(struct session *, const struct args *, struct error *);
-bool cmd_set(struct session *, const struct args *, struct error *);
-bool cmd_seed(struct session *, const struct args *, struct error *);
-
 /* Names of the appearance forms, in the order of the enum. */
 extern const char *const MODEL_FORMS[3];
-
-/* The parameters of the site in use and the search bounds, as results. */
-void model_show_params(struct session *s);
-void model_show_bounds(struct session *s);
 
 /* Gives a site other parameters, which are no fit; origin says in words where
  * they are from and is taken; NULL: set by hand. */

@@ -3,36 +3,59 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/parse.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/value.h"
 
-static bool
+static void
 unknown_option(
     const struct command *command, const char *name, struct error *error)
 {
 	error_set(
 	    error, ERROR_USAGE, "%s has no option '%s'", command->name, name);
 	const struct command_option *o = command->option;
-	for (; o != NULL && o->name != NULL; o++)
-		if (text_distance(o->name, name) <= 2)
-			return error_hint(error, "did you mean '%s'?", o->name);
+	while (o != NULL && o->name != NULL && text_distance(o->name, name) > 2)
+		o++;
+	if (o != NULL && o->name != NULL) {
+		error_hint(error, "did you mean '%s'?", o->name);
+		return;
+	}
 	char *usage = command_usage(command);
 	error_hint(error, "usage: %s", usage);
 	free(usage);
-	return false;
+}
+
+/* Index of the option so called; OPTIONS, with an error, where there is none or
+ * it has been given. */
+static size_t
+new_option(const struct args *args, const char *name, struct error *error)
+{
+	size_t i = command_option_index(args->command, name);
+	if (i == OPTIONS)
+		unknown_option(args->command, name, error);
+	else if (args->value[i].given)
+		error_set(error, ERROR_USAGE, "%s is given twice", name);
+	else
+		return i;
+	return OPTIONS;
+}
+
+static bool
+take_value(size_t i, const char *word, struct args *args, struct error *error)
+{
+	args->value[i].given = true;
+	return value_take(
+	    &args->command->option[i], word, &args->value[i], error);
 }
 
 /* One word behind the command's name: key=value, the bare option or an
  * operand. */
 static bool
-take_argument(const struct command *command, const char *word,
-    struct args *args, struct error *error)
+take_argument(const char *word, struct args *args, struct error *error)
 {
+	const struct command *command = args->command;
 	const char *equals = strchr(word, '=');
 	size_t key = equals != NULL ? (size_t)(equals - word) : 0;
 	bool is_key =
@@ -41,26 +64,17 @@ take_argument(const struct command *command, const char *word,
 	size_t i = OPTIONS;
 	if (is_key && command->option != NULL) {
 		char *name = xstrndup(word, key);
-		i = command_option_index(command, name);
-		bool ok = i < OPTIONS && !args->value[i].given;
-		if (i == OPTIONS)
-			unknown_option(command, name, error);
-		else if (!ok)
-			error_set(
-			    error, ERROR_USAGE, "%s is given twice", name);
+		i = new_option(args, name, error);
 		free(name);
-		if (!ok)
+		if (i == OPTIONS)
 			return false;
 		word = equals + 1;
 	} else if (command->bare != NULL) {
 		size_t bare = command_option_index(command, command->bare);
 		i = args->value[bare].given ? OPTIONS : bare;
 	}
-	if (i < OPTIONS) {
-		args->value[i].given = true;
-		return value_take(
-		    &command->option[i], word, &args->value[i], error);
-	}
+	if (i < OPTIONS)
+		return take_value(i, word, args, error);
 	args->operand[args->n_operand++] = word;
 	return true;
 }
@@ -76,39 +90,30 @@ lacks_value(
 
 /* "method classes" where "method=classes" would do. */
 static bool
-take_pair(const struct command *command, const char *name, char *word,
-    struct args *args, struct error *error)
+take_pair(
+    const char *name, const char *word, struct args *args, struct error *error)
 {
-	size_t i = command_option_index(command, name);
-	if (i == OPTIONS)
-		return unknown_option(command, name, error);
-	if (args->value[i].given)
-		return error_set(error, ERROR_USAGE, "%s is given twice", name);
-	args->value[i].given = true;
-	return value_take(&command->option[i], word, &args->value[i], error);
+	size_t i = new_option(args, name, error);
+	return i < OPTIONS && take_value(i, word, args, error);
 }
 
 static bool
-take_fallbacks(
-    const struct command *command, struct args *args, struct error *error)
+take_fallbacks(struct args *args, struct error *error)
 {
-	for (size_t i = 0;
-	     command->option != NULL && command->option[i].name != NULL; i++) {
-		const struct command_option *o = &command->option[i];
-		if (args->value[i].given || o->fallback[0] == '\0')
-			continue;
-		if (!value_take(o, o->fallback, &args->value[i], error))
-			return false;
-	}
-	return true;
+	const struct command_option *o = args->command->option;
+	bool ok = true;
+	for (size_t i = 0; ok && o != NULL && o[i].name != NULL; i++)
+		if (!args->value[i].given && o[i].fallback[0] != '\0')
+			ok = value_take(
+			    &o[i], o[i].fallback, &args->value[i], error);
+	return ok;
 }
 
 /* True, with the error, for "69 m/s". */
 static bool
-is_lone_unit(const struct command *command, const struct args *args,
-    const char *word, struct error *error)
+is_lone_unit(const struct args *args, const char *word, struct error *error)
 {
-	const struct command_option *o = command->option;
+	const struct command_option *o = args->command->option;
 	for (size_t i = 0; o != NULL && o[i].name != NULL; i++) {
 		if (!args->value[i].given || o[i].unit[0] == '\0' ||
 		    strcmp(o[i].unit, word) != 0)
@@ -122,18 +127,16 @@ is_lone_unit(const struct command *command, const struct args *args,
 }
 
 static bool
-check_operands(
-    const struct command *command, const struct args *args, struct error *error)
+check_operands(const struct args *args, struct error *error)
 {
-	if (args->n_operand >= command->least &&
-	    args->n_operand <= command->most)
-		return true;
-	if (args->n_operand > command->most &&
-	    is_lone_unit(command, args, args->operand[command->most], error))
-		return false;
-	const char *more = args->n_operand > command->most
-			       ? args->operand[command->most]
+	const struct command *command = args->command;
+	const char *more = args->n_operand > command->operands.most
+			       ? args->operand[command->operands.most]
 			       : NULL;
+	if (more == NULL && args->n_operand >= command->operands.least)
+		return true;
+	if (more != NULL && is_lone_unit(args, more, error))
+		return false;
 	if (more != NULL && command_option_index(command, more) < OPTIONS) {
 		error_set(error, ERROR_USAGE, "%s wants a value", more);
 		return error_hint(error, "%s=..", more);
@@ -144,7 +147,7 @@ check_operands(
 		    command->name, more);
 	else
 		error_set(error, ERROR_USAGE, "%s wants %s", command->name,
-		    command->operands);
+		    command->operands.usage);
 	error_hint(error, "usage: %s", usage);
 	free(usage);
 	return false;
@@ -179,9 +182,7 @@ put_place(struct error *error, struct place place,
     const struct command *command, const struct words *words, size_t i)
 {
 	hint_blanks(command, words, error);
-	snprintf(error->file, sizeof error->file, "%s", place.file);
-	error->line = place.line;
-	error->column = words->column[i];
+	error_place(error, place.file, place.line, words->column[i]);
 }
 
 static void
@@ -212,6 +213,7 @@ parse_call(const struct words *words, struct place place, struct args *args,
 		put_place(error, place, NULL, words, 0);
 		return NULL;
 	}
+	args->command = command;
 	for (size_t i = 1; i < words->n; i++) {
 		if (command->pairs && i + 1 == words->n &&
 		    lacks_value(command, words->text[i], error)) {
@@ -220,22 +222,22 @@ parse_call(const struct words *words, struct place place, struct args *args,
 		}
 		bool pair = command->pairs && i + 1 < words->n &&
 			    strchr(words->text[i], '=') == NULL;
-		bool ok =
-		    pair ? take_pair(command, words->text[i],
-			       words->text[i + 1], args, error)
-			 : take_argument(command, words->text[i], args, error);
+		bool ok = pair ? take_pair(words->text[i], words->text[i + 1],
+				     args, error)
+			       : take_argument(words->text[i], args, error);
 		if (!ok) {
 			put_place(error, place, command, words, i);
 			return NULL;
 		}
 		i += pair;
 	}
-	if (!check_operands(command, args, error) ||
-	    !take_fallbacks(command, args, error)) {
+	if (!check_operands(args, error) || !take_fallbacks(args, error)) {
 		size_t at = 0;
 		for (size_t i = 1;
-		     i < words->n && args->n_operand > command->most; i++)
-			if (words->text[i] == args->operand[command->most])
+		     i < words->n && args->n_operand > command->operands.most;
+		     i++)
+			if (words->text[i] ==
+			    args->operand[command->operands.most])
 				at = i;
 		put_place(error, place, command, words, at);
 		return NULL;

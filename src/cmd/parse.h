@@ -52,4 +52,16 @@ const struct command *parse_call(const struct words *words, struct place place,
     struct args *args, struct error *error);
 void args_free(struct args *args);
 
+/* Reads word as the option's value, which borrows it; value->list is the
+ * caller's.  False, with an error that says what was wanted and a hint at what
+ * was meant. */
+bool value_take(const struct command_option *option, const char *word,
+    struct value *value, struct error *error);
+
+/* A number, with its unit or without: 69, 69m/s. */
+bool value_number(const char *word, const char *unit, double *value);
+
+/* The error that there is none.  Returns false. */
+bool value_wanted(const struct command_option *option, struct error *error);
+
 #endif

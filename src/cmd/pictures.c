@@ -9,49 +9,32 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/table.h"
 #include "config.h"
 #include "plot/picture.h"
 
-/* Index of a word in a list with blanks between; false where it has none such.
- */
-static bool
-find_word(const char *list, const char *word, size_t *index)
-{
-	size_t n = strlen(word);
-	*index = 0;
-	while (*list != '\0') {
-		size_t m = strcspn(list, " ");
-		if (n == m && strncmp(list, word, n) == 0)
-			return true;
-		list += m;
-		list += strspn(list, " ");
-		(*index)++;
-	}
-	return false;
-}
-
 bool
-pictures_request(const struct command *self, const struct args *args,
-    struct plot_request *request, struct error *error)
+pictures_request(
+    const struct args *args, struct plot_request *request, struct error *error)
 {
 	size_t kind;
-	if (!find_word(PLOT_KINDS, args->operand[0], &kind)) {
+	if (!text_choice(PLOT_KINDS, args->operand[0], &kind)) {
 		error_set(error, ERROR_USAGE, "there is no plot '%s'",
 		    args->operand[0]);
 		return error_hint(error, "the plots are: %s", PLOT_KINDS);
 	}
 	*request = plots_request((enum plot_kind)kind);
-	const struct value *speed = args_value(self, args, "speed");
-	const struct value *other = args_value(self, args, "other");
-	const struct value *at = args_value(self, args, "at");
-	const struct value *speeds = args_value(self, args, "speeds");
+	const struct value *speed = args_value(args, "speed");
+	const struct value *other = args_value(args, "other");
+	const struct value *at = args_value(args, "at");
+	const struct value *speeds = args_value(args, "speeds");
 	if (speed->given)
 		request->speed = speed->number;
 	if (other->given)
 		request->other_speed = other->number;
 	if (at->given)
 		request->crosshair_mm = at->number;
-	request->band = args_value(self, args, "band")->choice == 1;
+	request->band = args_value(args, "band")->choice == 1;
 	request->n_speed = speeds->n;
 	request->speeds = speeds->list;
 	return true;
@@ -128,12 +111,11 @@ print_chart(struct session *s, const struct args *args,
     const struct chart *chart, enum charset charset)
 {
 	enum { WIDTH = 78, WIDEST = 100, HEIGHT = 24 };
-	const struct command *self = command_find("plot");
 	const struct screen *screen = &s->screen;
-	int columns = size_of(
-	    args_value(self, args, "width"), screen->columns, WIDEST, WIDTH);
+	int columns =
+	    size_of(args_value(args, "width"), screen->columns, WIDEST, WIDTH);
 	int rows = size_of(
-	    args_value(self, args, "height"), screen->rows - 2, HEIGHT, HEIGHT);
+	    args_value(args, "height"), screen->rows - 2, HEIGHT, HEIGHT);
 	struct canvas *canvas = chart_draw(chart, columns, rows, charset, true);
 	canvas_print(canvas, screen->colours, s->out);
 	canvas_free(canvas);
@@ -151,15 +133,14 @@ static struct screen_request
 screen_request(const struct session *s, const struct args *args, bool picture)
 {
 	static const int DEPTHS[] = {0, 256, 16, 8, 0};
-	const struct command *self = command_find("screen");
-	const struct value *page = args_value(self, args, "page");
-	const struct value *keys = args_value(self, args, "keys");
-	size_t charset = args_value(self, args, "charset")->choice;
-	size_t colours = args_value(self, args, "colours")->choice;
+	const struct value *page = args_value(args, "page");
+	const struct value *keys = args_value(args, "keys");
+	size_t charset = args_value(args, "charset")->choice;
+	size_t colours = args_value(args, "colours")->choice;
 	bool drawing = picture || s->screen.drawing;
 	return (struct screen_request){
-	    .columns = (int)args_value(self, args, "width")->number,
-	    .rows = (int)args_value(self, args, "height")->number,
+	    .columns = (int)args_value(args, "width")->number,
+	    .rows = (int)args_value(args, "height")->number,
 	    .page = page->given ? (int)page->choice + 1 : 0,
 	    .keys = keys->given ? keys->text : "",
 	    .charset_asked = charset > 0,
@@ -234,7 +215,7 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 	bool ok = true;
 	if (picture)
 		ok = write_screen(s, canvas, r.colours, form, error);
-	else if (s->format == REPORT_TABLE)
+	else if (s->set.format == REPORT_TABLE)
 		canvas_print(canvas, r.colours, s->out);
 	else
 		session_report(s, screen_report(canvas));
@@ -246,14 +227,13 @@ bool
 cmd_plot(struct session *s, const struct args *args, struct error *error)
 {
 	enum { AUTO };
-	const struct command *self = command_find("plot");
 	struct plot_request request;
-	if (!pictures_request(self, args, &request, error))
+	if (!pictures_request(args, &request, error))
 		return false;
 	struct chart *chart = plots_chart(s, &request, error);
 	if (chart == NULL)
 		return false;
-	size_t choice = args_value(self, args, "charset")->choice;
+	size_t choice = args_value(args, "charset")->choice;
 	enum charset charset = choice != AUTO      ? (enum charset)(choice - 1)
 			       : s->screen.drawing ? CHARSET_BRAILLE
 						   : CHARSET_ASCII;
@@ -263,7 +243,7 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 		ok = picture_write(
 			 chart, form, "tipspeed " PACKAGE_VERSION, s->out) ||
 		     cannot_draw(s, error);
-	else if (s->format == REPORT_TABLE)
+	else if (s->set.format == REPORT_TABLE)
 		print_chart(s, args, chart, charset);
 	else
 		session_report(s, chart_report(s, chart));

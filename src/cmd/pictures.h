@@ -9,11 +9,6 @@
 #include "cmd/plots.h"
 #include "cmd/session.h"
 
-bool cmd_plot(struct session *, const struct args *, struct error *);
-bool cmd_describe(struct session *, const struct args *, struct error *);
-
-bool cmd_screen(struct session *, const struct args *, struct error *);
-
 /* A picture of the full screen.  columns, rows: 0: as the one that is open,
  * else 100 x 30.  page: from 1; 0: the one shown.  keys: names of keys, pressed
  * before; "": none.  charset and colours (0, 8, 16 or 256) are those of the
@@ -27,8 +22,8 @@ struct screen_request {
 
 /* What the call asks for: its kind and the options that plot and describe have
  * in common. */
-bool pictures_request(const struct command *self, const struct args *args,
-    struct plot_request *request, struct error *error);
+bool pictures_request(
+    const struct args *args, struct plot_request *request, struct error *error);
 
 /* A report headed as the chart is. */
 struct report *pictures_report(

@@ -150,7 +150,7 @@ add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
 		if (entry->train[run] || entry->site->run[run].product.n == 0)
 			continue;
 		struct validation v = validate_run(entry->site, run,
-		    entry->train, &entry->params, s->settings);
+		    entry->train, &entry->params, s->set.model);
 		size_t n = pairs->n++;
 		pairs->measured =
 		    xrealloc(pairs->measured, n + 1, sizeof *pairs->measured);

@@ -31,7 +31,7 @@ add_selection(struct chart *chart, const struct session *s,
 		series->x[i] = sample(chart->x.low, chart->x.high, i);
 		double x = series->x[i] / 1000, S;
 		selection(
-		    params, s->settings.k, energy_specific(speed), &x, 1, &S);
+		    params, s->set.model.k, energy_specific(speed), &x, 1, &S);
 		series->y[i] = 100 * S;
 	}
 	double mm = 1000 * energy_break_size(params, speed);
@@ -77,7 +77,7 @@ plots_appearance(
 	struct params params;
 	if (!plots_params(s, q, &params, error))
 		return NULL;
-	if (s->settings.appearance != APPEARANCE_RATIO) {
+	if (s->set.model.appearance != APPEARANCE_RATIO) {
 		error_set(error, ERROR_USAGE,
 		    "only the appearance of the form ratio can be drawn");
 		error_hint(error, "'show appearance' prints the matrix of any "

@@ -48,7 +48,7 @@ add_prediction(struct curves *c, struct session *s, const struct params *params,
 {
 	const struct site *site = session_entry(s)->site;
 	struct prediction *p = &c->prediction[c->n_prediction++];
-	*p = predict(site, params, s->settings, speed, feed);
+	*p = predict(site, params, s->set.model, speed, feed);
 	add_curve(c, &p->product, xasprintf("predicted %g m/s", speed), look);
 	return p;
 }
@@ -282,7 +282,7 @@ add_residuals(struct chart *chart, struct session *s, size_t run,
 	const struct run *r = &entry->site->run[run];
 	size_t n = misfit_covered(&r->feed, &r->product);
 	struct prediction p =
-	    predict(entry->site, params, s->settings, r->speed, run);
+	    predict(entry->site, params, s->set.model, r->speed, run);
 	char *name = xasprintf(
 	    "%g m/s%s", r->speed, entry->train[run] ? "" : " (held out)");
 	struct chart_series *series = chart_add(chart, name, look, n);

@@ -9,15 +9,10 @@
 #include "cmd/doubt.h"
 #include "cmd/fit.h"
 #include "cmd/plots.h"
+#include "cmd/table.h"
 #include "core/predict.h"
 #include "core/validate.h"
 #include "io/units.h"
-
-static const struct value *
-option(const char *command, const struct args *args, const char *name)
-{
-	return args_value(command_find(command), args, name);
-}
 
 /* Which sizes break at this speed, in a sentence. */
 static void
@@ -61,37 +56,15 @@ note_feed_gaps(
 {
 	const struct psd *feed = &site->run[p->feed_run].feed;
 	char *list = xstrdup("");
-	for (size_t i = 0; i < p->feed.n; i++) {
-		size_t j = 0;
-		while (j < feed->n && feed->size[j] != p->feed.size[i])
-			j++;
-		if (j < feed->n)
-			continue;
-		char *longer = xasprintf("%s%s%g", list,
-		    list[0] != '\0' ? ", " : "", units_mm(p->feed.size[i]));
-		free(list);
-		list = longer;
-	}
+	for (size_t i = 0; i < p->feed.n; i++)
+		if (isnan(psd_at_sieve(feed, p->feed.size[i])))
+			xlist(&list, ", ", "%g", units_mm(p->feed.size[i]));
 	if (list[0] != '\0')
 		report_note(r,
 		    "the feed was not sieved at %s mm: its passing there is "
 		    "read between its neighbours",
 		    list);
 	free(list);
-}
-
-/* Measured passing at a sieve of a run at this very speed, else NAN. */
-static double
-measured_at(const struct site *site, double speed, double x)
-{
-	size_t r = site_run_at(site, speed);
-	if (r == site->n_run)
-		return NAN;
-	const struct psd *product = &site->run[r].product;
-	for (size_t i = 0; i < product->n; i++)
-		if (product->size[i] == x)
-			return product->passing[i];
-	return NAN;
 }
 
 /* Measured products interpolated in speed squared at each sieve, [n]; NULL
@@ -119,7 +92,10 @@ prediction_report(struct session *s, const struct prediction *p,
 {
 	const struct site *site = session_entry(s)->site;
 	size_t run = site_run_at(site, p->speed);
-	bool measured = run < site->n_run && site->run[run].product.n > 0;
+	const struct psd *measured =
+	    run < site->n_run ? &site->run[run].product : NULL;
+	if (measured != NULL && measured->n == 0)
+		measured = NULL;
 	struct report *r = answers_report(site, "predict",
 	    "product at %.1f m/s (%.0f J/kg)", p->speed, p->energy);
 	report_column(r, "sieve_mm", "sieve mm");
@@ -129,7 +105,7 @@ prediction_report(struct session *s, const struct prediction *p,
 		report_column(r, "low_pct", "low %");
 		report_column(r, "high_pct", "high %");
 	}
-	if (measured)
+	if (measured != NULL)
 		report_column(r, "measured_pct", "measured %");
 	if (between != NULL)
 		report_column(r, "interpolated_pct", "interpolated %");
@@ -142,9 +118,9 @@ prediction_report(struct session *s, const struct prediction *p,
 			report_number(r, units_pct(band->low[i]), 1);
 			report_number(r, units_pct(band->high[i]), 1);
 		}
-		if (measured)
+		if (measured != NULL)
 			report_number(
-			    r, units_pct(measured_at(site, p->speed, x)), 1);
+			    r, units_pct(psd_at_sieve(measured, x)), 1);
 		if (between != NULL)
 			report_number(r, units_pct(between[i]), 1);
 	}
@@ -159,7 +135,7 @@ note_band(struct report *r, const struct entry *entry, double speed)
 	if (entry->fit.rmse > FIT_POOR)
 		report_note(r, "the band is too narrow: the fit is poor, and "
 			       "the model's own error is not in it");
-	else if (predict_extrapolates(entry->site, entry->train, speed))
+	else if (answers_extrapolates(entry, speed))
 		report_note(r, "the band knows nothing of the model's own "
 			       "error, which grows beyond the speeds trained "
 			       "on");
@@ -178,6 +154,8 @@ explained(struct session *s, const struct prediction *p,
 	answers_note_sizes(r, &p->product, band);
 	if (band != NULL) {
 		note_band(r, entry, p->speed);
+		report_put_column(o, r, "low_pct");
+		report_put_column(o, r, "high_pct");
 		doubt_band_json(o, band);
 	}
 	note_breakage(r, params, p);
@@ -187,8 +165,7 @@ explained(struct session *s, const struct prediction *p,
 		report_note(r, "from the best parameters so far");
 	}
 	if (between != NULL)
-		json_object_set_new(o, "interpolated_pct",
-		    answers_list_json(between, p->product.n, units_pct));
+		report_put_column(o, r, "interpolated_pct");
 	else if (wanted)
 		report_note(r,
 		    "nothing is interpolated: %g m/s does not lie between "
@@ -224,16 +201,15 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 	struct params params = entry->params;
 	if (!answers_forming(s, &params) && !answers_ready(s, error))
 		return false;
-	double speed = option("predict", args, "speed")->number;
+	double speed = args_value(args, "speed")->number;
 	size_t feed;
-	if (!answers_feed(entry->site, option("predict", args, "feed"), speed,
-		&feed, error))
+	if (!answers_feed(entry->site, args, speed, &feed, error))
 		return false;
 	struct prediction p =
-	    predict(entry->site, &params, s->settings, speed, feed);
+	    predict(entry->site, &params, s->set.model, speed, feed);
 	answers_remember(s, &p);
-	bool wanted = option("predict", args, "interpolated")->choice == 1;
-	const struct value *asked = option("predict", args, "band");
+	bool wanted = args_value(args, "interpolated")->choice == 1;
+	const struct value *asked = args_value(args, "band");
 	struct band band = {0};
 	bool has_band = !session_busy(s) && asked->choice == 1 &&
 			doubt_band(s, entry, &p, &band);
@@ -244,9 +220,9 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 			       "site with these settings");
 	session_report(s, r);
 	band_free(&band);
-	bool curve = option("predict", args, "curve")->choice == 1;
-	bool ok =
-	    !curve || s->format != REPORT_TABLE || print_curves(s, &p, error);
+	bool curve = args_value(args, "curve")->choice == 1;
+	bool ok = !curve || s->set.format != REPORT_TABLE ||
+		  print_curves(s, &p, error);
 	prediction_free(&p);
 	return ok;
 }

@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "io/replace.h"
 
@@ -33,12 +34,9 @@ form_of(const char *path, enum report_format other)
 		enum report_format form;
 	} ENDS[] = {{".csv", REPORT_CSV}, {".json", REPORT_JSON},
 	    {".md", REPORT_MARKDOWN}};
-	size_t n = strlen(path);
-	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++) {
-		size_t m = strlen(ENDS[i].end);
-		if (n > m && strcmp(path + n - m, ENDS[i].end) == 0)
+	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++)
+		if (text_ends(path, ENDS[i].end))
 			return ENDS[i].form;
-	}
 	return other;
 }
 
@@ -87,13 +85,14 @@ redirect_open(struct session *s, const struct words *words, struct error *error)
 	r->to = words->to;
 	r->target = xstrdup(words->target);
 	r->out = s->out;
-	r->before = s->format;
-	r->form = r->to == TO_PIPE ? s->format : form_of(r->target, s->format);
+	r->before = s->set.format;
+	r->form = r->to == TO_PIPE ? s->set.format
+				   : form_of(r->target, s->set.format);
 	r->screen = s->screen;
 	s->screen = (struct screen){0};
 	s->file = r->to == TO_PIPE ? NULL : r->target;
 	s->out = r->memory;
-	s->format = r->form;
+	s->set.format = r->form;
 	return r;
 }
 
@@ -183,8 +182,8 @@ redirect_close(
 	s->screen = r->screen;
 	s->file = NULL;
 	/* Unless the command itself was to set it. */
-	if (s->format == r->form)
-		s->format = r->before;
+	if (s->set.format == r->form)
+		s->set.format = r->before;
 	bool whole = fclose(r->memory) == 0;
 	bool ok = true;
 	if (keep && !whole)

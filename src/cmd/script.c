@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/table.h"
 
 struct script {
 	struct script *outer;

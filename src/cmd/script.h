@@ -32,6 +32,4 @@ void script_close(struct session *s, size_t depth);
 /* Cuts the line end off; true when the line goes on (it ended in \). */
 bool script_goes_on(char *line);
 
-bool cmd_source(struct session *, const struct args *, struct error *);
-
 #endif

@@ -30,15 +30,17 @@ struct session *
 session_new(FILE *out, FILE *notes)
 {
 	struct session *s = xcalloc(1, sizeof *s);
-	s->settings = model_settings_default();
-	s->bounds = bounds_default();
-	s->seed = 1;
-	s->threads = processors();
-	s->isa = ISA_BEST;
+	s->set.model = model_settings_default();
+	s->set.bounds = bounds_default();
+	s->set.seed = 1;
+	s->set.threads = processors();
+	s->set.isa = ISA_BEST;
 	s->pager = true;
 	session_forget(s);
 	s->out = out;
 	s->notes = notes;
+	s->journal = journal_new();
+	s->undo = undo_new();
 	s->store = store_new(":memory:");
 	return s;
 }
@@ -48,7 +50,7 @@ session_free(struct session *s)
 {
 	if (s == NULL)
 		return;
-	session_stop(s, false);
+	session_stop(s);
 	script_close(s, 0);
 	struct error stopped = {0};
 	session_settle(s, false, &stopped);
@@ -105,7 +107,7 @@ session_tell_faults(const struct session *s, const char *path,
 void
 session_report(struct session *s, struct report *report)
 {
-	report_print(report, s->format, s->semicolon, s->out);
+	report_print(report, s->set.format, s->set.semicolon, s->out);
 	fflush(s->out);
 	report_free(report);
 }
@@ -137,21 +139,15 @@ session_need_site(
 }
 
 static bool
-check_need(
-    struct session *s, const struct command *command, struct error *error)
-{
-	return command->need == NEED_NOTHING ||
-	       session_need_site(s, command->name, error);
-}
-
-static bool
 run_words(struct session *s, const struct words *words, struct place place,
     struct error *error)
 {
 	struct args args;
 	const struct command *command = parse_call(words, place, &args, error);
-	bool ok = command != NULL && check_need(s, command, error) &&
-		  turn_begin(s, command, &args, words, place, error);
+	bool ok = command != NULL &&
+		  (!(command->flags & COMMAND_AT_SITE) ||
+		      session_need_site(s, command->name, error)) &&
+		  turn_begin(s, &args, words, place, error);
 	if (ok) {
 		ok = command->run(s, &args, error);
 		turn_ran(s);
@@ -161,9 +157,7 @@ run_words(struct session *s, const struct words *words, struct place place,
 	args_free(&args);
 	if (ok || error->line > 0 || error->file[0] != '\0')
 		return ok;
-	snprintf(error->file, sizeof error->file, "%s", place.file);
-	error->line = place.line;
-	error->column = words->column[0];
+	error_place(error, place.file, place.line, words->column[0]);
 	return false;
 }
 

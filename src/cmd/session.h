@@ -16,20 +16,14 @@
 #include "io/report.h"
 #include "io/store.h"
 
-/* The generations of a calibration, [n], with the bounds it searched in.
- * Shared by the entries and snapshots that hold it. */
+/* What a calibration left: its generations, [n], with the bounds it searched
+ * in; and its misfit, from which is drawn, when first asked for, what the data
+ * leave open.  Shared by the entries and snapshots that hold it. */
 struct history {
 	size_t holders, n;
 	struct calibrate_generation *generation;
 	struct bounds bounds;
-};
-
-/* What the data of a fit leave open: drawn from its misfit when first asked
- * for.  Shared as a history is. */
-struct doubt {
-	size_t holders;
 	struct misfit *misfit;
-	struct bounds bounds;
 	struct uncertainty *uncertainty; /* NULL: not drawn yet */
 };
 
@@ -44,7 +38,6 @@ struct entry {
 	char *origin;            /* "taken from bro", or NULL; owned */
 	struct fit fit;          /* where the parameters were found */
 	struct history *history; /* of the last calibration, or NULL */
-	struct doubt *doubt;     /* of the fit, or NULL */
 	char options[400];       /* of the fit, in the words of calibrate */
 	char recalled[64];       /* material the parameters are of, or "" */
 };
@@ -65,6 +58,9 @@ enum answer {
 	ANSWER_INSIDE,       /* 1: the product lies within a grading */
 	ANSWERS
 };
+
+/* What an assertion calls them. */
+extern const char *const ANSWER_NAMES[ANSWERS];
 
 /* A calibration under way.  The driver pumps it: session_step until
  * session_busy is false. */
@@ -92,8 +88,18 @@ struct screen {
 	bool drawing;
 };
 
+/* What is set, as against loaded. */
+struct choices {
+	struct model_settings model;
+	struct bounds bounds;
+	uint64_t seed;
+	unsigned threads;
+	enum isa isa;
+	enum report_format format;
+	bool semicolon; /* in csv, with decimal commas */
+};
+
 struct canvas;
-struct choices;
 struct journal;
 struct screen_request;
 struct script;
@@ -103,13 +109,7 @@ struct undo;
 struct session {
 	size_t n_entry, current; /* current is meaningful when n_entry > 0 */
 	struct entry *entry;
-	struct model_settings settings;
-	struct bounds bounds;
-	uint64_t seed;
-	unsigned threads;
-	enum isa isa;
-	enum report_format format;
-	bool semicolon;     /* in csv, with decimal commas */
+	struct choices set;
 	bool prompt;        /* lines are typed by somebody */
 	bool safe;          /* no command may touch files or the shell */
 	bool timing;        /* tell how long each command took */
@@ -168,12 +168,11 @@ void session_drop(struct session *s, size_t index);
 void entries_free(struct entry *entry, size_t n);
 
 /* Another entry of the same site, with copies of what it owns and a share in
- * its history and its doubt. */
+ * its history. */
 struct entry entry_copy(const struct entry *from);
 
 /* Gives a share in it up; NULL is allowed. */
 void history_drop(struct history *history);
-void doubt_drop(struct doubt *doubt);
 
 /* Finds a loaded site by name without case and accents ("borlange"), by name
  * and top size ("gavle/4") or by key.  Several or none: an error that lists
@@ -218,8 +217,8 @@ void session_let_go(struct session *s);
  * `continue` goes on from there. */
 void session_pause(struct session *s);
 
-/* Ends the job.  keep: the best so far becomes the site's fit. */
-void session_stop(struct session *s, bool keep);
+/* Ends the job, and keeps nothing of it. */
+void session_stop(struct session *s);
 
 /* Ends the commands whose job or script is over, see turn.h; session_line does
  * so before the next command.  A driver that does not go on with the line calls

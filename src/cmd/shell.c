@@ -1,10 +1,9 @@
 /* The tables as a script for bash.  Run at build time by tools/make-manual.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/shell.h"
-
 #include <string.h>
 
 #include "cmd/command.h"
+#include "cmd/manual.h"
 #include "cmd/usage.h"
 
 static void
@@ -57,7 +56,7 @@ print_options(FILE *out)
 }
 
 void
-shell_bash(FILE *out)
+manual_bash(FILE *out)
 {
 	fputs("# Completion of tipspeed(1) for bash, made from its tables.\n"
 	      "_tipspeed() {\n"

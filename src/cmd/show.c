@@ -1,7 +1,5 @@
 /* show: what a sheet says, and the table of all that can be shown.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/show.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +7,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/data.h"
-#include "cmd/model.h"
+#include "cmd/table.h"
 #include "io/units.h"
 
 static bool
@@ -19,7 +17,8 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	const struct site *site = session_entry(s)->site;
 	struct report *r = report_new("show");
-	char *label = session_label(site), *speeds = data_speeds(site);
+	char *label = session_label(site),
+	     *speeds = data_speeds(site, " ", NULL, true);
 	char *top = site->top_size > 0
 			? xasprintf("%g", units_mm(site->top_size))
 			: xstrdup("not stated");
@@ -27,16 +26,13 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	report_site(r, site->name, site->provenance);
 	report_column(r, "what", "what");
 	report_column(r, "value", "value");
-	const char *rows[][2] = {{"data", site->provenance},
+	const char *const pairs[][2] = {{"data", site->provenance},
 	    {"rock", site->rock}, {"top size mm", top},
 	    {"machine", site->machine}, {"file", site->path},
 	    {"speeds m/s", speeds},
 	    {"feeds", site->individual_feeds ? "one for each speed"
 					     : "one for all speeds"}};
-	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
-		report_text(r, rows[i][0]);
-		report_text(r, rows[i][1]);
-	}
+	report_pairs(r, pairs, ARRAY_LEN(pairs));
 	for (size_t i = 0; i < site->n_note; i++) {
 		report_text(r, site->note[i].key);
 		report_text(r, site->note[i].value);
@@ -58,16 +54,6 @@ next_sieve(const struct psd *const *curve, size_t n, double below)
 			if (curve[i]->size[j] < below)
 				x = fmax(x, curve[i]->size[j]);
 	return x;
-}
-
-/* Passing at a sieve that the curve has, else NAN. */
-static double
-passing_at(const struct psd *curve, double x)
-{
-	for (size_t j = 0; j < curve->n; j++)
-		if (curve->size[j] == x)
-			return curve->passing[j];
-	return NAN;
 }
 
 /* Columns feed@69, or the one feed of all runs, or product@69; their curves go
@@ -93,10 +79,13 @@ add_columns(struct report *r, const struct site *site, bool feed,
 	return n;
 }
 
+/* show feed and show product. */
 static bool
-show_curves(struct session *s, bool feed)
+show_curves(struct session *s, const struct args *args, struct error *error)
 {
+	(void)error;
 	const struct site *site = session_entry(s)->site;
+	bool feed = strcmp(args->operand[0], "feed") == 0;
 	const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
 	struct report *r = answers_report(site, "show", "%s, %% passing",
 	    feed ? "feed" : "measured products");
@@ -108,63 +97,30 @@ show_curves(struct session *s, bool feed)
 	for (double x = INFINITY; (x = next_sieve(curve, n, x)) > 0;) {
 		report_number(r, units_mm(x), -1);
 		for (size_t i = 0; i < n; i++)
-			report_number(r, units_pct(passing_at(curve[i], x)), 2);
+			report_number(
+			    r, units_pct(psd_at_sieve(curve[i], x)), 2);
 	}
 	free(curve);
 	session_report(s, r);
 	return true;
 }
 
-static bool
-show_feed(struct session *s, const struct args *args, struct error *error)
-{
-	(void)args;
-	(void)error;
-	return show_curves(s, true);
-}
-
-static bool
-show_product(struct session *s, const struct args *args, struct error *error)
-{
-	(void)args;
-	(void)error;
-	return show_curves(s, false);
-}
-
-static bool
-show_params(struct session *s, const struct args *args, struct error *error)
-{
-	(void)args;
-	(void)error;
-	model_show_params(s);
-	return true;
-}
-
-static bool
-show_bounds(struct session *s, const struct args *args, struct error *error)
-{
-	(void)args;
-	(void)error;
-	model_show_bounds(s);
-	return true;
-}
-
 /* What can be shown; the first is shown when nothing is named. */
 static const struct {
 	const char *name;
-	enum need need;
+	bool at_site;
 	bool at_speed; /* takes the option speed */
-	bool (*show)(struct session *, const struct args *, struct error *);
+	command_run *show;
 } WHAT[] = {
-    {"site", NEED_SITE, false, show_site},
-    {"feed", NEED_SITE, false, show_feed},
-    {"product", NEED_SITE, false, show_product},
-    {"params", NEED_SITE, false, show_params},
-    {"bounds", NEED_NOTHING, false, show_bounds},
-    {"model", NEED_SITE, false, show_model},
-    {"selection", NEED_SITE, true, show_selection},
-    {"appearance", NEED_SITE, false, show_appearance},
-    {"store", NEED_NOTHING, false, show_store},
+    {"site", true, false, show_site},
+    {"feed", true, false, show_curves},
+    {"product", true, false, show_curves},
+    {"params", true, false, show_params},
+    {"bounds", false, false, show_bounds},
+    {"model", true, false, show_model},
+    {"selection", true, true, show_selection},
+    {"appearance", true, false, show_appearance},
+    {"store", false, false, show_store},
 };
 
 bool
@@ -174,15 +130,15 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 	size_t i = 0;
 	while (i < ARRAY_LEN(WHAT) && strcmp(what, WHAT[i].name) != 0)
 		i++;
-	const struct command *self = command_find("show");
 	if (i == ARRAY_LEN(WHAT)) {
 		error_set(error, ERROR_USAGE, "there is no '%s' to show", what);
-		return error_hint(error, "show %s", self->operands);
+		return error_hint(
+		    error, "show %s", args->command->operands.usage);
 	}
-	if (args_value(self, args, "speed")->given && !WHAT[i].at_speed)
+	if (args_value(args, "speed")->given && !WHAT[i].at_speed)
 		return error_set(error, ERROR_USAGE,
 		    "show %s takes no speed: it is the same at all", what);
-	if (WHAT[i].need == NEED_SITE && !session_need_site(s, "show", error))
+	if (WHAT[i].at_site && !session_need_site(s, "show", error))
 		return false;
 	return WHAT[i].show(s, args, error);
 }

@@ -7,7 +7,7 @@
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
-#include "cmd/show.h"
+#include "cmd/table.h"
 #include "core/appearance.h"
 #include "core/classes.h"
 #include "core/energy.h"
@@ -32,16 +32,15 @@ note_equations(struct report *r, const struct params *p, double k)
 static json_t *
 model_json(const struct session *s, const struct entry *entry)
 {
-	json_t *o = answers_json("show", entry->site), *runs = json_array();
+	json_t *o = answers_json("show", entry->site);
 	json_object_set_new(o, "what", json_string("model"));
 	json_object_set_new(
-	    o, "method", json_string(answers_method(s->settings.method)));
+	    o, "method", json_string(answers_method(s->set.model.method)));
 	json_object_set_new(
-	    o, "appearance", json_string(MODEL_FORMS[s->settings.appearance]));
-	json_object_set_new(o, "k", json_real(s->settings.k));
+	    o, "appearance", json_string(MODEL_FORMS[s->set.model.appearance]));
+	report_put(o, "k", s->set.model.k);
 	json_object_set_new(o, "params",
 	    entry->has_params ? fit_params_json(&entry->params) : json_null());
-	json_object_set_new(o, "runs", runs);
 	return o;
 }
 
@@ -53,7 +52,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
 	struct report *r = answers_report(site, "show", "the model");
-	json_t *o = model_json(s, entry), *runs = json_object_get(o, "runs");
+	json_t *o = model_json(s, entry);
 	report_column(r, "speed", "m/s");
 	report_column(r, "energy_j_kg", "E J/kg");
 	report_column(r, "break_mm", "breaks from mm");
@@ -61,8 +60,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed, x = NAN, selected = NAN;
 		if (entry->has_params) {
-			struct prediction p =
-			    predict(site, &entry->params, s->settings, v, i);
+			struct prediction p = answers_predict(s, entry, v, i);
 			x = 1000 * p.break_size;
 			selected = 100 * p.selected;
 			prediction_free(&p);
@@ -71,20 +69,13 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		report_number(r, energy_specific(v), 0);
 		report_number(r, x, 2);
 		report_number(r, selected, 1);
-		json_t *run = json_object();
-		json_object_set_new(run, "speed", json_real(v));
-		json_object_set_new(
-		    run, "energy_j_kg", json_real(energy_specific(v)));
-		json_object_set_new(run, "break_mm", report_json_number(x));
-		json_object_set_new(
-		    run, "selected_pct", report_json_number(selected));
-		json_array_append_new(runs, run);
 	}
+	json_object_set_new(o, "runs", report_json_rows(r));
 	report_note(r, "method %s, appearance %s, k %g",
-	    answers_method(s->settings.method),
-	    MODEL_FORMS[s->settings.appearance], s->settings.k);
+	    answers_method(s->set.model.method),
+	    MODEL_FORMS[s->set.model.appearance], s->set.model.k);
 	if (entry->has_params)
-		note_equations(r, &entry->params, s->settings.k);
+		note_equations(r, &entry->params, s->set.model.k);
 	else
 		report_note(r, "no parameters yet: calibrate, or params set");
 	report_json(r, o);
@@ -119,13 +110,12 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	if (!answers_ready(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	double v = args_value(command_find("show"), args, "speed")->number;
+	double v = args_value(args, "speed")->number;
 	size_t run = site_run_nearest(entry->site, v);
 	const struct psd *feed = &entry->site->run[run].feed;
-	struct prediction p =
-	    predict(entry->site, &entry->params, s->settings, v, run);
+	struct prediction p = answers_predict(s, entry, v, run);
 	double *S = xdoubles(feed->n);
-	predict_selection(feed, &entry->params, s->settings, v, S);
+	predict_selection(feed, &entry->params, s->set.model, v, S);
 	struct report *r = answers_report(
 	    entry->site, "show", "selection at %g m/s (Eq 3)", v);
 	selection_rows(r, feed, S);
@@ -223,7 +213,7 @@ appearance_json(const struct session *s, const struct entry *entry, size_t n,
 	json_t *o = answers_json("show", entry->site), *rows = json_array();
 	json_object_set_new(o, "what", json_string("appearance"));
 	json_object_set_new(
-	    o, "appearance", json_string(MODEL_FORMS[s->settings.appearance]));
+	    o, "appearance", json_string(MODEL_FORMS[s->set.model.appearance]));
 	json_object_set_new(o, "class_mm", answers_list_json(x, n, units_mm));
 	for (size_t j = 0; j < n; j++)
 		json_array_append_new(
@@ -243,10 +233,10 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	    entry->has_params ? entry->params : params_default_beta();
 	double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
 	classes_sizes(feed, x);
-	appearance_matrix(p.beta, s->settings.appearance, x, feed->n, a);
+	appearance_matrix(p.beta, s->set.model.appearance, x, feed->n, a);
 	struct report *r = answers_report(
 	    entry->site, "show", "appearance (Eq 1), %% of each broken class");
-	if (s->format == REPORT_CSV)
+	if (s->set.format == REPORT_CSV)
 		matrix_long(r, feed, x, a);
 	else
 		matrix_across(r, feed, a);
@@ -256,7 +246,7 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	if (!entry->has_params)
 		report_note(r, "beta is the default: there are no parameters "
 			       "yet");
-	if (s->settings.appearance == APPEARANCE_RATIO)
+	if (s->set.model.appearance == APPEARANCE_RATIO)
 		note_passing(r, &p);
 	report_json(r, appearance_json(s, entry, feed->n, x, a));
 	free(x);

@@ -10,39 +10,14 @@
 struct snapshot {
 	size_t n_entry, current;
 	struct entry *entry;
-	struct choices choices;
+	struct choices set;
 };
-
-struct choices
-choices_take(const struct session *s)
-{
-	return (struct choices){.settings = s->settings,
-	    .bounds = s->bounds,
-	    .seed = s->seed,
-	    .threads = s->threads,
-	    .isa = s->isa,
-	    .format = s->format,
-	    .semicolon = s->semicolon};
-}
-
-void
-choices_put(struct session *s, const struct choices *c)
-{
-	s->settings = c->settings;
-	s->bounds = c->bounds;
-	s->seed = c->seed;
-	s->threads = c->threads;
-	s->isa = c->isa;
-	s->format = c->format;
-	s->semicolon = c->semicolon;
-}
 
 static bool
 same_choices(const struct choices *a, const struct choices *b)
 {
-	const struct model_settings *x = &a->settings, *y = &b->settings;
-	return x->method == y->method && x->appearance == y->appearance &&
-	       x->k == y->k && a->seed == b->seed &&
+	return model_settings_same(&a->model, &b->model) &&
+	       a->seed == b->seed &&
 	       memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0 &&
 	       a->threads == b->threads && a->isa == b->isa &&
 	       a->format == b->format && a->semicolon == b->semicolon;
@@ -64,7 +39,7 @@ snapshot_take(const struct session *s)
 	*snapshot = (struct snapshot){.n_entry = s->n_entry,
 	    .current = s->current,
 	    .entry = copy_entries(s->entry, s->n_entry),
-	    .choices = choices_take(s)};
+	    .set = s->set};
 	return snapshot;
 }
 
@@ -84,7 +59,7 @@ snapshot_put(struct session *s, const struct snapshot *snapshot)
 	s->entry = copy_entries(snapshot->entry, snapshot->n_entry);
 	s->n_entry = snapshot->n_entry;
 	s->current = snapshot->current;
-	choices_put(s, &snapshot->choices);
+	s->set = snapshot->set;
 	session_forget(s);
 }
 
@@ -112,10 +87,9 @@ same_entry(const struct entry *a, const struct entry *b)
 bool
 snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 {
-	struct choices now = choices_take(s);
 	if (snapshot->n_entry != s->n_entry ||
 	    snapshot->current != s->current ||
-	    !same_choices(&snapshot->choices, &now))
+	    !same_choices(&snapshot->set, &s->set))
 		return true;
 	for (size_t i = 0; i < s->n_entry; i++)
 		if (!same_entry(&snapshot->entry[i], &s->entry[i]))

@@ -7,20 +7,6 @@
 
 #include "cmd/session.h"
 
-/* What is set, as against loaded. */
-struct choices {
-	struct model_settings settings;
-	struct bounds bounds;
-	uint64_t seed;
-	unsigned threads;
-	enum isa isa;
-	enum report_format format;
-	bool semicolon;
-};
-
-struct choices choices_take(const struct session *s);
-void choices_put(struct session *s, const struct choices *choices);
-
 /* Sites are borrowed: the session keeps every one to its end. */
 struct snapshot;
 

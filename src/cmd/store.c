@@ -1,4 +1,4 @@
-/* remember, recall, forget: calibrations that outlive the session.
+/* remember, recall, forget, export, import: what outlives the session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/store.h"
 
@@ -9,16 +9,14 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/data.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
+#include "cmd/table.h"
 #include "config.h"
+#include "io/store_csv.h"
 #include "io/units.h"
-
-static const struct value *
-option(const char *command, const struct args *args, const char *name)
-{
-	return args_value(command_find(command), args, name);
-}
 
 bool
 store_find_material(const struct stored_list *list, const char *name,
@@ -63,22 +61,6 @@ set_copy(char **text, const char *value)
 	set(text, xstrdup(value));
 }
 
-/* "69,79" of the runs trained on. */
-static char *
-train_words(const struct entry *entry)
-{
-	char *list = xstrdup("");
-	for (size_t r = 0; r < entry->site->n_run; r++) {
-		if (!entry->train[r] || entry->site->run[r].product.n == 0)
-			continue;
-		char *longer = xasprintf("%s%s%g", list,
-		    list[0] != '\0' ? "," : "", entry->site->run[r].speed);
-		free(list);
-		list = longer;
-	}
-	return list;
-}
-
 /* What only a calibration has. */
 static void
 take_fit(struct stored *m, const struct entry *entry)
@@ -86,7 +68,7 @@ take_fit(struct stored *m, const struct entry *entry)
 	const struct fit *fit = &entry->fit;
 	set_copy(&m->options, entry->options);
 	set_copy(&m->stop, calibrate_state_name(fit->stop));
-	set(&m->train_mps, train_words(entry));
+	set(&m->train_mps, data_speeds(entry->site, ",", entry->train, true));
 	m->misfit = fit->misfit;
 	m->rmse_pct = 100 * fit->rmse;
 	m->holdout_pct = 100 * fit_holdout_rmse(entry);
@@ -97,11 +79,9 @@ take_fit(struct stored *m, const struct entry *entry)
 static struct stored
 material_of(const struct session *s, const struct entry *entry)
 {
-	static const char *const FORMS[] = {"ratio", "progeny_mm", "parent_mm"};
 	const struct site *site = entry->site;
 	const struct model_settings *settings =
-	    entry->has_fit ? &entry->fit.settings : &s->settings;
-	bool classes = settings->method == METHOD_CLASSES;
+	    entry->has_fit ? &entry->fit.settings : &s->set.model;
 	struct stored m = stored_new();
 	set_copy(&m.site, site->name);
 	set_copy(&m.rock, site->rock);
@@ -109,8 +89,8 @@ material_of(const struct session *s, const struct entry *entry)
 	set_copy(&m.provenance, site->provenance);
 	set(&m.site_digest, xasprintf("%016" PRIx64, site->digest));
 	set_copy(&m.origin, entry->has_fit ? "fit" : "hand");
-	set_copy(&m.method, classes ? "classes" : "continuous");
-	set_copy(&m.appearance, FORMS[settings->appearance]);
+	set_copy(&m.method, answers_method(settings->method));
+	set_copy(&m.appearance, MODEL_FORMS[settings->appearance]);
 	set_copy(&m.version, PACKAGE_VERSION);
 	m.top_size_mm = site->top_size > 0 ? units_mm(site->top_size) : NAN;
 	m.k = settings->k;
@@ -124,8 +104,8 @@ static bool
 check_remember(
     const struct entry *entry, const struct args *args, struct error *error)
 {
-	const struct value *date = option("remember", args, "date");
-	const struct value *note = option("remember", args, "note");
+	const struct value *date = args_value(args, "date");
+	const struct value *note = args_value(args, "note");
 	if (!entry->has_params) {
 		error_set(error, ERROR_USAGE,
 		    "%s has no parameters to remember yet", entry->site->name);
@@ -153,7 +133,7 @@ static void
 report_remembered(struct session *s, const struct stored *m)
 {
 	struct report *r = report_new("remember");
-	char *kind = store_data_kind(m);
+	char *kind = data_kind(m->provenance);
 	report_title(r, "remembered %s", m->name);
 	report_site(r, m->site, m->provenance);
 	report_column(r, "name", "name");
@@ -177,8 +157,8 @@ bool
 cmd_remember(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
-	const struct value *date = option("remember", args, "date");
-	const struct value *note = option("remember", args, "note");
+	const struct value *date = args_value(args, "date");
+	const struct value *note = args_value(args, "note");
 	const char *name = args->n_operand > 0 ? args->operand[0] : entry->key;
 	if (!check_remember(entry, args, error) ||
 	    !stored_check_name(name, error))
@@ -187,7 +167,7 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	set_copy(&m.name, name);
 	set_copy(&m.date, date->given ? date->text : "");
 	set_copy(&m.note, note->given ? note->text : "");
-	bool replace = option("remember", args, "replace")->choice == 1;
+	bool replace = args_value(args, "replace")->choice == 1;
 	bool ok = store_put(s->store, &m, 1, replace, error);
 	if (ok)
 		report_remembered(s, &m);
@@ -210,9 +190,7 @@ note_recalled(
 	session_note(s, "%s",
 	    own ? "  they were found on the very numbers of this sheet"
 		: "  they are no fit of this site");
-	if (set_to.method != s->settings.method ||
-	    set_to.appearance != s->settings.appearance ||
-	    set_to.k != s->settings.k)
+	if (!model_settings_same(&set_to, &s->set.model))
 		session_note(s,
 		    "  they belong to other settings: set method=%s "
 		    "appearance=%s k=%g",
@@ -251,15 +229,11 @@ static char *
 bring_back(const struct stored *m)
 {
 	char *line = xstrdup("params set"), number[32];
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		char *longer = xasprintf("%s %s=%s", line, PARAMS[j].name,
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		xappend(&line, " %s=%s", PARAMS[j].name,
 		    text_exact(params_get(&m->params, j), number));
-		free(line);
-		line = longer;
-	}
-	char *whole = xasprintf("%s; remember \"%s\"", line, m->name);
-	free(line);
-	return whole;
+	xappend(&line, "; remember \"%s\"", m->name);
+	return line;
 }
 
 static void
@@ -296,5 +270,53 @@ cmd_forget(struct session *s, const struct args *args, struct error *error)
 	else if (ok)
 		session_note(s, "forgot %s, which could not be read", name);
 	stored_list_free(&list);
+	return ok;
+}
+
+bool
+cmd_export(struct session *s, const struct args *args, struct error *error)
+{
+	const char *path = args->operand[0];
+	struct stored_list list = {0};
+	bool ok = data_may_write(args, path, error) &&
+		  store_list(s->store, &list, error) &&
+		  store_csv_save(&list, path, error);
+	if (ok)
+		session_note(s, "wrote %zu material%s of your own to %s",
+		    list.n, list.n == 1 ? "" : "s", path);
+	stored_list_free(&list);
+	return ok;
+}
+
+/* All faults but the last are printed; that one is the error. */
+static bool
+tell_faults(
+    struct session *s, const struct error_list *errors, struct error *error)
+{
+	for (size_t i = 0; i + 1 < errors->n && s->notes != NULL; i++)
+		error_print(&errors->item[i], s->notes);
+	*error = errors->item[errors->n - 1];
+	if (errors->more > 0)
+		session_note(s, "%zu more faults are not shown", errors->more);
+	return false;
+}
+
+bool
+cmd_import(struct session *s, const struct args *args, struct error *error)
+{
+	const char *path = args->operand[0];
+	bool replace = args_value(args, "replace")->choice == 1;
+	struct error_list *errors = xcalloc(1, sizeof *errors);
+	struct stored_list there = {0}, list = {0};
+	bool ok = store_list(s->store, &there, error);
+	if (ok && !store_csv_read(path, replace ? NULL : &there, &list, errors))
+		ok = tell_faults(s, errors, error);
+	ok = ok && store_put(s->store, list.item, list.n, replace, error);
+	if (ok)
+		session_note(s, "took %zu material%s from %s", list.n,
+		    list.n == 1 ? "" : "s", path);
+	stored_list_free(&there);
+	stored_list_free(&list);
+	free(errors);
 	return ok;
 }

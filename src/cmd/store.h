@@ -8,14 +8,6 @@
 #include "cmd/command.h"
 #include "cmd/session.h"
 
-bool cmd_materials(struct session *, const struct args *, struct error *);
-bool cmd_recall(struct session *, const struct args *, struct error *);
-bool cmd_remember(struct session *, const struct args *, struct error *);
-bool cmd_forget(struct session *, const struct args *, struct error *);
-bool cmd_export(struct session *, const struct args *, struct error *);
-bool cmd_import(struct session *, const struct args *, struct error *);
-bool cmd_guess(struct session *, const struct args *, struct error *);
-
 /* A material by its name, one's own before Table 3's: "tierp", else
  * "table3/tierp".  None: an error with the name that is nearest. */
 bool store_find_material(const struct stored_list *list, const char *name,
@@ -23,8 +15,5 @@ bool store_find_material(const struct stored_list *list, const char *name,
 
 /* "fit", "set by hand" or "Table 3". */
 const char *store_origin_words(const struct stored *m);
-
-/* The first word of where a material's data are from: "measured". */
-char *store_data_kind(const struct stored *m);
 
 #endif

@@ -6,26 +6,9 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/table.h"
 #include "core/predict.h"
 #include "io/units.h"
-
-static const struct value *
-option(const struct args *args, const char *name)
-{
-	return args_value(command_find("sweep"), args, name);
-}
-
-/* A row of sizes, one cell a speed. */
-static void
-size_row(struct report *r, const char *name, const struct prediction *p,
-    size_t n, double passing)
-{
-	report_text(r, name);
-	report_missing(r, "");
-	report_number(r, NAN, 0);
-	for (size_t i = 0; i < n; i++)
-		answers_size_cell(r, &p[i].product, passing);
-}
 
 /* Sieves down, speeds across: for as many speeds as fit a screen. */
 static void
@@ -36,8 +19,7 @@ sweep_across(
 	report_column(r, "sieve_mm", "sieve mm");
 	report_column(r, "feed_pct", "feed %");
 	for (size_t i = 0; i < n; i++) {
-		bool outside =
-		    predict_extrapolates(entry->site, entry->train, p[i].speed);
+		bool outside = answers_extrapolates(entry, p[i].speed);
 		char *key = xasprintf("passing_pct@%g", p[i].speed);
 		char *head =
 		    xasprintf("%g m/s%s", p[i].speed, outside ? "*" : "");
@@ -54,15 +36,13 @@ sweep_across(
 			report_number(
 			    r, units_pct(p[i].product.passing[row]), 1);
 	}
-	size_row(r, "P20 mm", p, n, 0.2);
-	size_row(r, "P50 mm", p, n, 0.5);
-	size_row(r, "P80 mm", p, n, 0.8);
-	report_text(r, "breaks from mm");
-	report_missing(r, "");
-	report_number(r, NAN, 0);
-	report_missing(r, "none");
-	for (size_t i = 0; i < n; i++)
-		report_number(r, 1000 * p[i].break_size, 2);
+	for (size_t size = 0; size < ANSWERS_SIZES; size++) {
+		report_text(r, ANSWERS_HEADS[size]);
+		report_missing(r, "");
+		report_number(r, NAN, 0);
+		for (size_t i = 0; i < n; i++)
+			answers_size_cell(r, &p[i], size);
+	}
 }
 
 void
@@ -83,16 +63,13 @@ answers_speed_rows(
 		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;
 		report_number(r, p[i].speed, round ? -1 : 2);
 		report_number(r, p[i].energy, 0);
-		report_missing(r, "none");
-		report_number(r, 1000 * p[i].break_size, 2);
-		answers_size_cell(r, &p[i].product, 0.2);
-		answers_size_cell(r, &p[i].product, 0.5);
-		answers_size_cell(r, &p[i].product, 0.8);
+		answers_size_cell(r, &p[i], ANSWER_BREAK);
+		answers_size_cell(r, &p[i], ANSWER_P20);
+		answers_size_cell(r, &p[i], ANSWER_P50);
+		answers_size_cell(r, &p[i], ANSWER_P80);
 		report_number(r, units_pct(p[i].product.passing[finest]), 1);
-		report_text(r,
-		    predict_extrapolates(entry->site, entry->train, p[i].speed)
-			? "yes"
-			: "no");
+		report_text(
+		    r, answers_extrapolates(entry, p[i].speed) ? "yes" : "no");
 	}
 }
 
@@ -108,8 +85,7 @@ sweep_long(
 	report_column(r, "feed_pct", "feed %");
 	report_column(r, "passing_pct", "product %");
 	for (size_t i = 0; i < n; i++) {
-		bool outside =
-		    predict_extrapolates(entry->site, entry->train, p[i].speed);
+		bool outside = answers_extrapolates(entry, p[i].speed);
 		for (size_t j = 0; j < p[i].product.n; j++) {
 			report_number(r, p[i].speed, -1);
 			report_text(r, outside ? "yes" : "no");
@@ -120,44 +96,28 @@ sweep_long(
 	}
 }
 
-static void
-sweep_json(
-    struct session *s, struct report *r, const struct prediction *p, size_t n)
-{
-	json_t *o = answers_json("sweep", session_entry(s)->site);
-	json_t *products = json_array();
-	for (size_t i = 0; i < n; i++)
-		json_array_append_new(
-		    products, answers_prediction_json(s, &p[i]));
-	json_object_set_new(o, "products", products);
-	report_json(r, o);
-}
-
 bool
 cmd_sweep(struct session *s, const struct args *args, struct error *error)
 {
 	enum { ACROSS = 7 };
-	if (!answers_ready(s, error))
-		return false;
 	const struct entry *entry = session_entry(s);
-	const struct value *speeds = option(args, "speeds");
-	size_t n = speeds->n;
-	size_t feed;
-	if (!answers_feed(entry->site, option(args, "feed"),
-		answers_middle(entry->site), &feed, error))
+	const struct value *speeds = args_value(args, "speeds");
+	size_t n = speeds->n, feed;
+	if (!answers_ready(s, error) ||
+	    !answers_feed(
+		entry->site, args, answers_middle(entry->site), &feed, error))
 		return false;
 	struct prediction *p = xcalloc(n, sizeof *p);
 	bool outside = false;
 	for (size_t i = 0; i < n; i++) {
-		p[i] = predict(entry->site, &entry->params, s->settings,
-		    speeds->list[i], feed);
-		outside = outside || predict_extrapolates(entry->site,
-					 entry->train, speeds->list[i]);
+		p[i] = answers_predict(s, entry, speeds->list[i], feed);
+		outside =
+		    outside || answers_extrapolates(entry, speeds->list[i]);
 	}
 	struct report *r =
 	    answers_report(entry->site, "sweep", "products, %% passing");
 	bool across = n <= ACROSS;
-	bool csv = s->format == REPORT_CSV;
+	bool csv = s->set.format == REPORT_CSV;
 	(csv         ? sweep_long
 	    : across ? sweep_across
 		     : answers_speed_rows)(s, r, p, n);
@@ -173,7 +133,9 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 		    "the calibration is poor (%.1f points RMS): do not rely "
 		    "on these",
 		    100 * entry->fit.rmse);
-	sweep_json(s, r, p, n);
+	json_t *o = answers_json("sweep", entry->site);
+	answers_put_products(s, o, p, n);
+	report_json(r, o);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(p);

@@ -1,4 +1,4 @@
-/* The command table's parts, one file a group.
+/* The command table's parts, one file a group, and what its rows run.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_TABLE_H
 #define TIPSPEED_CMD_TABLE_H
@@ -9,9 +9,23 @@
 extern const struct command TABLE_DATA[], TABLE_MODEL[], TABLE_FIT[],
     TABLE_ANSWERS[], TABLE_STORE[], TABLE_PICTURES[], TABLE_SESSION[];
 
-#define LAST_OPTION                                      \
-	{                                                \
-		NULL, VALUE_TEXT, "", 0, 0, NULL, "", "" \
-	}
+/* What their rows run, each in a file of its own or of its group. */
+command_run cmd_load, cmd_sites, cmd_use, cmd_drop, cmd_check, cmd_show,
+    cmd_synth, cmd_write;
+command_run cmd_calibrate, cmd_continue, cmd_accept, cmd_history;
+command_run cmd_predict, cmd_sweep, cmd_compare, cmd_find, cmd_spec,
+    cmd_validate, cmd_why;
+command_run cmd_plot, cmd_describe, cmd_screen;
+command_run cmd_materials, cmd_recall, cmd_remember, cmd_forget, cmd_export,
+    cmd_import, cmd_guess;
+command_run cmd_params, cmd_bounds, cmd_set, cmd_seed;
+command_run cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset, cmd_source,
+    cmd_echo, cmd_timing, cmd_assert, cmd_help, cmd_apropos, cmd_man,
+    cmd_version, cmd_tui, cmd_quit;
+
+/* What show runs for some of its words: parameters and parts of the model,
+ * which need a site, bounds and the store. */
+command_run show_params, show_model, show_selection, show_appearance;
+command_run show_bounds, show_store;
 
 #endif

@@ -2,8 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-#include "cmd/answers.h"
-
 #define FEED_OPTION                                            \
 	{                                                      \
 		"feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "", \
@@ -19,16 +17,16 @@ static const struct command_option PREDICT_OPTIONS[] = {
 	"add the measured products interpolated at this speed"},
     {"band", VALUE_CHOICE, "", 0, 0, "off on", "on",
 	"show how far the data leave a calibrated product open"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option SWEEP_OPTIONS[] = {
     {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "65..85:5",
 	"rotor tip speeds"},
-    FEED_OPTION, LAST_OPTION};
+    FEED_OPTION, {.name = NULL}};
 
 static const struct command_option COMPARE_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "where sites meet"},
-    FEED_OPTION, LAST_OPTION};
+    FEED_OPTION, {.name = NULL}};
 
 static const struct command_option FIND_OPTIONS[] = {
     {"p20", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P20"},
@@ -39,23 +37,20 @@ static const struct command_option FIND_OPTIONS[] = {
     {"spec", VALUE_FILE, "", 0, 0, NULL, "", "file of a grading envelope"},
     {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "65", "slowest speed"},
     {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "85", "fastest speed"},
-    FEED_OPTION, LAST_OPTION};
+    FEED_OPTION, {.name = NULL}};
 
 static const struct command_option WHY_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option SPEC_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
-    FEED_OPTION, LAST_OPTION};
+    FEED_OPTION, {.name = NULL}};
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
-	.group = "answers",
 	.brief = "the product at a tip speed",
-	.operands = "",
-	.need = NEED_SITE,
-	.flags = COMMAND_LATEST,
+	.flags = COMMAND_AT_SITE | COMMAND_LATEST,
 	.bare = "speed",
 	.option = PREDICT_OPTIONS,
 	.text = "Needs parameters: calibrate, or params set. Outside the "
@@ -69,10 +64,8 @@ const struct command TABLE_ANSWERS[] = {
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74",
 	.run = cmd_predict},
     {.name = "sweep",
-	.group = "answers",
 	.brief = "products over a range of speeds",
-	.operands = "",
-	.need = NEED_SITE,
+	.flags = COMMAND_AT_SITE,
 	.bare = "speeds",
 	.option = SWEEP_OPTIONS,
 	.text = "Up to seven speeds stand side by side, sieve by sieve; more "
@@ -80,13 +73,9 @@ const struct command TABLE_ANSWERS[] = {
 	.example = "load data/sites/tierp.csv\ncalibrate\nsweep 65,74,85",
 	.run = cmd_sweep},
     {.name = "compare",
-	.group = "answers",
 	.brief = "two speeds or two sites side by side",
-	.operands = "SPEED SPEED | SITE SITE",
-	.expect = {"SPEED SITE"},
-	.least = 2,
-	.most = 2,
-	.need = NEED_SITE,
+	.operands = {"SPEED SPEED | SITE SITE", {"SPEED SITE"}, 2, 2},
+	.flags = COMMAND_AT_SITE,
 	.option = COMPARE_OPTIONS,
 	.text = "The predicted products of the site in use at two speeds, on "
 		"one feed, or those of two loaded sites at one speed, each on "
@@ -97,10 +86,8 @@ const struct command TABLE_ANSWERS[] = {
 		   "compare 69 79",
 	.run = cmd_compare},
     {.name = "find",
-	.group = "answers",
 	.brief = "the speed that gives a wanted product",
-	.operands = "",
-	.need = NEED_SITE,
+	.flags = COMMAND_AT_SITE,
 	.option = FIND_OPTIONS,
 	.text = "The inverse of predict: the tip speed for a P20, P50 or P80, "
 		"for a passing at a size, or the speeds at which the product "
@@ -116,14 +103,9 @@ const struct command TABLE_ANSWERS[] = {
 		   "find spec=data/specs/en-12620-0-8.csv",
 	.run = cmd_find},
     {.name = "spec",
-	.group = "answers",
 	.brief = "the product against a grading envelope",
-	.operands = "FILE",
-	.expect = {"FILE"},
-	.least = 1,
-	.most = 1,
-	.flags = COMMAND_FILES,
-	.need = NEED_SITE,
+	.operands = {"FILE", {"FILE"}, 1, 1},
+	.flags = COMMAND_AT_SITE | COMMAND_FILES,
 	.option = SPEC_OPTIONS,
 	.text = "Each sieve of the envelope with its limits, the passing "
 		"predicted at a speed, and ok, above or below. FILE is as "
@@ -133,10 +115,8 @@ const struct command TABLE_ANSWERS[] = {
 		   "spec data/specs/en-12620-0-8.csv speed=79",
 	.run = cmd_spec},
     {.name = "validate",
-	.group = "answers",
 	.brief = "compare with the speeds held out",
-	.operands = "",
-	.need = NEED_SITE,
+	.flags = COMMAND_AT_SITE,
 	.text = "P20, P50 and P80 measured and predicted, the root mean "
 		"square error and the worst sieve at each held-out speed, "
 		"beside two answers that need no model: the feed itself, and "
@@ -145,10 +125,8 @@ const struct command TABLE_ANSWERS[] = {
 	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate",
 	.run = cmd_validate},
     {.name = "why",
-	.group = "answers",
 	.brief = "why the numbers look the way they do",
-	.operands = "",
-	.need = NEED_SITE,
+	.flags = COMMAND_AT_SITE,
 	.bare = "speed",
 	.option = WHY_OPTIONS,
 	.text = "Plain sentences about the site in use at a speed: what "

@@ -2,18 +2,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-#include "cmd/data.h"
-#include "cmd/manage.h"
-#include "cmd/show.h"
-
 static const struct command_option SHOW_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "of the selection"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option LOAD_OPTIONS[] = {
     {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
 	"refuse a sheet with other numbers; as save writes it"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option SYNTH_OPTIONS[] = {
     {"site", VALUE_TEXT, "", 0, 0, NULL, "", "make only the sites so called"},
@@ -25,21 +21,17 @@ static const struct command_option SYNTH_OPTIONS[] = {
 	"of the noise"},
     {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "69,74,79",
 	"tip speeds, slow to fast"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option WRITE_OPTIONS[] = {
     {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"write over files that are there"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 const struct command TABLE_DATA[] = {
     {.name = "load",
-	.group = "data",
 	.brief = "read site files",
-	.operands = "FILE...",
-	.expect = {"FILE"},
-	.least = 1,
-	.most = OPERANDS - 1,
+	.operands = {"FILE...", {"FILE"}, 1, OPERANDS - 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.option = LOAD_OPTIONS,
 	.text = "Reads sieve sheets, see tipspeed-site(5), and makes the last "
@@ -49,21 +41,14 @@ const struct command TABLE_DATA[] = {
 	.example = "load data/sites/tierp.csv\nshow",
 	.run = cmd_load},
     {.name = "sites",
-	.group = "data",
 	.brief = "list the loaded sites",
-	.operands = "",
 	.text = "The first column is what 'use' takes.",
 	.example = "load data/sites/tierp.csv data/sites/bro.csv\nsites",
 	.run = cmd_sites},
     {.name = "use",
-	.group = "data",
 	.brief = "choose the site to work on",
-	.operands = "SITE",
-	.expect = {"SITE"},
-	.least = 1,
-	.most = 1,
-	.need = NEED_SITE,
-	.flags = COMMAND_CHANGES,
+	.operands = {"SITE", {"SITE"}, 1, 1},
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.text = "Case and accents do not matter: borlange finds Borlänge. "
 		"Sites of one name are told apart by their top size: "
 		"gavle/4, gavle/11.2.",
@@ -71,25 +56,17 @@ const struct command TABLE_DATA[] = {
 		   "use borlange\nshow",
 	.run = cmd_use},
     {.name = "drop",
-	.group = "data",
 	.brief = "forget a site",
-	.operands = "SITE",
-	.expect = {"SITE"},
-	.least = 1,
-	.most = 1,
-	.need = NEED_SITE,
-	.flags = COMMAND_CHANGES,
+	.operands = {"SITE", {"SITE"}, 1, 1},
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.text = "Its file stays. If it was in use, the site loaded after it "
 		"is next, or else the one before.",
 	.example = "load data/sites/bro.csv data/sites/tierp.csv\ndrop bro",
 	.run = cmd_drop},
     {.name = "check",
-	.group = "data",
 	.brief = "look for faults in sheets",
-	.operands = "[SITE|all]",
-	.expect = {"SITE all"},
-	.most = 1,
-	.need = NEED_SITE,
+	.operands = {"[SITE|all]", {"SITE all"}, 0, 1},
+	.flags = COMMAND_AT_SITE,
 	.text = "Looks at the site in use, another one, or all. Reports "
 		"products coarser than their feed, a faster run with a coarser "
 		"product, a passing that stands out from its neighbours as "
@@ -103,13 +80,12 @@ const struct command TABLE_DATA[] = {
 		   "check all",
 	.run = cmd_check},
     {.name = "show",
-	.group = "data",
 	.brief = "show a site, and what the model makes of it",
-	.operands = "[site|feed|product|params|bounds|model|selection|"
-		    "appearance|store]",
-	.expect = {"site feed product params bounds model selection "
-		   "appearance store"},
-	.most = 1,
+	.operands = {"[site|feed|product|params|bounds|model|selection|"
+		     "appearance|store]",
+	    {"site feed product params bounds model selection appearance "
+	     "store"},
+	    0, 1},
 	.option = SHOW_OPTIONS,
 	.text = "site: where the sheet is from and what it holds; feed and "
 		"product: the measured curves; params and bounds: as those "
@@ -124,12 +100,8 @@ const struct command TABLE_DATA[] = {
 		   "show model\nshow selection speed=79",
 	.run = cmd_show},
     {.name = "synth",
-	.group = "data",
 	.brief = "make sites from material parameters",
-	.operands = "FILE",
-	.expect = {"FILE"},
-	.least = 1,
-	.most = 1,
+	.operands = {"FILE", {"FILE"}, 1, 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES,
 	.option = SYNTH_OPTIONS,
 	.text = "FILE holds rows of parameters as data/table3.csv does. Each "
@@ -139,14 +111,9 @@ const struct command TABLE_DATA[] = {
 	.example = "synth data/table3.csv site=Tierp seed=9\nshow product",
 	.run = cmd_synth},
     {.name = "write",
-	.group = "data",
 	.brief = "write site files",
-	.operands = "FILE|FOLDER",
-	.expect = {"FILE"},
-	.least = 1,
-	.most = 1,
-	.need = NEED_SITE,
-	.flags = COMMAND_FILES | COMMAND_UNSAVED,
+	.operands = {"FILE|FOLDER", {"FILE"}, 1, 1},
+	.flags = COMMAND_AT_SITE | COMMAND_FILES | COMMAND_UNSAVED,
 	.option = WRITE_OPTIONS,
 	.text = "Writes the site in use to FILE, or all loaded sites into an "
 		"existing FOLDER under their own names. A file that is "

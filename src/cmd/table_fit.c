@@ -2,9 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-#include "cmd/fit.h"
-#include "cmd/job.h"
-
 #define PAUSE_OPTION                                           \
 	{                                                      \
 		"pause", VALUE_WHOLE, "", 1, 1e9, NULL, "",    \
@@ -42,25 +39,21 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
     {"resume", VALUE_FILE, "", 0, 0, NULL, "",
 	"a checkpoint of this site and these options to go on from"},
     {"log", VALUE_FILE, "", 0, 0, NULL, "", "for every generation, as CSV"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option HISTORY_OPTIONS[] = {
     {"every", VALUE_WHOLE, "", 1, 1e6, NULL, "",
 	"show every N-th generation; else as many as fit a screen"},
-    LAST_OPTION};
+    {.name = NULL}};
 static const struct command_option CONTINUE_OPTIONS[] = {
-    PAUSE_OPTION, LAST_OPTION};
+    PAUSE_OPTION, {.name = NULL}};
 
 const struct command TABLE_FIT[] = {
     {.name = "calibrate",
 	.alias = "fit",
-	.group = "fit",
 	.brief = "find the parameters that explain the runs",
-	.operands = "[all]",
-	.expect = {"all"},
-	.most = 1,
-	.need = NEED_SITE,
-	.flags = COMMAND_CHANGES,
+	.operands = {"[all]", {"all"}, 0, 1},
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.option = CALIBRATE_OPTIONS,
 	.text = "A genetic algorithm searches within the bounds, then "
 		"bounded least squares goes to the bottom of the valleys it "
@@ -70,9 +63,7 @@ const struct command TABLE_FIT[] = {
 	.example = "load data/sites/tierp.csv\ncalibrate seed=1\nvalidate",
 	.run = cmd_calibrate},
     {.name = "continue",
-	.group = "fit",
 	.brief = "go on with a stopped calibration",
-	.operands = "",
 	.flags = COMMAND_CHANGES,
 	.option = CONTINUE_OPTIONS,
 	.text = "^C or pause= stopped it. The result is the same as if it "
@@ -82,18 +73,14 @@ const struct command TABLE_FIT[] = {
 	.example = "load data/sites/tierp.csv\ncalibrate pause=10\ncontinue",
 	.run = cmd_continue},
     {.name = "accept",
-	.group = "fit",
 	.brief = "keep the best of a stopped calibration as it is",
-	.operands = "",
 	.text = "The parameters are in use already; this lets go of what "
 		"'continue' would need.",
 	.example = "load data/sites/tierp.csv\ncalibrate pause=10\naccept",
 	.run = cmd_accept},
     {.name = "history",
-	.group = "fit",
 	.brief = "how the last calibration came together",
-	.operands = "",
-	.need = NEED_SITE,
+	.flags = COMMAND_AT_SITE,
 	.bare = "every",
 	.option = HISTORY_OPTIONS,
 	.text = "A row a generation of the site in use: the best and the "

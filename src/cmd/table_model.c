@@ -2,8 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-#include "cmd/model.h"
-
 static const struct command_option PARAMS_OPTIONS[] = {
     {"beta1", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "constant term"},
     {"beta2", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "term in u"},
@@ -12,7 +10,7 @@ static const struct command_option PARAMS_OPTIONS[] = {
     {"f_mat", VALUE_NUMBER, "kg/(J m)", 0, 1e4, NULL, "", "material parameter"},
     {"e0_min", VALUE_NUMBER, "J m/kg", 0, 1e4, NULL, "", "threshold energy"},
     {"alpha", VALUE_NUMBER, "", 0, 1e2, NULL, "", "size dependency"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option SET_OPTIONS[] = {
     {"method", VALUE_CHOICE, "", 0, 0, "continuous classes", "",
@@ -29,22 +27,19 @@ static const struct command_option SET_OPTIONS[] = {
 	"semicolon: decimal commas, for spreadsheets in Swedish or German"},
     {"pager", VALUE_CHOICE, "", 0, 0, "on off", "",
 	"at the prompt, page what is taller than the screen"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option SEED_OPTIONS[] = {
     {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "",
 	"seed of calibrations"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 const struct command TABLE_MODEL[] = {
     {.name = "params",
-	.group = "model",
 	.brief = "show, set or compare the model's parameters",
-	.operands = "[list | set | diff SITE | use SITE]",
-	.expect = {"list set diff use", "SITE"},
-	.most = 2,
-	.need = NEED_SITE,
-	.flags = COMMAND_CHANGES,
+	.operands = {"[list | set | diff SITE | use SITE]",
+	    {"list set diff use", "SITE"}, 0, 2},
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.option = PARAMS_OPTIONS,
 	.text = "'params set' takes known parameters in place of a "
 		"calibration; those not named keep their value, and beta "
@@ -56,20 +51,16 @@ const struct command TABLE_MODEL[] = {
 		   "predict 74",
 	.run = cmd_params},
     {.name = "bounds",
-	.group = "model",
 	.brief = "limits of the search",
-	.operands = "[default | PARAMETER FROM..TO | PARAMETER VALUE]",
-	.expect = {"default PARAMETER", ""},
-	.most = 2,
+	.operands = {"[default | PARAMETER FROM..TO | PARAMETER VALUE]",
+	    {"default PARAMETER", ""}, 0, 2},
 	.flags = COMMAND_CHANGES,
 	.text = "Without operands shows them. One VALUE holds the parameter "
 		"fixed. The defaults are those of the paper's Table 2.",
 	.example = "bounds f_mat 1.2\nbounds alpha 0.8..1\nbounds",
 	.run = cmd_bounds},
     {.name = "set",
-	.group = "model",
 	.brief = "show or change settings",
-	.operands = "",
 	.flags = COMMAND_CHANGES,
 	.pairs = true,
 	.option = SET_OPTIONS,
@@ -81,9 +72,7 @@ const struct command TABLE_MODEL[] = {
 	.example = "set method classes\nset",
 	.run = cmd_set},
     {.name = "seed",
-	.group = "model",
 	.brief = "seed of calibrations",
-	.operands = "",
 	.flags = COMMAND_CHANGES,
 	.bare = "seed",
 	.option = SEED_OPTIONS,

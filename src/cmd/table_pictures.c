@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-#include "cmd/pictures.h"
+#include "cmd/plots.h"
 
 #define WHAT_OPTIONS                                                       \
 	{"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                   \
@@ -25,7 +25,7 @@ static const struct command_option PLOT_OPTIONS[] = {WHAT_OPTIONS,
 	"as the screen, 24 at most"},
     {"charset", VALUE_CHOICE, "", 0, 0, "auto ascii quadrants braille", "auto",
 	"what lines are drawn with"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option SCREEN_OPTIONS[] = {
     {"width", VALUE_NUMBER, "columns", 1, 1000, NULL, "",
@@ -40,19 +40,15 @@ static const struct command_option SCREEN_OPTIONS[] = {
 	"how many; auto: as the terminal, 256 in a picture's file"},
     {"keys", VALUE_TEXT, "", 0, 0, NULL, "",
 	"keys to press first, by their names in tipspeed-tui(1)"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option DESCRIBE_OPTIONS[] = {
-    WHAT_OPTIONS, LAST_OPTION};
+    WHAT_OPTIONS, {.name = NULL}};
 
 const struct command TABLE_PICTURES[] = {
     {.name = "plot",
-	.group = "pictures",
 	.brief = "draw a picture",
-	.operands = "KIND",
-	.expect = {PLOT_KINDS},
-	.least = 1,
-	.most = 1,
+	.operands = {"KIND", {PLOT_KINDS}, 1, 1},
 	.flags = COMMAND_DRAWS,
 	.option = PLOT_OPTIONS,
 	.text =
@@ -75,12 +71,8 @@ const struct command TABLE_PICTURES[] = {
 		   "plot psd speed=74 at=2",
 	.run = cmd_plot},
     {.name = "describe",
-	.group = "pictures",
 	.brief = "a picture in sentences",
-	.operands = "KIND",
-	.expect = {PLOT_KINDS},
-	.least = 1,
-	.most = 1,
+	.operands = {"KIND", {PLOT_KINDS}, 1, 1},
 	.option = DESCRIBE_OPTIONS,
 	.text = "What plot would draw, for those who hear the screen or "
 		"cannot see the picture: the axes, where each curve begins "
@@ -92,9 +84,7 @@ const struct command TABLE_PICTURES[] = {
 		   "describe psd speed=74",
 	.run = cmd_describe},
     {.name = "screen",
-	.group = "pictures",
 	.brief = "a picture of the full screen",
-	.operands = "",
 	.flags = COMMAND_DRAWS | COMMAND_UNSAVED,
 	.option = SCREEN_OPTIONS,
 	.text = "Typed in the full screen: as it stands behind the command "

@@ -2,32 +2,23 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-#include "cmd/assert.h"
-#include "cmd/info.h"
-#include "cmd/journal.h"
-#include "cmd/manage.h"
-#include "cmd/script.h"
-#include "cmd/undo.h"
-
 static const struct command_option SAVE_OPTIONS[] = {
     {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"write over a file that is there"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option TIMING_OPTIONS[] = {
     {"state", VALUE_CHOICE, "", 0, 0, "on off", "on", "tell it or not"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option MAN_OPTIONS[] = {
     {"page", VALUE_CHOICE, "", 0, 0, "tipspeed tutorial tui site spec model",
 	"tipspeed", "page of the manual"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 const struct command TABLE_SESSION[] = {
     {.name = "undo",
-	.group = "session",
 	.brief = "take back the last change",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.text = "Of sites, the site in use, parameters, calibrations, bounds, "
 		"settings and seed: 200 steps. A calibration is one step, and "
@@ -36,20 +27,14 @@ const struct command TABLE_SESSION[] = {
 	.example = "set k 2\nundo",
 	.run = cmd_undo},
     {.name = "redo",
-	.group = "session",
 	.brief = "do again what undo took back",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.text = "Until something else is changed.",
 	.example = "set k 2\nundo\nredo",
 	.run = cmd_redo},
     {.name = "save",
-	.group = "session",
 	.brief = "write the session as a script",
-	.operands = "FILE.tip",
-	.expect = {"FILE"},
-	.least = 1,
-	.most = 1,
+	.operands = {"FILE.tip", {"FILE"}, 1, 1},
 	.flags = COMMAND_FILES | COMMAND_UNSAVED,
 	.option = SAVE_OPTIONS,
 	.text = "The commands that made the session what it is and gave its "
@@ -63,33 +48,23 @@ const struct command TABLE_SESSION[] = {
 		   "save plant.tip",
 	.run = cmd_save},
     {.name = "restore",
-	.group = "session",
 	.brief = "put a saved session in the place of this one",
-	.operands = "FILE.tip",
-	.expect = {"FILE"},
-	.least = 1,
-	.most = 1,
+	.operands = {"FILE.tip", {"FILE"}, 1, 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.text = "Forgets all, also what the command line set, and runs the "
 		"script. One undo brings back what was there.",
 	.example = "seed 7\nsave seven.tip\nreset\nrestore seven.tip",
 	.run = cmd_restore},
     {.name = "reset",
-	.group = "session",
 	.brief = "forget all that was loaded and set",
-	.operands = "",
 	.flags = COMMAND_CHANGES | COMMAND_UNSAVED,
 	.text = "As if the program had just been started; what the command "
 		"line set (seed, format) is set again.",
 	.example = "load data/sites/tierp.csv\nset method classes\nreset",
 	.run = cmd_reset},
     {.name = "source",
-	.group = "session",
 	.brief = "run a script",
-	.operands = "FILE",
-	.expect = {"FILE"},
-	.least = 1,
-	.most = 1,
+	.operands = {"FILE", {"FILE"}, 1, 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.text = "Runs the commands in FILE, which may source others, up to "
 		"16 deep. The first error ends all of them; a prompt goes on. "
@@ -98,19 +73,14 @@ const struct command TABLE_SESSION[] = {
 	.example = "source data/sessions/tierp.tip",
 	.run = cmd_source},
     {.name = "echo",
-	.group = "session",
 	.brief = "print words",
-	.operands = "[WORD]...",
-	.expect = {""},
-	.most = OPERANDS - 1,
+	.operands = {"[WORD]...", {""}, 0, OPERANDS - 1},
 	.text = "A line among the results, with one blank between words; "
 		"quotes keep others.",
 	.example = "echo \"Tierp, at 74 m/s:\"",
 	.run = cmd_echo},
     {.name = "timing",
-	.group = "session",
 	.brief = "tell how long each command takes",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.bare = "state",
 	.option = TIMING_OPTIONS,
@@ -119,12 +89,9 @@ const struct command TABLE_SESSION[] = {
 	.example = "timing on\nversion\ntiming off",
 	.run = cmd_timing},
     {.name = "assert",
-	.group = "session",
 	.brief = "stop with status 1 unless an answer is as expected",
-	.operands = "VALUE =|<|> VALUE [within NUMBER]",
-	.expect = {"ANSWER", "= < >", "ANSWER", "within", ""},
-	.least = 3,
-	.most = 5,
+	.operands = {"VALUE =|<|> VALUE [within NUMBER]",
+	    {"ANSWER", "= < >", "ANSWER", "within", ""}, 3, 5},
 	.flags = COMMAND_VERBATIM | COMMAND_UNSAVED,
 	.text = "A value is a number or the newest answer: p20, p50, p80, "
 		"break (mm), speed and extrapolated (1 or 0) of predict and "
@@ -139,11 +106,9 @@ const struct command TABLE_SESSION[] = {
 		   "assert holdout < 1",
 	.run = cmd_assert},
     {.name = "help",
-	.group = "session",
 	.brief = "what commands there are",
-	.operands = "[COMMAND|GROUP] [example]",
-	.expect = {"COMMAND GROUP", "example"},
-	.most = 2,
+	.operands = {"[COMMAND|GROUP] [example]", {"COMMAND GROUP", "example"},
+	    0, 2},
 	.flags = COMMAND_UNSAVED,
 	.text = "With a command's name: all about it; with a group's name: the "
 		"commands of the group. 'help COMMAND example' prints an "
@@ -151,21 +116,15 @@ const struct command TABLE_SESSION[] = {
 	.example = "help predict",
 	.run = cmd_help},
     {.name = "apropos",
-	.group = "session",
 	.brief = "find commands by a word of their help",
-	.operands = "WORD",
-	.expect = {""},
-	.least = 1,
-	.most = 1,
+	.operands = {"WORD", {""}, 1, 1},
 	.flags = COMMAND_UNSAVED,
 	.text = "Searches names, help texts, options and their choices, "
 		"without regard to case and accents.",
 	.example = "apropos threads",
 	.run = cmd_apropos},
     {.name = "man",
-	.group = "session",
 	.brief = "open the manual",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.bare = "page",
 	.option = MAN_OPTIONS,
@@ -174,17 +133,13 @@ const struct command TABLE_SESSION[] = {
 	.example = "man site",
 	.run = cmd_man},
     {.name = "version",
-	.group = "session",
 	.brief = "version of the program",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.text = "With the libraries and instructions that numbers depend on.",
 	.example = "version",
 	.run = cmd_version},
     {.name = "tui",
-	.group = "session",
 	.brief = "open the full screen",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.text = "On the site in use, at the speed last predicted, else at the "
 		"one held out, else at 74 m/s. The arrow keys move the speed "
@@ -194,9 +149,7 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_tui},
     {.name = "quit",
 	.alias = "exit",
-	.group = "session",
 	.brief = "leave the program",
-	.operands = "",
 	.flags = COMMAND_UNSAVED,
 	.text = "The rest of a script is not run.",
 	.example = "quit",

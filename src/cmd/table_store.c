@@ -2,8 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-#include "cmd/store.h"
-
 static const struct command_option MATERIALS_OPTIONS[] = {
     {"rock", VALUE_TEXT, "", 0, 0, NULL, "",
 	"only this rock, without regard to case and accents"},
@@ -11,7 +9,7 @@ static const struct command_option MATERIALS_OPTIONS[] = {
 	"only top sizes within 5 % of this one"},
     {"origin", VALUE_CHOICE, "", 0, 0, "all table3 own", "all",
 	"the paper's, your own, or both"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option REMEMBER_OPTIONS[] = {
     {"date", VALUE_TEXT, "", 0, 0, NULL, "",
@@ -19,17 +17,17 @@ static const struct command_option REMEMBER_OPTIONS[] = {
     {"note", VALUE_TEXT, "", 0, 0, NULL, "", "words to keep with it"},
     {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"take the place of one of that name"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option EXPORT_OPTIONS[] = {
     {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"write over a file that is there"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option IMPORT_OPTIONS[] = {
     {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"take the place of materials of the same names"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 static const struct command_option GUESS_OPTIONS[] = {
     {"rock", VALUE_TEXT, "", 0, 0, NULL, "", "kind of rock; else the sheet's"},
@@ -39,15 +37,12 @@ static const struct command_option GUESS_OPTIONS[] = {
     {"nearest", VALUE_WHOLE, "", 1, 100, NULL, "5", "materials to guess from"},
     {"feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"take the feed sampled at this speed"},
-    LAST_OPTION};
+    {.name = NULL}};
 
 const struct command TABLE_STORE[] = {
     {.name = "materials",
-	.group = "store",
 	.brief = "list the materials of the store, or show one",
-	.operands = "[NAME]",
-	.expect = {"MATERIAL"},
-	.most = 1,
+	.operands = {"[NAME]", {"MATERIAL"}, 0, 1},
 	.option = MATERIALS_OPTIONS,
 	.text = "Your own calibrations and the rows of the paper's Table 3, "
 		"which are called table3/... and are read only. With a NAME: "
@@ -55,14 +50,9 @@ const struct command TABLE_STORE[] = {
 	.example = "materials rock=granite top=11.2\nmaterials table3/tierp",
 	.run = cmd_materials},
     {.name = "recall",
-	.group = "store",
 	.brief = "take a material's parameters from the store",
-	.operands = "NAME [SITE]",
-	.expect = {"MATERIAL", "SITE"},
-	.flags = COMMAND_CHANGES,
-	.least = 1,
-	.most = 2,
-	.need = NEED_SITE,
+	.operands = {"NAME [SITE]", {"MATERIAL", "SITE"}, 1, 2},
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.text = "Gives the site in use, or SITE, the parameters of a "
 		"material; a name that is none of yours is looked for in "
 		"Table 3. They are shown as coming from the store wherever "
@@ -70,13 +60,9 @@ const struct command TABLE_STORE[] = {
 	.example = "load data/sites/borlange.csv\nrecall tierp\npredict 74",
 	.run = cmd_recall},
     {.name = "remember",
-	.group = "store",
 	.brief = "put the site's parameters into the store",
-	.operands = "[NAME]",
-	.expect = {""},
-	.flags = COMMAND_UNSAVED,
-	.most = 1,
-	.need = NEED_SITE,
+	.operands = {"[NAME]", {""}, 0, 1},
+	.flags = COMMAND_AT_SITE | COMMAND_UNSAVED,
 	.option = REMEMBER_OPTIONS,
 	.text = "Keeps what a calibration found, or 'params set' said, with "
 		"its origin: the site and where its data are from, misfit, "
@@ -88,13 +74,9 @@ const struct command TABLE_STORE[] = {
 		   "materials origin=own",
 	.run = cmd_remember},
     {.name = "forget",
-	.group = "store",
 	.brief = "take one of your materials out of the store",
-	.operands = "NAME",
-	.expect = {"MATERIAL"},
+	.operands = {"NAME", {"MATERIAL"}, 1, 1},
 	.flags = COMMAND_UNSAVED,
-	.least = 1,
-	.most = 1,
 	.text = "Prints the line that brings its parameters back; its origin "
 		"is gone, unless 'export' saved it. Table 3 stays.",
 	.example = "load data/sites/tierp.csv\n"
@@ -102,26 +84,18 @@ const struct command TABLE_STORE[] = {
 		   "remember trial\nforget trial",
 	.run = cmd_forget},
     {.name = "export",
-	.group = "store",
 	.brief = "write your materials to a CSV file",
-	.operands = "FILE",
-	.expect = {"FILE"},
+	.operands = {"FILE", {"FILE"}, 1, 1},
 	.flags = COMMAND_FILES | COMMAND_UNSAVED,
-	.least = 1,
-	.most = 1,
 	.option = EXPORT_OPTIONS,
 	.text = "All of your own, with exact numbers, for 'import' into "
 		"another store. Table 3 is in every store already.",
 	.example = "export materials.csv",
 	.run = cmd_export},
     {.name = "import",
-	.group = "store",
 	.brief = "take materials from a CSV file",
-	.operands = "FILE",
-	.expect = {"FILE"},
+	.operands = {"FILE", {"FILE"}, 1, 1},
 	.flags = COMMAND_FILES | COMMAND_UNSAVED,
-	.least = 1,
-	.most = 1,
 	.option = IMPORT_OPTIONS,
 	.text = "Reads what 'export' wrote, or a spreadsheet made of it. Every "
 		"fault is named by its place, and if there is one nothing is "
@@ -132,10 +106,8 @@ const struct command TABLE_STORE[] = {
 		   "export trial.csv\nimport trial.csv replace=on",
 	.run = cmd_import},
     {.name = "guess",
-	.group = "store",
 	.brief = "a first product for a site with no calibration",
-	.operands = "",
-	.need = NEED_SITE,
+	.flags = COMMAND_AT_SITE,
 	.option = GUESS_OPTIONS,
 	.text = "Takes the materials nearest to the site: the same rock "
 		"before any other, then the top size by its ratio. The guess "

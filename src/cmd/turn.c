@@ -5,7 +5,6 @@
 
 #include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/xalloc.h"
 #include "cmd/redirect.h"
@@ -32,20 +31,11 @@ struct turn {
 	size_t scripts; /* that were open when it began */
 };
 
-static bool
-put_place(const struct turn *t, struct error *error)
-{
-	snprintf(error->file, sizeof error->file, "%s", t->place.file);
-	error->line = t->place.line;
-	error->column = t->column;
-	return false;
-}
-
 /* Index of an option of the call that names a file, or OPTIONS. */
 static size_t
-file_option(const struct command *command, const struct args *args)
+file_option(const struct args *args)
 {
-	const struct command_option *o = command->option;
+	const struct command_option *o = args->command->option;
 	for (size_t i = 0; o != NULL && o[i].name != NULL; i++)
 		if (o[i].kind == VALUE_FILE && args->value[i].given)
 			return i;
@@ -54,10 +44,11 @@ file_option(const struct command *command, const struct args *args)
 
 /* --safe: neither files nor the shell. */
 static bool
-check_safe(const struct command *command, const struct args *args,
-    const struct words *words, struct error *error)
+check_safe(
+    const struct args *args, const struct words *words, struct error *error)
 {
-	size_t option = file_option(command, args);
+	const struct command *command = args->command;
+	size_t option = file_option(args);
 	if (command->flags & COMMAND_FILES)
 		error_set(error, ERROR_USAGE, "%s is off: it works on files",
 		    command->name);
@@ -96,15 +87,15 @@ can_take(const struct command *command, const struct words *words,
 }
 
 bool
-turn_begin(struct session *s, const struct command *command,
-    const struct args *args, const struct words *words, struct place place,
-    struct error *error)
+turn_begin(struct session *s, const struct args *args,
+    const struct words *words, struct place place, struct error *error)
 {
-	if (s->safe && !check_safe(command, args, words, error))
+	const struct command *command = args->command;
+	if (s->safe && !check_safe(args, words, error))
 		return false;
 	if (s->first == NULL) {
 		s->first = xcalloc(1, sizeof *s->first);
-		*s->first = choices_take(s);
+		*s->first = s->set;
 		journal_settings(s);
 	}
 	struct turn *t = xcalloc(1, sizeof *t);
@@ -119,12 +110,12 @@ turn_begin(struct session *s, const struct command *command,
 	if (words->to != TO_SCREEN && can_take(command, words, error))
 		t->redirect = redirect_open(s, words, error);
 	if (words->to != TO_SCREEN && t->redirect == NULL) {
-		put_place(t, error);
+		error_place(error, place.file, place.line, t->column);
 		free(t);
 		return false;
 	}
 	t->label = journal_label(command, words);
-	t->line = journal_line(command, args, words);
+	t->line = journal_line(args, words);
 	t->mark = journal_mark(s);
 	t->steps = undo_depth(s);
 	if (command->flags & COMMAND_CHANGES)
@@ -225,7 +216,8 @@ turn_end(struct session *s, bool ok, struct error *error)
 	if (t->redirect != NULL &&
 	    !redirect_close(s, t->redirect, keep, &late) && ok) {
 		*error = late;
-		ok = put_place(t, error);
+		error_place(error, t->place.file, t->place.line, t->column);
+		ok = false;
 	}
 	if (changed)
 		undo_push(

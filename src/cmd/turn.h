@@ -12,9 +12,8 @@
 struct turn;
 
 /* Before a command runs.  False where its results cannot go where it says. */
-bool turn_begin(struct session *s, const struct command *command,
-    const struct args *args, const struct words *words, struct place place,
-    struct error *error);
+bool turn_begin(struct session *s, const struct args *args,
+    const struct words *words, struct place place, struct error *error);
 
 /* The innermost command itself has done its part.  Until then lines that it
  * runs are turns within its own. */

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/table.h"
 
 enum { STEPS = 200 };
 
@@ -40,26 +41,29 @@ cut_steps(struct undo *undo, size_t n)
 		step_free(&undo->step[--undo->n]);
 }
 
+struct undo *
+undo_new(void)
+{
+	return xcalloc(1, sizeof(struct undo));
+}
+
 void
 undo_free(struct undo *undo)
 {
-	if (undo != NULL)
-		cut_steps(undo, 0);
+	cut_steps(undo, 0);
 	free(undo);
 }
 
 size_t
 undo_depth(const struct session *s)
 {
-	return s->undo != NULL ? s->undo->done : 0;
+	return s->undo->done;
 }
 
 void
 undo_push(struct session *s, struct snapshot *before, struct mark mark,
     size_t depth, size_t floor, const char *label)
 {
-	if (s->undo == NULL)
-		s->undo = xcalloc(1, sizeof *s->undo);
 	struct undo *undo = s->undo;
 	cut_steps(undo, depth < undo->done ? depth : undo->done);
 	bool inner = floor != SIZE_MAX;
@@ -113,7 +117,7 @@ bool
 cmd_redo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	if (s->undo == NULL || s->undo->done == s->undo->n)
+	if (s->undo->done == s->undo->n)
 		return error_set(error, ERROR_USAGE, "nothing to redo");
 	struct step *step = &s->undo->step[s->undo->done++];
 	step->mark = journal_mark(s);

@@ -11,9 +11,6 @@
 #include "cmd/session.h"
 #include "cmd/snapshot.h"
 
-bool cmd_undo(struct session *, const struct args *, struct error *);
-bool cmd_redo(struct session *, const struct args *, struct error *);
-
 /* How many steps can be undone now. */
 size_t undo_depth(const struct session *s);
 
@@ -25,6 +22,7 @@ size_t undo_depth(const struct session *s);
 void undo_push(struct session *s, struct snapshot *before, struct mark mark,
     size_t depth, size_t floor, const char *label);
 
+struct undo *undo_new(void);
 void undo_free(struct undo *undo);
 
 #endif

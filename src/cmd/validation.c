@@ -6,6 +6,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/table.h"
 #include "core/validate.h"
 #include "io/units.h"
 
@@ -14,20 +15,16 @@ validation_as_json(const struct validation *v)
 {
 	static const char *const NAMES[3] = {"p20", "p50", "p80"};
 	json_t *o = json_object(), *null = json_object();
-	json_object_set_new(o, "speed", json_real(v->speed));
-	json_object_set_new(o, "rmse_pct", report_json_number(100 * v->rmse));
+	report_put(o, "speed", v->speed);
+	report_put(o, "rmse_pct", 100 * v->rmse);
 	for (size_t i = 0; i < 3; i++) {
 		json_t *size = json_object();
-		json_object_set_new(size, "measured_mm",
-		    report_json_number(1000 * v->size[i].measured));
-		json_object_set_new(size, "predicted_mm",
-		    report_json_number(1000 * v->size[i].predicted));
+		report_put(size, "measured_mm", 1000 * v->size[i].measured);
+		report_put(size, "predicted_mm", 1000 * v->size[i].predicted);
 		json_object_set_new(o, NAMES[i], size);
 	}
-	json_object_set_new(
-	    null, "feed_rmse_pct", report_json_number(100 * v->feed_rmse));
-	json_object_set_new(null, "interpolation_rmse_pct",
-	    report_json_number(100 * v->interpolation_rmse));
+	report_put(null, "feed_rmse_pct", 100 * v->feed_rmse);
+	report_put(null, "interpolation_rmse_pct", 100 * v->interpolation_rmse);
 	json_object_set_new(o, "null", null);
 	json_object_set_new(
 	    o, "loses_to_interpolation", json_boolean(validation_loses(v)));
@@ -101,10 +98,9 @@ validation_notes(struct report *r, const struct validation *v)
 	bool clearly = loses && v->rmse > 1.1 * v->interpolation_rmse &&
 		       v->rmse - v->interpolation_rmse > CLEARLY;
 	if (clearly)
-		report_note(r,
-		    "  the model does worse than interpolation at this speed: "
-		    "between the trained speeds, the interpolated products "
-		    "are the better guess");
+		report_note(r, "  the model does worse than interpolation at "
+			       "this speed: between the trained speeds, the "
+			       "interpolated products are the better guess");
 	else if (loses)
 		report_note(r,
 		    "  the model does no better than interpolation at this "
@@ -129,7 +125,7 @@ add_validations(struct session *s, struct report *r, json_t *list)
 		    misfit_covered(&run->feed, &run->product) == 0)
 			continue;
 		struct validation v = validate_run(
-		    site, i, entry->train, &entry->params, s->settings);
+		    site, i, entry->train, &entry->params, s->set.model);
 		validation_rows(r, &v);
 		validation_notes(r, &v);
 		json_array_append_new(list, validation_as_json(&v));
@@ -138,9 +134,8 @@ add_validations(struct session *s, struct report *r, json_t *list)
 		n++;
 	}
 	if (n == 0)
-		report_note(r,
-		    "no run was held out: a third speed, not trained on, "
-		    "would test the model");
+		report_note(r, "no run was held out: a third speed, not "
+			       "trained on, would test the model");
 }
 
 bool

@@ -1,6 +1,6 @@
 /* What may stand behind an option: numbers, ranges, choices, text.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/value.h"
+#include "cmd/parse.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,29 +9,22 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
-static bool
-is_choice(const char *choices, const char *word, size_t *index)
-{
-	size_t i = 0, n = strlen(word);
-	for (const char *c = choices; *c != '\0'; i++) {
-		size_t length = strcspn(c, " ");
-		if (length == n && strncmp(c, word, n) == 0) {
-			*index = i;
-			return true;
-		}
-		c += length;
-		c += strspn(c, " ");
-	}
-	return false;
-}
-
 /* Cuts a unit off the end of a number: "74m/s", "11.2 mm". */
 static void
 cut_unit(char *text, const char *unit)
 {
-	size_t n = strlen(text), u = strlen(unit);
-	if (u > 0 && n > u && strcmp(text + n - u, unit) == 0)
-		text[n - u] = '\0';
+	if (unit[0] != '\0' && text_ends(text, unit))
+		text[strlen(text) - strlen(unit)] = '\0';
+}
+
+bool
+value_number(const char *word, const char *unit, double *value)
+{
+	char *text = xstrdup(word);
+	cut_unit(text, unit);
+	bool ok = text_number(text, value);
+	free(text);
+	return ok;
 }
 
 /* The next step where a number is written as in another language. */
@@ -62,10 +55,7 @@ static bool
 number(const struct command_option *option, const char *word, double *value,
     struct error *error)
 {
-	char *text = xstrdup(word);
-	cut_unit(text, option->unit);
-	bool ok = text_number(text, value);
-	free(text);
+	bool ok = value_number(word, option->unit, value);
 	const char *in = option->unit[0] != '\0' ? " in " : "";
 	const char *space = option->unit[0] != '\0' ? " " : "";
 	if (!ok && option->kind == VALUE_NUMBER && strchr(word, ',') != NULL) {
@@ -216,7 +206,7 @@ value_take(const struct command_option *option, const char *word,
 			return true;
 		return wrong_whole(option, word, error);
 	case VALUE_CHOICE:
-		if (is_choice(option->choices, word, &value->choice))
+		if (text_choice(option->choices, word, &value->choice))
 			return true;
 		return wrong_choice(option, word, error);
 	default:

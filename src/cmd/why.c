@@ -8,6 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/table.h"
 #include "core/energy.h"
 #include "core/misfit.h"
 #include "core/validate.h"
@@ -28,12 +29,6 @@ struct subject {
 	json_t *list; /* the sentences */
 };
 
-static void
-say(const struct subject *a, json_t *sentence)
-{
-	json_array_append_new(a->list, sentence);
-}
-
 /* Share of the feed above the break size, 0..1. */
 static double
 breakable(const struct subject *a)
@@ -48,30 +43,28 @@ say_breakage(const struct subject *a)
 	const struct prediction *p = &a->p;
 	double can = breakable(a), does = p->selected;
 	if (p->no_daughters)
-		say(a,
-		    json_sprintf("The appearance is 0 for every daughter, so "
-				 "that nothing breaks and product = feed"));
+		answers_say(a->list,
+		    "The appearance is 0 for every daughter, so that "
+		    "nothing breaks and product = feed");
 	else if (p->break_size >= a->feed->size[0])
-		say(a,
-		    json_sprintf("At %g m/s only fragments of %.3g mm or more "
-				 "break, and the feed has none above %g mm: "
-				 "product = feed",
-			p->speed, 1000 * p->break_size,
-			units_mm(a->feed->size[0])));
+		answers_say(a->list,
+		    "At %g m/s only fragments of %.3g mm or more break, and "
+		    "the feed has none above %g mm: product = feed",
+		    p->speed, 1000 * p->break_size, units_mm(a->feed->size[0]));
 	else if (p->break_size < ANSWERS_NO_SIZE)
-		say(a, json_sprintf(
-			   "With %s every size can break; %.0f %% of the feed "
-			   "does at %g m/s",
-			   a->entry->params.e0_min <= 0 ? "e0_min at 0"
-							: "so low an alpha",
-			   100 * does, p->speed));
+		answers_say(a->list,
+		    "With %s every size can break; %.0f %% of the feed does at "
+		    "%g m/s",
+		    a->entry->params.e0_min <= 0 ? "e0_min at 0"
+						 : "so low an alpha",
+		    100 * does, p->speed);
 	else
-		say(a, json_sprintf(
-			   "At %g m/s an impact has %.0f J/kg, which breaks "
-			   "fragments from %.3g mm up; %.0f %% of the feed is "
-			   "that coarse, and %.0f %% of the feed breaks",
-			   p->speed, p->energy, 1000 * p->break_size, 100 * can,
-			   100 * does));
+		answers_say(a->list,
+		    "At %g m/s an impact has %.0f J/kg, which breaks fragments "
+		    "from %.3g mm up; %.0f %% of the feed is that coarse, and "
+		    "%.0f %% of the feed breaks",
+		    p->speed, p->energy, 1000 * p->break_size, 100 * can,
+		    100 * does);
 }
 
 static void
@@ -82,21 +75,20 @@ say_how_much(const struct subject *a)
 	double moved =
 	    psd_rms(p->feed.passing, p->product.passing, p->feed.n, NULL);
 	if (can > 0 && can < FEW)
-		say(a, json_sprintf(
-			   "With so little of the feed above the break size "
-			   "the product can hardly differ from the feed"));
+		answers_say(a->list,
+		    "With so little of the feed above the break size "
+		    "the product can hardly differ from the feed");
 	else if (can >= FEW && does < MOST_BREAKS * can)
-		say(a, json_sprintf(
-			   "Of what could break only %.0f %% does: f_mat %.3g "
-			   "is low, so that the impact just above the "
-			   "threshold often fails",
-			   100 * does / can, a->entry->params.f_mat));
+		answers_say(a->list,
+		    "Of what could break only %.0f %% does: f_mat %.3g is low, "
+		    "so that the impact just above the threshold often fails",
+		    100 * does / can, a->entry->params.f_mat);
 	bool some = !p->no_daughters && p->break_size < a->feed->size[0];
 	if (some && moved < SAMPLING)
-		say(a, json_sprintf(
-			   "Product and feed lie %.2f points apart (RMS), "
-			   "less than two samples of one belt",
-			   100 * moved));
+		answers_say(a->list,
+		    "Product and feed lie %.2f points apart (RMS), less than "
+		    "two samples of one belt",
+		    100 * moved);
 }
 
 /* What a change of speed by 1 m/s either way does. */
@@ -104,22 +96,22 @@ static void
 say_response(const struct subject *a)
 {
 	double v = a->p.speed, n = (double)a->p.product.n, sum = 0;
-	struct prediction fast = predict(a->entry->site, &a->entry->params,
-	    a->s->settings, v + 1, a->p.feed_run);
+	struct prediction fast =
+	    answers_predict(a->s, a->entry, v + 1, a->p.feed_run);
 	for (size_t i = 0; i < a->p.product.n; i++)
 		sum +=
 		    pow(fast.product.passing[i] - a->p.product.passing[i], 2);
 	prediction_free(&fast);
 	if (sqrt(sum / n) < STILL && a->p.break_size < a->feed->size[0])
-		say(a, json_sprintf(
-			   "The speed makes next to no difference here: 1 m/s "
-			   "more moves the product by %.2f points (RMS)",
-			   100 * sqrt(sum / n)));
-	if (a->s->settings.method == METHOD_CLASSES)
-		say(a, json_sprintf(
-			   "The method classes gives each class one size, so "
-			   "that the product stands still while the break "
-			   "size moves within a class, and then jumps"));
+		answers_say(a->list,
+		    "The speed makes next to no difference here: 1 m/s more "
+		    "moves the product by %.2f points (RMS)",
+		    100 * sqrt(sum / n));
+	if (a->s->set.model.method == METHOD_CLASSES)
+		answers_say(a->list,
+		    "The method classes gives each class one size, so "
+		    "that the product stands still while the break "
+		    "size moves within a class, and then jumps");
 }
 
 static void
@@ -133,37 +125,30 @@ say_trained(const struct subject *a)
 		slow = fmin(slow, site->run[r].speed);
 		fast = fmax(fast, site->run[r].speed);
 	}
-	if (!predict_extrapolates(site, a->entry->train, v)) {
-		say(a, json_sprintf("%g m/s lies within the speeds %s, %g to "
-				    "%g m/s",
-			   v, a->entry->has_fit ? "trained on" : "measured",
-			   slow, fast));
+	if (!answers_extrapolates(a->entry, v)) {
+		answers_say(a->list,
+		    "%g m/s lies within the speeds %s, %g to %g m/s", v,
+		    a->entry->has_fit ? "trained on" : "measured", slow, fast);
 		return;
 	}
 	double near = v > fast ? fast : slow;
 	double more = energy_specific(v) / energy_specific(near) - 1;
-	say(a, json_sprintf(
-		   "%g m/s is outside the speeds %s, %g to %g m/s: an impact "
-		   "has %.1f %% %s energy than at %g m/s, and nothing "
-		   "measured says what that does",
-		   v, a->entry->has_fit ? "trained on" : "measured", slow, fast,
-		   100 * fabs(more), more > 0 ? "more" : "less", near));
+	answers_say(a->list,
+	    "%g m/s is outside the speeds %s, %g to %g m/s: an impact has %.1f "
+	    "%% %s energy than at %g m/s, and nothing measured says what that "
+	    "does",
+	    v, a->entry->has_fit ? "trained on" : "measured", slow, fast,
+	    100 * fabs(more), more > 0 ? "more" : "less", near);
 }
 
-/* "alpha" or "beta3 and beta4" of those for which `is` holds; NULL for none. */
+/* "alpha" or "beta3 and beta4" of those for which `is` holds; "" for none. */
 static char *
 names_of(const struct fit *fit, bool (*is)(const struct fit *, size_t))
 {
-	char *names = NULL;
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		if (!is(fit, j))
-			continue;
-		char *longer = names == NULL ? xstrdup(PARAMS[j].name)
-					     : xasprintf("%s and %s", names,
-						   PARAMS[j].name);
-		free(names);
-		names = longer;
-	}
+	char *names = xstrdup("");
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		if (is(fit, j))
+			xlist(&names, " and ", "%s", PARAMS[j].name);
 	return names;
 }
 
@@ -178,16 +163,17 @@ say_parameters(const struct subject *a, const struct fit *fit)
 {
 	char *bound = names_of(fit, is_on_bound);
 	char *flat = names_of(fit, fit_is_flat);
-	if (bound != NULL)
-		say(a, json_sprintf("%s on a bound of the search: the bound, "
-				    "not the data, sets the value",
-			   bound));
-	if (flat != NULL)
-		say(a, json_sprintf(
-			   "The data do not tell %s well: far other values, "
-			   "changed together, fit a tenth worse only; the "
-			   "curves are to be relied on, not these values",
-			   flat));
+	if (bound[0] != '\0')
+		answers_say(a->list,
+		    "%s on a bound of the search: the bound, not the data, "
+		    "sets the value",
+		    bound);
+	if (flat[0] != '\0')
+		answers_say(a->list,
+		    "The data do not tell %s well: far other values, changed "
+		    "together, fit a tenth worse only; the curves are to be "
+		    "relied on, not these values",
+		    flat);
 	free(bound);
 	free(flat);
 }
@@ -198,26 +184,27 @@ say_fit(const struct subject *a)
 	const struct entry *entry = a->entry;
 	const struct fit *fit = &entry->fit;
 	if (!entry->has_fit) {
-		say(a, json_sprintf("The parameters were %s, not found by a "
-				    "calibration on this site's runs",
-			   session_origin(entry)));
+		answers_say(a->list,
+		    "The parameters were %s, not found by a calibration on "
+		    "this site's runs",
+		    session_origin(entry));
 		return;
 	}
 	if (fit->rmse > FIT_POOR)
-		say(a, json_sprintf(
-			   "The fit is poor: it misses the products it was "
-			   "trained on by %.1f points (RMS), where sampling "
-			   "repeats to 0.5 to 1; look for faults in the sheet "
-			   "with 'check'",
-			   100 * fit->rmse));
+		answers_say(a->list,
+		    "The fit is poor: it misses the products it was trained on "
+		    "by %.1f points (RMS), where sampling repeats to 0.5 to 1; "
+		    "look for faults in the sheet with 'check'",
+		    100 * fit->rmse);
 	else if (fit_breaks_nothing(fit))
-		say(a, json_sprintf("The training products cannot be told from "
-				    "their feed, so that the parameters fit "
-				    "sampling noise"));
+		answers_say(a->list,
+		    "The training products cannot be told from their "
+		    "feed, so that the parameters fit sampling noise");
 	else
-		say(a, json_sprintf("The fit is good: %.2f points (RMS) off "
-				    "the products it was trained on",
-			   100 * fit->rmse));
+		answers_say(a->list,
+		    "The fit is good: %.2f points (RMS) off the products it "
+		    "was trained on",
+		    100 * fit->rmse);
 	say_parameters(a, fit);
 }
 
@@ -231,13 +218,14 @@ say_measured(const struct subject *a)
 	    misfit_covered(&site->run[r].feed, &site->run[r].product) == 0)
 		return;
 	struct validation v = validate_run(
-	    site, r, a->entry->train, &a->entry->params, a->s->settings);
-	say(a, json_sprintf("The product measured at %g m/s, not trained on, "
-			    "lies %.2f points (RMS) off the prediction%s",
-		   v.speed, 100 * v.rmse,
-		   validation_loses(&v) ? "; interpolating the trained "
-					  "products comes nearer"
-					: ""));
+	    site, r, a->entry->train, &a->entry->params, a->s->set.model);
+	answers_say(a->list,
+	    "The product measured at %g m/s, not trained on, lies %.2f points "
+	    "(RMS) off the prediction%s",
+	    v.speed, 100 * v.rmse,
+	    validation_loses(&v)
+		? "; interpolating the trained products comes nearer"
+		: "");
 }
 
 /* What was not measured at a plant says so in its provenance. */
@@ -246,32 +234,21 @@ say_data(const struct subject *a)
 {
 	const char *from = a->entry->site->provenance;
 	if (from[0] == '\0')
-		say(a, json_sprintf("Where the data are from is not stated"));
+		answers_say(a->list, "Where the data are from is not stated");
 	else if (strncmp(from, "measured", 8) != 0)
-		say(a, json_sprintf("The data are not from a plant's sieves: "
-				    "%.*s",
-			   (int)strcspn(from, ";"), from));
+		answers_say(a->list,
+		    "The data are not from a plant's sieves: %.*s",
+		    (int)strcspn(from, ";"), from);
 }
 
 static void
 print_sentences(const struct subject *a)
 {
-	size_t i;
-	json_t *sentence;
-	bool csv = a->s->format == REPORT_CSV;
 	struct report *r =
 	    answers_report(a->entry->site, "why", "why, at %g m/s", a->p.speed);
-	if (csv)
-		report_column(r, "sentence", "sentence");
-	json_array_foreach(a->list, i, sentence)
-	{
-		if (csv)
-			report_text(r, json_string_value(sentence));
-		else
-			report_note(r, "%s.", json_string_value(sentence));
-	}
+	answers_tell(a->s, r, a->list);
 	json_t *o = answers_json("why", a->entry->site);
-	json_object_set_new(o, "speed", json_real(a->p.speed));
+	report_put(o, "speed", a->p.speed);
 	json_object_set(o, "sentences", a->list);
 	report_json(r, o);
 	session_report(a->s, r);
@@ -283,12 +260,12 @@ cmd_why(struct session *s, const struct args *args, struct error *error)
 	if (!answers_ready(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	double v = args_value(command_find("why"), args, "speed")->number;
+	double v = args_value(args, "speed")->number;
 	size_t run = site_run_nearest(entry->site, v);
 	struct subject a = {.s = s,
 	    .entry = entry,
 	    .feed = &entry->site->run[run].feed,
-	    .p = predict(entry->site, &entry->params, s->settings, v, run),
+	    .p = answers_predict(s, entry, v, run),
 	    .list = json_array()};
 	say_breakage(&a);
 	say_how_much(&a);

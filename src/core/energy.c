@@ -13,12 +13,6 @@ energy_specific(double v)
 }
 
 double
-energy_tip_speed(double E)
-{
-	return sqrt(2 * E);
-}
-
-double
 energy_break_size(const struct params *p, double v)
 {
 	double E = energy_specific(v);

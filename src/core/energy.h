@@ -10,9 +10,6 @@
  * v rotor tip speed, m/s.  Returns J/kg.   Source: paper Eq 4. */
 double energy_specific(double v);
 
-/* The tip speed, m/s, that gives the specific energy E, J/kg. */
-double energy_tip_speed(double E);
-
 /* Break size: the smallest size that can break at tip speed v.
  *   x* = (E0_min / E)^(1 / alpha)
  * v m/s.  Returns m: 0 where every size breaks, INFINITY where none does (as

@@ -8,14 +8,13 @@
 #include <string.h>
 
 const struct param_info PARAMS[PARAM_COUNT] = {
-    {"beta1", "β1", "-", -1000, 1000, "appearance: constant term"},
-    {"beta2", "β2", "-", -1000, 1000, "appearance: term in u"},
-    {"beta3", "β3", "-", -1000, 1000, "appearance: term in u squared"},
-    {"beta4", "β4", "-", -1000, 1000, "appearance: term in u cubed"},
-    {"f_mat", "f_mat", "kg/(J m)", 0.001, 3,
-	"material: a higher one breaks more"},
-    {"e0_min", "E0_min", "J m/kg", 0, 30, "threshold energy for breakage"},
-    {"alpha", "α", "-", 0, 1, "size dependency of breakage"},
+    {"beta1", "-", -1000, 1000, "appearance: constant term"},
+    {"beta2", "-", -1000, 1000, "appearance: term in u"},
+    {"beta3", "-", -1000, 1000, "appearance: term in u squared"},
+    {"beta4", "-", -1000, 1000, "appearance: term in u cubed"},
+    {"f_mat", "kg/(J m)", 0.001, 3, "material: a higher one breaks more"},
+    {"e0_min", "J m/kg", 0, 30, "threshold energy for breakage"},
+    {"alpha", "-", 0, 1, "size dependency of breakage"},
 };
 
 double
@@ -96,4 +95,12 @@ model_settings_default(void)
 {
 	return (struct model_settings){
 	    METHOD_CONTINUOUS, APPEARANCE_RATIO, 1.0};
+}
+
+bool
+model_settings_same(
+    const struct model_settings *a, const struct model_settings *b)
+{
+	return a->method == b->method && a->appearance == b->appearance &&
+	       a->k == b->k;
 }

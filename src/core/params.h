@@ -22,7 +22,6 @@ struct params {
  * whose text says six variables where there are seven (departure D7). */
 struct param_info {
 	const char *name;    /* as typed */
-	const char *symbol;  /* as printed */
 	const char *unit;    /* "-" where there is none */
 	double lower, upper; /* default search bounds */
 	const char *meaning;
@@ -68,5 +67,7 @@ struct model_settings {
 };
 
 struct model_settings model_settings_default(void);
+bool model_settings_same(
+    const struct model_settings *a, const struct model_settings *b);
 
 #endif

@@ -67,6 +67,15 @@ psd_passing(const struct psd *psd, double x)
 }
 
 double
+psd_at_sieve(const struct psd *psd, double x)
+{
+	for (size_t i = 0; i < psd->n; i++)
+		if (psd->size[i] == x)
+			return psd->passing[i];
+	return NAN;
+}
+
+double
 psd_size(const struct psd *psd, double passing)
 {
 	if (psd->n == 0 || passing > psd->passing[0])

@@ -31,6 +31,9 @@ size_t psd_fault(const struct psd *psd);
  * sieves.  Asserts n >= 1 and x > 0. */
 double psd_passing(const struct psd *psd, double x);
 
+/* The passing measured at x, NAN where x is none of the sieves. */
+double psd_at_sieve(const struct psd *psd, double x);
+
 /* The size (m) that the given fraction passes, straight on log size: P80 is
  * psd_size(psd, 0.8).  NAN where it lies outside the sieves. */
 double psd_size(const struct psd *psd, double passing);

@@ -69,48 +69,34 @@ checkpoint_save(const char *path, const struct checkpoint_of *of,
 	return ok;
 }
 
-/* Reading: the place in the text that is next. */
-struct cursor {
-	char *next;
-};
-
-/* Steps over the name and a blank; false where something else stands. */
+/* Steps over a word; false where something else stands. */
 static bool
-take_name(struct cursor *c, const char *name)
+take(char **next, const char *word)
 {
-	size_t n = strlen(name);
-	if (strncmp(c->next, name, n) != 0)
-		return false;
-	c->next += n;
-	return true;
+	size_t n = strlen(word);
+	bool here = strncmp(*next, word, n) == 0;
+	*next += here ? n : 0;
+	return here;
 }
 
 static bool
 take_reals(void *data, const char *name, double *value, size_t n)
 {
-	struct cursor *c = data;
-	bool ok = take_name(c, name);
-	for (size_t i = 0; ok && i < n; i++) {
-		char *end;
-		ok = *c->next == ' ';
-		value[i] = ok ? strtod(c->next, &end) : 0;
-		c->next = ok ? end : c->next;
-	}
-	return ok && *c->next++ == '\n';
+	char **next = data;
+	bool ok = take(next, name);
+	for (size_t i = 0; i < n && (ok = ok && **next == ' '); i++)
+		value[i] = strtod(*next, next);
+	return ok && take(next, "\n");
 }
 
 static bool
 take_wholes(void *data, const char *name, size_t *value, size_t n)
 {
-	struct cursor *c = data;
-	bool ok = take_name(c, name);
-	for (size_t i = 0; ok && i < n; i++) {
-		char *end;
-		ok = *c->next == ' ';
-		value[i] = ok ? (size_t)strtoull(c->next, &end, 10) : 0;
-		c->next = ok ? end : c->next;
-	}
-	return ok && *c->next++ == '\n';
+	char **next = data;
+	bool ok = take(next, name);
+	for (size_t i = 0; i < n && (ok = ok && **next == ' '); i++)
+		value[i] = (size_t)strtoull(*next, next, 10);
+	return ok && take(next, "\n");
 }
 
 /* All of the file with a NUL behind it; NULL with errno. */
@@ -120,21 +106,19 @@ read_all(const char *path, size_t *n)
 	FILE *in = fopen(path, "r");
 	if (in == NULL)
 		return NULL;
-	size_t room = 1 << 16;
-	char *bytes = xcalloc(room + 1, 1);
-	*n = 0;
-	for (size_t got; (got = fread(bytes + *n, 1, room - *n, in)) > 0;) {
-		*n += got;
-		if (*n == room)
-			bytes = xrealloc(bytes, (room *= 2) + 1, 1);
-	}
-	bytes[*n] = '\0';
+	char *bytes = NULL;
+	size_t room = 0;
+	/* A checkpoint has no NUL of its own; one that has is damaged. */
+	ssize_t got = getdelim(&bytes, &room, '\0', in);
 	bool failed = ferror(in) != 0;
+	int reason = errno;
 	fclose(in);
-	if (!failed)
+	*n = got > 0 ? (size_t)got : 0;
+	if (got > 0)
 		return bytes;
 	free(bytes);
-	return NULL;
+	errno = reason;
+	return failed ? NULL : xstrdup("");
 }
 
 /* True when the last line holds the digest of what stands before it. */
@@ -162,13 +146,13 @@ static bool
 take_text(const char *path, char *bytes, const struct checkpoint_of *of,
     struct calibration *c, struct error *error)
 {
-	struct cursor cursor = {bytes};
+	char *next = bytes;
 	char *site = xasprintf("site %016" PRIx64 "\n", of->site_digest);
 	char *options = xasprintf("options %s\n", of->options);
-	struct visit visit = {&cursor, take_reals, take_wholes};
-	bool same_site = take_name(&cursor, TITLE) &&
-			 take_name(&cursor, "\n") && take_name(&cursor, site);
-	bool same_options = same_site && take_name(&cursor, options);
+	struct visit visit = {&next, take_reals, take_wholes};
+	bool same_site =
+	    take(&next, TITLE) && take(&next, "\n") && take(&next, site);
+	bool same_options = same_site && take(&next, options);
 	free(site);
 	free(options);
 	if (!same_site)

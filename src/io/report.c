@@ -14,18 +14,6 @@
 
 const char *const REPORT_FORMATS[4] = {"table", "csv", "json", "markdown"};
 
-static char *
-format_text(const char *format, va_list ap)
-{
-	va_list again;
-	va_copy(again, ap);
-	int n = vsnprintf(NULL, 0, format, again);
-	va_end(again);
-	char *text = xcalloc(n > 0 ? (size_t)n + 1 : 1, 1);
-	vsnprintf(text, (size_t)n + 1, format, ap);
-	return text;
-}
-
 struct report *
 report_new(const char *command)
 {
@@ -69,7 +57,7 @@ report_title(struct report *r, const char *format, ...)
 	va_list ap;
 	va_start(ap, format);
 	free(r->title);
-	r->title = format_text(format, ap);
+	r->title = xvasprintf(format, ap);
 	va_end(ap);
 }
 
@@ -120,6 +108,15 @@ report_text(struct report *r, const char *text)
 }
 
 void
+report_pairs(struct report *r, const char *const pairs[][2], size_t n)
+{
+	for (size_t i = 0; i < n; i++) {
+		report_text(r, pairs[i][0]);
+		report_text(r, pairs[i][1]);
+	}
+}
+
+void
 report_missing(struct report *r, const char *words)
 {
 	free(r->missing);
@@ -138,7 +135,7 @@ report_note(struct report *r, const char *format, ...)
 	va_list ap;
 	va_start(ap, format);
 	r->note = xrealloc(r->note, r->n_note + 1, sizeof *r->note);
-	r->note[r->n_note++] = format_text(format, ap);
+	r->note[r->n_note++] = xvasprintf(format, ap);
 	va_end(ap);
 }
 
@@ -159,6 +156,12 @@ json_t *
 report_json_number(double value)
 {
 	return isfinite(value) ? json_real(value) : json_null();
+}
+
+void
+report_put(json_t *object, const char *key, double value)
+{
+	json_object_set_new(object, key, report_json_number(value));
 }
 
 /* Commas and points, or semicolons and decimal commas.  A sieve of 22.4 mm is
@@ -228,21 +231,37 @@ print_csv(const struct report *r, char separator, FILE *out)
 }
 
 static json_t *
-rows_as_json(const struct report *r)
+cell_json(const struct report *r, size_t row, size_t column)
+{
+	const struct cell *cell = &r->cell[row * r->n_column + column];
+	return cell->is_text ? json_string(cell->text)
+			     : report_json_number(cell->number);
+}
+
+json_t *
+report_json_rows(const struct report *r)
 {
 	json_t *rows = json_array();
 	for (size_t row = 0; row < report_rows(r); row++) {
 		json_t *object = json_object();
-		for (size_t c = 0; c < r->n_column; c++) {
-			const struct cell *cell =
-			    &r->cell[row * r->n_column + c];
-			json_object_set_new(object, r->key[c],
-			    cell->is_text ? json_string(cell->text)
-					  : report_json_number(cell->number));
-		}
+		for (size_t c = 0; c < r->n_column; c++)
+			json_object_set_new(
+			    object, r->key[c], cell_json(r, row, c));
 		json_array_append_new(rows, object);
 	}
 	return rows;
+}
+
+void
+report_put_column(json_t *object, const struct report *r, const char *key)
+{
+	size_t c = 0;
+	while (strcmp(r->key[c], key) != 0)
+		c++;
+	json_t *list = json_array();
+	for (size_t row = 0; row < report_rows(r); row++)
+		json_array_append_new(list, cell_json(r, row, c));
+	json_object_set_new(object, key, list);
 }
 
 static void
@@ -254,7 +273,7 @@ print_json(const struct report *r, FILE *out)
 		if (r->site != NULL)
 			json_object_set_new(
 			    object, "site", json_string(r->site));
-		json_object_set_new(object, "rows", rows_as_json(r));
+		json_object_set_new(object, "rows", report_json_rows(r));
 		json_object_update_missing(object, r->extra);
 	}
 	if (r->provenance != NULL)

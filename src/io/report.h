@@ -59,8 +59,20 @@ void report_json(struct report *report, json_t *object);
 /* One more key of the default object.  Takes the reference. */
 void report_json_key(struct report *report, const char *key, json_t *value);
 
-/* value, or null where it is not finite. */
+/* value, or null where it is not finite; the same under a key of an object. */
 json_t *report_json_number(double value);
+void report_put(json_t *object, const char *key, double value);
+
+/* The rows as objects, as the default object has them. */
+json_t *report_json_rows(const struct report *report);
+
+/* The column so called as an array, under its key in an object. */
+void report_put_column(
+    json_t *object, const struct report *report, const char *key);
+
+/* A row for each pair of a text and its value, under two columns. */
+void report_pairs(
+    struct report *report, const char *const pairs[][2], size_t n);
 
 /* Prints it; JSON is one line.  semicolon: csv has semicolons, and commas in
  * its numbers, as spreadsheets have in Swedish and German. */

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "base/xalloc.h"
 #include "io/report_inside.h"
 
 /* Columns of a terminal, less two for its edges. */

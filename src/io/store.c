@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
@@ -13,6 +12,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "io/home.h"
 #include "io/store_schema.h"
 
 /* memory: the one database of ":memory:", NULL for a file. */
@@ -22,24 +22,16 @@ struct store {
 	sqlite3 *memory;
 };
 
-/* $XDG_DATA_HOME counts only when it is absolute, as its standard says. */
-static char *
-default_path(void)
-{
-	const char *data = getenv("XDG_DATA_HOME"), *home = getenv("HOME");
-	if (data != NULL && data[0] == '/')
-		return xasprintf("%s/tipspeed/store.db", data);
-	if (home != NULL && home[0] == '/')
-		return xasprintf("%s/.local/share/tipspeed/store.db", home);
-	return xstrdup("");
-}
-
 struct store *
 store_new(const char *path)
 {
 	struct store *store = xcalloc(1, sizeof *store);
 	store->own_folder = path == NULL;
-	store->path = path != NULL ? xstrdup(path) : default_path();
+	store->path = path != NULL ? xstrdup(path)
+				   : home_path("XDG_DATA_HOME", ".local/share",
+					 "store.db");
+	if (store->path == NULL)
+		store->path = xstrdup("");
 	return store;
 }
 
@@ -66,32 +58,18 @@ store_bytes(const struct store *store)
 	return stat(store->path, &file) == 0 ? (int64_t)file.st_size : -1;
 }
 
-int
-store_schema(void)
-{
-	return SCHEMA_VERSION;
-}
-
 /* The folders above the file, for this user alone. */
 static bool
 make_folders(const char *path, struct error *error)
 {
-	char *folder = xstrdup(path);
-	bool ok = true;
-	for (char *p = folder + 1; ok && (p = strchr(p, '/')) != NULL; p++) {
-		*p = '\0';
-		ok = mkdir(folder, 0700) == 0 || errno == EEXIST;
-		if (!ok) {
-			error_at(error, ERROR_SYSTEM, folder, 0, 0,
-			    "the store's folder cannot be made: %s",
-			    strerror(errno));
-			error_hint(error, "check the rights, or take another "
-					  "store with --store=PATH");
-		}
-		*p = '/';
-	}
-	free(folder);
-	return ok;
+	char *closed = home_make_folders(path);
+	if (closed == NULL)
+		return true;
+	error_at(error, ERROR_SYSTEM, closed, 0, 0,
+	    "the store's folder cannot be made: %s", strerror(errno));
+	free(closed);
+	return error_hint(
+	    error, "check the rights, or take another store with --store=PATH");
 }
 
 /* *db is NULL where there is nothing to read. */
@@ -127,16 +105,11 @@ end(struct store *store, sqlite3 *db)
 static char *
 columns(const char *before, bool marks, const char *after)
 {
-	char *sql = xasprintf("%s", before);
-	for (size_t i = 0; i < FIELD_COUNT; i++) {
-		char *longer =
-		    xasprintf("%s, %s", sql, marks ? "?" : FIELDS[i].name);
-		free(sql);
-		sql = longer;
-	}
-	char *whole = xasprintf("%s%s", sql, after);
-	free(sql);
-	return whole;
+	char *sql = xstrdup(before);
+	for (size_t i = 0; i < FIELD_COUNT; i++)
+		xappend(&sql, ", %s", marks ? "?" : FIELDS[i].name);
+	xappend(&sql, "%s", after);
+	return sql;
 }
 
 static const char *

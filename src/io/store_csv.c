@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store_csv.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,9 +14,10 @@
 /* More lines than that would not fit the 10 MB of a text file. */
 enum { MOST_ROWS = 10000 };
 
-void
-store_csv_write(const struct stored_list *list, FILE *out)
+static void
+write_list(const void *data, FILE *out)
 {
+	const struct stored_list *list = data;
 	for (size_t f = 0; f < FIELD_COUNT; f++)
 		fprintf(out, "%s%s", f > 0 ? "," : "", FIELDS[f].name);
 	fputc('\n', out);
@@ -31,12 +31,6 @@ store_csv_write(const struct stored_list *list, FILE *out)
 		}
 		fputc('\n', out);
 	}
-}
-
-static void
-write_list(const void *data, FILE *out)
-{
-	store_csv_write(data, out);
 }
 
 bool
@@ -79,25 +73,14 @@ read_head(struct sheet *sheet, size_t column[static FIELD_COUNT])
 			    "the columns are those that 'export' writes");
 }
 
-static bool
-is_choice(const char *choices, const char *word)
-{
-	size_t n = strlen(word);
-	for (const char *c = choices; *c != '\0'; c += *c == ' ') {
-		size_t length = strcspn(c, " ");
-		if (length == n && strncmp(c, word, n) == 0)
-			return true;
-		c += length;
-	}
-	return false;
-}
-
 static void
 take_text(struct sheet *sheet, struct cell cell, const struct field *f,
     struct stored *m)
 {
 	struct error why;
-	if (f->choices != NULL && !is_choice(f->choices, cell.text)) {
+	size_t choice;
+	if (f->choices != NULL &&
+	    !text_choice(f->choices, cell.text, &choice)) {
 		char *wanted = xasprintf("one of: %s", f->choices);
 		sheet_wanted(sheet, cell, wanted);
 		free(wanted);
@@ -134,10 +117,9 @@ take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 	uint64_t whole;
 	if (cell.text[0] == '\0') {
 		if (f->needed)
-			error_hint(sheet_fault(sheet, cell,
-				       "%s was wanted, found an "
-				       "empty cell",
-				       f->name),
+			error_hint(
+			    sheet_fault(sheet, cell,
+				"%s was wanted, found an empty cell", f->name),
 			    "fill it, or take the row out");
 	} else if (f->kind == FIELD_TEXT) {
 		take_text(sheet, cell, f, m);
@@ -158,11 +140,10 @@ check_name(struct sheet *sheet, struct cell cell,
 		sheet_fault(sheet, cell,
 		    "the name %.60s was wanted once, found again", cell.text);
 	else if (there != NULL && stored_find(there, cell.text) != NULL)
-		error_hint(
-		    sheet_fault(sheet, cell,
-			"a new name was wanted, and the store has '%.60s' "
-			"already",
-			cell.text),
+		error_hint(sheet_fault(sheet, cell,
+			       "a new name was wanted, and the store has "
+			       "'%.60s' already",
+			       cell.text),
 		    "import with replace=on takes the sheet's");
 }
 

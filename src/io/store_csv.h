@@ -8,11 +8,9 @@
 #include "base/error.h"
 #include "io/stored.h"
 
-/* Writes a line of column names and one for each material, numbers exact.
- * What was read from a sheet is written as the very same bytes. */
-void store_csv_write(const struct stored_list *list, FILE *out);
-
-/* The same to a file, which is there whole or not at all. */
+/* Writes a line of column names and one for each material, numbers exact, to a
+ * file that is there whole or not at all.  What was read from a sheet is
+ * written as the very same bytes. */
 bool store_csv_save(
     const struct stored_list *list, const char *path, struct error *error);
 

@@ -17,18 +17,16 @@ enum { WAIT_MS = 5000, PAUSE_MS = 20 };
 
 /* fold: the name without case and accents.  digest: of the row, see
  * stored_digest.  about: the program that made this schema. */
-const char *const SCHEMA_STEPS[SCHEMA_VERSION] = {
-    "CREATE TABLE about (program TEXT NOT NULL);"
-    "CREATE TABLE material ("
-    " fold TEXT PRIMARY KEY NOT NULL, digest TEXT NOT NULL,"
-    " name TEXT NOT NULL, site TEXT NOT NULL, rock TEXT, top_size_mm REAL,"
-    " machine TEXT, provenance TEXT, site_digest TEXT, origin TEXT NOT NULL,"
-    " beta1 REAL NOT NULL, beta2 REAL NOT NULL, beta3 REAL NOT NULL,"
-    " beta4 REAL NOT NULL, f_mat REAL NOT NULL, e0_min REAL NOT NULL,"
-    " alpha REAL NOT NULL, method TEXT NOT NULL, appearance TEXT NOT NULL,"
-    " k REAL NOT NULL, misfit REAL, rmse_pct REAL, holdout_pct REAL,"
-    " seed INTEGER, options TEXT, generations INTEGER, stop TEXT,"
-    " date TEXT, note TEXT, version TEXT);",
+const char *const SCHEMA_STEPS[STORE_SCHEMA] = {
+    "CREATE TABLE about (program TEXT NOT NULL);CREATE TABLE material ( fold "
+    "TEXT PRIMARY KEY NOT NULL, digest TEXT NOT NULL, name TEXT NOT NULL, site "
+    "TEXT NOT NULL, rock TEXT, top_size_mm REAL, machine TEXT, provenance "
+    "TEXT, site_digest TEXT, origin TEXT NOT NULL, beta1 REAL NOT NULL, beta2 "
+    "REAL NOT NULL, beta3 REAL NOT NULL, beta4 REAL NOT NULL, f_mat REAL NOT "
+    "NULL, e0_min REAL NOT NULL, alpha REAL NOT NULL, method TEXT NOT NULL, "
+    "appearance TEXT NOT NULL, k REAL NOT NULL, misfit REAL, rmse_pct REAL, "
+    "holdout_pct REAL, seed INTEGER, options TEXT, generations INTEGER, stop "
+    "TEXT, date TEXT, note TEXT, version TEXT);",
     "ALTER TABLE material ADD COLUMN train_mps TEXT;"};
 
 /* The kind of error, its words and the next step, by SQLite's result code. */
@@ -57,8 +55,7 @@ static const struct problem {
     {SQLITE_CORRUPT, ERROR_DATA, "the store is damaged",
 	"move the file away, and import the newest export into a new one"},
     {SQLITE_NOTADB, ERROR_DATA,
-	"this is no store of tipspeed, or a damaged "
-	"one",
+	"this is no store of tipspeed, or a damaged one",
 	"move the file away, or take another with --store=PATH"}};
 
 bool
@@ -145,17 +142,16 @@ run_steps(sqlite3 *db, const char *path, struct error *error)
 	long version = ask_whole(db, "PRAGMA user_version");
 	if (version < 0)
 		return schema_fail(db, path, error);
-	for (long i = version; i < SCHEMA_VERSION; i++)
+	for (long i = version; i < STORE_SCHEMA; i++)
 		if (!schema_run(db, path, SCHEMA_STEPS[i], error))
 			return false;
-	if (version >= SCHEMA_VERSION)
+	if (version >= STORE_SCHEMA)
 		return true;
-	char *end = sqlite3_mprintf("DELETE FROM about;"
-				    "INSERT INTO about VALUES (%Q);"
-				    "PRAGMA application_id = %d;"
-				    "PRAGMA user_version = %d;",
+	char *end = sqlite3_mprintf(
+	    "DELETE FROM about;INSERT INTO about VALUES (%Q);PRAGMA "
+	    "application_id = %d;PRAGMA user_version = %d;",
 	    "tipspeed " PACKAGE_VERSION, (int)SCHEMA_APPLICATION,
-	    (int)SCHEMA_VERSION);
+	    (int)STORE_SCHEMA);
 	bool ok = schema_run(db, path, end, error);
 	sqlite3_free(end);
 	return ok;
@@ -198,7 +194,7 @@ refuse_newer(sqlite3 *db, const char *path, long version, struct error *error)
 	    "the store was written by %.60s (schema %ld); this is tipspeed %s, "
 	    "which knows schemas up to %d",
 	    program != NULL ? program : "a newer tipspeed", version,
-	    PACKAGE_VERSION, (int)SCHEMA_VERSION);
+	    PACKAGE_VERSION, (int)STORE_SCHEMA);
 	free(program);
 	return error_hint(
 	    error, "use that program, or take another store with --store=PATH");
@@ -222,7 +218,7 @@ look(sqlite3 *db, const char *path, long *version, struct error *error)
 		    "another program");
 		return error_hint(error, "take another file with --store=PATH");
 	}
-	if (*version > SCHEMA_VERSION)
+	if (*version > STORE_SCHEMA)
 		return refuse_newer(db, path, *version, error);
 	return fresh || check_integrity(db, path, error);
 }
@@ -237,8 +233,8 @@ connect(const char *path, bool make)
 	sqlite3_extended_result_codes(db, 1);
 	sqlite3_busy_timeout(db, WAIT_MS);
 	sqlite3_exec(db,
-	    "PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL;"
-	    "PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON",
+	    "PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL;PRAGMA "
+	    "trusted_schema = OFF; PRAGMA cell_size_check = ON",
 	    NULL, NULL, NULL);
 	return db;
 }
@@ -254,19 +250,13 @@ connect_closed_folder(const char *path)
 	free(log);
 	if (!alone)
 		return NULL;
-	char *uri = xasprintf("file:"), *hex = NULL;
-	for (const char *p = path; *p != '\0'; p++) {
-		hex = strchr("?#%", *p) != NULL
-			  ? xasprintf("%s%%%02X", uri, (unsigned)*p)
-			  : xasprintf("%s%c", uri, *p);
-		free(uri);
-		uri = hex;
-	}
-	hex = xasprintf("%s?immutable=1", uri);
+	char *uri = xstrdup("file:");
+	for (const char *p = path; *p != '\0'; p++)
+		xappend(&uri, strchr("?#%", *p) != NULL ? "%%%02X" : "%c", *p);
+	xappend(&uri, "?immutable=1");
 	sqlite3 *db = NULL;
-	sqlite3_open_v2(hex, &db, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, NULL);
+	sqlite3_open_v2(uri, &db, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, NULL);
 	free(uri);
-	free(hex);
 	return db;
 }
 
@@ -274,7 +264,7 @@ static bool
 prepare(
     sqlite3 *db, const char *path, bool make, long version, struct error *error)
 {
-	bool stale = version < SCHEMA_VERSION && (make || version > 0);
+	bool stale = version < STORE_SCHEMA && (make || version > 0);
 	return (!stale || migrate(db, path, error)) &&
 	       (!make || use_wal(db, path, error));
 }

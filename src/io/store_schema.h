@@ -8,13 +8,13 @@
 #include <stdbool.h>
 
 #include "base/error.h"
+#include "io/store.h"
 
 /* "tips" in ASCII: PRAGMA application_id of a store. */
 enum { SCHEMA_APPLICATION = 0x74697073 };
 
 /* What brings a file from schema i to i + 1, at index i. */
-extern const char *const SCHEMA_STEPS[];
-enum { SCHEMA_VERSION = 2 };
+extern const char *const SCHEMA_STEPS[STORE_SCHEMA];
 
 /* Opens a file, or ":memory:".  make: a file that is missing or empty becomes a
  * store; without it *db is then NULL, which is no error.  A file of an older

@@ -58,31 +58,31 @@ text_at(struct stored *m, const struct field *f)
 	return (char **)(void *)((char *)m + f->offset);
 }
 
+static const void *
+at(const struct stored *m, const struct field *f)
+{
+	return (const char *)m + f->offset;
+}
+
 const char *
 stored_text(const struct stored *m, const struct field *f)
 {
-	char *text;
 	assert(f->kind == FIELD_TEXT);
-	memcpy(&text, (const char *)m + f->offset, sizeof text);
-	return text;
+	return *(char *const *)at(m, f);
 }
 
 double
 stored_number(const struct stored *m, const struct field *f)
 {
-	double value;
 	assert(f->kind == FIELD_NUMBER);
-	memcpy(&value, (const char *)m + f->offset, sizeof value);
-	return value;
+	return *(const double *)at(m, f);
 }
 
 int64_t
 stored_whole(const struct stored *m, const struct field *f)
 {
-	int64_t value;
 	assert(f->kind == FIELD_WHOLE);
-	memcpy(&value, (const char *)m + f->offset, sizeof value);
-	return value;
+	return *(const int64_t *)at(m, f);
 }
 
 void
@@ -238,9 +238,7 @@ stored_check_name(const char *name, struct error *error)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "a name of 1 to %d bytes on one line, without quotes and not "
-	    "beginning "
-	    "with #, was "
-	    "wanted, found '%.60s'",
+	    "beginning with #, was wanted, found '%.60s'",
 	    (int)MOST, name);
 }
 

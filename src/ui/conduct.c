@@ -256,7 +256,7 @@ conduct_typed(struct tui *t, const char *line)
 	if (line[strspn(line, " \t")] == '\0')
 		return;
 	struct session *s = t->session;
-	const struct bounds before = s->bounds;
+	const struct bounds before = s->set.bounds;
 	bool searching = session_busy(s) && !t->held;
 	if (!t->aside)
 		typed_add(line);
@@ -279,7 +279,7 @@ conduct_typed(struct tui *t, const char *line)
 	}
 	/* Bounds edited in a search: on within them. Where it was paused the
 	 * user says when. */
-	if (searching && memcmp(&before, &s->bounds, sizeof before) != 0 &&
+	if (searching && memcmp(&before, &s->set.bounds, sizeof before) != 0 &&
 	    !session_busy(s)) {
 		bool on = s->job.paused;
 		if (conduct_run(t, on ? "continue" : "calibrate") && on)

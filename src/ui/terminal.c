@@ -9,17 +9,16 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "base/text.h"
+
 bool
 terminal_colour_word(const char *word, enum colour *colour)
 {
-	static const char *const words[] = {"auto", "always", "never"};
-	for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-		if (strcmp(word, words[i]) != 0)
-			continue;
+	size_t i;
+	bool known = text_choice("auto always never", word, &i);
+	if (known)
 		*colour = (enum colour)i;
-		return true;
-	}
-	return false;
+	return known;
 }
 
 bool

@@ -12,7 +12,7 @@
 #include <readline/history.h>
 
 #include "base/xalloc.h"
-#include "ui/home.h"
+#include "io/home.h"
 
 /* Lines held in memory; the file may have more. */
 enum { MOST = 5000 };
@@ -31,13 +31,15 @@ typed_open(void)
 		fputs("the history is not kept: HOME is not set\n", stderr);
 		return;
 	}
-	if (home_make_folders(path))
+	char *closed = home_make_folders(path);
+	if (closed == NULL)
 		file =
 		    open(path, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0600);
 	if (file < 0)
 		fprintf(stderr, "the history is not kept: %s: %s\n", path,
 		    strerror(errno));
 	read_history(path);
+	free(closed);
 	free(path);
 }
 

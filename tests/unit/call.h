@@ -57,13 +57,13 @@ static inline const char *
 call_operands(const struct command *command)
 {
 	static const char *const words[] = {"", "x", "x x", "x x x"};
-	return words[command->least];
+	return words[command->operands.least];
 }
 
 static inline const struct value *
 call_value(const struct call *call, const char *name)
 {
-	return args_value(call->command, &call->args, name);
+	return args_value(&call->args, name);
 }
 
 #endif

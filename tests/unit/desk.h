@@ -32,7 +32,7 @@ desk_open(void **state)
 	desk->out_file = open_memstream(&desk->out, &desk->n_out);
 	desk->notes_file = open_memstream(&desk->notes, &desk->n_notes);
 	desk->session = session_new(desk->out_file, desk->notes_file);
-	desk->session->threads = 1;
+	desk->session->set.threads = 1;
 	*state = desk;
 	return 0;
 }

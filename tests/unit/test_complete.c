@@ -146,9 +146,10 @@ every_operand_has_words_to_expect(void **state)
 	struct desk *desk = *state;
 	add(desk, TIERP);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		size_t most = c->most < EXPECTS ? c->most : EXPECTS;
+		size_t most =
+		    c->operands.most < EXPECTS ? c->operands.most : EXPECTS;
 		char *line = xasprintf("%s ", c->name);
-		if ((c->most > 0) != (c->expect[0] != NULL))
+		if ((c->operands.most > 0) != (c->operands.expect[0] != NULL))
 			fail_msg("%s: operands and expect", c->name);
 		for (size_t i = 0; i < most; i++) {
 			size_t at;

@@ -128,7 +128,7 @@ commands_that_need_a_site_say_so(void **state)
 	struct desk *desk = *state;
 	size_t n = 0;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (c->need == NEED_NOTHING)
+		if (!(c->flags & COMMAND_AT_SITE))
 			continue;
 		char *line =
 		    xasprintf("seed 1; %s %s", c->name, call_operands(c));
@@ -153,13 +153,14 @@ all_other_commands_do_without_one(void **state)
 {
 	struct desk *desk = *state;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (c->need != NEED_NOTHING || strcmp(c->name, "tui") == 0 ||
+		if ((c->flags & COMMAND_AT_SITE) ||
+		    strcmp(c->name, "tui") == 0 ||
 		    strcmp(c->name, "screen") == 0)
 			continue;
 		char *line = xasprintf("%s%s", c->name,
-		    c->least == 1  ? " none/none"
-		    : c->least > 1 ? " 1 = 1"
-				   : "");
+		    c->operands.least == 1  ? " none/none"
+		    : c->operands.least > 1 ? " 1 = 1"
+					    : "");
 		if (!desk_say(desk, line))
 			assert_true(desk->error.text[0] != '\0');
 		desk->session->quit = false;
@@ -226,9 +227,9 @@ a_line_stops_at_its_first_error(void **state)
 {
 	struct desk *desk = *state;
 	assert_false(desk_say(desk, "seed 5; foo; seed 6"));
-	assert_int_equal(desk->session->seed, 5);
+	assert_int_equal(desk->session->set.seed, 5);
 	desk_expect(desk, "seed 7; quit; seed 8");
-	assert_int_equal(desk->session->seed, 7);
+	assert_int_equal(desk->session->set.seed, 7);
 	assert_true(desk->session->quit);
 }
 
@@ -250,9 +251,9 @@ a_session_survives_errors(void **state)
 		assert_true(desk->error.kind != ERROR_NONE);
 		assert_true(desk->error.text[0] != '\0');
 	}
-	assert_int_equal(desk->session->seed, 4);
-	assert_true(desk->session->settings.k == 2);
-	assert_true(desk->session->bounds.lower[PARAM_ALPHA] == 0.5);
+	assert_int_equal(desk->session->set.seed, 4);
+	assert_true(desk->session->set.model.k == 2);
+	assert_true(desk->session->set.bounds.lower[PARAM_ALPHA] == 0.5);
 	assert_int_equal(desk->session->n_entry, 1);
 	assert_false(session_entry(desk->session)->has_params);
 	desk_expect(desk, "set k 1; bounds default; "
@@ -271,7 +272,7 @@ a_calibration_is_a_job_in_the_midst_of_a_line(void **state)
 	size_t next = 0;
 	add(desk, TIERP);
 	assert_true(session_line(s, line, 0, "x", 1, &next, &desk->error));
-	assert_true(session_busy(s) && s->seed == 1);
+	assert_true(session_busy(s) && s->set.seed == 1);
 	assert_string_equal(line + next, " seed 9");
 	while (session_busy(s))
 		session_step(s);
@@ -281,7 +282,7 @@ a_calibration_is_a_job_in_the_midst_of_a_line(void **state)
 	assert_memory_equal(
 	    &entry->fit.params, &entry->params, sizeof entry->params);
 	assert_true(session_line(s, line, next, "x", 1, &next, &desk->error));
-	assert_true(s->seed == 9 && next == 0);
+	assert_true(s->set.seed == 9 && next == 0);
 	desk_expect(desk, "predict 74; params set f_mat=1");
 	assert_false(session_entry(s)->has_fit);
 	assert_true(session_entry(s)->params.f_mat == 1);
@@ -299,7 +300,10 @@ a_stopped_job_is_kept_or_dropped(void **state)
 		    1, &next, &desk->error));
 		session_step(s);
 		session_step(s);
-		session_stop(s, keep == 1);
+		if (keep == 1)
+			session_pause(s);
+		else
+			session_stop(s);
 		assert_false(session_busy(s));
 		assert_true(session_entry(s)->has_fit == (keep == 1));
 	}

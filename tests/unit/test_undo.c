@@ -86,11 +86,11 @@ a_hundred_steps_can_be_undone(void **state)
 	}
 	for (int i = 0; i < 100; i++)
 		desk_expect(desk, "undo");
-	assert_int_equal(desk->session->seed, 1399);
+	assert_int_equal(desk->session->set.seed, 1399);
 	while (desk_say(desk, "undo"))
 		;
 	assert_string_equal(desk->error.text, "nothing to undo");
-	assert_true(desk->session->seed < 1399);
+	assert_true(desk->session->set.seed < 1399);
 }
 
 static void
@@ -101,7 +101,7 @@ a_new_change_empties_redo(void **state)
 	desk_expect(desk, "redo; undo; seed 4");
 	assert_false(desk_say(desk, "redo"));
 	desk_expect(desk, "undo");
-	assert_int_equal(desk->session->seed, 2);
+	assert_int_equal(desk->session->set.seed, 2);
 }
 
 static void
@@ -166,7 +166,7 @@ undo_ends_a_running_calibration(void **state)
 	assert_true(session_line(s, "seed", 0, "x", 1, &next, &desk->error));
 	assert_true(session_line(s, "undo", 0, "x", 1, &next, &desk->error));
 	assert_false(session_busy(s));
-	assert_int_equal(s->seed, 1);
+	assert_int_equal(s->set.seed, 1);
 	assert_false(session_entry(s)->has_fit);
 	assert_true(session_settle(s, true, &desk->error));
 	assert_int_equal(undo_depth(s), depth - 1);

@@ -1,16 +1,14 @@
 /* The user's own files, where the XDG base directories have them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_HOME_H
-#define TIPSPEED_UI_HOME_H
-
-#include <stdbool.h>
+#ifndef TIPSPEED_IO_HOME_H
+#define TIPSPEED_IO_HOME_H
 
 /* tipspeed/NAME in the folder that the variable names, else in the folder of
  * HOME given; NULL where neither is known.  The caller frees. */
 char *home_path(const char *variable, const char *folder, const char *name);
 
-/* Makes the folders a file is to stand in, for the user alone.  False, with
- * errno, where that cannot be. */
-bool home_make_folders(const char *path);
+/* Makes the folders a file is to stand in, for the user alone.  NULL, or the
+ * folder that cannot be made, with errno; the caller frees. */
+char *home_make_folders(const char *path);
 
 #endif

@@ -1,6 +1,6 @@
 /* Paths and folders of the user's own files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/home.h"
+#include "io/home.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -21,17 +21,16 @@ home_path(const char *variable, const char *folder, const char *name)
 	return xasprintf("%s/%s/tipspeed/%s", home, folder, name);
 }
 
-bool
+char *
 home_make_folders(const char *path)
 {
-	char *copy = xstrdup(path);
-	bool ok = true;
-	for (char *p = strchr(copy + 1, '/'); ok && p != NULL;
-	     p = strchr(p + 1, '/')) {
+	char *folder = xstrdup(path);
+	for (char *p = folder + 1; (p = strchr(p, '/')) != NULL; p++) {
 		*p = '\0';
-		ok = mkdir(copy, 0700) == 0 || errno == EEXIST;
+		if (mkdir(folder, 0700) != 0 && errno != EEXIST)
+			return folder;
 		*p = '/';
 	}
-	free(copy);
-	return ok;
+	free(folder);
+	return NULL;
 }
