@@ -109,11 +109,23 @@ want 'J/kg' "300 x 100"
 mux resize-window -t one -x 80 -y 24
 want '^\[*tipspeed\|Tierp, Granite'
 
-keys c
-want 'crosshair .* mm' "the crosshair reads the curves"
-keys c x
+keys c b
+want 'crosshair 5\.6 mm  *50 %' "the crosshair reads the curves"
+want 'band  *8[0-9.]* \.\. 8[0-9.]* %' "and the band at its sieve"
+keys Left Up
+want 'crosshair 4 mm  *55 %' "arrows move the sieve and the level"
+want 'band  *6[0-9.]* \.\. 6[0-9.]* %'
+keys Down b c x
 want 'kept: tierp 74\.0' "a prediction is kept beside"
-keys x
+keys 7 8 Enter
+want 'P50 2.81 mm  now -' "with what is now less than it"
+want '%.*kept' "and a curve of its own"
+want 'P50 2.* mm  *-0' "changes since the last pause"
+want '78\.0 m/s  *since 7' "and since when"
+keys e
+want '^:plot psd speed=78.0 beside=tierp other=74.0 >' "e exports both"
+keys Escape 7 4 Enter x
+want '\[74\.0\]'
 keys : 'set k 1.'
 keys Enter
 want ': set k 1\.' "a typed command"

@@ -26,6 +26,7 @@ doubt_drop(struct doubt *d)
 		return;
 	misfit_free(d->misfit);
 	free(d->uncertainty);
+	band_free(&d->band);
 	free(d);
 }
 
@@ -48,19 +49,26 @@ same_settings(const struct model_settings *a, const struct model_settings *b)
 	       a->k == b->k;
 }
 
-bool
+const struct band *
 doubt_band(const struct session *s, const struct entry *entry,
-    const struct prediction *p, struct band *band)
+    const struct prediction *p)
 {
+	struct doubt *d = entry->doubt;
 	const struct uncertainty *u =
 	    same_settings(&s->settings, &entry->fit.settings) ? doubt_of(entry)
 							      : NULL;
 	if (u == NULL)
-		return false;
-	*band = uncertainty_band(u, &entry->params,
+		return NULL;
+	if (d->band.n == p->product.n && d->band_of.speed == p->speed &&
+	    d->band_of.feed_run == p->feed_run &&
+	    same_settings(&d->band_of.settings, &s->settings))
+		return &d->band;
+	band_free(&d->band);
+	d->band = uncertainty_band(u, &entry->params,
 	    &entry->site->run[p->feed_run].feed, &p->product, s->settings,
 	    p->speed);
-	return true;
+	d->band_of = (struct band_of){s->settings, p->speed, p->feed_run};
+	return &d->band;
 }
 
 void

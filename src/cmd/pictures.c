@@ -44,6 +44,7 @@ pictures_request(const struct command *self, const struct args *args,
 	const struct value *speed = args_value(self, args, "speed");
 	const struct value *other = args_value(self, args, "other");
 	const struct value *at = args_value(self, args, "at");
+	const struct value *beside = args_value(self, args, "beside");
 	const struct value *speeds = args_value(self, args, "speeds");
 	if (speed->given)
 		request->speed = speed->number;
@@ -51,6 +52,9 @@ pictures_request(const struct command *self, const struct args *args,
 		request->other_speed = other->number;
 	if (at->given)
 		request->crosshair_mm = at->number;
+	if (beside->given)
+		request->beside = beside->text;
+	request->level = args_value(self, args, "level")->number;
 	request->band = args_value(self, args, "band")->choice == 1;
 	request->n_speed = speeds->n;
 	request->speeds = speeds->list;
@@ -134,7 +138,8 @@ print_chart(struct session *s, const struct args *args,
 	    args_value(self, args, "width"), screen->columns, WIDEST, WIDTH);
 	int rows = size_of(
 	    args_value(self, args, "height"), screen->rows - 2, HEIGHT, HEIGHT);
-	struct canvas *canvas = chart_draw(chart, columns, rows, charset, true);
+	struct canvas *canvas =
+	    chart_draw(chart, columns, rows, charset, CHART_ALL);
 	canvas_print(canvas, screen->colours, s->out);
 	canvas_free(canvas);
 }

@@ -123,6 +123,7 @@ run_to_end(struct tui *t, const char *line, const char *name, int number)
 static void
 take_numbers(struct tui *t)
 {
+	static const double sizes[NUMBERS_FRACTIONS] = {0.063e-3, 2e-3, 4e-3};
 	const struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
 	t->now = (struct numbers){0};
@@ -130,10 +131,14 @@ take_numbers(struct tui *t)
 		return;
 	snprintf(t->now.site, sizeof t->now.site, "%s", entry->key);
 	t->now.speed = s->last.speed;
-	t->now.p20 = s->answer[ANSWER_P20];
-	t->now.p50 = s->answer[ANSWER_P50];
-	t->now.p80 = s->answer[ANSWER_P80];
+	for (size_t i = 0; i < 3; i++)
+		t->now.size[i] = s->answer[ANSWER_P20 + i];
 	t->now.break_mm = s->answer[ANSWER_BREAK];
+	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
+		t->now.passing[i] =
+		    psd_covers(&s->last.product, sizes[i])
+			? 100 * psd_passing(&s->last.product, sizes[i])
+			: NAN;
 }
 
 /* What the session is like after any command. */

@@ -31,7 +31,10 @@ void pane_plot(const struct tui *t, const struct plot_request *request,
 /* Curves in the plot area, with a legend below them where there is room. */
 void pane_curves(const struct tui *t, struct plot_request *request);
 
-/* The row of numbers that takes the side panel's place. */
+/* The side panel of the Predict page. */
+void pane_side(const struct tui *t);
+
+/* The row of numbers that takes its place. */
 void pane_numbers(const struct tui *t);
 
 /* The slider of the generations, at the caption's place on the Fit page.

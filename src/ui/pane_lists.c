@@ -75,11 +75,9 @@ pane_data(struct tui *t)
 void
 pane_parity(struct tui *t)
 {
-	struct plot_request request = {.kind = PLOT_PARITY,
-	    .speed = t->tenths / 10.0,
-	    .other_speed = NAN,
-	    .crosshair_mm = NAN,
-	    .legend = t->places.legend.rows > 0};
+	struct plot_request request = plots_request(PLOT_PARITY);
+	if (t->places.legend.rows == 0)
+		request.words = CHART_TITLE;
 	struct area plot = t->places.body;
 	plot.rows = t->places.plot.rows + t->places.legend.rows;
 	pane_plot(t, &request, &plot);

@@ -24,6 +24,7 @@ static struct {
 	bool utf8, mouse, wide_keys;
 	int depth, rows, columns;
 	enum charset charset;
+	short pair[SERIES_COUNT]; /* 0 without colours */
 } is;
 
 /* The console has no braille, and a serial terminal nothing but ASCII. */
@@ -38,17 +39,26 @@ find_charset(void)
 	return is.utf8 ? CHARSET_BRAILLE : CHARSET_ASCII;
 }
 
+/* Series of one colour share a pair: ncurses would write the colour again from
+ * one to the other. */
 static void
 set_colours(bool colour)
 {
 	is.depth = 0;
+	memset(is.pair, 0, sizeof is.pair);
 	if (!colour || !has_colors() || start_color() != OK)
 		return;
 	use_default_colors();
 	is.depth = COLORS >= 256 ? 256 : COLORS >= 16 ? 16 : 8;
-	for (int i = 0; i < SERIES_COUNT; i++)
-		init_pair((short)(i + 1),
-		    (short)canvas_colour((enum series)i, is.depth), -1);
+	for (int i = 0; i < SERIES_COUNT; i++) {
+		int colour_of = canvas_colour((enum series)i, is.depth), j = 0;
+		while (canvas_colour((enum series)j, is.depth) != colour_of)
+			j++;
+		is.pair[i] = (short)(j + 1);
+		init_pair(is.pair[i], (short)colour_of, -1);
+	}
+	/* From a colour to a pair takes 5 bytes, to no pair at all 11. */
+	bkgdset(' ' | COLOR_PAIR(is.pair[SERIES_TEXT]));
 }
 
 static void
@@ -205,9 +215,7 @@ put_cell(int row, int column, uint32_t code, unsigned look, enum series series)
 	cchar_t cell;
 	if (!is.utf8 && code > 126)
 		text[0] = L'?';
-	short pair = is.depth > 0 && series != SERIES_TEXT ? (short)(series + 1)
-							   : (short)0;
-	setcchar(&cell, text, attributes(look), pair, NULL);
+	setcchar(&cell, text, attributes(look), is.pair[series], NULL);
 	mvadd_wch(row, column, &cell);
 }
 
@@ -282,11 +290,15 @@ screen_canvas(const struct area *area, const struct canvas *canvas)
 		for (int c = 0; c < canvas->columns; c++) {
 			const struct canvas_cell *at =
 			    &cell[r * canvas->columns + c];
-			bool blank = at->code == ' ' && at->attribute == 0;
-			if (c < area->columns && at->code != 0 && !blank)
+			/* A blank shows no colour: it has that of the line
+			 * which moves most, so that less is written. */
+			bool blank = at->code == ' ' && at->attribute == 0 &&
+				     at->series == SERIES_TEXT;
+			if (c < area->columns && at->code != 0)
 				put_cell(area->row + r, area->column + c,
 				    at->code, at->attribute,
-				    (enum series)at->series);
+				    blank ? SERIES_BREAK
+					  : (enum series)at->series);
 		}
 }
 

@@ -225,6 +225,7 @@ start(struct tui *t, struct session *s)
 	    .mouse = true,
 	    .pace = PACE,
 	    .picture = PLOT_PSD,
+	    .level = 50,
 	    .holdout = NAN};
 	conduct_begin(t);
 	conduct_look(t);
@@ -238,6 +239,7 @@ finish(struct tui *t)
 	typing_end(&t->typing);
 	view_close(t);
 	free(t->command);
+	prediction_free(&t->kept);
 }
 
 /* At the prompt there is nothing to do: it is what --linear asks for. */

@@ -17,10 +17,13 @@
 /* What the arrow keys move. */
 enum focus { FOCUS_SPEED, FOCUS_CROSS, FOCUS_GENERATION, FOCUS_SITE };
 
-/* The numbers of a prediction, for a difference: sizes in mm. */
+/* The numbers of a prediction, for a difference: P20, P50 and P80 and the break
+ * size, mm; passing at 0.063, 2 and 4 mm, %, NAN where these lie off its
+ * sieves. */
+enum { NUMBERS_FRACTIONS = 3 };
 struct numbers {
 	char site[64];
-	double speed, p20, p50, p80, break_mm;
+	double speed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
 };
 
 /* Text on the whole screen: lines from `top` on.  text NULL: none.  keys: the
@@ -47,10 +50,12 @@ struct tui {
 	int asked;    /* tenths last predicted at; 0: not yet */
 	double moved; /* when the slider last was */
 	struct numbers now, pause, pin; /* site "": none */
+	struct prediction kept;         /* whose numbers are in pin */
 	bool cross, band, mouse;
 	bool dragging;        /* the focus follows the mouse */
 	struct area scrubber; /* of no rows where it is not drawn */
 	size_t cross_at;      /* a sieve of the prediction */
+	int level;            /* passing that the crosshair reads sizes at, % */
 	size_t site_at;       /* of the Sites page */
 	enum plot_kind picture;
 	bool held;         /* the calibration waits */
