@@ -16,8 +16,8 @@ struct doubt *doubt_new(
  * parameters are no fit of its own. */
 const struct uncertainty *doubt_of(const struct entry *entry);
 
-/* The band of the entry's prediction, borrowed until the next one is asked
- * for.  NULL where there is none: parameters that are no fit, or a fit made with
+/* The band of the entry's prediction, borrowed until the next one is asked for.
+ * NULL where there is none: parameters that are no fit, or a fit made with
  * other settings.  The last one is kept: who predicts, who draws and who shows
  * numbers ask for the same. */
 const struct band *doubt_band(const struct session *s,

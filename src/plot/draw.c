@@ -178,13 +178,18 @@ draw_guides(struct brush *p)
 	}
 }
 
+/* A break size moves with the slider: in every second row of a tall plot it is
+ * seen as well, and half as much is written. */
 static void
 draw_rules(struct brush *p)
 {
+	enum { TALL = 12 };
 	for (size_t i = 0; i < p->at.chart->n_rule; i++) {
 		const struct chart_rule *r = &p->at.chart->rule[i];
 		int column = layout_column(&p->at, r->x, 1);
-		for (int row = 0; row < p->at.height; row++)
+		bool thin = r->series != SERIES_CROSSHAIR;
+		for (int row = 0; row < p->at.height;
+		     row += thin && p->at.height >= TALL ? 2 : 1)
 			put(p, column, row,
 			    layout_rule_code(r->series, p->at.charset),
 			    r->series, 0);

@@ -103,8 +103,7 @@ draw_track(struct tui *t)
 	int length = close != NULL ? (int)(close - text) - at + 1 : 1;
 	screen_text(&track, 0, 0, 0, "%s", text);
 	screen_text(&track, 0, at,
-	    LOOK_BOLD | (focus ? LOOK_REVERSE : LOOK_PLAIN), "%.*s", length,
-	    text + at);
+	    focus ? LOOK_REVERSE : LOOK_BOLD, "%.*s", length, text + at);
 	if (track.column > 0) {
 		screen_text(&t->places.track, 0, 1, 0, "65");
 		screen_text(

@@ -47,8 +47,9 @@ draw_sizes(const struct tui *t, int row, const struct numbers *shown,
 	bool kept = shown != now, here = now->site[0] != '\0';
 	for (size_t i = 0; i < 3; i++, row++) {
 		char size[24];
-		screen_text(side, row, 0, kept ? 0 : LOOK_BOLD, "%-4s%s",
-		    names[i], size_text(shown->size[i], size));
+		screen_text(side, row, 0, kept ? 0 : LOOK_BOLD, "%s", names[i]);
+		screen_text(
+		    side, row, 4, 0, "%s", size_text(shown->size[i], size));
 		if (kept && here)
 			screen_text(side, row, CHANGE - 4, 0, "now");
 		if (here && was != NULL)
@@ -81,7 +82,7 @@ draw_numbers(const struct tui *t, const struct numbers *was)
 {
 	char size[24];
 	const struct area *side = &t->places.side;
-	screen_text(side, 0, 0, LOOK_BOLD, "%.1f m/s", t->now.speed);
+	screen_text(side, 0, 0, 0, "%.1f m/s", t->now.speed);
 	if (was != NULL && was->speed != t->now.speed)
 		screen_text(
 		    side, 0, CHANGE - 4, LOOK_DIM, "since %.1f", was->speed);
