@@ -160,7 +160,8 @@ want 'generation 1 .*\]-' "the generations are gone through"
 keys s 3
 want 'sieve mm' "the page Data"
 keys 5
-want '\* tierp' "the page Sites"
+want '\* tierp  *Granite  *11.2 69 o74 79 good  *0\.3.  *0\.4.  *2\.8' \
+	"the page Sites says how far each is calibrated"
 keys 1 u
 want ': undo' "undo"
 keys U
@@ -226,7 +227,7 @@ press '65;40;10M'
 want '\[84\.9\]' "and the wheel"
 press '0;65;1M'
 press '0;65;1m'
-want 'site  *parameters' "a click opens a page"
+want 'site  *rock.*parameters' "a click opens a page"
 keys q
 want 'IT IS OVER'
 

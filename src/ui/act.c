@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/act.h"
 
+#include <limits.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
@@ -331,7 +332,10 @@ act(struct tui *t, const struct key *key)
 	case ACT_LIST:
 		if (t->page == PAGE_SITES)
 			t->focus = FOCUS_SITE;
-		if (t->focus == FOCUS_CROSS)
+		if (t->page == PAGE_DATA)
+			t->sieve_top = (size_t)moved(
+			    (int)t->sieve_top, key->amount, INT_MAX);
+		else if (t->focus == FOCUS_CROSS)
 			move_level(t, key->amount);
 		else if (t->focus != FOCUS_SPEED)
 			move_focus(t, key->amount);

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/script.h"
 #include "ui/pump.h"
@@ -148,6 +149,7 @@ conduct_look(struct tui *t)
 	const struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
 	t->session->wants_tui = false;
+	t->rows_at = 0;
 	if (s->last.product.n == 0)
 		t->now = (struct numbers){0};
 	if (t->site_at >= s->n_entry)
@@ -248,6 +250,37 @@ conduct_typed(struct tui *t, const char *line)
 	    strncmp(line, "predict", 7) == 0 && strchr(line, '>') == NULL;
 	if (ok && !session_busy(t->session) && !moved_only)
 		show_said(t);
+}
+
+static struct site_row
+site_row(const struct session *s, const struct entry *e, double speed)
+{
+	struct site_row row = {.p50 = NAN, .holdout = NAN};
+	struct error error = {0};
+	if (e->has_fit)
+		row.holdout = 100 * fit_holdout_rmse(e);
+	if (!answers_known(s, e, &error))
+		return row;
+	struct prediction p = predict(e->site, &e->params, s->settings, speed,
+	    site_run_nearest(e->site, speed));
+	row.p50 = 1000 * p.p50;
+	row.beyond = predict_extrapolates(e->site, e->train, speed);
+	prediction_free(&p);
+	return row;
+}
+
+void
+conduct_rows(struct tui *t)
+{
+	const struct session *s = t->session;
+	if (t->page != PAGE_SITES || t->rows_at == t->tenths)
+		return;
+	free(t->row);
+	t->n_row = s->n_entry;
+	t->row = xcalloc(t->n_row + 1, sizeof *t->row);
+	for (size_t i = 0; i < t->n_row; i++)
+		t->row[i] = site_row(s, &s->entry[i], t->tenths / 10.0);
+	t->rows_at = t->tenths;
 }
 
 void

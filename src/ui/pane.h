@@ -24,6 +24,9 @@ void pane_data(struct tui *t);
 void pane_parity(struct tui *t);
 void pane_sites(struct tui *t);
 
+/* The screen's row of the site under the cursor. */
+int pane_site_row(const struct tui *t);
+
 /* A plot in the plot area, or in words why there is none. */
 void pane_plot(const struct tui *t, const struct plot_request *request,
     const struct area *area);

@@ -55,7 +55,7 @@ draw_header(struct tui *t)
 	char *label = entry != NULL ? session_label(entry->site)
 				    : xstrdup("no site is loaded");
 	bool room = text_width(label) + 11 <= left.columns,
-	     fits = text_width(label) <= left.columns || entry == NULL;
+	     fits = text_width(label) < left.columns || entry == NULL;
 	screen_text(&left, 0, 0, LOOK_BOLD, "%s%s", room ? "tipspeed  " : "",
 	    fits ? label : entry->site->name);
 	free(label);
@@ -102,8 +102,8 @@ draw_track(struct tui *t)
 	const char *close = strchr(text + at, ']');
 	int length = close != NULL ? (int)(close - text) - at + 1 : 1;
 	screen_text(&track, 0, 0, 0, "%s", text);
-	screen_text(&track, 0, at,
-	    focus ? LOOK_REVERSE : LOOK_BOLD, "%.*s", length, text + at);
+	screen_text(&track, 0, at, focus ? LOOK_REVERSE : LOOK_BOLD, "%.*s",
+	    length, text + at);
 	if (track.column > 0) {
 		screen_text(&t->places.track, 0, 1, 0, "65");
 		screen_text(
@@ -222,7 +222,8 @@ draw_hints(const struct tui *t)
 	    "beside  e export  u undo",
 	    "Space pause  ? keys  q quit  f fit again  s stop, keep  +/- pace  "
 	    "Tab generations  v picture",
-	    "<-/-> speed  ? keys  q quit  1-5 pages  : command",
+	    "<-/-> speed  ? keys  q quit  1-5 pages  Up/Down sieves  : "
+	    "command",
 	    "<-/-> speed  ? keys  q quit  1-5 pages  : command",
 	    "Up/Down site  Enter use it  ? keys  q quit  x keep beside  : "
 	    "command"};
@@ -348,7 +349,7 @@ pane_draw(struct tui *t)
 		column = at;
 	}
 	if (t->focus == FOCUS_SITE && t->places.body.rows > 1) {
-		row = t->places.body.row + 1 + (int)t->site_at;
+		row = pane_site_row(t);
 		column = 0;
 	}
 	draw_lower(t, &row, &column);

@@ -192,6 +192,7 @@ loop(struct tui *t)
 {
 	while (!t->leave && !t->session->quit && pump_signal() == 0) {
 		conduct_predict(t);
+		conduct_rows(t);
 		pane_draw(t);
 		wait_for_something(t);
 		notice_end();
@@ -240,6 +241,7 @@ finish(struct tui *t)
 	view_close(t);
 	free(t->command);
 	prediction_free(&t->kept);
+	free(t->row);
 }
 
 /* At the prompt there is nothing to do: it is what --linear asks for. */

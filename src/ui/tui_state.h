@@ -36,6 +36,13 @@ struct viewer {
 	char word[32];
 };
 
+/* A loaded site at the slider's speed: P50 in mm, whether that is beyond the
+ * speeds trained on, and the RMSE at those held out, points; NAN: none. */
+struct site_row {
+	double p50, holdout;
+	bool beyond;
+};
+
 /* Where a page's name stands in the header. */
 struct tab {
 	int column, columns;
@@ -57,6 +64,10 @@ struct tui {
 	size_t cross_at;      /* a sieve of the prediction */
 	int level;            /* passing that the crosshair reads sizes at, % */
 	size_t site_at;       /* of the Sites page */
+	size_t sieve_top;     /* the first one shown on the Data page */
+	struct site_row *row; /* [n_row] of the Sites page, owned */
+	size_t n_row;
+	int rows_at; /* tenths they are of; 0: of another session */
 	enum plot_kind picture;
 	bool held;         /* the calibration waits */
 	int pace;          /* index of PACES */
