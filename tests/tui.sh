@@ -160,7 +160,7 @@ want 'generation 1 .*\]-' "the generations are gone through"
 keys s 3
 want 'sieve mm' "the page Data"
 keys 5
-want '\* tierp  *Granite  *11.2 69 o74 79 good  *0\.3.  *0\.4.  *2\.8' \
+want '\* tierp  *Granite  *11.2 69 o74 79 good  *0\.3.  *0\.4.  *3\.5.x' \
 	"the page Sites says how far each is calibrated"
 keys 1 u
 want ': undo' "undo"

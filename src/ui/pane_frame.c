@@ -113,20 +113,30 @@ draw_track(struct tui *t)
 	return track.column + at + (length > 1 ? 1 : 0);
 }
 
+/* Speed and energy, and what the signs of the track mean. */
 static void
 draw_caption(const struct tui *t)
 {
+	static const char *const SIGNS[] = {
+	    "  | trained  o held out  step 0.1", "  | trained  o held out", ""};
 	const struct area *area = &t->places.caption;
 	double speed = t->tenths / 10.0;
+	bool beyond = t->session->answer[ANSWER_EXTRAPOLATED] == 1;
+	const char *word = beyond ? "x EXTRAPOLATED" : "x extrapolated";
+	int room = area->columns - (int)strlen(word) - 1;
+	bool title = room >= 35 || (!beyond && area->columns >= 36);
 	int column = screen_text(area, 0, 0, 0, "%s%.1f m/s  %.0f J/kg",
-	    area->columns >= 36 ? "rotor tip speed " : "", speed,
-	    energy_specific(speed));
-	if (t->session->answer[ANSWER_EXTRAPOLATED] == 1)
-		column =
-		    screen_text(area, 0, column + 2, LOOK_BOLD, "EXTRAPOLATED");
-	if (column + 47 <= area->columns)
-		screen_text(area, 0, area->columns - 47, LOOK_DIM,
-		    "x extrapolated  | trained  o held out  step 0.1");
+	    title ? "rotor tip speed " : "", speed, energy_specific(speed));
+	size_t i = 0;
+	while (SIGNS[i][0] != '\0' && column + 1 + (int)strlen(SIGNS[i]) > room)
+		i++;
+	int from = room + 1 - (int)strlen(SIGNS[i]);
+	if (from <= column)
+		return;
+	if (SIGNS[i][0] != '\0' || beyond)
+		from = screen_text(
+		    area, 0, from, beyond ? LOOK_BOLD : LOOK_DIM, "%s", word);
+	screen_text(area, 0, from, LOOK_DIM, "%s", SIGNS[i]);
 }
 
 /* Returns the column of the cursor in it. */
