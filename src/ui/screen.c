@@ -282,24 +282,34 @@ screen_wall(int row, int column, int rows)
 		    SERIES_TEXT);
 }
 
+/* A blank shows no colour: it has that of the line which moves most, so that
+ * less is written. */
+static void
+blank_row(int row, int column, int columns)
+{
+	cchar_t blank;
+	setcchar(&blank, L" ", A_NORMAL, is.pair[SERIES_BREAK], NULL);
+	mvhline_set(row, column, &blank, columns);
+}
+
 void
 screen_canvas(const struct area *area, const struct canvas *canvas)
 {
-	const struct canvas_cell *cell = canvas->cell;
-	for (int r = 0; r < canvas->rows && r < area->rows; r++)
-		for (int c = 0; c < canvas->columns; c++) {
-			const struct canvas_cell *at =
-			    &cell[r * canvas->columns + c];
-			/* A blank shows no colour: it has that of the line
-			 * which moves most, so that less is written. */
+	int columns =
+	    canvas->columns < area->columns ? canvas->columns : area->columns;
+	for (int r = 0; r < canvas->rows && r < area->rows; r++) {
+		blank_row(area->row + r, area->column, columns);
+		const struct canvas_cell *at =
+		    canvas->cell + r * canvas->columns;
+		for (int c = 0; c < columns; c++, at++) {
 			bool blank = at->code == ' ' && at->attribute == 0 &&
 				     at->series == SERIES_TEXT;
-			if (c < area->columns && at->code != 0)
+			if (at->code != 0 && !blank)
 				put_cell(area->row + r, area->column + c,
 				    at->code, at->attribute,
-				    blank ? SERIES_BREAK
-					  : (enum series)at->series);
+				    (enum series)at->series);
 		}
+	}
 }
 
 void
