@@ -190,7 +190,7 @@ note_prediction(struct chart *chart, const struct plot_request *q,
 	bool numbers = q->words & CHART_NOTES;
 	char *rule =
 	    numbers ? xasprintf("breaks from %.2f mm at %g m/s", mm, p->speed)
-		    : xstrdup(series == SERIES_OTHER ? "its break size"
+		    : xstrdup(series == SERIES_OTHER ? "kept break size"
 						     : "break size");
 	chart_add_rule(chart, rule, series, mm);
 	free(rule);

@@ -235,7 +235,9 @@ cross(struct tui *t)
 	if (t->cross)
 		t->page = PAGE_PREDICT;
 	t->focus = t->cross ? FOCUS_CROSS : FOCUS_SPEED;
-	if (t->cross)
+	if (t->session->last.product.n == 0)
+		tui_say(t, true, "nothing is predicted yet: f calibrates");
+	else if (t->cross)
 		tui_say(t, false,
 		    "left and right: the sieve; up and down: the passing; Tab: "
 		    "the speed again");

@@ -49,13 +49,17 @@ draw_legend(const struct tui *t)
 		    (enum series)(SERIES_MEASURED_1 + shown % 3), 0, text);
 		shown++;
 	}
-	column = screen_series(area, 0, column + 2, SERIES_PREDICTED, LOOK_BOLD,
-	    ascii ? "# predicted" : "\u254C predicted");
+	bool known =
+	    entry != NULL && (entry->has_params || session_busy(t->session));
+	if (known)
+		column = screen_series(area, 0, column + 2, SERIES_PREDICTED,
+		    LOOK_BOLD, ascii ? "# predicted" : "\u254C predicted");
 	if (t->page == PAGE_PREDICT && t->pin.site[0] != '\0')
 		column = screen_series(area, 0, column + 2, SERIES_OTHER, 0,
 		    ascii ? "% kept" : "\u2501%\u2501 kept");
-	screen_series(area, 0, column + 2, SERIES_BREAK, 0,
-	    ascii ? ": break size" : "\u250A break size");
+	if (known)
+		screen_series(area, 0, column + 2, SERIES_BREAK, 0,
+		    ascii ? ": break size" : "\u250A break size");
 }
 
 void

@@ -124,7 +124,25 @@ draw_reading(const struct tui *t, int row, unsigned look, const char *name,
 	screen_text(side, row, 15, look, "%9s", size);
 }
 
-/* Two rows where there is room: the passing there, and the sizes at the
+/* Between which sizes the level lies in the band, mm. */
+static void
+level_range(
+    const struct band *b, const struct psd *product, int level, double range[2])
+{
+	const double *known = level == 20   ? b->p20
+			      : level == 50 ? b->p50
+			      : level == 80 ? b->p80
+					    : NULL;
+	struct psd edge = *product;
+	edge.passing = b->high;
+	range[0] = psd_size(&edge, level / 100.0);
+	edge.passing = b->low;
+	range[1] = psd_size(&edge, level / 100.0);
+	for (size_t i = 0; i < 2; i++)
+		range[i] = 1000 * (known != NULL ? known[i] : range[i]);
+}
+
+/* One row, or two where there is room: the passing there, and the size at the
  * level. */
 static int
 draw_cross_band(const struct tui *t, int row, bool sizes)
@@ -133,18 +151,15 @@ draw_cross_band(const struct tui *t, int row, bool sizes)
 	const struct prediction *p = &t->session->last;
 	const struct band *b =
 	    t->band ? doubt_band(t->session, tui_entry(t), p) : NULL;
+	double range[2];
 	if (b == NULL)
 		return row;
 	screen_text(side, row++, 0, 0, "band %5.1f .. %.1f %%",
 	    100 * b->low[t->cross_at], 100 * b->high[t->cross_at]);
-	struct psd low = p->product, high = p->product;
-	low.passing = b->low;
-	high.passing = b->high;
-	double from = 1000 * psd_size(&high, t->level / 100.0);
-	double to = 1000 * psd_size(&low, t->level / 100.0);
-	if (sizes && isfinite(from) && isfinite(to))
-		screen_text(
-		    side, row++, 0, 0, "     %5.2f .. %.2f mm", from, to);
+	level_range(b, &p->product, t->level, range);
+	if (sizes && isfinite(range[0]) && isfinite(range[1]))
+		screen_text(side, row++, 0, 0, "     %5.2f .. %.2f mm",
+		    range[0], range[1]);
 	return row;
 }
 
