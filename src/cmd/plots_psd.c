@@ -311,7 +311,11 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 		*error = unknown;
 		return NULL;
 	}
-	add_curve(&c, &site->run[feed].feed, xstrdup("feed"), FEED);
+	bool sampled = site->individual_feeds && !(q->words & CHART_NOTES);
+	add_curve(&c, &site->run[feed].feed,
+	    sampled ? xasprintf("feed %g m/s", site->run[feed].speed)
+		    : xstrdup("feed"),
+	    FEED);
 	add_measured(&c, site, speed, 3);
 	if (!add_second(
 		&c, s, q, known ? &params : NULL, speed, feed, &two, error)) {

@@ -28,6 +28,17 @@ pane_plot(const struct tui *t, const struct plot_request *request,
 	screen_text(area, area->rows / 3 + 1, 1, 0, "%s", error.hint);
 }
 
+/* Of the run whose sample a prediction takes. */
+static int
+draw_feed_speed(const struct tui *t, const struct site *site, int column)
+{
+	char text[16];
+	size_t feed = site_run_nearest(site, t->tenths / 10.0);
+	snprintf(text, sizeof text, " %g", site->run[feed].speed);
+	return screen_series(
+	    &t->places.legend, 0, column, SERIES_FEED, 0, text);
+}
+
 /* One row, where the plot's own legend would leave the plot little room. */
 static void
 draw_legend(const struct tui *t)
@@ -38,6 +49,8 @@ draw_legend(const struct tui *t)
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	int column = screen_series(
 	    area, 0, 0, SERIES_FEED, 0, ascii ? ". feed" : "\u2508 feed");
+	if (entry != NULL && entry->site->individual_feeds)
+		column = draw_feed_speed(t, entry->site, column);
 	size_t shown = 0;
 	for (size_t r = 0; entry != NULL && r < entry->site->n_run; r++) {
 		char text[24];
