@@ -63,11 +63,23 @@ want 'J/kg' "300 x 100"
 mux resize-window -t one -x 80 -y 24
 want '^\[*tipspeed\|Tierp, Granite'
 
-keys c
-want 'crosshair .* mm' "the crosshair reads the curves"
-keys c x
+keys c b
+want 'crosshair 5\.6 mm  *50 %' "the crosshair reads the curves"
+want 'band  *8[0-9.]* \.\. 8[0-9.]* %' "and the band at its sieve"
+keys Left Up
+want 'crosshair 4 mm  *55 %' "arrows move the sieve and the level"
+want 'band  *6[0-9.]* \.\. 6[0-9.]* %'
+keys Down b c x
 want 'kept: tierp 74\.0' "a prediction is kept beside"
-keys x
+keys 7 8 Enter
+want 'P50 2.81 mm  now -' "with what is now less than it"
+want '%.*kept' "and a curve of its own"
+want 'P50 2.* mm  *-0' "changes since the last pause"
+want '78\.0 m/s  *since 7' "and since when"
+keys e
+want '^:plot psd speed=78.0 beside=tierp other=74.0 >' "e exports both"
+keys Escape 7 4 Enter x
+want '\[74\.0\]'
 keys : 'set k 1.'
 keys Enter
 want ': set k 1\.' "a typed command"
@@ -125,7 +137,8 @@ want 'generation 1 .*\]-' "the generations are gone through"
 keys s 3
 want 'sieve mm' "the page Data"
 keys 5
-want '\* tierp' "the page Sites"
+want '\* tierp  *Granite  *11.2 69 o74 79 good  *0\.3.  *0\.4.  *3\.5.x' \
+	"the page Sites says how far each is calibrated"
 keys 1 u
 want ': undo' "undo"
 keys U
@@ -178,7 +191,7 @@ press '65;40;10M'
 want '\[84\.9\]' "and the wheel"
 press '0;65;1M'
 press '0;65;1m'
-want 'site  *parameters' "a click opens a page"
+want 'site  *rock.*parameters' "a click opens a page"
 keys q
 want 'IT IS OVER'
 
@@ -242,7 +255,7 @@ kind 'mouse on  ascii  256 colours' TERM=xterm-256color LC_ALL=C
 result $? "and not a byte beyond ASCII"
 start 80 24 TERM=xterm LC_ALL=C \
 	'START=load data/sites/ossjo.csv; params set f_mat=1 e0_min=9 alpha=1'
-want '^Ossjo.*at 74\.0' "a name there is without its accents"
+want '^Ossjo, Gneiss' "a name there is without its accents"
 keys q
 start 80 24 TERM=vt100
 want '\[74\.0\]'

@@ -30,7 +30,7 @@ struct command_option {
 	enum value_kind kind;
 	const char *unit;     /* "m/s"; "" where there is none */
 	double least, most;   /* of numbers */
-	const char *choices;  /* "on off" */
+	const char *choices;  /* "on off"; of text as in `expect` below */
 	const char *fallback; /* default, as typed; "" where there is none */
 	const char *brief;
 };

@@ -221,7 +221,7 @@ offer_operand(struct work *w, const struct command *command, size_t i)
 static void
 offer_values(struct work *w, const struct command_option *o)
 {
-	if (o->kind == VALUE_CHOICE)
+	if (o->choices != NULL)
 		offer_words(w, o->choices);
 	else if (o->kind == VALUE_FILE)
 		offer_files(w);

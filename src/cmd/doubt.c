@@ -6,6 +6,8 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "io/units.h"
 
 const struct uncertainty *
 doubt_of(const struct entry *entry)
@@ -19,20 +21,27 @@ doubt_of(const struct entry *entry)
 	return h->uncertainty;
 }
 
-bool
+const struct band *
 doubt_band(const struct session *s, const struct entry *entry,
-    const struct prediction *p, struct band *band)
+    const struct prediction *p)
 {
+	struct history *h = entry->history;
 	const struct uncertainty *u =
 	    model_settings_same(&s->set.model, &entry->fit.settings)
 		? doubt_of(entry)
 		: NULL;
 	if (u == NULL)
-		return false;
-	*band = uncertainty_band(u, &entry->params,
+		return NULL;
+	if (h->band.n == p->product.n && h->band_of.speed == p->speed &&
+	    h->band_of.feed_run == p->feed_run &&
+	    model_settings_same(&h->band_of.settings, &s->set.model))
+		return &h->band;
+	band_free(&h->band);
+	h->band = uncertainty_band(u, &entry->params,
 	    &entry->site->run[p->feed_run].feed, &p->product, s->set.model,
 	    p->speed);
-	return true;
+	h->band_of = (struct band_of){s->set.model, p->speed, p->feed_run};
+	return &h->band;
 }
 
 void

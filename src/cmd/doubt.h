@@ -12,10 +12,12 @@
  * parameters are no fit of its own. */
 const struct uncertainty *doubt_of(const struct entry *entry);
 
-/* The band of the entry's prediction.  False, and nothing to free, where there
- * is none: parameters that are no fit, or a fit made with other settings. */
-bool doubt_band(const struct session *s, const struct entry *entry,
-    const struct prediction *p, struct band *band);
+/* The band of the entry's prediction, borrowed until the next one is asked for.
+ * NULL where there is none: parameters that are no fit, or a fit made with
+ * other settings.  The last one is kept: who predicts, who draws and who shows
+ * numbers ask for the same. */
+const struct band *doubt_band(const struct session *s,
+    const struct entry *entry, const struct prediction *p);
 
 /* Columns low and high, and their cells for parameter j; u may be NULL, which
  * shows "-". */

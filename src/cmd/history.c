@@ -65,6 +65,7 @@ history_drop(struct history *h)
 	free(h->generation);
 	misfit_free(h->misfit);
 	free(h->uncertainty);
+	band_free(&h->band);
 	free(h);
 }
 

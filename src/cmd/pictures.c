@@ -27,6 +27,7 @@ pictures_request(
 	const struct value *speed = args_value(args, "speed");
 	const struct value *other = args_value(args, "other");
 	const struct value *at = args_value(args, "at");
+	const struct value *beside = args_value(args, "beside");
 	const struct value *speeds = args_value(args, "speeds");
 	if (speed->given)
 		request->speed = speed->number;
@@ -34,6 +35,9 @@ pictures_request(
 		request->other_speed = other->number;
 	if (at->given)
 		request->crosshair_mm = at->number;
+	if (beside->given)
+		request->beside = beside->text;
+	request->level = args_value(args, "level")->number;
 	request->band = args_value(args, "band")->choice == 1;
 	request->n_speed = speeds->n;
 	request->speeds = speeds->list;
@@ -116,7 +120,8 @@ print_chart(struct session *s, const struct args *args,
 	    size_of(args_value(args, "width"), screen->columns, WIDEST, WIDTH);
 	int rows = size_of(
 	    args_value(args, "height"), screen->rows - 2, HEIGHT, HEIGHT);
-	struct canvas *canvas = chart_draw(chart, columns, rows, charset, true);
+	struct canvas *canvas =
+	    chart_draw(chart, columns, rows, charset, CHART_ALL);
 	canvas_print(canvas, screen->colours, s->out);
 	canvas_free(canvas);
 }

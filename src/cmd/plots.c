@@ -18,8 +18,9 @@ plots_request(enum plot_kind kind)
 	    .speed = NAN,
 	    .other_speed = NAN,
 	    .crosshair_mm = NAN,
+	    .level = 50,
 	    .charset = CHARSET_ASCII,
-	    .legend = true};
+	    .words = CHART_ALL};
 }
 
 static bool
@@ -146,7 +147,7 @@ plots_draw(struct session *s, const struct plot_request *request, int columns,
 	if (chart == NULL)
 		return NULL;
 	struct canvas *canvas =
-	    chart_draw(chart, columns, rows, request->charset, request->legend);
+	    chart_draw(chart, columns, rows, request->charset, request->words);
 	chart_free(chart);
 	return canvas;
 }

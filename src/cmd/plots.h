@@ -28,16 +28,24 @@ enum plot_kind {
 
 struct plot_request {
 	enum plot_kind kind;
-	double speed;        /* of psd, selection; NAN: the middle of the
+	double speed;       /* of psd, selection; NAN: the middle of the
 			      * site's speeds */
-	double other_speed;  /* a second prediction beside the first, or NAN */
+	double other_speed; /* a second prediction beside the first, or NAN */
+	const char *beside; /* psd: the second is of this loaded site; NULL:
+			      * of the same */
+	const struct prediction *kept; /* psd: the second, made before, of the
+					* site `beside`; NULL: it is made now */
 	double crosshair_mm; /* psd: a vertical line with values; NAN: none */
+	double level;        /* psd: passing whose sizes are told with the
+			      * line, % */
 	bool band; /* psd: shade the uncertainty of the prediction, if there is
 		    * one */
 	size_t generation; /* psd, convergence, spread: as of this generation of
 			    * the history (1..n); 0: the last */
 	enum charset charset;
-	bool legend;    /* draw legend, notes and foot below */
+	unsigned words; /* of CHART_ALL: what to write around it.  Without
+			 * CHART_NOTES the names of psd have no numbers that
+			 * change with the speed */
 	size_t n_speed; /* sweep: speeds [n_speed]; 0: 65 to 85 in fives */
 	const double *speeds;
 	double feed_speed; /* psd: take the feed sampled at this speed; 0: the

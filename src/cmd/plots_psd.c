@@ -30,7 +30,7 @@ static const struct chart_series FEED = {
 static const struct chart_series PREDICTED = {
     .series = SERIES_PREDICTED, .line = CHART_DASHED, .ascii = '#'};
 static const struct chart_series OTHER = {
-    .series = SERIES_OTHER, .line = CHART_LONG, .ascii = '%'};
+    .series = SERIES_OTHER, .line = CHART_LONG, .ascii = '%', .mark = '%'};
 
 /* Takes the name. */
 static void
@@ -42,14 +42,16 @@ add_curve(struct curves *c, const struct psd *psd, char *name,
 	c->item[c->n++].look = look;
 }
 
+/* Takes the name; NULL: "predicted 74 m/s". */
 static const struct prediction *
 add_prediction(struct curves *c, struct session *s, const struct params *params,
-    double speed, size_t feed, struct chart_series look)
+    double speed, size_t feed, char *name, struct chart_series look)
 {
 	const struct site *site = session_entry(s)->site;
 	struct prediction *p = &c->prediction[c->n_prediction++];
 	*p = predict(site, params, s->set.model, speed, feed);
-	add_curve(c, &p->product, xasprintf("predicted %g m/s", speed), look);
+	add_curve(c, &p->product,
+	    name != NULL ? name : xasprintf("predicted %g m/s", speed), look);
 	return p;
 }
 
@@ -120,58 +122,88 @@ add_measured(
 			    plots_look(taken++));
 }
 
-/* "at 2 mm: feed 16.0, measured 69 m/s 29.0 % passing", and of each curve the
- * size that half of it passes. */
-static void
-note_crosshair(struct chart *chart, double x)
+/* " (31.6 to 34.5)" behind what is read on a curve with a band, else "".  read:
+ * chart_at or chart_at_y.  The caller frees. */
+static char *
+band_words(const struct chart *chart, const struct chart_series *s, int digits,
+    double (*read)(const struct chart *, const struct chart_series *, double),
+    double at)
 {
-	char *at = xasprintf("at %g mm:", x), *half = xstrdup("50 % pass:");
+	struct chart_series low = *s, high = *s;
+	if (s->low == NULL)
+		return xstrdup("");
+	low.y = s->low;
+	high.y = s->high;
+	double a = read(chart, &low, at), b = read(chart, &high, at);
+	return isnan(a) || isnan(b) ? xstrdup("")
+				    : xasprintf(" (%.*f to %.*f)", digits,
+					  fmin(a, b), digits, fmax(a, b));
+}
+
+/* "at 2 mm: feed 16.0, measured 69 m/s 29.0 % passing", and of each curve the
+ * size that the level passes. */
+static void
+note_crosshair(struct chart *chart, double x, double level)
+{
+	char *at = xasprintf("at %g mm:", x);
+	char *sizes = xasprintf("%g %% pass:", level);
 	for (size_t i = 0; i < chart->n; i++) {
 		const struct chart_series *s = &chart->series[i];
 		const char *comma = i + 1 < chart->n ? "," : "";
-		double y = chart_at(chart, s, x),
-		       p50 = chart_at_y(chart, s, 50);
-		char *more =
-		    isnan(y)
-			? xasprintf("%s %s -%s", at, s->name, comma)
-			: xasprintf("%s %s %.1f %%%s", at, s->name, y, comma);
+		double y = chart_at(chart, s, x);
+		double size = chart_at_y(chart, s, level);
+		char *band = band_words(chart, s, 1, chart_at, x);
+		char *more = isnan(y)
+				 ? xasprintf("%s %s -%s", at, s->name, comma)
+				 : xasprintf("%s %s %.1f %%%s%s", at, s->name,
+				       y, band, comma);
 		free(at);
+		free(band);
 		at = more;
-		more = isnan(p50) ? xasprintf("%s %s -%s", half, s->name, comma)
-				  : xasprintf("%s %s %.2f mm%s", half, s->name,
-					p50, comma);
-		free(half);
-		half = more;
+		band = band_words(chart, s, 2, chart_at_y, level);
+		more = isnan(size)
+			   ? xasprintf("%s %s -%s", sizes, s->name, comma)
+			   : xasprintf("%s %s %.2f mm%s%s", sizes, s->name,
+				 size, band, comma);
+		free(sizes);
+		free(band);
+		sizes = more;
 	}
 	char *name = xasprintf("crosshair at %g mm", x);
 	chart_add_rule(chart, name, SERIES_CROSSHAIR, x);
 	free(name);
 	chart_note(chart, "%s", at);
-	chart_note(chart, "%s", half);
+	chart_note(chart, "%s", sizes);
 	free(at);
-	free(half);
+	free(sizes);
 }
 
+/* A rule at the break size and a note; whose: the site it is of, or NULL where
+ * that is no longer loaded.  The name of a rule tells no numbers where there
+ * are no notes. */
 static void
-note_prediction(struct chart *chart, struct session *s,
-    const struct prediction *p, enum series rule)
+note_prediction(struct chart *chart, const struct plot_request *q,
+    const struct entry *whose, const struct prediction *p, const char *name,
+    enum series series)
 {
-	const struct entry *entry = session_entry(s);
 	double mm = 1000 * p->break_size;
-	char *name = xasprintf("breaks from %.2f mm at %g m/s", mm, p->speed);
-	chart_add_rule(chart, name, rule, mm);
-	free(name);
+	bool numbers = q->words & CHART_NOTES;
+	char *rule =
+	    numbers ? xasprintf("breaks from %.2f mm at %g m/s", mm, p->speed)
+		    : xstrdup(series == SERIES_OTHER ? "kept break size"
+						     : "break size");
+	chart_add_rule(chart, rule, series, mm);
+	free(rule);
 	char p20[32], p50[32], p80[32];
 	const double at[] = {p->p20, p->p50, p->p80};
 	char *const words[] = {p20, p50, p80};
 	for (size_t i = 0; i < ARRAY_LEN(at); i++)
 		snprintf(words[i], sizeof p20,
 		    isnan(at[i]) ? "outside" : "%.2f mm", 1000 * at[i]);
-	chart_note(chart, "predicted %g m/s: P20 %s, P50 %s, P80 %s%s",
-	    p->speed, p20, p50, p80,
-	    predict_extrapolates(entry->site, entry->train, p->speed)
-		? "; extrapolated"
-		: "");
+	bool beyond = whose != NULL &&
+		      predict_extrapolates(whose->site, whose->train, p->speed);
+	chart_note(chart, "%s: P20 %s, P50 %s, P80 %s%s", name, p20, p50, p80,
+	    beyond ? "; extrapolated" : "");
 }
 
 /* The shade of a prediction with the site's own parameters, whose series is the
@@ -180,8 +212,8 @@ static void
 shade_prediction(
     struct chart *chart, struct session *s, const struct prediction *p)
 {
-	struct band band;
-	if (!doubt_band(s, session_entry(s), p, &band)) {
+	const struct band *band = doubt_band(s, session_entry(s), p);
+	if (band == NULL) {
 		chart_note(chart, "no band: parameters that are no fit of "
 				  "this site have none");
 		return;
@@ -189,55 +221,122 @@ shade_prediction(
 	struct chart_series *series = &chart->series[chart->n - 1];
 	chart_add_band(series);
 	for (size_t i = 0; i < series->n; i++) {
-		series->low[i] = units_pct(band.low[i]);
-		series->high[i] = units_pct(band.high[i]);
+		series->low[i] = units_pct(band->low[i]);
+		series->high[i] = units_pct(band->high[i]);
 	}
 	chart_note(chart,
 	    "shaded: the middle %d %% of what the fits that the data allow "
 	    "predict; P50 %.2f to %.2f mm",
-	    UNCERTAINTY_LEVEL, 1000 * band.p50[0], 1000 * band.p50[1]);
-	band_free(&band);
+	    UNCERTAINTY_LEVEL, 1000 * band->p50[0], 1000 * band->p50[1]);
+}
+
+/* A second prediction beside the first, and the site it is of; p NULL: there is
+ * none. */
+struct second {
+	const struct prediction *p;
+	const struct entry *whose; /* NULL: no longer loaded */
+};
+
+/* own: parameters of the site in use, or NULL; speed and feed are those of the
+ * first.  False with an error where the site beside has no prediction. */
+static bool
+add_second(struct curves *c, struct session *s, const struct plot_request *q,
+    const struct params *own, double speed, size_t feed, struct second *second,
+    struct error *error)
+{
+	size_t i = s->current;
+	struct error gone = {0};
+	bool beside = q->beside != NULL, kept = q->kept != NULL;
+	*second = (struct second){.p = q->kept};
+	if (beside && session_find(s, q->beside, &i, kept ? &gone : error))
+		second->whose = &s->entry[i];
+	else if (beside && !kept)
+		return false;
+	else if (!beside)
+		second->whose = session_entry(s);
+	if (!kept && i != s->current) {
+		if (!answers_known(s, second->whose, error))
+			return false;
+		own = &second->whose->params;
+	}
+	if (!kept && (own == NULL || (!beside && isnan(q->other_speed))))
+		return true;
+	if (!kept) {
+		const struct site *site = second->whose->site;
+		double v = isnan(q->other_speed) ? speed : q->other_speed;
+		if (i != s->current)
+			feed = site_run_nearest(site, v);
+		second->p = &c->prediction[c->n_prediction];
+		c->prediction[c->n_prediction++] =
+		    predict(site, own, s->set.model, v, feed);
+	}
+	char *name = xasprintf("%s %s%s%g m/s", kept ? "kept" : "predicted",
+	    beside ? q->beside : "", beside ? " " : "", second->p->speed);
+	add_curve(c, &second->p->product, name, OTHER);
+	return true;
+}
+
+/* What is to be said of the two, whose curves are the chart's last. */
+static void
+note_curves(struct chart *chart, struct session *s,
+    const struct plot_request *q, const struct prediction *one,
+    const struct second *two, bool shade)
+{
+	const struct entry *entry = session_entry(s);
+	const struct chart_series *last = &chart->series[chart->n - 1];
+	if (one != NULL)
+		note_prediction(chart, q, entry, one, last->name, SERIES_BREAK);
+	if (one != NULL && shade)
+		shade_prediction(chart, s, one);
+	if (two->p != NULL)
+		note_prediction(chart, q, two->whose, two->p,
+		    last[one != NULL ? -1 : 0].name, SERIES_OTHER);
 }
 
 struct chart *
 plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct site *site = session_entry(s)->site;
+	const struct entry *entry = session_entry(s);
+	const struct site *site = entry->site;
 	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
 	size_t feed =
 	    site_run_nearest(site, q->feed_speed > 0 ? q->feed_speed : speed);
 	struct curves c = {0};
-	struct params params;
+	struct params params = {0};
 	struct error unknown = {0};
+	struct second two;
 	/* What was measured is worth a look before there are parameters. */
 	bool known = plots_params(s, q, &params, &unknown);
 	if (!known && (q->generation > 0 || site_products(site) == 0)) {
 		*error = unknown;
 		return NULL;
 	}
-	add_curve(&c, &site->run[feed].feed, xstrdup("feed"), FEED);
+	bool sampled = site->individual_feeds && !(q->words & CHART_NOTES);
+	add_curve(&c, &site->run[feed].feed,
+	    sampled ? xasprintf("feed %g m/s", site->run[feed].speed)
+		    : xstrdup("feed"),
+	    FEED);
 	add_measured(&c, site, speed, 3);
-	const struct prediction *one = NULL, *two = NULL;
-	if (known && !isnan(q->other_speed))
-		two =
-		    add_prediction(&c, s, &params, q->other_speed, feed, OTHER);
+	if (!add_second(
+		&c, s, q, known ? &params : NULL, speed, feed, &two, error)) {
+		free_curves(&c);
+		return NULL;
+	}
+	const struct prediction *one = NULL;
 	if (known)
-		one = add_prediction(&c, s, &params, speed, feed, PREDICTED);
+		one = add_prediction(&c, s, &params, speed, feed,
+		    q->words & CHART_NOTES ? NULL : xstrdup("predicted"),
+		    PREDICTED);
 	struct chart *chart =
 	    plots_site_chart(site, sieves_of(&c), axis_percent("passing, %"),
 		known ? "product at %.1f m/s" : "feed and products", speed);
 	put_curves(chart, &c);
-	if (one != NULL)
-		note_prediction(chart, s, one, SERIES_BREAK);
-	const struct params *own = &session_entry(s)->params;
-	if (one != NULL && q->band && memcmp(own, &params, sizeof params) == 0)
-		shade_prediction(chart, s, one);
-	if (two != NULL)
-		note_prediction(chart, s, two, SERIES_OTHER);
+	bool own = memcmp(&entry->params, &params, sizeof params) == 0;
+	note_curves(chart, s, q, one, &two, q->band && own);
 	if (!known)
 		chart_note(chart, "no prediction: %s", unknown.text);
 	if (!isnan(q->crosshair_mm))
-		note_crosshair(chart, q->crosshair_mm);
+		note_crosshair(chart, q->crosshair_mm, q->level);
 	free_curves(&c);
 	return chart;
 }
@@ -264,7 +363,8 @@ plots_sweep(
 	size_t feed = site_run_nearest(site, answers_middle(site));
 	add_curve(&c, &site->run[feed].feed, xstrdup("feed"), FEED);
 	for (size_t i = 0; i < n; i++)
-		add_prediction(&c, s, &params, speed[i], feed, plots_look(i));
+		add_prediction(
+		    &c, s, &params, speed[i], feed, NULL, plots_look(i));
 	struct chart *chart = plots_site_chart(site, sieves_of(&c),
 	    axis_percent("passing, %"), "products at %zu speeds", n);
 	put_curves(chart, &c);

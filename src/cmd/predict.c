@@ -210,16 +210,14 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 	answers_remember(s, &p);
 	bool wanted = args_value(args, "interpolated")->choice == 1;
 	const struct value *asked = args_value(args, "band");
-	struct band band = {0};
-	bool has_band = !session_busy(s) && asked->choice == 1 &&
-			doubt_band(s, entry, &p, &band);
-	struct report *r =
-	    explained(s, &p, &params, has_band ? &band : NULL, wanted);
-	if (asked->given && asked->choice == 1 && !has_band)
+	const struct band *band = !session_busy(s) && asked->choice == 1
+				      ? doubt_band(s, entry, &p)
+				      : NULL;
+	struct report *r = explained(s, &p, &params, band, wanted);
+	if (asked->given && asked->choice == 1 && band == NULL)
 		report_note(r, "no band: the parameters are no fit of this "
 			       "site with these settings");
 	session_report(s, r);
-	band_free(&band);
 	bool curve = args_value(args, "curve")->choice == 1;
 	bool ok = !curve || s->set.format != REPORT_TABLE ||
 		  print_curves(s, &p, error);

@@ -25,6 +25,12 @@ struct history {
 	struct bounds bounds;
 	struct misfit *misfit;
 	struct uncertainty *uncertainty; /* NULL: not drawn yet */
+	struct band band;                /* the last one asked for */
+	struct band_of {
+		struct model_settings settings;
+		double speed;
+		size_t feed_run;
+	} band_of;
 };
 
 /* A loaded site with its answers.  key: how it is called here, "gavle/4".

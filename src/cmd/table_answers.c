@@ -80,7 +80,8 @@ const struct command TABLE_ANSWERS[] = {
 	.text = "The predicted products of the site in use at two speeds, on "
 		"one feed, or those of two loaded sites at one speed, each on "
 		"its own: passing sieve by sieve and the difference, second "
-		"less first; P20, P50 and P80; the fines; the break sizes.",
+		"less first; P20, P50 and P80; the fines; the break sizes. "
+		"plot psd with other= or beside= draws both.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "compare 69 79",

@@ -9,13 +9,17 @@
 	    "rotor tip speed of psd and selection; the middle one"},       \
 	    {"other", VALUE_NUMBER, "m/s", 1, 200, NULL, "",               \
 		"another speed beside it"},                                \
+	    {"beside", VALUE_TEXT, "", 0, 0, "SITE", "",                   \
+		"psd: the product of this loaded site beside it"},         \
 	    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "65..85:5",     \
 		"tip speeds of sweep"},                                    \
 	    {"band", VALUE_CHOICE, "", 0, 0, "off on", "off",              \
 		"psd: shade what other fits that the data allow predict"}, \
+	    {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",                \
+		"psd: a line at this size, and the passings there"},       \
 	{                                                                  \
-		"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",             \
-		    "psd: a line at this size, and the passings there"     \
+		"level", VALUE_NUMBER, "%", 0, 100, NULL, "50",            \
+		    "psd with at=: and the sizes that so much passes"      \
 	}
 
 static const struct command_option PLOT_OPTIONS[] = {WHAT_OPTIONS,

@@ -129,7 +129,7 @@ canvas_colour(enum series series, int depth)
 	    [SERIES_PREDICTED] = {1, 9, 202},
 	    [SERIES_OTHER] = {5, 13, 175},
 	    [SERIES_BAND] = {1, 1, 180},
-	    [SERIES_BREAK] = {3, 11, 227},
+	    [SERIES_BREAK] = {3, 3, 178},
 	    [SERIES_CROSSHAIR] = {-1, -1, -1},
 	};
 	return depth <= 0    ? -1

@@ -45,8 +45,8 @@ dots_code(enum charset charset, unsigned dots)
 	return 0x2800 + code;
 }
 
-/* Whether a line is drawn after `step` dots of its path.  In ASCII a cell is a
- * step, and the character tells most. */
+/* Whether a line is drawn at this step of its path.  In ASCII a cell is a step,
+ * and the character tells most. */
 static bool
 is_inked(enum chart_line line, enum charset charset, int step)
 {
@@ -89,10 +89,11 @@ put_dot(struct brush *p, const struct chart_series *s, int x, int y)
 	*dots = (unsigned char)all;
 }
 
-/* From point i to the next, dot by dot; the first dot belongs to the segment
- * before. */
+/* From point i to the next, dot by dot.  Dashes are counted from the column of
+ * the left end, so that a curve that moves a little somewhere keeps those it
+ * has elsewhere. */
 static void
-draw_segment(struct brush *p, const struct chart_series *s, size_t i, int *step)
+draw_segment(struct brush *p, const struct chart_series *s, size_t i)
 {
 	int across = dots_across(p->at.charset),
 	    down = dots_down(p->at.charset);
@@ -101,25 +102,21 @@ draw_segment(struct brush *p, const struct chart_series *s, size_t i, int *step)
 	int dx = layout_column(&p->at, s->x[i + 1], across) - x0;
 	int dy = layout_row(&p->at, s->y[i + 1], down) - y0;
 	int n = abs(dx) > abs(dy) ? abs(dx) : abs(dy);
-	for (int k = *step > 0; k <= n; k++) {
+	for (int k = 0; k <= n; k++) {
 		double t = n > 0 ? (double)k / n : 0;
-		if (is_inked(s->line, p->at.charset, *step))
+		int step = dx < 0 ? x0 + dx + n - k : x0 + k;
+		if (is_inked(s->line, p->at.charset, step))
 			put_dot(p, s, x0 + (int)lround(t * dx),
 			    y0 + (int)lround(t * dy));
-		(*step)++;
 	}
 }
 
 static void
 draw_line(struct brush *p, const struct chart_series *s)
 {
-	int step = 0;
-	for (size_t i = 0; i + 1 < s->n; i++) {
+	for (size_t i = 0; i + 1 < s->n; i++)
 		if (isfinite(s->y[i]) && isfinite(s->y[i + 1]))
-			draw_segment(p, s, i, &step);
-		else
-			step = 0;
-	}
+			draw_segment(p, s, i);
 }
 
 static void
@@ -181,13 +178,18 @@ draw_guides(struct brush *p)
 	}
 }
 
+/* A break size moves with the slider: in every second row of a tall plot it is
+ * seen as well, and half as much is written. */
 static void
 draw_rules(struct brush *p)
 {
+	enum { TALL = 12 };
 	for (size_t i = 0; i < p->at.chart->n_rule; i++) {
 		const struct chart_rule *r = &p->at.chart->rule[i];
 		int column = layout_column(&p->at, r->x, 1);
-		for (int row = 0; row < p->at.height; row++)
+		bool thin = r->series != SERIES_CROSSHAIR;
+		for (int row = 0; row < p->at.height;
+		     row += thin && p->at.height >= TALL ? 2 : 1)
 			put(p, column, row,
 			    layout_rule_code(r->series, p->at.charset),
 			    r->series, 0);
@@ -210,10 +212,10 @@ draw_data(struct brush *p)
 
 struct canvas *
 chart_draw(const struct chart *chart, int columns, int rows,
-    enum charset charset, bool legend)
+    enum charset charset, unsigned words)
 {
 	struct canvas *canvas = canvas_new(columns, rows);
-	struct brush p = {.at = layout_make(chart, canvas, charset, legend)};
+	struct brush p = {.at = layout_make(chart, canvas, charset, words)};
 	p.dots = xcalloc((size_t)(p.at.width * p.at.height), 1);
 	layout_draw_around(&p.at);
 	draw_data(&p);

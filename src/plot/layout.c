@@ -101,8 +101,9 @@ flow_text(struct layout *l, int row, const char *text, unsigned attribute)
 static int
 flow_notes(struct layout *l, int row)
 {
-	int rows = flow_legend(l, row);
-	for (size_t i = 0; i < l->chart->n_note; i++)
+	int rows = l->words & CHART_LEGEND ? flow_legend(l, row) : 0;
+	size_t n = l->words & CHART_NOTES ? l->chart->n_note : 0;
+	for (size_t i = 0; i < n; i++)
 		rows += flow_text(
 		    l, row < 0 ? row : row + rows, l->chart->note[i], 0);
 	return rows;
@@ -147,19 +148,21 @@ label_rows(const struct layout *l)
 
 struct layout
 layout_make(const struct chart *chart, struct canvas *canvas,
-    enum charset charset, bool legend)
+    enum charset charset, unsigned words)
 {
 	enum { Y_TITLE, LEGEND, SECOND, FOOT, TITLE, LABELS, AXIS, PARTS };
 	enum { LEAST = 3, PLENTY = 6 };
-	struct layout l = {
-	    .chart = chart, .canvas = canvas, .charset = charset};
+	struct layout l = {.chart = chart,
+	    .canvas = canvas,
+	    .charset = charset,
+	    .words = words};
 	l.left = gutter(chart, canvas->columns);
 	l.width = canvas->columns - l.left;
 	int rows[PARTS] = {[Y_TITLE] = 1,
-	    [LEGEND] = legend ? flow_notes(&l, -1) : 0,
+	    [LEGEND] = flow_notes(&l, -1),
 	    [SECOND] = label_rows(&l) - 1,
-	    [FOOT] = legend ? flow_foot(&l, -1) : 0,
-	    [TITLE] = 1,
+	    [FOOT] = words & CHART_LEGEND ? flow_foot(&l, -1) : 0,
+	    [TITLE] = words & CHART_TITLE ? 1 : 0,
 	    [LABELS] = 1,
 	    [AXIS] = 1};
 	l.height = canvas->rows;

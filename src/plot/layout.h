@@ -6,17 +6,18 @@
 #include "plot/chart.h"
 
 /* The data's cells begin at left, top and are width x height.  Each other part
- * has its first row, -1 where it was dropped. */
+ * has its first row, -1 where it was dropped.  words: of CHART_ALL. */
 struct layout {
 	const struct chart *chart;
 	struct canvas *canvas;
 	enum charset charset;
+	unsigned words;
 	int left, top, width, height;
 	int title, y_title, axis, labels, label_rows, legend, foot;
 };
 
 struct layout layout_make(const struct chart *chart, struct canvas *canvas,
-    enum charset charset, bool legend);
+    enum charset charset, unsigned words);
 
 /* Titles, axes, labels, legend and foot: all but the data. */
 void layout_draw_around(struct layout *l);

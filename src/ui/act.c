@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/act.h"
 
+#include <limits.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
@@ -10,6 +11,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/doubt.h"
 #include "ui/conduct.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
@@ -37,6 +39,15 @@ move_generation(struct tui *t, int by)
 	/* At its end a search that runs is followed again. */
 	if (t->generation == n)
 		t->generation = 0;
+}
+
+/* Up is a higher passing. */
+static void
+move_level(struct tui *t, int by)
+{
+	enum { STEP = 5, LEAST = 5, MOST = 95 };
+	int to = t->level - by * STEP;
+	t->level = to < LEAST ? LEAST : to > MOST ? MOST : to;
 }
 
 static void
@@ -125,6 +136,9 @@ compose(const struct tui *t, const struct key *key)
 	char speed[16];
 	const struct session *s = t->session;
 	snprintf(speed, sizeof speed, "%.1f", t->tenths / 10.0);
+	if (key->act == ACT_EXPORT && t->pin.site[0] != '\0')
+		return xasprintf("plot psd speed=%s beside=%s other=%.1f > ",
+		    speed, t->pin.site, t->pin.speed);
 	const char *hole = strstr(key->command, "%s");
 	if (hole == NULL)
 		return xstrdup(key->command);
@@ -139,7 +153,7 @@ static void
 run_key(struct tui *t, const struct key *key)
 {
 	char *line = compose(t, key);
-	if (key->act == ACT_TYPE) {
+	if (key->act == ACT_TYPE || key->act == ACT_EXPORT) {
 		typing_begin(&t->typing, line);
 	} else if (key->act == ACT_RUN) {
 		conduct_typed(t, line);
@@ -186,23 +200,30 @@ set_pace(struct tui *t, int by)
 		    t, false, "pace: %g generations a second", PACES[t->pace]);
 }
 
+/* The prediction itself is kept, so that it stays what it was when the site is
+ * calibrated again. */
 static void
 pin(struct tui *t)
 {
-	bool same = t->pin.site[0] != '\0';
-	if (same)
-		memset(&t->pin, 0, sizeof t->pin);
-	else
-		t->pin = t->now;
-	if (same)
+	bool kept = t->pin.site[0] != '\0';
+	const struct prediction *last = &t->session->last;
+	prediction_free(&t->kept);
+	memset(&t->kept, 0, sizeof t->kept);
+	memset(&t->pin, 0, sizeof t->pin);
+	if (kept) {
 		tui_say(t, false, "no longer kept");
-	else if (t->pin.site[0] == '\0')
+	} else if (t->now.site[0] == '\0') {
 		tui_say(t, true, "nothing is predicted yet: f calibrates");
-	else
+	} else {
+		t->pin = t->now;
+		t->kept = *last;
+		t->kept.feed = psd_copy(&last->feed);
+		t->kept.product = psd_copy(&last->product);
 		tui_say(t, false,
 		    "%s at %.1f m/s is kept beside: go to another speed or "
-		    "site",
+		    "site; e exports both",
 		    t->pin.site, t->pin.speed);
+	}
 }
 
 static void
@@ -214,9 +235,24 @@ cross(struct tui *t)
 	if (t->cross)
 		t->page = PAGE_PREDICT;
 	t->focus = t->cross ? FOCUS_CROSS : FOCUS_SPEED;
-	if (t->cross)
+	if (t->session->last.product.n == 0)
+		tui_say(t, true, "nothing is predicted yet: f calibrates");
+	else if (t->cross)
 		tui_say(t, false,
-		    "the arrows move the crosshair; Tab: the speed again");
+		    "left and right: the sieve; up and down: the passing; Tab: "
+		    "the speed again");
+}
+
+static void
+band(struct tui *t)
+{
+	const struct entry *entry = tui_entry(t);
+	t->band = !t->band;
+	if (t->band && t->now.site[0] != '\0' &&
+	    doubt_band(t->session, entry, &t->session->last) == NULL)
+		tui_say(t, false,
+		    "no band: parameters that are no fit of this site have "
+		    "none; f calibrates");
 }
 
 static void
@@ -252,7 +288,7 @@ show_act(struct tui *t, const struct key *key)
 		cross(t);
 		break;
 	case ACT_BAND:
-		t->band = !t->band;
+		band(t);
 		break;
 	case ACT_PIN:
 		pin(t);
@@ -300,14 +336,17 @@ act(struct tui *t, const struct key *key)
 	case ACT_LIST:
 		if (t->page == PAGE_SITES)
 			t->focus = FOCUS_SITE;
-		if (t->page == PAGE_DATA && tui_entry(t) != NULL)
-			t->data_top = (size_t)moved((int)t->data_top,
-			    key->amount, tui_entry(t)->site->run[0].feed.n);
+		if (t->page == PAGE_DATA)
+			t->data_top = (size_t)moved(
+			    (int)t->data_top, key->amount, INT_MAX);
+		else if (t->focus == FOCUS_CROSS)
+			move_level(t, key->amount);
 		else if (t->focus != FOCUS_SPEED)
 			move_focus(t, key->amount);
 		break;
 	case ACT_RUN:
 	case ACT_TYPE:
+	case ACT_EXPORT:
 	case ACT_CHOOSE:
 		run_key(t, key);
 		break;

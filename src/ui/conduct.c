@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/answers.h"
 #include "cmd/command.h"
 #include "cmd/fit.h"
 #include "cmd/script.h"
@@ -129,6 +130,7 @@ run_to_end(struct tui *t, const char *line, const char *name, int number)
 static void
 take_numbers(struct tui *t)
 {
+	static const double sizes[NUMBERS_FRACTIONS] = {0.063e-3, 2e-3, 4e-3};
 	const struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
 	t->now = (struct numbers){0};
@@ -136,10 +138,14 @@ take_numbers(struct tui *t)
 		return;
 	snprintf(t->now.site, sizeof t->now.site, "%s", entry->key);
 	t->now.speed = s->last.speed;
-	t->now.p20 = s->answer[ANSWER_P20];
-	t->now.p50 = s->answer[ANSWER_P50];
-	t->now.p80 = s->answer[ANSWER_P80];
+	for (size_t i = 0; i < 3; i++)
+		t->now.size[i] = s->answer[ANSWER_P20 + i];
 	t->now.break_mm = s->answer[ANSWER_BREAK];
+	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
+		t->now.passing[i] =
+		    psd_covers(&s->last.product, sizes[i])
+			? 100 * psd_passing(&s->last.product, sizes[i])
+			: NAN;
 }
 
 /* What the session is like after any command. */
@@ -149,6 +155,7 @@ conduct_look(struct tui *t)
 	const struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
 	t->session->wants_tui = false;
+	t->rows_at = 0;
 	if (s->last.product.n == 0)
 		t->now = (struct numbers){0};
 	if (t->site_at >= s->n_entry)
@@ -290,6 +297,37 @@ conduct_typed(struct tui *t, const char *line)
 	    strncmp(line, "predict", 7) == 0 && strchr(line, '>') == NULL;
 	if (ok && !session_busy(s) && !moved_only)
 		show_said(t);
+}
+
+static struct site_row
+site_row(const struct session *s, const struct entry *e, double speed)
+{
+	struct site_row row = {.p50 = NAN, .holdout = NAN};
+	struct error error = {0};
+	if (e->has_fit)
+		row.holdout = 100 * fit_holdout_rmse(e);
+	if (!answers_known(s, e, &error))
+		return row;
+	struct prediction p = predict(e->site, &e->params, s->set.model, speed,
+	    site_run_nearest(e->site, speed));
+	row.p50 = 1000 * p.p50;
+	row.beyond = predict_extrapolates(e->site, e->train, speed);
+	prediction_free(&p);
+	return row;
+}
+
+void
+conduct_rows(struct tui *t)
+{
+	const struct session *s = t->session;
+	if (t->page != PAGE_SITES || t->rows_at == t->tenths)
+		return;
+	free(t->row);
+	t->n_row = s->n_entry;
+	t->row = xcalloc(t->n_row + 1, sizeof *t->row);
+	for (size_t i = 0; i < t->n_row; i++)
+		t->row[i] = site_row(s, &s->entry[i], t->tenths / 10.0);
+	t->rows_at = t->tenths;
 }
 
 void

@@ -25,6 +25,7 @@ enum key_act {
 	ACT_LIST,    /* up and down */
 	ACT_RUN,     /* the command */
 	ACT_TYPE,    /* the command into the command line, to be completed */
+	ACT_EXPORT,  /* the same; with one kept beside, both curves */
 	ACT_CROSS,   /* crosshair on or off */
 	ACT_BAND,    /* uncertainty on or off */
 	ACT_PIN,     /* keep this prediction to compare with */

@@ -24,12 +24,21 @@ void pane_data(struct tui *t);
 void pane_parity(struct tui *t);
 void pane_sites(struct tui *t);
 
+/* The screen's row of the site under the cursor. */
+int pane_site_row(const struct tui *t);
+
 /* A plot in the plot area, or in words why there is none. */
 void pane_plot(const struct tui *t, const struct plot_request *request,
     const struct area *area);
 
 /* Curves in the plot area, with a legend below them where there is room. */
 void pane_curves(const struct tui *t, struct plot_request *request);
+
+/* The body with the row of the legend: a list has none. */
+struct area pane_list_area(const struct tui *t);
+
+/* The side panel of the Predict page. */
+void pane_side(const struct tui *t);
 
 /* The viewer's text with its hints. */
 void pane_text(const struct tui *t);

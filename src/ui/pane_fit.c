@@ -196,11 +196,9 @@ draw_side(const struct tui *t)
 	struct area below = *side;
 	below.row += row + 1;
 	below.rows -= row + 1;
-	struct plot_request request = {.kind = PLOT_CONVERGENCE,
-	    .speed = NAN,
-	    .other_speed = NAN,
-	    .crosshair_mm = NAN,
-	    .generation = t->generation};
+	struct plot_request request = plots_request(PLOT_CONVERGENCE);
+	request.words = CHART_TITLE;
+	request.generation = t->generation;
 	if (below.rows >= LEAST && t->picture != PLOT_CONVERGENCE)
 		pane_plot(t, &request, &below);
 }
@@ -208,11 +206,10 @@ draw_side(const struct tui *t)
 void
 pane_fit(struct tui *t)
 {
-	struct plot_request request = {.kind = t->picture,
-	    .speed = t->tenths / 10.0,
-	    .other_speed = NAN,
-	    .crosshair_mm = NAN,
-	    .generation = t->generation};
+	struct plot_request request = plots_request(t->picture);
+	request.words = CHART_TITLE;
+	request.speed = t->tenths / 10.0;
+	request.generation = t->generation;
 	pane_curves(t, &request);
 	draw_side(t);
 }

@@ -56,7 +56,7 @@ draw_header(struct tui *t)
 		      : left.columns < 18 ? xstrdup("no site")
 					  : xstrdup("no site is loaded");
 	bool room = text_width(label) + 11 <= left.columns,
-	     fits = text_width(label) <= left.columns || entry == NULL;
+	     fits = text_width(label) < left.columns || entry == NULL;
 	screen_text(&left, 0, 0, LOOK_BOLD, "%s%s", room ? "tipspeed  " : "",
 	    fits ? label : entry->site->name);
 	free(label);
@@ -103,9 +103,8 @@ draw_track(struct tui *t)
 	const char *close = strchr(text + at, ']');
 	int length = close != NULL ? (int)(close - text) - at + 1 : 1;
 	screen_text(&track, 0, 0, 0, "%s", text);
-	screen_text(&track, 0, at,
-	    LOOK_BOLD | (focus ? LOOK_REVERSE : LOOK_PLAIN), "%.*s", length,
-	    text + at);
+	screen_text(&track, 0, at, focus ? LOOK_REVERSE : LOOK_BOLD, "%.*s",
+	    length, text + at);
 	if (track.column > 0) {
 		screen_text(&t->places.track, 0, 1, 0, "65");
 		screen_text(
@@ -115,25 +114,32 @@ draw_track(struct tui *t)
 	return track.column + at + (length > 1 ? 1 : 0);
 }
 
+/* Speed and energy, and what the signs of the track mean. */
 static void
 draw_caption(const struct tui *t)
 {
+	static const char *const SIGNS[] = {
+	    "  | trained  o held out  step 0.1", "  | trained  o held out", ""};
 	const struct area *area = &t->places.caption;
-	static const char far[] = "  EXTRAPOLATED";
 	double speed = t->tenths / 10.0;
-	bool is_far = t->session->answer[ANSWER_EXTRAPOLATED] == 1;
-	int room = area->columns - (is_far ? (int)sizeof far - 1 : 0);
+	bool beyond = t->session->answer[ANSWER_EXTRAPOLATED] == 1;
+	const char *word = beyond ? "x EXTRAPOLATED" : "x extrapolated";
+	int room = area->columns - (beyond ? (int)strlen(word) + 1 : 0);
 	int column = screen_text(area, 0, 0, 0, "%s%.1f%s",
 	    room >= 36 ? "rotor tip speed " : "", speed,
 	    room >= 8 ? " m/s" : "");
 	if (column + 11 <= room)
 		column = screen_text(
 		    area, 0, column, 0, "  %.0f J/kg", energy_specific(speed));
-	if (is_far)
-		column = screen_text(area, 0, column, LOOK_BOLD, "%s", far);
-	if (column + 47 <= area->columns)
-		screen_text(area, 0, area->columns - 47, LOOK_DIM,
-		    "x extrapolated  | trained  o held out  step 0.1");
+	room = area->columns - (int)strlen(word);
+	size_t i = 0;
+	while (SIGNS[i][0] != '\0' && column + 2 + (int)strlen(SIGNS[i]) > room)
+		i++;
+	int from = room - (int)strlen(SIGNS[i]);
+	if (SIGNS[i][0] != '\0' || beyond)
+		from = screen_text(
+		    area, 0, from, beyond ? LOOK_BOLD : LOOK_DIM, "%s", word);
+	screen_text(area, 0, from, LOOK_DIM, "%s", SIGNS[i]);
 }
 
 /* Returns the column of the cursor in it. */
@@ -249,7 +255,8 @@ draw_hints(const struct tui *t)
 	    "beside  e export  u undo",
 	    "Space pause  ? keys  q quit  f fit again  s stop, keep  +/- pace  "
 	    "Tab generations  v picture",
-	    "<-/-> speed  ? keys  q quit  1-5 pages  : command",
+	    "<-/-> speed  ? keys  q quit  1-5 pages  Up/Down sieves  : "
+	    "command",
 	    "<-/-> speed  ? keys  q quit  1-5 pages  : command",
 	    "Up/Down site  Enter use it  ? keys  q quit  x keep beside  : "
 	    "command"};
@@ -338,7 +345,7 @@ pane_draw(struct tui *t)
 		column = at;
 	}
 	if (t->focus == FOCUS_SITE && t->places.body.rows > 1) {
-		row = t->places.body.row + 1 + (int)t->site_at;
+		row = pane_site_row(t);
 		column = 0;
 	}
 	draw_lower(t, &row, &column);

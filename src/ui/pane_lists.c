@@ -1,6 +1,7 @@
-/* The pages Data, Parity and Sites.
+/* The pages Data and Parity.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
@@ -10,9 +11,8 @@
 #include "ui/pane.h"
 #include "ui/screen.h"
 
-/* The body with the row of the legend: a list has none. */
-static struct area
-list_area(const struct tui *t)
+struct area
+pane_list_area(const struct tui *t)
 {
 	struct area area = t->places.body;
 	area.rows += t->places.legend.rows;
@@ -33,138 +33,151 @@ draw_passing(const struct area *area, int row, int column,
 	return column + WIDTH;
 }
 
-/* Whether a run has a column: those that fit beside feed and prediction. */
+enum { FIRST = 18, WIDTH = 9 };
+
+/* Whether there is room for a run's column: those nearest to the slider's speed
+ * come first. */
 static bool
-has_column(const struct site *site, size_t r, int column, int columns)
+is_shown(const struct tui *t, size_t run)
 {
-	return site->run[r].product.n > 0 && column + 2 * 9 <= columns + 1;
+	const struct site *site = tui_entry(t)->site;
+	int room = (t->places.body.columns - FIRST) / WIDTH - 1, nearer = 0;
+	double v = t->tenths / 10.0, far = fabs(site->run[run].speed - v);
+	for (size_t r = 0; r < site->n_run; r++) {
+		double d = fabs(site->run[r].speed - v);
+		nearer += site->run[r].product.n > 0 &&
+			  (d < far || (d == far && r < run));
+	}
+	return site->run[run].product.n > 0 && nearer < room;
 }
 
-static void
+/* The run whose feed a prediction at the slider's speed takes. */
+static const struct run *
+feed_run(const struct tui *t)
+{
+	const struct site *site = tui_entry(t)->site;
+	return &site->run[site_run_nearest(site, t->tenths / 10.0)];
+}
+
+/* Returns the column behind the table. */
+static int
 draw_heads(const struct tui *t, const struct area *area)
 {
 	const struct site *site = tui_entry(t)->site;
-	int column = 18;
-	screen_text(area, 0, 0, LOOK_BOLD, "%8s %8s", "sieve mm", "feed %");
-	for (size_t r = 0; r < site->n_run; r++)
-		if (has_column(site, r, column, area->columns)) {
-			screen_text(area, 0, column, LOOK_BOLD, "%7g%s",
-			    site->run[r].speed,
-			    tui_entry(t)->train[r] ? "*" : " ");
-			column += 9;
-		}
+	int column = FIRST;
+	char feed[16] = "feed %";
+	if (site->individual_feeds)
+		snprintf(feed, sizeof feed, "feed@%.4g", feed_run(t)->speed);
+	screen_text(area, 0, 0, LOOK_BOLD, "%8s %8s", "sieve mm", feed);
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (!is_shown(t, r))
+			continue;
+		screen_text(area, 0, column, LOOK_BOLD, "%7g%s",
+		    site->run[r].speed, tui_entry(t)->train[r] ? "*" : " ");
+		column += WIDTH;
+	}
 	screen_text(area, 0, column, LOOK_BOLD, "%8s", "PRED");
+	return column + WIDTH;
 }
 
 static void
-draw_sieve(const struct tui *t, const struct area *area, int row, double x)
+draw_sieve(const struct tui *t, const struct area *area, int row, size_t i)
 {
 	const struct site *site = tui_entry(t)->site;
+	const struct psd *feed = &feed_run(t)->feed;
+	double x = feed->size[i];
 	screen_text(area, row, 0, 0, "%8g", units_mm(x));
-	int column = draw_passing(area, row, 9, &site->run[0].feed, x, 0);
+	int column = draw_passing(area, row, WIDTH, feed, x, 0);
 	for (size_t r = 0; r < site->n_run; r++)
-		if (has_column(site, r, column, area->columns))
+		if (is_shown(t, r))
 			column = draw_passing(
 			    area, row, column, &site->run[r].product, x, 0);
 	draw_passing(
 	    area, row, column, &t->session->last.product, x, LOOK_BOLD);
 }
 
-/* Where the data are from, below them. */
+/* Where the data are from, as far as there is room, in SOURCE rows of a wide
+ * screen. */
+enum { SOURCE = 4 };
+
 static void
-draw_about(const struct site *site, const struct area *area, int row)
+draw_source(const struct tui *t, const struct area *area, int row)
 {
+	const struct site *site = tui_entry(t)->site;
 	char *from = xasprintf("data: %s", site->provenance);
 	row = screen_words(area, row, 0,
 	    "columns: product at each speed, m/s; * trained on; PRED: at the "
 	    "slider");
-	if (site->provenance[0] != '\0')
-		row = screen_words(area, row, 0, from);
 	if (site->machine[0] != '\0')
 		screen_text(area, row++, 0, 0, "machine: %s", site->machine);
+	if (site->provenance[0] != '\0')
+		row = screen_words(area, row, 0, from);
 	screen_text(area, row, 0, LOOK_DIM, ":check looks for slips");
 	free(from);
+}
+
+/* What is left between measured and predicted, where the table leaves room;
+ * returns whether it does. */
+static bool
+draw_residuals(const struct tui *t, int behind)
+{
+	enum { GAP = 2, LEAST = 50, MOST = 120, TALL = 14 };
+	struct area area = pane_list_area(t);
+	area.column = behind + GAP;
+	area.columns -= behind + GAP;
+	area.rows -= SOURCE + 1;
+	if (area.columns > MOST)
+		area.columns = MOST;
+	if (area.columns < LEAST || area.rows < TALL ||
+	    !tui_entry(t)->has_params)
+		return false;
+	struct plot_request request = plots_request(PLOT_RESIDUALS);
+	pane_plot(t, &request, &area);
+	return true;
+}
+
+/* Up and Down scroll where there are more sieves than rows. */
+static void
+draw_more(const struct area *area, bool above, bool below)
+{
+	if (above)
+		screen_text(area, 1, area->columns - 1, LOOK_BOLD, "^");
+	if (below)
+		screen_text(
+		    area, area->rows - 1, area->columns - 1, LOOK_BOLD, "v");
 }
 
 void
 pane_data(struct tui *t)
 {
-	const struct area area = list_area(t);
+	enum { GAP = 1 };
+	const struct area area = pane_list_area(t);
 	const struct entry *entry = tui_entry(t);
 	if (entry == NULL || entry->site->n_run == 0) {
 		screen_text(
 		    &area, 0, 0, 0, "no site is loaded: type :load FILE");
 		return;
 	}
-	const struct psd *feed = &entry->site->run[0].feed;
-	size_t room = area.rows > 1 ? (size_t)area.rows - 1 : 1;
-	size_t most = feed->n > room ? feed->n - room : 0;
-	if (t->data_top > most)
-		t->data_top = most;
-	draw_heads(t, &area);
-	int row = 1;
-	for (size_t i = t->data_top; i < feed->n; i++)
-		draw_sieve(t, &area, row++, feed->size[i]);
-	draw_about(entry->site, &area, row + 1);
+	size_t n = feed_run(t)->feed.n, row = 1;
+	size_t room = area.rows > 1 ? (size_t)area.rows - 1 : 0;
+	size_t last = n > room ? n - room : 0;
+	t->data_top = t->data_top > last ? last : t->data_top;
+	int behind = draw_heads(t, &area);
+	for (size_t i = t->data_top; i < n && row <= room; i++, row++)
+		draw_sieve(t, &area, (int)row, i);
+	draw_more(&area, t->data_top > 0, t->data_top < last);
+	int foot = draw_residuals(t, behind) ? area.rows - SOURCE : 0;
+	int below = (int)row + GAP;
+	draw_source(t, &area, foot > below ? foot : below);
 }
 
 void
 pane_parity(struct tui *t)
 {
-	struct plot_request request = {.kind = PLOT_PARITY,
-	    .speed = t->tenths / 10.0,
-	    .other_speed = NAN,
-	    .crosshair_mm = NAN,
-	    .legend = t->places.legend.rows > 0};
+	struct plot_request request = plots_request(PLOT_PARITY);
+	if (t->places.legend.rows == 0)
+		request.words = CHART_TITLE;
 	struct area plot = t->places.body;
 	plot.rows = t->places.plot.rows + t->places.legend.rows;
 	pane_plot(t, &request, &plot);
-}
-
-enum { KEY_ENDS = 17, LABEL_ENDS = 50, WIDE = 72 };
-
-/* Where a narrow screen has what is known of the parameters: in the place of
- * the label. */
-static int
-known_column(const struct area *area)
-{
-	return area->columns >= WIDE ? LABEL_ENDS : KEY_ENDS;
-}
-
-static void
-draw_site(const struct tui *t, const struct area *area, int row, size_t i)
-{
-	const struct entry *e = &t->session->entry[i];
-	unsigned look = i == t->site_at ? LOOK_REVERSE : LOOK_PLAIN;
-	char *label = session_label(e->site);
-	int known = known_column(area);
-	/* Columns are set one by one: names may have wide letters. */
-	screen_text(area, row, 0, look, "%*s", area->columns, "");
-	screen_text(area, row, 0, look, "%c %s",
-	    i == t->session->current ? '*' : ' ', e->key);
-	if (known > KEY_ENDS)
-		screen_text(area, row, KEY_ENDS, look, "%s", label);
-	if (e->has_fit)
-		screen_text(area, row, known, look, "fit %s, %.2f points",
-		    fit_verdict(&e->fit), 100 * e->fit.rmse);
-	else
-		screen_text(area, row, known, look, "%s", session_origin(e));
-	free(label);
-}
-
-void
-pane_sites(struct tui *t)
-{
-	const struct area area = list_area(t);
-	const struct session *s = t->session;
-	screen_text(&area, 0, 2, LOOK_BOLD, "site");
-	screen_text(&area, 0, known_column(&area), LOOK_BOLD, "parameters");
-	if (s->n_entry == 0)
-		screen_text(&area, 1, 2, 0, "none is loaded: type :load FILE");
-	int room = area.rows - 1;
-	size_t top = room > 0 && t->site_at >= (size_t)room
-			 ? t->site_at - (size_t)room + 1
-			 : 0;
-	for (size_t i = top; i < s->n_entry; i++)
-		draw_site(t, &area, (int)(i - top) + 1, i);
 }

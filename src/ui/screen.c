@@ -26,7 +26,9 @@ static struct display {
 	bool utf8, mouse;
 	int depth, rows, columns;
 	enum charset charset;
+	short pair[SERIES_COUNT]; /* 0 without colours */
 	struct canvas *frame;
+	struct area plot; /* of it, where the last canvas was put */
 } is;
 
 /* The console has no braille, and a serial terminal nothing but ASCII. */
@@ -41,17 +43,26 @@ find_charset(void)
 	return is.utf8 ? CHARSET_BRAILLE : CHARSET_ASCII;
 }
 
+/* Series of one colour share a pair: ncurses would write the colour again from
+ * one to the other. */
 static void
 set_colours(bool colour)
 {
 	is.depth = 0;
+	memset(is.pair, 0, sizeof is.pair);
 	if (!colour || !has_colors() || start_color() != OK)
 		return;
 	use_default_colors();
 	is.depth = COLORS >= 256 ? 256 : COLORS >= 16 ? 16 : 8;
-	for (int i = 0; i < SERIES_COUNT; i++)
-		init_pair((short)(i + 1),
-		    (short)canvas_colour((enum series)i, is.depth), -1);
+	for (int i = 0; i < SERIES_COUNT; i++) {
+		int colour_of = canvas_colour((enum series)i, is.depth), j = 0;
+		while (canvas_colour((enum series)j, is.depth) != colour_of)
+			j++;
+		is.pair[i] = (short)(j + 1);
+		init_pair(is.pair[i], (short)colour_of, -1);
+	}
+	/* From a colour to a pair takes 5 bytes, to no pair at all 11. */
+	bkgdset(' ' | COLOR_PAIR(is.pair[SERIES_TEXT]));
 }
 
 static void
@@ -230,6 +241,7 @@ screen_begin(int *rows, int *columns)
 		getmaxyx(stdscr, is.rows, is.columns);
 	canvas_free(is.frame);
 	is.frame = canvas_new(is.columns, is.rows);
+	is.plot = (struct area){0};
 	screen_size(rows, columns);
 }
 
@@ -304,13 +316,16 @@ screen_wall(int row, int column, int rows)
 void
 screen_canvas(const struct area *area, const struct canvas *canvas)
 {
-	const struct canvas_cell *cell = canvas->cell;
-	for (int r = 0; r < canvas->rows && r < area->rows; r++)
-		for (int c = 0; c < canvas->columns; c++) {
+	is.plot = *area;
+	if (canvas->rows < area->rows)
+		is.plot.rows = canvas->rows;
+	if (canvas->columns < area->columns)
+		is.plot.columns = canvas->columns;
+	for (int r = 0; r < is.plot.rows; r++)
+		for (int c = 0; c < is.plot.columns; c++) {
 			const struct canvas_cell *at =
-			    &cell[r * canvas->columns + c];
-			bool blank = at->code == ' ' && at->attribute == 0;
-			if (c < area->columns && at->code != 0 && !blank)
+			    &canvas->cell[r * canvas->columns + c];
+			if (at->code != 0)
 				put_cell(area->row + r, area->column + c,
 				    at->code, at->attribute,
 				    (enum series)at->series);
@@ -343,11 +358,21 @@ show_cell(int row, int column, const struct canvas_cell *from)
 	cchar_t cell;
 	if (!is.utf8 && from->code > 126)
 		text[0] = bare_letter(from->code);
-	short pair = is.depth > 0 && from->series != SERIES_TEXT
-			 ? (short)(from->series + 1)
-			 : (short)0;
-	setcchar(&cell, text, attributes(from->attribute), pair, NULL);
+	setcchar(&cell, text, attributes(from->attribute),
+	    is.pair[from->series], NULL);
 	mvadd_wch(row, column, &cell);
+}
+
+/* A blank shows no colour: it has that of the line which moves most, so that
+ * less is written. */
+static void
+blank_plot(void)
+{
+	cchar_t blank;
+	setcchar(&blank, L" ", A_NORMAL, is.pair[SERIES_BREAK], NULL);
+	for (int r = 0; r < is.plot.rows; r++)
+		mvhline_set(
+		    is.plot.row + r, is.plot.column, &blank, is.plot.columns);
 }
 
 void
@@ -356,6 +381,7 @@ screen_show(int row, int column)
 	if (is.screen == NULL)
 		return;
 	erase();
+	blank_plot();
 	for (int r = 0; r < is.rows; r++)
 		for (int c = 0; c < is.columns; c++) {
 			const struct canvas_cell *at =

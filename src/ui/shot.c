@@ -30,6 +30,7 @@ press(struct tui *t, int code)
 	t->clock++;
 	conduct_pump(t);
 	conduct_predict(t);
+	conduct_rows(t);
 	pane_draw(t);
 }
 
@@ -96,7 +97,11 @@ draw_open(const struct screen_request *request, struct error *error)
 	}
 	if (request->page > 0)
 		t.page = (enum page)(request->page - 1);
+	t.row = NULL;
+	t.rows_at = 0;
+	conduct_rows(&t);
 	pane_draw(&t);
+	free(t.row);
 	return true;
 }
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "core/energy.h"
 
 int
 slider_clamp(int tenths)
@@ -63,44 +64,87 @@ is_outside(int tenths, const struct slider_mark *mark, size_t n)
 	return !below || !above;
 }
 
-/* Its sign, and the speed behind it where there is room. */
-static void
-draw_mark(char *text, int width, const struct slider_mark *mark)
+/* Cells of the track from column `from` on that nothing stands in, `wanted` of
+ * them; the handle has cells [at, at + length). */
+static bool
+is_free(const char *text, int width, int from, int wanted, int at, int length)
 {
-	char label[16];
-	int at = slider_column(mark->tenths, width);
-	text[at] = mark->trained ? '|' : 'o';
-	snprintf(label, sizeof label, "%g", mark->tenths / 10.0);
-	int n = (int)strlen(label);
-	for (int i = 1; i <= n + 1; i++)
-		if (at + i < width && strchr("x-", text[at + i]) == NULL)
-			return;
-	if (at + n < width)
-		memcpy(text + at + 1, label, (size_t)n);
+	for (int c = from; c < from + wanted; c++)
+		if (c >= width || (c >= at && c < at + length) ||
+		    (text[c] != 'x' && text[c] != '-'))
+			return false;
+	return true;
+}
+
+/* "69", or where words is set "69 m/s 2381 J/kg". */
+static int
+mark_label(const struct slider_mark *mark, bool words, char label[static 32])
+{
+	double v = mark->tenths / 10.0;
+	return words ? snprintf(
+			   label, 32, "%g m/s %.0f J/kg", v, energy_specific(v))
+		     : snprintf(label, 32, "%g", v);
+}
+
+/* Whether the track is long enough for labels with units, and to be seen
+ * between them. */
+static bool
+has_room(const char *text, int width, const struct slider_mark *mark, size_t n)
+{
+	enum { BETWEEN = 5 };
+	char label[32];
+	for (size_t i = 0; i < n; i++) {
+		int from = slider_column(mark[i].tenths, width) + 1;
+		int length = mark_label(&mark[i], true, label);
+		if (!is_free(text, width, from, length + BETWEEN, 0, 0))
+			return false;
+	}
+	return true;
+}
+
+/* Signs where there were runs, with the speed behind them where neither another
+ * one nor the handle stands there. */
+static void
+draw_marks(char *text, int width, const struct slider_mark *mark, size_t n,
+    int at, int length)
+{
+	char label[32];
+	for (size_t i = 0; i < n; i++)
+		text[slider_column(mark[i].tenths, width)] =
+		    mark[i].trained ? '|' : 'o';
+	bool words = has_room(text, width, mark, n);
+	for (size_t i = 0; i < n; i++) {
+		int from = slider_column(mark[i].tenths, width) + 1;
+		int wanted = mark_label(&mark[i], words, label);
+		if (!is_free(text, width, from, wanted + 1, at, length))
+			wanted = mark_label(&mark[i], false, label);
+		bool covered = from > at && from <= at + length;
+		if (!covered &&
+		    is_free(text, width, from, wanted + 1, at, length))
+			memcpy(text + from, label, (size_t)wanted);
+	}
 }
 
 int
 slider_draw(
     char *text, int width, int tenths, const struct slider_mark *mark, size_t n)
 {
+	char label[16];
 	text[0] = '\0';
 	if (width < 1)
 		return 0;
 	for (int c = 0; c < width; c++)
 		text[c] = is_outside(slider_at(c, width), mark, n) ? 'x' : '-';
 	text[width] = '\0';
-	for (size_t i = 0; i < n; i++)
-		draw_mark(text, width, &mark[i]);
-	char label[16];
 	snprintf(label, sizeof label, "[%.1f]", tenths / 10.0);
-	int length = (int)strlen(label);
+	int length = (int)strlen(label), at = slider_column(tenths, width);
 	if (length > width) {
-		int at = slider_column(tenths, width);
-		text[at] = '#';
-		return at;
+		strcpy(label, "#");
+		length = 1;
 	}
-	int at = slider_column(tenths, width) - length / 2;
+	at -= length / 2;
 	at = at < 0 ? 0 : at > width - length ? width - length : at;
+	draw_marks(text, width, mark, n, at, length);
 	memcpy(text + at, label, (size_t)length);
 	return at;
 }

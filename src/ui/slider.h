@@ -31,7 +31,8 @@ int slider_at(int column, int width);
 
 /* Draws the track into text [width + 1]: 'x' where no speed was trained on
  * that side, '-' between trained ones, "|69" at these and "o74" at those held
- * out, the value as "[74.0]" on top.  Returns the column of its '['. */
+ * out, on a long track "|69 m/s 2380 J/kg", the value as "[74.0]" on top.
+ * Returns the column of its '['. */
 int slider_draw(char *text, int width, int tenths,
     const struct slider_mark *mark, size_t n);
 

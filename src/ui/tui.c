@@ -218,6 +218,7 @@ loop(struct tui *t)
 	while (!t->leave && !t->session->quit && pump_signal() == 0) {
 		t->clock = session_clock();
 		conduct_predict(t);
+		conduct_rows(t);
 		pane_draw(t);
 		wait_for_something(t);
 		notice_end();
@@ -252,6 +253,7 @@ tui_begin(struct tui *t, struct session *s)
 	    .mouse = screen_mouse(true),
 	    .pace = PACE,
 	    .picture = PLOT_PSD,
+	    .level = 50,
 	    .holdout = NAN,
 	    .before = {s->out, s->notes, s->show_page, s->prompt, s->screen}};
 	s->prompt = true;
@@ -276,6 +278,8 @@ tui_end(struct tui *t)
 	typing_end(&t->typing);
 	view_close(t);
 	free(t->command);
+	prediction_free(&t->kept);
+	free(t->row);
 }
 
 /* At the prompt there is nothing to do: it is what --linear asks for. */

@@ -17,10 +17,13 @@
 /* What the arrow keys move. */
 enum focus { FOCUS_SPEED, FOCUS_CROSS, FOCUS_GENERATION, FOCUS_SITE };
 
-/* The numbers of a prediction, for a difference: sizes in mm. */
+/* The numbers of a prediction, for a difference: P20, P50 and P80 and the break
+ * size, mm; passing at 0.063, 2 and 4 mm, %, NAN where these lie off its
+ * sieves. */
+enum { NUMBERS_FRACTIONS = 3 };
 struct numbers {
 	char site[64];
-	double speed, p20, p50, p80, break_mm;
+	double speed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
 };
 
 /* Text on the whole screen: lines from `top` on.  text NULL: none.  keys: the
@@ -31,6 +34,13 @@ struct viewer {
 	bool keys, filtering;
 	int at;
 	char word[32];
+};
+
+/* A loaded site at the slider's speed: P50 in mm, whether that is beyond the
+ * speeds trained on, and the RMSE at those held out, points; NAN: none. */
+struct site_row {
+	double p50, holdout;
+	bool beyond;
 };
 
 /* Where a page's name stands in the header. */
@@ -50,12 +60,17 @@ struct tui {
 	int asked;      /* tenths last predicted at; 0: not yet */
 	double moved;   /* when the slider last was */
 	struct numbers now, pause, pin; /* site "": none */
+	struct prediction kept;         /* whose numbers are in pin */
 	bool cross, band, mouse;
 	bool dragging;        /* the focus follows the mouse */
 	struct area scrubber; /* of no rows where it is not drawn */
 	size_t cross_at;      /* a sieve of the prediction */
+	int level;            /* passing that the crosshair reads sizes at, % */
 	size_t site_at;       /* of the Sites page */
 	size_t data_top;      /* first sieve shown on the Data page */
+	struct site_row *row; /* [n_row] of the Sites page, owned */
+	size_t n_row;
+	int rows_at; /* tenths they are of; 0: of another session */
 	enum plot_kind picture;
 	bool held;         /* the calibration waits */
 	int pace;          /* index of PACES */

@@ -100,7 +100,7 @@ every_sieve_has_a_tick_where_it_belongs(void **state)
 	struct chart *chart = with(SOLID);
 	for (int columns = 60; columns <= 120; columns += 20) {
 		struct canvas *c =
-		    chart_draw(chart, columns, 24, CHARSET_ASCII, true);
+		    chart_draw(chart, columns, 24, CHARSET_ASCII, CHART_ALL);
 		int row = axis_row(c), left = 4;
 		for (size_t i = 0; i < N; i++) {
 			double t = log(SIEVES[i] / 0.063) / log(22.4 / 0.063);
@@ -166,7 +166,7 @@ a_rising_curve_rises_in_every_charset(void **state)
 	struct chart *chart = with(look);
 	for (size_t k = 0; k < 3; k++) {
 		struct canvas *c =
-		    chart_draw(chart, 78, 24, CHARSETS[k], false);
+		    chart_draw(chart, 78, 24, CHARSETS[k], CHART_TITLE);
 		int before = c->rows, seen = 0;
 		for (int x = 0; x < c->columns; x++) {
 			int top = c->rows;
@@ -193,7 +193,8 @@ points_outside_stay_off_the_axes(void **state)
 	chart->series[0].y[0] = 1e9;
 	chart->series[0].y[N - 1] = -1e9;
 	chart->series[0].y[5] = NAN;
-	struct canvas *c = chart_draw(chart, 78, 24, CHARSET_ASCII, false);
+	struct canvas *c =
+	    chart_draw(chart, 78, 24, CHARSET_ASCII, CHART_TITLE);
 	int row = axis_row(c);
 	for (int x = 0; x < c->columns; x++)
 		for (int y = row; y < c->rows; y++)
@@ -210,7 +211,8 @@ ink(enum chart_line line)
 	int n = 0;
 	struct chart *chart =
 	    with((struct chart_series){.series = SERIES_OTHER, .line = line});
-	struct canvas *c = chart_draw(chart, 200, 60, CHARSET_BRAILLE, false);
+	struct canvas *c =
+	    chart_draw(chart, 200, 60, CHARSET_BRAILLE, CHART_TITLE);
 	for (int i = 0; i < c->columns * c->rows; i++)
 		if (c->cell[i].series == SERIES_OTHER)
 			n += __builtin_popcount(c->cell[i].code & 0xFF);
@@ -237,7 +239,7 @@ a_mark_stands_at_every_point(void **state)
 	struct chart *chart = with(SOLID);
 	for (size_t k = 0; k < 3; k++) {
 		struct canvas *c =
-		    chart_draw(chart, 100, 30, CHARSETS[k], false);
+		    chart_draw(chart, 100, 30, CHARSETS[k], CHART_TITLE);
 		assert_int_equal(count(c, SERIES_MEASURED_1, 'v'), N);
 		canvas_free(c);
 	}
@@ -255,7 +257,8 @@ a_band_lies_behind_its_line(void **state)
 		s->low[i] = fmax(0, s->y[i] - 10);
 		s->high[i] = fmin(100, s->y[i] + 10);
 	}
-	struct canvas *c = chart_draw(chart, 78, 24, CHARSET_BRAILLE, false);
+	struct canvas *c =
+	    chart_draw(chart, 78, 24, CHARSET_BRAILLE, CHART_TITLE);
 	assert_true(count(c, SERIES_BAND, 0x2591) > 78);
 	assert_true(count(c, SERIES_MEASURED_1, 0) >= 70);
 	canvas_free(c);

@@ -190,6 +190,7 @@ sites_are_offered_without_case_and_accents(void **state)
 	expect(desk, "use BORL\xC3\x84", 4, "borlange ");
 	expect(desk, "use G\xC3\xA4v", 4, "gavle/11.2 |gavle/4 ");
 	expect(desk, "use tierp ", 10, "");
+	expect(desk, "plot psd beside=borl", 16, "borlange ");
 	assert_true(offers(desk, "check ", "all "));
 	assert_true(offers(desk, "check ", "tierp "));
 }

@@ -167,6 +167,43 @@ a_band_holds_the_prediction_of_a_fit(void **state)
 	chart_free(c);
 }
 
+/* Of another site beside, made now or kept from before. */
+static void
+a_second_site_has_a_curve_of_its_own(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	struct plot_request q = plots_request(PLOT_PSD);
+	q.speed = 74;
+	q.other_speed = 70;
+	q.beside = "tierp";
+	desk_expect(desk, PARAMS_SET);
+	desk_expect(desk, "predict 70");
+	struct prediction kept = s->last;
+	kept.feed = psd_copy(&s->last.feed);
+	kept.product = psd_copy(&s->last.product);
+	desk_expect(desk, "load data/sites/bro.csv");
+	for (int way = 0; way < 2; way++) {
+		struct chart *c = chart_of(desk, &q);
+		size_t last = c->n - 1; /* bro has no parameters yet */
+		assert_string_equal(c->series[last].name,
+		    way == 0 ? "predicted tierp 70 m/s" : "kept tierp 70 m/s");
+		assert_int_equal(c->series[last].n, kept.product.n);
+		for (size_t i = 0; i < kept.product.n; i++)
+			assert_true(fabs(c->series[last].y[i] -
+					 100 * kept.product.passing[i]) < 1e-9);
+		assert_int_equal(c->n_rule, 1);
+		chart_free(c);
+		q.kept = &kept;
+	}
+	/* What is kept outlives its site. */
+	desk_expect(desk, "drop tierp");
+	chart_free(chart_of(desk, &q));
+	q.kept = NULL;
+	assert_null(plots_chart(s, &q, &desk->error));
+	prediction_free(&kept);
+}
+
 static void
 what_is_missing_is_said(void **state)
 {
@@ -228,6 +265,9 @@ main(void)
 		a_generation_shows_its_own_best, open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(
 		a_band_holds_the_prediction_of_a_fit, open_with_site,
+		desk_close),
+	    cmocka_unit_test_setup_teardown(
+		a_second_site_has_a_curve_of_its_own, open_with_site,
 		desk_close),
 	    cmocka_unit_test_setup_teardown(
 		what_is_missing_is_said, open_with_site, desk_close),

@@ -65,14 +65,21 @@ static void
 the_track_shows_zones_runs_and_value(void **state)
 {
 	(void)state;
-	char text[64];
+	char text[128];
 	int at = slider_draw(text, 41, 650, MARKS, ARRAY_LEN(MARKS));
 	assert_int_equal(at, 0);
 	assert_string_equal(text, "[65.0]xx|69-------o74-------|79xxxxxxxxxx");
 	slider_draw(text, 41, 740, MARKS, ARRAY_LEN(MARKS));
-	assert_non_null(strstr(text, "[74.0]"));
+	assert_string_equal(text, "xxxxxxxx|69----[74.0]-------|79xxxxxxxxxx");
+	/* The handle covers a label whole. */
+	slider_draw(text, 41, 680, MARKS, ARRAY_LEN(MARKS));
+	assert_string_equal(text, "xxx[68.0]---------o74-------|79xxxxxxxxxx");
 	slider_draw(text, 41, 850, MARKS, ARRAY_LEN(MARKS));
 	assert_string_equal(text + 35, "[85.0]");
+	slider_draw(text, 101, 760, MARKS, ARRAY_LEN(MARKS));
+	assert_string_equal(text,
+	    "xxxxxxxxxxxxxxxxxxxx|69 m/s 2380 J/kg--------o74-"
+	    "---[76.0]------------|79 m/s 3120 J/kgxxxxxxxxxxxxxx");
 	slider_draw(text, 41, 850, NULL, 0);
 	assert_int_equal(text[0], 'x');
 }

@@ -1,0 +1,284 @@
+/* The Predict page's side panel: the numbers at the slider's speed.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdio.h>
+
+#include "cmd/doubt.h"
+#include "cmd/fit.h"
+#include "io/units.h"
+#include "ui/pane.h"
+#include "ui/screen.h"
+
+/* Where differences stand. */
+enum { CHANGE = 17 };
+
+/* "2.81 mm", or why there is no such number. */
+static const char *
+size_text(double mm, char text[static 24])
+{
+	if (isnan(mm))
+		snprintf(text, 24, "off sieves");
+	else if (isinf(mm))
+		snprintf(text, 24, "none");
+	else
+		snprintf(text, 24, "%.2f mm", mm);
+	return text;
+}
+
+/* "-0.03", what is now less what was; nothing where that is 0 as shown. */
+static void
+draw_change(
+    const struct area *side, int row, double now, double was, int digits)
+{
+	double least = 0.5 * pow(10, -digits);
+	if (isfinite(now) && isfinite(was) && fabs(now - was) >= least)
+		screen_text(side, row, CHANGE, 0, "%+.*f", digits, now - was);
+}
+
+/* P20, P50 and P80 of shown, and what they are now less what they were; was:
+ * NULL for none. */
+static int
+draw_sizes(const struct tui *t, int row, const struct numbers *shown,
+    const struct numbers *was)
+{
+	static const char *const names[] = {"P20", "P50", "P80"};
+	const struct area *side = &t->places.side;
+	const struct numbers *now = &t->now;
+	bool kept = shown != now, here = now->site[0] != '\0';
+	for (size_t i = 0; i < 3; i++, row++) {
+		char size[24];
+		screen_text(side, row, 0, kept ? 0 : LOOK_BOLD, "%s", names[i]);
+		screen_text(
+		    side, row, 4, 0, "%s", size_text(shown->size[i], size));
+		if (kept && here)
+			screen_text(side, row, CHANGE - 4, 0, "now");
+		if (here && was != NULL)
+			draw_change(side, row, now->size[i], was->size[i], 2);
+	}
+	return row;
+}
+
+/* Shares of the product below some sizes that sand is sold by. */
+static int
+draw_fractions(const struct tui *t, int row, const struct numbers *was)
+{
+	static const char *const names[] = {"< 0.063", "0/2", "0/4"};
+	const struct area *side = &t->places.side;
+	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++) {
+		double now = t->now.passing[i];
+		if (isnan(now))
+			continue;
+		screen_text(side, row, 0, 0, "%-8s%5.1f %%", names[i], now);
+		if (was != NULL)
+			draw_change(side, row, now, was->passing[i], 1);
+		row++;
+	}
+	return row;
+}
+
+/* Speed, sizes and break size, with the change since the slider last paused. */
+static int
+draw_numbers(const struct tui *t, const struct numbers *was)
+{
+	char size[24];
+	const struct area *side = &t->places.side;
+	screen_text(side, 0, 0, 0, "%.1f m/s", t->now.speed);
+	if (was != NULL && was->speed != t->now.speed)
+		screen_text(
+		    side, 0, CHANGE - 4, LOOK_DIM, "since %.1f", was->speed);
+	int row = draw_sizes(t, 1, &t->now, was);
+	screen_text(
+	    side, row, 0, 0, "break %s", size_text(t->now.break_mm, size));
+	if (was != NULL)
+		draw_change(side, row, t->now.break_mm, was->break_mm, 2);
+	return row + 1;
+}
+
+static int
+draw_pin(const struct tui *t, int row)
+{
+	const struct area *side = &t->places.side;
+	if (t->pin.site[0] == '\0')
+		return row;
+	screen_text(side, row++, 0, LOOK_BOLD, "kept: %s %.1f", t->pin.site,
+	    t->pin.speed);
+	return draw_sizes(t, row, &t->pin, &t->pin);
+}
+
+/* A row of the crosshair: what a curve passes there, and its size at the
+ * level. */
+static void
+draw_reading(const struct tui *t, int row, unsigned look, const char *name,
+    const struct psd *psd)
+{
+	const struct area *side = &t->places.side;
+	double x = t->session->last.product.size[t->cross_at];
+	char size[24] = "-";
+	double mm = 1000 * psd_size(psd, t->level / 100.0);
+	if (isfinite(mm))
+		size_text(mm, size);
+	screen_text(side, row, 0, look, "%-8.8s", name);
+	if (psd_covers(psd, x))
+		screen_text(
+		    side, row, 8, look, "%5.1f %%", 100 * psd_passing(psd, x));
+	screen_text(side, row, 15, look, "%9s", size);
+}
+
+/* Between which sizes the level lies in the band, mm. */
+static void
+level_range(
+    const struct band *b, const struct psd *product, int level, double range[2])
+{
+	const double *known = level == 20   ? b->p20
+			      : level == 50 ? b->p50
+			      : level == 80 ? b->p80
+					    : NULL;
+	struct psd edge = *product;
+	edge.passing = b->high;
+	range[0] = psd_size(&edge, level / 100.0);
+	edge.passing = b->low;
+	range[1] = psd_size(&edge, level / 100.0);
+	for (size_t i = 0; i < 2; i++)
+		range[i] = 1000 * (known != NULL ? known[i] : range[i]);
+}
+
+/* One row, or two where there is room: the passing there, and the size at the
+ * level. */
+static int
+draw_cross_band(const struct tui *t, int row, bool sizes)
+{
+	const struct area *side = &t->places.side;
+	const struct prediction *p = &t->session->last;
+	const struct band *b =
+	    t->band ? doubt_band(t->session, tui_entry(t), p) : NULL;
+	double range[2];
+	if (b == NULL)
+		return row;
+	screen_text(side, row++, 0, 0, "band %5.1f .. %.1f %%",
+	    100 * b->low[t->cross_at], 100 * b->high[t->cross_at]);
+	level_range(b, &p->product, t->level, range);
+	if (sizes && isfinite(range[0]) && isfinite(range[1]))
+		screen_text(side, row++, 0, 0, "     %5.2f .. %.2f mm",
+		    range[0], range[1]);
+	return row;
+}
+
+/* What every curve passes at the crosshair, and the sizes at its level; room:
+ * rows that may be used. */
+static int
+draw_cross(const struct tui *t, int row, int room)
+{
+	const struct area *side = &t->places.side;
+	const struct prediction *p = &t->session->last;
+	const struct site *site = tui_entry(t)->site;
+	char name[40];
+	int from = row;
+	if (!t->cross || t->cross_at >= p->product.n)
+		return row;
+	snprintf(name, sizeof name, "crosshair %g mm",
+	    units_mm(p->product.size[t->cross_at]));
+	screen_text(side, row++, 0,
+	    LOOK_BOLD | (t->focus == FOCUS_CROSS ? LOOK_REVERSE : 0),
+	    "%-18s%4d %%", name, t->level);
+	draw_reading(t, row++, 0, "feed", &p->feed);
+	int others = 2 + (t->band ? 1 : 0);
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		if (run->product.n == 0 || row - from + others > room)
+			continue;
+		snprintf(name, sizeof name, "meas %g", run->speed);
+		draw_reading(t, row++, 0, name, &run->product);
+	}
+	draw_reading(t, row++, LOOK_BOLD, "PRED", &p->product);
+	row = draw_cross_band(t, row, row - from + 2 <= room);
+	if (t->pin.site[0] != '\0' && row - from < room)
+		draw_reading(t, row++, 0, "kept", &t->kept.product);
+	return row;
+}
+
+static void
+draw_worth(const struct tui *t, int row)
+{
+	const struct area *side = &t->places.side;
+	const struct entry *entry = tui_entry(t);
+	if (entry->has_fit)
+		screen_text(side, row++, 0, 0, "fit %s, seed %llu",
+		    fit_verdict(&entry->fit),
+		    (unsigned long long)entry->fit.seed);
+	if (isfinite(t->holdout))
+		screen_text(
+		    side, row, 0, 0, "hold-out %.1f points", t->holdout);
+}
+
+/* How far the fit leaves P50 open; the crosshair tells it for any size. */
+static int
+draw_p50_band(const struct tui *t, int row)
+{
+	const struct band *b =
+	    t->band && !t->cross
+		? doubt_band(t->session, tui_entry(t), &t->session->last)
+		: NULL;
+	if (b != NULL && isfinite(b->p50[0]))
+		screen_text(&t->places.side, row++, 0, 0,
+		    "P50 in %.2f .. %.2f mm", 1000 * b->p50[0],
+		    1000 * b->p50[1]);
+	return row;
+}
+
+void
+pane_side(const struct tui *t)
+{
+	enum { PIN = 4, CROSS = 5, FRACTIONS = 3 };
+	const struct area *side = &t->places.side;
+	if (side->rows == 0)
+		return;
+	screen_wall(side->row, side->column - 1, side->rows);
+	if (t->now.site[0] == '\0') {
+		screen_text(side, 0, 0, 0, "nothing predicted yet");
+		screen_text(side, 1, 0, 0, "f calibrates");
+		draw_pin(t, 3);
+		return;
+	}
+	const struct numbers *was = t->pause.site[0] != '\0' ? &t->pause : NULL;
+	int row = draw_numbers(t, was);
+	int pin = t->pin.site[0] != '\0' ? PIN : 0;
+	int runs = t->cross ? (int)site_products(tui_entry(t)->site) : 0;
+	int cross = t->cross ? CROSS - 1 + runs + (t->band ? 1 : 0) : 0;
+	if (row + FRACTIONS + cross + pin <= side->rows)
+		row = draw_fractions(t, row, was);
+	row = draw_p50_band(t, row);
+	row = draw_cross(t, row, side->rows - row - pin);
+	row = draw_pin(t, row);
+	draw_worth(t, row < side->rows - 2 ? side->rows - 2 : row);
+}
+
+void
+pane_numbers(const struct tui *t)
+{
+	const struct area *area = &t->places.numbers;
+	const struct prediction *p = &t->session->last;
+	char a[24], b[24], c[24], d[24];
+	if (area->rows == 0)
+		return;
+	if (t->now.site[0] == '\0')
+		screen_text(area, 0, 0, 0,
+		    area->columns < 21 ? "not predicted yet"
+				       : "nothing predicted yet");
+	else if (t->cross && t->cross_at < p->product.n)
+		screen_text(area, 0, 0, LOOK_BOLD, "%g mm %.1f %%  %d %% %s",
+		    units_mm(p->product.size[t->cross_at]),
+		    100 * p->product.passing[t->cross_at], t->level,
+		    size_text(
+			1000 * psd_size(&p->product, t->level / 100.0), a));
+	else if (area->columns < 34)
+		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %.4s",
+		    size_text(t->now.size[1], a), size_text(t->now.size[2], b));
+	else
+		screen_text(area, 0, 0, LOOK_BOLD,
+		    area->columns < 60 ? "P20 %.4s P50 %s P80 %.4s"
+				       : "P20 %s  P50 %s  P80 %s  breaks from "
+					 "%s",
+		    size_text(t->now.size[0], a), size_text(t->now.size[1], b),
+		    size_text(t->now.size[2], c),
+		    size_text(t->now.break_mm, d));
+}

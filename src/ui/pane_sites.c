@@ -1,0 +1,228 @@
+/* The page Sites: what each loaded site is and how far it is calibrated.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "cmd/fit.h"
+#include "io/units.h"
+#include "ui/pane.h"
+#include "ui/screen.h"
+
+enum column {
+	NAME,
+	ROCK,
+	TOP,
+	RUNS,
+	PARAMETERS,
+	RMS,
+	HOLDOUT,
+	P50,
+	MISFIT,
+	GENERATIONS,
+	MACHINE,
+	COLUMNS
+};
+
+/* As many as there is room for, those of low rank first; right: numbers. */
+static const struct {
+	const char *head;
+	int width, rank;
+	bool right;
+} TABLE[COLUMNS] = {[NAME] = {"site", 14, 0, false},
+    [ROCK] = {"rock", 11, 5, false},
+    [TOP] = {"top mm", 6, 6, true},
+    [RUNS] = {"runs m/s", 10, 7, false},
+    [PARAMETERS] = {"parameters", 15, 4, false},
+    [RMS] = {"RMS pt", 7, 3, true},
+    [HOLDOUT] = {"hold-out", 9, 2, true},
+    [P50] = {"P50 mm", 8, 1, true},
+    [MISFIT] = {"misfit", 10, 8, true},
+    [GENERATIONS] = {"generations", 12, 9, true},
+    [MACHINE] = {"machine", 26, 10, false}};
+
+static bool
+has_room(enum column column, int columns)
+{
+	int taken = 0;
+	for (int i = 0; i < COLUMNS; i++)
+		if (TABLE[i].rank <= TABLE[column].rank)
+			taken += TABLE[i].width;
+	return taken <= columns;
+}
+
+/* "69 o74 79": o is held out, as on the slider's track. */
+static void
+runs_text(const struct entry *e, char *text, size_t n)
+{
+	size_t at = 0;
+	text[0] = '\0';
+	for (size_t r = 0; r < e->site->n_run && at + 1 < n; r++) {
+		const struct run *run = &e->site->run[r];
+		if (run->product.n == 0)
+			continue;
+		int more = snprintf(text + at, n - at, "%s%s%g",
+		    at > 0 ? " " : "", e->train[r] ? "" : "o", run->speed);
+		at += more > 0 ? (size_t)more : 0;
+	}
+	if (text[0] == '\0')
+		snprintf(text, n, "feed only");
+}
+
+static const char *
+origin_text(const struct entry *e)
+{
+	return e->has_fit               ? fit_verdict(&e->fit)
+	       : e->recalled[0] != '\0' ? "from the store"
+	       : e->has_params          ? session_origin(e)
+					: "not calibrated";
+}
+
+/* "-" where there is no such number. */
+static void
+number_text(double x, int digits, const char *behind, char *text, size_t n)
+{
+	if (isfinite(x))
+		snprintf(text, n, "%.*f%s", digits, x, behind);
+	else
+		snprintf(text, n, "-");
+}
+
+static void
+cell_text(
+    const struct tui *t, size_t i, enum column column, char *text, size_t n)
+{
+	const struct entry *e = &t->session->entry[i];
+	const struct site_row *row = i < t->n_row ? &t->row[i] : NULL;
+	text[0] = '\0';
+	switch (column) {
+	case NAME:
+		snprintf(text, n, "%c %s", i == t->session->current ? '*' : ' ',
+		    e->key);
+		break;
+	case ROCK:
+		snprintf(text, n, "%s", e->site->rock);
+		break;
+	case TOP:
+		if (e->site->top_size > 0)
+			snprintf(text, n, "%g", units_mm(e->site->top_size));
+		break;
+	case RUNS:
+		runs_text(e, text, n);
+		break;
+	case PARAMETERS:
+		snprintf(text, n, "%s", origin_text(e));
+		break;
+	case RMS:
+		number_text(
+		    e->has_fit ? 100 * e->fit.rmse : NAN, 2, "", text, n);
+		break;
+	case HOLDOUT:
+		number_text(row != NULL ? row->holdout : NAN, 2, "", text, n);
+		break;
+	case P50:
+		number_text(row != NULL ? row->p50 : NAN, 2,
+		    row != NULL && row->beyond ? "x" : "", text, n);
+		break;
+	case MISFIT:
+		if (e->has_fit)
+			snprintf(text, n, "%.3g", e->fit.misfit);
+		break;
+	case GENERATIONS:
+		if (e->has_fit)
+			snprintf(text, n, "%zu", e->fit.generations);
+		break;
+	default:
+		snprintf(text, n, "%s", e->site->machine);
+	}
+}
+
+/* Row 0: the heads; cells are set one by one, as names may have wide
+ * letters. */
+static void
+draw_row(const struct tui *t, const struct area *area, int row, size_t i)
+{
+	int at = 0;
+	unsigned look = row == 0          ? LOOK_BOLD
+			: i == t->site_at ? LOOK_REVERSE
+					  : LOOK_PLAIN;
+	if (row > 0)
+		screen_text(area, row, 0, look, "%*s", area->columns, "");
+	for (int c = 0; c < COLUMNS; c++) {
+		char text[64];
+		if (!has_room((enum column)c, area->columns))
+			continue;
+		if (row == 0)
+			snprintf(text, sizeof text, "%s%s",
+			    c == NAME ? "  " : "", TABLE[c].head);
+		else
+			cell_text(t, i, (enum column)c, text, sizeof text);
+		int gap = TABLE[c].right || c == NAME ? 0 : 1;
+		struct area cell = *area;
+		cell.column += at + gap;
+		cell.columns = TABLE[c].width - gap;
+		if (cell.columns > area->columns - at - gap)
+			cell.columns = area->columns - at - gap;
+		if (TABLE[c].right)
+			screen_text(
+			    &cell, row, 0, look, "%*s", cell.columns, text);
+		else
+			screen_text(&cell, row, 0, look, "%s", text);
+		at += TABLE[c].width;
+	}
+}
+
+/* The first site shown: that of the cursor is always. */
+static size_t
+first_shown(const struct tui *t)
+{
+	int rows = pane_list_area(t).rows;
+	size_t room = rows > 2 ? (size_t)rows - 1 : 1;
+	return t->site_at >= room ? t->site_at - room + 1 : 0;
+}
+
+int
+pane_site_row(const struct tui *t)
+{
+	return t->places.body.row + 1 + (int)(t->site_at - first_shown(t));
+}
+
+/* More of the site under the cursor, at the foot of the page. */
+static void
+draw_site(const struct tui *t, const struct area *area)
+{
+	const struct entry *e = &t->session->entry[t->site_at];
+	char *label = session_label(e->site);
+	int row = area->rows - 3;
+	screen_text(area, row++, 0, LOOK_BOLD, "%s%s%s", label,
+	    e->site->machine[0] != '\0' ? "; " : "", e->site->machine);
+	free(label);
+	screen_text(area, row++, 0, 0, "data: %s",
+	    e->site->provenance[0] != '\0' ? e->site->provenance
+					   : "not stated where from");
+	if (!e->has_params)
+		return;
+	int at = 0;
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		at = screen_text(area, row, at, 0, "%s%s %.4g",
+		    at > 0 ? "  " : "", PARAMS[j].name,
+		    params_get(&e->params, j));
+}
+
+void
+pane_sites(struct tui *t)
+{
+	enum { HEAD = 1, DETAIL = 4 };
+	const struct area area = pane_list_area(t);
+	const struct session *s = t->session;
+	if (s->n_entry == 0) {
+		screen_text(&area, 0, 2, 0, "none is loaded: type :load FILE");
+		return;
+	}
+	draw_row(t, &area, 0, 0);
+	size_t top = first_shown(t);
+	for (size_t i = top; i < s->n_entry; i++)
+		draw_row(t, &area, (int)(i - top) + HEAD, i);
+	if ((int)s->n_entry + HEAD + DETAIL <= area.rows)
+		draw_site(t, &area);
+}
