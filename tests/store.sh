@@ -50,6 +50,8 @@ while read -r delay; do
 	round=$((round + 1))
 	[ $((round % 10)) -ne 1 ] || { rm -f s.db*; : >acknowledged; }
 	remembers r$round 400 >many.tip
+	# Not what the last round said, if this one is killed before it starts.
+	: >said
 	"$TIPSPEED" --store=s.db --format=json -f many.tip >said 2>/dev/null &
 	pid=$!
 	sleep "$delay"
