@@ -183,9 +183,10 @@ run(struct tui *t, const char *line)
 		snprintf(site, sizeof site, "%s", tui_entry(t)->key);
 	hush(t);
 	bool ok = run_to_end(t, line, "typed", 0);
-	if (said[ANSWER_SPEED] >= SLIDER_LEAST / 10.0 &&
-	    said[ANSWER_SPEED] <= SLIDER_MOST / 10.0)
-		t->tenths = slider_tenths(said[ANSWER_SPEED]);
+	struct slider_range range = tui_range(t);
+	if (slider_has(range, said[ANSWER_SPEED]))
+		t->tenths = slider_tenths(range, said[ANSWER_SPEED]);
+	t->tenths = slider_clamp(range, t->tenths);
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
 	if (s->last.product.n == 0 || other)
 		t->asked = 0;
@@ -293,6 +294,9 @@ conduct_typed(struct tui *t, const char *line)
 			tui_say(t, false, "goes on within the new bounds");
 		return;
 	}
+	const char *to = strrchr(line, '>');
+	if (ok && to != NULL && !aside)
+		tui_say(t, false, "wrote %s", to + 1 + strspn(to + 1, " \t"));
 	bool moved_only =
 	    strncmp(line, "predict", 7) == 0 && strchr(line, '>') == NULL;
 	if (ok && !session_busy(s) && !moved_only)

@@ -68,6 +68,13 @@ the_list_has_every_name(void **state)
 	assert_ptr_equal(keys_nth("", 0), KEYS);
 	assert_int_equal(keys_nth("CALIBRATE, or", 0)->code, 'f');
 	assert_null(keys_nth("no such word", 0));
+	out = open_memstream(&text, &n);
+	assert_non_null(out);
+	keys_list("grading", out);
+	fclose(out);
+	assert_non_null(strstr(text, "no key does 'grading'"));
+	assert_non_null(strstr(text, ":apropos grading"));
+	free(text);
 }
 
 static void
