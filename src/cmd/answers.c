@@ -182,7 +182,11 @@ answers_note_recalled(struct report *r, const struct entry *entry)
 {
 	if (entry->recalled[0] != '\0')
 		report_note(r,
-		    "parameters from store: %s; they are no fit of this site",
+		    entry->recalled_own
+			? "parameters from store: %s; they were found on the "
+			  "very numbers of this sheet"
+			: "parameters from store: %s; they are no fit of this "
+			  "site",
 		    entry->recalled);
 }
 
