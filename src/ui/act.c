@@ -12,7 +12,6 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
-#include "plot/picture.h"
 #include "ui/conduct.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
@@ -370,19 +369,6 @@ act(struct tui *t, const struct key *key)
 	}
 }
 
-/* A prediction is a table; where the file is to be a picture it is the curves.
- * The caller frees. */
-static char *
-as_picture(const char *line)
-{
-	static const char start[] = "predict speed=";
-	enum picture_form form;
-	bool wanted = strncmp(line, start, sizeof start - 1) == 0 &&
-		      strchr(line, '>') != NULL && picture_form_of(line, &form);
-	return wanted ? xasprintf("plot psd%s", line + strlen("predict"))
-		      : xstrdup(line);
-}
-
 static void
 type_key(struct tui *t, int code, bool special)
 {
@@ -391,11 +377,8 @@ type_key(struct tui *t, int code, bool special)
 	if (result == TYPING_ON)
 		return;
 	typing_end(y);
-	if (result == TYPING_GIVEN_UP)
-		return;
-	char *line = as_picture(y->text);
-	conduct_typed(t, line);
-	free(line);
+	if (result == TYPING_DONE)
+		conduct_typed(t, y->text);
 }
 
 /* Digits of a speed; 1 to 5 are pages, but no speed here begins with them. */

@@ -258,16 +258,14 @@ draw_screen(struct tui *t, const char *line)
 		say_error(t, &error);
 }
 
-void
-conduct_typed(struct tui *t, const char *line)
+static void
+run_typed(struct tui *t, const char *line)
 {
 	if (line[strspn(line, " \t")] == '\0')
 		return;
 	struct session *s = t->session;
 	const struct bounds before = s->set.bounds;
 	bool searching = session_busy(s) && !t->held;
-	if (!t->aside)
-		typed_add(line);
 	if (is_screen(line)) {
 		draw_screen(t, line);
 		return;
@@ -301,6 +299,16 @@ conduct_typed(struct tui *t, const char *line)
 	    strncmp(line, "predict", 7) == 0 && strchr(line, '>') == NULL;
 	if (ok && !session_busy(s) && !moved_only)
 		show_said(t);
+}
+
+void
+conduct_typed(struct tui *t, const char *line)
+{
+	char *meant = typing_meant(line, t->tenths / 10.0);
+	if (!t->aside && line[strspn(line, " \t")] != '\0')
+		typed_add(line);
+	run_typed(t, meant);
+	free(meant);
 }
 
 static struct site_row

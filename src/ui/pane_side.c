@@ -100,8 +100,8 @@ draw_pin(const struct tui *t, int row)
 	const struct area *side = &t->places.side;
 	if (t->pin.site[0] == '\0')
 		return row;
-	screen_text(side, row++, 0, LOOK_BOLD, "kept: %s %.1f", t->pin.site,
-	    t->pin.speed);
+	screen_text(side, row++, 0, LOOK_BOLD, "kept: %.1f m/s %s",
+	    t->pin.speed, t->pin.site);
 	return draw_sizes(t, row, &t->pin, &t->pin);
 }
 
