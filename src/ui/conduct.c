@@ -292,6 +292,8 @@ run_typed(struct tui *t, const char *line)
 			tui_say(t, false, "goes on within the new bounds");
 		return;
 	}
+	if (ok && memcmp(&before, &s->set.bounds, sizeof before) != 0)
+		tui_say(t, false, "f calibrates within these bounds");
 	const char *to = strrchr(line, '>');
 	if (ok && to != NULL && !aside)
 		tui_say(t, false, "wrote %s", to + 1 + strspn(to + 1, " \t"));
