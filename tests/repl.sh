@@ -15,6 +15,9 @@ cp data/sites/bro.csv 'two words.csv'
 mkdir bin
 printf '#!/bin/sh\necho "MAN $*"\n' >bin/man
 chmod +x bin/man
+mkdir -p clone/build clone/man
+cp "$TIPSPEED" clone/build/tipspeed
+: >clone/man/tipspeed-tutorial.7
 escape=$(printf '\033')
 
 if command -v expect >/dev/null; then

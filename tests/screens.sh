@@ -22,6 +22,8 @@ compare() {
 
 # Names of digits alone are those of tests/tui.sh, from a real terminal.
 mkdir screens
+printf '%s\n' site,Norra rock,Granite size_mm,feed 22.4,100 16,90 8,52 4,28 \
+	1,7 >norra.csv
 "$TIPSPEED" -f "$srcdir/tests/screens.tip" >out 2>log
 good=$?
 remark log >all

@@ -70,7 +70,7 @@ keys Left Up
 want 'crosshair 4 mm  *55 %' "arrows move the sieve and the level"
 want 'band  *6[0-9.]* \.\. 6[0-9.]* %'
 keys Down b c x
-want 'kept: tierp 74\.0' "a prediction is kept beside"
+want 'kept: 74\.0 m.s tierp' "a prediction is kept beside"
 keys 7 8 Enter
 want 'P50 2.81 mm  now -' "with what is now less than it"
 want '%.*kept' "and a curve of its own"

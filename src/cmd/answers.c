@@ -40,8 +40,12 @@ answers_known(
 		return fit_settings_agree(&s->set.model, error);
 	error_set(
 	    error, ERROR_USAGE, "%s has no parameters yet", entry->site->name);
-	return error_hint(
-	    error, "'calibrate' finds them, or 'params set' takes known ones");
+	return error_hint(error,
+	    site_products(entry->site) > 0
+		? "'calibrate' finds them; 'recall' or 'params set' "
+		  "takes known ones"
+		: "there is no product to find them from: 'guess' tells what "
+		  "to expect, 'recall' takes those of another sheet");
 }
 
 bool
@@ -178,7 +182,11 @@ answers_note_recalled(struct report *r, const struct entry *entry)
 {
 	if (entry->recalled[0] != '\0')
 		report_note(r,
-		    "parameters from store: %s; they are no fit of this site",
+		    entry->recalled_own
+			? "parameters from store: %s; they were found on the "
+			  "very numbers of this sheet"
+			: "parameters from store: %s; they are no fit of this "
+			  "site",
 		    entry->recalled);
 }
 

@@ -156,6 +156,70 @@ check_order(struct report *r, const struct entry *entry)
 	return ok;
 }
 
+static bool
+has_sieve(const struct psd *psd, double x)
+{
+	size_t i = 0;
+	while (i < psd->n && psd->size[i] != x)
+		i++;
+	return i < psd->n;
+}
+
+/* The sieve of `other` that a curve lacks between its own and that all n have
+ * but this one; 0 where there is none. */
+static double
+find_gap(const struct psd *const *curve, size_t n, size_t at)
+{
+	const struct psd *own = curve[at], *other = curve[(at + 1) % n];
+	for (size_t i = 0; i < other->n; i++) {
+		double x = other->size[i];
+		size_t with = 0;
+		for (size_t k = 0; k < n; k++)
+			with += has_sieve(curve[k], x);
+		if (with == n - 1 && !has_sieve(own, x) && x < own->size[0] &&
+		    psd_covers(own, x))
+			return x;
+	}
+	return 0;
+}
+
+/* A cell that is empty where all others of its row are full: of grams, what is
+ * forgotten is missing from the whole. */
+static void
+check_gaps(struct report *r, const struct entry *entry)
+{
+	const struct site *site = entry->site;
+	size_t n = 0, feeds = site->individual_feeds ? site->n_run : 1;
+	const struct psd **curve = xcalloc(site->n_run + feeds, sizeof(*curve));
+	double *speed = xdoubles(site->n_run + feeds);
+	for (size_t i = 0; i < feeds; i++) {
+		speed[n] = site->run[i].speed;
+		curve[n++] = &site->run[i].feed;
+	}
+	for (size_t i = 0; i < site->n_run; i++) {
+		speed[n] = site->run[i].speed;
+		if (site->run[i].product.n > 0)
+			curve[n++] = &site->run[i].product;
+	}
+	for (size_t i = 0; i < n && n > 2; i++) {
+		double x = find_gap(curve, n, i);
+		if (x == 0)
+			continue;
+		bool feed = i < feeds;
+		char *where = feed && !site->individual_feeds
+				  ? xstrdup("feed")
+				  : xasprintf("%g m/s", speed[i]);
+		finding(r, entry, false, where,
+		    "the %s's cell at %g mm is empty, and no other of its row: "
+		    "if it was weighed in grams and forgotten, the whole curve "
+		    "is off",
+		    feed ? "feed" : "product", units_mm(x));
+		free(where);
+	}
+	free(curve);
+	free(speed);
+}
+
 /* The one cell of the products (or the feeds) that stands out most.  The rule:
  * a passing whose distance from the straight line, on log size, between its
  * neighbours is more than OFF_PRODUCT or OFF_FEED from the mean distance of the
@@ -239,6 +303,7 @@ check_site(struct session *s, struct report *r, size_t index)
 	for (size_t i = 0; i < entry->site->n_run; i++)
 		ok = check_run(r, entry, &entry->site->run[i]) && ok;
 	ok = check_order(r, entry) && ok;
+	check_gaps(r, entry);
 	check_smooth(r, entry, true);
 	check_smooth(r, entry, false);
 	check_fit(r, entry);

@@ -242,6 +242,19 @@ answer_spec(struct session *s, const struct args *args, const struct wish *wish,
 	return true;
 }
 
+/* Where no ends are given every measured speed lies between them. */
+static void
+reach_runs(struct wish *wish, const struct args *args, const struct site *site)
+{
+	for (size_t r = 0; r < site->n_run; r++) {
+		double v = site->run[r].speed;
+		if (v > 0 && !args_value(args, "from")->given)
+			wish->from = fmin(wish->from, v);
+		if (!args_value(args, "to")->given)
+			wish->to = fmax(wish->to, v);
+	}
+}
+
 bool
 cmd_find(struct session *s, const struct args *args, struct error *error)
 {
@@ -250,6 +263,7 @@ cmd_find(struct session *s, const struct args *args, struct error *error)
 	const struct site *site = session_entry(s)->site;
 	struct wish wish = {.from = args_value(args, "from")->number,
 	    .to = args_value(args, "to")->number};
+	reach_runs(&wish, args, site);
 	if (!answers_feed(site, args, answers_middle(site), &wish.feed, error))
 		return false;
 	if (args_value(args, "spec")->given)

@@ -18,8 +18,12 @@ mark_training(const struct site *site, const struct value *value, bool *train,
 {
 	if (!value->given)
 		return misfit_default_train(site, train) > 0 ||
-		       error_set(error, ERROR_DATA,
-			   "%s has no product to calibrate on", site->name);
+		       (error_set(error, ERROR_DATA,
+			    "%s has no product to calibrate on", site->name) ||
+			   error_hint(error,
+			       "'guess' tells what to expect of its feed, "
+			       "'recall' takes the parameters of another "
+			       "sheet"));
 	for (size_t i = 0; i < value->n; i++) {
 		size_t r = site_run_at(site, value->list[i]);
 		if (r == site->n_run || site->run[r].product.n == 0) {

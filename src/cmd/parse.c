@@ -126,6 +126,27 @@ is_lone_unit(const struct args *args, const char *word, struct error *error)
 	return false;
 }
 
+/* True, with the error, for "p80" and for "P80=5.5", as tables head it. */
+static bool
+is_lone_option(
+    const struct command *command, const char *word, struct error *error)
+{
+	size_t n = strcspn(word, "=");
+	char *cut = xstrndup(word, n), *name = text_fold(cut);
+	bool is = command_option_index(command, name) < OPTIONS;
+	if (is && word[n] == '=') {
+		error_set(error, ERROR_USAGE,
+		    "options are in small letters, unlike '%s'", word);
+		error_hint(error, "write %s%s", name, word + n);
+	} else if (is) {
+		error_set(error, ERROR_USAGE, "%s wants a value", name);
+		error_hint(error, "%s=..", name);
+	}
+	free(cut);
+	free(name);
+	return is;
+}
+
 static bool
 check_operands(const struct args *args, struct error *error)
 {
@@ -137,10 +158,8 @@ check_operands(const struct args *args, struct error *error)
 		return true;
 	if (more != NULL && is_lone_unit(args, more, error))
 		return false;
-	if (more != NULL && command_option_index(command, more) < OPTIONS) {
-		error_set(error, ERROR_USAGE, "%s wants a value", more);
-		return error_hint(error, "%s=..", more);
-	}
+	if (more != NULL && is_lone_option(command, more, error))
+		return false;
 	char *usage = command_usage(command);
 	if (more != NULL)
 		error_set(error, ERROR_USAGE, "%s: '%s' is one word too many",

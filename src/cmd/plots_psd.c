@@ -307,7 +307,7 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 	struct second two;
 	/* What was measured is worth a look before there are parameters. */
 	bool known = plots_params(s, q, &params, &unknown);
-	if (!known && (q->generation > 0 || site_products(site) == 0)) {
+	if (!known && q->generation > 0) {
 		*error = unknown;
 		return NULL;
 	}
@@ -329,7 +329,10 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 		    PREDICTED);
 	struct chart *chart =
 	    plots_site_chart(site, sieves_of(&c), axis_percent("passing, %"),
-		known ? "product at %.1f m/s" : "feed and products", speed);
+		known                     ? "product at %.1f m/s"
+		: site_products(site) > 0 ? "feed and products"
+					  : "feed",
+		speed);
 	put_curves(chart, &c);
 	bool own = memcmp(&entry->params, &params, sizeof params) == 0;
 	note_curves(chart, s, q, one, &two, q->band && own);

@@ -53,8 +53,8 @@ script_open(struct session *s, const char *path, struct error *error)
 	if (in == NULL) {
 		error_set(error, ERROR_SYSTEM, "cannot read script %s: %s",
 		    path, strerror(errno));
-		return error_hint(
-		    error, "check the name, the folder and the rights");
+		return error_hint(error, "check the name (blanks want quotes), "
+					 "the folder and the rights");
 	}
 	push(s, in, path);
 	return true;

@@ -46,6 +46,7 @@ struct entry {
 	struct history *history; /* of the last calibration, or NULL */
 	char options[400];       /* of the fit, in the words of calibrate */
 	char recalled[64];       /* material the parameters are of, or "" */
+	bool recalled_own; /* it was found on the very numbers of the sheet */
 };
 
 /* The newest answers, for assert: sizes in mm, rmse and holdout in points; NAN

@@ -180,15 +180,14 @@ static void
 note_recalled(
     struct session *s, const struct entry *entry, const struct stored *m)
 {
-	char *digest = xasprintf("%016" PRIx64, entry->site->digest);
-	bool own = strcmp(digest, m->site_digest) == 0;
 	struct model_settings set_to = stored_settings(m);
 	session_note(s, "%s: parameters from store: %s (%s, %s; %s)",
 	    entry->site->name, m->name, m->site,
 	    m->rock[0] != '\0' ? m->rock : "rock not stated",
 	    store_origin_words(m));
 	session_note(s, "%s",
-	    own ? "  they were found on the very numbers of this sheet"
+	    entry->recalled_own
+		? "  they were found on the very numbers of this sheet"
 		: "  they are no fit of this site");
 	if (!model_settings_same(&set_to, &s->set.model))
 		session_note(s,
@@ -197,7 +196,6 @@ note_recalled(
 		    m->method, m->appearance, m->k);
 	if (stored_is_table3(m))
 		session_note(s, "  Table 3 has no beta: the default is taken");
-	free(digest);
 }
 
 bool
@@ -217,6 +215,9 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 		    s, entry, &m->params, xasprintf("from store: %s", m->name));
 		snprintf(
 		    entry->recalled, sizeof entry->recalled, "%s", m->name);
+		char *digest = xasprintf("%016" PRIx64, entry->site->digest);
+		entry->recalled_own = strcmp(digest, m->site_digest) == 0;
+		free(digest);
 		note_recalled(s, entry, m);
 	}
 	stored_list_free(&list);

@@ -35,8 +35,10 @@ static const struct command_option FIND_OPTIONS[] = {
     {"passing", VALUE_NUMBER, "%", 0, 100, NULL, "", "wanted passing"},
     {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "size of that passing"},
     {"spec", VALUE_FILE, "", 0, 0, NULL, "", "file of a grading envelope"},
-    {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "65", "slowest speed"},
-    {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "85", "fastest speed"},
+    {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "65",
+	"slowest speed; the slowest run where that is slower"},
+    {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "85",
+	"fastest speed; the fastest run where that is faster"},
     FEED_OPTION, {.name = NULL}};
 
 static const struct command_option WHY_OPTIONS[] = {

@@ -35,9 +35,13 @@ const struct command TABLE_DATA[] = {
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.option = LOAD_OPTIONS,
 	.text = "Reads sieve sheets, see tipspeed-site(5), and makes the last "
-		"one the site in use. A sheet with faults is refused with the "
+		"one the site in use: CSV of a spreadsheet (Excel, "
+		"LibreOffice), with commas or with semicolons and decimal "
+		"commas, in per cent or grams, at tip speeds in m/s and not "
+		"in turns (rpm). A sheet with faults is refused with the "
 		"place of each fault; the sites already loaded stay. A sheet "
-		"that is loaded again takes the place of the former.",
+		"that is loaded again takes the place of the former. A name "
+		"with blanks stands in quotes.",
 	.example = "load data/sites/tierp.csv\nshow",
 	.run = cmd_load},
     {.name = "sites",

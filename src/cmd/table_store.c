@@ -108,6 +108,7 @@ const struct command TABLE_STORE[] = {
     {.name = "guess",
 	.brief = "a first product for a site with no calibration",
 	.flags = COMMAND_AT_SITE,
+	.bare = "speed",
 	.option = GUESS_OPTIONS,
 	.text = "Takes the materials nearest to the site: the same rock "
 		"before any other, then the top size by its ratio. The guess "

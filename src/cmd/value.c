@@ -27,6 +27,10 @@ value_number(const char *word, const char *unit, double *value)
 	return ok;
 }
 
+/* A control room shows the rotor's turns. */
+static const char TURNS[] = "turns of the rotor a minute? tip speed in m/s = "
+			    "3.1416 x rotor diameter in m x turns / 60";
+
 /* The next step where a number is written as in another language. */
 static bool
 hint_number(
@@ -37,7 +41,9 @@ hint_number(
 	char *dash = copy[0] != '\0' ? strchr(copy + 1, '-') : NULL;
 	double low, high;
 	cut_unit(copy, option->unit);
-	if (comma != NULL) {
+	if (strcmp(option->unit, "m/s") == 0 && strstr(word, "rpm") != NULL) {
+		error_hint(error, "%s", TURNS);
+	} else if (comma != NULL) {
 		*comma = '.';
 		bool right = text_number(copy, &low);
 		error_hint(error, "write a point: %s", right ? copy : "11.2");
@@ -70,10 +76,14 @@ number(const struct command_option *option, const char *word, double *value,
 		    option->name, in, option->unit, word);
 		return hint_number(option, word, error);
 	}
-	if (*value < option->least || *value > option->most)
-		return error_set(error, ERROR_USAGE,
-		    "%s wants %g to %g%s%s, not %s", option->name,
-		    option->least, option->most, space, option->unit, word);
+	if (*value < option->least || *value > option->most) {
+		error_set(error, ERROR_USAGE, "%s wants %g to %g%s%s, not %s",
+		    option->name, option->least, option->most, space,
+		    option->unit, word);
+		return *value > option->most &&
+		       strcmp(option->unit, "m/s") == 0 &&
+		       error_hint(error, "%s", TURNS);
+	}
 	return true;
 }
 

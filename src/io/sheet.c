@@ -332,16 +332,18 @@ split_text(struct sheet *sheet, char *text)
 }
 
 /* What stands behind size_mm (sieve mm, size_um) at the start of a line;
- * without such a line the most frequent of the three. */
+ * without such a line the one of the three that is in most lines, as decimal
+ * commas may be more than the semicolons between them. */
 static char
 find_separator(const char *text)
 {
 	size_t count[128] = {0};
 	for (const char *p = text; *p != '\0'; p++) {
-		if (strchr(",;\t", *p) != NULL)
-			count[(int)*p]++;
 		if (p > text && p[-1] != '\n' && p[-1] != '\r')
 			continue;
+		for (const char *c = ",;\t"; *c != '\0'; c++)
+			count[(int)*c] +=
+			    memchr(p, *c, strcspn(p, "\r\n")) != NULL;
 		const char *word = p + strspn(p, " \t\"");
 		if (strncasecmp(word, "size", 4) != 0 &&
 		    strncasecmp(word, "sieve", 5) != 0)
@@ -350,8 +352,10 @@ find_separator(const char *text)
 		if (*word == ',' || *word == ';' || *word == '\t')
 			return *word;
 	}
-	bool comma = count[','] >= count[';'] && count[','] >= count['\t'];
-	return comma ? ',' : count[';'] >= count['\t'] ? ';' : '\t';
+	if (count[';'] > 0 && count[';'] >= count[','] &&
+	    count[';'] >= count['\t'])
+		return ';';
+	return count['\t'] > count[','] ? '\t' : ',';
 }
 
 struct sheet *

@@ -60,8 +60,8 @@ find_word(const char *word, struct column *c)
 	return false;
 }
 
-/* What to do about a speed that is none: people write the rotor's turns, or the
- * day of the sample. */
+/* What to do about a speed that is none: people write the rotor's turns, the
+ * day of the sample or the unit of the column. */
 static const char *
 speed_hint(const char *text, double v)
 {
@@ -77,7 +77,12 @@ speed_hint(const char *text, double v)
 		return "turns of the rotor a minute? tip speed in m/s = "
 		       "3.1416 x rotor diameter in m x turns / 60, as in "
 		       "product@69";
-	return "write it behind @, as in product@69";
+	n = strlen(text);
+	if (n > 1 &&
+	    (strcmp(text + n - 2, " g") == 0 || strstr(text, "(g)") != NULL))
+		return "grams are said before the @, as in "
+		       "product_retained_g@69";
+	return "write the speed behind @, as in product@69";
 }
 
 /* 69, 69.5, "69 m/s" or 69m/s; text is changed. */
@@ -116,7 +121,7 @@ split_head(struct table *t, char *word, struct column *c)
 		    (strncmp(word, "feed", 4) == 0 ||
 			strncmp(word, "product", 7) == 0))
 			return error_hint(
-			    e, "write the speed behind @, as in product@69");
+			    e, "%s", speed_hint(word + digits, 0));
 		error_hint(e,
 		    "understood are feed, feed@69, product@69 and sd@69; feed "
 		    "and product also with _fraction, _passing_pct, "

@@ -116,6 +116,16 @@ read_heading(struct site *site, struct sheet *sheet, size_t n_line)
 	}
 }
 
+/* Heads of columns, in words of their own: three cells or more, no number in
+ * the first two. */
+static bool
+is_heads(const struct row *row)
+{
+	double v;
+	return row->n > 2 && !text_number(row->cell[0].text, &v) &&
+	       !text_number(row->cell[1].text, &v);
+}
+
 /* Without a first line of the table nothing else can be judged.  The place
  * told is the first line that looks like the table. */
 static void
@@ -127,14 +137,17 @@ tell_no_table(struct sheet *sheet)
 	for (size_t i = sheet->n_row; i-- > 0;) {
 		struct cell cell = sheet->row[i].cell[0];
 		double v;
-		if (text_number(cell.text, &v) ||
-		    strncasecmp(cell.text, "size", 4) == 0)
+		if (sheet_value(sheet, cell, &v) ||
+		    strncasecmp(cell.text, "size", 4) == 0 ||
+		    is_heads(&sheet->row[i]))
 			found = cell;
 	}
+	char c = sheet->separator;
 	error_hint(
 	    sheet_wanted(sheet, found, "a line that begins with size_mm"),
 	    "the first line of the table reads "
-	    "size_mm,feed,product@69,product@79");
+	    "size_mm%cfeed%cproduct@69%cproduct@79",
+	    c, c, c);
 }
 
 static void

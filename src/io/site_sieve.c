@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/site_sieve.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -103,6 +104,12 @@ row_mm(struct table *t, const struct row *row, double unit)
 	}
 	if (is_pan(cell.text))
 		return 0;
+	if (isalpha((unsigned char)cell.text[0])) {
+		error_hint(sheet_wanted(t->sheet, cell, "a sieve size or pan"),
+		    "take sums and remarks out of the table, or begin their "
+		    "line with #");
+		return NAN;
+	}
 	return site_sieve_mm(t->sheet, cell, unit, "a sieve size or pan");
 }
 

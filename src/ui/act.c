@@ -55,7 +55,7 @@ move_focus(struct tui *t, int by)
 {
 	switch (t->focus) {
 	case FOCUS_SPEED:
-		t->tenths = slider_clamp(t->tenths + by);
+		t->tenths = slider_clamp(tui_range(t), t->tenths + by);
 		break;
 	case FOCUS_CROSS:
 		/* Sieves stand coarsest first, the plot finest first. */
@@ -77,13 +77,14 @@ move_to(struct tui *t, int where)
 {
 	const struct entry *entry = tui_entry(t);
 	if (where == TO_LEAST)
-		t->tenths = SLIDER_LEAST;
+		t->tenths = tui_range(t).least;
 	else if (where == TO_MOST)
-		t->tenths = SLIDER_MOST;
+		t->tenths = tui_range(t).most;
 	else if (entry != NULL && where == TO_MIDDLE)
-		t->tenths = slider_tenths(answers_middle(entry->site));
+		t->tenths =
+		    slider_tenths(tui_range(t), answers_middle(entry->site));
 	else if (entry != NULL)
-		t->tenths = slider_tenths(
+		t->tenths = slider_tenths(tui_range(t),
 		    entry->site
 			->run[where == TO_SLOWEST ? 0 : entry->site->n_run - 1]
 			.speed);
@@ -196,8 +197,8 @@ set_pace(struct tui *t, int by)
 	if (t->pace == PACE_FULL)
 		tui_say(t, false, "pace: as fast as it can");
 	else
-		tui_say(
-		    t, false, "pace: %g generations a second", PACES[t->pace]);
+		tui_say(t, false, "pace: %g generation%s a second",
+		    PACES[t->pace], PACES[t->pace] > 1 ? "s" : "");
 }
 
 /* The prediction itself is kept, so that it stays what it was when the site is
@@ -328,7 +329,7 @@ act(struct tui *t, const struct key *key)
 		move_focus(t, key->amount);
 		break;
 	case ACT_FINE:
-		t->tenths = slider_clamp(t->tenths + key->amount);
+		t->tenths = slider_clamp(tui_range(t), t->tenths + key->amount);
 		break;
 	case ACT_TO:
 		move_to(t, key->amount);
@@ -392,10 +393,11 @@ digit_key(struct tui *t, int code)
 		t->digits[n] = (char)code;
 		t->digits[n + 1] = '\0';
 	} else if (code == '\n' || code == '\r') {
-		if (!slider_read(t->digits, &t->tenths))
+		struct slider_range range = tui_range(t);
+		if (!slider_read(range, t->digits, &t->tenths))
 			tui_say(t, true,
-			    "a speed from 65 to 85 m/s was wanted, not %s",
-			    t->digits);
+			    "a speed from %d to %d m/s was wanted, not %s",
+			    range.least / 10, range.most / 10, t->digits);
 		t->digits[0] = '\0';
 	} else if (code == 127 || code == '\b') {
 		t->digits[n - 1] = '\0';

@@ -183,9 +183,10 @@ run(struct tui *t, const char *line)
 		snprintf(site, sizeof site, "%s", tui_entry(t)->key);
 	hush(t);
 	bool ok = run_to_end(t, line, "typed", 0);
-	if (said[ANSWER_SPEED] >= SLIDER_LEAST / 10.0 &&
-	    said[ANSWER_SPEED] <= SLIDER_MOST / 10.0)
-		t->tenths = slider_tenths(said[ANSWER_SPEED]);
+	struct slider_range range = tui_range(t);
+	if (slider_has(range, said[ANSWER_SPEED]))
+		t->tenths = slider_tenths(range, said[ANSWER_SPEED]);
+	t->tenths = slider_clamp(range, t->tenths);
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
 	if (s->last.product.n == 0 || other)
 		t->asked = 0;
@@ -257,16 +258,14 @@ draw_screen(struct tui *t, const char *line)
 		say_error(t, &error);
 }
 
-void
-conduct_typed(struct tui *t, const char *line)
+static void
+run_typed(struct tui *t, const char *line)
 {
 	if (line[strspn(line, " \t")] == '\0')
 		return;
 	struct session *s = t->session;
 	const struct bounds before = s->set.bounds;
 	bool searching = session_busy(s) && !t->held;
-	if (!t->aside)
-		typed_add(line);
 	if (is_screen(line)) {
 		draw_screen(t, line);
 		return;
@@ -293,10 +292,25 @@ conduct_typed(struct tui *t, const char *line)
 			tui_say(t, false, "goes on within the new bounds");
 		return;
 	}
+	if (ok && memcmp(&before, &s->set.bounds, sizeof before) != 0)
+		tui_say(t, false, "f calibrates within these bounds");
+	const char *to = strrchr(line, '>');
+	if (ok && to != NULL && !aside)
+		tui_say(t, false, "wrote %s", to + 1 + strspn(to + 1, " \t"));
 	bool moved_only =
 	    strncmp(line, "predict", 7) == 0 && strchr(line, '>') == NULL;
 	if (ok && !session_busy(s) && !moved_only)
 		show_said(t);
+}
+
+void
+conduct_typed(struct tui *t, const char *line)
+{
+	char *meant = typing_meant(line, t->tenths / 10.0);
+	if (!t->aside && line[strspn(line, " \t")] != '\0')
+		typed_add(line);
+	run_typed(t, meant);
+	free(meant);
 }
 
 static struct site_row

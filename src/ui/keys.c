@@ -34,8 +34,10 @@ const struct key KEYS[] = {
     {'L', NULL, ON_ALL, ACT_FINE, 10, PREDICT, NULL},
     {KEY_NPAGE, "PgDn", ON_ALL, ACT_FINE, -50, PREDICT, "speed down by 5 m/s"},
     {KEY_PPAGE, "PgUp", ON_ALL, ACT_FINE, 50, PREDICT, "speed up by 5 m/s"},
-    {KEY_HOME, "Home", ON_ALL, ACT_TO, TO_LEAST, PREDICT, "to 65 m/s"},
-    {KEY_END, "End", ON_ALL, ACT_TO, TO_MOST, PREDICT, "to 85 m/s"},
+    {KEY_HOME, "Home", ON_ALL, ACT_TO, TO_LEAST, PREDICT,
+	"to the slow end, 65 m/s or less"},
+    {KEY_END, "End", ON_ALL, ACT_TO, TO_MOST, PREDICT,
+	"to the fast end, 85 m/s or more"},
     {'[', "[", ON_ALL, ACT_TO, TO_SLOWEST, PREDICT, "to the slowest run"},
     {']', "]", ON_ALL, ACT_TO, TO_FASTEST, PREDICT, "to the fastest run"},
     {'m', "m", ON_ALL, ACT_TO, TO_MIDDLE, PREDICT, "to the middle of the runs"},
@@ -48,10 +50,10 @@ const struct key KEYS[] = {
     {'4', "4", ON_ALL, ACT_PAGE, PAGE_PARITY, NULL, "page Parity"},
     {'5', "5", ON_ALL, ACT_PAGE, PAGE_SITES, NULL, "page Sites"},
     {KEY_UP, "Up, k", ON_ALL, ACT_LIST, -1, NULL,
-	"up in a list; a higher passing that the crosshair reads sizes at"},
+	"up in a list; to a higher passing for the crosshair's sizes"},
     {'k', NULL, ON_ALL, ACT_LIST, -1, NULL, NULL},
     {KEY_DOWN, "Down, j", ON_ALL, ACT_LIST, 1, NULL,
-	"down in a list; a lower passing"},
+	"down in a list; to a lower passing"},
     {'j', NULL, ON_ALL, ACT_LIST, 1, NULL, NULL},
     {'\n', "Enter", ON_SITES, ACT_CHOOSE, 0, "use %s", "use this site"},
     {'c', "c", ON_ALL, ACT_CROSS, 0, NULL,
@@ -73,9 +75,9 @@ const struct key KEYS[] = {
     {'d', "d", ON_ALL, ACT_RUN, 0, "describe psd speed=%s",
 	"the curves in words"},
     {'e', "e", ON_ALL, ACT_EXPORT, 0, "predict speed=%s > ",
-	"export: give a file name; with one kept beside, the curves of both"},
+	"export: a .csv table or .png curves; with a kept one, of both"},
     {':', ":", ON_ALL, ACT_TYPE, 0, "",
-	"type a command; Tab completes, Up and Down have earlier ones"},
+	"a command: find, spec, bounds ..; Tab completes, Up repeats"},
     {'u', "u", ON_ALL, ACT_RUN, 0, "undo", "take back the last change"},
     {'U', "U", ON_ALL, ACT_RUN, 0, "redo", "do it again"},
     {'w', "w", ON_ALL, ACT_TYPE, 0, "save ",
@@ -179,6 +181,11 @@ keys_list(const char *word, FILE *out)
 		fprintf(out, "%s\n", line);
 		free(line);
 	}
+	if (keys_nth(word, 0) == NULL)
+		fprintf(out,
+		    "  no key does '%s'; a command may: Esc, Esc, then\n"
+		    "  :apropos %s\n",
+		    word, word);
 	if (word[0] == '\0')
 		fputs("  digits, Enter   type a speed\n"
 		      "  mouse           click and drag set the speed, the "

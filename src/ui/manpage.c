@@ -9,11 +9,13 @@
 
 #include "base/xalloc.h"
 
-/* The page in the folder man beside the program; NULL where there is none, or
- * its path is none to give to a shell.  The caller frees. */
+/* The page in the folder man beside the program or, as pages that are not made
+ * stay in the source, beside its folder; NULL where there is none, or its path
+ * is none to give to a shell.  The caller frees. */
 static char *
 page_beside(const char *page)
 {
+	static const char *const FOLDERS[] = {"man", "../man"};
 	char self[PATH_MAX];
 	ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
 	if (n < 0)
@@ -23,10 +25,12 @@ page_beside(const char *page)
 	if (slash == NULL || strchr(self, '\'') != NULL)
 		return NULL;
 	*slash = '\0';
-	char *path = xasprintf("%s/man/%s", self, page);
-	if (access(path, R_OK) == 0)
-		return path;
-	free(path);
+	for (size_t i = 0; i < ARRAY_LEN(FOLDERS); i++) {
+		char *path = xasprintf("%s/%s/%s", self, FOLDERS[i], page);
+		if (access(path, R_OK) == 0)
+			return path;
+		free(path);
+	}
 	return NULL;
 }
 

@@ -14,7 +14,8 @@ follow(struct tui *t, int column)
 	size_t n;
 	const struct bounds *bounds;
 	if (t->focus != FOCUS_GENERATION) {
-		t->tenths = slider_at(column - track.column, track.columns);
+		t->tenths = slider_at(
+		    tui_range(t), column - track.column, track.columns);
 		return;
 	}
 	if (tui_history(t, &n, &bounds) == NULL || s->columns < 2)
@@ -53,9 +54,9 @@ act_mouse(struct tui *t)
 		return;
 	}
 	if (e.bstate & BUTTON4_PRESSED)
-		t->tenths = slider_clamp(t->tenths + 1);
+		t->tenths = slider_clamp(tui_range(t), t->tenths + 1);
 	else if (e.bstate & BUTTON5_PRESSED)
-		t->tenths = slider_clamp(t->tenths - 1);
+		t->tenths = slider_clamp(tui_range(t), t->tenths - 1);
 	else if (e.bstate & (BUTTON1_PRESSED | BUTTON1_CLICKED))
 		press(t, &e);
 	else if (t->dragging && (e.bstate & REPORT_MOUSE_POSITION))

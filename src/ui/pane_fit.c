@@ -75,15 +75,46 @@ cell_of(double value, double lower, double upper, int width)
 	return (int)lround(share * (width - 1));
 }
 
+/* The parameters that were found, once the search has ended and its last
+ * generation is shown; else NULL. */
+static const struct params *
+found(const struct tui *t)
+{
+	size_t n;
+	const struct bounds *bounds;
+	const struct entry *entry = tui_entry(t);
+	bool last = tui_history(t, &n, &bounds) != NULL &&
+		    tui_generation(t) == n && !session_busy(t->session);
+	return last && entry->has_fit ? &entry->params : NULL;
+}
+
+/* What beta, which counts by its direction only, is multiplied by to have the
+ * size of that of a generation. */
+static double
+beta_scale(const struct params *params, const struct calibrate_generation *g)
+{
+	double most = 0, own = 0;
+	for (size_t j = PARAM_BETA; j < PARAM_F_MAT; j++) {
+		most = fmax(most, fabs(params_get(&g->params, j)));
+		own = fmax(own, fabs(params_get(params, j)));
+	}
+	return own > 0 ? most / own : 1;
+}
+
 /* "beta1 |  ==*=    | -0.591": the bounds, the middle 80 % of the candidates
- * and the best. */
+ * and the best, or what the polish made of it. */
 static void
 draw_parameter(const struct area *side, int row, size_t j,
-    const struct calibrate_generation *g, const struct bounds *bounds)
+    const struct calibrate_generation *g, const struct params *polished,
+    const struct bounds *bounds)
 {
 	enum { NAME = 7, VALUE = 18, MOST = 40 };
 	double lower = bounds->lower[j], upper = bounds->upper[j];
-	double best = params_get(&g->params, j);
+	bool beta = j < PARAM_F_MAT;
+	double value = params_get(polished != NULL ? polished : &g->params, j);
+	double best = value;
+	if (polished != NULL && beta)
+		best *= beta_scale(polished, g);
 	int width = side->columns - NAME - VALUE - 2;
 	width = width > MOST ? MOST : width < 3 ? 3 : width;
 	char bar[MOST + 1];
@@ -95,26 +126,29 @@ draw_parameter(const struct area *side, int row, size_t j,
 		bar[c] = '=';
 	bar[cell_of(best, lower, upper, width)] = '*';
 	double near = 0.02 * (upper - lower);
-	const char *remark = lower >= upper ? "fixed"
+	const char *remark = lower >= upper             ? "fixed"
+			     : polished != NULL && beta ? ""
 			     : best - lower < near || upper - best < near
 				 ? "NEAR BOUND"
 				 : "";
 	screen_text(side, row, 0, 0, "%-7s|%s|%7.3g %s", PARAMS[j].name, bar,
-	    best, remark);
+	    value, remark);
 }
 
 static int
 draw_parameters(const struct tui *t, const struct area *side, int row)
 {
 	size_t n;
-	const struct bounds *bounds;
+	const struct bounds *bounds = NULL;
 	const struct calibrate_generation *g = tui_history(t, &n, &bounds);
+	const struct params *polished = found(t);
 	if (g == NULL)
 		return row;
-	screen_text(side, row++, 0, LOOK_DIM, "bounds, = middle 80 %%, * best");
+	screen_text(side, row++, 0, LOOK_DIM, "bounds, = middle 80 %%, * %s",
+	    polished != NULL ? "polished" : "best");
 	g += tui_generation(t) - 1;
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		draw_parameter(side, row++, j, g, bounds);
+		draw_parameter(side, row++, j, g, polished, bounds);
 	return row;
 }
 

@@ -90,15 +90,16 @@ draw_track(struct tui *t)
 	enum { MOST = 300 };
 	struct area track = pane_track(t);
 	const struct entry *entry = tui_entry(t);
+	struct slider_range range = tui_range(t);
 	struct slider_mark mark[MOST];
 	size_t n = 0;
 	for (size_t r = 0; entry != NULL && r < entry->site->n_run; r++)
 		if (entry->site->run[r].product.n > 0 && n < MOST)
 			mark[n++] = (struct slider_mark){
-			    slider_tenths(entry->site->run[r].speed),
+			    slider_tenths(range, entry->site->run[r].speed),
 			    entry->train[r]};
 	char *text = xcalloc((size_t)track.columns + 1, 1);
-	int at = slider_draw(text, track.columns, t->tenths, mark, n);
+	int at = slider_draw(text, track.columns, range, t->tenths, mark, n);
 	bool focus = t->focus == FOCUS_SPEED;
 	const char *close = strchr(text + at, ']');
 	int length = close != NULL ? (int)(close - text) - at + 1 : 1;
@@ -106,9 +107,9 @@ draw_track(struct tui *t)
 	screen_text(&track, 0, at, focus ? LOOK_REVERSE : LOOK_BOLD, "%.*s",
 	    length, text + at);
 	if (track.column > 0) {
-		screen_text(&t->places.track, 0, 1, 0, "65");
-		screen_text(
-		    &t->places.track, 0, t->places.track.columns - 3, 0, "85");
+		screen_text(&t->places.track, 0, 0, 0, "%3d", range.least / 10);
+		screen_text(&t->places.track, 0, t->places.track.columns - 3, 0,
+		    "%d", range.most / 10);
 	}
 	free(text);
 	return track.column + at + (length > 1 ? 1 : 0);
@@ -210,8 +211,10 @@ draw_state(const struct tui *t, const struct area *area)
 		column = screen_text(
 		    area, 0, 0, 0, "READY  no site: type :load FILE");
 	} else if (!entry->has_params) {
-		column = screen_text(
-		    area, 0, 0, 0, "READY  not calibrated: f calibrates");
+		column = screen_text(area, 0, 0, 0, "READY  %s",
+		    site_products(entry->site) > 0
+			? "not calibrated: f calibrates"
+			: "no product: type :guess");
 	} else if (entry->has_fit) {
 		column = screen_text(
 		    area, 0, 0, 0, "READY  fit %s", fit_verdict(&entry->fit));

@@ -100,8 +100,8 @@ draw_pin(const struct tui *t, int row)
 	const struct area *side = &t->places.side;
 	if (t->pin.site[0] == '\0')
 		return row;
-	screen_text(side, row++, 0, LOOK_BOLD, "kept: %s %.1f", t->pin.site,
-	    t->pin.speed);
+	screen_text(side, row++, 0, LOOK_BOLD, "kept: %.1f m/s %s",
+	    t->pin.speed, t->pin.site);
 	return draw_sizes(t, row, &t->pin, &t->pin);
 }
 
@@ -235,7 +235,11 @@ pane_side(const struct tui *t)
 	screen_wall(side->row, side->column - 1, side->rows);
 	if (t->now.site[0] == '\0') {
 		screen_text(side, 0, 0, 0, "nothing predicted yet");
-		screen_text(side, 1, 0, 0, "f calibrates");
+		screen_text(side, 1, 0, 0,
+		    tui_entry(t) == NULL ||
+			    site_products(tui_entry(t)->site) > 0
+			? "f calibrates"
+			: "no product: type :guess");
 		draw_pin(t, 3);
 		return;
 	}

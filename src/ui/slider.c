@@ -8,48 +8,68 @@
 
 #include "base/text.h"
 #include "core/energy.h"
+#include "core/site.h"
 
-int
-slider_clamp(int tenths)
+struct slider_range
+slider_range(const struct site *site)
 {
-	return tenths < SLIDER_LEAST  ? SLIDER_LEAST
-	       : tenths > SLIDER_MOST ? SLIDER_MOST
-				      : tenths;
+	struct slider_range range = {SLIDER_LEAST, SLIDER_MOST};
+	for (size_t r = 0; site != NULL && r < site->n_run; r++) {
+		double v = site->run[r].speed;
+		if (v > 0 && 10 * v < range.least)
+			range.least = 10 * (int)fmax(1, floor(v));
+		if (10 * v > range.most)
+			range.most = 10 * (int)ceil(v);
+	}
+	return range;
 }
 
 int
-slider_tenths(double speed)
+slider_clamp(struct slider_range range, int tenths)
 {
-	return slider_clamp((int)lround(10 * speed));
+	return tenths < range.least  ? range.least
+	       : tenths > range.most ? range.most
+				     : tenths;
+}
+
+int
+slider_tenths(struct slider_range range, double speed)
+{
+	return slider_clamp(range, (int)lround(10 * speed));
 }
 
 bool
-slider_read(const char *text, int *tenths)
+slider_has(struct slider_range range, double speed)
+{
+	return speed >= range.least / 10.0 && speed <= range.most / 10.0;
+}
+
+bool
+slider_read(struct slider_range range, const char *text, int *tenths)
 {
 	double speed;
-	if (!text_number(text, &speed) || speed < SLIDER_LEAST / 10.0 ||
-	    speed > SLIDER_MOST / 10.0)
+	if (!text_number(text, &speed) || !slider_has(range, speed))
 		return false;
-	*tenths = slider_tenths(speed);
+	*tenths = slider_tenths(range, speed);
 	return true;
 }
 
 int
-slider_column(int tenths, int width)
+slider_column(struct slider_range range, int tenths, int width)
 {
-	double share = (double)(slider_clamp(tenths) - SLIDER_LEAST) /
-		       (SLIDER_MOST - SLIDER_LEAST);
+	double share = (double)(slider_clamp(range, tenths) - range.least) /
+		       (range.most - range.least);
 	return width > 1 ? (int)lround(share * (width - 1)) : 0;
 }
 
 int
-slider_at(int column, int width)
+slider_at(struct slider_range range, int column, int width)
 {
 	if (width < 2)
-		return SLIDER_LEAST;
+		return range.least;
 	double share = (double)column / (width - 1);
-	return slider_clamp(
-	    SLIDER_LEAST + (int)lround(share * (SLIDER_MOST - SLIDER_LEAST)));
+	return slider_clamp(range,
+	    range.least + (int)lround(share * (range.most - range.least)));
 }
 
 /* Lies beyond all speeds trained on. */
@@ -89,12 +109,13 @@ mark_label(const struct slider_mark *mark, bool words, char label[static 32])
 /* Whether the track is long enough for labels with units, and to be seen
  * between them. */
 static bool
-has_room(const char *text, int width, const struct slider_mark *mark, size_t n)
+has_room(const char *text, int width, struct slider_range range,
+    const struct slider_mark *mark, size_t n)
 {
 	enum { BETWEEN = 5 };
 	char label[32];
 	for (size_t i = 0; i < n; i++) {
-		int from = slider_column(mark[i].tenths, width) + 1;
+		int from = slider_column(range, mark[i].tenths, width) + 1;
 		int length = mark_label(&mark[i], true, label);
 		if (!is_free(text, width, from, length + BETWEEN, 0, 0))
 			return false;
@@ -105,16 +126,16 @@ has_room(const char *text, int width, const struct slider_mark *mark, size_t n)
 /* Signs where there were runs, with the speed behind them where neither another
  * one nor the handle stands there. */
 static void
-draw_marks(char *text, int width, const struct slider_mark *mark, size_t n,
-    int at, int length)
+draw_marks(char *text, int width, struct slider_range range,
+    const struct slider_mark *mark, size_t n, int at, int length)
 {
 	char label[32];
 	for (size_t i = 0; i < n; i++)
-		text[slider_column(mark[i].tenths, width)] =
+		text[slider_column(range, mark[i].tenths, width)] =
 		    mark[i].trained ? '|' : 'o';
-	bool words = has_room(text, width, mark, n);
+	bool words = has_room(text, width, range, mark, n);
 	for (size_t i = 0; i < n; i++) {
-		int from = slider_column(mark[i].tenths, width) + 1;
+		int from = slider_column(range, mark[i].tenths, width) + 1;
 		int wanted = mark_label(&mark[i], words, label);
 		if (!is_free(text, width, from, wanted + 1, at, length))
 			wanted = mark_label(&mark[i], false, label);
@@ -126,25 +147,27 @@ draw_marks(char *text, int width, const struct slider_mark *mark, size_t n,
 }
 
 int
-slider_draw(
-    char *text, int width, int tenths, const struct slider_mark *mark, size_t n)
+slider_draw(char *text, int width, struct slider_range range, int tenths,
+    const struct slider_mark *mark, size_t n)
 {
 	char label[16];
 	text[0] = '\0';
 	if (width < 1)
 		return 0;
 	for (int c = 0; c < width; c++)
-		text[c] = is_outside(slider_at(c, width), mark, n) ? 'x' : '-';
+		text[c] =
+		    is_outside(slider_at(range, c, width), mark, n) ? 'x' : '-';
 	text[width] = '\0';
 	snprintf(label, sizeof label, "[%.1f]", tenths / 10.0);
-	int length = (int)strlen(label), at = slider_column(tenths, width);
+	int length = (int)strlen(label),
+	    at = slider_column(range, tenths, width);
 	if (length > width) {
 		strcpy(label, "#");
 		length = 1;
 	}
 	at -= length / 2;
 	at = at < 0 ? 0 : at > width - length ? width - length : at;
-	draw_marks(text, width, mark, n, at, length);
+	draw_marks(text, width, range, mark, n, at, length);
 	memcpy(text + at, label, (size_t)length);
 	return at;
 }

@@ -6,8 +6,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+struct site;
+
 /* In tenths of a m/s. */
 enum { SLIDER_LEAST = 650, SLIDER_MOST = 850 };
+
+struct slider_range {
+	int least, most; /* tenths */
+};
 
 /* A speed that was measured, and whether it was trained on. */
 struct slider_mark {
@@ -15,25 +21,30 @@ struct slider_mark {
 	bool trained;
 };
 
+/* 65 to 85 m/s, and as many whole m/s more as the runs of a site want; NULL for
+ * no site. */
+struct slider_range slider_range(const struct site *site);
+
 /* The nearest value the slider can have. */
-int slider_clamp(int tenths);
+int slider_clamp(struct slider_range range, int tenths);
 
-/* Tenths of a speed, m/s, rounded. */
-int slider_tenths(double speed);
+/* Tenths of a speed, m/s, rounded; slider_has: whether it is in the range. */
+int slider_tenths(struct slider_range range, double speed);
+bool slider_has(struct slider_range range, double speed);
 
-/* Reads "74", "74.3"; false where it is no such speed between 65 and 85. */
-bool slider_read(const char *text, int *tenths);
+/* Reads "74", "74.3"; false where it is no such speed in the range. */
+bool slider_read(struct slider_range range, const char *text, int *tenths);
 
 /* The column of a value on a track of so many columns, 0 at its left end, and
  * the value of a column; those off the track stand for its ends. */
-int slider_column(int tenths, int width);
-int slider_at(int column, int width);
+int slider_column(struct slider_range range, int tenths, int width);
+int slider_at(struct slider_range range, int column, int width);
 
 /* Draws the track into text [width + 1]: 'x' where no speed was trained on
  * that side, '-' between trained ones, "|69" at these and "o74" at those held
  * out, on a long track "|69 m/s 2380 J/kg", the value as "[74.0]" on top.
  * Returns the column of its '['. */
-int slider_draw(char *text, int width, int tenths,
+int slider_draw(char *text, int width, struct slider_range range, int tenths,
     const struct slider_mark *mark, size_t n);
 
 #endif

@@ -47,6 +47,13 @@ tui_entry(const struct tui *t)
 	return s->n_entry > 0 ? &s->entry[s->current] : NULL;
 }
 
+struct slider_range
+tui_range(const struct tui *t)
+{
+	const struct entry *entry = tui_entry(t);
+	return slider_range(entry != NULL ? entry->site : NULL);
+}
+
 static void
 on_resize(int signal)
 {
@@ -64,12 +71,13 @@ static int
 first_speed(const struct session *s)
 {
 	double speed = s->answer[ANSWER_SPEED];
-	if (speed >= SLIDER_LEAST / 10.0 && speed <= SLIDER_MOST / 10.0)
-		return slider_tenths(speed);
 	const struct entry *e = s->n_entry > 0 ? &s->entry[s->current] : NULL;
+	struct slider_range range = slider_range(e != NULL ? e->site : NULL);
+	if (slider_has(range, speed))
+		return slider_tenths(range, speed);
 	for (size_t r = 0; e != NULL && r < e->site->n_run; r++)
 		if (!e->train[r] && e->site->run[r].product.n > 0)
-			return slider_tenths(e->site->run[r].speed);
+			return slider_tenths(range, e->site->run[r].speed);
 	return 740;
 }
 

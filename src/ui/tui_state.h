@@ -112,6 +112,9 @@ size_t tui_generation(const struct tui *t);
 /* The site in use, or NULL. */
 const struct entry *tui_entry(const struct tui *t);
 
+/* The speeds of the slider at that site. */
+struct slider_range tui_range(const struct tui *t);
+
 /* A full screen on a session, as it opens, and its end: what runs is stopped
  * and kept, and the session has its ways again. */
 void tui_begin(struct tui *t, struct session *s);

@@ -11,6 +11,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/complete.h"
+#include "plot/picture.h"
 
 #define CONTROL(letter) ((letter)&0x1F)
 enum { ESCAPE = 27, DELETE = 127 };
@@ -235,4 +236,33 @@ typing_key(struct typing *t, const struct session *s, int code, bool special)
 	else if (code >= ' ')
 		insert(t, (unsigned)code);
 	return TYPING_ON;
+}
+
+static bool
+is_drawn(const char *line)
+{
+	static const char start[] = "predict speed=";
+	enum picture_form form;
+	return strncmp(line, start, sizeof start - 1) == 0 &&
+	       strchr(line, '>') != NULL && picture_form_of(line, &form);
+}
+
+char *
+typing_meant(const char *line, double speed)
+{
+	static const char *const ASK[] = {"spec", "guess", "why"};
+	size_t from = strspn(line, " \t"), n = strcspn(line + from, " \t>|");
+	const char *word = line + from, *rest = word + n;
+	rest += strspn(rest, " \t");
+	/* A speed may also stand alone. */
+	bool said = strchr(line, ';') != NULL ||
+		    strstr(line, "speed=") != NULL ||
+		    (*rest >= '0' && *rest <= '9');
+	for (size_t i = 0; !said && i < ARRAY_LEN(ASK); i++)
+		if (strlen(ASK[i]) == n && strncmp(word, ASK[i], n) == 0)
+			return xasprintf("%s speed=%.1f%s%s", ASK[i], speed,
+			    *rest != '\0' ? " " : "", rest);
+	return is_drawn(line)
+		   ? xasprintf("plot psd%s", line + strlen("predict"))
+		   : xstrdup(line);
 }

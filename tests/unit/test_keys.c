@@ -64,10 +64,20 @@ the_list_has_every_name(void **state)
 	for (const struct key *k = KEYS; k->code != 0; k++)
 		if (k->name != NULL)
 			assert_non_null(strstr(text, k->what));
+	/* On 80 columns no line is cut. */
+	for (const char *p = text; *p != '\0'; p += strcspn(p, "\n") + 1)
+		assert_true(strcspn(p, "\n") <= 80);
 	free(text);
 	assert_ptr_equal(keys_nth("", 0), KEYS);
 	assert_int_equal(keys_nth("CALIBRATE, or", 0)->code, 'f');
 	assert_null(keys_nth("no such word", 0));
+	out = open_memstream(&text, &n);
+	assert_non_null(out);
+	keys_list("grading", out);
+	fclose(out);
+	assert_non_null(strstr(text, "no key does 'grading'"));
+	assert_non_null(strstr(text, ":apropos grading"));
+	free(text);
 }
 
 static void

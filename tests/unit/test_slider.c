@@ -9,7 +9,10 @@
 #include <cmocka.h>
 
 #include "base/xalloc.h"
+#include "core/site.h"
 #include "ui/slider.h"
+
+static const struct slider_range ALL = {SLIDER_LEAST, SLIDER_MOST};
 
 static const struct slider_mark MARKS[] = {
     {690, true}, {740, false}, {790, true}};
@@ -19,10 +22,10 @@ speeds_become_tenths_exactly(void **state)
 {
 	(void)state;
 	for (int tenths = SLIDER_LEAST; tenths <= SLIDER_MOST; tenths++)
-		assert_int_equal(slider_tenths(tenths / 10.0), tenths);
-	assert_int_equal(slider_tenths(12), SLIDER_LEAST);
-	assert_int_equal(slider_tenths(1e6), SLIDER_MOST);
-	assert_int_equal(slider_clamp(SLIDER_MOST + 1), SLIDER_MOST);
+		assert_int_equal(slider_tenths(ALL, tenths / 10.0), tenths);
+	assert_int_equal(slider_tenths(ALL, 12), SLIDER_LEAST);
+	assert_int_equal(slider_tenths(ALL, 1e6), SLIDER_MOST);
+	assert_int_equal(slider_clamp(ALL, SLIDER_MOST + 1), SLIDER_MOST);
 }
 
 static void
@@ -30,13 +33,13 @@ typed_speeds_are_read_within_the_range(void **state)
 {
 	(void)state;
 	int tenths = 0;
-	assert_true(slider_read("72.3", &tenths));
+	assert_true(slider_read(ALL, "72.3", &tenths));
 	assert_int_equal(tenths, 723);
-	assert_true(slider_read("85", &tenths));
-	assert_false(slider_read("64.9", &tenths));
-	assert_false(slider_read("86", &tenths));
-	assert_false(slider_read("7.", &tenths) && tenths != 850);
-	assert_false(slider_read("", &tenths));
+	assert_true(slider_read(ALL, "85", &tenths));
+	assert_false(slider_read(ALL, "64.9", &tenths));
+	assert_false(slider_read(ALL, "86", &tenths));
+	assert_false(slider_read(ALL, "7.", &tenths) && tenths != 850);
+	assert_false(slider_read(ALL, "", &tenths));
 	assert_int_equal(tenths, 850);
 }
 
@@ -47,18 +50,20 @@ a_column_and_its_value_agree(void **state)
 	(void)state;
 	enum { WIDTH = SLIDER_MOST - SLIDER_LEAST + 1 };
 	for (int c = 0; c < WIDTH; c++) {
-		assert_int_equal(slider_at(c, WIDTH), SLIDER_LEAST + c);
-		assert_int_equal(slider_column(SLIDER_LEAST + c, WIDTH), c);
+		assert_int_equal(slider_at(ALL, c, WIDTH), SLIDER_LEAST + c);
+		assert_int_equal(
+		    slider_column(ALL, SLIDER_LEAST + c, WIDTH), c);
 	}
 	for (int width = 2; width < 300; width++)
 		for (int c = 0; c < width; c++)
 			if (width <= WIDTH)
 				assert_int_equal(
-				    slider_column(slider_at(c, width), width),
+				    slider_column(
+					ALL, slider_at(ALL, c, width), width),
 				    c);
-	assert_int_equal(slider_at(-5, 40), SLIDER_LEAST);
-	assert_int_equal(slider_at(900, 40), SLIDER_MOST);
-	assert_int_equal(slider_at(3, 1), SLIDER_LEAST);
+	assert_int_equal(slider_at(ALL, -5, 40), SLIDER_LEAST);
+	assert_int_equal(slider_at(ALL, 900, 40), SLIDER_MOST);
+	assert_int_equal(slider_at(ALL, 3, 1), SLIDER_LEAST);
 }
 
 static void
@@ -66,22 +71,49 @@ the_track_shows_zones_runs_and_value(void **state)
 {
 	(void)state;
 	char text[128];
-	int at = slider_draw(text, 41, 650, MARKS, ARRAY_LEN(MARKS));
+	int at = slider_draw(text, 41, ALL, 650, MARKS, ARRAY_LEN(MARKS));
 	assert_int_equal(at, 0);
 	assert_string_equal(text, "[65.0]xx|69-------o74-------|79xxxxxxxxxx");
-	slider_draw(text, 41, 740, MARKS, ARRAY_LEN(MARKS));
+	slider_draw(text, 41, ALL, 740, MARKS, ARRAY_LEN(MARKS));
 	assert_string_equal(text, "xxxxxxxx|69----[74.0]-------|79xxxxxxxxxx");
 	/* The handle covers a label whole. */
-	slider_draw(text, 41, 680, MARKS, ARRAY_LEN(MARKS));
+	slider_draw(text, 41, ALL, 680, MARKS, ARRAY_LEN(MARKS));
 	assert_string_equal(text, "xxx[68.0]---------o74-------|79xxxxxxxxxx");
-	slider_draw(text, 41, 850, MARKS, ARRAY_LEN(MARKS));
+	slider_draw(text, 41, ALL, 850, MARKS, ARRAY_LEN(MARKS));
 	assert_string_equal(text + 35, "[85.0]");
-	slider_draw(text, 101, 760, MARKS, ARRAY_LEN(MARKS));
+	slider_draw(text, 101, ALL, 760, MARKS, ARRAY_LEN(MARKS));
 	assert_string_equal(text,
 	    "xxxxxxxxxxxxxxxxxxxx|69 m/s 2380 J/kg--------o74-"
 	    "---[76.0]------------|79 m/s 3120 J/kgxxxxxxxxxxxxxx");
-	slider_draw(text, 41, 850, NULL, 0);
+	slider_draw(text, 41, ALL, 850, NULL, 0);
 	assert_int_equal(text[0], 'x');
+}
+
+/* Runs at 62.4 and 88 m/s: a slider that ended at 65 would show the slower one
+ * as trained there, and could not go to it. */
+static void
+the_range_holds_the_runs_of_the_site(void **state)
+{
+	(void)state;
+	struct run runs[] = {{.speed = 62.4}, {.speed = 88}};
+	struct site site = {.run = runs, .n_run = 2};
+	struct slider_range range = slider_range(&site);
+	assert_int_equal(range.least, 620);
+	assert_int_equal(range.most, 880);
+	assert_int_equal(slider_tenths(range, 62.4), 624);
+	int tenths;
+	assert_true(slider_read(range, "62.4", &tenths));
+	static const struct slider_mark marks[] = {{624, true}, {880, true}};
+	char text[64];
+	slider_draw(text, 27, range, 740, marks, 2);
+	assert_string_equal(text, "|62.4----[74.0]-----------|");
+	runs[0].speed = 0; /* a feed for any speed */
+	runs[1].speed = 74;
+	range = slider_range(&site);
+	assert_int_equal(range.least, SLIDER_LEAST);
+	assert_int_equal(range.most, SLIDER_MOST);
+	range = slider_range(NULL);
+	assert_int_equal(range.most, SLIDER_MOST);
 }
 
 static void
@@ -93,7 +125,7 @@ any_width_is_drawn(void **state)
 		for (int tenths = SLIDER_LEAST; tenths <= SLIDER_MOST;
 		     tenths += 7) {
 			int at = slider_draw(
-			    text, width, tenths, MARKS, ARRAY_LEN(MARKS));
+			    text, width, ALL, tenths, MARKS, ARRAY_LEN(MARKS));
 			assert_int_equal(strlen(text), width);
 			assert_true(at >= 0 && (at < width || width == 0));
 		}
@@ -107,6 +139,7 @@ main(void)
 	    cmocka_unit_test(typed_speeds_are_read_within_the_range),
 	    cmocka_unit_test(a_column_and_its_value_agree),
 	    cmocka_unit_test(the_track_shows_zones_runs_and_value),
+	    cmocka_unit_test(the_range_holds_the_runs_of_the_site),
 	    cmocka_unit_test(any_width_is_drawn),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
