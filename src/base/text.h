@@ -40,7 +40,14 @@ bool text_choice(const char *list, const char *word, size_t *index);
 /* Number of single-letter edits between a and b (Damerau-Levenshtein). */
 size_t text_distance(const char *a, const char *b);
 
-/* Columns a UTF-8 string takes on a terminal; an invalid byte counts as 1. */
+/* The code point at *text, which moves behind it; U+FFFD for a byte that is no
+ * UTF-8.  Not to be asked at the end of a text. */
+uint32_t text_next(const char **text);
+
+/* Columns of a character on a terminal: 1 where the locale does not know it, 0
+ * for marks that combine with the one before.  text_width: of a UTF-8 string,
+ * where an invalid byte counts as 1. */
+int text_columns(uint32_t code);
 int text_width(const char *s);
 
 /* Prints text to out in lines of at most width columns, broken at blanks, each

@@ -149,14 +149,12 @@ draw_command(const struct tui *t, const struct area *area)
 	const struct typing *y = &t->typing;
 	if (y->active) {
 		/* The line moves to the left where it is too long. */
-		int before = 0, room = area->columns - 2;
 		char *head = xstrndup(y->text, y->at);
-		before = text_width(head);
+		int before = text_width(head), room = area->columns - 2;
 		free(head);
 		const char *shown = y->text;
-		for (; before > room && *shown != '\0'; before--)
-			for (shown++; (*shown & 0xC0) == 0x80; shown++)
-				;
+		while (before > room && *shown != '\0')
+			before -= text_columns(text_next(&shown));
 		screen_text(area, 0, 0, LOOK_BOLD, ":%s", shown);
 		return 1 + before;
 	}
