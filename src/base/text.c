@@ -241,6 +241,17 @@ text_next(const char **text)
 	return code;
 }
 
+size_t
+text_shared(const char *a, const char *b)
+{
+	size_t n = 0;
+	while (a[n] != '\0' && a[n] == b[n])
+		n++;
+	while (n > 0 && (a[n] & 0xC0) == 0x80)
+		n--;
+	return n;
+}
+
 int
 text_columns(uint32_t code)
 {

@@ -44,6 +44,9 @@ size_t text_distance(const char *a, const char *b);
  * UTF-8.  Not to be asked at the end of a text. */
 uint32_t text_next(const char **text);
 
+/* How many bytes both begin with, of whole characters. */
+size_t text_shared(const char *a, const char *b);
+
 /* Columns of a character on a terminal: 1 where the locale does not know it, 0
  * for marks that combine with the one before.  text_width: of a UTF-8 string,
  * where an invalid byte counts as 1. */

@@ -17,7 +17,7 @@
 #include "ui/screen.h"
 #include "ui/view.h"
 
-enum { ESCAPE = 27 };
+enum { ESCAPE = 27, DELETE = 127 };
 
 /* A list moves up and down, whatever the focus is. */
 static int
@@ -397,7 +397,7 @@ digit_key(struct tui *t, int code)
 			    "a speed from 65 to 85 m/s was wanted, not %s",
 			    t->digits);
 		t->digits[0] = '\0';
-	} else if (code == 127 || code == '\b') {
+	} else if (code == DELETE || code == '\b') {
 		t->digits[n - 1] = '\0';
 	} else {
 		t->digits[0] = '\0';
@@ -409,22 +409,23 @@ digit_key(struct tui *t, int code)
 void
 act_key(struct tui *t, int code, bool special)
 {
+	if (special && (code == PANE_ENTER || code == PANE_BACKSPACE)) {
+		code = code == PANE_ENTER ? '\n' : DELETE;
+		special = false;
+	}
 	/* A character beyond ASCII is no key: its number may be one's. */
-	bool foreign = !special && code > 127 && !t->typing.active;
-	if (foreign)
+	if (!special && code > DELETE && !t->typing.active)
 		return;
-	if (special && code == PANE_MOUSE)
+	if (special && code == PANE_MOUSE) {
 		act_mouse(t);
-	else if (t->typing.active)
+	} else if (t->typing.active) {
 		type_key(t, code, special);
-	else if (t->viewer.text != NULL)
+	} else if (t->viewer.text != NULL) {
 		act(t, view_key(t, code, special));
-	else if (!(special && code == PANE_BACKSPACE ? digit_key(t, 127)
-						     : digit_key(t, code))) {
+	} else if (!digit_key(t, code)) {
 		const struct key *key = keys_find(code, t->page);
-		if (key != NULL)
-			act(t, key);
-		else if (!special && code > ' ')
+		act(t, key);
+		if (key == NULL && code > ' ' && code < DELETE)
 			tui_say(t, false,
 			    "this key does nothing: ? lists the keys");
 	}

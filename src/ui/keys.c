@@ -95,7 +95,7 @@ const struct key KEYS[] = {
 const struct key *
 keys_find(int code, enum page page)
 {
-	if (code == KEY_ENTER || code == '\r')
+	if (code == '\r')
 		code = '\n';
 	for (const struct key *k = KEYS; k->code != 0; k++)
 		if (k->code == code && (k->pages & (1U << page)))

@@ -6,7 +6,8 @@
 #include "ui/tui_state.h"
 
 /* Keys with a name, for who does not know ncurses. */
-extern const int PANE_PAGE_UP, PANE_PAGE_DOWN, PANE_MOUSE, PANE_BACKSPACE;
+extern const int PANE_PAGE_UP, PANE_PAGE_DOWN, PANE_MOUSE, PANE_BACKSPACE,
+    PANE_ENTER;
 
 /* One frame, with the cursor on the focus. */
 void pane_draw(struct tui *t);

@@ -14,7 +14,8 @@
 #include "ui/screen.h"
 
 const int PANE_PAGE_UP = KEY_PPAGE, PANE_PAGE_DOWN = KEY_NPAGE;
-const int PANE_MOUSE = KEY_MOUSE, PANE_BACKSPACE = KEY_BACKSPACE;
+const int PANE_MOUSE = KEY_MOUSE, PANE_BACKSPACE = KEY_BACKSPACE,
+	  PANE_ENTER = KEY_ENTER;
 
 int
 pane_side_columns(enum page page, int columns)

@@ -71,10 +71,8 @@ shared_bytes(char **text, size_t n)
 {
 	size_t shared = strlen(text[0]);
 	for (size_t i = 1; i < n; i++) {
-		size_t same = 0;
-		while (same < shared && text[i][same] == text[0][same])
-			same++;
-		shared = same;
+		size_t same = text_shared(text[0], text[i]);
+		shared = same < shared ? same : shared;
 	}
 	return shared;
 }

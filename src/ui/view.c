@@ -55,8 +55,7 @@ filter(struct tui *t, int code, bool special)
 {
 	struct viewer *v = &t->viewer;
 	char word[sizeof v->word + 1];
-	bool back = (special && code == PANE_BACKSPACE) ||
-		    (!special && (code == 127 || code == '\b'));
+	bool back = !special && (code == 127 || code == '\b');
 	if (!v->keys || (!v->filtering && code != '/'))
 		return false;
 	if (!v->filtering) {
