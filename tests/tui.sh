@@ -192,7 +192,15 @@ want '\[84\.9\]' "and the wheel"
 press '0;65;1M'
 press '0;65;1m'
 want 'site  *rock.*parameters' "a click opens a page"
-keys q
+keys 1 7
+want 'speed: 7_'
+press '0;65;1M'
+press '0;65;1m'
+want 'site  *rock.*parameters' "also while a speed is typed"
+keys '?' / by
+press '65;40;10M'
+want '^/by *$' "the wheel types nothing into the word to find"
+keys Escape q
 want 'IT IS OVER'
 
 # The same by the coding that terminals like tmux and screen have: motion comes
