@@ -224,6 +224,12 @@ start 80 24 START='echo hello'
 want 'f calibrates' "without parameters it says what to do"
 keys q
 want 'IT IS OVER'
+start 80 24 XDG_STATE_HOME=/dev/null
+want '\[74\.0\]'
+! grep -q history screen
+result $? "a remark on the history does not stand on the screen"
+keys q
+want 'the history is not kept' "but before it"
 # What it makes of a terminal, and that the shell goes on in a row of its own.
 # kind WORDS VARIABLE=VALUE..: WORDS are those at the right of its status line.
 kind() {

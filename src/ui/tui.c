@@ -300,24 +300,27 @@ tui_run(struct session *s)
 	bool history = typed_is_open();
 	if (linear)
 		return run_linear(s);
+	/* What it says of a history that cannot be kept is not for ncurses. */
+	if (!history)
+		typed_open();
 	rescue_note();
 	hold_signals(&was);
-	if (!screen_open(with_colour)) {
-		give_signals_back(&was);
+	bool opened = screen_open(with_colour);
+	if (opened) {
+		tui_begin(&t, s);
+		s->show_page = show_page;
+		loop(&t);
+		tui_end(&t);
+		screen_close();
+		rescue_done();
+	}
+	give_signals_back(&was);
+	if (!history)
+		typed_close();
+	if (!opened) {
 		session_note(s, "this terminal cannot show a full screen: is "
 				"TERM right? 'predict' answers without one");
 		return ERROR_SYSTEM;
 	}
-	if (!history)
-		typed_open();
-	tui_begin(&t, s);
-	s->show_page = show_page;
-	loop(&t);
-	tui_end(&t);
-	if (!history)
-		typed_close();
-	screen_close();
-	rescue_done();
-	give_signals_back(&was);
 	return pump_status();
 }
