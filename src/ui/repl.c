@@ -142,20 +142,13 @@ prompt(const struct session *s, bool colour)
 	    colour ? "\001\033[0m\002" : "", state);
 }
 
-/* Stops the program as ^Z does without readline, and takes the terminal again
- * when it goes on. */
+/* ^Z, and the terminal again when the program goes on. */
 static void
 stop(void)
 {
-	struct sigaction was, usual = {.sa_handler = SIG_DFL};
-	sigset_t held;
 	stopping = 0;
 	rl_deprep_terminal();
-	sigaction(SIGTSTP, &usual, &was);
-	raise(SIGTSTP);
-	sigprocmask(SIG_SETMASK, &at.let_in, &held);
-	sigprocmask(SIG_SETMASK, &held, NULL);
-	sigaction(SIGTSTP, &was, NULL);
+	pump_suspend(&at.let_in);
 	woken = SIGCONT;
 }
 
@@ -222,14 +215,8 @@ pastes_in_brackets(void)
 static char *
 read_line(const char *text)
 {
-	static const int held_signals[] = {
-	    SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT, SIGWINCH};
 	struct sigaction stop_action = {.sa_handler = on_stop}, was;
-	sigset_t held;
-	sigemptyset(&held);
-	for (size_t i = 0; i < ARRAY_LEN(held_signals); i++)
-		sigaddset(&held, held_signals[i]);
-	sigprocmask(SIG_BLOCK, &held, &at.let_in);
+	pump_hold_signals(&at.let_in);
 	sigaction(SIGTSTP, NULL, &was);
 	if (was.sa_handler != SIG_IGN)
 		sigaction(SIGTSTP, &stop_action, NULL);
