@@ -271,6 +271,9 @@ start 80 24 TERM=xterm LC_ALL=C \
 	'START=load data/sites/ossjo.csv; params set f_mat=1 e0_min=9 alpha=1'
 want '^Ossjo, Gneiss' "a name there is without its accents"
 keys q
+start 80 24 TERM=vt100 sh -c \
+	'"$TIPSPEED" data/sites/tierp.csv -c "plot psd"; exec sleep 1000'
+want '^100+' "plot has the same characters there as the full screen"
 start 80 24 TERM=vt100
 want '\[74\.0\]'
 keys M
