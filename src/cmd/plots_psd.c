@@ -224,10 +224,14 @@ shade_prediction(
 		series->low[i] = units_pct(band->low[i]);
 		series->high[i] = units_pct(band->high[i]);
 	}
+	char p50[64] = "";
+	if (isfinite(band->p50[0]) && isfinite(band->p50[1]))
+		snprintf(p50, sizeof p50, "; P50 %.2f to %.2f mm",
+		    1000 * band->p50[0], 1000 * band->p50[1]);
 	chart_note(chart,
 	    "shaded: the middle %d %% of what the fits that the data allow "
-	    "predict; P50 %.2f to %.2f mm",
-	    UNCERTAINTY_LEVEL, 1000 * band->p50[0], 1000 * band->p50[1]);
+	    "predict%s",
+	    UNCERTAINTY_LEVEL, p50);
 }
 
 /* A second prediction beside the first, and the site it is of; p NULL: there is
