@@ -299,6 +299,26 @@ text_wrap(const char *text, int margin, int width, FILE *out)
 	text_hang(text, margin, margin, width, out);
 }
 
+char *
+text_wrapped(const char *text, int width)
+{
+	char *lines = NULL;
+	size_t n = 0;
+	FILE *out = text_memory(&lines, &n);
+	text_wrap(text, 0, width, out);
+	fclose(out);
+	return lines;
+}
+
+FILE *
+text_memory(char **text, size_t *n)
+{
+	FILE *file = open_memstream(text, n);
+	if (file == NULL)
+		xalloc_fail();
+	return file;
+}
+
 uint64_t
 text_digest(uint64_t h, const void *bytes, size_t n)
 {

@@ -60,6 +60,13 @@ void text_wrap(const char *text, int margin, int width, FILE *out);
 /* The same with the first line behind first blanks. */
 void text_hang(const char *text, int first, int margin, int width, FILE *out);
 
+/* The lines of text_wrap as one string, which the caller frees. */
+char *text_wrapped(const char *text, int width);
+
+/* A file whose n bytes stand in *text, which the caller frees, once it is
+ * flushed or closed; without memory the program ends. */
+FILE *text_memory(char **text, size_t *n);
+
 /* True when s[0..n) is well-formed UTF-8 without NUL. */
 bool text_is_utf8(const char *s, size_t n);
 

@@ -165,9 +165,7 @@ screen_report(const struct canvas *canvas)
 	char *text = NULL;
 	size_t n = 0;
 	struct report *r = report_new("screen");
-	FILE *memory = open_memstream(&text, &n);
-	if (memory == NULL)
-		return r;
+	FILE *memory = text_memory(&text, &n);
 	canvas_print(canvas, 0, memory);
 	fclose(memory);
 	report_column(r, "text", "text");

@@ -81,14 +81,8 @@ flow_legend(struct layout *l, int row)
 static int
 flow_text(struct layout *l, int row, const char *text, unsigned attribute)
 {
-	char *wrapped = NULL, *save = NULL;
-	size_t n = 0;
+	char *wrapped = text_wrapped(text, l->canvas->columns), *save = NULL;
 	int rows = 0;
-	FILE *memory = open_memstream(&wrapped, &n);
-	if (memory == NULL)
-		return 0;
-	text_wrap(text, 0, l->canvas->columns, memory);
-	fclose(memory);
 	for (char *line = strtok_r(wrapped, "\n", &save); line != NULL;
 	     line = strtok_r(NULL, "\n", &save), rows++)
 		if (row >= 0)
@@ -255,7 +249,6 @@ draw_labels(struct layout *l)
 	free(row);
 }
 
-/* "passing, % / size, mm": what is up and what is across. */
 /* "Tierp, Granite, 11.2 mm: product", where that is too wide "Tierp: product",
  * or "product". */
 static char *

@@ -244,10 +244,9 @@ run_line(struct session *s, const char *line, int number)
 {
 	struct page page;
 	typed_add(line);
-	bool held = page_open(&page, s);
-	batch_line(s, line, "typed", number, held ? &page : NULL);
-	if (held)
-		page_close(&page);
+	page_open(&page, s);
+	batch_line(s, line, "typed", number, &page);
+	page_close(&page);
 }
 
 /* What was typed up to Return: one line, or several that were pasted. */

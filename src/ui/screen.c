@@ -268,13 +268,7 @@ screen_text(const struct area *area, int row, int column, unsigned look,
 int
 screen_words(const struct area *area, int row, unsigned look, const char *text)
 {
-	char *wrapped = NULL, *save = NULL;
-	size_t n = 0;
-	FILE *memory = open_memstream(&wrapped, &n);
-	if (memory == NULL)
-		return row;
-	text_wrap(text, 0, area->columns, memory);
-	fclose(memory);
+	char *wrapped = text_wrapped(text, area->columns), *save = NULL;
 	for (char *line = strtok_r(wrapped, "\n", &save); line != NULL;
 	     line = strtok_r(NULL, "\n", &save))
 		screen_series(area, row++, 0, SERIES_TEXT, look, line);

@@ -122,9 +122,7 @@ static void
 show_offers(struct typing *t, const struct completion *c)
 {
 	size_t n = 0;
-	FILE *out = open_memstream(&t->offers, &n);
-	if (out == NULL)
-		return;
+	FILE *out = text_memory(&t->offers, &n);
 	for (size_t i = 0; i < c->n; i++)
 		fprintf(out, "%s%s%s", i > 0 ? "  " : "", c->candidate[i].text,
 		    c->candidate[i].append == '=' ? "=" : "");

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "ui/pane.h"
 
 static int
@@ -38,9 +39,7 @@ view_keys(struct tui *t, const char *word)
 	size_t n = 0;
 	bool filtering = t->viewer.filtering;
 	snprintf(kept, sizeof kept, "%s", word);
-	FILE *out = open_memstream(&text, &n);
-	if (out == NULL)
-		return;
+	FILE *out = text_memory(&text, &n);
 	keys_list(kept, out);
 	fclose(out);
 	view_text(t, text);
