@@ -30,15 +30,8 @@ moved(int at, int by, size_t n)
 static void
 move_generation(struct tui *t, int by)
 {
-	size_t n;
-	const struct bounds *bounds;
-	if (tui_history(t, &n, &bounds) == NULL)
-		return;
-	size_t at = tui_generation(t);
-	t->generation = (size_t)moved((int)at - 1, by, n) + 1;
-	/* At its end a search that runs is followed again. */
-	if (t->generation == n)
-		t->generation = 0;
+	int at = (int)tui_generation(t) - 1;
+	tui_look_at(t, (size_t)moved(at, by, tui_past(t).n) + 1);
 }
 
 /* Up is a higher passing. */
@@ -93,14 +86,11 @@ move_to(struct tui *t, int where)
 static bool
 can_focus(const struct tui *t, enum focus focus)
 {
-	size_t n;
-	const struct bounds *bounds;
 	switch (focus) {
 	case FOCUS_CROSS:
 		return t->cross && t->page == PAGE_PREDICT;
 	case FOCUS_GENERATION:
-		return t->page == PAGE_FIT &&
-		       tui_history(t, &n, &bounds) != NULL;
+		return t->page == PAGE_FIT && tui_past(t).n > 0;
 	case FOCUS_SITE:
 		return t->page == PAGE_SITES;
 	default:

@@ -161,11 +161,7 @@ conduct_look(struct tui *t)
 	t->holdout = entry != NULL && entry->has_fit
 			 ? 100 * fit_holdout_rmse(entry)
 			 : NAN;
-	size_t n;
-	const struct bounds *bounds;
-	tui_history(t, &n, &bounds);
-	if (t->generation > n)
-		t->generation = 0;
+	tui_look_at(t, t->generation);
 }
 
 static bool

@@ -11,17 +11,16 @@ follow(struct tui *t, int column)
 {
 	struct area track = pane_track(t);
 	const struct area *s = &t->scrubber;
-	size_t n;
-	const struct bounds *bounds;
+	size_t n = tui_past(t).n;
 	if (t->focus != FOCUS_GENERATION) {
 		t->tenths = slider_at(column - track.column, track.columns);
 		return;
 	}
-	if (tui_history(t, &n, &bounds) == NULL || s->columns < 2)
+	if (n == 0 || s->columns < 2)
 		return;
 	int at = column - s->column;
 	at = at < 0 ? 0 : at >= s->columns ? s->columns - 1 : at;
-	t->generation = 1 + (size_t)at * (n - 1) / (size_t)(s->columns - 1);
+	tui_look_at(t, 1 + (size_t)at * (n - 1) / (size_t)(s->columns - 1));
 }
 
 static void
