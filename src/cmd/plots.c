@@ -94,10 +94,8 @@ plots_site_chart(const struct site *site, struct axis x, struct axis y,
 	va_start(ap, format);
 	vsnprintf(words, sizeof words, format, ap);
 	va_end(ap);
-	const char *from = site->provenance;
 	char *title = xasprintf("%s: %s", label, words);
-	char *about = from[0] == '\0' ? xstrdup("not stated where from")
-				      : xstrndup(from, strcspn(from, ";"));
+	char *about = site_source(site, "not stated where from");
 	struct chart *c = chart_new(title, about, x, y);
 	free(about);
 	free(title);

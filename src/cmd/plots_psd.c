@@ -95,28 +95,13 @@ free_curves(struct curves *c)
 		prediction_free(&c->prediction[i]);
 }
 
-/* Whether the run has a product and is one of the `most` such nearest to the
- * speed. */
-static bool
-is_near(const struct site *site, size_t run, double speed, size_t most)
-{
-	size_t nearer = 0;
-	double far = fabs(site->run[run].speed - speed);
-	for (size_t i = 0; i < site->n_run; i++) {
-		double d = fabs(site->run[i].speed - speed);
-		nearer += site->run[i].product.n > 0 &&
-			  (d < far || (d == far && i < run));
-	}
-	return site->run[run].product.n > 0 && nearer < most;
-}
-
 static void
 add_measured(
     struct curves *c, const struct site *site, double speed, size_t most)
 {
 	size_t taken = 0;
 	for (size_t i = 0; i < site->n_run; i++)
-		if (is_near(site, i, speed, most))
+		if (site_run_is_near(site, i, speed, most))
 			add_curve(c, &site->run[i].product,
 			    xasprintf("measured %g m/s", site->run[i].speed),
 			    plots_look(taken++));
@@ -436,7 +421,7 @@ plots_residuals(
 	    (struct axis){0}, "predicted less measured, sieve by sieve");
 	size_t taken = 0;
 	for (size_t i = 0; i < site->n_run; i++)
-		if (is_near(site, i, middle, MOST))
+		if (site_run_is_near(site, i, middle, MOST))
 			add_residuals(
 			    chart, s, i, &params, plots_look(taken++));
 	chart->y = around_zero(chart, "difference, points");

@@ -232,13 +232,13 @@ say_measured(const struct subject *a)
 static void
 say_data(const struct subject *a)
 {
-	const char *from = a->entry->site->provenance;
+	char *from = site_source(a->entry->site, "");
 	if (from[0] == '\0')
 		answers_say(a->list, "Where the data are from is not stated");
 	else if (strncmp(from, "measured", 8) != 0)
 		answers_say(a->list,
-		    "The data are not from a plant's sieves: %.*s",
-		    (int)strcspn(from, ";"), from);
+		    "The data are not from a plant's sieves: %s", from);
+	free(from);
 }
 
 static void
