@@ -9,6 +9,7 @@
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/plots.h"
+#include "core/misfit.h"
 #include "core/validate.h"
 
 /* A misfit that a log axis can show. */
@@ -140,7 +141,8 @@ add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
 {
 	size_t before = pairs->n;
 	for (size_t run = 0; run < entry->site->n_run; run++) {
-		if (entry->train[run] || entry->site->run[run].product.n == 0)
+		if (entry->train[run] ||
+		    misfit_covered(&entry->site->run[run]) == 0)
 			continue;
 		struct validation v = validate_run(entry->site, run,
 		    entry->train, &entry->params, s->set.model);

@@ -369,7 +369,7 @@ add_residuals(struct chart *chart, struct session *s, size_t run,
 {
 	const struct entry *entry = session_entry(s);
 	const struct run *r = &entry->site->run[run];
-	size_t n = misfit_covered(&r->feed, &r->product);
+	size_t n = misfit_covered(r);
 	struct prediction p =
 	    predict(entry->site, params, s->set.model, r->speed, run);
 	char *name = xasprintf(
@@ -410,8 +410,14 @@ plots_residuals(
 	struct curves c = {0};
 	if (!plots_params(s, q, &params, error))
 		return NULL;
-	if (site_products(site) == 0) {
-		error_set(error, ERROR_USAGE, "%s has no measured product",
+	size_t compared = 0, taken = 0;
+	for (size_t i = 0; i < site->n_run; i++)
+		compared += misfit_covered(&site->run[i]) > 0;
+	if (compared == 0) {
+		error_set(error, ERROR_USAGE,
+		    site_products(site) == 0
+			? "%s has no measured product"
+			: "%s: no product sieve lies within the feed's sieves",
 		    site->name);
 		return NULL;
 	}
@@ -419,11 +425,13 @@ plots_residuals(
 	add_measured(&c, site, middle, MOST);
 	struct chart *chart = plots_site_chart(site, sieves_of(&c),
 	    (struct axis){0}, "predicted less measured, sieve by sieve");
-	size_t taken = 0;
-	for (size_t i = 0; i < site->n_run; i++)
-		if (site_run_is_near(site, i, middle, MOST))
-			add_residuals(
-			    chart, s, i, &params, plots_look(taken++));
+	for (size_t i = 0; i < site->n_run; i++) {
+		if (!site_run_is_near(site, i, middle, MOST))
+			continue;
+		struct chart_series look = plots_look(taken++);
+		if (misfit_covered(&site->run[i]) > 0)
+			add_residuals(chart, s, i, &params, look);
+	}
 	chart->y = around_zero(chart, "difference, points");
 	free_curves(&c);
 	return chart;

@@ -215,7 +215,7 @@ say_measured(const struct subject *a)
 	const struct site *site = a->entry->site;
 	size_t r = site_run_at(site, a->p.speed);
 	if (r == site->n_run || a->entry->train[r] ||
-	    misfit_covered(&site->run[r].feed, &site->run[r].product) == 0)
+	    misfit_covered(&site->run[r]) == 0)
 		return;
 	struct validation v = validate_run(
 	    site, r, a->entry->train, &a->entry->params, a->s->set.model);

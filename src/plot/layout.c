@@ -24,8 +24,9 @@ layout_rule_code(enum series series, enum charset charset)
 	}
 }
 
-char *
-chart_legend(const struct chart_series *series, enum charset charset)
+/* One entry of the legend, "-v- measured 69"; the caller frees. */
+static char *
+legend_text(const struct chart_series *series, enum charset charset)
 {
 	static const char *const LINES[] = {[CHART_MARKS] = "",
 	    [CHART_SOLID] = "\u2500",
@@ -56,7 +57,7 @@ flow_legend(struct layout *l, int row)
 		    rule != NULL ? rule->series : c->series[i].series;
 		char *text = rule != NULL
 				 ? xasprintf("  %s", rule->name)
-				 : chart_legend(&c->series[i], l->charset);
+				 : legend_text(&c->series[i], l->charset);
 		int wide = text_width(text);
 		if (rows == 0 || column + wide > l->canvas->columns) {
 			column = 0;

@@ -15,9 +15,6 @@ void pane_draw(struct tui *t);
 /* The track of the slider without its ends, in the frame that was drawn. */
 struct area pane_track(const struct tui *t);
 
-/* How wide the side panel of a page is. */
-int pane_side_columns(enum page page, int columns);
-
 /* The body of each page. */
 void pane_predict(struct tui *t);
 void pane_fit(struct tui *t);

@@ -17,8 +17,9 @@ const int PANE_PAGE_UP = KEY_PPAGE, PANE_PAGE_DOWN = KEY_NPAGE;
 const int PANE_MOUSE = KEY_MOUSE, PANE_BACKSPACE = KEY_BACKSPACE,
 	  PANE_ENTER = KEY_ENTER;
 
-int
-pane_side_columns(enum page page, int columns)
+/* How wide the side panel of a page is. */
+static int
+side_columns(enum page page, int columns)
 {
 	if (page == PAGE_PREDICT)
 		return 24;
@@ -314,8 +315,7 @@ pane_draw(struct tui *t)
 {
 	int rows, columns, row, column;
 	screen_begin(&rows, &columns);
-	t->places =
-	    places_make(rows, columns, pane_side_columns(t->page, columns));
+	t->places = places_make(rows, columns, side_columns(t->page, columns));
 	t->scrubber = (struct area){0};
 	bool viewing = t->viewer.text != NULL;
 	if (viewing)
