@@ -20,18 +20,20 @@ print_caret(const char *line, int column, FILE *out)
 	enum { MOST = 72 };
 	int rows, columns;
 	terminal_size(&rows, &columns);
-	int room = columns < MOST + 8 ? columns - 8 : MOST, before = column - 1;
+	int room = columns < MOST + 8 ? columns - 8 : MOST, wide = 0, at = 0;
+	int i = 1;
 	const char *p = line;
-	while (before >= room * 5 / 9 && *p != '\0')
-		before -= text_columns(text_next(&p));
+	for (; i <= column - room * 5 / 9 && *p != '\0'; i++)
+		text_next(&p);
 	fputs("  ", out);
-	for (int wide = 0; *p != '\0' && wide < room;) {
+	for (; *p != '\0' && wide < room; i++) {
 		const char *from = p;
 		wide += text_columns(text_next(&p));
+		at = i < column ? wide : at;
 		fprintf(
 		    out, "%.*s", (int)(p - from), from[0] == '\t' ? " " : from);
 	}
-	fprintf(out, "\n  %*s^\n", before > 0 ? before : 0, "");
+	fprintf(out, "\n  %*s^\n", at, "");
 }
 
 static void
