@@ -211,5 +211,10 @@ keys_manual(FILE *out)
 			fprintf(out, "Runs\n.Ic %.*s .\n",
 			    (int)strcspn(k->command, " "), k->command);
 	}
-	fputs(".It digits, Enter\nType a speed.\n.El\n", out);
+	fputs(
+	    ".It digits, Enter\nType a speed.\n"
+	    ".It mouse\nA click on the track, and to drag it, set the "
+	    "speed;\nthe wheel moves it by 0.1 m/s.\nA click on the name of a "
+	    "page opens it.\n.El\n",
+	    out);
 }
