@@ -213,7 +213,7 @@ keys_manual(FILE *out)
 	}
 	fputs(
 	    ".It digits, Enter\nType a speed.\n"
-	    ".It mouse\nA click on the track, and to drag it, set the "
+	    ".It mouse\nClick on the track or drag along it to set the "
 	    "speed;\nthe wheel moves it by 0.1 m/s.\nA click on the name of a "
 	    "page opens it.\n.El\n",
 	    out);
