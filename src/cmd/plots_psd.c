@@ -107,52 +107,49 @@ add_measured(
 			    plots_look(taken++));
 }
 
-/* " (31.6 to 34.5)" behind what is read on a curve with a band, else "".  read:
- * chart_at or chart_at_y.  The caller frees. */
-static char *
-band_words(const struct chart *chart, const struct chart_series *s, int digits,
-    double (*read)(const struct chart *, const struct chart_series *, double),
-    double at)
+/* What is read at a place: chart_at at a size, chart_at_y at a passing. */
+typedef double reading(
+    const struct chart *, const struct chart_series *, double);
+
+/* Adds " feed 16.0 %" to a note, or " predicted 33.1 % (31.6 to 34.5)" of what
+ * has a band, or " feed -". */
+static void
+add_reading(char **note, const struct chart *chart,
+    const struct chart_series *s, reading *read, double at)
 {
 	struct chart_series low = *s, high = *s;
+	int digits = read == chart_at ? 1 : 2;
+	double own = read(chart, s, at);
+	if (isnan(own)) {
+		xappend(note, " %s -", s->name);
+		return;
+	}
+	xappend(note, " %s %.*f %s", s->name, digits, own,
+	    read == chart_at ? "%" : "mm");
 	if (s->low == NULL)
-		return xstrdup("");
+		return;
 	low.y = s->low;
 	high.y = s->high;
 	double a = read(chart, &low, at), b = read(chart, &high, at);
-	return isnan(a) || isnan(b) ? xstrdup("")
-				    : xasprintf(" (%.*f to %.*f)", digits,
-					  fmin(a, b), digits, fmax(a, b));
+	if (!isnan(a) && !isnan(b))
+		xappend(note, " (%.*f to %.*f)", digits, fmin(a, b), digits,
+		    fmax(a, b));
 }
 
-/* "at 2 mm: feed 16.0, measured 69 m/s 29.0 % passing", and of each curve the
- * size that the level passes. */
+/* "at 2 mm: feed 16.0 %, measured 69 m/s 29.0 %", and of each curve the size
+ * that the level passes. */
 static void
 note_crosshair(struct chart *chart, double x, double level)
 {
 	char *at = xasprintf("at %g mm:", x);
 	char *sizes = xasprintf("%g %% pass:", level);
 	for (size_t i = 0; i < chart->n; i++) {
-		const struct chart_series *s = &chart->series[i];
 		const char *comma = i + 1 < chart->n ? "," : "";
-		double y = chart_at(chart, s, x);
-		double size = chart_at_y(chart, s, level);
-		char *band = band_words(chart, s, 1, chart_at, x);
-		char *more = isnan(y)
-				 ? xasprintf("%s %s -%s", at, s->name, comma)
-				 : xasprintf("%s %s %.1f %%%s%s", at, s->name,
-				       y, band, comma);
-		free(at);
-		free(band);
-		at = more;
-		band = band_words(chart, s, 2, chart_at_y, level);
-		more = isnan(size)
-			   ? xasprintf("%s %s -%s", sizes, s->name, comma)
-			   : xasprintf("%s %s %.2f mm%s%s", sizes, s->name,
-				 size, band, comma);
-		free(sizes);
-		free(band);
-		sizes = more;
+		add_reading(&at, chart, &chart->series[i], chart_at, x);
+		add_reading(
+		    &sizes, chart, &chart->series[i], chart_at_y, level);
+		xappend(&at, "%s", comma);
+		xappend(&sizes, "%s", comma);
 	}
 	char *name = xasprintf("crosshair at %g mm", x);
 	chart_add_rule(chart, name, SERIES_CROSSHAIR, x);
