@@ -162,12 +162,11 @@ batch_file(struct session *s, const char *path)
 static void
 print_prompt(struct session *s, bool goes_on)
 {
-	if (goes_on)
-		fputs("> ", stderr);
-	else if (s->n_entry > 0)
-		fprintf(stderr, "%s> ", session_entry(s)->key);
-	else
-		fputs("tipspeed> ", stderr);
+	const char *key = s->n_entry > 0 ? session_entry(s)->key : "";
+	fprintf(stderr, "%s> ",
+	    goes_on          ? ""
+	    : key[0] != '\0' ? key
+			     : "tipspeed");
 }
 
 int

@@ -53,7 +53,7 @@ static bool
 filter(struct tui *t, int code, bool special)
 {
 	struct viewer *v = &t->viewer;
-	char word[sizeof v->word + 1];
+	char word[sizeof v->word] = {0}; /* ends wherever it is cut */
 	bool back = !special && (code == 127 || code == '\b');
 	if (!v->keys || (!v->filtering && code != '/'))
 		return false;
@@ -65,11 +65,10 @@ filter(struct tui *t, int code, bool special)
 	size_t n = strlen(word);
 	if (back && n > 0)
 		word[n - 1] = '\0';
-	else if (!back && !special && code >= ' ' && code < 127 &&
-		 n + 1 < sizeof v->word)
-		word[n] = (char)code, word[n + 1] = '\0';
-	else
+	else if (back || special || code < ' ' || code >= 127)
 		return false;
+	else if (n + 1 < sizeof word)
+		word[n] = (char)code;
 	view_keys(t, word);
 	return true;
 }

@@ -96,6 +96,16 @@ the_keypad_has_an_enter(void **state)
 	assert_string_equal(t->command, "set k 1");
 }
 
+static void
+a_word_too_long_to_find_does_nothing_else(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	type(t, "?/what is longer than the room there is for a word: q");
+	assert_true(t->viewer.filtering);
+	assert_int_equal(strlen(t->viewer.word), sizeof t->viewer.word - 1);
+	assert_false(t->leave);
+}
+
 int
 main(void)
 {
@@ -106,6 +116,9 @@ main(void)
 		what_is_completed_is_whole_letters, stage_open, stage_close),
 	    cmocka_unit_test_setup_teardown(
 		the_keypad_has_an_enter, stage_open, stage_close),
+	    cmocka_unit_test_setup_teardown(
+		a_word_too_long_to_find_does_nothing_else, stage_open,
+		stage_close),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
