@@ -88,7 +88,7 @@ none "a file includes its own header first"
 grep -nwE 'TODO|FIXME|XXX' -r src tests/unit man >"$tmp"
 none "no marks left"
 
-# What a session exported by the way is soon committed by the way.
+# What the full screen exported by the way is soon committed by the way.
 git ls-files 2>/dev/null | grep -v / | grep -vxE '\.clang-format|\.gitignore|'\
 'COPYING|HACKING\.md|Makefile\.am|NEWS|README\.md|bootstrap|configure\.ac' >"$tmp"
 none "no stray file at the top"

@@ -203,7 +203,14 @@ gesture '\[85\.0\]' "dragging moves it" \
 	'0;5;21M' '32;40;21M' '32;76;21M' '0;76;21m'
 gesture '\[84\.9\]' "and the wheel" '65;40;10M'
 gesture 'site  *rock.*parameters' "a click opens a page" '0;65;1M' '0;65;1m'
-keys q
+keys 1 7
+want 'speed: 7_'
+gesture 'site  *rock.*parameters' "also while a speed is typed" \
+	'0;65;1M' '0;65;1m'
+keys '?' / by
+press '65;40;10M'
+want '^/by *$' "the wheel types nothing into the word to find"
+keys Escape q
 want 'IT IS OVER'
 
 # The same by the coding that terminals like tmux and screen have: motion comes
@@ -221,6 +228,12 @@ start 80 24 START='echo hello'
 want 'f calibrates' "without parameters it says what to do"
 keys q
 want 'IT IS OVER'
+start 80 24 XDG_STATE_HOME=/dev/null
+want '\[74\.0\]'
+! grep -q history screen
+result $? "a remark on the history does not stand on the screen"
+keys q
+want 'the history is not kept' "but before it"
 # What it makes of a terminal, and that the shell goes on in a row of its own.
 # kind WORDS VARIABLE=VALUE..: WORDS are those at the right of its status line.
 kind() {
@@ -262,6 +275,9 @@ start 80 24 TERM=xterm LC_ALL=C \
 	'START=load data/sites/ossjo.csv; params set f_mat=1 e0_min=9 alpha=1'
 want '^Ossjo, Gneiss' "a name there is without its accents"
 keys q
+start 80 24 TERM=vt100 sh -c \
+	'"$TIPSPEED" data/sites/tierp.csv -c "plot psd"; exec sleep 1000'
+want '^100+' "plot has the same characters there as the full screen"
 start 80 24 TERM=vt100
 want '\[74\.0\]'
 keys M

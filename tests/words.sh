@@ -133,4 +133,14 @@ if command -v bash >/dev/null; then
 	[ -z "$(complete data/)" ]
 	result $? "bash: files are left to bash"
 fi
+
+"$TIPSPEED" -c 'help plot' | tr -s ' \n' '  ' >plot
+"$TIPSPEED" -c 'plot pie' 2>&1 | sed -n '/the plots are:/,$p' |
+	sed 's/.*are://' | tr -s ' ' '\n\n' | grep . >kinds
+[ -s kinds ] && while read -r kind; do
+	grep -q " $kind: " plot || echo "$kind"
+done <kinds >missing
+[ ! -s missing ]
+result $? "the help of plot tells what each kind shows"
+remark missing
 finish

@@ -1,5 +1,6 @@
-/* Numbers, words and widths, the same in every locale.
+/* Numbers and words, the same in every locale; widths as the terminal has them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#define _XOPEN_SOURCE 700 /* wcwidth */
 #include "base/text.h"
 
 #include <errno.h>
@@ -7,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wchar.h>
 
 #include "base/xalloc.h"
 
@@ -225,15 +227,44 @@ text_is_utf8(const char *s, size_t n)
 	return true;
 }
 
+uint32_t
+text_next(const char **text)
+{
+	const unsigned char *p = (const unsigned char *)*text;
+	size_t n = sequence(p, 4);
+	*text += n > 0 ? n : 1;
+	if (n < 2)
+		return n > 0 ? p[0] : 0xFFFD;
+	uint32_t code = p[0] & (0x7Fu >> n);
+	for (size_t i = 1; i < n; i++)
+		code = code << 6 | (p[i] & 0x3F);
+	return code;
+}
+
+size_t
+text_shared(const char *a, const char *b)
+{
+	size_t n = 0;
+	while (a[n] != '\0' && a[n] == b[n])
+		n++;
+	while (n > 0 && (a[n] & 0xC0) == 0x80)
+		n--;
+	return n;
+}
+
+int
+text_columns(uint32_t code)
+{
+	int columns = code < 0x80 ? 1 : wcwidth((wchar_t)code);
+	return columns < 0 ? 1 : columns;
+}
+
 int
 text_width(const char *s)
 {
 	int width = 0;
-	size_t n = strlen(s);
-	for (size_t i = 0; i < n; width++) {
-		size_t step = sequence((const unsigned char *)s + i, n - i);
-		i += step > 0 ? step : 1;
-	}
+	while (*s != '\0')
+		width += text_columns(text_next(&s));
 	return width;
 }
 
@@ -266,6 +297,26 @@ text_wrap(const char *text, int margin, int width, FILE *out)
 {
 	margin += (int)strspn(text, " ");
 	text_hang(text, margin, margin, width, out);
+}
+
+char *
+text_wrapped(const char *text, int width)
+{
+	char *lines = NULL;
+	size_t n = 0;
+	FILE *out = text_memory(&lines, &n);
+	text_wrap(text, 0, width, out);
+	fclose(out);
+	return lines;
+}
+
+FILE *
+text_memory(char **text, size_t *n)
+{
+	FILE *file = open_memstream(text, n);
+	if (file == NULL)
+		xalloc_fail();
+	return file;
 }
 
 uint64_t

@@ -40,7 +40,17 @@ bool text_choice(const char *list, const char *word, size_t *index);
 /* Number of single-letter edits between a and b (Damerau-Levenshtein). */
 size_t text_distance(const char *a, const char *b);
 
-/* Columns a UTF-8 string takes on a terminal; an invalid byte counts as 1. */
+/* The code point at *text, which moves behind it; U+FFFD for a byte that is no
+ * UTF-8.  Not to be asked at the end of a text. */
+uint32_t text_next(const char **text);
+
+/* How many bytes both begin with, of whole characters. */
+size_t text_shared(const char *a, const char *b);
+
+/* Columns of a character on a terminal: 1 where the locale does not know it, 0
+ * for marks that combine with the one before.  text_width: of a UTF-8 string,
+ * where an invalid byte counts as 1. */
+int text_columns(uint32_t code);
 int text_width(const char *s);
 
 /* Prints text to out in lines of at most width columns, broken at blanks, each
@@ -49,6 +59,13 @@ void text_wrap(const char *text, int margin, int width, FILE *out);
 
 /* The same with the first line behind first blanks. */
 void text_hang(const char *text, int first, int margin, int width, FILE *out);
+
+/* The lines of text_wrap as one string, which the caller frees. */
+char *text_wrapped(const char *text, int width);
+
+/* A file whose n bytes stand in *text, which the caller frees, once it is
+ * flushed or closed; without memory the program ends. */
+FILE *text_memory(char **text, size_t *n);
 
 /* True when s[0..n) is well-formed UTF-8 without NUL. */
 bool text_is_utf8(const char *s, size_t n);

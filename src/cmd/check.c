@@ -37,7 +37,7 @@ static struct coarser
 find_coarser(const struct run *run)
 {
 	struct coarser found = {0};
-	found.compared = misfit_covered(&run->feed, &run->product);
+	found.compared = misfit_covered(run);
 	for (size_t i = 0; i < found.compared; i++) {
 		double x = run->product.size[i];
 		double by =

@@ -111,11 +111,8 @@ static char *
 provenance(const struct side side[2])
 {
 	char *first[2];
-	for (size_t i = 0; i < 2; i++) {
-		const char *text = side[i].entry->site->provenance;
-		first[i] = text[0] != '\0' ? xstrndup(text, strcspn(text, ";"))
-					   : xstrdup("not stated");
-	}
+	for (size_t i = 0; i < 2; i++)
+		first[i] = site_source(side[i].entry->site, "not stated");
 	bool same = strcmp(first[0], first[1]) == 0;
 	char *both = same ? xstrdup(first[0])
 			  : xasprintf("%s: %s, %s: %s", side[0].head, first[0],

@@ -175,9 +175,7 @@ bool
 cmd_describe(struct session *s, const struct args *args, struct error *error)
 {
 	struct plot_request request;
-	if (!pictures_request(args, &request, error))
-		return false;
-	struct chart *chart = plots_chart(s, &request, error);
+	struct chart *chart = pictures_chart(s, args, &request, error);
 	if (chart == NULL)
 		return false;
 	struct tale t = {chart, request.kind, json_array()};

@@ -44,7 +44,7 @@ check_training(const struct site *site, const bool *train, struct error *error)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		if (!train[r] || misfit_covered(&run->feed, &run->product) > 0)
+		if (!train[r] || misfit_covered(run) > 0)
 			continue;
 		error_set(error, ERROR_DATA,
 		    "%s: no product sieve at %g m/s lies within the feed's "

@@ -109,8 +109,7 @@ next_site(const struct session *s, size_t from)
 	for (size_t i = from; i < s->n_entry; i++) {
 		const struct site *site = s->entry[i].site;
 		for (size_t r = 0; r < site->n_run; r++)
-			if (misfit_covered(
-				&site->run[r].feed, &site->run[r].product) > 0)
+			if (misfit_covered(&site->run[r]) > 0)
 				return i;
 	}
 	return s->n_entry;

@@ -208,9 +208,8 @@ journal_label(const struct command *command, const struct words *words)
 static void
 put_provenance(FILE *out, const struct site *site)
 {
-	char *kind = xstrndup(site->provenance, strcspn(site->provenance, ";"));
-	char *line = xasprintf("# %s: %s", site->name,
-	    kind[0] != '\0' ? kind : "provenance not stated");
+	char *kind = site_source(site, "provenance not stated");
+	char *line = xasprintf("# %s: %s", site->name, kind);
 	for (char *p = line; *p != '\0'; p++)
 		fputc((unsigned char)*p < ' ' || *p == '\\' ? ' ' : *p, out);
 	fputc('\n', out);

@@ -13,8 +13,8 @@
 #include "config.h"
 #include "plot/picture.h"
 
-bool
-pictures_request(
+static bool
+read_request(
     const struct args *args, struct plot_request *request, struct error *error)
 {
 	size_t kind;
@@ -42,6 +42,15 @@ pictures_request(
 	request->n_speed = speeds->n;
 	request->speeds = speeds->list;
 	return true;
+}
+
+struct chart *
+pictures_chart(struct session *s, const struct args *args,
+    struct plot_request *request, struct error *error)
+{
+	return read_request(args, request, error)
+		   ? plots_chart(s, request, error)
+		   : NULL;
 }
 
 struct report *
@@ -165,9 +174,7 @@ screen_report(const struct canvas *canvas)
 	char *text = NULL;
 	size_t n = 0;
 	struct report *r = report_new("screen");
-	FILE *memory = open_memstream(&text, &n);
-	if (memory == NULL)
-		return r;
+	FILE *memory = text_memory(&text, &n);
 	canvas_print(canvas, 0, memory);
 	fclose(memory);
 	report_column(r, "text", "text");
@@ -192,14 +199,13 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 		? xasprintf("tipspeed, the full screen: %s at %.1f m/s", label,
 		      s->last.speed)
 		: xasprintf("tipspeed, the full screen: %s", label);
-	const char *from = entry != NULL ? entry->site->provenance : "";
-	char *about =
-	    xasprintf("A text screen of %d columns and %d rows.%s%.*s",
-		canvas->columns, canvas->rows, from[0] ? " Data: " : "",
-		(int)strcspn(from, ";"), from);
+	char *from = entry != NULL ? site_source(entry->site, "") : xstrdup("");
+	char *about = xasprintf("A text screen of %d columns and %d rows.%s%s",
+	    canvas->columns, canvas->rows, from[0] ? " Data: " : "", from);
 	bool ok = picture_cells(canvas, colours, form, title, about, s->out) ||
 		  cannot_draw(s, error);
 	free(about);
+	free(from);
 	free(title);
 	free(label);
 	return ok;
@@ -233,9 +239,7 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 {
 	enum { AUTO };
 	struct plot_request request;
-	if (!pictures_request(args, &request, error))
-		return false;
-	struct chart *chart = plots_chart(s, &request, error);
+	struct chart *chart = pictures_chart(s, args, &request, error);
 	if (chart == NULL)
 		return false;
 	size_t choice = args_value(args, "charset")->choice;

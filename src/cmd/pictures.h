@@ -20,10 +20,10 @@ struct screen_request {
 	const char *keys;
 };
 
-/* What the call asks for: its kind and the options that plot and describe have
- * in common. */
-bool pictures_request(
-    const struct args *args, struct plot_request *request, struct error *error);
+/* The chart that the call asks for, by its kind and the options that plot and
+ * describe have in common; see plots_chart.  request: out. */
+struct chart *pictures_chart(struct session *s, const struct args *args,
+    struct plot_request *request, struct error *error);
 
 /* A report headed as the chart is. */
 struct report *pictures_report(

@@ -89,17 +89,15 @@ struct chart *
 plots_site_chart(const struct site *site, struct axis x, struct axis y,
     const char *format, ...)
 {
-	char words[160], *label = session_label(site);
 	va_list ap;
 	va_start(ap, format);
-	vsnprintf(words, sizeof words, format, ap);
+	char *words = xvasprintf(format, ap), *label = session_label(site);
 	va_end(ap);
-	const char *from = site->provenance;
 	char *title = xasprintf("%s: %s", label, words);
-	char *about = from[0] == '\0' ? xstrdup("not stated where from")
-				      : xstrndup(from, strcspn(from, ";"));
+	char *about = site_source(site, "not stated where from");
 	struct chart *c = chart_new(title, about, x, y);
 	free(about);
+	free(words);
 	free(title);
 	free(label);
 	return c;

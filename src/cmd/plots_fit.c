@@ -9,6 +9,7 @@
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/plots.h"
+#include "core/misfit.h"
 #include "core/validate.h"
 
 /* A misfit that a log axis can show. */
@@ -127,18 +128,11 @@ struct pairs {
 };
 
 static void
-add_about(struct pairs *pairs, const char *provenance)
+add_about(struct pairs *pairs, const struct site *site)
 {
-	char *clause = provenance[0] == '\0'
-			   ? xstrdup("not stated where from")
-			   : xstrndup(provenance, strcspn(provenance, ";"));
-	char *before = pairs->about;
-	if (before == NULL)
-		pairs->about = xstrdup(clause);
-	else if (strstr(before, clause) == NULL)
-		pairs->about = xasprintf("%s; %s", before, clause);
-	if (pairs->about != before)
-		free(before);
+	char *clause = site_source(site, "not stated where from");
+	if (strstr(pairs->about, clause) == NULL)
+		xlist(&pairs->about, "; ", "%s", clause);
 	free(clause);
 }
 
@@ -147,7 +141,8 @@ add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
 {
 	size_t before = pairs->n;
 	for (size_t run = 0; run < entry->site->n_run; run++) {
-		if (entry->train[run] || entry->site->run[run].product.n == 0)
+		if (entry->train[run] ||
+		    misfit_covered(&entry->site->run[run]) == 0)
 			continue;
 		struct validation v = validate_run(entry->site, run,
 		    entry->train, &entry->params, s->set.model);
@@ -164,7 +159,7 @@ add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
 	if (pairs->n == before)
 		return;
 	pairs->n_site++;
-	add_about(pairs, entry->site->provenance);
+	add_about(pairs, entry->site);
 }
 
 static void
@@ -195,7 +190,7 @@ plots_parity(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	(void)q;
-	struct pairs pairs = {0};
+	struct pairs pairs = {.about = xstrdup("")};
 	struct chart *chart = NULL;
 	double low = INFINITY, high = 0;
 	for (size_t i = 0; i < s->n_entry; i++)

@@ -95,79 +95,61 @@ free_curves(struct curves *c)
 		prediction_free(&c->prediction[i]);
 }
 
-/* Whether the run has a product and is one of the `most` such nearest to the
- * speed. */
-static bool
-is_near(const struct site *site, size_t run, double speed, size_t most)
-{
-	size_t nearer = 0;
-	double far = fabs(site->run[run].speed - speed);
-	for (size_t i = 0; i < site->n_run; i++) {
-		double d = fabs(site->run[i].speed - speed);
-		nearer += site->run[i].product.n > 0 &&
-			  (d < far || (d == far && i < run));
-	}
-	return site->run[run].product.n > 0 && nearer < most;
-}
-
 static void
 add_measured(
     struct curves *c, const struct site *site, double speed, size_t most)
 {
 	size_t taken = 0;
 	for (size_t i = 0; i < site->n_run; i++)
-		if (is_near(site, i, speed, most))
+		if (site_run_is_near(site, i, speed, most))
 			add_curve(c, &site->run[i].product,
 			    xasprintf("measured %g m/s", site->run[i].speed),
 			    plots_look(taken++));
 }
 
-/* " (31.6 to 34.5)" behind what is read on a curve with a band, else "".  read:
- * chart_at or chart_at_y.  The caller frees. */
-static char *
-band_words(const struct chart *chart, const struct chart_series *s, int digits,
-    double (*read)(const struct chart *, const struct chart_series *, double),
-    double at)
+/* What is read at a place: chart_at at a size, chart_at_y at a passing. */
+typedef double reading(
+    const struct chart *, const struct chart_series *, double);
+
+/* Adds " feed 16.0 %" to a note, or " predicted 33.1 % (31.6 to 34.5)" of what
+ * has a band, or " feed -". */
+static void
+add_reading(char **note, const struct chart *chart,
+    const struct chart_series *s, reading *read, double at)
 {
 	struct chart_series low = *s, high = *s;
+	int digits = read == chart_at ? 1 : 2;
+	double own = read(chart, s, at);
+	if (isnan(own)) {
+		xappend(note, " %s -", s->name);
+		return;
+	}
+	xappend(note, " %s %.*f %s", s->name, digits, own,
+	    read == chart_at ? "%" : "mm");
 	if (s->low == NULL)
-		return xstrdup("");
+		return;
 	low.y = s->low;
 	high.y = s->high;
 	double a = read(chart, &low, at), b = read(chart, &high, at);
-	return isnan(a) || isnan(b) ? xstrdup("")
-				    : xasprintf(" (%.*f to %.*f)", digits,
-					  fmin(a, b), digits, fmax(a, b));
+	if (!isnan(a) && !isnan(b))
+		xappend(note, " (%.*f to %.*f)", digits, fmin(a, b), digits,
+		    fmax(a, b));
 }
 
-/* "at 2 mm: feed 16.0, measured 69 m/s 29.0 % passing", and of each curve the
- * size that the level passes. */
+/* "at 2 mm: feed 16.0 %, measured 69 m/s 29.0 %", and of each curve the size
+ * that the level passes. */
 static void
 note_crosshair(struct chart *chart, double x, double level)
 {
 	char *at = xasprintf("at %g mm:", x);
 	char *sizes = xasprintf("%g %% pass:", level);
 	for (size_t i = 0; i < chart->n; i++) {
-		const struct chart_series *s = &chart->series[i];
 		const char *comma = i + 1 < chart->n ? "," : "";
-		double y = chart_at(chart, s, x);
-		double size = chart_at_y(chart, s, level);
-		char *band = band_words(chart, s, 1, chart_at, x);
-		char *more = isnan(y)
-				 ? xasprintf("%s %s -%s", at, s->name, comma)
-				 : xasprintf("%s %s %.1f %%%s%s", at, s->name,
-				       y, band, comma);
-		free(at);
-		free(band);
-		at = more;
-		band = band_words(chart, s, 2, chart_at_y, level);
-		more = isnan(size)
-			   ? xasprintf("%s %s -%s", sizes, s->name, comma)
-			   : xasprintf("%s %s %.2f mm%s%s", sizes, s->name,
-				 size, band, comma);
-		free(sizes);
-		free(band);
-		sizes = more;
+		add_reading(&at, chart, &chart->series[i], chart_at, x);
+		add_reading(
+		    &sizes, chart, &chart->series[i], chart_at_y, level);
+		xappend(&at, "%s", comma);
+		xappend(&sizes, "%s", comma);
 	}
 	char *name = xasprintf("crosshair at %g mm", x);
 	chart_add_rule(chart, name, SERIES_CROSSHAIR, x);
@@ -224,10 +206,14 @@ shade_prediction(
 		series->low[i] = units_pct(band->low[i]);
 		series->high[i] = units_pct(band->high[i]);
 	}
+	char p50[64] = "";
+	if (isfinite(band->p50[0]) && isfinite(band->p50[1]))
+		snprintf(p50, sizeof p50, "; P50 %.2f to %.2f mm",
+		    1000 * band->p50[0], 1000 * band->p50[1]);
 	chart_note(chart,
 	    "shaded: the middle %d %% of what the fits that the data allow "
-	    "predict; P50 %.2f to %.2f mm",
-	    UNCERTAINTY_LEVEL, 1000 * band->p50[0], 1000 * band->p50[1]);
+	    "predict%s",
+	    UNCERTAINTY_LEVEL, p50);
 }
 
 /* A second prediction beside the first, and the site it is of; p NULL: there is
@@ -383,7 +369,7 @@ add_residuals(struct chart *chart, struct session *s, size_t run,
 {
 	const struct entry *entry = session_entry(s);
 	const struct run *r = &entry->site->run[run];
-	size_t n = misfit_covered(&r->feed, &r->product);
+	size_t n = misfit_covered(r);
 	struct prediction p =
 	    predict(entry->site, params, s->set.model, r->speed, run);
 	char *name = xasprintf(
@@ -424,8 +410,14 @@ plots_residuals(
 	struct curves c = {0};
 	if (!plots_params(s, q, &params, error))
 		return NULL;
-	if (site_products(site) == 0) {
-		error_set(error, ERROR_USAGE, "%s has no measured product",
+	size_t compared = 0, taken = 0;
+	for (size_t i = 0; i < site->n_run; i++)
+		compared += misfit_covered(&site->run[i]) > 0;
+	if (compared == 0) {
+		error_set(error, ERROR_USAGE,
+		    site_products(site) == 0
+			? "%s has no measured product"
+			: "%s: no product sieve lies within the feed's sieves",
 		    site->name);
 		return NULL;
 	}
@@ -433,11 +425,13 @@ plots_residuals(
 	add_measured(&c, site, middle, MOST);
 	struct chart *chart = plots_site_chart(site, sieves_of(&c),
 	    (struct axis){0}, "predicted less measured, sieve by sieve");
-	size_t taken = 0;
-	for (size_t i = 0; i < site->n_run; i++)
-		if (is_near(site, i, middle, MOST))
-			add_residuals(
-			    chart, s, i, &params, plots_look(taken++));
+	for (size_t i = 0; i < site->n_run; i++) {
+		if (!site_run_is_near(site, i, middle, MOST))
+			continue;
+		struct chart_series look = plots_look(taken++);
+		if (misfit_covered(&site->run[i]) > 0)
+			add_residuals(chart, s, i, &params, look);
+	}
 	chart->y = around_zero(chart, "difference, points");
 	free_curves(&c);
 	return chart;

@@ -76,12 +76,7 @@ redirect_open(struct session *s, const struct words *words, struct error *error)
 	if (words->to != TO_PIPE && !may_write(words->target, error))
 		return NULL;
 	struct redirect *r = xcalloc(1, sizeof *r);
-	r->memory = open_memstream(&r->text, &r->n);
-	if (r->memory == NULL) {
-		free(r);
-		cannot_write(words->target, errno, error);
-		return NULL;
-	}
+	r->memory = text_memory(&r->text, &r->n);
 	r->to = words->to;
 	r->target = xstrdup(words->target);
 	r->out = s->out;

@@ -33,7 +33,8 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
     {"NO_COLOR",
 	"Not empty: no colour, where neither --color nor TIPSPEED_COLOR says "
 	"otherwise."},
-    {"TERM", "Kind of the terminal; dumb has no colour and no pager."},
+    {"TERM", "Kind of the terminal; dumb has no colour and no pager, and there "
+	     "as on the Linux console plots are drawn in ASCII."},
     {"COLORTERM", "truecolor or 24bit: plots have 256 colours, whatever TERM "
 		  "says."},
     {"TIPSPEED_PAGER",

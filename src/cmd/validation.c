@@ -121,8 +121,7 @@ add_validations(struct session *s, struct report *r, json_t *list)
 	s->answer[ANSWER_HOLDOUT] = NAN;
 	for (size_t i = 0; i < site->n_run; i++) {
 		const struct run *run = &site->run[i];
-		if (entry->train[i] ||
-		    misfit_covered(&run->feed, &run->product) == 0)
+		if (entry->train[i] || misfit_covered(run) == 0)
 			continue;
 		struct validation v = validate_run(
 		    site, i, entry->train, &entry->params, s->set.model);

@@ -215,7 +215,7 @@ say_measured(const struct subject *a)
 	const struct site *site = a->entry->site;
 	size_t r = site_run_at(site, a->p.speed);
 	if (r == site->n_run || a->entry->train[r] ||
-	    misfit_covered(&site->run[r].feed, &site->run[r].product) == 0)
+	    misfit_covered(&site->run[r]) == 0)
 		return;
 	struct validation v = validate_run(
 	    site, r, a->entry->train, &a->entry->params, a->s->set.model);
@@ -232,13 +232,13 @@ say_measured(const struct subject *a)
 static void
 say_data(const struct subject *a)
 {
-	const char *from = a->entry->site->provenance;
+	char *from = site_source(a->entry->site, "");
 	if (from[0] == '\0')
 		answers_say(a->list, "Where the data are from is not stated");
 	else if (strncmp(from, "measured", 8) != 0)
 		answers_say(a->list,
-		    "The data are not from a plant's sieves: %.*s",
-		    (int)strcspn(from, ";"), from);
+		    "The data are not from a plant's sieves: %s", from);
+	free(from);
 }
 
 static void

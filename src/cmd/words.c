@@ -13,11 +13,10 @@
 static int
 column_of(const char *line, struct words *words, size_t offset)
 {
-	char *between =
-	    xstrndup(line + words->reached, offset - words->reached);
-	words->reached_column += text_width(between);
+	const char *p = line + words->reached;
+	for (; p < line + offset; words->reached_column++)
+		text_next(&p);
 	words->reached = offset;
-	free(between);
 	return words->reached_column;
 }
 

@@ -19,8 +19,9 @@ appearance_density(const double beta[static 4], double u)
 	return p > 0 ? p : 0;
 }
 
-double
-appearance_primitive(const double beta[static 4], double u)
+/* Antiderivative of the unclipped polynomial with respect to ln u. */
+static double
+primitive(const double beta[static 4], double u)
 {
 	return beta[0] * el_log(u) +
 	       u * (beta[1] + u * (beta[2] / 2 + u * beta[3] / 3));
@@ -100,8 +101,8 @@ appearance_of(const double beta[static 4])
 		double middle = edge[i - 1] + (edge[i] - edge[i - 1]) / 2;
 		if (!(polynomial(beta, middle) > 0))
 			continue;
-		double share = appearance_primitive(beta, edge[i]) -
-			       appearance_primitive(beta, edge[i - 1]);
+		double share =
+		    primitive(beta, edge[i]) - primitive(beta, edge[i - 1]);
 		a.lower[a.n] = edge[i - 1];
 		a.upper[a.n] = edge[i];
 		a.below[a.n] = a.total;
@@ -123,8 +124,8 @@ appearance_passing(const struct appearance *a, double u)
 	double sum = 0;
 	for (size_t i = 0; i < a->n && u > a->lower[i]; i++) {
 		double end = u < a->upper[i] ? u : a->upper[i];
-		sum = a->below[i] + appearance_primitive(a->beta, end) -
-		      appearance_primitive(a->beta, a->lower[i]);
+		sum = a->below[i] + primitive(a->beta, end) -
+		      primitive(a->beta, a->lower[i]);
 	}
 	return a->total > 0 ? sum / a->total : 0;
 }

@@ -41,9 +41,6 @@ double appearance_density(const double beta[static 4], double u);
 double appearance_argument(
     enum appearance_form form, double parent, double daughter);
 
-/* Antiderivative of the unclipped polynomial with respect to ln u. */
-double appearance_primitive(const double beta[static 4], double u);
-
 /* B(u) in [0, 1]: 0 below 2^-10, 1 at u >= 1.  Where total is 0 it is 0 for
  * every u < 1. */
 double appearance_passing(const struct appearance *a, double u);

@@ -93,6 +93,15 @@ classes_product(struct classes *c, double v, double *passing)
 		passing[i] = psd_passing(&c->product, c->sieve[i]);
 }
 
+bool
+classes_breaks(const struct classes *c)
+{
+	for (size_t i = 0; i < c->feed.n; i++)
+		if (c->matrix[i * c->feed.n + i] < 1)
+			return true;
+	return false;
+}
+
 double
 classes_selected(struct classes *c, double v)
 {

@@ -3,6 +3,8 @@
 #ifndef TIPSPEED_CORE_CLASSES_H
 #define TIPSPEED_CORE_CLASSES_H
 
+#include <stdbool.h>
+
 #include "core/params.h"
 #include "core/psd.h"
 
@@ -13,9 +15,10 @@ struct classes *classes_new(const struct psd *feed, const double *sieve,
     size_t n, struct model_settings settings);
 void classes_free(struct classes *c);
 
-/* See model_set, model_product and model_selected. */
+/* See model_set, model_product, model_breaks and model_selected. */
 void classes_set(struct classes *c, const struct params *p);
 void classes_product(struct classes *c, double v, double *passing);
+bool classes_breaks(const struct classes *c);
 double classes_selected(struct classes *c, double v);
 
 /* Sizes, m, of the n feed classes, coarsest first, the pan last (D5). */

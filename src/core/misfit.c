@@ -9,10 +9,11 @@
 #include "base/xalloc.h"
 
 size_t
-misfit_covered(const struct psd *feed, const struct psd *psd)
+misfit_covered(const struct run *run)
 {
 	size_t n = 0;
-	while (n < psd->n && psd_covers(feed, psd->size[n]))
+	while (
+	    n < run->product.n && psd_covers(&run->feed, run->product.size[n]))
 		n++;
 	return n;
 }
@@ -43,7 +44,7 @@ fill_run(
 	to->run_weight = run_weight;
 	to->by_sd = by_sd && run->product_sd != NULL;
 	to->feed = run->feed;
-	to->n = misfit_covered(&run->feed, &run->product);
+	to->n = misfit_covered(run);
 	to->sieve = xdoubles(to->n);
 	to->measured = xdoubles(to->n);
 	to->weight = xdoubles(to->n);

@@ -59,9 +59,9 @@ double misfit_jacobian(
 /* Root mean square of the unweighted differences at p, 0..1. */
 double misfit_rmse(struct misfit *m, const struct params *p);
 
-/* Number of sieves of psd that the feed covers; the finest ones are left out
- * first, so these are psd's leading sieves. */
-size_t misfit_covered(const struct psd *feed, const struct psd *psd);
+/* Number of sieves of the run's product that its feed covers; the finest ones
+ * are left out first, so these are the leading ones. */
+size_t misfit_covered(const struct run *run);
 
 /* The default training set: the slowest and the fastest run with a product.
  * Returns how many were marked, 0..2. */

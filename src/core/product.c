@@ -126,7 +126,8 @@ model_jacobian(
 bool
 model_breaks(const struct model *model)
 {
-	return appearance_of(model->p.beta).total > 0;
+	return model->classes != NULL ? classes_breaks(model->classes)
+				      : appearance_of(model->p.beta).total > 0;
 }
 
 double

@@ -44,7 +44,8 @@ void model_product(struct model *model, double v, double *passing);
 void model_jacobian(
     struct model *model, double v, double *passing, double *d_passing);
 
-/* False when p(u) is 0 everywhere, so that product = feed. */
+/* False when no fragment has a daughter of another class, or p(u) is 0
+ * everywhere, so that product = feed. */
 bool model_breaks(const struct model *model);
 
 /* Mass fraction of the feed that is selected for breakage at v, 0..1. */

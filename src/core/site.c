@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -97,4 +98,24 @@ site_run_nearest(const struct site *site, double speed)
 		    fabs(site->run[best].speed - speed) - 1e-9)
 			best = r;
 	return best;
+}
+
+bool
+site_run_is_near(const struct site *site, size_t run, double speed, size_t most)
+{
+	size_t nearer = 0;
+	double far = fabs(site->run[run].speed - speed);
+	for (size_t i = 0; i < site->n_run; i++) {
+		double d = fabs(site->run[i].speed - speed);
+		nearer += site->run[i].product.n > 0 &&
+			  (d < far || (d == far && i < run));
+	}
+	return site->run[run].product.n > 0 && nearer < most;
+}
+
+char *
+site_source(const struct site *site, const char *none)
+{
+	size_t n = strcspn(site->provenance, ";");
+	return n > 0 ? xstrndup(site->provenance, n) : xstrdup(none);
 }

@@ -54,4 +54,13 @@ size_t site_run_at(const struct site *site, double speed);
 /* The run whose speed is nearest; the slower of two equally near. */
 size_t site_run_nearest(const struct site *site, double speed);
 
+/* Whether the run has a product and is one of the `most` such whose speeds are
+ * nearest. */
+bool site_run_is_near(
+    const struct site *site, size_t run, double speed, size_t most);
+
+/* The first clause of the provenance, which the caller frees; or a copy of
+ * `none` where the sheet says nothing. */
+char *site_source(const struct site *site, const char *none);
+
 #endif

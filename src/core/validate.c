@@ -80,7 +80,7 @@ validate_run(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings)
 {
 	const struct run *at = &site->run[run];
-	size_t n = misfit_covered(&at->feed, &at->product), worst = 0;
+	size_t n = misfit_covered(at), worst = 0;
 	assert(n > 0);
 	struct validation v = {.run = run,
 	    .speed = at->speed,

@@ -55,10 +55,7 @@ checkpoint_save(const char *path, const struct checkpoint_of *of,
     struct calibration *c, struct error *error)
 {
 	struct text text = {NULL, 0};
-	FILE *out = open_memstream(&text.bytes, &text.n);
-	if (out == NULL)
-		return error_at(error, ERROR_SYSTEM, path, 0, 0,
-		    "cannot be saved: %s", strerror(errno));
+	FILE *out = text_memory(&text.bytes, &text.n);
 	fprintf(out, "%s\nsite %016" PRIx64 "\noptions %s\n", TITLE,
 	    of->site_digest, of->options);
 	struct visit visit = {out, put_reals, put_wholes};

@@ -47,9 +47,9 @@ wraps(const struct report *r, int *indent)
 	*indent = 2;
 	for (size_t c = 0; c + 1 < r->n_column; c++)
 		*indent += column_width(r, c) + 2;
-	return r->n_column > 1 && *indent<SCREEN - LEAST && * indent +
-					  column_width(r, r->n_column - 1)>
-				      SCREEN;
+	if (r->n_column < 2 || *indent >= SCREEN - LEAST)
+		return false;
+	return *indent + column_width(r, r->n_column - 1) > SCREEN;
 }
 
 /* The last cell of a row, wrapped under itself. */
@@ -58,9 +58,7 @@ print_sentence(const char *text, int indent, FILE *out)
 {
 	char *lines = NULL;
 	size_t n = 0;
-	FILE *memory = open_memstream(&lines, &n);
-	if (memory == NULL)
-		return;
+	FILE *memory = text_memory(&lines, &n);
 	text_wrap(text, indent, SCREEN, memory);
 	fclose(memory);
 	if (n > (size_t)indent)
@@ -124,9 +122,7 @@ print_trimmed(const struct report *r, size_t row, struct block block, FILE *out)
 {
 	char *line = NULL;
 	size_t n = 0;
-	FILE *memory = open_memstream(&line, &n);
-	if (memory == NULL)
-		return;
+	FILE *memory = text_memory(&line, &n);
 	print_row(r, row - 1, row == 0, block, "  ", memory);
 	fclose(memory);
 	while (n > 0 && line[n - 1] == ' ')

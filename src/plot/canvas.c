@@ -1,13 +1,12 @@
 /* A grid of cells: text into it, escape sequences out of it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#define _XOPEN_SOURCE 700 /* wcwidth */
 #include "plot/canvas.h"
 
 #include <assert.h>
 #include <stdbool.h>
 #include <stdlib.h>
-#include <wchar.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 
 struct canvas *
@@ -38,38 +37,6 @@ canvas_at(struct canvas *canvas, int column, int row)
 	return &canvas->cell[row * canvas->columns + column];
 }
 
-/* The code point at *text, which moves behind it; U+FFFD for what is no
- * UTF-8. */
-static uint32_t
-next_code(const char **text)
-{
-	const unsigned char *p = (const unsigned char *)*text;
-	int more = p[0] < 0x80   ? 0
-		   : p[0] < 0xC2 ? -1
-		   : p[0] < 0xE0 ? 1
-		   : p[0] < 0xF0 ? 2
-		   : p[0] < 0xF5 ? 3
-				 : -1;
-	uint32_t code = more > 0 ? p[0] & (0x3Fu >> more) : p[0];
-	(*text)++;
-	for (int i = 1; i <= more; i++) {
-		if ((p[i] & 0xC0) != 0x80)
-			return 0xFFFD;
-		code = code << 6 | (p[i] & 0x3F);
-		(*text)++;
-	}
-	return more < 0 ? 0xFFFD : code;
-}
-
-/* Columns of a character; 1 where the locale does not know it, 0 for marks
- * that combine with the one before. */
-static int
-width_of(uint32_t code)
-{
-	int width = code < 0x80 ? 1 : wcwidth((wchar_t)code);
-	return width < 0 ? 1 : width;
-}
-
 /* Those that a terminal would act on, or XML not hold. */
 static bool
 is_control(uint32_t code)
@@ -89,10 +56,10 @@ canvas_text_within(struct canvas *canvas, int column, int row, int end,
 	    .attribute = (unsigned char)attribute,
 	};
 	while (*text != '\0') {
-		cell.code = next_code(&text);
+		cell.code = text_next(&text);
 		if (is_control(cell.code))
 			cell.code = ' ';
-		int width = width_of(cell.code);
+		int width = text_columns(cell.code);
 		if (column + width > end)
 			break;
 		if (column >= 0 && width > 0)

@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
@@ -85,14 +84,12 @@ chart_add_rule(
 void
 chart_note(struct chart *chart, const char *format, ...)
 {
-	char text[400];
 	va_list ap;
 	va_start(ap, format);
-	vsnprintf(text, sizeof text, format, ap);
-	va_end(ap);
 	chart->note =
 	    xrealloc(chart->note, chart->n_note + 1, sizeof *chart->note);
-	chart->note[chart->n_note++] = xstrdup(text);
+	chart->note[chart->n_note++] = xvasprintf(format, ap);
+	va_end(ap);
 }
 
 /* b at the place of `at` between a0 and a1, a straight or by its logarithm. */

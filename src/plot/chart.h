@@ -10,7 +10,8 @@
 #include "plot/canvas.h"
 
 /* Dashes are counted along the path, so that a steep part looks like a flat
- * one; on a canvas from each point anew. */
+ * one; on a canvas from the column of each point, so that a curve that moves
+ * somewhere keeps them elsewhere. */
 enum chart_line {
 	CHART_MARKS, /* no line */
 	CHART_SOLID,
@@ -91,8 +92,5 @@ struct canvas *chart_draw(const struct chart *chart, int columns, int rows,
 /* How many dots of a line's path are drawn, then left out, and so on; off is 0
  * of a solid line. */
 void chart_dash(enum chart_line line, int *on, int *off);
-
-/* One entry of the legend, "-v- measured 69"; the caller frees. */
-char *chart_legend(const struct chart_series *series, enum charset charset);
 
 #endif

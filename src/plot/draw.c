@@ -89,9 +89,7 @@ put_dot(struct brush *p, const struct chart_series *s, int x, int y)
 	*dots = (unsigned char)all;
 }
 
-/* From point i to the next, dot by dot.  Dashes are counted from the column of
- * the left end, so that a curve that moves a little somewhere keeps those it
- * has elsewhere. */
+/* From point i to the next, dot by dot. */
 static void
 draw_segment(struct brush *p, const struct chart_series *s, size_t i)
 {

@@ -24,8 +24,9 @@ layout_rule_code(enum series series, enum charset charset)
 	}
 }
 
-char *
-chart_legend(const struct chart_series *series, enum charset charset)
+/* One entry of the legend, "-v- measured 69"; the caller frees. */
+static char *
+legend_text(const struct chart_series *series, enum charset charset)
 {
 	static const char *const LINES[] = {[CHART_MARKS] = "",
 	    [CHART_SOLID] = "\u2500",
@@ -56,7 +57,7 @@ flow_legend(struct layout *l, int row)
 		    rule != NULL ? rule->series : c->series[i].series;
 		char *text = rule != NULL
 				 ? xasprintf("  %s", rule->name)
-				 : chart_legend(&c->series[i], l->charset);
+				 : legend_text(&c->series[i], l->charset);
 		int wide = text_width(text);
 		if (rows == 0 || column + wide > l->canvas->columns) {
 			column = 0;
@@ -81,14 +82,8 @@ flow_legend(struct layout *l, int row)
 static int
 flow_text(struct layout *l, int row, const char *text, unsigned attribute)
 {
-	char *wrapped = NULL, *save = NULL;
-	size_t n = 0;
+	char *wrapped = text_wrapped(text, l->canvas->columns), *save = NULL;
 	int rows = 0;
-	FILE *memory = open_memstream(&wrapped, &n);
-	if (memory == NULL)
-		return 0;
-	text_wrap(text, 0, l->canvas->columns, memory);
-	fclose(memory);
 	for (char *line = strtok_r(wrapped, "\n", &save); line != NULL;
 	     line = strtok_r(NULL, "\n", &save), rows++)
 		if (row >= 0)
@@ -255,7 +250,6 @@ draw_labels(struct layout *l)
 	free(row);
 }
 
-/* "passing, % / size, mm": what is up and what is across. */
 /* "Tierp, Granite, 11.2 mm: product", where that is too wide "Tierp: product",
  * or "product". */
 static char *

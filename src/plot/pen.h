@@ -48,8 +48,8 @@ struct pen_paper {
 };
 
 /* path: through x, y [n].  bars: n straight ones, bar i from x, y [2 i] to the
- * next.  text: its base line begins, is centred or ends at x,
- * y.  close: writes what is left; false when that failed; frees the pen. */
+ * next.  text: its base line begins, is centred or ends at x, y.  close: writes
+ * what is left; false when that failed; frees the pen. */
 struct pen {
 	void (*path)(struct pen *, const double *x, const double *y, size_t n,
 	    const struct pen_stroke *);

@@ -38,11 +38,9 @@ picture_form_of(const char *path, enum picture_form *form)
 	static const char *const ENDS[] = {[PICTURE_SVG] = ".svg",
 	    [PICTURE_PNG] = ".png",
 	    [PICTURE_PDF] = ".pdf"};
-	size_t n = strlen(path);
 	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++) {
-		size_t m = strlen(ENDS[i]);
 		*form = (enum picture_form)i;
-		if (n > m && strcmp(path + n - m, ENDS[i]) == 0)
+		if (text_ends(path, ENDS[i]))
 			return true;
 	}
 	return false;
@@ -290,9 +288,7 @@ foot_text(const struct chart *chart, const char *program)
 {
 	char *text = NULL;
 	size_t n = 0;
-	FILE *memory = open_memstream(&text, &n);
-	if (memory == NULL)
-		return xstrdup("");
+	FILE *memory = text_memory(&text, &n);
 	char *about = xasprintf("data: %s; drawn by %s", chart->about, program);
 	for (size_t i = 0; i < chart->n_note; i++)
 		text_wrap(chart->note[i], 0, FOOT_COLUMNS, memory);

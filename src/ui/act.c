@@ -17,7 +17,7 @@
 #include "ui/screen.h"
 #include "ui/view.h"
 
-enum { ESCAPE = 27 };
+enum { ESCAPE = 27, DELETE = 127 };
 
 /* A list moves up and down, whatever the focus is. */
 static int
@@ -30,15 +30,8 @@ moved(int at, int by, size_t n)
 static void
 move_generation(struct tui *t, int by)
 {
-	size_t n;
-	const struct bounds *bounds;
-	if (tui_history(t, &n, &bounds) == NULL)
-		return;
-	size_t at = tui_generation(t);
-	t->generation = (size_t)moved((int)at - 1, by, n) + 1;
-	/* At its end a search that runs is followed again. */
-	if (t->generation == n)
-		t->generation = 0;
+	int at = (int)tui_generation(t) - 1;
+	tui_look_at(t, (size_t)moved(at, by, tui_past(t).n) + 1);
 }
 
 /* Up is a higher passing. */
@@ -94,14 +87,11 @@ move_to(struct tui *t, int where)
 static bool
 can_focus(const struct tui *t, enum focus focus)
 {
-	size_t n;
-	const struct bounds *bounds;
 	switch (focus) {
 	case FOCUS_CROSS:
 		return t->cross && t->page == PAGE_PREDICT;
 	case FOCUS_GENERATION:
-		return t->page == PAGE_FIT &&
-		       tui_history(t, &n, &bounds) != NULL;
+		return t->page == PAGE_FIT && tui_past(t).n > 0;
 	case FOCUS_SITE:
 		return t->page == PAGE_SITES;
 	default:
@@ -399,7 +389,7 @@ digit_key(struct tui *t, int code)
 			    "a speed from %d to %d m/s was wanted, not %s",
 			    range.least / 10, range.most / 10, t->digits);
 		t->digits[0] = '\0';
-	} else if (code == 127 || code == '\b') {
+	} else if (code == DELETE || code == '\b') {
 		t->digits[n - 1] = '\0';
 	} else {
 		t->digits[0] = '\0';
@@ -411,22 +401,23 @@ digit_key(struct tui *t, int code)
 void
 act_key(struct tui *t, int code, bool special)
 {
+	if (special && (code == PANE_ENTER || code == PANE_BACKSPACE)) {
+		code = code == PANE_ENTER ? '\n' : DELETE;
+		special = false;
+	}
 	/* A character beyond ASCII is no key: its number may be one's. */
-	bool foreign = !special && code > 127 && !t->typing.active;
-	if (foreign)
+	if (!special && code > DELETE && !t->typing.active)
 		return;
-	if (special && code == PANE_MOUSE)
+	if (special && code == PANE_MOUSE) {
 		act_mouse(t);
-	else if (t->typing.active)
+	} else if (t->typing.active) {
 		type_key(t, code, special);
-	else if (t->viewer.text != NULL)
+	} else if (t->viewer.text != NULL) {
 		act(t, view_key(t, code, special));
-	else if (!(special && code == PANE_BACKSPACE ? digit_key(t, 127)
-						     : digit_key(t, code))) {
+	} else if (!digit_key(t, code)) {
 		const struct key *key = keys_find(code, t->page);
-		if (key != NULL)
-			act(t, key);
-		else if (!special && code > ' ')
+		act(t, key);
+		if (key == NULL && code > ' ' && code < DELETE)
 			tui_say(t, false,
 			    "this key does nothing: ? lists the keys");
 	}

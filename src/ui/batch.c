@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/script.h"
 #include "ui/pump.h"
@@ -19,19 +20,20 @@ print_caret(const char *line, int column, FILE *out)
 	enum { MOST = 72 };
 	int rows, columns;
 	terminal_size(&rows, &columns);
-	int room = columns < MOST + 8 ? columns - 8 : MOST, shown = 0;
-	int before = room * 5 / 9, skip = column > before ? column - before : 0;
+	int room = columns < MOST + 8 ? columns - 8 : MOST, wide = 0, at = 0;
+	int i = 1;
 	const char *p = line;
-	for (int i = 0; i < skip && *p != '\0'; i++)
-		for (p++; (*p & 0xC0) == 0x80; p++)
-			;
+	for (; i <= column - room * 5 / 9 && *p != '\0'; i++)
+		text_next(&p);
 	fputs("  ", out);
-	for (; *p != '\0' && shown < room; shown++) {
-		fputc(*p == '\t' ? ' ' : *p, out);
-		for (p++; (*p & 0xC0) == 0x80; p++)
-			fputc(*p, out);
+	for (; *p != '\0' && wide < room; i++) {
+		const char *from = p;
+		wide += text_columns(text_next(&p));
+		at = i < column ? wide : at;
+		fprintf(
+		    out, "%.*s", (int)(p - from), from[0] == '\t' ? " " : from);
 	}
-	fprintf(out, "\n  %*s^\n", column > skip ? column - skip - 1 : 0, "");
+	fprintf(out, "\n  %*s^\n", at, "");
 }
 
 static void
@@ -160,12 +162,11 @@ batch_file(struct session *s, const char *path)
 static void
 print_prompt(struct session *s, bool goes_on)
 {
-	if (goes_on)
-		fputs("> ", stderr);
-	else if (s->n_entry > 0)
-		fprintf(stderr, "%s> ", session_entry(s)->key);
-	else
-		fputs("tipspeed> ", stderr);
+	const char *key = s->n_entry > 0 ? session_entry(s)->key : "";
+	fprintf(stderr, "%s> ",
+	    goes_on          ? ""
+	    : key[0] != '\0' ? key
+			     : "tipspeed");
 }
 
 int

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/command.h"
@@ -35,20 +36,15 @@ tui_say(struct tui *t, bool bad, const char *format, ...)
 void
 conduct_begin(struct tui *t)
 {
-	t->said = open_memstream(&t->said_text, &t->said_n);
-	if (t->said == NULL)
-		return;
+	t->said = text_memory(&t->said_text, &t->said_n);
 	t->session->out = t->session->notes = t->said;
 }
 
 void
 conduct_end(struct tui *t)
 {
-	if (t->said != NULL)
-		fclose(t->said);
+	fclose(t->said);
 	free(t->said_text);
-	t->said = NULL;
-	t->said_text = NULL;
 }
 
 /* Forgets what was said before; what is said next is for this screen, which
@@ -165,11 +161,7 @@ conduct_look(struct tui *t)
 	t->holdout = entry != NULL && entry->has_fit
 			 ? 100 * fit_holdout_rmse(entry)
 			 : NAN;
-	size_t n;
-	const struct bounds *bounds;
-	tui_history(t, &n, &bounds);
-	if (t->generation > n)
-		t->generation = 0;
+	tui_look_at(t, t->generation);
 }
 
 static bool

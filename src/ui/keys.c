@@ -97,7 +97,7 @@ const struct key KEYS[] = {
 const struct key *
 keys_find(int code, enum page page)
 {
-	if (code == KEY_ENTER || code == '\r')
+	if (code == '\r')
 		code = '\n';
 	for (const struct key *k = KEYS; k->code != 0; k++)
 		if (k->code == code && (k->pages & (1U << page)))
@@ -218,5 +218,10 @@ keys_manual(FILE *out)
 			fprintf(out, "Runs\n.Ic %.*s .\n",
 			    (int)strcspn(k->command, " "), k->command);
 	}
-	fputs(".It digits, Enter\nType a speed.\n.El\n", out);
+	fputs(
+	    ".It digits, Enter\nType a speed.\n"
+	    ".It mouse\nClick on the track or drag along it to set the "
+	    "speed;\nthe wheel moves it by 0.1 m/s.\nA click on the name of a "
+	    "page opens it.\n.El\n",
+	    out);
 }

@@ -11,28 +11,31 @@ follow(struct tui *t, int column)
 {
 	struct area track = pane_track(t);
 	const struct area *s = &t->scrubber;
-	size_t n;
-	const struct bounds *bounds;
+	size_t n = tui_past(t).n;
 	if (t->focus != FOCUS_GENERATION) {
 		t->tenths = slider_at(
 		    tui_range(t), column - track.column, track.columns);
 		return;
 	}
-	if (tui_history(t, &n, &bounds) == NULL || s->columns < 2)
+	if (n == 0 || s->columns < 2)
 		return;
 	int at = column - s->column;
 	at = at < 0 ? 0 : at >= s->columns ? s->columns - 1 : at;
-	t->generation = 1 + (size_t)at * (n - 1) / (size_t)(s->columns - 1);
+	tui_look_at(t, 1 + (size_t)at * (n - 1) / (size_t)(s->columns - 1));
 }
 
 static void
 press(struct tui *t, const MEVENT *e)
 {
-	for (size_t p = 0; p < PAGES; p++)
-		if (e->y == t->places.header.row && t->places.header.rows > 0 &&
-		    e->x >= t->tab[p].column &&
-		    e->x < t->tab[p].column + t->tab[p].columns)
-			act_key(t, '1' + (int)p, false);
+	for (size_t p = 0; p < PAGES; p++) {
+		const struct tab *tab = &t->tab[p];
+		if (e->y != t->places.header.row ||
+		    t->places.header.rows == 0 || e->x < tab->column ||
+		    e->x >= tab->column + tab->columns)
+			continue;
+		t->digits[0] = '\0';
+		act_key(t, '1' + (int)p, false);
+	}
 	bool scrubber = area_has(&t->scrubber, e->y, e->x);
 	if (!scrubber && !area_has(&t->places.track, e->y, e->x))
 		return;
@@ -49,8 +52,9 @@ act_mouse(struct tui *t)
 		return;
 	if (t->viewer.text != NULL) {
 		if (e.bstate & (BUTTON4_PRESSED | BUTTON5_PRESSED))
-			act_key(
-			    t, e.bstate & BUTTON4_PRESSED ? 'k' : 'j', false);
+			act_key(t,
+			    e.bstate & BUTTON4_PRESSED ? KEY_UP : KEY_DOWN,
+			    true);
 		return;
 	}
 	if (e.bstate & BUTTON4_PRESSED)

@@ -77,14 +77,11 @@ run_pager(const char *command, const char *text)
 	       !(WIFEXITED(status) && WEXITSTATUS(status) == NO_PROGRAM);
 }
 
-bool
+void
 page_open(struct page *page, struct session *s)
 {
 	*page = (struct page){.session = s, .out = s->out, .notes = s->notes};
-	page->file = open_memstream(&page->text, &page->n);
-	if (page->file != NULL)
-		s->out = page->file;
-	return page->file != NULL;
+	s->out = page->file = text_memory(&page->text, &page->n);
 }
 
 void

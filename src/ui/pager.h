@@ -18,8 +18,7 @@ struct page {
 	size_t n, shown;
 };
 
-/* False when there is no memory: then nothing is held back. */
-bool page_open(struct page *page, struct session *s);
+void page_open(struct page *page, struct session *s);
 
 /* Holds notes back, too, so that they stand beside their results.  Nothing for
  * NULL. */

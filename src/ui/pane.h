@@ -6,16 +6,14 @@
 #include "ui/tui_state.h"
 
 /* Keys with a name, for who does not know ncurses. */
-extern const int PANE_PAGE_UP, PANE_PAGE_DOWN, PANE_MOUSE, PANE_BACKSPACE;
+extern const int PANE_PAGE_UP, PANE_PAGE_DOWN, PANE_MOUSE, PANE_BACKSPACE,
+    PANE_ENTER;
 
 /* One frame, with the cursor on the focus. */
 void pane_draw(struct tui *t);
 
 /* The track of the slider without its ends, in the frame that was drawn. */
 struct area pane_track(const struct tui *t);
-
-/* How wide the side panel of a page is. */
-int pane_side_columns(enum page page, int columns);
 
 /* The body of each page. */
 void pane_predict(struct tui *t);

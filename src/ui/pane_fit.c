@@ -9,42 +9,31 @@
 #include "ui/pane.h"
 #include "ui/screen.h"
 
-const struct calibrate_generation *
-tui_history(const struct tui *t, size_t *n, const struct bounds **bounds)
+struct plots_past
+tui_past(const struct tui *t)
 {
-	const struct session *s = t->session;
-	const struct entry *entry = tui_entry(t);
-	*n = 0;
-	if (entry == NULL)
-		return NULL;
-	if (session_busy(s) && s->job.entry == s->current) {
-		*bounds = &s->job.options.bounds;
-		const struct calibrate_generation *g =
-		    calibration_history(s->job.calibration, n);
-		return *n > 0 ? g : NULL;
-	}
-	if (entry->history == NULL || entry->history->n == 0)
-		return NULL;
-	*n = entry->history->n;
-	*bounds = &entry->history->bounds;
-	return entry->history->generation;
+	return tui_entry(t) != NULL ? plots_past(t->session)
+				    : (struct plots_past){0};
 }
 
 size_t
 tui_generation(const struct tui *t)
 {
-	size_t n;
-	const struct bounds *bounds;
-	tui_history(t, &n, &bounds);
+	size_t n = tui_past(t).n;
 	return t->generation > 0 && t->generation < n ? t->generation : n;
+}
+
+void
+tui_look_at(struct tui *t, size_t generation)
+{
+	t->generation = generation < tui_past(t).n ? generation : 0;
 }
 
 int
 pane_generations(struct tui *t, const struct area *area)
 {
-	size_t n, at = tui_generation(t);
-	const struct bounds *bounds;
-	if (tui_history(t, &n, &bounds) == NULL)
+	size_t n = tui_past(t).n, at = tui_generation(t);
+	if (n == 0)
 		return -1;
 	char label[32], last[32];
 	int from = screen_text(area, 0, 0, 0, "generation 1 ");
@@ -80,11 +69,10 @@ cell_of(double value, double lower, double upper, int width)
 static const struct params *
 found(const struct tui *t)
 {
-	size_t n;
-	const struct bounds *bounds;
+	size_t n = tui_past(t).n;
 	const struct entry *entry = tui_entry(t);
-	bool last = tui_history(t, &n, &bounds) != NULL &&
-		    tui_generation(t) == n && !session_busy(t->session);
+	bool last =
+	    n > 0 && tui_generation(t) == n && !session_busy(t->session);
 	return last && entry->has_fit ? &entry->params : NULL;
 }
 
@@ -138,17 +126,16 @@ draw_parameter(const struct area *side, int row, size_t j,
 static int
 draw_parameters(const struct tui *t, const struct area *side, int row)
 {
-	size_t n;
-	const struct bounds *bounds = NULL;
-	const struct calibrate_generation *g = tui_history(t, &n, &bounds);
+	struct plots_past past = tui_past(t);
 	const struct params *polished = found(t);
-	if (g == NULL)
+	if (past.n == 0)
 		return row;
 	screen_text(side, row++, 0, LOOK_DIM, "bounds, = middle 80 %%, * %s",
 	    polished != NULL ? "polished" : "best");
-	g += tui_generation(t) - 1;
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		draw_parameter(side, row++, j, g, polished, bounds);
+		draw_parameter(side, row++, j,
+		    &past.generation[tui_generation(t) - 1], polished,
+		    past.bounds);
 	return row;
 }
 
@@ -195,15 +182,15 @@ static int
 draw_result(const struct tui *t, const struct area *side, int row)
 {
 	const struct entry *entry = tui_entry(t);
-	size_t n, at = tui_generation(t);
-	const struct bounds *bounds;
-	const struct calibrate_generation *g = tui_history(t, &n, &bounds);
-	if (g == NULL || !entry->has_fit)
+	struct plots_past past = tui_past(t);
+	size_t at = tui_generation(t);
+	if (past.n == 0 || !entry->has_fit)
 		return row;
+	const struct calibrate_generation *g = &past.generation[at - 1];
 	screen_text(side, row++, 0, LOOK_BOLD, "generation %zu of %zu (%s)", at,
-	    n, why_stopped(entry->fit.stop));
-	screen_text(side, row++, 0, 0, "best %.4g median %.4g", g[at - 1].best,
-	    g[at - 1].median);
+	    past.n, why_stopped(entry->fit.stop));
+	screen_text(
+	    side, row++, 0, 0, "best %.4g median %.4g", g->best, g->median);
 	screen_text(side, row++, 0, 0, "polished: misfit %.4g  seed %llu",
 	    entry->fit.misfit, (unsigned long long)entry->fit.seed);
 	screen_text(side, row++, 0, 0, "%.2f points RMS, %s",

@@ -14,10 +14,12 @@
 #include "ui/screen.h"
 
 const int PANE_PAGE_UP = KEY_PPAGE, PANE_PAGE_DOWN = KEY_NPAGE;
-const int PANE_MOUSE = KEY_MOUSE, PANE_BACKSPACE = KEY_BACKSPACE;
+const int PANE_MOUSE = KEY_MOUSE, PANE_BACKSPACE = KEY_BACKSPACE,
+	  PANE_ENTER = KEY_ENTER;
 
-int
-pane_side_columns(enum page page, int columns)
+/* How wide the side panel of a page is. */
+static int
+side_columns(enum page page, int columns)
 {
 	if (page == PAGE_PREDICT)
 		return 24;
@@ -150,14 +152,12 @@ draw_command(const struct tui *t, const struct area *area)
 	const struct typing *y = &t->typing;
 	if (y->active) {
 		/* The line moves to the left where it is too long. */
-		int before = 0, room = area->columns - 2;
 		char *head = xstrndup(y->text, y->at);
-		before = text_width(head);
+		int before = text_width(head), room = area->columns - 2;
 		free(head);
 		const char *shown = y->text;
-		for (; before > room && *shown != '\0'; before--)
-			for (shown++; (*shown & 0xC0) == 0x80; shown++)
-				;
+		while (before > room && *shown != '\0')
+			before -= text_columns(text_next(&shown));
 		screen_text(area, 0, 0, LOOK_BOLD, ":%s", shown);
 		return 1 + before;
 	}
@@ -318,8 +318,7 @@ pane_draw(struct tui *t)
 {
 	int rows, columns, row, column;
 	screen_begin(&rows, &columns);
-	t->places =
-	    places_make(rows, columns, pane_side_columns(t->page, columns));
+	t->places = places_make(rows, columns, side_columns(t->page, columns));
 	t->scrubber = (struct area){0};
 	bool viewing = t->viewer.text != NULL;
 	if (viewing)

@@ -41,14 +41,9 @@ static bool
 is_shown(const struct tui *t, size_t run)
 {
 	const struct site *site = tui_entry(t)->site;
-	int room = (t->places.body.columns - FIRST) / WIDTH - 1, nearer = 0;
-	double v = t->tenths / 10.0, far = fabs(site->run[run].speed - v);
-	for (size_t r = 0; r < site->n_run; r++) {
-		double d = fabs(site->run[r].speed - v);
-		nearer += site->run[r].product.n > 0 &&
-			  (d < far || (d == far && r < run));
-	}
-	return site->run[run].product.n > 0 && nearer < room;
+	int room = (t->places.body.columns - FIRST) / WIDTH - 1;
+	return site_run_is_near(
+	    site, run, t->tenths / 10.0, room > 0 ? (size_t)room : 0);
 }
 
 /* The run whose feed a prediction at the slider's speed takes. */

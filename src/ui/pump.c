@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "base/xalloc.h"
 #include "ui/terminal.h"
 
 static volatile sig_atomic_t noted, asked;
@@ -34,6 +35,36 @@ pump_catch_signals(void)
 	action.sa_handler = on_ask;
 	action.sa_flags = SA_RESTART;
 	sigaction(SIGUSR1, &action, NULL);
+}
+
+void
+pump_hold_signals(sigset_t *let_in)
+{
+	static const int ANSWERED[] = {
+	    SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT, SIGWINCH};
+	sigset_t held;
+	sigemptyset(&held);
+	for (size_t i = 0; i < ARRAY_LEN(ANSWERED); i++)
+		sigaddset(&held, ANSWERED[i]);
+	sigprocmask(SIG_BLOCK, &held, let_in);
+}
+
+void
+pump_let_in(const sigset_t *mask)
+{
+	sigset_t held;
+	sigprocmask(SIG_SETMASK, mask, &held);
+	sigprocmask(SIG_SETMASK, &held, NULL);
+}
+
+void
+pump_suspend(const sigset_t *mask)
+{
+	struct sigaction was, usual = {.sa_handler = SIG_DFL};
+	sigaction(SIGTSTP, &usual, &was);
+	raise(SIGTSTP);
+	pump_let_in(mask);
+	sigaction(SIGTSTP, &was, NULL);
 }
 
 int

@@ -3,11 +3,24 @@
 #ifndef TIPSPEED_UI_PUMP_H
 #define TIPSPEED_UI_PUMP_H
 
+#include <signal.h>
+
 #include "cmd/session.h"
 
 /* From now on SIGINT, SIGTERM and SIGHUP are noted, and SIGUSR1 asks a
  * calibration for a line about itself. */
 void pump_catch_signals(void);
+
+/* Blocks the signals that are answered at a terminal: they come in only where
+ * a loop waits.  let_in: the mask of before, with which to wait; or NULL. */
+void pump_hold_signals(sigset_t *let_in);
+
+/* Lets in those that wait. */
+void pump_let_in(const sigset_t *mask);
+
+/* Stops the program as ^Z does where it is not caught, and comes back when it
+ * goes on; the terminal is the caller's. */
+void pump_suspend(const sigset_t *mask);
 
 /* The signal noted, or 0.  SIGINT gives way to the others. */
 int pump_signal(void);

@@ -71,10 +71,8 @@ shared_bytes(char **text, size_t n)
 {
 	size_t shared = strlen(text[0]);
 	for (size_t i = 1; i < n; i++) {
-		size_t same = 0;
-		while (same < shared && text[i][same] == text[0][same])
-			same++;
-		shared = same;
+		size_t same = text_shared(text[0], text[i]);
+		shared = same < shared ? same : shared;
 	}
 	return shared;
 }
@@ -144,20 +142,13 @@ prompt(const struct session *s, bool colour)
 	    colour ? "\001\033[0m\002" : "", state);
 }
 
-/* Stops the program as ^Z does without readline, and takes the terminal again
- * when it goes on. */
+/* ^Z, and the terminal again when the program goes on. */
 static void
 stop(void)
 {
-	struct sigaction was, usual = {.sa_handler = SIG_DFL};
-	sigset_t held;
 	stopping = 0;
 	rl_deprep_terminal();
-	sigaction(SIGTSTP, &usual, &was);
-	raise(SIGTSTP);
-	sigprocmask(SIG_SETMASK, &at.let_in, &held);
-	sigprocmask(SIG_SETMASK, &held, NULL);
-	sigaction(SIGTSTP, &was, NULL);
+	pump_suspend(&at.let_in);
 	woken = SIGCONT;
 }
 
@@ -224,14 +215,8 @@ pastes_in_brackets(void)
 static char *
 read_line(const char *text)
 {
-	static const int held_signals[] = {
-	    SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT, SIGWINCH};
 	struct sigaction stop_action = {.sa_handler = on_stop}, was;
-	sigset_t held;
-	sigemptyset(&held);
-	for (size_t i = 0; i < ARRAY_LEN(held_signals); i++)
-		sigaddset(&held, held_signals[i]);
-	sigprocmask(SIG_BLOCK, &held, &at.let_in);
+	pump_hold_signals(&at.let_in);
 	sigaction(SIGTSTP, NULL, &was);
 	if (was.sa_handler != SIG_IGN)
 		sigaction(SIGTSTP, &stop_action, NULL);
@@ -259,10 +244,9 @@ run_line(struct session *s, const char *line, int number)
 {
 	struct page page;
 	typed_add(line);
-	bool held = page_open(&page, s);
-	batch_line(s, line, "typed", number, held ? &page : NULL);
-	if (held)
-		page_close(&page);
+	page_open(&page, s);
+	batch_line(s, line, "typed", number, &page);
+	page_close(&page);
 }
 
 /* What was typed up to Return: one line, or several that were pasted. */

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/screen.h"
 
-#include <langinfo.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,18 +29,6 @@ static struct display {
 	struct canvas *frame;
 	struct area plot; /* of it, where the last canvas was put */
 } is;
-
-/* The console has no braille, and a serial terminal nothing but ASCII. */
-static enum charset
-find_charset(void)
-{
-	const char *term = getenv("TERM");
-	static const char *const plain[] = {"linux", "vt", "ansi", "cons"};
-	for (size_t i = 0; i < ARRAY_LEN(plain) && term != NULL; i++)
-		if (strncmp(term, plain[i], strlen(plain[i])) == 0)
-			return CHARSET_ASCII;
-	return is.utf8 ? CHARSET_BRAILLE : CHARSET_ASCII;
-}
 
 /* Series of one colour share a pair: ncurses would write the colour again from
  * one to the other. */
@@ -98,8 +85,8 @@ screen_open(bool colour)
 		return false;
 	}
 	rescue_screen();
-	is.utf8 = strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
-	is.charset = find_charset();
+	is.utf8 = terminal_is_utf8();
+	is.charset = terminal_draws() ? CHARSET_BRAILLE : CHARSET_ASCII;
 	set_modes();
 	set_colours(colour);
 	return true;
@@ -281,13 +268,7 @@ screen_text(const struct area *area, int row, int column, unsigned look,
 int
 screen_words(const struct area *area, int row, unsigned look, const char *text)
 {
-	char *wrapped = NULL, *save = NULL;
-	size_t n = 0;
-	FILE *memory = open_memstream(&wrapped, &n);
-	if (memory == NULL)
-		return row;
-	text_wrap(text, 0, area->columns, memory);
-	fclose(memory);
+	char *wrapped = text_wrapped(text, area->columns), *save = NULL;
 	for (char *line = strtok_r(wrapped, "\n", &save); line != NULL;
 	     line = strtok_r(NULL, "\n", &save))
 		screen_series(area, row++, 0, SERIES_TEXT, look, line);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "ui/act.h"
 #include "ui/conduct.h"
@@ -24,9 +25,9 @@ shot_of(const struct tui *t)
 /* What the loop does between two keys; the clock goes on by a second, so that
  * the same keys give the same picture on any machine. */
 static void
-press(struct tui *t, int code)
+press(struct tui *t, int code, bool special)
 {
-	act_key(t, code, code > 255);
+	act_key(t, code, special);
 	t->clock++;
 	conduct_pump(t);
 	conduct_predict(t);
@@ -52,7 +53,7 @@ press_word(struct tui *t, const char *word, struct error *error)
 		return error_hint(error, "leave it out");
 	}
 	if (keys_code(word, &code)) {
-		press(t, code);
+		press(t, code, code > 255);
 		return true;
 	}
 	if (!is_typed(t, word)) {
@@ -61,8 +62,8 @@ press_word(struct tui *t, const char *word, struct error *error)
 		    "the names are those of tipspeed-tui(1), with a blank "
 		    "between two: keys=\"Left Space c\"");
 	}
-	for (; *word != '\0'; word++)
-		press(t, (unsigned char)*word);
+	while (*word != '\0')
+		press(t, (int)text_next(&word), false);
 	return true;
 }
 
@@ -115,7 +116,7 @@ draw_new(struct session *s, const struct screen_request *request,
 	conduct_predict(&t);
 	pane_draw(&t);
 	if (request->page > 0)
-		press(&t, '0' + request->page);
+		press(&t, '0' + request->page, false);
 	bool ok = press_all(&t, request->keys, error);
 	/* Before the session has its streams again: what a search that ends
 	 * here says is not for the picture. */

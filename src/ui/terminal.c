@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "base/xalloc.h"
 
 bool
 terminal_colour_word(const char *word, enum colour *colour)
@@ -68,7 +69,26 @@ colour_depth(const char *term)
 							: 8;
 }
 
-/* The Linux console has no braille in its font. */
+bool
+terminal_is_utf8(void)
+{
+	return strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
+}
+
+/* The console has no braille in its font, a serial terminal nothing but
+ * ASCII. */
+bool
+terminal_draws(void)
+{
+	static const char *const PLAIN[] = {"linux", "vt", "ansi", "cons"};
+	if (terminal_is_dumb())
+		return false;
+	for (size_t i = 0; i < ARRAY_LEN(PLAIN); i++)
+		if (strncmp(getenv("TERM"), PLAIN[i], strlen(PLAIN[i])) == 0)
+			return false;
+	return terminal_is_utf8();
+}
+
 struct screen
 terminal_screen(bool colour)
 {
@@ -78,7 +98,6 @@ terminal_screen(bool colour)
 		return screen;
 	terminal_size(&screen.rows, &screen.columns);
 	screen.colours = colour && term != NULL ? colour_depth(term) : 0;
-	screen.drawing = strcmp(nl_langinfo(CODESET), "UTF-8") == 0 &&
-			 !terminal_is_dumb() && strcmp(term, "linux") != 0;
+	screen.drawing = terminal_draws();
 	return screen;
 }

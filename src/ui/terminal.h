@@ -22,6 +22,11 @@ bool terminal_attended(void);
 /* One that knows no escapes, or does not say what it is. */
 bool terminal_is_dumb(void);
 
+/* The locale's text is UTF-8; and the terminal has characters to draw with, of
+ * braille and boxes. */
+bool terminal_is_utf8(void);
+bool terminal_draws(void);
+
 /* Of standard error; 24 by 80 where it does not say. */
 void terminal_size(int *rows, int *columns);
 

@@ -81,10 +81,6 @@ first_speed(const struct session *s)
 	return 740;
 }
 
-/* Signals that the loop answers; they come in only while it waits. */
-static const int ANSWERED[] = {
-    SIGINT, SIGTERM, SIGHUP, SIGWINCH, SIGTSTP, SIGCONT};
-
 struct signals {
 	struct sigaction resize, stop, go_on;
 };
@@ -92,13 +88,9 @@ struct signals {
 static void
 hold_signals(struct signals *was)
 {
-	sigset_t held;
-	sigemptyset(&held);
-	for (size_t i = 0; i < ARRAY_LEN(ANSWERED); i++)
-		sigaddset(&held, ANSWERED[i]);
-	sigprocmask(SIG_BLOCK, &held, &let_in);
 	struct sigaction action = {.sa_handler = on_resize};
 	sigemptyset(&action.sa_mask);
+	pump_hold_signals(&let_in);
 	sigaction(SIGWINCH, &action, &was->resize);
 	sigaction(SIGCONT, &action, &was->go_on);
 	action.sa_handler = on_stop;
@@ -146,11 +138,7 @@ tui_step_aside(void)
 void
 tui_step_back(void)
 {
-	sigset_t held;
-	sigemptyset(&held);
-	for (size_t i = 0; i < ARRAY_LEN(ANSWERED); i++)
-		sigaddset(&held, ANSWERED[i]);
-	sigprocmask(SIG_BLOCK, &held, NULL);
+	pump_hold_signals(NULL);
 	pump_forget_interrupt();
 	screen_return();
 }
@@ -158,13 +146,11 @@ tui_step_back(void)
 static void
 stop_here(void)
 {
-	struct sigaction usual = {.sa_handler = SIG_DFL}, ours;
 	stopping = 0;
-	sigaction(SIGTSTP, &usual, &ours);
-	tui_step_aside();
-	raise(SIGTSTP);
-	tui_step_back();
-	sigaction(SIGTSTP, &ours, NULL);
+	screen_leave();
+	pump_suspend(&let_in);
+	pump_forget_interrupt();
+	screen_return();
 }
 
 /* The rest of a sequence that the terminal's description does not have would be
@@ -214,10 +200,8 @@ notice_end(void)
 	if (poll(&in, 1, 0) <= 0 || !(in.revents & (POLLHUP | POLLERR)))
 		return;
 	/* pselect lets no signal in while there is something to read. */
-	sigset_t held;
 	raise(SIGHUP);
-	sigprocmask(SIG_SETMASK, &let_in, &held);
-	sigprocmask(SIG_SETMASK, &held, NULL);
+	pump_let_in(&let_in);
 }
 
 static void
@@ -308,24 +292,27 @@ tui_run(struct session *s)
 	bool history = typed_is_open();
 	if (linear)
 		return run_linear(s);
+	/* What it says of a history that cannot be kept is not for ncurses. */
+	if (!history)
+		typed_open();
 	rescue_note();
 	hold_signals(&was);
-	if (!screen_open(with_colour)) {
-		give_signals_back(&was);
+	bool opened = screen_open(with_colour);
+	if (opened) {
+		tui_begin(&t, s);
+		s->show_page = show_page;
+		loop(&t);
+		tui_end(&t);
+		screen_close();
+		rescue_done();
+	}
+	give_signals_back(&was);
+	if (!history)
+		typed_close();
+	if (!opened) {
 		session_note(s, "this terminal cannot show a full screen: is "
 				"TERM right? 'predict' answers without one");
 		return ERROR_SYSTEM;
 	}
-	if (!history)
-		typed_open();
-	tui_begin(&t, s);
-	s->show_page = show_page;
-	loop(&t);
-	tui_end(&t);
-	if (!history)
-		typed_close();
-	screen_close();
-	rescue_done();
-	give_signals_back(&was);
 	return pump_status();
 }

@@ -101,13 +101,13 @@ struct tui {
 enum { PACE_COUNT = 7, PACE_FULL = PACE_COUNT - 1 };
 extern const double PACES[PACE_COUNT];
 
-/* The generations of the calibration that runs, else of the site's last one;
- * NULL where there are none.  bounds: those it searches in. */
-const struct calibrate_generation *tui_history(
-    const struct tui *t, size_t *n, const struct bounds **bounds);
+/* What is known of the search of the site in use, see plots.h. */
+struct plots_past tui_past(const struct tui *t);
 
-/* The generation looked at, 1..n. */
+/* The generation looked at, 1..n; and to look at it: at the last of a search
+ * that runs, those which follow are. */
 size_t tui_generation(const struct tui *t);
+void tui_look_at(struct tui *t, size_t generation);
 
 /* The site in use, or NULL. */
 const struct entry *tui_entry(const struct tui *t);

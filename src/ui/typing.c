@@ -9,6 +9,7 @@
 #include <curses.h>
 #include <readline/history.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/complete.h"
 #include "plot/picture.h"
@@ -109,13 +110,11 @@ go_back(struct typing *t, int by)
 static size_t
 shared(const struct completion *c)
 {
-	size_t n = strlen(c->candidate[0].text);
+	const char *first = c->candidate[0].text;
+	size_t n = strlen(first);
 	for (size_t i = 1; i < c->n; i++) {
-		size_t same = 0;
-		while (same < n &&
-		       c->candidate[i].text[same] == c->candidate[0].text[same])
-			same++;
-		n = same;
+		size_t same = text_shared(first, c->candidate[i].text);
+		n = same < n ? same : n;
 	}
 	return n;
 }
@@ -124,9 +123,7 @@ static void
 show_offers(struct typing *t, const struct completion *c)
 {
 	size_t n = 0;
-	FILE *out = open_memstream(&t->offers, &n);
-	if (out == NULL)
-		return;
+	FILE *out = text_memory(&t->offers, &n);
 	for (size_t i = 0; i < c->n; i++)
 		fprintf(out, "%s%s%s", i > 0 ? "  " : "", c->candidate[i].text,
 		    c->candidate[i].append == '=' ? "=" : "");
@@ -146,40 +143,38 @@ complete_word(struct typing *t, const struct session *s)
 	completion_free(c);
 }
 
-/* Keys with a name; false where it is none of them. */
-static bool
+/* Keys with a name. */
+static void
 edit(struct typing *t, int code)
 {
 	switch (code) {
 	case KEY_LEFT:
 		t->at = before(t, t->at);
-		return true;
+		break;
 	case KEY_RIGHT:
 		t->at = behind(t, t->at);
-		return true;
+		break;
 	case KEY_HOME:
 		t->at = 0;
-		return true;
+		break;
 	case KEY_END:
 		t->at = t->n;
-		return true;
+		break;
 	case KEY_UP:
 		go_back(t, 1);
-		return true;
+		break;
 	case KEY_DOWN:
 		go_back(t, -1);
-		return true;
+		break;
 	case KEY_BACKSPACE:
 		replace(t, before(t, t->at), "", 0);
-		return true;
+		break;
 	case KEY_DC:
 		if (t->at < t->n) {
 			t->at = behind(t, t->at);
 			replace(t, before(t, t->at), "", 0);
 		}
-		return true;
-	default:
-		return false;
+		break;
 	}
 }
 
@@ -213,18 +208,17 @@ meaning(int code)
 enum typing_result
 typing_key(struct typing *t, const struct session *s, int code, bool special)
 {
+	int key = special ? code : meaning(code);
 	free(t->offers);
 	t->offers = NULL;
-	bool rubbed_out = !special && t->n == 0 && meaning(code) != 0 &&
-			  meaning(code) == KEY_BACKSPACE;
 	if (!special && (code == ESCAPE || code == CONTROL('C')))
-		rubbed_out = true;
-	if (rubbed_out || (special && code == KEY_BACKSPACE && t->n == 0))
 		return TYPING_GIVEN_UP;
-	if (code == KEY_ENTER || (!special && (code == '\n' || code == '\r')))
+	if (key == KEY_BACKSPACE && t->n == 0)
+		return TYPING_GIVEN_UP;
+	if (!special && (code == '\n' || code == '\r'))
 		return TYPING_DONE;
-	if (special || meaning(code) != 0)
-		edit(t, special ? code : meaning(code));
+	if (special || key != 0)
+		edit(t, key);
 	else if (code == '\t')
 		complete_word(t, s);
 	else if (code == CONTROL('U'))

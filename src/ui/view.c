@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "ui/pane.h"
 
 static int
@@ -38,9 +39,7 @@ view_keys(struct tui *t, const char *word)
 	size_t n = 0;
 	bool filtering = t->viewer.filtering;
 	snprintf(kept, sizeof kept, "%s", word);
-	FILE *out = open_memstream(&text, &n);
-	if (out == NULL)
-		return;
+	FILE *out = text_memory(&text, &n);
 	keys_list(kept, out);
 	fclose(out);
 	view_text(t, text);
@@ -54,9 +53,8 @@ static bool
 filter(struct tui *t, int code, bool special)
 {
 	struct viewer *v = &t->viewer;
-	char word[sizeof v->word + 1];
-	bool back = (special && code == PANE_BACKSPACE) ||
-		    (!special && (code == 127 || code == '\b'));
+	char word[sizeof v->word] = {0}; /* ends wherever it is cut */
+	bool back = !special && (code == 127 || code == '\b');
 	if (!v->keys || (!v->filtering && code != '/'))
 		return false;
 	if (!v->filtering) {
@@ -67,11 +65,10 @@ filter(struct tui *t, int code, bool special)
 	size_t n = strlen(word);
 	if (back && n > 0)
 		word[n - 1] = '\0';
-	else if (!back && !special && code >= ' ' && code < 127 &&
-		 n + 1 < sizeof v->word)
-		word[n] = (char)code, word[n + 1] = '\0';
-	else
+	else if (back || special || code < ' ' || code >= 127)
 		return false;
+	else if (n + 1 < sizeof word)
+		word[n] = (char)code;
 	view_keys(t, word);
 	return true;
 }

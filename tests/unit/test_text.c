@@ -221,6 +221,30 @@ width_counts_characters(void **state)
 		assert_int_equal(text_width(width[i].text), width[i].width);
 }
 
+/* As the canvas sets them: tables and prompts would not line up else. */
+static void
+width_is_that_of_the_terminal(void **state)
+{
+	(void)state;
+	if (setlocale(LC_CTYPE, "C.UTF-8") == NULL)
+		skip();
+	assert_int_equal(text_width("\u77F3\u5C71"), 4);
+	assert_int_equal(text_width("Ga\u0308vle"), 5);
+	setlocale(LC_CTYPE, "C");
+}
+
+static void
+characters_are_read_one_by_one(void **state)
+{
+	(void)state;
+	static const uint32_t WANTED[] = {
+	    'a', 0xE5, 0x20AC, 0x1D465, 0xFFFD, 0xFFFD, 'z'};
+	const char *p = "aå\u20AC\U0001D465\xE2\x82z";
+	for (size_t i = 0; i < ARRAY_LEN(WANTED); i++)
+		assert_int_equal(text_next(&p), WANTED[i]);
+	assert_int_equal(*p, '\0');
+}
+
 static const struct {
 	const char *text;
 	size_t n;
@@ -345,6 +369,8 @@ main(void)
 	    cmocka_unit_test(distance_counts_edits),
 	    cmocka_unit_test(a_long_word_is_no_edits_from_itself),
 	    cmocka_unit_test(width_counts_characters),
+	    cmocka_unit_test(width_is_that_of_the_terminal),
+	    cmocka_unit_test(characters_are_read_one_by_one),
 	    cmocka_unit_test(bytes_that_are_no_utf_8_are_found),
 	    cmocka_unit_test(overlong_and_surrogate_forms_are_no_utf_8),
 	    cmocka_unit_test(text_wraps_between_words),
