@@ -87,4 +87,8 @@ none "a file includes its own header first"
 
 grep -nwE 'TODO|FIXME|XXX' -r src tests/unit man >"$tmp"
 none "no marks left"
+
+# What a session wrote where it stood must not slip into a commit.
+git ls-files 2>/dev/null | grep -v / | grep -vxE '\.clang-format|\.gitignore|Makefile\.am|configure\.ac|bootstrap|[A-Z]+(\.md)?' >"$tmp"
+none "nothing in the top folder but what builds and tells"
 finish
