@@ -22,7 +22,8 @@ const char *text_exact(double value, char buf[static 32]);
 char *text_trim(char *s);
 
 /* A copy in small letters with the accents of Latin letters taken off, so that
- * "Borlänge" is "borlange", however its dots are coded.  Other bytes stay.  The caller frees. */
+ * "Borlänge" is "borlange", however its dots are coded.  Other bytes stay.  The
+ * caller frees. */
 char *text_fold(const char *s);
 
 /* text_fold, with every run of other than letters of any script, digits and
