@@ -138,22 +138,6 @@ session_need_site(
 	return error_hint(error, "load its sieve sheet first: load FILE");
 }
 
-/* An error of a file that cannot be read has no line to name but that of the
- * script. */
-static void
-place_error(
-    struct error *error, const struct words *words, const struct place *place)
-{
-	if (error->line > 0 || strcmp(error->file, place->file) == 0)
-		return;
-	if (error->file[0] != '\0') {
-		char *text = xasprintf("%s: %s", error->file, error->text);
-		snprintf(error->text, sizeof error->text, "%s", text);
-		free(text);
-	}
-	error_place(error, place->file, place->line, words->column[0]);
-}
-
 static bool
 run_words(struct session *s, const struct words *words, struct place place,
     struct error *error)
@@ -171,8 +155,8 @@ run_words(struct session *s, const struct words *words, struct place place,
 			ok = turn_end(s, ok, error);
 	}
 	args_free(&args);
-	if (!ok)
-		place_error(error, words, &place);
+	if (!ok && error->line == 0 && strcmp(error->file, place.file) != 0)
+		error_told_at(error, place.file, place.line, words->column[0]);
 	return ok;
 }
 
