@@ -137,6 +137,12 @@ turn_stopped(struct session *s, size_t steps)
 }
 
 void
+turn_adds(struct session *s, const char *option, const char *value)
+{
+	xappend(&s->turn->line, " %s=%s", option, value);
+}
+
+void
 turn_failed(struct session *s, const struct error *error)
 {
 	if (s->job.turn != NULL)
