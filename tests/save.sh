@@ -95,15 +95,21 @@ result $? "source and restore are one step each"
 [ "$(grep -vc '^#' "$dir/empty.tip")" -eq 0 ]
 result $? "an empty session is an empty script"
 
-# refused NAME STATUS WORDS COMMANDS
+# refused NAME STATUS WORDS [OPTION] COMMANDS
 refused() {
-	run -c "$4" >"$dir/out" 2>&1
+	run ${5:+"$4"} -c "${5:-$4}" >"$dir/out" 2>&1
 	[ $? -eq "$2" ] && grep -q "$3" "$dir/out"
 	result $? "$1 is refused"
 }
 sed 's/92.92/92.93/' "$here/tierp.csv" >"$here/bro.csv"
 refused 'a sheet that has changed' 3 'digest 7cf447237a8dfa59 was wanted, found' \
 	'source ../undone.tip'
+run --store=s.db -c 'load tierp.csv; params set f_mat=2 e0_min=16 alpha=1
+	remember pit; recall pit; predict 74; save ../pit.tip
+	params set f_mat=1; remember pit replace=on' >"$dir/out" 2>&1
+refused 'a material that has changed' 3 'it is another now' \
+	'--store=s.db' 'source ../pit.tip'
+refused 'a material that is gone' 2 "no material 'pit'" 'source ../pit.tip'
 refused 'a script that is there' 2 'is there already' 'save ../undone.tip'
 refused 'another name' 2 'does not end in .tip' 'save results.csv'
 refused 'a folder that is not there' 5 'cannot be saved' 'save no/such.tip'

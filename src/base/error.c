@@ -26,6 +26,17 @@ error_place(struct error *e, const char *file, int line, int column)
 	e->column = column;
 }
 
+void
+error_told_at(struct error *e, const char *file, int line, int column)
+{
+	if (e->file[0] != '\0') {
+		char *text = xasprintf("%s: %s", e->file, e->text);
+		snprintf(e->text, sizeof e->text, "%s", text);
+		free(text);
+	}
+	error_place(e, file, line, column);
+}
+
 bool
 error_set(struct error *e, enum error_kind kind, const char *format, ...)
 {

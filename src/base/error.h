@@ -46,6 +46,10 @@ bool error_at(struct error *e, enum error_kind kind, const char *file, int line,
 /* Another place for an error already set. */
 void error_place(struct error *e, const char *file, int line, int column);
 
+/* The same for one of a file as a whole, which the text then names: a script is
+ * where it is told. */
+void error_told_at(struct error *e, const char *file, int line, int column);
+
 /* The next step, added to an error already set.  Returns false. */
 bool error_hint(struct error *e, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

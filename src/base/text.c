@@ -101,8 +101,10 @@ text_fold(const char *s)
 		char plain = '*';
 		if (c == 0xC3 && d >= 0x80 && d <= 0xBF)
 			plain = LATIN1[d - 0x80];
-		if (plain != '*') {
+		bool accent = c == 0xCC || (c == 0xCD && d < 0xB0);
+		if (plain != '*')
 			folded[n++] = plain;
+		if (plain != '*' || (accent && d >= 0x80)) {
 			s += 2;
 		} else {
 			folded[n++] = small((char)c);
@@ -112,18 +114,35 @@ text_fold(const char *s)
 	return folded;
 }
 
+/* Bytes of the letter, digit or point at p; 0 where there is something else.
+ * Beyond ASCII all are letters but the signs of Latin 1 (U+0080..BF, the signs
+ * of times and division), U+2000..2FFF and the punctuation of U+3000..303F. */
+static size_t
+letter_bytes(const char *p)
+{
+	unsigned char c = (unsigned char)p[0], d = (unsigned char)p[1];
+	if (c < 0x80)
+		return is_digit(*p) || (*p >= 'a' && *p <= 'z') || *p == '.';
+	if (c < 0xC3 || c == 0xE2 || (c == 0xC3 && (d == 0x97 || d == 0xB7)) ||
+	    (c == 0xE3 && d == 0x80))
+		return 0;
+	size_t n = 1;
+	while (((unsigned char)p[n] & 0xC0) == 0x80)
+		n++;
+	return n;
+}
+
 char *
 text_slug(const char *s)
 {
 	char *slug = text_fold(s);
-	size_t n = 0;
-	for (const char *p = slug; *p != '\0'; p++) {
-		bool keep =
-		    (is_digit(*p) || (*p >= 'a' && *p <= 'z')) || *p == '.';
-		if (keep)
-			slug[n++] = *p;
-		else if (n > 0 && slug[n - 1] != '-')
+	size_t n = 0, take;
+	for (const char *p = slug; *p != '\0'; p += take > 0 ? take : 1) {
+		take = letter_bytes(p);
+		if (take == 0 && n > 0 && slug[n - 1] != '-')
 			slug[n++] = '-';
+		memmove(slug + n, p, take);
+		n += take;
 	}
 	while (n > 0 && slug[n - 1] == '-')
 		n--;

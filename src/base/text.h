@@ -22,10 +22,12 @@ const char *text_exact(double value, char buf[static 32]);
 char *text_trim(char *s);
 
 /* A copy in small letters with the accents of Latin letters taken off, so that
- * "Borlänge" is "borlange".  Other bytes stay.  The caller frees. */
+ * "Borlänge" is "borlange", however its dots are coded.  Other bytes stay.  The
+ * caller frees. */
 char *text_fold(const char *s);
 
-/* text_fold, with every run of other than [a-z0-9.] turned into one '-'. */
+/* text_fold, with every run of other than letters of any script, digits and
+ * points turned into one '-'; empty where there are none. */
 char *text_slug(const char *s);
 
 /* True when there is something before that end. */

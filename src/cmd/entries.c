@@ -58,16 +58,27 @@ sized_key(const char *slug, const struct site *site)
 	return xasprintf("%s/%g", slug, units_mm(site->top_size));
 }
 
+/* What a site's name is in keys. The caller frees. */
+static char *
+name_slug(const char *name)
+{
+	char *slug = text_slug(name);
+	if (slug[0] != '\0')
+		return slug;
+	free(slug);
+	return xstrdup("unnamed");
+}
+
 /* "tierp"; of several sites with one name each has its size, "gavle/11.2"; of
  * several with one size the later ones have a number, "gavle/11.2/2". */
 static char *
 new_key(struct session *s, const struct site *site)
 {
-	char *slug = text_slug(site->name), *key = xstrdup(slug);
+	char *slug = name_slug(site->name), *key = xstrdup(slug);
 	bool shared = false;
 	for (size_t i = 0; i < s->n_entry; i++) {
 		struct entry *other = &s->entry[i];
-		char *name = text_slug(other->site->name);
+		char *name = name_slug(other->site->name);
 		shared = shared || strcmp(name, slug) == 0;
 		if (strcmp(other->key, slug) == 0 &&
 		    other->site->top_size > 0) {
@@ -157,9 +168,9 @@ session_drop(struct session *s, size_t index)
 static int
 answers(const struct entry *entry, const char *wanted)
 {
-	char *name = text_slug(entry->site->name);
+	char *name = name_slug(entry->site->name);
 	char *sized = xasprintf("%s/%g", name, units_mm(entry->site->top_size));
-	char *folded = text_fold(wanted), *slug = text_slug(wanted);
+	char *folded = text_fold(wanted), *slug = name_slug(wanted);
 	int match = 0;
 	if (strcmp(entry->key, folded) == 0)
 		match = 3;

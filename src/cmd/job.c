@@ -66,8 +66,8 @@ save_checkpoint(struct session *s)
 	    s->entry[s->job.entry].site->digest, options};
 	if (checkpoint_save(s->job.checkpoint, &of, s->job.calibration, &error))
 		session_note(s, "checkpoint written: %s", s->job.checkpoint);
-	else if (s->notes != NULL)
-		error_print(&error, s->notes);
+	else
+		turn_failed(s, &error);
 	free(options);
 }
 
@@ -194,7 +194,7 @@ summarise(struct session *s, const struct entry *entry)
 }
 
 static void
-write_log(const struct session *s)
+write_log(struct session *s)
 {
 	FILE *log = s->job.log;
 	size_t n;
@@ -209,9 +209,12 @@ write_log(const struct session *s)
 			    g[i].p90[j]);
 		fputc('\n', log);
 	}
-	if (fflush(log) != 0 || ferror(log))
-		session_note(s, "the log could not be written: is the disk "
-				"full?");
+	struct error error = {0};
+	if (fflush(log) == 0 && !ferror(log))
+		return;
+	error_set(&error, ERROR_SYSTEM, "the log could not be written");
+	error_hint(&error, "is the disk full?");
+	turn_failed(s, &error);
 }
 
 /* Takes the result of the calibration that ended or was stopped. */

@@ -155,10 +155,9 @@ run_words(struct session *s, const struct words *words, struct place place,
 			ok = turn_end(s, ok, error);
 	}
 	args_free(&args);
-	if (ok || error->line > 0 || error->file[0] != '\0')
-		return ok;
-	error_place(error, place.file, place.line, words->column[0]);
-	return false;
+	if (!ok && error->line == 0 && strcmp(error->file, place.file) != 0)
+		error_told_at(error, place.file, place.line, words->column[0]);
+	return ok;
 }
 
 bool

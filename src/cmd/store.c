@@ -14,6 +14,7 @@
 #include "cmd/fit.h"
 #include "cmd/model.h"
 #include "cmd/table.h"
+#include "cmd/turn.h"
 #include "config.h"
 #include "io/store_csv.h"
 #include "io/units.h"
@@ -198,6 +199,27 @@ note_recalled(
 		session_note(s, "  Table 3 has no beta: the default is taken");
 }
 
+/* False where it is not the one that a saved session had; a session that is
+ * saved has it in any case. */
+static bool
+check_recalled(struct session *s, const struct args *args,
+    const struct stored *m, struct error *error)
+{
+	const struct value *wanted = args_value(args, "digest");
+	char found[17];
+	snprintf(found, sizeof found, "%016" PRIx64, stored_digest(m));
+	if (!wanted->given)
+		turn_adds(s, "digest", found);
+	if (!wanted->given || strcmp(wanted->text, found) == 0)
+		return true;
+	error_set(error, ERROR_DATA,
+	    "the material with digest %s was wanted, %s has %s: it is another "
+	    "now",
+	    wanted->text, m->name, found);
+	return error_hint(
+	    error, "without digest= it is taken as it is; results change");
+}
+
 bool
 cmd_recall(struct session *s, const struct args *args, struct error *error)
 {
@@ -208,7 +230,8 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 	struct stored_list list = {0};
 	const struct stored *m;
 	bool ok = store_list_all(s->store, &list, error) &&
-		  store_find_material(&list, args->operand[0], &m, error);
+		  store_find_material(&list, args->operand[0], &m, error) &&
+		  check_recalled(s, args, m, error);
 	if (ok) {
 		struct entry *entry = &s->entry[index];
 		model_take_params(

@@ -42,8 +42,9 @@ const struct command TABLE_SESSION[] = {
 		"row the last is kept; results that went to a file or a shell "
 		"command are left out, and so are assertions and help. Run "
 		"anywhere, the script gives the very same results, as long as "
-		"the sheets are where they were: a sheet with other numbers "
-		"is refused.",
+		"the sheets are where they were and the store has what is "
+		"recalled: a sheet or a material with other numbers is "
+		"refused.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
 		   "save plant.tip",
 	.run = cmd_save},

@@ -11,6 +11,11 @@ static const struct command_option MATERIALS_OPTIONS[] = {
 	"the paper's, your own, or both"},
     {.name = NULL}};
 
+static const struct command_option RECALL_OPTIONS[] = {
+    {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
+	"refuse a material that has changed; as save writes it"},
+    {.name = NULL}};
+
 static const struct command_option REMEMBER_OPTIONS[] = {
     {"date", VALUE_TEXT, "", 0, 0, NULL, "",
 	"day to keep with it, such as 2026-11-21; never taken from the clock"},
@@ -53,6 +58,7 @@ const struct command TABLE_STORE[] = {
 	.brief = "take a material's parameters from the store",
 	.operands = {"NAME [SITE]", {"MATERIAL", "SITE"}, 1, 2},
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
+	.option = RECALL_OPTIONS,
 	.text = "Gives the site in use, or SITE, the parameters of a "
 		"material; a name that is none of yours is looked for in "
 		"Table 3. They are shown as coming from the store wherever "

@@ -18,14 +18,15 @@ struct turn {
 	struct turn *outer;
 	const struct command *command;
 	struct redirect *redirect; /* or NULL */
-	struct place place;        /* of the redirection */
-	int column;
+	struct place place;
+	int column;              /* of the redirection, or of the command */
 	char *label, *line;      /* as typed; for the journal */
 	struct snapshot *before; /* or NULL where it changes nothing */
 	struct mark mark;        /* the journal when it began */
 	size_t steps;            /* that could be undone then */
 	bool stopped;            /* its calibration was, after */
 	size_t stopped_at;       /* so many steps */
+	struct error late;       /* of its job, or of handing over */
 	double started;
 	bool timed, running;
 	size_t scripts; /* that were open when it began */
@@ -102,7 +103,8 @@ turn_begin(struct session *s, const struct args *args,
 	*t = (struct turn){.outer = s->turn,
 	    .command = command,
 	    .place = place,
-	    .column = words->to_column,
+	    .column =
+		words->to == TO_SCREEN ? words->column[0] : words->to_column,
 	    .started = session_clock(),
 	    .timed = s->timing,
 	    .running = true,
@@ -132,6 +134,19 @@ turn_stopped(struct session *s, size_t steps)
 		return;
 	t->stopped = true;
 	t->stopped_at = steps;
+}
+
+void
+turn_adds(struct session *s, const char *option, const char *value)
+{
+	xappend(&s->turn->line, " %s=%s", option, value);
+}
+
+void
+turn_failed(struct session *s, const struct error *error)
+{
+	if (s->job.turn != NULL)
+		s->job.turn->late = *error;
 }
 
 /* True where its results go elsewhere, by itself or with its script. */
@@ -207,16 +222,16 @@ turn_end(struct session *s, bool ok, struct error *error)
 	struct turn *t = s->turn;
 	/* The report of a check that says no is a result. */
 	bool keep = ok || error->kind == ERROR_CHECK;
-	struct error late = {0};
 	bool changed = t->before != NULL && !came_to_nothing(t) &&
 		       snapshot_differs(t->before, s);
 	s->turn = t->outer;
 	if (ok)
 		record(s, t, changed);
-	if (t->redirect != NULL &&
-	    !redirect_close(s, t->redirect, keep, &late) && ok) {
-		*error = late;
-		error_place(error, t->place.file, t->place.line, t->column);
+	if (t->redirect != NULL)
+		redirect_close(s, t->redirect, keep, &t->late);
+	if (ok && t->late.kind != ERROR_NONE) {
+		*error = t->late;
+		error_told_at(error, t->place.file, t->place.line, t->column);
 		ok = false;
 	}
 	if (changed)

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/xalloc.h"
 #include "io/report_inside.h"
 
 /* Columns of a terminal, less two for its edges. */
@@ -153,15 +154,23 @@ report_print_table(const struct report *r, FILE *out)
 		text_wrap(r->note[i], 0, SCREEN, out);
 }
 
-void
-report_print_markdown(const struct report *r, FILE *out)
+/* A bar ends a cell of markdown, but for one behind a backslash. */
+static char *
+escaped(const char *text)
 {
-	if (r->title != NULL)
-		fprintf(out, "**%s**\n\n", r->title);
-	if (r->provenance != NULL && r->provenance[0] != '\0')
-		fprintf(out, "Data: %.*s\n\n",
-		    report_first_clause(r->provenance), r->provenance);
-	for (size_t row = 0; row <= report_rows(r) && r->n_column > 0; row++) {
+	char *copy = xcalloc(2 * strlen(text) + 1, 1), *end = copy;
+	for (; *text != '\0'; text++) {
+		if (*text == '|')
+			*end++ = '\\';
+		*end++ = *text;
+	}
+	return copy;
+}
+
+static void
+print_markdown_rows(const struct report *r, FILE *out)
+{
+	for (size_t row = 0; row <= report_rows(r); row++) {
 		fputs("| ", out);
 		print_row(r, row - 1, row == 0, (struct block){1, r->n_column},
 		    " | ", out);
@@ -173,6 +182,39 @@ report_print_markdown(const struct report *r, FILE *out)
 			    is_number_column(r, c) ? "|--:" : "|---");
 		fputs("|\n", out);
 	}
+}
+
+static void
+print_markdown_table(const struct report *r, FILE *out)
+{
+	struct report copy = *r;
+	copy.cell = xcalloc(r->n_cell, sizeof *copy.cell);
+	copy.head = xcalloc(r->n_column, sizeof *copy.head);
+	for (size_t i = 0; i < r->n_cell; i++) {
+		copy.cell[i] = r->cell[i];
+		copy.cell[i].text = escaped(r->cell[i].text);
+	}
+	for (size_t c = 0; c < r->n_column; c++)
+		copy.head[c] = escaped(r->head[c]);
+	print_markdown_rows(&copy, out);
+	for (size_t i = 0; i < r->n_cell; i++)
+		free(copy.cell[i].text);
+	for (size_t c = 0; c < r->n_column; c++)
+		free(copy.head[c]);
+	free(copy.cell);
+	free(copy.head);
+}
+
+void
+report_print_markdown(const struct report *r, FILE *out)
+{
+	if (r->title != NULL)
+		fprintf(out, "**%s**\n\n", r->title);
+	if (r->provenance != NULL && r->provenance[0] != '\0')
+		fprintf(out, "Data: %.*s\n\n",
+		    report_first_clause(r->provenance), r->provenance);
+	if (r->n_column > 0)
+		print_markdown_table(r, out);
 	for (size_t i = 0; i < r->n_note; i++)
 		fprintf(out, "\n%s\n", r->note[i]);
 	fputc('\n', out);

@@ -62,8 +62,12 @@ hush(struct tui *t)
 static void
 say_error(struct tui *t, const struct error *e)
 {
-	tui_say(t, true, "%s%s%s", e->text, e->hint[0] != '\0' ? ": " : "",
-	    e->hint);
+	char place[sizeof e->file + 32] = "";
+	if (e->line > 0)
+		snprintf(place, sizeof place, "%s:%d:%d: ", e->file, e->line,
+		    e->column);
+	tui_say(t, true, "%s%s%s%s", place, e->text,
+	    e->hint[0] != '\0' ? ": " : "", e->hint);
 }
 
 static bool run_to_end(
@@ -358,7 +362,7 @@ conduct_predict(struct tui *t)
 	hush(t);
 	struct error error = {0};
 	size_t next;
-	if (!session_line(t->session, line, 0, "typed", 1, &next, &error))
+	if (!session_line(t->session, line, 0, "typed", 0, &next, &error))
 		say_error(t, &error);
 	if (t->asked != 0 || t->command == NULL) {
 		free(t->command);

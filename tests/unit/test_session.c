@@ -47,6 +47,31 @@ sites_are_found_without_case_and_accents(void **state)
 	}
 }
 
+/* Names in letters other than Latin ones, or in none at all. */
+static void
+sites_of_any_name_have_keys_of_their_own(void **state)
+{
+	struct desk *desk = *state;
+	static const char *const names[] = {
+	    "採石場", "محجر", "Łódź", "→", "→ 2"};
+	static const char *const keys[] = {
+	    "採石場", "محجر", "Łodź", "unnamed", "2"};
+	for (size_t i = 0; i < ARRAY_LEN(names); i++) {
+		struct site *site = made_site(&TABLE_3[0], 0.005, 9);
+		free(site->name);
+		site->name = xstrdup(names[i]);
+		session_add(desk->session, site);
+		assert_string_equal(desk->session->entry[i].key, keys[i]);
+	}
+	for (size_t i = 0; i < ARRAY_LEN(names); i++) {
+		size_t index = 99;
+		assert_true(find(desk, names[i], &index));
+		assert_int_equal(index, i);
+		assert_true(find(desk, keys[i], &index));
+		assert_int_equal(index, i);
+	}
+}
+
 static void
 an_unknown_site_lists_what_is_loaded(void **state)
 {
@@ -355,6 +380,7 @@ main(void)
 	cmocka_unit_test_setup_teardown(test, desk_open, desk_close)
 	const struct CMUnitTest tests[] = {
 	    at_desk(sites_are_found_without_case_and_accents),
+	    at_desk(sites_of_any_name_have_keys_of_their_own),
 	    at_desk(an_unknown_site_lists_what_is_loaded),
 	    at_desk(an_ambiguous_name_lists_the_keys),
 	    at_desk(every_key_reaches_its_site),

@@ -136,7 +136,10 @@ static const struct {
     {"Gävle 11.2", "gavle 11.2", "gavle-11.2"},
     {" Ærø / æÐ! ", " aro / ad! ", "aro-ad"}, {"ÿÝçñß", "yycns", "yycns"},
     {"3×4÷2", "3×4÷2", "3-4-2"}, {"TITLE I", "title i", "title-i"},
-    {"łódź", "łodź", "od"}, {"", "", ""}, {"--", "--", ""}};
+    {"łódź", "łodź", "łodź"}, {"Borla\xCC\x88nge", "borlange", "borlange"},
+    {"採石場 2", "採石場 2", "採石場-2"}, {"a–b·c", "a–b·c", "a-b-c"},
+    {"採\xE3\x80\x80場", "採\xE3\x80\x80場", "採-場"}, {"", "", ""},
+    {"--", "--", ""}, {"→", "→", ""}};
 
 static void
 check_names(void)
