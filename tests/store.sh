@@ -162,7 +162,7 @@ for store in closed/s.db closed/new.db none/new.db "$dir"; do
 	$as_other ./tipspeed --store="$store" data/sites/tierp.csv \
 		-c "$params" -c remember >out 2>log
 	status=$?
-	[ $status -eq 5 ] && grep -q "^$store: the store cannot be" log &&
+	[ $status -eq 5 ] && grep -q "^-c:2:1: $store: the store cannot be" log &&
 		grep -q '^  hint: ' log
 	result $? "it cannot be written: $(basename "$store")"
 	remark log
