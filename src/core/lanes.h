@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#if LANES > 2
+#if defined __x86_64__
 #include <immintrin.h>
 #endif
 
@@ -46,23 +46,41 @@ lanes_select(lanes_mask mask, lanes a, lanes b)
 	return (lanes)((mask & (lanes_mask)a) | (~mask & (lanes_mask)b));
 }
 
-/* The larger; b where a is not a number. */
+/* The larger; b where a is not a number.  In one instruction, which gcc makes of
+ * the plain loop only now and then. */
 static inline lanes
 lanes_max(lanes a, lanes b)
 {
+#if LANES == 8
+	return (lanes)_mm512_max_pd((__m512d)a, (__m512d)b);
+#elif LANES == 4
+	return (lanes)_mm256_max_pd((__m256d)a, (__m256d)b);
+#elif defined __x86_64__
+	return (lanes)_mm_max_pd((__m128d)a, (__m128d)b);
+#else
 	lanes r = {0};
 	for (size_t l = 0; l < LANES; l++)
 		r[l] = a[l] > b[l] ? a[l] : b[l];
 	return r;
+#endif
 }
 
+/* The smaller, likewise. */
 static inline lanes
 lanes_min(lanes a, lanes b)
 {
+#if LANES == 8
+	return (lanes)_mm512_min_pd((__m512d)a, (__m512d)b);
+#elif LANES == 4
+	return (lanes)_mm256_min_pd((__m256d)a, (__m256d)b);
+#elif defined __x86_64__
+	return (lanes)_mm_min_pd((__m128d)a, (__m128d)b);
+#else
 	lanes r = {0};
 	for (size_t l = 0; l < LANES; l++)
 		r[l] = a[l] < b[l] ? a[l] : b[l];
 	return r;
+#endif
 }
 
 static inline lanes
