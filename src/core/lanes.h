@@ -46,8 +46,8 @@ lanes_select(lanes_mask mask, lanes a, lanes b)
 	return (lanes)((mask & (lanes_mask)a) | (~mask & (lanes_mask)b));
 }
 
-/* The larger; b where a is not a number.  In one instruction, which gcc makes of
- * the plain loop only now and then. */
+/* The larger; b where a is not a number.  By its instruction, which gcc makes
+ * of the plain loop only now and then. */
 static inline lanes
 lanes_max(lanes a, lanes b)
 {
