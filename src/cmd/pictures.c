@@ -14,8 +14,8 @@
 #include "plot/picture.h"
 
 static bool
-read_request(
-    const struct args *args, struct plot_request *request, struct error *error)
+read_request(const struct session *s, const struct args *args,
+    struct plot_request *request, struct error *error)
 {
 	size_t kind;
 	if (!text_choice(PLOT_KINDS, args->operand[0], &kind)) {
@@ -37,6 +37,13 @@ read_request(
 		request->crosshair_mm = at->number;
 	if (beside->given)
 		request->beside = beside->text;
+	if (args_value(args, "feed")->given && s->n_entry > 0) {
+		const struct site *site = s->entry[s->current].site;
+		size_t run;
+		if (!answers_feed(site, args, 0, &run, error))
+			return false;
+		request->feed_speed = site->run[run].speed;
+	}
 	request->level = args_value(args, "level")->number;
 	request->band = args_value(args, "band")->choice == 1;
 	request->n_speed = speeds->n;
@@ -48,7 +55,7 @@ struct chart *
 pictures_chart(struct session *s, const struct args *args,
     struct plot_request *request, struct error *error)
 {
-	return read_request(args, request, error)
+	return read_request(s, args, request, error)
 		   ? plots_chart(s, request, error)
 		   : NULL;
 }

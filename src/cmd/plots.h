@@ -48,8 +48,8 @@ struct plot_request {
 			 * change with the speed */
 	size_t n_speed; /* sweep: speeds [n_speed]; 0: 65 to 85 in fives */
 	const double *speeds;
-	double feed_speed; /* psd: take the feed sampled at this speed; 0: the
-			    * nearest one */
+	double feed_speed; /* psd, sweep: take the feed sampled at this speed;
+			    * 0: the nearest one, of sweep to the middle */
 };
 
 /* Of that kind with nothing else asked for: NANs, ASCII, with a legend. */

@@ -297,7 +297,9 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 		*error = unknown;
 		return NULL;
 	}
-	bool sampled = site->individual_feeds && !(q->words & CHART_NOTES);
+	bool sampled = site->individual_feeds &&
+		       (!(q->words & CHART_NOTES) ||
+			   feed != site_run_nearest(site, speed));
 	add_curve(&c, &site->run[feed].feed,
 	    sampled ? xasprintf("feed %g m/s", site->run[feed].speed)
 		    : xstrdup("feed"),
@@ -349,7 +351,8 @@ plots_sweep(
 		    ARRAY_LEN(c.prediction));
 		return NULL;
 	}
-	size_t feed = site_run_nearest(site, answers_middle(site));
+	size_t feed = site_run_nearest(
+	    site, q->feed_speed > 0 ? q->feed_speed : answers_middle(site));
 	add_curve(&c, &site->run[feed].feed, xstrdup("feed"), FEED);
 	for (size_t i = 0; i < n; i++)
 		add_prediction(

@@ -23,6 +23,13 @@ command_run cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset, cmd_source,
     cmd_echo, cmd_timing, cmd_assert, cmd_help, cmd_apropos, cmd_man,
     cmd_version, cmd_tui, cmd_quit;
 
+/* An option of commands that predict, see answers_feed. */
+#define TABLE_FEED                                             \
+	{                                                      \
+		"feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "", \
+		    "take the feed sampled at this speed"      \
+	}
+
 /* What show runs for some of its words: parameters and parts of the model,
  * which need a site, bounds and the store. */
 command_run show_params, show_model, show_selection, show_appearance;

@@ -2,15 +2,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-#define FEED_OPTION                                            \
-	{                                                      \
-		"feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "", \
-		    "take the feed sampled at this speed"      \
-	}
-
 static const struct command_option PREDICT_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
-    FEED_OPTION,
+    TABLE_FEED,
     {"curve", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"draw feed, measured and predicted as text"},
     {"interpolated", VALUE_CHOICE, "", 0, 0, "off on", "off",
@@ -22,11 +16,11 @@ static const struct command_option PREDICT_OPTIONS[] = {
 static const struct command_option SWEEP_OPTIONS[] = {
     {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "65..85:5",
 	"rotor tip speeds"},
-    FEED_OPTION, {.name = NULL}};
+    TABLE_FEED, {.name = NULL}};
 
 static const struct command_option COMPARE_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "where sites meet"},
-    FEED_OPTION, {.name = NULL}};
+    TABLE_FEED, {.name = NULL}};
 
 static const struct command_option FIND_OPTIONS[] = {
     {"p20", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P20"},
@@ -39,15 +33,12 @@ static const struct command_option FIND_OPTIONS[] = {
 	"slowest speed; the slowest run where that is slower"},
     {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "85",
 	"fastest speed; the fastest run where that is faster"},
-    FEED_OPTION, {.name = NULL}};
+    TABLE_FEED, {.name = NULL}};
 
-static const struct command_option WHY_OPTIONS[] = {
+/* Of why and spec. */
+static const struct command_option AT_SPEED_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
-    {.name = NULL}};
-
-static const struct command_option SPEC_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
-    FEED_OPTION, {.name = NULL}};
+    TABLE_FEED, {.name = NULL}};
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
@@ -109,7 +100,7 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "the product against a grading envelope",
 	.operands = {"FILE", {"FILE"}, 1, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_FILES,
-	.option = SPEC_OPTIONS,
+	.option = AT_SPEED_OPTIONS,
 	.text = "Each sieve of the envelope with its limits, the passing "
 		"predicted at a speed, and ok, above or below. FILE is as "
 		"tipspeed-spec(5) says; data/specs has some.",
@@ -131,7 +122,7 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "why the numbers look the way they do",
 	.flags = COMMAND_AT_SITE,
 	.bare = "speed",
-	.option = WHY_OPTIONS,
+	.option = AT_SPEED_OPTIONS,
 	.text = "Plain sentences about the site in use at a speed: what "
 		"breaks, how much of the feed that is, how far the speed is "
 		"from those trained on, how good the fit is, which parameters "

@@ -7,6 +7,7 @@
 #define WHAT_OPTIONS                                                       \
 	{"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                   \
 	    "rotor tip speed of psd and selection; the middle one"},       \
+	    TABLE_FEED,                                                    \
 	    {"other", VALUE_NUMBER, "m/s", 1, 200, NULL, "",               \
 		"another speed beside it"},                                \
 	    {"beside", VALUE_TEXT, "", 0, 0, "SITE", "",                   \

@@ -40,9 +40,7 @@ static const struct command_option GUESS_OPTIONS[] = {
 	"top size; else the sheet's"},
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
     {"nearest", VALUE_WHOLE, "", 1, 100, NULL, "5", "materials to guess from"},
-    {"feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
-	"take the feed sampled at this speed"},
-    {.name = NULL}};
+    TABLE_FEED, {.name = NULL}};
 
 const struct command TABLE_STORE[] = {
     {.name = "materials",

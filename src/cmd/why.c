@@ -241,6 +241,16 @@ say_data(const struct subject *a)
 	free(from);
 }
 
+/* Where it is not the one that predict takes by itself. */
+static void
+say_feed(const struct subject *a)
+{
+	const struct site *site = a->entry->site;
+	if (a->p.feed_run != site_run_nearest(site, a->p.speed))
+		answers_say(a->list, "The feed is the one sampled at %g m/s",
+		    site->run[a->p.feed_run].speed);
+}
+
 static void
 print_sentences(const struct subject *a)
 {
@@ -261,12 +271,15 @@ cmd_why(struct session *s, const struct args *args, struct error *error)
 		return false;
 	const struct entry *entry = session_entry(s);
 	double v = args_value(args, "speed")->number;
-	size_t run = site_run_nearest(entry->site, v);
+	size_t run;
+	if (!answers_feed(entry->site, args, v, &run, error))
+		return false;
 	struct subject a = {.s = s,
 	    .entry = entry,
 	    .feed = &entry->site->run[run].feed,
 	    .p = answers_predict(s, entry, v, run),
 	    .list = json_array()};
+	say_feed(&a);
 	say_breakage(&a);
 	say_how_much(&a);
 	say_response(&a);

@@ -65,22 +65,29 @@ move_focus(struct tui *t, int by)
 	}
 }
 
+/* Of a run its feed is taken, too: the curves then meet what was measured. */
+static void
+to_run(struct tui *t, struct slider_range range, const struct site *site,
+    int where)
+{
+	double speed = where == TO_SLOWEST   ? site->run[0].speed
+		       : where == TO_FASTEST ? site->run[site->n_run - 1].speed
+					     : answers_middle(site);
+	t->tenths = slider_tenths(range, speed);
+	t->feed = site->run[site_run_nearest(site, speed)].speed;
+}
+
 static void
 move_to(struct tui *t, int where)
 {
+	const struct slider_range range = tui_range(t);
 	const struct entry *entry = tui_entry(t);
 	if (where == TO_LEAST)
-		t->tenths = tui_range(t).least;
+		t->tenths = range.least;
 	else if (where == TO_MOST)
-		t->tenths = tui_range(t).most;
-	else if (entry != NULL && where == TO_MIDDLE)
-		t->tenths =
-		    slider_tenths(tui_range(t), answers_middle(entry->site));
+		t->tenths = range.most;
 	else if (entry != NULL)
-		t->tenths = slider_tenths(tui_range(t),
-		    entry->site
-			->run[where == TO_SLOWEST ? 0 : entry->site->n_run - 1]
-			.speed);
+		to_run(t, range, entry->site, where);
 }
 
 /* Whether the arrows can move it here. */
@@ -124,20 +131,22 @@ go_to(struct tui *t, enum page page)
 static char *
 compose(const struct tui *t, const struct key *key)
 {
-	char speed[16];
 	const struct session *s = t->session;
-	snprintf(speed, sizeof speed, "%.1f", t->tenths / 10.0);
-	if (key->act == ACT_EXPORT && t->pin.site[0] != '\0')
-		return xasprintf("plot psd speed=%s beside=%s other=%.1f > ",
-		    speed, t->pin.site, t->pin.speed);
 	const char *hole = strstr(key->command, "%s");
 	if (hole == NULL)
 		return xstrdup(key->command);
-	const char *with = key->act != ACT_CHOOSE    ? speed
+	char *where = tui_where(t), *line;
+	const char *with = key->act != ACT_CHOOSE    ? where
 			   : t->site_at < s->n_entry ? s->entry[t->site_at].key
 						     : "";
-	return xasprintf("%.*s%s%s", (int)(hole - key->command), key->command,
-	    with, hole + 2);
+	if (key->act == ACT_EXPORT && t->pin.site[0] != '\0')
+		line = xasprintf("plot psd %s beside=%s other=%.1f > ", where,
+		    t->pin.site, t->pin.speed);
+	else
+		line = xasprintf("%.*s%s%s", (int)(hole - key->command),
+		    key->command, with, hole + 2);
+	free(where);
+	return line;
 }
 
 static void

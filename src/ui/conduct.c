@@ -9,7 +9,6 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
 #include "cmd/command.h"
 #include "cmd/fit.h"
 #include "cmd/script.h"
@@ -185,9 +184,12 @@ run(struct tui *t, const char *line)
 	t->tenths = slider_clamp(range, t->tenths);
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
 	if (s->last.product.n == 0 || other)
-		t->asked = 0;
-	if (other)
+		t->asked.tenths = 0;
+	if (other) {
 		t->site_at = s->current;
+		t->feed = 0;
+	}
+	tui_keep_feed(t);
 	conduct_look(t);
 	if (session_busy(s) && !was_busy) {
 		t->held = false;
@@ -302,42 +304,13 @@ run_typed(struct tui *t, const char *line)
 void
 conduct_typed(struct tui *t, const char *line)
 {
-	char *meant = typing_meant(line, t->tenths / 10.0);
+	char *where = tui_where(t);
+	char *meant = typing_meant(line, where);
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_add(line);
 	run_typed(t, meant);
+	free(where);
 	free(meant);
-}
-
-static struct site_row
-site_row(const struct session *s, const struct entry *e, double speed)
-{
-	struct site_row row = {.p50 = NAN, .holdout = NAN};
-	struct error error = {0};
-	if (e->has_fit)
-		row.holdout = 100 * fit_holdout_rmse(e);
-	if (!answers_known(s, e, &error))
-		return row;
-	struct prediction p = predict(e->site, &e->params, s->set.model, speed,
-	    site_run_nearest(e->site, speed));
-	row.p50 = 1000 * p.p50;
-	row.beyond = predict_extrapolates(e->site, e->train, speed);
-	prediction_free(&p);
-	return row;
-}
-
-void
-conduct_rows(struct tui *t)
-{
-	const struct session *s = t->session;
-	if (t->page != PAGE_SITES || t->rows_at == t->tenths)
-		return;
-	free(t->row);
-	t->n_row = s->n_entry;
-	t->row = xcalloc(t->n_row + 1, sizeof *t->row);
-	for (size_t i = 0; i < t->n_row; i++)
-		t->row[i] = site_row(s, &s->entry[i], t->tenths / 10.0);
-	t->rows_at = t->tenths;
 }
 
 void
@@ -348,30 +321,35 @@ conduct_predict(struct tui *t)
 	bool forming = entry != NULL && session_busy(s) &&
 		       s->job.entry == s->current &&
 		       calibration_status(s->job.calibration).generation > 0;
-	if (t->asked == t->tenths || entry == NULL)
+	if (entry == NULL || (!entry->has_params && !forming))
 		return;
-	if (!entry->has_params && !forming)
+	bool first = t->asked.tenths == 0;
+	if (t->asked.tenths == t->tenths && t->asked.feed_run == tui_feed(t))
 		return;
-	char line[40];
 	if (t->clock - t->moved > PAUSE || t->pause.site[0] == '\0' ||
 	    strcmp(t->pause.site, entry->key) != 0)
 		t->pause = t->now;
-	if (t->asked != 0)
+	if (!first)
 		t->moved = t->clock;
-	snprintf(line, sizeof line, "predict speed=%.1f", t->tenths / 10.0);
+	char *where = tui_where(t);
+	char *line = xasprintf("predict %s", where);
 	hush(t);
 	struct error error = {0};
 	size_t next;
 	if (!session_line(t->session, line, 0, "typed", 0, &next, &error))
 		say_error(t, &error);
-	if (t->asked != 0 || t->command == NULL) {
+	if (!first || t->command == NULL) {
 		free(t->command);
 		t->command = xstrdup(line);
 	}
-	if (t->asked != 0)
+	if (!first)
 		t->message[0] = '\0';
-	t->asked = t->tenths;
+	tui_keep_feed(t);
+	t->asked.tenths = t->tenths;
+	t->asked.feed_run = tui_feed(t);
 	take_numbers(t);
+	free(where);
+	free(line);
 }
 
 void
@@ -384,7 +362,7 @@ conduct_keep(struct tui *t)
 	session_pause(s);
 	session_settle(s, true, &error);
 	t->held = false;
-	t->asked = 0;
+	t->asked.tenths = 0;
 	conduct_look(t);
 	tui_say(t, false,
 	    "stopped, the best is kept: Space goes on, f starts "
@@ -426,7 +404,7 @@ conduct_pump(struct tui *t)
 	       (t->aside || session_clock() - began < FRAME));
 	if (t->pace < PACE_FULL)
 		t->due = t->clock + 1 / PACES[t->pace];
-	t->asked = 0;
+	t->asked.tenths = 0;
 	if (!session_busy(s))
 		finish(t);
 }

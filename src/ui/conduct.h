@@ -20,9 +20,6 @@ void conduct_typed(struct tui *t, const char *line);
  * it is not done already. */
 void conduct_predict(struct tui *t);
 
-/* What the Sites page tells, where that is open. */
-void conduct_rows(struct tui *t);
-
 /* Looks what the session is like after a command that was not run here. */
 void conduct_look(struct tui *t);
 

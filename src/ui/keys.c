@@ -17,7 +17,7 @@
 const char *const PAGE_NAMES[PAGES] = {
     "Predict", "Fit", "Data", "Parity", "Sites"};
 
-#define PREDICT "predict speed=%s"
+#define PREDICT "predict %s"
 
 const struct key KEYS[] = {
     {KEY_LEFT, "Left, h", ON_ALL, ACT_MOVE, -1, PREDICT,
@@ -38,9 +38,12 @@ const struct key KEYS[] = {
 	"to the slow end, 65 m/s or less"},
     {KEY_END, "End", ON_ALL, ACT_TO, TO_MOST, PREDICT,
 	"to the fast end, 85 m/s or more"},
-    {'[', "[", ON_ALL, ACT_TO, TO_SLOWEST, PREDICT, "to the slowest run"},
-    {']', "]", ON_ALL, ACT_TO, TO_FASTEST, PREDICT, "to the fastest run"},
-    {'m', "m", ON_ALL, ACT_TO, TO_MIDDLE, PREDICT, "to the middle of the runs"},
+    {'[', "[", ON_ALL, ACT_TO, TO_SLOWEST, PREDICT,
+	"to the slowest run, and its feed"},
+    {']', "]", ON_ALL, ACT_TO, TO_FASTEST, PREDICT,
+	"to the fastest run, and its feed"},
+    {'m', "m", ON_ALL, ACT_TO, TO_MIDDLE, PREDICT,
+	"to the middle, and the feed nearest to it"},
     {'\t', "Tab", ON_ALL, ACT_FOCUS, 1, NULL,
 	"what the arrows move: speed, crosshair, generation, site"},
     {KEY_BTAB, "Shift-Tab", ON_ALL, ACT_FOCUS, -1, NULL, "the one before"},
@@ -72,9 +75,8 @@ const struct key KEYS[] = {
     {'+', "+", ON_ALL, ACT_PACE, 1, NULL, "calibrate faster"},
     {'=', NULL, ON_ALL, ACT_PACE, 1, NULL, NULL},
     {'-', "-", ON_ALL, ACT_PACE, -1, NULL, "calibrate slower"},
-    {'d', "d", ON_ALL, ACT_RUN, 0, "describe psd speed=%s",
-	"the curves in words"},
-    {'e', "e", ON_ALL, ACT_EXPORT, 0, "predict speed=%s > ",
+    {'d', "d", ON_ALL, ACT_RUN, 0, "describe psd %s", "the curves in words"},
+    {'e', "e", ON_ALL, ACT_EXPORT, 0, "predict %s > ",
 	"export: a .csv table or .png curves; with a kept one, of both"},
     {':', ":", ON_ALL, ACT_TYPE, 0, "",
 	"a command: find, spec, bounds ..; Tab completes, Up repeats"},

@@ -230,6 +230,7 @@ pane_fit(struct tui *t)
 	struct plot_request request = plots_request(t->picture);
 	request.words = CHART_TITLE;
 	request.speed = t->tenths / 10.0;
+	request.feed_speed = t->feed;
 	request.generation = t->generation;
 	pane_curves(t, &request);
 	draw_side(t);

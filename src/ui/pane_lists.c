@@ -46,12 +46,11 @@ is_shown(const struct tui *t, size_t run)
 	    site, run, t->tenths / 10.0, room > 0 ? (size_t)room : 0);
 }
 
-/* The run whose feed a prediction at the slider's speed takes. */
+/* The run whose feed the slider predicts with. */
 static const struct run *
 feed_run(const struct tui *t)
 {
-	const struct site *site = tui_entry(t)->site;
-	return &site->run[site_run_nearest(site, t->tenths / 10.0)];
+	return &tui_entry(t)->site->run[tui_feed(t)];
 }
 
 /* Returns the column behind the table. */

@@ -33,8 +33,7 @@ static int
 draw_feed_speed(const struct tui *t, const struct site *site, int column)
 {
 	char text[16];
-	size_t feed = site_run_nearest(site, t->tenths / 10.0);
-	snprintf(text, sizeof text, " %g", site->run[feed].speed);
+	snprintf(text, sizeof text, " %g", site->run[tui_feed(t)].speed);
 	return screen_series(
 	    &t->places.legend, 0, column, SERIES_FEED, 0, text);
 }
@@ -97,6 +96,7 @@ pane_predict(struct tui *t)
 	struct plot_request request = plots_request(PLOT_PSD);
 	request.words = 0;
 	request.speed = t->tenths / 10.0;
+	request.feed_speed = t->feed;
 	request.band = t->band;
 	request.level = t->level;
 	if (t->pin.site[0] != '\0') {

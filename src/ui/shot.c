@@ -11,6 +11,7 @@
 #include "ui/conduct.h"
 #include "ui/pane.h"
 #include "ui/pump.h"
+#include "ui/rows.h"
 #include "ui/screen.h"
 #include "ui/tui_state.h"
 
@@ -31,7 +32,7 @@ press(struct tui *t, int code, bool special)
 	t->clock++;
 	conduct_pump(t);
 	conduct_predict(t);
-	conduct_rows(t);
+	rows_update(t);
 	pane_draw(t);
 }
 
@@ -100,7 +101,7 @@ draw_open(const struct screen_request *request, struct error *error)
 		t.page = (enum page)(request->page - 1);
 	t.row = NULL;
 	t.rows_at = 0;
-	conduct_rows(&t);
+	rows_update(&t);
 	pane_draw(&t);
 	free(t.row);
 	return true;

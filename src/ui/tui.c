@@ -22,6 +22,7 @@
 #include "ui/pump.h"
 #include "ui/repl.h"
 #include "ui/rescue.h"
+#include "ui/rows.h"
 #include "ui/screen.h"
 #include "ui/shot.h"
 #include "ui/tui_state.h"
@@ -52,6 +53,36 @@ tui_range(const struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
 	return slider_range(entry != NULL ? entry->site : NULL);
+}
+
+size_t
+tui_feed(const struct tui *t)
+{
+	const struct site *site = tui_entry(t)->site;
+	size_t kept = site_run_at(site, t->feed);
+	return kept < site->n_run ? kept
+				  : site_run_nearest(site, t->tenths / 10.0);
+}
+
+void
+tui_keep_feed(struct tui *t)
+{
+	const struct prediction *last = &t->session->last;
+	const struct entry *entry = tui_entry(t);
+	if (entry != NULL && last->product.n > 0)
+		t->feed = entry->site->run[last->feed_run].speed;
+}
+
+char *
+tui_where(const struct tui *t)
+{
+	const struct entry *entry = tui_entry(t);
+	double speed = t->tenths / 10.0;
+	if (entry == NULL || !entry->site->individual_feeds ||
+	    tui_feed(t) == site_run_nearest(entry->site, speed))
+		return xasprintf("speed=%.1f", speed);
+	return xasprintf(
+	    "speed=%.1f feed=%g", speed, entry->site->run[tui_feed(t)].speed);
 }
 
 static void
@@ -210,7 +241,7 @@ loop(struct tui *t)
 	while (!t->leave && !t->session->quit && pump_signal() == 0) {
 		t->clock = session_clock();
 		conduct_predict(t);
-		conduct_rows(t);
+		rows_update(t);
 		pane_draw(t);
 		wait_for_something(t);
 		notice_end();
@@ -250,6 +281,7 @@ tui_begin(struct tui *t, struct session *s)
 	    .before = {s->out, s->notes, s->show_page, s->prompt, s->screen}};
 	s->prompt = true;
 	s->show_page = NULL;
+	tui_keep_feed(t);
 	conduct_begin(t);
 	conduct_look(t);
 	shot_of(t);

@@ -57,8 +57,12 @@ struct tui {
 	double clock;   /* s; a step with every key where it is drawn aside */
 	double started; /* the search, by that clock */
 	int tenths;     /* of the slider */
-	int asked;      /* tenths last predicted at; 0: not yet */
-	double moved;   /* when the slider last was */
+	double feed;    /* m/s of the run whose feed the slider keeps */
+	struct {
+		int tenths; /* 0: not yet */
+		size_t feed_run;
+	} asked;                        /* what was last predicted */
+	double moved;                   /* when the slider last was */
 	struct numbers now, pause, pin; /* site "": none */
 	struct prediction kept;         /* whose numbers are in pin */
 	bool cross, band, mouse;
@@ -114,6 +118,16 @@ const struct entry *tui_entry(const struct tui *t);
 
 /* The speeds of the slider at that site. */
 struct slider_range tui_range(const struct tui *t);
+
+/* The run of that site whose feed the slider predicts with, whatever its speed:
+ * what changes while it moves is what the speed does.  It is the one that the
+ * last prediction took, or stood nearest when there was none. */
+size_t tui_feed(const struct tui *t);
+void tui_keep_feed(struct tui *t);
+
+/* Where the slider stands, as options of predict: "speed=77.0 feed=74", the
+ * feed where it is not what predict takes by itself.  The caller frees. */
+char *tui_where(const struct tui *t);
 
 /* A full screen on a session, as it opens, and its end: what runs is stopped
  * and kept, and the session has its ways again. */

@@ -242,7 +242,7 @@ is_drawn(const char *line)
 }
 
 char *
-typing_meant(const char *line, double speed)
+typing_meant(const char *line, const char *where)
 {
 	static const char *const ASK[] = {"spec", "guess", "why"};
 	size_t from = strspn(line, " \t"), n = strcspn(line + from, " \t>|");
@@ -252,10 +252,12 @@ typing_meant(const char *line, double speed)
 	bool said = strchr(line, ';') != NULL ||
 		    strstr(line, "speed=") != NULL ||
 		    (*rest >= '0' && *rest <= '9');
+	size_t length =
+	    strstr(line, "feed=") != NULL ? strcspn(where, " ") : strlen(where);
 	for (size_t i = 0; !said && i < ARRAY_LEN(ASK); i++)
 		if (strlen(ASK[i]) == n && strncmp(word, ASK[i], n) == 0)
-			return xasprintf("%s speed=%.1f%s%s", ASK[i], speed,
-			    *rest != '\0' ? " " : "", rest);
+			return xasprintf("%s %.*s%s%s", ASK[i], (int)length,
+			    where, *rest != '\0' ? " " : "", rest);
 	return is_drawn(line)
 		   ? xasprintf("plot psd%s", line + strlen("predict"))
 		   : xstrdup(line);
