@@ -279,11 +279,12 @@ moments_above(const struct continuous *c, double t)
  * where N_b = base_b on the stretch, plus the primitive of u^b if inside a
  * piece of p. */
 static void
-add_parts(double log_s, const struct moments *from, const struct moments *to,
-    const double base[static 4], bool inside, double Q[SHAPES][4])
+add_parts(const struct continuous *c, double log_s, const struct moments *from,
+    const struct moments *to, const double base[static 4], bool inside,
+    double Q[SHAPES][4])
 {
 	double s = el_exp(log_s), scale[4] = {0, s, s * s / 2, s * s * s / 3};
-	for (size_t i = 0; i < SHAPES; i++) {
+	for (size_t i = 0; i < c->n_shape; i++) {
 		double d[MOMENTS];
 		for (size_t m = 0; m < MOMENTS; m++)
 			d[m] = from->of[i][m] - to->of[i][m];
@@ -308,16 +309,16 @@ broken_parts(const struct continuous *c, double log_s, double Q[SHAPES][4])
 		double lower = c->appearance.lower[i];
 		double upper = c->appearance.upper[i];
 		inner = moments_above(c, log_s - el_log(lower));
-		add_parts(log_s, &inner, &outer, full, false, Q);
+		add_parts(c, log_s, &inner, &outer, full, false, Q);
 		for (size_t b = 0; b < 4; b++)
 			base[b] = full[b] - power_primitive(b, lower);
 		outer = moments_above(c, log_s - el_log(upper));
-		add_parts(log_s, &outer, &inner, base, true, Q);
+		add_parts(c, log_s, &outer, &inner, base, true, Q);
 		for (size_t b = 0; b < 4; b++)
 			full[b] = base[b] + power_primitive(b, upper);
 	}
 	inner = moments_above(c, log_s);
-	add_parts(log_s, &inner, &outer, full, false, Q);
+	add_parts(c, log_s, &inner, &outer, full, false, Q);
 }
 
 static double

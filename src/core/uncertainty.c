@@ -11,6 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_statistics_double.h>
+
 #include "base/xalloc.h"
 #include "core/elementary.h"
 #include "core/energy.h"
@@ -81,22 +83,15 @@ warm_up(struct walk *w, uint64_t seed)
 	}
 }
 
-static int
-rising(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-	return (x > y) - (x < y);
-}
-
-/* The middle 80 % of the values [UNCERTAINTY_DRAWS], which are sorted, widened
- * to hold the fit's own. */
+/* The middle 80 % of the values [UNCERTAINTY_DRAWS], whose order changes,
+ * widened to hold the fit's own. */
 static void
 middle(double *value, double own, double *low, double *high)
 {
 	enum { CUT = UNCERTAINTY_DRAWS * (100 - UNCERTAINTY_LEVEL) / 200 };
-	qsort(value, UNCERTAINTY_DRAWS, sizeof *value, rising);
-	*low = fmin(value[CUT], own);
-	*high = fmax(value[UNCERTAINTY_DRAWS - 1 - CUT], own);
+	size_t n = UNCERTAINTY_DRAWS;
+	*low = fmin(gsl_stats_select(value, 1, n, CUT), own);
+	*high = fmax(gsl_stats_select(value, 1, n, n - 1 - CUT), own);
 }
 
 static void
