@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
@@ -19,6 +20,15 @@ squeeze(char *line)
 	*to = '\0';
 }
 
+/* The text behind so many columns. */
+static const char *
+behind(const char *text, int columns)
+{
+	while (columns > 0 && *text != '\0')
+		columns -= text_columns(text_next(&text));
+	return text;
+}
+
 /* One line of the text.  Returns what of it there is no room for. */
 static char *
 draw_line(const struct tui *t, int row, const char *text, size_t n)
@@ -31,7 +41,7 @@ draw_line(const struct tui *t, int row, const char *text, size_t n)
 	if (v->keys && body->columns < NARROW)
 		squeeze(line);
 	screen_series(body, row, 0, SERIES_TEXT,
-	    chosen ? LOOK_REVERSE : LOOK_PLAIN, line);
+	    chosen ? LOOK_REVERSE : LOOK_PLAIN, behind(line, v->left));
 	if (chosen && strlen(line) > (size_t)body->columns)
 		rest = xstrdup(line + body->columns);
 	free(line);
@@ -52,7 +62,9 @@ pane_text(const struct tui *t)
 		p += n + (p[n] == '\n');
 	}
 	bool more = v->lines - v->top > body->rows;
-	char *hints = xasprintf("%s%s", more ? "more below: Down  " : "",
+	bool wide = !v->keys && v->columns - v->left > body->columns;
+	char *hints = xasprintf("%s%s%s", more ? "more below: Down  " : "",
+	    wide ? "more right: Right  " : "",
 	    v->keys ? "Esc goes back  / finds a word  Enter does it"
 		    : "any other key goes back");
 	if (v->filtering)

@@ -7,15 +7,21 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/xalloc.h"
 #include "ui/pane.h"
 
-static int
-count_lines(const char *text)
+/* Counts the lines, and the columns of the widest. */
+static void
+measure(struct viewer *v)
 {
-	int lines = 0;
-	for (const char *p = text; *p != '\0'; p++)
-		lines += *p == '\n' || p[1] == '\0';
-	return lines;
+	for (const char *p = v->text; *p != '\0'; v->lines++) {
+		size_t n = strcspn(p, "\n");
+		char *line = xstrndup(p, n);
+		int width = text_width(line);
+		v->columns = width > v->columns ? width : v->columns;
+		p += n + (p[n] == '\n');
+		free(line);
+	}
 }
 
 void
@@ -29,7 +35,8 @@ void
 view_text(struct tui *t, char *text)
 {
 	view_close(t);
-	t->viewer = (struct viewer){.text = text, .lines = count_lines(text)};
+	t->viewer = (struct viewer){.text = text};
+	measure(&t->viewer);
 }
 
 void
@@ -94,6 +101,21 @@ scroll_by(struct tui *t, int by)
 	v->top = v->top < 0 ? 0 : v->top;
 }
 
+/* Where lines are wider than the screen; the list of keys shows the rest of the
+ * one that is chosen. */
+static bool
+shift_by(struct tui *t, int by)
+{
+	struct viewer *v = &t->viewer;
+	int last = v->columns - t->places.body.columns;
+	if (v->keys || last <= 0)
+		return false;
+	v->left += by;
+	v->left = v->left > last ? last : v->left;
+	v->left = v->left < 0 ? 0 : v->left;
+	return true;
+}
+
 const struct key *
 view_key(struct tui *t, int code, bool special)
 {
@@ -106,6 +128,9 @@ view_key(struct tui *t, int code, bool special)
 		scroll_by(t, key->amount);
 		return NULL;
 	}
+	int aside = key != NULL && key->act == ACT_MOVE ? key->amount : 0;
+	if (aside != 0 && shift_by(t, aside * t->places.body.columns / 2))
+		return NULL;
 	if (special && (code == PANE_PAGE_DOWN || code == PANE_PAGE_UP)) {
 		scroll_by(t, code == PANE_PAGE_DOWN ? page : -page);
 		return NULL;
