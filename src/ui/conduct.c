@@ -22,6 +22,22 @@ const double PACES[PACE_COUNT] = {1, 2, 5, 10, 20, 50, INFINITY};
 /* A slider that stood still for so long has paused, s. */
 static const double PAUSE = 0.7;
 
+/* An error is no use cut short: it takes the whole screen where two rows do not
+ * hold it. */
+static void
+show_whole(struct tui *t)
+{
+	int rows, columns, lines = 1;
+	screen_size(&rows, &columns);
+	char *text = text_wrapped(t->message, columns > 2 ? columns - 2 : 1);
+	for (const char *p = text; *p != '\0'; p++)
+		lines += *p == '\n' && p[1] != '\0';
+	if (columns > 0 && lines > (rows > 5 ? 2 : 1))
+		view_text(t, text);
+	else
+		free(text);
+}
+
 void
 tui_say(struct tui *t, bool bad, const char *format, ...)
 {
@@ -30,6 +46,8 @@ tui_say(struct tui *t, bool bad, const char *format, ...)
 	vsnprintf(t->message, sizeof t->message, format, ap);
 	va_end(ap);
 	t->bad = bad;
+	if (bad)
+		show_whole(t);
 }
 
 void
