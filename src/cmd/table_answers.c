@@ -52,7 +52,7 @@ static const struct command_option SPEC_OPTIONS[] = {
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
 	.brief = "the product at a tip speed",
-	.flags = COMMAND_AT_SITE | COMMAND_LATEST,
+	.flags = COMMAND_AT_SITE | COMMAND_LATEST | COMMAND_DRAWS,
 	.bare = "speed",
 	.option = PREDICT_OPTIONS,
 	.text = "Needs parameters: calibrate, or params set. Outside the "
@@ -62,7 +62,8 @@ const struct command TABLE_ANSWERS[] = {
 		"the answer without a model. Where the parameters were "
 		"found by calibrate, low and high are the band in which 80 % "
 		"of the fits lie that the data allow; see UNCERTAINTY in "
-		"tipspeed-model(7).",
+		"tipspeed-model(7). Behind > a file whose name ends in .svg, "
+		".png or .pdf gets the curves, as plot psd draws them.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74",
 	.run = cmd_predict},
     {.name = "sweep",

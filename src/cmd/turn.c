@@ -6,7 +6,9 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/plots.h"
 #include "cmd/redirect.h"
 #include "cmd/script.h"
 #include "cmd/snapshot.h"
@@ -78,7 +80,12 @@ can_take(const struct command *command, const struct words *words,
 	if (!(command->flags & COMMAND_DRAWS)) {
 		error_set(error, ERROR_USAGE, "%s draws nothing for %s",
 		    command->name, words->target);
-		return error_hint(error, "plot KIND > FILE makes a picture");
+		size_t kind;
+		return text_choice(PLOT_KINDS, command->name, &kind)
+			   ? error_hint(error, "plot %s > %s makes a picture",
+				 command->name, words->target)
+			   : error_hint(
+				 error, "predict and plot KIND make pictures");
 	}
 	if (words->to == TO_FILE)
 		return true;
