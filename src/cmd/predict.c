@@ -213,7 +213,7 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 	struct params params = entry->params;
 	if (!answers_forming(s, &params) && !answers_ready(s, error))
 		return false;
-	double speed = args_value(args, "speed")->number;
+	double speed = answers_speed(args, entry);
 	size_t feed;
 	if (!answers_feed(entry->site, args, speed, &feed, error))
 		return false;

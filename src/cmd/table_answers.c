@@ -8,8 +8,13 @@
 		    "take the feed sampled at this speed"      \
 	}
 
-static const struct command_option PREDICT_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
+#define SPEED_OPTION                                            \
+	{                                                       \
+		"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "", \
+		    "rotor tip speed; one held out, else 74"    \
+	}
+
+static const struct command_option PREDICT_OPTIONS[] = {SPEED_OPTION,
     FEED_OPTION,
     {"curve", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"draw feed, measured and predicted as text"},
@@ -20,12 +25,13 @@ static const struct command_option PREDICT_OPTIONS[] = {
     {.name = NULL}};
 
 static const struct command_option SWEEP_OPTIONS[] = {
-    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "65..85:5",
-	"rotor tip speeds"},
+    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",
+	"rotor tip speeds; 65..85:5, or as the runs want"},
     FEED_OPTION, {.name = NULL}};
 
 static const struct command_option COMPARE_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "where sites meet"},
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"where sites meet; a speed held out, else 74"},
     FEED_OPTION, {.name = NULL}};
 
 static const struct command_option FIND_OPTIONS[] = {
@@ -35,19 +41,17 @@ static const struct command_option FIND_OPTIONS[] = {
     {"passing", VALUE_NUMBER, "%", 0, 100, NULL, "", "wanted passing"},
     {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "size of that passing"},
     {"spec", VALUE_FILE, "", 0, 0, NULL, "", "file of a grading envelope"},
-    {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "65",
-	"slowest speed; the slowest run where that is slower"},
-    {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "85",
-	"fastest speed; the fastest run where that is faster"},
+    {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"slowest speed; 65, or as the runs want"},
+    {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"fastest speed; 85, or as the runs want"},
     FEED_OPTION, {.name = NULL}};
 
 static const struct command_option WHY_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
-    {.name = NULL}};
+    SPEED_OPTION, {.name = NULL}};
 
 static const struct command_option SPEC_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
-    FEED_OPTION, {.name = NULL}};
+    SPEED_OPTION, FEED_OPTION, {.name = NULL}};
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
@@ -72,7 +76,10 @@ const struct command TABLE_ANSWERS[] = {
 	.bare = "speeds",
 	.option = SWEEP_OPTIONS,
 	.text = "Up to seven speeds stand side by side, sieve by sieve; more "
-		"are listed one a row.",
+		"are listed one a row. Without speeds it goes from 65 to 85 "
+		"m/s and on to the runs beyond; where all runs lie outside "
+		"these, from a tenth below the slowest to a tenth above the "
+		"fastest.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nsweep 65,74,85",
 	.run = cmd_sweep},
     {.name = "compare",
@@ -99,7 +106,8 @@ const struct command TABLE_ANSWERS[] = {
 		"faster rotor never makes a coarser product, so there is one "
 		"answer or none; where there is none, the products at both "
 		"ends, or the nearest speed and the sieve that fails, are "
-		"shown. One feed serves for all speeds, that of the middle "
+		"shown. Without from= and to= the speeds are those of sweep. "
+		"One feed serves for all speeds, that of the middle "
 		"run unless feed= says otherwise.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"

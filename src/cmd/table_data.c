@@ -3,7 +3,8 @@
 #include "cmd/table.h"
 
 static const struct command_option SHOW_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "of the selection"},
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"of the selection; one held out, else 74"},
     {.name = NULL}};
 
 static const struct command_option LOAD_OPTIONS[] = {
