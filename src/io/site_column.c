@@ -39,9 +39,11 @@ is_retained(const struct column *c)
 static const char *
 other_head(const struct column *c, const char *suffix, char buf[static 64])
 {
-	const char *at = strchr(c->head.text, '@');
-	snprintf(buf, 64, "%s%s%.30s", SITE_ROLES[c->role], suffix,
-	    at != NULL ? at : "");
+	char speed[32] = "";
+	if (c->speed > 0)
+		text_exact(c->speed, speed);
+	snprintf(buf, 64, "%s%s%s%s", SITE_ROLES[c->role], suffix,
+	    c->speed > 0 ? "@" : "", speed);
 	return buf;
 }
 

@@ -143,11 +143,16 @@ tell_no_table(struct sheet *sheet)
 			found = cell;
 	}
 	char c = sheet->separator;
-	error_hint(
-	    sheet_wanted(sheet, found, "a line that begins with size_mm"),
-	    "the first line of the table reads "
-	    "size_mm%cfeed%cproduct@69%cproduct@79",
-	    c, c, c);
+	struct error *e =
+	    sheet_wanted(sheet, found, "a line that begins with size_mm");
+	if (site_sieve_word(found.text))
+		error_hint(
+		    e, "say the unit of the sizes, too: %s mm", found.text);
+	else
+		error_hint(e,
+		    "the first line of the table reads "
+		    "size_mm%cfeed%cproduct@69%cproduct@79",
+		    c, c, c);
 }
 
 static void

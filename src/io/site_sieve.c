@@ -13,22 +13,24 @@
 /* The limits of a sieve, mm: what lies outside is a slip of the pen. */
 static const double FINEST = 1e-6, COARSEST = 1e4;
 
-/* mm a unit of the words that may begin the table, letters only. */
+/* The words that may begin the table, letters only, with a unit behind. */
+static const char *const SIZE_WORDS[] = {"size", "sieve", "sievesize", "sikt",
+    "siktstorlek", "maskvidd", "storlek", "kornstorlek"};
 static const struct {
-	const char *word;
+	const char *unit;
 	double mm;
-} SIZE_WORDS[] = {{"sizemm", 1}, {"sizeum", 1e-3}, {"sizem", 1e3},
-    {"sievemm", 1}, {"sieveum", 1e-3}, {"sievem", 1e3}, {"sievesizemm", 1},
-    {"sievesizeum", 1e-3}, {"sievesizem", 1e3}};
+} SIZE_UNITS[] = {{"mm", 1}, {"um", 1e-3}, {"m", 1e3}};
+
+enum { MOST_LETTERS = 16 };
 
 /* The letters of "Size (mm)" in small, the two signs for micro as u; a word
  * longer than any is cut. */
 static void
-letters(const char *text, char word[static 16])
+letters(const char *text, char word[static MOST_LETTERS])
 {
 	char *folded = text_fold(text);
 	size_t n = 0;
-	for (const char *p = folded; *p != '\0' && n < 15; p++) {
+	for (const char *p = folded; *p != '\0' && n + 1 < MOST_LETTERS; p++) {
 		bool micro = strncmp(p, "\xC2\xB5", 2) == 0 ||
 			     strncmp(p, "\xCE\xBC", 2) == 0;
 		if (micro || (*p >= 'a' && *p <= 'z') ||
@@ -40,15 +42,41 @@ letters(const char *text, char word[static 16])
 	free(folded);
 }
 
+/* What stands behind the word that begins a table; NULL where none does. */
+static const char *
+behind_word(const char *word)
+{
+	const char *rest = NULL;
+	size_t longest = 0;
+	for (size_t w = 0; w < ARRAY_LEN(SIZE_WORDS); w++) {
+		size_t n = strlen(SIZE_WORDS[w]);
+		if (n > longest && strncmp(word, SIZE_WORDS[w], n) == 0) {
+			longest = n;
+			rest = word + n;
+		}
+	}
+	return rest;
+}
+
 double
 site_sieve_unit(const struct row *row)
 {
-	char word[16];
+	char word[MOST_LETTERS];
 	letters(row->cell[0].text, word);
-	for (size_t w = 0; w < ARRAY_LEN(SIZE_WORDS); w++)
-		if (strcmp(word, SIZE_WORDS[w].word) == 0)
-			return SIZE_WORDS[w].mm;
+	const char *rest = behind_word(word);
+	for (size_t u = 0; rest != NULL && u < ARRAY_LEN(SIZE_UNITS); u++)
+		if (strcmp(rest, SIZE_UNITS[u].unit) == 0)
+			return SIZE_UNITS[u].mm;
 	return 0;
+}
+
+bool
+site_sieve_word(const char *text)
+{
+	char word[MOST_LETTERS];
+	letters(text, word);
+	const char *rest = behind_word(word);
+	return rest != NULL && *rest == '\0';
 }
 
 /* What is left under the finest sieve, as labs of several languages head it:
