@@ -106,12 +106,35 @@ number_hint(const struct sheet *sheet, const char *s)
 		     : "write digits and a decimal point";
 }
 
+/* 1 010,5 with a blank, also one that does not break, before each three digits
+ * becomes 1010,5. */
+static void
+join_thousands(char *s)
+{
+	static const char *const BLANKS[] = {
+	    " ", "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x89"};
+	char *to = s;
+	for (const char *p = s; *p != '\0';) {
+		size_t n = 0;
+		for (size_t b = 0; b < ARRAY_LEN(BLANKS); b++)
+			if (strncmp(p, BLANKS[b], strlen(BLANKS[b])) == 0)
+				n = strlen(BLANKS[b]);
+		if (n > 0 && p > s && isdigit((unsigned char)p[-1]) &&
+		    strspn(p + n, "0123456789") == 3)
+			p += n;
+		else
+			*to++ = *p++;
+	}
+	*to = '\0';
+}
+
 bool
 sheet_value(const struct sheet *sheet, struct cell cell, double *value)
 {
 	char copy[64];
 	bool fits = strlen(cell.text) < sizeof copy;
 	snprintf(copy, sizeof copy, "%s", cell.text);
+	join_thousands(copy);
 	char *comma = strchr(copy, ',');
 	if (comma != NULL && strchr(copy, '.') == NULL &&
 	    sheet->separator != ',')

@@ -13,6 +13,9 @@
 /* Percent that the parts of a sieving may miss of the whole. */
 static const double SUM_TOLERANCE = 0.5;
 
+/* Of the mass put on the sieves, as EN 933-1 allows. */
+static const double MASS_TOLERANCE = 0.01;
+
 double
 site_column_round(double v, double per_unit)
 {
@@ -122,7 +125,7 @@ seems_retained(const struct table *t, const struct column *c, double *sum)
 	for (size_t i = 0; i < t->n_row; i++) {
 		double v;
 		struct cell cell = sheet_cell(&t->row[i], c->at);
-		if (cell.text[0] == '\0')
+		if (cell.text[0] == '\0' || isnan(t->mm[i]))
 			continue;
 		if (!sheet_value(t->sheet, cell, &v))
 			return NULL;
@@ -187,6 +190,29 @@ check_percent(struct table *t, struct column *c)
 	c->faulty = true;
 }
 
+/* Whether a sheet's own total is the sum of the column, or it has none. */
+static bool
+agrees(struct table *t, const struct column *c, double sum)
+{
+	double total;
+	struct cell cell = {0};
+	if (t->total != NULL)
+		cell = sheet_cell(t->total, c->at);
+	if (t->total == NULL || cell.text[0] == '\0')
+		return true;
+	if (!sheet_number(t->sheet, cell, "a number", &total))
+		return false;
+	if (fabs(total - sum) <= MASS_TOLERANCE * total)
+		return true;
+	error_hint(sheet_fault(t->sheet, cell,
+		       "%.9g g was wanted, the sum of column %s, found %s",
+		       site_column_round(sum, 1e6), c->head.text, cell.text),
+	    "the sieves may lose %g %%: were digits swapped, or a sieve "
+	    "forgotten?",
+	    100 * MASS_TOLERANCE);
+	return false;
+}
+
 /* What the sieves and the pan hold together: the mass in g, or 100 %.  0 after
  * a fault. */
 static double
@@ -219,7 +245,7 @@ total_retained(struct table *t, struct column *c)
 		    "check the numbers, or head the column %s",
 		    other_head(c, "_cum_retained_pct", head));
 	} else {
-		return grams ? sum : 100;
+		return !grams || agrees(t, c, sum) ? (grams ? sum : 100) : 0;
 	}
 	return 0;
 }
@@ -308,12 +334,30 @@ check_coarsest(struct table *t, struct column *c)
 		    e, "add a sieve coarser than %s mm with %s", mm, all);
 }
 
+/* In a column of per cent "97,5 %" is 97,5. */
+static void
+drop_percent(struct table *t, const struct column *c)
+{
+	for (size_t i = 0; i < t->n_row; i++) {
+		char *text = sheet_cell(&t->row[i], c->at).text;
+		size_t n = strlen(text);
+		if (n < 2 || text[n - 1] != '%')
+			continue;
+		n -= n > 3 && memcmp(text + n - 3, "\xC2\xA0", 2) == 0 ? 3
+		     : text[n - 2] == ' '                              ? 2
+								       : 1;
+		text[n] = '\0';
+	}
+}
+
 void
 site_column_values(struct table *t, struct column *c)
 {
 	c->pct = xdoubles(t->n_row);
 	c->pan = NAN;
 	double sum;
+	if (SITE_UNITS[c->unit].most == 100)
+		drop_percent(t, c);
 	const char *suffix =
 	    c->role != SD && SITE_UNITS[c->unit].kind == PASSING
 		? seems_retained(t, c, &sum)

@@ -55,11 +55,11 @@ static const struct {
 } WORDS[] = {{"feed", A_FEED}, {"ingaende", A_FEED}, {"inmatning", A_FEED},
     {"pamatning", A_FEED}, {"product", A_PRODUCT}, {"produkt", A_PRODUCT},
     {"utgaende", A_PRODUCT}, {"sd", AN_SD}, {"standardavvikelse", AN_SD},
-    {"passing", PASSES}, {"passerande", PASSES}, {"retained", STAYS},
-    {"siktrest", STAYS}, {"cum", SUMS}, {"cumulative", SUMS}, {"ack", SUMS},
-    {"ackumulerad", SUMS}, {"fraction", SHARE}, {"andel", SHARE},
-    {"pct", PERCENT}, {"%", PERCENT}, {"procent", PERCENT}, {"g", GRAMS},
-    {"gram", GRAMS}, {"at", 0}, {"vid", 0}};
+    {"passing", PASSES}, {"pass", PASSES}, {"passerande", PASSES},
+    {"retained", STAYS}, {"siktrest", STAYS}, {"cum", SUMS},
+    {"cumulative", SUMS}, {"ack", SUMS}, {"ackumulerad", SUMS},
+    {"fraction", SHARE}, {"andel", SHARE}, {"pct", PERCENT}, {"%", PERCENT},
+    {"procent", PERCENT}, {"g", GRAMS}, {"gram", GRAMS}, {"at", 0}, {"vid", 0}};
 
 /* Which words say which row of SITE_UNITS. */
 static const struct {
@@ -197,10 +197,14 @@ refuse_head(struct table *t, const struct column *c, const char *word)
 		return error_hint(e,
 		    "say grams or per cent: product_retained_g@69 or "
 		    "product_retained_pct@69");
+	if (t->told_heads)
+		return error_hint(e, "take the column out, or head it so, too");
+	t->told_heads = true;
 	return error_hint(e,
 	    "understood are feed, feed@69, product@69 and sd@69; feed and "
 	    "product also with _fraction, _passing_pct, _retained_g, "
-	    "_retained_pct, _cum_retained_pct before the @");
+	    "_retained_pct, _cum_retained_pct before the @; take other columns "
+	    "out");
 }
 
 /* Only the feed of all runs may be without a speed. */
@@ -239,8 +243,9 @@ site_column_head(struct table *t, struct column *c)
 	error_hint(sheet_fault(t->sheet, c->head,
 		       "%s was wanted once, found at column %d already",
 		       c->head.text, twin->head.column),
-	    c->speed > 0 ? "each run has a speed of its own: average the two, "
-			   "or change one"
-			 : "keep one of the two");
+	    c->speed > 0 && c->unit == twin->unit
+		? "each run has a speed of its own: average the two, "
+		  "or change one"
+		: "keep one of the two");
 	return false;
 }

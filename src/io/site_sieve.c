@@ -120,7 +120,10 @@ static double
 row_mm(struct table *t, const struct row *row, double unit)
 {
 	struct cell cell = row->cell[0];
+	if (row->n > t->head->n && t->told_cells)
+		return NAN;
 	if (row->n > t->head->n) {
+		t->told_cells = true;
 		error_hint(sheet_fault(t->sheet, row->cell[t->head->n],
 			       "%zu cells were wanted as in line %d, found %zu",
 			       t->head->n, t->head->line, row->n),
@@ -139,6 +142,28 @@ row_mm(struct table *t, const struct row *row, double unit)
 		return NAN;
 	}
 	return site_sieve_mm(t->sheet, cell, unit, "a sieve size or pan");
+}
+
+/* What stands below a table: sums, and remarks in the first cell alone. */
+static void
+drop_foot(struct table *t)
+{
+	static const char *const SUMS[] = {
+	    "sum", "total", "summa", "totalt", "summe"};
+	while (t->n_row > 0) {
+		const struct row *row = &t->row[t->n_row - 1];
+		struct cell cell = row->cell[0];
+		double v;
+		bool sum = false;
+		for (size_t i = 0; i < ARRAY_LEN(SUMS); i++)
+			sum = sum || text_same(cell.text, SUMS[i]);
+		if (sum)
+			t->total = row;
+		else if (row->n > 1 || is_pan(cell.text) ||
+			 sheet_value(t->sheet, cell, &v))
+			return;
+		t->n_row--;
+	}
 }
 
 static bool
@@ -190,6 +215,7 @@ void
 site_sieve_rows(struct table *t)
 {
 	double unit = site_sieve_unit(t->head);
+	drop_foot(t);
 	t->mm = xdoubles(t->n_row);
 	for (size_t i = 0; i < t->n_row; i++) {
 		t->mm[i] = row_mm(t, &t->row[i], unit);

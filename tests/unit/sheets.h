@@ -68,6 +68,14 @@ static const char *const SAME[] = {
     "Kornstorlek \xC2\xB5m;P\xC3\xA5matning siktrest %;Siktrest % 69 m/s;79 "
     "m/s\n"
     "8000;0;0;100\n4000;40;20;90\n1000;50;60;30\n0;10;20;\n",
+    "Siktanalys, 3 maj\n;;;\nSikt mm;Feed %;Produkt 69 m/s;Produkt 79 m/s\n"
+    "8;100,0 %;100\xC2\xA0%;100%\n4;60,0 %;80;90\n1;10;20 %;30\n;;;\nSumma;170;"
+    "200;220\nSignatur;;;\n",
+    "Prov 17;;;;\nSikt mm;Feed g;69 m/s g;79 m/s g;\n8;0;0;0;\n4;800;"
+    "1 250;10 000;\n1;1 000,0;3\xC2\xA0"
+    "750;60\xE2\x80\xAF"
+    "000,0;\n"
+    "Botten;200;1250,0;30000;\nTotalt;2 010;6 250;100 000;\n",
     "Sieve size mm,feed (g),69 m/s g,Product (g retained) 79 m/s\n8,0,0,0\n"
     "4,80,1.25,10\n1,100,3.75,60\npan,20,1.25,30\n",
 };
