@@ -334,14 +334,15 @@ check_coarsest(struct table *t, struct column *c)
 		    e, "add a sieve coarser than %s mm with %s", mm, all);
 }
 
-/* In a column of per cent "97,5 %" is 97,5. */
+/* "97,5 %" is 97,5 in a column of per cent, "42,5 g" 42,5 in one of grams. */
 static void
-drop_percent(struct table *t, const struct column *c)
+drop_unit(struct table *t, const struct column *c)
 {
+	bool grams = SITE_UNITS[c->unit].kind == RETAINED_G;
 	for (size_t i = 0; i < t->n_row; i++) {
 		char *text = sheet_cell(&t->row[i], c->at).text;
 		size_t n = strlen(text);
-		if (n < 2 || text[n - 1] != '%')
+		if (n < 2 || text[n - 1] != (grams ? 'g' : '%'))
 			continue;
 		n -= n > 3 && memcmp(text + n - 3, "\xC2\xA0", 2) == 0 ? 3
 		     : text[n - 2] == ' '                              ? 2
@@ -356,8 +357,8 @@ site_column_values(struct table *t, struct column *c)
 	c->pct = xdoubles(t->n_row);
 	c->pan = NAN;
 	double sum;
-	if (SITE_UNITS[c->unit].most == 100)
-		drop_percent(t, c);
+	if (SITE_UNITS[c->unit].kind != FRACTION)
+		drop_unit(t, c);
 	const char *suffix =
 	    c->role != SD && SITE_UNITS[c->unit].kind == PASSING
 		? seems_retained(t, c, &sum)

@@ -59,7 +59,9 @@ static const struct {
     {"retained", STAYS}, {"siktrest", STAYS}, {"cum", SUMS},
     {"cumulative", SUMS}, {"ack", SUMS}, {"ackumulerad", SUMS},
     {"fraction", SHARE}, {"andel", SHARE}, {"pct", PERCENT}, {"%", PERCENT},
-    {"procent", PERCENT}, {"g", GRAMS}, {"gram", GRAMS}, {"at", 0}, {"vid", 0}};
+    {"procent", PERCENT}, {"g", GRAMS}, {"gram", GRAMS}, {"at", 0}, {"vid", 0},
+    {"material", 0}, {"mangd", 0}, {"rotorhastighet", 0},
+    {"periferihastighet", 0}};
 
 /* Which words say which row of SITE_UNITS. */
 static const struct {
@@ -128,7 +130,7 @@ speed_hint(const char *text, double v)
 		return "a date belongs into the heading (sampled,2026-11-02); "
 		       "behind @ stands the tip speed, as in product@69";
 	if (v > FASTEST || strstr(text, "rpm") != NULL ||
-	    strstr(text, "/min") != NULL)
+	    strstr(text, "varv") != NULL || strstr(text, "/min") != NULL)
 		return "turns of the rotor a minute? tip speed in m/s = "
 		       "3.1416 x rotor diameter in m x turns / 60, as in "
 		       "product@69";
@@ -190,9 +192,13 @@ refuse_head(struct table *t, const struct column *c, const char *word)
 	unsigned means;
 	size_t n = strcspn(word, "0123456789");
 	struct error *e = sheet_wanted(t->sheet, c->head, "a column header");
-	if (word[n] != '\0' && read_words(word, n, &means) &&
-	    (means & (A_FEED | A_PRODUCT)) != 0)
-		return error_hint(e, "%s", speed_hint(word + n, 0));
+	bool turns =
+	    strstr(word, "rpm") != NULL || strstr(word, "varv") != NULL;
+	if (word[n] != '\0' && (n == 0 || turns ||
+				   (read_words(word, n, &means) &&
+				       (means & (A_FEED | A_PRODUCT)) != 0)))
+		return error_hint(
+		    e, "%s", speed_hint(turns ? word : word + n, 0));
 	if (read_words(word, strlen(word), &means) && (means & STAYS) != 0)
 		return error_hint(e,
 		    "say grams or per cent: product_retained_g@69 or "

@@ -85,7 +85,7 @@ static bool
 is_pan(const char *text)
 {
 	static const char *const WORDS[] = {"pan", "bottom", "receiver", "rest",
-	    "botten", "bunn", "boden", "fond", "fondo"};
+	    "botten", "tråg", "bunn", "boden", "fond", "fondo"};
 	if (text[0] == '<')
 		return true;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
@@ -112,7 +112,8 @@ site_sieve_mm(
 	error_hint(
 	    sheet_wanted(sheet, cell,
 		v > 0 ? "a size from 1e-6 to 1e4 mm" : "a positive size"),
-	    "check the number and its unit");
+	    v > 0 ? "check the number and its unit"
+		  : "what is below the finest sieve is headed pan");
 	return NAN;
 }
 
@@ -144,26 +145,33 @@ row_mm(struct table *t, const struct row *row, double unit)
 	return site_sieve_mm(t->sheet, cell, unit, "a sieve size or pan");
 }
 
-/* What stands below a table: sums, and remarks in the first cell alone. */
+/* Neither a size nor the pan. */
+static bool
+is_word(const struct table *t, const struct row *row)
+{
+	double v;
+	return !is_pan(row->cell[0].text) &&
+	       !sheet_value(t->sheet, row->cell[0], &v);
+}
+
+/* Below a table stand sums, with anything behind them, and remarks in the first
+ * cell alone. */
 static void
 drop_foot(struct table *t)
 {
 	static const char *const SUMS[] = {
 	    "sum", "total", "summa", "totalt", "summe"};
-	while (t->n_row > 0) {
-		const struct row *row = &t->row[t->n_row - 1];
-		struct cell cell = row->cell[0];
-		double v;
-		bool sum = false;
-		for (size_t i = 0; i < ARRAY_LEN(SUMS); i++)
-			sum = sum || text_same(cell.text, SUMS[i]);
-		if (sum)
-			t->total = row;
-		else if (row->n > 1 || is_pan(cell.text) ||
-			 sheet_value(t->sheet, cell, &v))
-			return;
+	size_t foot = t->n_row;
+	while (foot > 0 && is_word(t, &t->row[foot - 1]))
+		foot--;
+	for (size_t i = foot; i < t->n_row; i++)
+		for (size_t k = 0; k < ARRAY_LEN(SUMS); k++)
+			if (text_same(t->row[i].cell[0].text, SUMS[k])) {
+				t->total = &t->row[i];
+				t->n_row = i;
+			}
+	while (t->n_row > foot && t->row[t->n_row - 1].n == 1)
 		t->n_row--;
-	}
 }
 
 static bool

@@ -76,6 +76,20 @@ static const char *const SAME[] = {
     "750;60\xE2\x80\xAF"
     "000,0;\n"
     "Botten;200;1250,0;30000;\nTotalt;2 010;6 250;100 000;\n",
+    "\"Sikt mm\",\"Feed\",\"69 m/s\",\"79 m/s\"\n\"8,0\",\"100,0\",100,100\n"
+    "\"4\",\"60,0\",\"80,00\",\"90\"\n1,10,20,\"30,0\"\n",
+    "Siktanalys, maj\nProv 3, torrt, siktat\nMaskvidd mm;Ing\xC3\xA5"
+    "ende material;"
+    "Produkt, rotorhastighet 69 m/s;Passerande mängd % 79 "
+    "m/s\n8,0;100;100;100\n"
+    "4,0;60;80;90\n1,0;10;20;30\n",
+    "Siktanalys, maj\nMaskvidd mm\tFeed\t69 m/s\t79 "
+    "m/s\n8,0\t100,0\t100,0\t100,0\n"
+    "4,0\t60,0\t80,0\t90,0\n1,0\t10,0\t20,0\t30,0\n",
+    "Sikt mm;Feed g;69 m/s g;79 m/s g\n8;0 g;0g;0\n4;80 g;1,25 "
+    "g;10\n1;100;3,75;60\n"
+    "tr\xC3\xA5g;20 g;1,25;30\nSumma;200;6,25;100\nDiff "
+    "%;0,5;;\nKommentar;;;\n",
     "Sieve size mm,feed (g),69 m/s g,Product (g retained) 79 m/s\n8,0,0,0\n"
     "4,80,1.25,10\n1,100,3.75,60\npan,20,1.25,30\n",
 };
