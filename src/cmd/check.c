@@ -143,6 +143,35 @@ find_fall(
 	return most;
 }
 
+static bool
+is_copy(const struct psd *a, const struct psd *b)
+{
+	size_t i = 0;
+	while (i < a->n && i < b->n && a->size[i] == b->size[i] &&
+	       a->passing[i] == b->passing[i])
+		i++;
+	return a->n > 0 && i == a->n && i == b->n;
+}
+
+/* A column typed, or pasted, twice: no two samples have the same numbers. */
+static void
+check_copies(struct report *r, const struct entry *entry)
+{
+	const struct site *site = entry->site;
+	for (size_t i = 1; i < site->n_run; i++)
+		for (size_t k = 0; k < i; k++) {
+			const struct run *a = &site->run[k], *b = &site->run[i];
+			if (!is_copy(&a->product, &b->product))
+				continue;
+			char *where =
+			    xasprintf("%g, %g m/s", a->speed, b->speed);
+			finding(r, entry, false, where,
+			    "the two products have the very same numbers: was "
+			    "a column copied?");
+			free(where);
+		}
+}
+
 /* Passing that falls from a slower to a faster run by more than sampling does:
  * a faster rotor breaks more.  A fault where it falls on the whole, or by more
  * than any sampling at one sieve: of 180 sheets with noise of 1 point 29 fall
@@ -323,6 +352,7 @@ check_site(struct session *s, struct report *r, size_t index)
 	for (size_t i = 0; i < entry->site->n_run; i++)
 		ok = check_run(r, entry, &entry->site->run[i]) && ok;
 	ok = check_order(r, entry) && ok;
+	check_copies(r, entry);
 	check_gaps(r, entry);
 	check_smooth(r, entry, true);
 	check_smooth(r, entry, false);

@@ -74,7 +74,8 @@ const struct command TABLE_DATA[] = {
 	.flags = COMMAND_AT_SITE,
 	.text = "Looks at the site in use, another one, or all. Reports "
 		"products coarser than their feed, a faster run with a coarser "
-		"product, a passing that stands out from its neighbours as "
+		"product or the very same one, a passing that stands out from "
+		"its neighbours as "
 		"swapped digits do, or from what the site is calibrated to, "
 		"runs where nothing breaks, sieves that "
 		"cannot be compared, and twins: loaded sites with the very "
