@@ -339,7 +339,8 @@ static void
 drop_unit(struct table *t, const struct column *c)
 {
 	bool grams = SITE_UNITS[c->unit].kind == RETAINED_G;
-	for (size_t i = 0; i < t->n_row; i++) {
+	size_t rows = t->n_row + (t->total != NULL); /* the sums are next */
+	for (size_t i = 0; i < rows; i++) {
 		char *text = sheet_cell(&t->row[i], c->at).text;
 		size_t n = strlen(text);
 		if (n < 2 || text[n - 1] != (grams ? 'g' : '%'))

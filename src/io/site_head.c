@@ -36,6 +36,7 @@ site_column_find(const struct table *t, enum role role, double speed)
 	return NULL;
 }
 
+/* What the words of a head say: whose numbers, and what they count. */
 enum {
 	A_FEED = 1,
 	A_PRODUCT = 2,
@@ -181,6 +182,8 @@ cut_speed(char *word)
 		from--;
 	while (from > word && strchr("0123456789.,", from[-1]) != NULL)
 		from--;
+	/* The comma of "Produkt,69 m/s". */
+	from += strspn(from, ".,");
 	char *speed = xstrndup(from, (size_t)(unit - from));
 	memset(from, ' ', (size_t)(unit + 3 - from));
 	return speed;

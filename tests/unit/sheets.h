@@ -60,7 +60,7 @@ static const char *const SAME[] = {
     "8,0,0,0\n4,40,20,10\n1,50,60,60\n0,10,20,\n",
     "size_mm,feed_cum_retained_pct,cum_retained_pct@69,product@79\n8,0,0,100\n"
     "4,40,20,90\n1,90,80,30\nPan,100,,0\n",
-    "Sikt (mm);Ingående;Produkt 69 m/s;Passerande, % vid 79,0 m/s\n"
+    "Sikt (mm);Ingående;Produkt,69 m/s;Passerande, % vid 79,0 m/s\n"
     "8;100;100;100\n4;60;80;90\n1;10;20;30\n",
     "Maskvidd [mm];Inmatning siktrest (g);69 m/s siktrest g;"
     "Siktrest (g) 79 m/s\n8;0;0;0\n4;80;1,25;10\n1;100;3,75;60\n"
@@ -88,7 +88,7 @@ static const char *const SAME[] = {
     "4,0\t60,0\t80,0\t90,0\n1,0\t10,0\t20,0\t30,0\n",
     "Sikt mm;Feed g;69 m/s g;79 m/s g\n8;0 g;0g;0\n4;80 g;1,25 "
     "g;10\n1;100;3,75;60\n"
-    "tr\xC3\xA5g;20 g;1,25;30\nSumma;200;6,25;100\nDiff "
+    "tr\xC3\xA5g;20 g;1,25;30\nSumma;200 g;6,25;100\nDiff "
     "%;0,5;;\nKommentar;;;\n",
     "Sieve size mm,feed (g),69 m/s g,Product (g retained) 79 m/s\n8,0,0,0\n"
     "4,80,1.25,10\n1,100,3.75,60\npan,20,1.25,30\n",
