@@ -371,7 +371,8 @@ static bool
 is_numbers(const char *line, char separator)
 {
 	const char stop[] = {separator, '\r', '\n', '\0'};
-	const char *digits = "\" +-.,0123456789%";
+	/* With units and blanks that do not break. */
+	const char *digits = "\" +-.,0123456789eEg%\xC2\xA0\xE2\x80\xAF\x89";
 	size_t n = strcspn(line, stop);
 	const char *second = line + n + 1;
 	return line[n] == separator && strcspn(line, "0123456789") < n &&

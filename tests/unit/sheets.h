@@ -86,10 +86,10 @@ static const char *const SAME[] = {
     "Siktanalys, maj\nMaskvidd mm\tFeed\t69 m/s\t79 "
     "m/s\n8,0\t100,0\t100,0\t100,0\n"
     "4,0\t60,0\t80,0\t90,0\n1,0\t10,0\t20,0\t30,0\n",
-    "Sikt mm;Feed g;69 m/s g;79 m/s g\n8;0 g;0g;0\n4;80 g;1,25 "
-    "g;10\n1;100;3,75;60\n"
-    "tr\xC3\xA5g;20 g;1,25;30\nSumma;200 g;6,25;100\nDiff "
-    "%;0,5;;\nKommentar;;;\n",
+    "Torrt, tv\xC3\xA4ttat\nMaj, prov 3\nRotor, nya spetsar\n"
+    "Sikt mm;Feed g;69 m/s g;79 m/s g\n8,0;0 g;0g;0\n4,0;80 g;1,25 g;10\n"
+    "1,0;100 g;3,75;60\ntr\xC3\xA5g;20 g;1,25;30\n"
+    "Summa;200 g;6,25;100\nDiff %;0,5;;\nKommentar;;;\n",
     "Sieve size mm,feed (g),69 m/s g,Product (g retained) 79 m/s\n8,0,0,0\n"
     "4,80,1.25,10\n1,100,3.75,60\npan,20,1.25,30\n",
 };
