@@ -40,6 +40,17 @@ for kind in $kinds; do
 done
 result ${#wrong} "PNG and PDF are such:$wrong"
 
+"$TIPSPEED" data/sites/borlange.csv -c calibrate -c 'predict 72 > one.svg' \
+	-c 'plot psd speed=72 band=on > two.svg' \
+	-c 'predict 72 band=off > three.svg' -c 'predict 72 > four.png' \
+	>out.txt 2>err.txt &&
+	cmp one.svg two.svg && ! cmp -s one.svg three.svg &&
+	[ "$(head -c 4 four.png | tail -c 3)" = PNG ] && ! grep 'product at' out.txt
+result $? "predict draws what plot psd draws, and prints nothing beside it"
+"$TIPSPEED" data/sites/bro.csv -c 'sweep > sweep.png' 2>err.txt
+[ $? = 2 ] && grep -q 'hint: plot sweep > sweep.png' err.txt
+result $? "a command that draws nothing names the plot that does"
+
 grep -q 'reconstructed from Table 3, not measured' psd.svg &&
 	grep -q 'passing, %' psd.svg && grep -q 'size, mm' psd.svg
 result $? "psd: provenance, axes with units"
@@ -78,7 +89,7 @@ sed 's/Tierp/<\&Tierp/' data/sites/tierp.csv >odd.csv
 result $? "a name of marks does no harm to SVG"
 
 echo kept >kept.svg
-"$TIPSPEED" data/sites/tierp.csv -c 'predict > kept.svg' 2>err.txt
+"$TIPSPEED" data/sites/tierp.csv -c 'validate > kept.svg' 2>err.txt
 [ $? = 2 ] && grep -q 'draws nothing' err.txt && grep -q kept kept.svg
 result $? "a table does not go into a picture's file"
 "$TIPSPEED" data/sites/tierp.csv -c 'plot psd >> kept.svg' 2>err.txt

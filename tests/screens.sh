@@ -24,6 +24,9 @@ compare() {
 mkdir screens
 printf '%s\n' site,Norra rock,Granite size_mm,feed 22.4,100 16,90 8,52 4,28 \
 	1,7 >norra.csv
+head='size_mm,feed,product@69,product@79'
+printf '%s\n' site,Mixed "$head" 8,100,100,100 4,50,80,70 >mixed.csv
+printf '%s\n' "$head" 8,100,99.5,100 4,5O,8O,90 >faults.csv
 "$TIPSPEED" -f "$srcdir/tests/screens.tip" >out 2>log
 good=$?
 remark log >all

@@ -101,6 +101,46 @@ answers_middle(const struct site *site)
 	return (site->run[0].speed + site->run[site->n_run - 1].speed) / 2;
 }
 
+double
+answers_usual(const struct entry *entry)
+{
+	const double usual = 74;
+	double from, to, speed = 0, middle = answers_middle(entry->site);
+	for (size_t r = 0; r < entry->site->n_run; r++) {
+		const struct run *run = &entry->site->run[r];
+		if (!entry->train[r] && run->product.n > 0 &&
+		    fabs(run->speed - middle) < fabs(speed - middle))
+			speed = run->speed;
+	}
+	if (speed > 0)
+		return speed;
+	site_reach(entry->site, &from, &to);
+	return usual >= from && usual <= to ? usual : middle;
+}
+
+double
+answers_speed(const struct args *args, const struct entry *entry)
+{
+	const struct value *speed = args_value(args, "speed");
+	return speed->given ? speed->number : answers_usual(entry);
+}
+
+double *
+answers_speeds(const struct site *site, size_t *n)
+{
+	enum { MOST = 7 };
+	static const double STEPS[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20};
+	double from, to, *speed = xdoubles(MOST);
+	site_reach(site, &from, &to);
+	size_t i = 0;
+	while (i + 1 < ARRAY_LEN(STEPS) && (to - from) / STEPS[i] >= MOST)
+		i++;
+	double step = STEPS[i], first = ceil(from / step);
+	for (*n = 0; *n < MOST && (first + (double)*n) * step <= to; (*n)++)
+		speed[*n] = (first + (double)*n) * step;
+	return speed;
+}
+
 void
 answers_remember(struct session *s, const struct prediction *p)
 {

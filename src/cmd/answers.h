@@ -39,6 +39,14 @@ bool answers_feed(const struct site *site, const struct args *args,
 struct prediction answers_predict(const struct session *s,
     const struct entry *entry, double speed, size_t feed_run);
 
+/* The speed that the option names; else that of the held-out run nearest to the
+ * middle, else 74 m/s, or the middle where that is beyond site_reach. */
+double answers_speed(const struct args *args, const struct entry *entry);
+double answers_usual(const struct entry *entry);
+
+/* Round speeds over site_reach, seven at most.  The caller frees. */
+double *answers_speeds(const struct site *site, size_t *n);
+
 /* Where speeds are compared one feed serves for all, so that what differs is
  * what the speed does: that of the run nearest to this speed, m/s. */
 double answers_middle(const struct site *site);

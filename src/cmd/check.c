@@ -119,39 +119,88 @@ check_run(struct report *r, const struct entry *entry, const struct run *run)
 	return !fault;
 }
 
+/* How far the slower run's product passes above the faster one's: at the sieve
+ * where by most, and in the mean of all, passing 0..1. */
+static double
+find_fall(
+    const struct run *slow, const struct run *fast, double *at, double *mean)
+{
+	double most = 0, sum = 0, n = 0;
+	for (size_t j = 0; j < fast->product.n; j++) {
+		double x = fast->product.size[j];
+		if (!psd_covers(&slow->product, x))
+			continue;
+		double by =
+		    psd_passing(&slow->product, x) - fast->product.passing[j];
+		sum += by;
+		n++;
+		if (by > most) {
+			most = by;
+			*at = x;
+		}
+	}
+	*mean = n > 0 ? sum / n : 0;
+	return most;
+}
+
+static bool
+is_copy(const struct psd *a, const struct psd *b)
+{
+	size_t i = 0;
+	while (i < a->n && i < b->n && a->size[i] == b->size[i] &&
+	       a->passing[i] == b->passing[i])
+		i++;
+	return a->n > 0 && i == a->n && i == b->n;
+}
+
+/* A column typed, or pasted, twice: no two samples have the same numbers. */
+static void
+check_copies(struct report *r, const struct entry *entry)
+{
+	const struct site *site = entry->site;
+	for (size_t i = 1; i < site->n_run; i++)
+		for (size_t k = 0; k < i; k++) {
+			const struct run *a = &site->run[k], *b = &site->run[i];
+			if (!is_copy(&a->product, &b->product))
+				continue;
+			char *where =
+			    xasprintf("%g, %g m/s", a->speed, b->speed);
+			finding(r, entry, false, where,
+			    "the two products have the very same numbers: was "
+			    "a column copied?");
+			free(where);
+		}
+}
+
 /* Passing that falls from a slower to a faster run by more than sampling does:
- * a faster rotor breaks more. */
+ * a faster rotor breaks more.  A fault where it falls on the whole, or by more
+ * than any sampling at one sieve: of 180 sheets with noise of 1 point 29 fall
+ * by more than 2 points somewhere, 3 are called faults. */
 static bool
 check_order(struct report *r, const struct entry *entry)
 {
+	const double on_the_whole = 0.003, far = 0.05;
 	const struct site *site = entry->site;
 	bool ok = true;
 	for (size_t i = 1; i < site->n_run; i++) {
 		const struct run *slow = &site->run[i - 1];
 		const struct run *fast = &site->run[i];
-		double most = 0, at = 0;
-		for (size_t j = 0; j < fast->product.n; j++) {
-			double x = fast->product.size[j];
-			if (!psd_covers(&slow->product, x))
-				continue;
-			double by = psd_passing(&slow->product, x) -
-				    fast->product.passing[j];
-			if (by > most) {
-				most = by;
-				at = x;
-			}
-		}
+		double at = 0, mean, most = find_fall(slow, fast, &at, &mean);
+		bool fault = !site->individual_feeds &&
+			     (mean > on_the_whole || most > far);
 		if (most <= COARSER_FAULT)
 			continue;
 		char *where = xasprintf("%g, %g m/s", slow->speed, fast->speed);
-		finding(r, entry, !site->individual_feeds, where,
+		finding(r, entry, fault, where,
 		    "the faster run's product is coarser by %.2f points at %g "
 		    "mm: %s",
 		    100 * most, units_mm(at),
 		    site->individual_feeds ? "its feed may have been coarser"
-					   : "were speeds or digits swapped?");
+		    : fault                ? "were speeds or digits swapped?"
+					   : "sampling may do so, or digits "
+					     "were swapped there");
 		free(where);
-		ok = ok && site->individual_feeds;
+		ok = ok && !fault;
 	}
 	return ok;
 }
@@ -303,6 +352,7 @@ check_site(struct session *s, struct report *r, size_t index)
 	for (size_t i = 0; i < entry->site->n_run; i++)
 		ok = check_run(r, entry, &entry->site->run[i]) && ok;
 	ok = check_order(r, entry) && ok;
+	check_copies(r, entry);
 	check_gaps(r, entry);
 	check_smooth(r, entry, true);
 	check_smooth(r, entry, false);

@@ -165,7 +165,7 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
     struct side *side, struct error *error)
 {
 	const char *word = args->operand[i];
-	double v = args_value(args, "speed")->number;
+	double v = answers_speed(args, session_entry(s));
 	size_t at = s->current, feed;
 	if (sites && !session_find(s, word, &at, error))
 		return false;

@@ -32,7 +32,8 @@ passing_over(void *data, double v)
 
 /* Exactly one of the wishes is given, with what belongs to it. */
 static bool
-check_wish(const struct args *args, struct error *error)
+check_wish(
+    const struct args *args, const struct wish *wish, struct error *error)
 {
 	static const char *const ONE[] = {
 	    "p20", "p50", "p80", "passing", "spec"};
@@ -48,12 +49,10 @@ check_wish(const struct args *args, struct error *error)
 	else if (at != args_value(args, "passing")->given)
 		error_set(error, ERROR_USAGE,
 		    "passing and at go together: so much passing at a size");
-	else if (args_value(args, "from")->number >=
-		 args_value(args, "to")->number)
+	else if (wish->from >= wish->to)
 		error_set(error, ERROR_USAGE,
-		    "find wants from below to, not %g and %g m/s",
-		    args_value(args, "from")->number,
-		    args_value(args, "to")->number);
+		    "find wants from below to, not %g and %g m/s", wish->from,
+		    wish->to);
 	else
 		return true;
 	return error_hint(error, "find p80=5, find passing=40 at=2, find "
@@ -242,28 +241,18 @@ answer_spec(struct session *s, const struct args *args, const struct wish *wish,
 	return true;
 }
 
-/* Where no ends are given every measured speed lies between them. */
-static void
-reach_runs(struct wish *wish, const struct args *args, const struct site *site)
-{
-	for (size_t r = 0; r < site->n_run; r++) {
-		double v = site->run[r].speed;
-		if (v > 0 && !args_value(args, "from")->given)
-			wish->from = fmin(wish->from, v);
-		if (!args_value(args, "to")->given)
-			wish->to = fmax(wish->to, v);
-	}
-}
-
 bool
 cmd_find(struct session *s, const struct args *args, struct error *error)
 {
-	if (!answers_ready(s, error) || !check_wish(args, error))
-		return false;
 	const struct site *site = session_entry(s)->site;
-	struct wish wish = {.from = args_value(args, "from")->number,
-	    .to = args_value(args, "to")->number};
-	reach_runs(&wish, args, site);
+	const struct value *from = args_value(args, "from");
+	const struct value *to = args_value(args, "to");
+	struct wish wish = {0};
+	site_reach(site, &wish.from, &wish.to);
+	wish.from = from->given ? from->number : wish.from;
+	wish.to = to->given ? to->number : wish.to;
+	if (!answers_ready(s, error) || !check_wish(args, &wish, error))
+		return false;
 	if (!answers_feed(site, args, answers_middle(site), &wish.feed, error))
 		return false;
 	if (args_value(args, "spec")->given)

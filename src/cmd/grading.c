@@ -125,7 +125,7 @@ bool
 cmd_spec(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
-	double v = args_value(args, "speed")->number;
+	double v = answers_speed(args, entry);
 	size_t feed, worst;
 	struct grading g;
 	if (!answers_ready(s, error) ||

@@ -283,7 +283,7 @@ bool
 cmd_guess(struct session *s, const struct args *args, struct error *error)
 {
 	const struct site *site = session_entry(s)->site;
-	double speed = args_value(args, "speed")->number;
+	double speed = answers_speed(args, session_entry(s));
 	size_t nearest = (size_t)args_value(args, "nearest")->whole, feed;
 	struct basis b = {0};
 	bool ok = find_wanted(site, args, &b.wanted, error) &&

@@ -150,6 +150,23 @@ cannot_draw(const struct session *s, struct error *error)
 	return error_hint(error, "try a smaller one, or .svg");
 }
 
+bool
+pictures_wanted(const struct session *s)
+{
+	enum picture_form form;
+	return s->file != NULL && picture_form_of(s->file, &form);
+}
+
+bool
+pictures_draw(struct session *s, const struct chart *chart, struct error *error)
+{
+	enum picture_form form;
+	return (picture_form_of(s->file, &form) &&
+		   picture_write(
+		       chart, form, "tipspeed " PACKAGE_VERSION, s->out)) ||
+	       cannot_draw(s, error);
+}
+
 static struct screen_request
 screen_request(const struct session *s, const struct args *args, bool picture)
 {
@@ -253,12 +270,9 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 	enum charset charset = choice != AUTO      ? (enum charset)(choice - 1)
 			       : s->screen.drawing ? CHARSET_BRAILLE
 						   : CHARSET_ASCII;
-	enum picture_form form;
 	bool ok = true;
-	if (s->file != NULL && picture_form_of(s->file, &form))
-		ok = picture_write(
-			 chart, form, "tipspeed " PACKAGE_VERSION, s->out) ||
-		     cannot_draw(s, error);
+	if (pictures_wanted(s))
+		ok = pictures_draw(s, chart, error);
 	else if (s->set.format == REPORT_TABLE)
 		print_chart(s, args, chart, charset);
 	else

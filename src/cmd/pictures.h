@@ -25,6 +25,12 @@ struct screen_request {
 struct chart *pictures_chart(struct session *s, const struct args *args,
     struct plot_request *request, struct error *error);
 
+/* Whether the results go into a file whose name asks for a picture, and the
+ * chart as that picture. */
+bool pictures_wanted(const struct session *s);
+bool pictures_draw(
+    struct session *s, const struct chart *chart, struct error *error);
+
 /* A report headed as the chart is. */
 struct report *pictures_report(
     const struct session *s, const char *command, const struct chart *chart);

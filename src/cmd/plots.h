@@ -46,7 +46,7 @@ struct plot_request {
 	unsigned words; /* of CHART_ALL: what to write around it.  Without
 			 * CHART_NOTES the names of psd have no numbers that
 			 * change with the speed */
-	size_t n_speed; /* sweep: speeds [n_speed]; 0: 65 to 85 in fives */
+	size_t n_speed; /* sweep: speeds [n_speed]; 0: answers_speeds */
 	const double *speeds;
 	double feed_speed; /* psd, sweep: take the feed sampled at this speed;
 			    * 0: the nearest one, of sweep to the middle */

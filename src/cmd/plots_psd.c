@@ -336,10 +336,8 @@ struct chart *
 plots_sweep(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	static const double USUAL[] = {65, 70, 75, 80, 85};
 	const struct site *site = session_entry(s)->site;
-	size_t n = q->n_speed > 0 ? q->n_speed : ARRAY_LEN(USUAL);
-	const double *speed = q->n_speed > 0 ? q->speeds : USUAL;
+	size_t n = q->n_speed;
 	struct curves c = {0};
 	struct params params;
 	if (!plots_params(s, q, &params, error))
@@ -354,9 +352,12 @@ plots_sweep(
 	size_t feed = site_run_nearest(
 	    site, q->feed_speed > 0 ? q->feed_speed : answers_middle(site));
 	add_curve(&c, &site->run[feed].feed, xstrdup("feed"), FEED);
+	double *usual = n == 0 ? answers_speeds(site, &n) : NULL;
+	const double *speed = usual != NULL ? usual : q->speeds;
 	for (size_t i = 0; i < n; i++)
 		add_prediction(
 		    &c, s, &params, speed[i], feed, NULL, plots_look(i));
+	free(usual);
 	struct chart *chart = plots_site_chart(site, sieves_of(&c),
 	    axis_percent("passing, %"), "products at %zu speeds", n);
 	put_curves(chart, &c);

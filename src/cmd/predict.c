@@ -8,6 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/doubt.h"
 #include "cmd/fit.h"
+#include "cmd/pictures.h"
 #include "cmd/plots.h"
 #include "cmd/table.h"
 #include "core/predict.h"
@@ -177,21 +178,32 @@ explained(struct session *s, const struct prediction *p,
 	return r;
 }
 
-/* The psd plot of the prediction, in plain text wherever it goes. */
+/* The psd plot of the prediction: with its band as a picture where one is
+ * wanted, else in plain text wherever it goes. */
 static bool
-print_curves(struct session *s, const struct prediction *p, struct error *error)
+draw_curves(struct session *s, const struct prediction *p,
+    const struct band *band, struct error *error)
 {
 	enum { WIDTH = 78, HEIGHT = 24 };
 	struct plot_request request = plots_request(PLOT_PSD);
 	request.speed = p->speed;
 	request.feed_speed = session_entry(s)->site->run[p->feed_run].speed;
-	struct canvas *canvas = plots_draw(s, &request, WIDTH, HEIGHT, error);
-	if (canvas == NULL)
+	request.band = pictures_wanted(s) && band != NULL;
+	struct chart *chart = plots_chart(s, &request, error);
+	if (chart == NULL)
 		return false;
-	fputc('\n', s->out);
-	canvas_print(canvas, 0, s->out);
-	canvas_free(canvas);
-	return true;
+	bool ok = true;
+	if (pictures_wanted(s)) {
+		ok = pictures_draw(s, chart, error);
+	} else {
+		struct canvas *canvas = chart_draw(
+		    chart, WIDTH, HEIGHT, request.charset, request.words);
+		fputc('\n', s->out);
+		canvas_print(canvas, 0, s->out);
+		canvas_free(canvas);
+	}
+	chart_free(chart);
+	return ok;
 }
 
 bool
@@ -201,7 +213,7 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 	struct params params = entry->params;
 	if (!answers_forming(s, &params) && !answers_ready(s, error))
 		return false;
-	double speed = args_value(args, "speed")->number;
+	double speed = answers_speed(args, entry);
 	size_t feed;
 	if (!answers_feed(entry->site, args, speed, &feed, error))
 		return false;
@@ -217,10 +229,14 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 	if (asked->given && asked->choice == 1 && band == NULL)
 		report_note(r, "no band: the parameters are no fit of this "
 			       "site with these settings");
-	session_report(s, r);
-	bool curve = args_value(args, "curve")->choice == 1;
-	bool ok = !curve || s->set.format != REPORT_TABLE ||
-		  print_curves(s, &p, error);
+	bool picture = pictures_wanted(s);
+	bool curve = args_value(args, "curve")->choice == 1 &&
+		     s->set.format == REPORT_TABLE;
+	if (picture)
+		report_free(r);
+	else
+		session_report(s, r);
+	bool ok = (!picture && !curve) || draw_curves(s, &p, band, error);
 	prediction_free(&p);
 	return ok;
 }

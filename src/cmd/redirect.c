@@ -22,6 +22,7 @@ struct redirect {
 	char *text;
 	size_t n;
 	enum report_format form, before;
+	bool mark;            /* begins with a byte order mark */
 	struct screen screen; /* before, too */
 };
 
@@ -91,23 +92,28 @@ redirect_open(struct session *s, const struct words *words, struct error *error)
 	return r;
 }
 
+/* Excel takes a file without the mark for one in the letters of its country,
+ * and shows the O of Ossjo as two. */
 static void
 put_text(const void *data, FILE *out)
 {
 	const struct redirect *r = data;
+	if (r->mark)
+		fputs("\xEF\xBB\xBF", out);
 	fwrite(r->text, 1, r->n, out);
 }
 
 /* At the end of a file, or into a device.  What a full disk took of it is cut
  * off again. */
 static bool
-write_end(const struct redirect *r, struct error *error)
+write_end(struct redirect *r, struct error *error)
 {
 	struct stat about;
 	FILE *out = fopen(r->target, "a");
 	if (out == NULL)
 		return cannot_write(r->target, errno, error);
 	bool file = fstat(fileno(out), &about) == 0 && S_ISREG(about.st_mode);
+	r->mark = r->mark && file && about.st_size == 0;
 	put_text(r, out);
 	bool good = fflush(out) == 0 && !ferror(out);
 	int reason = errno;
@@ -118,7 +124,7 @@ write_end(const struct redirect *r, struct error *error)
 }
 
 static bool
-write_file(const struct redirect *r, struct error *error)
+write_file(struct redirect *r, struct error *error)
 {
 	struct stat about;
 	bool whole = r->to == TO_FILE &&
@@ -149,7 +155,7 @@ judge_shell(const struct redirect *r, int status, struct error *error)
 /* A reader that has seen enough ends the writing, not the program; ^C is for
  * the shell command, as in a shell. */
 static bool
-write_pipe(const struct redirect *r, struct error *error)
+write_pipe(struct redirect *r, struct error *error)
 {
 	struct sigaction ignore = {.sa_handler = SIG_IGN}, pipe, interrupt;
 	sigemptyset(&ignore.sa_mask);
@@ -180,6 +186,8 @@ redirect_close(
 	if (s->set.format == r->form)
 		s->set.format = r->before;
 	bool whole = fclose(r->memory) == 0;
+	r->mark = r->to != TO_PIPE && r->form == REPORT_CSV &&
+		  s->set.semicolon && r->n > 0;
 	bool ok = true;
 	if (keep && !whole)
 		ok = cannot_write(r->target, ENOMEM, error);

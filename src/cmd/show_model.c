@@ -110,7 +110,7 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	if (!answers_ready(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	double v = args_value(args, "speed")->number;
+	double v = answers_speed(args, entry);
 	size_t run = site_run_nearest(entry->site, v);
 	const struct psd *feed = &entry->site->run[run].feed;
 	struct prediction p = answers_predict(s, entry, v, run);

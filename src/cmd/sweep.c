@@ -107,13 +107,15 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	    !answers_feed(
 		entry->site, args, answers_middle(entry->site), &feed, error))
 		return false;
+	double *usual = n == 0 ? answers_speeds(entry->site, &n) : NULL;
+	const double *speed = usual != NULL ? usual : speeds->list;
 	struct prediction *p = xcalloc(n, sizeof *p);
 	bool outside = false;
 	for (size_t i = 0; i < n; i++) {
-		p[i] = answers_predict(s, entry, speeds->list[i], feed);
-		outside =
-		    outside || answers_extrapolates(entry, speeds->list[i]);
+		p[i] = answers_predict(s, entry, speed[i], feed);
+		outside = outside || answers_extrapolates(entry, speed[i]);
 	}
+	free(usual);
 	struct report *r =
 	    answers_report(entry->site, "sweep", "products, %% passing");
 	bool across = n <= ACROSS;

@@ -2,8 +2,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-static const struct command_option PREDICT_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
+#define SPEED_OPTION                                            \
+	{                                                       \
+		"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "", \
+		    "rotor tip speed; one held out, else 74"    \
+	}
+
+static const struct command_option PREDICT_OPTIONS[] = {SPEED_OPTION,
     TABLE_FEED,
     {"curve", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"draw feed, measured and predicted as text"},
@@ -14,12 +19,13 @@ static const struct command_option PREDICT_OPTIONS[] = {
     {.name = NULL}};
 
 static const struct command_option SWEEP_OPTIONS[] = {
-    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "65..85:5",
-	"rotor tip speeds"},
+    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",
+	"rotor tip speeds; 65..85:5, or as the runs want"},
     TABLE_FEED, {.name = NULL}};
 
 static const struct command_option COMPARE_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "where sites meet"},
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"where sites meet; a speed held out, else 74"},
     TABLE_FEED, {.name = NULL}};
 
 static const struct command_option FIND_OPTIONS[] = {
@@ -29,21 +35,20 @@ static const struct command_option FIND_OPTIONS[] = {
     {"passing", VALUE_NUMBER, "%", 0, 100, NULL, "", "wanted passing"},
     {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "size of that passing"},
     {"spec", VALUE_FILE, "", 0, 0, NULL, "", "file of a grading envelope"},
-    {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "65",
-	"slowest speed; the slowest run where that is slower"},
-    {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "85",
-	"fastest speed; the fastest run where that is faster"},
+    {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"slowest speed; 65, or as the runs want"},
+    {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"fastest speed; 85, or as the runs want"},
     TABLE_FEED, {.name = NULL}};
 
 /* Of why and spec. */
 static const struct command_option AT_SPEED_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
-    TABLE_FEED, {.name = NULL}};
+    SPEED_OPTION, TABLE_FEED, {.name = NULL}};
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
 	.brief = "the product at a tip speed",
-	.flags = COMMAND_AT_SITE | COMMAND_LATEST,
+	.flags = COMMAND_AT_SITE | COMMAND_LATEST | COMMAND_DRAWS,
 	.bare = "speed",
 	.option = PREDICT_OPTIONS,
 	.text = "Needs parameters: calibrate, or params set. Outside the "
@@ -53,7 +58,8 @@ const struct command TABLE_ANSWERS[] = {
 		"the answer without a model. Where the parameters were "
 		"found by calibrate, low and high are the band in which 80 % "
 		"of the fits lie that the data allow; see UNCERTAINTY in "
-		"tipspeed-model(7).",
+		"tipspeed-model(7). Behind > a file whose name ends in .svg, "
+		".png or .pdf gets the curves, as plot psd draws them.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74",
 	.run = cmd_predict},
     {.name = "sweep",
@@ -62,7 +68,10 @@ const struct command TABLE_ANSWERS[] = {
 	.bare = "speeds",
 	.option = SWEEP_OPTIONS,
 	.text = "Up to seven speeds stand side by side, sieve by sieve; more "
-		"are listed one a row.",
+		"are listed one a row. Without speeds it goes from 65 to 85 "
+		"m/s and on to the runs beyond; where all runs lie outside "
+		"these, from a tenth below the slowest to a tenth above the "
+		"fastest.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nsweep 65,74,85",
 	.run = cmd_sweep},
     {.name = "compare",
@@ -89,7 +98,8 @@ const struct command TABLE_ANSWERS[] = {
 		"faster rotor never makes a coarser product, so there is one "
 		"answer or none; where there is none, the products at both "
 		"ends, or the nearest speed and the sieve that fails, are "
-		"shown. One feed serves for all speeds, that of the middle "
+		"shown. Without from= and to= the speeds are those of sweep. "
+		"One feed serves for all speeds, that of the middle "
 		"run unless feed= says otherwise.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"

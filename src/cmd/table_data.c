@@ -3,7 +3,8 @@
 #include "cmd/table.h"
 
 static const struct command_option SHOW_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "of the selection"},
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"of the selection; one held out, else 74"},
     {.name = NULL}};
 
 static const struct command_option LOAD_OPTIONS[] = {
@@ -73,7 +74,8 @@ const struct command TABLE_DATA[] = {
 	.flags = COMMAND_AT_SITE,
 	.text = "Looks at the site in use, another one, or all. Reports "
 		"products coarser than their feed, a faster run with a coarser "
-		"product, a passing that stands out from its neighbours as "
+		"product or the very same one, a passing that stands out from "
+		"its neighbours as "
 		"swapped digits do, or from what the site is calibrated to, "
 		"runs where nothing breaks, sieves that "
 		"cannot be compared, and twins: loaded sites with the very "

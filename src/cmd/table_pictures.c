@@ -12,8 +12,8 @@
 		"another speed beside it"},                                \
 	    {"beside", VALUE_TEXT, "", 0, 0, "SITE", "",                   \
 		"psd: the product of this loaded site beside it"},         \
-	    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "65..85:5",     \
-		"tip speeds of sweep"},                                    \
+	    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",             \
+		"tip speeds of sweep; 65..85:5, or as the runs want"},     \
 	    {"band", VALUE_CHOICE, "", 0, 0, "off on", "off",              \
 		"psd: shade what other fits that the data allow predict"}, \
 	    {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",                \

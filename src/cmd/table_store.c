@@ -38,7 +38,8 @@ static const struct command_option GUESS_OPTIONS[] = {
     {"rock", VALUE_TEXT, "", 0, 0, NULL, "", "kind of rock; else the sheet's"},
     {"top", VALUE_NUMBER, "mm", 0.1, 1000, NULL, "",
 	"top size; else the sheet's"},
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "74", "rotor tip speed"},
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"rotor tip speed; one held out, else 74"},
     {"nearest", VALUE_WHOLE, "", 1, 100, NULL, "5", "materials to guess from"},
     TABLE_FEED, {.name = NULL}};
 

@@ -6,7 +6,9 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/plots.h"
 #include "cmd/redirect.h"
 #include "cmd/script.h"
 #include "cmd/snapshot.h"
@@ -67,18 +69,34 @@ check_safe(
 	    "operands only");
 }
 
-/* A file for a picture wants one command that draws, and holds one picture. */
+/* A file for a picture wants one command that draws, and holds one picture. A
+ * workbook is no text: a spreadsheet would call one of text broken. */
 static bool
 can_take(const struct command *command, const struct words *words,
     struct error *error)
 {
+	static const char *const BOOKS[] = {".xlsx", ".xls", ".ods"};
 	enum picture_form form;
+	for (size_t i = 0; words->to != TO_PIPE && i < ARRAY_LEN(BOOKS); i++)
+		if (text_ends(words->target, BOOKS[i])) {
+			error_set(error, ERROR_USAGE,
+			    "text is written, not a workbook as %s",
+			    words->target);
+			return error_hint(error,
+			    "spreadsheets open > FILE.csv; after 'set csv "
+			    "semicolon' it has decimal commas");
+		}
 	if (words->to == TO_PIPE || !picture_form_of(words->target, &form))
 		return true;
 	if (!(command->flags & COMMAND_DRAWS)) {
 		error_set(error, ERROR_USAGE, "%s draws nothing for %s",
 		    command->name, words->target);
-		return error_hint(error, "plot KIND > FILE makes a picture");
+		size_t kind;
+		return text_choice(PLOT_KINDS, command->name, &kind)
+			   ? error_hint(error, "plot %s > %s makes a picture",
+				 command->name, words->target)
+			   : error_hint(
+				 error, "predict and plot KIND make pictures");
 	}
 	if (words->to == TO_FILE)
 		return true;

@@ -270,7 +270,7 @@ cmd_why(struct session *s, const struct args *args, struct error *error)
 	if (!answers_ready(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	double v = args_value(args, "speed")->number;
+	double v = answers_speed(args, entry);
 	size_t run;
 	if (!answers_feed(entry->site, args, v, &run, error))
 		return false;

@@ -113,6 +113,23 @@ site_run_is_near(const struct site *site, size_t run, double speed, size_t most)
 	return site->run[run].product.n > 0 && nearer < most;
 }
 
+void
+site_reach(const struct site *site, double *from, double *to)
+{
+	const double usual_from = 65, usual_to = 85;
+	double slowest = INFINITY, fastest = 0;
+	for (size_t r = 0; site != NULL && r < site->n_run; r++) {
+		double v = site->run[r].speed;
+		slowest = v > 0 ? fmin(slowest, v) : slowest;
+		fastest = fmax(fastest, v);
+	}
+	bool apart =
+	    fastest > 0 && (fastest < usual_from || slowest > usual_to);
+	*from =
+	    fmax(1, floor(apart ? 0.9 * slowest : fmin(slowest, usual_from)));
+	*to = ceil(apart ? 1.1 * fastest : fmax(fastest, usual_to));
+}
+
 char *
 site_source(const struct site *site, const char *none)
 {

@@ -59,6 +59,12 @@ size_t site_run_nearest(const struct site *site, double speed);
 bool site_run_is_near(
     const struct site *site, size_t run, double speed, size_t most);
 
+/* The speeds, m/s, that are looked at unless told otherwise: 65 to 85, which
+ * are usual, and as many whole m/s more as the runs want; of a site with all
+ * its runs outside these, as of a slow mill, from a tenth below its slowest to
+ * a tenth above its fastest.  site: or NULL. */
+void site_reach(const struct site *site, double *from, double *to);
+
 /* The first clause of the provenance, which the caller frees; or a copy of
  * `none` where the sheet says nothing. */
 char *site_source(const struct site *site, const char *none);

@@ -84,7 +84,7 @@ sheet_cell(const struct row *row, size_t i)
 
 /* What to do about a cell that is no number. */
 static const char *
-number_hint(const struct sheet *sheet, const char *s)
+number_hint(const char *s)
 {
 	static const char *const absent[] = {"", "-", "--", "\u2013", "\u2014",
 	    "n/a", "na", "nan", "#n/a", "none", "null", "?"};
@@ -95,15 +95,48 @@ number_hint(const struct sheet *sheet, const char *s)
 	const char *comma = strchr(s, ',');
 	bool commas = comma != NULL && strchr(comma + 1, ',') != NULL;
 	bool both = comma != NULL && strchr(s, '.') != NULL;
-	size_t n = strspn(s, "+-0123456789");
+	size_t n = strspn(s, "0123456789");
+	if (n > 0 && s[n] == '-' && isalpha((unsigned char)s[n + 1]))
+		return "a spreadsheet made a date of it: type it again in a "
+		       "cell formatted as text";
+	n = strspn(s, "+-0123456789");
 	bool group = n > 0 && strchr(" '\xC2\xE2", s[n]) != NULL &&
 		     s[n] != '\0' && isdigit((unsigned char)s[strlen(s) - 1]);
-	if (commas || both || group)
+	if (commas || both || group || comma != NULL)
 		return "write thousands without a separator: 1000";
-	if (comma != NULL && sheet->separator == ',')
-		return "decimal commas need ; between the cells";
 	return n > 0 ? "write the number alone; units belong in the header"
 		     : "write digits and a decimal point";
+}
+
+/* 1 010,5 with a blank, also one that does not break, before each three digits
+ * becomes 1010,5. */
+static void
+join_thousands(char *s)
+{
+	static const char *const BLANKS[] = {
+	    " ", "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x89"};
+	char *to = s;
+	for (const char *p = s; *p != '\0';) {
+		size_t n = 0;
+		for (size_t b = 0; b < ARRAY_LEN(BLANKS); b++)
+			if (strncmp(p, BLANKS[b], strlen(BLANKS[b])) == 0)
+				n = strlen(BLANKS[b]);
+		if (n > 0 && p > s && isdigit((unsigned char)p[-1]) &&
+		    strspn(p + n, "0123456789") == 3)
+			p += n;
+		else
+			*to++ = *p++;
+	}
+	*to = '\0';
+}
+
+/* Where commas separate the cells a comma in a number stood in quotes: "80,5"
+ * is decimal, and "1,250" may be thousands. */
+static bool
+may_group(const char *s, const char *comma)
+{
+	return strspn(comma + 1, "0123456789") == 3 && comma[4] == '\0' &&
+	       !(comma == s + 1 && s[0] == '0');
 }
 
 bool
@@ -112,9 +145,10 @@ sheet_value(const struct sheet *sheet, struct cell cell, double *value)
 	char copy[64];
 	bool fits = strlen(cell.text) < sizeof copy;
 	snprintf(copy, sizeof copy, "%s", cell.text);
+	join_thousands(copy);
 	char *comma = strchr(copy, ',');
 	if (comma != NULL && strchr(copy, '.') == NULL &&
-	    sheet->separator != ',')
+	    (sheet->separator != ',' || !may_group(copy, comma)))
 		*comma = '.';
 	return fits && text_number(copy, value);
 }
@@ -125,7 +159,7 @@ sheet_number(
 {
 	if (!sheet_value(sheet, cell, value)) {
 		error_hint(sheet_wanted(sheet, cell, wanted), "%s",
-		    number_hint(sheet, cell.text));
+		    number_hint(cell.text));
 		return false;
 	}
 	const char *comma = strchr(cell.text, ',');
@@ -331,31 +365,45 @@ split_text(struct sheet *sheet, char *text)
 	}
 }
 
-/* What stands behind size_mm (sieve mm, size_um) at the start of a line;
- * without such a line the one of the three that is in most lines, as decimal
- * commas may be more than the semicolons between them. */
+/* Whether the line has two cells or more, the first two of them numbers; the
+ * second may be empty. */
+static bool
+is_numbers(const char *line, char separator)
+{
+	const char stop[] = {separator, '\r', '\n', '\0'};
+	/* With units and blanks that do not break. */
+	const char *digits = "\" +-.,0123456789eEg%\xC2\xA0\xE2\x80\xAF\x89";
+	size_t n = strcspn(line, stop);
+	const char *second = line + n + 1;
+	return line[n] == separator && strcspn(line, "0123456789") < n &&
+	       strspn(line, digits) >= n &&
+	       strspn(second, digits) >= strcspn(second, stop);
+}
+
+/* What stands between the numbers in most lines; where there are none, what is
+ * in most lines, as decimal commas may be more than the semicolons between
+ * them. */
 static char
 find_separator(const char *text)
 {
-	size_t count[128] = {0};
+	static const char SIGNS[] = ";\t,";
+	size_t numbers[3] = {0}, lines[3] = {0};
 	for (const char *p = text; *p != '\0'; p++) {
 		if (p > text && p[-1] != '\n' && p[-1] != '\r')
 			continue;
-		for (const char *c = ",;\t"; *c != '\0'; c++)
-			count[(int)*c] +=
-			    memchr(p, *c, strcspn(p, "\r\n")) != NULL;
-		const char *word = p + strspn(p, " \t\"");
-		if (strncasecmp(word, "size", 4) != 0 &&
-		    strncasecmp(word, "sieve", 5) != 0)
-			continue;
-		word += strcspn(word, ",;\t\r\n");
-		if (*word == ',' || *word == ';' || *word == '\t')
-			return *word;
+		for (size_t i = 0; i < 3; i++) {
+			numbers[i] += is_numbers(p, SIGNS[i]);
+			lines[i] +=
+			    memchr(p, SIGNS[i], strcspn(p, "\r\n")) != NULL;
+		}
 	}
-	if (count[';'] > 0 && count[';'] >= count[','] &&
-	    count[';'] >= count['\t'])
-		return ';';
-	return count['\t'] > count[','] ? '\t' : ',';
+	size_t best = 2;
+	bool told = numbers[0] + numbers[1] + numbers[2] > 0;
+	const size_t *count = told ? numbers : lines;
+	for (size_t i = 3; i-- > 0;)
+		if (count[i] > 0 && count[i] >= count[best])
+			best = i;
+	return SIGNS[best];
 }
 
 struct sheet *

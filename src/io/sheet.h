@@ -60,8 +60,9 @@ struct error *sheet_wanted(
     struct sheet *sheet, struct cell found, const char *wanted);
 
 /* The cell as a number with a decimal point, or a decimal comma where the
- * comma does not separate the cells.  A fault and false when it is none, or
- * when it is the first whose decimal sign is not that of the others. */
+ * comma does not separate the cells or stands in quotes, perhaps with blanks
+ * between thousands.  A fault and false when it is none, or when it is the
+ * first whose decimal sign is not that of the others. */
 bool sheet_number(
     struct sheet *sheet, struct cell cell, const char *wanted, double *value);
 

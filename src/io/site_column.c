@@ -13,6 +13,9 @@
 /* Percent that the parts of a sieving may miss of the whole. */
 static const double SUM_TOLERANCE = 0.5;
 
+/* Of the mass put on the sieves, as EN 933-1 allows. */
+static const double MASS_TOLERANCE = 0.01;
+
 double
 site_column_round(double v, double per_unit)
 {
@@ -39,9 +42,11 @@ is_retained(const struct column *c)
 static const char *
 other_head(const struct column *c, const char *suffix, char buf[static 64])
 {
-	const char *at = strchr(c->head.text, '@');
-	snprintf(buf, 64, "%s%s%.30s", SITE_ROLES[c->role], suffix,
-	    at != NULL ? at : "");
+	char speed[32] = "";
+	if (c->speed > 0)
+		text_exact(c->speed, speed);
+	snprintf(buf, 64, "%s%s%s%s", SITE_ROLES[c->role], suffix,
+	    c->speed > 0 ? "@" : "", speed);
 	return buf;
 }
 
@@ -120,7 +125,7 @@ seems_retained(const struct table *t, const struct column *c, double *sum)
 	for (size_t i = 0; i < t->n_row; i++) {
 		double v;
 		struct cell cell = sheet_cell(&t->row[i], c->at);
-		if (cell.text[0] == '\0')
+		if (cell.text[0] == '\0' || isnan(t->mm[i]))
 			continue;
 		if (!sheet_value(t->sheet, cell, &v))
 			return NULL;
@@ -185,6 +190,29 @@ check_percent(struct table *t, struct column *c)
 	c->faulty = true;
 }
 
+/* Whether a sheet's own total is the sum of the column, or it has none. */
+static bool
+agrees(struct table *t, const struct column *c, double sum)
+{
+	double total;
+	struct cell cell = {0};
+	if (t->total != NULL)
+		cell = sheet_cell(t->total, c->at);
+	if (t->total == NULL || cell.text[0] == '\0')
+		return true;
+	if (!sheet_number(t->sheet, cell, "a number", &total))
+		return false;
+	if (fabs(total - sum) <= MASS_TOLERANCE * total)
+		return true;
+	error_hint(sheet_fault(t->sheet, cell,
+		       "%.9g g was wanted, the sum of column %s, found %s",
+		       site_column_round(sum, 1e6), c->head.text, cell.text),
+	    "the sieves may lose %g %%: were digits swapped, or a sieve "
+	    "forgotten?",
+	    100 * MASS_TOLERANCE);
+	return false;
+}
+
 /* What the sieves and the pan hold together: the mass in g, or 100 %.  0 after
  * a fault. */
 static double
@@ -217,7 +245,7 @@ total_retained(struct table *t, struct column *c)
 		    "check the numbers, or head the column %s",
 		    other_head(c, "_cum_retained_pct", head));
 	} else {
-		return grams ? sum : 100;
+		return !grams || agrees(t, c, sum) ? (grams ? sum : 100) : 0;
 	}
 	return 0;
 }
@@ -306,12 +334,32 @@ check_coarsest(struct table *t, struct column *c)
 		    e, "add a sieve coarser than %s mm with %s", mm, all);
 }
 
+/* "97,5 %" is 97,5 in a column of per cent, "42,5 g" 42,5 in one of grams. */
+static void
+drop_unit(struct table *t, const struct column *c)
+{
+	bool grams = SITE_UNITS[c->unit].kind == RETAINED_G;
+	size_t rows = t->n_row + (t->total != NULL); /* the sums are next */
+	for (size_t i = 0; i < rows; i++) {
+		char *text = sheet_cell(&t->row[i], c->at).text;
+		size_t n = strlen(text);
+		if (n < 2 || text[n - 1] != (grams ? 'g' : '%'))
+			continue;
+		n -= n > 3 && memcmp(text + n - 3, "\xC2\xA0", 2) == 0 ? 3
+		     : text[n - 2] == ' '                              ? 2
+								       : 1;
+		text[n] = '\0';
+	}
+}
+
 void
 site_column_values(struct table *t, struct column *c)
 {
 	c->pct = xdoubles(t->n_row);
 	c->pan = NAN;
 	double sum;
+	if (SITE_UNITS[c->unit].kind != FRACTION)
+		drop_unit(t, c);
 	const char *suffix =
 	    c->role != SD && SITE_UNITS[c->unit].kind == PASSING
 		? seems_retained(t, c, &sum)

@@ -40,17 +40,18 @@ struct column {
 };
 
 /* The rows below the line that begins with size_mm.  mm [n_row]: sieve sizes,
- * 0 for the pan, NAN where at fault.  lost: a row or a header is at fault, so
+ * 0 for the pan, NAN where at fault.  total: the line of sums below them, or
+ * NULL.  lost: a row or a header is at fault, so
  * that what is missing cannot be judged. */
 struct table {
 	struct sheet *sheet;
 	const struct row *head;
 	size_t n_row;
-	const struct row *row;
+	const struct row *row, *total;
 	double *mm;
 	size_t n_column;
 	struct column *column;
-	bool lost, told_retained;
+	bool lost, told_retained, told_cells, told_heads;
 };
 
 /* Role, unit and speed from c->head; a fault and false when they are not

@@ -52,7 +52,18 @@ take_value(struct site *site, size_t key, struct sheet *sheet, struct cell cell)
 	*text[key] = xstrdup(cell.text);
 }
 
-/* seen: line of each known key, 0 before it is met. */
+/* "rock Granite" without a separator. */
+static bool
+begins_with_key(const char *text)
+{
+	for (size_t k = 0; k < N_KEY; k++)
+		if (strncasecmp(text, KEYS[k], strlen(KEYS[k])) == 0)
+			return true;
+	return false;
+}
+
+/* A title in one cell is a key without a value.  seen: line of each known key,
+ * 0 before it is met. */
 static void
 read_heading_line(struct site *site, struct sheet *sheet, const struct row *row,
     int seen[static N_KEY])
@@ -61,15 +72,18 @@ read_heading_line(struct site *site, struct sheet *sheet, const struct row *row,
 	size_t k = 0;
 	while (k < N_KEY && !text_same(key.text, KEYS[k]))
 		k++;
-	if (key.text[0] == '\0' || row->n_all < 2) {
+	if (key.text[0] == '\0' ||
+	    (row->n_all < 2 && begins_with_key(key.text))) {
 		error_hint(sheet_wanted(sheet, key, "a key and its value"),
-		    "write key%cvalue, or begin a remark with #",
-		    sheet->separator);
+		    "write key%cvalue, or begin a remark with #%s",
+		    sheet->separator,
+		    row->n > 2 ? "; heads of columns stand in one line" : "");
 	} else if (row->n > 2) {
 		error_hint(sheet_wanted(sheet, row->cell[2],
 			       "the end of the line behind key and value"),
-		    "put quotes round a value that holds the separator; "
-		    "decimal commas need ; between the cells");
+		    "put quotes round a value that holds the separator, or "
+		    "begin a remark with #; decimal commas need ; between the "
+		    "cells");
 	} else if (k < N_KEY && seen[k] > 0) {
 		error_hint(sheet_fault(sheet, key,
 			       "%s was wanted once, found in line %d already",
@@ -143,11 +157,17 @@ tell_no_table(struct sheet *sheet)
 			found = cell;
 	}
 	char c = sheet->separator;
-	error_hint(
-	    sheet_wanted(sheet, found, "a line that begins with size_mm"),
-	    "the first line of the table reads "
-	    "size_mm%cfeed%cproduct@69%cproduct@79",
-	    c, c, c);
+	struct error *e =
+	    sheet_wanted(sheet, found, "a line that begins with size_mm");
+	if (site_sieve_word(found.text))
+		error_hint(
+		    e, "say the unit of the sizes, too: %s mm", found.text);
+	else
+		error_hint(e,
+		    "the first line of the table reads "
+		    "size_mm%cfeed%cproduct@69%cproduct@79, and below it "
+		    "each sieve has a line",
+		    c, c, c);
 }
 
 static void

@@ -13,22 +13,24 @@
 /* The limits of a sieve, mm: what lies outside is a slip of the pen. */
 static const double FINEST = 1e-6, COARSEST = 1e4;
 
-/* mm a unit of the words that may begin the table, letters only. */
+/* The words that may begin the table, letters only, with a unit behind. */
+static const char *const SIZE_WORDS[] = {"size", "sieve", "sievesize", "sikt",
+    "siktstorlek", "maskvidd", "storlek", "kornstorlek"};
 static const struct {
-	const char *word;
+	const char *unit;
 	double mm;
-} SIZE_WORDS[] = {{"sizemm", 1}, {"sizeum", 1e-3}, {"sizem", 1e3},
-    {"sievemm", 1}, {"sieveum", 1e-3}, {"sievem", 1e3}, {"sievesizemm", 1},
-    {"sievesizeum", 1e-3}, {"sievesizem", 1e3}};
+} SIZE_UNITS[] = {{"mm", 1}, {"um", 1e-3}, {"m", 1e3}};
+
+enum { MOST_LETTERS = 16 };
 
 /* The letters of "Size (mm)" in small, the two signs for micro as u; a word
  * longer than any is cut. */
 static void
-letters(const char *text, char word[static 16])
+letters(const char *text, char word[static MOST_LETTERS])
 {
 	char *folded = text_fold(text);
 	size_t n = 0;
-	for (const char *p = folded; *p != '\0' && n < 15; p++) {
+	for (const char *p = folded; *p != '\0' && n + 1 < MOST_LETTERS; p++) {
 		bool micro = strncmp(p, "\xC2\xB5", 2) == 0 ||
 			     strncmp(p, "\xCE\xBC", 2) == 0;
 		if (micro || (*p >= 'a' && *p <= 'z') ||
@@ -40,15 +42,41 @@ letters(const char *text, char word[static 16])
 	free(folded);
 }
 
+/* What stands behind the word that begins a table; NULL where none does. */
+static const char *
+behind_word(const char *word)
+{
+	const char *rest = NULL;
+	size_t longest = 0;
+	for (size_t w = 0; w < ARRAY_LEN(SIZE_WORDS); w++) {
+		size_t n = strlen(SIZE_WORDS[w]);
+		if (n > longest && strncmp(word, SIZE_WORDS[w], n) == 0) {
+			longest = n;
+			rest = word + n;
+		}
+	}
+	return rest;
+}
+
 double
 site_sieve_unit(const struct row *row)
 {
-	char word[16];
+	char word[MOST_LETTERS];
 	letters(row->cell[0].text, word);
-	for (size_t w = 0; w < ARRAY_LEN(SIZE_WORDS); w++)
-		if (strcmp(word, SIZE_WORDS[w].word) == 0)
-			return SIZE_WORDS[w].mm;
+	const char *rest = behind_word(word);
+	for (size_t u = 0; rest != NULL && u < ARRAY_LEN(SIZE_UNITS); u++)
+		if (strcmp(rest, SIZE_UNITS[u].unit) == 0)
+			return SIZE_UNITS[u].mm;
 	return 0;
+}
+
+bool
+site_sieve_word(const char *text)
+{
+	char word[MOST_LETTERS];
+	letters(text, word);
+	const char *rest = behind_word(word);
+	return rest != NULL && *rest == '\0';
 }
 
 /* What is left under the finest sieve, as labs of several languages head it:
@@ -57,7 +85,7 @@ static bool
 is_pan(const char *text)
 {
 	static const char *const WORDS[] = {"pan", "bottom", "receiver", "rest",
-	    "botten", "bunn", "boden", "fond", "fondo"};
+	    "botten", "tråg", "bunn", "boden", "fond", "fondo"};
 	if (text[0] == '<')
 		return true;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
@@ -84,7 +112,8 @@ site_sieve_mm(
 	error_hint(
 	    sheet_wanted(sheet, cell,
 		v > 0 ? "a size from 1e-6 to 1e4 mm" : "a positive size"),
-	    "check the number and its unit");
+	    v > 0 ? "check the number and its unit"
+		  : "what is below the finest sieve is headed pan");
 	return NAN;
 }
 
@@ -92,7 +121,10 @@ static double
 row_mm(struct table *t, const struct row *row, double unit)
 {
 	struct cell cell = row->cell[0];
+	if (row->n > t->head->n && t->told_cells)
+		return NAN;
 	if (row->n > t->head->n) {
+		t->told_cells = true;
 		error_hint(sheet_fault(t->sheet, row->cell[t->head->n],
 			       "%zu cells were wanted as in line %d, found %zu",
 			       t->head->n, t->head->line, row->n),
@@ -111,6 +143,35 @@ row_mm(struct table *t, const struct row *row, double unit)
 		return NAN;
 	}
 	return site_sieve_mm(t->sheet, cell, unit, "a sieve size or pan");
+}
+
+/* Neither a size nor the pan. */
+static bool
+is_word(const struct table *t, const struct row *row)
+{
+	double v;
+	return !is_pan(row->cell[0].text) &&
+	       !sheet_value(t->sheet, row->cell[0], &v);
+}
+
+/* Below a table stand sums, with anything behind them, and remarks in the first
+ * cell alone. */
+static void
+drop_foot(struct table *t)
+{
+	static const char *const SUMS[] = {
+	    "sum", "total", "summa", "totalt", "summe"};
+	size_t foot = t->n_row;
+	while (foot > 0 && is_word(t, &t->row[foot - 1]))
+		foot--;
+	for (size_t i = foot; i < t->n_row; i++)
+		for (size_t k = 0; k < ARRAY_LEN(SUMS); k++)
+			if (text_same(t->row[i].cell[0].text, SUMS[k])) {
+				t->total = &t->row[i];
+				t->n_row = i;
+			}
+	while (t->n_row > foot && t->row[t->n_row - 1].n == 1)
+		t->n_row--;
 }
 
 static bool
@@ -162,6 +223,7 @@ void
 site_sieve_rows(struct table *t)
 {
 	double unit = site_sieve_unit(t->head);
+	drop_foot(t);
 	t->mm = xdoubles(t->n_row);
 	for (size_t i = 0; i < t->n_row; i++) {
 		t->mm[i] = row_mm(t, &t->row[i], unit);

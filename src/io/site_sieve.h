@@ -9,6 +9,9 @@
  * size_m); 0 when it does not begin one. */
 double site_sieve_unit(const struct row *row);
 
+/* Whether a cell has the word of such a row (size, Maskvidd) without a unit. */
+bool site_sieve_word(const char *text);
+
 /* A size in mm to 9 decimals, 0 where the cell says 0; NAN after a fault. */
 double site_sieve_mm(
     struct sheet *sheet, struct cell cell, double unit, const char *wanted);

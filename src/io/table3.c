@@ -98,8 +98,12 @@ read_lines(struct reader *reader, FILE *in)
 		struct csv_parser parser;
 		reader->line++;
 		csv_init(&parser, 0);
+		/* Excel begins its files with a byte order mark. */
+		bool mark =
+		    reader->line == 1 && strncmp(line, "\xEF\xBB\xBF", 3) == 0;
+		const char *text = line + (mark ? 3 : 0);
 		csv_parse(
-		    &parser, line, strlen(line), cell_done, row_done, reader);
+		    &parser, text, strlen(text), cell_done, row_done, reader);
 		csv_fini(&parser, cell_done, row_done, reader);
 		csv_free(&parser);
 	}

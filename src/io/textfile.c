@@ -155,8 +155,13 @@ refuse_system(const char *path, struct error_list *errors)
 	struct error *e = error_add(errors);
 	error_at(
 	    e, ERROR_SYSTEM, path, 0, 0, "cannot read: %s", strerror(reason));
-	error_hint(e, "check the name (blanks want quotes), the "
-		      "folder and the rights");
+	if (reason == EISDIR || strpbrk(path, "*?") != NULL)
+		error_hint(e,
+		    "name each file, or let the shell do it: tipspeed "
+		    "FOLDER/*.csv");
+	else
+		error_hint(e, "check the name (blanks want quotes), the "
+			      "folder and the rights");
 	return NULL;
 }
 

@@ -315,7 +315,11 @@ run_typed(struct tui *t, const char *line)
 		tui_say(t, false, "wrote %s", to + 1 + strspn(to + 1, " \t"));
 	bool moved_only =
 	    strncmp(line, "predict", 7) == 0 && strchr(line, '>') == NULL;
-	if (ok && !session_busy(s) && !moved_only)
+	fflush(t->said);
+	/* What a check found, the other faults of a sheet. */
+	if (!ok && t->said_n > 0)
+		text_wrap(t->message, 0, 78, t->said);
+	if (!session_busy(s) && (ok ? !moved_only : t->said_n > 0))
 		show_said(t);
 }
 

@@ -13,15 +13,9 @@
 struct slider_range
 slider_range(const struct site *site)
 {
-	struct slider_range range = {SLIDER_LEAST, SLIDER_MOST};
-	for (size_t r = 0; site != NULL && r < site->n_run; r++) {
-		double v = site->run[r].speed;
-		if (v > 0 && 10 * v < range.least)
-			range.least = 10 * (int)fmax(1, floor(v));
-		if (10 * v > range.most)
-			range.most = 10 * (int)ceil(v);
-	}
-	return range;
+	double from, to;
+	site_reach(site, &from, &to);
+	return (struct slider_range){10 * (int)from, 10 * (int)to};
 }
 
 int

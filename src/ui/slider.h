@@ -8,9 +8,6 @@
 
 struct site;
 
-/* In tenths of a m/s. */
-enum { SLIDER_LEAST = 650, SLIDER_MOST = 850 };
-
 struct slider_range {
 	int least, most; /* tenths */
 };
@@ -21,8 +18,7 @@ struct slider_mark {
 	bool trained;
 };
 
-/* 65 to 85 m/s, and as many whole m/s more as the runs of a site want; NULL for
- * no site. */
+/* The speeds of site_reach. */
 struct slider_range slider_range(const struct site *site);
 
 /* The nearest value the slider can have. */

@@ -15,6 +15,7 @@
 #include <curses.h>
 
 #include "base/xalloc.h"
+#include "cmd/answers.h"
 #include "ui/act.h"
 #include "ui/conduct.h"
 #include "ui/manpage.h"
@@ -97,7 +98,7 @@ on_stop(int signal)
 	stopping = signal;
 }
 
-/* The speed last predicted, else that of a run held out, else 74 m/s. */
+/* The speed last predicted, else the usual one of the site. */
 static int
 first_speed(const struct session *s)
 {
@@ -106,10 +107,7 @@ first_speed(const struct session *s)
 	struct slider_range range = slider_range(e != NULL ? e->site : NULL);
 	if (slider_has(range, speed))
 		return slider_tenths(range, speed);
-	for (size_t r = 0; e != NULL && r < e->site->n_run; r++)
-		if (!e->train[r] && e->site->run[r].product.n > 0)
-			return slider_tenths(range, e->site->run[r].speed);
-	return 740;
+	return e != NULL ? slider_tenths(range, answers_usual(e)) : 740;
 }
 
 struct signals {

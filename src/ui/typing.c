@@ -12,7 +12,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/complete.h"
-#include "plot/picture.h"
 
 #define CONTROL(letter) ((letter)&0x1F)
 enum { ESCAPE = 27, DELETE = 127 };
@@ -232,15 +231,6 @@ typing_key(struct typing *t, const struct session *s, int code, bool special)
 	return TYPING_ON;
 }
 
-static bool
-is_drawn(const char *line)
-{
-	static const char start[] = "predict speed=";
-	enum picture_form form;
-	return strncmp(line, start, sizeof start - 1) == 0 &&
-	       strchr(line, '>') != NULL && picture_form_of(line, &form);
-}
-
 char *
 typing_meant(const char *line, const char *where)
 {
@@ -258,7 +248,5 @@ typing_meant(const char *line, const char *where)
 		if (strlen(ASK[i]) == n && strncmp(word, ASK[i], n) == 0)
 			return xasprintf("%s %.*s%s%s", ASK[i], (int)length,
 			    where, *rest != '\0' ? " " : "", rest);
-	return is_drawn(line)
-		   ? xasprintf("plot psd%s", line + strlen("predict"))
-		   : xstrdup(line);
+	return xstrdup(line);
 }

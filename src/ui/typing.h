@@ -29,8 +29,7 @@ void typing_end(struct typing *t);
 
 /* What a typed line means with the slider somewhere, see tui_where.  A question
  * about one speed is about that of the slider, where it is asked of no other:
- * "spec FILE" gets it.  A prediction is a table; into a picture go its curves.
- * The caller frees. */
+ * "spec FILE" gets it.  The caller frees. */
 char *typing_meant(const char *line, const char *where);
 
 #endif

@@ -60,6 +60,38 @@ static const char *const SAME[] = {
     "8,0,0,0\n4,40,20,10\n1,50,60,60\n0,10,20,\n",
     "size_mm,feed_cum_retained_pct,cum_retained_pct@69,product@79\n8,0,0,100\n"
     "4,40,20,90\n1,90,80,30\nPan,100,,0\n",
+    "Sikt (mm);Ingående;Produkt,69 m/s;Passerande, % vid 79,0 m/s\n"
+    "8;100;100;100\n4;60;80;90\n1;10;20;30\n",
+    "Maskvidd [mm];Inmatning siktrest (g);69 m/s siktrest g;"
+    "Siktrest (g) 79 m/s\n8;0;0;0\n4;80;1,25;10\n1;100;3,75;60\n"
+    "Botten;20;1,25;30\n",
+    "Kornstorlek \xC2\xB5m;P\xC3\xA5matning siktrest %;Siktrest % 69 m/s;79 "
+    "m/s\n"
+    "8000;0;0;100\n4000;40;20;90\n1000;50;60;30\n0;10;20;\n",
+    "Siktanalys, 3 maj\n;;;\nSikt mm;Feed %;Produkt 69 m/s;Produkt 79 m/s\n"
+    "8;100,0 %;100\xC2\xA0%;100%\n4;60,0 %;80;90\n1;10;20 %;30\n;;;\nSumma;170;"
+    "200;220\nSignatur;;;\n",
+    "Prov 17;;;;\nSikt mm;Feed g;69 m/s g;79 m/s g;\n8;0;0;0;\n4;800;"
+    "1 250;10 000;\n1;1 000,0;3\xC2\xA0"
+    "750;60\xE2\x80\xAF"
+    "000,0;\n"
+    "Botten;200;1250,0;30000;\nTotalt;2 010;6 250;100 000;\n",
+    "\"Sikt mm\",\"Feed\",\"69 m/s\",\"79 m/s\"\n\"8,0\",\"100,0\",100,100\n"
+    "\"4\",\"60,0\",\"80,00\",\"90\"\n1,10,20,\"30,0\"\n",
+    "Siktanalys, maj\nProv 3, torrt, siktat\nMaskvidd mm;Ing\xC3\xA5"
+    "ende material;"
+    "Produkt, rotorhastighet 69 m/s;Passerande mängd % 79 "
+    "m/s\n8,0;100;100;100\n"
+    "4,0;60;80;90\n1,0;10;20;30\n",
+    "Siktanalys, maj\nMaskvidd mm\tFeed\t69 m/s\t79 "
+    "m/s\n8,0\t100,0\t100,0\t100,0\n"
+    "4,0\t60,0\t80,0\t90,0\n1,0\t10,0\t20,0\t30,0\n",
+    "Torrt, tv\xC3\xA4ttat\nMaj, prov 3\nRotor, nya spetsar\n"
+    "Sikt mm;Feed g;69 m/s g;79 m/s g\n8,0;0 g;0g;0\n4,0;80 g;1,25 g;10\n"
+    "1,0;100 g;3,75;60\ntr\xC3\xA5g;20 g;1,25;30\n"
+    "Summa;200 g;6,25;100\nDiff %;0,5;;\nKommentar;;;\n",
+    "Sieve size mm,feed (g),69 m/s g,Product (g retained) 79 m/s\n8,0,0,0\n"
+    "4,80,1.25,10\n1,100,3.75,60\npan,20,1.25,30\n",
 };
 
 static inline struct site *

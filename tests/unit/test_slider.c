@@ -12,6 +12,7 @@
 #include "core/site.h"
 #include "ui/slider.h"
 
+enum { SLIDER_LEAST = 650, SLIDER_MOST = 850 };
 static const struct slider_range ALL = {SLIDER_LEAST, SLIDER_MOST};
 
 static const struct slider_mark MARKS[] = {
@@ -107,6 +108,12 @@ the_range_holds_the_runs_of_the_site(void **state)
 	char text[64];
 	slider_draw(text, 27, range, 740, marks, 2);
 	assert_string_equal(text, "|62.4----[74.0]-----------|");
+	/* All at the speeds of a slow mill: 65 to 85 are no use to it. */
+	runs[0].speed = 6.5;
+	runs[1].speed = 9.8;
+	range = slider_range(&site);
+	assert_int_equal(range.least, 50);
+	assert_int_equal(range.most, 110);
 	runs[0].speed = 0; /* a feed for any speed */
 	runs[1].speed = 74;
 	range = slider_range(&site);
