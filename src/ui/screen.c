@@ -69,6 +69,8 @@ set_modes(void)
 	define_key("\033[4~", KEY_END);
 	define_key("\033[5~", KEY_PPAGE);
 	define_key("\033[6~", KEY_NPAGE);
+	/* The Linux console's description makes a key of its own of ^Z. */
+	define_key("\032", 0);
 }
 
 bool
