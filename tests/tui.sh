@@ -258,7 +258,7 @@ kind 'mouse off  ascii  0 colours' TERM=vt100
 ! LC_ALL=C grep -q "?100[026]h\|$colour" bytes
 result $? "without a word of mouse and colour"
 kind 'mouse off  ascii  8 colours' TERM=ansi
-kind 'mouse on  ascii  8 colours' TERM=linux
+kind 'mouse off  ascii  8 colours' TERM=linux
 kind 'mouse on  utf8  8 colours' TERM=xterm
 kind 'mouse on  utf8  8 colours' TERM=screen
 kind 'mouse on  utf8  256 colours' TERM=screen-256color

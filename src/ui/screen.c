@@ -156,9 +156,13 @@ screen_depth(void)
 	return is.depth;
 }
 
+/* The Linux console says that it has a mouse; but it is gpm's, which tells
+ * nobody of it in this way. */
 static bool
 has_mouse_keys(void)
 {
+	if (strncmp(termname(), "linux", 5) == 0)
+		return false;
 	const char *keys = tigetstr("kmous");
 	return keys != NULL && keys != (const char *)-1 && keys[0] != '\0';
 }
