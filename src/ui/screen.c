@@ -46,7 +46,7 @@ set_colours(bool colour)
 		while (canvas_colour((enum series)j, is.depth) != colour_of)
 			j++;
 		is.pair[i] = (short)(j + 1);
-		init_pair(is.pair[i], (short)colour_of, -1);
+		init_pair(is.pair[i], (short)(colour_of % is.depth), -1);
 	}
 	/* From a colour to a pair takes 5 bytes, to no pair at all 11. */
 	bkgdset(' ' | COLOR_PAIR(is.pair[SERIES_TEXT]));
@@ -319,10 +319,12 @@ screen_canvas(const struct area *area, const struct canvas *canvas)
 		}
 }
 
+/* Where there are eight colours, a bright one is a bold one. */
 static attr_t
-attributes(unsigned look)
+attributes(unsigned look, enum series series)
 {
-	return ((look & LOOK_BOLD) ? A_BOLD : 0) |
+	bool bright = is.depth == 8 && canvas_colour(series, is.depth) >= 8;
+	return ((look & LOOK_BOLD) || bright ? A_BOLD : 0) |
 	       ((look & LOOK_DIM) && is.depth == 256 ? A_DIM : 0) |
 	       ((look & LOOK_REVERSE) ? A_REVERSE : 0);
 }
@@ -345,7 +347,8 @@ show_cell(int row, int column, const struct canvas_cell *from)
 	cchar_t cell;
 	if (!is.utf8 && from->code > 126)
 		text[0] = bare_letter(from->code);
-	setcchar(&cell, text, attributes(from->attribute),
+	setcchar(&cell, text,
+	    attributes(from->attribute, (enum series)from->series),
 	    is.pair[from->series], NULL);
 	mvadd_wch(row, column, &cell);
 }
