@@ -258,7 +258,7 @@ kind 'mouse off  ascii  0 colours' TERM=vt100
 ! LC_ALL=C grep -q "?100[026]h\|$colour" bytes
 result $? "without a word of mouse and colour"
 kind 'mouse off  ascii  8 colours' TERM=ansi
-kind 'mouse on  ascii  8 colours' TERM=linux
+kind 'mouse off  ascii  8 colours' TERM=linux
 kind 'mouse on  utf8  8 colours' TERM=xterm
 kind 'mouse on  utf8  8 colours' TERM=screen
 kind 'mouse on  utf8  256 colours' TERM=screen-256color
@@ -278,6 +278,12 @@ keys q
 start 80 24 TERM=vt100 sh -c \
 	'"$TIPSPEED" data/sites/tierp.csv -c "plot psd"; exec sleep 1000'
 want '^100+' "plot has the same characters there as the full screen"
+start 80 24 TERM=linux PS1='shell: ' HISTFILE= sh -i
+want 'shell:$'
+keys '"$TIPSPEED" data/sites/tierp.csv -c tui' Enter
+want '\[74\.0\]'
+keys C-z
+want Stopped '^Z is ^Z also where it has a key of its own'
 start 80 24 TERM=vt100
 want '\[74\.0\]'
 keys M

@@ -81,7 +81,8 @@ canvas_text(struct canvas *canvas, int column, int row, const char *text,
 }
 
 /* The safe colours of Okabe and Ito as near as each depth has them; no bright
- * black, which some terminals do not show. */
+ * black, which some terminals do not show, and no dark blue, which
+ * the Linux console hardly shows on black. */
 int
 canvas_colour(enum series series, int depth)
 {
@@ -92,7 +93,7 @@ canvas_colour(enum series series, int depth)
 	    [SERIES_FEED] = {3, 3, 178},
 	    [SERIES_MEASURED_1] = {6, 14, 74},
 	    [SERIES_MEASURED_2] = {2, 10, 36},
-	    [SERIES_MEASURED_3] = {4, 12, 33},
+	    [SERIES_MEASURED_3] = {12, 12, 33},
 	    [SERIES_PREDICTED] = {1, 9, 202},
 	    [SERIES_OTHER] = {5, 13, 175},
 	    [SERIES_BAND] = {1, 1, 180},
@@ -109,10 +110,13 @@ static void
 print_style(const struct canvas_cell *cell, int depth, FILE *out)
 {
 	int colour = canvas_colour((enum series)cell->series, depth);
+	bool bright = depth < 16 && colour >= 8; /* there: bold */
+	if (bright)
+		colour -= 8;
 	fputs("\033[0", out);
-	if (cell->attribute & CELL_BOLD)
+	if ((cell->attribute & CELL_BOLD) || bright)
 		fputs(";1", out);
-	if (cell->attribute & CELL_DIM)
+	if ((cell->attribute & CELL_DIM) && depth >= 256)
 		fputs(";2", out);
 	if (cell->attribute & CELL_REVERSE)
 		fputs(";7", out);

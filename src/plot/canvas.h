@@ -60,7 +60,8 @@ int canvas_text_within(struct canvas *canvas, int column, int row, int end,
 const char *canvas_utf8(uint32_t code, char text[static 5]);
 
 /* Depth of colour: 0 (none), 8, 16 or 256. Colour of a series in it, or -1 for
- * that of the text; safe for red-green blindness, and never the only mark. */
+ * that of the text; safe for red-green blindness, and never the only mark. From
+ * 8 on it is a bright one, which among eight is the bold one. */
 int canvas_colour(enum series series, int depth);
 
 /* Prints the rows, each without blanks at its end and with a line feed; escape

@@ -50,7 +50,7 @@ pane_generations(struct tui *t, const struct area *area)
 	double share = n > 1 ? (double)(at - 1) / (double)(n - 1) : 1;
 	int column = from + (int)lround(share * (room - length));
 	screen_text(area, 0, column,
-	    LOOK_BOLD | (t->focus == FOCUS_GENERATION ? LOOK_REVERSE : 0), "%s",
+	    t->focus == FOCUS_GENERATION ? LOOK_REVERSE : LOOK_BOLD, "%s",
 	    label);
 	return column + 1;
 }

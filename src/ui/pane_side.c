@@ -178,8 +178,8 @@ draw_cross(const struct tui *t, int row, int room)
 	snprintf(name, sizeof name, "crosshair %g mm",
 	    units_mm(p->product.size[t->cross_at]));
 	screen_text(side, row++, 0,
-	    LOOK_BOLD | (t->focus == FOCUS_CROSS ? LOOK_REVERSE : 0),
-	    "%-18s%4d %%", name, t->level);
+	    t->focus == FOCUS_CROSS ? LOOK_REVERSE : LOOK_BOLD, "%-18s%4d %%",
+	    name, t->level);
 	draw_reading(t, row++, 0, "feed", &p->feed);
 	int others = 2 + (t->band ? 1 : 0);
 	for (size_t r = 0; r < site->n_run; r++) {

@@ -153,7 +153,7 @@ void
 rescue_reset(void)
 {
 	static const char bytes[] =
-	    MOUSE_OFF "\033[?1l\033>\033[?2004l\033[0m\033[?25h\033[?1049l";
+	    MOUSE_OFF "\033[?1l\033>\033[?2004l\033[0m\033[?25h\033[?1049l\r";
 	struct termios t;
 	ssize_t written = write(STDOUT_FILENO, bytes, sizeof bytes - 1);
 	(void)written;

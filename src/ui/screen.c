@@ -46,7 +46,7 @@ set_colours(bool colour)
 		while (canvas_colour((enum series)j, is.depth) != colour_of)
 			j++;
 		is.pair[i] = (short)(j + 1);
-		init_pair(is.pair[i], (short)colour_of, -1);
+		init_pair(is.pair[i], (short)(colour_of % is.depth), -1);
 	}
 	/* From a colour to a pair takes 5 bytes, to no pair at all 11. */
 	bkgdset(' ' | COLOR_PAIR(is.pair[SERIES_TEXT]));
@@ -69,6 +69,8 @@ set_modes(void)
 	define_key("\033[4~", KEY_END);
 	define_key("\033[5~", KEY_PPAGE);
 	define_key("\033[6~", KEY_NPAGE);
+	/* The Linux console's description makes a key of its own of ^Z. */
+	define_key("\032", 0);
 }
 
 bool
@@ -154,9 +156,13 @@ screen_depth(void)
 	return is.depth;
 }
 
+/* The Linux console says that it has a mouse; but it is gpm's, which tells
+ * nobody of it in this way. */
 static bool
 has_mouse_keys(void)
 {
+	if (strncmp(termname(), "linux", 5) == 0)
+		return false;
 	const char *keys = tigetstr("kmous");
 	return keys != NULL && keys != (const char *)-1 && keys[0] != '\0';
 }
@@ -313,10 +319,12 @@ screen_canvas(const struct area *area, const struct canvas *canvas)
 		}
 }
 
+/* Where there are eight colours, a bright one is a bold one. */
 static attr_t
-attributes(unsigned look)
+attributes(unsigned look, enum series series)
 {
-	return ((look & LOOK_BOLD) ? A_BOLD : 0) |
+	bool bright = is.depth == 8 && canvas_colour(series, is.depth) >= 8;
+	return ((look & LOOK_BOLD) || bright ? A_BOLD : 0) |
 	       ((look & LOOK_DIM) && is.depth == 256 ? A_DIM : 0) |
 	       ((look & LOOK_REVERSE) ? A_REVERSE : 0);
 }
@@ -339,7 +347,8 @@ show_cell(int row, int column, const struct canvas_cell *from)
 	cchar_t cell;
 	if (!is.utf8 && from->code > 126)
 		text[0] = bare_letter(from->code);
-	setcchar(&cell, text, attributes(from->attribute),
+	setcchar(&cell, text,
+	    attributes(from->attribute, (enum series)from->series),
 	    is.pair[from->series], NULL);
 	mvadd_wch(row, column, &cell);
 }

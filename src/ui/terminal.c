@@ -75,8 +75,8 @@ terminal_is_utf8(void)
 	return strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 }
 
-/* The console has no braille in its font, a serial terminal nothing but
- * ASCII. */
+/* The console's fonts, of 512 characters at most, have neither braille nor
+ * quadrants, a serial terminal has nothing but ASCII. */
 bool
 terminal_draws(void)
 {

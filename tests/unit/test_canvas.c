@@ -92,6 +92,10 @@ no_depth_no_escapes(void **state)
 	expect(c, 256, "\033[0;1;38;5;178mfeed\033[0m text\n");
 	canvas_text(c, 0, 0, "pred", SERIES_PREDICTED, 0);
 	expect(c, 16, "\033[0;91mpred\033[0m text\n");
+	canvas_text(c, 0, 0, "meas", SERIES_MEASURED_3, CELL_DIM);
+	expect(c, 8, "\033[0;1;34mmeas\033[0m text\n");
+	expect(c, 16, "\033[0;94mmeas\033[0m text\n");
+	expect(c, 256, "\033[0;2;38;5;33mmeas\033[0m text\n");
 	canvas_free(c);
 }
 
