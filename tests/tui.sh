@@ -171,8 +171,28 @@ keys Right
 want '\[74\.1\]'
 keys : 'show params | sort' Enter
 want 'Return goes back' "a shell command has the terminal to itself"
+mux resize-window -t one -x 90 -y 24
+sleep 0.3
+shot
+grep -q 'Return goes back' screen
+result $? "and keeps it when the terminal changes its size"
+mux resize-window -t one -x 80 -y 24
+keys C-z
+want '^shell: *$' "^Z there stops the program"
+keys fg Enter
+sleep 0.3
 keys Enter
-want '^65\|^ 65 x'
+want '^ 65 x' "and Return goes back after it"
+keys : 'show params | { echo begun; exec sleep 100; }' Enter
+want '^begun'
+keys C-z
+want '^shell: *$' "^Z stops a shell command and the program with it"
+keys fg Enter
+sleep 0.3
+keys C-c
+want 'Return goes back' "fg goes on with both"
+keys Enter
+want '^ 65 x'
 keys q
 want 'shell:$'
 

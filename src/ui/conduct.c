@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/conduct.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -256,6 +257,22 @@ draw_screen(struct tui *t, const char *line)
 		say_error(t, &error);
 }
 
+/* What a shell command wrote stays until it is read.  A stop, or another size
+ * of the terminal, is no answer. */
+static void
+await_return(void)
+{
+	int c;
+	fputs("\n[Return goes back]", stdout);
+	fflush(stdout);
+	do {
+		clearerr(stdin);
+		errno = 0;
+		c = getchar();
+	} while (
+	    c != '\n' && (c != EOF || errno == EINTR) && pump_signal() == 0);
+}
+
 static void
 run_typed(struct tui *t, const char *line)
 {
@@ -275,10 +292,7 @@ run_typed(struct tui *t, const char *line)
 		tui_step_aside();
 	bool ok = conduct_run(t, line);
 	if (aside) {
-		fputs("\n[Return goes back]", stdout);
-		fflush(stdout);
-		for (int c = getchar(); c != '\n' && c != EOF; c = getchar())
-			;
+		await_return();
 		tui_step_back();
 	}
 	/* Bounds edited in a search: on within them. Where it was paused the

@@ -116,6 +116,19 @@ struct signals {
 	struct sigaction resize, stop, go_on;
 };
 
+/* The loop answers a stop; who is given the terminal is stopped with the
+ * program, as the shell waits for both. */
+static void
+answer_stop(bool in_loop)
+{
+	struct sigaction now,
+	    action = {.sa_handler = in_loop ? on_stop : SIG_DFL};
+	sigemptyset(&action.sa_mask);
+	sigaction(SIGTSTP, NULL, &now);
+	if (now.sa_handler != SIG_IGN)
+		sigaction(SIGTSTP, &action, NULL);
+}
+
 static void
 hold_signals(struct signals *was)
 {
@@ -124,10 +137,8 @@ hold_signals(struct signals *was)
 	pump_hold_signals(&let_in);
 	sigaction(SIGWINCH, &action, &was->resize);
 	sigaction(SIGCONT, &action, &was->go_on);
-	action.sa_handler = on_stop;
 	sigaction(SIGTSTP, NULL, &was->stop);
-	if (was->stop.sa_handler != SIG_IGN)
-		sigaction(SIGTSTP, &action, NULL);
+	answer_stop(true);
 }
 
 static void
@@ -163,6 +174,7 @@ void
 tui_step_aside(void)
 {
 	screen_leave();
+	answer_stop(false);
 	sigprocmask(SIG_SETMASK, &let_in, NULL);
 }
 
@@ -170,6 +182,7 @@ void
 tui_step_back(void)
 {
 	pump_hold_signals(NULL);
+	answer_stop(true);
 	pump_forget_interrupt();
 	screen_return();
 }
