@@ -24,6 +24,10 @@ compare() {
 mkdir screens
 printf '%s\n' site,Norra rock,Granite size_mm,feed 22.4,100 16,90 8,52 4,28 \
 	1,7 >norra.csv
+printf '%s\n' site,Mill rock,Granite top_size_mm,40 \
+	size_mm,feed,product@6.5,product@8.2,product@9.8 80,100,100,100,100 \
+	31.5,70.9,88.2,92.8,94.5 16,36,56.9,67.5,72.4 8,18,29.4,38.6,44.5 \
+	4,9,14.7,19.9,24.1 2,4.5,6.7,9.9,12.4 1,2.3,3.7,5.4,6.1 >mill.csv
 "$TIPSPEED" -f "$srcdir/tests/screens.tip" >out 2>log
 good=$?
 remark log >all

@@ -380,13 +380,13 @@ type_key(struct tui *t, int code, bool special)
 		conduct_typed(t, y->text);
 }
 
-/* Digits of a speed; 1 to 5 are pages, but no speed here begins with them. */
+/* Digits of a speed; 1 to 5 are pages, but behind a 0. */
 static bool
 digit_key(struct tui *t, int code)
 {
 	size_t n = strlen(t->digits);
 	bool digit = code >= '0' && code <= '9';
-	if (n == 0 && !(code >= '6' && code <= '8'))
+	if (n == 0 && !(digit && (code == '0' || code > '5')))
 		return false;
 	if ((digit || code == '.') && n + 1 < sizeof t->digits) {
 		t->digits[n] = (char)code;

@@ -182,7 +182,7 @@ run(struct tui *t, const char *line)
 	struct slider_range range = tui_range(t);
 	if (slider_has(range, said[ANSWER_SPEED]))
 		t->tenths = slider_tenths(range, said[ANSWER_SPEED]);
-	t->tenths = slider_clamp(range, t->tenths);
+	t->tenths = tui_on_track(tui_entry(t), t->tenths);
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
 	if (s->last.product.n == 0 || other)
 		t->asked.tenths = 0;

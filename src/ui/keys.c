@@ -35,9 +35,9 @@ const struct key KEYS[] = {
     {KEY_NPAGE, "PgDn", ON_ALL, ACT_FINE, -50, PREDICT, "speed down by 5 m/s"},
     {KEY_PPAGE, "PgUp", ON_ALL, ACT_FINE, 50, PREDICT, "speed up by 5 m/s"},
     {KEY_HOME, "Home", ON_ALL, ACT_TO, TO_LEAST, PREDICT,
-	"to the slow end, 65 m/s or less"},
+	"to the slow end of the track"},
     {KEY_END, "End", ON_ALL, ACT_TO, TO_MOST, PREDICT,
-	"to the fast end, 85 m/s or more"},
+	"to the fast end of the track"},
     {'[', "[", ON_ALL, ACT_TO, TO_SLOWEST, PREDICT,
 	"to the slowest run, and its feed"},
     {']', "]", ON_ALL, ACT_TO, TO_FASTEST, PREDICT,
@@ -189,7 +189,9 @@ keys_list(const char *word, FILE *out)
 		    "  :apropos %s\n",
 		    word, word);
 	if (word[0] == '\0')
-		fputs("  digits, Enter   type a speed\n"
+		fputs("  digits, Enter   type a speed: 74, 9.1, 012.5 (1 to 5 "
+		      "are "
+		      "pages)\n"
 		      "  mouse           click and drag set the speed, the "
 		      "wheel moves it by 0.1 m/s\n",
 		    out);
@@ -221,7 +223,8 @@ keys_manual(FILE *out)
 			    (int)strcspn(k->command, " "), k->command);
 	}
 	fputs(
-	    ".It digits, Enter\nType a speed.\n"
+	    ".It digits, Enter\nType a speed; 1 to 5 are pages, so that one "
+	    "which begins with them\nis typed with a 0 before it: 012.5.\n"
 	    ".It mouse\nClick on the track or drag along it to set the "
 	    "speed;\nthe wheel moves it by 0.1 m/s.\nA click on the name of a "
 	    "page opens it.\n.El\n",

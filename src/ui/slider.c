@@ -14,13 +14,20 @@ struct slider_range
 slider_range(const struct site *site)
 {
 	struct slider_range range = {SLIDER_LEAST, SLIDER_MOST};
+	double slow = INFINITY, fast = 0;
 	for (size_t r = 0; site != NULL && r < site->n_run; r++) {
 		double v = site->run[r].speed;
-		if (v > 0 && 10 * v < range.least)
-			range.least = 10 * (int)fmax(1, floor(v));
-		if (10 * v > range.most)
-			range.most = 10 * (int)ceil(v);
+		slow = v > 0 ? fmin(slow, v) : slow;
+		fast = fmax(fast, v);
 	}
+	if (fast <= 0)
+		return range;
+	bool apart = 2 * 10 * fast < range.least || 10 * slow > 2 * range.most;
+	double more = apart ? fmax((fast - slow) / 2, slow / 4) : 0;
+	int least = 10 * (int)fmax(1, floor(slow - more)),
+	    most = 10 * (int)ceil(fast + more);
+	range.least = apart || least < range.least ? least : range.least;
+	range.most = apart || most > range.most ? most : range.most;
 	return range;
 }
 

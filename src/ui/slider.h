@@ -22,7 +22,9 @@ struct slider_mark {
 };
 
 /* 65 to 85 m/s, and as many whole m/s more as the runs of a site want; NULL for
- * no site. */
+ * no site.  Where all of them are less than half or more than twice such speeds
+ * the machine is another, and the range is theirs: half its length more at both
+ * ends, a quarter of the slowest speed at least. */
 struct slider_range slider_range(const struct site *site);
 
 /* The nearest value the slider can have. */

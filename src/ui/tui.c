@@ -55,6 +55,16 @@ tui_range(const struct tui *t)
 	return slider_range(entry != NULL ? entry->site : NULL);
 }
 
+int
+tui_on_track(const struct entry *entry, int tenths)
+{
+	struct slider_range range =
+	    slider_range(entry != NULL ? entry->site : NULL);
+	return slider_has(range, tenths / 10.0)
+		   ? tenths
+		   : (range.least + range.most) / 2;
+}
+
 size_t
 tui_feed(const struct tui *t)
 {
@@ -97,7 +107,8 @@ on_stop(int signal)
 	stopping = signal;
 }
 
-/* The speed last predicted, else that of a run held out, else 74 m/s. */
+/* The speed last predicted, else that of a run held out, else 74 m/s, where the
+ * slider has that. */
 static int
 first_speed(const struct session *s)
 {
@@ -109,7 +120,7 @@ first_speed(const struct session *s)
 	for (size_t r = 0; e != NULL && r < e->site->n_run; r++)
 		if (!e->train[r] && e->site->run[r].product.n > 0)
 			return slider_tenths(range, e->site->run[r].speed);
-	return 740;
+	return tui_on_track(e, 740);
 }
 
 struct signals {

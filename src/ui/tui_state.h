@@ -116,8 +116,10 @@ void tui_look_at(struct tui *t, size_t generation);
 /* The site in use, or NULL. */
 const struct entry *tui_entry(const struct tui *t);
 
-/* The speeds of the slider at that site. */
+/* The speeds of the slider at that site; and a speed in tenths, or where the
+ * site's slider does not have it the middle of that. */
 struct slider_range tui_range(const struct tui *t);
+int tui_on_track(const struct entry *entry, int tenths);
 
 /* The run of that site whose feed the slider predicts with, whatever its speed:
  * what changes while it moves is what the speed does.  It is the one that the
