@@ -16,6 +16,18 @@ same() {
 }
 p50() { sed -n 's/.*P50 \([0-9.]*\).*/\1/p' screen | head -n 1; }
 
+# cursor X,Y NAME: the cursor comes to stand there.
+cursor() {
+	tries=0
+	until at=$(mux display-message -t one -p '#{cursor_x},#{cursor_y}')
+		[ "$at" = "$1" ] || [ $tries -ge 30 ]; do
+		sleep 0.1
+		tries=$((tries + 1))
+	done
+	[ "$at" = "$1" ]
+	result $? "the cursor is on $2 (at $at)"
+}
+
 start 80 24
 want '\[74\.0\]' "it opens at the speed held out"
 same 80x24
@@ -33,6 +45,7 @@ want '\[74\.5\]'
 [ "$(p50)" != "$before" ]
 result $? "and P50 follows"
 want ': predict speed=74\.5' "the command it composed is shown"
+cursor 36,20 'the slider'
 keys Home
 want '\[65\.0\]' "Home"
 want 'EXTRAPOLATED' "outside the speeds trained on it says so"
@@ -66,6 +79,13 @@ want '^\[*tipspeed\|Tierp, Granite'
 keys c b
 want 'crosshair 5\.6 mm  *50 %' "the crosshair reads the curves"
 want 'band  *8[0-9.]* \.\. 8[0-9.]* %' "and the band at its sieve"
+cursor 56,9 'the crosshair'
+mux resize-window -t one -x 40 -y 12
+cursor 0,7 'its numbers where there is no side'
+mux resize-window -t one -x 80 -y 24
+keys Tab
+cursor 34,20 'the slider again'
+keys Tab
 keys Left Up
 want 'crosshair 4 mm  *55 %' "arrows move the sieve and the level"
 want 'band  *6[0-9.]* \.\. 6[0-9.]* %'
@@ -96,10 +116,13 @@ keys '?'
 want 'speed down by 0.1' "the list of keys"
 keys / 'by 5'
 want 'speed up by 5'
+cursor 5,23 'the word to find'
 keys Down Enter
 want '\[79\.0\]' "finds a word, and Enter does what it says"
 keys 7 4 Enter : Up
 want '^:predict 99999' "the history"
+keys Escape 7 1
+cursor 9,22 'a speed that is typed'
 keys Escape
 
 keys 2

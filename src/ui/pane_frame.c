@@ -290,12 +290,13 @@ draw_lower(struct tui *t, int *row, int *column)
 	}
 	if (note == line && typing)
 		return;
-	if (t->digits[0] != '\0')
-		screen_text(note, 0, 0, LOOK_BOLD,
-		    note->columns < 24 ? "%s_ m/s, Enter"
-				       : "speed: %s_ m/s (Enter)",
-		    t->digits);
-	else if (typing && t->typing.offers != NULL)
+	if (t->digits[0] != '\0') {
+		*row = note->row;
+		*column = screen_text(note, 0, 0, LOOK_BOLD,
+		    note->columns < 24 ? "%s" : "speed: %s", t->digits);
+		screen_text(note, 0, *column, LOOK_BOLD,
+		    note->columns < 24 ? "_ m/s, Enter" : "_ m/s (Enter)");
+	} else if (typing && t->typing.offers != NULL)
 		screen_text(note, 0, 0, 0, "%s", t->typing.offers);
 	else if (t->message[0] != '\0' && note != &l->track)
 		wide = draw_message(t, note);
@@ -320,6 +321,7 @@ pane_draw(struct tui *t)
 	screen_begin(&rows, &columns);
 	t->places = places_make(rows, columns, side_columns(t->page, columns));
 	t->scrubber = (struct area){0};
+	t->cross_row = -1;
 	bool viewing = t->viewer.text != NULL;
 	if (viewing)
 		t->places = places_text(rows, columns);
@@ -328,11 +330,8 @@ pane_draw(struct tui *t)
 	screen_rule(&t->places.rule);
 	column = t->places.track.rows > 0 ? draw_track(t) : 0;
 	if (viewing) {
-		pane_text(t);
-		screen_show(
-		    t->places.body.row +
-			(t->viewer.keys ? t->viewer.at - t->viewer.top : 0),
-		    0);
+		pane_text(t, &row, &column);
+		screen_show(row, column);
 		return;
 	}
 	int at = t->page == PAGE_FIT && t->places.caption.rows > 0
@@ -345,6 +344,10 @@ pane_draw(struct tui *t)
 	if (t->focus == FOCUS_GENERATION && at >= 0) {
 		row = t->places.caption.row;
 		column = at;
+	}
+	if (t->focus == FOCUS_CROSS && t->cross_row >= 0) {
+		row = t->cross_row;
+		column = t->places.side.column;
 	}
 	if (t->focus == FOCUS_SITE && t->places.body.rows > 1) {
 		row = pane_site_row(t);

@@ -226,7 +226,7 @@ draw_p50_band(const struct tui *t, int row)
 }
 
 void
-pane_side(const struct tui *t)
+pane_side(struct tui *t)
 {
 	enum { PIN = 4, CROSS = 5, FRACTIONS = 3 };
 	const struct area *side = &t->places.side;
@@ -251,13 +251,15 @@ pane_side(const struct tui *t)
 	if (row + FRACTIONS + cross + pin <= side->rows)
 		row = draw_fractions(t, row, was);
 	row = draw_p50_band(t, row);
+	if (t->cross && row < side->rows)
+		t->cross_row = side->row + row;
 	row = draw_cross(t, row, side->rows - row - pin);
 	row = draw_pin(t, row);
 	draw_worth(t, row < side->rows - 2 ? side->rows - 2 : row);
 }
 
 void
-pane_numbers(const struct tui *t)
+pane_numbers(struct tui *t)
 {
 	const struct area *area = &t->places.numbers;
 	const struct prediction *p = &t->session->last;
@@ -268,13 +270,14 @@ pane_numbers(const struct tui *t)
 		screen_text(area, 0, 0, 0,
 		    area->columns < 21 ? "not predicted yet"
 				       : "nothing predicted yet");
-	else if (t->cross && t->cross_at < p->product.n)
+	else if (t->cross && t->cross_at < p->product.n) {
+		t->cross_row = area->row;
 		screen_text(area, 0, 0, LOOK_BOLD, "%g mm %.1f %%  %d %% %s",
 		    units_mm(p->product.size[t->cross_at]),
 		    100 * p->product.passing[t->cross_at], t->level,
 		    size_text(
 			1000 * psd_size(&p->product, t->level / 100.0), a));
-	else if (area->columns < 34)
+	} else if (area->columns < 34)
 		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %.4s",
 		    size_text(t->now.size[1], a), size_text(t->now.size[2], b));
 	else

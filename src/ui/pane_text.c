@@ -39,7 +39,7 @@ draw_line(const struct tui *t, int row, const char *text, size_t n)
 }
 
 void
-pane_text(const struct tui *t)
+pane_text(const struct tui *t, int *row, int *column)
 {
 	const struct area *body = &t->places.body;
 	const struct viewer *v = &t->viewer;
@@ -55,9 +55,13 @@ pane_text(const struct tui *t)
 	char *hints = xasprintf("%s%s", more ? "more below: Down  " : "",
 	    v->keys ? "Esc goes back  / finds a word  Enter does it"
 		    : "any other key goes back");
-	if (v->filtering)
-		screen_text(&t->places.hints, 0, 0, LOOK_BOLD, "/%s", v->word);
-	else if (rest != NULL)
+	*row = body->row + (v->keys ? v->at - v->top : 0);
+	*column = 0;
+	if (v->filtering && t->places.hints.rows > 0) {
+		*row = t->places.hints.row;
+		*column = screen_text(
+		    &t->places.hints, 0, 0, LOOK_BOLD, "/%s", v->word);
+	} else if (rest != NULL)
 		screen_text(&t->places.hints, 0, 0, LOOK_REVERSE, "%s", rest);
 	else
 		pane_hints(&t->places.hints, LOOK_REVERSE, hints);

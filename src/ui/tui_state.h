@@ -68,10 +68,11 @@ struct tui {
 	bool cross, band, mouse;
 	bool dragging;        /* the focus follows the mouse */
 	struct area scrubber; /* of no rows where it is not drawn */
-	size_t cross_at;      /* a sieve of the prediction */
-	int level;            /* passing that the crosshair reads sizes at, % */
-	size_t site_at;       /* of the Sites page */
-	size_t data_top;      /* first sieve shown on the Data page */
+	int cross_row;   /* of the screen, what the crosshair reads; -1: none */
+	size_t cross_at; /* a sieve of the prediction */
+	int level;       /* passing that the crosshair reads sizes at, % */
+	size_t site_at;  /* of the Sites page */
+	size_t data_top; /* first sieve shown on the Data page */
 	struct site_row *row; /* [n_row] of the Sites page, owned */
 	size_t n_row;
 	int rows_at; /* tenths they are of; 0: of another session */
