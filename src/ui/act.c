@@ -417,14 +417,17 @@ act_key(struct tui *t, int code, bool special)
 	/* A character beyond ASCII is no key: its number may be one's. */
 	if (!special && code > DELETE && !t->typing.active)
 		return;
+	const struct key *key = keys_find(code, t->page);
 	if (special && code == PANE_MOUSE) {
 		act_mouse(t);
+	} else if (key != NULL &&
+		   (key->act == ACT_SUSPEND || key->act == ACT_REDRAW)) {
+		act(t, key);
 	} else if (t->typing.active) {
 		type_key(t, code, special);
 	} else if (t->viewer.text != NULL) {
 		act(t, view_key(t, code, special));
 	} else if (!digit_key(t, code)) {
-		const struct key *key = keys_find(code, t->page);
 		act(t, key);
 		if (key == NULL && code > ' ' && code < DELETE)
 			tui_say(t, false,

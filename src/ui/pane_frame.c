@@ -12,6 +12,7 @@
 #include "core/energy.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
+#include "ui/view.h"
 
 const int PANE_PAGE_UP = KEY_PPAGE, PANE_PAGE_DOWN = KEY_NPAGE;
 const int PANE_MOUSE = KEY_MOUSE, PANE_BACKSPACE = KEY_BACKSPACE,
@@ -330,6 +331,7 @@ pane_draw(struct tui *t)
 	screen_rule(&t->places.rule);
 	column = t->places.track.rows > 0 ? draw_track(t) : 0;
 	if (viewing) {
+		view_fit(t);
 		pane_text(t, &row, &column);
 		screen_show(row, column);
 		return;

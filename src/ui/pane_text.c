@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
@@ -30,8 +31,11 @@ draw_line(const struct tui *t, int row, const char *text, size_t n)
 	char *line = xstrndup(text, n), *rest = NULL;
 	if (v->keys && body->columns < NARROW)
 		squeeze(line);
+	const char *shown = line;
+	for (int c = 0; c < v->left && *shown != '\0';)
+		c += text_columns(text_next(&shown));
 	screen_series(body, row, 0, SERIES_TEXT,
-	    chosen ? LOOK_REVERSE : LOOK_PLAIN, line);
+	    chosen ? LOOK_REVERSE : LOOK_PLAIN, shown);
 	if (chosen && strlen(line) > (size_t)body->columns)
 		rest = xstrdup(line + body->columns);
 	free(line);
@@ -51,8 +55,10 @@ pane_text(const struct tui *t, int *row, int *column)
 		rest = cut != NULL ? cut : rest;
 		p += n + (p[n] == '\n');
 	}
-	bool more = v->lines - v->top > body->rows;
-	char *hints = xasprintf("%s%s", more ? "more below: Down  " : "",
+	bool below = v->lines - v->top > body->rows,
+	     aside = !v->keys && v->columns - v->left > body->columns;
+	char *hints = xasprintf("%s%s%s", below ? "more below: Down  " : "",
+	    aside ? "to the right: Right  " : "",
 	    v->keys ? "Esc goes back  / finds a word  Enter does it"
 		    : "any other key goes back");
 	*row = body->row + (v->keys ? v->at - v->top : 0);

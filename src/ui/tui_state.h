@@ -26,11 +26,12 @@ struct numbers {
 	double speed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
 };
 
-/* Text on the whole screen: lines from `top` on.  text NULL: none.  keys: the
- * list of keys, of those that have the word; one of them, `at`, can be run. */
+/* Text on the whole screen: lines from `top` on, of these what is right of the
+ * column `left`.  text NULL: none.  keys: the list of keys, of those that have
+ * the word; one of them, `at`, can be run. */
 struct viewer {
 	char *text;
-	int top, lines;
+	int top, lines, left, columns;
 	bool keys, filtering;
 	int at;
 	char word[32];

@@ -7,15 +7,21 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/xalloc.h"
 #include "ui/pane.h"
 
-static int
-count_lines(const char *text)
+/* How many lines there are, and columns of the widest one. */
+static void
+measure(struct viewer *v)
 {
-	int lines = 0;
-	for (const char *p = text; *p != '\0'; p++)
-		lines += *p == '\n' || p[1] == '\0';
-	return lines;
+	for (const char *p = v->text; *p != '\0'; v->lines++) {
+		size_t n = strcspn(p, "\n");
+		char *line = xstrndup(p, n);
+		int columns = text_width(line);
+		v->columns = columns > v->columns ? columns : v->columns;
+		free(line);
+		p += n + (p[n] == '\n');
+	}
 }
 
 void
@@ -29,7 +35,8 @@ void
 view_text(struct tui *t, char *text)
 {
 	view_close(t);
-	t->viewer = (struct viewer){.text = text, .lines = count_lines(text)};
+	t->viewer = (struct viewer){.text = text};
+	measure(&t->viewer);
 }
 
 void
@@ -73,25 +80,29 @@ filter(struct tui *t, int code, bool special)
 	return true;
 }
 
-static void
-scroll_by(struct tui *t, int by)
+static int
+within(int x, int least, int most)
+{
+	return x < least || most < least ? least : x > most ? most : x;
+}
+
+void
+view_fit(struct tui *t)
 {
 	struct viewer *v = &t->viewer;
 	int rows = t->places.body.rows > 1 ? t->places.body.rows : 1;
-	int last = v->lines - 1;
-	if (v->keys) {
-		v->at += by;
-		v->at = v->at > last ? last : v->at;
-		v->at = v->at < 0 ? 0 : v->at;
-		if (v->at >= v->top + rows)
-			v->top = v->at - rows + 1;
-		if (v->at < v->top)
-			v->top = v->at;
-		return;
-	}
-	v->top += by;
-	v->top = v->top > v->lines - rows ? v->lines - rows : v->top;
-	v->top = v->top < 0 ? 0 : v->top;
+	v->at = within(v->at, 0, v->lines - 1);
+	if (v->keys)
+		v->top = within(v->top, v->at - rows + 1, v->at);
+	v->top = within(v->top, 0, v->lines - rows);
+	v->left = within(v->left, 0, v->columns - t->places.body.columns);
+}
+
+static void
+scroll_by(struct tui *t, int by)
+{
+	*(t->viewer.keys ? &t->viewer.at : &t->viewer.top) += by;
+	view_fit(t);
 }
 
 const struct key *
@@ -104,6 +115,11 @@ view_key(struct tui *t, int code, bool special)
 		return NULL;
 	if (key != NULL && key->act == ACT_LIST) {
 		scroll_by(t, key->amount);
+		return NULL;
+	}
+	if (key != NULL && key->act == ACT_MOVE && !v->keys) {
+		v->left += key->amount * (t->places.body.columns + 1) / 2;
+		view_fit(t);
 		return NULL;
 	}
 	if (special && (code == PANE_PAGE_DOWN || code == PANE_PAGE_UP)) {

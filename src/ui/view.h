@@ -15,6 +15,9 @@ void view_keys(struct tui *t, const char *word);
  * NULL. */
 const struct key *view_key(struct tui *t, int code, bool special);
 
+/* Scrolls as far as the body of the frame wants: the size may be another. */
+void view_fit(struct tui *t);
+
 void view_close(struct tui *t);
 
 #endif

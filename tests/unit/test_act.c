@@ -1,6 +1,7 @@
 /* What keys do on the full screen, and in a line that is typed there.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <fcntl.h>
+#include <signal.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -106,6 +107,95 @@ a_word_too_long_to_find_does_nothing_else(void **state)
 	assert_false(t->leave);
 }
 
+/* A key by its name. */
+static void
+press(struct tui *t, const char *name)
+{
+	int code = 0;
+	assert_true(keys_code(name, &code));
+	act_key(t, code, code > 255);
+}
+
+/* Enter would do what cannot be seen. */
+static void
+a_smaller_screen_shows_the_key_under_the_cursor(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	const struct viewer *v = &t->viewer;
+	type(t, "?");
+	pane_draw(t);
+	for (int i = 0; i < 18; i++)
+		press(t, "Down");
+	struct display *was = screen_aside(6, 60, CHARSET_ASCII, 0);
+	pane_draw(t);
+	canvas_free(screen_back(was));
+	assert_int_equal(v->at, 18);
+	assert_in_range(v->at - v->top, 0, t->places.body.rows - 1);
+	assert_in_range(v->top, 1, 18);
+	pane_draw(t);
+	type(t, "\033:help predict\n");
+	pane_draw(t);
+	press(t, "PgDn");
+	press(t, "PgDn");
+	assert_in_range(v->top, 1, v->lines);
+	was = screen_aside(100, 80, CHARSET_ASCII, 0);
+	pane_draw(t);
+	canvas_free(screen_back(was));
+	assert_int_equal(v->top, 0);
+}
+
+static void
+text_wider_than_the_screen_is_read_to_its_end(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	type(t, ":help predict\n");
+	struct display *was = screen_aside(12, 30, CHARSET_ASCII, 0);
+	pane_draw(t);
+	for (int i = 0; i < 9; i++)
+		press(t, "Right");
+	pane_draw(t);
+	assert_non_null(t->viewer.text);
+	assert_in_range(t->viewer.left, 30, 50);
+	for (int i = 0; i < 9; i++)
+		press(t, "Left");
+	pane_draw(t);
+	assert_int_equal(t->viewer.left, 0);
+	canvas_free(screen_back(was));
+	type(t, "x");
+	assert_null(t->viewer.text);
+	assert_int_equal(t->pin.site[0], '\0');
+}
+
+static volatile sig_atomic_t stops;
+
+static void
+on_stop(int signal)
+{
+	stops += signal == SIGTSTP;
+}
+
+static void
+control_z_stops_wherever_it_is_typed(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	struct sigaction action = {.sa_handler = on_stop}, was;
+	sigemptyset(&action.sa_mask);
+	sigaction(SIGTSTP, &action, &was);
+	type(t, ":help\032");
+	assert_int_equal(stops, 1);
+	assert_string_equal(t->typing.text, "help");
+	type(t, "\n\032");
+	assert_int_equal(stops, 2);
+	assert_non_null(t->viewer.text);
+	type(t, "\03371\032");
+	assert_int_equal(stops, 3);
+	assert_string_equal(t->digits, "71");
+	type(t, "\033?/by\032");
+	assert_int_equal(stops, 4);
+	assert_string_equal(t->viewer.word, "by");
+	sigaction(SIGTSTP, &was, NULL);
+}
+
 int
 main(void)
 {
@@ -119,6 +209,14 @@ main(void)
 	    cmocka_unit_test_setup_teardown(
 		a_word_too_long_to_find_does_nothing_else, stage_open,
 		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		a_smaller_screen_shows_the_key_under_the_cursor, stage_open,
+		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		text_wider_than_the_screen_is_read_to_its_end, stage_open,
+		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		control_z_stops_wherever_it_is_typed, stage_open, stage_close),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
