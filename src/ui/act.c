@@ -177,8 +177,9 @@ hold(struct tui *t, const struct key *key)
 {
 	const struct session *s = t->session;
 	if (session_busy(s)) {
+		t->ran = tui_searched(t);
 		t->held = !t->held;
-		t->due = t->clock;
+		t->due = t->started = t->clock;
 		tui_say(
 		    t, false, t->held ? "paused: Space goes on" : "going on");
 	} else if (s->job.calibration != NULL) {

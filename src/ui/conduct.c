@@ -196,6 +196,8 @@ run(struct tui *t, const char *line)
 		t->held = false;
 		t->generation = 0;
 		t->due = t->started = t->clock;
+		if (calibration_status(s->job.calibration).generation == 0)
+			t->ran = 0;
 	}
 	return ok;
 }
@@ -375,6 +377,7 @@ conduct_keep(struct tui *t)
 	struct error error = {0};
 	session_pause(s);
 	session_settle(s, true, &error);
+	t->ran = tui_searched(t);
 	t->held = false;
 	t->asked.tenths = 0;
 	conduct_look(t);

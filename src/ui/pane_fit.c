@@ -29,6 +29,12 @@ tui_look_at(struct tui *t, size_t generation)
 	t->generation = generation < tui_past(t).n ? generation : 0;
 }
 
+double
+tui_searched(const struct tui *t)
+{
+	return t->ran + (t->held ? 0 : t->clock - t->started);
+}
+
 int
 pane_generations(struct tui *t, const struct area *area)
 {
@@ -146,7 +152,7 @@ draw_progress(const struct tui *t, const struct area *side, int row)
 	const struct session *s = t->session;
 	const struct calibrate_options *o = &s->job.options;
 	struct calibrate_status st = calibration_status(s->job.calibration);
-	double seconds = t->clock - t->started;
+	double seconds = tui_searched(t);
 	double rate = seconds > 0 ? (double)st.evaluations / seconds : 0;
 	screen_text(side, row++, 0, LOOK_BOLD, "%sgeneration %zu of %zu",
 	    t->held ? "PAUSED " : "", st.generation, o->generations);

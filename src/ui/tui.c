@@ -199,13 +199,15 @@ tui_step_back(void)
 }
 
 static void
-stop_here(void)
+stop_here(struct tui *t)
 {
+	double left = session_clock();
 	stopping = 0;
 	screen_leave();
 	pump_suspend(&let_in);
 	pump_forget_interrupt();
 	screen_return();
+	t->started += session_clock() - left;
 }
 
 /* The rest of a sequence that the terminal's description does not have would be
@@ -270,7 +272,7 @@ loop(struct tui *t)
 		wait_for_something(t);
 		notice_end();
 		if (stopping)
-			stop_here();
+			stop_here(t);
 		if (resized)
 			screen_resize();
 		resized = 0;

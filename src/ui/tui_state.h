@@ -56,7 +56,8 @@ struct tui {
 	enum focus focus;
 	bool aside;     /* drawn without a terminal */
 	double clock;   /* s; a step with every key where it is drawn aside */
-	double started; /* the search, by that clock */
+	double started; /* the search or its last part, by that clock */
+	double ran;     /* s of its parts before */
 	int tenths;     /* of the slider */
 	double feed;    /* m/s of the run whose feed the slider keeps */
 	struct {
@@ -114,6 +115,9 @@ struct plots_past tui_past(const struct tui *t);
  * that runs, those which follow are. */
 size_t tui_generation(const struct tui *t);
 void tui_look_at(struct tui *t, size_t generation);
+
+/* How long the search under way has run, s: pauses do not count. */
+double tui_searched(const struct tui *t);
 
 /* The site in use, or NULL. */
 const struct entry *tui_entry(const struct tui *t);

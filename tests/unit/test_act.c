@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "ui/act.h"
+#include "ui/conduct.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
 #include "ui/tui_state.h"
@@ -166,6 +167,32 @@ text_wider_than_the_screen_is_read_to_its_end(void **state)
 	assert_int_equal(t->pin.site[0], '\0');
 }
 
+/* Else a pause would count as slow work, and what is taken up again as quick. */
+static void
+a_pause_is_no_part_of_the_search(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	type(t, ":load data/sites/tierp.csv\n");
+	t->clock = 100;
+	type(t, "f");
+	t->clock = 103;
+	conduct_pump(t);
+	type(t, " ");
+	t->clock = 160;
+	assert_float_equal(tui_searched(t), 3, 1e-9);
+	type(t, " ");
+	t->clock = 161;
+	assert_float_equal(tui_searched(t), 4, 1e-9);
+	type(t, "s");
+	t->clock = 200;
+	type(t, " ");
+	assert_true(session_busy(t->session));
+	t->clock = 202;
+	assert_float_equal(tui_searched(t), 6, 1e-9);
+	type(t, "f");
+	assert_float_equal(tui_searched(t), 0, 1e-9);
+}
+
 static volatile sig_atomic_t stops;
 
 static void
@@ -216,7 +243,10 @@ main(void)
 		text_wider_than_the_screen_is_read_to_its_end, stage_open,
 		stage_close),
 	    cmocka_unit_test_setup_teardown(
+		a_pause_is_no_part_of_the_search, stage_open, stage_close),
+	    cmocka_unit_test_setup_teardown(
 		control_z_stops_wherever_it_is_typed, stage_open, stage_close),
 	};
+	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
