@@ -82,7 +82,9 @@ move_to(struct tui *t, int where)
 {
 	const struct slider_range range = tui_range(t);
 	const struct entry *entry = tui_entry(t);
-	if (where == TO_LEAST)
+	if (t->focus == FOCUS_GENERATION && where <= TO_MOST)
+		tui_look_at(t, where == TO_LEAST ? 1 : tui_past(t).n);
+	else if (where == TO_LEAST)
 		t->tenths = range.least;
 	else if (where == TO_MOST)
 		t->tenths = range.most;
@@ -104,6 +106,16 @@ can_focus(const struct tui *t, enum focus focus)
 	default:
 		return true;
 	}
+}
+
+/* Ten arrows at once, of the slider but where the generations are gone through. */
+static void
+move_far(struct tui *t, int by)
+{
+	if (t->focus == FOCUS_GENERATION)
+		move_generation(t, by);
+	else
+		t->tenths = slider_clamp(tui_range(t), t->tenths + by);
 }
 
 static void
@@ -329,7 +341,7 @@ act(struct tui *t, const struct key *key)
 		move_focus(t, key->amount);
 		break;
 	case ACT_FINE:
-		t->tenths = slider_clamp(tui_range(t), t->tenths + key->amount);
+		move_far(t, key->amount);
 		break;
 	case ACT_TO:
 		move_to(t, key->amount);

@@ -193,6 +193,33 @@ a_pause_is_no_part_of_the_search(void **state)
 	assert_float_equal(tui_searched(t), 0, 1e-9);
 }
 
+static void
+the_scrubber_has_the_keys_of_the_slider(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	desk_expect(((struct stage *)*state)->desk,
+	    "load data/sites/tierp.csv; calibrate");
+	type(t, "2\t");
+	size_t n = tui_past(t).n;
+	int tenths = t->tenths;
+	assert_int_equal(t->focus, FOCUS_GENERATION);
+	press(t, "Home");
+	assert_int_equal(tui_generation(t), 1);
+	press(t, "L");
+	assert_int_equal(tui_generation(t), 11);
+	press(t, "PgUp");
+	assert_int_equal(tui_generation(t), n < 61 ? n : 61);
+	press(t, "End");
+	assert_int_equal(tui_generation(t), n);
+	press(t, "H");
+	assert_int_equal(tui_generation(t), n - 10);
+	assert_int_equal(t->tenths, tenths);
+	type(t, "\t");
+	press(t, "Home");
+	assert_int_equal(tui_generation(t), n - 10);
+	assert_int_equal(t->tenths, tui_range(t).least);
+}
+
 static volatile sig_atomic_t stops;
 
 static void
@@ -244,6 +271,9 @@ main(void)
 		stage_close),
 	    cmocka_unit_test_setup_teardown(
 		a_pause_is_no_part_of_the_search, stage_open, stage_close),
+	    cmocka_unit_test_setup_teardown(
+		the_scrubber_has_the_keys_of_the_slider, stage_open,
+		stage_close),
 	    cmocka_unit_test_setup_teardown(
 		control_z_stops_wherever_it_is_typed, stage_open, stage_close),
 	};
