@@ -215,8 +215,13 @@ draw_side(const struct tui *t)
 	int row = session_busy(t->session) ? draw_progress(t, side, 0)
 					   : draw_result(t, side, 0);
 	if (row == 0) {
-		screen_text(side, 0, 0, 0, "not calibrated yet: f starts");
-		screen_text(side, 1, 0, 0, "+ and - set the pace");
+		bool can = tui_entry(t) == NULL ||
+			   site_products(tui_entry(t)->site) > 0;
+		screen_text(side, 0, 0, 0, "%s",
+		    can ? "not calibrated yet: f starts"
+			: "no product: type :guess");
+		screen_text(
+		    side, 1, 0, 0, "%s", can ? "+ and - set the pace" : "");
 		return;
 	}
 	row = draw_parameters(t, side, row);

@@ -250,6 +250,21 @@ pane_hints(const struct area *area, unsigned look, const char *hints)
 	screen_text(area, 0, 0, look, "%s", text);
 }
 
+static const char *
+fit_hints(const struct tui *t)
+{
+	return session_busy(t->session) && t->held
+		   ? "Space go on  ? keys  q quit  s stop, keep  f fit again  "
+		     "Tab generations  v picture"
+	       : session_busy(t->session)
+		   ? "Space pause  ? keys  q quit  s stop, keep  +/- pace  "
+		     "f fit again  Tab generations  v picture"
+	       : tui_past(t).n > 0
+		   ? "f fit again  ? keys  q quit  Tab generations  v picture  "
+		     "+/- pace  : command"
+		   : "f fit  ? keys  q quit  +/- pace  : command";
+}
+
 static void
 draw_hints(const struct tui *t)
 {
@@ -257,14 +272,15 @@ draw_hints(const struct tui *t)
 	    "<-/-> speed  ? keys  q quit  f fit  : command  c crosshair  x "
 	    "keep "
 	    "beside  e export  u undo",
-	    "Space pause  ? keys  q quit  f fit again  s stop, keep  +/- pace  "
-	    "Tab generations  v picture",
+	    NULL,
 	    "<-/-> speed  ? keys  q quit  1-5 pages  Up/Down sieves  : "
 	    "command",
 	    "<-/-> speed  ? keys  q quit  1-5 pages  : command",
 	    "Up/Down site  Enter use it  ? keys  q quit  x keep beside  : "
 	    "command"};
-	pane_hints(&t->places.hints, LOOK_DIM, HINTS[t->page]);
+	const char *hints = HINTS[t->page];
+	pane_hints(
+	    &t->places.hints, LOOK_DIM, hints != NULL ? hints : fit_hints(t));
 }
 
 /* A speed being typed stands where messages do. */
