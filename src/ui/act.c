@@ -12,6 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
+#include "ui/compose.h"
 #include "ui/conduct.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
@@ -108,7 +109,8 @@ can_focus(const struct tui *t, enum focus focus)
 	}
 }
 
-/* Ten arrows at once, of the slider but where the generations are gone through. */
+/* Ten arrows at once: of the generations where these are gone through, else of
+ * the slider. */
 static void
 move_far(struct tui *t, int by)
 {
@@ -139,35 +141,13 @@ go_to(struct tui *t, enum page page)
 		t->focus = FOCUS_SPEED;
 }
 
-/* The command of a key, with the speed or the site in it. */
-static char *
-compose(const struct tui *t, const struct key *key)
-{
-	const struct session *s = t->session;
-	const char *hole = strstr(key->command, "%s");
-	if (hole == NULL)
-		return xstrdup(key->command);
-	char *where = tui_where(t), *line;
-	const char *with = key->act != ACT_CHOOSE    ? where
-			   : t->site_at < s->n_entry ? s->entry[t->site_at].key
-						     : "";
-	if (key->act == ACT_EXPORT && t->pin.site[0] != '\0')
-		line = xasprintf("plot psd %s beside=%s other=%.1f > ", where,
-		    t->pin.site, t->pin.speed);
-	else
-		line = xasprintf("%.*s%s%s", (int)(hole - key->command),
-		    key->command, with, hole + 2);
-	free(where);
-	return line;
-}
-
 static void
 run_key(struct tui *t, const struct key *key)
 {
-	char *line = compose(t, key);
+	char *line = compose_line(t, key);
 	if (key->act == ACT_TYPE || key->act == ACT_EXPORT) {
 		typing_begin(&t->typing, line);
-	} else if (key->act == ACT_RUN) {
+	} else if (key->act == ACT_RUN || key->act == ACT_TELL) {
 		conduct_typed(t, line);
 	} else {
 		conduct_keep(t);
@@ -286,6 +266,19 @@ stop(struct tui *t)
 		    t, false, "nothing runs that could be stopped: q leaves");
 }
 
+static void
+toggle_mouse(struct tui *t)
+{
+	bool on = !t->mouse && screen_mouse(true);
+	if (t->mouse)
+		screen_mouse(false);
+	tui_say(t, false,
+	    on         ? "mouse on: Shift and drag selects text"
+	    : t->mouse ? "mouse off: drag selects text, M turns it on"
+		       : "this terminal has no mouse");
+	t->mouse = screen_mouse_on();
+}
+
 /* What changes how the screen looks and no more. */
 static void
 show_act(struct tui *t, const struct key *key)
@@ -313,11 +306,7 @@ show_act(struct tui *t, const struct key *key)
 		view_keys(t, "");
 		break;
 	case ACT_MOUSE:
-		if (t->mouse)
-			screen_mouse(false);
-		else if (!screen_mouse(true))
-			tui_say(t, false, "this terminal has no mouse");
-		t->mouse = screen_mouse_on();
+		toggle_mouse(t);
 		break;
 	case ACT_REDRAW:
 		screen_resize();
@@ -358,6 +347,7 @@ act(struct tui *t, const struct key *key)
 			move_focus(t, key->amount);
 		break;
 	case ACT_RUN:
+	case ACT_TELL:
 	case ACT_TYPE:
 	case ACT_EXPORT:
 	case ACT_CHOOSE:

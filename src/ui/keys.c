@@ -77,7 +77,8 @@ const struct key KEYS[] = {
     {'+', "+", ON_ALL, ACT_PACE, 1, NULL, "calibrate faster"},
     {'=', NULL, ON_ALL, ACT_PACE, 1, NULL, NULL},
     {'-', "-", ON_ALL, ACT_PACE, -1, NULL, "calibrate slower"},
-    {'d', "d", ON_ALL, ACT_RUN, 0, "describe psd %s", "the curves in words"},
+    {'d', "d", ON_ALL, ACT_TELL, 0, "describe %s",
+	"the picture of the page in words"},
     {'e', "e", ON_ALL, ACT_EXPORT, 0, "predict %s > ",
 	"export: a .csv table or .png curves; with a kept one, of both"},
     {':', ":", ON_ALL, ACT_TYPE, 0, "",
@@ -220,7 +221,7 @@ keys_manual(FILE *out)
 		    k->name[1] == '\0' ? "\\&" : "", k->name, k->what,
 		    only_on(k));
 		if (k->command != NULL && k->command[0] != '\0' &&
-		    k->act == ACT_RUN)
+		    (k->act == ACT_RUN || k->act == ACT_TELL))
 			fprintf(out, "Runs\n.Ic %.*s .\n",
 			    (int)strcspn(k->command, " "), k->command);
 	}

@@ -220,6 +220,36 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	assert_int_equal(t->tenths, tui_range(t).least);
 }
 
+/* In words what is to be seen, and not something else. */
+static void
+d_tells_the_picture_of_the_page(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	desk_expect(((struct stage *)*state)->desk,
+	    "load data/sites/tierp.csv; calibrate; predict speed=74");
+	type(t, "d");
+	assert_string_equal(t->command, "describe psd speed=74.0");
+	type(t, "\0334d");
+	assert_string_equal(t->command, "describe parity");
+	type(t, "\0332d");
+	assert_string_equal(t->command, "describe psd speed=74.0");
+	type(t, "\033vd");
+	assert_string_equal(t->command, "describe convergence");
+	type(t, "\033vd");
+	assert_string_equal(t->command, "describe spread");
+	type(t, "\0331");
+	conduct_predict(t);
+	type(t, "cbx");
+	type(t, "76\n");
+	conduct_predict(t);
+	type(t, "d");
+	assert_string_equal(t->command,
+	    "describe psd speed=76.0 beside=tierp other=74.0 band=on at=5.6 "
+	    "level=50");
+	assert_non_null(t->viewer.text);
+	assert_non_null(strstr(t->viewer.text, "crosshair at 5.6 mm"));
+}
+
 static volatile sig_atomic_t stops;
 
 static void
@@ -274,6 +304,8 @@ main(void)
 	    cmocka_unit_test_setup_teardown(
 		the_scrubber_has_the_keys_of_the_slider, stage_open,
 		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		d_tells_the_picture_of_the_page, stage_open, stage_close),
 	    cmocka_unit_test_setup_teardown(
 		control_z_stops_wherever_it_is_typed, stage_open, stage_close),
 	};
