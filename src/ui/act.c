@@ -146,6 +146,7 @@ run_key(struct tui *t, const struct key *key)
 {
 	char *line = compose_line(t, key);
 	if (key->act == ACT_TYPE || key->act == ACT_EXPORT) {
+		t->message[0] = '\0';
 		typing_begin(&t->typing, line);
 	} else if (key->act == ACT_RUN || key->act == ACT_TELL) {
 		conduct_typed(t, line);
