@@ -59,6 +59,21 @@ for sieve in 0.063 0.125 0.25 0.5 1 2 4 5.6 8 11.2 16 22.4; do
 	grep -q ">$sieve</text>" psd.svg || wrong="$wrong $sieve"
 done
 result ${#wrong} "psd: every sieve has its label:$wrong"
+awk 'BEGIN { print "site,Fine\nrock,Gneiss\nsize_mm,feed"
+	for (i = 0; i < 64; i++) {
+		x = 500 * exp(-i * log(500000) / 63)
+		printf "%.4g,%.3f\n", x, i == 0 ? 100 : 100 * x / (x + 60)
+	} }' >fine.csv
+"$TIPSPEED" fine.csv -c 'plot psd > fine.svg' 2>err.txt
+awk -F '"' '/font-size="8.0" text-anchor="middle"/ {
+	split($0, part, /[<>]/)
+	half = 5.09 * length(part[3]) / 2
+	if (n[$4]++ && $2 - half < end[$4])
+		print "", part[3]
+	end[$4] = $2 + half
+}' fine.svg >touching
+[ -s fine.svg ] && [ ! -s touching ]
+result $? "labels of 64 sieves do not touch:$(tr -d '\n' <touching)"
 ! grep -l "$(printf '\033')" ./*.txt >/dev/null
 result $? "no escape in a text file, whatever the terminal"
 

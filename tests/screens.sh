@@ -27,6 +27,12 @@ printf '%s\n' site,Norra rock,Granite size_mm,feed 22.4,100 16,90 8,52 4,28 \
 head='size_mm,feed,product@69,product@79'
 printf '%s\n' site,Mixed "$head" 8,100,100,100 4,50,80,70 >mixed.csv
 printf '%s\n' "$head" 8,100,99.5,100 4,5O,8O,90 >faults.csv
+printf '%s\n' site,Mill rock,Granite top_size_mm,40 \
+	size_mm,feed,product@6.5,product@8.2,product@9.8 80,100,100,100,100 \
+	31.5,70.9,88.2,92.8,94.5 16,36,56.9,67.5,72.4 8,18,29.4,38.6,44.5 \
+	4,9,14.7,19.9,24.1 2,4.5,6.7,9.9,12.4 1,2.3,3.7,5.4,6.1 >mill.csv
+printf '%s\n' site,Boulders rock,Gneiss size_mm,feed,product@69,product@79 \
+	500,100,100,100 300,90,95,96 150,60,70,75 63,25,33,38 20,7,11,14 >boulders.csv
 "$TIPSPEED" -f "$srcdir/tests/screens.tip" >out 2>log
 good=$?
 remark log >all

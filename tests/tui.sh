@@ -16,6 +16,18 @@ same() {
 }
 p50() { sed -n 's/.*P50 \([0-9.]*\).*/\1/p' screen | head -n 1; }
 
+# cursor X,Y NAME: the cursor comes to stand there.
+cursor() {
+	tries=0
+	until at=$(mux display-message -t one -p '#{cursor_x},#{cursor_y}')
+		[ "$at" = "$1" ] || [ $tries -ge 30 ]; do
+		sleep 0.1
+		tries=$((tries + 1))
+	done
+	[ "$at" = "$1" ]
+	result $? "the cursor is on $2 (at $at)"
+}
+
 start 80 24
 want '\[74\.0\]' "it opens at the speed held out"
 same 80x24
@@ -33,6 +45,7 @@ want '\[74\.5\]'
 [ "$(p50)" != "$before" ]
 result $? "and P50 follows"
 want ': predict speed=74\.5' "the command it composed is shown"
+cursor 36,20 'the slider'
 keys Home
 want '\[65\.0\]' "Home"
 want 'EXTRAPOLATED' "outside the speeds trained on it says so"
@@ -66,6 +79,13 @@ want '^\[*tipspeed\|Tierp, Granite'
 keys c b
 want 'crosshair 5\.6 mm  *50 %' "the crosshair reads the curves"
 want 'band  *8[0-9.]* \.\. 8[0-9.]* %' "and the band at its sieve"
+cursor 56,9 'the crosshair'
+mux resize-window -t one -x 40 -y 12
+cursor 0,7 'its numbers where there is no side'
+mux resize-window -t one -x 80 -y 24
+keys Tab
+cursor 34,20 'the slider again'
+keys Tab
 keys Left Up
 want 'crosshair 4 mm  *55 %' "arrows move the sieve and the level"
 want 'band  *6[0-9.]* \.\. 6[0-9.]* %'
@@ -96,10 +116,13 @@ keys '?'
 want 'speed down by 0.1' "the list of keys"
 keys / 'by 5'
 want 'speed up by 5'
+cursor 5,23 'the word to find'
 keys Down Enter
 want '\[79\.0\]' "finds a word, and Enter does what it says"
 keys 7 4 Enter : Up
 want '^:predict 99999' "the history"
+keys Escape 7 1
+cursor 9,22 'a speed that is typed'
 keys Escape
 
 keys 2
@@ -137,7 +160,7 @@ want 'generation 1 .*\]-' "the generations are gone through"
 keys s 3
 want 'sieve mm' "the page Data"
 keys 5
-want '\* tierp  *Granite  *11.2 69 o74 79 good  *0\.3.  *0\.4.  *3\.[34].x' \
+want '\* tierp  *Granite  *11.2 69 o74 79 good  *0\.3.  *0\.4.  *2\.8' \
 	"the page Sites says how far each is calibrated"
 keys 1 u
 want ': undo' "undo"
@@ -171,8 +194,28 @@ keys Right
 want '\[74\.1\]'
 keys : 'show params | sort' Enter
 want 'Return goes back' "a shell command has the terminal to itself"
+mux resize-window -t one -x 90 -y 24
+sleep 0.3
+shot
+grep -q 'Return goes back' screen
+result $? "and keeps it when the terminal changes its size"
+mux resize-window -t one -x 80 -y 24
+keys C-z
+want '^shell: *$' "^Z there stops the program"
+keys fg Enter
+sleep 0.3
 keys Enter
-want '^65\|^ 65 x'
+want '^ 65 x' "and Return goes back after it"
+keys : 'show params | { echo begun; exec sleep 100; }' Enter
+want '^begun'
+keys C-z
+want '^shell: *$' "^Z stops a shell command and the program with it"
+keys fg Enter
+sleep 0.3
+keys C-c
+want 'Return goes back' "fg goes on with both"
+keys Enter
+want '^ 65 x'
 keys q
 want 'shell:$'
 

@@ -90,6 +90,9 @@ struct chart *plots_site_chart(const struct site *site, struct axis x,
     struct axis y, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
+/* So many measured products, those nearest to the speed, has psd. */
+enum { PLOTS_MEASURED = 3 };
+
 /* The looks that several series of a chart take in turn; the first 23
  * differ without colour. */
 struct chart_series plots_look(size_t i);

@@ -304,7 +304,7 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 	    sampled ? xasprintf("feed %g m/s", site->run[feed].speed)
 		    : xstrdup("feed"),
 	    FEED);
-	add_measured(&c, site, speed, 3);
+	add_measured(&c, site, speed, PLOTS_MEASURED);
 	if (!add_second(
 		&c, s, q, known ? &params : NULL, speed, feed, &two, error)) {
 		free_curves(&c);

@@ -69,9 +69,8 @@ const struct command TABLE_ANSWERS[] = {
 	.option = SWEEP_OPTIONS,
 	.text = "Up to seven speeds stand side by side, sieve by sieve; more "
 		"are listed one a row. Without speeds it goes from 65 to 85 "
-		"m/s and on to the runs beyond; where all runs lie outside "
-		"these, from a tenth below the slowest to a tenth above the "
-		"fastest.",
+		"m/s and on to the runs beyond; where all of them are less "
+		"than half or more than twice as fast, about them alone.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nsweep 65,74,85",
 	.run = cmd_sweep},
     {.name = "compare",

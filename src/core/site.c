@@ -124,10 +124,11 @@ site_reach(const struct site *site, double *from, double *to)
 		fastest = fmax(fastest, v);
 	}
 	bool apart =
-	    fastest > 0 && (fastest < usual_from || slowest > usual_to);
+	    fastest > 0 && (2 * fastest < usual_from || slowest > 2 * usual_to);
+	double more = fmax((fastest - slowest) / 2, slowest / 4);
 	*from =
-	    fmax(1, floor(apart ? 0.9 * slowest : fmin(slowest, usual_from)));
-	*to = ceil(apart ? 1.1 * fastest : fmax(fastest, usual_to));
+	    fmax(1, floor(apart ? slowest - more : fmin(slowest, usual_from)));
+	*to = ceil(apart ? fastest + more : fmax(fastest, usual_to));
 }
 
 char *

@@ -60,9 +60,10 @@ bool site_run_is_near(
     const struct site *site, size_t run, double speed, size_t most);
 
 /* The speeds, m/s, that are looked at unless told otherwise: 65 to 85, which
- * are usual, and as many whole m/s more as the runs want; of a site with all
- * its runs outside these, as of a slow mill, from a tenth below its slowest to
- * a tenth above its fastest.  site: or NULL. */
+ * are usual, and as many whole m/s more as the runs want.  Where all of these
+ * are less than half or more than twice such speeds the machine is another, and
+ * the speeds are about theirs: half their length more at both ends, a quarter
+ * of the slowest at least.  site: or NULL. */
 void site_reach(const struct site *site, double *from, double *to);
 
 /* The first clause of the provenance, which the caller frees; or a copy of

@@ -97,21 +97,24 @@ static const struct pen_stroke GUIDE = {
 static void
 draw_x_axis(struct page *p)
 {
-	enum { COLUMN = 5, LABEL = 8 }; /* about the width of a digit */
+	enum { COLUMN = 5, LABEL = 8, ROWS = 2 };
+	static const double DIGIT = 5.1; /* its width; a column rounds it */
 	const struct axis *a = &p->chart->x;
 	double foot = TOP + p->height;
 	int *column = xcalloc(a->n, sizeof *column);
 	int *row = xcalloc(a->n, sizeof *row);
-	axis_place(a, WIDTH / COLUMN, 2, column, row);
+	double end[ROWS] = {0};
+	axis_place(a, WIDTH / COLUMN, ROWS, column, row);
 	for (size_t i = 0; i < a->n; i++) {
 		double x = page_x(p, a->tick[i].at);
+		double half = DIGIT * (double)strlen(a->tick[i].label) / 2;
 		draw_rule(p, x, foot, x, foot + 4, THIN);
-		if (row[i] != AXIS_DROPPED)
-			p->pen->text(p->pen, x,
-			    foot + 4 + (LABEL + 2) * (row[i] + 1),
-			    a->tick[i].label,
-			    &(struct pen_style){
-				.size = LABEL, .anchor = PEN_MIDDLE});
+		if (row[i] == AXIS_DROPPED || x - half < end[row[i]] + 1)
+			continue;
+		end[row[i]] = x + half;
+		p->pen->text(p->pen, x, foot + 4 + (LABEL + 2) * (row[i] + 1),
+		    a->tick[i].label,
+		    &(struct pen_style){.size = LABEL, .anchor = PEN_MIDDLE});
 	}
 	p->pen->text(p->pen, LEFT + WIDTH / 2.0, foot + 4 + 4 * (LABEL + 2),
 	    a->title, &(struct pen_style){.size = 10, .anchor = PEN_MIDDLE});

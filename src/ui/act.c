@@ -12,6 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
+#include "ui/compose.h"
 #include "ui/conduct.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
@@ -82,7 +83,9 @@ move_to(struct tui *t, int where)
 {
 	const struct slider_range range = tui_range(t);
 	const struct entry *entry = tui_entry(t);
-	if (where == TO_LEAST)
+	if (t->focus == FOCUS_GENERATION && where <= TO_MOST)
+		tui_look_at(t, where == TO_LEAST ? 1 : tui_past(t).n);
+	else if (where == TO_LEAST)
 		t->tenths = range.least;
 	else if (where == TO_MOST)
 		t->tenths = range.most;
@@ -106,6 +109,17 @@ can_focus(const struct tui *t, enum focus focus)
 	}
 }
 
+/* Ten arrows at once: of the generations where these are gone through, else of
+ * the slider. */
+static void
+move_far(struct tui *t, int by)
+{
+	if (t->focus == FOCUS_GENERATION)
+		move_generation(t, by);
+	else
+		t->tenths = slider_clamp(tui_range(t), t->tenths + by);
+}
+
 static void
 next_focus(struct tui *t, int by)
 {
@@ -127,35 +141,14 @@ go_to(struct tui *t, enum page page)
 		t->focus = FOCUS_SPEED;
 }
 
-/* The command of a key, with the speed or the site in it. */
-static char *
-compose(const struct tui *t, const struct key *key)
-{
-	const struct session *s = t->session;
-	const char *hole = strstr(key->command, "%s");
-	if (hole == NULL)
-		return xstrdup(key->command);
-	char *where = tui_where(t), *line;
-	const char *with = key->act != ACT_CHOOSE    ? where
-			   : t->site_at < s->n_entry ? s->entry[t->site_at].key
-						     : "";
-	if (key->act == ACT_EXPORT && t->pin.site[0] != '\0')
-		line = xasprintf("plot psd %s beside=%s other=%.1f > ", where,
-		    t->pin.site, t->pin.speed);
-	else
-		line = xasprintf("%.*s%s%s", (int)(hole - key->command),
-		    key->command, with, hole + 2);
-	free(where);
-	return line;
-}
-
 static void
 run_key(struct tui *t, const struct key *key)
 {
-	char *line = compose(t, key);
+	char *line = compose_line(t, key);
 	if (key->act == ACT_TYPE || key->act == ACT_EXPORT) {
+		t->message[0] = '\0';
 		typing_begin(&t->typing, line);
-	} else if (key->act == ACT_RUN) {
+	} else if (key->act == ACT_RUN || key->act == ACT_TELL) {
 		conduct_typed(t, line);
 	} else {
 		conduct_keep(t);
@@ -177,8 +170,9 @@ hold(struct tui *t, const struct key *key)
 {
 	const struct session *s = t->session;
 	if (session_busy(s)) {
+		t->ran = tui_searched(t);
 		t->held = !t->held;
-		t->due = t->clock;
+		t->due = t->started = t->clock;
 		tui_say(
 		    t, false, t->held ? "paused: Space goes on" : "going on");
 	} else if (s->job.calibration != NULL) {
@@ -273,6 +267,19 @@ stop(struct tui *t)
 		    t, false, "nothing runs that could be stopped: q leaves");
 }
 
+static void
+toggle_mouse(struct tui *t)
+{
+	bool on = !t->mouse && screen_mouse(true);
+	if (t->mouse)
+		screen_mouse(false);
+	tui_say(t, false,
+	    on         ? "mouse on: Shift and drag selects text"
+	    : t->mouse ? "mouse off: drag selects text, M turns it on"
+		       : "this terminal has no mouse");
+	t->mouse = screen_mouse_on();
+}
+
 /* What changes how the screen looks and no more. */
 static void
 show_act(struct tui *t, const struct key *key)
@@ -300,11 +307,7 @@ show_act(struct tui *t, const struct key *key)
 		view_keys(t, "");
 		break;
 	case ACT_MOUSE:
-		if (t->mouse)
-			screen_mouse(false);
-		else if (!screen_mouse(true))
-			tui_say(t, false, "this terminal has no mouse");
-		t->mouse = screen_mouse_on();
+		toggle_mouse(t);
 		break;
 	case ACT_REDRAW:
 		screen_resize();
@@ -328,7 +331,7 @@ act(struct tui *t, const struct key *key)
 		move_focus(t, key->amount);
 		break;
 	case ACT_FINE:
-		t->tenths = slider_clamp(tui_range(t), t->tenths + key->amount);
+		move_far(t, key->amount);
 		break;
 	case ACT_TO:
 		move_to(t, key->amount);
@@ -345,6 +348,7 @@ act(struct tui *t, const struct key *key)
 			move_focus(t, key->amount);
 		break;
 	case ACT_RUN:
+	case ACT_TELL:
 	case ACT_TYPE:
 	case ACT_EXPORT:
 	case ACT_CHOOSE:
@@ -380,13 +384,13 @@ type_key(struct tui *t, int code, bool special)
 		conduct_typed(t, y->text);
 }
 
-/* Digits of a speed; 1 to 5 are pages, and few speeds begin with them. */
+/* Digits of a speed; 1 to 5 are pages, but behind a 0. */
 static bool
 digit_key(struct tui *t, int code)
 {
 	size_t n = strlen(t->digits);
 	bool digit = code >= '0' && code <= '9';
-	if (n == 0 && !(code >= '6' && code <= '9'))
+	if (n == 0 && !(digit && (code == '0' || code > '5')))
 		return false;
 	if ((digit || code == '.') && n + 1 < sizeof t->digits) {
 		t->digits[n] = (char)code;
@@ -417,14 +421,17 @@ act_key(struct tui *t, int code, bool special)
 	/* A character beyond ASCII is no key: its number may be one's. */
 	if (!special && code > DELETE && !t->typing.active)
 		return;
+	const struct key *key = keys_find(code, t->page);
 	if (special && code == PANE_MOUSE) {
 		act_mouse(t);
+	} else if (key != NULL &&
+		   (key->act == ACT_SUSPEND || key->act == ACT_REDRAW)) {
+		act(t, key);
 	} else if (t->typing.active) {
 		type_key(t, code, special);
 	} else if (t->viewer.text != NULL) {
 		act(t, view_key(t, code, special));
 	} else if (!digit_key(t, code)) {
-		const struct key *key = keys_find(code, t->page);
 		act(t, key);
 		if (key == NULL && code > ' ' && code < DELETE)
 			tui_say(t, false,

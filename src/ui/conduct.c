@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/conduct.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -9,6 +10,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/answers.h"
 #include "cmd/command.h"
 #include "cmd/fit.h"
 #include "cmd/script.h"
@@ -22,22 +24,6 @@ const double PACES[PACE_COUNT] = {1, 2, 5, 10, 20, 50, INFINITY};
 /* A slider that stood still for so long has paused, s. */
 static const double PAUSE = 0.7;
 
-/* An error is no use cut short: it takes the whole screen where two rows do not
- * hold it. */
-static void
-show_whole(struct tui *t)
-{
-	int rows, columns, lines = 1;
-	screen_size(&rows, &columns);
-	char *text = text_wrapped(t->message, columns > 2 ? columns - 2 : 1);
-	for (const char *p = text; *p != '\0'; p++)
-		lines += *p == '\n' && p[1] != '\0';
-	if (columns > 0 && lines > (rows > 5 ? 2 : 1))
-		view_text(t, text);
-	else
-		free(text);
-}
-
 void
 tui_say(struct tui *t, bool bad, const char *format, ...)
 {
@@ -47,7 +33,7 @@ tui_say(struct tui *t, bool bad, const char *format, ...)
 	va_end(ap);
 	t->bad = bad;
 	if (bad)
-		show_whole(t);
+		view_message(t);
 }
 
 void
@@ -199,7 +185,8 @@ run(struct tui *t, const char *line)
 	struct slider_range range = tui_range(t);
 	if (slider_has(range, said[ANSWER_SPEED]))
 		t->tenths = slider_tenths(range, said[ANSWER_SPEED]);
-	t->tenths = slider_clamp(range, t->tenths);
+	if (tui_entry(t) != NULL && !slider_has(range, t->tenths / 10.0))
+		t->tenths = slider_tenths(range, answers_usual(tui_entry(t)));
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
 	if (s->last.product.n == 0 || other)
 		t->asked.tenths = 0;
@@ -213,6 +200,8 @@ run(struct tui *t, const char *line)
 		t->held = false;
 		t->generation = 0;
 		t->due = t->started = t->clock;
+		if (calibration_status(s->job.calibration).generation == 0)
+			t->ran = 0;
 	}
 	return ok;
 }
@@ -274,6 +263,22 @@ draw_screen(struct tui *t, const char *line)
 		say_error(t, &error);
 }
 
+/* What a shell command wrote stays until it is read.  A stop, or another size
+ * of the terminal, is no answer. */
+static void
+await_return(void)
+{
+	int c;
+	fputs("\n[Return goes back]", stdout);
+	fflush(stdout);
+	do {
+		clearerr(stdin);
+		errno = 0;
+		c = getchar();
+	} while (
+	    c != '\n' && (c != EOF || errno == EINTR) && pump_signal() == 0);
+}
+
 static void
 run_typed(struct tui *t, const char *line)
 {
@@ -293,10 +298,7 @@ run_typed(struct tui *t, const char *line)
 		tui_step_aside();
 	bool ok = conduct_run(t, line);
 	if (aside) {
-		fputs("\n[Return goes back]", stdout);
-		fflush(stdout);
-		for (int c = getchar(); c != '\n' && c != EOF; c = getchar())
-			;
+		await_return();
 		tui_step_back();
 	}
 	/* Bounds edited in a search: on within them. Where it was paused the
@@ -383,6 +385,7 @@ conduct_keep(struct tui *t)
 	struct error error = {0};
 	session_pause(s);
 	session_settle(s, true, &error);
+	t->ran = tui_searched(t);
 	t->held = false;
 	t->asked.tenths = 0;
 	conduct_look(t);

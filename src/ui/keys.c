@@ -27,17 +27,19 @@ const struct key KEYS[] = {
 	"speed up by 0.1 m/s; or what Tab has chosen, to the right"},
     {'l', NULL, ON_ALL, ACT_MOVE, 1, PREDICT, NULL},
     {KEY_SLEFT, "Shift-Left, H", ON_ALL, ACT_FINE, -10, PREDICT,
-	"speed down by 1 m/s"},
+	"speed down by 1 m/s; or ten generations"},
     {'H', NULL, ON_ALL, ACT_FINE, -10, PREDICT, NULL},
     {KEY_SRIGHT, "Shift-Right, L", ON_ALL, ACT_FINE, 10, PREDICT,
-	"speed up by 1 m/s"},
+	"speed up by 1 m/s; or ten generations"},
     {'L', NULL, ON_ALL, ACT_FINE, 10, PREDICT, NULL},
-    {KEY_NPAGE, "PgDn", ON_ALL, ACT_FINE, -50, PREDICT, "speed down by 5 m/s"},
-    {KEY_PPAGE, "PgUp", ON_ALL, ACT_FINE, 50, PREDICT, "speed up by 5 m/s"},
+    {KEY_NPAGE, "PgDn", ON_ALL, ACT_FINE, -50, PREDICT,
+	"speed down by 5 m/s; or fifty generations"},
+    {KEY_PPAGE, "PgUp", ON_ALL, ACT_FINE, 50, PREDICT,
+	"speed up by 5 m/s; or fifty generations"},
     {KEY_HOME, "Home", ON_ALL, ACT_TO, TO_LEAST, PREDICT,
-	"to the slow end, 65 m/s or less"},
+	"to the slow end of the track; or to the first generation"},
     {KEY_END, "End", ON_ALL, ACT_TO, TO_MOST, PREDICT,
-	"to the fast end, 85 m/s or more"},
+	"to the fast end of the track; or to the last generation"},
     {'[', "[", ON_ALL, ACT_TO, TO_SLOWEST, PREDICT,
 	"to the slowest run, and its feed"},
     {']', "]", ON_ALL, ACT_TO, TO_FASTEST, PREDICT,
@@ -75,7 +77,8 @@ const struct key KEYS[] = {
     {'+', "+", ON_ALL, ACT_PACE, 1, NULL, "calibrate faster"},
     {'=', NULL, ON_ALL, ACT_PACE, 1, NULL, NULL},
     {'-', "-", ON_ALL, ACT_PACE, -1, NULL, "calibrate slower"},
-    {'d', "d", ON_ALL, ACT_RUN, 0, "describe psd %s", "the curves in words"},
+    {'d', "d", ON_ALL, ACT_TELL, 0, "describe %s",
+	"the picture of the page in words"},
     {'e', "e", ON_ALL, ACT_EXPORT, 0, "predict %s > ",
 	"export: a .csv table or .png curves; with a kept one, of both"},
     {':', ":", ON_ALL, ACT_TYPE, 0, "",
@@ -189,7 +192,9 @@ keys_list(const char *word, FILE *out)
 		    "  :apropos %s\n",
 		    word, word);
 	if (word[0] == '\0')
-		fputs("  digits, Enter   type a speed\n"
+		fputs("  digits, Enter   type a speed: 74, 9.1, 012.5 (1 to 5 "
+		      "are "
+		      "pages)\n"
 		      "  mouse           click and drag set the speed, the "
 		      "wheel moves it by 0.1 m/s\n",
 		    out);
@@ -216,12 +221,13 @@ keys_manual(FILE *out)
 		    k->name[1] == '\0' ? "\\&" : "", k->name, k->what,
 		    only_on(k));
 		if (k->command != NULL && k->command[0] != '\0' &&
-		    k->act == ACT_RUN)
+		    (k->act == ACT_RUN || k->act == ACT_TELL))
 			fprintf(out, "Runs\n.Ic %.*s .\n",
 			    (int)strcspn(k->command, " "), k->command);
 	}
 	fputs(
-	    ".It digits, Enter\nType a speed.\n"
+	    ".It digits, Enter\nType a speed; 1 to 5 are pages, so that one "
+	    "which begins with them\nis typed with a 0 before it: 012.5.\n"
 	    ".It mouse\nClick on the track or drag along it to set the "
 	    "speed;\nthe wheel moves it by 0.1 m/s.\nA click on the name of a "
 	    "page opens it.\n.El\n",

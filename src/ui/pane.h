@@ -36,17 +36,17 @@ void pane_curves(const struct tui *t, struct plot_request *request);
 struct area pane_list_area(const struct tui *t);
 
 /* The side panel of the Predict page. */
-void pane_side(const struct tui *t);
+void pane_side(struct tui *t);
 
-/* The viewer's text with its hints. */
-void pane_text(const struct tui *t);
+/* The viewer's text with its hints, and where the cursor is. */
+void pane_text(const struct tui *t, int *row, int *column);
 
 /* A row of hints, two blanks between them: what does not fit is left out by
  * whole ones. */
 void pane_hints(const struct area *area, unsigned look, const char *hints);
 
 /* The row of numbers that takes the side panel's place. */
-void pane_numbers(const struct tui *t);
+void pane_numbers(struct tui *t);
 
 /* The slider of the generations, at the caption's place on the Fit page.
  * Returns the column of the cursor, or -1 where there are no generations. */

@@ -29,6 +29,12 @@ tui_look_at(struct tui *t, size_t generation)
 	t->generation = generation < tui_past(t).n ? generation : 0;
 }
 
+double
+tui_searched(const struct tui *t)
+{
+	return t->ran + (t->held ? 0 : t->clock - t->started);
+}
+
 int
 pane_generations(struct tui *t, const struct area *area)
 {
@@ -146,7 +152,7 @@ draw_progress(const struct tui *t, const struct area *side, int row)
 	const struct session *s = t->session;
 	const struct calibrate_options *o = &s->job.options;
 	struct calibrate_status st = calibration_status(s->job.calibration);
-	double seconds = t->clock - t->started;
+	double seconds = tui_searched(t);
 	double rate = seconds > 0 ? (double)st.evaluations / seconds : 0;
 	screen_text(side, row++, 0, LOOK_BOLD, "%sgeneration %zu of %zu",
 	    t->held ? "PAUSED " : "", st.generation, o->generations);
@@ -209,8 +215,13 @@ draw_side(const struct tui *t)
 	int row = session_busy(t->session) ? draw_progress(t, side, 0)
 					   : draw_result(t, side, 0);
 	if (row == 0) {
-		screen_text(side, 0, 0, 0, "not calibrated yet: f starts");
-		screen_text(side, 1, 0, 0, "+ and - set the pace");
+		bool can = tui_entry(t) == NULL ||
+			   site_products(tui_entry(t)->site) > 0;
+		screen_text(side, 0, 0, 0, "%s",
+		    can ? "not calibrated yet: f starts"
+			: "no product: type :guess");
+		screen_text(
+		    side, 1, 0, 0, "%s", can ? "+ and - set the pace" : "");
 		return;
 	}
 	row = draw_parameters(t, side, row);

@@ -12,6 +12,7 @@
 #include "core/energy.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
+#include "ui/view.h"
 
 const int PANE_PAGE_UP = KEY_PPAGE, PANE_PAGE_DOWN = KEY_NPAGE;
 const int PANE_MOUSE = KEY_MOUSE, PANE_BACKSPACE = KEY_BACKSPACE,
@@ -249,6 +250,21 @@ pane_hints(const struct area *area, unsigned look, const char *hints)
 	screen_text(area, 0, 0, look, "%s", text);
 }
 
+static const char *
+fit_hints(const struct tui *t)
+{
+	return session_busy(t->session) && t->held
+		   ? "Space go on  ? keys  q quit  s stop, keep  f fit again  "
+		     "Tab generations  v picture"
+	       : session_busy(t->session)
+		   ? "Space pause  ? keys  q quit  s stop, keep  +/- pace  "
+		     "f fit again  Tab generations  v picture"
+	       : tui_past(t).n > 0
+		   ? "f fit again  ? keys  q quit  Tab generations  v picture  "
+		     "+/- pace  : command"
+		   : "f fit  ? keys  q quit  +/- pace  : command";
+}
+
 static void
 draw_hints(const struct tui *t)
 {
@@ -256,14 +272,15 @@ draw_hints(const struct tui *t)
 	    "<-/-> speed  ? keys  q quit  f fit  : command  c crosshair  x "
 	    "keep "
 	    "beside  e export  u undo",
-	    "Space pause  ? keys  q quit  f fit again  s stop, keep  +/- pace  "
-	    "Tab generations  v picture",
+	    NULL,
 	    "<-/-> speed  ? keys  q quit  1-5 pages  Up/Down sieves  : "
 	    "command",
 	    "<-/-> speed  ? keys  q quit  1-5 pages  : command",
 	    "Up/Down site  Enter use it  ? keys  q quit  x keep beside  : "
 	    "command"};
-	pane_hints(&t->places.hints, LOOK_DIM, HINTS[t->page]);
+	const char *hints = HINTS[t->page];
+	pane_hints(
+	    &t->places.hints, LOOK_DIM, hints != NULL ? hints : fit_hints(t));
 }
 
 /* A speed being typed stands where messages do. */
@@ -290,12 +307,13 @@ draw_lower(struct tui *t, int *row, int *column)
 	}
 	if (note == line && typing)
 		return;
-	if (t->digits[0] != '\0')
-		screen_text(note, 0, 0, LOOK_BOLD,
-		    note->columns < 24 ? "%s_ m/s, Enter"
-				       : "speed: %s_ m/s (Enter)",
-		    t->digits);
-	else if (typing && t->typing.offers != NULL)
+	if (t->digits[0] != '\0') {
+		*row = note->row;
+		*column = screen_text(note, 0, 0, LOOK_BOLD,
+		    note->columns < 24 ? "%s" : "speed: %s", t->digits);
+		screen_text(note, 0, *column, LOOK_BOLD,
+		    note->columns < 24 ? "_ m/s, Enter" : "_ m/s (Enter)");
+	} else if (typing && t->typing.offers != NULL)
 		screen_text(note, 0, 0, 0, "%s", t->typing.offers);
 	else if (t->message[0] != '\0' && note != &l->track)
 		wide = draw_message(t, note);
@@ -320,6 +338,7 @@ pane_draw(struct tui *t)
 	screen_begin(&rows, &columns);
 	t->places = places_make(rows, columns, side_columns(t->page, columns));
 	t->scrubber = (struct area){0};
+	t->cross_row = -1;
 	bool viewing = t->viewer.text != NULL;
 	if (viewing)
 		t->places = places_text(rows, columns);
@@ -328,11 +347,9 @@ pane_draw(struct tui *t)
 	screen_rule(&t->places.rule);
 	column = t->places.track.rows > 0 ? draw_track(t) : 0;
 	if (viewing) {
-		pane_text(t);
-		screen_show(
-		    t->places.body.row +
-			(t->viewer.keys ? t->viewer.at - t->viewer.top : 0),
-		    0);
+		view_fit(t);
+		pane_text(t, &row, &column);
+		screen_show(row, column);
 		return;
 	}
 	int at = t->page == PAGE_FIT && t->places.caption.rows > 0
@@ -345,6 +362,10 @@ pane_draw(struct tui *t)
 	if (t->focus == FOCUS_GENERATION && at >= 0) {
 		row = t->places.caption.row;
 		column = at;
+	}
+	if (t->focus == FOCUS_CROSS && t->cross_row >= 0) {
+		row = t->cross_row;
+		column = t->places.side.column;
 	}
 	if (t->focus == FOCUS_SITE && t->places.body.rows > 1) {
 		row = pane_site_row(t);

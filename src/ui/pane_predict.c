@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "io/units.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
@@ -28,49 +29,54 @@ pane_plot(const struct tui *t, const struct plot_request *request,
 	screen_words(area, row, 0, error.hint);
 }
 
-/* Of the run whose sample a prediction takes. */
+/* A curve's name behind those to its left, where there is room for all of it.
+ * Returns the column behind. */
 static int
-draw_feed_speed(const struct tui *t, const struct site *site, int column)
+draw_name(const struct tui *t, int column, enum series series, unsigned look,
+    const char *text)
 {
-	char text[16];
-	snprintf(text, sizeof text, " %g", site->run[tui_feed(t)].speed);
-	return screen_series(
-	    &t->places.legend, 0, column, SERIES_FEED, 0, text);
+	const struct area *area = &t->places.legend;
+	int from = column > 0 ? column + 2 : 0;
+	if (from + text_width(text) > area->columns)
+		return column;
+	return screen_series(area, 0, from, series, look, text);
 }
 
-/* One row, where the plot's own legend would leave the plot little room. */
+/* One row, where the plot's own legend would leave the plot little room; the
+ * runs are those of plots_psd. */
 static void
 draw_legend(const struct tui *t)
 {
-	static const char marks[] = "v^o";
-	const struct area *area = &t->places.legend;
 	const struct entry *entry = tui_entry(t);
 	bool ascii = screen_charset() == CHARSET_ASCII;
+	char text[40], sample[16] = "";
+	size_t shown = 0;
 	if (entry == NULL)
 		return;
-	int column = screen_series(
-	    area, 0, 0, SERIES_FEED, 0, ascii ? ". feed" : "\u2508 feed");
-	if (entry != NULL && entry->site->individual_feeds)
-		column = draw_feed_speed(t, entry->site, column);
-	size_t shown = 0;
-	for (size_t r = 0; entry != NULL && r < entry->site->n_run; r++) {
-		char text[24];
-		if (entry->site->run[r].product.n == 0)
+	const struct site *site = entry->site;
+	if (site->individual_feeds)
+		snprintf(
+		    sample, sizeof sample, " %g", site->run[tui_feed(t)].speed);
+	snprintf(
+	    text, sizeof text, "%s feed%s", ascii ? "." : "\u2508", sample);
+	int column = draw_name(t, 0, SERIES_FEED, 0, text);
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (!site_run_is_near(
+			site, r, t->tenths / 10.0, PLOTS_MEASURED))
 			continue;
-		snprintf(text, sizeof text, "%c %g", marks[shown % 3],
-		    entry->site->run[r].speed);
-		column = screen_series(area, 0, column + 2,
-		    (enum series)(SERIES_MEASURED_1 + shown % 3), 0, text);
-		shown++;
+		struct chart_series look = plots_look(shown++);
+		snprintf(
+		    text, sizeof text, "%c %g", look.mark, site->run[r].speed);
+		column = draw_name(t, column, look.series, 0, text);
 	}
 	if (t->now.site[0] == '\0')
 		return;
-	column = screen_series(area, 0, column + 2, SERIES_PREDICTED, LOOK_BOLD,
+	column = draw_name(t, column, SERIES_PREDICTED, LOOK_BOLD,
 	    ascii ? "# predicted" : "\u254C predicted");
 	if (t->page == PAGE_PREDICT && t->pin.site[0] != '\0')
-		column = screen_series(area, 0, column + 2, SERIES_OTHER, 0,
+		column = draw_name(t, column, SERIES_OTHER, 0,
 		    ascii ? "% kept" : "\u2501%\u2501 kept");
-	screen_series(area, 0, column + 2, SERIES_BREAK, 0,
+	draw_name(t, column, SERIES_BREAK, 0,
 	    ascii ? ": break size" : "\u250A break size");
 }
 

@@ -2,7 +2,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
+#include "base/text.h"
+#include "base/xalloc.h"
 #include "cmd/doubt.h"
 #include "cmd/fit.h"
 #include "io/units.h"
@@ -22,6 +25,24 @@ size_text(double mm, char text[static 24])
 		snprintf(text, 24, "none");
 	else
 		snprintf(text, 24, "%.2f mm", mm);
+	return text;
+}
+
+/* The same in four characters at most, where there is little room: a number cut
+ * by its end would be another. */
+static const char *
+short_size(double mm, char text[static 24])
+{
+	if (isnan(mm))
+		snprintf(text, 24, "off");
+	else if (isinf(mm))
+		snprintf(text, 24, "none");
+	else
+		snprintf(text, 24, "%.*f",
+		    mm < 9.995   ? 2
+		    : mm < 99.95 ? 1
+				 : 0,
+		    mm);
 	return text;
 }
 
@@ -201,10 +222,15 @@ draw_worth(const struct tui *t, int row)
 {
 	const struct area *side = &t->places.side;
 	const struct entry *entry = tui_entry(t);
-	if (entry->has_fit)
-		screen_text(side, row++, 0, 0, "fit %s, seed %llu",
-		    fit_verdict(&entry->fit),
+	if (entry->has_fit) {
+		const char *verdict = fit_verdict(&entry->fit);
+		char *words = xasprintf("fit %s, seed %llu", verdict,
 		    (unsigned long long)entry->fit.seed);
+		bool room = text_width(words) <= side->columns;
+		screen_text(side, row++, 0, 0, room ? "%s" : "fit %s",
+		    room ? words : verdict);
+		free(words);
+	}
 	if (isfinite(t->holdout))
 		screen_text(
 		    side, row, 0, 0, "hold-out %.1f points", t->holdout);
@@ -226,7 +252,7 @@ draw_p50_band(const struct tui *t, int row)
 }
 
 void
-pane_side(const struct tui *t)
+pane_side(struct tui *t)
 {
 	enum { PIN = 4, CROSS = 5, FRACTIONS = 3 };
 	const struct area *side = &t->places.side;
@@ -251,13 +277,15 @@ pane_side(const struct tui *t)
 	if (row + FRACTIONS + cross + pin <= side->rows)
 		row = draw_fractions(t, row, was);
 	row = draw_p50_band(t, row);
+	if (t->cross && row < side->rows)
+		t->cross_row = side->row + row;
 	row = draw_cross(t, row, side->rows - row - pin);
 	row = draw_pin(t, row);
 	draw_worth(t, row < side->rows - 2 ? side->rows - 2 : row);
 }
 
 void
-pane_numbers(const struct tui *t)
+pane_numbers(struct tui *t)
 {
 	const struct area *area = &t->places.numbers;
 	const struct prediction *p = &t->session->last;
@@ -268,20 +296,25 @@ pane_numbers(const struct tui *t)
 		screen_text(area, 0, 0, 0,
 		    area->columns < 21 ? "not predicted yet"
 				       : "nothing predicted yet");
-	else if (t->cross && t->cross_at < p->product.n)
+	else if (t->cross && t->cross_at < p->product.n) {
+		t->cross_row = area->row;
 		screen_text(area, 0, 0, LOOK_BOLD, "%g mm %.1f %%  %d %% %s",
 		    units_mm(p->product.size[t->cross_at]),
 		    100 * p->product.passing[t->cross_at], t->level,
 		    size_text(
 			1000 * psd_size(&p->product, t->level / 100.0), a));
-	else if (area->columns < 34)
-		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %.4s",
-		    size_text(t->now.size[1], a), size_text(t->now.size[2], b));
+	} else if (area->columns < 34)
+		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",
+		    short_size(t->now.size[1], b),
+		    short_size(t->now.size[2], c));
+	else if (area->columns < 60)
+		screen_text(area, 0, 0, LOOK_BOLD, "P20 %s P50 %s P80 %s mm",
+		    short_size(t->now.size[0], a),
+		    short_size(t->now.size[1], b),
+		    short_size(t->now.size[2], c));
 	else
 		screen_text(area, 0, 0, LOOK_BOLD,
-		    area->columns < 60 ? "P20 %.4s P50 %s P80 %.4s"
-				       : "P20 %s  P50 %s  P80 %s  breaks from "
-					 "%s",
+		    "P20 %s  P50 %s  P80 %s  breaks from %s",
 		    size_text(t->now.size[0], a), size_text(t->now.size[1], b),
 		    size_text(t->now.size[2], c),
 		    size_text(t->now.break_mm, d));

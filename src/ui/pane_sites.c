@@ -51,7 +51,8 @@ has_room(enum column column, int columns)
 	return taken <= columns;
 }
 
-/* "69 o74 79": o is held out, as on the slider's track. */
+/* "69 o74 79": o is held out, as on the slider's track; "8 runs" where there is
+ * no room for all. */
 static void
 runs_text(const struct entry *e, char *text, size_t n)
 {
@@ -65,6 +66,8 @@ runs_text(const struct entry *e, char *text, size_t n)
 		    at > 0 ? " " : "", e->train[r] ? "" : "o", run->speed);
 		at += more > 0 ? (size_t)more : 0;
 	}
+	if (at >= (size_t)TABLE[RUNS].width)
+		snprintf(text, n, "%zu runs", site_products(e->site));
 	if (text[0] == '\0')
 		snprintf(text, n, "feed only");
 }

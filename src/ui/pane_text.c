@@ -20,15 +20,6 @@ squeeze(char *line)
 	*to = '\0';
 }
 
-/* The text behind so many columns. */
-static const char *
-behind(const char *text, int columns)
-{
-	while (columns > 0 && *text != '\0')
-		columns -= text_columns(text_next(&text));
-	return text;
-}
-
 /* One line of the text.  Returns what of it there is no room for. */
 static char *
 draw_line(const struct tui *t, int row, const char *text, size_t n)
@@ -40,8 +31,11 @@ draw_line(const struct tui *t, int row, const char *text, size_t n)
 	char *line = xstrndup(text, n), *rest = NULL;
 	if (v->keys && body->columns < NARROW)
 		squeeze(line);
+	const char *shown = line;
+	for (int c = 0; c < v->left && *shown != '\0';)
+		c += text_columns(text_next(&shown));
 	screen_series(body, row, 0, SERIES_TEXT,
-	    chosen ? LOOK_REVERSE : LOOK_PLAIN, behind(line, v->left));
+	    chosen ? LOOK_REVERSE : LOOK_PLAIN, shown);
 	if (chosen && strlen(line) > (size_t)body->columns)
 		rest = xstrdup(line + body->columns);
 	free(line);
@@ -49,7 +43,7 @@ draw_line(const struct tui *t, int row, const char *text, size_t n)
 }
 
 void
-pane_text(const struct tui *t)
+pane_text(const struct tui *t, int *row, int *column)
 {
 	const struct area *body = &t->places.body;
 	const struct viewer *v = &t->viewer;
@@ -61,15 +55,19 @@ pane_text(const struct tui *t)
 		rest = cut != NULL ? cut : rest;
 		p += n + (p[n] == '\n');
 	}
-	bool more = v->lines - v->top > body->rows;
-	bool wide = !v->keys && v->columns - v->left > body->columns;
-	char *hints = xasprintf("%s%s%s", more ? "more below: Down  " : "",
-	    wide ? "more right: Right  " : "",
+	bool below = v->lines - v->top > body->rows,
+	     aside = !v->keys && v->columns - v->left > body->columns;
+	char *hints = xasprintf("%s%s%s", below ? "more below: Down  " : "",
+	    aside ? "more right: Right  " : "",
 	    v->keys ? "Esc goes back  / finds a word  Enter does it"
 		    : "any other key goes back");
-	if (v->filtering)
-		screen_text(&t->places.hints, 0, 0, LOOK_BOLD, "/%s", v->word);
-	else if (rest != NULL)
+	*row = body->row + (v->keys ? v->at - v->top : 0);
+	*column = 0;
+	if (v->filtering && t->places.hints.rows > 0) {
+		*row = t->places.hints.row;
+		*column = screen_text(
+		    &t->places.hints, 0, 0, LOOK_BOLD, "/%s", v->word);
+	} else if (rest != NULL)
 		screen_text(&t->places.hints, 0, 0, LOOK_REVERSE, "%s", rest);
 	else
 		pane_hints(&t->places.hints, LOOK_REVERSE, hints);

@@ -114,6 +114,19 @@ struct signals {
 	struct sigaction resize, stop, go_on;
 };
 
+/* The loop answers a stop; who is given the terminal is stopped with the
+ * program, as the shell waits for both. */
+static void
+answer_stop(bool in_loop)
+{
+	struct sigaction now,
+	    action = {.sa_handler = in_loop ? on_stop : SIG_DFL};
+	sigemptyset(&action.sa_mask);
+	sigaction(SIGTSTP, NULL, &now);
+	if (now.sa_handler != SIG_IGN)
+		sigaction(SIGTSTP, &action, NULL);
+}
+
 static void
 hold_signals(struct signals *was)
 {
@@ -122,10 +135,8 @@ hold_signals(struct signals *was)
 	pump_hold_signals(&let_in);
 	sigaction(SIGWINCH, &action, &was->resize);
 	sigaction(SIGCONT, &action, &was->go_on);
-	action.sa_handler = on_stop;
 	sigaction(SIGTSTP, NULL, &was->stop);
-	if (was->stop.sa_handler != SIG_IGN)
-		sigaction(SIGTSTP, &action, NULL);
+	answer_stop(true);
 }
 
 static void
@@ -161,6 +172,7 @@ void
 tui_step_aside(void)
 {
 	screen_leave();
+	answer_stop(false);
 	sigprocmask(SIG_SETMASK, &let_in, NULL);
 }
 
@@ -168,18 +180,21 @@ void
 tui_step_back(void)
 {
 	pump_hold_signals(NULL);
+	answer_stop(true);
 	pump_forget_interrupt();
 	screen_return();
 }
 
 static void
-stop_here(void)
+stop_here(struct tui *t)
 {
+	double left = session_clock();
 	stopping = 0;
 	screen_leave();
 	pump_suspend(&let_in);
 	pump_forget_interrupt();
 	screen_return();
+	t->started += session_clock() - left;
 }
 
 /* The rest of a sequence that the terminal's description does not have would be
@@ -244,7 +259,7 @@ loop(struct tui *t)
 		wait_for_something(t);
 		notice_end();
 		if (stopping)
-			stop_here();
+			stop_here(t);
 		if (resized)
 			screen_resize();
 		resized = 0;

@@ -26,9 +26,9 @@ struct numbers {
 	double speed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
 };
 
-/* Text on the whole screen: lines from `top` on, columns from `left` on, of as
- * many as there are.  text NULL: none.  keys: the list of keys, of those that
- * have the word; one of them, `at`, can be run. */
+/* Text on the whole screen: lines from `top` on, of these what is right of the
+ * column `left`.  text NULL: none.  keys: the list of keys, of those that have
+ * the word; one of them, `at`, can be run. */
 struct viewer {
 	char *text;
 	int top, lines, left, columns;
@@ -56,7 +56,8 @@ struct tui {
 	enum focus focus;
 	bool aside;     /* drawn without a terminal */
 	double clock;   /* s; a step with every key where it is drawn aside */
-	double started; /* the search, by that clock */
+	double started; /* the search or its last part, by that clock */
+	double ran;     /* s of its parts before */
 	int tenths;     /* of the slider */
 	double feed;    /* m/s of the run whose feed the slider keeps */
 	struct {
@@ -69,10 +70,11 @@ struct tui {
 	bool cross, band, mouse;
 	bool dragging;        /* the focus follows the mouse */
 	struct area scrubber; /* of no rows where it is not drawn */
-	size_t cross_at;      /* a sieve of the prediction */
-	int level;            /* passing that the crosshair reads sizes at, % */
-	size_t site_at;       /* of the Sites page */
-	size_t data_top;      /* first sieve shown on the Data page */
+	int cross_row;   /* of the screen, what the crosshair reads; -1: none */
+	size_t cross_at; /* a sieve of the prediction */
+	int level;       /* passing that the crosshair reads sizes at, % */
+	size_t site_at;  /* of the Sites page */
+	size_t data_top; /* first sieve shown on the Data page */
 	struct site_row *row; /* [n_row] of the Sites page, owned */
 	size_t n_row;
 	int rows_at; /* tenths they are of; 0: of another session */
@@ -113,6 +115,9 @@ struct plots_past tui_past(const struct tui *t);
  * that runs, those which follow are. */
 size_t tui_generation(const struct tui *t);
 void tui_look_at(struct tui *t, size_t generation);
+
+/* How long the search under way has run, s: pauses do not count. */
+double tui_searched(const struct tui *t);
 
 /* The site in use, or NULL. */
 const struct entry *tui_entry(const struct tui *t);

@@ -9,18 +9,19 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "ui/pane.h"
+#include "ui/screen.h"
 
-/* Counts the lines, and the columns of the widest. */
+/* How many lines there are, and columns of the widest one. */
 static void
 measure(struct viewer *v)
 {
 	for (const char *p = v->text; *p != '\0'; v->lines++) {
 		size_t n = strcspn(p, "\n");
 		char *line = xstrndup(p, n);
-		int width = text_width(line);
-		v->columns = width > v->columns ? width : v->columns;
-		p += n + (p[n] == '\n');
+		int columns = text_width(line);
+		v->columns = columns > v->columns ? columns : v->columns;
 		free(line);
+		p += n + (p[n] == '\n');
 	}
 }
 
@@ -37,6 +38,20 @@ view_text(struct tui *t, char *text)
 	view_close(t);
 	t->viewer = (struct viewer){.text = text};
 	measure(&t->viewer);
+}
+
+void
+view_message(struct tui *t)
+{
+	int rows, columns, lines = 1;
+	screen_size(&rows, &columns);
+	char *text = text_wrapped(t->message, columns > 2 ? columns - 2 : 1);
+	for (const char *p = text; *p != '\0'; p++)
+		lines += *p == '\n' && p[1] != '\0';
+	if (columns > 0 && lines > (rows > 5 ? 2 : 1))
+		view_text(t, text);
+	else
+		free(text);
 }
 
 void
@@ -80,40 +95,29 @@ filter(struct tui *t, int code, bool special)
 	return true;
 }
 
-static void
-scroll_by(struct tui *t, int by)
+static int
+within(int x, int least, int most)
+{
+	return x < least || most < least ? least : x > most ? most : x;
+}
+
+void
+view_fit(struct tui *t)
 {
 	struct viewer *v = &t->viewer;
 	int rows = t->places.body.rows > 1 ? t->places.body.rows : 1;
-	int last = v->lines - 1;
-	if (v->keys) {
-		v->at += by;
-		v->at = v->at > last ? last : v->at;
-		v->at = v->at < 0 ? 0 : v->at;
-		if (v->at >= v->top + rows)
-			v->top = v->at - rows + 1;
-		if (v->at < v->top)
-			v->top = v->at;
-		return;
-	}
-	v->top += by;
-	v->top = v->top > v->lines - rows ? v->lines - rows : v->top;
-	v->top = v->top < 0 ? 0 : v->top;
+	v->at = within(v->at, 0, v->lines - 1);
+	if (v->keys)
+		v->top = within(v->top, v->at - rows + 1, v->at);
+	v->top = within(v->top, 0, v->lines - rows);
+	v->left = within(v->left, 0, v->columns - t->places.body.columns);
 }
 
-/* Where lines are wider than the screen; the list of keys shows the rest of the
- * one that is chosen. */
-static bool
-shift_by(struct tui *t, int by)
+static void
+scroll_by(struct tui *t, int by)
 {
-	struct viewer *v = &t->viewer;
-	int last = v->columns - t->places.body.columns;
-	if (v->keys || last <= 0)
-		return false;
-	v->left += by;
-	v->left = v->left > last ? last : v->left;
-	v->left = v->left < 0 ? 0 : v->left;
-	return true;
+	*(t->viewer.keys ? &t->viewer.at : &t->viewer.top) += by;
+	view_fit(t);
 }
 
 const struct key *
@@ -128,9 +132,11 @@ view_key(struct tui *t, int code, bool special)
 		scroll_by(t, key->amount);
 		return NULL;
 	}
-	int aside = key != NULL && key->act == ACT_MOVE ? key->amount : 0;
-	if (aside != 0 && shift_by(t, aside * t->places.body.columns / 2))
+	if (key != NULL && key->act == ACT_MOVE && !v->keys) {
+		v->left += key->amount * (t->places.body.columns + 1) / 2;
+		view_fit(t);
 		return NULL;
+	}
 	if (special && (code == PANE_PAGE_DOWN || code == PANE_PAGE_UP)) {
 		scroll_by(t, code == PANE_PAGE_DOWN ? page : -page);
 		return NULL;

@@ -8,12 +8,19 @@
 /* Shows text, which it takes. */
 void view_text(struct tui *t, char *text);
 
+/* Shows the message where the two rows there are for it, on a small screen one,
+ * do not hold it: an error is no use cut short. */
+void view_message(struct tui *t);
+
 /* Shows the keys whose line has the word. */
 void view_keys(struct tui *t, const char *word);
 
 /* Takes a key: scrolls, filters, or closes.  Returns the key to act on, or
  * NULL. */
 const struct key *view_key(struct tui *t, int code, bool special);
+
+/* Scrolls as far as the body of the frame wants: the size may be another. */
+void view_fit(struct tui *t);
 
 void view_close(struct tui *t);
 

@@ -1,6 +1,7 @@
 /* What keys do on the full screen, and in a line that is typed there.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <fcntl.h>
+#include <signal.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -8,6 +9,7 @@
 
 #include "base/text.h"
 #include "ui/act.h"
+#include "ui/conduct.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
 #include "ui/tui_state.h"
@@ -106,6 +108,178 @@ a_word_too_long_to_find_does_nothing_else(void **state)
 	assert_false(t->leave);
 }
 
+/* A key by its name. */
+static void
+press(struct tui *t, const char *name)
+{
+	int code = 0;
+	assert_true(keys_code(name, &code));
+	act_key(t, code, code > 255);
+}
+
+/* Enter would do what cannot be seen. */
+static void
+a_smaller_screen_shows_the_key_under_the_cursor(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	const struct viewer *v = &t->viewer;
+	type(t, "?");
+	pane_draw(t);
+	for (int i = 0; i < 18; i++)
+		press(t, "Down");
+	struct display *was = screen_aside(6, 60, CHARSET_ASCII, 0);
+	pane_draw(t);
+	canvas_free(screen_back(was));
+	assert_int_equal(v->at, 18);
+	assert_in_range(v->at - v->top, 0, t->places.body.rows - 1);
+	assert_in_range(v->top, 1, 18);
+	pane_draw(t);
+	type(t, "\033:help predict\n");
+	pane_draw(t);
+	press(t, "PgDn");
+	press(t, "PgDn");
+	assert_in_range(v->top, 1, v->lines);
+	was = screen_aside(100, 80, CHARSET_ASCII, 0);
+	pane_draw(t);
+	canvas_free(screen_back(was));
+	assert_int_equal(v->top, 0);
+}
+
+static void
+text_wider_than_the_screen_is_read_to_its_end(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	type(t, ":help predict\n");
+	struct display *was = screen_aside(12, 30, CHARSET_ASCII, 0);
+	pane_draw(t);
+	for (int i = 0; i < 9; i++)
+		press(t, "Right");
+	pane_draw(t);
+	assert_non_null(t->viewer.text);
+	assert_in_range(t->viewer.left, 30, 50);
+	for (int i = 0; i < 9; i++)
+		press(t, "Left");
+	pane_draw(t);
+	assert_int_equal(t->viewer.left, 0);
+	canvas_free(screen_back(was));
+	type(t, "x");
+	assert_null(t->viewer.text);
+	assert_int_equal(t->pin.site[0], '\0');
+}
+
+/* Else a pause would count as slow work, and what is taken up again as quick. */
+static void
+a_pause_is_no_part_of_the_search(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	type(t, ":load data/sites/tierp.csv\n");
+	t->clock = 100;
+	type(t, "f");
+	t->clock = 103;
+	conduct_pump(t);
+	type(t, " ");
+	t->clock = 160;
+	assert_float_equal(tui_searched(t), 3, 1e-9);
+	type(t, " ");
+	t->clock = 161;
+	assert_float_equal(tui_searched(t), 4, 1e-9);
+	type(t, "s");
+	t->clock = 200;
+	type(t, " ");
+	assert_true(session_busy(t->session));
+	t->clock = 202;
+	assert_float_equal(tui_searched(t), 6, 1e-9);
+	type(t, "f");
+	assert_float_equal(tui_searched(t), 0, 1e-9);
+}
+
+static void
+the_scrubber_has_the_keys_of_the_slider(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	desk_expect(((struct stage *)*state)->desk,
+	    "load data/sites/tierp.csv; calibrate");
+	type(t, "2\t");
+	size_t n = tui_past(t).n;
+	int tenths = t->tenths;
+	assert_int_equal(t->focus, FOCUS_GENERATION);
+	press(t, "Home");
+	assert_int_equal(tui_generation(t), 1);
+	press(t, "L");
+	assert_int_equal(tui_generation(t), 11);
+	press(t, "PgUp");
+	assert_int_equal(tui_generation(t), n < 61 ? n : 61);
+	press(t, "End");
+	assert_int_equal(tui_generation(t), n);
+	press(t, "H");
+	assert_int_equal(tui_generation(t), n - 10);
+	assert_int_equal(t->tenths, tenths);
+	type(t, "\t");
+	press(t, "Home");
+	assert_int_equal(tui_generation(t), n - 10);
+	assert_int_equal(t->tenths, tui_range(t).least);
+}
+
+/* In words what is to be seen, and not something else. */
+static void
+d_tells_the_picture_of_the_page(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	desk_expect(((struct stage *)*state)->desk,
+	    "load data/sites/tierp.csv; calibrate; predict speed=74");
+	type(t, "d");
+	assert_string_equal(t->command, "describe psd speed=74.0");
+	type(t, "\0334d");
+	assert_string_equal(t->command, "describe parity");
+	type(t, "\0332d");
+	assert_string_equal(t->command, "describe psd speed=74.0");
+	type(t, "\033vd");
+	assert_string_equal(t->command, "describe convergence");
+	type(t, "\033vd");
+	assert_string_equal(t->command, "describe spread");
+	type(t, "\0331");
+	conduct_predict(t);
+	type(t, "cbx");
+	type(t, "76\n");
+	conduct_predict(t);
+	type(t, "d");
+	assert_string_equal(t->command,
+	    "describe psd speed=76.0 beside=tierp other=74.0 band=on at=5.6 "
+	    "level=50");
+	assert_non_null(t->viewer.text);
+	assert_non_null(strstr(t->viewer.text, "crosshair at 5.6 mm"));
+}
+
+static volatile sig_atomic_t stops;
+
+static void
+on_stop(int signal)
+{
+	stops += signal == SIGTSTP;
+}
+
+static void
+control_z_stops_wherever_it_is_typed(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	struct sigaction action = {.sa_handler = on_stop}, was;
+	sigemptyset(&action.sa_mask);
+	sigaction(SIGTSTP, &action, &was);
+	type(t, ":help\032");
+	assert_int_equal(stops, 1);
+	assert_string_equal(t->typing.text, "help");
+	type(t, "\n\032");
+	assert_int_equal(stops, 2);
+	assert_non_null(t->viewer.text);
+	type(t, "\03371\032");
+	assert_int_equal(stops, 3);
+	assert_string_equal(t->digits, "71");
+	type(t, "\033?/by\032");
+	assert_int_equal(stops, 4);
+	assert_string_equal(t->viewer.word, "by");
+	sigaction(SIGTSTP, &was, NULL);
+}
+
 int
 main(void)
 {
@@ -119,6 +293,22 @@ main(void)
 	    cmocka_unit_test_setup_teardown(
 		a_word_too_long_to_find_does_nothing_else, stage_open,
 		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		a_smaller_screen_shows_the_key_under_the_cursor, stage_open,
+		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		text_wider_than_the_screen_is_read_to_its_end, stage_open,
+		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		a_pause_is_no_part_of_the_search, stage_open, stage_close),
+	    cmocka_unit_test_setup_teardown(
+		the_scrubber_has_the_keys_of_the_slider, stage_open,
+		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		d_tells_the_picture_of_the_page, stage_open, stage_close),
+	    cmocka_unit_test_setup_teardown(
+		control_z_stops_wherever_it_is_typed, stage_open, stage_close),
 	};
+	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -108,18 +108,33 @@ the_range_holds_the_runs_of_the_site(void **state)
 	char text[64];
 	slider_draw(text, 27, range, 740, marks, 2);
 	assert_string_equal(text, "|62.4----[74.0]-----------|");
-	/* All at the speeds of a slow mill: 65 to 85 are no use to it. */
-	runs[0].speed = 6.5;
-	runs[1].speed = 9.8;
-	range = slider_range(&site);
-	assert_int_equal(range.least, 50);
-	assert_int_equal(range.most, 110);
 	runs[0].speed = 0; /* a feed for any speed */
 	runs[1].speed = 74;
 	range = slider_range(&site);
 	assert_int_equal(range.least, SLIDER_LEAST);
 	assert_int_equal(range.most, SLIDER_MOST);
 	range = slider_range(NULL);
+	assert_int_equal(range.most, SLIDER_MOST);
+}
+
+/* A mill that runs at a tenth of the speed: of a track up to 85 m/s its runs
+ * would have three columns. */
+static void
+a_slow_machine_has_a_track_of_its_own(void **state)
+{
+	(void)state;
+	struct run runs[] = {{.speed = 6.5}, {.speed = 8.2}, {.speed = 9.8}};
+	struct site site = {.run = runs, .n_run = 3};
+	struct slider_range range = slider_range(&site);
+	assert_int_equal(range.least, 40);
+	assert_int_equal(range.most, 120);
+	site.n_run = 1;
+	range = slider_range(&site);
+	assert_true(range.least >= 10 && range.least < 65);
+	assert_true(range.most > 65 && range.most <= 140);
+	runs[0].speed = 40; /* slow for such a crusher, but one */
+	range = slider_range(&site);
+	assert_int_equal(range.least, 400);
 	assert_int_equal(range.most, SLIDER_MOST);
 }
 
@@ -147,6 +162,7 @@ main(void)
 	    cmocka_unit_test(a_column_and_its_value_agree),
 	    cmocka_unit_test(the_track_shows_zones_runs_and_value),
 	    cmocka_unit_test(the_range_holds_the_runs_of_the_site),
+	    cmocka_unit_test(a_slow_machine_has_a_track_of_its_own),
 	    cmocka_unit_test(any_width_is_drawn),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
