@@ -38,9 +38,8 @@ answers_known(
 {
 	if (entry->has_params)
 		return fit_settings_agree(&s->set.model, error);
-	error_set(
-	    error, ERROR_USAGE, "%s has no parameters yet", entry->site->name);
-	return error_hint(error,
+	return error_set(error, ERROR_USAGE, "%s has no parameters yet\n%s",
+	    entry->site->name,
 	    site_products(entry->site) > 0
 		? "'calibrate' finds them; 'recall' or 'params set' "
 		  "takes known ones"
@@ -76,9 +75,9 @@ answers_feed(const struct site *site, const struct args *args, double speed,
 	*run = site_run_at(site, feed->number);
 	if (*run < site->n_run)
 		return true;
-	error_set(error, ERROR_USAGE, "%s has no feed sampled at %g m/s",
+	return error_set(error, ERROR_USAGE,
+	    "%s has no feed sampled at %g m/s\n'show feed' lists the feeds",
 	    site->name, feed->number);
-	return error_hint(error, "'show feed' lists the feeds");
 }
 
 bool

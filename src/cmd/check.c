@@ -344,7 +344,7 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	session_report(s, r);
 	if (ok)
 		return true;
-	error_set(error, ERROR_CHECK, "check found faults in the sheet");
-	return error_hint(
-	    error, "correct the sheet where it was saved, and load it again");
+	return error_set(error, ERROR_CHECK,
+	    "check found faults in the sheet\n"
+	    "correct the sheet where it was saved, and load it again");
 }

@@ -20,11 +20,11 @@ bool
 data_load(struct session *s, const char *path, const char *digest,
     struct error *error)
 {
-	if (text_ends(path, ".tip")) {
-		error_set(error, ERROR_USAGE,
-		    "%s is a script by its name, not a sheet", path);
-		return error_hint(error, "run it: source %s", path);
-	}
+	if (text_ends(path, ".tip"))
+		return error_set(error, ERROR_USAGE,
+		    "%s is a script by its name, not a sheet\n"
+		    "run it: source %s",
+		    path, path);
 	if (!session_load(s, path, digest, error))
 		return false;
 	const struct entry *entry = session_entry(s);
@@ -197,11 +197,10 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 		made++;
 	}
 	materials_free(m);
-	if (made == 0) {
-		error_set(error, ERROR_USAGE, "%s has no site '%s'",
+	if (made == 0)
+		return error_set(error, ERROR_USAGE,
+		    "%s has no site '%s'\nits column site has the names",
 		    args->operand[0], wanted->text);
-		return error_hint(error, "its column site has the names");
-	}
 	session_note(s, "made %zu site%s: not measured at a plant", made,
 	    made == 1 ? "" : "s");
 	return true;
@@ -223,8 +222,8 @@ data_may_write(const struct args *args, const char *path, struct error *error)
 	struct stat info;
 	if (args_value(args, "replace")->choice == 1 || stat(path, &info) != 0)
 		return true;
-	error_set(error, ERROR_USAGE, "%s is there already", path);
-	return error_hint(error, "replace=on writes over it");
+	return error_set(error, ERROR_USAGE,
+	    "%s is there already\nreplace=on writes over it", path);
 }
 
 static bool

@@ -79,12 +79,11 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 		wish->passing = PASSING[i];
 		wish->x = args_value(args, NAMES[i])->number / 1000;
 	}
-	if (!psd_covers(feed, wish->x)) {
-		error_set(error, ERROR_USAGE,
-		    "%g mm is finer than the feed's finest sieve, %g mm",
+	if (!psd_covers(feed, wish->x))
+		return error_set(error, ERROR_USAGE,
+		    "%g mm is finer than the feed's finest sieve, %g mm\n"
+		    "nothing is known of what is finer",
 		    1000 * wish->x, units_mm(feed->size[feed->n - 1]));
-		return error_hint(error, "nothing is known of what is finer");
-	}
 	struct prediction p = answers_predict(s, entry, wish->from, wish->feed);
 	wish->inverse = inverse_new(feed,
 	    wish->key != NULL ? p.product.size : &wish->x,

@@ -63,11 +63,10 @@ find_wanted(const struct site *site, const struct args *args,
 	    .top_size = top->given ? top->number / 1000 : site->top_size};
 	if (wanted->rock[0] != '\0' || wanted->top_size > 0)
 		return true;
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    "guess wants a rock or a top size, and the sheet of %s states "
-	    "neither",
+	    "neither\nguess rock=granite top=11.2",
 	    site->name);
-	return error_hint(error, "guess rock=granite top=11.2");
 }
 
 /* Of Table 3 alone, so that it is the same for everyone. */

@@ -74,12 +74,11 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
 	const struct history *h = entry->history;
-	if (h == NULL || h->n == 0) {
-		error_set(error, ERROR_USAGE,
-		    "%s has not been calibrated in this session",
+	if (h == NULL || h->n == 0)
+		return error_set(error, ERROR_USAGE,
+		    "%s has not been calibrated in this session\n"
+		    "calibrate it first",
 		    entry->site->name);
-		return error_hint(error, "calibrate it first");
-	}
 	const struct value *every = args_value(args, "every");
 	size_t step =
 	    every->given ? (size_t)every->whole : (h->n + ROWS - 1) / ROWS;

@@ -113,10 +113,11 @@ static bool
 unknown(const char *name, struct error *error)
 {
 	const char *near = command_nearest(name);
-	error_set(error, ERROR_USAGE, "there is no command '%s'", name);
-	if (near != NULL)
-		return error_hint(error, "did you mean '%s'?", near);
-	return error_hint(error, "apropos %s searches all help", name);
+	return error_set(error, ERROR_USAGE,
+	    near != NULL
+		? "there is no command '%s'\ndid you mean '%s'?"
+		: "there is no command '%s'\napropos %s searches all help",
+	    name, near != NULL ? near : name);
 }
 
 bool
@@ -183,9 +184,9 @@ cmd_apropos(struct session *s, const struct args *args, struct error *error)
 	free(folded);
 	if (found > 0)
 		return true;
-	error_set(
-	    error, ERROR_USAGE, "no help speaks of '%s'", args->operand[0]);
-	return error_hint(error, "'help' lists the commands");
+	return error_set(error, ERROR_USAGE,
+	    "no help speaks of '%s'\n'help' lists the commands",
+	    args->operand[0]);
 }
 
 bool

@@ -212,8 +212,8 @@ write_log(struct session *s)
 	struct error error = {0};
 	if (fflush(log) == 0 && !ferror(log))
 		return;
-	error_set(&error, ERROR_SYSTEM, "the log could not be written");
-	error_hint(&error, "is the disk full?");
+	error_set(&error, ERROR_SYSTEM,
+	    "the log could not be written\nis the disk full?");
 	turn_failed(s, &error);
 }
 
@@ -321,9 +321,10 @@ need_paused(const struct session *s, const char *name, struct error *error)
 {
 	if (s->job.calibration != NULL && s->job.paused)
 		return true;
-	error_set(error, ERROR_USAGE, "%s: no calibration was stopped", name);
-	return error_hint(
-	    error, "^C or pause= stops a calibration and keeps it");
+	return error_set(error, ERROR_USAGE,
+	    "%s: no calibration was stopped\n"
+	    "^C or pause= stops a calibration and keeps it",
+	    name);
 }
 
 /* On within the session's bounds, where these are others than it began with. */

@@ -240,11 +240,10 @@ can_be_saved(const struct journal *j, struct error *error)
 		if (text_is_utf8(j->line[i], strlen(j->line[i])) &&
 		    strpbrk(j->line[i], "\r\n") == NULL)
 			continue;
-		error_set(error, ERROR_DATA,
-		    "a script cannot say '%.200s': a name in it is no UTF-8 "
-		    "or has a line break",
+		return error_set(error, ERROR_DATA,
+		    "a script cannot say '%.200s': a name in it is no UTF-8 or "
+		    "has a line break\nrename the file, and load it again",
 		    j->line[i]);
-		return error_hint(error, "rename the file, and load it again");
 	}
 	return true;
 }
@@ -253,13 +252,11 @@ bool
 cmd_save(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
-	if (!text_ends(path, ".tip")) {
-		error_set(error, ERROR_USAGE,
-		    "save writes a script, and '%s' does not end in .tip",
+	if (!text_ends(path, ".tip"))
+		return error_set(error, ERROR_USAGE,
+		    "save writes a script, and '%s' does not end in .tip\n"
+		    "results are saved with > FILE, sheets with write",
 		    path);
-		return error_hint(
-		    error, "results are saved with > FILE, sheets with write");
-	}
 	if (!data_may_write(args, path, error) ||
 	    !can_be_saved(s->journal, error) ||
 	    !replace_file(path, put_script, s, error))

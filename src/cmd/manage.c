@@ -88,11 +88,10 @@ bool
 cmd_tui(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO)) {
-		error_set(error, ERROR_USAGE,
-		    "tui wants a terminal for input and output");
-		return error_hint(error, "'predict' answers without one");
-	}
+	if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO))
+		return error_set(error, ERROR_USAGE,
+		    "tui wants a terminal for input and output\n"
+		    "'predict' answers without one");
 	s->wants_tui = true;
 	return true;
 }

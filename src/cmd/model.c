@@ -86,18 +86,18 @@ other_site(struct session *s, const struct args *args, struct error *error)
 {
 	size_t at;
 	if (args->n_operand < 2) {
-		error_set(error, ERROR_USAGE, "params %s wants a loaded site",
+		error_set(error, ERROR_USAGE,
+		    "params %s wants a loaded site\n'sites' lists them",
 		    args->operand[0]);
-		error_hint(error, "'sites' lists them");
 		return NULL;
 	}
 	if (!session_find(s, args->operand[1], &at, error))
 		return NULL;
 	if (s->entry[at].has_params)
 		return &s->entry[at];
-	error_set(error, ERROR_USAGE, "%s has no parameters yet",
+	error_set(error, ERROR_USAGE,
+	    "%s has no parameters yet\ncalibrate it first, or set them there",
 	    s->entry[at].site->name);
-	error_hint(error, "calibrate it first, or set them there");
 	return NULL;
 }
 
@@ -180,10 +180,10 @@ cmd_params(struct session *s, const struct args *args, struct error *error)
 	for (size_t j = 0; j < PARAM_COUNT && !VERBS[i].values; j++) {
 		if (!args->value[j].given)
 			continue;
-		error_set(error, ERROR_USAGE,
-		    "params %s takes no values; to change %s it wants set",
-		    verb, PARAMS[j].name);
-		return error_hint(error, "params set %s=..", PARAMS[j].name);
+		return error_set(error, ERROR_USAGE,
+		    "params %s takes no values; to change %s it wants set\n"
+		    "params set %s=..",
+		    verb, PARAMS[j].name, PARAMS[j].name);
 	}
 	return VERBS[i].run(s, args, error);
 }
@@ -236,12 +236,11 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 		return true;
 	}
 	size_t j = params_find(args->operand[0]);
-	if (j == PARAM_COUNT) {
-		error_set(error, ERROR_USAGE, "there is no parameter '%s'",
+	if (j == PARAM_COUNT)
+		return error_set(error, ERROR_USAGE,
+		    "there is no parameter '%s'\n"
+		    "beta1 beta2 beta3 beta4 f_mat e0_min alpha, or default",
 		    args->operand[0]);
-		return error_hint(error,
-		    "beta1 beta2 beta3 beta4 f_mat e0_min alpha, or default");
-	}
 	if (args->n_operand < 2)
 		return error_set(error, ERROR_USAGE,
 		    "bounds %s wants a range a..b, or one value to hold it "

@@ -18,11 +18,10 @@ read_request(
     const struct args *args, struct plot_request *request, struct error *error)
 {
 	size_t kind;
-	if (!text_choice(PLOT_KINDS, args->operand[0], &kind)) {
-		error_set(error, ERROR_USAGE, "there is no plot '%s'",
-		    args->operand[0]);
-		return error_hint(error, "the plots are: %s", PLOT_KINDS);
-	}
+	if (!text_choice(PLOT_KINDS, args->operand[0], &kind))
+		return error_set(error, ERROR_USAGE,
+		    "there is no plot '%s'\nthe plots are: %s",
+		    args->operand[0], PLOT_KINDS);
 	*request = plots_request((enum plot_kind)kind);
 	const struct value *speed = args_value(args, "speed");
 	const struct value *other = args_value(args, "other");
@@ -138,9 +137,9 @@ print_chart(struct session *s, const struct args *args,
 static bool
 cannot_draw(const struct session *s, struct error *error)
 {
-	error_set(
-	    error, ERROR_SYSTEM, "the picture %s cannot be drawn", s->file);
-	return error_hint(error, "try a smaller one, or .svg");
+	return error_set(error, ERROR_SYSTEM,
+	    "the picture %s cannot be drawn\ntry a smaller one, or .svg",
+	    s->file);
 }
 
 static struct screen_request

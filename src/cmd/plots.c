@@ -50,9 +50,9 @@ plots_generation(const struct session *s, const struct plot_request *request,
 {
 	if (past->n == 0) {
 		error_set(error, ERROR_USAGE,
-		    "%s has not been calibrated in this session",
+		    "%s has not been calibrated in this session\n"
+		    "calibrate it first",
 		    s->entry[s->current].site->name);
-		error_hint(error, "calibrate it first");
 		return past->n;
 	}
 	if (request->generation <= past->n)

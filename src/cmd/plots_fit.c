@@ -215,9 +215,8 @@ plots_parity(
 	} else {
 		error_set(error, ERROR_USAGE,
 		    "no loaded site has both parameters and a product at a "
-		    "speed held out");
-		error_hint(error, "load sites with three speeds, then "
-				  "calibrate all");
+		    "speed held out\n"
+		    "load sites with three speeds, then calibrate all");
 	}
 	free(pairs.about);
 	free(pairs.measured);

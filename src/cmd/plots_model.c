@@ -79,9 +79,8 @@ plots_appearance(
 		return NULL;
 	if (s->set.model.appearance != APPEARANCE_RATIO) {
 		error_set(error, ERROR_USAGE,
-		    "only the appearance of the form ratio can be drawn");
-		error_hint(error, "'show appearance' prints the matrix of any "
-				  "form");
+		    "only the appearance of the form ratio can be drawn\n"
+		    "'show appearance' prints the matrix of any form");
 		return NULL;
 	}
 	struct appearance a = appearance_of(params.beta);

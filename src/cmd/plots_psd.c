@@ -343,10 +343,10 @@ plots_sweep(
 	if (!plots_params(s, q, &params, error))
 		return NULL;
 	if (n > ARRAY_LEN(c.prediction)) {
-		error_set(
-		    error, ERROR_USAGE, "%zu speeds are too many to draw", n);
-		error_hint(error, "up to %zu can be told apart",
-		    ARRAY_LEN(c.prediction));
+		error_set(error, ERROR_USAGE,
+		    "%zu speeds are too many to draw\n"
+		    "up to %zu can be told apart",
+		    n, ARRAY_LEN(c.prediction));
 		return NULL;
 	}
 	size_t feed = site_run_nearest(site, answers_middle(site));

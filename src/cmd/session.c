@@ -133,9 +133,10 @@ session_need_site(
 {
 	if (s->n_entry > 0)
 		return true;
-	error_set(
-	    error, ERROR_USAGE, "%s needs a site, and none is loaded", what);
-	return error_hint(error, "load its sieve sheet first: load FILE");
+	return error_set(error, ERROR_USAGE,
+	    "%s needs a site, and none is loaded\n"
+	    "load its sieve sheet first: load FILE",
+	    what);
 }
 
 static bool

@@ -130,11 +130,10 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 	size_t i = 0;
 	while (i < ARRAY_LEN(WHAT) && strcmp(what, WHAT[i].name) != 0)
 		i++;
-	if (i == ARRAY_LEN(WHAT)) {
-		error_set(error, ERROR_USAGE, "there is no '%s' to show", what);
-		return error_hint(
-		    error, "show %s", args->command->operands.usage);
-	}
+	if (i == ARRAY_LEN(WHAT))
+		return error_set(error, ERROR_USAGE,
+		    "there is no '%s' to show\nshow %s", what,
+		    args->command->operands.usage);
 	if (args_value(args, "speed")->given && !WHAT[i].at_speed)
 		return error_set(error, ERROR_USAGE,
 		    "show %s takes no speed: it is the same at all", what);

@@ -31,7 +31,6 @@ store_find_material(const struct stored_list *list, const char *name,
 	}
 	if (*found != NULL)
 		return true;
-	error_set(error, ERROR_USAGE, "the store has no material '%s'", name);
 	size_t best = 0, least = 3;
 	for (size_t i = 0; i < list->n; i++) {
 		const char *own = list->item[i].name;
@@ -42,9 +41,11 @@ store_find_material(const struct stored_list *list, const char *name,
 			least = d;
 		}
 	}
-	return error_hint(error,
-	    least < 3 ? "did you mean '%s'?" : "'materials' lists them%.0s",
-	    least < 3 ? list->item[best].name : "");
+	return error_set(error, ERROR_USAGE,
+	    least < 3
+		? "the store has no material '%s'\ndid you mean '%s'?"
+		: "the store has no material '%s'\n'materials' lists them%.0s",
+	    name, least < 3 ? list->item[best].name : "");
 }
 
 static void
@@ -107,19 +108,16 @@ check_remember(
 {
 	const struct value *date = args_value(args, "date");
 	const struct value *note = args_value(args, "note");
-	if (!entry->has_params) {
-		error_set(error, ERROR_USAGE,
-		    "%s has no parameters to remember yet", entry->site->name);
-		return error_hint(error,
-		    "'calibrate' finds them, or 'params set' takes known ones");
-	}
-	if (entry->recalled[0] != '\0') {
-		error_set(error, ERROR_USAGE,
-		    "%s has the parameters of %s, which the store has already",
+	if (!entry->has_params)
+		return error_set(error, ERROR_USAGE,
+		    "%s has no parameters to remember yet\n"
+		    "'calibrate' finds them, or 'params set' takes known ones",
+		    entry->site->name);
+	if (entry->recalled[0] != '\0')
+		return error_set(error, ERROR_USAGE,
+		    "%s has the parameters of %s, which the store has already\n"
+		    "'calibrate' finds the site's own parameters",
 		    entry->site->name, entry->recalled);
-		return error_hint(
-		    error, "'calibrate' finds the site's own parameters");
-	}
 	if (date->given && !stored_is_date(date->text))
 		return error_set(error, ERROR_USAGE,
 		    "date wants a day such as 2026-11-21, not '%s'",
@@ -212,12 +210,10 @@ check_recalled(struct session *s, const struct args *args,
 		turn_adds(s, "digest", found);
 	if (!wanted->given || strcmp(wanted->text, found) == 0)
 		return true;
-	error_set(error, ERROR_DATA,
+	return error_set(error, ERROR_DATA,
 	    "the material with digest %s was wanted, %s has %s: it is another "
-	    "now",
+	    "now\nwithout digest= it is taken as it is; results change",
 	    wanted->text, m->name, found);
-	return error_hint(
-	    error, "without digest= it is taken as it is; results change");
 }
 
 bool
@@ -279,12 +275,11 @@ cmd_forget(struct session *s, const struct args *args, struct error *error)
 {
 	const char *name = args->operand[0];
 	struct stored_list list = {0};
-	if (stored_is_table3_name(name)) {
-		error_set(error, ERROR_USAGE,
-		    "%s is part of the program and cannot be forgotten", name);
-		return error_hint(
-		    error, "'materials origin=own' lists what can");
-	}
+	if (stored_is_table3_name(name))
+		return error_set(error, ERROR_USAGE,
+		    "%s is part of the program and cannot be forgotten\n"
+		    "'materials origin=own' lists what can",
+		    name);
 	/* A row that is damaged cannot be listed, but can be taken out. */
 	bool listed = store_list(s->store, &list, NULL);
 	const struct stored *m = listed ? stored_find(&list, name) : NULL;

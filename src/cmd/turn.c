@@ -75,16 +75,15 @@ can_take(const struct command *command, const struct words *words,
 	enum picture_form form;
 	if (words->to == TO_PIPE || !picture_form_of(words->target, &form))
 		return true;
-	if (!(command->flags & COMMAND_DRAWS)) {
-		error_set(error, ERROR_USAGE, "%s draws nothing for %s",
+	if (!(command->flags & COMMAND_DRAWS))
+		return error_set(error, ERROR_USAGE,
+		    "%s draws nothing for %s\nplot KIND > FILE makes a picture",
 		    command->name, words->target);
-		return error_hint(error, "plot KIND > FILE makes a picture");
-	}
 	if (words->to == TO_FILE)
 		return true;
-	error_set(error, ERROR_USAGE, "a picture cannot be added to %s",
+	return error_set(error, ERROR_USAGE,
+	    "a picture cannot be added to %s\nuse > in the place of >>",
 	    words->target);
-	return error_hint(error, "use > in the place of >>");
 }
 
 bool

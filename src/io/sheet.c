@@ -32,45 +32,55 @@ later(const struct error *a, const struct error *b)
 	       (a->line == b->line && a->column > b->column);
 }
 
-struct error *
+/* Where the next fault goes, among those of the same file. */
+static struct error *
+place(struct sheet *sheet, const struct error *e)
+{
+	struct error_list *list = sheet->errors;
+	struct error *slot = error_add(list);
+	size_t i = list->n - 1;
+	sheet->n_fault++;
+	if (list->more > 0 && !later(&list->item[i], e))
+		return slot;
+	for (; i > 0 && later(&list->item[i - 1], e); i--)
+		list->item[i] = list->item[i - 1];
+	return &list->item[i];
+}
+
+bool
 sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 {
 	struct error e;
 	va_list ap;
 	va_start(ap, format);
-	char text[sizeof e.text];
-	vsnprintf(text, sizeof text, format, ap);
+	error_say(
+	    &e, ERROR_DATA, sheet->path, where.line, where.column, format, ap);
 	va_end(ap);
-	error_at(
-	    &e, ERROR_DATA, sheet->path, where.line, where.column, "%s", text);
-	sheet->n_fault++;
-	struct error_list *list = sheet->errors;
-	struct error *slot = error_add(list);
-	size_t i = list->n - 1;
-	bool full = list->more > 0;
-	if (full && !later(&list->item[i], &e)) {
-		*slot = e;
-		return slot;
-	}
-	for (; i > 0 && later(&list->item[i - 1], &e); i--)
-		list->item[i] = list->item[i - 1];
-	list->item[i] = e;
-	return &list->item[i];
+	*place(sheet, &e) = e;
+	return false;
 }
 
-struct error *
-sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted)
+bool
+sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
+    const char *hint, ...)
 {
-	if (found.text[0] == '\0')
-		return sheet_fault(
-		    sheet, found, "%s was wanted, found an empty cell", wanted);
+	va_list ap;
+	va_start(ap, hint);
+	char *step = hint != NULL ? xvasprintf(hint, ap) : xstrdup("");
+	va_end(ap);
 	size_t n = strlen(found.text);
 	bool cut = n > SHOWN;
 	/* A cut never falls inside a character. */
 	for (n = cut ? SHOWN : n; cut && (found.text[n] & 0xC0) == 0x80; n--)
 		;
-	return sheet_fault(sheet, found, "%s was wanted, found '%.*s%s'",
-	    wanted, (int)n, found.text, cut ? "..." : "");
+	if (n == 0)
+		sheet_fault(sheet, found,
+		    "%s was wanted, found an empty cell\n%s", wanted, step);
+	else
+		sheet_fault(sheet, found, "%s was wanted, found '%.*s%s'\n%s",
+		    wanted, (int)n, found.text, cut ? "..." : "", step);
+	free(step);
+	return false;
 }
 
 struct cell
@@ -123,11 +133,9 @@ bool
 sheet_number(
     struct sheet *sheet, struct cell cell, const char *wanted, double *value)
 {
-	if (!sheet_value(sheet, cell, value)) {
-		error_hint(sheet_wanted(sheet, cell, wanted), "%s",
-		    number_hint(sheet, cell.text));
-		return false;
-	}
+	if (!sheet_value(sheet, cell, value))
+		return sheet_wanted(
+		    sheet, cell, wanted, "%s", number_hint(sheet, cell.text));
 	const char *comma = strchr(cell.text, ',');
 	const char *point = strchr(cell.text, '.');
 	char sign = comma != NULL ? ',' : point != NULL ? '.' : '\0';
@@ -136,11 +144,10 @@ sheet_number(
 	if (sign == '\0' || sign == sheet->decimal || sheet->mixed)
 		return true;
 	sheet->mixed = true;
-	error_hint(sheet_fault(sheet, cell,
-		       "a decimal %s as above was wanted, found %s",
-		       sign == ',' ? "point" : "comma", cell.text),
-	    "use one decimal sign, and no separator for thousands");
-	return false;
+	return sheet_fault(sheet, cell,
+	    "a decimal %s as above was wanted, found %s\n"
+	    "use one decimal sign, and no separator for thousands",
+	    sign == ',' ? "point" : "comma", cell.text);
 }
 
 /* A place in a line of text; column counts characters. */
@@ -188,22 +195,20 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 {
 	struct cell start = {NULL, line, c->column};
 	bool quoted = *c->p == '"';
-	if (quoted && !skip_quoted(c)) {
-		error_hint(sheet_fault(sheet, start,
-			       "a quote is left open at the end of the line"),
+	if (quoted && !skip_quoted(c))
+		return sheet_fault(sheet, start,
+		    "a quote is left open at the end of the line\n"
 		    "close it on its line; a quote inside a cell is \"\"");
-		return false;
-	}
 	skip_blanks(c, sheet->separator);
 	while (*c->p != '\0' && *c->p != sheet->separator) {
 		if (quoted || *c->p == '"') {
 			start.column = c->column;
-			error_hint(sheet_fault(sheet, start, "%s",
-				       quoted ? "text after a closing quote"
-					      : "a quote inside a cell"),
-			    "put quotes round the whole cell and write a "
-			    "quote inside it as \"\"");
-			return false;
+			return sheet_fault(sheet, start,
+			    "%s\n"
+			    "put quotes round the whole cell and write a quote "
+			    "inside it as \"\"",
+			    quoted ? "text after a closing quote"
+				   : "a quote inside a cell");
 		}
 		step(c);
 	}
@@ -226,9 +231,10 @@ scan_line(struct sheet *sheet, const char *text, struct row *row,
 			return n;
 		step(&c);
 	}
-	error_hint(sheet_fault(sheet, (struct cell){NULL, row->line, c.column},
-		       "more than %d cells in a line", MOST_CELLS),
-	    "a sieve sheet has a few columns: is this the right file?");
+	sheet_fault(sheet, (struct cell){NULL, row->line, c.column},
+	    "more than %d cells in a line\n"
+	    "a sieve sheet has a few columns: is this the right file?",
+	    MOST_CELLS);
 	return 0;
 }
 
@@ -298,10 +304,10 @@ add_row(struct sheet *sheet, const char *line, int number)
 	if (*first == '#' || (number == 1 && strncmp(first, "sep=", 4) == 0))
 		return true;
 	if (strlen(line) > MOST_LINE || sheet->n_row == sheet->most_rows) {
-		error_hint(sheet_fault(sheet, (struct cell){NULL, number, 1},
-			       "more than %zu lines, or %d bytes in a line",
-			       sheet->most_rows, MOST_LINE),
-		    "a sieve sheet has a few kB: is this the right file?");
+		sheet_fault(sheet, (struct cell){NULL, number, 1},
+		    "more than %zu lines, or %d bytes in a line\n"
+		    "a sieve sheet has a few kB: is this the right file?",
+		    sheet->most_rows, MOST_LINE);
 		sheet->lost = true;
 		return false;
 	}

@@ -100,10 +100,9 @@ find_speed(struct table *t, char *text, struct column *c)
 	c->speed = v;
 	if (good && v > SAME_SPEED && v <= FASTEST)
 		return true;
-	error_hint(sheet_wanted(t->sheet, c->head,
-		       "a tip speed above 0, up to 200 m/s,"),
-	    "%s", speed_hint(text, good ? v : 0));
-	return false;
+	return sheet_wanted(t->sheet, c->head,
+	    "a tip speed above 0, up to 200 m/s,", "%s",
+	    speed_hint(text, good ? v : 0));
 }
 
 /* The speed behind the @, which only the feed of all runs may lack. */
@@ -115,29 +114,25 @@ split_head(struct table *t, char *word, struct column *c)
 		*at = '\0';
 	if (!find_word(text_trim(word), c)) {
 		size_t digits = strcspn(word, "0123456789");
-		struct error *e =
-		    sheet_wanted(t->sheet, c->head, "a column header");
-		if (at == NULL && word[digits] != '\0' &&
-		    (strncmp(word, "feed", 4) == 0 ||
-			strncmp(word, "product", 7) == 0))
-			return error_hint(
-			    e, "%s", speed_hint(word + digits, 0));
-		error_hint(e,
-		    "understood are feed, feed@69, product@69 and sd@69; feed "
-		    "and product also with _fraction, _passing_pct, "
-		    "_retained_g, _retained_pct, _cum_retained_pct before "
-		    "the @");
-		return false;
+		bool lacks_at = at == NULL && word[digits] != '\0' &&
+				(strncmp(word, "feed", 4) == 0 ||
+				    strncmp(word, "product", 7) == 0);
+		return sheet_wanted(t->sheet, c->head, "a column header", "%s",
+		    lacks_at ? speed_hint(word + digits, 0)
+			     : "understood are feed, feed@69, product@69 and "
+			       "sd@69; feed "
+			       "and product also with _fraction, _passing_pct, "
+			       "_retained_g, _retained_pct, _cum_retained_pct "
+			       "before "
+			       "the @");
 	}
 	c->speed = 0;
 	if (at != NULL)
 		return find_speed(t, text_trim(at + 1), c);
 	if (c->role == FEED)
 		return true;
-	error_hint(
-	    sheet_wanted(t->sheet, c->head, "a column with its tip speed"),
+	return sheet_wanted(t->sheet, c->head, "a column with its tip speed",
 	    "write the speed in m/s behind @: %s@69", SITE_ROLES[c->role]);
-	return false;
 }
 
 bool
@@ -151,11 +146,10 @@ site_column_head(struct table *t, struct column *c)
 	const struct column *twin = site_column_find(t, c->role, c->speed);
 	if (twin == NULL)
 		return true;
-	error_hint(sheet_fault(t->sheet, c->head,
-		       "%s was wanted once, found at column %d already",
-		       c->head.text, twin->head.column),
+	return sheet_fault(t->sheet, c->head,
+	    "%s was wanted once, found at column %d already\n%s", c->head.text,
+	    twin->head.column,
 	    c->speed > 0 ? "each run has a speed of its own: average the two, "
 			   "or change one"
 			 : "keep one of the two");
-	return false;
 }

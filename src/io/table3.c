@@ -44,14 +44,13 @@ take_row(struct reader *reader)
 	struct material row = {0};
 	double *number[CELLS] = {NULL, NULL, &row.top_size_mm, &row.f_mat, NULL,
 	    &row.e0_min, &row.alpha};
-	if (reader->n_cell != CELLS) {
-		error_at(reader->error, ERROR_DATA, reader->path, reader->line,
-		    1, "%d cells were wanted, found %zu", (int)CELLS,
-		    reader->n_cell);
-		return error_hint(reader->error,
+	if (reader->n_cell != CELLS)
+		return error_at(reader->error, ERROR_DATA, reader->path,
+		    reader->line, 1,
+		    "%d cells were wanted, found %zu\n"
 		    "the columns are those of data/table3.csv; a sheet of "
-		    "sieves is for load");
-	}
+		    "sieves is for load",
+		    (int)CELLS, reader->n_cell);
 	for (size_t i = 0; i < CELLS; i++)
 		if (number[i] != NULL &&
 		    (!text_number(reader->cell[i], number[i]) ||

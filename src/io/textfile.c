@@ -91,11 +91,10 @@ is_blank(const char *bytes, size_t n)
 static char *
 refuse_size(const char *path, double bytes, struct error_list *errors)
 {
-	struct error *e = error_add(errors);
-	error_at(e, ERROR_DATA, path, 0, 0,
-	    "at most %d MB were wanted, found %.1f MB", MOST_BYTES / 1000000,
-	    bytes / 1e6);
-	error_hint(e, "a sieve sheet has a few kB: is this the right file?");
+	error_at(error_add(errors), ERROR_DATA, path, 0, 0,
+	    "at most %d MB were wanted, found %.1f MB\n"
+	    "a sieve sheet has a few kB: is this the right file?",
+	    MOST_BYTES / 1000000, bytes / 1e6);
 	return NULL;
 }
 
@@ -113,16 +112,13 @@ textfile_check(
 	const char *kind = other_kind(bytes, n, &bad);
 	if (kind == NULL && !is_blank(bytes, n))
 		return xstrndup(bytes, n);
-	struct error *e = error_add(errors);
-	struct place at = {1, 1};
-	if (kind != NULL)
-		at = place_of(bytes, bad);
-	error_at(e, ERROR_DATA, path, at.line, at.column, "%s",
-	    kind != NULL ? kind
-			 : "a site sheet was wanted, found an empty file");
-	error_hint(e,
-	    kind != NULL ? "in the spreadsheet, save the sheet as \"CSV UTF-8\""
-			 : "tipspeed-site(5) shows what a site file holds");
+	struct place at = place_of(bytes, kind != NULL ? bad : 0);
+	error_at(error_add(errors), ERROR_DATA, path, at.line, at.column,
+	    kind != NULL
+		? "%s\nin the spreadsheet, save the sheet as \"CSV UTF-8\""
+		: "a site sheet was wanted, found an empty file%.0s\n"
+		  "tipspeed-site(5) shows what a site file holds",
+	    kind != NULL ? kind : "");
 	return NULL;
 }
 
@@ -152,11 +148,10 @@ static char *
 refuse_system(const char *path, struct error_list *errors)
 {
 	int reason = errno;
-	struct error *e = error_add(errors);
-	error_at(
-	    e, ERROR_SYSTEM, path, 0, 0, "cannot read: %s", strerror(reason));
-	error_hint(e, "check the name (blanks want quotes), the "
-		      "folder and the rights");
+	error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
+	    "cannot read: %s\n"
+	    "check the name (blanks want quotes), the folder and the rights",
+	    strerror(reason));
 	return NULL;
 }
 
