@@ -84,41 +84,32 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	struct report *r = report_new("sites");
-	report_column(r, "key", "site");
-	report_column(r, "name", "name");
-	report_column(r, "rock", "rock");
-	report_column(r, "top_size_mm", "top mm");
-	report_column(r, "speeds", "speeds m/s");
-	report_column(r, "calibrated", "calibrated");
-	report_column(r, "data", "data");
+	report_columns(r, "key: site, name, rock, top_size_mm: top mm, speeds: "
+			  "speeds m/s, calibrated, data");
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
 		char *speeds = data_speeds(entry->site, " ", NULL, true);
 		char *kind = data_kind(entry->site->provenance);
 		char *key =
 		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
-		report_text(
-		    r, s->set.format == REPORT_TABLE ? key : entry->key);
-		report_text(r, entry->site->name);
-		report_text(r, entry->site->rock);
-		report_number(r,
+		report_cells(r, "%s %s %s %g %s %s %s",
+		    s->set.format == REPORT_TABLE ? key : entry->key,
+		    entry->site->name, entry->site->rock,
 		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
 					      : NAN,
-		    -1);
-		report_text(r, speeds);
-		report_text(r, entry->has_fit               ? "yes"
-			       : entry->recalled[0] != '\0' ? "from store"
-			       : entry->has_params ? session_origin(entry)
-						   : "no");
-		report_text(r, kind);
+		    speeds,
+		    entry->has_fit               ? "yes"
+		    : entry->recalled[0] != '\0' ? "from store"
+		    : entry->has_params          ? session_origin(entry)
+						 : "no",
+		    kind);
 		free(speeds);
 		free(kind);
 		free(key);
 	}
 	report_note(r, s->n_entry > 0 ? "* is the site in use"
 				      : "no site is loaded: load FILE");
-	session_report(s, r);
-	return true;
+	return session_report(s, r);
 }
 
 bool

@@ -215,16 +215,13 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	struct report *r = report_new("version");
-	const char *const pairs[][2] = {{"tipspeed", PACKAGE_VERSION},
-	    {"gsl", GSL_VERSION}, {"jansson", JANSSON_VERSION},
-	    {"instructions", isa_name(isa_usable(ISA_BEST))}};
-	report_column(r, "part", "part");
-	report_column(r, "version", "version");
-	report_pairs(r, pairs, ARRAY_LEN(pairs));
-	report_json(r, json_pack("{s:s, s:s}", "command", "version", "version",
-			   PACKAGE_VERSION));
-	session_report(s, r);
-	return true;
+	report_columns(r, "part, version");
+	report_pair(r, "tipspeed", "%s", PACKAGE_VERSION);
+	report_pair(r, "gsl", "%s", GSL_VERSION);
+	report_pair(r, "jansson", "%s", JANSSON_VERSION);
+	report_pair(r, "instructions", "%s", isa_name(isa_usable(ISA_BEST)));
+	report_put(report_json(r), "version %s", PACKAGE_VERSION);
+	return session_report(s, r);
 }
 
 bool

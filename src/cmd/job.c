@@ -120,14 +120,8 @@ new_summary(void)
 {
 	struct report *r = report_new("calibrate");
 	report_title(r, "all sites, calibrated");
-	report_column(r, "site", "site");
-	report_column(r, "f_mat", "f_mat");
-	report_column(r, "e0_min", "e0_min");
-	report_column(r, "alpha", "alpha");
-	report_column(r, "misfit", "misfit");
-	report_column(r, "rmse_pct", "RMSE");
-	report_column(r, "holdout_pct", "hold-out");
-	report_column(r, "remark", "remark");
+	report_columns(r, "site, f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
+			  "holdout_pct: hold-out, remark");
 	return r;
 }
 
@@ -182,14 +176,10 @@ summarise(struct session *s, const struct entry *entry)
 {
 	struct report *r = s->job.summary;
 	char *words = remarks(s, entry);
-	report_text(r, entry->key);
-	report_number(r, entry->fit.params.f_mat, 3);
-	report_number(r, entry->fit.params.e0_min, 2);
-	report_number(r, entry->fit.params.alpha, 3);
-	report_number(r, entry->fit.misfit, -1);
-	report_number(r, 100 * entry->fit.rmse, 2);
-	report_number(r, 100 * fit_holdout_rmse(entry), 2);
-	report_text(r, words);
+	report_cells(r, "%s %.3f %.2f %.3f %g %.2f %.2f %s", entry->key,
+	    entry->fit.params.f_mat, entry->fit.params.e0_min,
+	    entry->fit.params.alpha, entry->fit.misfit, 100 * entry->fit.rmse,
+	    100 * fit_holdout_rmse(entry), words);
 	free(words);
 }
 

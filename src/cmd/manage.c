@@ -65,8 +65,7 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 		xappend(&text, i > 0 ? " %s" : "%s", args->operand[i]);
 	if (s->set.format == REPORT_JSON) {
 		struct report *r = report_new("echo");
-		report_json(r,
-		    json_pack("{s:s, s:s}", "command", "echo", "text", text));
+		report_put(report_json(r), "text %s", text);
 		session_report(s, r);
 	} else {
 		fprintf(s->out, "%s\n", text);

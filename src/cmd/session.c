@@ -104,12 +104,13 @@ session_tell_faults(const struct session *s, const char *path,
 		    s, "%s: %zu more faults are not shown", path, errors->more);
 }
 
-void
+bool
 session_report(struct session *s, struct report *report)
 {
 	report_print(report, s->set.format, s->set.semicolon, s->out);
 	fflush(s->out);
 	report_free(report);
+	return true;
 }
 
 void

@@ -198,8 +198,8 @@ bool session_load(struct session *s, const char *path, const char *digest,
 void session_tell_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error);
 
-/* Prints a result and frees it. */
-void session_report(struct session *s, struct report *report);
+/* Prints a result and frees it.  Returns true, for a command to end with. */
+bool session_report(struct session *s, struct report *report);
 
 /* A line beside the results. */
 void session_note(const struct session *s, const char *format, ...)

@@ -135,18 +135,10 @@ report_remembered(struct session *s, const struct stored *m)
 	char *kind = data_kind(m->provenance);
 	report_title(r, "remembered %s", m->name);
 	report_site(r, m->site, m->provenance);
-	report_column(r, "name", "name");
-	report_column(r, "origin", "origin");
-	report_column(r, "data", "data");
-	report_column(r, "rmse_pct", "RMSE");
-	report_column(r, "holdout_pct", "hold-out");
-	report_column(r, "date", "date");
-	report_text(r, m->name);
-	report_text(r, store_origin_words(m));
-	report_text(r, kind);
-	report_number(r, m->rmse_pct, 2);
-	report_number(r, m->holdout_pct, 2);
-	report_text(r, m->date);
+	report_columns(r,
+	    "name, origin, data, rmse_pct: RMSE, holdout_pct: hold-out, date");
+	report_cells(r, "%s %s %s %.2f %.2f %s", m->name, store_origin_words(m),
+	    kind, m->rmse_pct, m->holdout_pct, m->date);
 	report_note(r, "in %s", store_path(s->store));
 	free(kind);
 	session_report(s, r);
@@ -264,8 +256,8 @@ report_forgotten(struct session *s, const struct stored *m)
 	report_title(
 	    r, "forgot %s: %s of %s", m->name, store_origin_words(m), m->site);
 	report_site(r, m->site, m->provenance);
-	report_column(r, "again", "this brings its parameters back");
-	report_text(r, line);
+	report_columns(r, "again: this brings its parameters back");
+	report_cells(r, "%s", line);
 	free(line);
 	session_report(s, r);
 }
