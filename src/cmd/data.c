@@ -177,9 +177,10 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 		if (speeds->list[i] <= speeds->list[i - 1])
 			return error_set(error, ERROR_USAGE,
 			    "speeds go from slow to fast, each once");
-	struct materials *m = materials_read(args->operand[0], error);
+	struct error_list errors = {0};
+	struct materials *m = materials_read(args->operand[0], &errors);
 	if (m == NULL)
-		return false;
+		return session_tell_faults(s, args->operand[0], &errors, error);
 	size_t made = 0;
 	for (size_t i = 0; i < m->n; i++) {
 		if (wanted->given && !text_same(wanted->text, m->row[i].site))

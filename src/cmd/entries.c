@@ -247,10 +247,8 @@ bool
 session_load(struct session *s, const char *path, const char *digest,
     struct error *error)
 {
-	struct error_list *errors = xcalloc(1, sizeof *errors);
-	struct site *site = site_read(path, errors);
-	if (site == NULL)
-		session_tell_faults(s, path, errors, error);
-	free(errors);
-	return site != NULL && add_checked(s, site, digest, error);
+	struct error_list errors = {0};
+	struct site *site = site_read(path, &errors);
+	return site != NULL ? add_checked(s, site, digest, error)
+			    : session_tell_faults(s, path, &errors, error);
 }

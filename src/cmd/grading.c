@@ -16,14 +16,11 @@ grading_open(struct session *s, const char *path, size_t feed,
 {
 	const struct entry *entry = session_entry(s);
 	const struct psd *from = &entry->site->run[feed].feed;
-	struct error_list *errors = xcalloc(1, sizeof *errors);
-	struct spec *spec = spec_read(path, errors);
-	if (spec == NULL)
-		session_tell_faults(s, path, errors, error);
-	free(errors);
+	struct error_list errors = {0};
+	struct spec *spec = spec_read(path, &errors);
 	*grading = (struct grading){.spec = spec};
 	if (spec == NULL)
-		return false;
+		return session_tell_faults(s, path, &errors, error);
 	while (grading->n < spec->n && psd_covers(from, spec->size[grading->n]))
 		grading->n++;
 	if (grading->n == 0) {

@@ -92,7 +92,7 @@ session_forget(struct session *s)
 	s->last = (struct prediction){0};
 }
 
-void
+bool
 session_tell_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error)
 {
@@ -102,6 +102,7 @@ session_tell_faults(const struct session *s, const char *path,
 	if (errors->more > 0)
 		session_note(
 		    s, "%s: %zu more faults are not shown", path, errors->more);
+	return false;
 }
 
 bool

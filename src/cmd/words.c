@@ -27,25 +27,6 @@ ends_word(char c, bool verbatim)
 	       (!verbatim && (c == '>' || c == '|'));
 }
 
-/* Without the quotes around it; two within quotes are one. */
-static char *
-unquoted(const char *text, size_t n)
-{
-	char *word = xcalloc(n + 1, 1);
-	bool quoted = false;
-	size_t length = 0;
-	for (size_t i = 0; i < n; i++) {
-		bool twice = quoted && i + 1 < n && text[i + 1] == '"';
-		if (text[i] != '"')
-			word[length++] = text[i];
-		else if (twice)
-			word[length++] = text[i++];
-		else
-			quoted = !quoted;
-	}
-	return word;
-}
-
 /* Copies one word from *at on and moves *at behind it. False on an open quote;
  * the caller frees the word in any case. */
 static bool
@@ -56,7 +37,7 @@ take_word(const char *line, size_t *at, bool verbatim, char **word)
 	for (; line[i] != '\0' && (quoted || !ends_word(line[i], verbatim));
 	     i++)
 		quoted = quoted != (line[i] == '"');
-	*word = unquoted(line + *at, i - *at);
+	*word = text_unquoted(line + *at, i - *at);
 	*at = i;
 	return !quoted;
 }

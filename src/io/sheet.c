@@ -1,10 +1,8 @@
-/* From the bytes of a CSV file to a grid of cells.  libcsv takes the quotes
- * off; the columns of the cells are found here, because it does not keep them.
+/* From the bytes of a CSV file to a grid of cells.  A line is split by hand,
+ * as no library keeps the columns of the cells.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sheet.h"
 
-#include <assert.h>
-#include <csv.h>
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -215,48 +213,39 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 	return true;
 }
 
-/* Columns of the cells of a line.  Returns how many; 0 after a fault. */
-static size_t
-scan_line(struct sheet *sheet, const char *text, struct row *row,
-    int column[static MOST_CELLS])
+/* The cell from its first character to before end. */
+static void
+add_cell(struct row *row, const struct cursor *from, const char *end)
+{
+	char *text = text_unquoted(from->p, (size_t)(end - from->p));
+	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
+	row->cell[row->n_all++] =
+	    (struct cell){xstrdup(text_trim(text)), row->line, from->column};
+	free(text);
+	if (row->cell[row->n_all - 1].text[0] != '\0')
+		row->n = row->n_all;
+}
+
+/* False after a fault. */
+static bool
+split_line(struct sheet *sheet, const char *text, struct row *row)
 {
 	struct cursor c = {text, 1};
-	for (size_t n = 0; n < MOST_CELLS;) {
+	while (row->n_all < MOST_CELLS) {
 		skip_blanks(&c, sheet->separator);
-		column[n++] = c.column;
+		struct cursor from = c;
 		if (!skip_cell(sheet, &c, row->line))
-			return 0;
+			return false;
+		add_cell(row, &from, c.p);
 		row->end = c.column;
 		if (*c.p == '\0')
-			return n;
+			return true;
 		step(&c);
 	}
-	sheet_fault(sheet, (struct cell){NULL, row->line, c.column},
+	return sheet_fault(sheet, (struct cell){NULL, row->line, c.column},
 	    "more than %d cells in a line\n"
 	    "a sieve sheet has a few columns: is this the right file?",
 	    MOST_CELLS);
-	return 0;
-}
-
-/* Where libcsv delivers the cells of one line. */
-struct delivery {
-	struct row *row;
-	const int *column;
-	size_t n; /* as the scan found */
-};
-
-static void
-take_cell(void *text, size_t n, void *data)
-{
-	struct delivery *d = data;
-	size_t i = d->row->n_all++;
-	assert(i < d->n);
-	char *copy = xstrndup(text, n);
-	d->row->cell[i] =
-	    (struct cell){xstrdup(text_trim(copy)), d->row->line, d->column[i]};
-	if (d->row->cell[i].text[0] != '\0')
-		d->row->n = i + 1;
-	free(copy);
 }
 
 static void
@@ -265,34 +254,6 @@ free_row(struct row *row)
 	for (size_t i = 0; i < row->n_all; i++)
 		free(row->cell[i].text);
 	free(row->cell);
-}
-
-static void *
-grow(void *p, size_t n)
-{
-	return xrealloc(p, 1, n);
-}
-
-/* Each line has a parser of its own, so that line numbers stay true.  The scan
- * has seen to it that libcsv meets no error and finds as many cells. */
-static void
-split_line(struct sheet *sheet, struct row *row, const char *text)
-{
-	int column[MOST_CELLS];
-	size_t n = scan_line(sheet, text, row, column);
-	if (n == 0) {
-		sheet->lost = true;
-		return;
-	}
-	row->cell = xcalloc(n, sizeof *row->cell);
-	struct delivery d = {row, column, n};
-	struct csv_parser parser;
-	csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI);
-	csv_set_realloc_func(&parser, grow);
-	csv_set_delim(&parser, (unsigned char)sheet->separator);
-	csv_parse(&parser, text, strlen(text), take_cell, NULL, &d);
-	csv_fini(&parser, take_cell, NULL, &d);
-	csv_free(&parser);
 }
 
 /* Rows without a word are left out, as are comments and "sep=;", which some
@@ -313,8 +274,9 @@ add_row(struct sheet *sheet, const char *line, int number)
 	}
 	struct row *row = &sheet->row[sheet->n_row];
 	*row = (struct row){.line = number, .end = 1};
-	split_line(sheet, row, line);
-	if (row->n > 0)
+	bool good = split_line(sheet, line, row);
+	sheet->lost = sheet->lost || !good;
+	if (good && row->n > 0)
 		sheet->n_row++;
 	else
 		free_row(row);
