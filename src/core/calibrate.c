@@ -301,15 +301,6 @@ calibration_step(struct calibration *c)
 	return c->state;
 }
 
-void
-calibration_stop(struct calibration *c, bool polish)
-{
-	if (c->state == CALIBRATE_SEARCHING)
-		end_search(c, CALIBRATE_STOPPED);
-	if (c->state == CALIBRATE_POLISHING && !polish)
-		c->state = c->stop = CALIBRATE_STOPPED;
-}
-
 /* The same beta, scaled so that as little as possible is cut off (D4). */
 static void
 bring(const struct bounds *b, struct params *p)

@@ -36,19 +36,6 @@ psd_free(struct psd *psd)
 	*psd = (struct psd){0, NULL, NULL};
 }
 
-size_t
-psd_fault(const struct psd *psd)
-{
-	for (size_t i = 0; i < psd->n; i++) {
-		double x = psd->size[i], p = psd->passing[i];
-		if (!(x > 0 && isfinite(x)) || !(p >= 0 && p <= 1))
-			return i;
-		if (i > 0 && (x >= psd->size[i - 1] || p > psd->passing[i - 1]))
-			return i;
-	}
-	return psd->n;
-}
-
 double
 psd_passing(const struct psd *psd, double x)
 {

@@ -24,9 +24,6 @@ struct psd psd_new(size_t n);
 struct psd psd_copy(const struct psd *psd);
 void psd_free(struct psd *psd);
 
-/* Index of the first sieve that breaks a rule stated above, or n if none. */
-size_t psd_fault(const struct psd *psd);
-
 /* Passing at size x (m), straight on log size; the end values outside the
  * sieves.  Asserts n >= 1 and x > 0. */
 double psd_passing(const struct psd *psd, double x);

@@ -324,10 +324,12 @@ table_clear(struct table *t)
 	free(t->mm);
 }
 
-/* text is taken apart. */
-static struct site *
-read_text(const char *path, char *text, struct error_list *errors)
+struct site *
+site_read(const char *path, struct error_list *errors)
 {
+	char *text = textfile_read(path, errors);
+	if (text == NULL)
+		return NULL;
 	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
 	struct table t = {.sheet = sheet, .lost = sheet->lost};
 	struct site *site = site_new(0);
@@ -350,28 +352,6 @@ read_text(const char *path, char *text, struct error_list *errors)
 	}
 	table_clear(&t);
 	sheet_free(sheet);
-	return site;
-}
-
-struct site *
-site_read_text(const char *path_for_messages, const char *bytes, size_t n,
-    struct error_list *errors)
-{
-	char *text = textfile_check(path_for_messages, bytes, n, errors);
-	if (text == NULL)
-		return NULL;
-	struct site *site = read_text(path_for_messages, text, errors);
-	free(text);
-	return site;
-}
-
-struct site *
-site_read(const char *path, struct error_list *errors)
-{
-	char *text = textfile_read(path, errors);
-	if (text == NULL)
-		return NULL;
-	struct site *site = read_text(path, text, errors);
 	free(text);
 	return site;
 }

@@ -139,9 +139,12 @@ read_table(struct spec *spec, struct sheet *sheet, size_t head)
 	free(t.mm);
 }
 
-static struct spec *
-read_text(const char *path, char *text, struct error_list *errors)
+struct spec *
+spec_read(const char *path, struct error_list *errors)
 {
+	char *text = textfile_read(path, errors);
+	if (text == NULL)
+		return NULL;
 	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
 	struct spec *spec = xcalloc(1, sizeof *spec);
 	spec->name = xstrdup("");
@@ -168,29 +171,8 @@ read_text(const char *path, char *text, struct error_list *errors)
 		spec = NULL;
 	}
 	sheet_free(sheet);
-	return spec;
-}
-
-/* text is taken apart and freed; NULL after a fault that is told already. */
-static struct spec *
-take_text(const char *path, char *text, struct error_list *errors)
-{
-	struct spec *spec = text != NULL ? read_text(path, text, errors) : NULL;
 	free(text);
 	return spec;
-}
-
-struct spec *
-spec_read(const char *path, struct error_list *errors)
-{
-	return take_text(path, textfile_read(path, errors), errors);
-}
-
-struct spec *
-spec_read_text(
-    const char *path, const char *bytes, size_t n, struct error_list *errors)
-{
-	return take_text(path, textfile_check(path, bytes, n, errors), errors);
 }
 
 void

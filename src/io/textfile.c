@@ -98,9 +98,9 @@ refuse_size(const char *path, double bytes, struct error_list *errors)
 	return NULL;
 }
 
-char *
-textfile_check(
-    const char *path, const char *bytes, size_t n, struct error_list *errors)
+/* The n bytes as a string, or NULL and what they are instead. */
+static char *
+check(const char *path, const char *bytes, size_t n, struct error_list *errors)
 {
 	if (n > MOST_BYTES)
 		return refuse_size(path, (double)n, errors);
@@ -170,7 +170,7 @@ textfile_read(const char *path, struct error_list *errors)
 	else if ((bytes = load(file, &n)) == NULL)
 		refuse_system(path, errors);
 	else
-		text = textfile_check(path, bytes, n, errors);
+		text = check(path, bytes, n, errors);
 	free(bytes);
 	fclose(file);
 	return text;

@@ -12,8 +12,4 @@
  * (seen before it is read), is empty, or holds something other than UTF-8. */
 char *textfile_read(const char *path, struct error_list *errors);
 
-/* The same from n bytes; path stands in the messages only. */
-char *textfile_check(
-    const char *path, const char *bytes, size_t n, struct error_list *errors);
-
 #endif
