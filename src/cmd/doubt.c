@@ -7,7 +7,6 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "io/units.h"
 
 const struct uncertainty *
 doubt_of(const struct entry *entry)

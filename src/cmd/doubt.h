@@ -3,8 +3,6 @@
 #ifndef TIPSPEED_CMD_DOUBT_H
 #define TIPSPEED_CMD_DOUBT_H
 
-#include <stdbool.h>
-
 #include "cmd/session.h"
 #include "core/predict.h"
 

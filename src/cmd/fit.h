@@ -5,7 +5,6 @@
 
 #include <stdbool.h>
 
-#include "cmd/command.h"
 #include "cmd/session.h"
 #include "core/validate.h"
 

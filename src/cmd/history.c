@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
-#include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/table.h"
 

@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_CMD_JOURNAL_H
 #define TIPSPEED_CMD_JOURNAL_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 #include "cmd/command.h"

@@ -6,7 +6,6 @@
 #include "base/xalloc.h"
 #include "cmd/journal.h"
 #include "cmd/script.h"
-#include "cmd/snapshot.h"
 #include "cmd/table.h"
 
 bool

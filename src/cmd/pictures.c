@@ -8,7 +8,6 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
 #include "cmd/table.h"
 #include "config.h"
 #include "plot/picture.h"

@@ -5,11 +5,9 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/fit.h"
 
 struct plot_request
 plots_request(enum plot_kind kind)

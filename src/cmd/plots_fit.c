@@ -7,7 +7,6 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/fit.h"
 #include "cmd/plots.h"
 #include "core/misfit.h"
 #include "core/validate.h"

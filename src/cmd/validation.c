@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/table.h"

@@ -13,11 +13,9 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/pool.h"
 #include "base/xalloc.h"
-#include "core/energy.h"
 #include "core/calibration.h"
 #include "core/rng.h"
 

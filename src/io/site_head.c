@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "base/xalloc.h"
 #include "io/site_column.h"
 
 const char *const SITE_ROLES[3] = {"feed", "product", "sd"};

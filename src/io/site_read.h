@@ -3,8 +3,6 @@
 #ifndef TIPSPEED_IO_SITE_READ_H
 #define TIPSPEED_IO_SITE_READ_H
 
-#include <stddef.h>
-
 #include "base/error.h"
 #include "core/site.h"
 

@@ -3,8 +3,6 @@
 #ifndef TIPSPEED_IO_TEXTFILE_H
 #define TIPSPEED_IO_TEXTFILE_H
 
-#include <stddef.h>
-
 #include "base/error.h"
 
 /* All of a file of at most 10 MB without its byte order mark; the caller

@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_PLOT_CHART_H
 #define TIPSPEED_PLOT_CHART_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 #include "plot/axis.h"
