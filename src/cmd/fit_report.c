@@ -230,8 +230,7 @@ fit_report(
 			  "upper: to, remark");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		bool fixed = bounds->lower[j] >= bounds->upper[j];
-		report_cells(
-		    r, "%s %.4f", PARAMS[j].name, params_get(&fit->params, j));
+		report_cells(r, "%s %.4f", PARAMS[j].name, fit->params.at[j]);
 		doubt_cells(r, doubt_of(entry), j);
 		report_cells(r, "%s %g %g %s", PARAMS[j].unit, bounds->lower[j],
 		    bounds->upper[j],

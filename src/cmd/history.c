@@ -38,8 +38,8 @@ add_row(struct report *r, const struct history *h, size_t i, bool exact)
 	report_cells(r, "%g %.6f %.6f", (double)(i + 1), g->best, g->median);
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		if (exact) {
-			report_cells(r, "%g %g %g", params_get(&g->params, j),
-			    g->p10[j], g->p90[j]);
+			report_cells(r, "%g %g %g", g->params.at[j], g->p10[j],
+			    g->p90[j]);
 		} else {
 			report_cells(r, "%.1f", spread(h, g, j));
 		}

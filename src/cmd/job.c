@@ -194,9 +194,8 @@ write_log(struct session *s)
 		fprintf(log, "%s,%zu,%.17g,%.17g", s->entry[s->job.entry].key,
 		    i + 1, g[i].best, g[i].median);
 		for (size_t j = 0; j < PARAM_COUNT; j++)
-			fprintf(log, ",%.17g,%.17g,%.17g",
-			    params_get(&g[i].params, j), g[i].p10[j],
-			    g[i].p90[j]);
+			fprintf(log, ",%.17g,%.17g,%.17g", g[i].params.at[j],
+			    g[i].p10[j], g[i].p90[j]);
 		fputc('\n', log);
 	}
 	struct error error = {0};

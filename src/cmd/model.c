@@ -29,7 +29,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 	report_columns(r, "unit, meaning");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		report_cells(r, u != NULL ? "%s %.4f" : "%s %g", PARAMS[j].name,
-		    entry->has_params ? params_get(&entry->params, j) : NAN);
+		    entry->has_params ? entry->params.at[j] : NAN);
 		if (u != NULL)
 			doubt_cells(r, u, j);
 		report_cells(r, "%s %s", PARAMS[j].unit, PARAMS[j].meaning);
@@ -63,7 +63,7 @@ set_params(struct session *s, const struct args *args, struct error *error)
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		const struct value *v = args_value(args, PARAMS[j].name);
 		if (v->given)
-			params_set(&p, j, v->number);
+			p.at[j] = v->number;
 		else if (!entry->has_params && j >= PARAM_F_MAT)
 			return error_set(error, ERROR_USAGE,
 			    "params set wants %s too: %s has no parameters "
@@ -129,7 +129,7 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 	report_columns(r, "parameter, value: %s, other: %s, difference, unit",
 	    mine->key, other->key);
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		double x = params_get(&a, j), y = params_get(&b, j);
+		double x = a.at[j], y = b.at[j];
 		report_cells(r, "%s %.4f %.4f %.4f %s", PARAMS[j].name, x, y,
 		    y - x, PARAMS[j].unit);
 	}

@@ -110,8 +110,7 @@ plots_spread(
 	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'},
 	    PARAM_COUNT);
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		best->x[j] =
-		    share_of(past.bounds, j, params_get(&g->params, j));
+		best->x[j] = share_of(past.bounds, j, g->params.at[j]);
 		best->y[j] =
 		    isnan(best->x[j]) ? NAN : (double)(PARAM_COUNT - j);
 	}

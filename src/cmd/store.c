@@ -243,7 +243,7 @@ bring_back(const struct stored *m)
 	char *line = xstrdup("params set"), number[32];
 	for (size_t j = 0; j < PARAM_COUNT; j++)
 		xappend(&line, " %s=%s", PARAMS[j].name,
-		    text_exact(params_get(&m->params, j), number));
+		    text_exact(m->params.at[j], number));
 	xappend(&line, "; remember \"%s\"", m->name);
 	return line;
 }

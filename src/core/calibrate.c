@@ -112,7 +112,7 @@ genes(const double *const *gene, size_t i)
 {
 	struct params p;
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		params_set(&p, j, gene[j][i]);
+		p.at[j] = gene[j][i];
 	return p;
 }
 
@@ -213,9 +213,9 @@ hop(const struct calibration *c, size_t number)
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		double v = 2 * rng_uniform(key, (uint32_t)j) - 1;
 		double size = rng_uniform(key, (uint32_t)(j + PARAM_COUNT));
-		double x = params_get(&p, j) +
-			   (b->upper[j] - b->lower[j]) * size * v * v * v;
-		params_set(&p, j, fmin(fmax(x, b->lower[j]), b->upper[j]));
+		double x =
+		    p.at[j] + (b->upper[j] - b->lower[j]) * size * v * v * v;
+		p.at[j] = fmin(fmax(x, b->lower[j]), b->upper[j]);
 	}
 	return p;
 }
@@ -305,8 +305,7 @@ bring(const struct bounds *b, struct params *p)
 {
 	centre_beta(b, p);
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		params_set(p, j,
-		    fmin(fmax(params_get(p, j), b->lower[j]), b->upper[j]));
+		p->at[j] = fmin(fmax(p->at[j], b->lower[j]), b->upper[j]);
 }
 
 void

@@ -17,12 +17,10 @@ static bool
 same_numbers(const struct guess_material *a, const struct guess_material *b)
 {
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		if (params_get(&a->params, j) != params_get(&b->params, j))
+		if (a->params.at[j] != b->params.at[j])
 			return false;
 	return a->top_size == b->top_size &&
-	       a->settings.method == b->settings.method &&
-	       a->settings.appearance == b->settings.appearance &&
-	       a->settings.k == b->settings.k;
+	       model_settings_same(&a->settings, &b->settings);
 }
 
 static bool

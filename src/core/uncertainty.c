@@ -49,8 +49,7 @@ step(struct walk *w, struct rng_key key)
 		for (size_t c = 0; c < s->n; c++) {
 			size_t j = s->column[c];
 			double move = z * length * s->direction[i][c];
-			params_set(
-			    &p, j, params_get(&p, j) + move * s->range[j]);
+			p.at[j] += move * s->range[j];
 		}
 	}
 	double level = plausible_level(w->plausible, &p);
@@ -129,8 +128,8 @@ uncertainty_new(struct misfit *m, const struct params *p,
 	u->deviation = plausible_deviation(w.plausible);
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		for (size_t i = 0; i < UNCERTAINTY_DRAWS; i++)
-			value[i] = params_get(&u->draw[i], j);
-		middle(value, params_get(&own, j), &u->low[j], &u->high[j]);
+			value[i] = u->draw[i].at[j];
+		middle(value, own.at[j], &u->low[j], &u->high[j]);
 	}
 	plausible_free(w.plausible);
 	free(basis);
