@@ -124,18 +124,15 @@ outside_words(const struct psd *psd, double passing)
 double
 answers_size(const struct prediction *p, size_t i)
 {
-	const double sizes[ANSWERS_SIZES] = {
-	    p->p20, p->p50, p->p80, p->break_size};
-	return 1000 * sizes[i];
+	return 1000 * p->size[i];
 }
 
 void
 answers_size_cell(struct report *r, const struct prediction *p, size_t i)
 {
-	static const double PASSING[ANSWERS_SIZES] = {0.2, 0.5, 0.8};
 	char *words = i == ANSWER_BREAK
 			  ? xstrdup("none")
-			  : outside_words(&p->product, PASSING[i]);
+			  : outside_words(&p->product, PSD_PASSING[i]);
 	report_missing(r, words);
 	report_cells(r, "%.2f", answers_size(p, i));
 	free(words);
@@ -168,9 +165,9 @@ answers_note_sizes(
     struct report *r, const struct psd *psd, const struct band *band)
 {
 	char *sizes = xstrdup("");
-	add_size(&sizes, psd, 0.2, band != NULL ? band->p20 : NULL);
-	add_size(&sizes, psd, 0.5, band != NULL ? band->p50 : NULL);
-	add_size(&sizes, psd, 0.8, band != NULL ? band->p80 : NULL);
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		add_size(&sizes, psd, PSD_PASSING[i],
+		    band != NULL ? band->size[i] : NULL);
 	report_note(r, "%s", sizes);
 	free(sizes);
 }

@@ -34,15 +34,9 @@ all_sieves(const struct side side[2], size_t *n)
 {
 	const struct psd *a = &side[0].p.product, *b = &side[1].p.product;
 	double *x = xdoubles(a->n + b->n);
-	size_t i = 0, j = 0;
-	*n = 0;
-	while (i < a->n || j < b->n) {
-		double next =
-		    fmax(i < a->n ? a->size[i] : 0, j < b->n ? b->size[j] : 0);
-		i += i < a->n && a->size[i] == next;
-		j += j < b->n && b->size[j] == next;
-		x[(*n)++] = next;
-	}
+	memcpy(x, a->size, a->n * sizeof *x);
+	memcpy(x + a->n, b->size, b->n * sizeof *x);
+	*n = psd_sort(x, a->n + b->n, 0);
 	return x;
 }
 

@@ -73,9 +73,7 @@ doubt_put_band(json_t *o, const struct band *band)
 {
 	static const char *const KEYS[] = {
 	    "p20_range_mm", "p50_range_mm", "p80_range_mm", "break_range_mm"};
-	const double *const ranges[] = {
-	    band->p20, band->p50, band->p80, band->break_size};
 	for (size_t i = 0; i < ARRAY_LEN(KEYS); i++)
-		answers_put_pair(
-		    o, KEYS[i], 1000 * ranges[i][0], 1000 * ranges[i][1]);
+		answers_put_pair(o, KEYS[i], 1000 * band->size[i][0],
+		    1000 * band->size[i][1]);
 }

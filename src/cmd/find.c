@@ -67,7 +67,6 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
     struct error *error)
 {
 	static const char *const NAMES[3] = {"p20", "p50", "p80"};
-	static const double PASSING[3] = {0.2, 0.5, 0.8};
 	const struct entry *entry = session_entry(s);
 	const struct psd *feed = &entry->site->run[wish->feed].feed;
 	wish->x = args_value(args, "at")->number / 1000;
@@ -76,7 +75,7 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 		if (!args_value(args, NAMES[i])->given)
 			continue;
 		wish->key = ANSWERS_KEYS[i];
-		wish->passing = PASSING[i];
+		wish->passing = PSD_PASSING[i];
 		wish->x = args_value(args, NAMES[i])->number / 1000;
 	}
 	if (!psd_covers(feed, wish->x))

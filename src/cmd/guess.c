@@ -125,15 +125,14 @@ put_error(json_t *o, const struct guess_error *e, const char *worst)
 static void
 put_guess(struct report *r, const struct basis *b, const struct guess *guess)
 {
+	static const char *const NAMES[] = {"p20", "p50", "p80", "break"};
 	json_t *o = report_json(r);
 	double top = b->wanted.top_size;
 	report_put(o, "calibrated %d rock %s top_size_mm %g speed %g", false,
 	    b->wanted.rock, top > 0 ? units_mm(top) : NAN, guess->speed);
 	report_put_columns(r, "sieve_mm passing_pct least_pct most_pct");
-	put_range(o, "p20", &guess->p20);
-	put_range(o, "p50", &guess->p50);
-	put_range(o, "p80", &guess->p80);
-	put_range(o, "break", &guess->break_size);
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		put_range(o, NAMES[i], &guess->size[i]);
 	put_materials(o, b);
 }
 
@@ -174,17 +173,16 @@ note_sizes(struct report *r, const struct guess *guess)
 {
 	const struct psd *psd = &guess->median;
 	char *none = xasprintf("<%g", units_mm(psd->size[psd->n - 1]));
-	char *p20 = range_words(&guess->p20, none);
-	char *p50 = range_words(&guess->p50, none);
-	char *p80 = range_words(&guess->p80, none);
-	char *breaks = range_words(&guess->break_size, "none");
-	report_note(r, "P20 %s, P50 %s, P80 %s mm", p20, p50, p80);
-	report_note(r, "breaks from %s mm up", breaks);
+	char *words[ANSWERS_SIZES];
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		words[i] = range_words(
+		    &guess->size[i], i == ANSWER_BREAK ? "none" : none);
+	report_note(
+	    r, "P20 %s, P50 %s, P80 %s mm", words[0], words[1], words[2]);
+	report_note(r, "breaks from %s mm up", words[ANSWER_BREAK]);
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		free(words[i]);
 	free(none);
-	free(p20);
-	free(p50);
-	free(p80);
-	free(breaks);
 }
 
 /* Names of the materials picked (or, with `left`, left out). */

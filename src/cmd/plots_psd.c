@@ -177,11 +177,11 @@ note_prediction(struct chart *chart, const struct plot_request *q,
 	chart_add_rule(chart, rule, series, mm);
 	free(rule);
 	char p20[32], p50[32], p80[32];
-	const double at[] = {p->p20, p->p50, p->p80};
 	char *const words[] = {p20, p50, p80};
-	for (size_t i = 0; i < ARRAY_LEN(at); i++)
+	for (size_t i = 0; i < PSD_SIZES; i++)
 		snprintf(words[i], sizeof p20,
-		    isnan(at[i]) ? "outside" : "%.2f mm", 1000 * at[i]);
+		    isnan(p->size[i]) ? "outside" : "%.2f mm",
+		    1000 * p->size[i]);
 	bool beyond = whose != NULL &&
 		      predict_extrapolates(whose->site, whose->train, p->speed);
 	chart_note(chart, "%s: P20 %s, P50 %s, P80 %s%s", name, p20, p50, p80,

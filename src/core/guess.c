@@ -147,9 +147,9 @@ guess_product(const struct site *site, size_t feed_run,
 		p[i] = predict(
 		    site, &m[pick[i]].params, m[pick[i]].settings, v, feed_run);
 	spread(&guess, p, n);
-	guess.p20 = range_of_sizes(&guess.median, p, n, 0.2);
-	guess.p50 = range_of_sizes(&guess.median, p, n, 0.5);
-	guess.p80 = range_of_sizes(&guess.median, p, n, 0.8);
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		guess.size[i] =
+		    range_of_sizes(&guess.median, p, n, PSD_PASSING[i]);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(p);

@@ -136,24 +136,18 @@ uncertainty_new(struct misfit *m, const struct params *p,
 	return u;
 }
 
-/* A size as a value to sort: what lies below the finest sieve is the least. */
-static double
-size_or_least(const struct psd *product, double passing)
-{
-	double x = psd_size(product, passing);
-	return isfinite(x) ? x : 0;
-}
+enum { BREAK = PSD_SIZES, SIZES };
 
-enum { SIZES = 4 };
-
+/* As values to sort: what lies below the finest sieve is the least. */
 static void
 sizes_of(const struct params *p, const struct psd *product, double v,
     double size[SIZES])
 {
-	size[0] = size_or_least(product, 0.2);
-	size[1] = size_or_least(product, 0.5);
-	size[2] = size_or_least(product, 0.8);
-	size[3] = energy_break_size(p, v);
+	for (size_t i = 0; i < PSD_SIZES; i++) {
+		double x = psd_size(product, PSD_PASSING[i]);
+		size[i] = isfinite(x) ? x : 0;
+	}
+	size[BREAK] = energy_break_size(p, v);
 }
 
 struct band
@@ -181,12 +175,12 @@ uncertainty_band(const struct uncertainty *u, const struct params *p,
 		middle(value + j * N, product->passing[j], &band.low[j],
 		    &band.high[j]);
 	sizes_of(p, product, v, own);
-	double *range[SIZES] = {band.p20, band.p50, band.p80, band.break_size};
 	for (size_t j = 0; j < SIZES; j++) {
-		middle(value + (n + j) * N, own[j], &range[j][0], &range[j][1]);
-		for (size_t k = 0; k < 2 && range[j] != band.break_size; k++)
-			if (range[j][k] == 0)
-				range[j][k] = NAN;
+		double *range = band.size[j];
+		middle(value + (n + j) * N, own[j], &range[0], &range[1]);
+		for (size_t k = 0; k < 2 && j != BREAK; k++)
+			if (range[k] == 0)
+				range[k] = NAN;
 	}
 	model_free(model);
 	psd_free(&one);
