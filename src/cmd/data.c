@@ -40,7 +40,7 @@ data_load(struct session *s, const char *path, const char *digest,
 	free(label);
 	data_warn_coarser(s, entry->site);
 	char *line = journal_load(entry->site);
-	journal_add(s, line, NULL);
+	journal_add(s, NULL, "%s", line);
 	free(line);
 	return true;
 }

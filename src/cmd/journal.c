@@ -3,6 +3,7 @@
 #include "cmd/journal.h"
 
 #include <inttypes.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -91,13 +92,16 @@ is_call_of(const char *line, const char *name)
 }
 
 void
-journal_add(struct session *s, const char *line, const char *latest)
+journal_add(struct session *s, const char *latest, const char *line, ...)
 {
 	struct journal *j = s->journal;
 	if (latest != NULL && j->n > j->start &&
 	    is_call_of(j->line[j->n - 1], latest))
 		free(j->line[--j->n]);
-	append(j, xstrdup(line));
+	va_list ap;
+	va_start(ap, line);
+	append(j, xvasprintf(line, ap));
+	va_end(ap);
 }
 
 void
@@ -109,15 +113,11 @@ journal_restart(struct session *s)
 void
 journal_settings(struct session *s)
 {
-	char *seed = xasprintf("seed %" PRIu64, s->set.seed);
-	char *format =
-	    xasprintf("set format %s", REPORT_FORMATS[s->set.format]);
 	if (s->set.seed != 1)
-		journal_add(s, seed, NULL);
+		journal_add(s, NULL, "seed %" PRIu64, s->set.seed);
 	if (s->set.format != REPORT_TABLE)
-		journal_add(s, format, NULL);
-	free(seed);
-	free(format);
+		journal_add(
+		    s, NULL, "set format %s", REPORT_FORMATS[s->set.format]);
 }
 
 /* Appends a word, in quotes where it would not be read as one. */

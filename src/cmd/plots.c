@@ -9,6 +9,11 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 
+const struct chart_series PLOTS_FEED = {
+    .series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'};
+const struct chart_series PLOTS_CURVE = {
+    .series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'};
+
 struct plot_request
 plots_request(enum plot_kind kind)
 {

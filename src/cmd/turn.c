@@ -174,13 +174,11 @@ record(struct session *s, const struct turn *t, bool changed)
 	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
 	    between || came_to_nothing(t))
 		return;
-	char *pause =
-	    t->stopped ? xasprintf(" pause=%zu", t->stopped_at) : xstrdup("");
-	char *line = xasprintf(
-	    "%s%s%s", t->line, pause, elsewhere ? " > /dev/null" : "");
-	journal_add(s, line, latest ? t->command->name : NULL);
-	free(pause);
-	free(line);
+	char pause[32] = "";
+	if (t->stopped)
+		snprintf(pause, sizeof pause, " pause=%zu", t->stopped_at);
+	journal_add(s, latest ? t->command->name : NULL, "%s%s%s", t->line,
+	    pause, elsewhere ? " > /dev/null" : "");
 }
 
 /* Where the outermost turn began, for one within it. */
