@@ -84,17 +84,17 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	struct report *r = report_new("sites");
-	report_columns(r, "key: site, name, rock, top_size_mm: top mm, speeds: "
-			  "speeds m/s, calibrated, data");
+	report_columns(r,
+	    "key: site, name, rock, top_size_mm: top mm, speeds: speeds m/s, "
+	    "calibrated, data");
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
 		char *speeds = data_speeds(entry->site, " ", NULL, true);
 		char *kind = data_kind(entry->site->provenance);
-		char *key =
-		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
-		report_cells(r, "%s %s %s %g %s %s %s",
-		    s->set.format == REPORT_TABLE ? key : entry->key,
-		    entry->site->name, entry->site->rock,
+		bool mark = i == s->current && s->set.format == REPORT_TABLE;
+		report_text(r, "%s%s", mark ? "*" : "", entry->key);
+		report_cells(r, "%s %s %g %s %s %s", entry->site->name,
+		    entry->site->rock,
 		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
 					      : NAN,
 		    speeds,
@@ -105,7 +105,6 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    kind);
 		free(speeds);
 		free(kind);
-		free(key);
 	}
 	report_note(r, s->n_entry > 0 ? "* is the site in use"
 				      : "no site is loaded: load FILE");

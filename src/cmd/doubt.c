@@ -44,13 +44,6 @@ doubt_band(const struct session *s, const struct entry *entry,
 }
 
 void
-doubt_cells(struct report *r, const struct uncertainty *u, size_t j)
-{
-	report_cells(r, "%.4f %.4f", u != NULL ? u->low[j] : NAN,
-	    u != NULL ? u->high[j] : NAN);
-}
-
-void
 doubt_note(struct report *r)
 {
 	report_note(r,

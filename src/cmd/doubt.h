@@ -17,9 +17,6 @@ const struct uncertainty *doubt_of(const struct entry *entry);
 const struct band *doubt_band(const struct session *s,
     const struct entry *entry, const struct prediction *p);
 
-/* The cells low and high of parameter j; u may be NULL, which shows "-". */
-void doubt_cells(struct report *r, const struct uncertainty *u, size_t j);
-
 /* Says what low and high are. */
 void doubt_note(struct report *r);
 

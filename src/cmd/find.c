@@ -114,8 +114,8 @@ put_wish(json_t *o, struct wish *wish, double speed)
 {
 	bool size = wish->key != NULL;
 	report_put(o,
-	    "wanted %s value %g at_mm %g from %g to %g value_from %g value_to "
-	    "%g speed %g",
+	    "wanted %s value %g at_mm %g from %g to %g value_from %g "
+	    "value_to %g speed %g",
 	    size ? wish->key : "passing_pct",
 	    size ? units_mm(wish->x) : units_pct(wish->passing),
 	    size ? NAN : units_mm(wish->x), wish->from, wish->to,
@@ -214,8 +214,8 @@ answer_spec(struct session *s, const struct args *args, const struct wish *wish,
 	grading_notes(r, &g);
 	answers_note_doubt(s, r, v, wish->feed);
 	report_put(report_json(r),
-	    "wanted %s from %g to %g inside %d slowest %g fastest %g speed %g "
-	    "worst_mm %g outside_pct %g",
+	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
+	    "speed %g worst_mm %g outside_pct %g",
 	    "spec", wish->from, wish->to, w.inside, w.inside ? w.slowest : NAN,
 	    w.inside ? w.fastest : NAN, v,
 	    w.inside ? NAN : units_mm(g.spec->size[w.worst]), 100 * w.by);

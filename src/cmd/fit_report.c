@@ -224,16 +224,17 @@ fit_report(
     const struct entry *entry, const struct bounds *bounds, double seconds)
 {
 	const struct fit *fit = &entry->fit;
+	const struct uncertainty *u = doubt_of(entry);
 	struct report *r =
 	    answers_report(entry->site, "calibrate", "calibrated parameters");
-	report_columns(r, "parameter, value, low, high, unit, lower: from, "
-			  "upper: to, remark");
+	report_columns(r,
+	    "parameter, value, low, high, unit, lower: from, upper: to, "
+	    "remark");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		bool fixed = bounds->lower[j] >= bounds->upper[j];
-		report_cells(r, "%s %.4f", PARAMS[j].name, fit->params.at[j]);
-		doubt_cells(r, doubt_of(entry), j);
-		report_cells(r, "%s %g %g %s", PARAMS[j].unit, bounds->lower[j],
-		    bounds->upper[j],
+		report_cells(r, "%s %.4f %.4f %.4f %s %g %g %s", PARAMS[j].name,
+		    fit->params.at[j], u->low[j], u->high[j], PARAMS[j].unit,
+		    bounds->lower[j], bounds->upper[j],
 		    fixed              ? "held fixed"
 		    : fit->on_bound[j] ? "ON ITS BOUND"
 		    : j < PARAM_F_MAT  ? "largest is 1"

@@ -59,8 +59,9 @@ grading_rows(struct report *r, struct grading *grading, double v)
 {
 	const struct spec *spec = grading->spec;
 	const struct psd *product = inverse_at(&grading->inverse, v);
-	report_columns(r, "sieve_mm: sieve mm, min_pct: from %%, max_pct: to "
-			  "%%, passing_pct: product %%, verdict");
+	report_columns(r,
+	    "sieve_mm: sieve mm, min_pct: from %%, max_pct: to %%, "
+	    "passing_pct: product %%, verdict");
 	for (size_t i = 0; i < spec->n; i++)
 		report_cells(r, "%g %g %g %.1f %s", units_mm(spec->size[i]),
 		    units_pct(spec->least[i]), units_pct(spec->most[i]),

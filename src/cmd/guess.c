@@ -141,8 +141,9 @@ guess_table(const struct site *site, const struct guess *guess)
 {
 	struct report *r = answers_report(site, "guess",
 	    "guessed product at %.1f m/s, not calibrated", guess->speed);
-	report_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: "
-			  "guess %%, least_pct: least %%, most_pct: most %%");
+	report_columns(r,
+	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: guess %%, "
+	    "least_pct: least %%, most_pct: most %%");
 	for (size_t i = 0; i < guess->median.n; i++)
 		report_cells(r, "%g %.1f %.1f %.1f %.1f",
 		    units_mm(guess->median.size[i]),

@@ -70,8 +70,9 @@ show_list(
 {
 	struct report *r = report_new("materials");
 	size_t n = 0, own = 0;
-	report_columns(r, "name, rock, top_size_mm: top mm, f_mat, e0_min: "
-			  "E0_min, alpha, origin, data");
+	report_columns(r,
+	    "name, rock, top_size_mm: top mm, f_mat, e0_min: E0_min, alpha, "
+	    "origin, data");
 	for (size_t i = 0; i < list->n; i++) {
 		own += !stored_is_table3(&list->item[i]);
 		if (!is_wanted(&list->item[i], args))

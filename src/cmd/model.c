@@ -31,7 +31,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 		report_cells(r, u != NULL ? "%s %.4f" : "%s %g", PARAMS[j].name,
 		    entry->has_params ? entry->params.at[j] : NAN);
 		if (u != NULL)
-			doubt_cells(r, u, j);
+			report_cells(r, "%.4f %.4f", u->low[j], u->high[j]);
 		report_cells(r, "%s %s", PARAMS[j].unit, PARAMS[j].meaning);
 	}
 	if (u != NULL)

@@ -45,8 +45,9 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		fit_put_params(o, &entry->params);
 	else
 		json_object_set_new(o, "params", json_null());
-	report_columns(r, "speed: m/s, energy_j_kg: E J/kg, break_mm: breaks "
-			  "from mm, selected_pct: feed broken %%");
+	report_columns(r,
+	    "speed: m/s, energy_j_kg: E J/kg, break_mm: breaks from mm, "
+	    "selected_pct: feed broken %%");
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed, x = NAN, selected = NAN;
 		if (entry->has_params) {
@@ -72,8 +73,9 @@ show_model(struct session *s, const struct args *args, struct error *error)
 static void
 selection_rows(struct report *r, const struct psd *feed, const double *S)
 {
-	report_columns(r, "from_mm: from mm, to_mm: to mm, feed_pct: feed %%, "
-			  "s_pct: S %%, selected_pct: selected %%");
+	report_columns(r,
+	    "from_mm: from mm, to_mm: to mm, feed_pct: feed %%, s_pct: S %%, "
+	    "selected_pct: selected %%");
 	for (size_t i = 0; i < feed->n; i++) {
 		bool pan = i + 1 == feed->n;
 		double mass =

@@ -43,9 +43,10 @@ answers_speed_rows(
     struct session *s, struct report *r, const struct prediction *p, size_t n)
 {
 	const struct entry *entry = session_entry(s);
-	report_columns(r, "speed: m/s, energy_j_kg: J/kg, break_mm: breaks "
-			  "from mm, p20_mm: P20 mm, p50_mm: P50 mm, p80_mm: "
-			  "P80 mm, finest_pct: finest %%, extrapolated");
+	report_columns(r,
+	    "speed: m/s, energy_j_kg: J/kg, break_mm: breaks from mm, "
+	    "p20_mm: P20 mm, p50_mm: P50 mm, p80_mm: P80 mm, "
+	    "finest_pct: finest %%, extrapolated");
 	for (size_t i = 0; i < n; i++) {
 		size_t finest = p[i].product.n - 1;
 		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;

@@ -142,8 +142,8 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 	struct report *r = answers_report(
 	    entry->site, "validate", "held-out speeds, measured and predicted");
 	report_columns(r,
-	    "speed: m/s, size, measured_mm: measured mm, predicted_mm: "
-	    "predicted mm, difference_mm: difference mm");
+	    "speed: m/s, size, measured_mm: measured mm, "
+	    "predicted_mm: predicted mm, difference_mm: difference mm");
 	json_t *o = report_json(r), *list = json_array();
 	json_object_set_new(o, "holdout", list);
 	add_validations(s, r, list);

@@ -1,5 +1,5 @@
-/* The kernel and the breeding for avx512; on other processors, where nobody calls
- * them, as in isa_base.c.
+/* The kernel and the breeding for avx512; on other processors, where nobody
+ * calls them, as in isa_base.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/breed.h"
 #include "core/plan.h"
