@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/report.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -127,12 +128,14 @@ report_cells(struct report *r, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	for (const char *p = format; (p = strchr(p, '%')) != NULL; p++)
+	for (const char *p = format; (p = strchr(p, '%')) != NULL; p++) {
+		assert(p[1] == 's' || p[1] == '.' || p[1] == 'g');
 		if (p[1] == 's')
 			add_cell(r, true, NAN, xstrdup(va_arg(ap, char *)));
 		else
 			add_number(r, va_arg(ap, double),
 			    p[1] == '.' ? atoi(p + 2) : -1);
+	}
 	va_end(ap);
 }
 
@@ -206,6 +209,7 @@ next_value(const char *conversion, va_list *ap)
 		return json_integer(
 		    (json_int_t)va_arg(*ap, unsigned long long));
 	default:
+		assert(conversion[1] == 'g');
 		return report_json_number(va_arg(*ap, double));
 	}
 }
