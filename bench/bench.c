@@ -338,7 +338,7 @@ resample(struct psd *psd, size_t n)
 }
 
 /* As printed in Table 3, with the default beta. */
-static const struct params TIERP = {{0, 1, -1, 0.5}, 2.18, 16.74, 0.96};
+static const struct params TIERP = {.at = {0, 1, -1, 0.5, 2.18, 16.74, 0.96}};
 
 /* Runs made with Tierp's parameters; n_product, n_feed: sieves, or 0 for those
  * of EN 933. */
