@@ -121,7 +121,7 @@ drive(const struct site *site, const struct calibrate_options *full)
 		ga_tell(ga, told);
 	}
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		params_set(&parts.best, j, ga_best(ga)[j]);
+		parts.best.at[j] = ga_best(ga)[j];
 	params_scale_beta(&parts.best);
 	free(told);
 	ga_free(ga);
@@ -137,8 +137,7 @@ same_params(const struct params *a, const struct params *b)
 {
 	bool same = true;
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		same = same && !(params_get(a, j) < params_get(b, j)) &&
-		       !(params_get(a, j) > params_get(b, j));
+		same = same && !(a->at[j] < b->at[j]) && !(a->at[j] > b->at[j]);
 	return same;
 }
 
@@ -339,7 +338,7 @@ resample(struct psd *psd, size_t n)
 }
 
 /* As printed in Table 3, with the default beta. */
-static const struct params TIERP = {{0, 1, -1, 0.5}, 2.18, 16.74, 0.96};
+static const struct params TIERP = {.at = {0, 1, -1, 0.5, 2.18, 16.74, 0.96}};
 
 /* Runs made with Tierp's parameters; n_product, n_feed: sieves, or 0 for those
  * of EN 933. */

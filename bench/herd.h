@@ -48,7 +48,7 @@ herd_near(const struct params *p)
 {
 	struct bounds b = bounds_default();
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		double x = params_get(p, j);
+		double x = p->at[j];
 		b.lower[j] = x - HERD_NEAR * fabs(x);
 		b.upper[j] = fmin(x + HERD_NEAR * fabs(x), b.upper[j]);
 	}

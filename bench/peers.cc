@@ -160,7 +160,7 @@ params_of(const double *theta)
 {
 	struct params p;
 	for (std::size_t j = 0; j < PARAM_COUNT; j++)
-		params_set(&p, j, theta[j]);
+		p.at[j] = theta[j];
 	return p;
 }
 
@@ -273,7 +273,7 @@ at_optimum(const struct site *site, const Objective &objective)
 	Theta theta(PARAM_COUNT);
 	measure_calibrate(site, &o, &fit);
 	for (std::size_t j = 0; j < PARAM_COUNT; j++)
-		theta[j] = params_get(&fit.params, j);
+		theta[j] = fit.params.at[j];
 	return objective(theta.data());
 }
 

@@ -2,21 +2,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
-
-static void
-set(struct error *e, enum error_kind kind, const char *format, va_list ap)
-{
-	e->kind = kind;
-	e->hint[0] = '\0';
-	vsnprintf(e->text, sizeof e->text, format, ap);
-}
 
 void
 error_place(struct error *e, const char *file, int line, int column)
@@ -38,14 +29,33 @@ error_told_at(struct error *e, const char *file, int line, int column)
 }
 
 bool
-error_set(struct error *e, enum error_kind kind, const char *format, ...)
+error_say(struct error *e, enum error_kind kind, const char *file, int line,
+    int column, const char *format, va_list ap)
 {
 	if (e == NULL)
 		return false;
-	error_place(e, "", 0, 0);
+	va_list again;
+	va_copy(again, ap);
+	char *first = xstrndup(format, strcspn(format, "\n"));
+	char *text = xvasprintf(first, ap), *all = xvasprintf(format, again);
+	const char *rest = all + strlen(text);
+	va_end(again);
+	e->kind = kind;
+	error_place(e, file, line, column);
+	snprintf(e->text, sizeof e->text, "%s", text);
+	snprintf(e->hint, sizeof e->hint, "%s", *rest == '\n' ? rest + 1 : "");
+	free(first);
+	free(text);
+	free(all);
+	return false;
+}
+
+bool
+error_set(struct error *e, enum error_kind kind, const char *format, ...)
+{
 	va_list ap;
 	va_start(ap, format);
-	set(e, kind, format, ap);
+	error_say(e, kind, "", 0, 0, format, ap);
 	va_end(ap);
 	return false;
 }
@@ -54,12 +64,9 @@ bool
 error_at(struct error *e, enum error_kind kind, const char *file, int line,
     int column, const char *format, ...)
 {
-	if (e == NULL)
-		return false;
-	error_place(e, file, line, column);
 	va_list ap;
 	va_start(ap, format);
-	set(e, kind, format, ap);
+	error_say(e, kind, file, line, column, format, ap);
 	va_end(ap);
 	return false;
 }

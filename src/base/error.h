@@ -3,6 +3,7 @@
 #ifndef TIPSPEED_BASE_ERROR_H
 #define TIPSPEED_BASE_ERROR_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -34,14 +35,19 @@ struct error_list {
 	struct error item[20];
 };
 
-/* Fill e (NULL allowed: then nothing is kept).  Always returns false, so that
- * a function can say: return error_set(...). */
+/* Fill e (NULL allowed: then nothing is kept).  The first line of the format is
+ * the text, what follows it the hint: "no site '%s' is loaded\nload its file".
+ * Always returns false, so that a function can say: return error_set(...). */
 bool error_set(struct error *e, enum error_kind kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* The same for a place in a file.  line 0: no place known. */
 bool error_at(struct error *e, enum error_kind kind, const char *file, int line,
     int column, const char *format, ...) __attribute__((format(printf, 6, 7)));
+
+bool error_say(struct error *e, enum error_kind kind, const char *file,
+    int line, int column, const char *format, va_list ap)
+    __attribute__((format(printf, 6, 0)));
 
 /* Another place for an error already set. */
 void error_place(struct error *e, const char *file, int line, int column);
@@ -50,12 +56,12 @@ void error_place(struct error *e, const char *file, int line, int column);
  * where it is told. */
 void error_told_at(struct error *e, const char *file, int line, int column);
 
-/* The next step, added to an error already set.  Returns false. */
+/* Another hint for an error already set.  Returns false. */
 bool error_hint(struct error *e, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* One more fault in the list, or one more counted.  Returns a pointer to hang
- * a hint on, never NULL. */
+/* One more fault in the list, or one more counted.  Returns where it goes,
+ * never NULL. */
 struct error *error_add(struct error_list *list);
 
 /* "file:line:column: text" and, where there is one, the hint below it.  A hint

@@ -150,6 +150,24 @@ text_slug(const char *s)
 	return slug;
 }
 
+char *
+text_unquoted(const char *text, size_t n)
+{
+	char *word = xcalloc(n + 1, 1);
+	bool quoted = false;
+	size_t length = 0;
+	for (size_t i = 0; i < n; i++) {
+		bool twice = quoted && i + 1 < n && text[i + 1] == '"';
+		if (text[i] != '"')
+			word[length++] = text[i];
+		else if (twice)
+			word[length++] = text[i++];
+		else
+			quoted = !quoted;
+	}
+	return word;
+}
+
 bool
 text_ends(const char *s, const char *end)
 {

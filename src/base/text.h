@@ -30,6 +30,10 @@ char *text_fold(const char *s);
  * points turned into one '-'; empty where there are none. */
 char *text_slug(const char *s);
 
+/* n bytes without the quotes (") in them; two within quotes are one.  The
+ * caller frees. */
+char *text_unquoted(const char *s, size_t n);
+
 /* True when there is something before that end. */
 bool text_ends(const char *s, const char *end);
 

@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
@@ -38,9 +37,8 @@ answers_known(
 {
 	if (entry->has_params)
 		return fit_settings_agree(&s->set.model, error);
-	error_set(
-	    error, ERROR_USAGE, "%s has no parameters yet", entry->site->name);
-	return error_hint(error,
+	return error_set(error, ERROR_USAGE, "%s has no parameters yet\n%s",
+	    entry->site->name,
 	    site_products(entry->site) > 0
 		? "'calibrate' finds them; 'recall' or 'params set' "
 		  "takes known ones"
@@ -76,9 +74,9 @@ answers_feed(const struct site *site, const struct args *args, double speed,
 	*run = site_run_at(site, feed->number);
 	if (*run < site->n_run)
 		return true;
-	error_set(error, ERROR_USAGE, "%s has no feed sampled at %g m/s",
+	return error_set(error, ERROR_USAGE,
+	    "%s has no feed sampled at %g m/s\n'show feed' lists the feeds",
 	    site->name, feed->number);
-	return error_hint(error, "'show feed' lists the feeds");
 }
 
 bool
@@ -166,20 +164,17 @@ outside_words(const struct psd *psd, double passing)
 double
 answers_size(const struct prediction *p, size_t i)
 {
-	const double sizes[ANSWERS_SIZES] = {
-	    p->p20, p->p50, p->p80, p->break_size};
-	return 1000 * sizes[i];
+	return 1000 * p->size[i];
 }
 
 void
 answers_size_cell(struct report *r, const struct prediction *p, size_t i)
 {
-	static const double PASSING[ANSWERS_SIZES] = {0.2, 0.5, 0.8};
 	char *words = i == ANSWER_BREAK
 			  ? xstrdup("none")
-			  : outside_words(&p->product, PASSING[i]);
+			  : outside_words(&p->product, PSD_PASSING[i]);
 	report_missing(r, words);
-	report_number(r, answers_size(p, i), 2);
+	report_cells(r, "%.2f", answers_size(p, i));
 	free(words);
 }
 
@@ -210,9 +205,9 @@ answers_note_sizes(
     struct report *r, const struct psd *psd, const struct band *band)
 {
 	char *sizes = xstrdup("");
-	add_size(&sizes, psd, 0.2, band != NULL ? band->p20 : NULL);
-	add_size(&sizes, psd, 0.5, band != NULL ? band->p50 : NULL);
-	add_size(&sizes, psd, 0.8, band != NULL ? band->p80 : NULL);
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		add_size(&sizes, psd, PSD_PASSING[i],
+		    band != NULL ? band->size[i] : NULL);
 	report_note(r, "%s", sizes);
 	free(sizes);
 }
@@ -267,18 +262,18 @@ answers_tell(const struct session *s, struct report *r, const json_t *list)
 {
 	bool csv = s->set.format == REPORT_CSV;
 	if (csv)
-		report_column(r, "sentence", "sentence");
+		report_columns(r, "sentence");
 	for (size_t i = 0; i < json_array_size(list); i++) {
 		const char *words = json_string_value(json_array_get(list, i));
 		if (csv)
-			report_text(r, words);
+			report_cells(r, "%s", words);
 		else
 			report_note(r, "%s.", words);
 	}
 }
 
 json_t *
-answers_list_json(const double *value, size_t n, double (*shown)(double))
+answers_list(const double *value, size_t n, double (*shown)(double))
 {
 	json_t *list = json_array();
 	for (size_t i = 0; i < n; i++)
@@ -287,45 +282,46 @@ answers_list_json(const double *value, size_t n, double (*shown)(double))
 	return list;
 }
 
-json_t *
-answers_json(const char *command, const struct site *site)
-{
-	json_t *o = json_object();
-	json_object_set_new(o, "command", json_string(command));
-	json_object_set_new(o, "site", json_string(site->name));
-	return o;
-}
-
 const char *
 answers_method(enum method method)
 {
 	return method == METHOD_CLASSES ? "classes" : "continuous";
 }
 
-json_t *
-answers_prediction_json(struct session *s, const struct prediction *p)
+void
+answers_put_pair(json_t *o, const char *key, double low, double high)
+{
+	json_object_set_new(o, key,
+	    json_pack(
+		"[o, o]", report_json_number(low), report_json_number(high)));
+}
+
+void
+answers_put_sizes(json_t *o, const struct prediction *p)
+{
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		json_object_set_new(
+		    o, ANSWERS_KEYS[i], report_json_number(answers_size(p, i)));
+}
+
+void
+answers_put_prediction(struct session *s, json_t *o, const struct prediction *p)
 {
 	const struct entry *entry = session_entry(s);
-	json_t *o = answers_json("predict", entry->site);
-	report_put(o, "speed", p->speed);
-	json_object_set_new(o, "extrapolated",
-	    json_boolean(answers_extrapolates(entry, p->speed)));
+	const struct psd *product = &p->product;
+	report_put(o, "speed %g extrapolated %d method %s", p->speed,
+	    answers_extrapolates(entry, p->speed),
+	    answers_method(s->set.model.method));
 	json_object_set_new(
-	    o, "method", json_string(answers_method(s->set.model.method)));
-	json_object_set_new(o, "sieve_mm",
-	    answers_list_json(p->product.size, p->product.n, units_mm));
+	    o, "sieve_mm", answers_list(product->size, product->n, units_mm));
 	json_object_set_new(o, "passing_pct",
-	    answers_list_json(p->product.passing, p->product.n, units_pct));
-	for (size_t i = 0; i < ANSWERS_SIZES; i++)
-		report_put(o, ANSWERS_KEYS[i], answers_size(p, i));
-	json_object_set_new(o, "params", fit_params_json(&entry->params));
+	    answers_list(product->passing, product->n, units_pct));
+	answers_put_sizes(o, p);
+	fit_put_params(o, &entry->params);
 	if (entry->has_fit)
-		json_object_set_new(
-		    o, "verdict", json_string(fit_verdict(&entry->fit)));
+		report_put(o, "verdict %s", fit_verdict(&entry->fit));
 	if (entry->recalled[0] != '\0')
-		json_object_set_new(
-		    o, "recalled", json_string(entry->recalled));
-	return o;
+		report_put(o, "recalled %s", entry->recalled);
 }
 
 void
@@ -333,7 +329,12 @@ answers_put_products(
     struct session *s, json_t *o, const struct prediction *p, size_t n)
 {
 	json_t *list = json_array();
-	for (size_t i = 0; i < n; i++)
-		json_array_append_new(list, answers_prediction_json(s, &p[i]));
+	for (size_t i = 0; i < n; i++) {
+		json_t *product = json_object();
+		report_put(product, "command %s site %s", "predict",
+		    session_entry(s)->site->name);
+		answers_put_prediction(s, product, &p[i]);
+		json_array_append_new(list, product);
+	}
 	json_object_set_new(o, "products", list);
 }

@@ -81,12 +81,12 @@ void answers_note_doubt(
 void answers_speed_rows(
     struct session *s, struct report *r, const struct prediction *p, size_t n);
 
-/* {"command":..,"site":..}, to add to. */
-json_t *answers_json(const char *command, const struct site *site);
-
 /* The numbers as shown (units_mm, units_pct); null where not finite. */
-json_t *answers_list_json(
-    const double *value, size_t n, double (*shown)(double));
+json_t *answers_list(const double *value, size_t n, double (*shown)(double));
+
+/* Puts [low, high]; and "p20_mm" to "break_mm" of a prediction. */
+void answers_put_pair(json_t *o, const char *key, double low, double high);
+void answers_put_sizes(json_t *o, const struct prediction *p);
 
 /* One more sentence, without its full stop, for a list. */
 void answers_say(json_t *list, const char *format, ...)
@@ -104,7 +104,8 @@ void answers_note_recalled(struct report *r, const struct entry *entry);
 
 /* The JSON object of predict, see tipspeed(1), OUTPUT; and the list of several,
  * "products" of an object. */
-json_t *answers_prediction_json(struct session *s, const struct prediction *p);
+void answers_put_prediction(
+    struct session *s, json_t *o, const struct prediction *p);
 void answers_put_products(
     struct session *s, json_t *o, const struct prediction *p, size_t n);
 

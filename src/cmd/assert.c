@@ -22,18 +22,19 @@ side(const struct session *s, const char *word, double *value,
 		*value = s->answer[i];
 		if (!isnan(*value))
 			return true;
-		error_set(error, ERROR_CHECK, "%s is not known", word);
-		return error_hint(error,
+		return error_set(error, ERROR_CHECK,
+		    "%s is not known\n"
 		    "p20, p50, p80, break, speed and extrapolated come from "
-		    "predict and find, inside from spec, misfit, rmse and "
-		    "poor from calibrate, holdout from validate; another site "
-		    "or a new calibration forgets them");
+		    "predict and find, inside from spec, misfit, rmse and poor "
+		    "from calibrate, holdout from validate; another site or a "
+		    "new calibration forgets them",
+		    word);
 	}
-	error_set(error, ERROR_USAGE,
-	    "assert wants a number or a name, not '%s'", word);
-	return error_hint(error,
+	return error_set(error, ERROR_USAGE,
+	    "assert wants a number or a name, not '%s'\n"
 	    "names: p20 p50 p80 break speed extrapolated inside misfit rmse "
-	    "poor holdout");
+	    "poor holdout",
+	    word);
 }
 
 /* 1 or 0; -1 where there is no such operator. */

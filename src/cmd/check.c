@@ -79,19 +79,27 @@ finding(struct report *r, const struct entry *entry, bool fault,
 	va_start(ap, format);
 	char *text = xvasprintf(format, ap);
 	va_end(ap);
-	report_text(r, entry->key);
-	report_text(r, fault ? "FAULT" : "remark");
-	report_text(r, where);
-	report_text(r, text);
+	report_cells(r, "%s %s %s %s", entry->key, fault ? "FAULT" : "remark",
+	    where, text);
 	free(text);
+}
+
+/* Where a finding is: "69 m/s"; of the feed of all runs, 0: "feed". */
+static const char *
+place(double speed, char buf[static 40])
+{
+	if (!(speed > 0))
+		return "feed";
+	snprintf(buf, 40, "%g m/s", speed);
+	return buf;
 }
 
 static bool
 check_run(struct report *r, const struct entry *entry, const struct run *run)
 {
 	struct coarser c = find_coarser(run);
-	char *where =
-	    run->speed > 0 ? xasprintf("%g m/s", run->speed) : xstrdup("feed");
+	char buf[40];
+	const char *where = place(run->speed, buf);
 	bool fault = c.most > COARSER_FAULT;
 	if (c.sieves > 0)
 		finding(r, entry, fault, where,
@@ -115,7 +123,6 @@ check_run(struct report *r, const struct entry *entry, const struct run *run)
 	if (run->product.n == 0)
 		finding(r, entry, false, where,
 		    "a feed without a product: used for predictions only");
-	free(where);
 	return !fault;
 }
 
@@ -190,7 +197,9 @@ check_order(struct report *r, const struct entry *entry)
 			     (mean > on_the_whole || most > far);
 		if (most <= COARSER_FAULT)
 			continue;
-		char *where = xasprintf("%g, %g m/s", slow->speed, fast->speed);
+		char where[40];
+		snprintf(where, sizeof where, "%g, %g m/s", slow->speed,
+		    fast->speed);
 		finding(r, entry, fault, where,
 		    "the faster run's product is coarser by %.2f points at %g "
 		    "mm: %s",
@@ -199,7 +208,6 @@ check_order(struct report *r, const struct entry *entry)
 		    : fault                ? "were speeds or digits swapped?"
 					   : "sampling may do so, or digits "
 					     "were swapped there");
-		free(where);
 		ok = ok && !fault;
 	}
 	return ok;
@@ -238,6 +246,7 @@ static void
 check_gaps(struct report *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
+	char buf[40];
 	size_t n = 0, feeds = site->individual_feeds ? site->n_run : 1;
 	const struct psd **curve = xcalloc(site->n_run + feeds, sizeof(*curve));
 	double *speed = xdoubles(site->n_run + feeds);
@@ -255,15 +264,12 @@ check_gaps(struct report *r, const struct entry *entry)
 		if (x == 0)
 			continue;
 		bool feed = i < feeds;
-		char *where = feed && !site->individual_feeds
-				  ? xstrdup("feed")
-				  : xasprintf("%g m/s", speed[i]);
-		finding(r, entry, false, where,
+		bool shared = feed && !site->individual_feeds;
+		finding(r, entry, false, place(shared ? 0 : speed[i], buf),
 		    "the %s's cell at %g mm is empty, and no other of its row: "
 		    "if it was weighed in grams and forgotten, the whole curve "
 		    "is off",
 		    feed ? "feed" : "product", units_mm(x));
-		free(where);
 	}
 	free(curve);
 	free(speed);
@@ -292,10 +298,10 @@ check_smooth(struct report *r, const struct entry *entry, bool feed)
 	struct smooth_outlier o = smooth_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
 	if (fabs(o.off) > most) {
-		char *where = feed && !site->individual_feeds
-				  ? xstrdup("feed")
-				  : xasprintf("%g m/s", run[o.curve]->speed);
-		finding(r, entry, false, where,
+		char buf[40];
+		bool shared = feed && !site->individual_feeds;
+		finding(r, entry, false,
+		    place(shared ? 0 : run[o.curve]->speed, buf),
 		    "%s passing %g %% at %g mm lies %.1f points %s a line "
 		    "between its neighbours%s: were digits swapped?",
 		    feed ? "feed" : "product",
@@ -303,7 +309,6 @@ check_smooth(struct report *r, const struct entry *entry, bool feed)
 		    units_mm(curve[o.curve]->size[o.sieve]), 100 * fabs(o.off),
 		    o.off > 0 ? "above" : "below",
 		    o.others > 0 ? ", as compared with the other runs" : "");
-		free(where);
 	}
 	free(curve);
 	free(run);
@@ -318,14 +323,13 @@ check_fit(struct report *r, const struct entry *entry)
 	if (v.worst_difference == 0)
 		return;
 	const struct run *run = &entry->site->run[v.run];
-	char *where = xasprintf("%g m/s", v.speed);
-	finding(r, entry, false, where,
+	char buf[40];
+	finding(r, entry, false, place(v.speed, buf),
 	    "product passing %g %% at %g mm lies %.1f points %s the calibrated "
 	    "product: were digits swapped, here or beside it?",
 	    units_pct(psd_passing(&run->product, v.worst_sieve)),
 	    units_mm(v.worst_sieve), 100 * fabs(v.worst_difference),
 	    v.worst_difference < 0 ? "above" : "below");
-	free(where);
 }
 
 /* Other loaded sites with the very same numbers. */
@@ -378,14 +382,12 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 		last = first;
 	}
 	struct report *r = report_new("check");
-	report_column(r, "site", "site");
-	report_column(r, "kind", "kind");
-	report_column(r, "where", "where");
-	report_column(r, "finding", "finding");
+	report_columns(r, "site, kind, where, finding");
 	bool ok = true;
 	for (size_t i = first; i <= last; i++)
 		ok = check_site(s, r, i) && ok;
-	report_json_key(r, "ok", json_boolean(ok));
+	report_put_rows(r, "rows");
+	report_put(report_json(r), "ok %d", ok);
 	report_note(r, "%s",
 	    !ok ? "there are faults"
 	    : report_rows(r) == 0
@@ -394,7 +396,7 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	session_report(s, r);
 	if (ok)
 		return true;
-	error_set(error, ERROR_CHECK, "check found faults in the sheet");
-	return error_hint(
-	    error, "correct the sheet where it was saved, and load it again");
+	return error_set(error, ERROR_CHECK,
+	    "check found faults in the sheet\n"
+	    "correct the sheet where it was saved, and load it again");
 }

@@ -34,15 +34,9 @@ all_sieves(const struct side side[2], size_t *n)
 {
 	const struct psd *a = &side[0].p.product, *b = &side[1].p.product;
 	double *x = xdoubles(a->n + b->n);
-	size_t i = 0, j = 0;
-	*n = 0;
-	while (i < a->n || j < b->n) {
-		double next =
-		    fmax(i < a->n ? a->size[i] : 0, j < b->n ? b->size[j] : 0);
-		i += i < a->n && a->size[i] == next;
-		j += j < b->n && b->size[j] == next;
-		x[(*n)++] = next;
-	}
+	memcpy(x, a->size, a->n * sizeof *x);
+	memcpy(x + a->n, b->size, b->n * sizeof *x);
+	*n = psd_sort(x, a->n + b->n, 0);
 	return x;
 }
 
@@ -51,59 +45,50 @@ static void
 comparison_rows(struct report *r, const struct side side[2], const double *x,
     size_t n, bool csv)
 {
-	report_column(r, "quantity", "sieve mm");
-	report_column(r, "a", side[0].head);
-	report_column(r, "b", side[1].head);
-	report_column(r, "difference", "difference");
+	report_columns(r, "quantity: sieve mm, a: %s, b: %s, difference",
+	    side[0].head, side[1].head);
 	for (size_t i = 0; i < n; i++) {
 		double a = passing_at(&side[0], x[i]);
 		double b = passing_at(&side[1], x[i]);
-		char *name =
-		    xasprintf(csv ? "passing_pct@%g" : "%g", units_mm(x[i]));
-		report_text(r, name);
+		report_text(r, csv ? "passing_pct@%g" : "%g", units_mm(x[i]));
 		report_missing(r, "-");
-		report_number(r, units_pct(a), 1);
-		report_number(r, units_pct(b), 1);
-		report_number(r, 100 * (b - a), 1);
-		free(name);
+		report_cells(r, "%.1f %.1f %.1f", units_pct(a), units_pct(b),
+		    100 * (b - a));
 	}
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
-		report_text(r, csv ? ANSWERS_KEYS[i] : ANSWERS_HEADS[i]);
+		report_cells(r, "%s", csv ? ANSWERS_KEYS[i] : ANSWERS_HEADS[i]);
 		answers_size_cell(r, &side[0].p, i);
 		answers_size_cell(r, &side[1].p, i);
 		report_missing(r, "-");
-		report_number(r,
-		    answers_size(&side[1].p, i) - answers_size(&side[0].p, i),
-		    2);
+		report_cells(r, "%.2f",
+		    answers_size(&side[1].p, i) - answers_size(&side[0].p, i));
 	}
 }
 
-static json_t *
-side_json(const struct side *side, const double *x, size_t n)
+static void
+put_side(json_t *o, const char *key, const struct side *side, const double *x,
+    size_t n)
 {
-	json_t *o = json_object(), *passing = json_array();
-	json_object_set_new(o, "site", json_string(side->entry->site->name));
-	report_put(o, "speed", side->p.speed);
-	json_object_set_new(o, "extrapolated",
-	    json_boolean(answers_extrapolates(side->entry, side->p.speed)));
+	json_t *one = json_object(), *passing = json_array();
+	report_put(one, "site %s speed %g extrapolated %d",
+	    side->entry->site->name, side->p.speed,
+	    answers_extrapolates(side->entry, side->p.speed));
 	for (size_t i = 0; i < n; i++)
 		json_array_append_new(passing,
 		    report_json_number(units_pct(passing_at(side, x[i]))));
-	json_object_set_new(o, "passing_pct", passing);
-	for (size_t i = 0; i < ANSWERS_SIZES; i++)
-		report_put(o, ANSWERS_KEYS[i], answers_size(&side->p, i));
-	return o;
+	json_object_set_new(one, "passing_pct", passing);
+	answers_put_sizes(one, &side->p);
+	json_object_set_new(o, key, one);
 }
 
-static json_t *
-comparison_json(const struct side side[2], const double *x, size_t n)
+/* Each side names its own site. */
+static void
+put_comparison(json_t *o, const struct side side[2], const double *x, size_t n)
 {
-	json_t *o = json_object();
-	json_object_set_new(o, "command", json_string("compare"));
-	json_object_set_new(o, "sieve_mm", answers_list_json(x, n, units_mm));
-	json_object_set_new(o, "a", side_json(&side[0], x, n));
-	json_object_set_new(o, "b", side_json(&side[1], x, n));
-	return o;
+	json_object_del(o, "site");
+	json_object_set_new(o, "sieve_mm", answers_list(x, n, units_mm));
+	put_side(o, "a", &side[0], x, n);
+	put_side(o, "b", &side[1], x, n);
 }
 
 /* The provenance of both: once where they have the same. */
@@ -207,7 +192,7 @@ comparison(struct session *s, const struct side side[2], bool sites)
 	if (!sites && a->individual_feeds)
 		report_note(r, "feed: the sample taken at %g m/s, for both",
 		    a->run[side[0].p.feed_run].speed);
-	report_json(r, comparison_json(side, x, n));
+	put_comparison(report_json(r), side, x, n);
 	free(x);
 	return r;
 }

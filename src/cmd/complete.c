@@ -31,16 +31,6 @@ struct used {
 	size_t awaits, n_operand;
 };
 
-static char *
-without_quotes(const char *text)
-{
-	char *copy = xcalloc(strlen(text) + 1, 1);
-	for (size_t n = 0; *text != '\0'; text++)
-		if (*text != '"')
-			copy[n++] = *text;
-	return copy;
-}
-
 static void
 put(struct work *w, const char *text, char append)
 {
@@ -283,7 +273,7 @@ narrow(struct work *w, const char *line, const char *behind)
 	w->result->start = (size_t)(behind - line) + 1;
 	w->quoted = behind[1] == '"';
 	free(w->typed);
-	w->typed = without_quotes(behind + 1);
+	w->typed = text_unquoted(behind + 1, strlen(behind + 1));
 }
 
 /* The option that the word, or a bare word there, is a value of; NULL if there
@@ -383,7 +373,7 @@ complete_end(struct work *w, const char *line)
 	if (!find_word(line, &from, &w->result->start))
 		return;
 	size_t start = w->result->start;
-	w->typed = without_quotes(line + start);
+	w->typed = text_unquoted(line + start, strlen(line + start));
 	w->quoted = line[start] == '"';
 	char *before = xstrndup(line + from, start - from);
 	struct words words;

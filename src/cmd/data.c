@@ -20,11 +20,11 @@ bool
 data_load(struct session *s, const char *path, const char *digest,
     struct error *error)
 {
-	if (text_ends(path, ".tip")) {
-		error_set(error, ERROR_USAGE,
-		    "%s is a script by its name, not a sheet", path);
-		return error_hint(error, "run it: source %s", path);
-	}
+	if (text_ends(path, ".tip"))
+		return error_set(error, ERROR_USAGE,
+		    "%s is a script by its name, not a sheet\n"
+		    "run it: source %s",
+		    path, path);
 	if (!session_load(s, path, digest, error))
 		return false;
 	const struct entry *entry = session_entry(s);
@@ -40,7 +40,7 @@ data_load(struct session *s, const char *path, const char *digest,
 	free(label);
 	data_warn_coarser(s, entry->site);
 	char *line = journal_load(entry->site);
-	journal_add(s, line, NULL);
+	journal_add(s, NULL, "%s", line);
 	free(line);
 	return true;
 }
@@ -84,41 +84,31 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	struct report *r = report_new("sites");
-	report_column(r, "key", "site");
-	report_column(r, "name", "name");
-	report_column(r, "rock", "rock");
-	report_column(r, "top_size_mm", "top mm");
-	report_column(r, "speeds", "speeds m/s");
-	report_column(r, "calibrated", "calibrated");
-	report_column(r, "data", "data");
+	report_columns(r,
+	    "key: site, name, rock, top_size_mm: top mm, speeds: speeds m/s, "
+	    "calibrated, data");
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
 		char *speeds = data_speeds(entry->site, " ", NULL, true);
 		char *kind = data_kind(entry->site->provenance);
-		char *key =
-		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
-		report_text(
-		    r, s->set.format == REPORT_TABLE ? key : entry->key);
-		report_text(r, entry->site->name);
-		report_text(r, entry->site->rock);
-		report_number(r,
+		bool mark = i == s->current && s->set.format == REPORT_TABLE;
+		report_text(r, "%s%s", mark ? "*" : "", entry->key);
+		report_cells(r, "%s %s %g %s %s %s", entry->site->name,
+		    entry->site->rock,
 		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
 					      : NAN,
-		    -1);
-		report_text(r, speeds);
-		report_text(r, entry->has_fit               ? "yes"
-			       : entry->recalled[0] != '\0' ? "from store"
-			       : entry->has_params ? session_origin(entry)
-						   : "no");
-		report_text(r, kind);
+		    speeds,
+		    entry->has_fit               ? "yes"
+		    : entry->recalled[0] != '\0' ? "from store"
+		    : entry->has_params          ? session_origin(entry)
+						 : "no",
+		    kind);
 		free(speeds);
 		free(kind);
-		free(key);
 	}
 	report_note(r, s->n_entry > 0 ? "* is the site in use"
 				      : "no site is loaded: load FILE");
-	session_report(s, r);
-	return true;
+	return session_report(s, r);
 }
 
 bool
@@ -186,9 +176,10 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 		if (speeds->list[i] <= speeds->list[i - 1])
 			return error_set(error, ERROR_USAGE,
 			    "speeds go from slow to fast, each once");
-	struct materials *m = materials_read(args->operand[0], error);
+	struct error_list errors = {0};
+	struct materials *m = materials_read(args->operand[0], &errors);
 	if (m == NULL)
-		return false;
+		return session_tell_faults(s, args->operand[0], &errors, error);
 	size_t made = 0;
 	for (size_t i = 0; i < m->n; i++) {
 		if (wanted->given && !text_same(wanted->text, m->row[i].site))
@@ -197,11 +188,10 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 		made++;
 	}
 	materials_free(m);
-	if (made == 0) {
-		error_set(error, ERROR_USAGE, "%s has no site '%s'",
+	if (made == 0)
+		return error_set(error, ERROR_USAGE,
+		    "%s has no site '%s'\nits column site has the names",
 		    args->operand[0], wanted->text);
-		return error_hint(error, "its column site has the names");
-	}
 	session_note(s, "made %zu site%s: not measured at a plant", made,
 	    made == 1 ? "" : "s");
 	return true;
@@ -223,8 +213,8 @@ data_may_write(const struct args *args, const char *path, struct error *error)
 	struct stat info;
 	if (args_value(args, "replace")->choice == 1 || stat(path, &info) != 0)
 		return true;
-	error_set(error, ERROR_USAGE, "%s is there already", path);
-	return error_hint(error, "replace=on writes over it");
+	return error_set(error, ERROR_USAGE,
+	    "%s is there already\nreplace=on writes over it", path);
 }
 
 static bool

@@ -165,9 +165,11 @@ tale_report(const struct session *s, const struct tale *t, const char *kind)
 {
 	struct report *r = pictures_report(s, "describe", t->chart);
 	answers_tell(s, r, t->list);
-	report_json(r, json_pack("{s:s, s:s, s:s, s:s, s:O}", "command",
-			   "describe", "kind", kind, "title", t->chart->title,
-			   "data", t->chart->about, "sentences", t->list));
+	json_t *o = report_json(r);
+	json_object_del(o, "site");
+	report_put(o, "kind %s title %s data %s", kind, t->chart->title,
+	    t->chart->about);
+	json_object_set(o, "sentences", t->list);
 	return r;
 }
 

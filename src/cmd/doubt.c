@@ -7,7 +7,6 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "io/units.h"
 
 const struct uncertainty *
 doubt_of(const struct entry *entry)
@@ -45,20 +44,6 @@ doubt_band(const struct session *s, const struct entry *entry,
 }
 
 void
-doubt_columns(struct report *r)
-{
-	report_column(r, "low", "low");
-	report_column(r, "high", "high");
-}
-
-void
-doubt_cells(struct report *r, const struct uncertainty *u, size_t j)
-{
-	report_number(r, u != NULL ? u->low[j] : NAN, 4);
-	report_number(r, u != NULL ? u->high[j] : NAN, 4);
-}
-
-void
 doubt_note(struct report *r)
 {
 	report_note(r,
@@ -66,34 +51,22 @@ doubt_note(struct report *r)
 	    UNCERTAINTY_LEVEL);
 }
 
-static json_t *
-pair(double low, double high)
+void
+doubt_put_interval(json_t *o, const struct uncertainty *u)
 {
-	return json_pack(
-	    "[o, o]", report_json_number(low), report_json_number(high));
-}
-
-json_t *
-doubt_json(const struct uncertainty *u)
-{
-	json_t *o = json_object();
+	json_t *interval = json_object();
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		json_object_set_new(
-		    o, PARAMS[j].name, pair(u->low[j], u->high[j]));
-	return o;
-}
-
-static void
-set_range(json_t *o, const char *key, const double range[2])
-{
-	json_object_set_new(o, key, pair(1000 * range[0], 1000 * range[1]));
+		answers_put_pair(
+		    interval, PARAMS[j].name, u->low[j], u->high[j]);
+	json_object_set_new(o, "interval", interval);
 }
 
 void
-doubt_band_json(json_t *o, const struct band *band)
+doubt_put_band(json_t *o, const struct band *band)
 {
-	set_range(o, "p20_range_mm", band->p20);
-	set_range(o, "p50_range_mm", band->p50);
-	set_range(o, "p80_range_mm", band->p80);
-	set_range(o, "break_range_mm", band->break_size);
+	static const char *const KEYS[] = {
+	    "p20_range_mm", "p50_range_mm", "p80_range_mm", "break_range_mm"};
+	for (size_t i = 0; i < ARRAY_LEN(KEYS); i++)
+		answers_put_pair(o, KEYS[i], 1000 * band->size[i][0],
+		    1000 * band->size[i][1]);
 }

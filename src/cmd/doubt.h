@@ -3,8 +3,6 @@
 #ifndef TIPSPEED_CMD_DOUBT_H
 #define TIPSPEED_CMD_DOUBT_H
 
-#include <stdbool.h>
-
 #include "cmd/session.h"
 #include "core/predict.h"
 
@@ -19,18 +17,13 @@ const struct uncertainty *doubt_of(const struct entry *entry);
 const struct band *doubt_band(const struct session *s,
     const struct entry *entry, const struct prediction *p);
 
-/* Columns low and high, and their cells for parameter j; u may be NULL, which
- * shows "-". */
-void doubt_columns(struct report *r);
-void doubt_cells(struct report *r, const struct uncertainty *u, size_t j);
-
 /* Says what low and high are. */
 void doubt_note(struct report *r);
 
-/* {"beta1":[low, high], .. "alpha":[low, high]} */
-json_t *doubt_json(const struct uncertainty *u);
+/* Puts "interval": {"beta1":[low, high], .. "alpha":[low, high]}. */
+void doubt_put_interval(json_t *o, const struct uncertainty *u);
 
-/* Adds the ranges of the sizes to the object of predict. */
-void doubt_band_json(json_t *o, const struct band *band);
+/* Puts the ranges of the sizes. */
+void doubt_put_band(json_t *o, const struct band *band);
 
 #endif

@@ -215,16 +215,11 @@ session_find(
 		return true;
 	}
 	char *keys = list_keys(s, best > 0 ? name : NULL);
-	if (best > 0) {
-		error_set(
-		    error, ERROR_USAGE, "several sites are called '%s'", name);
-		error_hint(error, "use one of: %s", keys);
-	} else {
-		error_set(error, ERROR_USAGE, "no site '%s' is loaded", name);
-		error_hint(error,
-		    keys[0] != '\0' ? "loaded: %s" : "load its file first%s",
-		    keys);
-	}
+	error_set(error, ERROR_USAGE,
+	    best > 0          ? "several sites are called '%s'\nuse one of: %s"
+	    : keys[0] != '\0' ? "no site '%s' is loaded\nloaded: %s"
+			      : "no site '%s' is loaded\nload its file first%s",
+	    name, keys);
 	free(keys);
 	return false;
 }
@@ -242,21 +237,18 @@ add_checked(struct session *s, struct site *site, const char *digest,
 	}
 	error_at(error, ERROR_DATA, site->path, 0, 0,
 	    "the sheet with digest %s was wanted, found %s: its numbers are "
-	    "others",
+	    "others\nwithout digest= it is loaded as it is; results change",
 	    digest, found);
 	site_free(site);
-	return error_hint(
-	    error, "without digest= it is loaded as it is; results change");
+	return false;
 }
 
 bool
 session_load(struct session *s, const char *path, const char *digest,
     struct error *error)
 {
-	struct error_list *errors = xcalloc(1, sizeof *errors);
-	struct site *site = site_read(path, errors);
-	if (site == NULL)
-		session_tell_faults(s, path, errors, error);
-	free(errors);
-	return site != NULL && add_checked(s, site, digest, error);
+	struct error_list errors = {0};
+	struct site *site = site_read(path, &errors);
+	return site != NULL ? add_checked(s, site, digest, error)
+			    : session_tell_faults(s, path, &errors, error);
 }

@@ -66,7 +66,6 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
     struct error *error)
 {
 	static const char *const NAMES[3] = {"p20", "p50", "p80"};
-	static const double PASSING[3] = {0.2, 0.5, 0.8};
 	const struct entry *entry = session_entry(s);
 	const struct psd *feed = &entry->site->run[wish->feed].feed;
 	wish->x = args_value(args, "at")->number / 1000;
@@ -75,15 +74,14 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 		if (!args_value(args, NAMES[i])->given)
 			continue;
 		wish->key = ANSWERS_KEYS[i];
-		wish->passing = PASSING[i];
+		wish->passing = PSD_PASSING[i];
 		wish->x = args_value(args, NAMES[i])->number / 1000;
 	}
-	if (!psd_covers(feed, wish->x)) {
-		error_set(error, ERROR_USAGE,
-		    "%g mm is finer than the feed's finest sieve, %g mm",
+	if (!psd_covers(feed, wish->x))
+		return error_set(error, ERROR_USAGE,
+		    "%g mm is finer than the feed's finest sieve, %g mm\n"
+		    "nothing is known of what is finer",
 		    1000 * wish->x, units_mm(feed->size[feed->n - 1]));
-		return error_hint(error, "nothing is known of what is finer");
-	}
 	struct prediction p = answers_predict(s, entry, wish->from, wish->feed);
 	wish->inverse = inverse_new(feed,
 	    wish->key != NULL ? p.product.size : &wish->x,
@@ -110,24 +108,17 @@ wish_words(const struct wish *wish)
 				       100 * wish->passing, units_mm(wish->x));
 }
 
-static json_t *
-wish_json(struct session *s, struct wish *wish, double speed,
-    const struct prediction *p, size_t n)
+static void
+put_wish(json_t *o, struct wish *wish, double speed)
 {
-	const struct entry *entry = session_entry(s);
-	json_t *o = answers_json("find", entry->site);
-	json_object_set_new(o, "wanted",
-	    json_string(wish->key != NULL ? wish->key : "passing_pct"));
-	report_put(o, "value",
-	    wish->key != NULL ? units_mm(wish->x) : units_pct(wish->passing));
-	report_put(o, "at_mm", wish->key != NULL ? NAN : units_mm(wish->x));
-	report_put(o, "from", wish->from);
-	report_put(o, "to", wish->to);
-	report_put(o, "value_from", value_at(wish, wish->from));
-	report_put(o, "value_to", value_at(wish, wish->to));
-	report_put(o, "speed", speed);
-	answers_put_products(s, o, p, n);
-	return o;
+	bool size = wish->key != NULL;
+	report_put(o,
+	    "wanted %s value %g at_mm %g from %g to %g value_from %g "
+	    "value_to %g speed %g",
+	    size ? wish->key : "passing_pct",
+	    size ? units_mm(wish->x) : units_pct(wish->passing),
+	    size ? NAN : units_mm(wish->x), wish->from, wish->to,
+	    value_at(wish, wish->from), value_at(wish, wish->to), speed);
 }
 
 /* Why there is no such speed: what the two ends give. */
@@ -176,7 +167,8 @@ answer_wish(struct session *s, struct wish *wish)
 		note_unreached(r, wish, words);
 	answers_note_doubt(
 	    s, r, found ? v : entry->site->run[wish->feed].speed, wish->feed);
-	report_json(r, wish_json(s, wish, found ? v : NAN, p, n));
+	put_wish(report_json(r), wish, found ? v : NAN);
+	answers_put_products(s, report_json(r), p, n);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(words);
@@ -220,19 +212,13 @@ answer_spec(struct session *s, const struct args *args, const struct wish *wish,
 	note_window(r, wish, &g, &w);
 	grading_notes(r, &g);
 	answers_note_doubt(s, r, v, wish->feed);
-	json_t *o = answers_json("find", entry->site);
-	json_object_set_new(o, "wanted", json_string("spec"));
-	report_put(o, "from", wish->from);
-	report_put(o, "to", wish->to);
-	json_object_set_new(o, "inside", json_boolean(w.inside));
-	report_put(o, "slowest", w.inside ? w.slowest : NAN);
-	report_put(o, "fastest", w.inside ? w.fastest : NAN);
-	report_put(o, "speed", v);
-	report_put(
-	    o, "worst_mm", w.inside ? NAN : units_mm(g.spec->size[w.worst]));
-	report_put(o, "outside_pct", 100 * w.by);
-	grading_json(o, r, g.spec);
-	report_json(r, o);
+	report_put(report_json(r),
+	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
+	    "speed %g worst_mm %g outside_pct %g",
+	    "spec", wish->from, wish->to, w.inside, w.inside ? w.slowest : NAN,
+	    w.inside ? w.fastest : NAN, v,
+	    w.inside ? NAN : units_mm(g.spec->size[w.worst]), 100 * w.by);
+	grading_put(r, g.spec);
 	session_forget(s);
 	s->answer[ANSWER_INSIDE] = w.inside;
 	s->answer[ANSWER_SPEED] = v;

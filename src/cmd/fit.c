@@ -18,21 +18,19 @@ mark_training(const struct site *site, const struct value *value, bool *train,
 {
 	if (!value->given)
 		return misfit_default_train(site, train) > 0 ||
-		       (error_set(error, ERROR_DATA,
-			    "%s has no product to calibrate on", site->name) ||
-			   error_hint(error,
-			       "'guess' tells what to expect of its feed, "
-			       "'recall' takes the parameters of another "
-			       "sheet"));
+		       error_set(error, ERROR_DATA,
+			   "%s has no product to calibrate on\n"
+			   "'guess' tells what to expect of its feed, "
+			   "'recall' takes the parameters of another "
+			   "sheet",
+			   site->name);
 	for (size_t i = 0; i < value->n; i++) {
 		size_t r = site_run_at(site, value->list[i]);
-		if (r == site->n_run || site->run[r].product.n == 0) {
-			error_set(error, ERROR_USAGE,
-			    "%s has no product at %g m/s", site->name,
-			    value->list[i]);
-			return error_hint(
-			    error, "'show' lists the speeds it has");
-		}
+		if (r == site->n_run || site->run[r].product.n == 0)
+			return error_set(error, ERROR_USAGE,
+			    "%s has no product at %g m/s\n"
+			    "'show' lists the speeds it has",
+			    site->name, value->list[i]);
 		train[r] = true;
 	}
 	return true;
@@ -46,13 +44,12 @@ check_training(const struct site *site, const bool *train, struct error *error)
 		const struct run *run = &site->run[r];
 		if (!train[r] || misfit_covered(run) > 0)
 			continue;
-		error_set(error, ERROR_DATA,
+		return error_set(error, ERROR_DATA,
 		    "%s: no product sieve at %g m/s lies within the feed's "
-		    "sieves",
+		    "sieves\n"
+		    "sieve the feed to finer sizes, or train on other runs: "
+		    "calibrate train=...",
 		    site->name, run->speed);
-		return error_hint(error,
-		    "sieve the feed to finer sizes, or train on other "
-		    "runs: calibrate train=...");
 	}
 	return true;
 }
@@ -65,13 +62,11 @@ check_weights(const struct site *site, const bool *train, struct error *error)
 	for (size_t r = 0; r < site->n_run; r++) {
 		if (!train[r] || site->run[r].product_sd != NULL)
 			continue;
-		error_set(error, ERROR_DATA,
+		return error_set(error, ERROR_DATA,
 		    "weights=sd wants standard deviations for every training "
-		    "run; %s has none at %g m/s",
-		    site->name, site->run[r].speed);
-		return error_hint(error,
+		    "run; %s has none at %g m/s\n"
 		    "add a column sd@%g, or calibrate without weights",
-		    site->run[r].speed);
+		    site->name, site->run[r].speed, site->run[r].speed);
 	}
 	return true;
 }
@@ -82,9 +77,9 @@ fit_settings_agree(const struct model_settings *settings, struct error *error)
 	if (settings->method == METHOD_CLASSES ||
 	    settings->appearance == APPEARANCE_RATIO)
 		return true;
-	error_set(error, ERROR_USAGE,
-	    "this appearance works with the method classes only");
-	return error_hint(error, "set method classes, or set appearance ratio");
+	return error_set(error, ERROR_USAGE,
+	    "this appearance works with the method classes only\n"
+	    "set method classes, or set appearance ratio");
 }
 
 void

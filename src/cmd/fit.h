@@ -5,7 +5,6 @@
 
 #include <stdbool.h>
 
-#include "cmd/command.h"
 #include "cmd/session.h"
 #include "core/validate.h"
 
@@ -60,8 +59,8 @@ struct report *fit_report(
 bool fit_settings_agree(
     const struct model_settings *settings, struct error *error);
 
-/* {"beta":[4],"f_mat":..,"e0_min":..,"alpha":..} */
-json_t *fit_params_json(const struct params *p);
+/* Puts "params": {"beta":[4],"f_mat":..,"e0_min":..,"alpha":..}. */
+void fit_put_params(json_t *o, const struct params *p);
 
 /* "poor", "good", or "nothing breaks". */
 const char *fit_verdict(const struct fit *fit);

@@ -62,58 +62,53 @@ fit_outlier(const struct entry *entry)
 	return farthest;
 }
 
-static json_t *
-speeds_as_json(const struct site *site, const bool *train, bool other)
+/* The speeds that were trained on, or the others. */
+static void
+put_speeds(json_t *o, const char *key, const struct entry *entry, bool trained)
 {
 	json_t *list = json_array();
+	const struct site *site = entry->site;
 	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].product.n > 0 && train[r] != other)
+		if (site->run[r].product.n > 0 && entry->train[r] == trained)
 			json_array_append_new(
 			    list, json_real(site->run[r].speed));
-	return list;
+	json_object_set_new(o, key, list);
 }
 
-json_t *
-fit_params_json(const struct params *p)
+static double
+as_it_is(double value)
 {
-	json_t *object = json_object(), *beta = json_array();
-	for (size_t b = 0; b < 4; b++)
-		json_array_append_new(beta, report_json_number(p->beta[b]));
-	json_object_set_new(object, "beta", beta);
-	report_put(object, "f_mat", p->f_mat);
-	report_put(object, "e0_min", p->e0_min);
-	report_put(object, "alpha", p->alpha);
-	return object;
+	return value;
 }
 
-static json_t *
-fit_as_json(const struct entry *entry, double seconds)
+void
+fit_put_params(json_t *o, const struct params *p)
+{
+	json_t *params = json_object();
+	json_object_set_new(params, "beta", answers_list(p->beta, 4, as_it_is));
+	report_put(params, "f_mat %g e0_min %g alpha %g", p->f_mat, p->e0_min,
+	    p->alpha);
+	json_object_set_new(o, "params", params);
+}
+
+static void
+put_fit(json_t *o, const struct entry *entry, double seconds)
 {
 	const struct fit *fit = &entry->fit;
-	json_t *o = answers_json("calibrate", entry->site);
-	json_object_set_new(o, "seed", json_integer((json_int_t)fit->seed));
-	json_object_set_new(
-	    o, "population", json_integer((json_int_t)fit->population));
-	json_object_set_new(
-	    o, "generations", json_integer((json_int_t)fit->generations));
-	json_object_set_new(
-	    o, "evaluations", json_integer((json_int_t)fit->evaluations));
+	report_put(o,
+	    "seed %llu population %zu generations %zu evaluations %zu",
+	    (unsigned long long)fit->seed, fit->population, fit->generations,
+	    fit->evaluations);
 	if (fit->edits > 0)
-		json_object_set_new(o, "bounds_edited_at",
-		    json_integer((json_int_t)fit->edited_at));
-	json_object_set_new(
-	    o, "stop", json_string(calibrate_state_name(fit->stop)));
-	report_put(o, "misfit", fit->misfit);
-	report_put(o, "seconds", seconds);
-	json_object_set_new(o, "params", fit_params_json(&fit->params));
-	json_object_set_new(
-	    o, "train", speeds_as_json(entry->site, entry->train, false));
-	json_object_set_new(
-	    o, "holdout", speeds_as_json(entry->site, entry->train, true));
-	report_put(o, "rmse_pct", fit->rmse * 100);
-	json_object_set_new(o, "verdict", json_string(fit_verdict(fit)));
-	json_object_set_new(o, "interval", doubt_json(doubt_of(entry)));
-	return o;
+		report_put(o, "bounds_edited_at %zu", fit->edited_at);
+	report_put(o, "stop %s misfit %g seconds %g",
+	    calibrate_state_name(fit->stop), fit->misfit, seconds);
+	fit_put_params(o, &fit->params);
+	put_speeds(o, "train", entry, true);
+	put_speeds(o, "holdout", entry, false);
+	report_put(
+	    o, "rmse_pct %g verdict %s", fit->rmse * 100, fit_verdict(fit));
+	doubt_put_interval(o, doubt_of(entry));
 }
 
 /* Why nothing breaks, in terms of the break size and the feed. */
@@ -229,27 +224,21 @@ fit_report(
     const struct entry *entry, const struct bounds *bounds, double seconds)
 {
 	const struct fit *fit = &entry->fit;
+	const struct uncertainty *u = doubt_of(entry);
 	struct report *r =
 	    answers_report(entry->site, "calibrate", "calibrated parameters");
-	report_column(r, "parameter", "parameter");
-	report_column(r, "value", "value");
-	doubt_columns(r);
-	report_column(r, "unit", "unit");
-	report_column(r, "lower", "from");
-	report_column(r, "upper", "to");
-	report_column(r, "remark", "remark");
+	report_columns(r,
+	    "parameter, value, low, high, unit, lower: from, upper: to, "
+	    "remark");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		bool fixed = bounds->lower[j] >= bounds->upper[j];
-		report_text(r, PARAMS[j].name);
-		report_number(r, params_get(&fit->params, j), 4);
-		doubt_cells(r, doubt_of(entry), j);
-		report_text(r, PARAMS[j].unit);
-		report_number(r, bounds->lower[j], -1);
-		report_number(r, bounds->upper[j], -1);
-		report_text(r, fixed              ? "held fixed"
-			       : fit->on_bound[j] ? "ON ITS BOUND"
-			       : j < PARAM_F_MAT  ? "largest is 1"
-						  : "");
+		report_cells(r, "%s %.4f %.4f %.4f %s %g %g %s", PARAMS[j].name,
+		    fit->params.at[j], u->low[j], u->high[j], PARAMS[j].unit,
+		    bounds->lower[j], bounds->upper[j],
+		    fixed              ? "held fixed"
+		    : fit->on_bound[j] ? "ON ITS BOUND"
+		    : j < PARAM_F_MAT  ? "largest is 1"
+				       : "");
 	}
 	report_note(r, "misfit %.6g, %.2f points RMS over %zu sieves",
 	    fit->misfit, 100 * fit->rmse, fit->n_residual);
@@ -261,6 +250,6 @@ fit_report(
 		    "'save' writes repeats that, calibrate alone does not",
 		    fit->edited_at, fit->edits > 1 ? " and before" : "");
 	add_verdict(r, entry, bounds);
-	report_json(r, fit_as_json(entry, seconds));
+	put_fit(report_json(r), entry, seconds);
 	return r;
 }

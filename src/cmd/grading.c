@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/table.h"
 #include "io/units.h"
@@ -16,14 +15,11 @@ grading_open(struct session *s, const char *path, size_t feed,
 {
 	const struct entry *entry = session_entry(s);
 	const struct psd *from = &entry->site->run[feed].feed;
-	struct error_list *errors = xcalloc(1, sizeof *errors);
-	struct spec *spec = spec_read(path, errors);
-	if (spec == NULL)
-		session_tell_faults(s, path, errors, error);
-	free(errors);
+	struct error_list errors = {0};
+	struct spec *spec = spec_read(path, &errors);
 	*grading = (struct grading){.spec = spec};
 	if (spec == NULL)
-		return false;
+		return session_tell_faults(s, path, &errors, error);
 	while (grading->n < spec->n && psd_covers(from, spec->size[grading->n]))
 		grading->n++;
 	if (grading->n == 0) {
@@ -63,19 +59,14 @@ grading_rows(struct report *r, struct grading *grading, double v)
 {
 	const struct spec *spec = grading->spec;
 	const struct psd *product = inverse_at(&grading->inverse, v);
-	report_column(r, "sieve_mm", "sieve mm");
-	report_column(r, "min_pct", "from %");
-	report_column(r, "max_pct", "to %");
-	report_column(r, "passing_pct", "product %");
-	report_column(r, "verdict", "verdict");
-	for (size_t i = 0; i < spec->n; i++) {
-		report_number(r, units_mm(spec->size[i]), -1);
-		report_number(r, units_pct(spec->least[i]), -1);
-		report_number(r, units_pct(spec->most[i]), -1);
-		report_number(r,
-		    i < grading->n ? units_pct(product->passing[i]) : NAN, 1);
-		report_text(r, verdict(grading, i));
-	}
+	report_columns(r,
+	    "sieve_mm: sieve mm, min_pct: from %%, max_pct: to %%, "
+	    "passing_pct: product %%, verdict");
+	for (size_t i = 0; i < spec->n; i++)
+		report_cells(r, "%g %g %g %.1f %s", units_mm(spec->size[i]),
+		    units_pct(spec->least[i]), units_pct(spec->most[i]),
+		    i < grading->n ? units_pct(product->passing[i]) : NAN,
+		    verdict(grading, i));
 }
 
 void
@@ -92,14 +83,11 @@ grading_notes(struct report *r, const struct grading *grading)
 }
 
 void
-grading_json(json_t *o, const struct report *r, const struct spec *spec)
+grading_put(struct report *r, const struct spec *spec)
 {
-	static const char *const COLUMNS[] = {
-	    "sieve_mm", "min_pct", "max_pct", "passing_pct", "verdict"};
-	json_object_set_new(o, "spec", json_string(spec->name));
-	json_object_set_new(o, "source", json_string(spec->source));
-	for (size_t i = 0; i < ARRAY_LEN(COLUMNS); i++)
-		report_put_column(o, r, COLUMNS[i]);
+	report_put(
+	    report_json(r), "spec %s source %s", spec->name, spec->source);
+	report_put_columns(r, "sieve_mm min_pct max_pct passing_pct verdict");
 }
 
 /* What is wrong, in a line. */
@@ -140,12 +128,9 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 	note_verdict(r, &g, v);
 	grading_notes(r, &g);
 	answers_note_doubt(s, r, v, feed);
-	json_t *o = answers_json("spec", entry->site);
-	report_put(o, "speed", v);
-	json_object_set_new(o, "extrapolated", json_boolean(outside));
-	json_object_set_new(o, "inside", json_boolean(inside));
-	grading_json(o, r, g.spec);
-	report_json(r, o);
+	report_put(report_json(r), "speed %g extrapolated %d inside %d", v,
+	    outside, inside);
+	grading_put(r, g.spec);
 	s->answer[ANSWER_INSIDE] = inside;
 	session_report(s, r);
 	grading_close(&g);

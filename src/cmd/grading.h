@@ -31,7 +31,7 @@ void grading_rows(struct report *r, struct grading *grading, double v);
 /* Where the limits are from, and which sieves are not judged. */
 void grading_notes(struct report *r, const struct grading *grading);
 
-/* Adds spec, source and the columns of grading_rows. */
-void grading_json(json_t *o, const struct report *r, const struct spec *spec);
+/* Puts spec, source and the columns of grading_rows into its JSON. */
+void grading_put(struct report *r, const struct spec *spec);
 
 #endif

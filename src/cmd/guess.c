@@ -11,7 +11,6 @@
 #include "cmd/answers.h"
 #include "cmd/data.h"
 #include "cmd/fit.h"
-#include "cmd/store.h"
 #include "cmd/table.h"
 #include "io/units.h"
 
@@ -63,11 +62,10 @@ find_wanted(const struct site *site, const struct args *args,
 	    .top_size = top->given ? top->number / 1000 : site->top_size};
 	if (wanted->rock[0] != '\0' || wanted->top_size > 0)
 		return true;
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    "guess wants a rock or a top size, and the sheet of %s states "
-	    "neither",
+	    "neither\nguess rock=granite top=11.2",
 	    site->name);
-	return error_hint(error, "guess rock=granite top=11.2");
 }
 
 /* Of Table 3 alone, so that it is the same for everyone. */
@@ -85,69 +83,57 @@ table3_error(const struct basis *b, size_t nearest, double speed, char **worst)
 
 /* "p20_mm": middle and "p20_range_mm": [least, most]. */
 static void
-range_json(json_t *o, const char *name, const struct guess_range *range)
+put_range(json_t *o, const char *name, const struct guess_range *range)
 {
-	char *middle = xasprintf("%s_mm", name);
-	char *ends = xasprintf("%s_range_mm", name);
-	report_put(o, middle, 1000 * range->middle);
-	json_object_set_new(o, ends,
-	    json_pack("[o, o]", report_json_number(1000 * range->least),
-		report_json_number(1000 * range->most)));
-	free(middle);
-	free(ends);
+	char key[32];
+	snprintf(key, sizeof key, "%s_mm", name);
+	json_object_set_new(o, key, report_json_number(1000 * range->middle));
+	snprintf(key, sizeof key, "%s_range_mm", name);
+	answers_put_pair(o, key, 1000 * range->least, 1000 * range->most);
 }
 
-static json_t *
-materials_json(const struct basis *b)
+static void
+put_materials(json_t *o, const struct basis *b)
 {
 	json_t *list = json_array();
 	for (size_t i = 0; i < b->n; i++) {
 		const struct stored *m = &b->list.item[b->pick[i]];
-		json_t *o = json_pack("{s:s, s:s, s:s}", "name", m->name,
-		    "site", m->site, "rock", m->rock);
-		report_put(o, "top_size_mm", m->top_size_mm);
-		json_object_set_new(o, "origin", json_string(m->origin));
-		json_object_set_new(
-		    o, "provenance", json_string(m->provenance));
-		json_object_set_new(o, "params", fit_params_json(&m->params));
-		json_array_append_new(list, o);
+		json_t *one = json_object();
+		report_put(one,
+		    "name %s site %s rock %s top_size_mm %g origin %s "
+		    "provenance %s",
+		    m->name, m->site, m->rock, m->top_size_mm, m->origin,
+		    m->provenance);
+		fit_put_params(one, &m->params);
+		json_array_append_new(list, one);
 	}
-	return list;
+	json_object_set_new(o, "materials", list);
 }
 
-static json_t *
-error_json(const struct guess_error *e, const char *worst)
+static void
+put_error(json_t *o, const struct guess_error *e, const char *worst)
 {
-	json_t *o = json_pack("{s:s, s:I}", "data",
-	    "reconstructed from Table 3", "sites", (json_int_t)e->n);
-	report_put(o, "median_rmse_pct", 100 * e->median);
-	report_put(o, "worst_rmse_pct", 100 * e->worst);
-	json_object_set_new(o, "worst", json_string(worst));
-	report_put(o, "feed_rmse_pct", 100 * e->feed);
-	return o;
-}
-
-static json_t *
-guess_json(const struct report *r, const struct site *site,
-    const struct basis *b, const struct guess *guess, json_t *error)
-{
-	double top = b->wanted.top_size;
-	json_t *o = answers_json("guess", site);
-	json_object_set_new(o, "calibrated", json_false());
-	json_object_set_new(o, "rock", json_string(b->wanted.rock));
-	report_put(o, "top_size_mm", top > 0 ? units_mm(top) : NAN);
-	report_put(o, "speed", guess->speed);
-	report_put_column(o, r, "sieve_mm");
-	report_put_column(o, r, "passing_pct");
-	report_put_column(o, r, "least_pct");
-	report_put_column(o, r, "most_pct");
-	range_json(o, "p20", &guess->p20);
-	range_json(o, "p50", &guess->p50);
-	range_json(o, "p80", &guess->p80);
-	range_json(o, "break", &guess->break_size);
-	json_object_set_new(o, "materials", materials_json(b));
+	json_t *error = json_object();
+	report_put(error,
+	    "data %s sites %zu median_rmse_pct %g worst_rmse_pct %g worst %s "
+	    "feed_rmse_pct %g",
+	    "reconstructed from Table 3", e->n, 100 * e->median, 100 * e->worst,
+	    worst, 100 * e->feed);
 	json_object_set_new(o, "leave_one_site_out", error);
-	return o;
+}
+
+static void
+put_guess(struct report *r, const struct basis *b, const struct guess *guess)
+{
+	static const char *const NAMES[] = {"p20", "p50", "p80", "break"};
+	json_t *o = report_json(r);
+	double top = b->wanted.top_size;
+	report_put(o, "calibrated %d rock %s top_size_mm %g speed %g", false,
+	    b->wanted.rock, top > 0 ? units_mm(top) : NAN, guess->speed);
+	report_put_columns(r, "sieve_mm passing_pct least_pct most_pct");
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		put_range(o, NAMES[i], &guess->size[i]);
+	put_materials(o, b);
 }
 
 static struct report *
@@ -155,18 +141,16 @@ guess_table(const struct site *site, const struct guess *guess)
 {
 	struct report *r = answers_report(site, "guess",
 	    "guessed product at %.1f m/s, not calibrated", guess->speed);
-	report_column(r, "sieve_mm", "sieve mm");
-	report_column(r, "feed_pct", "feed %");
-	report_column(r, "passing_pct", "guess %");
-	report_column(r, "least_pct", "least %");
-	report_column(r, "most_pct", "most %");
-	for (size_t i = 0; i < guess->median.n; i++) {
-		report_number(r, units_mm(guess->median.size[i]), -1);
-		report_number(r, units_pct(guess->feed.passing[i]), 1);
-		report_number(r, units_pct(guess->median.passing[i]), 1);
-		report_number(r, units_pct(guess->least.passing[i]), 1);
-		report_number(r, units_pct(guess->most.passing[i]), 1);
-	}
+	report_columns(r,
+	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: guess %%, "
+	    "least_pct: least %%, most_pct: most %%");
+	for (size_t i = 0; i < guess->median.n; i++)
+		report_cells(r, "%g %.1f %.1f %.1f %.1f",
+		    units_mm(guess->median.size[i]),
+		    units_pct(guess->feed.passing[i]),
+		    units_pct(guess->median.passing[i]),
+		    units_pct(guess->least.passing[i]),
+		    units_pct(guess->most.passing[i]));
 	return r;
 }
 
@@ -190,17 +174,16 @@ note_sizes(struct report *r, const struct guess *guess)
 {
 	const struct psd *psd = &guess->median;
 	char *none = xasprintf("<%g", units_mm(psd->size[psd->n - 1]));
-	char *p20 = range_words(&guess->p20, none);
-	char *p50 = range_words(&guess->p50, none);
-	char *p80 = range_words(&guess->p80, none);
-	char *breaks = range_words(&guess->break_size, "none");
-	report_note(r, "P20 %s, P50 %s, P80 %s mm", p20, p50, p80);
-	report_note(r, "breaks from %s mm up", breaks);
+	char *words[ANSWERS_SIZES];
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		words[i] = range_words(
+		    &guess->size[i], i == ANSWER_BREAK ? "none" : none);
+	report_note(
+	    r, "P20 %s, P50 %s, P80 %s mm", words[0], words[1], words[2]);
+	report_note(r, "breaks from %s mm up", words[ANSWER_BREAK]);
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		free(words[i]);
 	free(none);
-	free(p20);
-	free(p50);
-	free(p80);
-	free(breaks);
 }
 
 /* Names of the materials picked (or, with `left`, left out). */
@@ -274,7 +257,8 @@ report_guess(struct session *s, const struct basis *b,
 	    "misses by %.1f. Reconstructed data on made-up feeds, with no "
 	    "sampling error: a plant will be farther off",
 	    e.n, 100 * e.median, 100 * e.worst, worst, 100 * e.feed);
-	report_json(r, guess_json(r, site, b, guess, error_json(&e, worst)));
+	put_guess(r, b, guess);
+	put_error(report_json(r), &e, worst);
 	free(worst);
 	session_report(s, r);
 }

@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
-#include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/table.h"
 
@@ -21,21 +20,14 @@ spread(const struct history *h, const struct calibrate_generation *g, size_t j)
 static void
 add_heads(struct report *r, bool exact)
 {
-	report_column(r, "generation", "gen");
-	report_column(r, "best", "best");
-	report_column(r, "median", "median");
+	report_columns(r, "generation: gen, best, median");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		char *p10 = xasprintf("%s_p10", PARAMS[j].name);
-		char *p90 = xasprintf("%s_p90", PARAMS[j].name);
-		if (exact) {
-			report_column(r, PARAMS[j].name, PARAMS[j].name);
-			report_column(r, p10, p10);
-			report_column(r, p90, p90);
-		} else {
-			report_column(r, p90, PARAMS[j].name);
-		}
-		free(p10);
-		free(p90);
+		const char *name = PARAMS[j].name;
+		if (exact)
+			report_columns(
+			    r, "%s, %s_p10, %s_p90", name, name, name);
+		else
+			report_columns(r, "%s_p90: %s", name, name);
 	}
 }
 
@@ -43,16 +35,13 @@ static void
 add_row(struct report *r, const struct history *h, size_t i, bool exact)
 {
 	const struct calibrate_generation *g = &h->generation[i];
-	report_number(r, (double)(i + 1), -1);
-	report_number(r, g->best, 6);
-	report_number(r, g->median, 6);
+	report_cells(r, "%g %.6f %.6f", (double)(i + 1), g->best, g->median);
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		if (exact) {
-			report_number(r, params_get(&g->params, j), -1);
-			report_number(r, g->p10[j], -1);
-			report_number(r, g->p90[j], -1);
+			report_cells(r, "%g %g %g", g->params.at[j], g->p10[j],
+			    g->p90[j]);
 		} else {
-			report_number(r, spread(h, g, j), 1);
+			report_cells(r, "%.1f", spread(h, g, j));
 		}
 	}
 }
@@ -74,12 +63,11 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
 	const struct history *h = entry->history;
-	if (h == NULL || h->n == 0) {
-		error_set(error, ERROR_USAGE,
-		    "%s has not been calibrated in this session",
+	if (h == NULL || h->n == 0)
+		return error_set(error, ERROR_USAGE,
+		    "%s has not been calibrated in this session\n"
+		    "calibrate it first",
 		    entry->site->name);
-		return error_hint(error, "calibrate it first");
-	}
 	const struct value *every = args_value(args, "every");
 	size_t step =
 	    every->given ? (size_t)every->whole : (h->n + ROWS - 1) / ROWS;
@@ -100,6 +88,5 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 		    "spreads are told in %% of those set since",
 		    entry->fit.edited_at,
 		    entry->fit.edits > 1 ? " and before" : "");
-	session_report(s, r);
-	return true;
+	return session_report(s, r);
 }

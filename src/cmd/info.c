@@ -113,10 +113,11 @@ static bool
 unknown(const char *name, struct error *error)
 {
 	const char *near = command_nearest(name);
-	error_set(error, ERROR_USAGE, "there is no command '%s'", name);
-	if (near != NULL)
-		return error_hint(error, "did you mean '%s'?", near);
-	return error_hint(error, "apropos %s searches all help", name);
+	return error_set(error, ERROR_USAGE,
+	    near != NULL
+		? "there is no command '%s'\ndid you mean '%s'?"
+		: "there is no command '%s'\napropos %s searches all help",
+	    name, near != NULL ? near : name);
 }
 
 bool
@@ -183,9 +184,9 @@ cmd_apropos(struct session *s, const struct args *args, struct error *error)
 	free(folded);
 	if (found > 0)
 		return true;
-	error_set(
-	    error, ERROR_USAGE, "no help speaks of '%s'", args->operand[0]);
-	return error_hint(error, "'help' lists the commands");
+	return error_set(error, ERROR_USAGE,
+	    "no help speaks of '%s'\n'help' lists the commands",
+	    args->operand[0]);
 }
 
 bool
@@ -214,16 +215,13 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	struct report *r = report_new("version");
-	const char *const pairs[][2] = {{"tipspeed", PACKAGE_VERSION},
-	    {"gsl", GSL_VERSION}, {"jansson", JANSSON_VERSION},
-	    {"instructions", isa_name(isa_usable(ISA_BEST))}};
-	report_column(r, "part", "part");
-	report_column(r, "version", "version");
-	report_pairs(r, pairs, ARRAY_LEN(pairs));
-	report_json(r, json_pack("{s:s, s:s}", "command", "version", "version",
-			   PACKAGE_VERSION));
-	session_report(s, r);
-	return true;
+	report_columns(r, "part, version");
+	report_pair(r, "tipspeed", "%s", PACKAGE_VERSION);
+	report_pair(r, "gsl", "%s", GSL_VERSION);
+	report_pair(r, "jansson", "%s", JANSSON_VERSION);
+	report_pair(r, "instructions", "%s", isa_name(isa_usable(ISA_BEST)));
+	report_put(report_json(r), "version %s", PACKAGE_VERSION);
+	return session_report(s, r);
 }
 
 bool

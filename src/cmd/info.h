@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_CMD_INFO_H
 #define TIPSPEED_CMD_INFO_H
 
-#include <stdbool.h>
 #include <stdio.h>
 
 #include "cmd/command.h"

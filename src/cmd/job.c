@@ -120,14 +120,8 @@ new_summary(void)
 {
 	struct report *r = report_new("calibrate");
 	report_title(r, "all sites, calibrated");
-	report_column(r, "site", "site");
-	report_column(r, "f_mat", "f_mat");
-	report_column(r, "e0_min", "e0_min");
-	report_column(r, "alpha", "alpha");
-	report_column(r, "misfit", "misfit");
-	report_column(r, "rmse_pct", "RMSE");
-	report_column(r, "holdout_pct", "hold-out");
-	report_column(r, "remark", "remark");
+	report_columns(r, "site, f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
+			  "holdout_pct: hold-out, remark");
 	return r;
 }
 
@@ -182,14 +176,10 @@ summarise(struct session *s, const struct entry *entry)
 {
 	struct report *r = s->job.summary;
 	char *words = remarks(s, entry);
-	report_text(r, entry->key);
-	report_number(r, entry->fit.params.f_mat, 3);
-	report_number(r, entry->fit.params.e0_min, 2);
-	report_number(r, entry->fit.params.alpha, 3);
-	report_number(r, entry->fit.misfit, -1);
-	report_number(r, 100 * entry->fit.rmse, 2);
-	report_number(r, 100 * fit_holdout_rmse(entry), 2);
-	report_text(r, words);
+	report_cells(r, "%s %.3f %.2f %.3f %g %.2f %.2f %s", entry->key,
+	    entry->fit.params.f_mat, entry->fit.params.e0_min,
+	    entry->fit.params.alpha, entry->fit.misfit, 100 * entry->fit.rmse,
+	    100 * fit_holdout_rmse(entry), words);
 	free(words);
 }
 
@@ -204,16 +194,15 @@ write_log(struct session *s)
 		fprintf(log, "%s,%zu,%.17g,%.17g", s->entry[s->job.entry].key,
 		    i + 1, g[i].best, g[i].median);
 		for (size_t j = 0; j < PARAM_COUNT; j++)
-			fprintf(log, ",%.17g,%.17g,%.17g",
-			    params_get(&g[i].params, j), g[i].p10[j],
-			    g[i].p90[j]);
+			fprintf(log, ",%.17g,%.17g,%.17g", g[i].params.at[j],
+			    g[i].p10[j], g[i].p90[j]);
 		fputc('\n', log);
 	}
 	struct error error = {0};
 	if (fflush(log) == 0 && !ferror(log))
 		return;
-	error_set(&error, ERROR_SYSTEM, "the log could not be written");
-	error_hint(&error, "is the disk full?");
+	error_set(&error, ERROR_SYSTEM,
+	    "the log could not be written\nis the disk full?");
 	turn_failed(s, &error);
 }
 
@@ -321,9 +310,10 @@ need_paused(const struct session *s, const char *name, struct error *error)
 {
 	if (s->job.calibration != NULL && s->job.paused)
 		return true;
-	error_set(error, ERROR_USAGE, "%s: no calibration was stopped", name);
-	return error_hint(
-	    error, "^C or pause= stops a calibration and keeps it");
+	return error_set(error, ERROR_USAGE,
+	    "%s: no calibration was stopped\n"
+	    "^C or pause= stops a calibration and keeps it",
+	    name);
 }
 
 /* On within the session's bounds, where these are others than it began with. */

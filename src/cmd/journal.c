@@ -3,6 +3,7 @@
 #include "cmd/journal.h"
 
 #include <inttypes.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -91,13 +92,16 @@ is_call_of(const char *line, const char *name)
 }
 
 void
-journal_add(struct session *s, const char *line, const char *latest)
+journal_add(struct session *s, const char *latest, const char *line, ...)
 {
 	struct journal *j = s->journal;
 	if (latest != NULL && j->n > j->start &&
 	    is_call_of(j->line[j->n - 1], latest))
 		free(j->line[--j->n]);
-	append(j, xstrdup(line));
+	va_list ap;
+	va_start(ap, line);
+	append(j, xvasprintf(line, ap));
+	va_end(ap);
 }
 
 void
@@ -109,15 +113,11 @@ journal_restart(struct session *s)
 void
 journal_settings(struct session *s)
 {
-	char *seed = xasprintf("seed %" PRIu64, s->set.seed);
-	char *format =
-	    xasprintf("set format %s", REPORT_FORMATS[s->set.format]);
 	if (s->set.seed != 1)
-		journal_add(s, seed, NULL);
+		journal_add(s, NULL, "seed %" PRIu64, s->set.seed);
 	if (s->set.format != REPORT_TABLE)
-		journal_add(s, format, NULL);
-	free(seed);
-	free(format);
+		journal_add(
+		    s, NULL, "set format %s", REPORT_FORMATS[s->set.format]);
 }
 
 /* Appends a word, in quotes where it would not be read as one. */
@@ -240,11 +240,10 @@ can_be_saved(const struct journal *j, struct error *error)
 		if (text_is_utf8(j->line[i], strlen(j->line[i])) &&
 		    strpbrk(j->line[i], "\r\n") == NULL)
 			continue;
-		error_set(error, ERROR_DATA,
-		    "a script cannot say '%.200s': a name in it is no UTF-8 "
-		    "or has a line break",
+		return error_set(error, ERROR_DATA,
+		    "a script cannot say '%.200s': a name in it is no UTF-8 or "
+		    "has a line break\nrename the file, and load it again",
 		    j->line[i]);
-		return error_hint(error, "rename the file, and load it again");
 	}
 	return true;
 }
@@ -253,13 +252,11 @@ bool
 cmd_save(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
-	if (!text_ends(path, ".tip")) {
-		error_set(error, ERROR_USAGE,
-		    "save writes a script, and '%s' does not end in .tip",
+	if (!text_ends(path, ".tip"))
+		return error_set(error, ERROR_USAGE,
+		    "save writes a script, and '%s' does not end in .tip\n"
+		    "results are saved with > FILE, sheets with write",
 		    path);
-		return error_hint(
-		    error, "results are saved with > FILE, sheets with write");
-	}
 	if (!data_may_write(args, path, error) ||
 	    !can_be_saved(s->journal, error) ||
 	    !replace_file(path, put_script, s, error))

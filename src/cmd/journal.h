@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_CMD_JOURNAL_H
 #define TIPSPEED_CMD_JOURNAL_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 #include "cmd/command.h"
@@ -30,7 +29,8 @@ void tail_free(struct tail *tail);
 
 /* Adds a line.  latest: the name of a command whose former line it replaces, if
  * that is the last; or NULL. */
-void journal_add(struct session *s, const char *line, const char *latest);
+void journal_add(struct session *s, const char *latest, const char *line, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* What came before is no part of the session any more. */
 void journal_restart(struct session *s);

@@ -6,7 +6,6 @@
 #include "base/xalloc.h"
 #include "cmd/journal.h"
 #include "cmd/script.h"
-#include "cmd/snapshot.h"
 #include "cmd/table.h"
 
 bool
@@ -65,8 +64,7 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 		xappend(&text, i > 0 ? " %s" : "%s", args->operand[i]);
 	if (s->set.format == REPORT_JSON) {
 		struct report *r = report_new("echo");
-		report_json(r,
-		    json_pack("{s:s, s:s}", "command", "echo", "text", text));
+		report_put(report_json(r), "text %s", text);
 		session_report(s, r);
 	} else {
 		fprintf(s->out, "%s\n", text);
@@ -88,11 +86,10 @@ bool
 cmd_tui(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO)) {
-		error_set(error, ERROR_USAGE,
-		    "tui wants a terminal for input and output");
-		return error_hint(error, "'predict' answers without one");
-	}
+	if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO))
+		return error_set(error, ERROR_USAGE,
+		    "tui wants a terminal for input and output\n"
+		    "'predict' answers without one");
 	s->wants_tui = true;
 	return true;
 }

@@ -41,14 +41,9 @@ static void
 add_row(struct report *r, const struct stored *m)
 {
 	char *kind = data_kind(m->provenance);
-	report_text(r, m->name);
-	report_text(r, m->rock);
-	report_number(r, m->top_size_mm, -1);
-	report_number(r, m->params.f_mat, 2);
-	report_number(r, m->params.e0_min, 2);
-	report_number(r, m->params.alpha, 2);
-	report_text(r, store_origin_words(m));
-	report_text(r, kind);
+	report_cells(r, "%s %s %g %.2f %.2f %.2f %s %s", m->name, m->rock,
+	    m->top_size_mm, m->params.f_mat, m->params.e0_min, m->params.alpha,
+	    store_origin_words(m), kind);
 	free(kind);
 }
 
@@ -75,14 +70,9 @@ show_list(
 {
 	struct report *r = report_new("materials");
 	size_t n = 0, own = 0;
-	report_column(r, "name", "name");
-	report_column(r, "rock", "rock");
-	report_column(r, "top_size_mm", "top mm");
-	report_column(r, "f_mat", "f_mat");
-	report_column(r, "e0_min", "E0_min");
-	report_column(r, "alpha", "alpha");
-	report_column(r, "origin", "origin");
-	report_column(r, "data", "data");
+	report_columns(r,
+	    "name, rock, top_size_mm: top mm, f_mat, e0_min: E0_min, alpha, "
+	    "origin, data");
 	for (size_t i = 0; i < list->n; i++) {
 		own += !stored_is_table3(&list->item[i]);
 		if (!is_wanted(&list->item[i], args))
@@ -104,23 +94,13 @@ show_one(struct session *s, const struct stored *m)
 	struct report *r = report_new("materials");
 	report_title(r, "%s: %s", m->name, store_origin_words(m));
 	report_site(r, m->site, m->provenance);
-	report_column(r, "field", "field");
-	report_column(r, "value", "value");
+	report_columns(r, "field, value");
 	for (size_t i = 0; i < FIELD_COUNT; i++) {
 		char *text = stored_written(m, &FIELDS[i]);
-		report_text(r, FIELDS[i].name);
-		report_text(r, text);
+		report_cells(r, "%s %s", FIELDS[i].name, text);
 		free(text);
 	}
 	session_report(s, r);
-}
-
-static void
-add_what(struct report *r, const char *what, char *value)
-{
-	report_text(r, what);
-	report_text(r, value);
-	free(value);
 }
 
 bool
@@ -134,25 +114,24 @@ show_store(struct session *s, const struct args *args, struct error *error)
 	}
 	stored_table3(&all);
 	const char *path = store_path(s->store);
-	bool memory = strcmp(path, ":memory:") == 0;
 	int64_t bytes = store_bytes(s->store);
 	struct report *r = report_new("show");
 	report_title(r, "the store of materials");
-	report_column(r, "what", "what");
-	report_column(r, "value", "value");
-	add_what(r, "place", xstrdup(path));
-	add_what(r, "file",
-	    memory      ? xstrdup("none: it ends with the session")
-	    : bytes < 0 ? xstrdup("none yet: the first remember makes it")
-			: xasprintf("%" PRId64 " bytes", bytes));
-	add_what(r, "schema", xasprintf("%d", STORE_SCHEMA));
-	add_what(r, "own materials", xasprintf("%zu", own.n));
-	add_what(r, "of Table 3", xasprintf("%zu, read only", all.n));
+	report_columns(r, "what, value");
+	report_pair(r, "place", "%s", path);
+	if (strcmp(path, ":memory:") == 0)
+		report_pair(r, "file", "none: it ends with the session");
+	else if (bytes < 0)
+		report_pair(r, "file", "none yet: the first remember makes it");
+	else
+		report_pair(r, "file", "%" PRId64 " bytes", bytes);
+	report_pair(r, "schema", "%d", STORE_SCHEMA);
+	report_pair(r, "own materials", "%zu", own.n);
+	report_pair(r, "of Table 3", "%zu, read only", all.n);
 	report_note(r, "'materials' lists them");
 	stored_list_free(&own);
 	stored_list_free(&all);
-	session_report(s, r);
-	return true;
+	return session_report(s, r);
 }
 
 bool

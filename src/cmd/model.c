@@ -23,26 +23,20 @@ show_params(struct session *s, const struct args *args, struct error *error)
 	const struct uncertainty *u = doubt_of(entry);
 	struct report *r = answers_report(
 	    entry->site, "params", "parameters %s", session_origin(entry));
-	report_column(r, "parameter", "parameter");
-	report_column(r, "value", "value");
+	report_columns(r, "parameter, value");
 	if (u != NULL)
-		doubt_columns(r);
-	report_column(r, "unit", "unit");
-	report_column(r, "meaning", "meaning");
+		report_columns(r, "low, high");
+	report_columns(r, "unit, meaning");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		report_text(r, PARAMS[j].name);
-		report_number(r,
-		    entry->has_params ? params_get(&entry->params, j) : NAN,
-		    u != NULL ? 4 : -1);
+		report_cells(r, u != NULL ? "%s %.4f" : "%s %g", PARAMS[j].name,
+		    entry->has_params ? entry->params.at[j] : NAN);
 		if (u != NULL)
-			doubt_cells(r, u, j);
-		report_text(r, PARAMS[j].unit);
-		report_text(r, PARAMS[j].meaning);
+			report_cells(r, "%.4f %.4f", u->low[j], u->high[j]);
+		report_cells(r, "%s %s", PARAMS[j].unit, PARAMS[j].meaning);
 	}
 	if (u != NULL)
 		doubt_note(r);
-	session_report(s, r);
-	return true;
+	return session_report(s, r);
 }
 
 void
@@ -69,7 +63,7 @@ set_params(struct session *s, const struct args *args, struct error *error)
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		const struct value *v = args_value(args, PARAMS[j].name);
 		if (v->given)
-			params_set(&p, j, v->number);
+			p.at[j] = v->number;
 		else if (!entry->has_params && j >= PARAM_F_MAT)
 			return error_set(error, ERROR_USAGE,
 			    "params set wants %s too: %s has no parameters "
@@ -86,18 +80,18 @@ other_site(struct session *s, const struct args *args, struct error *error)
 {
 	size_t at;
 	if (args->n_operand < 2) {
-		error_set(error, ERROR_USAGE, "params %s wants a loaded site",
+		error_set(error, ERROR_USAGE,
+		    "params %s wants a loaded site\n'sites' lists them",
 		    args->operand[0]);
-		error_hint(error, "'sites' lists them");
 		return NULL;
 	}
 	if (!session_find(s, args->operand[1], &at, error))
 		return NULL;
 	if (s->entry[at].has_params)
 		return &s->entry[at];
-	error_set(error, ERROR_USAGE, "%s has no parameters yet",
+	error_set(error, ERROR_USAGE,
+	    "%s has no parameters yet\ncalibrate it first, or set them there",
 	    s->entry[at].site->name);
-	error_hint(error, "calibrate it first, or set them there");
 	return NULL;
 }
 
@@ -132,26 +126,20 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 	params_scale_beta(&b);
 	struct report *r = answers_report(
 	    mine->site, "params", "parameters beside those of %s", other->key);
-	report_column(r, "parameter", "parameter");
-	report_column(r, "value", mine->key);
-	report_column(r, "other", other->key);
-	report_column(r, "difference", "difference");
-	report_column(r, "unit", "unit");
+	report_columns(r, "parameter, value: %s, other: %s, difference, unit",
+	    mine->key, other->key);
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		double x = params_get(&a, j), y = params_get(&b, j);
-		report_text(r, PARAMS[j].name);
-		report_number(r, x, 4);
-		report_number(r, y, 4);
-		report_number(r, y - x, 4);
-		report_text(r, PARAMS[j].unit);
+		double x = a.at[j], y = b.at[j];
+		report_cells(r, "%s %.4f %.4f %.4f %s", PARAMS[j].name, x, y,
+		    y - x, PARAMS[j].unit);
 	}
-	report_json_key(r, "other_site", json_string(other->site->name));
+	report_put_rows(r, "rows");
+	report_put(report_json(r), "other_site %s", other->site->name);
 	report_note(r, "%s: %s; %s: %s; beta scaled to largest 1", mine->key,
 	    session_origin(mine), other->key, session_origin(other));
 	report_note(r, "e0_min, alpha and f_mat trade off against each other: "
 		       "'compare' tells what the difference does");
-	session_report(s, r);
-	return true;
+	return session_report(s, r);
 }
 
 /* Only set takes values, only diff and use take a site. */
@@ -180,10 +168,10 @@ cmd_params(struct session *s, const struct args *args, struct error *error)
 	for (size_t j = 0; j < PARAM_COUNT && !VERBS[i].values; j++) {
 		if (!args->value[j].given)
 			continue;
-		error_set(error, ERROR_USAGE,
-		    "params %s takes no values; to change %s it wants set",
-		    verb, PARAMS[j].name);
-		return error_hint(error, "params set %s=..", PARAMS[j].name);
+		return error_set(error, ERROR_USAGE,
+		    "params %s takes no values; to change %s it wants set\n"
+		    "params set %s=..",
+		    verb, PARAMS[j].name, PARAMS[j].name);
 	}
 	return VERBS[i].run(s, args, error);
 }
@@ -195,18 +183,12 @@ show_bounds(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	struct report *r = report_new("bounds");
 	report_title(r, "search bounds");
-	report_column(r, "parameter", "parameter");
-	report_column(r, "lower", "from");
-	report_column(r, "upper", "to");
-	report_column(r, "unit", "unit");
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		report_text(r, PARAMS[j].name);
-		report_number(r, s->set.bounds.lower[j], -1);
-		report_number(r, s->set.bounds.upper[j], -1);
-		report_text(r, PARAMS[j].unit);
-	}
-	session_report(s, r);
-	return true;
+	report_columns(r, "parameter, lower: from, upper: to, unit");
+	for (size_t j = 0; j < PARAM_COUNT; j++)
+		report_cells(r, "%s %g %g %s", PARAMS[j].name,
+		    s->set.bounds.lower[j], s->set.bounds.upper[j],
+		    PARAMS[j].unit);
+	return session_report(s, r);
 }
 
 /* "a..b", or one number, which holds the parameter fixed. */
@@ -236,12 +218,11 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 		return true;
 	}
 	size_t j = params_find(args->operand[0]);
-	if (j == PARAM_COUNT) {
-		error_set(error, ERROR_USAGE, "there is no parameter '%s'",
+	if (j == PARAM_COUNT)
+		return error_set(error, ERROR_USAGE,
+		    "there is no parameter '%s'\n"
+		    "beta1 beta2 beta3 beta4 f_mat e0_min alpha, or default",
 		    args->operand[0]);
-		return error_hint(error,
-		    "beta1 beta2 beta3 beta4 f_mat e0_min alpha, or default");
-	}
 	if (args->n_operand < 2)
 		return error_set(error, ERROR_USAGE,
 		    "bounds %s wants a range a..b, or one value to hold it "
@@ -265,25 +246,21 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-static void
+static bool
 show_settings(struct session *s)
 {
 	struct report *r = report_new("set");
-	char *k = xasprintf("%g", s->set.model.k);
-	char *threads = xasprintf("%u", s->set.threads);
-	const char *const pairs[][2] = {
-	    {"method", answers_method(s->set.model.method)},
-	    {"appearance", MODEL_FORMS[s->set.model.appearance]}, {"k", k},
-	    {"threads", threads}, {"isa", isa_name(isa_usable(s->set.isa))},
-	    {"format", REPORT_FORMATS[s->set.format]},
-	    {"csv", s->set.semicolon ? "semicolon" : "comma"},
-	    {"pager", s->pager ? "on" : "off"}};
-	report_column(r, "setting", "setting");
-	report_column(r, "value", "value");
-	report_pairs(r, pairs, ARRAY_LEN(pairs));
-	free(k);
-	free(threads);
-	session_report(s, r);
+	report_columns(r, "setting, value");
+	report_pair(r, "method", "%s", answers_method(s->set.model.method));
+	report_pair(
+	    r, "appearance", "%s", MODEL_FORMS[s->set.model.appearance]);
+	report_pair(r, "k", "%g", s->set.model.k);
+	report_pair(r, "threads", "%u", s->set.threads);
+	report_pair(r, "isa", "%s", isa_name(isa_usable(s->set.isa)));
+	report_pair(r, "format", "%s", REPORT_FORMATS[s->set.format]);
+	report_pair(r, "csv", "%s", s->set.semicolon ? "semicolon" : "comma");
+	report_pair(r, "pager", "%s", s->pager ? "on" : "off");
+	return session_report(s, r);
 }
 
 bool
@@ -318,9 +295,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		s->pager = pager->choice == 0;
 	bool any = method->given || form->given || k->given || threads->given ||
 		   isa->given || format->given || csv->given || pager->given;
-	if (!any)
-		show_settings(s);
-	return true;
+	return any || show_settings(s);
 }
 
 bool
@@ -333,10 +308,7 @@ cmd_seed(struct session *s, const struct args *args, struct error *error)
 		return true;
 	}
 	struct report *r = report_new("seed");
-	char *text = xasprintf("%llu", (unsigned long long)s->set.seed);
-	report_column(r, "seed", "seed");
-	report_text(r, text);
-	free(text);
-	session_report(s, r);
-	return true;
+	report_columns(r, "seed");
+	report_text(r, "%llu", (unsigned long long)s->set.seed);
+	return session_report(s, r);
 }

@@ -3,9 +3,6 @@
 #ifndef TIPSPEED_CMD_MODEL_H
 #define TIPSPEED_CMD_MODEL_H
 
-#include <stdbool.h>
-
-#include "cmd/command.h"
 #include "cmd/session.h"
 
 /* Names of the appearance forms, in the order of the enum. */

@@ -119,8 +119,8 @@ is_lone_unit(const struct args *args, const char *word, struct error *error)
 		    strcmp(o[i].unit, word) != 0)
 			continue;
 		error_set(error, ERROR_USAGE,
-		    "a unit stands at its number, without a blank");
-		error_hint(error, "write %s%s", args->value[i].text, word);
+		    "a unit stands at its number, without a blank\nwrite %s%s",
+		    args->value[i].text, word);
 		return true;
 	}
 	return false;
@@ -136,11 +136,11 @@ is_lone_option(
 	bool is = command_option_index(command, name) < OPTIONS;
 	if (is && word[n] == '=') {
 		error_set(error, ERROR_USAGE,
-		    "options are in small letters, unlike '%s'", word);
-		error_hint(error, "write %s%s", name, word + n);
+		    "options are in small letters, unlike '%s'\nwrite %s%s",
+		    word, name, word + n);
 	} else if (is) {
-		error_set(error, ERROR_USAGE, "%s wants a value", name);
-		error_hint(error, "%s=..", name);
+		error_set(
+		    error, ERROR_USAGE, "%s wants a value\n%s=..", name, name);
 	}
 	free(cut);
 	free(name);
@@ -161,13 +161,11 @@ check_operands(const struct args *args, struct error *error)
 	if (more != NULL && is_lone_option(command, more, error))
 		return false;
 	char *usage = command_usage(command);
-	if (more != NULL)
-		error_set(error, ERROR_USAGE, "%s: '%s' is one word too many",
-		    command->name, more);
-	else
-		error_set(error, ERROR_USAGE, "%s wants %s", command->name,
-		    command->operands.usage);
-	error_hint(error, "usage: %s", usage);
+	error_set(error, ERROR_USAGE,
+	    more != NULL ? "%s: '%s' is one word too many\nusage: %s"
+			 : "%s wants %s\nusage: %s",
+	    command->name, more != NULL ? more : command->operands.usage,
+	    usage);
 	free(usage);
 	return false;
 }

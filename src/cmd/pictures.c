@@ -18,11 +18,10 @@ read_request(const struct session *s, const struct args *args,
     struct plot_request *request, struct error *error)
 {
 	size_t kind;
-	if (!text_choice(PLOT_KINDS, args->operand[0], &kind)) {
-		error_set(error, ERROR_USAGE, "there is no plot '%s'",
-		    args->operand[0]);
-		return error_hint(error, "the plots are: %s", PLOT_KINDS);
-	}
+	if (!text_choice(PLOT_KINDS, args->operand[0], &kind))
+		return error_set(error, ERROR_USAGE,
+		    "there is no plot '%s'\nthe plots are: %s",
+		    args->operand[0], PLOT_KINDS);
 	*request = plots_request((enum plot_kind)kind);
 	const struct value *speed = args_value(args, "speed");
 	const struct value *other = args_value(args, "other");
@@ -96,21 +95,18 @@ chart_report(const struct session *s, const struct chart *chart)
 {
 	struct report *r = pictures_report(s, "plot", chart);
 	char *x = key_of(&chart->x), *y = key_of(&chart->y);
-	report_column(r, "series", "series");
+	report_columns(r, "series");
 	report_column(r, x, chart->x.title);
 	report_column(r, y, chart->y.title);
-	report_column(r, "low", "low");
-	report_column(r, "high", "high");
+	report_columns(r, "low, high");
 	for (size_t i = 0; i < chart->n; i++)
 		for (size_t j = 0; j < chart->series[i].n; j++) {
 			const struct chart_series *p = &chart->series[i];
 			if (isnan(p->y[j]))
 				continue;
-			report_text(r, p->name);
-			report_number(r, p->x[j], -1);
-			report_number(r, p->y[j], -1);
-			report_number(r, p->low != NULL ? p->low[j] : NAN, -1);
-			report_number(r, p->low != NULL ? p->high[j] : NAN, -1);
+			report_cells(r, "%s %g %g %g %g", p->name, p->x[j],
+			    p->y[j], p->low != NULL ? p->low[j] : NAN,
+			    p->low != NULL ? p->high[j] : NAN);
 		}
 	free(x);
 	free(y);
@@ -145,9 +141,9 @@ print_chart(struct session *s, const struct args *args,
 static bool
 cannot_draw(const struct session *s, struct error *error)
 {
-	error_set(
-	    error, ERROR_SYSTEM, "the picture %s cannot be drawn", s->file);
-	return error_hint(error, "try a smaller one, or .svg");
+	return error_set(error, ERROR_SYSTEM,
+	    "the picture %s cannot be drawn\ntry a smaller one, or .svg",
+	    s->file);
 }
 
 bool
@@ -201,10 +197,10 @@ screen_report(const struct canvas *canvas)
 	FILE *memory = text_memory(&text, &n);
 	canvas_print(canvas, 0, memory);
 	fclose(memory);
-	report_column(r, "text", "text");
+	report_columns(r, "text");
 	for (char *line = text; *line != '\0'; line += strlen(line) + 1) {
 		line[strcspn(line, "\n")] = '\0';
-		report_text(r, line);
+		report_cells(r, "%s", line);
 	}
 	free(text);
 	return r;

@@ -5,11 +5,14 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/fit.h"
+
+const struct chart_series PLOTS_FEED = {
+    .series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'};
+const struct chart_series PLOTS_CURVE = {
+    .series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'};
 
 struct plot_request
 plots_request(enum plot_kind kind)
@@ -50,9 +53,9 @@ plots_generation(const struct session *s, const struct plot_request *request,
 {
 	if (past->n == 0) {
 		error_set(error, ERROR_USAGE,
-		    "%s has not been calibrated in this session",
+		    "%s has not been calibrated in this session\n"
+		    "calibrate it first",
 		    s->entry[s->current].site->name);
-		error_hint(error, "calibrate it first");
 		return past->n;
 	}
 	if (request->generation <= past->n)

@@ -93,6 +93,9 @@ struct chart *plots_site_chart(const struct site *site, struct axis x,
 /* So many measured products, those nearest to the speed, has psd. */
 enum { PLOTS_MEASURED = 3 };
 
+/* The looks of a feed, or what lies behind, and of a single curve. */
+extern const struct chart_series PLOTS_FEED, PLOTS_CURVE;
+
 /* The looks that several series of a chart take in turn; the first 23
  * differ without colour. */
 struct chart_series plots_look(size_t i);

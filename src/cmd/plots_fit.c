@@ -7,7 +7,6 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/fit.h"
 #include "cmd/plots.h"
 #include "core/misfit.h"
 #include "core/validate.h"
@@ -40,20 +39,12 @@ plots_convergence(
 	    axis_linear("generation", 1, (double)past.n),
 	    axis_log("misfit, -", low, high), "the search, %zu generations",
 	    last + 1);
-	struct chart_series *median = chart_add(chart, "median candidate",
-	    (struct chart_series){
-		.series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'},
-	    last + 1);
+	chart_add(chart, PLOTS_FEED, last + 1, "median candidate");
+	chart_add(chart, PLOTS_CURVE, last + 1, "best");
+	struct chart_series *median = &chart->series[0], *best = median + 1;
 	for (size_t i = 0; i <= last; i++) {
-		median->x[i] = (double)(i + 1);
+		median->x[i] = best->x[i] = (double)(i + 1);
 		median->y[i] = shown_misfit(past.generation[i].median);
-	}
-	struct chart_series *best = chart_add(chart, "best",
-	    (struct chart_series){
-		.series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'},
-	    last + 1);
-	for (size_t i = 0; i <= last; i++) {
-		best->x[i] = (double)(i + 1);
 		best->y[i] = shown_misfit(past.generation[i].best);
 	}
 	return chart;
@@ -94,10 +85,10 @@ plots_spread(
 	    axis_linear("place within the bounds, %", 0, 100), parameter_axis(),
 	    "candidates of generation %zu", i + 1);
 	/* Two ends and a lift of the pen. */
-	struct chart_series *spread = chart_add(chart, "middle 80 %",
+	struct chart_series *spread = chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_MEASURED_1, .line = CHART_SOLID, .ascii = '='},
-	    (size_t)3 * PARAM_COUNT);
+	    (size_t)3 * PARAM_COUNT, "middle 80 %%");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		double ends[3] = {share_of(past.bounds, j, g->p10[j]),
 		    share_of(past.bounds, j, g->p90[j]), NAN};
@@ -107,12 +98,11 @@ plots_spread(
 			    isnan(ends[k]) ? NAN : (double)(PARAM_COUNT - j);
 		}
 	}
-	struct chart_series *best = chart_add(chart, "best",
+	struct chart_series *best = chart_add(chart,
 	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'},
-	    PARAM_COUNT);
+	    PARAM_COUNT, "best");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		best->x[j] =
-		    share_of(past.bounds, j, params_get(&g->params, j));
+		best->x[j] = share_of(past.bounds, j, g->params.at[j]);
 		best->y[j] =
 		    isnan(best->x[j]) ? NAN : (double)(PARAM_COUNT - j);
 	}
@@ -167,17 +157,17 @@ put_pairs(
     struct chart *chart, const struct pairs *pairs, double low, double high)
 {
 	static const char *const NAMES[] = {"P20", "P50", "P80"};
-	struct chart_series *equal = chart_add(chart, "as measured (1:1)",
+	struct chart_series *equal = chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '.'},
-	    2);
+	    2, "as measured (1:1)");
 	equal->x[0] = equal->y[0] = low;
 	equal->x[1] = equal->y[1] = high;
 	for (size_t i = 0; i < 3; i++) {
 		struct chart_series look = plots_look(i);
 		look.line = CHART_MARKS;
 		struct chart_series *p =
-		    chart_add(chart, NAMES[i], look, pairs->n);
+		    chart_add(chart, look, pairs->n, "%s", NAMES[i]);
 		for (size_t j = 0; j < pairs->n; j++) {
 			p->x[j] = pairs->measured[j][i];
 			p->y[j] = isnan(p->x[j]) ? NAN : pairs->predicted[j][i];
@@ -215,9 +205,8 @@ plots_parity(
 	} else {
 		error_set(error, ERROR_USAGE,
 		    "no loaded site has both parameters and a product at a "
-		    "speed held out");
-		error_hint(error, "load sites with three speeds, then "
-				  "calibrate all");
+		    "speed held out\n"
+		    "load sites with three speeds, then calibrate all");
 	}
 	free(pairs.about);
 	free(pairs.measured);

@@ -25,8 +25,8 @@ static void
 add_selection(struct chart *chart, const struct session *s,
     const struct params *params, double speed, struct chart_series look)
 {
-	char *name = xasprintf("%g m/s", speed);
-	struct chart_series *series = chart_add(chart, name, look, SAMPLES);
+	struct chart_series *series =
+	    chart_add(chart, look, SAMPLES, "%g m/s", speed);
 	for (size_t i = 0; i < SAMPLES; i++) {
 		series->x[i] = sample(chart->x.low, chart->x.high, i);
 		double x = series->x[i] / 1000, S;
@@ -35,11 +35,9 @@ add_selection(struct chart *chart, const struct session *s,
 		series->y[i] = 100 * S;
 	}
 	double mm = 1000 * energy_break_size(params, speed);
-	free(name);
-	name = xasprintf("breaks from %.2f mm at %g m/s", mm, speed);
-	chart_add_rule(chart, name,
-	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm);
-	free(name);
+	chart_add_rule(chart,
+	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm,
+	    "breaks from %.2f mm at %g m/s", mm, speed);
 }
 
 struct chart *
@@ -64,9 +62,7 @@ plots_selection(
 		    (struct chart_series){.series = SERIES_OTHER,
 			.line = CHART_LONG,
 			.ascii = '%'});
-	add_selection(chart, s, &params, speed,
-	    (struct chart_series){
-		.series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'});
+	add_selection(chart, s, &params, speed, PLOTS_CURVE);
 	return chart;
 }
 
@@ -79,19 +75,16 @@ plots_appearance(
 		return NULL;
 	if (s->set.model.appearance != APPEARANCE_RATIO) {
 		error_set(error, ERROR_USAGE,
-		    "only the appearance of the form ratio can be drawn");
-		error_hint(error, "'show appearance' prints the matrix of any "
-				  "form");
+		    "only the appearance of the form ratio can be drawn\n"
+		    "'show appearance' prints the matrix of any form");
 		return NULL;
 	}
 	struct appearance a = appearance_of(params.beta);
 	struct chart *chart = plots_site_chart(session_entry(s)->site,
 	    axis_log("daughter / parent u, -", 0.001, 1),
 	    axis_percent("finer than u B(u), %"), "appearance (Eq 1)");
-	struct chart_series *curve = chart_add(chart, "B(u)",
-	    (struct chart_series){
-		.series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'},
-	    SAMPLES);
+	struct chart_series *curve =
+	    chart_add(chart, PLOTS_CURVE, SAMPLES, "B(u)");
 	for (size_t i = 0; i < SAMPLES; i++) {
 		curve->x[i] = sample(chart->x.low, chart->x.high, i);
 		curve->y[i] = 100 * appearance_passing(&a, curve->x[i]);
@@ -106,7 +99,7 @@ add_rock(struct chart *chart, const struct stored_list *list, const char *rock)
 	struct chart_series look = plots_look(chart->n);
 	look.line = CHART_MARKS;
 	struct chart_series *series = chart_add(
-	    chart, rock[0] != '\0' ? rock : "not stated", look, list->n);
+	    chart, look, list->n, "%s", rock[0] != '\0' ? rock : "not stated");
 	series->n = 0;
 	for (size_t i = 0; i < list->n; i++) {
 		if (!text_same(list->item[i].rock, rock))
@@ -129,8 +122,9 @@ is_first(const struct stored_list *list, size_t at)
 static void
 add_own(struct chart *chart, const struct entry *entry)
 {
-	struct chart_series *own = chart_add(chart, entry->site->name,
-	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'}, 1);
+	struct chart_series *own = chart_add(chart,
+	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'}, 1,
+	    "%s", entry->site->name);
 	own->x[0] = entry->params.f_mat;
 	own->y[0] = entry->params.e0_min;
 }

@@ -25,8 +25,6 @@ struct curves {
 	struct prediction prediction[8];
 };
 
-static const struct chart_series FEED = {
-    .series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'};
 static const struct chart_series PREDICTED = {
     .series = SERIES_PREDICTED, .line = CHART_DASHED, .ascii = '#'};
 static const struct chart_series OTHER = {
@@ -77,8 +75,8 @@ put_curves(struct chart *chart, const struct curves *c)
 {
 	for (size_t i = 0; i < c->n; i++) {
 		const struct psd *psd = c->item[i].psd;
-		struct chart_series *s =
-		    chart_add(chart, c->item[i].name, c->item[i].look, psd->n);
+		struct chart_series *s = chart_add(
+		    chart, c->item[i].look, psd->n, "%s", c->item[i].name);
 		for (size_t j = 0; j < psd->n; j++) {
 			s->x[j] = units_mm(psd->size[j]);
 			s->y[j] = units_pct(psd->passing[j]);
@@ -151,9 +149,7 @@ note_crosshair(struct chart *chart, double x, double level)
 		xappend(&at, "%s", comma);
 		xappend(&sizes, "%s", comma);
 	}
-	char *name = xasprintf("crosshair at %g mm", x);
-	chart_add_rule(chart, name, SERIES_CROSSHAIR, x);
-	free(name);
+	chart_add_rule(chart, SERIES_CROSSHAIR, x, "crosshair at %g mm", x);
 	chart_note(chart, "%s", at);
 	chart_note(chart, "%s", sizes);
 	free(at);
@@ -169,19 +165,18 @@ note_prediction(struct chart *chart, const struct plot_request *q,
     enum series series)
 {
 	double mm = 1000 * p->break_size;
-	bool numbers = q->words & CHART_NOTES;
-	char *rule =
-	    numbers ? xasprintf("breaks from %.2f mm at %g m/s", mm, p->speed)
-		    : xstrdup(series == SERIES_OTHER ? "kept break size"
-						     : "break size");
-	chart_add_rule(chart, rule, series, mm);
-	free(rule);
+	if (q->words & CHART_NOTES)
+		chart_add_rule(chart, series, mm,
+		    "breaks from %.2f mm at %g m/s", mm, p->speed);
+	else
+		chart_add_rule(chart, series, mm, "%sbreak size",
+		    series == SERIES_OTHER ? "kept " : "");
 	char p20[32], p50[32], p80[32];
-	const double at[] = {p->p20, p->p50, p->p80};
 	char *const words[] = {p20, p50, p80};
-	for (size_t i = 0; i < ARRAY_LEN(at); i++)
+	for (size_t i = 0; i < PSD_SIZES; i++)
 		snprintf(words[i], sizeof p20,
-		    isnan(at[i]) ? "outside" : "%.2f mm", 1000 * at[i]);
+		    isnan(p->size[i]) ? "outside" : "%.2f mm",
+		    1000 * p->size[i]);
 	bool beyond = whose != NULL &&
 		      predict_extrapolates(whose->site, whose->train, p->speed);
 	chart_note(chart, "%s: P20 %s, P50 %s, P80 %s%s", name, p20, p50, p80,
@@ -303,7 +298,7 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 	add_curve(&c, &site->run[feed].feed,
 	    sampled ? xasprintf("feed %g m/s", site->run[feed].speed)
 		    : xstrdup("feed"),
-	    FEED);
+	    PLOTS_FEED);
 	add_measured(&c, site, speed, PLOTS_MEASURED);
 	if (!add_second(
 		&c, s, q, known ? &params : NULL, speed, feed, &two, error)) {
@@ -343,15 +338,15 @@ plots_sweep(
 	if (!plots_params(s, q, &params, error))
 		return NULL;
 	if (n > ARRAY_LEN(c.prediction)) {
-		error_set(
-		    error, ERROR_USAGE, "%zu speeds are too many to draw", n);
-		error_hint(error, "up to %zu can be told apart",
-		    ARRAY_LEN(c.prediction));
+		error_set(error, ERROR_USAGE,
+		    "%zu speeds are too many to draw\n"
+		    "up to %zu can be told apart",
+		    n, ARRAY_LEN(c.prediction));
 		return NULL;
 	}
 	size_t feed = site_run_nearest(
 	    site, q->feed_speed > 0 ? q->feed_speed : answers_middle(site));
-	add_curve(&c, &site->run[feed].feed, xstrdup("feed"), FEED);
+	add_curve(&c, &site->run[feed].feed, xstrdup("feed"), PLOTS_FEED);
 	double *usual = n == 0 ? answers_speeds(site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : q->speeds;
 	for (size_t i = 0; i < n; i++)
@@ -376,15 +371,13 @@ add_residuals(struct chart *chart, struct session *s, size_t run,
 	size_t n = misfit_covered(r);
 	struct prediction p =
 	    predict(entry->site, params, s->set.model, r->speed, run);
-	char *name = xasprintf(
-	    "%g m/s%s", r->speed, entry->train[run] ? "" : " (held out)");
-	struct chart_series *series = chart_add(chart, name, look, n);
+	struct chart_series *series = chart_add(chart, look, n, "%g m/s%s",
+	    r->speed, entry->train[run] ? "" : " (held out)");
 	for (size_t i = 0; i < n; i++) {
 		double predicted = psd_passing(&p.product, r->product.size[i]);
 		series->x[i] = units_mm(r->product.size[i]);
 		series->y[i] = 100 * (predicted - r->product.passing[i]);
 	}
-	free(name);
 	prediction_free(&p);
 }
 

@@ -99,31 +99,27 @@ prediction_report(struct session *s, const struct prediction *p,
 		measured = NULL;
 	struct report *r = answers_report(site, "predict",
 	    "product at %.1f m/s (%.0f J/kg)", p->speed, p->energy);
-	report_column(r, "sieve_mm", "sieve mm");
-	report_column(r, "feed_pct", "feed %");
-	report_column(r, "passing_pct", "product %");
-	if (band != NULL) {
-		report_column(r, "low_pct", "low %");
-		report_column(r, "high_pct", "high %");
-	}
+	report_columns(r,
+	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
+	if (band != NULL)
+		report_columns(r, "low_pct: low %%, high_pct: high %%");
 	if (measured != NULL)
-		report_column(r, "measured_pct", "measured %");
+		report_columns(r, "measured_pct: measured %%");
 	if (between != NULL)
-		report_column(r, "interpolated_pct", "interpolated %");
+		report_columns(r, "interpolated_pct: interpolated %%");
 	for (size_t i = 0; i < p->product.n; i++) {
 		double x = p->product.size[i];
-		report_number(r, units_mm(x), -1);
-		report_number(r, units_pct(p->feed.passing[i]), 1);
-		report_number(r, units_pct(p->product.passing[i]), 1);
-		if (band != NULL) {
-			report_number(r, units_pct(band->low[i]), 1);
-			report_number(r, units_pct(band->high[i]), 1);
-		}
+		report_cells(r, "%g %.1f %.1f", units_mm(x),
+		    units_pct(p->feed.passing[i]),
+		    units_pct(p->product.passing[i]));
+		if (band != NULL)
+			report_cells(r, "%.1f %.1f", units_pct(band->low[i]),
+			    units_pct(band->high[i]));
 		if (measured != NULL)
-			report_number(
-			    r, units_pct(psd_at_sieve(measured, x)), 1);
+			report_cells(
+			    r, "%.1f", units_pct(psd_at_sieve(measured, x)));
 		if (between != NULL)
-			report_number(r, units_pct(between[i]), 1);
+			report_cells(r, "%.1f", units_pct(between[i]));
 	}
 	return r;
 }
@@ -151,29 +147,28 @@ explained(struct session *s, const struct prediction *p,
 	const struct entry *entry = session_entry(s);
 	double *between = wanted ? interpolated(entry->site, p) : NULL;
 	struct report *r = prediction_report(s, p, band, between);
-	json_t *o = answers_prediction_json(s, p);
+	json_t *o = report_json(r);
+	answers_put_prediction(s, o, p);
 	answers_note_sizes(r, &p->product, band);
 	if (band != NULL) {
 		note_band(r, entry, p->speed);
-		report_put_column(o, r, "low_pct");
-		report_put_column(o, r, "high_pct");
-		doubt_band_json(o, band);
+		report_put_columns(r, "low_pct high_pct");
+		doubt_put_band(o, band);
 	}
 	note_breakage(r, params, p);
 	note_feed_gaps(r, entry->site, p);
 	if (session_busy(s)) {
-		json_object_set_new(o, "params", fit_params_json(params));
+		fit_put_params(o, params);
 		report_note(r, "from the best parameters so far");
 	}
 	if (between != NULL)
-		report_put_column(o, r, "interpolated_pct");
+		report_put_columns(r, "interpolated_pct");
 	else if (wanted)
 		report_note(r,
 		    "nothing is interpolated: %g m/s does not lie between "
 		    "measured runs",
 		    p->speed);
 	answers_note_doubt(s, r, p->speed, p->feed_run);
-	report_json(r, o);
 	free(between);
 	return r;
 }

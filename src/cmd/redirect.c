@@ -44,10 +44,10 @@ form_of(const char *path, enum report_format other)
 static bool
 cannot_write(const char *path, int reason, struct error *error)
 {
-	error_set(
-	    error, ERROR_SYSTEM, "cannot write %s: %s", path, strerror(reason));
-	return error_hint(
-	    error, "check the folder, its rights and the room on the disk");
+	return error_set(error, ERROR_SYSTEM,
+	    "cannot write %s: %s\n"
+	    "check the folder, its rights and the room on the disk",
+	    path, strerror(reason));
 }
 
 /* Better told before an hour's calibration than after it. */
@@ -139,13 +139,11 @@ judge_shell(const struct redirect *r, int status, struct error *error)
 {
 	if (status == 0)
 		return true;
-	if (status != -1 && WIFEXITED(status)) {
-		error_set(error, ERROR_SYSTEM,
-		    "the shell command '%s' ended with status %d", r->target,
-		    WEXITSTATUS(status));
-		return error_hint(
-		    error, "all of the line behind | is the shell's");
-	}
+	if (status != -1 && WIFEXITED(status))
+		return error_set(error, ERROR_SYSTEM,
+		    "the shell command '%s' ended with status %d\n"
+		    "all of the line behind | is the shell's",
+		    r->target, WEXITSTATUS(status));
 	error_set(error, ERROR_SYSTEM, "'%s' did not end by itself", r->target);
 	if (status != -1 && WTERMSIG(status) == SIGINT)
 		raise(SIGINT);

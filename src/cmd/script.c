@@ -44,18 +44,18 @@ bool
 script_open(struct session *s, const char *path, struct error *error)
 {
 	enum { DEEPEST = 16 };
-	if (script_depth(s) >= DEEPEST) {
-		error_set(error, ERROR_USAGE,
-		    "scripts are nested more than %d deep", (int)DEEPEST);
-		return error_hint(error, "does %s source itself?", path);
-	}
+	if (script_depth(s) >= DEEPEST)
+		return error_set(error, ERROR_USAGE,
+		    "scripts are nested more than %d deep\n"
+		    "does %s source itself?",
+		    (int)DEEPEST, path);
 	FILE *in = fopen(path, "r");
-	if (in == NULL) {
-		error_set(error, ERROR_SYSTEM, "cannot read script %s: %s",
+	if (in == NULL)
+		return error_set(error, ERROR_SYSTEM,
+		    "cannot read script %s: %s\n"
+		    "check the name (blanks want quotes), the folder and the "
+		    "rights",
 		    path, strerror(errno));
-		return error_hint(error, "check the name (blanks want quotes), "
-					 "the folder and the rights");
-	}
 	push(s, in, path);
 	return true;
 }
@@ -108,9 +108,8 @@ check_text(const struct script *script, const char *piece, size_t n,
 {
 	if (text_is_utf8(piece, n))
 		return true;
-	error_at(error, ERROR_USAGE, script->name, script->number, 1,
-	    "this is not text (a script is UTF-8 without NUL)");
-	return error_hint(error,
+	return error_at(error, ERROR_USAGE, script->name, script->number, 1,
+	    "this is not text (a script is UTF-8 without NUL)\n"
 	    "is it a site file or a program? a script holds commands, one a "
 	    "line");
 }

@@ -6,7 +6,6 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "cmd/command.h"
 #include "cmd/parse.h"
 #include "cmd/session.h"
 

@@ -92,7 +92,7 @@ session_forget(struct session *s)
 	s->last = (struct prediction){0};
 }
 
-void
+bool
 session_tell_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error)
 {
@@ -102,14 +102,16 @@ session_tell_faults(const struct session *s, const char *path,
 	if (errors->more > 0)
 		session_note(
 		    s, "%s: %zu more faults are not shown", path, errors->more);
+	return false;
 }
 
-void
+bool
 session_report(struct session *s, struct report *report)
 {
 	report_print(report, s->set.format, s->set.semicolon, s->out);
 	fflush(s->out);
 	report_free(report);
+	return true;
 }
 
 void
@@ -133,9 +135,10 @@ session_need_site(
 {
 	if (s->n_entry > 0)
 		return true;
-	error_set(
-	    error, ERROR_USAGE, "%s needs a site, and none is loaded", what);
-	return error_hint(error, "load its sieve sheet first: load FILE");
+	return error_set(error, ERROR_USAGE,
+	    "%s needs a site, and none is loaded\n"
+	    "load its sieve sheet first: load FILE",
+	    what);
 }
 
 static bool

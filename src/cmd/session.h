@@ -194,12 +194,12 @@ bool session_load(struct session *s, const char *path, const char *digest,
     struct error *error);
 
 /* The faults of a file: the last becomes the error, those before it are printed
- * to notes, so that they are shown in order. */
-void session_tell_faults(const struct session *s, const char *path,
+ * to notes, so that they are shown in order.  Returns false. */
+bool session_tell_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error);
 
-/* Prints a result and frees it. */
-void session_report(struct session *s, struct report *report);
+/* Prints a result and frees it.  Returns true, for a command to end with. */
+bool session_report(struct session *s, struct report *report);
 
 /* A line beside the results. */
 void session_note(const struct session *s, const char *format, ...)

@@ -17,31 +17,28 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	const struct site *site = session_entry(s)->site;
 	struct report *r = report_new("show");
-	char *label = session_label(site),
-	     *speeds = data_speeds(site, " ", NULL, true);
-	char *top = site->top_size > 0
-			? xasprintf("%g", units_mm(site->top_size))
-			: xstrdup("not stated");
+	char *label = session_label(site);
+	char *speeds = data_speeds(site, " ", NULL, true);
 	report_title(r, "%s", label);
 	report_site(r, site->name, site->provenance);
-	report_column(r, "what", "what");
-	report_column(r, "value", "value");
-	const char *const pairs[][2] = {{"data", site->provenance},
-	    {"rock", site->rock}, {"top size mm", top},
-	    {"machine", site->machine}, {"file", site->path},
-	    {"speeds m/s", speeds},
-	    {"feeds", site->individual_feeds ? "one for each speed"
-					     : "one for all speeds"}};
-	report_pairs(r, pairs, ARRAY_LEN(pairs));
-	for (size_t i = 0; i < site->n_note; i++) {
-		report_text(r, site->note[i].key);
-		report_text(r, site->note[i].value);
-	}
+	report_columns(r, "what, value");
+	report_pair(r, "data", "%s", site->provenance);
+	report_pair(r, "rock", "%s", site->rock);
+	if (site->top_size > 0)
+		report_pair(r, "top size mm", "%g", units_mm(site->top_size));
+	else
+		report_pair(r, "top size mm", "not stated");
+	report_pair(r, "machine", "%s", site->machine);
+	report_pair(r, "file", "%s", site->path);
+	report_pair(r, "speeds m/s", "%s", speeds);
+	report_pair(r, "feeds", "one for %s",
+	    site->individual_feeds ? "each speed" : "all speeds");
+	for (size_t i = 0; i < site->n_note; i++)
+		report_cells(
+		    r, "%s %s", site->note[i].key, site->note[i].value);
 	free(label);
 	free(speeds);
-	free(top);
-	session_report(s, r);
-	return true;
+	return session_report(s, r);
 }
 
 /* The largest sieve of the curves below a size, m; 0 when there is none. */
@@ -68,13 +65,12 @@ add_columns(struct report *r, const struct site *site, bool feed,
 		bool shared = feed && !site->individual_feeds;
 		if ((!feed && run->product.n == 0) || (shared && i > 0))
 			continue;
-		char *head = shared
-				 ? xstrdup("feed")
-				 : xasprintf("%s@%g", feed ? "feed" : "product",
-				       run->speed);
-		report_column(r, head, head);
+		if (shared)
+			report_columns(r, "feed");
+		else
+			report_columns(
+			    r, "%s@%g", feed ? "feed" : "product", run->speed);
 		curve[n++] = feed ? &run->feed : &run->product;
-		free(head);
 	}
 	return n;
 }
@@ -89,20 +85,19 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
 	struct report *r = answers_report(site, "show", "%s, %% passing",
 	    feed ? "feed" : "measured products");
-	report_column(r, "sieve_mm", "sieve mm");
+	report_columns(r, "sieve_mm: sieve mm");
 	size_t n = add_columns(r, site, feed, curve);
 	if (n == 0)
 		report_note(r, "the sheet has a feed only");
 	report_missing(r, "");
 	for (double x = INFINITY; (x = next_sieve(curve, n, x)) > 0;) {
-		report_number(r, units_mm(x), -1);
+		report_cells(r, "%g", units_mm(x));
 		for (size_t i = 0; i < n; i++)
-			report_number(
-			    r, units_pct(psd_at_sieve(curve[i], x)), 2);
+			report_cells(
+			    r, "%.2f", units_pct(psd_at_sieve(curve[i], x)));
 	}
 	free(curve);
-	session_report(s, r);
-	return true;
+	return session_report(s, r);
 }
 
 /* What can be shown; the first is shown when nothing is named. */
@@ -130,11 +125,10 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 	size_t i = 0;
 	while (i < ARRAY_LEN(WHAT) && strcmp(what, WHAT[i].name) != 0)
 		i++;
-	if (i == ARRAY_LEN(WHAT)) {
-		error_set(error, ERROR_USAGE, "there is no '%s' to show", what);
-		return error_hint(
-		    error, "show %s", args->command->operands.usage);
-	}
+	if (i == ARRAY_LEN(WHAT))
+		return error_set(error, ERROR_USAGE,
+		    "there is no '%s' to show\nshow %s", what,
+		    args->command->operands.usage);
 	if (args_value(args, "speed")->given && !WHAT[i].at_speed)
 		return error_set(error, ERROR_USAGE,
 		    "show %s takes no speed: it is the same at all", what);

@@ -29,21 +29,6 @@ note_equations(struct report *r, const struct params *p, double k)
 	    p->beta[0], p->beta[1], p->beta[2], p->beta[3]);
 }
 
-static json_t *
-model_json(const struct session *s, const struct entry *entry)
-{
-	json_t *o = answers_json("show", entry->site);
-	json_object_set_new(o, "what", json_string("model"));
-	json_object_set_new(
-	    o, "method", json_string(answers_method(s->set.model.method)));
-	json_object_set_new(
-	    o, "appearance", json_string(MODEL_FORMS[s->set.model.appearance]));
-	report_put(o, "k", s->set.model.k);
-	json_object_set_new(o, "params",
-	    entry->has_params ? fit_params_json(&entry->params) : json_null());
-	return o;
-}
-
 bool
 show_model(struct session *s, const struct args *args, struct error *error)
 {
@@ -52,11 +37,17 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
 	struct report *r = answers_report(site, "show", "the model");
-	json_t *o = model_json(s, entry);
-	report_column(r, "speed", "m/s");
-	report_column(r, "energy_j_kg", "E J/kg");
-	report_column(r, "break_mm", "breaks from mm");
-	report_column(r, "selected_pct", "feed broken %");
+	const struct model_settings *set = &s->set.model;
+	json_t *o = report_json(r);
+	report_put(o, "what %s method %s appearance %s k %g", "model",
+	    answers_method(set->method), MODEL_FORMS[set->appearance], set->k);
+	if (entry->has_params)
+		fit_put_params(o, &entry->params);
+	else
+		json_object_set_new(o, "params", json_null());
+	report_columns(r,
+	    "speed: m/s, energy_j_kg: E J/kg, break_mm: breaks from mm, "
+	    "selected_pct: feed broken %%");
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed, x = NAN, selected = NAN;
 		if (entry->has_params) {
@@ -65,42 +56,34 @@ show_model(struct session *s, const struct args *args, struct error *error)
 			selected = 100 * p.selected;
 			prediction_free(&p);
 		}
-		report_number(r, v, -1);
-		report_number(r, energy_specific(v), 0);
-		report_number(r, x, 2);
-		report_number(r, selected, 1);
+		report_cells(
+		    r, "%g %.0f %.2f %.1f", v, energy_specific(v), x, selected);
 	}
-	json_object_set_new(o, "runs", report_json_rows(r));
+	report_put_rows(r, "runs");
 	report_note(r, "method %s, appearance %s, k %g",
-	    answers_method(s->set.model.method),
-	    MODEL_FORMS[s->set.model.appearance], s->set.model.k);
+	    answers_method(set->method), MODEL_FORMS[set->appearance], set->k);
 	if (entry->has_params)
-		note_equations(r, &entry->params, s->set.model.k);
+		note_equations(r, &entry->params, set->k);
 	else
 		report_note(r, "no parameters yet: calibrate, or params set");
-	report_json(r, o);
-	session_report(s, r);
-	return true;
+	return session_report(s, r);
 }
 
 /* A row for each class of the feed. */
 static void
 selection_rows(struct report *r, const struct psd *feed, const double *S)
 {
-	report_column(r, "from_mm", "from mm");
-	report_column(r, "to_mm", "to mm");
-	report_column(r, "feed_pct", "feed %");
-	report_column(r, "s_pct", "S %");
-	report_column(r, "selected_pct", "selected %");
+	report_columns(r,
+	    "from_mm: from mm, to_mm: to mm, feed_pct: feed %%, s_pct: S %%, "
+	    "selected_pct: selected %%");
 	for (size_t i = 0; i < feed->n; i++) {
 		bool pan = i + 1 == feed->n;
 		double mass =
 		    feed->passing[i] - (pan ? 0 : feed->passing[i + 1]);
-		report_number(r, pan ? 0 : units_mm(feed->size[i + 1]), -1);
-		report_number(r, units_mm(feed->size[i]), -1);
-		report_number(r, units_pct(mass), 1);
-		report_number(r, 100 * S[i], 1);
-		report_number(r, 100 * S[i] * mass, 1);
+		report_cells(r, "%g %g %.1f %.1f %.1f",
+		    pan ? 0 : units_mm(feed->size[i + 1]),
+		    units_mm(feed->size[i]), units_pct(mass), 100 * S[i],
+		    100 * S[i] * mass);
 	}
 }
 
@@ -119,11 +102,10 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	struct report *r = answers_report(
 	    entry->site, "show", "selection at %g m/s (Eq 3)", v);
 	selection_rows(r, feed, S);
-	report_json_key(r, "what", json_string("selection"));
-	report_json_key(r, "speed", json_real(v));
-	report_json_key(
-	    r, "selected_pct", report_json_number(100 * p.selected));
-	report_json_key(r, "break_mm", report_json_number(1000 * p.break_size));
+	report_put_rows(r, "rows");
+	report_put(report_json(r),
+	    "what %s speed %g selected_pct %g break_mm %g", "selection", v,
+	    100 * p.selected, 1000 * p.break_size);
 	report_note(r,
 	    "S: share of the class that breaks; selected: share of all the "
 	    "feed, %.1f %% in sum",
@@ -136,36 +118,33 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 		    entry->site->run[run].speed);
 	free(S);
 	prediction_free(&p);
-	session_report(s, r);
-	return true;
+	return session_report(s, r);
 }
 
 /* A class is called by the sieve it lies on. */
-static char *
-class_name(const struct psd *feed, size_t i)
+static const char *
+class_name(const struct psd *feed, size_t i, char buf[static 32])
 {
-	return i + 1 < feed->n ? xasprintf("on %g", units_mm(feed->size[i + 1]))
-			       : xstrdup("pan");
+	if (i + 1 == feed->n)
+		return "pan";
+	snprintf(buf, 32, "on %g", units_mm(feed->size[i + 1]));
+	return buf;
 }
 
 /* Parents across and daughters down; a: as appearance_matrix has it. */
 static void
 matrix_across(struct report *r, const struct psd *feed, const double *a)
 {
-	report_column(r, "daughter", "daughter");
-	for (size_t i = 0; i < feed->n; i++) {
-		char *name = class_name(feed, i);
-		report_column(r, name, name);
-		free(name);
-	}
+	char name[32];
+	report_columns(r, "daughter");
+	for (size_t i = 0; i < feed->n; i++)
+		report_columns(r, "%s", class_name(feed, i, name));
 	for (size_t j = 0; j < feed->n; j++) {
-		char *name = class_name(feed, j);
-		report_text(r, name);
+		report_cells(r, "%s", class_name(feed, j, name));
 		report_missing(r, "");
 		for (size_t i = 0; i < feed->n; i++)
-			report_number(
-			    r, i <= j ? 100 * a[j * feed->n + i] : NAN, 1);
-		free(name);
+			report_cells(
+			    r, "%.1f", i <= j ? 100 * a[j * feed->n + i] : NAN);
 	}
 }
 
@@ -174,15 +153,12 @@ static void
 matrix_long(
     struct report *r, const struct psd *feed, const double *x, const double *a)
 {
-	report_column(r, "parent_mm", "parent mm");
-	report_column(r, "daughter_mm", "daughter mm");
-	report_column(r, "share_pct", "share %");
+	report_columns(r, "parent_mm: parent mm, daughter_mm: daughter mm, "
+			  "share_pct: share %%");
 	for (size_t i = 0; i < feed->n; i++)
-		for (size_t j = 0; j < feed->n; j++) {
-			report_number(r, units_mm(x[i]), -1);
-			report_number(r, units_mm(x[j]), -1);
-			report_number(r, 100 * a[j * feed->n + i], 1);
-		}
+		for (size_t j = 0; j < feed->n; j++)
+			report_cells(r, "%g %g %.1f", units_mm(x[i]),
+			    units_mm(x[j]), 100 * a[j * feed->n + i]);
 }
 
 /* B(u) at u = 1/2, 1/4 and so on to 1/1024. */
@@ -206,20 +182,17 @@ note_passing(struct report *r, const struct params *p)
 	free(text);
 }
 
-static json_t *
-appearance_json(const struct session *s, const struct entry *entry, size_t n,
-    const double *x, const double *a)
+static void
+put_matrix(json_t *o, enum appearance_form form, size_t n, const double *x,
+    const double *a)
 {
-	json_t *o = answers_json("show", entry->site), *rows = json_array();
-	json_object_set_new(o, "what", json_string("appearance"));
-	json_object_set_new(
-	    o, "appearance", json_string(MODEL_FORMS[s->set.model.appearance]));
-	json_object_set_new(o, "class_mm", answers_list_json(x, n, units_mm));
+	json_t *rows = json_array();
+	report_put(o, "what %s appearance %s", "appearance", MODEL_FORMS[form]);
+	json_object_set_new(o, "class_mm", answers_list(x, n, units_mm));
 	for (size_t j = 0; j < n; j++)
 		json_array_append_new(
-		    rows, answers_list_json(a + j * n, n, units_pct));
+		    rows, answers_list(a + j * n, n, units_pct));
 	json_object_set_new(o, "share_pct", rows);
-	return o;
 }
 
 bool
@@ -248,9 +221,8 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 			       "yet");
 	if (s->set.model.appearance == APPEARANCE_RATIO)
 		note_passing(r, &p);
-	report_json(r, appearance_json(s, entry, feed->n, x, a));
+	put_matrix(report_json(r), s->set.model.appearance, feed->n, x, a);
 	free(x);
 	free(a);
-	session_report(s, r);
-	return true;
+	return session_report(s, r);
 }

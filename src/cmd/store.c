@@ -31,7 +31,6 @@ store_find_material(const struct stored_list *list, const char *name,
 	}
 	if (*found != NULL)
 		return true;
-	error_set(error, ERROR_USAGE, "the store has no material '%s'", name);
 	size_t best = 0, least = 3;
 	for (size_t i = 0; i < list->n; i++) {
 		const char *own = list->item[i].name;
@@ -42,9 +41,11 @@ store_find_material(const struct stored_list *list, const char *name,
 			least = d;
 		}
 	}
-	return error_hint(error,
-	    least < 3 ? "did you mean '%s'?" : "'materials' lists them%.0s",
-	    least < 3 ? list->item[best].name : "");
+	return error_set(error, ERROR_USAGE,
+	    least < 3
+		? "the store has no material '%s'\ndid you mean '%s'?"
+		: "the store has no material '%s'\n'materials' lists them%.0s",
+	    name, least < 3 ? list->item[best].name : "");
 }
 
 static void
@@ -107,19 +108,16 @@ check_remember(
 {
 	const struct value *date = args_value(args, "date");
 	const struct value *note = args_value(args, "note");
-	if (!entry->has_params) {
-		error_set(error, ERROR_USAGE,
-		    "%s has no parameters to remember yet", entry->site->name);
-		return error_hint(error,
-		    "'calibrate' finds them, or 'params set' takes known ones");
-	}
-	if (entry->recalled[0] != '\0') {
-		error_set(error, ERROR_USAGE,
-		    "%s has the parameters of %s, which the store has already",
+	if (!entry->has_params)
+		return error_set(error, ERROR_USAGE,
+		    "%s has no parameters to remember yet\n"
+		    "'calibrate' finds them, or 'params set' takes known ones",
+		    entry->site->name);
+	if (entry->recalled[0] != '\0')
+		return error_set(error, ERROR_USAGE,
+		    "%s has the parameters of %s, which the store has already\n"
+		    "'calibrate' finds the site's own parameters",
 		    entry->site->name, entry->recalled);
-		return error_hint(
-		    error, "'calibrate' finds the site's own parameters");
-	}
 	if (date->given && !stored_is_date(date->text))
 		return error_set(error, ERROR_USAGE,
 		    "date wants a day such as 2026-11-21, not '%s'",
@@ -137,18 +135,10 @@ report_remembered(struct session *s, const struct stored *m)
 	char *kind = data_kind(m->provenance);
 	report_title(r, "remembered %s", m->name);
 	report_site(r, m->site, m->provenance);
-	report_column(r, "name", "name");
-	report_column(r, "origin", "origin");
-	report_column(r, "data", "data");
-	report_column(r, "rmse_pct", "RMSE");
-	report_column(r, "holdout_pct", "hold-out");
-	report_column(r, "date", "date");
-	report_text(r, m->name);
-	report_text(r, store_origin_words(m));
-	report_text(r, kind);
-	report_number(r, m->rmse_pct, 2);
-	report_number(r, m->holdout_pct, 2);
-	report_text(r, m->date);
+	report_columns(r,
+	    "name, origin, data, rmse_pct: RMSE, holdout_pct: hold-out, date");
+	report_cells(r, "%s %s %s %.2f %.2f %s", m->name, store_origin_words(m),
+	    kind, m->rmse_pct, m->holdout_pct, m->date);
 	report_note(r, "in %s", store_path(s->store));
 	free(kind);
 	session_report(s, r);
@@ -212,12 +202,10 @@ check_recalled(struct session *s, const struct args *args,
 		turn_adds(s, "digest", found);
 	if (!wanted->given || strcmp(wanted->text, found) == 0)
 		return true;
-	error_set(error, ERROR_DATA,
+	return error_set(error, ERROR_DATA,
 	    "the material with digest %s was wanted, %s has %s: it is another "
-	    "now",
+	    "now\nwithout digest= it is taken as it is; results change",
 	    wanted->text, m->name, found);
-	return error_hint(
-	    error, "without digest= it is taken as it is; results change");
 }
 
 bool
@@ -255,7 +243,7 @@ bring_back(const struct stored *m)
 	char *line = xstrdup("params set"), number[32];
 	for (size_t j = 0; j < PARAM_COUNT; j++)
 		xappend(&line, " %s=%s", PARAMS[j].name,
-		    text_exact(params_get(&m->params, j), number));
+		    text_exact(m->params.at[j], number));
 	xappend(&line, "; remember \"%s\"", m->name);
 	return line;
 }
@@ -268,8 +256,8 @@ report_forgotten(struct session *s, const struct stored *m)
 	report_title(
 	    r, "forgot %s: %s of %s", m->name, store_origin_words(m), m->site);
 	report_site(r, m->site, m->provenance);
-	report_column(r, "again", "this brings its parameters back");
-	report_text(r, line);
+	report_columns(r, "again: this brings its parameters back");
+	report_cells(r, "%s", line);
 	free(line);
 	session_report(s, r);
 }
@@ -279,12 +267,11 @@ cmd_forget(struct session *s, const struct args *args, struct error *error)
 {
 	const char *name = args->operand[0];
 	struct stored_list list = {0};
-	if (stored_is_table3_name(name)) {
-		error_set(error, ERROR_USAGE,
-		    "%s is part of the program and cannot be forgotten", name);
-		return error_hint(
-		    error, "'materials origin=own' lists what can");
-	}
+	if (stored_is_table3_name(name))
+		return error_set(error, ERROR_USAGE,
+		    "%s is part of the program and cannot be forgotten\n"
+		    "'materials origin=own' lists what can",
+		    name);
 	/* A row that is damaged cannot be listed, but can be taken out. */
 	bool listed = store_list(s->store, &list, NULL);
 	const struct stored *m = listed ? stored_find(&list, name) : NULL;
@@ -312,35 +299,22 @@ cmd_export(struct session *s, const struct args *args, struct error *error)
 	return ok;
 }
 
-/* All faults but the last are printed; that one is the error. */
-static bool
-tell_faults(
-    struct session *s, const struct error_list *errors, struct error *error)
-{
-	for (size_t i = 0; i + 1 < errors->n && s->notes != NULL; i++)
-		error_print(&errors->item[i], s->notes);
-	*error = errors->item[errors->n - 1];
-	if (errors->more > 0)
-		session_note(s, "%zu more faults are not shown", errors->more);
-	return false;
-}
-
 bool
 cmd_import(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
 	bool replace = args_value(args, "replace")->choice == 1;
-	struct error_list *errors = xcalloc(1, sizeof *errors);
+	struct error_list errors = {0};
 	struct stored_list there = {0}, list = {0};
 	bool ok = store_list(s->store, &there, error);
-	if (ok && !store_csv_read(path, replace ? NULL : &there, &list, errors))
-		ok = tell_faults(s, errors, error);
+	if (ok &&
+	    !store_csv_read(path, replace ? NULL : &there, &list, &errors))
+		ok = session_tell_faults(s, path, &errors, error);
 	ok = ok && store_put(s->store, list.item, list.n, replace, error);
 	if (ok)
 		session_note(s, "took %zu material%s from %s", list.n,
 		    list.n == 1 ? "" : "s", path);
 	stored_list_free(&there);
 	stored_list_free(&list);
-	free(errors);
 	return ok;
 }

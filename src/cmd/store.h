@@ -5,7 +5,6 @@
 
 #include <stdbool.h>
 
-#include "cmd/command.h"
 #include "cmd/session.h"
 
 /* A material by its name, one's own before Table 3's: "tierp", else

@@ -16,30 +16,23 @@ sweep_across(
     struct session *s, struct report *r, const struct prediction *p, size_t n)
 {
 	const struct entry *entry = session_entry(s);
-	report_column(r, "sieve_mm", "sieve mm");
-	report_column(r, "feed_pct", "feed %");
+	report_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%");
 	for (size_t i = 0; i < n; i++) {
 		bool outside = answers_extrapolates(entry, p[i].speed);
-		char *key = xasprintf("passing_pct@%g", p[i].speed);
-		char *head =
-		    xasprintf("%g m/s%s", p[i].speed, outside ? "*" : "");
-		report_column(r, key, head);
-		free(key);
-		free(head);
+		report_columns(r, "passing_pct@%g: %g m/s%s", p[i].speed,
+		    p[i].speed, outside ? "*" : "");
 	}
 	for (size_t row = 0; row < p[0].product.n; row++) {
-		char *size = xasprintf("%g", units_mm(p[0].product.size[row]));
-		report_text(r, size);
-		free(size);
-		report_number(r, units_pct(p[0].feed.passing[row]), 1);
+		report_text(r, "%g", units_mm(p[0].product.size[row]));
+		report_cells(r, "%.1f", units_pct(p[0].feed.passing[row]));
 		for (size_t i = 0; i < n; i++)
-			report_number(
-			    r, units_pct(p[i].product.passing[row]), 1);
+			report_cells(
+			    r, "%.1f", units_pct(p[i].product.passing[row]));
 	}
 	for (size_t size = 0; size < ANSWERS_SIZES; size++) {
-		report_text(r, ANSWERS_HEADS[size]);
+		report_cells(r, "%s", ANSWERS_HEADS[size]);
 		report_missing(r, "");
-		report_number(r, NAN, 0);
+		report_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
 			answers_size_cell(r, &p[i], size);
 	}
@@ -50,26 +43,22 @@ answers_speed_rows(
     struct session *s, struct report *r, const struct prediction *p, size_t n)
 {
 	const struct entry *entry = session_entry(s);
-	report_column(r, "speed", "m/s");
-	report_column(r, "energy_j_kg", "J/kg");
-	report_column(r, "break_mm", "breaks from mm");
-	report_column(r, "p20_mm", "P20 mm");
-	report_column(r, "p50_mm", "P50 mm");
-	report_column(r, "p80_mm", "P80 mm");
-	report_column(r, "finest_pct", "finest %");
-	report_column(r, "extrapolated", "extrapolated");
+	report_columns(r,
+	    "speed: m/s, energy_j_kg: J/kg, break_mm: breaks from mm, "
+	    "p20_mm: P20 mm, p50_mm: P50 mm, p80_mm: P80 mm, "
+	    "finest_pct: finest %%, extrapolated");
 	for (size_t i = 0; i < n; i++) {
 		size_t finest = p[i].product.n - 1;
 		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;
-		report_number(r, p[i].speed, round ? -1 : 2);
-		report_number(r, p[i].energy, 0);
+		report_cells(r, round ? "%g %.0f" : "%.2f %.0f", p[i].speed,
+		    p[i].energy);
 		answers_size_cell(r, &p[i], ANSWER_BREAK);
 		answers_size_cell(r, &p[i], ANSWER_P20);
 		answers_size_cell(r, &p[i], ANSWER_P50);
 		answers_size_cell(r, &p[i], ANSWER_P80);
-		report_number(r, units_pct(p[i].product.passing[finest]), 1);
-		report_text(
-		    r, answers_extrapolates(entry, p[i].speed) ? "yes" : "no");
+		report_cells(r, "%.1f %s",
+		    units_pct(p[i].product.passing[finest]),
+		    answers_extrapolates(entry, p[i].speed) ? "yes" : "no");
 	}
 }
 
@@ -79,20 +68,16 @@ sweep_long(
     struct session *s, struct report *r, const struct prediction *p, size_t n)
 {
 	const struct entry *entry = session_entry(s);
-	report_column(r, "speed", "m/s");
-	report_column(r, "extrapolated", "extrapolated");
-	report_column(r, "sieve_mm", "sieve mm");
-	report_column(r, "feed_pct", "feed %");
-	report_column(r, "passing_pct", "product %");
+	report_columns(r, "speed: m/s, extrapolated, sieve_mm: sieve mm, "
+			  "feed_pct: feed %%, passing_pct: product %%");
 	for (size_t i = 0; i < n; i++) {
 		bool outside = answers_extrapolates(entry, p[i].speed);
-		for (size_t j = 0; j < p[i].product.n; j++) {
-			report_number(r, p[i].speed, -1);
-			report_text(r, outside ? "yes" : "no");
-			report_number(r, units_mm(p[i].product.size[j]), -1);
-			report_number(r, units_pct(p[i].feed.passing[j]), 1);
-			report_number(r, units_pct(p[i].product.passing[j]), 1);
-		}
+		for (size_t j = 0; j < p[i].product.n; j++)
+			report_cells(r, "%g %s %g %.1f %.1f", p[i].speed,
+			    outside ? "yes" : "no",
+			    units_mm(p[i].product.size[j]),
+			    units_pct(p[i].feed.passing[j]),
+			    units_pct(p[i].product.passing[j]));
 	}
 }
 
@@ -135,12 +120,9 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 		    "the calibration is poor (%.1f points RMS): do not rely "
 		    "on these",
 		    100 * entry->fit.rmse);
-	json_t *o = answers_json("sweep", entry->site);
-	answers_put_products(s, o, p, n);
-	report_json(r, o);
+	answers_put_products(s, report_json(r), p, n);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(p);
-	session_report(s, r);
-	return true;
+	return session_report(s, r);
 }

@@ -77,32 +77,31 @@ can_take(const struct command *command, const struct words *words,
 {
 	static const char *const BOOKS[] = {".xlsx", ".xls", ".ods"};
 	enum picture_form form;
+	size_t kind;
 	for (size_t i = 0; words->to != TO_PIPE && i < ARRAY_LEN(BOOKS); i++)
-		if (text_ends(words->target, BOOKS[i])) {
-			error_set(error, ERROR_USAGE,
-			    "text is written, not a workbook as %s",
-			    words->target);
-			return error_hint(error,
+		if (text_ends(words->target, BOOKS[i]))
+			return error_set(error, ERROR_USAGE,
+			    "text is written, not a workbook as %s\n"
 			    "spreadsheets open > FILE.csv; after 'set csv "
-			    "semicolon' it has decimal commas");
-		}
+			    "semicolon' it has decimal commas",
+			    words->target);
 	if (words->to == TO_PIPE || !picture_form_of(words->target, &form))
 		return true;
-	if (!(command->flags & COMMAND_DRAWS)) {
-		error_set(error, ERROR_USAGE, "%s draws nothing for %s",
+	if (!(command->flags & COMMAND_DRAWS) &&
+	    text_choice(PLOT_KINDS, command->name, &kind))
+		return error_set(error, ERROR_USAGE,
+		    "%s draws nothing for %s\nplot %s > %s makes a picture",
+		    command->name, words->target, command->name, words->target);
+	if (!(command->flags & COMMAND_DRAWS))
+		return error_set(error, ERROR_USAGE,
+		    "%s draws nothing for %s\n"
+		    "predict and plot KIND make pictures",
 		    command->name, words->target);
-		size_t kind;
-		return text_choice(PLOT_KINDS, command->name, &kind)
-			   ? error_hint(error, "plot %s > %s makes a picture",
-				 command->name, words->target)
-			   : error_hint(
-				 error, "predict and plot KIND make pictures");
-	}
 	if (words->to == TO_FILE)
 		return true;
-	error_set(error, ERROR_USAGE, "a picture cannot be added to %s",
+	return error_set(error, ERROR_USAGE,
+	    "a picture cannot be added to %s\nuse > in the place of >>",
 	    words->target);
-	return error_hint(error, "use > in the place of >>");
 }
 
 bool
@@ -193,13 +192,11 @@ record(struct session *s, const struct turn *t, bool changed)
 	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
 	    between || came_to_nothing(t))
 		return;
-	char *pause =
-	    t->stopped ? xasprintf(" pause=%zu", t->stopped_at) : xstrdup("");
-	char *line = xasprintf(
-	    "%s%s%s", t->line, pause, elsewhere ? " > /dev/null" : "");
-	journal_add(s, line, latest ? t->command->name : NULL);
-	free(pause);
-	free(line);
+	char pause[32] = "";
+	if (t->stopped)
+		snprintf(pause, sizeof pause, " pause=%zu", t->stopped_at);
+	journal_add(s, latest ? t->command->name : NULL, "%s%s%s", t->line,
+	    pause, elsewhere ? " > /dev/null" : "");
 }
 
 /* Where the outermost turn began, for one within it. */

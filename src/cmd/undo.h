@@ -3,10 +3,8 @@
 #ifndef TIPSPEED_CMD_UNDO_H
 #define TIPSPEED_CMD_UNDO_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
-#include "cmd/command.h"
 #include "cmd/journal.h"
 #include "cmd/session.h"
 #include "cmd/snapshot.h"

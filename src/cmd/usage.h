@@ -4,7 +4,6 @@
 #ifndef TIPSPEED_CMD_USAGE_H
 #define TIPSPEED_CMD_USAGE_H
 
-#include <stddef.h>
 #include <stdio.h>
 
 /* An option of the command line.  code: what getopt_long returns for it, the

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/table.h"
@@ -15,19 +14,17 @@ validation_as_json(const struct validation *v)
 {
 	static const char *const NAMES[3] = {"p20", "p50", "p80"};
 	json_t *o = json_object(), *null = json_object();
-	report_put(o, "speed", v->speed);
-	report_put(o, "rmse_pct", 100 * v->rmse);
+	report_put(o, "speed %g rmse_pct %g", v->speed, 100 * v->rmse);
 	for (size_t i = 0; i < 3; i++) {
 		json_t *size = json_object();
-		report_put(size, "measured_mm", 1000 * v->size[i].measured);
-		report_put(size, "predicted_mm", 1000 * v->size[i].predicted);
+		report_put(size, "measured_mm %g predicted_mm %g",
+		    1000 * v->size[i].measured, 1000 * v->size[i].predicted);
 		json_object_set_new(o, NAMES[i], size);
 	}
-	report_put(null, "feed_rmse_pct", 100 * v->feed_rmse);
-	report_put(null, "interpolation_rmse_pct", 100 * v->interpolation_rmse);
+	report_put(null, "feed_rmse_pct %g interpolation_rmse_pct %g",
+	    100 * v->feed_rmse, 100 * v->interpolation_rmse);
 	json_object_set_new(o, "null", null);
-	json_object_set_new(
-	    o, "loses_to_interpolation", json_boolean(validation_loses(v)));
+	report_put(o, "loses_to_interpolation %d", validation_loses(v));
 	return o;
 }
 
@@ -36,14 +33,12 @@ validation_rows(struct report *r, const struct validation *v)
 {
 	for (size_t i = 0; i < 3; i++) {
 		const struct validate_size *size = &v->size[i];
-		char *name = xasprintf("P%.0f", 100 * size->passing);
-		report_number(r, v->speed, -1);
-		report_text(r, name);
+		report_cells(r, "%g", v->speed);
+		report_text(r, "P%.0f", 100 * size->passing);
 		report_missing(r, "outside");
-		report_number(r, 1000 * size->measured, 3);
-		report_number(r, 1000 * size->predicted, 3);
-		report_number(r, 1000 * (size->predicted - size->measured), 3);
-		free(name);
+		report_cells(r, "%.3f %.3f %.3f", 1000 * size->measured,
+		    1000 * size->predicted,
+		    1000 * (size->predicted - size->measured));
 	}
 }
 
@@ -146,26 +141,20 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 	const struct entry *entry = session_entry(s);
 	struct report *r = answers_report(
 	    entry->site, "validate", "held-out speeds, measured and predicted");
-	report_column(r, "speed", "m/s");
-	report_column(r, "size", "size");
-	report_column(r, "measured_mm", "measured mm");
-	report_column(r, "predicted_mm", "predicted mm");
-	report_column(r, "difference_mm", "difference mm");
-	json_t *o = answers_json("validate", entry->site);
-	json_t *list = json_array();
+	report_columns(r,
+	    "speed: m/s, size, measured_mm: measured mm, "
+	    "predicted_mm: predicted mm, difference_mm: difference mm");
+	json_t *o = report_json(r), *list = json_array();
 	json_object_set_new(o, "holdout", list);
 	add_validations(s, r, list);
 	answers_note_recalled(r, entry);
 	if (entry->has_fit) {
-		const char *verdict = fit_verdict(&entry->fit);
-		json_object_set_new(o, "verdict", json_string(verdict));
+		report_put(o, "verdict %s", fit_verdict(&entry->fit));
 		if (entry->fit.rmse > FIT_POOR)
 			report_note(r,
 			    "poor fit already at the training runs: %.1f "
 			    "points RMS",
 			    100 * entry->fit.rmse);
 	}
-	report_json(r, o);
-	session_report(s, r);
-	return true;
+	return session_report(s, r);
 }

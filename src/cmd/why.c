@@ -257,10 +257,8 @@ print_sentences(const struct subject *a)
 	struct report *r =
 	    answers_report(a->entry->site, "why", "why, at %g m/s", a->p.speed);
 	answers_tell(a->s, r, a->list);
-	json_t *o = answers_json("why", a->entry->site);
-	report_put(o, "speed", a->p.speed);
-	json_object_set(o, "sentences", a->list);
-	report_json(r, o);
+	report_put(report_json(r), "speed %g", a->p.speed);
+	json_object_set(report_json(r), "sentences", a->list);
 	session_report(a->s, r);
 }
 

@@ -27,25 +27,6 @@ ends_word(char c, bool verbatim)
 	       (!verbatim && (c == '>' || c == '|'));
 }
 
-/* Without the quotes around it; two within quotes are one. */
-static char *
-unquoted(const char *text, size_t n)
-{
-	char *word = xcalloc(n + 1, 1);
-	bool quoted = false;
-	size_t length = 0;
-	for (size_t i = 0; i < n; i++) {
-		bool twice = quoted && i + 1 < n && text[i + 1] == '"';
-		if (text[i] != '"')
-			word[length++] = text[i];
-		else if (twice)
-			word[length++] = text[i++];
-		else
-			quoted = !quoted;
-	}
-	return word;
-}
-
 /* Copies one word from *at on and moves *at behind it. False on an open quote;
  * the caller frees the word in any case. */
 static bool
@@ -56,7 +37,7 @@ take_word(const char *line, size_t *at, bool verbatim, char **word)
 	for (; line[i] != '\0' && (quoted || !ends_word(line[i], verbatim));
 	     i++)
 		quoted = quoted != (line[i] == '"');
-	*word = unquoted(line + *at, i - *at);
+	*word = text_unquoted(line + *at, i - *at);
 	*at = i;
 	return !quoted;
 }
@@ -64,9 +45,9 @@ take_word(const char *line, size_t *at, bool verbatim, char **word)
 static bool
 open_quote(struct place place, int column, struct error *error)
 {
-	error_at(error, ERROR_USAGE, place.file, place.line, column,
-	    "a quote (\") is not closed");
-	return error_hint(error, "add the closing \" or remove the first");
+	return error_at(error, ERROR_USAGE, place.file, place.line, column,
+	    "a quote (\") is not closed\n"
+	    "add the closing \" or remove the first");
 }
 
 static size_t
@@ -100,21 +81,20 @@ take_file(const char *line, size_t *at, struct place place, struct words *words,
 	int column = column_of(line, words, *at);
 	if (!take_word(line, at, false, &words->target))
 		return open_quote(place, column, error);
-	if (words->target[0] == '\0') {
-		error_at(error, ERROR_USAGE, place.file, place.line,
-		    words->to_column, "a file was wanted behind %s",
+	if (words->target[0] == '\0')
+		return error_at(error, ERROR_USAGE, place.file, place.line,
+		    words->to_column,
+		    "a file was wanted behind %s\npredict 74 > product.csv",
 		    append ? ">>" : ">");
-		return error_hint(error, "predict 74 > product.csv");
-	}
 	*at = skip_blanks(line, *at);
 	if (line[*at] == '\0' || line[*at] == ';' || line[*at] == '#')
 		return true;
-	error_at(error, ERROR_USAGE, place.file, place.line,
-	    column_of(line, words, *at), "nothing goes behind the file '%s'",
-	    words->target);
-	return error_hint(error,
+	return error_at(error, ERROR_USAGE, place.file, place.line,
+	    column_of(line, words, *at),
+	    "nothing goes behind the file '%s'\n"
 	    "a name with blanks is quoted: > \"my file.csv\"; a command has "
-	    "one > or | only");
+	    "one > or | only",
+	    words->target);
 }
 
 static bool
@@ -132,9 +112,9 @@ take_redirection(const char *line, size_t *at, struct place place,
 	*at = words->next;
 	if (good)
 		return true;
-	error_at(error, ERROR_USAGE, place.file, place.line, words->to_column,
-	    "a shell command was wanted behind |");
-	return error_hint(error, "sweep | less");
+	return error_at(error, ERROR_USAGE, place.file, place.line,
+	    words->to_column,
+	    "a shell command was wanted behind |\nsweep | less");
 }
 
 /* True where the first word names a command that takes > and | as words. */

@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_CORE_APPEARANCE_H
 #define TIPSPEED_CORE_APPEARANCE_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 #include "core/params.h"

@@ -13,11 +13,9 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/pool.h"
 #include "base/xalloc.h"
-#include "core/energy.h"
 #include "core/calibration.h"
 #include "core/rng.h"
 
@@ -114,7 +112,7 @@ genes(const double *const *gene, size_t i)
 {
 	struct params p;
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		params_set(&p, j, gene[j][i]);
+		p.at[j] = gene[j][i];
 	return p;
 }
 
@@ -215,9 +213,9 @@ hop(const struct calibration *c, size_t number)
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		double v = 2 * rng_uniform(key, (uint32_t)j) - 1;
 		double size = rng_uniform(key, (uint32_t)(j + PARAM_COUNT));
-		double x = params_get(&p, j) +
-			   (b->upper[j] - b->lower[j]) * size * v * v * v;
-		params_set(&p, j, fmin(fmax(x, b->lower[j]), b->upper[j]));
+		double x =
+		    p.at[j] + (b->upper[j] - b->lower[j]) * size * v * v * v;
+		p.at[j] = fmin(fmax(x, b->lower[j]), b->upper[j]);
 	}
 	return p;
 }
@@ -301,23 +299,13 @@ calibration_step(struct calibration *c)
 	return c->state;
 }
 
-void
-calibration_stop(struct calibration *c, bool polish)
-{
-	if (c->state == CALIBRATE_SEARCHING)
-		end_search(c, CALIBRATE_STOPPED);
-	if (c->state == CALIBRATE_POLISHING && !polish)
-		c->state = c->stop = CALIBRATE_STOPPED;
-}
-
 /* The same beta, scaled so that as little as possible is cut off (D4). */
 static void
 bring(const struct bounds *b, struct params *p)
 {
 	centre_beta(b, p);
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		params_set(p, j,
-		    fmin(fmax(params_get(p, j), b->lower[j]), b->upper[j]));
+		p->at[j] = fmin(fmax(p->at[j], b->lower[j]), b->upper[j]);
 }
 
 void

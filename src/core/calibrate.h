@@ -69,10 +69,6 @@ void calibration_free(struct calibration *c);
  * call it after the end changes nothing. */
 enum calibrate_state calibration_step(struct calibration *c);
 
-/* Ends the search after the generation done; what is left is the polish, if it
- * is on and `polish` is true. */
-void calibration_stop(struct calibration *c, bool polish);
-
 /* Goes on within other bounds, from the present population (ga_set_box). What
  * is kept for the polish is brought to them, and a polish under way begins
  * again. Generations and history go on, the stop rules begin anew. Only before

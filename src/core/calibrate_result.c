@@ -43,13 +43,7 @@ calibration_status(const struct calibration *c)
 static bool
 visit_params(const struct visit *v, const char *name, struct params *p)
 {
-	double value[PARAM_COUNT];
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		value[j] = params_get(p, j);
-	bool ok = v->real(v->data, name, value, PARAM_COUNT);
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		params_set(p, j, value[j]);
-	return ok;
+	return v->real(v->data, name, p->at, PARAM_COUNT);
 }
 
 static bool

@@ -3,6 +3,8 @@
 #ifndef TIPSPEED_CORE_CALIBRATION_H
 #define TIPSPEED_CORE_CALIBRATION_H
 
+#include <string.h>
+
 #include "core/calibrate.h"
 #include "core/ga.h"
 #include "core/kernel.h"
@@ -60,8 +62,7 @@ static inline struct params
 calibration_search_best(const struct calibration *c)
 {
 	struct params p;
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		params_set(&p, j, ga_best(c->ga)[j]);
+	memcpy(p.at, ga_best(c->ga), sizeof p.at);
 	return p;
 }
 

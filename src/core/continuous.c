@@ -55,25 +55,6 @@ static const double GAUSS_X[GAUSS / 2] = {0.1834346424956498,
 static const double GAUSS_W[GAUSS / 2] = {0.3626837833783620,
     0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
 
-static int
-falling(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-	return (x < y) - (x > y);
-}
-
-/* Sorts coarsest first and drops what is nearer than rounding. */
-static size_t
-sort_unique(double *t, size_t n)
-{
-	qsort(t, n, sizeof *t, falling);
-	size_t kept = 0;
-	for (size_t i = 0; i < n; i++)
-		if (kept == 0 || t[kept - 1] - t[i] > 1e-12)
-			t[kept++] = t[i];
-	return kept;
-}
-
 /* Edges: the feed's sieves, the product's sieves between them, and enough
  * others that no class is wider than an octave. */
 static void
@@ -93,7 +74,7 @@ make_edges(struct continuous *c, const struct psd *feed)
 	for (size_t i = 1; i < octaves; i++)
 		c->edge[n++] =
 		    top - (top - bottom) * (double)i / (double)octaves;
-	c->n_edge = sort_unique(c->edge, n);
+	c->n_edge = psd_sort(c->edge, n, 1e-12);
 }
 
 static void

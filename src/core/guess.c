@@ -17,12 +17,10 @@ static bool
 same_numbers(const struct guess_material *a, const struct guess_material *b)
 {
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		if (params_get(&a->params, j) != params_get(&b->params, j))
+		if (a->params.at[j] != b->params.at[j])
 			return false;
 	return a->top_size == b->top_size &&
-	       a->settings.method == b->settings.method &&
-	       a->settings.appearance == b->settings.appearance &&
-	       a->settings.k == b->settings.k;
+	       model_settings_same(&a->settings, &b->settings);
 }
 
 static bool
@@ -149,9 +147,9 @@ guess_product(const struct site *site, size_t feed_run,
 		p[i] = predict(
 		    site, &m[pick[i]].params, m[pick[i]].settings, v, feed_run);
 	spread(&guess, p, n);
-	guess.p20 = range_of_sizes(&guess.median, p, n, 0.2);
-	guess.p50 = range_of_sizes(&guess.median, p, n, 0.5);
-	guess.p80 = range_of_sizes(&guess.median, p, n, 0.8);
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		guess.size[i] =
+		    range_of_sizes(&guess.median, p, n, PSD_PASSING[i]);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(p);

@@ -42,7 +42,12 @@ struct guess_range {
 struct guess {
 	double speed; /* m/s */
 	struct psd feed, median, least, most;
-	struct guess_range p20, p50, p80, break_size;
+	union {
+		struct {
+			struct guess_range p20, p50, p80, break_size;
+		};
+		struct guess_range size[PSD_SIZES + 1];
+	};
 };
 
 /* The products of the feed of that run at tip speed v (m/s), with each of the

@@ -17,41 +17,6 @@ const struct param_info PARAMS[PARAM_COUNT] = {
     {"alpha", "-", 0, 1, "size dependency of breakage"},
 };
 
-double
-params_get(const struct params *p, size_t i)
-{
-	assert(i < PARAM_COUNT);
-	switch (i) {
-	case PARAM_F_MAT:
-		return p->f_mat;
-	case PARAM_E0_MIN:
-		return p->e0_min;
-	case PARAM_ALPHA:
-		return p->alpha;
-	default:
-		return p->beta[i];
-	}
-}
-
-void
-params_set(struct params *p, size_t i, double value)
-{
-	assert(i < PARAM_COUNT);
-	switch (i) {
-	case PARAM_F_MAT:
-		p->f_mat = value;
-		break;
-	case PARAM_E0_MIN:
-		p->e0_min = value;
-		break;
-	case PARAM_ALPHA:
-		p->alpha = value;
-		break;
-	default:
-		p->beta[i] = value;
-	}
-}
-
 size_t
 params_find(const char *name)
 {
@@ -65,7 +30,7 @@ params_find(const char *name)
 struct params
 params_default_beta(void)
 {
-	return (struct params){{0, 1, -1, 0.5}, 0, 0, 0};
+	return (struct params){.beta = {0, 1, -1, 0.5}};
 }
 
 void

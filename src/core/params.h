@@ -9,13 +9,19 @@
 enum { PARAM_COUNT = 7, PARAM_BETA = 0, PARAM_F_MAT = 4 };
 enum { PARAM_E0_MIN = 5, PARAM_ALPHA = 6 };
 
-/* The parameters in the order of the table below; a plain value. */
+/* The parameters by their symbols, or in the order of the table below; a plain
+ * value. */
 struct params {
-	double beta[4]; /* appearance coefficients, -, only their direction
-			 * matters (departure D4) */
-	double f_mat;   /* material parameter, kg/(J m) */
-	double e0_min;  /* threshold energy, J m/kg */
-	double alpha;   /* size dependency, - */
+	union {
+		struct {
+			double beta[4]; /* appearance coefficients, -, only
+					 * their direction matters (D4) */
+			double f_mat;   /* material parameter, kg/(J m) */
+			double e0_min;  /* threshold energy, J m/kg */
+			double alpha;   /* size dependency, - */
+		};
+		double at[PARAM_COUNT];
+	};
 };
 
 /* What there is to say of one parameter.  lower, upper: Table 2 of the paper,
@@ -28,10 +34,6 @@ struct param_info {
 };
 
 extern const struct param_info PARAMS[PARAM_COUNT];
-
-/* Parameter i of p. */
-double params_get(const struct params *p, size_t i);
-void params_set(struct params *p, size_t i, double value);
 
 /* Index of the parameter of that name, or PARAM_COUNT. */
 size_t params_find(const char *name);

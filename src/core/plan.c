@@ -16,13 +16,6 @@
  * the steps of the EN 933 series (1.4, 1.43) make two. */
 static const double WIDEST = 0.18;
 
-static int
-falling(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-	return (x < y) - (x > y);
-}
-
 /* All feed and product sieves of all runs between the coarsest and the finest
  * feed sieve, ln x, coarsest first. */
 static size_t
@@ -40,14 +33,10 @@ collect_edges(const struct misfit *m, double *edge)
 	for (size_t r = 0; r < m->n_run; r++)
 		for (size_t i = 0; i < m->run[r].n; i++)
 			edge[n++] = el_log(m->run[r].sieve[i]);
-	qsort(edge, n, sizeof *edge, falling);
-	for (size_t i = 0; i < n; i++) {
-		bool inside = edge[i] <= top && edge[i] >= bottom;
-		bool other = kept == 0 || edge[kept - 1] - edge[i] > 1e-12;
-		if (inside && other)
+	for (size_t i = 0; i < n; i++)
+		if (edge[i] <= top && edge[i] >= bottom)
 			edge[kept++] = edge[i];
-	}
-	return kept;
+	return psd_sort(edge, kept, 1e-12);
 }
 
 static void
@@ -146,10 +135,7 @@ plan_targets(struct plan *plan, const struct misfit *m)
 	for (size_t r = 0; r < m->n_run; r++)
 		for (size_t i = 0; i < m->run[r].n; i++)
 			sieve[n++] = m->run[r].sieve[i];
-	qsort(sieve, n, sizeof *sieve, falling);
-	for (size_t i = 0; i < n; i++)
-		if (plan->n_sieve == 0 || sieve[plan->n_sieve - 1] > sieve[i])
-			sieve[plan->n_sieve++] = sieve[i];
+	plan->n_sieve = psd_sort(sieve, n, 0);
 	plan->sieve = xcalloc(plan->n_sieve, sizeof *plan->sieve);
 	for (size_t s = 0; s < plan->n_sieve; s++)
 		plan_sieve(plan, &plan->sieve[s], el_log(sieve[s]));

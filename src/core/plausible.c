@@ -155,7 +155,7 @@ static bool
 is_within(const struct bounds *b, const struct params *p)
 {
 	for (size_t j = PARAM_F_MAT; j < PARAM_COUNT; j++) {
-		double x = params_get(p, j);
+		double x = p->at[j];
 		if (x < b->lower[j] || x > b->upper[j])
 			return false;
 	}

@@ -62,7 +62,7 @@ free_columns(const struct polish *s, const struct bounds *bounds,
 {
 	size_t n_free = 0;
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		double gradient = 0, norm = 0, x = params_get(p, j);
+		double gradient = 0, norm = 0, x = p->at[j];
 		for (size_t i = 0; i < s->n; i++) {
 			double d = s->J[i * PARAM_COUNT + j];
 			gradient += s->r[i] * d;
@@ -127,9 +127,9 @@ moved(const struct params *p, const double step[PARAM_COUNT],
 {
 	struct params q = *p;
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		double x = params_get(p, j) + step[j];
+		double x = p->at[j] + step[j];
 		x = x > bounds->lower[j] ? x : bounds->lower[j];
-		params_set(&q, j, x < bounds->upper[j] ? x : bounds->upper[j]);
+		q.at[j] = x < bounds->upper[j] ? x : bounds->upper[j];
 	}
 	return q;
 }

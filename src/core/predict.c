@@ -5,16 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/xalloc.h"
 #include "core/energy.h"
 #include "core/product.h"
-
-static int
-falling(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-	return (x < y) - (x > y);
-}
 
 /* All sieves of the site that the feed covers, coarsest first. */
 static struct psd
@@ -31,13 +23,9 @@ all_sieves(const struct site *site, const struct psd *feed)
 		for (size_t i = 0; i < run->product.n; i++)
 			psd.size[n++] = run->product.size[i];
 	}
-	qsort(psd.size, n, sizeof *psd.size, falling);
-	for (size_t i = 0; i < n; i++) {
-		double x = psd.size[i];
-		bool other = kept == 0 || psd.size[kept - 1] > x;
-		if (other && psd_covers(feed, x))
-			psd.size[kept++] = x;
-	}
+	n = psd_sort(psd.size, n, 0);
+	while (kept < n && psd_covers(feed, psd.size[kept]))
+		kept++;
 	psd.n = kept;
 	return psd;
 }
@@ -62,9 +50,8 @@ predict(const struct site *site, const struct params *p,
 	out.selected = model_selected(model, speed);
 	out.no_daughters = !model_breaks(model);
 	model_free(model);
-	out.p20 = psd_size(&out.product, 0.2);
-	out.p50 = psd_size(&out.product, 0.5);
-	out.p80 = psd_size(&out.product, 0.8);
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		out.size[i] = psd_size(&out.product, PSD_PASSING[i]);
 	return out;
 }
 

@@ -16,8 +16,14 @@ struct prediction {
 	double energy;   /* J/kg */
 	size_t feed_run; /* the run whose feed was taken */
 	struct psd feed, product;
-	double p20, p50, p80;
-	double break_size; /* x*; INFINITY: nothing breaks; 0: all sizes do */
+	union {
+		struct {
+			double p20, p50, p80;
+			double break_size; /* x*; INFINITY: nothing breaks; 0:
+					    * all sizes do */
+		};
+		double size[PSD_SIZES + 1];
+	};
 	double selected;   /* mass fraction of the feed that is selected */
 	bool no_daughters; /* p(u) is 0 everywhere: product = feed */
 };

@@ -72,7 +72,7 @@ difference_step(const struct params *p, size_t i)
 	double scale = i < 4 ? 0 : 1e-2;
 	for (size_t b = 0; b < 4 && i < 4; b++)
 		scale = fmax(scale, fabs(p->beta[b]));
-	return 1e-6 * fmax(fabs(params_get(p, i)), scale);
+	return 1e-6 * fmax(fabs(p->at[i]), scale);
 }
 
 static void
@@ -80,12 +80,12 @@ classes_jacobian(struct model *model, double v, double *d_passing)
 {
 	for (size_t i = 0; i < PARAM_COUNT; i++) {
 		struct params moved = model->p;
-		double at = params_get(&model->p, i);
+		double at = model->p.at[i];
 		double h = difference_step(&model->p, i);
-		params_set(&moved, i, at + h);
+		moved.at[i] = at + h;
 		classes_set(model->classes, &moved);
 		classes_product(model->classes, v, model->plus);
-		params_set(&moved, i, at - h);
+		moved.at[i] = at - h;
 		classes_set(model->classes, &moved);
 		classes_product(model->classes, v, model->minus);
 		for (size_t s = 0; s < model->n_sieve; s++)

@@ -10,6 +10,8 @@
 #include "base/xalloc.h"
 #include "core/elementary.h"
 
+const double PSD_PASSING[PSD_SIZES] = {0.2, 0.5, 0.8};
+
 struct psd
 psd_new(size_t n)
 {
@@ -34,19 +36,6 @@ psd_free(struct psd *psd)
 	free(psd->size);
 	free(psd->passing);
 	*psd = (struct psd){0, NULL, NULL};
-}
-
-size_t
-psd_fault(const struct psd *psd)
-{
-	for (size_t i = 0; i < psd->n; i++) {
-		double x = psd->size[i], p = psd->passing[i];
-		if (!(x > 0 && isfinite(x)) || !(p >= 0 && p <= 1))
-			return i;
-		if (i > 0 && (x >= psd->size[i - 1] || p > psd->passing[i - 1]))
-			return i;
-	}
-	return psd->n;
 }
 
 double
@@ -102,6 +91,24 @@ psd_covers(const struct psd *psd, double x)
 		return false;
 	size_t finest = psd->n - 1;
 	return x >= psd->size[finest] || psd->passing[finest] <= 0;
+}
+
+static int
+falling(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+	return (x < y) - (x > y);
+}
+
+size_t
+psd_sort(double *x, size_t n, double apart)
+{
+	size_t kept = 0;
+	qsort(x, n, sizeof *x, falling);
+	for (size_t i = 0; i < n; i++)
+		if (kept == 0 || x[kept - 1] - x[i] > apart)
+			x[kept++] = x[i];
+	return kept;
 }
 
 double

@@ -24,9 +24,6 @@ struct psd psd_new(size_t n);
 struct psd psd_copy(const struct psd *psd);
 void psd_free(struct psd *psd);
 
-/* Index of the first sieve that breaks a rule stated above, or n if none. */
-size_t psd_fault(const struct psd *psd);
-
 /* Passing at size x (m), straight on log size; the end values outside the
  * sieves.  Asserts n >= 1 and x > 0. */
 double psd_passing(const struct psd *psd, double x);
@@ -38,9 +35,17 @@ double psd_at_sieve(const struct psd *psd, double x);
  * psd_size(psd, 0.8).  NAN where it lies outside the sieves. */
 double psd_size(const struct psd *psd, double passing);
 
+/* The sizes that sum a product up: P20, P50, P80, as passings. */
+enum { PSD_SIZES = 3 };
+extern const double PSD_PASSING[PSD_SIZES];
+
 /* True when passing at x is known: x within the sieves or above them, or below
  * a finest sieve that passes nothing. */
 bool psd_covers(const struct psd *psd, double x);
+
+/* Sorts sizes, or their logarithms, coarsest first, and drops each that lies no
+ * more than `apart` below another.  Returns how many are left. */
+size_t psd_sort(double *x, size_t n, double apart);
 
 /* Root mean square and largest difference of passing, 0..1, between two
  * curves at the n sizes given; worst: index of the largest, may be NULL. */

@@ -11,7 +11,7 @@
 bool
 sensitivity_on_bound(const struct bounds *b, const struct params *p, size_t j)
 {
-	double x = params_get(p, j), range = b->upper[j] - b->lower[j];
+	double x = p->at[j], range = b->upper[j] - b->lower[j];
 	double near = fmin(x - b->lower[j], b->upper[j] - x);
 	return j >= PARAM_F_MAT && range > 0 && near <= 1e-6 * range;
 }

@@ -9,7 +9,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include <gsl/gsl_statistics_double.h>
 
@@ -52,8 +51,7 @@ step(struct walk *w, struct rng_key key)
 		for (size_t c = 0; c < s->n; c++) {
 			size_t j = s->column[c];
 			double move = z * length * s->direction[i][c];
-			params_set(
-			    &p, j, params_get(&p, j) + move * s->range[j]);
+			p.at[j] += move * s->range[j];
 		}
 	}
 	double level = plausible_level(w->plausible, &p);
@@ -125,32 +123,26 @@ uncertainty_new(struct misfit *m, const struct params *p,
 	u->deviation = plausible_deviation(w.plausible);
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		for (size_t i = 0; i < UNCERTAINTY_DRAWS; i++)
-			value[i] = params_get(&u->draw[i], j);
-		middle(value, params_get(&own, j), &u->low[j], &u->high[j]);
+			value[i] = u->draw[i].at[j];
+		middle(value, own.at[j], &u->low[j], &u->high[j]);
 	}
 	plausible_free(w.plausible);
 	free(basis);
 	return u;
 }
 
-/* A size as a value to sort: what lies below the finest sieve is the least. */
-static double
-size_or_least(const struct psd *product, double passing)
-{
-	double x = psd_size(product, passing);
-	return isfinite(x) ? x : 0;
-}
+enum { BREAK = PSD_SIZES, SIZES };
 
-enum { SIZES = 4 };
-
+/* As values to sort: what lies below the finest sieve is the least. */
 static void
 sizes_of(const struct params *p, const struct psd *product, double v,
     double size[SIZES])
 {
-	size[0] = size_or_least(product, 0.2);
-	size[1] = size_or_least(product, 0.5);
-	size[2] = size_or_least(product, 0.8);
-	size[3] = energy_break_size(p, v);
+	for (size_t i = 0; i < PSD_SIZES; i++) {
+		double x = psd_size(product, PSD_PASSING[i]);
+		size[i] = isfinite(x) ? x : 0;
+	}
+	size[BREAK] = energy_break_size(p, v);
 }
 
 struct band
@@ -178,12 +170,12 @@ uncertainty_band(const struct uncertainty *u, const struct params *p,
 		middle(value + j * N, product->passing[j], &band.low[j],
 		    &band.high[j]);
 	sizes_of(p, product, v, own);
-	double *range[SIZES] = {band.p20, band.p50, band.p80, band.break_size};
 	for (size_t j = 0; j < SIZES; j++) {
-		middle(value + (n + j) * N, own[j], &range[j][0], &range[j][1]);
-		for (size_t k = 0; k < 2 && range[j] != band.break_size; k++)
-			if (range[j][k] == 0)
-				range[j][k] = NAN;
+		double *range = band.size[j];
+		middle(value + (n + j) * N, own[j], &range[0], &range[1]);
+		for (size_t k = 0; k < 2 && j != BREAK; k++)
+			if (range[k] == 0)
+				range[k] = NAN;
 	}
 	model_free(model);
 	psd_free(&one);

@@ -35,7 +35,12 @@ struct uncertainty *uncertainty_new(struct misfit *m, const struct params *p,
 struct band {
 	size_t n;
 	double *low, *high;
-	double p20[2], p50[2], p80[2], break_size[2];
+	union {
+		struct {
+			double p20[2], p50[2], p80[2], break_size[2];
+		};
+		double size[PSD_SIZES + 1][2];
+	};
 };
 
 /* product: that of the fit, p, at the speed v (m/s) from the feed: its sieves

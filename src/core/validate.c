@@ -51,11 +51,10 @@ static void
 compare_sizes(struct validation *v, const struct psd *measured,
     const struct psd *predicted)
 {
-	static const double PASSING[3] = {0.2, 0.5, 0.8};
-	for (size_t i = 0; i < 3; i++)
-		v->size[i] = (struct validate_size){PASSING[i],
-		    psd_size(measured, PASSING[i]),
-		    psd_size(predicted, PASSING[i])};
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		v->size[i] = (struct validate_size){PSD_PASSING[i],
+		    psd_size(measured, PSD_PASSING[i]),
+		    psd_size(predicted, PSD_PASSING[i])};
 }
 
 static void

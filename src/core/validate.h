@@ -26,7 +26,7 @@ struct validation {
 	size_t n_sieve, n_left_out; /* compared; finer than the feed tells */
 	double misfit, rmse;
 	double worst_sieve, worst_difference; /* m; predicted - measured */
-	struct validate_size size[3];
+	struct validate_size size[PSD_SIZES];
 	double feed_rmse, interpolation_rmse;
 };
 

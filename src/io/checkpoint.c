@@ -134,8 +134,7 @@ is_whole(const char *bytes, size_t n)
 static bool
 refuse(const char *path, const char *why, const char *hint, struct error *error)
 {
-	error_at(error, ERROR_DATA, path, 0, 0, "%s", why);
-	return error_hint(error, "%s", hint);
+	return error_at(error, ERROR_DATA, path, 0, 0, "%s\n%s", why, hint);
 }
 
 /* Checks the heading and restores what follows it. */

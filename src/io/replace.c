@@ -61,8 +61,8 @@ replace_file(const char *path, void (*write)(const void *data, FILE *out),
 	free(beside);
 	if (good)
 		return true;
-	error_at(error, ERROR_SYSTEM, path, 0, 0, "cannot be saved: %s",
+	return error_at(error, ERROR_SYSTEM, path, 0, 0,
+	    "cannot be saved: %s\n"
+	    "check the folder, its rights and the room on the disk",
 	    strerror(reason));
-	return error_hint(
-	    error, "check the folder, its rights and the room on the disk");
 }

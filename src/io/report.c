@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/report.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -20,7 +21,8 @@ report_new(const char *command)
 	struct report *r = xcalloc(1, sizeof *r);
 	r->command = xstrdup(command);
 	r->missing = xstrdup("-");
-	r->extra = json_object();
+	r->json = json_object();
+	report_put(r->json, "command %s", command);
 	return r;
 }
 
@@ -47,7 +49,6 @@ report_free(struct report *r)
 	free(r->provenance);
 	free(r->missing);
 	json_decref(r->json);
-	json_decref(r->extra);
 	free(r);
 }
 
@@ -66,6 +67,7 @@ report_site(struct report *r, const char *name, const char *provenance)
 {
 	r->site = xstrdup(name);
 	r->provenance = xstrdup(provenance);
+	report_put(r->json, "site %s", name);
 }
 
 void
@@ -77,6 +79,25 @@ report_column(struct report *r, const char *key, const char *head)
 	r->head[r->n_column++] = xstrdup(head);
 }
 
+void
+report_columns(struct report *r, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	char *list = xvasprintf(format, ap), *save = NULL;
+	va_end(ap);
+	for (char *key = strtok_r(list, ",", &save); key != NULL;
+	     key = strtok_r(NULL, ",", &save)) {
+		char *colon = strchr(key, ':');
+		if (colon != NULL)
+			*colon = '\0';
+		key = text_trim(key);
+		report_column(
+		    r, key, colon != NULL ? text_trim(colon + 1) : key);
+	}
+	free(list);
+}
+
 static void
 add_cell(struct report *r, bool is_text, double number, char *text)
 {
@@ -84,8 +105,9 @@ add_cell(struct report *r, bool is_text, double number, char *text)
 	r->cell[r->n_cell++] = (struct cell){is_text, number, text};
 }
 
-void
-report_number(struct report *r, double value, int decimals)
+/* decimals -1: as many digits as needed. */
+static void
+add_number(struct report *r, double value, int decimals)
 {
 	char *text;
 	if (!isfinite(value))
@@ -102,18 +124,38 @@ report_number(struct report *r, double value, int decimals)
 }
 
 void
-report_text(struct report *r, const char *text)
+report_cells(struct report *r, const char *format, ...)
 {
-	add_cell(r, true, NAN, xstrdup(text));
+	va_list ap;
+	va_start(ap, format);
+	for (const char *p = format; (p = strchr(p, '%')) != NULL; p++) {
+		assert(p[1] == 's' || p[1] == '.' || p[1] == 'g');
+		if (p[1] == 's')
+			add_cell(r, true, NAN, xstrdup(va_arg(ap, char *)));
+		else
+			add_number(r, va_arg(ap, double),
+			    p[1] == '.' ? atoi(p + 2) : -1);
+	}
+	va_end(ap);
 }
 
 void
-report_pairs(struct report *r, const char *const pairs[][2], size_t n)
+report_text(struct report *r, const char *format, ...)
 {
-	for (size_t i = 0; i < n; i++) {
-		report_text(r, pairs[i][0]);
-		report_text(r, pairs[i][1]);
-	}
+	va_list ap;
+	va_start(ap, format);
+	add_cell(r, true, NAN, xvasprintf(format, ap));
+	va_end(ap);
+}
+
+void
+report_pair(struct report *r, const char *name, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	add_cell(r, true, NAN, xstrdup(name));
+	add_cell(r, true, NAN, xvasprintf(format, ap));
+	va_end(ap);
 }
 
 void
@@ -139,17 +181,11 @@ report_note(struct report *r, const char *format, ...)
 	va_end(ap);
 }
 
-void
-report_json(struct report *r, json_t *object)
+json_t *
+report_json(struct report *r)
 {
-	json_decref(r->json);
-	r->json = object;
-}
-
-void
-report_json_key(struct report *r, const char *key, json_t *value)
-{
-	json_object_set_new(r->extra, key, value);
+	r->json_given = true;
+	return r->json;
 }
 
 json_t *
@@ -158,10 +194,38 @@ report_json_number(double value)
 	return isfinite(value) ? json_real(value) : json_null();
 }
 
-void
-report_put(json_t *object, const char *key, double value)
+/* The value that a conversion of report_put stands for. */
+static json_t *
+next_value(const char *conversion, va_list *ap)
 {
-	json_object_set_new(object, key, report_json_number(value));
+	switch (conversion[1]) {
+	case 's':
+		return json_string(va_arg(*ap, char *));
+	case 'd':
+		return json_boolean(va_arg(*ap, int));
+	case 'z':
+		return json_integer((json_int_t)va_arg(*ap, size_t));
+	case 'l':
+		return json_integer(
+		    (json_int_t)va_arg(*ap, unsigned long long));
+	default:
+		assert(conversion[1] == 'g');
+		return report_json_number(va_arg(*ap, double));
+	}
+}
+
+void
+report_put(json_t *object, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	char *copy = xstrdup(format), *save = NULL;
+	for (char *key = strtok_r(copy, " ", &save); key != NULL;
+	     key = strtok_r(NULL, " ", &save))
+		json_object_set_new(
+		    object, key, next_value(strtok_r(NULL, " ", &save), &ap));
+	free(copy);
+	va_end(ap);
 }
 
 /* Commas and points, or semicolons and decimal commas.  A sieve of 22.4 mm is
@@ -238,8 +302,8 @@ cell_json(const struct report *r, size_t row, size_t column)
 			     : report_json_number(cell->number);
 }
 
-json_t *
-report_json_rows(const struct report *r)
+void
+report_put_rows(struct report *r, const char *key)
 {
 	json_t *rows = json_array();
 	for (size_t row = 0; row < report_rows(r); row++) {
@@ -249,44 +313,40 @@ report_json_rows(const struct report *r)
 			    object, r->key[c], cell_json(r, row, c));
 		json_array_append_new(rows, object);
 	}
-	return rows;
+	json_object_set_new(report_json(r), key, rows);
 }
 
 void
-report_put_column(json_t *object, const struct report *r, const char *key)
+report_put_columns(struct report *r, const char *keys)
 {
-	size_t c = 0;
-	while (strcmp(r->key[c], key) != 0)
-		c++;
-	json_t *list = json_array();
-	for (size_t row = 0; row < report_rows(r); row++)
-		json_array_append_new(list, cell_json(r, row, c));
-	json_object_set_new(object, key, list);
+	char *copy = xstrdup(keys), *save = NULL;
+	for (char *key = strtok_r(copy, " ", &save); key != NULL;
+	     key = strtok_r(NULL, " ", &save)) {
+		size_t c = 0;
+		while (strcmp(r->key[c], key) != 0)
+			c++;
+		json_t *list = json_array();
+		for (size_t row = 0; row < report_rows(r); row++)
+			json_array_append_new(list, cell_json(r, row, c));
+		json_object_set_new(report_json(r), key, list);
+	}
+	free(copy);
 }
 
 static void
-print_json(const struct report *r, FILE *out)
+print_json(struct report *r, FILE *out)
 {
-	json_t *object = r->json != NULL ? json_incref(r->json) : json_object();
-	if (r->json == NULL) {
-		json_object_set_new(object, "command", json_string(r->command));
-		if (r->site != NULL)
-			json_object_set_new(
-			    object, "site", json_string(r->site));
-		json_object_set_new(object, "rows", report_json_rows(r));
-		json_object_update_missing(object, r->extra);
-	}
+	if (!r->json_given)
+		report_put_rows(r, "rows");
 	if (r->provenance != NULL)
-		json_object_set_new(
-		    object, "provenance", json_string(r->provenance));
-	json_dumpf(object, out, JSON_COMPACT | JSON_REAL_PRECISION(17));
+		report_put(r->json, "provenance %s", r->provenance);
+	json_dumpf(r->json, out, JSON_COMPACT | JSON_REAL_PRECISION(17));
 	fputc('\n', out);
-	json_decref(object);
 }
 
 void
-report_print(const struct report *r, enum report_format format, bool semicolon,
-    FILE *out)
+report_print(
+    struct report *r, enum report_format format, bool semicolon, FILE *out)
 {
 	switch (format) {
 	case REPORT_CSV:

@@ -33,14 +33,24 @@ void report_title(struct report *report, const char *format, ...)
 void report_site(
     struct report *report, const char *name, const char *provenance);
 
-/* A column: key for csv and json ("p80_mm"), head for people ("P80 mm"). */
+/* Columns: "speed: m/s, size" has keys for csv and json and, behind a colon,
+ * heads for people where these differ. */
+void report_columns(struct report *report, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* A column whose head may hold any sign. */
 void report_column(struct report *report, const char *key, const char *head);
 
-/* Cells fill the columns from left to right, row by row.  decimals: for
- * people; -1: as many significant digits as needed, up to 6.  NAN is shown as
- * the words given by report_missing, empty in csv and null in json. */
-void report_number(struct report *report, double value, int decimals);
-void report_text(struct report *report, const char *text);
+/* Cells, which fill the columns from left to right, row by row: "%s %.2f %g",
+ * with a blank between two.  %s: a text; %.2f: a number, with so many decimals
+ * for people; %g: with as many significant digits as needed, up to 6.  NAN is
+ * shown as the words given by report_missing, empty in csv and null in json. */
+void report_cells(struct report *report, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* One cell of text. */
+void report_text(struct report *report, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 /* What to show for the next NAN cells ("below 0.063 mm"); default "-". */
 void report_missing(struct report *report, const char *words);
@@ -52,31 +62,31 @@ size_t report_rows(const struct report *report);
 void report_note(struct report *report, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* The object printed as JSON instead of the default, which has the rows as
- * objects: {"command":..,"rows":[{key: value}, ..]}.  Takes the reference. */
-void report_json(struct report *report, json_t *object);
+/* The object printed as JSON, to put more into: {"command":..,"site":..}.
+ * Where nobody asks for it, it has the rows: {"rows":[{key: value}, ..]}.
+ * Borrowed. */
+json_t *report_json(struct report *report);
 
-/* One more key of the default object.  Takes the reference. */
-void report_json_key(struct report *report, const char *key, json_t *value);
+/* Puts values under keys, "speed %g extrapolated %d": %g a number, null where
+ * it is not finite; %d true or false; %zu and %llu a whole number; %s text. */
+void report_put(json_t *object, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
-/* value, or null where it is not finite; the same under a key of an object. */
+/* A number, or null where it is not finite. */
 json_t *report_json_number(double value);
-void report_put(json_t *object, const char *key, double value);
 
-/* The rows as objects, as the default object has them. */
-json_t *report_json_rows(const struct report *report);
+/* Puts the rows as objects into the report's own object; or as arrays its
+ * columns so called, with a blank between two. */
+void report_put_rows(struct report *report, const char *key);
+void report_put_columns(struct report *report, const char *keys);
 
-/* The column so called as an array, under its key in an object. */
-void report_put_column(
-    json_t *object, const struct report *report, const char *key);
-
-/* A row for each pair of a text and its value, under two columns. */
-void report_pairs(
-    struct report *report, const char *const pairs[][2], size_t n);
+/* A row of a name and a text, under two columns. */
+void report_pair(struct report *report, const char *name, const char *format,
+    ...) __attribute__((format(printf, 3, 4)));
 
 /* Prints it; JSON is one line.  semicolon: csv has semicolons, and commas in
  * its numbers, as spreadsheets have in Swedish and German. */
-void report_print(const struct report *report, enum report_format format,
+void report_print(struct report *report, enum report_format format,
     bool semicolon, FILE *out);
 
 #endif

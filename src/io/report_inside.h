@@ -18,7 +18,8 @@ struct report {
 	char **key, **head;
 	struct cell *cell; /* row by row */
 	char **note;
-	json_t *json, *extra;
+	json_t *json;
+	bool json_given; /* it was asked for */
 };
 
 /* Length of the provenance's first clause, which says what the data are; the

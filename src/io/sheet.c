@@ -1,10 +1,8 @@
-/* From the bytes of a CSV file to a grid of cells.  libcsv takes the quotes
- * off; the columns of the cells are found here, because it does not keep them.
+/* From the bytes of a CSV file to a grid of cells.  A line is split by hand,
+ * as no library keeps the columns of the cells.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sheet.h"
 
-#include <assert.h>
-#include <csv.h>
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -32,45 +30,55 @@ later(const struct error *a, const struct error *b)
 	       (a->line == b->line && a->column > b->column);
 }
 
-struct error *
+/* Where the next fault goes, among those of the same file. */
+static struct error *
+place(struct sheet *sheet, const struct error *e)
+{
+	struct error_list *list = sheet->errors;
+	struct error *slot = error_add(list);
+	size_t i = list->n - 1;
+	sheet->n_fault++;
+	if (list->more > 0 && !later(&list->item[i], e))
+		return slot;
+	for (; i > 0 && later(&list->item[i - 1], e); i--)
+		list->item[i] = list->item[i - 1];
+	return &list->item[i];
+}
+
+bool
 sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 {
 	struct error e;
 	va_list ap;
 	va_start(ap, format);
-	char text[sizeof e.text];
-	vsnprintf(text, sizeof text, format, ap);
+	error_say(
+	    &e, ERROR_DATA, sheet->path, where.line, where.column, format, ap);
 	va_end(ap);
-	error_at(
-	    &e, ERROR_DATA, sheet->path, where.line, where.column, "%s", text);
-	sheet->n_fault++;
-	struct error_list *list = sheet->errors;
-	struct error *slot = error_add(list);
-	size_t i = list->n - 1;
-	bool full = list->more > 0;
-	if (full && !later(&list->item[i], &e)) {
-		*slot = e;
-		return slot;
-	}
-	for (; i > 0 && later(&list->item[i - 1], &e); i--)
-		list->item[i] = list->item[i - 1];
-	list->item[i] = e;
-	return &list->item[i];
+	*place(sheet, &e) = e;
+	return false;
 }
 
-struct error *
-sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted)
+bool
+sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
+    const char *hint, ...)
 {
-	if (found.text[0] == '\0')
-		return sheet_fault(
-		    sheet, found, "%s was wanted, found an empty cell", wanted);
+	va_list ap;
+	va_start(ap, hint);
+	char *step = hint != NULL ? xvasprintf(hint, ap) : xstrdup("");
+	va_end(ap);
 	size_t n = strlen(found.text);
 	bool cut = n > SHOWN;
 	/* A cut never falls inside a character. */
 	for (n = cut ? SHOWN : n; cut && (found.text[n] & 0xC0) == 0x80; n--)
 		;
-	return sheet_fault(sheet, found, "%s was wanted, found '%.*s%s'",
-	    wanted, (int)n, found.text, cut ? "..." : "");
+	if (n == 0)
+		sheet_fault(sheet, found,
+		    "%s was wanted, found an empty cell\n%s", wanted, step);
+	else
+		sheet_fault(sheet, found, "%s was wanted, found '%.*s%s'\n%s",
+		    wanted, (int)n, found.text, cut ? "..." : "", step);
+	free(step);
+	return false;
 }
 
 struct cell
@@ -157,11 +165,9 @@ bool
 sheet_number(
     struct sheet *sheet, struct cell cell, const char *wanted, double *value)
 {
-	if (!sheet_value(sheet, cell, value)) {
-		error_hint(sheet_wanted(sheet, cell, wanted), "%s",
-		    number_hint(cell.text));
-		return false;
-	}
+	if (!sheet_value(sheet, cell, value))
+		return sheet_wanted(
+		    sheet, cell, wanted, "%s", number_hint(cell.text));
 	const char *comma = strchr(cell.text, ',');
 	const char *point = strchr(cell.text, '.');
 	char sign = comma != NULL ? ',' : point != NULL ? '.' : '\0';
@@ -170,11 +176,10 @@ sheet_number(
 	if (sign == '\0' || sign == sheet->decimal || sheet->mixed)
 		return true;
 	sheet->mixed = true;
-	error_hint(sheet_fault(sheet, cell,
-		       "a decimal %s as above was wanted, found %s",
-		       sign == ',' ? "point" : "comma", cell.text),
-	    "use one decimal sign, and no separator for thousands");
-	return false;
+	return sheet_fault(sheet, cell,
+	    "a decimal %s as above was wanted, found %s\n"
+	    "use one decimal sign, and no separator for thousands",
+	    sign == ',' ? "point" : "comma", cell.text);
 }
 
 /* A place in a line of text; column counts characters. */
@@ -222,69 +227,59 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 {
 	struct cell start = {NULL, line, c->column};
 	bool quoted = *c->p == '"';
-	if (quoted && !skip_quoted(c)) {
-		error_hint(sheet_fault(sheet, start,
-			       "a quote is left open at the end of the line"),
+	if (quoted && !skip_quoted(c))
+		return sheet_fault(sheet, start,
+		    "a quote is left open at the end of the line\n"
 		    "close it on its line; a quote inside a cell is \"\"");
-		return false;
-	}
 	skip_blanks(c, sheet->separator);
 	while (*c->p != '\0' && *c->p != sheet->separator) {
 		if (quoted || *c->p == '"') {
 			start.column = c->column;
-			error_hint(sheet_fault(sheet, start, "%s",
-				       quoted ? "text after a closing quote"
-					      : "a quote inside a cell"),
-			    "put quotes round the whole cell and write a "
-			    "quote inside it as \"\"");
-			return false;
+			return sheet_fault(sheet, start,
+			    "%s\n"
+			    "put quotes round the whole cell and write a quote "
+			    "inside it as \"\"",
+			    quoted ? "text after a closing quote"
+				   : "a quote inside a cell");
 		}
 		step(c);
 	}
 	return true;
 }
 
-/* Columns of the cells of a line.  Returns how many; 0 after a fault. */
-static size_t
-scan_line(struct sheet *sheet, const char *text, struct row *row,
-    int column[static MOST_CELLS])
+/* The cell from its first character to before end. */
+static void
+add_cell(struct row *row, const struct cursor *from, const char *end)
 {
-	struct cursor c = {text, 1};
-	for (size_t n = 0; n < MOST_CELLS;) {
-		skip_blanks(&c, sheet->separator);
-		column[n++] = c.column;
-		if (!skip_cell(sheet, &c, row->line))
-			return 0;
-		row->end = c.column;
-		if (*c.p == '\0')
-			return n;
-		step(&c);
-	}
-	error_hint(sheet_fault(sheet, (struct cell){NULL, row->line, c.column},
-		       "more than %d cells in a line", MOST_CELLS),
-	    "a sieve sheet has a few columns: is this the right file?");
-	return 0;
+	char *text = text_unquoted(from->p, (size_t)(end - from->p));
+	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
+	row->cell[row->n_all++] =
+	    (struct cell){xstrdup(text_trim(text)), row->line, from->column};
+	free(text);
+	if (row->cell[row->n_all - 1].text[0] != '\0')
+		row->n = row->n_all;
 }
 
-/* Where libcsv delivers the cells of one line. */
-struct delivery {
-	struct row *row;
-	const int *column;
-	size_t n; /* as the scan found */
-};
-
-static void
-take_cell(void *text, size_t n, void *data)
+/* False after a fault. */
+static bool
+split_line(struct sheet *sheet, const char *text, struct row *row)
 {
-	struct delivery *d = data;
-	size_t i = d->row->n_all++;
-	assert(i < d->n);
-	char *copy = xstrndup(text, n);
-	d->row->cell[i] =
-	    (struct cell){xstrdup(text_trim(copy)), d->row->line, d->column[i]};
-	if (d->row->cell[i].text[0] != '\0')
-		d->row->n = i + 1;
-	free(copy);
+	struct cursor c = {text, 1};
+	while (row->n_all < MOST_CELLS) {
+		skip_blanks(&c, sheet->separator);
+		struct cursor from = c;
+		if (!skip_cell(sheet, &c, row->line))
+			return false;
+		add_cell(row, &from, c.p);
+		row->end = c.column;
+		if (*c.p == '\0')
+			return true;
+		step(&c);
+	}
+	return sheet_fault(sheet, (struct cell){NULL, row->line, c.column},
+	    "more than %d cells in a line\n"
+	    "a sieve sheet has a few columns: is this the right file?",
+	    MOST_CELLS);
 }
 
 static void
@@ -293,34 +288,6 @@ free_row(struct row *row)
 	for (size_t i = 0; i < row->n_all; i++)
 		free(row->cell[i].text);
 	free(row->cell);
-}
-
-static void *
-grow(void *p, size_t n)
-{
-	return xrealloc(p, 1, n);
-}
-
-/* Each line has a parser of its own, so that line numbers stay true.  The scan
- * has seen to it that libcsv meets no error and finds as many cells. */
-static void
-split_line(struct sheet *sheet, struct row *row, const char *text)
-{
-	int column[MOST_CELLS];
-	size_t n = scan_line(sheet, text, row, column);
-	if (n == 0) {
-		sheet->lost = true;
-		return;
-	}
-	row->cell = xcalloc(n, sizeof *row->cell);
-	struct delivery d = {row, column, n};
-	struct csv_parser parser;
-	csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI);
-	csv_set_realloc_func(&parser, grow);
-	csv_set_delim(&parser, (unsigned char)sheet->separator);
-	csv_parse(&parser, text, strlen(text), take_cell, NULL, &d);
-	csv_fini(&parser, take_cell, NULL, &d);
-	csv_free(&parser);
 }
 
 /* Rows without a word are left out, as are comments and "sep=;", which some
@@ -332,17 +299,18 @@ add_row(struct sheet *sheet, const char *line, int number)
 	if (*first == '#' || (number == 1 && strncmp(first, "sep=", 4) == 0))
 		return true;
 	if (strlen(line) > MOST_LINE || sheet->n_row == sheet->most_rows) {
-		error_hint(sheet_fault(sheet, (struct cell){NULL, number, 1},
-			       "more than %zu lines, or %d bytes in a line",
-			       sheet->most_rows, MOST_LINE),
-		    "a sieve sheet has a few kB: is this the right file?");
+		sheet_fault(sheet, (struct cell){NULL, number, 1},
+		    "more than %zu lines, or %d bytes in a line\n"
+		    "a sieve sheet has a few kB: is this the right file?",
+		    sheet->most_rows, MOST_LINE);
 		sheet->lost = true;
 		return false;
 	}
 	struct row *row = &sheet->row[sheet->n_row];
 	*row = (struct row){.line = number, .end = 1};
-	split_line(sheet, row, line);
-	if (row->n > 0)
+	bool good = split_line(sheet, line, row);
+	sheet->lost = sheet->lost || !good;
+	if (good && row->n > 0)
 		sheet->n_row++;
 	else
 		free_row(row);

@@ -49,15 +49,16 @@ void sheet_free(struct sheet *sheet);
 /* Cell i of a row; an empty one at the end of the line when there is none. */
 struct cell sheet_cell(const struct row *row, size_t i);
 
-/* One more fault of kind ERROR_DATA, put in its place among those of the same
- * file: the list holds the first faults of the file, whatever the order in
- * which they are found.  Returns a pointer to hang a hint on, never NULL. */
-struct error *sheet_fault(struct sheet *sheet, struct cell where,
-    const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* One more fault of kind ERROR_DATA, text and hint as for error_set, put in its
+ * place among those of the same file: the list holds the first faults of the
+ * file, whatever the order in which they are found.  Returns false. */
+bool sheet_fault(struct sheet *sheet, struct cell where, const char *format,
+    ...) __attribute__((format(printf, 3, 4)));
 
-/* The fault "WANTED was wanted, found 'CELL'", the cell cut when long. */
-struct error *sheet_wanted(
-    struct sheet *sheet, struct cell found, const char *wanted);
+/* The fault "WANTED was wanted, found 'CELL'", the cell cut when long, with a
+ * hint (NULL: none).  Returns false. */
+bool sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
+    const char *hint, ...) __attribute__((format(printf, 4, 5)));
 
 /* The cell as a number with a decimal point, or a decimal comma where the
  * comma does not separate the cells or stands in quotes, perhaps with blanks

@@ -54,12 +54,10 @@ static bool
 in_range(struct table *t, struct column *c, struct cell cell, double v)
 {
 	char head[64];
-	if (c->role == SD && (v > 100 || site_column_round(v, 1e12) <= 0)) {
-		error_hint(sheet_wanted(t->sheet, cell,
-			       "a standard deviation above 0, up to 100,"),
+	if (c->role == SD && (v > 100 || site_column_round(v, 1e12) <= 0))
+		return sheet_wanted(t->sheet, cell,
+		    "a standard deviation above 0, up to 100,",
 		    "give it in percentage points of passing");
-		return false;
-	}
 	if (v >= 0 && v <= SITE_UNITS[c->unit].most)
 		return true;
 	bool percent = SITE_UNITS[c->unit].kind == FRACTION && v > 1;
@@ -67,14 +65,10 @@ in_range(struct table *t, struct column *c, struct cell cell, double v)
 	if (percent && c->told_percent)
 		return false;
 	c->told_percent = c->told_percent || percent;
-	struct error *e =
-	    sheet_wanted(t->sheet, cell, SITE_UNITS[c->unit].wanted);
-	if (percent)
-		error_hint(e, "divide by 100 or head the column %s",
-		    other_head(c, "", head));
-	else
-		error_hint(e, "check the number");
-	return false;
+	return sheet_wanted(t->sheet, cell, SITE_UNITS[c->unit].wanted,
+	    percent ? "divide by 100 or head the column %s"
+		    : "check the number%.0s",
+	    other_head(c, "", head));
 }
 
 /* The pan holds what no sieve holds; a curve of passing ends there at 0. */
@@ -87,11 +81,9 @@ read_pan(struct table *t, struct column *c, struct cell cell, double v)
 		return in_range(t, c, cell, v);
 	if (v == (cumulative ? 100 : 0))
 		return true;
-	error_hint(
-	    sheet_wanted(t->sheet, cell,
-		cumulative ? "100 % above the pan" : "nothing passing the pan"),
+	return sheet_wanted(t->sheet, cell,
+	    cumulative ? "100 % above the pan" : "nothing passing the pan",
 	    "leave the cell empty");
-	return false;
 }
 
 static void
@@ -159,15 +151,12 @@ tell_retained(struct table *t, struct column *c, const char *suffix, double sum)
 		return;
 	t->told_retained = true;
 	bool grams = strcmp(suffix, "_retained_g") == 0;
-	error_hint(
-	    sheet_fault(t->sheet, c->head,
-		"passing was wanted in column %s, this looks like %s "
-		"retained on each sieve%s: the numbers rise and fall and "
-		"sum to %.9g",
-		c->head.text, grams ? "grams" : "mass", grams ? "" : ", %",
-		site_column_round(sum, 10)),
+	sheet_fault(t->sheet, c->head,
+	    "passing was wanted in column %s, this looks like %s retained on "
+	    "each sieve%s: the numbers rise and fall and sum to %.9g\n"
 	    "head the column %s, and others like it so, too",
-	    other_head(c, suffix, head));
+	    c->head.text, grams ? "grams" : "mass", grams ? "" : ", %",
+	    site_column_round(sum, 10), other_head(c, suffix, head));
 }
 
 /* A column of percent without any above 1. */
@@ -181,12 +170,10 @@ check_percent(struct table *t, struct column *c)
 	bool percent = c->role != SD && SITE_UNITS[c->unit].most == 100;
 	if (!percent || most <= 0 || most > 1)
 		return;
-	error_hint(sheet_fault(t->sheet, c->head,
-		       "percent was wanted, found nothing above %g in column "
-		       "%s",
-		       most, c->head.text),
+	sheet_fault(t->sheet, c->head,
+	    "percent was wanted, found nothing above %g in column %s\n"
 	    "multiply by 100 or head the column %s",
-	    other_head(c, "_fraction", head));
+	    most, c->head.text, other_head(c, "_fraction", head));
 	c->faulty = true;
 }
 
@@ -202,15 +189,13 @@ agrees(struct table *t, const struct column *c, double sum)
 		return true;
 	if (!sheet_number(t->sheet, cell, "a number", &total))
 		return false;
-	if (fabs(total - sum) <= MASS_TOLERANCE * total)
-		return true;
-	error_hint(sheet_fault(t->sheet, cell,
-		       "%.9g g was wanted, the sum of column %s, found %s",
-		       site_column_round(sum, 1e6), c->head.text, cell.text),
-	    "the sieves may lose %g %%: were digits swapped, or a sieve "
-	    "forgotten?",
-	    100 * MASS_TOLERANCE);
-	return false;
+	return fabs(total - sum) <= MASS_TOLERANCE * total ||
+	       sheet_fault(t->sheet, cell,
+		   "%.9g g was wanted, the sum of column %s, found %s\n"
+		   "the sieves may lose %g %%: were digits swapped, or a sieve "
+		   "forgotten?",
+		   site_column_round(sum, 1e6), c->head.text, cell.text,
+		   100 * MASS_TOLERANCE);
 }
 
 /* What the sieves and the pan hold together: the mass in g, or 100 %.  0 after
@@ -224,25 +209,23 @@ total_retained(struct table *t, struct column *c)
 	for (size_t i = 0; i < t->n_row; i++)
 		sum += isnan(c->pct[i]) ? 0 : c->pct[i];
 	if (grams && isnan(c->pan)) {
-		error_hint(sheet_fault(t->sheet, c->head,
-			       "the mass in the pan was wanted, found none in "
-			       "column %s",
-			       c->head.text),
+		sheet_fault(t->sheet, c->head,
+		    "the mass in the pan was wanted, found none in column %s\n"
 		    "add a last row with pan and the mass below the finest "
-		    "sieve, 0 if there was none");
+		    "sieve, 0 if there was none",
+		    c->head.text);
 	} else if (grams && !(sum > 0)) {
-		error_hint(sheet_fault(t->sheet, c->head,
-			       "a mass was wanted, found 0 g in column %s",
-			       c->head.text),
-		    "fill the column or take it out");
+		sheet_fault(t->sheet, c->head,
+		    "a mass was wanted, found 0 g in column %s\n"
+		    "fill the column or take it out",
+		    c->head.text);
 	} else if (!grams &&
 		   (sum > 100 + SUM_TOLERANCE ||
 		       (!isnan(c->pan) && sum < 100 - SUM_TOLERANCE))) {
-		error_hint(sheet_fault(t->sheet, c->head,
-			       "retained parts that sum to 100 %% were wanted, "
-			       "found %g in column %s",
-			       sum, c->head.text),
-		    "check the numbers, or head the column %s",
+		sheet_fault(t->sheet, c->head,
+		    "retained parts that sum to 100 %% were wanted, found %g "
+		    "in column %s\ncheck the numbers, or head the column %s",
+		    sum, c->head.text,
 		    other_head(c, "_cum_retained_pct", head));
 	} else {
 		return !grams || agrees(t, c, sum) ? (grams ? sum : 100) : 0;
@@ -292,15 +275,13 @@ check_rise(struct table *t, struct column *c)
 			continue;
 		bool finer = last < t->n_row && t->mm[i] < t->mm[last];
 		if (finer && c->pct[i] > c->pct[last])
-			error_hint(
-			    sheet_fault(t->sheet, sheet_cell(&t->row[i], c->at),
-				"passing rises from %s to %s at %s mm (finer "
-				"sieve, more passing): check the row",
-				text_exact(c->pct[last], p),
-				text_exact(c->pct[i], q),
-				text_exact(t->mm[i], mm)),
+			sheet_fault(t->sheet, sheet_cell(&t->row[i], c->at),
+			    "passing rises from %s to %s at %s mm (finer "
+			    "sieve, more passing): check the row\n"
 			    "a finer sieve passes as much as the coarser one "
-			    "or less");
+			    "or less",
+			    text_exact(c->pct[last], p),
+			    text_exact(c->pct[i], q), text_exact(t->mm[i], mm));
 		last = i;
 	}
 }
@@ -311,27 +292,27 @@ check_coarsest(struct table *t, struct column *c)
 {
 	static const double series[] = {63, 45, 31.5, 22.4, 16, 11.2, 8, 5.6, 4,
 	    2, 1, .5, .25, .125, .063}; /* EN 933, mm */
-	char p[32], mm[32];
+	char p[32], mm[32], next[64];
 	size_t i = 0, s = ARRAY_LEN(series);
 	while (i < t->n_row && (isnan(c->pct[i]) || !(t->mm[i] > 0)))
 		i++;
 	if (i == t->n_row || c->pct[i] >= 100)
 		return;
-	struct error *e = sheet_fault(t->sheet, sheet_cell(&t->row[i], c->at),
-	    "a coarsest feed sieve that passes 100 %% was wanted, found "
-	    "%s %% at %s mm",
-	    text_exact(c->pct[i], p), text_exact(t->mm[i], mm));
 	while (s > 0 && series[s - 1] <= t->mm[i])
 		s--;
 	const char *all =
 	    is_retained(c) || SITE_UNITS[c->unit].kind == CUM_RETAINED ? "0"
 	    : SITE_UNITS[c->unit].kind == FRACTION                     ? "1"
 								       : "100";
+	text_exact(t->mm[i], mm);
 	if (s > 0)
-		error_hint(e, "add %g mm with %s", series[s - 1], all);
+		snprintf(next, sizeof next, "%g mm", series[s - 1]);
 	else
-		error_hint(
-		    e, "add a sieve coarser than %s mm with %s", mm, all);
+		snprintf(next, sizeof next, "a sieve coarser than %s mm", mm);
+	sheet_fault(t->sheet, sheet_cell(&t->row[i], c->at),
+	    "a coarsest feed sieve that passes 100 %% was wanted, found %s %% "
+	    "at %s mm\nadd %s with %s",
+	    text_exact(c->pct[i], p), mm, next, all);
 }
 
 /* "97,5 %" is 97,5 in a column of per cent, "42,5 g" 42,5 in one of grams. */
@@ -379,8 +360,8 @@ site_column_values(struct table *t, struct column *c)
 	if (c->role == SD || c->faulty || t->lost ||
 	    site_column_count(t, c) >= least)
 		return;
-	error_hint(sheet_fault(t->sheet, c->head,
-		       "%zu or more sieves were wanted, found %zu in column %s",
-		       least, site_column_count(t, c), c->head.text),
-	    "fill the column or take it out");
+	sheet_fault(t->sheet, c->head,
+	    "%zu or more sieves were wanted, found %zu in column %s\n"
+	    "fill the column or take it out",
+	    least, site_column_count(t, c), c->head.text);
 }

@@ -159,10 +159,9 @@ find_speed(struct table *t, char *text, struct column *c)
 	c->speed = v;
 	if (good && v > SAME_SPEED && v <= FASTEST)
 		return true;
-	error_hint(sheet_wanted(t->sheet, c->head,
-		       "a tip speed above 0, up to 200 m/s,"),
-	    "%s", speed_hint(text, good ? v : 0));
-	return false;
+	return sheet_wanted(t->sheet, c->head,
+	    "a tip speed above 0, up to 200 m/s,", "%s",
+	    speed_hint(text, good ? v : 0));
 }
 
 /* The speed's text, cut out of the head: what stands behind @, or before m/s;
@@ -194,26 +193,25 @@ refuse_head(struct table *t, const struct column *c, const char *word)
 {
 	unsigned means;
 	size_t n = strcspn(word, "0123456789");
-	struct error *e = sheet_wanted(t->sheet, c->head, "a column header");
+	const char *hint =
+	    "understood are feed, feed@69, product@69 and sd@69; feed and "
+	    "product also with _fraction, _passing_pct, _retained_g, "
+	    "_retained_pct, _cum_retained_pct before the @; take other columns "
+	    "out";
 	bool turns =
 	    strstr(word, "rpm") != NULL || strstr(word, "varv") != NULL;
 	if (word[n] != '\0' && (n == 0 || turns ||
 				   (read_words(word, n, &means) &&
 				       (means & (A_FEED | A_PRODUCT)) != 0)))
-		return error_hint(
-		    e, "%s", speed_hint(turns ? word : word + n, 0));
-	if (read_words(word, strlen(word), &means) && (means & STAYS) != 0)
-		return error_hint(e,
-		    "say grams or per cent: product_retained_g@69 or "
-		    "product_retained_pct@69");
-	if (t->told_heads)
-		return error_hint(e, "take the column out, or head it so, too");
-	t->told_heads = true;
-	return error_hint(e,
-	    "understood are feed, feed@69, product@69 and sd@69; feed and "
-	    "product also with _fraction, _passing_pct, _retained_g, "
-	    "_retained_pct, _cum_retained_pct before the @; take other columns "
-	    "out");
+		hint = speed_hint(turns ? word : word + n, 0);
+	else if (read_words(word, strlen(word), &means) && (means & STAYS) != 0)
+		hint = "say grams or per cent: product_retained_g@69 or "
+		       "product_retained_pct@69";
+	else if (t->told_heads)
+		hint = "take the column out, or head it so, too";
+	else
+		t->told_heads = true;
+	return sheet_wanted(t->sheet, c->head, "a column header", "%s", hint);
 }
 
 /* Only the feed of all runs may be without a speed. */
@@ -226,14 +224,13 @@ split_head(struct table *t, char *word, struct column *c)
 			find_role(means, speed != NULL, c)) ||
 		    refuse_head(t, c, word);
 	c->speed = 0;
-	if (good && speed != NULL) {
+	if (good && speed != NULL)
 		good = find_speed(t, speed, c);
-	} else if (good && c->role != FEED) {
-		good = error_hint(sheet_wanted(t->sheet, c->head,
-				      "a column with its tip speed"),
+	else if (good && c->role != FEED)
+		good = sheet_wanted(t->sheet, c->head,
+		    "a column with its tip speed",
 		    "write the speed in m/s behind @: %s%s@69",
 		    SITE_ROLES[c->role], SITE_UNITS[c->unit].suffix);
-	}
 	free(speed);
 	return good;
 }
@@ -249,12 +246,11 @@ site_column_head(struct table *t, struct column *c)
 	const struct column *twin = site_column_find(t, c->role, c->speed);
 	if (twin == NULL)
 		return true;
-	error_hint(sheet_fault(t->sheet, c->head,
-		       "%s was wanted once, found at column %d already",
-		       c->head.text, twin->head.column),
+	return sheet_fault(t->sheet, c->head,
+	    "%s was wanted once, found at column %d already\n%s", c->head.text,
+	    twin->head.column,
 	    c->speed > 0 && c->unit == twin->unit
 		? "each run has a speed of its own: average the two, "
 		  "or change one"
 		: "keep one of the two");
-	return false;
 }

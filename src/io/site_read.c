@@ -22,7 +22,7 @@ read_top_size(struct site *site, struct sheet *sheet, struct cell cell)
 {
 	double mm = site_sieve_mm(sheet, cell, 1, "a positive size in mm");
 	if (mm <= 0)
-		error_hint(sheet_wanted(sheet, cell, "a positive size in mm"),
+		sheet_wanted(sheet, cell, "a positive size in mm",
 		    "give the size, or take the line out");
 	site->top_size = mm / 1000;
 }
@@ -74,21 +74,21 @@ read_heading_line(struct site *site, struct sheet *sheet, const struct row *row,
 		k++;
 	if (key.text[0] == '\0' ||
 	    (row->n_all < 2 && begins_with_key(key.text))) {
-		error_hint(sheet_wanted(sheet, key, "a key and its value"),
+		sheet_wanted(sheet, key, "a key and its value",
 		    "write key%cvalue, or begin a remark with #%s",
 		    sheet->separator,
 		    row->n > 2 ? "; heads of columns stand in one line" : "");
 	} else if (row->n > 2) {
-		error_hint(sheet_wanted(sheet, row->cell[2],
-			       "the end of the line behind key and value"),
+		sheet_wanted(sheet, row->cell[2],
+		    "the end of the line behind key and value",
 		    "put quotes round a value that holds the separator, or "
 		    "begin a remark with #; decimal commas need ; between the "
 		    "cells");
 	} else if (k < N_KEY && seen[k] > 0) {
-		error_hint(sheet_fault(sheet, key,
-			       "%s was wanted once, found in line %d already",
-			       KEYS[k], seen[k]),
-		    "take one of the two lines out");
+		sheet_fault(sheet, key,
+		    "%s was wanted once, found in line %d already\n"
+		    "take one of the two lines out",
+		    KEYS[k], seen[k]);
 	} else if (k < N_KEY) {
 		take_value(site, k, sheet, value);
 	} else {
@@ -157,13 +157,11 @@ tell_no_table(struct sheet *sheet)
 			found = cell;
 	}
 	char c = sheet->separator;
-	struct error *e =
-	    sheet_wanted(sheet, found, "a line that begins with size_mm");
 	if (site_sieve_word(found.text))
-		error_hint(
-		    e, "say the unit of the sizes, too: %s mm", found.text);
+		sheet_wanted(sheet, found, "a line that begins with size_mm",
+		    "say the unit of the sizes, too: %s mm", found.text);
 	else
-		error_hint(e,
+		sheet_wanted(sheet, found, "a line that begins with size_mm",
 		    "the first line of the table reads "
 		    "size_mm%cfeed%cproduct@69%cproduct@79, and below it "
 		    "each sieve has a line",
@@ -199,21 +197,21 @@ check_partner(struct table *t, const struct column *c)
 	const struct column *shared = site_column_find(t, FEED, 0);
 	bool alone = site_column_find(t, PRODUCT, c->speed) == NULL;
 	if (c->role == FEED && c->speed > 0 && shared != NULL)
-		error_hint(sheet_fault(t->sheet, c->head,
-			       "one kind of feed was wanted, found feed and %s",
-			       c->head.text),
-		    "use feed for all runs, or feed@ with the speed for each");
+		sheet_fault(t->sheet, c->head,
+		    "one kind of feed was wanted, found feed and %s\n"
+		    "use feed for all runs, or feed@ with the speed for each",
+		    c->head.text);
 	if (c->role == SD && alone)
-		error_hint(sheet_fault(t->sheet, c->head,
-			       "a product for %s was wanted, found none",
-			       c->head.text),
-		    "add its product column, or take this one out");
+		sheet_fault(t->sheet, c->head,
+		    "a product for %s was wanted, found none\n"
+		    "add its product column, or take this one out",
+		    c->head.text);
 	if (c->role == PRODUCT && shared == NULL && count_role(t, FEED) > 0 &&
 	    site_column_find(t, FEED, c->speed) == NULL)
-		error_hint(
-		    sheet_fault(t->sheet, c->head,
-			"a feed for %s was wanted, found none", c->head.text),
-		    "add a column feed@ with this speed");
+		sheet_fault(t->sheet, c->head,
+		    "a feed for %s was wanted, found none\n"
+		    "add a column feed@ with this speed",
+		    c->head.text);
 }
 
 /* Each product value needs a standard deviation, and the other way round. */
@@ -227,9 +225,10 @@ check_sd(struct table *t, const struct column *sd)
 		bool has = a.text[0] != '\0', has_sd = b.text[0] != '\0';
 		if (has == has_sd || !(t->mm[i] > 0))
 			continue;
-		error_hint(sheet_wanted(t->sheet, b,
-			       has ? "a standard deviation"
-				   : "no standard deviation without product"),
+		sheet_wanted(t->sheet, b,
+		    has ? "a standard deviation"
+			: "no standard deviation without product",
+		    "%s",
 		    has ? "fill it, or take the column out"
 			: "leave both cells empty where the sieve was not "
 			  "used");
@@ -249,14 +248,13 @@ read_columns(struct table *t)
 	}
 	struct cell head = t->head->cell[0];
 	if (!t->lost && count_role(t, FEED) == 0)
-		error_hint(sheet_fault(t->sheet, head,
-			       "a feed column was wanted, found none"),
+		sheet_fault(t->sheet, head,
+		    "a feed column was wanted, found none\n"
 		    "add a column feed, or feed@ with the speed of each run");
 	/* A feed without any product will do for a guess. */
 	if (!t->lost && count_role(t, PRODUCT) == 1)
-		error_hint(sheet_fault(t->sheet, head,
-			       "products at two or more speeds were wanted, "
-			       "found 1"),
+		sheet_fault(t->sheet, head,
+		    "products at two or more speeds were wanted, found 1\n"
 		    "add columns such as product@69 and product@79");
 }
 
@@ -271,10 +269,9 @@ read_table(struct table *t, size_t head)
 	if (t->n_row > 0)
 		read_columns(t);
 	else if (!t->lost)
-		error_hint(sheet_fault(t->sheet, t->head->cell[0],
-			       "a row for each sieve was wanted below this "
-			       "line, found none"),
-		    "add rows such as 22.4,100,100,100");
+		sheet_fault(t->sheet, t->head->cell[0],
+		    "a row for each sieve was wanted below this line, found "
+		    "none\nadd rows such as 22.4,100,100,100");
 }
 
 static struct psd
@@ -346,10 +343,12 @@ table_clear(struct table *t)
 	free(t->mm);
 }
 
-/* text is taken apart. */
-static struct site *
-read_text(const char *path, char *text, struct error_list *errors)
+struct site *
+site_read(const char *path, struct error_list *errors)
 {
+	char *text = textfile_read(path, errors);
+	if (text == NULL)
+		return NULL;
 	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
 	struct table t = {.sheet = sheet, .lost = sheet->lost};
 	struct site *site = site_new(0);
@@ -372,28 +371,6 @@ read_text(const char *path, char *text, struct error_list *errors)
 	}
 	table_clear(&t);
 	sheet_free(sheet);
-	return site;
-}
-
-struct site *
-site_read_text(const char *path_for_messages, const char *bytes, size_t n,
-    struct error_list *errors)
-{
-	char *text = textfile_check(path_for_messages, bytes, n, errors);
-	if (text == NULL)
-		return NULL;
-	struct site *site = read_text(path_for_messages, text, errors);
-	free(text);
-	return site;
-}
-
-struct site *
-site_read(const char *path, struct error_list *errors)
-{
-	char *text = textfile_read(path, errors);
-	if (text == NULL)
-		return NULL;
-	struct site *site = read_text(path, text, errors);
 	free(text);
 	return site;
 }

@@ -3,8 +3,6 @@
 #ifndef TIPSPEED_IO_SITE_READ_H
 #define TIPSPEED_IO_SITE_READ_H
 
-#include <stddef.h>
-
 #include "base/error.h"
 #include "core/site.h"
 
@@ -18,10 +16,5 @@
  * writes, so that a site and its saved copy have the same digest.  The rules
  * of psd.h hold in every run; feeds pass 1 on their coarsest sieve. */
 struct site *site_read(const char *path, struct error_list *errors);
-
-/* The same from n bytes in memory.  path stands in the messages, gives the
- * name of a site that has none, and is kept as the site's path. */
-struct site *site_read_text(const char *path_for_messages, const char *bytes,
-    size_t n, struct error_list *errors);
 
 #endif

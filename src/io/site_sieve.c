@@ -100,7 +100,7 @@ site_sieve_mm(
 {
 	double v;
 	if (cell.text[0] == '\0') {
-		error_hint(sheet_wanted(sheet, cell, wanted),
+		sheet_wanted(sheet, cell, wanted,
 		    "write the sieve's size, or take the row out");
 		return NAN;
 	}
@@ -109,9 +109,8 @@ site_sieve_mm(
 	double mm = site_column_round(v * unit, 1e9);
 	if ((mm >= FINEST && mm <= COARSEST) || v == 0)
 		return mm;
-	error_hint(
-	    sheet_wanted(sheet, cell,
-		v > 0 ? "a size from 1e-6 to 1e4 mm" : "a positive size"),
+	sheet_wanted(sheet, cell,
+	    v > 0 ? "a size from 1e-6 to 1e4 mm" : "a positive size", "%s",
 	    v > 0 ? "check the number and its unit"
 		  : "what is below the finest sieve is headed pan");
 	return NAN;
@@ -125,9 +124,9 @@ row_mm(struct table *t, const struct row *row, double unit)
 		return NAN;
 	if (row->n > t->head->n) {
 		t->told_cells = true;
-		error_hint(sheet_fault(t->sheet, row->cell[t->head->n],
-			       "%zu cells were wanted as in line %d, found %zu",
-			       t->head->n, t->head->line, row->n),
+		sheet_fault(t->sheet, row->cell[t->head->n],
+		    "%zu cells were wanted as in line %d, found %zu\n%s",
+		    t->head->n, t->head->line, row->n,
 		    t->sheet->separator == ','
 			? "decimal commas need ; between the cells; otherwise "
 			  "take the last cells out"
@@ -137,7 +136,7 @@ row_mm(struct table *t, const struct row *row, double unit)
 	if (is_pan(cell.text))
 		return 0;
 	if (isalpha((unsigned char)cell.text[0])) {
-		error_hint(sheet_wanted(t->sheet, cell, "a sieve size or pan"),
+		sheet_wanted(t->sheet, cell, "a sieve size or pan",
 		    "take sums and remarks out of the table, or begin their "
 		    "line with #");
 		return NAN;
@@ -202,19 +201,18 @@ check_order(struct table *t)
 		while (twin < i && t->mm[twin] != t->mm[i])
 			twin++;
 		if (twin < i)
-			error_hint(sheet_fault(t->sheet, cell,
-				       "each sieve was wanted once, found %s "
-				       "in line %d already",
-				       cell.text, t->row[twin].line),
-			    "take one of the two rows out, or correct its "
-			    "size");
+			sheet_fault(t->sheet, cell,
+			    "each sieve was wanted once, found %s in line %d "
+			    "already\n"
+			    "take one of the two rows out, or correct its size",
+			    cell.text, t->row[twin].line);
 		else if (last < t->n_row && t->mm[i] > t->mm[last])
-			error_hint(sheet_fault(t->sheet, cell,
-				       "sieves coarsest first were wanted, "
-				       "found %s after %s",
-				       cell.text, t->row[last].cell[0].text),
+			sheet_fault(t->sheet, cell,
+			    "sieves coarsest first were wanted, found %s after "
+			    "%s\n"
 			    "sort the rows by size, largest first, or correct "
-			    "the size");
+			    "the size",
+			    cell.text, t->row[last].cell[0].text);
 		last = i;
 	}
 }
@@ -233,9 +231,8 @@ site_sieve_rows(struct table *t)
 		check_order(t);
 		return;
 	}
-	error_hint(sheet_fault(t->sheet, t->row[0].cell[0],
-		       "sieves coarsest first were wanted, found the table "
-		       "finest first"),
+	sheet_fault(t->sheet, t->row[0].cell[0],
+	    "sieves coarsest first were wanted, found the table finest first\n"
 	    "sort the rows by size, largest first (in a spreadsheet: Data, "
 	    "Sort, Descending)");
 	t->lost = true;

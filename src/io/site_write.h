@@ -16,11 +16,7 @@
  * are one row.  Whether all was written is for the caller to ask of out. */
 void site_write(const struct site *site, FILE *out);
 
-/* The same to a file: first to a new one beside it, which takes its place only
- * when all of it is on the disk, so that path holds the old or the new sheet
- * and never half of one.  The rights of a file that is there are kept; a
- * symbolic link is replaced by the file. On failure false, an error of kind
- * ERROR_SYSTEM, and the old file untouched. */
+/* The same to a file, whole or not at all, see replace.h. */
 bool site_save(const struct site *site, const char *path, struct error *error);
 
 #endif

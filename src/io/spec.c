@@ -26,9 +26,8 @@ read_heading(struct spec *spec, struct sheet *sheet, size_t n_line)
 			      : text_same(key.text, "source") ? &spec->source
 							      : NULL;
 		if (sheet->row[i].n > 2)
-			error_hint(sheet_wanted(sheet, sheet->row[i].cell[2],
-				       "the end of the line behind key and "
-				       "value"),
+			sheet_wanted(sheet, sheet->row[i].cell[2],
+			    "the end of the line behind key and value",
 			    "put quotes round a value that holds the "
 			    "separator");
 		if (text == NULL)
@@ -50,16 +49,14 @@ read_heads(const struct table *t, size_t at[static 2])
 		    at[is_max] == 0)
 			at[is_max] = i;
 		else
-			error_hint(sheet_wanted(t->sheet, head,
-				       "a column min_pct or max_pct, each "
-				       "once,"),
+			sheet_wanted(t->sheet, head,
+			    "a column min_pct or max_pct, each once,",
 			    "a grading envelope has size_mm,min_pct,max_pct, "
 			    "see tipspeed-spec(5)");
 	}
 	if (at[0] == 0 && at[1] == 0 && t->head->n < 2)
-		error_hint(sheet_fault(t->sheet, t->head->cell[0],
-			       "a column min_pct or max_pct was wanted, found "
-			       "none"),
+		sheet_fault(t->sheet, t->head->cell[0],
+		    "a column min_pct or max_pct was wanted, found none\n"
 		    "the line reads size_mm,min_pct,max_pct");
 }
 
@@ -74,7 +71,7 @@ read_limit(const struct table *t, size_t row, size_t at)
 		return NAN;
 	if (v >= 0 && v <= 100)
 		return v / 100;
-	error_hint(sheet_wanted(t->sheet, cell, "passing from 0 to 100 %"),
+	sheet_wanted(t->sheet, cell, "passing from 0 to 100 %",
 	    "leave the cell empty where there is no limit");
 	return NAN;
 }
@@ -89,13 +86,11 @@ check_fall(const struct table *t, const double *limit, size_t at)
 		if (isnan(limit[i]))
 			continue;
 		if (limit[i] > last)
-			error_hint(
-			    sheet_fault(t->sheet, sheet_cell(&t->row[i], at),
-				"%s rises from %g to %g at %s mm (finer "
-				"sieve, more passing)",
-				t->head->cell[at].text, 100 * last,
-				100 * limit[i], text_exact(t->mm[i], size)),
-			    "check the row");
+			sheet_fault(t->sheet, sheet_cell(&t->row[i], at),
+			    "%s rises from %g to %g at %s mm (finer sieve, "
+			    "more passing)\ncheck the row",
+			    t->head->cell[at].text, 100 * last, 100 * limit[i],
+			    text_exact(t->mm[i], size));
 		last = limit[i];
 	}
 }
@@ -113,15 +108,13 @@ read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
 		spec->least[i] = read_limit(t, i, at[0]);
 		spec->most[i] = read_limit(t, i, at[1]);
 		if (t->mm[i] <= 0)
-			error_hint(sheet_wanted(t->sheet, cell, "a sieve size"),
+			sheet_wanted(t->sheet, cell, "a sieve size",
 			    "an envelope has no pan: take the row out");
 		if (spec->least[i] > spec->most[i])
-			error_hint(
-			    sheet_fault(t->sheet, cell,
-				"min_pct up to max_pct was wanted, "
-				"found %g above %g",
-				100 * spec->least[i], 100 * spec->most[i]),
-			    "have the two changed places?");
+			sheet_fault(t->sheet, cell,
+			    "min_pct up to max_pct was wanted, found %g above "
+			    "%g\nhave the two changed places?",
+			    100 * spec->least[i], 100 * spec->most[i]);
 	}
 	for (size_t i = 0; i < 2 && !t->lost; i++)
 		check_fall(t, i == 0 ? spec->least : spec->most, at[i]);
@@ -139,17 +132,19 @@ read_table(struct spec *spec, struct sheet *sheet, size_t head)
 	read_heads(&t, at);
 	site_sieve_rows(&t);
 	if (t.n_row == 0 && !t.lost)
-		error_hint(sheet_fault(sheet, t.head->cell[0],
-			       "a row for each sieve was wanted below this "
-			       "line, found none"),
-		    "add rows such as 4,85,99");
+		sheet_fault(sheet, t.head->cell[0],
+		    "a row for each sieve was wanted below this line, found "
+		    "none\nadd rows such as 4,85,99");
 	read_rows(spec, &t, at);
 	free(t.mm);
 }
 
-static struct spec *
-read_text(const char *path, char *text, struct error_list *errors)
+struct spec *
+spec_read(const char *path, struct error_list *errors)
 {
+	char *text = textfile_read(path, errors);
+	if (text == NULL)
+		return NULL;
 	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
 	struct spec *spec = xcalloc(1, sizeof *spec);
 	spec->name = xstrdup("");
@@ -162,8 +157,8 @@ read_text(const char *path, char *text, struct error_list *errors)
 		read_table(spec, sheet, head);
 	} else if (!sheet->lost) {
 		struct row none = {.line = 1, .end = 1};
-		error_hint(sheet_wanted(sheet, sheet_cell(&none, 0),
-			       "a line that begins with size_mm"),
+		sheet_wanted(sheet, sheet_cell(&none, 0),
+		    "a line that begins with size_mm",
 		    "the first line of the table reads "
 		    "size_mm,min_pct,max_pct");
 	}
@@ -176,29 +171,8 @@ read_text(const char *path, char *text, struct error_list *errors)
 		spec = NULL;
 	}
 	sheet_free(sheet);
-	return spec;
-}
-
-/* text is taken apart and freed; NULL after a fault that is told already. */
-static struct spec *
-take_text(const char *path, char *text, struct error_list *errors)
-{
-	struct spec *spec = text != NULL ? read_text(path, text, errors) : NULL;
 	free(text);
 	return spec;
-}
-
-struct spec *
-spec_read(const char *path, struct error_list *errors)
-{
-	return take_text(path, textfile_read(path, errors), errors);
-}
-
-struct spec *
-spec_read_text(
-    const char *path, const char *bytes, size_t n, struct error_list *errors)
-{
-	return take_text(path, textfile_check(path, bytes, n, errors), errors);
 }
 
 void

@@ -20,10 +20,6 @@ struct spec {
  * be read. */
 struct spec *spec_read(const char *path, struct error_list *errors);
 
-/* The same from n bytes in memory; path stands in the messages. */
-struct spec *spec_read_text(
-    const char *path, const char *bytes, size_t n, struct error_list *errors);
-
 void spec_free(struct spec *spec);
 
 #endif

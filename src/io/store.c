@@ -5,7 +5,6 @@
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -66,10 +65,11 @@ make_folders(const char *path, struct error *error)
 	if (closed == NULL)
 		return true;
 	error_at(error, ERROR_SYSTEM, closed, 0, 0,
-	    "the store's folder cannot be made: %s", strerror(errno));
+	    "the store's folder cannot be made: %s\n"
+	    "check the rights, or take another store with --store=PATH",
+	    strerror(errno));
 	free(closed);
-	return error_hint(
-	    error, "check the rights, or take another store with --store=PATH");
+	return false;
 }
 
 /* *db is NULL where there is nothing to read. */
@@ -79,11 +79,10 @@ begin(struct store *store, bool make, sqlite3 **db, struct error *error)
 	*db = store->memory;
 	if (*db != NULL)
 		return true;
-	if (store->path[0] == '\0') {
-		error_set(error, ERROR_SYSTEM,
-		    "there is no place for the store: HOME is not set");
-		return error_hint(error, "name one with --store=PATH");
-	}
+	if (store->path[0] == '\0')
+		return error_set(error, ERROR_SYSTEM,
+		    "there is no place for the store: HOME is not set\n"
+		    "name one with --store=PATH");
 	if (make && store->own_folder && !make_folders(store->path, error))
 		return false;
 	if (!schema_open(store->path, make, db, error))
@@ -149,9 +148,9 @@ take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
 	if (same)
 		return true;
 	error_at(error, ERROR_DATA, store->path, 0, 0,
-	    "the store is damaged: '%.60s' is not what was remembered",
+	    "the store is damaged: '%.60s' is not what was remembered\n"
+	    "'forget' takes it out; then remember it again",
 	    m->name);
-	error_hint(error, "'forget' takes it out; then remember it again");
 	stored_free(m);
 	return false;
 }
@@ -237,10 +236,10 @@ put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
 		return true;
 	if ((sqlite3_errcode(db) & 0xFF) != SQLITE_CONSTRAINT)
 		return schema_fail(db, store->path, error);
-	error_set(error, ERROR_USAGE, "the store has a material '%s' already",
+	return error_set(error, ERROR_USAGE,
+	    "the store has a material '%s' already\n"
+	    "choose another name, or replace it with replace=on",
 	    m->name);
-	return error_hint(
-	    error, "choose another name, or replace it with replace=on");
 }
 
 static bool
@@ -305,8 +304,10 @@ delete_row(
 	free(fold);
 	if (!ok || sqlite3_changes(db) > 0)
 		return ok;
-	error_set(error, ERROR_USAGE, "the store has no material '%s'", name);
-	return error_hint(error, "'materials origin=own' lists those it has");
+	return error_set(error, ERROR_USAGE,
+	    "the store has no material '%s'\n"
+	    "'materials origin=own' lists those it has",
+	    name);
 }
 
 bool
@@ -315,11 +316,11 @@ store_forget(struct store *store, const char *name, struct error *error)
 	sqlite3 *db;
 	if (!begin(store, false, &db, error))
 		return false;
-	if (db == NULL) {
-		error_set(
-		    error, ERROR_USAGE, "the store has no material '%s'", name);
-		return error_hint(error, "it is empty; 'remember' fills it");
-	}
+	if (db == NULL)
+		return error_set(error, ERROR_USAGE,
+		    "the store has no material '%s'\n"
+		    "it is empty; 'remember' fills it",
+		    name);
 	bool ok = delete_row(store, db, name, error);
 	end(store, db);
 	return ok;

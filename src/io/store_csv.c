@@ -53,8 +53,8 @@ read_head(struct sheet *sheet, size_t column[static FIELD_COUNT])
 		while (f < FIELD_COUNT && !text_same(cell.text, FIELDS[f].name))
 			f++;
 		if (f == FIELD_COUNT)
-			error_hint(sheet_wanted(sheet, cell,
-				       "the name of a column of materials"),
+			sheet_wanted(sheet, cell,
+			    "the name of a column of materials",
 			    "the columns are those that 'export' writes");
 		else if (column[f] != SIZE_MAX)
 			sheet_fault(sheet, cell,
@@ -67,10 +67,10 @@ read_head(struct sheet *sheet, size_t column[static FIELD_COUNT])
 	bool other = column[FIELD_NAME] == SIZE_MAX;
 	for (size_t f = 0; f < (other ? FIELD_NAME + 1 : FIELD_COUNT); f++)
 		if (column[f] == SIZE_MAX)
-			error_hint(sheet_fault(sheet, sheet_cell(head, head->n),
-				       "a column %s was wanted, found none",
-				       FIELDS[f].name),
-			    "the columns are those that 'export' writes");
+			sheet_fault(sheet, sheet_cell(head, head->n),
+			    "a column %s was wanted, found none\n"
+			    "the columns are those that 'export' writes",
+			    FIELDS[f].name);
 }
 
 static void
@@ -82,15 +82,16 @@ take_text(struct sheet *sheet, struct cell cell, const struct field *f,
 	if (f->choices != NULL &&
 	    !text_choice(f->choices, cell.text, &choice)) {
 		char *wanted = xasprintf("one of: %s", f->choices);
-		sheet_wanted(sheet, cell, wanted);
+		sheet_wanted(sheet, cell, wanted, NULL);
 		free(wanted);
 	} else if (f == &FIELDS[FIELD_NAME] &&
 		   !stored_check_name(cell.text, &why)) {
 		sheet_fault(sheet, cell, "%s", why.text);
 	} else if (strcmp(f->name, "date") == 0 && !stored_is_date(cell.text)) {
-		sheet_wanted(sheet, cell, "a date such as 2026-11-21");
+		sheet_wanted(sheet, cell, "a date such as 2026-11-21", NULL);
 	} else if (!stored_is_line(cell.text)) {
-		sheet_wanted(sheet, cell, "text without control characters");
+		sheet_wanted(
+		    sheet, cell, "text without control characters", NULL);
 	}
 	stored_set_text(m, f, cell.text);
 }
@@ -104,7 +105,7 @@ take_number(struct sheet *sheet, struct cell cell, const struct field *f,
 	    "a number from %g to %g for %s", f->least, f->most, f->name);
 	if (sheet_number(sheet, cell, wanted, &value)) {
 		if (value < f->least || value > f->most)
-			sheet_wanted(sheet, cell, wanted);
+			sheet_wanted(sheet, cell, wanted, NULL);
 		stored_set_number(m, f, value);
 	}
 	free(wanted);
@@ -117,10 +118,10 @@ take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 	uint64_t whole;
 	if (cell.text[0] == '\0') {
 		if (f->needed)
-			error_hint(
-			    sheet_fault(sheet, cell,
-				"%s was wanted, found an empty cell", f->name),
-			    "fill it, or take the row out");
+			sheet_fault(sheet, cell,
+			    "%s was wanted, found an empty cell\n"
+			    "fill it, or take the row out",
+			    f->name);
 	} else if (f->kind == FIELD_TEXT) {
 		take_text(sheet, cell, f, m);
 	} else if (f->kind == FIELD_NUMBER) {
@@ -128,7 +129,7 @@ take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 	} else if (text_whole(cell.text, &whole) && whole <= INT64_MAX) {
 		stored_set_whole(m, f, (int64_t)whole);
 	} else {
-		sheet_wanted(sheet, cell, "a whole number below 2^63");
+		sheet_wanted(sheet, cell, "a whole number below 2^63", NULL);
 	}
 }
 
@@ -140,11 +141,10 @@ check_name(struct sheet *sheet, struct cell cell,
 		sheet_fault(sheet, cell,
 		    "the name %.60s was wanted once, found again", cell.text);
 	else if (there != NULL && stored_find(there, cell.text) != NULL)
-		error_hint(sheet_fault(sheet, cell,
-			       "a new name was wanted, and the store has "
-			       "'%.60s' already",
-			       cell.text),
-		    "import with replace=on takes the sheet's");
+		sheet_fault(sheet, cell,
+		    "a new name was wanted, and the store has '%.60s' already\n"
+		    "import with replace=on takes the sheet's",
+		    cell.text);
 }
 
 static void
@@ -154,10 +154,10 @@ read_row(struct sheet *sheet, const struct row *row,
 {
 	struct stored m = stored_new();
 	if (row->n > sheet->row[0].n)
-		error_hint(
-		    sheet_fault(sheet, row->cell[sheet->row[0].n],
-			"%zu cells were wanted, found more", sheet->row[0].n),
-		    "put quotes round text that holds the separator");
+		sheet_fault(sheet, row->cell[sheet->row[0].n],
+		    "%zu cells were wanted, found more\n"
+		    "put quotes round text that holds the separator",
+		    sheet->row[0].n);
 	for (size_t f = 0; f < FIELD_COUNT; f++)
 		take_cell(sheet, sheet_cell(row, column[f]), &FIELDS[f], &m);
 	check_name(sheet, sheet_cell(row, column[FIELD_NAME]), there, list);

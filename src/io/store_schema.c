@@ -71,9 +71,9 @@ schema_fail(sqlite3 *db, const char *path, struct error *error)
 		 * it, and then misses it: ENOENT says too little. */
 		bool why = reason != 0 && reason != ENOENT &&
 			   p->kind == ERROR_SYSTEM && code != SQLITE_BUSY;
-		error_at(error, p->kind, path, 0, 0, "%s%s%s", p->text,
-		    why ? ": " : "", why ? strerror(reason) : "");
-		return error_hint(error, "%s", p->hint);
+		return error_at(error, p->kind, path, 0, 0, "%s%s%s\n%s",
+		    p->text, why ? ": " : "", why ? strerror(reason) : "",
+		    p->hint);
 	}
 	return error_at(error, ERROR_SYSTEM, path, 0, 0, "the store fails: %s",
 	    db != NULL ? sqlite3_errmsg(db) : "no memory");
@@ -176,12 +176,12 @@ check_integrity(sqlite3 *db, const char *path, struct error *error)
 	bool ok = found != NULL && strcmp(found, "ok") == 0;
 	if (found == NULL)
 		schema_fail(db, path, error);
-	else if (!ok) {
+	else if (!ok)
 		error_at(error, ERROR_DATA, path, 0, 0,
-		    "the store is damaged: %.200s", found);
-		error_hint(error, "move the file away, and import the newest "
-				  "export into a new one");
-	}
+		    "the store is damaged: %.200s\n"
+		    "move the file away, and import the newest export into a "
+		    "new one",
+		    found);
 	free(found);
 	return ok;
 }
@@ -192,12 +192,12 @@ refuse_newer(sqlite3 *db, const char *path, long version, struct error *error)
 	char *program = ask(db, "SELECT program FROM about");
 	error_at(error, ERROR_DATA, path, 0, 0,
 	    "the store was written by %.60s (schema %ld); this is tipspeed %s, "
-	    "which knows schemas up to %d",
+	    "which knows schemas up to %d\n"
+	    "use that program, or take another store with --store=PATH",
 	    program != NULL ? program : "a newer tipspeed", version,
 	    PACKAGE_VERSION, (int)STORE_SCHEMA);
 	free(program);
-	return error_hint(
-	    error, "use that program, or take another store with --store=PATH");
+	return false;
 }
 
 /* What the file is: *version 0 for an empty one. */
@@ -212,12 +212,10 @@ look(sqlite3 *db, const char *path, long *version, struct error *error)
 	long application = ask_whole(db, "PRAGMA application_id");
 	*version = ask_whole(db, "PRAGMA user_version");
 	bool fresh = tables == 0 && application == 0 && *version == 0;
-	if (!fresh && (application != SCHEMA_APPLICATION || *version <= 0)) {
-		error_at(error, ERROR_DATA, path, 0, 0,
+	if (!fresh && (application != SCHEMA_APPLICATION || *version <= 0))
+		return error_at(error, ERROR_DATA, path, 0, 0,
 		    "a store of tipspeed was wanted, found a database of "
-		    "another program");
-		return error_hint(error, "take another file with --store=PATH");
-	}
+		    "another program\ntake another file with --store=PATH");
 	if (*version > STORE_SCHEMA)
 		return refuse_newer(db, path, *version, error);
 	return fresh || check_integrity(db, path, error);

@@ -226,13 +226,11 @@ stored_check_name(const char *name, struct error *error)
 	char *copy = xstrdup(name);
 	bool trimmed = strlen(text_trim(copy)) == strlen(name);
 	free(copy);
-	if (stored_is_table3_name(name)) {
-		error_set(error, ERROR_USAGE,
+	if (stored_is_table3_name(name))
+		return error_set(error, ERROR_USAGE,
 		    "names that begin with %s are those of the paper's Table "
-		    "3, which does not change",
+		    "3, which does not change\nchoose another name",
 		    TABLE3);
-		return error_hint(error, "choose another name");
-	}
 	if (name[0] != '\0' && name[0] != '#' && strlen(name) <= MOST &&
 	    trimmed && stored_is_line(name) && strchr(name, '"') == NULL)
 		return true;

@@ -20,10 +20,10 @@ struct materials {
 	struct material *row;
 };
 
-/* Columns rock,site,top_size_mm,f_mat,feed_source,E0_min,alpha in this order;
- * lines that begin with # are skipped. NULL with file:line on a row that is not
- * so. */
-struct materials *materials_read(const char *path, struct error *error);
+/* Columns rock,site,top_size_mm,f_mat,feed_source,E0_min,alpha in this order.
+ * NULL and the faults of the sheet in errors, a list that the caller has
+ * zeroed; ERROR_SYSTEM when the file cannot be read. */
+struct materials *materials_read(const char *path, struct error_list *errors);
 
 /* The rows of data/table3.csv as they were when the program was built. */
 struct materials *materials_table3(void);

@@ -91,17 +91,16 @@ is_blank(const char *bytes, size_t n)
 static char *
 refuse_size(const char *path, double bytes, struct error_list *errors)
 {
-	struct error *e = error_add(errors);
-	error_at(e, ERROR_DATA, path, 0, 0,
-	    "at most %d MB were wanted, found %.1f MB", MOST_BYTES / 1000000,
-	    bytes / 1e6);
-	error_hint(e, "a sieve sheet has a few kB: is this the right file?");
+	error_at(error_add(errors), ERROR_DATA, path, 0, 0,
+	    "at most %d MB were wanted, found %.1f MB\n"
+	    "a sieve sheet has a few kB: is this the right file?",
+	    MOST_BYTES / 1000000, bytes / 1e6);
 	return NULL;
 }
 
-char *
-textfile_check(
-    const char *path, const char *bytes, size_t n, struct error_list *errors)
+/* The n bytes as a string, or NULL and what they are instead. */
+static char *
+check(const char *path, const char *bytes, size_t n, struct error_list *errors)
 {
 	if (n > MOST_BYTES)
 		return refuse_size(path, (double)n, errors);
@@ -113,16 +112,13 @@ textfile_check(
 	const char *kind = other_kind(bytes, n, &bad);
 	if (kind == NULL && !is_blank(bytes, n))
 		return xstrndup(bytes, n);
-	struct error *e = error_add(errors);
-	struct place at = {1, 1};
-	if (kind != NULL)
-		at = place_of(bytes, bad);
-	error_at(e, ERROR_DATA, path, at.line, at.column, "%s",
-	    kind != NULL ? kind
-			 : "a site sheet was wanted, found an empty file");
-	error_hint(e,
-	    kind != NULL ? "in the spreadsheet, save the sheet as \"CSV UTF-8\""
-			 : "tipspeed-site(5) shows what a site file holds");
+	struct place at = place_of(bytes, kind != NULL ? bad : 0);
+	error_at(error_add(errors), ERROR_DATA, path, at.line, at.column,
+	    kind != NULL
+		? "%s\nin the spreadsheet, save the sheet as \"CSV UTF-8\""
+		: "a site sheet was wanted, found an empty file%.0s\n"
+		  "tipspeed-site(5) shows what a site file holds",
+	    kind != NULL ? kind : "");
 	return NULL;
 }
 
@@ -152,16 +148,13 @@ static char *
 refuse_system(const char *path, struct error_list *errors)
 {
 	int reason = errno;
-	struct error *e = error_add(errors);
-	error_at(
-	    e, ERROR_SYSTEM, path, 0, 0, "cannot read: %s", strerror(reason));
-	if (reason == EISDIR || strpbrk(path, "*?") != NULL)
-		error_hint(e,
-		    "name each file, or let the shell do it: tipspeed "
-		    "FOLDER/*.csv");
-	else
-		error_hint(e, "check the name (blanks want quotes), the "
-			      "folder and the rights");
+	bool several = reason == EISDIR || strpbrk(path, "*?") != NULL;
+	error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
+	    "cannot read: %s\n%s", strerror(reason),
+	    several ? "name each file, or let the shell do it: tipspeed "
+		      "FOLDER/*.csv"
+		    : "check the name (blanks want quotes), the folder and the "
+		      "rights");
 	return NULL;
 }
 
@@ -180,7 +173,7 @@ textfile_read(const char *path, struct error_list *errors)
 	else if ((bytes = load(file, &n)) == NULL)
 		refuse_system(path, errors);
 	else
-		text = textfile_check(path, bytes, n, errors);
+		text = check(path, bytes, n, errors);
 	free(bytes);
 	fclose(file);
 	return text;

@@ -3,17 +3,11 @@
 #ifndef TIPSPEED_IO_TEXTFILE_H
 #define TIPSPEED_IO_TEXTFILE_H
 
-#include <stddef.h>
-
 #include "base/error.h"
 
 /* All of a file of at most 10 MB without its byte order mark; the caller
  * frees.  NULL and one fault when it cannot be read (ERROR_SYSTEM), is larger
  * (seen before it is read), is empty, or holds something other than UTF-8. */
 char *textfile_read(const char *path, struct error_list *errors);
-
-/* The same from n bytes; path stands in the messages only. */
-char *textfile_check(
-    const char *path, const char *bytes, size_t n, struct error_list *errors);
 
 #endif

@@ -47,14 +47,17 @@ chart_free(struct chart *chart)
 }
 
 struct chart_series *
-chart_add(
-    struct chart *chart, const char *name, struct chart_series look, size_t n)
+chart_add(struct chart *chart, struct chart_series look, size_t n,
+    const char *name, ...)
 {
 	chart->series =
 	    xrealloc(chart->series, chart->n + 1, sizeof *chart->series);
 	struct chart_series *s = &chart->series[chart->n++];
 	*s = look;
-	s->name = xstrdup(name);
+	va_list ap;
+	va_start(ap, name);
+	s->name = xvasprintf(name, ap);
+	va_end(ap);
 	s->n = n;
 	s->x = xdoubles(n);
 	s->y = xdoubles(n);
@@ -71,14 +74,17 @@ chart_add_band(struct chart_series *series)
 
 void
 chart_add_rule(
-    struct chart *chart, const char *name, enum series series, double x)
+    struct chart *chart, enum series series, double x, const char *name, ...)
 {
 	if (!(x >= chart->x.low && x <= chart->x.high))
 		return;
+	va_list ap;
+	va_start(ap, name);
 	chart->rule =
 	    xrealloc(chart->rule, chart->n_rule + 1, sizeof *chart->rule);
 	chart->rule[chart->n_rule++] =
-	    (struct chart_rule){x, series, xstrdup(name)};
+	    (struct chart_rule){x, series, xvasprintf(name, ap)};
+	va_end(ap);
 }
 
 void

@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_PLOT_CHART_H
 #define TIPSPEED_PLOT_CHART_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 #include "plot/axis.h"
@@ -59,15 +58,15 @@ void chart_free(struct chart *chart);
 /* A series of n points at zero, to be filled in. `look` is what tells it from
  * others without colour: its line, its ascii, its mark; its data are ignored.
  * Borrowed until the next. */
-struct chart_series *chart_add(
-    struct chart *chart, const char *name, struct chart_series look, size_t n);
+struct chart_series *chart_add(struct chart *chart, struct chart_series look,
+    size_t n, const char *name, ...) __attribute__((format(printf, 4, 5)));
 
 /* Arrays low and high for a series, for its shade. */
 void chart_add_band(struct chart_series *series);
 
 /* Nothing is added where x lies outside the axis. */
-void chart_add_rule(
-    struct chart *chart, const char *name, enum series series, double x);
+void chart_add_rule(struct chart *chart, enum series series, double x,
+    const char *name, ...) __attribute__((format(printf, 4, 5)));
 
 void chart_note(struct chart *chart, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

@@ -3,7 +3,6 @@
 #include "plot/layout.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -89,8 +89,8 @@ beta_scale(const struct params *params, const struct calibrate_generation *g)
 {
 	double most = 0, own = 0;
 	for (size_t j = PARAM_BETA; j < PARAM_F_MAT; j++) {
-		most = fmax(most, fabs(params_get(&g->params, j)));
-		own = fmax(own, fabs(params_get(params, j)));
+		most = fmax(most, fabs(g->params.at[j]));
+		own = fmax(own, fabs(params->at[j]));
 	}
 	return own > 0 ? most / own : 1;
 }
@@ -105,7 +105,7 @@ draw_parameter(const struct area *side, int row, size_t j,
 	enum { NAME = 7, VALUE = 18, MOST = 40 };
 	double lower = bounds->lower[j], upper = bounds->upper[j];
 	bool beta = j < PARAM_F_MAT;
-	double value = params_get(polished != NULL ? polished : &g->params, j);
+	double value = (polished != NULL ? polished : &g->params)->at[j];
 	double best = value;
 	if (polished != NULL && beta)
 		best *= beta_scale(polished, g);

@@ -208,8 +208,7 @@ draw_site(const struct tui *t, const struct area *area)
 	int at = 0;
 	for (size_t j = 0; j < PARAM_COUNT; j++)
 		at = screen_text(area, row, at, 0, "%s%s %.4g",
-		    at > 0 ? "  " : "", PARAMS[j].name,
-		    params_get(&e->params, j));
+		    at > 0 ? "  " : "", PARAMS[j].name, e->params.at[j]);
 }
 
 void

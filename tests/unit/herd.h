@@ -35,7 +35,7 @@ static inline void
 herd_put(struct herd *herd, size_t i, const struct params *p)
 {
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		herd->gene[j][i] = params_get(p, j);
+		herd->gene[j][i] = p->at[j];
 }
 
 static inline struct params
@@ -43,7 +43,7 @@ herd_get(const struct herd *herd, size_t i)
 {
 	struct params p;
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		params_set(&p, j, herd->gene[j][i]);
+		p.at[j] = herd->gene[j][i];
 	return p;
 }
 

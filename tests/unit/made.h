@@ -99,8 +99,7 @@ made_any_params(struct draw *draw)
 {
 	struct params p;
 	for (size_t i = 0; i < PARAM_COUNT; i++)
-		params_set(&p, i,
-		    draw_between(draw, PARAMS[i].lower, PARAMS[i].upper));
+		p.at[i] = draw_between(draw, PARAMS[i].lower, PARAMS[i].upper);
 	return p;
 }
 

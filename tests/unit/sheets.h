@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -94,11 +96,42 @@ static const char *const SAME[] = {
     "4,80,1.25,10\n1,100,3.75,60\npan,20,1.25,30\n",
 };
 
+/* The file here/tierp.csv in a folder of the test's own, which goes with it. */
+static char sheet_folder[] = "/tmp/tipspeed-sheet-XXXXXX";
+
+static inline void
+drop_sheet(void)
+{
+	char *command = xasprintf("rm -rf '%s'", sheet_folder);
+	if (system(command) != 0)
+		fprintf(stderr, "%s failed\n", command);
+	free(command);
+}
+
+static inline const char *
+put_sheet(const char *bytes, size_t n)
+{
+	static const char PATH[] = "here/tierp.csv";
+	static bool made;
+	if (!made) {
+		assert_non_null(mkdtemp(sheet_folder));
+		assert_int_equal(atexit(drop_sheet), 0);
+		assert_int_equal(chdir(sheet_folder), 0);
+		assert_int_equal(mkdir("here", 0700), 0);
+		made = true;
+	}
+	FILE *out = fopen(PATH, "wb");
+	assert_non_null(out);
+	assert_int_equal(fwrite(bytes, 1, n, out), n);
+	assert_int_equal(fclose(out), 0);
+	return PATH;
+}
+
 static inline struct site *
 read_string(const char *text, struct error_list *errors)
 {
 	*errors = (struct error_list){0};
-	return site_read_text("here/tierp.csv", text, strlen(text), errors);
+	return site_read(put_sheet(text, strlen(text)), errors);
 }
 
 static inline struct site *

@@ -86,7 +86,7 @@ full(const char *name)
 	m.seed = INT64_MAX;
 	m.generations = 800;
 	m.params = (struct params){
-	    {-1.0 / 3, 1, -0.7391650217314, 1e-17}, 2.18, 16.74, 0.1 * 3};
+	    .at = {-1.0 / 3, 1, -0.7391650217314, 1e-17, 2.18, 16.74, 0.1 * 3}};
 	return m;
 }
 

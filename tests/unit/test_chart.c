@@ -32,7 +32,7 @@ static struct chart *
 with(struct chart_series look)
 {
 	struct chart *chart = empty();
-	struct chart_series *s = chart_add(chart, "curve", look, N);
+	struct chart_series *s = chart_add(chart, look, N, "curve");
 	memcpy(s->x, SIEVES, sizeof SIEVES);
 	memcpy(s->y, PASSING, sizeof PASSING);
 	return chart;
@@ -51,7 +51,7 @@ any_size_is_exact_and_safe(void **state)
 	    {40, 12}, {80, 24}, {7, 40}, {300, 3}, {11, 6}};
 	struct chart *chart = with(SOLID);
 	chart_add_band(&chart->series[0]);
-	chart_add_rule(chart, "break", SERIES_BREAK, 5);
+	chart_add_rule(chart, SERIES_BREAK, 5, "break");
 	chart_note(chart, "a note of some words that are wrapped");
 	for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
 		for (size_t c = 0; c < 6; c++) {

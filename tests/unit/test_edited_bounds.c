@@ -44,8 +44,7 @@ static void
 expect_inside(const struct bounds *b, const struct params *p)
 {
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		assert_true(params_get(p, j) >= b->lower[j] &&
-			    params_get(p, j) <= b->upper[j]);
+		assert_true(p->at[j] >= b->lower[j] && p->at[j] <= b->upper[j]);
 }
 
 /* Everything the search has ever held on to is within them at once. */

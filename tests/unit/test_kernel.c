@@ -87,8 +87,7 @@ and_by_no_more_near_table_3(void **state)
 		struct params p = made_params(&TABLE_3[row % 19]);
 		p.beta[0] = draw_between(&draw, 0, 0.2);
 		for (size_t j = 1; j < PARAM_COUNT; j++)
-			params_set(&p, j,
-			    params_get(&p, j) * draw_between(&draw, 0.9, 1.1));
+			p.at[j] = p.at[j] * draw_between(&draw, 0.9, 1.1);
 		worst = fmax(worst, worst_error(&TABLE_3[row % 19], &p));
 	}
 	if (!(100 * worst <= 0.05))
@@ -101,8 +100,7 @@ near(const struct table_row *row, struct draw *draw)
 {
 	struct params p = made_params(row);
 	for (size_t j = 0; j < PARAM_COUNT; j++)
-		params_set(
-		    &p, j, params_get(&p, j) * draw_between(draw, 0.9, 1.1));
+		p.at[j] = p.at[j] * draw_between(draw, 0.9, 1.1);
 	return p;
 }
 

@@ -334,13 +334,13 @@ the_table_of_parameters_is_whole(void **state)
 	struct params p;
 	struct bounds b = bounds_default();
 	for (size_t i = 0; i < PARAM_COUNT; i++) {
-		params_set(&p, i, 10.0 + (double)i);
+		p.at[i] = 10.0 + (double)i;
 		assert_int_equal(params_find(PARAMS[i].name), i);
 		assert_true(b.lower[i] == PARAMS[i].lower);
 		assert_true(b.upper[i] == PARAMS[i].upper);
 	}
 	for (size_t i = 0; i < PARAM_COUNT; i++)
-		assert_true(params_get(&p, i) == 10.0 + (double)i);
+		assert_true(p.at[i] == 10.0 + (double)i);
 	assert_true(p.f_mat == 14 && p.e0_min == 15 && p.alpha == 16);
 	assert_int_equal(params_find("beta5"), PARAM_COUNT);
 	struct params none = {0};

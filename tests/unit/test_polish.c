@@ -70,7 +70,7 @@ polish_is_never_worse_and_keeps_to_the_bounds(void **state)
 		b.upper[PARAM_E0_MIN] = 25;
 		p.alpha = fmax(p.alpha, 0.5);
 		p.e0_min = fmin(p.e0_min, 25);
-		b.lower[held] = b.upper[held] = params_get(&p, held);
+		b.lower[held] = b.upper[held] = p.at[held];
 		double before = misfit_at(m, &p);
 		struct polish_result r = polish_run(polish, &b, 30, NULL, &p);
 		assert_true(r.misfit <= before);
@@ -78,8 +78,8 @@ polish_is_never_worse_and_keeps_to_the_bounds(void **state)
 		    "misfit", r.misfit, misfit_at(m, &p), 1e-12 * before);
 		assert_true(r.evaluations <= 30);
 		for (size_t j = 0; j < PARAM_COUNT; j++)
-			assert_true(params_get(&p, j) >= b.lower[j] &&
-				    params_get(&p, j) <= b.upper[j]);
+			assert_true(
+			    p.at[j] >= b.lower[j] && p.at[j] <= b.upper[j]);
 	}
 	polish_free(polish);
 	misfit_free(m);
@@ -173,14 +173,14 @@ residuals_and_their_derivatives_make_the_misfit(void **state)
 		expect_near("squares", sum, misfit, 1e-14);
 		expect_near("misfit", misfit_at(m, &p), misfit, 1e-14);
 		for (size_t j = 0; j < PARAM_COUNT; j++) {
-			double at = params_get(&p, j), h = 1e-5, slope = 0;
+			double at = p.at[j], h = 1e-5, slope = 0;
 			for (size_t i = 0; i < n; i++)
 				slope += 2 * r[i] * J[i * PARAM_COUNT + j];
-			params_set(&p, j, at + h);
+			p.at[j] = at + h;
 			double up = misfit_at(m, &p);
-			params_set(&p, j, at - h);
+			p.at[j] = at - h;
 			double down = misfit_at(m, &p);
-			params_set(&p, j, at);
+			p.at[j] = at;
 			expect_near(PARAMS[j].name, slope,
 			    (up - down) / (2 * h), 1e-6 + 1e-5 * fabs(slope));
 		}

@@ -220,13 +220,13 @@ expect_jacobian(const struct psd *feed, struct params p, double v)
 	model_product(model, v, up);
 	assert_memory_equal(passing, up, feed->n * sizeof *up);
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		double at = params_get(&p, j);
+		double at = p.at[j];
 		double scale = j < 4 ? 1 : fmax(at, 0.05), h = 3e-6 * scale;
 		struct params q = p;
-		params_set(&q, j, at + h);
+		q.at[j] = at + h;
 		model_set(model, &q);
 		model_product(model, v, up);
-		params_set(&q, j, at - h);
+		q.at[j] = at - h;
 		model_set(model, &q);
 		model_product(model, v, down);
 		for (size_t i = 0; i < feed->n; i++) {

@@ -129,32 +129,6 @@ a_feed_covers_its_sieves_and_what_passes_nothing(void **state)
 }
 
 static void
-the_first_sieve_at_fault_is_found(void **state)
-{
-	(void)state;
-	static const struct {
-		double size[3], passing[3];
-		size_t fault;
-	} rows[] = {{{3, 2, 1}, {1, 0.5, 0}, 3}, {{3, 2, 1}, {1, 1, 1}, 3},
-	    {{3, 3, 1}, {1, 0.5, 0}, 1}, {{3, 2, 2.5}, {1, 0.5, 0}, 2},
-	    {{0, 2, 1}, {1, 0.5, 0}, 0}, {{3, 2, -1}, {1, 0.5, 0}, 2},
-	    {{NAN, 2, 1}, {1, 0.5, 0}, 0}, {{INFINITY, 2, 1}, {1, 1, 1}, 0},
-	    {{3, NAN, 1}, {1, 0.5, 0}, 1}, {{3, 2, 1}, {1.01, 0.5, 0}, 0},
-	    {{3, 2, 1}, {1, -0.01, 0}, 1}, {{3, 2, 1}, {0.5, 0.6, 0}, 1},
-	    {{3, 2, 1}, {1, 0.5, 0.51}, 2}, {{3, 2, 1}, {1, NAN, 0}, 1}};
-	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
-		struct psd psd = psd_new(3);
-		memcpy(psd.size, rows[i].size, sizeof rows[i].size);
-		memcpy(psd.passing, rows[i].passing, sizeof rows[i].passing);
-		if (psd_fault(&psd) != rows[i].fault)
-			fail_msg("row %zu: fault %zu", i, psd_fault(&psd));
-		psd_free(&psd);
-	}
-	struct psd none = {0, NULL, NULL};
-	assert_int_equal(psd_fault(&none), 0);
-}
-
-static void
 a_copy_is_a_curve_of_its_own(void **state)
 {
 	(void)state;
@@ -270,7 +244,6 @@ main(void)
 	    cmocka_unit_test(passing_to_size_to_passing_comes_back),
 	    cmocka_unit_test(passing_never_rises_towards_finer_sizes),
 	    cmocka_unit_test(a_feed_covers_its_sieves_and_what_passes_nothing),
-	    cmocka_unit_test(the_first_sieve_at_fault_is_found),
 	    cmocka_unit_test(a_copy_is_a_curve_of_its_own),
 	    cmocka_unit_test(rms_and_the_worst_sieve),
 	    cmocka_unit_test(exp_is_within_2_ulp),

@@ -10,7 +10,7 @@ static struct spec *
 read_spec(const char *text, struct error_list *errors)
 {
 	*errors = (struct error_list){0};
-	return spec_read_text("here/spec.csv", text, strlen(text), errors);
+	return spec_read(put_sheet(text, strlen(text)), errors);
 }
 
 static void
@@ -44,7 +44,7 @@ a_spec_without_a_name_has_that_of_its_file(void **state)
 	struct error_list errors;
 	struct spec *spec = read_spec("size_mm,max_pct\n4,50\n", &errors);
 	assert_non_null(spec);
-	assert_string_equal(spec->name, "here/spec.csv");
+	assert_string_equal(spec->name, "here/tierp.csv");
 	assert_string_equal(spec->source, "");
 	assert_true(isnan(spec->least[0]));
 	spec_free(spec);
@@ -102,9 +102,8 @@ cut_and_changed_texts_are_read_or_refused(void **state)
 			char *copy = xstrdup(text);
 			if (n < strlen(text))
 				copy[n] = *c;
-			struct error_list errors = {0};
-			struct spec *spec =
-			    spec_read_text("x", copy, strlen(copy), &errors);
+			struct error_list errors;
+			struct spec *spec = read_spec(copy, &errors);
 			assert_true((spec == NULL) == (errors.n > 0));
 			spec_free(spec);
 			free(copy);

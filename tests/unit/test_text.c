@@ -355,6 +355,10 @@ errors_print_their_place_and_hint(void **state)
 	assert_string_equal(text, "tipspeed: none\n");
 	free(text);
 	assert_int_equal(e.kind, ERROR_USAGE);
+	/* The lines are those of the format, not of what is put into it. */
+	error_set(&e, ERROR_USAGE, "no %s\nload %s", "a\nb", "c");
+	assert_string_equal(e.text, "no a\nb");
+	assert_string_equal(e.hint, "load c");
 	assert_false(error_set(NULL, ERROR_USAGE, "kept nowhere"));
 	assert_false(error_hint(NULL, "kept nowhere"));
 }

@@ -92,7 +92,7 @@ bands_hold_the_truth_as_often_as_they_say(void **state)
 			struct params truth = made_params(&TABLE_3[ROWS[k]]);
 			count(&f, ROWS[k], &inside, &all);
 			for (size_t j = PARAM_F_MAT; j < PARAM_COUNT; j++) {
-				double x = params_get(&truth, j);
+				double x = truth.at[j];
 				asked += 1;
 				known += f.u->low[j] <= x && x <= f.u->high[j];
 			}
