@@ -154,9 +154,10 @@ want 'calibrated: good' "and it comes to its end"
 keys : 'show params' Enter
 want 'e0_min  *1[0-2]\.' "within them"
 keys q
-keys Tab Home
-keys Left Left Left
+keys Home Tab Left Left Left
 want 'generation 1 .*\]-' "the generations are gone through"
+keys Home
+want 'generation 1 \[1\]-' "to the first of them"
 keys s 3
 want 'sieve mm' "the page Data"
 keys 5
