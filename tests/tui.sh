@@ -344,4 +344,8 @@ grep -q '?1002l.*?25h.*?1049l' out
 result $? "--reset-tty writes what mends a terminal"
 start 80 24 sh -c "\"\$TIPSPEED\" data/sites/tierp.csv --linear -c tui"
 want 'tierp>$' "--linear opens the prompt"
+keys 'plot psd' Enter
+want 'feed: from 0.56 % at 0.063 mm'
+! grep -q '┬\|--+--' screen
+result $? "and plot tells its picture there"
 finish
