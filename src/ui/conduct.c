@@ -13,6 +13,7 @@
 #include "cmd/command.h"
 #include "cmd/fit.h"
 #include "cmd/script.h"
+#include "ui/pane.h"
 #include "ui/pump.h"
 #include "ui/screen.h"
 #include "ui/typed.h"
@@ -317,6 +318,21 @@ run_typed(struct tui *t, const char *line)
 		show_said(t);
 }
 
+/* An answer that its rows have no room for is shown on the whole screen. */
+static void
+show_whole(struct tui *t)
+{
+	enum { MARGIN = 2, LEAST = 8 };
+	int room = t->places.track.columns - MARGIN, lines = 0;
+	char *text = text_wrapped(t->message, room > LEAST ? room : LEAST);
+	for (const char *c = text; *c != '\0'; c++)
+		lines += *c == '\n';
+	if (lines > pane_message_rows(t) && t->viewer.text == NULL)
+		view_text(t, text);
+	else
+		free(text);
+}
+
 void
 conduct_typed(struct tui *t, const char *line)
 {
@@ -325,6 +341,7 @@ conduct_typed(struct tui *t, const char *line)
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_add(line);
 	run_typed(t, meant);
+	show_whole(t);
 	free(where);
 	free(meant);
 }

@@ -172,6 +172,12 @@ draw_command(const struct tui *t, const struct area *area)
 	return 0;
 }
 
+int
+pane_message_rows(const struct tui *t)
+{
+	return t->places.hints.rows + t->places.status.rows > 0 ? 2 : 1;
+}
+
 /* One too long for its row goes on in the row of hints, or begins in that of
  * the command where there are none.  Returns whether it takes the hints. */
 static bool
@@ -181,8 +187,8 @@ draw_message(const struct tui *t, const struct area *row)
 	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
 	bool wide = text_width(text) > area.columns,
 	     hints = wide && t->places.hints.rows > 0;
-	if (wide && (hints || t->places.status.rows > 0))
-		area.rows = 2;
+	if (wide)
+		area.rows = pane_message_rows(t);
 	if (area.rows == 2 && !hints)
 		area.row--;
 	for (int r = 0; r < area.rows; r++)
