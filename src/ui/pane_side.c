@@ -298,11 +298,13 @@ pane_numbers(struct tui *t)
 				       : "nothing predicted yet");
 	else if (t->cross && t->cross_at < p->product.n) {
 		t->cross_row = area->row;
-		screen_text(area, 0, 0, LOOK_BOLD, "%g mm %.1f %%  %d %% %s",
+		bool narrow = area->columns < 34;
+		double mm = 1000 * psd_size(&p->product, t->level / 100.0);
+		screen_text(area, 0, 0, LOOK_BOLD,
+		    narrow ? "%g %.1f%% P%d %s mm" : "%g mm %.1f %%  %d %% %s",
 		    units_mm(p->product.size[t->cross_at]),
 		    100 * p->product.passing[t->cross_at], t->level,
-		    size_text(
-			1000 * psd_size(&p->product, t->level / 100.0), a));
+		    narrow ? short_size(mm, a) : size_text(mm, a));
 	} else if (area->columns < 34)
 		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",
 		    short_size(t->now.size[1], b),
