@@ -203,13 +203,31 @@ run(struct tui *t, const char *line)
 	return ok;
 }
 
+/* An answer that its rows have no room for is shown on the whole screen. */
+static void
+show_whole(struct tui *t)
+{
+	enum { MARGIN = 2, LEAST = 8 };
+	int room = t->places.track.columns - MARGIN, lines = 0;
+	char *text = text_wrapped(t->message, room > LEAST ? room : LEAST);
+	for (const char *c = text; *c != '\0'; c++)
+		lines += *c == '\n';
+	if (lines > pane_message_rows(t) && t->viewer.text == NULL)
+		view_text(t, text);
+	else
+		free(text);
+}
+
 bool
 conduct_run(struct tui *t, const char *line)
 {
 	free(t->command);
 	t->command = xstrdup(line);
 	t->message[0] = '\0';
-	return run(t, line);
+	bool ok = run(t, line);
+	if (!ok)
+		show_whole(t);
+	return ok;
 }
 
 /* One line is a message, more are shown on the whole screen. */
@@ -316,21 +334,6 @@ run_typed(struct tui *t, const char *line)
 	    strncmp(line, "predict", 7) == 0 && strchr(line, '>') == NULL;
 	if (ok && !session_busy(s) && !moved_only)
 		show_said(t);
-}
-
-/* An answer that its rows have no room for is shown on the whole screen. */
-static void
-show_whole(struct tui *t)
-{
-	enum { MARGIN = 2, LEAST = 8 };
-	int room = t->places.track.columns - MARGIN, lines = 0;
-	char *text = text_wrapped(t->message, room > LEAST ? room : LEAST);
-	for (const char *c = text; *c != '\0'; c++)
-		lines += *c == '\n';
-	if (lines > pane_message_rows(t) && t->viewer.text == NULL)
-		view_text(t, text);
-	else
-		free(text);
 }
 
 void
