@@ -170,10 +170,12 @@ note_prediction(struct chart *chart, const struct plot_request *q,
 {
 	double mm = 1000 * p->break_size;
 	bool numbers = q->words & CHART_NOTES;
+	bool beside = series == SERIES_OTHER && q->beside != NULL;
 	char *rule =
-	    numbers ? xasprintf("breaks from %.2f mm at %g m/s", mm, p->speed)
-		    : xstrdup(series == SERIES_OTHER ? "kept break size"
-						     : "break size");
+	    !numbers ? xstrdup(series == SERIES_OTHER ? "kept break size"
+						      : "break size")
+	    : beside ? xasprintf("%s: breaks from %.2f mm", q->beside, mm)
+		     : xasprintf("breaks from %.2f mm at %g m/s", mm, p->speed);
 	chart_add_rule(chart, rule, series, mm);
 	free(rule);
 	char p20[32], p50[32], p80[32];
