@@ -132,6 +132,8 @@ view_key(struct tui *t, int code, bool special)
 	}
 	if (v->keys && (code == '\n' || code == '\r'))
 		chosen = keys_nth(v->word, (size_t)v->at);
+	else if (code == ':')
+		chosen = key;
 	view_close(t);
 	return chosen;
 }

@@ -220,6 +220,21 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	assert_int_equal(t->tenths, tui_range(t).least);
 }
 
+/* The letters of a command would each have done something. */
+static void
+a_colon_begins_a_line_over_what_fills_the_screen(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	type(t, ":help predict\n");
+	assert_non_null(t->viewer.text);
+	type(t, ":bounds");
+	assert_null(t->viewer.text);
+	assert_true(t->typing.active);
+	assert_string_equal(t->typing.text, "bounds");
+	type(t, "\033?:undo");
+	assert_string_equal(t->typing.text, "undo");
+}
+
 /* In words what is to be seen, and not something else. */
 static void
 d_tells_the_picture_of_the_page(void **state)
@@ -303,6 +318,9 @@ main(void)
 		a_pause_is_no_part_of_the_search, stage_open, stage_close),
 	    cmocka_unit_test_setup_teardown(
 		the_scrubber_has_the_keys_of_the_slider, stage_open,
+		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		a_colon_begins_a_line_over_what_fills_the_screen, stage_open,
 		stage_close),
 	    cmocka_unit_test_setup_teardown(
 		d_tells_the_picture_of_the_page, stage_open, stage_close),
