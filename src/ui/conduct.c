@@ -13,7 +13,6 @@
 #include "cmd/command.h"
 #include "cmd/fit.h"
 #include "cmd/script.h"
-#include "ui/pane.h"
 #include "ui/pump.h"
 #include "ui/screen.h"
 #include "ui/typed.h"
@@ -203,21 +202,6 @@ run(struct tui *t, const char *line)
 	return ok;
 }
 
-/* An answer that its rows have no room for is shown on the whole screen. */
-static void
-show_whole(struct tui *t)
-{
-	enum { MARGIN = 2, LEAST = 8 };
-	int room = t->places.track.columns - MARGIN, lines = 0;
-	char *text = text_wrapped(t->message, room > LEAST ? room : LEAST);
-	for (const char *c = text; *c != '\0'; c++)
-		lines += *c == '\n';
-	if (lines > pane_message_rows(t) && t->viewer.text == NULL)
-		view_text(t, text);
-	else
-		free(text);
-}
-
 bool
 conduct_run(struct tui *t, const char *line)
 {
@@ -226,7 +210,7 @@ conduct_run(struct tui *t, const char *line)
 	t->message[0] = '\0';
 	bool ok = run(t, line);
 	if (!ok)
-		show_whole(t);
+		view_message(t);
 	return ok;
 }
 
@@ -344,7 +328,7 @@ conduct_typed(struct tui *t, const char *line)
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_add(line);
 	run_typed(t, meant);
-	show_whole(t);
+	view_message(t);
 	free(where);
 	free(meant);
 }

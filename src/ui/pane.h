@@ -41,8 +41,8 @@ void pane_side(struct tui *t);
 /* The viewer's text with its hints, and where the cursor is. */
 void pane_text(const struct tui *t, int *row, int *column);
 
-/* How many rows a message may have in the frame that was drawn. */
-int pane_message_rows(const struct tui *t);
+/* How many rows a message may have. */
+int pane_message_rows(const struct places *l);
 
 /* A row of hints, two blanks between them: what does not fit is left out by
  * whole ones. */

@@ -173,9 +173,9 @@ draw_command(const struct tui *t, const struct area *area)
 }
 
 int
-pane_message_rows(const struct tui *t)
+pane_message_rows(const struct places *l)
 {
-	return t->places.hints.rows + t->places.status.rows > 0 ? 2 : 1;
+	return l->hints.rows + l->status.rows > 0 ? 2 : 1;
 }
 
 /* One too long for its row goes on in the row of hints, or begins in that of
@@ -188,7 +188,7 @@ draw_message(const struct tui *t, const struct area *row)
 	bool wide = text_width(text) > area.columns,
 	     hints = wide && t->places.hints.rows > 0;
 	if (wide)
-		area.rows = pane_message_rows(t);
+		area.rows = pane_message_rows(&t->places);
 	if (area.rows == 2 && !hints)
 		area.row--;
 	for (int r = 0; r < area.rows; r++)

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "ui/pane.h"
+#include "ui/screen.h"
 
 /* How many lines there are, and columns of the widest one. */
 static void
@@ -53,6 +54,24 @@ view_keys(struct tui *t, const char *word)
 	t->viewer.keys = true;
 	t->viewer.filtering = filtering;
 	memcpy(t->viewer.word, kept, sizeof kept);
+}
+
+/* The last frame may have been of other text there. */
+void
+view_message(struct tui *t)
+{
+	enum { MARGIN = 2, LEAST = 8 };
+	int rows, columns, lines = 0;
+	screen_size(&rows, &columns);
+	const struct places l = places_make(rows, columns, 0);
+	columns = columns > LEAST + MARGIN ? columns - MARGIN : LEAST;
+	char *text = text_wrapped(t->message, columns);
+	for (const char *c = text; *c != '\0'; c++)
+		lines += *c == '\n';
+	if (lines > pane_message_rows(&l) && t->viewer.text == NULL)
+		view_text(t, text);
+	else
+		free(text);
 }
 
 /* A character of the word behind '/'; false where it is none. */

@@ -8,6 +8,9 @@
 /* Shows text, which it takes. */
 void view_text(struct tui *t, char *text);
 
+/* Shows the message where its rows have no room for all of it. */
+void view_message(struct tui *t);
+
 /* Shows the keys whose line has the word. */
 void view_keys(struct tui *t, const char *word);
 

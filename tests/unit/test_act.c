@@ -273,6 +273,18 @@ on_stop(int signal)
 	stops += signal == SIGTSTP;
 }
 
+/* Keys that come at once are taken between two frames. */
+static void
+an_answer_is_measured_by_the_screen_and_not_by_the_text_before(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	type(t, "?");
+	pane_draw(t);
+	type(t, "\033:predict 99999\n");
+	assert_true(t->bad);
+	assert_null(t->viewer.text);
+}
+
 static void
 control_z_stops_wherever_it_is_typed(void **state)
 {
@@ -324,6 +336,9 @@ main(void)
 		stage_close),
 	    cmocka_unit_test_setup_teardown(
 		d_tells_the_picture_of_the_page, stage_open, stage_close),
+	    cmocka_unit_test_setup_teardown(
+		an_answer_is_measured_by_the_screen_and_not_by_the_text_before,
+		stage_open, stage_close),
 	    cmocka_unit_test_setup_teardown(
 		control_z_stops_wherever_it_is_typed, stage_open, stage_close),
 	};
