@@ -261,14 +261,15 @@ pane_side(struct tui *t)
 	screen_wall(side->row, side->column - 1, side->rows);
 	if (t->now.site[0] == '\0') {
 		/* The row of numbers has said it already. */
+		const struct entry *entry = tui_entry(t);
 		int row = t->places.numbers.rows == 0;
 		if (row > 0)
 			screen_text(side, 0, 0, 0, "nothing predicted yet");
 		screen_text(side, row, 0, 0,
-		    tui_entry(t) == NULL ||
-			    site_products(tui_entry(t)->site) > 0
-			? "f calibrates"
-			: "no product: type :guess");
+		    entry == NULL                    ? "type :load FILE"
+		    : site_products(entry->site) > 0 ? "f calibrates"
+						     : "no product: type "
+						       ":guess");
 		draw_pin(t, 3);
 		return;
 	}
