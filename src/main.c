@@ -227,7 +227,8 @@ main(int argc, char **argv)
 		s->screen = terminal_screen(terminal_colour(in.color));
 		s->draw_screen = shot_draw;
 		pump_catch_signals();
-		tui_choose(terminal_colour(in.color), in.linear);
+		s->linear = in.linear;
+		tui_choose(terminal_colour(in.color));
 		if (in.help)
 			usage_print(stdout);
 		if (in.version)

@@ -154,13 +154,14 @@ want 'calibrated: good' "and it comes to its end"
 keys : 'show params' Enter
 want 'e0_min  *1[0-2]\.' "within them"
 keys q
-keys Tab Home
-keys Left Left Left
+keys Home Tab Left Left Left
 want 'generation 1 .*\]-' "the generations are gone through"
+keys Home
+want 'generation 1 \[1\]-' "to the first of them"
 keys s 3
 want 'sieve mm' "the page Data"
 keys 5
-want '\* tierp  *Granite  *11.2 69 o74 79 good  *0\.3.  *0\.4.  *2\.8' \
+want '\* tierp  *Granite  *11.2 69 o74 79 good  *0\.3.  *0\.4.  *3\.[34].x' \
 	"the page Sites says how far each is calibrated"
 keys 1 u
 want ': undo' "undo"
@@ -349,4 +350,8 @@ grep -q '?1002l.*?25h.*?1049l' out
 result $? "--reset-tty writes what mends a terminal"
 start 80 24 sh -c "\"\$TIPSPEED\" data/sites/tierp.csv --linear -c tui"
 want 'tierp>$' "--linear opens the prompt"
+keys 'plot psd' Enter
+want 'feed: from 0.56 % at 0.063 mm'
+! grep -q '┬\|--+--' screen
+result $? "and plot tells its picture there"
 finish

@@ -259,6 +259,9 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 {
 	enum { AUTO };
 	struct plot_request request;
+	bool grid = s->file == NULL && s->set.format == REPORT_TABLE;
+	if (grid && s->linear && s->screen.columns > 0)
+		return cmd_describe(s, args, error);
 	struct chart *chart = pictures_chart(s, args, &request, error);
 	if (chart == NULL)
 		return false;

@@ -165,12 +165,15 @@ note_prediction(struct chart *chart, const struct plot_request *q,
     enum series series)
 {
 	double mm = 1000 * p->break_size;
-	if (q->words & CHART_NOTES)
-		chart_add_rule(chart, series, mm,
-		    "breaks from %.2f mm at %g m/s", mm, p->speed);
-	else
+	if (!(q->words & CHART_NOTES))
 		chart_add_rule(chart, series, mm, "%sbreak size",
 		    series == SERIES_OTHER ? "kept " : "");
+	else if (series == SERIES_OTHER && q->beside != NULL)
+		chart_add_rule(chart, series, mm, "%s: breaks from %.2f mm",
+		    q->beside, mm);
+	else
+		chart_add_rule(chart, series, mm,
+		    "breaks from %.2f mm at %g m/s", mm, p->speed);
 	char p20[32], p50[32], p80[32];
 	char *const words[] = {p20, p50, p80};
 	for (size_t i = 0; i < PSD_SIZES; i++)

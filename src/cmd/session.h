@@ -119,6 +119,7 @@ struct session {
 	struct choices set;
 	bool prompt;        /* lines are typed by somebody */
 	bool safe;          /* no command may touch files or the shell */
+	bool linear;        /* the screen is heard: words, no pictures */
 	bool timing;        /* tell how long each command took */
 	FILE *out;          /* results */
 	FILE *notes;        /* what is said beside results; NULL: nothing */

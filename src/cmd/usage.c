@@ -20,7 +20,7 @@ const struct usage_option USAGE_OPTIONS[] = {
 	"colour at the prompt and in plots"},
     {USAGE_SAFE, "safe", NULL, NULL, "no command may touch files or the shell"},
     {USAGE_LINEAR, "linear", NULL, NULL,
-	"the prompt in the place of the full screen, for screen readers"},
+	"for screen readers: the prompt, and pictures in words"},
     {USAGE_RESET_TTY, "reset-tty", NULL, NULL,
 	"mend a terminal after a kill -9, and end"},
     {'h', "help", NULL, NULL, "this text"},

@@ -32,8 +32,6 @@ tui_say(struct tui *t, bool bad, const char *format, ...)
 	vsnprintf(t->message, sizeof t->message, format, ap);
 	va_end(ap);
 	t->bad = bad;
-	if (bad)
-		view_message(t);
 }
 
 void
@@ -212,7 +210,10 @@ conduct_run(struct tui *t, const char *line)
 	free(t->command);
 	t->command = xstrdup(line);
 	t->message[0] = '\0';
-	return run(t, line);
+	bool ok = run(t, line);
+	if (!ok)
+		view_message(t);
+	return ok;
 }
 
 /* One line is a message, more are shown on the whole screen. */
@@ -333,6 +334,7 @@ conduct_typed(struct tui *t, const char *line)
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_add(line);
 	run_typed(t, meant);
+	view_message(t);
 	free(where);
 	free(meant);
 }

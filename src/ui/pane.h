@@ -41,6 +41,9 @@ void pane_side(struct tui *t);
 /* The viewer's text with its hints, and where the cursor is. */
 void pane_text(const struct tui *t, int *row, int *column);
 
+/* How many rows a message may have. */
+int pane_message_rows(const struct places *l);
+
 /* A row of hints, two blanks between them: what does not fit is left out by
  * whole ones. */
 void pane_hints(const struct area *area, unsigned look, const char *hints);

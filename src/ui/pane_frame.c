@@ -172,6 +172,12 @@ draw_command(const struct tui *t, const struct area *area)
 	return 0;
 }
 
+int
+pane_message_rows(const struct places *l)
+{
+	return l->hints.rows + l->status.rows > 0 ? 2 : 1;
+}
+
 /* One too long for its row goes on in the row of hints, or begins in that of
  * the command where there are none.  Returns whether it takes the hints. */
 static bool
@@ -181,8 +187,8 @@ draw_message(const struct tui *t, const struct area *row)
 	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
 	bool wide = text_width(text) > area.columns,
 	     hints = wide && t->places.hints.rows > 0;
-	if (wide && (hints || t->places.status.rows > 0))
-		area.rows = 2;
+	if (wide)
+		area.rows = pane_message_rows(&t->places);
 	if (area.rows == 2 && !hints)
 		area.row--;
 	for (int r = 0; r < area.rows; r++)
@@ -233,21 +239,39 @@ draw_state(const struct tui *t, const struct area *area)
 		screen_text(area, 0, from, LOOK_DIM, "%s", right);
 }
 
-void
-pane_hints(const struct area *area, unsigned look, const char *hints)
+/* Leaves out words, two blanks between them, that there is no room for. */
+static void
+cut_to(char *words, int columns)
 {
-	char text[128];
-	snprintf(text, sizeof text, "%s", hints);
-	while (text_width(text) > area->columns) {
+	while (text_width(words) > columns) {
 		char *cut = NULL;
-		for (char *p = strstr(text, "  "); p != NULL;
+		for (char *p = strstr(words, "  "); p != NULL;
 		     p = strstr(p + 2, "  "))
 			cut = p;
 		if (cut == NULL)
 			break;
 		*cut = '\0';
 	}
+}
+
+void
+pane_hints(const struct area *area, unsigned look, const char *hints)
+{
+	char text[128];
+	snprintf(text, sizeof text, "%s", hints);
+	cut_to(text, area->columns);
 	screen_text(area, 0, 0, look, "%s", text);
+}
+
+/* What a word may become; ".." where there is more. */
+static void
+draw_offers(const struct area *area, const char *offers)
+{
+	bool more = text_width(offers) > area->columns;
+	char *text = xstrdup(offers);
+	cut_to(text, area->columns - (more ? 4 : 0));
+	screen_text(area, 0, 0, 0, "%s%s", text, more ? "  .." : "");
+	free(text);
 }
 
 static const char *
@@ -314,7 +338,7 @@ draw_lower(struct tui *t, int *row, int *column)
 		screen_text(note, 0, *column, LOOK_BOLD,
 		    note->columns < 24 ? "_ m/s, Enter" : "_ m/s (Enter)");
 	} else if (typing && t->typing.offers != NULL)
-		screen_text(note, 0, 0, 0, "%s", t->typing.offers);
+		draw_offers(note, t->typing.offers);
 	else if (t->message[0] != '\0' && note != &l->track)
 		wide = draw_message(t, note);
 	else if (note == &l->status || session_busy(t->session))

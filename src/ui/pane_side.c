@@ -260,12 +260,16 @@ pane_side(struct tui *t)
 		return;
 	screen_wall(side->row, side->column - 1, side->rows);
 	if (t->now.site[0] == '\0') {
-		screen_text(side, 0, 0, 0, "nothing predicted yet");
-		screen_text(side, 1, 0, 0,
-		    tui_entry(t) == NULL ||
-			    site_products(tui_entry(t)->site) > 0
-			? "f calibrates"
-			: "no product: type :guess");
+		/* The row of numbers has said it already. */
+		const struct entry *entry = tui_entry(t);
+		int row = t->places.numbers.rows == 0;
+		if (row > 0)
+			screen_text(side, 0, 0, 0, "nothing predicted yet");
+		screen_text(side, row, 0, 0,
+		    entry == NULL                    ? "type :load FILE"
+		    : site_products(entry->site) > 0 ? "f calibrates"
+						     : "no product: type "
+						       ":guess");
 		draw_pin(t, 3);
 		return;
 	}
@@ -298,11 +302,13 @@ pane_numbers(struct tui *t)
 				       : "nothing predicted yet");
 	else if (t->cross && t->cross_at < p->product.n) {
 		t->cross_row = area->row;
-		screen_text(area, 0, 0, LOOK_BOLD, "%g mm %.1f %%  %d %% %s",
+		bool narrow = area->columns < 34;
+		double mm = 1000 * psd_size(&p->product, t->level / 100.0);
+		screen_text(area, 0, 0, LOOK_BOLD,
+		    narrow ? "%g %.1f%% P%d %s mm" : "%g mm %.1f %%  %d %% %s",
 		    units_mm(p->product.size[t->cross_at]),
 		    100 * p->product.passing[t->cross_at], t->level,
-		    size_text(
-			1000 * psd_size(&p->product, t->level / 100.0), a));
+		    narrow ? short_size(mm, a) : size_text(mm, a));
 	} else if (area->columns < 34)
 		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",
 		    short_size(t->now.size[1], b),

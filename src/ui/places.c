@@ -34,8 +34,8 @@ enum {
 	FOR_SIDE = 18,
 	FOR_LEGEND = 20
 };
-/* Narrower, a plot says nothing. */
-enum { PLOT_COLUMNS = 34, LEGEND_COLUMNS = 50 };
+/* Narrower, a plot, a legend or a panel says nothing. */
+enum { PLOT_COLUMNS = 34, LEGEND_COLUMNS = 50, PANEL = 24 };
 
 static void
 split_body(struct places *l, int rows, int side_columns)
@@ -43,8 +43,11 @@ split_body(struct places *l, int rows, int side_columns)
 	bool side = rows >= FOR_SIDE && side_columns > 0 &&
 		    l->body.columns - side_columns >= PLOT_COLUMNS;
 	l->plot = l->body;
-	if (rows < FOR_PLOT)
+	if (rows < FOR_PLOT) {
 		l->plot.rows = 0;
+		l->side = l->body;
+		l->side.rows *= side_columns > 0 && l->body.columns >= PANEL;
+	}
 	if (!side)
 		return;
 	l->plot.columns -= side_columns + 1;
@@ -78,7 +81,7 @@ places_make(int rows, int columns, int side_columns)
 		l.numbers = take_bottom(left);
 	if (rows >= FOR_LEGEND && columns >= LEGEND_COLUMNS)
 		l.legend = take_bottom(left);
-	split_body(&l, rows, side ? side_columns : 0);
+	split_body(&l, rows, side_columns);
 	return l;
 }
 

@@ -18,8 +18,8 @@ struct places {
 
 /* Any size of at least 1 x 1.  What there is no room for drops in this order:
  * legend, side panel (a row of numbers takes its place), hints, rule, caption,
- * status, plot, header, command; track and numbers go last.  side_columns:
- * width of the side panel. */
+ * status, plot (the side panel has its rows), header, command; track and
+ * numbers go last.  side_columns: width of the side panel. */
 struct places places_make(int rows, int columns, int side_columns);
 
 /* The same for text on all of the screen: between header and hints, as long as

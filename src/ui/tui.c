@@ -30,16 +30,15 @@
 #include "ui/typed.h"
 #include "ui/view.h"
 
-static bool with_colour, linear;
+static bool with_colour;
 static volatile sig_atomic_t resized, stopping;
 /* Signals that are let in while the program waits. */
 static sigset_t let_in;
 
 void
-tui_choose(bool colour, bool is_linear)
+tui_choose(bool colour)
 {
 	with_colour = colour;
-	linear = is_linear;
 }
 
 const struct entry *
@@ -335,7 +334,7 @@ tui_run(struct session *s)
 	struct signals was;
 	struct tui t;
 	bool history = typed_is_open();
-	if (linear)
+	if (s->linear)
 		return run_linear(s);
 	/* What it says of a history that cannot be kept is not for ncurses. */
 	if (!history)

@@ -41,20 +41,6 @@ view_text(struct tui *t, char *text)
 }
 
 void
-view_message(struct tui *t)
-{
-	int rows, columns, lines = 1;
-	screen_size(&rows, &columns);
-	char *text = text_wrapped(t->message, columns > 2 ? columns - 2 : 1);
-	for (const char *p = text; *p != '\0'; p++)
-		lines += *p == '\n' && p[1] != '\0';
-	if (columns > 0 && lines > (rows > 5 ? 2 : 1))
-		view_text(t, text);
-	else
-		free(text);
-}
-
-void
 view_keys(struct tui *t, const char *word)
 {
 	char kept[sizeof t->viewer.word], *text = NULL;
@@ -68,6 +54,24 @@ view_keys(struct tui *t, const char *word)
 	t->viewer.keys = true;
 	t->viewer.filtering = filtering;
 	memcpy(t->viewer.word, kept, sizeof kept);
+}
+
+/* The last frame may have been of other text there. */
+void
+view_message(struct tui *t)
+{
+	enum { MARGIN = 2, LEAST = 8 };
+	int rows, columns, lines = 0;
+	screen_size(&rows, &columns);
+	const struct places l = places_make(rows, columns, 0);
+	columns = columns > LEAST + MARGIN ? columns - MARGIN : LEAST;
+	char *text = text_wrapped(t->message, columns);
+	for (const char *c = text; *c != '\0'; c++)
+		lines += *c == '\n';
+	if (lines > pane_message_rows(&l) && t->viewer.text == NULL)
+		view_text(t, text);
+	else
+		free(text);
 }
 
 /* A character of the word behind '/'; false where it is none. */
@@ -147,6 +151,8 @@ view_key(struct tui *t, int code, bool special)
 	}
 	if (v->keys && (code == '\n' || code == '\r'))
 		chosen = keys_nth(v->word, (size_t)v->at);
+	else if (code == ':')
+		chosen = key;
 	view_close(t);
 	return chosen;
 }

@@ -8,8 +8,7 @@
 /* Shows text, which it takes. */
 void view_text(struct tui *t, char *text);
 
-/* Shows the message where the two rows there are for it, on a small screen one,
- * do not hold it: an error is no use cut short. */
+/* Shows the message where its rows have no room for all of it. */
 void view_message(struct tui *t);
 
 /* Shows the keys whose line has the word. */

@@ -220,6 +220,21 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	assert_int_equal(t->tenths, tui_range(t).least);
 }
 
+/* The letters of a command would each have done something. */
+static void
+a_colon_begins_a_line_over_what_fills_the_screen(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	type(t, ":help predict\n");
+	assert_non_null(t->viewer.text);
+	type(t, ":bounds");
+	assert_null(t->viewer.text);
+	assert_true(t->typing.active);
+	assert_string_equal(t->typing.text, "bounds");
+	type(t, "\033?:undo");
+	assert_string_equal(t->typing.text, "undo");
+}
+
 /* In words what is to be seen, and not something else. */
 static void
 d_tells_the_picture_of_the_page(void **state)
@@ -256,6 +271,18 @@ static void
 on_stop(int signal)
 {
 	stops += signal == SIGTSTP;
+}
+
+/* Keys that come at once are taken between two frames. */
+static void
+an_answer_is_measured_by_the_screen_and_not_by_the_text_before(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	type(t, "?");
+	pane_draw(t);
+	type(t, "\033:predict 99999\n");
+	assert_true(t->bad);
+	assert_null(t->viewer.text);
 }
 
 static void
@@ -305,7 +332,13 @@ main(void)
 		the_scrubber_has_the_keys_of_the_slider, stage_open,
 		stage_close),
 	    cmocka_unit_test_setup_teardown(
+		a_colon_begins_a_line_over_what_fills_the_screen, stage_open,
+		stage_close),
+	    cmocka_unit_test_setup_teardown(
 		d_tells_the_picture_of_the_page, stage_open, stage_close),
+	    cmocka_unit_test_setup_teardown(
+		an_answer_is_measured_by_the_screen_and_not_by_the_text_before,
+		stage_open, stage_close),
 	    cmocka_unit_test_setup_teardown(
 		control_z_stops_wherever_it_is_typed, stage_open, stage_close),
 	};

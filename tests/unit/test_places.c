@@ -67,6 +67,12 @@ panels_drop_in_their_order(void **state)
 	assert_int_equal(l.side.rows, 0);
 	assert_true(l.plot.rows > 0);
 	assert_int_equal(l.numbers.rows, 1);
+	l = places_make(9, 33, 24);
+	assert_int_equal(l.plot.rows, 0);
+	assert_int_equal(l.side.rows, 3);
+	assert_int_equal(l.side.columns, 33);
+	assert_int_equal(places_make(9, 20, 24).side.rows, 0);
+	assert_int_equal(places_make(9, 33, 0).side.rows, 0);
 	l = places_make(5, 20, 24);
 	assert_int_equal(l.plot.rows, 0);
 	assert_int_equal(l.numbers.rows, 1);

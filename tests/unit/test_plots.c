@@ -193,6 +193,7 @@ a_second_site_has_a_curve_of_its_own(void **state)
 			assert_true(fabs(c->series[last].y[i] -
 					 100 * kept.product.passing[i]) < 1e-9);
 		assert_int_equal(c->n_rule, 1);
+		assert_memory_equal(c->rule[0].name, "tierp: breaks from ", 19);
 		chart_free(c);
 		q.kept = &kept;
 	}
