@@ -33,6 +33,9 @@ printf '%s\n' site,Mill rock,Granite top_size_mm,40 \
 	4,9,14.7,19.9,24.1 2,4.5,6.7,9.9,12.4 1,2.3,3.7,5.4,6.1 >mill.csv
 printf '%s\n' site,Boulders rock,Gneiss size_mm,feed,product@69,product@79 \
 	500,100,100,100 300,90,95,96 150,60,70,75 63,25,33,38 20,7,11,14 >boulders.csv
+printf '%s\n' site,Poor size_mm,feed,product@69,product@79 22.4,100,100,100 \
+	11.2,90,92.5,97.5 5.6,45,60,65 2,16,20,34 0.5,5,9,8 0.063,0.5,0.9,1.4 \
+	>poor.csv
 "$TIPSPEED" -f "$srcdir/tests/screens.tip" >out 2>log
 good=$?
 remark log >all

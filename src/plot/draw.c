@@ -145,9 +145,12 @@ x_at(const struct brush *p, int column)
 		      : a->low + t * (a->high - a->low);
 }
 
+/* A cell is shaded where the band fills half of its height: of one thinner than
+ * that there would be strays only, where it crosses from row to row. */
 static void
 draw_band(struct brush *p, const struct chart_series *s)
 {
+	enum { PARTS = 8 };
 	uint32_t shade = p->at.charset == CHARSET_ASCII ? ',' : 0x2591;
 	for (int column = 0; column < p->at.width && s->low != NULL; column++) {
 		double x = x_at(p, column);
@@ -155,9 +158,16 @@ draw_band(struct brush *p, const struct chart_series *s)
 		double high = edge_at(p, s, s->high, x);
 		if (isnan(low) || isnan(high))
 			continue;
-		for (int row = layout_row(&p->at, high, 1);
-		     row <= layout_row(&p->at, low, 1); row++)
-			put(p, column, row, shade, SERIES_BAND, CELL_DIM);
+		int top = layout_row(&p->at, high, PARTS);
+		int foot = layout_row(&p->at, low, PARTS);
+		for (int row = top / PARTS; row <= foot / PARTS; row++) {
+			int from = row * PARTS, to = from + PARTS - 1;
+			int filled = (foot < to ? foot : to) -
+				     (top > from ? top : from) + 1;
+			if (2 * filled >= PARTS)
+				put(p, column, row, shade, SERIES_BAND,
+				    CELL_DIM);
+		}
 	}
 }
 
