@@ -106,6 +106,12 @@ canvas_colour(enum series series, int depth)
 			     : COLOURS[series].of256;
 }
 
+bool
+canvas_is_shaded(const struct canvas_cell *cell, int depth)
+{
+	return depth >= 256 && (cell->attribute & CELL_SHADE);
+}
+
 static void
 print_style(const struct canvas_cell *cell, int depth, FILE *out)
 {
@@ -120,6 +126,8 @@ print_style(const struct canvas_cell *cell, int depth, FILE *out)
 		fputs(";2", out);
 	if (cell->attribute & CELL_REVERSE)
 		fputs(";7", out);
+	if (canvas_is_shaded(cell, depth))
+		fprintf(out, ";48;5;%d", CANVAS_SHADE);
 	if (colour >= 0 && depth >= 256)
 		fprintf(out, ";38;5;%d", colour);
 	else if (colour >= 0)
@@ -146,7 +154,8 @@ print_row(const struct canvas_cell *cell, int columns, int depth, FILE *out)
 	struct canvas_cell plain = {.series = SERIES_TEXT}, style = plain;
 	char text[5];
 	while (columns > 0 && cell[columns - 1].code == ' ' &&
-	       !(cell[columns - 1].attribute & CELL_REVERSE))
+	       !(cell[columns - 1].attribute & CELL_REVERSE) &&
+	       !canvas_is_shaded(&cell[columns - 1], depth))
 		columns--;
 	for (int i = 0; i < columns; i++) {
 		bool same = cell[i].series == style.series &&
@@ -155,8 +164,11 @@ print_row(const struct canvas_cell *cell, int columns, int depth, FILE *out)
 			print_style(&cell[i], depth, out);
 			style = cell[i];
 		}
+		bool shade = cell[i].code == CANVAS_SHADE_CODE &&
+			     canvas_is_shaded(&cell[i], depth);
 		if (cell[i].code != 0)
-			fputs(canvas_utf8(cell[i].code, text), out);
+			fputs(
+			    shade ? " " : canvas_utf8(cell[i].code, text), out);
 	}
 	if (style.series != plain.series || style.attribute != plain.attribute)
 		fputs("\033[0m", out);

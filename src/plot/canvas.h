@@ -3,6 +3,7 @@
 #ifndef TIPSPEED_PLOT_CANVAS_H
 #define TIPSPEED_PLOT_CANVAS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 
@@ -26,7 +27,10 @@ enum series {
 	SERIES_COUNT
 };
 
-enum { CELL_BOLD = 1, CELL_DIM = 2, CELL_REVERSE = 4 };
+/* CELL_SHADE: within a band, which has a ground of its own where there are 256
+ * colours, of the number CANVAS_SHADE; with fewer it is ignored. */
+enum { CELL_BOLD = 1, CELL_DIM = 2, CELL_REVERSE = 4, CELL_SHADE = 8 };
+enum { CANVAS_SHADE = 238, CANVAS_SHADE_CODE = 0x2591 };
 
 /* code: a Unicode code point; 0 behind one that is two columns wide. */
 struct canvas_cell {
@@ -63,6 +67,9 @@ const char *canvas_utf8(uint32_t code, char text[static 5]);
  * that of the text; safe for red-green blindness, and never the only mark. From
  * 8 on it is a bright one, which among eight is the bold one. */
 int canvas_colour(enum series series, int depth);
+
+/* Whether a cell has that ground; its own shade character is a blank then. */
+bool canvas_is_shaded(const struct canvas_cell *cell, int depth);
 
 /* Prints the rows, each without blanks at its end and with a line feed; escape
  * sequences where depth > 0. */

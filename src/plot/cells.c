@@ -122,6 +122,13 @@ is_faint(const struct sheet *s, const struct canvas_cell *cell)
 	return s->dims && (cell->attribute & CELL_DIM);
 }
 
+/* Of a band, behind what else is in the cell. */
+static bool
+is_ground(const struct sheet *s, const struct canvas_cell *cell)
+{
+	return s->dims && (cell->attribute & CELL_SHADE);
+}
+
 /* The places of bars are multiples of 3/4. */
 static bool
 is_same(double a, double b)
@@ -162,6 +169,11 @@ draw_bars(struct sheet *s, enum kind kind, enum series series, bool faint)
 			    cell_at(s, column, row);
 			enum kind its;
 			struct bar bar[BARS];
+			if (kind == SHADE && is_ground(s, cell)) {
+				if (series == SERIES_BAND && !faint)
+					gather(s, column, row, &whole);
+				continue;
+			}
 			if (cell->series != series ||
 			    is_faint(s, cell) != faint)
 				continue;

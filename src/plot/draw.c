@@ -68,6 +68,7 @@ put(struct brush *p, int column, int row, uint32_t code, enum series series,
 		return;
 	struct canvas_cell *cell =
 	    canvas_at(p->at.canvas, p->at.left + column, p->at.top + row);
+	attribute |= cell->attribute & CELL_SHADE;
 	*cell = (struct canvas_cell){
 	    code, (unsigned char)series, (unsigned char)attribute};
 	p->dots[row * p->at.width + column] = 0;
@@ -145,13 +146,16 @@ x_at(const struct brush *p, int column)
 		      : a->low + t * (a->high - a->low);
 }
 
-/* A cell is shaded where the band fills half of its height: of one thinner than
- * that there would be strays only, where it crosses from row to row. */
+/* Behind the lines, where the depth of colour has a ground for it.  Elsewhere a
+ * cell is shaded by a character where the band fills half of its height: of one
+ * thinner than that there would be strays only, where it goes from row to row.
+ */
 static void
 draw_band(struct brush *p, const struct chart_series *s)
 {
 	enum { PARTS = 8 };
-	uint32_t shade = p->at.charset == CHARSET_ASCII ? ',' : 0x2591;
+	uint32_t shade =
+	    p->at.charset == CHARSET_ASCII ? ',' : CANVAS_SHADE_CODE;
 	for (int column = 0; column < p->at.width && s->low != NULL; column++) {
 		double x = x_at(p, column);
 		double low = edge_at(p, s, s->low, x);
@@ -164,9 +168,11 @@ draw_band(struct brush *p, const struct chart_series *s)
 			int from = row * PARTS, to = from + PARTS - 1;
 			int filled = (foot < to ? foot : to) -
 				     (top > from ? top : from) + 1;
-			if (2 * filled >= PARTS)
-				put(p, column, row, shade, SERIES_BAND,
-				    CELL_DIM);
+			bool half = 2 * filled >= PARTS;
+			bool middle = row == (top + foot) / 2 / PARTS;
+			if (middle || 4 * filled >= PARTS)
+				put(p, column, row, half ? shade : ' ',
+				    SERIES_BAND, CELL_DIM | CELL_SHADE);
 		}
 	}
 }

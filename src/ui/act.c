@@ -246,10 +246,12 @@ band(struct tui *t)
 		return;
 	bool known = doubt_band(t->session, entry, &t->session->last) != NULL;
 	tui_say(t, false, "%s",
-	    known ? "band on, 80 % of the fits; where thinner than half a row "
-		    "it does not show"
-		  : "no band: parameters that are no fit of this site have "
-		    "none; f calibrates");
+	    !known ? "no band: parameters that are no fit of this site have "
+		     "none; f calibrates"
+	    : screen_depth() >= 256
+		? "band on: 80 % of the fits"
+		: "band on: 80 % of the fits; where thinner than half a row "
+		  "it does not show");
 }
 
 static void

@@ -47,6 +47,9 @@ set_colours(bool colour)
 			j++;
 		is.pair[i] = (short)(j + 1);
 		init_pair(is.pair[i], (short)(colour_of % is.depth), -1);
+		if (is.depth >= 256)
+			init_pair((short)(is.pair[i] + SERIES_COUNT),
+			    (short)colour_of, CANVAS_SHADE);
 	}
 	/* From a colour to a pair takes 5 bytes, to no pair at all 11. */
 	bkgdset(' ' | COLOR_PAIR(is.pair[SERIES_TEXT]));
@@ -344,12 +347,17 @@ static void
 show_cell(int row, int column, const struct canvas_cell *from)
 {
 	wchar_t text[2] = {(wchar_t)from->code, 0};
+	bool shaded = canvas_is_shaded(from, is.depth);
+	short pair = is.pair[from->series];
 	cchar_t cell;
+	if (shaded && from->code == CANVAS_SHADE_CODE)
+		text[0] = L' ';
+	if (shaded)
+		pair = (short)(pair + SERIES_COUNT);
 	if (!is.utf8 && from->code > 126)
 		text[0] = bare_letter(from->code);
 	setcchar(&cell, text,
-	    attributes(from->attribute, (enum series)from->series),
-	    is.pair[from->series], NULL);
+	    attributes(from->attribute, (enum series)from->series), pair, NULL);
 	mvadd_wch(row, column, &cell);
 }
 
@@ -376,7 +384,9 @@ screen_show(int row, int column)
 		for (int c = 0; c < is.columns; c++) {
 			const struct canvas_cell *at =
 			    canvas_at(is.frame, c, r);
-			bool blank = at->code == ' ' && at->attribute == 0;
+			bool blank = at->code == ' ' &&
+				     !(at->attribute & CELL_REVERSE) &&
+				     !canvas_is_shaded(at, is.depth);
 			if (at->code != 0 && !blank)
 				show_cell(r, c, at);
 		}
