@@ -81,8 +81,8 @@ canvas_text(struct canvas *canvas, int column, int row, const char *text,
 }
 
 /* The safe colours of Okabe and Ito as near as each depth has them; no bright
- * black, which some terminals do not show, and no dark blue, which
- * the Linux console hardly shows on black. */
+ * black, which some terminals do not show, and no dark blue, which the Linux
+ * console hardly shows on black. */
 int
 canvas_colour(enum series series, int depth)
 {
@@ -110,6 +110,14 @@ bool
 canvas_is_shaded(const struct canvas_cell *cell, int depth)
 {
 	return depth >= 256 && (cell->attribute & CELL_SHADE);
+}
+
+uint32_t
+canvas_code(const struct canvas_cell *cell, int depth)
+{
+	bool ground =
+	    cell->code == CANVAS_SHADE_CODE && canvas_is_shaded(cell, depth);
+	return ground ? ' ' : cell->code;
 }
 
 static void
@@ -164,11 +172,9 @@ print_row(const struct canvas_cell *cell, int columns, int depth, FILE *out)
 			print_style(&cell[i], depth, out);
 			style = cell[i];
 		}
-		bool shade = cell[i].code == CANVAS_SHADE_CODE &&
-			     canvas_is_shaded(&cell[i], depth);
 		if (cell[i].code != 0)
-			fputs(
-			    shade ? " " : canvas_utf8(cell[i].code, text), out);
+			fputs(canvas_utf8(canvas_code(&cell[i], depth), text),
+			    out);
 	}
 	if (style.series != plain.series || style.attribute != plain.attribute)
 		fputs("\033[0m", out);

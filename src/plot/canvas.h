@@ -27,8 +27,9 @@ enum series {
 	SERIES_COUNT
 };
 
-/* CELL_SHADE: within a band, which has a ground of its own where there are 256
- * colours, of the number CANVAS_SHADE; with fewer it is ignored. */
+/* CELL_SHADE: within a band.  Where there are 256 colours that is a ground of
+ * colour CANVAS_SHADE; with fewer it is ignored, and the character of code
+ * CANVAS_SHADE_CODE stands for it. */
 enum { CELL_BOLD = 1, CELL_DIM = 2, CELL_REVERSE = 4, CELL_SHADE = 8 };
 enum { CANVAS_SHADE = 238, CANVAS_SHADE_CODE = 0x2591 };
 
@@ -68,8 +69,10 @@ const char *canvas_utf8(uint32_t code, char text[static 5]);
  * 8 on it is a bright one, which among eight is the bold one. */
 int canvas_colour(enum series series, int depth);
 
-/* Whether a cell has that ground; its own shade character is a blank then. */
+/* Whether a cell has that ground; and what is shown of it, a blank in the place
+ * of the shade that the ground is. */
 bool canvas_is_shaded(const struct canvas_cell *cell, int depth);
+uint32_t canvas_code(const struct canvas_cell *cell, int depth);
 
 /* Prints the rows, each without blanks at its end and with a line feed; escape
  * sequences where depth > 0. */

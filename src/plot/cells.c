@@ -105,7 +105,7 @@ shape_of(uint32_t code, enum kind *kind, struct bar bar[static BARS])
 struct sheet {
 	const struct canvas *canvas;
 	struct pen *pen;
-	bool dims; /* what is dim is faint */
+	int depth; /* of colour; with 256 what is dim is faint */
 	double *x, *y;
 	size_t n; /* bars gathered in x, y [2 n] */
 };
@@ -119,14 +119,7 @@ cell_at(const struct sheet *s, int column, int row)
 static bool
 is_faint(const struct sheet *s, const struct canvas_cell *cell)
 {
-	return s->dims && (cell->attribute & CELL_DIM);
-}
-
-/* Of a band, behind what else is in the cell. */
-static bool
-is_ground(const struct sheet *s, const struct canvas_cell *cell)
-{
-	return s->dims && (cell->attribute & CELL_SHADE);
+	return s->depth >= 256 && (cell->attribute & CELL_DIM);
 }
 
 /* The places of bars are multiples of 3/4. */
@@ -169,7 +162,7 @@ draw_bars(struct sheet *s, enum kind kind, enum series series, bool faint)
 			    cell_at(s, column, row);
 			enum kind its;
 			struct bar bar[BARS];
-			if (kind == SHADE && is_ground(s, cell)) {
+			if (kind == SHADE && canvas_is_shaded(cell, s->depth)) {
 				if (series == SERIES_BAND && !faint)
 					gather(s, column, row, &whole);
 				continue;
@@ -276,7 +269,7 @@ picture_cells(const struct canvas *canvas, int depth, enum picture_form form,
 	    .colour = 0x161B22, .edge = 0x484F58, .corner = 6, .mono = true};
 	size_t most = 2 * BARS * (size_t)(canvas->columns * canvas->rows);
 	struct sheet s = {.canvas = canvas,
-	    .dims = depth >= 256,
+	    .depth = depth,
 	    .x = xdoubles(most),
 	    .y = xdoubles(most)};
 	for (int i = 0; i < SERIES_COUNT; i++) {

@@ -109,7 +109,7 @@ can_focus(const struct tui *t, enum focus focus)
 	}
 }
 
-/* Ten arrows at once: of the generations where these are gone through, else of
+/* Many arrows at once: of the generations where these are gone through, else of
  * the slider. */
 static void
 move_far(struct tui *t, int by)

@@ -193,8 +193,7 @@ keys_list(const char *word, FILE *out)
 		    word, word);
 	if (word[0] == '\0')
 		fputs("  digits, Enter   type a speed: 74, 9.1, 012.5 (1 to 5 "
-		      "are "
-		      "pages)\n"
+		      "are pages)\n"
 		      "  mouse           click and drag set the speed, the "
 		      "wheel moves it by 0.1 m/s\n",
 		    out);

@@ -346,13 +346,10 @@ bare_letter(uint32_t code)
 static void
 show_cell(int row, int column, const struct canvas_cell *from)
 {
-	wchar_t text[2] = {(wchar_t)from->code, 0};
-	bool shaded = canvas_is_shaded(from, is.depth);
+	wchar_t text[2] = {(wchar_t)canvas_code(from, is.depth), 0};
 	short pair = is.pair[from->series];
 	cchar_t cell;
-	if (shaded && from->code == CANVAS_SHADE_CODE)
-		text[0] = L' ';
-	if (shaded)
+	if (canvas_is_shaded(from, is.depth))
 		pair = (short)(pair + SERIES_COUNT);
 	if (!is.utf8 && from->code > 126)
 		text[0] = bare_letter(from->code);

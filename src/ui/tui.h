@@ -11,9 +11,9 @@
 void tui_choose(bool colour);
 
 /* Opens the full screen until it is left, or the prompt where the session is to
- * be heard.  Where the terminal cannot show it,
- * says so beside the results and comes back.  Returns the exit status: 0, or
- * what a signal asks for, see pump_status. */
+ * be heard.  Where the terminal cannot show it, says so beside the results and
+ * comes back.  Returns the exit status: 0, or what a signal asks for, see
+ * pump_status. */
 int tui_run(struct session *s);
 
 #endif

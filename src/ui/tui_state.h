@@ -59,7 +59,7 @@ struct tui {
 	double started; /* the search or its last part, by that clock */
 	double ran;     /* s of its parts before */
 	int tenths;     /* of the slider */
-	double feed;    /* m/s of the run whose feed the slider keeps */
+	double feed;    /* m/s of the run whose feed is kept; 0: none */
 	struct {
 		int tenths; /* 0: not yet */
 		size_t feed_run;
