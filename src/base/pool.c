@@ -7,6 +7,7 @@
 
 #include <pthread.h>
 #include <sched.h>
+#include <signal.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -106,9 +107,24 @@ wake_all(struct pool *pool)
 	pthread_mutex_unlock(&pool->lock);
 }
 
+/* Signals are for the thread that knows what to do about them, and holds them
+ * back while it writes a file; a fault is where it happens. */
+static void
+hold_signals(sigset_t *before)
+{
+	static const int FAULTS[] = {
+	    SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP};
+	sigset_t held;
+	sigfillset(&held);
+	for (size_t i = 0; i < ARRAY_LEN(FAULTS); i++)
+		sigdelset(&held, FAULTS[i]);
+	pthread_sigmask(SIG_SETMASK, &held, before);
+}
+
 struct pool *
 pool_new(unsigned threads)
 {
+	sigset_t before;
 	struct pool *pool = xcalloc(1, sizeof *pool);
 	pthread_mutex_init(&pool->lock, NULL);
 	pthread_cond_init(&pool->wake, NULL);
@@ -116,6 +132,7 @@ pool_new(unsigned threads)
 	pool->thread = xcalloc(threads, sizeof *pool->thread);
 	pool->worker = xcalloc(threads, sizeof *pool->worker);
 	pool->threads = 1;
+	hold_signals(&before);
 	while (pool->threads < threads) {
 		unsigned i = pool->threads;
 		pool->worker[i] = (struct worker){pool, i};
@@ -124,6 +141,7 @@ pool_new(unsigned threads)
 			break;
 		pool->threads++;
 	}
+	pthread_sigmask(SIG_SETMASK, &before, NULL);
 	return pool;
 }
 
