@@ -112,7 +112,7 @@ refused 'a material that has changed' 3 'it is another now' \
 refused 'a material that is gone' 2 "no material 'pit'" 'source ../pit.tip'
 refused 'a script that is there' 2 'is there already' 'save ../undone.tip'
 refused 'another name' 2 'does not end in .tip' 'save results.csv'
-refused 'a folder that is not there' 5 'cannot be saved' 'save no/such.tip'
+refused 'a folder that is not there' 5 'cannot write' 'save no/such.tip'
 refused 'a digest for two files' 2 'one file' 'load a b digest=1'
 name=$(printf 'line\nbreak.csv')
 cp "$here/tierp.csv" "$here/$name"

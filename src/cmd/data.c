@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/files.h"
 #include "cmd/journal.h"
 #include "cmd/table.h"
 #include "core/synth.h"
@@ -177,6 +178,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 			return error_set(error, ERROR_USAGE,
 			    "speeds go from slow to fast, each once");
 	struct error_list errors = {0};
+	files_reads(s, args->operand[0]);
 	struct materials *m = materials_read(args->operand[0], &errors);
 	if (m == NULL)
 		return session_tell_faults(s, args->operand[0], &errors, error);
@@ -208,11 +210,12 @@ file_name(const struct entry *entry, const char *folder)
 }
 
 bool
-data_may_write(const struct args *args, const char *path, struct error *error)
+data_may_write(const struct session *s, const struct args *args,
+    const char *path, struct error *error)
 {
 	struct stat info;
 	if (args_value(args, "replace")->choice == 1 || stat(path, &info) != 0)
-		return true;
+		return files_may_write(s, path, error);
 	return error_set(error, ERROR_USAGE,
 	    "%s is there already\nreplace=on writes over it", path);
 }
@@ -221,13 +224,18 @@ static bool
 write_one(struct session *s, const struct args *args, const struct site *site,
     const char *path, struct error *error)
 {
-	if (!data_may_write(args, path, error))
-		return error_hint(error,
-		    "replace=on writes over it; this writes a site's sheet, "
-		    "not results");
-	if (!site_save(site, path, error))
+	size_t rows;
+	if (!data_may_write(s, args, path, error)) {
+		if (error->kind == ERROR_USAGE)
+			error_hint(error,
+			    "replace=on writes over it; this writes a site's "
+			    "sheet, not results");
 		return false;
-	session_note(s, "wrote %s", path);
+	}
+	if (!site_save(site, path, &rows, error))
+		return false;
+	files_wrote(s, path);
+	session_note(s, "wrote %s: %zu rows", path, rows);
 	return true;
 }
 

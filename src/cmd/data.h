@@ -14,9 +14,9 @@ bool data_load(struct session *s, const char *path, const char *digest,
     struct error *error);
 
 /* False, with an error, where a file is there already and the call does not say
- * replace=on. */
-bool data_may_write(
-    const struct args *args, const char *path, struct error *error);
+ * replace=on, or where it is none to be replaced, see files.h. */
+bool data_may_write(const struct session *s, const struct args *args,
+    const char *path, struct error *error);
 
 /* "69, 79": speeds of the runs that have a product, and whose mark [n_run] is
  * `marked`; mark NULL: of all.  The caller frees. */

@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/files.h"
 #include "cmd/session.h"
 #include "io/site_read.h"
 #include "io/units.h"
@@ -248,6 +249,7 @@ session_load(struct session *s, const char *path, const char *digest,
     struct error *error)
 {
 	struct error_list errors = {0};
+	files_reads(s, path);
 	struct site *site = site_read(path, &errors);
 	return site != NULL ? add_checked(s, site, digest, error)
 			    : session_tell_faults(s, path, &errors, error);

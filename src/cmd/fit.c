@@ -8,6 +8,8 @@
 
 #include "base/xalloc.h"
 #include "cmd/data.h"
+#include "cmd/files.h"
+#include "cmd/log.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
 
@@ -145,13 +147,16 @@ chosen_options(const struct session *s, const struct args *args)
 	return o;
 }
 
+/* Files that will be written when it is done. */
 static bool
-open_log(const struct value *value, struct job *job, struct error *error)
+check_files(
+    const struct session *s, const struct args *args, struct error *error)
 {
-	if (value->given && (job->log = fopen(value->text, "w")) == NULL)
-		return error_set(error, ERROR_SYSTEM, "cannot write %s: %s",
-		    value->text, strerror(errno));
-	return true;
+	const struct value *log = args_value(args, "log");
+	const struct value *checkpoint = args_value(args, "checkpoint");
+	return (!log->given || files_may_write(s, log->text, error)) &&
+	       (!checkpoint->given ||
+		   files_may_write(s, checkpoint->text, error));
 }
 
 static bool
@@ -194,7 +199,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		    "calibrate wants options or all, not '%s'",
 		    args->operand[0]);
 	if (!fit_settings_agree(&s->set.model, error) ||
-	    !open_log(args_value(args, "log"), &job, error) ||
+	    !check_files(s, args, error) ||
 	    !(job.all ? check_all(args, error)
 		      : choose_runs(site, args, &job, error))) {
 		job_free(&job);
@@ -202,6 +207,8 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	}
 	if (checkpoint->given && !job.all)
 		job.checkpoint = xstrdup(checkpoint->text);
+	if (args_value(args, "log")->given)
+		job.log = log_new(args_value(args, "log")->text);
 	job_start(s, &job);
 	if (job.all)
 		return session_busy(s) ||

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "cmd/answers.h"
+#include "cmd/files.h"
 #include "cmd/table.h"
 #include "io/units.h"
 
@@ -16,6 +17,7 @@ grading_open(struct session *s, const char *path, size_t feed,
 	const struct entry *entry = session_entry(s);
 	const struct psd *from = &entry->site->run[feed].feed;
 	struct error_list errors = {0};
+	files_reads(s, path);
 	struct spec *spec = spec_read(path, &errors);
 	*grading = (struct grading){.spec = spec};
 	if (spec == NULL)

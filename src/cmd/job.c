@@ -6,6 +6,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/fit.h"
+#include "cmd/log.h"
 #include "cmd/table.h"
 #include "cmd/turn.h"
 #include "io/checkpoint.h"
@@ -97,8 +98,7 @@ job_free(struct job *job)
 	calibration_free(job->calibration);
 	free(job->train);
 	report_free(job->summary);
-	if (job->log != NULL)
-		fclose(job->log);
+	log_free(job->log);
 	*job = (struct job){0};
 }
 
@@ -125,16 +125,6 @@ new_summary(void)
 	return r;
 }
 
-static void
-write_log_head(FILE *log)
-{
-	fputs("site,generation,best,median", log);
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		fprintf(log, ",%s,%s_p10,%s_p90", PARAMS[j].name,
-		    PARAMS[j].name, PARAMS[j].name);
-	fputc('\n', log);
-}
-
 void
 job_start(struct session *s, const struct job *job)
 {
@@ -143,8 +133,6 @@ job_start(struct session *s, const struct job *job)
 	s->job.turn = s->turn;
 	s->job.entry = job->all ? next_site(s, 0) : s->current;
 	s->job.summary = job->all ? new_summary() : NULL;
-	if (job->log != NULL)
-		write_log_head(job->log);
 	if (s->job.entry < s->n_entry)
 		begin(s);
 	else
@@ -183,36 +171,14 @@ summarise(struct session *s, const struct entry *entry)
 	free(words);
 }
 
-static void
-write_log(struct session *s)
-{
-	FILE *log = s->job.log;
-	size_t n;
-	const struct calibrate_generation *g =
-	    calibration_history(s->job.calibration, &n);
-	for (size_t i = 0; i < n; i++) {
-		fprintf(log, "%s,%zu,%.17g,%.17g", s->entry[s->job.entry].key,
-		    i + 1, g[i].best, g[i].median);
-		for (size_t j = 0; j < PARAM_COUNT; j++)
-			fprintf(log, ",%.17g,%.17g,%.17g", g[i].params.at[j],
-			    g[i].p10[j], g[i].p90[j]);
-		fputc('\n', log);
-	}
-	struct error error = {0};
-	if (fflush(log) == 0 && !ferror(log))
-		return;
-	error_set(&error, ERROR_SYSTEM,
-	    "the log could not be written\nis the disk full?");
-	turn_failed(s, &error);
-}
-
 /* Takes the result of the calibration that ended or was stopped. */
 static void
 take_result(struct session *s)
 {
 	fit_take(s);
 	if (s->job.log != NULL)
-		write_log(s);
+		log_add(
+		    s->job.log, s->entry[s->job.entry].key, s->job.calibration);
 	if (s->job.all)
 		summarise(s, &s->entry[s->job.entry]);
 	else
@@ -226,8 +192,21 @@ session_busy(const struct session *s)
 }
 
 static void
+save_log(struct session *s)
+{
+	struct error error = {0};
+	if (s->job.log == NULL)
+		return;
+	if (!log_save(s, s->job.log, &error))
+		turn_failed(s, &error);
+	log_free(s->job.log);
+	s->job.log = NULL;
+}
+
+static void
 end_all(struct session *s)
 {
+	save_log(s);
 	struct report *summary = s->job.summary;
 	s->job.summary = NULL;
 	job_free(&s->job);
@@ -278,9 +257,7 @@ session_pause(struct session *s)
 	if (s->job.checkpoint != NULL)
 		save_checkpoint(s);
 	s->job.paused = true;
-	if (s->job.log != NULL)
-		fclose(s->job.log);
-	s->job.log = NULL;
+	save_log(s);
 	session_note(s,
 	    "stopped at generation %zu of %zu, best %.4g kept; continue, "
 	    "accept or calibrate again",

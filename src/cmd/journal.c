@@ -11,9 +11,10 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/data.h"
+#include "cmd/files.h"
 #include "cmd/table.h"
 #include "config.h"
-#include "io/replace.h"
+#include "io/file.h"
 
 struct journal {
 	size_t n, start;
@@ -257,11 +258,12 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 		    "save writes a script, and '%s' does not end in .tip\n"
 		    "results are saved with > FILE, sheets with write",
 		    path);
-	if (!data_may_write(args, path, error) ||
+	if (!data_may_write(s, args, path, error) ||
 	    !can_be_saved(s->journal, error) ||
-	    !replace_file(path, put_script, s, error))
+	    !file_replace_by(path, FILE_SHARED, put_script, s, error))
 		return false;
+	files_wrote(s, path);
 	struct mark mark = journal_mark(s);
-	session_note(s, "saved %s: %zu commands", path, mark.n - mark.start);
+	session_note(s, "wrote %s: %zu commands", path, mark.n - mark.start);
 	return true;
 }

@@ -13,7 +13,9 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/replace.h"
+#include "cmd/files.h"
+#include "io/file.h"
+#include "plot/picture.h"
 
 struct redirect {
 	enum target to;
@@ -22,8 +24,8 @@ struct redirect {
 	char *text;
 	size_t n;
 	enum report_format form, before;
-	bool mark;            /* begins with a byte order mark */
 	struct screen screen; /* before, too */
+	size_t rows;
 };
 
 /* The form that the end of a file's name asks for. */
@@ -41,40 +43,12 @@ form_of(const char *path, enum report_format other)
 	return other;
 }
 
-static bool
-cannot_write(const char *path, int reason, struct error *error)
-{
-	return error_set(error, ERROR_SYSTEM,
-	    "cannot write %s: %s\n"
-	    "check the folder, its rights and the room on the disk",
-	    path, strerror(reason));
-}
-
-/* Better told before an hour's calibration than after it. */
-static bool
-may_write(const char *path, struct error *error)
-{
-	struct stat about;
-	if (stat(path, &about) == 0) {
-		if (S_ISDIR(about.st_mode))
-			return cannot_write(path, EISDIR, error);
-		return access(path, W_OK) == 0 ||
-		       cannot_write(path, errno, error);
-	}
-	const char *slash = strrchr(path, '/');
-	char *folder = slash == NULL
-			   ? xstrdup(".")
-			   : xstrndup(path, (size_t)(slash - path) + 1);
-	bool ok = access(folder, W_OK | X_OK) == 0;
-	int reason = errno;
-	free(folder);
-	return ok || cannot_write(path, reason, error);
-}
-
 struct redirect *
 redirect_open(struct session *s, const struct words *words, struct error *error)
 {
-	if (words->to != TO_PIPE && !may_write(words->target, error))
+	if (words->to != TO_PIPE && !files_may_write(s, words->target, error))
+		return NULL;
+	if (words->to == TO_FILE && !files_may_replace(s, words->target, error))
 		return NULL;
 	struct redirect *r = xcalloc(1, sizeof *r);
 	r->memory = text_memory(&r->text, &r->n);
@@ -85,6 +59,8 @@ redirect_open(struct session *s, const struct words *words, struct error *error)
 	r->form = r->to == TO_PIPE ? s->set.format
 				   : form_of(r->target, s->set.format);
 	r->screen = s->screen;
+	r->rows = s->rows;
+	s->rows = 0;
 	s->screen = (struct screen){0};
 	s->file = r->to == TO_PIPE ? NULL : r->target;
 	s->out = r->memory;
@@ -93,44 +69,55 @@ redirect_open(struct session *s, const struct words *words, struct error *error)
 }
 
 /* Excel takes a file without the mark for one in the letters of its country,
- * and shows the O of Ossjo as two. */
+ * and shows the O of Ossjo as two.  It stands at the beginning only. */
 static void
-put_text(const void *data, FILE *out)
-{
-	const struct redirect *r = data;
-	if (r->mark)
-		fputs("\xEF\xBB\xBF", out);
-	fwrite(r->text, 1, r->n, out);
-}
-
-/* At the end of a file, or into a device.  What a full disk took of it is cut
- * off again. */
-static bool
-write_end(struct redirect *r, struct error *error)
+put_mark(struct redirect *r)
 {
 	struct stat about;
-	FILE *out = fopen(r->target, "a");
-	if (out == NULL)
-		return cannot_write(r->target, errno, error);
-	bool file = fstat(fileno(out), &about) == 0 && S_ISREG(about.st_mode);
-	r->mark = r->mark && file && about.st_size == 0;
-	put_text(r, out);
-	bool good = fflush(out) == 0 && !ferror(out);
-	int reason = errno;
-	if (!good && file && ftruncate(fileno(out), about.st_size) != 0)
-		reason = errno;
-	good = fclose(out) == 0 && good;
-	return good || cannot_write(r->target, reason, error);
+	bool there = stat(r->target, &about) == 0;
+	if (there &&
+	    (!S_ISREG(about.st_mode) || (r->to == TO_END && about.st_size > 0)))
+		return;
+	char *text = xcalloc(r->n + 4, 1);
+	memcpy(text, "\xEF\xBB\xBF", 3);
+	memcpy(text + 3, r->text, r->n);
+	free(r->text);
+	r->text = text;
+	r->n += 3;
+}
+
+/* "12 rows" of a table, "24 lines" of other text; a picture has neither. */
+static char *
+extent(const struct redirect *r, size_t rows)
+{
+	enum picture_form form;
+	if (picture_form_of(r->target, &form))
+		return xstrdup("a picture");
+	bool lines = rows == 0 || r->form == REPORT_JSON;
+	size_t n = lines ? 0 : rows;
+	for (size_t i = 0; lines && i < r->n; i++)
+		n += r->text[i] == '\n';
+	return xasprintf(
+	    "%zu %s%s", n, lines ? "line" : "row", n == 1 ? "" : "s");
 }
 
 static bool
-write_file(struct redirect *r, struct error *error)
+write_file(struct session *s, struct redirect *r, struct error *error)
 {
+	bool whole = r->to == TO_FILE;
+	bool (*write)(const char *, enum file_rights, const char *, size_t,
+	    struct error *) = whole ? file_replace : file_append;
+	if (!write(r->target, FILE_SHARED, r->text, r->n, error))
+		return false;
 	struct stat about;
-	bool whole = r->to == TO_FILE &&
-		     (stat(r->target, &about) != 0 || S_ISREG(about.st_mode));
-	return whole ? replace_file(r->target, put_text, r, error)
-		     : write_end(r, error);
+	if (stat(r->target, &about) != 0 || !S_ISREG(about.st_mode))
+		return true;
+	char *what = extent(r, s->rows);
+	files_wrote(s, r->target);
+	session_note(
+	    s, whole ? "wrote %s: %s" : "added to %s: %s", r->target, what);
+	free(what);
+	return true;
 }
 
 /* How the shell command ended.  One that ^C ended passes it on. */
@@ -153,20 +140,21 @@ judge_shell(const struct redirect *r, int status, struct error *error)
 /* A reader that has seen enough ends the writing, not the program; ^C is for
  * the shell command, as in a shell. */
 static bool
-write_pipe(struct redirect *r, struct error *error)
+write_pipe(const struct redirect *r, struct error *error)
 {
 	struct sigaction ignore = {.sa_handler = SIG_IGN}, pipe, interrupt;
 	sigemptyset(&ignore.sa_mask);
 	fflush(r->out);
 	FILE *out = popen(r->target, "w");
 	if (out == NULL)
-		return cannot_write(r->target, errno, error);
+		return error_set(error, ERROR_SYSTEM, "cannot run '%s': %s",
+		    r->target, strerror(errno));
 	/* Nothing may be left to write when it is closed: that would hide how
 	 * the command ended. */
 	setvbuf(out, NULL, _IONBF, 0);
 	sigaction(SIGPIPE, &ignore, &pipe);
 	sigaction(SIGINT, &ignore, &interrupt);
-	put_text(r, out);
+	fwrite(r->text, 1, r->n, out);
 	int status = pclose(out);
 	sigaction(SIGPIPE, &pipe, NULL);
 	sigaction(SIGINT, &interrupt, NULL);
@@ -183,14 +171,17 @@ redirect_close(
 	/* Unless the command itself was to set it. */
 	if (s->set.format == r->form)
 		s->set.format = r->before;
-	bool whole = fclose(r->memory) == 0;
-	r->mark = r->to != TO_PIPE && r->form == REPORT_CSV &&
-		  s->set.semicolon && r->n > 0;
-	bool ok = true;
+	bool whole = fclose(r->memory) == 0, ok = true;
+	if (r->to != TO_PIPE && r->form == REPORT_CSV && s->set.semicolon &&
+	    r->n > 0)
+		put_mark(r);
 	if (keep && !whole)
-		ok = cannot_write(r->target, ENOMEM, error);
+		ok = error_set(error, ERROR_SYSTEM,
+		    "the results for %s did not fit into memory", r->target);
 	else if (keep)
-		ok = (r->to == TO_PIPE ? write_pipe : write_file)(r, error);
+		ok = r->to == TO_PIPE ? write_pipe(r, error)
+				      : write_file(s, r, error);
+	s->rows = r->rows;
 	free(r->text);
 	free(r->target);
 	free(r);

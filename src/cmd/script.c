@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/files.h"
 #include "cmd/table.h"
 
 struct script {
@@ -49,6 +50,7 @@ script_open(struct session *s, const char *path, struct error *error)
 		    "scripts are nested more than %d deep\n"
 		    "does %s source itself?",
 		    (int)DEEPEST, path);
+	files_reads(s, path);
 	FILE *in = fopen(path, "r");
 	if (in == NULL)
 		return error_set(error, ERROR_SYSTEM,

@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/command.h"
+#include "cmd/files.h"
 #include "cmd/parse.h"
 #include "cmd/script.h"
 #include "cmd/turn.h"
@@ -59,6 +60,7 @@ session_free(struct session *s)
 		site_free(s->site[i]);
 	free(s->site);
 	free(s->first);
+	files_free(s->files);
 	prediction_free(&s->last);
 	undo_free(s->undo);
 	journal_free(s->journal);
@@ -110,6 +112,7 @@ session_report(struct session *s, struct report *report)
 {
 	report_print(report, s->set.format, s->set.semicolon, s->out);
 	fflush(s->out);
+	s->rows += report_rows(report);
 	report_free(report);
 	return true;
 }

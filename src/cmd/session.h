@@ -85,7 +85,7 @@ struct job {
 	struct report *summary; /* of all */
 	double *run_weight;     /* [n_run] of the site, or NULL */
 	char *checkpoint;       /* file to write when stopped, or NULL */
-	FILE *log;              /* every generation as CSV, or NULL */
+	struct log *log;        /* every generation as CSV, or NULL */
 };
 
 /* The terminal that results go to.  columns: 0 where they go elsewhere;
@@ -107,6 +107,7 @@ struct choices {
 };
 
 struct canvas;
+struct files;
 struct journal;
 struct screen_request;
 struct script;
@@ -127,6 +128,7 @@ struct session {
 			       there is none */
 	struct screen screen;
 	const char *file; /* results go there; NULL: no file */
+	size_t rows;      /* reported since results go where they go */
 	double answer[ANSWERS];
 	struct prediction last; /* of predict and find; product.n 0: none */
 	struct job job;
@@ -136,6 +138,9 @@ struct session {
 	/* Draws the full screen, see pictures.h; NULL: there is none. */
 	struct canvas *(*draw_screen)(
 	    struct session *, const struct screen_request *, struct error *);
+	/* Asks somebody who sits there; NULL: nobody does, nothing is asked. */
+	bool (*confirm)(struct session *s, const char *question);
+	struct files *files; /* read and written, see files.h; or NULL */
 	size_t n_site;
 	struct site **site;    /* every site there was; entries borrow them */
 	struct choices *first; /* what the command line set; reset goes there */

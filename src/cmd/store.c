@@ -11,6 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/data.h"
+#include "cmd/files.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
 #include "cmd/table.h"
@@ -289,12 +290,14 @@ cmd_export(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
 	struct stored_list list = {0};
-	bool ok = data_may_write(args, path, error) &&
+	bool ok = data_may_write(s, args, path, error) &&
 		  store_list(s->store, &list, error) &&
 		  store_csv_save(&list, path, error);
-	if (ok)
-		session_note(s, "wrote %zu material%s of your own to %s",
-		    list.n, list.n == 1 ? "" : "s", path);
+	if (ok) {
+		files_wrote(s, path);
+		session_note(s, "wrote %s: %zu material%s of your own", path,
+		    list.n, list.n == 1 ? "" : "s");
+	}
 	stored_list_free(&list);
 	return ok;
 }
@@ -307,6 +310,7 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 	struct error_list errors = {0};
 	struct stored_list there = {0}, list = {0};
 	bool ok = store_list(s->store, &there, error);
+	files_reads(s, path);
 	if (ok &&
 	    !store_csv_read(path, replace ? NULL : &there, &list, &errors))
 		ok = session_tell_faults(s, path, &errors, error);

@@ -10,7 +10,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/replace.h"
+#include "io/file.h"
 
 static const char TITLE[] = "tipspeed checkpoint 3";
 
@@ -36,33 +36,23 @@ put_wholes(void *data, const char *name, size_t *value, size_t n)
 	return true;
 }
 
-struct text {
-	char *bytes;
-	size_t n;
-};
-
-static void
-write_text(const void *data, FILE *out)
-{
-	const struct text *text = data;
-	uint64_t digest = text_digest(TEXT_DIGEST_START, text->bytes, text->n);
-	fwrite(text->bytes, 1, text->n, out);
-	fprintf(out, "end %016" PRIx64 "\n", digest);
-}
-
 bool
 checkpoint_save(const char *path, const struct checkpoint_of *of,
     struct calibration *c, struct error *error)
 {
-	struct text text = {NULL, 0};
-	FILE *out = text_memory(&text.bytes, &text.n);
+	char *text = NULL;
+	size_t n = 0;
+	FILE *out = text_memory(&text, &n);
 	fprintf(out, "%s\nsite %016" PRIx64 "\noptions %s\n", TITLE,
 	    of->site_digest, of->options);
 	struct visit visit = {out, put_reals, put_wholes};
 	calibration_visit(c, &visit);
+	fflush(out);
+	fprintf(out, "end %016" PRIx64 "\n",
+	    text_digest(TEXT_DIGEST_START, text, n));
 	fclose(out);
-	bool ok = replace_file(path, write_text, &text, error);
-	free(text.bytes);
+	bool ok = file_replace(path, FILE_SHARED, text, n, error);
+	free(text);
 	return ok;
 }
 

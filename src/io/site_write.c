@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/replace.h"
+#include "io/file.h"
 #include "io/sheet.h"
 
 /* A curve to write and the first of its sieves not yet written. */
@@ -136,7 +136,7 @@ write_row(struct curve *curve, size_t n, double mm, FILE *out)
 	fputc('\n', out);
 }
 
-void
+size_t
 site_write(const struct site *site, FILE *out)
 {
 	char number[32];
@@ -151,19 +151,23 @@ site_write(const struct site *site, FILE *out)
 		    c->speed > 0 ? text_exact(c->speed, number) : "");
 	}
 	fputc('\n', out);
-	for (double mm; (mm = next_mm(curve, n)) > 0;)
+	size_t rows = 0;
+	for (double mm; (mm = next_mm(curve, n)) > 0; rows++)
 		write_row(curve, n, mm, out);
 	free(curve);
-}
-
-static void
-write_site(const void *data, FILE *out)
-{
-	site_write(data, out);
+	return rows;
 }
 
 bool
-site_save(const struct site *site, const char *path, struct error *error)
+site_save(const struct site *site, const char *path, size_t *rows,
+    struct error *error)
 {
-	return replace_file(path, write_site, site, error);
+	char *text = NULL;
+	size_t n = 0;
+	FILE *memory = text_memory(&text, &n);
+	*rows = site_write(site, memory);
+	fclose(memory);
+	bool ok = file_replace(path, FILE_SHARED, text, n, error);
+	free(text);
+	return ok;
 }

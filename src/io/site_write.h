@@ -13,10 +13,12 @@
  * to 9 decimals, passing and standard deviations in % to 12, a product that
  * passes 1 % or less everywhere as fractions.  A site that came
  * from site_read reads back with the same digest.  Sieves nearer than 1e-9 mm
- * are one row.  Whether all was written is for the caller to ask of out. */
-void site_write(const struct site *site, FILE *out);
+ * are one row.  Returns how many rows of sieves there are.  Whether all was
+ * written is for the caller to ask of out. */
+size_t site_write(const struct site *site, FILE *out);
 
-/* The same to a file, whole or not at all, see replace.h. */
-bool site_save(const struct site *site, const char *path, struct error *error);
+/* The same to a file, whole or not at all, see file.h. */
+bool site_save(const struct site *site, const char *path, size_t *rows,
+    struct error *error);
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/replace.h"
+#include "io/file.h"
 #include "io/sheet.h"
 #include "io/textfile.h"
 
@@ -37,7 +37,7 @@ bool
 store_csv_save(
     const struct stored_list *list, const char *path, struct error *error)
 {
-	return replace_file(path, write_list, list, error);
+	return file_replace_by(path, FILE_SHARED, write_list, list, error);
 }
 
 /* The column of each field, counted from 0; SIZE_MAX: there is none. */

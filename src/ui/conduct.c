@@ -313,9 +313,6 @@ run_typed(struct tui *t, const char *line)
 	}
 	if (ok && memcmp(&before, &s->set.bounds, sizeof before) != 0)
 		tui_say(t, false, "f calibrates within these bounds");
-	const char *to = strrchr(line, '>');
-	if (ok && to != NULL && !aside)
-		tui_say(t, false, "wrote %s", to + 1 + strspn(to + 1, " \t"));
 	bool moved_only =
 	    strncmp(line, "predict", 7) == 0 && strchr(line, '>') == NULL;
 	fflush(t->said);

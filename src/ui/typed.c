@@ -2,23 +2,38 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/typed.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <readline/history.h>
 
 #include "base/xalloc.h"
+#include "io/file.h"
 #include "io/home.h"
 
 /* Lines held in memory; the file may have more. */
 enum { MOST = 5000 };
 
-static int file = -1;
+static char *path; /* NULL: it is not kept */
 static bool opened;
+
+static void
+give_up(const char *why)
+{
+	fprintf(stderr, "the history is not kept: %s\n", why);
+	free(path);
+	path = NULL;
+}
+
+static void
+append(const char *bytes)
+{
+	struct error error = {0};
+	if (path != NULL &&
+	    !file_append(path, FILE_PRIVATE, bytes, strlen(bytes), &error))
+		give_up(error.text);
+}
 
 void
 typed_open(void)
@@ -26,21 +41,14 @@ typed_open(void)
 	opened = true;
 	using_history();
 	stifle_history(MOST);
-	char *path = home_path("XDG_STATE_HOME", ".local/state", "history");
+	path = home_path("XDG_STATE_HOME", ".local/state", "history");
 	if (path == NULL) {
-		fputs("the history is not kept: HOME is not set\n", stderr);
+		give_up("HOME is not set");
 		return;
 	}
-	char *closed = home_make_folders(path);
-	if (closed == NULL)
-		file =
-		    open(path, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0600);
-	if (file < 0)
-		fprintf(stderr, "the history is not kept: %s: %s\n", path,
-		    strerror(errno));
+	free(home_make_folders(path));
 	read_history(path);
-	free(closed);
-	free(path);
+	append("");
 }
 
 void
@@ -53,25 +61,16 @@ typed_add(const char *line)
 	    (last != NULL && strcmp(last->line, line) == 0))
 		return;
 	add_history(line);
-	if (file < 0)
-		return;
 	char *whole = xasprintf("%s\n", line);
-	size_t n = strlen(whole);
-	if (write(file, whole, n) != (ssize_t)n) {
-		fprintf(stderr, "the history is no longer kept: %s\n",
-		    strerror(errno));
-		close(file);
-		file = -1;
-	}
+	append(whole);
 	free(whole);
 }
 
 void
 typed_close(void)
 {
-	if (file >= 0)
-		close(file);
-	file = -1;
+	free(path);
+	path = NULL;
 	opened = false;
 }
 

@@ -1,0 +1,122 @@
+/* A list of paths as they were given.  They are looked up when they are
+ * compared, so that links are known for what they are, and so is a file that
+ * somebody else has put in place of another.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/files.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "base/xalloc.h"
+#include "io/file.h"
+
+struct files {
+	size_t n;
+	struct known {
+		char *path;
+		bool written; /* else read */
+	} * known;
+};
+
+static void
+note(struct session *s, const char *path, bool written)
+{
+	struct files *f = s->files;
+	if (f == NULL)
+		f = s->files = xcalloc(1, sizeof *f);
+	for (size_t i = 0; i < f->n; i++)
+		if (f->known[i].written == written &&
+		    strcmp(f->known[i].path, path) == 0)
+			return;
+	f->known = xrealloc(f->known, f->n + 1, sizeof *f->known);
+	f->known[f->n++] = (struct known){xstrdup(path), written};
+}
+
+void
+files_reads(struct session *s, const char *path)
+{
+	note(s, path, false);
+}
+
+void
+files_wrote(struct session *s, const char *path)
+{
+	note(s, path, true);
+}
+
+void
+files_free(struct files *files)
+{
+	if (files == NULL)
+		return;
+	for (size_t i = 0; i < files->n; i++)
+		free(files->known[i].path);
+	free(files->known);
+	free(files);
+}
+
+/* Whether there is a file at path and a known one is the same. */
+static bool
+is_known(const struct session *s, const struct stat *file, bool written)
+{
+	struct stat other;
+	const struct files *f = s->files;
+	for (size_t i = 0; f != NULL && i < f->n; i++)
+		if (f->known[i].written == written &&
+		    stat(f->known[i].path, &other) == 0 &&
+		    other.st_dev == file->st_dev &&
+		    other.st_ino == file->st_ino)
+			return true;
+	return false;
+}
+
+static bool
+is_store(const struct session *s, const struct stat *file)
+{
+	static const char *const PARTS[] = {"", "-wal", "-shm"};
+	bool same = false;
+	for (size_t i = 0; i < ARRAY_LEN(PARTS); i++) {
+		struct stat part;
+		char *path = xasprintf("%s%s", store_path(s->store), PARTS[i]);
+		same = same ||
+		       (stat(path, &part) == 0 && part.st_dev == file->st_dev &&
+			   part.st_ino == file->st_ino);
+		free(path);
+	}
+	return same;
+}
+
+bool
+files_may_write(const struct session *s, const char *path, struct error *error)
+{
+	struct stat file;
+	if (stat(path, &file) != 0 || !S_ISREG(file.st_mode))
+		return file_may_write(path, error);
+	if (is_store(s, &file))
+		return error_set(error, ERROR_SYSTEM,
+		    "%s is the store: it is not replaced by a result\n"
+		    "name another file",
+		    path);
+	if (is_known(s, &file, false))
+		return error_set(error, ERROR_SYSTEM,
+		    "%s was read by this session: it is not replaced\n"
+		    "name another file",
+		    path);
+	return file_may_write(path, error);
+}
+
+bool
+files_may_replace(struct session *s, const char *path, struct error *error)
+{
+	struct stat file;
+	if (s->confirm == NULL || s->script != NULL || stat(path, &file) != 0 ||
+	    !S_ISREG(file.st_mode) || file.st_size == 0 ||
+	    is_known(s, &file, true))
+		return true;
+	char *question = xasprintf("%s exists: replace it?", path);
+	bool yes = s->confirm(s, question);
+	free(question);
+	return yes || error_set(error, ERROR_USAGE,
+			  "%s was kept as it was\nname another file", path);
+}

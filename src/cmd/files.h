@@ -1,0 +1,28 @@
+/* What the session has read and written: no result replaces a sheet that it was
+ * made from.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_FILES_H
+#define TIPSPEED_CMD_FILES_H
+
+#include <stdbool.h>
+
+#include "cmd/session.h"
+
+/* Notes a file that a command is about to read, or has written. */
+void files_reads(struct session *s, const char *path);
+void files_wrote(struct session *s, const char *path);
+
+/* True where path can be written and is nothing that the session has read
+ * (sheet, script, envelope, store), by whatever name; else an error of kind
+ * ERROR_SYSTEM. */
+bool files_may_write(
+    const struct session *s, const char *path, struct error *error);
+
+/* True unless path holds something that the session did not write, and somebody
+ * who is asked wants to keep it.  Scripts are not asked for. */
+bool files_may_replace(
+    struct session *s, const char *path, struct error *error);
+
+void files_free(struct files *files);
+
+#endif

@@ -1,0 +1,323 @@
+/* Temporary file, fsync, rename, fsync of the folder.
+ *
+ * A temporary file is locked (flock) for as long as its writer lives, so that
+ * whoever finds one without a lock knows that its writer was killed, and
+ * removes it.  Its name is random: process numbers come again, in containers
+ * always.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/file.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <inttypes.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+static const char PREFIX[] = ".tipspeed-", SUFFIX[] = ".tmp";
+
+static bool
+cannot_write(const char *path, int reason, struct error *error)
+{
+	return error_set(error, ERROR_SYSTEM,
+	    "cannot write %s: %s\n"
+	    "check the folder, its permissions and the free space",
+	    path, strerror(reason));
+}
+
+/* The folder of a path with its slash, "" for a name alone. */
+static char *
+folder_of(const char *path)
+{
+	const char *slash = strrchr(path, '/');
+	return xstrndup(path, slash != NULL ? (size_t)(slash - path) + 1 : 0);
+}
+
+/* Where a symbolic link leads, from the folder that it stands in; NULL where
+ * path is none. */
+static char *
+link_target(const char *path)
+{
+	char to[4096];
+	ssize_t n = readlink(path, to, sizeof to - 1);
+	if (n < 0)
+		return NULL;
+	to[n] = '\0';
+	if (to[0] == '/')
+		return xstrdup(to);
+	char *folder = folder_of(path);
+	char *target = xasprintf("%s%s", folder, to);
+	free(folder);
+	return target;
+}
+
+/* The file behind links, which need not be there yet. */
+static char *
+behind_links(const char *path)
+{
+	enum { MOST = 40 }; /* as the system follows */
+	char *at = xstrdup(path), *next;
+	for (int i = 0; i < MOST && (next = link_target(at)) != NULL; i++) {
+		free(at);
+		at = next;
+	}
+	return at;
+}
+
+static bool
+write_all(int fd, const char *bytes, size_t n)
+{
+	while (n > 0) {
+		ssize_t written = write(fd, bytes, n);
+		if (written < 0 && errno == EINTR)
+			continue;
+		if (written < 0)
+			return false;
+		bytes += written;
+		n -= (size_t)written;
+	}
+	return true;
+}
+
+static bool
+sync_file(int fd)
+{
+	int failed;
+	do
+		failed = fsync(fd);
+	while (failed && errno == EINTR);
+	return !failed;
+}
+
+/* A name is on the disk when its folder is.  Some file systems have nothing to
+ * sync there, and say EINVAL. */
+static bool
+sync_folder(const char *folder)
+{
+	int fd = open(
+	    folder[0] != '\0' ? folder : ".", O_RDONLY | O_CLOEXEC | O_NOCTTY);
+	if (fd < 0)
+		return errno == EACCES;
+	bool good = sync_file(fd) || errno == EINVAL;
+	int reason = errno;
+	close(fd);
+	errno = reason;
+	return good;
+}
+
+static bool
+is_left_over(const char *name)
+{
+	return strncmp(name, PREFIX, sizeof PREFIX - 1) == 0 &&
+	       text_ends(name, SUFFIX);
+}
+
+/* Removes what writers that were killed have left in the folder. */
+static void
+sweep(const char *folder)
+{
+	DIR *dir = opendir(folder[0] != '\0' ? folder : ".");
+	for (struct dirent *d; dir != NULL && (d = readdir(dir)) != NULL;) {
+		if (!is_left_over(d->d_name))
+			continue;
+		int fd = openat(dirfd(dir), d->d_name,
+		    O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+		struct stat about;
+		if (fd >= 0 && fstat(fd, &about) == 0 &&
+		    S_ISREG(about.st_mode) && flock(fd, LOCK_EX | LOCK_NB) == 0)
+			unlinkat(dirfd(dir), d->d_name, 0);
+		if (fd >= 0)
+			close(fd);
+	}
+	if (dir != NULL)
+		closedir(dir);
+}
+
+/* A new file with a name of its own, locked; -1 with errno.  Between being made
+ * and being locked another program's sweep may take it: then once more. */
+static int
+open_new(const char *folder, mode_t rights, char **name)
+{
+	for (;;) {
+		uint64_t random;
+		if (getrandom(&random, sizeof random, 0) !=
+		    (ssize_t)sizeof random)
+			return -1;
+		*name = xasprintf(
+		    "%s%s%016" PRIx64 "%s", folder, PREFIX, random, SUFFIX);
+		int fd = open(*name,
+		    O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+		    rights);
+		struct stat about;
+		if (fd >= 0)
+			flock(fd, LOCK_EX);
+		if (fd >= 0 && fstat(fd, &about) == 0 && about.st_nlink > 0)
+			return fd;
+		int reason = errno;
+		if (fd >= 0)
+			close(fd);
+		free(*name);
+		*name = NULL;
+		if (fd < 0 && reason != EEXIST && reason != EINTR) {
+			errno = reason;
+			return -1;
+		}
+	}
+}
+
+/* Owner and permissions of the file that is to be replaced; the umask has taken
+ * some.  Whose it is only root can say. */
+static bool
+take_rights(int fd, const struct stat *old)
+{
+	struct stat about;
+	if (fstat(fd, &about) != 0)
+		return false;
+	bool same = about.st_uid == old->st_uid && about.st_gid == old->st_gid;
+	if (!same && fchown(fd, old->st_uid, old->st_gid) != 0)
+		errno = 0;
+	return fchmod(fd, old->st_mode & 0777) == 0;
+}
+
+/* old: of the file that is there, or NULL.  False with errno. */
+static bool
+put_file(const char *path, const struct stat *old, enum file_rights rights,
+    const char *bytes, size_t n)
+{
+	char *folder = folder_of(path), *name = NULL;
+	mode_t mode = old != NULL ? old->st_mode & 0777 : rights;
+	sweep(folder);
+	int fd = open_new(folder, mode, &name);
+	/* Renamed before it is closed: that gives the lock up. */
+	bool good = fd >= 0 && (old == NULL || take_rights(fd, old)) &&
+		    write_all(fd, bytes, n) && sync_file(fd);
+	bool renamed = good && rename(name, path) == 0;
+	int reason = errno;
+	if (fd >= 0 && !renamed)
+		unlink(name);
+	if (fd >= 0 && close(fd) != 0 && renamed && errno != EINTR) {
+		good = false;
+		reason = errno;
+	} else if (renamed) {
+		good = sync_folder(folder);
+		reason = errno;
+	}
+	free(folder);
+	free(name);
+	errno = reason;
+	return good && renamed;
+}
+
+/* False, with errno, for what can be no file. */
+static bool
+look(const char *path, struct stat *about, bool *there)
+{
+	*there = stat(path, about) == 0;
+	if (*there && S_ISDIR(about->st_mode))
+		errno = EISDIR;
+	return *there ? !S_ISDIR(about->st_mode) : errno == ENOENT;
+}
+
+bool
+file_replace(const char *path, enum file_rights rights, const char *bytes,
+    size_t n, struct error *error)
+{
+	struct stat about;
+	bool there;
+	if (!look(path, &about, &there))
+		return cannot_write(path, errno, error);
+	if (there && !S_ISREG(about.st_mode))
+		return file_append(path, rights, bytes, n, error);
+	/* A rename asks the folder only. */
+	if (there && access(path, W_OK) != 0)
+		return cannot_write(path, errno, error);
+	char *target = behind_links(path);
+	sigset_t all, before;
+	sigfillset(&all);
+	sigprocmask(SIG_BLOCK, &all, &before);
+	bool good = put_file(target, there ? &about : NULL, rights, bytes, n);
+	int reason = errno;
+	sigprocmask(SIG_SETMASK, &before, NULL);
+	free(target);
+	return good || cannot_write(path, reason, error);
+}
+
+bool
+file_replace_by(const char *path, enum file_rights rights,
+    void (*write)(const void *data, FILE *out), const void *data,
+    struct error *error)
+{
+	char *text = NULL;
+	size_t n = 0;
+	FILE *memory = text_memory(&text, &n);
+	write(data, memory);
+	bool good = fclose(memory) == 0
+			? file_replace(path, rights, text, n, error)
+			: cannot_write(path, ENOMEM, error);
+	free(text);
+	return good;
+}
+
+/* To the end of the open file; what a full disk took is cut off again, unless
+ * somebody else has added to it. */
+static bool
+add_bytes(int fd, const char *bytes, size_t n)
+{
+	struct stat before, after;
+	if (fstat(fd, &before) != 0)
+		return false;
+	bool file = S_ISREG(before.st_mode);
+	if (write_all(fd, bytes, n) && (!file || sync_file(fd)))
+		return true;
+	int reason = errno;
+	if (file && fstat(fd, &after) == 0 && after.st_size > before.st_size &&
+	    after.st_size <= before.st_size + (off_t)n &&
+	    ftruncate(fd, before.st_size) != 0)
+		reason = errno;
+	errno = reason;
+	return false;
+}
+
+bool
+file_append(const char *path, enum file_rights rights, const char *bytes,
+    size_t n, struct error *error)
+{
+	int fd;
+	do
+		fd = open(path,
+		    O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOCTTY,
+		    rights);
+	while (fd < 0 && errno == EINTR);
+	bool good = fd >= 0 && add_bytes(fd, bytes, n);
+	int reason = errno;
+	if (fd >= 0 && close(fd) != 0 && errno != EINTR && good) {
+		good = false;
+		reason = errno;
+	}
+	return good || cannot_write(path, reason, error);
+}
+
+bool
+file_may_write(const char *path, struct error *error)
+{
+	struct stat about;
+	bool there;
+	if (!look(path, &about, &there))
+		return cannot_write(path, errno, error);
+	char *target = behind_links(path), *folder = folder_of(target);
+	bool ok =
+	    there ? access(path, W_OK) == 0
+		  : access(folder[0] != '\0' ? folder : ".", W_OK | X_OK) == 0;
+	int reason = errno;
+	free(folder);
+	free(target);
+	return ok || cannot_write(path, reason, error);
+}
