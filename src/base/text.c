@@ -114,6 +114,22 @@ text_fold(const char *s)
 	return folded;
 }
 
+/* Unicode's controls and format characters and the two that are none.  Joiners
+ * (U+200C, U+200D) are letters' business in Persian and Hindi. */
+static bool
+is_hidden(uint32_t code)
+{
+	static const uint32_t RANGES[][2] = {{0, 0x1F}, {0x7F, 0x9F},
+	    {0xAD, 0xAD}, {0x61C, 0x61C}, {0x180E, 0x180E}, {0x200B, 0x200B},
+	    {0x200E, 0x200F}, {0x2028, 0x202E}, {0x2060, 0x206F},
+	    {0xFEFF, 0xFEFF}, {0xFFF9, 0xFFFB}, {0xFFFE, 0xFFFF},
+	    {0xE0000, 0xE0FFF}};
+	size_t i = 0;
+	while (i < ARRAY_LEN(RANGES) && code > RANGES[i][1])
+		i++;
+	return i < ARRAY_LEN(RANGES) && code >= RANGES[i][0];
+}
+
 /* Bytes of the letter, digit or point at p; 0 where there is something else.
  * Beyond ASCII all are letters but the signs of Latin 1 (U+0080..BF, the signs
  * of times and division), U+2000..2FFF and the punctuation of U+3000..303F. */
@@ -126,10 +142,9 @@ letter_bytes(const char *p)
 	if (c < 0xC3 || c == 0xE2 || (c == 0xC3 && (d == 0x97 || d == 0xB7)) ||
 	    (c == 0xE3 && d == 0x80))
 		return 0;
-	size_t n = 1;
-	while (((unsigned char)p[n] & 0xC0) == 0x80)
-		n++;
-	return n;
+	const char *end = p;
+	uint32_t code = text_next(&end);
+	return is_hidden(code) || code == 0xFFFD ? 0 : (size_t)(end - p);
 }
 
 char *
@@ -297,19 +312,68 @@ text_columns(uint32_t code)
 }
 
 int
+text_show(const char **text, char shown[static TEXT_SHOWN])
+{
+	const char *from = *text;
+	uint32_t code = text_next(text);
+	int n = (int)(*text - from);
+	if (n == 1 && (code >= 0x80 || is_hidden(code)))
+		return snprintf(shown, TEXT_SHOWN, "\\x%02x",
+		    (unsigned)(unsigned char)*from);
+	if (is_hidden(code))
+		return snprintf(shown, TEXT_SHOWN,
+		    code > 0xFFFF ? "\\U%08x" : "\\u%04x", (unsigned)code);
+	snprintf(shown, TEXT_SHOWN, "%.*s", n, from);
+	return text_columns(code);
+}
+
+char *
+text_shown(const char *s)
+{
+	/* No byte takes more than the four of \x1b. */
+	char *whole = xcalloc(4 * strlen(s) + 1, 1), *end = whole;
+	char shown[TEXT_SHOWN];
+	while (*s != '\0') {
+		text_show(&s, shown);
+		end = stpcpy(end, shown);
+	}
+	return whole;
+}
+
+void
+text_put(const char *s, FILE *out)
+{
+	char shown[TEXT_SHOWN];
+	while (*s != '\0') {
+		text_show(&s, shown);
+		fputs(shown, out);
+	}
+}
+
+int
 text_width(const char *s)
 {
 	int width = 0;
+	char shown[TEXT_SHOWN];
 	while (*s != '\0')
-		width += text_columns(text_next(&s));
+		width += text_show(&s, shown);
 	return width;
+}
+
+bool
+text_is_plain(const char *s)
+{
+	char *shown = text_shown(s);
+	bool plain = strcmp(shown, s) == 0;
+	free(shown);
+	return plain;
 }
 
 void
 text_hang(const char *text, int first, int margin, int width, FILE *out)
 {
 	int column = 0;
-	char *copy = xstrdup(text), *save = NULL;
+	char *copy = text_shown(text), *save = NULL;
 	for (char *word = strtok_r(copy, " ", &save); word != NULL;
 	     word = strtok_r(NULL, " ", &save)) {
 		int wide = text_width(word);
