@@ -1,6 +1,5 @@
-/* Numbers and words, the same in every locale; widths as the terminal has them.
+/* Numbers and words, the same in every locale.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#define _XOPEN_SOURCE 700 /* wcwidth */
 #include "base/text.h"
 
 #include <errno.h>
@@ -8,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <wchar.h>
 
 #include "base/xalloc.h"
 
@@ -116,8 +114,8 @@ text_fold(const char *s)
 
 /* Unicode's controls and format characters and the two that are none.  Joiners
  * (U+200C, U+200D) are letters' business in Persian and Hindi. */
-static bool
-is_hidden(uint32_t code)
+bool
+text_is_hidden(uint32_t code)
 {
 	static const uint32_t RANGES[][2] = {{0, 0x1F}, {0x7F, 0x9F},
 	    {0xAD, 0xAD}, {0x61C, 0x61C}, {0x180E, 0x180E}, {0x200B, 0x200B},
@@ -144,7 +142,7 @@ letter_bytes(const char *p)
 		return 0;
 	const char *end = p;
 	uint32_t code = text_next(&end);
-	return is_hidden(code) || code == 0xFFFD ? 0 : (size_t)(end - p);
+	return text_is_hidden(code) || code == 0xFFFD ? 0 : (size_t)(end - p);
 }
 
 char *
@@ -163,6 +161,16 @@ text_slug(const char *s)
 		n--;
 	slug[n] = '\0';
 	return slug;
+}
+
+bool
+text_is_formula(const char *s)
+{
+	double value;
+	const char *sign = s + strspn(s, "'");
+	bool harmless = sign == s && (s[1] == '\0' || text_number(s, &value));
+	return *sign != '\0' && strchr("=+-@\t\r\n", *sign) != NULL &&
+	       !harmless;
 }
 
 char *
@@ -302,113 +310,6 @@ text_shared(const char *a, const char *b)
 	while (n > 0 && (a[n] & 0xC0) == 0x80)
 		n--;
 	return n;
-}
-
-int
-text_columns(uint32_t code)
-{
-	int columns = code < 0x80 ? 1 : wcwidth((wchar_t)code);
-	return columns < 0 ? 1 : columns;
-}
-
-int
-text_show(const char **text, char shown[static TEXT_SHOWN])
-{
-	const char *from = *text;
-	uint32_t code = text_next(text);
-	int n = (int)(*text - from);
-	if (n == 1 && (code >= 0x80 || is_hidden(code)))
-		return snprintf(shown, TEXT_SHOWN, "\\x%02x",
-		    (unsigned)(unsigned char)*from);
-	if (is_hidden(code))
-		return snprintf(shown, TEXT_SHOWN,
-		    code > 0xFFFF ? "\\U%08x" : "\\u%04x", (unsigned)code);
-	snprintf(shown, TEXT_SHOWN, "%.*s", n, from);
-	return text_columns(code);
-}
-
-char *
-text_shown(const char *s)
-{
-	/* No byte takes more than the four of \x1b. */
-	char *whole = xcalloc(4 * strlen(s) + 1, 1), *end = whole;
-	char shown[TEXT_SHOWN];
-	while (*s != '\0') {
-		text_show(&s, shown);
-		end = stpcpy(end, shown);
-	}
-	return whole;
-}
-
-void
-text_put(const char *s, FILE *out)
-{
-	char shown[TEXT_SHOWN];
-	while (*s != '\0') {
-		text_show(&s, shown);
-		fputs(shown, out);
-	}
-}
-
-int
-text_width(const char *s)
-{
-	int width = 0;
-	char shown[TEXT_SHOWN];
-	while (*s != '\0')
-		width += text_show(&s, shown);
-	return width;
-}
-
-bool
-text_is_plain(const char *s)
-{
-	char *shown = text_shown(s);
-	bool plain = strcmp(shown, s) == 0;
-	free(shown);
-	return plain;
-}
-
-void
-text_hang(const char *text, int first, int margin, int width, FILE *out)
-{
-	int column = 0;
-	char *copy = text_shown(text), *save = NULL;
-	for (char *word = strtok_r(copy, " ", &save); word != NULL;
-	     word = strtok_r(NULL, " ", &save)) {
-		int wide = text_width(word);
-		if (column > 0 && column + 1 + wide > width) {
-			fputc('\n', out);
-			column = 0;
-			first = margin;
-		}
-		if (column == 0)
-			column = fprintf(out, "%*s", first, "");
-		else
-			column += fprintf(out, " ");
-		fputs(word, out);
-		column += wide;
-	}
-	fputc('\n', out);
-	free(copy);
-}
-
-void
-text_wrap(const char *text, int margin, int width, FILE *out)
-{
-	margin += (int)strspn(text, " ");
-	text_hang(text, margin, margin, width, out);
-}
-
-char *
-text_wrapped(const char *text, int width)
-{
-	char *lines = NULL;
-	size_t n = 0;
-	FILE *out = text_memory(&lines, &n);
-	text_wrap(text, 0, width, out);
-	fclose(out);
-	return lines;
 }
 
 FILE *

@@ -34,6 +34,12 @@ char *text_slug(const char *s);
  * caller frees. */
 char *text_unquoted(const char *s, size_t n);
 
+/* Whether a spreadsheet may take a cell for a formula: one that begins with one
+ * of = + - @ and is no number and no sign alone.  A sheet has such text behind
+ * an apostrophe, which its reader takes off; so text that begins with
+ * apostrophes and then one of those gets one more. */
+bool text_is_formula(const char *s);
+
 /* True when there is something before that end. */
 bool text_ends(const char *s, const char *end);
 
@@ -73,8 +79,10 @@ char *text_shown(const char *s);
 void text_put(const char *s, FILE *out);
 int text_width(const char *s);
 
-/* True where text_shown changes nothing. */
+/* True where text_shown changes nothing; and for a character that it never
+ * leaves. */
 bool text_is_plain(const char *s);
+bool text_is_hidden(uint32_t code);
 
 /* Prints text as shown in lines of at most width columns, broken at blanks,
  * each behind margin blanks; blanks at its start widen the margin. */

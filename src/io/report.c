@@ -256,14 +256,12 @@ print_csv_number(double value, char separator, FILE *out)
 static void
 print_csv_text(const char *text, char separator, FILE *out)
 {
-	if (strpbrk(text, (char[]){separator, '"', '\n', '\0'}) == NULL) {
-		fputs(text, out);
-		return;
-	}
-	fputc('"', out);
+	char marks[] = {separator, '"', '\n', '\0'};
+	const char *quote = strpbrk(text, marks) != NULL ? "\"" : "";
+	fprintf(out, "%s%s", quote, text_is_formula(text) ? "'" : "");
 	for (const char *s = text; *s != '\0'; s++)
 		fprintf(out, *s == '"' ? "\"\"" : "%c", *s);
-	fputc('"', out);
+	fputs(quote, out);
 }
 
 /* The columns that stand before those of the result. */

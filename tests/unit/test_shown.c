@@ -84,6 +84,21 @@ keys_hold_nothing_a_terminal_acts_on(void **state)
 	free(slug);
 }
 
+/* What is written behind an apostrophe is read without it. */
+static void
+formulas_are_told_from_numbers_and_words(void **state)
+{
+	(void)state;
+	static const char *const FORMULAS[] = {"=1", "+A1", "-x", "@SUM(1)",
+	    "\t=1", "\r=1", "--", "'=1", "''@", "'-5", "-5 mm", "-1,06"};
+	static const char *const OTHERS[] = {"", "-", "-1.06", "+5", "-1e-3",
+	    "a=b", "'", "'tis", "Össjö", " ", "#1", "5"};
+	for (size_t i = 0; i < ARRAY_LEN(FORMULAS); i++)
+		assert_true(text_is_formula(FORMULAS[i]));
+	for (size_t i = 0; i < ARRAY_LEN(OTHERS); i++)
+		assert_false(text_is_formula(OTHERS[i]));
+}
+
 int
 main(void)
 {
@@ -91,6 +106,7 @@ main(void)
 	    cmocka_unit_test(what_a_terminal_acts_on_is_shown),
 	    cmocka_unit_test(any_bytes_are_shown_as_text),
 	    cmocka_unit_test(keys_hold_nothing_a_terminal_acts_on),
+	    cmocka_unit_test(formulas_are_told_from_numbers_and_words),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
