@@ -134,6 +134,8 @@ put_file(struct work *w, const char *path)
 static void
 offer_files(struct work *w)
 {
+	if (w->session->safe)
+		return;
 	const char *slash = strrchr(w->typed, '/');
 	size_t head = slash != NULL ? (size_t)(slash - w->typed) + 1 : 0;
 	const char *tail = w->typed + head;

@@ -21,11 +21,13 @@ static int file = -1;
 static bool opened;
 
 void
-typed_open(void)
+typed_open(bool with_file)
 {
 	opened = true;
 	using_history();
 	stifle_history(MOST);
+	if (!with_file)
+		return;
 	char *path = home_path("XDG_STATE_HOME", ".local/state", "history");
 	if (path == NULL) {
 		fputs("the history is not kept: HOME is not set\n", stderr);
