@@ -28,7 +28,8 @@ text_show(const char **text, char shown[static TEXT_SHOWN])
 	if (text_is_hidden(code))
 		return snprintf(shown, TEXT_SHOWN,
 		    code > 0xFFFF ? "\\U%08x" : "\\u%04x", (unsigned)code);
-	snprintf(shown, TEXT_SHOWN, "%.*s", n, from);
+	memcpy(shown, from, (size_t)n);
+	shown[n] = '\0';
 	return text_columns(code);
 }
 
