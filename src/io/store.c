@@ -153,8 +153,8 @@ check_fields(const struct stored *m, struct error *error)
 			  ? xasprintf("%g", stored_number(m, f))
 			  : stored_written(m, f);
 	error_set(error, ERROR_DATA,
-	    "the material '%s' has a %s that cannot be: expected %s, got "
-	    "'%.60s'\ncorrect it where it comes from",
+	    "material '%s', field %s: expected %s, got '%.60s'\n"
+	    "correct it where it comes from",
 	    label, f->name, wanted, found);
 	free(label);
 	free(wanted);

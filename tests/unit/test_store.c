@@ -281,10 +281,10 @@ rows_are_checked_as_an_import_is(void **state)
 	    {"alpha", "-1", "expected a number from 0 to 100 for alpha"},
 	    {"k", "9e999", "expected a number from 0.001 to 1000 for k"},
 	    {"method", "'magic'", "expected one of: continuous classes, got"},
-	    {"method", "''", "a method that cannot be"},
+	    {"method", "''", "'b', field method: expected one of"},
 	    {"date", "'2026-02-30'", "expected a date such as 2026-11-21"},
 	    {"rock", "'a' || char(27) || '[31m'",
-		"a rock that cannot be: expected text without control"},
+		"field rock: expected text without control"},
 	    {"note", "'a' || char(10)", "expected text without control"},
 	    {"site", "CAST(x'FF' AS TEXT)", "expected text without control"},
 	    {"seed", "-7", "expected a whole number below 2^63"}};
@@ -322,7 +322,8 @@ a_name_that_is_none_can_be_forgotten_as_it_is_shown(void **state)
 			    (unsigned)(unsigned char)*p);
 		strcat(set, "' AS TEXT)");
 		forge(shelf, &m, set);
-		expect_forged(shelf, "a name that cannot be", NAMES[i][1]);
+		expect_forged(
+		    shelf, "field name: expected a name", NAMES[i][1]);
 		free(fold);
 		stored_free(&m);
 	}
