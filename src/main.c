@@ -41,7 +41,7 @@ struct invocation {
 };
 
 static bool
-take_format(const char *word, enum report_format *format)
+take_format(const char *word, enum report_format *format, struct error *error)
 {
 	for (size_t i = 0; i < ARRAY_LEN(REPORT_FORMATS); i++) {
 		if (strcmp(word, REPORT_FORMATS[i]) != 0)
@@ -49,24 +49,13 @@ take_format(const char *word, enum report_format *format)
 		*format = (enum report_format)i;
 		return true;
 	}
-	fprintf(stderr,
-	    "tipspeed: --format wants table, csv, json or markdown, not '%s'\n",
-	    word);
-	return false;
+	return error_set(error, ERROR_USAGE,
+	    "--format wants table, csv, json or markdown, not '%s'", word);
 }
 
 static bool
-take_color(const char *word, enum colour *colour)
-{
-	if (terminal_colour_word(word, colour))
-		return true;
-	fprintf(stderr,
-	    "tipspeed: --color wants auto, always or never, not '%s'\n", word);
-	return false;
-}
-
-static bool
-take_option(struct invocation *in, int option, const char *value)
+take_option(
+    struct invocation *in, int option, const char *value, struct error *error)
 {
 	switch (option) {
 	case 'c':
@@ -75,26 +64,26 @@ take_option(struct invocation *in, int option, const char *value)
 		    (struct action){(char)option, value};
 		return true;
 	case USAGE_FORMAT:
-		return take_format(value, &in->format);
+		return take_format(value, &in->format, error);
 	case USAGE_SEED:
-		if (text_whole(value, &in->seed) && in->seed <= INT64_MAX)
-			return true;
-		fprintf(stderr,
-		    "tipspeed: --seed wants a whole number below 2^63, not "
-		    "'%s'\n",
-		    value);
-		return false;
+		return (text_whole(value, &in->seed) &&
+			   in->seed <= INT64_MAX) ||
+		       error_set(error, ERROR_USAGE,
+			   "--seed wants a whole number below 2^63, not '%s'",
+			   value);
 	case USAGE_STORE:
 		in->store = value;
-		if (value[0] != '\0')
-			return true;
-		fputs("tipspeed: --store wants a file or :memory:\n", stderr);
-		return false;
+		return value[0] != '\0' ||
+		       error_set(error, ERROR_USAGE,
+			   "--store wants a file or :memory:");
 	case USAGE_SAFE:
 		in->safe = true;
 		return true;
 	case USAGE_COLOR:
-		return take_color(value, &in->color);
+		return terminal_colour_word(value, &in->color) ||
+		       error_set(error, ERROR_USAGE,
+			   "--color wants auto, always or never, not '%s'",
+			   value);
 	case USAGE_LINEAR:
 		in->linear = true;
 		return true;
@@ -104,22 +93,36 @@ take_option(struct invocation *in, int option, const char *value)
 	case 'h':
 		in->help = true;
 		return true;
-	case 'V':
+	default:
+		assert(option == 'V');
 		in->version = true;
 		return true;
-	default:
-		fputs("  hint: tipspeed --help lists the options\n", stderr);
-		return false;
 	}
 }
 
+/* Told here and not by getopt, which would write the word as it is.  word: the
+ * argument gone through last; a letter in the middle of one is told alone. */
 static bool
-read_command_line(struct invocation *in, int argc, char **argv)
+refuse_option(
+    int option, const char *letters, const char *word, struct error *error)
+{
+	char letter[3] = {'-', (char)optopt, '\0'};
+	bool alone = optopt > 0 && optopt < 256 && option == '?' &&
+		     strchr(letters, optopt) == NULL;
+	return error_set(error, ERROR_USAGE,
+	    option == ':' ? "expected a value after '%s', got none\n%s"
+			  : "unrecognized option '%s'\n%s",
+	    alone ? letter : word, "tipspeed --help lists the options");
+}
+
+static bool
+read_command_line(
+    struct invocation *in, int argc, char **argv, struct error *error)
 {
 	enum { MOST = 32 };
 	struct option options[MOST] = {{0}};
-	char letters[2 * MOST] = "";
-	size_t n = 0, m = 0;
+	char letters[2 * MOST] = ":";
+	size_t n = 0, m = 1;
 	for (const struct usage_option *o = USAGE_OPTIONS; o->code != 0; o++) {
 		bool takes = o->argument != NULL;
 		if (o->name != NULL)
@@ -133,8 +136,12 @@ read_command_line(struct invocation *in, int argc, char **argv)
 			letters[m++] = ':';
 	}
 	int option;
+	opterr = 0;
 	while ((option = getopt_long(argc, argv, letters, options, NULL)) != -1)
-		if (!take_option(in, option, optarg))
+		if (option == '?' || option == ':'
+			? !refuse_option(
+			      option, letters, argv[optind - 1], error)
+			: !take_option(in, option, optarg, error))
 			return false;
 	in->first_file = optind;
 	return true;
@@ -211,7 +218,10 @@ main(int argc, char **argv)
 	struct invocation in = {.seed = 1};
 	in.action = xcalloc((size_t)argc, sizeof *in.action);
 	int status = ERROR_USAGE;
-	bool understood = read_command_line(&in, argc, argv);
+	struct error error = {0};
+	bool understood = read_command_line(&in, argc, argv, &error);
+	if (!understood)
+		error_print(&error, stderr);
 	if (understood && in.reset_tty) {
 		rescue_reset();
 		status = 0;

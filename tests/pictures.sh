@@ -103,6 +103,26 @@ sed 's/Tierp/<\&Tierp/' data/sites/tierp.csv >odd.csv
 	grep -q '&lt;&amp;Tierp' odd.svg
 result $? "a name of marks does no harm to SVG"
 
+# A form feed, C1, U+FFFE, U+FFFF and a mark of direction.
+printf 'site,Q\302\233\302\237\357\277\276Z\nrock,x\014y\nprovenance,a\342\200\256b\357\277\277\n' \
+	>odd.csv
+sed -n '/^size/,$p' data/sites/tierp.csv >>odd.csv
+wrong=
+for c in 'plot psd' 'screen width=60 height=16'; do
+	"$TIPSPEED" odd.csv -c "$c > odd.svg" -c "$c > odd.pdf" -c "$c > odd.png" \
+		2>err.txt || wrong="$wrong $c"
+	grep -q 'Q\\u009b\\u009f\\ufffeZ, x\\x0cy' odd.svg || wrong="$wrong $c"
+	[ "$(LC_ALL=C tr -d '\n -~\200-\377' <odd.svg | wc -c)" = 0 ] || wrong="$wrong $c"
+	LC_ALL=C grep -q "$(printf '\302[\200-\237]\|\357\277[\276\277]\|\342\200\256')" \
+		odd.svg && wrong="$wrong $c"
+	if command -v xmllint >/dev/null; then
+		xmllint --noout odd.svg || wrong="$wrong $c"
+	fi
+	[ "$(head -c 5 odd.pdf)" = %PDF- ] && [ "$(wc -c <odd.png)" -gt 10000 ] ||
+		wrong="$wrong $c"
+done
+result ${#wrong} "what XML forbids is shown in SVG, and drawn in PDF and PNG:$wrong"
+
 echo kept >kept.svg
 "$TIPSPEED" data/sites/tierp.csv -c 'validate > kept.svg' 2>err.txt
 [ $? = 2 ] && grep -q 'draws nothing' err.txt && grep -q kept kept.svg

@@ -44,6 +44,20 @@ none "readline in ui only"
 grep -lE 'n?curses\.h' -r src | grep -v '^src/ui/' >"$tmp"
 none "ncurses in ui only"
 
+# Words reach a terminal by reports, notes, errors, canvases and text_put, which
+# show what it would act on; the files left out print their own words.
+awk 'FNR == 1 { all = "" }
+	{ all = all " " $0 }
+	/[;{}]$/ {
+		if (all ~ /(printf|puts|fwrite)\(/ &&
+		    all ~ /stderr|stdout|->out|->notes/ &&
+		    all ~ /%[-.*0-9]*s|puts\([^"]|fwrite/)
+			print FILENAME ":" FNR ": " all
+		all = ""
+	}' src/cmd/*.c src/ui/*.c src/main.c |
+	grep -v '^src/ui/\(batch\|pager\|pump\|repl\|typed\)\.c' >"$tmp"
+none "words of others are not printed as they are"
+
 # Variables outside functions: only constant tables, but for ui.
 awk '/^(static )?[a-z_ ]+\**[a-z_]+(\[.*\])?( = .*)?;$/ &&
 	!/const|typedef|extern|^struct [a-z_]+;|return/ { print FILENAME ": " $0 }' \

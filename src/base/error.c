@@ -100,10 +100,12 @@ static void
 print_line(char *line, bool wrap, int margin, FILE *out)
 {
 	enum { SCREEN = 79 };
-	if (!wrap || text_width(line) <= SCREEN)
-		fprintf(out, "%s\n", line);
-	else
+	if (!wrap || text_width(line) <= SCREEN) {
+		text_put(line, out);
+		fputc('\n', out);
+	} else {
 		text_hang(line, (int)strspn(line, " "), margin, SCREEN, out);
+	}
 	free(line);
 }
 

@@ -1,6 +1,5 @@
-/* Numbers and words, the same in every locale; widths as the terminal has them.
+/* Numbers and words, the same in every locale.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#define _XOPEN_SOURCE 700 /* wcwidth */
 #include "base/text.h"
 
 #include <errno.h>
@@ -8,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <wchar.h>
 
 #include "base/xalloc.h"
 
@@ -114,6 +112,22 @@ text_fold(const char *s)
 	return folded;
 }
 
+/* Unicode's controls and format characters and the two that are none.  Joiners
+ * (U+200C, U+200D) are letters' business in Persian and Hindi. */
+bool
+text_is_hidden(uint32_t code)
+{
+	static const uint32_t RANGES[][2] = {{0, 0x1F}, {0x7F, 0x9F},
+	    {0xAD, 0xAD}, {0x61C, 0x61C}, {0x180E, 0x180E}, {0x200B, 0x200B},
+	    {0x200E, 0x200F}, {0x2028, 0x202E}, {0x2060, 0x206F},
+	    {0xFEFF, 0xFEFF}, {0xFFF9, 0xFFFB}, {0xFFFE, 0xFFFF},
+	    {0xE0000, 0xE0FFF}};
+	size_t i = 0;
+	while (i < ARRAY_LEN(RANGES) && code > RANGES[i][1])
+		i++;
+	return i < ARRAY_LEN(RANGES) && code >= RANGES[i][0];
+}
+
 /* Bytes of the letter, digit or point at p; 0 where there is something else.
  * Beyond ASCII all are letters but the signs of Latin 1 (U+0080..BF, the signs
  * of times and division), U+2000..2FFF and the punctuation of U+3000..303F. */
@@ -126,10 +140,9 @@ letter_bytes(const char *p)
 	if (c < 0xC3 || c == 0xE2 || (c == 0xC3 && (d == 0x97 || d == 0xB7)) ||
 	    (c == 0xE3 && d == 0x80))
 		return 0;
-	size_t n = 1;
-	while (((unsigned char)p[n] & 0xC0) == 0x80)
-		n++;
-	return n;
+	const char *end = p;
+	uint32_t code = text_next(&end);
+	return text_is_hidden(code) || code == 0xFFFD ? 0 : (size_t)(end - p);
 }
 
 char *
@@ -148,6 +161,16 @@ text_slug(const char *s)
 		n--;
 	slug[n] = '\0';
 	return slug;
+}
+
+bool
+text_is_formula(const char *s)
+{
+	double value;
+	const char *sign = s + strspn(s, "'");
+	bool harmless = sign == s && (s[1] == '\0' || text_number(s, &value));
+	return *sign != '\0' && strchr("=+-@\t\r\n", *sign) != NULL &&
+	       !harmless;
 }
 
 char *
@@ -287,64 +310,6 @@ text_shared(const char *a, const char *b)
 	while (n > 0 && (a[n] & 0xC0) == 0x80)
 		n--;
 	return n;
-}
-
-int
-text_columns(uint32_t code)
-{
-	int columns = code < 0x80 ? 1 : wcwidth((wchar_t)code);
-	return columns < 0 ? 1 : columns;
-}
-
-int
-text_width(const char *s)
-{
-	int width = 0;
-	while (*s != '\0')
-		width += text_columns(text_next(&s));
-	return width;
-}
-
-void
-text_hang(const char *text, int first, int margin, int width, FILE *out)
-{
-	int column = 0;
-	char *copy = xstrdup(text), *save = NULL;
-	for (char *word = strtok_r(copy, " ", &save); word != NULL;
-	     word = strtok_r(NULL, " ", &save)) {
-		int wide = text_width(word);
-		if (column > 0 && column + 1 + wide > width) {
-			fputc('\n', out);
-			column = 0;
-			first = margin;
-		}
-		if (column == 0)
-			column = fprintf(out, "%*s", first, "");
-		else
-			column += fprintf(out, " ");
-		fputs(word, out);
-		column += wide;
-	}
-	fputc('\n', out);
-	free(copy);
-}
-
-void
-text_wrap(const char *text, int margin, int width, FILE *out)
-{
-	margin += (int)strspn(text, " ");
-	text_hang(text, margin, margin, width, out);
-}
-
-char *
-text_wrapped(const char *text, int width)
-{
-	char *lines = NULL;
-	size_t n = 0;
-	FILE *out = text_memory(&lines, &n);
-	text_wrap(text, 0, width, out);
-	fclose(out);
-	return lines;
 }
 
 FILE *

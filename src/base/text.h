@@ -34,6 +34,12 @@ char *text_slug(const char *s);
  * caller frees. */
 char *text_unquoted(const char *s, size_t n);
 
+/* Whether a spreadsheet may take a cell for a formula: one that begins with one
+ * of = + - @ and is no number and no sign alone.  A sheet has such text behind
+ * an apostrophe, which its reader takes off; so text that begins with
+ * apostrophes and then one of those gets one more. */
+bool text_is_formula(const char *s);
+
 /* True when there is something before that end. */
 bool text_ends(const char *s, const char *end);
 
@@ -54,13 +60,32 @@ uint32_t text_next(const char **text);
 size_t text_shared(const char *a, const char *b);
 
 /* Columns of a character on a terminal: 1 where the locale does not know it, 0
- * for marks that combine with the one before.  text_width: of a UTF-8 string,
- * where an invalid byte counts as 1. */
+ * for marks that combine with the one before. */
 int text_columns(uint32_t code);
+
+/* Text may be somebody else's: a name, a sheet, a store.  What a terminal would
+ * act on (controls of both kinds), what turns other text around or is not seen
+ * (marks of direction, line separators, blanks without width), and what is no
+ * text (bytes that are not UTF-8, U+FFFE, U+FFFF) is shown as \x1b, \u202e or
+ * \U000e0001.  Whatever is printed for people comes through here, and what
+ * comes out may stand in XML.
+ *
+ * text_show: the character at *text, which moves behind it, as it is shown;
+ * returns its columns.  text_shown: a whole text, which the caller frees.
+ * text_put: prints it.  text_width: its columns. */
+enum { TEXT_SHOWN = 12 };
+int text_show(const char **text, char shown[static TEXT_SHOWN]);
+char *text_shown(const char *s);
+void text_put(const char *s, FILE *out);
 int text_width(const char *s);
 
-/* Prints text to out in lines of at most width columns, broken at blanks, each
- * behind margin blanks; blanks at its start widen the margin. */
+/* True where text_shown changes nothing; and for a character that it never
+ * leaves. */
+bool text_is_plain(const char *s);
+bool text_is_hidden(uint32_t code);
+
+/* Prints text as shown in lines of at most width columns, broken at blanks,
+ * each behind margin blanks; blanks at its start widen the margin. */
 void text_wrap(const char *text, int margin, int width, FILE *out);
 
 /* The same with the first line behind first blanks. */

@@ -31,10 +31,13 @@ struct used {
 	size_t awaits, n_operand;
 };
 
+/* What a terminal would not show as it is, readline would write as it is. */
 static void
 put(struct work *w, const char *text, char append)
 {
 	struct completion *c = w->result;
+	if (!text_is_plain(text))
+		return;
 	c->candidate = xrealloc(c->candidate, c->n + 1, sizeof *c->candidate);
 	c->candidate[c->n++] = (struct candidate){xstrdup(text), append};
 }
@@ -114,16 +117,6 @@ offer_materials(struct work *w)
 	stored_list_free(&list);
 }
 
-/* A quote or a control character in a name could not be typed. */
-static bool
-can_be_typed(const char *name)
-{
-	for (const char *p = name; *p != '\0'; p++)
-		if (*p == '"' || iscntrl((unsigned char)*p))
-			return false;
-	return text_is_utf8(name, strlen(name));
-}
-
 static void
 put_file(struct work *w, const char *path)
 {
@@ -141,6 +134,8 @@ put_file(struct work *w, const char *path)
 static void
 offer_files(struct work *w)
 {
+	if (w->session->safe)
+		return;
 	const char *slash = strrchr(w->typed, '/');
 	size_t head = slash != NULL ? (size_t)(slash - w->typed) + 1 : 0;
 	const char *tail = w->typed + head;
@@ -153,7 +148,8 @@ offer_files(struct work *w)
 		const char *name = e->d_name;
 		bool hidden = name[0] == '.' && tail[0] != '.';
 		bool self = strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
-		if (hidden || self || !can_be_typed(name) ||
+		/* A quote in a name could not be typed. */
+		if (hidden || self || strchr(name, '"') != NULL ||
 		    strncmp(name, tail, strlen(tail)) != 0)
 			continue;
 		char *path =

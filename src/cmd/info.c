@@ -199,13 +199,19 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 	    "tipspeed-model.7"};
 	size_t i = args_value(args, "page")->choice;
 	assert(i < ARRAY_LEN(PAGES));
-	if (s->show_page != NULL && s->show_page(PAGES[i]))
+	if (!s->safe && s->show_page != NULL && s->show_page(PAGES[i]))
 		return true;
 	info_list(NULL, help_stream(s));
-	session_note(s,
-	    "the page %s is shown at the prompt where man(1) is; the source "
-	    "has it in the folder man",
-	    PAGES[i]);
+	if (s->safe)
+		session_note(s,
+		    "man is off, as the program was started with --safe: these "
+		    "are the commands, and 'help COMMAND' explains one");
+	else
+		session_note(s,
+		    "the page %s is shown at the prompt where man(1) is; the "
+		    "source "
+		    "has it in the folder man",
+		    PAGES[i]);
 	return true;
 }
 

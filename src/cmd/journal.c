@@ -212,7 +212,8 @@ put_provenance(FILE *out, const struct site *site)
 	char *kind = site_source(site, "provenance not stated");
 	char *line = xasprintf("# %s: %s", site->name, kind);
 	for (char *p = line; *p != '\0'; p++)
-		fputc((unsigned char)*p < ' ' || *p == '\\' ? ' ' : *p, out);
+		*p = *p == '\\' ? ' ' : *p;
+	text_put(line, out);
 	fputc('\n', out);
 	free(line);
 	free(kind);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/journal.h"
 #include "cmd/script.h"
@@ -67,7 +68,8 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 		report_put(report_json(r), "text %s", text);
 		session_report(s, r);
 	} else {
-		fprintf(s->out, "%s\n", text);
+		text_put(text, s->out);
+		fputc('\n', s->out);
 	}
 	free(text);
 	return true;

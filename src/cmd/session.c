@@ -107,10 +107,33 @@ session_tell_faults(const struct session *s, const char *path,
 	return false;
 }
 
+/* Exact results keep every byte where a program may read them, and are shown as
+ * text where they go to a terminal. */
+static void
+show_exact(struct session *s, struct report *report)
+{
+	char *text = NULL, *save = NULL;
+	size_t n = 0;
+	FILE *memory = text_memory(&text, &n);
+	report_print(report, s->set.format, s->set.semicolon, memory);
+	fclose(memory);
+	for (char *line = strtok_r(text, "\n", &save); line != NULL;
+	     line = strtok_r(NULL, "\n", &save)) {
+		text_put(line, s->out);
+		fputc('\n', s->out);
+	}
+	free(text);
+}
+
 bool
 session_report(struct session *s, struct report *report)
 {
-	report_print(report, s->set.format, s->set.semicolon, s->out);
+	bool exact =
+	    s->set.format == REPORT_CSV || s->set.format == REPORT_JSON;
+	if (exact && s->screen.columns > 0)
+		show_exact(s, report);
+	else
+		report_print(report, s->set.format, s->set.semicolon, s->out);
 	fflush(s->out);
 	s->rows += report_rows(report);
 	report_free(report);

@@ -119,7 +119,8 @@ struct session {
 	struct entry *entry;
 	struct choices set;
 	bool prompt;        /* lines are typed by somebody */
-	bool safe;          /* no command may touch files or the shell */
+	bool safe;          /* neither commands nor keys may touch files or
+			       the shell */
 	bool linear;        /* the screen is heard: words, no pictures */
 	bool timing;        /* tell how long each command took */
 	FILE *out;          /* results */

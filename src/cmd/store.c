@@ -268,11 +268,6 @@ cmd_forget(struct session *s, const struct args *args, struct error *error)
 {
 	const char *name = args->operand[0];
 	struct stored_list list = {0};
-	if (stored_is_table3_name(name))
-		return error_set(error, ERROR_USAGE,
-		    "%s is part of the program and cannot be forgotten\n"
-		    "'materials origin=own' lists what can",
-		    name);
 	/* A row that is damaged cannot be listed, but can be taken out. */
 	bool listed = store_list(s->store, &list, NULL);
 	const struct stored *m = listed ? stored_find(&list, name) : NULL;
@@ -282,6 +277,11 @@ cmd_forget(struct session *s, const struct args *args, struct error *error)
 	else if (ok)
 		session_note(s, "forgot %s, which could not be read", name);
 	stored_list_free(&list);
+	if (!ok && stored_is_table3_name(name))
+		error_set(error, ERROR_USAGE,
+		    "%s is part of the program and cannot be forgotten\n"
+		    "'materials origin=own' lists what can",
+		    name);
 	return ok;
 }
 

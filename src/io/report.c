@@ -194,13 +194,25 @@ report_json_number(double value)
 	return isfinite(value) ? json_real(value) : json_null();
 }
 
+/* JSON is UTF-8: a name that is not, a file's, is there as it is shown. */
+static json_t *
+text_json(const char *text)
+{
+	if (text_is_utf8(text, strlen(text)))
+		return json_string(text);
+	char *shown = text_shown(text);
+	json_t *string = json_string(shown);
+	free(shown);
+	return string;
+}
+
 /* The value that a conversion of report_put stands for. */
 static json_t *
 next_value(const char *conversion, va_list *ap)
 {
 	switch (conversion[1]) {
 	case 's':
-		return json_string(va_arg(*ap, char *));
+		return text_json(va_arg(*ap, char *));
 	case 'd':
 		return json_boolean(va_arg(*ap, int));
 	case 'z':
@@ -244,14 +256,12 @@ print_csv_number(double value, char separator, FILE *out)
 static void
 print_csv_text(const char *text, char separator, FILE *out)
 {
-	if (strpbrk(text, (char[]){separator, '"', '\n', '\0'}) == NULL) {
-		fputs(text, out);
-		return;
-	}
-	fputc('"', out);
+	char marks[] = {separator, '"', '\n', '\0'};
+	const char *quote = strpbrk(text, marks) != NULL ? "\"" : "";
+	fprintf(out, "%s%s", quote, text_is_formula(text) ? "'" : "");
 	for (const char *s = text; *s != '\0'; s++)
 		fprintf(out, *s == '"' ? "\"\"" : "%c", *s);
-	fputc('"', out);
+	fputs(quote, out);
 }
 
 /* The columns that stand before those of the result. */
@@ -298,7 +308,7 @@ static json_t *
 cell_json(const struct report *r, size_t row, size_t column)
 {
 	const struct cell *cell = &r->cell[row * r->n_column + column];
-	return cell->is_text ? json_string(cell->text)
+	return cell->is_text ? text_json(cell->text)
 			     : report_json_number(cell->number);
 }
 

@@ -1,7 +1,9 @@
 /* Results as people see them: tables and markdown.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -132,14 +134,51 @@ print_trimmed(const struct report *r, size_t row, struct block block, FILE *out)
 	free(line);
 }
 
-void
-report_print_table(const struct report *r, FILE *out)
+static char *
+in_its_way(char *(*way)(const char *), const char *text)
 {
+	return text != NULL ? way(text) : NULL;
+}
+
+/* A copy with all its words put in that way: as shown, or as markdown.  Of the
+ * provenance the first clause only. */
+static struct report *
+put_in(char *(*way)(const char *), const struct report *r)
+{
+	struct report *copy = report_new(r->command);
+	copy->title = in_its_way(way, r->title);
+	copy->n_column = r->n_column;
+	copy->n_cell = r->n_cell;
+	copy->n_note = r->n_note;
+	copy->key = xcalloc(r->n_column, sizeof *copy->key);
+	copy->head = xcalloc(r->n_column, sizeof *copy->head);
+	copy->cell = xcalloc(r->n_cell, sizeof *copy->cell);
+	copy->note = xcalloc(r->n_note, sizeof *copy->note);
+	if (r->provenance != NULL && r->provenance[0] != '\0') {
+		char *first = xstrndup(
+		    r->provenance, (size_t)report_first_clause(r->provenance));
+		copy->provenance = way(first);
+		free(first);
+	}
+	for (size_t c = 0; c < r->n_column; c++)
+		copy->head[c] = way(r->head[c]);
+	for (size_t i = 0; i < r->n_cell; i++) {
+		copy->cell[i] = r->cell[i];
+		copy->cell[i].text = way(r->cell[i].text);
+	}
+	for (size_t i = 0; i < r->n_note; i++)
+		copy->note[i] = way(r->note[i]);
+	return copy;
+}
+
+void
+report_print_table(const struct report *report, FILE *out)
+{
+	struct report *r = put_in(text_shown, report);
 	if (r->title != NULL)
 		fprintf(out, "%s\n", r->title);
-	if (r->provenance != NULL && r->provenance[0] != '\0')
-		fprintf(out, "data: %.*s\n", report_first_clause(r->provenance),
-		    r->provenance);
+	if (r->provenance != NULL)
+		fprintf(out, "data: %s\n", r->provenance);
 	size_t rows = report_rows(r), from = 1;
 	while (rows > 0) {
 		struct block block = block_from(r, from);
@@ -152,18 +191,48 @@ report_print_table(const struct report *r, FILE *out)
 	}
 	for (size_t i = 0; i < r->n_note; i++)
 		text_wrap(r->note[i], 0, SCREEN, out);
+	report_free(r);
 }
 
-/* A bar ends a cell of markdown, but for one behind a backslash. */
-static char *
-escaped(const char *text)
+/* Whether markdown or HTML could take the character for markup.  Within a word
+ * like f_mat a low line is none. */
+static bool
+is_markup(const char *text, const char *p)
 {
-	char *copy = xcalloc(2 * strlen(text) + 1, 1), *end = copy;
-	for (; *text != '\0'; text++) {
-		if (*text == '|')
+	if (*p == '_')
+		return p == text || !isalnum((unsigned char)p[-1]) ||
+		       !isalnum((unsigned char)p[1]);
+	if (*p == ':')
+		return strncmp(p, "://", 3) == 0;
+	if (*p == '.')
+		return p >= text + 3 && strncasecmp(p - 3, "www", 3) == 0;
+	if (*p == '+' || *p == '-')
+		return p == text && p[1] != '\0' &&
+		       !isdigit((unsigned char)p[1]);
+	return strchr(p == text ? "|*[]`\\~$#" : "|*[]`\\~$", *p) != NULL;
+}
+
+/* Words that markdown shows as they are: signs behind backslashes, and as
+ * entities those of HTML, which knows no backslash. */
+static char *
+as_markdown(const char *text)
+{
+	char *shown = text_shown(text);
+	char *copy = xcalloc(5 * strlen(shown) + 1, 1), *end = copy;
+	for (const char *p = shown; *p != '\0'; p++) {
+		const char *entity = *p == '<'   ? "&lt;"
+				     : *p == '>' ? "&gt;"
+				     : *p == '&' ? "&amp;"
+						 : NULL;
+		if (entity != NULL) {
+			end = stpcpy(end, entity);
+			continue;
+		}
+		if (is_markup(shown, p))
 			*end++ = '\\';
-		*end++ = *text;
+		*end++ = *p;
 	}
+	free(shown);
 	return copy;
 }
 
@@ -184,38 +253,18 @@ print_markdown_rows(const struct report *r, FILE *out)
 	}
 }
 
-static void
-print_markdown_table(const struct report *r, FILE *out)
-{
-	struct report copy = *r;
-	copy.cell = xcalloc(r->n_cell, sizeof *copy.cell);
-	copy.head = xcalloc(r->n_column, sizeof *copy.head);
-	for (size_t i = 0; i < r->n_cell; i++) {
-		copy.cell[i] = r->cell[i];
-		copy.cell[i].text = escaped(r->cell[i].text);
-	}
-	for (size_t c = 0; c < r->n_column; c++)
-		copy.head[c] = escaped(r->head[c]);
-	print_markdown_rows(&copy, out);
-	for (size_t i = 0; i < r->n_cell; i++)
-		free(copy.cell[i].text);
-	for (size_t c = 0; c < r->n_column; c++)
-		free(copy.head[c]);
-	free(copy.cell);
-	free(copy.head);
-}
-
 void
-report_print_markdown(const struct report *r, FILE *out)
+report_print_markdown(const struct report *report, FILE *out)
 {
+	struct report *r = put_in(as_markdown, report);
 	if (r->title != NULL)
 		fprintf(out, "**%s**\n\n", r->title);
-	if (r->provenance != NULL && r->provenance[0] != '\0')
-		fprintf(out, "Data: %.*s\n\n",
-		    report_first_clause(r->provenance), r->provenance);
+	if (r->provenance != NULL)
+		fprintf(out, "Data: %s\n\n", r->provenance);
 	if (r->n_column > 0)
-		print_markdown_table(r, out);
+		print_markdown_rows(r, out);
 	for (size_t i = 0; i < r->n_note; i++)
 		fprintf(out, "\n%s\n", r->note[i]);
 	fputc('\n', out);
+	report_free(r);
 }

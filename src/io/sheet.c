@@ -252,9 +252,11 @@ static void
 add_cell(struct row *row, const struct cursor *from, const char *end)
 {
 	char *text = text_unquoted(from->p, (size_t)(end - from->p));
+	const char *said = text_trim(text);
+	said += said[0] == '\'' && text_is_formula(said);
 	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
 	row->cell[row->n_all++] =
-	    (struct cell){xstrdup(text_trim(text)), row->line, from->column};
+	    (struct cell){xstrdup(said), row->line, from->column};
 	free(text);
 	if (row->cell[row->n_all - 1].text[0] != '\0')
 		row->n = row->n_all;
@@ -403,6 +405,8 @@ sheet_write_cell(const char *text, FILE *out)
 	bool quote = strpbrk(text, ",\"") != NULL;
 	if (quote)
 		fputc('"', out);
+	if (text_is_formula(text))
+		fputc('\'', out);
 	for (; *text != '\0'; text++) {
 		if (*text == '"')
 			fputc('"', out);

@@ -69,6 +69,7 @@ bool sheet_number(
 
 /* The same, but false without a fault. */
 bool sheet_value(const struct sheet *sheet, struct cell cell, double *value);
+
 /* A cell for a sheet with commas: quotes where the reader needs them, and no
  * line end, which would break the row. */
 void sheet_write_cell(const char *text, FILE *out);

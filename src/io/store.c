@@ -124,6 +124,67 @@ digest_text(const struct stored *m)
 	return xasprintf("%016" PRIx64, stored_digest(m));
 }
 
+/* A name as it can be read and typed, whoever made it: shown, and cut. */
+static char *
+label_of(const char *name)
+{
+	enum { MOST = 60 };
+	char *label = text_shown(name);
+	size_t n = strlen(label);
+	for (n = n < MOST ? n : MOST; (label[n] & 0xC0) == 0x80;)
+		n--;
+	label[n] = '\0';
+	for (char *p = label; (p = strchr(p, '"')) != NULL;)
+		*p = '\'';
+	return label;
+}
+
+/* False for a material that no import would take. */
+static bool
+check_fields(const struct stored *m, struct error *error)
+{
+	const struct field *f = FIELDS;
+	while (f < FIELDS + FIELD_COUNT && stored_fits(m, f))
+		f++;
+	if (f == FIELDS + FIELD_COUNT)
+		return true;
+	char *label = label_of(m->name), *wanted = stored_wanted(f),
+	     *found = f->kind == FIELD_NUMBER
+			  ? xasprintf("%g", stored_number(m, f))
+			  : stored_written(m, f);
+	error_set(error, ERROR_DATA,
+	    "material '%s', field %s: expected %s, got '%.60s'\n"
+	    "correct it where it comes from",
+	    label, f->name, wanted, found);
+	free(label);
+	free(wanted);
+	free(found);
+	return false;
+}
+
+/* Whether a row is what was put.  It has its name also as fold, by which it is
+ * found. */
+static bool
+check_row(const struct stored *m, const char *fold, const char *digest,
+    struct error *error)
+{
+	char *of_name = text_fold(m->name), *of_row = digest_text(m);
+	char *label = label_of(m->name);
+	bool good = check_fields(m, error);
+	if (good && (strcmp(of_name, fold) != 0 || strcmp(of_row, digest) != 0))
+		good = error_set(error, ERROR_DATA,
+		    "the store is damaged: '%s' is not what was remembered",
+		    label);
+	if (!good)
+		error_hint(error,
+		    "'forget \"%s\"' takes it out; then remember it again",
+		    label);
+	free(of_name);
+	free(of_row);
+	free(label);
+	return good;
+}
+
 /* The row stmt stands on.  False when it is not what was put. */
 static bool
 take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
@@ -142,15 +203,10 @@ take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
 			stored_set_whole(
 			    m, f, sqlite3_column_int64(stmt, i + 2));
 	}
-	char *digest = digest_text(m);
-	bool same = strcmp(digest, column_text(stmt, 1)) == 0;
-	free(digest);
-	if (same)
+	if (check_row(m, column_text(stmt, 0), column_text(stmt, 1), error))
 		return true;
-	error_at(error, ERROR_DATA, store->path, 0, 0,
-	    "the store is damaged: '%.60s' is not what was remembered\n"
-	    "'forget' takes it out; then remember it again",
-	    m->name);
+	if (error != NULL)
+		error_place(error, store->path, 0, 0);
 	stored_free(m);
 	return false;
 }
@@ -255,7 +311,8 @@ put_rows(struct store *store, sqlite3 *db, const struct stored *item, size_t n,
 	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
 	bool ok = code == SQLITE_OK || schema_fail(db, store->path, error);
 	for (size_t i = 0; ok && i < n; i++)
-		ok = put_row(store, db, stmt, &item[i], error);
+		ok = check_fields(&item[i], error) &&
+		     put_row(store, db, stmt, &item[i], error);
 	sqlite3_finalize(stmt);
 	free(head);
 	free(sql);
@@ -288,11 +345,30 @@ store_put(struct store *store, const struct stored *item, size_t n,
 	return ok;
 }
 
-static bool
-delete_row(
-    struct store *store, sqlite3 *db, const char *name, struct error *error)
+/* The fold of the row whose name is shown so, which the caller frees; NULL if
+ * there is none. */
+static char *
+fold_shown_as(sqlite3 *db, const char *name)
 {
-	char *fold = text_fold(name);
+	sqlite3_stmt *stmt = NULL;
+	char *fold = NULL;
+	sqlite3_prepare_v2(
+	    db, "SELECT fold, name FROM material", -1, &stmt, NULL);
+	while (fold == NULL && sqlite3_step(stmt) == SQLITE_ROW) {
+		char *label = label_of(column_text(stmt, 1));
+		if (text_same(label, name))
+			fold = xstrdup(column_text(stmt, 0));
+		free(label);
+	}
+	sqlite3_finalize(stmt);
+	return fold;
+}
+
+/* *n: how many rows went. */
+static bool
+delete_row(struct store *store, sqlite3 *db, const char *fold, int *n,
+    struct error *error)
+{
 	sqlite3_stmt *stmt = NULL;
 	sqlite3_prepare_v2(
 	    db, "DELETE FROM material WHERE fold = ?", -1, &stmt, NULL);
@@ -301,8 +377,24 @@ delete_row(
 	bool ok = sqlite3_step(stmt) == SQLITE_DONE ||
 		  schema_fail(db, store->path, error);
 	sqlite3_finalize(stmt);
+	*n = ok ? sqlite3_changes(db) : 0;
+	return ok;
+}
+
+/* By name, else by what errors call it. */
+static bool
+forget_row(
+    struct store *store, sqlite3 *db, const char *name, struct error *error)
+{
+	int n;
+	char *fold = text_fold(name);
+	bool ok = delete_row(store, db, fold, &n, error);
 	free(fold);
-	if (!ok || sqlite3_changes(db) > 0)
+	fold = ok && n == 0 ? fold_shown_as(db, name) : NULL;
+	if (fold != NULL)
+		ok = delete_row(store, db, fold, &n, error);
+	free(fold);
+	if (!ok || n > 0)
 		return ok;
 	return error_set(error, ERROR_USAGE,
 	    "the store has no material '%s'\n"
@@ -321,7 +413,7 @@ store_forget(struct store *store, const char *name, struct error *error)
 		    "the store has no material '%s'\n"
 		    "it is empty; 'remember' fills it",
 		    name);
-	bool ok = delete_row(store, db, name, error);
+	bool ok = forget_row(store, db, name, error);
 	end(store, db);
 	return ok;
 }

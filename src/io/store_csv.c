@@ -73,41 +73,20 @@ read_head(struct sheet *sheet, size_t column[static FIELD_COUNT])
 			    FIELDS[f].name);
 }
 
+/* A number that cannot be read is told already. */
 static void
-take_text(struct sheet *sheet, struct cell cell, const struct field *f,
-    struct stored *m)
-{
-	struct error why;
-	size_t choice;
-	if (f->choices != NULL &&
-	    !text_choice(f->choices, cell.text, &choice)) {
-		char *wanted = xasprintf("one of: %s", f->choices);
-		sheet_wanted(sheet, cell, wanted, NULL);
-		free(wanted);
-	} else if (f == &FIELDS[FIELD_NAME] &&
-		   !stored_check_name(cell.text, &why)) {
-		sheet_fault(sheet, cell, "%s", why.text);
-	} else if (strcmp(f->name, "date") == 0 && !stored_is_date(cell.text)) {
-		sheet_wanted(sheet, cell, "a date such as 2026-11-21", NULL);
-	} else if (!stored_is_line(cell.text)) {
-		sheet_wanted(
-		    sheet, cell, "text without control characters", NULL);
-	}
-	stored_set_text(m, f, cell.text);
-}
-
-static void
-take_number(struct sheet *sheet, struct cell cell, const struct field *f,
+take_value(struct sheet *sheet, struct cell cell, const struct field *f,
     struct stored *m)
 {
 	double value;
-	char *wanted = xasprintf(
-	    "a number from %g to %g for %s", f->least, f->most, f->name);
-	if (sheet_number(sheet, cell, wanted, &value)) {
-		if (value < f->least || value > f->most)
-			sheet_wanted(sheet, cell, wanted, NULL);
+	char *wanted = stored_wanted(f);
+	bool read = true;
+	if (f->kind == FIELD_TEXT)
+		stored_set_text(m, f, cell.text);
+	else if ((read = sheet_number(sheet, cell, wanted, &value)))
 		stored_set_number(m, f, value);
-	}
+	if (read && !stored_fits(m, f))
+		sheet_wanted(sheet, cell, wanted, NULL);
 	free(wanted);
 }
 
@@ -122,10 +101,8 @@ take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 			    "%s was wanted, found an empty cell\n"
 			    "fill it, or take the row out",
 			    f->name);
-	} else if (f->kind == FIELD_TEXT) {
-		take_text(sheet, cell, f, m);
-	} else if (f->kind == FIELD_NUMBER) {
-		take_number(sheet, cell, f, m);
+	} else if (f->kind != FIELD_WHOLE) {
+		take_value(sheet, cell, f, m);
 	} else if (text_whole(cell.text, &whole) && whole <= INT64_MAX) {
 		stored_set_whole(m, f, (int64_t)whole);
 	} else {

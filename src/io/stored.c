@@ -219,10 +219,52 @@ stored_is_table3_name(const char *name)
 	return is;
 }
 
+enum { MOST_NAME = 60 };
+
+char *
+stored_wanted(const struct field *f)
+{
+	if (f->choices != NULL)
+		return xasprintf("one of: %s", f->choices);
+	if (f == &FIELDS[FIELD_NAME])
+		return xasprintf("a name of 1 to %d bytes on one line, "
+				 "without quotes and not beginning with # or "
+				 "%s",
+		    (int)MOST_NAME, TABLE3);
+	if (f->kind == FIELD_NUMBER)
+		return xasprintf("a number from %g to %g for %s", f->least,
+		    f->most, f->name);
+	return xstrdup(f->kind == FIELD_WHOLE ? "a whole number below 2^63"
+		       : strcmp(f->name, "date") == 0
+			   ? "a date such as 2026-11-21"
+			   : "text without control characters");
+}
+
+bool
+stored_fits(const struct stored *m, const struct field *f)
+{
+	size_t choice;
+	if (f->kind == FIELD_WHOLE)
+		return stored_whole(m, f) >= -1;
+	if (f->kind == FIELD_NUMBER) {
+		double value = stored_number(m, f);
+		return isnan(value) ? !f->needed
+				    : value >= f->least && value <= f->most;
+	}
+	const char *text = stored_text(m, f);
+	if (text[0] == '\0')
+		return !f->needed;
+	if (f->choices != NULL)
+		return text_choice(f->choices, text, &choice);
+	if (f == &FIELDS[FIELD_NAME])
+		return stored_check_name(text, NULL);
+	return stored_is_line(text) &&
+	       (strcmp(f->name, "date") != 0 || stored_is_date(text));
+}
+
 bool
 stored_check_name(const char *name, struct error *error)
 {
-	enum { MOST = 60 };
 	char *copy = xstrdup(name);
 	bool trimmed = strlen(text_trim(copy)) == strlen(name);
 	free(copy);
@@ -231,13 +273,13 @@ stored_check_name(const char *name, struct error *error)
 		    "names that begin with %s are those of the paper's Table "
 		    "3, which does not change\nchoose another name",
 		    TABLE3);
-	if (name[0] != '\0' && name[0] != '#' && strlen(name) <= MOST &&
+	if (name[0] != '\0' && name[0] != '#' && strlen(name) <= MOST_NAME &&
 	    trimmed && stored_is_line(name) && strchr(name, '"') == NULL)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "a name of 1 to %d bytes on one line, without quotes and not "
 	    "beginning with #, was wanted, found '%.60s'",
-	    (int)MOST, name);
+	    (int)MOST_NAME, name);
 }
 
 bool
@@ -249,10 +291,10 @@ stored_is_table3(const struct stored *m)
 bool
 stored_is_line(const char *text)
 {
-	for (; *text != '\0'; text++)
-		if (iscntrl((unsigned char)*text))
-			return false;
-	return true;
+	const char *p = text;
+	while (*p != '\0' && !iscntrl((unsigned char)*p))
+		p++;
+	return *p == '\0' && text_is_utf8(text, (size_t)(p - text));
 }
 
 bool

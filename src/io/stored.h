@@ -75,6 +75,12 @@ uint64_t stored_digest(const struct stored *m);
 /* Method, appearance and k as settings. */
 struct model_settings stored_settings(const struct stored *m);
 
+/* What a field is expected to be, "a number from 0 to 100 for alpha", which the
+ * caller frees; and whether that of m is so.  Holds for what is imported and
+ * for rows of a file, which anybody may have made. */
+char *stored_wanted(const struct field *f);
+bool stored_fits(const struct stored *m, const struct field *f);
+
 /* A name is a line of 1 to 60 bytes without a double quote, does not begin with
  * # and is not one of Table 3's ("table3/..."). */
 bool stored_check_name(const char *name, struct error *error);
@@ -86,7 +92,7 @@ bool stored_is_table3_name(const char *name);
 /* A date that is one, YYYY-MM-DD. */
 bool stored_is_date(const char *text);
 
-/* One line of text, without control characters. */
+/* One line of UTF-8, without control characters. */
 bool stored_is_line(const char *text);
 
 /* Adds the rows of Table 3, built into the program, named "table3/tierp",

@@ -37,13 +37,6 @@ canvas_at(struct canvas *canvas, int column, int row)
 	return &canvas->cell[row * canvas->columns + column];
 }
 
-/* Those that a terminal would act on, or XML not hold. */
-static bool
-is_control(uint32_t code)
-{
-	return code < ' ' || (code >= 0x7F && code < 0xA0);
-}
-
 int
 canvas_text_within(struct canvas *canvas, int column, int row, int end,
     const char *text, enum series series, unsigned attribute)
@@ -55,10 +48,9 @@ canvas_text_within(struct canvas *canvas, int column, int row, int end,
 	    .series = (unsigned char)series,
 	    .attribute = (unsigned char)attribute,
 	};
-	while (*text != '\0') {
-		cell.code = text_next(&text);
-		if (is_control(cell.code))
-			cell.code = ' ';
+	char *shown = text_shown(text);
+	for (const char *p = shown; *p != '\0';) {
+		cell.code = text_next(&p);
 		int width = text_columns(cell.code);
 		if (column + width > end)
 			break;
@@ -69,6 +61,7 @@ canvas_text_within(struct canvas *canvas, int column, int row, int end,
 			*canvas_at(canvas, column + 1, row) = cell;
 		column += width;
 	}
+	free(shown);
 	return column;
 }
 

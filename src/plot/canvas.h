@@ -52,8 +52,8 @@ void canvas_free(struct canvas *canvas);
 /* A cell; asserts that it is on the canvas. */
 struct canvas_cell *canvas_at(struct canvas *canvas, int column, int row);
 
-/* Writes UTF-8 text from a cell to the right, cut at the edge; what is off the
- * canvas is left out. */
+/* Writes text as shown (base/text.h) from a cell to the right, cut at the edge;
+ * what is off the canvas is left out. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text,
     enum series series, unsigned attribute);
 

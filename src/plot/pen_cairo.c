@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "plot/pen.h"
 
@@ -82,13 +83,15 @@ cairo_pen_bars(struct pen *pen, const double *x, const double *y, size_t n,
 }
 
 static void
-cairo_pen_text(struct pen *pen, double x, double y, const char *text,
+cairo_pen_text(struct pen *pen, double x, double y, const char *words,
     const struct pen_style *style)
 {
 	const struct picture *p = (struct picture *)pen;
 	const struct pen_paper *paper = p->paper;
 	cairo_t *c = p->cairo;
 	cairo_text_extents_t size;
+	/* cairo draws nothing more after text that is not UTF-8. */
+	char *text = text_shown(words);
 	cairo_select_font_face(c, paper->mono ? "monospace" : "sans-serif",
 	    CAIRO_FONT_SLANT_NORMAL,
 	    style->bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
@@ -106,6 +109,15 @@ cairo_pen_text(struct pen *pen, double x, double y, const char *text,
 	cairo_move_to(c, -size.x_advance * style->anchor / 2, 0);
 	cairo_show_text(c, text);
 	cairo_restore(c);
+	free(text);
+}
+
+static void
+describe(cairo_surface_t *pdf, cairo_pdf_metadata_t what, const char *words)
+{
+	char *text = text_shown(words);
+	cairo_pdf_surface_set_metadata(pdf, what, text);
+	free(text);
 }
 
 static bool
@@ -140,10 +152,8 @@ pen_cairo(double width, double height, const struct pen_paper *paper,
 	if (pdf) {
 		p->surface = cairo_pdf_surface_create_for_stream(
 		    put_bytes, out, width, height);
-		cairo_pdf_surface_set_metadata(
-		    p->surface, CAIRO_PDF_METADATA_TITLE, title);
-		cairo_pdf_surface_set_metadata(
-		    p->surface, CAIRO_PDF_METADATA_SUBJECT, about);
+		describe(p->surface, CAIRO_PDF_METADATA_TITLE, title);
+		describe(p->surface, CAIRO_PDF_METADATA_SUBJECT, about);
 	} else {
 		p->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24,
 		    (int)ceil(width * PNG_SCALE),

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "plot/pen.h"
 
@@ -19,20 +20,22 @@ static const char MONO[] =
     "ui-monospace, SFMono-Regular, Menlo, Consolas, DejaVu Sans Mono, "
     "Liberation Mono, monospace";
 
-/* Text of an element. */
+/* Text of an element; what is shown holds no character that XML forbids. */
 static void
 put_text(const char *text, FILE *out)
 {
-	for (; *text != '\0'; text++) {
-		if (*text == '<')
+	char *shown = text_shown(text);
+	for (const char *p = shown; *p != '\0'; p++) {
+		if (*p == '<')
 			fputs("&lt;", out);
-		else if (*text == '&')
+		else if (*p == '&')
 			fputs("&amp;", out);
-		else if (*text == '>')
+		else if (*p == '>')
 			fputs("&gt;", out);
 		else
-			fputc(*text, out);
+			fputc(*p, out);
 	}
+	free(shown);
 }
 
 static void

@@ -23,15 +23,16 @@ print_caret(const char *line, int column, FILE *out)
 	int room = columns < MOST + 8 ? columns - 8 : MOST, wide = 0, at = 0;
 	int i = 1;
 	const char *p = line;
+	char shown[TEXT_SHOWN];
 	for (; i <= column - room * 5 / 9 && *p != '\0'; i++)
 		text_next(&p);
 	fputs("  ", out);
 	for (; *p != '\0' && wide < room; i++) {
-		const char *from = p;
-		wide += text_columns(text_next(&p));
+		bool tab = *p == '\t';
+		int its = text_show(&p, shown);
+		wide += tab ? 1 : its;
 		at = i < column ? wide : at;
-		fprintf(
-		    out, "%.*s", (int)(p - from), from[0] == '\t' ? " " : from);
+		fputs(tab ? " " : shown, out);
 	}
 	fprintf(out, "\n  %*s^\n", at, "");
 }
@@ -70,8 +71,10 @@ interrupt(struct session *s, const char *line, const char *name, int number,
 	give_up(s, 0, line, name);
 	page_show(page);
 	/* At a prompt one sees that. */
-	if (page == NULL)
-		fprintf(stderr, "%s:%d: interrupted\n", name, number);
+	if (page == NULL) {
+		text_put(name, stderr);
+		fprintf(stderr, ":%d: interrupted\n", number);
+	}
 	return pump_status();
 }
 

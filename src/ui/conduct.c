@@ -294,7 +294,7 @@ run_typed(struct tui *t, const char *line)
 	}
 	conduct_keep(t);
 	/* Only a shell command may write past the session's streams. */
-	bool aside = strchr(line, '|') != NULL && !t->aside;
+	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
 	if (aside)
 		tui_step_aside();
 	bool ok = conduct_run(t, line);

@@ -157,8 +157,9 @@ draw_command(const struct tui *t, const struct area *area)
 		int before = text_width(head), room = area->columns - 2;
 		free(head);
 		const char *shown = y->text;
+		char left[TEXT_SHOWN];
 		while (before > room && *shown != '\0')
-			before -= text_columns(text_next(&shown));
+			before -= text_show(&shown, left);
 		screen_text(area, 0, 0, LOOK_BOLD, ":%s", shown);
 		return 1 + before;
 	}

@@ -32,8 +32,9 @@ draw_line(const struct tui *t, int row, const char *text, size_t n)
 	if (v->keys && body->columns < NARROW)
 		squeeze(line);
 	const char *shown = line;
+	char left[TEXT_SHOWN];
 	for (int c = 0; c < v->left && *shown != '\0';)
-		c += text_columns(text_next(&shown));
+		c += text_show(&shown, left);
 	screen_series(body, row, 0, SERIES_TEXT,
 	    chosen ? LOOK_REVERSE : LOOK_PLAIN, shown);
 	if (chosen && strlen(line) > (size_t)body->columns)

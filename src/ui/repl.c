@@ -274,6 +274,23 @@ take_lines(struct session *s, char *typed, int *number)
 	}
 }
 
+/* --safe: no file of settings, and no function that reads one or the list of
+ * users, by whatever key; nor, should readline get them, those of shells. */
+static void
+confine_readline(void)
+{
+	static const char *const OUT[] = {"re-read-init-file", "tilde-expand",
+	    "vi-tilde-expand", "execute-named-command",
+	    "edit-and-execute-command", "vi-edit-and-execute-command"};
+	const Keymap maps[] = {emacs_standard_keymap, emacs_meta_keymap,
+	    emacs_ctlx_keymap, vi_movement_keymap, vi_insertion_keymap};
+	for (size_t i = 0; i < ARRAY_LEN(OUT); i++)
+		for (size_t m = 0; m < ARRAY_LEN(maps); m++)
+			if (rl_named_function(OUT[i]) != NULL)
+				rl_unbind_function_in_map(
+				    rl_named_function(OUT[i]), maps[m]);
+}
+
 static void
 set_up(struct session *s)
 {
@@ -294,12 +311,16 @@ set_up(struct session *s)
 	rl_attempted_completion_function = on_complete;
 	rl_completer_word_break_characters = " \t\n;=,";
 	rl_completer_quote_characters = "";
+	if (s->safe)
+		setenv("INPUTRC", "/dev/null", 1);
 	rl_initialize();
+	if (s->safe)
+		confine_readline();
 	/* Text is UTF-8 in every locale: its bytes are no meta keys. */
 	rl_variable_bind("input-meta", "on");
 	rl_variable_bind("output-meta", "on");
 	rl_variable_bind("convert-meta", "off");
-	typed_open();
+	typed_open(!s->safe);
 }
 
 void
@@ -308,7 +329,9 @@ repl_begin(struct session *s)
 	fprintf(stderr, "tipspeed %s: help lists the commands, quit leaves\n",
 	    PACKAGE_VERSION);
 	s->show_page = manpage_show;
-	char *path = home_path("XDG_CONFIG_HOME", ".config", "init.tip");
+	char *path = s->safe
+			 ? NULL
+			 : home_path("XDG_CONFIG_HOME", ".config", "init.tip");
 	if (path != NULL && access(path, F_OK) == 0)
 		batch_file(s, path);
 	free(path);

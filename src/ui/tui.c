@@ -338,7 +338,7 @@ tui_run(struct session *s)
 		return run_linear(s);
 	/* What it says of a history that cannot be kept is not for ncurses. */
 	if (!history)
-		typed_open();
+		typed_open(!s->safe);
 	rescue_note();
 	hold_signals(&was);
 	bool opened = screen_open(with_colour);

@@ -36,11 +36,13 @@ append(const char *bytes)
 }
 
 void
-typed_open(void)
+typed_open(bool with_file)
 {
 	opened = true;
 	using_history();
 	stifle_history(MOST);
+	if (!with_file)
+		return;
 	path = home_path("XDG_STATE_HOME", ".local/state", "history");
 	if (path == NULL) {
 		give_up("HOME is not set");

@@ -6,8 +6,9 @@
 #include <stdbool.h>
 
 /* Reads the history into readline.  A history that cannot be read or kept gets
- * one remark on stderr, and the session does without. */
-void typed_open(void);
+ * one remark on stderr, and the session does without.  Without a
+ * file lines are held in memory only. */
+void typed_open(bool with_file);
 
 /* Adds a line, in memory and at the end of the file, before it is run: whatever
  * ends the program then, the line is there.  Lines of several sessions at a

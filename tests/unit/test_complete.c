@@ -265,6 +265,14 @@ files_and_folders(void **state)
 	expect(desk, "load two", 5, "\"two words/");
 	expect(desk, "load \"two words/", 5, "\"two words/a.csv\" ");
 	expect(desk, "load quo", 5, "");
+	/* A terminal would act on the first, and not show the second. */
+	touch("c1\xC2\x9B.csv");
+	touch("c1\u202E.csv");
+	expect(desk, "load c1", 5, "");
+	desk->session->safe = true;
+	expect(desk, "load b", 5, "");
+	expect(desk, "version > b", 10, "");
+	desk->session->safe = false;
 	expect(desk, "load new", 5, "");
 	expect(desk, "load nowhere/", 5, "");
 	expect(desk, "calibrate log=b", 14, "bro.csv ");

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "shelf.h"
 
+#include "base/text.h"
 #include "io/store_schema.h"
 
 /* Every call fails with this kind of error, and the words and a hint. */
@@ -237,6 +238,114 @@ a_changed_number_is_noticed(void **state)
 	expect_names(shelf, "a");
 }
 
+/* A row as somebody else may make one: what SET says is of m too, and the digest
+ * is right. */
+static void
+forge(struct shelf *shelf, const struct stored *m, const char *set)
+{
+	char *sql = xasprintf("UPDATE material SET digest = '%016llx', %s "
+			      "WHERE fold = 'b'",
+	    (unsigned long long)stored_digest(m), set);
+	put(shelf, full("b"));
+	meddle(shelf, sql);
+	free(sql);
+}
+
+/* The row is refused with these words, and can be taken out as the hint says. */
+static void
+expect_forged(struct shelf *shelf, const char *words, const char *name)
+{
+	struct stored_list all = {0};
+	assert_false(store_list(shelf->store, &all, &shelf->error));
+	stored_list_free(&all);
+	assert_int_equal(shelf->error.kind, ERROR_DATA);
+	assert_string_equal(shelf->error.file, shelf->path);
+	char *hint = xasprintf("'forget \"%s\"' takes it out", name);
+	if (strstr(shelf->error.text, words) == NULL ||
+	    strstr(shelf->error.hint, hint) == NULL)
+		fail_msg("%s\n%s", shelf->error.text, shelf->error.hint);
+	free(hint);
+	assert_true(store_forget(shelf->store, name, &shelf->error));
+	expect_names(shelf, "a");
+}
+
+static void
+rows_are_checked_as_an_import_is(void **state)
+{
+	struct shelf *shelf = *state;
+	static const struct {
+		const char *field, *value, *words;
+	} ROWS[] = {
+	    {"f_mat", "1e308",
+		"expected a number from 0 to 10000 for f_mat, got '1e+308'"},
+	    {"alpha", "-1", "expected a number from 0 to 100 for alpha"},
+	    {"k", "9e999", "expected a number from 0.001 to 1000 for k"},
+	    {"method", "'magic'", "expected one of: continuous classes, got"},
+	    {"method", "''", "'b', field method: expected one of"},
+	    {"date", "'2026-02-30'", "expected a date such as 2026-11-21"},
+	    {"rock", "'a' || char(27) || '[31m'",
+		"field rock: expected text without control"},
+	    {"note", "'a' || char(10)", "expected text without control"},
+	    {"site", "CAST(x'FF' AS TEXT)", "expected text without control"},
+	    {"seed", "-7", "expected a whole number below 2^63"}};
+	put(shelf, full("a"));
+	for (size_t i = 0; i < ARRAY_LEN(ROWS); i++) {
+		char *set = xasprintf("%s = %s", ROWS[i].field, ROWS[i].value);
+		struct stored m = full("b");
+		forge(shelf, &m, set);
+		stored_free(&m);
+		expect_forged(shelf, ROWS[i].words, "b");
+		free(set);
+	}
+}
+
+/* What is right in itself and forged whole is still no name. */
+static void
+a_name_that_is_none_can_be_forgotten_as_it_is_shown(void **state)
+{
+	struct shelf *shelf = *state;
+	static const char *const NAMES[][2] = {
+	    {"x\x1B[31mred", "x\\x1b[31mred"}, {"table3/tierp", "table3/tierp"},
+	    {"#b", "#b"}, {"\"b\"", "'b'"}, {"\xFF", "\\xff"},
+	    {"0123456789012345678901234567890123456789012345678901234567å789",
+		"0123456789012345678901234567890123456789012345678901234567å"}};
+	put(shelf, full("a"));
+	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
+		struct stored m = full(NAMES[i][0]);
+		char *fold = text_fold(m.name), set[400] = "fold = CAST(x'";
+		for (const char *p = fold; *p != '\0'; p++)
+			snprintf(set + strlen(set), 3, "%02x",
+			    (unsigned)(unsigned char)*p);
+		strcat(set, "' AS TEXT), name = CAST(x'");
+		for (const char *p = m.name; *p != '\0'; p++)
+			snprintf(set + strlen(set), 3, "%02x",
+			    (unsigned)(unsigned char)*p);
+		strcat(set, "' AS TEXT)");
+		forge(shelf, &m, set);
+		expect_forged(
+		    shelf, "field name: expected a name", NAMES[i][1]);
+		free(fold);
+		stored_free(&m);
+	}
+	struct stored m = full("c");
+	forge(shelf, &m, "name = 'c'");
+	stored_free(&m);
+	expect_forged(shelf, "'c' is not what was remembered", "c");
+}
+
+static void
+what_cannot_be_read_back_is_not_put(void **state)
+{
+	struct shelf *shelf = *state;
+	struct stored m = full("b");
+	put(shelf, full("a"));
+	m.params.alpha = 500;
+	assert_false(store_put(shelf->store, &m, 1, false, &shelf->error));
+	assert_non_null(strstr(shelf->error.text, "0 to 100 for alpha"));
+	expect_names(shelf, "a");
+	stored_free(&m);
+}
+
 static void
 a_locked_store_is_waited_for_and_then_told(void **state)
 {
@@ -274,6 +383,10 @@ main(void)
 	    cmocka_unit_test(a_file_that_is_none_is_refused),
 	    cmocka_unit_test(a_damaged_file_is_refused),
 	    cmocka_unit_test(a_changed_number_is_noticed),
+	    cmocka_unit_test(rows_are_checked_as_an_import_is),
+	    cmocka_unit_test(
+		a_name_that_is_none_can_be_forgotten_as_it_is_shown),
+	    cmocka_unit_test(what_cannot_be_read_back_is_not_put),
 	    cmocka_unit_test(a_locked_store_is_waited_for_and_then_told),
 	};
 	return shelf_run(tests, ARRAY_LEN(tests));

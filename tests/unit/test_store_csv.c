@@ -79,7 +79,7 @@ faults_of_an_import_have_their_place(void **state)
 	    {"2.18", "", 2, 32, "f_mat was wanted"},
 	    {"hand", "magic", 2, 16, "one of: fit hand"},
 	    {"\na,", "\n,", 2, 1, "name was wanted"},
-	    {"\na,", "\ntable3/a,", 2, 1, "Table 3"},
+	    {"\na,", "\ntable3/a,", 2, 1, "# or table3/"},
 	    {"\na,", "\nA,", 2, 1, "the store has 'A' already"},
 	    {"alpha", "gamma", 1, 103, "the name of a column"},
 	    {"continuous", "exact", 2, 48, "one of: continuous classes"},

@@ -218,8 +218,8 @@ width_counts_characters(void **state)
 		const char *text;
 		int width;
 	} width[] = {{"", 0}, {"mm", 2}, {"Borlänge", 8}, {"β1 · α", 6},
-	    {"\xF0\x9F\xAA\xA8", 1}, {"a\xFFz", 3}, {"\xC3", 1},
-	    {"\xE2\x82", 2}};
+	    {"\xF0\x9F\xAA\xA8", 1}, {"a\xFFz", 6}, {"\xC3", 4},
+	    {"\xE2\x82", 8}, {"\x1B[m", 6}, {"\u202Etip", 9}};
 	for (size_t i = 0; i < ARRAY_LEN(width); i++)
 		assert_int_equal(text_width(width[i].text), width[i].width);
 }
