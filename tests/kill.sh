@@ -12,6 +12,13 @@ limits=$(command -v prlimit)
 
 quick='START=params set f_mat=2 e0_min=16 alpha=1'
 
+# number SIGNAL: by the shell, as a kill that is a program is not everywhere.
+number() {
+	s=1
+	until [ "$(kill -l $s)" = "$1" ]; do s=$((s + 1)); done
+	echo $s
+}
+
 # enter STATE: the program is in it.
 enter() {
 	case $1 in
@@ -67,7 +74,7 @@ for state in idle calibrating list typing prompt 'prompt calibrating'; do
 		case $state$signal in prompt*INT) continue ;; esac
 		enter "$state"
 		kill -s $signal "$(cat pid)"
-		over "$state" "SIG$signal" $((128 + $(/bin/kill -l $signal)))
+		over "$state" "SIG$signal" $((128 + $(number $signal)))
 	done
 done
 

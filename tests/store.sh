@@ -143,11 +143,13 @@ if mount -t tmpfs -o size=160k tmpfs small 2>/dev/null; then
 	result $? "and what was remembered before is there"
 fi
 
-# What cannot be written; root may write everywhere, so another user tries.
+# What cannot be written; root may write everywhere, so another user tries, who
+# may not look into every clone.
 mkdir closed open
 cp to.db closed/s.db
 cp "$TIPSPEED" tipspeed
-chmod 755 "$dir" tipspeed
+cp data/sites/tierp.csv sheet.csv
+chmod 755 "$dir" tipspeed sheet.csv
 chmod 444 closed/s.db
 chmod 555 closed
 as_other=
@@ -159,7 +161,7 @@ status=$?
 result $? "a store in a read-only folder can be read"
 remark log
 for store in closed/s.db closed/new.db none/new.db "$dir"; do
-	$as_other ./tipspeed --store="$store" data/sites/tierp.csv \
+	$as_other ./tipspeed --store="$store" sheet.csv \
 		-c "$params" -c remember >out 2>log
 	status=$?
 	[ $status -eq 5 ] && grep -q "^-c:2:1: $store: the store cannot be" log &&

@@ -28,6 +28,14 @@ error_told_at(struct error *e, const char *file, int line, int column)
 	error_place(e, file, line, column);
 }
 
+/* A copy of the text before the hint, kept in *copy.  The compiler checks what
+ * it is given as it would the whole format. */
+__attribute__((format_arg(1))) static const char *
+first_line(const char *format, char **copy)
+{
+	return *copy = xstrndup(format, strcspn(format, "\n"));
+}
+
 bool
 error_say(struct error *e, enum error_kind kind, const char *file, int line,
     int column, const char *format, va_list ap)
@@ -36,8 +44,8 @@ error_say(struct error *e, enum error_kind kind, const char *file, int line,
 		return false;
 	va_list again;
 	va_copy(again, ap);
-	char *first = xstrndup(format, strcspn(format, "\n"));
-	char *text = xvasprintf(first, ap), *all = xvasprintf(format, again);
+	char *first, *text = xvasprintf(first_line(format, &first), ap);
+	char *all = xvasprintf(format, again);
 	const char *rest = all + strlen(text);
 	va_end(again);
 	e->kind = kind;

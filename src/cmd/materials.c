@@ -31,7 +31,8 @@ is_wanted(const struct stored *m, const struct args *args)
 {
 	const struct value *rock = args_value(args, "rock");
 	const struct value *top = args_value(args, "top");
-	enum { ALL, TABLE3, OWN } origin = args_value(args, "origin")->choice;
+	enum { ALL, TABLE3, OWN };
+	size_t origin = args_value(args, "origin")->choice;
 	return (!rock->given || text_same(m->rock, rock->text)) &&
 	       (!top->given || has_size(m, top->number)) &&
 	       (origin == ALL || (origin == TABLE3) == stored_is_table3(m));

@@ -1,11 +1,10 @@
-/* The kernel and the breeding for avx2; on other processors, where nobody calls
- * them, as in isa_base.c.
+/* The kernel and the breeding for avx2, by the flags of this file alone; on
+ * other processors, where nobody calls them, as in isa_base.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/breed.h"
 #include "core/plan.h"
 
-#if defined __x86_64__
-#pragma GCC target("avx2")
+#ifdef __AVX2__
 #define LANES 4
 #else
 #define LANES 2

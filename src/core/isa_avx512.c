@@ -1,11 +1,10 @@
-/* The kernel and the breeding for avx512; on other processors, where nobody
- * calls them, as in isa_base.c.
+/* The kernel and the breeding for avx512, by the flags of this file alone; on
+ * other processors, where nobody calls them, as in isa_base.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/breed.h"
 #include "core/plan.h"
 
-#if defined __x86_64__
-#pragma GCC target("avx512f,avx512dq,avx512vl,avx512bw,prefer-vector-width=512")
+#ifdef __AVX512F__
 #define LANES 8
 #else
 #define LANES 2

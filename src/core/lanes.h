@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#if defined __x86_64__
+#ifdef __SSE2__
 #include <immintrin.h>
 #endif
 
@@ -55,7 +55,7 @@ lanes_max(lanes a, lanes b)
 	return (lanes)_mm512_max_pd((__m512d)a, (__m512d)b);
 #elif LANES == 4
 	return (lanes)_mm256_max_pd((__m256d)a, (__m256d)b);
-#elif defined __x86_64__
+#elif defined __SSE2__
 	return (lanes)_mm_max_pd((__m128d)a, (__m128d)b);
 #else
 	lanes r = {0};
@@ -73,7 +73,7 @@ lanes_min(lanes a, lanes b)
 	return (lanes)_mm512_min_pd((__m512d)a, (__m512d)b);
 #elif LANES == 4
 	return (lanes)_mm256_min_pd((__m256d)a, (__m256d)b);
-#elif defined __x86_64__
+#elif defined __SSE2__
 	return (lanes)_mm_min_pd((__m128d)a, (__m128d)b);
 #else
 	lanes r = {0};

@@ -106,7 +106,7 @@ cairo_pen_text(struct pen *pen, double x, double y, const char *words,
 		cairo_scale(c, style->length / size.x_advance, 1);
 	if (style->upward)
 		cairo_rotate(c, -acos(0));
-	cairo_move_to(c, -size.x_advance * style->anchor / 2, 0);
+	cairo_move_to(c, -size.x_advance * (double)style->anchor / 2, 0);
 	cairo_show_text(c, text);
 	cairo_restore(c);
 	free(text);

@@ -316,12 +316,12 @@ a_written_site_reads_back_to_the_same_bits(void **state)
 {
 	(void)state;
 	static const char *const sheet[] = {GOOD,
-	    "size_um,feed@69,retained_g@69,feed_fraction@79.25,"
-	    "product_fraction@79.25,feed@80\n"
-	    "31000.123,100,0,1,1,100\n7.1,33.333333333333336,7.7,"
-	    "0.981379781,,7\n3.3,1,0.1,0.7,0.123456789,1\npan,,3.3\n",
-	    "size_mm,feed,cum_retained_pct@69,fraction@79\n8,100,99.01,.01\n"
-	    "4,60,99.123456789,0\n"};
+	    ("size_um,feed@69,retained_g@69,feed_fraction@79.25,"
+	     "product_fraction@79.25,feed@80\n"
+	     "31000.123,100,0,1,1,100\n7.1,33.333333333333336,7.7,"
+	     "0.981379781,,7\n3.3,1,0.1,0.7,0.123456789,1\npan,,3.3\n"),
+	    ("size_mm,feed,cum_retained_pct@69,fraction@79\n8,100,99.01,.01\n"
+	     "4,60,99.123456789,0\n")};
 	for (size_t i = 0; i < ARRAY_LEN(sheet); i++) {
 		struct site *site = accept(sheet[i]);
 		assert_true(reads_back(site));
