@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/command.h"
+#include "cmd/keep.h"
 #include "cmd/parse.h"
 #include "cmd/script.h"
 #include "cmd/turn.h"
@@ -54,6 +55,7 @@ session_free(struct session *s)
 	script_close(s, 0);
 	struct error stopped = {0};
 	session_settle(s, false, &stopped);
+	keep_end(s);
 	entries_free(s->entry, s->n_entry);
 	for (size_t i = 0; i < s->n_site; i++)
 		site_free(s->site[i]);

@@ -108,6 +108,7 @@ struct choices {
 
 struct canvas;
 struct journal;
+struct keep;
 struct screen_request;
 struct script;
 struct turn;
@@ -140,6 +141,7 @@ struct session {
 	struct site **site;    /* every site there was; entries borrow them */
 	struct choices *first; /* what the command line set; reset goes there */
 	struct journal *journal;
+	struct keep *keep; /* what is not saved, see keep.h; NULL: no matter */
 	struct undo *undo;
 	struct script *script; /* scripts being read, innermost first */
 	struct turn *turn;     /* commands under way, innermost first */

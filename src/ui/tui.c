@@ -16,6 +16,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/keep.h"
 #include "ui/act.h"
 #include "ui/conduct.h"
 #include "ui/manpage.h"
@@ -328,6 +329,16 @@ run_linear(struct session *s)
 	return 0;
 }
 
+/* What was kept of the last session. */
+static void
+offer_last(struct tui *t)
+{
+	char *offer = keep_begin(t->session);
+	if (offer != NULL)
+		tui_say(t, false, "%s", offer);
+	free(offer);
+}
+
 int
 tui_run(struct session *s)
 {
@@ -345,6 +356,7 @@ tui_run(struct session *s)
 	if (opened) {
 		tui_begin(&t, s);
 		s->show_page = show_page;
+		offer_last(&t);
 		loop(&t);
 		tui_end(&t);
 		screen_close();
