@@ -62,10 +62,10 @@ over() {
 	want 'IT IS OVER'
 	waits after
 	[ "$(cat status)" = "$3" ] && cmp -s before after && [ "$(flags)" = '0 1 00' ] &&
-		grep -q "^$change\$" .local/state/tipspeed/session*.tip
+		[ "$(marked)" = '?2004l' ] && grep -q "^$change\$" .local/state/tipspeed/session*.tip
 	good=$?
 	[ $good -eq 0 ] || {
-		echo "# status $(cat status), screen $(flags)"
+		echo "# status $(cat status), screen $(flags), $(marked)"
 		cat .local/state/tipspeed/session*.tip | sed 's/^/# /'
 		diff before after | sed 's/^/# /'
 	}
@@ -126,12 +126,12 @@ for how in '^Z' SIGTSTP; do
 	want 'Stopped'
 	keys 'stty -a >after' Enter
 	waits after
-	cmp -s before after && [ "$(flags)" = '0 1 00' ]
+	cmp -s before after && [ "$(flags)" = '0 1 00' ] && [ "$(marked)" = '?2004l' ]
 	result $? "calibrating: $how gives the terminal back"
 	rm after
 	keys clear Enter fg Enter
 	want 'generation [1-9][0-9]* of 800'
-	[ "$(flags)" = '1 1 11' ]
+	[ "$(flags)" = '1 1 11' ] && [ "$(marked)" = '?2004h' ]
 	result $? "and fg goes on with the search"
 done
 keys q

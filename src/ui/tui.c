@@ -10,7 +10,6 @@
 #include <string.h>
 #include <sys/select.h>
 #include <unistd.h>
-#include <wchar.h>
 
 #include <curses.h>
 
@@ -19,8 +18,10 @@
 #include "cmd/keep.h"
 #include "ui/act.h"
 #include "ui/conduct.h"
+#include "ui/input.h"
 #include "ui/manpage.h"
 #include "ui/pane.h"
+#include "ui/paste.h"
 #include "ui/pump.h"
 #include "ui/repl.h"
 #include "ui/rescue.h"
@@ -30,6 +31,9 @@
 #include "ui/tui_state.h"
 #include "ui/typed.h"
 #include "ui/view.h"
+
+/* What is pasted has ended where nothing more came for so long, s. */
+static const double PASTE_PAUSE = 2;
 
 static bool with_colour;
 static volatile sig_atomic_t resized, stopping;
@@ -148,24 +152,34 @@ give_signals_back(const struct signals *was)
 	sigprocmask(SIG_SETMASK, &let_in, NULL);
 }
 
-/* Waits for a key, a signal, or the next generation that is due; without one
- * for ever. */
+/* How long to wait, s, for the next generation that is due, or for the end of
+ * what is pasted; INFINITY: for ever. */
+static double
+patience(const struct tui *t)
+{
+	double left = t->paste.on ? PASTE_PAUSE : INFINITY;
+	if (session_busy(t->session) && !t->held)
+		left = t->pace == PACE_FULL
+			   ? 0
+			   : fmin(left, t->due - session_clock());
+	return left > 0 ? left : 0;
+}
+
+/* Waits for a key, a signal, or until it has lost its patience. */
 static void
 wait_for_something(const struct tui *t)
 {
-	struct timespec time = {0}, *limit = NULL;
-	if (session_busy(t->session) && !t->held) {
-		double left =
-		    t->pace == PACE_FULL ? 0 : t->due - session_clock();
-		left = left > 0 ? left : 0;
+	double left = patience(t);
+	struct timespec time = {0};
+	if (isfinite(left)) {
 		time.tv_sec = (time_t)left;
 		time.tv_nsec = (long)(1e9 * (left - floor(left)));
-		limit = &time;
 	}
 	fd_set in;
 	FD_ZERO(&in);
 	FD_SET(STDIN_FILENO, &in);
-	pselect(STDIN_FILENO + 1, &in, NULL, NULL, limit, &let_in);
+	pselect(STDIN_FILENO + 1, &in, NULL, NULL,
+	    isfinite(left) ? &time : NULL, &let_in);
 }
 
 void
@@ -197,42 +211,18 @@ stop_here(struct tui *t)
 	t->started += session_clock() - left;
 }
 
-/* The rest of a sequence that the terminal's description does not have would be
- * taken for keys. True where there was one: it came with its Escape at once. */
-static bool
-pass_over_sequence(void)
-{
-	wint_t code = 0;
-	int got = get_wch(&code);
-	if (got == OK && (code == '[' || code == 'O')) {
-		bool long_one = code == '[';
-		do
-			got = get_wch(&code);
-		while (got == OK && long_one && code < '@');
-		return true;
-	}
-	if (got == OK)
-		unget_wch((wchar_t)code);
-	else if (got == KEY_CODE_YES)
-		ungetch((int)code);
-	return false;
-}
-
 /* Everything that was typed and dragged; only the newest speed is predicted. */
 static void
 take_keys(struct tui *t)
 {
-	enum { ESCAPE = 27 };
-	wint_t code;
-	int got;
-	while (
-	    !t->leave && !t->session->quit && (got = get_wch(&code)) != ERR) {
-		if (got == KEY_CODE_YES && code == KEY_RESIZE)
-			continue;
-		if (got == OK && code == ESCAPE && pass_over_sequence())
-			continue;
-		act_key(t, (int)code, got == KEY_CODE_YES);
-	}
+	int code;
+	bool special;
+	while (!t->leave && !t->session->quit &&
+	       input_key(t, &let_in, &code, &special))
+		act_key(t, code, special);
+	/* Its end does not come: keys are keys again. */
+	if (t->paste.on && session_clock() - t->pasted >= PASTE_PAUSE)
+		paste_end(t);
 }
 
 /* A terminal that was closed under the program without a hang-up: reading it
@@ -248,6 +238,20 @@ notice_end(void)
 	pump_let_in(&let_in);
 }
 
+/* One frame, until something happens. */
+static void
+show(struct tui *t)
+{
+	pane_draw(t);
+	wait_for_something(t);
+	notice_end();
+	if (stopping)
+		stop_here(t);
+	if (resized)
+		screen_resize();
+	resized = 0;
+}
+
 static void
 loop(struct tui *t)
 {
@@ -255,14 +259,7 @@ loop(struct tui *t)
 		t->clock = session_clock();
 		conduct_predict(t);
 		rows_update(t);
-		pane_draw(t);
-		wait_for_something(t);
-		notice_end();
-		if (stopping)
-			stop_here(t);
-		if (resized)
-			screen_resize();
-		resized = 0;
+		show(t);
 		t->clock = session_clock();
 		take_keys(t);
 		conduct_pump(t);
