@@ -131,6 +131,7 @@ keys - - f
 want 'CALIBRATING' "it can be watched"
 keys Right
 want '\[74\.1\]' "the speed moves while it runs"
+rm shot
 keys : 'screen > shot' Enter
 want ': screen > shot'
 grep -q CALIBRATING shot && grep -q CALIBRATING screen
@@ -238,6 +239,27 @@ keys q
 sleep 2.5
 keys Right
 want '\[74\.2\]' "a paste that does not end holds the keys for 2 seconds"
+echo mine >mine.csv
+keys : 'sites > mine.csv' Enter
+want '^mine.csv exists: replace it? y/n' "a file is not replaced unasked"
+paste y
+sleep 0.3
+keys Right
+want '^! mine.csv was kept as it was'
+[ "$(cat mine.csv)" = mine ]
+result $? "any key but y is a no, and so is what is pasted"
+keys : 'sites > mine.csv' Enter
+want '^mine.csv exists'
+for size in '40 12' '20 5' '80 24'; do
+	# shellcheck disable=SC2086
+	set -- $size
+	mux resize-window -t one -x "$1" -y "$2"
+	want 'replace it? y/n' "the question at $1 x $2"
+done
+keys C-z y
+want 'wrote mine.csv'
+grep -q '^sites,' mine.csv
+result $? "y replaces it"
 keys q
 want 'IT IS OVER'
 [ "$(marked)" = '?2004l' ]

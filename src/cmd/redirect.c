@@ -13,6 +13,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/script.h"
 #include "io/replace.h"
 
 struct redirect {
@@ -71,10 +72,28 @@ may_write(const char *path, struct error *error)
 	return ok || cannot_write(path, reason, error);
 }
 
+/* Scripts are not asked for. */
+static bool
+may_replace(struct session *s, const char *path, struct error *error)
+{
+	struct stat file;
+	if (s->confirm == NULL || script_depth(s) > s->typed_at ||
+	    stat(path, &file) != 0 || !S_ISREG(file.st_mode) ||
+	    file.st_size == 0)
+		return true;
+	char *question = xasprintf("%s exists: replace it?", path);
+	bool yes = s->confirm(s, question);
+	free(question);
+	return yes || error_set(error, ERROR_USAGE,
+			  "%s was kept as it was\nname another file", path);
+}
+
 struct redirect *
 redirect_open(struct session *s, const struct words *words, struct error *error)
 {
 	if (words->to != TO_PIPE && !may_write(words->target, error))
+		return NULL;
+	if (words->to == TO_FILE && !may_replace(s, words->target, error))
 		return NULL;
 	struct redirect *r = xcalloc(1, sizeof *r);
 	r->memory = text_memory(&r->text, &r->n);

@@ -171,7 +171,7 @@ session_line(struct session *s, const char *line, size_t from, const char *file,
 {
 	struct place place = {.file = file,
 	    .line = number,
-	    .prompt = s->prompt && s->script == NULL};
+	    .prompt = s->prompt && script_depth(s) <= s->typed_at};
 	size_t end = strlen(line), depth = script_depth(s);
 	*next = 0;
 	if (!session_settle(s, true, error))

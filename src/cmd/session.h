@@ -119,6 +119,7 @@ struct session {
 	struct entry *entry;
 	struct choices set;
 	bool prompt;        /* lines are typed by somebody */
+	size_t typed_at;    /* while so many scripts are open */
 	bool safe;          /* no command may touch files or the shell */
 	bool linear;        /* the screen is heard: words, no pictures */
 	bool timing;        /* tell how long each command took */
@@ -137,6 +138,8 @@ struct session {
 	/* Draws the full screen, see pictures.h; NULL: there is none. */
 	struct canvas *(*draw_screen)(
 	    struct session *, const struct screen_request *, struct error *);
+	/* Asks somebody who sits there; NULL: nobody does, nothing is asked. */
+	bool (*confirm)(struct session *s, const char *question);
 	size_t n_site;
 	struct site **site;    /* every site there was; entries borrow them */
 	struct choices *first; /* what the command line set; reset goes there */

@@ -165,7 +165,9 @@ batch_attend(struct session *s)
 	if (offer != NULL)
 		session_note(s, "%s", offer);
 	free(offer);
+	s->confirm = pump_confirm;
 	s->prompt = true;
+	s->typed_at = script_depth(s);
 }
 
 /* On standard error: standard output is no terminal here, else readline would

@@ -15,8 +15,8 @@ enum { MOST = 2000 };
 static bool
 is_taken(const struct tui *t, int code)
 {
-	if (t->typing.active)
-		return true;
+	if (t->question != NULL || t->typing.active)
+		return t->question == NULL;
 	if (t->viewer.text != NULL)
 		return t->viewer.filtering;
 	size_t n = strlen(t->digits);

@@ -16,6 +16,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/keep.h"
+#include "cmd/script.h"
 #include "ui/act.h"
 #include "ui/conduct.h"
 #include "ui/input.h"
@@ -39,6 +40,9 @@ static bool with_colour;
 static volatile sig_atomic_t resized, stopping;
 /* Signals that are let in while the program waits. */
 static sigset_t let_in;
+/* session->confirm has no argument to pass it by. */
+static struct tui *asked;
+static bool aside; /* somebody else has the terminal */
 
 void
 tui_choose(bool colour)
@@ -158,7 +162,7 @@ static double
 patience(const struct tui *t)
 {
 	double left = t->paste.on ? PASTE_PAUSE : INFINITY;
-	if (session_busy(t->session) && !t->held)
+	if (t->question == NULL && session_busy(t->session) && !t->held)
 		left = t->pace == PACE_FULL
 			   ? 0
 			   : fmin(left, t->due - session_clock());
@@ -185,6 +189,7 @@ wait_for_something(const struct tui *t)
 void
 tui_step_aside(void)
 {
+	aside = true;
 	screen_leave();
 	answer_stop(false);
 	sigprocmask(SIG_SETMASK, &let_in, NULL);
@@ -197,6 +202,7 @@ tui_step_back(void)
 	answer_stop(true);
 	pump_forget_interrupt();
 	screen_return();
+	aside = false;
 }
 
 static void
@@ -252,6 +258,46 @@ show(struct tui *t)
 	resized = 0;
 }
 
+/* The key that answers; 0 at a signal.  The mouse answers nothing. */
+static int
+read_answer(struct tui *t)
+{
+	enum { STOP = 26 };
+	int code = 0;
+	bool special = false, done = false;
+	while (!done && pump_signal() == 0) {
+		show(t);
+		done = input_key(t, &let_in, &code, &special);
+		if (done && special && code == KEY_MOUSE) {
+			MEVENT e;
+			getmouse(&e);
+			done = false;
+		} else if (done && !special && code == STOP) {
+			done = false;
+			raise(SIGTSTP);
+		}
+	}
+	return done && !special ? code : 0;
+}
+
+static bool
+confirm(struct session *s, const char *question)
+{
+	struct tui *t = asked;
+	if (aside)
+		return pump_confirm(s, question);
+	t->question = question;
+	int code = 0;
+	if (!t->aside) {
+		code = read_answer(t);
+	} else {
+		pane_draw(t);
+		code = shot_answer();
+	}
+	t->question = NULL;
+	return code == 'y' || code == 'Y';
+}
+
 static void
 loop(struct tui *t)
 {
@@ -288,8 +334,12 @@ tui_begin(struct tui *t, struct session *s)
 	    .picture = PLOT_PSD,
 	    .level = 50,
 	    .holdout = NAN,
-	    .before = {s->out, s->notes, s->show_page, s->prompt, s->screen}};
+	    .before = {s->out, s->notes, s->show_page, s->confirm, s->prompt,
+		s->typed_at, s->screen}};
+	asked = t;
+	s->confirm = confirm;
 	s->prompt = true;
+	s->typed_at = script_depth(s);
 	s->show_page = NULL;
 	tui_keep_feed(t);
 	conduct_begin(t);
@@ -305,7 +355,9 @@ tui_end(struct tui *t)
 	s->out = t->before.out;
 	s->notes = t->before.notes;
 	s->show_page = t->before.show_page;
+	s->confirm = t->before.confirm;
 	s->prompt = t->before.prompt;
+	s->typed_at = t->before.typed_at;
 	s->screen = t->before.screen;
 	conduct_keep(t);
 	conduct_end(t);

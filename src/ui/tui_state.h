@@ -100,6 +100,7 @@ struct tui {
 	char *command; /* the last one, for show */
 	char message[800];
 	bool bad;             /* the message is an error */
+	const char *question; /* that waits for an answer, or NULL */
 	FILE *said;           /* what commands print */
 	char *said_text;
 	size_t said_n;
@@ -108,7 +109,9 @@ struct tui {
 	struct {
 		FILE *out, *notes;
 		bool (*show_page)(const char *page);
+		bool (*confirm)(struct session *s, const char *question);
 		bool prompt;
+		size_t typed_at;
 		struct screen screen;
 	} before;
 };

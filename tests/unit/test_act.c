@@ -370,6 +370,21 @@ ten_megabytes_are_pasted(void **state)
 	assert_string_equal(t->digits, "7555555");
 }
 
+static void
+a_question_is_answered_by_y_alone(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	struct session *s = t->session;
+	assert_false(s->confirm(s, "shall it?"));
+	assert_null(t->question);
+	/* It stands on the frame that was drawn. */
+	struct canvas *frame = screen_back(((struct stage *)*state)->was);
+	assert_int_equal(canvas_at(frame, 0, 23)->code, 's');
+	assert_int_equal(canvas_at(frame, 12, 23)->code, 'n');
+	canvas_free(frame);
+	((struct stage *)*state)->was = screen_aside(5, 20, CHARSET_ASCII, 0);
+}
+
 int
 main(void)
 {
@@ -411,6 +426,8 @@ main(void)
 		stage_close),
 	    cmocka_unit_test_setup_teardown(
 		ten_megabytes_are_pasted, stage_open, stage_close),
+	    cmocka_unit_test_setup_teardown(
+		a_question_is_answered_by_y_alone, stage_open, stage_close),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);
