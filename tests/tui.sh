@@ -357,6 +357,16 @@ start 80 24 START='echo hello'
 want 'f calibrates' "without parameters it says what to do"
 keys q
 want 'IT IS OVER'
+echo tui >open.tip
+start 80 24 'START=source open.tip'
+want 'f calibrates'
+keys : 'bounds alpha 0.4' Enter
+want ': bounds alpha 0\.4'
+grep -q '^bounds alpha 0.4$' .local/state/tipspeed/session*.tip
+result $? "what is typed there is kept also where a script opened it"
+keys q q
+want 'IT IS OVER'
+rm -f .local/state/tipspeed/session*
 start 80 24 XDG_STATE_HOME=/dev/null
 want '\[74\.0\]'
 ! grep -q history screen

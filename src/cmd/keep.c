@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/journal.h"
+#include "cmd/script.h"
 #include "config.h"
 #include "io/kept.h"
 
@@ -129,7 +130,8 @@ keep_turn(struct session *s, bool ok, bool saved)
 		if (now.start == k->written.start)
 			remove_restored(k);
 	}
-	if (s->turn != NULL || failed_to_restore(k, ok))
+	/* A script is one step, as it is for undo. */
+	if (script_depth(s) > s->typed_at || failed_to_restore(k, ok))
 		return;
 	if (saved || now.n != k->written.n || now.start != k->written.start ||
 	    now.state != k->written.state)
