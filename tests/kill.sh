@@ -1,6 +1,7 @@
 #!/bin/sh
 # Every way out, from every state, leaves the terminal as it was: its settings, the
-# screen it shows, the cursor and the mouse; and the status is the one to expect.
+# screen it shows, the cursor and the mouse; the status is the one to expect, and what
+# was changed is kept.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
 # A sanitizer would take the faults, and all the memory there is.
@@ -11,6 +12,7 @@ limits=$(command -v prlimit)
 ! grep -q __asan_init "$TIPSPEED" || limits=
 
 quick='START=params set f_mat=2 e0_min=16 alpha=1'
+change='bounds alpha 0.4'
 
 # number SIGNAL: by the shell, as a kill that is a program is not everywhere.
 number() {
@@ -25,30 +27,37 @@ enter() {
 	prompt*) start 80 24 AT_PROMPT=1 ;;
 	*) start 80 24 "$quick" ;;
 	esac
+	rm -f .local/state/tipspeed/session*
 	case $1 in
-	idle) want '\[74\.0\]' ;;
-	calibrating)
+	prompt*)
+		want 'tierp>$'
+		keys "$change" Enter
+		want 'alpha.* 0\.4'
+		;;
+	*)
 		want '\[74\.0\]'
+		keys : "$change" Enter
+		want ": $change"
+		;;
+	esac
+	case $1 in
+	calibrating)
 		keys - - f
 		want 'generation [2-9] of 800'
 		;;
 	list)
-		want '\[74\.0\]'
 		keys '?'
 		want 'speed down by 0.1'
 		;;
 	typing)
-		want '\[74\.0\]'
 		keys : 'predict 7'
 		want '^:predict 7'
 		;;
 	prompt)
-		want 'tierp>$'
 		keys 'predict 7'
 		want 'predict 7$'
 		;;
 	'prompt calibrating')
-		want 'tierp>$'
 		keys 'calibrate generations=1000000 tolerance=0 stall=0' Enter
 		want '^  generation [1-9]'
 		;;
@@ -59,10 +68,12 @@ enter() {
 over() {
 	want 'IT IS OVER'
 	waits after
-	[ "$(cat status)" = "$3" ] && cmp -s before after && [ "$(flags)" = '0 1 00' ]
+	[ "$(cat status)" = "$3" ] && cmp -s before after && [ "$(flags)" = '0 1 00' ] &&
+		[ "$(marked)" = '?2004l' ] && grep -q "^$change\$" .local/state/tipspeed/session*.tip
 	good=$?
 	[ $good -eq 0 ] || {
-		echo "# status $(cat status), screen $(flags)"
+		echo "# status $(cat status), screen $(flags), $(marked)"
+		cat .local/state/tipspeed/session*.tip | sed 's/^/# /'
 		diff before after | sed 's/^/# /'
 	}
 	result $good "$1: $2"
@@ -122,12 +133,12 @@ for how in '^Z' SIGTSTP; do
 	want 'Stopped'
 	keys 'stty -a >after' Enter
 	waits after
-	cmp -s before after && [ "$(flags)" = '0 1 00' ]
+	cmp -s before after && [ "$(flags)" = '0 1 00' ] && [ "$(marked)" = '?2004l' ]
 	result $? "calibrating: $how gives the terminal back"
 	rm after
 	keys clear Enter fg Enter
 	want 'generation [1-9][0-9]* of 800'
-	[ "$(flags)" = '1 1 11' ]
+	[ "$(flags)" = '1 1 11' ] && [ "$(marked)" = '?2004h' ]
 	result $? "and fg goes on with the search"
 done
 keys q

@@ -46,6 +46,14 @@ start() {
 	*'sh -'*) mux new-session -d -s one $size env "$@" ;;
 	*) mux new-session -d -s one $size env "$@" sh ./inside ;;
 	esac
+	mux pipe-pane -t one 'cat >bytes'
+}
+# marked: whether pasted text is marked, "?2004h", by what was written last.
+marked() { LC_ALL=C grep -ao '?2004[hl]' bytes | tail -n 1; }
+# paste TEXT: as a terminal pastes it, in marks where these were asked for.
+paste() {
+	mux set-buffer -b clip -- "$1"
+	mux paste-buffer -p -b clip -t one
 }
 keys() { mux send-keys -t one "$@"; }
 shot() { mux capture-pane -t one -p >screen 2>&1; }

@@ -22,6 +22,7 @@ compare() {
 
 # Names of digits alone are those of tests/tui.sh, from a real terminal.
 mkdir screens
+echo mine >mine.csv
 printf '%s\n' site,Norra rock,Granite size_mm,feed 22.4,100 16,90 8,52 4,28 \
 	1,7 >norra.csv
 head='size_mm,feed,product@69,product@79'

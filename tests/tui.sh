@@ -181,6 +181,91 @@ want 'IT IS OVER' "q leaves"
 [ "$(cat status)" = 0 ] && cmp -s before after && ! grep -q 'rotor tip' screen
 result $? "and the terminal is as it was"
 
+# What is pasted is typed into an open line, and never run.
+# sums: what is in the folder, but for what the tests themselves write there.
+sums() {
+	find . -type f ! -name screen ! -name bytes ! -name sums ! -name difference \
+		-exec cksum {} + | sort
+}
+start 80 24
+want '\[74\.0\]'
+paste ':sites | touch stray
+:bounds alpha 0.4
+q'
+want 'pasted text was ignored: press : first' "pasted text is no keys"
+keys :
+paste 'set k 1.5
+set k 3
+'
+want '^:set k 1\.5 *$' "it goes into an open line"
+want 'only part of the pasted text was taken'
+keys Enter
+want ': set k 1\.5 ' "which Return runs, and nothing else"
+keys 7
+paste '2qx.3'
+want 'speed: 72\.3_' "of a speed that is typed it has digits"
+keys Escape '?' /
+paste 'by 5
+'
+want '^/by 5 *$' "it is a word to find"
+keys Escape
+awk 'BEGIN { srand(5); printf ":"; for (i = 0; i < 20000; i++)
+	printf "%c", rand() < 0.1 ? 13 : 1 + int(126 * rand()) }' >random
+sums >sums
+mux load-buffer -b clip random
+for line in '' :; do
+	# shellcheck disable=SC2086
+	[ -z "$line" ] || keys $line
+	mux paste-buffer -p -b clip -t one
+	sleep 1
+done
+keys Escape
+want '\[74\.0\]'
+sums | diff sums - >difference
+good=$?
+remark difference
+[ ! -e stray ] || good=1
+result $good "random bytes that are pasted change no file"
+awk 'BEGIN { for (i = 0; i < 20000; i++) print ":q what is pasted is no key" }' \
+	>much
+mux load-buffer -b clip much
+mux paste-buffer -p -b clip -t one
+keys Right
+want '\[74\.1\]' "nor do 600 kB"
+keys -l "$(printf '\033[200~')"
+sleep 0.3
+keys q
+sleep 2.5
+keys Right
+want '\[74\.2\]' "a paste that does not end holds the keys for 2 seconds"
+echo mine >mine.csv
+keys : 'sites > mine.csv' Enter
+want '^mine.csv exists: replace it? y/n' "a file is not replaced unasked"
+paste y
+sleep 0.3
+keys Right
+want '^! mine.csv was kept as it was'
+[ "$(cat mine.csv)" = mine ]
+result $? "any key but y is a no, and so is what is pasted"
+keys : 'sites > mine.csv' Enter
+want '^mine.csv exists'
+for size in '40 12' '20 5' '80 24'; do
+	# shellcheck disable=SC2086
+	set -- $size
+	mux resize-window -t one -x "$1" -y "$2"
+	want 'replace it? y/n' "the question at $1 x $2"
+done
+want 'rotor tip speed'
+keys C-z y
+want '^wrote mine.csv: 1 row$'
+grep -q '^sites,' mine.csv
+result $? "y replaces it"
+keys q
+want 'IT IS OVER'
+[ "$(marked)" = '?2004l' ]
+result $? "pasted text is not marked any more"
+rm -f .local/state/tipspeed/session*
+
 # A shell of its own, for job control.
 start 80 24 PS1='shell: ' HISTFILE= sh -i
 keys "'$TIPSPEED' data/sites/tierp.csv -c calibrate -c tui" Enter
@@ -272,6 +357,16 @@ start 80 24 START='echo hello'
 want 'f calibrates' "without parameters it says what to do"
 keys q
 want 'IT IS OVER'
+echo tui >open.tip
+start 80 24 'START=source open.tip'
+want 'f calibrates'
+keys : 'bounds alpha 0.4' Enter
+want ': bounds alpha 0\.4'
+grep -q '^bounds alpha 0.4$' .local/state/tipspeed/session*.tip
+result $? "what is typed there is kept also where a script opened it"
+keys q q
+want 'IT IS OVER'
+rm -f .local/state/tipspeed/session*
 start 80 24 XDG_STATE_HOME=/dev/null
 want '\[74\.0\]'
 ! grep -q history screen

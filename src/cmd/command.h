@@ -67,7 +67,8 @@ enum command_flag {
 	COMMAND_UNSAVED = 8,  /* save leaves it out, or it sees to it itself */
 	COMMAND_LATEST = 16,  /* of several in a row save keeps the last */
 	COMMAND_DRAWS = 32,   /* may write into a picture's file */
-	COMMAND_AT_SITE = 64  /* needs a site to work on */
+	COMMAND_AT_SITE = 64, /* needs a site to work on */
+	COMMAND_LOOKS = 128   /* what it changes alone is not worth keeping */
 };
 
 /* What a command works on: as shown in usage, or NULL; at least `least` and at

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 
 #include "base/xalloc.h"
+#include "cmd/script.h"
 #include "io/file.h"
 
 struct files {
@@ -110,9 +111,9 @@ bool
 files_may_replace(struct session *s, const char *path, struct error *error)
 {
 	struct stat file;
-	if (s->confirm == NULL || s->script != NULL || stat(path, &file) != 0 ||
-	    !S_ISREG(file.st_mode) || file.st_size == 0 ||
-	    is_known(s, &file, true))
+	if (s->confirm == NULL || script_depth(s) > s->typed_at ||
+	    stat(path, &file) != 0 || !S_ISREG(file.st_mode) ||
+	    file.st_size == 0 || is_known(s, &file, true))
 		return true;
 	char *question = xasprintf("%s exists: replace it?", path);
 	bool yes = s->confirm(s, question);

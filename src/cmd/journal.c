@@ -13,18 +13,27 @@
 #include "cmd/data.h"
 #include "cmd/files.h"
 #include "cmd/table.h"
+#include "cmd/turn.h"
 #include "config.h"
 #include "io/file.h"
 
 struct journal {
 	size_t n, start;
+	size_t state, states; /* the one it is in, of so many */
 	char **line;
 };
 
 struct mark
 journal_mark(const struct session *s)
 {
-	return (struct mark){s->journal->n, s->journal->start};
+	const struct journal *j = s->journal;
+	return (struct mark){j->n, j->start, j->state};
+}
+
+void
+journal_changed(struct session *s)
+{
+	s->journal->state = ++s->journal->states;
 }
 
 static void
@@ -44,6 +53,7 @@ journal_cut(struct session *s, struct mark mark)
 		tail.line[tail.n++] = j->line[i];
 	j->n = mark.n < j->n ? mark.n : j->n;
 	j->start = mark.start;
+	j->state = mark.state;
 	return tail;
 }
 
@@ -54,6 +64,7 @@ journal_paste(struct session *s, struct tail *tail)
 	/* Results may have come in since the lines were cut off. */
 	if (tail->to.start != tail->from.start)
 		j->start = j->n + tail->to.start - tail->from.n;
+	j->state = tail->to.state;
 	for (size_t i = 0; i < tail->n; i++)
 		append(j, tail->line[i]);
 	free(tail->line);
@@ -219,25 +230,29 @@ put_provenance(FILE *out, const struct site *site)
 	free(kind);
 }
 
-static void
-put_script(const void *data, FILE *out)
+void
+journal_put(const struct session *s, FILE *out)
 {
-	const struct session *s = data;
 	const struct journal *j = s->journal;
-	fprintf(out,
-	    "# A session of tipspeed %s, written by 'save'.\n"
-	    "# A sheet whose numbers are others now is refused.\n",
-	    PACKAGE_VERSION);
+	fputs("# A sheet whose numbers are others now is refused.\n", out);
 	for (size_t i = 0; i < s->n_entry; i++)
 		put_provenance(out, s->entry[i].site);
 	for (size_t i = j->start; i < j->n; i++)
 		fprintf(out, "%s\n", j->line[i]);
 }
 
-/* Names of files may hold bytes that no script can. */
-static bool
-can_be_saved(const struct journal *j, struct error *error)
+static void
+put_script(const void *data, FILE *out)
 {
+	fprintf(out, "# A session of tipspeed %s, written by 'save'.\n",
+	    PACKAGE_VERSION);
+	journal_put(data, out);
+}
+
+bool
+journal_can_be_saved(const struct session *s, struct error *error)
+{
+	const struct journal *j = s->journal;
 	for (size_t i = j->start; i < j->n; i++) {
 		if (text_is_utf8(j->line[i], strlen(j->line[i])) &&
 		    strpbrk(j->line[i], "\r\n") == NULL)
@@ -260,11 +275,13 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 		    "results are saved with > FILE, sheets with write",
 		    path);
 	if (!data_may_write(s, args, path, error) ||
-	    !can_be_saved(s->journal, error) ||
+	    !journal_can_be_saved(s, error) ||
 	    !file_replace_by(path, FILE_SHARED, put_script, s, error))
 		return false;
 	files_wrote(s, path);
+	turn_saved(s);
 	struct mark mark = journal_mark(s);
-	session_note(s, "wrote %s: %zu commands", path, mark.n - mark.start);
+	size_t n = mark.n - mark.start;
+	session_note(s, "wrote %s: %zu command%s", path, n, n == 1 ? "" : "s");
 	return true;
 }

@@ -9,9 +9,10 @@
 #include "cmd/parse.h"
 #include "cmd/session.h"
 
-/* A place in the journal; start: where the last reset left it. */
+/* A place in the journal; start: where the last reset left it.  state: the
+ * number of what the session is like there, which undo and redo bring back. */
 struct mark {
-	size_t n, start;
+	size_t n, start, state;
 };
 
 struct mark journal_mark(const struct session *s);
@@ -32,6 +33,9 @@ void tail_free(struct tail *tail);
 void journal_add(struct session *s, const char *latest, const char *line, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* The session is as it never was before. */
+void journal_changed(struct session *s);
+
 /* What came before is no part of the session any more. */
 void journal_restart(struct session *s);
 
@@ -49,6 +53,12 @@ char *journal_load(const struct site *site);
 
 /* The call as typed, with the command's full name.  The caller frees. */
 char *journal_label(const struct command *command, const struct words *words);
+
+/* Names of files may hold bytes that no script can: then false. */
+bool journal_can_be_saved(const struct session *s, struct error *error);
+
+/* The session as a script, but for a heading. */
+void journal_put(const struct session *s, FILE *out);
 
 struct journal *journal_new(void);
 void journal_free(struct journal *journal);

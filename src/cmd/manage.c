@@ -1,13 +1,16 @@
 /* What is loaded and set as a whole, and small things about the session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/journal.h"
+#include "cmd/keep.h"
 #include "cmd/script.h"
 #include "cmd/table.h"
+#include "cmd/turn.h"
 
 bool
 cmd_drop(struct session *s, const struct args *args, struct error *error)
@@ -44,16 +47,31 @@ cmd_reset(struct session *s, const struct args *args, struct error *error)
 }
 
 /* The script says by itself what the command line had set when it was saved. */
-bool
-cmd_restore(struct session *s, const struct args *args, struct error *error)
+static bool
+restore(struct session *s, const char *path, struct error *error)
 {
 	struct choices plain = *s->first;
 	plain.seed = 1;
 	plain.format = REPORT_TABLE;
-	if (!script_open(s, args->operand[0], error))
+	if (!script_open(s, path, error))
 		return false;
 	forget_all(s, &plain);
 	return true;
+}
+
+bool
+cmd_restore(struct session *s, const struct args *args, struct error *error)
+{
+	if (args->n_operand == 0)
+		return keep_list(s);
+	if (strcmp(args->operand[0], "last") != 0) {
+		turn_saved(s);
+		return restore(s, args->operand[0], error);
+	}
+	char *last = keep_last(s, error);
+	bool ok = last != NULL && restore(s, last, error);
+	free(last);
+	return ok;
 }
 
 bool

@@ -14,6 +14,7 @@
 #include "base/xalloc.h"
 #include "cmd/command.h"
 #include "cmd/files.h"
+#include "cmd/keep.h"
 #include "cmd/parse.h"
 #include "cmd/script.h"
 #include "cmd/turn.h"
@@ -55,6 +56,7 @@ session_free(struct session *s)
 	script_close(s, 0);
 	struct error stopped = {0};
 	session_settle(s, false, &stopped);
+	keep_end(s);
 	entries_free(s->entry, s->n_entry);
 	for (size_t i = 0; i < s->n_site; i++)
 		site_free(s->site[i]);
@@ -195,7 +197,7 @@ session_line(struct session *s, const char *line, size_t from, const char *file,
 {
 	struct place place = {.file = file,
 	    .line = number,
-	    .prompt = s->prompt && s->script == NULL};
+	    .prompt = s->prompt && script_depth(s) <= s->typed_at};
 	size_t end = strlen(line), depth = script_depth(s);
 	*next = 0;
 	if (!session_settle(s, true, error))

@@ -109,6 +109,7 @@ struct choices {
 struct canvas;
 struct files;
 struct journal;
+struct keep;
 struct screen_request;
 struct script;
 struct turn;
@@ -119,6 +120,7 @@ struct session {
 	struct entry *entry;
 	struct choices set;
 	bool prompt;        /* lines are typed by somebody */
+	size_t typed_at;    /* while so many scripts are open */
 	bool safe;          /* neither commands nor keys may touch files or
 			       the shell */
 	bool linear;        /* the screen is heard: words, no pictures */
@@ -146,6 +148,7 @@ struct session {
 	struct site **site;    /* every site there was; entries borrow them */
 	struct choices *first; /* what the command line set; reset goes there */
 	struct journal *journal;
+	struct keep *keep; /* what is not saved, see keep.h; NULL: no matter */
 	struct undo *undo;
 	struct script *script; /* scripts being read, innermost first */
 	struct turn *turn;     /* commands under way, innermost first */

@@ -53,7 +53,7 @@ const struct command TABLE_DATA[] = {
     {.name = "use",
 	.brief = "choose the site to work on",
 	.operands = {"SITE", {"SITE"}, 1, 1},
-	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_LOOKS,
 	.text = "Case and accents do not matter: borlange finds Borlänge. "
 		"Sites of one name are told apart by their top size: "
 		"gavle/4, gavle/11.2.",

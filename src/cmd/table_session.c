@@ -50,10 +50,14 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_save},
     {.name = "restore",
 	.brief = "put a saved session in the place of this one",
-	.operands = {"FILE.tip", {"FILE"}, 1, 1},
+	.operands = {"[FILE.tip|last]", {"FILE last"}, 0, 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.text = "Forgets all, also what the command line set, and runs the "
-		"script. One undo brings back what was there.",
+		"script. One undo brings back what was there. A session at a "
+		"terminal is kept until it is saved, whatever ends the "
+		"program: 'restore last' has the newest back that was not "
+		"saved, and 'restore' alone lists the last few. A file called "
+		"last is ./last.",
 	.example = "seed 7\nsave seven.tip\nreset\nrestore seven.tip",
 	.run = cmd_restore},
     {.name = "reset",

@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/keep.h"
 #include "cmd/plots.h"
 #include "cmd/redirect.h"
 #include "cmd/script.h"
@@ -30,7 +31,7 @@ struct turn {
 	size_t stopped_at;       /* so many steps */
 	struct error late;       /* of its job, or of handing over */
 	double started;
-	bool timed, running;
+	bool timed, running, saved;
 	size_t scripts; /* that were open when it began */
 };
 
@@ -160,6 +161,12 @@ turn_adds(struct session *s, const char *option, const char *value)
 }
 
 void
+turn_saved(struct session *s)
+{
+	s->turn->saved = true;
+}
+
+void
 turn_failed(struct session *s, const struct error *error)
 {
 	if (s->job.turn != NULL)
@@ -257,6 +264,11 @@ turn_end(struct session *s, bool ok, struct error *error)
 	if (t->timed && s->timing)
 		session_note(s, "%s: %.3f s", t->command->name,
 		    session_clock() - t->started);
+	/* The commands of a script may have told of it already. */
+	if (changed && !(t->command->flags & COMMAND_LOOKS) &&
+	    journal_mark(s).state == t->mark.state)
+		journal_changed(s);
+	keep_turn(s, ok, t->saved);
 	turn_free(t);
 	return ok;
 }

@@ -30,6 +30,10 @@ void turn_stopped(struct session *s, size_t steps);
 /* The command that runs is saved with this option, which it was not given. */
 void turn_adds(struct session *s, const char *option, const char *value);
 
+/* When the command that runs has done what it should, a file of the user's has
+ * the session as it then is. */
+void turn_saved(struct session *s);
+
 /* A file of the job could not be written. Its command does the rest, and then
  * ends with this error. */
 void turn_failed(struct session *s, const struct error *error);

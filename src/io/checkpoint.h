@@ -16,7 +16,7 @@ struct checkpoint_of {
 	const char *options;
 };
 
-/* Writes it, exact doubles as %a, whole or not at all (replace_file). */
+/* Writes it, exact doubles as %a, whole or not at all (file.h). */
 bool checkpoint_save(const char *path, const struct checkpoint_of *of,
     struct calibration *c, struct error *error);
 

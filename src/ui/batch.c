@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/keep.h"
 #include "cmd/script.h"
 #include "ui/pump.h"
 #include "ui/terminal.h"
@@ -160,6 +161,18 @@ batch_file(struct session *s, const char *path)
 	return (int)error.kind;
 }
 
+void
+batch_attend(struct session *s)
+{
+	char *offer = keep_begin(s);
+	if (offer != NULL)
+		session_note(s, "%s", offer);
+	free(offer);
+	s->confirm = pump_confirm;
+	s->prompt = true;
+	s->typed_at = script_depth(s);
+}
+
 /* On standard error: standard output is no terminal here, else readline would
  * be asked. */
 static void
@@ -177,7 +190,7 @@ batch_typed(struct session *s)
 {
 	char *piece = NULL, *line = xstrdup("");
 	size_t room = 0;
-	s->prompt = true;
+	batch_attend(s);
 	for (int number = 1; !s->quit; pump_forget_interrupt()) {
 		print_prompt(s, line[0] != '\0');
 		ssize_t got = getline(&piece, &room, stdin);

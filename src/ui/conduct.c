@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/conduct.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -264,20 +263,13 @@ draw_screen(struct tui *t, const char *line)
 		say_error(t, &error);
 }
 
-/* What a shell command wrote stays until it is read.  A stop, or another size
- * of the terminal, is no answer. */
+/* What a shell command wrote stays until it is read. */
 static void
 await_return(void)
 {
-	int c;
 	fputs("\n[Return goes back]", stdout);
 	fflush(stdout);
-	do {
-		clearerr(stdin);
-		errno = 0;
-		c = getchar();
-	} while (
-	    c != '\n' && (c != EOF || errno == EINTR) && pump_signal() == 0);
+	pump_answer();
 }
 
 static void

@@ -356,6 +356,27 @@ draw_body(struct tui *t)
 	pages[t->page](t);
 }
 
+/* Over the last rows of whatever the screen shows, at any size. */
+static void
+draw_question(const struct tui *t, int rows, int columns, int *row, int *column)
+{
+	char *asks = xasprintf("%s y/n", t->question),
+	     *text = text_wrapped(asks, columns);
+	int n = 0;
+	for (const char *p = text; *p != '\0'; p++)
+		n += *p == '\n';
+	struct area area = {rows - n, 0, n, columns};
+	for (int r = 0; r < n; r++)
+		screen_text(&area, r, 0, 0, "%*s", columns, "");
+	screen_words(&area, 0, LOOK_BOLD, asks);
+	text[strlen(text) - 1] = '\0';
+	const char *last = strrchr(text, '\n');
+	*row = rows - 1;
+	*column = text_width(last != NULL ? last + 1 : text);
+	free(text);
+	free(asks);
+}
+
 void
 pane_draw(struct tui *t)
 {
@@ -397,5 +418,7 @@ pane_draw(struct tui *t)
 		column = 0;
 	}
 	draw_lower(t, &row, &column);
+	if (t->question != NULL)
+		draw_question(t, rows, columns, &row, &column);
 	screen_show(row, column);
 }

@@ -2,7 +2,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/pump.h"
 
+#include <errno.h>
 #include <signal.h>
+#include <stdio.h>
 #include <unistd.h>
 
 #include "base/text.h"
@@ -85,6 +87,32 @@ pump_forget_interrupt(void)
 	/* Between the two, another signal may come. */
 	if (noted == SIGINT)
 		noted = 0;
+}
+
+int
+pump_answer(void)
+{
+	int first = EOF, c;
+	do {
+		clearerr(stdin);
+		errno = 0;
+		c = getchar();
+		first = first == EOF ? c : first;
+	} while (
+	    c != '\n' && (c != EOF || errno == EINTR) && pump_signal() == 0);
+	return c == '\n' ? first : EOF;
+}
+
+bool
+pump_confirm(struct session *s, const char *question)
+{
+	(void)s;
+	text_put(question, stderr);
+	fputs(" [y/N] ", stderr);
+	int c = pump_answer();
+	if (c == EOF)
+		fputc('\n', stderr);
+	return c == 'y' || c == 'Y';
 }
 
 int

@@ -31,6 +31,14 @@ bool pump_ended(void);
 /* A SIGINT has been answered. */
 void pump_forget_interrupt(void);
 
+/* Waits for a line that is typed at the terminal.  A stop, or another size of
+ * the terminal, is none.  Returns its first character, or EOF at the end of
+ * input or a signal. */
+int pump_answer(void);
+
+/* Asks at the prompt, for session->confirm. */
+bool pump_confirm(struct session *s, const char *question);
+
 /* The exit status of a program that the noted signal ended, as shells count
  * it; 0 without one. */
 int pump_status(void);

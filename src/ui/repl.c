@@ -352,7 +352,7 @@ repl_run(struct session *s, bool colour)
 {
 	int number = 1;
 	set_up(s);
-	s->prompt = true;
+	batch_attend(s);
 	while (!s->quit && !pump_ended()) {
 		char *text = prompt(s, colour);
 		char *typed = read_line(text);

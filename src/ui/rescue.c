@@ -120,6 +120,9 @@ rescue_screen(void)
 	at.full = true;
 	if (tigetstr("kmous") != NULL && tigetstr("kmous") != (char *)-1)
 		add(MOUSE_OFF);
+	const char *cup = tigetstr("cup");
+	if (strncmp(cup, "\033[", 2) == 0)
+		add("\033[?2004l");
 	add(tigetstr("rmkx"));
 	add(tigetstr("sgr0"));
 	add(tigetstr("cnorm"));

@@ -72,8 +72,21 @@ set_modes(void)
 	define_key("\033[4~", KEY_END);
 	define_key("\033[5~", KEY_PPAGE);
 	define_key("\033[6~", KEY_NPAGE);
+	define_key("\033[200~", SCREEN_PASTE);
+	define_key("\033[201~", SCREEN_PASTED);
 	/* The Linux console's description makes a key of its own of ^Z. */
 	define_key("\032", 0);
+}
+
+/* Has pasted text marked, where unknown modes of this kind are passed over. */
+static void
+mark_pastes(bool on)
+{
+	const char *cup = tigetstr("cup");
+	if (cup == NULL || strncmp(cup, "\033[", 2) != 0)
+		return;
+	putp(on ? "\033[?2004h" : "\033[?2004l");
+	fflush(stdout);
 }
 
 bool
@@ -94,6 +107,7 @@ screen_open(bool colour)
 	is.charset = terminal_draws() ? CHARSET_BRAILLE : CHARSET_ASCII;
 	set_modes();
 	set_colours(colour);
+	mark_pastes(true);
 	return true;
 }
 
@@ -103,6 +117,7 @@ static void
 end_screen(void)
 {
 	screen_mouse(false);
+	mark_pastes(false);
 	move(LINES - 1, 0);
 	clrtoeol();
 	refresh();
@@ -213,6 +228,7 @@ screen_return(void)
 	bool mouse = is.mouse;
 	screen_resize();
 	refresh();
+	mark_pastes(true);
 	if (mouse)
 		screen_mouse(true);
 }

@@ -16,6 +16,9 @@ enum {
 	LOOK_REVERSE = CELL_REVERSE
 };
 
+/* Codes of the marks around pasted text, in no terminal's description. */
+enum { SCREEN_PASTE = 0x7000, SCREEN_PASTED };
+
 /* Takes the terminal over.  False where it has no such abilities or ncurses
  * does not know it; then nothing is changed. */
 bool screen_open(bool colour);

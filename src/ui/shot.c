@@ -17,6 +17,10 @@
 
 static const struct tui *open_screen;
 
+/* Of the keys those that are not pressed yet, while there are any. */
+static char *keys_left;
+static bool asks; /* a question stands on the picture */
+
 void
 shot_of(const struct tui *t)
 {
@@ -33,7 +37,17 @@ press(struct tui *t, int code, bool special)
 	conduct_pump(t);
 	conduct_predict(t);
 	rows_update(t);
-	pane_draw(t);
+	if (!asks)
+		pane_draw(t);
+}
+
+int
+shot_answer(void)
+{
+	char *word = keys_left != NULL ? strtok_r(NULL, " ", &keys_left) : NULL;
+	int code = 0;
+	asks = word == NULL || !keys_code(word, &code);
+	return code;
 }
 
 /* A word that is typed: a speed, or into a line. */
@@ -71,17 +85,19 @@ press_word(struct tui *t, const char *word, struct error *error)
 static bool
 press_all(struct tui *t, const char *keys, struct error *error)
 {
-	char *copy = xstrdup(keys), *save = NULL;
+	char *copy = xstrdup(keys);
 	bool ok = true;
-	for (char *word = strtok_r(copy, " ", &save);
+	asks = false;
+	for (char *word = strtok_r(copy, " ", &keys_left);
 	     ok && word != NULL && !t->leave && !t->session->quit;
-	     word = strtok_r(NULL, " ", &save)) {
+	     word = strtok_r(NULL, " ", &keys_left)) {
 		ok = press_word(t, word, error);
 		if (ok && pump_signal() != 0)
 			ok = error_set(error, ERROR_SYSTEM,
 			    "interrupted at the key '%s'", word);
 	}
 	free(copy);
+	keys_left = NULL;
 	return ok;
 }
 

@@ -10,16 +10,19 @@
 #include <string.h>
 #include <sys/select.h>
 #include <unistd.h>
-#include <wchar.h>
 
 #include <curses.h>
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/keep.h"
+#include "cmd/script.h"
 #include "ui/act.h"
 #include "ui/conduct.h"
+#include "ui/input.h"
 #include "ui/manpage.h"
 #include "ui/pane.h"
+#include "ui/paste.h"
 #include "ui/pump.h"
 #include "ui/repl.h"
 #include "ui/rescue.h"
@@ -30,10 +33,16 @@
 #include "ui/typed.h"
 #include "ui/view.h"
 
+/* What is pasted has ended where nothing more came for so long, s. */
+static const double PASTE_PAUSE = 2;
+
 static bool with_colour;
 static volatile sig_atomic_t resized, stopping;
 /* Signals that are let in while the program waits. */
 static sigset_t let_in;
+/* session->confirm has no argument to pass it by. */
+static struct tui *asked;
+static bool aside; /* somebody else has the terminal */
 
 void
 tui_choose(bool colour)
@@ -147,29 +156,40 @@ give_signals_back(const struct signals *was)
 	sigprocmask(SIG_SETMASK, &let_in, NULL);
 }
 
-/* Waits for a key, a signal, or the next generation that is due; without one
- * for ever. */
+/* How long to wait, s, for the next generation that is due, or for the end of
+ * what is pasted; INFINITY: for ever. */
+static double
+patience(const struct tui *t)
+{
+	double left = t->paste.on ? PASTE_PAUSE : INFINITY;
+	if (t->question == NULL && session_busy(t->session) && !t->held)
+		left = t->pace == PACE_FULL
+			   ? 0
+			   : fmin(left, t->due - session_clock());
+	return left > 0 ? left : 0;
+}
+
+/* Waits for a key, a signal, or until it has lost its patience. */
 static void
 wait_for_something(const struct tui *t)
 {
-	struct timespec time = {0}, *limit = NULL;
-	if (session_busy(t->session) && !t->held) {
-		double left =
-		    t->pace == PACE_FULL ? 0 : t->due - session_clock();
-		left = left > 0 ? left : 0;
+	double left = patience(t);
+	struct timespec time = {0};
+	if (isfinite(left)) {
 		time.tv_sec = (time_t)left;
 		time.tv_nsec = (long)(1e9 * (left - floor(left)));
-		limit = &time;
 	}
 	fd_set in;
 	FD_ZERO(&in);
 	FD_SET(STDIN_FILENO, &in);
-	pselect(STDIN_FILENO + 1, &in, NULL, NULL, limit, &let_in);
+	pselect(STDIN_FILENO + 1, &in, NULL, NULL,
+	    isfinite(left) ? &time : NULL, &let_in);
 }
 
 void
 tui_step_aside(void)
 {
+	aside = true;
 	screen_leave();
 	answer_stop(false);
 	sigprocmask(SIG_SETMASK, &let_in, NULL);
@@ -182,6 +202,7 @@ tui_step_back(void)
 	answer_stop(true);
 	pump_forget_interrupt();
 	screen_return();
+	aside = false;
 }
 
 static void
@@ -196,42 +217,18 @@ stop_here(struct tui *t)
 	t->started += session_clock() - left;
 }
 
-/* The rest of a sequence that the terminal's description does not have would be
- * taken for keys. True where there was one: it came with its Escape at once. */
-static bool
-pass_over_sequence(void)
-{
-	wint_t code = 0;
-	int got = get_wch(&code);
-	if (got == OK && (code == '[' || code == 'O')) {
-		bool long_one = code == '[';
-		do
-			got = get_wch(&code);
-		while (got == OK && long_one && code < '@');
-		return true;
-	}
-	if (got == OK)
-		unget_wch((wchar_t)code);
-	else if (got == KEY_CODE_YES)
-		ungetch((int)code);
-	return false;
-}
-
 /* Everything that was typed and dragged; only the newest speed is predicted. */
 static void
 take_keys(struct tui *t)
 {
-	enum { ESCAPE = 27 };
-	wint_t code;
-	int got;
-	while (
-	    !t->leave && !t->session->quit && (got = get_wch(&code)) != ERR) {
-		if (got == KEY_CODE_YES && code == KEY_RESIZE)
-			continue;
-		if (got == OK && code == ESCAPE && pass_over_sequence())
-			continue;
-		act_key(t, (int)code, got == KEY_CODE_YES);
-	}
+	int code;
+	bool special;
+	while (!t->leave && !t->session->quit &&
+	       input_key(t, &let_in, &code, &special))
+		act_key(t, code, special);
+	/* Its end does not come: keys are keys again. */
+	if (t->paste.on && session_clock() - t->pasted >= PASTE_PAUSE)
+		paste_end(t);
 }
 
 /* A terminal that was closed under the program without a hang-up: reading it
@@ -247,6 +244,60 @@ notice_end(void)
 	pump_let_in(&let_in);
 }
 
+/* One frame, until something happens. */
+static void
+show(struct tui *t)
+{
+	pane_draw(t);
+	wait_for_something(t);
+	notice_end();
+	if (stopping)
+		stop_here(t);
+	if (resized)
+		screen_resize();
+	resized = 0;
+}
+
+/* The key that answers; 0 at a signal.  The mouse answers nothing. */
+static int
+read_answer(struct tui *t)
+{
+	enum { STOP = 26 };
+	int code = 0;
+	bool special = false, done = false;
+	while (!done && pump_signal() == 0) {
+		show(t);
+		done = input_key(t, &let_in, &code, &special);
+		if (done && special && code == KEY_MOUSE) {
+			MEVENT e;
+			getmouse(&e);
+			done = false;
+		} else if (done && !special && code == STOP) {
+			done = false;
+			raise(SIGTSTP);
+		}
+	}
+	return done && !special ? code : 0;
+}
+
+static bool
+confirm(struct session *s, const char *question)
+{
+	struct tui *t = asked;
+	if (aside)
+		return pump_confirm(s, question);
+	t->question = question;
+	int code = 0;
+	if (!t->aside) {
+		code = read_answer(t);
+	} else {
+		pane_draw(t);
+		code = shot_answer();
+	}
+	t->question = NULL;
+	return code == 'y' || code == 'Y';
+}
+
 static void
 loop(struct tui *t)
 {
@@ -254,14 +305,7 @@ loop(struct tui *t)
 		t->clock = session_clock();
 		conduct_predict(t);
 		rows_update(t);
-		pane_draw(t);
-		wait_for_something(t);
-		notice_end();
-		if (stopping)
-			stop_here(t);
-		if (resized)
-			screen_resize();
-		resized = 0;
+		show(t);
 		t->clock = session_clock();
 		take_keys(t);
 		conduct_pump(t);
@@ -290,8 +334,12 @@ tui_begin(struct tui *t, struct session *s)
 	    .picture = PLOT_PSD,
 	    .level = 50,
 	    .holdout = NAN,
-	    .before = {s->out, s->notes, s->show_page, s->prompt, s->screen}};
+	    .before = {s->out, s->notes, s->show_page, s->confirm, s->prompt,
+		s->typed_at, s->screen}};
+	asked = t;
+	s->confirm = confirm;
 	s->prompt = true;
+	s->typed_at = script_depth(s);
 	s->show_page = NULL;
 	tui_keep_feed(t);
 	conduct_begin(t);
@@ -307,7 +355,9 @@ tui_end(struct tui *t)
 	s->out = t->before.out;
 	s->notes = t->before.notes;
 	s->show_page = t->before.show_page;
+	s->confirm = t->before.confirm;
 	s->prompt = t->before.prompt;
+	s->typed_at = t->before.typed_at;
 	s->screen = t->before.screen;
 	conduct_keep(t);
 	conduct_end(t);
@@ -328,6 +378,16 @@ run_linear(struct session *s)
 	return 0;
 }
 
+/* What was kept of the last session. */
+static void
+offer_last(struct tui *t)
+{
+	char *offer = keep_begin(t->session);
+	if (offer != NULL)
+		tui_say(t, false, "%s", offer);
+	free(offer);
+}
+
 int
 tui_run(struct session *s)
 {
@@ -345,6 +405,7 @@ tui_run(struct session *s)
 	if (opened) {
 		tui_begin(&t, s);
 		s->show_page = show_page;
+		offer_last(&t);
 		loop(&t);
 		tui_end(&t);
 		screen_close();

@@ -44,6 +44,13 @@ struct site_row {
 	bool beyond;
 };
 
+/* Text being pasted: how many of its characters were typed, whether its first
+ * line has ended, and whether something was not taken. */
+struct paste {
+	bool on, ended, left;
+	size_t taken;
+};
+
 /* Where a page's name stands in the header. */
 struct tab {
 	int column, columns;
@@ -86,12 +93,15 @@ struct tui {
 	double holdout;    /* RMSE of the site in use, points, or NAN */
 	char digits[8];    /* a speed being typed */
 	struct typing typing;
+	struct paste paste;
+	double pasted; /* when its last character came */
 	struct viewer viewer;
 	struct tab tab[PAGES];
 	char *command; /* the last one, for show */
 	char message[800];
-	bool bad;   /* the message is an error */
-	FILE *said; /* what commands print */
+	bool bad;             /* the message is an error */
+	const char *question; /* that waits for an answer, or NULL */
+	FILE *said;           /* what commands print */
 	char *said_text;
 	size_t said_n;
 	bool leave;
@@ -99,7 +109,9 @@ struct tui {
 	struct {
 		FILE *out, *notes;
 		bool (*show_page)(const char *page);
+		bool (*confirm)(struct session *s, const char *question);
 		bool prompt;
+		size_t typed_at;
 		struct screen screen;
 	} before;
 };

@@ -11,6 +11,7 @@
 #include "ui/act.h"
 #include "ui/conduct.h"
 #include "ui/pane.h"
+#include "ui/paste.h"
 #include "ui/screen.h"
 #include "ui/tui_state.h"
 
@@ -307,6 +308,83 @@ control_z_stops_wherever_it_is_typed(void **state)
 	sigaction(SIGTSTP, &was, NULL);
 }
 
+/* As a terminal hands on what is pasted into it. */
+static void
+paste(struct tui *t, const char *text)
+{
+	paste_key(t, SCREEN_PASTE, true);
+	while (*text != '\0')
+		assert_true(paste_key(t, (int)text_next(&text), false));
+	paste_key(t, SCREEN_PASTED, true);
+	assert_false(paste_key(t, 'q', false));
+}
+
+static void
+what_is_pasted_is_no_keys(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	paste(t, ":quit\n79\nq\003\032");
+	assert_false(t->typing.active || t->leave || t->session->quit);
+	assert_non_null(strstr(t->message, "pasted text was ignored"));
+	/* Keys with a name, as a hostile text may have them. */
+	paste_key(t, SCREEN_PASTE, true);
+	assert_true(paste_key(t, PANE_PAGE_UP, true));
+	paste_end(t);
+	assert_int_equal(t->tenths, 740);
+}
+
+static void
+what_is_pasted_goes_into_an_open_line_up_to_its_end(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	type(t, ":set k\t");
+	paste(t, "\n 1\t\033[A5\302\233å\r\n");
+	assert_string_equal(t->typing.text, "set k  1 [A5å");
+	assert_string_equal(t->message, "");
+	paste(t, "9\nsecond");
+	assert_string_equal(t->typing.text, "set k  1 [A5å9");
+	assert_non_null(strstr(t->message, "only part"));
+	assert_true(t->typing.active);
+	type(t, "\0337");
+	paste(t, "q1.5\n");
+	assert_string_equal(t->digits, "71.5");
+	type(t, "\033?");
+	paste(t, "q");
+	assert_non_null(t->viewer.text);
+	type(t, "/");
+	paste(t, "by\nq");
+	assert_string_equal(t->viewer.word, "by");
+}
+
+static void
+ten_megabytes_are_pasted(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	for (int open = 0; open < 3; open++) {
+		type(t, open == 0 ? ":" : open == 1 ? "\033?/" : "\033\0337");
+		paste_key(t, SCREEN_PASTE, true);
+		for (int i = 0; i < 10000000; i++)
+			paste_key(t, '5', false);
+		paste_end(t);
+	}
+	assert_string_equal(t->digits, "7555555");
+}
+
+static void
+a_question_is_answered_by_y_alone(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	struct session *s = t->session;
+	assert_false(s->confirm(s, "shall it?"));
+	assert_null(t->question);
+	/* It stands on the frame that was drawn. */
+	struct canvas *frame = screen_back(((struct stage *)*state)->was);
+	assert_int_equal(canvas_at(frame, 0, 23)->code, 's');
+	assert_int_equal(canvas_at(frame, 12, 23)->code, 'n');
+	canvas_free(frame);
+	((struct stage *)*state)->was = screen_aside(5, 20, CHARSET_ASCII, 0);
+}
+
 int
 main(void)
 {
@@ -341,6 +419,15 @@ main(void)
 		stage_open, stage_close),
 	    cmocka_unit_test_setup_teardown(
 		control_z_stops_wherever_it_is_typed, stage_open, stage_close),
+	    cmocka_unit_test_setup_teardown(
+		what_is_pasted_is_no_keys, stage_open, stage_close),
+	    cmocka_unit_test_setup_teardown(
+		what_is_pasted_goes_into_an_open_line_up_to_its_end, stage_open,
+		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		ten_megabytes_are_pasted, stage_open, stage_close),
+	    cmocka_unit_test_setup_teardown(
+		a_question_is_answered_by_y_alone, stage_open, stage_close),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);

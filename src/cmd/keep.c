@@ -1,0 +1,199 @@
+/* The file is written after each command and not at the end: at a fault, or
+ * without memory, it would be too late.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/keep.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/journal.h"
+#include "cmd/script.h"
+#include "config.h"
+#include "io/kept.h"
+
+struct keep {
+	struct kept *kept;
+	size_t saved;        /* state of the journal that would not be missed */
+	struct mark written; /* what is in the file */
+	char *restoring, *restored; /* file that is; that has been, or NULL */
+	struct error error; /* why it could not be kept; kind NONE: it is */
+};
+
+static bool
+is_missed(const struct session *s)
+{
+	struct mark now = journal_mark(s);
+	return now.state != s->keep->saved && now.n > now.start;
+}
+
+static void
+put_script(const void *data, FILE *out)
+{
+	const struct session *s = data;
+	struct mark now = journal_mark(s);
+	size_t n = now.n - now.start;
+	char *name = s->n_entry > 0
+			 ? xasprintf(", %s", s->entry[s->current].site->name)
+			 : xstrdup("");
+	for (char *p = name; *p != '\0'; p++)
+		*p = (unsigned char)*p < ' ' || *p == '\\' ? ' ' : *p;
+	fprintf(out,
+	    "# %zu command%s%s\n# A session of tipspeed %s that was not "
+	    "saved.\n",
+	    n, n == 1 ? "" : "s", name, PACKAGE_VERSION);
+	free(name);
+	journal_put(s, out);
+}
+
+char *
+keep_begin(struct session *s)
+{
+	if (s->keep != NULL || s->safe ||
+	    strcmp(store_path(s->store), ":memory:") == 0)
+		return NULL;
+	s->keep = xcalloc(1, sizeof *s->keep);
+	s->keep->kept = kept_new();
+	s->keep->written = journal_mark(s);
+	s->keep->saved = s->keep->written.state;
+	size_t n;
+	char *offer = NULL, day[32];
+	struct kept_file *file = kept_files(&n);
+	if (n > 0) {
+		const struct tm *tm = localtime(&file[0].when);
+		strftime(day, sizeof day, "%B %H:%M", tm);
+		offer = xasprintf("your last session of %d %s was not saved "
+				  "(%s): 'restore last' has it back",
+		    tm->tm_mday, day, file[0].about);
+	}
+	kept_files_free(file, n);
+	return offer;
+}
+
+static void
+write_it(struct session *s)
+{
+	struct keep *k = s->keep;
+	struct mark now = journal_mark(s);
+	/* What reset or restore has put aside is still there for who did not
+	 * mean it. */
+	if (now.start != k->written.start)
+		kept_leave(k->kept);
+	if (now.state == k->saved)
+		kept_remove(k->kept);
+	else if (is_missed(s)) {
+		k->error = (struct error){0};
+		if (!journal_can_be_saved(s, &k->error) ||
+		    !kept_write(k->kept, put_script, s, &k->error))
+			return;
+	}
+	k->written = now;
+}
+
+/* The file that was restored has served when this session's file, or one of the
+ * user's, has what came of it. */
+static void
+remove_restored(struct keep *k)
+{
+	if (k->restored != NULL)
+		remove(k->restored);
+	free(k->restored);
+	k->restored = NULL;
+}
+
+/* Half of a session that was kept does not become the newest. */
+static bool
+failed_to_restore(struct keep *k, bool ok)
+{
+	if (k->restoring == NULL)
+		return false;
+	free(ok ? k->restored : k->restoring);
+	k->restored = ok ? k->restoring : k->restored;
+	k->restoring = NULL;
+	return !ok;
+}
+
+/* Predictions in a row, which the slider makes, are one line of the journal
+ * and change nothing: they cost no writing. */
+void
+keep_turn(struct session *s, bool ok, bool saved)
+{
+	struct keep *k = s->keep;
+	struct mark now = journal_mark(s);
+	if (k == NULL)
+		return;
+	if (ok && saved) {
+		k->saved = now.state;
+		if (now.start == k->written.start)
+			remove_restored(k);
+	}
+	/* A script is one step, as it is for undo. */
+	if (script_depth(s) > s->typed_at || failed_to_restore(k, ok))
+		return;
+	if (saved || now.n != k->written.n || now.start != k->written.start ||
+	    now.state != k->written.state)
+		write_it(s);
+}
+
+void
+keep_end(struct session *s)
+{
+	struct keep *k = s->keep;
+	if (k == NULL)
+		return;
+	if (is_missed(s)) {
+		write_it(s);
+		if (k->error.kind == ERROR_NONE)
+			remove_restored(k);
+		else
+			session_note(s,
+			    "this session could not be kept: %s%s%s",
+			    k->error.file, k->error.file[0] != '\0' ? ": " : "",
+			    k->error.text);
+	}
+	kept_free(k->kept);
+	free(k->restored);
+	free(k->restoring);
+	free(k);
+	s->keep = NULL;
+}
+
+char *
+keep_last(struct session *s, struct error *error)
+{
+	size_t n;
+	struct kept_file *file = kept_files(&n);
+	char *path = n > 0 ? xstrdup(file[0].path) : NULL;
+	kept_files_free(file, n);
+	if (path == NULL)
+		error_set(error, ERROR_USAGE,
+		    "there is no session that was not saved\n"
+		    "write ./last for a file of that name");
+	else if (s->keep != NULL)
+		s->keep->restoring = xstrdup(path);
+	return path;
+}
+
+bool
+keep_list(struct session *s)
+{
+	size_t n;
+	struct kept_file *file = kept_files(&n);
+	struct report *r = report_new("restore");
+	report_title(r, "sessions that were not saved");
+	report_columns(r, "time, what, file");
+	for (size_t i = 0; i < n; i++) {
+		char when[32];
+		strftime(when, sizeof when, "%Y-%m-%d %H:%M",
+		    localtime(&file[i].when));
+		report_cells(r, "%s %s %s", when, file[i].about, file[i].path);
+	}
+	report_note(r, n > 0 ? "'restore last' takes the first, 'restore FILE' "
+			       "any of them"
+			     : "there is none");
+	kept_files_free(file, n);
+	return session_report(s, r);
+}

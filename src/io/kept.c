@@ -1,0 +1,212 @@
+/* A program holds a lock on its file: so others know that it still runs, also
+ * where all programs have the same number, as in containers, and a killed one
+ * leaves none.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/kept.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/file.h"
+#include "io/home.h"
+
+/* How many of other programs are left. */
+enum { MOST = 5 };
+
+struct kept {
+	char *path; /* NULL: no file yet */
+	int fd;     /* open on it, with the lock; -1 */
+};
+
+static char *
+path_of(const char *name)
+{
+	return home_path("XDG_STATE_HOME", ".local/state", name);
+}
+
+struct kept *
+kept_new(void)
+{
+	struct kept *kept = xcalloc(1, sizeof *kept);
+	kept->fd = -1;
+	return kept;
+}
+
+void
+kept_leave(struct kept *kept)
+{
+	if (kept->fd >= 0)
+		close(kept->fd);
+	kept->fd = -1;
+	free(kept->path);
+	kept->path = NULL;
+}
+
+void
+kept_free(struct kept *kept)
+{
+	if (kept == NULL)
+		return;
+	kept_leave(kept);
+	free(kept);
+}
+
+void
+kept_remove(struct kept *kept)
+{
+	if (kept->path != NULL)
+		unlink(kept->path);
+	kept_leave(kept);
+}
+
+/* False for the file of a program that runs, and for none. */
+static bool
+look_at(struct kept_file *file)
+{
+	struct stat info;
+	char head[200] = "";
+	int fd =
+	    open(file->path, O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+	if (fd < 0)
+		return false;
+	bool left = fstat(fd, &info) == 0 && S_ISREG(info.st_mode) &&
+		    flock(fd, LOCK_SH | LOCK_NB) == 0;
+	bool filled = left && read(fd, head, sizeof head - 1) > 2;
+	if (left && !filled)
+		unlink(file->path);
+	close(fd);
+	if (!filled)
+		return false;
+	head[strcspn(head, "\n")] = '\0';
+	bool text = text_is_utf8(head, strlen(head));
+	file->about = xstrdup(text ? head + 2 : "?");
+	file->when = info.st_mtime;
+	return true;
+}
+
+/* Of two in one second the later name is the newer one. */
+static int
+newer_first(const void *a, const void *b)
+{
+	const struct kept_file *x = a, *y = b;
+	return x->when != y->when ? (x->when < y->when) - (x->when > y->when)
+				  : strcmp(y->path, x->path);
+}
+
+struct kept_file *
+kept_files(size_t *n)
+{
+	struct kept_file *file = NULL;
+	char *folder = path_of("");
+	DIR *dir = folder != NULL ? opendir(folder) : NULL;
+	*n = 0;
+	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
+		if (strncmp(e->d_name, "session-", 8) != 0 ||
+		    !text_ends(e->d_name, ".tip"))
+			continue;
+		struct kept_file one = {
+		    .path = xasprintf("%s%s", folder, e->d_name)};
+		if (look_at(&one)) {
+			file = xrealloc(file, *n + 1, sizeof *file);
+			file[(*n)++] = one;
+		} else {
+			free(one.path);
+		}
+	}
+	if (dir != NULL)
+		closedir(dir);
+	free(folder);
+	if (*n > 0)
+		qsort(file, *n, sizeof *file, newer_first);
+	return file;
+}
+
+void
+kept_files_free(struct kept_file *file, size_t n)
+{
+	for (size_t i = 0; i < n; i++) {
+		free(file[i].path);
+		free(file[i].about);
+	}
+	free(file);
+}
+
+static void
+remove_oldest(void)
+{
+	size_t n;
+	struct kept_file *file = kept_files(&n);
+	for (size_t i = MOST; i < n; i++)
+		unlink(file[i].path);
+	kept_files_free(file, n);
+}
+
+static bool
+cannot_make(const char *what, int reason, struct error *error)
+{
+	return error_at(
+	    error, ERROR_SYSTEM, what, 0, 0, "%s", strerror(reason));
+}
+
+/* An empty file of a name that nobody has, for the user alone: its rights stay
+ * when it is replaced. */
+static bool
+make_file(struct kept *kept, struct error *error)
+{
+	time_t now = time(NULL);
+	int fd = -1;
+	for (; fd < 0; now++) {
+		char name[64], day[32];
+		strftime(day, sizeof day, "%Y%m%d-%H%M%S", localtime(&now));
+		snprintf(name, sizeof name, "session-%s-%ld.tip", day,
+		    (long)getpid());
+		free(kept->path);
+		kept->path = path_of(name);
+		if (kept->path == NULL)
+			return error_set(
+			    error, ERROR_SYSTEM, "HOME is not set");
+		char *closed = home_make_folders(kept->path);
+		bool made = closed == NULL || cannot_make(closed, errno, error);
+		free(closed);
+		if (made)
+			fd = open(kept->path,
+			    O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+		if (!made || (fd < 0 && errno != EEXIST))
+			return made && cannot_make(kept->path, errno, error);
+	}
+	kept->fd = fd;
+	flock(fd, LOCK_EX);
+	remove_oldest();
+	return true;
+}
+
+bool
+kept_write(struct kept *kept, void (*write)(const void *data, FILE *out),
+    const void *data, struct error *error)
+{
+	bool first = kept->fd < 0;
+	if (first && !make_file(kept, error)) {
+		kept_leave(kept);
+		return false;
+	}
+	if (!file_replace_by(kept->path, FILE_PRIVATE, write, data, error)) {
+		if (first)
+			kept_remove(kept);
+		return false;
+	}
+	int fd = open(kept->path, O_RDONLY | O_CLOEXEC);
+	if (fd >= 0) {
+		flock(fd, LOCK_EX);
+		close(kept->fd);
+		kept->fd = fd;
+	}
+	return true;
+}

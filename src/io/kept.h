@@ -1,0 +1,47 @@
+/* Sessions that were not saved: a script for each program that had one, in
+ * $XDG_STATE_HOME/tipspeed, by default in ~/.local/state.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_KEPT_H
+#define TIPSPEED_IO_KEPT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <time.h>
+
+#include "base/error.h"
+
+/* The file of this program. */
+struct kept;
+
+/* Makes nothing yet, and cannot fail. */
+struct kept *kept_new(void);
+
+/* Lets go of the file, which stays: what is written next goes into another. */
+void kept_leave(struct kept *kept);
+
+/* The same, and ends; NULL is allowed. */
+void kept_free(struct kept *kept);
+
+/* The file gets what `write` writes, whole or not at all.  It is made when
+ * there is none yet, and of those that other programs left the oldest beyond a
+ * few are removed.  False with an error of kind ERROR_SYSTEM. */
+bool kept_write(struct kept *kept, void (*write)(const void *data, FILE *out),
+    const void *data, struct error *error);
+
+/* Removes the file, if there is one. */
+void kept_remove(struct kept *kept);
+
+/* One that was left: its first line, behind "# ", and when it was written. */
+struct kept_file {
+	char *path, *about;
+	time_t when;
+};
+
+/* Those of programs that have ended, newest first: [n], to be freed by
+ * kept_files_free.  Empty ones, of programs killed at the wrong moment, are
+ * removed. */
+struct kept_file *kept_files(size_t *n);
+void kept_files_free(struct kept_file *file, size_t n);
+
+#endif
