@@ -227,6 +227,7 @@ main(int argc, char **argv)
 		s->screen = terminal_screen(terminal_colour(in.color));
 		s->draw_screen = shot_draw;
 		pump_catch_signals();
+		s->stop = pump_waited_for;
 		s->linear = in.linear;
 		tui_choose(terminal_colour(in.color));
 		if (in.help)

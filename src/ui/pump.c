@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/pump.h"
 
+#include <poll.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -9,7 +10,7 @@
 #include "base/xalloc.h"
 #include "ui/terminal.h"
 
-static volatile sig_atomic_t noted, asked;
+static volatile sig_atomic_t noted, asked, watching;
 
 static void
 on_signal(int signal)
@@ -91,6 +92,24 @@ int
 pump_status(void)
 {
 	return noted != 0 ? 128 + noted : 0;
+}
+
+void
+pump_watch(bool keys)
+{
+	watching = keys;
+}
+
+bool
+pump_waited_for(void)
+{
+	sigset_t held;
+	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
+	if (noted != 0 || !watching)
+		return noted != 0;
+	sigpending(&held);
+	return sigismember(&held, SIGINT) || sigismember(&held, SIGTERM) ||
+	       sigismember(&held, SIGHUP) || poll(&in, 1, 0) > 0;
 }
 
 /* What a terminal shows while a calibration runs: one line, four times a

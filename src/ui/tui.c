@@ -252,9 +252,11 @@ loop(struct tui *t)
 {
 	while (!t->leave && !t->session->quit && pump_signal() == 0) {
 		t->clock = session_clock();
+		pump_watch(true);
 		conduct_predict(t);
 		rows_update(t);
 		pane_draw(t);
+		pump_watch(false);
 		wait_for_something(t);
 		notice_end();
 		if (stopping)
@@ -264,7 +266,9 @@ loop(struct tui *t)
 		resized = 0;
 		t->clock = session_clock();
 		take_keys(t);
+		pump_watch(true);
 		conduct_pump(t);
+		pump_watch(false);
 	}
 }
 
