@@ -94,21 +94,19 @@ excepted() {
 # judge WHAT: counts the run, tells what is wrong with it.
 judge() {
 	runs=$((runs + 1))
+	bad=
 	if [ $status -gt 127 ]; then
-		signals=$((signals + 1))
-		echo "# $1: ended by a signal, status $status"
-	elif ! said=$(whole); then
-		torn=$((torn + 1))
-		echo "# $1: status $status, $said"
-	elif [ $status -eq 0 ] && ! { cmp -s out out.$part &&
-		diff -r now after >/dev/null; }; then
-		if excepted; then
-			spared=$((spared + 1))
-			return
-		fi
-		wrong=$((wrong + 1))
-		echo "# $1: status 0, but other results"
+		bad="ended by a signal, status $status" kind=signals
+	elif [ $status -eq 0 ]; then
+		cmp -s out out.$part && diff -r now after >/dev/null ||
+			bad='status 0, but other results' kind=wrong
+	else
+		bad=$(whole) || kind=torn
 	fi
+	[ -n "$bad" ] || return 0
+	! { [ $kind = wrong ] && excepted; } || kind=spared
+	eval "$kind=\$(($kind + 1))"
+	[ $kind = spared ] || echo "# $1: $bad"
 }
 
 # sum_up KIND PART OF: the test point.

@@ -45,8 +45,8 @@ struct misfit *misfit_new(const struct site *site, const bool *train,
     const double *run_weight, bool by_sd, struct model_settings settings);
 void misfit_free(struct misfit *m);
 
-/* Whether somebody waits for what works on the misfit to end: it then lets go of
- * what is half done, which may be done anew later.  For any thread. */
+/* Whether somebody waits for what works on the misfit to end: it then lets go
+ * of what is half done, which may be done anew later.  For any thread. */
 bool misfit_stopped(const struct misfit *m);
 
 /* The misfit at p; INFINITY where it is not a number.   Source: paper Eq 5. */

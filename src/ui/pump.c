@@ -25,6 +25,12 @@ on_ask(int signal)
 	asked = signal;
 }
 
+static void
+on_file_size(int signal)
+{
+	(void)signal;
+}
+
 void
 pump_catch_signals(void)
 {
@@ -33,6 +39,10 @@ pump_catch_signals(void)
 	sigaction(SIGINT, &action, NULL);
 	sigaction(SIGTERM, &action, NULL);
 	sigaction(SIGHUP, &action, NULL);
+	/* The write then fails, as on a full disk; shells that are started get
+	 * the usual end by it, which SIG_IGN would not give back. */
+	action.sa_handler = on_file_size;
+	sigaction(SIGXFSZ, &action, NULL);
 	action.sa_handler = on_ask;
 	action.sa_flags = SA_RESTART;
 	sigaction(SIGUSR1, &action, NULL);
