@@ -94,19 +94,19 @@ excepted() {
 # judge WHAT: counts the run, tells what is wrong with it.
 judge() {
 	runs=$((runs + 1))
-	bad=
+	fault=
 	if [ $status -gt 127 ]; then
-		bad="ended by a signal, status $status" kind=signals
+		fault="ended by a signal, status $status" kind=signals
 	elif [ $status -eq 0 ]; then
 		cmp -s out out.$part && diff -r now after >/dev/null ||
-			bad='status 0, but other results' kind=wrong
+			fault='status 0, but other results' kind=wrong
 	else
-		bad=$(whole) || kind=torn
+		fault=$(whole) || kind=torn
 	fi
-	[ -n "$bad" ] || return 0
+	[ -n "$fault" ] || return 0
 	! { [ $kind = wrong ] && excepted; } || kind=spared
 	eval "$kind=\$(($kind + 1))"
-	[ $kind = spared ] || echo "# $1: $bad"
+	[ $kind = spared ] || echo "# $1: $fault"
 }
 
 # sum_up KIND PART OF: the test point.
