@@ -1,6 +1,7 @@
 /* tipspeed: reads the command line and hands over to a driver.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <assert.h>
+#include <fcntl.h>
 #include <getopt.h>
 #include <gsl/gsl_errno.h>
 #include <locale.h>
@@ -209,9 +210,23 @@ close_output(int status)
 	return ERROR_SYSTEM;
 }
 
+/* A file of the user's must not get a missing descriptor's number, and then all
+ * that is said there.  Opened for the wrong way, they still fail. */
+static void
+open_missing(void)
+{
+	int fd;
+	do
+		fd = open("/dev/null", O_RDONLY | O_CLOEXEC);
+	while (fd >= 0 && fd <= STDERR_FILENO);
+	if (fd >= 0)
+		close(fd);
+}
+
 int
 main(int argc, char **argv)
 {
+	open_missing();
 	/* LC_CTYPE only: under sv_SE, LC_NUMERIC would read 11.2 as 11. */
 	setlocale(LC_CTYPE, "");
 	gsl_set_error_handler_off();
@@ -237,6 +252,7 @@ main(int argc, char **argv)
 		s->screen = terminal_screen(terminal_colour(in.color));
 		s->draw_screen = shot_draw;
 		pump_catch_signals();
+		s->stop = pump_waited_for;
 		s->linear = in.linear;
 		tui_choose(terminal_colour(in.color));
 		if (in.help)
@@ -247,5 +263,8 @@ main(int argc, char **argv)
 		session_free(s);
 	}
 	free(in.action);
+	/* What could not be read because of a signal ended by that. */
+	if (status != 0 && pump_signal() != 0)
+		status = pump_status();
 	return close_output(status);
 }

@@ -321,6 +321,26 @@ text_memory(char **text, size_t *n)
 	return file;
 }
 
+enum text_line
+text_line(char **text, size_t *n, size_t *room, FILE *in)
+{
+	enum { MOST = 10 * 1000 * 1000 };
+	size_t from = *n;
+	for (int c = 0; c != '\n' && (c = getc(in)) != EOF; (*n)++) {
+		if (*n >= MOST)
+			return TEXT_TOO_LONG;
+		if (*n + 2 > *room) {
+			*room = 2 * *room + 128;
+			*text = xrealloc(*text, *room, 1);
+		}
+		(*text)[*n] = (char)c;
+	}
+	if (*n == from || ferror(in))
+		return TEXT_END;
+	(*text)[*n] = '\0';
+	return TEXT_LINE;
+}
+
 uint64_t
 text_digest(uint64_t h, const void *bytes, size_t n)
 {

@@ -94,6 +94,13 @@ void text_hang(const char *text, int first, int margin, int width, FILE *out);
 /* The lines of text_wrap as one string, which the caller frees. */
 char *text_wrapped(const char *text, int width);
 
+/* Adds the next line of `in`, its end included, to *text, which has *n bytes
+ * and room for *room, and a NUL behind it.  A line has no end where the file
+ * ends, or cannot be read on (ferror); what would be longer than 10 MB is not
+ * read. */
+enum text_line { TEXT_LINE, TEXT_END, TEXT_TOO_LONG };
+enum text_line text_line(char **text, size_t *n, size_t *room, FILE *in);
+
 /* A file whose n bytes stand in *text, which the caller frees, once it is
  * flushed or closed; without memory the program ends. */
 FILE *text_memory(char **text, size_t *n);

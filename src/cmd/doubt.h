@@ -7,7 +7,7 @@
 #include "core/predict.h"
 
 /* The draws of the entry's fit, made when first asked for; NULL where its
- * parameters are no fit of its own. */
+ * parameters are no fit of its own, or where session.stop said so meanwhile. */
 const struct uncertainty *doubt_of(const struct entry *entry);
 
 /* The band of the entry's prediction, borrowed until the next one is asked for.

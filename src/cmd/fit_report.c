@@ -108,7 +108,6 @@ put_fit(json_t *o, const struct entry *entry, double seconds)
 	put_speeds(o, "holdout", entry, false);
 	report_put(
 	    o, "rmse_pct %g verdict %s", fit->rmse * 100, fit_verdict(fit));
-	doubt_put_interval(o, doubt_of(entry));
 }
 
 /* Why nothing breaks, in terms of the break size and the feed. */
@@ -174,7 +173,7 @@ add_flat(
 
 static void
 add_verdict(struct report *report, const struct entry *entry,
-    const struct bounds *bounds)
+    const struct bounds *bounds, bool ranges)
 {
 	const struct fit *fit = &entry->fit;
 	if (fit->rmse > FIT_POOR)
@@ -199,7 +198,8 @@ add_verdict(struct report *report, const struct entry *entry,
 		report_note(report, "a parameter on its bound is set by the "
 				    "bound, not by the data");
 	add_flat(report, fit, bounds);
-	doubt_note(report);
+	if (ranges)
+		doubt_note(report);
 	report_note(report, "beta counts only by its direction; rely on the "
 			    "curves, not on single values");
 }
@@ -224,17 +224,23 @@ fit_report(
     const struct entry *entry, const struct bounds *bounds, double seconds)
 {
 	const struct fit *fit = &entry->fit;
-	const struct uncertainty *u = doubt_of(entry);
+	/* Not of the place where a search was stopped, which may be any; and
+	 * who stops it does not wait for that. */
+	const struct uncertainty *u =
+	    fit->stop != CALIBRATE_STOPPED ? doubt_of(entry) : NULL;
 	struct report *r =
 	    answers_report(entry->site, "calibrate", "calibrated parameters");
-	report_columns(r,
-	    "parameter, value, low, high, unit, lower: from, upper: to, "
-	    "remark");
+	report_columns(r, "parameter, value");
+	if (u != NULL)
+		report_columns(r, "low, high");
+	report_columns(r, "unit, lower: from, upper: to, remark");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		bool fixed = bounds->lower[j] >= bounds->upper[j];
-		report_cells(r, "%s %.4f %.4f %.4f %s %g %g %s", PARAMS[j].name,
-		    fit->params.at[j], u->low[j], u->high[j], PARAMS[j].unit,
-		    bounds->lower[j], bounds->upper[j],
+		report_cells(r, "%s %.4f", PARAMS[j].name, fit->params.at[j]);
+		if (u != NULL)
+			report_cells(r, "%.4f %.4f", u->low[j], u->high[j]);
+		report_cells(r, "%s %g %g %s", PARAMS[j].unit, bounds->lower[j],
+		    bounds->upper[j],
 		    fixed              ? "held fixed"
 		    : fit->on_bound[j] ? "ON ITS BOUND"
 		    : j < PARAM_F_MAT  ? "largest is 1"
@@ -249,7 +255,9 @@ fit_report(
 		    "the bounds were edited after generation %zu%s: what "
 		    "'save' writes repeats that, calibrate alone does not",
 		    fit->edited_at, fit->edits > 1 ? " and before" : "");
-	add_verdict(r, entry, bounds);
+	add_verdict(r, entry, bounds, u != NULL);
 	put_fit(report_json(r), entry, seconds);
+	if (u != NULL)
+		doubt_put_interval(report_json(r), u);
 	return r;
 }

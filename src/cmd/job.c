@@ -232,8 +232,10 @@ next_or_end(struct session *s)
 void
 session_step(struct session *s)
 {
-	bool over = calibration_step(s->job.calibration) >= CALIBRATE_TOLERANCE;
-	s->job.step++;
+	struct calibration *c = s->job.calibration;
+	size_t before = calibration_status(c).step;
+	bool over = calibration_step(c) >= CALIBRATE_TOLERANCE;
+	s->job.step += calibration_status(c).step - before;
 	if (over)
 		next_or_end(s);
 	if (session_busy(s) && s->job.step == s->job.pause_at)

@@ -11,6 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/files.h"
 #include "cmd/table.h"
+#include "io/textfile.h"
 
 struct script {
 	struct script *outer;
@@ -51,13 +52,14 @@ script_open(struct session *s, const char *path, struct error *error)
 		    "does %s source itself?",
 		    (int)DEEPEST, path);
 	files_reads(s, path);
-	FILE *in = fopen(path, "r");
+	const char *why;
+	FILE *in = textfile_open(path, &why);
 	if (in == NULL)
 		return error_set(error, ERROR_SYSTEM,
 		    "cannot read script %s: %s\n"
 		    "check the name (blanks want quotes), the folder and the "
 		    "rights",
-		    path, strerror(errno));
+		    path, why);
 	push(s, in, path);
 	return true;
 }
@@ -116,35 +118,45 @@ check_text(const struct script *script, const char *piece, size_t n,
 	    "line");
 }
 
+/* The error of a line that would not end. */
+bool
+script_too_long(const char *name, int line, struct error *error)
+{
+	return error_at(error, ERROR_USAGE, name, line, 1,
+	    "a line of at most 10 MB was expected, this one is longer\n"
+	    "is it a site file or a program? a script holds commands, one a "
+	    "line");
+}
+
 /* Joins the pieces of the next line; NULL at the end and on an error. */
 static char *
 join(struct script *script, int *first, struct error *error)
 {
-	char *piece = NULL, *line = NULL;
-	size_t room = 0;
-	ssize_t got;
-	bool more = true, good = true;
-	while (more && (got = getline(&piece, &room, script->in)) >= 0) {
+	char *line = NULL;
+	size_t n = 0, room = 0, from = 0;
+	enum text_line got = TEXT_LINE;
+	bool more = true, good = true, any = false;
+	while (more && good &&
+	       (got = text_line(&line, &n, &room, script->in)) == TEXT_LINE) {
 		script->number += !script->one_number;
-		good = check_text(script, piece, (size_t)got, error);
-		if (!good)
-			break;
-		if (line == NULL)
-			*first = script->number;
-		more = script_goes_on(piece);
+		good = check_text(script, line + from, n - from, error);
 		/* Some editors begin UTF-8 with a byte order mark. */
-		bool mark = script->number == 1 &&
-			    strncmp(piece, "\xEF\xBB\xBF", 3) == 0;
-		char *joined = xasprintf(
-		    "%s%s", line != NULL ? line : "", piece + (mark ? 3 : 0));
-		free(line);
-		line = joined;
+		if (!any && script->number == 1 &&
+		    strncmp(line, "\xEF\xBB\xBF", 3) == 0)
+			memmove(line, line + 3, n - 2);
+		if (!any)
+			*first = script->number;
+		any = true;
+		more = good && script_goes_on(line + from);
+		n = from += strlen(line + from);
 	}
-	if (good && more && ferror(script->in))
+	if (got == TEXT_TOO_LONG)
+		good = script_too_long(
+		    script->name, script->number + !script->one_number, error);
+	else if (good && more && ferror(script->in))
 		good = error_at(error, ERROR_SYSTEM, script->name, 0, 0,
 		    "cannot be read: %s", strerror(errno));
-	free(piece);
-	if (good)
+	if (good && any)
 		return line;
 	free(line);
 	return NULL;

@@ -28,6 +28,9 @@ char *script_line(struct session *s, struct place *place, struct error *error);
 /* Closes the innermost ones until `depth` are left. */
 void script_close(struct session *s, size_t depth);
 
+/* The error of a line that would not end; false. */
+bool script_too_long(const char *name, int line, struct error *error);
+
 /* Cuts the line end off; true when the line goes on (it ended in \). */
 bool script_goes_on(char *line);
 

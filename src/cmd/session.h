@@ -129,6 +129,8 @@ struct session {
 	FILE *notes;        /* what is said beside results; NULL: nothing */
 	void (*tidy)(void); /* clears progress off the line of a note; NULL:
 			       there is none */
+	bool (*stop)(void); /* whether the user waits for what takes long to
+			       end; NULL: never */
 	struct screen screen;
 	const char *file; /* results go there; NULL: no file */
 	size_t rows;      /* reported since results go where they go */

@@ -54,6 +54,7 @@ calibrate_misfit(
 	struct misfit *m =
 	    misfit_new(site, options->train != NULL ? options->train : train,
 		options->run_weight, options->by_sd, options->settings);
+	m->stop = options->stop;
 	free(train);
 	return m;
 }
@@ -167,6 +168,10 @@ judge_part(void *data, size_t part, unsigned thread)
 {
 	struct calibration *c = data;
 	size_t from = part * KERNEL_PART, to = from + KERNEL_PART;
+	if (misfit_stopped(c->misfit))
+		atomic_store(&c->stopped, true);
+	if (atomic_load(&c->stopped))
+		return;
 	to = to < c->options.population ? to : c->options.population;
 	kernel_evaluate_part(
 	    c->kernel, ga_ask_part(c->ga, from, to), from, to, thread, c->told);
@@ -178,6 +183,8 @@ generation(struct calibration *c)
 	const struct calibrate_options *o = &c->options;
 	size_t parts = (o->population + KERNEL_PART - 1) / KERNEL_PART;
 	pool_run(c->pool, parts, judge_part, c);
+	if (atomic_load(&c->stopped))
+		return;
 	ga_tell(c->ga, c->told);
 	struct ga_status s = ga_status(c->ga);
 	remember(c, &s);
@@ -268,6 +275,8 @@ polish_one(void *data, size_t i, unsigned thread)
 	    c->best_misfit, is_noisy(c) ? HOPE_IN_NOISE : HOPE};
 	w->result = polish_run(w->polish, &c->options.bounds, POLISH_STEPS,
 	    c->done >= c->n_start ? &best : NULL, &w->p);
+	if (w->result.stopped)
+		atomic_store(&c->stopped, true);
 }
 
 /* Polishes the next starts, or hops from the best, a batch at a time: always
@@ -282,6 +291,8 @@ polish_batch(struct calibration *c)
 		c->worker[i].p =
 		    hopping ? hop(c, c->hops + i) : c->start[c->done + i];
 	pool_run(c->pool, n, polish_one, c);
+	if (atomic_load(&c->stopped))
+		return;
 	for (size_t i = 0; i < n; i++)
 		take_polished(c, &c->worker[i], hopping);
 	c->done += n;
@@ -292,6 +303,7 @@ polish_batch(struct calibration *c)
 enum calibrate_state
 calibration_step(struct calibration *c)
 {
+	atomic_store(&c->stopped, false);
 	if (c->state == CALIBRATE_SEARCHING)
 		generation(c);
 	else if (c->state == CALIBRATE_POLISHING)

@@ -31,7 +31,8 @@ struct calibrate_options {
 	const bool *train;
 	const double *run_weight;
 	bool by_sd;
-	bool plain; /* a textbook genetic algorithm, as in the paper */
+	bool plain;         /* a textbook genetic algorithm, as in the paper */
+	bool (*stop)(void); /* or NULL; see calibration_step */
 };
 
 /* Population, generations and bounds of the paper. */
@@ -66,7 +67,8 @@ struct calibration *calibration_new(
 void calibration_free(struct calibration *c);
 
 /* One generation, or the polish of a few starts. Returns the state after it; to
- * call it after the end changes nothing. */
+ * call it after the end changes nothing.  Nor does it where options.stop says
+ * on the way that somebody waits: the step is then to be made anew. */
 enum calibrate_state calibration_step(struct calibration *c);
 
 /* Goes on within other bounds, from the present population (ga_set_box). What

@@ -3,6 +3,7 @@
 #ifndef TIPSPEED_CORE_CALIBRATION_H
 #define TIPSPEED_CORE_CALIBRATION_H
 
+#include <stdatomic.h>
 #include <string.h>
 
 #include "core/calibrate.h"
@@ -46,6 +47,7 @@ struct calibration {
 	struct worker worker[BATCH];
 	double *told;
 	enum calibrate_state state, stop;
+	atomic_bool stopped; /* the present step */
 	size_t stall, evaluations;
 	size_t edits, edited_at; /* of the bounds; generation of the last */
 	double stall_from;

@@ -99,6 +99,12 @@ misfit_free(struct misfit *m)
 	free(m);
 }
 
+bool
+misfit_stopped(const struct misfit *m)
+{
+	return m->stop != NULL && m->stop();
+}
+
 /* Differences of run r, weighted or not, d [its n]; returns their squares'
  * sum. */
 static double

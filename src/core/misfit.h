@@ -34,6 +34,7 @@ struct misfit {
 	struct misfit_run *run;
 	struct model **model; /* [n_run] */
 	double *passing, *d_passing;
+	bool (*stop)(void); /* or NULL, see misfit_stopped */
 };
 
 /* train [n_run] true for the runs to train on; those without a product are left
@@ -43,6 +44,10 @@ struct misfit {
 struct misfit *misfit_new(const struct site *site, const bool *train,
     const double *run_weight, bool by_sd, struct model_settings settings);
 void misfit_free(struct misfit *m);
+
+/* Whether somebody waits for what works on the misfit to end: it then lets go
+ * of what is half done, which may be done anew later.  For any thread. */
+bool misfit_stopped(const struct misfit *m);
 
 /* The misfit at p; INFINITY where it is not a number.   Source: paper Eq 5. */
 double misfit_at(struct misfit *m, const struct params *p);

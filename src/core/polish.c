@@ -167,9 +167,12 @@ polish_run(struct polish *s, const struct bounds *bounds, int max_steps,
 	int small = 0;
 	memset(s->scale, 0, sizeof s->scale);
 	struct polish_result result = {
-	    misfit_jacobian(s->misfit, p, s->r, s->J), 1, false};
+	    misfit_jacobian(s->misfit, p, s->r, s->J), 1, false, false};
 	double before = result.misfit;
 	while (result.evaluations < max_steps && !result.converged) {
+		result.stopped = misfit_stopped(s->misfit);
+		if (result.stopped)
+			break;
 		if (result.evaluations % PATIENCE == 0) {
 			if (is_hopeless(before, result.misfit, rival))
 				break;

@@ -18,6 +18,7 @@ struct polish_result {
 	double misfit;
 	int evaluations; /* of the misfit, derivatives included */
 	bool converged;  /* no step lowers it by more than 1e-13 of itself */
+	bool stopped;    /* by the misfit, on the way */
 };
 
 /* What a polish has to be better than, or it is of no use. */

@@ -33,6 +33,8 @@ struct walk {
 	double stride;
 	struct params at;
 	double level; /* plausible_level there */
+	const struct misfit *misfit;
+	bool stopped;
 };
 
 /* One step: a stride along all directions of the sensitivity, each as long as
@@ -43,6 +45,9 @@ step(struct walk *w, struct rng_key key)
 {
 	const struct sensitivity *s = &w->sensitivity;
 	struct params p = w->at;
+	w->stopped = w->stopped || misfit_stopped(w->misfit);
+	if (w->stopped)
+		return false;
 	for (size_t i = 0; i < s->n; i++) {
 		double z = w->stride * rng_normal(key, (uint32_t)i);
 		double length = fmin(plausible_deviation(w->plausible) /
@@ -115,7 +120,7 @@ uncertainty_new(struct misfit *m, const struct params *p,
 	double *basis = xdoubles(m->n_residual * PARAM_COUNT);
 	struct params own = *p;
 	params_scale_beta(&own);
-	struct walk w = {.at = own};
+	struct walk w = {.at = own, .misfit = m};
 	w.sensitivity = sensitivity_of(m, &own, bounds, true, basis);
 	w.plausible = plausible_new(m, &own, bounds, &w.sensitivity, basis);
 	w.level = plausible_level(w.plausible, &own);
@@ -128,7 +133,10 @@ uncertainty_new(struct misfit *m, const struct params *p,
 	}
 	plausible_free(w.plausible);
 	free(basis);
-	return u;
+	if (!w.stopped)
+		return u;
+	free(u);
+	return NULL;
 }
 
 enum { BREAK = PSD_SIZES, SIZES };

@@ -25,7 +25,8 @@ struct uncertainty {
 };
 
 /* m: of the training runs, as the fit was found; p: its optimum.  The same seed
- * gives the same bits.  About 0.1 s.  Cannot fail; free() it. */
+ * gives the same bits.  About 0.1 s, and as many times longer as there are more
+ * sieves than 24; NULL where the misfit was stopped meanwhile.  free() it. */
 struct uncertainty *uncertainty_new(struct misfit *m, const struct params *p,
     const struct bounds *bounds, uint64_t seed);
 

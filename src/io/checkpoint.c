@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/file.h"
+#include "io/textfile.h"
 
 static const char TITLE[] = "tipspeed checkpoint 3";
 
@@ -86,11 +87,11 @@ take_wholes(void *data, const char *name, size_t *value, size_t n)
 	return ok && take(next, "\n");
 }
 
-/* All of the file with a NUL behind it; NULL with errno. */
+/* All of the file with a NUL behind it; NULL and why. */
 static char *
-read_all(const char *path, size_t *n)
+read_all(const char *path, size_t *n, const char **why)
 {
-	FILE *in = fopen(path, "r");
+	FILE *in = textfile_open(path, why);
 	if (in == NULL)
 		return NULL;
 	char *bytes = NULL;
@@ -98,13 +99,12 @@ read_all(const char *path, size_t *n)
 	/* A checkpoint has no NUL of its own; one that has is damaged. */
 	ssize_t got = getdelim(&bytes, &room, '\0', in);
 	bool failed = ferror(in) != 0;
-	int reason = errno;
+	*why = strerror(errno);
 	fclose(in);
 	*n = got > 0 ? (size_t)got : 0;
 	if (got > 0)
 		return bytes;
 	free(bytes);
-	errno = reason;
 	return failed ? NULL : xstrdup("");
 }
 
@@ -163,10 +163,11 @@ checkpoint_load(const char *path, const struct checkpoint_of *of,
     struct calibration *c, struct error *error)
 {
 	size_t n = 0;
-	char *bytes = read_all(path, &n);
+	const char *why;
+	char *bytes = read_all(path, &n, &why);
 	if (bytes == NULL)
-		return error_at(error, ERROR_SYSTEM, path, 0, 0,
-		    "cannot read: %s", strerror(errno));
+		return error_at(
+		    error, ERROR_SYSTEM, path, 0, 0, "cannot read: %s", why);
 	bool ok;
 	if (strncmp(bytes, TITLE, sizeof TITLE - 1) != 0)
 		ok = refuse(path, "this is no checkpoint of tipspeed",

@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -290,7 +291,12 @@ schema_open(const char *path, bool make, sqlite3 **db, struct error *error)
 {
 	bool ok;
 	long version = 0;
+	struct stat about;
 	*db = NULL;
+	if (stat(path, &about) == 0 && !S_ISREG(about.st_mode))
+		return error_at(error, ERROR_SYSTEM, path, 0, 0,
+		    "the store cannot be opened: this is a folder, a "
+		    "pipe or a device\ntake another with --store=PATH");
 	if (!make && access(path, F_OK) != 0)
 		return true;
 	sqlite3 *opened = open_to(path, make, &version, &ok, error);

@@ -3,11 +3,14 @@
 #include "io/textfile.h"
 
 #include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -145,12 +148,11 @@ load(FILE *file, size_t *n)
 }
 
 static char *
-refuse_system(const char *path, struct error_list *errors)
+refuse_system(const char *path, const char *why, struct error_list *errors)
 {
-	int reason = errno;
-	bool several = reason == EISDIR || strpbrk(path, "*?") != NULL;
+	bool several = errno == EISDIR || strpbrk(path, "*?") != NULL;
 	error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
-	    "cannot read: %s\n%s", strerror(reason),
+	    "cannot read: %s\n%s", why,
 	    several ? "name each file, or let the shell do it: tipspeed "
 		      "FOLDER/*.csv"
 		    : "check the name (blanks want quotes), the folder and the "
@@ -158,12 +160,62 @@ refuse_system(const char *path, struct error_list *errors)
 	return NULL;
 }
 
+static bool
+is_null_device(const struct stat *about)
+{
+	struct stat null;
+	return stat("/dev/null", &null) == 0 && S_ISCHR(about->st_mode) &&
+	       about->st_rdev == null.st_rdev;
+}
+
+/* Whether there is something to read, or an end. */
+static bool
+is_written(int fd, const char **why)
+{
+	enum { PATIENCE_MS = 60000 };
+	struct pollfd in = {.fd = fd, .events = POLLIN};
+	int got = poll(&in, 1, PATIENCE_MS);
+	*why = got < 0 ? strerror(errno)
+		       : "nobody wrote to this pipe for a minute";
+	return got > 0;
+}
+
+FILE *
+textfile_open(const char *path, const char **why)
+{
+	struct stat about;
+	FILE *file = NULL;
+	/* A pipe would be waited for here, for ever and in silence. */
+	int fd = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+	bool good = fd >= 0 && fstat(fd, &about) == 0;
+	if (good && S_ISDIR(about.st_mode)) {
+		good = false;
+		errno = EISDIR;
+	}
+	*why = strerror(errno);
+	if (good && S_ISFIFO(about.st_mode))
+		good = is_written(fd, why);
+	else if (good && !S_ISREG(about.st_mode) && !is_null_device(&about)) {
+		good = false;
+		*why = "a file or a pipe was expected, this is a device";
+	}
+	if (good &&
+	    (fcntl(fd, F_SETFL, 0) != 0 || (file = fdopen(fd, "rb")) == NULL))
+		*why = strerror(errno);
+	int reason = errno;
+	if (file == NULL && fd >= 0)
+		close(fd);
+	errno = reason;
+	return file;
+}
+
 char *
 textfile_read(const char *path, struct error_list *errors)
 {
-	FILE *file = fopen(path, "rb");
+	const char *why;
+	FILE *file = textfile_open(path, &why);
 	if (file == NULL)
-		return refuse_system(path, errors);
+		return refuse_system(path, why, errors);
 	struct stat about;
 	size_t n;
 	char *bytes = NULL, *text = NULL;
@@ -171,7 +223,7 @@ textfile_read(const char *path, struct error_list *errors)
 	    about.st_size > MOST_BYTES)
 		refuse_size(path, (double)about.st_size, errors);
 	else if ((bytes = load(file, &n)) == NULL)
-		refuse_system(path, errors);
+		refuse_system(path, strerror(errno), errors);
 	else
 		text = check(path, bytes, n, errors);
 	free(bytes);

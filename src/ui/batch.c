@@ -188,33 +188,30 @@ print_prompt(struct session *s, bool goes_on)
 int
 batch_typed(struct session *s)
 {
-	char *piece = NULL, *line = xstrdup("");
-	size_t room = 0;
+	char *line = NULL;
+	size_t n = 0, room = 0, from = 0;
+	struct error error = {0};
 	batch_attend(s);
 	for (int number = 1; !s->quit; pump_forget_interrupt()) {
-		print_prompt(s, line[0] != '\0');
-		ssize_t got = getline(&piece, &room, stdin);
-		bool more = got >= 0 && script_goes_on(piece);
-		if (got < 0)
+		print_prompt(s, from > 0);
+		enum text_line got = text_line(&line, &n, &room, stdin);
+		bool more = got == TEXT_LINE && script_goes_on(line + from);
+		if (got != TEXT_LINE)
 			fputc('\n', stderr);
-		if (got < 0 && pump_signal() != SIGINT)
-			break;
-		if (got < 0) {
-			clearerr(stdin);
-			line[0] = '\0';
-			continue;
+		if (got == TEXT_TOO_LONG) {
+			script_too_long("typed", number, &error);
+			error_print(&error, stderr);
 		}
-		char *joined = xasprintf("%s%s", line, piece);
-		free(line);
-		line = joined;
-		if (more)
-			continue;
-		batch_line(s, line, "typed", number++, NULL);
-		line[0] = '\0';
+		if (got != TEXT_LINE && pump_signal() != SIGINT)
+			break;
+		n = from = more ? from + strlen(line + from) : 0;
+		if (got == TEXT_END)
+			clearerr(stdin);
+		if (got == TEXT_LINE && !more)
+			batch_line(s, line, "typed", number++, NULL);
 		if (pump_ended())
 			break;
 	}
-	free(piece);
 	free(line);
-	return pump_ended() ? pump_status() : 0;
+	return pump_ended() ? pump_status() : (int)error.kind;
 }

@@ -417,7 +417,8 @@ conduct_pump(struct tui *t)
 	do
 		session_step(s);
 	while (session_busy(s) && t->pace == PACE_FULL && pump_signal() == 0 &&
-	       (t->aside || session_clock() - began < FRAME));
+	       (t->aside ||
+		   (!pump_waited_for() && session_clock() - began < FRAME)));
 	if (t->pace < PACE_FULL)
 		t->due = t->clock + 1 / PACES[t->pace];
 	t->asked.tenths = 0;

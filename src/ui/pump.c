@@ -3,6 +3,7 @@
 #include "ui/pump.h"
 
 #include <errno.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <unistd.h>
@@ -11,7 +12,7 @@
 #include "base/xalloc.h"
 #include "ui/terminal.h"
 
-static volatile sig_atomic_t noted, asked;
+static volatile sig_atomic_t noted, asked, watching;
 
 static void
 on_signal(int signal)
@@ -26,6 +27,12 @@ on_ask(int signal)
 	asked = signal;
 }
 
+static void
+on_file_size(int signal)
+{
+	(void)signal;
+}
+
 void
 pump_catch_signals(void)
 {
@@ -34,6 +41,10 @@ pump_catch_signals(void)
 	sigaction(SIGINT, &action, NULL);
 	sigaction(SIGTERM, &action, NULL);
 	sigaction(SIGHUP, &action, NULL);
+	/* The write then fails, as on a full disk; shells that are started get
+	 * the usual end by it, which SIG_IGN would not give back. */
+	action.sa_handler = on_file_size;
+	sigaction(SIGXFSZ, &action, NULL);
 	action.sa_handler = on_ask;
 	action.sa_flags = SA_RESTART;
 	sigaction(SIGUSR1, &action, NULL);
@@ -119,6 +130,24 @@ int
 pump_status(void)
 {
 	return noted != 0 ? 128 + noted : 0;
+}
+
+void
+pump_watch(bool keys)
+{
+	watching = keys;
+}
+
+bool
+pump_waited_for(void)
+{
+	sigset_t held;
+	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
+	if (noted != 0 || !watching)
+		return noted != 0;
+	sigpending(&held);
+	return sigismember(&held, SIGINT) || sigismember(&held, SIGTERM) ||
+	       sigismember(&held, SIGHUP) || poll(&in, 1, 0) > 0;
 }
 
 /* What a terminal shows while a calibration runs: one line, four times a

@@ -43,6 +43,11 @@ bool pump_confirm(struct session *s, const char *question);
  * it; 0 without one. */
 int pump_status(void);
 
+/* For session.stop, from any thread: a signal came; or, while `keys` was the
+ * last that pump_watch was told, one is held back or a key was pressed. */
+bool pump_waited_for(void);
+void pump_watch(bool keys);
+
 /* Runs the job to its end.  False when a signal came: then the job is as it
  * was, for session_pause. */
 bool pump_run(struct session *s);

@@ -16,7 +16,7 @@
 
 /* What ends a program that does not catch it; TERM, HUP and INT are caught. */
 static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT,
-    SIGSYS, SIGTRAP, SIGXCPU, SIGXFSZ, SIGALRM, SIGUSR2};
+    SIGSYS, SIGTRAP, SIGXCPU, SIGALRM, SIGUSR2};
 
 /* Mouse off, keys as usual; the cursor and the screen follow. */
 #define MOUSE_OFF "\033[?1002l\033[?1000l\033[?1006l"

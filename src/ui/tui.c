@@ -249,6 +249,7 @@ static void
 show(struct tui *t)
 {
 	pane_draw(t);
+	pump_watch(false);
 	wait_for_something(t);
 	notice_end();
 	if (stopping)
@@ -303,12 +304,15 @@ loop(struct tui *t)
 {
 	while (!t->leave && !t->session->quit && pump_signal() == 0) {
 		t->clock = session_clock();
+		pump_watch(true);
 		conduct_predict(t);
 		rows_update(t);
 		show(t);
 		t->clock = session_clock();
 		take_keys(t);
+		pump_watch(true);
 		conduct_pump(t);
+		pump_watch(false);
 	}
 }
 

@@ -4,6 +4,8 @@
 #include "made.h"
 #include "naive.h"
 
+#include <stdatomic.h>
+
 #include "core/calibrate.h"
 #include "core/misfit.h"
 
@@ -354,6 +356,47 @@ classes_are_calibrated_too(void **state)
 	site_free(site);
 }
 
+static atomic_int looks, next_stop;
+
+/* In the midst of generations and of batches, but ever more rarely, as one
+ * that is stopped begins anew. */
+static bool
+now_and_then(void)
+{
+	int look = atomic_fetch_add(&looks, 1);
+	if (look < atomic_load(&next_stop))
+		return false;
+	atomic_store(&next_stop, look + look / 8 + 1);
+	return true;
+}
+
+static void
+a_step_that_is_stopped_is_made_anew(void **state)
+{
+	(void)state;
+	struct site *site = made_site(&TABLE_3[TIERP], NOISE, 9);
+	struct calibrate_options o = small_options(1);
+	struct fit whole = fit_of(site, &o);
+	o.stop = now_and_then;
+	o.threads = 2;
+	struct calibration *c = calibration_new(site, &o);
+	size_t idle[2] = {0}, before = 0;
+	for (bool over = false; !over;) {
+		enum calibrate_state was = calibration_status(c).state;
+		over = calibration_step(c) >= CALIBRATE_TOLERANCE;
+		size_t step = calibration_status(c).step;
+		idle[was == CALIBRATE_POLISHING] += step == before;
+		before = step;
+	}
+	struct fit fit = calibration_fit(c);
+	assert_true(idle[0] > 5 && idle[1] > 5);
+	assert_memory_equal(&fit.params, &whole.params, sizeof fit.params);
+	assert_int_equal(fit.evaluations, whole.evaluations);
+	assert_int_equal(fit.hops, whole.hops);
+	calibration_free(c);
+	site_free(site);
+}
+
 int
 main(void)
 {
@@ -369,6 +412,7 @@ main(void)
 	    cmocka_unit_test(other_runs_may_train),
 	    cmocka_unit_test(weights_of_runs_and_sieves_count),
 	    cmocka_unit_test(classes_are_calibrated_too),
+	    cmocka_unit_test(a_step_that_is_stopped_is_made_anew),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

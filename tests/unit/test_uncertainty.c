@@ -128,6 +128,13 @@ draws_keep_to_the_bounds_and_what_is_held(void **state)
 	fitted_free(&f);
 }
 
+static bool
+after_a_hundred(void)
+{
+	static int looks;
+	return looks++ == 100;
+}
+
 static void
 the_same_seed_gives_the_same_bits(void **state)
 {
@@ -141,6 +148,9 @@ the_same_seed_gives_the_same_bits(void **state)
 	    f.misfit, &f.fit.params, &f.options.bounds, f.options.seed + 1);
 	assert_memory_not_equal(again, f.u, sizeof *again);
 	free(again);
+	f.misfit->stop = after_a_hundred;
+	assert_null(uncertainty_new(
+	    f.misfit, &f.fit.params, &f.options.bounds, f.options.seed));
 	fitted_free(&f);
 }
 

@@ -1,0 +1,75 @@
+/* malloc and its kin for the whole process.
+ *
+ * Libraries call these too, and cannot be relied on when there is no memory:
+ * GSL and the loaders of fonts write through NULL, jansson leaves out a key, to
+ * getline it is the end of the file.  So nothing here returns NULL: the program
+ * ends, as it does for what it takes itself (xalloc.h).  The memory comes from
+ * the C library, or from whatever was loaded before it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* RTLD_NEXT */
+#include <dlfcn.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+
+/* Sanitizers have an allocator of their own, which ends the program too. */
+#ifndef __has_feature
+#define __has_feature(x) 0
+#endif
+#if !defined(__SANITIZE_ADDRESS__) && !__has_feature(address_sanitizer)
+#define PUBLIC __attribute__((visibility("default")))
+
+/* Sets a pointer to a function; ISO C cannot cast one. */
+static void
+find(void *function, const char *name)
+{
+	void *found = dlsym(RTLD_NEXT, name);
+	memcpy(function, &found, sizeof found);
+}
+
+PUBLIC void *
+malloc(size_t n)
+{
+	static void *(*next)(size_t);
+	if (next == NULL)
+		find(&next, "malloc");
+	void *p = next(n);
+	if (p == NULL)
+		xalloc_fail();
+	return p;
+}
+
+PUBLIC void *
+calloc(size_t n, size_t size)
+{
+	static void *(*next)(size_t, size_t);
+	static bool finding;
+	/* The dlsym of older C libraries calls calloc, and can do without. */
+	if (finding)
+		return NULL;
+	if (next == NULL) {
+		finding = true;
+		find(&next, "calloc");
+		finding = false;
+	}
+	void *p = next(n, size);
+	if (p == NULL)
+		xalloc_fail();
+	return p;
+}
+
+PUBLIC void *
+realloc(void *p, size_t n)
+{
+	static void *(*next)(void *, size_t);
+	if (next == NULL)
+		find(&next, "realloc");
+	void *q = next(p, n);
+	/* realloc to no bytes is free. */
+	if (q == NULL && n > 0)
+		xalloc_fail();
+	return q;
+}
+#endif

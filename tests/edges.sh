@@ -1,0 +1,106 @@
+#!/bin/sh
+# Input without an end, descriptors that are missing, files that may not grow.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "${srcdir:-.}/tests/tap.sh"
+scratch
+cd "$dir" || exit 99
+sheet=data/sites/tierp.csv
+quick='params set f_mat=2.18 e0_min=16.74 alpha=0.96'
+
+# told STATUS WORDS NAME: how the last run ended, and what it said.
+told() {
+	[ $status -eq "$1" ] && { [ -z "$2" ] || grep -q "$2" err; }
+	good=$?
+	[ $good -eq 0 ] || { echo "# status $status"; remark err; }
+	result $good "$3"
+}
+# try COMMAND...: at most a minute of it.
+try() {
+	timeout 60 "$@" >out 2>err
+	status=$?
+}
+# ours ARGUMENT...: of the program, without a store.
+ours() { try "$TIPSPEED" --store=:memory: "$@"; }
+
+# An assertion behind a line that is too long must not be passed over.
+{ head -c 30000000 /dev/zero | tr '\0' ' '; echo; echo 'assert 1 = 2'; } >long
+ours -f long
+told 2 '^long:1:1: a line of at most 10 MB' 'a line of 30 MB in a script'
+ours -f - <long
+told 2 '^stdin:1:1: a line of at most 10 MB' 'a line of 30 MB on standard input'
+ours -f - </dev/zero
+told 2 '^stdin:1:1: a line of at most 10 MB' 'a line without an end'
+{ echo; yes '\' | head -c 21000000; } >long
+ours -f long
+told 2 '^long:[0-9]*:1: a line of at most 10 MB' 'lines that go on and on'
+printf 'assert 1 = 1\n\nassert 1 = \\\n 2' >short
+ours -f short
+told 1 '^short:3:' 'lines that end with the file'
+ours -f /dev/zero
+told 5 'a file or a pipe was expected, this is a device' 'a device as a script'
+ours /dev/zero
+told 5 'a file or a pipe was expected, this is a device' 'a device as a sheet'
+ours $sheet -c 'calibrate resume=/dev/zero'
+told 5 'a file or a pipe was expected, this is a device' 'a device to resume from'
+try "$TIPSPEED" --store=/dev/zero -c materials
+told 5 'the store cannot be opened: this is a folder' 'a device as a store'
+ours -f /dev/null
+told 0 '' 'nothing as a script'
+
+mkfifo pipe
+cat $sheet >pipe &
+ours pipe -c "$quick"
+told 0 'loaded Tierp' 'a sheet from a pipe'
+yes 1,2 >pipe 2>/dev/null &
+ours pipe
+told 3 'at most 10 MB' 'a sheet without an end from a pipe'
+{ sleep 0.3; echo 'assert 1 = 2'; } >pipe &
+ours -f pipe
+told 1 '^pipe:1:1: assertion failed' 'a script from a pipe'
+wait
+cat $sheet | "$TIPSPEED" --store=:memory: /dev/stdin -c "$quick" 2>err
+status=$?
+told 0 'loaded Tierp' 'a sheet from standard input'
+for kind in '' '-f'; do
+	env --default-signal=INT "$TIPSPEED" --store=:memory: $kind pipe 2>err &
+	pid=$!
+	sleep 0.5
+	kill -s INT $pid
+	wait $pid
+	status=$?
+	told 130 'cannot read' "nobody writes to a pipe: ^C${kind:+, $kind}"
+done
+
+# Without a place for messages they must not go into a file.
+"$TIPSPEED" --store=:memory: $sheet -c "$quick" -c 'predict 74 > one.csv' 2>err
+"$TIPSPEED" --store=:memory: $sheet -c "$quick" -c 'predict 74 > two.csv' 2>&-
+status=$?
+: >err
+cmp one.csv two.csv && told 0 '' 'standard error is closed'
+"$TIPSPEED" --store=:memory: $sheet -c "$quick" -c 'predict 74' 2>err >&-
+status=$?
+told 5 'not all results could be written' 'standard output is closed'
+"$TIPSPEED" --store=:memory: $sheet -c "$quick" -c 'predict 74 > three.csv' \
+	-c 'nonsense' <&- >&- 2>&-
+[ $? -eq 2 ] && cmp one.csv three.csv
+result $? 'all three are closed'
+
+# A file may have no more than so many blocks of 512 or 1024 bytes.
+(
+	ulimit -f 20
+	"$TIPSPEED" --store=:memory: $sheet -c "$quick" \
+		-c 'plot psd > picture.png' 2>err
+)
+status=$?
+told 5 'File too large' 'a file larger than may be'
+[ ! -e picture.png ] && [ -z "$(ls picture.png.* 2>/dev/null)" ]
+result $? 'and nothing is left of it'
+# The shell counts its signals by itself.
+(
+	ulimit -f 20
+	"$TIPSPEED" --store=:memory: $sheet -c "$quick" \
+		-c 'predict 74 | sh -c "grep SigIgn /proc/self/status" > ignored'
+) >out 2>&1
+[ "$(awk '{ print substr($2, length($2) - 5, 1) }' ignored)" = 0 ]
+result $? 'shells get the usual end by a file too large'
+finish
