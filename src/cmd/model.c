@@ -259,7 +259,7 @@ show_settings(struct session *s)
 	report_pair(r, "isa", "%s", isa_name(isa_usable(s->set.isa)));
 	report_pair(r, "format", "%s", REPORT_FORMATS[s->set.format]);
 	report_pair(r, "csv", "%s", s->set.semicolon ? "semicolon" : "comma");
-	report_pair(r, "pager", "%s", s->pager ? "on" : "off");
+	report_pair(r, "pager", "%s", s->set.pager ? "on" : "off");
 	return session_report(s, r);
 }
 
@@ -292,7 +292,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	if (csv->given)
 		s->set.semicolon = csv->choice == 1;
 	if (pager->given)
-		s->pager = pager->choice == 0;
+		s->set.pager = pager->choice == 0;
 	bool any = method->given || form->given || k->given || threads->given ||
 		   isa->given || format->given || csv->given || pager->given;
 	return any || show_settings(s);

@@ -35,7 +35,7 @@ session_new(FILE *out, FILE *notes)
 	s->set.seed = 1;
 	s->set.threads = processors();
 	s->set.isa = ISA_BEST;
-	s->pager = true;
+	s->set.pager = true;
 	session_forget(s);
 	s->out = out;
 	s->notes = notes;

@@ -104,6 +104,8 @@ struct choices {
 	enum isa isa;
 	enum report_format format;
 	bool semicolon; /* in csv, with decimal commas */
+	bool pager;  /* at a prompt, what is taller than the screen is paged */
+	bool timing; /* tell how long each command took */
 };
 
 struct canvas;
@@ -120,7 +122,6 @@ struct session {
 	bool prompt;        /* lines are typed by somebody */
 	bool safe;          /* no command may touch files or the shell */
 	bool linear;        /* the screen is heard: words, no pictures */
-	bool timing;        /* tell how long each command took */
 	FILE *out;          /* results */
 	FILE *notes;        /* what is said beside results; NULL: nothing */
 	void (*tidy)(void); /* clears progress off the line of a note; NULL:
@@ -130,7 +131,6 @@ struct session {
 	double answer[ANSWERS];
 	struct prediction last; /* of predict and find; product.n 0: none */
 	struct job job;
-	bool pager; /* at a prompt, what is taller than the screen is paged */
 	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
 						where there is no terminal */
 	/* Draws the full screen, see pictures.h; NULL: there is none. */

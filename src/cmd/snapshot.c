@@ -20,7 +20,8 @@ same_choices(const struct choices *a, const struct choices *b)
 	       a->seed == b->seed &&
 	       memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0 &&
 	       a->threads == b->threads && a->isa == b->isa &&
-	       a->format == b->format && a->semicolon == b->semicolon;
+	       a->format == b->format && a->semicolon == b->semicolon &&
+	       a->pager == b->pager && a->timing == b->timing;
 }
 
 static struct entry *

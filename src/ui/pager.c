@@ -103,8 +103,8 @@ page_show(struct page *page)
 	page->shown = page->n;
 	terminal_size(&rows, &columns);
 	const char *command = pager_command();
-	bool paged =
-	    page->session->pager && command[0] != '\0' && !terminal_is_dumb();
+	bool paged = page->session->set.pager && command[0] != '\0' &&
+		     !terminal_is_dumb();
 	/* The prompt takes a row, too. */
 	bool tall = paged && !pump_ended() && count_rows(text, columns) >= rows;
 	if (!tall || !run_pager(command, text))
