@@ -234,13 +234,11 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 		    "bounds wants a range from low to high (0..1) or one "
 		    "number, not '%s'",
 		    args->operand[1]);
-	if (j >= PARAM_F_MAT && (lower < 0 || upper > 1e4))
+	if (lower < PARAMS[j].least || upper > PARAMS[j].most)
 		return error_set(error, ERROR_USAGE,
-		    "%s lies between 0 and 10000, not %s", PARAMS[j].name,
+		    "expected bounds of %s from %g to %g, got %s",
+		    PARAMS[j].name, PARAMS[j].least, PARAMS[j].most,
 		    args->operand[1]);
-	if (fmax(fabs(lower), fabs(upper)) > 1e9)
-		return error_set(error, ERROR_USAGE,
-		    "%s lies between -1e9 and 1e9", PARAMS[j].name);
 	s->set.bounds.lower[j] = lower;
 	s->set.bounds.upper[j] = upper;
 	return true;
