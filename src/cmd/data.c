@@ -16,6 +16,30 @@
 #include "io/table3.h"
 #include "io/units.h"
 
+/* What was loaded in a line, and more only where something was passed over. */
+static void
+note_loaded(struct session *s, const struct site *site)
+{
+	enum { MOST = 4 };
+	size_t n, more = site->n_left_out;
+	char *label = session_label(site);
+	free(site_sieves(site, &n));
+	if (site_products(site) > 0)
+		session_note(s, "loaded %s: %zu runs, %zu sieves", label,
+		    site->n_run, n);
+	else
+		session_note(s,
+		    "loaded %s: a feed on %zu sieves and no product: 'guess' "
+		    "tells what to expect",
+		    label, n);
+	for (size_t i = 0; i < site->n_left_out && i < MOST; i++, more--)
+		session_note(s, "  not read: %s, %s", site->left_out[i].key,
+		    site->left_out[i].value);
+	if (more > 0)
+		session_note(s, "  and %zu more: see check", more);
+	free(label);
+}
+
 bool
 data_load(struct session *s, const char *path, const char *digest,
     struct error *error)
@@ -28,16 +52,7 @@ data_load(struct session *s, const char *path, const char *digest,
 	if (!session_load(s, path, digest, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	char *label = session_label(entry->site);
-	if (site_products(entry->site) > 0)
-		session_note(
-		    s, "loaded %s: %zu runs", label, entry->site->n_run);
-	else
-		session_note(s,
-		    "loaded %s: a feed and no product: 'guess' tells what to "
-		    "expect",
-		    label);
-	free(label);
+	note_loaded(s, entry->site);
 	data_warn_coarser(s, entry->site);
 	char *line = journal_load(entry->site);
 	journal_add(s, NULL, "%s", line);

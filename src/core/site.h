@@ -34,6 +34,11 @@ struct site {
 	struct run *run;
 	size_t n_note;
 	struct site_note *note;
+	/* What the reader of the sheet passed over: where ("line 9"), and what
+	 * and why; and the sieves that had names, "#4 = 4.75". */
+	size_t n_left_out;
+	struct site_note *left_out;
+	char *named;
 	char *path;      /* file it was read from, or "" */
 	uint64_t digest; /* of the numbers: sizes, passings, speeds */
 };
@@ -44,6 +49,14 @@ void site_free(struct site *site);
 
 /* Digest of everything a calibration depends on; site_read sets it. */
 uint64_t site_digest(const struct site *site);
+
+/* The sieves of all feeds and products, m, coarsest first, each once: [*n],
+ * which the caller frees. */
+double *site_sieves(const struct site *site, size_t *n);
+
+/* One more note at the end of a list of n. */
+void site_add_note(
+    struct site_note **list, size_t *n, const char *key, const char *value);
 
 /* How many runs have a product. */
 size_t site_products(const struct site *site);
