@@ -226,6 +226,18 @@ answers_note_recalled(struct report *r, const struct entry *entry)
 }
 
 void
+answers_note_worth(struct report *r, const struct entry *entry)
+{
+	if (entry->has_fit && entry->fit.rmse > FIT_POOR)
+		report_note(r,
+		    "the calibration of %s is poor (%.1f points RMS): do not "
+		    "rely on this",
+		    entry->key, 100 * entry->fit.rmse);
+	if (entry->has_fit && fit_too_few(&entry->fit))
+		fit_note_too_few(r, &entry->fit);
+}
+
+void
 answers_note_doubt(
     struct session *s, struct report *r, double speed, size_t feed_run)
 {
@@ -241,11 +253,7 @@ answers_note_doubt(
 	    fabs(site->run[feed_run].speed - speed) > 1e-3)
 		report_note(r, "feed: the sample taken at %g m/s",
 		    site->run[feed_run].speed);
-	if (entry->has_fit && entry->fit.rmse > FIT_POOR)
-		report_note(r,
-		    "the calibration is poor (%.1f points RMS): do not rely "
-		    "on this",
-		    100 * entry->fit.rmse);
+	answers_note_worth(r, entry);
 }
 
 void

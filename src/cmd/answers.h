@@ -72,6 +72,10 @@ void answers_size_cell(struct report *r, const struct prediction *p, size_t i);
 void answers_note_sizes(
     struct report *r, const struct psd *psd, const struct band *band);
 
+/* Notes on what the calibration behind an answer is worth, where that is
+ * little. */
+void answers_note_worth(struct report *r, const struct entry *entry);
+
 /* Notes on how far to trust an answer for the site in use at a speed from the
  * feed of a run. */
 void answers_note_doubt(

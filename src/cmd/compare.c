@@ -6,7 +6,6 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/fit.h"
 #include "cmd/parse.h"
 #include "cmd/table.h"
 #include "core/predict.h"
@@ -135,11 +134,8 @@ comparison_notes(
 			    "%s is extrapolated: outside the speeds "
 			    "trained on",
 			    side[i].head);
-		if (entry->has_fit && entry->fit.rmse > FIT_POOR)
-			report_note(r,
-			    "the calibration of %s is poor (%.1f points RMS): "
-			    "do not rely on it",
-			    entry->key, 100 * entry->fit.rmse);
+		if (i == 0 || entry != side[0].entry)
+			answers_note_worth(r, entry);
 	}
 }
 

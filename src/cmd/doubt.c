@@ -7,12 +7,13 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/fit.h"
 
 const struct uncertainty *
 doubt_of(const struct entry *entry)
 {
 	struct history *h = entry->history;
-	if (!entry->has_fit || h == NULL)
+	if (!entry->has_fit || h == NULL || fit_too_few(&entry->fit))
 		return NULL;
 	if (h->uncertainty == NULL)
 		h->uncertainty = uncertainty_new(
@@ -43,6 +44,17 @@ doubt_band(const struct session *s, const struct entry *entry,
 	return &h->band;
 }
 
+const char *
+doubt_why_none(const struct entry *entry)
+{
+	return !entry->has_fit
+		   ? "no band: parameters that are no fit of this site have "
+		     "none"
+	       : fit_too_few(&entry->fit)
+		   ? "no band: too few data for so many parameters"
+		   : "no band: the fit was found with other settings";
+}
+
 void
 doubt_note(struct report *r)
 {
@@ -54,8 +66,8 @@ doubt_note(struct report *r)
 void
 doubt_put_interval(json_t *o, const struct uncertainty *u)
 {
-	json_t *interval = json_object();
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	json_t *interval = u != NULL ? json_object() : json_null();
+	for (size_t j = 0; u != NULL && j < PARAM_COUNT; j++)
 		answers_put_pair(
 		    interval, PARAMS[j].name, u->low[j], u->high[j]);
 	json_object_set_new(o, "interval", interval);

@@ -17,10 +17,15 @@ const struct uncertainty *doubt_of(const struct entry *entry);
 const struct band *doubt_band(const struct session *s,
     const struct entry *entry, const struct prediction *p);
 
+/* Why there is none: "no band: parameters ..".  Not to be asked where there is
+ * one. */
+const char *doubt_why_none(const struct entry *entry);
+
 /* Says what low and high are. */
 void doubt_note(struct report *r);
 
-/* Puts "interval": {"beta1":[low, high], .. "alpha":[low, high]}. */
+/* Puts "interval": {"beta1":[low, high], .. "alpha":[low, high]}, or null where
+ * there is none. */
 void doubt_put_interval(json_t *o, const struct uncertainty *u);
 
 /* Puts the ranges of the sizes. */

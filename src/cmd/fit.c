@@ -3,6 +3,7 @@
 #include "cmd/fit.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -274,7 +275,8 @@ fit_take(struct session *s)
 	session_forget(s);
 	s->answer[ANSWER_MISFIT] = entry->fit.misfit;
 	s->answer[ANSWER_RMSE] = 100 * entry->fit.rmse;
-	s->answer[ANSWER_POOR] = entry->fit.rmse > FIT_POOR;
+	bool poor = entry->fit.rmse > FIT_POOR;
+	s->answer[ANSWER_POOR] = !poor && fit_too_few(&entry->fit) ? NAN : poor;
 	entry->has_fit = entry->has_params = true;
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);

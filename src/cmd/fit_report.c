@@ -17,11 +17,28 @@ fit_breaks_nothing(const struct fit *fit)
 	return fit->misfit > (1 - FIT_NOTHING) * fit->feed_misfit;
 }
 
+bool
+fit_too_few(const struct fit *fit)
+{
+	return fit->cells <= fit->parameters;
+}
+
+void
+fit_note_too_few(struct report *r, const struct fit *fit)
+{
+	report_note(r,
+	    "%zu passing%s cannot determine %zu parameters: no verdict and no "
+	    "band; add sieves or a run",
+	    fit->cells, fit->cells == 1 ? "" : "s", fit->parameters);
+}
+
 const char *
 fit_verdict(const struct fit *fit)
 {
 	if (fit->rmse > FIT_POOR)
 		return "poor";
+	if (fit_too_few(fit))
+		return "too few data";
 	return fit_breaks_nothing(fit) ? "nothing breaks" : "good";
 }
 
@@ -106,8 +123,8 @@ put_fit(json_t *o, const struct entry *entry, double seconds)
 	fit_put_params(o, &fit->params);
 	put_speeds(o, "train", entry, true);
 	put_speeds(o, "holdout", entry, false);
-	report_put(
-	    o, "rmse_pct %g verdict %s", fit->rmse * 100, fit_verdict(fit));
+	report_put(o, "cells %zu parameters %zu rmse_pct %g verdict %s",
+	    fit->cells, fit->parameters, fit->rmse * 100, fit_verdict(fit));
 	doubt_put_interval(o, doubt_of(entry));
 }
 
@@ -183,8 +200,10 @@ add_verdict(struct report *report, const struct entry *entry,
 		    "points RMS; sampling repeats to 0.5 to 1: do not rely on "
 		    "its predictions, and look at the data with 'check'",
 		    100 * fit->rmse);
-	else if (fit_breaks_nothing(fit))
+	else if (!fit_too_few(fit) && fit_breaks_nothing(fit))
 		explain_nothing(report, entry);
+	if (fit_too_few(fit))
+		fit_note_too_few(report, fit);
 	struct validation far = fit_outlier(entry);
 	if (far.worst_difference != 0)
 		report_note(report,
@@ -199,7 +218,8 @@ add_verdict(struct report *report, const struct entry *entry,
 		report_note(report, "a parameter on its bound is set by the "
 				    "bound, not by the data");
 	add_flat(report, fit, bounds);
-	doubt_note(report);
+	if (!fit_too_few(fit))
+		doubt_note(report);
 	report_note(report, "beta counts only by its direction; rely on the "
 			    "curves, not on single values");
 }
@@ -227,21 +247,26 @@ fit_report(
 	const struct uncertainty *u = doubt_of(entry);
 	struct report *r =
 	    answers_report(entry->site, "calibrate", "calibrated parameters");
-	report_columns(r,
-	    "parameter, value, low, high, unit, lower: from, upper: to, "
-	    "remark");
+	report_columns(r, "parameter, value");
+	if (u != NULL)
+		report_columns(r, "low, high");
+	report_columns(r, "unit, lower: from, upper: to, remark");
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		bool fixed = bounds->lower[j] >= bounds->upper[j];
-		report_cells(r, "%s %.4f %.4f %.4f %s %g %g %s", PARAMS[j].name,
-		    fit->params.at[j], u->low[j], u->high[j], PARAMS[j].unit,
-		    bounds->lower[j], bounds->upper[j],
+		report_cells(r, "%s %.4f", PARAMS[j].name, fit->params.at[j]);
+		if (u != NULL)
+			report_cells(r, "%.4f %.4f", u->low[j], u->high[j]);
+		report_cells(r, "%s %g %g %s", PARAMS[j].unit, bounds->lower[j],
+		    bounds->upper[j],
 		    fixed              ? "held fixed"
 		    : fit->on_bound[j] ? "ON ITS BOUND"
 		    : j < PARAM_F_MAT  ? "largest is 1"
 				       : "");
 	}
-	report_note(r, "misfit %.6g, %.2f points RMS over %zu sieves",
-	    fit->misfit, 100 * fit->rmse, fit->n_residual);
+	report_note(r,
+	    "misfit %.6g, %.2f points RMS over %zu passings, for "
+	    "%zu parameters",
+	    fit->misfit, 100 * fit->rmse, fit->cells, fit->parameters);
 	report_note(r, "stopped after %zu generations, %zu evaluations: %s",
 	    fit->generations, fit->evaluations, stop_sentence(fit));
 	if (fit->edits > 0)

@@ -194,8 +194,7 @@ shade_prediction(
 {
 	const struct band *band = doubt_band(s, session_entry(s), p);
 	if (band == NULL) {
-		chart_note(chart, "no band: parameters that are no fit of "
-				  "this site have none");
+		chart_note(chart, "%s", doubt_why_none(session_entry(s)));
 		return;
 	}
 	struct chart_series *series = &chart->series[chart->n - 1];

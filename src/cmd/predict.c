@@ -222,8 +222,7 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 				      : NULL;
 	struct report *r = explained(s, &p, &params, band, wanted);
 	if (asked->given && asked->choice == 1 && band == NULL)
-		report_note(r, "no band: the parameters are no fit of this "
-			       "site with these settings");
+		report_note(r, "%s", doubt_why_none(entry));
 	bool picture = pictures_wanted(s);
 	bool curve = args_value(args, "curve")->choice == 1 &&
 		     s->set.format == REPORT_TABLE;

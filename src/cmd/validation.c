@@ -148,13 +148,8 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 	json_object_set_new(o, "holdout", list);
 	add_validations(s, r, list);
 	answers_note_recalled(r, entry);
-	if (entry->has_fit) {
+	if (entry->has_fit)
 		report_put(o, "verdict %s", fit_verdict(&entry->fit));
-		if (entry->fit.rmse > FIT_POOR)
-			report_note(r,
-			    "poor fit already at the training runs: %.1f "
-			    "points RMS",
-			    100 * entry->fit.rmse);
-	}
+	answers_note_worth(r, entry);
 	return session_report(s, r);
 }

@@ -196,6 +196,11 @@ say_fit(const struct subject *a)
 		    "by %.1f points (RMS), where sampling repeats to 0.5 to 1; "
 		    "look for faults in the sheet with 'check'",
 		    100 * fit->rmse);
+	else if (fit_too_few(fit))
+		answers_say(a->list,
+		    "%zu passings cannot determine %zu parameters: what the "
+		    "fit is worth is not known; add sieves or a run",
+		    fit->cells, fit->parameters);
 	else if (fit_breaks_nothing(fit))
 		answers_say(a->list,
 		    "The training products cannot be told from their "

@@ -114,6 +114,8 @@ struct fit {
 	double rmse;          /* of passing at the training runs, 0..1 */
 	double feed_misfit;   /* of the null model product = feed */
 	size_t n_residual;
+	size_t cells;      /* of them those that count: their weight is not 0 */
+	size_t parameters; /* that were searched, not held fixed */
 	bool on_bound[PARAM_COUNT];
 	struct flat flat; /* what the data tell least */
 	enum calibrate_state stop;

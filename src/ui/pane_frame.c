@@ -223,8 +223,9 @@ draw_state(const struct tui *t, const struct area *area)
 			? "not calibrated: f calibrates"
 			: "no product: type :guess");
 	} else if (entry->has_fit) {
-		column = screen_text(
-		    area, 0, 0, 0, "READY  fit %s", fit_verdict(&entry->fit));
+		column = screen_text(area, 0, 0, 0, "READY  %s%s",
+		    fit_too_few(&entry->fit) ? "" : "fit ",
+		    fit_verdict(&entry->fit));
 	} else {
 		column = screen_text(area, 0, 0, 0, "READY  parameters %s",
 		    session_origin(entry));
