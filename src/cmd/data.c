@@ -86,13 +86,6 @@ data_speeds(
 	return list;
 }
 
-char *
-data_kind(const char *provenance)
-{
-	size_t n = strcspn(provenance, " ;,");
-	return n > 0 ? xstrndup(provenance, n) : xstrdup("not stated");
-}
-
 bool
 cmd_sites(struct session *s, const struct args *args, struct error *error)
 {
@@ -105,7 +98,6 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
 		char *speeds = data_speeds(entry->site, " ", NULL, true);
-		char *kind = data_kind(entry->site->provenance);
 		bool mark = i == s->current && s->set.format == REPORT_TABLE;
 		report_text(r, "%s%s", mark ? "*" : "", entry->key);
 		report_cells(r, "%s %s %g %s %s %s", entry->site->name,
@@ -117,9 +109,8 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    : entry->recalled[0] != '\0' ? "from store"
 		    : entry->has_params          ? session_origin(entry)
 						 : "no",
-		    kind);
+		    site_data_kind(entry->site->provenance));
 		free(speeds);
-		free(kind);
 	}
 	report_note(r, s->n_entry > 0 ? "* is the site in use"
 				      : "no site is loaded: load FILE");

@@ -206,10 +206,9 @@ note_materials(struct report *r, const struct basis *b)
 	bool measured = true;
 	for (size_t i = 0; i < b->n; i++) {
 		const struct stored *m = &b->list.item[b->pick[i]];
-		char *kind = data_kind(m->provenance);
 		same += text_same(m->rock, b->wanted.rock);
-		measured = measured && strcmp(kind, "measured") == 0;
-		free(kind);
+		measured = measured && strcmp(site_data_kind(m->provenance),
+					   "measured") == 0;
 	}
 	char *picked = names(b, false), *left = names(b, true);
 	if (b->n > 1)

@@ -132,15 +132,14 @@ static void
 report_remembered(struct session *s, const struct stored *m)
 {
 	struct report *r = report_new("remember");
-	char *kind = data_kind(m->provenance);
 	report_title(r, "remembered %s", m->name);
 	report_site(r, m->site, m->provenance);
 	report_columns(r,
 	    "name, origin, data, rmse_pct: RMSE, holdout_pct: hold-out, date");
 	report_cells(r, "%s %s %s %.2f %.2f %s", m->name, store_origin_words(m),
-	    kind, m->rmse_pct, m->holdout_pct, m->date);
+	    site_data_kind(m->provenance), m->rmse_pct, m->holdout_pct,
+	    m->date);
 	report_note(r, "in %s", store_path(s->store));
-	free(kind);
 	session_report(s, r);
 }
 

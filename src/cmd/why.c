@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
@@ -233,16 +232,20 @@ say_measured(const struct subject *a)
 		: "");
 }
 
-/* What was not measured at a plant says so in its provenance. */
+/* As the sheet says itself. */
 static void
 say_data(const struct subject *a)
 {
 	char *from = site_source(a->entry->site, "");
 	if (from[0] == '\0')
-		answers_say(a->list, "Where the data are from is not stated");
-	else if (strncmp(from, "measured", 8) != 0)
+		answers_say(
+		    a->list, "The sheet does not say where its data are from");
+	else
 		answers_say(a->list,
-		    "The data are not from a plant's sieves: %s", from);
+		    site_data_made_up(from)
+			? "The data are not from a plant's sieves: %s"
+			: "The data are measured, says the sheet: %s",
+		    from);
 	free(from);
 }
 

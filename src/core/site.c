@@ -172,3 +172,27 @@ site_source(const struct site *site, const char *none)
 	size_t n = strcspn(site->provenance, ";");
 	return n > 0 ? xstrndup(site->provenance, n) : xstrdup(none);
 }
+
+static const char *const MADE_UP[] = {
+    "reconstructed", "synthetic", "made up", "simulated"};
+
+const char *
+site_data_kind(const char *provenance)
+{
+	char *folded = text_fold(provenance);
+	const char *text = text_trim(folded), *kind = "measured";
+	if (text[0] == '\0')
+		kind = "not stated";
+	for (size_t i = 0; i < ARRAY_LEN(MADE_UP); i++)
+		if (strncmp(text, MADE_UP[i], strlen(MADE_UP[i])) == 0)
+			kind = MADE_UP[i];
+	free(folded);
+	return kind;
+}
+
+bool
+site_data_made_up(const char *provenance)
+{
+	const char *kind = site_data_kind(provenance);
+	return strcmp(kind, "measured") != 0 && strcmp(kind, "not stated") != 0;
+}

@@ -79,6 +79,14 @@ bool site_run_is_near(
  * of the slowest at least.  site: or NULL. */
 void site_reach(const struct site *site, double *from, double *to);
 
+/* What data of that provenance are: "reconstructed", "synthetic", "made up" or
+ * "simulated", as it begins; "not stated" where it is empty; in all other words
+ * "measured", says who wrote them. */
+const char *site_data_kind(const char *provenance);
+
+/* Whether they were never measured at a plant, as they say themselves. */
+bool site_data_made_up(const char *provenance);
+
 /* The first clause of the provenance, which the caller frees; or a copy of
  * `none` where the sheet says nothing. */
 char *site_source(const struct site *site, const char *none);
