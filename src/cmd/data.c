@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/journal.h"
+#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "core/synth.h"
 #include "io/site_write.h"
@@ -105,10 +106,10 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
 					      : NAN,
 		    speeds,
-		    entry->has_fit               ? "yes"
-		    : entry->recalled[0] != '\0' ? "from store"
-		    : entry->has_params          ? session_origin(entry)
-						 : "no",
+		    entry->has_fit          ? "yes"
+		    : !entry->has_params    ? "no"
+		    : entry->origin->stored ? "from store"
+					    : session_origin(entry),
 		    site_data_kind(entry->site->provenance));
 		free(speeds);
 	}

@@ -9,6 +9,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/data.h"
+#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
 
@@ -220,6 +221,7 @@ take_history(struct entry *entry, const struct job *job)
 	    calibration_history(job->calibration, &n);
 	struct history *h = xcalloc(1, sizeof *h);
 	*h = (struct history){.holders = 1,
+	    .fit = entry->fit,
 	    .n = n,
 	    .generation = xcalloc(n + 1, size),
 	    .bounds = job->options.bounds,
@@ -265,7 +267,6 @@ void
 fit_take(struct session *s)
 {
 	struct entry *entry = &s->entry[s->job.entry];
-	entry->recalled[0] = '\0';
 	entry->fit = calibration_fit(s->job.calibration);
 	char *options = options_words(s, &entry->fit);
 	snprintf(entry->options, sizeof entry->options, "%s", options);
@@ -280,6 +281,8 @@ fit_take(struct session *s)
 	entry->has_fit = entry->has_params = true;
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);
+	origin_drop(entry->origin);
+	entry->origin = origin_of_fit(entry);
 }
 
 void

@@ -10,6 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
+#include "cmd/origin.h"
 #include "cmd/table.h"
 
 const char *const MODEL_FORMS[3] = {"ratio", "progeny_mm", "parent_mm"};
@@ -35,21 +36,22 @@ show_params(struct session *s, const struct args *args, struct error *error)
 		report_cells(r, "%s %s", PARAMS[j].unit, PARAMS[j].meaning);
 	}
 	if (u != NULL)
-		doubt_note(r);
+		doubt_note(r, entry);
+	if (entry->origin != NULL && entry->origin->whose[0] != '\0')
+		origin_note(r, entry);
 	return session_report(s, r);
 }
 
 void
 model_take_params(struct session *s, struct entry *entry,
-    const struct params *p, char *origin)
+    const struct params *p, struct origin *origin)
 {
 	session_forget(s);
 	entry->params = *p;
 	entry->has_params = true;
 	entry->has_fit = false;
-	free(entry->origin);
+	origin_drop(entry->origin);
 	entry->origin = origin;
-	entry->recalled[0] = '\0';
 }
 
 /* Parameters not named keep their value; where there is none yet, beta has a
@@ -70,7 +72,7 @@ set_params(struct session *s, const struct args *args, struct error *error)
 			    "yet",
 			    PARAMS[j].name, entry->site->name);
 	}
-	model_take_params(s, session_entry(s), &p, NULL);
+	model_take_params(s, session_entry(s), &p, origin_by_hand());
 	return true;
 }
 
@@ -105,8 +107,8 @@ use_params(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "%s is the site in use: its parameters are in use already",
 		    from->key);
-	model_take_params(s, session_entry(s), &from->params,
-	    xasprintf("taken from %s", from->key));
+	model_take_params(
+	    s, session_entry(s), &from->params, origin_taken(from));
 	session_note(s, "%s now has the parameters of %s (%s)",
 	    session_entry(s)->key, from->key, session_origin(from));
 	return true;

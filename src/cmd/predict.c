@@ -8,6 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/doubt.h"
 #include "cmd/fit.h"
+#include "cmd/origin.h"
 #include "cmd/pictures.h"
 #include "cmd/plots.h"
 #include "cmd/table.h"
@@ -128,8 +129,8 @@ prediction_report(struct session *s, const struct prediction *p,
 static void
 note_band(struct report *r, const struct entry *entry, double speed)
 {
-	doubt_note(r);
-	if (entry->fit.rmse > FIT_POOR)
+	doubt_note(r, entry);
+	if (origin_fit(entry)->rmse > FIT_POOR)
 		report_note(r, "the band is too narrow: the fit is poor, and "
 			       "the model's own error is not in it");
 	else if (answers_extrapolates(entry, speed))

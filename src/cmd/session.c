@@ -16,6 +16,7 @@
 #include "cmd/parse.h"
 #include "cmd/script.h"
 #include "cmd/turn.h"
+#include "cmd/origin.h"
 #include "cmd/undo.h"
 #include "io/units.h"
 
@@ -80,7 +81,7 @@ session_origin(const struct entry *entry)
 		return "found by calibration";
 	if (!entry->has_params)
 		return "not known yet";
-	return entry->origin != NULL ? entry->origin : "set by hand";
+	return entry->origin->words;
 }
 
 void

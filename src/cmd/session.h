@@ -16,17 +16,20 @@
 #include "io/report.h"
 #include "io/store.h"
 
-/* What a calibration left: its generations, [n], with the bounds it searched
- * in; and its misfit, from which is drawn, when first asked for, what the data
- * leave open.  Shared by the entries and snapshots that hold it. */
+/* What a calibration left: what it found; its generations, [n], with the bounds
+ * it searched in; and its misfit, from which is drawn, when first asked for,
+ * what the data leave open.  Shared by the entries, snapshots and origins that
+ * hold it. */
 struct history {
 	size_t holders, n;
+	struct fit fit;
 	struct calibrate_generation *generation;
 	struct bounds bounds;
 	struct misfit *misfit;
 	struct uncertainty *uncertainty; /* NULL: not drawn yet */
 	struct band band;                /* the last one asked for */
 	struct band_of {
+		const struct site *site;
 		struct model_settings settings;
 		double speed;
 		size_t feed_run;
@@ -40,13 +43,11 @@ struct entry {
 	char *key;
 	bool *train;
 	bool has_params, has_fit;
-	struct params params;    /* set by hand or found */
-	char *origin;            /* "taken from bro", or NULL; owned */
-	struct fit fit;          /* where the parameters were found */
+	struct params params;  /* set by hand or found */
+	struct origin *origin; /* of them, see origin.h; NULL: there are none */
+	struct fit fit;        /* where the parameters were found */
 	struct history *history; /* of the last calibration, or NULL */
 	char options[400];       /* of the fit, in the words of calibrate */
-	char recalled[64];       /* material the parameters are of, or "" */
-	bool recalled_own; /* it was found on the very numbers of the sheet */
 };
 
 /* The newest answers, for assert: sizes in mm, rmse and holdout in points; NAN
@@ -110,6 +111,7 @@ struct choices {
 
 struct canvas;
 struct journal;
+struct origin;
 struct screen_request;
 struct script;
 struct turn;

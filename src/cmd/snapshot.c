@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/origin.h"
 
 struct snapshot {
 	size_t n_entry, current;
@@ -82,6 +83,7 @@ same_entry(const struct entry *a, const struct entry *b)
 		   0 &&
 	       a->has_params == b->has_params && a->has_fit == b->has_fit &&
 	       memcmp(&a->params, &b->params, sizeof a->params) == 0 &&
+	       origin_same(a->origin, b->origin) &&
 	       snapshot_same_fit(&a->fit, &b->fit);
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "core/predict.h"
 #include "io/units.h"
@@ -107,7 +108,7 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	(csv         ? sweep_long
 	    : across ? sweep_across
 		     : answers_speed_rows)(s, r, p, n);
-	answers_note_recalled(r, entry);
+	origin_note(r, entry);
 	if (entry->site->individual_feeds)
 		report_note(r,
 		    "feed: the sample taken at %g m/s, for all speeds",

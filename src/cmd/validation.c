@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "cmd/answers.h"
+#include "cmd/origin.h"
 #include "cmd/fit.h"
 #include "cmd/table.h"
 #include "core/validate.h"
@@ -147,7 +148,7 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 	json_t *o = report_json(r), *list = json_array();
 	json_object_set_new(o, "holdout", list);
 	add_validations(s, r, list);
-	answers_note_recalled(r, entry);
+	origin_note(r, entry);
 	if (entry->has_fit)
 		report_put(o, "verdict %s", fit_verdict(&entry->fit));
 	answers_note_worth(r, entry);

@@ -7,6 +7,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "core/energy.h"
 #include "core/misfit.h"
@@ -116,18 +117,18 @@ say_response(const struct subject *a)
 static void
 say_trained(const struct subject *a)
 {
-	const struct site *site = a->entry->site;
-	double slow = INFINITY, fast = 0, v = a->p.speed;
-	for (size_t r = 0; r < site->n_run; r++) {
-		if (!a->entry->train[r])
-			continue;
-		slow = fmin(slow, site->run[r].speed);
-		fast = fmax(fast, site->run[r].speed);
-	}
-	if (!answers_extrapolates(a->entry, v)) {
+	const struct entry *entry = a->entry;
+	double slow, fast, v = a->p.speed;
+	const char *how = origin_trained(entry) ? "trained on" : "measured";
+	if (!origin_reach(entry, &slow, &fast)) {
 		answers_say(a->list,
-		    "%g m/s lies within the speeds %s, %g to %g m/s", v,
-		    a->entry->has_fit ? "trained on" : "measured", slow, fast);
+		    "Nothing says at which speeds these parameters hold");
+		return;
+	}
+	if (!answers_extrapolates(entry, v)) {
+		answers_say(a->list,
+		    "%g m/s lies within the speeds %s, %g to %g m/s", v, how,
+		    slow, fast);
 		return;
 	}
 	double near = v > fast ? fast : slow;
@@ -136,8 +137,8 @@ say_trained(const struct subject *a)
 	    "%g m/s is outside the speeds %s, %g to %g m/s: an impact has %.1f "
 	    "%% %s energy than at %g m/s, and nothing measured says what that "
 	    "does",
-	    v, a->entry->has_fit ? "trained on" : "measured", slow, fast,
-	    100 * fabs(more), more > 0 ? "more" : "less", near);
+	    v, how, slow, fast, 100 * fabs(more), more > 0 ? "more" : "less",
+	    near);
 }
 
 /* "alpha" or "beta3 and beta4" of those for which `is` holds; "" for none. */
@@ -183,10 +184,14 @@ say_fit(const struct subject *a)
 	const struct entry *entry = a->entry;
 	const struct fit *fit = &entry->fit;
 	if (!entry->has_fit) {
+		char *details = origin_details(entry->origin);
+		bool own = entry->origin->whose[0] == '\0';
 		answers_say(a->list,
-		    "The parameters were %s, not found by a calibration on "
-		    "this site's runs",
-		    session_origin(entry));
+		    "The parameters were %s%s%s%s, not found by a calibration "
+		    "on this site's runs",
+		    session_origin(entry), own ? "" : " (", own ? "" : details,
+		    own ? "" : ")");
+		free(details);
 		return;
 	}
 	if (fit->rmse > FIT_POOR)
@@ -199,7 +204,7 @@ say_fit(const struct subject *a)
 		answers_say(a->list,
 		    "%zu passings cannot determine %zu parameters: what the "
 		    "fit is worth is not known; add sieves or a run",
-		    fit->cells, fit->parameters);
+		    fit->n_residual, fit->parameters);
 	else if (fit_breaks_nothing(fit))
 		answers_say(a->list,
 		    "The training products cannot be told from their "

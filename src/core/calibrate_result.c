@@ -129,9 +129,6 @@ calibration_fit(struct calibration *c)
 		fit.on_bound[j] = sensitivity_on_bound(b, &p, j);
 		fit.parameters += b->lower[j] < b->upper[j];
 	}
-	for (size_t r = 0; r < c->misfit->n_run; r++)
-		fit.cells +=
-		    c->misfit->run[r].run_weight > 0 ? c->misfit->run[r].n : 0;
 	params_scale_beta(&p);
 	fit.flat = flat_direction(c->misfit, &p, &c->options.bounds);
 	fit.params = p;

@@ -232,6 +232,8 @@ draw_worth(const struct tui *t, int row)
 			words[strlen(fit) + strlen(verdict)] = '\0';
 		screen_text(side, row++, 0, 0, "%s", words);
 		free(words);
+	} else if (entry->has_params) {
+		screen_text(side, row++, 0, 0, "%s", session_origin(entry));
 	}
 	if (isfinite(t->holdout))
 		screen_text(
