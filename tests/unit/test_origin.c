@@ -52,6 +52,15 @@ why_takes_the_sheet_at_its_word(void **state)
 	session_entry(s)->site->provenance = own;
 }
 
+static void
+a_guess_beyond_its_materials_says_so(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "load data/sites/tierp.csv");
+	assert_true(says(desk, "guess speed=90", "extrapolated: 90.0 m/s"));
+	assert_false(says(desk, "guess speed=74", "extrapolated"));
+}
+
 /* Tierp is calibrated, and Bro has its parameters. */
 static void
 use_of_another(struct desk *desk)
@@ -165,6 +174,7 @@ main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(data_are_what_the_sheet_says),
 	    at_desk(why_takes_the_sheet_at_its_word),
+	    at_desk(a_guess_beyond_its_materials_says_so),
 	    at_desk(parameters_keep_their_origin_in_use_by_another),
 	    at_desk(a_shared_fit_has_a_band_for_each_site),
 	    at_desk(undo_and_redo_carry_the_origin),
