@@ -198,7 +198,7 @@ site_sieve_numbers(struct sheet *sheet, const struct row *head)
 {
 	const char separator[] = {sheet->separator, '\0'};
 	int line = head->line;
-	for (size_t i = sheet->n_comment; i-- > 0;) {
+	for (size_t i = sheet->n_comment; !sheet->lost && i-- > 0;) {
 		const struct comment *c = &sheet->comment[i];
 		char *first =
 		    text_unquoted(c->text, strcspn(c->text, separator));

@@ -247,8 +247,8 @@ band(struct tui *t)
 		return;
 	bool known = doubt_band(t->session, entry, &t->session->last) != NULL;
 	tui_say(t, false, "%s%s", known ? "" : doubt_why_none(entry),
-	    !known && fit_too_few(&entry->fit) ? ""
-	    : !known                           ? "; f calibrates"
+	    !known && entry->has_fit && fit_too_few(&entry->fit) ? ""
+	    : !known ? "; f calibrates"
 	    : screen_depth() >= 256
 		? "band on: 80 % of the fits"
 		: "band on: 80 % of the fits; where thinner than half a row "
