@@ -8,6 +8,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/fit.h"
+#include "cmd/origin.h"
 #include "io/units.h"
 
 const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {
@@ -82,7 +83,9 @@ answers_feed(const struct site *site, const struct args *args, double speed,
 bool
 answers_extrapolates(const struct entry *entry, double speed)
 {
-	return predict_extrapolates(entry->site, entry->train, speed);
+	double slowest, fastest;
+	return !origin_reach(entry, &slowest, &fastest) ||
+	       speed < slowest - 1e-9 || speed > fastest + 1e-9;
 }
 
 struct prediction
@@ -213,16 +216,16 @@ answers_note_sizes(
 }
 
 void
-answers_note_recalled(struct report *r, const struct entry *entry)
+answers_note_worth(struct report *r, const struct entry *entry)
 {
-	if (entry->recalled[0] != '\0')
+	const struct fit *fit = origin_fit(entry);
+	if (fit != NULL && fit->rmse > FIT_POOR)
 		report_note(r,
-		    entry->recalled_own
-			? "parameters from store: %s; they were found on the "
-			  "very numbers of this sheet"
-			: "parameters from store: %s; they are no fit of this "
-			  "site",
-		    entry->recalled);
+		    "the calibration of %s is poor (%.1f points RMS): do not "
+		    "rely on this",
+		    origin_key(entry), 100 * fit->rmse);
+	if (fit != NULL && fit_too_few(fit))
+		fit_note_too_few(r, fit);
 }
 
 void
@@ -231,21 +234,21 @@ answers_note_doubt(
 {
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
-	answers_note_recalled(r, entry);
-	if (answers_extrapolates(entry, speed) && site_products(site) > 0)
+	double slowest, fastest;
+	origin_note(r, entry);
+	/* Of a feed alone a search that found nothing has no speed. */
+	if (speed > 0 && origin_reach(entry, &slowest, &fastest) &&
+	    answers_extrapolates(entry, speed))
 		report_note(r,
-		    "extrapolated: %.1f m/s lies outside the speeds trained "
-		    "on",
-		    speed);
+		    "extrapolated: %.1f m/s lies outside the speeds %s, %g to "
+		    "%g m/s",
+		    speed, origin_trained(entry) ? "trained on" : "measured",
+		    slowest, fastest);
 	if (site->individual_feeds &&
 	    fabs(site->run[feed_run].speed - speed) > 1e-3)
 		report_note(r, "feed: the sample taken at %g m/s",
 		    site->run[feed_run].speed);
-	if (entry->has_fit && entry->fit.rmse > FIT_POOR)
-		report_note(r,
-		    "the calibration is poor (%.1f points RMS): do not rely "
-		    "on this",
-		    100 * entry->fit.rmse);
+	answers_note_worth(r, entry);
 }
 
 void
@@ -320,8 +323,9 @@ answers_put_prediction(struct session *s, json_t *o, const struct prediction *p)
 	fit_put_params(o, &entry->params);
 	if (entry->has_fit)
 		report_put(o, "verdict %s", fit_verdict(&entry->fit));
-	if (entry->recalled[0] != '\0')
-		report_put(o, "recalled %s", entry->recalled);
+	if (entry->origin != NULL && entry->origin->stored)
+		report_put(o, "recalled %s", entry->origin->whose);
+	origin_put(o, entry);
 }
 
 void

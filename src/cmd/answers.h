@@ -27,7 +27,8 @@ bool answers_ready(struct session *s, struct error *error);
  * far. */
 bool answers_forming(const struct session *s, struct params *params);
 
-/* Whether a speed lies outside those trained on. */
+/* Whether a speed lies outside those that the parameters were trained at, or
+ * were measured where that is not known. */
 bool answers_extrapolates(const struct entry *entry, double speed);
 
 /* The run whose feed to take: at the speed that the option feed names, else the
@@ -72,6 +73,10 @@ void answers_size_cell(struct report *r, const struct prediction *p, size_t i);
 void answers_note_sizes(
     struct report *r, const struct psd *psd, const struct band *band);
 
+/* Notes on what the calibration behind an answer is worth, where that is
+ * little. */
+void answers_note_worth(struct report *r, const struct entry *entry);
+
 /* Notes on how far to trust an answer for the site in use at a speed from the
  * feed of a run. */
 void answers_note_doubt(
@@ -98,9 +103,6 @@ void answers_tell(
 
 /* "classes" or "continuous". */
 const char *answers_method(enum method method);
-
-/* Says where parameters are from that were recalled. */
-void answers_note_recalled(struct report *r, const struct entry *entry);
 
 /* The JSON object of predict, see tipspeed(1), OUTPUT; and the list of several,
  * "products" of an object. */

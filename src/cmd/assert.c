@@ -26,8 +26,9 @@ side(const struct session *s, const char *word, double *value,
 		    "%s is not known\n"
 		    "p20, p50, p80, break, speed and extrapolated come from "
 		    "predict and find, inside from spec, misfit, rmse and poor "
-		    "from calibrate, holdout from validate; another site or a "
-		    "new calibration forgets them",
+		    "from calibrate (poor not where there are too few data), "
+		    "holdout from validate; another site or a new calibration "
+		    "forgets them",
 		    word);
 	}
 	return error_set(error, ERROR_USAGE,

@@ -348,11 +348,35 @@ check_twins(struct session *s, struct report *r, size_t index)
 	}
 }
 
+/* What the reader passed over, and what it read. */
+static void
+check_counts(struct report *r, const struct entry *entry)
+{
+	const struct site *site = entry->site;
+	size_t n, columns = site->individual_feeds ? site->n_run : 1;
+	free(site_sieves(site, &n));
+	for (size_t i = 0; i < site->n_run; i++)
+		columns += (size_t)(site->run[i].product.n > 0) +
+			   (size_t)(site->run[i].product_sd != NULL);
+	for (size_t i = 0; i < site->n_left_out; i++)
+		finding(r, entry, false, site->left_out[i].key, "not read: %s",
+		    site->left_out[i].value);
+	report_note(r, "%s: read %zu sieves in %zu columns, %zu run%s",
+	    entry->key, n, columns, site->n_run, site->n_run == 1 ? "" : "s");
+	if (site->named[0] != '\0')
+		report_note(r, "  by ASTM E11, mm: %s", site->named);
+	json_t *o = json_object();
+	report_put(o, "site %s runs %zu sieves %zu columns %zu left_out %zu",
+	    entry->key, site->n_run, n, columns, site->n_left_out);
+	json_array_append_new(json_object_get(report_json(r), "read"), o);
+}
+
 static bool
 check_site(struct session *s, struct report *r, size_t index)
 {
 	const struct entry *entry = &s->entry[index];
 	bool ok = true;
+	check_counts(r, entry);
 	for (size_t i = 0; i < entry->site->n_run; i++)
 		ok = check_run(r, entry, &entry->site->run[i]) && ok;
 	ok = check_order(r, entry) && ok;
@@ -383,6 +407,7 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	}
 	struct report *r = report_new("check");
 	report_columns(r, "site, kind, where, finding");
+	json_object_set_new(report_json(r), "read", json_array());
 	bool ok = true;
 	for (size_t i = first; i <= last; i++)
 		ok = check_site(s, r, i) && ok;

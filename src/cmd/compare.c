@@ -6,7 +6,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/fit.h"
+#include "cmd/origin.h"
 #include "cmd/parse.h"
 #include "cmd/table.h"
 #include "core/predict.h"
@@ -78,6 +78,7 @@ put_side(json_t *o, const char *key, const struct side *side, const double *x,
 		    report_json_number(units_pct(passing_at(side, x[i]))));
 	json_object_set_new(one, "passing_pct", passing);
 	answers_put_sizes(one, &side->p);
+	origin_put(one, side->entry);
 	json_object_set_new(o, key, one);
 }
 
@@ -135,11 +136,10 @@ comparison_notes(
 			    "%s is extrapolated: outside the speeds "
 			    "trained on",
 			    side[i].head);
-		if (entry->has_fit && entry->fit.rmse > FIT_POOR)
-			report_note(r,
-			    "the calibration of %s is poor (%.1f points RMS): "
-			    "do not rely on it",
-			    entry->key, 100 * entry->fit.rmse);
+		if (i == 1 && entry == side[0].entry)
+			continue;
+		origin_note(r, entry);
+		answers_note_worth(r, entry);
 	}
 }
 

@@ -11,11 +11,36 @@
 #include "base/xalloc.h"
 #include "cmd/files.h"
 #include "cmd/journal.h"
+#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "core/synth.h"
 #include "io/site_write.h"
 #include "io/table3.h"
 #include "io/units.h"
+
+/* What was loaded in a line, and more only where something was passed over. */
+static void
+note_loaded(struct session *s, const struct site *site)
+{
+	enum { MOST = 4 };
+	size_t n, more = site->n_left_out;
+	char *label = session_label(site);
+	free(site_sieves(site, &n));
+	if (site_products(site) > 0)
+		session_note(s, "loaded %s: %zu runs, %zu sieves", label,
+		    site->n_run, n);
+	else
+		session_note(s,
+		    "loaded %s: a feed on %zu sieves and no product: 'guess' "
+		    "tells what to expect",
+		    label, n);
+	for (size_t i = 0; i < site->n_left_out && i < MOST; i++, more--)
+		session_note(s, "  not read: %s, %s", site->left_out[i].key,
+		    site->left_out[i].value);
+	if (more > 0)
+		session_note(s, "  and %zu more: see check", more);
+	free(label);
+}
 
 bool
 data_load(struct session *s, const char *path, const char *digest,
@@ -29,16 +54,7 @@ data_load(struct session *s, const char *path, const char *digest,
 	if (!session_load(s, path, digest, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	char *label = session_label(entry->site);
-	if (site_products(entry->site) > 0)
-		session_note(
-		    s, "loaded %s: %zu runs", label, entry->site->n_run);
-	else
-		session_note(s,
-		    "loaded %s: a feed and no product: 'guess' tells what to "
-		    "expect",
-		    label);
-	free(label);
+	note_loaded(s, entry->site);
 	data_warn_coarser(s, entry->site);
 	char *line = journal_load(entry->site);
 	journal_add(s, NULL, "%s", line);
@@ -72,13 +88,6 @@ data_speeds(
 	return list;
 }
 
-char *
-data_kind(const char *provenance)
-{
-	size_t n = strcspn(provenance, " ;,");
-	return n > 0 ? xstrndup(provenance, n) : xstrdup("not stated");
-}
-
 bool
 cmd_sites(struct session *s, const struct args *args, struct error *error)
 {
@@ -91,7 +100,6 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
 		char *speeds = data_speeds(entry->site, " ", NULL, true);
-		char *kind = data_kind(entry->site->provenance);
 		bool mark = i == s->current && s->set.format == REPORT_TABLE;
 		report_text(r, "%s%s", mark ? "*" : "", entry->key);
 		report_cells(r, "%s %s %g %s %s %s", entry->site->name,
@@ -99,13 +107,12 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
 					      : NAN,
 		    speeds,
-		    entry->has_fit               ? "yes"
-		    : entry->recalled[0] != '\0' ? "from store"
-		    : entry->has_params          ? session_origin(entry)
-						 : "no",
-		    kind);
+		    entry->has_fit          ? "yes"
+		    : !entry->has_params    ? "no"
+		    : entry->origin->stored ? "from store"
+					    : session_origin(entry),
+		    site_data_kind(entry->site->provenance));
 		free(speeds);
-		free(kind);
 	}
 	report_note(r, s->n_entry > 0 ? "* is the site in use"
 				      : "no site is loaded: load FILE");

@@ -23,10 +23,6 @@ bool data_may_write(const struct session *s, const struct args *args,
 char *data_speeds(const struct site *site, const char *between,
     const bool *mark, bool marked);
 
-/* The first word of where data are from: "measured"; "not stated" where nothing
- * is said.  The caller frees. */
-char *data_kind(const char *provenance);
-
 /* Says beside the results where a run's product is coarser than its feed; the
  * numbers stay as they are. */
 void data_warn_coarser(struct session *s, const struct site *site);

@@ -7,16 +7,19 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/fit.h"
+#include "cmd/origin.h"
 
 const struct uncertainty *
 doubt_of(const struct entry *entry)
 {
-	struct history *h = entry->history;
-	if (!entry->has_fit || h == NULL)
+	const struct fit *fit = origin_fit(entry);
+	if (fit == NULL || fit_too_few(fit))
 		return NULL;
+	struct history *h = entry->origin->spread;
 	if (h->uncertainty == NULL)
 		h->uncertainty = uncertainty_new(
-		    h->misfit, &entry->fit.params, &h->bounds, entry->fit.seed);
+		    h->misfit, &fit->params, &h->bounds, fit->seed);
 	return h->uncertainty;
 }
 
@@ -24,14 +27,15 @@ const struct band *
 doubt_band(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
-	struct history *h = entry->history;
-	const struct uncertainty *u =
-	    model_settings_same(&s->set.model, &entry->fit.settings)
-		? doubt_of(entry)
-		: NULL;
+	const struct fit *fit = origin_fit(entry);
+	bool same =
+	    fit != NULL && model_settings_same(&s->set.model, &fit->settings);
+	const struct uncertainty *u = same ? doubt_of(entry) : NULL;
 	if (u == NULL)
 		return NULL;
-	if (h->band.n == p->product.n && h->band_of.speed == p->speed &&
+	struct history *h = entry->origin->spread;
+	if (h->band.n == p->product.n && h->band_of.site == entry->site &&
+	    h->band_of.speed == p->speed &&
 	    h->band_of.feed_run == p->feed_run &&
 	    model_settings_same(&h->band_of.settings, &s->set.model))
 		return &h->band;
@@ -39,23 +43,43 @@ doubt_band(const struct session *s, const struct entry *entry,
 	h->band = uncertainty_band(u, &entry->params,
 	    &entry->site->run[p->feed_run].feed, &p->product, s->set.model,
 	    p->speed);
-	h->band_of = (struct band_of){s->set.model, p->speed, p->feed_run};
+	h->band_of =
+	    (struct band_of){entry->site, s->set.model, p->speed, p->feed_run};
 	return &h->band;
 }
 
-void
-doubt_note(struct report *r)
+const char *
+doubt_why_none(const struct entry *entry)
 {
-	report_note(r,
-	    "low to high: %d %% of the fits that the data allow lie between",
-	    UNCERTAINTY_LEVEL);
+	const struct fit *fit = origin_fit(entry);
+	return fit == NULL
+		   ? "no band: the parameters are of no calibration made "
+		     "here"
+	       : fit_too_few(fit)
+		   ? "no band: too few data for so many parameters"
+		   : "no band: the fit was found with other settings";
+}
+
+void
+doubt_note(struct report *r, const struct entry *entry)
+{
+	if (entry->has_fit)
+		report_note(r,
+		    "low to high: %d %% of the fits that the data allow lie "
+		    "between",
+		    UNCERTAINTY_LEVEL);
+	else
+		report_note(r,
+		    "low to high: %d %% of the fits that the data of %s allow "
+		    "lie between; how this site differs from it is not in them",
+		    UNCERTAINTY_LEVEL, origin_key(entry));
 }
 
 void
 doubt_put_interval(json_t *o, const struct uncertainty *u)
 {
-	json_t *interval = json_object();
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	json_t *interval = u != NULL ? json_object() : json_null();
+	for (size_t j = 0; u != NULL && j < PARAM_COUNT; j++)
 		answers_put_pair(
 		    interval, PARAMS[j].name, u->low[j], u->high[j]);
 	json_object_set_new(o, "interval", interval);

@@ -6,21 +6,28 @@
 #include "cmd/session.h"
 #include "core/predict.h"
 
-/* The draws of the entry's fit, made when first asked for; NULL where its
- * parameters are no fit of its own, or where session.stop said so meanwhile. */
+/* The draws of the fit that found the entry's parameters, on this site or
+ * another one, made when first asked for; NULL where no calibration of this
+ * session found them, or one of too few data, or where session.stop said so
+ * meanwhile. */
 const struct uncertainty *doubt_of(const struct entry *entry);
 
 /* The band of the entry's prediction, borrowed until the next one is asked for.
- * NULL where there is none: parameters that are no fit, or a fit made with
- * other settings.  The last one is kept: who predicts, who draws and who shows
- * numbers ask for the same. */
+ * NULL where doubt_of is, or for a fit made with other settings.  The last one
+ * is kept: who predicts, who draws and who shows numbers ask for the same. */
 const struct band *doubt_band(const struct session *s,
     const struct entry *entry, const struct prediction *p);
 
-/* Says what low and high are. */
-void doubt_note(struct report *r);
+/* Why there is none: "no band: parameters ..".  Not to be asked where there is
+ * one. */
+const char *doubt_why_none(const struct entry *entry);
 
-/* Puts "interval": {"beta1":[low, high], .. "alpha":[low, high]}. */
+/* Says what low and high are: of another site's parameters they are what its
+ * data leave open, and know nothing of the difference between the two. */
+void doubt_note(struct report *r, const struct entry *entry);
+
+/* Puts "interval": {"beta1":[low, high], .. "alpha":[low, high]}, or null where
+ * there is none. */
 void doubt_put_interval(json_t *o, const struct uncertainty *u);
 
 /* Puts the ranges of the sizes. */

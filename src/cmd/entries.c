@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/files.h"
-#include "cmd/session.h"
+#include "cmd/origin.h"
 #include "io/site_read.h"
 #include "io/units.h"
 
@@ -18,7 +18,7 @@ entry_clear(struct entry *entry)
 {
 	free(entry->key);
 	free(entry->train);
-	free(entry->origin);
+	origin_drop(entry->origin);
 	history_drop(entry->history);
 }
 
@@ -36,7 +36,7 @@ entry_copy(const struct entry *from)
 	struct entry to = *from;
 	size_t runs = from->site->n_run;
 	to.key = xstrdup(from->key);
-	to.origin = from->origin != NULL ? xstrdup(from->origin) : NULL;
+	to.origin = origin_share(from->origin);
 	to.train = xcalloc(runs, sizeof *to.train);
 	memcpy(to.train, from->train, runs * sizeof *to.train);
 	if (to.history != NULL)

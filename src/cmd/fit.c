@@ -3,6 +3,7 @@
 #include "cmd/fit.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,6 +11,7 @@
 #include "cmd/data.h"
 #include "cmd/files.h"
 #include "cmd/log.h"
+#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
 
@@ -227,6 +229,7 @@ take_history(struct entry *entry, const struct job *job)
 	    calibration_history(job->calibration, &n);
 	struct history *h = xcalloc(1, sizeof *h);
 	*h = (struct history){.holders = 1,
+	    .fit = entry->fit,
 	    .n = n,
 	    .generation = xcalloc(n + 1, size),
 	    .bounds = job->options.bounds,
@@ -272,7 +275,6 @@ void
 fit_take(struct session *s)
 {
 	struct entry *entry = &s->entry[s->job.entry];
-	entry->recalled[0] = '\0';
 	entry->fit = calibration_fit(s->job.calibration);
 	char *options = options_words(s, &entry->fit);
 	snprintf(entry->options, sizeof entry->options, "%s", options);
@@ -282,10 +284,13 @@ fit_take(struct session *s)
 	session_forget(s);
 	s->answer[ANSWER_MISFIT] = entry->fit.misfit;
 	s->answer[ANSWER_RMSE] = 100 * entry->fit.rmse;
-	s->answer[ANSWER_POOR] = entry->fit.rmse > FIT_POOR;
+	bool poor = entry->fit.rmse > FIT_POOR;
+	s->answer[ANSWER_POOR] = !poor && fit_too_few(&entry->fit) ? NAN : poor;
 	entry->has_fit = entry->has_params = true;
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);
+	origin_drop(entry->origin);
+	entry->origin = origin_of_fit(entry);
 }
 
 void

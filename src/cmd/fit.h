@@ -62,7 +62,16 @@ bool fit_settings_agree(
 /* Puts "params": {"beta":[4],"f_mat":..,"e0_min":..,"alpha":..}. */
 void fit_put_params(json_t *o, const struct params *p);
 
-/* "poor", "good", or "nothing breaks". */
+/* "poor", "too few data", "nothing breaks" or "good". */
 const char *fit_verdict(const struct fit *fit);
+
+/* Where no more passings were compared than parameters searched the fit says
+ * nothing of itself: it meets any noise, so that it is not called good and has
+ * no band.  Beta counts as the four numbers it is reported as, though its scale
+ * is free: one passing to spare would show no noise either. */
+bool fit_too_few(const struct fit *fit);
+
+/* The sentence about it, which says the two numbers. */
+void fit_note_too_few(struct report *r, const struct fit *fit);
 
 #endif

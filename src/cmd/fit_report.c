@@ -17,11 +17,28 @@ fit_breaks_nothing(const struct fit *fit)
 	return fit->misfit > (1 - FIT_NOTHING) * fit->feed_misfit;
 }
 
+bool
+fit_too_few(const struct fit *fit)
+{
+	return fit->n_residual <= fit->parameters;
+}
+
+void
+fit_note_too_few(struct report *r, const struct fit *fit)
+{
+	report_note(r,
+	    "%zu passing%s cannot determine %zu parameters: no verdict and no "
+	    "band; add sieves or a run",
+	    fit->n_residual, fit->n_residual == 1 ? "" : "s", fit->parameters);
+}
+
 const char *
 fit_verdict(const struct fit *fit)
 {
 	if (fit->rmse > FIT_POOR)
 		return "poor";
+	if (fit_too_few(fit))
+		return "too few data";
 	return fit_breaks_nothing(fit) ? "nothing breaks" : "good";
 }
 
@@ -106,8 +123,9 @@ put_fit(json_t *o, const struct entry *entry, double seconds)
 	fit_put_params(o, &fit->params);
 	put_speeds(o, "train", entry, true);
 	put_speeds(o, "holdout", entry, false);
-	report_put(
-	    o, "rmse_pct %g verdict %s", fit->rmse * 100, fit_verdict(fit));
+	report_put(o, "cells %zu parameters %zu rmse_pct %g verdict %s",
+	    fit->n_residual, fit->parameters, fit->rmse * 100,
+	    fit_verdict(fit));
 }
 
 /* Why nothing breaks, in terms of the break size and the feed. */
@@ -182,8 +200,10 @@ add_verdict(struct report *report, const struct entry *entry,
 		    "points RMS; sampling repeats to 0.5 to 1: do not rely on "
 		    "its predictions, and look at the data with 'check'",
 		    100 * fit->rmse);
-	else if (fit_breaks_nothing(fit))
+	else if (!fit_too_few(fit) && fit_breaks_nothing(fit))
 		explain_nothing(report, entry);
+	if (fit_too_few(fit))
+		fit_note_too_few(report, fit);
 	struct validation far = fit_outlier(entry);
 	if (far.worst_difference != 0)
 		report_note(report,
@@ -199,7 +219,7 @@ add_verdict(struct report *report, const struct entry *entry,
 				    "bound, not by the data");
 	add_flat(report, fit, bounds);
 	if (ranges)
-		doubt_note(report);
+		doubt_note(report, entry);
 	report_note(report, "beta counts only by its direction; rely on the "
 			    "curves, not on single values");
 }
@@ -246,8 +266,10 @@ fit_report(
 		    : j < PARAM_F_MAT  ? "largest is 1"
 				       : "");
 	}
-	report_note(r, "misfit %.6g, %.2f points RMS over %zu sieves",
-	    fit->misfit, 100 * fit->rmse, fit->n_residual);
+	report_note(r,
+	    "misfit %.6g, %.2f points RMS over %zu passings, for "
+	    "%zu parameters",
+	    fit->misfit, 100 * fit->rmse, fit->n_residual, fit->parameters);
 	report_note(r, "stopped after %zu generations, %zu evaluations: %s",
 	    fit->generations, fit->evaluations, stop_sentence(fit));
 	if (fit->edits > 0)
@@ -257,7 +279,6 @@ fit_report(
 		    fit->edited_at, fit->edits > 1 ? " and before" : "");
 	add_verdict(r, entry, bounds, u != NULL);
 	put_fit(report_json(r), entry, seconds);
-	if (u != NULL)
-		doubt_put_interval(report_json(r), u);
+	doubt_put_interval(report_json(r), u);
 	return r;
 }

@@ -11,6 +11,7 @@
 #include "cmd/answers.h"
 #include "cmd/data.h"
 #include "cmd/fit.h"
+#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "io/units.h"
 
@@ -101,9 +102,9 @@ put_materials(json_t *o, const struct basis *b)
 		json_t *one = json_object();
 		report_put(one,
 		    "name %s site %s rock %s top_size_mm %g origin %s "
-		    "provenance %s",
+		    "provenance %s train_mps %s",
 		    m->name, m->site, m->rock, m->top_size_mm, m->origin,
-		    m->provenance);
+		    m->provenance, m->train_mps);
 		fit_put_params(one, &m->params);
 		json_array_append_new(list, one);
 	}
@@ -206,10 +207,9 @@ note_materials(struct report *r, const struct basis *b)
 	bool measured = true;
 	for (size_t i = 0; i < b->n; i++) {
 		const struct stored *m = &b->list.item[b->pick[i]];
-		char *kind = data_kind(m->provenance);
 		same += text_same(m->rock, b->wanted.rock);
-		measured = measured && strcmp(kind, "measured") == 0;
-		free(kind);
+		measured = measured && strcmp(site_data_kind(m->provenance),
+					   "measured") == 0;
 	}
 	char *picked = names(b, false), *left = names(b, true);
 	if (b->n > 1)
@@ -240,6 +240,34 @@ note_materials(struct report *r, const struct basis *b)
 	free(left);
 }
 
+/* A speed that one of the materials, or more, was not trained at; nothing is
+ * said of those that do not tell theirs. */
+static void
+note_reach(struct report *r, const struct basis *b, double speed)
+{
+	double slowest = 0, fastest = INFINITY;
+	for (size_t i = 0; i < b->n; i++) {
+		struct origin *o = origin_stored(&b->list.item[b->pick[i]]);
+		double slow = INFINITY, fast = 0;
+		for (size_t k = 0; k < o->n_speed; k++) {
+			slow = fmin(slow, o->speed[k]);
+			fast = fmax(fast, o->speed[k]);
+		}
+		if (o->n_speed > 0) {
+			slowest = fmax(slowest, slow);
+			fastest = fmin(fastest, fast);
+		}
+		origin_drop(o);
+	}
+	bool beyond = speed < slowest - 1e-9 || speed > fastest + 1e-9;
+	report_put(report_json(r), "extrapolated %d", beyond);
+	if (beyond)
+		report_note(r,
+		    "extrapolated: %.1f m/s lies outside the speeds that all "
+		    "of them were trained at, %g to %g m/s",
+		    speed, slowest, fastest);
+}
+
 static void
 report_guess(struct session *s, const struct basis *b,
     const struct guess *guess, size_t nearest)
@@ -250,6 +278,7 @@ report_guess(struct session *s, const struct basis *b,
 	struct guess_error e = table3_error(b, nearest, guess->speed, &worst);
 	note_sizes(r, guess);
 	note_materials(r, b);
+	note_reach(r, b, guess->speed);
 	report_note(r,
 	    "how far such guesses err: each of %zu materials of Table 3, "
 	    "guessed from the other sites, misses its own model's product by "

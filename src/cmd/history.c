@@ -82,6 +82,7 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	report_note(r,
 	    "best and median misfit of the search; then the spread of each "
 	    "parameter, %% of its bounds");
+	answers_note_worth(r, entry);
 	if (entry->fit.edits > 0)
 		report_note(r,
 		    "the bounds were edited after generation %zu%s: earlier "

@@ -98,7 +98,7 @@ cmd_timing(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
 	const struct value *state = args_value(args, "state");
-	s->timing = state->choice == 0;
+	s->set.timing = state->choice == 0;
 	return true;
 }
 

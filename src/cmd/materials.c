@@ -41,11 +41,9 @@ is_wanted(const struct stored *m, const struct args *args)
 static void
 add_row(struct report *r, const struct stored *m)
 {
-	char *kind = data_kind(m->provenance);
 	report_cells(r, "%s %s %g %.2f %.2f %.2f %s %s", m->name, m->rock,
 	    m->top_size_mm, m->params.f_mat, m->params.e0_min, m->params.alpha,
-	    store_origin_words(m), kind);
-	free(kind);
+	    store_origin_words(m), site_data_kind(m->provenance));
 }
 
 /* "Diabase, Granite, ...", each once, where none was of the rock asked for. */

@@ -10,6 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
+#include "cmd/origin.h"
 #include "cmd/table.h"
 
 const char *const MODEL_FORMS[3] = {"ratio", "progeny_mm", "parent_mm"};
@@ -35,21 +36,22 @@ show_params(struct session *s, const struct args *args, struct error *error)
 		report_cells(r, "%s %s", PARAMS[j].unit, PARAMS[j].meaning);
 	}
 	if (u != NULL)
-		doubt_note(r);
+		doubt_note(r, entry);
+	if (entry->origin != NULL && entry->origin->whose[0] != '\0')
+		origin_note(r, entry);
 	return session_report(s, r);
 }
 
 void
 model_take_params(struct session *s, struct entry *entry,
-    const struct params *p, char *origin)
+    const struct params *p, struct origin *origin)
 {
 	session_forget(s);
 	entry->params = *p;
 	entry->has_params = true;
 	entry->has_fit = false;
-	free(entry->origin);
+	origin_drop(entry->origin);
 	entry->origin = origin;
-	entry->recalled[0] = '\0';
 }
 
 /* Parameters not named keep their value; where there is none yet, beta has a
@@ -70,7 +72,7 @@ set_params(struct session *s, const struct args *args, struct error *error)
 			    "yet",
 			    PARAMS[j].name, entry->site->name);
 	}
-	model_take_params(s, session_entry(s), &p, NULL);
+	model_take_params(s, session_entry(s), &p, origin_by_hand());
 	return true;
 }
 
@@ -105,8 +107,8 @@ use_params(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "%s is the site in use: its parameters are in use already",
 		    from->key);
-	model_take_params(s, session_entry(s), &from->params,
-	    xasprintf("taken from %s", from->key));
+	model_take_params(
+	    s, session_entry(s), &from->params, origin_taken(from));
 	session_note(s, "%s now has the parameters of %s (%s)",
 	    session_entry(s)->key, from->key, session_origin(from));
 	return true;
@@ -234,13 +236,11 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 		    "bounds wants a range from low to high (0..1) or one "
 		    "number, not '%s'",
 		    args->operand[1]);
-	if (j >= PARAM_F_MAT && (lower < 0 || upper > 1e4))
+	if (lower < PARAMS[j].least || upper > PARAMS[j].most)
 		return error_set(error, ERROR_USAGE,
-		    "%s lies between 0 and 10000, not %s", PARAMS[j].name,
+		    "expected bounds of %s from %g to %g, got %s",
+		    PARAMS[j].name, PARAMS[j].least, PARAMS[j].most,
 		    args->operand[1]);
-	if (fmax(fabs(lower), fabs(upper)) > 1e9)
-		return error_set(error, ERROR_USAGE,
-		    "%s lies between -1e9 and 1e9", PARAMS[j].name);
 	s->set.bounds.lower[j] = lower;
 	s->set.bounds.upper[j] = upper;
 	return true;
@@ -259,7 +259,7 @@ show_settings(struct session *s)
 	report_pair(r, "isa", "%s", isa_name(isa_usable(s->set.isa)));
 	report_pair(r, "format", "%s", REPORT_FORMATS[s->set.format]);
 	report_pair(r, "csv", "%s", s->set.semicolon ? "semicolon" : "comma");
-	report_pair(r, "pager", "%s", s->pager ? "on" : "off");
+	report_pair(r, "pager", "%s", s->set.pager ? "on" : "off");
 	return session_report(s, r);
 }
 
@@ -292,7 +292,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	if (csv->given)
 		s->set.semicolon = csv->choice == 1;
 	if (pager->given)
-		s->pager = pager->choice == 0;
+		s->set.pager = pager->choice == 0;
 	bool any = method->given || form->given || k->given || threads->given ||
 		   isa->given || format->given || csv->given || pager->given;
 	return any || show_settings(s);

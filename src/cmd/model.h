@@ -8,9 +8,9 @@
 /* Names of the appearance forms, in the order of the enum. */
 extern const char *const MODEL_FORMS[3];
 
-/* Gives a site other parameters, which are no fit; origin says in words where
- * they are from and is taken; NULL: set by hand. */
+/* Gives a site other parameters, which are no fit of its own; takes the share
+ * in their origin. */
 void model_take_params(struct session *s, struct entry *entry,
-    const struct params *p, char *origin);
+    const struct params *p, struct origin *origin);
 
 #endif

@@ -8,6 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
+#include "cmd/origin.h"
 #include "cmd/plots.h"
 #include "core/misfit.h"
 #include "core/predict.h"
@@ -180,10 +181,14 @@ note_prediction(struct chart *chart, const struct plot_request *q,
 		snprintf(words[i], sizeof p20,
 		    isnan(p->size[i]) ? "outside" : "%.2f mm",
 		    1000 * p->size[i]);
-	bool beyond = whose != NULL &&
-		      predict_extrapolates(whose->site, whose->train, p->speed);
+	bool beyond = whose != NULL && answers_extrapolates(whose, p->speed);
 	chart_note(chart, "%s: P20 %s, P50 %s, P80 %s%s", name, p20, p50, p80,
 	    beyond ? "; extrapolated" : "");
+	if (whose == NULL || origin_key(whose) == whose->key)
+		return;
+	char *from = origin_sentence(whose);
+	chart_note(chart, "%s", from);
+	free(from);
 }
 
 /* The shade of a prediction with the site's own parameters, whose series is the
@@ -194,8 +199,7 @@ shade_prediction(
 {
 	const struct band *band = doubt_band(s, session_entry(s), p);
 	if (band == NULL) {
-		chart_note(chart, "no band: parameters that are no fit of "
-				  "this site have none");
+		chart_note(chart, "%s", doubt_why_none(session_entry(s)));
 		return;
 	}
 	struct chart_series *series = &chart->series[chart->n - 1];

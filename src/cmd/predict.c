@@ -8,6 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/doubt.h"
 #include "cmd/fit.h"
+#include "cmd/origin.h"
 #include "cmd/pictures.h"
 #include "cmd/plots.h"
 #include "cmd/table.h"
@@ -128,8 +129,8 @@ prediction_report(struct session *s, const struct prediction *p,
 static void
 note_band(struct report *r, const struct entry *entry, double speed)
 {
-	doubt_note(r);
-	if (entry->fit.rmse > FIT_POOR)
+	doubt_note(r, entry);
+	if (origin_fit(entry)->rmse > FIT_POOR)
 		report_note(r, "the band is too narrow: the fit is poor, and "
 			       "the model's own error is not in it");
 	else if (answers_extrapolates(entry, speed))
@@ -222,8 +223,7 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 				      : NULL;
 	struct report *r = explained(s, &p, &params, band, wanted);
 	if (asked->given && asked->choice == 1 && band == NULL)
-		report_note(r, "no band: the parameters are no fit of this "
-			       "site with these settings");
+		report_note(r, "%s", doubt_why_none(entry));
 	bool picture = pictures_wanted(s);
 	bool curve = args_value(args, "curve")->choice == 1 &&
 		     s->set.format == REPORT_TABLE;

@@ -18,6 +18,7 @@
 #include "cmd/parse.h"
 #include "cmd/script.h"
 #include "cmd/turn.h"
+#include "cmd/origin.h"
 #include "cmd/undo.h"
 #include "io/units.h"
 
@@ -37,7 +38,7 @@ session_new(FILE *out, FILE *notes)
 	s->set.seed = 1;
 	s->set.threads = processors();
 	s->set.isa = ISA_BEST;
-	s->pager = true;
+	s->set.pager = true;
 	session_forget(s);
 	s->out = out;
 	s->notes = notes;
@@ -84,7 +85,7 @@ session_origin(const struct entry *entry)
 		return "found by calibration";
 	if (!entry->has_params)
 		return "not known yet";
-	return entry->origin != NULL ? entry->origin : "set by hand";
+	return entry->origin->words;
 }
 
 void

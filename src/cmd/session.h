@@ -16,17 +16,20 @@
 #include "io/report.h"
 #include "io/store.h"
 
-/* What a calibration left: its generations, [n], with the bounds it searched
- * in; and its misfit, from which is drawn, when first asked for, what the data
- * leave open.  Shared by the entries and snapshots that hold it. */
+/* What a calibration left: what it found; its generations, [n], with the bounds
+ * it searched in; and its misfit, from which is drawn, when first asked for,
+ * what the data leave open.  Shared by the entries, snapshots and origins that
+ * hold it. */
 struct history {
 	size_t holders, n;
+	struct fit fit;
 	struct calibrate_generation *generation;
 	struct bounds bounds;
 	struct misfit *misfit;
 	struct uncertainty *uncertainty; /* NULL: not drawn yet */
 	struct band band;                /* the last one asked for */
 	struct band_of {
+		const struct site *site;
 		struct model_settings settings;
 		double speed;
 		size_t feed_run;
@@ -40,13 +43,11 @@ struct entry {
 	char *key;
 	bool *train;
 	bool has_params, has_fit;
-	struct params params;    /* set by hand or found */
-	char *origin;            /* "taken from bro", or NULL; owned */
-	struct fit fit;          /* where the parameters were found */
+	struct params params;  /* set by hand or found */
+	struct origin *origin; /* of them, see origin.h; NULL: there are none */
+	struct fit fit;        /* where the parameters were found */
 	struct history *history; /* of the last calibration, or NULL */
 	char options[400];       /* of the fit, in the words of calibrate */
-	char recalled[64];       /* material the parameters are of, or "" */
-	bool recalled_own; /* it was found on the very numbers of the sheet */
 };
 
 /* The newest answers, for assert: sizes in mm, rmse and holdout in points; NAN
@@ -104,12 +105,15 @@ struct choices {
 	enum isa isa;
 	enum report_format format;
 	bool semicolon; /* in csv, with decimal commas */
+	bool pager;  /* at a prompt, what is taller than the screen is paged */
+	bool timing; /* tell how long each command took */
 };
 
 struct canvas;
 struct files;
 struct journal;
 struct keep;
+struct origin;
 struct screen_request;
 struct script;
 struct turn;
@@ -124,7 +128,6 @@ struct session {
 	bool safe;          /* neither commands nor keys may touch files or
 			       the shell */
 	bool linear;        /* the screen is heard: words, no pictures */
-	bool timing;        /* tell how long each command took */
 	FILE *out;          /* results */
 	FILE *notes;        /* what is said beside results; NULL: nothing */
 	void (*tidy)(void); /* clears progress off the line of a note; NULL:
@@ -137,7 +140,6 @@ struct session {
 	double answer[ANSWERS];
 	struct prediction last; /* of predict and find; product.n 0: none */
 	struct job job;
-	bool pager; /* at a prompt, what is taller than the screen is paged */
 	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
 						where there is no terminal */
 	/* Draws the full screen, see pictures.h; NULL: there is none. */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/origin.h"
 
 struct snapshot {
 	size_t n_entry, current;
@@ -20,7 +21,8 @@ same_choices(const struct choices *a, const struct choices *b)
 	       a->seed == b->seed &&
 	       memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0 &&
 	       a->threads == b->threads && a->isa == b->isa &&
-	       a->format == b->format && a->semicolon == b->semicolon;
+	       a->format == b->format && a->semicolon == b->semicolon &&
+	       a->pager == b->pager && a->timing == b->timing;
 }
 
 static struct entry *
@@ -81,6 +83,7 @@ same_entry(const struct entry *a, const struct entry *b)
 		   0 &&
 	       a->has_params == b->has_params && a->has_fit == b->has_fit &&
 	       memcmp(&a->params, &b->params, sizeof a->params) == 0 &&
+	       origin_same(a->origin, b->origin) &&
 	       snapshot_same_fit(&a->fit, &b->fit);
 }
 

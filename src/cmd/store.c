@@ -14,6 +14,7 @@
 #include "cmd/files.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
+#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "cmd/turn.h"
 #include "config.h"
@@ -71,12 +72,28 @@ take_fit(struct stored *m, const struct entry *entry)
 	const struct fit *fit = &entry->fit;
 	set_copy(&m->options, entry->options);
 	set_copy(&m->stop, calibrate_state_name(fit->stop));
-	set(&m->train_mps, data_speeds(entry->site, ",", entry->train, true));
 	m->misfit = fit->misfit;
 	m->rmse_pct = 100 * fit->rmse;
 	m->holdout_pct = 100 * fit_holdout_rmse(entry);
 	m->seed = (int64_t)fit->seed;
 	m->generations = (int64_t)fit->generations;
+}
+
+/* Parameters of another site keep its speeds and what its data are: made-up
+ * ones do not become measured by being used. */
+static void
+take_origin(struct stored *m, const struct entry *entry)
+{
+	const struct origin *o = entry->origin;
+	bool own = o->whose[0] == '\0';
+	char *speeds = xstrdup(""), number[32];
+	for (size_t i = 0; i < o->n_speed; i++)
+		xlist(&speeds, ",", "%s", text_exact(o->speed[i], number));
+	set(&m->train_mps, speeds);
+	set_copy(&m->provenance, own ? entry->site->provenance : o->provenance);
+	set(&m->site_digest,
+	    xasprintf("%016" PRIx64, own ? entry->site->digest : o->digest));
+	set_copy(&m->note, own ? "" : o->words);
 }
 
 static struct stored
@@ -89,8 +106,7 @@ material_of(const struct session *s, const struct entry *entry)
 	set_copy(&m.site, site->name);
 	set_copy(&m.rock, site->rock);
 	set_copy(&m.machine, site->machine);
-	set_copy(&m.provenance, site->provenance);
-	set(&m.site_digest, xasprintf("%016" PRIx64, site->digest));
+	take_origin(&m, entry);
 	set_copy(&m.origin, entry->has_fit ? "fit" : "hand");
 	set_copy(&m.method, answers_method(settings->method));
 	set_copy(&m.appearance, MODEL_FORMS[settings->appearance]);
@@ -114,11 +130,11 @@ check_remember(
 		    "%s has no parameters to remember yet\n"
 		    "'calibrate' finds them, or 'params set' takes known ones",
 		    entry->site->name);
-	if (entry->recalled[0] != '\0')
+	if (entry->origin->stored)
 		return error_set(error, ERROR_USAGE,
 		    "%s has the parameters of %s, which the store has already\n"
 		    "'calibrate' finds the site's own parameters",
-		    entry->site->name, entry->recalled);
+		    entry->site->name, entry->origin->whose);
 	if (date->given && !stored_is_date(date->text))
 		return error_set(error, ERROR_USAGE,
 		    "date wants a day such as 2026-11-21, not '%s'",
@@ -133,15 +149,14 @@ static void
 report_remembered(struct session *s, const struct stored *m)
 {
 	struct report *r = report_new("remember");
-	char *kind = data_kind(m->provenance);
 	report_title(r, "remembered %s", m->name);
 	report_site(r, m->site, m->provenance);
 	report_columns(r,
 	    "name, origin, data, rmse_pct: RMSE, holdout_pct: hold-out, date");
 	report_cells(r, "%s %s %s %.2f %.2f %s", m->name, store_origin_words(m),
-	    kind, m->rmse_pct, m->holdout_pct, m->date);
+	    site_data_kind(m->provenance), m->rmse_pct, m->holdout_pct,
+	    m->date);
 	report_note(r, "in %s", store_path(s->store));
-	free(kind);
 	session_report(s, r);
 }
 
@@ -158,7 +173,8 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	struct stored m = material_of(s, entry);
 	set_copy(&m.name, name);
 	set_copy(&m.date, date->given ? date->text : "");
-	set_copy(&m.note, note->given ? note->text : "");
+	if (note->given)
+		set_copy(&m.note, note->text);
 	bool replace = args_value(args, "replace")->choice == 1;
 	bool ok = store_put(s->store, &m, 1, replace, error);
 	if (ok)
@@ -177,10 +193,14 @@ note_recalled(
 	    entry->site->name, m->name, m->site,
 	    m->rock[0] != '\0' ? m->rock : "rock not stated",
 	    store_origin_words(m));
-	session_note(s, "%s",
-	    entry->recalled_own
-		? "  they were found on the very numbers of this sheet"
-		: "  they are no fit of this site");
+	const struct origin *o = entry->origin;
+	char *details = origin_details(o);
+	session_note(s, "  %s (%s)",
+	    o->found && o->digest == entry->site->digest
+		? "they were found on the very numbers of this sheet"
+		: "they are no fit of this site",
+	    details);
+	free(details);
 	if (!model_settings_same(&set_to, &s->set.model))
 		session_note(s,
 		    "  they belong to other settings: set method=%s "
@@ -223,13 +243,7 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 		  check_recalled(s, args, m, error);
 	if (ok) {
 		struct entry *entry = &s->entry[index];
-		model_take_params(
-		    s, entry, &m->params, xasprintf("from store: %s", m->name));
-		snprintf(
-		    entry->recalled, sizeof entry->recalled, "%s", m->name);
-		char *digest = xasprintf("%016" PRIx64, entry->site->digest);
-		entry->recalled_own = strcmp(digest, m->site_digest) == 0;
-		free(digest);
+		model_take_params(s, entry, &m->params, origin_stored(m));
 		note_recalled(s, entry, m);
 	}
 	stored_list_free(&list);

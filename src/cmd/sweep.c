@@ -5,7 +5,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/fit.h"
+#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "core/predict.h"
 #include "io/units.h"
@@ -108,18 +108,14 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	(csv         ? sweep_long
 	    : across ? sweep_across
 		     : answers_speed_rows)(s, r, p, n);
-	answers_note_recalled(r, entry);
+	origin_note(r, entry);
 	if (entry->site->individual_feeds)
 		report_note(r,
 		    "feed: the sample taken at %g m/s, for all speeds",
 		    entry->site->run[feed].speed);
 	if (outside && across)
 		report_note(r, "* extrapolated: outside the speeds trained on");
-	if (entry->has_fit && entry->fit.rmse > FIT_POOR)
-		report_note(r,
-		    "the calibration is poor (%.1f points RMS): do not rely "
-		    "on these",
-		    100 * entry->fit.rmse);
+	answers_note_worth(r, entry);
 	answers_put_products(s, report_json(r), p, n);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);

@@ -72,7 +72,8 @@ const struct command TABLE_DATA[] = {
 	.brief = "look for faults in sheets",
 	.operands = {"[SITE|all]", {"SITE all"}, 0, 1},
 	.flags = COMMAND_AT_SITE,
-	.text = "Looks at the site in use, another one, or all. Reports "
+	.text = "Looks at the site in use, another one, or all. Tells how many "
+		"sieves and columns were read and what was not, and reports "
 		"products coarser than their feed, a faster run with a coarser "
 		"product or the very same one, a passing that stands out from "
 		"its neighbours as "

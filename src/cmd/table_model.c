@@ -1,15 +1,21 @@
 /* Commands that set the model, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
+#include "core/params.h"
 
 static const struct command_option PARAMS_OPTIONS[] = {
-    {"beta1", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "constant term"},
-    {"beta2", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "term in u"},
-    {"beta3", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "term in u squared"},
-    {"beta4", VALUE_NUMBER, "", -1e9, 1e9, NULL, "", "term in u cubed"},
-    {"f_mat", VALUE_NUMBER, "kg/(J m)", 0, 1e4, NULL, "", "material parameter"},
-    {"e0_min", VALUE_NUMBER, "J m/kg", 0, 1e4, NULL, "", "threshold energy"},
-    {"alpha", VALUE_NUMBER, "", 0, 1e2, NULL, "", "size dependency"},
+    {"beta1", VALUE_NUMBER, "", -BETA_MOST, BETA_MOST, NULL, "",
+	"constant term"},
+    {"beta2", VALUE_NUMBER, "", -BETA_MOST, BETA_MOST, NULL, "", "term in u"},
+    {"beta3", VALUE_NUMBER, "", -BETA_MOST, BETA_MOST, NULL, "",
+	"term in u squared"},
+    {"beta4", VALUE_NUMBER, "", -BETA_MOST, BETA_MOST, NULL, "",
+	"term in u cubed"},
+    {"f_mat", VALUE_NUMBER, "kg/(J m)", 0, F_MAT_MOST, NULL, "",
+	"material parameter"},
+    {"e0_min", VALUE_NUMBER, "J m/kg", 0, E0_MIN_MOST, NULL, "",
+	"threshold energy"},
+    {"alpha", VALUE_NUMBER, "", 0, ALPHA_MOST, NULL, "", "size dependency"},
     {.name = NULL}};
 
 static const struct command_option SET_OPTIONS[] = {

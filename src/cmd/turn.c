@@ -124,7 +124,7 @@ turn_begin(struct session *s, const struct args *args,
 	    .column =
 		words->to == TO_SCREEN ? words->column[0] : words->to_column,
 	    .started = session_clock(),
-	    .timed = s->timing,
+	    .timed = s->set.timing,
 	    .running = true,
 	    .scripts = script_depth(s)};
 	if (words->to != TO_SCREEN && can_take(command, words, error))
@@ -261,7 +261,7 @@ turn_end(struct session *s, bool ok, struct error *error)
 		    s, t->before, t->mark, t->steps, floor_of(t), t->label);
 	else
 		snapshot_free(t->before);
-	if (t->timed && s->timing)
+	if (t->timed && s->set.timing)
 		session_note(s, "%s: %.3f s", t->command->name,
 		    session_clock() - t->started);
 	/* The commands of a script may have told of it already. */

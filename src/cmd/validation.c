@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "cmd/answers.h"
+#include "cmd/origin.h"
 #include "cmd/fit.h"
 #include "cmd/table.h"
 #include "core/validate.h"
@@ -147,14 +148,9 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 	json_t *o = report_json(r), *list = json_array();
 	json_object_set_new(o, "holdout", list);
 	add_validations(s, r, list);
-	answers_note_recalled(r, entry);
-	if (entry->has_fit) {
+	origin_note(r, entry);
+	if (entry->has_fit)
 		report_put(o, "verdict %s", fit_verdict(&entry->fit));
-		if (entry->fit.rmse > FIT_POOR)
-			report_note(r,
-			    "poor fit already at the training runs: %.1f "
-			    "points RMS",
-			    100 * entry->fit.rmse);
-	}
+	answers_note_worth(r, entry);
 	return session_report(s, r);
 }

@@ -3,11 +3,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "core/energy.h"
 #include "core/misfit.h"
@@ -117,18 +117,18 @@ say_response(const struct subject *a)
 static void
 say_trained(const struct subject *a)
 {
-	const struct site *site = a->entry->site;
-	double slow = INFINITY, fast = 0, v = a->p.speed;
-	for (size_t r = 0; r < site->n_run; r++) {
-		if (!a->entry->train[r])
-			continue;
-		slow = fmin(slow, site->run[r].speed);
-		fast = fmax(fast, site->run[r].speed);
-	}
-	if (!answers_extrapolates(a->entry, v)) {
+	const struct entry *entry = a->entry;
+	double slow, fast, v = a->p.speed;
+	const char *how = origin_trained(entry) ? "trained on" : "measured";
+	if (!origin_reach(entry, &slow, &fast)) {
 		answers_say(a->list,
-		    "%g m/s lies within the speeds %s, %g to %g m/s", v,
-		    a->entry->has_fit ? "trained on" : "measured", slow, fast);
+		    "Nothing says at which speeds these parameters hold");
+		return;
+	}
+	if (!answers_extrapolates(entry, v)) {
+		answers_say(a->list,
+		    "%g m/s lies within the speeds %s, %g to %g m/s", v, how,
+		    slow, fast);
 		return;
 	}
 	double near = v > fast ? fast : slow;
@@ -137,8 +137,8 @@ say_trained(const struct subject *a)
 	    "%g m/s is outside the speeds %s, %g to %g m/s: an impact has %.1f "
 	    "%% %s energy than at %g m/s, and nothing measured says what that "
 	    "does",
-	    v, a->entry->has_fit ? "trained on" : "measured", slow, fast,
-	    100 * fabs(more), more > 0 ? "more" : "less", near);
+	    v, how, slow, fast, 100 * fabs(more), more > 0 ? "more" : "less",
+	    near);
 }
 
 /* "alpha" or "beta3 and beta4" of those for which `is` holds; "" for none. */
@@ -184,10 +184,14 @@ say_fit(const struct subject *a)
 	const struct entry *entry = a->entry;
 	const struct fit *fit = &entry->fit;
 	if (!entry->has_fit) {
+		char *details = origin_details(entry->origin);
+		bool own = entry->origin->whose[0] == '\0';
 		answers_say(a->list,
-		    "The parameters were %s, not found by a calibration on "
-		    "this site's runs",
-		    session_origin(entry));
+		    "The parameters were %s%s%s%s, not found by a calibration "
+		    "on this site's runs",
+		    session_origin(entry), own ? "" : " (", own ? "" : details,
+		    own ? "" : ")");
+		free(details);
 		return;
 	}
 	if (fit->rmse > FIT_POOR)
@@ -196,6 +200,11 @@ say_fit(const struct subject *a)
 		    "by %.1f points (RMS), where sampling repeats to 0.5 to 1; "
 		    "look for faults in the sheet with 'check'",
 		    100 * fit->rmse);
+	else if (fit_too_few(fit))
+		answers_say(a->list,
+		    "%zu passings cannot determine %zu parameters: what the "
+		    "fit is worth is not known; add sieves or a run",
+		    fit->n_residual, fit->parameters);
 	else if (fit_breaks_nothing(fit))
 		answers_say(a->list,
 		    "The training products cannot be told from their "
@@ -228,16 +237,20 @@ say_measured(const struct subject *a)
 		: "");
 }
 
-/* What was not measured at a plant says so in its provenance. */
+/* As the sheet says itself. */
 static void
 say_data(const struct subject *a)
 {
 	char *from = site_source(a->entry->site, "");
 	if (from[0] == '\0')
-		answers_say(a->list, "Where the data are from is not stated");
-	else if (strncmp(from, "measured", 8) != 0)
+		answers_say(
+		    a->list, "The sheet does not say where its data are from");
+	else
 		answers_say(a->list,
-		    "The data are not from a plant's sieves: %s", from);
+		    site_data_made_up(from)
+			? "The data are not from a plant's sieves: %s"
+			: "The data are measured, says the sheet: %s",
+		    from);
 	free(from);
 }
 

@@ -124,9 +124,11 @@ calibration_fit(struct calibration *c)
 	    .site_digest = c->site_digest,
 	    .population = c->options.population,
 	    .settings = c->options.settings};
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		fit.on_bound[j] =
-		    sensitivity_on_bound(&c->options.bounds, &p, j);
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		const struct bounds *b = &c->options.bounds;
+		fit.on_bound[j] = sensitivity_on_bound(b, &p, j);
+		fit.parameters += b->lower[j] < b->upper[j];
+	}
 	params_scale_beta(&p);
 	fit.flat = flat_direction(c->misfit, &p, &c->options.bounds);
 	fit.params = p;

@@ -8,13 +8,18 @@
 #include <string.h>
 
 const struct param_info PARAMS[PARAM_COUNT] = {
-    {"beta1", "-", -1000, 1000, "appearance: constant term"},
-    {"beta2", "-", -1000, 1000, "appearance: term in u"},
-    {"beta3", "-", -1000, 1000, "appearance: term in u squared"},
-    {"beta4", "-", -1000, 1000, "appearance: term in u cubed"},
-    {"f_mat", "kg/(J m)", 0.001, 3, "material: a higher one breaks more"},
-    {"e0_min", "J m/kg", 0, 30, "threshold energy for breakage"},
-    {"alpha", "-", 0, 1, "size dependency of breakage"},
+    {"beta1", "-", -1000, 1000, -BETA_MOST, BETA_MOST,
+	"appearance: constant term"},
+    {"beta2", "-", -1000, 1000, -BETA_MOST, BETA_MOST, "appearance: term in u"},
+    {"beta3", "-", -1000, 1000, -BETA_MOST, BETA_MOST,
+	"appearance: term in u squared"},
+    {"beta4", "-", -1000, 1000, -BETA_MOST, BETA_MOST,
+	"appearance: term in u cubed"},
+    {"f_mat", "kg/(J m)", 0.001, 3, 0, F_MAT_MOST,
+	"material: a higher one breaks more"},
+    {"e0_min", "J m/kg", 0, 30, 0, E0_MIN_MOST,
+	"threshold energy for breakage"},
+    {"alpha", "-", 0, 1, 0, ALPHA_MOST, "size dependency of breakage"},
 };
 
 size_t

@@ -24,12 +24,24 @@ struct params {
 	};
 };
 
+/* Beyond these no value is taken, typed, read or as a bound: far outside what
+ * any rock has, so that what lies there is a slip of the pen.  Of beta either
+ * way, of the others from 0.  Constants, because rows of other tables have
+ * them too. */
+enum {
+	BETA_MOST = 1000000000,
+	F_MAT_MOST = 10000,
+	E0_MIN_MOST = 10000,
+	ALPHA_MOST = 100
+};
+
 /* What there is to say of one parameter.  lower, upper: Table 2 of the paper,
  * whose text says six variables where there are seven (departure D7). */
 struct param_info {
 	const char *name;    /* as typed */
 	const char *unit;    /* "-" where there is none */
 	double lower, upper; /* default search bounds */
+	double least, most;  /* of any value */
 	const char *meaning;
 };
 

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/energy.h"
 #include "core/product.h"
@@ -12,21 +13,13 @@
 static struct psd
 all_sieves(const struct site *site, const struct psd *feed)
 {
-	size_t room = 0, n = 0, kept = 0;
-	for (size_t r = 0; r < site->n_run; r++)
-		room += site->run[r].feed.n + site->run[r].product.n;
-	struct psd psd = psd_new(room);
-	for (size_t r = 0; r < site->n_run; r++) {
-		const struct run *run = &site->run[r];
-		for (size_t i = 0; i < run->feed.n; i++)
-			psd.size[n++] = run->feed.size[i];
-		for (size_t i = 0; i < run->product.n; i++)
-			psd.size[n++] = run->product.size[i];
-	}
-	n = psd_sort(psd.size, n, 0);
-	while (kept < n && psd_covers(feed, psd.size[kept]))
+	size_t n, kept = 0;
+	double *size = site_sieves(site, &n);
+	while (kept < n && psd_covers(feed, size[kept]))
 		kept++;
-	psd.n = kept;
+	struct psd psd = psd_new(kept);
+	memcpy(psd.size, size, kept * sizeof *size);
+	free(size);
 	return psd;
 }
 

@@ -18,9 +18,28 @@ site_new(size_t n_run)
 	site->machine = xstrdup("");
 	site->provenance = xstrdup("");
 	site->path = xstrdup("");
+	site->named = xstrdup("");
 	site->n_run = n_run;
 	site->run = xcalloc(n_run, sizeof *site->run);
 	return site;
+}
+
+void
+site_add_note(
+    struct site_note **list, size_t *n, const char *key, const char *value)
+{
+	*list = xrealloc(*list, *n + 1, sizeof **list);
+	(*list)[(*n)++] = (struct site_note){xstrdup(key), xstrdup(value)};
+}
+
+static void
+notes_free(struct site_note *list, size_t n)
+{
+	for (size_t i = 0; i < n; i++) {
+		free(list[i].key);
+		free(list[i].value);
+	}
+	free(list);
 }
 
 void
@@ -33,11 +52,9 @@ site_free(struct site *site)
 		psd_free(&site->run[r].product);
 		free(site->run[r].product_sd);
 	}
-	for (size_t i = 0; i < site->n_note; i++) {
-		free(site->note[i].key);
-		free(site->note[i].value);
-	}
-	free(site->note);
+	notes_free(site->note, site->n_note);
+	notes_free(site->left_out, site->n_left_out);
+	free(site->named);
 	free(site->run);
 	free(site->name);
 	free(site->rock);
@@ -69,6 +86,24 @@ site_digest(const struct site *site)
 			    run->product.n * sizeof *run->product_sd);
 	}
 	return h;
+}
+
+double *
+site_sieves(const struct site *site, size_t *n)
+{
+	size_t room = 0, all = 0;
+	for (size_t r = 0; r < site->n_run; r++)
+		room += site->run[r].feed.n + site->run[r].product.n;
+	double *size = xdoubles(room);
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		for (size_t i = 0; i < run->feed.n; i++)
+			size[all++] = run->feed.size[i];
+		for (size_t i = 0; i < run->product.n; i++)
+			size[all++] = run->product.size[i];
+	}
+	*n = psd_sort(size, all, 0);
+	return size;
 }
 
 size_t
@@ -136,4 +171,28 @@ site_source(const struct site *site, const char *none)
 {
 	size_t n = strcspn(site->provenance, ";");
 	return n > 0 ? xstrndup(site->provenance, n) : xstrdup(none);
+}
+
+static const char *const MADE_UP[] = {
+    "reconstructed", "synthetic", "made up", "simulated"};
+
+const char *
+site_data_kind(const char *provenance)
+{
+	char *folded = text_fold(provenance);
+	const char *text = text_trim(folded), *kind = "measured";
+	if (text[0] == '\0')
+		kind = "not stated";
+	for (size_t i = 0; i < ARRAY_LEN(MADE_UP); i++)
+		if (strncmp(text, MADE_UP[i], strlen(MADE_UP[i])) == 0)
+			kind = MADE_UP[i];
+	free(folded);
+	return kind;
+}
+
+bool
+site_data_made_up(const char *provenance)
+{
+	const char *kind = site_data_kind(provenance);
+	return strcmp(kind, "measured") != 0 && strcmp(kind, "not stated") != 0;
 }

@@ -34,6 +34,11 @@ struct site {
 	struct run *run;
 	size_t n_note;
 	struct site_note *note;
+	/* What the reader of the sheet passed over: where ("line 9"), and what
+	 * and why; and the sieves that had names, "#4 = 4.75". */
+	size_t n_left_out;
+	struct site_note *left_out;
+	char *named;
 	char *path;      /* file it was read from, or "" */
 	uint64_t digest; /* of the numbers: sizes, passings, speeds */
 };
@@ -44,6 +49,14 @@ void site_free(struct site *site);
 
 /* Digest of everything a calibration depends on; site_read sets it. */
 uint64_t site_digest(const struct site *site);
+
+/* The sieves of all feeds and products, m, coarsest first, each once: [*n],
+ * which the caller frees. */
+double *site_sieves(const struct site *site, size_t *n);
+
+/* One more note at the end of a list of n. */
+void site_add_note(
+    struct site_note **list, size_t *n, const char *key, const char *value);
 
 /* How many runs have a product. */
 size_t site_products(const struct site *site);
@@ -65,6 +78,14 @@ bool site_run_is_near(
  * the speeds are about theirs: half their length more at both ends, a quarter
  * of the slowest at least.  site: or NULL. */
 void site_reach(const struct site *site, double *from, double *to);
+
+/* What data of that provenance are: "reconstructed", "synthetic", "made up" or
+ * "simulated", as it begins; "not stated" where it is empty; in all other words
+ * "measured", says who wrote them. */
+const char *site_data_kind(const char *provenance);
+
+/* Whether they were never measured at a plant, as they say themselves. */
+bool site_data_made_up(const char *provenance);
 
 /* The first clause of the provenance, which the caller frees; or a copy of
  * `none` where the sheet says nothing. */

@@ -58,6 +58,15 @@ sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 	return false;
 }
 
+int
+sheet_cut(const char *text)
+{
+	size_t n = strlen(text);
+	for (n = n > SHOWN ? SHOWN : n; (text[n] & 0xC0) == 0x80; n--)
+		;
+	return (int)n;
+}
+
 bool
 sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
     const char *hint, ...)
@@ -66,17 +75,14 @@ sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
 	va_start(ap, hint);
 	char *step = hint != NULL ? xvasprintf(hint, ap) : xstrdup("");
 	va_end(ap);
-	size_t n = strlen(found.text);
-	bool cut = n > SHOWN;
-	/* A cut never falls inside a character. */
-	for (n = cut ? SHOWN : n; cut && (found.text[n] & 0xC0) == 0x80; n--)
-		;
+	int n = sheet_cut(found.text);
+	bool cut = found.text[n] != '\0';
 	if (n == 0)
 		sheet_fault(sheet, found,
 		    "%s was wanted, found an empty cell\n%s", wanted, step);
 	else
 		sheet_fault(sheet, found, "%s was wanted, found '%.*s%s'\n%s",
-		    wanted, (int)n, found.text, cut ? "..." : "", step);
+		    wanted, n, found.text, cut ? "..." : "", step);
 	free(step);
 	return false;
 }
@@ -292,14 +298,11 @@ free_row(struct row *row)
 	free(row->cell);
 }
 
-/* Rows without a word are left out, as are comments and "sep=;", which some
- * spreadsheets put first.  False: the limits say that this is no sheet. */
+/* Rows without a word are left out.  False: the limits say that this is no
+ * sheet. */
 static bool
 add_row(struct sheet *sheet, const char *line, int number)
 {
-	const char *first = line + strspn(line, " \t\"");
-	if (*first == '#' || (number == 1 && strncmp(first, "sep=", 4) == 0))
-		return true;
 	if (strlen(line) > MOST_LINE || sheet->n_row == sheet->most_rows) {
 		sheet_fault(sheet, (struct cell){NULL, number, 1},
 		    "more than %zu lines, or %d bytes in a line\n"
@@ -319,6 +322,38 @@ add_row(struct sheet *sheet, const char *line, int number)
 	return true;
 }
 
+/* Comments wait for the reader of the sheet; "sep=;", which some spreadsheets
+ * put first, is left out. */
+static bool
+add_line(struct sheet *sheet, const char *line, int number)
+{
+	const char *first = line + strspn(line, " \t\"");
+	if (number == 1 && strncmp(first, "sep=", 4) == 0)
+		return true;
+	if (*first != '#')
+		return add_row(sheet, line, number);
+	sheet->comment = xrealloc(
+	    sheet->comment, sheet->n_comment + 1, sizeof *sheet->comment);
+	sheet->comment[sheet->n_comment++] = (struct comment){number, line};
+	return true;
+}
+
+void
+sheet_uncomment(struct sheet *sheet, size_t i)
+{
+	struct comment comment = sheet->comment[i];
+	size_t last = sheet->n_row;
+	memmove(&sheet->comment[i], &sheet->comment[i + 1],
+	    (--sheet->n_comment - i) * sizeof comment);
+	add_row(sheet, comment.text, comment.line);
+	if (sheet->n_row == last)
+		return;
+	struct row row = sheet->row[last];
+	for (; last > 0 && sheet->row[last - 1].line > row.line; last--)
+		sheet->row[last] = sheet->row[last - 1];
+	sheet->row[last] = row;
+}
+
 /* Ends each line in place with a NUL on its way. */
 static void
 split_text(struct sheet *sheet, char *text)
@@ -329,24 +364,25 @@ split_text(struct sheet *sheet, char *text)
 		bool pair = text[n] == '\r' && text[n + 1] == '\n';
 		char *next = text + n + (pair ? 2 : text[n] != '\0');
 		text[n] = '\0';
-		if (!add_row(sheet, text, number))
+		if (!add_line(sheet, text, number))
 			return;
 		text = next;
 	}
 }
 
-/* Whether the line has two cells or more, the first two of them numbers; the
- * second may be empty. */
+/* Whether the line has two cells or more, the first of them a number or the
+ * name of a sieve, the second a number or empty. */
 static bool
 is_numbers(const char *line, char separator)
 {
 	const char stop[] = {separator, '\r', '\n', '\0'};
 	/* With units and blanks that do not break. */
 	const char *digits = "\" +-.,0123456789eEg%\xC2\xA0\xE2\x80\xAF\x89";
+	const char *sieve = "\" +-.,0123456789eE#NOno/inch\xC2\xBA\xB0\xA0";
 	size_t n = strcspn(line, stop);
 	const char *second = line + n + 1;
 	return line[n] == separator && strcspn(line, "0123456789") < n &&
-	       strspn(line, digits) >= n &&
+	       strspn(line, sieve) >= n &&
 	       strspn(second, digits) >= strcspn(second, stop);
 }
 
@@ -395,6 +431,7 @@ sheet_free(struct sheet *sheet)
 	for (size_t i = 0; i < sheet->n_row; i++)
 		free_row(&sheet->row[i]);
 	free(sheet->row);
+	free(sheet->comment);
 	free(sheet->path);
 	free(sheet);
 }

@@ -25,8 +25,15 @@ struct row {
 	int line, end;
 };
 
-/* Blank lines and lines that start with # are left out of row[].  n_fault
- * counts the faults told so far; lost: a line is not in row[]. */
+/* A line that starts with #, borrowed from the text of the sheet. */
+struct comment {
+	int line;
+	const char *text;
+};
+
+/* Blank lines are left out of row[], and lines that start with # are in
+ * comment[] instead.  n_fault counts the faults told so far; lost: a line is
+ * not in row[]. */
 struct sheet {
 	char *path;
 	char separator; /* ',', ';' or tab */
@@ -35,16 +42,23 @@ struct sheet {
 	bool lost;
 	size_t n_row, most_rows, n_fault;
 	struct row *row;
+	size_t n_comment;
+	struct comment *comment;
 	struct error_list *errors; /* borrowed */
 };
 
 /* Splits a text of UTF-8 with LF, CRLF or CR line ends, at most most_rows lines
- * of cells and 256 cells a line, and takes it apart doing so.  What is wrong is
+ * of cells and 256 cells a line, and takes it apart doing so; it must outlive
+ * the sheet.  What is wrong is
  * told in errors (never NULL): a line with wrong quotes is left out, one beyond
  * the limits ends the sheet. */
 struct sheet *sheet_new(
     const char *path, char *text, size_t most_rows, struct error_list *errors);
 void sheet_free(struct sheet *sheet);
+
+/* Makes a row of comment i, in the order of the lines, which the # is part
+ * of. */
+void sheet_uncomment(struct sheet *sheet, size_t i);
 
 /* Cell i of a row; an empty one at the end of the line when there is none. */
 struct cell sheet_cell(const struct row *row, size_t i);
@@ -54,6 +68,10 @@ struct cell sheet_cell(const struct row *row, size_t i);
  * file, whatever the order in which they are found.  Returns false. */
 bool sheet_fault(struct sheet *sheet, struct cell where, const char *format,
     ...) __attribute__((format(printf, 3, 4)));
+
+/* How many bytes of a long text a message shows; a cut never falls inside a
+ * character. */
+int sheet_cut(const char *text);
 
 /* The fault "WANTED was wanted, found 'CELL'", the cell cut when long, with a
  * hint (NULL: none).  Returns false. */

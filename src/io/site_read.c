@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/site_column.h"
+#include "io/site_left_out.h"
 #include "io/site_sieve.h"
 #include "io/textfile.h"
 
@@ -25,14 +26,6 @@ read_top_size(struct site *site, struct sheet *sheet, struct cell cell)
 		sheet_wanted(sheet, cell, "a positive size in mm",
 		    "give the size, or take the line out");
 	site->top_size = mm / 1000;
-}
-
-static void
-add_note(struct site *site, const char *key, const char *value)
-{
-	site->note = xrealloc(site->note, site->n_note + 1, sizeof *site->note);
-	site->note[site->n_note++] =
-	    (struct site_note){xstrdup(key), xstrdup(value)};
 }
 
 static const char *const KEYS[] = {
@@ -92,7 +85,7 @@ read_heading_line(struct site *site, struct sheet *sheet, const struct row *row,
 	} else if (k < N_KEY) {
 		take_value(site, k, sheet, value);
 	} else {
-		add_note(site, key.text, value.text);
+		site_add_note(&site->note, &site->n_note, key.text, value.text);
 	}
 	if (k < N_KEY)
 		seen[k] = row->line;
@@ -168,12 +161,23 @@ tell_no_table(struct sheet *sheet)
 		    c, c, c);
 }
 
+static bool
+is_empty_column(const struct table *t, size_t at)
+{
+	bool empty = t->head->cell[at].text[0] == '\0';
+	for (size_t i = 0; empty && i < t->n_row; i++)
+		empty = sheet_cell(&t->row[i], at).text[0] == '\0';
+	return empty;
+}
+
 static void
 read_heads(struct table *t)
 {
 	t->column = xcalloc(t->head->n, sizeof *t->column);
 	for (size_t at = 1; at < t->head->n; at++) {
 		struct column c = {.head = t->head->cell[at], .at = at};
+		if (is_empty_column(t, at))
+			continue;
 		if (site_column_head(t, &c))
 			t->column[t->n_column++] = c;
 		else
@@ -262,6 +266,7 @@ static void
 read_table(struct table *t, size_t head)
 {
 	t->head = &t->sheet->row[head];
+	site_sieve_numbers(t->sheet, t->head);
 	t->row = t->head + 1;
 	t->n_row = t->sheet->n_row - head - 1;
 	read_heads(t);
@@ -365,6 +370,7 @@ site_read(const char *path, struct error_list *errors)
 		free(site->path);
 		site->path = xstrdup(path);
 		make_runs(site, &t);
+		site_left_out(site, &t);
 	} else {
 		site_free(site);
 		site = NULL;

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "io/sieve_names.h"
 
 /* The limits of a sieve, mm: what lies outside is a slip of the pen. */
 static const double FINEST = 1e-6, COARSEST = 1e4;
@@ -116,6 +117,21 @@ site_sieve_mm(
 	return NAN;
 }
 
+/* Of a sieve that has a name; 0 where it has none, NAN after a fault. */
+static double
+named_mm(struct sheet *sheet, struct cell cell)
+{
+	double mm = sieve_names_mm(cell.text);
+	if (!isnan(mm))
+		return mm;
+	char *nearest = sieve_names_nearest(cell.text);
+	sheet_wanted(sheet, cell, "a sieve of ASTM E11",
+	    "the nearest: %s; a remark begins with # and is no number alone",
+	    nearest);
+	free(nearest);
+	return NAN;
+}
+
 static double
 row_mm(struct table *t, const struct row *row, double unit)
 {
@@ -135,6 +151,9 @@ row_mm(struct table *t, const struct row *row, double unit)
 	}
 	if (is_pan(cell.text))
 		return 0;
+	double named = named_mm(t->sheet, cell);
+	if (named != 0)
+		return named;
 	if (isalpha((unsigned char)cell.text[0])) {
 		sheet_wanted(t->sheet, cell, "a sieve size or pan",
 		    "take sums and remarks out of the table, or begin their "
@@ -144,12 +163,13 @@ row_mm(struct table *t, const struct row *row, double unit)
 	return site_sieve_mm(t->sheet, cell, unit, "a sieve size or pan");
 }
 
-/* Neither a size nor the pan. */
+/* Neither a size, a sieve's name nor the pan. */
 static bool
 is_word(const struct table *t, const struct row *row)
 {
 	double v;
 	return !is_pan(row->cell[0].text) &&
+	       sieve_names_mm(row->cell[0].text) == 0 &&
 	       !sheet_value(t->sheet, row->cell[0], &v);
 }
 
@@ -171,6 +191,21 @@ drop_foot(struct table *t)
 			}
 	while (t->n_row > foot && t->row[t->n_row - 1].n == 1)
 		t->n_row--;
+}
+
+void
+site_sieve_numbers(struct sheet *sheet, const struct row *head)
+{
+	const char separator[] = {sheet->separator, '\0'};
+	int line = head->line;
+	for (size_t i = sheet->n_comment; !sheet->lost && i-- > 0;) {
+		const struct comment *c = &sheet->comment[i];
+		char *first =
+		    text_unquoted(c->text, strcspn(c->text, separator));
+		if (c->line > line && sieve_names_is_number(first))
+			sheet_uncomment(sheet, i);
+		free(first);
+	}
 }
 
 static bool

@@ -16,6 +16,10 @@ bool site_sieve_word(const char *text);
 double site_sieve_mm(
     struct sheet *sheet, struct cell cell, double unit, const char *wanted);
 
+/* Makes rows of the lines below the head that begin with #4, # 4 or another
+ * number of ASTM E11, which the sheet took for comments. */
+void site_sieve_numbers(struct sheet *sheet, const struct row *head);
+
 /* Reads t->mm and tells sizes that are wrong, out of order or there twice, and
  * rows with more cells than the head. */
 void site_sieve_rows(struct table *t);

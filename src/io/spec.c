@@ -123,6 +123,7 @@ read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
 static void
 read_table(struct spec *spec, struct sheet *sheet, size_t head)
 {
+	site_sieve_numbers(sheet, &sheet->row[head]);
 	struct table t = {.sheet = sheet,
 	    .head = &sheet->row[head],
 	    .n_row = sheet->n_row - head - 1,

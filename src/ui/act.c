@@ -12,6 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
+#include "cmd/fit.h"
 #include "ui/compose.h"
 #include "ui/conduct.h"
 #include "ui/pane.h"
@@ -245,9 +246,9 @@ band(struct tui *t)
 	if (!t->band || t->now.site[0] == '\0')
 		return;
 	bool known = doubt_band(t->session, entry, &t->session->last) != NULL;
-	tui_say(t, false, "%s",
-	    !known ? "no band: parameters that are no fit of this site have "
-		     "none; f calibrates"
+	tui_say(t, false, "%s%s", known ? "" : doubt_why_none(entry),
+	    !known && entry->has_fit && fit_too_few(&entry->fit) ? ""
+	    : !known ? "; f calibrates"
 	    : screen_depth() >= 256
 		? "band on: 80 % of the fits"
 		: "band on: 80 % of the fits; where thinner than half a row "

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/fit.h"
+#include "cmd/origin.h"
 #include "core/energy.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
@@ -86,21 +87,43 @@ pane_track(const struct tui *t)
 	return track;
 }
 
+enum { MOST_MARKS = 300 };
+
+/* The speeds that were measured and those that the parameters were trained at,
+ * also where that was on another site.  Returns how many. */
+static size_t
+take_marks(const struct entry *entry, struct slider_range range,
+    struct slider_mark mark[static MOST_MARKS])
+{
+	const struct origin *o = entry->origin;
+	bool trained = origin_trained(entry);
+	size_t n = 0;
+	for (size_t i = 0; trained && i < o->n_speed && n < MOST_MARKS; i++)
+		mark[n++] = (struct slider_mark){
+		    slider_tenths(range, o->speed[i]), true};
+	for (size_t r = 0; r < entry->site->n_run && n < MOST_MARKS; r++) {
+		double v = entry->site->run[r].speed;
+		size_t i = 0;
+		while (trained && i < o->n_speed && o->speed[i] != v)
+			i++;
+		if (entry->site->run[r].product.n > 0 &&
+		    (!trained || i == o->n_speed))
+			mark[n++] =
+			    (struct slider_mark){slider_tenths(range, v),
+				!trained && entry->train[r]};
+	}
+	return n;
+}
+
 /* Returns the column of the cursor on the screen. */
 static int
 draw_track(struct tui *t)
 {
-	enum { MOST = 300 };
 	struct area track = pane_track(t);
 	const struct entry *entry = tui_entry(t);
 	struct slider_range range = tui_range(t);
-	struct slider_mark mark[MOST];
-	size_t n = 0;
-	for (size_t r = 0; entry != NULL && r < entry->site->n_run; r++)
-		if (entry->site->run[r].product.n > 0 && n < MOST)
-			mark[n++] = (struct slider_mark){
-			    slider_tenths(range, entry->site->run[r].speed),
-			    entry->train[r]};
+	struct slider_mark mark[MOST_MARKS];
+	size_t n = entry != NULL ? take_marks(entry, range, mark) : 0;
 	char *text = xcalloc((size_t)track.columns + 1, 1);
 	int at = slider_draw(text, track.columns, range, t->tenths, mark, n);
 	bool focus = t->focus == FOCUS_SPEED;
@@ -224,8 +247,9 @@ draw_state(const struct tui *t, const struct area *area)
 			? "not calibrated: f calibrates"
 			: "no product: type :guess");
 	} else if (entry->has_fit) {
-		column = screen_text(
-		    area, 0, 0, 0, "READY  fit %s", fit_verdict(&entry->fit));
+		column = screen_text(area, 0, 0, 0, "READY  %s%s",
+		    fit_too_few(&entry->fit) ? "" : "fit ",
+		    fit_verdict(&entry->fit));
 	} else {
 		column = screen_text(area, 0, 0, 0, "READY  parameters %s",
 		    session_origin(entry));

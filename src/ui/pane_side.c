@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -224,12 +225,15 @@ draw_worth(const struct tui *t, int row)
 	const struct entry *entry = tui_entry(t);
 	if (entry->has_fit) {
 		const char *verdict = fit_verdict(&entry->fit);
-		char *words = xasprintf("fit %s, seed %llu", verdict,
+		const char *fit = fit_too_few(&entry->fit) ? "" : "fit ";
+		char *words = xasprintf("%s%s, seed %llu", fit, verdict,
 		    (unsigned long long)entry->fit.seed);
-		bool room = text_width(words) <= side->columns;
-		screen_text(side, row++, 0, 0, room ? "%s" : "fit %s",
-		    room ? words : verdict);
+		if (text_width(words) > side->columns)
+			words[strlen(fit) + strlen(verdict)] = '\0';
+		screen_text(side, row++, 0, 0, "%s", words);
 		free(words);
+	} else if (entry->has_params) {
+		screen_text(side, row++, 0, 0, "%s", session_origin(entry));
 	}
 	if (isfinite(t->holdout))
 		screen_text(

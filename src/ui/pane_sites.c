@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "cmd/fit.h"
+#include "cmd/origin.h"
 #include "io/units.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
@@ -75,10 +76,10 @@ runs_text(const struct entry *e, char *text, size_t n)
 static const char *
 origin_text(const struct entry *e)
 {
-	return e->has_fit               ? fit_verdict(&e->fit)
-	       : e->recalled[0] != '\0' ? "from the store"
-	       : e->has_params          ? session_origin(e)
-					: "not calibrated";
+	return e->has_fit          ? fit_verdict(&e->fit)
+	       : !e->has_params    ? "not calibrated"
+	       : e->origin->stored ? "from the store"
+				   : session_origin(e);
 }
 
 /* "-" where there is no such number. */

@@ -8,6 +8,7 @@
 #include "made.h"
 
 #include "cmd/command.h"
+#include "io/stored.h"
 
 /* A row of Table 3 under its own name. */
 static void
@@ -373,6 +374,40 @@ parameters_without_set_are_not_passed_over(void **state)
 	assert_true(!ok || session_entry(desk->session)->params.f_mat == 2);
 }
 
+/* What bounds, params set, the store and its sheets take of a parameter was
+ * once four opinions. */
+static void
+every_command_has_the_same_limits_of_a_parameter(void **state)
+{
+	struct desk *desk = *state;
+	static const double beyond[] = {-1.001, 0, 1, 1.001};
+	add(desk, TIERP);
+	desk_expect(desk, "params set f_mat=1 e0_min=10 alpha=1");
+	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		const char *name = PARAMS[j].name;
+		size_t f = 0;
+		while (strcmp(FIELDS[f].name, name) != 0)
+			f++;
+		assert_true(FIELDS[f].least == PARAMS[j].least);
+		assert_true(FIELDS[f].most == PARAMS[j].most);
+		for (size_t i = 0; i < ARRAY_LEN(beyond); i++) {
+			double v = beyond[i] * PARAMS[j].most;
+			char *bounds = xasprintf("bounds %s %.9g", name, v);
+			char *set = xasprintf("params set %s=%.9g", name, v);
+			bool inside =
+			    v >= PARAMS[j].least && v <= PARAMS[j].most;
+			assert_int_equal(desk_say(desk, bounds), inside);
+			assert_int_equal(desk_say(desk, set), inside);
+			free(bounds);
+			free(set);
+		}
+	}
+	desk_expect(desk, "bounds default");
+	assert_false(desk_say(desk, "bounds alpha 0..500"));
+	assert_string_equal(desk->error.text,
+	    "expected bounds of alpha from 0 to 100, got 0..500");
+}
+
 int
 main(void)
 {
@@ -395,6 +430,7 @@ main(void)
 	    at_desk(a_stopped_job_is_kept_or_dropped),
 	    at_desk(the_seed_in_json_is_the_seed_given),
 	    at_desk(parameters_without_set_are_not_passed_over),
+	    at_desk(every_command_has_the_same_limits_of_a_parameter),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

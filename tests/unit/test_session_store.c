@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 
+#include "cmd/origin.h"
 #include "desk.h"
 #include "made.h"
 
@@ -87,7 +88,8 @@ what_is_recalled_is_no_fit(void **state)
 	desk_expect(desk, CALIBRATE);
 	desk_expect(desk, "recall Kiruna");
 	assert_true(entry->has_params && !entry->has_fit);
-	assert_string_equal(entry->recalled, "table3/kiruna");
+	assert_true(entry->origin->stored);
+	assert_string_equal(entry->origin->whose, "table3/kiruna");
 	assert_true(entry->params.f_mat == 0.39);
 	desk_expect(desk, "params");
 	assert_non_null(strstr(desk->out, "from store: table3/kiruna"));
@@ -95,11 +97,11 @@ what_is_recalled_is_no_fit(void **state)
 	assert_int_equal(desk->error.kind, ERROR_USAGE);
 	/* Whatever else sets the parameters takes the origin away. */
 	desk_expect(desk, "params set alpha=0.9");
-	assert_string_equal(entry->recalled, "");
+	assert_false(entry->origin->stored);
 	desk_expect(desk, "remember mine; recall mine");
-	assert_string_equal(entry->recalled, "mine");
+	assert_string_equal(entry->origin->whose, "mine");
 	desk_expect(desk, CALIBRATE);
-	assert_string_equal(entry->recalled, "");
+	assert_false(entry->origin->stored);
 	assert_true(entry->has_fit);
 }
 

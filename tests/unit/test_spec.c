@@ -21,7 +21,9 @@ limits_and_their_gaps_are_read(void **state)
 	    "spec,A\nsource,\"b, "
 	    "c\"\nsize_mm,min_pct,max_pct\n8,85,99\n4,,40\n",
 	    "# x\nSpec;A\nsource;b, c\nnote;d\nsize_um;max_pct;min_pct\n"
-	    "8000;99,0;85\n4000;40;\n"};
+	    "8000;99,0;85\n4000;40;\n",
+	    "spec,A\nsource,\"b, c\"\n# 3 to 5\nsize_mm,min_pct,max_pct\n"
+	    "5/16 in,85,99\n#5,,40\n# end\n"};
 	for (size_t i = 0; i < ARRAY_LEN(same); i++) {
 		struct error_list errors;
 		struct spec *spec = read_spec(same[i], &errors);

@@ -34,7 +34,8 @@ every_change_is_undone_and_done_again(void **state)
 	    "calibrate population=64 generations=3 train=69,74",
 	    "calibrate all population=64 generations=2", "bounds alpha 0.5",
 	    "bounds default", "set method classes", "set k 2 threads 3",
-	    "set format csv csv semicolon", "set isa baseline", "seed 5",
+	    "set format csv csv semicolon", "set isa baseline", "set pager off",
+	    "timing on", "seed 5",
 	    "load data/sites/gavle-4.csv data/sites/gavle-11.2.csv",
 	    "synth data/table3.csv site=Bro", "load data/sites/tierp.csv",
 	    "drop gavle/4", "drop tierp", "reset"};
@@ -102,6 +103,19 @@ a_new_change_empties_redo(void **state)
 	assert_false(desk_say(desk, "redo"));
 	desk_expect(desk, "undo");
 	assert_int_equal(desk->session->set.seed, 2);
+}
+
+/* The pager and the clock were outside: undo then took back what was before. */
+static void
+undo_takes_back_the_newest_setting(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "seed 7; set pager off; undo");
+	assert_int_equal(desk->session->set.seed, 7);
+	assert_true(desk->session->set.pager);
+	desk_expect(desk, "set pager off; timing on; reset");
+	assert_true(desk->session->set.pager);
+	assert_false(desk->session->set.timing);
 }
 
 static void
@@ -193,6 +207,7 @@ main(void)
 	    at_desk(what_changes_nothing_makes_no_step),
 	    at_desk(a_hundred_steps_can_be_undone),
 	    at_desk(a_new_change_empties_redo),
+	    at_desk(undo_takes_back_the_newest_setting),
 	    at_desk(a_load_that_fails_half_way_is_one_step),
 	    at_desk(undo_gives_back_the_former_fit),
 	    at_desk(undo_lets_go_of_a_stopped_calibration),

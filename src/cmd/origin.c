@@ -1,0 +1,224 @@
+/* Where parameters are from.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/origin.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+
+static struct origin *
+origin_new(char *words, const char *whose, const char *provenance)
+{
+	struct origin *o = xcalloc(1, sizeof *o);
+	*o = (struct origin){.holders = 1,
+	    .words = words,
+	    .whose = xstrdup(whose),
+	    .provenance = xstrdup(provenance)};
+	return o;
+}
+
+static void
+add_speed(struct origin *o, double speed)
+{
+	o->speed = xrealloc(o->speed, o->n_speed + 1, sizeof *o->speed);
+	o->speed[o->n_speed++] = speed;
+}
+
+static struct history *
+share_history(struct history *h)
+{
+	if (h != NULL)
+		h->holders++;
+	return h;
+}
+
+struct origin *
+origin_of_fit(const struct entry *entry)
+{
+	const struct site *site = entry->site;
+	struct origin *o =
+	    origin_new(xstrdup("found by calibration"), "", site->provenance);
+	o->found = true;
+	o->digest = site->digest;
+	o->spread = share_history(entry->history);
+	for (size_t r = 0; r < site->n_run; r++)
+		if (entry->train[r])
+			add_speed(o, site->run[r].speed);
+	return o;
+}
+
+struct origin *
+origin_by_hand(void)
+{
+	return origin_new(xstrdup("set by hand"), "", "");
+}
+
+struct origin *
+origin_taken(const struct entry *from)
+{
+	struct origin *was = from->origin;
+	if (was->whose[0] != '\0')
+		return origin_share(was);
+	struct origin *o = origin_new(
+	    xasprintf("taken from %s", from->key), from->key, was->provenance);
+	o->found = was->found;
+	o->digest = was->digest;
+	o->spread = share_history(was->spread);
+	for (size_t i = 0; i < was->n_speed; i++)
+		add_speed(o, was->speed[i]);
+	return o;
+}
+
+struct origin *
+origin_stored(const struct stored *m)
+{
+	struct origin *o = origin_new(
+	    xasprintf("from store: %s", m->name), m->name, m->provenance);
+	o->stored = true;
+	o->digest = strtoull(m->site_digest, NULL, 16);
+	char *list = xstrdup(m->train_mps), *next = NULL;
+	for (char *word = strtok_r(list, ",", &next); word != NULL;
+	     word = strtok_r(NULL, ",", &next)) {
+		double speed;
+		if (text_number(word, &speed))
+			add_speed(o, speed);
+	}
+	free(list);
+	o->found = strcmp(m->origin, "hand") != 0 || o->n_speed > 0;
+	return o;
+}
+
+struct origin *
+origin_share(struct origin *origin)
+{
+	if (origin != NULL)
+		origin->holders++;
+	return origin;
+}
+
+void
+origin_drop(struct origin *o)
+{
+	if (o == NULL || --o->holders > 0)
+		return;
+	free(o->words);
+	free(o->whose);
+	free(o->provenance);
+	free(o->speed);
+	history_drop(o->spread);
+	free(o);
+}
+
+bool
+origin_same(const struct origin *a, const struct origin *b)
+{
+	return a == b || (a != NULL && b != NULL && a->spread == b->spread &&
+			     strcmp(a->words, b->words) == 0);
+}
+
+const struct fit *
+origin_fit(const struct entry *entry)
+{
+	bool known = entry->origin != NULL && entry->origin->spread != NULL;
+	return known ? &entry->origin->spread->fit : NULL;
+}
+
+const char *
+origin_key(const struct entry *entry)
+{
+	bool own = entry->origin == NULL || entry->origin->whose[0] == '\0';
+	return own ? entry->key : entry->origin->whose;
+}
+
+bool
+origin_trained(const struct entry *entry)
+{
+	return entry->origin != NULL && entry->origin->n_speed > 0;
+}
+
+bool
+origin_reach(const struct entry *entry, double *slowest, double *fastest)
+{
+	const struct origin *o = entry->origin;
+	const struct site *site = entry->site;
+	*slowest = INFINITY;
+	*fastest = 0;
+	size_t n = origin_trained(entry) ? o->n_speed : site->n_run;
+	for (size_t i = 0; i < n; i++) {
+		bool other = origin_trained(entry);
+		if (!other && !entry->train[i])
+			continue;
+		double v = other ? o->speed[i] : site->run[i].speed;
+		*slowest = fmin(*slowest, v);
+		*fastest = fmax(*fastest, v);
+	}
+	return *fastest > 0;
+}
+
+char *
+origin_details(const struct origin *o)
+{
+	char *text = xstrdup("");
+	for (size_t i = 0; i < o->n_speed; i++)
+		xlist(&text, i + 1 < o->n_speed ? ", " : " and ", "%s%g",
+		    i == 0 ? "trained at " : "", o->speed[i]);
+	if (!o->found) {
+		xappend(&text, "set by hand");
+		return text;
+	}
+	xappend(&text, o->n_speed > 0 ? " m/s" : "training speeds not known");
+	bool made_up = site_data_made_up(o->provenance);
+	xappend(&text, "; %s%s",
+	    o->provenance[0] != '\0'
+		? site_data_kind(o->provenance)
+		: "where their data are from is not stated",
+	    made_up ? ", not measured" : "");
+	return text;
+}
+
+char *
+origin_sentence(const struct entry *entry)
+{
+	const struct origin *o = entry->origin;
+	if (entry->has_fit || o == NULL)
+		return xstrdup("");
+	if (o->whose[0] == '\0')
+		return xasprintf("parameters %s", o->words);
+	bool own = o->found && o->digest == entry->site->digest;
+	char *details = origin_details(o);
+	char *sentence = xasprintf("%sparameters %s%s (%s), %s",
+	    own ? "" : "warning: ", o->stored ? "from the store: " : "from ",
+	    o->whose, details,
+	    own ? "calibrated on the same data as this site"
+		: "not calibrated on this site");
+	free(details);
+	return sentence;
+}
+
+void
+origin_note(struct report *r, const struct entry *entry)
+{
+	char *sentence = origin_sentence(entry);
+	if (sentence[0] != '\0')
+		report_note(r, "%s", sentence);
+	free(sentence);
+}
+
+void
+origin_put(json_t *o, const struct entry *entry)
+{
+	const struct origin *from = entry->origin;
+	if (from == NULL)
+		return;
+	json_t *object = json_object(), *speeds = json_array();
+	for (size_t i = 0; i < from->n_speed; i++)
+		json_array_append_new(speeds, json_real(from->speed[i]));
+	report_put(
+	    object, "origin %s provenance %s", from->words, from->provenance);
+	json_object_set_new(object, "trained_mps", speeds);
+	json_object_set_new(o, "params_from", object);
+}

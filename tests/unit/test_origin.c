@@ -1,0 +1,185 @@
+/* Where data and parameters are from, wherever they go.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <string.h>
+
+#include "cmd/answers.h"
+#include "cmd/doubt.h"
+#include "cmd/fit.h"
+#include "cmd/origin.h"
+#include "desk.h"
+
+/* Whether the newest results have the text, and the former ones forgotten. */
+static bool
+says(struct desk *desk, const char *line, const char *text)
+{
+	fflush(desk->out_file);
+	size_t before = desk->n_out;
+	desk_expect(desk, line);
+	return strstr(desk->out + before, text) != NULL;
+}
+
+static void
+data_are_what_the_sheet_says(void **state)
+{
+	(void)state;
+	static const char *const KINDS[][2] = {{"", "not stated"},
+	    {" ", "not stated"}, {"belt cuts of 3 May", "measured"},
+	    {"measured", "measured"}, {"not made up at all", "measured"},
+	    {"reconstructed from Table 3", "reconstructed"},
+	    {"Made up, by hand", "made up"}, {"SIMULATED", "simulated"},
+	    {"synthetic; seed 9", "synthetic"}};
+	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++)
+		assert_string_equal(site_data_kind(KINDS[i][0]), KINDS[i][1]);
+}
+
+/* README's own sheet was told that it is not from a plant's sieves. */
+static void
+why_takes_the_sheet_at_its_word(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	desk_expect(desk, "load data/sites/tierp.csv; "
+			  "params set f_mat=2 e0_min=16 alpha=1");
+	assert_true(says(desk, "why", "not from a plant's sieves: recon"));
+	char *own = session_entry(s)->site->provenance;
+	session_entry(s)->site->provenance = xstrdup("belt cuts of 3 May; wet");
+	assert_true(says(desk, "why",
+	    "The data are measured, says the sheet: belt cuts of 3 May."));
+	assert_true(says(desk, "sites", "measured"));
+	session_entry(s)->site->provenance[0] = '\0';
+	assert_true(says(desk, "why", "does not say where its data are from"));
+	free(session_entry(s)->site->provenance);
+	session_entry(s)->site->provenance = own;
+}
+
+static void
+a_guess_beyond_its_materials_says_so(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "load data/sites/tierp.csv");
+	assert_true(says(desk, "guess speed=90", "extrapolated: 90.0 m/s"));
+	assert_false(says(desk, "guess speed=74", "extrapolated"));
+}
+
+/* Tierp is calibrated, and Bro has its parameters. */
+static void
+use_of_another(struct desk *desk)
+{
+	desk_expect(desk, "load data/sites/tierp.csv data/sites/bro.csv; "
+			  "use tierp; calibrate population=200; use bro; "
+			  "params use tierp");
+}
+
+static void
+parameters_keep_their_origin_in_use_by_another(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	use_of_another(desk);
+	const struct entry *tierp = &s->entry[0], *bro = session_entry(s);
+	assert_string_equal(bro->origin->whose, "tierp");
+	assert_int_equal(bro->origin->n_speed, 2);
+	assert_true(bro->origin->speed[1] == 79);
+	assert_string_equal(bro->origin->provenance, tierp->site->provenance);
+	assert_true(answers_extrapolates(bro, 80));
+	assert_false(answers_extrapolates(bro, 70));
+	assert_ptr_equal(doubt_of(bro), doubt_of(tierp));
+	/* From hand to hand they stay Tierp's. */
+	desk_expect(desk, "load data/sites/umea.csv; params use bro");
+	assert_string_equal(session_entry(s)->origin->whose, "tierp");
+	assert_true(says(desk, "predict 90",
+	    "parameters from tierp (trained at 69 and 79 m/s; reconstructed, "
+	    "not"));
+}
+
+/* The band of one site was kept for the next that asked at the same speed. */
+static void
+a_shared_fit_has_a_band_for_each_site(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	use_of_another(desk);
+	double low[2][2];
+	for (int i = 0; i < 4; i++) {
+		desk_expect(desk, i % 2 == 0 ? "use tierp; predict 74"
+					     : "use bro; predict 74");
+		const struct band *band =
+		    doubt_band(s, session_entry(s), &s->last);
+		assert_non_null(band);
+		if (i < 2)
+			low[i][0] = band->low[4];
+		low[i % 2][1] = band->low[4];
+	}
+	assert_true(low[0][0] == low[0][1] && low[1][0] == low[1][1]);
+	assert_true(low[0][0] != low[1][0]);
+}
+
+static void
+undo_and_redo_carry_the_origin(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	use_of_another(desk);
+	desk_expect(desk, "params set f_mat=1");
+	assert_string_equal(session_entry(s)->origin->words, "set by hand");
+	assert_null(doubt_of(session_entry(s)));
+	desk_expect(desk, "undo");
+	assert_string_equal(session_entry(s)->origin->whose, "tierp");
+	assert_non_null(doubt_of(session_entry(s)));
+	desk_expect(desk, "undo");
+	assert_null(session_entry(s)->origin);
+	desk_expect(desk, "redo; drop tierp; predict 90");
+	assert_string_equal(session_entry(s)->origin->whose, "tierp");
+	/* Equal numbers of other origin are a change. */
+	desk_expect(desk, "recall ubbarp; recall gasgruvan");
+	assert_string_equal(
+	    session_entry(s)->origin->whose, "table3/gasgruvan");
+	desk_expect(desk, "undo");
+	assert_string_equal(session_entry(s)->origin->whose, "table3/ubbarp");
+}
+
+static void
+a_fit_of_few_cells_is_not_judged(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	desk_expect(desk, "load data/sites/tierp.csv; "
+			  "calibrate population=200 train=69");
+	const struct entry *entry = session_entry(s);
+	assert_int_equal(entry->fit.n_residual, 12);
+	assert_int_equal(entry->fit.parameters, 7);
+	assert_non_null(doubt_of(entry));
+	/* One sieve more than parameters is enough, as many are not. */
+	struct run *run = entry->site->run;
+	for (size_t n = 8; n >= 7; n--) {
+		run[0].product.n = n;
+		desk_expect(desk, "calibrate population=200 train=69");
+		assert_int_equal(entry->fit.n_residual, n);
+		assert_int_equal(doubt_of(session_entry(s)) != NULL, n > 7);
+	}
+	assert_string_equal(fit_verdict(&entry->fit), "too few data");
+	assert_false(desk_say(desk, "assert poor = 0"));
+	assert_int_equal(desk->error.kind, ERROR_CHECK);
+	desk_expect(desk, "bounds alpha 0.9; "
+			  "calibrate population=200 train=69");
+	assert_int_equal(entry->fit.parameters, 6);
+	assert_true(says(desk, "predict", "low %"));
+}
+
+int
+main(void)
+{
+#define at_desk(test) \
+	cmocka_unit_test_setup_teardown(test, desk_open, desk_close)
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(data_are_what_the_sheet_says),
+	    at_desk(why_takes_the_sheet_at_its_word),
+	    at_desk(a_guess_beyond_its_materials_says_so),
+	    at_desk(parameters_keep_their_origin_in_use_by_another),
+	    at_desk(a_shared_fit_has_a_band_for_each_site),
+	    at_desk(undo_and_redo_carry_the_origin),
+	    at_desk(a_fit_of_few_cells_is_not_judged),
+	};
+	chdir_to_source();
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

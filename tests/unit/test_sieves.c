@@ -1,0 +1,112 @@
+/* Sieves with names, and what of a sheet was not read.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sieve_names.h"
+
+#include <math.h>
+
+#include "sheets.h"
+
+/* ASTM E11-20, the numbers at either end and where people err. */
+static void
+a_sieve_has_its_name_in_many_spellings(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *name;
+		double mm;
+	} NAMES[] = {{"#4", 4.75}, {"# 4", 4.75}, {"No. 4", 4.75},
+	    {"No 200", 0.075}, {"no.200", 0.075}, {"N\u00BA 4", 4.75},
+	    {"N\u00B0 10", 2}, {" #5 ", 4}, {"#6", 3.35}, {"#7", 2.8},
+	    {"#8", 2.36}, {"#18", 1}, {"No. 3 1/2", 5.6}, {"#3.5", 5.6},
+	    {"#635", 0.02}, {"#325", 0.045}, {"3/8 in", 9.5}, {"1/2\"", 12.5},
+	    {"1 1/2 inch", 37.5}, {"1.5 in.", 37.5}, {"3 in", 75},
+	    {"0.530 in", 13.2}, {"5/8 Inches", 16}, {"4", 0}, {"3/8", 0},
+	    {"22.4", 0}, {"# 4 cells", 0}, {"#", 0}, {"note 4", 0}, {"", 0},
+	    {"#4/0", 0}, {"#0", 0}, {"#3", NAN}, {"#9", NAN}, {"#1000", NAN},
+	    {"0.9 in", NAN}};
+	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
+		double mm = sieve_names_mm(NAMES[i].name);
+		if (mm != NAMES[i].mm && !(isnan(mm) && isnan(NAMES[i].mm)))
+			fail_msg("%s is %g mm", NAMES[i].name, mm);
+	}
+	static const char *const NEAREST[][2] = {
+	    {"#3", "1/4 in (6.3 mm) and No. 3 1/2 (5.6 mm)"},
+	    {"#9", "No. 8 (2.36 mm) and No. 10 (2 mm)"},
+	    {"#1000", "No. 635 (0.02 mm)"}, {"9 in", "5 in (125 mm)"},
+	    {"0.1 in", "1/4 in (6.3 mm) and No. 3 1/2 (5.6 mm)"}};
+	for (size_t i = 0; i < ARRAY_LEN(NEAREST); i++) {
+		char *nearest = sieve_names_nearest(NEAREST[i][0]);
+		assert_string_equal(nearest, NEAREST[i][1]);
+		free(nearest);
+	}
+}
+
+/* These rows were taken for comments, and 2 sieves of 9 calibrated on. */
+static void
+a_numbered_sieve_is_never_a_comment(void **state)
+{
+	(void)state;
+	static const char *const SHEETS[] = {
+	    "# 4 samples, dried\n# 5\n" TOP "3/8 in,100,100,100\n"
+	    "#4,60,80,90\n  # 16,30,40,50\n\"#200\",10,20,30\n",
+	    TOP "9.5,100,100,100\nNo. 4,60,80,90\nN\u00BA 16,30,40,50\n"
+		"No 200,10,20,30\n",
+	    "size_um;feed;product@69;product@79\n9500;100;100;100\n"
+	    "#4;60,0;80,0;90,0\n#16;30,0;40;50\n#200;10;20;30\n"};
+	static const double mm[] = {9.5, 4.75, 1.18, 0.075};
+	for (size_t i = 0; i < ARRAY_LEN(SHEETS); i++) {
+		struct site *site = accept(SHEETS[i]);
+		size_t n;
+		double *size = site_sieves(site, &n);
+		assert_int_equal(n, ARRAY_LEN(mm));
+		for (size_t k = 0; k < n; k++)
+			assert_true(fabs(1000 * size[k] - mm[k]) < 1e-12);
+		assert_true(site->run[1].product.passing[1] == 0.9);
+		assert_int_equal(site->n_left_out, 0);
+		free(size);
+		site_free(site);
+	}
+}
+
+static void
+what_was_passed_over_is_told(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *sheet, *told;
+	} SHEETS[] = {{"# c\n" TOP "\n" ROWS, ""},
+	    {TOP "8,100,100,100\n# 4 is torn\n4,60,80,90\n1,10,20,30\n",
+		"line 3: a comment: # 4 is torn; "},
+	    {TOP ROWS "Summa,170,200,220\nSignatur ÅÄÖ\n",
+		"line 5: Summa: sums are compared of grams alone; "
+		"line 6: a remark below the table: Signatur ÅÄÖ; "},
+	    {"size_mm,feed_retained_g,retained_g@69,retained_g@79\n8,0,0,0\n"
+	     "4,80,2,10\n1,100,4,60\npan,20,1,30\nsum,200,7,100\n",
+		""},
+	    {TOP "8,100,100,100\n5.6\n4,60,80,90\n1,10,20,30\n",
+		"line 3: the sieve 5.6 has no numbers; "},
+	    {"size_mm,feed,,product@69,product@79\n8,100,,100,100\n"
+	     "4,60,,80,90\n",
+		"column 3: it is empty; "}};
+	for (size_t i = 0; i < ARRAY_LEN(SHEETS); i++) {
+		struct site *site = accept(SHEETS[i].sheet);
+		char *told = xstrdup("");
+		for (size_t k = 0; k < site->n_left_out; k++)
+			xappend(&told, "%s: %s; ", site->left_out[k].key,
+			    site->left_out[k].value);
+		assert_string_equal(told, SHEETS[i].told);
+		free(told);
+		site_free(site);
+	}
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(a_sieve_has_its_name_in_many_spellings),
+	    cmocka_unit_test(a_numbered_sieve_is_never_a_comment),
+	    cmocka_unit_test(what_was_passed_over_is_told),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
