@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/polish.h"
 
-#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,8 +12,8 @@ struct polish {
 	struct misfit *misfit;
 	size_t n;
 	double *r, *J, *r_try, *J_try;
-	gsl_matrix *A; /* the Jacobian's free columns over the damping */
-	gsl_vector *b, *step, *residual, *tau;
+	/* The Jacobian's free columns and -r over the damping and 0. */
+	double (*A)[PARAM_COUNT + 1];
 	double scale[PARAM_COUNT]; /* largest column norms seen (More) */
 };
 
@@ -29,11 +28,7 @@ polish_new(struct misfit *m)
 	s->r_try = xdoubles(n);
 	s->J = xdoubles(n * PARAM_COUNT);
 	s->J_try = xdoubles(n * PARAM_COUNT);
-	s->A = gsl_matrix_alloc(n + PARAM_COUNT, PARAM_COUNT);
-	s->b = gsl_vector_alloc(n + PARAM_COUNT);
-	s->residual = gsl_vector_alloc(n + PARAM_COUNT);
-	s->step = gsl_vector_alloc(PARAM_COUNT);
-	s->tau = gsl_vector_alloc(PARAM_COUNT);
+	s->A = xcalloc(n + PARAM_COUNT, sizeof *s->A);
 	return s;
 }
 
@@ -46,11 +41,7 @@ polish_free(struct polish *s)
 	free(s->r_try);
 	free(s->J);
 	free(s->J_try);
-	gsl_matrix_free(s->A);
-	gsl_vector_free(s->b);
-	gsl_vector_free(s->residual);
-	gsl_vector_free(s->step);
-	gsl_vector_free(s->tau);
+	free(s->A);
 	free(s);
 }
 
@@ -91,34 +82,65 @@ update_scale(struct polish *s)
 	}
 }
 
+/* Brings column c of A [rows] to `top` and zeros below it, by the reflection
+ * that the column becomes; the n columns behind it go through the same. */
+static void
+reflect(
+    double (*A)[PARAM_COUNT + 1], size_t rows, size_t c, size_t n, double top)
+{
+	double along[PARAM_COUNT + 1] = {0};
+	A[c][c] -= top;
+	for (size_t i = c; i < rows; i++)
+		for (size_t k = c + 1; k <= c + n; k++)
+			along[k] += A[i][c] * A[i][k];
+	double half = -top * A[c][c]; /* of the column's square */
+	for (size_t i = c; i < rows; i++)
+		for (size_t k = c + 1; k <= c + n; k++)
+			A[i][k] -= A[i][c] * (along[k] / half);
+}
+
+/* x [n] with the least |A x - b|, where b is column n of A [rows], by
+ * Householder's reflections; A is used up.  Of our own, because a library's
+ * last bits differ between its versions and processors, and hops go on from
+ * them. */
+static void
+least_squares(double (*A)[PARAM_COUNT + 1], size_t rows, size_t n, double *x)
+{
+	double top[PARAM_COUNT];
+	for (size_t c = 0; c < n; c++) {
+		double norm = 0;
+		for (size_t i = c; i < rows; i++)
+			norm += A[i][c] * A[i][c];
+		top[c] = A[c][c] > 0 ? -sqrt(norm) : sqrt(norm);
+		if (norm > 0)
+			reflect(A, rows, c, n - c, top[c]);
+	}
+	for (size_t c = n; c-- > 0;) {
+		x[c] = A[c][n];
+		for (size_t k = c + 1; k < n; k++)
+			x[c] -= A[c][k] * x[k];
+		x[c] = top[c] != 0 ? x[c] / top[c] : 0;
+	}
+}
+
 /* Solves min |J d + r|^2 + damping |D d|^2 over the free columns. */
 static void
 damped_step(struct polish *s, const size_t *column, size_t n_free,
     double damping, double step[PARAM_COUNT])
 {
-	size_t rows = s->n + n_free;
-	gsl_matrix_view A = gsl_matrix_submatrix(s->A, 0, 0, rows, n_free);
-	gsl_vector_view b = gsl_vector_subvector(s->b, 0, rows);
-	gsl_vector_view residual = gsl_vector_subvector(s->residual, 0, rows);
-	gsl_vector_view x = gsl_vector_subvector(s->step, 0, n_free);
-	gsl_vector_view tau = gsl_vector_subvector(s->tau, 0, n_free);
-	gsl_matrix_set_zero(&A.matrix);
-	gsl_vector_set_zero(&b.vector);
+	double x[PARAM_COUNT];
+	memset(s->A, 0, (s->n + n_free) * sizeof *s->A);
 	for (size_t i = 0; i < s->n; i++) {
 		for (size_t c = 0; c < n_free; c++)
-			gsl_matrix_set(
-			    &A.matrix, i, c, s->J[i * PARAM_COUNT + column[c]]);
-		gsl_vector_set(&b.vector, i, -s->r[i]);
+			s->A[i][c] = s->J[i * PARAM_COUNT + column[c]];
+		s->A[i][n_free] = -s->r[i];
 	}
 	for (size_t c = 0; c < n_free; c++)
-		gsl_matrix_set(&A.matrix, s->n + c, c,
-		    sqrt(damping) * s->scale[column[c]]);
+		s->A[s->n + c][c] = sqrt(damping) * s->scale[column[c]];
+	least_squares(s->A, s->n + n_free, n_free, x);
 	memset(step, 0, PARAM_COUNT * sizeof *step);
-	gsl_linalg_QR_decomp(&A.matrix, &tau.vector);
-	gsl_linalg_QR_lssolve(
-	    &A.matrix, &tau.vector, &b.vector, &x.vector, &residual.vector);
 	for (size_t c = 0; c < n_free; c++)
-		step[column[c]] = gsl_vector_get(&x.vector, c);
+		step[column[c]] = x[c];
 }
 
 static struct params

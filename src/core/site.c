@@ -67,7 +67,8 @@ site_free(struct site *site)
 static uint64_t
 digest_psd(uint64_t h, const struct psd *psd)
 {
-	h = text_digest(h, &psd->n, sizeof psd->n);
+	uint64_t n = psd->n; /* not size_t, which is shorter on some machines */
+	h = text_digest(h, &n, sizeof n);
 	h = text_digest(h, psd->size, psd->n * sizeof *psd->size);
 	return text_digest(h, psd->passing, psd->n * sizeof *psd->passing);
 }

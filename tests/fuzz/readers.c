@@ -1,0 +1,265 @@
+/* Every reader as a function of the bytes of one file.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "readers.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/script.h"
+#include "cmd/session.h"
+#include "io/checkpoint.h"
+#include "io/site_read.h"
+#include "io/site_write.h"
+#include "io/spec.h"
+#include "io/store_csv.h"
+#include "io/table3.h"
+
+/* Steps of calibrations that a script is given. */
+enum { STEPS = 10 };
+
+static char folder[256];
+static FILE *nowhere;
+
+/* A file in the folder; the caller frees. */
+static char *
+path_of(const char *name)
+{
+	return xasprintf("%s/%s", folder, name);
+}
+
+static void
+put(const char *path, const void *bytes, size_t n)
+{
+	FILE *out = fopen(path, "wb");
+	if (out == NULL || fwrite(bytes, 1, n, out) != n || fclose(out) != 0) {
+		perror(path);
+		exit(99);
+	}
+}
+
+static void
+leave(void)
+{
+	static const char *const NAMES[] = {
+	    "input", "input-wal", "input-shm", "input-journal"};
+	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
+		char *path = path_of(NAMES[i]);
+		unlink(path);
+		free(path);
+	}
+	rmdir(folder);
+}
+
+static void
+begin(void)
+{
+	const char *where = getenv("TMPDIR");
+	snprintf(folder, sizeof folder, "%s/tipspeed-fuzz-XXXXXX",
+	    where != NULL ? where : "/tmp");
+	nowhere = fopen("/dev/null", "w");
+	if (mkdtemp(folder) == NULL || nowhere == NULL || atexit(leave) != 0) {
+		perror(folder);
+		exit(99);
+	}
+}
+
+/* A small site that is always good. */
+static struct site *
+small_site(void)
+{
+	const char *srcdir = getenv("srcdir");
+	char *path = xasprintf("%s/tests/fuzz/corpus/sheet/good-small.csv",
+	    srcdir != NULL ? srcdir : ".");
+	struct error_list errors = {0};
+	struct site *site = site_read(path, &errors);
+	if (site == NULL) {
+		perror(path);
+		exit(99);
+	}
+	free(path);
+	return site;
+}
+
+static bool
+read_sheet(const char *path)
+{
+	struct error_list errors = {0};
+	struct site *site = site_read(path, &errors);
+	if (site != NULL)
+		site_write(site, nowhere);
+	site_free(site);
+	return site != NULL;
+}
+
+static bool
+read_table3(const char *path)
+{
+	struct error_list errors = {0};
+	struct materials *m = materials_read(path, &errors);
+	materials_free(m);
+	return m != NULL;
+}
+
+static bool
+read_spec(const char *path)
+{
+	struct error_list errors = {0};
+	struct spec *spec = spec_read(path, &errors);
+	spec_free(spec);
+	return spec != NULL;
+}
+
+static bool
+read_materials(const char *path)
+{
+	struct error_list errors = {0};
+	struct stored_list list = {0};
+	bool ok = store_csv_read(path, NULL, &list, &errors);
+	stored_list_free(&list);
+	return ok;
+}
+
+/* The commands of a line, whose calibrations together get so many steps. */
+static bool
+run_line(struct session *s, const char *line, struct place place, int *steps)
+{
+	struct error error = {0};
+	size_t at = 0;
+	bool ok;
+	do {
+		ok = session_line(
+		    s, line, at, place.file, place.line, &at, &error);
+		while (session_busy(s) && (*steps)-- > 0)
+			session_step(s);
+		session_pause(s);
+		s->wants_tui = false;
+	} while (ok && at > 0 && !s->quit);
+	return session_settle(s, ok, &error);
+}
+
+/* With --safe, and after an error the next line. */
+static bool
+run_script(const char *path, bool prompt)
+{
+	struct session *s = session_new(nowhere, nowhere);
+	struct error error = {0};
+	struct place place;
+	char *line;
+	int steps = STEPS;
+	bool ok = script_open(s, path, &error);
+	s->safe = true;
+	s->prompt = prompt;
+	s->set.threads = 1;
+	session_add(s, small_site());
+	while (!s->quit && s->script != NULL &&
+	       (line = script_line(s, &place, &error)) != NULL) {
+		ok = run_line(s, line, place, &steps) && ok;
+		free(line);
+	}
+	session_free(s);
+	return ok && error.kind == ERROR_NONE;
+}
+
+static bool
+read_script(const char *path)
+{
+	return run_script(path, false);
+}
+
+static bool
+read_init(const char *path)
+{
+	return run_script(path, true);
+}
+
+/* Reads, and writes to what can be read. */
+static bool
+read_store(const char *path)
+{
+	struct store *store = store_new(path);
+	struct stored_list list = {0}, more = {0};
+	struct error error = {0};
+	bool ok = store_list(store, &list, &error);
+	if (ok) {
+		stored_table3(&more);
+		ok = store_put(store, more.item, 1, true, &error) &&
+		     store_forget(store, more.item[0].name, &error);
+	}
+	stored_list_free(&list);
+	stored_list_free(&more);
+	store_free(store);
+	return ok;
+}
+
+/* A checkpoint whose site, options and digest are those that are wanted, so
+ * that what stands between is read. */
+static bool
+read_checkpoint(const char *path)
+{
+	char *bytes = NULL, options[1024] = "";
+	size_t room = 0, n;
+	uint64_t site_digest = 0;
+	FILE *in = fopen(path, "rb");
+	ssize_t got = getdelim(&bytes, &room, '\0', in);
+	fclose(in);
+	n = got > 0 ? (size_t)got : 0;
+	char *end = n > 22 ? strstr(bytes + n - 22, "end ") : NULL;
+	n = end != NULL ? (size_t)(end - bytes) : n;
+	FILE *out = fopen(path, "wb");
+	fwrite(bytes, 1, n, out);
+	fprintf(out, "end %016" PRIx64 "\n",
+	    text_digest(TEXT_DIGEST_START, bytes, n));
+	fclose(out);
+	if (n > 0)
+		sscanf(bytes, "%*[^\n]\nsite %" SCNx64 "\noptions %1023[^\n]",
+		    &site_digest, options);
+	free(bytes);
+	struct site *site = small_site();
+	struct calibrate_options o = calibrate_options_default();
+	o.population = 20;
+	o.threads = 1;
+	bool *train = xcalloc(site->n_run, sizeof *train);
+	misfit_default_train(site, train);
+	o.train = train;
+	struct calibration *c = calibration_new(site, &o);
+	struct checkpoint_of of = {site_digest, options};
+	struct error error = {0};
+	bool ok = checkpoint_load(path, &of, c, &error);
+	for (int i = 0; ok && i < STEPS; i++)
+		calibration_step(c);
+	calibration_free(c);
+	free(train);
+	site_free(site);
+	return ok;
+}
+
+static const struct reader READERS[] = {{"sheet", read_sheet},
+    {"table3", read_table3}, {"spec", read_spec}, {"materials", read_materials},
+    {"script", read_script}, {"init", read_init}, {"store", read_store},
+    {"checkpoint", read_checkpoint}};
+
+const struct reader *
+reader_find(const char *name)
+{
+	for (size_t i = 0; i < ARRAY_LEN(READERS); i++)
+		if (strcmp(READERS[i].name, name) == 0)
+			return &READERS[i];
+	return NULL;
+}
+
+bool
+reader_feed(const struct reader *reader, const uint8_t *bytes, size_t n)
+{
+	if (nowhere == NULL)
+		begin();
+	char *path = path_of("input");
+	put(path, bytes, n);
+	bool good = reader->read(path);
+	free(path);
+	return good;
+}
