@@ -106,7 +106,7 @@ reflect(
 static void
 least_squares(double (*A)[PARAM_COUNT + 1], size_t rows, size_t n, double *x)
 {
-	double top[PARAM_COUNT];
+	double top[PARAM_COUNT] = {0};
 	for (size_t c = 0; c < n; c++) {
 		double norm = 0;
 		for (size_t i = c; i < rows; i++)
