@@ -20,7 +20,7 @@ fit_breaks_nothing(const struct fit *fit)
 bool
 fit_too_few(const struct fit *fit)
 {
-	return fit->n_residual <= fit->parameters;
+	return fit->cells <= fit->parameters;
 }
 
 void
@@ -29,7 +29,7 @@ fit_note_too_few(struct report *r, const struct fit *fit)
 	report_note(r,
 	    "%zu passing%s cannot determine %zu parameters: no verdict and no "
 	    "band; add sieves or a run",
-	    fit->n_residual, fit->n_residual == 1 ? "" : "s", fit->parameters);
+	    fit->cells, fit->cells == 1 ? "" : "s", fit->parameters);
 }
 
 const char *
@@ -124,8 +124,7 @@ put_fit(json_t *o, const struct entry *entry, double seconds)
 	put_speeds(o, "train", entry, true);
 	put_speeds(o, "holdout", entry, false);
 	report_put(o, "cells %zu parameters %zu rmse_pct %g verdict %s",
-	    fit->n_residual, fit->parameters, fit->rmse * 100,
-	    fit_verdict(fit));
+	    fit->cells, fit->parameters, fit->rmse * 100, fit_verdict(fit));
 }
 
 /* Why nothing breaks, in terms of the break size and the feed. */
@@ -267,9 +266,10 @@ fit_report(
 				       : "");
 	}
 	report_note(r,
-	    "misfit %.6g, %.2f points RMS over %zu passings, for "
-	    "%zu parameters",
-	    fit->misfit, 100 * fit->rmse, fit->n_residual, fit->parameters);
+	    "misfit %.6g, %.2f points RMS over %zu passings: %zu that crushing "
+	    "can change, for %zu parameters",
+	    fit->misfit, 100 * fit->rmse, fit->n_residual, fit->cells,
+	    fit->parameters);
 	report_note(r, "stopped after %zu generations, %zu evaluations: %s",
 	    fit->generations, fit->evaluations, stop_sentence(fit));
 	if (fit->edits > 0)

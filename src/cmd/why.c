@@ -204,7 +204,7 @@ say_fit(const struct subject *a)
 		answers_say(a->list,
 		    "%zu passings cannot determine %zu parameters: what the "
 		    "fit is worth is not known; add sieves or a run",
-		    fit->n_residual, fit->parameters);
+		    fit->cells, fit->parameters);
 	else if (fit_breaks_nothing(fit))
 		answers_say(a->list,
 		    "The training products cannot be told from their "

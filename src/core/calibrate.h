@@ -115,7 +115,8 @@ struct fit {
 	double misfit;        /* on model_product, at the training runs */
 	double rmse;          /* of passing at the training runs, 0..1 */
 	double feed_misfit;   /* of the null model product = feed */
-	size_t n_residual;    /* passings compared, the cells */
+	size_t n_residual;    /* passings compared */
+	size_t cells;         /* of these, that crushing can change */
 	size_t parameters;    /* that were searched, not held fixed */
 	bool on_bound[PARAM_COUNT];
 	struct flat flat; /* what the data tell least */

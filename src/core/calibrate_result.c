@@ -113,6 +113,7 @@ calibration_fit(struct calibration *c)
 	    .rmse = misfit_rmse(c->misfit, &p),
 	    .feed_misfit = misfit_of_feed(c->misfit),
 	    .n_residual = c->misfit->n_residual,
+	    .cells = misfit_cells(c->misfit),
 	    .stop =
 		c->state >= CALIBRATE_TOLERANCE ? c->stop : CALIBRATE_STOPPED,
 	    .generations = s.generation,

@@ -81,6 +81,17 @@ misfit_new(const struct site *site, const bool *train, const double *run_weight,
 	return m;
 }
 
+size_t
+misfit_cells(const struct misfit *m)
+{
+	size_t n = 0;
+	for (size_t r = 0; r < m->n_run; r++)
+		for (size_t i = 0; i < m->run[r].n; i++)
+			n += psd_passing(&m->run[r].feed, m->run[r].sieve[i]) <
+			     1;
+	return n;
+}
+
 void
 misfit_free(struct misfit *m)
 {

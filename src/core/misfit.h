@@ -45,6 +45,10 @@ struct misfit *misfit_new(const struct site *site, const bool *train,
     const double *run_weight, bool by_sd, struct model_settings settings);
 void misfit_free(struct misfit *m);
 
+/* How many of the n_residual passings crushing can change: where all of the
+ * feed passes, all of any product does, whatever the parameters. */
+size_t misfit_cells(const struct misfit *m);
+
 /* Whether somebody waits for what works on the misfit to end: it then lets go
  * of what is half done, which may be done anew later.  For any thread. */
 bool misfit_stopped(const struct misfit *m);

@@ -149,12 +149,15 @@ a_fit_of_few_cells_is_not_judged(void **state)
 	assert_int_equal(entry->fit.n_residual, 12);
 	assert_int_equal(entry->fit.parameters, 7);
 	assert_non_null(doubt_of(entry));
-	/* One sieve more than parameters is enough, as many are not. */
+	assert_int_equal(entry->fit.cells, 11);
+	/* One passing more than parameters is enough, as many are not; that of
+	 * the coarsest sieve is 100 % whatever is done. */
 	struct run *run = entry->site->run;
 	for (size_t n = 8; n >= 7; n--) {
-		run[0].product.n = n;
+		run[0].product.n = n + 1;
 		desk_expect(desk, "calibrate population=200 train=69");
-		assert_int_equal(entry->fit.n_residual, n);
+		assert_int_equal(entry->fit.n_residual, n + 1);
+		assert_int_equal(entry->fit.cells, n);
 		assert_int_equal(doubt_of(session_entry(s)) != NULL, n > 7);
 	}
 	assert_string_equal(fit_verdict(&entry->fit), "too few data");
