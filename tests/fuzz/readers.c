@@ -177,21 +177,18 @@ read_init(const char *path)
 	return run_script(path, true);
 }
 
-/* Reads, and writes to what can be read. */
+/* Reads, and writes what was read. */
 static bool
 read_store(const char *path)
 {
 	struct store *store = store_new(path);
-	struct stored_list list = {0}, more = {0};
+	struct stored_list list = {0};
 	struct error error = {0};
 	bool ok = store_list(store, &list, &error);
-	if (ok) {
-		stored_table3(&more);
-		ok = store_put(store, more.item, 1, true, &error) &&
-		     store_forget(store, more.item[0].name, &error);
-	}
+	if (ok && list.n > 0)
+		ok = store_put(store, list.item, 1, true, &error) &&
+		     store_forget(store, list.item[0].name, &error);
 	stored_list_free(&list);
-	stored_list_free(&more);
 	store_free(store);
 	return ok;
 }
