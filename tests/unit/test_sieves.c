@@ -47,12 +47,12 @@ a_numbered_sieve_is_never_a_comment(void **state)
 {
 	(void)state;
 	static const char *const SHEETS[] = {
-	    "# 4 samples, dried\n# 5\n" TOP "3/8 in,100,100,100\n"
-	    "#4,60,80,90\n  # 16,30,40,50\n\"#200\",10,20,30\n",
-	    TOP "9.5,100,100,100\nNo. 4,60,80,90\nN\u00BA 16,30,40,50\n"
-		"No 200,10,20,30\n",
-	    "size_um;feed;product@69;product@79\n9500;100;100;100\n"
-	    "#4;60,0;80,0;90,0\n#16;30,0;40;50\n#200;10;20;30\n"};
+	    ("# 4 samples, dried\n# 5\n" TOP "3/8 in,100,100,100\n"
+	     "#4,60,80,90\n  # 16,30,40,50\n\"#200\",10,20,30\n"),
+	    (TOP "9.5,100,100,100\nNo. 4,60,80,90\nN\u00BA 16,30,40,50\n"
+		 "No 200,10,20,30\n"),
+	    ("size_um;feed;product@69;product@79\n9500;100;100;100\n"
+	     "#4;60,0;80,0;90,0\n#16;30,0;40;50\n#200;10;20;30\n")};
 	static const double mm[] = {9.5, 4.75, 1.18, 0.075};
 	for (size_t i = 0; i < ARRAY_LEN(SHEETS); i++) {
 		struct site *site = accept(SHEETS[i]);
