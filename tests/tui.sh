@@ -260,6 +260,15 @@ keys C-z y
 want '^wrote mine.csv: 1 row$'
 grep -q '^sites,' mine.csv
 result $? "y replaces it"
+keys : 'predict > here.csv' Enter
+want '^wrote here.csv: 12 rows$' "what was written stays told"
+"$TIPSPEED" data/sites/tierp.csv -c 'calibrate; set k 1.5' \
+	-c 'predict 74.2 > there.csv' >log 2>&1
+cmp here.csv there.csv
+result $? "predict > FILE writes the prediction on the screen"
+keys : 'predict 72 > here.csv' Enter
+want '\[72\.0\]'
+want '^wrote here.csv: 12 rows$' "also where it moves the slider"
 keys q
 want 'IT IS OVER'
 [ "$(marked)" = '?2004l' ]

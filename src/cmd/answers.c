@@ -44,7 +44,7 @@ answers_known(
 		? "'calibrate' finds them; 'recall' or 'params set' "
 		  "takes known ones"
 		: "there is no product to find them from: 'guess' tells what "
-		  "to expect, 'recall' takes those of another sheet");
+		  "to expect, 'params use SITE' takes another site's");
 }
 
 bool

@@ -361,8 +361,9 @@ check_counts(struct report *r, const struct entry *entry)
 	for (size_t i = 0; i < site->n_left_out; i++)
 		finding(r, entry, false, site->left_out[i].key, "not read: %s",
 		    site->left_out[i].value);
-	report_note(r, "%s: read %zu sieves in %zu columns, %zu run%s",
-	    entry->key, n, columns, site->n_run, site->n_run == 1 ? "" : "s");
+	report_note(r, "%s: read %zu sieve%s in %zu column%s, %zu run%s",
+	    entry->key, n, n == 1 ? "" : "s", columns, columns == 1 ? "" : "s",
+	    site->n_run, site->n_run == 1 ? "" : "s");
 	if (site->named[0] != '\0')
 		report_note(r, "  by ASTM E11, mm: %s", site->named);
 	json_t *o = json_object();

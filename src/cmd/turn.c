@@ -66,8 +66,8 @@ check_safe(
 	else
 		return true;
 	return error_hint(error,
-	    "the program was started with --safe; it takes site files as "
-	    "operands only");
+	    "the program was started with --safe: it reads the files named on "
+	    "its command line, and writes none");
 }
 
 /* A file for a picture wants one command that draws, and holds one picture. A

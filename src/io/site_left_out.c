@@ -56,8 +56,9 @@ tell_left_out(struct site *site, const struct table *t)
 		if (c->line <= t->head->line)
 			continue;
 		snprintf(where, sizeof where, "line %d", c->line);
-		leave_out(site, where, "a comment: %.*s", sheet_cut(c->text),
-		    c->text);
+		int shown = sheet_cut(c->text);
+		leave_out(site, where, "a comment: %.*s%s", shown, c->text,
+		    c->text[shown] != '\0' ? "..." : "");
 	}
 	for (const struct row *row = t->row;
 	     row < t->sheet->row + t->sheet->n_row; row++)

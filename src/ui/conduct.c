@@ -323,6 +323,7 @@ conduct_typed(struct tui *t, const char *line)
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_add(line);
 	run_typed(t, meant);
+	t->told = t->message[0] != '\0';
 	view_message(t);
 	free(where);
 	free(meant);
@@ -333,6 +334,8 @@ conduct_predict(struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
+	bool told = t->told;
+	t->told = false;
 	bool forming = entry != NULL && session_busy(s) &&
 		       s->job.entry == s->current &&
 		       calibration_status(s->job.calibration).generation > 0;
@@ -353,11 +356,11 @@ conduct_predict(struct tui *t)
 	size_t next;
 	if (!session_line(t->session, line, 0, "typed", 0, &next, &error))
 		say_error(t, &error);
-	if (!first || t->command == NULL) {
+	if ((!first && !told) || t->command == NULL) {
 		free(t->command);
 		t->command = xstrdup(line);
 	}
-	if (!first)
+	if (!first && !told)
 		t->message[0] = '\0';
 	tui_keep_feed(t);
 	t->asked.tenths = t->tenths;

@@ -100,6 +100,7 @@ struct tui {
 	char *command; /* the last one, for show */
 	char message[800];
 	bool bad;             /* the message is an error */
+	bool told;            /* it is of the command that moved the slider */
 	const char *question; /* that waits for an answer, or NULL */
 	FILE *said;           /* what commands print */
 	char *said_text;

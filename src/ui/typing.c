@@ -234,7 +234,7 @@ typing_key(struct typing *t, const struct session *s, int code, bool special)
 char *
 typing_meant(const char *line, const char *where)
 {
-	static const char *const ASK[] = {"spec", "guess", "why"};
+	static const char *const ASK[] = {"predict", "spec", "guess", "why"};
 	size_t from = strspn(line, " \t"), n = strcspn(line + from, " \t>|");
 	const char *word = line + from, *rest = word + n;
 	rest += strspn(rest, " \t");
