@@ -4,10 +4,6 @@
 . "${srcdir:-.}/tests/tap.sh"
 scratch
 cd "$dir" || exit 99
-# Under sanitizers: fontconfig keeps what it found to the end of the program.
-echo leak:libfontconfig >leaks
-LSAN_OPTIONS=suppressions=$dir/leaks:print_suppressions=0
-export LSAN_OPTIONS
 kinds='psd parity convergence spread residuals selection appearance map sweep'
 for kind in $kinds; do
 	for form in svg png pdf txt csv; do

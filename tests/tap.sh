@@ -31,6 +31,11 @@ scratch() {
 	# The store goes there too, and not to the home of whoever tests.
 	XDG_DATA_HOME=$dir/share
 	export XDG_DATA_HOME
+	# Under sanitizers: fontconfig keeps what it found to the end of the
+	# program, and not where it may write no cache.
+	echo leak:libfontconfig >"$dir/leaks"
+	LSAN_OPTIONS=suppressions=$dir/leaks:print_suppressions=0
+	export LSAN_OPTIONS
 }
 
 srcdir=${srcdir:-.}

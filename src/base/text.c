@@ -168,9 +168,9 @@ text_is_formula(const char *s)
 {
 	double value;
 	const char *sign = s + strspn(s, "'");
-	bool harmless = sign == s && (s[1] == '\0' || text_number(s, &value));
-	return *sign != '\0' && strchr("=+-@\t\r\n", *sign) != NULL &&
-	       !harmless;
+	if (*sign == '\0' || strchr("=+-@\t\r\n", *sign) == NULL)
+		return false;
+	return sign != s || (s[1] != '\0' && !text_number(s, &value));
 }
 
 char *
