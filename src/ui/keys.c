@@ -115,11 +115,13 @@ static bool
 has_name(const char *names, const char *name)
 {
 	size_t n = strlen(name);
-	for (; names != NULL;
-	     names = strstr(names, ", "), names += names ? 2 : 0)
+	while (names != NULL) {
 		if (strncmp(names, name, n) == 0 &&
 		    (names[n] == ',' || names[n] == '\0'))
 			return true;
+		names = strstr(names, ", ");
+		names = names != NULL ? names + 2 : NULL;
+	}
 	return false;
 }
 
