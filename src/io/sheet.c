@@ -332,9 +332,12 @@ add_line(struct sheet *sheet, const char *line, int number)
 		return true;
 	if (*first != '#')
 		return add_row(sheet, line, number);
-	sheet->comment = xrealloc(
-	    sheet->comment, sheet->n_comment + 1, sizeof *sheet->comment);
-	sheet->comment[sheet->n_comment++] = (struct comment){number, line};
+	size_t n = sheet->n_comment++;
+	/* Twice the room at each power of two: there may be millions. */
+	if ((n & (n - 1)) == 0)
+		sheet->comment =
+		    xrealloc(sheet->comment, 2 * n + 1, sizeof *sheet->comment);
+	sheet->comment[n] = (struct comment){number, line};
 	return true;
 }
 
