@@ -214,7 +214,8 @@ a_damaged_file_is_refused(void **state)
 	char noise[3000];
 	for (size_t i = 0; i < sizeof noise; i++)
 		noise[i] =
-		    (char)(rng_uniform(rng_key(7, 0, 0), (uint32_t)i) * 255);
+		    (char)(int)(rng_uniform(rng_key(7, 0, 0), (uint32_t)i) *
+				255);
 	write_file(shelf->path, about.st_size / 2, noise, sizeof noise);
 	expect_refusal(shelf, ERROR_DATA, "damaged");
 	assert_int_equal(truncate(shelf->path, about.st_size / 3), 0);
