@@ -211,13 +211,14 @@ close_output(int status)
 }
 
 /* A file of the user's must not get a missing descriptor's number, and then all
- * that is said there.  Opened for the wrong way, they still fail. */
+ * that is said there; nor must one of a shell command's, which inherits them.
+ * Opened for the wrong way, they still fail. */
 static void
 open_missing(void)
 {
 	int fd;
 	do
-		fd = open("/dev/null", O_RDONLY | O_CLOEXEC);
+		fd = open("/dev/null", O_RDONLY);
 	while (fd >= 0 && fd <= STDERR_FILENO);
 	if (fd >= 0)
 		close(fd);

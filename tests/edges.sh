@@ -84,6 +84,10 @@ told 5 'not all results could be written' 'standard output is closed'
 	-c 'nonsense' <&- >&- 2>&-
 [ $? -eq 2 ] && cmp one.csv three.csv
 result $? 'all three are closed'
+"$TIPSPEED" --store=:memory: \
+	-c 'echo x | (exec 3>mine; [ -e /proc/self/fd/2 ] && echo open >&3)' 2>&-
+[ "$(cat mine)" = open ]
+result $? 'nor does a shell command lack one'
 
 # A file may have no more than so many blocks of 512 or 1024 bytes.
 (
