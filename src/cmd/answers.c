@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
+#include "core/elementary.h"
 #include "cmd/fit.h"
 #include "cmd/origin.h"
 #include "io/units.h"
@@ -37,7 +38,8 @@ answers_known(
     const struct session *s, const struct entry *entry, struct error *error)
 {
 	if (entry->has_params)
-		return fit_settings_agree(&s->set.model, error);
+		return fit_settings_agree(
+		    &s->set.model, entry->params.breakage, error);
 	return error_set(error, ERROR_USAGE, "%s has no parameters yet\n%s",
 	    entry->site->name,
 	    site_products(entry->site) > 0
@@ -86,6 +88,13 @@ answers_extrapolates(const struct entry *entry, double speed)
 	double slowest, fastest;
 	return !origin_reach(entry, &slowest, &fastest) ||
 	       speed < slowest - 1e-9 || speed > fastest + 1e-9;
+}
+
+double
+answers_finer(const struct breaker *b, double u, const struct site *site)
+{
+	double log_x = el_log(site->run[0].feed.size[0]);
+	return u < 1 ? b->model->finer(b, el_log(u), log_x, NULL) : 1;
 }
 
 struct prediction
@@ -320,6 +329,7 @@ answers_put_prediction(struct session *s, json_t *o, const struct prediction *p)
 	json_object_set_new(o, "passing_pct",
 	    answers_list(product->passing, product->n, units_pct));
 	answers_put_sizes(o, p);
+	report_put(o, "model %s", breakage_of(&entry->params)->name);
 	fit_put_params(o, &entry->params);
 	if (entry->has_fit)
 		report_put(o, "verdict %s", fit_verdict(&entry->fit));

@@ -7,6 +7,7 @@
 
 #include "cmd/command.h"
 #include "cmd/session.h"
+#include "core/breakage.h"
 #include "core/predict.h"
 
 /* A break size below this, m, is none: every size can break. */
@@ -35,6 +36,11 @@ bool answers_extrapolates(const struct entry *entry, double speed);
  * run nearest to the speed given. */
 bool answers_feed(const struct site *site, const struct args *args,
     double speed, size_t *run, struct error *error);
+
+/* B(u) at the breaker's speed, of a parent of the site's top size where it
+ * depends on that. */
+double answers_finer(
+    const struct breaker *b, double u, const struct site *site);
 
 /* The product of a site with its parameters. */
 struct prediction answers_predict(const struct session *s,

@@ -76,8 +76,9 @@ offer_answers(struct work *w)
 static void
 offer_parameters(struct work *w)
 {
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		offer(w, PARAMS[j].name, ' ');
+	const struct breakage *of = BREAKAGES[w->session->set.model.breakage];
+	for (size_t j = 0; j < of->n; j++)
+		offer(w, of->parameter[j].name, ' ');
 }
 
 /* Without case and accents, as `use` finds them. */

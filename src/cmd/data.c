@@ -157,16 +157,13 @@ synth_row(const struct material *m, const struct args *args)
 {
 	const struct value *speeds = args_value(args, "speeds");
 	struct synth synth = {.top_size = m->top_size_mm / 1000,
-	    .params = params_default_beta(),
+	    .params = materials_params(m),
 	    .individual_feeds = m->individual_feeds,
 	    .n = args_value(args, "n")->number,
 	    .noise = args_value(args, "noise")->number / 100,
 	    .seed = args_value(args, "seed")->whole,
 	    .n_speed = speeds->n,
 	    .speed = speeds->list};
-	synth.params.f_mat = m->f_mat;
-	synth.params.e0_min = m->e0_min;
-	synth.params.alpha = m->alpha;
 	struct site *site = synth_site(&synth);
 	const char *slash = strrchr(args->operand[0], '/');
 	const char *file = slash != NULL ? slash + 1 : args->operand[0];

@@ -79,9 +79,10 @@ void
 doubt_put_interval(json_t *o, const struct uncertainty *u)
 {
 	json_t *interval = u != NULL ? json_object() : json_null();
-	for (size_t j = 0; u != NULL && j < PARAM_COUNT; j++)
+	const struct breakage *of = u != NULL ? breakage_of(&u->draw[0]) : NULL;
+	for (size_t j = 0; of != NULL && j < of->n; j++)
 		answers_put_pair(
-		    interval, PARAMS[j].name, u->low[j], u->high[j]);
+		    interval, of->parameter[j].name, u->low[j], u->high[j]);
 	json_object_set_new(o, "interval", interval);
 }
 

@@ -56,8 +56,8 @@ struct report *fit_report(
 
 /* False where an appearance other than ratio is set with another method than
  * classes. */
-bool fit_settings_agree(
-    const struct model_settings *settings, struct error *error);
+bool fit_settings_agree(const struct model_settings *settings, size_t breakage,
+    struct error *error);
 
 /* Puts "params": {"beta":[4],"f_mat":..,"e0_min":..,"alpha":..}. */
 void fit_put_params(json_t *o, const struct params *p);

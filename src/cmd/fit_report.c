@@ -101,10 +101,14 @@ as_it_is(double value)
 void
 fit_put_params(json_t *o, const struct params *p)
 {
+	const struct breakage *of = breakage_of(p);
 	json_t *params = json_object();
-	json_object_set_new(params, "beta", answers_list(p->beta, 4, as_it_is));
-	report_put(params, "f_mat %g e0_min %g alpha %g", p->f_mat, p->e0_min,
-	    p->alpha);
+	if (of->gauge > 0)
+		json_object_set_new(params, of->gauge_name,
+		    answers_list(p->at, of->gauge, as_it_is));
+	for (size_t j = of->gauge; j < of->n; j++)
+		json_object_set_new(params, of->parameter[j].name,
+		    report_json_number(p->at[j]));
 	json_object_set_new(o, "params", params);
 }
 
@@ -120,6 +124,7 @@ put_fit(json_t *o, const struct entry *entry, double seconds)
 		report_put(o, "bounds_edited_at %zu", fit->edited_at);
 	report_put(o, "stop %s misfit %g seconds %g",
 	    calibrate_state_name(fit->stop), fit->misfit, seconds);
+	report_put(o, "model %s", breakage_of(&fit->params)->name);
 	fit_put_params(o, &fit->params);
 	put_speeds(o, "train", entry, true);
 	put_speeds(o, "holdout", entry, false);
@@ -166,13 +171,14 @@ add_flat(
 {
 	char *list = xstrdup("");
 	bool silent = fit->flat.reach > 1;
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	const struct breakage *of = breakage_of(&fit->params);
+	for (size_t j = 0; j < of->n; j++) {
 		double part = fit->flat.part[j];
 		double range =
-		    j < PARAM_F_MAT ? 2 : bounds->upper[j] - bounds->lower[j];
+		    j < of->gauge ? 2 : bounds->upper[j] - bounds->lower[j];
 		if (!fit_is_flat(fit, j))
 			continue;
-		xlist(&list, ", ", "%s", PARAMS[j].name);
+		xlist(&list, ", ", "%s", of->parameter[j].name);
 		if (!silent)
 			xappend(&list, " %+.2g", part * range);
 	}
@@ -211,7 +217,7 @@ add_verdict(struct report *report, const struct entry *entry,
 		    far.speed, 100 * fabs(far.worst_difference),
 		    units_mm(far.worst_sieve));
 	bool any = false;
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	for (size_t j = 0; j < breakage_of(&fit->params)->n; j++)
 		any = any || fit->on_bound[j];
 	if (any)
 		report_note(report, "a parameter on its bound is set by the "
@@ -219,8 +225,11 @@ add_verdict(struct report *report, const struct entry *entry,
 	add_flat(report, fit, bounds);
 	if (ranges)
 		doubt_note(report, entry);
-	report_note(report, "beta counts only by its direction; rely on the "
-			    "curves, not on single values");
+	if (breakage_of(&fit->params)->gauge > 0)
+		report_note(report,
+		    "%s counts only by its direction; rely on the curves, not "
+		    "on single values",
+		    breakage_of(&fit->params)->gauge_name);
 }
 
 static const char *
@@ -247,22 +256,25 @@ fit_report(
 	 * who stops it does not wait for that. */
 	const struct uncertainty *u =
 	    fit->stop != CALIBRATE_STOPPED ? doubt_of(entry) : NULL;
-	struct report *r =
-	    answers_report(entry->site, "calibrate", "calibrated parameters");
+	const struct breakage *of = breakage_of(&fit->params);
+	struct report *r = answers_report(entry->site, "calibrate",
+	    "calibrated parameters%s%s", of != BREAKAGES[0] ? " of " : "",
+	    of != BREAKAGES[0] ? of->name : "");
 	report_columns(r, "parameter, value");
 	if (u != NULL)
 		report_columns(r, "low, high");
 	report_columns(r, "unit, lower: from, upper: to, remark");
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	for (size_t j = 0; j < of->n; j++) {
 		bool fixed = bounds->lower[j] >= bounds->upper[j];
-		report_cells(r, "%s %.4f", PARAMS[j].name, fit->params.at[j]);
+		report_cells(
+		    r, "%s %.4f", of->parameter[j].name, fit->params.at[j]);
 		if (u != NULL)
 			report_cells(r, "%.4f %.4f", u->low[j], u->high[j]);
-		report_cells(r, "%s %g %g %s", PARAMS[j].unit, bounds->lower[j],
-		    bounds->upper[j],
+		report_cells(r, "%s %g %g %s", of->parameter[j].unit,
+		    bounds->lower[j], bounds->upper[j],
 		    fixed              ? "held fixed"
 		    : fit->on_bound[j] ? "ON ITS BOUND"
-		    : j < PARAM_F_MAT  ? "largest is 1"
+		    : j < of->gauge    ? "largest is 1"
 				       : "");
 	}
 	report_note(r,

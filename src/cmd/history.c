@@ -18,11 +18,11 @@ spread(const struct history *h, const struct calibrate_generation *g, size_t j)
 }
 
 static void
-add_heads(struct report *r, bool exact)
+add_heads(struct report *r, const struct breakage *of, bool exact)
 {
 	report_columns(r, "generation: gen, best, median");
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		const char *name = PARAMS[j].name;
+	for (size_t j = 0; j < of->n; j++) {
+		const char *name = of->parameter[j].name;
 		if (exact)
 			report_columns(
 			    r, "%s, %s_p10, %s_p90", name, name, name);
@@ -36,7 +36,7 @@ add_row(struct report *r, const struct history *h, size_t i, bool exact)
 {
 	const struct calibrate_generation *g = &h->generation[i];
 	report_cells(r, "%g %.6f %.6f", (double)(i + 1), g->best, g->median);
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	for (size_t j = 0; j < breakage_of(&g->params)->n; j++) {
 		if (exact) {
 			report_cells(r, "%g %g %g", g->params.at[j], g->p10[j],
 			    g->p90[j]);
@@ -75,7 +75,7 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	    s->set.format == REPORT_CSV || s->set.format == REPORT_JSON;
 	struct report *r =
 	    answers_report(entry->site, "history", "%zu generations", h->n);
-	add_heads(r, exact);
+	add_heads(r, breakage_of(&h->generation[0].params), exact);
 	for (size_t i = 0; i < h->n; i++)
 		if (i % step == 0 || i + 1 == h->n)
 			add_row(r, h, i, exact);

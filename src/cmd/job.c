@@ -42,7 +42,7 @@ options_text(const struct session *s)
 		o->stall, o->tolerance, o->polish, o->plain, o->by_sd,
 		(int)o->settings.method, (int)o->settings.appearance,
 		o->settings.k);
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	for (size_t j = 0; j < BREAKAGES[o->settings.breakage]->n; j++)
 		xappend(
 		    &text, " %a..%a", o->bounds.lower[j], o->bounds.upper[j]);
 	xappend(&text, " train");
@@ -144,9 +144,11 @@ static char *
 remarks(const struct session *s, const struct entry *entry)
 {
 	char *text = xstrdup("");
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	const struct breakage *of = breakage_of(&entry->fit.params);
+	for (size_t j = 0; j < of->n; j++)
 		if (entry->fit.on_bound[j])
-			xlist(&text, "; ", "%s on bound", PARAMS[j].name);
+			xlist(
+			    &text, "; ", "%s on bound", of->parameter[j].name);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *other = &s->entry[i];
 		if (other != entry &&
@@ -164,9 +166,10 @@ summarise(struct session *s, const struct entry *entry)
 {
 	struct report *r = s->job.summary;
 	char *words = remarks(s, entry);
+	const struct params *p = &entry->fit.params;
 	report_cells(r, "%s %.3f %.2f %.3f %g %.2f %.2f %s", entry->key,
-	    entry->fit.params.f_mat, entry->fit.params.e0_min,
-	    entry->fit.params.alpha, entry->fit.misfit, 100 * entry->fit.rmse,
+	    params_value(p, "f_mat"), params_value(p, "e0_min"),
+	    params_value(p, "alpha"), entry->fit.misfit, 100 * entry->fit.rmse,
 	    100 * fit_holdout_rmse(entry), words);
 	free(words);
 }
@@ -300,7 +303,8 @@ static void
 take_bounds(struct session *s)
 {
 	struct job *job = &s->job;
-	if (memcmp(&s->set.bounds, &job->options.bounds,
+	if (s->set.model.breakage != job->options.settings.breakage ||
+	    memcmp(&s->set.bounds, &job->options.bounds,
 		sizeof s->set.bounds) == 0)
 		return;
 	job->options.bounds = s->set.bounds;

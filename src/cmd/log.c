@@ -22,9 +22,11 @@ log_new(const char *path)
 	log->path = xstrdup(path);
 	log->memory = text_memory(&log->text, &log->n);
 	fputs("site,generation,best,median", log->memory);
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		fprintf(log->memory, ",%s,%s_p10,%s_p90", PARAMS[j].name,
-		    PARAMS[j].name, PARAMS[j].name);
+	for (size_t j = 0; j < BREAKAGES[0]->n; j++)
+		fprintf(log->memory, ",%s,%s_p10,%s_p90",
+		    BREAKAGES[0]->parameter[j].name,
+		    BREAKAGES[0]->parameter[j].name,
+		    BREAKAGES[0]->parameter[j].name);
 	fputc('\n', log->memory);
 	return log;
 }
@@ -49,7 +51,7 @@ log_add(struct log *log, const char *key, const struct calibration *calibration)
 	for (size_t i = 0; i < n; i++) {
 		fprintf(log->memory, "%s,%zu,%.17g,%.17g", key, i + 1,
 		    g[i].best, g[i].median);
-		for (size_t j = 0; j < PARAM_COUNT; j++)
+		for (size_t j = 0; j < BREAKAGES[0]->n; j++)
 			fprintf(log->memory, ",%.17g,%.17g,%.17g",
 			    g[i].params.at[j], g[i].p10[j], g[i].p90[j]);
 		fputc('\n', log->memory);

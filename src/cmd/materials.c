@@ -42,8 +42,10 @@ static void
 add_row(struct report *r, const struct stored *m)
 {
 	report_cells(r, "%s %s %g %.2f %.2f %.2f %s %s", m->name, m->rock,
-	    m->top_size_mm, m->params.f_mat, m->params.e0_min, m->params.alpha,
-	    store_origin_words(m), site_data_kind(m->provenance));
+	    m->top_size_mm, params_value(&m->params, "f_mat"),
+	    params_value(&m->params, "e0_min"),
+	    params_value(&m->params, "alpha"), store_origin_words(m),
+	    site_data_kind(m->provenance));
 }
 
 /* "Diabase, Granite, ...", each once, where none was of the rock asked for. */
@@ -88,17 +90,19 @@ show_list(
 }
 
 static void
+add_field(void *data, const char *name, const char *text)
+{
+	report_cells(data, "%s %s", name, text);
+}
+
+static void
 show_one(struct session *s, const struct stored *m)
 {
 	struct report *r = report_new("materials");
 	report_title(r, "%s: %s", m->name, store_origin_words(m));
 	report_site(r, m->site, m->provenance);
 	report_columns(r, "field, value");
-	for (size_t i = 0; i < FIELD_COUNT; i++) {
-		char *text = stored_written(m, &FIELDS[i]);
-		report_cells(r, "%s %s", FIELDS[i].name, text);
-		free(text);
-	}
+	stored_each(m, add_field, r);
 	session_report(s, r);
 }
 

@@ -32,7 +32,7 @@ note_breakage(
 		    "more would, and the feed has none above %g mm: product = "
 		    "feed",
 		    p->speed, 1000 * p->break_size, units_mm(top));
-	else if (params->e0_min <= 0)
+	else if (params_value(params, "e0_min") <= 0)
 		report_note(r,
 		    "all sizes can break (e0_min is 0: there is no "
 		    "threshold); %.1f %% of the feed is broken",
@@ -41,7 +41,7 @@ note_breakage(
 		report_note(r,
 		    "all sizes can break (alpha is %.2g: size makes next to "
 		    "no difference); %.1f %% of the feed is broken",
-		    params->alpha, 100 * p->selected);
+		    params_value(params, "alpha"), 100 * p->selected);
 	else
 		report_note(r,
 		    p->break_size < 1e-4 ? "breaks from %.3g mm up; %.1f %% of "

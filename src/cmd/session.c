@@ -34,7 +34,7 @@ session_new(FILE *out, FILE *notes)
 {
 	struct session *s = xcalloc(1, sizeof *s);
 	s->set.model = model_settings_default();
-	s->set.bounds = bounds_default();
+	s->set.bounds = bounds_default(0);
 	s->set.seed = 1;
 	s->set.threads = processors();
 	s->set.isa = ISA_BEST;

@@ -113,6 +113,7 @@ static const struct {
     {"params", true, false, show_params},
     {"bounds", false, false, show_bounds},
     {"model", true, false, show_model},
+    {"models", false, false, show_models},
     {"selection", true, true, show_selection},
     {"appearance", true, false, show_appearance},
     {"store", false, false, show_store},

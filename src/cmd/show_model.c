@@ -8,7 +8,6 @@
 #include "cmd/fit.h"
 #include "cmd/model.h"
 #include "cmd/table.h"
-#include "core/appearance.h"
 #include "core/classes.h"
 #include "core/energy.h"
 #include "core/predict.h"
@@ -19,14 +18,12 @@ static void
 note_equations(struct report *r, const struct params *p, double k)
 {
 	report_note(r, "Eq 4: E = v^2 / 2, J/kg at v m/s");
-	report_note(r,
-	    "Eq 3: S(x) = 1 - exp(-%.4g (x^%.4g E - %.4g)), x in m; 0 where "
-	    "the bracket is negative",
-	    p->f_mat * k, p->alpha, p->e0_min);
-	report_note(r,
-	    "Eq 1: p(u) = max(0, %.4g %+.4g u %+.4g u^2 %+.4g u^3), u = "
-	    "daughter / parent",
-	    p->beta[0], p->beta[1], p->beta[2], p->beta[3]);
+	char *S = breakage_of(p)->selection_text(p, k);
+	char *B = breakage_of(p)->appearance_text(p);
+	report_note(r, "Eq 3: %s", S);
+	report_note(r, "Eq 1: %s", B);
+	free(S);
+	free(B);
 }
 
 bool
@@ -66,6 +63,28 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		note_equations(r, &entry->params, set->k);
 	else
 		report_note(r, "no parameters yet: calibrate, or params set");
+	return session_report(s, r);
+}
+
+/* A row for each parameter of each model; a bypass is told once. */
+bool
+show_models(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	struct report *r = report_new("show");
+	report_title(r, "breakage models, for 'set model'");
+	report_columns(r, "model, parameter, unit, lower, upper, meaning");
+	for (size_t m = 0; m < breakage_count(); m++) {
+		const struct breakage *of = BREAKAGES[m];
+		size_t first = of->bypass ? of->n - 1 : 0;
+		for (size_t j = first; j < of->n; j++)
+			report_cells(r, "%s %s %s %g %g %s", of->name,
+			    of->parameter[j].name, of->parameter[j].unit,
+			    of->parameter[j].lower, of->parameter[j].upper,
+			    of->parameter[j].meaning);
+		report_note(r, "%s: %s", of->name, of->brief);
+	}
 	return session_report(s, r);
 }
 
@@ -163,14 +182,13 @@ matrix_long(
 
 /* B(u) at u = 1/2, 1/4 and so on to 1/1024. */
 static void
-note_passing(struct report *r, const struct params *p)
+note_passing(struct report *r, const struct breaker *b, const struct site *site)
 {
-	struct appearance of = appearance_of(p->beta);
 	char *text = xstrdup("");
 	for (int i = 1; i < 10; i++) {
 		char *more =
 		    xasprintf("%s%s1/%d: %.1f %%", text, i > 1 ? ", " : "",
-			1 << i, 100 * appearance_passing(&of, ldexp(1, -i)));
+			1 << i, 100 * answers_finer(b, ldexp(1, -i), site));
 		free(text);
 		text = more;
 	}
@@ -202,11 +220,15 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	const struct entry *entry = session_entry(s);
 	const struct psd *feed = &entry->site->run[0].feed;
-	struct params p =
-	    entry->has_params ? entry->params : params_default_beta();
+	struct params p = entry->has_params
+			      ? entry->params
+			      : params_start(s->set.model.breakage);
+	struct breaker b;
+	breaker_set(&b, &p, s->set.model.k);
+	breaker_at(&b, answers_middle(entry->site));
 	double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
 	classes_sizes(feed, x);
-	appearance_matrix(p.beta, s->set.model.appearance, x, feed->n, a);
+	classes_matrix(&b, s->set.model.appearance, x, feed->n, a);
 	struct report *r = answers_report(
 	    entry->site, "show", "appearance (Eq 1), %% of each broken class");
 	if (s->set.format == REPORT_CSV)
@@ -220,7 +242,7 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 		report_note(r, "beta is the default: there are no parameters "
 			       "yet");
 	if (s->set.model.appearance == APPEARANCE_RATIO)
-		note_passing(r, &p);
+		note_passing(r, &b, entry->site);
 	put_matrix(report_json(r), s->set.model.appearance, feed->n, x, a);
 	free(x);
 	free(a);

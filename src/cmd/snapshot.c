@@ -18,7 +18,7 @@ static bool
 same_choices(const struct choices *a, const struct choices *b)
 {
 	return model_settings_same(&a->model, &b->model) &&
-	       a->seed == b->seed &&
+	       a->model.breakage == b->model.breakage && a->seed == b->seed &&
 	       memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0 &&
 	       a->threads == b->threads && a->isa == b->isa &&
 	       a->format == b->format && a->semicolon == b->semicolon &&

@@ -255,9 +255,13 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 static char *
 bring_back(const struct stored *m)
 {
-	char *line = xstrdup("params set"), number[32];
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		xappend(&line, " %s=%s", PARAMS[j].name,
+	const struct breakage *of = breakage_of(&m->params);
+	char *line = m->params.breakage > 0
+			 ? xasprintf("set model %s; params set", of->name)
+			 : xstrdup("params set");
+	char number[32];
+	for (size_t j = 0; j < of->n; j++)
+		xappend(&line, " %s=%s", of->parameter[j].name,
 		    text_exact(m->params.at[j], number));
 	xappend(&line, "; remember \"%s\"", m->name);
 	return line;

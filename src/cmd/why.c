@@ -55,8 +55,9 @@ say_breakage(const struct subject *a)
 		answers_say(a->list,
 		    "With %s every size can break; %.0f %% of the feed does at "
 		    "%g m/s",
-		    a->entry->params.e0_min <= 0 ? "e0_min at 0"
-						 : "so low an alpha",
+		    params_value(&a->entry->params, "e0_min") <= 0
+			? "e0_min at 0"
+			: "so low an alpha",
 		    100 * does, p->speed);
 	else
 		answers_say(a->list,
@@ -82,7 +83,7 @@ say_how_much(const struct subject *a)
 		answers_say(a->list,
 		    "Of what could break only %.0f %% does: f_mat %.3g is low, "
 		    "so that the impact just above the threshold often fails",
-		    100 * does / can, a->entry->params.f_mat);
+		    100 * does / can, params_value(&a->entry->params, "f_mat"));
 	bool some = !p->no_daughters && p->break_size < a->feed->size[0];
 	if (some && moved < SAMPLING)
 		answers_say(a->list,
@@ -146,9 +147,10 @@ static char *
 names_of(const struct fit *fit, bool (*is)(const struct fit *, size_t))
 {
 	char *names = xstrdup("");
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	const struct breakage *of = breakage_of(&fit->params);
+	for (size_t j = 0; j < of->n; j++)
 		if (is(fit, j))
-			xlist(&names, " and ", "%s", PARAMS[j].name);
+			xlist(&names, " and ", "%s", of->parameter[j].name);
 	return names;
 }
 

@@ -36,14 +36,14 @@ calibration_status(const struct calibration *c)
 	/* Other bounds, and nothing judged within them yet. */
 	if (isinf(status.best) && s.generation > 0)
 		status.best = misfit_at(c->misfit, &status.params);
-	params_scale_beta(&status.params);
+	params_scale(&status.params);
 	return status;
 }
 
 static bool
 visit_params(const struct visit *v, const char *name, struct params *p)
 {
-	return v->real(v->data, name, p->at, PARAM_COUNT);
+	return v->real(v->data, name, p->at, breakage_of(p)->n);
 }
 
 static bool
@@ -60,8 +60,8 @@ visit_history(struct calibration *c, const struct visit *v, size_t n)
 		double misfit[2] = {g->best, g->median};
 		ok = v->real(v->data, "generation", misfit, 2) &&
 		     visit_params(v, "best_then", &g->params) &&
-		     v->real(v->data, "p10", g->p10, PARAM_COUNT) &&
-		     v->real(v->data, "p90", g->p90, PARAM_COUNT);
+		     v->real(v->data, "p10", g->p10, c->misfit->of->n) &&
+		     v->real(v->data, "p90", g->p90, c->misfit->of->n);
 		g->best = misfit[0];
 		g->median = misfit[1];
 	}
@@ -102,6 +102,12 @@ calibration_visit(struct calibration *c, const struct visit *v)
 	       visit_history(c, v, whole[6]);
 }
 
+const struct bounds *
+calibration_bounds(const struct calibration *c)
+{
+	return &c->options.bounds;
+}
+
 struct fit
 calibration_fit(struct calibration *c)
 {
@@ -125,12 +131,12 @@ calibration_fit(struct calibration *c)
 	    .site_digest = c->site_digest,
 	    .population = c->options.population,
 	    .settings = c->options.settings};
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	for (size_t j = 0; j < c->misfit->of->n; j++) {
 		const struct bounds *b = &c->options.bounds;
 		fit.on_bound[j] = sensitivity_on_bound(b, &p, j);
 		fit.parameters += b->lower[j] < b->upper[j];
 	}
-	params_scale_beta(&p);
+	params_scale(&p);
 	fit.flat = flat_direction(c->misfit, &p, &c->options.bounds);
 	fit.params = p;
 	return fit;

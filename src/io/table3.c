@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "core/breakage.h"
 #include "io/sheet.h"
 #include "io/textfile.h"
 
@@ -80,6 +81,16 @@ materials_table3(void)
 	/* It is part of the program: the tests read all of it. */
 	assert(m != NULL);
 	return m;
+}
+
+struct params
+materials_params(const struct material *row)
+{
+	struct params p = params_start(0);
+	p.f_mat = row->f_mat;
+	p.e0_min = row->e0_min;
+	p.alpha = row->alpha;
+	return p;
 }
 
 void

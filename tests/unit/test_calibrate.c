@@ -274,7 +274,7 @@ bounds_hold_and_are_told(void **state)
 	fit = fit_of(site, &o);
 	assert_true(fit.params.e0_min == 10);
 	assert_true(fit.on_bound[PARAM_E0_MIN]);
-	o.bounds = bounds_default();
+	o.bounds = bounds_default(0);
 	o.bounds.lower[PARAM_F_MAT] = o.bounds.upper[PARAM_F_MAT] = 1.2;
 	o.bounds.lower[PARAM_ALPHA] = o.bounds.upper[PARAM_ALPHA] = 0.97;
 	fit = fit_of(site, &o);

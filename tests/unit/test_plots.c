@@ -131,7 +131,7 @@ a_generation_shows_its_own_best(void **state)
 	desk_expect(desk, SEARCH);
 	const struct history *h = session_entry(desk->session)->history;
 	struct plot_request q = plots_request(PLOT_PSD);
-	struct params p;
+	struct params p = {0};
 	q.generation = 7;
 	assert_true(plots_params(desk->session, &q, &p, &desk->error));
 	assert_memory_equal(&p, &h->generation[6].params, sizeof p);
