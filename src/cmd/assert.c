@@ -4,11 +4,31 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "cmd/session.h"
+#include "cmd/answers.h"
 #include "cmd/table.h"
 
-const char *const ANSWER_NAMES[ANSWERS] = {"p20", "p50", "p80", "break",
-    "speed", "misfit", "rmse", "holdout", "poor", "extrapolated", "inside"};
+const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED] = {
+    {"p20", "predict", "p20_mm"}, {"p50", "predict", "p50_mm"},
+    {"p80", "predict", "p80_mm"}, {"break", "predict", "break_mm"},
+    {"speed", "predict find", "speed"}, {"misfit", "calibrate", "misfit"},
+    {"rmse", "calibrate", "rmse_pct"},
+    {"holdout", "validate", "holdout.rmse_pct"},
+    {"poor", "calibrate", "verdict"},
+    {"extrapolated", "predict", "extrapolated"},
+    {"inside", "spec find", "inside"}};
+
+/* A verdict is 1 where it is the name asked for; too few data allow none. */
+static double
+known(const struct session *s, const struct asserted *asked)
+{
+	const struct answer *a = session_kept(s, asked->from, asked->path);
+	const char *verdict = a != NULL ? answer_word(a, asked->path) : NULL;
+	if (verdict == NULL)
+		return a != NULL ? answer_number(a, asked->path) : NAN;
+	return strcmp(verdict, "too few data") == 0
+		   ? NAN
+		   : strcmp(verdict, asked->name) == 0;
+}
 
 static bool
 side(const struct session *s, const char *word, double *value,
@@ -16,10 +36,11 @@ side(const struct session *s, const char *word, double *value,
 {
 	if (text_number(word, value))
 		return true;
-	for (size_t i = 0; i < ANSWERS; i++) {
-		if (strcmp(word, ANSWER_NAMES[i]) != 0)
+	for (size_t i = 0; i < ANSWERS_ASSERTED; i++) {
+		const struct asserted *a = &ANSWERS_NAMES[i];
+		if (strcmp(word, a->name) != 0)
 			continue;
-		*value = s->answer[i];
+		*value = known(s, a);
 		if (!isnan(*value))
 			return true;
 		return error_set(error, ERROR_CHECK,

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/compose.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/xalloc.h"

@@ -139,8 +139,8 @@ take_numbers(struct tui *t)
 	snprintf(t->now.site, sizeof t->now.site, "%s", entry->key);
 	t->now.speed = s->last.speed;
 	for (size_t i = 0; i < 3; i++)
-		t->now.size[i] = s->answer[ANSWER_P20 + i];
-	t->now.break_mm = s->answer[ANSWER_BREAK];
+		t->now.size[i] = answers_size(&s->last, i);
+	t->now.break_mm = answers_size(&s->last, ANSWERS_BREAK);
 	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
 		t->now.passing[i] =
 		    psd_covers(&s->last.product, sizes[i])
@@ -172,7 +172,6 @@ static bool
 run(struct tui *t, const char *line)
 {
 	struct session *s = t->session;
-	const double *said = s->answer;
 	bool was_busy = session_busy(s);
 	char site[sizeof t->now.site] = "";
 	if (tui_entry(t) != NULL)
@@ -180,8 +179,9 @@ run(struct tui *t, const char *line)
 	hush(t);
 	bool ok = run_to_end(t, line, "typed", 0);
 	struct slider_range range = tui_range(t);
-	if (slider_has(range, said[ANSWER_SPEED]))
-		t->tenths = slider_tenths(range, said[ANSWER_SPEED]);
+	double said = session_known(s, "predict find", "speed");
+	if (slider_has(range, said))
+		t->tenths = slider_tenths(range, said);
 	if (tui_entry(t) != NULL && !slider_has(range, t->tenths / 10.0))
 		t->tenths = slider_tenths(range, answers_usual(tui_entry(t)));
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);

@@ -149,7 +149,7 @@ draw_caption(const struct tui *t)
 	    "  | trained  o held out  step 0.1", "  | trained  o held out", ""};
 	const struct area *area = &t->places.caption;
 	double speed = t->tenths / 10.0;
-	bool beyond = t->session->answer[ANSWER_EXTRAPOLATED] == 1;
+	bool beyond = session_known(t->session, "predict", "extrapolated") == 1;
 	const char *word = beyond ? "x EXTRAPOLATED" : "x extrapolated";
 	int room = area->columns - (beyond ? (int)strlen(word) + 1 : 0);
 	int column = screen_text(area, 0, 0, 0, "%s%.1f%s",

@@ -110,7 +110,7 @@ on_stop(int signal)
 static int
 first_speed(const struct session *s)
 {
-	double speed = s->answer[ANSWER_SPEED];
+	double speed = session_known(s, "predict find", "speed");
 	const struct entry *e = s->n_entry > 0 ? &s->entry[s->current] : NULL;
 	struct slider_range range = slider_range(e != NULL ? e->site : NULL);
 	if (slider_has(range, speed))
