@@ -150,11 +150,8 @@ answers_keep(
 {
 	struct answer *answer = answer_new("predict");
 	answers_put_prediction(s, answer_fields(answer), params, p);
+	answer_set_feed(answer, session_entry(s)->site->run[p->feed_run].speed);
 	session_keep(s, answer);
-	prediction_free(&s->last);
-	s->last = *p;
-	s->last.feed = psd_copy(&p->feed);
-	s->last.product = psd_copy(&p->product);
 }
 
 static char *

@@ -204,10 +204,11 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
 	char *label = entry != NULL ? session_label(entry->site)
 				    : xstrdup("no site loaded");
+	double speed = session_known(s, "predict", "speed");
 	char *title =
-	    s->last.product.n > 0
-		? xasprintf("tipspeed, the full screen: %s at %.1f m/s", label,
-		      s->last.speed)
+	    isfinite(speed)
+		? xasprintf(
+		      "tipspeed, the full screen: %s at %.1f m/s", label, speed)
 		: xasprintf("tipspeed, the full screen: %s", label);
 	char *from = entry != NULL ? site_source(entry->site, "") : xstrdup("");
 	char *about = xasprintf("A text screen of %d columns and %d rows.%s%s",

@@ -12,6 +12,7 @@
 #include "cmd/pictures.h"
 #include "cmd/plots.h"
 #include "cmd/table.h"
+#include "cmd/turn.h"
 #include "core/predict.h"
 #include "core/validate.h"
 #include "io/units.h"
@@ -150,6 +151,7 @@ explained(struct session *s, const struct prediction *p,
 	struct answer *r = prediction_answer(s, p, band, between);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, params, p);
+	answer_set_feed(r, entry->site->run[p->feed_run].speed);
 	answers_note_sizes(r, &p->product, band);
 	if (band != NULL) {
 		note_band(r, entry, p->speed);
@@ -200,12 +202,35 @@ draw_curves(struct session *s, const struct prediction *p,
 	return ok;
 }
 
+/* What the site in use is predicted with; while it is being calibrated, the
+ * best so far. */
+static bool
+take_params(struct session *s, struct params *params, struct error *error)
+{
+	*params = session_entry(s)->params;
+	return answers_forming(s, params) || answers_ready(s, error);
+}
+
+bool
+answers_step(struct session *s, double speed, size_t feed_run, const char *line,
+    struct prediction *p, struct error *error)
+{
+	struct params params;
+	if (!take_params(s, &params, error))
+		return false;
+	*p = predict(
+	    session_entry(s)->site, &params, s->set.model, speed, feed_run);
+	answers_keep(s, &params, p);
+	turn_asked(s, "predict", line);
+	return true;
+}
+
 bool
 cmd_predict(struct session *s, const struct args *args, struct error *error)
 {
 	struct entry *entry = session_entry(s);
-	struct params params = entry->params;
-	if (!answers_forming(s, &params) && !answers_ready(s, error))
+	struct params params;
+	if (!take_params(s, &params, error))
 		return false;
 	double speed = answers_speed(args, entry);
 	size_t feed;
@@ -213,7 +238,6 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 		return false;
 	struct prediction p =
 	    predict(entry->site, &params, s->set.model, speed, feed);
-	answers_keep(s, &params, &p);
 	bool wanted = args_value(args, "interpolated")->choice == 1;
 	const struct value *asked = args_value(args, "band");
 	const struct band *band = !session_busy(s) && asked->choice == 1

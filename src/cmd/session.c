@@ -135,8 +135,6 @@ session_forget(struct session *s)
 {
 	while (s->n_answer > 0)
 		let_go(s, s->n_answer - 1);
-	prediction_free(&s->last);
-	s->last = (struct prediction){0};
 }
 
 void

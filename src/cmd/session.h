@@ -119,7 +119,6 @@ struct session {
 	size_t rows;      /* reported since results go where they go */
 	size_t n_answer;
 	struct answer **answer; /* kept, the newest last: see session_keep */
-	struct prediction last; /* of predict and find; product.n 0: none */
 	struct job job;
 	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
 						where there is no terminal */

@@ -206,6 +206,14 @@ record(struct session *s, const struct turn *t, bool changed)
 	    pause, elsewhere ? " > /dev/null" : "");
 }
 
+void
+turn_asked(struct session *s, const char *command, const char *line)
+{
+	if (!is_redirected(s->turn) && !session_busy(s))
+		journal_add(s, command, "%s", line);
+	keep_turn(s, true, false);
+}
+
 /* Where the outermost turn began, for one within it. */
 static size_t
 floor_of(const struct turn *t)

@@ -62,6 +62,7 @@ struct fields {
 struct answer {
 	char *command, *title, *site, *provenance, *missing;
 	bool names_sites; /* in its own fields */
+	double feed;
 	struct table table[2], *filled;
 	struct fields fields;
 	size_t n_sentence;
@@ -155,6 +156,18 @@ answer_sites(struct answer *a, const char *names, const char *provenance)
 {
 	answer_site(a, names, provenance);
 	a->names_sites = true;
+}
+
+void
+answer_set_feed(struct answer *a, double speed)
+{
+	a->feed = speed;
+}
+
+double
+answer_feed(const struct answer *a)
+{
+	return a->feed;
 }
 
 void

@@ -45,6 +45,10 @@ void answer_site(
 void answer_sites(
     struct answer *answer, const char *names, const char *provenance);
 
+/* The speed, m/s, of the run whose feed it rests on; 0: of none. */
+void answer_set_feed(struct answer *answer, double speed);
+double answer_feed(const struct answer *answer);
+
 /* Columns: "speed: m/s, size" has keys for csv and json and, behind a colon,
  * heads for people where these differ. */
 void answer_columns(struct answer *answer, const char *format, ...)

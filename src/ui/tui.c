@@ -76,10 +76,10 @@ tui_feed(const struct tui *t)
 void
 tui_keep_feed(struct tui *t)
 {
-	const struct prediction *last = &t->session->last;
-	const struct entry *entry = tui_entry(t);
-	if (entry != NULL && last->product.n > 0)
-		t->feed = entry->site->run[last->feed_run].speed;
+	const struct answer *last =
+	    session_kept(t->session, "predict", "speed");
+	if (last != NULL)
+		t->feed = answer_feed(last);
 }
 
 char *
@@ -368,6 +368,7 @@ tui_end(struct tui *t)
 	typing_end(&t->typing);
 	view_close(t);
 	free(t->command);
+	prediction_free(&t->shown);
 	prediction_free(&t->kept);
 	free(t->row);
 }
