@@ -150,7 +150,6 @@ answers_keep(
 {
 	struct answer *answer = answer_new("predict");
 	answers_put_prediction(s, answer_fields(answer), params, p);
-	answer_set_feed(answer, session_entry(s)->site->run[p->feed_run].speed);
 	session_keep(s, answer);
 }
 
@@ -282,6 +281,7 @@ answers_put_prediction(struct session *s, struct fields *o,
 	    o, "passing_pct", product->passing, product->n, units_pct);
 	answers_put_sizes(o, p);
 	fit_put_params(o, params);
+	fields_put(o, ".feed_mps %g", entry->site->run[p->feed_run].speed);
 	if (entry->has_fit)
 		fields_put(o, "verdict %s", fit_verdict(&entry->fit));
 	if (entry->origin != NULL && entry->origin->stored)

@@ -12,23 +12,9 @@ const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED] = {
     {"p80", "predict", "p80_mm"}, {"break", "predict", "break_mm"},
     {"speed", "predict find", "speed"}, {"misfit", "calibrate", "misfit"},
     {"rmse", "calibrate", "rmse_pct"},
-    {"holdout", "validate", "holdout.rmse_pct"},
-    {"poor", "calibrate", "verdict"},
+    {"holdout", "validate", "holdout.rmse_pct"}, {"poor", "calibrate", "poor"},
     {"extrapolated", "predict", "extrapolated"},
     {"inside", "spec find", "inside"}};
-
-/* A verdict is 1 where it is the name asked for; too few data allow none. */
-static double
-known(const struct session *s, const struct asserted *asked)
-{
-	const struct answer *a = session_kept(s, asked->from, asked->path);
-	const char *verdict = a != NULL ? answer_word(a, asked->path) : NULL;
-	if (verdict == NULL)
-		return a != NULL ? answer_number(a, asked->path) : NAN;
-	return strcmp(verdict, "too few data") == 0
-		   ? NAN
-		   : strcmp(verdict, asked->name) == 0;
-}
 
 static bool
 side(const struct session *s, const char *word, double *value,
@@ -40,7 +26,7 @@ side(const struct session *s, const char *word, double *value,
 		const struct asserted *a = &ANSWERS_NAMES[i];
 		if (strcmp(word, a->name) != 0)
 			continue;
-		*value = known(s, a);
+		*value = session_known(s, a->from, a->path);
 		if (!isnan(*value))
 			return true;
 		return error_set(error, ERROR_CHECK,

@@ -104,6 +104,7 @@ void
 fit_put(struct fields *o, const struct entry *entry, double seconds)
 {
 	const struct fit *fit = &entry->fit;
+	bool poor = fit->rmse > FIT_POOR;
 	fields_put(o,
 	    "seed %llu population %zu generations %zu evaluations %zu",
 	    (unsigned long long)fit->seed, fit->population, fit->generations,
@@ -115,8 +116,12 @@ fit_put(struct fields *o, const struct entry *entry, double seconds)
 	fit_put_params(o, &fit->params);
 	put_speeds(o, "train", entry, true);
 	put_speeds(o, "holdout", entry, false);
-	fields_put(o, "cells %zu parameters %zu rmse_pct %g verdict %s",
-	    fit->cells, fit->parameters, fit->rmse * 100, fit_verdict(fit));
+	fields_put(o,
+	    "cells %zu parameters %zu rmse_pct %g verdict %s .poor %g",
+	    fit->cells, fit->parameters, fit->rmse * 100, fit_verdict(fit),
+	    poor               ? 1
+	    : fit_too_few(fit) ? NAN
+			       : 0);
 }
 
 /* Why nothing breaks, in terms of the break size and the feed. */

@@ -151,7 +151,6 @@ explained(struct session *s, const struct prediction *p,
 	struct answer *r = prediction_answer(s, p, band, between);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, params, p);
-	answer_set_feed(r, entry->site->run[p->feed_run].speed);
 	answers_note_sizes(r, &p->product, band);
 	if (band != NULL) {
 		note_band(r, entry, p->speed);

@@ -152,23 +152,15 @@ session_keep(struct session *s, struct answer *answer)
 	s->answer[s->n_answer++] = answer;
 }
 
-const struct answer *
-session_kept(const struct session *s, const char *commands, const char *path)
-{
-	size_t which;
-	for (size_t i = s->n_answer; i-- > 0;)
-		if (text_choice(
-			commands, answer_command(s->answer[i]), &which) &&
-		    answer_knows(s->answer[i], path))
-			return s->answer[i];
-	return NULL;
-}
-
 double
 session_known(const struct session *s, const char *commands, const char *path)
 {
-	const struct answer *a = session_kept(s, commands, path);
-	return a != NULL ? answer_number(a, path) : NAN;
+	size_t which;
+	double value = NAN;
+	for (size_t i = s->n_answer; i-- > 0 && isnan(value);)
+		if (text_choice(commands, answer_command(s->answer[i]), &which))
+			value = answer_number(s->answer[i], path);
+	return value;
 }
 
 bool

@@ -200,12 +200,8 @@ bool session_answer(struct session *s, struct answer *answer);
  * one without fields, which nobody could ask for, is not kept. */
 void session_keep(struct session *s, struct answer *answer);
 
-/* The newest answer of one of these commands, a blank between two, that knows a
- * field, see answer_knows; NULL where there is none. */
-const struct answer *session_kept(
-    const struct session *s, const char *commands, const char *path);
-
-/* The number of that field, or NAN. */
+/* The number of a field, see answer_number, in the newest answer of one of
+ * these commands, with a blank between two, that has it; else NAN. */
 double session_known(
     const struct session *s, const char *commands, const char *path);
 

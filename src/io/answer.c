@@ -34,18 +34,16 @@ struct table {
 	struct cell *cell; /* row by row */
 };
 
-enum grade { PLAIN, REMARK, WARNING };
-
 struct sentence {
-	enum grade grade;
+	enum answer_grade grade;
 	char *text;
 };
 
-/* ROWS and COLUMN stand for parts of the table. */
-enum kind { NUMBER, WHOLE, BOOL, TEXT, OBJECT, LIST, ROWS, COLUMN };
+enum kind { NUMBER, WHOLE, BOOL, TEXT, OBJECT, LIST };
 
 struct field {
-	char *key; /* NULL in a list */
+	char *key;   /* NULL in a list */
+	bool hidden; /* from json */
 	enum kind kind;
 	double number;
 	long long whole;
@@ -62,7 +60,6 @@ struct fields {
 struct answer {
 	char *command, *title, *site, *provenance, *missing;
 	bool names_sites; /* in its own fields */
-	double feed;
 	struct table table[2], *filled;
 	struct fields fields;
 	size_t n_sentence;
@@ -156,18 +153,6 @@ answer_sites(struct answer *a, const char *names, const char *provenance)
 {
 	answer_site(a, names, provenance);
 	a->names_sites = true;
-}
-
-void
-answer_set_feed(struct answer *a, double speed)
-{
-	a->feed = speed;
-}
-
-double
-answer_feed(const struct answer *a)
-{
-	return a->feed;
 }
 
 void
@@ -299,7 +284,7 @@ answer_rows(const struct answer *a)
 
 /* Takes the text. */
 static void
-add_sentence(struct answer *a, enum grade grade, char *text)
+add_sentence(struct answer *a, enum answer_grade grade, char *text)
 {
 	a->sentence =
 	    xrealloc(a->sentence, a->n_sentence + 1, sizeof *a->sentence);
@@ -311,25 +296,16 @@ answer_note(struct answer *a, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add_sentence(a, PLAIN, xvasprintf(format, ap));
+	add_sentence(a, ANSWER_PLAIN, xvasprintf(format, ap));
 	va_end(ap);
 }
 
 void
-answer_remark(struct answer *a, const char *format, ...)
+answer_say(struct answer *a, enum answer_grade grade, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add_sentence(a, REMARK, xvasprintf(format, ap));
-	va_end(ap);
-}
-
-void
-answer_warn(struct answer *a, const char *format, ...)
-{
-	va_list ap;
-	va_start(ap, format);
-	add_sentence(a, WARNING, xvasprintf(format, ap));
+	add_sentence(a, grade, xvasprintf(format, ap));
 	va_end(ap);
 }
 
@@ -338,7 +314,7 @@ answer_warnings(const struct answer *a)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < a->n_sentence; i++)
-		n += a->sentence[i].grade == WARNING;
+		n += a->sentence[i].grade == ANSWER_WARNING;
 	return n;
 }
 
@@ -355,7 +331,9 @@ add_field(struct fields *fields, const char *key, enum kind kind)
 	fields->item =
 	    xrealloc(fields->item, fields->n + 1, sizeof *fields->item);
 	struct field *f = &fields->item[fields->n++];
-	*f = (struct field){.key = key != NULL ? xstrdup(key) : NULL,
+	bool hidden = key != NULL && key[0] == '.';
+	*f = (struct field){.key = key != NULL ? xstrdup(key + hidden) : NULL,
+	    .hidden = hidden,
 	    .kind = kind,
 	    .number = NAN};
 	if (kind == OBJECT || kind == LIST)
@@ -436,20 +414,53 @@ fields_numbers(struct fields *fields, const char *key, const double *value,
 		    list, NULL, shown != NULL ? shown(value[i]) : value[i]);
 }
 
+/* A cell of the table as a field. */
+static void
+add_cell_field(struct fields *fields, const char *key, const struct cell *cell)
+{
+	if (cell->is_text)
+		add_field(fields, key, TEXT)->text =
+		    xstrdup(cell->key != NULL ? cell->key : cell->text);
+	else
+		fields_number(fields, key, cell->number);
+}
+
+static void
+add_rows(struct fields *fields, const char *key, const struct table *t)
+{
+	struct fields *list = fields_list(fields, key);
+	for (size_t row = 0; row < rows_of(t); row++) {
+		struct fields *object = fields_object(list, NULL);
+		for (size_t c = 0; c < t->n_column; c++)
+			add_cell_field(
+			    object, t->key[c], &t->cell[row * t->n_column + c]);
+	}
+}
+
 void
 answer_put_rows(struct answer *a, const char *key)
 {
-	add_field(&a->fields, key, ROWS);
+	add_rows(&a->fields, key, a->filled);
 }
 
 void
 answer_put_columns(struct answer *a, const char *keys)
 {
-	char *copy = xstrdup(keys), *save = NULL;
-	for (char *key = strtok_r(copy, " ", &save); key != NULL;
-	     key = strtok_r(NULL, " ", &save))
-		add_field(&a->fields, key, COLUMN);
-	free(copy);
+	const struct table *t = a->filled;
+	size_t which;
+	for (size_t c = 0; c < t->n_column; c++) {
+		if (!text_choice(keys, t->key[c], &which))
+			continue;
+		struct fields *list = fields_list(&a->fields, t->key[c]);
+		for (size_t i = c; i < t->n_cell; i += t->n_column)
+			add_cell_field(list, NULL, &t->cell[i]);
+	}
+}
+
+bool
+answer_has_fields(const struct answer *a)
+{
+	return a->fields.n > 0;
 }
 
 /* What a list has counts under the list's own name. */
@@ -478,27 +489,6 @@ answer_number(const struct answer *a, const char *path)
 	double value = NAN;
 	look_up(&a->fields, path, &value);
 	return value;
-}
-
-const char *
-answer_word(const struct answer *a, const char *key)
-{
-	for (size_t i = 0; i < a->fields.n; i++)
-		if (strcmp(a->fields.item[i].key, key) == 0)
-			return a->fields.item[i].text;
-	return NULL;
-}
-
-bool
-answer_knows(const struct answer *a, const char *path)
-{
-	return !isnan(answer_number(a, path)) || answer_word(a, path) != NULL;
-}
-
-bool
-answer_has_fields(const struct answer *a)
-{
-	return a->fields.n > 0;
 }
 
 static const struct table *
@@ -615,52 +605,10 @@ text_json(const char *text)
 	return string;
 }
 
-static json_t *
-number_json(double value)
-{
-	return isfinite(value) ? json_real(value) : json_null();
-}
+static void put_fields(json_t *o, const struct fields *fields);
 
 static json_t *
-cell_json(const struct table *t, size_t row, size_t column)
-{
-	const struct cell *cell = &t->cell[row * t->n_column + column];
-	if (!cell->is_text)
-		return number_json(cell->number);
-	return text_json(cell->key != NULL ? cell->key : cell->text);
-}
-
-static json_t *
-rows_json(const struct table *t)
-{
-	json_t *rows = json_array();
-	for (size_t row = 0; row < rows_of(t); row++) {
-		json_t *object = json_object();
-		for (size_t c = 0; c < t->n_column; c++)
-			json_object_set_new(
-			    object, t->key[c], cell_json(t, row, c));
-		json_array_append_new(rows, object);
-	}
-	return rows;
-}
-
-static json_t *
-column_json(const struct table *t, const char *key)
-{
-	size_t c = 0;
-	while (strcmp(t->key[c], key) != 0)
-		c++;
-	json_t *list = json_array();
-	for (size_t row = 0; row < rows_of(t); row++)
-		json_array_append_new(list, cell_json(t, row, c));
-	return list;
-}
-
-static void put_fields(
-    json_t *o, const struct fields *fields, const struct table *t);
-
-static json_t *
-field_json(const struct field *f, const struct table *t)
+field_json(const struct field *f)
 {
 	json_t *inner;
 	switch (f->kind) {
@@ -670,29 +618,25 @@ field_json(const struct field *f, const struct table *t)
 		return json_boolean(f->number != 0);
 	case TEXT:
 		return text_json(f->text);
-	case ROWS:
-		return rows_json(t);
-	case COLUMN:
-		return column_json(t, f->key);
 	case OBJECT:
 	case LIST:
 		inner = f->kind == LIST ? json_array() : json_object();
-		put_fields(inner, f->inner, t);
+		put_fields(inner, f->inner);
 		return inner;
 	default:
-		return number_json(f->number);
+		return isfinite(f->number) ? json_real(f->number) : json_null();
 	}
 }
 
 static void
-put_fields(json_t *o, const struct fields *fields, const struct table *t)
+put_fields(json_t *o, const struct fields *fields)
 {
 	for (size_t i = 0; i < fields->n; i++) {
 		const struct field *f = &fields->item[i];
-		if (f->key != NULL)
-			json_object_set_new(o, f->key, field_json(f, t));
-		else
-			json_array_append_new(o, field_json(f, t));
+		if (f->key == NULL)
+			json_array_append_new(o, field_json(f));
+		else if (!f->hidden)
+			json_object_set_new(o, f->key, field_json(f));
 	}
 }
 
@@ -700,23 +644,26 @@ static size_t
 print_json(const struct answer *a, FILE *out)
 {
 	const struct table *t = for_programs(a);
-	json_t *o = json_object(), *list = json_array();
+	struct fields more = {0};
+	json_t *o = json_object();
 	json_object_set_new(o, "command", json_string(a->command));
 	if (a->site != NULL && !a->names_sites)
 		json_object_set_new(o, "site", text_json(a->site));
-	put_fields(o, &a->fields, t);
-	for (size_t i = 0; i < a->n_sentence; i++)
-		json_array_append_new(list, text_json(a->sentence[i].text));
-	if (is_told(a))
-		json_object_set(o, "sentences", list);
-	else if (a->fields.n == 0)
-		json_object_set_new(o, "rows", rows_json(t));
+	put_fields(o, &a->fields);
+	if (is_told(a)) {
+		struct fields *list = fields_list(&more, "sentences");
+		for (size_t i = 0; i < a->n_sentence; i++)
+			fields_put(list, "%s", a->sentence[i].text);
+	} else if (a->fields.n == 0) {
+		add_rows(&more, "rows", t);
+	}
 	if (a->provenance != NULL)
-		json_object_set_new(o, "provenance", text_json(a->provenance));
+		fields_put(&more, "provenance %s", a->provenance);
+	put_fields(o, &more);
 	json_dumpf(o, out, JSON_COMPACT | JSON_REAL_PRECISION(17));
 	fputc('\n', out);
-	json_decref(list);
 	json_decref(o);
+	free_fields(&more);
 	return rows_of(t);
 }
 

@@ -45,10 +45,6 @@ void answer_site(
 void answer_sites(
     struct answer *answer, const char *names, const char *provenance);
 
-/* The speed, m/s, of the run whose feed it rests on; 0: of none. */
-void answer_set_feed(struct answer *answer, double speed);
-double answer_feed(const struct answer *answer);
-
 /* Columns: "speed: m/s, size" has keys for csv and json and, behind a colon,
  * heads for people where these differ. */
 void answer_columns(struct answer *answer, const char *format, ...)
@@ -86,12 +82,11 @@ void answer_missing(struct answer *answer, const char *words);
 size_t answer_rows(const struct answer *answer);
 
 /* A sentence below the table: plain, of what was found; a remark on how to read
- * it; a warning not to rely on it. */
+ * it; a warning not to rely on it.  answer_note: a plain one. */
+enum answer_grade { ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING };
+void answer_say(struct answer *answer, enum answer_grade grade,
+    const char *format, ...) __attribute__((format(printf, 3, 4)));
 void answer_note(struct answer *answer, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-void answer_remark(struct answer *answer, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-void answer_warn(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* How many of its sentences are warnings. */
@@ -102,7 +97,7 @@ struct fields *answer_fields(struct answer *answer);
 
 /* Adds values under keys, "speed %g extrapolated %d": %g a number, null where
  * it is not finite; %d true or false; %zu and %llu a whole number; %s text.  To
- * a list: "%g %g". */
+ * a list: "%g %g".  json leaves out what is behind a point, ".poor %g". */
 void fields_put(struct fields *fields, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -117,8 +112,8 @@ struct fields *fields_list(struct fields *fields, const char *key);
 void fields_numbers(struct fields *fields, const char *key, const double *value,
     size_t n, double (*shown)(double));
 
-/* Adds the rows as objects; or as lists the columns so called, with a blank
- * between two. */
+/* Adds the rows there are as objects; or as lists the columns so called, with a
+ * blank between two. */
 void answer_put_rows(struct answer *answer, const char *key);
 void answer_put_columns(struct answer *answer, const char *keys);
 
@@ -126,11 +121,6 @@ void answer_put_columns(struct answer *answer, const char *keys);
  * a list the largest, "holdout.rmse_pct"; true is 1. */
 double answer_number(const struct answer *answer, const char *path);
 
-/* The text of a field; NULL where there is none. */
-const char *answer_word(const struct answer *answer, const char *key);
-
-/* Whether it has that number or text; and whether it has fields at all. */
-bool answer_knows(const struct answer *answer, const char *path);
 bool answer_has_fields(const struct answer *answer);
 
 /* Prints it; JSON is one line.  semicolon: csv has semicolons, and commas in

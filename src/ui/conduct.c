@@ -164,7 +164,7 @@ conduct_look(struct tui *t)
 	const struct entry *entry = tui_entry(t);
 	t->session->wants_tui = false;
 	t->rows_at = 0;
-	if (session_kept(s, "predict", "speed") == NULL)
+	if (isnan(session_known(s, "predict", "speed")))
 		forget(t);
 	if (t->site_at >= s->n_entry)
 		t->site_at = s->current;

@@ -76,10 +76,9 @@ tui_feed(const struct tui *t)
 void
 tui_keep_feed(struct tui *t)
 {
-	const struct answer *last =
-	    session_kept(t->session, "predict", "speed");
-	if (last != NULL)
-		t->feed = answer_feed(last);
+	double feed = session_known(t->session, "predict", "feed_mps");
+	if (isfinite(feed))
+		t->feed = feed;
 }
 
 char *
