@@ -217,7 +217,7 @@ answers_note_worth(struct answer *r, const struct entry *entry)
 {
 	const struct fit *fit = origin_fit(entry);
 	if (fit != NULL && fit->rmse > FIT_POOR)
-		answer_note(r,
+		answer_say(r, ANSWER_WARNING,
 		    "the calibration of %s is poor (%.1f points RMS): do not "
 		    "rely on this",
 		    origin_key(entry), 100 * fit->rmse);
@@ -236,14 +236,14 @@ answers_note_doubt(
 	/* Of a feed alone a search that found nothing has no speed. */
 	if (speed > 0 && origin_reach(entry, &slowest, &fastest) &&
 	    answers_extrapolates(entry, speed))
-		answer_note(r,
+		answer_say(r, ANSWER_WARNING,
 		    "extrapolated: %.1f m/s lies outside the speeds %s, %g to "
 		    "%g m/s",
 		    speed, origin_trained(entry) ? "trained on" : "measured",
 		    slowest, fastest);
 	if (site->individual_feeds &&
 	    fabs(site->run[feed_run].speed - speed) > 1e-3)
-		answer_note(r, "feed: the sample taken at %g m/s",
+		answer_say(r, ANSWER_REMARK, "feed: the sample taken at %g m/s",
 		    site->run[feed_run].speed);
 	answers_note_worth(r, entry);
 }

@@ -122,7 +122,7 @@ comparison_notes(
 	for (size_t i = 0; i < 2; i++) {
 		const struct entry *entry = side[i].entry;
 		if (answers_extrapolates(entry, side[i].p.speed))
-			answer_note(r,
+			answer_say(r, ANSWER_WARNING,
 			    "%s is extrapolated: outside the speeds "
 			    "trained on",
 			    side[i].head);
@@ -180,7 +180,8 @@ comparison(const struct side side[2], bool sites)
 	comparison_rows(r, side, x, n);
 	comparison_notes(r, side, x, n);
 	if (!sites && a->individual_feeds)
-		answer_note(r, "feed: the sample taken at %g m/s, for both",
+		answer_say(r, ANSWER_REMARK,
+		    "feed: the sample taken at %g m/s, for both",
 		    a->run[side[0].p.feed_run].speed);
 	fields_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
 	put_side(answer_fields(r), "a", &side[0], x, n);

@@ -64,12 +64,12 @@ void
 doubt_note(struct answer *r, const struct entry *entry)
 {
 	if (entry->has_fit)
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "low to high: %d %% of the fits that the data allow lie "
 		    "between",
 		    UNCERTAINTY_LEVEL);
 	else
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "low to high: %d %% of the fits that the data of %s allow "
 		    "lie between; how this site differs from it is not in them",
 		    UNCERTAINTY_LEVEL, origin_key(entry));

@@ -26,7 +26,7 @@ fit_too_few(const struct fit *fit)
 void
 fit_note_too_few(struct answer *r, const struct fit *fit)
 {
-	answer_note(r,
+	answer_say(r, ANSWER_WARNING,
 	    "%zu passing%s cannot determine %zu parameters: no verdict and no "
 	    "band; add sieves or a run",
 	    fit->cells, fit->cells == 1 ? "" : "s", fit->parameters);
@@ -132,17 +132,18 @@ explain_nothing(struct answer *r, const struct entry *entry)
 	double x = energy_break_size(&entry->fit.params, fastest->speed);
 	double coarser =
 	    isfinite(x) && x > 0 ? 1 - psd_passing(&fastest->feed, x) : 0;
-	answer_note(r,
+	answer_say(r, ANSWER_WARNING,
 	    "nothing breaks: the products cannot be told from the feed "
 	    "(product = feed misses them by %.2f points RMS, the fit by %.2f)",
 	    100 * sqrt(entry->fit.feed_misfit / (double)entry->fit.n_residual),
 	    100 * entry->fit.rmse);
-	answer_note(r,
+	answer_say(r, ANSWER_REMARK,
 	    "  why: only fragments coarser than the break size break; at %g "
 	    "m/s that is %.3g mm or more, and %.1f %% of the feed is coarser",
 	    fastest->speed, units_mm(x), 100 * coarser);
-	answer_note(r, "  the parameters above therefore fit sampling noise: a "
-		       "coarser feed or a higher speed would tell more");
+	answer_say(r, ANSWER_WARNING,
+	    "  the parameters above therefore fit sampling noise: a "
+	    "coarser feed or a higher speed would tell more");
 }
 
 bool
@@ -172,11 +173,11 @@ add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 			xappend(&list, " %+.2g", part * range);
 	}
 	if (silent)
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "flat direction: the data say next to nothing about %s",
 		    list);
 	else if (list[0] != '\0')
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "flat direction: together, %s (or all the other way) raise "
 		    "the misfit by a tenth only",
 		    list);
@@ -189,7 +190,7 @@ add_verdict(struct answer *r, const struct entry *entry,
 {
 	const struct fit *fit = &entry->fit;
 	if (fit->rmse > FIT_POOR)
-		answer_note(r,
+		answer_say(r, ANSWER_WARNING,
 		    "poor fit: the model misses the training products by %.1f "
 		    "points RMS; sampling repeats to 0.5 to 1: do not rely on "
 		    "its predictions, and look at the data with 'check'",
@@ -200,7 +201,7 @@ add_verdict(struct answer *r, const struct entry *entry,
 		fit_note_too_few(r, fit);
 	struct validation far = fit_outlier(entry);
 	if (far.worst_difference != 0)
-		answer_note(r,
+		answer_say(r, ANSWER_WARNING,
 		    "the product at %g m/s lies %.1f points off the fit at %g "
 		    "mm: see 'check'",
 		    far.speed, 100 * fabs(far.worst_difference),
@@ -209,13 +210,15 @@ add_verdict(struct answer *r, const struct entry *entry,
 	for (size_t j = 0; j < PARAM_COUNT; j++)
 		any = any || fit->on_bound[j];
 	if (any)
-		answer_note(r, "a parameter on its bound is set by the "
-			       "bound, not by the data");
+		answer_say(r, ANSWER_WARNING,
+		    "a parameter on its bound is set by the "
+		    "bound, not by the data");
 	add_flat(r, fit, bounds);
 	if (ranges)
 		doubt_note(r, entry);
-	answer_note(r, "beta counts only by its direction; rely on the "
-		       "curves, not on single values");
+	answer_say(r, ANSWER_REMARK,
+	    "beta counts only by its direction; rely on the "
+	    "curves, not on single values");
 }
 
 static const char *
@@ -268,7 +271,7 @@ fit_answer(
 	answer_note(r, "stopped after %zu generations, %zu evaluations: %s",
 	    fit->generations, fit->evaluations, stop_sentence(fit));
 	if (fit->edits > 0)
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "the bounds were edited after generation %zu%s: what "
 		    "'save' writes repeats that, calibrate alone does not",
 		    fit->edited_at, fit->edits > 1 ? " and before" : "");

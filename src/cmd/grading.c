@@ -76,12 +76,12 @@ grading_notes(struct answer *r, const struct grading *grading)
 {
 	const struct spec *spec = grading->spec;
 	if (grading->n < spec->n)
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "not judged: %g mm and below, finer than the feed was "
 		    "sieved",
 		    units_mm(spec->size[grading->n]));
 	if (spec->source[0] != '\0')
-		answer_note(r, "limits: %s", spec->source);
+		answer_say(r, ANSWER_REMARK, "limits: %s", spec->source);
 }
 
 void

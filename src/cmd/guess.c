@@ -201,13 +201,13 @@ note_materials(struct answer *r, const struct basis *b)
 	}
 	char *picked = names(b, false), *left = names(b, true);
 	if (b->n > 1)
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "a guess from other quarries, not a calibration: the "
 		    "median of the products with each of the %zu nearest "
 		    "materials, and their spread",
 		    b->n);
 	else
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "a guess from another quarry, not a calibration: the "
 		    "product with the nearest material, which tells no spread");
 	if (b->wanted.rock[0] == '\0')
@@ -220,10 +220,11 @@ note_materials(struct answer *r, const struct basis *b)
 					   : ", no top size is stated",
 		    picked);
 	if (!measured)
-		answer_note(
-		    r, "some of them were not calibrated on measured data");
+		answer_say(r, ANSWER_WARNING,
+		    "some of them were not calibrated on measured data");
 	if (left[0] != '\0')
-		answer_note(r, "left out, being this site's own: %s", left);
+		answer_say(r, ANSWER_REMARK,
+		    "left out, being this site's own: %s", left);
 	free(picked);
 	free(left);
 }
@@ -250,7 +251,7 @@ note_reach(struct answer *r, const struct basis *b, double speed)
 	bool beyond = speed < slowest - 1e-9 || speed > fastest + 1e-9;
 	fields_put(answer_fields(r), "extrapolated %d", beyond);
 	if (beyond)
-		answer_note(r,
+		answer_say(r, ANSWER_WARNING,
 		    "extrapolated: %.1f m/s lies outside the speeds that all "
 		    "of them were trained at, %g to %g m/s",
 		    speed, slowest, fastest);
@@ -267,7 +268,7 @@ give_guess(struct session *s, const struct basis *b, const struct guess *guess,
 	note_sizes(r, guess);
 	note_materials(r, b);
 	note_reach(r, b, guess->speed);
-	answer_note(r,
+	answer_say(r, ANSWER_REMARK,
 	    "how far such guesses err: each of %zu materials of Table 3, "
 	    "guessed from the other sites, misses its own model's product by "
 	    "%.1f points RMS (median), %.1f at worst (%s); product = feed "

@@ -85,12 +85,12 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	add_rows(r, h, step, false);
 	answer_for_programs(r);
 	add_rows(r, h, step, true);
-	answer_note(r,
+	answer_say(r, ANSWER_REMARK,
 	    "best and median misfit of the search; then the spread of each "
 	    "parameter, %% of its bounds");
 	answers_note_worth(r, entry);
 	if (entry->fit.edits > 0)
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "the bounds were edited after generation %zu%s: earlier "
 		    "spreads are told in %% of those set since",
 		    entry->fit.edited_at,

@@ -204,7 +204,7 @@ origin_note(struct answer *r, const struct entry *entry)
 {
 	char *sentence = origin_sentence(entry);
 	if (sentence[0] != '\0')
-		answer_note(r, "%s", sentence);
+		answer_say(r, ANSWER_REMARK, "%s", sentence);
 	free(sentence);
 }
 

@@ -63,7 +63,7 @@ note_feed_gaps(
 		if (isnan(psd_at_sieve(feed, p->feed.size[i])))
 			xlist(&list, ", ", "%g", units_mm(p->feed.size[i]));
 	if (list[0] != '\0')
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "the feed was not sieved at %s mm: its passing there is "
 		    "read between its neighbours",
 		    list);
@@ -132,12 +132,14 @@ note_band(struct answer *r, const struct entry *entry, double speed)
 {
 	doubt_note(r, entry);
 	if (origin_fit(entry)->rmse > FIT_POOR)
-		answer_note(r, "the band is too narrow: the fit is poor, and "
-			       "the model's own error is not in it");
+		answer_say(r, ANSWER_WARNING,
+		    "the band is too narrow: the fit is poor, and "
+		    "the model's own error is not in it");
 	else if (answers_extrapolates(entry, speed))
-		answer_note(r, "the band knows nothing of the model's own "
-			       "error, which grows beyond the speeds trained "
-			       "on");
+		answer_say(r, ANSWER_WARNING,
+		    "the band knows nothing of the model's own "
+		    "error, which grows beyond the speeds trained "
+		    "on");
 }
 
 /* The report with what is to be said of it; band: NULL for none; wanted: with
@@ -160,11 +162,11 @@ explained(struct session *s, const struct prediction *p,
 	note_breakage(r, params, p);
 	note_feed_gaps(r, entry->site, p);
 	if (session_busy(s))
-		answer_note(r, "from the best parameters so far");
+		answer_say(r, ANSWER_REMARK, "from the best parameters so far");
 	if (between != NULL)
 		answer_put_columns(r, "interpolated_pct");
 	else if (wanted)
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "nothing is interpolated: %g m/s does not lie between "
 		    "measured runs",
 		    p->speed);

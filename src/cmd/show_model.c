@@ -114,7 +114,7 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 		answer_note(r, "fragments of %.3g mm or more can break",
 		    1000 * p.break_size);
 	if (entry->site->individual_feeds)
-		answer_note(r, "feed: the sample taken at %g m/s",
+		answer_say(r, ANSWER_REMARK, "feed: the sample taken at %g m/s",
 		    entry->site->run[run].speed);
 	free(S);
 	prediction_free(&p);
@@ -210,12 +210,13 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	matrix_across(r, feed, a);
 	answer_for_programs(r);
 	matrix_long(r, feed, x, a);
-	answer_note(r,
+	answer_say(r, ANSWER_REMARK,
 	    "parent classes across, daughters down; a class is called by the "
 	    "sieve it lies on; columns sum to 100");
 	if (!entry->has_params)
-		answer_note(r, "beta is the default: there are no parameters "
-			       "yet");
+		answer_say(r, ANSWER_REMARK,
+		    "beta is the default: there are no parameters "
+		    "yet");
 	if (s->set.model.appearance == APPEARANCE_RATIO)
 		note_passing(r, &p);
 	put_matrix(answer_fields(r), s->set.model.appearance, feed->n, x, a);

@@ -109,11 +109,12 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	sweep_long(s, r, p, n);
 	origin_note(r, entry);
 	if (entry->site->individual_feeds)
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "feed: the sample taken at %g m/s, for all speeds",
 		    entry->site->run[feed].speed);
 	if (outside && across)
-		answer_note(r, "* extrapolated: outside the speeds trained on");
+		answer_say(r, ANSWER_WARNING,
+		    "* extrapolated: outside the speeds trained on");
 	answers_note_worth(r, entry);
 	answers_put_products(s, answer_fields(r), p, n);
 	for (size_t i = 0; i < n; i++)

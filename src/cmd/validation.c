@@ -82,7 +82,7 @@ validation_notes(struct answer *r, const struct validation *v)
 		    "no two training products to interpolate on these sieves",
 		    100 * v->feed_rmse);
 	if (stands_out(v))
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "  the sieve of %g mm stands out: the others are %.2f "
 		    "points off (RMS); look at that cell of the sheet",
 		    units_mm(v->worst_sieve), 100 * rest(v));
@@ -90,15 +90,16 @@ validation_notes(struct answer *r, const struct validation *v)
 	bool clearly = loses && v->rmse > 1.1 * v->interpolation_rmse &&
 		       v->rmse - v->interpolation_rmse > CLEARLY;
 	if (clearly)
-		answer_note(r, "  the model does worse than interpolation at "
-			       "this speed: between the trained speeds, the "
-			       "interpolated products are the better guess");
+		answer_say(r, ANSWER_WARNING,
+		    "  the model does worse than interpolation at "
+		    "this speed: between the trained speeds, the "
+		    "interpolated products are the better guess");
 	else if (loses)
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "  the model does no better than interpolation at this "
 		    "speed; the two are within what sampling tells apart");
 	if (v->n_left_out > 0)
-		answer_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "  %zu finer sieves are not compared: the feed is not "
 		    "sieved that fine",
 		    v->n_left_out);
@@ -123,8 +124,9 @@ add_validations(struct session *s, struct answer *r)
 		n++;
 	}
 	if (n == 0)
-		answer_note(r, "no run was held out: a third speed, not "
-			       "trained on, would test the model");
+		answer_say(r, ANSWER_REMARK,
+		    "no run was held out: a third speed, not "
+		    "trained on, would test the model");
 }
 
 bool

@@ -121,7 +121,7 @@ say_trained(const struct subject *a)
 	double slow, fast, v = a->p.speed;
 	const char *how = origin_trained(entry) ? "trained on" : "measured";
 	if (!origin_reach(entry, &slow, &fast)) {
-		answer_note(a->answer,
+		answer_say(a->answer, ANSWER_WARNING,
 		    "Nothing says at which speeds these parameters hold");
 		return;
 	}
@@ -133,7 +133,7 @@ say_trained(const struct subject *a)
 	}
 	double near = v > fast ? fast : slow;
 	double more = energy_specific(v) / energy_specific(near) - 1;
-	answer_note(a->answer,
+	answer_say(a->answer, ANSWER_WARNING,
 	    "%g m/s is outside the speeds %s, %g to %g m/s: an impact has %.1f "
 	    "%% %s energy than at %g m/s, and nothing measured says what that "
 	    "does",
@@ -164,7 +164,7 @@ say_parameters(const struct subject *a, const struct fit *fit)
 	char *bound = names_of(fit, is_on_bound);
 	char *flat = names_of(fit, fit_is_flat);
 	if (bound[0] != '\0')
-		answer_note(a->answer,
+		answer_say(a->answer, ANSWER_WARNING,
 		    "%s on a bound of the search: the bound, not the data, "
 		    "sets the value",
 		    bound);
@@ -195,18 +195,18 @@ say_fit(const struct subject *a)
 		return;
 	}
 	if (fit->rmse > FIT_POOR)
-		answer_note(a->answer,
+		answer_say(a->answer, ANSWER_WARNING,
 		    "The fit is poor: it misses the products it was trained on "
 		    "by %.1f points (RMS), where sampling repeats to 0.5 to 1; "
 		    "look for faults in the sheet with 'check'",
 		    100 * fit->rmse);
 	else if (fit_too_few(fit))
-		answer_note(a->answer,
+		answer_say(a->answer, ANSWER_WARNING,
 		    "%zu passings cannot determine %zu parameters: what the "
 		    "fit is worth is not known; add sieves or a run",
 		    fit->cells, fit->parameters);
 	else if (fit_breaks_nothing(fit))
-		answer_note(a->answer,
+		answer_say(a->answer, ANSWER_WARNING,
 		    "The training products cannot be told from their "
 		    "feed, so that the parameters fit sampling noise");
 	else

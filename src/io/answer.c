@@ -309,15 +309,6 @@ answer_say(struct answer *a, enum answer_grade grade, const char *format, ...)
 	va_end(ap);
 }
 
-size_t
-answer_warnings(const struct answer *a)
-{
-	size_t n = 0;
-	for (size_t i = 0; i < a->n_sentence; i++)
-		n += a->sentence[i].grade == ANSWER_WARNING;
-	return n;
-}
-
 struct fields *
 answer_fields(struct answer *a)
 {
@@ -487,6 +478,10 @@ double
 answer_number(const struct answer *a, const char *path)
 {
 	double value = NAN;
+	if (strcmp(path, "warnings") == 0 && a->n_sentence > 0)
+		value = 0;
+	for (size_t i = 0; i < a->n_sentence && !isnan(value); i++)
+		value += a->sentence[i].grade == ANSWER_WARNING;
 	look_up(&a->fields, path, &value);
 	return value;
 }

@@ -89,9 +89,6 @@ void answer_say(struct answer *answer, enum answer_grade grade,
 void answer_note(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* How many of its sentences are warnings. */
-size_t answer_warnings(const struct answer *answer);
-
 /* Its fields, beside command, site and provenance; borrowed. */
 struct fields *answer_fields(struct answer *answer);
 
@@ -118,7 +115,8 @@ void answer_put_rows(struct answer *answer, const char *key);
 void answer_put_columns(struct answer *answer, const char *keys);
 
 /* The number of a field, NAN where there is none: "p50_mm", "params.f_mat"; of
- * a list the largest, "holdout.rmse_pct"; true is 1. */
+ * a list the largest, "holdout.rmse_pct"; true is 1.  "warnings": how many of
+ * its sentences are, where it has any sentences. */
 double answer_number(const struct answer *answer, const char *path);
 
 bool answer_has_fields(const struct answer *answer);
