@@ -45,7 +45,7 @@ static bool
 take_format(const char *word, enum answer_format *format, struct error *error)
 {
 	for (size_t i = 0; i < ARRAY_LEN(ANSWER_FORMATS); i++) {
-		if (strcmp(word, ANSWER_FORMATS[i]) != 0)
+		if (strcmp(word, ANSWER_FORMATS[i].name) != 0)
 			continue;
 		*format = (enum answer_format)i;
 		return true;

@@ -96,9 +96,8 @@ print_start(FILE *out)
 static FILE *
 help_stream(const struct session *s)
 {
-	bool words =
-	    s->set.format == ANSWER_TABLE || s->set.format == ANSWER_MARKDOWN;
-	return words || s->notes == NULL ? s->out : s->notes;
+	bool exact = ANSWER_FORMATS[s->set.format].exact;
+	return !exact || s->notes == NULL ? s->out : s->notes;
 }
 
 static bool

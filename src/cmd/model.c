@@ -257,7 +257,7 @@ show_settings(struct session *s)
 	answer_pair(r, "k", "%g", s->set.model.k);
 	answer_pair(r, "threads", "%u", s->set.threads);
 	answer_pair(r, "isa", "%s", isa_name(isa_usable(s->set.isa)));
-	answer_pair(r, "format", "%s", ANSWER_FORMATS[s->set.format]);
+	answer_pair(r, "format", "%s", ANSWER_FORMATS[s->set.format].name);
 	answer_pair(r, "csv", "%s", s->set.semicolon ? "semicolon" : "comma");
 	answer_pair(r, "pager", "%s", s->set.pager ? "on" : "off");
 	return session_answer(s, r);

@@ -142,7 +142,7 @@ note_band(struct answer *r, const struct entry *entry, double speed)
 		    "on");
 }
 
-/* The report with what is to be said of it; band: NULL for none; wanted: with
+/* The answer with what is to be said of it; band: NULL for none; wanted: with
  * the interpolated products. */
 static struct answer *
 explained(struct session *s, const struct prediction *p,

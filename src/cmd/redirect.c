@@ -32,14 +32,10 @@ struct redirect {
 static enum answer_format
 form_of(const char *path, enum answer_format other)
 {
-	static const struct {
-		const char *end;
-		enum answer_format form;
-	} ENDS[] = {{".csv", ANSWER_CSV}, {".json", ANSWER_JSON},
-	    {".md", ANSWER_MARKDOWN}};
-	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++)
-		if (text_ends(path, ENDS[i].end))
-			return ENDS[i].form;
+	for (size_t i = 0; i < ARRAY_LEN(ANSWER_FORMATS); i++)
+		if (ANSWER_FORMATS[i].end != NULL &&
+		    text_ends(path, ANSWER_FORMATS[i].end))
+			return (enum answer_format)i;
 	return other;
 }
 

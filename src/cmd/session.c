@@ -104,13 +104,13 @@ session_tell_faults(const struct session *s, const char *path,
 /* Exact results keep every byte where a program may read them, and are shown as
  * text where they go to a terminal. */
 static size_t
-show_exact(struct session *s, const struct answer *answer)
+show_exact(struct session *s, const struct answer_form *form,
+    const struct answer *answer)
 {
 	char *text = NULL, *save = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&text, &n);
-	size_t rows =
-	    answer_print(answer, s->set.format, s->set.semicolon, memory);
+	size_t rows = form->print(answer, s->set.semicolon, memory);
 	fclose(memory);
 	for (char *line = strtok_r(text, "\n", &save); line != NULL;
 	     line = strtok_r(NULL, "\n", &save)) {
@@ -166,13 +166,10 @@ session_known(const struct session *s, const char *commands, const char *path)
 bool
 session_answer(struct session *s, struct answer *answer)
 {
-	bool exact =
-	    s->set.format == ANSWER_CSV || s->set.format == ANSWER_JSON;
-	if (exact && s->screen.columns > 0)
-		s->rows += show_exact(s, answer);
-	else
-		s->rows += answer_print(
-		    answer, s->set.format, s->set.semicolon, s->out);
+	const struct answer_form *form = &ANSWER_FORMATS[s->set.format];
+	s->rows += form->exact && s->screen.columns > 0
+		       ? show_exact(s, form, answer)
+		       : form->print(answer, s->set.semicolon, s->out);
 	fflush(s->out);
 	session_keep(s, answer);
 	return true;

@@ -250,7 +250,7 @@ bool
 turn_end(struct session *s, bool ok, struct error *error)
 {
 	struct turn *t = s->turn;
-	/* The report of a check that says no is a result. */
+	/* The answer of a check that says no is a result. */
 	bool keep = ok || error->kind == ERROR_CHECK;
 	bool changed = t->before != NULL && !came_to_nothing(t) &&
 		       snapshot_differs(t->before, s);

@@ -15,8 +15,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
-const char *const ANSWER_FORMATS[4] = {"table", "csv", "json", "markdown"};
-
 /* Columns of a terminal, less two for its edges. */
 enum { SCREEN = 79 };
 
@@ -557,8 +555,9 @@ print_csv_cell(const struct cell *cell, char separator, FILE *out)
 }
 
 static size_t
-print_csv(const struct answer *a, char separator, FILE *out)
+print_csv(const struct answer *a, bool semicolon, FILE *out)
 {
+	const char separator = semicolon ? ';' : ',';
 	const struct table *t = for_programs(a);
 	bool told = is_told(a);
 	size_t rows = told ? a->n_sentence : rows_of(t);
@@ -636,8 +635,9 @@ put_fields(json_t *o, const struct fields *fields)
 }
 
 static size_t
-print_json(const struct answer *a, FILE *out)
+print_json(const struct answer *a, bool semicolon, FILE *out)
 {
+	(void)semicolon;
 	const struct table *t = for_programs(a);
 	struct fields more = {0};
 	json_t *o = json_object();
@@ -811,8 +811,9 @@ put_in(char *(*way)(const char *), const struct answer *a)
 }
 
 static size_t
-print_table(const struct answer *answer, FILE *out)
+print_table(const struct answer *answer, bool semicolon, FILE *out)
 {
+	(void)semicolon;
 	struct answer *a = put_in(text_shown, answer);
 	const struct table *t = &a->table[0];
 	if (a->title != NULL)
@@ -895,8 +896,9 @@ print_markdown_rows(const struct table *t, FILE *out)
 }
 
 static size_t
-print_markdown(const struct answer *answer, FILE *out)
+print_markdown(const struct answer *answer, bool semicolon, FILE *out)
 {
+	(void)semicolon;
 	struct answer *a = put_in(as_markdown, answer);
 	const struct table *t = &a->table[0];
 	if (a->title != NULL)
@@ -913,18 +915,7 @@ print_markdown(const struct answer *answer, FILE *out)
 	return rows;
 }
 
-size_t
-answer_print(const struct answer *a, enum answer_format format, bool semicolon,
-    FILE *out)
-{
-	switch (format) {
-	case ANSWER_CSV:
-		return print_csv(a, semicolon ? ';' : ',', out);
-	case ANSWER_JSON:
-		return print_json(a, out);
-	case ANSWER_MARKDOWN:
-		return print_markdown(a, out);
-	default:
-		return print_table(a, out);
-	}
-}
+const struct answer_form ANSWER_FORMATS[4] = {
+    {"table", NULL, false, print_table}, {"csv", ".csv", true, print_csv},
+    {"json", ".json", true, print_json},
+    {"markdown", ".md", false, print_markdown}};

@@ -8,11 +8,6 @@
 #include <stddef.h>
 #include <stdio.h>
 
-enum answer_format { ANSWER_TABLE, ANSWER_CSV, ANSWER_JSON, ANSWER_MARKDOWN };
-
-/* Names in the order of the enum, for options. */
-extern const char *const ANSWER_FORMATS[4];
-
 /* The value a command returns: what it rests on (a site and its provenance),
  * named fields, a table, and sentences.  Who makes one does not know how it
  * will be shown.  Table and markdown round numbers and show title, provenance
@@ -24,6 +19,17 @@ extern const char *const ANSWER_FORMATS[4];
  * with full stops, csv has a row for each, json a list.  A table wider than a
  * screen goes on in further blocks, each with the first column again. */
 struct answer;
+
+/* The forms it is shown in, in the order of the enum.  end: of a file's name,
+ * or NULL; exact: for programs.  print: returns how many rows the table has;
+ * semicolon: csv has semicolons, and commas in its numbers, as spreadsheets
+ * have in Swedish and German.  JSON is one line. */
+enum answer_format { ANSWER_TABLE, ANSWER_CSV, ANSWER_JSON, ANSWER_MARKDOWN };
+extern const struct answer_form {
+	const char *name, *end;
+	bool exact;
+	size_t (*print)(const struct answer *, bool semicolon, FILE *out);
+} ANSWER_FORMATS[4];
 
 /* Named values in order; of a list they have no names.  Units are part of the
  * names: "p50_mm". */
@@ -120,11 +126,5 @@ void answer_put_columns(struct answer *answer, const char *keys);
 double answer_number(const struct answer *answer, const char *path);
 
 bool answer_has_fields(const struct answer *answer);
-
-/* Prints it; JSON is one line.  semicolon: csv has semicolons, and commas in
- * its numbers, as spreadsheets have in Swedish and German.  Returns how many
- * rows the table printed has. */
-size_t answer_print(const struct answer *answer, enum answer_format format,
-    bool semicolon, FILE *out);
 
 #endif
