@@ -93,16 +93,18 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	struct report *r = report_new("sites");
-	report_columns(r,
+	struct answer *r = answer_new("sites");
+	answer_columns(r,
 	    "key: site, name, rock, top_size_mm: top mm, speeds: speeds m/s, "
 	    "calibrated, data");
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
 		char *speeds = data_speeds(entry->site, " ", NULL, true);
-		bool mark = i == s->current && s->set.format == REPORT_TABLE;
-		report_text(r, "%s%s", mark ? "*" : "", entry->key);
-		report_cells(r, "%s %s %g %s %s %s", entry->site->name,
+		char *marked =
+		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
+		answer_name(r, entry->key, marked);
+		free(marked);
+		answer_cells(r, "%s %s %g %s %s %s", entry->site->name,
 		    entry->site->rock,
 		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
 					      : NAN,
@@ -114,9 +116,9 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    site_data_kind(entry->site->provenance));
 		free(speeds);
 	}
-	report_note(r, s->n_entry > 0 ? "* is the site in use"
+	answer_note(r, s->n_entry > 0 ? "* is the site in use"
 				      : "no site is loaded: load FILE");
-	return session_report(s, r);
+	return session_answer(s, r);
 }
 
 bool

@@ -291,15 +291,15 @@ fit_take(struct session *s)
 	entry->params = entry->fit.params;
 	take_history(entry, &s->job);
 	session_forget(s);
-	s->answer[ANSWER_MISFIT] = entry->fit.misfit;
-	s->answer[ANSWER_RMSE] = 100 * entry->fit.rmse;
-	bool poor = entry->fit.rmse > FIT_POOR;
-	s->answer[ANSWER_POOR] = !poor && fit_too_few(&entry->fit) ? NAN : poor;
 	entry->has_fit = entry->has_params = true;
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);
 	origin_drop(entry->origin);
 	entry->origin = origin_of_fit(entry);
+	/* That of `all` is a table of sites, and tells of none alone. */
+	struct answer *answer = answer_new("calibrate");
+	fit_put(answer_fields(answer), entry, session_clock() - s->job.started);
+	session_keep(s, answer);
 }
 
 void
@@ -307,6 +307,6 @@ fit_show(struct session *s)
 {
 	double seconds = session_clock() - s->job.started;
 	session_note(s, "  done in %.2f s", seconds);
-	session_report(s, fit_report(&s->entry[s->job.entry],
+	session_answer(s, fit_answer(&s->entry[s->job.entry],
 			      calibration_bounds(s->job.calibration), seconds));
 }

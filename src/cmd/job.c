@@ -97,7 +97,7 @@ job_free(struct job *job)
 	free(job->run_weight);
 	calibration_free(job->calibration);
 	free(job->train);
-	report_free(job->summary);
+	answer_free(job->summary);
 	log_free(job->log);
 	*job = (struct job){0};
 }
@@ -115,12 +115,12 @@ next_site(const struct session *s, size_t from)
 	return s->n_entry;
 }
 
-static struct report *
+static struct answer *
 new_summary(void)
 {
-	struct report *r = report_new("calibrate");
-	report_title(r, "all sites, calibrated");
-	report_columns(r, "site, f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
+	struct answer *r = answer_new("calibrate");
+	answer_title(r, "all sites, calibrated");
+	answer_columns(r, "site, f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
 			  "holdout_pct: hold-out, remark");
 	return r;
 }
@@ -164,10 +164,10 @@ remarks(const struct session *s, const struct entry *entry)
 static void
 summarise(struct session *s, const struct entry *entry)
 {
-	struct report *r = s->job.summary;
+	struct answer *r = s->job.summary;
 	char *words = remarks(s, entry);
 	const struct params *p = &entry->fit.params;
-	report_cells(r, "%s %.3f %.2f %.3f %g %.2f %.2f %s", entry->key,
+	answer_cells(r, "%s %.3f %.2f %.3f %g %.2f %.2f %s", entry->key,
 	    params_value(p, "f_mat"), params_value(p, "e0_min"),
 	    params_value(p, "alpha"), entry->fit.misfit, 100 * entry->fit.rmse,
 	    100 * fit_holdout_rmse(entry), words);
@@ -210,11 +210,11 @@ static void
 end_all(struct session *s)
 {
 	save_log(s);
-	struct report *summary = s->job.summary;
+	struct answer *summary = s->job.summary;
 	s->job.summary = NULL;
 	job_free(&s->job);
 	if (summary != NULL)
-		session_report(s, summary);
+		session_answer(s, summary);
 }
 
 /* The calibration is done: on to the next site of `all`, or to the end. */

@@ -127,9 +127,9 @@ journal_settings(struct session *s)
 {
 	if (s->set.seed != 1)
 		journal_add(s, NULL, "seed %" PRIu64, s->set.seed);
-	if (s->set.format != REPORT_TABLE)
-		journal_add(
-		    s, NULL, "set format %s", REPORT_FORMATS[s->set.format]);
+	if (s->set.format != ANSWER_TABLE)
+		journal_add(s, NULL, "set format %s",
+		    ANSWER_FORMATS[s->set.format].name);
 }
 
 /* Appends a word, in quotes where it would not be read as one. */

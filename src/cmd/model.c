@@ -25,27 +25,27 @@ show_params(struct session *s, const struct args *args, struct error *error)
 	const struct breakage *of = entry->has_params
 					? breakage_of(&entry->params)
 					: BREAKAGES[s->set.model.breakage];
-	struct report *r =
-	    answers_report(entry->site, "params", "parameters %s%s%s",
+	struct answer *r =
+	    answers_new(entry->site, "params", "parameters %s%s%s",
 		session_origin(entry), of != BREAKAGES[0] ? "; model " : "",
 		of != BREAKAGES[0] ? of->name : "");
-	report_columns(r, "parameter, value");
+	answer_columns(r, "parameter, value");
 	if (u != NULL)
-		report_columns(r, "low, high");
-	report_columns(r, "unit, meaning");
+		answer_columns(r, "low, high");
+	answer_columns(r, "unit, meaning");
 	for (size_t j = 0; j < of->n; j++) {
 		const struct param_info *info = &of->parameter[j];
-		report_cells(r, u != NULL ? "%s %.4f" : "%s %g", info->name,
+		answer_cells(r, u != NULL ? "%s %.4f" : "%s %g", info->name,
 		    entry->has_params ? entry->params.at[j] : NAN);
 		if (u != NULL)
-			report_cells(r, "%.4f %.4f", u->low[j], u->high[j]);
-		report_cells(r, "%s %s", info->unit, info->meaning);
+			answer_cells(r, "%.4f %.4f", u->low[j], u->high[j]);
+		answer_cells(r, "%s %s", info->unit, info->meaning);
 	}
 	if (u != NULL)
 		doubt_note(r, entry);
 	if (entry->origin != NULL && entry->origin->whose[0] != '\0')
 		origin_note(r, entry);
-	return session_report(s, r);
+	return session_answer(s, r);
 }
 
 void
@@ -159,24 +159,24 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 		    mine->key, of->name, other->key, breakage_of(&b)->name);
 	params_scale(&a);
 	params_scale(&b);
-	struct report *r = answers_report(
+	struct answer *r = answers_new(
 	    mine->site, "params", "parameters beside those of %s", other->key);
-	report_columns(r, "parameter, value: %s, other: %s, difference, unit",
+	answer_columns(r, "parameter, value: %s, other: %s, difference, unit",
 	    mine->key, other->key);
 	for (size_t j = 0; j < of->n; j++) {
 		double x = a.at[j], y = b.at[j];
-		report_cells(r, "%s %.4f %.4f %.4f %s", of->parameter[j].name,
+		answer_cells(r, "%s %.4f %.4f %.4f %s", of->parameter[j].name,
 		    x, y, y - x, of->parameter[j].unit);
 	}
-	report_put_rows(r, "rows");
-	report_put(report_json(r), "other_site %s", other->site->name);
-	report_note(r, "%s: %s; %s: %s%s%s%s", mine->key, session_origin(mine),
+	answer_put_rows(r, "rows");
+	fields_put(answer_fields(r), "other_site %s", other->site->name);
+	answer_note(r, "%s: %s; %s: %s%s%s%s", mine->key, session_origin(mine),
 	    other->key, session_origin(other), of->gauge > 0 ? "; " : "",
 	    of->gauge > 0 ? of->gauge_name : "",
 	    of->gauge > 0 ? " scaled to largest 1" : "");
-	report_note(r, "e0_min, alpha and f_mat trade off against each other: "
+	answer_note(r, "e0_min, alpha and f_mat trade off against each other: "
 		       "'compare' tells what the difference does");
-	return session_report(s, r);
+	return session_answer(s, r);
 }
 
 /* Only set takes values, only diff and use take a site. */
@@ -219,15 +219,15 @@ show_bounds(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	struct report *r = report_new("bounds");
-	report_title(r, "search bounds");
-	report_columns(r, "parameter, lower: from, upper: to, unit");
+	struct answer *r = answer_new("bounds");
+	answer_title(r, "search bounds");
+	answer_columns(r, "parameter, lower: from, upper: to, unit");
 	const struct breakage *of = BREAKAGES[s->set.model.breakage];
 	for (size_t j = 0; j < of->n; j++)
-		report_cells(r, "%s %g %g %s", of->parameter[j].name,
+		answer_cells(r, "%s %g %g %s", of->parameter[j].name,
 		    s->set.bounds.lower[j], s->set.bounds.upper[j],
 		    of->parameter[j].unit);
-	return session_report(s, r);
+	return session_answer(s, r);
 }
 
 /* "a..b", or one number, which holds the parameter fixed. */
@@ -292,19 +292,19 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 static bool
 show_settings(struct session *s)
 {
-	struct report *r = report_new("set");
-	report_columns(r, "setting, value");
-	report_pair(r, "model", "%s", BREAKAGES[s->set.model.breakage]->name);
-	report_pair(r, "method", "%s", answers_method(s->set.model.method));
-	report_pair(
+	struct answer *r = answer_new("set");
+	answer_columns(r, "setting, value");
+	answer_pair(r, "model", "%s", BREAKAGES[s->set.model.breakage]->name);
+	answer_pair(r, "method", "%s", answers_method(s->set.model.method));
+	answer_pair(
 	    r, "appearance", "%s", MODEL_FORMS[s->set.model.appearance]);
-	report_pair(r, "k", "%g", s->set.model.k);
-	report_pair(r, "threads", "%u", s->set.threads);
-	report_pair(r, "isa", "%s", isa_name(isa_usable(s->set.isa)));
-	report_pair(r, "format", "%s", REPORT_FORMATS[s->set.format]);
-	report_pair(r, "csv", "%s", s->set.semicolon ? "semicolon" : "comma");
-	report_pair(r, "pager", "%s", s->set.pager ? "on" : "off");
-	return session_report(s, r);
+	answer_pair(r, "k", "%g", s->set.model.k);
+	answer_pair(r, "threads", "%u", s->set.threads);
+	answer_pair(r, "isa", "%s", isa_name(isa_usable(s->set.isa)));
+	answer_pair(r, "format", "%s", ANSWER_FORMATS[s->set.format].name);
+	answer_pair(r, "csv", "%s", s->set.semicolon ? "semicolon" : "comma");
+	answer_pair(r, "pager", "%s", s->set.pager ? "on" : "off");
+	return session_answer(s, r);
 }
 
 /* The model of the calibrations and parameters to come, with its bounds; what a
@@ -345,7 +345,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	if (isa->given)
 		s->set.isa = (enum isa)isa->choice;
 	if (format->given)
-		s->set.format = (enum report_format)format->choice;
+		s->set.format = (enum answer_format)format->choice;
 	if (csv->given)
 		s->set.semicolon = csv->choice == 1;
 	if (pager->given)
@@ -365,8 +365,8 @@ cmd_seed(struct session *s, const struct args *args, struct error *error)
 		s->set.seed = value->whole;
 		return true;
 	}
-	struct report *r = report_new("seed");
-	report_columns(r, "seed");
-	report_text(r, "%llu", (unsigned long long)s->set.seed);
-	return session_report(s, r);
+	struct answer *r = answer_new("seed");
+	answer_columns(r, "seed");
+	answer_text(r, "%llu", (unsigned long long)s->set.seed);
+	return session_answer(s, r);
 }

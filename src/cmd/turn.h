@@ -38,6 +38,10 @@ void turn_saved(struct session *s);
  * ends with this error. */
 void turn_failed(struct session *s, const struct error *error);
 
+/* A command that only asked was done without a turn of its own: its line is
+ * saved in the place of the one before of that name. */
+void turn_asked(struct session *s, const char *command, const char *line);
+
 /* The innermost command is over: its results are handed over.  ok: it did what
  * it should; else error says why not, and is kept.  Returns false when it did
  * not, or the results could not be handed over. */
