@@ -17,8 +17,8 @@
  *   Gauss points, as mass and as first moment about the middle; where S is 1
  *   throughout, both are known beforehand;
  * - p = dB / d ln u and B are tabled at fixed nodes of u, once or for each
- *   speed as the model needs, and read at the middle of each class as seen from each
- *   sieve; a class adds mass times B there, less moment times p.
+ *   speed as the model needs, and read at the middle of each class as seen from
+ *   each sieve; a class adds mass times B there, less moment times p.
  * Within 0.05 points of model_product at Table 3 (tested); the answer of a
  * search is polished and reported on model_product.  `classes` is exact where
  * the model gives a density.
