@@ -12,7 +12,7 @@
 #include "cmd/answers.h"
 #include "cmd/command.h"
 #include "cmd/fit.h"
-#include "cmd/script.h"
+#include "ui/driver.h"
 #include "ui/pump.h"
 #include "ui/screen.h"
 #include "ui/typed.h"
@@ -70,61 +70,20 @@ say_error(struct tui *t, const struct error *e)
 	    e->hint[0] != '\0' ? ": " : "", e->hint);
 }
 
-static bool run_to_end(
-    struct tui *t, const char *line, const char *name, int number);
-
-/* The scripts that a line opened, to their end. */
-static bool
-run_scripts(struct tui *t, size_t depth)
+static void
+fail(void *of, const struct error *e, const char *line, const char *name)
 {
-	struct session *s = t->session;
-	bool ok = true;
-	while (ok && script_depth(s) > depth && !s->quit) {
-		struct error error = {0};
-		struct place place;
-		char *line = script_line(s, &place, &error);
-		ok = line != NULL ? run_to_end(t, line, place.file, place.line)
-				  : error.kind == ERROR_NONE;
-		if (line == NULL && !ok)
-			say_error(t, &error);
-		free(line);
-	}
-	script_close(s, depth);
-	return ok;
+	(void)line, (void)name;
+	say_error(of, e);
 }
 
-/* A signal ends what runs, as it does elsewhere. */
-static void
-pump_to_end(struct session *s)
+/* No progress but that of the page. */
+static bool
+work(struct session *s)
 {
 	while (session_busy(s) && pump_signal() == 0)
 		session_step(s);
-	session_pause(s);
-}
-
-static bool
-run_to_end(struct tui *t, const char *line, const char *name, int number)
-{
-	struct session *s = t->session;
-	size_t at = 0, depth = script_depth(s);
-	struct error error = {0};
-	bool ok = true;
-	do {
-		ok = session_line(s, line, at, name, number, &at, &error);
-		if (!ok) {
-			say_error(t, &error);
-			break;
-		}
-		/* A calibration at the end of a typed line is to be watched. */
-		if (number == 0 && session_busy(s) &&
-		    script_depth(s) == depth && line[at] == '\0' && !s->job.all)
-			return true;
-		pump_to_end(s);
-		ok = run_scripts(t, depth);
-	} while (ok && at > 0 && !s->quit);
-	if (!session_settle(s, ok, &error) && ok)
-		say_error(t, &error);
-	return ok;
+	return pump_signal() == 0;
 }
 
 static void
@@ -178,7 +137,10 @@ run(struct tui *t, const char *line)
 	if (tui_entry(t) != NULL)
 		snprintf(site, sizeof site, "%s", tui_entry(t)->key);
 	hush(t);
-	bool ok = run_to_end(t, line, "typed", 0);
+	const struct driver d = {
+	    .session = s, .of = t, .fail = fail, .work = work, .watches = true};
+	/* A signal is no error: what was found before it stays. */
+	bool ok = driver_line(&d, line, "typed", 0) == 0 || pump_signal() != 0;
 	struct slider_range range = tui_range(t);
 	if (slider_has(range, said[ANSWER_SPEED]))
 		t->tenths = slider_tenths(range, said[ANSWER_SPEED]);

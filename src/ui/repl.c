@@ -126,7 +126,7 @@ on_complete(const char *text, int start, int end)
 
 /* "tierp (fit)> ".  Keys are ASCII, whatever the site is called. */
 static char *
-prompt(const struct session *s, bool colour)
+prompt(const struct session *s)
 {
 	if (at.before[0] != '\0')
 		return xstrdup("> ");
@@ -138,6 +138,7 @@ prompt(const struct session *s, bool colour)
 						: "";
 	const char *name =
 	    entry != NULL && entry->key[0] != '\0' ? entry->key : "tipspeed";
+	bool colour = terminal_colour();
 	return xasprintf("%s%s%s%s> ", colour ? "\001\033[1m\002" : "", name,
 	    colour ? "\001\033[0m\002" : "", state);
 }
@@ -242,11 +243,11 @@ read_line(const char *text)
 static void
 run_line(struct session *s, const char *line, int number)
 {
-	struct page page;
+	struct pager pager;
 	typed_add(line);
-	page_open(&page, s);
-	batch_line(s, line, "typed", number, &page);
-	page_close(&page);
+	pager_open(&pager, s);
+	batch_line(s, line, number, &pager);
+	pager_close(&pager);
 }
 
 /* What was typed up to Return: one line, or several that were pasted. */
@@ -348,16 +349,16 @@ end_line(void)
 }
 
 int
-repl_run(struct session *s, bool colour)
+repl_run(struct session *s)
 {
 	int number = 1;
 	set_up(s);
 	batch_attend(s);
 	while (!s->quit && !pump_ended()) {
-		char *text = prompt(s, colour);
+		char *text = prompt(s);
 		char *typed = read_line(text);
 		free(text);
-		s->screen = terminal_screen(colour);
+		s->screen = terminal_screen();
 		if (typed != NULL) {
 			take_lines(s, typed, &number);
 			free(typed);
@@ -372,4 +373,13 @@ repl_run(struct session *s, bool colour)
 	typed_close();
 	free(at.before);
 	return pump_status();
+}
+
+int
+repl_for_screen(struct session *s)
+{
+	if (!s->prompt)
+		return repl_run(s);
+	session_note(s, "this is the prompt, which --linear asked for");
+	return 0;
 }

@@ -24,11 +24,11 @@
 #include "ui/pane.h"
 #include "ui/paste.h"
 #include "ui/pump.h"
-#include "ui/repl.h"
 #include "ui/rescue.h"
 #include "ui/rows.h"
 #include "ui/screen.h"
 #include "ui/shot.h"
+#include "ui/terminal.h"
 #include "ui/tui_state.h"
 #include "ui/typed.h"
 #include "ui/view.h"
@@ -36,19 +36,12 @@
 /* What is pasted has ended where nothing more came for so long, s. */
 static const double PASTE_PAUSE = 2;
 
-static bool with_colour;
 static volatile sig_atomic_t resized, stopping;
 /* Signals that are let in while the program waits. */
 static sigset_t let_in;
 /* session->confirm has no argument to pass it by. */
 static struct tui *asked;
 static bool aside; /* somebody else has the terminal */
-
-void
-tui_choose(bool colour)
-{
-	with_colour = colour;
-}
 
 const struct entry *
 tui_entry(const struct tui *t)
@@ -339,12 +332,13 @@ tui_begin(struct tui *t, struct session *s)
 	    .level = 50,
 	    .holdout = NAN,
 	    .before = {s->out, s->notes, s->show_page, s->confirm, s->prompt,
-		s->typed_at, s->screen}};
+		s->typed_at, s->run_screen, s->screen}};
 	asked = t;
 	s->confirm = confirm;
 	s->prompt = true;
 	s->typed_at = script_depth(s);
 	s->show_page = NULL;
+	s->run_screen = NULL;
 	tui_keep_feed(t);
 	conduct_begin(t);
 	conduct_look(t);
@@ -362,6 +356,7 @@ tui_end(struct tui *t)
 	s->confirm = t->before.confirm;
 	s->prompt = t->before.prompt;
 	s->typed_at = t->before.typed_at;
+	s->run_screen = t->before.run_screen;
 	s->screen = t->before.screen;
 	conduct_keep(t);
 	conduct_end(t);
@@ -370,16 +365,6 @@ tui_end(struct tui *t)
 	free(t->command);
 	prediction_free(&t->kept);
 	free(t->row);
-}
-
-/* At the prompt there is nothing to do: it is what --linear asks for. */
-static int
-run_linear(struct session *s)
-{
-	if (!s->prompt)
-		return repl_run(s, with_colour);
-	session_note(s, "this is the prompt, which --linear asked for");
-	return 0;
 }
 
 /* What was kept of the last session. */
@@ -398,14 +383,12 @@ tui_run(struct session *s)
 	struct signals was;
 	struct tui t;
 	bool history = typed_is_open();
-	if (s->linear)
-		return run_linear(s);
 	/* What it says of a history that cannot be kept is not for ncurses. */
 	if (!history)
 		typed_open(!s->safe);
 	rescue_note();
 	hold_signals(&was);
-	bool opened = screen_open(with_colour);
+	bool opened = screen_open(terminal_colour());
 	if (opened) {
 		tui_begin(&t, s);
 		s->show_page = show_page;

@@ -113,6 +113,7 @@ struct tui {
 		bool (*confirm)(struct session *s, const char *question);
 		bool prompt;
 		size_t typed_at;
+		int (*run_screen)(struct session *s);
 		struct screen screen;
 	} before;
 };
