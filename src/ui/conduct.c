@@ -3,7 +3,6 @@
 #include "ui/conduct.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,40 +11,18 @@
 #include "cmd/answers.h"
 #include "cmd/command.h"
 #include "cmd/fit.h"
+#include "cmd/script.h"
 #include "ui/driver.h"
 #include "ui/pump.h"
 #include "ui/screen.h"
 #include "ui/typed.h"
 #include "ui/view.h"
 
-const double PACES[PACE_COUNT] = {1, 2, 5, 10, 20, 50, INFINITY};
+/* session->confirm and `screen` have no argument to pass it by. */
+static struct tui *open;
 
 /* A slider that stood still for so long has paused, s. */
 static const double PAUSE = 0.7;
-
-void
-tui_say(struct tui *t, bool bad, const char *format, ...)
-{
-	va_list ap;
-	va_start(ap, format);
-	vsnprintf(t->message, sizeof t->message, format, ap);
-	va_end(ap);
-	t->bad = bad;
-}
-
-void
-conduct_begin(struct tui *t)
-{
-	t->said = text_memory(&t->said_text, &t->said_n);
-	t->session->out = t->session->notes = t->said;
-}
-
-void
-conduct_end(struct tui *t)
-{
-	fclose(t->said);
-	free(t->said_text);
-}
 
 /* Forgets what was said before; what is said next is for this screen, which
  * has no use for escapes. */
@@ -250,11 +227,11 @@ run_typed(struct tui *t, const char *line)
 	/* Only a shell command may write past the session's streams. */
 	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
 	if (aside)
-		tui_step_aside();
+		t->ways->leave();
 	bool ok = conduct_run(t, line);
 	if (aside) {
 		await_return();
-		tui_step_back();
+		t->ways->come_back();
 	}
 	/* Bounds edited in a search: on within them. Where it was paused the
 	 * user says when. */
@@ -277,11 +254,34 @@ run_typed(struct tui *t, const char *line)
 		show_said(t);
 }
 
+/* What a typed line means with the slider somewhere, see tui_where.  A question
+ * about one speed is about that of the slider, where it is asked of no other:
+ * "spec FILE" gets it.  The caller frees. */
+static char *
+meant_by(const char *line, const char *where)
+{
+	static const char *const ASK[] = {"predict", "spec", "guess", "why"};
+	size_t from = strspn(line, " \t"), n = strcspn(line + from, " \t>|");
+	const char *word = line + from, *rest = word + n;
+	rest += strspn(rest, " \t");
+	/* A speed may also stand alone. */
+	bool said = strchr(line, ';') != NULL ||
+		    strstr(line, "speed=") != NULL ||
+		    (*rest >= '0' && *rest <= '9');
+	size_t length =
+	    strstr(line, "feed=") != NULL ? strcspn(where, " ") : strlen(where);
+	for (size_t i = 0; !said && i < ARRAY_LEN(ASK); i++)
+		if (strlen(ASK[i]) == n && strncmp(word, ASK[i], n) == 0)
+			return xasprintf("%s %.*s%s%s", ASK[i], (int)length,
+			    where, *rest != '\0' ? " " : "", rest);
+	return xstrdup(line);
+}
+
 void
 conduct_typed(struct tui *t, const char *line)
 {
 	char *where = tui_where(t);
-	char *meant = typing_meant(line, where);
+	char *meant = meant_by(line, where);
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_add(line);
 	run_typed(t, meant);
@@ -389,4 +389,83 @@ conduct_pump(struct tui *t)
 	t->asked.tenths = 0;
 	if (!session_busy(s))
 		finish(t);
+}
+
+const struct tui *
+conduct_open(void)
+{
+	return open;
+}
+
+static bool
+confirm(struct session *s, const char *question)
+{
+	(void)s;
+	open->question = question;
+	int code = open->ways->answer(open);
+	open->question = NULL;
+	return code == 'y' || code == 'Y';
+}
+
+/* The speed last predicted, else the usual one of the site. */
+static int
+first_speed(const struct session *s)
+{
+	double speed = s->answer[ANSWER_SPEED];
+	const struct entry *e = s->n_entry > 0 ? &s->entry[s->current] : NULL;
+	struct slider_range range = slider_range(e != NULL ? e->site : NULL);
+	if (slider_has(range, speed))
+		return slider_tenths(range, speed);
+	return e != NULL ? slider_tenths(range, answers_usual(e)) : 740;
+}
+
+void
+conduct_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
+{
+	enum { PACE = 4 };
+	*t = (struct tui){.session = s,
+	    .ways = ways,
+	    .aside = ways->leave == NULL,
+	    .tenths = first_speed(s),
+	    .site_at = s->current,
+	    .mouse = screen_mouse(true),
+	    .pace = PACE,
+	    .picture = PLOT_PSD,
+	    .level = 50,
+	    .holdout = NAN,
+	    .before = {s->out, s->notes, s->show_page, s->confirm, s->prompt,
+		s->typed_at, s->run_screen, s->screen}};
+	s->confirm = confirm;
+	s->prompt = true;
+	s->typed_at = script_depth(s);
+	s->show_page = NULL;
+	s->run_screen = NULL;
+	tui_keep_feed(t);
+	t->said = text_memory(&t->said_text, &t->said_n);
+	s->out = s->notes = t->said;
+	conduct_look(t);
+	open = t;
+}
+
+void
+conduct_end(struct tui *t)
+{
+	struct session *s = t->session;
+	open = NULL;
+	s->out = t->before.out;
+	s->notes = t->before.notes;
+	s->show_page = t->before.show_page;
+	s->confirm = t->before.confirm;
+	s->prompt = t->before.prompt;
+	s->typed_at = t->before.typed_at;
+	s->run_screen = t->before.run_screen;
+	s->screen = t->before.screen;
+	conduct_keep(t);
+	fclose(t->said);
+	free(t->said_text);
+	typing_end(&t->typing);
+	view_close(t);
+	free(t->command);
+	prediction_free(&t->kept);
+	free(t->row);
 }

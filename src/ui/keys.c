@@ -14,9 +14,6 @@
 
 #define CONTROL(letter) ((letter)&0x1F)
 
-const char *const PAGE_NAMES[PAGES] = {
-    "Predict", "Fit", "Data", "Parity", "Sites"};
-
 #define PREDICT "predict %s"
 
 const struct key KEYS[] = {
@@ -60,7 +57,7 @@ const struct key KEYS[] = {
     {KEY_DOWN, "Down, j", ON_ALL, ACT_LIST, 1, NULL,
 	"down in a list; to a lower passing"},
     {'j', NULL, ON_ALL, ACT_LIST, 1, NULL, NULL},
-    {'\n', "Enter", ON_SITES, ACT_CHOOSE, 0, "use %s", "use this site"},
+    {'\n', "Enter", ON_SITES, ACT_CHOOSE, 0, NULL, "use this site"},
     {'c', "c", ON_ALL, ACT_CROSS, 0, NULL,
 	"crosshair on and off: it reads the curves at a sieve"},
     {'b', "b", ON_ALL, ACT_BAND, 0, NULL,

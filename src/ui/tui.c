@@ -19,15 +19,14 @@
 #include "cmd/script.h"
 #include "ui/act.h"
 #include "ui/conduct.h"
+#include "ui/frame.h"
 #include "ui/input.h"
 #include "ui/manpage.h"
-#include "ui/pane.h"
+#include "ui/pages.h"
 #include "ui/paste.h"
 #include "ui/pump.h"
 #include "ui/rescue.h"
-#include "ui/rows.h"
 #include "ui/screen.h"
-#include "ui/shot.h"
 #include "ui/terminal.h"
 #include "ui/tui_state.h"
 #include "ui/typed.h"
@@ -39,53 +38,7 @@ static const double PASTE_PAUSE = 2;
 static volatile sig_atomic_t resized, stopping;
 /* Signals that are let in while the program waits. */
 static sigset_t let_in;
-/* session->confirm has no argument to pass it by. */
-static struct tui *asked;
 static bool aside; /* somebody else has the terminal */
-
-const struct entry *
-tui_entry(const struct tui *t)
-{
-	const struct session *s = t->session;
-	return s->n_entry > 0 ? &s->entry[s->current] : NULL;
-}
-
-struct slider_range
-tui_range(const struct tui *t)
-{
-	const struct entry *entry = tui_entry(t);
-	return slider_range(entry != NULL ? entry->site : NULL);
-}
-
-size_t
-tui_feed(const struct tui *t)
-{
-	const struct site *site = tui_entry(t)->site;
-	size_t kept = site_run_at(site, t->feed);
-	return kept < site->n_run ? kept
-				  : site_run_nearest(site, t->tenths / 10.0);
-}
-
-void
-tui_keep_feed(struct tui *t)
-{
-	const struct prediction *last = &t->session->last;
-	const struct entry *entry = tui_entry(t);
-	if (entry != NULL && last->product.n > 0)
-		t->feed = entry->site->run[last->feed_run].speed;
-}
-
-char *
-tui_where(const struct tui *t)
-{
-	const struct entry *entry = tui_entry(t);
-	double speed = t->tenths / 10.0;
-	if (entry == NULL || !entry->site->individual_feeds ||
-	    tui_feed(t) == site_run_nearest(entry->site, speed))
-		return xasprintf("speed=%.1f", speed);
-	return xasprintf(
-	    "speed=%.1f feed=%g", speed, entry->site->run[tui_feed(t)].speed);
-}
 
 static void
 on_resize(int signal)
@@ -97,18 +50,6 @@ static void
 on_stop(int signal)
 {
 	stopping = signal;
-}
-
-/* The speed last predicted, else the usual one of the site. */
-static int
-first_speed(const struct session *s)
-{
-	double speed = s->answer[ANSWER_SPEED];
-	const struct entry *e = s->n_entry > 0 ? &s->entry[s->current] : NULL;
-	struct slider_range range = slider_range(e != NULL ? e->site : NULL);
-	if (slider_has(range, speed))
-		return slider_tenths(range, speed);
-	return e != NULL ? slider_tenths(range, answers_usual(e)) : 740;
 }
 
 struct signals {
@@ -179,8 +120,8 @@ wait_for_something(const struct tui *t)
 	    isfinite(left) ? &time : NULL, &let_in);
 }
 
-void
-tui_step_aside(void)
+static void
+leave(void)
 {
 	aside = true;
 	screen_leave();
@@ -188,8 +129,8 @@ tui_step_aside(void)
 	sigprocmask(SIG_SETMASK, &let_in, NULL);
 }
 
-void
-tui_step_back(void)
+static void
+come_back(void)
 {
 	pump_hold_signals(NULL);
 	answer_stop(true);
@@ -241,7 +182,7 @@ notice_end(void)
 static void
 show(struct tui *t)
 {
-	pane_draw(t);
+	frame_draw(t);
 	pump_watch(false);
 	wait_for_something(t);
 	notice_end();
@@ -254,11 +195,13 @@ show(struct tui *t)
 
 /* The key that answers; 0 at a signal.  The mouse answers nothing. */
 static int
-read_answer(struct tui *t)
+answer(struct tui *t)
 {
 	enum { STOP = 26 };
 	int code = 0;
 	bool special = false, done = false;
+	if (aside)
+		return pump_confirm(t->session, t->question) ? 'y' : 0;
 	while (!done && pump_signal() == 0) {
 		show(t);
 		done = input_key(t, &let_in, &code, &special);
@@ -274,24 +217,6 @@ read_answer(struct tui *t)
 	return done && !special ? code : 0;
 }
 
-static bool
-confirm(struct session *s, const char *question)
-{
-	struct tui *t = asked;
-	if (aside)
-		return pump_confirm(s, question);
-	t->question = question;
-	int code = 0;
-	if (!t->aside) {
-		code = read_answer(t);
-	} else {
-		pane_draw(t);
-		code = shot_answer();
-	}
-	t->question = NULL;
-	return code == 'y' || code == 'Y';
-}
-
 static void
 loop(struct tui *t)
 {
@@ -299,7 +224,7 @@ loop(struct tui *t)
 		t->clock = session_clock();
 		pump_watch(true);
 		conduct_predict(t);
-		rows_update(t);
+		pages_update(t);
 		show(t);
 		t->clock = session_clock();
 		take_keys(t);
@@ -313,58 +238,10 @@ loop(struct tui *t)
 static bool
 show_page(const char *page)
 {
-	tui_step_aside();
+	leave();
 	bool shown = manpage_show(page);
-	tui_step_back();
+	come_back();
 	return shown;
-}
-
-void
-tui_begin(struct tui *t, struct session *s)
-{
-	enum { PACE = 4 };
-	*t = (struct tui){.session = s,
-	    .tenths = first_speed(s),
-	    .site_at = s->current,
-	    .mouse = screen_mouse(true),
-	    .pace = PACE,
-	    .picture = PLOT_PSD,
-	    .level = 50,
-	    .holdout = NAN,
-	    .before = {s->out, s->notes, s->show_page, s->confirm, s->prompt,
-		s->typed_at, s->run_screen, s->screen}};
-	asked = t;
-	s->confirm = confirm;
-	s->prompt = true;
-	s->typed_at = script_depth(s);
-	s->show_page = NULL;
-	s->run_screen = NULL;
-	tui_keep_feed(t);
-	conduct_begin(t);
-	conduct_look(t);
-	shot_of(t);
-}
-
-void
-tui_end(struct tui *t)
-{
-	struct session *s = t->session;
-	shot_of(NULL);
-	s->out = t->before.out;
-	s->notes = t->before.notes;
-	s->show_page = t->before.show_page;
-	s->confirm = t->before.confirm;
-	s->prompt = t->before.prompt;
-	s->typed_at = t->before.typed_at;
-	s->run_screen = t->before.run_screen;
-	s->screen = t->before.screen;
-	conduct_keep(t);
-	conduct_end(t);
-	typing_end(&t->typing);
-	view_close(t);
-	free(t->command);
-	prediction_free(&t->kept);
-	free(t->row);
 }
 
 /* What was kept of the last session. */
@@ -380,6 +257,7 @@ offer_last(struct tui *t)
 int
 tui_run(struct session *s)
 {
+	static const struct tui_ways WAYS = {answer, leave, come_back};
 	struct signals was;
 	struct tui t;
 	bool history = typed_is_open();
@@ -390,11 +268,11 @@ tui_run(struct session *s)
 	hold_signals(&was);
 	bool opened = screen_open(terminal_colour());
 	if (opened) {
-		tui_begin(&t, s);
+		conduct_begin(&t, s, &WAYS);
 		s->show_page = show_page;
 		offer_last(&t);
 		loop(&t);
-		tui_end(&t);
+		conduct_end(&t);
 		screen_close();
 		rescue_done();
 	}

@@ -5,9 +5,9 @@
 
 #include "cmd/session.h"
 
-/* Opens the full screen until it is left.  Where the terminal cannot show it, says so beside the results and
- * comes back.  Returns the exit status: 0, or what a signal asks for, see
- * pump_status. */
+/* Opens the full screen until it is left.  Where the terminal cannot show it,
+ * says so beside the results and comes back.  Returns the exit status: 0, or
+ * what a signal asks for, see pump_status. */
 int tui_run(struct session *s);
 
 #endif

@@ -27,9 +27,4 @@ enum typing_result typing_key(
     struct typing *t, const struct session *s, int code, bool special);
 void typing_end(struct typing *t);
 
-/* What a typed line means with the slider somewhere, see tui_where.  A question
- * about one speed is about that of the slider, where it is asked of no other:
- * "spec FILE" gets it.  The caller frees. */
-char *typing_meant(const char *line, const char *where);
-
 #endif

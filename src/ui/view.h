@@ -18,8 +18,8 @@ void view_keys(struct tui *t, const char *word);
  * NULL. */
 const struct key *view_key(struct tui *t, int code, bool special);
 
-/* Scrolls as far as the body of the frame wants: the size may be another. */
-void view_fit(struct tui *t);
+/* Draws it with its hints. */
+void view_draw(struct tui *t);
 
 void view_close(struct tui *t);
 

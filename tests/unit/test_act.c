@@ -5,14 +5,18 @@
 #include <string.h>
 #include <unistd.h>
 
+#include <curses.h>
+
 #include "desk.h"
 
 #include "base/text.h"
 #include "ui/act.h"
 #include "ui/conduct.h"
-#include "ui/pane.h"
+#include "ui/frame.h"
+#include "ui/page_fit.h"
 #include "ui/paste.h"
 #include "ui/screen.h"
+#include "ui/shot.h"
 #include "ui/tui_state.h"
 
 static void
@@ -37,9 +41,8 @@ stage_open(void **state)
 	desk_open(&desk);
 	stage->desk = desk;
 	stage->was = screen_aside(24, 80, CHARSET_ASCII, 0);
-	tui_begin(&stage->t, stage->desk->session);
-	stage->t.aside = true;
-	pane_draw(&stage->t);
+	conduct_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
+	frame_draw(&stage->t);
 	*state = stage;
 	return 0;
 }
@@ -49,7 +52,7 @@ stage_close(void **state)
 {
 	struct stage *stage = *state;
 	void *desk = stage->desk;
-	tui_end(&stage->t);
+	conduct_end(&stage->t);
 	canvas_free(screen_back(stage->was));
 	free(stage);
 	return desk_close(&desk);
@@ -88,13 +91,13 @@ the_keypad_has_an_enter(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, "72.3");
-	act_key(t, PANE_ENTER, true);
+	act_key(t, KEY_ENTER, true);
 	assert_int_equal(t->tenths, 723);
 	type(t, "?/up by 5");
-	act_key(t, PANE_ENTER, true);
+	act_key(t, KEY_ENTER, true);
 	assert_int_equal(t->tenths, 773);
 	type(t, ":set k 1");
-	act_key(t, PANE_ENTER, true);
+	act_key(t, KEY_ENTER, true);
 	assert_false(t->typing.active);
 	assert_string_equal(t->command, "set k 1");
 }
@@ -125,23 +128,23 @@ a_smaller_screen_shows_the_key_under_the_cursor(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	const struct viewer *v = &t->viewer;
 	type(t, "?");
-	pane_draw(t);
+	frame_draw(t);
 	for (int i = 0; i < 18; i++)
 		press(t, "Down");
 	struct display *was = screen_aside(6, 60, CHARSET_ASCII, 0);
-	pane_draw(t);
+	frame_draw(t);
 	canvas_free(screen_back(was));
 	assert_int_equal(v->at, 18);
 	assert_in_range(v->at - v->top, 0, t->places.body.rows - 1);
 	assert_in_range(v->top, 1, 18);
-	pane_draw(t);
+	frame_draw(t);
 	type(t, "\033:help predict\n");
-	pane_draw(t);
+	frame_draw(t);
 	press(t, "PgDn");
 	press(t, "PgDn");
 	assert_in_range(v->top, 1, v->lines);
 	was = screen_aside(100, 80, CHARSET_ASCII, 0);
-	pane_draw(t);
+	frame_draw(t);
 	canvas_free(screen_back(was));
 	assert_int_equal(v->top, 0);
 }
@@ -152,15 +155,15 @@ text_wider_than_the_screen_is_read_to_its_end(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, ":help predict\n");
 	struct display *was = screen_aside(12, 30, CHARSET_ASCII, 0);
-	pane_draw(t);
+	frame_draw(t);
 	for (int i = 0; i < 9; i++)
 		press(t, "Right");
-	pane_draw(t);
+	frame_draw(t);
 	assert_non_null(t->viewer.text);
 	assert_in_range(t->viewer.left, 30, 50);
 	for (int i = 0; i < 9; i++)
 		press(t, "Left");
-	pane_draw(t);
+	frame_draw(t);
 	assert_int_equal(t->viewer.left, 0);
 	canvas_free(screen_back(was));
 	type(t, "x");
@@ -203,7 +206,7 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	type(t, "2\t");
 	size_t n = tui_past(t).n;
 	int tenths = t->tenths;
-	assert_int_equal(t->focus, FOCUS_GENERATION);
+	assert_true(t->focus == &page_fit);
 	press(t, "Home");
 	assert_int_equal(tui_generation(t), 1);
 	press(t, "L");
@@ -280,7 +283,7 @@ an_answer_is_measured_by_the_screen_and_not_by_the_text_before(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, "?");
-	pane_draw(t);
+	frame_draw(t);
 	type(t, "\033:predict 99999\n");
 	assert_true(t->bad);
 	assert_null(t->viewer.text);
@@ -328,7 +331,7 @@ what_is_pasted_is_no_keys(void **state)
 	assert_non_null(strstr(t->message, "pasted text was ignored"));
 	/* Keys with a name, as a hostile text may have them. */
 	paste_key(t, SCREEN_PASTE, true);
-	assert_true(paste_key(t, PANE_PAGE_UP, true));
+	assert_true(paste_key(t, KEY_PPAGE, true));
 	paste_end(t);
 	assert_int_equal(t->tenths, 740);
 }
