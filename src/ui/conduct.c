@@ -208,6 +208,8 @@ await_return(void)
 {
 	fputs("\n[Return goes back]", stdout);
 	fflush(stdout);
+	/* ^C has ended the shell command. */
+	pump_forget_interrupt();
 	pump_answer();
 }
 

@@ -6,6 +6,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
+#include <sys/select.h>
 #include <unistd.h>
 
 #include "base/text.h"
@@ -100,17 +101,32 @@ pump_forget_interrupt(void)
 		noted = 0;
 }
 
+/* What ends the wait is let in only while there is nothing to read: one that
+ * came just before would be noted, and the read would wait on.  ^Z keeps its
+ * usual effect all the time. */
 int
 pump_answer(void)
 {
-	int first = EOF, c;
-	do {
-		clearerr(stdin);
-		errno = 0;
-		c = getchar();
-		first = first == EOF ? c : first;
-	} while (
-	    c != '\n' && (c != EOF || errno == EINTR) && pump_signal() == 0);
+	static const int ENDS[] = {SIGINT, SIGTERM, SIGHUP};
+	sigset_t held, was;
+	int first = EOF;
+	unsigned char c = 0;
+	sigemptyset(&held);
+	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++)
+		sigaddset(&held, ENDS[i]);
+	sigprocmask(SIG_BLOCK, &held, &was);
+	while (c != '\n' && pump_signal() == 0) {
+		fd_set in;
+		FD_ZERO(&in);
+		FD_SET(STDIN_FILENO, &in);
+		if (pselect(STDIN_FILENO + 1, &in, NULL, NULL, NULL, &was) < 0)
+			continue;
+		ssize_t got = read(STDIN_FILENO, &c, 1);
+		if (got == 0 || (got < 0 && errno != EINTR))
+			break;
+		first = got > 0 && first == EOF ? c : first;
+	}
+	sigprocmask(SIG_SETMASK, &was, NULL);
 	return c == '\n' ? first : EOF;
 }
 
