@@ -219,7 +219,7 @@ show_act(struct tui *t, const struct key *key)
 		pin(t);
 		break;
 	case ACT_HELP:
-		view_keys(t, "");
+		view_keys(t);
 		break;
 	case ACT_MOUSE:
 		toggle_mouse(t);
@@ -292,29 +292,24 @@ type_key(struct tui *t, int code, bool special)
 
 /* Digits of a speed; 1 to 5 are pages, but behind a 0. */
 static bool
-digit_key(struct tui *t, int code)
+digit_key(struct tui *t, int code, bool special)
 {
-	size_t n = strlen(t->digits);
-	bool digit = code >= '0' && code <= '9';
-	if (n == 0 && !(digit && (code == '0' || code > '5')))
+	struct typing *y = &t->speed;
+	bool digit = code >= '0' && code <= '9',
+	     back = code == DELETE || code == '\b';
+	if (y->n == 0 && !(digit && (code == '0' || code > '5')))
 		return false;
-	if ((digit || code == '.') && n + 1 < sizeof t->digits) {
-		t->digits[n] = (char)code;
-		t->digits[n + 1] = '\0';
-	} else if (code == '\n' || code == '\r') {
+	if (back || ((digit || code == '.') && y->n < SPEED_LETTERS))
+		return typing_letter(y, code, special, SPEED_LETTERS);
+	if (code == '\n' || code == '\r') {
 		struct slider_range range = tui_range(t);
-		if (!slider_read(range, t->digits, &t->tenths))
+		if (!slider_read(range, y->text, &t->tenths))
 			tui_say(t, true,
 			    "a speed from %d to %d m/s was wanted, not %s",
-			    range.least / 10, range.most / 10, t->digits);
-		t->digits[0] = '\0';
-	} else if (code == DELETE || code == '\b') {
-		t->digits[n - 1] = '\0';
-	} else {
-		t->digits[0] = '\0';
-		return code == ESCAPE;
+			    range.least / 10, range.most / 10, y->text);
 	}
-	return true;
+	typing_begin(y, "");
+	return code == '\n' || code == '\r' || code == ESCAPE;
 }
 
 /* What was pressed follows the mouse. */
@@ -343,7 +338,7 @@ press(struct tui *t, const MEVENT *e)
 		    t->places.header.rows == 0 || e->x < tab->column ||
 		    e->x >= tab->column + tab->columns)
 			continue;
-		t->digits[0] = '\0';
+		typing_begin(&t->speed, "");
 		act_key(t, '1' + (int)p, false);
 	}
 	if (follow(t, e->y, e->x, true))
@@ -395,7 +390,7 @@ act_key(struct tui *t, int code, bool special)
 		type_key(t, code, special);
 	} else if (t->viewer.text != NULL) {
 		act(t, view_key(t, code, special));
-	} else if (!digit_key(t, code)) {
+	} else if (!digit_key(t, code, special)) {
 		act(t, key);
 		if (key == NULL && code > ' ' && code < DELETE)
 			tui_say(t, false,

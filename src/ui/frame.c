@@ -263,7 +263,7 @@ draw_lower(struct tui *t)
 							: &l->track;
 	const struct area *line = l->command.rows > 0 ? &l->command : &l->track;
 	bool typing = t->typing.active;
-	bool taken = line == note && (t->message[0] || t->digits[0] ||
+	bool taken = line == note && (t->message[0] || t->speed.text[0] ||
 					 session_busy(t->session));
 	if (typing || (l->command.rows > 0 && !taken)) {
 		if (typing && line == &l->track)
@@ -274,10 +274,10 @@ draw_lower(struct tui *t)
 	}
 	if (note == line && typing)
 		return;
-	if (t->digits[0] != '\0') {
+	if (t->speed.text[0] != '\0') {
 		bool narrow = note->columns < 24;
 		int at = screen_text(note, 0, 0, LOOK_BOLD,
-		    narrow ? "%s" : "speed: %s", t->digits);
+		    narrow ? "%s" : "speed: %s", t->speed.text);
 		screen_text(note, 0, at, LOOK_BOLD,
 		    narrow ? "_ m/s, Enter" : "_ m/s (Enter)");
 		t->cursor = (struct cursor){note->row, at};

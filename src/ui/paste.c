@@ -18,9 +18,8 @@ is_taken(const struct tui *t, int code)
 	if (t->question != NULL || t->typing.active)
 		return t->question == NULL;
 	if (t->viewer.text != NULL)
-		return t->viewer.filtering;
-	size_t n = strlen(t->digits);
-	return n > 0 && n + 1 < sizeof t->digits &&
+		return t->viewer.word.active;
+	return t->speed.n > 0 && t->speed.n < SPEED_LETTERS &&
 	       (code == '.' || (code >= '0' && code <= '9'));
 }
 

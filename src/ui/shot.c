@@ -51,7 +51,7 @@ const struct tui_ways SHOT_WAYS = {.answer = answer};
 static bool
 is_typed(const struct tui *t, const char *word)
 {
-	return t->typing.active || t->viewer.filtering ||
+	return t->typing.active || t->viewer.word.active ||
 	       word[strspn(word, "0123456789.")] == '\0';
 }
 

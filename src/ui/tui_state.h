@@ -29,10 +29,13 @@ struct numbers {
 struct viewer {
 	char *text;
 	int top, lines, left, columns;
-	bool keys, filtering;
+	bool keys;
 	int at;
-	char word[32];
+	struct typing word;
 };
+
+/* How many letters such a word may have, and a speed. */
+enum { VIEWER_WORD = 31, SPEED_LETTERS = 7 };
 
 /* A loaded site at the slider's speed: P50 in mm, whether that is beyond the
  * speeds trained on, and the RMSE at those held out, points; NAN: none. */
@@ -102,13 +105,13 @@ struct tui {
 	size_t n_row;
 	int rows_at; /* tenths they are of; 0: of another session */
 	enum plot_kind picture;
-	bool held;         /* the calibration waits */
-	int pace;          /* index of PACES */
-	double due;        /* when the next generation is */
-	size_t generation; /* looked at, 1..; 0: the last */
-	double holdout;    /* RMSE of the site in use, points, or NAN */
-	char digits[8];    /* a speed being typed */
-	struct typing typing;
+	bool held;            /* the calibration waits */
+	int pace;             /* index of PACES */
+	double due;           /* when the next generation is */
+	size_t generation;    /* looked at, 1..; 0: the last */
+	double holdout;       /* RMSE of the site in use, points, or NAN */
+	struct typing typing; /* a command */
+	struct typing speed;
 	struct paste paste;
 	double pasted; /* when its last character came */
 	struct viewer viewer;

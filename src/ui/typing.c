@@ -230,3 +230,16 @@ typing_key(struct typing *t, const struct session *s, int code, bool special)
 		insert(t, (unsigned)code);
 	return TYPING_ON;
 }
+
+bool
+typing_letter(struct typing *t, int code, bool special, size_t most)
+{
+	bool back = code == DELETE || code == '\b';
+	if (special || (back ? t->n == 0 : code < ' ' || code >= DELETE))
+		return false;
+	if (back)
+		replace(t, before(t, t->at), "", 0);
+	else if (t->n < most)
+		insert(t, (unsigned)code);
+	return true;
+}

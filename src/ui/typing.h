@@ -1,4 +1,5 @@
-/* A line being typed on the full screen, with completion and history.
+/* What is being typed on the full screen: a line, with completion and history,
+ * or a word or number of a few letters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_UI_TYPING_H
 #define TIPSPEED_UI_TYPING_H
@@ -26,5 +27,9 @@ void typing_begin(struct typing *t, const char *text);
 enum typing_result typing_key(
     struct typing *t, const struct session *s, int code, bool special);
 void typing_end(struct typing *t);
+
+/* Takes a letter of ASCII into what has `most` of them, or takes the last one
+ * back; false where the key is neither, or there is none. */
+bool typing_letter(struct typing *t, int code, bool special, size_t most);
 
 #endif

@@ -43,19 +43,17 @@ view_text(struct tui *t, char *text)
 }
 
 void
-view_keys(struct tui *t, const char *word)
+view_keys(struct tui *t)
 {
-	char kept[sizeof t->viewer.word], *text = NULL;
+	struct typing word = t->viewer.word;
+	char *text = NULL;
 	size_t n = 0;
-	bool filtering = t->viewer.filtering;
-	snprintf(kept, sizeof kept, "%s", word);
 	FILE *out = text_memory(&text, &n);
-	keys_list(kept, out);
+	keys_list(word.text, out);
 	fclose(out);
 	view_text(t, text);
 	t->viewer.keys = true;
-	t->viewer.filtering = filtering;
-	memcpy(t->viewer.word, kept, sizeof kept);
+	t->viewer.word = word;
 }
 
 /* The last frame may have been of other text there. */
@@ -80,24 +78,14 @@ view_message(struct tui *t)
 static bool
 find(struct tui *t, int code, bool special)
 {
-	struct viewer *v = &t->viewer;
-	char word[sizeof v->word] = {0}; /* ends wherever it is cut */
-	bool back = !special && (code == 127 || code == '\b');
-	if (!v->keys || (!v->filtering && code != '/'))
+	struct typing *word = &t->viewer.word;
+	if (!t->viewer.keys || (!word->active && code != '/'))
 		return false;
-	if (!v->filtering) {
-		v->filtering = true;
-		return true;
-	}
-	snprintf(word, sizeof word, "%s", v->word);
-	size_t n = strlen(word);
-	if (back && n > 0)
-		word[n - 1] = '\0';
-	else if (back || special || code < ' ' || code >= 127)
+	if (word->active && !typing_letter(word, code, special, VIEWER_WORD))
 		return false;
-	else if (n + 1 < sizeof word)
-		word[n] = (char)code;
-	view_keys(t, word);
+	if (word->active)
+		view_keys(t);
+	word->active = true;
 	return true;
 }
 
@@ -153,7 +141,7 @@ view_key(struct tui *t, int code, bool special)
 		return NULL;
 	}
 	if (v->keys && (code == '\n' || code == '\r'))
-		chosen = keys_nth(v->word, (size_t)v->at);
+		chosen = keys_nth(v->word.text, (size_t)v->at);
 	else if (code == ':')
 		chosen = key;
 	view_close(t);
@@ -217,10 +205,10 @@ view_draw(struct tui *t)
 		    : "any other key goes back");
 	t->cursor =
 	    (struct cursor){body->row + (v->keys ? v->at - v->top : 0), 0};
-	if (v->filtering && t->places.hints.rows > 0) {
+	if (v->word.active && t->places.hints.rows > 0) {
 		t->cursor.row = t->places.hints.row;
 		t->cursor.column = screen_text(
-		    &t->places.hints, 0, 0, LOOK_BOLD, "/%s", v->word);
+		    &t->places.hints, 0, 0, LOOK_BOLD, "/%s", v->word.text);
 	} else if (rest != NULL)
 		screen_text(&t->places.hints, 0, 0, LOOK_REVERSE, "%s", rest);
 	else
