@@ -13,8 +13,8 @@
 #include "ui/act.h"
 #include "ui/conduct.h"
 #include "ui/frame.h"
+#include "ui/input.h"
 #include "ui/page_fit.h"
-#include "ui/paste.h"
 #include "ui/screen.h"
 #include "ui/shot.h"
 #include "ui/tui_state.h"
@@ -315,11 +315,11 @@ control_z_stops_wherever_it_is_typed(void **state)
 static void
 paste(struct tui *t, const char *text)
 {
-	paste_key(t, SCREEN_PASTE, true);
+	input_paste(t, SCREEN_PASTE, true);
 	while (*text != '\0')
-		assert_true(paste_key(t, (int)text_next(&text), false));
-	paste_key(t, SCREEN_PASTED, true);
-	assert_false(paste_key(t, 'q', false));
+		assert_true(input_paste(t, (int)text_next(&text), false));
+	input_paste(t, SCREEN_PASTED, true);
+	assert_false(input_paste(t, 'q', false));
 }
 
 static void
@@ -330,9 +330,9 @@ what_is_pasted_is_no_keys(void **state)
 	assert_false(t->typing.active || t->leave || t->session->quit);
 	assert_non_null(strstr(t->message, "pasted text was ignored"));
 	/* Keys with a name, as a hostile text may have them. */
-	paste_key(t, SCREEN_PASTE, true);
-	assert_true(paste_key(t, KEY_PPAGE, true));
-	paste_end(t);
+	input_paste(t, SCREEN_PASTE, true);
+	assert_true(input_paste(t, KEY_PPAGE, true));
+	input_end_paste(t);
 	assert_int_equal(t->tenths, 740);
 }
 
@@ -365,10 +365,10 @@ ten_megabytes_are_pasted(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	for (int open = 0; open < 3; open++) {
 		type(t, open == 0 ? ":" : open == 1 ? "\033?/" : "\033\0337");
-		paste_key(t, SCREEN_PASTE, true);
+		input_paste(t, SCREEN_PASTE, true);
 		for (int i = 0; i < 10000000; i++)
-			paste_key(t, '5', false);
-		paste_end(t);
+			input_paste(t, '5', false);
+		input_end_paste(t);
 	}
 	assert_string_equal(t->speed.text, "7555555");
 }
