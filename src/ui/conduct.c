@@ -36,22 +36,17 @@ hush(struct tui *t)
 	fflush(t->said);
 }
 
+/* See struct driver: the line itself stands on the screen. */
 static void
-say_error(struct tui *t, const struct error *e)
+say_error(void *t, const struct error *e, const char *line, const char *name)
 {
 	char place[sizeof e->file + 32] = "";
+	(void)line, (void)name;
 	if (e->line > 0)
 		snprintf(place, sizeof place, "%s:%d:%d: ", e->file, e->line,
 		    e->column);
 	tui_say(t, true, "%s%s%s%s", place, e->text,
 	    e->hint[0] != '\0' ? ": " : "", e->hint);
-}
-
-static void
-fail(void *of, const struct error *e, const char *line, const char *name)
-{
-	(void)line, (void)name;
-	say_error(of, e);
 }
 
 /* No progress but that of the page. */
@@ -114,8 +109,11 @@ run(struct tui *t, const char *line)
 	if (tui_entry(t) != NULL)
 		snprintf(site, sizeof site, "%s", tui_entry(t)->key);
 	hush(t);
-	const struct driver d = {
-	    .session = s, .of = t, .fail = fail, .work = work, .watches = true};
+	const struct driver d = {.session = s,
+	    .of = t,
+	    .fail = say_error,
+	    .work = work,
+	    .watches = true};
 	/* A signal is no error: what was found before it stays. */
 	bool ok = driver_line(&d, line, "typed", 0) == 0 || pump_signal() != 0;
 	struct slider_range range = tui_range(t);
@@ -199,7 +197,7 @@ draw_screen(struct tui *t, const char *line)
 	if (ok)
 		show_said(t);
 	else
-		say_error(t, &error);
+		say_error(t, &error, line, "typed");
 }
 
 /* What a shell command wrote stays until it is read. */
@@ -319,7 +317,7 @@ conduct_predict(struct tui *t)
 	struct error error = {0};
 	size_t next;
 	if (!session_line(t->session, line, 0, "typed", 0, &next, &error))
-		say_error(t, &error);
+		say_error(t, &error, line, "typed");
 	if ((!first && !told) || t->command == NULL) {
 		free(t->command);
 		t->command = xstrdup(line);
@@ -358,7 +356,7 @@ finish(struct tui *t)
 {
 	struct error error = {0};
 	if (!session_settle(t->session, true, &error))
-		say_error(t, &error);
+		say_error(t, &error, "", "");
 	t->held = false;
 	conduct_look(t);
 	const struct entry *entry = tui_entry(t);

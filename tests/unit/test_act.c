@@ -225,6 +225,30 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 }
 
 /* The letters of a command would each have done something. */
+
+static void
+the_mouse_drags_the_scrubber_to_its_ends(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	type(t, "2");
+	frame_draw(t);
+	size_t n = tui_past(t).n;
+	const struct area s = t->scrubber;
+	assert_true(n > 1 && s.rows == 1);
+	assert_false(page_fit.mouse(t, s.row + 1, s.column, true));
+	assert_null(t->focus);
+	assert_false(page_fit.mouse(t, s.row, s.column, false));
+	assert_true(page_fit.mouse(t, s.row, s.column, true));
+	assert_true(t->focus == &page_fit);
+	assert_int_equal(tui_generation(t), 1);
+	assert_true(page_fit.mouse(t, 0, s.column + s.columns / 2, false));
+	assert_in_range(tui_generation(t), 2, n - 1);
+	assert_true(page_fit.mouse(t, 0, s.column + s.columns + 9, false));
+	assert_int_equal(tui_generation(t), n);
+}
+
 static void
 a_colon_begins_a_line_over_what_fills_the_screen(void **state)
 {
@@ -411,6 +435,9 @@ main(void)
 		a_pause_is_no_part_of_the_search, stage_open, stage_close),
 	    cmocka_unit_test_setup_teardown(
 		the_scrubber_has_the_keys_of_the_slider, stage_open,
+		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		the_mouse_drags_the_scrubber_to_its_ends, stage_open,
 		stage_close),
 	    cmocka_unit_test_setup_teardown(
 		a_colon_begins_a_line_over_what_fills_the_screen, stage_open,
