@@ -290,14 +290,14 @@ type_key(struct tui *t, int code, bool special)
 		conduct_typed(t, y->text);
 }
 
-/* Digits of a speed; 1 to 5 are pages, but behind a 0. */
+/* Digits of a speed; the first are pages, but behind a 0. */
 static bool
 digit_key(struct tui *t, int code, bool special)
 {
 	struct typing *y = &t->speed;
 	bool digit = code >= '0' && code <= '9',
 	     back = code == DELETE || code == '\b';
-	if (y->n == 0 && !(digit && (code == '0' || code > '5')))
+	if (y->n == 0 && !(digit && (code == '0' || code > '0' + PAGES)))
 		return false;
 	if (back || ((digit || code == '.') && y->n < SPEED_LETTERS))
 		return typing_letter(y, code, special, SPEED_LETTERS);

@@ -191,11 +191,12 @@ keys_list(const char *word, FILE *out)
 		    "  :apropos %s\n",
 		    word, word);
 	if (word[0] == '\0')
-		fputs("  digits, Enter   type a speed: 74, 9.1, 012.5 (1 to 5 "
-		      "are pages)\n"
-		      "  mouse           click and drag set the speed, the "
-		      "wheel moves it by 0.1 m/s\n",
-		    out);
+		fprintf(out,
+		    "  digits, Enter   type a speed: 74, 9.1, 012.5 (1 to %d "
+		    "are pages)\n"
+		    "  mouse           click and drag set the speed, the wheel "
+		    "moves it by 0.1 m/s\n",
+		    PAGES);
 }
 
 const struct key *
@@ -223,11 +224,11 @@ keys_manual(FILE *out)
 			fprintf(out, "Runs\n.Ic %.*s .\n",
 			    (int)strcspn(k->command, " "), k->command);
 	}
-	fputs(
-	    ".It digits, Enter\nType a speed; 1 to 5 are pages, so that one "
+	fprintf(out,
+	    ".It digits, Enter\nType a speed; 1 to %d are pages, so that one "
 	    "which begins with them\nis typed with a 0 before it: 012.5.\n"
 	    ".It mouse\nClick on the track or drag along it to set the "
 	    "speed;\nthe wheel moves it by 0.1 m/s.\nA click on the name of a "
 	    "page opens it.\n.El\n",
-	    out);
+	    PAGES);
 }

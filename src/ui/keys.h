@@ -10,6 +10,9 @@
 
 enum page { PAGE_PREDICT, PAGE_FIT, PAGE_DATA, PAGE_PARITY, PAGE_SITES, PAGES };
 
+/* What hints call the keys of all of them. */
+#define PAGE_HINT "1-5 pages"
+
 /* On which pages a key is there: bits of 1 << page. */
 enum { ON_ALL = (1 << PAGES) - 1, ON_FIT = 1 << PAGE_FIT };
 enum { ON_SITES = 1 << PAGE_SITES };

@@ -170,7 +170,7 @@ act(struct tui *t, const struct key *key)
 }
 
 const struct page_ops page_data = {.name = "Data",
-    .hints = "<-/-> speed  ? keys  q quit  1-5 pages  Up/Down sieves  "
+    .hints = "<-/-> speed  ? keys  q quit  " PAGE_HINT "  Up/Down sieves  "
 	     ": command",
     .draw = draw,
     .key = act};

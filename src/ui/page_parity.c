@@ -23,6 +23,6 @@ words(const struct tui *t)
 }
 
 const struct page_ops page_parity = {.name = "Parity",
-    .hints = "<-/-> speed  ? keys  q quit  1-5 pages  : command",
+    .hints = "<-/-> speed  ? keys  q quit  " PAGE_HINT "  : command",
     .draw = draw,
     .words = words};
