@@ -230,8 +230,11 @@ show_act(struct tui *t, const struct key *key)
 	case ACT_SUSPEND:
 		raise(SIGTSTP); /* the loop answers it */
 		break;
-	default:
+	case ACT_LEAVE:
 		t->leave = true;
+		break;
+	default: /* none on this page */
+		break;
 	}
 }
 
@@ -241,7 +244,11 @@ act(struct tui *t, const struct key *key)
 {
 	if (key == NULL)
 		return;
-	bool (*own)(struct tui *, const struct key *) = pages_open(t)->key;
+	/* From the list of keys one of another page may be chosen. */
+	enum page page = t->page;
+	while (!(key->pages & (1U << page)))
+		page = (page + 1) % PAGES;
+	bool (*own)(struct tui *, const struct key *) = PAGE_OPS[page]->key;
 	if (own != NULL && own(t, key))
 		return;
 	switch (key->act) {
@@ -251,8 +258,6 @@ act(struct tui *t, const struct key *key)
 		break;
 	case ACT_TO:
 		move_to(t, key->amount);
-		break;
-	case ACT_LIST: /* there is none on this page */
 		break;
 	case ACT_RUN:
 	case ACT_TELL:

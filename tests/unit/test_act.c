@@ -250,6 +250,25 @@ the_mouse_drags_the_scrubber_to_its_ends(void **state)
 }
 
 static void
+the_list_has_the_keys_of_other_pages(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(
+	    stage->desk, "load data/sites/tierp.csv data/sites/bro.csv");
+	conduct_look(t);
+	t->site_at = 0;
+	type(t, "?/use this site\n");
+	assert_int_equal(stage->desk->session->current, 0);
+	assert_string_equal(t->command, "use tierp");
+	type(t, "?/next picture\n");
+	assert_int_equal(t->picture, PLOT_CONVERGENCE);
+	assert_int_equal(t->page, PAGE_PREDICT);
+	type(t, "?/down in a list\n");
+	assert_false(t->leave);
+}
+
+static void
 a_colon_begins_a_line_over_what_fills_the_screen(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
@@ -439,6 +458,8 @@ main(void)
 	    cmocka_unit_test_setup_teardown(
 		the_mouse_drags_the_scrubber_to_its_ends, stage_open,
 		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		the_list_has_the_keys_of_other_pages, stage_open, stage_close),
 	    cmocka_unit_test_setup_teardown(
 		a_colon_begins_a_line_over_what_fills_the_screen, stage_open,
 		stage_close),
