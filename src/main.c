@@ -193,7 +193,7 @@ run(struct session *s, const struct invocation *in, int argc, char **argv)
 	if (in->n_action > 0)
 		return run_actions(s, in);
 	if (prompt)
-		return repl_run(s, terminal_colour(in->color));
+		return repl_run(s);
 	if (isatty(STDIN_FILENO))
 		return batch_typed(s);
 	return batch_stream(s, stdin, "stdin");
@@ -250,12 +250,13 @@ main(int argc, char **argv)
 		/* Nor may a script of others touch the user's materials. */
 		bool none = in.safe && in.store == NULL;
 		s->store = store_new(none ? ":memory:" : in.store);
-		s->screen = terminal_screen(terminal_colour(in.color));
+		terminal_choose(in.color);
+		s->screen = terminal_screen();
 		s->draw_screen = shot_draw;
+		s->run_screen = in.linear ? repl_for_screen : tui_run;
 		pump_catch_signals();
 		s->stop = pump_waited_for;
 		s->linear = in.linear;
-		tui_choose(terminal_colour(in.color));
 		if (in.help)
 			usage_print(stdout);
 		if (in.version)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The tree itself: layers, what core may use, sizes of files and functions.
+# The tree itself: layers, circles, what core may use, sizes of functions.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
 cd "$srcdir" || exit 99
@@ -28,6 +28,58 @@ layer io core base
 layer plot base
 layer cmd io plot core base
 layer ui cmd io plot core base
+
+# Files of a layer that have grown into each other are one, or lack a third: none
+# includes, by way of others, one that includes it (.c and .h are taken as one).
+# What is left when files that include none of the rest, or that none of the rest
+# includes, are taken away again and again, is in such a circle or between two.
+circles() {
+	for f in "src/$1"/*.[ch]; do
+		sed -n "s,^#include \"$1/\(.*\)\.h\".*,$(basename "${f%.*}") \1,p" "$f"
+	done | sort -u | awk -v layer="$1" '$1 != $2 { from[++n] = $1; to[n] = $2 }
+		END {
+			do {
+				split("", out)
+				split("", in_)
+				for (i = 1; i <= n; i++) {
+					out[from[i]] = 1
+					in_[to[i]] = 1
+				}
+				was = n
+				n = 0
+				for (i = 1; i <= was; i++)
+					if (to[i] in out && from[i] in in_) {
+						from[++n] = from[i]
+						to[n] = to[i]
+					}
+			} while (n < was)
+			for (i = 1; i <= n; i++)
+				print "src/" layer ": " from[i] " includes " to[i]
+		}' >"$tmp"
+	none "no circle of files in $1"
+}
+# What a header declares is defined in the .c of its name.
+at_home() {
+	for h in "src/$1"/*.h; do
+		c=${h%.h}.c
+		sed 's,/\*.*\*/,,; /\/\*/,/\*\//d; /^#/d' "$h" | awk '
+			/^(static|typedef)/ { skip = 1 }
+			/^[a-z].*[ *][a-z_0-9]+\(/ && !skip {
+				sub(/\(.*/, "")
+				sub(/.*[ *]/, "")
+				print
+			}
+			/[;}]$/ { skip = 0 }' | while read -r name; do
+			grep -qsE "^$name\(" "$c" || echo "$h: $name is not in $c"
+		done
+	done >"$tmp"
+	none "headers of $1 declare what the .c of their name defines"
+}
+# To be completed: core, io, plot and cmd.
+for layer in base ui; do
+	circles $layer
+	at_home $layer
+done
 
 # What core must not use.
 for word in 'stdio\.h' 'time\.h' 'signal\.h' 'getenv' 'unistd\.h' 'locale\.h' \
@@ -66,7 +118,7 @@ none "no file-scope variables outside ui"
 
 # A function runs from the line of its name in column 0 to the closing brace.
 awk 'FNR == 1 { name = "" }
-	/^[a-zA-Z_]+\(/ { name = $0; start = FNR }
+	/^[a-zA-Z_]+\(/ && !/;$/ { name = $0; start = FNR }
 	/^}/ && name != "" {
 		if (FNR - start > 50)
 			print FILENAME ": " FNR - start " lines: " name

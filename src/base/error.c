@@ -9,6 +9,8 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
+_Static_assert((int)ERROR_SYSTEM == XALLOC_STATUS, "no memory is a status");
+
 void
 error_place(struct error *e, const char *file, int line, int column)
 {

@@ -9,15 +9,13 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/error.h"
-
 void
 xalloc_fail(void)
 {
 	static const char say[] = "tipspeed: out of memory\n";
 	ssize_t written = write(STDERR_FILENO, say, sizeof say - 1);
 	(void)written;
-	exit(ERROR_SYSTEM);
+	exit(XALLOC_STATUS);
 }
 
 void *

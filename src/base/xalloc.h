@@ -8,8 +8,11 @@
 
 #define ARRAY_LEN(a) (sizeof(a) / sizeof((a)[0]))
 
+/* What the program ends with where there is none: ERROR_SYSTEM. */
+enum { XALLOC_STATUS = 5 };
+
 /* Zeroed memory for n objects of the given size; never NULL, free with free().
- * On failure the program ends with exit code 5. */
+ * On failure the program ends. */
 void *xcalloc(size_t n, size_t size);
 void *xrealloc(void *p, size_t n, size_t size);
 char *xstrdup(const char *s);

@@ -125,6 +125,9 @@ struct session {
 	/* Draws the full screen, see pictures.h; NULL: there is none. */
 	struct canvas *(*draw_screen)(
 	    struct session *, const struct screen_request *, struct error *);
+	/* Is the full screen until it is left; returns an exit status.  NULL:
+	 * none is opened. */
+	int (*run_screen)(struct session *);
 	/* Asks somebody who sits there; NULL: nobody does, nothing is asked. */
 	bool (*confirm)(struct session *s, const char *question);
 	struct files *files; /* read and written, see files.h; or NULL */

@@ -2,70 +2,25 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/act.h"
 
-#include <limits.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include <curses.h>
+
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
 #include "cmd/fit.h"
-#include "ui/compose.h"
 #include "ui/conduct.h"
-#include "ui/pane.h"
+#include "ui/page_predict.h"
+#include "ui/pages.h"
 #include "ui/screen.h"
 #include "ui/view.h"
 
 enum { ESCAPE = 27, DELETE = 127 };
-
-/* A list moves up and down, whatever the focus is. */
-static int
-moved(int at, int by, size_t n)
-{
-	int to = at + by;
-	return n == 0 || to < 0 ? 0 : to >= (int)n ? (int)n - 1 : to;
-}
-
-static void
-move_generation(struct tui *t, int by)
-{
-	int at = (int)tui_generation(t) - 1;
-	tui_look_at(t, (size_t)moved(at, by, tui_past(t).n) + 1);
-}
-
-/* Up is a higher passing. */
-static void
-move_level(struct tui *t, int by)
-{
-	enum { STEP = 5, LEAST = 5, MOST = 95 };
-	int to = t->level - by * STEP;
-	t->level = to < LEAST ? LEAST : to > MOST ? MOST : to;
-}
-
-static void
-move_focus(struct tui *t, int by)
-{
-	switch (t->focus) {
-	case FOCUS_SPEED:
-		t->tenths = slider_clamp(tui_range(t), t->tenths + by);
-		break;
-	case FOCUS_CROSS:
-		/* Sieves stand coarsest first, the plot finest first. */
-		t->cross_at =
-		    (size_t)moved((int)t->cross_at, -by, t->shown.product.n);
-		break;
-	case FOCUS_GENERATION:
-		move_generation(t, by);
-		break;
-	case FOCUS_SITE:
-		t->site_at =
-		    (size_t)moved((int)t->site_at, by, t->session->n_entry);
-		break;
-	}
-}
 
 /* Of a run its feed is taken, too: the curves then meet what was measured. */
 static void
@@ -84,9 +39,7 @@ move_to(struct tui *t, int where)
 {
 	const struct slider_range range = tui_range(t);
 	const struct entry *entry = tui_entry(t);
-	if (t->focus == FOCUS_GENERATION && where <= TO_MOST)
-		tui_look_at(t, where == TO_LEAST ? 1 : tui_past(t).n);
-	else if (where == TO_LEAST)
+	if (where == TO_LEAST)
 		t->tenths = range.least;
 	else if (where == TO_MOST)
 		t->tenths = range.most;
@@ -94,58 +47,42 @@ move_to(struct tui *t, int where)
 		to_run(t, range, entry->site, where);
 }
 
-/* Whether the arrows can move it here. */
-static bool
-can_focus(const struct tui *t, enum focus focus)
+/* Between the slider and what the page has. */
+static void
+next_focus(struct tui *t)
 {
-	switch (focus) {
-	case FOCUS_CROSS:
-		return t->cross && t->page == PAGE_PREDICT;
-	case FOCUS_GENERATION:
-		return t->page == PAGE_FIT && tui_past(t).n > 0;
-	case FOCUS_SITE:
-		return t->page == PAGE_SITES;
-	default:
-		return true;
-	}
+	const struct page_ops *page = pages_open(t);
+	bool can = page->takes_focus ||
+		   (page->can_focus != NULL && page->can_focus(t));
+	t->focus = can && t->focus == NULL ? page : NULL;
 }
 
-/* Many arrows at once: of the generations where these are gone through, else of
- * the slider. */
-static void
-move_far(struct tui *t, int by)
+/* The command of a key that has one, with the speed or the picture in it.  The
+ * caller frees. */
+static char *
+compose(const struct tui *t, const struct key *key)
 {
-	if (t->focus == FOCUS_GENERATION)
-		move_generation(t, by);
+	const char *hole = strstr(key->command, "%s");
+	if (hole == NULL)
+		return xstrdup(key->command);
+	char *(*words)(const struct tui *) = pages_open(t)->words;
+	words = words != NULL ? words : pane_curves_words;
+	char *where = key->act == ACT_TELL ? words(t) : tui_where(t);
+	char *line;
+	if (key->act == ACT_EXPORT && t->pin.site[0] != '\0')
+		line = xasprintf("plot psd %s beside=%s other=%.1f > ", where,
+		    t->pin.site, t->pin.speed);
 	else
-		t->tenths = slider_clamp(tui_range(t), t->tenths + by);
-}
-
-static void
-next_focus(struct tui *t, int by)
-{
-	enum { COUNT = FOCUS_SITE + 1 };
-	int focus = (int)t->focus;
-	do
-		focus = (focus + by + COUNT) % COUNT;
-	while (!can_focus(t, (enum focus)focus));
-	t->focus = (enum focus)focus;
-}
-
-static void
-go_to(struct tui *t, enum page page)
-{
-	t->page = page;
-	if (page == PAGE_SITES)
-		t->focus = FOCUS_SITE;
-	else if (!can_focus(t, t->focus) || t->focus == FOCUS_SITE)
-		t->focus = FOCUS_SPEED;
+		line = xasprintf("%.*s%s%s", (int)(hole - key->command),
+		    key->command, where, hole + 2);
+	free(where);
+	return line;
 }
 
 static void
 run_key(struct tui *t, const struct key *key)
 {
-	char *line = compose_line(t, key);
+	char *line = compose(t, key);
 	if (key->act == ACT_TYPE || key->act == ACT_EXPORT) {
 		t->message[0] = '\0';
 		typing_begin(&t->typing, line);
@@ -161,7 +98,7 @@ run_key(struct tui *t, const struct key *key)
 static void
 fit(struct tui *t, const struct key *key)
 {
-	go_to(t, PAGE_FIT);
+	pages_go(t, PAGE_FIT);
 	run_key(t, key);
 }
 
@@ -186,7 +123,7 @@ hold(struct tui *t, const struct key *key)
 static void
 set_pace(struct tui *t, int by)
 {
-	t->pace = moved(t->pace, by, PACE_COUNT);
+	t->pace = pane_moved(t->pace, by, PACE_COUNT);
 	t->due = t->clock;
 	if (t->pace == PACE_FULL)
 		tui_say(t, false, "pace: as fast as it can");
@@ -222,23 +159,6 @@ pin(struct tui *t)
 }
 
 static void
-cross(struct tui *t)
-{
-	t->cross = !t->cross && t->shown.product.n > 0;
-	if (t->cross && t->cross_at == 0)
-		t->cross_at = t->shown.product.n / 3;
-	if (t->cross)
-		t->page = PAGE_PREDICT;
-	t->focus = t->cross ? FOCUS_CROSS : FOCUS_SPEED;
-	if (t->shown.product.n == 0)
-		tui_say(t, true, "nothing is predicted yet: f calibrates");
-	else if (t->cross)
-		tui_say(t, false,
-		    "left and right: the sieve; up and down: the passing; Tab: "
-		    "the speed again");
-}
-
-static void
 band(struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
@@ -253,14 +173,6 @@ band(struct tui *t)
 		? "band on: 80 % of the fits"
 		: "band on: 80 % of the fits; where thinner than half a row "
 		  "it does not show");
-}
-
-static void
-next_picture(struct tui *t)
-{
-	t->picture = t->picture == PLOT_PSD           ? PLOT_CONVERGENCE
-		     : t->picture == PLOT_CONVERGENCE ? PLOT_SPREAD
-						      : PLOT_PSD;
 }
 
 static void
@@ -292,13 +204,13 @@ show_act(struct tui *t, const struct key *key)
 {
 	switch (key->act) {
 	case ACT_PAGE:
-		go_to(t, (enum page)key->amount);
+		pages_go(t, (enum page)key->amount);
 		break;
 	case ACT_FOCUS:
-		next_focus(t, key->amount);
+		next_focus(t);
 		break;
 	case ACT_CROSS:
-		cross(t);
+		page_predict_cross(t);
 		break;
 	case ACT_BAND:
 		band(t);
@@ -306,11 +218,8 @@ show_act(struct tui *t, const struct key *key)
 	case ACT_PIN:
 		pin(t);
 		break;
-	case ACT_PICTURE:
-		next_picture(t);
-		break;
 	case ACT_HELP:
-		view_keys(t, "");
+		view_keys(t);
 		break;
 	case ACT_MOUSE:
 		toggle_mouse(t);
@@ -321,8 +230,11 @@ show_act(struct tui *t, const struct key *key)
 	case ACT_SUSPEND:
 		raise(SIGTSTP); /* the loop answers it */
 		break;
-	default:
+	case ACT_LEAVE:
 		t->leave = true;
+		break;
+	default: /* none on this page */
+		break;
 	}
 }
 
@@ -332,32 +244,25 @@ act(struct tui *t, const struct key *key)
 {
 	if (key == NULL)
 		return;
+	/* From the list of keys one of another page may be chosen. */
+	enum page page = t->page;
+	while (!(key->pages & (1U << page)))
+		page = (page + 1) % PAGES;
+	bool (*own)(struct tui *, const struct key *) = PAGE_OPS[page]->key;
+	if (own != NULL && own(t, key))
+		return;
 	switch (key->act) {
 	case ACT_MOVE:
-		move_focus(t, key->amount);
-		break;
 	case ACT_FINE:
-		move_far(t, key->amount);
+		t->tenths = slider_clamp(tui_range(t), t->tenths + key->amount);
 		break;
 	case ACT_TO:
 		move_to(t, key->amount);
-		break;
-	case ACT_LIST:
-		if (t->page == PAGE_SITES)
-			t->focus = FOCUS_SITE;
-		if (t->page == PAGE_DATA)
-			t->data_top = (size_t)moved(
-			    (int)t->data_top, key->amount, INT_MAX);
-		else if (t->focus == FOCUS_CROSS)
-			move_level(t, key->amount);
-		else if (t->focus != FOCUS_SPEED)
-			move_focus(t, key->amount);
 		break;
 	case ACT_RUN:
 	case ACT_TELL:
 	case ACT_TYPE:
 	case ACT_EXPORT:
-	case ACT_CHOOSE:
 		run_key(t, key);
 		break;
 	case ACT_FIT:
@@ -390,45 +295,98 @@ type_key(struct tui *t, int code, bool special)
 		conduct_typed(t, y->text);
 }
 
-/* Digits of a speed; 1 to 5 are pages, but behind a 0. */
+/* Digits of a speed; the first are pages, but behind a 0. */
 static bool
-digit_key(struct tui *t, int code)
+digit_key(struct tui *t, int code, bool special)
 {
-	size_t n = strlen(t->digits);
-	bool digit = code >= '0' && code <= '9';
-	if (n == 0 && !(digit && (code == '0' || code > '5')))
+	struct typing *y = &t->speed;
+	bool digit = code >= '0' && code <= '9',
+	     back = code == DELETE || code == '\b';
+	if (y->n == 0 && !(digit && (code == '0' || code > '0' + PAGES)))
 		return false;
-	if ((digit || code == '.') && n + 1 < sizeof t->digits) {
-		t->digits[n] = (char)code;
-		t->digits[n + 1] = '\0';
-	} else if (code == '\n' || code == '\r') {
+	if (back || ((digit || code == '.') && y->n < SPEED_LETTERS))
+		return typing_letter(y, code, special, SPEED_LETTERS);
+	if (code == '\n' || code == '\r') {
 		struct slider_range range = tui_range(t);
-		if (!slider_read(range, t->digits, &t->tenths))
+		if (!slider_read(range, y->text, &t->tenths))
 			tui_say(t, true,
 			    "a speed from %d to %d m/s was wanted, not %s",
-			    range.least / 10, range.most / 10, t->digits);
-		t->digits[0] = '\0';
-	} else if (code == DELETE || code == '\b') {
-		t->digits[n - 1] = '\0';
-	} else {
-		t->digits[0] = '\0';
-		return code == ESCAPE;
+			    range.least / 10, range.most / 10, y->text);
 	}
+	typing_begin(y, "");
+	return code == '\n' || code == '\r' || code == ESCAPE;
+}
+
+/* What was pressed follows the mouse. */
+static bool
+follow(struct tui *t, int row, int column, bool pressed)
+{
+	const struct page_ops *page = pages_open(t);
+	struct area track = places_track(&t->places);
+	if (page->mouse != NULL && page->mouse(t, row, column, pressed))
+		return true;
+	if (pressed && !area_has(&t->places.track, row, column))
+		return false;
+	if (pressed)
+		t->focus = NULL;
+	t->tenths =
+	    slider_at(tui_range(t), column - track.column, track.columns);
 	return true;
+}
+
+static void
+press(struct tui *t, const MEVENT *e)
+{
+	for (size_t p = 0; p < PAGES; p++) {
+		const struct tab *tab = &t->tab[p];
+		if (e->y != t->places.header.row ||
+		    t->places.header.rows == 0 || e->x < tab->column ||
+		    e->x >= tab->column + tab->columns)
+			continue;
+		typing_begin(&t->speed, "");
+		act_key(t, '1' + (int)p, false);
+	}
+	if (follow(t, e->y, e->x, true))
+		t->dragging = true;
+}
+
+static void
+act_mouse(struct tui *t)
+{
+	MEVENT e;
+	if (getmouse(&e) != OK || t->typing.active)
+		return;
+	if (t->viewer.text != NULL) {
+		if (e.bstate & (BUTTON4_PRESSED | BUTTON5_PRESSED))
+			act_key(t,
+			    e.bstate & BUTTON4_PRESSED ? KEY_UP : KEY_DOWN,
+			    true);
+		return;
+	}
+	if (e.bstate & BUTTON4_PRESSED)
+		t->tenths = slider_clamp(tui_range(t), t->tenths + 1);
+	else if (e.bstate & BUTTON5_PRESSED)
+		t->tenths = slider_clamp(tui_range(t), t->tenths - 1);
+	else if (e.bstate & (BUTTON1_PRESSED | BUTTON1_CLICKED))
+		press(t, &e);
+	else if (t->dragging && (e.bstate & REPORT_MOUSE_POSITION))
+		follow(t, e.y, e.x, false);
+	if (e.bstate & (BUTTON1_RELEASED | BUTTON1_CLICKED))
+		t->dragging = false;
 }
 
 void
 act_key(struct tui *t, int code, bool special)
 {
-	if (special && (code == PANE_ENTER || code == PANE_BACKSPACE)) {
-		code = code == PANE_ENTER ? '\n' : DELETE;
+	if (special && (code == KEY_ENTER || code == KEY_BACKSPACE)) {
+		code = code == KEY_ENTER ? '\n' : DELETE;
 		special = false;
 	}
 	/* A character beyond ASCII is no key: its number may be one's. */
 	if (!special && code > DELETE && !t->typing.active)
 		return;
 	const struct key *key = keys_find(code, t->page);
-	if (special && code == PANE_MOUSE) {
+	if (special && code == KEY_MOUSE) {
 		act_mouse(t);
 	} else if (key != NULL &&
 		   (key->act == ACT_SUSPEND || key->act == ACT_REDRAW)) {
@@ -437,7 +395,7 @@ act_key(struct tui *t, int code, bool special)
 		type_key(t, code, special);
 	} else if (t->viewer.text != NULL) {
 		act(t, view_key(t, code, special));
-	} else if (!digit_key(t, code)) {
+	} else if (!digit_key(t, code, special)) {
 		act(t, key);
 		if (key == NULL && code > ' ' && code < DELETE)
 			tui_say(t, false,

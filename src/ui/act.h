@@ -6,10 +6,7 @@
 #include "ui/tui_state.h"
 
 /* Takes one key: code as ncurses has it; special: one with a name, no
- * character. */
+ * character; the mouse is one such, whose event ncurses holds. */
 void act_key(struct tui *t, int code, bool special);
-
-/* Takes the mouse event that ncurses holds. */
-void act_mouse(struct tui *t);
 
 #endif

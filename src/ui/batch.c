@@ -10,9 +10,9 @@
 #include "base/xalloc.h"
 #include "cmd/keep.h"
 #include "cmd/script.h"
+#include "ui/driver.h"
 #include "ui/pump.h"
 #include "ui/terminal.h"
-#include "ui/tui.h"
 
 /* The line at fault, cut to fit a screen, and a caret under the column. */
 static void
@@ -39,9 +39,10 @@ print_caret(const char *line, int column, FILE *out)
 }
 
 static void
-print_error(const struct error *e, const char *line, const char *name)
+print_error(void *of, const struct error *e, const char *line, const char *name)
 {
 	struct error bare = *e;
+	(void)of;
 	bare.hint[0] = '\0';
 	error_print(&bare, stderr);
 	if (e->line > 0 && strcmp(e->file, name) == 0)
@@ -49,89 +50,37 @@ print_error(const struct error *e, const char *line, const char *name)
 	error_print_hint(e, stderr);
 }
 
-static int run_scripts(struct session *s, size_t depth, struct page *page);
-
-/* Ends what the line has under way after an error or an interruption; the
- * latter keeps the results so far. */
+/* At a prompt one sees that. */
 static void
-give_up(struct session *s, int status, const char *line, const char *name)
+print_interrupted(const char *name, int number)
 {
-	struct error error = {.kind = (enum error_kind)status};
-	bool ok = status == 0 || pump_signal() != 0;
-	if (!session_settle(s, ok, &error) && ok)
-		print_error(&error, line, name);
+	text_put(name, stderr);
+	fprintf(stderr, ":%d: interrupted\n", number);
 }
 
-/* After a signal: what was found stays. */
-static int
-interrupt(struct session *s, const char *line, const char *name, int number,
-    struct page *page)
+static struct driver
+plain_driver(struct session *s)
 {
-	page_hold(page);
-	session_pause(s);
-	give_up(s, 0, line, name);
-	page_show(page);
-	/* At a prompt one sees that. */
-	if (page == NULL) {
-		text_put(name, stderr);
-		fprintf(stderr, ":%d: interrupted\n", number);
-	}
-	return pump_status();
+	return (struct driver){.session = s,
+	    .fail = print_error,
+	    .interrupted = print_interrupted,
+	    .work = pump_run};
 }
 
 int
-batch_line(struct session *s, const char *line, const char *name, int number,
-    struct page *page)
+batch_line(struct session *s, const char *line, int number, struct pager *pager)
 {
-	size_t at = 0, depth = script_depth(s);
-	do {
-		struct error error = {0};
-		page_hold(page);
-		bool ok = session_line(s, line, at, name, number, &at, &error);
-		page_show(page);
-		if (!ok) {
-			fflush(s->out);
-			print_error(&error, line, name);
-			return (int)error.kind;
-		}
-		if (!pump_run(s))
-			return interrupt(s, line, name, number, page);
-		page_show(page);
-		int status = run_scripts(s, depth, page);
-		if (status == 0 && s->wants_tui) {
-			s->wants_tui = false;
-			status = tui_run(s);
-		}
-		if (status != 0 || s->quit)
-			give_up(s, status, line, name);
-		page_show(page);
-		if (status != 0)
-			return status;
-	} while (at > 0 && !s->quit);
-	return 0;
+	struct driver d = plain_driver(s);
+	d.pager = pager;
+	d.interrupted = pager != NULL ? NULL : print_interrupted;
+	return driver_line(&d, line, "typed", number);
 }
 
-/* Runs the scripts that are open beyond `depth` of them. */
 static int
-run_scripts(struct session *s, size_t depth, struct page *page)
+run_scripts(struct session *s, size_t depth)
 {
-	int status = 0;
-	while (status == 0 && script_depth(s) > depth && !s->quit &&
-	       pump_signal() == 0) {
-		struct error error = {0};
-		struct place place;
-		char *line = script_line(s, &place, &error);
-		if (line != NULL)
-			status =
-			    batch_line(s, line, place.file, place.line, page);
-		else if (error.kind != ERROR_NONE)
-			print_error(&error, "", "");
-		if (line == NULL)
-			status = (int)error.kind;
-		free(line);
-	}
-	script_close(s, depth);
-	return pump_signal() != 0 ? pump_status() : status;
+	const struct driver d = plain_driver(s);
+	return driver_scripts(&d, depth);
 }
 
 int
@@ -139,7 +88,7 @@ batch_stream(struct session *s, FILE *in, const char *name)
 {
 	size_t depth = script_depth(s);
 	script_open_stream(s, in, name);
-	return run_scripts(s, depth, NULL);
+	return run_scripts(s, depth);
 }
 
 int
@@ -147,7 +96,7 @@ batch_text(struct session *s, const char *text, const char *name, int line)
 {
 	size_t depth = script_depth(s);
 	script_open_text(s, text, name, line);
-	return run_scripts(s, depth, NULL);
+	return run_scripts(s, depth);
 }
 
 int
@@ -156,7 +105,7 @@ batch_file(struct session *s, const char *path)
 	size_t depth = script_depth(s);
 	struct error error = {0};
 	if (script_open(s, path, &error))
-		return run_scripts(s, depth, NULL);
+		return run_scripts(s, depth);
 	error_print(&error, stderr);
 	return (int)error.kind;
 }
@@ -208,7 +157,7 @@ batch_typed(struct session *s)
 		if (got == TEXT_END)
 			clearerr(stdin);
 		if (got == TEXT_LINE && !more)
-			batch_line(s, line, "typed", number++, NULL);
+			batch_line(s, line, number++, NULL);
 		if (pump_ended())
 			break;
 	}

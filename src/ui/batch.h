@@ -22,9 +22,9 @@ void batch_attend(struct session *s);
  * the next line read. */
 int batch_typed(struct session *s);
 
-/* Runs one line with its jobs; name and number: what its place is called.  An
- * error is printed.  page: what holds its results back at a prompt, or NULL. */
-int batch_line(struct session *s, const char *line, const char *name,
-    int number, struct page *page);
+/* Runs a typed line with its jobs.  An error is printed.  pager: what holds its
+ * results back at a prompt, or NULL. */
+int batch_line(
+    struct session *s, const char *line, int number, struct pager *pager);
 
 #endif

@@ -3,7 +3,6 @@
 #include "ui/conduct.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,39 +12,17 @@
 #include "cmd/command.h"
 #include "cmd/fit.h"
 #include "cmd/script.h"
+#include "ui/driver.h"
 #include "ui/pump.h"
 #include "ui/screen.h"
 #include "ui/typed.h"
 #include "ui/view.h"
 
-const double PACES[PACE_COUNT] = {1, 2, 5, 10, 20, 50, INFINITY};
+/* session->confirm and `screen` have no argument to pass it by. */
+static struct tui *open;
 
 /* A slider that stood still for so long has paused, s. */
 static const double PAUSE = 0.7;
-
-void
-tui_say(struct tui *t, bool bad, const char *format, ...)
-{
-	va_list ap;
-	va_start(ap, format);
-	vsnprintf(t->message, sizeof t->message, format, ap);
-	va_end(ap);
-	t->bad = bad;
-}
-
-void
-conduct_begin(struct tui *t)
-{
-	t->said = text_memory(&t->said_text, &t->said_n);
-	t->session->out = t->session->notes = t->said;
-}
-
-void
-conduct_end(struct tui *t)
-{
-	fclose(t->said);
-	free(t->said_text);
-}
 
 /* Forgets what was said before; what is said next is for this screen, which
  * has no use for escapes. */
@@ -59,10 +36,12 @@ hush(struct tui *t)
 	fflush(t->said);
 }
 
+/* See struct driver: the line itself stands on the screen. */
 static void
-say_error(struct tui *t, const struct error *e)
+say_error(void *t, const struct error *e, const char *line, const char *name)
 {
 	char place[sizeof e->file + 32] = "";
+	(void)line, (void)name;
 	if (e->line > 0)
 		snprintf(place, sizeof place, "%s:%d:%d: ", e->file, e->line,
 		    e->column);
@@ -70,61 +49,13 @@ say_error(struct tui *t, const struct error *e)
 	    e->hint[0] != '\0' ? ": " : "", e->hint);
 }
 
-static bool run_to_end(
-    struct tui *t, const char *line, const char *name, int number);
-
-/* The scripts that a line opened, to their end. */
+/* No progress but that of the page. */
 static bool
-run_scripts(struct tui *t, size_t depth)
-{
-	struct session *s = t->session;
-	bool ok = true;
-	while (ok && script_depth(s) > depth && !s->quit) {
-		struct error error = {0};
-		struct place place;
-		char *line = script_line(s, &place, &error);
-		ok = line != NULL ? run_to_end(t, line, place.file, place.line)
-				  : error.kind == ERROR_NONE;
-		if (line == NULL && !ok)
-			say_error(t, &error);
-		free(line);
-	}
-	script_close(s, depth);
-	return ok;
-}
-
-/* A signal ends what runs, as it does elsewhere. */
-static void
-pump_to_end(struct session *s)
+work(struct session *s)
 {
 	while (session_busy(s) && pump_signal() == 0)
 		session_step(s);
-	session_pause(s);
-}
-
-static bool
-run_to_end(struct tui *t, const char *line, const char *name, int number)
-{
-	struct session *s = t->session;
-	size_t at = 0, depth = script_depth(s);
-	struct error error = {0};
-	bool ok = true;
-	do {
-		ok = session_line(s, line, at, name, number, &at, &error);
-		if (!ok) {
-			say_error(t, &error);
-			break;
-		}
-		/* A calibration at the end of a typed line is to be watched. */
-		if (number == 0 && session_busy(s) &&
-		    script_depth(s) == depth && line[at] == '\0' && !s->job.all)
-			return true;
-		pump_to_end(s);
-		ok = run_scripts(t, depth);
-	} while (ok && at > 0 && !s->quit);
-	if (!session_settle(s, ok, &error) && ok)
-		say_error(t, &error);
-	return ok;
+	return pump_signal() == 0;
 }
 
 static void
@@ -185,7 +116,13 @@ run(struct tui *t, const char *line)
 	if (tui_entry(t) != NULL)
 		snprintf(site, sizeof site, "%s", tui_entry(t)->key);
 	hush(t);
-	bool ok = run_to_end(t, line, "typed", 0);
+	const struct driver d = {.session = s,
+	    .of = t,
+	    .fail = say_error,
+	    .work = work,
+	    .watches = true};
+	/* A signal is no error: what was found before it stays. */
+	bool ok = driver_line(&d, line, "typed", 0) == 0 || pump_signal() != 0;
 	struct slider_range range = tui_range(t);
 	double said = session_known(s, "predict find", "speed");
 	if (slider_has(range, said))
@@ -267,7 +204,7 @@ draw_screen(struct tui *t, const char *line)
 	if (ok)
 		show_said(t);
 	else
-		say_error(t, &error);
+		say_error(t, &error, line, "typed");
 }
 
 /* What a shell command wrote stays until it is read. */
@@ -276,6 +213,8 @@ await_return(void)
 {
 	fputs("\n[Return goes back]", stdout);
 	fflush(stdout);
+	/* ^C has ended the shell command. */
+	pump_forget_interrupt();
 	pump_answer();
 }
 
@@ -295,11 +234,11 @@ run_typed(struct tui *t, const char *line)
 	/* Only a shell command may write past the session's streams. */
 	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
 	if (aside)
-		tui_step_aside();
+		t->ways->leave();
 	bool ok = conduct_run(t, line);
 	if (aside) {
 		await_return();
-		tui_step_back();
+		t->ways->come_back();
 	}
 	/* Bounds edited in a search: on within them. Where it was paused the
 	 * user says when. */
@@ -322,11 +261,34 @@ run_typed(struct tui *t, const char *line)
 		show_said(t);
 }
 
+/* What a typed line means with the slider somewhere, see tui_where.  A question
+ * about one speed is about that of the slider, where it is asked of no other:
+ * "spec FILE" gets it.  The caller frees. */
+static char *
+meant_by(const char *line, const char *where)
+{
+	static const char *const ASK[] = {"predict", "spec", "guess", "why"};
+	size_t from = strspn(line, " \t"), n = strcspn(line + from, " \t>|");
+	const char *word = line + from, *rest = word + n;
+	rest += strspn(rest, " \t");
+	/* A speed may also stand alone. */
+	bool said = strchr(line, ';') != NULL ||
+		    strstr(line, "speed=") != NULL ||
+		    (*rest >= '0' && *rest <= '9');
+	size_t length =
+	    strstr(line, "feed=") != NULL ? strcspn(where, " ") : strlen(where);
+	for (size_t i = 0; !said && i < ARRAY_LEN(ASK); i++)
+		if (strlen(ASK[i]) == n && strncmp(word, ASK[i], n) == 0)
+			return xasprintf("%s %.*s%s%s", ASK[i], (int)length,
+			    where, *rest != '\0' ? " " : "", rest);
+	return xstrdup(line);
+}
+
 void
 conduct_typed(struct tui *t, const char *line)
 {
 	char *where = tui_where(t);
-	char *meant = typing_meant(line, where);
+	char *meant = meant_by(line, where);
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_add(line);
 	run_typed(t, meant);
@@ -363,7 +325,7 @@ conduct_predict(struct tui *t)
 	t->shown = (struct prediction){0};
 	if (!answers_step(
 		s, t->tenths / 10.0, tui_feed(t), line, &t->shown, &error))
-		say_error(t, &error);
+		say_error(t, &error, line, "typed");
 	if ((!first && !told) || t->command == NULL) {
 		free(t->command);
 		t->command = xstrdup(line);
@@ -402,7 +364,7 @@ finish(struct tui *t)
 {
 	struct error error = {0};
 	if (!session_settle(t->session, true, &error))
-		say_error(t, &error);
+		say_error(t, &error, "", "");
 	t->held = false;
 	conduct_look(t);
 	const struct entry *entry = tui_entry(t);
@@ -435,4 +397,84 @@ conduct_pump(struct tui *t)
 	t->asked.tenths = 0;
 	if (!session_busy(s))
 		finish(t);
+}
+
+const struct tui *
+conduct_open(void)
+{
+	return open;
+}
+
+static bool
+confirm(struct session *s, const char *question)
+{
+	(void)s;
+	open->question = question;
+	int code = open->ways->answer(open);
+	open->question = NULL;
+	return code == 'y' || code == 'Y';
+}
+
+/* The speed last predicted, else the usual one of the site. */
+static int
+first_speed(const struct session *s)
+{
+	double speed = session_known(s, "predict find", "speed");
+	const struct entry *e = s->n_entry > 0 ? &s->entry[s->current] : NULL;
+	struct slider_range range = slider_range(e != NULL ? e->site : NULL);
+	if (slider_has(range, speed))
+		return slider_tenths(range, speed);
+	return e != NULL ? slider_tenths(range, answers_usual(e)) : 740;
+}
+
+void
+conduct_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
+{
+	enum { PACE = 4 };
+	*t = (struct tui){.session = s,
+	    .ways = ways,
+	    .aside = ways->leave == NULL,
+	    .tenths = first_speed(s),
+	    .site_at = s->current,
+	    .mouse = screen_mouse(true),
+	    .pace = PACE,
+	    .picture = PLOT_PSD,
+	    .level = 50,
+	    .holdout = NAN,
+	    .before = {s->out, s->notes, s->show_page, s->confirm, s->prompt,
+		s->typed_at, s->run_screen, s->screen}};
+	s->confirm = confirm;
+	s->prompt = true;
+	s->typed_at = script_depth(s);
+	s->show_page = NULL;
+	s->run_screen = NULL;
+	tui_keep_feed(t);
+	t->said = text_memory(&t->said_text, &t->said_n);
+	s->out = s->notes = t->said;
+	conduct_look(t);
+	open = t;
+}
+
+void
+conduct_end(struct tui *t)
+{
+	struct session *s = t->session;
+	open = NULL;
+	s->out = t->before.out;
+	s->notes = t->before.notes;
+	s->show_page = t->before.show_page;
+	s->confirm = t->before.confirm;
+	s->prompt = t->before.prompt;
+	s->typed_at = t->before.typed_at;
+	s->run_screen = t->before.run_screen;
+	s->screen = t->before.screen;
+	conduct_keep(t);
+	fclose(t->said);
+	free(t->said_text);
+	typing_end(&t->typing);
+	view_close(t);
+	prediction_free(&t->shown);
+	free(t->command);
+	prediction_free(&t->kept);
+	free(t->row);
 }

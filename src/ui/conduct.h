@@ -5,9 +5,14 @@
 
 #include "ui/tui_state.h"
 
-/* Takes the session's results and notes, and gives them back. */
-void conduct_begin(struct tui *t);
+/* A full screen on a session, as it opens, and its end: what runs is stopped
+ * and kept, and the session has its ways again. */
+void conduct_begin(
+    struct tui *t, struct session *s, const struct tui_ways *ways);
 void conduct_end(struct tui *t);
+
+/* The one that is open, or NULL. */
+const struct tui *conduct_open(void);
 
 /* Runs a line that a key composed, and shows it.  False with a message where
  * it failed. */

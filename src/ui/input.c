@@ -1,4 +1,6 @@
-/* What ncurses makes of the bytes, and what it leaves to others.
+/* What ncurses makes of the bytes, and what it leaves to others.  Of what is
+ * pasted the first line is typed: lines put together could mean something else,
+ * and what nobody has seen is not to be run.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/input.h"
 
@@ -8,8 +10,72 @@
 
 #include <curses.h>
 
-#include "ui/paste.h"
+#include "ui/act.h"
 #include "ui/pump.h"
+#include "ui/screen.h"
+
+/* Longer than any line may be. */
+enum { MOST = 2000 };
+
+/* Whether a line takes the character; a speed has but few. */
+static bool
+is_taken(const struct tui *t, int code)
+{
+	if (t->question != NULL || t->typing.active)
+		return t->question == NULL;
+	if (t->viewer.text != NULL)
+		return t->viewer.word.active;
+	return t->speed.n > 0 && t->speed.n < SPEED_LETTERS &&
+	       (code == '.' || (code >= '0' && code <= '9'));
+}
+
+static void
+take(struct tui *t, int code)
+{
+	struct paste *p = &t->paste;
+	bool ends = code == '\n' || code == '\r';
+	code = code == '\t' ? ' ' : code;
+	if (ends && p->taken > 0)
+		p->ended = true;
+	/* Controls, those beyond ASCII too. */
+	if (code < ' ' || (code >= 127 && code < 160))
+		return;
+	if (p->ended || p->taken >= MOST || !is_taken(t, code)) {
+		p->left = p->left || code != ' ';
+		return;
+	}
+	p->taken++;
+	act_key(t, code, false);
+}
+
+void
+input_end_paste(struct tui *t)
+{
+	const struct paste *p = &t->paste;
+	if (p->left && p->taken == 0)
+		tui_say(t, false,
+		    "pasted text was ignored: press : first to paste it into "
+		    "the command line");
+	else if (p->left)
+		tui_say(t, false,
+		    "only part of the pasted text was taken: a "
+		    "line takes one line");
+	t->paste.on = false;
+}
+
+bool
+input_paste(struct tui *t, int code, bool special)
+{
+	if (special && code == SCREEN_PASTE)
+		t->paste = (struct paste){.on = true};
+	else if (!t->paste.on)
+		return false;
+	else if (special && code == SCREEN_PASTED)
+		input_end_paste(t);
+	else if (!special)
+		take(t, code);
+	return true;
+}
 
 /* The rest of a sequence that the terminal's description does not have would be
  * taken for keys. True where there was one: it came with its Escape at once. */
@@ -44,14 +110,14 @@ more_waits(void)
 }
 
 bool
-input_key(struct tui *t, const sigset_t *let_in, int *code, bool *special)
+input_key(struct tui *t, int *code, bool *special)
 {
 	enum { ESCAPE = 27, MUCH = 4096 };
 	wint_t c = 0;
 	int got;
 	for (int n = 1; pump_signal() == 0; n++) {
 		if (n % MUCH == 0)
-			pump_let_in(let_in);
+			pump_let_in();
 		got = get_wch(&c);
 		if (got == ERR && !more_waits())
 			return false;
@@ -62,7 +128,7 @@ input_key(struct tui *t, const sigset_t *let_in, int *code, bool *special)
 			continue;
 		*code = (int)c;
 		*special = got == KEY_CODE_YES;
-		if (!paste_key(t, *code, *special))
+		if (!input_paste(t, *code, *special))
 			return true;
 		t->pasted = session_clock();
 	}

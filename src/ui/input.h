@@ -3,14 +3,21 @@
 #ifndef TIPSPEED_UI_INPUT_H
 #define TIPSPEED_UI_INPUT_H
 
-#include <signal.h>
 #include <stdbool.h>
 
 #include "ui/tui_state.h"
 
 /* The next key, if there is one by now; what is pasted is dealt with, and as
- * that may be much, signals of let_in come in meanwhile.  code: of ncurses
- * where special, else a character. */
-bool input_key(struct tui *t, const sigset_t *let_in, int *code, bool *special);
+ * that may be much, signals come in meanwhile.  code: of ncurses where special,
+ * else a character. */
+bool input_key(struct tui *t, int *code, bool *special);
+
+/* Text that is pasted stands between marks that terminals put around it: it is
+ * typed into the line that is open, and never run.  True for a mark and for
+ * what stands between two, which is dealt with. */
+bool input_paste(struct tui *t, int code, bool special);
+
+/* The end of what is pasted, also where its mark does not come. */
+void input_end_paste(struct tui *t);
 
 #endif

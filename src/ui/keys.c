@@ -14,9 +14,6 @@
 
 #define CONTROL(letter) ((letter)&0x1F)
 
-const char *const PAGE_NAMES[PAGES] = {
-    "Predict", "Fit", "Data", "Parity", "Sites"};
-
 #define PREDICT "predict %s"
 
 const struct key KEYS[] = {
@@ -60,7 +57,7 @@ const struct key KEYS[] = {
     {KEY_DOWN, "Down, j", ON_ALL, ACT_LIST, 1, NULL,
 	"down in a list; to a lower passing"},
     {'j', NULL, ON_ALL, ACT_LIST, 1, NULL, NULL},
-    {'\n', "Enter", ON_SITES, ACT_CHOOSE, 0, "use %s", "use this site"},
+    {'\n', "Enter", ON_SITES, ACT_CHOOSE, 0, NULL, "use this site"},
     {'c', "c", ON_ALL, ACT_CROSS, 0, NULL,
 	"crosshair on and off: it reads the curves at a sieve"},
     {'b', "b", ON_ALL, ACT_BAND, 0, NULL,
@@ -194,11 +191,12 @@ keys_list(const char *word, FILE *out)
 		    "  :apropos %s\n",
 		    word, word);
 	if (word[0] == '\0')
-		fputs("  digits, Enter   type a speed: 74, 9.1, 012.5 (1 to 5 "
-		      "are pages)\n"
-		      "  mouse           click and drag set the speed, the "
-		      "wheel moves it by 0.1 m/s\n",
-		    out);
+		fprintf(out,
+		    "  digits, Enter   type a speed: 74, 9.1, 012.5 (1 to %d "
+		    "are pages)\n"
+		    "  mouse           click and drag set the speed, the wheel "
+		    "moves it by 0.1 m/s\n",
+		    PAGES);
 }
 
 const struct key *
@@ -226,11 +224,11 @@ keys_manual(FILE *out)
 			fprintf(out, "Runs\n.Ic %.*s .\n",
 			    (int)strcspn(k->command, " "), k->command);
 	}
-	fputs(
-	    ".It digits, Enter\nType a speed; 1 to 5 are pages, so that one "
+	fprintf(out,
+	    ".It digits, Enter\nType a speed; 1 to %d are pages, so that one "
 	    "which begins with them\nis typed with a 0 before it: 012.5.\n"
 	    ".It mouse\nClick on the track or drag along it to set the "
 	    "speed;\nthe wheel moves it by 0.1 m/s.\nA click on the name of a "
 	    "page opens it.\n.El\n",
-	    out);
+	    PAGES);
 }

@@ -10,7 +10,8 @@
 
 enum page { PAGE_PREDICT, PAGE_FIT, PAGE_DATA, PAGE_PARITY, PAGE_SITES, PAGES };
 
-extern const char *const PAGE_NAMES[PAGES];
+/* What hints call the keys of all of them. */
+#define PAGE_HINT "1-5 pages"
 
 /* On which pages a key is there: bits of 1 << page. */
 enum { ON_ALL = (1 << PAGES) - 1, ON_FIT = 1 << PAGE_FIT };
@@ -49,7 +50,7 @@ enum { TO_LEAST, TO_MOST, TO_SLOWEST, TO_FASTEST, TO_MIDDLE };
 
 /* code: as ncurses gives it; name: as shown, NULL for a second way to press
  * what stands in the row above.  command: what it composes, with %s for the
- * slider's speed or the site's key, or NULL. */
+ * slider's speed, or NULL. */
 struct key {
 	int code;
 	const char *name;

@@ -65,11 +65,11 @@ run_pager(const char *command, const char *text)
 	struct sigaction was[2];
 	fflush(stdout);
 	leave_signals(was);
-	FILE *pager = popen(command, "w");
+	FILE *in = popen(command, "w");
 	int status = -1;
-	if (pager != NULL) {
-		fputs(text, pager);
-		status = pclose(pager);
+	if (in != NULL) {
+		fputs(text, in);
+		status = pclose(in);
 	}
 	sigaction(SIGINT, &was[0], NULL);
 	sigaction(SIGPIPE, &was[1], NULL);
@@ -78,32 +78,32 @@ run_pager(const char *command, const char *text)
 }
 
 void
-page_open(struct page *page, struct session *s)
+pager_open(struct pager *pager, struct session *s)
 {
-	*page = (struct page){.session = s, .out = s->out, .notes = s->notes};
-	s->out = page->file = text_memory(&page->text, &page->n);
+	*pager = (struct pager){.session = s, .out = s->out, .notes = s->notes};
+	s->out = pager->file = text_memory(&pager->text, &pager->n);
 }
 
 void
-page_hold(struct page *page)
+pager_hold(struct pager *pager)
 {
-	if (page != NULL && isatty(STDERR_FILENO))
-		page->session->notes = page->file;
+	if (pager != NULL && isatty(STDERR_FILENO))
+		pager->session->notes = pager->file;
 }
 
 void
-page_show(struct page *page)
+pager_show(struct pager *pager)
 {
-	if (page == NULL)
+	if (pager == NULL)
 		return;
 	int rows, columns;
-	page->session->notes = page->notes;
-	fflush(page->file);
-	const char *text = page->text + page->shown;
-	page->shown = page->n;
+	pager->session->notes = pager->notes;
+	fflush(pager->file);
+	const char *text = pager->text + pager->shown;
+	pager->shown = pager->n;
 	terminal_size(&rows, &columns);
 	const char *command = pager_command();
-	bool paged = page->session->set.pager && !page->session->safe &&
+	bool paged = pager->session->set.pager && !pager->session->safe &&
 		     command[0] != '\0' && !terminal_is_dumb();
 	/* The prompt takes a row, too. */
 	bool tall = paged && !pump_ended() && count_rows(text, columns) >= rows;
@@ -113,9 +113,9 @@ page_show(struct page *page)
 }
 
 void
-page_close(struct page *page)
+pager_close(struct pager *pager)
 {
-	page->session->out = page->out;
-	fclose(page->file);
-	free(page->text);
+	pager->session->out = pager->out;
+	fclose(pager->file);
+	free(pager->text);
 }

@@ -11,24 +11,24 @@
 
 /* What a line has to say, held back until it is known how tall it is.  The
  * session's results go to file, and with them its notes while they are held. */
-struct page {
+struct pager {
 	struct session *session;
 	FILE *file, *out, *notes;
 	char *text;
 	size_t n, shown;
 };
 
-void page_open(struct page *page, struct session *s);
+void pager_open(struct pager *pager, struct session *s);
 
 /* Holds notes back, too, so that they stand beside their results.  Nothing for
  * NULL. */
-void page_hold(struct page *page);
+void pager_hold(struct pager *pager);
 
 /* Shows on standard output what is new, through a pager where it is tall, and
  * lets notes through again. */
-void page_show(struct page *page);
+void pager_show(struct pager *pager);
 
 /* Gives the session back its streams. */
-void page_close(struct page *page);
+void pager_close(struct pager *pager);
 
 #endif

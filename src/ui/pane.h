@@ -1,58 +1,67 @@
-/* The parts of the full screen: each draws from the state and computes nothing.
+/* What a page of the full screen is, and what pages draw with.  They draw from
+ * the state and compute nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_UI_PANE_H
 #define TIPSPEED_UI_PANE_H
 
 #include "ui/tui_state.h"
 
-/* Keys with a name, for who does not know ncurses. */
-extern const int PANE_PAGE_UP, PANE_PAGE_DOWN, PANE_MOUSE, PANE_BACKSPACE,
-    PANE_ENTER;
+/* All that there is of a page is in its own file; pages.c lists them.  What a
+ * page has no use for is NULL. */
+struct page_ops {
+	const char *name;  /* in the heading */
+	const char *hints; /* of its keys, two blanks between them; or NULL: */
+	const char *(*hints_now)(const struct tui *t);
+	int side, wide_side; /* columns of its panel; wide: of 120 or more */
 
-/* One frame, with the cursor on the focus. */
-void pane_draw(struct tui *t);
+	/* Works out what is drawn and does not come with the prediction. */
+	void (*update)(struct tui *t);
 
-/* The track of the slider without its ends, in the frame that was drawn. */
-struct area pane_track(const struct tui *t);
+	/* Draws the body. */
+	void (*draw)(struct tui *t);
 
-/* The body of each page. */
-void pane_predict(struct tui *t);
-void pane_fit(struct tui *t);
-void pane_data(struct tui *t);
-void pane_parity(struct tui *t);
-void pane_sites(struct tui *t);
+	/* Draws its own caption of the track; false: the usual one. */
+	bool (*caption)(struct tui *t, const struct area *area);
 
-/* The screen's row of the site under the cursor. */
-int pane_site_row(const struct tui *t);
+	/* Whether the arrows can move something of its own, so that Tab gives
+	 * it the focus; takes_focus: they always can, and do from the start. */
+	bool (*can_focus)(const struct tui *t);
+	bool takes_focus;
 
-/* A plot in the plot area, or in words why there is none. */
+	/* What a key does on this page only; false: what it does on all. */
+	bool (*key)(struct tui *t, const struct key *key);
+
+	/* The mouse was pressed there, or dragged; false: it has no part in
+	 * that. */
+	bool (*mouse)(struct tui *t, int row, int column, bool pressed);
+
+	/* The picture as `describe` names it, which the caller frees; NULL: the
+	 * curves. */
+	char *(*words)(const struct tui *t);
+};
+
+/* A plot in an area, or in words why there is none. */
 void pane_plot(const struct tui *t, const struct plot_request *request,
     const struct area *area);
 
-/* Curves in the plot area, with a legend below them where there is room. */
-void pane_curves(const struct tui *t, struct plot_request *request);
+/* Curves in the plot area, with a legend below them where there is room.
+ * notes: they are told what the side panel does not. */
+void pane_curves(const struct tui *t, struct plot_request *request, bool notes);
+
+/* The curves, as `describe` names them.  The caller frees. */
+char *pane_curves_words(const struct tui *t);
 
 /* The body with the row of the legend: a list has none. */
 struct area pane_list_area(const struct tui *t);
-
-/* The side panel of the Predict page. */
-void pane_side(struct tui *t);
-
-/* The viewer's text with its hints, and where the cursor is. */
-void pane_text(const struct tui *t, int *row, int *column);
-
-/* How many rows a message may have. */
-int pane_message_rows(const struct places *l);
 
 /* A row of hints, two blanks between them: what does not fit is left out by
  * whole ones. */
 void pane_hints(const struct area *area, unsigned look, const char *hints);
 
-/* The row of numbers that takes the side panel's place. */
-void pane_numbers(struct tui *t);
+/* Leaves out words, two blanks between them, that there is no room for. */
+void pane_cut(char *words, int columns);
 
-/* The slider of the generations, at the caption's place on the Fit page.
- * Returns the column of the cursor, or -1 where there are no generations. */
-int pane_generations(struct tui *t, const struct area *area);
+/* A place in a list of n, moved and kept within it. */
+int pane_moved(int at, int by, size_t n);
 
 #endif

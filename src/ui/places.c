@@ -99,3 +99,19 @@ places_text(int rows, int columns)
 	}
 	return l;
 }
+
+struct area
+places_track(const struct places *l)
+{
+	struct area track = l->track;
+	bool ends = track.columns >= 30;
+	track.column += ends ? 4 : 0;
+	track.columns -= ends ? 8 : 0;
+	return track;
+}
+
+int
+places_message_rows(const struct places *l)
+{
+	return l->hints.rows + l->status.rows > 0 ? 2 : 1;
+}

@@ -26,6 +26,12 @@ struct places places_make(int rows, int columns, int side_columns);
  * there is room for these. */
 struct places places_text(int rows, int columns);
 
+/* The track of the slider without its ends. */
+struct area places_track(const struct places *l);
+
+/* How many rows a message may have. */
+int places_message_rows(const struct places *l);
+
 /* Whether a cell lies in the area. */
 bool area_has(const struct area *area, int row, int column);
 

@@ -3,16 +3,21 @@
 #include "ui/pump.h"
 
 #include <errno.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
+#include <sys/select.h>
 #include <unistd.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "ui/terminal.h"
 
-static volatile sig_atomic_t noted, asked, watching;
+static volatile sig_atomic_t noted, asked, watching, stopped, woken, resized;
+
+/* Signals that are let in while the program waits. */
+static sigset_t let_in;
 
 static void
 on_signal(int signal)
@@ -50,8 +55,16 @@ pump_catch_signals(void)
 	sigaction(SIGUSR1, &action, NULL);
 }
 
+static void
+on_terminal(int signal)
+{
+	*(signal == SIGTSTP     ? &stopped
+	    : signal == SIGCONT ? &woken
+				: &resized) = 1;
+}
+
 void
-pump_hold_signals(sigset_t *let_in)
+pump_hold_signals(void)
 {
 	static const int ANSWERED[] = {
 	    SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT, SIGWINCH};
@@ -59,24 +72,89 @@ pump_hold_signals(sigset_t *let_in)
 	sigemptyset(&held);
 	for (size_t i = 0; i < ARRAY_LEN(ANSWERED); i++)
 		sigaddset(&held, ANSWERED[i]);
-	sigprocmask(SIG_BLOCK, &held, let_in);
+	sigprocmask(SIG_BLOCK, &held, &let_in);
 }
 
 void
-pump_let_in(const sigset_t *mask)
+pump_free_signals(void)
+{
+	sigprocmask(SIG_SETMASK, &let_in, NULL);
+}
+
+static bool
+wait_with(const sigset_t *mask, double seconds)
+{
+	struct timespec time = {0};
+	bool ends = isfinite(seconds);
+	if (ends) {
+		time.tv_sec = (time_t)seconds;
+		time.tv_nsec = (long)(1e9 * (seconds - floor(seconds)));
+	}
+	fd_set in;
+	FD_ZERO(&in);
+	FD_SET(STDIN_FILENO, &in);
+	return pselect(STDIN_FILENO + 1, &in, NULL, NULL, ends ? &time : NULL,
+		   mask) > 0;
+}
+
+bool
+pump_wait(double seconds)
+{
+	return wait_with(&let_in, seconds);
+}
+
+void
+pump_let_in(void)
 {
 	sigset_t held;
-	sigprocmask(SIG_SETMASK, mask, &held);
+	sigprocmask(SIG_SETMASK, &let_in, &held);
 	sigprocmask(SIG_SETMASK, &held, NULL);
 }
 
 void
-pump_suspend(const sigset_t *mask)
+pump_note_stop(bool note)
+{
+	struct sigaction now,
+	    action = {.sa_handler = note ? on_terminal : SIG_DFL};
+	sigaction(SIGTSTP, NULL, &now);
+	if (now.sa_handler != SIG_IGN)
+		sigaction(SIGTSTP, &action, NULL);
+}
+
+void
+pump_take_terminal(struct sigaction was[static 3])
+{
+	struct sigaction action = {.sa_handler = on_terminal};
+	sigaction(SIGTSTP, NULL, &was[0]);
+	sigaction(SIGCONT, &action, &was[1]);
+	sigaction(SIGWINCH, &action, &was[2]);
+	pump_note_stop(true);
+}
+
+void
+pump_give_terminal(const struct sigaction was[static 3])
+{
+	sigaction(SIGTSTP, &was[0], NULL);
+	sigaction(SIGCONT, &was[1], NULL);
+	sigaction(SIGWINCH, &was[2], NULL);
+}
+
+int
+pump_news(void)
+{
+	int news = (stopped ? PUMP_STOP : 0) | (woken ? PUMP_WAKE : 0) |
+		   (resized ? PUMP_SIZE : 0);
+	stopped = woken = resized = 0;
+	return news;
+}
+
+void
+pump_suspend(void)
 {
 	struct sigaction was, usual = {.sa_handler = SIG_DFL};
 	sigaction(SIGTSTP, &usual, &was);
 	raise(SIGTSTP);
-	pump_let_in(mask);
+	pump_let_in();
 	sigaction(SIGTSTP, &was, NULL);
 }
 
@@ -100,17 +178,29 @@ pump_forget_interrupt(void)
 		noted = 0;
 }
 
+/* What ends the wait is let in only while there is nothing to read: one that
+ * came just before would be noted, and the read would wait on.  ^Z keeps its
+ * usual effect all the time. */
 int
 pump_answer(void)
 {
-	int first = EOF, c;
-	do {
-		clearerr(stdin);
-		errno = 0;
-		c = getchar();
-		first = first == EOF ? c : first;
-	} while (
-	    c != '\n' && (c != EOF || errno == EINTR) && pump_signal() == 0);
+	static const int ENDS[] = {SIGINT, SIGTERM, SIGHUP};
+	sigset_t held, was;
+	int first = EOF;
+	unsigned char c = 0;
+	sigemptyset(&held);
+	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++)
+		sigaddset(&held, ENDS[i]);
+	sigprocmask(SIG_BLOCK, &held, &was);
+	while (c != '\n' && pump_signal() == 0) {
+		if (!wait_with(&was, INFINITY))
+			continue;
+		ssize_t got = read(STDIN_FILENO, &c, 1);
+		if (got == 0 || (got < 0 && errno != EINTR))
+			break;
+		first = got > 0 && first == EOF ? c : first;
+	}
+	sigprocmask(SIG_SETMASK, &was, NULL);
 	return c == '\n' ? first : EOF;
 }
 

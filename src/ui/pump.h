@@ -11,16 +11,31 @@
  * calibration for a line about itself. */
 void pump_catch_signals(void);
 
-/* Blocks the signals that are answered at a terminal: they come in only where
- * a loop waits.  let_in: the mask of before, with which to wait; or NULL. */
-void pump_hold_signals(sigset_t *let_in);
+/* Blocks the signals that are answered at a terminal: they come in only where a
+ * loop waits; and lets all in again. */
+void pump_hold_signals(void);
+void pump_free_signals(void);
 
-/* Lets in those that wait. */
-void pump_let_in(const sigset_t *mask);
+/* Waits until there is something to read; false when a signal came, or after so
+ * many seconds (INFINITY: never). */
+bool pump_wait(double seconds);
+
+/* Lets in those that are held. */
+void pump_let_in(void);
+
+/* While one has the terminal, ^Z, a continue and another size are noted for
+ * pump_news, which returns as these bits what came since it was last asked. */
+enum { PUMP_STOP = 1, PUMP_WAKE = 2, PUMP_SIZE = 4 };
+void pump_take_terminal(struct sigaction was[static 3]);
+void pump_give_terminal(const struct sigaction was[static 3]);
+int pump_news(void);
+
+/* Whether ^Z is noted meanwhile, or stops the program with all that it runs. */
+void pump_note_stop(bool note);
 
 /* Stops the program as ^Z does where it is not caught, and comes back when it
  * goes on; the terminal is the caller's. */
-void pump_suspend(const sigset_t *mask);
+void pump_suspend(void);
 
 /* The signal noted, or 0.  SIGINT gives way to the others. */
 int pump_signal(void);

@@ -5,11 +5,11 @@
 #include "ui/repl.h"
 
 #include <errno.h>
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/select.h>
 #include <unistd.h>
 
 #include <readline/readline.h>
@@ -34,28 +34,7 @@ static struct {
 	struct session *session;
 	char *before, *line;
 	bool done;
-	sigset_t let_in; /* signals while the program waits */
 } at;
-
-static volatile sig_atomic_t stopping, woken, resized;
-
-static void
-on_stop(int signal)
-{
-	stopping = signal;
-}
-
-static void
-on_wake(int signal)
-{
-	woken = signal;
-}
-
-static void
-on_resize(int signal)
-{
-	resized = signal;
-}
 
 static void
 on_line(char *line)
@@ -126,7 +105,7 @@ on_complete(const char *text, int start, int end)
 
 /* "tierp (fit)> ".  Keys are ASCII, whatever the site is called. */
 static char *
-prompt(const struct session *s, bool colour)
+prompt(const struct session *s)
 {
 	if (at.before[0] != '\0')
 		return xstrdup("> ");
@@ -138,37 +117,31 @@ prompt(const struct session *s, bool colour)
 						: "";
 	const char *name =
 	    entry != NULL && entry->key[0] != '\0' ? entry->key : "tipspeed";
+	bool colour = terminal_colour();
 	return xasprintf("%s%s%s%s> ", colour ? "\001\033[1m\002" : "", name,
 	    colour ? "\001\033[0m\002" : "", state);
 }
 
-/* ^Z, and the terminal again when the program goes on. */
-static void
-stop(void)
-{
-	stopping = 0;
-	rl_deprep_terminal();
-	pump_suspend(&at.let_in);
-	woken = SIGCONT;
-}
-
+/* ^Z, and the terminal again when the program goes on; another size. */
 static void
 answer_signals(void)
 {
-	if (stopping)
-		stop();
-	if (woken) {
+	int news = pump_news();
+	if (news & PUMP_STOP) {
+		rl_deprep_terminal();
+		pump_suspend();
+		news |= pump_news() | PUMP_WAKE;
+	}
+	if (news & PUMP_WAKE) {
 		/* The shell may have set the terminal to its liking. */
 		rl_deprep_terminal();
 		rl_prep_terminal(1);
-		resized = woken;
 		rl_on_new_line();
 	}
-	if (resized)
+	if (news & (PUMP_WAKE | PUMP_SIZE))
 		rl_resize_terminal();
-	if (woken)
+	if (news & PUMP_WAKE)
 		rl_forced_update_display();
-	woken = resized = 0;
 }
 
 /* For readline.  ^C empties the terminal's queue, also between pselect and
@@ -178,13 +151,12 @@ static int
 on_read(FILE *in)
 {
 	unsigned char c = 0;
-	sigset_t held;
-	sigprocmask(SIG_SETMASK, &at.let_in, &held);
+	pump_free_signals();
 	ssize_t got = 0;
 	do
 		got = pump_signal() == 0 ? read(fileno(in), &c, 1) : 1;
 	while (got < 0 && errno == EINTR);
-	sigprocmask(SIG_SETMASK, &held, NULL);
+	pump_hold_signals();
 	return got == 1 ? c : EOF;
 }
 
@@ -193,11 +165,7 @@ static void
 wait_for_line(void)
 {
 	while (!at.done && pump_signal() == 0) {
-		fd_set in;
-		FD_ZERO(&in);
-		FD_SET(STDIN_FILENO, &in);
-		if (pselect(STDIN_FILENO + 1, &in, NULL, NULL, NULL,
-			&at.let_in) > 0)
+		if (pump_wait(INFINITY))
 			rl_callback_read_char();
 		else
 			answer_signals();
@@ -215,11 +183,9 @@ pastes_in_brackets(void)
 static char *
 read_line(const char *text)
 {
-	struct sigaction stop_action = {.sa_handler = on_stop}, was;
-	pump_hold_signals(&at.let_in);
-	sigaction(SIGTSTP, NULL, &was);
-	if (was.sa_handler != SIG_IGN)
-		sigaction(SIGTSTP, &stop_action, NULL);
+	struct sigaction was[3];
+	pump_hold_signals();
+	pump_take_terminal(was);
 	at.line = NULL;
 	at.done = false;
 	rl_reset_screen_size();
@@ -234,19 +200,19 @@ read_line(const char *text)
 		rl_callback_handler_remove();
 	}
 	rescue_done();
-	sigaction(SIGTSTP, &was, NULL);
-	sigprocmask(SIG_SETMASK, &at.let_in, NULL);
+	pump_give_terminal(was);
+	pump_free_signals();
 	return at.line;
 }
 
 static void
 run_line(struct session *s, const char *line, int number)
 {
-	struct page page;
+	struct pager pager;
 	typed_add(line);
-	page_open(&page, s);
-	batch_line(s, line, "typed", number, &page);
-	page_close(&page);
+	pager_open(&pager, s);
+	batch_line(s, line, number, &pager);
+	pager_close(&pager);
 }
 
 /* What was typed up to Return: one line, or several that were pasted. */
@@ -294,12 +260,6 @@ confine_readline(void)
 static void
 set_up(struct session *s)
 {
-	struct sigaction action = {
-	    .sa_handler = on_wake, .sa_flags = SA_RESTART};
-	sigemptyset(&action.sa_mask);
-	sigaction(SIGCONT, &action, NULL);
-	action.sa_handler = on_resize;
-	sigaction(SIGWINCH, &action, NULL);
 	at.session = s;
 	at.before = xstrdup("");
 	rl_readline_name = "tipspeed";
@@ -348,16 +308,16 @@ end_line(void)
 }
 
 int
-repl_run(struct session *s, bool colour)
+repl_run(struct session *s)
 {
 	int number = 1;
 	set_up(s);
 	batch_attend(s);
 	while (!s->quit && !pump_ended()) {
-		char *text = prompt(s, colour);
+		char *text = prompt(s);
 		char *typed = read_line(text);
 		free(text);
-		s->screen = terminal_screen(colour);
+		s->screen = terminal_screen();
 		if (typed != NULL) {
 			take_lines(s, typed, &number);
 			free(typed);
@@ -372,4 +332,13 @@ repl_run(struct session *s, bool colour)
 	typed_close();
 	free(at.before);
 	return pump_status();
+}
+
+int
+repl_for_screen(struct session *s)
+{
+	if (!s->prompt)
+		return repl_run(s);
+	session_note(s, "this is the prompt, which --linear asked for");
+	return 0;
 }

@@ -3,8 +3,6 @@
 #ifndef TIPSPEED_UI_REPL_H
 #define TIPSPEED_UI_REPL_H
 
-#include <stdbool.h>
-
 #include "cmd/session.h"
 
 /* Says what this is and runs the user's init file; before the files of the
@@ -14,6 +12,10 @@ void repl_begin(struct session *s);
 /* Reads and runs lines until quit, ^D, SIGTERM or SIGHUP; returns the exit
  * status: 0, 143 or 129.  Errors are printed and the next line is read.
  * pump_catch_signals must have been called. */
-int repl_run(struct session *s, bool colour);
+int repl_run(struct session *s);
+
+/* The same in the place of the full screen, where the session is to be heard.
+ * At the prompt there is nothing to do. */
+int repl_for_screen(struct session *s);
 
 #endif

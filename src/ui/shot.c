@@ -9,23 +9,15 @@
 #include "base/xalloc.h"
 #include "ui/act.h"
 #include "ui/conduct.h"
-#include "ui/pane.h"
+#include "ui/frame.h"
+#include "ui/pages.h"
 #include "ui/pump.h"
-#include "ui/rows.h"
 #include "ui/screen.h"
 #include "ui/tui_state.h"
-
-static const struct tui *open_screen;
 
 /* Of the keys those that are not pressed yet, while there are any. */
 static char *keys_left;
 static bool asks; /* a question stands on the picture */
-
-void
-shot_of(const struct tui *t)
-{
-	open_screen = t;
-}
 
 /* What the loop does between two keys; the clock goes on by a second, so that
  * the same keys give the same picture on any machine. */
@@ -36,25 +28,30 @@ press(struct tui *t, int code, bool special)
 	t->clock++;
 	conduct_pump(t);
 	conduct_predict(t);
-	rows_update(t);
+	pages_update(t);
 	if (!asks)
-		pane_draw(t);
+		frame_draw(t);
 }
 
-int
-shot_answer(void)
+/* The next of the keys answers; without one the picture is that of the
+ * question. */
+static int
+answer(struct tui *t)
 {
+	frame_draw(t);
 	char *word = keys_left != NULL ? strtok_r(NULL, " ", &keys_left) : NULL;
 	int code = 0;
 	asks = word == NULL || !keys_code(word, &code);
 	return code;
 }
 
+const struct tui_ways SHOT_WAYS = {.answer = answer};
+
 /* A word that is typed: a speed, or into a line. */
 static bool
 is_typed(const struct tui *t, const char *word)
 {
-	return t->typing.active || t->viewer.filtering ||
+	return t->typing.active || t->viewer.word.active ||
 	       word[strspn(word, "0123456789.")] == '\0';
 }
 
@@ -106,7 +103,7 @@ press_all(struct tui *t, const char *keys, struct error *error)
 static bool
 draw_open(const struct screen_request *request, struct error *error)
 {
-	struct tui t = *open_screen;
+	struct tui t = *conduct_open();
 	if (request->keys[0] != '\0') {
 		error_set(error, ERROR_USAGE,
 		    "keys= is for a picture without a full screen");
@@ -117,8 +114,8 @@ draw_open(const struct screen_request *request, struct error *error)
 		t.page = (enum page)(request->page - 1);
 	t.row = NULL;
 	t.rows_at = 0;
-	rows_update(&t);
-	pane_draw(&t);
+	pages_update(&t);
+	frame_draw(&t);
 	free(t.row);
 	return true;
 }
@@ -128,17 +125,16 @@ draw_new(struct session *s, const struct screen_request *request,
     struct error *error)
 {
 	struct tui t;
-	tui_begin(&t, s);
-	t.aside = true;
+	conduct_begin(&t, s, &SHOT_WAYS);
 	conduct_predict(&t);
-	pane_draw(&t);
+	frame_draw(&t);
 	if (request->page > 0)
 		press(&t, '0' + request->page, false);
 	bool ok = press_all(&t, request->keys, error);
 	/* Before the session has its streams again: what a search that ends
 	 * here says is not for the picture. */
 	conduct_keep(&t);
-	tui_end(&t);
+	conduct_end(&t);
 	return ok;
 }
 
@@ -147,19 +143,19 @@ shot_draw(struct session *s, const struct screen_request *request,
     struct error *error)
 {
 	struct screen_request r = *request;
+	bool open = conduct_open() != NULL;
 	int rows = 30, columns = 100;
-	if (open_screen != NULL)
+	if (open)
 		screen_size(&rows, &columns);
 	r.rows = r.rows > 0 ? r.rows : rows;
 	r.columns = r.columns > 0 ? r.columns : columns;
-	if (open_screen != NULL && !r.charset_asked)
+	if (open && !r.charset_asked)
 		r.charset = screen_charset();
-	if (open_screen != NULL && !r.colours_asked)
+	if (open && !r.colours_asked)
 		r.colours = screen_depth();
 	struct display *was =
 	    screen_aside(r.rows, r.columns, r.charset, r.colours);
-	bool ok =
-	    open_screen != NULL ? draw_open(&r, error) : draw_new(s, &r, error);
+	bool ok = open ? draw_open(&r, error) : draw_new(s, &r, error);
 	struct canvas *canvas = screen_back(was);
 	if (ok)
 		return canvas;

@@ -4,15 +4,10 @@
 #define TIPSPEED_UI_SHOT_H
 
 #include "cmd/pictures.h"
+#include "ui/tui_state.h"
 
-struct tui;
-
-/* The full screen that is open from now on; NULL: none. */
-void shot_of(const struct tui *t);
-
-/* The next of the keys that are pressed, as the answer to a question; 0: there
- * is none, and the picture is that of the question. */
-int shot_answer(void);
+/* Drawn aside of any terminal; the next key that is pressed answers. */
+extern const struct tui_ways SHOT_WAYS;
 
 /* What the request asks for, see there.  Without an open screen one is begun on
  * the session, its keys do what they do, and it is left.  NULL with an error

@@ -12,6 +12,8 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
+static enum colour chosen = COLOUR_AUTO;
+
 bool
 terminal_colour_word(const char *word, enum colour *colour)
 {
@@ -29,10 +31,17 @@ terminal_is_dumb(void)
 	return term == NULL || term[0] == '\0' || strcmp(term, "dumb") == 0;
 }
 
+void
+terminal_choose(enum colour asked)
+{
+	chosen = asked;
+}
+
 bool
-terminal_colour(enum colour asked)
+terminal_colour(void)
 {
 	const char *own = getenv("TIPSPEED_COLOR"), *no = getenv("NO_COLOR");
+	enum colour asked = chosen;
 	if (asked == COLOUR_AUTO && own != NULL)
 		terminal_colour_word(own, &asked);
 	if (asked != COLOUR_AUTO)
@@ -90,14 +99,15 @@ terminal_draws(void)
 }
 
 struct screen
-terminal_screen(bool colour)
+terminal_screen(void)
 {
 	struct screen screen = {0};
 	const char *term = getenv("TERM");
 	if (!isatty(STDOUT_FILENO))
 		return screen;
 	terminal_size(&screen.rows, &screen.columns);
-	screen.colours = colour && term != NULL ? colour_depth(term) : 0;
+	screen.colours =
+	    terminal_colour() && term != NULL ? colour_depth(term) : 0;
 	screen.drawing = terminal_draws();
 	return screen;
 }

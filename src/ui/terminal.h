@@ -12,9 +12,12 @@ enum colour { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER };
 /* Reads "auto", "always" or "never". */
 bool terminal_colour_word(const char *word, enum colour *colour);
 
-/* Whether to use colour: as the first of --color (asked), TIPSPEED_COLOR and
- * NO_COLOR says; else whether standard output is a terminal that has it. */
-bool terminal_colour(enum colour asked);
+/* What --color said. */
+void terminal_choose(enum colour asked);
+
+/* Whether to use colour: as the first of --color, TIPSPEED_COLOR and NO_COLOR
+ * says; else whether standard output is a terminal that has it. */
+bool terminal_colour(void);
 
 /* Standard input and output are terminals: somebody sits there. */
 bool terminal_attended(void);
@@ -31,6 +34,6 @@ bool terminal_draws(void);
 void terminal_size(int *rows, int *columns);
 
 /* The terminal that standard output is; all zero where it is none. */
-struct screen terminal_screen(bool colour);
+struct screen terminal_screen(void);
 
 #endif

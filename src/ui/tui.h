@@ -3,17 +3,11 @@
 #ifndef TIPSPEED_UI_TUI_H
 #define TIPSPEED_UI_TUI_H
 
-#include <stdbool.h>
-
 #include "cmd/session.h"
 
-/* What the command line said. */
-void tui_choose(bool colour);
-
-/* Opens the full screen until it is left, or the prompt where the session is to
- * be heard.  Where the terminal cannot show it, says so beside the results and
- * comes back.  Returns the exit status: 0, or what a signal asks for, see
- * pump_status. */
+/* Opens the full screen until it is left.  Where the terminal cannot show it,
+ * says so beside the results and comes back.  Returns the exit status: 0, or
+ * what a signal asks for, see pump_status. */
 int tui_run(struct session *s);
 
 #endif

@@ -14,9 +14,6 @@
 #include "ui/slider.h"
 #include "ui/typing.h"
 
-/* What the arrow keys move. */
-enum focus { FOCUS_SPEED, FOCUS_CROSS, FOCUS_GENERATION, FOCUS_SITE };
-
 /* The numbers of a prediction, for a difference: P20, P50 and P80 and the break
  * size, mm; passing at 0.063, 2 and 4 mm, %, NAN where these lie off its
  * sieves. */
@@ -32,10 +29,13 @@ struct numbers {
 struct viewer {
 	char *text;
 	int top, lines, left, columns;
-	bool keys, filtering;
+	bool keys;
 	int at;
-	char word[32];
+	struct typing word;
 };
+
+/* How many letters such a word may have, and a speed. */
+enum { VIEWER_WORD = 31, SPEED_LETTERS = 7 };
 
 /* A loaded site at the slider's speed: P50 in mm, whether that is beyond the
  * speeds trained on, and the RMSE at those held out, points; NAN: none. */
@@ -56,12 +56,32 @@ struct tab {
 	int column, columns;
 };
 
+/* A cell of the screen. */
+struct cursor {
+	int row, column;
+};
+
+struct page_ops;
+struct tui;
+
+/* How a full screen is shown. */
+struct tui_ways {
+	/* The key that answers t->question; 0: none does. */
+	int (*answer)(struct tui *t);
+	/* Leaves terminal and signals to somebody else, and takes them back;
+	 * NULL where it is drawn without a terminal. */
+	void (*leave)(void), (*come_back)(void);
+};
+
 struct tui {
 	struct session *session;
+	const struct tui_ways *ways;
 	struct places places;
 	enum page page;
-	enum focus focus;
-	bool aside;     /* drawn without a terminal */
+	/* Of which page the arrows move what it has; NULL: the slider. */
+	const struct page_ops *focus;
+	struct cursor cursor; /* on the focus */
+	bool aside;           /* drawn without a terminal */
 	double clock;   /* s; a step with every key where it is drawn aside */
 	double started; /* the search or its last part, by that clock */
 	double ran;     /* s of its parts before */
@@ -78,22 +98,21 @@ struct tui {
 	bool cross, band, mouse;
 	bool dragging;        /* the focus follows the mouse */
 	struct area scrubber; /* of no rows where it is not drawn */
-	int cross_row;   /* of the screen, what the crosshair reads; -1: none */
-	size_t cross_at; /* a sieve of the prediction */
-	int level;       /* passing that the crosshair reads sizes at, % */
-	size_t site_at;  /* of the Sites page */
-	size_t data_top; /* first sieve shown on the Data page */
+	size_t cross_at;      /* a sieve of the prediction */
+	int level;            /* passing that the crosshair reads sizes at, % */
+	size_t site_at;       /* of the Sites page */
+	size_t data_top;      /* first sieve shown on the Data page */
 	struct site_row *row; /* [n_row] of the Sites page, owned */
 	size_t n_row;
 	int rows_at; /* tenths they are of; 0: of another session */
 	enum plot_kind picture;
-	bool held;         /* the calibration waits */
-	int pace;          /* index of PACES */
-	double due;        /* when the next generation is */
-	size_t generation; /* looked at, 1..; 0: the last */
-	double holdout;    /* RMSE of the site in use, points, or NAN */
-	char digits[8];    /* a speed being typed */
-	struct typing typing;
+	bool held;            /* the calibration waits */
+	int pace;             /* index of PACES */
+	double due;           /* when the next generation is */
+	size_t generation;    /* looked at, 1..; 0: the last */
+	double holdout;       /* RMSE of the site in use, points, or NAN */
+	struct typing typing; /* a command */
+	struct typing speed;
 	struct paste paste;
 	double pasted; /* when its last character came */
 	struct viewer viewer;
@@ -114,6 +133,7 @@ struct tui {
 		bool (*confirm)(struct session *s, const char *question);
 		bool prompt;
 		size_t typed_at;
+		int (*run_screen)(struct session *s);
 		struct screen screen;
 	} before;
 };
@@ -148,15 +168,6 @@ void tui_keep_feed(struct tui *t);
 /* Where the slider stands, as options of predict: "speed=77.0 feed=74", the
  * feed where it is not what predict takes by itself.  The caller frees. */
 char *tui_where(const struct tui *t);
-
-/* A full screen on a session, as it opens, and its end: what runs is stopped
- * and kept, and the session has its ways again. */
-void tui_begin(struct tui *t, struct session *s);
-void tui_end(struct tui *t);
-
-/* Leaves terminal and signals to somebody else, and takes them back. */
-void tui_step_aside(void);
-void tui_step_back(void);
 
 /* A line for the message row. */
 void tui_say(struct tui *t, bool bad, const char *format, ...)

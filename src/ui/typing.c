@@ -231,22 +231,15 @@ typing_key(struct typing *t, const struct session *s, int code, bool special)
 	return TYPING_ON;
 }
 
-char *
-typing_meant(const char *line, const char *where)
+bool
+typing_letter(struct typing *t, int code, bool special, size_t most)
 {
-	static const char *const ASK[] = {"predict", "spec", "guess", "why"};
-	size_t from = strspn(line, " \t"), n = strcspn(line + from, " \t>|");
-	const char *word = line + from, *rest = word + n;
-	rest += strspn(rest, " \t");
-	/* A speed may also stand alone. */
-	bool said = strchr(line, ';') != NULL ||
-		    strstr(line, "speed=") != NULL ||
-		    (*rest >= '0' && *rest <= '9');
-	size_t length =
-	    strstr(line, "feed=") != NULL ? strcspn(where, " ") : strlen(where);
-	for (size_t i = 0; !said && i < ARRAY_LEN(ASK); i++)
-		if (strlen(ASK[i]) == n && strncmp(word, ASK[i], n) == 0)
-			return xasprintf("%s %.*s%s%s", ASK[i], (int)length,
-			    where, *rest != '\0' ? " " : "", rest);
-	return xstrdup(line);
+	bool back = code == DELETE || code == '\b';
+	if (special || (back ? t->n == 0 : code < ' ' || code >= DELETE))
+		return false;
+	if (back)
+		replace(t, before(t, t->at), "", 0);
+	else if (t->n < most)
+		insert(t, (unsigned)code);
+	return true;
 }

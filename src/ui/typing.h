@@ -1,4 +1,5 @@
-/* A line being typed on the full screen, with completion and history.
+/* What is being typed on the full screen: a line, with completion and history,
+ * or a word or number of a few letters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_UI_TYPING_H
 #define TIPSPEED_UI_TYPING_H
@@ -27,9 +28,8 @@ enum typing_result typing_key(
     struct typing *t, const struct session *s, int code, bool special);
 void typing_end(struct typing *t);
 
-/* What a typed line means with the slider somewhere, see tui_where.  A question
- * about one speed is about that of the slider, where it is asked of no other:
- * "spec FILE" gets it.  The caller frees. */
-char *typing_meant(const char *line, const char *where);
+/* Takes a letter of ASCII into what has `most` of them, or takes the last one
+ * back; false where the key is neither, or there is none. */
+bool typing_letter(struct typing *t, int code, bool special, size_t most);
 
 #endif

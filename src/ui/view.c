@@ -1,10 +1,12 @@
-/* Scrolling and choosing; the pane draws it.
+/* Scrolling, choosing, drawing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/view.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <curses.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -41,19 +43,17 @@ view_text(struct tui *t, char *text)
 }
 
 void
-view_keys(struct tui *t, const char *word)
+view_keys(struct tui *t)
 {
-	char kept[sizeof t->viewer.word], *text = NULL;
+	struct typing word = t->viewer.word;
+	char *text = NULL;
 	size_t n = 0;
-	bool filtering = t->viewer.filtering;
-	snprintf(kept, sizeof kept, "%s", word);
 	FILE *out = text_memory(&text, &n);
-	keys_list(kept, out);
+	keys_list(word.text, out);
 	fclose(out);
 	view_text(t, text);
 	t->viewer.keys = true;
-	t->viewer.filtering = filtering;
-	memcpy(t->viewer.word, kept, sizeof kept);
+	t->viewer.word = word;
 }
 
 /* The last frame may have been of other text there. */
@@ -68,7 +68,7 @@ view_message(struct tui *t)
 	char *text = text_wrapped(t->message, columns);
 	for (const char *c = text; *c != '\0'; c++)
 		lines += *c == '\n';
-	if (lines > pane_message_rows(&l) && t->viewer.text == NULL)
+	if (lines > places_message_rows(&l) && t->viewer.text == NULL)
 		view_text(t, text);
 	else
 		free(text);
@@ -76,26 +76,16 @@ view_message(struct tui *t)
 
 /* A character of the word behind '/'; false where it is none. */
 static bool
-filter(struct tui *t, int code, bool special)
+find(struct tui *t, int code, bool special)
 {
-	struct viewer *v = &t->viewer;
-	char word[sizeof v->word] = {0}; /* ends wherever it is cut */
-	bool back = !special && (code == 127 || code == '\b');
-	if (!v->keys || (!v->filtering && code != '/'))
+	struct typing *word = &t->viewer.word;
+	if (!t->viewer.keys || (!word->active && code != '/'))
 		return false;
-	if (!v->filtering) {
-		v->filtering = true;
-		return true;
-	}
-	snprintf(word, sizeof word, "%s", v->word);
-	size_t n = strlen(word);
-	if (back && n > 0)
-		word[n - 1] = '\0';
-	else if (back || special || code < ' ' || code >= 127)
+	if (word->active && !typing_letter(word, code, special, VIEWER_WORD))
 		return false;
-	else if (n + 1 < sizeof word)
-		word[n] = (char)code;
-	view_keys(t, word);
+	if (word->active)
+		view_keys(t);
+	word->active = true;
 	return true;
 }
 
@@ -105,8 +95,9 @@ within(int x, int least, int most)
 	return x < least || most < least ? least : x > most ? most : x;
 }
 
-void
-view_fit(struct tui *t)
+/* Scrolls as far as the body of the frame wants: the size may be another. */
+static void
+fit(struct tui *t)
 {
 	struct viewer *v = &t->viewer;
 	int rows = t->places.body.rows > 1 ? t->places.body.rows : 1;
@@ -121,7 +112,7 @@ static void
 scroll_by(struct tui *t, int by)
 {
 	*(t->viewer.keys ? &t->viewer.at : &t->viewer.top) += by;
-	view_fit(t);
+	fit(t);
 }
 
 const struct key *
@@ -130,7 +121,7 @@ view_key(struct tui *t, int code, bool special)
 	struct viewer *v = &t->viewer;
 	const struct key *key = keys_find(code, t->page), *chosen = NULL;
 	int page = t->places.body.rows > 2 ? t->places.body.rows - 1 : 1;
-	if (filter(t, code, special))
+	if (find(t, code, special))
 		return NULL;
 	if (key != NULL && key->act == ACT_LIST) {
 		scroll_by(t, key->amount);
@@ -138,11 +129,11 @@ view_key(struct tui *t, int code, bool special)
 	}
 	if (key != NULL && key->act == ACT_MOVE && !v->keys) {
 		v->left += key->amount * (t->places.body.columns + 1) / 2;
-		view_fit(t);
+		fit(t);
 		return NULL;
 	}
-	if (special && (code == PANE_PAGE_DOWN || code == PANE_PAGE_UP)) {
-		scroll_by(t, code == PANE_PAGE_DOWN ? page : -page);
+	if (special && (code == KEY_NPAGE || code == KEY_PPAGE)) {
+		scroll_by(t, code == KEY_NPAGE ? page : -page);
 		return NULL;
 	}
 	if (code == ' ') {
@@ -150,9 +141,78 @@ view_key(struct tui *t, int code, bool special)
 		return NULL;
 	}
 	if (v->keys && (code == '\n' || code == '\r'))
-		chosen = keys_nth(v->word, (size_t)v->at);
+		chosen = keys_nth(v->word.text, (size_t)v->at);
 	else if (code == ':')
 		chosen = key;
 	view_close(t);
 	return chosen;
+}
+
+/* The list of keys has one blank between a key and what it does where it is
+ * narrow. */
+static void
+squeeze(char *line)
+{
+	char *to = line;
+	for (const char *from = line + strspn(line, " "); *from != '\0'; from++)
+		if (from[0] != ' ' || from[1] != ' ')
+			*to++ = *from;
+	*to = '\0';
+}
+
+/* One line of the text.  Returns what of it there is no room for. */
+static char *
+draw_line(const struct tui *t, int row, const char *text, size_t n)
+{
+	enum { NARROW = 60 };
+	const struct viewer *v = &t->viewer;
+	const struct area *body = &t->places.body;
+	bool chosen = v->keys && row + v->top == v->at;
+	char *line = xstrndup(text, n), *rest = NULL;
+	if (v->keys && body->columns < NARROW)
+		squeeze(line);
+	const char *shown = line;
+	char left[TEXT_SHOWN];
+	for (int c = 0; c < v->left && *shown != '\0';)
+		c += text_show(&shown, left);
+	screen_series(body, row, 0, SERIES_TEXT,
+	    chosen ? LOOK_REVERSE : LOOK_PLAIN, shown);
+	if (chosen && strlen(line) > (size_t)body->columns)
+		rest = xstrdup(line + body->columns);
+	free(line);
+	return rest;
+}
+
+void
+view_draw(struct tui *t)
+{
+	fit(t);
+	const struct area *body = &t->places.body;
+	const struct viewer *v = &t->viewer;
+	char *rest = NULL;
+	int line = -v->top;
+	for (const char *p = v->text; *p != '\0'; line++) {
+		size_t n = strcspn(p, "\n");
+		char *cut = draw_line(t, line, p, n);
+		rest = cut != NULL ? cut : rest;
+		p += n + (p[n] == '\n');
+	}
+	bool below = v->lines - v->top > body->rows,
+	     aside = !v->keys && v->columns - v->left > body->columns;
+	char *hints = xasprintf("%s%s%s", below ? "more below: Down  " : "",
+	    aside ? "more right: Right  " : "",
+	    v->keys ? "Esc goes back  / finds a word  Enter does it"
+		    : "any other key goes back");
+	t->cursor =
+	    (struct cursor){body->row + (v->keys ? v->at - v->top : 0), 0};
+	if (v->word.active && t->places.hints.rows > 0) {
+		t->cursor.row = t->places.hints.row;
+		t->cursor.column = screen_text(
+		    &t->places.hints, 0, 0, LOOK_BOLD, "/%s", v->word.text);
+	} else if (rest != NULL)
+		screen_text(&t->places.hints, 0, 0, LOOK_REVERSE, "%s", rest);
+	else
+		pane_hints(&t->places.hints, LOOK_REVERSE, hints);
+	free(hints);
+	free(rest);
 }

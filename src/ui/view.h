@@ -11,15 +11,15 @@ void view_text(struct tui *t, char *text);
 /* Shows the message where its rows have no room for all of it. */
 void view_message(struct tui *t);
 
-/* Shows the keys whose line has the word. */
-void view_keys(struct tui *t, const char *word);
+/* Shows the keys whose line has the word that is looked for. */
+void view_keys(struct tui *t);
 
 /* Takes a key: scrolls, filters, or closes.  Returns the key to act on, or
  * NULL. */
 const struct key *view_key(struct tui *t, int code, bool special);
 
-/* Scrolls as far as the body of the frame wants: the size may be another. */
-void view_fit(struct tui *t);
+/* Draws it with its hints. */
+void view_draw(struct tui *t);
 
 void view_close(struct tui *t);
 

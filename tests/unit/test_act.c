@@ -5,15 +5,19 @@
 #include <string.h>
 #include <unistd.h>
 
+#include <curses.h>
+
 #include "desk.h"
 
 #include "base/text.h"
 #include "cmd/journal.h"
 #include "ui/act.h"
 #include "ui/conduct.h"
-#include "ui/pane.h"
-#include "ui/paste.h"
+#include "ui/frame.h"
+#include "ui/input.h"
+#include "ui/page_fit.h"
 #include "ui/screen.h"
+#include "ui/shot.h"
 #include "ui/tui_state.h"
 
 static void
@@ -38,9 +42,8 @@ stage_open(void **state)
 	desk_open(&desk);
 	stage->desk = desk;
 	stage->was = screen_aside(24, 80, CHARSET_ASCII, 0);
-	tui_begin(&stage->t, stage->desk->session);
-	stage->t.aside = true;
-	pane_draw(&stage->t);
+	conduct_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
+	frame_draw(&stage->t);
 	*state = stage;
 	return 0;
 }
@@ -50,7 +53,7 @@ stage_close(void **state)
 {
 	struct stage *stage = *state;
 	void *desk = stage->desk;
-	tui_end(&stage->t);
+	conduct_end(&stage->t);
 	canvas_free(screen_back(stage->was));
 	free(stage);
 	return desk_close(&desk);
@@ -89,13 +92,13 @@ the_keypad_has_an_enter(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, "72.3");
-	act_key(t, PANE_ENTER, true);
+	act_key(t, KEY_ENTER, true);
 	assert_int_equal(t->tenths, 723);
 	type(t, "?/up by 5");
-	act_key(t, PANE_ENTER, true);
+	act_key(t, KEY_ENTER, true);
 	assert_int_equal(t->tenths, 773);
 	type(t, ":set k 1");
-	act_key(t, PANE_ENTER, true);
+	act_key(t, KEY_ENTER, true);
 	assert_false(t->typing.active);
 	assert_string_equal(t->command, "set k 1");
 }
@@ -105,8 +108,8 @@ a_word_too_long_to_find_does_nothing_else(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, "?/what is longer than the room there is for a word: q");
-	assert_true(t->viewer.filtering);
-	assert_int_equal(strlen(t->viewer.word), sizeof t->viewer.word - 1);
+	assert_true(t->viewer.word.active);
+	assert_int_equal(t->viewer.word.n, VIEWER_WORD);
 	assert_false(t->leave);
 }
 
@@ -126,23 +129,23 @@ a_smaller_screen_shows_the_key_under_the_cursor(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	const struct viewer *v = &t->viewer;
 	type(t, "?");
-	pane_draw(t);
+	frame_draw(t);
 	for (int i = 0; i < 18; i++)
 		press(t, "Down");
 	struct display *was = screen_aside(6, 60, CHARSET_ASCII, 0);
-	pane_draw(t);
+	frame_draw(t);
 	canvas_free(screen_back(was));
 	assert_int_equal(v->at, 18);
 	assert_in_range(v->at - v->top, 0, t->places.body.rows - 1);
 	assert_in_range(v->top, 1, 18);
-	pane_draw(t);
+	frame_draw(t);
 	type(t, "\033:help predict\n");
-	pane_draw(t);
+	frame_draw(t);
 	press(t, "PgDn");
 	press(t, "PgDn");
 	assert_in_range(v->top, 1, v->lines);
 	was = screen_aside(100, 80, CHARSET_ASCII, 0);
-	pane_draw(t);
+	frame_draw(t);
 	canvas_free(screen_back(was));
 	assert_int_equal(v->top, 0);
 }
@@ -153,15 +156,15 @@ text_wider_than_the_screen_is_read_to_its_end(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, ":help predict\n");
 	struct display *was = screen_aside(12, 30, CHARSET_ASCII, 0);
-	pane_draw(t);
+	frame_draw(t);
 	for (int i = 0; i < 9; i++)
 		press(t, "Right");
-	pane_draw(t);
+	frame_draw(t);
 	assert_non_null(t->viewer.text);
 	assert_in_range(t->viewer.left, 30, 50);
 	for (int i = 0; i < 9; i++)
 		press(t, "Left");
-	pane_draw(t);
+	frame_draw(t);
 	assert_int_equal(t->viewer.left, 0);
 	canvas_free(screen_back(was));
 	type(t, "x");
@@ -204,7 +207,7 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	type(t, "2\t");
 	size_t n = tui_past(t).n;
 	int tenths = t->tenths;
-	assert_int_equal(t->focus, FOCUS_GENERATION);
+	assert_true(t->focus == &page_fit);
 	press(t, "Home");
 	assert_int_equal(tui_generation(t), 1);
 	press(t, "L");
@@ -223,6 +226,49 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 }
 
 /* The letters of a command would each have done something. */
+
+static void
+the_mouse_drags_the_scrubber_to_its_ends(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	type(t, "2");
+	frame_draw(t);
+	size_t n = tui_past(t).n;
+	const struct area s = t->scrubber;
+	assert_true(n > 1 && s.rows == 1);
+	assert_false(page_fit.mouse(t, s.row + 1, s.column, true));
+	assert_null(t->focus);
+	assert_false(page_fit.mouse(t, s.row, s.column, false));
+	assert_true(page_fit.mouse(t, s.row, s.column, true));
+	assert_true(t->focus == &page_fit);
+	assert_int_equal(tui_generation(t), 1);
+	assert_true(page_fit.mouse(t, 0, s.column + s.columns / 2, false));
+	assert_in_range(tui_generation(t), 2, n - 1);
+	assert_true(page_fit.mouse(t, 0, s.column + s.columns + 9, false));
+	assert_int_equal(tui_generation(t), n);
+}
+
+static void
+the_list_has_the_keys_of_other_pages(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(
+	    stage->desk, "load data/sites/tierp.csv data/sites/bro.csv");
+	conduct_look(t);
+	t->site_at = 0;
+	type(t, "?/use this site\n");
+	assert_int_equal(stage->desk->session->current, 0);
+	assert_string_equal(t->command, "use tierp");
+	type(t, "?/next picture\n");
+	assert_int_equal(t->picture, PLOT_CONVERGENCE);
+	assert_int_equal(t->page, PAGE_PREDICT);
+	type(t, "?/down in a list\n");
+	assert_false(t->leave);
+}
+
 static void
 a_colon_begins_a_line_over_what_fills_the_screen(void **state)
 {
@@ -302,7 +348,7 @@ a_step_predicts_once_and_says_nothing(void **state)
 		press(t, i < 20 ? "L" : "H");
 		predictions = 0;
 		conduct_predict(t);
-		pane_draw(t);
+		frame_draw(t);
 		assert_int_equal(predictions, t->tenths != before);
 		assert_true(t->shown.speed == t->tenths / 10.0);
 		assert_true(
@@ -334,7 +380,7 @@ an_answer_is_measured_by_the_screen_and_not_by_the_text_before(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, "?");
-	pane_draw(t);
+	frame_draw(t);
 	type(t, "\033:predict 99999\n");
 	assert_true(t->bad);
 	assert_null(t->viewer.text);
@@ -355,10 +401,10 @@ control_z_stops_wherever_it_is_typed(void **state)
 	assert_non_null(t->viewer.text);
 	type(t, "\03371\032");
 	assert_int_equal(stops, 3);
-	assert_string_equal(t->digits, "71");
+	assert_string_equal(t->speed.text, "71");
 	type(t, "\033?/by\032");
 	assert_int_equal(stops, 4);
-	assert_string_equal(t->viewer.word, "by");
+	assert_string_equal(t->viewer.word.text, "by");
 	sigaction(SIGTSTP, &was, NULL);
 }
 
@@ -366,11 +412,11 @@ control_z_stops_wherever_it_is_typed(void **state)
 static void
 paste(struct tui *t, const char *text)
 {
-	paste_key(t, SCREEN_PASTE, true);
+	input_paste(t, SCREEN_PASTE, true);
 	while (*text != '\0')
-		assert_true(paste_key(t, (int)text_next(&text), false));
-	paste_key(t, SCREEN_PASTED, true);
-	assert_false(paste_key(t, 'q', false));
+		assert_true(input_paste(t, (int)text_next(&text), false));
+	input_paste(t, SCREEN_PASTED, true);
+	assert_false(input_paste(t, 'q', false));
 }
 
 static void
@@ -381,9 +427,9 @@ what_is_pasted_is_no_keys(void **state)
 	assert_false(t->typing.active || t->leave || t->session->quit);
 	assert_non_null(strstr(t->message, "pasted text was ignored"));
 	/* Keys with a name, as a hostile text may have them. */
-	paste_key(t, SCREEN_PASTE, true);
-	assert_true(paste_key(t, PANE_PAGE_UP, true));
-	paste_end(t);
+	input_paste(t, SCREEN_PASTE, true);
+	assert_true(input_paste(t, KEY_PPAGE, true));
+	input_end_paste(t);
 	assert_int_equal(t->tenths, 740);
 }
 
@@ -401,13 +447,13 @@ what_is_pasted_goes_into_an_open_line_up_to_its_end(void **state)
 	assert_true(t->typing.active);
 	type(t, "\0337");
 	paste(t, "q1.5\n");
-	assert_string_equal(t->digits, "71.5");
+	assert_string_equal(t->speed.text, "71.5");
 	type(t, "\033?");
 	paste(t, "q");
 	assert_non_null(t->viewer.text);
 	type(t, "/");
 	paste(t, "by\nq");
-	assert_string_equal(t->viewer.word, "by");
+	assert_string_equal(t->viewer.word.text, "by");
 }
 
 static void
@@ -416,12 +462,12 @@ ten_megabytes_are_pasted(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	for (int open = 0; open < 3; open++) {
 		type(t, open == 0 ? ":" : open == 1 ? "\033?/" : "\033\0337");
-		paste_key(t, SCREEN_PASTE, true);
+		input_paste(t, SCREEN_PASTE, true);
 		for (int i = 0; i < 10000000; i++)
-			paste_key(t, '5', false);
-		paste_end(t);
+			input_paste(t, '5', false);
+		input_end_paste(t);
 	}
-	assert_string_equal(t->digits, "7555555");
+	assert_string_equal(t->speed.text, "7555555");
 }
 
 static void
@@ -465,6 +511,11 @@ main(void)
 	    cmocka_unit_test_setup_teardown(
 		the_scrubber_has_the_keys_of_the_slider, stage_open,
 		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		the_mouse_drags_the_scrubber_to_its_ends, stage_open,
+		stage_close),
+	    cmocka_unit_test_setup_teardown(
+		the_list_has_the_keys_of_other_pages, stage_open, stage_close),
 	    cmocka_unit_test_setup_teardown(
 		a_colon_begins_a_line_over_what_fills_the_screen, stage_open,
 		stage_close),

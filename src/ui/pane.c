@@ -1,13 +1,22 @@
-/* The Predict page's curves, and plots on any page.
+/* What pages draw with.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
+#include "ui/pane.h"
+
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
-#include "io/units.h"
-#include "ui/pane.h"
+#include "base/xalloc.h"
 #include "ui/screen.h"
+
+struct area
+pane_list_area(const struct tui *t)
+{
+	struct area area = t->places.body;
+	area.rows += t->places.legend.rows;
+	return area;
+}
 
 void
 pane_plot(const struct tui *t, const struct plot_request *request,
@@ -45,7 +54,7 @@ draw_name(const struct tui *t, int column, enum series series, unsigned look,
 /* One row, where the plot's own legend would leave the plot little room; the
  * runs are those of plots_psd. */
 static void
-draw_legend(const struct tui *t)
+draw_legend(const struct tui *t, const struct plot_request *request)
 {
 	const struct entry *entry = tui_entry(t);
 	bool ascii = screen_charset() == CHARSET_ASCII;
@@ -73,7 +82,7 @@ draw_legend(const struct tui *t)
 		return;
 	column = draw_name(t, column, SERIES_PREDICTED, LOOK_BOLD,
 	    ascii ? "# predicted" : "\u254C predicted");
-	if (t->page == PAGE_PREDICT && t->pin.site[0] != '\0')
+	if (request->kept != NULL)
 		column = draw_name(t, column, SERIES_OTHER, 0,
 		    ascii ? "% kept" : "\u2501%\u2501 kept");
 	draw_name(t, column, SERIES_BREAK, 0,
@@ -81,38 +90,53 @@ draw_legend(const struct tui *t)
 }
 
 void
-pane_curves(const struct tui *t, struct plot_request *request)
+pane_curves(const struct tui *t, struct plot_request *request, bool notes)
 {
 	enum { TALL = 20 };
 	struct area plot = t->places.plot;
 	bool below = request->kind != PLOT_PSD && t->places.legend.rows > 0;
 	if (plot.rows >= TALL || below) {
-		bool told = t->page == PAGE_PREDICT && t->places.side.rows > 0;
-		request->words |= CHART_LEGEND | (told ? 0 : CHART_NOTES);
+		request->words |= CHART_LEGEND | (notes ? CHART_NOTES : 0);
 		plot.rows += t->places.legend.rows;
 	} else if (t->places.legend.rows > 0)
-		draw_legend(t);
+		draw_legend(t, request);
 	pane_plot(t, request, &plot);
 }
 
 void
-pane_predict(struct tui *t)
+pane_cut(char *words, int columns)
 {
-	const struct prediction *p = &t->shown;
-	struct plot_request request = plots_request(PLOT_PSD);
-	request.words = 0;
-	request.speed = t->tenths / 10.0;
-	request.feed_speed = t->feed;
-	request.band = t->band;
-	if (p->product.n > 0 && t->asked.tenths == t->tenths)
-		request.made = p;
-	request.level = t->level;
-	if (t->pin.site[0] != '\0') {
-		request.beside = t->pin.site;
-		request.kept = &t->kept;
+	while (text_width(words) > columns) {
+		char *cut = NULL;
+		for (char *p = strstr(words, "  "); p != NULL;
+		     p = strstr(p + 2, "  "))
+			cut = p;
+		if (cut == NULL)
+			break;
+		*cut = '\0';
 	}
-	if (t->cross && t->cross_at < p->product.n)
-		request.crosshair_mm = units_mm(p->product.size[t->cross_at]);
-	pane_curves(t, &request);
-	pane_side(t);
+}
+
+void
+pane_hints(const struct area *area, unsigned look, const char *hints)
+{
+	char text[128];
+	snprintf(text, sizeof text, "%s", hints);
+	pane_cut(text, area->columns);
+	screen_text(area, 0, 0, look, "%s", text);
+}
+
+char *
+pane_curves_words(const struct tui *t)
+{
+	char *where = tui_where(t), *words = xasprintf("psd %s", where);
+	free(where);
+	return words;
+}
+
+int
+pane_moved(int at, int by, size_t n)
+{
+	int to = at + by;
+	return n == 0 || to < 0 ? 0 : to >= (int)n ? (int)n - 1 : to;
 }

@@ -1,5 +1,7 @@
-/* The Predict page's side panel: the numbers at the slider's speed.
+/* The page Predict: the curves, and the numbers at the slider's speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/page_predict.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +12,6 @@
 #include "cmd/doubt.h"
 #include "cmd/fit.h"
 #include "io/units.h"
-#include "ui/pane.h"
 #include "ui/screen.h"
 
 /* Where differences stand. */
@@ -200,7 +201,7 @@ draw_cross(const struct tui *t, int row, int room)
 	snprintf(name, sizeof name, "crosshair %g mm",
 	    units_mm(p->product.size[t->cross_at]));
 	screen_text(side, row++, 0,
-	    t->focus == FOCUS_CROSS ? LOOK_REVERSE : LOOK_BOLD, "%-18s%4d %%",
+	    t->focus == &page_predict ? LOOK_REVERSE : LOOK_BOLD, "%-18s%4d %%",
 	    name, t->level);
 	draw_reading(t, row++, 0, "feed", &p->feed);
 	int others = 2 + (t->band ? 1 : 0);
@@ -255,8 +256,8 @@ draw_p50_band(const struct tui *t, int row)
 	return row;
 }
 
-void
-pane_side(struct tui *t)
+static void
+draw_side(struct tui *t)
 {
 	enum { PIN = 4, CROSS = 5, FRACTIONS = 3 };
 	const struct area *side = &t->places.side;
@@ -285,15 +286,15 @@ pane_side(struct tui *t)
 	if (row + FRACTIONS + cross + pin <= side->rows)
 		row = draw_fractions(t, row, was);
 	row = draw_p50_band(t, row);
-	if (t->cross && row < side->rows)
-		t->cross_row = side->row + row;
+	if (t->focus == &page_predict && row < side->rows)
+		t->cursor = (struct cursor){side->row + row, side->column};
 	row = draw_cross(t, row, side->rows - row - pin);
 	row = draw_pin(t, row);
 	draw_worth(t, row < side->rows - 2 ? side->rows - 2 : row);
 }
 
 void
-pane_numbers(struct tui *t)
+page_predict_numbers(struct tui *t)
 {
 	const struct area *area = &t->places.numbers;
 	const struct prediction *p = &t->shown;
@@ -305,7 +306,9 @@ pane_numbers(struct tui *t)
 		    area->columns < 21 ? "not predicted yet"
 				       : "nothing predicted yet");
 	else if (t->cross && t->cross_at < p->product.n) {
-		t->cross_row = area->row;
+		if (t->focus == &page_predict)
+			t->cursor =
+			    (struct cursor){area->row, t->places.side.column};
 		bool narrow = area->columns < 34;
 		double mm = 1000 * psd_size(&p->product, t->level / 100.0);
 		screen_text(area, 0, 0, LOOK_BOLD,
@@ -329,3 +332,98 @@ pane_numbers(struct tui *t)
 		    size_text(t->now.size[2], c),
 		    size_text(t->now.break_mm, d));
 }
+
+static void
+draw(struct tui *t)
+{
+	const struct prediction *p = &t->shown;
+	struct plot_request request = plots_request(PLOT_PSD);
+	request.words = 0;
+	request.speed = t->tenths / 10.0;
+	request.feed_speed = t->feed;
+	request.band = t->band;
+	if (p->product.n > 0 && t->asked.tenths == t->tenths)
+		request.made = p;
+	request.level = t->level;
+	if (t->pin.site[0] != '\0') {
+		request.beside = t->pin.site;
+		request.kept = &t->kept;
+	}
+	if (t->cross && t->cross_at < p->product.n)
+		request.crosshair_mm = units_mm(p->product.size[t->cross_at]);
+	pane_curves(t, &request, t->places.side.rows == 0);
+	draw_side(t);
+}
+
+static bool
+can_focus(const struct tui *t)
+{
+	return t->cross;
+}
+
+/* Up is a higher passing. */
+static void
+move_level(struct tui *t, int by)
+{
+	enum { STEP = 5, LEAST = 5, MOST = 95 };
+	int to = t->level - by * STEP;
+	t->level = to < LEAST ? LEAST : to > MOST ? MOST : to;
+}
+
+static bool
+act(struct tui *t, const struct key *key)
+{
+	bool moves = key->act == ACT_MOVE || key->act == ACT_LIST;
+	if (t->focus != &page_predict || !moves)
+		return false;
+	/* Sieves stand coarsest first, the plot finest first. */
+	if (key->act == ACT_MOVE)
+		t->cross_at = (size_t)pane_moved(
+		    (int)t->cross_at, -key->amount, t->shown.product.n);
+	else
+		move_level(t, key->amount);
+	return true;
+}
+
+void
+page_predict_cross(struct tui *t)
+{
+	t->cross = !t->cross && t->shown.product.n > 0;
+	if (t->cross && t->cross_at == 0)
+		t->cross_at = t->shown.product.n / 3;
+	if (t->cross)
+		t->page = PAGE_PREDICT;
+	t->focus = t->cross ? &page_predict : NULL;
+	if (t->shown.product.n == 0)
+		tui_say(t, true, "nothing is predicted yet: f calibrates");
+	else if (t->cross)
+		tui_say(t, false,
+		    "left and right: the sieve; up and down: the passing; Tab: "
+		    "the speed again");
+}
+
+static char *
+words(const struct tui *t)
+{
+	const struct prediction *p = &t->shown;
+	char *words = pane_curves_words(t);
+	if (t->pin.site[0] != '\0')
+		xappend(
+		    &words, " beside=%s other=%.1f", t->pin.site, t->pin.speed);
+	if (t->band)
+		xappend(&words, " band=on");
+	if (t->cross && t->cross_at < p->product.n)
+		xappend(&words, " at=%g level=%d",
+		    units_mm(p->product.size[t->cross_at]), t->level);
+	return words;
+}
+
+const struct page_ops page_predict = {.name = "Predict",
+    .hints = "<-/-> speed  ? keys  q quit  f fit  : command  c crosshair  "
+	     "x keep beside  e export  u undo",
+    .side = 24,
+    .wide_side = 24,
+    .draw = draw,
+    .can_focus = can_focus,
+    .key = act,
+    .words = words};

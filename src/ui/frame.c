@@ -1,10 +1,10 @@
 /* What stands around every page: heading, slider, last command, state, hints.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/frame.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <curses.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -12,24 +12,10 @@
 #include "cmd/fit.h"
 #include "cmd/origin.h"
 #include "core/energy.h"
-#include "ui/pane.h"
+#include "ui/page_predict.h"
+#include "ui/pages.h"
 #include "ui/screen.h"
 #include "ui/view.h"
-
-const int PANE_PAGE_UP = KEY_PPAGE, PANE_PAGE_DOWN = KEY_NPAGE;
-const int PANE_MOUSE = KEY_MOUSE, PANE_BACKSPACE = KEY_BACKSPACE,
-	  PANE_ENTER = KEY_ENTER;
-
-/* How wide the side panel of a page is. */
-static int
-side_columns(enum page page, int columns)
-{
-	if (page == PAGE_PREDICT)
-		return 24;
-	if (page == PAGE_FIT)
-		return columns >= 120 ? 50 : 38;
-	return 0;
-}
 
 /* How a page is called in the heading: in full, by its number but for the one
  * that is open, or all by their numbers. */
@@ -38,7 +24,7 @@ tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 {
 	bool here = p == t->page;
 	const char *name =
-	    columns >= 76 || (here && columns >= 34) ? PAGE_NAMES[p] : "";
+	    columns >= 76 || (here && columns >= 34) ? PAGE_OPS[p]->name : "";
 	const char *gap = name[0] != '\0' ? " " : "";
 	const char *open = here ? "[" : columns >= 76 ? " " : "";
 	snprintf(
@@ -78,16 +64,6 @@ draw_header(struct tui *t)
 		screen_text(area, 0, column, LOOK_DIM, " ? help");
 }
 
-struct area
-pane_track(const struct tui *t)
-{
-	struct area track = t->places.track;
-	bool ends = track.columns >= 30;
-	track.column += ends ? 4 : 0;
-	track.columns -= ends ? 8 : 0;
-	return track;
-}
-
 enum { MOST_MARKS = 300 };
 
 /* The speeds that were measured and those that the parameters were trained at,
@@ -116,18 +92,17 @@ take_marks(const struct entry *entry, struct slider_range range,
 	return n;
 }
 
-/* Returns the column of the cursor on the screen. */
-static int
+static void
 draw_track(struct tui *t)
 {
-	struct area track = pane_track(t);
+	struct area track = places_track(&t->places);
 	const struct entry *entry = tui_entry(t);
 	struct slider_range range = tui_range(t);
 	struct slider_mark mark[MOST_MARKS];
 	size_t n = entry != NULL ? take_marks(entry, range, mark) : 0;
 	char *text = xcalloc((size_t)track.columns + 1, 1);
 	int at = slider_draw(text, track.columns, range, t->tenths, mark, n);
-	bool focus = t->focus == FOCUS_SPEED;
+	bool focus = t->focus == NULL;
 	const char *close = strchr(text + at, ']');
 	int length = close != NULL ? (int)(close - text) - at + 1 : 1;
 	screen_text(&track, 0, 0, 0, "%s", text);
@@ -139,7 +114,7 @@ draw_track(struct tui *t)
 		    "%d", range.most / 10);
 	}
 	free(text);
-	return track.column + at + (length > 1 ? 1 : 0);
+	t->cursor.column = track.column + at + (length > 1 ? 1 : 0);
 }
 
 /* Speed and energy, and what the signs of the track mean. */
@@ -198,12 +173,6 @@ draw_command(const struct tui *t, const struct area *area)
 	return 0;
 }
 
-int
-pane_message_rows(const struct places *l)
-{
-	return l->hints.rows + l->status.rows > 0 ? 2 : 1;
-}
-
 /* One too long for its row goes on in the row of hints, or begins in that of
  * the command where there are none.  Returns whether it takes the hints. */
 static bool
@@ -214,7 +183,7 @@ draw_message(const struct tui *t, const struct area *row)
 	bool wide = text_width(text) > area.columns,
 	     hints = wide && t->places.hints.rows > 0;
 	if (wide)
-		area.rows = pane_message_rows(&t->places);
+		area.rows = places_message_rows(&t->places);
 	if (area.rows == 2 && !hints)
 		area.row--;
 	for (int r = 0; r < area.rows; r++)
@@ -266,77 +235,28 @@ draw_state(const struct tui *t, const struct area *area)
 		screen_text(area, 0, from, LOOK_DIM, "%s", right);
 }
 
-/* Leaves out words, two blanks between them, that there is no room for. */
-static void
-cut_to(char *words, int columns)
-{
-	while (text_width(words) > columns) {
-		char *cut = NULL;
-		for (char *p = strstr(words, "  "); p != NULL;
-		     p = strstr(p + 2, "  "))
-			cut = p;
-		if (cut == NULL)
-			break;
-		*cut = '\0';
-	}
-}
-
-void
-pane_hints(const struct area *area, unsigned look, const char *hints)
-{
-	char text[128];
-	snprintf(text, sizeof text, "%s", hints);
-	cut_to(text, area->columns);
-	screen_text(area, 0, 0, look, "%s", text);
-}
-
 /* What a word may become; ".." where there is more. */
 static void
 draw_offers(const struct area *area, const char *offers)
 {
 	bool more = text_width(offers) > area->columns;
 	char *text = xstrdup(offers);
-	cut_to(text, area->columns - (more ? 4 : 0));
+	pane_cut(text, area->columns - (more ? 4 : 0));
 	screen_text(area, 0, 0, 0, "%s%s", text, more ? "  .." : "");
 	free(text);
-}
-
-static const char *
-fit_hints(const struct tui *t)
-{
-	return session_busy(t->session) && t->held
-		   ? "Space go on  ? keys  q quit  s stop, keep  f fit again  "
-		     "Tab generations  v picture"
-	       : session_busy(t->session)
-		   ? "Space pause  ? keys  q quit  s stop, keep  +/- pace  "
-		     "f fit again  Tab generations  v picture"
-	       : tui_past(t).n > 0
-		   ? "f fit again  ? keys  q quit  Tab generations  v picture  "
-		     "+/- pace  : command"
-		   : "f fit  ? keys  q quit  +/- pace  : command";
 }
 
 static void
 draw_hints(const struct tui *t)
 {
-	static const char *const HINTS[PAGES] = {
-	    "<-/-> speed  ? keys  q quit  f fit  : command  c crosshair  x "
-	    "keep "
-	    "beside  e export  u undo",
-	    NULL,
-	    "<-/-> speed  ? keys  q quit  1-5 pages  Up/Down sieves  : "
-	    "command",
-	    "<-/-> speed  ? keys  q quit  1-5 pages  : command",
-	    "Up/Down site  Enter use it  ? keys  q quit  x keep beside  : "
-	    "command"};
-	const char *hints = HINTS[t->page];
-	pane_hints(
-	    &t->places.hints, LOOK_DIM, hints != NULL ? hints : fit_hints(t));
+	const struct page_ops *page = pages_open(t);
+	pane_hints(&t->places.hints, LOOK_DIM,
+	    page->hints != NULL ? page->hints : page->hints_now(t));
 }
 
 /* A speed being typed stands where messages do. */
 static void
-draw_lower(struct tui *t, int *row, int *column)
+draw_lower(struct tui *t)
 {
 	bool wide = false;
 	struct places *l = &t->places;
@@ -345,25 +265,24 @@ draw_lower(struct tui *t, int *row, int *column)
 							: &l->track;
 	const struct area *line = l->command.rows > 0 ? &l->command : &l->track;
 	bool typing = t->typing.active;
-	bool taken = line == note && (t->message[0] || t->digits[0] ||
+	bool taken = line == note && (t->message[0] || t->speed.text[0] ||
 					 session_busy(t->session));
 	if (typing || (l->command.rows > 0 && !taken)) {
 		if (typing && line == &l->track)
 			screen_text(line, 0, 0, 0, "%*s", line->columns, "");
 		int at = draw_command(t, line);
-		if (typing) {
-			*row = line->row;
-			*column = at;
-		}
+		if (typing)
+			t->cursor = (struct cursor){line->row, at};
 	}
 	if (note == line && typing)
 		return;
-	if (t->digits[0] != '\0') {
-		*row = note->row;
-		*column = screen_text(note, 0, 0, LOOK_BOLD,
-		    note->columns < 24 ? "%s" : "speed: %s", t->digits);
-		screen_text(note, 0, *column, LOOK_BOLD,
-		    note->columns < 24 ? "_ m/s, Enter" : "_ m/s (Enter)");
+	if (t->speed.text[0] != '\0') {
+		bool narrow = note->columns < 24;
+		int at = screen_text(note, 0, 0, LOOK_BOLD,
+		    narrow ? "%s" : "speed: %s", t->speed.text);
+		screen_text(note, 0, at, LOOK_BOLD,
+		    narrow ? "_ m/s, Enter" : "_ m/s (Enter)");
+		t->cursor = (struct cursor){note->row, at};
 	} else if (typing && t->typing.offers != NULL)
 		draw_offers(note, t->typing.offers);
 	else if (t->message[0] != '\0' && note != &l->track)
@@ -374,17 +293,9 @@ draw_lower(struct tui *t, int *row, int *column)
 		draw_hints(t);
 }
 
-static void
-draw_body(struct tui *t)
-{
-	static void (*const pages[PAGES])(struct tui *) = {
-	    pane_predict, pane_fit, pane_data, pane_parity, pane_sites};
-	pages[t->page](t);
-}
-
 /* Over the last rows of whatever the screen shows, at any size. */
 static void
-draw_question(const struct tui *t, int rows, int columns, int *row, int *column)
+draw_question(struct tui *t, int rows, int columns)
 {
 	char *asks = xasprintf("%s y/n", t->question),
 	     *text = text_wrapped(asks, columns);
@@ -397,54 +308,47 @@ draw_question(const struct tui *t, int rows, int columns, int *row, int *column)
 	screen_words(&area, 0, LOOK_BOLD, asks);
 	text[strlen(text) - 1] = '\0';
 	const char *last = strrchr(text, '\n');
-	*row = rows - 1;
-	*column = text_width(last != NULL ? last + 1 : text);
+	t->cursor = (struct cursor){
+	    rows - 1, text_width(last != NULL ? last + 1 : text)};
 	free(text);
 	free(asks);
 }
 
-void
-pane_draw(struct tui *t)
+static void
+draw_page(struct tui *t)
 {
-	int rows, columns, row, column;
-	screen_begin(&rows, &columns);
-	t->places = places_make(rows, columns, side_columns(t->page, columns));
-	t->scrubber = (struct area){0};
-	t->cross_row = -1;
-	bool viewing = t->viewer.text != NULL;
-	if (viewing)
-		t->places = places_text(rows, columns);
-	draw_header(t);
-	row = t->places.track.row;
-	screen_rule(&t->places.rule);
-	column = t->places.track.rows > 0 ? draw_track(t) : 0;
-	if (viewing) {
-		view_fit(t);
-		pane_text(t, &row, &column);
-		screen_show(row, column);
-		return;
-	}
-	int at = t->page == PAGE_FIT && t->places.caption.rows > 0
-		     ? pane_generations(t, &t->places.caption)
-		     : -1;
-	if (at < 0)
+	const struct page_ops *page = pages_open(t);
+	const struct area *caption = &t->places.caption;
+	if (caption->rows > 0 &&
+	    (page->caption == NULL || !page->caption(t, caption)))
 		draw_caption(t);
-	pane_numbers(t);
-	draw_body(t);
-	if (t->focus == FOCUS_GENERATION && at >= 0) {
-		row = t->places.caption.row;
-		column = at;
-	}
-	if (t->focus == FOCUS_CROSS && t->cross_row >= 0) {
-		row = t->cross_row;
-		column = t->places.side.column;
-	}
-	if (t->focus == FOCUS_SITE && t->places.body.rows > 1) {
-		row = pane_site_row(t);
-		column = 0;
-	}
-	draw_lower(t, &row, &column);
-	if (t->question != NULL)
-		draw_question(t, rows, columns, &row, &column);
-	screen_show(row, column);
+	page_predict_numbers(t);
+	page->draw(t);
+	draw_lower(t);
+}
+
+void
+frame_draw(struct tui *t)
+{
+	int rows, columns;
+	screen_begin(&rows, &columns);
+	const struct page_ops *page = pages_open(t);
+	bool viewing = t->viewer.text != NULL;
+	t->places = viewing
+			? places_text(rows, columns)
+			: places_make(rows, columns,
+			      columns >= 120 ? page->wide_side : page->side);
+	t->scrubber = (struct area){0};
+	draw_header(t);
+	t->cursor = (struct cursor){t->places.track.row, 0};
+	screen_rule(&t->places.rule);
+	if (t->places.track.rows > 0)
+		draw_track(t);
+	if (viewing)
+		view_draw(t);
+	else
+		draw_page(t);
+	if (t->question != NULL && !viewing)
+		draw_question(t, rows, columns);
+	screen_show(t->cursor.row, t->cursor.column);
 }

@@ -1,5 +1,8 @@
-/* The pages Data and Parity.
+/* The page Data: the sheet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/page_data.h"
+
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,16 +11,7 @@
 #include "cmd/fit.h"
 #include "core/predict.h"
 #include "io/units.h"
-#include "ui/pane.h"
 #include "ui/screen.h"
-
-struct area
-pane_list_area(const struct tui *t)
-{
-	struct area area = t->places.body;
-	area.rows += t->places.legend.rows;
-	return area;
-}
 
 /* Passing of a curve at a size, or a dash where it was not sieved. */
 static int
@@ -140,8 +134,8 @@ draw_more(const struct area *area, bool above, bool below)
 		    area, area->rows - 1, area->columns - 1, LOOK_BOLD, "v");
 }
 
-void
-pane_data(struct tui *t)
+static void
+draw(struct tui *t)
 {
 	enum { GAP = 1 };
 	const struct area area = pane_list_area(t);
@@ -164,13 +158,18 @@ pane_data(struct tui *t)
 	draw_source(t, &area, foot > below ? foot : below);
 }
 
-void
-pane_parity(struct tui *t)
+static bool
+act(struct tui *t, const struct key *key)
 {
-	struct plot_request request = plots_request(PLOT_PARITY);
-	if (t->places.legend.rows == 0)
-		request.words = CHART_TITLE;
-	struct area plot = t->places.body;
-	plot.rows = t->places.plot.rows + t->places.legend.rows;
-	pane_plot(t, &request, &plot);
+	if (key->act != ACT_LIST)
+		return false;
+	t->data_top =
+	    (size_t)pane_moved((int)t->data_top, key->amount, INT_MAX);
+	return true;
 }
+
+const struct page_ops page_data = {.name = "Data",
+    .hints = "<-/-> speed  ? keys  q quit  " PAGE_HINT "  Up/Down sieves  "
+	     ": command",
+    .draw = draw,
+    .key = act};

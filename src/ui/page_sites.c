@@ -1,14 +1,61 @@
 /* The page Sites: what each loaded site is and how far it is calibrated.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/page_sites.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/xalloc.h"
+#include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/origin.h"
 #include "io/units.h"
-#include "ui/pane.h"
+#include "ui/conduct.h"
 #include "ui/screen.h"
+
+/* The P50 at a speed: of the site in use as on its page, of the others on the
+ * feed that serves for all speeds. */
+static void
+row_at(struct site_row *row, const struct tui *t, const struct entry *e)
+{
+	const struct session *s = t->session;
+	double speed = t->tenths / 10.0;
+	struct error error = {0};
+	*row = (struct site_row){.p50 = NAN, .holdout = row->holdout};
+	if (!answers_known(s, e, &error))
+		return;
+	size_t feed = e == tui_entry(t)
+			  ? tui_feed(t)
+			  : site_run_nearest(e->site, answers_middle(e->site));
+	struct prediction p = answers_predict(s, e, speed, feed);
+	row->p50 = 1000 * p.p50;
+	row->beyond = answers_extrapolates(e, speed);
+	prediction_free(&p);
+}
+
+/* What does not hang on the speed is worked out when the session has changed
+ * only (rows_at 0). */
+static void
+update(struct tui *t)
+{
+	const struct session *s = t->session;
+	if (t->rows_at == t->tenths)
+		return;
+	if (t->rows_at == 0) {
+		free(t->row);
+		t->n_row = s->n_entry;
+		t->row = xcalloc(t->n_row + 1, sizeof *t->row);
+		for (size_t i = 0; i < t->n_row; i++)
+			t->row[i].holdout =
+			    s->entry[i].has_fit
+				? 100 * fit_holdout_rmse(&s->entry[i])
+				: NAN;
+	}
+	for (size_t i = 0; i < t->n_row; i++)
+		row_at(&t->row[i], t, &s->entry[i]);
+	t->rows_at = t->tenths;
+}
 
 enum column {
 	NAME,
@@ -185,12 +232,6 @@ first_shown(const struct tui *t)
 	return t->site_at >= room ? t->site_at - room + 1 : 0;
 }
 
-int
-pane_site_row(const struct tui *t)
-{
-	return t->places.body.row + 1 + (int)(t->site_at - first_shown(t));
-}
-
 /* More of the site under the cursor, at the foot of the page. */
 static void
 draw_site(const struct tui *t, const struct area *area)
@@ -213,20 +254,59 @@ draw_site(const struct tui *t, const struct area *area)
 		    at > 0 ? "  " : "", of->parameter[j].name, e->params.at[j]);
 }
 
-void
-pane_sites(struct tui *t)
+static void
+draw(struct tui *t)
 {
 	enum { HEAD = 1, DETAIL = 4 };
 	const struct area area = pane_list_area(t);
 	const struct session *s = t->session;
+	const struct area *body = &t->places.body;
+	size_t top = first_shown(t);
+	if (t->focus == &page_sites && body->rows > 1)
+		t->cursor = (struct cursor){
+		    body->row + HEAD + (int)(t->site_at - top), 0};
 	if (s->n_entry == 0) {
 		screen_text(&area, 0, 2, 0, "none is loaded: type :load FILE");
 		return;
 	}
 	draw_row(t, &area, 0, 0);
-	size_t top = first_shown(t);
 	for (size_t i = top; i < s->n_entry; i++)
 		draw_row(t, &area, (int)(i - top) + HEAD, i);
 	if ((int)s->n_entry + HEAD + DETAIL <= area.rows)
 		draw_site(t, &area);
 }
+
+static void
+choose(struct tui *t)
+{
+	const struct session *s = t->session;
+	char *line = xasprintf(
+	    "use %s", t->site_at < s->n_entry ? s->entry[t->site_at].key : "");
+	conduct_keep(t);
+	conduct_run(t, line);
+	free(line);
+}
+
+static bool
+act(struct tui *t, const struct key *key)
+{
+	if (key->act == ACT_CHOOSE) {
+		choose(t);
+		return true;
+	}
+	if (key->act == ACT_LIST)
+		t->focus = &page_sites;
+	else if (key->act != ACT_MOVE || t->focus != &page_sites)
+		return false;
+	t->site_at = (size_t)pane_moved(
+	    (int)t->site_at, key->amount, t->session->n_entry);
+	return true;
+}
+
+const struct page_ops page_sites = {.name = "Sites",
+    .hints = "Up/Down site  Enter use it  ? keys  q quit  x keep beside  "
+	     ": command",
+    .update = update,
+    .draw = draw,
+    .takes_focus = true,
+    .key = act};

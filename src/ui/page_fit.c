@@ -1,52 +1,28 @@
 /* The Fit page: the search, generation by generation, while it runs and after.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/page_fit.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/xalloc.h"
 #include "cmd/fit.h"
-#include "ui/pane.h"
 #include "ui/screen.h"
 
-struct plots_past
-tui_past(const struct tui *t)
-{
-	return tui_entry(t) != NULL ? plots_past(t->session)
-				    : (struct plots_past){0};
-}
-
-size_t
-tui_generation(const struct tui *t)
-{
-	size_t n = tui_past(t).n;
-	return t->generation > 0 && t->generation < n ? t->generation : n;
-}
-
-void
-tui_look_at(struct tui *t, size_t generation)
-{
-	t->generation = generation < tui_past(t).n ? generation : 0;
-}
-
-double
-tui_searched(const struct tui *t)
-{
-	return t->ran + (t->held ? 0 : t->clock - t->started);
-}
-
-int
-pane_generations(struct tui *t, const struct area *area)
+/* The slider of the generations, in the place of the usual caption. */
+static bool
+caption(struct tui *t, const struct area *area)
 {
 	size_t n = tui_past(t).n, at = tui_generation(t);
 	if (n == 0)
-		return -1;
+		return false;
 	char label[32], last[32];
 	int from = screen_text(area, 0, 0, 0, "generation 1 ");
 	snprintf(last, sizeof last, " %zu", n);
 	int room = area->columns - from - (int)strlen(last) - 1;
 	if (room < 12)
-		return -1;
+		return false;
 	t->scrubber = (struct area){area->row, from, 1, room};
 	for (int c = 0; c < room; c++)
 		screen_text(area, 0, from + c, LOOK_DIM, "-");
@@ -55,10 +31,12 @@ pane_generations(struct tui *t, const struct area *area)
 	int length = (int)strlen(label);
 	double share = n > 1 ? (double)(at - 1) / (double)(n - 1) : 1;
 	int column = from + (int)lround(share * (room - length));
-	screen_text(area, 0, column,
-	    t->focus == FOCUS_GENERATION ? LOOK_REVERSE : LOOK_BOLD, "%s",
-	    label);
-	return column + 1;
+	bool focus = t->focus == &page_fit;
+	screen_text(
+	    area, 0, column, focus ? LOOK_REVERSE : LOOK_BOLD, "%s", label);
+	if (focus)
+		t->cursor = (struct cursor){area->row, column + 1};
+	return true;
 }
 
 /* Where a value stands within its bounds, as a cell of a bar. */
@@ -231,14 +209,98 @@ draw_side(const struct tui *t)
 		pane_plot(t, &request, &below);
 }
 
-void
-pane_fit(struct tui *t)
+static void
+draw(struct tui *t)
 {
 	struct plot_request request = plots_request(t->picture);
 	request.words = CHART_TITLE;
 	request.speed = t->tenths / 10.0;
 	request.feed_speed = t->feed;
 	request.generation = t->generation;
-	pane_curves(t, &request);
+	pane_curves(t, &request, true);
 	draw_side(t);
 }
+
+static const char *
+hints(const struct tui *t)
+{
+	return session_busy(t->session) && t->held
+		   ? "Space go on  ? keys  q quit  s stop, keep  f fit again  "
+		     "Tab generations  v picture"
+	       : session_busy(t->session)
+		   ? "Space pause  ? keys  q quit  s stop, keep  +/- pace  "
+		     "f fit again  Tab generations  v picture"
+	       : tui_past(t).n > 0
+		   ? "f fit again  ? keys  q quit  Tab generations  v picture  "
+		     "+/- pace  : command"
+		   : "f fit  ? keys  q quit  +/- pace  : command";
+}
+
+static bool
+can_focus(const struct tui *t)
+{
+	return tui_past(t).n > 0;
+}
+
+static void
+move(struct tui *t, int by)
+{
+	int at = (int)tui_generation(t) - 1;
+	tui_look_at(t, (size_t)pane_moved(at, by, tui_past(t).n) + 1);
+}
+
+/* Arrows go through the generations where these have the focus. */
+static bool
+act(struct tui *t, const struct key *key)
+{
+	bool to_end = key->act == ACT_TO && key->amount <= TO_MOST;
+	if (key->act == ACT_PICTURE)
+		t->picture = t->picture == PLOT_PSD           ? PLOT_CONVERGENCE
+			     : t->picture == PLOT_CONVERGENCE ? PLOT_SPREAD
+							      : PLOT_PSD;
+	else if (t->focus != &page_fit)
+		return false;
+	else if (to_end)
+		tui_look_at(t, key->amount == TO_LEAST ? 1 : tui_past(t).n);
+	else if (key->act == ACT_MOVE || key->act == ACT_FINE ||
+		 key->act == ACT_LIST)
+		move(t, key->amount);
+	else
+		return false;
+	return true;
+}
+
+static bool
+mouse(struct tui *t, int row, int column, bool pressed)
+{
+	const struct area *s = &t->scrubber;
+	size_t n = tui_past(t).n;
+	if (pressed ? !area_has(s, row, column) : t->focus != &page_fit)
+		return false;
+	t->focus = &page_fit;
+	if (n == 0 || s->columns < 2)
+		return true;
+	int at = column - s->column;
+	at = at < 0 ? 0 : at >= s->columns ? s->columns - 1 : at;
+	tui_look_at(t, 1 + (size_t)at * (n - 1) / (size_t)(s->columns - 1));
+	return true;
+}
+
+static char *
+words(const struct tui *t)
+{
+	if (t->picture == PLOT_PSD)
+		return pane_curves_words(t);
+	return xstrdup(t->picture == PLOT_SPREAD ? "spread" : "convergence");
+}
+
+const struct page_ops page_fit = {.name = "Fit",
+    .hints_now = hints,
+    .side = 38,
+    .wide_side = 50,
+    .draw = draw,
+    .caption = caption,
+    .can_focus = can_focus,
+    .key = act,
+    .mouse = mouse,
+    .words = words};

@@ -1,0 +1,100 @@
+/* Commands never loop, so that every driver stays live: this does.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/driver.h"
+
+#include <stdlib.h>
+
+#include "cmd/script.h"
+#include "ui/pump.h"
+
+/* Ends what the line has under way after an error or an interruption; the
+ * latter keeps the results so far. */
+static void
+give_up(const struct driver *d, int status, const char *line, const char *name)
+{
+	struct error error = {.kind = (enum error_kind)status};
+	bool ok = status == 0 || pump_signal() != 0;
+	if (!session_settle(d->session, ok, &error) && ok)
+		d->fail(d->of, &error, line, name);
+}
+
+/* After a signal: what was found stays. */
+static int
+interrupt(
+    const struct driver *d, const char *line, const char *name, int number)
+{
+	pager_hold(d->pager);
+	session_pause(d->session);
+	give_up(d, 0, line, name);
+	pager_show(d->pager);
+	if (d->interrupted != NULL)
+		d->interrupted(name, number);
+	return pump_status();
+}
+
+/* What the commands so far began. */
+static int
+go_through(const struct driver *d, size_t depth, const char *line,
+    const char *name, int number)
+{
+	struct session *s = d->session;
+	if (!d->work(s))
+		return interrupt(d, line, name, number);
+	pager_show(d->pager);
+	int status = driver_scripts(d, depth);
+	if (status == 0 && s->wants_tui && s->run_screen != NULL) {
+		s->wants_tui = false;
+		status = s->run_screen(s);
+	}
+	if (status != 0 || s->quit)
+		give_up(d, status, line, name);
+	pager_show(d->pager);
+	return status;
+}
+
+int
+driver_line(
+    const struct driver *d, const char *line, const char *name, int number)
+{
+	struct session *s = d->session;
+	size_t at = 0, depth = script_depth(s);
+	int status = 0;
+	do {
+		struct error error = {0};
+		pager_hold(d->pager);
+		bool ok = session_line(s, line, at, name, number, &at, &error);
+		pager_show(d->pager);
+		if (!ok) {
+			fflush(s->out);
+			d->fail(d->of, &error, line, name);
+			return (int)error.kind;
+		}
+		if (d->watches && number == 0 && session_busy(s) &&
+		    script_depth(s) == depth && line[at] == '\0' && !s->job.all)
+			return 0;
+		status = go_through(d, depth, line, name, number);
+	} while (status == 0 && at > 0 && !s->quit);
+	return status;
+}
+
+int
+driver_scripts(const struct driver *d, size_t depth)
+{
+	struct session *s = d->session;
+	int status = 0;
+	while (status == 0 && script_depth(s) > depth && !s->quit &&
+	       pump_signal() == 0) {
+		struct error error = {0};
+		struct place place;
+		char *line = script_line(s, &place, &error);
+		if (line != NULL)
+			status = driver_line(d, line, place.file, place.line);
+		else if (error.kind != ERROR_NONE)
+			d->fail(d->of, &error, "", "");
+		if (line == NULL)
+			status = (int)error.kind;
+		free(line);
+	}
+	script_close(s, depth);
+	return pump_signal() != 0 ? pump_status() : status;
+}

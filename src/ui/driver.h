@@ -1,0 +1,35 @@
+/* The loop of every driver: a line, the scripts it opens, the jobs it starts.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_DRIVER_H
+#define TIPSPEED_UI_DRIVER_H
+
+#include "cmd/session.h"
+#include "ui/pager.h"
+
+/* In what drivers differ: what they are given to show. */
+struct driver {
+	struct session *session;
+	struct pager *pager; /* holds results back at a prompt, or NULL */
+	void *of;            /* for `fail` */
+	/* Tells an error of that line of `name`; "" where there was no line. */
+	void (*fail)(void *of, const struct error *e, const char *line,
+	    const char *name);
+	/* Tells that a signal ended a line; NULL: one sees that. */
+	void (*interrupted)(const char *name, int number);
+	/* Runs the job to its end; false when a signal came, with the job as it
+	 * was. */
+	bool (*work)(struct session *s);
+	/* A calibration that a typed line ends with is left under way. */
+	bool watches;
+};
+
+/* Runs one line to its end; name and number: what its place is called, number 0
+ * for a line typed on the full screen.  Returns 0, the status of the first
+ * error, which was told, or that of a signal. */
+int driver_line(
+    const struct driver *d, const char *line, const char *name, int number);
+
+/* Runs the scripts that are open beyond `depth` of them. */
+int driver_scripts(const struct driver *d, size_t depth);
+
+#endif

@@ -1,0 +1,89 @@
+/* What follows from the state of the full screen.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/tui_state.h"
+
+#include <math.h>
+#include <stdarg.h>
+
+#include "base/xalloc.h"
+
+const double PACES[PACE_COUNT] = {1, 2, 5, 10, 20, 50, INFINITY};
+
+const struct entry *
+tui_entry(const struct tui *t)
+{
+	const struct session *s = t->session;
+	return s->n_entry > 0 ? &s->entry[s->current] : NULL;
+}
+
+struct slider_range
+tui_range(const struct tui *t)
+{
+	const struct entry *entry = tui_entry(t);
+	return slider_range(entry != NULL ? entry->site : NULL);
+}
+
+size_t
+tui_feed(const struct tui *t)
+{
+	const struct site *site = tui_entry(t)->site;
+	size_t kept = site_run_at(site, t->feed);
+	return kept < site->n_run ? kept
+				  : site_run_nearest(site, t->tenths / 10.0);
+}
+
+void
+tui_keep_feed(struct tui *t)
+{
+	double feed = session_known(t->session, "predict", "feed_mps");
+	if (isfinite(feed))
+		t->feed = feed;
+}
+
+char *
+tui_where(const struct tui *t)
+{
+	const struct entry *entry = tui_entry(t);
+	double speed = t->tenths / 10.0;
+	if (entry == NULL || !entry->site->individual_feeds ||
+	    tui_feed(t) == site_run_nearest(entry->site, speed))
+		return xasprintf("speed=%.1f", speed);
+	return xasprintf(
+	    "speed=%.1f feed=%g", speed, entry->site->run[tui_feed(t)].speed);
+}
+
+struct plots_past
+tui_past(const struct tui *t)
+{
+	return tui_entry(t) != NULL ? plots_past(t->session)
+				    : (struct plots_past){0};
+}
+
+size_t
+tui_generation(const struct tui *t)
+{
+	size_t n = tui_past(t).n;
+	return t->generation > 0 && t->generation < n ? t->generation : n;
+}
+
+void
+tui_look_at(struct tui *t, size_t generation)
+{
+	t->generation = generation < tui_past(t).n ? generation : 0;
+}
+
+double
+tui_searched(const struct tui *t)
+{
+	return t->ran + (t->held ? 0 : t->clock - t->started);
+}
+
+void
+tui_say(struct tui *t, bool bad, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	vsnprintf(t->message, sizeof t->message, format, ap);
+	va_end(ap);
+	t->bad = bad;
+}
