@@ -95,8 +95,12 @@ answers_extrapolates(const struct entry *entry, double speed)
 double
 answers_finer(const struct breaker *b, double u, const struct site *site)
 {
-	double log_x = el_log(site->run[0].feed.size[0]);
-	return u < 1 ? b->model->finer(b, el_log(u), log_x, NULL) : 1;
+	double log_u = el_log(u), log_x = el_log(site->run[0].feed.size[0]);
+	const struct breakage *of = b->model;
+	if (u >= 1)
+		return 1;
+	return of->finer(b, log_u, NULL) *
+	       (of->at_size != NULL ? of->at_size(b, log_x + log_u, NULL) : 1);
 }
 
 struct prediction

@@ -91,11 +91,28 @@ sign_edges(const double beta[static 4], double edge[static 5])
 	return n;
 }
 
+static void
+cumulate_parts(struct appearance *a)
+{
+	for (size_t i = 0; i < a->n; i++) {
+		a->log_lower[i] = el_log(a->lower[i]);
+		a->log_upper[i] = el_log(a->upper[i]);
+		for (size_t b = 0; b < 4; b++) {
+			double before = i > 0 ? a->full[i - 1][b] : 0;
+			a->base[i][b] =
+			    before -
+			    appearance_power(b, a->log_lower[i], a->lower[i]);
+			a->full[i][b] =
+			    a->base[i][b] +
+			    appearance_power(b, a->log_upper[i], a->upper[i]);
+		}
+	}
+}
+
 struct appearance
 appearance_of(const double beta[static 4])
 {
-	struct appearance a = {
-	    {beta[0], beta[1], beta[2], beta[3]}, 0, {0}, {0}, {0}, 0};
+	struct appearance a = {.beta = {beta[0], beta[1], beta[2], beta[3]}};
 	double edge[5];
 	size_t n = sign_edges(beta, edge);
 	for (size_t i = 1; i < n; i++) {
@@ -114,6 +131,7 @@ appearance_of(const double beta[static 4])
 		a.total = 0;
 		a.n = 0;
 	}
+	cumulate_parts(&a);
 	return a;
 }
 
@@ -148,16 +166,18 @@ void
 appearance_parts(
     const struct appearance *a, double log_u, double parts[static 4])
 {
-	double u = el_exp(log_u);
-	for (size_t b = 0; b < 4; b++)
-		parts[b] = 0;
-	for (size_t i = 0; i < a->n && u > a->lower[i]; i++) {
-		bool whole = u >= a->upper[i];
-		double end = whole ? a->upper[i] : u;
-		double log_end = whole ? el_log(end) : log_u;
-		double log_lower = el_log(a->lower[i]);
+	size_t i = a->n;
+	while (i > 0 && log_u <= a->log_lower[i - 1])
+		i--;
+	if (i == 0 || log_u >= a->log_upper[i - 1]) {
 		for (size_t b = 0; b < 4; b++)
-			parts[b] += appearance_power(b, log_end, end) -
-				    appearance_power(b, log_lower, a->lower[i]);
+			parts[b] = i > 0 ? a->full[i - 1][b] : 0;
+		return;
 	}
+	double u = el_exp(log_u), u2 = u * u;
+	const double *base = a->base[i - 1];
+	parts[0] = base[0] + log_u;
+	parts[1] = base[1] + u;
+	parts[2] = base[2] + u2 / 2;
+	parts[3] = base[3] + u2 * u / 3;
 }

@@ -27,6 +27,10 @@ struct appearance {
 	double lower[APPEARANCE_PIECES], upper[APPEARANCE_PIECES];
 	double below[APPEARANCE_PIECES];
 	double total;
+	double log_lower[APPEARANCE_PIECES], log_upper[APPEARANCE_PIECES];
+	/* For appearance_parts: what they are at the piece's upper end, and at
+	 * its lower end less the primitive there. */
+	double full[APPEARANCE_PIECES][4], base[APPEARANCE_PIECES][4];
 };
 
 /* Cannot fail. */

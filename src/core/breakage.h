@@ -19,7 +19,7 @@ struct breaker {
 	struct params p;
 	const struct breakage *model;
 	double k, v, E; /* impacts; m/s; J/kg */
-	alignas(max_align_t) unsigned char own[256];
+	alignas(max_align_t) unsigned char own[640];
 };
 
 struct continuous;
@@ -49,10 +49,11 @@ struct breakage {
 	/* The smallest size that can break, m: 0 where every size does,
 	 * INFINITY where none does. */
 	double (*break_size)(const struct params *p, double E);
-	/* B(u, x, v): the share finer than u x of what breaks at x, for
-	 * ln u < 0; d as of selection. */
-	double (*finer)(
-	    const struct breaker *b, double log_u, double log_x, double *d);
+	/* B, the share finer than y = u x of what breaks at x, for ln u <= 0:
+	 * a function of u at the speed times one of y (NULL: 1), y in m; d as
+	 * of selection. */
+	double (*finer)(const struct breaker *b, double log_u, double *d);
+	double (*at_size)(const struct breaker *b, double log_y, double *d);
 	/* dB / d ln u, in any unit: shares of the size classes (Table 1).  u
 	 * may be a size in mm where the model has forms. */
 	double (*density)(

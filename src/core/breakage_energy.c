@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LANES
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -14,18 +15,33 @@
 
 enum { GAMMA = 7, E_REF };
 
-/* (E / E_ref)^-gamma. */
-static double
-exponent(const struct breaker *b)
+/* (E / E_ref)^-gamma, ready behind the appearance; and ln (E / E_ref). */
+struct energy_own {
+	struct appearance appearance;
+	double exponent, log_ratio;
+};
+
+static void
+prepare(struct breaker *b)
 {
-	return el_exp(-b->p.at[GAMMA] * el_log(b->E / b->p.at[E_REF]));
+	struct energy_own *own = (struct energy_own *)(void *)b->own;
+	static_assert(sizeof *own <= sizeof b->own, "room");
+	grunditz_prepare(b);
+	own->log_ratio = el_log(b->E / b->p.at[E_REF]);
+	own->exponent = el_exp(-b->p.at[GAMMA] * own->log_ratio);
+}
+
+static const struct energy_own *
+own_of(const struct breaker *b)
+{
+	return (const struct energy_own *)(const void *)b->own;
 }
 
 static double
-finer(const struct breaker *b, double log_u, double log_x, double *d)
+finer(const struct breaker *b, double log_u, double *d)
 {
-	double base[4] = {0}, e = exponent(b);
-	double B = grunditz_finer(b, log_u, log_x, d != NULL ? base : NULL);
+	double base[4] = {0}, e = own_of(b)->exponent;
+	double B = grunditz_finer(b, log_u, d != NULL ? base : NULL);
 	if (!(B > 0))
 		return 0;
 	double log_B = el_log(B), P = el_exp(e * log_B);
@@ -33,16 +49,17 @@ finer(const struct breaker *b, double log_u, double log_x, double *d)
 		return P;
 	for (size_t i = 0; i < 4; i++)
 		d[i] += e * P / B * base[i];
-	d[GAMMA] -= P * log_B * e * el_log(b->E / b->p.at[E_REF]);
+	d[GAMMA] -= P * log_B * e * own_of(b)->log_ratio;
 	return P;
 }
 
 static double
 density(const struct breaker *b, double u, double log_u, double log_x)
 {
+	(void)log_x;
 	const struct appearance *a = grunditz_appearance(b);
-	double p = appearance_density(a->beta, u), e = exponent(b);
-	double B = log_u < 0 ? grunditz_finer(b, log_u, log_x, NULL) : 1;
+	double p = appearance_density(a->beta, u), e = own_of(b)->exponent;
+	double B = log_u < 0 ? grunditz_finer(b, log_u, NULL) : 1;
 	return B > 0 ? e * el_exp((e - 1) * el_log(B)) * p / a->total : 0;
 }
 
@@ -70,9 +87,8 @@ KERNELS(energy);
 	{                                                                     \
 		.name = NAME, .brief = __VA_ARGS__, .n = 9 + (BYPASS),        \
 		.parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",    \
-		.reference = E_REF, .bypass = BYPASS,                         \
-		.prepare = grunditz_prepare, .selection = grunditz_selection, \
-		.size_at = grunditz_size_at,                                  \
+		.reference = E_REF, .bypass = BYPASS, .prepare = prepare,     \
+		.selection = grunditz_selection, .size_at = grunditz_size_at, \
 		.break_size = grunditz_break_size, .finer = finer,            \
 		.density = density, .breaks = grunditz_breaks,                \
 		.selection_text = grunditz_selection_text,                    \

@@ -48,22 +48,21 @@ grunditz_break_size(const struct params *p, double E)
 }
 
 double
-grunditz_finer(const struct breaker *b, double log_u, double log_x, double *d)
+grunditz_finer(const struct breaker *b, double log_u, double *d)
 {
-	(void)log_x;
 	const struct appearance *a = grunditz_appearance(b);
-	double parts[4], whole[4], B = 0;
-	if (!(a->total > 0))
+	double parts[4], sum = 0;
+	if (a->n == 0)
 		return 0;
 	appearance_parts(a, log_u, parts);
 	for (size_t i = 0; i < 4; i++)
-		B += a->beta[i] * parts[i] / a->total;
+		sum += a->beta[i] * parts[i];
+	double B = sum / a->total;
 	if (d == NULL)
 		return B;
-	double scale = a->total * params_gauge(&b->p);
-	appearance_parts(a, 0, whole);
+	double scale = 1 / (a->total * params_gauge(&b->p));
 	for (size_t i = 0; i < 4; i++)
-		d[i] += (parts[i] - B * whole[i]) / scale;
+		d[i] += (parts[i] - B * a->full[a->n - 1][i]) * scale;
 	return B;
 }
 

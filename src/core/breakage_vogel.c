@@ -60,20 +60,24 @@ break_size(const struct params *p, double E)
 }
 
 static double
-finer(const struct breaker *b, double log_u, double log_x, double *d)
+finer(const struct breaker *b, double log_u, double *d)
 {
-	double q = exponent(b), ratio;
-	double w = fines(b, log_x + log_u, &ratio);
-	double power = el_exp(q * log_u), B = power * w;
-	if (d == NULL)
-		return B;
-	if (q > LEAST_Q) {
+	double q = exponent(b), B = el_exp(q * log_u);
+	if (d != NULL && q > LEAST_Q) {
 		d[Q_SLOPE] += B * log_u * b->v;
 		d[Q_0] += B * log_u;
 	}
-	d[Y_FINE] -=
-	    power * 2 * w * (1 - w) * ratio / fmax(b->p.at[Y_FINE], 1e-9);
 	return B;
+}
+
+static double
+at_size(const struct breaker *b, double log_y, double *d)
+{
+	double ratio, w = fines(b, log_y, &ratio);
+	if (d != NULL)
+		d[Y_FINE] -=
+		    2 * w * (1 - w) * ratio / fmax(b->p.at[Y_FINE], 1e-9);
+	return w;
 }
 
 static double
@@ -122,8 +126,9 @@ KERNELS(vogel);
 		.parameter = PARAMETERS, .reference = 6 + (BYPASS),           \
 		.bypass = BYPASS, .prepare = prepare,                         \
 		.selection = vogel_selection, .size_at = size_at,             \
-		.break_size = break_size, .finer = finer, .density = density, \
-		.breaks = breaks, .selection_text = vogel_selection_text,     \
+		.break_size = break_size, .finer = finer, .at_size = at_size, \
+		.density = density, .breaks = breaks,                         \
+		.selection_text = vogel_selection_text,                       \
 		.appearance_text = appearance_text,                           \
 		.kernel = KERNEL_ROW(vogel)                                   \
 	}

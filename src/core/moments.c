@@ -139,21 +139,14 @@ broken_parts(const struct continuous *c, double log_s, size_t n_shape,
 {
 	const struct appearance *a = appearance_in(c);
 	memset(Q, 0, sizeof(double[SHAPES][4]));
-	double full[4] = {0}, base[4];
+	const double none[4] = {0}, *full = none;
 	struct moments outer = {0}, inner;
 	for (size_t i = 0; i < a->n; i++) {
-		double lower = a->lower[i], upper = a->upper[i];
-		double log_lower = el_log(lower), log_upper = el_log(upper);
-		inner = moments_above(c, log_s - log_lower, n_shape);
+		inner = moments_above(c, log_s - a->log_lower[i], n_shape);
 		add_parts(log_s, n_shape, &inner, &outer, full, false, Q);
-		for (size_t b = 0; b < 4; b++)
-			base[b] =
-			    full[b] - appearance_power(b, log_lower, lower);
-		outer = moments_above(c, log_s - log_upper, n_shape);
-		add_parts(log_s, n_shape, &outer, &inner, base, true, Q);
-		for (size_t b = 0; b < 4; b++)
-			full[b] =
-			    base[b] + appearance_power(b, log_upper, upper);
+		outer = moments_above(c, log_s - a->log_upper[i], n_shape);
+		add_parts(log_s, n_shape, &outer, &inner, a->base[i], true, Q);
+		full = a->full[i];
 	}
 	inner = moments_above(c, log_s, n_shape);
 	add_parts(log_s, n_shape, &inner, &outer, full, false, Q);
@@ -188,8 +181,7 @@ moments_product(struct continuous *c, double *passing, double *d_passing)
 {
 	const struct appearance *a = appearance_in(c);
 	size_t n_shape = d_passing != NULL ? SHAPES : 1;
-	double T[4];
-	appearance_parts(a, 0, T);
+	const double *T = a->n > 0 ? a->full[a->n - 1] : (double[4]){0};
 	integrate_all(c, n_shape);
 	double total = combined(a, T);
 	for (size_t i = 0; i < c->n_sieve; i++) {

@@ -11,7 +11,7 @@
 
 /* A workspace that turns parameters into products of one feed on a fixed list
  * of sieves.  Set the parameters once, then ask for any speed; neither
- * allocates nor fails.
+ * fails, nor allocates but for the first time.
  *
  * Method `continuous`: with the feed straight on log size between its sieves,
  *   P(s) = F(s) + integral over x > s of S(x) B(s/x) dF(x)
@@ -19,7 +19,7 @@
  * panels that end at every sieve, at the break size and at a few values of the
  * exponent.  The paper's model has B between the zeros of p(u) as a combination
  * of 1, 1/x, 1/x^2, 1/x^3 and ln x (moments.c) and an error below 1e-7 (tested
- * against 1e-6); the others evaluate B at each point (tested against 1e-5).
+ * against 1e-6); the others have B in a table (tested against 1e-5).
  *
  * Method `classes`: the paper to the letter, P = B S f + (I - S) f on the
  * classes of the feed's sieves; a class has the geometric mean of its sieves

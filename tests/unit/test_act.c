@@ -485,56 +485,33 @@ a_question_is_answered_by_y_alone(void **state)
 	((struct stage *)*state)->was = screen_aside(5, 20, CHARSET_ASCII, 0);
 }
 
+#define ON_STAGE(test) \
+	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test_setup_teardown(
-		a_step_predicts_once_and_says_nothing, stage_open, stage_close),
-	    cmocka_unit_test_setup_teardown(
-		every_letter_is_text_in_a_line, stage_open, stage_close),
-	    cmocka_unit_test_setup_teardown(
-		what_is_completed_is_whole_letters, stage_open, stage_close),
-	    cmocka_unit_test_setup_teardown(
-		the_keypad_has_an_enter, stage_open, stage_close),
-	    cmocka_unit_test_setup_teardown(
-		a_word_too_long_to_find_does_nothing_else, stage_open,
-		stage_close),
-	    cmocka_unit_test_setup_teardown(
-		a_smaller_screen_shows_the_key_under_the_cursor, stage_open,
-		stage_close),
-	    cmocka_unit_test_setup_teardown(
-		text_wider_than_the_screen_is_read_to_its_end, stage_open,
-		stage_close),
-	    cmocka_unit_test_setup_teardown(
-		a_pause_is_no_part_of_the_search, stage_open, stage_close),
-	    cmocka_unit_test_setup_teardown(
-		the_scrubber_has_the_keys_of_the_slider, stage_open,
-		stage_close),
-	    cmocka_unit_test_setup_teardown(
-		the_mouse_drags_the_scrubber_to_its_ends, stage_open,
-		stage_close),
-	    cmocka_unit_test_setup_teardown(
-		the_list_has_the_keys_of_other_pages, stage_open, stage_close),
-	    cmocka_unit_test_setup_teardown(
-		a_colon_begins_a_line_over_what_fills_the_screen, stage_open,
-		stage_close),
-	    cmocka_unit_test_setup_teardown(
-		d_tells_the_picture_of_the_page, stage_open, stage_close),
-	    cmocka_unit_test_setup_teardown(
-		an_answer_is_measured_by_the_screen_and_not_by_the_text_before,
-		stage_open, stage_close),
-	    cmocka_unit_test_setup_teardown(
-		control_z_stops_wherever_it_is_typed, stage_open, stage_close),
-	    cmocka_unit_test_setup_teardown(
-		what_is_pasted_is_no_keys, stage_open, stage_close),
-	    cmocka_unit_test_setup_teardown(
-		what_is_pasted_goes_into_an_open_line_up_to_its_end, stage_open,
-		stage_close),
-	    cmocka_unit_test_setup_teardown(
-		ten_megabytes_are_pasted, stage_open, stage_close),
-	    cmocka_unit_test_setup_teardown(
-		a_question_is_answered_by_y_alone, stage_open, stage_close),
+	    ON_STAGE(a_step_predicts_once_and_says_nothing),
+	    ON_STAGE(every_letter_is_text_in_a_line),
+	    ON_STAGE(what_is_completed_is_whole_letters),
+	    ON_STAGE(the_keypad_has_an_enter),
+	    ON_STAGE(a_word_too_long_to_find_does_nothing_else),
+	    ON_STAGE(a_smaller_screen_shows_the_key_under_the_cursor),
+	    ON_STAGE(text_wider_than_the_screen_is_read_to_its_end),
+	    ON_STAGE(a_pause_is_no_part_of_the_search),
+	    ON_STAGE(the_scrubber_has_the_keys_of_the_slider),
+	    ON_STAGE(the_mouse_drags_the_scrubber_to_its_ends),
+	    ON_STAGE(the_list_has_the_keys_of_other_pages),
+	    ON_STAGE(a_colon_begins_a_line_over_what_fills_the_screen),
+	    ON_STAGE(d_tells_the_picture_of_the_page),
+	    ON_STAGE(
+		an_answer_is_measured_by_the_screen_and_not_by_the_text_before),
+	    ON_STAGE(control_z_stops_wherever_it_is_typed),
+	    ON_STAGE(what_is_pasted_is_no_keys),
+	    ON_STAGE(what_is_pasted_goes_into_an_open_line_up_to_its_end),
+	    ON_STAGE(ten_megabytes_are_pasted),
+	    ON_STAGE(a_question_is_answered_by_y_alone),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);
