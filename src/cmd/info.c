@@ -225,7 +225,7 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 	report_pair(r, "tipspeed", "%s", PACKAGE_VERSION);
 	report_pair(r, "gsl", "%s", GSL_VERSION);
 	report_pair(r, "jansson", "%s", JANSSON_VERSION);
-	report_pair(r, "instructions", "%s", isa_name(isa_usable(ISA_BEST)));
+	report_pair(r, "instructions", "%s", isa_name(isa_usable(s->isa)));
 	report_put(report_json(r), "version %s", PACKAGE_VERSION);
 	return session_report(s, r);
 }

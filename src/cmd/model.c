@@ -256,7 +256,6 @@ show_settings(struct session *s)
 	    r, "appearance", "%s", MODEL_FORMS[s->set.model.appearance]);
 	report_pair(r, "k", "%g", s->set.model.k);
 	report_pair(r, "threads", "%u", s->set.threads);
-	report_pair(r, "isa", "%s", isa_name(isa_usable(s->set.isa)));
 	report_pair(r, "format", "%s", REPORT_FORMATS[s->set.format]);
 	report_pair(r, "csv", "%s", s->set.semicolon ? "semicolon" : "comma");
 	report_pair(r, "pager", "%s", s->set.pager ? "on" : "off");
@@ -271,7 +270,6 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	const struct value *form = args_value(args, "appearance");
 	const struct value *k = args_value(args, "k");
 	const struct value *threads = args_value(args, "threads");
-	const struct value *isa = args_value(args, "isa");
 	const struct value *format = args_value(args, "format");
 	const struct value *csv = args_value(args, "csv");
 	const struct value *pager = args_value(args, "pager");
@@ -285,8 +283,6 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		s->set.model.k = k->number;
 	if (threads->given)
 		s->set.threads = (unsigned)threads->whole;
-	if (isa->given)
-		s->set.isa = (enum isa)isa->choice;
 	if (format->given)
 		s->set.format = (enum report_format)format->choice;
 	if (csv->given)
@@ -294,7 +290,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	if (pager->given)
 		s->set.pager = pager->choice == 0;
 	bool any = method->given || form->given || k->given || threads->given ||
-		   isa->given || format->given || csv->given || pager->given;
+		   format->given || csv->given || pager->given;
 	return any || show_settings(s);
 }
 

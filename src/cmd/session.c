@@ -37,7 +37,7 @@ session_new(FILE *out, FILE *notes)
 	s->set.bounds = bounds_default();
 	s->set.seed = 1;
 	s->set.threads = processors();
-	s->set.isa = ISA_BEST;
+	s->isa = ISA_BEST;
 	s->set.pager = true;
 	session_forget(s);
 	s->out = out;

@@ -20,9 +20,9 @@ same_choices(const struct choices *a, const struct choices *b)
 	return model_settings_same(&a->model, &b->model) &&
 	       a->seed == b->seed &&
 	       memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0 &&
-	       a->threads == b->threads && a->isa == b->isa &&
-	       a->format == b->format && a->semicolon == b->semicolon &&
-	       a->pager == b->pager && a->timing == b->timing;
+	       a->threads == b->threads && a->format == b->format &&
+	       a->semicolon == b->semicolon && a->pager == b->pager &&
+	       a->timing == b->timing;
 }
 
 static struct entry *

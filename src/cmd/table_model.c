@@ -25,8 +25,6 @@ static const struct command_option SET_OPTIONS[] = {
 	"the size that Eq 1 is a function of"},
     {"k", VALUE_NUMBER, "", 0.001, 1000, NULL, "", "number of impacts"},
     {"threads", VALUE_WHOLE, "", 1, 64, NULL, "", "threads of a calibration"},
-    {"isa", VALUE_CHOICE, "", 0, 0, "baseline avx2 avx512 best", "",
-	"instruction set of a calibration; results are the same"},
     {"format", VALUE_CHOICE, "", 0, 0, "table csv json markdown", "",
 	"form of the results"},
     {"csv", VALUE_CHOICE, "", 0, 0, "comma semicolon", "",

@@ -29,7 +29,7 @@ struct turn {
 	size_t steps;            /* that could be undone then */
 	bool stopped;            /* its calibration was, after */
 	size_t stopped_at;       /* so many steps */
-	struct error late;       /* of its job, or of handing over */
+	struct error late;       /* of handing over */
 	double started;
 	bool timed, running, saved;
 	size_t scripts; /* that were open when it began */
@@ -164,13 +164,6 @@ void
 turn_saved(struct session *s)
 {
 	s->turn->saved = true;
-}
-
-void
-turn_failed(struct session *s, const struct error *error)
-{
-	if (s->job.turn != NULL)
-		s->job.turn->late = *error;
 }
 
 /* True where its results go elsewhere, by itself or with its script. */

@@ -34,10 +34,6 @@ void turn_adds(struct session *s, const char *option, const char *value);
  * the session as it then is. */
 void turn_saved(struct session *s);
 
-/* A file of the job could not be written. Its command does the rest, and then
- * ends with this error. */
-void turn_failed(struct session *s, const struct error *error);
-
 /* The innermost command is over: its results are handed over.  ok: it did what
  * it should; else error says why not, and is kept.  Returns false when it did
  * not, or the results could not be handed over. */

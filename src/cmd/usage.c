@@ -41,6 +41,9 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
     {"TIPSPEED_PAGER",
 	"Program that shows results taller than the screen; empty: none."},
     {"PAGER", "The same, where TIPSPEED_PAGER is not set."},
+    {"TIPSPEED_ISA",
+	"Best instruction set that calibrations may use, for tests: baseline, "
+	"avx2 or avx512. The results are the same."},
     {"XDG_STATE_HOME",
 	"Folder of tipspeed/history, the lines typed at the prompt; else "
 	".local/state in HOME."},

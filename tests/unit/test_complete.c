@@ -275,9 +275,9 @@ files_and_folders(void **state)
 	desk->session->safe = false;
 	expect(desk, "load new", 5, "");
 	expect(desk, "load nowhere/", 5, "");
-	expect(desk, "calibrate log=b", 14, "bro.csv ");
-	expect(desk, "calibrate log=\"my q", 14, "\"my quarry.csv\" ");
-	expect(desk, "calibrate log=a=", 14, "a=b,c ");
+	expect(desk, "find spec=b", 10, "bro.csv ");
+	expect(desk, "find spec=\"my q", 10, "\"my quarry.csv\" ");
+	expect(desk, "find spec=a=", 10, "a=b,c ");
 	expect(desk, "write replace=on b", 17, "bro.csv ");
 	for (size_t i = 0; i < ARRAY_LEN(names); i++)
 		unlink(names[i]);

@@ -34,9 +34,8 @@ every_change_is_undone_and_done_again(void **state)
 	    "calibrate population=64 generations=3 train=69,74",
 	    "calibrate all population=64 generations=2", "bounds alpha 0.5",
 	    "bounds default", "set method classes", "set k 2 threads 3",
-	    "set format csv csv semicolon", "set isa baseline", "set pager off",
-	    "timing on", "seed 5",
-	    "load data/sites/gavle-4.csv data/sites/gavle-11.2.csv",
+	    "set format csv csv semicolon", "set pager off", "timing on",
+	    "seed 5", "load data/sites/gavle-4.csv data/sites/gavle-11.2.csv",
 	    "synth data/table3.csv site=Bro", "load data/sites/tierp.csv",
 	    "drop gavle/4", "drop tierp", "reset"};
 	for (size_t i = 0; i < ARRAY_LEN(lines); i++) {
