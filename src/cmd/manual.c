@@ -8,7 +8,6 @@
 
 #include "base/xalloc.h"
 #include "cmd/command.h"
-#include "cmd/info.h"
 #include "cmd/usage.h"
 
 /* Text of a paragraph: a new sentence on a new line, as mdoc wants it, lines
@@ -101,7 +100,7 @@ manual_commands(FILE *out)
 		print_text(c->text, out);
 		print_options(c, out);
 		fputs(".Bd -literal -offset indent\n", out);
-		info_example(c, "tipspeed> ", out);
+		usage_example(c, "tipspeed> ", out);
 		fputs(".Ed\n", out);
 	}
 	fputs(".El\n", out);

@@ -5,6 +5,7 @@
 
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -88,6 +89,10 @@ can_take(const struct command *command, const struct words *words,
 			    words->target);
 	if (words->to == TO_PIPE || !picture_form_of(words->target, &form))
 		return true;
+	if (!picture_can(form))
+		return error_set(error, ERROR_USAGE,
+		    "this program draws %s, not %s\n> FILE.svg works",
+		    picture_forms(), strrchr(words->target, '.') + 1);
 	if (!(command->flags & COMMAND_DRAWS) &&
 	    text_choice(PLOT_KINDS, command->name, &kind))
 		return error_set(error, ERROR_USAGE,
