@@ -98,8 +98,8 @@ tells_of(const struct command *c, const char *folded)
 	    holds(c->text, folded) ||
 	    (c->operands.usage != NULL && holds(c->operands.usage, folded)) ||
 	    (c->alias != NULL && holds(c->alias, folded));
-	const struct command_option *o = c->option;
-	for (; !found && o != NULL && o->name != NULL; o++)
+	const struct command_option *o;
+	for (size_t i = 0; !found && (o = command_option_at(c, i)) != NULL; i++)
 		found = holds(o->name, folded) || holds(o->brief, folded) ||
 			(o->choices != NULL && holds(o->choices, folded));
 	return found;

@@ -12,6 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/data.h"
 #include "cmd/files.h"
+#include "cmd/settings.h"
 #include "cmd/table.h"
 #include "cmd/turn.h"
 #include "config.h"
@@ -127,9 +128,13 @@ journal_settings(struct session *s)
 {
 	if (s->set.seed != 1)
 		journal_add(s, NULL, "seed %" PRIu64, s->set.seed);
-	if (s->set.format != REPORT_TABLE)
-		journal_add(
-		    s, NULL, "set format %s", REPORT_FORMATS[s->set.format]);
+	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
+		char *text = settings_text(r, &s->set);
+		if (r->option.fallback[0] != '\0' &&
+		    strcmp(text, r->option.fallback) != 0)
+			journal_add(s, NULL, "set %s %s", r->option.name, text);
+		free(text);
+	}
 }
 
 /* Appends a word, in quotes where it would not be read as one. */
@@ -164,12 +169,13 @@ put_path(char **line, const char *key, const char *path)
 static const struct command_option *
 given_by(const struct args *args, const char *word)
 {
-	const struct command_option *o = args->command->option;
+	const struct command_option *o;
 	const char *equals = strchr(word, '=');
-	for (size_t i = 0; o != NULL && o[i].name != NULL; i++)
+	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
+	     i++)
 		if (args->value[i].given && equals != NULL &&
 		    args->value[i].text == equals + 1)
-			return &o[i];
+			return o;
 	return NULL;
 }
 

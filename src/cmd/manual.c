@@ -64,10 +64,11 @@ print_quoted(const char *text, FILE *out)
 static void
 print_options(const struct command *c, FILE *out)
 {
-	if (c->option == NULL)
+	const struct command_option *o = command_option_at(c, 0);
+	if (o == NULL)
 		return;
 	fputs(".Bl -tag -width 12n -compact\n", out);
-	for (const struct command_option *o = c->option; o->name != NULL; o++) {
+	for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++) {
 		fprintf(out, ".It Cm %s\n", o->name);
 		char *words = command_option_words(o);
 		print_text(words, out);

@@ -1,4 +1,4 @@
-/* Parameters, their bounds, and settings.
+/* Parameters and their bounds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/model.h"
 
@@ -244,67 +244,4 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 	s->set.bounds.lower[j] = lower;
 	s->set.bounds.upper[j] = upper;
 	return true;
-}
-
-static bool
-show_settings(struct session *s)
-{
-	struct report *r = report_new("set");
-	report_columns(r, "setting, value");
-	report_pair(r, "method", "%s", answers_method(s->set.model.method));
-	report_pair(
-	    r, "appearance", "%s", MODEL_FORMS[s->set.model.appearance]);
-	report_pair(r, "k", "%g", s->set.model.k);
-	report_pair(r, "threads", "%u", s->set.threads);
-	report_pair(r, "format", "%s", REPORT_FORMATS[s->set.format]);
-	report_pair(r, "csv", "%s", s->set.semicolon ? "semicolon" : "comma");
-	report_pair(r, "pager", "%s", s->set.pager ? "on" : "off");
-	return session_report(s, r);
-}
-
-bool
-cmd_set(struct session *s, const struct args *args, struct error *error)
-{
-	(void)error;
-	const struct value *method = args_value(args, "method");
-	const struct value *form = args_value(args, "appearance");
-	const struct value *k = args_value(args, "k");
-	const struct value *threads = args_value(args, "threads");
-	const struct value *format = args_value(args, "format");
-	const struct value *csv = args_value(args, "csv");
-	const struct value *pager = args_value(args, "pager");
-	if (method->given || form->given || k->given)
-		session_forget(s);
-	if (method->given)
-		s->set.model.method = (enum method)method->choice;
-	if (form->given)
-		s->set.model.appearance = (enum appearance_form)form->choice;
-	if (k->given)
-		s->set.model.k = k->number;
-	if (threads->given)
-		s->set.threads = (unsigned)threads->whole;
-	if (format->given)
-		s->set.format = (enum report_format)format->choice;
-	if (csv->given)
-		s->set.semicolon = csv->choice == 1;
-	if (pager->given)
-		s->set.pager = pager->choice == 0;
-	bool any = method->given || form->given || k->given || threads->given ||
-		   format->given || csv->given || pager->given;
-	return any || show_settings(s);
-}
-
-bool
-cmd_seed(struct session *s, const struct args *args, struct error *error)
-{
-	(void)error;
-	const struct value *value = args_value(args, "seed");
-	if (value->given) {
-		s->set.seed = value->whole;
-		return true;
-	}
-	struct report *r = report_new("seed");
-	report_columns(r, "seed");
-	report_text(r, "%llu", (unsigned long long)s->set.seed);
-	return session_report(s, r);
 }

@@ -94,16 +94,17 @@ struct screen {
 	bool drawing;
 };
 
-/* What is set, as against loaded. */
+/* What is set, as against loaded: by bounds, seed, timing and the SETTINGS. */
 struct choices {
 	struct model_settings model;
 	struct bounds bounds;
 	uint64_t seed;
 	unsigned threads;
 	enum report_format format;
-	bool semicolon; /* in csv, with decimal commas */
-	bool pager;  /* at a prompt, what is taller than the screen is paged */
-	bool timing; /* tell how long each command took */
+	unsigned semicolon; /* 1: in csv, with decimal commas */
+	unsigned unpaged;   /* 0: at a prompt, what is taller than the screen is
+			       paged */
+	bool timing;        /* tell how long each command took */
 };
 
 struct canvas;

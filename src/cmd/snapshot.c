@@ -7,23 +7,13 @@
 
 #include "base/xalloc.h"
 #include "cmd/origin.h"
+#include "cmd/settings.h"
 
 struct snapshot {
 	size_t n_entry, current;
 	struct entry *entry;
 	struct choices set;
 };
-
-static bool
-same_choices(const struct choices *a, const struct choices *b)
-{
-	return model_settings_same(&a->model, &b->model) &&
-	       a->seed == b->seed &&
-	       memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0 &&
-	       a->threads == b->threads && a->format == b->format &&
-	       a->semicolon == b->semicolon && a->pager == b->pager &&
-	       a->timing == b->timing;
-}
 
 static struct entry *
 copy_entries(const struct entry *from, size_t n)
@@ -92,7 +82,7 @@ snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 {
 	if (snapshot->n_entry != s->n_entry ||
 	    snapshot->current != s->current ||
-	    !same_choices(&snapshot->set, &s->set))
+	    !settings_same(&snapshot->set, &s->set))
 		return true;
 	for (size_t i = 0; i < s->n_entry; i++)
 		if (!same_entry(&snapshot->entry[i], &s->entry[i]))

@@ -40,9 +40,10 @@ struct turn {
 static size_t
 file_option(const struct args *args)
 {
-	const struct command_option *o = args->command->option;
-	for (size_t i = 0; o != NULL && o[i].name != NULL; i++)
-		if (o[i].kind == VALUE_FILE && args->value[i].given)
+	const struct command_option *o;
+	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
+	     i++)
+		if (o->kind == VALUE_FILE && args->value[i].given)
 			return i;
 	return OPTIONS;
 }
@@ -59,7 +60,7 @@ check_safe(
 		    command->name);
 	else if (option < OPTIONS)
 		error_set(error, ERROR_USAGE, "%s= is off: it names a file",
-		    command->option[option].name);
+		    command_option_at(command, option)->name);
 	else if (words->to != TO_SCREEN)
 		error_set(error, ERROR_USAGE, "%s is off",
 		    words->to == TO_PIPE ? "a shell command"

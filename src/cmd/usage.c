@@ -137,11 +137,12 @@ usage_command(const struct command *c, FILE *out)
 		fprintf(out, "  also called %s\n", c->alias);
 	fputc('\n', out);
 	text_wrap(c->text, 2, 78, out);
-	if (c->option != NULL)
-		fputs("\noptions\n", out);
-	for (const struct command_option *o = c->option;
-	     o != NULL && o->name != NULL; o++)
+	const struct command_option *o;
+	for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++) {
+		if (i == 0)
+			fputs("\noptions\n", out);
 		print_command_option(o, out);
+	}
 	fputs("\nexample\n", out);
 	usage_example(c, "  ", out);
 }

@@ -103,7 +103,7 @@ page_show(struct page *page)
 	page->shown = page->n;
 	terminal_size(&rows, &columns);
 	const char *command = pager_command();
-	bool paged = page->session->set.pager && !page->session->safe &&
+	bool paged = !page->session->set.unpaged && !page->session->safe &&
 		     command[0] != '\0' && !terminal_is_dumb();
 	/* The prompt takes a row, too. */
 	bool tall = paged && !pump_ended() && count_rows(text, columns) >= rows;
