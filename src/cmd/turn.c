@@ -13,7 +13,6 @@
 #include "cmd/plots.h"
 #include "cmd/redirect.h"
 #include "cmd/script.h"
-#include "cmd/snapshot.h"
 #include "cmd/undo.h"
 #include "plot/picture.h"
 
@@ -26,7 +25,7 @@ struct turn {
 	int column;              /* of the redirection, or of the command */
 	char *label, *line;      /* as typed; for the journal */
 	struct snapshot *before; /* or NULL where it changes nothing */
-	struct mark mark;        /* the journal when it began */
+	size_t state;            /* of the journal when it began */
 	size_t steps;            /* that could be undone then */
 	bool stopped;            /* its calibration was, after */
 	size_t stopped_at;       /* so many steps */
@@ -142,7 +141,7 @@ turn_begin(struct session *s, const struct args *args,
 	}
 	t->label = journal_label(command, words);
 	t->line = journal_line(args, words);
-	t->mark = journal_mark(s);
+	t->state = journal_mark(s).state;
 	t->steps = undo_depth(s);
 	if (command->flags & COMMAND_CHANGES)
 		t->before = snapshot_take(s);
@@ -256,8 +255,7 @@ turn_end(struct session *s, bool ok, struct error *error)
 		ok = false;
 	}
 	if (changed)
-		undo_push(
-		    s, t->before, t->mark, t->steps, floor_of(t), t->label);
+		undo_push(s, t->before, t->steps, floor_of(t), t->label);
 	else
 		snapshot_free(t->before);
 	if (t->timed && s->set.timing)
@@ -265,7 +263,7 @@ turn_end(struct session *s, bool ok, struct error *error)
 		    session_clock() - t->started);
 	/* The commands of a script may have told of it already. */
 	if (changed && !(t->command->flags & COMMAND_LOOKS) &&
-	    journal_mark(s).state == t->mark.state)
+	    journal_mark(s).state == t->state)
 		journal_changed(s);
 	keep_turn(s, ok, t->saved);
 	turn_free(t);

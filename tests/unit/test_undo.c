@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include "cmd/settings.h"
-#include "cmd/snapshot.h"
 #include "cmd/table.h"
 #include "cmd/undo.h"
 #include "desk.h"
