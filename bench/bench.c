@@ -110,7 +110,7 @@ drive(const struct site *site, const struct calibrate_options *full)
 	o.seed = full->seed;
 	o.isa = full->isa;
 	struct ga *ga =
-	    ga_new(&o, PARAM_COUNT, full->bounds.lower, full->bounds.upper);
+	    ga_new(&o, m->of->n, full->bounds.lower, full->bounds.upper);
 	double *told = xdoubles(o.population);
 	struct parts parts = {.kernel = 0};
 	for (size_t g = 0; g < full->generations; g++) {
@@ -120,9 +120,9 @@ drive(const struct site *site, const struct calibrate_options *full)
 		parts.kernel += measure_now() - start;
 		ga_tell(ga, told);
 	}
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	for (size_t j = 0; j < BREAKAGES[0]->n; j++)
 		parts.best.at[j] = ga_best(ga)[j];
-	params_scale_beta(&parts.best);
+	params_scale(&parts.best);
 	free(told);
 	ga_free(ga);
 	kernel_free(kernel);
@@ -136,7 +136,7 @@ static bool
 same_params(const struct params *a, const struct params *b)
 {
 	bool same = true;
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	for (size_t j = 0; j < BREAKAGES[0]->n; j++)
 		same = same && !(a->at[j] < b->at[j]) && !(a->at[j] > b->at[j]);
 	return same;
 }

@@ -33,7 +33,7 @@ struct action {
 struct invocation {
 	size_t n_action;
 	struct action *action;
-	enum report_format format;
+	enum answer_format format;
 	uint64_t seed;
 	const char *store; /* NULL: the default place */
 	enum colour color;
@@ -42,12 +42,12 @@ struct invocation {
 };
 
 static bool
-take_format(const char *word, enum report_format *format, struct error *error)
+take_format(const char *word, enum answer_format *format, struct error *error)
 {
-	for (size_t i = 0; i < ARRAY_LEN(REPORT_FORMATS); i++) {
-		if (strcmp(word, REPORT_FORMATS[i]) != 0)
+	for (size_t i = 0; i < ARRAY_LEN(ANSWER_FORMATS); i++) {
+		if (strcmp(word, ANSWER_FORMATS[i].name) != 0)
 			continue;
-		*format = (enum report_format)i;
+		*format = (enum answer_format)i;
 		return true;
 	}
 	return error_set(error, ERROR_USAGE,

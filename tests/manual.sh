@@ -4,7 +4,7 @@
 . "${srcdir:-.}/tests/tap.sh"
 scratch
 mkdir "$dir/man"
-cp man/tipspeed.1 man/tipspeed-tui.1 "$srcdir"/man/*.[57] "$dir/man"
+cp man/tipspeed.1 man/tipspeed-tui.1 man/tipspeed-model.7 "$srcdir"/man/*.[57] "$dir/man"
 for page in "$dir"/man/*; do
 	name=$(basename "$page")
 	if command -v mandoc >/dev/null; then

@@ -1,5 +1,6 @@
 /* Build-time only: prints what is made from the tables.
  *   commands, environment, status: parts of tipspeed(1)
+ *   models: of tipspeed-model(7)
  *   keys: those of tipspeed-tui(1)
  *   bash: completion for the shell
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -13,7 +14,8 @@ static const struct {
 	const char *name;
 	void (*print)(FILE *out);
 } PARTS[] = {{"commands", manual_commands}, {"environment", manual_environment},
-    {"status", manual_status}, {"bash", manual_bash}, {"keys", keys_manual}};
+    {"status", manual_status}, {"models", manual_models}, {"bash", manual_bash},
+    {"keys", keys_manual}};
 
 int
 main(int argc, char **argv)
@@ -24,7 +26,8 @@ main(int argc, char **argv)
 		PARTS[i].print(stdout);
 		return fflush(stdout) != 0 || ferror(stdout);
 	}
-	fputs("usage: make-manual commands|environment|status|bash|keys\n",
+	fputs(
+	    "usage: make-manual commands|environment|status|models|bash|keys\n",
 	    stderr);
 	return 2;
 }

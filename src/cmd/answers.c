@@ -7,26 +7,29 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
+#include "core/elementary.h"
 #include "cmd/fit.h"
 #include "cmd/origin.h"
 #include "io/units.h"
 
 const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {
     "p20_mm", "p50_mm", "p80_mm", "break_mm"};
+const char *const ANSWERS_RANGES[ANSWERS_SIZES] = {
+    "p20_range_mm", "p50_range_mm", "p80_range_mm", "break_range_mm"};
 const char *const ANSWERS_HEADS[ANSWERS_SIZES] = {
     "P20 mm", "P50 mm", "P80 mm", "breaks from mm"};
 
-struct report *
-answers_report(
+struct answer *
+answers_new(
     const struct site *site, const char *command, const char *format, ...)
 {
-	struct report *r = report_new(command);
+	struct answer *r = answer_new(command);
 	va_list ap;
 	va_start(ap, format);
 	char *title = xvasprintf(format, ap), *label = session_label(site);
 	va_end(ap);
-	report_title(r, "%s: %s", label, title);
-	report_site(r, site->name, site->provenance);
+	answer_title(r, "%s: %s", label, title);
+	answer_site(r, site->name, site->provenance);
 	free(label);
 	free(title);
 	return r;
@@ -37,7 +40,8 @@ answers_known(
     const struct session *s, const struct entry *entry, struct error *error)
 {
 	if (entry->has_params)
-		return fit_settings_agree(&s->set.model, error);
+		return fit_settings_agree(
+		    &s->set.model, entry->params.breakage, error);
 	return error_set(error, ERROR_USAGE, "%s has no parameters yet\n%s",
 	    entry->site->name,
 	    site_products(entry->site) > 0
@@ -86,6 +90,13 @@ answers_extrapolates(const struct entry *entry, double speed)
 	double slowest, fastest;
 	return !origin_reach(entry, &slowest, &fastest) ||
 	       speed < slowest - 1e-9 || speed > fastest + 1e-9;
+}
+
+double
+answers_finer(const struct breaker *b, double u, const struct site *site)
+{
+	double log_x = el_log(site->run[0].feed.size[0]);
+	return u < 1 ? b->model->finer(b, el_log(u), log_x, NULL) : 1;
 }
 
 struct prediction
@@ -143,17 +154,12 @@ answers_speeds(const struct site *site, size_t *n)
 }
 
 void
-answers_remember(struct session *s, const struct prediction *p)
+answers_keep(
+    struct session *s, const struct params *params, const struct prediction *p)
 {
-	const struct entry *entry = session_entry(s);
-	s->answer[ANSWER_SPEED] = p->speed;
-	s->answer[ANSWER_EXTRAPOLATED] = answers_extrapolates(entry, p->speed);
-	for (size_t i = 0; i < ANSWERS_SIZES; i++)
-		s->answer[i] = answers_size(p, i);
-	prediction_free(&s->last);
-	s->last = *p;
-	s->last.feed = psd_copy(&p->feed);
-	s->last.product = psd_copy(&p->product);
+	struct answer *answer = answer_new("predict");
+	answers_put_prediction(s, answer_fields(answer), params, p);
+	session_keep(s, answer);
 }
 
 static char *
@@ -171,13 +177,13 @@ answers_size(const struct prediction *p, size_t i)
 }
 
 void
-answers_size_cell(struct report *r, const struct prediction *p, size_t i)
+answers_size_cell(struct answer *r, const struct prediction *p, size_t i)
 {
-	char *words = i == ANSWER_BREAK
+	char *words = i == ANSWERS_BREAK
 			  ? xstrdup("none")
 			  : outside_words(&p->product, PSD_PASSING[i]);
-	report_missing(r, words);
-	report_cells(r, "%.2f", answers_size(p, i));
+	answer_missing(r, words);
+	answer_cells(r, "%.2f", answers_size(p, i));
 	free(words);
 }
 
@@ -205,22 +211,22 @@ add_size(
 
 void
 answers_note_sizes(
-    struct report *r, const struct psd *psd, const struct band *band)
+    struct answer *r, const struct psd *psd, const struct band *band)
 {
 	char *sizes = xstrdup("");
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		add_size(&sizes, psd, PSD_PASSING[i],
 		    band != NULL ? band->size[i] : NULL);
-	report_note(r, "%s", sizes);
+	answer_note(r, "%s", sizes);
 	free(sizes);
 }
 
 void
-answers_note_worth(struct report *r, const struct entry *entry)
+answers_note_worth(struct answer *r, const struct entry *entry)
 {
 	const struct fit *fit = origin_fit(entry);
 	if (fit != NULL && fit->rmse > FIT_POOR)
-		report_note(r,
+		answer_say(r, ANSWER_WARNING,
 		    "the calibration of %s is poor (%.1f points RMS): do not "
 		    "rely on this",
 		    origin_key(entry), 100 * fit->rmse);
@@ -230,7 +236,7 @@ answers_note_worth(struct report *r, const struct entry *entry)
 
 void
 answers_note_doubt(
-    struct session *s, struct report *r, double speed, size_t feed_run)
+    struct session *s, struct answer *r, double speed, size_t feed_run)
 {
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
@@ -239,50 +245,16 @@ answers_note_doubt(
 	/* Of a feed alone a search that found nothing has no speed. */
 	if (speed > 0 && origin_reach(entry, &slowest, &fastest) &&
 	    answers_extrapolates(entry, speed))
-		report_note(r,
+		answer_say(r, ANSWER_WARNING,
 		    "extrapolated: %.1f m/s lies outside the speeds %s, %g to "
 		    "%g m/s",
 		    speed, origin_trained(entry) ? "trained on" : "measured",
 		    slowest, fastest);
 	if (site->individual_feeds &&
 	    fabs(site->run[feed_run].speed - speed) > 1e-3)
-		report_note(r, "feed: the sample taken at %g m/s",
+		answer_say(r, ANSWER_REMARK, "feed: the sample taken at %g m/s",
 		    site->run[feed_run].speed);
 	answers_note_worth(r, entry);
-}
-
-void
-answers_say(json_t *list, const char *format, ...)
-{
-	va_list ap;
-	va_start(ap, format);
-	json_array_append_new(list, json_vsprintf(format, ap));
-	va_end(ap);
-}
-
-void
-answers_tell(const struct session *s, struct report *r, const json_t *list)
-{
-	bool csv = s->set.format == REPORT_CSV;
-	if (csv)
-		report_columns(r, "sentence");
-	for (size_t i = 0; i < json_array_size(list); i++) {
-		const char *words = json_string_value(json_array_get(list, i));
-		if (csv)
-			report_cells(r, "%s", words);
-		else
-			report_note(r, "%s.", words);
-	}
-}
-
-json_t *
-answers_list(const double *value, size_t n, double (*shown)(double))
-{
-	json_t *list = json_array();
-	for (size_t i = 0; i < n; i++)
-		json_array_append_new(
-		    list, report_json_number(shown(value[i])));
-	return list;
 }
 
 const char *
@@ -292,53 +264,51 @@ answers_method(enum method method)
 }
 
 void
-answers_put_pair(json_t *o, const char *key, double low, double high)
+answers_put_pair(struct fields *o, const char *key, double low, double high)
 {
-	json_object_set_new(o, key,
-	    json_pack(
-		"[o, o]", report_json_number(low), report_json_number(high)));
+	fields_put(fields_list(o, key), "%g %g", low, high);
 }
 
 void
-answers_put_sizes(json_t *o, const struct prediction *p)
+answers_put_sizes(struct fields *o, const struct prediction *p)
 {
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
-		json_object_set_new(
-		    o, ANSWERS_KEYS[i], report_json_number(answers_size(p, i)));
+		fields_number(o, ANSWERS_KEYS[i], answers_size(p, i));
 }
 
 void
-answers_put_prediction(struct session *s, json_t *o, const struct prediction *p)
+answers_put_prediction(struct session *s, struct fields *o,
+    const struct params *params, const struct prediction *p)
 {
 	const struct entry *entry = session_entry(s);
 	const struct psd *product = &p->product;
-	report_put(o, "speed %g extrapolated %d method %s", p->speed,
+	fields_put(o, "speed %g extrapolated %d method %s", p->speed,
 	    answers_extrapolates(entry, p->speed),
 	    answers_method(s->set.model.method));
-	json_object_set_new(
-	    o, "sieve_mm", answers_list(product->size, product->n, units_mm));
-	json_object_set_new(o, "passing_pct",
-	    answers_list(product->passing, product->n, units_pct));
+	fields_numbers(o, "sieve_mm", product->size, product->n, units_mm);
+	fields_numbers(
+	    o, "passing_pct", product->passing, product->n, units_pct);
 	answers_put_sizes(o, p);
-	fit_put_params(o, &entry->params);
+	fields_put(o, "model %s", breakage_of(params)->name);
+	fit_put_params(o, params);
+	fields_put(o, ".feed_mps %g", entry->site->run[p->feed_run].speed);
 	if (entry->has_fit)
-		report_put(o, "verdict %s", fit_verdict(&entry->fit));
+		fields_put(o, "verdict %s", fit_verdict(&entry->fit));
 	if (entry->origin != NULL && entry->origin->stored)
-		report_put(o, "recalled %s", entry->origin->whose);
+		fields_put(o, "recalled %s", entry->origin->whose);
 	origin_put(o, entry);
 }
 
 void
 answers_put_products(
-    struct session *s, json_t *o, const struct prediction *p, size_t n)
+    struct session *s, struct fields *o, const struct prediction *p, size_t n)
 {
-	json_t *list = json_array();
+	struct fields *list = fields_list(o, "products");
 	for (size_t i = 0; i < n; i++) {
-		json_t *product = json_object();
-		report_put(product, "command %s site %s", "predict",
+		struct fields *product = fields_object(list, NULL);
+		fields_put(product, "command %s site %s", "predict",
 		    session_entry(s)->site->name);
-		answers_put_prediction(s, product, &p[i]);
-		json_array_append_new(list, product);
+		answers_put_prediction(
+		    s, product, &session_entry(s)->params, &p[i]);
 	}
-	json_object_set_new(o, "products", list);
 }

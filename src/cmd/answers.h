@@ -7,14 +7,15 @@
 
 #include "cmd/command.h"
 #include "cmd/session.h"
+#include "core/breakage.h"
 #include "core/predict.h"
 
 /* A break size below this, m, is none: every size can break. */
 #define ANSWERS_NO_SIZE 1e-6
 
-/* A report about a site, headed "Tierp, Granite, 11.2 mm: " and what the format
- * says. */
-struct report *answers_report(const struct site *site, const char *command,
+/* An answer about a site, headed "Tierp, Granite, 11.2 mm: " and what the
+ * format says. */
+struct answer *answers_new(const struct site *site, const char *command,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* False, with the next step, where the site (in use) has no parameters yet, or
@@ -36,6 +37,11 @@ bool answers_extrapolates(const struct entry *entry, double speed);
 bool answers_feed(const struct site *site, const struct args *args,
     double speed, size_t *run, struct error *error);
 
+/* B(u) at the breaker's speed, of a parent of the site's top size where it
+ * depends on that. */
+double answers_finer(
+    const struct breaker *b, double u, const struct site *site);
+
 /* The product of a site with its parameters. */
 struct prediction answers_predict(const struct session *s,
     const struct entry *entry, double speed, size_t feed_run);
@@ -52,63 +58,68 @@ double *answers_speeds(const struct site *site, size_t *n);
  * what the speed does: that of the run nearest to this speed, m/s. */
 double answers_middle(const struct site *site);
 
-/* Keeps what `assert` may ask of the prediction. */
-void answers_remember(struct session *s, const struct prediction *p);
+/* Predicts as the command `predict` that the line is, and says nothing: the
+ * session keeps the answer, the journal the line, and the value is for whoever
+ * shows it.  False where there is nothing to predict with. */
+bool answers_step(struct session *s, double speed, size_t feed_run,
+    const char *line, struct prediction *p, struct error *error);
 
-/* The sizes every prediction has: ANSWER_P20 to ANSWER_BREAK. */
-enum { ANSWERS_SIZES = ANSWER_BREAK + 1 };
+/* Keeps a prediction as the newest answer of `predict`. */
+void answers_keep(
+    struct session *s, const struct params *params, const struct prediction *p);
 
-/* How one is called in json and csv, and by people. */
+/* The sizes every prediction has. */
+enum { ANSWERS_P20, ANSWERS_P50, ANSWERS_P80, ANSWERS_BREAK, ANSWERS_SIZES };
+
+/* What assert knows by a name of its own: a field of the newest answer of one
+ * of these commands, with a blank between two. */
+struct asserted {
+	const char *name, *from, *path;
+};
+enum { ANSWERS_ASSERTED = 11 };
+extern const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED];
+
+/* How one is called in json and csv, its range, and by people. */
 extern const char *const ANSWERS_KEYS[ANSWERS_SIZES],
-    *const ANSWERS_HEADS[ANSWERS_SIZES];
+    *const ANSWERS_RANGES[ANSWERS_SIZES], *const ANSWERS_HEADS[ANSWERS_SIZES];
 
 /* That size, mm; NAN where it lies outside the sieves, or there is none. */
 double answers_size(const struct prediction *p, size_t i);
 
 /* A cell with it, or with "below 0.063", or "none". */
-void answers_size_cell(struct report *r, const struct prediction *p, size_t i);
+void answers_size_cell(struct answer *r, const struct prediction *p, size_t i);
 
 /* The note "P20 1.14 mm, P50 2.91 mm, P80 5.28 mm", with their ranges where a
  * band is given: "P20 1.14 mm (1.12 to 1.18)". */
 void answers_note_sizes(
-    struct report *r, const struct psd *psd, const struct band *band);
+    struct answer *r, const struct psd *psd, const struct band *band);
 
 /* Notes on what the calibration behind an answer is worth, where that is
  * little. */
-void answers_note_worth(struct report *r, const struct entry *entry);
+void answers_note_worth(struct answer *r, const struct entry *entry);
 
 /* Notes on how far to trust an answer for the site in use at a speed from the
  * feed of a run. */
 void answers_note_doubt(
-    struct session *s, struct report *r, double speed, size_t feed_run);
+    struct session *s, struct answer *r, double speed, size_t feed_run);
 
 /* Columns and a row for each prediction: energy, break size, P20, P50, P80. */
 void answers_speed_rows(
-    struct session *s, struct report *r, const struct prediction *p, size_t n);
-
-/* The numbers as shown (units_mm, units_pct); null where not finite. */
-json_t *answers_list(const double *value, size_t n, double (*shown)(double));
+    struct session *s, struct answer *r, const struct prediction *p, size_t n);
 
 /* Puts [low, high]; and "p20_mm" to "break_mm" of a prediction. */
-void answers_put_pair(json_t *o, const char *key, double low, double high);
-void answers_put_sizes(json_t *o, const struct prediction *p);
-
-/* One more sentence, without its full stop, for a list. */
-void answers_say(json_t *list, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-
-/* The sentences of a list: notes, or rows of csv. */
-void answers_tell(
-    const struct session *s, struct report *r, const json_t *list);
+void answers_put_pair(
+    struct fields *o, const char *key, double low, double high);
+void answers_put_sizes(struct fields *o, const struct prediction *p);
 
 /* "classes" or "continuous". */
 const char *answers_method(enum method method);
 
 /* The JSON object of predict, see tipspeed(1), OUTPUT; and the list of several,
  * "products" of an object. */
-void answers_put_prediction(
-    struct session *s, json_t *o, const struct prediction *p);
+void answers_put_prediction(struct session *s, struct fields *o,
+    const struct params *params, const struct prediction *p);
 void answers_put_products(
-    struct session *s, json_t *o, const struct prediction *p, size_t n);
+    struct session *s, struct fields *o, const struct prediction *p, size_t n);
 
 #endif

@@ -1,14 +1,44 @@
 /* Compares answers with what was expected of them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
-#include "cmd/session.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
 #include "cmd/table.h"
 
-const char *const ANSWER_NAMES[ANSWERS] = {"p20", "p50", "p80", "break",
-    "speed", "misfit", "rmse", "holdout", "poor", "extrapolated", "inside"};
+const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED] = {
+    {"p20", "predict", "p20_mm"}, {"p50", "predict", "p50_mm"},
+    {"p80", "predict", "p80_mm"}, {"break", "predict", "break_mm"},
+    {"speed", "predict find", "speed"}, {"misfit", "calibrate", "misfit"},
+    {"rmse", "calibrate", "rmse_pct"},
+    {"holdout", "validate", "holdout.rmse_pct"}, {"poor", "calibrate", "poor"},
+    {"extrapolated", "predict", "extrapolated"},
+    {"inside", "spec find", "inside"}};
+
+/* A name, or any field as COMMAND.FIELD.  False where the word is neither. */
+static bool
+look_up(const struct session *s, const char *word, double *value)
+{
+	const char *point = strchr(word, '.');
+	for (size_t i = 0; i < ANSWERS_ASSERTED; i++) {
+		const struct asserted *a = &ANSWERS_NAMES[i];
+		if (strcmp(word, a->name) != 0)
+			continue;
+		*value = session_known(s, a->from, a->path);
+		return true;
+	}
+	if (point == NULL)
+		return false;
+	char *name = xstrndup(word, (size_t)(point - word));
+	const struct command *command = command_find(name);
+	free(name);
+	if (command != NULL)
+		*value = session_known(s, command->name, point + 1);
+	return command != NULL;
+}
 
 static bool
 side(const struct session *s, const char *word, double *value,
@@ -16,26 +46,25 @@ side(const struct session *s, const char *word, double *value,
 {
 	if (text_number(word, value))
 		return true;
-	for (size_t i = 0; i < ANSWERS; i++) {
-		if (strcmp(word, ANSWER_NAMES[i]) != 0)
-			continue;
-		*value = s->answer[i];
-		if (!isnan(*value))
-			return true;
-		return error_set(error, ERROR_CHECK,
-		    "%s is not known\n"
-		    "p20, p50, p80, break, speed and extrapolated come from "
-		    "predict and find, inside from spec, misfit, rmse and poor "
-		    "from calibrate (poor not where there are too few data), "
-		    "holdout from validate; another site or a new calibration "
-		    "forgets them",
+	if (!look_up(s, word, value))
+		return error_set(error, ERROR_USAGE,
+		    "assert wants a number or a name, not '%s'\n"
+		    "names: p20 p50 p80 break speed extrapolated inside misfit "
+		    "rmse poor holdout",
 		    word);
-	}
-	return error_set(error, ERROR_USAGE,
-	    "assert wants a number or a name, not '%s'\n"
-	    "names: p20 p50 p80 break speed extrapolated inside misfit rmse "
-	    "poor holdout",
-	    word);
+	return !isnan(*value) ||
+	       error_set(error, ERROR_CHECK,
+		   strchr(word, '.') != NULL
+		       ? "%s is not known\n"
+			 "json shows the fields of an answer; another site or "
+			 "a new calibration forgets them"
+		       : "%s is not known\n"
+			 "p20, p50, p80, break, speed and extrapolated come "
+			 "from predict and find, inside from spec, misfit, "
+			 "rmse and poor from calibrate (poor not where there "
+			 "are too few data), holdout from validate; another "
+			 "site or a new calibration forgets them",
+		   word);
 }
 
 /* 1 or 0; -1 where there is no such operator. */

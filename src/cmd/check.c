@@ -72,14 +72,14 @@ data_warn_coarser(struct session *s, const struct site *site)
 
 /* A finding is a fault, which makes check say no, or a remark. */
 static void __attribute__((format(printf, 5, 6)))
-finding(struct report *r, const struct entry *entry, bool fault,
+finding(struct answer *r, const struct entry *entry, bool fault,
     const char *where, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
 	char *text = xvasprintf(format, ap);
 	va_end(ap);
-	report_cells(r, "%s %s %s %s", entry->key, fault ? "FAULT" : "remark",
+	answer_cells(r, "%s %s %s %s", entry->key, fault ? "FAULT" : "remark",
 	    where, text);
 	free(text);
 }
@@ -95,7 +95,7 @@ place(double speed, char buf[static 40])
 }
 
 static bool
-check_run(struct report *r, const struct entry *entry, const struct run *run)
+check_run(struct answer *r, const struct entry *entry, const struct run *run)
 {
 	struct coarser c = find_coarser(run);
 	char buf[40];
@@ -162,7 +162,7 @@ is_copy(const struct psd *a, const struct psd *b)
 
 /* A column typed, or pasted, twice: no two samples have the same numbers. */
 static void
-check_copies(struct report *r, const struct entry *entry)
+check_copies(struct answer *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	for (size_t i = 1; i < site->n_run; i++)
@@ -184,7 +184,7 @@ check_copies(struct report *r, const struct entry *entry)
  * than any sampling at one sieve: of 180 sheets with noise of 1 point 29 fall
  * by more than 2 points somewhere, 3 are called faults. */
 static bool
-check_order(struct report *r, const struct entry *entry)
+check_order(struct answer *r, const struct entry *entry)
 {
 	const double on_the_whole = 0.003, far = 0.05;
 	const struct site *site = entry->site;
@@ -243,7 +243,7 @@ find_gap(const struct psd *const *curve, size_t n, size_t at)
 /* A cell that is empty where all others of its row are full: of grams, what is
  * forgotten is missing from the whole. */
 static void
-check_gaps(struct report *r, const struct entry *entry)
+check_gaps(struct answer *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	char buf[40];
@@ -281,7 +281,7 @@ check_gaps(struct report *r, const struct entry *entry)
  * other runs on the same three sieves; or more than OFF_ALONE where there are
  * no others. */
 static void
-check_smooth(struct report *r, const struct entry *entry, bool feed)
+check_smooth(struct answer *r, const struct entry *entry, bool feed)
 {
 	const struct site *site = entry->site;
 	const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
@@ -317,7 +317,7 @@ check_smooth(struct report *r, const struct entry *entry, bool feed)
 /* A cell that neither its neighbours nor the other runs give away may lie off
  * what all of them together fit. */
 static void
-check_fit(struct report *r, const struct entry *entry)
+check_fit(struct answer *r, const struct entry *entry)
 {
 	struct validation v = fit_outlier(entry);
 	if (v.worst_difference == 0)
@@ -334,7 +334,7 @@ check_fit(struct report *r, const struct entry *entry)
 
 /* Other loaded sites with the very same numbers. */
 static void
-check_twins(struct session *s, struct report *r, size_t index)
+check_twins(struct session *s, struct answer *r, size_t index)
 {
 	const struct entry *entry = &s->entry[index];
 	for (size_t i = 0; i < s->n_entry; i++) {
@@ -350,7 +350,7 @@ check_twins(struct session *s, struct report *r, size_t index)
 
 /* What the reader passed over, and what it read. */
 static void
-check_counts(struct report *r, const struct entry *entry)
+check_counts(struct answer *r, struct fields *read, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	size_t n, columns = site->individual_feeds ? site->n_run : 1;
@@ -361,23 +361,23 @@ check_counts(struct report *r, const struct entry *entry)
 	for (size_t i = 0; i < site->n_left_out; i++)
 		finding(r, entry, false, site->left_out[i].key, "not read: %s",
 		    site->left_out[i].value);
-	report_note(r, "%s: read %zu sieve%s in %zu column%s, %zu run%s",
+	answer_note(r, "%s: read %zu sieve%s in %zu column%s, %zu run%s",
 	    entry->key, n, n == 1 ? "" : "s", columns, columns == 1 ? "" : "s",
 	    site->n_run, site->n_run == 1 ? "" : "s");
 	if (site->named[0] != '\0')
-		report_note(r, "  by ASTM E11, mm: %s", site->named);
-	json_t *o = json_object();
-	report_put(o, "site %s runs %zu sieves %zu columns %zu left_out %zu",
-	    entry->key, site->n_run, n, columns, site->n_left_out);
-	json_array_append_new(json_object_get(report_json(r), "read"), o);
+		answer_note(r, "  by ASTM E11, mm: %s", site->named);
+	fields_put(fields_object(read, NULL),
+	    "site %s runs %zu sieves %zu columns %zu left_out %zu", entry->key,
+	    site->n_run, n, columns, site->n_left_out);
 }
 
 static bool
-check_site(struct session *s, struct report *r, size_t index)
+check_site(
+    struct session *s, struct answer *r, struct fields *read, size_t index)
 {
 	const struct entry *entry = &s->entry[index];
 	bool ok = true;
-	check_counts(r, entry);
+	check_counts(r, read, entry);
 	for (size_t i = 0; i < entry->site->n_run; i++)
 		ok = check_run(r, entry, &entry->site->run[i]) && ok;
 	ok = check_order(r, entry) && ok;
@@ -406,20 +406,20 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 			return false;
 		last = first;
 	}
-	struct report *r = report_new("check");
-	report_columns(r, "site, kind, where, finding");
-	json_object_set_new(report_json(r), "read", json_array());
+	struct answer *r = answer_new("check");
+	answer_columns(r, "site, kind, where, finding");
+	struct fields *read = fields_list(answer_fields(r), "read");
 	bool ok = true;
 	for (size_t i = first; i <= last; i++)
-		ok = check_site(s, r, i) && ok;
-	report_put_rows(r, "rows");
-	report_put(report_json(r), "ok %d", ok);
-	report_note(r, "%s",
+		ok = check_site(s, r, read, i) && ok;
+	answer_put_rows(r, "rows");
+	fields_put(answer_fields(r), "ok %d", ok);
+	answer_note(r, "%s",
 	    !ok ? "there are faults"
-	    : report_rows(r) == 0
+	    : answer_rows(r) == 0
 		? "no faults found"
 		: "no faults found; remarks are for you to judge");
-	session_report(s, r);
+	session_answer(s, r);
 	if (ok)
 		return true;
 	return error_set(error, ERROR_CHECK,

@@ -40,56 +40,46 @@ all_sieves(const struct side side[2], size_t *n)
 	return x;
 }
 
-/* csv calls a row passing_pct@4, a table just 4. */
 static void
-comparison_rows(struct report *r, const struct side side[2], const double *x,
-    size_t n, bool csv)
+comparison_rows(
+    struct answer *r, const struct side side[2], const double *x, size_t n)
 {
-	report_columns(r, "quantity: sieve mm, a: %s, b: %s, difference",
+	char key[40], head[24];
+	answer_columns(r, "quantity: sieve mm, a: %s, b: %s, difference",
 	    side[0].head, side[1].head);
 	for (size_t i = 0; i < n; i++) {
 		double a = passing_at(&side[0], x[i]);
 		double b = passing_at(&side[1], x[i]);
-		report_text(r, csv ? "passing_pct@%g" : "%g", units_mm(x[i]));
-		report_missing(r, "-");
-		report_cells(r, "%.1f %.1f %.1f", units_pct(a), units_pct(b),
+		snprintf(key, sizeof key, "passing_pct@%g", units_mm(x[i]));
+		snprintf(head, sizeof head, "%g", units_mm(x[i]));
+		answer_name(r, key, head);
+		answer_missing(r, "-");
+		answer_cells(r, "%.1f %.1f %.1f", units_pct(a), units_pct(b),
 		    100 * (b - a));
 	}
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
-		report_cells(r, "%s", csv ? ANSWERS_KEYS[i] : ANSWERS_HEADS[i]);
+		answer_name(r, ANSWERS_KEYS[i], ANSWERS_HEADS[i]);
 		answers_size_cell(r, &side[0].p, i);
 		answers_size_cell(r, &side[1].p, i);
-		report_missing(r, "-");
-		report_cells(r, "%.2f",
+		answer_missing(r, "-");
+		answer_cells(r, "%.2f",
 		    answers_size(&side[1].p, i) - answers_size(&side[0].p, i));
 	}
 }
 
 static void
-put_side(json_t *o, const char *key, const struct side *side, const double *x,
-    size_t n)
+put_side(struct fields *o, const char *key, const struct side *side,
+    const double *x, size_t n)
 {
-	json_t *one = json_object(), *passing = json_array();
-	report_put(one, "site %s speed %g extrapolated %d",
+	struct fields *one = fields_object(o, key);
+	fields_put(one, "site %s speed %g extrapolated %d",
 	    side->entry->site->name, side->p.speed,
 	    answers_extrapolates(side->entry, side->p.speed));
+	struct fields *passing = fields_list(one, "passing_pct");
 	for (size_t i = 0; i < n; i++)
-		json_array_append_new(passing,
-		    report_json_number(units_pct(passing_at(side, x[i]))));
-	json_object_set_new(one, "passing_pct", passing);
+		fields_put(passing, "%g", units_pct(passing_at(side, x[i])));
 	answers_put_sizes(one, &side->p);
 	origin_put(one, side->entry);
-	json_object_set_new(o, key, one);
-}
-
-/* Each side names its own site. */
-static void
-put_comparison(json_t *o, const struct side side[2], const double *x, size_t n)
-{
-	json_object_del(o, "site");
-	json_object_set_new(o, "sieve_mm", answers_list(x, n, units_mm));
-	put_side(o, "a", &side[0], x, n);
-	put_side(o, "b", &side[1], x, n);
 }
 
 /* The provenance of both: once where they have the same. */
@@ -111,7 +101,7 @@ provenance(const struct side side[2])
 /* Doubts about either side, and the fines. */
 static void
 comparison_notes(
-    struct report *r, const struct side side[2], const double *x, size_t n)
+    struct answer *r, const struct side side[2], const double *x, size_t n)
 {
 	double finest = NAN, a = NAN, b = NAN;
 	for (size_t i = 0; i < n; i++) {
@@ -124,15 +114,15 @@ comparison_notes(
 		b = at_b;
 	}
 	if (isfinite(finest))
-		report_note(r,
+		answer_note(r,
 		    "fines below %g mm: %.1f %% and %.1f %%, %+.1f points",
 		    units_mm(finest), 100 * a, 100 * b, 100 * (b - a));
-	report_note(r, "broken: %.1f %% and %.1f %% of the feed",
+	answer_note(r, "broken: %.1f %% and %.1f %% of the feed",
 	    100 * side[0].p.selected, 100 * side[1].p.selected);
 	for (size_t i = 0; i < 2; i++) {
 		const struct entry *entry = side[i].entry;
 		if (answers_extrapolates(entry, side[i].p.speed))
-			report_note(r,
+			answer_say(r, ANSWER_WARNING,
 			    "%s is extrapolated: outside the speeds "
 			    "trained on",
 			    side[i].head);
@@ -168,31 +158,34 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 	return true;
 }
 
-static struct report *
-comparison(struct session *s, const struct side side[2], bool sites)
+static struct answer *
+comparison(const struct side side[2], bool sites)
 {
 	const struct site *a = side[0].entry->site, *b = side[1].entry->site;
 	size_t n;
 	double *x = all_sieves(side, &n);
-	struct report *r =
-	    sites ? report_new("compare")
-		  : answers_report(a, "compare", "%s and %s, %% passing",
+	struct answer *r =
+	    sites ? answer_new("compare")
+		  : answers_new(a, "compare", "%s and %s, %% passing",
 			side[0].head, side[1].head);
 	if (sites) {
 		char *both = xasprintf("%s, %s", a->name, b->name);
 		char *data = provenance(side);
-		report_title(r, "%s and %s at %g m/s, %% passing", a->name,
+		answer_title(r, "%s and %s at %g m/s, %% passing", a->name,
 		    b->name, side[0].p.speed);
-		report_site(r, both, data);
+		answer_sites(r, both, data);
 		free(both);
 		free(data);
 	}
-	comparison_rows(r, side, x, n, s->set.format == REPORT_CSV);
+	comparison_rows(r, side, x, n);
 	comparison_notes(r, side, x, n);
 	if (!sites && a->individual_feeds)
-		report_note(r, "feed: the sample taken at %g m/s, for both",
+		answer_say(r, ANSWER_REMARK,
+		    "feed: the sample taken at %g m/s, for both",
 		    a->run[side[0].p.feed_run].speed);
-	put_comparison(report_json(r), side, x, n);
+	fields_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
+	put_side(answer_fields(r), "a", &side[0], x, n);
+	put_side(answer_fields(r), "b", &side[1], x, n);
 	free(x);
 	return r;
 }
@@ -210,7 +203,7 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 	bool ok = take_side(s, args, sites, 0, &side[0], error) &&
 		  take_side(s, args, sites, 1, &side[1], error);
 	if (ok)
-		session_report(s, comparison(s, side, sites));
+		session_answer(s, comparison(side, sites));
 	for (size_t i = 0; i < 2; i++) {
 		prediction_free(&side[i].p);
 		free(side[i].head);

@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/answers.h"
 #include "cmd/command.h"
 #include "cmd/parse.h"
 
@@ -69,15 +70,16 @@ offer_groups(struct work *w)
 static void
 offer_answers(struct work *w)
 {
-	for (size_t i = 0; i < ANSWERS; i++)
-		offer(w, ANSWER_NAMES[i], ' ');
+	for (size_t i = 0; i < ANSWERS_ASSERTED; i++)
+		offer(w, ANSWERS_NAMES[i].name, ' ');
 }
 
 static void
 offer_parameters(struct work *w)
 {
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		offer(w, PARAMS[j].name, ' ');
+	const struct breakage *of = BREAKAGES[w->session->set.model.breakage];
+	for (size_t j = 0; j < of->n; j++)
+		offer(w, of->parameter[j].name, ' ');
 }
 
 /* Without case and accents, as `use` finds them. */

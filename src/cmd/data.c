@@ -93,16 +93,18 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	struct report *r = report_new("sites");
-	report_columns(r,
+	struct answer *r = answer_new("sites");
+	answer_columns(r,
 	    "key: site, name, rock, top_size_mm: top mm, speeds: speeds m/s, "
 	    "calibrated, data");
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
 		char *speeds = data_speeds(entry->site, " ", NULL, true);
-		bool mark = i == s->current && s->set.format == REPORT_TABLE;
-		report_text(r, "%s%s", mark ? "*" : "", entry->key);
-		report_cells(r, "%s %s %g %s %s %s", entry->site->name,
+		char *marked =
+		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
+		answer_name(r, entry->key, marked);
+		free(marked);
+		answer_cells(r, "%s %s %g %s %s %s", entry->site->name,
 		    entry->site->rock,
 		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
 					      : NAN,
@@ -114,9 +116,9 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    site_data_kind(entry->site->provenance));
 		free(speeds);
 	}
-	report_note(r, s->n_entry > 0 ? "* is the site in use"
+	answer_note(r, s->n_entry > 0 ? "* is the site in use"
 				      : "no site is loaded: load FILE");
-	return session_report(s, r);
+	return session_answer(s, r);
 }
 
 bool
@@ -157,16 +159,13 @@ synth_row(const struct material *m, const struct args *args)
 {
 	const struct value *speeds = args_value(args, "speeds");
 	struct synth synth = {.top_size = m->top_size_mm / 1000,
-	    .params = params_default_beta(),
+	    .params = materials_params(m),
 	    .individual_feeds = m->individual_feeds,
 	    .n = args_value(args, "n")->number,
 	    .noise = args_value(args, "noise")->number / 100,
 	    .seed = args_value(args, "seed")->whole,
 	    .n_speed = speeds->n,
 	    .speed = speeds->list};
-	synth.params.f_mat = m->f_mat;
-	synth.params.e0_min = m->e0_min;
-	synth.params.alpha = m->alpha;
 	struct site *site = synth_site(&synth);
 	const char *slash = strrchr(args->operand[0], '/');
 	const char *file = slash != NULL ? slash + 1 : args->operand[0];

@@ -13,7 +13,7 @@
 struct tale {
 	const struct chart *chart;
 	enum plot_kind kind;
-	json_t *list;
+	struct answer *answer;
 };
 
 /* " mm" of "size, mm"; "" where there is no unit. */
@@ -32,7 +32,7 @@ say_axes(struct tale *t)
 	static const char *const ways[] = {"Across", "Up"};
 	bool rows = t->kind == PLOT_SPREAD; /* one row a parameter */
 	for (size_t i = 0; i < ARRAY_LEN(axes) - rows; i++)
-		answers_say(t->list, "%s: %s, from %.4g to %.4g%s", ways[i],
+		answer_note(t->answer, "%s: %s, from %.4g to %.4g%s", ways[i],
 		    axes[i]->title, axes[i]->low, axes[i]->high,
 		    axes[i]->log ? " on a log scale" : "");
 }
@@ -72,10 +72,10 @@ say_curve(struct tale *t, const struct chart_series *s)
 	char *x = unit_of(&t->chart->x), *y = unit_of(&t->chart->y);
 	char *sizes = sizes_of(t, s);
 	if (first == last)
-		answers_say(
-		    t->list, "%s: %.4g%s throughout", s->name, s->y[first], y);
+		answer_note(t->answer, "%s: %.4g%s throughout", s->name,
+		    s->y[first], y);
 	else
-		answers_say(t->list,
+		answer_note(t->answer,
 		    "%s: from %.3g%s at %.3g%s to %.3g%s at %.3g%s%s", s->name,
 		    s->y[first], y, s->x[first], x, s->y[last], y, s->x[last],
 		    x, sizes);
@@ -97,7 +97,7 @@ say_points(struct tale *t, const struct chart_series *s)
 		xlist(&text, ";", " %.3g and %.3g", s->x[i], s->y[i]);
 		shown++;
 	}
-	answers_say(t->list, "%s, %zu point%s, across and up:%s%s", s->name,
+	answer_note(t->answer, "%s, %zu point%s, across and up:%s%s", s->name,
 	    s->n, s->n == 1 ? "" : "s", text, s->n > FEW ? " and more" : "");
 	free(text);
 }
@@ -111,9 +111,9 @@ say_spread(struct tale *t)
 	for (size_t j = 0; j < best->n; j++) {
 		const char *name = t->chart->y.tick[j].label;
 		if (isnan(best->x[j]))
-			answers_say(t->list, "%s is held fixed", name);
+			answer_note(t->answer, "%s is held fixed", name);
 		else
-			answers_say(t->list,
+			answer_note(t->answer,
 			    "%s: the middle 80 %% of the candidates from %.0f "
 			    "to %.0f %% of its bounds, the best at %.0f %%",
 			    name, s->x[3 * j], s->x[3 * j + 1], best->x[j]);
@@ -137,7 +137,7 @@ say_difference(struct tale *t, const struct chart_series *other)
 	}
 	char *x_unit = unit_of(&t->chart->x), *y_unit = unit_of(&t->chart->y);
 	if (!isnan(x))
-		answers_say(t->list,
+		answer_note(t->answer,
 		    "%s and %s lie furthest apart at %.3g%s: %.3g and %.3g%s",
 		    top->name, other->name, x, x_unit, here, there, y_unit);
 	free(x_unit);
@@ -160,19 +160,6 @@ say_series(struct tale *t)
 			say_difference(t, &c->series[i]);
 }
 
-static struct report *
-tale_report(const struct session *s, const struct tale *t, const char *kind)
-{
-	struct report *r = pictures_report(s, "describe", t->chart);
-	answers_tell(s, r, t->list);
-	json_t *o = report_json(r);
-	json_object_del(o, "site");
-	report_put(o, "kind %s title %s data %s", kind, t->chart->title,
-	    t->chart->about);
-	json_object_set(o, "sentences", t->list);
-	return r;
-}
-
 bool
 cmd_describe(struct session *s, const struct args *args, struct error *error)
 {
@@ -180,19 +167,22 @@ cmd_describe(struct session *s, const struct args *args, struct error *error)
 	struct chart *chart = pictures_chart(s, args, &request, error);
 	if (chart == NULL)
 		return false;
-	struct tale t = {chart, request.kind, json_array()};
+	struct tale t = {chart, request.kind, answer_new("describe")};
+	answer_title(t.answer, "%s", chart->title);
+	answer_sites(t.answer,
+	    s->n_entry > 0 ? session_entry(s)->site->name : "", chart->about);
+	fields_put(answer_fields(t.answer), "kind %s title %s data %s",
+	    args->operand[0], chart->title, chart->about);
 	say_axes(&t);
 	if (request.kind == PLOT_SPREAD)
 		say_spread(&t);
 	else
 		say_series(&t);
 	for (size_t i = 0; i < chart->n_rule; i++)
-		answers_say(
-		    t.list, "A line from foot to top: %s", chart->rule[i].name);
+		answer_note(t.answer, "A line from foot to top: %s",
+		    chart->rule[i].name);
 	for (size_t i = 0; i < chart->n_note; i++)
-		answers_say(t.list, "%s", chart->note[i]);
-	session_report(s, tale_report(s, &t, args->operand[0]));
-	json_decref(t.list);
+		answer_note(t.answer, "%s", chart->note[i]);
 	chart_free(chart);
-	return true;
+	return session_answer(s, t.answer);
 }

@@ -61,36 +61,38 @@ doubt_why_none(const struct entry *entry)
 }
 
 void
-doubt_note(struct report *r, const struct entry *entry)
+doubt_note(struct answer *r, const struct entry *entry)
 {
 	if (entry->has_fit)
-		report_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "low to high: %d %% of the fits that the data allow lie "
 		    "between",
 		    UNCERTAINTY_LEVEL);
 	else
-		report_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "low to high: %d %% of the fits that the data of %s allow "
 		    "lie between; how this site differs from it is not in them",
 		    UNCERTAINTY_LEVEL, origin_key(entry));
 }
 
 void
-doubt_put_interval(json_t *o, const struct uncertainty *u)
+doubt_put_interval(struct fields *o, const struct uncertainty *u)
 {
-	json_t *interval = u != NULL ? json_object() : json_null();
-	for (size_t j = 0; u != NULL && j < PARAM_COUNT; j++)
+	if (u == NULL) {
+		fields_put(o, "interval %g", NAN);
+		return;
+	}
+	struct fields *interval = fields_object(o, "interval");
+	const struct breakage *of = breakage_of(&u->draw[0]);
+	for (size_t j = 0; j < of->n; j++)
 		answers_put_pair(
-		    interval, PARAMS[j].name, u->low[j], u->high[j]);
-	json_object_set_new(o, "interval", interval);
+		    interval, of->parameter[j].name, u->low[j], u->high[j]);
 }
 
 void
-doubt_put_band(json_t *o, const struct band *band)
+doubt_put_band(struct fields *o, const struct band *band)
 {
-	static const char *const KEYS[] = {
-	    "p20_range_mm", "p50_range_mm", "p80_range_mm", "break_range_mm"};
-	for (size_t i = 0; i < ARRAY_LEN(KEYS); i++)
-		answers_put_pair(o, KEYS[i], 1000 * band->size[i][0],
+	for (size_t i = 0; i < ANSWERS_SIZES; i++)
+		answers_put_pair(o, ANSWERS_RANGES[i], 1000 * band->size[i][0],
 		    1000 * band->size[i][1]);
 }

@@ -24,13 +24,13 @@ const char *doubt_why_none(const struct entry *entry);
 
 /* Says what low and high are: of another site's parameters they are what its
  * data leave open, and know nothing of the difference between the two. */
-void doubt_note(struct report *r, const struct entry *entry);
+void doubt_note(struct answer *r, const struct entry *entry);
 
 /* Puts "interval": {"beta1":[low, high], .. "alpha":[low, high]}, or null where
  * there is none. */
-void doubt_put_interval(json_t *o, const struct uncertainty *u);
+void doubt_put_interval(struct fields *o, const struct uncertainty *u);
 
 /* Puts the ranges of the sizes. */
-void doubt_put_band(json_t *o, const struct band *band);
+void doubt_put_band(struct fields *o, const struct band *band);
 
 #endif

@@ -109,10 +109,10 @@ wish_words(const struct wish *wish)
 }
 
 static void
-put_wish(json_t *o, struct wish *wish, double speed)
+put_wish(struct fields *o, struct wish *wish, double speed)
 {
 	bool size = wish->key != NULL;
-	report_put(o,
+	fields_put(o,
 	    "wanted %s value %g at_mm %g from %g to %g value_from %g "
 	    "value_to %g speed %g",
 	    size ? wish->key : "passing_pct",
@@ -123,21 +123,21 @@ put_wish(json_t *o, struct wish *wish, double speed)
 
 /* Why there is no such speed: what the two ends give. */
 static void
-note_unreached(struct report *r, struct wish *wish, const char *words)
+note_unreached(struct answer *r, struct wish *wish, const char *words)
 {
 	const char *what = wish->key != NULL ? "mm" : "%";
 	double low = value_at(wish, wish->from),
 	       high = value_at(wish, wish->to);
 	bool above = passing_over(wish, wish->from) > 0;
-	report_note(r,
+	answer_note(r,
 	    "no speed from %g to %g m/s gives %s: the product is %s even at "
 	    "%g m/s",
 	    wish->from, wish->to, words, above ? "finer" : "coarser",
 	    above ? wish->from : wish->to);
 	if (isfinite(low) && isfinite(high))
-		report_note(r, "it is %.2f %s at %g m/s and %.2f %s at %g m/s",
+		answer_note(r, "it is %.2f %s at %g m/s and %.2f %s at %g m/s",
 		    low, what, wish->from, high, what, wish->to);
-	report_note(r, above ? "from= looks at slower speeds"
+	answer_note(r, above ? "from= looks at slower speeds"
 			     : "to= looks at faster speeds");
 }
 
@@ -155,41 +155,41 @@ answer_wish(struct session *s, struct wish *wish)
 	for (size_t i = 0; i < n; i++)
 		p[i] = answers_predict(s, entry, speed[i], wish->feed);
 	session_forget(s);
-	if (found)
-		answers_remember(s, &p[0]);
 	char *words = wish_words(wish);
-	struct report *r =
-	    answers_report(entry->site, "find", "the speed for %s", words);
+	struct answer *r =
+	    answers_new(entry->site, "find", "the speed for %s", words);
 	answers_speed_rows(s, r, p, n);
 	if (found)
-		report_note(r, "%s at %.2f m/s", words, v);
+		answer_note(r, "%s at %.2f m/s", words, v);
 	else
 		note_unreached(r, wish, words);
 	answers_note_doubt(
 	    s, r, found ? v : entry->site->run[wish->feed].speed, wish->feed);
-	put_wish(report_json(r), wish, found ? v : NAN);
-	answers_put_products(s, report_json(r), p, n);
+	put_wish(answer_fields(r), wish, found ? v : NAN);
+	answers_put_products(s, answer_fields(r), p, n);
+	session_answer(s, r);
+	if (found)
+		answers_keep(s, &entry->params, &p[0]);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(words);
-	session_report(s, r);
 }
 
 static void
-note_window(struct report *r, const struct wish *wish, const struct grading *g,
+note_window(struct answer *r, const struct wish *wish, const struct grading *g,
     const struct window *w)
 {
 	if (w->inside) {
-		report_note(r,
+		answer_note(r,
 		    "within the limits from %.2f to %.2f m/s; shown at %.2f",
 		    w->slowest, w->fastest, w->slowest);
 		return;
 	}
-	report_note(r,
+	answer_note(r,
 	    "no speed from %g to %g m/s keeps within the limits; the nearest "
 	    "is %.2f m/s",
 	    wish->from, wish->to, w->nearest);
-	report_note(r, "it fails at %g mm: %.1f points too %s passing",
+	answer_note(r, "it fails at %g mm: %.1f points too %s passing",
 	    units_mm(g->spec->size[w->worst]), 100 * fabs(w->by),
 	    w->by > 0 ? "much" : "little");
 }
@@ -206,13 +206,13 @@ answer_spec(struct session *s, const struct args *args, const struct wish *wish,
 	struct window w =
 	    inverse_window(&g.inverse, &g.envelope, wish->from, wish->to);
 	double v = w.inside ? w.slowest : w.nearest;
-	struct report *r = answers_report(
-	    entry->site, "find", "the speeds for %s", g.spec->name);
+	struct answer *r =
+	    answers_new(entry->site, "find", "the speeds for %s", g.spec->name);
 	grading_rows(r, &g, v);
 	note_window(r, wish, &g, &w);
 	grading_notes(r, &g);
 	answers_note_doubt(s, r, v, wish->feed);
-	report_put(report_json(r),
+	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g worst_mm %g outside_pct %g",
 	    "spec", wish->from, wish->to, w.inside, w.inside ? w.slowest : NAN,
@@ -220,9 +220,7 @@ answer_spec(struct session *s, const struct args *args, const struct wish *wish,
 	    w.inside ? NAN : units_mm(g.spec->size[w.worst]), 100 * w.by);
 	grading_put(r, g.spec);
 	session_forget(s);
-	s->answer[ANSWER_INSIDE] = w.inside;
-	s->answer[ANSWER_SPEED] = v;
-	session_report(s, r);
+	session_answer(s, r);
 	grading_close(&g);
 	return true;
 }

@@ -74,8 +74,15 @@ check_weights(const struct site *site, const bool *train, struct error *error)
 }
 
 bool
-fit_settings_agree(const struct model_settings *settings, struct error *error)
+fit_settings_agree(
+    const struct model_settings *settings, size_t breakage, struct error *error)
 {
+	const struct breakage *of = BREAKAGES[breakage];
+	if (settings->appearance != APPEARANCE_RATIO && !of->forms)
+		return error_set(error, ERROR_USAGE,
+		    "this appearance works with the model %s only\n"
+		    "set appearance ratio",
+		    BREAKAGES[0]->name);
 	if (settings->method == METHOD_CLASSES ||
 	    settings->appearance == APPEARANCE_RATIO)
 		return true;
@@ -185,7 +192,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "calibrate wants options or all, not '%s'",
 		    args->operand[0]);
-	if (!fit_settings_agree(&s->set.model, error) ||
+	if (!fit_settings_agree(&s->set.model, s->set.model.breakage, error) ||
 	    !(job.all ? check_all(args, error)
 		      : choose_runs(site, args, &job, error))) {
 		job_free(&job);
@@ -209,7 +216,7 @@ take_history(struct entry *entry, const struct job *job)
 	    .fit = entry->fit,
 	    .n = n,
 	    .generation = xcalloc(n + 1, size),
-	    .bounds = job->options.bounds,
+	    .bounds = *calibration_bounds(job->calibration),
 	    .misfit = calibrate_misfit(entry->site, &job->options)};
 	if (n > 0)
 		memcpy(h->generation, g, n * size);
@@ -224,7 +231,8 @@ options_words(const struct session *s, const struct fit *fit)
 {
 	const struct job *job = &s->job;
 	const struct calibrate_options *o = &job->options;
-	const struct bounds usual = bounds_default();
+	const size_t model = o->settings.breakage;
+	const struct bounds usual = bounds_default(model);
 	const char *sign = " run_weights=";
 	char *words = xasprintf("population=%zu generations=%zu tolerance=%g "
 				"stall=%zu polish=%s%s%s",
@@ -240,10 +248,11 @@ options_words(const struct session *s, const struct fit *fit)
 	if (fit->edits > 0)
 		xappend(&words, "; bounds edited after generation %zu%s",
 		    fit->edited_at, fit->edits > 1 ? " and before" : "");
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	for (size_t j = 0; j < BREAKAGES[model]->n; j++)
 		if (o->bounds.lower[j] != usual.lower[j] ||
 		    o->bounds.upper[j] != usual.upper[j])
-			xappend(&words, "; bounds %s %g..%g", PARAMS[j].name,
+			xappend(&words, "; bounds %s %g..%g",
+			    BREAKAGES[model]->parameter[j].name,
 			    o->bounds.lower[j], o->bounds.upper[j]);
 	return words;
 }
@@ -259,15 +268,15 @@ fit_take(struct session *s)
 	entry->params = entry->fit.params;
 	take_history(entry, &s->job);
 	session_forget(s);
-	s->answer[ANSWER_MISFIT] = entry->fit.misfit;
-	s->answer[ANSWER_RMSE] = 100 * entry->fit.rmse;
-	bool poor = entry->fit.rmse > FIT_POOR;
-	s->answer[ANSWER_POOR] = !poor && fit_too_few(&entry->fit) ? NAN : poor;
 	entry->has_fit = entry->has_params = true;
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);
 	origin_drop(entry->origin);
 	entry->origin = origin_of_fit(entry);
+	/* That of `all` is a table of sites, and tells of none alone. */
+	struct answer *answer = answer_new("calibrate");
+	fit_put(answer_fields(answer), entry, session_clock() - s->job.started);
+	session_keep(s, answer);
 }
 
 void
@@ -275,6 +284,6 @@ fit_show(struct session *s)
 {
 	double seconds = session_clock() - s->job.started;
 	session_note(s, "  done in %.2f s", seconds);
-	session_report(s, fit_report(&s->entry[s->job.entry],
-			      &s->job.options.bounds, seconds));
+	session_answer(s, fit_answer(&s->entry[s->job.entry],
+			      calibration_bounds(s->job.calibration), seconds));
 }

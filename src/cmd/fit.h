@@ -46,17 +46,20 @@ double fit_holdout_rmse(const struct entry *entry);
  * by more than a careful sample does; worst_difference is 0 where none does. */
 struct validation fit_outlier(const struct entry *entry);
 
-/* The table of a site's fit, with its JSON; seconds: how long it took. */
-struct report *fit_report(
+/* The table of a site's fit, with its fields; seconds: how long it took. */
+struct answer *fit_answer(
     const struct entry *entry, const struct bounds *bounds, double seconds);
 
 /* False where an appearance other than ratio is set with another method than
  * classes. */
-bool fit_settings_agree(
-    const struct model_settings *settings, struct error *error);
+bool fit_settings_agree(const struct model_settings *settings, size_t breakage,
+    struct error *error);
 
 /* Puts "params": {"beta":[4],"f_mat":..,"e0_min":..,"alpha":..}. */
-void fit_put_params(json_t *o, const struct params *p);
+void fit_put_params(struct fields *o, const struct params *p);
+
+/* What json has of an entry's fit, but for its ranges. */
+void fit_put(struct fields *o, const struct entry *entry, double seconds);
 
 /* "poor", "too few data", "nothing breaks" or "good". */
 const char *fit_verdict(const struct fit *fit);
@@ -68,6 +71,6 @@ const char *fit_verdict(const struct fit *fit);
 bool fit_too_few(const struct fit *fit);
 
 /* The sentence about it, which says the two numbers. */
-void fit_note_too_few(struct report *r, const struct fit *fit);
+void fit_note_too_few(struct answer *r, const struct fit *fit);
 
 #endif

@@ -24,9 +24,9 @@ fit_too_few(const struct fit *fit)
 }
 
 void
-fit_note_too_few(struct report *r, const struct fit *fit)
+fit_note_too_few(struct answer *r, const struct fit *fit)
 {
-	report_note(r,
+	answer_say(r, ANSWER_WARNING,
 	    "%zu passing%s cannot determine %zu parameters: no verdict and no "
 	    "band; add sieves or a run",
 	    fit->cells, fit->cells == 1 ? "" : "s", fit->parameters);
@@ -81,70 +81,70 @@ fit_outlier(const struct entry *entry)
 
 /* The speeds that were trained on, or the others. */
 static void
-put_speeds(json_t *o, const char *key, const struct entry *entry, bool trained)
+put_speeds(
+    struct fields *o, const char *key, const struct entry *entry, bool trained)
 {
-	json_t *list = json_array();
+	struct fields *list = fields_list(o, key);
 	const struct site *site = entry->site;
 	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].product.n > 0 && entry->train[r] == trained)
-			json_array_append_new(
-			    list, json_real(site->run[r].speed));
-	json_object_set_new(o, key, list);
-}
-
-static double
-as_it_is(double value)
-{
-	return value;
+			fields_put(list, "%g", site->run[r].speed);
 }
 
 void
-fit_put_params(json_t *o, const struct params *p)
+fit_put_params(struct fields *o, const struct params *p)
 {
-	json_t *params = json_object();
-	json_object_set_new(params, "beta", answers_list(p->beta, 4, as_it_is));
-	report_put(params, "f_mat %g e0_min %g alpha %g", p->f_mat, p->e0_min,
-	    p->alpha);
-	json_object_set_new(o, "params", params);
+	const struct breakage *of = breakage_of(p);
+	struct fields *params = fields_object(o, "params");
+	if (of->gauge > 0)
+		fields_numbers(params, of->gauge_name, p->at, of->gauge, NULL);
+	for (size_t j = of->gauge; j < of->n; j++)
+		fields_number(params, of->parameter[j].name, p->at[j]);
 }
 
-static void
-put_fit(json_t *o, const struct entry *entry, double seconds)
+void
+fit_put(struct fields *o, const struct entry *entry, double seconds)
 {
 	const struct fit *fit = &entry->fit;
-	report_put(o,
+	bool poor = fit->rmse > FIT_POOR;
+	fields_put(o,
 	    "seed %llu population %zu generations %zu evaluations %zu",
 	    (unsigned long long)fit->seed, fit->population, fit->generations,
 	    fit->evaluations);
 	if (fit->edits > 0)
-		report_put(o, "bounds_edited_at %zu", fit->edited_at);
-	report_put(o, "stop %s misfit %g seconds %g",
+		fields_put(o, "bounds_edited_at %zu", fit->edited_at);
+	fields_put(o, "stop %s misfit %g seconds %g",
 	    calibrate_state_name(fit->stop), fit->misfit, seconds);
+	fields_put(o, "model %s", breakage_of(&fit->params)->name);
 	fit_put_params(o, &fit->params);
 	put_speeds(o, "train", entry, true);
 	put_speeds(o, "holdout", entry, false);
-	report_put(o, "cells %zu parameters %zu rmse_pct %g verdict %s",
-	    fit->cells, fit->parameters, fit->rmse * 100, fit_verdict(fit));
+	fields_put(o,
+	    "cells %zu parameters %zu rmse_pct %g verdict %s .poor %g",
+	    fit->cells, fit->parameters, fit->rmse * 100, fit_verdict(fit),
+	    poor               ? 1
+	    : fit_too_few(fit) ? NAN
+			       : 0);
 }
 
 /* Why nothing breaks, in terms of the break size and the feed. */
 static void
-explain_nothing(struct report *report, const struct entry *entry)
+explain_nothing(struct answer *r, const struct entry *entry)
 {
 	const struct run *fastest = &entry->site->run[entry->site->n_run - 1];
 	double x = energy_break_size(&entry->fit.params, fastest->speed);
 	double coarser =
 	    isfinite(x) && x > 0 ? 1 - psd_passing(&fastest->feed, x) : 0;
-	report_note(report,
+	answer_say(r, ANSWER_WARNING,
 	    "nothing breaks: the products cannot be told from the feed "
 	    "(product = feed misses them by %.2f points RMS, the fit by %.2f)",
 	    100 * sqrt(entry->fit.feed_misfit / (double)entry->fit.n_residual),
 	    100 * entry->fit.rmse);
-	report_note(report,
+	answer_say(r, ANSWER_REMARK,
 	    "  why: only fragments coarser than the break size break; at %g "
 	    "m/s that is %.3g mm or more, and %.1f %% of the feed is coarser",
 	    fastest->speed, units_mm(x), 100 * coarser);
-	report_note(report,
+	answer_say(r, ANSWER_WARNING,
 	    "  the parameters above therefore fit sampling noise: a "
 	    "coarser feed or a higher speed would tell more");
 }
@@ -161,27 +161,27 @@ fit_is_flat(const struct fit *fit, size_t j)
  * with its step; all signs may be turned.  Steps beyond the search range say no
  * more than that the data are silent. */
 static void
-add_flat(
-    struct report *report, const struct fit *fit, const struct bounds *bounds)
+add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 {
 	char *list = xstrdup("");
 	bool silent = fit->flat.reach > 1;
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	const struct breakage *of = breakage_of(&fit->params);
+	for (size_t j = 0; j < of->n; j++) {
 		double part = fit->flat.part[j];
 		double range =
-		    j < PARAM_F_MAT ? 2 : bounds->upper[j] - bounds->lower[j];
+		    j < of->gauge ? 2 : bounds->upper[j] - bounds->lower[j];
 		if (!fit_is_flat(fit, j))
 			continue;
-		xlist(&list, ", ", "%s", PARAMS[j].name);
+		xlist(&list, ", ", "%s", of->parameter[j].name);
 		if (!silent)
 			xappend(&list, " %+.2g", part * range);
 	}
 	if (silent)
-		report_note(report,
+		answer_say(r, ANSWER_REMARK,
 		    "flat direction: the data say next to nothing about %s",
 		    list);
 	else if (list[0] != '\0')
-		report_note(report,
+		answer_say(r, ANSWER_REMARK,
 		    "flat direction: together, %s (or all the other way) raise "
 		    "the misfit by a tenth only",
 		    list);
@@ -189,38 +189,42 @@ add_flat(
 }
 
 static void
-add_verdict(struct report *report, const struct entry *entry,
+add_verdict(struct answer *r, const struct entry *entry,
     const struct bounds *bounds, bool ranges)
 {
 	const struct fit *fit = &entry->fit;
 	if (fit->rmse > FIT_POOR)
-		report_note(report,
+		answer_say(r, ANSWER_WARNING,
 		    "poor fit: the model misses the training products by %.1f "
 		    "points RMS; sampling repeats to 0.5 to 1: do not rely on "
 		    "its predictions, and look at the data with 'check'",
 		    100 * fit->rmse);
 	else if (!fit_too_few(fit) && fit_breaks_nothing(fit))
-		explain_nothing(report, entry);
+		explain_nothing(r, entry);
 	if (fit_too_few(fit))
-		fit_note_too_few(report, fit);
+		fit_note_too_few(r, fit);
 	struct validation far = fit_outlier(entry);
 	if (far.worst_difference != 0)
-		report_note(report,
+		answer_say(r, ANSWER_WARNING,
 		    "the product at %g m/s lies %.1f points off the fit at %g "
 		    "mm: see 'check'",
 		    far.speed, 100 * fabs(far.worst_difference),
 		    units_mm(far.worst_sieve));
 	bool any = false;
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	for (size_t j = 0; j < breakage_of(&fit->params)->n; j++)
 		any = any || fit->on_bound[j];
 	if (any)
-		report_note(report, "a parameter on its bound is set by the "
-				    "bound, not by the data");
-	add_flat(report, fit, bounds);
+		answer_say(r, ANSWER_WARNING,
+		    "a parameter on its bound is set by the "
+		    "bound, not by the data");
+	add_flat(r, fit, bounds);
 	if (ranges)
-		doubt_note(report, entry);
-	report_note(report, "beta counts only by its direction; rely on the "
-			    "curves, not on single values");
+		doubt_note(r, entry);
+	if (breakage_of(&fit->params)->gauge > 0)
+		answer_say(r, ANSWER_REMARK,
+		    "%s counts only by its direction; rely on the curves, not "
+		    "on single values",
+		    breakage_of(&fit->params)->gauge_name);
 }
 
 static const char *
@@ -238,8 +242,8 @@ stop_sentence(const struct fit *fit)
 	}
 }
 
-struct report *
-fit_report(
+struct answer *
+fit_answer(
     const struct entry *entry, const struct bounds *bounds, double seconds)
 {
 	const struct fit *fit = &entry->fit;
@@ -247,38 +251,41 @@ fit_report(
 	 * who stops it does not wait for that. */
 	const struct uncertainty *u =
 	    fit->stop != CALIBRATE_STOPPED ? doubt_of(entry) : NULL;
-	struct report *r =
-	    answers_report(entry->site, "calibrate", "calibrated parameters");
-	report_columns(r, "parameter, value");
+	const struct breakage *of = breakage_of(&fit->params);
+	struct answer *r = answers_new(entry->site, "calibrate",
+	    "calibrated parameters%s%s", of != BREAKAGES[0] ? " of " : "",
+	    of != BREAKAGES[0] ? of->name : "");
+	answer_columns(r, "parameter, value");
 	if (u != NULL)
-		report_columns(r, "low, high");
-	report_columns(r, "unit, lower: from, upper: to, remark");
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+		answer_columns(r, "low, high");
+	answer_columns(r, "unit, lower: from, upper: to, remark");
+	for (size_t j = 0; j < of->n; j++) {
 		bool fixed = bounds->lower[j] >= bounds->upper[j];
-		report_cells(r, "%s %.4f", PARAMS[j].name, fit->params.at[j]);
+		answer_cells(
+		    r, "%s %.4f", of->parameter[j].name, fit->params.at[j]);
 		if (u != NULL)
-			report_cells(r, "%.4f %.4f", u->low[j], u->high[j]);
-		report_cells(r, "%s %g %g %s", PARAMS[j].unit, bounds->lower[j],
-		    bounds->upper[j],
+			answer_cells(r, "%.4f %.4f", u->low[j], u->high[j]);
+		answer_cells(r, "%s %g %g %s", of->parameter[j].unit,
+		    bounds->lower[j], bounds->upper[j],
 		    fixed              ? "held fixed"
 		    : fit->on_bound[j] ? "ON ITS BOUND"
-		    : j < PARAM_F_MAT  ? "largest is 1"
+		    : j < of->gauge    ? "largest is 1"
 				       : "");
 	}
-	report_note(r,
+	answer_note(r,
 	    "misfit %.6g, %.2f points RMS over %zu passings: %zu that crushing "
 	    "can change, for %zu parameters",
 	    fit->misfit, 100 * fit->rmse, fit->n_residual, fit->cells,
 	    fit->parameters);
-	report_note(r, "stopped after %zu generations, %zu evaluations: %s",
+	answer_note(r, "stopped after %zu generations, %zu evaluations: %s",
 	    fit->generations, fit->evaluations, stop_sentence(fit));
 	if (fit->edits > 0)
-		report_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "the bounds were edited after generation %zu%s: what "
 		    "'save' writes repeats that, calibrate alone does not",
 		    fit->edited_at, fit->edits > 1 ? " and before" : "");
 	add_verdict(r, entry, bounds, u != NULL);
-	put_fit(report_json(r), entry, seconds);
-	doubt_put_interval(report_json(r), u);
+	fit_put(answer_fields(r), entry, seconds);
+	doubt_put_interval(answer_fields(r), u);
 	return r;
 }

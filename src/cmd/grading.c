@@ -57,44 +57,44 @@ verdict(const struct grading *grading, size_t i)
 }
 
 void
-grading_rows(struct report *r, struct grading *grading, double v)
+grading_rows(struct answer *r, struct grading *grading, double v)
 {
 	const struct spec *spec = grading->spec;
 	const struct psd *product = inverse_at(&grading->inverse, v);
-	report_columns(r,
+	answer_columns(r,
 	    "sieve_mm: sieve mm, min_pct: from %%, max_pct: to %%, "
 	    "passing_pct: product %%, verdict");
 	for (size_t i = 0; i < spec->n; i++)
-		report_cells(r, "%g %g %g %.1f %s", units_mm(spec->size[i]),
+		answer_cells(r, "%g %g %g %.1f %s", units_mm(spec->size[i]),
 		    units_pct(spec->least[i]), units_pct(spec->most[i]),
 		    i < grading->n ? units_pct(product->passing[i]) : NAN,
 		    verdict(grading, i));
 }
 
 void
-grading_notes(struct report *r, const struct grading *grading)
+grading_notes(struct answer *r, const struct grading *grading)
 {
 	const struct spec *spec = grading->spec;
 	if (grading->n < spec->n)
-		report_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "not judged: %g mm and below, finer than the feed was "
 		    "sieved",
 		    units_mm(spec->size[grading->n]));
 	if (spec->source[0] != '\0')
-		report_note(r, "limits: %s", spec->source);
+		answer_say(r, ANSWER_REMARK, "limits: %s", spec->source);
 }
 
 void
-grading_put(struct report *r, const struct spec *spec)
+grading_put(struct answer *r, const struct spec *spec)
 {
-	report_put(
-	    report_json(r), "spec %s source %s", spec->name, spec->source);
-	report_put_columns(r, "sieve_mm min_pct max_pct passing_pct verdict");
+	fields_put(
+	    answer_fields(r), "spec %s source %s", spec->name, spec->source);
+	answer_put_columns(r, "sieve_mm min_pct max_pct passing_pct verdict");
 }
 
 /* What is wrong, in a line. */
 static void
-note_verdict(struct report *r, struct grading *grading, double v)
+note_verdict(struct answer *r, struct grading *grading, double v)
 {
 	size_t worst, out = 0;
 	double by =
@@ -102,9 +102,9 @@ note_verdict(struct report *r, struct grading *grading, double v)
 	for (size_t i = 0; i < grading->n; i++)
 		out += verdict(grading, i)[0] != 'o';
 	if (out == 0)
-		report_note(r, "within the limits");
+		answer_note(r, "within the limits");
 	else
-		report_note(r,
+		answer_note(r,
 		    "outside on %zu of %zu sieves; worst at %g mm, %.1f "
 		    "points too %s",
 		    out, grading->n, units_mm(grading->spec->size[worst]),
@@ -124,17 +124,16 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 		return false;
 	bool outside = answers_extrapolates(entry, v);
 	bool inside = inverse_outside(&g.inverse, &g.envelope, v, &worst) == 0;
-	struct report *r = answers_report(
-	    entry->site, "spec", "%s at %g m/s", g.spec->name, v);
+	struct answer *r =
+	    answers_new(entry->site, "spec", "%s at %g m/s", g.spec->name, v);
 	grading_rows(r, &g, v);
 	note_verdict(r, &g, v);
 	grading_notes(r, &g);
 	answers_note_doubt(s, r, v, feed);
-	report_put(report_json(r), "speed %g extrapolated %d inside %d", v,
+	fields_put(answer_fields(r), "speed %g extrapolated %d inside %d", v,
 	    outside, inside);
 	grading_put(r, g.spec);
-	s->answer[ANSWER_INSIDE] = inside;
-	session_report(s, r);
+	session_answer(s, r);
 	grading_close(&g);
 	return true;
 }

@@ -26,12 +26,12 @@ void grading_close(struct grading *grading);
 
 /* A row for each sieve: limits, passing at speed v and "ok", "above", "below"
  * or "not known". */
-void grading_rows(struct report *r, struct grading *grading, double v);
+void grading_rows(struct answer *r, struct grading *grading, double v);
 
 /* Where the limits are from, and which sieves are not judged. */
-void grading_notes(struct report *r, const struct grading *grading);
+void grading_notes(struct answer *r, const struct grading *grading);
 
 /* Puts spec, source and the columns of grading_rows into its JSON. */
-void grading_put(struct report *r, const struct spec *spec);
+void grading_put(struct answer *r, const struct spec *spec);
 
 #endif

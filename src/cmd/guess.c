@@ -82,71 +82,59 @@ table3_error(const struct basis *b, size_t nearest, double speed, char **worst)
 	return e;
 }
 
-/* "p20_mm": middle and "p20_range_mm": [least, most]. */
 static void
-put_range(json_t *o, const char *name, const struct guess_range *range)
+put_materials(struct fields *o, const struct basis *b)
 {
-	char key[32];
-	snprintf(key, sizeof key, "%s_mm", name);
-	json_object_set_new(o, key, report_json_number(1000 * range->middle));
-	snprintf(key, sizeof key, "%s_range_mm", name);
-	answers_put_pair(o, key, 1000 * range->least, 1000 * range->most);
-}
-
-static void
-put_materials(json_t *o, const struct basis *b)
-{
-	json_t *list = json_array();
+	struct fields *list = fields_list(o, "materials");
 	for (size_t i = 0; i < b->n; i++) {
 		const struct stored *m = &b->list.item[b->pick[i]];
-		json_t *one = json_object();
-		report_put(one,
+		struct fields *one = fields_object(list, NULL);
+		fields_put(one,
 		    "name %s site %s rock %s top_size_mm %g origin %s "
 		    "provenance %s train_mps %s",
 		    m->name, m->site, m->rock, m->top_size_mm, m->origin,
 		    m->provenance, m->train_mps);
 		fit_put_params(one, &m->params);
-		json_array_append_new(list, one);
 	}
-	json_object_set_new(o, "materials", list);
 }
 
 static void
-put_error(json_t *o, const struct guess_error *e, const char *worst)
+put_error(struct fields *o, const struct guess_error *e, const char *worst)
 {
-	json_t *error = json_object();
-	report_put(error,
+	fields_put(fields_object(o, "leave_one_site_out"),
 	    "data %s sites %zu median_rmse_pct %g worst_rmse_pct %g worst %s "
 	    "feed_rmse_pct %g",
 	    "reconstructed from Table 3", e->n, 100 * e->median, 100 * e->worst,
 	    worst, 100 * e->feed);
-	json_object_set_new(o, "leave_one_site_out", error);
 }
 
 static void
-put_guess(struct report *r, const struct basis *b, const struct guess *guess)
+put_guess(struct answer *r, const struct basis *b, const struct guess *guess)
 {
-	static const char *const NAMES[] = {"p20", "p50", "p80", "break"};
-	json_t *o = report_json(r);
+	struct fields *o = answer_fields(r);
 	double top = b->wanted.top_size;
-	report_put(o, "calibrated %d rock %s top_size_mm %g speed %g", false,
+	fields_put(o, "calibrated %d rock %s top_size_mm %g speed %g", false,
 	    b->wanted.rock, top > 0 ? units_mm(top) : NAN, guess->speed);
-	report_put_columns(r, "sieve_mm passing_pct least_pct most_pct");
-	for (size_t i = 0; i < ANSWERS_SIZES; i++)
-		put_range(o, NAMES[i], &guess->size[i]);
+	answer_put_columns(r, "sieve_mm passing_pct least_pct most_pct");
+	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
+		const struct guess_range *range = &guess->size[i];
+		fields_number(o, ANSWERS_KEYS[i], 1000 * range->middle);
+		answers_put_pair(o, ANSWERS_RANGES[i], 1000 * range->least,
+		    1000 * range->most);
+	}
 	put_materials(o, b);
 }
 
-static struct report *
+static struct answer *
 guess_table(const struct site *site, const struct guess *guess)
 {
-	struct report *r = answers_report(site, "guess",
+	struct answer *r = answers_new(site, "guess",
 	    "guessed product at %.1f m/s, not calibrated", guess->speed);
-	report_columns(r,
+	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: guess %%, "
 	    "least_pct: least %%, most_pct: most %%");
 	for (size_t i = 0; i < guess->median.n; i++)
-		report_cells(r, "%g %.1f %.1f %.1f %.1f",
+		answer_cells(r, "%g %.1f %.1f %.1f %.1f",
 		    units_mm(guess->median.size[i]),
 		    units_pct(guess->feed.passing[i]),
 		    units_pct(guess->median.passing[i]),
@@ -171,17 +159,17 @@ range_words(const struct guess_range *range, const char *none)
 }
 
 static void
-note_sizes(struct report *r, const struct guess *guess)
+note_sizes(struct answer *r, const struct guess *guess)
 {
 	const struct psd *psd = &guess->median;
 	char *none = xasprintf("<%g", units_mm(psd->size[psd->n - 1]));
 	char *words[ANSWERS_SIZES];
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
 		words[i] = range_words(
-		    &guess->size[i], i == ANSWER_BREAK ? "none" : none);
-	report_note(
+		    &guess->size[i], i == ANSWERS_BREAK ? "none" : none);
+	answer_note(
 	    r, "P20 %s, P50 %s, P80 %s mm", words[0], words[1], words[2]);
-	report_note(r, "breaks from %s mm up", words[ANSWER_BREAK]);
+	answer_note(r, "breaks from %s mm up", words[ANSWERS_BREAK]);
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
 		free(words[i]);
 	free(none);
@@ -201,7 +189,7 @@ names(const struct basis *b, bool left)
 }
 
 static void
-note_materials(struct report *r, const struct basis *b)
+note_materials(struct answer *r, const struct basis *b)
 {
 	size_t same = 0;
 	bool measured = true;
@@ -213,29 +201,30 @@ note_materials(struct report *r, const struct basis *b)
 	}
 	char *picked = names(b, false), *left = names(b, true);
 	if (b->n > 1)
-		report_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "a guess from other quarries, not a calibration: the "
 		    "median of the products with each of the %zu nearest "
 		    "materials, and their spread",
 		    b->n);
 	else
-		report_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "a guess from another quarry, not a calibration: the "
 		    "product with the nearest material, which tells no spread");
 	if (b->wanted.rock[0] == '\0')
-		report_note(
+		answer_note(
 		    r, "nearest by top size, no rock is stated: %s", picked);
 	else
-		report_note(r, "nearest by rock (%s, %zu of %zu)%s: %s",
+		answer_note(r, "nearest by rock (%s, %zu of %zu)%s: %s",
 		    b->wanted.rock, same, b->n,
 		    b->wanted.top_size > 0 ? " and top size"
 					   : ", no top size is stated",
 		    picked);
 	if (!measured)
-		report_note(
-		    r, "some of them were not calibrated on measured data");
+		answer_say(r, ANSWER_WARNING,
+		    "some of them were not calibrated on measured data");
 	if (left[0] != '\0')
-		report_note(r, "left out, being this site's own: %s", left);
+		answer_say(r, ANSWER_REMARK,
+		    "left out, being this site's own: %s", left);
 	free(picked);
 	free(left);
 }
@@ -243,7 +232,7 @@ note_materials(struct report *r, const struct basis *b)
 /* A speed that one of the materials, or more, was not trained at; nothing is
  * said of those that do not tell theirs. */
 static void
-note_reach(struct report *r, const struct basis *b, double speed)
+note_reach(struct answer *r, const struct basis *b, double speed)
 {
 	double slowest = 0, fastest = INFINITY;
 	for (size_t i = 0; i < b->n; i++) {
@@ -260,26 +249,26 @@ note_reach(struct report *r, const struct basis *b, double speed)
 		origin_drop(o);
 	}
 	bool beyond = speed < slowest - 1e-9 || speed > fastest + 1e-9;
-	report_put(report_json(r), "extrapolated %d", beyond);
+	fields_put(answer_fields(r), "extrapolated %d", beyond);
 	if (beyond)
-		report_note(r,
+		answer_say(r, ANSWER_WARNING,
 		    "extrapolated: %.1f m/s lies outside the speeds that all "
 		    "of them were trained at, %g to %g m/s",
 		    speed, slowest, fastest);
 }
 
 static void
-report_guess(struct session *s, const struct basis *b,
-    const struct guess *guess, size_t nearest)
+give_guess(struct session *s, const struct basis *b, const struct guess *guess,
+    size_t nearest)
 {
 	const struct site *site = session_entry(s)->site;
-	struct report *r = guess_table(site, guess);
+	struct answer *r = guess_table(site, guess);
 	char *worst;
 	struct guess_error e = table3_error(b, nearest, guess->speed, &worst);
 	note_sizes(r, guess);
 	note_materials(r, b);
 	note_reach(r, b, guess->speed);
-	report_note(r,
+	answer_say(r, ANSWER_REMARK,
 	    "how far such guesses err: each of %zu materials of Table 3, "
 	    "guessed from the other sites, misses its own model's product by "
 	    "%.1f points RMS (median), %.1f at worst (%s); product = feed "
@@ -287,9 +276,9 @@ report_guess(struct session *s, const struct basis *b,
 	    "sampling error: a plant will be farther off",
 	    e.n, 100 * e.median, 100 * e.worst, worst, 100 * e.feed);
 	put_guess(r, b, guess);
-	put_error(report_json(r), &e, worst);
+	put_error(answer_fields(r), &e, worst);
 	free(worst);
-	session_report(s, r);
+	session_answer(s, r);
 }
 
 bool
@@ -306,7 +295,7 @@ cmd_guess(struct session *s, const struct args *args, struct error *error)
 		basis_find(&b, nearest);
 		struct guess guess =
 		    guess_product(site, feed, b.m, b.pick, b.n, speed);
-		report_guess(s, &b, &guess, nearest);
+		give_guess(s, &b, &guess, nearest);
 		guess_free(&guess);
 	}
 	basis_free(&b);

@@ -18,32 +18,41 @@ spread(const struct history *h, const struct calibrate_generation *g, size_t j)
 }
 
 static void
-add_heads(struct report *r, bool exact)
+add_heads(struct answer *r, const struct breakage *of, bool exact)
 {
-	report_columns(r, "generation: gen, best, median");
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		const char *name = PARAMS[j].name;
+	answer_columns(r, "generation: gen, best, median");
+	for (size_t j = 0; j < of->n; j++) {
+		const char *name = of->parameter[j].name;
 		if (exact)
-			report_columns(
+			answer_columns(
 			    r, "%s, %s_p10, %s_p90", name, name, name);
 		else
-			report_columns(r, "%s_p90: %s", name, name);
+			answer_columns(r, "%s_p90: %s", name, name);
 	}
 }
 
 static void
-add_row(struct report *r, const struct history *h, size_t i, bool exact)
+add_row(struct answer *r, const struct history *h, size_t i, bool exact)
 {
 	const struct calibrate_generation *g = &h->generation[i];
-	report_cells(r, "%g %.6f %.6f", (double)(i + 1), g->best, g->median);
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	answer_cells(r, "%g %.6f %.6f", (double)(i + 1), g->best, g->median);
+	for (size_t j = 0; j < breakage_of(&g->params)->n; j++) {
 		if (exact) {
-			report_cells(r, "%g %g %g", g->params.at[j], g->p10[j],
+			answer_cells(r, "%g %g %g", g->params.at[j], g->p10[j],
 			    g->p90[j]);
 		} else {
-			report_cells(r, "%.1f", spread(h, g, j));
+			answer_cells(r, "%.1f", spread(h, g, j));
 		}
 	}
+}
+
+static void
+add_rows(struct answer *r, const struct history *h, size_t step, bool exact)
+{
+	add_heads(r, breakage_of(&h->generation[0].params), exact);
+	for (size_t i = 0; i < h->n; i++)
+		if (i % step == 0 || i + 1 == h->n)
+			add_row(r, h, i, exact);
 }
 
 void
@@ -71,23 +80,20 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	const struct value *every = args_value(args, "every");
 	size_t step =
 	    every->given ? (size_t)every->whole : (h->n + ROWS - 1) / ROWS;
-	bool exact =
-	    s->set.format == REPORT_CSV || s->set.format == REPORT_JSON;
-	struct report *r =
-	    answers_report(entry->site, "history", "%zu generations", h->n);
-	add_heads(r, exact);
-	for (size_t i = 0; i < h->n; i++)
-		if (i % step == 0 || i + 1 == h->n)
-			add_row(r, h, i, exact);
-	report_note(r,
+	struct answer *r =
+	    answers_new(entry->site, "history", "%zu generations", h->n);
+	add_rows(r, h, step, false);
+	answer_for_programs(r);
+	add_rows(r, h, step, true);
+	answer_say(r, ANSWER_REMARK,
 	    "best and median misfit of the search; then the spread of each "
 	    "parameter, %% of its bounds");
 	answers_note_worth(r, entry);
 	if (entry->fit.edits > 0)
-		report_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "the bounds were edited after generation %zu%s: earlier "
 		    "spreads are told in %% of those set since",
 		    entry->fit.edited_at,
 		    entry->fit.edits > 1 ? " and before" : "");
-	return session_report(s, r);
+	return session_answer(s, r);
 }

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <assert.h>
 #include <gsl/gsl_version.h>
+#include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,9 +31,8 @@ print_start(FILE *out)
 static FILE *
 help_stream(const struct session *s)
 {
-	bool words =
-	    s->set.format == REPORT_TABLE || s->set.format == REPORT_MARKDOWN;
-	return words || s->notes == NULL ? s->out : s->notes;
+	bool exact = ANSWER_FORMATS[s->set.format].exact;
+	return !exact || s->notes == NULL ? s->out : s->notes;
 }
 
 static bool
@@ -155,15 +155,15 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	struct report *r = report_new("version");
-	report_columns(r, "part, version");
-	report_pair(r, "tipspeed", "%s", PACKAGE_VERSION);
-	report_pair(r, "gsl", "%s", GSL_VERSION);
-	report_pair(r, "jansson", "%s", JANSSON_VERSION);
-	report_pair(r, "pictures", "%s", picture_forms());
-	report_pair(r, "instructions", "%s", isa_name(isa_usable(s->isa)));
-	report_put(report_json(r), "version %s", PACKAGE_VERSION);
-	return session_report(s, r);
+	struct answer *r = answer_new("version");
+	answer_columns(r, "part, version");
+	answer_pair(r, "tipspeed", "%s", PACKAGE_VERSION);
+	answer_pair(r, "gsl", "%s", GSL_VERSION);
+	answer_pair(r, "jansson", "%s", JANSSON_VERSION);
+	answer_pair(r, "pictures", "%s", picture_forms());
+	answer_pair(r, "instructions", "%s", isa_name(isa_usable(s->isa)));
+	fields_put(answer_fields(r), "version %s", PACKAGE_VERSION);
+	return session_answer(s, r);
 }
 
 bool

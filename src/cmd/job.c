@@ -33,7 +33,7 @@ job_free(struct job *job)
 	free(job->run_weight);
 	calibration_free(job->calibration);
 	free(job->train);
-	report_free(job->summary);
+	answer_free(job->summary);
 	*job = (struct job){0};
 }
 
@@ -50,12 +50,12 @@ next_site(const struct session *s, size_t from)
 	return s->n_entry;
 }
 
-static struct report *
+static struct answer *
 new_summary(void)
 {
-	struct report *r = report_new("calibrate");
-	report_title(r, "all sites, calibrated");
-	report_columns(r, "site, f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
+	struct answer *r = answer_new("calibrate");
+	answer_title(r, "all sites, calibrated");
+	answer_columns(r, "site, f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
 			  "holdout_pct: hold-out, remark");
 	return r;
 }
@@ -79,9 +79,11 @@ static char *
 remarks(const struct session *s, const struct entry *entry)
 {
 	char *text = xstrdup("");
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	const struct breakage *of = breakage_of(&entry->fit.params);
+	for (size_t j = 0; j < of->n; j++)
 		if (entry->fit.on_bound[j])
-			xlist(&text, "; ", "%s on bound", PARAMS[j].name);
+			xlist(
+			    &text, "; ", "%s on bound", of->parameter[j].name);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *other = &s->entry[i];
 		if (other != entry &&
@@ -97,11 +99,12 @@ remarks(const struct session *s, const struct entry *entry)
 static void
 summarise(struct session *s, const struct entry *entry)
 {
-	struct report *r = s->job.summary;
+	struct answer *r = s->job.summary;
 	char *words = remarks(s, entry);
-	report_cells(r, "%s %.3f %.2f %.3f %g %.2f %.2f %s", entry->key,
-	    entry->fit.params.f_mat, entry->fit.params.e0_min,
-	    entry->fit.params.alpha, entry->fit.misfit, 100 * entry->fit.rmse,
+	const struct params *p = &entry->fit.params;
+	answer_cells(r, "%s %.3f %.2f %.3f %g %.2f %.2f %s", entry->key,
+	    params_value(p, "f_mat"), params_value(p, "e0_min"),
+	    params_value(p, "alpha"), entry->fit.misfit, 100 * entry->fit.rmse,
 	    100 * fit_holdout_rmse(entry), words);
 	free(words);
 }
@@ -126,11 +129,11 @@ session_busy(const struct session *s)
 static void
 end_all(struct session *s)
 {
-	struct report *summary = s->job.summary;
+	struct answer *summary = s->job.summary;
 	s->job.summary = NULL;
 	job_free(&s->job);
 	if (summary != NULL)
-		session_report(s, summary);
+		session_answer(s, summary);
 }
 
 /* The calibration is done: on to the next site of `all`, or to the end. */
@@ -216,7 +219,8 @@ static void
 take_bounds(struct session *s)
 {
 	struct job *job = &s->job;
-	if (memcmp(&s->set.bounds, &job->options.bounds,
+	if (s->set.model.breakage != job->options.settings.breakage ||
+	    memcmp(&s->set.bounds, &job->options.bounds,
 		sizeof s->set.bounds) == 0)
 		return;
 	job->options.bounds = s->set.bounds;

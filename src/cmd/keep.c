@@ -182,18 +182,18 @@ keep_list(struct session *s)
 {
 	size_t n;
 	struct kept_file *file = kept_files(&n);
-	struct report *r = report_new("restore");
-	report_title(r, "sessions that were not saved");
-	report_columns(r, "time, what, file");
+	struct answer *r = answer_new("restore");
+	answer_title(r, "sessions that were not saved");
+	answer_columns(r, "time, what, file");
 	for (size_t i = 0; i < n; i++) {
 		char when[32];
 		strftime(when, sizeof when, "%Y-%m-%d %H:%M",
 		    localtime(&file[i].when));
-		report_cells(r, "%s %s %s", when, file[i].about, file[i].path);
+		answer_cells(r, "%s %s %s", when, file[i].about, file[i].path);
 	}
-	report_note(r, n > 0 ? "'restore last' takes the first, 'restore FILE' "
+	answer_note(r, n > 0 ? "'restore last' takes the first, 'restore FILE' "
 			       "any of them"
 			     : "there is none");
 	kept_files_free(file, n);
-	return session_report(s, r);
+	return session_answer(s, r);
 }

@@ -80,10 +80,10 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 	char *text = xstrdup("");
 	for (size_t i = 0; i < args->n_operand; i++)
 		xappend(&text, i > 0 ? " %s" : "%s", args->operand[i]);
-	if (s->set.format == REPORT_JSON) {
-		struct report *r = report_new("echo");
-		report_put(report_json(r), "text %s", text);
-		session_report(s, r);
+	if (s->set.format == ANSWER_JSON) {
+		struct answer *r = answer_new("echo");
+		fields_put(answer_fields(r), "text %s", text);
+		session_answer(s, r);
 	} else {
 		text_put(text, s->out);
 		fputc('\n', s->out);

@@ -8,6 +8,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/command.h"
+#include "core/breakage.h"
 #include "cmd/usage.h"
 
 /* Text of a paragraph: a new sentence on a new line, as mdoc wants it, lines
@@ -123,5 +124,29 @@ manual_status(FILE *out)
 	for (const struct usage_word *w = USAGE_STATUS; w->name != NULL; w++) {
 		fprintf(out, ".It %s\n", w->name);
 		print_text(w->meaning, out);
+	}
+}
+
+void
+manual_models(FILE *out)
+{
+	for (size_t m = 0; m < breakage_count(); m++) {
+		const struct breakage *of = BREAKAGES[m];
+		fprintf(out, ".It Cm %s\n", of->name);
+		print_text(of->brief, out);
+		if (m > 0 && of->bypass)
+			continue;
+		fputs(".Bl -tag -width q_slope -compact\n", out);
+		for (size_t j = 0; j < of->n; j++) {
+			const struct param_info *p = &of->parameter[j];
+			fprintf(out, ".It Li %s\n%s; ", p->name, p->meaning);
+			if (j == of->reference)
+				fputs("fixed", out);
+			else
+				fprintf(out, "%g to %g", p->lower, p->upper);
+			fprintf(out, "%s%s\n", p->unit[0] != '-' ? " " : "",
+			    p->unit[0] != '-' ? p->unit : "");
+		}
+		fputs(".El\n", out);
 	}
 }

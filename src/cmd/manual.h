@@ -13,6 +13,9 @@ void manual_commands(FILE *out);
 void manual_environment(FILE *out);
 void manual_status(FILE *out);
 
+/* The breakage models, each with its parameters. */
+void manual_models(FILE *out);
+
 /* A file for bash-completion: the options of the command line with what they
  * take, the commands behind -c, and files. */
 void manual_bash(FILE *out);

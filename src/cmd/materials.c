@@ -39,16 +39,18 @@ is_wanted(const struct stored *m, const struct args *args)
 }
 
 static void
-add_row(struct report *r, const struct stored *m)
+add_row(struct answer *r, const struct stored *m)
 {
-	report_cells(r, "%s %s %g %.2f %.2f %.2f %s %s", m->name, m->rock,
-	    m->top_size_mm, m->params.f_mat, m->params.e0_min, m->params.alpha,
-	    store_origin_words(m), site_data_kind(m->provenance));
+	answer_cells(r, "%s %s %g %.2f %.2f %.2f %s %s", m->name, m->rock,
+	    m->top_size_mm, params_value(&m->params, "f_mat"),
+	    params_value(&m->params, "e0_min"),
+	    params_value(&m->params, "alpha"), store_origin_words(m),
+	    site_data_kind(m->provenance));
 }
 
 /* "Diabase, Granite, ...", each once, where none was of the rock asked for. */
 static void
-note_rocks(struct report *r, const struct stored_list *list)
+note_rocks(struct answer *r, const struct stored_list *list)
 {
 	char *rocks = xstrdup("");
 	for (size_t i = 0; i < list->n; i++) {
@@ -59,7 +61,7 @@ note_rocks(struct report *r, const struct stored_list *list)
 		if (!before)
 			xlist(&rocks, ", ", "%s", list->item[i].rock);
 	}
-	report_note(r, "rocks: %s", rocks);
+	answer_note(r, "rocks: %s", rocks);
 	free(rocks);
 }
 
@@ -67,9 +69,9 @@ static void
 show_list(
     struct session *s, const struct args *args, const struct stored_list *list)
 {
-	struct report *r = report_new("materials");
+	struct answer *r = answer_new("materials");
 	size_t n = 0, own = 0;
-	report_columns(r,
+	answer_columns(r,
 	    "name, rock, top_size_mm: top mm, f_mat, e0_min: E0_min, alpha, "
 	    "origin, data");
 	for (size_t i = 0; i < list->n; i++) {
@@ -79,27 +81,29 @@ show_list(
 		add_row(r, &list->item[i]);
 		n++;
 	}
-	report_note(r, "%zu of %zu materials, %zu of them your own, in %s", n,
+	answer_note(r, "%zu of %zu materials, %zu of them your own, in %s", n,
 	    list->n, own, store_path(s->store));
-	report_note(r, "Table 3 is that of the paper, and read only");
+	answer_note(r, "Table 3 is that of the paper, and read only");
 	if (n == 0 && args_value(args, "rock")->given)
 		note_rocks(r, list);
-	session_report(s, r);
+	session_answer(s, r);
+}
+
+static void
+add_field(void *data, const char *name, const char *text)
+{
+	answer_cells(data, "%s %s", name, text);
 }
 
 static void
 show_one(struct session *s, const struct stored *m)
 {
-	struct report *r = report_new("materials");
-	report_title(r, "%s: %s", m->name, store_origin_words(m));
-	report_site(r, m->site, m->provenance);
-	report_columns(r, "field, value");
-	for (size_t i = 0; i < FIELD_COUNT; i++) {
-		char *text = stored_written(m, &FIELDS[i]);
-		report_cells(r, "%s %s", FIELDS[i].name, text);
-		free(text);
-	}
-	session_report(s, r);
+	struct answer *r = answer_new("materials");
+	answer_title(r, "%s: %s", m->name, store_origin_words(m));
+	answer_site(r, m->site, m->provenance);
+	answer_columns(r, "field, value");
+	stored_each(m, add_field, r);
+	session_answer(s, r);
 }
 
 bool
@@ -114,23 +118,23 @@ show_store(struct session *s, const struct args *args, struct error *error)
 	stored_table3(&all);
 	const char *path = store_path(s->store);
 	int64_t bytes = store_bytes(s->store);
-	struct report *r = report_new("show");
-	report_title(r, "the store of materials");
-	report_columns(r, "what, value");
-	report_pair(r, "place", "%s", path);
+	struct answer *r = answer_new("show");
+	answer_title(r, "the store of materials");
+	answer_columns(r, "what, value");
+	answer_pair(r, "place", "%s", path);
 	if (strcmp(path, ":memory:") == 0)
-		report_pair(r, "file", "none: it ends with the session");
+		answer_pair(r, "file", "none: it ends with the session");
 	else if (bytes < 0)
-		report_pair(r, "file", "none yet: the first remember makes it");
+		answer_pair(r, "file", "none yet: the first remember makes it");
 	else
-		report_pair(r, "file", "%" PRId64 " bytes", bytes);
-	report_pair(r, "schema", "%d", STORE_SCHEMA);
-	report_pair(r, "own materials", "%zu", own.n);
-	report_pair(r, "of Table 3", "%zu, read only", all.n);
-	report_note(r, "'materials' lists them");
+		answer_pair(r, "file", "%" PRId64 " bytes", bytes);
+	answer_pair(r, "schema", "%d", STORE_SCHEMA);
+	answer_pair(r, "own materials", "%zu", own.n);
+	answer_pair(r, "of Table 3", "%zu, read only", all.n);
+	answer_note(r, "'materials' lists them");
 	stored_list_free(&own);
 	stored_list_free(&all);
-	return session_report(s, r);
+	return session_answer(s, r);
 }
 
 bool

@@ -22,24 +22,30 @@ show_params(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	const struct entry *entry = session_entry(s);
 	const struct uncertainty *u = doubt_of(entry);
-	struct report *r = answers_report(
-	    entry->site, "params", "parameters %s", session_origin(entry));
-	report_columns(r, "parameter, value");
+	const struct breakage *of = entry->has_params
+					? breakage_of(&entry->params)
+					: BREAKAGES[s->set.model.breakage];
+	struct answer *r =
+	    answers_new(entry->site, "params", "parameters %s%s%s",
+		session_origin(entry), of != BREAKAGES[0] ? "; model " : "",
+		of != BREAKAGES[0] ? of->name : "");
+	answer_columns(r, "parameter, value");
 	if (u != NULL)
-		report_columns(r, "low, high");
-	report_columns(r, "unit, meaning");
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		report_cells(r, u != NULL ? "%s %.4f" : "%s %g", PARAMS[j].name,
+		answer_columns(r, "low, high");
+	answer_columns(r, "unit, meaning");
+	for (size_t j = 0; j < of->n; j++) {
+		const struct param_info *info = &of->parameter[j];
+		answer_cells(r, u != NULL ? "%s %.4f" : "%s %g", info->name,
 		    entry->has_params ? entry->params.at[j] : NAN);
 		if (u != NULL)
-			report_cells(r, "%.4f %.4f", u->low[j], u->high[j]);
-		report_cells(r, "%s %s", PARAMS[j].unit, PARAMS[j].meaning);
+			answer_cells(r, "%.4f %.4f", u->low[j], u->high[j]);
+		answer_cells(r, "%s %s", info->unit, info->meaning);
 	}
 	if (u != NULL)
 		doubt_note(r, entry);
 	if (entry->origin != NULL && entry->origin->whose[0] != '\0')
 		origin_note(r, entry);
-	return session_report(s, r);
+	return session_answer(s, r);
 }
 
 void
@@ -54,23 +60,45 @@ model_take_params(struct session *s, struct entry *entry,
 	entry->origin = origin;
 }
 
-/* Parameters not named keep their value; where there is none yet, beta has a
- * default and the others must be named. */
+/* False for a parameter that another model has. */
+static bool
+check_named(
+    const struct args *args, const struct breakage *of, struct error *error)
+{
+	for (size_t i = 0; args->command->option[i].name != NULL; i++) {
+		const char *name = args->command->option[i].name;
+		if (args->value[i].given &&
+		    breakage_parameter(of, name) == of->n)
+			return error_set(error, ERROR_USAGE,
+			    "the model %s has no parameter %s\n"
+			    "'bounds' lists its parameters; 'set model' "
+			    "chooses another model",
+			    of->name, name);
+	}
+	return true;
+}
+
+/* Parameters not named keep their value; where there is none yet, they have
+ * their start or must be named. */
 static bool
 set_params(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
-	struct params p =
-	    entry->has_params ? entry->params : params_default_beta();
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		const struct value *v = args_value(args, PARAMS[j].name);
+	size_t model = s->set.model.breakage;
+	const struct breakage *of = BREAKAGES[model];
+	bool has = entry->has_params && entry->params.breakage == model;
+	struct params p = has ? entry->params : params_start(model);
+	if (!check_named(args, of, error))
+		return false;
+	for (size_t j = 0; j < of->n; j++) {
+		const struct value *v = args_value(args, of->parameter[j].name);
 		if (v->given)
 			p.at[j] = v->number;
-		else if (!entry->has_params && j >= PARAM_F_MAT)
+		else if (isnan(p.at[j]))
 			return error_set(error, ERROR_USAGE,
 			    "params set wants %s too: %s has no parameters "
 			    "yet",
-			    PARAMS[j].name, entry->site->name);
+			    of->parameter[j].name, entry->site->name);
 	}
 	model_take_params(s, session_entry(s), &p, origin_by_hand());
 	return true;
@@ -114,8 +142,7 @@ use_params(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* The parameters of the site in use and of another; beta, of which only the
- * direction counts, is scaled to 1 in both. */
+/* The parameters of the site in use and of another, both scaled. */
 static bool
 diff_params(struct session *s, const struct args *args, struct error *error)
 {
@@ -124,24 +151,32 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 	if (other == NULL || !answers_ready(s, error))
 		return false;
 	struct params a = mine->params, b = other->params;
-	params_scale_beta(&a);
-	params_scale_beta(&b);
-	struct report *r = answers_report(
+	const struct breakage *of = breakage_of(&a);
+	if (a.breakage != b.breakage)
+		return error_set(error, ERROR_USAGE,
+		    "%s has parameters of the model %s, %s of %s\n"
+		    "'compare' shows what the difference does",
+		    mine->key, of->name, other->key, breakage_of(&b)->name);
+	params_scale(&a);
+	params_scale(&b);
+	struct answer *r = answers_new(
 	    mine->site, "params", "parameters beside those of %s", other->key);
-	report_columns(r, "parameter, value: %s, other: %s, difference, unit",
+	answer_columns(r, "parameter, value: %s, other: %s, difference, unit",
 	    mine->key, other->key);
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	for (size_t j = 0; j < of->n; j++) {
 		double x = a.at[j], y = b.at[j];
-		report_cells(r, "%s %.4f %.4f %.4f %s", PARAMS[j].name, x, y,
-		    y - x, PARAMS[j].unit);
+		answer_cells(r, "%s %.4f %.4f %.4f %s", of->parameter[j].name,
+		    x, y, y - x, of->parameter[j].unit);
 	}
-	report_put_rows(r, "rows");
-	report_put(report_json(r), "other_site %s", other->site->name);
-	report_note(r, "%s: %s; %s: %s; beta scaled to largest 1", mine->key,
-	    session_origin(mine), other->key, session_origin(other));
-	report_note(r, "e0_min, alpha and f_mat trade off against each other: "
+	answer_put_rows(r, "rows");
+	fields_put(answer_fields(r), "other_site %s", other->site->name);
+	answer_note(r, "%s: %s; %s: %s%s%s%s", mine->key, session_origin(mine),
+	    other->key, session_origin(other), of->gauge > 0 ? "; " : "",
+	    of->gauge > 0 ? of->gauge_name : "",
+	    of->gauge > 0 ? " scaled to largest 1" : "");
+	answer_note(r, "e0_min, alpha and f_mat trade off against each other: "
 		       "'compare' tells what the difference does");
-	return session_report(s, r);
+	return session_answer(s, r);
 }
 
 /* Only set takes values, only diff and use take a site. */
@@ -167,13 +202,14 @@ cmd_params(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "params %s: '%s' is one word too many", verb,
 		    args->operand[1]);
-	for (size_t j = 0; j < PARAM_COUNT && !VERBS[i].values; j++) {
+	const struct command_option *option = args->command->option;
+	for (size_t j = 0; option[j].name != NULL && !VERBS[i].values; j++) {
 		if (!args->value[j].given)
 			continue;
 		return error_set(error, ERROR_USAGE,
 		    "params %s takes no values; to change %s it wants set\n"
 		    "params set %s=..",
-		    verb, PARAMS[j].name, PARAMS[j].name);
+		    verb, option[j].name, option[j].name);
 	}
 	return VERBS[i].run(s, args, error);
 }
@@ -183,14 +219,15 @@ show_bounds(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	struct report *r = report_new("bounds");
-	report_title(r, "search bounds");
-	report_columns(r, "parameter, lower: from, upper: to, unit");
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		report_cells(r, "%s %g %g %s", PARAMS[j].name,
+	struct answer *r = answer_new("bounds");
+	answer_title(r, "search bounds");
+	answer_columns(r, "parameter, lower: from, upper: to, unit");
+	const struct breakage *of = BREAKAGES[s->set.model.breakage];
+	for (size_t j = 0; j < of->n; j++)
+		answer_cells(r, "%s %g %g %s", of->parameter[j].name,
 		    s->set.bounds.lower[j], s->set.bounds.upper[j],
-		    PARAMS[j].unit);
-	return session_report(s, r);
+		    of->parameter[j].unit);
+	return session_answer(s, r);
 }
 
 /* "a..b", or one number, which holds the parameter fixed. */
@@ -216,31 +253,37 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 	if (args->n_operand == 0)
 		return show_bounds(s, args, error);
 	if (strcmp(args->operand[0], "default") == 0) {
-		s->set.bounds = bounds_default();
+		s->set.bounds = bounds_default(s->set.model.breakage);
 		return true;
 	}
-	size_t j = params_find(args->operand[0]);
-	if (j == PARAM_COUNT)
-		return error_set(error, ERROR_USAGE,
-		    "there is no parameter '%s'\n"
-		    "beta1 beta2 beta3 beta4 f_mat e0_min alpha, or default",
-		    args->operand[0]);
+	const struct breakage *of = BREAKAGES[s->set.model.breakage];
+	size_t j = breakage_parameter(of, args->operand[0]);
+	if (j == of->n) {
+		char *names = xstrdup(of->parameter[0].name);
+		for (size_t i = 1; i < of->n; i++)
+			xappend(&names, " %s", of->parameter[i].name);
+		error_set(error, ERROR_USAGE,
+		    "there is no parameter '%s'\n%s, or default",
+		    args->operand[0], names);
+		free(names);
+		return false;
+	}
+	const struct param_info *info = &of->parameter[j];
 	if (args->n_operand < 2)
 		return error_set(error, ERROR_USAGE,
 		    "bounds %s wants a range a..b, or one value to hold it "
 		    "fixed",
-		    PARAMS[j].name);
+		    info->name);
 	double lower, upper;
 	if (!read_range(args->operand[1], &lower, &upper))
 		return error_set(error, ERROR_USAGE,
 		    "bounds wants a range from low to high (0..1) or one "
 		    "number, not '%s'",
 		    args->operand[1]);
-	if (lower < PARAMS[j].least || upper > PARAMS[j].most)
+	if (lower < info->least || upper > info->most)
 		return error_set(error, ERROR_USAGE,
-		    "expected bounds of %s from %g to %g, got %s",
-		    PARAMS[j].name, PARAMS[j].least, PARAMS[j].most,
-		    args->operand[1]);
+		    "expected bounds of %s from %g to %g, got %s", info->name,
+		    info->least, info->most, args->operand[1]);
 	s->set.bounds.lower[j] = lower;
 	s->set.bounds.upper[j] = upper;
 	return true;

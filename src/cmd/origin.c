@@ -200,25 +200,22 @@ origin_sentence(const struct entry *entry)
 }
 
 void
-origin_note(struct report *r, const struct entry *entry)
+origin_note(struct answer *r, const struct entry *entry)
 {
 	char *sentence = origin_sentence(entry);
 	if (sentence[0] != '\0')
-		report_note(r, "%s", sentence);
+		answer_say(r, ANSWER_REMARK, "%s", sentence);
 	free(sentence);
 }
 
 void
-origin_put(json_t *o, const struct entry *entry)
+origin_put(struct fields *o, const struct entry *entry)
 {
 	const struct origin *from = entry->origin;
 	if (from == NULL)
 		return;
-	json_t *object = json_object(), *speeds = json_array();
-	for (size_t i = 0; i < from->n_speed; i++)
-		json_array_append_new(speeds, json_real(from->speed[i]));
-	report_put(
+	struct fields *object = fields_object(o, "params_from");
+	fields_put(
 	    object, "origin %s provenance %s", from->words, from->provenance);
-	json_object_set_new(object, "trained_mps", speeds);
-	json_object_set_new(o, "params_from", object);
+	fields_numbers(object, "trained_mps", from->speed, from->n_speed, NULL);
 }

@@ -54,9 +54,9 @@ char *origin_details(const struct origin *origin);
 /* "warning: parameters from tierp (..), not calibrated on this site"; "" where
  * they were found here.  The caller frees.  origin_note: as a note. */
 char *origin_sentence(const struct entry *entry);
-void origin_note(struct report *r, const struct entry *entry);
+void origin_note(struct answer *r, const struct entry *entry);
 
 /* Puts "params_from": {"origin", "trained_mps", "provenance"}. */
-void origin_put(json_t *o, const struct entry *entry);
+void origin_put(struct fields *o, const struct entry *entry);
 
 #endif

@@ -59,19 +59,6 @@ pictures_chart(struct session *s, const struct args *args,
 		   : NULL;
 }
 
-struct report *
-pictures_report(
-    const struct session *s, const char *command, const struct chart *chart)
-{
-	struct report *r = report_new(command);
-	const char *name = "";
-	if (s->n_entry > 0)
-		name = s->entry[s->current].site->name;
-	report_title(r, "%s", chart->title);
-	report_site(r, name, chart->about);
-	return r;
-}
-
 /* "passing_pct" of "passing, %".  The caller frees. */
 static char *
 key_of(const struct axis *axis)
@@ -90,21 +77,24 @@ key_of(const struct axis *axis)
 }
 
 /* The numbers of a chart: one row a point. */
-static struct report *
-chart_report(const struct session *s, const struct chart *chart)
+static struct answer *
+chart_answer(const struct session *s, const struct chart *chart)
 {
-	struct report *r = pictures_report(s, "plot", chart);
+	struct answer *r = answer_new("plot");
+	answer_title(r, "%s", chart->title);
+	answer_site(r, s->n_entry > 0 ? s->entry[s->current].site->name : "",
+	    chart->about);
 	char *x = key_of(&chart->x), *y = key_of(&chart->y);
-	report_columns(r, "series");
-	report_column(r, x, chart->x.title);
-	report_column(r, y, chart->y.title);
-	report_columns(r, "low, high");
+	answer_columns(r, "series");
+	answer_column(r, x, chart->x.title);
+	answer_column(r, y, chart->y.title);
+	answer_columns(r, "low, high");
 	for (size_t i = 0; i < chart->n; i++)
 		for (size_t j = 0; j < chart->series[i].n; j++) {
 			const struct chart_series *p = &chart->series[i];
 			if (isnan(p->y[j]))
 				continue;
-			report_cells(r, "%s %g %g %g %g", p->name, p->x[j],
+			answer_cells(r, "%s %g %g %g %g", p->name, p->x[j],
 			    p->y[j], p->low != NULL ? p->low[j] : NAN,
 			    p->low != NULL ? p->high[j] : NAN);
 		}
@@ -188,19 +178,19 @@ screen_request(const struct session *s, const struct args *args, bool picture)
 }
 
 /* The rows of a screen, for who reads them by a program. */
-static struct report *
-screen_report(const struct canvas *canvas)
+static struct answer *
+screen_answer(const struct canvas *canvas)
 {
 	char *text = NULL;
 	size_t n = 0;
-	struct report *r = report_new("screen");
+	struct answer *r = answer_new("screen");
 	FILE *memory = text_memory(&text, &n);
 	canvas_print(canvas, 0, memory);
 	fclose(memory);
-	report_columns(r, "text");
+	answer_columns(r, "text");
 	for (char *line = text; *line != '\0'; line += strlen(line) + 1) {
 		line[strcspn(line, "\n")] = '\0';
-		report_cells(r, "%s", line);
+		answer_cells(r, "%s", line);
 	}
 	free(text);
 	return r;
@@ -214,10 +204,11 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
 	char *label = entry != NULL ? session_label(entry->site)
 				    : xstrdup("no site loaded");
+	double speed = session_known(s, "predict", "speed");
 	char *title =
-	    s->last.product.n > 0
-		? xasprintf("tipspeed, the full screen: %s at %.1f m/s", label,
-		      s->last.speed)
+	    isfinite(speed)
+		? xasprintf(
+		      "tipspeed, the full screen: %s at %.1f m/s", label, speed)
 		: xasprintf("tipspeed, the full screen: %s", label);
 	char *from = entry != NULL ? site_source(entry->site, "") : xstrdup("");
 	char *about = xasprintf("A text screen of %d columns and %d rows.%s%s",
@@ -246,10 +237,10 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 	bool ok = true;
 	if (picture)
 		ok = write_screen(s, canvas, r.colours, form, error);
-	else if (s->set.format == REPORT_TABLE)
+	else if (s->set.format == ANSWER_TABLE)
 		canvas_print(canvas, r.colours, s->out);
 	else
-		session_report(s, screen_report(canvas));
+		session_answer(s, screen_answer(canvas));
 	canvas_free(canvas);
 	return ok;
 }
@@ -259,7 +250,7 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 {
 	enum { AUTO };
 	struct plot_request request;
-	bool grid = s->file == NULL && s->set.format == REPORT_TABLE;
+	bool grid = s->file == NULL && s->set.format == ANSWER_TABLE;
 	if (grid && s->linear && s->screen.columns > 0)
 		return cmd_describe(s, args, error);
 	struct chart *chart = pictures_chart(s, args, &request, error);
@@ -272,10 +263,10 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 	bool ok = true;
 	if (pictures_wanted(s))
 		ok = pictures_draw(s, chart, error);
-	else if (s->set.format == REPORT_TABLE)
+	else if (s->set.format == ANSWER_TABLE)
 		print_chart(s, args, chart, charset);
 	else
-		session_report(s, chart_report(s, chart));
+		session_answer(s, chart_answer(s, chart));
 	chart_free(chart);
 	return ok;
 }

@@ -31,8 +31,4 @@ bool pictures_wanted(const struct session *s);
 bool pictures_draw(
     struct session *s, const struct chart *chart, struct error *error);
 
-/* A report headed as the chart is. */
-struct report *pictures_report(
-    const struct session *s, const char *command, const struct chart *chart);
-
 #endif

@@ -40,7 +40,7 @@ plots_past(const struct session *s)
 	if (is_running(s)) {
 		past.generation =
 		    calibration_history(s->job.calibration, &past.n);
-		past.bounds = &s->job.options.bounds;
+		past.bounds = calibration_bounds(s->job.calibration);
 	} else if (h != NULL) {
 		past = (struct plots_past){h->n, h->generation, &h->bounds};
 	}

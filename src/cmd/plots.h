@@ -35,6 +35,8 @@ struct plot_request {
 			      * of the same */
 	const struct prediction *kept; /* psd: the second, made before, of the
 					* site `beside`; NULL: it is made now */
+	const struct prediction *made; /* psd: the first, made before; NULL: it
+					* is made now */
 	double crosshair_mm; /* psd: a vertical line with values; NAN: none */
 	double level;        /* psd: passing whose sizes are told with the
 			      * line, % */

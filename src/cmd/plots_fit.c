@@ -53,14 +53,14 @@ plots_convergence(
 /* One row for each parameter, the first on top, half a row within the ends; not
  * quite half, lest rounding put two into one row of cells. */
 static struct axis
-parameter_axis(void)
+parameter_axis(const struct breakage *of)
 {
 	const double margin = 0.45;
 	struct axis axis = {.title = xstrdup("parameter"),
 	    .low = margin,
-	    .high = PARAM_COUNT + margin};
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		axis_add(&axis, (double)(PARAM_COUNT - j), PARAMS[j].name, 0);
+	    .high = (double)of->n + margin};
+	for (size_t j = 0; j < of->n; j++)
+		axis_add(&axis, (double)(of->n - j), of->parameter[j].name, 0);
 	return axis;
 }
 
@@ -81,30 +81,30 @@ plots_spread(
 	if (i == past.n)
 		return NULL;
 	const struct calibrate_generation *g = &past.generation[i];
+	const struct breakage *of = breakage_of(&g->params);
 	struct chart *chart = plots_site_chart(session_entry(s)->site,
-	    axis_linear("place within the bounds, %", 0, 100), parameter_axis(),
-	    "candidates of generation %zu", i + 1);
+	    axis_linear("place within the bounds, %", 0, 100),
+	    parameter_axis(of), "candidates of generation %zu", i + 1);
 	/* Two ends and a lift of the pen. */
 	struct chart_series *spread = chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_MEASURED_1, .line = CHART_SOLID, .ascii = '='},
-	    (size_t)3 * PARAM_COUNT, "middle 80 %%");
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	    3 * of->n, "middle 80 %%");
+	for (size_t j = 0; j < of->n; j++) {
 		double ends[3] = {share_of(past.bounds, j, g->p10[j]),
 		    share_of(past.bounds, j, g->p90[j]), NAN};
 		for (size_t k = 0; k < 3; k++) {
 			spread->x[3 * j + k] = k < 2 ? ends[k] : 0;
 			spread->y[3 * j + k] =
-			    isnan(ends[k]) ? NAN : (double)(PARAM_COUNT - j);
+			    isnan(ends[k]) ? NAN : (double)(of->n - j);
 		}
 	}
 	struct chart_series *best = chart_add(chart,
 	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'},
-	    PARAM_COUNT, "best");
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	    of->n, "best");
+	for (size_t j = 0; j < of->n; j++) {
 		best->x[j] = share_of(past.bounds, j, g->params.at[j]);
-		best->y[j] =
-		    isnan(best->x[j]) ? NAN : (double)(PARAM_COUNT - j);
+		best->y[j] = isnan(best->x[j]) ? NAN : (double)(of->n - j);
 	}
 	return chart;
 }

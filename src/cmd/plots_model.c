@@ -7,9 +7,8 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/plots.h"
-#include "core/appearance.h"
+#include "core/elementary.h"
 #include "core/energy.h"
-#include "core/selection.h"
 #include "io/units.h"
 
 enum { SAMPLES = 241 };
@@ -27,12 +26,13 @@ add_selection(struct chart *chart, const struct session *s,
 {
 	struct chart_series *series =
 	    chart_add(chart, look, SAMPLES, "%g m/s", speed);
+	struct breaker b;
+	breaker_set(&b, params, s->set.model.k);
+	breaker_at(&b, speed);
 	for (size_t i = 0; i < SAMPLES; i++) {
 		series->x[i] = sample(chart->x.low, chart->x.high, i);
-		double x = series->x[i] / 1000, S;
-		selection(
-		    params, s->set.model.k, energy_specific(speed), &x, 1, &S);
-		series->y[i] = 100 * S;
+		series->y[i] = 100 * b.model->selection(
+					 &b, el_log(series->x[i] / 1000), NULL);
 	}
 	double mm = 1000 * energy_break_size(params, speed);
 	chart_add_rule(chart,
@@ -79,15 +79,19 @@ plots_appearance(
 		    "'show appearance' prints the matrix of any form");
 		return NULL;
 	}
-	struct appearance a = appearance_of(params.beta);
-	struct chart *chart = plots_site_chart(session_entry(s)->site,
-	    axis_log("daughter / parent u, -", 0.001, 1),
-	    axis_percent("finer than u B(u), %"), "appearance (Eq 1)");
+	const struct site *site = session_entry(s)->site;
+	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
+	struct breaker b;
+	breaker_set(&b, &params, s->set.model.k);
+	breaker_at(&b, speed);
+	struct chart *chart =
+	    plots_site_chart(site, axis_log("daughter / parent u, -", 0.001, 1),
+		axis_percent("finer than u B(u), %"), "appearance (Eq 1)");
 	struct chart_series *curve =
 	    chart_add(chart, PLOTS_CURVE, SAMPLES, "B(u)");
 	for (size_t i = 0; i < SAMPLES; i++) {
 		curve->x[i] = sample(chart->x.low, chart->x.high, i);
-		curve->y[i] = 100 * appearance_passing(&a, curve->x[i]);
+		curve->y[i] = 100 * answers_finer(&b, curve->x[i], site);
 	}
 	return chart;
 }
@@ -104,8 +108,10 @@ add_rock(struct chart *chart, const struct stored_list *list, const char *rock)
 	for (size_t i = 0; i < list->n; i++) {
 		if (!text_same(list->item[i].rock, rock))
 			continue;
-		series->x[series->n] = list->item[i].params.f_mat;
-		series->y[series->n++] = list->item[i].params.e0_min;
+		series->x[series->n] =
+		    params_value(&list->item[i].params, "f_mat");
+		series->y[series->n++] =
+		    params_value(&list->item[i].params, "e0_min");
 	}
 }
 
@@ -125,8 +131,8 @@ add_own(struct chart *chart, const struct entry *entry)
 	struct chart_series *own = chart_add(chart,
 	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'}, 1,
 	    "%s", entry->site->name);
-	own->x[0] = entry->params.f_mat;
-	own->y[0] = entry->params.e0_min;
+	own->x[0] = params_value(&entry->params, "f_mat");
+	own->y[0] = params_value(&entry->params, "e0_min");
 }
 
 struct chart *
@@ -143,9 +149,9 @@ plots_map(struct session *s, const struct plot_request *q, struct error *error)
 	for (size_t i = 0; i < list.n + (entry != NULL); i++) {
 		const struct params *p =
 		    i < list.n ? &list.item[i].params : &entry->params;
-		f_mat = fmax(f_mat, p->f_mat);
-		low = fmin(low, p->e0_min);
-		high = fmax(high, p->e0_min);
+		f_mat = fmax(f_mat, params_value(p, "f_mat"));
+		low = fmin(low, params_value(p, "e0_min"));
+		high = fmax(high, params_value(p, "e0_min"));
 	}
 	struct chart *chart = chart_new("materials by rock",
 	    "Table 3 of Grunditz et al. (2021) and the user's own fits",

@@ -41,16 +41,14 @@ add_curve(struct curves *c, const struct psd *psd, char *name,
 	c->item[c->n++].look = look;
 }
 
-/* Takes the name; NULL: "predicted 74 m/s". */
+/* One that is kept with the curves. */
 static const struct prediction *
-add_prediction(struct curves *c, struct session *s, const struct params *params,
-    double speed, size_t feed, char *name, struct chart_series look)
+make_prediction(struct curves *c, const struct session *s,
+    const struct site *site, const struct params *params, double speed,
+    size_t feed)
 {
-	const struct site *site = session_entry(s)->site;
 	struct prediction *p = &c->prediction[c->n_prediction++];
 	*p = predict(site, params, s->set.model, speed, feed);
-	add_curve(c, &p->product,
-	    name != NULL ? name : xasprintf("predicted %g m/s", speed), look);
 	return p;
 }
 
@@ -254,9 +252,7 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
 		double v = isnan(q->other_speed) ? speed : q->other_speed;
 		if (i != s->current)
 			feed = site_run_nearest(site, v);
-		second->p = &c->prediction[c->n_prediction];
-		c->prediction[c->n_prediction++] =
-		    predict(site, own, s->set.model, v, feed);
+		second->p = make_prediction(c, s, site, own, v, feed);
 	}
 	char *name = xasprintf("%s %s%s%g m/s", kept ? "kept" : "predicted",
 	    beside ? q->beside : "", beside ? " " : "", second->p->speed);
@@ -281,6 +277,20 @@ note_curves(struct chart *chart, struct session *s,
 		    last[one != NULL ? -1 : 0].name, SERIES_OTHER);
 }
 
+/* Named by its run where another one is nearer to the speed. */
+static void
+add_feed(struct curves *c, const struct plot_request *q,
+    const struct site *site, size_t run, double speed)
+{
+	bool sampled =
+	    site->individual_feeds &&
+	    (!(q->words & CHART_NOTES) || run != site_run_nearest(site, speed));
+	add_curve(c, &site->run[run].feed,
+	    sampled ? xasprintf("feed %g m/s", site->run[run].speed)
+		    : xstrdup("feed"),
+	    PLOTS_FEED);
+}
+
 struct chart *
 plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 {
@@ -299,23 +309,23 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 		*error = unknown;
 		return NULL;
 	}
-	bool sampled = site->individual_feeds &&
-		       (!(q->words & CHART_NOTES) ||
-			   feed != site_run_nearest(site, speed));
-	add_curve(&c, &site->run[feed].feed,
-	    sampled ? xasprintf("feed %g m/s", site->run[feed].speed)
-		    : xstrdup("feed"),
-	    PLOTS_FEED);
+	add_feed(&c, q, site, feed, speed);
 	add_measured(&c, site, speed, PLOTS_MEASURED);
 	if (!add_second(
 		&c, s, q, known ? &params : NULL, speed, feed, &two, error)) {
 		free_curves(&c);
 		return NULL;
 	}
-	const struct prediction *one = NULL;
+	const struct prediction *one =
+	    !known ? NULL
+	    : q->made != NULL
+		? q->made
+		: make_prediction(&c, s, site, &params, speed, feed);
 	if (known)
-		one = add_prediction(&c, s, &params, speed, feed,
-		    q->words & CHART_NOTES ? NULL : xstrdup("predicted"),
+		add_curve(&c, &one->product,
+		    q->words & CHART_NOTES
+			? xasprintf("predicted %g m/s", speed)
+			: xstrdup("predicted"),
 		    PREDICTED);
 	struct chart *chart =
 	    plots_site_chart(site, sieves_of(&c), axis_percent("passing, %"),
@@ -357,8 +367,10 @@ plots_sweep(
 	double *usual = n == 0 ? answers_speeds(site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : q->speeds;
 	for (size_t i = 0; i < n; i++)
-		add_prediction(
-		    &c, s, &params, speed[i], feed, NULL, plots_look(i));
+		add_curve(&c,
+		    &make_prediction(&c, s, site, &params, speed[i], feed)
+			 ->product,
+		    xasprintf("predicted %g m/s", speed[i]), plots_look(i));
 	free(usual);
 	struct chart *chart = plots_site_chart(site, sieves_of(&c),
 	    axis_percent("passing, %"), "products at %zu speeds", n);

@@ -12,6 +12,7 @@
 #include "cmd/pictures.h"
 #include "cmd/plots.h"
 #include "cmd/table.h"
+#include "cmd/turn.h"
 #include "core/predict.h"
 #include "core/validate.h"
 #include "io/units.h"
@@ -19,31 +20,31 @@
 /* Which sizes break at this speed, in a sentence. */
 static void
 note_breakage(
-    struct report *r, const struct params *params, const struct prediction *p)
+    struct answer *r, const struct params *params, const struct prediction *p)
 {
 	double top = p->feed.size[0];
 	if (p->no_daughters)
-		report_note(r,
+		answer_note(r,
 		    "the appearance gives no fragment any daughter: the "
 		    "product is the feed");
 	else if (p->break_size >= top)
-		report_note(r,
+		answer_note(r,
 		    "nothing breaks at %.1f m/s: only fragments of %.3g mm or "
 		    "more would, and the feed has none above %g mm: product = "
 		    "feed",
 		    p->speed, 1000 * p->break_size, units_mm(top));
-	else if (params->e0_min <= 0)
-		report_note(r,
+	else if (params_value(params, "e0_min") <= 0)
+		answer_note(r,
 		    "all sizes can break (e0_min is 0: there is no "
 		    "threshold); %.1f %% of the feed is broken",
 		    100 * p->selected);
 	else if (p->break_size < ANSWERS_NO_SIZE)
-		report_note(r,
+		answer_note(r,
 		    "all sizes can break (alpha is %.2g: size makes next to "
 		    "no difference); %.1f %% of the feed is broken",
-		    params->alpha, 100 * p->selected);
+		    params_value(params, "alpha"), 100 * p->selected);
 	else
-		report_note(r,
+		answer_note(r,
 		    p->break_size < 1e-4 ? "breaks from %.3g mm up; %.1f %% of "
 					   "the feed is broken"
 					 : "breaks from %.2f mm up; %.1f %% of "
@@ -54,7 +55,7 @@ note_breakage(
 /* Sieves that the feed was not sieved on. */
 static void
 note_feed_gaps(
-    struct report *r, const struct site *site, const struct prediction *p)
+    struct answer *r, const struct site *site, const struct prediction *p)
 {
 	const struct psd *feed = &site->run[p->feed_run].feed;
 	char *list = xstrdup("");
@@ -62,7 +63,7 @@ note_feed_gaps(
 		if (isnan(psd_at_sieve(feed, p->feed.size[i])))
 			xlist(&list, ", ", "%g", units_mm(p->feed.size[i]));
 	if (list[0] != '\0')
-		report_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "the feed was not sieved at %s mm: its passing there is "
 		    "read between its neighbours",
 		    list);
@@ -88,8 +89,8 @@ interpolated(const struct site *site, const struct prediction *p)
 	return passing;
 }
 
-static struct report *
-prediction_report(struct session *s, const struct prediction *p,
+static struct answer *
+prediction_answer(struct session *s, const struct prediction *p,
     const struct band *band, const double *between)
 {
 	const struct site *site = session_entry(s)->site;
@@ -98,74 +99,74 @@ prediction_report(struct session *s, const struct prediction *p,
 	    run < site->n_run ? &site->run[run].product : NULL;
 	if (measured != NULL && measured->n == 0)
 		measured = NULL;
-	struct report *r = answers_report(site, "predict",
+	struct answer *r = answers_new(site, "predict",
 	    "product at %.1f m/s (%.0f J/kg)", p->speed, p->energy);
-	report_columns(r,
+	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
 	if (band != NULL)
-		report_columns(r, "low_pct: low %%, high_pct: high %%");
+		answer_columns(r, "low_pct: low %%, high_pct: high %%");
 	if (measured != NULL)
-		report_columns(r, "measured_pct: measured %%");
+		answer_columns(r, "measured_pct: measured %%");
 	if (between != NULL)
-		report_columns(r, "interpolated_pct: interpolated %%");
+		answer_columns(r, "interpolated_pct: interpolated %%");
 	for (size_t i = 0; i < p->product.n; i++) {
 		double x = p->product.size[i];
-		report_cells(r, "%g %.1f %.1f", units_mm(x),
+		answer_cells(r, "%g %.1f %.1f", units_mm(x),
 		    units_pct(p->feed.passing[i]),
 		    units_pct(p->product.passing[i]));
 		if (band != NULL)
-			report_cells(r, "%.1f %.1f", units_pct(band->low[i]),
+			answer_cells(r, "%.1f %.1f", units_pct(band->low[i]),
 			    units_pct(band->high[i]));
 		if (measured != NULL)
-			report_cells(
+			answer_cells(
 			    r, "%.1f", units_pct(psd_at_sieve(measured, x)));
 		if (between != NULL)
-			report_cells(r, "%.1f", units_pct(between[i]));
+			answer_cells(r, "%.1f", units_pct(between[i]));
 	}
 	return r;
 }
 
 /* What the band is, and what it leaves out. */
 static void
-note_band(struct report *r, const struct entry *entry, double speed)
+note_band(struct answer *r, const struct entry *entry, double speed)
 {
 	doubt_note(r, entry);
 	if (origin_fit(entry)->rmse > FIT_POOR)
-		report_note(r, "the band is too narrow: the fit is poor, and "
-			       "the model's own error is not in it");
+		answer_say(r, ANSWER_WARNING,
+		    "the band is too narrow: the fit is poor, and "
+		    "the model's own error is not in it");
 	else if (answers_extrapolates(entry, speed))
-		report_note(r, "the band knows nothing of the model's own "
-			       "error, which grows beyond the speeds trained "
-			       "on");
+		answer_say(r, ANSWER_WARNING,
+		    "the band knows nothing of the model's own "
+		    "error, which grows beyond the speeds trained "
+		    "on");
 }
 
-/* The report with what is to be said of it; band: NULL for none; wanted: with
+/* The answer with what is to be said of it; band: NULL for none; wanted: with
  * the interpolated products. */
-static struct report *
+static struct answer *
 explained(struct session *s, const struct prediction *p,
     const struct params *params, const struct band *band, bool wanted)
 {
 	const struct entry *entry = session_entry(s);
 	double *between = wanted ? interpolated(entry->site, p) : NULL;
-	struct report *r = prediction_report(s, p, band, between);
-	json_t *o = report_json(r);
-	answers_put_prediction(s, o, p);
+	struct answer *r = prediction_answer(s, p, band, between);
+	struct fields *o = answer_fields(r);
+	answers_put_prediction(s, o, params, p);
 	answers_note_sizes(r, &p->product, band);
 	if (band != NULL) {
 		note_band(r, entry, p->speed);
-		report_put_columns(r, "low_pct high_pct");
+		answer_put_columns(r, "low_pct high_pct");
 		doubt_put_band(o, band);
 	}
 	note_breakage(r, params, p);
 	note_feed_gaps(r, entry->site, p);
-	if (session_busy(s)) {
-		fit_put_params(o, params);
-		report_note(r, "from the best parameters so far");
-	}
+	if (session_busy(s))
+		answer_say(r, ANSWER_REMARK, "from the best parameters so far");
 	if (between != NULL)
-		report_put_columns(r, "interpolated_pct");
+		answer_put_columns(r, "interpolated_pct");
 	else if (wanted)
-		report_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "nothing is interpolated: %g m/s does not lie between "
 		    "measured runs",
 		    p->speed);
@@ -202,12 +203,35 @@ draw_curves(struct session *s, const struct prediction *p,
 	return ok;
 }
 
+/* What the site in use is predicted with; while it is being calibrated, the
+ * best so far. */
+static bool
+take_params(struct session *s, struct params *params, struct error *error)
+{
+	*params = session_entry(s)->params;
+	return answers_forming(s, params) || answers_ready(s, error);
+}
+
+bool
+answers_step(struct session *s, double speed, size_t feed_run, const char *line,
+    struct prediction *p, struct error *error)
+{
+	struct params params;
+	if (!take_params(s, &params, error))
+		return false;
+	*p = predict(
+	    session_entry(s)->site, &params, s->set.model, speed, feed_run);
+	answers_keep(s, &params, p);
+	turn_asked(s, "predict", line);
+	return true;
+}
+
 bool
 cmd_predict(struct session *s, const struct args *args, struct error *error)
 {
 	struct entry *entry = session_entry(s);
-	struct params params = entry->params;
-	if (!answers_forming(s, &params) && !answers_ready(s, error))
+	struct params params;
+	if (!take_params(s, &params, error))
 		return false;
 	double speed = answers_speed(args, entry);
 	size_t feed;
@@ -215,22 +239,21 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 		return false;
 	struct prediction p =
 	    predict(entry->site, &params, s->set.model, speed, feed);
-	answers_remember(s, &p);
 	bool wanted = args_value(args, "interpolated")->choice == 1;
 	const struct value *asked = args_value(args, "band");
 	const struct band *band = !session_busy(s) && asked->choice == 1
 				      ? doubt_band(s, entry, &p)
 				      : NULL;
-	struct report *r = explained(s, &p, &params, band, wanted);
+	struct answer *r = explained(s, &p, &params, band, wanted);
 	if (asked->given && asked->choice == 1 && band == NULL)
-		report_note(r, "%s", doubt_why_none(entry));
+		answer_note(r, "%s", doubt_why_none(entry));
 	bool picture = pictures_wanted(s);
 	bool curve = args_value(args, "curve")->choice == 1 &&
-		     s->set.format == REPORT_TABLE;
+		     s->set.format == ANSWER_TABLE;
 	if (picture)
-		report_free(r);
+		session_keep(s, r);
 	else
-		session_report(s, r);
+		session_answer(s, r);
 	bool ok = (!picture && !curve) || draw_curves(s, &p, band, error);
 	prediction_free(&p);
 	return ok;

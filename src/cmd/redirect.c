@@ -23,23 +23,19 @@ struct redirect {
 	FILE *memory, *out; /* what is kept; where results went before */
 	char *text;
 	size_t n;
-	enum report_format form, before;
+	enum answer_format form, before;
 	struct screen screen; /* before, too */
 	size_t rows;
 };
 
 /* The form that the end of a file's name asks for. */
-static enum report_format
-form_of(const char *path, enum report_format other)
+static enum answer_format
+form_of(const char *path, enum answer_format other)
 {
-	static const struct {
-		const char *end;
-		enum report_format form;
-	} ENDS[] = {{".csv", REPORT_CSV}, {".json", REPORT_JSON},
-	    {".md", REPORT_MARKDOWN}};
-	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++)
-		if (text_ends(path, ENDS[i].end))
-			return ENDS[i].form;
+	for (size_t i = 0; i < ARRAY_LEN(ANSWER_FORMATS); i++)
+		if (ANSWER_FORMATS[i].end != NULL &&
+		    text_ends(path, ANSWER_FORMATS[i].end))
+			return (enum answer_format)i;
 	return other;
 }
 
@@ -93,7 +89,7 @@ extent(const struct redirect *r, size_t rows)
 	enum picture_form form;
 	if (picture_form_of(r->target, &form))
 		return xstrdup("a picture");
-	bool lines = rows == 0 || r->form == REPORT_JSON;
+	bool lines = rows == 0 || r->form == ANSWER_JSON;
 	size_t n = lines ? 0 : rows;
 	for (size_t i = 0; lines && i < r->n; i++)
 		n += r->text[i] == '\n';
@@ -172,7 +168,7 @@ redirect_close(
 	if (s->set.format == r->form)
 		s->set.format = r->before;
 	bool whole = fclose(r->memory) == 0, ok = true;
-	if (r->to != TO_PIPE && r->form == REPORT_CSV && s->set.semicolon &&
+	if (r->to != TO_PIPE && r->form == ANSWER_CSV && s->set.semicolon &&
 	    r->n > 0)
 		put_mark(r);
 	if (keep && !whole)

@@ -28,7 +28,6 @@ session_new(FILE *out, FILE *notes)
 	struct session *s = xcalloc(1, sizeof *s);
 	s->set = settings_default();
 	s->isa = ISA_BEST;
-	session_forget(s);
 	s->out = out;
 	s->notes = notes;
 	s->journal = journal_new();
@@ -53,7 +52,8 @@ session_free(struct session *s)
 	free(s->site);
 	free(s->first);
 	files_free(s->files);
-	prediction_free(&s->last);
+	session_forget(s);
+	free(s->answer);
 	undo_free(s->undo);
 	journal_free(s->journal);
 	store_free(s->store);
@@ -77,15 +77,6 @@ session_origin(const struct entry *entry)
 	return entry->origin->words;
 }
 
-void
-session_forget(struct session *s)
-{
-	for (size_t i = 0; i < ANSWERS; i++)
-		s->answer[i] = NAN;
-	prediction_free(&s->last);
-	s->last = (struct prediction){0};
-}
-
 bool
 session_tell_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error)
@@ -101,13 +92,14 @@ session_tell_faults(const struct session *s, const char *path,
 
 /* Exact results keep every byte where a program may read them, and are shown as
  * text where they go to a terminal. */
-static void
-show_exact(struct session *s, struct report *report)
+static size_t
+show_exact(struct session *s, const struct answer_form *form,
+    const struct answer *answer)
 {
 	char *text = NULL, *save = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&text, &n);
-	report_print(report, s->set.format, s->set.semicolon, memory);
+	size_t rows = form->print(answer, s->set.semicolon, memory);
 	fclose(memory);
 	for (char *line = strtok_r(text, "\n", &save); line != NULL;
 	     line = strtok_r(NULL, "\n", &save)) {
@@ -115,20 +107,60 @@ show_exact(struct session *s, struct report *report)
 		fputc('\n', s->out);
 	}
 	free(text);
+	return rows;
+}
+
+/* Takes the answer at a place out of those kept. */
+static void
+let_go(struct session *s, size_t i)
+{
+	answer_free(s->answer[i]);
+	memmove(&s->answer[i], &s->answer[i + 1],
+	    (--s->n_answer - i) * sizeof *s->answer);
+}
+
+void
+session_forget(struct session *s)
+{
+	while (s->n_answer > 0)
+		let_go(s, s->n_answer - 1);
+}
+
+void
+session_keep(struct session *s, struct answer *answer)
+{
+	const char *command = answer_command(answer);
+	if (!answer_has_fields(answer)) {
+		answer_free(answer);
+		return;
+	}
+	for (size_t i = s->n_answer; i-- > 0;)
+		if (strcmp(answer_command(s->answer[i]), command) == 0)
+			let_go(s, i);
+	s->answer = xrealloc(s->answer, s->n_answer + 1, sizeof *s->answer);
+	s->answer[s->n_answer++] = answer;
+}
+
+double
+session_known(const struct session *s, const char *commands, const char *path)
+{
+	size_t which;
+	double value = NAN;
+	for (size_t i = s->n_answer; i-- > 0 && isnan(value);)
+		if (text_choice(commands, answer_command(s->answer[i]), &which))
+			value = answer_number(s->answer[i], path);
+	return value;
 }
 
 bool
-session_report(struct session *s, struct report *report)
+session_answer(struct session *s, struct answer *answer)
 {
-	bool exact =
-	    s->set.format == REPORT_CSV || s->set.format == REPORT_JSON;
-	if (exact && s->screen.columns > 0)
-		show_exact(s, report);
-	else
-		report_print(report, s->set.format, s->set.semicolon, s->out);
+	const struct answer_form *form = &ANSWER_FORMATS[s->set.format];
+	s->rows += form->exact && s->screen.columns > 0
+		       ? show_exact(s, form, answer)
+		       : form->print(answer, s->set.semicolon, s->out);
 	fflush(s->out);
-	s->rows += report_rows(report);
-	report_free(report);
+	session_keep(s, answer);
 	return true;
 }
 

@@ -13,7 +13,7 @@
 #include "core/predict.h"
 #include "core/site.h"
 #include "core/uncertainty.h"
-#include "io/report.h"
+#include "io/answer.h"
 #include "io/store.h"
 
 /* What a calibration left: what it found; its generations, [n], with the bounds
@@ -50,26 +50,6 @@ struct entry {
 	char options[400];       /* of the fit, in the words of calibrate */
 };
 
-/* The newest answers, for assert: sizes in mm, rmse and holdout in points; NAN
- * before there is one. */
-enum answer {
-	ANSWER_P20,
-	ANSWER_P50,
-	ANSWER_P80,
-	ANSWER_BREAK,
-	ANSWER_SPEED,
-	ANSWER_MISFIT,
-	ANSWER_RMSE,
-	ANSWER_HOLDOUT,      /* the largest of validate's */
-	ANSWER_POOR,         /* 1: the calibration is poor */
-	ANSWER_EXTRAPOLATED, /* 1: predict was outside the trained speeds */
-	ANSWER_INSIDE,       /* 1: the product lies within a grading */
-	ANSWERS
-};
-
-/* What an assertion calls them. */
-extern const char *const ANSWER_NAMES[ANSWERS];
-
 /* A calibration under way.  The driver pumps it: session_step until
  * session_busy is false. */
 struct job {
@@ -83,7 +63,7 @@ struct job {
 	bool paused;            /* stopped by ^C; `continue` goes on */
 	size_t step;            /* of all sites so far */
 	size_t pause_at;        /* step to stop after; 0: none */
-	struct report *summary; /* of all */
+	struct answer *summary; /* of all */
 	double *run_weight;     /* [n_run] of the site, or NULL */
 };
 
@@ -100,7 +80,7 @@ struct choices {
 	struct bounds bounds;
 	uint64_t seed;
 	unsigned threads;
-	enum report_format format;
+	enum answer_format format;
 	unsigned semicolon; /* 1: in csv, with decimal commas */
 	unsigned unpaged;   /* 0: at a prompt, what is taller than the screen is
 			       paged */
@@ -136,8 +116,8 @@ struct session {
 	struct screen screen;
 	const char *file; /* results go there; NULL: no file */
 	size_t rows;      /* reported since results go where they go */
-	double answer[ANSWERS];
-	struct prediction last; /* of predict and find; product.n 0: none */
+	size_t n_answer;
+	struct answer **answer; /* kept, the newest last: see session_keep */
 	struct job job;
 	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
 						where there is no terminal */
@@ -173,7 +153,7 @@ bool session_need_site(
 /* Where the site's parameters are from, in words: "set by hand". */
 const char *session_origin(const struct entry *entry);
 
-/* Forgets the newest answers, because the site or its parameters are others
+/* Forgets the answers kept, because the site or its parameters are others
  * now. */
 void session_forget(struct session *s);
 
@@ -211,8 +191,18 @@ bool session_load(struct session *s, const char *path, const char *digest,
 bool session_tell_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error);
 
-/* Prints a result and frees it.  Returns true, for a command to end with. */
-bool session_report(struct session *s, struct report *report);
+/* Gives an answer: prints it in the format that is set, and keeps it.  Returns
+ * true, for a command to end with. */
+bool session_answer(struct session *s, struct answer *answer);
+
+/* Keeps an answer, which the session then owns, as the newest of its command;
+ * one without fields, which nobody could ask for, is not kept. */
+void session_keep(struct session *s, struct answer *answer);
+
+/* The number of a field, see answer_number, in the newest answer of one of
+ * these commands, with a blank between two, that has it; else NAN. */
+double session_known(
+    const struct session *s, const char *commands, const char *path);
 
 /* A line beside the results. */
 void session_note(const struct session *s, const char *format, ...)

@@ -10,6 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/parse.h"
 #include "cmd/table.h"
+#include "core/breakage.h"
 
 static void
 put(const struct setting *row, const struct value *value, struct choices *set)
@@ -54,7 +55,7 @@ struct choices
 settings_default(void)
 {
 	struct choices set = {
-	    .bounds = bounds_default(), .seed = 1, .threads = processors()};
+	    .bounds = bounds_default(0), .seed = 1, .threads = processors()};
 	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
 		struct value value = {0};
 		struct error error = {0};
@@ -86,15 +87,15 @@ settings_same(const struct choices *a, const struct choices *b)
 static bool
 show_settings(struct session *s)
 {
-	struct report *r = report_new("set");
-	report_columns(r, "setting, value");
+	struct answer *r = answer_new("set");
+	answer_columns(r, "setting, value");
 	for (const struct setting *row = SETTINGS; row->option.name != NULL;
 	     row++) {
 		char *text = settings_text(row, &s->set);
-		report_pair(r, row->option.name, "%s", text);
+		answer_pair(r, row->option.name, "%s", text);
 		free(text);
 	}
-	return session_report(s, r);
+	return session_answer(s, r);
 }
 
 bool
@@ -111,6 +112,9 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	}
 	if (!model_settings_same(&before, &s->set.model))
 		session_forget(s);
+	/* What a site has stays as it is. */
+	if (s->set.model.breakage != before.breakage)
+		s->set.bounds = bounds_default(s->set.model.breakage);
 	return any || show_settings(s);
 }
 
@@ -123,8 +127,8 @@ cmd_seed(struct session *s, const struct args *args, struct error *error)
 		s->set.seed = value->whole;
 		return true;
 	}
-	struct report *r = report_new("seed");
-	report_columns(r, "seed");
-	report_text(r, "%llu", (unsigned long long)s->set.seed);
-	return session_report(s, r);
+	struct answer *r = answer_new("seed");
+	answer_columns(r, "seed");
+	answer_text(r, "%llu", (unsigned long long)s->set.seed);
+	return session_answer(s, r);
 }

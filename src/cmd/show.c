@@ -16,29 +16,29 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	const struct site *site = session_entry(s)->site;
-	struct report *r = report_new("show");
+	struct answer *r = answer_new("show");
 	char *label = session_label(site);
 	char *speeds = data_speeds(site, " ", NULL, true);
-	report_title(r, "%s", label);
-	report_site(r, site->name, site->provenance);
-	report_columns(r, "what, value");
-	report_pair(r, "data", "%s", site->provenance);
-	report_pair(r, "rock", "%s", site->rock);
+	answer_title(r, "%s", label);
+	answer_site(r, site->name, site->provenance);
+	answer_columns(r, "what, value");
+	answer_pair(r, "data", "%s", site->provenance);
+	answer_pair(r, "rock", "%s", site->rock);
 	if (site->top_size > 0)
-		report_pair(r, "top size mm", "%g", units_mm(site->top_size));
+		answer_pair(r, "top size mm", "%g", units_mm(site->top_size));
 	else
-		report_pair(r, "top size mm", "not stated");
-	report_pair(r, "machine", "%s", site->machine);
-	report_pair(r, "file", "%s", site->path);
-	report_pair(r, "speeds m/s", "%s", speeds);
-	report_pair(r, "feeds", "one for %s",
+		answer_pair(r, "top size mm", "not stated");
+	answer_pair(r, "machine", "%s", site->machine);
+	answer_pair(r, "file", "%s", site->path);
+	answer_pair(r, "speeds m/s", "%s", speeds);
+	answer_pair(r, "feeds", "one for %s",
 	    site->individual_feeds ? "each speed" : "all speeds");
 	for (size_t i = 0; i < site->n_note; i++)
-		report_cells(
+		answer_cells(
 		    r, "%s %s", site->note[i].key, site->note[i].value);
 	free(label);
 	free(speeds);
-	return session_report(s, r);
+	return session_answer(s, r);
 }
 
 /* The largest sieve of the curves below a size, m; 0 when there is none. */
@@ -56,7 +56,7 @@ next_sieve(const struct psd *const *curve, size_t n, double below)
 /* Columns feed@69, or the one feed of all runs, or product@69; their curves go
  * to curve [n_run].  Returns how many. */
 static size_t
-add_columns(struct report *r, const struct site *site, bool feed,
+add_columns(struct answer *r, const struct site *site, bool feed,
     const struct psd **curve)
 {
 	size_t n = 0;
@@ -66,9 +66,9 @@ add_columns(struct report *r, const struct site *site, bool feed,
 		if ((!feed && run->product.n == 0) || (shared && i > 0))
 			continue;
 		if (shared)
-			report_columns(r, "feed");
+			answer_columns(r, "feed");
 		else
-			report_columns(
+			answer_columns(
 			    r, "%s@%g", feed ? "feed" : "product", run->speed);
 		curve[n++] = feed ? &run->feed : &run->product;
 	}
@@ -83,21 +83,21 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	const struct site *site = session_entry(s)->site;
 	bool feed = strcmp(args->operand[0], "feed") == 0;
 	const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
-	struct report *r = answers_report(site, "show", "%s, %% passing",
+	struct answer *r = answers_new(site, "show", "%s, %% passing",
 	    feed ? "feed" : "measured products");
-	report_columns(r, "sieve_mm: sieve mm");
+	answer_columns(r, "sieve_mm: sieve mm");
 	size_t n = add_columns(r, site, feed, curve);
 	if (n == 0)
-		report_note(r, "the sheet has a feed only");
-	report_missing(r, "");
+		answer_note(r, "the sheet has a feed only");
+	answer_missing(r, "");
 	for (double x = INFINITY; (x = next_sieve(curve, n, x)) > 0;) {
-		report_cells(r, "%g", units_mm(x));
+		answer_cells(r, "%g", units_mm(x));
 		for (size_t i = 0; i < n; i++)
-			report_cells(
+			answer_cells(
 			    r, "%.2f", units_pct(psd_at_sieve(curve[i], x)));
 	}
 	free(curve);
-	return session_report(s, r);
+	return session_answer(s, r);
 }
 
 /* What can be shown; the first is shown when nothing is named. */
@@ -113,6 +113,7 @@ static const struct {
     {"params", true, false, show_params},
     {"bounds", false, false, show_bounds},
     {"model", true, false, show_model},
+    {"models", false, false, show_models},
     {"selection", true, true, show_selection},
     {"appearance", true, false, show_appearance},
     {"store", false, false, show_store},

@@ -8,7 +8,6 @@
 #include "cmd/fit.h"
 #include "cmd/model.h"
 #include "cmd/table.h"
-#include "core/appearance.h"
 #include "core/classes.h"
 #include "core/energy.h"
 #include "core/predict.h"
@@ -16,17 +15,15 @@
 
 /* The equations with the numbers of this site in them. */
 static void
-note_equations(struct report *r, const struct params *p, double k)
+note_equations(struct answer *r, const struct params *p, double k)
 {
-	report_note(r, "Eq 4: E = v^2 / 2, J/kg at v m/s");
-	report_note(r,
-	    "Eq 3: S(x) = 1 - exp(-%.4g (x^%.4g E - %.4g)), x in m; 0 where "
-	    "the bracket is negative",
-	    p->f_mat * k, p->alpha, p->e0_min);
-	report_note(r,
-	    "Eq 1: p(u) = max(0, %.4g %+.4g u %+.4g u^2 %+.4g u^3), u = "
-	    "daughter / parent",
-	    p->beta[0], p->beta[1], p->beta[2], p->beta[3]);
+	answer_note(r, "Eq 4: E = v^2 / 2, J/kg at v m/s");
+	char *S = breakage_of(p)->selection_text(p, k);
+	char *B = breakage_of(p)->appearance_text(p);
+	answer_note(r, "Eq 3: %s", S);
+	answer_note(r, "Eq 1: %s", B);
+	free(S);
+	free(B);
 }
 
 bool
@@ -36,16 +33,16 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
-	struct report *r = answers_report(site, "show", "the model");
+	struct answer *r = answers_new(site, "show", "the model");
 	const struct model_settings *set = &s->set.model;
-	json_t *o = report_json(r);
-	report_put(o, "what %s method %s appearance %s k %g", "model",
+	struct fields *o = answer_fields(r);
+	fields_put(o, "what %s method %s appearance %s k %g", "model",
 	    answers_method(set->method), MODEL_FORMS[set->appearance], set->k);
 	if (entry->has_params)
 		fit_put_params(o, &entry->params);
 	else
-		json_object_set_new(o, "params", json_null());
-	report_columns(r,
+		fields_put(o, "params %g", NAN);
+	answer_columns(r,
 	    "speed: m/s, energy_j_kg: E J/kg, break_mm: breaks from mm, "
 	    "selected_pct: feed broken %%");
 	for (size_t i = 0; i < site->n_run; i++) {
@@ -56,31 +53,53 @@ show_model(struct session *s, const struct args *args, struct error *error)
 			selected = 100 * p.selected;
 			prediction_free(&p);
 		}
-		report_cells(
+		answer_cells(
 		    r, "%g %.0f %.2f %.1f", v, energy_specific(v), x, selected);
 	}
-	report_put_rows(r, "runs");
-	report_note(r, "method %s, appearance %s, k %g",
+	answer_put_rows(r, "runs");
+	answer_note(r, "method %s, appearance %s, k %g",
 	    answers_method(set->method), MODEL_FORMS[set->appearance], set->k);
 	if (entry->has_params)
 		note_equations(r, &entry->params, set->k);
 	else
-		report_note(r, "no parameters yet: calibrate, or params set");
-	return session_report(s, r);
+		answer_note(r, "no parameters yet: calibrate, or params set");
+	return session_answer(s, r);
+}
+
+/* A row for each parameter of each model; a bypass is told once. */
+bool
+show_models(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	struct answer *r = answer_new("show");
+	answer_title(r, "breakage models, for 'set model'");
+	answer_columns(r, "model, parameter, unit, lower, upper, meaning");
+	for (size_t m = 0; m < breakage_count(); m++) {
+		const struct breakage *of = BREAKAGES[m];
+		size_t first = of->bypass ? of->n - 1 : 0;
+		for (size_t j = first; j < of->n; j++)
+			answer_cells(r, "%s %s %s %g %g %s", of->name,
+			    of->parameter[j].name, of->parameter[j].unit,
+			    of->parameter[j].lower, of->parameter[j].upper,
+			    of->parameter[j].meaning);
+		answer_note(r, "%s: %s", of->name, of->brief);
+	}
+	return session_answer(s, r);
 }
 
 /* A row for each class of the feed. */
 static void
-selection_rows(struct report *r, const struct psd *feed, const double *S)
+selection_rows(struct answer *r, const struct psd *feed, const double *S)
 {
-	report_columns(r,
+	answer_columns(r,
 	    "from_mm: from mm, to_mm: to mm, feed_pct: feed %%, s_pct: S %%, "
 	    "selected_pct: selected %%");
 	for (size_t i = 0; i < feed->n; i++) {
 		bool pan = i + 1 == feed->n;
 		double mass =
 		    feed->passing[i] - (pan ? 0 : feed->passing[i + 1]);
-		report_cells(r, "%g %g %.1f %.1f %.1f",
+		answer_cells(r, "%g %g %.1f %.1f %.1f",
 		    pan ? 0 : units_mm(feed->size[i + 1]),
 		    units_mm(feed->size[i]), units_pct(mass), 100 * S[i],
 		    100 * S[i] * mass);
@@ -99,26 +118,26 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	struct prediction p = answers_predict(s, entry, v, run);
 	double *S = xdoubles(feed->n);
 	predict_selection(feed, &entry->params, s->set.model, v, S);
-	struct report *r = answers_report(
-	    entry->site, "show", "selection at %g m/s (Eq 3)", v);
+	struct answer *r =
+	    answers_new(entry->site, "show", "selection at %g m/s (Eq 3)", v);
 	selection_rows(r, feed, S);
-	report_put_rows(r, "rows");
-	report_put(report_json(r),
+	answer_put_rows(r, "rows");
+	fields_put(answer_fields(r),
 	    "what %s speed %g selected_pct %g break_mm %g", "selection", v,
 	    100 * p.selected, 1000 * p.break_size);
-	report_note(r,
+	answer_note(r,
 	    "S: share of the class that breaks; selected: share of all the "
 	    "feed, %.1f %% in sum",
 	    100 * p.selected);
 	if (isfinite(p.break_size) && p.break_size > 0)
-		report_note(r, "fragments of %.3g mm or more can break",
+		answer_note(r, "fragments of %.3g mm or more can break",
 		    1000 * p.break_size);
 	if (entry->site->individual_feeds)
-		report_note(r, "feed: the sample taken at %g m/s",
+		answer_say(r, ANSWER_REMARK, "feed: the sample taken at %g m/s",
 		    entry->site->run[run].speed);
 	free(S);
 	prediction_free(&p);
-	return session_report(s, r);
+	return session_answer(s, r);
 }
 
 /* A class is called by the sieve it lies on. */
@@ -133,17 +152,17 @@ class_name(const struct psd *feed, size_t i, char buf[static 32])
 
 /* Parents across and daughters down; a: as appearance_matrix has it. */
 static void
-matrix_across(struct report *r, const struct psd *feed, const double *a)
+matrix_across(struct answer *r, const struct psd *feed, const double *a)
 {
 	char name[32];
-	report_columns(r, "daughter");
+	answer_columns(r, "daughter");
 	for (size_t i = 0; i < feed->n; i++)
-		report_columns(r, "%s", class_name(feed, i, name));
+		answer_columns(r, "%s", class_name(feed, i, name));
 	for (size_t j = 0; j < feed->n; j++) {
-		report_cells(r, "%s", class_name(feed, j, name));
-		report_missing(r, "");
+		answer_cells(r, "%s", class_name(feed, j, name));
+		answer_missing(r, "");
 		for (size_t i = 0; i < feed->n; i++)
-			report_cells(
+			answer_cells(
 			    r, "%.1f", i <= j ? 100 * a[j * feed->n + i] : NAN);
 	}
 }
@@ -151,30 +170,29 @@ matrix_across(struct report *r, const struct psd *feed, const double *a)
 /* A row for each parent and daughter: for spreadsheets. */
 static void
 matrix_long(
-    struct report *r, const struct psd *feed, const double *x, const double *a)
+    struct answer *r, const struct psd *feed, const double *x, const double *a)
 {
-	report_columns(r, "parent_mm: parent mm, daughter_mm: daughter mm, "
+	answer_columns(r, "parent_mm: parent mm, daughter_mm: daughter mm, "
 			  "share_pct: share %%");
 	for (size_t i = 0; i < feed->n; i++)
 		for (size_t j = 0; j < feed->n; j++)
-			report_cells(r, "%g %g %.1f", units_mm(x[i]),
+			answer_cells(r, "%g %g %.1f", units_mm(x[i]),
 			    units_mm(x[j]), 100 * a[j * feed->n + i]);
 }
 
 /* B(u) at u = 1/2, 1/4 and so on to 1/1024. */
 static void
-note_passing(struct report *r, const struct params *p)
+note_passing(struct answer *r, const struct breaker *b, const struct site *site)
 {
-	struct appearance of = appearance_of(p->beta);
 	char *text = xstrdup("");
 	for (int i = 1; i < 10; i++) {
 		char *more =
 		    xasprintf("%s%s1/%d: %.1f %%", text, i > 1 ? ", " : "",
-			1 << i, 100 * appearance_passing(&of, ldexp(1, -i)));
+			1 << i, 100 * answers_finer(b, ldexp(1, -i), site));
 		free(text);
 		text = more;
 	}
-	report_note(r,
+	answer_note(r,
 	    "B(u), the share of a broken fragment finer than u times its "
 	    "size, which the method continuous takes: %s; below 1/1024 "
 	    "there is nothing",
@@ -183,16 +201,14 @@ note_passing(struct report *r, const struct params *p)
 }
 
 static void
-put_matrix(json_t *o, enum appearance_form form, size_t n, const double *x,
-    const double *a)
+put_matrix(struct fields *o, enum appearance_form form, size_t n,
+    const double *x, const double *a)
 {
-	json_t *rows = json_array();
-	report_put(o, "what %s appearance %s", "appearance", MODEL_FORMS[form]);
-	json_object_set_new(o, "class_mm", answers_list(x, n, units_mm));
+	fields_put(o, "what %s appearance %s", "appearance", MODEL_FORMS[form]);
+	fields_numbers(o, "class_mm", x, n, units_mm);
+	struct fields *rows = fields_list(o, "share_pct");
 	for (size_t j = 0; j < n; j++)
-		json_array_append_new(
-		    rows, answers_list(a + j * n, n, units_pct));
-	json_object_set_new(o, "share_pct", rows);
+		fields_numbers(rows, NULL, a + j * n, n, units_pct);
 }
 
 bool
@@ -202,27 +218,31 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	const struct entry *entry = session_entry(s);
 	const struct psd *feed = &entry->site->run[0].feed;
-	struct params p =
-	    entry->has_params ? entry->params : params_default_beta();
+	struct params p = entry->has_params
+			      ? entry->params
+			      : params_start(s->set.model.breakage);
+	struct breaker b;
+	breaker_set(&b, &p, s->set.model.k);
+	breaker_at(&b, answers_middle(entry->site));
 	double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
 	classes_sizes(feed, x);
-	appearance_matrix(p.beta, s->set.model.appearance, x, feed->n, a);
-	struct report *r = answers_report(
+	classes_matrix(&b, s->set.model.appearance, x, feed->n, a);
+	struct answer *r = answers_new(
 	    entry->site, "show", "appearance (Eq 1), %% of each broken class");
-	if (s->set.format == REPORT_CSV)
-		matrix_long(r, feed, x, a);
-	else
-		matrix_across(r, feed, a);
-	report_note(r,
+	matrix_across(r, feed, a);
+	answer_for_programs(r);
+	matrix_long(r, feed, x, a);
+	answer_say(r, ANSWER_REMARK,
 	    "parent classes across, daughters down; a class is called by the "
 	    "sieve it lies on; columns sum to 100");
 	if (!entry->has_params)
-		report_note(r, "beta is the default: there are no parameters "
-			       "yet");
+		answer_say(r, ANSWER_REMARK,
+		    "beta is the default: there are no parameters "
+		    "yet");
 	if (s->set.model.appearance == APPEARANCE_RATIO)
-		note_passing(r, &p);
-	put_matrix(report_json(r), s->set.model.appearance, feed->n, x, a);
+		note_passing(r, &b, entry->site);
+	put_matrix(answer_fields(r), s->set.model.appearance, feed->n, x, a);
 	free(x);
 	free(a);
-	return session_report(s, r);
+	return session_answer(s, r);
 }

@@ -146,18 +146,18 @@ check_remember(
 
 /* What was put, as the sign that it is on the disk. */
 static void
-report_remembered(struct session *s, const struct stored *m)
+give_remembered(struct session *s, const struct stored *m)
 {
-	struct report *r = report_new("remember");
-	report_title(r, "remembered %s", m->name);
-	report_site(r, m->site, m->provenance);
-	report_columns(r,
+	struct answer *r = answer_new("remember");
+	answer_title(r, "remembered %s", m->name);
+	answer_site(r, m->site, m->provenance);
+	answer_columns(r,
 	    "name, origin, data, rmse_pct: RMSE, holdout_pct: hold-out, date");
-	report_cells(r, "%s %s %s %.2f %.2f %s", m->name, store_origin_words(m),
+	answer_cells(r, "%s %s %s %.2f %.2f %s", m->name, store_origin_words(m),
 	    site_data_kind(m->provenance), m->rmse_pct, m->holdout_pct,
 	    m->date);
-	report_note(r, "in %s", store_path(s->store));
-	session_report(s, r);
+	answer_note(r, "in %s", store_path(s->store));
+	session_answer(s, r);
 }
 
 bool
@@ -178,7 +178,7 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	bool replace = args_value(args, "replace")->choice == 1;
 	bool ok = store_put(s->store, &m, 1, replace, error);
 	if (ok)
-		report_remembered(s, &m);
+		give_remembered(s, &m);
 	stored_free(&m);
 	return ok;
 }
@@ -255,26 +255,30 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 static char *
 bring_back(const struct stored *m)
 {
-	char *line = xstrdup("params set"), number[32];
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		xappend(&line, " %s=%s", PARAMS[j].name,
+	const struct breakage *of = breakage_of(&m->params);
+	char *line = m->params.breakage > 0
+			 ? xasprintf("set model %s; params set", of->name)
+			 : xstrdup("params set");
+	char number[32];
+	for (size_t j = 0; j < of->n; j++)
+		xappend(&line, " %s=%s", of->parameter[j].name,
 		    text_exact(m->params.at[j], number));
 	xappend(&line, "; remember \"%s\"", m->name);
 	return line;
 }
 
 static void
-report_forgotten(struct session *s, const struct stored *m)
+give_forgotten(struct session *s, const struct stored *m)
 {
-	struct report *r = report_new("forget");
+	struct answer *r = answer_new("forget");
 	char *line = bring_back(m);
-	report_title(
+	answer_title(
 	    r, "forgot %s: %s of %s", m->name, store_origin_words(m), m->site);
-	report_site(r, m->site, m->provenance);
-	report_columns(r, "again: this brings its parameters back");
-	report_cells(r, "%s", line);
+	answer_site(r, m->site, m->provenance);
+	answer_columns(r, "again: this brings its parameters back");
+	answer_cells(r, "%s", line);
 	free(line);
-	session_report(s, r);
+	session_answer(s, r);
 }
 
 bool
@@ -287,7 +291,7 @@ cmd_forget(struct session *s, const struct args *args, struct error *error)
 	const struct stored *m = listed ? stored_find(&list, name) : NULL;
 	bool ok = store_forget(s->store, name, error);
 	if (ok && m != NULL)
-		report_forgotten(s, m);
+		give_forgotten(s, m);
 	else if (ok)
 		session_note(s, "forgot %s, which could not be read", name);
 	stored_list_free(&list);

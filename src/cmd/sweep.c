@@ -13,26 +13,26 @@
 /* Sieves down, speeds across: for as many speeds as fit a screen. */
 static void
 sweep_across(
-    struct session *s, struct report *r, const struct prediction *p, size_t n)
+    struct session *s, struct answer *r, const struct prediction *p, size_t n)
 {
 	const struct entry *entry = session_entry(s);
-	report_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%");
+	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%");
 	for (size_t i = 0; i < n; i++) {
 		bool outside = answers_extrapolates(entry, p[i].speed);
-		report_columns(r, "passing_pct@%g: %g m/s%s", p[i].speed,
+		answer_columns(r, "passing_pct@%g: %g m/s%s", p[i].speed,
 		    p[i].speed, outside ? "*" : "");
 	}
 	for (size_t row = 0; row < p[0].product.n; row++) {
-		report_text(r, "%g", units_mm(p[0].product.size[row]));
-		report_cells(r, "%.1f", units_pct(p[0].feed.passing[row]));
+		answer_text(r, "%g", units_mm(p[0].product.size[row]));
+		answer_cells(r, "%.1f", units_pct(p[0].feed.passing[row]));
 		for (size_t i = 0; i < n; i++)
-			report_cells(
+			answer_cells(
 			    r, "%.1f", units_pct(p[i].product.passing[row]));
 	}
 	for (size_t size = 0; size < ANSWERS_SIZES; size++) {
-		report_cells(r, "%s", ANSWERS_HEADS[size]);
-		report_missing(r, "");
-		report_cells(r, "%.0f", NAN);
+		answer_cells(r, "%s", ANSWERS_HEADS[size]);
+		answer_missing(r, "");
+		answer_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
 			answers_size_cell(r, &p[i], size);
 	}
@@ -40,23 +40,23 @@ sweep_across(
 
 void
 answers_speed_rows(
-    struct session *s, struct report *r, const struct prediction *p, size_t n)
+    struct session *s, struct answer *r, const struct prediction *p, size_t n)
 {
 	const struct entry *entry = session_entry(s);
-	report_columns(r,
+	answer_columns(r,
 	    "speed: m/s, energy_j_kg: J/kg, break_mm: breaks from mm, "
 	    "p20_mm: P20 mm, p50_mm: P50 mm, p80_mm: P80 mm, "
 	    "finest_pct: finest %%, extrapolated");
 	for (size_t i = 0; i < n; i++) {
 		size_t finest = p[i].product.n - 1;
 		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;
-		report_cells(r, round ? "%g %.0f" : "%.2f %.0f", p[i].speed,
+		answer_cells(r, round ? "%g %.0f" : "%.2f %.0f", p[i].speed,
 		    p[i].energy);
-		answers_size_cell(r, &p[i], ANSWER_BREAK);
-		answers_size_cell(r, &p[i], ANSWER_P20);
-		answers_size_cell(r, &p[i], ANSWER_P50);
-		answers_size_cell(r, &p[i], ANSWER_P80);
-		report_cells(r, "%.1f %s",
+		answers_size_cell(r, &p[i], ANSWERS_BREAK);
+		answers_size_cell(r, &p[i], ANSWERS_P20);
+		answers_size_cell(r, &p[i], ANSWERS_P50);
+		answers_size_cell(r, &p[i], ANSWERS_P80);
+		answer_cells(r, "%.1f %s",
 		    units_pct(p[i].product.passing[finest]),
 		    answers_extrapolates(entry, p[i].speed) ? "yes" : "no");
 	}
@@ -65,15 +65,15 @@ answers_speed_rows(
 /* One row a speed and sieve: for spreadsheets and programs. */
 static void
 sweep_long(
-    struct session *s, struct report *r, const struct prediction *p, size_t n)
+    struct session *s, struct answer *r, const struct prediction *p, size_t n)
 {
 	const struct entry *entry = session_entry(s);
-	report_columns(r, "speed: m/s, extrapolated, sieve_mm: sieve mm, "
+	answer_columns(r, "speed: m/s, extrapolated, sieve_mm: sieve mm, "
 			  "feed_pct: feed %%, passing_pct: product %%");
 	for (size_t i = 0; i < n; i++) {
 		bool outside = answers_extrapolates(entry, p[i].speed);
 		for (size_t j = 0; j < p[i].product.n; j++)
-			report_cells(r, "%g %s %g %.1f %.1f", p[i].speed,
+			answer_cells(r, "%g %s %g %.1f %.1f", p[i].speed,
 			    outside ? "yes" : "no",
 			    units_mm(p[i].product.size[j]),
 			    units_pct(p[i].feed.passing[j]),
@@ -101,24 +101,24 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 		outside = outside || answers_extrapolates(entry, speed[i]);
 	}
 	free(usual);
-	struct report *r =
-	    answers_report(entry->site, "sweep", "products, %% passing");
+	struct answer *r =
+	    answers_new(entry->site, "sweep", "products, %% passing");
 	bool across = n <= ACROSS;
-	bool csv = s->set.format == REPORT_CSV;
-	(csv         ? sweep_long
-	    : across ? sweep_across
-		     : answers_speed_rows)(s, r, p, n);
+	(across ? sweep_across : answers_speed_rows)(s, r, p, n);
+	answer_for_programs(r);
+	sweep_long(s, r, p, n);
 	origin_note(r, entry);
 	if (entry->site->individual_feeds)
-		report_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "feed: the sample taken at %g m/s, for all speeds",
 		    entry->site->run[feed].speed);
 	if (outside && across)
-		report_note(r, "* extrapolated: outside the speeds trained on");
+		answer_say(r, ANSWER_WARNING,
+		    "* extrapolated: outside the speeds trained on");
 	answers_note_worth(r, entry);
-	answers_put_products(s, report_json(r), p, n);
+	answers_put_products(s, answer_fields(r), p, n);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(p);
-	return session_report(s, r);
+	return session_answer(s, r);
 }

@@ -36,6 +36,6 @@ command_run cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset, cmd_source,
 /* What show runs for some of its words: parameters and parts of the model,
  * which need a site, bounds and the store. */
 command_run show_params, show_model, show_selection, show_appearance;
-command_run show_bounds, show_store;
+command_run show_bounds, show_store, show_models;
 
 #endif

@@ -88,16 +88,17 @@ const struct command TABLE_DATA[] = {
 	.run = cmd_check},
     {.name = "show",
 	.brief = "show a site, and what the model makes of it",
-	.operands = {"[site|feed|product|params|bounds|model|selection|"
-		     "appearance|store]",
-	    {"site feed product params bounds model selection appearance "
-	     "store"},
+	.operands = {"[site|feed|product|params|bounds|model|models|"
+		     "selection|appearance|store]",
+	    {"site feed product params bounds model models selection "
+	     "appearance store"},
 	    0, 1},
 	.option = SHOW_OPTIONS,
 	.text = "site: where the sheet is from and what it holds; feed and "
 		"product: the measured curves; params and bounds: as those "
 		"commands do; model: settings, energy and break size at each "
-		"run's speed, and the equations with their numbers; "
+		"run's speed, and the equations with their numbers; models: "
+		"the breakage models and their parameters; "
 		"selection: how much of each size class breaks at a speed "
 		"(Eq 3), and how much of the feed that is; appearance: into "
 		"which classes a broken one falls, the matrix of the paper's "

@@ -17,11 +17,29 @@ static const struct command_option PARAMS_OPTIONS[] = {
     {"e0_min", VALUE_NUMBER, "J m/kg", 0, E0_MIN_MOST, NULL, "",
 	"threshold energy"},
     {"alpha", VALUE_NUMBER, "", 0, ALPHA_MOST, NULL, "", "size dependency"},
+    {"gamma", VALUE_NUMBER, "", -GAMMA_MOST, GAMMA_MOST, NULL, "",
+	"finer with energy (grunditz-energy)"},
+    {"e_ref", VALUE_NUMBER, "J/kg", 1e-3, E_REF_MOST, NULL, "",
+	"energy at which beta holds (grunditz-energy)"},
+    {"q_slope", VALUE_NUMBER, "s/m", -Q_SLOPE_MOST, Q_SLOPE_MOST, NULL, "",
+	"change of the exponent with the speed (vogel)"},
+    {"q_0", VALUE_NUMBER, "", -Q_0_MOST, Q_0_MOST, NULL, "",
+	"exponent at speed 0 (vogel)"},
+    {"y_fine", VALUE_NUMBER, "mm", 0, Y_FINE_MOST, NULL, "",
+	"size at which the fines fall off (vogel)"},
+    {"bypass", VALUE_NUMBER, "", 0, 1, NULL, "",
+	"share of the feed that is not crushed (models with +bypass)"},
     {.name = NULL}};
 
 #define AT(member) offsetof(struct choices, member)
 
 const struct setting SETTINGS[] = {
+    {{"model", VALUE_CHOICE, "", 0, 0,
+	 "grunditz grunditz-energy vogel grunditz+bypass "
+	 "grunditz-energy+bypass "
+	 "vogel+bypass",
+	 "grunditz", "breakage model of calibrations and of params set"},
+	AT(model.breakage)},
     {{"method", VALUE_CHOICE, "", 0, 0, "continuous classes", "continuous",
 	 "how products are computed"},
 	AT(model.method)},
@@ -56,7 +74,8 @@ const struct command TABLE_MODEL[] = {
 	    {"list set diff use", "SITE"}, 0, 2},
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.option = PARAMS_OPTIONS,
-	.text = "'params set' takes known parameters in place of a "
+	.text = "'params set' takes known parameters of the model that "
+		"is set in place of a "
 		"calibration; those not named keep their value, and beta "
 		"starts from (0, 1, -1, 0.5). 'params diff SITE' shows those "
 		"of another loaded site beside them; 'params use SITE' takes "
@@ -82,6 +101,9 @@ const struct command TABLE_MODEL[] = {
 		"method=classes'. The method classes is the paper to the "
 		"letter; continuous, the default, is its limit for fine "
 		"classes and does not depend on how the sieves lie. "
+		"A model is chosen for the calibrations to come ('show "
+		"models' lists them); the search bounds become its own, and "
+		"parameters that a site has keep their model. "
 		"Appearances other than ratio work with classes only.",
 	.example = "set method classes\nset",
 	.run = cmd_set},

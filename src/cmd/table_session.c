@@ -102,7 +102,10 @@ const struct command TABLE_SESSION[] = {
 		"break (mm), speed and extrapolated (1 or 0) of predict and "
 		"find; inside (1 or 0) of spec and find spec=; "
 		"misfit, rmse (points) and poor (1 or 0) of calibrate; "
-		"holdout, the largest RMSE of validate (points). Another "
+		"holdout, the largest RMSE of validate (points). Any other "
+		"number of an answer is COMMAND.FIELD, as json calls it: "
+		"calibrate.generations, predict.params.alpha; of a list it is "
+		"the largest; predict.warnings is how many there are. Another "
 		"site, other parameters or a new calibration make them "
 		"unknown. For plant checks that run by themselves, which "
 		"should hold poor = 0 first.",

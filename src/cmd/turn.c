@@ -204,6 +204,14 @@ record(struct session *s, const struct turn *t, bool changed)
 	    pause, elsewhere ? " > /dev/null" : "");
 }
 
+void
+turn_asked(struct session *s, const char *command, const char *line)
+{
+	if (!is_redirected(s->turn) && !session_busy(s))
+		journal_add(s, command, "%s", line);
+	keep_turn(s, true, false);
+}
+
 /* Where the outermost turn began, for one within it. */
 static size_t
 floor_of(const struct turn *t)
@@ -240,7 +248,7 @@ bool
 turn_end(struct session *s, bool ok, struct error *error)
 {
 	struct turn *t = s->turn;
-	/* The report of a check that says no is a result. */
+	/* The answer of a check that says no is a result. */
 	bool keep = ok || error->kind == ERROR_CHECK;
 	bool changed = t->before != NULL && !came_to_nothing(t) &&
 		       snapshot_differs(t->before, s);

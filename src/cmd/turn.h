@@ -34,6 +34,10 @@ void turn_adds(struct session *s, const char *option, const char *value);
  * the session as it then is. */
 void turn_saved(struct session *s);
 
+/* A command that only asked was done without a turn of its own: its line is
+ * saved in the place of the one before of that name. */
+void turn_asked(struct session *s, const char *command, const char *line);
+
 /* The innermost command is over: its results are handed over.  ok: it did what
  * it should; else error says why not, and is kept.  Returns false when it did
  * not, or the results could not be handed over. */

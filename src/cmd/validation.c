@@ -10,34 +10,30 @@
 #include "core/validate.h"
 #include "io/units.h"
 
-static json_t *
-validation_as_json(const struct validation *v)
+static void
+put_validation(struct fields *o, const struct validation *v)
 {
 	static const char *const NAMES[3] = {"p20", "p50", "p80"};
-	json_t *o = json_object(), *null = json_object();
-	report_put(o, "speed %g rmse_pct %g", v->speed, 100 * v->rmse);
-	for (size_t i = 0; i < 3; i++) {
-		json_t *size = json_object();
-		report_put(size, "measured_mm %g predicted_mm %g",
+	fields_put(o, "speed %g rmse_pct %g", v->speed, 100 * v->rmse);
+	for (size_t i = 0; i < 3; i++)
+		fields_put(fields_object(o, NAMES[i]),
+		    "measured_mm %g predicted_mm %g",
 		    1000 * v->size[i].measured, 1000 * v->size[i].predicted);
-		json_object_set_new(o, NAMES[i], size);
-	}
-	report_put(null, "feed_rmse_pct %g interpolation_rmse_pct %g",
-	    100 * v->feed_rmse, 100 * v->interpolation_rmse);
-	json_object_set_new(o, "null", null);
-	report_put(o, "loses_to_interpolation %d", validation_loses(v));
-	return o;
+	fields_put(fields_object(o, "null"),
+	    "feed_rmse_pct %g interpolation_rmse_pct %g", 100 * v->feed_rmse,
+	    100 * v->interpolation_rmse);
+	fields_put(o, "loses_to_interpolation %d", validation_loses(v));
 }
 
 static void
-validation_rows(struct report *r, const struct validation *v)
+validation_rows(struct answer *r, const struct validation *v)
 {
 	for (size_t i = 0; i < 3; i++) {
 		const struct validate_size *size = &v->size[i];
-		report_cells(r, "%g", v->speed);
-		report_text(r, "P%.0f", 100 * size->passing);
-		report_missing(r, "outside");
-		report_cells(r, "%.3f %.3f %.3f", 1000 * size->measured,
+		answer_cells(r, "%g", v->speed);
+		answer_text(r, "P%.0f", 100 * size->passing);
+		answer_missing(r, "outside");
+		answer_cells(r, "%.3f %.3f %.3f", 1000 * size->measured,
 		    1000 * size->predicted,
 		    1000 * (size->predicted - size->measured));
 	}
@@ -67,26 +63,26 @@ stands_out(const struct validation *v)
 }
 
 static void
-validation_notes(struct report *r, const struct validation *v)
+validation_notes(struct answer *r, const struct validation *v)
 {
-	report_note(r,
+	answer_note(r,
 	    "at %g m/s: RMSE %.2f points over %zu sieves, misfit %.4g; worst "
 	    "%+.2f points at %g mm",
 	    v->speed, 100 * v->rmse, v->n_sieve, v->misfit,
 	    100 * v->worst_difference, units_mm(v->worst_sieve));
 	if (isfinite(v->interpolation_rmse))
-		report_note(r,
+		answer_note(r,
 		    "  without a model: product = feed %.2f points; "
 		    "interpolation of the measured training products %.2f "
 		    "points",
 		    100 * v->feed_rmse, 100 * v->interpolation_rmse);
 	else
-		report_note(r,
+		answer_note(r,
 		    "  without a model: product = feed %.2f points; there are "
 		    "no two training products to interpolate on these sieves",
 		    100 * v->feed_rmse);
 	if (stands_out(v))
-		report_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "  the sieve of %g mm stands out: the others are %.2f "
 		    "points off (RMS); look at that cell of the sheet",
 		    units_mm(v->worst_sieve), 100 * rest(v));
@@ -94,27 +90,28 @@ validation_notes(struct report *r, const struct validation *v)
 	bool clearly = loses && v->rmse > 1.1 * v->interpolation_rmse &&
 		       v->rmse - v->interpolation_rmse > CLEARLY;
 	if (clearly)
-		report_note(r, "  the model does worse than interpolation at "
-			       "this speed: between the trained speeds, the "
-			       "interpolated products are the better guess");
+		answer_say(r, ANSWER_WARNING,
+		    "  the model does worse than interpolation at "
+		    "this speed: between the trained speeds, the "
+		    "interpolated products are the better guess");
 	else if (loses)
-		report_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "  the model does no better than interpolation at this "
 		    "speed; the two are within what sampling tells apart");
 	if (v->n_left_out > 0)
-		report_note(r,
+		answer_say(r, ANSWER_REMARK,
 		    "  %zu finer sieves are not compared: the feed is not "
 		    "sieved that fine",
 		    v->n_left_out);
 }
 
 static void
-add_validations(struct session *s, struct report *r, json_t *list)
+add_validations(struct session *s, struct answer *r)
 {
+	struct fields *list = fields_list(answer_fields(r), "holdout");
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
 	size_t n = 0;
-	s->answer[ANSWER_HOLDOUT] = NAN;
 	for (size_t i = 0; i < site->n_run; i++) {
 		const struct run *run = &site->run[i];
 		if (entry->train[i] || misfit_covered(run) == 0)
@@ -123,14 +120,13 @@ add_validations(struct session *s, struct report *r, json_t *list)
 		    site, i, entry->train, &entry->params, s->set.model);
 		validation_rows(r, &v);
 		validation_notes(r, &v);
-		json_array_append_new(list, validation_as_json(&v));
-		s->answer[ANSWER_HOLDOUT] =
-		    fmax(s->answer[ANSWER_HOLDOUT], 100 * v.rmse);
+		put_validation(fields_object(list, NULL), &v);
 		n++;
 	}
 	if (n == 0)
-		report_note(r, "no run was held out: a third speed, not "
-			       "trained on, would test the model");
+		answer_say(r, ANSWER_REMARK,
+		    "no run was held out: a third speed, not "
+		    "trained on, would test the model");
 }
 
 bool
@@ -140,17 +136,16 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 	if (!answers_ready(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	struct report *r = answers_report(
+	struct answer *r = answers_new(
 	    entry->site, "validate", "held-out speeds, measured and predicted");
-	report_columns(r,
+	answer_columns(r,
 	    "speed: m/s, size, measured_mm: measured mm, "
 	    "predicted_mm: predicted mm, difference_mm: difference mm");
-	json_t *o = report_json(r), *list = json_array();
-	json_object_set_new(o, "holdout", list);
-	add_validations(s, r, list);
+	add_validations(s, r);
 	origin_note(r, entry);
 	if (entry->has_fit)
-		report_put(o, "verdict %s", fit_verdict(&entry->fit));
+		fields_put(
+		    answer_fields(r), "verdict %s", fit_verdict(&entry->fit));
 	answers_note_worth(r, entry);
-	return session_report(s, r);
+	return session_answer(s, r);
 }

@@ -26,7 +26,7 @@ struct subject {
 	const struct entry *entry;
 	const struct psd *feed;
 	struct prediction p;
-	json_t *list; /* the sentences */
+	struct answer *answer;
 };
 
 /* Share of the feed above the break size, 0..1. */
@@ -43,23 +43,24 @@ say_breakage(const struct subject *a)
 	const struct prediction *p = &a->p;
 	double can = breakable(a), does = p->selected;
 	if (p->no_daughters)
-		answers_say(a->list,
+		answer_note(a->answer,
 		    "The appearance is 0 for every daughter, so that "
 		    "nothing breaks and product = feed");
 	else if (p->break_size >= a->feed->size[0])
-		answers_say(a->list,
+		answer_note(a->answer,
 		    "At %g m/s only fragments of %.3g mm or more break, and "
 		    "the feed has none above %g mm: product = feed",
 		    p->speed, 1000 * p->break_size, units_mm(a->feed->size[0]));
 	else if (p->break_size < ANSWERS_NO_SIZE)
-		answers_say(a->list,
+		answer_note(a->answer,
 		    "With %s every size can break; %.0f %% of the feed does at "
 		    "%g m/s",
-		    a->entry->params.e0_min <= 0 ? "e0_min at 0"
-						 : "so low an alpha",
+		    params_value(&a->entry->params, "e0_min") <= 0
+			? "e0_min at 0"
+			: "so low an alpha",
 		    100 * does, p->speed);
 	else
-		answers_say(a->list,
+		answer_note(a->answer,
 		    "At %g m/s an impact has %.0f J/kg, which breaks fragments "
 		    "from %.3g mm up; %.0f %% of the feed is that coarse, and "
 		    "%.0f %% of the feed breaks",
@@ -75,17 +76,17 @@ say_how_much(const struct subject *a)
 	double moved =
 	    psd_rms(p->feed.passing, p->product.passing, p->feed.n, NULL);
 	if (can > 0 && can < FEW)
-		answers_say(a->list,
+		answer_note(a->answer,
 		    "With so little of the feed above the break size "
 		    "the product can hardly differ from the feed");
 	else if (can >= FEW && does < MOST_BREAKS * can)
-		answers_say(a->list,
+		answer_note(a->answer,
 		    "Of what could break only %.0f %% does: f_mat %.3g is low, "
 		    "so that the impact just above the threshold often fails",
-		    100 * does / can, a->entry->params.f_mat);
+		    100 * does / can, params_value(&a->entry->params, "f_mat"));
 	bool some = !p->no_daughters && p->break_size < a->feed->size[0];
 	if (some && moved < SAMPLING)
-		answers_say(a->list,
+		answer_note(a->answer,
 		    "Product and feed lie %.2f points apart (RMS), less than "
 		    "two samples of one belt",
 		    100 * moved);
@@ -103,12 +104,12 @@ say_response(const struct subject *a)
 		    pow(fast.product.passing[i] - a->p.product.passing[i], 2);
 	prediction_free(&fast);
 	if (sqrt(sum / n) < STILL && a->p.break_size < a->feed->size[0])
-		answers_say(a->list,
+		answer_note(a->answer,
 		    "The speed makes next to no difference here: 1 m/s more "
 		    "moves the product by %.2f points (RMS)",
 		    100 * sqrt(sum / n));
 	if (a->s->set.model.method == METHOD_CLASSES)
-		answers_say(a->list,
+		answer_note(a->answer,
 		    "The method classes gives each class one size, so "
 		    "that the product stands still while the break "
 		    "size moves within a class, and then jumps");
@@ -121,19 +122,19 @@ say_trained(const struct subject *a)
 	double slow, fast, v = a->p.speed;
 	const char *how = origin_trained(entry) ? "trained on" : "measured";
 	if (!origin_reach(entry, &slow, &fast)) {
-		answers_say(a->list,
+		answer_say(a->answer, ANSWER_WARNING,
 		    "Nothing says at which speeds these parameters hold");
 		return;
 	}
 	if (!answers_extrapolates(entry, v)) {
-		answers_say(a->list,
+		answer_note(a->answer,
 		    "%g m/s lies within the speeds %s, %g to %g m/s", v, how,
 		    slow, fast);
 		return;
 	}
 	double near = v > fast ? fast : slow;
 	double more = energy_specific(v) / energy_specific(near) - 1;
-	answers_say(a->list,
+	answer_say(a->answer, ANSWER_WARNING,
 	    "%g m/s is outside the speeds %s, %g to %g m/s: an impact has %.1f "
 	    "%% %s energy than at %g m/s, and nothing measured says what that "
 	    "does",
@@ -146,9 +147,10 @@ static char *
 names_of(const struct fit *fit, bool (*is)(const struct fit *, size_t))
 {
 	char *names = xstrdup("");
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	const struct breakage *of = breakage_of(&fit->params);
+	for (size_t j = 0; j < of->n; j++)
 		if (is(fit, j))
-			xlist(&names, " and ", "%s", PARAMS[j].name);
+			xlist(&names, " and ", "%s", of->parameter[j].name);
 	return names;
 }
 
@@ -164,12 +166,12 @@ say_parameters(const struct subject *a, const struct fit *fit)
 	char *bound = names_of(fit, is_on_bound);
 	char *flat = names_of(fit, fit_is_flat);
 	if (bound[0] != '\0')
-		answers_say(a->list,
+		answer_say(a->answer, ANSWER_WARNING,
 		    "%s on a bound of the search: the bound, not the data, "
 		    "sets the value",
 		    bound);
 	if (flat[0] != '\0')
-		answers_say(a->list,
+		answer_note(a->answer,
 		    "The data do not tell %s well: far other values, changed "
 		    "together, fit a tenth worse only; the curves are to be "
 		    "relied on, not these values",
@@ -186,7 +188,7 @@ say_fit(const struct subject *a)
 	if (!entry->has_fit) {
 		char *details = origin_details(entry->origin);
 		bool own = entry->origin->whose[0] == '\0';
-		answers_say(a->list,
+		answer_note(a->answer,
 		    "The parameters were %s%s%s%s, not found by a calibration "
 		    "on this site's runs",
 		    session_origin(entry), own ? "" : " (", own ? "" : details,
@@ -195,22 +197,22 @@ say_fit(const struct subject *a)
 		return;
 	}
 	if (fit->rmse > FIT_POOR)
-		answers_say(a->list,
+		answer_say(a->answer, ANSWER_WARNING,
 		    "The fit is poor: it misses the products it was trained on "
 		    "by %.1f points (RMS), where sampling repeats to 0.5 to 1; "
 		    "look for faults in the sheet with 'check'",
 		    100 * fit->rmse);
 	else if (fit_too_few(fit))
-		answers_say(a->list,
+		answer_say(a->answer, ANSWER_WARNING,
 		    "%zu passings cannot determine %zu parameters: what the "
 		    "fit is worth is not known; add sieves or a run",
 		    fit->cells, fit->parameters);
 	else if (fit_breaks_nothing(fit))
-		answers_say(a->list,
+		answer_say(a->answer, ANSWER_WARNING,
 		    "The training products cannot be told from their "
 		    "feed, so that the parameters fit sampling noise");
 	else
-		answers_say(a->list,
+		answer_note(a->answer,
 		    "The fit is good: %.2f points (RMS) off the products it "
 		    "was trained on",
 		    100 * fit->rmse);
@@ -228,7 +230,7 @@ say_measured(const struct subject *a)
 		return;
 	struct validation v = validate_run(
 	    site, r, a->entry->train, &a->entry->params, a->s->set.model);
-	answers_say(a->list,
+	answer_note(a->answer,
 	    "The product measured at %g m/s, not trained on, lies %.2f points "
 	    "(RMS) off the prediction%s",
 	    v.speed, 100 * v.rmse,
@@ -243,10 +245,10 @@ say_data(const struct subject *a)
 {
 	char *from = site_source(a->entry->site, "");
 	if (from[0] == '\0')
-		answers_say(
-		    a->list, "The sheet does not say where its data are from");
+		answer_note(a->answer,
+		    "The sheet does not say where its data are from");
 	else
-		answers_say(a->list,
+		answer_note(a->answer,
 		    site_data_made_up(from)
 			? "The data are not from a plant's sieves: %s"
 			: "The data are measured, says the sheet: %s",
@@ -260,19 +262,8 @@ say_feed(const struct subject *a)
 {
 	const struct site *site = a->entry->site;
 	if (a->p.feed_run != site_run_nearest(site, a->p.speed))
-		answers_say(a->list, "The feed is the one sampled at %g m/s",
+		answer_note(a->answer, "The feed is the one sampled at %g m/s",
 		    site->run[a->p.feed_run].speed);
-}
-
-static void
-print_sentences(const struct subject *a)
-{
-	struct report *r =
-	    answers_report(a->entry->site, "why", "why, at %g m/s", a->p.speed);
-	answers_tell(a->s, r, a->list);
-	report_put(report_json(r), "speed %g", a->p.speed);
-	json_object_set(report_json(r), "sentences", a->list);
-	session_report(a->s, r);
 }
 
 bool
@@ -289,7 +280,8 @@ cmd_why(struct session *s, const struct args *args, struct error *error)
 	    .entry = entry,
 	    .feed = &entry->site->run[run].feed,
 	    .p = answers_predict(s, entry, v, run),
-	    .list = json_array()};
+	    .answer = answers_new(entry->site, "why", "why, at %g m/s", v)};
+	fields_put(answer_fields(a.answer), "speed %g", v);
 	say_feed(&a);
 	say_breakage(&a);
 	say_how_much(&a);
@@ -298,8 +290,6 @@ cmd_why(struct session *s, const struct args *args, struct error *error)
 	say_measured(&a);
 	say_fit(&a);
 	say_data(&a);
-	print_sentences(&a);
-	json_decref(a.list);
 	prediction_free(&a.p);
-	return true;
+	return session_answer(s, a.answer);
 }

@@ -3,6 +3,7 @@
 #include "core/appearance.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "core/elementary.h"
 
@@ -144,18 +145,19 @@ appearance_argument(enum appearance_form form, double parent, double daughter)
 }
 
 void
-appearance_matrix(const double beta[static 4], enum appearance_form form,
-    const double *x, size_t n, double *a)
+appearance_parts(
+    const struct appearance *a, double log_u, double parts[static 4])
 {
-	for (size_t i = 0; i < n; i++) {
-		double sum = 0;
-		for (size_t j = 0; j < n; j++) {
-			double u = appearance_argument(form, x[i], x[j]);
-			a[j * n + i] = j < i ? 0 : appearance_density(beta, u);
-			sum += a[j * n + i];
-		}
-		bool broken = sum > 0 && isfinite(sum);
-		for (size_t j = i; j < n; j++)
-			a[j * n + i] = broken ? a[j * n + i] / sum : j == i;
+	double u = el_exp(log_u);
+	for (size_t b = 0; b < 4; b++)
+		parts[b] = 0;
+	for (size_t i = 0; i < a->n && u > a->lower[i]; i++) {
+		bool whole = u >= a->upper[i];
+		double end = whole ? a->upper[i] : u;
+		double log_end = whole ? el_log(end) : log_u;
+		double log_lower = el_log(a->lower[i]);
+		for (size_t b = 0; b < 4; b++)
+			parts[b] += appearance_power(b, log_end, end) -
+				    appearance_power(b, log_lower, a->lower[i]);
 	}
 }

@@ -1,4 +1,4 @@
-/* Appearance (Eq 1): into which sizes a broken fragment falls.
+/* Appearance (Eq 1): into which sizes a broken particle falls.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_APPEARANCE_H
 #define TIPSPEED_CORE_APPEARANCE_H
@@ -44,14 +44,20 @@ double appearance_argument(
  * every u < 1. */
 double appearance_passing(const struct appearance *a, double u);
 
-/* Appearance matrix of Table 1 for size classes.
- *   a_ij share of class i that falls into class j, j at or below i; columns
- *   (one parent i each) add up to 1.
- * beta; form; x [n] class sizes, m, coarsest first.
- * a [n * n] out, a[j * n + i]; above the diagonal 0.
- * A parent with no share anywhere keeps its mass: a_ii = 1.
- * Cannot fail.   Source: paper Eq 1 and Table 1, departures D3 and D4. */
-void appearance_matrix(const double beta[static 4], enum appearance_form form,
-    const double *x, size_t n, double *a);
+/* Integral of u^power d ln u, up to a constant. */
+static inline double
+appearance_power(size_t power, double log_u, double u)
+{
+	double up = 1;
+	for (size_t i = 0; i < power; i++)
+		up *= u;
+	return power == 0 ? log_u : up / (double)power;
+}
+
+/* The integral of u^(m - 1) over the pieces of p up to u, parts [4] for m = 0
+ * to 3 with ln u for the first: B(u) is their sum weighted by beta, over that
+ * of u = 1. */
+void appearance_parts(
+    const struct appearance *a, double log_u, double parts[static 4]);
 
 #endif

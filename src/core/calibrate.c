@@ -17,6 +17,7 @@
 #include "base/pool.h"
 #include "base/xalloc.h"
 #include "core/calibration.h"
+#include "core/energy.h"
 #include "core/rng.h"
 
 static const size_t SCOUT_GENERATION[2] = {6, 11};
@@ -32,7 +33,7 @@ calibrate_options_default(void)
 	    .polish = true,
 	    .threads = 1,
 	    .isa = ISA_BEST,
-	    .bounds = bounds_default(),
+	    .bounds = bounds_default(0),
 	    .settings = model_settings_default()};
 }
 
@@ -59,6 +60,19 @@ calibrate_misfit(
 	return m;
 }
 
+/* Holds the reference energy of a model that has one at the mean of the
+ * training runs, unless it was given another (D12). */
+static void
+fix_reference(const struct misfit *m, struct bounds *b)
+{
+	size_t j = m->of->reference;
+	double sum = 0;
+	for (size_t r = 0; r < m->n_run; r++)
+		sum += energy_specific(m->run[r].speed);
+	if (j < m->of->n && !(b->upper[j] > 0))
+		b->lower[j] = b->upper[j] = sum / (double)m->n_run;
+}
+
 struct calibration *
 calibration_new(
     const struct site *site, const struct calibrate_options *options)
@@ -69,6 +83,7 @@ calibration_new(
 	c->pool = pool_new(options->threads);
 	c->site_digest = site->digest;
 	c->misfit = calibrate_misfit(site, options);
+	fix_reference(c->misfit, &c->options.bounds);
 	assert(c->misfit->n_residual > 0);
 	c->kernel = kernel_new(c->misfit, options->isa, pool_threads(c->pool));
 	if (options->plain)
@@ -78,8 +93,8 @@ calibration_new(
 	ga.isa = options->isa;
 	if (ga.elite > ga.population / 4)
 		ga.elite = ga.population / 4;
-	c->ga = ga_new(
-	    &ga, PARAM_COUNT, options->bounds.lower, options->bounds.upper);
+	c->ga = ga_new(&ga, c->misfit->of->n, c->options.bounds.lower,
+	    c->options.bounds.upper);
 	for (size_t i = 0; i < BATCH; i++) {
 		c->worker[i].misfit = calibrate_misfit(site, options);
 		c->worker[i].polish = polish_new(c->worker[i].misfit);
@@ -109,10 +124,10 @@ calibration_free(struct calibration *c)
 }
 
 static struct params
-genes(const double *const *gene, size_t i)
+genes(const struct calibration *c, const double *const *gene, size_t i)
 {
-	struct params p;
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	struct params p = {.breakage = c->options.settings.breakage};
+	for (size_t j = 0; j < c->misfit->of->n; j++)
 		p.at[j] = gene[j][i];
 	return p;
 }
@@ -126,7 +141,7 @@ keep_scouts(struct calibration *c)
 	ga_leaders(c->ga, leaders, index);
 	for (size_t i = 0; i < SCOUTS; i++)
 		c->start[c->n_start++] =
-		    genes(ga_told(c->ga), index[i * leaders / SCOUTS]);
+		    genes(c, ga_told(c->ga), index[i * leaders / SCOUTS]);
 }
 
 static void
@@ -151,7 +166,7 @@ remember(struct calibration *c, const struct ga_status *s)
 	*g = (struct calibrate_generation){.best = s->best,
 	    .median = s->median,
 	    .params = calibration_search_best(c)};
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	for (size_t j = 0; j < c->misfit->of->n; j++)
 		ga_spread(c->ga, j, &g->p10[j], &g->p90[j]);
 }
 
@@ -217,9 +232,10 @@ hop(const struct calibration *c, size_t number)
 	const struct bounds *b = &c->options.bounds;
 	struct rng_key key = rng_key(c->options.seed, number, USE_HOP);
 	struct params p = c->best;
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	size_t n = c->misfit->of->n;
+	for (size_t j = 0; j < n; j++) {
 		double v = 2 * rng_uniform(key, (uint32_t)j) - 1;
-		double size = rng_uniform(key, (uint32_t)(j + PARAM_COUNT));
+		double size = rng_uniform(key, (uint32_t)(j + n));
 		double x =
 		    p.at[j] + (b->upper[j] - b->lower[j]) * size * v * v * v;
 		p.at[j] = fmin(fmax(x, b->lower[j]), b->upper[j]);
@@ -227,19 +243,20 @@ hop(const struct calibration *c, size_t number)
 	return p;
 }
 
-/* beta may be scaled as it likes (D4).  At half the largest size its bounds
- * allow, hops reach every direction alike. */
+/* The gauge may be scaled as it likes (D4).  At half the largest size its
+ * bounds allow, hops reach every direction alike. */
 static void
-centre_beta(const struct bounds *b, struct params *p)
+centre_gauge(const struct bounds *b, struct params *p)
 {
 	double reach = INFINITY;
-	for (size_t j = 0; j < 4; j++)
+	size_t gauge = breakage_of(p)->gauge;
+	for (size_t j = 0; j < gauge; j++)
 		reach = fmin(reach, fmin(b->upper[j], -b->lower[j]));
 	if (!(reach > 0))
 		return;
-	params_scale_beta(p);
-	for (size_t j = 0; j < 4; j++)
-		p->beta[j] *= reach / 2;
+	params_scale(p);
+	for (size_t j = 0; j < gauge; j++)
+		p->at[j] *= reach / 2;
 }
 
 static void
@@ -254,7 +271,7 @@ take_polished(struct calibration *c, const struct worker *w, bool hopping)
 		c->fruitless = 0;
 	c->best_misfit = w->result.misfit;
 	c->best = w->p;
-	centre_beta(&c->options.bounds, &c->best);
+	centre_gauge(&c->options.bounds, &c->best);
 }
 
 /* Most of the misfit is there without a model, too: noise makes many shallow
@@ -311,12 +328,12 @@ calibration_step(struct calibration *c)
 	return c->state;
 }
 
-/* The same beta, scaled so that as little as possible is cut off (D4). */
+/* The same gauge, scaled so that as little as possible is cut off (D4). */
 static void
 bring(const struct bounds *b, struct params *p)
 {
-	centre_beta(b, p);
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	centre_gauge(b, p);
+	for (size_t j = 0; j < breakage_of(p)->n; j++)
 		p->at[j] = fmin(fmax(p->at[j], b->lower[j]), b->upper[j]);
 }
 
@@ -325,6 +342,8 @@ calibration_set_bounds(struct calibration *c, const struct bounds *bounds)
 {
 	assert(c->state <= CALIBRATE_POLISHING);
 	c->options.bounds = *bounds;
+	fix_reference(c->misfit, &c->options.bounds);
+	bounds = &c->options.bounds;
 	c->edits++;
 	c->edited_at = ga_status(c->ga).generation;
 	c->stall = 0;

@@ -77,6 +77,9 @@ enum calibrate_state calibration_step(struct calibration *c);
  * says so. */
 void calibration_set_bounds(struct calibration *c, const struct bounds *bounds);
 
+/* The bounds of the search, a reference energy (D12) in its place. */
+const struct bounds *calibration_bounds(const struct calibration *c);
+
 struct calibrate_status {
 	enum calibrate_state state;
 	size_t generation, evaluations;
@@ -95,7 +98,7 @@ struct calibrate_status calibration_status(const struct calibration *c);
 struct calibrate_generation {
 	double best, median;
 	struct params params; /* the best so far, beta as bred */
-	double p10[PARAM_COUNT], p90[PARAM_COUNT];
+	double p10[PARAMS_MOST], p90[PARAMS_MOST];
 };
 
 /* All generations so far, [*n]; borrowed until the next step. */
@@ -104,14 +107,14 @@ const struct calibrate_generation *calibration_history(
 
 /* A result with its origin: it never travels without. */
 struct fit {
-	struct params params; /* beta scaled to 1 (D4) */
+	struct params params; /* scaled, see params_scale (D4) */
 	double misfit;        /* on model_product, at the training runs */
 	double rmse;          /* of passing at the training runs, 0..1 */
 	double feed_misfit;   /* of the null model product = feed */
 	size_t n_residual;    /* passings compared */
 	size_t cells;         /* of these, that crushing can change */
 	size_t parameters;    /* that were searched, not held fixed */
-	bool on_bound[PARAM_COUNT];
+	bool on_bound[PARAMS_MOST];
 	struct flat flat; /* what the data tell least */
 	enum calibrate_state stop;
 	size_t generations, evaluations, hops;

@@ -36,8 +36,14 @@ calibration_status(const struct calibration *c)
 	/* Other bounds, and nothing judged within them yet. */
 	if (isinf(status.best) && s.generation > 0)
 		status.best = misfit_at(c->misfit, &status.params);
-	params_scale_beta(&status.params);
+	params_scale(&status.params);
 	return status;
+}
+
+const struct bounds *
+calibration_bounds(const struct calibration *c)
+{
+	return &c->options.bounds;
 }
 
 struct fit
@@ -63,12 +69,12 @@ calibration_fit(struct calibration *c)
 	    .site_digest = c->site_digest,
 	    .population = c->options.population,
 	    .settings = c->options.settings};
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	for (size_t j = 0; j < c->misfit->of->n; j++) {
 		const struct bounds *b = &c->options.bounds;
 		fit.on_bound[j] = sensitivity_on_bound(b, &p, j);
 		fit.parameters += b->lower[j] < b->upper[j];
 	}
-	params_scale_beta(&p);
+	params_scale(&p);
 	fit.flat = flat_direction(c->misfit, &p, &c->options.bounds);
 	fit.params = p;
 	return fit;

@@ -63,8 +63,8 @@ struct calibration {
 static inline struct params
 calibration_search_best(const struct calibration *c)
 {
-	struct params p;
-	memcpy(p.at, ga_best(c->ga), sizeof p.at);
+	struct params p = {.breakage = c->options.settings.breakage};
+	memcpy(p.at, ga_best(c->ga), c->misfit->of->n * sizeof *p.at);
 	return p;
 }
 

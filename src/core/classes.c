@@ -7,8 +7,7 @@
 
 #include "base/xalloc.h"
 #include "core/appearance.h"
-#include "core/energy.h"
-#include "core/selection.h"
+#include "core/elementary.h"
 
 /* n feed sieves make n classes: n - 1 intervals and the pan. */
 struct classes {
@@ -18,7 +17,7 @@ struct classes {
 	struct psd product; /* on the feed's sieves */
 	double *x, *f, *S, *matrix;
 	struct model_settings settings;
-	struct params p;
+	struct breaker b;
 };
 
 void
@@ -28,6 +27,25 @@ classes_sizes(const struct psd *feed, double *x)
 	for (size_t i = 0; i < pan; i++)
 		x[i] = sqrt(feed->size[i] * feed->size[i + 1]);
 	x[pan] = feed->size[pan] / 2;
+}
+
+void
+classes_matrix(const struct breaker *b, enum appearance_form form,
+    const double *x, size_t n, double *a)
+{
+	for (size_t i = 0; i < n; i++) {
+		double sum = 0, log_x = el_log(x[i]);
+		for (size_t j = 0; j < n; j++) {
+			double u = appearance_argument(form, x[i], x[j]);
+			a[j * n + i] = j < i ? 0
+					     : b->model->density(b, u,
+						   el_log(x[j]) - log_x, log_x);
+			sum += a[j * n + i];
+		}
+		bool broken = sum > 0 && isfinite(sum);
+		for (size_t j = i; j < n; j++)
+			a[j * n + i] = broken ? a[j * n + i] / sum : j == i;
+	}
 }
 
 struct classes *
@@ -71,16 +89,25 @@ classes_free(struct classes *c)
 void
 classes_set(struct classes *c, const struct params *p)
 {
-	c->p = *p;
-	appearance_matrix(
-	    p->beta, c->settings.appearance, c->x, c->feed.n, c->matrix);
+	breaker_set(&c->b, p, c->settings.k);
+}
+
+/* The breaker, the matrix and S at that speed. */
+static void
+go_to(struct classes *c, double v)
+{
+	breaker_at(&c->b, v);
+	classes_matrix(
+	    &c->b, c->settings.appearance, c->x, c->feed.n, c->matrix);
+	for (size_t i = 0; i < c->feed.n; i++)
+		c->S[i] = c->b.model->selection(&c->b, el_log(c->x[i]), NULL);
 }
 
 void
 classes_product(struct classes *c, double v, double *passing)
 {
 	size_t n = c->feed.n;
-	selection(&c->p, c->settings.k, energy_specific(v), c->x, n, c->S);
+	go_to(c, v);
 	double finer = 0;
 	for (size_t j = n; j-- > 0;) {
 		double mass = (1 - c->S[j]) * c->f[j];
@@ -94,8 +121,9 @@ classes_product(struct classes *c, double v, double *passing)
 }
 
 bool
-classes_breaks(const struct classes *c)
+classes_breaks(struct classes *c, double v)
 {
+	go_to(c, v);
 	for (size_t i = 0; i < c->feed.n; i++)
 		if (c->matrix[i * c->feed.n + i] < 1)
 			return true;
@@ -106,8 +134,7 @@ double
 classes_selected(struct classes *c, double v)
 {
 	double sum = 0;
-	selection(
-	    &c->p, c->settings.k, energy_specific(v), c->x, c->feed.n, c->S);
+	go_to(c, v);
 	for (size_t i = 0; i < c->feed.n; i++)
 		sum += c->S[i] * c->f[i];
 	return sum;

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "core/params.h"
+#include "core/breakage.h"
 #include "core/psd.h"
 
 struct classes;
@@ -15,13 +15,24 @@ struct classes *classes_new(const struct psd *feed, const double *sieve,
     size_t n, struct model_settings settings);
 void classes_free(struct classes *c);
 
-/* See model_set, model_product, model_breaks and model_selected. */
+/* See model_set, model_product, model_breaks and model_selected, but for the
+ * bypass. */
 void classes_set(struct classes *c, const struct params *p);
 void classes_product(struct classes *c, double v, double *passing);
-bool classes_breaks(const struct classes *c);
+bool classes_breaks(struct classes *c, double v);
 double classes_selected(struct classes *c, double v);
 
 /* Sizes, m, of the n feed classes, coarsest first, the pan last (D5). */
 void classes_sizes(const struct psd *feed, double *x);
+
+/* Appearance matrix of Table 1 for size classes.
+ *   a_ij share of class i that falls into class j, j at or below i; columns
+ *   (one parent i each) add up to 1.
+ * b at its speed; form; x [n] class sizes, m, coarsest first.
+ * a [n * n] out, a[j * n + i]; above the diagonal 0.
+ * A parent with no share anywhere keeps its mass: a_ii = 1.
+ * Cannot fail.   Source: paper Eq 1 and Table 1, departures D3 and D4. */
+void classes_matrix(const struct breaker *b, enum appearance_form form,
+    const double *x, size_t n, double *a);
 
 #endif

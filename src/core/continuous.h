@@ -3,21 +3,72 @@
 #ifndef TIPSPEED_CORE_CONTINUOUS_H
 #define TIPSPEED_CORE_CONTINUOUS_H
 
-#include "core/appearance.h"
-#include "core/params.h"
+#include "core/breakage.h"
 #include "core/psd.h"
 
-struct continuous;
+enum { STOPS = 5, GAUSS = 8 };
+
+/* A point of the integrals over the feed: t = ln x, the mass dF that it stands
+ * for, S there and its derivatives. */
+struct point {
+	double t, mass, S, dS[PARAMS_MOST];
+};
+
+struct moments;
+
+/* Classes between neighbouring edges; density is dF / d ln x.  At the speed
+ * asked for last: b, where panels end, and the points, coarsest class first. */
+struct continuous {
+	size_t n_sieve, n_edge;
+	double *log_sieve, *feed_passing;
+	double *edge, *density;
+	struct breaker b;
+	double stop[STOPS]; /* ln x, rising */
+	size_t n_point;
+	struct point *point;
+	struct moments *above; /* [n_edge], for moments.c */
+};
 
 /* See model_new. */
 struct continuous *continuous_new(
     const struct psd *feed, const double *sieve, size_t n, double k);
 void continuous_free(struct continuous *c);
 
-/* See model_set, model_jacobian (d_passing may be NULL) and model_selected. */
+/* See model_set, model_jacobian (d_passing may be NULL) and model_selected,
+ * but for the bypass. */
 void continuous_set(struct continuous *c, const struct params *p);
 void continuous_product(
     struct continuous *c, double v, double *passing, double *d_passing);
 double continuous_selected(struct continuous *c, double v);
+
+/* Calls add(c, t, weight, data) for the points of Gauss-Legendre panels over ln
+ * x from a to b, within one class of that density and from where S begins. */
+static inline void
+continuous_stretch(const struct continuous *c, double a, double b,
+    double density,
+    void add(const struct continuous *c, double t, double weight, void *data),
+    void *data)
+{
+	static const double X[GAUSS / 2] = {0.1834346424956498,
+	    0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+	static const double W[GAUSS / 2] = {0.3626837833783620,
+	    0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
+	if (density <= 0)
+		return;
+	if (a < c->stop[0])
+		a = c->stop[0];
+	for (size_t i = 1; i <= STOPS && a < b; i++) {
+		if (i < STOPS && c->stop[i] <= a)
+			continue;
+		double end = i < STOPS && c->stop[i] < b ? c->stop[i] : b;
+		double middle = (a + end) / 2, half = (end - a) / 2;
+		for (size_t q = 0; q < GAUSS / 2; q++) {
+			double weight = density * half * W[q];
+			add(c, middle - half * X[q], weight, data);
+			add(c, middle + half * X[q], weight, data);
+		}
+		a = end;
+	}
+}
 
 #endif

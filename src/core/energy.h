@@ -5,15 +5,14 @@
 
 #include "core/params.h"
 
-/* Specific energy of a fragment thrown at tip speed v.
+/* Specific energy of a particle thrown at tip speed v.
  *   E = v^2 / 2
  * v rotor tip speed, m/s.  Returns J/kg.   Source: paper Eq 4. */
 double energy_specific(double v);
 
-/* Break size: the smallest size that can break at tip speed v.
- *   x* = (E0_min / E)^(1 / alpha)
- * v m/s.  Returns m: 0 where every size breaks, INFINITY where none does (as
- * with alpha = 0 and E <= E0_min).   Source: Eq 3 at S = 0. */
+/* Break size x*: the smallest size that can break at tip speed v, as the
+ * parameters' model has it.
+ * v m/s.  Returns m: 0 where every size breaks, INFINITY where none does. */
 double energy_break_size(const struct params *p, double v);
 
 #endif

@@ -7,11 +7,11 @@
 #include "core/params.h"
 
 /* The direction in which the misfit rises least at a fitted point, to second
- * order. part [PARAM_COUNT]: how far each parameter goes along it, in shares of
+ * order. part [PARAMS_MOST]: how far each parameter goes along it, in shares of
  * its search range, for a rise of a tenth of the misfit; 0 for parameters that
  * are fixed or on a bound. reach: the longest of these steps. */
 struct flat {
-	double part[PARAM_COUNT];
+	double part[PARAMS_MOST];
 	double reach;
 };
 

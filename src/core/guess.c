@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "core/breakage.h"
 #include "core/predict.h"
 #include "core/synth.h"
 
@@ -16,7 +17,9 @@
 static bool
 same_numbers(const struct guess_material *a, const struct guess_material *b)
 {
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	if (a->params.breakage != b->params.breakage)
+		return false;
+	for (size_t j = 0; j < breakage_of(&a->params)->n; j++)
 		if (a->params.at[j] != b->params.at[j])
 			return false;
 	return a->top_size == b->top_size &&

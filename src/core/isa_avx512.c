@@ -9,8 +9,9 @@
 #else
 #define LANES 2
 #endif
-#define KERNEL_NAME kernel_block_avx512
+#define ISA avx512
 #define BREED_NAME breed_block_avx512
-#define BINS_NAME kernel_bins_avx512
 #include "core/kernel_body.h"
+/* Its own order: the models need the kernel. */
+#include "core/breakage_all.h"
 #include "core/breed_body.h"

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/plan.h"
+#include "core/breakage.h"
 
 struct kernel {
 	struct plan plan;
@@ -20,14 +20,11 @@ struct kernel {
 struct kernel *
 kernel_new(const struct misfit *m, enum isa isa, unsigned threads)
 {
-	static kernel_block *const BLOCKS[] = {
-	    kernel_block_base, kernel_block_avx2, kernel_block_avx512};
-	static kernel_bins *const BINS[] = {
-	    kernel_bins_base, kernel_bins_avx2, kernel_bins_avx512};
 	struct kernel *kernel = xcalloc(1, sizeof *kernel);
 	enum isa usable = isa_usable(isa);
-	kernel->block = BLOCKS[usable];
-	kernel->bins = BINS[usable];
+	const struct breakage *of = BREAKAGES[m->settings.breakage];
+	kernel->block = of->kernel[usable].block;
+	kernel->bins = of->kernel[usable].bins;
 	plan_make(&kernel->plan, m);
 	kernel->threads = threads;
 	kernel->scratch = xcalloc(threads, sizeof *kernel->scratch);
@@ -67,8 +64,8 @@ fill_block(struct queue *q)
  * block whose lanes break the same sizes skips the rest at once.  The order
  * changes no bit of any misfit. */
 static void
-line_up(const struct kernel *kernel, const double *const theta[PARAM_COUNT],
-    size_t from, size_t to, struct queue *q)
+line_up(const struct kernel *kernel, const double *const *theta, size_t from,
+    size_t to, struct queue *q)
 {
 	uint16_t bin[KERNEL_PART];
 	uint32_t place[2 * KERNEL_BINS + 1] = {0};
@@ -93,9 +90,8 @@ line_up(const struct kernel *kernel, const double *const theta[PARAM_COUNT],
 }
 
 void
-kernel_evaluate_part(const struct kernel *kernel,
-    const double *const theta[PARAM_COUNT], size_t from, size_t to,
-    unsigned thread, double *misfit)
+kernel_evaluate_part(const struct kernel *kernel, const double *const *theta,
+    size_t from, size_t to, unsigned thread, double *misfit)
 {
 	struct queue q;
 	assert(to - from <= KERNEL_PART && from % KERNEL_LANES == 0);
@@ -124,7 +120,7 @@ evaluate_part(void *data, size_t part, unsigned thread)
 
 void
 kernel_evaluate(const struct kernel *kernel, struct pool *pool,
-    const double *const theta[PARAM_COUNT], size_t n, double *misfit)
+    const double *const *theta, size_t n, double *misfit)
 {
 	struct batch batch = {kernel, theta, n, misfit};
 	assert(pool_threads(pool) <= kernel->threads);

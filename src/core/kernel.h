@@ -8,6 +8,7 @@
 #include "base/pool.h"
 #include "core/isa.h"
 #include "core/misfit.h"
+#include "core/plan.h"
 
 /* A search evaluates millions of candidates, so this computes the misfit of
  * misfit.h on a coarser scheme, lanes being candidates:
@@ -15,16 +16,16 @@
  *   sieve; S is integrated on each from max(x*, lower edge) by two or three
  *   Gauss points, as mass and as first moment about the middle; where S is 1
  *   throughout, both are known beforehand;
- * - p, clipped by a max(), and its integral are tabled at fixed nodes of u and
- *   read at the middle of each class as seen from each sieve; a class adds mass
- *   times B there, less moment times p.
+ * - p = dB / d ln u and B are tabled at fixed nodes of u, once or for each
+ *   speed as the model needs, and read at the middle of each class as seen
+ *   from each sieve; a class adds mass times B there, less moment times p.
  * Within 0.05 points of model_product at Table 3 (tested); the answer of a
- * search is polished and reported on model_product.  `classes` is exact.
+ * search is polished and reported on model_product.  `classes` is exact where
+ * the model gives a density.
  *
- * Nothing is printed, nor allocated by an evaluation. A
- * candidate's misfit depends on that candidate alone, bit for bit: not on its
- * neighbours, the number of threads or the instruction set (no fused
- * multiply-add, own exp). */
+ * Nothing is printed, nor allocated by an evaluation. A candidate's misfit
+ * depends on that candidate alone, bit for bit: not on its neighbours, the
+ * number of threads or the instruction set (no fused multiply-add, own exp). */
 struct kernel;
 
 /* The misfit is read here and not kept.  threads: how many will evaluate at
@@ -33,20 +34,20 @@ struct kernel *kernel_new(
     const struct misfit *m, enum isa isa, unsigned threads);
 void kernel_free(struct kernel *kernel);
 
-/* misfit [to] out in from..to-1, for those candidates of
- * theta[PARAM_COUNT][to], one array a parameter in the order of PARAMS, aligned
- * to 64 bytes and readable up to the next multiple of KERNEL_LANES.  from is a
+/* misfit [to] out in from..to-1, for those candidates of theta, one array [to]
+ * a parameter of the misfit's model in the order of its table, aligned to 64
+ * bytes and readable up to the next multiple of KERNEL_LANES.  from is a
  * multiple of KERNEL_LANES, and to - from at most KERNEL_PART.  Not a number
  * becomes INFINITY.  thread: below that of kernel_new; two at once have
  * different ones. */
-enum { KERNEL_LANES = 8, KERNEL_PART = 63 * KERNEL_LANES };
+enum { KERNEL_PART = 63 * KERNEL_LANES };
 void kernel_evaluate_part(const struct kernel *kernel,
-    const double *const theta[PARAM_COUNT], size_t from, size_t to,
-    unsigned thread, double *misfit);
+    const double *const *theta, size_t from, size_t to, unsigned thread,
+    double *misfit);
 
 /* All of n candidates; the pool's threads, at most those of kernel_new, share
  * the parts.  pool: NULL for the caller's thread alone. */
 void kernel_evaluate(const struct kernel *kernel, struct pool *pool,
-    const double *const theta[PARAM_COUNT], size_t n, double *misfit);
+    const double *const *theta, size_t n, double *misfit);
 
 #endif

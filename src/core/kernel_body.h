@@ -6,13 +6,41 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "core/kernel.h"
 #include "core/lanes.h"
 #include "core/plan.h"
 
-/* A block's parameters and what follows from them. */
+/* Into each of the models the whole kernel is compiled anew. */
+#define INLINE static inline __attribute__((always_inline))
+
+/* A block's parameters and what follows from them.  own: the appearance's, as
+ * the model has it; over_total: what the broken mass is divided by, with the
+ * share that is crushed at all (D14). */
 struct block {
-	lanes beta[4], f, e0, alpha, over_alpha, f_e0, log_e0, log_full,
-	    over_total;
+	lanes f, e0, alpha, over_alpha, f_e0, log_e0, log_full, kept,
+	    over_total, own[6];
+};
+
+/* p = dB / d ln u at a node of u, and B up to there, both times the total. */
+struct node {
+	lanes p, below;
+};
+
+/* A model's part.  strength: index of f_mat, which e0_min and alpha follow.
+ * nodes: fills a table [KERNEL_NODES], or where B hangs on the speed (per_run)
+ * one for each run, and returns the total.  at_sieve: what B is multiplied by
+ * at a daughter of ln s, or NULL.  density: p at u for `classes`, or NULL where
+ * the nodes serve. */
+struct lane_model {
+	size_t strength;
+	bool per_run;
+	void (*load)(
+	    struct block *b, const double *const *theta, const uint32_t *index);
+	lanes (*nodes)(
+	    const struct block *b, const struct plan *plan, struct node *node);
+	lanes (*at_sieve)(const struct block *b, double log_s);
+	lanes (*density)(const struct block *b, const struct plan_run *run,
+	    double u, double log_u, double log_y);
 };
 
 /* Where f (x^alpha E - e0) is more in the whole of a class, all of it breaks:
@@ -35,21 +63,22 @@ static const struct gauss GAUSS_3 = {3,
     {0.1127016653792583, 0.5, 0.8872983346207417},
     {5.0 / 18, 8.0 / 18, 5.0 / 18}};
 
-static inline void
-load(struct block *b, const struct plan *plan,
-    const double *const theta[PARAM_COUNT], const uint32_t *index)
+INLINE void
+load(const struct lane_model *m, struct block *b, const struct plan *plan,
+    const double *const *theta, const uint32_t *index)
 {
-	for (size_t m = 0; m < 4; m++)
-		b->beta[m] = lanes_gather(theta[m], index);
-	b->f = lanes_gather(theta[PARAM_F_MAT], index) * plan->k;
-	b->e0 = lanes_gather(theta[PARAM_E0_MIN], index);
-	b->alpha = lanes_gather(theta[PARAM_ALPHA], index);
+	m->load(b, theta, index);
+	b->f = lanes_gather(theta[m->strength], index) * plan->k;
+	b->e0 = lanes_gather(theta[m->strength + 1], index);
+	b->alpha = lanes_gather(theta[m->strength + 2], index);
 	b->over_alpha = 1 / lanes_max(b->alpha, lanes_of(1e-9));
 	/* S is 0 below the size of the first and 1 above that of the second,
 	 * where the exponent reaches FULL. */
 	b->f_e0 = b->f * b->e0;
 	b->log_e0 = lanes_log(b->e0);
 	b->log_full = lanes_log(FULL / b->f + b->e0);
+	if (plan->bypass > 0)
+		b->kept = 1 - lanes_gather(theta[plan->bypass], index);
 }
 
 static inline lanes
@@ -58,48 +87,30 @@ positive(lanes a)
 	return lanes_max(a, lanes_of(0));
 }
 
-/* p(u), clipped. */
-static inline lanes
-density(const lanes beta[static 4], double u)
-{
-	return positive(beta[0] + u * (beta[1] + u * (beta[2] + u * beta[3])));
-}
-
 /* Mass S dF of a class and its first moment about the middle. */
 struct share {
 	lanes mass, moment;
-};
-
-/* p at a node of u, and its integral from 2^-10 up to there. */
-struct node {
-	lanes p, below;
 };
 
 /* Workspace of a block, in the thread's scratch. */
 struct room {
 	lanes *from, *full;  /* [n_run] ln x* and ln x where S becomes 1 */
 	struct share *share; /* [n_run * n_class] */
-	struct node *node;   /* [KERNEL_NODES] */
+	struct node *node;   /* [KERNEL_NODES] for each run, or once */
 	size_t n_full;       /* classes, from the coarsest, that break whole */
 	size_t n_active;     /* and those of which any lane breaks some */
 };
 
-/* p at the nodes of u and its integral up to each. */
-static inline void
-cumulate(struct block *b, const struct plan *plan, const struct room *room)
+/* The nodes of every run, or of all at once. */
+INLINE void
+tabulate(const struct lane_model *m, struct block *b, const struct plan *plan,
+    const struct room *room)
 {
-	size_t last = KERNEL_NODES - 1;
-	lanes sum = lanes_of(0);
-	struct node *node = room->node;
-	node[last].p = density(b->beta, plan->u[last]);
-	node[last].below = sum;
-	for (size_t n = last; n-- > 0;) {
-		node[n].p = density(b->beta, plan->u[n]);
-		sum += plan->half_step[n] * (node[n + 1].p + node[n].p);
-		node[n].below = sum;
-	}
+	lanes sum = m->nodes(b, plan, room->node);
 	/* Where p is 0 everywhere nothing moves: product = feed. */
 	b->over_total = (lanes)((sum > 0.0) & (lanes_mask)(1 / sum));
+	if (plan->bypass > 0)
+		b->over_total *= b->kept;
 }
 
 /* x^alpha at ln x = t. */
@@ -109,13 +120,21 @@ power_at(const struct block *b, lanes t)
 	return lanes_exp_quick(lanes_min(b->alpha * t, lanes_of(708)));
 }
 
+/* S of Eq 3 from x^alpha, by an exp; selection.h has it for one. */
+static inline lanes
+lanes_selection(
+    const struct block *b, double E, lanes power, lanes exp_of(lanes x))
+{
+	lanes y = b->f * E * power - b->f_e0;
+	return 1 - exp_of(lanes_min(-y, lanes_of(0)));
+}
+
 /* Adds a Gauss point at a distance from the middle of its class. */
 static inline void
 add_gauss(struct share *sum, const struct block *b, double E, lanes power,
     lanes weight, lanes distance)
 {
-	lanes y = b->f * E * power - b->f_e0;
-	lanes S = 1 - lanes_exp_quick(lanes_min(-y, lanes_of(0)));
+	lanes S = lanes_selection(b, E, power, lanes_exp_quick);
 	sum->mass += weight * S;
 	sum->moment += weight * distance * S;
 }
@@ -241,26 +260,30 @@ view_p(const struct plan_view *v, const struct node *node)
  * whole. */
 static inline lanes
 whole_below(const struct plan_run *run, const struct plan_sieve *sieve,
-    size_t n, const struct room *room)
+    size_t n, const struct node *node)
 {
 	lanes sum = lanes_of(0);
 	for (size_t c = 0; c < n; c++)
-		sum += run->whole[c] * view_B(&sieve->view[c], room->node);
+		sum += run->whole[c] * view_B(&sieve->view[c], node);
 	return sum;
 }
 
 /* Adds that of the classes from..n-1, for two runs side by side, which look B
- * and p up but once; they may be the same one. */
-static inline void
-add_split(const struct plan_sieve *sieve, size_t from, size_t n,
-    const struct node *node, const struct share *share[static 2],
-    lanes below[static 2])
+ * and p up but once where these are the same; the runs may be one. */
+INLINE void
+add_split(const struct lane_model *m, const struct plan_sieve *sieve,
+    size_t from, size_t n, const struct node *const node[static 2],
+    const struct share *share[static 2], lanes below[static 2])
 {
 	lanes first = below[0], second = below[1];
 	for (size_t c = from; c < n; c++) {
-		lanes B = view_B(&sieve->view[c], node);
-		lanes p = view_p(&sieve->view[c], node);
+		lanes B = view_B(&sieve->view[c], node[0]);
+		lanes p = view_p(&sieve->view[c], node[0]);
 		first += share[0][c].mass * B - share[0][c].moment * p;
+		if (m->per_run) {
+			B = view_B(&sieve->view[c], node[1]);
+			p = view_p(&sieve->view[c], node[1]);
+		}
 		second += share[1][c].mass * B - share[1][c].moment * p;
 	}
 	below[0] = first;
@@ -275,27 +298,38 @@ square(const struct plan_target *t, const struct block *b, lanes below)
 }
 
 /* Weighted squares of a sieve's differences, over the runs. */
-static inline lanes
-sieve_squares(const struct plan *plan, const struct block *b, size_t s,
-    const struct room *room)
+INLINE lanes
+sieve_squares(const struct lane_model *m, const struct plan *plan,
+    const struct block *b, size_t s, const struct room *room)
 {
 	const struct plan_sieve *sieve = &plan->sieve[s];
 	size_t n =
 	    sieve->n_above < room->n_active ? sieve->n_above : room->n_active;
 	size_t full = room->n_full < n ? room->n_full : n;
+	bool once = plan->one_feed && !m->per_run;
 	lanes squares = lanes_of(0), whole = squares;
-	if (plan->one_feed)
-		whole = whole_below(&plan->run[0], sieve, full, room);
+	if (once)
+		whole = whole_below(&plan->run[0], sieve, full, room->node);
 	for (size_t r = 0; r < plan->n_run; r += 2) {
 		size_t other = r + 1 < plan->n_run ? r + 1 : r;
 		const struct plan_run *run[2] = {
 		    &plan->run[r], &plan->run[other]};
 		const struct share *share[2] = {room->share + r * plan->n_class,
 		    room->share + other * plan->n_class};
+		const struct node *node[2] = {room->node, room->node};
+		if (m->per_run) {
+			node[0] += r * KERNEL_NODES;
+			node[1] += other * KERNEL_NODES;
+		}
 		lanes below[2] = {whole, whole};
-		for (size_t i = 0; i < 2 && !plan->one_feed; i++)
-			below[i] = whole_below(run[i], sieve, full, room);
-		add_split(sieve, full, n, room->node, share, below);
+		for (size_t i = 0; i < 2 && !once; i++)
+			below[i] = whole_below(run[i], sieve, full, node[i]);
+		add_split(m, sieve, full, n, node, share, below);
+		if (m->at_sieve != NULL) {
+			lanes share_at = m->at_sieve(b, sieve->log_size);
+			below[0] *= share_at;
+			below[1] *= share_at;
+		}
 		squares += square(&run[0]->target[s], b, below[0]);
 		if (other > r)
 			squares += square(&run[1]->target[s], b, below[1]);
@@ -303,22 +337,22 @@ sieve_squares(const struct plan *plan, const struct block *b, size_t s,
 	return squares;
 }
 
-static inline lanes
-continuous_block(
-    const struct plan *plan, struct block *b, bool calm, double *scratch)
+INLINE lanes
+continuous_block(const struct lane_model *m, const struct plan *plan,
+    struct block *b, bool calm, double *scratch)
 {
 	lanes *at = (lanes *)(void *)scratch, sum = lanes_of(0);
 	size_t n_run = plan->n_run;
 	struct room room = {.from = at, .full = at + n_run};
 	room.share = (void *)(at + 2 * n_run);
 	room.node = (void *)(room.share + n_run * plan->n_class);
-	cumulate(b, plan, &room);
+	tabulate(m, b, plan, &room);
 	if (calm)
 		shares(b, plan, &GAUSS_2, &room);
 	else
 		shares(b, plan, &GAUSS_3, &room);
 	for (size_t s = 0; s < plan->n_sieve; s++)
-		sum += sieve_squares(plan, b, s, &room);
+		sum += sieve_squares(m, plan, b, s, &room);
 	return sum;
 }
 
@@ -328,31 +362,38 @@ classes_selection(const struct block *b, const struct plan_run *run, lanes *S)
 {
 	for (size_t i = 0; i < run->n_size; i++) {
 		lanes w = lanes_exp(b->alpha * run->log_size[i]);
-		lanes y = positive(b->f * (w * run->E - b->e0));
-		S[i] = 1 - lanes_exp(-y);
+		S[i] = lanes_selection(b, run->E, w, lanes_exp);
 	}
 }
 
 /* Breaks parent class i into the product q. */
-static inline void
-classes_break(const struct block *b, const struct plan_run *run, size_t i,
-    lanes S, lanes *p, lanes *q)
+INLINE void
+classes_break(const struct lane_model *m, const struct block *b,
+    const struct plan_run *run, const struct node *node, size_t i, lanes S,
+    lanes *p, lanes *q)
 {
 	lanes sum = lanes_of(0);
-	for (size_t j = i; j < run->n_size; j++) {
-		p[j] = density(b->beta, run->argument[i * run->n_size + j]);
+	size_t n = run->n_size;
+	for (size_t j = i; j < n; j++) {
+		double log_y = run->log_size[j];
+		p[j] = m->density != NULL
+			   ? m->density(b, run, run->argument[i * n + j],
+				 log_y - run->log_size[i], log_y)
+			   : view_p(&run->view[i * n + j], node);
 		sum += p[j];
 	}
 	double f = run->mass[i];
 	lanes_mask breaks = sum > 0.0;
 	q[i] += f * lanes_select(breaks, 1 - S, lanes_of(1));
 	lanes share = (lanes)(breaks & (lanes_mask)(S * f / sum));
-	for (size_t j = i; j < run->n_size; j++)
+	for (size_t j = i; j < n; j++)
 		q[j] += p[j] * share;
 }
 
-static inline lanes
-classes_run(const struct block *b, const struct plan_run *run, double *scratch)
+INLINE lanes
+classes_run(const struct lane_model *m, const struct plan *plan,
+    const struct block *b, const struct plan_run *run, const struct node *node,
+    double *scratch)
 {
 	size_t n = run->n_size;
 	lanes *S = (lanes *)(void *)scratch, *p = S + n, *q = p + n;
@@ -361,51 +402,69 @@ classes_run(const struct block *b, const struct plan_run *run, double *scratch)
 		q[i] = lanes_of(0);
 	classes_selection(b, run, S);
 	for (size_t i = 0; i < n; i++)
-		classes_break(b, run, i, S[i], p, q);
+		classes_break(m, b, run, node, i, S[i], p, q);
 	for (size_t j = n - 1; j-- > 0;)
 		q[j] += q[j + 1];
 	for (size_t s = 0; s < run->n_target; s++) {
 		const struct plan_target *t = &run->target[s];
 		lanes coarse = q[t->sieve], fine = q[t->sieve + 1];
 		lanes P = fine + t->share * (coarse - fine);
+		if (plan->bypass > 0)
+			P = t->feed + b->kept * (P - t->feed);
 		lanes d = t->weight * (P - t->measured);
 		sum += d * d;
 	}
 	return sum;
 }
 
-static inline void
-evaluate(const struct plan *plan, const double *const theta[PARAM_COUNT],
-    const uint32_t *index, bool calm, double *scratch, double *misfit)
+INLINE lanes
+classes_block(const struct lane_model *m, const struct plan *plan,
+    const struct block *b, double *scratch)
+{
+	struct node *node = (void *)scratch;
+	lanes sum = lanes_of(0);
+	if (m->density == NULL)
+		m->nodes(b, plan, node);
+	for (size_t r = 0; r < plan->n_run; r++) {
+		size_t table = m->per_run ? r * KERNEL_NODES : 0;
+		sum += classes_run(m, plan, b, &plan->run[r], node + table,
+		    (void *)(node + plan->n_run * KERNEL_NODES));
+	}
+	return sum;
+}
+
+INLINE void
+evaluate(const struct lane_model *m, const struct plan *plan,
+    const double *const *theta, const uint32_t *index, bool calm,
+    double *scratch, double *misfit)
 {
 	struct block b;
-	lanes sum = lanes_of(0);
-	load(&b, plan, theta, index);
-	if (plan->method == METHOD_CLASSES)
-		for (size_t r = 0; r < plan->n_run; r++)
-			sum += classes_run(&b, &plan->run[r], scratch);
-	else
-		sum = continuous_block(plan, &b, calm, scratch);
+	load(m, &b, plan, theta, index);
+	lanes sum = plan->method == METHOD_CLASSES
+			? classes_block(m, plan, &b, scratch)
+			: continuous_block(m, plan, &b, calm, scratch);
 	for (size_t l = 0; l < LANES; l++)
 		misfit[index[l]] = sum[l] <= 1e300 ? sum[l] : HUGE_VAL;
 }
 
-void
-KERNEL_NAME(const struct plan *plan, const double *const theta[PARAM_COUNT],
-    const uint32_t *index, bool calm, double *scratch, double *misfit)
+INLINE void
+evaluate_all(const struct lane_model *m, const struct plan *plan,
+    const double *const *theta, const uint32_t *index, bool calm,
+    double *scratch, double *misfit)
 {
 	for (size_t i = 0; i < KERNEL_LANES; i += LANES)
-		evaluate(plan, theta, index + i, calm, scratch, misfit);
+		evaluate(m, plan, theta, index + i, calm, scratch, misfit);
 }
 
-void
-BINS_NAME(const struct plan *plan, const double *const theta[PARAM_COUNT],
-    size_t first, uint16_t *bin)
+static inline void
+bins(const struct lane_model *m, const struct plan *plan,
+    const double *const *theta, size_t first, uint16_t *bin)
 {
 	for (size_t i = 0; i < KERNEL_LANES; i += LANES) {
-		lanes f = lanes_load(theta[PARAM_F_MAT] + first + i) * plan->k;
-		lanes e0 = lanes_load(theta[PARAM_E0_MIN] + first + i);
-		lanes alpha = lanes_load(theta[PARAM_ALPHA] + first + i);
+		const double *const *eq3 = theta + m->strength;
+		lanes f = lanes_load(eq3[0] + first + i) * plan->k;
+		lanes e0 = lanes_load(eq3[1] + first + i);
+		lanes alpha = lanes_load(eq3[2] + first + i);
 		lanes log_x = lanes_log(e0 * plan->over_E) / (alpha + 1e-9);
 		lanes at = lanes_max(
 		    (log_x - plan->bottom) * plan->per_bin, lanes_of(0));
@@ -417,3 +476,24 @@ BINS_NAME(const struct plan *plan, const double *const theta[PARAM_COUNT],
 				       (steep[l] < CALM ? KERNEL_BINS : 0));
 	}
 }
+
+/* Defines the kernel of a model for this instruction set, from the fields of
+ * its struct lane_model. */
+#define KERNEL_JOIN(model, what, isa) model##_##what##_##isa
+#define KERNEL_NAME(model, what, isa) KERNEL_JOIN(model, what, isa)
+#define KERNEL(model, ...)                                                \
+	kernel_block KERNEL_NAME(model, block, ISA);                      \
+	kernel_bins KERNEL_NAME(model, bins, ISA);                        \
+	static const struct lane_model model##_lanes = {__VA_ARGS__};     \
+	void KERNEL_NAME(model, block, ISA)(const struct plan *plan,      \
+	    const double *const *theta, const uint32_t *index, bool calm, \
+	    double *scratch, double *misfit)                              \
+	{                                                                 \
+		evaluate_all(&model##_lanes, plan, theta, index, calm,    \
+		    scratch, misfit);                                     \
+	}                                                                 \
+	void KERNEL_NAME(model, bins, ISA)(const struct plan *plan,       \
+	    const double *const *theta, size_t first, uint16_t *bin)      \
+	{                                                                 \
+		bins(&model##_lanes, plan, theta, first, bin);            \
+	}

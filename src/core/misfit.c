@@ -62,6 +62,7 @@ misfit_new(const struct site *site, const bool *train, const double *run_weight,
 	struct misfit *m = xcalloc(1, sizeof *m);
 	size_t widest = 0;
 	m->settings = settings;
+	m->of = BREAKAGES[settings.breakage];
 	m->run = xcalloc(site->n_run, sizeof *m->run);
 	m->model = xcalloc(site->n_run, sizeof *m->model);
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -77,7 +78,7 @@ misfit_new(const struct site *site, const bool *train, const double *run_weight,
 		widest = run->n > widest ? run->n : widest;
 	}
 	m->passing = xdoubles(widest);
-	m->d_passing = xdoubles(widest * PARAM_COUNT);
+	m->d_passing = xdoubles(widest * m->of->n);
 	return m;
 }
 
@@ -167,6 +168,7 @@ double
 misfit_jacobian(struct misfit *m, const struct params *p, double *r, double *J)
 {
 	double sum = 0;
+	size_t n = m->of->n;
 	for (size_t k = 0; k < m->n_run; k++) {
 		const struct misfit_run *run = &m->run[k];
 		model_set(m->model[k], p);
@@ -176,10 +178,10 @@ misfit_jacobian(struct misfit *m, const struct params *p, double *r, double *J)
 			double w = run->weight[i];
 			*r = w * (m->passing[i] - run->measured[i]);
 			sum += *r * *r;
-			for (size_t j = 0; j < PARAM_COUNT; j++)
-				J[j] = w * m->d_passing[i * PARAM_COUNT + j];
+			for (size_t j = 0; j < n; j++)
+				J[j] = w * m->d_passing[i * n + j];
 			r++;
-			J += PARAM_COUNT;
+			J += n;
 		}
 	}
 	return isfinite(sum) ? sum : INFINITY;

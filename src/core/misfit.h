@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "core/breakage.h"
 #include "core/params.h"
 #include "core/product.h"
 #include "core/site.h"
@@ -29,6 +30,7 @@ struct misfit_run {
  *       (weight (measured - simulated passing))^2
  * D6: the minus between the two squares in print would have no lower bound. */
 struct misfit {
+	const struct breakage *of; /* the model of all parameters put in */
 	struct model_settings settings;
 	size_t n_run, n_residual;
 	struct misfit_run *run;
@@ -61,7 +63,7 @@ double misfit_at(struct misfit *m, const struct params *p);
 double misfit_differences(struct misfit *m, const struct params *p, double *r);
 
 /* Weighted differences simulated - measured, r [n_residual], and their
- * derivatives, J [n_residual * PARAM_COUNT] by rows.  Returns the misfit. */
+ * derivatives, J [n_residual * model's n] by rows.  Returns the misfit. */
 double misfit_jacobian(
     struct misfit *m, const struct params *p, double *r, double *J);
 

@@ -1,4 +1,4 @@
-/* The seven parameters of the model and the settings that go with them.
+/* The parameters of a breakage model and the settings that go with them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_PARAMS_H
 #define TIPSPEED_CORE_PARAMS_H
@@ -6,12 +6,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { PARAM_COUNT = 7, PARAM_BETA = 0, PARAM_F_MAT = 4 };
-enum { PARAM_E0_MIN = 5, PARAM_ALPHA = 6 };
+enum { PARAMS_MOST = 10 };
 
-/* The parameters by their symbols, or in the order of the table below; a plain
- * value. */
+/* Parameters with the breakage model that they belong to: at[j] is that of
+ * row j of its table.  A plain value; zeros are the paper's model.  The names
+ * are those of the paper's model, for the files of its family. */
 struct params {
+	size_t breakage; /* index into BREAKAGES */
 	union {
 		struct {
 			double beta[4]; /* appearance coefficients, -, only
@@ -20,50 +21,40 @@ struct params {
 			double e0_min;  /* threshold energy, J m/kg */
 			double alpha;   /* size dependency, - */
 		};
-		double at[PARAM_COUNT];
+		double at[PARAMS_MOST];
 	};
 };
 
 /* Beyond these no value is taken, typed, read or as a bound: far outside what
- * any rock has, so that what lies there is a slip of the pen.  Of beta either
- * way, of the others from 0.  Constants, because rows of other tables have
- * them too. */
+ * any rock has, so that what lies there is a typing error.  Of beta either way,
+ * of the others from 0.  Constants, because rows of other tables have them
+ * too. */
 enum {
 	BETA_MOST = 1000000000,
 	F_MAT_MOST = 10000,
 	E0_MIN_MOST = 10000,
-	ALPHA_MOST = 100
+	ALPHA_MOST = 100,
+	GAMMA_MOST = 10,
+	E_REF_MOST = 1000000,
+	Q_SLOPE_MOST = 10,
+	Q_0_MOST = 1000,
+	Y_FINE_MOST = 1000
 };
 
-/* What there is to say of one parameter.  lower, upper: Table 2 of the paper,
- * whose text says six variables where there are seven (departure D7). */
+/* What there is to say of one parameter. */
 struct param_info {
 	const char *name;    /* as typed */
 	const char *unit;    /* "-" where there is none */
 	double lower, upper; /* default search bounds */
 	double least, most;  /* of any value */
+	double start; /* where a site has none; NAN: it has to be given */
 	const char *meaning;
 };
 
-extern const struct param_info PARAMS[PARAM_COUNT];
-
-/* Index of the parameter of that name, or PARAM_COUNT. */
-size_t params_find(const char *name);
-
-/* beta of Broadbent and Callcott's breakage function, where a site has none of
- * its own; the rest 0. */
-struct params params_default_beta(void);
-
-/* beta scaled to a largest absolute value of 1 (departure D4); all-zero beta
- * stays as it is. */
-void params_scale_beta(struct params *p);
-
 /* Search bounds: one pair for each parameter. lower == upper holds it fixed. */
 struct bounds {
-	double lower[PARAM_COUNT], upper[PARAM_COUNT];
+	double lower[PARAMS_MOST], upper[PARAMS_MOST];
 };
-
-struct bounds bounds_default(void);
 
 enum method { METHOD_CONTINUOUS, METHOD_CLASSES };
 enum appearance_form {
@@ -72,15 +63,19 @@ enum appearance_form {
 	APPEARANCE_PARENT_MM   /* parent size in mm: literal, degenerate */
 };
 
-/* How products are computed.  k: number of impacts, 1 in the paper; it acts
+/* How products are computed.  breakage: of the calibrations to come; a product
+ * takes that of its parameters.  k: number of impacts, 1 in the paper; it acts
  * only as a product with f_mat and is never fitted. */
 struct model_settings {
 	enum method method;
 	enum appearance_form appearance;
 	double k;
+	unsigned breakage;
 };
 
 struct model_settings model_settings_default(void);
+
+/* Whether the same parameters give the same products. */
 bool model_settings_same(
     const struct model_settings *a, const struct model_settings *b);
 

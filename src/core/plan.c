@@ -8,9 +8,11 @@
 
 #include "base/xalloc.h"
 #include "core/appearance.h"
+#include "core/breakage.h"
 #include "core/classes.h"
 #include "core/elementary.h"
 #include "core/energy.h"
+#include "core/misfit.h"
 
 /* Classes are at most this wide in ln x: a quarter octave and a little, so that
  * the steps of the EN 933 series (1.4, 1.43) make two. */
@@ -92,6 +94,7 @@ static void
 plan_nodes(struct plan *plan)
 {
 	for (size_t j = 0; j < KERNEL_NODES; j++) {
+		plan->log_u[j] = -node_depth(j);
 		plan->u[j] = el_exp(-node_depth(j));
 		plan->half_step[j] = (node_depth(j + 1) - node_depth(j)) / 2;
 	}
@@ -117,6 +120,7 @@ view_at(double depth)
 static void
 plan_sieve(const struct plan *plan, struct plan_sieve *s, double log_s)
 {
+	s->log_size = log_s;
 	s->view = xcalloc(plan->n_class, sizeof *s->view);
 	for (size_t c = 0; c < plan->n_class; c++) {
 		if (plan->lower[c] < log_s - 1e-12)
@@ -182,8 +186,8 @@ plan_continuous(struct plan *plan, const struct misfit *m)
 		}
 	}
 	plan_targets(plan, m);
-	plan->scratch = KERNEL_LANES * 2 *
-			(plan->n_run * (plan->n_class + 1) + KERNEL_NODES);
+	plan->scratch =
+	    KERNEL_LANES * 2 * plan->n_run * (plan->n_class + 1 + KERNEL_NODES);
 }
 
 static void
@@ -197,13 +201,18 @@ plan_class_run(struct plan_run *run, const struct misfit_run *from,
 	run->mass = xdoubles(n);
 	run->log_size = xdoubles(n);
 	run->argument = xdoubles(n * n);
+	run->view = xcalloc(n * n, sizeof *run->view);
 	for (size_t i = 0; i < n; i++) {
 		run->log_size[i] = el_log(x[i]);
 		run->mass[i] =
 		    feed->passing[i] - (i + 1 < n ? feed->passing[i + 1] : 0);
-		for (size_t j = 0; j < n; j++)
+		for (size_t j = 0; j < n; j++) {
 			run->argument[i * n + j] =
 			    appearance_argument(form, x[i], x[j]);
+			if (j >= i)
+				run->view[i * n + j] =
+				    view_at(el_log(x[i] / x[j]));
+		}
 	}
 	free(x);
 	run->n_target = from->n;
@@ -217,6 +226,7 @@ plan_class_run(struct plan_run *run, const struct misfit_run *from,
 		double lower = feed->size[t->sieve + 1];
 		double share = el_log(size / lower) / el_log(upper / lower);
 		t->share = fmin(fmax(share, 0), 1);
+		t->feed = psd_passing(feed, size);
 		t->measured = from->measured[s];
 		t->weight = from->weight[s];
 	}
@@ -232,7 +242,9 @@ plan_class_runs(struct plan *plan, const struct misfit *m)
 		if (plan->run[r].n_size > widest)
 			widest = plan->run[r].n_size;
 	}
-	plan->scratch = KERNEL_LANES * 3 * widest;
+	plan_nodes(plan);
+	plan->scratch =
+	    KERNEL_LANES * (3 * widest + 2 * plan->n_run * KERNEL_NODES);
 }
 
 static void
@@ -253,11 +265,14 @@ plan_order(struct plan *plan, const struct misfit *m)
 void
 plan_make(struct plan *plan, const struct misfit *m)
 {
+	const struct breakage *of = BREAKAGES[m->settings.breakage];
 	*plan = (struct plan){.method = m->settings.method,
 	    .k = m->settings.k,
+	    .bypass = of->bypass ? of->n - 1 : 0,
 	    .n_run = m->n_run,
 	    .run = xcalloc(m->n_run, sizeof *plan->run)};
 	for (size_t r = 0; r < m->n_run; r++) {
+		plan->run[r].v = m->run[r].speed;
 		plan->run[r].E = energy_specific(m->run[r].speed);
 		plan->run[r].log_E = el_log(plan->run[r].E);
 	}
@@ -277,6 +292,7 @@ plan_clear(struct plan *plan)
 		free(plan->run[r].target);
 		free(plan->run[r].log_size);
 		free(plan->run[r].argument);
+		free(plan->run[r].view);
 	}
 	for (size_t s = 0; s < plan->n_sieve; s++)
 		free(plan->sieve[s].view);

@@ -7,31 +7,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/kernel.h"
 #include "core/params.h"
 
-enum { KERNEL_NODES = 33 };
+struct misfit;
 
-/* A product sieve of a run. */
-struct plan_target {
-	double difference; /* feed less measured passing */
-	double measured;
-	double weight; /* 0 where the run has no such sieve */
-	size_t sieve;  /* `classes`: the feed sieve at or above it, */
-	double share;  /* and how much of that one's passing to take */
-};
-
-struct plan_run {
-	double E, log_E; /* J/kg */
-	double *mass; /* [n_class] dF / d ln x; for `classes` the mass itself */
-	double *whole;              /* [n_class] mass of the class */
-	size_t n_target;            /* the plan's sieves; `classes`: its own */
-	struct plan_target *target; /* [n_target] */
-	/* `classes` only: its own classes and the arguments of p. */
-	size_t n_size;
-	double *log_size; /* [n_size] */
-	double *argument; /* [parent][daughter] */
-};
+enum { KERNEL_NODES = 33, KERNEL_LANES = 8 };
 
 /* Where the middle of a class lies among the nodes of u, seen from a sieve:
  * between node and the finer one after it.  p is straight between nodes, so
@@ -43,8 +23,33 @@ struct plan_view {
 	double fine, coarse, below_fine, below_coarse;
 };
 
+/* A product sieve of a run. */
+struct plan_target {
+	double difference; /* feed less measured passing */
+	double measured;
+	double weight; /* 0 where the run has no such sieve */
+	size_t sieve;  /* `classes`: the feed sieve at or above it, */
+	double share;  /* and how much of that one's passing to take */
+	double feed;   /* `classes`: passing of the feed */
+};
+
+struct plan_run {
+	double v, E, log_E; /* m/s, J/kg */
+	double *mass; /* [n_class] dF / d ln x; for `classes` the mass itself */
+	double *whole;              /* [n_class] mass of the class */
+	size_t n_target;            /* the plan's sieves; `classes`: its own */
+	struct plan_target *target; /* [n_target] */
+	/* `classes` only: its own classes, the arguments of p, and where u lies
+	 * among the nodes. */
+	size_t n_size;
+	double *log_size;       /* [n_size] */
+	double *argument;       /* [parent][daughter] */
+	struct plan_view *view; /* [parent][daughter] */
+};
+
 /* A sieve at which some run has a product, with the classes above it. */
 struct plan_sieve {
+	double log_size;        /* m */
 	size_t n_above;         /* classes 0..n_above-1 are coarser */
 	struct plan_view *view; /* [n_class] */
 };
@@ -52,12 +57,14 @@ struct plan_sieve {
 struct plan {
 	enum method method;
 	double k;
+	size_t bypass; /* index of its parameter; 0: the model has none */
 	size_t n_run, n_class, n_sieve;
 	bool one_feed; /* all runs have that of the first */
 	struct plan_run *run;
 	struct plan_sieve *sieve;
 	double *upper, *lower, *middle; /* [n_class] ln x */
 	double u[KERNEL_NODES];         /* 1 to 2^-10 */
+	double log_u[KERNEL_NODES];
 	double half_step[KERNEL_NODES]; /* to the next node, in ln u, halved */
 	double over_E, bottom, per_bin; /* for the order of candidates */
 	size_t scratch; /* doubles of workspace a thread needs */
@@ -68,24 +75,16 @@ void plan_make(struct plan *plan, const struct misfit *m);
 void plan_clear(struct plan *plan);
 
 /* Evaluates KERNEL_LANES candidates, those of the indices, and puts each misfit
- * in its place.  calm: all of them are, see KERNEL_BINS. */
-typedef void kernel_block(const struct plan *plan,
-    const double *const theta[PARAM_COUNT], const uint32_t *index, bool calm,
-    double *scratch, double *misfit);
-
-kernel_block kernel_block_base;
-kernel_block kernel_block_avx2;
-kernel_block kernel_block_avx512;
+ * in its place; theta: one array a parameter of the model.  calm: all of them
+ * are, see KERNEL_BINS. */
+typedef void kernel_block(const struct plan *plan, const double *const *theta,
+    const uint32_t *index, bool calm, double *scratch, double *misfit);
 
 /* Which of the candidates first..first+KERNEL_LANES-1 belong together: a bin of
  * ln x* at the mean energy for each, plus KERNEL_BINS for the calm ones, whose
  * S rises so slowly that fewer Gauss points do. */
 enum { KERNEL_BINS = 256 };
-typedef void kernel_bins(const struct plan *plan,
-    const double *const theta[PARAM_COUNT], size_t first, uint16_t *bin);
-
-kernel_bins kernel_bins_base;
-kernel_bins kernel_bins_avx2;
-kernel_bins kernel_bins_avx512;
+typedef void kernel_bins(const struct plan *plan, const double *const *theta,
+    size_t first, uint16_t *bin);
 
 #endif

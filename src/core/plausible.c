@@ -15,21 +15,21 @@
 struct plausible {
 	struct misfit *misfit;
 	const struct bounds *bounds;
-	const double *basis; /* U, [n_residual * PARAM_COUNT] */
+	const double *basis; /* U, [n_residual * PARAMS_MOST] */
 	double *own, *now;   /* differences of the fit and of another */
 	double variance;     /* s^2 */
-	double weight[PARAM_COUNT][PARAM_COUNT]; /* G^-1 */
+	double weight[PARAMS_MOST][PARAMS_MOST]; /* G^-1 */
 	double directions;                       /* D */
 	double least;                            /* misfit of the fit */
 	double freedom;                          /* nu */
-	size_t n;                                /* parameters that move */
+	size_t n, size; /* parameters that move; the model's n */
 };
 
 static double
 leverage(const double *row)
 {
 	double sum = 0;
-	for (size_t c = 0; c < PARAM_COUNT; c++)
+	for (size_t c = 0; c < PARAMS_MOST; c++)
 		sum += row[c] * row[c];
 	return sum;
 }
@@ -53,7 +53,7 @@ find_noise(struct plausible *f, double *noise)
 						   : 4 * w * w * P * (1 - P);
 			double part =
 			    noise[k] *
-			    (1 - leverage(f->basis + k * PARAM_COUNT));
+			    (1 - leverage(f->basis + k * PARAMS_MOST));
 			left += part;
 			squares += part * part;
 		}
@@ -71,13 +71,13 @@ find_noise(struct plausible *f, double *noise)
 static void
 weigh_directions(struct plausible *f, const double *noise)
 {
-	gsl_matrix *G = gsl_matrix_calloc(PARAM_COUNT, PARAM_COUNT);
+	gsl_matrix *G = gsl_matrix_calloc(f->size, f->size);
 	double trace = 0, rank = 0, sum = 0;
 	for (size_t k = 0; k < f->misfit->n_residual; k++) {
-		const double *u = f->basis + k * PARAM_COUNT;
+		const double *u = f->basis + k * PARAMS_MOST;
 		sum += noise[k];
-		for (size_t a = 0; a < PARAM_COUNT; a++)
-			for (size_t b = 0; b < PARAM_COUNT; b++)
+		for (size_t a = 0; a < f->size; a++)
+			for (size_t b = 0; b < f->size; b++)
 				*gsl_matrix_ptr(G, a, b) +=
 				    u[a] * noise[k] * u[b];
 		trace += leverage(u) * noise[k];
@@ -85,13 +85,13 @@ weigh_directions(struct plausible *f, const double *noise)
 	}
 	f->variance =
 	    rank > 0 ? trace / rank : sum / (double)f->misfit->n_residual;
-	for (size_t a = 0; a < PARAM_COUNT; a++)
+	for (size_t a = 0; a < f->size; a++)
 		if (!(gsl_matrix_get(G, a, a) > 0))
 			gsl_matrix_set(G, a, a, f->variance);
 	gsl_linalg_cholesky_decomp1(G);
 	gsl_linalg_cholesky_invert(G);
-	for (size_t a = 0; a < PARAM_COUNT; a++)
-		for (size_t b = 0; b < PARAM_COUNT; b++)
+	for (size_t a = 0; a < f->size; a++)
+		for (size_t b = 0; b < f->size; b++)
 			f->weight[a][b] = gsl_matrix_get(G, a, b);
 	gsl_matrix_free(G);
 }
@@ -107,13 +107,14 @@ plausible_new(struct misfit *m, const struct params *p,
 	    .basis = basis,
 	    .own = xdoubles(m->n_residual),
 	    .now = xdoubles(m->n_residual),
-	    .directions = 1,
+	    .directions = m->of->gauge > 0,
+	    .size = m->of->n,
 	    .n = s->n};
 	f->least = misfit_differences(m, p, f->own);
 	find_noise(f, f->now);
 	weigh_directions(f, f->now);
 	for (size_t c = 0; c < s->n; c++)
-		f->directions += s->column[c] < PARAM_F_MAT;
+		f->directions += s->column[c] < m->of->gauge;
 	return f;
 }
 
@@ -131,22 +132,23 @@ plausible_deviation(const struct plausible *f)
 	return sqrt(f->variance);
 }
 
-/* Whether beta, whose scale is free, can be scaled into its bounds. */
+/* Whether the gauge, whose scale is free, can be scaled into its bounds. */
 static bool
-beta_fits(const struct bounds *b, const double beta[4])
+gauge_fits(const struct bounds *b, const struct params *p)
 {
 	const double slack = 1e-9;
 	double least = 0, most = INFINITY;
-	for (size_t j = 0; j < 4; j++) {
-		double lower = b->lower[j] / fabs(beta[j]);
-		double upper = b->upper[j] / fabs(beta[j]);
-		if (beta[j] == 0) {
+	for (size_t j = 0; j < breakage_of(p)->gauge; j++) {
+		double x = p->at[j];
+		double lower = b->lower[j] / fabs(x);
+		double upper = b->upper[j] / fabs(x);
+		if (x == 0) {
 			if (b->lower[j] > 0 || b->upper[j] < 0)
 				return false;
 			continue;
 		}
-		least = fmax(least, beta[j] > 0 ? lower : -upper);
-		most = fmin(most, beta[j] > 0 ? upper : -lower);
+		least = fmax(least, x > 0 ? lower : -upper);
+		most = fmin(most, x > 0 ? upper : -lower);
 	}
 	return most > 0 && least <= most * (1 + slack);
 }
@@ -154,12 +156,12 @@ beta_fits(const struct bounds *b, const double beta[4])
 static bool
 is_within(const struct bounds *b, const struct params *p)
 {
-	for (size_t j = PARAM_F_MAT; j < PARAM_COUNT; j++) {
+	for (size_t j = breakage_of(p)->gauge; j < breakage_of(p)->n; j++) {
 		double x = p->at[j];
 		if (x < b->lower[j] || x > b->upper[j])
 			return false;
 	}
-	return beta_fits(b, p->beta);
+	return gauge_fits(b, p);
 }
 
 double
@@ -167,23 +169,23 @@ plausible_level(struct plausible *f, const struct params *p)
 {
 	if (!is_within(f->bounds, p))
 		return INFINITY;
-	double squares = 0, along = 0, weighted = 0, e[PARAM_COUNT] = {0};
+	double squares = 0, along = 0, weighted = 0, e[PARAMS_MOST] = {0};
 	double misfit = misfit_differences(f->misfit, p, f->now);
 	if (!isfinite(misfit))
 		return INFINITY;
 	for (size_t k = 0; k < f->misfit->n_residual; k++)
-		for (size_t c = 0; c < PARAM_COUNT; c++)
-			e[c] += f->basis[k * PARAM_COUNT + c] *
+		for (size_t c = 0; c < PARAMS_MOST; c++)
+			e[c] += f->basis[k * PARAMS_MOST + c] *
 				(f->now[k] - f->own[k]);
-	for (size_t a = 0; a < PARAM_COUNT; a++) {
+	for (size_t a = 0; a < f->size; a++) {
 		along += e[a] * e[a];
-		for (size_t b = 0; b < PARAM_COUNT; b++)
+		for (size_t b = 0; b < f->size; b++)
 			weighted += e[a] * f->weight[a][b] * e[b];
 	}
-	for (size_t j = 0; j < 4; j++)
-		squares += p->beta[j] * p->beta[j];
-	/* Seen from the plane in which the largest beta is held, directions far
-	 * out are rarer than on a sphere. */
+	for (size_t j = 0; j < f->misfit->of->gauge; j++)
+		squares += p->at[j] * p->at[j];
+	/* Seen from the plane in which the largest of the gauge is held,
+	 * directions far out are rarer than on a sphere. */
 	double far = squares > 0 ? f->directions / 2 * el_log(squares) : 0;
 	double T = (misfit - f->least - along) / f->variance + weighted;
 	double power = (f->freedom + (double)f->n) / 2;

@@ -29,7 +29,7 @@ void plausible_free(struct plausible *f);
 
 /* -ln of the probability of p, but for a constant; Student's, as the size of
  * the noise is itself known from nu differences or so only:
- *   (nu + n)/2 ln(1 + T / nu) + D/2 ln |beta|^2
+ *   (nu + n)/2 ln(1 + T / nu) + D/2 ln |gauge|^2
  *   T = (misfit - that of the fit - |e|^2) / s^2 + e' G^-1 e
  * where e = U' (differences at p - those of the fit); INFINITY outside the
  * bounds.  The last term makes all directions of beta alike (D4); D is the

@@ -10,11 +10,11 @@
 
 struct polish {
 	struct misfit *misfit;
-	size_t n;
+	size_t n, width; /* of rows, the model's n */
 	double *r, *J, *r_try, *J_try;
 	/* The Jacobian's free columns and -r over the damping and 0. */
-	double (*A)[PARAM_COUNT + 1];
-	double scale[PARAM_COUNT]; /* largest column norms seen (More) */
+	double (*A)[PARAMS_MOST + 1];
+	double scale[PARAMS_MOST]; /* largest column norms seen (More) */
 };
 
 struct polish *
@@ -24,11 +24,12 @@ polish_new(struct misfit *m)
 	size_t n = m->n_residual;
 	s->misfit = m;
 	s->n = n;
+	s->width = m->of->n;
 	s->r = xdoubles(n);
 	s->r_try = xdoubles(n);
-	s->J = xdoubles(n * PARAM_COUNT);
-	s->J_try = xdoubles(n * PARAM_COUNT);
-	s->A = xcalloc(n + PARAM_COUNT, sizeof *s->A);
+	s->J = xdoubles(n * s->width);
+	s->J_try = xdoubles(n * s->width);
+	s->A = xcalloc(n + s->width, sizeof *s->A);
 	return s;
 }
 
@@ -49,13 +50,13 @@ polish_free(struct polish *s)
  * gradient pushes against.  Returns how many. */
 static size_t
 free_columns(const struct polish *s, const struct bounds *bounds,
-    const struct params *p, size_t column[PARAM_COUNT])
+    const struct params *p, size_t column[PARAMS_MOST])
 {
 	size_t n_free = 0;
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	for (size_t j = 0; j < s->width; j++) {
 		double gradient = 0, norm = 0, x = p->at[j];
 		for (size_t i = 0; i < s->n; i++) {
-			double d = s->J[i * PARAM_COUNT + j];
+			double d = s->J[i * s->width + j];
 			gradient += s->r[i] * d;
 			norm += d * d;
 		}
@@ -72,10 +73,10 @@ free_columns(const struct polish *s, const struct bounds *bounds,
 static void
 update_scale(struct polish *s)
 {
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	for (size_t j = 0; j < s->width; j++) {
 		double norm = 0;
 		for (size_t i = 0; i < s->n; i++) {
-			double d = s->J[i * PARAM_COUNT + j];
+			double d = s->J[i * s->width + j];
 			norm += d * d;
 		}
 		s->scale[j] = fmax(s->scale[j], sqrt(norm));
@@ -86,9 +87,9 @@ update_scale(struct polish *s)
  * that the column becomes; the n columns behind it go through the same. */
 static void
 reflect(
-    double (*A)[PARAM_COUNT + 1], size_t rows, size_t c, size_t n, double top)
+    double (*A)[PARAMS_MOST + 1], size_t rows, size_t c, size_t n, double top)
 {
-	double along[PARAM_COUNT + 1] = {0};
+	double along[PARAMS_MOST + 1] = {0};
 	A[c][c] -= top;
 	for (size_t i = c; i < rows; i++)
 		for (size_t k = c + 1; k <= c + n; k++)
@@ -104,9 +105,9 @@ reflect(
  * last bits differ between its versions and processors, and hops go on from
  * them. */
 static void
-least_squares(double (*A)[PARAM_COUNT + 1], size_t rows, size_t n, double *x)
+least_squares(double (*A)[PARAMS_MOST + 1], size_t rows, size_t n, double *x)
 {
-	double top[PARAM_COUNT] = {0};
+	double top[PARAMS_MOST] = {0};
 	for (size_t c = 0; c < n; c++) {
 		double norm = 0;
 		for (size_t i = c; i < rows; i++)
@@ -126,29 +127,29 @@ least_squares(double (*A)[PARAM_COUNT + 1], size_t rows, size_t n, double *x)
 /* Solves min |J d + r|^2 + damping |D d|^2 over the free columns. */
 static void
 damped_step(struct polish *s, const size_t *column, size_t n_free,
-    double damping, double step[PARAM_COUNT])
+    double damping, double step[PARAMS_MOST])
 {
-	double x[PARAM_COUNT];
+	double x[PARAMS_MOST];
 	memset(s->A, 0, (s->n + n_free) * sizeof *s->A);
 	for (size_t i = 0; i < s->n; i++) {
 		for (size_t c = 0; c < n_free; c++)
-			s->A[i][c] = s->J[i * PARAM_COUNT + column[c]];
+			s->A[i][c] = s->J[i * s->width + column[c]];
 		s->A[i][n_free] = -s->r[i];
 	}
 	for (size_t c = 0; c < n_free; c++)
 		s->A[s->n + c][c] = sqrt(damping) * s->scale[column[c]];
 	least_squares(s->A, s->n + n_free, n_free, x);
-	memset(step, 0, PARAM_COUNT * sizeof *step);
+	memset(step, 0, PARAMS_MOST * sizeof *step);
 	for (size_t c = 0; c < n_free; c++)
 		step[column[c]] = x[c];
 }
 
 static struct params
-moved(const struct params *p, const double step[PARAM_COUNT],
+moved(const struct params *p, const double step[PARAMS_MOST],
     const struct bounds *bounds)
 {
 	struct params q = *p;
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	for (size_t j = 0; j < breakage_of(p)->n; j++) {
 		double x = p->at[j] + step[j];
 		x = x > bounds->lower[j] ? x : bounds->lower[j];
 		q.at[j] = x < bounds->upper[j] ? x : bounds->upper[j];
@@ -185,7 +186,7 @@ polish_run(struct polish *s, const struct bounds *bounds, int max_steps,
 {
 	const double least_damping = 1e-14, most_damping = 1e12;
 	double damping = 1e-2, grow = 2;
-	size_t column[PARAM_COUNT];
+	size_t column[PARAMS_MOST];
 	int small = 0;
 	memset(s->scale, 0, sizeof s->scale);
 	struct polish_result result = {
@@ -206,7 +207,7 @@ polish_run(struct polish *s, const struct bounds *bounds, int max_steps,
 			result.converged = n_free == 0;
 			break;
 		}
-		double step[PARAM_COUNT];
+		double step[PARAMS_MOST];
 		damped_step(s, column, n_free, damping, step);
 		struct params q = moved(p, step, bounds);
 		double trial =

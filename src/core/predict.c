@@ -41,7 +41,7 @@ predict(const struct site *site, const struct params *p,
 	model_set(model, p);
 	model_product(model, speed, out.product.passing);
 	out.selected = model_selected(model, speed);
-	out.no_daughters = !model_breaks(model);
+	out.no_daughters = !model_breaks(model, speed);
 	model_free(model);
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		out.size[i] = psd_size(&out.product, PSD_PASSING[i]);

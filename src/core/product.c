@@ -6,15 +6,15 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/appearance.h"
 #include "core/classes.h"
 #include "core/continuous.h"
 
-/* One of the two is NULL. */
+/* One of continuous and classes is NULL. */
 struct model {
 	struct continuous *continuous;
 	struct classes *classes;
 	size_t n_sieve;
+	double *feed; /* passing */
 	struct params p;
 	double *plus, *minus; /* products on both sides, for differences */
 };
@@ -29,6 +29,9 @@ model_new(const struct psd *feed, const double *sieve, size_t n,
 		model->classes = classes_new(feed, sieve, n, settings);
 	else
 		model->continuous = continuous_new(feed, sieve, n, settings.k);
+	model->feed = xdoubles(n);
+	for (size_t i = 0; i < n; i++)
+		model->feed[i] = psd_passing(feed, sieve[i]);
 	model->plus = xdoubles(n);
 	model->minus = xdoubles(n);
 	return model;
@@ -41,6 +44,7 @@ model_free(struct model *model)
 		return;
 	continuous_free(model->continuous);
 	classes_free(model->classes);
+	free(model->feed);
 	free(model->plus);
 	free(model->minus);
 	free(model);
@@ -56,6 +60,27 @@ model_set(struct model *model, const struct params *p)
 		continuous_set(model->continuous, p);
 }
 
+/* D14: a share of the feed never meets the rotor.  The derivatives of what is
+ * crushed, with the bypass's own, [n_sieve * model's n]; or NULL. */
+static void
+add_bypass(const struct model *model, double *passing, double *d_passing)
+{
+	const struct breakage *of = breakage_of(&model->p);
+	if (!of->bypass)
+		return;
+	double share = model->p.at[of->n - 1];
+	for (size_t s = 0; s < model->n_sieve; s++) {
+		double broken = passing[s] - model->feed[s];
+		passing[s] = model->feed[s] + (1 - share) * broken;
+		if (d_passing == NULL)
+			continue;
+		double *row = d_passing + s * of->n;
+		for (size_t j = 0; j + 1 < of->n; j++)
+			row[j] *= 1 - share;
+		row[of->n - 1] = -broken;
+	}
+}
+
 void
 model_product(struct model *model, double v, double *passing)
 {
@@ -63,22 +88,22 @@ model_product(struct model *model, double v, double *passing)
 		classes_product(model->classes, v, passing);
 	else
 		continuous_product(model->continuous, v, passing, NULL);
+	add_bypass(model, passing, NULL);
 }
 
 /* A step small beside the parameter, or beside the scale of its kind. */
 static double
 difference_step(const struct params *p, size_t i)
 {
-	double scale = i < 4 ? 0 : 1e-2;
-	for (size_t b = 0; b < 4 && i < 4; b++)
-		scale = fmax(scale, fabs(p->beta[b]));
+	double scale = i < breakage_of(p)->gauge ? params_gauge(p) : 1e-2;
 	return 1e-6 * fmax(fabs(p->at[i]), scale);
 }
 
 static void
 classes_jacobian(struct model *model, double v, double *d_passing)
 {
-	for (size_t i = 0; i < PARAM_COUNT; i++) {
+	size_t n = breakage_of(&model->p)->n;
+	for (size_t i = 0; i < n; i++) {
 		struct params moved = model->p;
 		double at = model->p.at[i];
 		double h = difference_step(&model->p, i);
@@ -89,25 +114,11 @@ classes_jacobian(struct model *model, double v, double *d_passing)
 		classes_set(model->classes, &moved);
 		classes_product(model->classes, v, model->minus);
 		for (size_t s = 0; s < model->n_sieve; s++)
-			d_passing[s * PARAM_COUNT + i] =
+			d_passing[s * n + i] =
 			    h > 0 ? (model->plus[s] - model->minus[s]) / (2 * h)
 				  : 0;
 	}
 	classes_set(model->classes, &model->p);
-}
-
-/* continuous works with beta scaled to 1, which scales its derivatives. */
-static void
-unscale_beta(const struct model *model, double *d_passing)
-{
-	double largest = 0;
-	for (size_t b = 0; b < 4; b++)
-		largest = fmax(largest, fabs(model->p.beta[b]));
-	if (largest <= 0)
-		return;
-	for (size_t s = 0; s < model->n_sieve; s++)
-		for (size_t b = 0; b < 4; b++)
-			d_passing[s * PARAM_COUNT + b] /= largest;
 }
 
 void
@@ -117,23 +128,29 @@ model_jacobian(
 	if (model->classes != NULL) {
 		classes_product(model->classes, v, passing);
 		classes_jacobian(model, v, d_passing);
-		return;
+	} else {
+		continuous_product(model->continuous, v, passing, d_passing);
 	}
-	continuous_product(model->continuous, v, passing, d_passing);
-	unscale_beta(model, d_passing);
+	add_bypass(model, passing, d_passing);
 }
 
 bool
-model_breaks(const struct model *model)
+model_breaks(struct model *model, double v)
 {
-	return model->classes != NULL ? classes_breaks(model->classes)
-				      : appearance_of(model->p.beta).total > 0;
+	if (model->classes != NULL)
+		return classes_breaks(model->classes, v);
+	struct breaker b;
+	breaker_set(&b, &model->p, 1);
+	breaker_at(&b, v);
+	return b.model->breaks(&b);
 }
 
 double
 model_selected(struct model *model, double v)
 {
-	return model->classes != NULL
-		   ? classes_selected(model->classes, v)
-		   : continuous_selected(model->continuous, v);
+	const struct breakage *of = breakage_of(&model->p);
+	double share = of->bypass ? 1 - model->p.at[of->n - 1] : 1;
+	return share * (model->classes != NULL
+			       ? classes_selected(model->classes, v)
+			       : continuous_selected(model->continuous, v));
 }

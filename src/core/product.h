@@ -17,8 +17,9 @@
  *   P(s) = F(s) + integral over x > s of S(x) B(s/x) dF(x)
  * the limit of Eq 2 for fine classes.  S is integrated by Gauss-Legendre on
  * panels that end at every sieve, at the break size and at a few values of the
- * exponent, against 1, 1/x, 1/x^2, 1/x^3 and ln x; B is a combination of these
- * between the zeros of p(u).  The error is below 1e-7 (tested against 1e-6).
+ * exponent.  The paper's model has B between the zeros of p(u) as a combination
+ * of 1, 1/x, 1/x^2, 1/x^3 and ln x (moments.c) and an error below 1e-7 (tested
+ * against 1e-6); the others evaluate B at each point (tested against 1e-5).
  *
  * Method `classes`: the paper to the letter, P = B S f + (I - S) f on the
  * classes of the feed's sieves; a class has the geometric mean of its sieves
@@ -38,17 +39,18 @@ void model_set(struct model *model, const struct params *p);
  *   Source: paper Eq 2. */
 void model_product(struct model *model, double v, double *passing);
 
-/* The same with its derivatives: d_passing [n * PARAM_COUNT] out, row by sieve,
- * with respect to the parameters in the order of PARAMS.  Exact for
+/* The same with its derivatives: d_passing [n * model's n] out, row by
+ * sieve, with respect to the parameters in the order of their table.  Exact for
  * `continuous`, central differences for `classes`. */
 void model_jacobian(
     struct model *model, double v, double *passing, double *d_passing);
 
-/* False when no fragment has a daughter of another class, or p(u) is 0
+/* False when at v no particle has a daughter of another class, or p(u) is 0
  * everywhere, so that product = feed. */
-bool model_breaks(const struct model *model);
+bool model_breaks(struct model *model, double v);
 
-/* Mass fraction of the feed that is selected for breakage at v, 0..1. */
+/* Mass fraction of the feed that is selected for breakage at v, 0..1; what goes
+ * by the rotor is not. */
 double model_selected(struct model *model, double v);
 
 #endif

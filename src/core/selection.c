@@ -1,19 +1,44 @@
-/* Eq 3.
+/* Eq 3 the other way round, and in words.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/selection.h"
 
-#include <assert.h>
+#include <math.h>
 
-#include "core/elementary.h"
+#include "base/xalloc.h"
 
-void
-selection(const struct params *p, double k, double E, const double *x, size_t n,
-    double *S)
+double
+selection_size_at(const double q[static 3], double k, double E, double exponent)
 {
-	assert(k >= 0);
-	for (size_t i = 0; i < n; i++) {
-		assert(x[i] > 0);
-		double over = el_pow(x[i], p->alpha) * E - p->e0_min;
-		S[i] = over > 0 ? -el_expm1(-p->f_mat * k * over) : 0;
-	}
+	const double beyond = 1e3;
+	double f = q[0] * k;
+	double ratio = (exponent / f + q[1]) / E;
+	if (!(ratio > 0))
+		return -beyond;
+	if (!(ratio < 1e300))
+		return beyond;
+	double log_ratio = el_log(ratio);
+	if (fabs(log_ratio) >= q[2] * beyond)
+		return log_ratio < 0 ? -beyond : beyond;
+	return log_ratio / q[2];
+}
+
+double
+selection_break_size(const double q[static 3], double E)
+{
+	if (q[1] <= 0)
+		return E > 0 ? 0 : INFINITY;
+	if (E <= 0)
+		return INFINITY;
+	double log_ratio = el_log(q[1] / E);
+	if (q[2] * 700 <= fabs(log_ratio))
+		return log_ratio < 0 ? 0 : INFINITY;
+	return el_exp(log_ratio / q[2]);
+}
+
+char *
+selection_text(const double q[static 3], double k)
+{
+	return xasprintf("S(x) = 1 - exp(-%.4g (x^%.4g E - %.4g)), x in m; 0 "
+			 "where the bracket is negative",
+	    q[0] * k, q[2], q[1]);
 }

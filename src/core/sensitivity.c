@@ -13,7 +13,7 @@ sensitivity_on_bound(const struct bounds *b, const struct params *p, size_t j)
 {
 	double x = p->at[j], range = b->upper[j] - b->lower[j];
 	double near = fmin(x - b->lower[j], b->upper[j] - x);
-	return j >= PARAM_F_MAT && range > 0 && near <= 1e-6 * range;
+	return j >= breakage_of(p)->gauge && range > 0 && near <= 1e-6 * range;
 }
 
 /* Marks the parameters that may move and gives the length of their ranges. */
@@ -21,24 +21,26 @@ static void
 find_movable(struct sensitivity *s, const struct params *p,
     const struct bounds *b, bool inward)
 {
-	size_t largest = 0;
-	for (size_t j = 1; j < 4; j++)
-		if (fabs(p->beta[j]) > fabs(p->beta[largest]))
+	size_t largest = 0, gauge = breakage_of(p)->gauge;
+	for (size_t j = 1; j < gauge; j++)
+		if (fabs(p->at[j]) > fabs(p->at[largest]))
 			largest = j;
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	for (size_t j = 0; j < breakage_of(p)->n; j++) {
 		bool fixed = !(b->upper[j] > b->lower[j]);
-		s->range[j] = j < PARAM_F_MAT ? 2 * fabs(p->beta[largest])
-					      : b->upper[j] - b->lower[j];
-		if (!fixed && j != largest && s->range[j] > 0 &&
+		bool held = gauge > 0 && j == largest;
+		s->range[j] = j < gauge ? 2 * fabs(p->at[largest])
+					: b->upper[j] - b->lower[j];
+		if (!fixed && !held && s->range[j] > 0 &&
 		    (inward || !sensitivity_on_bound(b, p, j)))
 			s->column[s->n++] = j;
 	}
 }
 
-/* J [rows * PARAM_COUNT].  The decomposition wants no fewer rows than columns;
+/* J [rows * width].  The decomposition wants no fewer rows than columns;
  * rows of 0 change nothing. */
 static void
-decompose(struct sensitivity *s, const double *J, size_t rows, double *basis)
+decompose(struct sensitivity *s, const double *J, size_t width, size_t rows,
+    double *basis)
 {
 	size_t n = s->n;
 	gsl_matrix *A = gsl_matrix_calloc(rows > n ? rows : n, n);
@@ -47,7 +49,7 @@ decompose(struct sensitivity *s, const double *J, size_t rows, double *basis)
 	for (size_t i = 0; i < rows; i++)
 		for (size_t c = 0; c < n; c++)
 			gsl_matrix_set(A, i, c,
-			    J[i * PARAM_COUNT + s->column[c]] *
+			    J[i * width + s->column[c]] *
 				s->range[s->column[c]]);
 	gsl_linalg_SV_decomp(A, V, sigma, work);
 	for (size_t i = 0; i < n; i++) {
@@ -58,7 +60,7 @@ decompose(struct sensitivity *s, const double *J, size_t rows, double *basis)
 	for (size_t i = 0; basis != NULL && i < rows; i++)
 		for (size_t c = 0; c < n; c++)
 			if (s->sigma[c] > 1e-9 * s->sigma[0])
-				basis[i * PARAM_COUNT + c] =
+				basis[i * PARAMS_MOST + c] =
 				    gsl_matrix_get(A, i, c);
 	gsl_matrix_free(A);
 	gsl_matrix_free(V);
@@ -71,14 +73,14 @@ sensitivity_of(struct misfit *m, const struct params *p,
     const struct bounds *bounds, bool inward, double *basis)
 {
 	struct sensitivity s = {0};
-	size_t rows = m->n_residual;
-	double *r = xdoubles(rows), *J = xdoubles(rows * PARAM_COUNT);
+	size_t rows = m->n_residual, width = m->of->n;
+	double *r = xdoubles(rows), *J = xdoubles(rows * width);
 	s.misfit = misfit_jacobian(m, p, r, J);
 	find_movable(&s, p, bounds, inward);
-	for (size_t i = 0; basis != NULL && i < rows * PARAM_COUNT; i++)
+	for (size_t i = 0; basis != NULL && i < rows * PARAMS_MOST; i++)
 		basis[i] = 0;
 	if (s.n > 0)
-		decompose(&s, J, rows, basis);
+		decompose(&s, J, width, rows, basis);
 	free(r);
 	free(J);
 	return s;

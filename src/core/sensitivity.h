@@ -7,27 +7,28 @@
 #include "core/params.h"
 
 /* The singular values of the Jacobian of the differences, its columns scaled by
- * the search ranges; the largest beta is held, as only the direction of beta
- * counts (D4), and the others count in shares of twice its size.
+ * the search ranges; of the parameters in the gauge the largest is held, as
+ * only their direction counts (D4), and the others count in shares of twice its
+ * size.
  *   column [n]        parameters that may move
  *   range             what a share of 1 of each is worth
  *   sigma [n]         singular values, the largest first
  *   direction [i][c]  share of column c in the direction of sigma i */
 struct sensitivity {
-	size_t n, column[PARAM_COUNT];
-	double range[PARAM_COUNT];
+	size_t n, column[PARAMS_MOST];
+	double range[PARAMS_MOST];
 	double misfit;
-	double sigma[PARAM_COUNT];
-	double direction[PARAM_COUNT][PARAM_COUNT];
+	double sigma[PARAMS_MOST];
+	double direction[PARAMS_MOST][PARAMS_MOST];
 };
 
 /* On a bound: nearer to it than a millionth of the range, and free to move.  A
- * beta's bound only limits its scale. */
+ * bound of one in the gauge only limits the scale. */
 bool sensitivity_on_bound(
     const struct bounds *bounds, const struct params *p, size_t j);
 
 /* inward: parameters on a bound count among those that may move.  Fixed ones
- * never do.  basis [m->n_residual * PARAM_COUNT] out, or NULL: in row i, how
+ * never do.  basis [m->n_residual * PARAMS_MOST] out, or NULL: in row i, how
  * far difference i moves along each direction; columns of length 1 at right
  * angles, 0 where sigma is next to nothing.  Cannot fail. */
 struct sensitivity sensitivity_of(struct misfit *m, const struct params *p,

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "core/elementary.h"
+#include "core/breakage.h"
 #include "core/product.h"
 #include "core/rng.h"
 
@@ -63,7 +64,8 @@ numbers_digest(const struct synth *s)
 {
 	uint64_t h = TEXT_DIGEST_START;
 	h = text_digest(h, &s->top_size, sizeof s->top_size);
-	h = text_digest(h, &s->params, sizeof s->params);
+	h = text_digest(
+	    h, s->params.at, breakage_of(&s->params)->n * sizeof *s->params.at);
 	h = text_digest(h, &s->n, sizeof s->n);
 	return h;
 }

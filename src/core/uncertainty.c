@@ -60,7 +60,7 @@ step(struct walk *w, struct rng_key key)
 		}
 	}
 	double level = plausible_level(w->plausible, &p);
-	double chance = rng_uniform(key, 12 * PARAM_COUNT);
+	double chance = rng_uniform(key, (uint32_t)(12 * breakage_of(&p)->n));
 	if (!(el_log(chance) < w->level - level))
 		return false;
 	w->at = p;
@@ -107,7 +107,7 @@ draw_all(struct walk *w, uint64_t seed, struct params *draw)
 		for (int k = 0; w->sensitivity.n > 0 && k < APART; k++)
 			step(w, rng_key(seed, number++, USE_WALK));
 		draw[i] = w->at;
-		params_scale_beta(&draw[i]);
+		params_scale(&draw[i]);
 	}
 }
 
@@ -117,16 +117,16 @@ uncertainty_new(struct misfit *m, const struct params *p,
 {
 	struct uncertainty *u = xcalloc(1, sizeof *u);
 	double value[UNCERTAINTY_DRAWS];
-	double *basis = xdoubles(m->n_residual * PARAM_COUNT);
+	double *basis = xdoubles(m->n_residual * PARAMS_MOST);
 	struct params own = *p;
-	params_scale_beta(&own);
+	params_scale(&own);
 	struct walk w = {.at = own, .misfit = m};
 	w.sensitivity = sensitivity_of(m, &own, bounds, true, basis);
 	w.plausible = plausible_new(m, &own, bounds, &w.sensitivity, basis);
 	w.level = plausible_level(w.plausible, &own);
 	draw_all(&w, seed, u->draw);
 	u->deviation = plausible_deviation(w.plausible);
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
+	for (size_t j = 0; j < m->of->n; j++) {
 		for (size_t i = 0; i < UNCERTAINTY_DRAWS; i++)
 			value[i] = u->draw[i].at[j];
 		middle(value, own.at[j], &u->low[j], &u->high[j]);

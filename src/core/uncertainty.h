@@ -20,7 +20,7 @@ enum { UNCERTAINTY_DRAWS = 200, UNCERTAINTY_LEVEL = 80 };
  *   deviation     s of plausible.h */
 struct uncertainty {
 	struct params draw[UNCERTAINTY_DRAWS];
-	double low[PARAM_COUNT], high[PARAM_COUNT];
+	double low[PARAMS_MOST], high[PARAMS_MOST];
 	double deviation;
 };
 

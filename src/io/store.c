@@ -148,10 +148,8 @@ check_fields(const struct stored *m, struct error *error)
 		f++;
 	if (f == FIELDS + FIELD_COUNT)
 		return true;
-	char *label = label_of(m->name), *wanted = stored_wanted(f),
-	     *found = f->kind == FIELD_NUMBER
-			  ? xasprintf("%g", stored_number(m, f))
-			  : stored_written(m, f);
+	char *label = label_of(m->name), *wanted = stored_wanted(m, f),
+	     *found = stored_found(m, f);
 	error_set(error, ERROR_DATA,
 	    "material '%s', field %s: expected %s, got '%.60s'\n"
 	    "correct it where it comes from",
@@ -202,6 +200,8 @@ take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
 		else if (f->kind == FIELD_WHOLE && !none)
 			stored_set_whole(
 			    m, f, sqlite3_column_int64(stmt, i + 2));
+		else if (f->kind >= FIELD_MODEL)
+			stored_set_written(m, f, column_text(stmt, i + 2));
 	}
 	if (check_row(m, column_text(stmt, 0), column_text(stmt, 1), error))
 		return true;
@@ -278,6 +278,11 @@ bind_row(sqlite3_stmt *stmt, const struct stored *m)
 			sqlite3_bind_double(stmt, i + 3, stored_number(m, f));
 		else if (f->kind == FIELD_WHOLE && stored_whole(m, f) >= 0)
 			sqlite3_bind_int64(stmt, i + 3, stored_whole(m, f));
+		if (f->kind < FIELD_MODEL)
+			continue;
+		char *text = stored_written(m, f);
+		bind_text(stmt, i + 3, text);
+		free(text);
 	}
 	free(fold);
 	free(digest);

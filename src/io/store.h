@@ -29,7 +29,7 @@ const char *store_path(const struct store *store);
 int64_t store_bytes(const struct store *store);
 
 /* The schema that files have once they were opened. */
-enum { STORE_SCHEMA = 2 };
+enum { STORE_SCHEMA = 3 };
 
 /* Adds the user's own materials to the list, in the order of their names; none
  * where there is no file, and none is made.

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store_csv.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,23 +15,89 @@
 /* More lines than that would not fit the 10 MB of a text file. */
 enum { MOST_ROWS = 10000 };
 
+/* A column: a field of FIELDS, or a parameter of some model. */
+struct column {
+	const struct field *field; /* NULL: a parameter */
+	const struct param_info *param;
+	size_t at; /* counted from 0; SIZE_MAX: there is none */
+};
+
+enum { COLUMNS = 64 };
+
+static bool
+has_column(const struct column *column, size_t n, const char *name)
+{
+	for (size_t i = 0; i < n; i++)
+		if (column[i].param != NULL &&
+		    strcmp(column[i].param->name, name) == 0)
+			return true;
+	return false;
+}
+
+/* The fields, with a column for each parameter of the paper's model and of the
+ * models marked. Returns how many. */
+static size_t
+make_columns(const bool *model, struct column column[static COLUMNS])
+{
+	size_t n = 0;
+	for (size_t f = 0; f < FIELD_COUNT; f++) {
+		if (FIELDS[f].kind != FIELD_PARAMS) {
+			column[n++] =
+			    (struct column){&FIELDS[f], NULL, SIZE_MAX};
+			continue;
+		}
+		for (size_t m = 0; m < breakage_count(); m++)
+			for (size_t j = 0; j < BREAKAGES[m]->n; j++) {
+				const struct param_info *p =
+				    &BREAKAGES[m]->parameter[j];
+				if ((m == 0 || model[m]) &&
+				    !has_column(column, n, p->name))
+					column[n++] =
+					    (struct column){NULL, p, SIZE_MAX};
+			}
+	}
+	return n;
+}
+
+static const char *
+column_name(const struct column *c)
+{
+	return c->field != NULL ? c->field->name : c->param->name;
+}
+
+static char *
+column_written(const struct column *c, const struct stored *m)
+{
+	char number[32];
+	if (c->field != NULL)
+		return stored_written(m, c->field);
+	double value = params_value(&m->params, c->param->name);
+	return xstrdup(isfinite(value) ? text_exact(value, number) : "");
+}
+
 static void
 write_list(const void *data, FILE *out)
 {
 	const struct stored_list *list = data;
-	for (size_t f = 0; f < FIELD_COUNT; f++)
-		fprintf(out, "%s%s", f > 0 ? "," : "", FIELDS[f].name);
+	struct column column[COLUMNS];
+	bool *model = xcalloc(breakage_count(), sizeof *model);
+	for (size_t i = 0; i < list->n; i++)
+		model[list->item[i].params.breakage] = true;
+	size_t n = make_columns(model, column);
+	for (size_t c = 0; c < n; c++)
+		fprintf(out, "%s%s", c > 0 ? "," : "", column_name(&column[c]));
 	fputc('\n', out);
 	for (size_t i = 0; i < list->n; i++) {
-		for (size_t f = 0; f < FIELD_COUNT; f++) {
-			char *text = stored_written(&list->item[i], &FIELDS[f]);
-			if (f > 0)
+		for (size_t c = 0; c < n; c++) {
+			char *text = column_written(&column[c], &list->item[i]);
+			if (c > 0)
 				fputc(',', out);
 			sheet_write_cell(text, out);
 			free(text);
 		}
 		fputc('\n', out);
 	}
+	free(model);
 }
 
 bool
@@ -40,37 +107,51 @@ store_csv_save(
 	return file_replace_by(path, FILE_SHARED, write_list, list, error);
 }
 
-/* The column of each field, counted from 0; SIZE_MAX: there is none. */
+/* Whether a file has to have the column: exports of old have no model, and each
+ * model its own parameters. */
+static bool
+is_asked(const struct column *c)
+{
+	if (c->field != NULL)
+		return c->field->kind != FIELD_MODEL;
+	return breakage_parameter(BREAKAGES[0], c->param->name) <
+	       BREAKAGES[0]->n;
+}
+
+/* Where the columns are. */
 static void
-read_head(struct sheet *sheet, size_t column[static FIELD_COUNT])
+read_head(struct sheet *sheet, struct column *column, size_t n)
 {
 	const struct row *head = &sheet->row[0];
-	for (size_t f = 0; f < FIELD_COUNT; f++)
-		column[f] = SIZE_MAX;
+	bool other_model = false;
 	for (size_t i = 0; i < head->n; i++) {
 		struct cell cell = head->cell[i];
-		size_t f = 0;
-		while (f < FIELD_COUNT && !text_same(cell.text, FIELDS[f].name))
-			f++;
-		if (f == FIELD_COUNT)
+		size_t c = 0;
+		while (c < n && !text_same(cell.text, column_name(&column[c])))
+			c++;
+		if (c == n)
 			sheet_wanted(sheet, cell,
 			    "the name of a column of materials",
 			    "the columns are those that 'export' writes");
-		else if (column[f] != SIZE_MAX)
+		else if (column[c].at != SIZE_MAX)
 			sheet_fault(sheet, cell,
 			    "column %s was wanted once, found twice",
 			    cell.text);
 		else
-			column[f] = i;
+			column[c].at = i;
+		other_model =
+		    other_model || (c < n && column[c].field != NULL &&
+				       column[c].field->kind == FIELD_MODEL);
 	}
 	/* A file of another kind lacks most: the name stands for all. */
-	bool other = column[FIELD_NAME] == SIZE_MAX;
-	for (size_t f = 0; f < (other ? FIELD_NAME + 1 : FIELD_COUNT); f++)
-		if (column[f] == SIZE_MAX)
+	bool other = column[0].at == SIZE_MAX;
+	for (size_t c = 0; c < (other ? 1 : n); c++)
+		if (column[c].at == SIZE_MAX && is_asked(&column[c]) &&
+		    (column[c].field != NULL || !other_model))
 			sheet_fault(sheet, sheet_cell(head, head->n),
 			    "a column %s was wanted, found none\n"
 			    "the columns are those that 'export' writes",
-			    FIELDS[f].name);
+			    column_name(&column[c]));
 }
 
 /* A number that cannot be read is told already. */
@@ -79,14 +160,38 @@ take_value(struct sheet *sheet, struct cell cell, const struct field *f,
     struct stored *m)
 {
 	double value;
-	char *wanted = stored_wanted(f);
+	char *wanted = stored_wanted(m, f);
 	bool read = true;
 	if (f->kind == FIELD_TEXT)
 		stored_set_text(m, f, cell.text);
+	else if (f->kind == FIELD_MODEL)
+		stored_set_written(m, f, cell.text);
 	else if ((read = sheet_number(sheet, cell, wanted, &value)))
 		stored_set_number(m, f, value);
 	if (read && !stored_fits(m, f))
 		sheet_wanted(sheet, cell, wanted, NULL);
+	free(wanted);
+}
+
+static const char EMPTY[] = "%s was wanted, found an empty cell\n"
+			    "fill it, or take the row out";
+
+/* A parameter of the row's model. */
+static void
+take_param(struct sheet *sheet, struct cell cell, const struct param_info *info,
+    struct stored *m)
+{
+	double value;
+	char *wanted = xasprintf("a number from %g to %g for %s", info->least,
+	    info->most, info->name);
+	size_t j = breakage_parameter(breakage_of(&m->params), info->name);
+	if (cell.text[0] == '\0')
+		sheet_fault(sheet, cell, EMPTY, info->name);
+	else if (sheet_number(sheet, cell, wanted, &value)) {
+		m->params.at[j] = value;
+		if (value < info->least || value > info->most)
+			sheet_wanted(sheet, cell, wanted, NULL);
+	}
 	free(wanted);
 }
 
@@ -97,10 +202,7 @@ take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 	uint64_t whole;
 	if (cell.text[0] == '\0') {
 		if (f->needed)
-			sheet_fault(sheet, cell,
-			    "%s was wanted, found an empty cell\n"
-			    "fill it, or take the row out",
-			    f->name);
+			sheet_fault(sheet, cell, EMPTY, f->name);
 	} else if (f->kind != FIELD_WHOLE) {
 		take_value(sheet, cell, f, m);
 	} else if (text_whole(cell.text, &whole) && whole <= INT64_MAX) {
@@ -124,9 +226,10 @@ check_name(struct sheet *sheet, struct cell cell,
 		    cell.text);
 }
 
+/* The model first: its parameters depend on it. */
 static void
 read_row(struct sheet *sheet, const struct row *row,
-    const size_t column[static FIELD_COUNT], const struct stored_list *there,
+    const struct column *column, size_t n, const struct stored_list *there,
     struct stored_list *list)
 {
 	struct stored m = stored_new();
@@ -135,9 +238,19 @@ read_row(struct sheet *sheet, const struct row *row,
 		    "%zu cells were wanted, found more\n"
 		    "put quotes round text that holds the separator",
 		    sheet->row[0].n);
-	for (size_t f = 0; f < FIELD_COUNT; f++)
-		take_cell(sheet, sheet_cell(row, column[f]), &FIELDS[f], &m);
-	check_name(sheet, sheet_cell(row, column[FIELD_NAME]), there, list);
+	m.params = (struct params){0};
+	for (size_t c = 0; c < n; c++) {
+		struct cell cell = sheet_cell(row, column[c].at);
+		const struct param_info *param = column[c].param;
+		if (column[c].at == SIZE_MAX && column[c].field != NULL)
+			continue;
+		if (column[c].field != NULL)
+			take_cell(sheet, cell, column[c].field, &m);
+		else if (m.params.breakage < breakage_count() &&
+			 !isnan(params_value(&m.params, param->name)))
+			take_param(sheet, cell, param, &m);
+	}
+	check_name(sheet, sheet_cell(row, column[0].at), there, list);
 	stored_list_add(list, m);
 }
 
@@ -149,9 +262,13 @@ store_csv_read(const char *path, const struct stored_list *there,
 	if (text == NULL)
 		return false;
 	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
-	size_t column[FIELD_COUNT];
+	struct column column[COLUMNS];
+	bool *all = xcalloc(breakage_count(), sizeof *all);
+	memset(all, true, breakage_count() * sizeof *all);
+	size_t n = make_columns(all, column);
+	free(all);
 	if (sheet->n_row > 0)
-		read_head(sheet, column);
+		read_head(sheet, column, n);
 	if (sheet->n_row < 2 && sheet->n_fault == 0)
 		sheet_fault(sheet, (struct cell){NULL, 1, 1},
 		    "a line of column names and a line for each material were "
@@ -159,7 +276,7 @@ store_csv_read(const char *path, const struct stored_list *there,
 		    sheet->n_row, sheet->n_row == 1 ? "" : "s");
 	bool head = sheet->n_fault == 0;
 	for (size_t i = 1; head && i < sheet->n_row; i++)
-		read_row(sheet, &sheet->row[i], column, there, list);
+		read_row(sheet, &sheet->row[i], column, n, there, list);
 	bool ok = sheet->n_fault == 0;
 	sheet_free(sheet);
 	free(text);

@@ -10,6 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "config.h"
 
@@ -28,7 +29,31 @@ const char *const SCHEMA_STEPS[STORE_SCHEMA] = {
     "appearance TEXT NOT NULL, k REAL NOT NULL, misfit REAL, rmse_pct REAL, "
     "holdout_pct REAL, seed INTEGER, options TEXT, generations INTEGER, stop "
     "TEXT, date TEXT, note TEXT, version TEXT);",
-    "ALTER TABLE material ADD COLUMN train_mps TEXT;"};
+    "ALTER TABLE material ADD COLUMN train_mps TEXT;",
+    "ALTER TABLE material ADD COLUMN model TEXT NOT NULL DEFAULT 'grunditz';"
+    "ALTER TABLE material ADD COLUMN params TEXT NOT NULL DEFAULT '';"
+    "UPDATE material SET params = 'beta1=' || exact(beta1) || ' beta2=' || "
+    "exact(beta2) || ' beta3=' || exact(beta3) || ' beta4=' || exact(beta4) || "
+    "' f_mat=' || exact(f_mat) || ' e0_min=' || exact(e0_min) || ' alpha=' || "
+    "exact(alpha);"
+    "ALTER TABLE material DROP COLUMN beta1;"
+    "ALTER TABLE material DROP COLUMN beta2;"
+    "ALTER TABLE material DROP COLUMN beta3;"
+    "ALTER TABLE material DROP COLUMN beta4;"
+    "ALTER TABLE material DROP COLUMN f_mat;"
+    "ALTER TABLE material DROP COLUMN e0_min;"
+    "ALTER TABLE material DROP COLUMN alpha;"};
+
+/* exact(number): the shortest text that reads back the same, for the steps. */
+static void
+exact(sqlite3_context *context, int n, sqlite3_value **value)
+{
+	char number[32];
+	(void)n;
+	sqlite3_result_text(context,
+	    text_exact(sqlite3_value_double(value[0]), number), -1,
+	    SQLITE_TRANSIENT);
+}
 
 /* The kind of error, its words and the next step, by SQLite's result code. */
 static const struct problem {
@@ -230,6 +255,8 @@ connect(const char *path, bool make)
 	if (sqlite3_open_v2(path, &db, flags, NULL) != SQLITE_OK)
 		return db;
 	sqlite3_extended_result_codes(db, 1);
+	sqlite3_create_function_v2(db, "exact", 1,
+	    SQLITE_UTF8 | SQLITE_DIRECTONLY, NULL, exact, NULL, NULL, NULL);
 	sqlite3_busy_timeout(db, WAIT_MS);
 	sqlite3_exec(db,
 	    "PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL;PRAGMA "

@@ -28,17 +28,8 @@ const struct field FIELDS[FIELD_COUNT] = {
     {"provenance", FIELD_TEXT, AT(provenance), false, NULL, 0, 0},
     {"site_digest", FIELD_TEXT, AT(site_digest), false, NULL, 0, 0},
     {"origin", FIELD_TEXT, AT(origin), true, "fit hand", 0, 0},
-    {"beta1", FIELD_NUMBER, AT(params.beta[0]), true, NULL, -BETA_MOST,
-	BETA_MOST},
-    {"beta2", FIELD_NUMBER, AT(params.beta[1]), true, NULL, -BETA_MOST,
-	BETA_MOST},
-    {"beta3", FIELD_NUMBER, AT(params.beta[2]), true, NULL, -BETA_MOST,
-	BETA_MOST},
-    {"beta4", FIELD_NUMBER, AT(params.beta[3]), true, NULL, -BETA_MOST,
-	BETA_MOST},
-    {"f_mat", FIELD_NUMBER, AT(params.f_mat), true, NULL, 0, F_MAT_MOST},
-    {"e0_min", FIELD_NUMBER, AT(params.e0_min), true, NULL, 0, E0_MIN_MOST},
-    {"alpha", FIELD_NUMBER, AT(params.alpha), true, NULL, 0, ALPHA_MOST},
+    {"model", FIELD_MODEL, AT(params), true, NULL, 0, 0},
+    {"params", FIELD_PARAMS, AT(params), true, NULL, 0, 0},
     {"method", FIELD_TEXT, AT(method), true, "continuous classes", 0, 0},
     {"appearance", FIELD_TEXT, AT(appearance), true,
 	"ratio progeny_mm parent_mm", 0, 0},
@@ -123,8 +114,10 @@ stored_new(void)
 			stored_set_text(&m, f, "");
 		else if (f->kind == FIELD_NUMBER)
 			stored_set_number(&m, f, NAN);
-		else
+		else if (f->kind == FIELD_WHOLE)
 			stored_set_whole(&m, f, -1);
+		else
+			stored_set_written(&m, f, "");
 	}
 	return m;
 }
@@ -168,10 +161,67 @@ stored_find(const struct stored_list *list, const char *name)
 	return found;
 }
 
+/* Parameters there are; 0 where the model is not known. */
+static size_t
+count_of(const struct params *p)
+{
+	return p->breakage < breakage_count() ? breakage_of(p)->n : 0;
+}
+
+static char *
+params_written(const struct params *p)
+{
+	char *text = xstrdup(""), number[32];
+	for (size_t j = 0; j < count_of(p); j++)
+		xlist(&text, " ", "%s=%s", breakage_of(p)->parameter[j].name,
+		    text_exact(p->at[j], number));
+	return text;
+}
+
+/* The number of "name=number" among others; NAN where there is none. */
+static double
+number_of(const char *text, const char *name)
+{
+	size_t n = strlen(name);
+	while (*text != '\0') {
+		size_t word = strcspn(text, " ");
+		if (word > n && text[n] == '=' && strncmp(text, name, n) == 0) {
+			double value = NAN;
+			char *number = xstrndup(text + n + 1, word - n - 1);
+			bool ok = text_number(number, &value);
+			free(number);
+			return ok ? value : NAN;
+		}
+		text += word + (text[word] == ' ');
+	}
+	return NAN;
+}
+
+void
+stored_set_written(struct stored *m, const struct field *f, const char *text)
+{
+	struct params *p = &m->params;
+	if (f->kind == FIELD_MODEL) {
+		p->breakage = breakage_find(text);
+		return;
+	}
+	assert(f->kind == FIELD_PARAMS);
+	for (size_t j = 0; j < PARAMS_MOST; j++)
+		p->at[j] = 0;
+	for (size_t j = 0; j < count_of(p); j++)
+		p->at[j] = number_of(text, breakage_of(p)->parameter[j].name);
+}
+
 char *
 stored_written(const struct stored *m, const struct field *f)
 {
 	char number[32];
+	const struct params *params = &m->params;
+	if (f->kind == FIELD_MODEL)
+		return xstrdup(
+		    count_of(params) > 0 ? breakage_of(params)->name : "");
+	if (f->kind == FIELD_PARAMS)
+		return params_written(params);
 	if (f->kind == FIELD_TEXT)
 		return xstrdup(stored_text(m, f));
 	if (f->kind == FIELD_NUMBER)
@@ -182,21 +232,42 @@ stored_written(const struct stored *m, const struct field *f)
 	return whole < 0 ? xstrdup("") : xasprintf("%" PRId64, whole);
 }
 
+void
+stored_each(const struct stored *m, stored_take *take, void *data)
+{
+	char number[32];
+	for (size_t i = 0; i < FIELD_COUNT; i++) {
+		const struct params *p = &m->params;
+		if (FIELDS[i].kind != FIELD_PARAMS) {
+			char *text = stored_written(m, &FIELDS[i]);
+			take(data, FIELDS[i].name, text);
+			free(text);
+			continue;
+		}
+		for (size_t j = 0; j < count_of(p); j++)
+			take(data, breakage_of(p)->parameter[j].name,
+			    isfinite(p->at[j]) ? text_exact(p->at[j], number)
+					       : "");
+	}
+}
+
+/* An empty field counts for nothing, nor does the name of the paper's model, so
+ * that a row keeps its digest when a later schema adds a column. */
+static void
+digest_one(void *data, const char *name, const char *text)
+{
+	uint64_t *h = data;
+	if (text[0] == '\0' || strcmp(text, BREAKAGES[0]->name) == 0)
+		return;
+	*h = text_digest(*h, name, strlen(name) + 1);
+	*h = text_digest(*h, text, strlen(text) + 1);
+}
+
 uint64_t
 stored_digest(const struct stored *m)
 {
-	/* An empty field counts for nothing, so that a row keeps its digest
-	 * when a later schema adds a column. */
 	uint64_t h = TEXT_DIGEST_START;
-	for (size_t i = 0; i < FIELD_COUNT; i++) {
-		char *text = stored_written(m, &FIELDS[i]);
-		if (text[0] != '\0') {
-			h = text_digest(
-			    h, FIELDS[i].name, strlen(FIELDS[i].name) + 1);
-			h = text_digest(h, text, strlen(text) + 1);
-		}
-		free(text);
-	}
+	stored_each(m, digest_one, &h);
 	return h;
 }
 
@@ -227,9 +298,39 @@ stored_is_table3_name(const char *name)
 
 enum { MOST_NAME = 60 };
 
-char *
-stored_wanted(const struct field *f)
+/* Index of the first parameter that cannot be; the model's n: none. */
+static size_t
+wrong_param(const struct params *p)
 {
+	size_t j = 0;
+	while (j < count_of(p) &&
+	       p->at[j] >= breakage_of(p)->parameter[j].least &&
+	       p->at[j] <= breakage_of(p)->parameter[j].most)
+		j++;
+	return j;
+}
+
+static char *
+model_names(void)
+{
+	char *names = xstrdup("one of:");
+	for (size_t i = 0; i < breakage_count(); i++)
+		xappend(&names, " %s", BREAKAGES[i]->name);
+	return names;
+}
+
+char *
+stored_wanted(const struct stored *m, const struct field *f)
+{
+	const struct params *p = &m->params;
+	if (f->kind == FIELD_MODEL)
+		return model_names();
+	if (f->kind == FIELD_PARAMS && wrong_param(p) < count_of(p)) {
+		const struct param_info *info =
+		    &breakage_of(p)->parameter[wrong_param(p)];
+		return xasprintf("a number from %g to %g for %s", info->least,
+		    info->most, info->name);
+	}
 	if (f->choices != NULL)
 		return xasprintf("one of: %s", f->choices);
 	if (f == &FIELDS[FIELD_NAME])
@@ -246,10 +347,25 @@ stored_wanted(const struct field *f)
 			   : "text without control characters");
 }
 
+char *
+stored_found(const struct stored *m, const struct field *f)
+{
+	const struct params *p = &m->params;
+	if (f->kind == FIELD_NUMBER)
+		return xasprintf("%g", stored_number(m, f));
+	if (f->kind == FIELD_PARAMS && wrong_param(p) < count_of(p))
+		return xasprintf("%g", p->at[wrong_param(p)]);
+	return stored_written(m, f);
+}
+
 bool
 stored_fits(const struct stored *m, const struct field *f)
 {
 	size_t choice;
+	if (f->kind == FIELD_MODEL)
+		return m->params.breakage < breakage_count();
+	if (f->kind == FIELD_PARAMS)
+		return wrong_param(&m->params) == count_of(&m->params);
 	if (f->kind == FIELD_WHOLE)
 		return stored_whole(m, f) >= -1;
 	if (f->kind == FIELD_NUMBER) {
@@ -373,10 +489,7 @@ stored_table3(struct stored_list *list)
 		set(&m.train_mps, xstrdup("69,79"));
 		m.top_size_mm = row->top_size_mm;
 		m.k = 1;
-		m.params = params_default_beta();
-		m.params.f_mat = row->f_mat;
-		m.params.e0_min = row->e0_min;
-		m.params.alpha = row->alpha;
+		m.params = materials_params(row);
 		stored_list_add(list, m);
 	}
 	materials_free(rows);

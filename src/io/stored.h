@@ -1,4 +1,5 @@
-/* A material of the store: seven parameters with where they come from.
+/* A material of the store: parameters of a breakage model with where they are
+ * from.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_STORED_H
 #define TIPSPEED_IO_STORED_H
@@ -8,7 +9,7 @@
 #include <stdint.h>
 
 #include "base/error.h"
-#include "core/params.h"
+#include "core/breakage.h"
 
 /* One material.  Text is never NULL and "" where nothing is known; a number is
  * then NAN and a whole number -1.  provenance: that of the site's data, so that
@@ -29,7 +30,15 @@ struct stored_list {
 	struct stored *item;
 };
 
-enum field_kind { FIELD_TEXT, FIELD_NUMBER, FIELD_WHOLE };
+/* FIELD_MODEL is the name of the parameters' breakage model, FIELD_PARAMS all
+ * of them, "beta1=0 .. alpha=0.96". */
+enum field_kind {
+	FIELD_TEXT,
+	FIELD_NUMBER,
+	FIELD_WHOLE,
+	FIELD_MODEL,
+	FIELD_PARAMS
+};
 
 /* A column of the file and of its CSV form.  needed: never empty.  choices: of
  * text, or NULL; least, most: of numbers. */
@@ -42,7 +51,7 @@ struct field {
 	double least, most;
 };
 
-enum { FIELD_COUNT = 29, FIELD_NAME = 0 };
+enum { FIELD_COUNT = 24, FIELD_NAME = 0 };
 extern const struct field FIELDS[FIELD_COUNT];
 
 /* A material of which nothing is known yet. */
@@ -69,6 +78,17 @@ void stored_set_whole(struct stored *m, const struct field *f, int64_t value);
  * caller frees. */
 char *stored_written(const struct stored *m, const struct field *f);
 
+/* Takes the model or the parameters from what stored_written wrote; the model
+ * first.  What is missing or cannot be read becomes NAN, which stored_fits
+ * refuses. */
+void stored_set_written(
+    struct stored *m, const struct field *f, const char *text);
+
+/* Calls take for what is known of m, field by field and parameter by
+ * parameter, in the order of FIELDS. */
+typedef void stored_take(void *data, const char *name, const char *text);
+void stored_each(const struct stored *m, stored_take *take, void *data);
+
 /* Digest of all that is known of m: tells a row damaged on the disk. */
 uint64_t stored_digest(const struct stored *m);
 
@@ -76,9 +96,11 @@ uint64_t stored_digest(const struct stored *m);
 struct model_settings stored_settings(const struct stored *m);
 
 /* What a field is expected to be, "a number from 0 to 100 for alpha", which the
- * caller frees; and whether that of m is so.  Holds for what is imported and
+ * caller frees; of the parameters, the first of m that is not so.  What was
+ * found instead; and whether that of m is so.  Holds for what is imported and
  * for rows of a file, which anybody may have made. */
-char *stored_wanted(const struct field *f);
+char *stored_wanted(const struct stored *m, const struct field *f);
+char *stored_found(const struct stored *m, const struct field *f);
 bool stored_fits(const struct stored *m, const struct field *f);
 
 /* A name is a line of 1 to 60 bytes without a double quote, does not begin with

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/params.h"
+#include "core/breakage.h"
 #include "io/sheet.h"
 #include "io/textfile.h"
 #include "io/units.h"
@@ -25,9 +25,9 @@ read_row(struct sheet *sheet, const struct row *row, struct materials *m)
 	const struct {
 		double *number, most;
 	} column[CELLS] = {[2] = {&one.top_size_mm, SIZE_MOST_MM},
-	    [3] = {&one.f_mat, PARAMS[PARAM_F_MAT].most},
-	    [5] = {&one.e0_min, PARAMS[PARAM_E0_MIN].most},
-	    [6] = {&one.alpha, PARAMS[PARAM_ALPHA].most}};
+	    [3] = {&one.f_mat, F_MAT_MOST},
+	    [5] = {&one.e0_min, E0_MIN_MOST},
+	    [6] = {&one.alpha, ALPHA_MOST}};
 	if (row->n != CELLS)
 		return sheet_fault(sheet, row->cell[0],
 		    "%d cells were wanted, found %zu\n"
@@ -91,6 +91,16 @@ materials_table3(void)
 	/* It is part of the program: the tests read all of it. */
 	assert(m != NULL);
 	return m;
+}
+
+struct params
+materials_params(const struct material *row)
+{
+	struct params p = params_start(0);
+	p.f_mat = row->f_mat;
+	p.e0_min = row->e0_min;
+	p.alpha = row->alpha;
+	return p;
 }
 
 void

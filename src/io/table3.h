@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include "base/error.h"
+#include "core/params.h"
 
 /* One row, as printed.  top_size_mm mm; f_mat kg/(J m); e0_min J m/kg. */
 struct material {
@@ -27,6 +28,9 @@ struct materials *materials_read(const char *path, struct error_list *errors);
 
 /* The rows of data/table3.csv as they were when the program was built. */
 struct materials *materials_table3(void);
+
+/* The parameters of a row, with the default beta, which is not printed. */
+struct params materials_params(const struct material *row);
 
 void materials_free(struct materials *materials);
 

@@ -54,8 +54,8 @@ move_focus(struct tui *t, int by)
 		break;
 	case FOCUS_CROSS:
 		/* Sieves stand coarsest first, the plot finest first. */
-		t->cross_at = (size_t)moved(
-		    (int)t->cross_at, -by, t->session->last.product.n);
+		t->cross_at =
+		    (size_t)moved((int)t->cross_at, -by, t->shown.product.n);
 		break;
 	case FOCUS_GENERATION:
 		move_generation(t, by);
@@ -201,7 +201,7 @@ static void
 pin(struct tui *t)
 {
 	bool kept = t->pin.site[0] != '\0';
-	const struct prediction *last = &t->session->last;
+	const struct prediction *last = &t->shown;
 	prediction_free(&t->kept);
 	memset(&t->kept, 0, sizeof t->kept);
 	memset(&t->pin, 0, sizeof t->pin);
@@ -224,13 +224,13 @@ pin(struct tui *t)
 static void
 cross(struct tui *t)
 {
-	t->cross = !t->cross && t->session->last.product.n > 0;
+	t->cross = !t->cross && t->shown.product.n > 0;
 	if (t->cross && t->cross_at == 0)
-		t->cross_at = t->session->last.product.n / 3;
+		t->cross_at = t->shown.product.n / 3;
 	if (t->cross)
 		t->page = PAGE_PREDICT;
 	t->focus = t->cross ? FOCUS_CROSS : FOCUS_SPEED;
-	if (t->session->last.product.n == 0)
+	if (t->shown.product.n == 0)
 		tui_say(t, true, "nothing is predicted yet: f calibrates");
 	else if (t->cross)
 		tui_say(t, false,
@@ -245,7 +245,7 @@ band(struct tui *t)
 	t->band = !t->band;
 	if (!t->band || t->now.site[0] == '\0')
 		return;
-	bool known = doubt_band(t->session, entry, &t->session->last) != NULL;
+	bool known = doubt_band(t->session, entry, &t->shown) != NULL;
 	tui_say(t, false, "%s%s", known ? "" : doubt_why_none(entry),
 	    !known && entry->has_fit && fit_too_few(&entry->fit) ? ""
 	    : !known ? "; f calibrates"

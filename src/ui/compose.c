@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/compose.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/xalloc.h"
@@ -11,7 +12,7 @@
 static char *
 picture_words(const struct tui *t)
 {
-	const struct prediction *p = &t->session->last;
+	const struct prediction *p = &t->shown;
 	if (t->page == PAGE_PARITY)
 		return xstrdup("parity");
 	if (t->page == PAGE_FIT && t->picture != PLOT_PSD)

@@ -131,21 +131,29 @@ static void
 take_numbers(struct tui *t)
 {
 	static const double sizes[NUMBERS_FRACTIONS] = {0.063e-3, 2e-3, 4e-3};
-	const struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
 	t->now = (struct numbers){0};
-	if (entry == NULL || s->last.product.n == 0)
+	if (entry == NULL || t->shown.product.n == 0)
 		return;
 	snprintf(t->now.site, sizeof t->now.site, "%s", entry->key);
-	t->now.speed = s->last.speed;
+	t->now.speed = t->shown.speed;
 	for (size_t i = 0; i < 3; i++)
-		t->now.size[i] = s->answer[ANSWER_P20 + i];
-	t->now.break_mm = s->answer[ANSWER_BREAK];
+		t->now.size[i] = answers_size(&t->shown, i);
+	t->now.break_mm = answers_size(&t->shown, ANSWERS_BREAK);
 	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
 		t->now.passing[i] =
-		    psd_covers(&s->last.product, sizes[i])
-			? 100 * psd_passing(&s->last.product, sizes[i])
+		    psd_covers(&t->shown.product, sizes[i])
+			? 100 * psd_passing(&t->shown.product, sizes[i])
 			: NAN;
+}
+
+static void
+forget(struct tui *t)
+{
+	prediction_free(&t->shown);
+	t->shown = (struct prediction){0};
+	t->now = (struct numbers){0};
+	t->asked.tenths = 0;
 }
 
 /* What the session is like after any command. */
@@ -156,11 +164,11 @@ conduct_look(struct tui *t)
 	const struct entry *entry = tui_entry(t);
 	t->session->wants_tui = false;
 	t->rows_at = 0;
-	if (s->last.product.n == 0)
-		t->now = (struct numbers){0};
+	if (isnan(session_known(s, "predict", "speed")))
+		forget(t);
 	if (t->site_at >= s->n_entry)
 		t->site_at = s->current;
-	if (t->cross_at >= s->last.product.n)
+	if (t->cross_at >= t->shown.product.n)
 		t->cross_at = 0;
 	t->holdout = entry != NULL && entry->has_fit
 			 ? 100 * fit_holdout_rmse(entry)
@@ -172,7 +180,6 @@ static bool
 run(struct tui *t, const char *line)
 {
 	struct session *s = t->session;
-	const double *said = s->answer;
 	bool was_busy = session_busy(s);
 	char site[sizeof t->now.site] = "";
 	if (tui_entry(t) != NULL)
@@ -180,14 +187,14 @@ run(struct tui *t, const char *line)
 	hush(t);
 	bool ok = run_to_end(t, line, "typed", 0);
 	struct slider_range range = tui_range(t);
-	if (slider_has(range, said[ANSWER_SPEED]))
-		t->tenths = slider_tenths(range, said[ANSWER_SPEED]);
+	double said = session_known(s, "predict find", "speed");
+	if (slider_has(range, said))
+		t->tenths = slider_tenths(range, said);
 	if (tui_entry(t) != NULL && !slider_has(range, t->tenths / 10.0))
 		t->tenths = slider_tenths(range, answers_usual(tui_entry(t)));
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
-	if (s->last.product.n == 0 || other)
-		t->asked.tenths = 0;
 	if (other) {
+		t->asked.tenths = 0;
 		t->site_at = s->current;
 		t->feed = 0;
 	}
@@ -332,7 +339,7 @@ conduct_typed(struct tui *t, const char *line)
 void
 conduct_predict(struct tui *t)
 {
-	const struct session *s = t->session;
+	struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
 	bool told = t->told;
 	t->told = false;
@@ -351,10 +358,11 @@ conduct_predict(struct tui *t)
 		t->moved = t->clock;
 	char *where = tui_where(t);
 	char *line = xasprintf("predict %s", where);
-	hush(t);
 	struct error error = {0};
-	size_t next;
-	if (!session_line(t->session, line, 0, "typed", 0, &next, &error))
+	prediction_free(&t->shown);
+	t->shown = (struct prediction){0};
+	if (!answers_step(
+		s, t->tenths / 10.0, tui_feed(t), line, &t->shown, &error))
 		say_error(t, &error);
 	if ((!first && !told) || t->command == NULL) {
 		free(t->command);

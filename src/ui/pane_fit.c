@@ -82,16 +82,12 @@ found(const struct tui *t)
 	return last && entry->has_fit ? &entry->params : NULL;
 }
 
-/* What beta, which counts by its direction only, is multiplied by to have the
- * size of that of a generation. */
+/* What the gauge, which counts by its direction only, is multiplied by to have
+ * the size of that of a generation. */
 static double
-beta_scale(const struct params *params, const struct calibrate_generation *g)
+gauge_scale(const struct params *params, const struct calibrate_generation *g)
 {
-	double most = 0, own = 0;
-	for (size_t j = PARAM_BETA; j < PARAM_F_MAT; j++) {
-		most = fmax(most, fabs(g->params.at[j]));
-		own = fmax(own, fabs(params->at[j]));
-	}
+	double most = params_gauge(&g->params), own = params_gauge(params);
 	return own > 0 ? most / own : 1;
 }
 
@@ -104,11 +100,11 @@ draw_parameter(const struct area *side, int row, size_t j,
 {
 	enum { NAME = 7, VALUE = 18, MOST = 40 };
 	double lower = bounds->lower[j], upper = bounds->upper[j];
-	bool beta = j < PARAM_F_MAT;
+	bool gauge = j < breakage_of(&g->params)->gauge;
 	double value = (polished != NULL ? polished : &g->params)->at[j];
 	double best = value;
-	if (polished != NULL && beta)
-		best *= beta_scale(polished, g);
+	if (polished != NULL && gauge)
+		best *= gauge_scale(polished, g);
 	int width = side->columns - NAME - VALUE - 2;
 	width = width > MOST ? MOST : width < 3 ? 3 : width;
 	char bar[MOST + 1];
@@ -120,13 +116,13 @@ draw_parameter(const struct area *side, int row, size_t j,
 		bar[c] = '=';
 	bar[cell_of(best, lower, upper, width)] = '*';
 	double near = 0.02 * (upper - lower);
-	const char *remark = lower >= upper             ? "fixed"
-			     : polished != NULL && beta ? ""
+	const char *remark = lower >= upper              ? "fixed"
+			     : polished != NULL && gauge ? ""
 			     : best - lower < near || upper - best < near
 				 ? "NEAR BOUND"
 				 : "";
-	screen_text(side, row, 0, 0, "%-7s|%s|%7.3g %s", PARAMS[j].name, bar,
-	    value, remark);
+	screen_text(side, row, 0, 0, "%-7s|%s|%7.3g %s",
+	    breakage_of(&g->params)->parameter[j].name, bar, value, remark);
 }
 
 static int
@@ -138,10 +134,10 @@ draw_parameters(const struct tui *t, const struct area *side, int row)
 		return row;
 	screen_text(side, row++, 0, LOOK_DIM, "bounds, = middle 80 %%, * %s",
 	    polished != NULL ? "polished" : "best");
-	for (size_t j = 0; j < PARAM_COUNT; j++)
-		draw_parameter(side, row++, j,
-		    &past.generation[tui_generation(t) - 1], polished,
-		    past.bounds);
+	const struct calibrate_generation *g =
+	    &past.generation[tui_generation(t) - 1];
+	for (size_t j = 0; j < breakage_of(&g->params)->n; j++)
+		draw_parameter(side, row++, j, g, polished, past.bounds);
 	return row;
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/origin.h"
 #include "core/energy.h"
@@ -149,7 +150,8 @@ draw_caption(const struct tui *t)
 	    "  | trained  o held out  step 0.1", "  | trained  o held out", ""};
 	const struct area *area = &t->places.caption;
 	double speed = t->tenths / 10.0;
-	bool beyond = t->session->answer[ANSWER_EXTRAPOLATED] == 1;
+	bool beyond = t->shown.product.n > 0 &&
+		      answers_extrapolates(tui_entry(t), t->shown.speed);
 	const char *word = beyond ? "x EXTRAPOLATED" : "x extrapolated";
 	int room = area->columns - (beyond ? (int)strlen(word) + 1 : 0);
 	int column = screen_text(area, 0, 0, 0, "%s%.1f%s",

@@ -86,8 +86,7 @@ draw_sieve(const struct tui *t, const struct area *area, int row, size_t i)
 		if (is_shown(t, r))
 			column = draw_passing(
 			    area, row, column, &site->run[r].product, x, 0);
-	draw_passing(
-	    area, row, column, &t->session->last.product, x, LOOK_BOLD);
+	draw_passing(area, row, column, &t->shown.product, x, LOOK_BOLD);
 }
 
 /* Where the data are from, as far as there is room, in SOURCE rows of a wide

@@ -98,12 +98,14 @@ pane_curves(const struct tui *t, struct plot_request *request)
 void
 pane_predict(struct tui *t)
 {
-	const struct prediction *p = &t->session->last;
+	const struct prediction *p = &t->shown;
 	struct plot_request request = plots_request(PLOT_PSD);
 	request.words = 0;
 	request.speed = t->tenths / 10.0;
 	request.feed_speed = t->feed;
 	request.band = t->band;
+	if (p->product.n > 0 && t->asked.tenths == t->tenths)
+		request.made = p;
 	request.level = t->level;
 	if (t->pin.site[0] != '\0') {
 		request.beside = t->pin.site;

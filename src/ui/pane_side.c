@@ -134,7 +134,7 @@ draw_reading(const struct tui *t, int row, unsigned look, const char *name,
     const struct psd *psd)
 {
 	const struct area *side = &t->places.side;
-	double x = t->session->last.product.size[t->cross_at];
+	double x = t->shown.product.size[t->cross_at];
 	char size[24] = "-";
 	double mm = 1000 * psd_size(psd, t->level / 100.0);
 	if (isfinite(mm))
@@ -170,7 +170,7 @@ static int
 draw_cross_band(const struct tui *t, int row, bool sizes)
 {
 	const struct area *side = &t->places.side;
-	const struct prediction *p = &t->session->last;
+	const struct prediction *p = &t->shown;
 	const struct band *b =
 	    t->band ? doubt_band(t->session, tui_entry(t), p) : NULL;
 	double range[2];
@@ -191,7 +191,7 @@ static int
 draw_cross(const struct tui *t, int row, int room)
 {
 	const struct area *side = &t->places.side;
-	const struct prediction *p = &t->session->last;
+	const struct prediction *p = &t->shown;
 	const struct site *site = tui_entry(t)->site;
 	char name[40];
 	int from = row;
@@ -246,7 +246,7 @@ draw_p50_band(const struct tui *t, int row)
 {
 	const struct band *b =
 	    t->band && !t->cross
-		? doubt_band(t->session, tui_entry(t), &t->session->last)
+		? doubt_band(t->session, tui_entry(t), &t->shown)
 		: NULL;
 	if (b != NULL && isfinite(b->p50[0]))
 		screen_text(&t->places.side, row++, 0, 0,
@@ -296,7 +296,7 @@ void
 pane_numbers(struct tui *t)
 {
 	const struct area *area = &t->places.numbers;
-	const struct prediction *p = &t->session->last;
+	const struct prediction *p = &t->shown;
 	char a[24], b[24], c[24], d[24];
 	if (area->rows == 0)
 		return;

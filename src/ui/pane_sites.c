@@ -207,9 +207,10 @@ draw_site(const struct tui *t, const struct area *area)
 	if (!e->has_params)
 		return;
 	int at = 0;
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	const struct breakage *of = breakage_of(&e->params);
+	for (size_t j = 0; j < of->n; j++)
 		at = screen_text(area, row, at, 0, "%s%s %.4g",
-		    at > 0 ? "  " : "", PARAMS[j].name, e->params.at[j]);
+		    at > 0 ? "  " : "", of->parameter[j].name, e->params.at[j]);
 }
 
 void

@@ -76,10 +76,9 @@ tui_feed(const struct tui *t)
 void
 tui_keep_feed(struct tui *t)
 {
-	const struct prediction *last = &t->session->last;
-	const struct entry *entry = tui_entry(t);
-	if (entry != NULL && last->product.n > 0)
-		t->feed = entry->site->run[last->feed_run].speed;
+	double feed = session_known(t->session, "predict", "feed_mps");
+	if (isfinite(feed))
+		t->feed = feed;
 }
 
 char *
@@ -110,7 +109,7 @@ on_stop(int signal)
 static int
 first_speed(const struct session *s)
 {
-	double speed = s->answer[ANSWER_SPEED];
+	double speed = session_known(s, "predict find", "speed");
 	const struct entry *e = s->n_entry > 0 ? &s->entry[s->current] : NULL;
 	struct slider_range range = slider_range(e != NULL ? e->site : NULL);
 	if (slider_has(range, speed))
@@ -368,6 +367,7 @@ tui_end(struct tui *t)
 	typing_end(&t->typing);
 	view_close(t);
 	free(t->command);
+	prediction_free(&t->shown);
 	prediction_free(&t->kept);
 	free(t->row);
 }

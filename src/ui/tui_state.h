@@ -70,8 +70,9 @@ struct tui {
 	struct {
 		int tenths; /* 0: not yet */
 		size_t feed_run;
-	} asked;                        /* what was last predicted */
-	double moved;                   /* when the slider last was */
+	} asked;                 /* what was last predicted */
+	double moved;            /* when the slider last was */
+	struct prediction shown; /* at the slider's speed; product.n 0: none */
 	struct numbers now, pause, pin; /* site "": none */
 	struct prediction kept;         /* whose numbers are in pin */
 	bool cross, band, mouse;

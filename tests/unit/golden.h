@@ -70,6 +70,7 @@ golden_next(FILE *file, struct golden_line *g)
 {
 	char line[300];
 	while (fgets(line, sizeof line, file) != NULL) {
+		g->p.breakage = 0;
 		double *b = g->p.beta;
 		int n = sscanf(line,
 		    "%*[^,],%31[^,],%15[^,],%15[^,],%lf,%lf,%lf,%lf,%lf,%lf,"

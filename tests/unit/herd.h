@@ -9,17 +9,17 @@
 
 #include "core/kernel.h"
 
-/* gene[PARAM_COUNT][n], readable as the kernel wants it. */
+/* Candidates of a model, gene[its n][n], readable as the kernel wants it. */
 struct herd {
-	size_t n;
-	double *gene[PARAM_COUNT];
+	size_t n, breakage;
+	double *gene[PARAMS_MOST];
 };
 
 static inline struct herd
 herd_new(size_t n)
 {
-	struct herd herd = {n, {0}};
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	struct herd herd = {.n = n};
+	for (size_t j = 0; j < PARAMS_MOST; j++)
 		herd.gene[j] = xdoubles(n + 64);
 	return herd;
 }
@@ -27,22 +27,23 @@ herd_new(size_t n)
 static inline void
 herd_free(struct herd *herd)
 {
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	for (size_t j = 0; j < PARAMS_MOST; j++)
 		free(herd->gene[j]);
 }
 
 static inline void
 herd_put(struct herd *herd, size_t i, const struct params *p)
 {
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	herd->breakage = p->breakage;
+	for (size_t j = 0; j < breakage_of(p)->n; j++)
 		herd->gene[j][i] = p->at[j];
 }
 
 static inline struct params
 herd_get(const struct herd *herd, size_t i)
 {
-	struct params p;
-	for (size_t j = 0; j < PARAM_COUNT; j++)
+	struct params p = {.breakage = herd->breakage};
+	for (size_t j = 0; j < breakage_of(&p)->n; j++)
 		p.at[j] = herd->gene[j][i];
 	return p;
 }

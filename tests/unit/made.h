@@ -14,11 +14,11 @@
 #include <cmocka.h>
 
 #include "base/xalloc.h"
-#include "core/params.h"
 #include "core/product.h"
 #include "core/psd.h"
 #include "core/rng.h"
 #include "core/synth.h"
+#include "paper.h"
 
 /* A row of Table 3, as printed. */
 struct table_row {
@@ -52,7 +52,7 @@ enum { TIERP = 8 };
 static inline struct params
 made_params(const struct table_row *row)
 {
-	struct params p = params_default_beta();
+	struct params p = params_start(0);
 	p.f_mat = row->f_mat;
 	p.e0_min = row->e0_min;
 	p.alpha = row->alpha;
@@ -97,7 +97,7 @@ draw_log(struct draw *draw, double low, double high)
 static inline struct params
 made_any_params(struct draw *draw)
 {
-	struct params p;
+	struct params p = {0};
 	for (size_t i = 0; i < PARAM_COUNT; i++)
 		p.at[i] = draw_between(draw, PARAMS[i].lower, PARAMS[i].upper);
 	return p;

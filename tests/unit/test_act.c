@@ -8,6 +8,7 @@
 #include "desk.h"
 
 #include "base/text.h"
+#include "cmd/journal.h"
 #include "ui/act.h"
 #include "ui/conduct.h"
 #include "ui/pane.h"
@@ -266,6 +267,59 @@ d_tells_the_picture_of_the_page(void **state)
 	assert_non_null(strstr(t->viewer.text, "crosshair at 5.6 mm"));
 }
 
+/* The linker puts these in the place of what they count. */
+struct prediction __real_predict(const struct site *, const struct params *,
+    struct model_settings, double, size_t);
+struct prediction __wrap_predict(const struct site *, const struct params *,
+    struct model_settings, double, size_t);
+static size_t predictions;
+
+struct prediction
+__wrap_predict(const struct site *site, const struct params *p,
+    struct model_settings settings, double speed, size_t feed_run)
+{
+	predictions++;
+	return __real_predict(site, p, settings, speed, feed_run);
+}
+
+/* With all that the page can show: the band, the crosshair, what is kept
+ * beside. The session knows what was predicted, and can be saved with it. */
+static void
+a_step_predicts_once_and_says_nothing(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	struct session *s = t->session;
+	char *text = NULL;
+	size_t n = 0;
+	desk_expect(((struct stage *)*state)->desk,
+	    "load data/sites/tierp.csv; calibrate; predict speed=74");
+	conduct_predict(t);
+	type(t, "xbc");
+	FILE *said = s->out,
+	     *heard = s->out = s->notes = text_memory(&text, &n);
+	for (int i = 0; i < 30; i++) {
+		int before = t->tenths;
+		press(t, i < 20 ? "L" : "H");
+		predictions = 0;
+		conduct_predict(t);
+		pane_draw(t);
+		assert_int_equal(predictions, t->tenths != before);
+		assert_true(t->shown.speed == t->tenths / 10.0);
+		assert_true(
+		    session_known(s, "predict", "speed") == t->tenths / 10.0);
+	}
+	fflush(heard);
+	assert_int_equal(n, 0);
+	assert_string_equal(t->command, "predict speed=75.0");
+	journal_put(s, heard);
+	fflush(heard);
+	assert_non_null(strstr(text, "\npredict speed=75.0\n"));
+	assert_null(strstr(text, "speed=75.1"));
+	s->out = s->notes = said;
+	fclose(heard);
+	free(text);
+}
+
 static volatile sig_atomic_t stops;
 
 static void
@@ -389,6 +443,8 @@ int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test_setup_teardown(
+		a_step_predicts_once_and_says_nothing, stage_open, stage_close),
 	    cmocka_unit_test_setup_teardown(
 		every_letter_is_text_in_a_line, stage_open, stage_close),
 	    cmocka_unit_test_setup_teardown(

@@ -275,7 +275,7 @@ bounds_hold_and_are_told(void **state)
 	fit = fit_of(site, &o);
 	assert_true(fit.params.e0_min == 10);
 	assert_true(fit.on_bound[PARAM_E0_MIN]);
-	o.bounds = bounds_default();
+	o.bounds = bounds_default(0);
 	o.bounds.lower[PARAM_F_MAT] = o.bounds.upper[PARAM_F_MAT] = 1.2;
 	o.bounds.lower[PARAM_ALPHA] = o.bounds.upper[PARAM_ALPHA] = 0.97;
 	fit = fit_of(site, &o);
@@ -408,9 +408,9 @@ near_a_bound_is_not_on_it(void **state)
 		bool on;
 	} AT[] = {{1, true}, {1 - 5e-7, true}, {1 - 2e-6, false},
 	    {0.995, false}, {0.005, false}, {5e-7, true}, {0, true}};
-	struct bounds b = bounds_default();
+	struct bounds b = bounds_default(0);
 	struct params p = {.beta = {1000, 0, 0, 0}, .f_mat = 1};
-	assert_false(sensitivity_on_bound(&b, &p, PARAM_BETA));
+	assert_false(sensitivity_on_bound(&b, &p, 0));
 	for (size_t i = 0; i < ARRAY_LEN(AT); i++) {
 		p.alpha = AT[i].alpha;
 		assert_int_equal(

@@ -2,6 +2,7 @@
  * changes a bit of its result.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "desk.h"
+#include "paper.h"
 
 #include <math.h>
 #include <string.h>

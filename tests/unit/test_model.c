@@ -5,6 +5,7 @@
 #include "made.h"
 
 #include "core/appearance.h"
+#include "core/classes.h"
 #include "core/energy.h"
 #include "core/selection.h"
 
@@ -60,9 +61,7 @@ break_sizes_at_the_edges(void **state)
 static double
 selected(const struct params *p, double k, double E, double x)
 {
-	double S;
-	selection(p, k, E, &x, 1, &S);
-	return S;
+	return selection(p->at + PARAM_F_MAT, k, E, el_log(x), NULL);
 }
 
 static void
@@ -241,7 +240,7 @@ only_the_direction_of_beta_matters(void **state)
 	struct draw draw = draw_start(26);
 	for (int k = 0; k < 200; k++) {
 		struct params p = made_any_params(&draw), q = p;
-		params_scale_beta(&q);
+		params_scale(&q);
 		double largest = 0;
 		for (size_t b = 0; b < 4; b++)
 			largest = fmax(largest, fabs(q.beta[b]));
@@ -252,6 +251,17 @@ only_the_direction_of_beta_matters(void **state)
 			expect_near("B(u)", appearance_passing(&a, u),
 			    appearance_passing(&b, u), 1e-11);
 	}
+}
+
+static void
+matrix_of(const double beta[4], enum appearance_form form, const double *x,
+    size_t n, double *m)
+{
+	struct breaker b;
+	struct params p = {.beta = {beta[0], beta[1], beta[2], beta[3]}};
+	breaker_set(&b, &p, 1);
+	breaker_at(&b, 74);
+	classes_matrix(&b, form, x, n, m);
 }
 
 static void
@@ -267,7 +277,7 @@ no_daughters_leaves_the_parent_whole(void **state)
 		assert_true(appearance_passing(&a, 0.999) == 0);
 		assert_true(appearance_passing(&a, 1) == 1);
 		double m[16];
-		appearance_matrix(none[i], APPEARANCE_RATIO, x, 4, m);
+		matrix_of(none[i], APPEARANCE_RATIO, x, 4, m);
 		for (size_t c = 0; c < 16; c++) {
 			bool kept = c % 5 == 0;
 			/* -1 + u is 0 at u = 1 and nowhere above it. */
@@ -300,7 +310,7 @@ matrix_is_lower_triangular_with_unit_columns(void **state)
 	for (int k = 0; k < 300; k++) {
 		struct params p = made_any_params(&draw);
 		enum appearance_form form = (enum appearance_form)(k % 3);
-		appearance_matrix(p.beta, form, x, N, m);
+		matrix_of(p.beta, form, x, N, m);
 		for (size_t i = 0; i < N; i++)
 			expect_column(m, N, i);
 	}
@@ -316,14 +326,14 @@ matrix_shares_follow_the_form(void **state)
 	    {10.0 / 16, 5.0 / 16, 1.0 / 16}, {1 / 3.0, 1 / 3.0, 1 / 3.0}};
 	for (int form = 0; form < 3; form++) {
 		double m[9];
-		appearance_matrix(beta, (enum appearance_form)form, x, 3, m);
+		matrix_of(beta, (enum appearance_form)form, x, 3, m);
 		for (size_t j = 0; j < 3; j++)
 			expect_near("a_j0", m[3 * j], want[form][j], 1e-15);
 		expect_near("a_22", m[8], 1, 0);
 	}
 	const double square[4] = {0, 0, 1, 0};
 	double m[9];
-	appearance_matrix(square, APPEARANCE_RATIO, x, 3, m);
+	matrix_of(square, APPEARANCE_RATIO, x, 3, m);
 	expect_near("a_21", m[2 * 3 + 1], 0.04 / 1.04, 1e-15);
 }
 
@@ -331,20 +341,22 @@ static void
 the_table_of_parameters_is_whole(void **state)
 {
 	(void)state;
-	struct params p;
-	struct bounds b = bounds_default();
+	struct params p = {0};
+	struct bounds b = bounds_default(0);
 	for (size_t i = 0; i < PARAM_COUNT; i++) {
 		p.at[i] = 10.0 + (double)i;
-		assert_int_equal(params_find(PARAMS[i].name), i);
+		assert_int_equal(
+		    breakage_parameter(BREAKAGES[0], PARAMS[i].name), i);
 		assert_true(b.lower[i] == PARAMS[i].lower);
 		assert_true(b.upper[i] == PARAMS[i].upper);
 	}
 	for (size_t i = 0; i < PARAM_COUNT; i++)
 		assert_true(p.at[i] == 10.0 + (double)i);
 	assert_true(p.f_mat == 14 && p.e0_min == 15 && p.alpha == 16);
-	assert_int_equal(params_find("beta5"), PARAM_COUNT);
+	assert_int_equal(
+	    breakage_parameter(BREAKAGES[0], "beta5"), PARAM_COUNT);
 	struct params none = {0};
-	params_scale_beta(&none);
+	params_scale(&none);
 	assert_true(none.beta[0] == 0 && none.beta[3] == 0);
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "cmd/answers.h"
 #include "cmd/plots.h"
 
 static const char PARAMS_SET[] =
@@ -131,7 +132,7 @@ a_generation_shows_its_own_best(void **state)
 	desk_expect(desk, SEARCH);
 	const struct history *h = session_entry(desk->session)->history;
 	struct plot_request q = plots_request(PLOT_PSD);
-	struct params p;
+	struct params p = {0};
 	q.generation = 7;
 	assert_true(plots_params(desk->session, &q, &p, &desk->error));
 	assert_memory_equal(&p, &h->generation[6].params, sizeof p);
@@ -178,10 +179,9 @@ a_second_site_has_a_curve_of_its_own(void **state)
 	q.other_speed = 70;
 	q.beside = "tierp";
 	desk_expect(desk, PARAMS_SET);
-	desk_expect(desk, "predict 70");
-	struct prediction kept = s->last;
-	kept.feed = psd_copy(&s->last.feed);
-	kept.product = psd_copy(&s->last.product);
+	const struct entry *entry = session_entry(s);
+	struct prediction kept =
+	    answers_predict(s, entry, 70, site_run_nearest(entry->site, 70));
 	desk_expect(desk, "load data/sites/bro.csv");
 	for (int way = 0; way < 2; way++) {
 		struct chart *c = chart_of(desk, &q);

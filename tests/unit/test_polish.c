@@ -33,7 +33,7 @@ polish_goes_to_the_bottom_of_an_exact_valley(void **state)
 		struct misfit *m = misfit_new(
 		    site, OUTER, NULL, false, model_settings_default());
 		struct polish *polish = polish_new(m);
-		struct bounds bounds = bounds_default();
+		struct bounds bounds = bounds_default(0);
 		double before = misfit_at(m, &p);
 		struct polish_result r =
 		    polish_run(polish, &bounds, 300, NULL, &p);
@@ -63,7 +63,7 @@ polish_is_never_worse_and_keeps_to_the_bounds(void **state)
 	    misfit_new(site, OUTER, NULL, false, model_settings_default());
 	struct polish *polish = polish_new(m);
 	for (int k = 0; k < 60; k++) {
-		struct bounds b = bounds_default();
+		struct bounds b = bounds_default(0);
 		struct params p = made_any_params(&draw);
 		size_t held = (size_t)(k % PARAM_COUNT);
 		b.lower[PARAM_ALPHA] = 0.5;
@@ -97,7 +97,7 @@ polish_leaves_a_bound_that_does_not_hold_it(void **state)
 	struct misfit *m =
 	    misfit_new(site, OUTER, NULL, false, model_settings_default());
 	struct polish *polish = polish_new(m);
-	struct bounds b = bounds_default();
+	struct bounds b = bounds_default(0);
 	p.alpha = b.upper[PARAM_ALPHA];
 	p.e0_min = 19;
 	struct polish_result r = polish_run(polish, &b, 300, NULL, &p);

@@ -5,6 +5,7 @@
 
 #include "call.h"
 #include "desk.h"
+#include "paper.h"
 #include "made.h"
 
 #include "cmd/command.h"
@@ -374,6 +375,18 @@ parameters_without_set_are_not_passed_over(void **state)
 	assert_true(!ok || session_entry(desk->session)->params.f_mat == 2);
 }
 
+static void
+expect_limits(struct desk *desk, const struct param_info *info, double v)
+{
+	char *bounds = xasprintf("bounds %s %.9g", info->name, v);
+	char *set = xasprintf("params set %s=%.9g", info->name, v);
+	bool inside = v >= info->least && v <= info->most;
+	assert_int_equal(desk_say(desk, bounds), inside);
+	assert_int_equal(desk_say(desk, set), inside);
+	free(bounds);
+	free(set);
+}
+
 /* What bounds, params set, the store and its sheets take of a parameter was
  * once four opinions. */
 static void
@@ -382,25 +395,18 @@ every_command_has_the_same_limits_of_a_parameter(void **state)
 	struct desk *desk = *state;
 	static const double beyond[] = {-1.001, 0, 1, 1.001};
 	add(desk, TIERP);
-	desk_expect(desk, "params set f_mat=1 e0_min=10 alpha=1");
-	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		const char *name = PARAMS[j].name;
-		size_t f = 0;
-		while (strcmp(FIELDS[f].name, name) != 0)
-			f++;
-		assert_true(FIELDS[f].least == PARAMS[j].least);
-		assert_true(FIELDS[f].most == PARAMS[j].most);
-		for (size_t i = 0; i < ARRAY_LEN(beyond); i++) {
-			double v = beyond[i] * PARAMS[j].most;
-			char *bounds = xasprintf("bounds %s %.9g", name, v);
-			char *set = xasprintf("params set %s=%.9g", name, v);
-			bool inside =
-			    v >= PARAMS[j].least && v <= PARAMS[j].most;
-			assert_int_equal(desk_say(desk, bounds), inside);
-			assert_int_equal(desk_say(desk, set), inside);
-			free(bounds);
-			free(set);
-		}
+	for (size_t m = 0; m < breakage_count(); m++) {
+		const struct breakage *of = BREAKAGES[m];
+		char *first = xasprintf("set model %s; params set", of->name);
+		for (size_t j = 0; j < of->n; j++)
+			xappend(&first, " %s=%.9g", of->parameter[j].name,
+			    of->parameter[j].most);
+		desk_expect(desk, first);
+		free(first);
+		for (size_t j = 0; j < of->n; j++)
+			for (size_t i = 0; i < ARRAY_LEN(beyond); i++)
+				expect_limits(desk, &of->parameter[j],
+				    beyond[i] * of->parameter[j].most);
 	}
 	desk_expect(desk, "bounds default");
 	assert_false(desk_say(desk, "bounds alpha 0..500"));

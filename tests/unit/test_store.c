@@ -178,7 +178,7 @@ a_newer_schema_is_refused(void **state)
 	meddle(shelf, "UPDATE about SET program = 'tipspeed 9.9.9';"
 		      "PRAGMA user_version = 99");
 	expect_refusal(shelf, ERROR_DATA, "tipspeed 9.9.9 (schema 99)");
-	meddle(shelf, "PRAGMA user_version = 2");
+	meddle(shelf, "PRAGMA user_version = 3");
 	expect_names(shelf, "a");
 }
 
@@ -229,7 +229,8 @@ a_changed_number_is_noticed(void **state)
 	struct shelf *shelf = *state;
 	put(shelf, full("a"));
 	put(shelf, full("b"));
-	meddle(shelf, "UPDATE material SET alpha = 0.5 WHERE name = 'b'");
+	meddle(shelf, "UPDATE material SET params = replace(params, 'f_mat=2', "
+		      "'f_mat=1') WHERE name = 'b'");
 	struct stored_list all = {0};
 	assert_false(store_list(shelf->store, &all, &shelf->error));
 	stored_list_free(&all);
@@ -277,9 +278,13 @@ rows_are_checked_as_an_import_is(void **state)
 	static const struct {
 		const char *field, *value, *words;
 	} ROWS[] = {
-	    {"f_mat", "1e308",
+	    {"params", "replace(params, 'f_mat=2.18', 'f_mat=1e308')",
 		"expected a number from 0 to 10000 for f_mat, got '1e+308'"},
-	    {"alpha", "-1", "expected a number from 0 to 100 for alpha"},
+	    {"params", "replace(params, 'alpha=', 'alpha=-')",
+		"expected a number from 0 to 100 for alpha"},
+	    {"params", "'beta1=0'",
+		"expected a number from -1e+09 to 1e+09 for beta2, got 'nan'"},
+	    {"model", "'magic'", "expected one of: grunditz grunditz-energy"},
 	    {"k", "9e999", "expected a number from 0.001 to 1000 for k"},
 	    {"method", "'magic'", "expected one of: continuous classes, got"},
 	    {"method", "''", "'b', field method: expected one of"},

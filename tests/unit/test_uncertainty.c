@@ -106,7 +106,7 @@ static void
 draws_keep_to_the_bounds_and_what_is_held(void **state)
 {
 	(void)state;
-	struct bounds b = bounds_default();
+	struct bounds b = bounds_default(0);
 	b.lower[PARAM_ALPHA] = b.upper[PARAM_ALPHA] = 0.96;
 	b.upper[PARAM_F_MAT] = 0.8; /* the truth is 2.18 */
 	b.upper[2] = 0;

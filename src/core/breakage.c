@@ -1,0 +1,121 @@
+/* The list of breakage models, and what follows from a row.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/breakage.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/energy.h"
+
+extern const struct breakage BREAKAGE_GRUNDITZ, BREAKAGE_GRUNDITZ_BYPASS,
+    BREAKAGE_ENERGY, BREAKAGE_ENERGY_BYPASS, BREAKAGE_VOGEL,
+    BREAKAGE_VOGEL_BYPASS;
+
+const struct breakage *const BREAKAGES[] = {&BREAKAGE_GRUNDITZ,
+    &BREAKAGE_ENERGY, &BREAKAGE_VOGEL, &BREAKAGE_GRUNDITZ_BYPASS,
+    &BREAKAGE_ENERGY_BYPASS, &BREAKAGE_VOGEL_BYPASS, NULL};
+
+size_t
+breakage_count(void)
+{
+	return sizeof BREAKAGES / sizeof *BREAKAGES - 1;
+}
+
+size_t
+breakage_find(const char *name)
+{
+	size_t i = 0;
+	while (BREAKAGES[i] != NULL && strcmp(BREAKAGES[i]->name, name) != 0)
+		i++;
+	return i;
+}
+
+const struct breakage *
+breakage_of(const struct params *p)
+{
+	return BREAKAGES[p->breakage];
+}
+
+size_t
+breakage_parameter(const struct breakage *model, const char *name)
+{
+	size_t j = 0;
+	while (j < model->n && strcmp(model->parameter[j].name, name) != 0)
+		j++;
+	return j;
+}
+
+double
+params_value(const struct params *p, const char *name)
+{
+	size_t j = breakage_parameter(breakage_of(p), name);
+	return j < breakage_of(p)->n ? p->at[j] : NAN;
+}
+
+struct params
+params_start(size_t breakage)
+{
+	struct params p = {.breakage = breakage};
+	for (size_t j = 0; j < BREAKAGES[breakage]->n; j++)
+		p.at[j] = BREAKAGES[breakage]->parameter[j].start;
+	return p;
+}
+
+double
+params_gauge(const struct params *p)
+{
+	double largest = 0;
+	for (size_t j = 0; j < breakage_of(p)->gauge; j++)
+		largest = fmax(largest, fabs(p->at[j]));
+	return largest;
+}
+
+void
+params_scale(struct params *p)
+{
+	double largest = params_gauge(p);
+	for (size_t j = 0; largest > 0 && j < breakage_of(p)->gauge; j++)
+		p->at[j] /= largest;
+}
+
+struct bounds
+bounds_default(size_t breakage)
+{
+	struct bounds b = {{0}, {0}};
+	for (size_t j = 0; j < BREAKAGES[breakage]->n; j++) {
+		b.lower[j] = BREAKAGES[breakage]->parameter[j].lower;
+		b.upper[j] = BREAKAGES[breakage]->parameter[j].upper;
+	}
+	return b;
+}
+
+void
+breaker_set(struct breaker *b, const struct params *p, double k)
+{
+	b->p = *p;
+	b->model = breakage_of(p);
+	b->k = k;
+}
+
+void
+breaker_at(struct breaker *b, double v)
+{
+	b->v = v;
+	b->E = energy_specific(v);
+	b->model->prepare(b);
+}
+
+struct model_settings
+model_settings_default(void)
+{
+	return (struct model_settings){
+	    METHOD_CONTINUOUS, APPEARANCE_RATIO, 1.0, 0};
+}
+
+bool
+model_settings_same(
+    const struct model_settings *a, const struct model_settings *b)
+{
+	return a->method == b->method && a->appearance == b->appearance &&
+	       a->k == b->k;
+}

@@ -1,0 +1,141 @@
+/* A breakage model: which sizes break at a tip speed, and into what.
+ *
+ * One file a model, which ends in its row, and a line in breakage.c and in
+ * breakage_all.h.  What anything else does with a model, it does through the
+ * row.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_BREAKAGE_H
+#define TIPSPEED_CORE_BREAKAGE_H
+
+#include <stdalign.h>
+
+#include "core/isa.h"
+#include "core/params.h"
+#include "core/plan.h"
+
+/* Parameters at a tip speed, made ready by breaker_at: what a model works out
+ * once for them lies in own. */
+struct breaker {
+	struct params p;
+	const struct breakage *model;
+	double k, v, E; /* impacts; m/s; J/kg */
+	alignas(max_align_t) unsigned char own[256];
+};
+
+struct continuous;
+
+struct breakage {
+	const char *name;  /* as typed */
+	const char *brief; /* one line for help */
+	size_t n;
+	const struct param_info *parameter; /* [n] */
+	/* The gauge: of the first so many parameters only the direction
+	 * matters, their scale is free.  gauge_name: of them together. */
+	size_t gauge;
+	const char *gauge_name;
+	/* The parameter that a calibration sets to the mean specific energy of
+	 * the training runs; n: none. */
+	size_t reference;
+	bool bypass; /* the last parameter is the bypass share (D14) */
+	bool forms;  /* Eq 1 may be a function of other sizes than u (D3) */
+
+	/* Works out what own holds; p, k, v and E are set. */
+	void (*prepare)(struct breaker *b);
+	/* Selection S at ln x, x in m; d [n]: adds its derivatives, or NULL. */
+	double (*selection)(const struct breaker *b, double log_x, double *d);
+	/* ln x at which -ln(1 - S) is the exponent given, rising with it:
+	 * integrals of S end panels there.  Of 0: where S begins. */
+	double (*size_at)(const struct breaker *b, double exponent);
+	/* The smallest size that can break, m: 0 where every size does,
+	 * INFINITY where none does. */
+	double (*break_size)(const struct params *p, double E);
+	/* B(u, x, v): the share finer than u x of what breaks at x, for
+	 * ln u < 0; d as of selection. */
+	double (*finer)(
+	    const struct breaker *b, double log_u, double log_x, double *d);
+	/* dB / d ln u, in any unit: shares of the size classes (Table 1).  u
+	 * may be a size in mm where the model has forms. */
+	double (*density)(
+	    const struct breaker *b, double u, double log_u, double log_x);
+	/* False where what breaks has no progeny: product = feed. */
+	bool (*breaks)(const struct breaker *b);
+	/* The product by a way of its own, see continuous_product; or NULL. */
+	void (*product)(struct continuous *c, double *passing, double *d);
+	/* S and B as text with the numbers in them; the caller frees. */
+	char *(*selection_text)(const struct params *p, double k);
+	char *(*appearance_text)(const struct params *p);
+
+	struct {
+		kernel_block *block;
+		kernel_bins *bins;
+	} kernel[ISA_BEST]; /* of the search */
+};
+
+/* All models, the paper's first; NULL ends them.  breakage_count: how many. */
+extern const struct breakage *const BREAKAGES[];
+size_t breakage_count(void);
+
+/* Index of the model of that name, or breakage_count(). */
+size_t breakage_find(const char *name);
+
+/* The model of the parameters. */
+const struct breakage *breakage_of(const struct params *p);
+
+/* Index of the parameter of that name, or the model's n. */
+size_t breakage_parameter(const struct breakage *model, const char *name);
+
+/* The value of a parameter by its name; NAN where the model has none such. */
+double params_value(const struct params *p, const char *name);
+
+/* Every parameter at its start. */
+struct params params_start(size_t breakage);
+
+/* The largest absolute value of the parameters in the gauge; 0 without. */
+double params_gauge(const struct params *p);
+
+/* The gauge's parameters scaled to a largest absolute value of 1 (departure
+ * D4); where all are 0 they stay. */
+void params_scale(struct params *p);
+
+struct bounds bounds_default(size_t breakage);
+
+/* Makes b ready for parameters and k, at a tip speed (m/s). */
+void breaker_set(struct breaker *b, const struct params *p, double k);
+void breaker_at(struct breaker *b, double v);
+
+/* The row that closes a parameter table: of the models with a bypass.
+ * D14: product = (1 - bypass) crushed + bypass feed. */
+#define BYPASS_PARAMETER                                          \
+	{                                                         \
+		"bypass", "-", 0, 0.5, 0, 1, 0,                   \
+		    "share of the feed that goes round the rotor" \
+	}
+
+/* The rows of Eq 3, in the order that selection.h wants.  lower, upper: Table 2
+ * of the paper, whose text says six variables where there are seven (departure
+ * D7). */
+#define SELECTION_PARAMETERS                                 \
+	{"f_mat", "kg/(J m)", 0.001, 3, 0, F_MAT_MOST, NAN,  \
+	    "material: a higher one breaks more"},           \
+	    {"e0_min", "J m/kg", 0, 30, 0, E0_MIN_MOST, NAN, \
+		"threshold energy for breakage"},            \
+	{                                                    \
+		"alpha", "-", 0, 1, 0, ALPHA_MOST, NAN,      \
+		    "size dependency of breakage"            \
+	}
+
+/* The kernel's functions of a model, which breakage_all.h defines. */
+#define KERNELS(model)                                       \
+	kernel_block model##_block_base, model##_block_avx2, \
+	    model##_block_avx512;                            \
+	kernel_bins model##_bins_base, model##_bins_avx2, model##_bins_avx512
+#define KERNEL_ROW(model)                                         \
+	{                                                         \
+		{model##_block_base, model##_bins_base},          \
+		    {model##_block_avx2, model##_bins_avx2},      \
+		{                                                 \
+			model##_block_avx512, model##_bins_avx512 \
+		}                                                 \
+	}
+
+#endif

@@ -1,0 +1,131 @@
+/* grunditz-energy: the paper's model with finer fragments at higher energy.
+ *   B_v(u) = B(u)^((E / E_ref)^-gamma)
+ * D12; gamma 0 is the paper's model.  Scalar, or with LANES.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef LANES
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "core/appearance.h"
+#include "core/elementary.h"
+#include "core/grunditz.h"
+
+enum { GAMMA = 7, E_REF };
+
+/* (E / E_ref)^-gamma. */
+static double
+exponent(const struct breaker *b)
+{
+	return el_exp(-b->p.at[GAMMA] * el_log(b->E / b->p.at[E_REF]));
+}
+
+static double
+finer(const struct breaker *b, double log_u, double log_x, double *d)
+{
+	double base[4] = {0}, e = exponent(b);
+	double B = grunditz_finer(b, log_u, log_x, d != NULL ? base : NULL);
+	if (!(B > 0))
+		return 0;
+	double log_B = el_log(B), P = el_exp(e * log_B);
+	if (d == NULL)
+		return P;
+	for (size_t i = 0; i < 4; i++)
+		d[i] += e * P / B * base[i];
+	d[GAMMA] -= P * log_B * e * el_log(b->E / b->p.at[E_REF]);
+	return P;
+}
+
+static double
+density(const struct breaker *b, double u, double log_u, double log_x)
+{
+	const struct appearance *a = grunditz_appearance(b);
+	double p = appearance_density(a->beta, u), e = exponent(b);
+	double B = log_u < 0 ? grunditz_finer(b, log_u, log_x, NULL) : 1;
+	return B > 0 ? e * el_exp((e - 1) * el_log(B)) * p / a->total : 0;
+}
+
+static char *
+appearance_text(const struct params *p)
+{
+	char *cubic = grunditz_appearance_text(p);
+	char *text = xasprintf("%s; B at E is its B(u)^((E/%.4g)^-%.4g)", cubic,
+	    p->at[E_REF], p->at[GAMMA]);
+	free(cubic);
+	return text;
+}
+
+static const struct param_info PARAMETERS[] = {GRUNDITZ_BETA,
+    SELECTION_PARAMETERS,
+    {"gamma", "-", 0, 2, -GAMMA_MOST, GAMMA_MOST, 0,
+	"appearance: finer with energy where above 0"},
+    {"e_ref", "J/kg", 0, 0, 1e-3, E_REF_MOST, NAN,
+	"energy at which beta holds: mean of the training runs"},
+    BYPASS_PARAMETER};
+
+KERNELS(energy);
+
+#define ROW(NAME, BYPASS, ...)                                                \
+	{                                                                     \
+		.name = NAME, .brief = __VA_ARGS__, .n = 9 + (BYPASS),        \
+		.parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",    \
+		.reference = E_REF, .bypass = BYPASS,                         \
+		.prepare = grunditz_prepare, .selection = grunditz_selection, \
+		.size_at = grunditz_size_at,                                  \
+		.break_size = grunditz_break_size, .finer = finer,            \
+		.density = density, .breaks = grunditz_breaks,                \
+		.selection_text = grunditz_selection_text,                    \
+		.appearance_text = appearance_text,                           \
+		.kernel = KERNEL_ROW(energy)                                  \
+	}
+
+extern const struct breakage BREAKAGE_ENERGY, BREAKAGE_ENERGY_BYPASS;
+const struct breakage BREAKAGE_ENERGY = ROW("grunditz-energy", 0,
+    "the paper's, with finer fragments at higher energy (gamma)");
+const struct breakage BREAKAGE_ENERGY_BYPASS = ROW("grunditz-energy+bypass", 1,
+    "grunditz-energy with a share of the feed that goes round the rotor");
+
+#else /* LANES */
+
+static inline void
+energy_load(struct block *b, const double *const *theta, const uint32_t *index)
+{
+	grunditz_load(b, theta, index);
+	b->own[4] = lanes_gather(theta[7], index);
+	b->own[5] = lanes_log(lanes_gather(theta[8], index));
+}
+
+/* First ln B and p / B of the cubic, then their powers; the last node, where B
+ * is 0 and p may be anything, has the mean slope. */
+static inline lanes
+energy_nodes(const struct block *b, const struct plan *plan, struct node *node)
+{
+	size_t last = KERNEL_NODES - 1;
+	lanes total = grunditz_nodes(b, plan, node);
+	for (size_t n = 0; n < last; n++) {
+		lanes B = lanes_max(node[n].below, lanes_of(1e-300));
+		node[n].p /= B;
+		node[n].below =
+		    lanes_log(B / lanes_max(total, lanes_of(1e-300)));
+	}
+	for (size_t r = plan->n_run; r-- > 0;) {
+		struct node *to = node + r * KERNEL_NODES;
+		lanes e = lanes_exp_quick(
+		    lanes_min(b->own[4] * (b->own[5] - plan->run[r].log_E),
+			lanes_of(708)));
+		for (size_t n = 0; n < last; n++) {
+			to[n].below = lanes_exp_quick(e * node[n].below);
+			to[n].p = e * node[n].p * to[n].below;
+		}
+		to[last].below = lanes_of(0);
+		to[last].p =
+		    to[last - 1].below / (2 * plan->half_step[last - 1]);
+	}
+	return (lanes)((total > 0.0) & (lanes_mask)lanes_of(1));
+}
+
+KERNEL(energy, .strength = 4, .load = energy_load, .nodes = energy_nodes,
+    .per_run = true)
+
+#endif

@@ -1,0 +1,193 @@
+/* vogel: the selection of Eq 3 with the appearance of Vogel and Peukert,
+ *   B(y, x, v) = (y/x)^q (1 + tanh((y - y')/y')) / 2,  q = q_slope v + q_0
+ * y' is the size at which the fines fall off.  Source: Vogel, L., Peukert, W.
+ * (2005), From single particle impact behaviour to modelling of impact mills,
+ * Chem. Eng. Sci. 60, 5164-5176.  Scalar, or with LANES.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef LANES
+
+#include <math.h>
+
+#include "base/xalloc.h"
+#include "core/breakage.h"
+#include "core/elementary.h"
+#include "core/selection.h"
+
+enum { Q_SLOPE, Q_0, Y_FINE, F_MAT };
+
+/* Below this the power would not fall towards the fines. */
+static const double LEAST_Q = 0.01;
+
+/* (1 + tanh((y - y')/y')) / 2; *ratio: y / y'. */
+static double
+fines(const struct breaker *b, double log_y, double *ratio)
+{
+	double y = 1000 * el_exp(log_y);
+	*ratio = fmin(y / fmax(b->p.at[Y_FINE], 1e-9), 1e9);
+	return 1 / (1 + el_exp(-2 * (*ratio - 1)));
+}
+
+static void
+prepare(struct breaker *b)
+{
+	double *q = (double *)(void *)b->own;
+	*q = fmax(b->p.at[Q_SLOPE] * b->v + b->p.at[Q_0], LEAST_Q);
+}
+
+static double
+exponent(const struct breaker *b)
+{
+	return *(const double *)(const void *)b->own;
+}
+
+static double
+vogel_selection(const struct breaker *b, double log_x, double *d)
+{
+	return selection(
+	    b->p.at + F_MAT, b->k, b->E, log_x, d != NULL ? d + F_MAT : NULL);
+}
+
+static double
+size_at(const struct breaker *b, double value)
+{
+	return selection_size_at(b->p.at + F_MAT, b->k, b->E, value);
+}
+
+static double
+break_size(const struct params *p, double E)
+{
+	return selection_break_size(p->at + F_MAT, E);
+}
+
+static double
+finer(const struct breaker *b, double log_u, double log_x, double *d)
+{
+	double q = exponent(b), ratio;
+	double w = fines(b, log_x + log_u, &ratio);
+	double power = el_exp(q * log_u), B = power * w;
+	if (d == NULL)
+		return B;
+	if (q > LEAST_Q) {
+		d[Q_SLOPE] += B * log_u * b->v;
+		d[Q_0] += B * log_u;
+	}
+	d[Y_FINE] -=
+	    power * 2 * w * (1 - w) * ratio / fmax(b->p.at[Y_FINE], 1e-9);
+	return B;
+}
+
+static double
+density(const struct breaker *b, double u, double log_u, double log_x)
+{
+	(void)u;
+	double q = exponent(b), ratio, w = fines(b, log_x + log_u, &ratio);
+	return el_exp(q * log_u) * w * (q + 2 * (1 - w) * ratio);
+}
+
+static bool
+breaks(const struct breaker *b)
+{
+	(void)b;
+	return true;
+}
+
+static char *
+vogel_selection_text(const struct params *p, double k)
+{
+	return selection_text(p->at + F_MAT, k);
+}
+
+static char *
+appearance_text(const struct params *p)
+{
+	return xasprintf("B = (y/x)^q (1 + tanh(y/%.4g - 1)) / 2, q = %.4g v "
+			 "%+.4g, y = daughter in mm, x = parent, v in m/s",
+	    p->at[Y_FINE], p->at[Q_SLOPE], p->at[Q_0]);
+}
+
+static const struct param_info PARAMETERS[] = {
+    {"q_slope", "s/m", -0.05, 0.05, -Q_SLOPE_MOST, Q_SLOPE_MOST, 0,
+	"appearance: change of its exponent with the speed"},
+    {"q_0", "-", 0, 5, -Q_0_MOST, Q_0_MOST, NAN,
+	"appearance: its exponent at speed 0"},
+    {"y_fine", "mm", 0, 0.5, 0, Y_FINE_MOST, 0,
+	"appearance: size at which the fines fall off"},
+    SELECTION_PARAMETERS, BYPASS_PARAMETER};
+
+KERNELS(vogel);
+
+#define ROW(NAME, BYPASS, ...)                                                \
+	{                                                                     \
+		.name = NAME, .brief = __VA_ARGS__, .n = 6 + (BYPASS),        \
+		.parameter = PARAMETERS, .reference = 6 + (BYPASS),           \
+		.bypass = BYPASS, .prepare = prepare,                         \
+		.selection = vogel_selection, .size_at = size_at,             \
+		.break_size = break_size, .finer = finer, .density = density, \
+		.breaks = breaks, .selection_text = vogel_selection_text,     \
+		.appearance_text = appearance_text,                           \
+		.kernel = KERNEL_ROW(vogel)                                   \
+	}
+
+extern const struct breakage BREAKAGE_VOGEL, BREAKAGE_VOGEL_BYPASS;
+const struct breakage BREAKAGE_VOGEL =
+    ROW("vogel", 0, "Eq 3 with the appearance of Vogel and Peukert");
+const struct breakage BREAKAGE_VOGEL_BYPASS = ROW("vogel+bypass", 1,
+    "vogel with a share of the feed that goes round the rotor");
+
+#else /* LANES */
+
+static inline void
+vogel_load(struct block *b, const double *const *theta, const uint32_t *index)
+{
+	for (size_t m = 0; m < 3; m++)
+		b->own[m] = lanes_gather(theta[m], index);
+	b->own[2] = 1000 / lanes_max(b->own[2], lanes_of(1e-9));
+}
+
+static inline lanes
+vogel_q(const struct block *b, const struct plan_run *run)
+{
+	return lanes_max(b->own[0] * run->v + b->own[1], lanes_of(0.01));
+}
+
+static inline lanes
+vogel_nodes(const struct block *b, const struct plan *plan, struct node *node)
+{
+	for (size_t r = 0; r < plan->n_run; r++, node += KERNEL_NODES) {
+		lanes q = vogel_q(b, &plan->run[r]);
+		for (size_t n = 0; n < KERNEL_NODES; n++) {
+			node[n].below = lanes_exp_quick(q * plan->log_u[n]);
+			node[n].p = q * node[n].below;
+		}
+	}
+	return lanes_of(1);
+}
+
+/* The fall-off of the fines at a daughter of ln y; *ratio: y / y'. */
+static inline lanes
+vogel_fines(const struct block *b, double log_y, lanes *ratio)
+{
+	*ratio = lanes_min(b->own[2] * el_exp(log_y), lanes_of(1e9));
+	return 1 / (1 + lanes_exp_quick(-2 * (*ratio - 1)));
+}
+
+static inline lanes
+vogel_at_sieve(const struct block *b, double log_s)
+{
+	lanes ratio;
+	return vogel_fines(b, log_s, &ratio);
+}
+
+static inline lanes
+vogel_density(const struct block *b, const struct plan_run *run, double u,
+    double log_u, double log_y)
+{
+	(void)u;
+	lanes ratio, w = vogel_fines(b, log_y, &ratio), q = vogel_q(b, run);
+	return lanes_exp_quick(q * log_u) * w * (q + 2 * (1 - w) * ratio);
+}
+
+KERNEL(vogel, .strength = 3, .load = vogel_load, .nodes = vogel_nodes,
+    .density = vogel_density, .at_sieve = vogel_at_sieve, .per_run = true)
+
+#endif

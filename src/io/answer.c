@@ -1,0 +1,921 @@
+/* Collects answers and renders them.  What they contain is left to the
+ * commands.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/answer.h"
+
+#include <assert.h>
+#include <ctype.h>
+#include <jansson.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+/* Columns of a terminal, less two for its edges. */
+enum { SCREEN = 79 };
+
+/* text is what people see; number is exact.  key: what programs see of a text
+ * in its place, or NULL.  is_text: no number. */
+struct cell {
+	bool is_text;
+	double number;
+	char *text, *key;
+};
+
+struct table {
+	size_t n_column, n_cell;
+	char **key, **head;
+	struct cell *cell; /* row by row */
+};
+
+struct sentence {
+	enum answer_grade grade;
+	char *text;
+};
+
+enum kind { NUMBER, WHOLE, BOOL, TEXT, OBJECT, LIST };
+
+struct field {
+	char *key;   /* NULL in a list */
+	bool hidden; /* from json */
+	enum kind kind;
+	double number;
+	long long whole;
+	char *text;
+	struct fields *inner;
+};
+
+struct fields {
+	size_t n;
+	struct field *item;
+};
+
+/* table: what people see; what programs do, if it has columns. */
+struct answer {
+	char *command, *title, *site, *provenance, *missing;
+	bool names_sites; /* in its own fields */
+	struct table table[2], *filled;
+	struct fields fields;
+	size_t n_sentence;
+	struct sentence *sentence;
+};
+
+struct answer *
+answer_new(const char *command)
+{
+	struct answer *a = xcalloc(1, sizeof *a);
+	a->command = xstrdup(command);
+	a->missing = xstrdup("-");
+	a->filled = a->table;
+	return a;
+}
+
+static void
+free_fields(struct fields *fields)
+{
+	for (size_t i = 0; i < fields->n; i++) {
+		struct field *f = &fields->item[i];
+		free(f->key);
+		free(f->text);
+		if (f->inner != NULL)
+			free_fields(f->inner);
+		free(f->inner);
+	}
+	free(fields->item);
+}
+
+static void
+free_table(struct table *t)
+{
+	for (size_t i = 0; i < t->n_column; i++) {
+		free(t->key[i]);
+		free(t->head[i]);
+	}
+	for (size_t i = 0; i < t->n_cell; i++) {
+		free(t->cell[i].text);
+		free(t->cell[i].key);
+	}
+	free(t->key);
+	free(t->head);
+	free(t->cell);
+}
+
+void
+answer_free(struct answer *a)
+{
+	if (a == NULL)
+		return;
+	free_table(&a->table[0]);
+	free_table(&a->table[1]);
+	free_fields(&a->fields);
+	for (size_t i = 0; i < a->n_sentence; i++)
+		free(a->sentence[i].text);
+	free(a->sentence);
+	free(a->command);
+	free(a->title);
+	free(a->site);
+	free(a->provenance);
+	free(a->missing);
+	free(a);
+}
+
+const char *
+answer_command(const struct answer *a)
+{
+	return a->command;
+}
+
+void
+answer_title(struct answer *a, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	free(a->title);
+	a->title = xvasprintf(format, ap);
+	va_end(ap);
+}
+
+void
+answer_site(struct answer *a, const char *name, const char *provenance)
+{
+	a->site = xstrdup(name);
+	a->provenance = xstrdup(provenance);
+}
+
+void
+answer_sites(struct answer *a, const char *names, const char *provenance)
+{
+	answer_site(a, names, provenance);
+	a->names_sites = true;
+}
+
+void
+answer_for_programs(struct answer *a)
+{
+	a->filled = &a->table[1];
+}
+
+void
+answer_column(struct answer *a, const char *key, const char *head)
+{
+	struct table *t = a->filled;
+	t->key = xrealloc(t->key, t->n_column + 1, sizeof *t->key);
+	t->head = xrealloc(t->head, t->n_column + 1, sizeof *t->head);
+	t->key[t->n_column] = xstrdup(key);
+	t->head[t->n_column++] = xstrdup(head);
+}
+
+void
+answer_columns(struct answer *a, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	char *list = xvasprintf(format, ap), *save = NULL;
+	va_end(ap);
+	for (char *key = strtok_r(list, ",", &save); key != NULL;
+	     key = strtok_r(NULL, ",", &save)) {
+		char *colon = strchr(key, ':');
+		if (colon != NULL)
+			*colon = '\0';
+		key = text_trim(key);
+		answer_column(
+		    a, key, colon != NULL ? text_trim(colon + 1) : key);
+	}
+	free(list);
+}
+
+static void
+add_cell(struct answer *a, struct cell cell)
+{
+	struct table *t = a->filled;
+	t->cell = xrealloc(t->cell, t->n_cell + 1, sizeof *t->cell);
+	t->cell[t->n_cell++] = cell;
+}
+
+static void
+add_text(struct answer *a, char *text)
+{
+	add_cell(a, (struct cell){true, NAN, text, NULL});
+}
+
+/* decimals -1: as many digits as needed. */
+static void
+add_number(struct answer *a, double value, int decimals)
+{
+	char *text;
+	if (!isfinite(value))
+		text = xstrdup(a->missing);
+	else if (decimals < 0)
+		text = xasprintf("%.6g", value);
+	else
+		text = xasprintf("%.*f", decimals, value);
+	/* What rounds to nothing has no sign. */
+	if (text[0] == '-' && strpbrk(text, "123456789") == NULL &&
+	    isfinite(value))
+		memmove(text, text + 1, strlen(text));
+	add_cell(a, (struct cell){false, value, text, NULL});
+}
+
+void
+answer_cells(struct answer *a, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	for (const char *p = format; (p = strchr(p, '%')) != NULL; p++) {
+		assert(p[1] == 's' || p[1] == '.' || p[1] == 'g');
+		if (p[1] == 's')
+			add_text(a, xstrdup(va_arg(ap, char *)));
+		else
+			add_number(a, va_arg(ap, double),
+			    p[1] == '.' ? atoi(p + 2) : -1);
+	}
+	va_end(ap);
+}
+
+void
+answer_text(struct answer *a, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	add_text(a, xvasprintf(format, ap));
+	va_end(ap);
+}
+
+void
+answer_name(struct answer *a, const char *key, const char *head)
+{
+	add_cell(a, (struct cell){true, NAN, xstrdup(head), xstrdup(key)});
+}
+
+void
+answer_pair(struct answer *a, const char *name, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	add_text(a, xstrdup(name));
+	add_text(a, xvasprintf(format, ap));
+	va_end(ap);
+}
+
+void
+answer_missing(struct answer *a, const char *words)
+{
+	free(a->missing);
+	a->missing = xstrdup(words);
+}
+
+static size_t
+rows_of(const struct table *t)
+{
+	return t->n_column > 0 ? t->n_cell / t->n_column : 0;
+}
+
+size_t
+answer_rows(const struct answer *a)
+{
+	return rows_of(a->filled);
+}
+
+/* Takes the text. */
+static void
+add_sentence(struct answer *a, enum answer_grade grade, char *text)
+{
+	a->sentence =
+	    xrealloc(a->sentence, a->n_sentence + 1, sizeof *a->sentence);
+	a->sentence[a->n_sentence++] = (struct sentence){grade, text};
+}
+
+void
+answer_note(struct answer *a, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	add_sentence(a, ANSWER_PLAIN, xvasprintf(format, ap));
+	va_end(ap);
+}
+
+void
+answer_say(struct answer *a, enum answer_grade grade, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	add_sentence(a, grade, xvasprintf(format, ap));
+	va_end(ap);
+}
+
+struct fields *
+answer_fields(struct answer *a)
+{
+	return &a->fields;
+}
+
+/* key: NULL in a list. */
+static struct field *
+add_field(struct fields *fields, const char *key, enum kind kind)
+{
+	fields->item =
+	    xrealloc(fields->item, fields->n + 1, sizeof *fields->item);
+	struct field *f = &fields->item[fields->n++];
+	bool hidden = key != NULL && key[0] == '.';
+	*f = (struct field){.key = key != NULL ? xstrdup(key + hidden) : NULL,
+	    .hidden = hidden,
+	    .kind = kind,
+	    .number = NAN};
+	if (kind == OBJECT || kind == LIST)
+		f->inner = xcalloc(1, sizeof *f->inner);
+	return f;
+}
+
+/* The value that a conversion of fields_put stands for. */
+static void
+add_value(
+    struct fields *fields, const char *key, const char *conversion, va_list *ap)
+{
+	struct field *f = add_field(fields, key, NUMBER);
+	switch (conversion[1]) {
+	case 's':
+		f->kind = TEXT;
+		f->text = xstrdup(va_arg(*ap, char *));
+		return;
+	case 'd':
+		f->kind = BOOL;
+		f->number = va_arg(*ap, int) != 0;
+		return;
+	case 'z':
+	case 'l':
+		f->kind = WHOLE;
+		f->whole = (long long)(conversion[1] == 'z'
+					   ? va_arg(*ap, size_t)
+					   : va_arg(*ap, unsigned long long));
+		f->number = (double)f->whole;
+		return;
+	default:
+		assert(conversion[1] == 'g');
+		f->number = va_arg(*ap, double);
+	}
+}
+
+void
+fields_put(struct fields *fields, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	char *copy = xstrdup(format), *save = NULL;
+	for (char *word = strtok_r(copy, " ", &save); word != NULL;
+	     word = strtok_r(NULL, " ", &save)) {
+		const char *key = word[0] != '%' ? word : NULL;
+		add_value(fields, key,
+		    key != NULL ? strtok_r(NULL, " ", &save) : word, &ap);
+	}
+	free(copy);
+	va_end(ap);
+}
+
+void
+fields_number(struct fields *fields, const char *key, double value)
+{
+	add_field(fields, key, NUMBER)->number = value;
+}
+
+struct fields *
+fields_object(struct fields *fields, const char *key)
+{
+	return add_field(fields, key, OBJECT)->inner;
+}
+
+struct fields *
+fields_list(struct fields *fields, const char *key)
+{
+	return add_field(fields, key, LIST)->inner;
+}
+
+void
+fields_numbers(struct fields *fields, const char *key, const double *value,
+    size_t n, double (*shown)(double))
+{
+	struct fields *list = fields_list(fields, key);
+	for (size_t i = 0; i < n; i++)
+		fields_number(
+		    list, NULL, shown != NULL ? shown(value[i]) : value[i]);
+}
+
+/* A cell of the table as a field. */
+static void
+add_cell_field(struct fields *fields, const char *key, const struct cell *cell)
+{
+	if (cell->is_text)
+		add_field(fields, key, TEXT)->text =
+		    xstrdup(cell->key != NULL ? cell->key : cell->text);
+	else
+		fields_number(fields, key, cell->number);
+}
+
+static void
+add_rows(struct fields *fields, const char *key, const struct table *t)
+{
+	struct fields *list = fields_list(fields, key);
+	for (size_t row = 0; row < rows_of(t); row++) {
+		struct fields *object = fields_object(list, NULL);
+		for (size_t c = 0; c < t->n_column; c++)
+			add_cell_field(
+			    object, t->key[c], &t->cell[row * t->n_column + c]);
+	}
+}
+
+void
+answer_put_rows(struct answer *a, const char *key)
+{
+	add_rows(&a->fields, key, a->filled);
+}
+
+void
+answer_put_columns(struct answer *a, const char *keys)
+{
+	const struct table *t = a->filled;
+	size_t which;
+	for (size_t c = 0; c < t->n_column; c++) {
+		if (!text_choice(keys, t->key[c], &which))
+			continue;
+		struct fields *list = fields_list(&a->fields, t->key[c]);
+		for (size_t i = c; i < t->n_cell; i += t->n_column)
+			add_cell_field(list, NULL, &t->cell[i]);
+	}
+}
+
+bool
+answer_has_fields(const struct answer *a)
+{
+	return a->fields.n > 0;
+}
+
+/* What a list has counts under the list's own name. */
+static void
+look_up(const struct fields *fields, const char *path, double *value)
+{
+	size_t n = strcspn(path, ".");
+	for (size_t i = 0; i < fields->n; i++) {
+		const struct field *f = &fields->item[i];
+		const char *rest = path;
+		if (f->key != NULL &&
+		    (strncmp(f->key, path, n) != 0 || f->key[n] != '\0'))
+			continue;
+		if (f->key != NULL)
+			rest += n + (path[n] == '.');
+		if (f->inner != NULL)
+			look_up(f->inner, rest, value);
+		else if (*rest == '\0')
+			*value = fmax(*value, f->number);
+	}
+}
+
+double
+answer_number(const struct answer *a, const char *path)
+{
+	double value = NAN;
+	if (strcmp(path, "warnings") == 0 && a->n_sentence > 0)
+		value = 0;
+	for (size_t i = 0; i < a->n_sentence && !isnan(value); i++)
+		value += a->sentence[i].grade == ANSWER_WARNING;
+	look_up(&a->fields, path, &value);
+	return value;
+}
+
+static const struct table *
+for_programs(const struct answer *a)
+{
+	return &a->table[a->table[1].n_column > 0];
+}
+
+/* Where there is no table the sentences are the answer. */
+static bool
+is_told(const struct answer *a)
+{
+	return a->table[0].n_column == 0 && a->n_sentence > 0;
+}
+
+/* Length of the provenance's first clause, which says what the data are; the
+ * rest says how they were made. */
+static size_t
+first_clause(const char *provenance)
+{
+	return strcspn(provenance, ";");
+}
+
+/* Commas and points, or semicolons and decimal commas.  A sieve of 22.4 mm is
+ * 22.4: people look things up by it. */
+static void
+print_csv_number(double value, char separator, FILE *out)
+{
+	char text[32];
+	text_exact(value, text);
+	char *point = strchr(text, '.');
+	if (separator == ';' && point != NULL)
+		*point = ',';
+	fputs(text, out);
+}
+
+static void
+print_csv_text(const char *text, char separator, FILE *out)
+{
+	char marks[] = {separator, '"', '\n', '\0'};
+	const char *quote = strpbrk(text, marks) != NULL ? "\"" : "";
+	fprintf(out, "%s%s", quote, text_is_formula(text) ? "'" : "");
+	for (const char *s = text; *s != '\0'; s++)
+		fprintf(out, *s == '"' ? "\"\"" : "%c", *s);
+	fputs(quote, out);
+}
+
+/* The columns that stand before those of the answer. */
+static void
+print_csv_origin(const struct answer *a, char separator, FILE *out)
+{
+	fputs(a->command, out);
+	if (a->site == NULL)
+		return;
+	fputc(separator, out);
+	print_csv_text(a->site, separator, out);
+	fputc(separator, out);
+	char *kind = xstrndup(a->provenance, first_clause(a->provenance));
+	print_csv_text(kind, separator, out);
+	free(kind);
+}
+
+static void
+print_csv_cell(const struct cell *cell, char separator, FILE *out)
+{
+	if (cell->is_text)
+		print_csv_text(
+		    cell->key != NULL ? cell->key : cell->text, separator, out);
+	else if (isfinite(cell->number))
+		print_csv_number(cell->number, separator, out);
+}
+
+static size_t
+print_csv(const struct answer *a, bool semicolon, FILE *out)
+{
+	const char separator = semicolon ? ';' : ',';
+	const struct table *t = for_programs(a);
+	bool told = is_told(a);
+	size_t rows = told ? a->n_sentence : rows_of(t);
+	if (t->n_column == 0 && !told)
+		return 0;
+	fputs("command", out);
+	if (a->site != NULL)
+		fprintf(out, "%csite%cprovenance", separator, separator);
+	for (size_t c = 0; c < t->n_column; c++)
+		fprintf(out, "%c%s", separator, t->key[c]);
+	if (told)
+		fprintf(out, "%csentence", separator);
+	fputc('\n', out);
+	for (size_t row = 0; row < rows; row++) {
+		print_csv_origin(a, separator, out);
+		for (size_t c = 0; c < t->n_column; c++) {
+			fputc(separator, out);
+			print_csv_cell(
+			    &t->cell[row * t->n_column + c], separator, out);
+		}
+		if (told) {
+			fputc(separator, out);
+			print_csv_text(a->sentence[row].text, separator, out);
+		}
+		fputc('\n', out);
+	}
+	return rows;
+}
+
+/* JSON is UTF-8: a name that is not, a file's, is there as it is shown. */
+static json_t *
+text_json(const char *text)
+{
+	if (text_is_utf8(text, strlen(text)))
+		return json_string(text);
+	char *shown = text_shown(text);
+	json_t *string = json_string(shown);
+	free(shown);
+	return string;
+}
+
+static void put_fields(json_t *o, const struct fields *fields);
+
+static json_t *
+field_json(const struct field *f)
+{
+	json_t *inner;
+	switch (f->kind) {
+	case WHOLE:
+		return json_integer(f->whole);
+	case BOOL:
+		return json_boolean(f->number != 0);
+	case TEXT:
+		return text_json(f->text);
+	case OBJECT:
+	case LIST:
+		inner = f->kind == LIST ? json_array() : json_object();
+		put_fields(inner, f->inner);
+		return inner;
+	default:
+		return isfinite(f->number) ? json_real(f->number) : json_null();
+	}
+}
+
+static void
+put_fields(json_t *o, const struct fields *fields)
+{
+	for (size_t i = 0; i < fields->n; i++) {
+		const struct field *f = &fields->item[i];
+		if (f->key == NULL)
+			json_array_append_new(o, field_json(f));
+		else if (!f->hidden)
+			json_object_set_new(o, f->key, field_json(f));
+	}
+}
+
+static size_t
+print_json(const struct answer *a, bool semicolon, FILE *out)
+{
+	(void)semicolon;
+	const struct table *t = for_programs(a);
+	struct fields more = {0};
+	json_t *o = json_object();
+	json_object_set_new(o, "command", json_string(a->command));
+	if (a->site != NULL && !a->names_sites)
+		json_object_set_new(o, "site", text_json(a->site));
+	put_fields(o, &a->fields);
+	if (is_told(a)) {
+		struct fields *list = fields_list(&more, "sentences");
+		for (size_t i = 0; i < a->n_sentence; i++)
+			fields_put(list, "%s", a->sentence[i].text);
+	} else if (a->fields.n == 0) {
+		add_rows(&more, "rows", t);
+	}
+	if (a->provenance != NULL)
+		fields_put(&more, "provenance %s", a->provenance);
+	put_fields(o, &more);
+	json_dumpf(o, out, JSON_COMPACT | JSON_REAL_PRECISION(17));
+	fputc('\n', out);
+	json_decref(o);
+	free_fields(&more);
+	return rows_of(t);
+}
+
+/* A column of numbers is set flush right. */
+static bool
+is_number_column(const struct table *t, size_t column)
+{
+	for (size_t row = 0; row < rows_of(t); row++)
+		if (t->cell[row * t->n_column + column].is_text)
+			return false;
+	return true;
+}
+
+static int
+column_width(const struct table *t, size_t column)
+{
+	int width = text_width(t->head[column]);
+	for (size_t row = 0; row < rows_of(t); row++) {
+		int w = text_width(t->cell[row * t->n_column + column].text);
+		width = w > width ? w : width;
+	}
+	return width;
+}
+
+static void
+print_padded(const char *text, int width, bool right, bool last, FILE *out)
+{
+	int pad = width - text_width(text);
+	fprintf(out, "%*s%s%*s", right ? pad : 0, "", text,
+	    right || last ? 0 : pad, "");
+}
+
+/* True where the last column holds sentences that would not fit a screen behind
+ * the columns before it. One column alone is something to be copied. */
+static bool
+wraps(const struct table *t, int *indent)
+{
+	enum { LEAST = 24 };
+	*indent = 2;
+	for (size_t c = 0; c + 1 < t->n_column; c++)
+		*indent += column_width(t, c) + 2;
+	if (t->n_column < 2 || *indent >= SCREEN - LEAST)
+		return false;
+	return *indent + column_width(t, t->n_column - 1) > SCREEN;
+}
+
+/* The last cell of a row, wrapped under itself. */
+static void
+print_sentence(const char *text, int indent, FILE *out)
+{
+	char *lines = NULL;
+	size_t n = 0;
+	FILE *memory = text_memory(&lines, &n);
+	text_wrap(text, indent, SCREEN, memory);
+	fclose(memory);
+	if (n > (size_t)indent)
+		fprintf(out, "%.*s", (int)n - indent - 1, lines + indent);
+	free(lines);
+}
+
+/* Columns of a table that stand side by side: the first one and those from
+ * `from` to before `to`. */
+struct block {
+	size_t from, to;
+};
+
+/* As many columns as fit a screen.  A table that ends in sentences wraps them
+ * instead. */
+static struct block
+block_from(const struct table *t, size_t from)
+{
+	int indent, width = 4 + column_width(t, 0);
+	struct block b = {from, t->n_column};
+	if (wraps(t, &indent))
+		return b;
+	for (b.to = from; b.to < t->n_column; b.to++) {
+		width += column_width(t, b.to) + 2;
+		if (b.to > from && width > SCREEN + 2)
+			break;
+	}
+	return b;
+}
+
+static void
+print_row(const struct table *t, size_t row, bool head, struct block block,
+    const char *between, FILE *out)
+{
+	int indent;
+	bool wrap = wraps(t, &indent) && between[1] != '|';
+	for (size_t c = 0; c < block.to; c = c == 0 ? block.from : c + 1) {
+		const char *text =
+		    head ? t->head[c] : t->cell[row * t->n_column + c].text;
+		if (wrap && c + 1 == t->n_column) {
+			print_sentence(text, indent, out);
+			return;
+		}
+		bool last = c + 1 == block.to && between[1] != '|';
+		print_padded(text, column_width(t, c), is_number_column(t, c),
+		    last, out);
+		if (c + 1 < block.to)
+			fputs(between, out);
+	}
+}
+
+/* A row of a table (0: the heads) without blanks at its end. */
+static void
+print_trimmed(const struct table *t, size_t row, struct block block, FILE *out)
+{
+	char *line = NULL;
+	size_t n = 0;
+	FILE *memory = text_memory(&line, &n);
+	print_row(t, row - 1, row == 0, block, "  ", memory);
+	fclose(memory);
+	while (n > 0 && line[n - 1] == ' ')
+		n--;
+	fprintf(out, "  %.*s\n", (int)n, line);
+	free(line);
+}
+
+/* What people see, with all its words put in a way: as shown, or as markdown.
+ * Of the provenance the first clause only. */
+static struct answer *
+put_in(char *(*way)(const char *), const struct answer *a)
+{
+	struct answer *copy = answer_new(a->command);
+	const struct table *from = &a->table[0];
+	copy->title = a->title != NULL ? way(a->title) : NULL;
+	if (a->provenance != NULL && a->provenance[0] != '\0') {
+		char *first =
+		    xstrndup(a->provenance, first_clause(a->provenance));
+		copy->provenance = way(first);
+		free(first);
+	}
+	for (size_t c = 0; c < from->n_column; c++) {
+		char *head = way(from->head[c]);
+		answer_column(copy, from->key[c], head);
+		free(head);
+	}
+	for (size_t i = 0; i < from->n_cell; i++)
+		add_cell(copy,
+		    (struct cell){from->cell[i].is_text, from->cell[i].number,
+			way(from->cell[i].text), NULL});
+	for (size_t i = 0; i < a->n_sentence; i++) {
+		char *text = xasprintf(
+		    "%s%s", a->sentence[i].text, is_told(a) ? "." : "");
+		add_sentence(copy, a->sentence[i].grade, way(text));
+		free(text);
+	}
+	return copy;
+}
+
+static size_t
+print_table(const struct answer *answer, bool semicolon, FILE *out)
+{
+	(void)semicolon;
+	struct answer *a = put_in(text_shown, answer);
+	const struct table *t = &a->table[0];
+	if (a->title != NULL)
+		fprintf(out, "%s\n", a->title);
+	if (a->provenance != NULL)
+		fprintf(out, "data: %s\n", a->provenance);
+	size_t rows = rows_of(t), from = 1;
+	while (rows > 0) {
+		struct block block = block_from(t, from);
+		for (size_t row = 0; row <= rows; row++)
+			print_trimmed(t, row, block, out);
+		from = block.to;
+		if (from >= t->n_column)
+			break;
+		fputc('\n', out);
+	}
+	for (size_t i = 0; i < a->n_sentence; i++)
+		text_wrap(a->sentence[i].text, 0, SCREEN, out);
+	answer_free(a);
+	return rows;
+}
+
+/* Whether markdown or HTML could take the character for markup.  Within a word
+ * like f_mat a low line is none. */
+static bool
+is_markup(const char *text, const char *p)
+{
+	if (*p == '_')
+		return p == text || !isalnum((unsigned char)p[-1]) ||
+		       !isalnum((unsigned char)p[1]);
+	if (*p == ':')
+		return strncmp(p, "://", 3) == 0;
+	if (*p == '.')
+		return p >= text + 3 && strncasecmp(p - 3, "www", 3) == 0;
+	if (*p == '+' || *p == '-')
+		return p == text && p[1] != '\0' &&
+		       !isdigit((unsigned char)p[1]);
+	return strchr(p == text ? "|*[]`\\~$#" : "|*[]`\\~$", *p) != NULL;
+}
+
+/* Words that markdown shows as they are: signs behind backslashes, and as
+ * entities those of HTML, which knows no backslash. */
+static char *
+as_markdown(const char *text)
+{
+	char *shown = text_shown(text);
+	char *copy = xcalloc(5 * strlen(shown) + 1, 1), *end = copy;
+	for (const char *p = shown; *p != '\0'; p++) {
+		const char *entity = *p == '<'   ? "&lt;"
+				     : *p == '>' ? "&gt;"
+				     : *p == '&' ? "&amp;"
+						 : NULL;
+		if (entity != NULL) {
+			end = stpcpy(end, entity);
+			continue;
+		}
+		if (is_markup(shown, p))
+			*end++ = '\\';
+		*end++ = *p;
+	}
+	free(shown);
+	return copy;
+}
+
+static void
+print_markdown_rows(const struct table *t, FILE *out)
+{
+	for (size_t row = 0; row <= rows_of(t); row++) {
+		fputs("| ", out);
+		print_row(t, row - 1, row == 0, (struct block){1, t->n_column},
+		    " | ", out);
+		fputs(" |\n", out);
+		if (row > 0)
+			continue;
+		for (size_t c = 0; c < t->n_column; c++)
+			fprintf(out, "%s",
+			    is_number_column(t, c) ? "|--:" : "|---");
+		fputs("|\n", out);
+	}
+}
+
+static size_t
+print_markdown(const struct answer *answer, bool semicolon, FILE *out)
+{
+	(void)semicolon;
+	struct answer *a = put_in(as_markdown, answer);
+	const struct table *t = &a->table[0];
+	if (a->title != NULL)
+		fprintf(out, "**%s**\n\n", a->title);
+	if (a->provenance != NULL)
+		fprintf(out, "Data: %s\n\n", a->provenance);
+	if (t->n_column > 0)
+		print_markdown_rows(t, out);
+	for (size_t i = 0; i < a->n_sentence; i++)
+		fprintf(out, "\n%s\n", a->sentence[i].text);
+	fputc('\n', out);
+	size_t rows = rows_of(t);
+	answer_free(a);
+	return rows;
+}
+
+const struct answer_form ANSWER_FORMATS[4] = {
+    {"table", NULL, false, print_table}, {"csv", ".csv", true, print_csv},
+    {"json", ".json", true, print_json},
+    {"markdown", ".md", false, print_markdown}};
