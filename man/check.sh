@@ -12,7 +12,7 @@
 #   .\" file NAME       on the line before .Bd: the display is that file.
 #   .\" session         on the line before .Bd: all displays so marked are one
 #                       session at a prompt with what it shows, see session.exp.
-#                       RENEW=1 writes what is shown now into PAGE.
+#                       RENEW=1 (make renew) writes what is shown now into PAGE.
 #   .\" needs TOOL      on the line before .Bd: left out where there is no TOOL.
 # Commands run in a folder of the page's own that holds a link to SRCDIR/data,
 # with the binary on PATH as tipspeed; what they write to standard error is not
@@ -257,8 +257,9 @@ run_session() {
 	(cd "$work" && expect "$source/man/session.exp" "$cases/session") \
 	    2>&1 | steady >"$cases/got"
 	diff -u "$cases/session" "$cases/got" >"$cases/diff"
-	tell $? "$1: the session, else RENEW=1" "$cases/diff"
-	[ -z "${RENEW-}" ] || renew "$cases/got" "$2"
+	same=$?
+	[ -z "${RENEW-}" ] || { renew "$cases/got" "$2" && same=0; }
+	tell $same "$1: the session, else make renew" "$cases/diff"
 }
 
 number=0

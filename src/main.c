@@ -148,6 +148,17 @@ read_command_line(
 	return true;
 }
 
+/* Unknown names are as none: this is for tests. */
+static enum isa
+chosen_isa(void)
+{
+	const char *name = getenv("TIPSPEED_ISA");
+	enum isa isa = name != NULL ? ISA_BASE : ISA_BEST;
+	while (isa < ISA_BEST && strcmp(name, isa_name(isa)) != 0)
+		isa++;
+	return isa;
+}
+
 /* A FILE is a site file, or a script when its name ends in .tip. */
 static int
 open_file(struct session *s, const char *path)
@@ -245,6 +256,7 @@ main(int argc, char **argv)
 		struct session *s = session_new(stdout, stderr);
 		s->set.format = in.format;
 		s->set.seed = in.seed;
+		s->isa = chosen_isa();
 		s->safe = in.safe;
 		store_free(s->store);
 		/* Nor may a script of others touch the user's materials. */

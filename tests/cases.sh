@@ -3,7 +3,7 @@
 #   cmd       shell commands, run in a folder of their own that has data/
 #   expected  what they print, standard error included
 #   status    their exit status, where it is not 0
-# `make renew-cases` writes expected and status anew: look at the difference.
+# `make renew` writes expected and status anew: look at the difference.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
 scratch
@@ -27,7 +27,7 @@ for c in "$cases"/*/; do
 	same=$?
 	[ $same -eq 0 ] && [ "$status" = "$want" ]
 	result $? "case $name"
-	[ $same -eq 0 ] || { remark "$dir/diff"; echo "# make renew-cases"; }
+	[ $same -eq 0 ] || { remark "$dir/diff"; echo "# make renew"; }
 	[ "$status" = "$want" ] || echo "# exit status $status, not $want"
 done
 finish

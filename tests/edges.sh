@@ -40,8 +40,6 @@ ours -f /dev/zero
 told 5 'a file or a pipe was expected, this is a device' 'a device as a script'
 ours /dev/zero
 told 5 'a file or a pipe was expected, this is a device' 'a device as a sheet'
-ours $sheet -c 'calibrate resume=/dev/zero'
-told 5 'a file or a pipe was expected, this is a device' 'a device to resume from'
 try "$TIPSPEED" --store=/dev/zero -c materials
 told 5 'the store cannot be opened: this is a folder' 'a device as a store'
 ours -f /dev/null

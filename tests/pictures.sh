@@ -4,6 +4,14 @@
 . "${srcdir:-.}/tests/tap.sh"
 scratch
 cd "$dir" || exit 99
+if "$TIPSPEED" -c version | grep -q 'without cairo'; then
+	"$TIPSPEED" data/sites/tierp.csv -c 'plot psd speed=69 > a.svg' \
+		-c 'plot psd speed=69 > a.png' >out.txt 2>err.txt
+	[ $? = 2 ] && grep -q 'draws svg (built without cairo), not png' err.txt &&
+		[ -s a.svg ] && [ ! -e a.png ]
+	result $? "without cairo: svg is drawn, png refused"
+	finish
+fi
 kinds='psd parity convergence spread residuals selection appearance map sweep'
 for kind in $kinds; do
 	for form in svg png pdf txt csv; do

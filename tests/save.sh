@@ -7,7 +7,7 @@ scratch
 here="$dir/a b å\"q;#>"
 mkdir "$here" "$dir/else"
 cp "$srcdir"/data/sites/tierp.csv "$srcdir"/data/sites/bro.csv \
-	"$srcdir/data/table3.csv" "$here"
+	"$srcdir/data/table3.csv" "$srcdir/data/specs/en-12620-0-4.csv" "$here"
 cp "$srcdir/data/sites/ossjo.csv" "$here/"'a "quoted" name.csv'
 
 # same FILE FILE: alike but for the seconds of calibrations.
@@ -67,10 +67,12 @@ replays 'stopped among all' --format=json "load tierp.csv bro.csv
 	calibrate all $quick pause=12; use tierp; predict 75"
 replays 'stopped between sites' --format=json "load tierp.csv bro.csv
 	calibrate all $quick polish=off pause=8; use tierp; predict 75"
+replays 'an envelope' '' "load tierp.csv; params set f_mat=2 e0_min=16 alpha=1
+	find spec=en-12620-0-4.csv"
 replays 'files aside' --format=json "load tierp.csv
-	calibrate $quick log=log.csv checkpoint=point pause=6 > fit.json
+	calibrate $quick pause=6 > fit.json
 	predict 74 | cat >product.csv
-	calibrate $quick resume=point > fit.json
+	continue > fit.json
 	predict 74 > product.json; write copy.csv replace=on; sweep 70,71"
 
 # What was undone is not in it, nor what came before a reset.

@@ -1,7 +1,7 @@
 #!/bin/sh
 # What the program draws of its full screen is what was looked at: the screens in
 # tests/screens, the text in README and its picture.
-# `make renew-screens` writes them anew: look at the difference.
+# `make renew` writes them anew: look at the difference.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
 scratch
@@ -17,7 +17,7 @@ compare() {
 	diff "$2" "$3" >difference 2>&1
 	same=$?
 	result $same "$1"
-	[ $same -eq 0 ] || { remark difference; echo "# make renew-screens"; }
+	[ $same -eq 0 ] || { remark difference; echo "# make renew"; }
 }
 
 # Names of digits alone are those of tests/tui.sh, from a real terminal.

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The full screen in tmux: keys, sizes, a calibration, and every way out.
-# With RENEW=1 it writes the golden screens anew: look at the difference.
+# `make renew` writes the golden screens anew: look at the difference.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
 golden=$(cd "${srcdir:-.}/tests" && pwd)/screens
@@ -12,7 +12,7 @@ same() {
 	diff "$golden/$1" screen >difference
 	good=$?
 	remark difference
-	result $good "the screen $1 (RENEW=1 writes it anew)"
+	result $good "the screen $1 (make renew writes it anew)"
 }
 p50() { sed -n 's/.*P50 \([0-9.]*\).*/\1/p' screen | head -n 1; }
 

@@ -112,12 +112,22 @@ command_nearest(const char *name)
 	return nearest;
 }
 
+const struct command_option *
+command_option_at(const struct command *command, size_t i)
+{
+	const struct command_option *o =
+	    command->setting != NULL  ? &command->setting[i].option
+	    : command->option != NULL ? &command->option[i]
+				      : NULL;
+	return o != NULL && o->name != NULL ? o : NULL;
+}
+
 size_t
 command_option_index(const struct command *command, const char *name)
 {
-	const struct command_option *o = command->option;
-	for (size_t i = 0; o != NULL && o[i].name != NULL; i++)
-		if (strcmp(o[i].name, name) == 0)
+	const struct command_option *o;
+	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++)
+		if (strcmp(o->name, name) == 0)
 			return i;
 	return OPTIONS;
 }
@@ -147,8 +157,8 @@ command_usage(const struct command *command)
 	char *usage = xstrdup(command->name);
 	if (command->operands.usage != NULL)
 		xappend(&usage, " %s", command->operands.usage);
-	const struct command_option *o = command->option;
-	for (; o != NULL && o->name != NULL; o++) {
+	const struct command_option *o;
+	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
 		char *part = xasprintf(" [%s=%s]", o->name, placeholder(o));
 		for (char *p = part + 1; *p != '\0'; p++)
 			if (*p == ' ')

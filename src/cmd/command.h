@@ -35,6 +35,14 @@ struct command_option {
 	const char *brief;
 };
 
+/* A setting: what may be said of it, option.fallback being what it is at first,
+ * or "" where the session finds that; and where it is kept, a member of struct
+ * choices: a double for a number, an unsigned or an enum for the rest. */
+struct setting {
+	struct command_option option;
+	size_t offset;
+};
+
 struct value {
 	bool given;
 	double number;
@@ -82,7 +90,7 @@ struct command_operands {
 };
 
 /* bare: option that a bare word stands for ("predict 74"), or NULL.
- * pairs: options may be written as two words ("set method classes").
+ * setting: options that may be written as two words ("set method classes").
  * text: sentences for help and manual.  example: lines of a script that runs in
  * a folder with the project's data/. */
 struct command {
@@ -90,9 +98,9 @@ struct command {
 	struct command_operands operands;
 	unsigned flags; /* command_flag */
 	const char *bare;
-	bool pairs;
-	const struct command_option
-	    *option; /* ends with a name of NULL, or NULL */
+	/* One of the two or none; ends with a name of NULL. */
+	const struct command_option *option;
+	const struct setting *setting;
 	const char *text, *example;
 	command_run *run;
 };
@@ -116,6 +124,10 @@ char *command_candidates(const char *name);
 
 /* The name nearest to a mistyped one, or NULL when none is near. */
 const char *command_nearest(const char *name);
+
+/* Option i of those it has, counted from 0; NULL for the first beyond. */
+const struct command_option *command_option_at(
+    const struct command *command, size_t i);
 
 /* Index of an option, or OPTIONS if the command has none of that name. */
 size_t command_option_index(const struct command *command, const char *name);

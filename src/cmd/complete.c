@@ -224,7 +224,7 @@ use_up(const struct command *command, const struct words *words)
 	for (size_t i = 1; i < words->n; i++) {
 		char *word = words->text[i];
 		size_t key = strcspn(word, "=");
-		bool pair = word[key] == '\0' && command->pairs;
+		bool pair = word[key] == '\0' && command->setting != NULL;
 		bool named = word[key] == '=' || pair;
 		char *name = xstrndup(word, key);
 		size_t option =
@@ -248,18 +248,18 @@ static void
 offer_arguments(
     struct work *w, const struct command *command, const struct used *used)
 {
-	const struct command_option *o = command->option;
+	const struct command_option *o;
 	if (used->awaits < OPTIONS) {
-		offer_values(w, &o[used->awaits]);
+		offer_values(w, command_option_at(command, used->awaits));
 		return;
 	}
-	for (size_t i = 0; o != NULL && o[i].name != NULL; i++) {
+	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
 		if (used->given[i])
 			continue;
-		offer(w, o[i].name, command->pairs ? ' ' : '=');
+		offer(w, o->name, command->setting != NULL ? ' ' : '=');
 		if (command->bare != NULL &&
-		    strcmp(o[i].name, command->bare) == 0)
-			offer_values(w, &o[i]);
+		    strcmp(o->name, command->bare) == 0)
+			offer_values(w, o);
 	}
 	offer_operand(w, command, used->n_operand);
 }
@@ -288,8 +288,9 @@ option_at(const struct command *command, const char *typed,
 	*named = i < OPTIONS;
 	if (!*named && command->bare != NULL)
 		i = command_option_index(command, command->bare);
-	return *named || (i < OPTIONS && !used->given[i]) ? &command->option[i]
-							  : NULL;
+	return *named || (i < OPTIONS && !used->given[i])
+		   ? command_option_at(command, i)
+		   : NULL;
 }
 
 static void

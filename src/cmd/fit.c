@@ -9,8 +9,6 @@
 
 #include "base/xalloc.h"
 #include "cmd/data.h"
-#include "cmd/files.h"
-#include "cmd/log.h"
 #include "cmd/origin.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
@@ -144,7 +142,7 @@ chosen_options(const struct session *s, const struct args *args)
 	o.plain = args_value(args, "preset")->choice == 1;
 	o.seed = seed->given ? seed->whole : s->set.seed;
 	o.threads = threads->given ? (unsigned)threads->whole : s->set.threads;
-	o.isa = s->set.isa;
+	o.isa = s->isa;
 	o.stop = s->stop;
 	o.population = (size_t)args_value(args, "population")->whole;
 	o.generations = (size_t)args_value(args, "generations")->whole;
@@ -155,18 +153,6 @@ chosen_options(const struct session *s, const struct args *args)
 	o.bounds = s->set.bounds;
 	o.settings = s->set.model;
 	return o;
-}
-
-/* Files that will be written when it is done. */
-static bool
-check_files(
-    const struct session *s, const struct args *args, struct error *error)
-{
-	const struct value *log = args_value(args, "log");
-	const struct value *checkpoint = args_value(args, "checkpoint");
-	return (!log->given || files_may_write(s, log->text, error)) &&
-	       (!checkpoint->given ||
-		   files_may_write(s, checkpoint->text, error));
 }
 
 static bool
@@ -199,8 +185,6 @@ bool
 cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 {
 	const struct site *site = session_entry(s)->site;
-	const struct value *checkpoint = args_value(args, "checkpoint");
-	const struct value *resume = args_value(args, "resume");
 	struct job job = {.options = chosen_options(s, args),
 	    .all = args->n_operand > 0,
 	    .pause_at = (size_t)args_value(args, "pause")->whole};
@@ -209,22 +193,15 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		    "calibrate wants options or all, not '%s'",
 		    args->operand[0]);
 	if (!fit_settings_agree(&s->set.model, s->set.model.breakage, error) ||
-	    !check_files(s, args, error) ||
 	    !(job.all ? check_all(args, error)
 		      : choose_runs(site, args, &job, error))) {
 		job_free(&job);
 		return false;
 	}
-	if (checkpoint->given && !job.all)
-		job.checkpoint = xstrdup(checkpoint->text);
-	if (args_value(args, "log")->given)
-		job.log = log_new(args_value(args, "log")->text);
 	job_start(s, &job);
-	if (job.all)
-		return session_busy(s) ||
-		       error_set(error, ERROR_DATA,
-			   "no loaded site has a product to calibrate on");
-	return !resume->given || job_resume(s, resume->text, error);
+	return session_busy(s) ||
+	       error_set(error, ERROR_DATA,
+		   "no loaded site has a product to calibrate on");
 }
 
 /* Keeps the job's generations and its misfit in its site. */

@@ -11,17 +11,13 @@
 /* Says beside the results what the job is about to do. */
 void fit_announce(struct session *s);
 
-/* Starts a job, of which options, train, all, pause_at, run_weight, checkpoint
- * and log say what is wanted, on the site in use (all: the first of those
- * loaded); takes what it owns.  Where no site has a product, nothing is
- * started. */
+/* Starts a job, of which options, train, all, pause_at, run_weight say what
+ * is wanted, on the site in use (all: the first of those loaded); takes what it
+ * owns.  Where no site has a product, nothing is started. */
 void job_start(struct session *s, const struct job *job);
 
 /* Frees what it owns, and leaves it empty. */
 void job_free(struct job *job);
-
-/* Restores the job that was just started from a checkpoint. */
-bool job_resume(struct session *s, const char *path, struct error *error);
 
 /* Takes the job's result into its site; reports it. */
 void fit_take(struct session *s);

@@ -1,7 +1,5 @@
 /* Help is the table, printed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/info.h"
-
 #include <assert.h>
 #include <gsl/gsl_version.h>
 #include <jansson.h>
@@ -10,75 +8,12 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/session.h"
 #include "cmd/table.h"
+#include "cmd/usage.h"
 #include "config.h"
 #include "core/isa.h"
-
-static void
-print_brief(const struct command *c, FILE *out)
-{
-	char *name = c->alias != NULL ? xasprintf("%s, %s", c->name, c->alias)
-				      : xstrdup(c->name);
-	fprintf(out, "  %-16s %s\n", name, c->brief);
-	free(name);
-}
-
-void
-info_list(const char *group, FILE *out)
-{
-	const char *last = "";
-	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		const char *its = command_group(c);
-		if (group != NULL && strcmp(group, its) != 0)
-			continue;
-		if (strcmp(last, its) != 0)
-			fprintf(out, "%s\n", its);
-		last = its;
-		print_brief(c, out);
-	}
-	fputs(
-	    "\nhelp COMMAND tells all about one, apropos WORD searches\n", out);
-}
-
-static void
-print_option(const struct command_option *o, FILE *out)
-{
-	char *text = command_option_words(o);
-	fprintf(out, "  %s\n", o->name);
-	text_wrap(text, 6, 78, out);
-	free(text);
-}
-
-void
-info_example(const struct command *c, const char *margin, FILE *out)
-{
-	char *copy = xstrdup(c->example), *save = NULL;
-	for (char *line = strtok_r(copy, "\n", &save); line != NULL;
-	     line = strtok_r(NULL, "\n", &save))
-		fprintf(out, "%s%s\n", margin, line);
-	free(copy);
-}
-
-/* All that the table says of one command. */
-static void
-print_command(const struct command *c, FILE *out)
-{
-	char *usage = command_usage(c);
-	fprintf(out, "%s - %s\n\n", c->name, c->brief);
-	text_hang(usage, 2, 6, 78, out);
-	free(usage);
-	if (c->alias != NULL)
-		fprintf(out, "  also called %s\n", c->alias);
-	fputc('\n', out);
-	text_wrap(c->text, 2, 78, out);
-	if (c->option != NULL)
-		fputs("\noptions\n", out);
-	for (const struct command_option *o = c->option;
-	     o != NULL && o->name != NULL; o++)
-		print_option(o, out);
-	fputs("\nexample\n", out);
-	info_example(c, "  ", out);
-}
+#include "plot/picture.h"
 
 /* For somebody who sees the program for the first time. */
 static void
@@ -133,13 +68,13 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 		    "behind the command help wants: example; not '%s'",
 		    args->operand[1]);
 	if (command != NULL && example)
-		info_example(command, "", out);
+		usage_example(command, "", out);
 	else if (command != NULL)
-		print_command(command, out);
+		usage_command(command, out);
 	else if (name == NULL || (is_group(name) && !example)) {
 		if (name == NULL)
 			print_start(out);
-		info_list(name, out);
+		usage_list(name, out);
 	} else
 		return unknown(name, error);
 	return true;
@@ -163,8 +98,8 @@ tells_of(const struct command *c, const char *folded)
 	    holds(c->text, folded) ||
 	    (c->operands.usage != NULL && holds(c->operands.usage, folded)) ||
 	    (c->alias != NULL && holds(c->alias, folded));
-	const struct command_option *o = c->option;
-	for (; !found && o != NULL && o->name != NULL; o++)
+	const struct command_option *o;
+	for (size_t i = 0; !found && (o = command_option_at(c, i)) != NULL; i++)
 		found = holds(o->name, folded) || holds(o->brief, folded) ||
 			(o->choices != NULL && holds(o->choices, folded));
 	return found;
@@ -178,7 +113,7 @@ cmd_apropos(struct session *s, const struct args *args, struct error *error)
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (!tells_of(c, folded))
 			continue;
-		print_brief(c, help_stream(s));
+		usage_brief(c, help_stream(s));
 		found++;
 	}
 	free(folded);
@@ -201,7 +136,7 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 	assert(i < ARRAY_LEN(PAGES));
 	if (!s->safe && s->show_page != NULL && s->show_page(PAGES[i]))
 		return true;
-	info_list(NULL, help_stream(s));
+	usage_list(NULL, help_stream(s));
 	if (s->safe)
 		session_note(s,
 		    "man is off, as the program was started with --safe: these "
@@ -225,7 +160,8 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 	answer_pair(r, "tipspeed", "%s", PACKAGE_VERSION);
 	answer_pair(r, "gsl", "%s", GSL_VERSION);
 	answer_pair(r, "jansson", "%s", JANSSON_VERSION);
-	answer_pair(r, "instructions", "%s", isa_name(isa_usable(ISA_BEST)));
+	answer_pair(r, "pictures", "%s", picture_forms());
+	answer_pair(r, "instructions", "%s", isa_name(isa_usable(s->isa)));
 	fields_put(answer_fields(r), "version %s", PACKAGE_VERSION);
 	return session_answer(s, r);
 }

@@ -6,10 +6,8 @@
 
 #include "base/xalloc.h"
 #include "cmd/fit.h"
-#include "cmd/log.h"
 #include "cmd/table.h"
 #include "cmd/turn.h"
-#include "io/checkpoint.h"
 
 /* Begins with the site of job.entry. */
 static void
@@ -29,76 +27,13 @@ begin(struct session *s)
 	fit_announce(s);
 }
 
-/* Everything beside the site that the result depends on, in one line. */
-static char *
-options_text(const struct session *s)
-{
-	const struct calibrate_options *o = &s->job.options;
-	char *text =
-	    xasprintf("seed=%llu population=%zu generations=%zu stall=%zu "
-		      "tolerance=%a polish=%d plain=%d sd=%d method=%d "
-		      "appearance=%d k=%a bounds",
-		(unsigned long long)o->seed, o->population, o->generations,
-		o->stall, o->tolerance, o->polish, o->plain, o->by_sd,
-		(int)o->settings.method, (int)o->settings.appearance,
-		o->settings.k);
-	for (size_t j = 0; j < BREAKAGES[o->settings.breakage]->n; j++)
-		xappend(
-		    &text, " %a..%a", o->bounds.lower[j], o->bounds.upper[j]);
-	xappend(&text, " train");
-	for (size_t r = 0; r < s->entry[s->job.entry].site->n_run; r++)
-		xappend(&text, " %d*%a", s->job.train[r],
-		    s->job.run_weight != NULL ? s->job.run_weight[r] : 1);
-	return text;
-}
-
-static void
-save_checkpoint(struct session *s)
-{
-	struct error error = {0};
-	if (calibration_fit(s->job.calibration).edits > 0) {
-		session_note(s,
-		    "no checkpoint written: it cannot tell of bounds that were "
-		    "edited on the way; 'save FILE.tip' can");
-		return;
-	}
-	char *options = options_text(s);
-	struct checkpoint_of of = {
-	    s->entry[s->job.entry].site->digest, options};
-	if (checkpoint_save(s->job.checkpoint, &of, s->job.calibration, &error))
-		session_note(s, "checkpoint written: %s", s->job.checkpoint);
-	else
-		turn_failed(s, &error);
-	free(options);
-}
-
-bool
-job_resume(struct session *s, const char *path, struct error *error)
-{
-	char *options = options_text(s);
-	struct checkpoint_of of = {
-	    s->entry[s->job.entry].site->digest, options};
-	bool ok = checkpoint_load(path, &of, s->job.calibration, error);
-	free(options);
-	if (!ok) {
-		session_stop(s);
-		return false;
-	}
-	struct calibrate_status st = calibration_status(s->job.calibration);
-	s->job.step = st.step;
-	session_note(s, "  going on after generation %zu", st.generation);
-	return true;
-}
-
 void
 job_free(struct job *job)
 {
-	free(job->checkpoint);
 	free(job->run_weight);
 	calibration_free(job->calibration);
 	free(job->train);
 	answer_free(job->summary);
-	log_free(job->log);
 	*job = (struct job){0};
 }
 
@@ -179,9 +114,6 @@ static void
 take_result(struct session *s)
 {
 	fit_take(s);
-	if (s->job.log != NULL)
-		log_add(
-		    s->job.log, s->entry[s->job.entry].key, s->job.calibration);
 	if (s->job.all)
 		summarise(s, &s->entry[s->job.entry]);
 	else
@@ -195,21 +127,8 @@ session_busy(const struct session *s)
 }
 
 static void
-save_log(struct session *s)
-{
-	struct error error = {0};
-	if (s->job.log == NULL)
-		return;
-	if (!log_save(s, s->job.log, &error))
-		turn_failed(s, &error);
-	log_free(s->job.log);
-	s->job.log = NULL;
-}
-
-static void
 end_all(struct session *s)
 {
-	save_log(s);
 	struct answer *summary = s->job.summary;
 	s->job.summary = NULL;
 	job_free(&s->job);
@@ -259,10 +178,7 @@ session_pause(struct session *s)
 		end_all(s);
 		return;
 	}
-	if (s->job.checkpoint != NULL)
-		save_checkpoint(s);
 	s->job.paused = true;
-	save_log(s);
 	session_note(s,
 	    "stopped at generation %zu of %zu, best %.4g kept; continue, "
 	    "accept or calibrate again",

@@ -12,6 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/data.h"
 #include "cmd/files.h"
+#include "cmd/settings.h"
 #include "cmd/table.h"
 #include "cmd/turn.h"
 #include "config.h"
@@ -127,9 +128,13 @@ journal_settings(struct session *s)
 {
 	if (s->set.seed != 1)
 		journal_add(s, NULL, "seed %" PRIu64, s->set.seed);
-	if (s->set.format != ANSWER_TABLE)
-		journal_add(s, NULL, "set format %s",
-		    ANSWER_FORMATS[s->set.format].name);
+	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
+		char *text = settings_text(r, &s->set);
+		if (r->option.fallback[0] != '\0' &&
+		    strcmp(text, r->option.fallback) != 0)
+			journal_add(s, NULL, "set %s %s", r->option.name, text);
+		free(text);
+	}
 }
 
 /* Appends a word, in quotes where it would not be read as one. */
@@ -144,33 +149,34 @@ put_word(char **line, const char *word)
 		xappend(line, "\"");
 }
 
-/* From the root; links are left as they are. */
+/* From the root, as the option key where that is not NULL; links are left as
+ * they are. */
 static void
-put_path(char **line, const char *path)
+put_path(char **line, const char *key, const char *path)
 {
 	char folder[4096];
 	bool rooted = path[0] == '/' || getcwd(folder, sizeof folder) == NULL;
 	while (strncmp(path, "./", 2) == 0)
 		path += 2;
-	char *whole = rooted ? xstrdup(path) : xasprintf("%s/%s", folder, path);
+	char *whole = xasprintf("%s%s%s%s%s", key != NULL ? key : "",
+	    key != NULL ? "=" : "", rooted ? "" : folder, rooted ? "" : "/",
+	    path);
 	put_word(line, whole);
 	free(whole);
 }
 
-/* True for an option that a saved line does without. */
-static bool
-is_passing(const struct args *args, const char *word)
+/* The option of the call that the word gives, or NULL. */
+static const struct command_option *
+given_by(const struct args *args, const char *word)
 {
-	const struct command_option *o = args->command->option;
+	const struct command_option *o;
 	const char *equals = strchr(word, '=');
-	for (size_t i = 0; o != NULL && o[i].name != NULL; i++) {
-		bool here = args->value[i].given && equals != NULL &&
-			    args->value[i].text == equals + 1;
-		if (here && (o[i].kind == VALUE_FILE ||
-				strcmp(o[i].name, "pause") == 0))
-			return true;
-	}
-	return false;
+	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
+	     i++)
+		if (args->value[i].given && equals != NULL &&
+		    args->value[i].text == equals + 1)
+			return o;
+	return NULL;
 }
 
 static bool
@@ -188,10 +194,15 @@ journal_line(const struct args *args, const struct words *words)
 	char *line = xstrdup(args->command->name);
 	for (size_t i = 1; i < words->n; i++) {
 		const char *word = words->text[i];
-		if ((args->command->flags & COMMAND_FILES) &&
-		    is_operand(args, word))
-			put_path(&line, word);
-		else if (!is_passing(args, word))
+		const struct command_option *o = given_by(args, word);
+		if (o != NULL && strcmp(o->name, "pause") == 0)
+			continue;
+		if (o != NULL && o->kind == VALUE_FILE)
+			put_path(&line, o->name, strchr(word, '=') + 1);
+		else if ((args->command->flags & COMMAND_FILES) &&
+			 is_operand(args, word))
+			put_path(&line, NULL, word);
+		else
 			put_word(&line, word);
 	}
 	return line;
@@ -201,7 +212,7 @@ char *
 journal_load(const struct site *site)
 {
 	char *line = xstrdup("load");
-	put_path(&line, site->path);
+	put_path(&line, NULL, site->path);
 	xappend(&line, " digest=%016" PRIx64, site->digest);
 	return line;
 }

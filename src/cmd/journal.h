@@ -43,9 +43,8 @@ void journal_restart(struct session *s);
 void journal_settings(struct session *s);
 
 /* The call as a line that means the same in any folder and script: full name,
- * absolute paths.  Options that name files and pause= are left out: what the
- * former write is no part of the session, and the latter is put in as it turned
- * out.  The caller frees. */
+ * absolute paths.  pause= is left out: it is put in as it turned out.  The
+ * caller frees. */
 char *journal_line(const struct args *args, const struct words *words);
 
 /* "load FILE digest=HEX" for a site that was read. */

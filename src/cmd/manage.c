@@ -9,6 +9,7 @@
 #include "cmd/journal.h"
 #include "cmd/keep.h"
 #include "cmd/script.h"
+#include "cmd/settings.h"
 #include "cmd/table.h"
 #include "cmd/turn.h"
 
@@ -50,9 +51,7 @@ cmd_reset(struct session *s, const struct args *args, struct error *error)
 static bool
 restore(struct session *s, const char *path, struct error *error)
 {
-	struct choices plain = *s->first;
-	plain.seed = 1;
-	plain.format = ANSWER_TABLE;
+	struct choices plain = settings_default();
 	if (!script_open(s, path, error))
 		return false;
 	forget_all(s, &plain);

@@ -9,7 +9,6 @@
 #include "base/xalloc.h"
 #include "cmd/command.h"
 #include "core/breakage.h"
-#include "cmd/info.h"
 #include "cmd/usage.h"
 
 /* Text of a paragraph: a new sentence on a new line, as mdoc wants it, lines
@@ -66,10 +65,11 @@ print_quoted(const char *text, FILE *out)
 static void
 print_options(const struct command *c, FILE *out)
 {
-	if (c->option == NULL)
+	const struct command_option *o = command_option_at(c, 0);
+	if (o == NULL)
 		return;
 	fputs(".Bl -tag -width 12n -compact\n", out);
-	for (const struct command_option *o = c->option; o->name != NULL; o++) {
+	for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++) {
 		fprintf(out, ".It Cm %s\n", o->name);
 		char *words = command_option_words(o);
 		print_text(words, out);
@@ -102,7 +102,7 @@ manual_commands(FILE *out)
 		print_text(c->text, out);
 		print_options(c, out);
 		fputs(".Bd -literal -offset indent\n", out);
-		info_example(c, "tipspeed> ", out);
+		usage_example(c, "tipspeed> ", out);
 		fputs(".Ed\n", out);
 	}
 	fputs(".El\n", out);

@@ -1,4 +1,4 @@
-/* Parameters, their bounds, and settings.
+/* Parameters and their bounds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/model.h"
 
@@ -287,86 +287,4 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 	s->set.bounds.lower[j] = lower;
 	s->set.bounds.upper[j] = upper;
 	return true;
-}
-
-static bool
-show_settings(struct session *s)
-{
-	struct answer *r = answer_new("set");
-	answer_columns(r, "setting, value");
-	answer_pair(r, "model", "%s", BREAKAGES[s->set.model.breakage]->name);
-	answer_pair(r, "method", "%s", answers_method(s->set.model.method));
-	answer_pair(
-	    r, "appearance", "%s", MODEL_FORMS[s->set.model.appearance]);
-	answer_pair(r, "k", "%g", s->set.model.k);
-	answer_pair(r, "threads", "%u", s->set.threads);
-	answer_pair(r, "isa", "%s", isa_name(isa_usable(s->set.isa)));
-	answer_pair(r, "format", "%s", ANSWER_FORMATS[s->set.format].name);
-	answer_pair(r, "csv", "%s", s->set.semicolon ? "semicolon" : "comma");
-	answer_pair(r, "pager", "%s", s->set.pager ? "on" : "off");
-	return session_answer(s, r);
-}
-
-/* The model of the calibrations and parameters to come, with its bounds; what a
- * site has stays as it is. */
-static void
-set_model(struct session *s, size_t breakage)
-{
-	if (breakage != s->set.model.breakage)
-		s->set.bounds = bounds_default(breakage);
-	s->set.model.breakage = breakage;
-}
-
-bool
-cmd_set(struct session *s, const struct args *args, struct error *error)
-{
-	(void)error;
-	const struct value *model = args_value(args, "model");
-	const struct value *method = args_value(args, "method");
-	const struct value *form = args_value(args, "appearance");
-	const struct value *k = args_value(args, "k");
-	const struct value *threads = args_value(args, "threads");
-	const struct value *isa = args_value(args, "isa");
-	const struct value *format = args_value(args, "format");
-	const struct value *csv = args_value(args, "csv");
-	const struct value *pager = args_value(args, "pager");
-	if (method->given || form->given || k->given)
-		session_forget(s);
-	if (model->given)
-		set_model(s, model->choice);
-	if (method->given)
-		s->set.model.method = (enum method)method->choice;
-	if (form->given)
-		s->set.model.appearance = (enum appearance_form)form->choice;
-	if (k->given)
-		s->set.model.k = k->number;
-	if (threads->given)
-		s->set.threads = (unsigned)threads->whole;
-	if (isa->given)
-		s->set.isa = (enum isa)isa->choice;
-	if (format->given)
-		s->set.format = (enum answer_format)format->choice;
-	if (csv->given)
-		s->set.semicolon = csv->choice == 1;
-	if (pager->given)
-		s->set.pager = pager->choice == 0;
-	bool any = model->given || method->given || form->given || k->given ||
-		   threads->given || isa->given || format->given ||
-		   csv->given || pager->given;
-	return any || show_settings(s);
-}
-
-bool
-cmd_seed(struct session *s, const struct args *args, struct error *error)
-{
-	(void)error;
-	const struct value *value = args_value(args, "seed");
-	if (value->given) {
-		s->set.seed = value->whole;
-		return true;
-	}
-	struct answer *r = answer_new("seed");
-	answer_columns(r, "seed");
-	answer_text(r, "%llu", (unsigned long long)s->set.seed);
-	return session_answer(s, r);
 }

@@ -1,4 +1,4 @@
-/* Commands about the model: params, bounds, set, seed.
+/* Commands about the model: params, bounds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_MODEL_H
 #define TIPSPEED_CMD_MODEL_H

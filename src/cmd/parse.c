@@ -15,10 +15,10 @@ unknown_option(
 {
 	error_set(
 	    error, ERROR_USAGE, "%s has no option '%s'", command->name, name);
-	const struct command_option *o = command->option;
-	while (o != NULL && o->name != NULL && text_distance(o->name, name) > 2)
-		o++;
-	if (o != NULL && o->name != NULL) {
+	const struct command_option *o;
+	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
+		if (text_distance(o->name, name) > 2)
+			continue;
 		error_hint(error, "did you mean '%s'?", o->name);
 		return;
 	}
@@ -47,7 +47,7 @@ take_value(size_t i, const char *word, struct args *args, struct error *error)
 {
 	args->value[i].given = true;
 	return value_take(
-	    &args->command->option[i], word, &args->value[i], error);
+	    command_option_at(args->command, i), word, &args->value[i], error);
 }
 
 /* One word behind the command's name: key=value, the bare option or an
@@ -62,7 +62,7 @@ take_argument(const char *word, struct args *args, struct error *error)
 	    key > 0 &&
 	    strspn(word, "abcdefghijklmnopqrstuvwxyz0123456789_") == key;
 	size_t i = OPTIONS;
-	if (is_key && command->option != NULL) {
+	if (is_key && command_option_at(command, 0) != NULL) {
 		char *name = xstrndup(word, key);
 		i = new_option(args, name, error);
 		free(name);
@@ -85,7 +85,8 @@ lacks_value(
     const struct command *command, const char *name, struct error *error)
 {
 	size_t i = command_option_index(command, name);
-	return i < OPTIONS && !value_wanted(&command->option[i], error);
+	return i < OPTIONS &&
+	       !value_wanted(command_option_at(command, i), error);
 }
 
 /* "method classes" where "method=classes" would do. */
@@ -100,12 +101,12 @@ take_pair(
 static bool
 take_fallbacks(struct args *args, struct error *error)
 {
-	const struct command_option *o = args->command->option;
+	const struct command_option *o;
 	bool ok = true;
-	for (size_t i = 0; ok && o != NULL && o[i].name != NULL; i++)
-		if (!args->value[i].given && o[i].fallback[0] != '\0')
-			ok = value_take(
-			    &o[i], o[i].fallback, &args->value[i], error);
+	for (size_t i = 0;
+	     ok && (o = command_option_at(args->command, i)) != NULL; i++)
+		if (!args->value[i].given && o->fallback[0] != '\0')
+			ok = value_take(o, o->fallback, &args->value[i], error);
 	return ok;
 }
 
@@ -113,10 +114,11 @@ take_fallbacks(struct args *args, struct error *error)
 static bool
 is_lone_unit(const struct args *args, const char *word, struct error *error)
 {
-	const struct command_option *o = args->command->option;
-	for (size_t i = 0; o != NULL && o[i].name != NULL; i++) {
-		if (!args->value[i].given || o[i].unit[0] == '\0' ||
-		    strcmp(o[i].unit, word) != 0)
+	const struct command_option *o;
+	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
+	     i++) {
+		if (!args->value[i].given || o->unit[0] == '\0' ||
+		    strcmp(o->unit, word) != 0)
 			continue;
 		error_set(error, ERROR_USAGE,
 		    "a unit stands at its number, without a blank\nwrite %s%s",
@@ -232,12 +234,12 @@ parse_call(const struct words *words, struct place place, struct args *args,
 	}
 	args->command = command;
 	for (size_t i = 1; i < words->n; i++) {
-		if (command->pairs && i + 1 == words->n &&
+		if (command->setting != NULL && i + 1 == words->n &&
 		    lacks_value(command, words->text[i], error)) {
 			put_place(error, place, command, words, i);
 			return NULL;
 		}
-		bool pair = command->pairs && i + 1 < words->n &&
+		bool pair = command->setting != NULL && i + 1 < words->n &&
 			    strchr(words->text[i], '=') == NULL;
 		bool ok = pair ? take_pair(words->text[i], words->text[i + 1],
 				     args, error)

@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -17,28 +16,18 @@
 #include "cmd/keep.h"
 #include "cmd/parse.h"
 #include "cmd/script.h"
+#include "cmd/settings.h"
 #include "cmd/turn.h"
 #include "cmd/origin.h"
 #include "cmd/undo.h"
 #include "io/units.h"
 
-static unsigned
-processors(void)
-{
-	long n = sysconf(_SC_NPROCESSORS_ONLN);
-	return n < 1 ? 1 : n > 64 ? 64 : (unsigned)n;
-}
-
 struct session *
 session_new(FILE *out, FILE *notes)
 {
 	struct session *s = xcalloc(1, sizeof *s);
-	s->set.model = model_settings_default();
-	s->set.bounds = bounds_default(0);
-	s->set.seed = 1;
-	s->set.threads = processors();
-	s->set.isa = ISA_BEST;
-	s->set.pager = true;
+	s->set = settings_default();
+	s->isa = ISA_BEST;
 	s->out = out;
 	s->notes = notes;
 	s->journal = journal_new();

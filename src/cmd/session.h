@@ -65,8 +65,6 @@ struct job {
 	size_t pause_at;        /* step to stop after; 0: none */
 	struct answer *summary; /* of all */
 	double *run_weight;     /* [n_run] of the site, or NULL */
-	char *checkpoint;       /* file to write when stopped, or NULL */
-	struct log *log;        /* every generation as CSV, or NULL */
 };
 
 /* The terminal that results go to.  columns: 0 where they go elsewhere;
@@ -76,17 +74,17 @@ struct screen {
 	bool drawing;
 };
 
-/* What is set, as against loaded. */
+/* What is set, as against loaded: by bounds, seed, timing and the SETTINGS. */
 struct choices {
 	struct model_settings model;
 	struct bounds bounds;
 	uint64_t seed;
 	unsigned threads;
-	enum isa isa;
 	enum answer_format format;
-	bool semicolon; /* in csv, with decimal commas */
-	bool pager;  /* at a prompt, what is taller than the screen is paged */
-	bool timing; /* tell how long each command took */
+	unsigned semicolon; /* 1: in csv, with decimal commas */
+	unsigned unpaged;   /* 0: at a prompt, what is taller than the screen is
+			       paged */
+	bool timing;        /* tell how long each command took */
 };
 
 struct canvas;
@@ -105,6 +103,7 @@ struct session {
 	struct choices set;
 	bool prompt;        /* lines are typed by somebody */
 	size_t typed_at;    /* while so many scripts are open */
+	enum isa isa;       /* most that calibrations may use */
 	bool safe;          /* neither commands nor keys may touch files or
 			       the shell */
 	bool linear;        /* the screen is heard: words, no pictures */

@@ -9,6 +9,9 @@
 extern const struct command TABLE_DATA[], TABLE_MODEL[], TABLE_FIT[],
     TABLE_ANSWERS[], TABLE_STORE[], TABLE_PICTURES[], TABLE_SESSION[];
 
+/* What `set` sets; ends with a name of NULL. */
+extern const struct setting SETTINGS[];
+
 /* What their rows run, each in a file of its own or of its group. */
 command_run cmd_load, cmd_sites, cmd_use, cmd_drop, cmd_check, cmd_show,
     cmd_synth, cmd_write;

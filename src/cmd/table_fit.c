@@ -32,14 +32,7 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
 	"weight of each training run's squares, slow to fast"},
     {"preset", VALUE_CHOICE, "", 0, 0, "best paper", "best",
 	"paper: a textbook genetic algorithm, without polish"},
-    PAUSE_OPTION,
-    {"checkpoint", VALUE_FILE, "", 0, 0, NULL, "",
-	"written when the calibration is stopped; not once bounds were "
-	"edited on the way"},
-    {"resume", VALUE_FILE, "", 0, 0, NULL, "",
-	"a checkpoint of this site and these options to go on from"},
-    {"log", VALUE_FILE, "", 0, 0, NULL, "", "for every generation, as CSV"},
-    {.name = NULL}};
+    PAUSE_OPTION, {.name = NULL}};
 
 static const struct command_option HISTORY_OPTIONS[] = {
     {"every", VALUE_WHOLE, "", 1, 1e6, NULL, "",

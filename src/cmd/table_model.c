@@ -1,5 +1,6 @@
 /* Commands that set the model, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/session.h"
 #include "cmd/table.h"
 #include "core/params.h"
 
@@ -30,26 +31,36 @@ static const struct command_option PARAMS_OPTIONS[] = {
 	"share of the feed that is not crushed (models with +bypass)"},
     {.name = NULL}};
 
-static const struct command_option SET_OPTIONS[] = {
-    {"model", VALUE_CHOICE, "", 0, 0,
-	"grunditz grunditz-energy vogel grunditz+bypass grunditz-energy+bypass "
-	"vogel+bypass",
-	"", "breakage model of calibrations and of params set"},
-    {"method", VALUE_CHOICE, "", 0, 0, "continuous classes", "",
-	"how products are computed"},
-    {"appearance", VALUE_CHOICE, "", 0, 0, "ratio progeny_mm parent_mm", "",
-	"the size that Eq 1 is a function of"},
-    {"k", VALUE_NUMBER, "", 0.001, 1000, NULL, "", "number of impacts"},
-    {"threads", VALUE_WHOLE, "", 1, 64, NULL, "", "threads of a calibration"},
-    {"isa", VALUE_CHOICE, "", 0, 0, "baseline avx2 avx512 best", "",
-	"instruction set of a calibration; results are the same"},
-    {"format", VALUE_CHOICE, "", 0, 0, "table csv json markdown", "",
-	"form of the results"},
-    {"csv", VALUE_CHOICE, "", 0, 0, "comma semicolon", "",
-	"semicolon: decimal commas, for spreadsheets in Swedish or German"},
-    {"pager", VALUE_CHOICE, "", 0, 0, "on off", "",
-	"at the prompt, page what is taller than the screen"},
-    {.name = NULL}};
+#define AT(member) offsetof(struct choices, member)
+
+const struct setting SETTINGS[] = {
+    {{"model", VALUE_CHOICE, "", 0, 0,
+	 "grunditz grunditz-energy vogel grunditz+bypass "
+	 "grunditz-energy+bypass "
+	 "vogel+bypass",
+	 "grunditz", "breakage model of calibrations and of params set"},
+	AT(model.breakage)},
+    {{"method", VALUE_CHOICE, "", 0, 0, "continuous classes", "continuous",
+	 "how products are computed"},
+	AT(model.method)},
+    {{"appearance", VALUE_CHOICE, "", 0, 0, "ratio progeny_mm parent_mm",
+	 "ratio", "the size that Eq 1 is a function of"},
+	AT(model.appearance)},
+    {{"k", VALUE_NUMBER, "", 0.001, 1000, NULL, "1", "number of impacts"},
+	AT(model.k)},
+    {{"threads", VALUE_WHOLE, "", 1, 64, NULL, "",
+	 "threads of a calibration; else one for each processor"},
+	AT(threads)},
+    {{"format", VALUE_CHOICE, "", 0, 0, "table csv json markdown", "table",
+	 "form of the results"},
+	AT(format)},
+    {{"csv", VALUE_CHOICE, "", 0, 0, "comma semicolon", "comma",
+	 "semicolon: decimal commas, for spreadsheets in Swedish or German"},
+	AT(semicolon)},
+    {{"pager", VALUE_CHOICE, "", 0, 0, "on off", "on",
+	 "at the prompt, page what is taller than the screen"},
+	AT(unpaged)},
+    {.offset = 0}};
 
 static const struct command_option SEED_OPTIONS[] = {
     {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "",
@@ -85,8 +96,7 @@ const struct command TABLE_MODEL[] = {
     {.name = "set",
 	.brief = "show or change settings",
 	.flags = COMMAND_CHANGES | COMMAND_LOOKS,
-	.pairs = true,
-	.option = SET_OPTIONS,
+	.setting = SETTINGS,
 	.text = "Settings are written 'set method classes' or 'set "
 		"method=classes'. The method classes is the paper to the "
 		"letter; continuous, the default, is its limit for fine "

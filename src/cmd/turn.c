@@ -5,6 +5,7 @@
 
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -12,7 +13,6 @@
 #include "cmd/plots.h"
 #include "cmd/redirect.h"
 #include "cmd/script.h"
-#include "cmd/snapshot.h"
 #include "cmd/undo.h"
 #include "plot/picture.h"
 
@@ -25,11 +25,11 @@ struct turn {
 	int column;              /* of the redirection, or of the command */
 	char *label, *line;      /* as typed; for the journal */
 	struct snapshot *before; /* or NULL where it changes nothing */
-	struct mark mark;        /* the journal when it began */
+	size_t state;            /* of the journal when it began */
 	size_t steps;            /* that could be undone then */
 	bool stopped;            /* its calibration was, after */
 	size_t stopped_at;       /* so many steps */
-	struct error late;       /* of its job, or of handing over */
+	struct error late;       /* of handing over */
 	double started;
 	bool timed, running, saved;
 	size_t scripts; /* that were open when it began */
@@ -39,9 +39,10 @@ struct turn {
 static size_t
 file_option(const struct args *args)
 {
-	const struct command_option *o = args->command->option;
-	for (size_t i = 0; o != NULL && o[i].name != NULL; i++)
-		if (o[i].kind == VALUE_FILE && args->value[i].given)
+	const struct command_option *o;
+	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
+	     i++)
+		if (o->kind == VALUE_FILE && args->value[i].given)
 			return i;
 	return OPTIONS;
 }
@@ -58,7 +59,7 @@ check_safe(
 		    command->name);
 	else if (option < OPTIONS)
 		error_set(error, ERROR_USAGE, "%s= is off: it names a file",
-		    command->option[option].name);
+		    command_option_at(command, option)->name);
 	else if (words->to != TO_SCREEN)
 		error_set(error, ERROR_USAGE, "%s is off",
 		    words->to == TO_PIPE ? "a shell command"
@@ -88,6 +89,10 @@ can_take(const struct command *command, const struct words *words,
 			    words->target);
 	if (words->to == TO_PIPE || !picture_form_of(words->target, &form))
 		return true;
+	if (!picture_can(form))
+		return error_set(error, ERROR_USAGE,
+		    "this program draws %s, not %s\n> FILE.svg works",
+		    picture_forms(), strrchr(words->target, '.') + 1);
 	if (!(command->flags & COMMAND_DRAWS) &&
 	    text_choice(PLOT_KINDS, command->name, &kind))
 		return error_set(error, ERROR_USAGE,
@@ -136,7 +141,7 @@ turn_begin(struct session *s, const struct args *args,
 	}
 	t->label = journal_label(command, words);
 	t->line = journal_line(args, words);
-	t->mark = journal_mark(s);
+	t->state = journal_mark(s).state;
 	t->steps = undo_depth(s);
 	if (command->flags & COMMAND_CHANGES)
 		t->before = snapshot_take(s);
@@ -164,13 +169,6 @@ void
 turn_saved(struct session *s)
 {
 	s->turn->saved = true;
-}
-
-void
-turn_failed(struct session *s, const struct error *error)
-{
-	if (s->job.turn != NULL)
-		s->job.turn->late = *error;
 }
 
 /* True where its results go elsewhere, by itself or with its script. */
@@ -265,8 +263,7 @@ turn_end(struct session *s, bool ok, struct error *error)
 		ok = false;
 	}
 	if (changed)
-		undo_push(
-		    s, t->before, t->mark, t->steps, floor_of(t), t->label);
+		undo_push(s, t->before, t->steps, floor_of(t), t->label);
 	else
 		snapshot_free(t->before);
 	if (t->timed && s->set.timing)
@@ -274,7 +271,7 @@ turn_end(struct session *s, bool ok, struct error *error)
 		    session_clock() - t->started);
 	/* The commands of a script may have told of it already. */
 	if (changed && !(t->command->flags & COMMAND_LOOKS) &&
-	    journal_mark(s).state == t->mark.state)
+	    journal_mark(s).state == t->state)
 		journal_changed(s);
 	keep_turn(s, ok, t->saved);
 	turn_free(t);

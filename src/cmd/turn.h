@@ -34,10 +34,6 @@ void turn_adds(struct session *s, const char *option, const char *value);
  * the session as it then is. */
 void turn_saved(struct session *s);
 
-/* A file of the job could not be written. Its command does the rest, and then
- * ends with this error. */
-void turn_failed(struct session *s, const struct error *error);
-
 /* A command that only asked was done without a turn of its own: its line is
  * saved in the place of the one before of that name. */
 void turn_asked(struct session *s, const char *command, const char *line);

@@ -8,15 +8,101 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/origin.h"
+#include "cmd/settings.h"
 #include "cmd/table.h"
 
 enum { STEPS = 200 };
 
+/* Sites are borrowed: the session keeps every one to its end. */
+struct snapshot {
+	struct mark mark;
+	size_t n_entry, current;
+	struct entry *entry;
+	struct choices set;
+};
+
+static struct entry *
+copy_entries(const struct entry *from, size_t n)
+{
+	struct entry *to = xcalloc(n + 1, sizeof *to);
+	for (size_t i = 0; i < n; i++)
+		to[i] = entry_copy(&from[i]);
+	return to;
+}
+
+struct snapshot *
+snapshot_take(const struct session *s)
+{
+	struct snapshot *snapshot = xcalloc(1, sizeof *snapshot);
+	*snapshot = (struct snapshot){.mark = journal_mark(s),
+	    .n_entry = s->n_entry,
+	    .current = s->current,
+	    .entry = copy_entries(s->entry, s->n_entry),
+	    .set = s->set};
+	return snapshot;
+}
+
+void
+snapshot_free(struct snapshot *snapshot)
+{
+	if (snapshot == NULL)
+		return;
+	entries_free(snapshot->entry, snapshot->n_entry);
+	free(snapshot);
+}
+
+/* The session as it was then.  Its newest answers are forgotten. */
+static void
+snapshot_put(struct session *s, const struct snapshot *snapshot)
+{
+	entries_free(s->entry, s->n_entry);
+	s->entry = copy_entries(snapshot->entry, snapshot->n_entry);
+	s->n_entry = snapshot->n_entry;
+	s->current = snapshot->current;
+	s->set = snapshot->set;
+	session_forget(s);
+}
+
+bool
+snapshot_same_fit(const struct fit *a, const struct fit *b)
+{
+	return memcmp(&a->params, &b->params, sizeof a->params) == 0 &&
+	       a->misfit == b->misfit && a->stop == b->stop &&
+	       a->generations == b->generations &&
+	       a->evaluations == b->evaluations && a->seed == b->seed &&
+	       a->population == b->population;
+}
+
+static bool
+same_entry(const struct entry *a, const struct entry *b)
+{
+	return a->site == b->site && strcmp(a->key, b->key) == 0 &&
+	       memcmp(a->train, b->train, a->site->n_run * sizeof *a->train) ==
+		   0 &&
+	       a->has_params == b->has_params && a->has_fit == b->has_fit &&
+	       memcmp(&a->params, &b->params, sizeof a->params) == 0 &&
+	       origin_same(a->origin, b->origin) &&
+	       snapshot_same_fit(&a->fit, &b->fit);
+}
+
+bool
+snapshot_differs(const struct snapshot *snapshot, const struct session *s)
+{
+	if (snapshot->n_entry != s->n_entry ||
+	    snapshot->current != s->current ||
+	    !settings_same(&snapshot->set, &s->set))
+		return true;
+	for (size_t i = 0; i < s->n_entry; i++)
+		if (!same_entry(&snapshot->entry[i], &s->entry[i]))
+			return true;
+	return false;
+}
+
 struct step {
 	char *label;
 	struct snapshot *before, *after; /* after: of undone steps */
-	struct mark mark;
-	struct tail tail; /* of undone steps */
+	struct tail tail;                /* likewise */
 };
 
 /* The first `done` of the n steps can be undone, the others redone. */
@@ -61,8 +147,8 @@ undo_depth(const struct session *s)
 }
 
 void
-undo_push(struct session *s, struct snapshot *before, struct mark mark,
-    size_t depth, size_t floor, const char *label)
+undo_push(struct session *s, struct snapshot *before, size_t depth,
+    size_t floor, const char *label)
 {
 	struct undo *undo = s->undo;
 	cut_steps(undo, depth < undo->done ? depth : undo->done);
@@ -74,8 +160,8 @@ undo_push(struct session *s, struct snapshot *before, struct mark mark,
 		memmove(&undo->step[oldest], &undo->step[oldest + 1],
 		    (undo->n - oldest) * sizeof undo->step[0]);
 	}
-	undo->step[undo->n++] = (struct step){
-	    .label = xstrdup(label), .before = before, .mark = mark};
+	undo->step[undo->n++] =
+	    (struct step){.label = xstrdup(label), .before = before};
 	undo->done = undo->n;
 }
 
@@ -107,7 +193,7 @@ cmd_undo(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE, "nothing to undo");
 	struct step *step = &s->undo->step[--s->undo->done];
 	step->after = snapshot_take(s);
-	step->tail = journal_cut(s, step->mark);
+	step->tail = journal_cut(s, step->before->mark);
 	put(s, step->before);
 	session_note(s, "undone: %s", step->label);
 	return true;
@@ -120,7 +206,7 @@ cmd_redo(struct session *s, const struct args *args, struct error *error)
 	if (s->undo->done == s->undo->n)
 		return error_set(error, ERROR_USAGE, "nothing to redo");
 	struct step *step = &s->undo->step[s->undo->done++];
-	step->mark = journal_mark(s);
+	step->before->mark = journal_mark(s);
 	journal_paste(s, &step->tail);
 	put(s, step->after);
 	snapshot_free(step->after);

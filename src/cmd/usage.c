@@ -1,12 +1,12 @@
-/* The command line's words.
+/* The command line's words, and the command table's for people.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/usage.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/info.h"
 
 const struct usage_option USAGE_OPTIONS[] = {
     {'c', NULL, "CMD", NULL, "run the commands in CMD"},
@@ -41,6 +41,9 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
     {"TIPSPEED_PAGER",
 	"Program that shows results taller than the screen; empty: none."},
     {"PAGER", "The same, where TIPSPEED_PAGER is not set."},
+    {"TIPSPEED_ISA",
+	"Best instruction set that calibrations may use, for tests: baseline, "
+	"avx2 or avx512. The results are the same."},
     {"XDG_STATE_HOME",
 	"Folder of tipspeed/history, the lines typed at the prompt; else "
 	".local/state in HOME."},
@@ -77,6 +80,72 @@ const struct usage_word USAGE_STATUS[] = {
 	"it can then go on: continue."},
     {"143", "Ended by kill, after the best so far was printed."},
     {.name = NULL}};
+
+void
+usage_brief(const struct command *c, FILE *out)
+{
+	char *name = c->alias != NULL ? xasprintf("%s, %s", c->name, c->alias)
+				      : xstrdup(c->name);
+	fprintf(out, "  %-16s %s\n", name, c->brief);
+	free(name);
+}
+
+void
+usage_list(const char *group, FILE *out)
+{
+	const char *last = "";
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
+		const char *its = command_group(c);
+		if (group != NULL && strcmp(group, its) != 0)
+			continue;
+		if (strcmp(last, its) != 0)
+			fprintf(out, "%s\n", its);
+		last = its;
+		usage_brief(c, out);
+	}
+	fputs(
+	    "\nhelp COMMAND tells all about one, apropos WORD searches\n", out);
+}
+
+static void
+print_command_option(const struct command_option *o, FILE *out)
+{
+	char *text = command_option_words(o);
+	fprintf(out, "  %s\n", o->name);
+	text_wrap(text, 6, 78, out);
+	free(text);
+}
+
+void
+usage_example(const struct command *c, const char *margin, FILE *out)
+{
+	char *copy = xstrdup(c->example), *save = NULL;
+	for (char *line = strtok_r(copy, "\n", &save); line != NULL;
+	     line = strtok_r(NULL, "\n", &save))
+		fprintf(out, "%s%s\n", margin, line);
+	free(copy);
+}
+
+void
+usage_command(const struct command *c, FILE *out)
+{
+	char *usage = command_usage(c);
+	fprintf(out, "%s - %s\n\n", c->name, c->brief);
+	text_hang(usage, 2, 6, 78, out);
+	free(usage);
+	if (c->alias != NULL)
+		fprintf(out, "  also called %s\n", c->alias);
+	fputc('\n', out);
+	text_wrap(c->text, 2, 78, out);
+	const struct command_option *o;
+	for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++) {
+		if (i == 0)
+			fputs("\noptions\n", out);
+		print_command_option(o, out);
+	}
+	fputs("\nexample\n", out);
+	usage_example(c, "  ", out);
+}
 
 static void
 print_options(FILE *out)
@@ -118,7 +187,7 @@ usage_print(FILE *out)
 	    out);
 	print_options(out);
 	fputs("\ncommands\n", out);
-	info_list(NULL, out);
+	usage_list(NULL, out);
 	print_words("environment", USAGE_ENVIRONMENT, out);
 	print_words("exit status", USAGE_STATUS, out);
 }

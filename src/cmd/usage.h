@@ -6,6 +6,8 @@
 
 #include <stdio.h>
 
+#include "cmd/command.h"
+
 /* An option of the command line.  code: what getopt_long returns for it, the
  * letter where it has one.  argument: its name in usage, or NULL.  choices:
  * what the argument may be, between blanks, or NULL. */
@@ -33,6 +35,16 @@ struct usage_word {
 };
 
 extern const struct usage_word USAGE_ENVIRONMENT[], USAGE_STATUS[];
+
+/* The list of commands by group; of one group, or of all for NULL. */
+void usage_list(const char *group, FILE *out);
+
+/* A command in one line; all that the table says of it; the lines of its
+ * example, each behind the margin. */
+void usage_brief(const struct command *command, FILE *out);
+void usage_command(const struct command *command, FILE *out);
+void usage_example(
+    const struct command *command, const char *margin, FILE *out);
 
 /* The text of --help. */
 void usage_print(FILE *out);

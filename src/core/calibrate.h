@@ -11,7 +11,6 @@
 #include "core/isa.h"
 #include "core/params.h"
 #include "core/site.h"
-#include "core/visit.h"
 
 /* tolerance: the search ends when the median candidate's misfit is no more than
  * this share above the best one's; 0: never.  stall: it ends when the best has
@@ -93,12 +92,6 @@ struct calibrate_status {
 };
 
 struct calibrate_status calibration_status(const struct calibration *c);
-
-/* Walks through all that the result depends on, beside site and options: to
- * save it between two steps, or to restore it into a new calibration of the
- * same site and options, which then goes on to the same bits. The history is
- * not kept. */
-bool calibration_visit(struct calibration *c, const struct visit *visit);
 
 /* What is remembered of a generation.  p10, p90: middle 80 % of the values of
  * each parameter among the first few hundred candidates, a random sample. */

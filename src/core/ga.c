@@ -414,25 +414,3 @@ ga_spread(const struct ga *ga, size_t gene, double *p10, double *p90)
 	*p10 = kth(sample, n, n / 10);
 	*p90 = kth(sample, n, n - 1 - n / 10);
 }
-
-bool
-ga_visit(struct ga *ga, const struct visit *v)
-{
-	struct ga_status *s = &ga->status;
-	ga_ask(ga);
-	size_t whole[3] = {s->generation, s->evaluations, s->infinite};
-	double real[3] = {s->best, s->median, s->worst};
-	bool ok = v->whole(v->data, "generations", whole, 3) &&
-		  v->real(v->data, "misfits", real, 3) &&
-		  v->real(v->data, "best", ga->best, ga->n_gene);
-	s->generation = whole[0];
-	s->evaluations = whole[1];
-	s->infinite = whole[2];
-	s->best = real[0];
-	s->median = real[1];
-	s->worst = real[2];
-	for (size_t g = 0; ok && g < ga->n_gene; g++)
-		ok = v->real(
-		    v->data, "gene", ga->asked[g], ga->options.population);
-	return ok;
-}

@@ -8,7 +8,6 @@
 #include <stdint.h>
 
 #include "core/isa.h"
-#include "core/visit.h"
 
 /* Ask for candidates, evaluate them in any way, tell their misfits: that is one
  * generation.  Tournament selection, blend crossover, mutation, elitism.  The
@@ -58,9 +57,6 @@ void ga_tell(struct ga *ga, const double *misfit);
  * its misfit is INFINITY until the next ga_tell. To draw half of them anew
  * where the box has grown was tried: none came near the leaders. */
 void ga_set_box(struct ga *ga, const double *lower, const double *upper);
-
-/* Walks through all that the generations to come depend on. */
-bool ga_visit(struct ga *ga, const struct visit *visit);
 
 /* State after the last ga_tell, by value.  worst and median count infinite
  * misfits as such. */

@@ -70,7 +70,7 @@ struct model_settings {
 	enum method method;
 	enum appearance_form appearance;
 	double k;
-	size_t breakage;
+	unsigned breakage;
 };
 
 struct model_settings model_settings_default(void);

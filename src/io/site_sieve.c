@@ -10,9 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/sieve_names.h"
-
-/* The limits of a sieve, mm: what lies outside is a slip of the pen. */
-static const double FINEST = 1e-6, COARSEST = 1e4;
+#include "io/units.h"
 
 /* The words that may begin the table, letters only, with a unit behind. */
 static const char *const SIZE_WORDS[] = {"size", "sieve", "sievesize", "sikt",
@@ -108,7 +106,7 @@ site_sieve_mm(
 	if (!sheet_number(sheet, cell, wanted, &v))
 		return NAN;
 	double mm = site_column_round(v * unit, 1e9);
-	if ((mm >= FINEST && mm <= COARSEST) || v == 0)
+	if ((mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM) || v == 0)
 		return mm;
 	sheet_wanted(sheet, cell,
 	    v > 0 ? "a size from 1e-6 to 1e4 mm" : "a positive size", "%s",

@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/table3.h"
+#include "io/units.h"
 
 #define AT(member) offsetof(struct stored, member)
 #define BEYOND 1e300
@@ -21,7 +22,8 @@ const struct field FIELDS[FIELD_COUNT] = {
     {"name", FIELD_TEXT, AT(name), true, NULL, 0, 0},
     {"site", FIELD_TEXT, AT(site), true, NULL, 0, 0},
     {"rock", FIELD_TEXT, AT(rock), false, NULL, 0, 0},
-    {"top_size_mm", FIELD_NUMBER, AT(top_size_mm), false, NULL, 1e-3, 1e3},
+    {"top_size_mm", FIELD_NUMBER, AT(top_size_mm), false, NULL, SIZE_LEAST_MM,
+	SIZE_MOST_MM},
     {"machine", FIELD_TEXT, AT(machine), false, NULL, 0, 0},
     {"provenance", FIELD_TEXT, AT(provenance), false, NULL, 0, 0},
     {"site_digest", FIELD_TEXT, AT(site_digest), false, NULL, 0, 0},

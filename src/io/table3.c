@@ -10,6 +10,7 @@
 #include "core/breakage.h"
 #include "io/sheet.h"
 #include "io/textfile.h"
+#include "io/units.h"
 
 /* Made from data/table3.csv at build time: its rows without the remarks. */
 extern const char TABLE3_TEXT[];
@@ -20,21 +21,30 @@ enum { CELLS = 7, MOST_ROWS = 1000 };
 static bool
 read_row(struct sheet *sheet, const struct row *row, struct materials *m)
 {
-	static const char POSITIVE[] = "a number above 0";
 	struct material one = {0};
-	double *number[CELLS] = {NULL, NULL, &one.top_size_mm, &one.f_mat, NULL,
-	    &one.e0_min, &one.alpha};
+	const struct {
+		double *number, most;
+	} column[CELLS] = {[2] = {&one.top_size_mm, SIZE_MOST_MM},
+	    [3] = {&one.f_mat, F_MAT_MOST},
+	    [5] = {&one.e0_min, E0_MIN_MOST},
+	    [6] = {&one.alpha, ALPHA_MOST}};
 	if (row->n != CELLS)
 		return sheet_fault(sheet, row->cell[0],
 		    "%d cells were wanted, found %zu\n"
 		    "the columns are those of data/table3.csv; a sheet of "
 		    "sieves is for load",
 		    (int)CELLS, row->n);
-	for (size_t i = 0; i < CELLS; i++)
-		if (number[i] != NULL &&
-		    sheet_number(sheet, row->cell[i], POSITIVE, number[i]) &&
-		    *number[i] <= 0)
-			sheet_wanted(sheet, row->cell[i], POSITIVE, NULL);
+	for (size_t i = 0; i < CELLS; i++) {
+		double *number = column[i].number;
+		if (number == NULL)
+			continue;
+		char *wanted =
+		    xasprintf("a number above 0, up to %g,", column[i].most);
+		if (sheet_number(sheet, row->cell[i], wanted, number) &&
+		    !(*number > 0 && *number <= column[i].most))
+			sheet_wanted(sheet, row->cell[i], wanted, NULL);
+		free(wanted);
+	}
 	one.rock = xstrdup(row->cell[0].text);
 	one.site = xstrdup(row->cell[1].text);
 	one.feed_source = xstrdup(row->cell[4].text);

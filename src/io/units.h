@@ -3,6 +3,11 @@
 #ifndef TIPSPEED_IO_UNITS_H
 #define TIPSPEED_IO_UNITS_H
 
+/* Sizes of sieves and of what goes into a crusher; what lies outside is a slip
+ * of the pen. */
+#define SIZE_LEAST_MM 1e-6
+#define SIZE_MOST_MM 1e4
+
 #include <math.h>
 
 /* mm of a size in m; a size that came from a sheet gives its number back

@@ -2,12 +2,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plot/picture.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "config.h"
 #include "plot/pen.h"
 
 /* The page, in points: two columns of a journal wide. */
@@ -59,15 +61,30 @@ static const struct pen_paper WHITE = {.colour = 0xFFFFFF,
 	[SERIES_BREAK] = 0x555555,
 	[SERIES_CROSSHAIR] = 0x000000}};
 
+bool
+picture_can(enum picture_form form)
+{
+	return HAVE_CAIRO || form == PICTURE_SVG;
+}
+
+const char *
+picture_forms(void)
+{
+	return HAVE_CAIRO ? "svg, png, pdf" : "svg (built without cairo)";
+}
+
 struct pen *
 pen_open(enum picture_form form, double width, double height,
     const struct pen_paper *paper, const char *title, const char *about,
     FILE *out)
 {
-	return form == PICTURE_SVG
-		   ? pen_svg(width, height, paper, title, about, out)
-		   : pen_cairo(width, height, paper, title, about,
-			 form == PICTURE_PDF, out);
+#if HAVE_CAIRO
+	if (form != PICTURE_SVG)
+		return pen_cairo(width, height, paper, title, about,
+		    form == PICTURE_PDF, out);
+#endif
+	assert(form == PICTURE_SVG);
+	return pen_svg(width, height, paper, title, about, out);
 }
 
 static double

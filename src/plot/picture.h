@@ -13,6 +13,13 @@ enum picture_form { PICTURE_SVG, PICTURE_PNG, PICTURE_PDF };
  * for none. */
 bool picture_form_of(const char *path, enum picture_form *form);
 
+/* Whether this program can draw the form: it may have been built without cairo,
+ * which png and pdf need. */
+bool picture_can(enum picture_form form);
+
+/* The forms it can, in words. */
+const char *picture_forms(void);
+
 /* Writes the chart with axes, legend, notes and, at the foot, where the data
  * are from and what drew it (program: "tipspeed 0.1.0").  Ticks, marks and
  * dashes are those of chart_draw.  False when it cannot be drawn or written. */

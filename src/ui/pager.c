@@ -103,7 +103,7 @@ pager_show(struct pager *pager)
 	pager->shown = pager->n;
 	terminal_size(&rows, &columns);
 	const char *command = pager_command();
-	bool paged = pager->session->set.pager && !pager->session->safe &&
+	bool paged = !pager->session->set.unpaged && !pager->session->safe &&
 		     command[0] != '\0' && !terminal_is_dumb();
 	/* The prompt takes a row, too. */
 	bool tall = paged && !pump_ended() && count_rows(text, columns) >= rows;

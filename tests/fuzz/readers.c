@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers.h"
 
-#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +11,6 @@
 #include "base/xalloc.h"
 #include "cmd/script.h"
 #include "cmd/session.h"
-#include "io/checkpoint.h"
 #include "io/site_read.h"
 #include "io/site_write.h"
 #include "io/spec.h"
@@ -193,52 +191,9 @@ read_store(const char *path)
 	return ok;
 }
 
-/* A checkpoint whose site, options and digest are those that are wanted, so
- * that what stands between is read. */
-static bool
-read_checkpoint(const char *path)
-{
-	char *bytes = NULL, options[1024] = "";
-	size_t room = 0, n;
-	uint64_t site_digest = 0;
-	FILE *in = fopen(path, "rb");
-	ssize_t got = getdelim(&bytes, &room, '\0', in);
-	fclose(in);
-	n = got > 0 ? (size_t)got : 0;
-	char *end = n > 22 ? strstr(bytes + n - 22, "end ") : NULL;
-	n = end != NULL ? (size_t)(end - bytes) : n;
-	FILE *out = fopen(path, "wb");
-	fwrite(bytes, 1, n, out);
-	fprintf(out, "end %016" PRIx64 "\n",
-	    text_digest(TEXT_DIGEST_START, bytes, n));
-	fclose(out);
-	if (n > 0)
-		sscanf(bytes, "%*[^\n]\nsite %" SCNx64 "\noptions %1023[^\n]",
-		    &site_digest, options);
-	free(bytes);
-	struct site *site = small_site();
-	struct calibrate_options o = calibrate_options_default();
-	o.population = 20;
-	o.threads = 1;
-	bool *train = xcalloc(site->n_run, sizeof *train);
-	misfit_default_train(site, train);
-	o.train = train;
-	struct calibration *c = calibration_new(site, &o);
-	struct checkpoint_of of = {site_digest, options};
-	struct error error = {0};
-	bool ok = checkpoint_load(path, &of, c, &error);
-	for (int i = 0; ok && i < STEPS; i++)
-		calibration_step(c);
-	calibration_free(c);
-	free(train);
-	site_free(site);
-	return ok;
-}
-
 static const struct reader READERS[] = {{"sheet", read_sheet},
     {"table3", read_table3}, {"spec", read_spec}, {"materials", read_materials},
-    {"script", read_script}, {"init", read_init}, {"store", read_store},
-    {"checkpoint", read_checkpoint}};
+    {"script", read_script}, {"init", read_init}, {"store", read_store}};
 
 const struct reader *
 reader_find(const char *name)

@@ -17,7 +17,7 @@ static struct model_settings
 settings_of(size_t breakage, enum method method)
 {
 	struct model_settings settings = model_settings_default();
-	settings.breakage = breakage;
+	settings.breakage = (unsigned)breakage;
 	settings.method = method;
 	return settings;
 }
@@ -315,7 +315,7 @@ search_of(size_t m, const struct params *truth)
 	    .speed = speed};
 	struct site *site = synth_site(&synth);
 	struct calibrate_options o = calibrate_options_default();
-	o.settings.breakage = m;
+	o.settings.breakage = (unsigned)m;
 	o.bounds = bounds_default(m);
 	o.population = 2000;
 	o.train = train;

@@ -8,6 +8,7 @@
 
 #include "core/calibrate.h"
 #include "core/misfit.h"
+#include "core/sensitivity.h"
 
 static const double NOISE = 0.005;
 
@@ -397,6 +398,28 @@ a_step_that_is_stopped_is_made_anew(void **state)
 	site_free(site);
 }
 
+/* Half a per cent of the range from it is no bound. */
+static void
+near_a_bound_is_not_on_it(void **state)
+{
+	(void)state;
+	static const struct {
+		double alpha;
+		bool on;
+	} AT[] = {{1, true}, {1 - 5e-7, true}, {1 - 2e-6, false},
+	    {0.995, false}, {0.005, false}, {5e-7, true}, {0, true}};
+	struct bounds b = bounds_default(0);
+	struct params p = {.beta = {1000, 0, 0, 0}, .f_mat = 1};
+	assert_false(sensitivity_on_bound(&b, &p, 0));
+	for (size_t i = 0; i < ARRAY_LEN(AT); i++) {
+		p.alpha = AT[i].alpha;
+		assert_int_equal(
+		    sensitivity_on_bound(&b, &p, PARAM_ALPHA), AT[i].on);
+	}
+	b.lower[PARAM_ALPHA] = b.upper[PARAM_ALPHA] = p.alpha;
+	assert_false(sensitivity_on_bound(&b, &p, PARAM_ALPHA));
+}
+
 int
 main(void)
 {
@@ -409,6 +432,7 @@ main(void)
 	    cmocka_unit_test(the_result_never_gets_worse_in_the_polish),
 	    cmocka_unit_test(a_fit_says_where_it_is_from),
 	    cmocka_unit_test(bounds_hold_and_are_told),
+	    cmocka_unit_test(near_a_bound_is_not_on_it),
 	    cmocka_unit_test(other_runs_may_train),
 	    cmocka_unit_test(weights_of_runs_and_sieves_count),
 	    cmocka_unit_test(classes_are_calibrated_too),

@@ -48,8 +48,8 @@ words_for_people_are_there(void **state)
 		assert_true(
 		    (c->operands.most > 0) == (c->operands.usage != NULL));
 		assert_non_null(c->run);
-		const struct command_option *o = c->option;
-		for (; o != NULL && o->name != NULL; o++)
+		const struct command_option *o;
+		for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++)
 			assert_true(o->brief[0] != '\0' &&
 				    o->brief[strlen(o->brief) - 1] != '.');
 	}
@@ -61,16 +61,16 @@ options_are_in_order(void **state)
 	(void)state;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		size_t n = 0;
-		const struct command_option *o = c->option;
-		for (; o != NULL && o[n].name != NULL; n++) {
-			assert_int_equal(command_option_index(c, o[n].name), n);
-			bool choice = o[n].kind == VALUE_CHOICE;
-			bool words = o[n].choices != NULL;
+		const struct command_option *o;
+		for (; (o = command_option_at(c, n)) != NULL; n++) {
+			assert_int_equal(command_option_index(c, o->name), n);
+			bool choice = o->kind == VALUE_CHOICE;
+			bool words = o->choices != NULL;
 			assert_true(
-			    choice ? words : !words || o[n].kind == VALUE_TEXT);
-			bool limits = !choice && o[n].kind < VALUE_FILE;
-			assert_true(!limits || o[n].least < o[n].most);
-			assert_non_null(o[n].unit);
+			    choice ? words : !words || o->kind == VALUE_TEXT);
+			bool limits = !choice && o->kind < VALUE_FILE;
+			assert_true(!limits || o->least < o->most);
+			assert_non_null(o->unit);
 		}
 		assert_true(n <= OPTIONS);
 		assert_int_equal(command_option_index(c, "none"), OPTIONS);
@@ -85,8 +85,8 @@ fallbacks_are_valid(void **state)
 {
 	(void)state;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		const struct command_option *o = c->option;
-		for (; o != NULL && o->name != NULL; o++) {
+		const struct command_option *o;
+		for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++) {
 			if (o->fallback[0] == '\0')
 				continue;
 			const char *operands = call_operands(c);
@@ -166,8 +166,8 @@ usage_names_operands_and_options(void **state)
 		assert_true(strncmp(usage, c->name, strlen(c->name)) == 0);
 		if (c->operands.usage != NULL)
 			assert_non_null(strstr(usage, c->operands.usage));
-		const struct command_option *o = c->option;
-		for (; o != NULL && o->name != NULL; o++) {
+		const struct command_option *o;
+		for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++) {
 			char *key = xasprintf("[%s=", o->name);
 			assert_non_null(strstr(usage, key));
 			free(key);

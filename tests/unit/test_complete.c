@@ -93,12 +93,12 @@ every_option_is_offered_once(void **state)
 {
 	struct desk *desk = *state;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		const struct command_option *o = c->option;
-		for (; o != NULL && o->name != NULL; o++) {
+		const struct command_option *o;
+		for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++) {
 			char *line = xasprintf("%s ", c->name);
 			char *given = xasprintf("%s %s=1 ", c->name, o->name);
-			char *wanted =
-			    xasprintf("%s%s", o->name, c->pairs ? " " : "=");
+			char *wanted = xasprintf(
+			    "%s%s", o->name, c->setting != NULL ? " " : "=");
 			assert_true(offers(desk, line, wanted));
 			assert_false(offers(desk, given, wanted));
 			free(line);
@@ -115,8 +115,8 @@ every_choice_is_offered(void **state)
 {
 	struct desk *desk = *state;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		const struct command_option *o = c->option;
-		for (; o != NULL && o->name != NULL; o++) {
+		const struct command_option *o;
+		for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++) {
 			if (o->kind != VALUE_CHOICE)
 				continue;
 			char *line = xasprintf("%s %s=", c->name, o->name);
@@ -275,9 +275,9 @@ files_and_folders(void **state)
 	desk->session->safe = false;
 	expect(desk, "load new", 5, "");
 	expect(desk, "load nowhere/", 5, "");
-	expect(desk, "calibrate log=b", 14, "bro.csv ");
-	expect(desk, "calibrate log=\"my q", 14, "\"my quarry.csv\" ");
-	expect(desk, "calibrate log=a=", 14, "a=b,c ");
+	expect(desk, "find spec=b", 10, "bro.csv ");
+	expect(desk, "find spec=\"my q", 10, "\"my quarry.csv\" ");
+	expect(desk, "find spec=a=", 10, "a=b,c ");
 	expect(desk, "write replace=on b", 17, "bro.csv ");
 	for (size_t i = 0; i < ARRAY_LEN(names); i++)
 		unlink(names[i]);

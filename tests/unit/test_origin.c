@@ -117,6 +117,24 @@ a_shared_fit_has_a_band_for_each_site(void **state)
 	assert_true(low[0][0] != low[1][0]);
 }
 
+/* The last band is kept: not for another feed at the same speed. */
+static void
+each_feed_has_its_own_band(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	desk_expect(desk, "synth data/table3.csv site=Umea seed=3; calibrate");
+	const struct entry *entry = session_entry(s);
+	for (size_t feed = 0; feed < entry->site->n_run; feed++) {
+		struct prediction p = answers_predict(s, entry, 74, feed);
+		const struct band *band = doubt_band(s, entry, &p);
+		for (size_t i = 0; i < p.product.n; i++)
+			assert_true(band->low[i] <= p.product.passing[i] &&
+				    p.product.passing[i] <= band->high[i]);
+		prediction_free(&p);
+	}
+}
+
 static void
 undo_and_redo_carry_the_origin(void **state)
 {
@@ -183,6 +201,7 @@ main(void)
 	    at_desk(a_guess_beyond_its_materials_says_so),
 	    at_desk(parameters_keep_their_origin_in_use_by_another),
 	    at_desk(a_shared_fit_has_a_band_for_each_site),
+	    at_desk(each_feed_has_its_own_band),
 	    at_desk(undo_and_redo_carry_the_origin),
 	    at_desk(a_fit_of_few_cells_is_not_judged),
 	};

@@ -128,7 +128,7 @@ misfit_is_a_sum_of_weighted_squares(void **state)
 	slow->product_sd = xdoubles(slow->product.n);
 	for (size_t i = 0; i < slow->product.n; i++)
 		slow->product_sd[i] = 0.01 + 0.001 * (double)i;
-	double plain = 0, by_sd = 0, n = 0, passing[20];
+	double plain = 0, by_sd = 0, of_feed = 0, n = 0, passing[20];
 	for (size_t r = 0; r < 3; r += 2) {
 		const struct run *run = &site->run[r];
 		naive_continuous(&run->feed, run->product.size, run->product.n,
@@ -138,6 +138,9 @@ misfit_is_a_sum_of_weighted_squares(void **state)
 			double sd = r == 0 ? run->product_sd[i] : 1;
 			plain += d * d;
 			by_sd += weight[r] * (d / sd) * (d / sd);
+			d = run->product.passing[i] -
+			    psd_passing(&run->feed, run->product.size[i]);
+			of_feed += weight[r] * (d / sd) * (d / sd);
 		}
 	}
 	struct model_settings settings = model_settings_default();
@@ -148,6 +151,7 @@ misfit_is_a_sum_of_weighted_squares(void **state)
 	misfit_free(m);
 	m = misfit_new(site, train, weight, true, settings);
 	expect_near("by sd", misfit_at(m, &p), by_sd, 1e-4 * by_sd);
+	expect_near("of feed", misfit_of_feed(m), of_feed, 1e-9 * of_feed);
 	expect_near("rmse", misfit_rmse(m, &p), sqrt(plain / n), 1e-6);
 	misfit_free(m);
 	site_free(site);

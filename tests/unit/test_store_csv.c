@@ -81,7 +81,7 @@ faults_of_an_import_have_their_place(void **state)
 	    {"\na,", "\n,", 2, 1, "name was wanted"},
 	    {"\na,", "\ntable3/a,", 2, 1, "# or table3/"},
 	    {"\na,", "\nA,", 2, 1, "the store has 'A' already"},
-	    {"alpha", "gamma", 1, 103, "the name of a column"},
+	    {"alpha", "delta", 1, 103, "the name of a column"},
 	    {"continuous", "exact", 2, 48, "one of: continuous classes"},
 	    {"continuous,ratio,1,,,,,,,,,", "continuous,ratio,1,,,,-3,,,,,", 2,
 		70, "a whole number"},

@@ -3,7 +3,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cmd/snapshot.h"
+#include "cmd/settings.h"
+#include "cmd/table.h"
 #include "cmd/undo.h"
 #include "desk.h"
 
@@ -34,9 +35,8 @@ every_change_is_undone_and_done_again(void **state)
 	    "calibrate population=64 generations=3 train=69,74",
 	    "calibrate all population=64 generations=2", "bounds alpha 0.5",
 	    "bounds default", "set method classes", "set k 2 threads 3",
-	    "set format csv csv semicolon", "set isa baseline", "set pager off",
-	    "timing on", "seed 5",
-	    "load data/sites/gavle-4.csv data/sites/gavle-11.2.csv",
+	    "set format csv csv semicolon", "set pager off", "timing on",
+	    "seed 5", "load data/sites/gavle-4.csv data/sites/gavle-11.2.csv",
 	    "synth data/table3.csv site=Bro", "load data/sites/tierp.csv",
 	    "drop gavle/4", "drop tierp", "reset"};
 	for (size_t i = 0; i < ARRAY_LEN(lines); i++) {
@@ -112,10 +112,49 @@ undo_takes_back_the_newest_setting(void **state)
 	struct desk *desk = *state;
 	desk_expect(desk, "seed 7; set pager off; undo");
 	assert_int_equal(desk->session->set.seed, 7);
-	assert_true(desk->session->set.pager);
+	assert_int_equal(desk->session->set.unpaged, 0);
 	desk_expect(desk, "set pager off; timing on; reset");
-	assert_true(desk->session->set.pager);
+	assert_int_equal(desk->session->set.unpaged, 0);
 	assert_false(desk->session->set.timing);
+}
+
+static void
+expect_setting(const struct desk *desk, const struct setting *row,
+    const char *want, const char *after)
+{
+	char *text = settings_text(row, &desk->session->set);
+	if (strcmp(text, want) != 0)
+		fail_msg("%s is %s after %s", row->option.name, text, after);
+	free(text);
+}
+
+static void
+every_setting_is_set_undone_and_reset(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "version");
+	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
+		const struct command_option *o = &r->option;
+		char *first = settings_text(r, desk->session->first);
+		char *other = o->kind == VALUE_CHOICE
+				  ? xstrdup(strrchr(o->choices, ' ') + 1)
+				  : xasprintf("%g", o->most);
+		char *line = xasprintf("set %s %s", o->name, other);
+		assert_string_not_equal(first, other);
+		desk_expect(desk, line);
+		expect_setting(desk, r, other, "set");
+		desk_expect(desk, "undo");
+		expect_setting(desk, r, first, "undo");
+		desk_expect(desk, "redo");
+		expect_setting(desk, r, other, "redo");
+		desk_expect(desk, "reset");
+		expect_setting(desk, r, first, "reset");
+		if (o->fallback[0] != '\0')
+			assert_string_equal(o->fallback, first);
+		free(first);
+		free(other);
+		free(line);
+	}
 }
 
 static void
@@ -208,6 +247,7 @@ main(void)
 	    at_desk(a_hundred_steps_can_be_undone),
 	    at_desk(a_new_change_empties_redo),
 	    at_desk(undo_takes_back_the_newest_setting),
+	    at_desk(every_setting_is_set_undone_and_reset),
 	    at_desk(a_load_that_fails_half_way_is_one_step),
 	    at_desk(undo_gives_back_the_former_fit),
 	    at_desk(undo_lets_go_of_a_stopped_calibration),
