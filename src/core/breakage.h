@@ -125,7 +125,17 @@ void breaker_at(struct breaker *b, double v);
 		    "size dependency of breakage"            \
 	}
 
-/* The kernel's functions of a model, which breakage_all.h defines. */
+/* The kernel's functions of a model, which breakage_all.h defines; what only
+ * prints the tables has none. */
+#ifdef TABLES_ONLY
+#define KERNELS(model) struct breakage
+#define KERNEL_ROW(model) \
+	{                 \
+		{         \
+			0 \
+		}         \
+	}
+#else
 #define KERNELS(model)                                       \
 	kernel_block model##_block_base, model##_block_avx2, \
 	    model##_block_avx512;                            \
@@ -138,5 +148,7 @@ void breaker_at(struct breaker *b, double v);
 			model##_block_avx512, model##_bins_avx512 \
 		}                                                 \
 	}
+
+#endif
 
 #endif
