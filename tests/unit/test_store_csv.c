@@ -74,19 +74,19 @@ faults_of_an_import_have_their_place(void **state)
 		const char *old, *new;
 		int line, column;
 		const char *words;
-	} faults[] = {{"2.18", "many", 2, 32, "a number from 0 to 10000"},
-	    {"2.18", "-1", 2, 32, "a number from 0 to 10000"},
-	    {"2.18", "", 2, 32, "f_mat was wanted"},
+	} faults[] = {{"2.18", "many", 2, 41, "a number from 0 to 10000"},
+	    {"2.18", "-1", 2, 41, "a number from 0 to 10000"},
+	    {"2.18", "", 2, 41, "f_mat was wanted"},
 	    {"hand", "magic", 2, 16, "one of: fit hand"},
 	    {"\na,", "\n,", 2, 1, "name was wanted"},
 	    {"\na,", "\ntable3/a,", 2, 1, "# or table3/"},
 	    {"\na,", "\nA,", 2, 1, "the store has 'A' already"},
-	    {"alpha", "delta", 1, 103, "the name of a column"},
-	    {"continuous", "exact", 2, 48, "one of: continuous classes"},
+	    {"alpha", "delta", 1, 109, "the name of a column"},
+	    {"continuous", "exact", 2, 57, "one of: continuous classes"},
 	    {"continuous,ratio,1,,,,,,,,,", "continuous,ratio,1,,,,-3,,,,,", 2,
-		70, "a whole number"},
+		79, "a whole number"},
 	    {"continuous,ratio,1,,,,,,,,,",
-		"continuous,ratio,1,,,,,,,,,2026-02-30", 2, 75, "a date"}};
+		"continuous,ratio,1,,,,,,,,,2026-02-30", 2, 84, "a date"}};
 	for (size_t i = 0; i < ARRAY_LEN(faults); i++)
 		expect_fault(shelf, faults[i].old, faults[i].new,
 		    faults[i].line, faults[i].column, faults[i].words);
