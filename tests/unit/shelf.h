@@ -49,6 +49,17 @@ close_shelf(void **state)
 	return 0;
 }
 
+static inline char *
+contents(const char *path)
+{
+	char *text = xcalloc(100000, 1);
+	FILE *file = fopen(path, "r");
+	assert_non_null(file);
+	assert_true(fread(text, 1, 99999, file) > 0);
+	fclose(file);
+	return text;
+}
+
 static inline void
 put_text(struct stored *m, const char *name, const char *text)
 {
@@ -163,6 +174,16 @@ write_file(const char *path, long offset, const char *bytes, size_t n)
 static inline int
 shelf_run(const struct CMUnitTest *tests, size_t n)
 {
+	/* Each test ends in another folder. */
+	const char *srcdir = getenv("srcdir");
+	char here[4096];
+	assert_non_null(getcwd(here, sizeof here));
+	char *absolute =
+	    srcdir != NULL && srcdir[0] == '/'
+		? xstrdup(srcdir)
+		: xasprintf("%s/%s", here, srcdir != NULL ? srcdir : ".");
+	setenv("srcdir", absolute, 1);
+	free(absolute);
 	struct CMUnitTest *own = xcalloc(n, sizeof *own);
 	for (size_t i = 0; i < n; i++)
 		own[i] = (struct CMUnitTest){tests[i].name, tests[i].test_func,

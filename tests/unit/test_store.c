@@ -149,6 +149,28 @@ an_older_schema_is_brought_up_to_date(void **state)
 	stored_list_free(&all);
 }
 
+/* A store that 0.1.0 made at schema 2: a digest that no longer holds would make
+ * reading it fail. */
+static void
+a_store_of_0_1_0_is_brought_up_to_date(void **state)
+{
+	struct shelf *shelf = *state;
+	char *path = xasprintf("%s/tests/golden/store-2.sql", getenv("srcdir"));
+	char *sql = contents(path);
+	meddle(shelf, sql);
+	struct stored_list all = list(shelf);
+	assert_int_equal(all.n, 2);
+	const struct params *hand = &all.item[0].params;
+	assert_string_equal(all.item[1].name, "Tierp, May");
+	assert_string_equal(all.item[1].note, "from 0.1.0");
+	assert_int_equal(hand->breakage, 0);
+	assert_true(hand->beta[1] == 1.0 / 3 && hand->beta[3] == 1e-17);
+	assert_true(hand->f_mat == 2.18 && hand->alpha == 0.1 * 3);
+	stored_list_free(&all);
+	free(sql);
+	free(path);
+}
+
 /* A step that fails leaves the file as it was. */
 static void
 a_failed_migration_changes_nothing(void **state)
@@ -384,6 +406,7 @@ main(void)
 	    cmocka_unit_test(the_default_place_is_made_for_this_user_alone),
 	    cmocka_unit_test(an_older_schema_is_brought_up_to_date),
 	    cmocka_unit_test(a_failed_migration_changes_nothing),
+	    cmocka_unit_test(a_store_of_0_1_0_is_brought_up_to_date),
 	    cmocka_unit_test(a_newer_schema_is_refused),
 	    cmocka_unit_test(another_programs_database_is_refused),
 	    cmocka_unit_test(a_file_that_is_none_is_refused),

@@ -4,17 +4,6 @@
 
 #include "io/store_csv.h"
 
-static char *
-contents(const char *path)
-{
-	char *text = xcalloc(100000, 1);
-	FILE *file = fopen(path, "r");
-	assert_non_null(file);
-	assert_true(fread(text, 1, 99999, file) > 0);
-	fclose(file);
-	return text;
-}
-
 static void
 export_and_import_go_round(void **state)
 {
