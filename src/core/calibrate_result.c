@@ -7,12 +7,14 @@
 #include "base/xalloc.h"
 #include "core/sensitivity.h"
 
-/* Batches polished so far; the last of the starts may be a short one. */
-static size_t
-batches(const struct calibration *c)
+/* The best so far: of a first phase, where the search has found none better. */
+static struct params
+best_of(const struct calibration *c, double searched)
 {
-	size_t starts = c->done < c->n_start ? c->done : c->n_start;
-	return (starts + BATCH - 1) / BATCH + (c->done - starts) / BATCH;
+	bool search = c->state == CALIBRATE_SEARCHING;
+	return search && !(c->best_misfit < searched)
+		   ? calibration_search_best(c)
+		   : c->best;
 }
 
 struct calibrate_status
@@ -21,7 +23,7 @@ calibration_status(const struct calibration *c)
 	struct ga_status s = ga_status(c->ga);
 	struct calibrate_status status = {.state = c->state,
 	    .generation = s.generation,
-	    .step = s.generation + batches(c),
+	    .step = s.generation + calibration_batches(c),
 	    .evaluations = c->evaluations,
 	    .stall = c->stall,
 	    .infinite = s.infinite,
@@ -30,9 +32,7 @@ calibration_status(const struct calibration *c)
 	    .worst = s.worst,
 	    .starts_done = c->done,
 	    .starts = c->n_start,
-	    .params = c->state == CALIBRATE_SEARCHING
-			  ? calibration_search_best(c)
-			  : c->best};
+	    .params = best_of(c, s.best)};
 	/* Other bounds, and nothing judged within them yet. */
 	if (isinf(status.best) && s.generation > 0)
 		status.best = misfit_at(c->misfit, &status.params);
@@ -50,9 +50,7 @@ struct fit
 calibration_fit(struct calibration *c)
 {
 	struct ga_status s = ga_status(c->ga);
-	struct params p = c->state == CALIBRATE_SEARCHING
-			      ? calibration_search_best(c)
-			      : c->best;
+	struct params p = best_of(c, s.best);
 	struct fit fit = {.misfit = misfit_at(c->misfit, &p),
 	    .rmse = misfit_rmse(c->misfit, &p),
 	    .feed_misfit = misfit_of_feed(c->misfit),

@@ -14,7 +14,7 @@
 
 enum {
 	SCOUTS = 16,             /* leaders kept of each early generation */
-	STARTS = 2 * SCOUTS + 1, /* and the best of the last */
+	STARTS = 2 * SCOUTS + 2, /* and the bests of the two phases */
 	BATCH = 8,               /* starts or hops polished side by side */
 	LEADERS = 64,            /* spread over this many */
 	POLISH_STEPS = 300,
@@ -50,6 +50,11 @@ struct calibration {
 	atomic_bool stopped; /* the present step */
 	size_t stall, evaluations;
 	size_t edits, edited_at; /* of the bounds; generation of the last */
+	/* A larger model is calibrated as the smaller one first. */
+	bool nested;
+	struct bounds box; /* of the present phase */
+	size_t phase_from; /* generation that it began at, */
+	size_t batches;    /* and what was polished before it */
 	double stall_from;
 	struct params start[STARTS];
 	size_t n_start, done, hops, fruitless;
@@ -58,6 +63,15 @@ struct calibration {
 	struct params best;
 	double best_misfit; /* accurate; INFINITY during the search */
 };
+
+/* Batches polished so far; the last of the starts may be a short one. */
+static inline size_t
+calibration_batches(const struct calibration *c)
+{
+	size_t starts = c->done < c->n_start ? c->done : c->n_start;
+	return c->batches + (starts + BATCH - 1) / BATCH +
+	       (c->done - starts) / BATCH;
+}
 
 /* The best candidate of the search so far. */
 static inline struct params

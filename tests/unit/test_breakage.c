@@ -349,6 +349,44 @@ each_model_finds_its_own_products(void **state)
 	}
 }
 
+static double
+fitted(const struct site *site, size_t m, uint64_t seed)
+{
+	struct calibrate_options o = calibrate_options_default();
+	o.settings.breakage = (unsigned)m;
+	o.bounds = bounds_default(m);
+	o.population = 2000;
+	o.seed = seed;
+	struct calibration *c = calibration_new(site, &o);
+	while (calibration_step(c) < CALIBRATE_TOLERANCE)
+		;
+	double misfit = calibration_fit(c).misfit;
+	calibration_free(c);
+	return misfit;
+}
+
+/* Found where it was not so: gamma at its bound, three times the misfit. */
+static void
+a_larger_model_fits_no_worse(void **state)
+{
+	(void)state;
+	static const char *const PAIR[][2] = {{"grunditz", "grunditz-energy"},
+	    {"grunditz", "grunditz+bypass"}, {"vogel", "vogel+bypass"},
+	    {"grunditz", "grunditz-energy+bypass"}};
+	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 9);
+	for (size_t i = 0; i < ARRAY_LEN(PAIR); i++)
+		for (uint64_t seed = 1; seed <= 2; seed++) {
+			double small =
+			    fitted(site, breakage_find(PAIR[i][0]), seed);
+			double large =
+			    fitted(site, breakage_find(PAIR[i][1]), seed);
+			if (!(large <= small * (1 + 1e-6)))
+				fail_msg("%s, seed %d: %g, %s %g", PAIR[i][1],
+				    (int)seed, large, PAIR[i][0], small);
+		}
+	site_free(site);
+}
+
 /* What other files rely on. */
 static void
 rows_are_whole(void **state)
@@ -384,6 +422,7 @@ main(void)
 	    cmocka_unit_test(derivatives_match_differences),
 	    cmocka_unit_test(the_search_sees_the_same_misfit),
 	    cmocka_unit_test(extensions_at_zero_change_nothing),
-	    cmocka_unit_test(each_model_finds_its_own_products)};
+	    cmocka_unit_test(each_model_finds_its_own_products),
+	    cmocka_unit_test(a_larger_model_fits_no_worse)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
