@@ -99,12 +99,13 @@ cumulate_parts(struct appearance *a)
 		a->log_upper[i] = el_log(a->upper[i]);
 		for (size_t b = 0; b < 4; b++) {
 			double before = i > 0 ? a->full[i - 1][b] : 0;
-			a->base[i][b] =
-			    before -
+			double from =
 			    appearance_power(b, a->log_lower[i], a->lower[i]);
-			a->full[i][b] =
-			    a->base[i][b] +
+			double to =
 			    appearance_power(b, a->log_upper[i], a->upper[i]);
+			a->base[i][b] = before - from;
+			a->full[i][b] = a->base[i][b] + to;
+			a->whole[b] += to - from;
 		}
 	}
 }

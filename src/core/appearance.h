@@ -31,6 +31,7 @@ struct appearance {
 	/* For appearance_parts: what they are at the piece's upper end, and at
 	 * its lower end less the primitive there. */
 	double full[APPEARANCE_PIECES][4], base[APPEARANCE_PIECES][4];
+	double whole[4]; /* at u = 1 */
 };
 
 /* Cannot fail. */

@@ -62,7 +62,7 @@ grunditz_finer(const struct breaker *b, double log_u, double *d)
 		return B;
 	double scale = 1 / (a->total * params_gauge(&b->p));
 	for (size_t i = 0; i < 4; i++)
-		d[i] += (parts[i] - B * a->full[a->n - 1][i]) * scale;
+		d[i] += (parts[i] - B * a->whole[i]) * scale;
 	return B;
 }
 

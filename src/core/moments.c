@@ -181,7 +181,7 @@ moments_product(struct continuous *c, double *passing, double *d_passing)
 {
 	const struct appearance *a = appearance_in(c);
 	size_t n_shape = d_passing != NULL ? SHAPES : 1;
-	const double *T = a->n > 0 ? a->full[a->n - 1] : (double[4]){0};
+	const double *T = a->whole;
 	integrate_all(c, n_shape);
 	double total = combined(a, T);
 	for (size_t i = 0; i < c->n_sieve; i++) {
