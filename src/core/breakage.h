@@ -8,10 +8,25 @@
 #define TIPSPEED_CORE_BREAKAGE_H
 
 #include <stdalign.h>
+#include <stdint.h>
 
 #include "core/isa.h"
 #include "core/params.h"
-#include "core/plan.h"
+
+struct plan;
+
+/* A model's part of the search, see kernel_body.h.  Evaluates KERNEL_LANES
+ * candidates, those of the indices, and puts each misfit in its place; theta:
+ * one array a parameter of the model.  calm: all are, see KERNEL_BINS. */
+typedef void kernel_block(const struct plan *plan, const double *const *theta,
+    const uint32_t *index, bool calm, double *scratch, double *misfit);
+
+/* Which of the candidates first..first+KERNEL_LANES-1 belong together: a bin of
+ * ln x* at the mean energy for each, plus KERNEL_BINS for the calm ones, whose
+ * S rises so slowly that fewer Gauss points do. */
+enum { KERNEL_LANES = 8, KERNEL_BINS = 256 };
+typedef void kernel_bins(const struct plan *plan, const double *const *theta,
+    size_t first, uint16_t *bin);
 
 /* Parameters at a tip speed, made ready by breaker_at: what a model works out
  * once for them lies in own. */
@@ -91,6 +106,16 @@ double params_value(const struct params *p, const char *name);
 /* Every parameter at its start. */
 struct params params_start(size_t breakage);
 
+/* Specific energy of a particle thrown at tip speed v.
+ *   E = v^2 / 2
+ * v rotor tip speed, m/s.  Returns J/kg.   Source: paper Eq 4. */
+double energy_specific(double v);
+
+/* Break size x*: the smallest size that can break at tip speed v, as the
+ * parameters' model has it.
+ * v m/s.  Returns m: 0 where every size breaks, INFINITY where none does. */
+double params_break_size(const struct params *p, double v);
+
 /* The largest absolute value of the parameters in the gauge; 0 without. */
 double params_gauge(const struct params *p);
 
@@ -99,6 +124,12 @@ double params_gauge(const struct params *p);
 void params_scale(struct params *p);
 
 struct bounds bounds_default(size_t breakage);
+
+struct model_settings model_settings_default(void);
+
+/* Whether the same parameters give the same products. */
+bool model_settings_same(
+    const struct model_settings *a, const struct model_settings *b);
 
 /* Makes b ready for parameters and k, at a tip speed (m/s). */
 void breaker_set(struct breaker *b, const struct params *p, double k);

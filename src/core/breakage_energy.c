@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 #include "core/appearance.h"
 #include "core/elementary.h"
-#include "core/grunditz.h"
+#include "core/breakage_grunditz.h"
 
 enum { GAMMA = 7, E_REF };
 

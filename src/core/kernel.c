@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/breakage.h"
 
 struct kernel {
 	struct plan plan;

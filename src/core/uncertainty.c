@@ -14,7 +14,6 @@
 
 #include "base/xalloc.h"
 #include "core/elementary.h"
-#include "core/energy.h"
 #include "core/plausible.h"
 #include "core/product.h"
 #include "core/rng.h"
@@ -150,7 +149,7 @@ sizes_of(const struct params *p, const struct psd *product, double v,
 		double x = psd_size(product, PSD_PASSING[i]);
 		size[i] = isfinite(x) ? x : 0;
 	}
-	size[BREAK] = energy_break_size(p, v);
+	size[BREAK] = params_break_size(p, v);
 }
 
 struct band

@@ -7,8 +7,8 @@
 #include "made.h"
 #include "naive.h"
 
+#include "core/breakage.h"
 #include "core/calibrate.h"
-#include "core/energy.h"
 #include "core/selection.h"
 
 enum { SIEVES = 16 };

@@ -1,12 +1,9 @@
 /* What the paper's model shares with grunditz-energy.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_GRUNDITZ_H
-#define TIPSPEED_CORE_GRUNDITZ_H
+#ifndef TIPSPEED_CORE_BREAKAGE_GRUNDITZ_H
+#define TIPSPEED_CORE_BREAKAGE_GRUNDITZ_H
 
 #include "core/breakage.h"
-
-/* Index of f_mat, which e0_min and alpha follow. */
-enum { GRUNDITZ_F_MAT = 4 };
 
 #define GRUNDITZ_BETA                                                  \
 	{"beta1", "-", -1000, 1000, -BETA_MOST, BETA_MOST, 0,          \
