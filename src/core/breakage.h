@@ -49,10 +49,11 @@ struct breakage {
 	size_t gauge;
 	const char *gauge_name;
 	/* The parameter that a calibration sets to the mean specific energy of
-	 * the training runs; n: none. */
+	 * the training runs; PARAMS_MOST: none. */
 	size_t reference;
-	bool bypass; /* the last parameter is the bypass share (D14) */
-	bool forms;  /* Eq 1 may be a function of other sizes than u (D3) */
+	size_t strength; /* index of f_mat, which e0_min and alpha follow */
+	bool bypass;     /* the last parameter is the bypass share (D14) */
+	bool forms;      /* Eq 1 may be a function of other sizes than u (D3) */
 
 	/* Works out what own holds; p, k, v and E are set. */
 	void (*prepare)(struct breaker *b);
@@ -143,18 +144,18 @@ void breaker_at(struct breaker *b, double v);
 		    "share of the feed that goes round the rotor" \
 	}
 
-/* The rows of Eq 3, in the order that selection.h wants.  lower, upper: Table 2
- * of the paper, whose text says six variables where there are seven (departure
- * D7). */
-#define SELECTION_PARAMETERS                                 \
-	{"f_mat", "kg/(J m)", 0.001, 3, 0, F_MAT_MOST, NAN,  \
-	    "material: a higher one breaks more"},           \
-	    {"e0_min", "J m/kg", 0, 30, 0, E0_MIN_MOST, NAN, \
-		"threshold energy for breakage"},            \
-	{                                                    \
-		"alpha", "-", 0, 1, 0, ALPHA_MOST, NAN,      \
-		    "size dependency of breakage"            \
-	}
+/* A model's two rows: as it is with n parameters, and with a bypass. */
+#define BREAKAGE_ROWS(ID, NAME, BRIEF, N, ...)                              \
+	extern const struct breakage BREAKAGE_##ID, BREAKAGE_##ID##_BYPASS; \
+	const struct breakage BREAKAGE_##ID = {                             \
+	    .name = NAME, .brief = BRIEF, .n = N, __VA_ARGS__};             \
+	const struct breakage BREAKAGE_##ID##_BYPASS = {                    \
+	    .name = NAME "+bypass",                                         \
+	    .brief =                                                        \
+		NAME " with a share of the feed that goes round the rotor", \
+	    .n = N + 1,                                                     \
+	    .bypass = true,                                                 \
+	    __VA_ARGS__};
 
 /* The kernel's functions of a model, which breakage_all.h defines; what only
  * prints the tables has none. */

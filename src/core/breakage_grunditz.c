@@ -32,25 +32,6 @@ grunditz_appearance(const struct breaker *b)
 }
 
 double
-grunditz_selection(const struct breaker *b, double log_x, double *d)
-{
-	return selection(
-	    b->p.at + F_MAT, b->k, b->E, log_x, d != NULL ? d + F_MAT : NULL);
-}
-
-double
-grunditz_size_at(const struct breaker *b, double exponent)
-{
-	return selection_size_at(b->p.at + F_MAT, b->k, b->E, exponent);
-}
-
-double
-grunditz_break_size(const struct params *p, double E)
-{
-	return selection_break_size(p->at + F_MAT, E);
-}
-
-double
 grunditz_finer(const struct breaker *b, double log_u, double *d)
 {
 	const struct appearance *a = grunditz_appearance(b);
@@ -73,12 +54,6 @@ bool
 grunditz_breaks(const struct breaker *b)
 {
 	return grunditz_appearance(b)->total > 0;
-}
-
-char *
-grunditz_selection_text(const struct params *p, double k)
-{
-	return selection_text(p->at + F_MAT, k);
 }
 
 char *
@@ -282,26 +257,12 @@ static const struct param_info PARAMETERS[] = {
 
 KERNELS(grunditz);
 
-#define ROW(NAME, BYPASS, ...)                                                \
-	{                                                                     \
-		.name = NAME, .brief = __VA_ARGS__, .n = 7 + (BYPASS),        \
-		.parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",    \
-		.reference = 7 + (BYPASS), .bypass = BYPASS, .forms = true,   \
-		.prepare = grunditz_prepare, .selection = grunditz_selection, \
-		.size_at = grunditz_size_at,                                  \
-		.break_size = grunditz_break_size, .finer = grunditz_finer,   \
-		.density = density, .breaks = grunditz_breaks,                \
-		.product = moments_product,                                   \
-		.selection_text = grunditz_selection_text,                    \
-		.appearance_text = grunditz_appearance_text,                  \
-		.kernel = KERNEL_ROW(grunditz)                                \
-	}
-
-extern const struct breakage BREAKAGE_GRUNDITZ, BREAKAGE_GRUNDITZ_BYPASS;
-const struct breakage BREAKAGE_GRUNDITZ =
-    ROW("grunditz", 0, "Eqs 1 to 3 of the paper");
-const struct breakage BREAKAGE_GRUNDITZ_BYPASS = ROW("grunditz+bypass", 1,
-    "grunditz with a share of the feed that goes round the rotor");
+BREAKAGE_ROWS(GRUNDITZ, "grunditz", "Eqs 1 to 3 of the paper", 7,
+    .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta", .forms = true,
+    .reference = PARAMS_MOST, .strength = F_MAT, SELECTION_ROW,
+    .prepare = grunditz_prepare, .finer = grunditz_finer, .density = density,
+    .breaks = grunditz_breaks, .product = moments_product,
+    .appearance_text = grunditz_appearance_text, .kernel = KERNEL_ROW(grunditz))
 
 #else /* LANES */
 
