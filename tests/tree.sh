@@ -75,8 +75,8 @@ at_home() {
 	done >"$tmp"
 	none "headers of $1 declare what the .c of their name defines"
 }
-# To be completed: io and cmd.
-for layer in base core plot ui; do
+# To be completed: cmd.
+for layer in base core io plot ui; do
 	circles $layer
 	at_home $layer
 done
