@@ -549,7 +549,7 @@ calibration_fit(struct calibration *c)
 		fit.parameters += b->lower[j] < b->upper[j];
 	}
 	params_scale(&p);
-	fit.flat = flat_direction(c->misfit, &p, &c->options.bounds);
+	fit.flat = sensitivity_flat(c->misfit, &p, &c->options.bounds);
 	fit.params = p;
 	return fit;
 }

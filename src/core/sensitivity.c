@@ -87,7 +87,7 @@ sensitivity_of(struct misfit *m, const struct params *p,
 }
 
 struct flat
-flat_direction(
+sensitivity_flat(
     struct misfit *m, const struct params *p, const struct bounds *bounds)
 {
 	struct flat flat = {{0}, 0};

@@ -44,7 +44,7 @@ struct flat {
 };
 
 /* Cannot fail. */
-struct flat flat_direction(
+struct flat sensitivity_flat(
     struct misfit *m, const struct params *p, const struct bounds *bounds);
 
 #endif
