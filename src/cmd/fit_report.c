@@ -7,7 +7,7 @@
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
 #include "cmd/fit.h"
-#include "core/energy.h"
+#include "core/breakage.h"
 #include "core/validate.h"
 #include "io/units.h"
 
@@ -132,7 +132,7 @@ static void
 explain_nothing(struct answer *r, const struct entry *entry)
 {
 	const struct run *fastest = &entry->site->run[entry->site->n_run - 1];
-	double x = energy_break_size(&entry->fit.params, fastest->speed);
+	double x = params_break_size(&entry->fit.params, fastest->speed);
 	double coarser =
 	    isfinite(x) && x > 0 ? 1 - psd_passing(&fastest->feed, x) : 0;
 	answer_say(r, ANSWER_WARNING,

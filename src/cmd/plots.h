@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "cmd/session.h"
-#include "plot/chart.h"
+#include "plot/draw.h"
 
 enum plot_kind {
 	PLOT_PSD,

@@ -7,8 +7,8 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/plots.h"
+#include "core/breakage.h"
 #include "core/elementary.h"
-#include "core/energy.h"
 #include "io/units.h"
 
 enum { SAMPLES = 241 };
@@ -34,7 +34,7 @@ add_selection(struct chart *chart, const struct session *s,
 		series->y[i] = 100 * b.model->selection(
 					 &b, el_log(series->x[i] / 1000), NULL);
 	}
-	double mm = 1000 * energy_break_size(params, speed);
+	double mm = 1000 * params_break_size(params, speed);
 	chart_add_rule(chart,
 	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm,
 	    "breaks from %.2f mm at %g m/s", mm, speed);

@@ -8,8 +8,8 @@
 #include "cmd/fit.h"
 #include "cmd/model.h"
 #include "cmd/table.h"
+#include "core/breakage.h"
 #include "core/classes.h"
-#include "core/energy.h"
 #include "core/predict.h"
 #include "io/units.h"
 

@@ -9,7 +9,7 @@
 #include "cmd/fit.h"
 #include "cmd/origin.h"
 #include "cmd/table.h"
-#include "core/energy.h"
+#include "core/breakage.h"
 #include "core/misfit.h"
 #include "core/validate.h"
 #include "io/units.h"

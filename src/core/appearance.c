@@ -124,7 +124,6 @@ appearance_of(const double beta[static 4])
 		    primitive(beta, edge[i]) - primitive(beta, edge[i - 1]);
 		a.lower[a.n] = edge[i - 1];
 		a.upper[a.n] = edge[i];
-		a.below[a.n] = a.total;
 		a.total += share > 0 ? share : 0;
 		a.n++;
 	}
@@ -134,20 +133,6 @@ appearance_of(const double beta[static 4])
 	}
 	cumulate_parts(&a);
 	return a;
-}
-
-double
-appearance_passing(const struct appearance *a, double u)
-{
-	if (u >= 1)
-		return 1;
-	double sum = 0;
-	for (size_t i = 0; i < a->n && u > a->lower[i]; i++) {
-		double end = u < a->upper[i] ? u : a->upper[i];
-		sum = a->below[i] + primitive(a->beta, end) -
-		      primitive(a->beta, a->lower[i]);
-	}
-	return a->total > 0 ? sum / a->total : 0;
 }
 
 double

@@ -18,14 +18,13 @@ enum { APPEARANCE_PIECES = 4 };
  * D3: read literally Eq 1 gives every daughter the same share; u is the ratio.
  * D4: p is clipped at 0 and normalised, so that mass is kept.
  *
- * p is above 0 on n pieces lower[i]..upper[i], finest first; below[i] is the
- * integral up to lower[i].  total is the integral over all; 0 means that p is
- * 0 everywhere and a fragment keeps its parent's size. */
+ * p is above 0 on n pieces lower[i]..upper[i], finest first.  total is the
+ * integral over all; 0 means that p is 0 everywhere and a fragment keeps its
+ * parent's size. */
 struct appearance {
 	double beta[4];
 	size_t n;
 	double lower[APPEARANCE_PIECES], upper[APPEARANCE_PIECES];
-	double below[APPEARANCE_PIECES];
 	double total;
 	double log_lower[APPEARANCE_PIECES], log_upper[APPEARANCE_PIECES];
 	/* For appearance_parts: what they are at the piece's upper end, and at
@@ -44,10 +43,6 @@ double appearance_density(const double beta[static 4], double u);
  * their ratio, or one of the two in mm (departure D3). */
 double appearance_argument(
     enum appearance_form form, double parent, double daughter);
-
-/* B(u) in [0, 1]: 0 below 2^-10, 1 at u >= 1.  Where total is 0 it is 0 for
- * every u < 1. */
-double appearance_passing(const struct appearance *a, double u);
 
 /* Integral of u^power d ln u, up to a constant. */
 static inline double

@@ -5,8 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/energy.h"
-
 extern const struct breakage BREAKAGE_GRUNDITZ, BREAKAGE_GRUNDITZ_BYPASS,
     BREAKAGE_ENERGY, BREAKAGE_ENERGY_BYPASS, BREAKAGE_VOGEL,
     BREAKAGE_VOGEL_BYPASS;
@@ -59,6 +57,18 @@ params_start(size_t breakage)
 	for (size_t j = 0; j < BREAKAGES[breakage]->n; j++)
 		p.at[j] = BREAKAGES[breakage]->parameter[j].start;
 	return p;
+}
+
+double
+energy_specific(double v)
+{
+	return v * v / 2;
+}
+
+double
+params_break_size(const struct params *p, double v)
+{
+	return breakage_of(p)->break_size(p, energy_specific(v));
 }
 
 double

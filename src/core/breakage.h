@@ -8,10 +8,25 @@
 #define TIPSPEED_CORE_BREAKAGE_H
 
 #include <stdalign.h>
+#include <stdint.h>
 
 #include "core/isa.h"
 #include "core/params.h"
-#include "core/plan.h"
+
+struct plan;
+
+/* A model's part of the search, see kernel_body.h.  Evaluates KERNEL_LANES
+ * candidates, those of the indices, and puts each misfit in its place; theta:
+ * one array a parameter of the model.  calm: all are, see KERNEL_BINS. */
+typedef void kernel_block(const struct plan *plan, const double *const *theta,
+    const uint32_t *index, bool calm, double *scratch, double *misfit);
+
+/* Which of the candidates first..first+KERNEL_LANES-1 belong together: a bin of
+ * ln x* at the mean energy for each, plus KERNEL_BINS for the calm ones, whose
+ * S rises so slowly that fewer Gauss points do. */
+enum { KERNEL_LANES = 8, KERNEL_BINS = 256 };
+typedef void kernel_bins(const struct plan *plan, const double *const *theta,
+    size_t first, uint16_t *bin);
 
 /* Parameters at a tip speed, made ready by breaker_at: what a model works out
  * once for them lies in own. */
@@ -34,10 +49,11 @@ struct breakage {
 	size_t gauge;
 	const char *gauge_name;
 	/* The parameter that a calibration sets to the mean specific energy of
-	 * the training runs; n: none. */
+	 * the training runs; PARAMS_MOST: none. */
 	size_t reference;
-	bool bypass; /* the last parameter is the bypass share (D14) */
-	bool forms;  /* Eq 1 may be a function of other sizes than u (D3) */
+	size_t strength; /* index of f_mat, which e0_min and alpha follow */
+	bool bypass;     /* the last parameter is the bypass share (D14) */
+	bool forms;      /* Eq 1 may be a function of other sizes than u (D3) */
 
 	/* Works out what own holds; p, k, v and E are set. */
 	void (*prepare)(struct breaker *b);
@@ -91,6 +107,16 @@ double params_value(const struct params *p, const char *name);
 /* Every parameter at its start. */
 struct params params_start(size_t breakage);
 
+/* Specific energy of a particle thrown at tip speed v.
+ *   E = v^2 / 2
+ * v rotor tip speed, m/s.  Returns J/kg.   Source: paper Eq 4. */
+double energy_specific(double v);
+
+/* Break size x*: the smallest size that can break at tip speed v, as the
+ * parameters' model has it.
+ * v m/s.  Returns m: 0 where every size breaks, INFINITY where none does. */
+double params_break_size(const struct params *p, double v);
+
 /* The largest absolute value of the parameters in the gauge; 0 without. */
 double params_gauge(const struct params *p);
 
@@ -99,6 +125,12 @@ double params_gauge(const struct params *p);
 void params_scale(struct params *p);
 
 struct bounds bounds_default(size_t breakage);
+
+struct model_settings model_settings_default(void);
+
+/* Whether the same parameters give the same products. */
+bool model_settings_same(
+    const struct model_settings *a, const struct model_settings *b);
 
 /* Makes b ready for parameters and k, at a tip speed (m/s). */
 void breaker_set(struct breaker *b, const struct params *p, double k);
@@ -112,18 +144,18 @@ void breaker_at(struct breaker *b, double v);
 		    "share of the feed that goes round the rotor" \
 	}
 
-/* The rows of Eq 3, in the order that selection.h wants.  lower, upper: Table 2
- * of the paper, whose text says six variables where there are seven (departure
- * D7). */
-#define SELECTION_PARAMETERS                                 \
-	{"f_mat", "kg/(J m)", 0.001, 3, 0, F_MAT_MOST, NAN,  \
-	    "material: a higher one breaks more"},           \
-	    {"e0_min", "J m/kg", 0, 30, 0, E0_MIN_MOST, NAN, \
-		"threshold energy for breakage"},            \
-	{                                                    \
-		"alpha", "-", 0, 1, 0, ALPHA_MOST, NAN,      \
-		    "size dependency of breakage"            \
-	}
+/* A model's two rows: as it is with n parameters, and with a bypass. */
+#define BREAKAGE_ROWS(ID, NAME, BRIEF, N, ...)                              \
+	extern const struct breakage BREAKAGE_##ID, BREAKAGE_##ID##_BYPASS; \
+	const struct breakage BREAKAGE_##ID = {                             \
+	    .name = NAME, .brief = BRIEF, .n = N, __VA_ARGS__};             \
+	const struct breakage BREAKAGE_##ID##_BYPASS = {                    \
+	    .name = NAME "+bypass",                                         \
+	    .brief =                                                        \
+		NAME " with a share of the feed that goes round the rotor", \
+	    .n = N + 1,                                                     \
+	    .bypass = true,                                                 \
+	    __VA_ARGS__};
 
 /* The kernel's functions of a model, which breakage_all.h defines; what only
  * prints the tables has none. */

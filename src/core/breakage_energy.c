@@ -11,7 +11,8 @@
 #include "base/xalloc.h"
 #include "core/appearance.h"
 #include "core/elementary.h"
-#include "core/grunditz.h"
+#include "core/breakage_grunditz.h"
+#include "core/selection.h"
 
 enum { GAMMA = 7, E_REF };
 
@@ -83,24 +84,12 @@ static const struct param_info PARAMETERS[] = {GRUNDITZ_BETA,
 
 KERNELS(energy);
 
-#define ROW(NAME, BYPASS, ...)                                                \
-	{                                                                     \
-		.name = NAME, .brief = __VA_ARGS__, .n = 9 + (BYPASS),        \
-		.parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",    \
-		.reference = E_REF, .bypass = BYPASS, .prepare = prepare,     \
-		.selection = grunditz_selection, .size_at = grunditz_size_at, \
-		.break_size = grunditz_break_size, .finer = finer,            \
-		.density = density, .breaks = grunditz_breaks,                \
-		.selection_text = grunditz_selection_text,                    \
-		.appearance_text = appearance_text,                           \
-		.kernel = KERNEL_ROW(energy)                                  \
-	}
-
-extern const struct breakage BREAKAGE_ENERGY, BREAKAGE_ENERGY_BYPASS;
-const struct breakage BREAKAGE_ENERGY = ROW("grunditz-energy", 0,
-    "the paper's, with finer fragments at higher energy (gamma)");
-const struct breakage BREAKAGE_ENERGY_BYPASS = ROW("grunditz-energy+bypass", 1,
-    "grunditz-energy with a share of the feed that goes round the rotor");
+BREAKAGE_ROWS(ENERGY, "grunditz-energy",
+    "the paper's, with finer fragments at higher energy (gamma)", 9,
+    .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",
+    .reference = E_REF, .strength = 4, SELECTION_ROW, .prepare = prepare,
+    .finer = finer, .density = density, .breaks = grunditz_breaks,
+    .appearance_text = appearance_text, .kernel = KERNEL_ROW(energy))
 
 #else /* LANES */
 

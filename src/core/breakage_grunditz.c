@@ -2,15 +2,19 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LANES
 
+#include "core/breakage_grunditz.h"
+
 #include <assert.h>
 #include <math.h>
+#include <string.h>
 
 #include "base/xalloc.h"
 #include "core/appearance.h"
-#include "core/breakage.h"
-#include "core/grunditz.h"
-#include "core/moments.h"
+#include "core/continuous.h"
 #include "core/selection.h"
+
+/* Index of f_mat, which e0_min and alpha follow. */
+enum { F_MAT = 4 };
 
 void
 grunditz_prepare(struct breaker *b)
@@ -25,26 +29,6 @@ const struct appearance *
 grunditz_appearance(const struct breaker *b)
 {
 	return (const struct appearance *)(const void *)b->own;
-}
-
-double
-grunditz_selection(const struct breaker *b, double log_x, double *d)
-{
-	return selection(b->p.at + GRUNDITZ_F_MAT, b->k, b->E, log_x,
-	    d != NULL ? d + GRUNDITZ_F_MAT : NULL);
-}
-
-double
-grunditz_size_at(const struct breaker *b, double exponent)
-{
-	return selection_size_at(
-	    b->p.at + GRUNDITZ_F_MAT, b->k, b->E, exponent);
-}
-
-double
-grunditz_break_size(const struct params *p, double E)
-{
-	return selection_break_size(p->at + GRUNDITZ_F_MAT, E);
 }
 
 double
@@ -73,12 +57,6 @@ grunditz_breaks(const struct breaker *b)
 }
 
 char *
-grunditz_selection_text(const struct params *p, double k)
-{
-	return selection_text(p->at + GRUNDITZ_F_MAT, k);
-}
-
-char *
 grunditz_appearance_text(const struct params *p)
 {
 	return xasprintf("p(u) = max(0, %.4g %+.4g u %+.4g u^2 %+.4g u^3), u = "
@@ -94,31 +72,197 @@ density(const struct breaker *b, double u, double log_u, double log_x)
 	return appearance_density(b->p.beta, u);
 }
 
+/* The product by integrals of the broken mass, which spares evaluating B.
+ *
+ * B(s/x) is, between the zeros of p(u), a combination of 1, ln x, 1/x, 1/x^2
+ * and 1/x^3, so five integrals of S dF over x > t give every product exactly:
+ *   J_m(t) = integral over x > e^t of S(x) g_m(x) dF,  g = 1, 1/x, .., ln x
+ * They are summed from the coarse end, where they are small, so that their
+ * differences keep their digits.  The derivatives with respect to f_mat, E0_min
+ * and alpha need the same five integrals of dS; those with respect to beta come
+ * for nothing, because p is linear in beta between its zeros. */
+enum {
+	MOMENTS = 5, /* 1, 1/x, 1/x^2, 1/x^3, ln x */
+	SHAPES = 4,  /* S, dS/df_mat, dS/dE0_min, dS/dalpha */
+};
+
+/* The integrals over x > exp(edge[e]). */
+struct moments {
+	double of[SHAPES][MOMENTS];
+};
+
+/* S dF at one point, times each g_m. */
+static void
+add_S(const struct continuous *c, double t, double weight, void *data)
+{
+	struct moments *sum = data;
+	double S = selection(c->b.p.at + F_MAT, c->b.k, c->b.E, t, NULL);
+	double x1 = el_exp(-t);
+	double g[MOMENTS] = {1, x1, x1 * x1, x1 * x1 * x1, t};
+	for (size_t m = 0; m < MOMENTS; m++)
+		sum->of[0][m] += weight * S * g[m];
+}
+
+/* And its derivatives. */
+static void
+add_shapes(const struct continuous *c, double t, double weight, void *data)
+{
+	struct moments *sum = data;
+	double shape[SHAPES] = {0};
+	shape[0] = selection(c->b.p.at + F_MAT, c->b.k, c->b.E, t, shape + 1);
+	double x1 = el_exp(-t);
+	double g[MOMENTS] = {1, x1, x1 * x1, x1 * x1 * x1, t};
+	for (size_t i = 0; i < SHAPES; i++)
+		for (size_t m = 0; m < MOMENTS; m++)
+			sum->of[i][m] += weight * shape[i] * g[m];
+}
+
+static void
+add_stretch(const struct continuous *c, double a, double b, double density,
+    size_t n_shape, struct moments *sum)
+{
+	if (n_shape > 1)
+		continuous_stretch(c, a, b, density, add_shapes, sum);
+	else
+		continuous_stretch(c, a, b, density, add_S, sum);
+}
+
+static void
+integrate_all(struct continuous *c, size_t n_shape)
+{
+	memset(&c->above[0], 0, sizeof c->above[0]);
+	for (size_t e = 0; e + 1 < c->n_edge; e++) {
+		c->above[e + 1] = c->above[e];
+		add_stretch(c, c->edge[e + 1], c->edge[e], c->density[e],
+		    n_shape, &c->above[e + 1]);
+	}
+}
+
+/* The integrals over x > exp(t). */
+static struct moments
+moments_above(const struct continuous *c, double t, size_t n_shape)
+{
+	size_t low = 0, high = c->n_edge;
+	/* Finds the last edge that is not below t. */
+	while (high - low > 1) {
+		size_t middle = (low + high) / 2;
+		if (c->edge[middle] >= t - 1e-12)
+			low = middle;
+		else
+			high = middle;
+	}
+	struct moments sum = c->above[low];
+	bool inside = t < c->edge[low] - 1e-12 && low + 1 < c->n_edge;
+	if (inside)
+		add_stretch(c, t, c->edge[low], c->density[low], n_shape, &sum);
+	return sum;
+}
+
+/* What the stretch of x between two tables of integrals adds to
+ * Q_b = integral of S(x) N_b(s/x) dF, N_b the part of B that goes with beta_b
+ * where N_b = base_b on the stretch, plus the primitive of u^b if inside a
+ * piece of p. */
+static void
+add_parts(double log_s, size_t n_shape, const struct moments *from,
+    const struct moments *to, const double base[static 4], bool inside,
+    double Q[SHAPES][4])
+{
+	double s = el_exp(log_s), scale[4] = {0, s, s * s / 2, s * s * s / 3};
+	for (size_t i = 0; i < n_shape; i++) {
+		double d[MOMENTS];
+		for (size_t m = 0; m < MOMENTS; m++)
+			d[m] = from->of[i][m] - to->of[i][m];
+		for (size_t b = 0; b < 4; b++)
+			Q[i][b] += base[b] * d[0];
+		if (!inside)
+			continue;
+		Q[i][0] += log_s * d[0] - d[4];
+		for (size_t b = 1; b < 4; b++)
+			Q[i][b] += scale[b] * d[b];
+	}
+}
+
+/* Walks from u = 2^-10 up to 1, piece by piece of p and the gaps between. */
+static void
+broken_parts(const struct continuous *c, double log_s, size_t n_shape,
+    double Q[SHAPES][4])
+{
+	const struct appearance *a = grunditz_appearance(&c->b);
+	memset(Q, 0, sizeof(double[SHAPES][4]));
+	const double none[4] = {0}, *full = none;
+	struct moments outer = {0}, inner;
+	for (size_t i = 0; i < a->n; i++) {
+		inner = moments_above(c, log_s - a->log_lower[i], n_shape);
+		add_parts(log_s, n_shape, &inner, &outer, full, false, Q);
+		outer = moments_above(c, log_s - a->log_upper[i], n_shape);
+		add_parts(log_s, n_shape, &outer, &inner, a->base[i], true, Q);
+		full = a->full[i];
+	}
+	inner = moments_above(c, log_s, n_shape);
+	add_parts(log_s, n_shape, &inner, &outer, full, false, Q);
+}
+
+static double
+combined(const struct appearance *a, const double parts[static 4])
+{
+	double sum = 0;
+	for (size_t b = 0; b < 4; b++)
+		sum += a->beta[b] * parts[b];
+	return sum;
+}
+
+/* Derivatives of (sum beta_b Q_b) / (sum beta_b T_b), T of each power of u over
+ * all pieces.  The beta of the appearance is scaled; the caller's moves the
+ * product that much less. */
+static void
+fill_row(const struct continuous *c, double broken, double total,
+    const double T[static 4], double Q[SHAPES][4], double *row)
+{
+	const struct appearance *a = grunditz_appearance(&c->b);
+	double scale = params_gauge(&c->b.p);
+	for (size_t b = 0; b < 4; b++)
+		row[b] = (Q[0][b] - broken * T[b]) / total / scale;
+	for (size_t i = 1; i < SHAPES; i++)
+		row[F_MAT + i - 1] = combined(a, Q[i]) / total;
+}
+
+/* See breakage.h, product. */
+static void
+moments_product(struct continuous *c, double *passing, double *d_passing)
+{
+	const struct appearance *a = grunditz_appearance(&c->b);
+	size_t n_shape = d_passing != NULL ? SHAPES : 1;
+	const double *T = a->whole;
+	if (c->above == NULL)
+		c->above = xcalloc(c->n_edge, sizeof *c->above);
+	integrate_all(c, n_shape);
+	double total = combined(a, T);
+	for (size_t i = 0; i < c->n_sieve; i++) {
+		passing[i] = c->feed_passing[i];
+		if (c->log_sieve[i] >= c->edge[0] || !(total > 0))
+			continue;
+		double Q[SHAPES][4];
+		broken_parts(c, c->log_sieve[i], n_shape, Q);
+		double broken = combined(a, Q[0]) / total;
+		if (d_passing != NULL)
+			fill_row(c, broken, total, T, Q,
+			    d_passing + i * c->b.model->n);
+		passing[i] += broken;
+		passing[i] = passing[i] < 1 ? passing[i] : 1;
+	}
+}
+
 static const struct param_info PARAMETERS[] = {
     GRUNDITZ_BETA, SELECTION_PARAMETERS, BYPASS_PARAMETER};
 
 KERNELS(grunditz);
 
-#define ROW(NAME, BYPASS, ...)                                                \
-	{                                                                     \
-		.name = NAME, .brief = __VA_ARGS__, .n = 7 + (BYPASS),        \
-		.parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",    \
-		.reference = 7 + (BYPASS), .bypass = BYPASS, .forms = true,   \
-		.prepare = grunditz_prepare, .selection = grunditz_selection, \
-		.size_at = grunditz_size_at,                                  \
-		.break_size = grunditz_break_size, .finer = grunditz_finer,   \
-		.density = density, .breaks = grunditz_breaks,                \
-		.product = moments_product,                                   \
-		.selection_text = grunditz_selection_text,                    \
-		.appearance_text = grunditz_appearance_text,                  \
-		.kernel = KERNEL_ROW(grunditz)                                \
-	}
-
-extern const struct breakage BREAKAGE_GRUNDITZ, BREAKAGE_GRUNDITZ_BYPASS;
-const struct breakage BREAKAGE_GRUNDITZ =
-    ROW("grunditz", 0, "Eqs 1 to 3 of the paper");
-const struct breakage BREAKAGE_GRUNDITZ_BYPASS = ROW("grunditz+bypass", 1,
-    "grunditz with a share of the feed that goes round the rotor");
+BREAKAGE_ROWS(GRUNDITZ, "grunditz", "Eqs 1 to 3 of the paper", 7,
+    .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta", .forms = true,
+    .reference = PARAMS_MOST, .strength = F_MAT, SELECTION_ROW,
+    .prepare = grunditz_prepare, .finer = grunditz_finer, .density = density,
+    .breaks = grunditz_breaks, .product = moments_product,
+    .appearance_text = grunditz_appearance_text, .kernel = KERNEL_ROW(grunditz))
 
 #else /* LANES */
 

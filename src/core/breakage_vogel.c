@@ -9,7 +9,6 @@
 #include <math.h>
 
 #include "base/xalloc.h"
-#include "core/breakage.h"
 #include "core/elementary.h"
 #include "core/selection.h"
 
@@ -38,25 +37,6 @@ static double
 exponent(const struct breaker *b)
 {
 	return *(const double *)(const void *)b->own;
-}
-
-static double
-vogel_selection(const struct breaker *b, double log_x, double *d)
-{
-	return selection(
-	    b->p.at + F_MAT, b->k, b->E, log_x, d != NULL ? d + F_MAT : NULL);
-}
-
-static double
-size_at(const struct breaker *b, double value)
-{
-	return selection_size_at(b->p.at + F_MAT, b->k, b->E, value);
-}
-
-static double
-break_size(const struct params *p, double E)
-{
-	return selection_break_size(p->at + F_MAT, E);
 }
 
 static double
@@ -96,12 +76,6 @@ breaks(const struct breaker *b)
 }
 
 static char *
-vogel_selection_text(const struct params *p, double k)
-{
-	return selection_text(p->at + F_MAT, k);
-}
-
-static char *
 appearance_text(const struct params *p)
 {
 	return xasprintf("B = (y/x)^q (1 + tanh(y/%.4g - 1)) / 2, q = %.4g v "
@@ -120,24 +94,11 @@ static const struct param_info PARAMETERS[] = {
 
 KERNELS(vogel);
 
-#define ROW(NAME, BYPASS, ...)                                                \
-	{                                                                     \
-		.name = NAME, .brief = __VA_ARGS__, .n = 6 + (BYPASS),        \
-		.parameter = PARAMETERS, .reference = 6 + (BYPASS),           \
-		.bypass = BYPASS, .prepare = prepare,                         \
-		.selection = vogel_selection, .size_at = size_at,             \
-		.break_size = break_size, .finer = finer, .at_size = at_size, \
-		.density = density, .breaks = breaks,                         \
-		.selection_text = vogel_selection_text,                       \
-		.appearance_text = appearance_text,                           \
-		.kernel = KERNEL_ROW(vogel)                                   \
-	}
-
-extern const struct breakage BREAKAGE_VOGEL, BREAKAGE_VOGEL_BYPASS;
-const struct breakage BREAKAGE_VOGEL =
-    ROW("vogel", 0, "Eq 3 with the appearance of Vogel and Peukert");
-const struct breakage BREAKAGE_VOGEL_BYPASS = ROW("vogel+bypass", 1,
-    "vogel with a share of the feed that goes round the rotor");
+BREAKAGE_ROWS(VOGEL, "vogel", "Eq 3 with the appearance of Vogel and Peukert",
+    6, .parameter = PARAMETERS, .reference = PARAMS_MOST, .strength = F_MAT,
+    SELECTION_ROW, .prepare = prepare, .finer = finer, .at_size = at_size,
+    .density = density, .breaks = breaks, .appearance_text = appearance_text,
+    .kernel = KERNEL_ROW(vogel))
 
 #else /* LANES */
 

@@ -12,13 +12,68 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/pool.h"
 #include "base/xalloc.h"
-#include "core/calibration.h"
-#include "core/energy.h"
+#include "core/ga.h"
+#include "core/kernel.h"
+#include "core/polish.h"
 #include "core/rng.h"
+
+enum {
+	SCOUTS = 16,             /* leaders kept of each early generation */
+	STARTS = 2 * SCOUTS + 2, /* and the bests of the two phases */
+	BATCH = 8,               /* starts or hops polished side by side */
+	LEADERS = 64,            /* spread over this many */
+	POLISH_STEPS = 300,
+	HOPS = 64,           /* fruitless ones in a row that end the polish, */
+	HOPS_IN_NOISE = 256, /* and where there is little but noise */
+	/* Where the misfit falls ever slower, as it does on the E0_min, alpha,
+	 * f_mat ridge, the rest of a hop's way is some few times its last gain;
+	 * in noise it is more. */
+	HOPE = 16,
+	HOPE_IN_NOISE = 200,
+	EARLIEST = 25, /* generations before the stop rules apply */
+	USE_HOP = 1 << 20
+};
+
+/* What one start needs to be polished beside others. */
+struct worker {
+	struct misfit *misfit;
+	struct polish *polish;
+	struct params p;
+	struct polish_result result;
+};
+
+struct calibration {
+	struct calibrate_options options;
+	uint64_t site_digest;
+	struct misfit *misfit;
+	struct pool *pool;
+	struct kernel *kernel;
+	struct ga *ga;
+	struct worker worker[BATCH];
+	double *told;
+	enum calibrate_state state, stop;
+	atomic_bool stopped; /* the present step */
+	size_t stall, evaluations;
+	size_t edits, edited_at; /* of the bounds; generation of the last */
+	/* A larger model is calibrated as the smaller one first. */
+	bool nested;
+	struct bounds box; /* of the present phase */
+	size_t phase_from; /* generation that it began at, */
+	size_t batches;    /* and what was polished before it */
+	double stall_from;
+	struct params start[STARTS];
+	size_t n_start, done, hops, fruitless;
+	size_t n_history, history_room;
+	struct calibrate_generation *history;
+	struct params best;
+	double best_misfit; /* accurate; INFINITY during the search */
+};
 
 static const size_t SCOUT_GENERATION[2] = {6, 11};
 
@@ -143,6 +198,24 @@ calibration_free(struct calibration *c)
 	free(c);
 }
 
+/* Batches polished so far; the last of the starts may be a short one. */
+static size_t
+batches(const struct calibration *c)
+{
+	size_t starts = c->done < c->n_start ? c->done : c->n_start;
+	return c->batches + (starts + BATCH - 1) / BATCH +
+	       (c->done - starts) / BATCH;
+}
+
+/* The best candidate of the search so far. */
+static struct params
+search_best(const struct calibration *c)
+{
+	struct params p = {.breakage = c->options.settings.breakage};
+	memcpy(p.at, ga_best(c->ga), c->misfit->of->n * sizeof *p.at);
+	return p;
+}
+
 static struct params
 genes(const struct calibration *c, const double *const *gene, size_t i)
 {
@@ -177,7 +250,7 @@ end_phase(struct calibration *c)
 	c->nested = false;
 	c->box = c->options.bounds;
 	c->phase_from = ga_status(c->ga).generation;
-	c->batches = calibration_batches(c);
+	c->batches = batches(c);
 	c->stall = c->done = c->fruitless = 0;
 	c->stall_from = INFINITY;
 	c->start[0] = c->best;
@@ -189,7 +262,7 @@ end_phase(struct calibration *c)
 static void
 end_search(struct calibration *c, enum calibrate_state why)
 {
-	struct params found = calibration_search_best(c);
+	struct params found = search_best(c);
 	double misfit = misfit_at(c->misfit, &found);
 	c->stop = why;
 	if (!(c->best_misfit < misfit)) {
@@ -211,9 +284,8 @@ remember(struct calibration *c, const struct ga_status *s)
 		    xrealloc(c->history, c->history_room, sizeof *c->history);
 	}
 	struct calibrate_generation *g = &c->history[c->n_history++];
-	*g = (struct calibrate_generation){.best = s->best,
-	    .median = s->median,
-	    .params = calibration_search_best(c)};
+	*g = (struct calibrate_generation){
+	    .best = s->best, .median = s->median, .params = search_best(c)};
 	for (size_t j = 0; j < c->misfit->of->n; j++)
 		ga_spread(c->ga, j, &g->p10[j], &g->p90[j]);
 }
@@ -410,4 +482,74 @@ calibration_set_bounds(struct calibration *c, const struct bounds *bounds)
 	if (c->state == CALIBRATE_SEARCHING)
 		return;
 	c->done = c->fruitless = 0;
+}
+
+/* The best so far: of a first phase, where the search has found none better. */
+static struct params
+best_of(const struct calibration *c, double searched)
+{
+	bool search = c->state == CALIBRATE_SEARCHING;
+	return search && !(c->best_misfit < searched) ? search_best(c)
+						      : c->best;
+}
+
+struct calibrate_status
+calibration_status(const struct calibration *c)
+{
+	struct ga_status s = ga_status(c->ga);
+	struct calibrate_status status = {.state = c->state,
+	    .generation = s.generation,
+	    .step = s.generation + batches(c),
+	    .evaluations = c->evaluations,
+	    .stall = c->stall,
+	    .infinite = s.infinite,
+	    .best = fmin(s.best, c->best_misfit),
+	    .median = s.median,
+	    .worst = s.worst,
+	    .starts_done = c->done,
+	    .starts = c->n_start,
+	    .params = best_of(c, s.best)};
+	/* Other bounds, and nothing judged within them yet. */
+	if (isinf(status.best) && s.generation > 0)
+		status.best = misfit_at(c->misfit, &status.params);
+	params_scale(&status.params);
+	return status;
+}
+
+const struct bounds *
+calibration_bounds(const struct calibration *c)
+{
+	return &c->options.bounds;
+}
+
+struct fit
+calibration_fit(struct calibration *c)
+{
+	struct ga_status s = ga_status(c->ga);
+	struct params p = best_of(c, s.best);
+	struct fit fit = {.misfit = misfit_at(c->misfit, &p),
+	    .rmse = misfit_rmse(c->misfit, &p),
+	    .feed_misfit = misfit_of_feed(c->misfit),
+	    .n_residual = c->misfit->n_residual,
+	    .cells = misfit_cells(c->misfit),
+	    .stop =
+		c->state >= CALIBRATE_TOLERANCE ? c->stop : CALIBRATE_STOPPED,
+	    .generations = s.generation,
+	    .evaluations = c->evaluations,
+	    .hops = c->hops,
+	    .edits = c->edits,
+	    .edited_at = c->edited_at,
+	    .seed = c->options.seed,
+	    .site_digest = c->site_digest,
+	    .population = c->options.population,
+	    .settings = c->options.settings};
+	for (size_t j = 0; j < c->misfit->of->n; j++) {
+		const struct bounds *b = &c->options.bounds;
+		fit.on_bound[j] = sensitivity_on_bound(b, &p, j);
+		fit.parameters += b->lower[j] < b->upper[j];
+	}
+	params_scale(&p);
+	fit.flat = sensitivity_flat(c->misfit, &p, &c->options.bounds);
+	fit.params = p;
+	return fit;
 }

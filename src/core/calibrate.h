@@ -7,9 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/flat.h"
 #include "core/isa.h"
-#include "core/params.h"
+#include "core/sensitivity.h"
 #include "core/site.h"
 
 /* tolerance: the search ends when the median candidate's misfit is no more than

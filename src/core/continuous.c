@@ -10,7 +10,6 @@
 
 #include "base/xalloc.h"
 #include "core/elementary.h"
-#include "core/moments.h"
 
 /* Values of -ln(1 - S) at which the panels end: 1 - S falls by e^-40 over them,
  * each short enough for eight points. */
@@ -71,7 +70,6 @@ continuous_new(const struct psd *feed, const double *sieve, size_t n, double k)
 	make_edges(c, feed);
 	make_density(c, feed);
 	c->point = xcalloc((c->n_edge + STOPS) * GAUSS, sizeof *c->point);
-	c->above = moments_new(c->n_edge);
 	return c;
 }
 

@@ -26,7 +26,7 @@ struct continuous {
 	double stop[STOPS]; /* ln x, rising */
 	size_t n_point;
 	struct point *point;
-	struct moments *above; /* [n_edge], for moments.c */
+	struct moments *above; /* [n_edge], of the paper's model; or NULL */
 	/* B at nodes of equal steps in ln u from 0 down, with its derivatives
 	 * by the n_moved parameters that it depends on; rows of 1 + n_moved. */
 	size_t n_node, n_moved, moved[PARAMS_MOST];

@@ -56,31 +56,17 @@ struct held {
 	const struct envelope *envelope;
 };
 
-/* By how much the worst sieve is short of its lower limit, below 0 when all are
- * above it; falls with the speed. */
+/* By how much the worst sieve is over its upper limit, else short of its lower
+ * one; below 0 when none is.  Over rises with the speed, short falls. */
 static double
-too_coarse(const struct held *held, size_t *worst)
+missed(const struct held *held, bool over, size_t *worst)
 {
 	const struct psd *product = &held->inverse->product;
 	double most = -INFINITY;
 	for (size_t i = 0; i < product->n; i++) {
-		double by = held->envelope->least[i] - product->passing[i];
-		if (by > most) {
-			most = by;
-			*worst = i;
-		}
-	}
-	return most;
-}
-
-/* The same over the upper limit; rises with the speed. */
-static double
-too_fine(const struct held *held, size_t *worst)
-{
-	const struct psd *product = &held->inverse->product;
-	double most = -INFINITY;
-	for (size_t i = 0; i < product->n; i++) {
-		double by = product->passing[i] - held->envelope->most[i];
+		double p = product->passing[i];
+		double by = over ? p - held->envelope->most[i]
+				 : held->envelope->least[i] - p;
 		if (by > most) {
 			most = by;
 			*worst = i;
@@ -98,7 +84,7 @@ enough(void *data, double v)
 	struct held *held = data;
 	size_t worst;
 	inverse_at(held->inverse, v);
-	return EXACT - too_coarse(held, &worst);
+	return EXACT - missed(held, false, &worst);
 }
 
 static double
@@ -107,7 +93,7 @@ too_much(void *data, double v)
 	struct held *held = data;
 	size_t worst;
 	inverse_at(held->inverse, v);
-	return too_fine(held, &worst) - EXACT;
+	return missed(held, true, &worst) - EXACT;
 }
 
 /* Rises with the speed and is 0 where both limits are missed alike. */
@@ -117,7 +103,7 @@ finer_than_coarse(void *data, double v)
 	struct held *held = data;
 	size_t worst;
 	inverse_at(held->inverse, v);
-	return too_fine(held, &worst) - too_coarse(held, &worst);
+	return missed(held, true, &worst) - missed(held, false, &worst);
 }
 
 double
@@ -127,8 +113,8 @@ inverse_outside(struct inverse *inverse, const struct envelope *envelope,
 	struct held held = {inverse, envelope};
 	size_t coarse = 0, fine = 0;
 	inverse_at(inverse, v);
-	double short_of = too_coarse(&held, &coarse);
-	double over = too_fine(&held, &fine);
+	double short_of = missed(&held, false, &coarse);
+	double over = missed(&held, true, &fine);
 	bool is_fine = over > short_of;
 	*worst = is_fine ? fine : coarse;
 	if (fmax(short_of, over) <= EXACT)

@@ -1,9 +1,6 @@
 /* The kernel and the breeding for avx2, by the flags of this file alone; on
  * other processors, where nobody calls them, as in isa_base.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/breed.h"
-#include "core/plan.h"
-
 #ifdef __AVX2__
 #define LANES 4
 #else

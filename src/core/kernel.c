@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/breakage.h"
 
 struct kernel {
 	struct plan plan;
@@ -99,31 +98,4 @@ kernel_evaluate_part(const struct kernel *kernel, const double *const *theta,
 	for (size_t i = 0; i < q.n; i += KERNEL_LANES)
 		kernel->block(&kernel->plan, theta, q.index + i, i >= q.n_steep,
 		    kernel->scratch[thread], misfit);
-}
-
-/* One evaluation, for the threads that share it. */
-struct batch {
-	const struct kernel *kernel;
-	const double *const *theta;
-	size_t n;
-	double *misfit;
-};
-
-static void
-evaluate_part(void *data, size_t part, unsigned thread)
-{
-	const struct batch *b = data;
-	size_t from = part * KERNEL_PART, to = from + KERNEL_PART;
-	kernel_evaluate_part(b->kernel, b->theta, from, to < b->n ? to : b->n,
-	    thread, b->misfit);
-}
-
-void
-kernel_evaluate(const struct kernel *kernel, struct pool *pool,
-    const double *const *theta, size_t n, double *misfit)
-{
-	struct batch batch = {kernel, theta, n, misfit};
-	assert(pool_threads(pool) <= kernel->threads);
-	pool_run(
-	    pool, (n + KERNEL_PART - 1) / KERNEL_PART, evaluate_part, &batch);
 }

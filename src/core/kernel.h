@@ -5,7 +5,6 @@
 
 #include <stddef.h>
 
-#include "base/pool.h"
 #include "core/isa.h"
 #include "core/misfit.h"
 #include "core/plan.h"
@@ -44,10 +43,5 @@ enum { KERNEL_PART = 63 * KERNEL_LANES };
 void kernel_evaluate_part(const struct kernel *kernel,
     const double *const *theta, size_t from, size_t to, unsigned thread,
     double *misfit);
-
-/* All of n candidates; the pool's threads, at most those of kernel_new, share
- * the parts.  pool: NULL for the caller's thread alone. */
-void kernel_evaluate(const struct kernel *kernel, struct pool *pool,
-    const double *const *theta, size_t n, double *misfit);
 
 #endif

@@ -73,10 +73,4 @@ struct model_settings {
 	unsigned breakage;
 };
 
-struct model_settings model_settings_default(void);
-
-/* Whether the same parameters give the same products. */
-bool model_settings_same(
-    const struct model_settings *a, const struct model_settings *b);
-
 #endif

@@ -3,16 +3,12 @@
 #include "core/plan.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
 #include "core/appearance.h"
-#include "core/breakage.h"
 #include "core/classes.h"
 #include "core/elementary.h"
-#include "core/energy.h"
-#include "core/misfit.h"
 
 /* Classes are at most this wide in ln x: a quarter octave and a little, so that
  * the steps of the EN 933 series (1.4, 1.43) make two. */

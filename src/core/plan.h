@@ -3,15 +3,9 @@
 #ifndef TIPSPEED_CORE_PLAN_H
 #define TIPSPEED_CORE_PLAN_H
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "core/misfit.h"
 
-#include "core/params.h"
-
-struct misfit;
-
-enum { KERNEL_NODES = 33, KERNEL_LANES = 8 };
+enum { KERNEL_NODES = 33 };
 
 /* Where the middle of a class lies among the nodes of u, seen from a sieve:
  * between node and the finer one after it.  p is straight between nodes, so
@@ -73,18 +67,5 @@ struct plan {
 /* Fills the plan, which plan_clear empties.  The misfit is read, not kept. */
 void plan_make(struct plan *plan, const struct misfit *m);
 void plan_clear(struct plan *plan);
-
-/* Evaluates KERNEL_LANES candidates, those of the indices, and puts each misfit
- * in its place; theta: one array a parameter of the model.  calm: all of them
- * are, see KERNEL_BINS. */
-typedef void kernel_block(const struct plan *plan, const double *const *theta,
-    const uint32_t *index, bool calm, double *scratch, double *misfit);
-
-/* Which of the candidates first..first+KERNEL_LANES-1 belong together: a bin of
- * ln x* at the mean energy for each, plus KERNEL_BINS for the calm ones, whose
- * S rises so slowly that fewer Gauss points do. */
-enum { KERNEL_BINS = 256 };
-typedef void kernel_bins(const struct plan *plan, const double *const *theta,
-    size_t first, uint16_t *bin);
 
 #endif

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/energy.h"
+#include "core/breakage.h"
 #include "core/product.h"
 
 /* All sieves of the site that the feed covers, coarsest first. */
@@ -32,7 +32,7 @@ predict(const struct site *site, const struct params *p,
 	    .energy = energy_specific(speed),
 	    .feed_run = feed_run,
 	    .product = all_sieves(site, feed),
-	    .break_size = energy_break_size(p, speed)};
+	    .break_size = params_break_size(p, speed)};
 	out.feed = psd_copy(&out.product);
 	for (size_t i = 0; i < out.feed.n; i++)
 		out.feed.passing[i] = psd_passing(feed, out.feed.size[i]);

@@ -18,8 +18,9 @@
  * the limit of Eq 2 for fine classes.  S is integrated by Gauss-Legendre on
  * panels that end at every sieve, at the break size and at a few values of the
  * exponent.  The paper's model has B between the zeros of p(u) as a combination
- * of 1, 1/x, 1/x^2, 1/x^3 and ln x (moments.c) and an error below 1e-7 (tested
- * against 1e-6); the others have B in a table (tested against 1e-5).
+ * of 1, 1/x, 1/x^2, 1/x^3 and ln x (breakage_grunditz.c) and an error below
+ * 1e-7 (tested against 1e-6); the others have B in a table (tested against
+ * 1e-5).
  *
  * Method `classes`: the paper to the letter, P = B S f + (I - S) f on the
  * classes of the feed's sieves; a class has the geometric mean of its sieves

@@ -7,11 +7,19 @@
 #include "base/xalloc.h"
 
 double
-selection_size_at(const double q[static 3], double k, double E, double exponent)
+selection_of(const struct breaker *b, double log_x, double *d)
 {
-	const double beyond = 1e3;
-	double f = q[0] * k;
-	double ratio = (exponent / f + q[1]) / E;
+	size_t f = b->model->strength;
+	return selection(
+	    b->p.at + f, b->k, b->E, log_x, d != NULL ? d + f : NULL);
+}
+
+double
+selection_size_at(const struct breaker *b, double exponent)
+{
+	const double beyond = 1e3, *q = b->p.at + b->model->strength;
+	double f = q[0] * b->k;
+	double ratio = (exponent / f + q[1]) / b->E;
 	if (!(ratio > 0))
 		return -beyond;
 	if (!(ratio < 1e300))
@@ -23,8 +31,9 @@ selection_size_at(const double q[static 3], double k, double E, double exponent)
 }
 
 double
-selection_break_size(const double q[static 3], double E)
+selection_break_size(const struct params *p, double E)
 {
+	const double *q = p->at + breakage_of(p)->strength;
 	if (q[1] <= 0)
 		return E > 0 ? 0 : INFINITY;
 	if (E <= 0)
@@ -36,8 +45,9 @@ selection_break_size(const double q[static 3], double E)
 }
 
 char *
-selection_text(const double q[static 3], double k)
+selection_text(const struct params *p, double k)
 {
+	const double *q = p->at + breakage_of(p)->strength;
 	return xasprintf("S(x) = 1 - exp(-%.4g (x^%.4g E - %.4g)), x in m; 0 "
 			 "where the bracket is negative",
 	    q[0] * k, q[2], q[1]);

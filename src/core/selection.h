@@ -4,6 +4,7 @@
 #ifndef TIPSPEED_CORE_SELECTION_H
 #define TIPSPEED_CORE_SELECTION_H
 
+#include "core/breakage.h"
 #include "core/elementary.h"
 
 /* Selection: fraction of a size that breaks in k impacts.
@@ -29,18 +30,34 @@ selection(const double q[static 3], double k, double E, double log_x, double *d)
 	return S;
 }
 
-/* ln x at which the exponent f_mat k (x^alpha E - E0_min) reaches the value
- * given; -1000 or 1000 where no size of this world has it. */
-double selection_size_at(
-    const double q[static 3], double k, double E, double exponent);
+/* The rows of Eq 3, in the order that selection wants.  lower, upper: Table 2
+ * of the paper, whose text says six variables where there are seven (departure
+ * D7). */
+#define SELECTION_PARAMETERS                                 \
+	{"f_mat", "kg/(J m)", 0.001, 3, 0, F_MAT_MOST, NAN,  \
+	    "material: a higher one breaks more"},           \
+	    {"e0_min", "J m/kg", 0, 30, 0, E0_MIN_MOST, NAN, \
+		"threshold energy for breakage"},            \
+	{                                                    \
+		"alpha", "-", 0, 1, 0, ALPHA_MOST, NAN,      \
+		    "size dependency of breakage"            \
+	}
 
-/* Break size: where S begins.
+/* And what a model with them has in its own row, see breakage.h. */
+#define SELECTION_ROW                                            \
+	.selection = selection_of, .size_at = selection_size_at, \
+	.break_size = selection_break_size, .selection_text = selection_text
+
+double selection_of(const struct breaker *b, double log_x, double *d);
+
+/* -1000 or 1000 where no size of this world has the exponent. */
+double selection_size_at(const struct breaker *b, double exponent);
+
+/* Where S begins.
  *   x* = (E0_min / E)^(1 / alpha)
- * Returns m: 0 where every size breaks, INFINITY where none does (as with
- * alpha = 0 and E <= E0_min).   Source: Eq 3 at S = 0. */
-double selection_break_size(const double q[static 3], double E);
+ * INFINITY also with alpha = 0 and E <= E0_min.   Source: Eq 3 at S = 0. */
+double selection_break_size(const struct params *p, double E);
 
-/* Eq 3 with its numbers; the caller frees. */
-char *selection_text(const double q[static 3], double k);
+char *selection_text(const struct params *p, double k);
 
 #endif

@@ -34,4 +34,17 @@ bool sensitivity_on_bound(
 struct sensitivity sensitivity_of(struct misfit *m, const struct params *p,
     const struct bounds *bounds, bool inward, double *basis);
 
+/* The direction in which the misfit rises least at a fitted point, to second
+ * order. part [PARAMS_MOST]: how far each parameter goes along it, in shares of
+ * its search range, for a rise of a tenth of the misfit; 0 for parameters that
+ * are fixed or on a bound. reach: the longest of these steps. */
+struct flat {
+	double part[PARAMS_MOST];
+	double reach;
+};
+
+/* Cannot fail. */
+struct flat sensitivity_flat(
+    struct misfit *m, const struct params *p, const struct bounds *bounds);
+
 #endif

@@ -12,12 +12,12 @@
 
 enum { UNCERTAINTY_DRAWS = 200, UNCERTAINTY_LEVEL = 80 };
 
-/* Fits that the data allow, drawn as often as they are plausible (plausible.h)
+/* Fits that the data allow, drawn as often as they are plausible (see .c)
  * within the search bounds, a step beyond which is not taken.  Parameters held
  * fixed stay; one on its bound moves inward only.
  *   draw          beta scaled to 1
  *   low, high     the middle 80 % of each parameter, widened to hold the fit
- *   deviation     s of plausible.h */
+ *   deviation     s of struct plausible */
 struct uncertainty {
 	struct params draw[UNCERTAINTY_DRAWS];
 	double low[PARAMS_MOST], high[PARAMS_MOST];

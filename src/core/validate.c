@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/energy.h"
 #include "core/misfit.h"
 #include "core/product.h"
 

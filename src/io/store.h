@@ -28,8 +28,12 @@ const char *store_path(const struct store *store);
 /* Bytes of the file; -1 where there is none (yet), as for ":memory:". */
 int64_t store_bytes(const struct store *store);
 
-/* The schema that files have once they were opened. */
-enum { STORE_SCHEMA = 3 };
+/* The schema that files have once they were opened, and "tips" in ASCII: PRAGMA
+ * application_id of a store. */
+enum { STORE_SCHEMA = 3, SCHEMA_APPLICATION = 0x74697073 };
+
+/* What brings a file from schema i to i + 1, at index i. */
+extern const char *const SCHEMA_STEPS[STORE_SCHEMA];
 
 /* Adds the user's own materials to the list, in the order of their names; none
  * where there is no file, and none is made.

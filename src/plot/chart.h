@@ -78,16 +78,6 @@ double chart_at(
 double chart_at_y(
     const struct chart *chart, const struct chart_series *series, double y);
 
-/* What is written around the axes; the foot goes with the legend. */
-enum { CHART_TITLE = 1, CHART_LEGEND = 2, CHART_NOTES = 4, CHART_ALL = 7 };
-
-/* The chart in exactly columns x rows cells, whatever they are.  Where room is
- * short its parts go in this order: title of the y axis, notes and legend,
- * second row of labels, foot, title, labels, axis.  words: which of them to
- * draw at all, of CHART_ALL.  The caller frees. */
-struct canvas *chart_draw(const struct chart *chart, int columns, int rows,
-    enum charset charset, unsigned words);
-
 /* How many dots of a line's path are drawn, then left out, and so on; off is 0
  * of a solid line. */
 void chart_dash(enum chart_line line, int *on, int *off);

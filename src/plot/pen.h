@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "plot/picture.h"
+#include "plot/chart.h"
 
 /* How much is left of the colour of what is faint. */
 #define PEN_FAINT 0.6
@@ -60,17 +60,11 @@ struct pen {
 	bool (*close)(struct pen *);
 };
 
-/* A pen for a form.  title and about go into the file's description; the paper
- * is borrowed until the pen is closed. */
-struct pen *pen_open(enum picture_form form, double width, double height,
-    const struct pen_paper *paper, const char *title, const char *about,
-    FILE *out);
-
-/* The two there are. */
-struct pen *pen_svg(double width, double height, const struct pen_paper *paper,
-    const char *title, const char *about, FILE *out);
-struct pen *pen_cairo(double width, double height,
+/* Makes a pen for a page.  title and about go into the file's description; the
+ * paper is borrowed until the pen is closed.  pdf: from cairo; else PNG. */
+typedef struct pen *pen_maker(double width, double height,
     const struct pen_paper *paper, const char *title, const char *about,
     bool pdf, FILE *out);
+pen_maker pen_svg, pen_cairo;
 
 #endif

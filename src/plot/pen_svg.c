@@ -144,8 +144,9 @@ put_paper(const struct svg *svg, double width, double height)
 
 struct pen *
 pen_svg(double width, double height, const struct pen_paper *paper,
-    const char *title, const char *about, FILE *out)
+    const char *title, const char *about, bool pdf, FILE *out)
 {
+	(void)pdf;
 	struct svg *svg = xcalloc(1, sizeof *svg);
 	svg->pen = (struct pen){svg_path, svg_bars, svg_text, svg_close};
 	svg->paper = paper;

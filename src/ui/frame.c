@@ -11,7 +11,7 @@
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/origin.h"
-#include "core/energy.h"
+#include "core/breakage.h"
 #include "ui/page_predict.h"
 #include "ui/pages.h"
 #include "ui/screen.h"

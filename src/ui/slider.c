@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "core/energy.h"
+#include "core/breakage.h"
 #include "core/site.h"
 
 struct slider_range

@@ -7,6 +7,7 @@
 
 #include "made.h"
 
+#include "base/pool.h"
 #include "core/kernel.h"
 
 /* Candidates of a model, gene[its n][n], readable as the kernel wants it. */
@@ -74,14 +75,42 @@ herd_any(size_t n, uint64_t seed)
 	return herd;
 }
 
+/* One evaluation, for the threads that share it. */
+struct batch {
+	const struct kernel *kernel;
+	const double *const *theta;
+	size_t n;
+	double *misfit;
+};
+
+static inline void
+evaluate_part(void *data, size_t part, unsigned thread)
+{
+	const struct batch *b = data;
+	size_t from = part * KERNEL_PART, to = from + KERNEL_PART;
+	kernel_evaluate_part(b->kernel, b->theta, from, to < b->n ? to : b->n,
+	    thread, b->misfit);
+}
+
+/* All of n candidates; the pool's threads, at most those of kernel_new, share
+ * the parts.  pool: NULL for the caller's thread alone. */
+static inline void
+herd_judge(const struct kernel *kernel, struct pool *pool,
+    const struct herd *herd, size_t n, double *misfit)
+{
+	struct batch batch = {
+	    kernel, (const double *const *)herd->gene, n, misfit};
+	pool_run(
+	    pool, (n + KERNEL_PART - 1) / KERNEL_PART, evaluate_part, &batch);
+}
+
 static inline void
 herd_evaluate(const struct misfit *m, enum isa isa, unsigned threads,
     const struct herd *herd, double *misfit)
 {
 	struct pool *pool = pool_new(threads);
 	struct kernel *kernel = kernel_new(m, isa, threads);
-	kernel_evaluate(
-	    kernel, pool, (const double *const *)herd->gene, herd->n, misfit);
+	herd_judge(kernel, pool, herd, herd->n, misfit);
 	kernel_free(kernel);
 	pool_free(pool);
 }

@@ -7,8 +7,8 @@
 #include "made.h"
 #include "naive.h"
 
+#include "core/breakage.h"
 #include "core/calibrate.h"
-#include "core/energy.h"
 #include "core/selection.h"
 
 enum { SIEVES = 16 };
@@ -229,8 +229,8 @@ check_kernel(size_t m, enum method method, struct draw *draw)
 	}
 	for (enum isa isa = ISA_BASE; isa <= ISA_AVX512; isa++) {
 		struct kernel *kernel = kernel_new(one, isa, 1);
-		kernel_evaluate(kernel, NULL, (const double *const *)herd.gene,
-		    N, isa == ISA_BASE ? misfit : other);
+		herd_judge(
+		    kernel, NULL, &herd, N, isa == ISA_BASE ? misfit : other);
 		if (isa > ISA_BASE)
 			assert_memory_equal(misfit, other, sizeof misfit);
 		kernel_free(kernel);

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "plot/chart.h"
+#include "plot/draw.h"
 
 static const double SIEVES[] = {
     22.4, 16, 11.2, 8, 5.6, 4, 2, 1, 0.5, 0.25, 0.125, 0.063};

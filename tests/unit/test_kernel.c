@@ -255,13 +255,11 @@ check_company(
 	for (size_t i = 0; i < HERD; i += 7) {
 		struct params p = herd_get(herd, i);
 		herd_put(&alone, 0, &p);
-		kernel_evaluate(
-		    kernel, NULL, (const double *const *)alone.gene, 1, misfit);
+		herd_judge(kernel, NULL, &alone, 1, misfit);
 		expect_same("alone", plain + i, misfit, 1);
 		for (size_t l = 0; l < KERNEL_LANES; l++)
 			herd_put(&copies, l, &p);
-		kernel_evaluate(kernel, NULL,
-		    (const double *const *)copies.gene, KERNEL_LANES, misfit);
+		herd_judge(kernel, NULL, &copies, KERNEL_LANES, misfit);
 		for (size_t l = 0; l < KERNEL_LANES; l++)
 			expect_same("copies", plain + i, misfit + l, 1);
 	}
@@ -313,8 +311,7 @@ check_count(
 	for (size_t n = 0; n < 70; n++) {
 		for (size_t i = 0; i < ARRAY_LEN(misfit); i++)
 			misfit[i] = -3;
-		kernel_evaluate(
-		    kernel, pool, (const double *const *)herd->gene, n, misfit);
+		herd_judge(kernel, pool, herd, n, misfit);
 		expect_same("a part", plain, misfit, n);
 		for (size_t i = n; i < ARRAY_LEN(misfit); i++)
 			assert_true(misfit[i] == -3);

@@ -5,8 +5,8 @@
 #include "made.h"
 
 #include "core/appearance.h"
+#include "core/breakage.h"
 #include "core/classes.h"
-#include "core/energy.h"
 #include "core/selection.h"
 
 static const double SPEEDS[] = {65, 69, 74, 79, 85};
@@ -31,7 +31,7 @@ break_sizes_of_tierp(void **state)
 	static const double mm[] = {6.48, 5.72, 4.94, 4.31, 3.70};
 	struct params p = made_params(&TABLE_3[TIERP]);
 	for (size_t i = 0; i < 5; i++) {
-		double x = energy_break_size(&p, SPEEDS[i]);
+		double x = params_break_size(&p, SPEEDS[i]);
 		expect_near("break size, mm", x * 1000, mm[i], 0.005);
 		double E = SPEEDS[i] * SPEEDS[i] / 2;
 		expect_near("x^alpha E", pow(x, p.alpha) * E, p.e0_min, 1e-12);
@@ -43,18 +43,18 @@ break_sizes_at_the_edges(void **state)
 {
 	(void)state;
 	struct params p = made_params(&TABLE_3[TIERP]);
-	assert_true(isinf(energy_break_size(&p, 0)));
+	assert_true(isinf(params_break_size(&p, 0)));
 	p.e0_min = 0;
-	assert_true(energy_break_size(&p, 74) == 0);
-	assert_true(isinf(energy_break_size(&p, 0)));
+	assert_true(params_break_size(&p, 74) == 0);
+	assert_true(isinf(params_break_size(&p, 0)));
 	p = (struct params){.f_mat = 1, .e0_min = 2738, .alpha = 0};
-	assert_true(isinf(energy_break_size(&p, 74)));
-	assert_true(energy_break_size(&p, 75) == 0);
+	assert_true(isinf(params_break_size(&p, 74)));
+	assert_true(params_break_size(&p, 75) == 0);
 	p.alpha = 1e-6;
-	assert_true(energy_break_size(&p, 75) == 0);
-	assert_true(isinf(energy_break_size(&p, 73)));
+	assert_true(params_break_size(&p, 75) == 0);
+	assert_true(isinf(params_break_size(&p, 73)));
 	p.alpha = 1e-3;
-	double x = energy_break_size(&p, 74.5);
+	double x = params_break_size(&p, 74.5);
 	assert_true(x > 0 && x < 1);
 }
 
@@ -90,7 +90,7 @@ nothing_is_selected_below_the_break_size(void **state)
 		for (size_t i = 0; i < ARRAY_LEN(SPEEDS); i++) {
 			struct params p = made_params(&TABLE_3[row]);
 			double E = energy_specific(SPEEDS[i]);
-			double x = energy_break_size(&p, SPEEDS[i]);
+			double x = params_break_size(&p, SPEEDS[i]);
 			assert_true(selected(&p, 1, E, x * (1 - 1e-9)) == 0);
 			assert_true(selected(&p, 1, E, x * (1 + 1e-9)) > 0);
 			assert_true(selected(&p, 1, E, x / 10) == 0);
@@ -181,6 +181,19 @@ static const double CUBICS[][4] = {{0, 1, -1, 0.5}, {-0.08, 0.66, -1.5, 1},
     {-0.3, 1, 0, 0}, {0.3, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 0, 1},
     {-0.1, 0, 0, 1}, {0.25, -1, 1, 0}, {0.1, 0, -1, 0}};
 
+/* B(u); where total is 0 it is 0 for every u < 1. */
+static double
+passing(const struct appearance *a, double u)
+{
+	double parts[4], sum = 0;
+	if (u >= 1)
+		return 1;
+	appearance_parts(a, log(u), parts);
+	for (size_t i = 0; i < 4; i++)
+		sum += a->beta[i] * parts[i];
+	return a->total > 0 ? sum / a->total : 0;
+}
+
 static void
 expect_B(const double beta[static 4])
 {
@@ -190,7 +203,7 @@ expect_B(const double beta[static 4])
 	assert_true((a.total > 0) == (B[0] > 0));
 	for (size_t i = 0; i <= CELLS && B[0] > 0; i += 97) {
 		double u = exp(-log(1024) / CELLS * (double)i);
-		expect_near("B(u)", appearance_passing(&a, u), B[i], 1e-5);
+		expect_near("B(u)", passing(&a, u), B[i], 1e-5);
 	}
 }
 
@@ -216,11 +229,11 @@ B_rises_from_0_to_1(void **state)
 		struct params p = made_any_params(&draw);
 		struct appearance a = appearance_of(p.beta);
 		double before = 0;
-		assert_true(appearance_passing(&a, 0.999 / 1024) == 0);
-		assert_true(appearance_passing(&a, 1) == 1);
-		assert_true(appearance_passing(&a, 3) == 1);
+		assert_true(passing(&a, 0.999 / 1024) == 0);
+		assert_true(passing(&a, 1) == 1);
+		assert_true(passing(&a, 3) == 1);
 		for (double u = 1.0 / 1024; u < 1; u *= 1.02) {
-			double B = appearance_passing(&a, u);
+			double B = passing(&a, u);
 			if (!(B >= before - 1e-14 && B <= 1 + 1e-14))
 				fail_msg(
 				    "B(%g) = %.17g after %.17g", u, B, before);
@@ -228,8 +241,8 @@ B_rises_from_0_to_1(void **state)
 		}
 		/* A short piece of p is a small difference of large ones. */
 		if (a.total > 0)
-			expect_near("B(1-)", appearance_passing(&a, 1 - 1e-15),
-			    1, 1e-14 * (1 + 5000 / a.total));
+			expect_near("B(1-)", passing(&a, 1 - 1e-15), 1,
+			    1e-14 * (1 + 5000 / a.total));
 	}
 }
 
@@ -248,8 +261,8 @@ only_the_direction_of_beta_matters(void **state)
 		struct appearance a = appearance_of(p.beta);
 		struct appearance b = appearance_of(q.beta);
 		for (double u = 1.0 / 1024; u < 1; u *= 1.3)
-			expect_near("B(u)", appearance_passing(&a, u),
-			    appearance_passing(&b, u), 1e-11);
+			expect_near(
+			    "B(u)", passing(&a, u), passing(&b, u), 1e-11);
 	}
 }
 
@@ -274,8 +287,8 @@ no_daughters_leaves_the_parent_whole(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(none); i++) {
 		struct appearance a = appearance_of(none[i]);
 		assert_true(a.total == 0 && a.n == 0);
-		assert_true(appearance_passing(&a, 0.999) == 0);
-		assert_true(appearance_passing(&a, 1) == 1);
+		assert_true(passing(&a, 0.999) == 0);
+		assert_true(passing(&a, 1) == 1);
 		double m[16];
 		matrix_of(none[i], APPEARANCE_RATIO, x, 4, m);
 		for (size_t c = 0; c < 16; c++) {

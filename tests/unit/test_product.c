@@ -5,7 +5,7 @@
 #include "made.h"
 #include "naive.h"
 
-#include "core/energy.h"
+#include "core/breakage.h"
 #include "core/product.h"
 
 enum { SIEVES = 16 };

@@ -4,7 +4,6 @@
 #include "shelf.h"
 
 #include "base/text.h"
-#include "io/store_schema.h"
 
 /* Every call fails with this kind of error, and the words and a hint. */
 static void

@@ -1,12 +1,9 @@
 /* What the paper's model shares with grunditz-energy.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_GRUNDITZ_H
-#define TIPSPEED_CORE_GRUNDITZ_H
+#ifndef TIPSPEED_CORE_BREAKAGE_GRUNDITZ_H
+#define TIPSPEED_CORE_BREAKAGE_GRUNDITZ_H
 
 #include "core/breakage.h"
-
-/* Index of f_mat, which e0_min and alpha follow. */
-enum { GRUNDITZ_F_MAT = 4 };
 
 #define GRUNDITZ_BETA                                                  \
 	{"beta1", "-", -1000, 1000, -BETA_MOST, BETA_MOST, 0,          \
@@ -25,12 +22,8 @@ const struct appearance *grunditz_appearance(const struct breaker *b);
 
 /* See the fields of struct breakage so called. */
 void grunditz_prepare(struct breaker *b);
-double grunditz_selection(const struct breaker *b, double log_x, double *d);
-double grunditz_size_at(const struct breaker *b, double exponent);
-double grunditz_break_size(const struct params *p, double E);
 double grunditz_finer(const struct breaker *b, double log_u, double *d);
 bool grunditz_breaks(const struct breaker *b);
-char *grunditz_selection_text(const struct params *p, double k);
 char *grunditz_appearance_text(const struct params *p);
 
 #endif
