@@ -74,9 +74,9 @@ faults_of_an_import_have_their_place(void **state)
 		const char *old, *new;
 		int line, column;
 		const char *words;
-	} faults[] = {{"2.18", "many", 2, 32, "a number from 0 to 10000"},
-	    {"2.18", "-1", 2, 32, "a number from 0 to 10000"},
-	    {"2.18", "", 2, 32, "f_mat was wanted"},
+	} faults[] = {{"2.18", "many", 2, 41, "a number from 0 to 10000"},
+	    {"2.18", "-1", 2, 41, "a number from 0 to 10000"},
+	    {"2.18", "", 2, 41, "f_mat was wanted"},
 	    {"hand", "magic", 2, 16, "one of: fit hand"},
 	    {"\na,", "\n,", 2, 1, "name was wanted"},
 	    {"\na,", "\ntable3/a,", 2, 1, "# or table3/"},
