@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/data.h"
+#include "cmd/line.h"
 #include "cmd/session.h"
 #include "cmd/usage.h"
 #include "config.h"

@@ -75,8 +75,8 @@ at_home() {
 	done >"$tmp"
 	none "headers of $1 declare what the .c of their name defines"
 }
-# To be completed: core, io, plot and cmd.
-for layer in base ui; do
+# To be completed: core, io and plot.
+for layer in base ui cmd; do
 	circles $layer
 	at_home $layer
 done

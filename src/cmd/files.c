@@ -9,7 +9,6 @@
 #include <sys/stat.h>
 
 #include "base/xalloc.h"
-#include "cmd/script.h"
 #include "io/file.h"
 
 struct files {
@@ -111,7 +110,7 @@ bool
 files_may_replace(struct session *s, const char *path, struct error *error)
 {
 	struct stat file;
-	if (s->confirm == NULL || script_depth(s) > s->typed_at ||
+	if (s->confirm == NULL || s->scripts > s->typed_at ||
 	    stat(path, &file) != 0 || !S_ISREG(file.st_mode) ||
 	    file.st_size == 0 || is_known(s, &file, true))
 		return true;

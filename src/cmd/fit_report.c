@@ -1,5 +1,7 @@
-/* What a fit is worth, and its table.
+/* The table of a fit, and its fields.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/fit_report.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -11,74 +13,6 @@
 #include "core/validate.h"
 #include "io/units.h"
 
-bool
-fit_breaks_nothing(const struct fit *fit)
-{
-	return fit->misfit > (1 - FIT_NOTHING) * fit->feed_misfit;
-}
-
-bool
-fit_too_few(const struct fit *fit)
-{
-	return fit->cells <= fit->parameters;
-}
-
-void
-fit_note_too_few(struct answer *r, const struct fit *fit)
-{
-	answer_say(r, ANSWER_WARNING,
-	    "%zu passing%s cannot determine %zu parameters: no verdict and no "
-	    "band; add sieves or a run",
-	    fit->cells, fit->cells == 1 ? "" : "s", fit->parameters);
-}
-
-const char *
-fit_verdict(const struct fit *fit)
-{
-	if (fit->rmse > FIT_POOR)
-		return "poor";
-	if (fit_too_few(fit))
-		return "too few data";
-	return fit_breaks_nothing(fit) ? "nothing breaks" : "good";
-}
-
-double
-fit_holdout_rmse(const struct entry *entry)
-{
-	double largest = NAN;
-	for (size_t r = 0; r < entry->site->n_run; r++) {
-		const struct run *run = &entry->site->run[r];
-		if (entry->train[r] || misfit_covered(run) == 0)
-			continue;
-		struct validation v = validate_run(entry->site, r, entry->train,
-		    &entry->fit.params, entry->fit.settings);
-		largest = fmax(largest, v.rmse);
-	}
-	return largest;
-}
-
-struct validation
-fit_outlier(const struct entry *entry)
-{
-	/* With noise of 0.5 points none of 38 sites has more than 1.9; of 77
-	 * products with two digits changed by 9 points, 67 have more than 4.
-	 * Of a poor fit many cells lie off. */
-	double rmse = entry->fit.rmse;
-	double far_off = rmse > FIT_POOR ? fmax(0.04, 3 * rmse) : 0.04;
-	struct validation farthest = {.worst_difference = 0};
-	for (size_t r = 0; entry->has_fit && r < entry->site->n_run; r++) {
-		const struct run *run = &entry->site->run[r];
-		if (misfit_covered(run) == 0)
-			continue;
-		struct validation v = validate_run(entry->site, r, entry->train,
-		    &entry->fit.params, entry->fit.settings);
-		if (fabs(v.worst_difference) >
-		    fmax(far_off, fabs(farthest.worst_difference)))
-			farthest = v;
-	}
-	return farthest;
-}
-
 /* The speeds that were trained on, or the others. */
 static void
 put_speeds(
@@ -89,17 +23,6 @@ put_speeds(
 	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].product.n > 0 && entry->train[r] == trained)
 			fields_put(list, "%g", site->run[r].speed);
-}
-
-void
-fit_put_params(struct fields *o, const struct params *p)
-{
-	const struct breakage *of = breakage_of(p);
-	struct fields *params = fields_object(o, "params");
-	if (of->gauge > 0)
-		fields_numbers(params, of->gauge_name, p->at, of->gauge, NULL);
-	for (size_t j = of->gauge; j < of->n; j++)
-		fields_number(params, of->parameter[j].name, p->at[j]);
 }
 
 void
@@ -147,14 +70,6 @@ explain_nothing(struct answer *r, const struct entry *entry)
 	answer_say(r, ANSWER_WARNING,
 	    "  the parameters above therefore fit sampling noise: a "
 	    "coarser feed or a higher speed would tell more");
-}
-
-bool
-fit_is_flat(const struct fit *fit, size_t j)
-{
-	const double worth_saying = 0.05, part_of_it = 0.25;
-	return fit->flat.reach >= worth_saying &&
-	       fabs(fit->flat.part[j]) >= part_of_it * fit->flat.reach;
 }
 
 /* Names the parameters that can go far together for a tenth more misfit, each

@@ -55,18 +55,6 @@ add_rows(struct answer *r, const struct history *h, size_t step, bool exact)
 			add_row(r, h, i, exact);
 }
 
-void
-history_drop(struct history *h)
-{
-	if (h == NULL || --h->holders > 0)
-		return;
-	free(h->generation);
-	misfit_free(h->misfit);
-	free(h->uncertainty);
-	band_free(&h->band);
-	free(h);
-}
-
 bool
 cmd_history(struct session *s, const struct args *args, struct error *error)
 {

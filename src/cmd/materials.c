@@ -11,14 +11,6 @@
 #include "cmd/store.h"
 #include "cmd/table.h"
 
-const char *
-store_origin_words(const struct stored *m)
-{
-	return stored_is_table3(m)             ? "Table 3"
-	       : strcmp(m->origin, "fit") == 0 ? "fit"
-					       : "set by hand";
-}
-
 /* Sizes are nominal: within 5 % they are the same, so that 11 finds 11.2. */
 static bool
 has_size(const struct stored *m, double top_mm)

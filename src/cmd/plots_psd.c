@@ -8,7 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
-#include "cmd/origin.h"
+#include "cmd/entries.h"
 #include "cmd/plots.h"
 #include "core/misfit.h"
 #include "core/predict.h"

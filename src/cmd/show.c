@@ -18,7 +18,7 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	const struct site *site = session_entry(s)->site;
 	struct answer *r = answer_new("show");
 	char *label = session_label(site);
-	char *speeds = data_speeds(site, " ", NULL, true);
+	char *speeds = session_speeds(site, " ", NULL, true);
 	answer_title(r, "%s", label);
 	answer_site(r, site->name, site->provenance);
 	answer_columns(r, "what, value");

@@ -11,10 +11,10 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/data.h"
+#include "cmd/entries.h"
 #include "cmd/files.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
-#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "cmd/turn.h"
 #include "config.h"
@@ -339,4 +339,12 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 	stored_list_free(&there);
 	stored_list_free(&list);
 	return ok;
+}
+
+const char *
+store_origin_words(const struct stored *m)
+{
+	return stored_is_table3(m)             ? "Table 3"
+	       : strcmp(m->origin, "fit") == 0 ? "fit"
+					       : "set by hand";
 }

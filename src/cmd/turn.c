@@ -131,7 +131,7 @@ turn_begin(struct session *s, const struct args *args,
 	    .started = session_clock(),
 	    .timed = s->set.timing,
 	    .running = true,
-	    .scripts = script_depth(s)};
+	    .scripts = s->scripts};
 	if (words->to != TO_SCREEN && can_take(command, words, error))
 		t->redirect = redirect_open(s, words, error);
 	if (words->to != TO_SCREEN && t->redirect == NULL) {
@@ -240,8 +240,7 @@ bool
 turn_over(const struct session *s)
 {
 	bool working = session_busy(s) && s->job.turn == s->turn;
-	return !working && !s->turn->running &&
-	       script_depth(s) <= s->turn->scripts;
+	return !working && !s->turn->running && s->scripts <= s->turn->scripts;
 }
 
 bool

@@ -11,7 +11,11 @@
 #include "cmd/answers.h"
 #include "cmd/command.h"
 #include "cmd/fit.h"
+#include "cmd/job.h"
+#include "cmd/line.h"
+#include "cmd/predict.h"
 #include "cmd/script.h"
+#include "cmd/turn.h"
 #include "ui/driver.h"
 #include "ui/pump.h"
 #include "ui/screen.h"
@@ -323,7 +327,7 @@ conduct_predict(struct tui *t)
 	struct error error = {0};
 	prediction_free(&t->shown);
 	t->shown = (struct prediction){0};
-	if (!answers_step(
+	if (!predict_step(
 		s, t->tenths / 10.0, tui_feed(t), line, &t->shown, &error))
 		say_error(t, &error, line, "typed");
 	if ((!first && !told) || t->command == NULL) {
@@ -445,7 +449,7 @@ conduct_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 		s->typed_at, s->run_screen, s->screen}};
 	s->confirm = confirm;
 	s->prompt = true;
-	s->typed_at = script_depth(s);
+	s->typed_at = s->scripts;
 	s->show_page = NULL;
 	s->run_screen = NULL;
 	tui_keep_feed(t);

@@ -1,6 +1,6 @@
-/* Where parameters are from.
+/* What belongs to a loaded site, and where its parameters are from.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/origin.h"
+#include "cmd/entry.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,18 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
+
+void
+history_drop(struct history *h)
+{
+	if (h == NULL || --h->holders > 0)
+		return;
+	free(h->generation);
+	misfit_free(h->misfit);
+	free(h->uncertainty);
+	band_free(&h->band);
+	free(h);
+}
 
 static struct origin *
 origin_new(char *words, const char *whose, const char *provenance)
@@ -218,4 +229,45 @@ origin_put(struct fields *o, const struct entry *entry)
 	fields_put(
 	    object, "origin %s provenance %s", from->words, from->provenance);
 	fields_numbers(object, "trained_mps", from->speed, from->n_speed, NULL);
+}
+
+const char *
+origin_words(const struct entry *entry)
+{
+	if (entry->has_fit)
+		return "found by calibration";
+	if (!entry->has_params)
+		return "not known yet";
+	return entry->origin->words;
+}
+
+void
+entry_clear(struct entry *entry)
+{
+	free(entry->key);
+	free(entry->train);
+	origin_drop(entry->origin);
+	history_drop(entry->history);
+}
+
+void
+entries_free(struct entry *entry, size_t n)
+{
+	for (size_t i = 0; i < n; i++)
+		entry_clear(&entry[i]);
+	free(entry);
+}
+
+struct entry
+entry_copy(const struct entry *from)
+{
+	struct entry to = *from;
+	size_t runs = from->site->n_run;
+	to.key = xstrdup(from->key);
+	to.origin = origin_share(from->origin);
+	to.train = xcalloc(runs, sizeof *to.train);
+	memcpy(to.train, from->train, runs * sizeof *to.train);
+	if (to.history != NULL)
+		to.history->holders++;
+	return to;
 }
