@@ -25,9 +25,7 @@ command_run cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset, cmd_source,
 		    "take the feed sampled at this speed"      \
 	}
 
-/* What show runs for some of its words: parameters and parts of the model,
- * which need a site, bounds and the store. */
-command_run show_params, show_model, show_selection, show_appearance;
-command_run show_bounds, show_store, show_models;
+/* What show runs too. */
+command_run show_params, show_bounds, show_store;
 
 #endif
