@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/keep.h"
-#include "cmd/plots.h"
 #include "cmd/redirect.h"
 #include "cmd/script.h"
 #include "cmd/undo.h"
@@ -94,7 +93,8 @@ can_take(const struct command *command, const struct words *words,
 		    "this program draws %s, not %s\n> FILE.svg works",
 		    picture_forms(), strrchr(words->target, '.') + 1);
 	if (!(command->flags & COMMAND_DRAWS) &&
-	    text_choice(PLOT_KINDS, command->name, &kind))
+	    text_choice(
+		command_find("plot")->operands.expect[0], command->name, &kind))
 		return error_set(error, ERROR_USAGE,
 		    "%s draws nothing for %s\nplot %s > %s makes a picture",
 		    command->name, words->target, command->name, words->target);
