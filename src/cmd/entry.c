@@ -47,6 +47,14 @@ share_history(struct history *h)
 	return h;
 }
 
+static struct origin *
+share_origin(struct origin *origin)
+{
+	if (origin != NULL)
+		origin->holders++;
+	return origin;
+}
+
 struct origin *
 origin_of_fit(const struct entry *entry)
 {
@@ -73,7 +81,7 @@ origin_taken(const struct entry *from)
 {
 	struct origin *was = from->origin;
 	if (was->whose[0] != '\0')
-		return origin_share(was);
+		return share_origin(was);
 	struct origin *o = origin_new(
 	    xasprintf("taken from %s", from->key), from->key, was->provenance);
 	o->found = was->found;
@@ -101,14 +109,6 @@ origin_stored(const struct stored *m)
 	free(list);
 	o->found = strcmp(m->origin, "hand") != 0 || o->n_speed > 0;
 	return o;
-}
-
-struct origin *
-origin_share(struct origin *origin)
-{
-	if (origin != NULL)
-		origin->holders++;
-	return origin;
 }
 
 void
@@ -264,10 +264,9 @@ entry_copy(const struct entry *from)
 	struct entry to = *from;
 	size_t runs = from->site->n_run;
 	to.key = xstrdup(from->key);
-	to.origin = origin_share(from->origin);
+	to.origin = share_origin(from->origin);
 	to.train = xcalloc(runs, sizeof *to.train);
 	memcpy(to.train, from->train, runs * sizeof *to.train);
-	if (to.history != NULL)
-		to.history->holders++;
+	share_history(to.history);
 	return to;
 }

@@ -82,7 +82,6 @@ struct origin *origin_by_hand(void);
 struct origin *origin_taken(const struct entry *from);
 struct origin *origin_stored(const struct stored *m);
 
-struct origin *origin_share(struct origin *origin);
 void origin_drop(struct origin *origin); /* NULL is allowed */
 bool origin_same(const struct origin *a, const struct origin *b);
 

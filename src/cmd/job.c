@@ -403,7 +403,7 @@ chosen_options(const struct session *s, const struct args *args)
 	o.seed = seed->given ? seed->whole : s->set.seed;
 	o.threads = threads->given ? (unsigned)threads->whole : s->set.threads;
 	o.isa = s->isa;
-	o.stop = s->stop;
+	o.stop = s->hooks.stop;
 	o.population = (size_t)args_value(args, "population")->whole;
 	o.generations = (size_t)args_value(args, "generations")->whole;
 	o.stall = (size_t)args_value(args, "stall")->whole;

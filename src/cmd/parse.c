@@ -342,7 +342,8 @@ wrong_whole(
 	return false;
 }
 
-bool
+/* The error that there is none. */
+static bool
 value_wanted(const struct command_option *option, struct error *error)
 {
 	char *limits = command_limits(option);

@@ -230,11 +230,11 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 {
 	enum picture_form form;
 	bool picture = s->file != NULL && picture_form_of(s->file, &form);
-	if (s->draw_screen == NULL)
+	if (s->hooks.draw_screen == NULL)
 		return error_set(
 		    error, ERROR_SYSTEM, "there is no full screen here");
 	struct screen_request r = screen_request(s, args, picture);
-	struct canvas *canvas = s->draw_screen(s, &r, error);
+	struct canvas *canvas = s->hooks.draw_screen(s, &r, error);
 	if (canvas == NULL)
 		return false;
 	bool ok = true;

@@ -117,8 +117,8 @@ session_note(const struct session *s, const char *format, ...)
 	va_start(ap, format);
 	vsnprintf(text, sizeof text, format, ap);
 	va_end(ap);
-	if (s->tidy != NULL)
-		s->tidy();
+	if (s->hooks.tidy != NULL)
+		s->hooks.tidy();
 	text_wrap(text, 0, 78, s->notes);
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "cmd/entry.h"
+#include "cmd/hooks.h"
 #include "cmd/settings.h"
 #include "io/store.h"
 
@@ -35,11 +36,9 @@ struct screen {
 	bool drawing;
 };
 
-struct canvas;
 struct files;
 struct journal;
 struct keep;
-struct screen_request;
 struct script;
 struct turn;
 struct undo;
@@ -48,34 +47,21 @@ struct session {
 	size_t n_entry, current; /* current is meaningful when n_entry > 0 */
 	struct entry *entry;
 	struct choices set;
-	bool prompt;        /* lines are typed by somebody */
-	size_t typed_at;    /* while so many scripts are open */
-	enum isa isa;       /* most that calibrations may use */
-	bool safe;          /* neither commands nor keys may touch files or
+	bool prompt;     /* lines are typed by somebody */
+	size_t typed_at; /* while so many scripts are open */
+	enum isa isa;    /* most that calibrations may use */
+	bool safe;       /* neither commands nor keys may touch files or
 			       the shell */
-	bool linear;        /* the screen is heard: words, no pictures */
-	FILE *out;          /* results */
-	FILE *notes;        /* what is said beside results; NULL: nothing */
-	void (*tidy)(void); /* clears progress off the line of a note; NULL:
-			       there is none */
-	bool (*stop)(void); /* whether the user waits for what takes long to
-			       end; NULL: never */
+	bool linear;     /* the screen is heard: words, no pictures */
+	FILE *out;       /* results */
+	FILE *notes;     /* what is said beside results; NULL: nothing */
 	struct screen screen;
 	const char *file; /* results go there; NULL: no file */
 	size_t rows;      /* reported since results go where they go */
 	size_t n_answer;
 	struct answer **answer; /* kept, the newest last: see session_keep */
 	struct job job;
-	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
-						where there is no terminal */
-	/* Draws the full screen, see pictures.h; NULL: there is none. */
-	struct canvas *(*draw_screen)(
-	    struct session *, const struct screen_request *, struct error *);
-	/* Is the full screen until it is left; returns an exit status.  NULL:
-	 * none is opened. */
-	int (*run_screen)(struct session *);
-	/* Asks somebody who sits there; NULL: nobody does, nothing is asked. */
-	bool (*confirm)(struct session *s, const char *question);
+	struct hooks hooks;  /* what the driver lends a hand with */
 	struct files *files; /* read and written, see files.h; or NULL */
 	size_t n_site;
 	struct site **site;    /* every site there was; entries borrow them */

@@ -117,7 +117,7 @@ batch_attend(struct session *s)
 	if (offer != NULL)
 		session_note(s, "%s", offer);
 	free(offer);
-	s->confirm = pump_confirm;
+	s->hooks.confirm = pump_confirm;
 	s->prompt = true;
 	s->typed_at = s->scripts;
 }

@@ -45,9 +45,9 @@ go_through(const struct driver *d, size_t depth, const char *line,
 		return interrupt(d, line, name, number);
 	pager_show(d->pager);
 	int status = driver_scripts(d, depth);
-	if (status == 0 && s->wants_tui && s->run_screen != NULL) {
+	if (status == 0 && s->wants_tui && s->hooks.run_screen != NULL) {
 		s->wants_tui = false;
-		status = s->run_screen(s);
+		status = s->hooks.run_screen(s);
 	}
 	if (status != 0 || s->quit)
 		give_up(d, status, line, name);
