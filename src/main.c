@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/data.h"
+#include "cmd/line.h"
 #include "cmd/session.h"
 #include "cmd/usage.h"
 #include "config.h"
@@ -264,10 +265,10 @@ main(int argc, char **argv)
 		s->store = store_new(none ? ":memory:" : in.store);
 		terminal_choose(in.color);
 		s->screen = terminal_screen();
-		s->draw_screen = shot_draw;
-		s->run_screen = in.linear ? repl_for_screen : tui_run;
+		s->hooks.draw_screen = shot_draw;
+		s->hooks.run_screen = in.linear ? repl_for_screen : tui_run;
 		pump_catch_signals();
-		s->stop = pump_waited_for;
+		s->hooks.stop = pump_waited_for;
 		s->linear = in.linear;
 		if (in.help)
 			usage_print(stdout);

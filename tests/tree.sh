@@ -75,8 +75,7 @@ at_home() {
 	done >"$tmp"
 	none "headers of $1 declare what the .c of their name defines"
 }
-# To be completed: cmd.
-for layer in base core io plot ui; do
+for layer in base core io plot cmd ui; do
 	circles $layer
 	at_home $layer
 done

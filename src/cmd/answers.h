@@ -58,12 +58,6 @@ double *answers_speeds(const struct site *site, size_t *n);
  * what the speed does: that of the run nearest to this speed, m/s. */
 double answers_middle(const struct site *site);
 
-/* Predicts as the command `predict` that the line is, and says nothing: the
- * session keeps the answer, the journal the line, and the value is for whoever
- * shows it.  False where there is nothing to predict with. */
-bool answers_step(struct session *s, double speed, size_t feed_run,
-    const char *line, struct prediction *p, struct error *error);
-
 /* Keeps a prediction as the newest answer of `predict`. */
 void answers_keep(
     struct session *s, const struct params *params, const struct prediction *p);

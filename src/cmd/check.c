@@ -1,12 +1,14 @@
 /* check: the sheet doctor.  It reports and mends nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/check.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "cmd/data.h"
+#include "cmd/entries.h"
 #include "cmd/fit.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
@@ -56,7 +58,7 @@ find_coarser(const struct run *run)
 }
 
 void
-data_warn_coarser(struct session *s, const struct site *site)
+check_warn_coarser(struct session *s, const struct site *site)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
 		struct coarser c = find_coarser(&site->run[r]);

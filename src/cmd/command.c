@@ -9,7 +9,6 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/table.h"
 
 /* In the order of help and manual. */
 static const struct {

@@ -105,6 +105,13 @@ struct command {
 	command_run *run;
 };
 
+/* The table's parts, a file for each group; each ends with a name of NULL. */
+extern const struct command TABLE_DATA[], TABLE_MODEL[], TABLE_FIT[],
+    TABLE_ANSWERS[], TABLE_STORE[], TABLE_PICTURES[], TABLE_SESSION[];
+
+/* What `set` sets; ends with a name of NULL. */
+extern const struct setting SETTINGS[];
+
 /* The table, by group: the first command for NULL, then the one after. NULL
  * at the end. */
 const struct command *command_next(const struct command *after);

@@ -6,7 +6,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/origin.h"
+#include "cmd/entries.h"
 #include "cmd/parse.h"
 #include "cmd/table.h"
 #include "core/predict.h"

@@ -9,9 +9,10 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/check.h"
+#include "cmd/entries.h"
 #include "cmd/files.h"
 #include "cmd/journal.h"
-#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "core/synth.h"
 #include "io/site_write.h"
@@ -55,7 +56,7 @@ data_load(struct session *s, const char *path, const char *digest,
 		return false;
 	const struct entry *entry = session_entry(s);
 	note_loaded(s, entry->site);
-	data_warn_coarser(s, entry->site);
+	check_warn_coarser(s, entry->site);
 	char *line = journal_load(entry->site);
 	journal_add(s, NULL, "%s", line);
 	free(line);
@@ -76,18 +77,6 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-char *
-data_speeds(
-    const struct site *site, const char *between, const bool *mark, bool marked)
-{
-	char *list = xstrdup("");
-	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].product.n > 0 &&
-		    (mark == NULL || mark[r] == marked))
-			xlist(&list, between, "%g", site->run[r].speed);
-	return list;
-}
-
 bool
 cmd_sites(struct session *s, const struct args *args, struct error *error)
 {
@@ -99,7 +88,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	    "calibrated, data");
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		char *speeds = data_speeds(entry->site, " ", NULL, true);
+		char *speeds = session_speeds(entry->site, " ", NULL, true);
 		char *marked =
 		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
 		answer_name(r, entry->key, marked);
@@ -112,7 +101,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    entry->has_fit          ? "yes"
 		    : !entry->has_params    ? "no"
 		    : entry->origin->stored ? "from store"
-					    : session_origin(entry),
+					    : origin_words(entry),
 		    site_data_kind(entry->site->provenance));
 		free(speeds);
 	}

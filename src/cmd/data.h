@@ -18,13 +18,4 @@ bool data_load(struct session *s, const char *path, const char *digest,
 bool data_may_write(const struct session *s, const struct args *args,
     const char *path, struct error *error);
 
-/* "69, 79": speeds of the runs that have a product, and whose mark [n_run] is
- * `marked`; mark NULL: of all.  The caller frees. */
-char *data_speeds(const struct site *site, const char *between,
-    const bool *mark, bool marked);
-
-/* Says beside the results where a run's product is coarser than its feed; the
- * numbers stay as they are. */
-void data_warn_coarser(struct session *s, const struct site *site);
-
 #endif

@@ -8,7 +8,6 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
-#include "cmd/origin.h"
 
 const struct uncertainty *
 doubt_of(const struct entry *entry)

@@ -1,5 +1,7 @@
-/* The loaded sites of a session: their keys, finding, adding, dropping.
+/* The loaded sites of a session, and their keys.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/entries.h"
+
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,40 +11,9 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/files.h"
-#include "cmd/origin.h"
+#include "cmd/job.h"
 #include "io/site_read.h"
 #include "io/units.h"
-
-static void
-entry_clear(struct entry *entry)
-{
-	free(entry->key);
-	free(entry->train);
-	origin_drop(entry->origin);
-	history_drop(entry->history);
-}
-
-void
-entries_free(struct entry *entry, size_t n)
-{
-	for (size_t i = 0; i < n; i++)
-		entry_clear(&entry[i]);
-	free(entry);
-}
-
-struct entry
-entry_copy(const struct entry *from)
-{
-	struct entry to = *from;
-	size_t runs = from->site->n_run;
-	to.key = xstrdup(from->key);
-	to.origin = origin_share(from->origin);
-	to.train = xcalloc(runs, sizeof *to.train);
-	memcpy(to.train, from->train, runs * sizeof *to.train);
-	if (to.history != NULL)
-		to.history->holders++;
-	return to;
-}
 
 static bool
 key_taken(const struct session *s, const char *key)

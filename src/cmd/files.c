@@ -9,7 +9,6 @@
 #include <sys/stat.h>
 
 #include "base/xalloc.h"
-#include "cmd/script.h"
 #include "io/file.h"
 
 struct files {
@@ -111,12 +110,12 @@ bool
 files_may_replace(struct session *s, const char *path, struct error *error)
 {
 	struct stat file;
-	if (s->confirm == NULL || script_depth(s) > s->typed_at ||
+	if (s->hooks.confirm == NULL || s->scripts > s->typed_at ||
 	    stat(path, &file) != 0 || !S_ISREG(file.st_mode) ||
 	    file.st_size == 0 || is_known(s, &file, true))
 		return true;
 	char *question = xasprintf("%s exists: replace it?", path);
-	bool yes = s->confirm(s, question);
+	bool yes = s->hooks.confirm(s, question);
 	free(question);
 	return yes || error_set(error, ERROR_USAGE,
 			  "%s was kept as it was\nname another file", path);

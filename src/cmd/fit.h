@@ -1,4 +1,4 @@
-/* Commands that calibrate, and what a fit is worth.
+/* What a fit is worth.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_H
 #define TIPSPEED_CMD_FIT_H
@@ -7,21 +7,6 @@
 
 #include "cmd/session.h"
 #include "core/validate.h"
-
-/* Says beside the results what the job is about to do. */
-void fit_announce(struct session *s);
-
-/* Starts a job, of which options, train, all, pause_at, run_weight say what
- * is wanted, on the site in use (all: the first of those loaded); takes what it
- * owns.  Where no site has a product, nothing is started. */
-void job_start(struct session *s, const struct job *job);
-
-/* Frees what it owns, and leaves it empty. */
-void job_free(struct job *job);
-
-/* Takes the job's result into its site; reports it. */
-void fit_take(struct session *s);
-void fit_show(struct session *s);
 
 /* Above this RMSE (passing, 0..1) at the training runs a fit is called poor: a
  * careful sample repeats to 0.005 or 0.01. */
@@ -46,10 +31,6 @@ double fit_holdout_rmse(const struct entry *entry);
  * by more than a careful sample does; worst_difference is 0 where none does. */
 struct validation fit_outlier(const struct entry *entry);
 
-/* The table of a site's fit, with its fields; seconds: how long it took. */
-struct answer *fit_answer(
-    const struct entry *entry, const struct bounds *bounds, double seconds);
-
 /* False where an appearance other than ratio is set with another method than
  * classes. */
 bool fit_settings_agree(const struct model_settings *settings, size_t breakage,
@@ -57,9 +38,6 @@ bool fit_settings_agree(const struct model_settings *settings, size_t breakage,
 
 /* Puts "params": {"beta":[4],"f_mat":..,"e0_min":..,"alpha":..}. */
 void fit_put_params(struct fields *o, const struct params *p);
-
-/* What json has of an entry's fit, but for its ranges. */
-void fit_put(struct fields *o, const struct entry *entry, double seconds);
 
 /* "poor", "too few data", "nothing breaks" or "good". */
 const char *fit_verdict(const struct fit *fit);

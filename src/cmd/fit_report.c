@@ -1,5 +1,7 @@
-/* What a fit is worth, and its table.
+/* The table of a fit and its fields; history: the generations of the search.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/fit_report.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -7,77 +9,10 @@
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
 #include "cmd/fit.h"
+#include "cmd/table.h"
 #include "core/breakage.h"
 #include "core/validate.h"
 #include "io/units.h"
-
-bool
-fit_breaks_nothing(const struct fit *fit)
-{
-	return fit->misfit > (1 - FIT_NOTHING) * fit->feed_misfit;
-}
-
-bool
-fit_too_few(const struct fit *fit)
-{
-	return fit->cells <= fit->parameters;
-}
-
-void
-fit_note_too_few(struct answer *r, const struct fit *fit)
-{
-	answer_say(r, ANSWER_WARNING,
-	    "%zu passing%s cannot determine %zu parameters: no verdict and no "
-	    "band; add sieves or a run",
-	    fit->cells, fit->cells == 1 ? "" : "s", fit->parameters);
-}
-
-const char *
-fit_verdict(const struct fit *fit)
-{
-	if (fit->rmse > FIT_POOR)
-		return "poor";
-	if (fit_too_few(fit))
-		return "too few data";
-	return fit_breaks_nothing(fit) ? "nothing breaks" : "good";
-}
-
-double
-fit_holdout_rmse(const struct entry *entry)
-{
-	double largest = NAN;
-	for (size_t r = 0; r < entry->site->n_run; r++) {
-		const struct run *run = &entry->site->run[r];
-		if (entry->train[r] || misfit_covered(run) == 0)
-			continue;
-		struct validation v = validate_run(entry->site, r, entry->train,
-		    &entry->fit.params, entry->fit.settings);
-		largest = fmax(largest, v.rmse);
-	}
-	return largest;
-}
-
-struct validation
-fit_outlier(const struct entry *entry)
-{
-	/* With noise of 0.5 points none of 38 sites has more than 1.9; of 77
-	 * products with two digits changed by 9 points, 67 have more than 4.
-	 * Of a poor fit many cells lie off. */
-	double rmse = entry->fit.rmse;
-	double far_off = rmse > FIT_POOR ? fmax(0.04, 3 * rmse) : 0.04;
-	struct validation farthest = {.worst_difference = 0};
-	for (size_t r = 0; entry->has_fit && r < entry->site->n_run; r++) {
-		const struct run *run = &entry->site->run[r];
-		if (misfit_covered(run) == 0)
-			continue;
-		struct validation v = validate_run(entry->site, r, entry->train,
-		    &entry->fit.params, entry->fit.settings);
-		if (fabs(v.worst_difference) >
-		    fmax(far_off, fabs(farthest.worst_difference)))
-			farthest = v;
-	}
-	return farthest;
-}
 
 /* The speeds that were trained on, or the others. */
 static void
@@ -89,17 +24,6 @@ put_speeds(
 	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].product.n > 0 && entry->train[r] == trained)
 			fields_put(list, "%g", site->run[r].speed);
-}
-
-void
-fit_put_params(struct fields *o, const struct params *p)
-{
-	const struct breakage *of = breakage_of(p);
-	struct fields *params = fields_object(o, "params");
-	if (of->gauge > 0)
-		fields_numbers(params, of->gauge_name, p->at, of->gauge, NULL);
-	for (size_t j = of->gauge; j < of->n; j++)
-		fields_number(params, of->parameter[j].name, p->at[j]);
 }
 
 void
@@ -147,14 +71,6 @@ explain_nothing(struct answer *r, const struct entry *entry)
 	answer_say(r, ANSWER_WARNING,
 	    "  the parameters above therefore fit sampling noise: a "
 	    "coarser feed or a higher speed would tell more");
-}
-
-bool
-fit_is_flat(const struct fit *fit, size_t j)
-{
-	const double worth_saying = 0.05, part_of_it = 0.25;
-	return fit->flat.reach >= worth_saying &&
-	       fabs(fit->flat.part[j]) >= part_of_it * fit->flat.reach;
 }
 
 /* Names the parameters that can go far together for a tenth more misfit, each
@@ -288,4 +204,86 @@ fit_answer(
 	fit_put(answer_fields(r), entry, seconds);
 	doubt_put_interval(answer_fields(r), u);
 	return r;
+}
+
+/* Rows that fit a screen with their heading. */
+enum { ROWS = 18 };
+
+/* The middle 80 % of the candidates in per cent of the bounds; 0 where a
+ * parameter is held fixed. */
+static double
+spread(const struct history *h, const struct calibrate_generation *g, size_t j)
+{
+	double range = h->bounds.upper[j] - h->bounds.lower[j];
+	return range > 0 ? 100 * (g->p90[j] - g->p10[j]) / range : 0;
+}
+
+static void
+add_generation_heads(struct answer *r, const struct breakage *of, bool exact)
+{
+	answer_columns(r, "generation: gen, best, median");
+	for (size_t j = 0; j < of->n; j++) {
+		const char *name = of->parameter[j].name;
+		if (exact)
+			answer_columns(
+			    r, "%s, %s_p10, %s_p90", name, name, name);
+		else
+			answer_columns(r, "%s_p90: %s", name, name);
+	}
+}
+
+static void
+add_generation(struct answer *r, const struct history *h, size_t i, bool exact)
+{
+	const struct calibrate_generation *g = &h->generation[i];
+	answer_cells(r, "%g %.6f %.6f", (double)(i + 1), g->best, g->median);
+	for (size_t j = 0; j < breakage_of(&g->params)->n; j++) {
+		if (exact) {
+			answer_cells(r, "%g %g %g", g->params.at[j], g->p10[j],
+			    g->p90[j]);
+		} else {
+			answer_cells(r, "%.1f", spread(h, g, j));
+		}
+	}
+}
+
+static void
+add_generations(
+    struct answer *r, const struct history *h, size_t step, bool exact)
+{
+	add_generation_heads(r, breakage_of(&h->generation[0].params), exact);
+	for (size_t i = 0; i < h->n; i++)
+		if (i % step == 0 || i + 1 == h->n)
+			add_generation(r, h, i, exact);
+}
+
+bool
+cmd_history(struct session *s, const struct args *args, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	const struct history *h = entry->history;
+	if (h == NULL || h->n == 0)
+		return error_set(error, ERROR_USAGE,
+		    "%s has not been calibrated in this session\n"
+		    "calibrate it first",
+		    entry->site->name);
+	const struct value *every = args_value(args, "every");
+	size_t step =
+	    every->given ? (size_t)every->whole : (h->n + ROWS - 1) / ROWS;
+	struct answer *r =
+	    answers_new(entry->site, "history", "%zu generations", h->n);
+	add_generations(r, h, step, false);
+	answer_for_programs(r);
+	add_generations(r, h, step, true);
+	answer_say(r, ANSWER_REMARK,
+	    "best and median misfit of the search; then the spread of each "
+	    "parameter, %% of its bounds");
+	answers_note_worth(r, entry);
+	if (entry->fit.edits > 0)
+		answer_say(r, ANSWER_REMARK,
+		    "the bounds were edited after generation %zu%s: earlier "
+		    "spreads are told in %% of those set since",
+		    entry->fit.edited_at,
+		    entry->fit.edits > 1 ? " and before" : "");
+	return session_answer(s, r);
 }

@@ -11,7 +11,6 @@
 #include "cmd/answers.h"
 #include "cmd/data.h"
 #include "cmd/fit.h"
-#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "io/units.h"
 

@@ -134,7 +134,8 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 	    "tipspeed-model.7"};
 	size_t i = args_value(args, "page")->choice;
 	assert(i < ARRAY_LEN(PAGES));
-	if (!s->safe && s->show_page != NULL && s->show_page(PAGES[i]))
+	if (!s->safe && s->hooks.show_page != NULL &&
+	    s->hooks.show_page(PAGES[i]))
 		return true;
 	usage_list(NULL, help_stream(s));
 	if (s->safe)

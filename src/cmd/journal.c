@@ -10,13 +10,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/data.h"
-#include "cmd/files.h"
 #include "cmd/settings.h"
-#include "cmd/table.h"
-#include "cmd/turn.h"
-#include "config.h"
-#include "io/file.h"
 
 struct journal {
 	size_t n, start;
@@ -252,14 +246,6 @@ journal_put(const struct session *s, FILE *out)
 		fprintf(out, "%s\n", j->line[i]);
 }
 
-static void
-put_script(const void *data, FILE *out)
-{
-	fprintf(out, "# A session of tipspeed %s, written by 'save'.\n",
-	    PACKAGE_VERSION);
-	journal_put(data, out);
-}
-
 bool
 journal_can_be_saved(const struct session *s, struct error *error)
 {
@@ -273,26 +259,5 @@ journal_can_be_saved(const struct session *s, struct error *error)
 		    "has a line break\nrename the file, and load it again",
 		    j->line[i]);
 	}
-	return true;
-}
-
-bool
-cmd_save(struct session *s, const struct args *args, struct error *error)
-{
-	const char *path = args->operand[0];
-	if (!text_ends(path, ".tip"))
-		return error_set(error, ERROR_USAGE,
-		    "save writes a script, and '%s' does not end in .tip\n"
-		    "results are saved with > FILE, sheets with write",
-		    path);
-	if (!data_may_write(s, args, path, error) ||
-	    !journal_can_be_saved(s, error) ||
-	    !file_replace_by(path, FILE_SHARED, put_script, s, error))
-		return false;
-	files_wrote(s, path);
-	turn_saved(s);
-	struct mark mark = journal_mark(s);
-	size_t n = mark.n - mark.start;
-	session_note(s, "wrote %s: %zu command%s", path, n, n == 1 ? "" : "s");
 	return true;
 }

@@ -11,7 +11,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/journal.h"
-#include "cmd/script.h"
 #include "config.h"
 #include "io/kept.h"
 
@@ -131,7 +130,7 @@ keep_turn(struct session *s, bool ok, bool saved)
 			remove_restored(k);
 	}
 	/* A script is one step, as it is for undo. */
-	if (script_depth(s) > s->typed_at || failed_to_restore(k, ok))
+	if (s->scripts > s->typed_at || failed_to_restore(k, ok))
 		return;
 	if (saved || now.n != k->written.n || now.start != k->written.start ||
 	    now.state != k->written.state)

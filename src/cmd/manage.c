@@ -6,12 +6,20 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/data.h"
+#include "cmd/entries.h"
+#include "cmd/files.h"
+#include "cmd/job.h"
 #include "cmd/journal.h"
 #include "cmd/keep.h"
 #include "cmd/script.h"
 #include "cmd/settings.h"
 #include "cmd/table.h"
 #include "cmd/turn.h"
+#include "cmd/undo.h"
+#include "config.h"
+#include "core/breakage.h"
+#include "io/file.h"
 
 bool
 cmd_drop(struct session *s, const struct args *args, struct error *error)
@@ -110,5 +118,128 @@ cmd_tui(struct session *s, const struct args *args, struct error *error)
 		    "tui wants a terminal for input and output\n"
 		    "'predict' answers without one");
 	s->wants_tui = true;
+	return true;
+}
+
+static bool
+show_settings(struct session *s)
+{
+	struct answer *r = answer_new("set");
+	answer_columns(r, "setting, value");
+	for (const struct setting *row = SETTINGS; row->option.name != NULL;
+	     row++) {
+		char *text = settings_text(row, &s->set);
+		answer_pair(r, row->option.name, "%s", text);
+		free(text);
+	}
+	return session_answer(s, r);
+}
+
+bool
+cmd_set(struct session *s, const struct args *args, struct error *error)
+{
+	(void)error;
+	const struct model_settings before = s->set.model;
+	bool any = false;
+	for (size_t i = 0; SETTINGS[i].option.name != NULL; i++) {
+		if (!args->value[i].given)
+			continue;
+		settings_put(&SETTINGS[i], &args->value[i], &s->set);
+		any = true;
+	}
+	if (!model_settings_same(&before, &s->set.model))
+		session_forget(s);
+	/* What a site has stays as it is. */
+	if (s->set.model.breakage != before.breakage)
+		s->set.bounds = bounds_default(s->set.model.breakage);
+	return any || show_settings(s);
+}
+
+bool
+cmd_seed(struct session *s, const struct args *args, struct error *error)
+{
+	(void)error;
+	const struct value *value = args_value(args, "seed");
+	if (value->given) {
+		s->set.seed = value->whole;
+		return true;
+	}
+	struct answer *r = answer_new("seed");
+	answer_columns(r, "seed");
+	answer_text(r, "%llu", (unsigned long long)s->set.seed);
+	return session_answer(s, r);
+}
+
+static void
+put_script(const void *data, FILE *out)
+{
+	fprintf(out, "# A session of tipspeed %s, written by 'save'.\n",
+	    PACKAGE_VERSION);
+	journal_put(data, out);
+}
+
+bool
+cmd_save(struct session *s, const struct args *args, struct error *error)
+{
+	const char *path = args->operand[0];
+	if (!text_ends(path, ".tip"))
+		return error_set(error, ERROR_USAGE,
+		    "save writes a script, and '%s' does not end in .tip\n"
+		    "results are saved with > FILE, sheets with write",
+		    path);
+	if (!data_may_write(s, args, path, error) ||
+	    !journal_can_be_saved(s, error) ||
+	    !file_replace_by(path, FILE_SHARED, put_script, s, error))
+		return false;
+	files_wrote(s, path);
+	turn_saved(s);
+	struct mark mark = journal_mark(s);
+	size_t n = mark.n - mark.start;
+	session_note(s, "wrote %s: %zu command%s", path, n, n == 1 ? "" : "s");
+	return true;
+}
+
+/* Goes to another session.  A calibration that was stopped is kept only where
+ * its site and the fit it left there stay. */
+static const char *
+go(struct session *s, const char *(*where)(struct session *))
+{
+	struct entry held = {0};
+	bool paused = s->job.calibration != NULL && s->job.paused;
+	if (paused)
+		held = s->entry[s->job.entry];
+	const char *label = where(s);
+	if (label == NULL)
+		return NULL;
+	for (size_t i = 0; i < s->n_entry && paused; i++) {
+		if (s->entry[i].site != held.site ||
+		    !snapshot_same_fit(&s->entry[i].fit, &held.fit))
+			continue;
+		s->job.entry = i;
+		return label;
+	}
+	session_let_go(s);
+	return label;
+}
+
+bool
+cmd_undo(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	const char *label = go(s, undo_back);
+	if (label == NULL)
+		return error_set(error, ERROR_USAGE, "nothing to undo");
+	session_note(s, "undone: %s", label);
+	return true;
+}
+
+bool
+cmd_redo(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	const char *label = go(s, undo_forth);
+	if (label == NULL)
+		return error_set(error, ERROR_USAGE, "nothing to redo");
+	session_note(s, "done again: %s", label);
 	return true;
 }

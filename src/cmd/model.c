@@ -10,7 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
-#include "cmd/origin.h"
+#include "cmd/entries.h"
 #include "cmd/table.h"
 
 const char *const MODEL_FORMS[3] = {"ratio", "progeny_mm", "parent_mm"};
@@ -27,7 +27,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 					: BREAKAGES[s->set.model.breakage];
 	struct answer *r =
 	    answers_new(entry->site, "params", "parameters %s%s%s",
-		session_origin(entry), of != BREAKAGES[0] ? "; model " : "",
+		origin_words(entry), of != BREAKAGES[0] ? "; model " : "",
 		of != BREAKAGES[0] ? of->name : "");
 	answer_columns(r, "parameter, value");
 	if (u != NULL)
@@ -138,7 +138,7 @@ use_params(struct session *s, const struct args *args, struct error *error)
 	model_take_params(
 	    s, session_entry(s), &from->params, origin_taken(from));
 	session_note(s, "%s now has the parameters of %s (%s)",
-	    session_entry(s)->key, from->key, session_origin(from));
+	    session_entry(s)->key, from->key, origin_words(from));
 	return true;
 }
 
@@ -170,8 +170,8 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 	}
 	answer_put_rows(r, "rows");
 	fields_put(answer_fields(r), "other_site %s", other->site->name);
-	answer_note(r, "%s: %s; %s: %s%s%s%s", mine->key, session_origin(mine),
-	    other->key, session_origin(other), of->gauge > 0 ? "; " : "",
+	answer_note(r, "%s: %s; %s: %s%s%s%s", mine->key, origin_words(mine),
+	    other->key, origin_words(other), of->gauge > 0 ? "; " : "",
 	    of->gauge > 0 ? of->gauge_name : "",
 	    of->gauge > 0 ? " scaled to largest 1" : "");
 	answer_note(r, "e0_min, alpha and f_mat trade off against each other: "

@@ -1,13 +1,402 @@
-/* Words as options and operands of a command.  The grammar is that of
- * tipspeed(1), COMMAND LANGUAGE.
+/* From a line of text to calls: the line as commands, words and where the
+ * results go; what may stand behind an option; words as options and operands of
+ * a command.  The grammar is that of tipspeed(1), COMMAND LANGUAGE.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/parse.h"
 
+#include <ctype.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
+
+/* Goes on from the last place asked for, so that a long line costs no more than
+ * its length. */
+static int
+column_of(const char *line, struct words *words, size_t offset)
+{
+	const char *p = line + words->reached;
+	for (; p < line + offset; words->reached_column++)
+		text_next(&p);
+	words->reached = offset;
+	return words->reached_column;
+}
+
+static bool
+ends_word(char c, bool verbatim)
+{
+	return isspace((unsigned char)c) || c == ';' ||
+	       (!verbatim && (c == '>' || c == '|'));
+}
+
+/* Copies one word from *at on and moves *at behind it. False on an open quote;
+ * the caller frees the word in any case. */
+static bool
+take_word(const char *line, size_t *at, bool verbatim, char **word)
+{
+	bool quoted = false;
+	size_t i = *at;
+	for (; line[i] != '\0' && (quoted || !ends_word(line[i], verbatim));
+	     i++)
+		quoted = quoted != (line[i] == '"');
+	*word = text_unquoted(line + *at, i - *at);
+	*at = i;
+	return !quoted;
+}
+
+static bool
+open_quote(struct place place, int column, struct error *error)
+{
+	return error_at(error, ERROR_USAGE, place.file, place.line, column,
+	    "a quote (\") is not closed\n"
+	    "add the closing \" or remove the first");
+}
+
+static size_t
+skip_blanks(const char *line, size_t i)
+{
+	while (isspace((unsigned char)line[i]))
+		i++;
+	return i;
+}
+
+/* The rest of the line is the shell's. */
+static bool
+take_pipe(const char *line, size_t i, struct words *words)
+{
+	char *rest = xstrdup(line + i + 1);
+	words->to = TO_PIPE;
+	words->target = xstrdup(text_trim(rest));
+	words->next = i + strlen(line + i);
+	free(rest);
+	return words->target[0] != '\0' && words->target[0] != '|';
+}
+
+/* "> FILE" or ">> FILE" at *at; *at is then behind it. */
+static bool
+take_file(const char *line, size_t *at, struct place place, struct words *words,
+    struct error *error)
+{
+	bool append = line[*at + 1] == '>';
+	words->to = append ? TO_END : TO_FILE;
+	*at = skip_blanks(line, *at + (append ? 2 : 1));
+	int column = column_of(line, words, *at);
+	if (!take_word(line, at, false, &words->target))
+		return open_quote(place, column, error);
+	if (words->target[0] == '\0')
+		return error_at(error, ERROR_USAGE, place.file, place.line,
+		    words->to_column,
+		    "a file was wanted behind %s\npredict 74 > product.csv",
+		    append ? ">>" : ">");
+	*at = skip_blanks(line, *at);
+	if (line[*at] == '\0' || line[*at] == ';' || line[*at] == '#')
+		return true;
+	return error_at(error, ERROR_USAGE, place.file, place.line,
+	    column_of(line, words, *at),
+	    "nothing goes behind the file '%s'\n"
+	    "a name with blanks is quoted: > \"my file.csv\"; a command has "
+	    "one > or | only",
+	    words->target);
+}
+
+static bool
+take_redirection(const char *line, size_t *at, struct place place,
+    struct words *words, struct error *error)
+{
+	char sign = line[*at];
+	words->to_column = column_of(line, words, *at);
+	if (words->n == 0)
+		return error_at(error, ERROR_USAGE, place.file, place.line,
+		    words->to_column, "a command was wanted before %c", sign);
+	if (sign == '>')
+		return take_file(line, at, place, words, error);
+	bool good = take_pipe(line, *at, words);
+	*at = words->next;
+	if (good)
+		return true;
+	return error_at(error, ERROR_USAGE, place.file, place.line,
+	    words->to_column,
+	    "a shell command was wanted behind |\nsweep | less");
+}
+
+/* True where the first word names a command that takes > and | as words. */
+static bool
+is_verbatim(const struct words *words, struct place place)
+{
+	const struct command *command =
+	    words->n > 0 ? command_called(words->text[0], place.prompt) : NULL;
+	return command != NULL && (command->flags & COMMAND_VERBATIM) != 0;
+}
+
+static bool
+add_word(const char *line, size_t *at, struct place place, bool verbatim,
+    struct words *words, struct error *error)
+{
+	int column = column_of(line, words, *at);
+	if (words->n == OPERANDS)
+		return error_at(error, ERROR_USAGE, place.file, place.line,
+		    column, "more than %d words", (int)OPERANDS);
+	size_t i = words->n++;
+	words->column[i] = column;
+	return take_word(line, at, verbatim, &words->text[i]) ||
+	       open_quote(place, column, error);
+}
+
+bool
+words_split(const char *line, size_t from, struct place place,
+    struct words *words, struct error *error)
+{
+	size_t i = skip_blanks(line, from);
+	words->n = 0;
+	words->to = TO_SCREEN;
+	words->target = NULL;
+	words->next = from;
+	words->reached = place.column > 0 ? from : 0;
+	words->reached_column = place.column > 0 ? place.column : 1;
+	while (line[i] != '\0' && line[i] != '#' && line[i] != ';') {
+		bool verbatim = is_verbatim(words, place);
+		bool sign = line[i] == '>' || line[i] == '|';
+		bool ok =
+		    sign && !verbatim
+			? take_redirection(line, &i, place, words, error)
+			: add_word(line, &i, place, verbatim, words, error);
+		if (!ok)
+			return false;
+		i = skip_blanks(line, i);
+	}
+	words->next = line[i] == ';' ? i + 1 : i + strlen(line + i);
+	column_of(line, words, words->next);
+	return true;
+}
+
+void
+words_free(struct words *words)
+{
+	for (size_t i = 0; i < words->n; i++)
+		free(words->text[i]);
+	free(words->target);
+	words->target = NULL;
+	words->n = 0;
+}
+
+/* Cuts a unit off the end of a number: "74m/s", "11.2 mm". */
+static void
+cut_unit(char *text, const char *unit)
+{
+	if (unit[0] != '\0' && text_ends(text, unit))
+		text[strlen(text) - strlen(unit)] = '\0';
+}
+
+bool
+value_number(const char *word, const char *unit, double *value)
+{
+	char *text = xstrdup(word);
+	cut_unit(text, unit);
+	bool ok = text_number(text, value);
+	free(text);
+	return ok;
+}
+
+/* A control room shows the rotor's turns. */
+static const char TURNS[] = "turns of the rotor a minute? tip speed in m/s = "
+			    "3.1416 x rotor diameter in m x turns / 60";
+
+/* The next step where a number is written as in another language. */
+static bool
+hint_number(
+    const struct command_option *option, const char *word, struct error *error)
+{
+	char *copy = xstrdup(word);
+	char *comma = strchr(copy, ',');
+	char *dash = copy[0] != '\0' ? strchr(copy + 1, '-') : NULL;
+	double low, high;
+	cut_unit(copy, option->unit);
+	if (strcmp(option->unit, "m/s") == 0 && strstr(word, "rpm") != NULL) {
+		error_hint(error, "%s", TURNS);
+	} else if (comma != NULL) {
+		*comma = '.';
+		bool right = text_number(copy, &low);
+		error_hint(error, "write a point: %s", right ? copy : "11.2");
+	} else if (dash != NULL && option->kind == VALUE_NUMBERS) {
+		*dash = '\0';
+		if (text_number(copy, &low) && text_number(dash + 1, &high))
+			error_hint(error, "a range has two points: %s..%s",
+			    copy, dash + 1);
+	}
+	free(copy);
+	return false;
+}
+
+static bool
+number(const struct command_option *option, const char *word, double *value,
+    struct error *error)
+{
+	bool ok = value_number(word, option->unit, value);
+	const char *in = option->unit[0] != '\0' ? " in " : "";
+	const char *space = option->unit[0] != '\0' ? " " : "";
+	if (!ok && option->kind == VALUE_NUMBER && strchr(word, ',') != NULL) {
+		error_set(error, ERROR_USAGE,
+		    "%s wants a number, not '%s': a comma is no decimal sign "
+		    "here",
+		    option->name, word);
+		return hint_number(option, word, error);
+	}
+	if (!ok) {
+		error_set(error, ERROR_USAGE, "%s wants a number%s%s, not '%s'",
+		    option->name, in, option->unit, word);
+		return hint_number(option, word, error);
+	}
+	if (*value < option->least || *value > option->most) {
+		error_set(error, ERROR_USAGE, "%s wants %g to %g%s%s, not %s",
+		    option->name, option->least, option->most, space,
+		    option->unit, word);
+		return *value > option->most &&
+		       strcmp(option->unit, "m/s") == 0 &&
+		       error_hint(error, "%s", TURNS);
+	}
+	return true;
+}
+
+static bool
+add_number(const struct command_option *option, const char *word,
+    struct value *value, struct error *error)
+{
+	double v;
+	if (!number(option, word, &v, error))
+		return false;
+	value->list = xrealloc(value->list, value->n + 1, sizeof v);
+	value->list[value->n++] = v;
+	return true;
+}
+
+/* a..b or a..b:step; the step defaults to 1. */
+static bool
+range(const struct command_option *option, char *word, char *dots,
+    struct value *value, struct error *error)
+{
+	enum { MOST = 2000 };
+	double from, to, step = 1;
+	char *colon = strchr(dots + 2, ':');
+	*dots = '\0';
+	if (colon != NULL)
+		*colon = '\0';
+	struct command_option step_of = *option;
+	step_of.name = "the step";
+	step_of.least = 0.001;
+	bool ok = number(option, word, &from, error) &&
+		  number(option, dots + 2, &to, error) &&
+		  (colon == NULL || number(&step_of, colon + 1, &step, error));
+	if (!ok)
+		return false;
+	double steps = floor((to - from) / step + 1e-9);
+	if (steps < 0)
+		return error_set(error, ERROR_USAGE,
+		    "%s: a range goes from low to high, not from %g to %g",
+		    option->name, from, to);
+	if (steps >= MOST)
+		return error_set(error, ERROR_USAGE,
+		    "%s: a range has at most %d steps, not %.0f", option->name,
+		    (int)MOST, steps);
+	for (double i = 0; i <= steps; i++) {
+		value->list = xrealloc(value->list, value->n + 1, sizeof from);
+		value->list[value->n++] = from + i * step;
+	}
+	return true;
+}
+
+static bool
+numbers(const struct command_option *option, const char *word,
+    struct value *value, struct error *error)
+{
+	char *text = xstrdup(word);
+	char *dots = strstr(text, "..");
+	bool ok = true;
+	if (dots != NULL) {
+		ok = range(option, text, dots, value, error);
+	} else {
+		for (char *part = text; ok && part != NULL;) {
+			char *comma = strchr(part, ',');
+			if (comma != NULL)
+				*comma = '\0';
+			ok = add_number(option, part, value, error);
+			part = comma != NULL ? comma + 1 : NULL;
+		}
+	}
+	free(text);
+	if (ok && value->n == 0)
+		return error_set(error, ERROR_USAGE,
+		    "%s wants numbers (65,74 or 65..85:5)", option->name);
+	return ok;
+}
+
+static bool
+wrong_whole(
+    const struct command_option *option, const char *word, struct error *error)
+{
+	char *limits = command_limits(option);
+	error_set(error, ERROR_USAGE, "%s wants a whole number, %s; not '%s'",
+	    option->name, limits, word);
+	free(limits);
+	return false;
+}
+
+/* The error that there is none. */
+static bool
+value_wanted(const struct command_option *option, struct error *error)
+{
+	char *limits = command_limits(option);
+	error_set(
+	    error, ERROR_USAGE, "%s wants a value: %s", option->name, limits);
+	free(limits);
+	return false;
+}
+
+static bool
+wrong_choice(
+    const struct command_option *option, const char *word, struct error *error)
+{
+	if (word[0] == '\0')
+		return value_wanted(option, error);
+	error_set(error, ERROR_USAGE, "%s wants one of: %s; not '%s'",
+	    option->name, option->choices, word);
+	char *copy = xstrdup(option->choices), *save = NULL;
+	char *folded = text_fold(word);
+	for (char *choice = strtok_r(copy, " ", &save); choice != NULL;
+	     choice = strtok_r(NULL, " ", &save))
+		if (text_distance(choice, folded) <= strlen(choice) / 3)
+			error_hint(error, "did you mean '%s'?", choice);
+	free(folded);
+	free(copy);
+	return false;
+}
+
+bool
+value_take(const struct command_option *option, const char *word,
+    struct value *value, struct error *error)
+{
+	value->text = word;
+	switch (option->kind) {
+	case VALUE_NUMBER:
+		return number(option, word, &value->number, error);
+	case VALUE_NUMBERS:
+		return numbers(option, word, value, error);
+	case VALUE_WHOLE:
+		if (text_whole(word, &value->whole) &&
+		    (double)value->whole >= option->least &&
+		    (double)value->whole <= option->most)
+			return true;
+		return wrong_whole(option, word, error);
+	case VALUE_CHOICE:
+		if (text_choice(option->choices, word, &value->choice))
+			return true;
+		return wrong_choice(option, word, error);
+	default:
+		return word[0] != '\0' || error_set(error, ERROR_USAGE,
+					      "%s wants a value", option->name);
+	}
+}
 
 static void
 unknown_option(

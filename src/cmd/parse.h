@@ -61,7 +61,4 @@ bool value_take(const struct command_option *option, const char *word,
 /* A number, with its unit or without: 69, 69m/s. */
 bool value_number(const char *word, const char *unit, double *value);
 
-/* The error that there is none.  Returns false. */
-bool value_wanted(const struct command_option *option, struct error *error);
-
 #endif

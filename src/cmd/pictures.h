@@ -20,11 +20,6 @@ struct screen_request {
 	const char *keys;
 };
 
-/* The chart that the call asks for, by its kind and the options that plot and
- * describe have in common; see plots_chart.  request: out. */
-struct chart *pictures_chart(struct session *s, const struct args *args,
-    struct plot_request *request, struct error *error);
-
 /* Whether the results go into a file whose name asks for a picture, and the
  * chart as that picture. */
 bool pictures_wanted(const struct session *s);

@@ -1,17 +1,29 @@
-/* Plots of a session: what all kinds share, and which function makes each.
+/* Plots of a session: what all kinds share, the kinds by what they show, and
+ * which function makes each.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/plots.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/doubt.h"
+#include "cmd/entries.h"
+#include "core/elementary.h"
+#include "core/breakage.h"
+#include "core/misfit.h"
+#include "core/predict.h"
+#include "core/validate.h"
+#include "io/units.h"
 
-const struct chart_series PLOTS_FEED = {
+/* The looks of a feed, or what lies behind, and of a single curve. */
+static const struct chart_series FEED = {
     .series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'};
-const struct chart_series PLOTS_CURVE = {
+static const struct chart_series CURVE = {
     .series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'};
 
 struct plot_request
@@ -47,8 +59,9 @@ plots_past(const struct session *s)
 	return past;
 }
 
-size_t
-plots_generation(const struct session *s, const struct plot_request *request,
+/* Index of the generation asked for; n with an error where there is none. */
+static size_t
+generation_of(const struct session *s, const struct plot_request *request,
     const struct plots_past *past, struct error *error)
 {
 	if (past->n == 0) {
@@ -74,7 +87,7 @@ plots_params(const struct session *s, const struct plot_request *request,
 	struct plots_past past = plots_past(s);
 	bool search = request->generation > 0 || is_running(s);
 	if (search && past.n > 0) {
-		size_t i = plots_generation(s, request, &past, error);
+		size_t i = generation_of(s, request, &past, error);
 		if (i == past.n)
 			return false;
 		*params = request->generation > 0
@@ -88,8 +101,10 @@ plots_params(const struct session *s, const struct plot_request *request,
 	return true;
 }
 
-struct chart *
-plots_site_chart(const struct site *site, struct axis x, struct axis y,
+/* Title "Tierp, Granite, 11.2 mm: ..." and where the site's data are from; it
+ * takes the axes. */
+static struct chart *__attribute__((format(printf, 4, 5)))
+site_chart(const struct site *site, struct axis x, struct axis y,
     const char *format, ...)
 {
 	va_list ap;
@@ -118,22 +133,819 @@ plots_look(size_t i)
 	    .mark = MARKS[i % (sizeof MARKS - 1)]};
 }
 
+/* Curves to be drawn on one axis.  psd is borrowed, or of a prediction that
+ * is kept for it. */
+struct curves {
+	size_t n, n_prediction;
+	struct {
+		const struct psd *psd;
+		char *name;
+		struct chart_series look;
+	} item[16];
+	struct prediction prediction[8];
+};
+
+static const struct chart_series PREDICTED = {
+    .series = SERIES_PREDICTED, .line = CHART_DASHED, .ascii = '#'};
+static const struct chart_series OTHER = {
+    .series = SERIES_OTHER, .line = CHART_LONG, .ascii = '%', .mark = '%'};
+
+/* Takes the name. */
+static void
+add_curve(struct curves *c, const struct psd *psd, char *name,
+    struct chart_series look)
+{
+	c->item[c->n].psd = psd;
+	c->item[c->n].name = name;
+	c->item[c->n++].look = look;
+}
+
+/* One that is kept with the curves. */
+static const struct prediction *
+make_prediction(struct curves *c, const struct session *s,
+    const struct site *site, const struct params *params, double speed,
+    size_t feed)
+{
+	struct prediction *p = &c->prediction[c->n_prediction++];
+	*p = predict(site, params, s->set.model, speed, feed);
+	return p;
+}
+
+/* The sieves of all curves as an axis. */
+static struct axis
+sieves_of(const struct curves *c)
+{
+	size_t n = 0;
+	double *size = NULL;
+	for (size_t i = 0; i < c->n; i++) {
+		const struct psd *psd = c->item[i].psd;
+		size = xrealloc(size, n + psd->n + 1, sizeof *size);
+		for (size_t j = 0; j < psd->n; j++)
+			size[n++] = units_mm(psd->size[j]);
+	}
+	struct axis axis = axis_sieves("size, mm", size, n);
+	free(size);
+	return axis;
+}
+
+static void
+put_curves(struct chart *chart, const struct curves *c)
+{
+	for (size_t i = 0; i < c->n; i++) {
+		const struct psd *psd = c->item[i].psd;
+		struct chart_series *s = chart_add(
+		    chart, c->item[i].look, psd->n, "%s", c->item[i].name);
+		for (size_t j = 0; j < psd->n; j++) {
+			s->x[j] = units_mm(psd->size[j]);
+			s->y[j] = units_pct(psd->passing[j]);
+		}
+	}
+}
+
+static void
+free_curves(struct curves *c)
+{
+	for (size_t i = 0; i < c->n; i++)
+		free(c->item[i].name);
+	for (size_t i = 0; i < c->n_prediction; i++)
+		prediction_free(&c->prediction[i]);
+}
+
+static void
+add_measured(
+    struct curves *c, const struct site *site, double speed, size_t most)
+{
+	size_t taken = 0;
+	for (size_t i = 0; i < site->n_run; i++)
+		if (site_run_is_near(site, i, speed, most))
+			add_curve(c, &site->run[i].product,
+			    xasprintf("measured %g m/s", site->run[i].speed),
+			    plots_look(taken++));
+}
+
+/* What is read at a place: chart_at at a size, chart_at_y at a passing. */
+typedef double reading(
+    const struct chart *, const struct chart_series *, double);
+
+/* Adds " feed 16.0 %" to a note, or " predicted 33.1 % (31.6 to 34.5)" of what
+ * has a band, or " feed -". */
+static void
+add_reading(char **note, const struct chart *chart,
+    const struct chart_series *s, reading *read, double at)
+{
+	struct chart_series low = *s, high = *s;
+	int digits = read == chart_at ? 1 : 2;
+	double own = read(chart, s, at);
+	if (isnan(own)) {
+		xappend(note, " %s -", s->name);
+		return;
+	}
+	xappend(note, " %s %.*f %s", s->name, digits, own,
+	    read == chart_at ? "%" : "mm");
+	if (s->low == NULL)
+		return;
+	low.y = s->low;
+	high.y = s->high;
+	double a = read(chart, &low, at), b = read(chart, &high, at);
+	if (!isnan(a) && !isnan(b))
+		xappend(note, " (%.*f to %.*f)", digits, fmin(a, b), digits,
+		    fmax(a, b));
+}
+
+/* "at 2 mm: feed 16.0 %, measured 69 m/s 29.0 %", and of each curve the size
+ * that the level passes. */
+static void
+note_crosshair(struct chart *chart, double x, double level)
+{
+	char *at = xasprintf("at %g mm:", x);
+	char *sizes = xasprintf("%g %% pass:", level);
+	for (size_t i = 0; i < chart->n; i++) {
+		const char *comma = i + 1 < chart->n ? "," : "";
+		add_reading(&at, chart, &chart->series[i], chart_at, x);
+		add_reading(
+		    &sizes, chart, &chart->series[i], chart_at_y, level);
+		xappend(&at, "%s", comma);
+		xappend(&sizes, "%s", comma);
+	}
+	chart_add_rule(chart, SERIES_CROSSHAIR, x, "crosshair at %g mm", x);
+	chart_note(chart, "%s", at);
+	chart_note(chart, "%s", sizes);
+	free(at);
+	free(sizes);
+}
+
+/* A rule at the break size and a note; whose: the site it is of, or NULL where
+ * that is no longer loaded.  The name of a rule tells no numbers where there
+ * are no notes. */
+static void
+note_prediction(struct chart *chart, const struct plot_request *q,
+    const struct entry *whose, const struct prediction *p, const char *name,
+    enum series series)
+{
+	double mm = 1000 * p->break_size;
+	if (!(q->words & CHART_NOTES))
+		chart_add_rule(chart, series, mm, "%sbreak size",
+		    series == SERIES_OTHER ? "kept " : "");
+	else if (series == SERIES_OTHER && q->beside != NULL)
+		chart_add_rule(chart, series, mm, "%s: breaks from %.2f mm",
+		    q->beside, mm);
+	else
+		chart_add_rule(chart, series, mm,
+		    "breaks from %.2f mm at %g m/s", mm, p->speed);
+	char p20[32], p50[32], p80[32];
+	char *const words[] = {p20, p50, p80};
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		snprintf(words[i], sizeof p20,
+		    isnan(p->size[i]) ? "outside" : "%.2f mm",
+		    1000 * p->size[i]);
+	bool beyond = whose != NULL && answers_extrapolates(whose, p->speed);
+	chart_note(chart, "%s: P20 %s, P50 %s, P80 %s%s", name, p20, p50, p80,
+	    beyond ? "; extrapolated" : "");
+	if (whose == NULL || origin_key(whose) == whose->key)
+		return;
+	char *from = origin_sentence(whose);
+	chart_note(chart, "%s", from);
+	free(from);
+}
+
+/* The shade of a prediction with the site's own parameters, whose series is the
+ * chart's last. */
+static void
+shade_prediction(
+    struct chart *chart, struct session *s, const struct prediction *p)
+{
+	const struct band *band = doubt_band(s, session_entry(s), p);
+	if (band == NULL) {
+		chart_note(chart, "%s", doubt_why_none(session_entry(s)));
+		return;
+	}
+	struct chart_series *series = &chart->series[chart->n - 1];
+	chart_add_band(series);
+	for (size_t i = 0; i < series->n; i++) {
+		series->low[i] = units_pct(band->low[i]);
+		series->high[i] = units_pct(band->high[i]);
+	}
+	char p50[64] = "";
+	if (isfinite(band->p50[0]) && isfinite(band->p50[1]))
+		snprintf(p50, sizeof p50, "; P50 %.2f to %.2f mm",
+		    1000 * band->p50[0], 1000 * band->p50[1]);
+	chart_note(chart,
+	    "shaded: the middle %d %% of what the fits that the data allow "
+	    "predict%s",
+	    UNCERTAINTY_LEVEL, p50);
+}
+
+/* A second prediction beside the first, and the site it is of; p NULL: there is
+ * none. */
+struct second {
+	const struct prediction *p;
+	const struct entry *whose; /* NULL: no longer loaded */
+};
+
+/* own: parameters of the site in use, or NULL; speed and feed are those of the
+ * first.  False with an error where the site beside has no prediction. */
+static bool
+add_second(struct curves *c, struct session *s, const struct plot_request *q,
+    const struct params *own, double speed, size_t feed, struct second *second,
+    struct error *error)
+{
+	size_t i = s->current;
+	struct error gone = {0};
+	bool beside = q->beside != NULL, kept = q->kept != NULL;
+	*second = (struct second){.p = q->kept};
+	if (beside && session_find(s, q->beside, &i, kept ? &gone : error))
+		second->whose = &s->entry[i];
+	else if (beside && !kept)
+		return false;
+	else if (!beside)
+		second->whose = session_entry(s);
+	if (!kept && i != s->current) {
+		if (!answers_known(s, second->whose, error))
+			return false;
+		own = &second->whose->params;
+	}
+	if (!kept && (own == NULL || (!beside && isnan(q->other_speed))))
+		return true;
+	if (!kept) {
+		const struct site *site = second->whose->site;
+		double v = isnan(q->other_speed) ? speed : q->other_speed;
+		if (i != s->current)
+			feed = site_run_nearest(site, v);
+		second->p = make_prediction(c, s, site, own, v, feed);
+	}
+	char *name = xasprintf("%s %s%s%g m/s", kept ? "kept" : "predicted",
+	    beside ? q->beside : "", beside ? " " : "", second->p->speed);
+	add_curve(c, &second->p->product, name, OTHER);
+	return true;
+}
+
+/* What is to be said of the two, whose curves are the chart's last. */
+static void
+note_curves(struct chart *chart, struct session *s,
+    const struct plot_request *q, const struct prediction *one,
+    const struct second *two, bool shade)
+{
+	const struct entry *entry = session_entry(s);
+	const struct chart_series *last = &chart->series[chart->n - 1];
+	if (one != NULL)
+		note_prediction(chart, q, entry, one, last->name, SERIES_BREAK);
+	if (one != NULL && shade)
+		shade_prediction(chart, s, one);
+	if (two->p != NULL)
+		note_prediction(chart, q, two->whose, two->p,
+		    last[one != NULL ? -1 : 0].name, SERIES_OTHER);
+}
+
+/* Named by its run where another one is nearer to the speed. */
+static void
+add_feed(struct curves *c, const struct plot_request *q,
+    const struct site *site, size_t run, double speed)
+{
+	bool sampled =
+	    site->individual_feeds &&
+	    (!(q->words & CHART_NOTES) || run != site_run_nearest(site, speed));
+	add_curve(c, &site->run[run].feed,
+	    sampled ? xasprintf("feed %g m/s", site->run[run].speed)
+		    : xstrdup("feed"),
+	    FEED);
+}
+
+static struct chart *
+psd_chart(struct session *s, const struct plot_request *q, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	const struct site *site = entry->site;
+	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
+	size_t feed =
+	    site_run_nearest(site, q->feed_speed > 0 ? q->feed_speed : speed);
+	struct curves c = {0};
+	struct params params = {0};
+	struct error unknown = {0};
+	struct second two;
+	/* What was measured is worth a look before there are parameters. */
+	bool known = plots_params(s, q, &params, &unknown);
+	if (!known && q->generation > 0) {
+		*error = unknown;
+		return NULL;
+	}
+	add_feed(&c, q, site, feed, speed);
+	add_measured(&c, site, speed, PLOTS_MEASURED);
+	if (!add_second(
+		&c, s, q, known ? &params : NULL, speed, feed, &two, error)) {
+		free_curves(&c);
+		return NULL;
+	}
+	const struct prediction *one =
+	    !known ? NULL
+	    : q->made != NULL
+		? q->made
+		: make_prediction(&c, s, site, &params, speed, feed);
+	if (known)
+		add_curve(&c, &one->product,
+		    q->words & CHART_NOTES
+			? xasprintf("predicted %g m/s", speed)
+			: xstrdup("predicted"),
+		    PREDICTED);
+	struct chart *chart =
+	    site_chart(site, sieves_of(&c), axis_percent("passing, %"),
+		known                     ? "product at %.1f m/s"
+		: site_products(site) > 0 ? "feed and products"
+					  : "feed",
+		speed);
+	put_curves(chart, &c);
+	bool own = memcmp(&entry->params, &params, sizeof params) == 0;
+	note_curves(chart, s, q, one, &two, q->band && own);
+	if (!known)
+		chart_note(chart, "no prediction: %s", unknown.text);
+	if (!isnan(q->crosshair_mm))
+		note_crosshair(chart, q->crosshair_mm, q->level);
+	free_curves(&c);
+	return chart;
+}
+
+static struct chart *
+sweep_chart(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	const struct site *site = session_entry(s)->site;
+	size_t n = q->n_speed;
+	struct curves c = {0};
+	struct params params;
+	if (!plots_params(s, q, &params, error))
+		return NULL;
+	if (n > ARRAY_LEN(c.prediction)) {
+		error_set(error, ERROR_USAGE,
+		    "%zu speeds are too many to draw\n"
+		    "up to %zu can be told apart",
+		    n, ARRAY_LEN(c.prediction));
+		return NULL;
+	}
+	size_t feed = site_run_nearest(
+	    site, q->feed_speed > 0 ? q->feed_speed : answers_middle(site));
+	add_curve(&c, &site->run[feed].feed, xstrdup("feed"), FEED);
+	double *usual = n == 0 ? answers_speeds(site, &n) : NULL;
+	const double *speed = usual != NULL ? usual : q->speeds;
+	for (size_t i = 0; i < n; i++)
+		add_curve(&c,
+		    &make_prediction(&c, s, site, &params, speed[i], feed)
+			 ->product,
+		    xasprintf("predicted %g m/s", speed[i]), plots_look(i));
+	free(usual);
+	struct chart *chart = site_chart(site, sieves_of(&c),
+	    axis_percent("passing, %"), "products at %zu speeds", n);
+	put_curves(chart, &c);
+	free_curves(&c);
+	return chart;
+}
+
+/* The product of a run and the prediction for it at the sieves that its feed
+ * covers: differences in points. */
+static void
+add_residuals(struct chart *chart, struct session *s, size_t run,
+    const struct params *params, struct chart_series look)
+{
+	const struct entry *entry = session_entry(s);
+	const struct run *r = &entry->site->run[run];
+	size_t n = misfit_covered(r);
+	struct prediction p =
+	    predict(entry->site, params, s->set.model, r->speed, run);
+	struct chart_series *series = chart_add(chart, look, n, "%g m/s%s",
+	    r->speed, entry->train[run] ? "" : " (held out)");
+	for (size_t i = 0; i < n; i++) {
+		double predicted = psd_passing(&p.product, r->product.size[i]);
+		series->x[i] = units_mm(r->product.size[i]);
+		series->y[i] = 100 * (predicted - r->product.passing[i]);
+	}
+	prediction_free(&p);
+}
+
+/* A round axis that holds all y of the chart and 0, with a guide at 0. */
+static struct axis
+around_zero(const struct chart *chart, const char *title)
+{
+	double low = 0, high = 0;
+	for (size_t i = 0; i < chart->n; i++)
+		for (size_t j = 0; j < chart->series[i].n; j++) {
+			low = fmin(low, chart->series[i].y[j]);
+			high = fmax(high, chart->series[i].y[j]);
+		}
+	struct axis axis = axis_linear(title, low, high);
+	for (size_t i = 0; i < axis.n; i++)
+		axis.tick[i].guide = axis.tick[i].at == 0;
+	return axis;
+}
+
+static struct chart *
+residuals_chart(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	enum { MOST = 12 };
+	const struct site *site = session_entry(s)->site;
+	struct params params;
+	struct curves c = {0};
+	if (!plots_params(s, q, &params, error))
+		return NULL;
+	size_t compared = 0, taken = 0;
+	for (size_t i = 0; i < site->n_run; i++)
+		compared += misfit_covered(&site->run[i]) > 0;
+	if (compared == 0) {
+		error_set(error, ERROR_USAGE,
+		    site_products(site) == 0
+			? "%s has no measured product"
+			: "%s: no product sieve lies within the feed's sieves",
+		    site->name);
+		return NULL;
+	}
+	double middle = answers_middle(site);
+	add_measured(&c, site, middle, MOST);
+	struct chart *chart = site_chart(site, sieves_of(&c), (struct axis){0},
+	    "predicted less measured, sieve by sieve");
+	for (size_t i = 0; i < site->n_run; i++) {
+		if (!site_run_is_near(site, i, middle, MOST))
+			continue;
+		struct chart_series look = plots_look(taken++);
+		if (misfit_covered(&site->run[i]) > 0)
+			add_residuals(chart, s, i, &params, look);
+	}
+	chart->y = around_zero(chart, "difference, points");
+	free_curves(&c);
+	return chart;
+}
+
+/* A misfit that a log axis can show. */
+static double
+shown_misfit(double misfit)
+{
+	return isfinite(misfit) && misfit > 0 ? misfit : NAN;
+}
+
+static struct chart *
+convergence_chart(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	struct plots_past past = plots_past(s);
+	size_t last = generation_of(s, q, &past, error);
+	if (last == past.n)
+		return NULL;
+	double low = INFINITY, high = 0;
+	for (size_t i = 0; i <= last; i++) {
+		const struct calibrate_generation *g = &past.generation[i];
+		low = fmin(low, shown_misfit(g->best));
+		high = fmax(high, shown_misfit(g->best));
+		high = fmax(high, shown_misfit(g->median));
+	}
+	if (!isfinite(low))
+		low = high = 1;
+	struct chart *chart = site_chart(session_entry(s)->site,
+	    axis_linear("generation", 1, (double)past.n),
+	    axis_log("misfit, -", low, high), "the search, %zu generations",
+	    last + 1);
+	chart_add(chart, FEED, last + 1, "median candidate");
+	chart_add(chart, CURVE, last + 1, "best");
+	struct chart_series *median = &chart->series[0], *best = median + 1;
+	for (size_t i = 0; i <= last; i++) {
+		median->x[i] = best->x[i] = (double)(i + 1);
+		median->y[i] = shown_misfit(past.generation[i].median);
+		best->y[i] = shown_misfit(past.generation[i].best);
+	}
+	return chart;
+}
+
+/* One row for each parameter, the first on top, half a row within the ends; not
+ * quite half, lest rounding put two into one row of cells. */
+static struct axis
+parameter_axis(const struct breakage *of)
+{
+	const double margin = 0.45;
+	struct axis axis = {.title = xstrdup("parameter"),
+	    .low = margin,
+	    .high = (double)of->n + margin};
+	for (size_t j = 0; j < of->n; j++)
+		axis_add(&axis, (double)(of->n - j), of->parameter[j].name, 0);
+	return axis;
+}
+
+/* Where a value lies within its bounds, %; NAN of a parameter held fixed. */
+static double
+share_of(const struct bounds *b, size_t j, double value)
+{
+	double range = b->upper[j] - b->lower[j];
+	return range > 0 ? 100 * (value - b->lower[j]) / range : NAN;
+}
+
+static struct chart *
+spread_chart(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	struct plots_past past = plots_past(s);
+	size_t i = generation_of(s, q, &past, error);
+	if (i == past.n)
+		return NULL;
+	const struct calibrate_generation *g = &past.generation[i];
+	const struct breakage *of = breakage_of(&g->params);
+	struct chart *chart = site_chart(session_entry(s)->site,
+	    axis_linear("place within the bounds, %", 0, 100),
+	    parameter_axis(of), "candidates of generation %zu", i + 1);
+	/* Two ends and a lift of the pen. */
+	struct chart_series *spread = chart_add(chart,
+	    (struct chart_series){
+		.series = SERIES_MEASURED_1, .line = CHART_SOLID, .ascii = '='},
+	    3 * of->n, "middle 80 %%");
+	for (size_t j = 0; j < of->n; j++) {
+		double ends[3] = {share_of(past.bounds, j, g->p10[j]),
+		    share_of(past.bounds, j, g->p90[j]), NAN};
+		for (size_t k = 0; k < 3; k++) {
+			spread->x[3 * j + k] = k < 2 ? ends[k] : 0;
+			spread->y[3 * j + k] =
+			    isnan(ends[k]) ? NAN : (double)(of->n - j);
+		}
+	}
+	struct chart_series *best = chart_add(chart,
+	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'},
+	    of->n, "best");
+	for (size_t j = 0; j < of->n; j++) {
+		best->x[j] = share_of(past.bounds, j, g->params.at[j]);
+		best->y[j] = isnan(best->x[j]) ? NAN : (double)(of->n - j);
+	}
+	return chart;
+}
+
+/* Sizes measured and predicted, mm: P20, P50, P80 of each run held out.  about:
+ * where the sites' data are from, each once. */
+struct pairs {
+	size_t n, n_site;
+	char *about;
+	double (*measured)[3], (*predicted)[3];
+};
+
+static void
+add_about(struct pairs *pairs, const struct site *site)
+{
+	char *clause = site_source(site, "not stated where from");
+	if (strstr(pairs->about, clause) == NULL)
+		xlist(&pairs->about, "; ", "%s", clause);
+	free(clause);
+}
+
+static void
+add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
+{
+	size_t before = pairs->n;
+	for (size_t run = 0; run < entry->site->n_run; run++) {
+		if (entry->train[run] ||
+		    misfit_covered(&entry->site->run[run]) == 0)
+			continue;
+		struct validation v = validate_run(entry->site, run,
+		    entry->train, &entry->params, s->set.model);
+		size_t n = pairs->n++;
+		pairs->measured =
+		    xrealloc(pairs->measured, n + 1, sizeof *pairs->measured);
+		pairs->predicted =
+		    xrealloc(pairs->predicted, n + 1, sizeof *pairs->predicted);
+		for (size_t i = 0; i < 3; i++) {
+			pairs->measured[n][i] = 1000 * v.size[i].measured;
+			pairs->predicted[n][i] = 1000 * v.size[i].predicted;
+		}
+	}
+	if (pairs->n == before)
+		return;
+	pairs->n_site++;
+	add_about(pairs, entry->site);
+}
+
+static void
+put_pairs(
+    struct chart *chart, const struct pairs *pairs, double low, double high)
+{
+	static const char *const NAMES[] = {"P20", "P50", "P80"};
+	struct chart_series *equal = chart_add(chart,
+	    (struct chart_series){
+		.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '.'},
+	    2, "as measured (1:1)");
+	equal->x[0] = equal->y[0] = low;
+	equal->x[1] = equal->y[1] = high;
+	for (size_t i = 0; i < 3; i++) {
+		struct chart_series look = plots_look(i);
+		look.line = CHART_MARKS;
+		struct chart_series *p =
+		    chart_add(chart, look, pairs->n, "%s", NAMES[i]);
+		for (size_t j = 0; j < pairs->n; j++) {
+			p->x[j] = pairs->measured[j][i];
+			p->y[j] = isnan(p->x[j]) ? NAN : pairs->predicted[j][i];
+		}
+	}
+}
+
+static struct chart *
+parity_chart(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	(void)q;
+	struct pairs pairs = {.about = xstrdup("")};
+	struct chart *chart = NULL;
+	double low = INFINITY, high = 0;
+	for (size_t i = 0; i < s->n_entry; i++)
+		if (s->entry[i].has_params)
+			add_pairs(s, &s->entry[i], &pairs);
+	for (size_t j = 0; j < 3 * pairs.n; j++) {
+		double both[] = {pairs.measured[j / 3][j % 3],
+		    pairs.predicted[j / 3][j % 3]};
+		for (size_t k = 0; k < 2; k++) {
+			low = fmin(low, both[k]);
+			high = fmax(high, both[k]);
+		}
+	}
+	if (high > 0) {
+		struct axis x = axis_log("measured, mm", low, high);
+		struct axis y = axis_log("predicted, mm", low, high);
+		char *title = xasprintf("sizes at speeds held out, %zu site%s",
+		    pairs.n_site, pairs.n_site == 1 ? "" : "s");
+		chart = chart_new(title, pairs.about, x, y);
+		free(title);
+		put_pairs(chart, &pairs, x.low, x.high);
+	} else {
+		error_set(error, ERROR_USAGE,
+		    "no loaded site has both parameters and a product at a "
+		    "speed held out\n"
+		    "load sites with three speeds, then calibrate all");
+	}
+	free(pairs.about);
+	free(pairs.measured);
+	free(pairs.predicted);
+	return chart;
+}
+
+enum { SAMPLES = 241 };
+
+/* Value i of SAMPLES between low and high, evenly on the log. */
+static double
+sample(double low, double high, size_t i)
+{
+	return low * pow(high / low, (double)i / (SAMPLES - 1));
+}
+
+static void
+add_selection(struct chart *chart, const struct session *s,
+    const struct params *params, double speed, struct chart_series look)
+{
+	struct chart_series *series =
+	    chart_add(chart, look, SAMPLES, "%g m/s", speed);
+	struct breaker b;
+	breaker_set(&b, params, s->set.model.k);
+	breaker_at(&b, speed);
+	for (size_t i = 0; i < SAMPLES; i++) {
+		series->x[i] = sample(chart->x.low, chart->x.high, i);
+		series->y[i] = 100 * b.model->selection(
+					 &b, el_log(series->x[i] / 1000), NULL);
+	}
+	double mm = 1000 * params_break_size(params, speed);
+	chart_add_rule(chart,
+	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm,
+	    "breaks from %.2f mm at %g m/s", mm, speed);
+}
+
+static struct chart *
+selection_chart(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	const struct site *site = session_entry(s)->site;
+	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
+	struct params params;
+	if (!plots_params(s, q, &params, error))
+		return NULL;
+	const struct psd *feed = &site->run[site_run_nearest(site, speed)].feed;
+	double *size = xdoubles(feed->n);
+	for (size_t i = 0; i < feed->n; i++)
+		size[i] = units_mm(feed->size[i]);
+	struct chart *chart =
+	    site_chart(site, axis_sieves("size, mm", size, feed->n),
+		axis_percent("selected S(x), %"), "selection (Eq 3)");
+	free(size);
+	if (!isnan(q->other_speed))
+		add_selection(chart, s, &params, q->other_speed,
+		    (struct chart_series){.series = SERIES_OTHER,
+			.line = CHART_LONG,
+			.ascii = '%'});
+	add_selection(chart, s, &params, speed, CURVE);
+	return chart;
+}
+
+static struct chart *
+appearance_chart(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	struct params params;
+	if (!plots_params(s, q, &params, error))
+		return NULL;
+	if (s->set.model.appearance != APPEARANCE_RATIO) {
+		error_set(error, ERROR_USAGE,
+		    "only the appearance of the form ratio can be drawn\n"
+		    "'show appearance' prints the matrix of any form");
+		return NULL;
+	}
+	const struct site *site = session_entry(s)->site;
+	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
+	struct breaker b;
+	breaker_set(&b, &params, s->set.model.k);
+	breaker_at(&b, speed);
+	struct chart *chart =
+	    site_chart(site, axis_log("daughter / parent u, -", 0.001, 1),
+		axis_percent("finer than u B(u), %"), "appearance (Eq 1)");
+	struct chart_series *curve = chart_add(chart, CURVE, SAMPLES, "B(u)");
+	for (size_t i = 0; i < SAMPLES; i++) {
+		curve->x[i] = sample(chart->x.low, chart->x.high, i);
+		curve->y[i] = 100 * answers_finer(&b, curve->x[i], site);
+	}
+	return chart;
+}
+
+/* Materials of one rock, in a series of their own. */
+static void
+add_rock(struct chart *chart, const struct stored_list *list, const char *rock)
+{
+	struct chart_series look = plots_look(chart->n);
+	look.line = CHART_MARKS;
+	struct chart_series *series = chart_add(
+	    chart, look, list->n, "%s", rock[0] != '\0' ? rock : "not stated");
+	series->n = 0;
+	for (size_t i = 0; i < list->n; i++) {
+		if (!text_same(list->item[i].rock, rock))
+			continue;
+		series->x[series->n] =
+		    params_value(&list->item[i].params, "f_mat");
+		series->y[series->n++] =
+		    params_value(&list->item[i].params, "e0_min");
+	}
+}
+
+/* The first of its rock in the list. */
+static bool
+is_first(const struct stored_list *list, size_t at)
+{
+	for (size_t i = 0; i < at; i++)
+		if (text_same(list->item[i].rock, list->item[at].rock))
+			return false;
+	return true;
+}
+
+static void
+add_own(struct chart *chart, const struct entry *entry)
+{
+	struct chart_series *own = chart_add(chart,
+	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'}, 1,
+	    "%s", entry->site->name);
+	own->x[0] = params_value(&entry->params, "f_mat");
+	own->y[0] = params_value(&entry->params, "e0_min");
+}
+
+static struct chart *
+map_chart(struct session *s, const struct plot_request *q, struct error *error)
+{
+	(void)q;
+	struct stored_list list = {0};
+	if (!store_list_all(s->store, &list, error))
+		return NULL;
+	const struct entry *entry = s->n_entry > 0 ? session_entry(s) : NULL;
+	if (entry != NULL && !entry->has_params)
+		entry = NULL;
+	double f_mat = 0, low = INFINITY, high = 0;
+	for (size_t i = 0; i < list.n + (entry != NULL); i++) {
+		const struct params *p =
+		    i < list.n ? &list.item[i].params : &entry->params;
+		f_mat = fmax(f_mat, params_value(p, "f_mat"));
+		low = fmin(low, params_value(p, "e0_min"));
+		high = fmax(high, params_value(p, "e0_min"));
+	}
+	struct chart *chart = chart_new("materials by rock",
+	    "Table 3 of Grunditz et al. (2021) and the user's own fits",
+	    axis_linear("f_mat, kg/(J m)", 0, f_mat),
+	    axis_linear("E0_min, J m/kg", low, high));
+	for (size_t i = 0; i < list.n; i++)
+		if (is_first(&list, i))
+			add_rock(chart, &list, list.item[i].rock);
+	if (entry != NULL)
+		add_own(chart, entry);
+	stored_list_free(&list);
+	return chart;
+}
+
 struct chart *
 plots_chart(
     struct session *s, const struct plot_request *request, struct error *error)
 {
 	static const struct {
-		plots_maker *make;
+		struct chart *(*make)(struct session *,
+		    const struct plot_request *, struct error *);
 		bool any_site;
-	} KINDS[] = {[PLOT_PSD] = {plots_psd, false},
-	    [PLOT_PARITY] = {plots_parity, false},
-	    [PLOT_CONVERGENCE] = {plots_convergence, false},
-	    [PLOT_SPREAD] = {plots_spread, false},
-	    [PLOT_RESIDUALS] = {plots_residuals, false},
-	    [PLOT_SELECTION] = {plots_selection, false},
-	    [PLOT_APPEARANCE] = {plots_appearance, false},
-	    [PLOT_MAP] = {plots_map, true},
-	    [PLOT_SWEEP] = {plots_sweep, false}};
+	} KINDS[] = {[PLOT_PSD] = {psd_chart, false},
+	    [PLOT_PARITY] = {parity_chart, false},
+	    [PLOT_CONVERGENCE] = {convergence_chart, false},
+	    [PLOT_SPREAD] = {spread_chart, false},
+	    [PLOT_RESIDUALS] = {residuals_chart, false},
+	    [PLOT_SELECTION] = {selection_chart, false},
+	    [PLOT_APPEARANCE] = {appearance_chart, false},
+	    [PLOT_MAP] = {map_chart, true},
+	    [PLOT_SWEEP] = {sweep_chart, false}};
 	if (!KINDS[request->kind].any_site &&
 	    !session_need_site(s, "this plot", error))
 		return NULL;

@@ -76,37 +76,16 @@ struct plots_past {
 };
 struct plots_past plots_past(const struct session *s);
 
-/* Index of the generation asked for; n with an error where there is none. */
-size_t plots_generation(const struct session *s,
-    const struct plot_request *request, const struct plots_past *past,
-    struct error *error);
-
 /* The parameters to draw with: of the generation asked for, the best so far of
  * a calibration under way, or the site's. */
 bool plots_params(const struct session *s, const struct plot_request *request,
     struct params *params, struct error *error);
 
-/* Title "Tierp, Granite, 11.2 mm: ..." and where the site's data are from; it
- * takes the axes. */
-struct chart *plots_site_chart(const struct site *site, struct axis x,
-    struct axis y, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-
 /* So many measured products, those nearest to the speed, has psd. */
 enum { PLOTS_MEASURED = 3 };
-
-/* The looks of a feed, or what lies behind, and of a single curve. */
-extern const struct chart_series PLOTS_FEED, PLOTS_CURVE;
 
 /* The looks that several series of a chart take in turn; the first 23
  * differ without colour. */
 struct chart_series plots_look(size_t i);
-
-/* The kinds; see plots_chart. */
-typedef struct chart *plots_maker(
-    struct session *, const struct plot_request *, struct error *);
-plots_maker plots_psd, plots_sweep, plots_residuals, plots_parity;
-plots_maker plots_convergence, plots_spread;
-plots_maker plots_selection, plots_appearance, plots_map;
 
 #endif

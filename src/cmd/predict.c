@@ -1,14 +1,14 @@
 /* predict: what comes out at a speed, and how far to trust it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/answers.h"
+#include "cmd/predict.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
+#include "cmd/answers.h"
 #include "cmd/doubt.h"
 #include "cmd/fit.h"
-#include "cmd/origin.h"
 #include "cmd/pictures.h"
 #include "cmd/plots.h"
 #include "cmd/table.h"
@@ -213,7 +213,7 @@ take_params(struct session *s, struct params *params, struct error *error)
 }
 
 bool
-answers_step(struct session *s, double speed, size_t feed_run, const char *line,
+predict_step(struct session *s, double speed, size_t feed_run, const char *line,
     struct prediction *p, struct error *error)
 {
 	struct params params;

@@ -22,15 +22,6 @@ struct script {
 	bool one_number;   /* all lines have it */
 };
 
-size_t
-script_depth(const struct session *s)
-{
-	size_t n = 0;
-	for (const struct script *i = s->script; i != NULL; i = i->outer)
-		n++;
-	return n;
-}
-
 static struct script *
 push(struct session *s, FILE *in, const char *name)
 {
@@ -39,6 +30,7 @@ push(struct session *s, FILE *in, const char *name)
 	script->in = in;
 	script->name = xstrdup(name);
 	s->script = script;
+	s->scripts++;
 	return script;
 }
 
@@ -46,7 +38,7 @@ bool
 script_open(struct session *s, const char *path, struct error *error)
 {
 	enum { DEEPEST = 16 };
-	if (script_depth(s) >= DEEPEST)
+	if (s->scripts >= DEEPEST)
 		return error_set(error, ERROR_USAGE,
 		    "scripts are nested more than %d deep\n"
 		    "does %s source itself?",
@@ -84,9 +76,10 @@ script_open_text(
 void
 script_close(struct session *s, size_t depth)
 {
-	while (script_depth(s) > depth) {
+	while (s->scripts > depth) {
 		struct script *script = s->script;
 		s->script = script->outer;
+		s->scripts--;
 		if (script->in != NULL && !script->borrowed)
 			fclose(script->in);
 		free(script->name);
@@ -170,7 +163,7 @@ script_line(struct session *s, struct place *place, struct error *error)
 	char *line =
 	    script->in != NULL ? join(script, &place->line, error) : NULL;
 	if (line == NULL && error->kind == ERROR_NONE)
-		script_close(s, script_depth(s) - 1);
+		script_close(s, s->scripts - 1);
 	return line;
 }
 

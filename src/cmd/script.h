@@ -17,9 +17,6 @@ void script_open_stream(struct session *s, FILE *in, const char *name);
 void script_open_text(
     struct session *s, const char *text, const char *name, int line);
 
-/* How many are open. */
-size_t script_depth(const struct session *s);
-
 /* The next line of the innermost, continued ones joined; the caller frees.
  * NULL at its end, which closes it, and where it cannot be read or is no text:
  * then with an error.  place is valid until the script is closed. */

@@ -1,4 +1,4 @@
-/* The session and the running of lines.
+/* What all commands need of the session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session.h"
 
@@ -11,70 +11,13 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/command.h"
-#include "cmd/files.h"
-#include "cmd/keep.h"
-#include "cmd/parse.h"
-#include "cmd/script.h"
-#include "cmd/settings.h"
-#include "cmd/turn.h"
-#include "cmd/origin.h"
-#include "cmd/undo.h"
 #include "io/units.h"
-
-struct session *
-session_new(FILE *out, FILE *notes)
-{
-	struct session *s = xcalloc(1, sizeof *s);
-	s->set = settings_default();
-	s->isa = ISA_BEST;
-	s->out = out;
-	s->notes = notes;
-	s->journal = journal_new();
-	s->undo = undo_new();
-	s->store = store_new(":memory:");
-	return s;
-}
-
-void
-session_free(struct session *s)
-{
-	if (s == NULL)
-		return;
-	session_stop(s);
-	script_close(s, 0);
-	struct error stopped = {0};
-	session_settle(s, false, &stopped);
-	keep_end(s);
-	entries_free(s->entry, s->n_entry);
-	for (size_t i = 0; i < s->n_site; i++)
-		site_free(s->site[i]);
-	free(s->site);
-	free(s->first);
-	files_free(s->files);
-	session_forget(s);
-	free(s->answer);
-	undo_free(s->undo);
-	journal_free(s->journal);
-	store_free(s->store);
-	free(s);
-}
 
 struct entry *
 session_entry(struct session *s)
 {
 	assert(s->current < s->n_entry);
 	return &s->entry[s->current];
-}
-
-const char *
-session_origin(const struct entry *entry)
-{
-	if (entry->has_fit)
-		return "found by calibration";
-	if (!entry->has_params)
-		return "not known yet";
-	return entry->origin->words;
 }
 
 bool
@@ -174,8 +117,8 @@ session_note(const struct session *s, const char *format, ...)
 	va_start(ap, format);
 	vsnprintf(text, sizeof text, format, ap);
 	va_end(ap);
-	if (s->tidy != NULL)
-		s->tidy();
+	if (s->hooks.tidy != NULL)
+		s->hooks.tidy();
 	text_wrap(text, 0, 78, s->notes);
 }
 
@@ -189,58 +132,6 @@ session_need_site(
 	    "%s needs a site, and none is loaded\n"
 	    "load its sieve sheet first: load FILE",
 	    what);
-}
-
-static bool
-run_words(struct session *s, const struct words *words, struct place place,
-    struct error *error)
-{
-	struct args args;
-	const struct command *command = parse_call(words, place, &args, error);
-	bool ok = command != NULL &&
-		  (!(command->flags & COMMAND_AT_SITE) ||
-		      session_need_site(s, command->name, error)) &&
-		  turn_begin(s, &args, words, place, error);
-	if (ok) {
-		ok = command->run(s, &args, error);
-		turn_ran(s);
-		if (!ok || turn_over(s))
-			ok = turn_end(s, ok, error);
-	}
-	args_free(&args);
-	if (!ok && error->line == 0 && strcmp(error->file, place.file) != 0)
-		error_told_at(error, place.file, place.line, words->column[0]);
-	return ok;
-}
-
-bool
-session_line(struct session *s, const char *line, size_t from, const char *file,
-    int number, size_t *next, struct error *error)
-{
-	struct place place = {.file = file,
-	    .line = number,
-	    .prompt = s->prompt && script_depth(s) <= s->typed_at};
-	size_t end = strlen(line), depth = script_depth(s);
-	*next = 0;
-	if (!session_settle(s, true, error))
-		return false;
-	while (from < end && !s->quit) {
-		struct words words;
-		bool ok = words_split(line, from, place, &words, error);
-		if (ok && words.n > 0)
-			ok = run_words(s, &words, place, error);
-		from = words.next;
-		place.column = words.reached_column;
-		words_free(&words);
-		if (!ok)
-			return false;
-		if (session_busy(s) || s->wants_tui ||
-		    script_depth(s) > depth) {
-			*next = from;
-			return true;
-		}
-	}
-	return true;
 }
 
 double
@@ -261,4 +152,22 @@ session_label(const struct site *site)
 	    site->rock[0] != '\0' ? ", " : "", site->rock, size);
 	free(size);
 	return label;
+}
+
+bool
+session_busy(const struct session *s)
+{
+	return s->job.calibration != NULL && !s->job.paused;
+}
+
+char *
+session_speeds(
+    const struct site *site, const char *between, const bool *mark, bool marked)
+{
+	char *list = xstrdup("");
+	for (size_t r = 0; r < site->n_run; r++)
+		if (site->run[r].product.n > 0 &&
+		    (mark == NULL || mark[r] == marked))
+			xlist(&list, between, "%g", site->run[r].speed);
+	return list;
 }

@@ -9,11 +9,11 @@
 
 #include "base/xalloc.h"
 #include "cmd/parse.h"
-#include "cmd/table.h"
 #include "core/breakage.h"
 
-static void
-put(const struct setting *row, const struct value *value, struct choices *set)
+void
+settings_put(
+    const struct setting *row, const struct value *value, struct choices *set)
 {
 	char *place = (char *)set + row->offset;
 	unsigned whole =
@@ -65,7 +65,7 @@ settings_default(void)
 		bool ok = value_take(&r->option, word, &value, &error);
 		assert(ok);
 		(void)ok;
-		put(r, &value, &set);
+		settings_put(r, &value, &set);
 	}
 	return set;
 }
@@ -82,53 +82,4 @@ settings_same(const struct choices *a, const struct choices *b)
 				       ? sizeof(double)
 				       : sizeof(unsigned)) == 0;
 	return same;
-}
-
-static bool
-show_settings(struct session *s)
-{
-	struct answer *r = answer_new("set");
-	answer_columns(r, "setting, value");
-	for (const struct setting *row = SETTINGS; row->option.name != NULL;
-	     row++) {
-		char *text = settings_text(row, &s->set);
-		answer_pair(r, row->option.name, "%s", text);
-		free(text);
-	}
-	return session_answer(s, r);
-}
-
-bool
-cmd_set(struct session *s, const struct args *args, struct error *error)
-{
-	(void)error;
-	const struct model_settings before = s->set.model;
-	bool any = false;
-	for (size_t i = 0; SETTINGS[i].option.name != NULL; i++) {
-		if (!args->value[i].given)
-			continue;
-		put(&SETTINGS[i], &args->value[i], &s->set);
-		any = true;
-	}
-	if (!model_settings_same(&before, &s->set.model))
-		session_forget(s);
-	/* What a site has stays as it is. */
-	if (s->set.model.breakage != before.breakage)
-		s->set.bounds = bounds_default(s->set.model.breakage);
-	return any || show_settings(s);
-}
-
-bool
-cmd_seed(struct session *s, const struct args *args, struct error *error)
-{
-	(void)error;
-	const struct value *value = args_value(args, "seed");
-	if (value->given) {
-		s->set.seed = value->whole;
-		return true;
-	}
-	struct answer *r = answer_new("seed");
-	answer_columns(r, "seed");
-	answer_text(r, "%llu", (unsigned long long)s->set.seed);
-	return session_answer(s, r);
 }

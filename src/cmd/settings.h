@@ -5,13 +5,31 @@
 #define TIPSPEED_CMD_SETTINGS_H
 
 #include "cmd/command.h"
-#include "cmd/session.h"
+#include "core/predict.h"
+#include "io/answer.h"
+
+/* What is set, as against loaded: by bounds, seed, timing and the SETTINGS. */
+struct choices {
+	struct model_settings model;
+	struct bounds bounds;
+	uint64_t seed;
+	unsigned threads;
+	enum answer_format format;
+	unsigned semicolon; /* 1: in csv, with decimal commas */
+	unsigned unpaged;   /* 0: at a prompt, what is taller than the screen is
+			       paged */
+	bool timing;        /* tell how long each command took */
+};
 
 /* What is set in a session that has just begun. */
 struct choices settings_default(void);
 
 /* Bounds, seed and timing are compared too. */
 bool settings_same(const struct choices *a, const struct choices *b);
+
+/* Keeps a value that `set` was given. */
+void settings_put(
+    const struct setting *row, const struct value *value, struct choices *set);
 
 /* The value as `set` would be given it; the caller frees. */
 char *settings_text(const struct setting *row, const struct choices *set);

@@ -1,4 +1,5 @@
-/* show: what a sheet says, and the table of all that can be shown.
+/* show: what a sheet says, the model taken apart, equation by equation, and the
+ * table of all that can be shown.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
@@ -6,8 +7,12 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/data.h"
+#include "cmd/fit.h"
+#include "cmd/model.h"
 #include "cmd/table.h"
+#include "core/classes.h"
+#include "core/breakage.h"
+#include "core/predict.h"
 #include "io/units.h"
 
 static bool
@@ -18,7 +23,7 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	const struct site *site = session_entry(s)->site;
 	struct answer *r = answer_new("show");
 	char *label = session_label(site);
-	char *speeds = data_speeds(site, " ", NULL, true);
+	char *speeds = session_speeds(site, " ", NULL, true);
 	answer_title(r, "%s", label);
 	answer_site(r, site->name, site->provenance);
 	answer_columns(r, "what, value");
@@ -97,6 +102,240 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 			    r, "%.2f", units_pct(psd_at_sieve(curve[i], x)));
 	}
 	free(curve);
+	return session_answer(s, r);
+}
+
+/* The equations with the numbers of this site in them. */
+static void
+note_equations(struct answer *r, const struct params *p, double k)
+{
+	answer_note(r, "Eq 4: E = v^2 / 2, J/kg at v m/s");
+	char *S = breakage_of(p)->selection_text(p, k);
+	char *B = breakage_of(p)->appearance_text(p);
+	answer_note(r, "Eq 3: %s", S);
+	answer_note(r, "Eq 1: %s", B);
+	free(S);
+	free(B);
+}
+
+static bool
+show_model(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	const struct entry *entry = session_entry(s);
+	const struct site *site = entry->site;
+	struct answer *r = answers_new(site, "show", "the model");
+	const struct model_settings *set = &s->set.model;
+	struct fields *o = answer_fields(r);
+	fields_put(o, "what %s method %s appearance %s k %g", "model",
+	    answers_method(set->method), MODEL_FORMS[set->appearance], set->k);
+	if (entry->has_params)
+		fit_put_params(o, &entry->params);
+	else
+		fields_put(o, "params %g", NAN);
+	answer_columns(r,
+	    "speed: m/s, energy_j_kg: E J/kg, break_mm: breaks from mm, "
+	    "selected_pct: feed broken %%");
+	for (size_t i = 0; i < site->n_run; i++) {
+		double v = site->run[i].speed, x = NAN, selected = NAN;
+		if (entry->has_params) {
+			struct prediction p = answers_predict(s, entry, v, i);
+			x = 1000 * p.break_size;
+			selected = 100 * p.selected;
+			prediction_free(&p);
+		}
+		answer_cells(
+		    r, "%g %.0f %.2f %.1f", v, energy_specific(v), x, selected);
+	}
+	answer_put_rows(r, "runs");
+	answer_note(r, "method %s, appearance %s, k %g",
+	    answers_method(set->method), MODEL_FORMS[set->appearance], set->k);
+	if (entry->has_params)
+		note_equations(r, &entry->params, set->k);
+	else
+		answer_note(r, "no parameters yet: calibrate, or params set");
+	return session_answer(s, r);
+}
+
+/* A row for each parameter of each model; a bypass is told once. */
+static bool
+show_models(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	struct answer *r = answer_new("show");
+	answer_title(r, "breakage models, for 'set model'");
+	answer_columns(r, "model, parameter, unit, lower, upper, meaning");
+	for (size_t m = 0; m < breakage_count(); m++) {
+		const struct breakage *of = BREAKAGES[m];
+		size_t first = of->bypass ? of->n - 1 : 0;
+		for (size_t j = first; j < of->n; j++)
+			answer_cells(r, "%s %s %s %g %g %s", of->name,
+			    of->parameter[j].name, of->parameter[j].unit,
+			    of->parameter[j].lower, of->parameter[j].upper,
+			    of->parameter[j].meaning);
+		answer_note(r, "%s: %s", of->name, of->brief);
+	}
+	return session_answer(s, r);
+}
+
+/* A row for each class of the feed. */
+static void
+selection_rows(struct answer *r, const struct psd *feed, const double *S)
+{
+	answer_columns(r,
+	    "from_mm: from mm, to_mm: to mm, feed_pct: feed %%, s_pct: S %%, "
+	    "selected_pct: selected %%");
+	for (size_t i = 0; i < feed->n; i++) {
+		bool pan = i + 1 == feed->n;
+		double mass =
+		    feed->passing[i] - (pan ? 0 : feed->passing[i + 1]);
+		answer_cells(r, "%g %g %.1f %.1f %.1f",
+		    pan ? 0 : units_mm(feed->size[i + 1]),
+		    units_mm(feed->size[i]), units_pct(mass), 100 * S[i],
+		    100 * S[i] * mass);
+	}
+}
+
+static bool
+show_selection(struct session *s, const struct args *args, struct error *error)
+{
+	if (!answers_ready(s, error))
+		return false;
+	const struct entry *entry = session_entry(s);
+	double v = answers_speed(args, entry);
+	size_t run = site_run_nearest(entry->site, v);
+	const struct psd *feed = &entry->site->run[run].feed;
+	struct prediction p = answers_predict(s, entry, v, run);
+	double *S = xdoubles(feed->n);
+	predict_selection(feed, &entry->params, s->set.model, v, S);
+	struct answer *r =
+	    answers_new(entry->site, "show", "selection at %g m/s (Eq 3)", v);
+	selection_rows(r, feed, S);
+	answer_put_rows(r, "rows");
+	fields_put(answer_fields(r),
+	    "what %s speed %g selected_pct %g break_mm %g", "selection", v,
+	    100 * p.selected, 1000 * p.break_size);
+	answer_note(r,
+	    "S: share of the class that breaks; selected: share of all the "
+	    "feed, %.1f %% in sum",
+	    100 * p.selected);
+	if (isfinite(p.break_size) && p.break_size > 0)
+		answer_note(r, "fragments of %.3g mm or more can break",
+		    1000 * p.break_size);
+	if (entry->site->individual_feeds)
+		answer_say(r, ANSWER_REMARK, "feed: the sample taken at %g m/s",
+		    entry->site->run[run].speed);
+	free(S);
+	prediction_free(&p);
+	return session_answer(s, r);
+}
+
+/* A class is called by the sieve it lies on. */
+static const char *
+class_name(const struct psd *feed, size_t i, char buf[static 32])
+{
+	if (i + 1 == feed->n)
+		return "pan";
+	snprintf(buf, 32, "on %g", units_mm(feed->size[i + 1]));
+	return buf;
+}
+
+/* Parents across and daughters down; a: as appearance_matrix has it. */
+static void
+matrix_across(struct answer *r, const struct psd *feed, const double *a)
+{
+	char name[32];
+	answer_columns(r, "daughter");
+	for (size_t i = 0; i < feed->n; i++)
+		answer_columns(r, "%s", class_name(feed, i, name));
+	for (size_t j = 0; j < feed->n; j++) {
+		answer_cells(r, "%s", class_name(feed, j, name));
+		answer_missing(r, "");
+		for (size_t i = 0; i < feed->n; i++)
+			answer_cells(
+			    r, "%.1f", i <= j ? 100 * a[j * feed->n + i] : NAN);
+	}
+}
+
+/* A row for each parent and daughter: for spreadsheets. */
+static void
+matrix_long(
+    struct answer *r, const struct psd *feed, const double *x, const double *a)
+{
+	answer_columns(r, "parent_mm: parent mm, daughter_mm: daughter mm, "
+			  "share_pct: share %%");
+	for (size_t i = 0; i < feed->n; i++)
+		for (size_t j = 0; j < feed->n; j++)
+			answer_cells(r, "%g %g %.1f", units_mm(x[i]),
+			    units_mm(x[j]), 100 * a[j * feed->n + i]);
+}
+
+/* B(u) at u = 1/2, 1/4 and so on to 1/1024. */
+static void
+note_passing(struct answer *r, const struct breaker *b, const struct site *site)
+{
+	char *text = xstrdup("");
+	for (int i = 1; i < 10; i++) {
+		char *more =
+		    xasprintf("%s%s1/%d: %.1f %%", text, i > 1 ? ", " : "",
+			1 << i, 100 * answers_finer(b, ldexp(1, -i), site));
+		free(text);
+		text = more;
+	}
+	answer_note(r,
+	    "B(u), the share of a broken fragment finer than u times its "
+	    "size, which the method continuous takes: %s; below 1/1024 "
+	    "there is nothing",
+	    text);
+	free(text);
+}
+
+static void
+put_matrix(struct fields *o, enum appearance_form form, size_t n,
+    const double *x, const double *a)
+{
+	fields_put(o, "what %s appearance %s", "appearance", MODEL_FORMS[form]);
+	fields_numbers(o, "class_mm", x, n, units_mm);
+	struct fields *rows = fields_list(o, "share_pct");
+	for (size_t j = 0; j < n; j++)
+		fields_numbers(rows, NULL, a + j * n, n, units_pct);
+}
+
+static bool
+show_appearance(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	const struct entry *entry = session_entry(s);
+	const struct psd *feed = &entry->site->run[0].feed;
+	struct params p = entry->has_params
+			      ? entry->params
+			      : params_start(s->set.model.breakage);
+	struct breaker b;
+	breaker_set(&b, &p, s->set.model.k);
+	breaker_at(&b, answers_middle(entry->site));
+	double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
+	classes_sizes(feed, x);
+	classes_matrix(&b, s->set.model.appearance, x, feed->n, a);
+	struct answer *r = answers_new(
+	    entry->site, "show", "appearance (Eq 1), %% of each broken class");
+	matrix_across(r, feed, a);
+	answer_for_programs(r);
+	matrix_long(r, feed, x, a);
+	answer_say(r, ANSWER_REMARK,
+	    "parent classes across, daughters down; a class is called by the "
+	    "sieve it lies on; columns sum to 100");
+	if (!entry->has_params)
+		answer_say(r, ANSWER_REMARK,
+		    "beta is the default: there are no parameters "
+		    "yet");
+	if (s->set.model.appearance == APPEARANCE_RATIO)
+		note_passing(r, &b, entry->site);
+	put_matrix(answer_fields(r), s->set.model.appearance, feed->n, x, a);
+	free(x);
+	free(a);
 	return session_answer(s, r);
 }
 

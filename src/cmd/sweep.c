@@ -5,7 +5,6 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "core/predict.h"
 #include "io/units.h"
@@ -35,30 +34,6 @@ sweep_across(
 		answer_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
 			answers_size_cell(r, &p[i], size);
-	}
-}
-
-void
-answers_speed_rows(
-    struct session *s, struct answer *r, const struct prediction *p, size_t n)
-{
-	const struct entry *entry = session_entry(s);
-	answer_columns(r,
-	    "speed: m/s, energy_j_kg: J/kg, break_mm: breaks from mm, "
-	    "p20_mm: P20 mm, p50_mm: P50 mm, p80_mm: P80 mm, "
-	    "finest_pct: finest %%, extrapolated");
-	for (size_t i = 0; i < n; i++) {
-		size_t finest = p[i].product.n - 1;
-		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;
-		answer_cells(r, round ? "%g %.0f" : "%.2f %.0f", p[i].speed,
-		    p[i].energy);
-		answers_size_cell(r, &p[i], ANSWERS_BREAK);
-		answers_size_cell(r, &p[i], ANSWERS_P20);
-		answers_size_cell(r, &p[i], ANSWERS_P50);
-		answers_size_cell(r, &p[i], ANSWERS_P80);
-		answer_cells(r, "%.1f %s",
-		    units_pct(p[i].product.passing[finest]),
-		    answers_extrapolates(entry, p[i].speed) ? "yes" : "no");
 	}
 }
 

@@ -1,18 +1,10 @@
-/* The command table's parts, one file a group, and what its rows run.
+/* What the rows of the command table run.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_TABLE_H
 #define TIPSPEED_CMD_TABLE_H
 
 #include "cmd/command.h"
 
-/* Each ends with a name of NULL. */
-extern const struct command TABLE_DATA[], TABLE_MODEL[], TABLE_FIT[],
-    TABLE_ANSWERS[], TABLE_STORE[], TABLE_PICTURES[], TABLE_SESSION[];
-
-/* What `set` sets; ends with a name of NULL. */
-extern const struct setting SETTINGS[];
-
-/* What their rows run, each in a file of its own or of its group. */
 command_run cmd_load, cmd_sites, cmd_use, cmd_drop, cmd_check, cmd_show,
     cmd_synth, cmd_write;
 command_run cmd_calibrate, cmd_continue, cmd_accept, cmd_history;
@@ -33,9 +25,7 @@ command_run cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset, cmd_source,
 		    "take the feed sampled at this speed"      \
 	}
 
-/* What show runs for some of its words: parameters and parts of the model,
- * which need a site, bounds and the store. */
-command_run show_params, show_model, show_selection, show_appearance;
-command_run show_bounds, show_store, show_models;
+/* What show runs too. */
+command_run show_params, show_bounds, show_store;
 
 #endif

@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/keep.h"
-#include "cmd/plots.h"
 #include "cmd/redirect.h"
 #include "cmd/script.h"
 #include "cmd/undo.h"
@@ -94,7 +93,8 @@ can_take(const struct command *command, const struct words *words,
 		    "this program draws %s, not %s\n> FILE.svg works",
 		    picture_forms(), strrchr(words->target, '.') + 1);
 	if (!(command->flags & COMMAND_DRAWS) &&
-	    text_choice(PLOT_KINDS, command->name, &kind))
+	    text_choice(
+		command_find("plot")->operands.expect[0], command->name, &kind))
 		return error_set(error, ERROR_USAGE,
 		    "%s draws nothing for %s\nplot %s > %s makes a picture",
 		    command->name, words->target, command->name, words->target);
@@ -131,7 +131,7 @@ turn_begin(struct session *s, const struct args *args,
 	    .started = session_clock(),
 	    .timed = s->set.timing,
 	    .running = true,
-	    .scripts = script_depth(s)};
+	    .scripts = s->scripts};
 	if (words->to != TO_SCREEN && can_take(command, words, error))
 		t->redirect = redirect_open(s, words, error);
 	if (words->to != TO_SCREEN && t->redirect == NULL) {
@@ -240,8 +240,7 @@ bool
 turn_over(const struct session *s)
 {
 	bool working = session_busy(s) && s->job.turn == s->turn;
-	return !working && !s->turn->running &&
-	       script_depth(s) <= s->turn->scripts;
+	return !working && !s->turn->running && s->scripts <= s->turn->scripts;
 }
 
 bool

@@ -43,4 +43,9 @@ void turn_asked(struct session *s, const char *command, const char *line);
  * not, or the results could not be handed over. */
 bool turn_end(struct session *s, bool ok, struct error *error);
 
+/* Ends the commands whose job or script is over; session_line does so before
+ * the next command.  A driver that does not go on with the line calls
+ * it. ok: they did what they should. */
+bool session_settle(struct session *s, bool ok, struct error *error);
+
 #endif

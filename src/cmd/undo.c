@@ -8,9 +8,6 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "cmd/origin.h"
-#include "cmd/settings.h"
-#include "cmd/table.h"
 
 enum { STEPS = 200 };
 
@@ -165,52 +162,28 @@ undo_push(struct session *s, struct snapshot *before, size_t depth,
 	undo->done = undo->n;
 }
 
-/* A calibration that was stopped is kept only where its site and the fit it
- * left there stay. */
-static void
-put(struct session *s, const struct snapshot *snapshot)
+const char *
+undo_back(struct session *s)
 {
-	struct entry held = {0};
-	bool paused = s->job.calibration != NULL && s->job.paused;
-	if (paused)
-		held = s->entry[s->job.entry];
-	snapshot_put(s, snapshot);
-	for (size_t i = 0; i < s->n_entry && paused; i++) {
-		if (s->entry[i].site != held.site ||
-		    !snapshot_same_fit(&s->entry[i].fit, &held.fit))
-			continue;
-		s->job.entry = i;
-		return;
-	}
-	session_let_go(s);
-}
-
-bool
-cmd_undo(struct session *s, const struct args *args, struct error *error)
-{
-	(void)args;
 	if (undo_depth(s) == 0)
-		return error_set(error, ERROR_USAGE, "nothing to undo");
+		return NULL;
 	struct step *step = &s->undo->step[--s->undo->done];
 	step->after = snapshot_take(s);
 	step->tail = journal_cut(s, step->before->mark);
-	put(s, step->before);
-	session_note(s, "undone: %s", step->label);
-	return true;
+	snapshot_put(s, step->before);
+	return step->label;
 }
 
-bool
-cmd_redo(struct session *s, const struct args *args, struct error *error)
+const char *
+undo_forth(struct session *s)
 {
-	(void)args;
 	if (s->undo->done == s->undo->n)
-		return error_set(error, ERROR_USAGE, "nothing to redo");
+		return NULL;
 	struct step *step = &s->undo->step[s->undo->done++];
 	step->before->mark = journal_mark(s);
 	journal_paste(s, &step->tail);
-	put(s, step->after);
+	snapshot_put(s, step->after);
 	snapshot_free(step->after);
 	step->after = NULL;
-	session_note(s, "done again: %s", step->label);
-	return true;
+	return step->label;
 }

@@ -32,6 +32,11 @@ size_t undo_depth(const struct session *s);
 void undo_push(struct session *s, struct snapshot *before, size_t depth,
     size_t floor, const char *label);
 
+/* The session as it was one step before; as it was before that was undone.  The
+ * step's label, or NULL where there is none. */
+const char *undo_back(struct session *s);
+const char *undo_forth(struct session *s);
+
 struct undo *undo_new(void);
 void undo_free(struct undo *undo);
 

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "cmd/answers.h"
-#include "cmd/origin.h"
 #include "cmd/fit.h"
 #include "cmd/table.h"
 #include "core/validate.h"

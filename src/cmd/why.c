@@ -7,7 +7,6 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
-#include "cmd/origin.h"
 #include "cmd/table.h"
 #include "core/breakage.h"
 #include "core/misfit.h"
@@ -191,7 +190,7 @@ say_fit(const struct subject *a)
 		answer_note(a->answer,
 		    "The parameters were %s%s%s%s, not found by a calibration "
 		    "on this site's runs",
-		    session_origin(entry), own ? "" : " (", own ? "" : details,
+		    origin_words(entry), own ? "" : " (", own ? "" : details,
 		    own ? "" : ")");
 		free(details);
 		return;

@@ -86,7 +86,7 @@ run_scripts(struct session *s, size_t depth)
 int
 batch_stream(struct session *s, FILE *in, const char *name)
 {
-	size_t depth = script_depth(s);
+	size_t depth = s->scripts;
 	script_open_stream(s, in, name);
 	return run_scripts(s, depth);
 }
@@ -94,7 +94,7 @@ batch_stream(struct session *s, FILE *in, const char *name)
 int
 batch_text(struct session *s, const char *text, const char *name, int line)
 {
-	size_t depth = script_depth(s);
+	size_t depth = s->scripts;
 	script_open_text(s, text, name, line);
 	return run_scripts(s, depth);
 }
@@ -102,7 +102,7 @@ batch_text(struct session *s, const char *text, const char *name, int line)
 int
 batch_file(struct session *s, const char *path)
 {
-	size_t depth = script_depth(s);
+	size_t depth = s->scripts;
 	struct error error = {0};
 	if (script_open(s, path, &error))
 		return run_scripts(s, depth);
@@ -117,9 +117,9 @@ batch_attend(struct session *s)
 	if (offer != NULL)
 		session_note(s, "%s", offer);
 	free(offer);
-	s->confirm = pump_confirm;
+	s->hooks.confirm = pump_confirm;
 	s->prompt = true;
-	s->typed_at = script_depth(s);
+	s->typed_at = s->scripts;
 }
 
 /* On standard error: standard output is no terminal here, else readline would

@@ -11,14 +11,18 @@
 #include "cmd/answers.h"
 #include "cmd/command.h"
 #include "cmd/fit.h"
+#include "cmd/job.h"
+#include "cmd/line.h"
+#include "cmd/predict.h"
 #include "cmd/script.h"
+#include "cmd/turn.h"
 #include "ui/driver.h"
 #include "ui/pump.h"
 #include "ui/screen.h"
 #include "ui/typed.h"
 #include "ui/view.h"
 
-/* session->confirm and `screen` have no argument to pass it by. */
+/* session->hooks.confirm and `screen` have no argument to pass it by. */
 static struct tui *open;
 
 /* A slider that stood still for so long has paused, s. */
@@ -323,7 +327,7 @@ conduct_predict(struct tui *t)
 	struct error error = {0};
 	prediction_free(&t->shown);
 	t->shown = (struct prediction){0};
-	if (!answers_step(
+	if (!predict_step(
 		s, t->tenths / 10.0, tui_feed(t), line, &t->shown, &error))
 		say_error(t, &error, line, "typed");
 	if ((!first && !told) || t->command == NULL) {
@@ -441,13 +445,13 @@ conduct_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 	    .picture = PLOT_PSD,
 	    .level = 50,
 	    .holdout = NAN,
-	    .before = {s->out, s->notes, s->show_page, s->confirm, s->prompt,
-		s->typed_at, s->run_screen, s->screen}};
-	s->confirm = confirm;
+	    .before = {
+		s->out, s->notes, s->hooks, s->prompt, s->typed_at, s->screen}};
+	s->hooks.confirm = confirm;
 	s->prompt = true;
-	s->typed_at = script_depth(s);
-	s->show_page = NULL;
-	s->run_screen = NULL;
+	s->typed_at = s->scripts;
+	s->hooks.show_page = NULL;
+	s->hooks.run_screen = NULL;
 	tui_keep_feed(t);
 	t->said = text_memory(&t->said_text, &t->said_n);
 	s->out = s->notes = t->said;
@@ -462,11 +466,9 @@ conduct_end(struct tui *t)
 	open = NULL;
 	s->out = t->before.out;
 	s->notes = t->before.notes;
-	s->show_page = t->before.show_page;
-	s->confirm = t->before.confirm;
+	s->hooks = t->before.hooks;
 	s->prompt = t->before.prompt;
 	s->typed_at = t->before.typed_at;
-	s->run_screen = t->before.run_screen;
 	s->screen = t->before.screen;
 	conduct_keep(t);
 	fclose(t->said);

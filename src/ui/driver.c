@@ -4,7 +4,10 @@
 
 #include <stdlib.h>
 
+#include "cmd/job.h"
+#include "cmd/line.h"
 #include "cmd/script.h"
+#include "cmd/turn.h"
 #include "ui/pump.h"
 
 /* Ends what the line has under way after an error or an interruption; the
@@ -42,9 +45,9 @@ go_through(const struct driver *d, size_t depth, const char *line,
 		return interrupt(d, line, name, number);
 	pager_show(d->pager);
 	int status = driver_scripts(d, depth);
-	if (status == 0 && s->wants_tui && s->run_screen != NULL) {
+	if (status == 0 && s->wants_tui && s->hooks.run_screen != NULL) {
 		s->wants_tui = false;
-		status = s->run_screen(s);
+		status = s->hooks.run_screen(s);
 	}
 	if (status != 0 || s->quit)
 		give_up(d, status, line, name);
@@ -57,7 +60,7 @@ driver_line(
     const struct driver *d, const char *line, const char *name, int number)
 {
 	struct session *s = d->session;
-	size_t at = 0, depth = script_depth(s);
+	size_t at = 0, depth = s->scripts;
 	int status = 0;
 	do {
 		struct error error = {0};
@@ -70,7 +73,7 @@ driver_line(
 			return (int)error.kind;
 		}
 		if (d->watches && number == 0 && session_busy(s) &&
-		    script_depth(s) == depth && line[at] == '\0' && !s->job.all)
+		    s->scripts == depth && line[at] == '\0' && !s->job.all)
 			return 0;
 		status = go_through(d, depth, line, name, number);
 	} while (status == 0 && at > 0 && !s->quit);
@@ -82,7 +85,7 @@ driver_scripts(const struct driver *d, size_t depth)
 {
 	struct session *s = d->session;
 	int status = 0;
-	while (status == 0 && script_depth(s) > depth && !s->quit &&
+	while (status == 0 && s->scripts > depth && !s->quit &&
 	       pump_signal() == 0) {
 		struct error error = {0};
 		struct place place;

@@ -10,7 +10,6 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
-#include "cmd/origin.h"
 #include "core/breakage.h"
 #include "ui/page_predict.h"
 #include "ui/pages.h"
@@ -222,8 +221,8 @@ draw_state(const struct tui *t, const struct area *area)
 		    fit_too_few(&entry->fit) ? "" : "fit ",
 		    fit_verdict(&entry->fit));
 	} else {
-		column = screen_text(area, 0, 0, 0, "READY  parameters %s",
-		    session_origin(entry));
+		column = screen_text(
+		    area, 0, 0, 0, "READY  parameters %s", origin_words(entry));
 	}
 	char right[64];
 	snprintf(right, sizeof right, "mouse %s  %s  %d colours",

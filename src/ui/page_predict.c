@@ -234,7 +234,7 @@ draw_worth(const struct tui *t, int row)
 		screen_text(side, row++, 0, 0, "%s", words);
 		free(words);
 	} else if (entry->has_params) {
-		screen_text(side, row++, 0, 0, "%s", session_origin(entry));
+		screen_text(side, row++, 0, 0, "%s", origin_words(entry));
 	}
 	if (isfinite(t->holdout))
 		screen_text(

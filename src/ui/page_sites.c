@@ -9,7 +9,6 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
-#include "cmd/origin.h"
 #include "io/units.h"
 #include "ui/conduct.h"
 #include "ui/screen.h"
@@ -126,7 +125,7 @@ origin_text(const struct entry *e)
 	return e->has_fit          ? fit_verdict(&e->fit)
 	       : !e->has_params    ? "not calibrated"
 	       : e->origin->stored ? "from the store"
-				   : session_origin(e);
+				   : origin_words(e);
 }
 
 /* "-" where there is no such number. */

@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/job.h"
 #include "ui/terminal.h"
 
 static volatile sig_atomic_t noted, asked, watching, stopped, woken, resized;
@@ -330,7 +331,7 @@ pump_run(struct session *s)
 	struct progress p = {
 	    .terminal = isatty(STDERR_FILENO) != 0, .shown = session_clock()};
 	asked = 0;
-	s->tidy = p.terminal ? clear_line : NULL;
+	s->hooks.tidy = p.terminal ? clear_line : NULL;
 	while (session_busy(s) && noted == 0) {
 		session_step(s);
 		if (session_busy(s) && asked)

@@ -51,7 +51,7 @@ void pump_forget_interrupt(void);
  * input or a signal. */
 int pump_answer(void);
 
-/* Asks at the prompt, for session->confirm. */
+/* Asks at the prompt, for session->hooks.confirm. */
 bool pump_confirm(struct session *s, const char *question);
 
 /* The exit status of a program that the noted signal ended, as shells count

@@ -288,7 +288,7 @@ repl_begin(struct session *s)
 {
 	fprintf(stderr, "tipspeed %s: help lists the commands, quit leaves\n",
 	    PACKAGE_VERSION);
-	s->show_page = manpage_show;
+	s->hooks.show_page = manpage_show;
 	char *path = s->safe
 			 ? NULL
 			 : home_path("XDG_CONFIG_HOME", ".config", "init.tip");

@@ -195,7 +195,7 @@ tui_run(struct session *s)
 	bool opened = screen_open(terminal_colour());
 	if (opened) {
 		conduct_begin(&t, s, &WAYS);
-		s->show_page = show_page;
+		s->hooks.show_page = show_page;
 		offer_last(&t);
 		loop(&t);
 		conduct_end(&t);

@@ -129,11 +129,9 @@ struct tui {
 	/* The session's, which it gets back. */
 	struct {
 		FILE *out, *notes;
-		bool (*show_page)(const char *page);
-		bool (*confirm)(struct session *s, const char *question);
+		struct hooks hooks;
 		bool prompt;
 		size_t typed_at;
-		int (*run_screen)(struct session *s);
 		struct screen screen;
 	} before;
 };

@@ -9,8 +9,11 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/entries.h"
+#include "cmd/job.h"
+#include "cmd/line.h"
 #include "cmd/script.h"
-#include "cmd/session.h"
+#include "cmd/turn.h"
 #include "io/site_read.h"
 #include "io/site_write.h"
 #include "io/spec.h"

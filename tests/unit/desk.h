@@ -14,7 +14,8 @@
 #include <cmocka.h>
 
 #include "base/xalloc.h"
-#include "cmd/session.h"
+#include "cmd/job.h"
+#include "cmd/line.h"
 
 /* A session whose results and notes are kept. */
 struct desk {

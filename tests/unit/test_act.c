@@ -475,7 +475,7 @@ a_question_is_answered_by_y_alone(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	struct session *s = t->session;
-	assert_false(s->confirm(s, "shall it?"));
+	assert_false(s->hooks.confirm(s, "shall it?"));
 	assert_null(t->question);
 	/* It stands on the frame that was drawn. */
 	struct canvas *frame = screen_back(((struct stage *)*state)->was);

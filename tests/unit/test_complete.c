@@ -10,6 +10,7 @@
 
 #include "cmd/command.h"
 #include "cmd/complete.h"
+#include "cmd/entries.h"
 
 /* The candidates at the end of a line, each with what follows it, between
  * bars: "off |on ".  The caller frees. */

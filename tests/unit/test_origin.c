@@ -5,7 +5,6 @@
 #include "cmd/answers.h"
 #include "cmd/doubt.h"
 #include "cmd/fit.h"
-#include "cmd/origin.h"
 #include "desk.h"
 
 /* Whether the newest results have the text, and the former ones forgotten. */

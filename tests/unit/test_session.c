@@ -9,6 +9,8 @@
 #include "made.h"
 
 #include "cmd/command.h"
+#include "cmd/entries.h"
+#include "cmd/job.h"
 #include "io/stored.h"
 
 /* A row of Table 3 under its own name. */

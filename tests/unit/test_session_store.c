@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 
-#include "cmd/origin.h"
+#include "cmd/entries.h"
 #include "desk.h"
 #include "made.h"
 

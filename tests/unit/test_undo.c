@@ -5,6 +5,7 @@
 
 #include "cmd/settings.h"
 #include "cmd/table.h"
+#include "cmd/turn.h"
 #include "cmd/undo.h"
 #include "desk.h"
 

@@ -1,6 +1,6 @@
-/* Where parameters are from.
+/* What belongs to a loaded site, and where its parameters are from.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/origin.h"
+#include "cmd/entry.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,18 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
+
+void
+history_drop(struct history *h)
+{
+	if (h == NULL || --h->holders > 0)
+		return;
+	free(h->generation);
+	misfit_free(h->misfit);
+	free(h->uncertainty);
+	band_free(&h->band);
+	free(h);
+}
 
 static struct origin *
 origin_new(char *words, const char *whose, const char *provenance)
@@ -34,6 +45,14 @@ share_history(struct history *h)
 	if (h != NULL)
 		h->holders++;
 	return h;
+}
+
+static struct origin *
+share_origin(struct origin *origin)
+{
+	if (origin != NULL)
+		origin->holders++;
+	return origin;
 }
 
 struct origin *
@@ -62,7 +81,7 @@ origin_taken(const struct entry *from)
 {
 	struct origin *was = from->origin;
 	if (was->whose[0] != '\0')
-		return origin_share(was);
+		return share_origin(was);
 	struct origin *o = origin_new(
 	    xasprintf("taken from %s", from->key), from->key, was->provenance);
 	o->found = was->found;
@@ -90,14 +109,6 @@ origin_stored(const struct stored *m)
 	free(list);
 	o->found = strcmp(m->origin, "hand") != 0 || o->n_speed > 0;
 	return o;
-}
-
-struct origin *
-origin_share(struct origin *origin)
-{
-	if (origin != NULL)
-		origin->holders++;
-	return origin;
 }
 
 void
@@ -218,4 +229,44 @@ origin_put(struct fields *o, const struct entry *entry)
 	fields_put(
 	    object, "origin %s provenance %s", from->words, from->provenance);
 	fields_numbers(object, "trained_mps", from->speed, from->n_speed, NULL);
+}
+
+const char *
+origin_words(const struct entry *entry)
+{
+	if (entry->has_fit)
+		return "found by calibration";
+	if (!entry->has_params)
+		return "not known yet";
+	return entry->origin->words;
+}
+
+void
+entry_clear(struct entry *entry)
+{
+	free(entry->key);
+	free(entry->train);
+	origin_drop(entry->origin);
+	history_drop(entry->history);
+}
+
+void
+entries_free(struct entry *entry, size_t n)
+{
+	for (size_t i = 0; i < n; i++)
+		entry_clear(&entry[i]);
+	free(entry);
+}
+
+struct entry
+entry_copy(const struct entry *from)
+{
+	struct entry to = *from;
+	size_t runs = from->site->n_run;
+	to.key = xstrdup(from->key);
+	to.origin = share_origin(from->origin);
+	to.train = xcalloc(runs, sizeof *to.train);
+	memcpy(to.train, from->train, runs * sizeof *to.train);
+	share_history(to.history);
+	return to;
 }

@@ -1,10 +1,37 @@
-/* Where parameters are from, which goes with them wherever they go.
+/* A loaded site with what is known of it: its parameters, where they are from,
+ * which goes with them wherever they go, and what a calibration left.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_ORIGIN_H
-#define TIPSPEED_CMD_ORIGIN_H
+#ifndef TIPSPEED_CMD_ENTRY_H
+#define TIPSPEED_CMD_ENTRY_H
 
-#include "cmd/session.h"
+#include <stdbool.h>
+
+#include "core/calibrate.h"
+#include "core/misfit.h"
+#include "core/site.h"
+#include "core/uncertainty.h"
+#include "io/answer.h"
 #include "io/stored.h"
+
+/* What a calibration left: what it found; its generations, [n], with the bounds
+ * it searched in; and its misfit, from which is drawn, when first asked for,
+ * what the data leave open.  Shared by the entries, snapshots and origins that
+ * hold it. */
+struct history {
+	size_t holders, n;
+	struct fit fit;
+	struct calibrate_generation *generation;
+	struct bounds bounds;
+	struct misfit *misfit;
+	struct uncertainty *uncertainty; /* NULL: not drawn yet */
+	struct band band;                /* the last one asked for */
+	struct band_of {
+		const struct site *site;
+		struct model_settings settings;
+		double speed;
+		size_t feed_run;
+	} band_of;
+};
 
 /* Never changed once made, and shared by the entries and snapshots that hold
  * it.  What is not known is "", 0 or NULL. */
@@ -21,6 +48,33 @@ struct origin {
 	struct history *spread; /* the calibration, where it was here */
 };
 
+/* A loaded site with its answers.  key: how it is called here, "gavle/4".
+ * train [site->n_run]: runs to train on, or that were trained on. */
+struct entry {
+	struct site *site;
+	char *key;
+	bool *train;
+	bool has_params, has_fit;
+	struct params params;    /* set by hand or found */
+	struct origin *origin;   /* of them; NULL: there are none */
+	struct fit fit;          /* where the parameters were found */
+	struct history *history; /* of the last calibration, or NULL */
+	char options[400];       /* of the fit, in the words of calibrate */
+};
+
+/* Frees entries [n] with what they own. */
+void entries_free(struct entry *entry, size_t n);
+
+/* Another entry of the same site, with copies of what it owns and a share in
+ * its history. */
+struct entry entry_copy(const struct entry *from);
+
+/* Frees what it owns. */
+void entry_clear(struct entry *entry);
+
+/* Gives a share in it up; NULL is allowed. */
+void history_drop(struct history *history);
+
 /* Of the parameters that the entry's fit has just found; set by hand; those of
  * another entry, taken over; of a material.  The caller owns a share. */
 struct origin *origin_of_fit(const struct entry *entry);
@@ -28,9 +82,11 @@ struct origin *origin_by_hand(void);
 struct origin *origin_taken(const struct entry *from);
 struct origin *origin_stored(const struct stored *m);
 
-struct origin *origin_share(struct origin *origin);
 void origin_drop(struct origin *origin); /* NULL is allowed */
 bool origin_same(const struct origin *a, const struct origin *b);
+
+/* Where they are from, in words: "set by hand". */
+const char *origin_words(const struct entry *entry);
 
 /* The calibration of this session that found the entry's parameters, on
  * whatever site; NULL: none did. */

@@ -1,0 +1,27 @@
+/* The loaded sites: adding, finding, dropping.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_ENTRIES_H
+#define TIPSPEED_CMD_ENTRIES_H
+
+#include "cmd/session.h"
+
+/* Adds a site, which the session then owns, and makes it the one in use.  It
+ * takes the place of a site that was read from the same file. */
+void session_add(struct session *s, struct site *site);
+
+/* Takes a site out of those loaded, and lets go of a calibration of it. */
+void session_drop(struct session *s, size_t index);
+
+/* Finds a loaded site by name without case and accents ("borlange"), by name
+ * and top size ("gavle/4") or by key.  Several or none: an error that lists
+ * what there is. */
+bool session_find(
+    struct session *s, const char *name, size_t *index, struct error *error);
+
+/* Reads a site file and adds it.  digest: the one it must have, as hexadecimal
+ * digits, or NULL.  Every fault of the file is printed to notes
+ * but the last, which is the error. */
+bool session_load(struct session *s, const char *path, const char *digest,
+    struct error *error);
+
+#endif

@@ -1,0 +1,30 @@
+/* What commands ask of the driver.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_HOOKS_H
+#define TIPSPEED_CMD_HOOKS_H
+
+#include <stdbool.h>
+
+struct canvas;
+struct error;
+struct screen_request;
+struct session;
+
+struct hooks {
+	void (*tidy)(void); /* clears progress off the line of a note; NULL:
+			       there is none */
+	bool (*stop)(void); /* whether the user waits for what takes long to
+			       end; NULL: never */
+	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
+						where there is no terminal */
+	/* Draws the full screen, see pictures.h; NULL: there is none. */
+	struct canvas *(*draw_screen)(
+	    struct session *, const struct screen_request *, struct error *);
+	/* Is the full screen until it is left; returns an exit status.  NULL:
+	 * none is opened. */
+	int (*run_screen)(struct session *);
+	/* Asks somebody who sits there; NULL: nobody does, nothing is asked. */
+	bool (*confirm)(struct session *s, const char *question);
+};
+
+#endif

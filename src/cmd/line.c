@@ -1,0 +1,105 @@
+/* The running of lines, and a session from its beginning to its end.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/line.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/files.h"
+#include "cmd/job.h"
+#include "cmd/journal.h"
+#include "cmd/keep.h"
+#include "cmd/parse.h"
+#include "cmd/script.h"
+#include "cmd/turn.h"
+#include "cmd/undo.h"
+
+struct session *
+session_new(FILE *out, FILE *notes)
+{
+	struct session *s = xcalloc(1, sizeof *s);
+	s->set = settings_default();
+	s->isa = ISA_BEST;
+	s->out = out;
+	s->notes = notes;
+	s->journal = journal_new();
+	s->undo = undo_new();
+	s->store = store_new(":memory:");
+	return s;
+}
+
+void
+session_free(struct session *s)
+{
+	if (s == NULL)
+		return;
+	session_stop(s);
+	script_close(s, 0);
+	struct error stopped = {0};
+	session_settle(s, false, &stopped);
+	keep_end(s);
+	entries_free(s->entry, s->n_entry);
+	for (size_t i = 0; i < s->n_site; i++)
+		site_free(s->site[i]);
+	free(s->site);
+	free(s->first);
+	files_free(s->files);
+	session_forget(s);
+	free(s->answer);
+	undo_free(s->undo);
+	journal_free(s->journal);
+	store_free(s->store);
+	free(s);
+}
+
+static bool
+run_words(struct session *s, const struct words *words, struct place place,
+    struct error *error)
+{
+	struct args args;
+	const struct command *command = parse_call(words, place, &args, error);
+	bool ok = command != NULL &&
+		  (!(command->flags & COMMAND_AT_SITE) ||
+		      session_need_site(s, command->name, error)) &&
+		  turn_begin(s, &args, words, place, error);
+	if (ok) {
+		ok = command->run(s, &args, error);
+		turn_ran(s);
+		if (!ok || turn_over(s))
+			ok = turn_end(s, ok, error);
+	}
+	args_free(&args);
+	if (!ok && error->line == 0 && strcmp(error->file, place.file) != 0)
+		error_told_at(error, place.file, place.line, words->column[0]);
+	return ok;
+}
+
+bool
+session_line(struct session *s, const char *line, size_t from, const char *file,
+    int number, size_t *next, struct error *error)
+{
+	struct place place = {.file = file,
+	    .line = number,
+	    .prompt = s->prompt && s->scripts <= s->typed_at};
+	size_t end = strlen(line), depth = s->scripts;
+	*next = 0;
+	if (!session_settle(s, true, error))
+		return false;
+	while (from < end && !s->quit) {
+		struct words words;
+		bool ok = words_split(line, from, place, &words, error);
+		if (ok && words.n > 0)
+			ok = run_words(s, &words, place, error);
+		from = words.next;
+		place.column = words.reached_column;
+		words_free(&words);
+		if (!ok)
+			return false;
+		if (session_busy(s) || s->wants_tui || s->scripts > depth) {
+			*next = from;
+			return true;
+		}
+	}
+	return true;
+}

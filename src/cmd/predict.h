@@ -1,0 +1,14 @@
+/* predict without its words, for a slider.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_PREDICT_H
+#define TIPSPEED_CMD_PREDICT_H
+
+#include "cmd/session.h"
+
+/* Predicts as the command `predict` that the line is, and says nothing: the
+ * session keeps the answer, the journal the line, and the value is for whoever
+ * shows it.  False where there is nothing to predict with. */
+bool predict_step(struct session *s, double speed, size_t feed_run,
+    const char *line, struct prediction *p, struct error *error);
+
+#endif
