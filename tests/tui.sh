@@ -244,7 +244,7 @@ want '^mine.csv exists: replace it? y/n' "a file is not replaced unasked"
 paste y
 sleep 0.3
 keys Right
-want '^! mine.csv was kept as it was'
+want '^! mine.csv was not replaced'
 [ "$(cat mine.csv)" = mine ]
 result $? "any key but y is a no, and so is what is pasted"
 keys : 'sites > mine.csv' Enter
@@ -447,7 +447,7 @@ for term in dumb no-such-terminal ''; do
 done
 
 "$TIPSPEED" -c tui >out 2>log </dev/null
-[ $? -eq 2 ] && grep -q 'wants a terminal' log
+[ $? -eq 2 ] && grep -q 'expected a terminal' log
 result $? "without a terminal tui is an error"
 "$TIPSPEED" --reset-tty >out
 grep -q '?1002l.*?25h.*?1049l' out

@@ -17,7 +17,7 @@ const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {
 const char *const ANSWERS_RANGES[ANSWERS_SIZES] = {
     "p20_range_mm", "p50_range_mm", "p80_range_mm", "break_range_mm"};
 const char *const ANSWERS_HEADS[ANSWERS_SIZES] = {
-    "P20 mm", "P50 mm", "P80 mm", "breaks from mm"};
+    "P20 mm", "P50 mm", "P80 mm", "break size mm"};
 
 struct answer *
 answers_new(
@@ -45,10 +45,11 @@ answers_known(
 	return error_set(error, ERROR_USAGE, "%s has no parameters yet\n%s",
 	    entry->site->name,
 	    site_products(entry->site) > 0
-		? "'calibrate' finds them; 'recall' or 'params set' "
-		  "takes known ones"
-		: "there is no product to find them from: 'guess' tells what "
-		  "to expect, 'params use SITE' takes another site's");
+		? "run 'calibrate', or supply them with 'recall' or 'params "
+		  "set'"
+		: "run 'guess' for an estimate, or 'params use SITE' for "
+		  "another site's parameters: there is no product to calibrate "
+		  "on");
 }
 
 bool
@@ -80,7 +81,8 @@ answers_feed(const struct site *site, const struct args *args, double speed,
 	if (*run < site->n_run)
 		return true;
 	return error_set(error, ERROR_USAGE,
-	    "%s has no feed sampled at %g m/s\n'show feed' lists the feeds",
+	    "%s has no feed sampled at %g m/s\n"
+	    "run 'show feed' for its feeds",
 	    site->name, feed->number);
 }
 
@@ -231,8 +233,7 @@ answers_note_worth(struct answer *r, const struct entry *entry)
 	const struct fit *fit = origin_fit(entry);
 	if (fit != NULL && fit->rmse > FIT_POOR)
 		answer_say(r, ANSWER_WARNING,
-		    "the calibration of %s is poor (%.1f points RMS): do not "
-		    "rely on this",
+		    "poor fit of %s (RMSE %.1f points): do not rely on this",
 		    origin_key(entry), 100 * fit->rmse);
 	if (fit != NULL && fit_too_few(fit))
 		fit_note_too_few(r, fit);
@@ -250,13 +251,12 @@ answers_note_doubt(
 	if (speed > 0 && origin_reach(entry, &slowest, &fastest) &&
 	    answers_extrapolates(entry, speed))
 		answer_say(r, ANSWER_WARNING,
-		    "extrapolated: %.1f m/s lies outside the speeds %s, %g to "
-		    "%g m/s",
-		    speed, origin_trained(entry) ? "trained on" : "measured",
-		    slowest, fastest);
+		    "%.1f m/s is outside the %s speeds, %g to %g m/s", speed,
+		    origin_trained(entry) ? "training" : "measured", slowest,
+		    fastest);
 	if (site->individual_feeds &&
 	    fabs(site->run[feed_run].speed - speed) > 1e-3)
-		answer_say(r, ANSWER_REMARK, "feed: the sample taken at %g m/s",
+		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s",
 		    site->run[feed_run].speed);
 	answers_note_worth(r, entry);
 }

@@ -43,20 +43,21 @@ check_wish(
 	bool at = args_value(args, "at")->given;
 	if (given != 1)
 		error_set(error, ERROR_USAGE,
-		    "find wants one of p20, p50, p80, passing and spec, "
-		    "found %zu of them",
+		    "find: expected one of p20, p50, p80, passing and spec, "
+		    "got %zu of them",
 		    given);
 	else if (at != args_value(args, "passing")->given)
 		error_set(error, ERROR_USAGE,
-		    "passing and at go together: so much passing at a size");
+		    "find: expected passing and at together: this much passing "
+		    "at this size");
 	else if (wish->from >= wish->to)
 		error_set(error, ERROR_USAGE,
-		    "find wants from below to, not %g and %g m/s", wish->from,
-		    wish->to);
+		    "find: expected from below to, got %g and %g m/s",
+		    wish->from, wish->to);
 	else
 		return true;
-	return error_hint(error, "find p80=5, find passing=40 at=2, find "
-				 "spec=FILE");
+	return error_hint(
+	    error, "write: find p80=5, find passing=40 at=2 or find spec=FILE");
 }
 
 /* Sizes are read between the sieves as predict reads them; a passing is that of
@@ -80,7 +81,7 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 	if (!psd_covers(feed, wish->x))
 		return error_set(error, ERROR_USAGE,
 		    "%g mm is finer than the feed's finest sieve, %g mm\n"
-		    "nothing is known of what is finer",
+		    "use a size on or above that sieve",
 		    1000 * wish->x, units_mm(feed->size[feed->n - 1]));
 	struct prediction p = answers_predict(s, entry, wish->from, wish->feed);
 	wish->inverse = inverse_new(feed,
@@ -130,15 +131,15 @@ note_unreached(struct answer *r, struct wish *wish, const char *words)
 	       high = value_at(wish, wish->to);
 	bool above = passing_over(wish, wish->from) > 0;
 	answer_note(r,
-	    "no speed from %g to %g m/s gives %s: the product is %s even at "
+	    "no speed from %g to %g m/s gives %s: the product is still %s at "
 	    "%g m/s",
 	    wish->from, wish->to, words, above ? "finer" : "coarser",
 	    above ? wish->from : wish->to);
 	if (isfinite(low) && isfinite(high))
 		answer_note(r, "it is %.2f %s at %g m/s and %.2f %s at %g m/s",
 		    low, what, wish->from, high, what, wish->to);
-	answer_note(r, above ? "from= looks at slower speeds"
-			     : "to= looks at faster speeds");
+	answer_note(r, above ? "use from= to search slower speeds"
+			     : "use to= to search faster speeds");
 }
 
 /* The product at the speed found; without one those at the two ends. */
@@ -181,17 +182,17 @@ note_window(struct answer *r, const struct wish *wish, const struct grading *g,
 {
 	if (w->inside) {
 		answer_note(r,
-		    "within the limits from %.2f to %.2f m/s; shown at %.2f",
+		    "meets the envelope from %.2f to %.2f m/s; table: %.2f m/s",
 		    w->slowest, w->fastest, w->slowest);
 		return;
 	}
 	answer_note(r,
-	    "no speed from %g to %g m/s keeps within the limits; the nearest "
-	    "is %.2f m/s",
+	    "no speed from %g to %g m/s meets the envelope; the nearest is "
+	    "%.2f m/s",
 	    wish->from, wish->to, w->nearest);
-	answer_note(r, "it fails at %g mm: %.1f points too %s passing",
+	answer_note(r, "worst at %g mm: %.1f points %s",
 	    units_mm(g->spec->size[w->worst]), 100 * fabs(w->by),
-	    w->by > 0 ? "much" : "little");
+	    w->by > 0 ? "above max" : "below min");
 }
 
 static bool

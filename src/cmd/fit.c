@@ -22,16 +22,15 @@ mark_training(const struct site *site, const struct value *value, bool *train,
 		return misfit_default_train(site, train) > 0 ||
 		       error_set(error, ERROR_DATA,
 			   "%s has no product to calibrate on\n"
-			   "'guess' tells what to expect of its feed, "
-			   "'recall' takes the parameters of another "
-			   "sheet",
+			   "run 'guess' for an estimate from its feed, or "
+			   "'recall' to use a material's parameters",
 			   site->name);
 	for (size_t i = 0; i < value->n; i++) {
 		size_t r = site_run_at(site, value->list[i]);
 		if (r == site->n_run || site->run[r].product.n == 0)
 			return error_set(error, ERROR_USAGE,
 			    "%s has no product at %g m/s\n"
-			    "'show' lists the speeds it has",
+			    "run 'show' for its speeds",
 			    site->name, value->list[i]);
 		train[r] = true;
 	}
@@ -47,10 +46,10 @@ check_training(const struct site *site, const bool *train, struct error *error)
 		if (!train[r] || misfit_covered(run) > 0)
 			continue;
 		return error_set(error, ERROR_DATA,
-		    "%s: no product sieve at %g m/s lies within the feed's "
-		    "sieves\n"
-		    "sieve the feed to finer sizes, or train on other runs: "
-		    "calibrate train=...",
+		    "%s: no product sieve at %g m/s is in the range of the "
+		    "feed's sieves\n"
+		    "sieve the feed to finer sizes, or choose other training "
+		    "runs: calibrate train=...",
 		    site->name, run->speed);
 	}
 	return true;
@@ -65,8 +64,8 @@ check_weights(const struct site *site, const bool *train, struct error *error)
 		if (!train[r] || site->run[r].product_sd != NULL)
 			continue;
 		return error_set(error, ERROR_DATA,
-		    "weights=sd wants standard deviations for every training "
-		    "run; %s has none at %g m/s\n"
+		    "expected standard deviations for every training run with "
+		    "weights=sd; %s has none at %g m/s\n"
 		    "add a column sd@%g, or calibrate without weights",
 		    site->name, site->run[r].speed, site->run[r].speed);
 	}
@@ -81,14 +80,14 @@ fit_settings_agree(
 	if (settings->appearance != APPEARANCE_RATIO && !of->forms)
 		return error_set(error, ERROR_USAGE,
 		    "this appearance works with the model %s only\n"
-		    "set appearance ratio",
+		    "run 'set appearance ratio'",
 		    BREAKAGES[0]->name);
 	if (settings->method == METHOD_CLASSES ||
 	    settings->appearance == APPEARANCE_RATIO)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "this appearance works with the method classes only\n"
-	    "set method classes, or set appearance ratio");
+	    "run 'set method classes' or 'set appearance ratio'");
 }
 
 void
@@ -128,7 +127,8 @@ spread_weights(const struct site *site, const bool *train,
 	}
 	free(weight);
 	return error_set(error, ERROR_USAGE,
-	    "run_weights wants %zu numbers, one for each training run, not %zu",
+	    "run_weights: expected %zu numbers, one for each training run, got "
+	    "%zu",
 	    n, value->n);
 }
 
@@ -163,7 +163,8 @@ check_all(const struct args *args, struct error *error)
 	    !args_value(args, "weights")->choice)
 		return true;
 	return error_set(error, ERROR_USAGE,
-	    "calibrate all takes every site's own speeds and no weights");
+	    "calibrate all: expected no train=, weights= or run_weights=; each "
+	    "site uses its own speeds");
 }
 
 /* The runs to train on, and what each counts. */
@@ -190,7 +191,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	    .pause_at = (size_t)args_value(args, "pause")->whole};
 	if (job.all && strcmp(args->operand[0], "all") != 0)
 		return error_set(error, ERROR_USAGE,
-		    "calibrate wants options or all, not '%s'",
+		    "calibrate: expected options or all, got '%s'",
 		    args->operand[0]);
 	if (!fit_settings_agree(&s->set.model, s->set.model.breakage, error) ||
 	    !(job.all ? check_all(args, error)

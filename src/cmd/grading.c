@@ -27,7 +27,8 @@ grading_open(struct session *s, const char *path, size_t feed,
 	if (grading->n == 0) {
 		spec_free(spec);
 		return error_set(error, ERROR_DATA,
-		    "%s: none of its sieves lies within those of the feed",
+		    "%s: none of its sieves is in the range of the feed's "
+		    "sieves",
 		    path);
 	}
 	grading->inverse = inverse_new(
@@ -61,9 +62,8 @@ grading_rows(struct answer *r, struct grading *grading, double v)
 {
 	const struct spec *spec = grading->spec;
 	const struct psd *product = inverse_at(&grading->inverse, v);
-	answer_columns(r,
-	    "sieve_mm: sieve mm, min_pct: from %%, max_pct: to %%, "
-	    "passing_pct: product %%, verdict");
+	answer_columns(r, "sieve_mm: sieve mm, min_pct: min %%, max_pct: max "
+			  "%%, passing_pct: product %%, verdict");
 	for (size_t i = 0; i < spec->n; i++)
 		answer_cells(r, "%g %g %g %.1f %s", units_mm(spec->size[i]),
 		    units_pct(spec->least[i]), units_pct(spec->most[i]),
@@ -77,8 +77,8 @@ grading_notes(struct answer *r, const struct grading *grading)
 	const struct spec *spec = grading->spec;
 	if (grading->n < spec->n)
 		answer_say(r, ANSWER_REMARK,
-		    "not judged: %g mm and below, finer than the feed was "
-		    "sieved",
+		    "not checked: %g mm and below, finer than the feed's "
+		    "finest sieve",
 		    units_mm(spec->size[grading->n]));
 	if (spec->source[0] != '\0')
 		answer_say(r, ANSWER_REMARK, "limits: %s", spec->source);
@@ -102,13 +102,13 @@ note_verdict(struct answer *r, struct grading *grading, double v)
 	for (size_t i = 0; i < grading->n; i++)
 		out += verdict(grading, i)[0] != 'o';
 	if (out == 0)
-		answer_note(r, "within the limits");
+		answer_note(r, "meets the envelope");
 	else
 		answer_note(r,
-		    "outside on %zu of %zu sieves; worst at %g mm, %.1f "
-		    "points too %s",
+		    "outside on %zu of %zu sieves; worst at %g mm: %.1f points "
+		    "%s",
 		    out, grading->n, units_mm(grading->spec->size[worst]),
-		    100 * fabs(by), by > 0 ? "much" : "little");
+		    100 * fabs(by), by > 0 ? "above max" : "below min");
 }
 
 bool

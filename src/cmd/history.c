@@ -75,7 +75,7 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	if (h == NULL || h->n == 0)
 		return error_set(error, ERROR_USAGE,
 		    "%s has not been calibrated in this session\n"
-		    "calibrate it first",
+		    "run 'calibrate' first",
 		    entry->site->name);
 	const struct value *every = args_value(args, "every");
 	size_t step =
@@ -86,13 +86,13 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	answer_for_programs(r);
 	add_rows(r, h, step, true);
 	answer_say(r, ANSWER_REMARK,
-	    "best and median misfit of the search; then the spread of each "
-	    "parameter, %% of its bounds");
+	    "best and median misfit of the search, then the spread of each "
+	    "parameter in %% of its bounds");
 	answers_note_worth(r, entry);
 	if (entry->fit.edits > 0)
 		answer_say(r, ANSWER_REMARK,
 		    "the bounds were edited after generation %zu%s: earlier "
-		    "spreads are told in %% of those set since",
+		    "spreads are in %% of the edited bounds",
 		    entry->fit.edited_at,
 		    entry->fit.edits > 1 ? " and before" : "");
 	return session_answer(s, r);

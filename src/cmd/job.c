@@ -56,7 +56,7 @@ new_summary(void)
 	struct answer *r = answer_new("calibrate");
 	answer_title(r, "all sites, calibrated");
 	answer_columns(r, "site, f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
-			  "holdout_pct: hold-out, remark");
+			  "holdout_pct: hold-out RMSE, remark");
 	return r;
 }
 
@@ -83,12 +83,12 @@ remarks(const struct session *s, const struct entry *entry)
 	for (size_t j = 0; j < of->n; j++)
 		if (entry->fit.on_bound[j])
 			xlist(
-			    &text, "; ", "%s on bound", of->parameter[j].name);
+			    &text, "; ", "%s at bound", of->parameter[j].name);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *other = &s->entry[i];
 		if (other != entry &&
 		    other->site->digest == entry->site->digest)
-			xlist(&text, "; ", "twin of %s", other->key);
+			xlist(&text, "; ", "same data as %s", other->key);
 	}
 	const char *verdict = fit_verdict(&entry->fit);
 	if (strcmp(verdict, "good") != 0)
@@ -180,8 +180,8 @@ session_pause(struct session *s)
 	}
 	s->job.paused = true;
 	session_note(s,
-	    "stopped at generation %zu of %zu, best %.4g kept; continue, "
-	    "accept or calibrate again",
+	    "stopped at generation %zu of %zu, best misfit %.4g kept; "
+	    "continue, accept or calibrate again",
 	    st.generation, s->job.options.generations, st.best);
 }
 
@@ -199,8 +199,8 @@ session_let_go(struct session *s)
 	if (s->job.calibration == NULL)
 		return;
 	session_stop(s);
-	session_note(s, "the stopped calibration is let go of: 'continue' "
-			"has nothing to go on with");
+	session_note(
+	    s, "discarded the stopped calibration; it cannot be continued");
 }
 
 static bool
@@ -210,7 +210,7 @@ need_paused(const struct session *s, const char *name, struct error *error)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "%s: no calibration was stopped\n"
-	    "^C or pause= stops a calibration and keeps it",
+	    "use ^C or pause= to stop a calibration and keep it",
 	    name);
 }
 
@@ -226,8 +226,7 @@ take_bounds(struct session *s)
 	job->options.bounds = s->set.bounds;
 	calibration_set_bounds(job->calibration, &s->set.bounds);
 	session_note(s,
-	    "  going on after generation %zu within the bounds that were "
-	    "edited",
+	    "  continuing after generation %zu within the edited bounds",
 	    calibration_status(job->calibration).generation);
 }
 
@@ -239,7 +238,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 	const struct value *pause = args_value(args, "pause");
 	if (pause->given && pause->whole <= s->job.step)
 		return error_set(error, ERROR_USAGE,
-		    "pause wants a generation beyond %zu, which is done",
+		    "pause: expected a generation after %zu, which is done",
 		    s->job.step);
 	take_bounds(s);
 	s->job.pause_at = (size_t)pause->whole;

@@ -107,8 +107,8 @@ cmd_tui(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO))
 		return error_set(error, ERROR_USAGE,
-		    "tui wants a terminal for input and output\n"
-		    "'predict' answers without one");
+		    "tui: expected a terminal for input and output\n"
+		    "use 'predict' without one");
 	s->wants_tui = true;
 	return true;
 }

@@ -83,7 +83,7 @@ show_list(
 	}
 	answer_note(r, "%zu of %zu materials, %zu of them your own, in %s", n,
 	    list->n, own, store_path(s->store));
-	answer_note(r, "Table 3 is that of the paper, and read only");
+	answer_note(r, "Table 3 is the paper's, and read only");
 	if (n == 0 && args_value(args, "rock")->given)
 		note_rocks(r, list);
 	session_answer(s, r);
@@ -123,15 +123,16 @@ show_store(struct session *s, const struct args *args, struct error *error)
 	answer_columns(r, "what, value");
 	answer_pair(r, "place", "%s", path);
 	if (strcmp(path, ":memory:") == 0)
-		answer_pair(r, "file", "none: it ends with the session");
+		answer_pair(r, "file", "none: kept until the session ends");
 	else if (bytes < 0)
-		answer_pair(r, "file", "none yet: the first remember makes it");
+		answer_pair(
+		    r, "file", "none yet: the first 'remember' creates it");
 	else
 		answer_pair(r, "file", "%" PRId64 " bytes", bytes);
 	answer_pair(r, "schema", "%d", STORE_SCHEMA);
 	answer_pair(r, "own materials", "%zu", own.n);
 	answer_pair(r, "of Table 3", "%zu, read only", all.n);
-	answer_note(r, "'materials' lists them");
+	answer_note(r, "run 'materials' to list them");
 	stored_list_free(&own);
 	stored_list_free(&all);
 	return session_answer(s, r);

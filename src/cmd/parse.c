@@ -121,7 +121,8 @@ is_lone_unit(const struct args *args, const char *word, struct error *error)
 		    strcmp(o->unit, word) != 0)
 			continue;
 		error_set(error, ERROR_USAGE,
-		    "a unit stands at its number, without a blank\nwrite %s%s",
+		    "expected no space before the unit\n"
+		    "write %s%s",
 		    args->value[i].text, word);
 		return true;
 	}
@@ -138,11 +139,14 @@ is_lone_option(
 	bool is = command_option_index(command, name) < OPTIONS;
 	if (is && word[n] == '=') {
 		error_set(error, ERROR_USAGE,
-		    "options are in small letters, unlike '%s'\nwrite %s%s",
+		    "expected an option in lower case, got '%s'\n"
+		    "write %s%s",
 		    word, name, word + n);
 	} else if (is) {
-		error_set(
-		    error, ERROR_USAGE, "%s wants a value\n%s=..", name, name);
+		error_set(error, ERROR_USAGE,
+		    "expected a value for %s\n"
+		    "write %s=VALUE",
+		    name, name);
 	}
 	free(cut);
 	free(name);
@@ -164,8 +168,10 @@ check_operands(const struct args *args, struct error *error)
 		return false;
 	char *usage = command_usage(command);
 	error_set(error, ERROR_USAGE,
-	    more != NULL ? "%s: '%s' is one word too many\nusage: %s"
-			 : "%s wants %s\nusage: %s",
+	    more != NULL ? "%s: unexpected word '%s'\n"
+			   "usage: %s"
+			 : "%s: expected %s\n"
+			   "usage: %s",
 	    command->name, more != NULL ? more : command->operands.usage,
 	    usage);
 	free(usage);
@@ -189,8 +195,9 @@ hint_blanks(const struct command *command, const struct words *words,
 		char *key = xstrndup(name, ends ? n - 1 : n);
 		if ((signs == 1 || ends) &&
 		    command_option_index(command, key) < OPTIONS)
-			error_hint(
-			    error, "no blanks around =: %s=%s", key, value);
+			error_hint(error,
+			    "write it without spaces around =: %s=%s", key,
+			    value);
 		free(key);
 	}
 }
@@ -212,11 +219,11 @@ unknown_command(const char *name, bool prompt, struct error *error)
 	const char *near = one ? several : command_nearest(name);
 	error_set(error, ERROR_USAGE, "there is no command '%s'", name);
 	if (prompt && strchr(several, ',') != NULL)
-		error_hint(error, "it may begin %s", several);
+		error_hint(error, "did you mean one of %s?", several);
 	else if (near != NULL)
 		error_hint(error, "did you mean '%s'?", near);
 	else
-		error_hint(error, "'help' lists the commands");
+		error_hint(error, "run 'help' for the commands");
 	free(several);
 }
 

@@ -132,7 +132,8 @@ static bool
 cannot_draw(const struct session *s, struct error *error)
 {
 	return error_set(error, ERROR_SYSTEM,
-	    "the picture %s cannot be drawn\ntry a smaller one, or .svg",
+	    "cannot draw the image %s\n"
+	    "try a smaller one, or .svg",
 	    s->file);
 }
 
@@ -228,8 +229,8 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 	enum picture_form form;
 	bool picture = s->file != NULL && picture_form_of(s->file, &form);
 	if (s->draw_screen == NULL)
-		return error_set(
-		    error, ERROR_SYSTEM, "there is no full screen here");
+		return error_set(error, ERROR_SYSTEM,
+		    "full-screen mode is not available here");
 	struct screen_request r = screen_request(s, args, picture);
 	struct canvas *canvas = s->draw_screen(s, &r, error);
 	if (canvas == NULL)

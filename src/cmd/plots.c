@@ -54,7 +54,7 @@ plots_generation(const struct session *s, const struct plot_request *request,
 	if (past->n == 0) {
 		error_set(error, ERROR_USAGE,
 		    "%s has not been calibrated in this session\n"
-		    "calibrate it first",
+		    "run 'calibrate' first",
 		    s->entry[s->current].site->name);
 		return past->n;
 	}

@@ -185,7 +185,8 @@ note_prediction(struct chart *chart, const struct plot_request *q,
 	if (whose == NULL || origin_key(whose) == whose->key)
 		return;
 	char *from = origin_sentence(whose);
-	chart_note(chart, "%s", from);
+	chart_note(
+	    chart, "%s%s", origin_is_other(whose) ? "warning: " : "", from);
 	free(from);
 }
 

@@ -88,7 +88,7 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	answer_columns(r, "sieve_mm: sieve mm");
 	size_t n = add_columns(r, site, feed, curve);
 	if (n == 0)
-		answer_note(r, "the sheet has a feed only");
+		answer_note(r, "the site file has a feed only");
 	answer_missing(r, "");
 	for (double x = INFINITY; (x = next_sieve(curve, n, x)) > 0;) {
 		answer_cells(r, "%g", units_mm(x));
@@ -128,11 +128,13 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 		i++;
 	if (i == ARRAY_LEN(WHAT))
 		return error_set(error, ERROR_USAGE,
-		    "there is no '%s' to show\nshow %s", what,
-		    args->command->operands.usage);
+		    "there is no '%s' to show\n"
+		    "write: show %s",
+		    what, args->command->operands.usage);
 	if (args_value(args, "speed")->given && !WHAT[i].at_speed)
 		return error_set(error, ERROR_USAGE,
-		    "show %s takes no speed: it is the same at all", what);
+		    "show %s: expected no speed; it is the same at all speeds",
+		    what);
 	if (WHAT[i].at_site && !session_need_site(s, "show", error))
 		return false;
 	return WHAT[i].show(s, args, error);

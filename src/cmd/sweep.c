@@ -43,10 +43,13 @@ answers_speed_rows(
     struct session *s, struct answer *r, const struct prediction *p, size_t n)
 {
 	const struct entry *entry = session_entry(s);
-	answer_columns(r,
-	    "speed: m/s, energy_j_kg: J/kg, break_mm: breaks from mm, "
-	    "p20_mm: P20 mm, p50_mm: P50 mm, p80_mm: P80 mm, "
-	    "finest_pct: finest %%, extrapolated");
+	answer_columns(r, "speed: m/s, energy_j_kg: J/kg, break_mm: break mm, "
+			  "p20_mm: P20 mm, p50_mm: P50 mm, p80_mm: P80 mm");
+	char *head = xasprintf(
+	    "< %g mm, %%", units_mm(p[0].product.size[p[0].product.n - 1]));
+	answer_column(r, "finest_pct", head);
+	answer_columns(r, "extrapolated");
+	free(head);
 	for (size_t i = 0; i < n; i++) {
 		size_t finest = p[i].product.n - 1;
 		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;
@@ -110,11 +113,11 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	origin_note(r, entry);
 	if (entry->site->individual_feeds)
 		answer_say(r, ANSWER_REMARK,
-		    "feed: the sample taken at %g m/s, for all speeds",
+		    "feed used for all speeds: sampled at %g m/s",
 		    entry->site->run[feed].speed);
 	if (outside && across)
 		answer_say(r, ANSWER_WARNING,
-		    "* extrapolated: outside the speeds trained on");
+		    "speeds marked * are outside the training speeds");
 	answers_note_worth(r, entry);
 	answers_put_products(s, answer_fields(r), p, n);
 	for (size_t i = 0; i < n; i++)

@@ -211,6 +211,6 @@ cmd_redo(struct session *s, const struct args *args, struct error *error)
 	put(s, step->after);
 	snapshot_free(step->after);
 	step->after = NULL;
-	session_note(s, "done again: %s", step->label);
+	session_note(s, "redone: %s", step->label);
 	return true;
 }

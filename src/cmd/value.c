@@ -28,8 +28,8 @@ value_number(const char *word, const char *unit, double *value)
 }
 
 /* A control room shows the rotor's turns. */
-static const char TURNS[] = "turns of the rotor a minute? tip speed in m/s = "
-			    "3.1416 x rotor diameter in m x turns / 60";
+static const char TURNS[] =
+    "is this rpm? tip speed (m/s) = 3.1416 x rotor diameter (m) x rpm / 60";
 
 /* The next step where a number is written as in another language. */
 static bool
@@ -46,12 +46,14 @@ hint_number(
 	} else if (comma != NULL) {
 		*comma = '.';
 		bool right = text_number(copy, &low);
-		error_hint(error, "write a point: %s", right ? copy : "11.2");
+		error_hint(
+		    error, "use a decimal point: %s", right ? copy : "11.2");
 	} else if (dash != NULL && option->kind == VALUE_NUMBERS) {
 		*dash = '\0';
 		if (text_number(copy, &low) && text_number(dash + 1, &high))
-			error_hint(error, "a range has two points: %s..%s",
-			    copy, dash + 1);
+			error_hint(error,
+			    "write a range with two points: %s..%s", copy,
+			    dash + 1);
 	}
 	free(copy);
 	return false;
@@ -65,21 +67,20 @@ number(const struct command_option *option, const char *word, double *value,
 	const char *in = option->unit[0] != '\0' ? " in " : "";
 	const char *space = option->unit[0] != '\0' ? " " : "";
 	if (!ok && option->kind == VALUE_NUMBER && strchr(word, ',') != NULL) {
-		error_set(error, ERROR_USAGE,
-		    "%s wants a number, not '%s': a comma is no decimal sign "
-		    "here",
+		error_set(error, ERROR_USAGE, "%s: expected a number, got '%s'",
 		    option->name, word);
 		return hint_number(option, word, error);
 	}
 	if (!ok) {
-		error_set(error, ERROR_USAGE, "%s wants a number%s%s, not '%s'",
-		    option->name, in, option->unit, word);
+		error_set(error, ERROR_USAGE,
+		    "%s: expected a number%s%s, got '%s'", option->name, in,
+		    option->unit, word);
 		return hint_number(option, word, error);
 	}
 	if (*value < option->least || *value > option->most) {
-		error_set(error, ERROR_USAGE, "%s wants %g to %g%s%s, not %s",
-		    option->name, option->least, option->most, space,
-		    option->unit, word);
+		error_set(error, ERROR_USAGE,
+		    "expected %s from %g to %g%s%s, got %s", option->name,
+		    option->least, option->most, space, option->unit, word);
 		return *value > option->most &&
 		       strcmp(option->unit, "m/s") == 0 &&
 		       error_hint(error, "%s", TURNS);
@@ -121,12 +122,12 @@ range(const struct command_option *option, char *word, char *dots,
 	double steps = floor((to - from) / step + 1e-9);
 	if (steps < 0)
 		return error_set(error, ERROR_USAGE,
-		    "%s: a range goes from low to high, not from %g to %g",
+		    "%s: expected a range from low to high, got %g to %g",
 		    option->name, from, to);
 	if (steps >= MOST)
 		return error_set(error, ERROR_USAGE,
-		    "%s: a range has at most %d steps, not %.0f", option->name,
-		    (int)MOST, steps);
+		    "%s: expected a range of at most %d steps, got %.0f",
+		    option->name, (int)MOST, steps);
 	for (double i = 0; i <= steps; i++) {
 		value->list = xrealloc(value->list, value->n + 1, sizeof from);
 		value->list[value->n++] = from + i * step;
@@ -155,7 +156,7 @@ numbers(const struct command_option *option, const char *word,
 	free(text);
 	if (ok && value->n == 0)
 		return error_set(error, ERROR_USAGE,
-		    "%s wants numbers (65,74 or 65..85:5)", option->name);
+		    "%s: expected numbers (65,74 or 65..85:5)", option->name);
 	return ok;
 }
 
@@ -164,8 +165,9 @@ wrong_whole(
     const struct command_option *option, const char *word, struct error *error)
 {
 	char *limits = command_limits(option);
-	error_set(error, ERROR_USAGE, "%s wants a whole number, %s; not '%s'",
-	    option->name, limits, word);
+	error_set(error, ERROR_USAGE,
+	    "%s: expected a whole number, %s; got '%s'", option->name, limits,
+	    word);
 	free(limits);
 	return false;
 }
@@ -174,8 +176,8 @@ bool
 value_wanted(const struct command_option *option, struct error *error)
 {
 	char *limits = command_limits(option);
-	error_set(
-	    error, ERROR_USAGE, "%s wants a value: %s", option->name, limits);
+	error_set(error, ERROR_USAGE, "%s: expected a value: %s", option->name,
+	    limits);
 	free(limits);
 	return false;
 }
@@ -186,7 +188,7 @@ wrong_choice(
 {
 	if (word[0] == '\0')
 		return value_wanted(option, error);
-	error_set(error, ERROR_USAGE, "%s wants one of: %s; not '%s'",
+	error_set(error, ERROR_USAGE, "%s: expected one of %s; got '%s'",
 	    option->name, option->choices, word);
 	char *copy = xstrdup(option->choices), *save = NULL;
 	char *folded = text_fold(word);
@@ -220,7 +222,8 @@ value_take(const struct command_option *option, const char *word,
 			return true;
 		return wrong_choice(option, word, error);
 	default:
-		return word[0] != '\0' || error_set(error, ERROR_USAGE,
-					      "%s wants a value", option->name);
+		return word[0] != '\0' ||
+		       error_set(error, ERROR_USAGE, "%s: expected a value",
+			   option->name);
 	}
 }

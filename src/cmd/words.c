@@ -47,7 +47,7 @@ open_quote(struct place place, int column, struct error *error)
 {
 	return error_at(error, ERROR_USAGE, place.file, place.line, column,
 	    "a quote (\") is not closed\n"
-	    "add the closing \" or remove the first");
+	    "add the closing \", or remove the opening one");
 }
 
 static size_t
@@ -84,16 +84,17 @@ take_file(const char *line, size_t *at, struct place place, struct words *words,
 	if (words->target[0] == '\0')
 		return error_at(error, ERROR_USAGE, place.file, place.line,
 		    words->to_column,
-		    "a file was wanted behind %s\npredict 74 > product.csv",
+		    "expected a file name after %s\n"
+		    "write: predict 74 > product.csv",
 		    append ? ">>" : ">");
 	*at = skip_blanks(line, *at);
 	if (line[*at] == '\0' || line[*at] == ';' || line[*at] == '#')
 		return true;
 	return error_at(error, ERROR_USAGE, place.file, place.line,
 	    column_of(line, words, *at),
-	    "nothing goes behind the file '%s'\n"
-	    "a name with blanks is quoted: > \"my file.csv\"; a command has "
-	    "one > or | only",
+	    "expected nothing after the file '%s'\n"
+	    "quote a name with spaces: > \"my file.csv\"; use one > or | in a "
+	    "command",
 	    words->target);
 }
 
@@ -105,7 +106,7 @@ take_redirection(const char *line, size_t *at, struct place place,
 	words->to_column = column_of(line, words, *at);
 	if (words->n == 0)
 		return error_at(error, ERROR_USAGE, place.file, place.line,
-		    words->to_column, "a command was wanted before %c", sign);
+		    words->to_column, "expected a command before %c", sign);
 	if (sign == '>')
 		return take_file(line, at, place, words, error);
 	bool good = take_pipe(line, *at, words);
@@ -114,7 +115,8 @@ take_redirection(const char *line, size_t *at, struct place place,
 		return true;
 	return error_at(error, ERROR_USAGE, place.file, place.line,
 	    words->to_column,
-	    "a shell command was wanted behind |\nsweep | less");
+	    "expected a shell command after |\n"
+	    "write: sweep | less");
 }
 
 /* True where the first word names a command that takes > and | as words. */

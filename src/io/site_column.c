@@ -56,8 +56,8 @@ in_range(struct table *t, struct column *c, struct cell cell, double v)
 	char head[64];
 	if (c->role == SD && (v > 100 || site_column_round(v, 1e12) <= 0))
 		return sheet_wanted(t->sheet, cell,
-		    "a standard deviation above 0, up to 100,",
-		    "give it in percentage points of passing");
+		    "a standard deviation above 0, up to 100",
+		    "write it in percentage points of passing");
 	if (v >= 0 && v <= SITE_UNITS[c->unit].most)
 		return true;
 	bool percent = SITE_UNITS[c->unit].kind == FRACTION && v > 1;
@@ -66,7 +66,7 @@ in_range(struct table *t, struct column *c, struct cell cell, double v)
 		return false;
 	c->told_percent = c->told_percent || percent;
 	return sheet_wanted(t->sheet, cell, SITE_UNITS[c->unit].wanted,
-	    percent ? "divide by 100 or head the column %s"
+	    percent ? "divide by 100, or change the column heading to %s"
 		    : "check the number%.0s",
 	    other_head(c, "", head));
 }
@@ -152,9 +152,9 @@ tell_retained(struct table *t, struct column *c, const char *suffix, double sum)
 	t->told_retained = true;
 	bool grams = strcmp(suffix, "_retained_g") == 0;
 	sheet_fault(t->sheet, c->head,
-	    "passing was wanted in column %s, this looks like %s retained on "
+	    "expected passing in column %s; this looks like %s retained on "
 	    "each sieve%s: the numbers rise and fall and sum to %.9g\n"
-	    "head the column %s, and others like it so, too",
+	    "change the column heading to %s, and other such columns likewise",
 	    c->head.text, grams ? "grams" : "mass", grams ? "" : ", %",
 	    site_column_round(sum, 10), other_head(c, suffix, head));
 }
@@ -171,8 +171,8 @@ check_percent(struct table *t, struct column *c)
 	if (!percent || most <= 0 || most > 1)
 		return;
 	sheet_fault(t->sheet, c->head,
-	    "percent was wanted, found nothing above %g in column %s\n"
-	    "multiply by 100 or head the column %s",
+	    "expected percent, got nothing above %g in column %s\n"
+	    "multiply by 100, or change the column heading to %s",
 	    most, c->head.text, other_head(c, "_fraction", head));
 	c->faulty = true;
 }
@@ -191,9 +191,9 @@ agrees(struct table *t, const struct column *c, double sum)
 		return false;
 	return fabs(total - sum) <= MASS_TOLERANCE * total ||
 	       sheet_fault(t->sheet, cell,
-		   "%.9g g was wanted, the sum of column %s, found %s\n"
-		   "the sieves may lose %g %%: were digits swapped, or a sieve "
-		   "forgotten?",
+		   "expected %.9g g, the sum of column %s, got %s\n"
+		   "up to %g %% may be lost in sieving: were digits "
+		   "transposed, or a sieve forgotten?",
 		   site_column_round(sum, 1e6), c->head.text, cell.text,
 		   100 * MASS_TOLERANCE);
 }
@@ -210,21 +210,22 @@ total_retained(struct table *t, struct column *c)
 		sum += isnan(c->pct[i]) ? 0 : c->pct[i];
 	if (grams && isnan(c->pan)) {
 		sheet_fault(t->sheet, c->head,
-		    "the mass in the pan was wanted, found none in column %s\n"
-		    "add a last row with pan and the mass below the finest "
-		    "sieve, 0 if there was none",
+		    "expected the mass in the pan, got none in column %s\n"
+		    "add a last row: pan, with the mass below the finest sieve "
+		    "(0 if there was none)",
 		    c->head.text);
 	} else if (grams && !(sum > 0)) {
 		sheet_fault(t->sheet, c->head,
-		    "a mass was wanted, found 0 g in column %s\n"
-		    "fill the column or take it out",
+		    "expected a mass, got 0 g in column %s\n"
+		    "fill the column or remove it",
 		    c->head.text);
 	} else if (!grams &&
 		   (sum > 100 + SUM_TOLERANCE ||
 		       (!isnan(c->pan) && sum < 100 - SUM_TOLERANCE))) {
 		sheet_fault(t->sheet, c->head,
-		    "retained parts that sum to 100 %% were wanted, found %g "
-		    "in column %s\ncheck the numbers, or head the column %s",
+		    "expected retained percentages that sum to 100 %%, got %g "
+		    "in column %s\n"
+		    "check the numbers, or change the column heading to %s",
 		    sum, c->head.text,
 		    other_head(c, "_cum_retained_pct", head));
 	} else {
@@ -277,9 +278,9 @@ check_rise(struct table *t, struct column *c)
 		if (finer && c->pct[i] > c->pct[last])
 			sheet_fault(t->sheet, sheet_cell(&t->row[i], c->at),
 			    "passing rises from %s to %s at %s mm (finer "
-			    "sieve, more passing): check the row\n"
-			    "a finer sieve passes as much as the coarser one "
-			    "or less",
+			    "sieve, more passing)\n"
+			    "check this row and the one above: passing cannot "
+			    "rise on a finer sieve",
 			    text_exact(c->pct[last], p),
 			    text_exact(c->pct[i], q), text_exact(t->mm[i], mm));
 		last = i;
@@ -310,8 +311,9 @@ check_coarsest(struct table *t, struct column *c)
 	else
 		snprintf(next, sizeof next, "a sieve coarser than %s mm", mm);
 	sheet_fault(t->sheet, sheet_cell(&t->row[i], c->at),
-	    "a coarsest feed sieve that passes 100 %% was wanted, found %s %% "
-	    "at %s mm\nadd %s with %s",
+	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
+	    "%s mm\n"
+	    "add %s with %s",
 	    text_exact(c->pct[i], p), mm, next, all);
 }
 
@@ -361,7 +363,7 @@ site_column_values(struct table *t, struct column *c)
 	    site_column_count(t, c) >= least)
 		return;
 	sheet_fault(t->sheet, c->head,
-	    "%zu or more sieves were wanted, found %zu in column %s\n"
-	    "fill the column or take it out",
+	    "expected %zu or more sieves, got %zu in column %s\n"
+	    "fill the column or remove it",
 	    least, site_column_count(t, c), c->head.text);
 }

@@ -15,9 +15,9 @@ const struct site_unit SITE_UNITS[SITE_N_UNIT] = {
     {"", PASSING, 100, "passing from 0 to 100 %"},
     {"_passing_pct", PASSING, 100, "passing from 0 to 100 %"},
     {"_fraction", FRACTION, 1, "a fraction from 0 to 1"},
-    {"_retained_g", RETAINED_G, 1e12, "mass retained, 0 g or more,"},
-    {"_retained_pct", RETAINED_PCT, 100, "mass retained, 0 to 100 %,"},
-    {"_cum_retained_pct", CUM_RETAINED, 100, "mass retained, 0 to 100 %,"},
+    {"_retained_g", RETAINED_G, 1e12, "mass retained, 0 g or more"},
+    {"_retained_pct", RETAINED_PCT, 100, "mass retained, 0 to 100 %"},
+    {"_cum_retained_pct", CUM_RETAINED, 100, "mass retained, 0 to 100 %"},
 };
 
 /* Speeds nearer than this, m/s, are one run, as for site_run_at. */
@@ -128,20 +128,18 @@ speed_hint(const char *text, double v)
 	size_t m = text[n] != '\0' ? strspn(text + n + 1, "0123456789") : 0;
 	bool sign = text[n] == '-' || text[n] == '/' || text[n] == '.';
 	if (n > 0 && m > 0 && sign && text[n + 1 + m] == text[n])
-		return "a date belongs into the heading (sampled,2026-11-02); "
-		       "behind @ stands the tip speed, as in product@69";
+		return "write a date in the header lines (sampled,2026-11-02), "
+		       "and the tip speed after @, as in product@69";
 	if (v > FASTEST || strstr(text, "rpm") != NULL ||
 	    strstr(text, "varv") != NULL || strstr(text, "/min") != NULL)
-		return "turns of the rotor a minute? tip speed in m/s = "
-		       "3.1416 x rotor diameter in m x turns / 60, as in "
-		       "product@69";
+		return "is this rpm? tip speed (m/s) = 3.1416 x rotor diameter "
+		       "(m) x rpm / 60, as in product@69";
 	n = strlen(text);
 	if (n > 1 &&
 	    (strcmp(text + n - 2, " g") == 0 || strstr(text, "(g)") != NULL))
-		return "grams are said before the @, as in "
-		       "product_retained_g@69";
-	return "write the speed with its unit or behind @, as in product 69 "
-	       "m/s or product@69";
+		return "write the unit before the @: product_retained_g@69";
+	return "write the speed with its unit, or after @: product 69 m/s or "
+	       "product@69";
 }
 
 /* 69, 69.5, "69 m/s" or 69m/s; text is changed. */
@@ -160,7 +158,7 @@ find_speed(struct table *t, char *text, struct column *c)
 	if (good && v > SAME_SPEED && v <= FASTEST)
 		return true;
 	return sheet_wanted(t->sheet, c->head,
-	    "a tip speed above 0, up to 200 m/s,", "%s",
+	    "a tip speed above 0, up to 200 m/s", "%s",
 	    speed_hint(text, good ? v : 0));
 }
 
@@ -194,10 +192,9 @@ refuse_head(struct table *t, const struct column *c, const char *word)
 	unsigned means;
 	size_t n = strcspn(word, "0123456789");
 	const char *hint =
-	    "understood are feed, feed@69, product@69 and sd@69; feed and "
-	    "product also with _fraction, _passing_pct, _retained_g, "
-	    "_retained_pct, _cum_retained_pct before the @; take other columns "
-	    "out";
+	    "use feed, feed@69, product@69 or sd@69; feed and product may have "
+	    "_fraction, _passing_pct, _retained_g, _retained_pct or "
+	    "_cum_retained_pct before the @; remove other columns";
 	bool turns =
 	    strstr(word, "rpm") != NULL || strstr(word, "varv") != NULL;
 	if (word[n] != '\0' && (n == 0 || turns ||
@@ -205,13 +202,13 @@ refuse_head(struct table *t, const struct column *c, const char *word)
 				       (means & (A_FEED | A_PRODUCT)) != 0)))
 		hint = speed_hint(turns ? word : word + n, 0);
 	else if (read_words(word, strlen(word), &means) && (means & STAYS) != 0)
-		hint = "say grams or per cent: product_retained_g@69 or "
+		hint = "state grams or per cent: product_retained_g@69 or "
 		       "product_retained_pct@69";
 	else if (t->told_heads)
-		hint = "take the column out, or head it so, too";
+		hint = "remove the column, or change its heading likewise";
 	else
 		t->told_heads = true;
-	return sheet_wanted(t->sheet, c->head, "a column header", "%s", hint);
+	return sheet_wanted(t->sheet, c->head, "a column heading", "%s", hint);
 }
 
 /* Only the feed of all runs may be without a speed. */
@@ -228,8 +225,8 @@ split_head(struct table *t, char *word, struct column *c)
 		good = find_speed(t, speed, c);
 	else if (good && c->role != FEED)
 		good = sheet_wanted(t->sheet, c->head,
-		    "a column with its tip speed",
-		    "write the speed in m/s behind @: %s%s@69",
+		    "a column heading with a tip speed",
+		    "write the speed in m/s after @: %s%s@69",
 		    SITE_ROLES[c->role], SITE_UNITS[c->unit].suffix);
 	free(speed);
 	return good;
@@ -247,10 +244,11 @@ site_column_head(struct table *t, struct column *c)
 	if (twin == NULL)
 		return true;
 	return sheet_fault(t->sheet, c->head,
-	    "%s was wanted once, found at column %d already\n%s", c->head.text,
-	    twin->head.column,
+	    "duplicate column: %s is already at column %d\n"
+	    "%s",
+	    c->head.text, twin->head.column,
 	    c->speed > 0 && c->unit == twin->unit
-		? "each run has a speed of its own: average the two, "
-		  "or change one"
+		? "average the two, or change one speed: each run needs a "
+		  "speed of its own"
 		: "keep one of the two");
 }

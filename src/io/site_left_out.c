@@ -33,11 +33,11 @@ leave_out_row(struct site *site, const struct table *t, size_t i, bool compared)
 	if (i < t->n_row && t->mm[i] > 0 && !values)
 		leave_out(site, where, "the sieve %s has no numbers", text);
 	else if (i >= t->n_row && row != t->total)
-		leave_out(site, where, "a remark below the table: %.*s",
+		leave_out(site, where, "remark below the table: %.*s",
 		    sheet_cut(text), text);
 	else if (i >= t->n_row && !compared)
 		leave_out(
-		    site, where, "%s: sums are compared of grams alone", text);
+		    site, where, "%s: sums are checked for grams only", text);
 	free(where);
 }
 

@@ -65,8 +65,8 @@ make_folders(const char *path, struct error *error)
 	if (closed == NULL)
 		return true;
 	error_at(error, ERROR_SYSTEM, closed, 0, 0,
-	    "the store's folder cannot be made: %s\n"
-	    "check the rights, or take another store with --store=PATH",
+	    "cannot create the store's folder: %s\n"
+	    "check its permissions, or use another store: --store=PATH",
 	    strerror(errno));
 	free(closed);
 	return false;
@@ -81,8 +81,8 @@ begin(struct store *store, bool make, sqlite3 **db, struct error *error)
 		return true;
 	if (store->path[0] == '\0')
 		return error_set(error, ERROR_SYSTEM,
-		    "there is no place for the store: HOME is not set\n"
-		    "name one with --store=PATH");
+		    "no place for the store: HOME is not set\n"
+		    "name a file with --store=PATH");
 	if (make && store->own_folder && !make_folders(store->path, error))
 		return false;
 	if (!schema_open(store->path, make, db, error))
@@ -152,7 +152,7 @@ check_fields(const struct stored *m, struct error *error)
 	     *found = stored_found(m, f);
 	error_set(error, ERROR_DATA,
 	    "material '%s', field %s: expected %s, got '%.60s'\n"
-	    "correct it where it comes from",
+	    "correct the source of this material",
 	    label, f->name, wanted, found);
 	free(label);
 	free(wanted);
@@ -174,8 +174,7 @@ check_row(const struct stored *m, const char *fold, const char *digest,
 		    "the store is damaged: '%s' is not what was remembered",
 		    label);
 	if (!good)
-		error_hint(error,
-		    "'forget \"%s\"' takes it out; then remember it again",
+		error_hint(error, "run 'forget \"%s\"', then remember it again",
 		    label);
 	free(of_name);
 	free(of_row);
@@ -403,7 +402,7 @@ forget_row(
 		return ok;
 	return error_set(error, ERROR_USAGE,
 	    "the store has no material '%s'\n"
-	    "'materials origin=own' lists those it has",
+	    "run 'materials origin=own' to list its materials",
 	    name);
 }
 
@@ -416,7 +415,7 @@ store_forget(struct store *store, const char *name, struct error *error)
 	if (db == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "the store has no material '%s'\n"
-		    "it is empty; 'remember' fills it",
+		    "run 'remember' first: the store is empty",
 		    name);
 	bool ok = forget_row(store, db, name, error);
 	end(store, db);

@@ -62,27 +62,27 @@ static const struct problem {
 	const char *text, *hint;
 } PROBLEMS[] = {
     {SQLITE_BUSY, ERROR_SYSTEM,
-	"another program is using the store and did not let go within 5 s",
-	"try again; this session keeps what it has"},
+	"another program is using the store and did not release it within 5 s",
+	"try again; this session keeps its data"},
     {SQLITE_LOCKED, ERROR_SYSTEM, "the store is in use",
-	"try again; this session keeps what it has"},
+	"try again; this session keeps its data"},
     {SQLITE_READONLY, ERROR_SYSTEM, "the store cannot be written to",
-	"check the rights of the file and its folder, or take another with "
+	"check the permissions of the file and its folder, or use another with "
 	"--store=PATH"},
     {SQLITE_PERM, ERROR_SYSTEM, "the store cannot be opened",
-	"check the rights of the file and its folder"},
+	"check the permissions of the file and its folder"},
     {SQLITE_CANTOPEN, ERROR_SYSTEM, "the store cannot be opened",
-	"check the name, the folder and the rights, or take another with "
+	"check the name, the folder and its permissions, or use another with "
 	"--store=PATH"},
     {SQLITE_FULL, ERROR_SYSTEM, "the store cannot grow: the disk is full",
-	"make room and try again; this session keeps what it has"},
+	"free some space and try again; this session keeps its data"},
     {SQLITE_IOERR, ERROR_SYSTEM, "the store cannot be read or written",
-	"check the disk and the room on it; this session keeps what it has"},
+	"check the disk and its free space; this session keeps its data"},
     {SQLITE_CORRUPT, ERROR_DATA, "the store is damaged",
 	"move the file away, and import the newest export into a new one"},
     {SQLITE_NOTADB, ERROR_DATA,
-	"this is no store of tipspeed, or a damaged one",
-	"move the file away, or take another with --store=PATH"}};
+	"this is not a store of tipspeed, or it is damaged",
+	"move the file away, or use another with --store=PATH"}};
 
 bool
 schema_fail(sqlite3 *db, const char *path, struct error *error)
@@ -218,8 +218,8 @@ refuse_newer(sqlite3 *db, const char *path, long version, struct error *error)
 	char *program = ask(db, "SELECT program FROM about");
 	error_at(error, ERROR_DATA, path, 0, 0,
 	    "the store was written by %.60s (schema %ld); this is tipspeed %s, "
-	    "which knows schemas up to %d\n"
-	    "use that program, or take another store with --store=PATH",
+	    "which reads schemas up to %d\n"
+	    "use that program, or another store with --store=PATH",
 	    program != NULL ? program : "a newer tipspeed", version,
 	    PACKAGE_VERSION, (int)STORE_SCHEMA);
 	free(program);
@@ -240,8 +240,9 @@ look(sqlite3 *db, const char *path, long *version, struct error *error)
 	bool fresh = tables == 0 && application == 0 && *version == 0;
 	if (!fresh && (application != SCHEMA_APPLICATION || *version <= 0))
 		return error_at(error, ERROR_DATA, path, 0, 0,
-		    "a store of tipspeed was wanted, found a database of "
-		    "another program\ntake another file with --store=PATH");
+		    "expected a store of tipspeed, got a database of another "
+		    "program\n"
+		    "use another file with --store=PATH");
 	if (*version > STORE_SCHEMA)
 		return refuse_newer(db, path, *version, error);
 	return fresh || check_integrity(db, path, error);
@@ -322,8 +323,9 @@ schema_open(const char *path, bool make, sqlite3 **db, struct error *error)
 	*db = NULL;
 	if (stat(path, &about) == 0 && !S_ISREG(about.st_mode))
 		return error_at(error, ERROR_SYSTEM, path, 0, 0,
-		    "the store cannot be opened: this is a folder, a "
-		    "pipe or a device\ntake another with --store=PATH");
+		    "the store cannot be opened: this is a folder, a pipe or a "
+		    "device\n"
+		    "use another with --store=PATH");
 	if (!make && access(path, F_OK) != 0)
 		return true;
 	sqlite3 *opened = open_to(path, make, &version, &ok, error);
