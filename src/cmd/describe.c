@@ -138,7 +138,7 @@ say_difference(struct tale *t, const struct chart_series *other)
 	char *x_unit = unit_of(&t->chart->x), *y_unit = unit_of(&t->chart->y);
 	if (!isnan(x))
 		answer_note(t->answer,
-		    "%s and %s lie furthest apart at %.3g%s: %.3g and %.3g%s",
+		    "%s and %s differ most at %.3g%s: %.3g and %.3g%s",
 		    top->name, other->name, x, x_unit, here, there, y_unit);
 	free(x_unit);
 	free(y_unit);

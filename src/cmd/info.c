@@ -19,11 +19,12 @@
 static void
 print_start(FILE *out)
 {
-	fputs("In the order of work, for the sheet quarry.csv:\n"
-	      "  load quarry.csv    check    calibrate    validate    "
-	      "predict 74\n"
-	      "undo takes the last change back, quit leaves; man tutorial is "
-	      "the first hour.\n\n",
+	fputs("In the order of work, for the site file quarry.csv:\n"
+	      "  load quarry.csv    check    calibrate    validate    predict "
+	      "74\n"
+	      "undo undoes the last change, quit exits; man tutorial is for "
+	      "the first hour.\n"
+	      "\n",
 	    out);
 }
 

@@ -208,9 +208,9 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	double speed = session_known(s, "predict", "speed");
 	char *title =
 	    isfinite(speed)
-		? xasprintf(
-		      "tipspeed, the full screen: %s at %.1f m/s", label, speed)
-		: xasprintf("tipspeed, the full screen: %s", label);
+		? xasprintf("tipspeed, full-screen mode: %s at %.1f m/s", label,
+		      speed)
+		: xasprintf("tipspeed, full-screen mode: %s", label);
 	char *from = entry != NULL ? site_source(entry->site, "") : xstrdup("");
 	char *about = xasprintf("A text screen of %d columns and %d rows.%s%s",
 	    canvas->columns, canvas->rows, from[0] ? " Data: " : "", from);

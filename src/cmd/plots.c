@@ -97,7 +97,7 @@ plots_site_chart(const struct site *site, struct axis x, struct axis y,
 	char *words = xvasprintf(format, ap), *label = session_label(site);
 	va_end(ap);
 	char *title = xasprintf("%s: %s", label, words);
-	char *about = site_source(site, "not stated where from");
+	char *about = site_source(site, "provenance not stated");
 	struct chart *c = chart_new(title, about, x, y);
 	free(about);
 	free(words);

@@ -83,7 +83,7 @@ plots_spread(
 	const struct calibrate_generation *g = &past.generation[i];
 	const struct breakage *of = breakage_of(&g->params);
 	struct chart *chart = plots_site_chart(session_entry(s)->site,
-	    axis_linear("place within the bounds, %", 0, 100),
+	    axis_linear("position between the bounds, %", 0, 100),
 	    parameter_axis(of), "candidates of generation %zu", i + 1);
 	/* Two ends and a lift of the pen. */
 	struct chart_series *spread = chart_add(chart,
@@ -120,7 +120,7 @@ struct pairs {
 static void
 add_about(struct pairs *pairs, const struct site *site)
 {
-	char *clause = site_source(site, "not stated where from");
+	char *clause = site_source(site, "provenance not stated");
 	if (strstr(pairs->about, clause) == NULL)
 		xlist(&pairs->about, "; ", "%s", clause);
 	free(clause);
@@ -197,7 +197,7 @@ plots_parity(
 	if (high > 0) {
 		struct axis x = axis_log("measured, mm", low, high);
 		struct axis y = axis_log("predicted, mm", low, high);
-		char *title = xasprintf("sizes at speeds held out, %zu site%s",
+		char *title = xasprintf("sizes at held-out speeds, %zu site%s",
 		    pairs.n_site, pairs.n_site == 1 ? "" : "s");
 		chart = chart_new(title, pairs.about, x, y);
 		free(title);
@@ -205,8 +205,8 @@ plots_parity(
 	} else {
 		error_set(error, ERROR_USAGE,
 		    "no loaded site has both parameters and a product at a "
-		    "speed held out\n"
-		    "load sites with three speeds, then calibrate all");
+		    "held-out speed\n"
+		    "load sites with three speeds, then run 'calibrate all'");
 	}
 	free(pairs.about);
 	free(pairs.measured);

@@ -37,7 +37,7 @@ add_selection(struct chart *chart, const struct session *s,
 	double mm = 1000 * energy_break_size(params, speed);
 	chart_add_rule(chart,
 	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm,
-	    "breaks from %.2f mm at %g m/s", mm, speed);
+	    "break size %.2f mm at %g m/s", mm, speed);
 }
 
 struct chart *
@@ -55,7 +55,8 @@ plots_selection(
 		size[i] = units_mm(feed->size[i]);
 	struct chart *chart =
 	    plots_site_chart(site, axis_sieves("size, mm", size, feed->n),
-		axis_percent("selected S(x), %"), "selection (Eq 3)");
+		axis_percent("share that breaks S(x), %"),
+		"selection function (Eq 3)");
 	free(size);
 	if (!isnan(q->other_speed))
 		add_selection(chart, s, &params, q->other_speed,
@@ -75,8 +76,9 @@ plots_appearance(
 		return NULL;
 	if (s->set.model.appearance != APPEARANCE_RATIO) {
 		error_set(error, ERROR_USAGE,
-		    "only the appearance of the form ratio can be drawn\n"
-		    "'show appearance' prints the matrix of any form");
+		    "only the appearance function of the form ratio can be "
+		    "drawn\n"
+		    "run 'show appearance' for the matrix of any form");
 		return NULL;
 	}
 	const struct site *site = session_entry(s)->site;
@@ -84,9 +86,9 @@ plots_appearance(
 	struct breaker b;
 	breaker_set(&b, &params, s->set.model.k);
 	breaker_at(&b, speed);
-	struct chart *chart =
-	    plots_site_chart(site, axis_log("daughter / parent u, -", 0.001, 1),
-		axis_percent("finer than u B(u), %"), "appearance (Eq 1)");
+	struct chart *chart = plots_site_chart(site,
+	    axis_log("progeny / parent u, -", 0.001, 1),
+	    axis_percent("finer than u B(u), %"), "appearance function (Eq 1)");
 	struct chart_series *curve =
 	    chart_add(chart, PLOTS_CURVE, SAMPLES, "B(u)");
 	for (size_t i = 0; i < SAMPLES; i++) {
@@ -156,7 +158,7 @@ plots_map(struct session *s, const struct plot_request *q, struct error *error)
 	struct chart *chart = chart_new("materials by rock",
 	    "Table 3 of Grunditz et al. (2021) and the user's own fits",
 	    axis_linear("f_mat, kg/(J m)", 0, f_mat),
-	    axis_linear("E0_min, J m/kg", low, high));
+	    axis_linear("e0_min, J m/kg", low, high));
 	for (size_t i = 0; i < list.n; i++)
 		if (is_first(&list, i))
 			add_rock(chart, &list, list.item[i].rock);

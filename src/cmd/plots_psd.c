@@ -166,13 +166,13 @@ note_prediction(struct chart *chart, const struct plot_request *q,
 	double mm = 1000 * p->break_size;
 	if (!(q->words & CHART_NOTES))
 		chart_add_rule(chart, series, mm, "%sbreak size",
-		    series == SERIES_OTHER ? "kept " : "");
+		    series == SERIES_OTHER ? "pin " : "");
 	else if (series == SERIES_OTHER && q->beside != NULL)
-		chart_add_rule(chart, series, mm, "%s: breaks from %.2f mm",
-		    q->beside, mm);
+		chart_add_rule(
+		    chart, series, mm, "%s: break size %.2f mm", q->beside, mm);
 	else
 		chart_add_rule(chart, series, mm,
-		    "breaks from %.2f mm at %g m/s", mm, p->speed);
+		    "break size %.2f mm at %g m/s", mm, p->speed);
 	char p20[32], p50[32], p80[32];
 	char *const words[] = {p20, p50, p80};
 	for (size_t i = 0; i < PSD_SIZES; i++)
@@ -211,10 +211,8 @@ shade_prediction(
 	if (isfinite(band->p50[0]) && isfinite(band->p50[1]))
 		snprintf(p50, sizeof p50, "; P50 %.2f to %.2f mm",
 		    1000 * band->p50[0], 1000 * band->p50[1]);
-	chart_note(chart,
-	    "shaded: the middle %d %% of what the fits that the data allow "
-	    "predict%s",
-	    UNCERTAINTY_LEVEL, p50);
+	chart_note(
+	    chart, "shaded: %d %% uncertainty band%s", UNCERTAINTY_LEVEL, p50);
 }
 
 /* A second prediction beside the first, and the site it is of; p NULL: there is
@@ -255,7 +253,7 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
 			feed = site_run_nearest(site, v);
 		second->p = make_prediction(c, s, site, own, v, feed);
 	}
-	char *name = xasprintf("%s %s%s%g m/s", kept ? "kept" : "predicted",
+	char *name = xasprintf("%s %s%s%g m/s", kept ? "pin" : "predicted",
 	    beside ? q->beside : "", beside ? " " : "", second->p->speed);
 	add_curve(c, &second->p->product, name, OTHER);
 	return true;
@@ -358,7 +356,7 @@ plots_sweep(
 	if (n > ARRAY_LEN(c.prediction)) {
 		error_set(error, ERROR_USAGE,
 		    "%zu speeds are too many to draw\n"
-		    "up to %zu can be told apart",
+		    "use at most %zu, which can be told apart",
 		    n, ARRAY_LEN(c.prediction));
 		return NULL;
 	}
@@ -432,16 +430,16 @@ plots_residuals(
 		compared += misfit_covered(&site->run[i]) > 0;
 	if (compared == 0) {
 		error_set(error, ERROR_USAGE,
-		    site_products(site) == 0
-			? "%s has no measured product"
-			: "%s: no product sieve lies within the feed's sieves",
+		    site_products(site) == 0 ? "%s has no measured product"
+					     : "%s: no product sieve is in the "
+					       "range of the feed's sieves",
 		    site->name);
 		return NULL;
 	}
 	double middle = answers_middle(site);
 	add_measured(&c, site, middle, MOST);
 	struct chart *chart = plots_site_chart(site, sieves_of(&c),
-	    (struct axis){0}, "predicted less measured, sieve by sieve");
+	    (struct axis){0}, "predicted minus measured, sieve by sieve");
 	for (size_t i = 0; i < site->n_run; i++) {
 		if (!site_run_is_near(site, i, middle, MOST))
 			continue;

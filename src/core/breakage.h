@@ -106,10 +106,10 @@ void breaker_at(struct breaker *b, double v);
 
 /* The row that closes a parameter table: of the models with a bypass.
  * D14: product = (1 - bypass) crushed + bypass feed. */
-#define BYPASS_PARAMETER                                          \
-	{                                                         \
-		"bypass", "-", 0, 0.5, 0, 1, 0,                   \
-		    "share of the feed that goes round the rotor" \
+#define BYPASS_PARAMETER                                        \
+	{                                                       \
+		"bypass", "-", 0, 0.5, 0, 1, 0,                 \
+		    "share of the feed that bypasses the rotor" \
 	}
 
 /* The rows of Eq 3, in the order that selection.h wants.  lower, upper: Table 2

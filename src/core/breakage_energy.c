@@ -98,9 +98,9 @@ KERNELS(energy);
 
 extern const struct breakage BREAKAGE_ENERGY, BREAKAGE_ENERGY_BYPASS;
 const struct breakage BREAKAGE_ENERGY = ROW("grunditz-energy", 0,
-    "the paper's, with finer fragments at higher energy (gamma)");
+    "the paper's, with finer progeny at higher energy (gamma)");
 const struct breakage BREAKAGE_ENERGY_BYPASS = ROW("grunditz-energy+bypass", 1,
-    "grunditz-energy with a share of the feed that goes round the rotor");
+    "grunditz-energy with a share of the feed that bypasses the rotor");
 
 #else /* LANES */
 

@@ -118,7 +118,7 @@ extern const struct breakage BREAKAGE_GRUNDITZ, BREAKAGE_GRUNDITZ_BYPASS;
 const struct breakage BREAKAGE_GRUNDITZ =
     ROW("grunditz", 0, "Eqs 1 to 3 of the paper");
 const struct breakage BREAKAGE_GRUNDITZ_BYPASS = ROW("grunditz+bypass", 1,
-    "grunditz with a share of the feed that goes round the rotor");
+    "grunditz with a share of the feed that bypasses the rotor");
 
 #else /* LANES */
 

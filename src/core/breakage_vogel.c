@@ -137,7 +137,7 @@ extern const struct breakage BREAKAGE_VOGEL, BREAKAGE_VOGEL_BYPASS;
 const struct breakage BREAKAGE_VOGEL =
     ROW("vogel", 0, "Eq 3 with the appearance of Vogel and Peukert");
 const struct breakage BREAKAGE_VOGEL_BYPASS = ROW("vogel+bypass", 1,
-    "vogel with a share of the feed that goes round the rotor");
+    "vogel with a share of the feed that bypasses the rotor");
 
 #else /* LANES */
 
