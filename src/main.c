@@ -52,7 +52,7 @@ take_format(const char *word, enum answer_format *format, struct error *error)
 		return true;
 	}
 	return error_set(error, ERROR_USAGE,
-	    "--format wants table, csv, json or markdown, not '%s'", word);
+	    "expected --format table, csv, json or markdown, got '%s'", word);
 }
 
 static bool
@@ -71,20 +71,21 @@ take_option(
 		return (text_whole(value, &in->seed) &&
 			   in->seed <= INT64_MAX) ||
 		       error_set(error, ERROR_USAGE,
-			   "--seed wants a whole number below 2^63, not '%s'",
+			   "expected --seed with a whole number below 2^63, "
+			   "got '%s'",
 			   value);
 	case USAGE_STORE:
 		in->store = value;
 		return value[0] != '\0' ||
 		       error_set(error, ERROR_USAGE,
-			   "--store wants a file or :memory:");
+			   "expected --store with a file or :memory:");
 	case USAGE_SAFE:
 		in->safe = true;
 		return true;
 	case USAGE_COLOR:
 		return terminal_colour_word(value, &in->color) ||
 		       error_set(error, ERROR_USAGE,
-			   "--color wants auto, always or never, not '%s'",
+			   "expected --color auto, always or never, got '%s'",
 			   value);
 	case USAGE_LINEAR:
 		in->linear = true;
@@ -114,7 +115,7 @@ refuse_option(
 	return error_set(error, ERROR_USAGE,
 	    option == ':' ? "expected a value after '%s', got none\n%s"
 			  : "unrecognized option '%s'\n%s",
-	    alone ? letter : word, "tipspeed --help lists the options");
+	    alone ? letter : word, "run tipspeed --help for the options");
 }
 
 static bool
@@ -170,7 +171,7 @@ open_file(struct session *s, const char *path)
 	if (data_load(s, path, NULL, &error))
 		return 0;
 	if (error.kind == ERROR_SYSTEM && command_find(path) != NULL)
-		error_hint(&error, "commands go behind -c: -c '%s'", path);
+		error_hint(&error, "put commands after -c: -c '%s'", path);
 	error_print(&error, stderr);
 	return (int)error.kind;
 }

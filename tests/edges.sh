@@ -25,21 +25,21 @@ ours() { try "$TIPSPEED" --store=:memory: "$@"; }
 # An assertion behind a line that is too long must not be passed over.
 { head -c 30000000 /dev/zero | tr '\0' ' '; echo; echo 'assert 1 = 2'; } >long
 ours -f long
-told 2 '^long:1:1: a line of at most 10 MB' 'a line of 30 MB in a script'
+told 2 '^long:1:1: expected lines of at most 10 MB' 'a line of 30 MB in a script'
 ours -f - <long
-told 2 '^stdin:1:1: a line of at most 10 MB' 'a line of 30 MB on standard input'
+told 2 '^stdin:1:1: expected lines of at most 10 MB' 'a line of 30 MB on standard input'
 ours -f - </dev/zero
-told 2 '^stdin:1:1: a line of at most 10 MB' 'a line without an end'
+told 2 '^stdin:1:1: expected lines of at most 10 MB' 'a line without an end'
 { echo; yes '\' | head -c 21000000; } >long
 ours -f long
-told 2 '^long:[0-9]*:1: a line of at most 10 MB' 'lines that go on and on'
+told 2 '^long:[0-9]*:1: expected lines of at most 10 MB' 'lines that go on and on'
 printf 'assert 1 = 1\n\nassert 1 = \\\n 2' >short
 ours -f short
 told 1 '^short:3:' 'lines that end with the file'
 ours -f /dev/zero
-told 5 'a file or a pipe was expected, this is a device' 'a device as a script'
+told 5 'expected a file or a pipe, got a device' 'a device as a script'
 ours /dev/zero
-told 5 'a file or a pipe was expected, this is a device' 'a device as a sheet'
+told 5 'expected a file or a pipe, got a device' 'a device as a sheet'
 try "$TIPSPEED" --store=/dev/zero -c materials
 told 5 'the store cannot be opened: this is a folder' 'a device as a store'
 ours -f /dev/null

@@ -52,7 +52,7 @@ result ${#wrong} "PNG and PDF are such:$wrong"
 	[ "$(head -c 4 four.png | tail -c 3)" = PNG ] && ! grep 'product at' out.txt
 result $? "predict draws what plot psd draws, and prints nothing beside it"
 "$TIPSPEED" data/sites/bro.csv -c 'sweep > sweep.png' 2>err.txt
-[ $? = 2 ] && grep -q 'hint: plot sweep > sweep.png' err.txt
+[ $? = 2 ] && grep -q 'hint: use plot sweep > sweep.png' err.txt
 result $? "a command that draws nothing names the plot that does"
 
 grep -q 'reconstructed from Table 3, not measured' psd.svg &&
@@ -129,9 +129,9 @@ result ${#wrong} "what XML forbids is shown in SVG, and drawn in PDF and PNG:$wr
 
 echo kept >kept.svg
 "$TIPSPEED" data/sites/tierp.csv -c 'validate > kept.svg' 2>err.txt
-[ $? = 2 ] && grep -q 'draws nothing' err.txt && grep -q kept kept.svg
+[ $? = 2 ] && grep -q 'makes no image' err.txt && grep -q kept kept.svg
 result $? "a table does not go into a picture's file"
 "$TIPSPEED" data/sites/tierp.csv -c 'plot psd >> kept.svg' 2>err.txt
-[ $? = 2 ] && grep -q 'cannot be added' err.txt && grep -q kept kept.svg
+[ $? = 2 ] && grep -q 'cannot be appended' err.txt && grep -q kept kept.svg
 result $? "a picture is not added to another"
 finish

@@ -54,7 +54,7 @@ result $? "a line of 1 MB is refused in few words"
 [ $? -eq 0 ] && grep -q '3$' out
 result $? "a remark of 1 MB is passed over"
 printf 'seed 1\nse\000ed 2\n' | "$TIPSPEED" >out 2>log
-[ $? -eq 2 ] && grep -q '^stdin:2:1: this is not text' log
+[ $? -eq 2 ] && grep -q '^stdin:2:1: expected UTF-8 text' log
 result $? "NUL bytes are refused with their place"
 { "$TIPSPEED" data/sites/tierp.csv -c 'params set f_mat=2 e0_min=16 alpha=1' \
 	-c 'sweep 20..120:0.1' 2>log; echo $? >status; } | head -n 1 >out

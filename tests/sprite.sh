@@ -41,7 +41,7 @@ for screen in 12.7 19.05; do
 		>"$dir/out" 2>"$dir/log"
 	result $? "screen $screen: loads, calibrates and validates"
 	remark "$dir/log"
-	grep -q '^poor fit' "$dir/out"
+	grep -q '^warning: poor fit' "$dir/out"
 	result $? "screen $screen: the fit is called poor"
 	grep -q 'at 8.168 m/s: RMSE' "$dir/out"
 	result $? "screen $screen: the middle speed is held out"

@@ -90,10 +90,10 @@ keys Left Up
 want 'crosshair 4 mm  *55 %' "arrows move the sieve and the level"
 want 'band  *6[0-9.]* \.\. 6[0-9.]* %'
 keys Down b c x
-want 'kept: 74\.0 m.s tierp' "a prediction is kept beside"
+want 'pinned: 74\.0 m.s tierp' "a prediction is kept beside"
 keys 7 8 Enter
 want 'P50 2.81 mm  now -' "with what is now less than it"
-want '%.*kept' "and a curve of its own"
+want '%.*pin' "and a curve of its own"
 want 'P50 2.* mm  *-0' "changes since the last pause"
 want '78\.0 m/s  *since 7' "and since when"
 keys e
@@ -142,7 +142,7 @@ want 'calibrated: good' "a calibration to its end"
 keys - - - - f
 want 'CALIBRATING.* 1[0-9] of' "a calibration to be edited"
 keys : 'bounds e0_min 0..9' Enter
-want 'goes on within the new bounds' \
+want 'continues within the new bounds' \
 	"a bound edited while it runs holds from there on"
 want 'generation [1-9][0-9] of 800'
 keys Space
@@ -198,7 +198,7 @@ paste 'set k 1.5
 set k 3
 '
 want '^:set k 1\.5 *$' "it goes into an open line"
-want 'only part of the pasted text was taken'
+want 'only part of the pasted text was used'
 keys Enter
 want ': set k 1\.5 ' "which Return runs, and nothing else"
 keys 7
@@ -244,7 +244,7 @@ want '^mine.csv exists: replace it? y/n' "a file is not replaced unasked"
 paste y
 sleep 0.3
 keys Right
-want '^! mine.csv was kept as it was'
+want '^! mine.csv was not replaced'
 [ "$(cat mine.csv)" = mine ]
 result $? "any key but y is a no, and so is what is pasted"
 keys : 'sites > mine.csv' Enter
@@ -288,11 +288,11 @@ want '\[74\.0\]' "and fg comes back"
 keys Right
 want '\[74\.1\]'
 keys : 'show params | sort' Enter
-want 'Return goes back' "a shell command has the terminal to itself"
+want 'Return: back' "a shell command has the terminal to itself"
 mux resize-window -t one -x 90 -y 24
 sleep 0.3
 shot
-grep -q 'Return goes back' screen
+grep -q 'Return: back' screen
 result $? "and keeps it when the terminal changes its size"
 mux resize-window -t one -x 80 -y 24
 keys C-z
@@ -300,7 +300,7 @@ want '^shell: *$' "^Z there stops the program"
 keys fg Enter
 sleep 0.3
 keys Enter
-want '^ 65 x' "and Return goes back after it"
+want '^ 65 x' "and Return: back after it"
 keys : 'show params | { echo begun; exec sleep 100; }' Enter
 want '^begun'
 keys C-z
@@ -308,7 +308,7 @@ want '^shell: *$' "^Z stops a shell command and the program with it"
 keys fg Enter
 sleep 0.3
 keys C-c
-want 'Return goes back' "fg goes on with both"
+want 'Return: back' "fg goes on with both"
 keys Enter
 want '^ 65 x'
 keys q
@@ -381,7 +381,7 @@ want '\[74\.0\]'
 ! grep -q history screen
 result $? "a remark on the history does not stand on the screen"
 keys q
-want 'the history is not kept' "but before it"
+want 'the history cannot be saved' "but before it"
 # What it makes of a terminal, and that the shell goes on in a row of its own.
 # kind WORDS VARIABLE=VALUE..: WORDS are those at the right of its status line.
 kind() {
@@ -443,11 +443,11 @@ keys Right
 want '\[79\.1\]' "a sequence that nobody knows is no keys"
 for term in dumb no-such-terminal ''; do
 	start 80 24 "TERM=$term"
-	want 'cannot show a full screen' "TERM=$term cannot, and is told so"
+	want 'cannot show full-screen mode' "TERM=$term cannot, and is told so"
 done
 
 "$TIPSPEED" -c tui >out 2>log </dev/null
-[ $? -eq 2 ] && grep -q 'wants a terminal' log
+[ $? -eq 2 ] && grep -q 'expected a terminal' log
 result $? "without a terminal tui is an error"
 "$TIPSPEED" --reset-tty >out
 grep -q '?1002l.*?25h.*?1049l' out

@@ -16,7 +16,7 @@ const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {
 const char *const ANSWERS_RANGES[ANSWERS_SIZES] = {
     "p20_range_mm", "p50_range_mm", "p80_range_mm", "break_range_mm"};
 const char *const ANSWERS_HEADS[ANSWERS_SIZES] = {
-    "P20 mm", "P50 mm", "P80 mm", "breaks from mm"};
+    "P20 mm", "P50 mm", "P80 mm", "break size mm"};
 
 struct answer *
 answers_new(
@@ -44,10 +44,11 @@ answers_known(
 	return error_set(error, ERROR_USAGE, "%s has no parameters yet\n%s",
 	    entry->site->name,
 	    site_products(entry->site) > 0
-		? "'calibrate' finds them; 'recall' or 'params set' "
-		  "takes known ones"
-		: "there is no product to find them from: 'guess' tells what "
-		  "to expect, 'params use SITE' takes another site's");
+		? "run 'calibrate', or supply them with 'recall' or 'params "
+		  "set'"
+		: "run 'guess' for an estimate, or 'params use SITE' for "
+		  "another site's parameters: there is no product to calibrate "
+		  "on");
 }
 
 bool
@@ -79,7 +80,8 @@ answers_feed(const struct site *site, const struct args *args, double speed,
 	if (*run < site->n_run)
 		return true;
 	return error_set(error, ERROR_USAGE,
-	    "%s has no feed sampled at %g m/s\n'show feed' lists the feeds",
+	    "%s has no feed sampled at %g m/s\n"
+	    "run 'show feed' for its feeds",
 	    site->name, feed->number);
 }
 
@@ -230,8 +232,7 @@ answers_note_worth(struct answer *r, const struct entry *entry)
 	const struct fit *fit = origin_fit(entry);
 	if (fit != NULL && fit->rmse > FIT_POOR)
 		answer_say(r, ANSWER_WARNING,
-		    "the calibration of %s is poor (%.1f points RMS): do not "
-		    "rely on this",
+		    "poor fit of %s (RMSE %.1f points): do not rely on this",
 		    origin_key(entry), 100 * fit->rmse);
 	if (fit != NULL && fit_too_few(fit))
 		fit_note_too_few(r, fit);
@@ -249,13 +250,12 @@ answers_note_doubt(
 	if (speed > 0 && origin_reach(entry, &slowest, &fastest) &&
 	    answers_extrapolates(entry, speed))
 		answer_say(r, ANSWER_WARNING,
-		    "extrapolated: %.1f m/s lies outside the speeds %s, %g to "
-		    "%g m/s",
-		    speed, origin_trained(entry) ? "trained on" : "measured",
-		    slowest, fastest);
+		    "%.1f m/s is outside the %s speeds, %g to %g m/s", speed,
+		    origin_trained(entry) ? "training" : "measured", slowest,
+		    fastest);
 	if (site->individual_feeds &&
 	    fabs(site->run[feed_run].speed - speed) > 1e-3)
-		answer_say(r, ANSWER_REMARK, "feed: the sample taken at %g m/s",
+		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s",
 		    site->run[feed_run].speed);
 	answers_note_worth(r, entry);
 }
@@ -321,10 +321,13 @@ answers_speed_rows(
     struct session *s, struct answer *r, const struct prediction *p, size_t n)
 {
 	const struct entry *entry = session_entry(s);
-	answer_columns(r,
-	    "speed: m/s, energy_j_kg: J/kg, break_mm: breaks from mm, "
-	    "p20_mm: P20 mm, p50_mm: P50 mm, p80_mm: P80 mm, "
-	    "finest_pct: finest %%, extrapolated");
+	answer_columns(r, "speed: m/s, energy_j_kg: J/kg, break_mm: break mm, "
+			  "p20_mm: P20 mm, p50_mm: P50 mm, p80_mm: P80 mm");
+	char *head = xasprintf(
+	    "< %g mm, %%", units_mm(p[0].product.size[p[0].product.n - 1]));
+	answer_column(r, "finest_pct", head);
+	answer_columns(r, "extrapolated");
+	free(head);
 	for (size_t i = 0; i < n; i++) {
 		size_t finest = p[i].product.n - 1;
 		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;

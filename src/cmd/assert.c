@@ -48,22 +48,23 @@ side(const struct session *s, const char *word, double *value,
 		return true;
 	if (!look_up(s, word, value))
 		return error_set(error, ERROR_USAGE,
-		    "assert wants a number or a name, not '%s'\n"
-		    "names: p20 p50 p80 break speed extrapolated inside misfit "
-		    "rmse poor holdout",
+		    "assert: expected a number or a name, got '%s'\n"
+		    "use one of p20 p50 p80 break speed extrapolated inside "
+		    "misfit rmse poor holdout",
 		    word);
 	return !isnan(*value) ||
 	       error_set(error, ERROR_CHECK,
 		   strchr(word, '.') != NULL
 		       ? "%s is not known\n"
-			 "json shows the fields of an answer; another site or "
-			 "a new calibration forgets them"
+			 "run the command first; 'set format json' shows the "
+			 "fields of a result. Another site or a new "
+			 "calibration clears them"
 		       : "%s is not known\n"
-			 "p20, p50, p80, break, speed and extrapolated come "
-			 "from predict and find, inside from spec, misfit, "
-			 "rmse and poor from calibrate (poor not where there "
-			 "are too few data), holdout from validate; another "
-			 "site or a new calibration forgets them",
+			 "run the command that sets it: predict or find (p20, "
+			 "p50, p80, break, speed, extrapolated), spec "
+			 "(inside), calibrate (misfit, rmse, and poor unless "
+			 "there are too few data), validate (holdout). Another "
+			 "site or a new calibration clears them",
 		   word);
 }
 
@@ -90,18 +91,18 @@ cmd_assert(struct session *s, const struct args *args, struct error *error)
 	    (args->n_operand != 5 || strcmp(word[3], "within") != 0 ||
 		!text_number(word[4], &within) || within < 0))
 		return error_set(error, ERROR_USAGE,
-		    "after the comparison assert wants: within NUMBER");
+		    "assert: expected 'within NUMBER' after the comparison");
 	if (!side(s, word[0], &a, error) || !side(s, word[2], &b, error))
 		return false;
 	int result = holds(word[1], a, b, within);
 	if (result < 0)
 		return error_set(error, ERROR_USAGE,
-		    "assert wants = < or > between two values, not '%s'",
+		    "assert: expected = < or > between two values, got '%s'",
 		    word[1]);
 	if (result > 0)
 		return true;
 	return error_set(error, ERROR_CHECK,
-	    "assertion failed: %s %s %s%s%s: found %.6g and %.6g", word[0],
+	    "assertion failed: %s %s %s%s%s: got %.6g and %.6g", word[0],
 	    word[1], word[2], has_within ? " within " : "",
 	    has_within ? word[4] : "", a, b);
 }

@@ -66,7 +66,7 @@ check_warn_coarser(struct session *s, const struct site *site)
 			session_note(s,
 			    "  at %g m/s the product is coarser than the feed "
 			    "on %zu of %zu sieves, by up to %.2f points at %g "
-			    "mm: see check",
+			    "mm: run 'check'",
 			    site->run[r].speed, c.sieves, c.compared,
 			    100 * c.most, units_mm(c.at));
 	}
@@ -109,17 +109,17 @@ check_run(struct answer *r, const struct entry *entry, const struct run *run)
 		    "%.2f points at %g mm: crushing cannot coarsen%s",
 		    c.sieves, c.compared, 100 * c.most, units_mm(c.at),
 		    fault ? ": were the samples mixed up?"
-			  : "; within what sampling may do");
+			  : "; sampling error may explain it");
 	if (run->product.n > 0 && c.farthest < NOTHING)
 		finding(r, entry, false, where,
 		    "product equals feed within %.2f points: nothing breaks at "
-		    "this speed, as the feed has next to nothing above the "
-		    "break size",
+		    "this speed, because the feed has hardly anything above "
+		    "the break size",
 		    100 * c.farthest);
 	if (run->product.n > c.compared)
 		finding(r, entry, false, where,
-		    "%zu product sieves finer than the feed's finest are not "
-		    "compared (%g mm and below)",
+		    "%zu product sieves finer than the feed's finest sieve are "
+		    "not compared (%g mm and below)",
 		    run->product.n - c.compared,
 		    units_mm(run->product.size[c.compared]));
 	if (run->product.n == 0)
@@ -175,8 +175,8 @@ check_copies(struct answer *r, const struct entry *entry)
 			char *where =
 			    xasprintf("%g, %g m/s", a->speed, b->speed);
 			finding(r, entry, false, where,
-			    "the two products have the very same numbers: was "
-			    "a column copied?");
+			    "the two products have identical numbers: was a "
+			    "column copied?");
 			free(where);
 		}
 }
@@ -207,9 +207,9 @@ check_order(struct answer *r, const struct entry *entry)
 		    "mm: %s",
 		    100 * most, units_mm(at),
 		    site->individual_feeds ? "its feed may have been coarser"
-		    : fault                ? "were speeds or digits swapped?"
-					   : "sampling may do so, or digits "
-					     "were swapped there");
+		    : fault ? "were speeds swapped or digits transposed?"
+			    : "sampling error may explain it, or digits were "
+			      "transposed there");
 		ok = ok && !fault;
 	}
 	return ok;
@@ -268,9 +268,9 @@ check_gaps(struct answer *r, const struct entry *entry)
 		bool feed = i < feeds;
 		bool shared = feed && !site->individual_feeds;
 		finding(r, entry, false, place(shared ? 0 : speed[i], buf),
-		    "the %s's cell at %g mm is empty, and no other of its row: "
+		    "the %s's cell at %g mm is empty, and no other in its row: "
 		    "if it was weighed in grams and forgotten, the whole curve "
-		    "is off",
+		    "is wrong",
 		    feed ? "feed" : "product", units_mm(x));
 	}
 	free(curve);
@@ -304,13 +304,13 @@ check_smooth(struct answer *r, const struct entry *entry, bool feed)
 		bool shared = feed && !site->individual_feeds;
 		finding(r, entry, false,
 		    place(shared ? 0 : run[o.curve]->speed, buf),
-		    "%s passing %g %% at %g mm lies %.1f points %s a line "
-		    "between its neighbours%s: were digits swapped?",
+		    "%s passing %g %% at %g mm is %.1f points %s a line "
+		    "between its neighbours%s: were digits transposed?",
 		    feed ? "feed" : "product",
 		    units_pct(curve[o.curve]->passing[o.sieve]),
 		    units_mm(curve[o.curve]->size[o.sieve]), 100 * fabs(o.off),
 		    o.off > 0 ? "above" : "below",
-		    o.others > 0 ? ", as compared with the other runs" : "");
+		    o.others > 0 ? ", compared with the other runs" : "");
 	}
 	free(curve);
 	free(run);
@@ -327,8 +327,8 @@ check_fit(struct answer *r, const struct entry *entry)
 	const struct run *run = &entry->site->run[v.run];
 	char buf[40];
 	finding(r, entry, false, place(v.speed, buf),
-	    "product passing %g %% at %g mm lies %.1f points %s the calibrated "
-	    "product: were digits swapped, here or beside it?",
+	    "product passing %g %% at %g mm is %.1f points %s the calibrated "
+	    "product: were digits transposed, here or in a neighbouring cell?",
 	    units_pct(psd_passing(&run->product, v.worst_sieve)),
 	    units_mm(v.worst_sieve), 100 * fabs(v.worst_difference),
 	    v.worst_difference < 0 ? "above" : "below");
@@ -344,7 +344,7 @@ check_twins(struct session *s, struct answer *r, size_t index)
 		if (i == index || other->site->digest != entry->site->digest)
 			continue;
 		finding(r, entry, false, "all runs",
-		    "twins: %s (%s) has the very same numbers as %s (%s)",
+		    "identical data: %s (%s) and %s (%s) have the same numbers",
 		    entry->site->name, entry->site->rock, other->site->name,
 		    other->site->rock);
 	}
@@ -390,9 +390,9 @@ check_site(
 	check_fit(r, entry);
 	check_twins(s, r, index);
 	if (entry->site->provenance[0] == '\0')
-		finding(r, entry, false, "sheet",
-		    "provenance is not stated: a line 'provenance,...' says "
-		    "where the data are from");
+		finding(r, entry, false, "site file",
+		    "provenance is not stated: add a line 'provenance,...' "
+		    "with the source of the data");
 	return ok;
 }
 
@@ -420,11 +420,11 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	    !ok ? "there are faults"
 	    : answer_rows(r) == 0
 		? "no faults found"
-		: "no faults found; remarks are for you to judge");
+		: "no faults found; judge the remarks yourself");
 	session_answer(s, r);
 	if (ok)
 		return true;
 	return error_set(error, ERROR_CHECK,
-	    "check found faults in the sheet\n"
-	    "correct the sheet where it was saved, and load it again");
+	    "check found faults in the site file\n"
+	    "correct the spreadsheet, save it and load it again");
 }

@@ -117,15 +117,13 @@ comparison_notes(
 		answer_note(r,
 		    "fines below %g mm: %.1f %% and %.1f %%, %+.1f points",
 		    units_mm(finest), 100 * a, 100 * b, 100 * (b - a));
-	answer_note(r, "broken: %.1f %% and %.1f %% of the feed",
+	answer_note(r, "broken, %% of feed: %.1f and %.1f",
 	    100 * side[0].p.selected, 100 * side[1].p.selected);
 	for (size_t i = 0; i < 2; i++) {
 		const struct entry *entry = side[i].entry;
 		if (answers_extrapolates(entry, side[i].p.speed))
 			answer_say(r, ANSWER_WARNING,
-			    "%s is extrapolated: outside the speeds "
-			    "trained on",
-			    side[i].head);
+			    "%s is outside the training speeds", side[i].head);
 		if (i == 1 && entry == side[0].entry)
 			continue;
 		origin_note(r, entry);
@@ -151,7 +149,7 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 		return false;
 	if (!sites && (!value_number(word, "m/s", &v) || v < 1 || v > 200))
 		return error_set(error, ERROR_USAGE,
-		    "compare wants speeds from 1 to 200 m/s, not %s", word);
+		    "compare: expected speeds from 1 to 200 m/s, got %s", word);
 	side->entry = entry;
 	side->p = answers_predict(s, entry, v, feed);
 	side->head = sites ? xstrdup(entry->key) : xasprintf("%g m/s", v);
@@ -181,7 +179,7 @@ comparison(const struct side side[2], bool sites)
 	comparison_notes(r, side, x, n);
 	if (!sites && a->individual_feeds)
 		answer_say(r, ANSWER_REMARK,
-		    "feed: the sample taken at %g m/s, for both",
+		    "feed used for both: sampled at %g m/s",
 		    a->run[side[0].p.feed_run].speed);
 	fields_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
 	put_side(answer_fields(r), "a", &side[0], x, n);
@@ -199,7 +197,7 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 		     !value_number(args->operand[1], "m/s", &v);
 	if (!sites && args_value(args, "speed")->given)
 		return error_set(error, ERROR_USAGE,
-		    "compare takes two speeds, or two sites and a speed");
+		    "compare: expected two speeds, or two sites and a speed");
 	bool ok = take_side(s, args, sites, 0, &side[0], error) &&
 		  take_side(s, args, sites, 1, &side[1], error);
 	if (ok)

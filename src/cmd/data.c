@@ -32,14 +32,14 @@ note_loaded(struct session *s, const struct site *site)
 		    site->n_run, n);
 	else
 		session_note(s,
-		    "loaded %s: a feed on %zu sieves and no product: 'guess' "
-		    "tells what to expect",
+		    "loaded %s: a feed on %zu sieves, no product; run 'guess' "
+		    "for an estimate",
 		    label, n);
 	for (size_t i = 0; i < site->n_left_out && i < MOST; i++, more--)
 		session_note(s, "  not read: %s, %s", site->left_out[i].key,
 		    site->left_out[i].value);
 	if (more > 0)
-		session_note(s, "  and %zu more: see check", more);
+		session_note(s, "  and %zu more: run 'check'", more);
 	free(label);
 }
 
@@ -49,8 +49,8 @@ data_load(struct session *s, const char *path, const char *digest,
 {
 	if (text_ends(path, ".tip"))
 		return error_set(error, ERROR_USAGE,
-		    "%s is a script by its name, not a sheet\n"
-		    "run it: source %s",
+		    "expected a site file, got a script (%s)\n"
+		    "run it with: source %s",
 		    path, path);
 	if (!session_load(s, path, digest, error))
 		return false;
@@ -69,8 +69,7 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 	const struct value *digest = args_value(args, "digest");
 	if (digest->given && args->n_operand > 1)
 		return error_set(error, ERROR_USAGE,
-		    "digest= goes with one file, not with %zu",
-		    args->n_operand);
+		    "expected one file with digest=, got %zu", args->n_operand);
 	for (size_t i = 0; i < args->n_operand; i++)
 		if (!data_load(s, args->operand[i], digest->text, error))
 			return false;
@@ -106,7 +105,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		free(speeds);
 	}
 	answer_note(r, s->n_entry > 0 ? "* is the site in use"
-				      : "no site is loaded: load FILE");
+				      : "no site is loaded: run 'load FILE'");
 	return session_answer(s, r);
 }
 
@@ -171,7 +170,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 1; i < speeds->n; i++)
 		if (speeds->list[i] <= speeds->list[i - 1])
 			return error_set(error, ERROR_USAGE,
-			    "speeds go from slow to fast, each once");
+			    "expected speeds from slow to fast, each once");
 	struct error_list errors = {0};
 	files_reads(s, args->operand[0]);
 	struct materials *m = materials_read(args->operand[0], &errors);
@@ -187,9 +186,10 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	materials_free(m);
 	if (made == 0)
 		return error_set(error, ERROR_USAGE,
-		    "%s has no site '%s'\nits column site has the names",
+		    "%s has no site '%s'\n"
+		    "use a name of its column site",
 		    args->operand[0], wanted->text);
-	session_note(s, "made %zu site%s: not measured at a plant", made,
+	session_note(s, "made %zu synthetic site%s: not measured", made,
 	    made == 1 ? "" : "s");
 	return true;
 }
@@ -212,7 +212,9 @@ data_may_write(const struct session *s, const struct args *args,
 	if (args_value(args, "replace")->choice == 1 || stat(path, &info) != 0)
 		return files_may_write(s, path, error);
 	return error_set(error, ERROR_USAGE,
-	    "%s is there already\nreplace=on writes over it", path);
+	    "%s already exists\n"
+	    "use replace=on to overwrite it",
+	    path);
 }
 
 static bool
@@ -222,9 +224,9 @@ write_one(struct session *s, const struct args *args, const struct site *site,
 	size_t rows;
 	if (!data_may_write(s, args, path, error)) {
 		if (error->kind == ERROR_USAGE)
-			error_hint(error,
-			    "replace=on writes over it; this writes a site's "
-			    "sheet, not results");
+			error_hint(
+			    error, "use replace=on to overwrite it; write "
+				   "saves a site file, use > FILE for results");
 		return false;
 	}
 	if (!site_save(site, path, &rows, error))

@@ -51,12 +51,12 @@ const char *
 doubt_why_none(const struct entry *entry)
 {
 	const struct fit *fit = origin_fit(entry);
-	return fit == NULL
-		   ? "no band: the parameters are of no calibration made "
-		     "here"
-	       : fit_too_few(fit)
-		   ? "no band: too few data for so many parameters"
-		   : "no band: the fit was found with other settings";
+	return fit == NULL ? "no uncertainty band: the parameters do not come "
+			     "from a calibration in this session"
+	       : fit_too_few(fit) ? "no uncertainty band: too few data for the "
+				    "number of parameters"
+				  : "no uncertainty band: the site was "
+				    "calibrated with other settings";
 }
 
 void
@@ -64,13 +64,14 @@ doubt_note(struct answer *r, const struct entry *entry)
 {
 	if (entry->has_fit)
 		answer_say(r, ANSWER_REMARK,
-		    "low to high: %d %% of the fits that the data allow lie "
-		    "between",
+		    "low, high: %d %% of the fits consistent with the data lie "
+		    "between them",
 		    UNCERTAINTY_LEVEL);
 	else
 		answer_say(r, ANSWER_REMARK,
-		    "low to high: %d %% of the fits that the data of %s allow "
-		    "lie between; how this site differs from it is not in them",
+		    "low, high: %d %% of the fits consistent with the data of "
+		    "%s lie between them; the difference between the two sites "
+		    "is not included",
 		    UNCERTAINTY_LEVEL, origin_key(entry));
 }
 

@@ -110,8 +110,8 @@ session_add(struct session *s, struct site *site)
 {
 	size_t place = former(s, site);
 	if (place < s->n_entry) {
-		session_note(s, "%s was loaded before: this takes its place",
-		    s->entry[place].key);
+		session_note(
+		    s, "replaced %s, loaded earlier", s->entry[place].key);
 		session_drop(s, place);
 	}
 	insert(s, site, place);
@@ -208,8 +208,9 @@ add_checked(struct session *s, struct site *site, const char *digest,
 		return true;
 	}
 	error_at(error, ERROR_DATA, site->path, 0, 0,
-	    "the sheet with digest %s was wanted, found %s: its numbers are "
-	    "others\nwithout digest= it is loaded as it is; results change",
+	    "expected a site file with digest %s, got %s: its numbers have "
+	    "changed\n"
+	    "leave out digest= to load it anyway; results will change",
 	    digest, found);
 	site_free(site);
 	return false;

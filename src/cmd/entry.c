@@ -191,6 +191,14 @@ origin_details(const struct origin *o)
 	return text;
 }
 
+bool
+origin_is_other(const struct entry *entry)
+{
+	const struct origin *o = entry->origin;
+	return !entry->has_fit && o != NULL && o->whose[0] != '\0' &&
+	       !(o->found && o->digest == entry->site->digest);
+}
+
 char *
 origin_sentence(const struct entry *entry)
 {
@@ -199,11 +207,10 @@ origin_sentence(const struct entry *entry)
 		return xstrdup("");
 	if (o->whose[0] == '\0')
 		return xasprintf("parameters %s", o->words);
-	bool own = o->found && o->digest == entry->site->digest;
+	bool own = !origin_is_other(entry);
 	char *details = origin_details(o);
-	char *sentence = xasprintf("%sparameters %s%s (%s), %s",
-	    own ? "" : "warning: ", o->stored ? "from the store: " : "from ",
-	    o->whose, details,
+	char *sentence = xasprintf("parameters %s%s (%s), %s",
+	    o->stored ? "from the store: " : "from ", o->whose, details,
 	    own ? "calibrated on the same data as this site"
 		: "not calibrated on this site");
 	free(details);
@@ -215,7 +222,9 @@ origin_note(struct answer *r, const struct entry *entry)
 {
 	char *sentence = origin_sentence(entry);
 	if (sentence[0] != '\0')
-		answer_say(r, ANSWER_REMARK, "%s", sentence);
+		answer_say(r,
+		    origin_is_other(entry) ? ANSWER_WARNING : ANSWER_REMARK,
+		    "%s", sentence);
 	free(sentence);
 }
 

@@ -107,8 +107,11 @@ bool origin_trained(const struct entry *entry);
  * The caller frees. */
 char *origin_details(const struct origin *origin);
 
-/* "warning: parameters from tierp (..), not calibrated on this site"; "" where
- * they were found here.  The caller frees.  origin_note: as a note. */
+/* Whether they were calibrated on other data than the site's: a warning. */
+bool origin_is_other(const struct entry *entry);
+
+/* "parameters from tierp (..), not calibrated on this site"; "" where they were
+ * found here.  The caller frees.  origin_note: as a note. */
 char *origin_sentence(const struct entry *entry);
 void origin_note(struct answer *r, const struct entry *entry);
 

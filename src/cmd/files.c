@@ -95,13 +95,13 @@ files_may_write(const struct session *s, const char *path, struct error *error)
 		return file_may_write(path, error);
 	if (is_store(s, &file))
 		return error_set(error, ERROR_SYSTEM,
-		    "%s is the store: it is not replaced by a result\n"
-		    "name another file",
+		    "%s is the store and cannot be overwritten by a result\n"
+		    "use another file name",
 		    path);
 	if (is_known(s, &file, false))
 		return error_set(error, ERROR_SYSTEM,
-		    "%s was read by this session: it is not replaced\n"
-		    "name another file",
+		    "%s was read by this session and cannot be overwritten\n"
+		    "use another file name",
 		    path);
 	return file_may_write(path, error);
 }
@@ -118,5 +118,7 @@ files_may_replace(struct session *s, const char *path, struct error *error)
 	bool yes = s->hooks.confirm(s, question);
 	free(question);
 	return yes || error_set(error, ERROR_USAGE,
-			  "%s was kept as it was\nname another file", path);
+			  "%s was not replaced\n"
+			  "use another file name",
+			  path);
 }

@@ -41,7 +41,8 @@ grading_open(struct session *s, const char *path, size_t feed,
 	if (grading->n == 0) {
 		spec_free(spec);
 		return error_set(error, ERROR_DATA,
-		    "%s: none of its sieves lies within those of the feed",
+		    "%s: none of its sieves is in the range of the feed's "
+		    "sieves",
 		    path);
 	}
 	grading->inverse = inverse_new(
@@ -77,9 +78,8 @@ grading_rows(struct answer *r, struct grading *grading, double v)
 {
 	const struct spec *spec = grading->spec;
 	const struct psd *product = inverse_at(&grading->inverse, v);
-	answer_columns(r,
-	    "sieve_mm: sieve mm, min_pct: from %%, max_pct: to %%, "
-	    "passing_pct: product %%, verdict");
+	answer_columns(r, "sieve_mm: sieve mm, min_pct: min %%, max_pct: max "
+			  "%%, passing_pct: product %%, verdict");
 	for (size_t i = 0; i < spec->n; i++)
 		answer_cells(r, "%g %g %g %.1f %s", units_mm(spec->size[i]),
 		    units_pct(spec->least[i]), units_pct(spec->most[i]),
@@ -94,8 +94,8 @@ grading_notes(struct answer *r, const struct grading *grading)
 	const struct spec *spec = grading->spec;
 	if (grading->n < spec->n)
 		answer_say(r, ANSWER_REMARK,
-		    "not judged: %g mm and below, finer than the feed was "
-		    "sieved",
+		    "not checked: %g mm and below, finer than the feed's "
+		    "finest sieve",
 		    units_mm(spec->size[grading->n]));
 	if (spec->source[0] != '\0')
 		answer_say(r, ANSWER_REMARK, "limits: %s", spec->source);
@@ -120,13 +120,13 @@ note_verdict(struct answer *r, struct grading *grading, double v)
 	for (size_t i = 0; i < grading->n; i++)
 		out += verdict(grading, i)[0] != 'o';
 	if (out == 0)
-		answer_note(r, "within the limits");
+		answer_note(r, "meets the envelope");
 	else
 		answer_note(r,
-		    "outside on %zu of %zu sieves; worst at %g mm, %.1f "
-		    "points too %s",
+		    "outside on %zu of %zu sieves; worst at %g mm: %.1f points "
+		    "%s",
 		    out, grading->n, units_mm(grading->spec->size[worst]),
-		    100 * fabs(by), by > 0 ? "much" : "little");
+		    100 * fabs(by), by > 0 ? "above max" : "below min");
 }
 
 bool
@@ -188,20 +188,21 @@ check_wish(
 	bool at = args_value(args, "at")->given;
 	if (given != 1)
 		error_set(error, ERROR_USAGE,
-		    "find wants one of p20, p50, p80, passing and spec, "
-		    "found %zu of them",
+		    "find: expected one of p20, p50, p80, passing and spec, "
+		    "got %zu of them",
 		    given);
 	else if (at != args_value(args, "passing")->given)
 		error_set(error, ERROR_USAGE,
-		    "passing and at go together: so much passing at a size");
+		    "find: expected passing and at together: this much passing "
+		    "at this size");
 	else if (wish->from >= wish->to)
 		error_set(error, ERROR_USAGE,
-		    "find wants from below to, not %g and %g m/s", wish->from,
-		    wish->to);
+		    "find: expected from below to, got %g and %g m/s",
+		    wish->from, wish->to);
 	else
 		return true;
-	return error_hint(error, "find p80=5, find passing=40 at=2, find "
-				 "spec=FILE");
+	return error_hint(
+	    error, "write: find p80=5, find passing=40 at=2 or find spec=FILE");
 }
 
 /* Sizes are read between the sieves as predict reads them; a passing is that of
@@ -225,7 +226,7 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 	if (!psd_covers(feed, wish->x))
 		return error_set(error, ERROR_USAGE,
 		    "%g mm is finer than the feed's finest sieve, %g mm\n"
-		    "nothing is known of what is finer",
+		    "use a size on or above that sieve",
 		    1000 * wish->x, units_mm(feed->size[feed->n - 1]));
 	struct prediction p = answers_predict(s, entry, wish->from, wish->feed);
 	wish->inverse = inverse_new(feed,
@@ -275,15 +276,15 @@ note_unreached(struct answer *r, struct wish *wish, const char *words)
 	       high = value_at(wish, wish->to);
 	bool above = passing_over(wish, wish->from) > 0;
 	answer_note(r,
-	    "no speed from %g to %g m/s gives %s: the product is %s even at "
+	    "no speed from %g to %g m/s gives %s: the product is still %s at "
 	    "%g m/s",
 	    wish->from, wish->to, words, above ? "finer" : "coarser",
 	    above ? wish->from : wish->to);
 	if (isfinite(low) && isfinite(high))
 		answer_note(r, "it is %.2f %s at %g m/s and %.2f %s at %g m/s",
 		    low, what, wish->from, high, what, wish->to);
-	answer_note(r, above ? "from= looks at slower speeds"
-			     : "to= looks at faster speeds");
+	answer_note(r, above ? "use from= to search slower speeds"
+			     : "use to= to search faster speeds");
 }
 
 /* The product at the speed found; without one those at the two ends. */
@@ -326,17 +327,17 @@ note_window(struct answer *r, const struct wish *wish, const struct grading *g,
 {
 	if (w->inside) {
 		answer_note(r,
-		    "within the limits from %.2f to %.2f m/s; shown at %.2f",
+		    "meets the envelope from %.2f to %.2f m/s; table: %.2f m/s",
 		    w->slowest, w->fastest, w->slowest);
 		return;
 	}
 	answer_note(r,
-	    "no speed from %g to %g m/s keeps within the limits; the nearest "
-	    "is %.2f m/s",
+	    "no speed from %g to %g m/s meets the envelope; the nearest is "
+	    "%.2f m/s",
 	    wish->from, wish->to, w->nearest);
-	answer_note(r, "it fails at %g mm: %.1f points too %s passing",
+	answer_note(r, "worst at %g mm: %.1f points %s",
 	    units_mm(g->spec->size[w->worst]), 100 * fabs(w->by),
-	    w->by > 0 ? "much" : "little");
+	    w->by > 0 ? "above max" : "below min");
 }
 
 static bool

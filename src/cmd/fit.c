@@ -23,7 +23,7 @@ fit_note_too_few(struct answer *r, const struct fit *fit)
 {
 	answer_say(r, ANSWER_WARNING,
 	    "%zu passing%s cannot determine %zu parameters: no verdict and no "
-	    "band; add sieves or a run",
+	    "uncertainty band; add sieves or a run",
 	    fit->cells, fit->cells == 1 ? "" : "s", fit->parameters);
 }
 
@@ -101,12 +101,12 @@ fit_settings_agree(
 	if (settings->appearance != APPEARANCE_RATIO && !of->forms)
 		return error_set(error, ERROR_USAGE,
 		    "this appearance works with the model %s only\n"
-		    "set appearance ratio",
+		    "run 'set appearance ratio'",
 		    BREAKAGES[0]->name);
 	if (settings->method == METHOD_CLASSES ||
 	    settings->appearance == APPEARANCE_RATIO)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "this appearance works with the method classes only\n"
-	    "set method classes, or set appearance ratio");
+	    "run 'set method classes' or 'set appearance ratio'");
 }

@@ -60,17 +60,16 @@ explain_nothing(struct answer *r, const struct entry *entry)
 	double coarser =
 	    isfinite(x) && x > 0 ? 1 - psd_passing(&fastest->feed, x) : 0;
 	answer_say(r, ANSWER_WARNING,
-	    "nothing breaks: the products cannot be told from the feed "
-	    "(product = feed misses them by %.2f points RMS, the fit by %.2f)",
+	    "nothing breaks: the products do not differ measurably from the "
+	    "feed (RMSE of the unchanged feed %.2f points, of the fit %.2f), "
+	    "so the parameters fit sampling error",
 	    100 * sqrt(entry->fit.feed_misfit / (double)entry->fit.n_residual),
 	    100 * entry->fit.rmse);
 	answer_say(r, ANSWER_REMARK,
-	    "  why: only fragments coarser than the break size break; at %g "
-	    "m/s that is %.3g mm or more, and %.1f %% of the feed is coarser",
+	    "only particles coarser than the break size break; at %g m/s that "
+	    "is %.3g mm or more, and %.1f %% of the feed is coarser: measure "
+	    "with a coarser feed or a higher speed",
 	    fastest->speed, units_mm(x), 100 * coarser);
-	answer_say(r, ANSWER_WARNING,
-	    "  the parameters above therefore fit sampling noise: a "
-	    "coarser feed or a higher speed would tell more");
 }
 
 /* Names the parameters that can go far together for a tenth more misfit, each
@@ -80,6 +79,7 @@ static void
 add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 {
 	char *list = xstrdup("");
+	size_t n = 0;
 	bool silent = fit->flat.reach > 1;
 	const struct breakage *of = breakage_of(&fit->params);
 	for (size_t j = 0; j < of->n; j++) {
@@ -90,17 +90,20 @@ add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 			continue;
 		xlist(&list, ", ", "%s", of->parameter[j].name);
 		if (!silent)
-			xappend(&list, " %+.2g", part * range);
+			xappend(&list, " by %+.2g", part * range);
+		n++;
 	}
 	if (silent)
 		answer_say(r, ANSWER_REMARK,
-		    "flat direction: the data say next to nothing about %s",
+		    "poorly determined: the data hardly constrain %s; rely on "
+		    "the curves, not on single parameters",
 		    list);
 	else if (list[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
-		    "flat direction: together, %s (or all the other way) raise "
-		    "the misfit by a tenth only",
-		    list);
+		    "poorly determined%s: changing %s%s raises the misfit by "
+		    "only 10 %%; rely on the curves, not on single parameters",
+		    n > 1 ? " combination" : "", list,
+		    n > 1 ? " together (or all reversed)" : " or the reverse");
 	free(list);
 }
 
@@ -111,9 +114,9 @@ add_verdict(struct answer *r, const struct entry *entry,
 	const struct fit *fit = &entry->fit;
 	if (fit->rmse > FIT_POOR)
 		answer_say(r, ANSWER_WARNING,
-		    "poor fit: the model misses the training products by %.1f "
-		    "points RMS; sampling repeats to 0.5 to 1: do not rely on "
-		    "its predictions, and look at the data with 'check'",
+		    "poor fit: RMSE %.1f points on the training products, "
+		    "where repeat samples agree within 0.5 to 1: do not rely "
+		    "on predictions; check the data with 'check'",
 		    100 * fit->rmse);
 	else if (!fit_too_few(fit) && fit_breaks_nothing(fit))
 		explain_nothing(r, entry);
@@ -122,25 +125,19 @@ add_verdict(struct answer *r, const struct entry *entry,
 	struct validation far = fit_outlier(entry);
 	if (far.worst_difference != 0)
 		answer_say(r, ANSWER_WARNING,
-		    "the product at %g m/s lies %.1f points off the fit at %g "
-		    "mm: see 'check'",
+		    "the product at %g m/s differs by %.1f points from the fit "
+		    "at %g mm: run 'check'",
 		    far.speed, 100 * fabs(far.worst_difference),
 		    units_mm(far.worst_sieve));
-	bool any = false;
 	for (size_t j = 0; j < breakage_of(&fit->params)->n; j++)
-		any = any || fit->on_bound[j];
-	if (any)
-		answer_say(r, ANSWER_WARNING,
-		    "a parameter on its bound is set by the "
-		    "bound, not by the data");
+		if (fit->on_bound[j])
+			answer_say(r, ANSWER_REMARK,
+			    "%s is at its bound: the bound, not the data, "
+			    "sets it",
+			    breakage_of(&fit->params)->parameter[j].name);
 	add_flat(r, fit, bounds);
 	if (ranges)
 		doubt_note(r, entry);
-	if (breakage_of(&fit->params)->gauge > 0)
-		answer_say(r, ANSWER_REMARK,
-		    "%s counts only by its direction; rely on the curves, not "
-		    "on single values",
-		    breakage_of(&fit->params)->gauge_name);
 }
 
 static const char *
@@ -148,13 +145,14 @@ stop_sentence(const struct fit *fit)
 {
 	switch (fit->stop) {
 	case CALIBRATE_TOLERANCE:
-		return "the population came together within the tolerance";
+		return "the population converged: median misfit within the "
+		       "tolerance of the best";
 	case CALIBRATE_STALLED:
-		return "the best misfit stood still";
+		return "the search stalled: the best misfit no longer improved";
 	case CALIBRATE_GENERATIONS:
-		return "all generations were used";
+		return "the generation limit was reached";
 	default:
-		return "it was stopped; the best so far is kept";
+		return "interrupted; the best so far is kept";
 	}
 }
 
@@ -174,7 +172,7 @@ fit_answer(
 	answer_columns(r, "parameter, value");
 	if (u != NULL)
 		answer_columns(r, "low, high");
-	answer_columns(r, "unit, lower: from, upper: to, remark");
+	answer_columns(r, "unit, lower, upper, remark");
 	for (size_t j = 0; j < of->n; j++) {
 		bool fixed = bounds->lower[j] >= bounds->upper[j];
 		answer_cells(
@@ -184,21 +182,21 @@ fit_answer(
 		answer_cells(r, "%s %g %g %s", of->parameter[j].unit,
 		    bounds->lower[j], bounds->upper[j],
 		    fixed              ? "held fixed"
-		    : fit->on_bound[j] ? "ON ITS BOUND"
-		    : j < of->gauge    ? "largest is 1"
+		    : fit->on_bound[j] ? "at bound"
+		    : j < of->gauge    ? "scaled to max 1"
 				       : "");
 	}
 	answer_note(r,
-	    "misfit %.6g, %.2f points RMS over %zu passings: %zu that crushing "
-	    "can change, for %zu parameters",
+	    "misfit %.6g (sum of squared residuals), RMSE %.2f points over %zu "
+	    "passings; crushing can change %zu of them, for %zu parameters",
 	    fit->misfit, 100 * fit->rmse, fit->n_residual, fit->cells,
 	    fit->parameters);
 	answer_note(r, "stopped after %zu generations, %zu evaluations: %s",
 	    fit->generations, fit->evaluations, stop_sentence(fit));
 	if (fit->edits > 0)
 		answer_say(r, ANSWER_REMARK,
-		    "the bounds were edited after generation %zu%s: what "
-		    "'save' writes repeats that, calibrate alone does not",
+		    "the bounds were edited after generation %zu%s: a script "
+		    "written by 'save' repeats that, calibrate alone does not",
 		    fit->edited_at, fit->edits > 1 ? " and before" : "");
 	add_verdict(r, entry, bounds, u != NULL);
 	fit_put(answer_fields(r), entry, seconds);
@@ -265,7 +263,7 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	if (h == NULL || h->n == 0)
 		return error_set(error, ERROR_USAGE,
 		    "%s has not been calibrated in this session\n"
-		    "calibrate it first",
+		    "run 'calibrate' first",
 		    entry->site->name);
 	const struct value *every = args_value(args, "every");
 	size_t step =
@@ -276,13 +274,13 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	answer_for_programs(r);
 	add_generations(r, h, step, true);
 	answer_say(r, ANSWER_REMARK,
-	    "best and median misfit of the search; then the spread of each "
-	    "parameter, %% of its bounds");
+	    "best and median misfit of the search, then the spread of each "
+	    "parameter in %% of its bounds");
 	answers_note_worth(r, entry);
 	if (entry->fit.edits > 0)
 		answer_say(r, ANSWER_REMARK,
 		    "the bounds were edited after generation %zu%s: earlier "
-		    "spreads are told in %% of those set since",
+		    "spreads are in %% of the edited bounds",
 		    entry->fit.edited_at,
 		    entry->fit.edits > 1 ? " and before" : "");
 	return session_answer(s, r);

@@ -63,8 +63,9 @@ find_wanted(const struct site *site, const struct args *args,
 	if (wanted->rock[0] != '\0' || wanted->top_size > 0)
 		return true;
 	return error_set(error, ERROR_USAGE,
-	    "guess wants a rock or a top size, and the sheet of %s states "
-	    "neither\nguess rock=granite top=11.2",
+	    "guess: expected a rock type or a top size; the site file of %s "
+	    "states neither\n"
+	    "write: guess rock=granite top=11.2",
 	    site->name);
 }
 
@@ -128,10 +129,9 @@ static struct answer *
 guess_table(const struct site *site, const struct guess *guess)
 {
 	struct answer *r = answers_new(site, "guess",
-	    "guessed product at %.1f m/s, not calibrated", guess->speed);
-	answer_columns(r,
-	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: guess %%, "
-	    "least_pct: least %%, most_pct: most %%");
+	    "estimated product at %.1f m/s, not calibrated", guess->speed);
+	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: "
+			  "guess %%, least_pct: min %%, most_pct: max %%");
 	for (size_t i = 0; i < guess->median.n; i++)
 		answer_cells(r, "%g %.1f %.1f %.1f %.1f",
 		    units_mm(guess->median.size[i]),
@@ -168,7 +168,7 @@ note_sizes(struct answer *r, const struct guess *guess)
 		    &guess->size[i], i == ANSWERS_BREAK ? "none" : none);
 	answer_note(
 	    r, "P20 %s, P50 %s, P80 %s mm", words[0], words[1], words[2]);
-	answer_note(r, "breaks from %s mm up", words[ANSWERS_BREAK]);
+	answer_note(r, "break size %s mm", words[ANSWERS_BREAK]);
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
 		free(words[i]);
 	free(none);
@@ -201,29 +201,30 @@ note_materials(struct answer *r, const struct basis *b)
 	char *picked = names(b, false), *left = names(b, true);
 	if (b->n > 1)
 		answer_say(r, ANSWER_REMARK,
-		    "a guess from other quarries, not a calibration: the "
-		    "median of the products with each of the %zu nearest "
-		    "materials, and their spread",
+		    "estimated from other quarries, not calibrated: median, "
+		    "min and max of the products with the %zu nearest "
+		    "materials",
 		    b->n);
 	else
 		answer_say(r, ANSWER_REMARK,
-		    "a guess from another quarry, not a calibration: the "
-		    "product with the nearest material, which tells no spread");
+		    "estimated from another quarry, not calibrated: from one "
+		    "material, so without a spread");
 	if (b->wanted.rock[0] == '\0')
 		answer_note(
-		    r, "nearest by top size, no rock is stated: %s", picked);
+		    r, "nearest by top size (no rock type stated): %s", picked);
 	else
 		answer_note(r, "nearest by rock (%s, %zu of %zu)%s: %s",
 		    b->wanted.rock, same, b->n,
 		    b->wanted.top_size > 0 ? " and top size"
-					   : ", no top size is stated",
+					   : " (no top size stated)",
 		    picked);
 	if (!measured)
 		answer_say(r, ANSWER_WARNING,
-		    "some of them were not calibrated on measured data");
+		    "some of these materials were not calibrated on measured "
+		    "data");
 	if (left[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
-		    "left out, being this site's own: %s", left);
+		    "left out because they are this site's own: %s", left);
 	free(picked);
 	free(left);
 }
@@ -251,8 +252,8 @@ note_reach(struct answer *r, const struct basis *b, double speed)
 	fields_put(answer_fields(r), "extrapolated %d", beyond);
 	if (beyond)
 		answer_say(r, ANSWER_WARNING,
-		    "extrapolated: %.1f m/s lies outside the speeds that all "
-		    "of them were trained at, %g to %g m/s",
+		    "%.1f m/s is outside the training speeds common to these "
+		    "materials, %g to %g m/s",
 		    speed, slowest, fastest);
 }
 
@@ -268,11 +269,10 @@ give_guess(struct session *s, const struct basis *b, const struct guess *guess,
 	note_materials(r, b);
 	note_reach(r, b, guess->speed);
 	answer_say(r, ANSWER_REMARK,
-	    "how far such guesses err: each of %zu materials of Table 3, "
-	    "guessed from the other sites, misses its own model's product by "
-	    "%.1f points RMS (median), %.1f at worst (%s); product = feed "
-	    "misses by %.1f. Reconstructed data on made-up feeds, with no "
-	    "sampling error: a plant will be farther off",
+	    "leave-one-site-out RMSE (%zu materials of Table 3): median %.1f "
+	    "points, worst %.1f (%s); feed unchanged %.1f. These are "
+	    "reconstructed data on synthetic feeds without sampling error: "
+	    "expect larger errors at a plant",
 	    e.n, 100 * e.median, 100 * e.worst, worst, 100 * e.feed);
 	put_guess(r, b, guess);
 	put_error(answer_fields(r), &e, worst);

@@ -19,11 +19,12 @@
 static void
 print_start(FILE *out)
 {
-	fputs("In the order of work, for the sheet quarry.csv:\n"
-	      "  load quarry.csv    check    calibrate    validate    "
-	      "predict 74\n"
-	      "undo takes the last change back, quit leaves; man tutorial is "
-	      "the first hour.\n\n",
+	fputs("In the order of work, for the site file quarry.csv:\n"
+	      "  load quarry.csv    check    calibrate    validate    predict "
+	      "74\n"
+	      "undo undoes the last change, quit exits; man tutorial is for "
+	      "the first hour.\n"
+	      "\n",
 	    out);
 }
 
@@ -49,9 +50,9 @@ unknown(const char *name, struct error *error)
 {
 	const char *near = command_nearest(name);
 	return error_set(error, ERROR_USAGE,
-	    near != NULL
-		? "there is no command '%s'\ndid you mean '%s'?"
-		: "there is no command '%s'\napropos %s searches all help",
+	    near != NULL ? "there is no command '%s'\ndid you mean '%s'?"
+			 : "there is no command '%s'\n"
+			   "run 'apropos %s' to search all help",
 	    name, near != NULL ? near : name);
 }
 
@@ -65,7 +66,7 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 	bool example = args->n_operand == 2;
 	if (example && strcmp(args->operand[1], "example") != 0)
 		return error_set(error, ERROR_USAGE,
-		    "behind the command help wants: example; not '%s'",
+		    "help: expected 'example' after the command, got '%s'",
 		    args->operand[1]);
 	if (command != NULL && example)
 		usage_example(command, "", out);
@@ -120,7 +121,8 @@ cmd_apropos(struct session *s, const struct args *args, struct error *error)
 	if (found > 0)
 		return true;
 	return error_set(error, ERROR_USAGE,
-	    "no help speaks of '%s'\n'help' lists the commands",
+	    "nothing in the help mentions '%s'\n"
+	    "run 'help' for the commands",
 	    args->operand[0]);
 }
 
@@ -139,14 +141,13 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 		return true;
 	usage_list(NULL, help_stream(s));
 	if (s->safe)
-		session_note(s,
-		    "man is off, as the program was started with --safe: these "
-		    "are the commands, and 'help COMMAND' explains one");
+		session_note(
+		    s, "man is not available with --safe; these are the "
+		       "commands, and 'help COMMAND' explains one");
 	else
 		session_note(s,
-		    "the page %s is shown at the prompt where man(1) is; the "
-		    "source "
-		    "has it in the folder man",
+		    "the page %s is shown at the prompt if man(1) is "
+		    "installed; its source is in the folder man",
 		    PAGES[i]);
 	return true;
 }

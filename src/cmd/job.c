@@ -81,7 +81,7 @@ new_summary(void)
 	struct answer *r = answer_new("calibrate");
 	answer_title(r, "all sites, calibrated");
 	answer_columns(r, "site, f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
-			  "holdout_pct: hold-out, remark");
+			  "holdout_pct: hold-out RMSE, remark");
 	return r;
 }
 
@@ -196,12 +196,12 @@ remarks(const struct session *s, const struct entry *entry)
 	for (size_t j = 0; j < of->n; j++)
 		if (entry->fit.on_bound[j])
 			xlist(
-			    &text, "; ", "%s on bound", of->parameter[j].name);
+			    &text, "; ", "%s at bound", of->parameter[j].name);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *other = &s->entry[i];
 		if (other != entry &&
 		    other->site->digest == entry->site->digest)
-			xlist(&text, "; ", "twin of %s", other->key);
+			xlist(&text, "; ", "same data as %s", other->key);
 	}
 	const char *verdict = fit_verdict(&entry->fit);
 	if (strcmp(verdict, "good") != 0)
@@ -287,8 +287,8 @@ session_pause(struct session *s)
 	}
 	s->job.paused = true;
 	session_note(s,
-	    "stopped at generation %zu of %zu, best %.4g kept; continue, "
-	    "accept or calibrate again",
+	    "stopped at generation %zu of %zu, best misfit %.4g kept; "
+	    "continue, accept or calibrate again",
 	    st.generation, s->job.options.generations, st.best);
 }
 
@@ -306,8 +306,8 @@ session_let_go(struct session *s)
 	if (s->job.calibration == NULL)
 		return;
 	session_stop(s);
-	session_note(s, "the stopped calibration is let go of: 'continue' "
-			"has nothing to go on with");
+	session_note(
+	    s, "discarded the stopped calibration; it cannot be continued");
 }
 
 /* Marks the runs at the speeds given; each must have a product. */
@@ -319,16 +319,15 @@ mark_training(const struct site *site, const struct value *value, bool *train,
 		return misfit_default_train(site, train) > 0 ||
 		       error_set(error, ERROR_DATA,
 			   "%s has no product to calibrate on\n"
-			   "'guess' tells what to expect of its feed, "
-			   "'recall' takes the parameters of another "
-			   "sheet",
+			   "run 'guess' for an estimate from its feed, or "
+			   "'recall' to use a material's parameters",
 			   site->name);
 	for (size_t i = 0; i < value->n; i++) {
 		size_t r = site_run_at(site, value->list[i]);
 		if (r == site->n_run || site->run[r].product.n == 0)
 			return error_set(error, ERROR_USAGE,
 			    "%s has no product at %g m/s\n"
-			    "'show' lists the speeds it has",
+			    "run 'show' for its speeds",
 			    site->name, value->list[i]);
 		train[r] = true;
 	}
@@ -344,10 +343,10 @@ check_training(const struct site *site, const bool *train, struct error *error)
 		if (!train[r] || misfit_covered(run) > 0)
 			continue;
 		return error_set(error, ERROR_DATA,
-		    "%s: no product sieve at %g m/s lies within the feed's "
-		    "sieves\n"
-		    "sieve the feed to finer sizes, or train on other runs: "
-		    "calibrate train=...",
+		    "%s: no product sieve at %g m/s is in the range of the "
+		    "feed's sieves\n"
+		    "sieve the feed to finer sizes, or choose other training "
+		    "runs: calibrate train=...",
 		    site->name, run->speed);
 	}
 	return true;
@@ -362,8 +361,8 @@ check_weights(const struct site *site, const bool *train, struct error *error)
 		if (!train[r] || site->run[r].product_sd != NULL)
 			continue;
 		return error_set(error, ERROR_DATA,
-		    "weights=sd wants standard deviations for every training "
-		    "run; %s has none at %g m/s\n"
+		    "expected standard deviations for every training run with "
+		    "weights=sd; %s has none at %g m/s\n"
 		    "add a column sd@%g, or calibrate without weights",
 		    site->name, site->run[r].speed, site->run[r].speed);
 	}
@@ -388,7 +387,8 @@ spread_weights(const struct site *site, const bool *train,
 	}
 	free(weight);
 	return error_set(error, ERROR_USAGE,
-	    "run_weights wants %zu numbers, one for each training run, not %zu",
+	    "run_weights: expected %zu numbers, one for each training run, got "
+	    "%zu",
 	    n, value->n);
 }
 
@@ -423,7 +423,8 @@ check_all(const struct args *args, struct error *error)
 	    !args_value(args, "weights")->choice)
 		return true;
 	return error_set(error, ERROR_USAGE,
-	    "calibrate all takes every site's own speeds and no weights");
+	    "calibrate all: expected no train=, weights= or run_weights=; each "
+	    "site uses its own speeds");
 }
 
 /* The runs to train on, and what each counts. */
@@ -450,7 +451,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	    .pause_at = (size_t)args_value(args, "pause")->whole};
 	if (job.all && strcmp(args->operand[0], "all") != 0)
 		return error_set(error, ERROR_USAGE,
-		    "calibrate wants options or all, not '%s'",
+		    "calibrate: expected options or all, got '%s'",
 		    args->operand[0]);
 	if (!fit_settings_agree(&s->set.model, s->set.model.breakage, error) ||
 	    !(job.all ? check_all(args, error)
@@ -471,7 +472,7 @@ need_paused(const struct session *s, const char *name, struct error *error)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "%s: no calibration was stopped\n"
-	    "^C or pause= stops a calibration and keeps it",
+	    "use ^C or pause= to stop a calibration and keep it",
 	    name);
 }
 
@@ -487,8 +488,7 @@ take_bounds(struct session *s)
 	job->options.bounds = s->set.bounds;
 	calibration_set_bounds(job->calibration, &s->set.bounds);
 	session_note(s,
-	    "  going on after generation %zu within the bounds that were "
-	    "edited",
+	    "  continuing after generation %zu within the edited bounds",
 	    calibration_status(job->calibration).generation);
 }
 
@@ -500,7 +500,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 	const struct value *pause = args_value(args, "pause");
 	if (pause->given && pause->whole <= s->job.step)
 		return error_set(error, ERROR_USAGE,
-		    "pause wants a generation beyond %zu, which is done",
+		    "pause: expected a generation after %zu, which is done",
 		    s->job.step);
 	take_bounds(s);
 	s->job.pause_at = (size_t)pause->whole;

@@ -239,7 +239,7 @@ void
 journal_put(const struct session *s, FILE *out)
 {
 	const struct journal *j = s->journal;
-	fputs("# A sheet whose numbers are others now is refused.\n", out);
+	fputs("# A site file whose numbers have changed is refused.\n", out);
 	for (size_t i = 0; i < s->n_entry; i++)
 		put_provenance(out, s->entry[i].site);
 	for (size_t i = j->start; i < j->n; i++)
@@ -255,8 +255,9 @@ journal_can_be_saved(const struct session *s, struct error *error)
 		    strpbrk(j->line[i], "\r\n") == NULL)
 			continue;
 		return error_set(error, ERROR_DATA,
-		    "a script cannot say '%.200s': a name in it is no UTF-8 or "
-		    "has a line break\nrename the file, and load it again",
+		    "cannot write '%.200s' into a script: a name in it is not "
+		    "UTF-8 or has a line break\n"
+		    "rename the file and load it again",
 		    j->line[i]);
 	}
 	return true;

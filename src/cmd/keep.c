@@ -65,7 +65,7 @@ keep_begin(struct session *s)
 		const struct tm *tm = localtime(&file[0].when);
 		strftime(day, sizeof day, "%B %H:%M", tm);
 		offer = xasprintf("your last session of %d %s was not saved "
-				  "(%s): 'restore last' has it back",
+				  "(%s): 'restore last' brings it back",
 		    tm->tm_mday, day, file[0].about);
 	}
 	kept_files_free(file, n);
@@ -148,8 +148,7 @@ keep_end(struct session *s)
 		if (k->error.kind == ERROR_NONE)
 			remove_restored(k);
 		else
-			session_note(s,
-			    "this session could not be kept: %s%s%s",
+			session_note(s, "could not keep this session: %s%s%s",
 			    k->error.file, k->error.file[0] != '\0' ? ": " : "",
 			    k->error.text);
 	}
@@ -169,7 +168,7 @@ keep_last(struct session *s, struct error *error)
 	kept_files_free(file, n);
 	if (path == NULL)
 		error_set(error, ERROR_USAGE,
-		    "there is no session that was not saved\n"
+		    "there is no unsaved session\n"
 		    "write ./last for a file of that name");
 	else if (s->keep != NULL)
 		s->keep->restoring = xstrdup(path);
@@ -182,7 +181,7 @@ keep_list(struct session *s)
 	size_t n;
 	struct kept_file *file = kept_files(&n);
 	struct answer *r = answer_new("restore");
-	answer_title(r, "sessions that were not saved");
+	answer_title(r, "unsaved sessions");
 	answer_columns(r, "time, what, file");
 	for (size_t i = 0; i < n; i++) {
 		char when[32];
@@ -190,8 +189,8 @@ keep_list(struct session *s)
 		    localtime(&file[i].when));
 		answer_cells(r, "%s %s %s", when, file[i].about, file[i].path);
 	}
-	answer_note(r, n > 0 ? "'restore last' takes the first, 'restore FILE' "
-			       "any of them"
+	answer_note(r, n > 0 ? "run 'restore last' for the first, 'restore "
+			       "FILE' for any of them"
 			     : "there is none");
 	kept_files_free(file, n);
 	return session_answer(s, r);

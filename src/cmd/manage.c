@@ -115,8 +115,8 @@ cmd_tui(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO))
 		return error_set(error, ERROR_USAGE,
-		    "tui wants a terminal for input and output\n"
-		    "'predict' answers without one");
+		    "tui: expected a terminal for input and output\n"
+		    "use 'predict' without one");
 	s->wants_tui = true;
 	return true;
 }
@@ -184,8 +184,8 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 	const char *path = args->operand[0];
 	if (!text_ends(path, ".tip"))
 		return error_set(error, ERROR_USAGE,
-		    "save writes a script, and '%s' does not end in .tip\n"
-		    "results are saved with > FILE, sheets with write",
+		    "save: expected a name that ends in .tip, got '%s'\n"
+		    "use > FILE to save results, write to save a site file",
 		    path);
 	if (!data_may_write(s, args, path, error) ||
 	    !journal_can_be_saved(s, error) ||
@@ -240,6 +240,6 @@ cmd_redo(struct session *s, const struct args *args, struct error *error)
 	const char *label = go(s, undo_forth);
 	if (label == NULL)
 		return error_set(error, ERROR_USAGE, "nothing to redo");
-	session_note(s, "done again: %s", label);
+	session_note(s, "redone: %s", label);
 	return true;
 }

@@ -71,8 +71,8 @@ check_named(
 		    breakage_parameter(of, name) == of->n)
 			return error_set(error, ERROR_USAGE,
 			    "the model %s has no parameter %s\n"
-			    "'bounds' lists its parameters; 'set model' "
-			    "chooses another model",
+			    "run 'bounds' for its parameters, or 'set model' "
+			    "to choose another model",
 			    of->name, name);
 	}
 	return true;
@@ -96,7 +96,7 @@ set_params(struct session *s, const struct args *args, struct error *error)
 			p.at[j] = v->number;
 		else if (isnan(p.at[j]))
 			return error_set(error, ERROR_USAGE,
-			    "params set wants %s too: %s has no parameters "
+			    "params set: expected %s too: %s has no parameters "
 			    "yet",
 			    of->parameter[j].name, entry->site->name);
 	}
@@ -111,7 +111,8 @@ other_site(struct session *s, const struct args *args, struct error *error)
 	size_t at;
 	if (args->n_operand < 2) {
 		error_set(error, ERROR_USAGE,
-		    "params %s wants a loaded site\n'sites' lists them",
+		    "params %s: expected a loaded site\n"
+		    "run 'sites' to list them",
 		    args->operand[0]);
 		return NULL;
 	}
@@ -120,7 +121,8 @@ other_site(struct session *s, const struct args *args, struct error *error)
 	if (s->entry[at].has_params)
 		return &s->entry[at];
 	error_set(error, ERROR_USAGE,
-	    "%s has no parameters yet\ncalibrate it first, or set them there",
+	    "%s has no parameters yet\n"
+	    "run 'calibrate' or 'params set' there first",
 	    s->entry[at].site->name);
 	return NULL;
 }
@@ -133,7 +135,7 @@ use_params(struct session *s, const struct args *args, struct error *error)
 		return false;
 	if (from == session_entry(s))
 		return error_set(error, ERROR_USAGE,
-		    "%s is the site in use: its parameters are in use already",
+		    "%s is the site in use: its parameters are already in use",
 		    from->key);
 	model_take_params(
 	    s, session_entry(s), &from->params, origin_taken(from));
@@ -155,12 +157,12 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 	if (a.breakage != b.breakage)
 		return error_set(error, ERROR_USAGE,
 		    "%s has parameters of the model %s, %s of %s\n"
-		    "'compare' shows what the difference does",
+		    "run 'compare' to see the difference between the products",
 		    mine->key, of->name, other->key, breakage_of(&b)->name);
 	params_scale(&a);
 	params_scale(&b);
-	struct answer *r = answers_new(
-	    mine->site, "params", "parameters beside those of %s", other->key);
+	struct answer *r = answers_new(mine->site, "params",
+	    "parameters compared with those of %s", other->key);
 	answer_columns(r, "parameter, value: %s, other: %s, difference, unit",
 	    mine->key, other->key);
 	for (size_t j = 0; j < of->n; j++) {
@@ -173,9 +175,9 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 	answer_note(r, "%s: %s; %s: %s%s%s%s", mine->key, origin_words(mine),
 	    other->key, origin_words(other), of->gauge > 0 ? "; " : "",
 	    of->gauge > 0 ? of->gauge_name : "",
-	    of->gauge > 0 ? " scaled to largest 1" : "");
-	answer_note(r, "e0_min, alpha and f_mat trade off against each other: "
-		       "'compare' tells what the difference does");
+	    of->gauge > 0 ? " scaled to max 1" : "");
+	answer_note(r, "e0_min, alpha and f_mat compensate for each other: run "
+		       "'compare' to see the difference between the products");
 	return session_answer(s, r);
 }
 
@@ -197,18 +199,17 @@ cmd_params(struct session *s, const struct args *args, struct error *error)
 		i++;
 	if (i == ARRAY_LEN(VERBS))
 		return error_set(error, ERROR_USAGE,
-		    "params wants list, set, diff or use, not '%s'", verb);
+		    "params: expected list, set, diff or use, got '%s'", verb);
 	if (args->n_operand > VERBS[i].operands)
 		return error_set(error, ERROR_USAGE,
-		    "params %s: '%s' is one word too many", verb,
-		    args->operand[1]);
+		    "params %s: unexpected word '%s'", verb, args->operand[1]);
 	const struct command_option *option = args->command->option;
 	for (size_t j = 0; option[j].name != NULL && !VERBS[i].values; j++) {
 		if (!args->value[j].given)
 			continue;
 		return error_set(error, ERROR_USAGE,
-		    "params %s takes no values; to change %s it wants set\n"
-		    "params set %s=..",
+		    "params %s: expected no values, got %s=\n"
+		    "write params set %s=VALUE",
 		    verb, option[j].name, option[j].name);
 	}
 	return VERBS[i].run(s, args, error);
@@ -221,7 +222,8 @@ show_bounds(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	struct answer *r = answer_new("bounds");
 	answer_title(r, "search bounds");
-	answer_columns(r, "parameter, lower: from, upper: to, unit");
+	answer_columns(
+	    r, "parameter, lower: lower bound, upper: upper bound, unit");
 	const struct breakage *of = BREAKAGES[s->set.model.breakage];
 	for (size_t j = 0; j < of->n; j++)
 		answer_cells(r, "%s %g %g %s", of->parameter[j].name,
@@ -271,14 +273,14 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 	const struct param_info *info = &of->parameter[j];
 	if (args->n_operand < 2)
 		return error_set(error, ERROR_USAGE,
-		    "bounds %s wants a range a..b, or one value to hold it "
+		    "bounds %s: expected a range a..b, or one value to hold it "
 		    "fixed",
 		    info->name);
 	double lower, upper;
 	if (!read_range(args->operand[1], &lower, &upper))
 		return error_set(error, ERROR_USAGE,
-		    "bounds wants a range from low to high (0..1) or one "
-		    "number, not '%s'",
+		    "bounds: expected a range from low to high (0..1) or one "
+		    "number, got '%s'",
 		    args->operand[1]);
 	if (lower < info->least || upper > info->most)
 		return error_set(error, ERROR_USAGE,

@@ -51,7 +51,7 @@ open_quote(struct place place, int column, struct error *error)
 {
 	return error_at(error, ERROR_USAGE, place.file, place.line, column,
 	    "a quote (\") is not closed\n"
-	    "add the closing \" or remove the first");
+	    "add the closing \", or remove the opening one");
 }
 
 static size_t
@@ -88,16 +88,17 @@ take_file(const char *line, size_t *at, struct place place, struct words *words,
 	if (words->target[0] == '\0')
 		return error_at(error, ERROR_USAGE, place.file, place.line,
 		    words->to_column,
-		    "a file was wanted behind %s\npredict 74 > product.csv",
+		    "expected a file name after %s\n"
+		    "write: predict 74 > product.csv",
 		    append ? ">>" : ">");
 	*at = skip_blanks(line, *at);
 	if (line[*at] == '\0' || line[*at] == ';' || line[*at] == '#')
 		return true;
 	return error_at(error, ERROR_USAGE, place.file, place.line,
 	    column_of(line, words, *at),
-	    "nothing goes behind the file '%s'\n"
-	    "a name with blanks is quoted: > \"my file.csv\"; a command has "
-	    "one > or | only",
+	    "expected nothing after the file '%s'\n"
+	    "quote a name with spaces: > \"my file.csv\"; use one > or | in a "
+	    "command",
 	    words->target);
 }
 
@@ -109,7 +110,7 @@ take_redirection(const char *line, size_t *at, struct place place,
 	words->to_column = column_of(line, words, *at);
 	if (words->n == 0)
 		return error_at(error, ERROR_USAGE, place.file, place.line,
-		    words->to_column, "a command was wanted before %c", sign);
+		    words->to_column, "expected a command before %c", sign);
 	if (sign == '>')
 		return take_file(line, at, place, words, error);
 	bool good = take_pipe(line, *at, words);
@@ -118,7 +119,8 @@ take_redirection(const char *line, size_t *at, struct place place,
 		return true;
 	return error_at(error, ERROR_USAGE, place.file, place.line,
 	    words->to_column,
-	    "a shell command was wanted behind |\nsweep | less");
+	    "expected a shell command after |\n"
+	    "write: sweep | less");
 }
 
 /* True where the first word names a command that takes > and | as words. */
@@ -200,8 +202,8 @@ value_number(const char *word, const char *unit, double *value)
 }
 
 /* A control room shows the rotor's turns. */
-static const char TURNS[] = "turns of the rotor a minute? tip speed in m/s = "
-			    "3.1416 x rotor diameter in m x turns / 60";
+static const char TURNS[] =
+    "is this rpm? tip speed (m/s) = 3.1416 x rotor diameter (m) x rpm / 60";
 
 /* The next step where a number is written as in another language. */
 static bool
@@ -218,12 +220,14 @@ hint_number(
 	} else if (comma != NULL) {
 		*comma = '.';
 		bool right = text_number(copy, &low);
-		error_hint(error, "write a point: %s", right ? copy : "11.2");
+		error_hint(
+		    error, "use a decimal point: %s", right ? copy : "11.2");
 	} else if (dash != NULL && option->kind == VALUE_NUMBERS) {
 		*dash = '\0';
 		if (text_number(copy, &low) && text_number(dash + 1, &high))
-			error_hint(error, "a range has two points: %s..%s",
-			    copy, dash + 1);
+			error_hint(error,
+			    "write a range with two points: %s..%s", copy,
+			    dash + 1);
 	}
 	free(copy);
 	return false;
@@ -237,21 +241,20 @@ number(const struct command_option *option, const char *word, double *value,
 	const char *in = option->unit[0] != '\0' ? " in " : "";
 	const char *space = option->unit[0] != '\0' ? " " : "";
 	if (!ok && option->kind == VALUE_NUMBER && strchr(word, ',') != NULL) {
-		error_set(error, ERROR_USAGE,
-		    "%s wants a number, not '%s': a comma is no decimal sign "
-		    "here",
+		error_set(error, ERROR_USAGE, "%s: expected a number, got '%s'",
 		    option->name, word);
 		return hint_number(option, word, error);
 	}
 	if (!ok) {
-		error_set(error, ERROR_USAGE, "%s wants a number%s%s, not '%s'",
-		    option->name, in, option->unit, word);
+		error_set(error, ERROR_USAGE,
+		    "%s: expected a number%s%s, got '%s'", option->name, in,
+		    option->unit, word);
 		return hint_number(option, word, error);
 	}
 	if (*value < option->least || *value > option->most) {
-		error_set(error, ERROR_USAGE, "%s wants %g to %g%s%s, not %s",
-		    option->name, option->least, option->most, space,
-		    option->unit, word);
+		error_set(error, ERROR_USAGE,
+		    "expected %s from %g to %g%s%s, got %s", option->name,
+		    option->least, option->most, space, option->unit, word);
 		return *value > option->most &&
 		       strcmp(option->unit, "m/s") == 0 &&
 		       error_hint(error, "%s", TURNS);
@@ -293,12 +296,12 @@ range(const struct command_option *option, char *word, char *dots,
 	double steps = floor((to - from) / step + 1e-9);
 	if (steps < 0)
 		return error_set(error, ERROR_USAGE,
-		    "%s: a range goes from low to high, not from %g to %g",
+		    "%s: expected a range from low to high, got %g to %g",
 		    option->name, from, to);
 	if (steps >= MOST)
 		return error_set(error, ERROR_USAGE,
-		    "%s: a range has at most %d steps, not %.0f", option->name,
-		    (int)MOST, steps);
+		    "%s: expected a range of at most %d steps, got %.0f",
+		    option->name, (int)MOST, steps);
 	for (double i = 0; i <= steps; i++) {
 		value->list = xrealloc(value->list, value->n + 1, sizeof from);
 		value->list[value->n++] = from + i * step;
@@ -327,7 +330,7 @@ numbers(const struct command_option *option, const char *word,
 	free(text);
 	if (ok && value->n == 0)
 		return error_set(error, ERROR_USAGE,
-		    "%s wants numbers (65,74 or 65..85:5)", option->name);
+		    "%s: expected numbers (65,74 or 65..85:5)", option->name);
 	return ok;
 }
 
@@ -336,8 +339,9 @@ wrong_whole(
     const struct command_option *option, const char *word, struct error *error)
 {
 	char *limits = command_limits(option);
-	error_set(error, ERROR_USAGE, "%s wants a whole number, %s; not '%s'",
-	    option->name, limits, word);
+	error_set(error, ERROR_USAGE,
+	    "%s: expected a whole number, %s; got '%s'", option->name, limits,
+	    word);
 	free(limits);
 	return false;
 }
@@ -347,8 +351,8 @@ static bool
 value_wanted(const struct command_option *option, struct error *error)
 {
 	char *limits = command_limits(option);
-	error_set(
-	    error, ERROR_USAGE, "%s wants a value: %s", option->name, limits);
+	error_set(error, ERROR_USAGE, "%s: expected a value: %s", option->name,
+	    limits);
 	free(limits);
 	return false;
 }
@@ -359,7 +363,7 @@ wrong_choice(
 {
 	if (word[0] == '\0')
 		return value_wanted(option, error);
-	error_set(error, ERROR_USAGE, "%s wants one of: %s; not '%s'",
+	error_set(error, ERROR_USAGE, "%s: expected one of %s; got '%s'",
 	    option->name, option->choices, word);
 	char *copy = xstrdup(option->choices), *save = NULL;
 	char *folded = text_fold(word);
@@ -393,8 +397,9 @@ value_take(const struct command_option *option, const char *word,
 			return true;
 		return wrong_choice(option, word, error);
 	default:
-		return word[0] != '\0' || error_set(error, ERROR_USAGE,
-					      "%s wants a value", option->name);
+		return word[0] != '\0' ||
+		       error_set(error, ERROR_USAGE, "%s: expected a value",
+			   option->name);
 	}
 }
 
@@ -510,7 +515,8 @@ is_lone_unit(const struct args *args, const char *word, struct error *error)
 		    strcmp(o->unit, word) != 0)
 			continue;
 		error_set(error, ERROR_USAGE,
-		    "a unit stands at its number, without a blank\nwrite %s%s",
+		    "expected no space before the unit\n"
+		    "write %s%s",
 		    args->value[i].text, word);
 		return true;
 	}
@@ -527,11 +533,14 @@ is_lone_option(
 	bool is = command_option_index(command, name) < OPTIONS;
 	if (is && word[n] == '=') {
 		error_set(error, ERROR_USAGE,
-		    "options are in small letters, unlike '%s'\nwrite %s%s",
+		    "expected an option in lower case, got '%s'\n"
+		    "write %s%s",
 		    word, name, word + n);
 	} else if (is) {
-		error_set(
-		    error, ERROR_USAGE, "%s wants a value\n%s=..", name, name);
+		error_set(error, ERROR_USAGE,
+		    "expected a value for %s\n"
+		    "write %s=VALUE",
+		    name, name);
 	}
 	free(cut);
 	free(name);
@@ -553,8 +562,10 @@ check_operands(const struct args *args, struct error *error)
 		return false;
 	char *usage = command_usage(command);
 	error_set(error, ERROR_USAGE,
-	    more != NULL ? "%s: '%s' is one word too many\nusage: %s"
-			 : "%s wants %s\nusage: %s",
+	    more != NULL ? "%s: unexpected word '%s'\n"
+			   "usage: %s"
+			 : "%s: expected %s\n"
+			   "usage: %s",
 	    command->name, more != NULL ? more : command->operands.usage,
 	    usage);
 	free(usage);
@@ -578,8 +589,9 @@ hint_blanks(const struct command *command, const struct words *words,
 		char *key = xstrndup(name, ends ? n - 1 : n);
 		if ((signs == 1 || ends) &&
 		    command_option_index(command, key) < OPTIONS)
-			error_hint(
-			    error, "no blanks around =: %s=%s", key, value);
+			error_hint(error,
+			    "write it without spaces around =: %s=%s", key,
+			    value);
 		free(key);
 	}
 }
@@ -601,11 +613,11 @@ unknown_command(const char *name, bool prompt, struct error *error)
 	const char *near = one ? several : command_nearest(name);
 	error_set(error, ERROR_USAGE, "there is no command '%s'", name);
 	if (prompt && strchr(several, ',') != NULL)
-		error_hint(error, "it may begin %s", several);
+		error_hint(error, "did you mean one of %s?", several);
 	else if (near != NULL)
 		error_hint(error, "did you mean '%s'?", near);
 	else
-		error_hint(error, "'help' lists the commands");
+		error_hint(error, "run 'help' for the commands");
 	free(several);
 }
 

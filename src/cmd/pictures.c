@@ -135,7 +135,8 @@ static bool
 cannot_draw(const struct session *s, struct error *error)
 {
 	return error_set(error, ERROR_SYSTEM,
-	    "the picture %s cannot be drawn\ntry a smaller one, or .svg",
+	    "cannot draw the image %s\n"
+	    "try a smaller one, or .svg",
 	    s->file);
 }
 
@@ -210,9 +211,9 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	double speed = session_known(s, "predict", "speed");
 	char *title =
 	    isfinite(speed)
-		? xasprintf(
-		      "tipspeed, the full screen: %s at %.1f m/s", label, speed)
-		: xasprintf("tipspeed, the full screen: %s", label);
+		? xasprintf("tipspeed, full-screen mode: %s at %.1f m/s", label,
+		      speed)
+		: xasprintf("tipspeed, full-screen mode: %s", label);
 	char *from = entry != NULL ? site_source(entry->site, "") : xstrdup("");
 	char *about = xasprintf("A text screen of %d columns and %d rows.%s%s",
 	    canvas->columns, canvas->rows, from[0] ? " Data: " : "", from);
@@ -231,8 +232,8 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 	enum picture_form form;
 	bool picture = s->file != NULL && picture_form_of(s->file, &form);
 	if (s->hooks.draw_screen == NULL)
-		return error_set(
-		    error, ERROR_SYSTEM, "there is no full screen here");
+		return error_set(error, ERROR_SYSTEM,
+		    "full-screen mode is not available here");
 	struct screen_request r = screen_request(s, args, picture);
 	struct canvas *canvas = s->hooks.draw_screen(s, &r, error);
 	if (canvas == NULL)
@@ -377,7 +378,7 @@ say_difference(struct tale *t, const struct chart_series *other)
 	char *x_unit = unit_of(&t->chart->x), *y_unit = unit_of(&t->chart->y);
 	if (!isnan(x))
 		answer_note(t->answer,
-		    "%s and %s lie furthest apart at %.3g%s: %.3g and %.3g%s",
+		    "%s and %s differ most at %.3g%s: %.3g and %.3g%s",
 		    top->name, other->name, x, x_unit, here, there, y_unit);
 	free(x_unit);
 	free(y_unit);

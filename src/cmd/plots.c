@@ -67,7 +67,7 @@ generation_of(const struct session *s, const struct plot_request *request,
 	if (past->n == 0) {
 		error_set(error, ERROR_USAGE,
 		    "%s has not been calibrated in this session\n"
-		    "calibrate it first",
+		    "run 'calibrate' first",
 		    s->entry[s->current].site->name);
 		return past->n;
 	}
@@ -112,7 +112,7 @@ site_chart(const struct site *site, struct axis x, struct axis y,
 	char *words = xvasprintf(format, ap), *label = session_label(site);
 	va_end(ap);
 	char *title = xasprintf("%s: %s", label, words);
-	char *about = site_source(site, "not stated where from");
+	char *about = site_source(site, "provenance not stated");
 	struct chart *c = chart_new(title, about, x, y);
 	free(about);
 	free(words);
@@ -285,13 +285,13 @@ note_prediction(struct chart *chart, const struct plot_request *q,
 	double mm = 1000 * p->break_size;
 	if (!(q->words & CHART_NOTES))
 		chart_add_rule(chart, series, mm, "%sbreak size",
-		    series == SERIES_OTHER ? "kept " : "");
+		    series == SERIES_OTHER ? "pin " : "");
 	else if (series == SERIES_OTHER && q->beside != NULL)
-		chart_add_rule(chart, series, mm, "%s: breaks from %.2f mm",
-		    q->beside, mm);
+		chart_add_rule(
+		    chart, series, mm, "%s: break size %.2f mm", q->beside, mm);
 	else
 		chart_add_rule(chart, series, mm,
-		    "breaks from %.2f mm at %g m/s", mm, p->speed);
+		    "break size %.2f mm at %g m/s", mm, p->speed);
 	char p20[32], p50[32], p80[32];
 	char *const words[] = {p20, p50, p80};
 	for (size_t i = 0; i < PSD_SIZES; i++)
@@ -304,7 +304,8 @@ note_prediction(struct chart *chart, const struct plot_request *q,
 	if (whose == NULL || origin_key(whose) == whose->key)
 		return;
 	char *from = origin_sentence(whose);
-	chart_note(chart, "%s", from);
+	chart_note(
+	    chart, "%s%s", origin_is_other(whose) ? "warning: " : "", from);
 	free(from);
 }
 
@@ -329,10 +330,8 @@ shade_prediction(
 	if (isfinite(band->p50[0]) && isfinite(band->p50[1]))
 		snprintf(p50, sizeof p50, "; P50 %.2f to %.2f mm",
 		    1000 * band->p50[0], 1000 * band->p50[1]);
-	chart_note(chart,
-	    "shaded: the middle %d %% of what the fits that the data allow "
-	    "predict%s",
-	    UNCERTAINTY_LEVEL, p50);
+	chart_note(
+	    chart, "shaded: %d %% uncertainty band%s", UNCERTAINTY_LEVEL, p50);
 }
 
 /* A second prediction beside the first, and the site it is of; p NULL: there is
@@ -373,7 +372,7 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
 			feed = site_run_nearest(site, v);
 		second->p = make_prediction(c, s, site, own, v, feed);
 	}
-	char *name = xasprintf("%s %s%s%g m/s", kept ? "kept" : "predicted",
+	char *name = xasprintf("%s %s%s%g m/s", kept ? "pin" : "predicted",
 	    beside ? q->beside : "", beside ? " " : "", second->p->speed);
 	add_curve(c, &second->p->product, name, OTHER);
 	return true;
@@ -476,7 +475,7 @@ sweep_chart(
 	if (n > ARRAY_LEN(c.prediction)) {
 		error_set(error, ERROR_USAGE,
 		    "%zu speeds are too many to draw\n"
-		    "up to %zu can be told apart",
+		    "use at most %zu, which can be told apart",
 		    n, ARRAY_LEN(c.prediction));
 		return NULL;
 	}
@@ -550,16 +549,16 @@ residuals_chart(
 		compared += misfit_covered(&site->run[i]) > 0;
 	if (compared == 0) {
 		error_set(error, ERROR_USAGE,
-		    site_products(site) == 0
-			? "%s has no measured product"
-			: "%s: no product sieve lies within the feed's sieves",
+		    site_products(site) == 0 ? "%s has no measured product"
+					     : "%s: no product sieve is in the "
+					       "range of the feed's sieves",
 		    site->name);
 		return NULL;
 	}
 	double middle = answers_middle(site);
 	add_measured(&c, site, middle, MOST);
 	struct chart *chart = site_chart(site, sieves_of(&c), (struct axis){0},
-	    "predicted less measured, sieve by sieve");
+	    "predicted minus measured, sieve by sieve");
 	for (size_t i = 0; i < site->n_run; i++) {
 		if (!site_run_is_near(site, i, middle, MOST))
 			continue;
@@ -644,7 +643,7 @@ spread_chart(
 	const struct calibrate_generation *g = &past.generation[i];
 	const struct breakage *of = breakage_of(&g->params);
 	struct chart *chart = site_chart(session_entry(s)->site,
-	    axis_linear("place within the bounds, %", 0, 100),
+	    axis_linear("position between the bounds, %", 0, 100),
 	    parameter_axis(of), "candidates of generation %zu", i + 1);
 	/* Two ends and a lift of the pen. */
 	struct chart_series *spread = chart_add(chart,
@@ -681,7 +680,7 @@ struct pairs {
 static void
 add_about(struct pairs *pairs, const struct site *site)
 {
-	char *clause = site_source(site, "not stated where from");
+	char *clause = site_source(site, "provenance not stated");
 	if (strstr(pairs->about, clause) == NULL)
 		xlist(&pairs->about, "; ", "%s", clause);
 	free(clause);
@@ -758,7 +757,7 @@ parity_chart(
 	if (high > 0) {
 		struct axis x = axis_log("measured, mm", low, high);
 		struct axis y = axis_log("predicted, mm", low, high);
-		char *title = xasprintf("sizes at speeds held out, %zu site%s",
+		char *title = xasprintf("sizes at held-out speeds, %zu site%s",
 		    pairs.n_site, pairs.n_site == 1 ? "" : "s");
 		chart = chart_new(title, pairs.about, x, y);
 		free(title);
@@ -766,8 +765,8 @@ parity_chart(
 	} else {
 		error_set(error, ERROR_USAGE,
 		    "no loaded site has both parameters and a product at a "
-		    "speed held out\n"
-		    "load sites with three speeds, then calibrate all");
+		    "held-out speed\n"
+		    "load sites with three speeds, then run 'calibrate all'");
 	}
 	free(pairs.about);
 	free(pairs.measured);
@@ -801,7 +800,7 @@ add_selection(struct chart *chart, const struct session *s,
 	double mm = 1000 * params_break_size(params, speed);
 	chart_add_rule(chart,
 	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm,
-	    "breaks from %.2f mm at %g m/s", mm, speed);
+	    "break size %.2f mm at %g m/s", mm, speed);
 }
 
 static struct chart *
@@ -819,7 +818,8 @@ selection_chart(
 		size[i] = units_mm(feed->size[i]);
 	struct chart *chart =
 	    site_chart(site, axis_sieves("size, mm", size, feed->n),
-		axis_percent("selected S(x), %"), "selection (Eq 3)");
+		axis_percent("share that breaks S(x), %"),
+		"selection function (Eq 3)");
 	free(size);
 	if (!isnan(q->other_speed))
 		add_selection(chart, s, &params, q->other_speed,
@@ -839,8 +839,9 @@ appearance_chart(
 		return NULL;
 	if (s->set.model.appearance != APPEARANCE_RATIO) {
 		error_set(error, ERROR_USAGE,
-		    "only the appearance of the form ratio can be drawn\n"
-		    "'show appearance' prints the matrix of any form");
+		    "only the appearance function of the form ratio can be "
+		    "drawn\n"
+		    "run 'show appearance' for the matrix of any form");
 		return NULL;
 	}
 	const struct site *site = session_entry(s)->site;
@@ -848,9 +849,9 @@ appearance_chart(
 	struct breaker b;
 	breaker_set(&b, &params, s->set.model.k);
 	breaker_at(&b, speed);
-	struct chart *chart =
-	    site_chart(site, axis_log("daughter / parent u, -", 0.001, 1),
-		axis_percent("finer than u B(u), %"), "appearance (Eq 1)");
+	struct chart *chart = site_chart(site,
+	    axis_log("progeny / parent u, -", 0.001, 1),
+	    axis_percent("finer than u B(u), %"), "appearance function (Eq 1)");
 	struct chart_series *curve = chart_add(chart, CURVE, SAMPLES, "B(u)");
 	for (size_t i = 0; i < SAMPLES; i++) {
 		curve->x[i] = sample(chart->x.low, chart->x.high, i);
@@ -919,7 +920,7 @@ map_chart(struct session *s, const struct plot_request *q, struct error *error)
 	struct chart *chart = chart_new("materials by rock",
 	    "Table 3 of Grunditz et al. (2021) and the user's own fits",
 	    axis_linear("f_mat, kg/(J m)", 0, f_mat),
-	    axis_linear("E0_min, J m/kg", low, high));
+	    axis_linear("e0_min, J m/kg", low, high));
 	for (size_t i = 0; i < list.n; i++)
 		if (is_first(&list, i))
 			add_rock(chart, &list, list.item[i].rock);

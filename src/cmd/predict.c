@@ -25,30 +25,30 @@ note_breakage(
 	double top = p->feed.size[0];
 	if (p->no_daughters)
 		answer_note(r,
-		    "the appearance gives no fragment any daughter: the "
-		    "product is the feed");
+		    "the appearance function gives no progeny: feed unchanged");
 	else if (p->break_size >= top)
 		answer_note(r,
-		    "nothing breaks at %.1f m/s: only fragments of %.3g mm or "
-		    "more would, and the feed has none above %g mm: product = "
-		    "feed",
+		    "nothing breaks at %.1f m/s: only particles of %.3g mm or "
+		    "more would, and the feed has none above %g mm: feed "
+		    "unchanged",
 		    p->speed, 1000 * p->break_size, units_mm(top));
 	else if (params_value(params, "e0_min") <= 0)
 		answer_note(r,
-		    "all sizes can break (e0_min is 0: there is no "
-		    "threshold); %.1f %% of the feed is broken",
+		    "all sizes can break (e0_min is 0: no threshold); %.1f %% "
+		    "of the feed breaks",
 		    100 * p->selected);
 	else if (p->break_size < ANSWERS_NO_SIZE)
 		answer_note(r,
-		    "all sizes can break (alpha is %.2g: size makes next to "
-		    "no difference); %.1f %% of the feed is broken",
+		    "all sizes can break (alpha is %.2g: size hardly matters); "
+		    "%.1f %% of the feed breaks",
 		    params_value(params, "alpha"), 100 * p->selected);
 	else
 		answer_note(r,
-		    p->break_size < 1e-4 ? "breaks from %.3g mm up; %.1f %% of "
-					   "the feed is broken"
-					 : "breaks from %.2f mm up; %.1f %% of "
-					   "the feed is broken",
+		    p->break_size < 1e-4
+			? "break size %.3g mm (nothing finer breaks); %.1f %% "
+			  "of the feed breaks"
+			: "break size %.2f mm (nothing finer breaks); %.1f %% "
+			  "of the feed breaks",
 		    1000 * p->break_size, 100 * p->selected);
 }
 
@@ -65,7 +65,7 @@ note_feed_gaps(
 	if (list[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
 		    "the feed was not sieved at %s mm: its passing there is "
-		    "read between its neighbours",
+		    "interpolated",
 		    list);
 	free(list);
 }
@@ -133,13 +133,12 @@ note_band(struct answer *r, const struct entry *entry, double speed)
 	doubt_note(r, entry);
 	if (origin_fit(entry)->rmse > FIT_POOR)
 		answer_say(r, ANSWER_WARNING,
-		    "the band is too narrow: the fit is poor, and "
-		    "the model's own error is not in it");
+		    "the band is too narrow: the fit is poor, and the band "
+		    "excludes model error");
 	else if (answers_extrapolates(entry, speed))
 		answer_say(r, ANSWER_WARNING,
-		    "the band knows nothing of the model's own "
-		    "error, which grows beyond the speeds trained "
-		    "on");
+		    "the band excludes model error, which grows outside the "
+		    "training speeds");
 }
 
 /* The answer with what is to be said of it; band: NULL for none; wanted: with
@@ -162,13 +161,13 @@ explained(struct session *s, const struct prediction *p,
 	note_breakage(r, params, p);
 	note_feed_gaps(r, entry->site, p);
 	if (session_busy(s))
-		answer_say(r, ANSWER_REMARK, "from the best parameters so far");
+		answer_say(r, ANSWER_REMARK,
+		    "predicted with the best parameters so far");
 	if (between != NULL)
 		answer_put_columns(r, "interpolated_pct");
 	else if (wanted)
 		answer_say(r, ANSWER_REMARK,
-		    "nothing is interpolated: %g m/s does not lie between "
-		    "measured runs",
+		    "no interpolation: %g m/s is not between measured runs",
 		    p->speed);
 	answers_note_doubt(s, r, p->speed, p->feed_run);
 	free(between);

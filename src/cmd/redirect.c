@@ -125,9 +125,9 @@ judge_shell(const struct redirect *r, int status, struct error *error)
 	if (status != -1 && WIFEXITED(status))
 		return error_set(error, ERROR_SYSTEM,
 		    "the shell command '%s' ended with status %d\n"
-		    "all of the line behind | is the shell's",
+		    "check the text after |: all of it goes to the shell",
 		    r->target, WEXITSTATUS(status));
-	error_set(error, ERROR_SYSTEM, "'%s' did not end by itself", r->target);
+	error_set(error, ERROR_SYSTEM, "'%s' was ended by a signal", r->target);
 	if (status != -1 && WTERMSIG(status) == SIGINT)
 		raise(SIGINT);
 	return false;
@@ -173,7 +173,7 @@ redirect_close(
 		put_mark(r);
 	if (keep && !whole)
 		ok = error_set(error, ERROR_SYSTEM,
-		    "the results for %s did not fit into memory", r->target);
+		    "the results for %s do not fit into memory", r->target);
 	else if (keep)
 		ok = r->to == TO_PIPE ? write_pipe(r, error)
 				      : write_file(s, r, error);

@@ -40,7 +40,7 @@ script_open(struct session *s, const char *path, struct error *error)
 	enum { DEEPEST = 16 };
 	if (s->scripts >= DEEPEST)
 		return error_set(error, ERROR_USAGE,
-		    "scripts are nested more than %d deep\n"
+		    "expected scripts nested at most %d deep\n"
 		    "does %s source itself?",
 		    (int)DEEPEST, path);
 	files_reads(s, path);
@@ -49,8 +49,8 @@ script_open(struct session *s, const char *path, struct error *error)
 	if (in == NULL)
 		return error_set(error, ERROR_SYSTEM,
 		    "cannot read script %s: %s\n"
-		    "check the name (blanks want quotes), the folder and the "
-		    "rights",
+		    "check the name (quote names with spaces), the folder and "
+		    "its permissions",
 		    path, why);
 	push(s, in, path);
 	return true;
@@ -106,9 +106,8 @@ check_text(const struct script *script, const char *piece, size_t n,
 	if (text_is_utf8(piece, n))
 		return true;
 	return error_at(error, ERROR_USAGE, script->name, script->number, 1,
-	    "this is not text (a script is UTF-8 without NUL)\n"
-	    "is it a site file or a program? a script holds commands, one a "
-	    "line");
+	    "expected UTF-8 text, got a binary file\n"
+	    "is it a site file or a program? a script has one command a line");
 }
 
 /* The error of a line that would not end. */
@@ -116,9 +115,8 @@ bool
 script_too_long(const char *name, int line, struct error *error)
 {
 	return error_at(error, ERROR_USAGE, name, line, 1,
-	    "a line of at most 10 MB was expected, this one is longer\n"
-	    "is it a site file or a program? a script holds commands, one a "
-	    "line");
+	    "expected lines of at most 10 MB, got a longer one\n"
+	    "is it a site file or a program? a script has one command a line");
 }
 
 /* Joins the pieces of the next line; NULL at the end and on an error. */

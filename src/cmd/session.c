@@ -130,7 +130,7 @@ session_need_site(
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "%s needs a site, and none is loaded\n"
-	    "load its sieve sheet first: load FILE",
+	    "load its site file first: load FILE",
 	    what);
 }
 

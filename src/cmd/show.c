@@ -93,7 +93,7 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	answer_columns(r, "sieve_mm: sieve mm");
 	size_t n = add_columns(r, site, feed, curve);
 	if (n == 0)
-		answer_note(r, "the sheet has a feed only");
+		answer_note(r, "the site file has a feed only");
 	answer_missing(r, "");
 	for (double x = INFINITY; (x = next_sieve(curve, n, x)) > 0;) {
 		answer_cells(r, "%g", units_mm(x));
@@ -134,9 +134,8 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		fit_put_params(o, &entry->params);
 	else
 		fields_put(o, "params %g", NAN);
-	answer_columns(r,
-	    "speed: m/s, energy_j_kg: E J/kg, break_mm: breaks from mm, "
-	    "selected_pct: feed broken %%");
+	answer_columns(r, "speed: m/s, energy_j_kg: E J/kg, break_mm: break "
+			  "size mm, selected_pct: broken %% of feed");
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed, x = NAN, selected = NAN;
 		if (entry->has_params) {
@@ -154,7 +153,8 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	if (entry->has_params)
 		note_equations(r, &entry->params, set->k);
 	else
-		answer_note(r, "no parameters yet: calibrate, or params set");
+		answer_note(
+		    r, "no parameters yet: run 'calibrate' or 'params set'");
 	return session_answer(s, r);
 }
 
@@ -184,9 +184,8 @@ show_models(struct session *s, const struct args *args, struct error *error)
 static void
 selection_rows(struct answer *r, const struct psd *feed, const double *S)
 {
-	answer_columns(r,
-	    "from_mm: from mm, to_mm: to mm, feed_pct: feed %%, s_pct: S %%, "
-	    "selected_pct: selected %%");
+	answer_columns(r, "from_mm: from mm, to_mm: to mm, feed_pct: feed %%, "
+			  "s_pct: S %%, selected_pct: broken %% of feed");
 	for (size_t i = 0; i < feed->n; i++) {
 		bool pan = i + 1 == feed->n;
 		double mass =
@@ -210,22 +209,22 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	struct prediction p = answers_predict(s, entry, v, run);
 	double *S = xdoubles(feed->n);
 	predict_selection(feed, &entry->params, s->set.model, v, S);
-	struct answer *r =
-	    answers_new(entry->site, "show", "selection at %g m/s (Eq 3)", v);
+	struct answer *r = answers_new(
+	    entry->site, "show", "selection function at %g m/s (Eq 3)", v);
 	selection_rows(r, feed, S);
 	answer_put_rows(r, "rows");
 	fields_put(answer_fields(r),
 	    "what %s speed %g selected_pct %g break_mm %g", "selection", v,
 	    100 * p.selected, 1000 * p.break_size);
 	answer_note(r,
-	    "S: share of the class that breaks; selected: share of all the "
-	    "feed, %.1f %% in sum",
+	    "S: share of the size class that breaks; broken: share of the "
+	    "whole feed, %.1f %% in total",
 	    100 * p.selected);
 	if (isfinite(p.break_size) && p.break_size > 0)
-		answer_note(r, "fragments of %.3g mm or more can break",
+		answer_note(r, "particles of %.3g mm or more can break",
 		    1000 * p.break_size);
 	if (entry->site->individual_feeds)
-		answer_say(r, ANSWER_REMARK, "feed: the sample taken at %g m/s",
+		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s",
 		    entry->site->run[run].speed);
 	free(S);
 	prediction_free(&p);
@@ -264,7 +263,7 @@ static void
 matrix_long(
     struct answer *r, const struct psd *feed, const double *x, const double *a)
 {
-	answer_columns(r, "parent_mm: parent mm, daughter_mm: daughter mm, "
+	answer_columns(r, "parent_mm: parent mm, daughter_mm: progeny mm, "
 			  "share_pct: share %%");
 	for (size_t i = 0; i < feed->n; i++)
 		for (size_t j = 0; j < feed->n; j++)
@@ -285,9 +284,9 @@ note_passing(struct answer *r, const struct breaker *b, const struct site *site)
 		text = more;
 	}
 	answer_note(r,
-	    "B(u), the share of a broken fragment finer than u times its "
-	    "size, which the method continuous takes: %s; below 1/1024 "
-	    "there is nothing",
+	    "B(u), the share of a broken particle finer than u times its size, "
+	    "as used by the method continuous: %s; nothing is finer than "
+	    "1/1024",
 	    text);
 	free(text);
 }
@@ -319,18 +318,17 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
 	classes_sizes(feed, x);
 	classes_matrix(&b, s->set.model.appearance, x, feed->n, a);
-	struct answer *r = answers_new(
-	    entry->site, "show", "appearance (Eq 1), %% of each broken class");
+	struct answer *r = answers_new(entry->site, "show",
+	    "appearance function (Eq 1), %% of each broken size class");
 	matrix_across(r, feed, a);
 	answer_for_programs(r);
 	matrix_long(r, feed, x, a);
 	answer_say(r, ANSWER_REMARK,
-	    "parent classes across, daughters down; a class is called by the "
-	    "sieve it lies on; columns sum to 100");
+	    "parent classes across, progeny down; a class is named after the "
+	    "sieve that retains it; columns sum to 100");
 	if (!entry->has_params)
-		answer_say(r, ANSWER_REMARK,
-		    "beta is the default: there are no parameters "
-		    "yet");
+		answer_say(
+		    r, ANSWER_REMARK, "beta is the default: no parameters yet");
 	if (s->set.model.appearance == APPEARANCE_RATIO)
 		note_passing(r, &b, entry->site);
 	put_matrix(answer_fields(r), s->set.model.appearance, feed->n, x, a);
@@ -367,11 +365,13 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 		i++;
 	if (i == ARRAY_LEN(WHAT))
 		return error_set(error, ERROR_USAGE,
-		    "there is no '%s' to show\nshow %s", what,
-		    args->command->operands.usage);
+		    "there is no '%s' to show\n"
+		    "write: show %s",
+		    what, args->command->operands.usage);
 	if (args_value(args, "speed")->given && !WHAT[i].at_speed)
 		return error_set(error, ERROR_USAGE,
-		    "show %s takes no speed: it is the same at all", what);
+		    "show %s: expected no speed; it is the same at all speeds",
+		    what);
 	if (WHAT[i].at_site && !session_need_site(s, "show", error))
 		return false;
 	return WHAT[i].show(s, args, error);

@@ -54,9 +54,9 @@ find_material(const struct stored_list *list, const char *name,
 		}
 	}
 	return error_set(error, ERROR_USAGE,
-	    least < 3
-		? "the store has no material '%s'\ndid you mean '%s'?"
-		: "the store has no material '%s'\n'materials' lists them%.0s",
+	    least < 3 ? "the store has no material '%s'\ndid you mean '%s'?"
+		      : "the store has no material '%s'\n"
+			"run 'materials' to list them%.0s",
 	    name, least < 3 ? list->item[best].name : "");
 }
 
@@ -138,20 +138,20 @@ check_remember(
 	if (!entry->has_params)
 		return error_set(error, ERROR_USAGE,
 		    "%s has no parameters to remember yet\n"
-		    "'calibrate' finds them, or 'params set' takes known ones",
+		    "run 'calibrate', or supply them with 'params set'",
 		    entry->site->name);
 	if (entry->origin->stored)
 		return error_set(error, ERROR_USAGE,
-		    "%s has the parameters of %s, which the store has already\n"
-		    "'calibrate' finds the site's own parameters",
+		    "%s has the parameters of %s, which are already in the "
+		    "store\n"
+		    "run 'calibrate' for the site's own parameters",
 		    entry->site->name, entry->origin->whose);
 	if (date->given && !stored_is_date(date->text))
 		return error_set(error, ERROR_USAGE,
-		    "date wants a day such as 2026-11-21, not '%s'",
-		    date->text);
+		    "expected a date such as 2026-11-21, got '%s'", date->text);
 	return !note->given || stored_is_line(note->text) ||
 	       error_set(error, ERROR_USAGE,
-		   "note wants one line without control characters");
+		   "note: expected one line without control characters");
 }
 
 /* What was put, as the sign that it is on the disk. */
@@ -161,8 +161,8 @@ give_remembered(struct session *s, const struct stored *m)
 	struct answer *r = answer_new("remember");
 	answer_title(r, "remembered %s", m->name);
 	answer_site(r, m->site, m->provenance);
-	answer_columns(r,
-	    "name, origin, data, rmse_pct: RMSE, holdout_pct: hold-out, date");
+	answer_columns(r, "name, origin, data, rmse_pct: RMSE, holdout_pct: "
+			  "hold-out RMSE, date");
 	answer_cells(r, "%s %s %s %.2f %.2f %s", m->name, origin_of(m),
 	    site_data_kind(m->provenance), m->rmse_pct, m->holdout_pct,
 	    m->date);
@@ -206,17 +206,17 @@ note_recalled(
 	char *details = origin_details(o);
 	session_note(s, "  %s (%s)",
 	    o->found && o->digest == entry->site->digest
-		? "they were found on the very numbers of this sheet"
-		: "they are no fit of this site",
+		? "calibrated on the same data as this site"
+		: "not calibrated on this site",
 	    details);
 	free(details);
 	if (!model_settings_same(&set_to, &s->set.model))
 		session_note(s,
-		    "  they belong to other settings: set method=%s "
-		    "appearance=%s k=%g",
+		    "  they were calibrated with other settings: run set "
+		    "method=%s appearance=%s k=%g",
 		    m->method, m->appearance, m->k);
 	if (stored_is_table3(m))
-		session_note(s, "  Table 3 has no beta: the default is taken");
+		session_note(s, "  Table 3 has no beta: the default is used");
 }
 
 /* False where it is not the one that a saved session had; a session that is
@@ -233,8 +233,9 @@ check_recalled(struct session *s, const struct args *args,
 	if (!wanted->given || strcmp(wanted->text, found) == 0)
 		return true;
 	return error_set(error, ERROR_DATA,
-	    "the material with digest %s was wanted, %s has %s: it is another "
-	    "now\nwithout digest= it is taken as it is; results change",
+	    "expected the material with digest %s, but %s has %s: it has "
+	    "changed\n"
+	    "leave out digest= to use it anyway; results will change",
 	    wanted->text, m->name, found);
 }
 
@@ -283,7 +284,7 @@ give_forgotten(struct session *s, const struct stored *m)
 	char *line = bring_back(m);
 	answer_title(r, "forgot %s: %s of %s", m->name, origin_of(m), m->site);
 	answer_site(r, m->site, m->provenance);
-	answer_columns(r, "again: this brings its parameters back");
+	answer_columns(r, "again: to bring its parameters back");
 	answer_cells(r, "%s", line);
 	free(line);
 	session_answer(s, r);
@@ -306,7 +307,7 @@ cmd_forget(struct session *s, const struct args *args, struct error *error)
 	if (!ok && stored_is_table3_name(name))
 		error_set(error, ERROR_USAGE,
 		    "%s is part of the program and cannot be forgotten\n"
-		    "'materials origin=own' lists what can",
+		    "run 'materials origin=own' for your own",
 		    name);
 	return ok;
 }
@@ -342,7 +343,7 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 		ok = session_tell_faults(s, path, &errors, error);
 	ok = ok && store_put(s->store, list.item, list.n, replace, error);
 	if (ok)
-		session_note(s, "took %zu material%s from %s", list.n,
+		session_note(s, "imported %zu material%s from %s", list.n,
 		    list.n == 1 ? "" : "s", path);
 	stored_list_free(&there);
 	stored_list_free(&list);
@@ -413,7 +414,7 @@ show_list(
 	}
 	answer_note(r, "%zu of %zu materials, %zu of them your own, in %s", n,
 	    list->n, own, store_path(s->store));
-	answer_note(r, "Table 3 is that of the paper, and read only");
+	answer_note(r, "Table 3 is the paper's, and read only");
 	if (n == 0 && args_value(args, "rock")->given)
 		note_rocks(r, list);
 	session_answer(s, r);
@@ -453,15 +454,16 @@ show_store(struct session *s, const struct args *args, struct error *error)
 	answer_columns(r, "what, value");
 	answer_pair(r, "place", "%s", path);
 	if (strcmp(path, ":memory:") == 0)
-		answer_pair(r, "file", "none: it ends with the session");
+		answer_pair(r, "file", "none: kept until the session ends");
 	else if (bytes < 0)
-		answer_pair(r, "file", "none yet: the first remember makes it");
+		answer_pair(
+		    r, "file", "none yet: the first 'remember' creates it");
 	else
 		answer_pair(r, "file", "%" PRId64 " bytes", bytes);
 	answer_pair(r, "schema", "%d", STORE_SCHEMA);
 	answer_pair(r, "own materials", "%zu", own.n);
 	answer_pair(r, "of Table 3", "%zu, read only", all.n);
-	answer_note(r, "'materials' lists them");
+	answer_note(r, "run 'materials' to list them");
 	stored_list_free(&own);
 	stored_list_free(&all);
 	return session_answer(s, r);

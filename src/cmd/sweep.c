@@ -85,11 +85,11 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	origin_note(r, entry);
 	if (entry->site->individual_feeds)
 		answer_say(r, ANSWER_REMARK,
-		    "feed: the sample taken at %g m/s, for all speeds",
+		    "feed used for all speeds: sampled at %g m/s",
 		    entry->site->run[feed].speed);
 	if (outside && across)
 		answer_say(r, ANSWER_WARNING,
-		    "* extrapolated: outside the speeds trained on");
+		    "speeds marked * are outside the training speeds");
 	answers_note_worth(r, entry);
 	answers_put_products(s, answer_fields(r), p, n);
 	for (size_t i = 0; i < n; i++)

@@ -44,7 +44,7 @@ const struct setting SETTINGS[] = {
 	 "how products are computed"},
 	AT(model.method)},
     {{"appearance", VALUE_CHOICE, "", 0, 0, "ratio progeny_mm parent_mm",
-	 "ratio", "the size that Eq 1 is a function of"},
+	 "ratio", "the size variable of the appearance function (Eq 1)"},
 	AT(model.appearance)},
     {{"k", VALUE_NUMBER, "", 0.001, 1000, NULL, "1", "number of impacts"},
 	AT(model.k)},
@@ -52,13 +52,13 @@ const struct setting SETTINGS[] = {
 	 "threads of a calibration; else one for each processor"},
 	AT(threads)},
     {{"format", VALUE_CHOICE, "", 0, 0, "table csv json markdown", "table",
-	 "form of the results"},
+	 "output format"},
 	AT(format)},
     {{"csv", VALUE_CHOICE, "", 0, 0, "comma semicolon", "comma",
 	 "semicolon: decimal commas, for spreadsheets in Swedish or German"},
 	AT(semicolon)},
     {{"pager", VALUE_CHOICE, "", 0, 0, "on off", "on",
-	 "at the prompt, page what is taller than the screen"},
+	 "at the prompt, show results taller than the screen in the pager"},
 	AT(unpaged)},
     {.offset = 0}};
 
@@ -74,37 +74,38 @@ const struct command TABLE_MODEL[] = {
 	    {"list set diff use", "SITE"}, 0, 2},
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.option = PARAMS_OPTIONS,
-	.text = "'params set' takes known parameters of the model that "
-		"is set in place of a "
-		"calibration; those not named keep their value, and beta "
-		"starts from (0, 1, -1, 0.5). 'params diff SITE' shows those "
-		"of another loaded site beside them; 'params use SITE' takes "
-		"them over, and says so from then on.",
+	.text = "'params set' sets known parameters of the current model "
+		"instead of a calibration; those not named keep their value, "
+		"and beta starts from (0, 1, -1, 0.5). Only the direction of "
+		"beta matters: it is scaled to max 1. 'params diff SITE' "
+		"compares them with those of another loaded site; 'params use "
+		"SITE' uses those of that site, and results then state it.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "predict 74",
 	.run = cmd_params},
     {.name = "bounds",
-	.brief = "limits of the search",
+	.brief = "show or set the search bounds",
 	.operands = {"[default | PARAMETER FROM..TO | PARAMETER VALUE]",
 	    {"default PARAMETER", ""}, 0, 2},
 	.flags = COMMAND_CHANGES,
-	.text = "Without operands shows them. One VALUE holds the parameter "
-		"fixed. The defaults are those of the paper's Table 2.",
+	.text = "Without operands, shows the lower and upper bounds. A single "
+		"VALUE holds the parameter fixed. The defaults are those of "
+		"the paper's Table 2.",
 	.example = "bounds f_mat 1.2\nbounds alpha 0.8..1\nbounds",
 	.run = cmd_bounds},
     {.name = "set",
 	.brief = "show or change settings",
 	.flags = COMMAND_CHANGES | COMMAND_LOOKS,
 	.setting = SETTINGS,
-	.text = "Settings are written 'set method classes' or 'set "
-		"method=classes'. The method classes is the paper to the "
-		"letter; continuous, the default, is its limit for fine "
-		"classes and does not depend on how the sieves lie. "
-		"A model is chosen for the calibrations to come ('show "
-		"models' lists them); the search bounds become its own, and "
-		"parameters that a site has keep their model. "
-		"Appearances other than ratio work with classes only.",
+	.text =
+	    "Write 'set method classes' or 'set method=classes'. The method "
+	    "classes follows the paper exactly; continuous, the default, is "
+	    "its limit for fine size classes and does not depend on the choice "
+	    "of sieves. The model is used for later calibrations ('show "
+	    "models' lists the models); the search bounds become those of the "
+	    "model, and existing parameters of a site keep their model. "
+	    "Appearance functions other than ratio work only with classes.",
 	.example = "set method classes\nset",
 	.run = cmd_set},
     {.name = "seed",

@@ -66,8 +66,8 @@ check_safe(
 	else
 		return true;
 	return error_hint(error,
-	    "the program was started with --safe: it reads the files named on "
-	    "its command line, and writes none");
+	    "start the program without --safe to allow it: with --safe it "
+	    "reads only the files of its command line and writes none");
 }
 
 /* A file for a picture wants one command that draws, and holds one picture. A
@@ -82,9 +82,9 @@ can_take(const struct command *command, const struct words *words,
 	for (size_t i = 0; words->to != TO_PIPE && i < ARRAY_LEN(BOOKS); i++)
 		if (text_ends(words->target, BOOKS[i]))
 			return error_set(error, ERROR_USAGE,
-			    "text is written, not a workbook as %s\n"
-			    "spreadsheets open > FILE.csv; after 'set csv "
-			    "semicolon' it has decimal commas",
+			    "cannot write a workbook (%s)\n"
+			    "write > FILE.csv instead; run 'set csv semicolon' "
+			    "for decimal commas",
 			    words->target);
 	if (words->to == TO_PIPE || !picture_form_of(words->target, &form))
 		return true;
@@ -96,17 +96,19 @@ can_take(const struct command *command, const struct words *words,
 	    text_choice(
 		command_find("plot")->operands.expect[0], command->name, &kind))
 		return error_set(error, ERROR_USAGE,
-		    "%s draws nothing for %s\nplot %s > %s makes a picture",
+		    "%s makes no image for %s\n"
+		    "use plot %s > %s",
 		    command->name, words->target, command->name, words->target);
 	if (!(command->flags & COMMAND_DRAWS))
 		return error_set(error, ERROR_USAGE,
-		    "%s draws nothing for %s\n"
-		    "predict and plot KIND make pictures",
+		    "%s makes no image for %s\n"
+		    "use predict or plot KIND",
 		    command->name, words->target);
 	if (words->to == TO_FILE)
 		return true;
 	return error_set(error, ERROR_USAGE,
-	    "a picture cannot be added to %s\nuse > in the place of >>",
+	    "an image cannot be appended to %s\n"
+	    "use > instead of >>",
 	    words->target);
 }
 

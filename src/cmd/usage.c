@@ -12,72 +12,62 @@ const struct usage_option USAGE_OPTIONS[] = {
     {'c', NULL, "CMD", NULL, "run the commands in CMD"},
     {'f', NULL, "FILE", NULL, "run the commands in FILE; - is standard input"},
     {USAGE_FORMAT, "format", "FORM", "table csv json markdown",
-	"form of the results"},
+	"output format"},
     {USAGE_SEED, "seed", "N", NULL, "seed of calibrations"},
     {USAGE_STORE, "store", "PATH", NULL,
-	"file of remembered calibrations; :memory: leaves no trace"},
+	"store file of remembered calibrations; :memory: writes none"},
     {USAGE_COLOR, "color", "WHEN", "auto always never",
 	"colour at the prompt and in plots"},
-    {USAGE_SAFE, "safe", NULL, NULL,
-	"nothing typed or in a script may touch files or the shell"},
+    {USAGE_SAFE, "safe", NULL, NULL, "commands cannot use files or the shell"},
     {USAGE_LINEAR, "linear", NULL, NULL,
-	"for screen readers: the prompt, and pictures in words"},
+	"for screen readers: the prompt, and plots described in words"},
     {USAGE_RESET_TTY, "reset-tty", NULL, NULL,
-	"mend a terminal after a kill -9, and end"},
-    {'h', "help", NULL, NULL, "this text"},
-    {'V', "version", NULL, NULL, "the version"}, {.code = 0}};
+	"restore the terminal after a kill -9, and exit"},
+    {'h', "help", NULL, NULL, "show this help"},
+    {'V', "version", NULL, NULL, "show the version"}, {.code = 0}};
 
 const struct usage_word USAGE_ENVIRONMENT[] = {
-    {"TIPSPEED_COLOR",
-	"Colour at the prompt, where --color does not say: auto, always or "
-	"never."},
-    {"NO_COLOR",
-	"Not empty: no colour, where neither --color nor TIPSPEED_COLOR says "
-	"otherwise."},
-    {"TERM", "Kind of the terminal; dumb has no colour and no pager, and there "
-	     "as on the Linux console plots are drawn in ASCII."},
-    {"COLORTERM", "truecolor or 24bit: plots have 256 colours, whatever TERM "
-		  "says."},
-    {"TIPSPEED_PAGER",
-	"Program that shows results taller than the screen; empty: none."},
-    {"PAGER", "The same, where TIPSPEED_PAGER is not set."},
+    {"TIPSPEED_COLOR", "Colour at the prompt, unless --color is given: auto, "
+		       "always or never."},
+    {"NO_COLOR", "If set and not empty, turns colour off unless --color or "
+		 "TIPSPEED_COLOR overrides it."},
+    {"TERM", "Type of the terminal. With dumb there is no colour and no pager; "
+	     "with dumb, and on the Linux console, plots are drawn in ASCII."},
+    {"COLORTERM",
+	"If truecolor or 24bit, plots have 256 colours, whatever TERM is."},
+    {"TIPSPEED_PAGER", "Program that shows results taller than the screen; if "
+		       "empty, none is used."},
+    {"PAGER", "The same, if TIPSPEED_PAGER is not set."},
     {"TIPSPEED_ISA",
 	"Best instruction set that calibrations may use, for tests: baseline, "
 	"avx2 or avx512. The results are the same."},
-    {"XDG_STATE_HOME",
-	"Folder of tipspeed/history, the lines typed at the prompt; else "
-	".local/state in HOME."},
-    {"XDG_CONFIG_HOME",
-	"Folder of tipspeed/init.tip, the commands run before the first "
-	"prompt; else .config in HOME."},
-    {"XDG_DATA_HOME",
-	"Folder of tipspeed/store.db, the remembered calibrations; else "
-	".local/share in HOME."},
+    {"XDG_STATE_HOME", "Folder of tipspeed/history, the lines typed at the "
+		       "prompt; default .local/state in HOME."},
+    {"XDG_CONFIG_HOME", "Folder of tipspeed/init.tip, the commands run before "
+			"the first prompt; default .config in HOME."},
+    {"XDG_DATA_HOME", "Folder of tipspeed/store.db, the remembered "
+		      "calibrations; default .local/share in HOME."},
     {"HOME", "Your home folder."},
-    {"LC_CTYPE",
-	"Kinds of characters, as LC_ALL and LANG where they stand in for it; "
-	"text is UTF-8 and numbers have a point whatever it says."},
+    {"LC_CTYPE", "Character set, or LC_ALL or LANG if they replace it; text is "
+		 "always UTF-8 and numbers always have a decimal point."},
     {.name = NULL}};
 
-const struct usage_word USAGE_STATUS[] = {
-    {"0", "All commands did what they were told."},
-    {"1", "A check or an assertion said no: check found a fault, or assert did "
-	  "not hold."},
-    {"2", "Usage: the command line or a command cannot be understood, or lacks "
-	  "something, such as parameters to predict with."},
+const struct usage_word USAGE_STATUS[] = {{"0", "All commands succeeded."},
+    {"1", "A check found a fault, or an assertion failed."},
+    {"2", "Usage error: the command line or a command cannot be understood, or "
+	  "something is missing, such as parameters for a prediction."},
     {"3", "Bad data: a site file, a grading envelope or a table of "
 	  "parameters has a fault, or the store is damaged or not one of "
 	  "this program's."},
-    {"4", "A computation has no answer. Kept for that case; no command of this "
-	  "version ends so."},
-    {"5", "The system refused something: a file cannot be read or written, a "
-	  "shell command failed, the store is in use by another program, or "
-	  "memory has run out."},
+    {"4", "A computation has no result. Reserved: no command of this version "
+	  "ends with it."},
+    {"5", "System error: a file cannot be read or written, a shell command "
+	  "failed, the store is in use by another program, or memory has run "
+	  "out."},
     {"129", "Ended by a hang-up, after the best so far was printed."},
-    {"130",
-	"Interrupted from the keyboard. A calibration ends with the generation "
-	"or the step it is at, and prints the best found so far. At the prompt "
-	"it can then go on: continue."},
+    {"130", "Interrupted from the keyboard. A calibration stops after the "
+	    "current generation or step and prints the best found so far. At "
+	    "the prompt, 'continue' continues it."},
     {"143", "Ended by kill, after the best so far was printed."},
     {.name = NULL}};
 
@@ -103,8 +93,9 @@ usage_list(const char *group, FILE *out)
 		last = its;
 		usage_brief(c, out);
 	}
-	fputs(
-	    "\nhelp COMMAND tells all about one, apropos WORD searches\n", out);
+	fputs("\n"
+	      "help COMMAND explains one, apropos WORD searches\n",
+	    out);
 }
 
 static void

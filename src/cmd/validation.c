@@ -65,42 +65,42 @@ static void
 validation_notes(struct answer *r, const struct validation *v)
 {
 	answer_note(r,
-	    "at %g m/s: RMSE %.2f points over %zu sieves, misfit %.4g; worst "
-	    "%+.2f points at %g mm",
+	    "at %g m/s: RMSE %.2f points over %zu sieves, misfit %.4g; largest "
+	    "error %+.2f points at %g mm (predicted - measured)",
 	    v->speed, 100 * v->rmse, v->n_sieve, v->misfit,
 	    100 * v->worst_difference, units_mm(v->worst_sieve));
 	if (isfinite(v->interpolation_rmse))
 		answer_note(r,
-		    "  without a model: product = feed %.2f points; "
-		    "interpolation of the measured training products %.2f "
-		    "points",
+		    "  RMSE without the model: feed unchanged %.2f points; "
+		    "training products interpolated %.2f points",
 		    100 * v->feed_rmse, 100 * v->interpolation_rmse);
 	else
 		answer_note(r,
-		    "  without a model: product = feed %.2f points; there are "
-		    "no two training products to interpolate on these sieves",
+		    "  RMSE without the model: feed unchanged %.2f points; no "
+		    "two training products to interpolate on these sieves",
 		    100 * v->feed_rmse);
 	if (stands_out(v))
 		answer_say(r, ANSWER_REMARK,
-		    "  the sieve of %g mm stands out: the others are %.2f "
-		    "points off (RMS); look at that cell of the sheet",
+		    "  %g mm stands out (RMSE of the other sieves: %.2f "
+		    "points): check that cell",
 		    units_mm(v->worst_sieve), 100 * rest(v));
 	bool loses = validation_loses(v);
 	bool clearly = loses && v->rmse > 1.1 * v->interpolation_rmse &&
 		       v->rmse - v->interpolation_rmse > CLEARLY;
 	if (clearly)
 		answer_say(r, ANSWER_WARNING,
-		    "  the model does worse than interpolation at "
-		    "this speed: between the trained speeds, the "
-		    "interpolated products are the better guess");
+		    "at %g m/s the model predicts worse than interpolation: "
+		    "between the training speeds, prefer the interpolated "
+		    "products",
+		    v->speed);
 	else if (loses)
 		answer_say(r, ANSWER_REMARK,
-		    "  the model does no better than interpolation at this "
-		    "speed; the two are within what sampling tells apart");
+		    "  the model predicts no better than interpolation at this "
+		    "speed; the difference is too small for sampling to show");
 	if (v->n_left_out > 0)
 		answer_say(r, ANSWER_REMARK,
-		    "  %zu finer sieves are not compared: the feed is not "
-		    "sieved that fine",
+		    "  %zu finer sieves are not compared: the feed was not "
+		    "sieved so fine",
 		    v->n_left_out);
 }
 
@@ -124,8 +124,8 @@ add_validations(struct session *s, struct answer *r)
 	}
 	if (n == 0)
 		answer_say(r, ANSWER_REMARK,
-		    "no run was held out: a third speed, not "
-		    "trained on, would test the model");
+		    "no run was held out; measure another speed to test the "
+		    "model");
 }
 
 bool

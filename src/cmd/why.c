@@ -42,27 +42,27 @@ say_breakage(const struct subject *a)
 	const struct prediction *p = &a->p;
 	double can = breakable(a), does = p->selected;
 	if (p->no_daughters)
-		answer_note(a->answer,
-		    "The appearance is 0 for every daughter, so that "
-		    "nothing breaks and product = feed");
+		answer_note(
+		    a->answer, "The appearance function gives no progeny, so "
+			       "nothing breaks and the feed is unchanged");
 	else if (p->break_size >= a->feed->size[0])
 		answer_note(a->answer,
-		    "At %g m/s only fragments of %.3g mm or more break, and "
-		    "the feed has none above %g mm: product = feed",
+		    "At %g m/s only particles of %.3g mm or more break, and "
+		    "the feed has none above %g mm: the feed is unchanged",
 		    p->speed, 1000 * p->break_size, units_mm(a->feed->size[0]));
 	else if (p->break_size < ANSWERS_NO_SIZE)
 		answer_note(a->answer,
 		    "With %s every size can break; %.0f %% of the feed does at "
 		    "%g m/s",
 		    params_value(&a->entry->params, "e0_min") <= 0
-			? "e0_min at 0"
+			? "e0_min = 0"
 			: "so low an alpha",
 		    100 * does, p->speed);
 	else
 		answer_note(a->answer,
-		    "At %g m/s an impact has %.0f J/kg, which breaks fragments "
-		    "from %.3g mm up; %.0f %% of the feed is that coarse, and "
-		    "%.0f %% of the feed breaks",
+		    "At %g m/s an impact has %.0f J/kg, which breaks particles "
+		    "of %.3g mm or more; %.0f %% of the feed is that coarse, "
+		    "and %.0f %% of the feed breaks",
 		    p->speed, p->energy, 1000 * p->break_size, 100 * can,
 		    100 * does);
 }
@@ -76,18 +76,19 @@ say_how_much(const struct subject *a)
 	    psd_rms(p->feed.passing, p->product.passing, p->feed.n, NULL);
 	if (can > 0 && can < FEW)
 		answer_note(a->answer,
-		    "With so little of the feed above the break size "
-		    "the product can hardly differ from the feed");
+		    "So little of the feed is above the break size that the "
+		    "product can hardly differ from the feed");
 	else if (can >= FEW && does < MOST_BREAKS * can)
 		answer_note(a->answer,
-		    "Of what could break only %.0f %% does: f_mat %.3g is low, "
-		    "so that the impact just above the threshold often fails",
+		    "Of the feed coarse enough to break, only %.0f %% does: "
+		    "f_mat (%.3g) is low, so many particles just above the "
+		    "threshold survive",
 		    100 * does / can, params_value(&a->entry->params, "f_mat"));
 	bool some = !p->no_daughters && p->break_size < a->feed->size[0];
 	if (some && moved < SAMPLING)
 		answer_note(a->answer,
-		    "Product and feed lie %.2f points apart (RMS), less than "
-		    "two samples of one belt",
+		    "Product and feed differ by %.2f points (RMSE), less than "
+		    "two samples from the same belt differ",
 		    100 * moved);
 }
 
@@ -104,14 +105,14 @@ say_response(const struct subject *a)
 	prediction_free(&fast);
 	if (sqrt(sum / n) < STILL && a->p.break_size < a->feed->size[0])
 		answer_note(a->answer,
-		    "The speed makes next to no difference here: 1 m/s more "
-		    "moves the product by %.2f points (RMS)",
+		    "The speed hardly matters here: 1 m/s more changes the "
+		    "product by %.2f points (RMSE)",
 		    100 * sqrt(sum / n));
 	if (a->s->set.model.method == METHOD_CLASSES)
 		answer_note(a->answer,
-		    "The method classes gives each class one size, so "
-		    "that the product stands still while the break "
-		    "size moves within a class, and then jumps");
+		    "The method classes gives each size class one size, so the "
+		    "product does not change while the break size moves within "
+		    "a class, and then jumps");
 }
 
 static void
@@ -119,24 +120,23 @@ say_trained(const struct subject *a)
 {
 	const struct entry *entry = a->entry;
 	double slow, fast, v = a->p.speed;
-	const char *how = origin_trained(entry) ? "trained on" : "measured";
+	const char *how = origin_trained(entry) ? "training" : "measured";
 	if (!origin_reach(entry, &slow, &fast)) {
 		answer_say(a->answer, ANSWER_WARNING,
-		    "Nothing says at which speeds these parameters hold");
+		    "The training speeds of these parameters are not known");
 		return;
 	}
 	if (!answers_extrapolates(entry, v)) {
 		answer_note(a->answer,
-		    "%g m/s lies within the speeds %s, %g to %g m/s", v, how,
+		    "%g m/s is within the %s speeds, %g to %g m/s", v, how,
 		    slow, fast);
 		return;
 	}
 	double near = v > fast ? fast : slow;
 	double more = energy_specific(v) / energy_specific(near) - 1;
 	answer_say(a->answer, ANSWER_WARNING,
-	    "%g m/s is outside the speeds %s, %g to %g m/s: an impact has %.1f "
-	    "%% %s energy than at %g m/s, and nothing measured says what that "
-	    "does",
+	    "%g m/s is outside the %s speeds, %g to %g m/s: an impact has %.1f "
+	    "%% %s energy than at %g m/s, and no measurement shows the effect",
 	    v, how, slow, fast, 100 * fabs(more), more > 0 ? "more" : "less",
 	    near);
 }
@@ -165,15 +165,15 @@ say_parameters(const struct subject *a, const struct fit *fit)
 	char *bound = names_of(fit, is_on_bound);
 	char *flat = names_of(fit, fit_is_flat);
 	if (bound[0] != '\0')
-		answer_say(a->answer, ANSWER_WARNING,
-		    "%s on a bound of the search: the bound, not the data, "
+		answer_note(a->answer,
+		    "%s at a bound of the search: the bound, not the data, "
 		    "sets the value",
 		    bound);
 	if (flat[0] != '\0')
 		answer_note(a->answer,
-		    "The data do not tell %s well: far other values, changed "
-		    "together, fit a tenth worse only; the curves are to be "
-		    "relied on, not these values",
+		    "The data do not determine %s well: very different values, "
+		    "changed together, raise the misfit by only 10 %%; rely on "
+		    "the curves, not on these values",
 		    flat);
 	free(bound);
 	free(flat);
@@ -188,8 +188,8 @@ say_fit(const struct subject *a)
 		char *details = origin_details(entry->origin);
 		bool own = entry->origin->whose[0] == '\0';
 		answer_note(a->answer,
-		    "The parameters were %s%s%s%s, not found by a calibration "
-		    "on this site's runs",
+		    "The parameters were %s%s%s%s, not calibrated on this "
+		    "site's runs",
 		    origin_words(entry), own ? "" : " (", own ? "" : details,
 		    own ? "" : ")");
 		free(details);
@@ -197,23 +197,23 @@ say_fit(const struct subject *a)
 	}
 	if (fit->rmse > FIT_POOR)
 		answer_say(a->answer, ANSWER_WARNING,
-		    "The fit is poor: it misses the products it was trained on "
-		    "by %.1f points (RMS), where sampling repeats to 0.5 to 1; "
-		    "look for faults in the sheet with 'check'",
+		    "The fit is poor: RMSE %.1f points on the training "
+		    "products, where repeat samples agree within 0.5 to 1; "
+		    "look for faults in the site file with 'check'",
 		    100 * fit->rmse);
 	else if (fit_too_few(fit))
 		answer_say(a->answer, ANSWER_WARNING,
-		    "%zu passings cannot determine %zu parameters: what the "
-		    "fit is worth is not known; add sieves or a run",
+		    "%zu passings cannot determine %zu parameters, so the "
+		    "quality of the fit is not known; add sieves or a run",
 		    fit->cells, fit->parameters);
 	else if (fit_breaks_nothing(fit))
 		answer_say(a->answer, ANSWER_WARNING,
-		    "The training products cannot be told from their "
-		    "feed, so that the parameters fit sampling noise");
+		    "The training products do not differ measurably from their "
+		    "feed, so the parameters fit sampling error");
 	else
 		answer_note(a->answer,
-		    "The fit is good: %.2f points (RMS) off the products it "
-		    "was trained on",
+		    "The fit is good: RMSE %.2f points on the training "
+		    "products",
 		    100 * fit->rmse);
 	say_parameters(a, fit);
 }
@@ -230,11 +230,11 @@ say_measured(const struct subject *a)
 	struct validation v = validate_run(
 	    site, r, a->entry->train, &a->entry->params, a->s->set.model);
 	answer_note(a->answer,
-	    "The product measured at %g m/s, not trained on, lies %.2f points "
-	    "(RMS) off the prediction%s",
+	    "The held-out product measured at %g m/s differs from the "
+	    "prediction by %.2f points (RMSE)%s",
 	    v.speed, 100 * v.rmse,
 	    validation_loses(&v)
-		? "; interpolating the trained products comes nearer"
+		? "; interpolating the training products is closer"
 		: "");
 }
 
@@ -245,12 +245,12 @@ say_data(const struct subject *a)
 	char *from = site_source(a->entry->site, "");
 	if (from[0] == '\0')
 		answer_note(a->answer,
-		    "The sheet does not say where its data are from");
+		    "The site file does not state where its data are from");
 	else
 		answer_note(a->answer,
 		    site_data_made_up(from)
-			? "The data are not from a plant's sieves: %s"
-			: "The data are measured, says the sheet: %s",
+			? "The data were not measured at a plant: %s"
+			: "The site file states the provenance of its data: %s",
 		    from);
 	free(from);
 }
@@ -261,7 +261,7 @@ say_feed(const struct subject *a)
 {
 	const struct site *site = a->entry->site;
 	if (a->p.feed_run != site_run_nearest(site, a->p.speed))
-		answer_note(a->answer, "The feed is the one sampled at %g m/s",
+		answer_note(a->answer, "The feed used was sampled at %g m/s",
 		    site->run[a->p.feed_run].speed);
 }
 

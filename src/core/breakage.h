@@ -138,23 +138,22 @@ void breaker_at(struct breaker *b, double v);
 
 /* The row that closes a parameter table: of the models with a bypass.
  * D14: product = (1 - bypass) crushed + bypass feed. */
-#define BYPASS_PARAMETER                                          \
-	{                                                         \
-		"bypass", "-", 0, 0.5, 0, 1, 0,                   \
-		    "share of the feed that goes round the rotor" \
+#define BYPASS_PARAMETER                                        \
+	{                                                       \
+		"bypass", "-", 0, 0.5, 0, 1, 0,                 \
+		    "share of the feed that bypasses the rotor" \
 	}
 
 /* A model's two rows: as it is with n parameters, and with a bypass. */
-#define BREAKAGE_ROWS(ID, NAME, BRIEF, N, ...)                              \
-	extern const struct breakage BREAKAGE_##ID, BREAKAGE_##ID##_BYPASS; \
-	const struct breakage BREAKAGE_##ID = {                             \
-	    .name = NAME, .brief = BRIEF, .n = N, __VA_ARGS__};             \
-	const struct breakage BREAKAGE_##ID##_BYPASS = {                    \
-	    .name = NAME "+bypass",                                         \
-	    .brief =                                                        \
-		NAME " with a share of the feed that goes round the rotor", \
-	    .n = N + 1,                                                     \
-	    .bypass = true,                                                 \
+#define BREAKAGE_ROWS(ID, NAME, BRIEF, N, ...)                                 \
+	extern const struct breakage BREAKAGE_##ID, BREAKAGE_##ID##_BYPASS;    \
+	const struct breakage BREAKAGE_##ID = {                                \
+	    .name = NAME, .brief = BRIEF, .n = N, __VA_ARGS__};                \
+	const struct breakage BREAKAGE_##ID##_BYPASS = {                       \
+	    .name = NAME "+bypass",                                            \
+	    .brief = NAME " with a share of the feed that bypasses the rotor", \
+	    .n = N + 1,                                                        \
+	    .bypass = true,                                                    \
 	    __VA_ARGS__};
 
 /* The kernel's functions of a model, which breakage_all.h defines; what only

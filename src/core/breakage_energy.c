@@ -85,7 +85,7 @@ static const struct param_info PARAMETERS[] = {GRUNDITZ_BETA,
 KERNELS(energy);
 
 BREAKAGE_ROWS(ENERGY, "grunditz-energy",
-    "the paper's, with finer fragments at higher energy (gamma)", 9,
+    "the paper's, with finer progeny at higher energy (gamma)", 9,
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",
     .reference = E_REF, .strength = 4, SELECTION_ROW, .prepare = prepare,
     .finer = finer, .density = density, .breaks = grunditz_breaks,

@@ -60,7 +60,7 @@ char *
 grunditz_appearance_text(const struct params *p)
 {
 	return xasprintf("p(u) = max(0, %.4g %+.4g u %+.4g u^2 %+.4g u^3), u = "
-			 "daughter / parent",
+			 "progeny / parent",
 	    p->beta[0], p->beta[1], p->beta[2], p->beta[3]);
 }
 

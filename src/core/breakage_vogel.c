@@ -79,7 +79,7 @@ static char *
 appearance_text(const struct params *p)
 {
 	return xasprintf("B = (y/x)^q (1 + tanh(y/%.4g - 1)) / 2, q = %.4g v "
-			 "%+.4g, y = daughter in mm, x = parent, v in m/s",
+			 "%+.4g, y = progeny in mm, x = parent, v in m/s",
 	    p->at[Y_FINE], p->at[Q_SLOPE], p->at[Q_0]);
 }
 

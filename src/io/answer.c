@@ -778,6 +778,25 @@ print_trimmed(const struct table *t, size_t row, struct block block, FILE *out)
 	free(line);
 }
 
+/* The sentences that are warnings, or those that are none. */
+static void
+put_sentences(char *(*way)(const char *), const struct answer *a, bool warnings,
+    struct answer *copy)
+{
+	for (size_t i = 0; i < a->n_sentence; i++) {
+		const struct sentence *said = &a->sentence[i];
+		if ((said->grade == ANSWER_WARNING) != warnings)
+			continue;
+		char *text = xasprintf("%s%s%s",
+		    !warnings    ? ""
+		    : is_told(a) ? "Warning: "
+				 : "warning: ",
+		    said->text, is_told(a) ? "." : "");
+		add_sentence(copy, said->grade, way(text));
+		free(text);
+	}
+}
+
 /* What people see, with all its words put in a way: as shown, or as markdown.
  * Of the provenance the first clause only. */
 static struct answer *
@@ -801,12 +820,8 @@ put_in(char *(*way)(const char *), const struct answer *a)
 		add_cell(copy,
 		    (struct cell){from->cell[i].is_text, from->cell[i].number,
 			way(from->cell[i].text), NULL});
-	for (size_t i = 0; i < a->n_sentence; i++) {
-		char *text = xasprintf(
-		    "%s%s", a->sentence[i].text, is_told(a) ? "." : "");
-		add_sentence(copy, a->sentence[i].grade, way(text));
-		free(text);
-	}
+	put_sentences(way, a, true, copy);
+	put_sentences(way, a, false, copy);
 	return copy;
 }
 

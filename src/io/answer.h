@@ -88,7 +88,8 @@ void answer_missing(struct answer *answer, const char *words);
 size_t answer_rows(const struct answer *answer);
 
 /* A sentence below the table: plain, of what was found; a remark on how to read
- * it; a warning not to rely on it.  answer_note: a plain one. */
+ * it; a warning not to rely on it, which people see first and marked as one.
+ * answer_note: a plain one. */
 enum answer_grade { ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING };
 void answer_say(struct answer *answer, enum answer_grade grade,
     const char *format, ...) __attribute__((format(printf, 3, 4)));

@@ -79,9 +79,13 @@ sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
 	bool cut = found.text[n] != '\0';
 	if (n == 0)
 		sheet_fault(sheet, found,
-		    "%s was wanted, found an empty cell\n%s", wanted, step);
+		    "expected %s, got an empty cell\n"
+		    "%s",
+		    wanted, step);
 	else
-		sheet_fault(sheet, found, "%s was wanted, found '%.*s%s'\n%s",
+		sheet_fault(sheet, found,
+		    "expected %s, got '%.*s%s'\n"
+		    "%s",
 		    wanted, n, found.text, cut ? "..." : "", step);
 	free(step);
 	return false;
@@ -111,8 +115,8 @@ number_hint(const char *s)
 	bool both = comma != NULL && strchr(s, '.') != NULL;
 	size_t n = strspn(s, "0123456789");
 	if (n > 0 && s[n] == '-' && isalpha((unsigned char)s[n + 1]))
-		return "a spreadsheet made a date of it: type it again in a "
-		       "cell formatted as text";
+		return "the spreadsheet turned it into a date: type it again "
+		       "in a cell formatted as text";
 	n = strspn(s, "+-0123456789");
 	bool group = n > 0 && strchr(" '\xC2\xE2", s[n]) != NULL &&
 		     s[n] != '\0' && isdigit((unsigned char)s[strlen(s) - 1]);
@@ -183,7 +187,7 @@ sheet_number(
 		return true;
 	sheet->mixed = true;
 	return sheet_fault(sheet, cell,
-	    "a decimal %s as above was wanted, found %s\n"
+	    "expected a decimal %s as above, got %s\n"
 	    "use one decimal sign, and no separator for thousands",
 	    sign == ',' ? "point" : "comma", cell.text);
 }
@@ -235,17 +239,18 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 	bool quoted = *c->p == '"';
 	if (quoted && !skip_quoted(c))
 		return sheet_fault(sheet, start,
-		    "a quote is left open at the end of the line\n"
-		    "close it on its line; a quote inside a cell is \"\"");
+		    "the quote is not closed at the end of the line\n"
+		    "close it on the same line; write a quote inside a cell as "
+		    "\"\"");
 	skip_blanks(c, sheet->separator);
 	while (*c->p != '\0' && *c->p != sheet->separator) {
 		if (quoted || *c->p == '"') {
 			start.column = c->column;
 			return sheet_fault(sheet, start,
 			    "%s\n"
-			    "put quotes round the whole cell and write a quote "
-			    "inside it as \"\"",
-			    quoted ? "text after a closing quote"
+			    "quote the whole cell and write a quote inside it "
+			    "as \"\"",
+			    quoted ? "text after the closing quote"
 				   : "a quote inside a cell");
 		}
 		step(c);
@@ -286,7 +291,7 @@ split_line(struct sheet *sheet, const char *text, struct row *row)
 	}
 	return sheet_fault(sheet, (struct cell){NULL, row->line, c.column},
 	    "more than %d cells in a line\n"
-	    "a sieve sheet has a few columns: is this the right file?",
+	    "a site file has a few columns: is this the right file?",
 	    MOST_CELLS);
 }
 
@@ -306,7 +311,7 @@ add_row(struct sheet *sheet, const char *line, int number)
 	if (strlen(line) > MOST_LINE || sheet->n_row == sheet->most_rows) {
 		sheet_fault(sheet, (struct cell){NULL, number, 1},
 		    "more than %zu lines, or %d bytes in a line\n"
-		    "a sieve sheet has a few kB: is this the right file?",
+		    "a site file has a few kB: is this the right file?",
 		    sheet->most_rows, MOST_LINE);
 		sheet->lost = true;
 		return false;

@@ -17,9 +17,9 @@ const struct site_unit SITE_UNITS[SITE_N_UNIT] = {
     {"", PASSING, 100, "passing from 0 to 100 %"},
     {"_passing_pct", PASSING, 100, "passing from 0 to 100 %"},
     {"_fraction", FRACTION, 1, "a fraction from 0 to 1"},
-    {"_retained_g", RETAINED_G, 1e12, "mass retained, 0 g or more,"},
-    {"_retained_pct", RETAINED_PCT, 100, "mass retained, 0 to 100 %,"},
-    {"_cum_retained_pct", CUM_RETAINED, 100, "mass retained, 0 to 100 %,"},
+    {"_retained_g", RETAINED_G, 1e12, "mass retained, 0 g or more"},
+    {"_retained_pct", RETAINED_PCT, 100, "mass retained, 0 to 100 %"},
+    {"_cum_retained_pct", CUM_RETAINED, 100, "mass retained, 0 to 100 %"},
 };
 
 /* Speeds nearer than this, m/s, are one run, as for site_run_at. */
@@ -130,20 +130,18 @@ speed_hint(const char *text, double v)
 	size_t m = text[n] != '\0' ? strspn(text + n + 1, "0123456789") : 0;
 	bool sign = text[n] == '-' || text[n] == '/' || text[n] == '.';
 	if (n > 0 && m > 0 && sign && text[n + 1 + m] == text[n])
-		return "a date belongs into the heading (sampled,2026-11-02); "
-		       "behind @ stands the tip speed, as in product@69";
+		return "write a date in the header lines (sampled,2026-11-02), "
+		       "and the tip speed after @, as in product@69";
 	if (v > FASTEST || strstr(text, "rpm") != NULL ||
 	    strstr(text, "varv") != NULL || strstr(text, "/min") != NULL)
-		return "turns of the rotor a minute? tip speed in m/s = "
-		       "3.1416 x rotor diameter in m x turns / 60, as in "
-		       "product@69";
+		return "is this rpm? tip speed (m/s) = 3.1416 x rotor diameter "
+		       "(m) x rpm / 60, as in product@69";
 	n = strlen(text);
 	if (n > 1 &&
 	    (strcmp(text + n - 2, " g") == 0 || strstr(text, "(g)") != NULL))
-		return "grams are said before the @, as in "
-		       "product_retained_g@69";
-	return "write the speed with its unit or behind @, as in product 69 "
-	       "m/s or product@69";
+		return "write the unit before the @: product_retained_g@69";
+	return "write the speed with its unit, or after @: product 69 m/s or "
+	       "product@69";
 }
 
 /* 69, 69.5, "69 m/s" or 69m/s; text is changed. */
@@ -162,7 +160,7 @@ find_speed(struct table *t, char *text, struct column *c)
 	if (good && v > SAME_SPEED && v <= FASTEST)
 		return true;
 	return sheet_wanted(t->sheet, c->head,
-	    "a tip speed above 0, up to 200 m/s,", "%s",
+	    "a tip speed above 0, up to 200 m/s", "%s",
 	    speed_hint(text, good ? v : 0));
 }
 
@@ -196,10 +194,9 @@ refuse_head(struct table *t, const struct column *c, const char *word)
 	unsigned means;
 	size_t n = strcspn(word, "0123456789");
 	const char *hint =
-	    "understood are feed, feed@69, product@69 and sd@69; feed and "
-	    "product also with _fraction, _passing_pct, _retained_g, "
-	    "_retained_pct, _cum_retained_pct before the @; take other columns "
-	    "out";
+	    "use feed, feed@69, product@69 or sd@69; feed and product may have "
+	    "_fraction, _passing_pct, _retained_g, _retained_pct or "
+	    "_cum_retained_pct before the @; remove other columns";
 	bool turns =
 	    strstr(word, "rpm") != NULL || strstr(word, "varv") != NULL;
 	if (word[n] != '\0' && (n == 0 || turns ||
@@ -207,13 +204,13 @@ refuse_head(struct table *t, const struct column *c, const char *word)
 				       (means & (A_FEED | A_PRODUCT)) != 0)))
 		hint = speed_hint(turns ? word : word + n, 0);
 	else if (read_words(word, strlen(word), &means) && (means & STAYS) != 0)
-		hint = "say grams or per cent: product_retained_g@69 or "
+		hint = "state grams or per cent: product_retained_g@69 or "
 		       "product_retained_pct@69";
 	else if (t->told_heads)
-		hint = "take the column out, or head it so, too";
+		hint = "remove the column, or change its heading likewise";
 	else
 		t->told_heads = true;
-	return sheet_wanted(t->sheet, c->head, "a column header", "%s", hint);
+	return sheet_wanted(t->sheet, c->head, "a column heading", "%s", hint);
 }
 
 /* Only the feed of all runs may be without a speed. */
@@ -230,8 +227,8 @@ split_head(struct table *t, char *word, struct column *c)
 		good = find_speed(t, speed, c);
 	else if (good && c->role != FEED)
 		good = sheet_wanted(t->sheet, c->head,
-		    "a column with its tip speed",
-		    "write the speed in m/s behind @: %s%s@69",
+		    "a column heading with a tip speed",
+		    "write the speed in m/s after @: %s%s@69",
 		    SITE_ROLES[c->role], SITE_UNITS[c->unit].suffix);
 	free(speed);
 	return good;
@@ -249,11 +246,12 @@ site_column_head(struct table *t, struct column *c)
 	if (twin == NULL)
 		return true;
 	return sheet_fault(t->sheet, c->head,
-	    "%s was wanted once, found at column %d already\n%s", c->head.text,
-	    twin->head.column,
+	    "duplicate column: %s is already at column %d\n"
+	    "%s",
+	    c->head.text, twin->head.column,
 	    c->speed > 0 && c->unit == twin->unit
-		? "each run has a speed of its own: average the two, "
-		  "or change one"
+		? "average the two, or change one speed: each run needs a "
+		  "speed of its own"
 		: "keep one of the two");
 }
 
@@ -303,8 +301,8 @@ in_range(struct table *t, struct column *c, struct cell cell, double v)
 	char head[64];
 	if (c->role == SD && (v > 100 || site_column_round(v, 1e12) <= 0))
 		return sheet_wanted(t->sheet, cell,
-		    "a standard deviation above 0, up to 100,",
-		    "give it in percentage points of passing");
+		    "a standard deviation above 0, up to 100",
+		    "write it in percentage points of passing");
 	if (v >= 0 && v <= SITE_UNITS[c->unit].most)
 		return true;
 	bool percent = SITE_UNITS[c->unit].kind == FRACTION && v > 1;
@@ -313,7 +311,7 @@ in_range(struct table *t, struct column *c, struct cell cell, double v)
 		return false;
 	c->told_percent = c->told_percent || percent;
 	return sheet_wanted(t->sheet, cell, SITE_UNITS[c->unit].wanted,
-	    percent ? "divide by 100 or head the column %s"
+	    percent ? "divide by 100, or change the column heading to %s"
 		    : "check the number%.0s",
 	    other_head(c, "", head));
 }
@@ -399,9 +397,9 @@ tell_retained(struct table *t, struct column *c, const char *suffix, double sum)
 	t->told_retained = true;
 	bool grams = strcmp(suffix, "_retained_g") == 0;
 	sheet_fault(t->sheet, c->head,
-	    "passing was wanted in column %s, this looks like %s retained on "
+	    "expected passing in column %s; this looks like %s retained on "
 	    "each sieve%s: the numbers rise and fall and sum to %.9g\n"
-	    "head the column %s, and others like it so, too",
+	    "change the column heading to %s, and other such columns likewise",
 	    c->head.text, grams ? "grams" : "mass", grams ? "" : ", %",
 	    site_column_round(sum, 10), other_head(c, suffix, head));
 }
@@ -418,8 +416,8 @@ check_percent(struct table *t, struct column *c)
 	if (!percent || most <= 0 || most > 1)
 		return;
 	sheet_fault(t->sheet, c->head,
-	    "percent was wanted, found nothing above %g in column %s\n"
-	    "multiply by 100 or head the column %s",
+	    "expected percent, got nothing above %g in column %s\n"
+	    "multiply by 100, or change the column heading to %s",
 	    most, c->head.text, other_head(c, "_fraction", head));
 	c->faulty = true;
 }
@@ -438,9 +436,9 @@ agrees(struct table *t, const struct column *c, double sum)
 		return false;
 	return fabs(total - sum) <= MASS_TOLERANCE * total ||
 	       sheet_fault(t->sheet, cell,
-		   "%.9g g was wanted, the sum of column %s, found %s\n"
-		   "the sieves may lose %g %%: were digits swapped, or a sieve "
-		   "forgotten?",
+		   "expected %.9g g, the sum of column %s, got %s\n"
+		   "up to %g %% may be lost in sieving: were digits "
+		   "transposed, or a sieve forgotten?",
 		   site_column_round(sum, 1e6), c->head.text, cell.text,
 		   100 * MASS_TOLERANCE);
 }
@@ -457,21 +455,22 @@ total_retained(struct table *t, struct column *c)
 		sum += isnan(c->pct[i]) ? 0 : c->pct[i];
 	if (grams && isnan(c->pan)) {
 		sheet_fault(t->sheet, c->head,
-		    "the mass in the pan was wanted, found none in column %s\n"
-		    "add a last row with pan and the mass below the finest "
-		    "sieve, 0 if there was none",
+		    "expected the mass in the pan, got none in column %s\n"
+		    "add a last row: pan, with the mass below the finest sieve "
+		    "(0 if there was none)",
 		    c->head.text);
 	} else if (grams && !(sum > 0)) {
 		sheet_fault(t->sheet, c->head,
-		    "a mass was wanted, found 0 g in column %s\n"
-		    "fill the column or take it out",
+		    "expected a mass, got 0 g in column %s\n"
+		    "fill the column or remove it",
 		    c->head.text);
 	} else if (!grams &&
 		   (sum > 100 + SUM_TOLERANCE ||
 		       (!isnan(c->pan) && sum < 100 - SUM_TOLERANCE))) {
 		sheet_fault(t->sheet, c->head,
-		    "retained parts that sum to 100 %% were wanted, found %g "
-		    "in column %s\ncheck the numbers, or head the column %s",
+		    "expected retained percentages that sum to 100 %%, got %g "
+		    "in column %s\n"
+		    "check the numbers, or change the column heading to %s",
 		    sum, c->head.text,
 		    other_head(c, "_cum_retained_pct", head));
 	} else {
@@ -524,9 +523,9 @@ check_rise(struct table *t, struct column *c)
 		if (finer && c->pct[i] > c->pct[last])
 			sheet_fault(t->sheet, sheet_cell(&t->row[i], c->at),
 			    "passing rises from %s to %s at %s mm (finer "
-			    "sieve, more passing): check the row\n"
-			    "a finer sieve passes as much as the coarser one "
-			    "or less",
+			    "sieve, more passing)\n"
+			    "check this row and the one above: passing cannot "
+			    "rise on a finer sieve",
 			    text_exact(c->pct[last], p),
 			    text_exact(c->pct[i], q), text_exact(t->mm[i], mm));
 		last = i;
@@ -557,8 +556,9 @@ check_coarsest(struct table *t, struct column *c)
 	else
 		snprintf(next, sizeof next, "a sieve coarser than %s mm", mm);
 	sheet_fault(t->sheet, sheet_cell(&t->row[i], c->at),
-	    "a coarsest feed sieve that passes 100 %% was wanted, found %s %% "
-	    "at %s mm\nadd %s with %s",
+	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
+	    "%s mm\n"
+	    "add %s with %s",
 	    text_exact(c->pct[i], p), mm, next, all);
 }
 
@@ -608,7 +608,7 @@ site_column_values(struct table *t, struct column *c)
 	    site_column_count(t, c) >= least)
 		return;
 	sheet_fault(t->sheet, c->head,
-	    "%zu or more sieves were wanted, found %zu in column %s\n"
-	    "fill the column or take it out",
+	    "expected %zu or more sieves, got %zu in column %s\n"
+	    "fill the column or remove it",
 	    least, site_column_count(t, c), c->head.text);
 }

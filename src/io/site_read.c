@@ -26,7 +26,7 @@ read_top_size(struct site *site, struct sheet *sheet, struct cell cell)
 	double mm = site_sieve_mm(sheet, cell, 1, "a positive size in mm");
 	if (mm <= 0)
 		sheet_wanted(sheet, cell, "a positive size in mm",
-		    "give the size, or take the line out");
+		    "write the size, or remove the line");
 	site->top_size = mm / 1000;
 }
 
@@ -69,20 +69,20 @@ read_heading_line(struct site *site, struct sheet *sheet, const struct row *row,
 		k++;
 	if (key.text[0] == '\0' ||
 	    (row->n_all < 2 && begins_with_key(key.text))) {
-		sheet_wanted(sheet, key, "a key and its value",
+		sheet_wanted(sheet, key, "a key and a value",
 		    "write key%cvalue, or begin a remark with #%s",
 		    sheet->separator,
-		    row->n > 2 ? "; heads of columns stand in one line" : "");
+		    row->n > 2 ? "; put all column headings on one line" : "");
 	} else if (row->n > 2) {
 		sheet_wanted(sheet, row->cell[2],
-		    "the end of the line behind key and value",
-		    "put quotes round a value that holds the separator, or "
-		    "begin a remark with #; decimal commas need ; between the "
-		    "cells");
+		    "the end of the line after key and value",
+		    "quote a value that contains the separator, or begin a "
+		    "remark with #; with decimal commas, separate the cells "
+		    "with ;");
 	} else if (k < N_KEY && seen[k] > 0) {
 		sheet_fault(sheet, key,
-		    "%s was wanted once, found in line %d already\n"
-		    "take one of the two lines out",
+		    "duplicate key: %s is already in line %d\n"
+		    "remove one of the two lines",
 		    KEYS[k], seen[k]);
 	} else if (k < N_KEY) {
 		take_value(site, k, sheet, value);
@@ -154,12 +154,12 @@ tell_no_table(struct sheet *sheet)
 	char c = sheet->separator;
 	if (site_sieve_word(found.text))
 		sheet_wanted(sheet, found, "a line that begins with size_mm",
-		    "say the unit of the sizes, too: %s mm", found.text);
+		    "add the unit of the sizes: %s mm", found.text);
 	else
 		sheet_wanted(sheet, found, "a line that begins with size_mm",
-		    "the first line of the table reads "
-		    "size_mm%cfeed%cproduct@69%cproduct@79, and below it "
-		    "each sieve has a line",
+		    "begin the table with "
+		    "size_mm%cfeed%cproduct@69%cproduct@79, then one line for "
+		    "each sieve",
 		    c, c, c);
 }
 
@@ -204,19 +204,19 @@ check_partner(struct table *t, const struct column *c)
 	bool alone = site_column_find(t, PRODUCT, c->speed) == NULL;
 	if (c->role == FEED && c->speed > 0 && shared != NULL)
 		sheet_fault(t->sheet, c->head,
-		    "one kind of feed was wanted, found feed and %s\n"
-		    "use feed for all runs, or feed@ with the speed for each",
+		    "expected one kind of feed, got feed and %s\n"
+		    "use one feed for all runs, or feed@SPEED for each run",
 		    c->head.text);
 	if (c->role == SD && alone)
 		sheet_fault(t->sheet, c->head,
-		    "a product for %s was wanted, found none\n"
-		    "add its product column, or take this one out",
+		    "expected a product for %s, got none\n"
+		    "add its product column, or remove this one",
 		    c->head.text);
 	if (c->role == PRODUCT && shared == NULL && count_role(t, FEED) > 0 &&
 	    site_column_find(t, FEED, c->speed) == NULL)
 		sheet_fault(t->sheet, c->head,
-		    "a feed for %s was wanted, found none\n"
-		    "add a column feed@ with this speed",
+		    "expected a feed for %s, got none\n"
+		    "add a feed@ column with this speed",
 		    c->head.text);
 }
 
@@ -233,9 +233,9 @@ check_sd(struct table *t, const struct column *sd)
 			continue;
 		sheet_wanted(t->sheet, b,
 		    has ? "a standard deviation"
-			: "no standard deviation without product",
+			: "no standard deviation without a product",
 		    "%s",
-		    has ? "fill it, or take the column out"
+		    has ? "fill it, or remove the column"
 			: "leave both cells empty where the sieve was not "
 			  "used");
 	}
@@ -255,12 +255,12 @@ read_columns(struct table *t)
 	struct cell head = t->head->cell[0];
 	if (!t->lost && count_role(t, FEED) == 0)
 		sheet_fault(t->sheet, head,
-		    "a feed column was wanted, found none\n"
-		    "add a column feed, or feed@ with the speed of each run");
+		    "expected a feed column, got none\n"
+		    "add a column feed, or feed@SPEED for each run");
 	/* A feed without any product will do for a guess. */
 	if (!t->lost && count_role(t, PRODUCT) == 1)
 		sheet_fault(t->sheet, head,
-		    "products at two or more speeds were wanted, found 1\n"
+		    "expected products at two or more speeds, got 1\n"
 		    "add columns such as product@69 and product@79");
 }
 
@@ -277,8 +277,8 @@ read_table(struct table *t, size_t head)
 		read_columns(t);
 	else if (!t->lost)
 		sheet_fault(t->sheet, t->head->cell[0],
-		    "a row for each sieve was wanted below this line, found "
-		    "none\nadd rows such as 22.4,100,100,100");
+		    "expected a row for each sieve below this line, got none\n"
+		    "add rows such as 22.4,100,100,100");
 }
 
 static struct psd
@@ -373,11 +373,11 @@ leave_out_row(struct site *site, const struct table *t, size_t i, bool compared)
 	if (i < t->n_row && t->mm[i] > 0 && !values)
 		leave_out(site, where, "the sieve %s has no numbers", text);
 	else if (i >= t->n_row && row != t->total)
-		leave_out(site, where, "a remark below the table: %.*s",
+		leave_out(site, where, "remark below the table: %.*s",
 		    sheet_cut(text), text);
 	else if (i >= t->n_row && !compared)
 		leave_out(
-		    site, where, "%s: sums are compared of grams alone", text);
+		    site, where, "%s: sums are checked for grams only", text);
 	free(where);
 }
 

@@ -100,7 +100,7 @@ site_sieve_mm(
 	double v;
 	if (cell.text[0] == '\0') {
 		sheet_wanted(sheet, cell, wanted,
-		    "write the sieve's size, or take the row out");
+		    "write the sieve size, or remove the row");
 		return NAN;
 	}
 	if (!sheet_number(sheet, cell, wanted, &v))
@@ -111,7 +111,7 @@ site_sieve_mm(
 	sheet_wanted(sheet, cell,
 	    v > 0 ? "a size from 1e-6 to 1e4 mm" : "a positive size", "%s",
 	    v > 0 ? "check the number and its unit"
-		  : "what is below the finest sieve is headed pan");
+		  : "write pan for what is below the finest sieve");
 	return NAN;
 }
 
@@ -124,7 +124,8 @@ named_mm(struct sheet *sheet, struct cell cell)
 		return mm;
 	char *nearest = sieve_names_nearest(cell.text);
 	sheet_wanted(sheet, cell, "a sieve of ASTM E11",
-	    "the nearest: %s; a remark begins with # and is no number alone",
+	    "use the nearest: %s; or begin a remark with # and a word, not a "
+	    "number alone",
 	    nearest);
 	free(nearest);
 	return NAN;
@@ -139,12 +140,14 @@ row_mm(struct table *t, const struct row *row, double unit)
 	if (row->n > t->head->n) {
 		t->told_cells = true;
 		sheet_fault(t->sheet, row->cell[t->head->n],
-		    "%zu cells were wanted as in line %d, found %zu\n%s",
+		    "expected %zu cells as in line %d, got %zu\n"
+		    "%s",
 		    t->head->n, t->head->line, row->n,
 		    t->sheet->separator == ','
-			? "decimal commas need ; between the cells; otherwise "
-			  "take the last cells out"
-			: "take the last cells out, or head their columns");
+			? "use ; between the cells if they have decimal "
+			  "commas; otherwise remove the last cells"
+			: "remove the last cells, or give their columns "
+			  "headings");
 		return NAN;
 	}
 	if (is_pan(cell.text))
@@ -154,7 +157,7 @@ row_mm(struct table *t, const struct row *row, double unit)
 		return named;
 	if (isalpha((unsigned char)cell.text[0])) {
 		sheet_wanted(t->sheet, cell, "a sieve size or pan",
-		    "take sums and remarks out of the table, or begin their "
+		    "remove sums and remarks from the table, or begin their "
 		    "line with #");
 		return NAN;
 	}
@@ -235,14 +238,12 @@ check_order(struct table *t)
 			twin++;
 		if (twin < i)
 			sheet_fault(t->sheet, cell,
-			    "each sieve was wanted once, found %s in line %d "
-			    "already\n"
-			    "take one of the two rows out, or correct its size",
+			    "duplicate sieve: %s is already in line %d\n"
+			    "remove one of the two rows, or correct its size",
 			    cell.text, t->row[twin].line);
 		else if (last < t->n_row && t->mm[i] > t->mm[last])
 			sheet_fault(t->sheet, cell,
-			    "sieves coarsest first were wanted, found %s after "
-			    "%s\n"
+			    "expected sieves coarsest first, got %s after %s\n"
 			    "sort the rows by size, largest first, or correct "
 			    "the size",
 			    cell.text, t->row[last].cell[0].text);
@@ -265,7 +266,7 @@ site_sieve_rows(struct table *t)
 		return;
 	}
 	sheet_fault(t->sheet, t->row[0].cell[0],
-	    "sieves coarsest first were wanted, found the table finest first\n"
+	    "expected sieves coarsest first, got the table finest first\n"
 	    "sort the rows by size, largest first (in a spreadsheet: Data, "
 	    "Sort, Descending)");
 	t->lost = true;

@@ -27,9 +27,8 @@ read_heading(struct spec *spec, struct sheet *sheet, size_t n_line)
 							      : NULL;
 		if (sheet->row[i].n > 2)
 			sheet_wanted(sheet, sheet->row[i].cell[2],
-			    "the end of the line behind key and value",
-			    "put quotes round a value that holds the "
-			    "separator");
+			    "the end of the line after key and value",
+			    "quote a value that contains the separator");
 		if (text == NULL)
 			continue;
 		free(*text);
@@ -50,14 +49,14 @@ read_heads(const struct table *t, size_t at[static 2])
 			at[is_max] = i;
 		else
 			sheet_wanted(t->sheet, head,
-			    "a column min_pct or max_pct, each once,",
-			    "a grading envelope has size_mm,min_pct,max_pct, "
-			    "see tipspeed-spec(5)");
+			    "a column min_pct or max_pct, each once",
+			    "use size_mm,min_pct,max_pct; see "
+			    "tipspeed-spec(5)");
 	}
 	if (at[0] == 0 && at[1] == 0 && t->head->n < 2)
 		sheet_fault(t->sheet, t->head->cell[0],
-		    "a column min_pct or max_pct was wanted, found none\n"
-		    "the line reads size_mm,min_pct,max_pct");
+		    "expected a column min_pct or max_pct, got none\n"
+		    "write this line as size_mm,min_pct,max_pct");
 }
 
 /* The limit of a row as passing, NAN where the cell is empty or at fault. */
@@ -88,7 +87,9 @@ check_fall(const struct table *t, const double *limit, size_t at)
 		if (limit[i] > last)
 			sheet_fault(t->sheet, sheet_cell(&t->row[i], at),
 			    "%s rises from %g to %g at %s mm (finer sieve, "
-			    "more passing)\ncheck the row",
+			    "more passing)\n"
+			    "check this row and the one above: a limit cannot "
+			    "rise on a finer sieve",
 			    t->head->cell[at].text, 100 * last, 100 * limit[i],
 			    text_exact(t->mm[i], size));
 		last = limit[i];
@@ -109,11 +110,11 @@ read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
 		spec->most[i] = read_limit(t, i, at[1]);
 		if (t->mm[i] <= 0)
 			sheet_wanted(t->sheet, cell, "a sieve size",
-			    "an envelope has no pan: take the row out");
+			    "remove the row: an envelope has no pan");
 		if (spec->least[i] > spec->most[i])
 			sheet_fault(t->sheet, cell,
-			    "min_pct up to max_pct was wanted, found %g above "
-			    "%g\nhave the two changed places?",
+			    "expected min_pct up to max_pct, got %g above %g\n"
+			    "were the two swapped?",
 			    100 * spec->least[i], 100 * spec->most[i]);
 	}
 	for (size_t i = 0; i < 2 && !t->lost; i++)
@@ -134,8 +135,8 @@ read_table(struct spec *spec, struct sheet *sheet, size_t head)
 	site_sieve_rows(&t);
 	if (t.n_row == 0 && !t.lost)
 		sheet_fault(sheet, t.head->cell[0],
-		    "a row for each sieve was wanted below this line, found "
-		    "none\nadd rows such as 4,85,99");
+		    "expected a row for each sieve below this line, got none\n"
+		    "add rows such as 4,85,99");
 	read_rows(spec, &t, at);
 	free(t.mm);
 }
@@ -160,8 +161,7 @@ spec_read(const char *path, struct error_list *errors)
 		struct row none = {.line = 1, .end = 1};
 		sheet_wanted(sheet, sheet_cell(&none, 0),
 		    "a line that begins with size_mm",
-		    "the first line of the table reads "
-		    "size_mm,min_pct,max_pct");
+		    "begin the table with size_mm,min_pct,max_pct");
 	}
 	if (spec->name[0] == '\0') {
 		free(spec->name);

@@ -68,27 +68,27 @@ static const struct problem {
 	const char *text, *hint;
 } PROBLEMS[] = {
     {SQLITE_BUSY, ERROR_SYSTEM,
-	"another program is using the store and did not let go within 5 s",
-	"try again; this session keeps what it has"},
+	"another program is using the store and did not release it within 5 s",
+	"try again; this session keeps its data"},
     {SQLITE_LOCKED, ERROR_SYSTEM, "the store is in use",
-	"try again; this session keeps what it has"},
+	"try again; this session keeps its data"},
     {SQLITE_READONLY, ERROR_SYSTEM, "the store cannot be written to",
-	"check the rights of the file and its folder, or take another with "
+	"check the permissions of the file and its folder, or use another with "
 	"--store=PATH"},
     {SQLITE_PERM, ERROR_SYSTEM, "the store cannot be opened",
-	"check the rights of the file and its folder"},
+	"check the permissions of the file and its folder"},
     {SQLITE_CANTOPEN, ERROR_SYSTEM, "the store cannot be opened",
-	"check the name, the folder and the rights, or take another with "
+	"check the name, the folder and its permissions, or use another with "
 	"--store=PATH"},
     {SQLITE_FULL, ERROR_SYSTEM, "the store cannot grow: the disk is full",
-	"make room and try again; this session keeps what it has"},
+	"free some space and try again; this session keeps its data"},
     {SQLITE_IOERR, ERROR_SYSTEM, "the store cannot be read or written",
-	"check the disk and the room on it; this session keeps what it has"},
+	"check the disk and its free space; this session keeps its data"},
     {SQLITE_CORRUPT, ERROR_DATA, "the store is damaged",
 	"move the file away, and import the newest export into a new one"},
     {SQLITE_NOTADB, ERROR_DATA,
-	"this is no store of tipspeed, or a damaged one",
-	"move the file away, or take another with --store=PATH"}};
+	"this is not a store of tipspeed, or it is damaged",
+	"move the file away, or use another with --store=PATH"}};
 
 /* The error for the newest failure of db, NULL allowed.  Returns false. */
 static bool
@@ -226,8 +226,8 @@ refuse_newer(sqlite3 *db, const char *path, long version, struct error *error)
 	char *program = ask(db, "SELECT program FROM about");
 	error_at(error, ERROR_DATA, path, 0, 0,
 	    "the store was written by %.60s (schema %ld); this is tipspeed %s, "
-	    "which knows schemas up to %d\n"
-	    "use that program, or take another store with --store=PATH",
+	    "which reads schemas up to %d\n"
+	    "use that program, or another store with --store=PATH",
 	    program != NULL ? program : "a newer tipspeed", version,
 	    PACKAGE_VERSION, (int)STORE_SCHEMA);
 	free(program);
@@ -248,8 +248,9 @@ look(sqlite3 *db, const char *path, long *version, struct error *error)
 	bool fresh = tables == 0 && application == 0 && *version == 0;
 	if (!fresh && (application != SCHEMA_APPLICATION || *version <= 0))
 		return error_at(error, ERROR_DATA, path, 0, 0,
-		    "a store of tipspeed was wanted, found a database of "
-		    "another program\ntake another file with --store=PATH");
+		    "expected a store of tipspeed, got a database of another "
+		    "program\n"
+		    "use another file with --store=PATH");
 	if (*version > STORE_SCHEMA)
 		return refuse_newer(db, path, *version, error);
 	return fresh || check_integrity(db, path, error);
@@ -333,8 +334,9 @@ schema_open(const char *path, bool make, sqlite3 **db, struct error *error)
 	*db = NULL;
 	if (stat(path, &about) == 0 && !S_ISREG(about.st_mode))
 		return error_at(error, ERROR_SYSTEM, path, 0, 0,
-		    "the store cannot be opened: this is a folder, a "
-		    "pipe or a device\ntake another with --store=PATH");
+		    "the store cannot be opened: this is a folder, a pipe or a "
+		    "device\n"
+		    "use another with --store=PATH");
 	if (!make && access(path, F_OK) != 0)
 		return true;
 	sqlite3 *opened = open_to(path, make, &version, &ok, error);
@@ -397,8 +399,8 @@ make_folders(const char *path, struct error *error)
 	if (closed == NULL)
 		return true;
 	error_at(error, ERROR_SYSTEM, closed, 0, 0,
-	    "the store's folder cannot be made: %s\n"
-	    "check the rights, or take another store with --store=PATH",
+	    "cannot create the store's folder: %s\n"
+	    "check its permissions, or use another store: --store=PATH",
 	    strerror(errno));
 	free(closed);
 	return false;
@@ -413,8 +415,8 @@ begin(struct store *store, bool make, sqlite3 **db, struct error *error)
 		return true;
 	if (store->path[0] == '\0')
 		return error_set(error, ERROR_SYSTEM,
-		    "there is no place for the store: HOME is not set\n"
-		    "name one with --store=PATH");
+		    "no place for the store: HOME is not set\n"
+		    "name a file with --store=PATH");
 	if (make && store->own_folder && !make_folders(store->path, error))
 		return false;
 	if (!schema_open(store->path, make, db, error))
@@ -484,7 +486,7 @@ check_fields(const struct stored *m, struct error *error)
 	     *found = stored_found(m, f);
 	error_set(error, ERROR_DATA,
 	    "material '%s', field %s: expected %s, got '%.60s'\n"
-	    "correct it where it comes from",
+	    "correct the source of this material",
 	    label, f->name, wanted, found);
 	free(label);
 	free(wanted);
@@ -506,8 +508,7 @@ check_row(const struct stored *m, const char *fold, const char *digest,
 		    "the store is damaged: '%s' is not what was remembered",
 		    label);
 	if (!good)
-		error_hint(error,
-		    "'forget \"%s\"' takes it out; then remember it again",
+		error_hint(error, "run 'forget \"%s\"', then remember it again",
 		    label);
 	free(of_name);
 	free(of_row);
@@ -735,7 +736,7 @@ forget_row(
 		return ok;
 	return error_set(error, ERROR_USAGE,
 	    "the store has no material '%s'\n"
-	    "'materials origin=own' lists those it has",
+	    "run 'materials origin=own' to list its materials",
 	    name);
 }
 
@@ -748,7 +749,7 @@ store_forget(struct store *store, const char *name, struct error *error)
 	if (db == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "the store has no material '%s'\n"
-		    "it is empty; 'remember' fills it",
+		    "run 'remember' first: the store is empty",
 		    name);
 	bool ok = forget_row(store, db, name, error);
 	end(store, db);

@@ -131,12 +131,11 @@ read_head(struct sheet *sheet, struct column *column, size_t n)
 			c++;
 		if (c == n)
 			sheet_wanted(sheet, cell,
-			    "the name of a column of materials",
-			    "the columns are those that 'export' writes");
+			    "the name of a column of 'export'",
+			    "use the columns that 'export' writes");
 		else if (column[c].at != SIZE_MAX)
-			sheet_fault(sheet, cell,
-			    "column %s was wanted once, found twice",
-			    cell.text);
+			sheet_fault(
+			    sheet, cell, "duplicate column: %s", cell.text);
 		else
 			column[c].at = i;
 		other_model =
@@ -149,8 +148,8 @@ read_head(struct sheet *sheet, struct column *column, size_t n)
 		if (column[c].at == SIZE_MAX && is_asked(&column[c]) &&
 		    (column[c].field != NULL || !other_model))
 			sheet_fault(sheet, sheet_cell(head, head->n),
-			    "a column %s was wanted, found none\n"
-			    "the columns are those that 'export' writes",
+			    "expected a column %s, got none\n"
+			    "use the columns that 'export' writes",
 			    column_name(&column[c]));
 }
 
@@ -173,8 +172,8 @@ take_value(struct sheet *sheet, struct cell cell, const struct field *f,
 	free(wanted);
 }
 
-static const char EMPTY[] = "%s was wanted, found an empty cell\n"
-			    "fill it, or take the row out";
+static const char EMPTY[] = "expected %s, got an empty cell\n"
+			    "fill it, or remove the row";
 
 /* A parameter of the row's model. */
 static void
@@ -217,12 +216,11 @@ check_name(struct sheet *sheet, struct cell cell,
     const struct stored_list *there, const struct stored_list *list)
 {
 	if (stored_find(list, cell.text) != NULL)
-		sheet_fault(sheet, cell,
-		    "the name %.60s was wanted once, found again", cell.text);
+		sheet_fault(sheet, cell, "duplicate name: %.60s", cell.text);
 	else if (there != NULL && stored_find(there, cell.text) != NULL)
 		sheet_fault(sheet, cell,
-		    "a new name was wanted, and the store has '%.60s' already\n"
-		    "import with replace=on takes the sheet's",
+		    "expected a new name, but the store already has '%.60s'\n"
+		    "use replace=on to replace it",
 		    cell.text);
 }
 
@@ -235,8 +233,8 @@ read_row(struct sheet *sheet, const struct row *row,
 	struct stored m = stored_new();
 	if (row->n > sheet->row[0].n)
 		sheet_fault(sheet, row->cell[sheet->row[0].n],
-		    "%zu cells were wanted, found more\n"
-		    "put quotes round text that holds the separator",
+		    "expected %zu cells, got more\n"
+		    "quote text that contains the separator",
 		    sheet->row[0].n);
 	m.params = (struct params){0};
 	for (size_t c = 0; c < n; c++) {
@@ -271,8 +269,8 @@ store_csv_read(const char *path, const struct stored_list *there,
 		read_head(sheet, column, n);
 	if (sheet->n_row < 2 && sheet->n_fault == 0)
 		sheet_fault(sheet, (struct cell){NULL, 1, 1},
-		    "a line of column names and a line for each material were "
-		    "wanted, found %zu line%s",
+		    "expected a line of column names and a line for each "
+		    "material, got %zu line%s",
 		    sheet->n_row, sheet->n_row == 1 ? "" : "s");
 	bool head = sheet->n_fault == 0;
 	for (size_t i = 1; head && i < sheet->n_row; i++)

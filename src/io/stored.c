@@ -399,8 +399,8 @@ stored_check_name(const char *name, struct error *error)
 	    trimmed && stored_is_line(name) && strchr(name, '"') == NULL)
 		return true;
 	return error_set(error, ERROR_USAGE,
-	    "a name of 1 to %d bytes on one line, without quotes and not "
-	    "beginning with #, was wanted, found '%.60s'",
+	    "expected a name of 1 to %d bytes on one line, without quotes and "
+	    "not beginning with #, got '%.60s'",
 	    (int)MOST_NAME, name);
 }
 

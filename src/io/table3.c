@@ -30,9 +30,9 @@ read_row(struct sheet *sheet, const struct row *row, struct materials *m)
 	    [6] = {&one.alpha, ALPHA_MOST}};
 	if (row->n != CELLS)
 		return sheet_fault(sheet, row->cell[0],
-		    "%d cells were wanted, found %zu\n"
-		    "the columns are those of data/table3.csv; a sheet of "
-		    "sieves is for load",
+		    "expected %d cells, got %zu\n"
+		    "use the columns of data/table3.csv; read a site file with "
+		    "load",
 		    (int)CELLS, row->n);
 	for (size_t i = 0; i < CELLS; i++) {
 		double *number = column[i].number;

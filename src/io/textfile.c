@@ -69,16 +69,15 @@ other_kind(const char *bytes, size_t n, size_t *bad)
 			   (bytes[0] == 0) == (bytes[2] == 0) &&
 			   (bytes[1] == 0) == (bytes[3] == 0);
 	if (marked || every_other)
-		return "UTF-8 was wanted, this looks like UTF-16";
+		return "expected UTF-8, got what looks like UTF-16";
 	if (n > 3 && memcmp(bytes, "PK\3\4", 4) == 0)
-		return "text was wanted, this is a workbook (.xlsx, .ods), "
-		       "not a text file";
+		return "expected text, got a workbook (.xlsx, .ods)";
 	*bad = first_control(bytes, n);
 	if (*bad < n)
-		return "text was wanted, this is not a text file";
+		return "expected text, got a binary file";
 	*bad = first_not_utf8(bytes, n);
 	if (*bad < n)
-		return "UTF-8 was wanted, this looks like Latin-1";
+		return "expected UTF-8, got what looks like Latin-1";
 	return NULL;
 }
 
@@ -95,8 +94,8 @@ static char *
 refuse_size(const char *path, double bytes, struct error_list *errors)
 {
 	error_at(error_add(errors), ERROR_DATA, path, 0, 0,
-	    "at most %d MB were wanted, found %.1f MB\n"
-	    "a sieve sheet has a few kB: is this the right file?",
+	    "expected at most %d MB, got %.1f MB\n"
+	    "a site file has a few kB: is this the right file?",
 	    MOST_BYTES / 1000000, bytes / 1e6);
 	return NULL;
 }
@@ -117,10 +116,10 @@ check(const char *path, const char *bytes, size_t n, struct error_list *errors)
 		return xstrndup(bytes, n);
 	struct place at = place_of(bytes, kind != NULL ? bad : 0);
 	error_at(error_add(errors), ERROR_DATA, path, at.line, at.column,
-	    kind != NULL
-		? "%s\nin the spreadsheet, save the sheet as \"CSV UTF-8\""
-		: "a site sheet was wanted, found an empty file%.0s\n"
-		  "tipspeed-site(5) shows what a site file holds",
+	    kind != NULL ? "%s\n"
+			   "save the spreadsheet as \"CSV UTF-8\""
+			 : "expected a site file, got an empty file%.0s\n"
+			   "see tipspeed-site(5) for what a site file contains",
 	    kind != NULL ? kind : "");
 	return NULL;
 }
@@ -153,10 +152,10 @@ refuse_system(const char *path, const char *why, struct error_list *errors)
 	bool several = errno == EISDIR || strpbrk(path, "*?") != NULL;
 	error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
 	    "cannot read: %s\n%s", why,
-	    several ? "name each file, or let the shell do it: tipspeed "
-		      "FOLDER/*.csv"
-		    : "check the name (blanks want quotes), the folder and the "
-		      "rights");
+	    several ? "name each file, or let the shell expand the pattern: "
+		      "tipspeed FOLDER/*.csv"
+		    : "check the name (quote names with spaces), the folder "
+		      "and its permissions");
 	return NULL;
 }
 
@@ -176,7 +175,7 @@ is_written(int fd, const char **why)
 	struct pollfd in = {.fd = fd, .events = POLLIN};
 	int got = poll(&in, 1, PATIENCE_MS);
 	*why = got < 0 ? strerror(errno)
-		       : "nobody wrote to this pipe for a minute";
+		       : "nothing was written to this pipe for a minute";
 	return got > 0;
 }
 
@@ -197,7 +196,7 @@ textfile_open(const char *path, const char **why)
 		good = is_written(fd, why);
 	else if (good && !S_ISREG(about.st_mode) && !is_null_device(&about)) {
 		good = false;
-		*why = "a file or a pipe was expected, this is a device";
+		*why = "expected a file or a pipe, got a device";
 	}
 	if (good &&
 	    (fcntl(fd, F_SETFL, 0) != 0 || (file = fdopen(fd, "rb")) == NULL))

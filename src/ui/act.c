@@ -111,12 +111,12 @@ hold(struct tui *t, const struct key *key)
 		t->ran = tui_searched(t);
 		t->held = !t->held;
 		t->due = t->started = t->clock;
-		tui_say(
-		    t, false, t->held ? "paused: Space goes on" : "going on");
+		tui_say(t, false,
+		    t->held ? "paused: Space continues" : "continuing");
 	} else if (s->job.calibration != NULL) {
 		run_key(t, key);
 	} else {
-		tui_say(t, false, "no calibration is under way: f starts one");
+		tui_say(t, false, "no calibration is running: f starts one");
 	}
 }
 
@@ -126,9 +126,9 @@ set_pace(struct tui *t, int by)
 	t->pace = pane_moved(t->pace, by, PACE_COUNT);
 	t->due = t->clock;
 	if (t->pace == PACE_FULL)
-		tui_say(t, false, "pace: as fast as it can");
+		tui_say(t, false, "generations a second: as many as possible");
 	else
-		tui_say(t, false, "pace: %g generation%s a second",
+		tui_say(t, false, "speed of display: %g generation%s a second",
 		    PACES[t->pace], PACES[t->pace] > 1 ? "s" : "");
 }
 
@@ -143,17 +143,17 @@ pin(struct tui *t)
 	memset(&t->kept, 0, sizeof t->kept);
 	memset(&t->pin, 0, sizeof t->pin);
 	if (kept) {
-		tui_say(t, false, "no longer kept");
+		tui_say(t, false, "unpinned");
 	} else if (t->now.site[0] == '\0') {
-		tui_say(t, true, "nothing is predicted yet: f calibrates");
+		tui_say(t, true, "no prediction yet: f calibrates");
 	} else {
 		t->pin = t->now;
 		t->kept = *last;
 		t->kept.feed = psd_copy(&last->feed);
 		t->kept.product = psd_copy(&last->product);
 		tui_say(t, false,
-		    "%s at %.1f m/s is kept beside: go to another speed or "
-		    "site; e exports both",
+		    "pinned %s at %.1f m/s: go to another speed or site; e "
+		    "exports both",
 		    t->pin.site, t->pin.speed);
 	}
 }
@@ -168,11 +168,10 @@ band(struct tui *t)
 	bool known = doubt_band(t->session, entry, &t->shown) != NULL;
 	tui_say(t, false, "%s%s", known ? "" : doubt_why_none(entry),
 	    !known && entry->has_fit && fit_too_few(&entry->fit) ? ""
-	    : !known ? "; f calibrates"
-	    : screen_depth() >= 256
-		? "band on: 80 % of the fits"
-		: "band on: 80 % of the fits; where thinner than half a row "
-		  "it does not show");
+	    : !known                ? "; f calibrates"
+	    : screen_depth() >= 256 ? "band on: 80 % uncertainty"
+				    : "band on: 80 % uncertainty; not visible "
+				      "where thinner than half a row");
 }
 
 static void
@@ -181,8 +180,7 @@ stop(struct tui *t)
 	if (session_busy(t->session))
 		conduct_keep(t);
 	else
-		tui_say(
-		    t, false, "nothing runs that could be stopped: q leaves");
+		tui_say(t, false, "no calibration to stop: q quits");
 }
 
 static void
@@ -310,7 +308,7 @@ digit_key(struct tui *t, int code, bool special)
 		struct slider_range range = tui_range(t);
 		if (!slider_read(range, y->text, &t->tenths))
 			tui_say(t, true,
-			    "a speed from %d to %d m/s was wanted, not %s",
+			    "expected a speed from %d to %d m/s, got %s",
 			    range.least / 10, range.most / 10, y->text);
 	}
 	typing_begin(y, "");
@@ -399,6 +397,6 @@ act_key(struct tui *t, int code, bool special)
 		act(t, key);
 		if (key == NULL && code > ' ' && code < DELETE)
 			tui_say(t, false,
-			    "this key does nothing: ? lists the keys");
+			    "this key has no function: ? lists the keys");
 	}
 }

@@ -215,7 +215,9 @@ draw_screen(struct tui *t, const char *line)
 static void
 await_return(void)
 {
-	fputs("\n[Return goes back]", stdout);
+	fputs("\n"
+	      "[Return: back]",
+	    stdout);
 	fflush(stdout);
 	/* ^C has ended the shell command. */
 	pump_forget_interrupt();
@@ -250,7 +252,7 @@ run_typed(struct tui *t, const char *line)
 	    !session_busy(s)) {
 		bool on = s->job.paused;
 		if (conduct_run(t, on ? "continue" : "calibrate") && on)
-			tui_say(t, false, "goes on within the new bounds");
+			tui_say(t, false, "continues within the new bounds");
 		return;
 	}
 	if (ok && memcmp(&before, &s->set.bounds, sizeof before) != 0)
@@ -358,8 +360,8 @@ conduct_keep(struct tui *t)
 	t->asked.tenths = 0;
 	conduct_look(t);
 	tui_say(t, false,
-	    "stopped, the best is kept: Space goes on, f starts "
-	    "anew, both within the bounds that are set");
+	    "stopped, the best is kept: Space continues, f starts again, both "
+	    "within the current bounds");
 }
 
 /* The calibration has come to its end. */
@@ -374,11 +376,10 @@ finish(struct tui *t)
 	const struct entry *entry = tui_entry(t);
 	if (entry != NULL && entry->has_fit && error.kind == ERROR_NONE)
 		tui_say(t, false,
-		    "calibrated: %s, %.2f points RMS, %zu generations%s",
+		    "calibrated: %s, RMSE %.2f points, %zu generations%s",
 		    fit_verdict(&entry->fit), 100 * entry->fit.rmse,
 		    entry->fit.generations,
-		    t->page == PAGE_FIT ? "; Tab and the arrows go through them"
-					: "");
+		    t->page == PAGE_FIT ? "; Tab, arrows: show them" : "");
 }
 
 void

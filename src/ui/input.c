@@ -54,12 +54,12 @@ input_end_paste(struct tui *t)
 	const struct paste *p = &t->paste;
 	if (p->left && p->taken == 0)
 		tui_say(t, false,
-		    "pasted text was ignored: press : first to paste it into "
+		    "pasted text was ignored: press : first, then paste into "
 		    "the command line");
 	else if (p->left)
 		tui_say(t, false,
-		    "only part of the pasted text was taken: a "
-		    "line takes one line");
+		    "only part of the pasted text was used: the command line "
+		    "holds one line");
 	t->paste.on = false;
 }
 

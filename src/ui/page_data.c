@@ -93,13 +93,13 @@ draw_source(const struct tui *t, const struct area *area, int row)
 	const struct site *site = tui_entry(t)->site;
 	char *from = xasprintf("data: %s", site->provenance);
 	row = screen_words(area, row, 0,
-	    "columns: product at each speed, m/s; * trained on; PRED: at the "
+	    "columns: product at each speed, m/s; * training; PRED: at the "
 	    "slider");
 	if (site->machine[0] != '\0')
 		screen_text(area, row++, 0, 0, "machine: %s", site->machine);
 	if (site->provenance[0] != '\0')
 		row = screen_words(area, row, 0, from);
-	screen_text(area, row, 0, LOOK_DIM, ":check looks for slips");
+	screen_text(area, row, 0, LOOK_DIM, ":check looks for typing errors");
 	free(from);
 }
 

@@ -97,7 +97,7 @@ draw_parameter(const struct area *side, int row, size_t j,
 	const char *remark = lower >= upper              ? "fixed"
 			     : polished != NULL && gauge ? ""
 			     : best - lower < near || upper - best < near
-				 ? "NEAR BOUND"
+				 ? "near bound"
 				 : "";
 	screen_text(side, row, 0, 0, "%-7s|%s|%7.3g %s",
 	    breakage_of(&g->params)->parameter[j].name, bar, value, remark);
@@ -131,8 +131,8 @@ draw_progress(const struct tui *t, const struct area *side, int row)
 	screen_text(side, row++, 0, LOOK_BOLD, "%sgeneration %zu of %zu",
 	    t->held ? "PAUSED " : "", st.generation, o->generations);
 	if (st.state == CALIBRATE_POLISHING)
-		screen_text(side, row++, 0, 0, "polishing: %zu starts done",
-		    st.starts_done);
+		screen_text(side, row++, 0, 0,
+		    "polishing: %zu starting points done", st.starts_done);
 	else
 		screen_text(side, row++, 0, 0, "stall %zu of %zu, tolerance %g",
 		    st.stall, o->stall, o->tolerance);
@@ -152,9 +152,9 @@ draw_progress(const struct tui *t, const struct area *side, int row)
 static const char *
 why_stopped(enum calibrate_state stop)
 {
-	return stop == CALIBRATE_TOLERANCE     ? "came together"
-	       : stop == CALIBRATE_STALLED     ? "stood still"
-	       : stop == CALIBRATE_GENERATIONS ? "all used"
+	return stop == CALIBRATE_TOLERANCE     ? "converged"
+	       : stop == CALIBRATE_STALLED     ? "stalled"
+	       : stop == CALIBRATE_GENERATIONS ? "limit reached"
 					       : "stopped";
 }
 
@@ -173,7 +173,7 @@ draw_result(const struct tui *t, const struct area *side, int row)
 	    side, row++, 0, 0, "best %.4g median %.4g", g->best, g->median);
 	screen_text(side, row++, 0, 0, "polished: misfit %.4g  seed %llu",
 	    entry->fit.misfit, (unsigned long long)entry->fit.seed);
-	screen_text(side, row++, 0, 0, "%.2f points RMS, %s",
+	screen_text(side, row++, 0, 0, "RMSE %.2f points, %s",
 	    100 * entry->fit.rmse, fit_verdict(&entry->fit));
 	return row;
 }
@@ -194,8 +194,8 @@ draw_side(const struct tui *t)
 		screen_text(side, 0, 0, 0, "%s",
 		    can ? "not calibrated yet: f starts"
 			: "no product: type :guess");
-		screen_text(
-		    side, 1, 0, 0, "%s", can ? "+ and - set the pace" : "");
+		screen_text(side, 1, 0, 0, "%s",
+		    can ? "+ and -: generations a second" : "");
 		return;
 	}
 	row = draw_parameters(t, side, row);
@@ -225,15 +225,15 @@ static const char *
 hints(const struct tui *t)
 {
 	return session_busy(t->session) && t->held
-		   ? "Space go on  ? keys  q quit  s stop, keep  f fit again  "
-		     "Tab generations  v picture"
+		   ? "Space continue  ? keys  q quit  s stop, keep  f fit "
+		     "again  Tab generations  v plot"
 	       : session_busy(t->session)
-		   ? "Space pause  ? keys  q quit  s stop, keep  +/- pace  "
-		     "f fit again  Tab generations  v picture"
+		   ? "Space pause  ? keys  q quit  s stop, keep  +/- gen/s  f "
+		     "fit again  Tab generations  v plot"
 	       : tui_past(t).n > 0
-		   ? "f fit again  ? keys  q quit  Tab generations  v picture  "
-		     "+/- pace  : command"
-		   : "f fit  ? keys  q quit  +/- pace  : command";
+		   ? "f fit again  ? keys  q quit  Tab generations  v plot  "
+		     "+/- gen/s  : command"
+		   : "f fit  ? keys  q quit  +/- gen/s  : command";
 }
 
 static bool

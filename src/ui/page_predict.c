@@ -123,7 +123,7 @@ draw_pin(const struct tui *t, int row)
 	const struct area *side = &t->places.side;
 	if (t->pin.site[0] == '\0')
 		return row;
-	screen_text(side, row++, 0, LOOK_BOLD, "kept: %.1f m/s %s",
+	screen_text(side, row++, 0, LOOK_BOLD, "pinned: %.1f m/s %s",
 	    t->pin.speed, t->pin.site);
 	return draw_sizes(t, row, &t->pin, &t->pin);
 }
@@ -215,7 +215,7 @@ draw_cross(const struct tui *t, int row, int room)
 	draw_reading(t, row++, LOOK_BOLD, "PRED", &p->product);
 	row = draw_cross_band(t, row, row - from + 2 <= room);
 	if (t->pin.site[0] != '\0' && row - from < room)
-		draw_reading(t, row++, 0, "kept", &t->kept.product);
+		draw_reading(t, row++, 0, "pinned", &t->kept.product);
 	return row;
 }
 
@@ -238,7 +238,7 @@ draw_worth(const struct tui *t, int row)
 	}
 	if (isfinite(t->holdout))
 		screen_text(
-		    side, row, 0, 0, "hold-out %.1f points", t->holdout);
+		    side, row, 0, 0, "hold-out RMSE %.1f points", t->holdout);
 }
 
 /* How far the fit leaves P50 open; the crosshair tells it for any size. */
@@ -327,7 +327,7 @@ page_predict_numbers(struct tui *t)
 		    short_size(t->now.size[2], c));
 	else
 		screen_text(area, 0, 0, LOOK_BOLD,
-		    "P20 %s  P50 %s  P80 %s  breaks from %s",
+		    "P20 %s  P50 %s  P80 %s  break size %s",
 		    size_text(t->now.size[0], a), size_text(t->now.size[1], b),
 		    size_text(t->now.size[2], c),
 		    size_text(t->now.break_mm, d));
@@ -395,7 +395,7 @@ page_predict_cross(struct tui *t)
 		t->page = PAGE_PREDICT;
 	t->focus = t->cross ? &page_predict : NULL;
 	if (t->shown.product.n == 0)
-		tui_say(t, true, "nothing is predicted yet: f calibrates");
+		tui_say(t, true, "no prediction yet: f calibrates");
 	else if (t->cross)
 		tui_say(t, false,
 		    "left and right: the sieve; up and down: the passing; Tab: "
@@ -419,8 +419,8 @@ words(const struct tui *t)
 }
 
 const struct page_ops page_predict = {.name = "Predict",
-    .hints = "<-/-> speed  ? keys  q quit  f fit  : command  c crosshair  "
-	     "x keep beside  e export  u undo",
+    .hints = "<-/-> speed  ? keys  q quit  f fit  : command  c crosshair  x "
+	     "pin  e export  u undo",
     .side = 24,
     .wide_side = 24,
     .draw = draw,

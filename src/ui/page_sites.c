@@ -81,7 +81,7 @@ static const struct {
     [TOP] = {"top mm", 6, 6, true},
     [RUNS] = {"runs m/s", 10, 7, false},
     [PARAMETERS] = {"parameters", 15, 4, false},
-    [RMS] = {"RMS pt", 7, 3, true},
+    [RMS] = {"RMSE", 7, 3, true},
     [HOLDOUT] = {"hold-out", 9, 2, true},
     [P50] = {"P50 mm", 8, 1, true},
     [MISFIT] = {"misfit", 10, 8, true},
@@ -243,7 +243,7 @@ draw_site(const struct tui *t, const struct area *area)
 	free(label);
 	screen_text(area, row++, 0, 0, "data: %s",
 	    e->site->provenance[0] != '\0' ? e->site->provenance
-					   : "not stated where from");
+					   : "provenance not stated");
 	if (!e->has_params)
 		return;
 	int at = 0;
@@ -303,8 +303,7 @@ act(struct tui *t, const struct key *key)
 }
 
 const struct page_ops page_sites = {.name = "Sites",
-    .hints = "Up/Down site  Enter use it  ? keys  q quit  x keep beside  "
-	     ": command",
+    .hints = "Up/Down site  Enter use it  ? keys  q quit  x pin  : command",
     .update = update,
     .draw = draw,
     .takes_focus = true,

@@ -84,7 +84,7 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 	    ascii ? "# predicted" : "\u254C predicted");
 	if (request->kept != NULL)
 		column = draw_name(t, column, SERIES_OTHER, 0,
-		    ascii ? "% kept" : "\u2501%\u2501 kept");
+		    ascii ? "% pinned" : "\u2501%\u2501 pinned");
 	draw_name(t, column, SERIES_BREAK, 0,
 	    ascii ? ": break size" : "\u250A break size");
 }

@@ -220,8 +220,8 @@ static void
 take_lines(struct session *s, char *typed, int *number)
 {
 	if (!text_is_utf8(typed, strlen(typed))) {
-		fputs(
-		    "this is not UTF-8: is the terminal set to it?\n", stderr);
+		fputs("expected UTF-8: check the terminal's character set\n",
+		    stderr);
 		return;
 	}
 	for (char *line = typed, *end; line != NULL && !s->quit; line = end) {
@@ -286,7 +286,7 @@ set_up(struct session *s)
 void
 repl_begin(struct session *s)
 {
-	fprintf(stderr, "tipspeed %s: help lists the commands, quit leaves\n",
+	fprintf(stderr, "tipspeed %s: help lists the commands, quit exits\n",
 	    PACKAGE_VERSION);
 	s->hooks.show_page = manpage_show;
 	char *path = s->safe
@@ -339,6 +339,7 @@ repl_for_screen(struct session *s)
 {
 	if (!s->prompt)
 		return repl_run(s);
-	session_note(s, "this is the prompt, which --linear asked for");
+	session_note(s,
+	    "--linear was given: use the prompt instead of full-screen mode");
 	return 0;
 }

@@ -61,7 +61,7 @@ press_word(struct tui *t, const char *word, struct error *error)
 	int code;
 	if (strcmp(word, "^Z") == 0) {
 		error_set(error, ERROR_USAGE,
-		    "^Z leaves to the shell, and there is none here");
+		    "^Z needs a shell, and there is none here");
 		return error_hint(error, "leave it out");
 	}
 	if (keys_code(word, &code)) {
@@ -70,9 +70,9 @@ press_word(struct tui *t, const char *word, struct error *error)
 	}
 	if (!is_typed(t, word)) {
 		error_set(error, ERROR_USAGE, "there is no key '%s'", word);
-		return error_hint(error,
-		    "the names are those of tipspeed-tui(1), with a blank "
-		    "between two: keys=\"Left Space c\"");
+		return error_hint(
+		    error, "use the names of tipspeed-tui(1), separated by "
+			   "spaces: keys=\"Left Space c\"");
 	}
 	while (*word != '\0')
 		press(t, (int)text_next(&word), false);
@@ -106,7 +106,7 @@ draw_open(const struct screen_request *request, struct error *error)
 	struct tui t = *conduct_open();
 	if (request->keys[0] != '\0') {
 		error_set(error, ERROR_USAGE,
-		    "keys= is for a picture without a full screen");
+		    "keys= is for use outside full-screen mode");
 		return error_hint(
 		    error, "press the keys here, then type :screen");
 	}

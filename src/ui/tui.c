@@ -207,8 +207,8 @@ tui_run(struct session *s)
 	if (!history)
 		typed_close();
 	if (!opened) {
-		session_note(s, "this terminal cannot show a full screen: is "
-				"TERM right? 'predict' answers without one");
+		session_note(s, "this terminal cannot show full-screen mode: "
+				"check TERM, or use 'predict' without it");
 		return ERROR_SYSTEM;
 	}
 	return pump_status();

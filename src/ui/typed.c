@@ -21,7 +21,7 @@ static bool opened;
 static void
 give_up(const char *why)
 {
-	fprintf(stderr, "the history is not kept: %s\n", why);
+	fprintf(stderr, "the history cannot be saved: %s\n", why);
 	free(path);
 	path = NULL;
 }

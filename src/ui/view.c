@@ -201,8 +201,8 @@ view_draw(struct tui *t)
 	     aside = !v->keys && v->columns - v->left > body->columns;
 	char *hints = xasprintf("%s%s%s", below ? "more below: Down  " : "",
 	    aside ? "more right: Right  " : "",
-	    v->keys ? "Esc goes back  / finds a word  Enter does it"
-		    : "any other key goes back");
+	    v->keys ? "Esc back  / find a word  Enter run it"
+		    : "any other key: back");
 	t->cursor =
 	    (struct cursor){body->row + (v->keys ? v->at - v->top : 0), 0};
 	if (v->word.active && t->places.hints.rows > 0) {

@@ -262,7 +262,7 @@ the_list_has_the_keys_of_other_pages(void **state)
 	type(t, "?/use this site\n");
 	assert_int_equal(stage->desk->session->current, 0);
 	assert_string_equal(t->command, "use tierp");
-	type(t, "?/next picture\n");
+	type(t, "?/next plot\n");
 	assert_int_equal(t->picture, PLOT_CONVERGENCE);
 	assert_int_equal(t->page, PAGE_PREDICT);
 	type(t, "?/down in a list\n");

@@ -113,8 +113,9 @@ sentences_alone_are_told_to_all(void **state)
 	struct answer *a = answer_new("why");
 	answer_note(a, "It breaks");
 	answer_say(a, ANSWER_WARNING, "It is far");
-	prints(a, ANSWER_TABLE, 0, "It breaks.\nIt is far.\n");
-	prints(a, ANSWER_MARKDOWN, 0, "\nIt breaks.\n\nIt is far.\n\n");
+	prints(a, ANSWER_TABLE, 0, "Warning: It is far.\nIt breaks.\n");
+	prints(
+	    a, ANSWER_MARKDOWN, 0, "\nWarning: It is far.\n\nIt breaks.\n\n");
 	prints(a, ANSWER_CSV, 2,
 	    "command,sentence\nwhy,It breaks\nwhy,It is far\n");
 	prints(a, ANSWER_JSON, 0,

@@ -107,7 +107,7 @@ run_weights_pull_the_fit_to_a_run(void **state)
 	}
 	assert_true(rmse[0] < rmse[1]);
 	assert_false(desk_say(desk, "calibrate run_weights=1,2,3"));
-	assert_non_null(strstr(desk->error.text, "wants 2 numbers"));
+	assert_non_null(strstr(desk->error.text, "expected 2 numbers"));
 }
 
 static void

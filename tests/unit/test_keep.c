@@ -210,7 +210,7 @@ the_next_session_has_it_back(void **state)
 	leave(desk);
 	*state = desk = sit_down(&offer);
 	assert_non_null(strstr(offer, "was not saved (2 commands, Tierp): "
-				      "'restore last' has it back"));
+				      "'restore last' brings it back"));
 	free(offer);
 	assert_true(say(desk, "restore last"));
 	assert_true(say(desk, "predict 74; assert p50 > 0"));
@@ -343,7 +343,7 @@ where_it_cannot_be_kept_it_says_so_at_the_end(void **state)
 	fflush(desk->notes_file);
 	setenv("XDG_STATE_HOME", folder, 1);
 	assert_string_equal(desk->notes,
-	    "this session could not be kept: /dev/null/tipspeed: "
+	    "could not keep this session: /dev/null/tipspeed: "
 	    "Not a directory\n");
 }
 

@@ -75,7 +75,7 @@ the_list_has_every_name(void **state)
 	assert_non_null(out);
 	keys_list("grading", out);
 	fclose(out);
-	assert_non_null(strstr(text, "no key does 'grading'"));
+	assert_non_null(strstr(text, "no key for 'grading'"));
 	assert_non_null(strstr(text, ":apropos grading"));
 	free(text);
 }

@@ -39,14 +39,16 @@ why_takes_the_sheet_at_its_word(void **state)
 	struct session *s = desk->session;
 	desk_expect(desk, "load data/sites/tierp.csv; "
 			  "params set f_mat=2 e0_min=16 alpha=1");
-	assert_true(says(desk, "why", "not from a plant's sieves: recon"));
+	assert_true(says(desk, "why", "not measured at a plant: recon"));
 	char *own = session_entry(s)->site->provenance;
 	session_entry(s)->site->provenance = xstrdup("belt cuts of 3 May; wet");
 	assert_true(says(desk, "why",
-	    "The data are measured, says the sheet: belt cuts of 3 May."));
+	    "The site file states the provenance of its data: belt cuts of "
+	    "3 May."));
 	assert_true(says(desk, "sites", "measured"));
 	session_entry(s)->site->provenance[0] = '\0';
-	assert_true(says(desk, "why", "does not say where its data are from"));
+	assert_true(
+	    says(desk, "why", "does not state where its data are from"));
 	free(session_entry(s)->site->provenance);
 	session_entry(s)->site->provenance = own;
 }
@@ -56,7 +58,7 @@ a_guess_beyond_its_materials_says_so(void **state)
 {
 	struct desk *desk = *state;
 	desk_expect(desk, "load data/sites/tierp.csv");
-	assert_true(says(desk, "guess speed=90", "extrapolated: 90.0 m/s"));
+	assert_true(says(desk, "guess speed=90", "90.0 m/s is outside"));
 	assert_false(says(desk, "guess speed=74", "extrapolated"));
 }
 

@@ -188,13 +188,13 @@ a_second_site_has_a_curve_of_its_own(void **state)
 		struct chart *c = chart_of(desk, &q);
 		size_t last = c->n - 1; /* bro has no parameters yet */
 		assert_string_equal(c->series[last].name,
-		    way == 0 ? "predicted tierp 70 m/s" : "kept tierp 70 m/s");
+		    way == 0 ? "predicted tierp 70 m/s" : "pin tierp 70 m/s");
 		assert_int_equal(c->series[last].n, kept.product.n);
 		for (size_t i = 0; i < kept.product.n; i++)
 			assert_true(fabs(c->series[last].y[i] -
 					 100 * kept.product.passing[i]) < 1e-9);
 		assert_int_equal(c->n_rule, 1);
-		assert_memory_equal(c->rule[0].name, "tierp: breaks from ", 19);
+		assert_memory_equal(c->rule[0].name, "tierp: break size ", 18);
 		chart_free(c);
 		q.kept = &kept;
 	}

@@ -78,8 +78,8 @@ what_was_passed_over_is_told(void **state)
 	    {TOP "8,100,100,100\n# 4 is torn\n4,60,80,90\n1,10,20,30\n",
 		"line 3: a comment: # 4 is torn; "},
 	    {TOP ROWS "Summa,170,200,220\nSignatur ÅÄÖ\n",
-		"line 5: Summa: sums are compared of grams alone; "
-		"line 6: a remark below the table: Signatur ÅÄÖ; "},
+		"line 5: Summa: sums are checked for grams only; "
+		"line 6: remark below the table: Signatur ÅÄÖ; "},
 	    {"size_mm,feed_retained_g,retained_g@69,retained_g@79\n8,0,0,0\n"
 	     "4,80,2,10\n1,100,4,60\npan,20,1,30\nsum,200,7,100\n",
 		""},

@@ -120,12 +120,12 @@ large_garbage_is_refused(void **state)
 		for (size_t k = 0; k < N; k++)
 			bytes[k] = garbage[i].fill[k % strlen(garbage[i].fill)];
 		expect_other_file(bytes, N, garbage[i].part);
-		expect_other_file(bytes, N + 1, "10 MB were wanted");
+		expect_other_file(bytes, N + 1, "at most 10 MB");
 	}
 	uint64_t seed = 7;
 	for (size_t k = 0; k < N; k++)
 		bytes[k] = (char)next_random(&seed);
-	expect_other_file(bytes, N, "not a text file");
+	expect_other_file(bytes, N, "a binary file");
 	free(bytes);
 }
 
@@ -136,8 +136,8 @@ utf_16_is_named(void **state)
 	expect_other_file("\xFF\xFEs\0i\0t\0e\0", 10, "UTF-16");
 	expect_other_file("\xFE\xFF\0s\0i\0t\0e", 10, "UTF-16");
 	expect_other_file("s\0i\0t\0e\0", 8, "UTF-16");
-	expect_other_file("PK\3\4\0\0\0\0", 8, "not a text file");
-	expect_other_file("site,T\0", 7, "not a text file");
+	expect_other_file("PK\3\4\0\0\0\0", 8, "a workbook");
+	expect_other_file("site,T\0", 7, "a binary file");
 }
 
 /* A folder for the files of a test; the group's teardown takes it away. */
@@ -183,7 +183,7 @@ files_that_cannot_be_read_are_told(void **state)
 	/* A hole: large, and nothing on the disk. */
 	assert_int_equal(ftruncate(fileno(file), 3000000000), 0);
 	fclose(file);
-	expect_file_fault(path, ERROR_DATA, "found 3000.0 MB");
+	expect_file_fault(path, ERROR_DATA, "got 3000.0 MB");
 	if (geteuid() != 0) { /* to root every file is readable */
 		chmod(path, 0);
 		expect_file_fault(path, ERROR_SYSTEM, "ermission");

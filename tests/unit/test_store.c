@@ -218,7 +218,7 @@ a_file_that_is_none_is_refused(void **state)
 	char text[2000];
 	memset(text, 'x', sizeof text);
 	write_file(shelf->path, 0, text, sizeof text);
-	expect_refusal(shelf, ERROR_DATA, "no store of tipspeed");
+	expect_refusal(shelf, ERROR_DATA, "not a store of tipspeed");
 }
 
 static void
@@ -283,7 +283,7 @@ expect_forged(struct shelf *shelf, const char *words, const char *name)
 	stored_list_free(&all);
 	assert_int_equal(shelf->error.kind, ERROR_DATA);
 	assert_string_equal(shelf->error.file, shelf->path);
-	char *hint = xasprintf("'forget \"%s\"' takes it out", name);
+	char *hint = xasprintf("run 'forget \"%s\"', then", name);
 	if (strstr(shelf->error.text, words) == NULL ||
 	    strstr(shelf->error.hint, hint) == NULL)
 		fail_msg("%s\n%s", shelf->error.text, shelf->error.hint);
