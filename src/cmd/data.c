@@ -224,9 +224,9 @@ write_one(struct session *s, const struct args *args, const struct site *site,
 	size_t rows;
 	if (!data_may_write(s, args, path, error)) {
 		if (error->kind == ERROR_USAGE)
-			error_hint(
-			    error, "use replace=on to overwrite it; write "
-				   "saves a site file, use > FILE for results");
+			error_hint(error,
+			    "use replace=on to overwrite it; write "
+			    "saves a site file, use > FILE for results");
 		return false;
 	}
 	if (!site_save(site, path, &rows, error))

@@ -141,9 +141,9 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 		return true;
 	usage_list(NULL, help_stream(s));
 	if (s->safe)
-		session_note(
-		    s, "man is not available with --safe; these are the "
-		       "commands, and 'help COMMAND' explains one");
+		session_note(s,
+		    "man is not available with --safe; these are the "
+		    "commands, and 'help COMMAND' explains one");
 	else
 		session_note(s,
 		    "the page %s is shown at the prompt if man(1) is "

@@ -42,9 +42,9 @@ say_breakage(const struct subject *a)
 	const struct prediction *p = &a->p;
 	double can = breakable(a), does = p->selected;
 	if (p->no_daughters)
-		answer_note(
-		    a->answer, "The appearance function gives no progeny, so "
-			       "nothing breaks and the feed is unchanged");
+		answer_note(a->answer,
+		    "The appearance function gives no progeny, so "
+		    "nothing breaks and the feed is unchanged");
 	else if (p->break_size >= a->feed->size[0])
 		answer_note(a->answer,
 		    "At %g m/s only particles of %.3g mm or more break, and "

@@ -70,9 +70,9 @@ press_word(struct tui *t, const char *word, struct error *error)
 	}
 	if (!is_typed(t, word)) {
 		error_set(error, ERROR_USAGE, "there is no key '%s'", word);
-		return error_hint(
-		    error, "use the names of tipspeed-tui(1), separated by "
-			   "spaces: keys=\"Left Space c\"");
+		return error_hint(error,
+		    "use the names of tipspeed-tui(1), separated by "
+		    "spaces: keys=\"Left Space c\"");
 	}
 	while (*word != '\0')
 		press(t, (int)text_next(&word), false);

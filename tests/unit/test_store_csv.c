@@ -35,7 +35,7 @@ expect_fault(struct shelf *shelf, const char *old, const char *new, int line,
 {
 	struct stored_list all = {0}, read = {0};
 	struct error_list errors = {0};
-	bool there = strstr(words, "the store has") != NULL;
+	bool there = strstr(words, "the store already has") != NULL;
 	stored_list_add(&all, sparse("a"));
 	assert_true(store_csv_save(&all, shelf->csv, &shelf->error));
 	char *text = contents(shelf->csv), *at = strstr(text, old);
@@ -65,11 +65,11 @@ faults_of_an_import_have_their_place(void **state)
 		const char *words;
 	} faults[] = {{"2.18", "many", 2, 41, "a number from 0 to 10000"},
 	    {"2.18", "-1", 2, 41, "a number from 0 to 10000"},
-	    {"2.18", "", 2, 41, "f_mat was wanted"},
+	    {"2.18", "", 2, 41, "f_mat, got"},
 	    {"hand", "magic", 2, 16, "one of: fit hand"},
-	    {"\na,", "\n,", 2, 1, "name was wanted"},
+	    {"\na,", "\n,", 2, 1, "name, got"},
 	    {"\na,", "\ntable3/a,", 2, 1, "# or table3/"},
-	    {"\na,", "\nA,", 2, 1, "the store has 'A' already"},
+	    {"\na,", "\nA,", 2, 1, "the store already has 'A'"},
 	    {"alpha", "delta", 1, 109, "the name of a column"},
 	    {"continuous", "exact", 2, 57, "one of: continuous classes"},
 	    {"continuous,ratio,1,,,,,,,,,", "continuous,ratio,1,,,,-3,,,,,", 2,
