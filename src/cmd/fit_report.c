@@ -7,7 +7,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/doubt.h"
+#include "cmd/band.h"
 #include "cmd/fit.h"
 #include "cmd/table.h"
 #include "core/breakage.h"
@@ -137,7 +137,7 @@ add_verdict(struct answer *r, const struct entry *entry,
 			    breakage_of(&fit->params)->parameter[j].name);
 	add_flat(r, fit, bounds);
 	if (ranges)
-		doubt_note(r, entry);
+		band_note(r, entry);
 }
 
 static const char *
@@ -164,7 +164,7 @@ fit_answer(
 	/* Not of the place where a search was stopped, which may be any; and
 	 * who stops it does not wait for that. */
 	const struct uncertainty *u =
-	    fit->stop != CALIBRATE_STOPPED ? doubt_of(entry) : NULL;
+	    fit->stop != CALIBRATE_STOPPED ? band_draws(entry) : NULL;
 	const struct breakage *of = breakage_of(&fit->params);
 	struct answer *r = answers_new(entry->site, "calibrate",
 	    "calibrated parameters%s%s", of != BREAKAGES[0] ? " of " : "",
@@ -200,7 +200,7 @@ fit_answer(
 		    fit->edited_at, fit->edits > 1 ? " and before" : "");
 	add_verdict(r, entry, bounds, u != NULL);
 	fit_put(answer_fields(r), entry, seconds);
-	doubt_put_interval(answer_fields(r), u);
+	band_put_interval(answer_fields(r), u);
 	return r;
 }
 

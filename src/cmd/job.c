@@ -10,7 +10,7 @@
 #include "cmd/fit.h"
 #include "cmd/fit_report.h"
 #include "cmd/table.h"
-#include "cmd/turn.h"
+#include "cmd/invocation.h"
 #include "core/misfit.h"
 
 /* Says beside the results what the job is about to do. */
@@ -93,7 +93,7 @@ job_start(struct session *s, const struct job *job)
 {
 	session_stop(s);
 	s->job = *job;
-	s->job.turn = s->turn;
+	s->job.invocation = s->invocation;
 	s->job.entry = job->all ? next_site(s, 0) : s->current;
 	s->job.summary = job->all ? new_summary() : NULL;
 	if (s->job.entry < s->n_entry)
@@ -280,7 +280,7 @@ session_pause(struct session *s)
 	/* Before its first generation there is nothing to keep. */
 	if (st.generation > 0)
 		take_result(s);
-	turn_stopped(s, s->job.step);
+	invocation_stopped(s, s->job.step);
 	if (s->job.all || st.generation == 0) {
 		end_all(s);
 		return;
@@ -296,7 +296,7 @@ void
 session_stop(struct session *s)
 {
 	if (session_busy(s))
-		turn_stopped(s, 0);
+		invocation_stopped(s, 0);
 	job_free(&s->job);
 }
 
@@ -505,7 +505,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 	take_bounds(s);
 	s->job.pause_at = (size_t)pause->whole;
 	s->job.paused = false;
-	s->job.turn = s->turn;
+	s->job.invocation = s->invocation;
 	return true;
 }
 

@@ -12,7 +12,7 @@
 #include "cmd/keep.h"
 #include "cmd/parse.h"
 #include "cmd/script.h"
-#include "cmd/turn.h"
+#include "cmd/invocation.h"
 #include "cmd/undo.h"
 
 struct session *
@@ -62,12 +62,12 @@ run_words(struct session *s, const struct words *words, struct place place,
 	bool ok = command != NULL &&
 		  (!(command->flags & COMMAND_AT_SITE) ||
 		      session_need_site(s, command->name, error)) &&
-		  turn_begin(s, &args, words, place, error);
+		  invocation_begin(s, &args, words, place, error);
 	if (ok) {
 		ok = command->run(s, &args, error);
-		turn_ran(s);
-		if (!ok || turn_over(s))
-			ok = turn_end(s, ok, error);
+		invocation_ran(s);
+		if (!ok || invocation_over(s))
+			ok = invocation_end(s, ok, error);
 	}
 	args_free(&args);
 	if (!ok && error->line == 0 && strcmp(error->file, place.file) != 0)

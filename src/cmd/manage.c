@@ -15,7 +15,7 @@
 #include "cmd/script.h"
 #include "cmd/settings.h"
 #include "cmd/table.h"
-#include "cmd/turn.h"
+#include "cmd/invocation.h"
 #include "cmd/undo.h"
 #include "config.h"
 #include "core/breakage.h"
@@ -72,7 +72,7 @@ cmd_restore(struct session *s, const struct args *args, struct error *error)
 	if (args->n_operand == 0)
 		return keep_list(s);
 	if (strcmp(args->operand[0], "last") != 0) {
-		turn_saved(s);
+		invocation_saved(s);
 		return restore(s, args->operand[0], error);
 	}
 	char *last = keep_last(s, error);
@@ -192,7 +192,7 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 	    !file_replace_by(path, FILE_SHARED, put_script, s, error))
 		return false;
 	files_wrote(s, path);
-	turn_saved(s);
+	invocation_saved(s);
 	struct mark mark = journal_mark(s);
 	size_t n = mark.n - mark.start;
 	session_note(s, "wrote %s: %zu command%s", path, n, n == 1 ? "" : "s");

@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/doubt.h"
+#include "cmd/band.h"
 #include "cmd/entries.h"
 #include "cmd/table.h"
 
@@ -21,7 +21,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	const struct entry *entry = session_entry(s);
-	const struct uncertainty *u = doubt_of(entry);
+	const struct uncertainty *u = band_draws(entry);
 	const struct breakage *of = entry->has_params
 					? breakage_of(&entry->params)
 					: BREAKAGES[s->set.model.breakage];
@@ -42,7 +42,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 		answer_cells(r, "%s %s", info->unit, info->meaning);
 	}
 	if (u != NULL)
-		doubt_note(r, entry);
+		band_note(r, entry);
 	if (entry->origin != NULL && entry->origin->whose[0] != '\0')
 		origin_note(r, entry);
 	return session_answer(s, r);

@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/doubt.h"
+#include "cmd/band.h"
 #include "cmd/entries.h"
 #include "core/elementary.h"
 #include "core/breakage.h"
@@ -315,9 +315,9 @@ static void
 shade_prediction(
     struct chart *chart, struct session *s, const struct prediction *p)
 {
-	const struct band *band = doubt_band(s, session_entry(s), p);
+	const struct band *band = band_at(s, session_entry(s), p);
 	if (band == NULL) {
-		chart_note(chart, "%s", doubt_why_none(session_entry(s)));
+		chart_note(chart, "%s", band_why_none(session_entry(s)));
 		return;
 	}
 	struct chart_series *series = &chart->series[chart->n - 1];

@@ -7,12 +7,12 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/doubt.h"
+#include "cmd/band.h"
 #include "cmd/fit.h"
 #include "cmd/pictures.h"
 #include "cmd/plots.h"
 #include "cmd/table.h"
-#include "cmd/turn.h"
+#include "cmd/invocation.h"
 #include "core/predict.h"
 #include "core/validate.h"
 #include "io/units.h"
@@ -130,7 +130,7 @@ prediction_answer(struct session *s, const struct prediction *p,
 static void
 note_band(struct answer *r, const struct entry *entry, double speed)
 {
-	doubt_note(r, entry);
+	band_note(r, entry);
 	if (origin_fit(entry)->rmse > FIT_POOR)
 		answer_say(r, ANSWER_WARNING,
 		    "the band is too narrow: the fit is poor, and the band "
@@ -156,7 +156,7 @@ explained(struct session *s, const struct prediction *p,
 	if (band != NULL) {
 		note_band(r, entry, p->speed);
 		answer_put_columns(r, "low_pct high_pct");
-		doubt_put_band(o, band);
+		band_put(o, band);
 	}
 	note_breakage(r, params, p);
 	note_feed_gaps(r, entry->site, p);
@@ -221,7 +221,7 @@ predict_step(struct session *s, double speed, size_t feed_run, const char *line,
 	*p = predict(
 	    session_entry(s)->site, &params, s->set.model, speed, feed_run);
 	answers_keep(s, &params, p);
-	turn_asked(s, "predict", line);
+	invocation_asked(s, "predict", line);
 	return true;
 }
 
@@ -241,11 +241,11 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 	bool wanted = args_value(args, "interpolated")->choice == 1;
 	const struct value *asked = args_value(args, "band");
 	const struct band *band = !session_busy(s) && asked->choice == 1
-				      ? doubt_band(s, entry, &p)
+				      ? band_at(s, entry, &p)
 				      : NULL;
 	struct answer *r = explained(s, &p, &params, band, wanted);
 	if (asked->given && asked->choice == 1 && band == NULL)
-		answer_note(r, "%s", doubt_why_none(entry));
+		answer_note(r, "%s", band_why_none(entry));
 	bool picture = pictures_wanted(s);
 	bool curve = args_value(args, "curve")->choice == 1 &&
 		     s->set.format == ANSWER_TABLE;

@@ -17,8 +17,8 @@
 struct job {
 	struct calibration *calibration;
 	size_t entry;
-	struct turn *turn; /* the command that runs it */
-	double started;    /* s, of a clock that only goes forward */
+	struct invocation *invocation; /* the command that runs it */
+	double started; /* s, of a clock that only goes forward */
 	struct calibrate_options options;
 	bool *train;
 	bool all;               /* one loaded site after the other */
@@ -40,7 +40,7 @@ struct files;
 struct journal;
 struct keep;
 struct script;
-struct turn;
+struct invocation;
 struct undo;
 
 struct session {
@@ -69,10 +69,10 @@ struct session {
 	struct journal *journal;
 	struct keep *keep; /* what is not saved, see keep.h; NULL: no matter */
 	struct undo *undo;
-	struct script *script; /* scripts being read, innermost first */
-	size_t scripts;        /* how many */
-	struct turn *turn;     /* commands under way, innermost first */
-	struct store *store;   /* ":memory:" until another is put here */
+	struct script *script;         /* scripts being read, innermost first */
+	size_t scripts;                /* how many */
+	struct invocation *invocation; /* commands under way, innermost first */
+	struct store *store; /* ":memory:" until another is put here */
 	bool wants_tui; /* the driver opens the full screen, then goes on */
 	bool quit;
 };

@@ -15,7 +15,7 @@
 #include "cmd/fit.h"
 #include "cmd/model.h"
 #include "cmd/table.h"
-#include "cmd/turn.h"
+#include "cmd/invocation.h"
 #include "config.h"
 #include "io/store_csv.h"
 #include "io/units.h"
@@ -229,7 +229,7 @@ check_recalled(struct session *s, const struct args *args,
 	char found[17];
 	snprintf(found, sizeof found, "%016" PRIx64, stored_digest(m));
 	if (!wanted->given)
-		turn_adds(s, "digest", found);
+		invocation_adds(s, "digest", found);
 	if (!wanted->given || strcmp(wanted->text, found) == 0)
 		return true;
 	return error_set(error, ERROR_DATA,

@@ -17,13 +17,13 @@ struct plan;
 
 /* A model's part of the search, see kernel_body.h.  Evaluates KERNEL_LANES
  * candidates, those of the indices, and puts each misfit in its place; theta:
- * one array a parameter of the model.  calm: all are, see KERNEL_BINS. */
+ * one array a parameter of the model.  smooth: all are, see KERNEL_BINS. */
 typedef void kernel_block(const struct plan *plan, const double *const *theta,
-    const uint32_t *index, bool calm, double *scratch, double *misfit);
+    const uint32_t *index, bool smooth, double *scratch, double *misfit);
 
 /* Which of the candidates first..first+KERNEL_LANES-1 belong together: a bin of
- * ln x* at the mean energy for each, plus KERNEL_BINS for the calm ones, whose
- * S rises so slowly that fewer Gauss points do. */
+ * ln x* at the mean energy for each, plus KERNEL_BINS for the smooth ones,
+ * whose S rises so slowly that fewer Gauss points do. */
 enum { KERNEL_LANES = 8, KERNEL_BINS = 256 };
 typedef void kernel_bins(const struct plan *plan, const double *const *theta,
     size_t first, uint16_t *bin);

@@ -6,8 +6,8 @@
  * start is not enough: p(u) is clipped at 0, and each pattern of its zeros has
  * a valley of its own. So the leaders of two early generations, when the
  * population still spans several valleys, are kept as starts beside the best of
- * the last one; and from the best of all short hops are tried until none helps.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+ * the last one; and from the best of all short perturbations are tried until
+ * none helps. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/calibrate.h"
 
 #include <assert.h>
@@ -26,18 +26,18 @@
 enum {
 	SCOUTS = 16,             /* leaders kept of each early generation */
 	STARTS = 2 * SCOUTS + 2, /* and the bests of the two phases */
-	BATCH = 8,               /* starts or hops polished side by side */
-	LEADERS = 64,            /* spread over this many */
+	BATCH = 8,    /* starts or perturbations polished side by side */
+	LEADERS = 64, /* spread over this many */
 	POLISH_STEPS = 300,
-	HOPS = 64,           /* fruitless ones in a row that end the polish, */
-	HOPS_IN_NOISE = 256, /* and where there is little but noise */
+	PERTURBATIONS = 64, /* fruitless ones in a row that end the polish, */
+	PERTURBATIONS_IN_NOISE = 256, /* and where there is little but noise */
 	/* Where the misfit falls ever slower, as it does on the E0_min, alpha,
-	 * f_mat ridge, the rest of a hop's way is some few times its last gain;
-	 * in noise it is more. */
-	HOPE = 16,
-	HOPE_IN_NOISE = 200,
+	 * f_mat ridge, the rest of a perturbation's way is some few times its
+	 * last gain; in noise it is more. */
+	GAINS = 16,
+	GAINS_IN_NOISE = 200,
 	EARLIEST = 25, /* generations before the stop rules apply */
-	USE_HOP = 1 << 20
+	USE_PERTURBATION = 1 << 20
 };
 
 /* What one start needs to be polished beside others. */
@@ -68,7 +68,7 @@ struct calibration {
 	size_t batches;    /* and what was polished before it */
 	double stall_from;
 	struct params start[STARTS];
-	size_t n_start, done, hops, fruitless;
+	size_t n_start, done, perturbations, fruitless;
 	size_t n_history, history_room;
 	struct calibrate_generation *history;
 	struct params best;
@@ -349,10 +349,10 @@ generation(struct calibration *c)
 
 /* A place some way from the best: most parameters move little, a few far. */
 static struct params
-hop(const struct calibration *c, size_t number)
+perturbed(const struct calibration *c, size_t number)
 {
 	const struct bounds *b = &c->box;
-	struct rng_key key = rng_key(c->options.seed, number, USE_HOP);
+	struct rng_key key = rng_key(c->options.seed, number, USE_PERTURBATION);
 	struct params p = c->best;
 	size_t n = c->misfit->of->n;
 	for (size_t j = 0; j < n; j++) {
@@ -366,7 +366,7 @@ hop(const struct calibration *c, size_t number)
 }
 
 /* The gauge may be scaled as it likes (D4).  At half the largest size its
- * bounds allow, hops reach every direction alike. */
+ * bounds allow, perturbations reach every direction alike. */
 static void
 centre_gauge(const struct bounds *b, struct params *p)
 {
@@ -382,11 +382,11 @@ centre_gauge(const struct bounds *b, struct params *p)
 }
 
 static void
-take_polished(struct calibration *c, const struct worker *w, bool hopping)
+take_polished(struct calibration *c, const struct worker *w, bool perturbing)
 {
 	c->evaluations += (size_t)w->result.evaluations;
-	c->fruitless += hopping;
-	c->hops += hopping;
+	c->fruitless += perturbing;
+	c->perturbations += perturbing;
 	if (!(w->result.misfit < c->best_misfit))
 		return;
 	if (w->result.misfit < c->best_misfit * (1 - 1e-7))
@@ -397,7 +397,8 @@ take_polished(struct calibration *c, const struct worker *w, bool hopping)
 }
 
 /* Most of the misfit is there without a model, too: noise makes many shallow
- * valleys, which take more hops, and the descent along them is slow. */
+ * valleys, which take more perturbations, and the descent along them is
+ * slow. */
 static bool
 is_noisy(const struct calibration *c)
 {
@@ -411,31 +412,32 @@ polish_one(void *data, size_t i, unsigned thread)
 	struct calibration *c = data;
 	struct worker *w = &c->worker[i];
 	struct polish_rival best = {
-	    c->best_misfit, is_noisy(c) ? HOPE_IN_NOISE : HOPE};
+	    c->best_misfit, is_noisy(c) ? GAINS_IN_NOISE : GAINS};
 	w->result = polish_run(w->polish, &c->box, POLISH_STEPS,
 	    c->done >= c->n_start ? &best : NULL, &w->p);
 	if (w->result.stopped)
 		atomic_store(&c->stopped, true);
 }
 
-/* Polishes the next starts, or hops from the best, a batch at a time: always
- * the same batch, so that the number of threads changes nothing. */
+/* Polishes the next starts, or perturbations from the best, a batch at a time:
+ * always the same batch, so that the number of threads changes nothing. */
 static void
 polish_batch(struct calibration *c)
 {
-	bool hopping = c->done >= c->n_start;
+	bool perturbing = c->done >= c->n_start;
 	size_t left = c->n_start - c->done;
-	size_t n = hopping || left > BATCH ? BATCH : left;
+	size_t n = perturbing || left > BATCH ? BATCH : left;
 	for (size_t i = 0; i < n; i++)
-		c->worker[i].p =
-		    hopping ? hop(c, c->hops + i) : c->start[c->done + i];
+		c->worker[i].p = perturbing ? perturbed(c, c->perturbations + i)
+					    : c->start[c->done + i];
 	pool_run(c->pool, n, polish_one, c);
 	if (atomic_load(&c->stopped))
 		return;
 	for (size_t i = 0; i < n; i++)
-		take_polished(c, &c->worker[i], hopping);
+		take_polished(c, &c->worker[i], perturbing);
 	c->done += n;
-	if (c->fruitless >= (is_noisy(c) ? HOPS_IN_NOISE : HOPS))
+	if (c->fruitless >=
+	    (is_noisy(c) ? PERTURBATIONS_IN_NOISE : PERTURBATIONS))
 		end_phase(c);
 }
 
@@ -536,7 +538,7 @@ calibration_fit(struct calibration *c)
 		c->state >= CALIBRATE_TOLERANCE ? c->stop : CALIBRATE_STOPPED,
 	    .generations = s.generation,
 	    .evaluations = c->evaluations,
-	    .hops = c->hops,
+	    .perturbations = c->perturbations,
 	    .edits = c->edits,
 	    .edited_at = c->edited_at,
 	    .seed = c->options.seed,

@@ -44,10 +44,10 @@ kernel_free(struct kernel *kernel)
 	free(kernel);
 }
 
-/* Candidates in the order in which blocks take them; those that are calm come
+/* Candidates in the order in which blocks take them; those that are smooth come
  * last and start a block of their own. */
 struct queue {
-	size_t n, n_steep;
+	size_t n, n_stiff;
 	uint32_t index[KERNEL_PART + 2 * KERNEL_LANES];
 };
 
@@ -76,15 +76,15 @@ line_up(const struct kernel *kernel, const double *const *theta, size_t from,
 		place[bin[i] + 1]++;
 	for (size_t b = 0; b < 2 * KERNEL_BINS; b++)
 		place[b + 1] += place[b];
-	size_t steep = place[KERNEL_BINS];
+	size_t stiff = place[KERNEL_BINS];
 	for (size_t i = 0; i < n; i++)
 		order[place[bin[i]]++] = (uint32_t)(from + i);
-	memcpy(q->index, order, steep * sizeof *order);
-	q->n = steep;
+	memcpy(q->index, order, stiff * sizeof *order);
+	q->n = stiff;
 	fill_block(q);
-	memcpy(q->index + q->n, order + steep, (n - steep) * sizeof *order);
-	q->n_steep = q->n;
-	q->n += n - steep;
+	memcpy(q->index + q->n, order + stiff, (n - stiff) * sizeof *order);
+	q->n_stiff = q->n;
+	q->n += n - stiff;
 	fill_block(q);
 }
 
@@ -96,6 +96,6 @@ kernel_evaluate_part(const struct kernel *kernel, const double *const *theta,
 	assert(to - from <= KERNEL_PART && from % KERNEL_LANES == 0);
 	line_up(kernel, theta, from, to, &q);
 	for (size_t i = 0; i < q.n; i += KERNEL_LANES)
-		kernel->block(&kernel->plan, theta, q.index + i, i >= q.n_steep,
+		kernel->block(&kernel->plan, theta, q.index + i, i >= q.n_stiff,
 		    kernel->scratch[thread], misfit);
 }

@@ -49,7 +49,7 @@ static const double FULL = 9;
 
 /* The exponent rises by alpha (f e0 + itself) in ln x.  Where that is less at
  * x*, two Gauss points a class are as good as three. */
-static const double CALM = 6;
+static const double SMOOTH = 6;
 
 /* Gauss-Legendre on an interval, seen from its upper end. */
 struct gauss {
@@ -339,7 +339,7 @@ sieve_squares(const struct lane_model *m, const struct plan *plan,
 
 INLINE lanes
 continuous_block(const struct lane_model *m, const struct plan *plan,
-    struct block *b, bool calm, double *scratch)
+    struct block *b, bool smooth, double *scratch)
 {
 	lanes *at = (lanes *)(void *)scratch, sum = lanes_of(0);
 	size_t n_run = plan->n_run;
@@ -347,7 +347,7 @@ continuous_block(const struct lane_model *m, const struct plan *plan,
 	room.share = (void *)(at + 2 * n_run);
 	room.node = (void *)(room.share + n_run * plan->n_class);
 	tabulate(m, b, plan, &room);
-	if (calm)
+	if (smooth)
 		shares(b, plan, &GAUSS_2, &room);
 	else
 		shares(b, plan, &GAUSS_3, &room);
@@ -435,25 +435,25 @@ classes_block(const struct lane_model *m, const struct plan *plan,
 
 INLINE void
 evaluate(const struct lane_model *m, const struct plan *plan,
-    const double *const *theta, const uint32_t *index, bool calm,
+    const double *const *theta, const uint32_t *index, bool smooth,
     double *scratch, double *misfit)
 {
 	struct block b;
 	load(m, &b, plan, theta, index);
 	lanes sum = plan->method == METHOD_CLASSES
 			? classes_block(m, plan, &b, scratch)
-			: continuous_block(m, plan, &b, calm, scratch);
+			: continuous_block(m, plan, &b, smooth, scratch);
 	for (size_t l = 0; l < LANES; l++)
 		misfit[index[l]] = sum[l] <= 1e300 ? sum[l] : HUGE_VAL;
 }
 
 INLINE void
 evaluate_all(const struct lane_model *m, const struct plan *plan,
-    const double *const *theta, const uint32_t *index, bool calm,
+    const double *const *theta, const uint32_t *index, bool smooth,
     double *scratch, double *misfit)
 {
 	for (size_t i = 0; i < KERNEL_LANES; i += LANES)
-		evaluate(m, plan, theta, index + i, calm, scratch, misfit);
+		evaluate(m, plan, theta, index + i, smooth, scratch, misfit);
 }
 
 static inline void
@@ -469,11 +469,11 @@ bins(const struct lane_model *m, const struct plan *plan,
 		lanes at = lanes_max(
 		    (log_x - plan->bottom) * plan->per_bin, lanes_of(0));
 		at = lanes_min(at, lanes_of(KERNEL_BINS - 1));
-		lanes steep = alpha * f * e0;
+		lanes stiff = alpha * f * e0;
 		for (size_t l = 0; l < LANES; l++)
 			bin[i + l] =
 			    (uint16_t)((int32_t)at[l] +
-				       (steep[l] < CALM ? KERNEL_BINS : 0));
+				       (stiff[l] < SMOOTH ? KERNEL_BINS : 0));
 	}
 }
 
@@ -481,19 +481,19 @@ bins(const struct lane_model *m, const struct plan *plan,
  * its struct lane_model. */
 #define KERNEL_JOIN(model, what, isa) model##_##what##_##isa
 #define KERNEL_NAME(model, what, isa) KERNEL_JOIN(model, what, isa)
-#define KERNEL(model, ...)                                                \
-	kernel_block KERNEL_NAME(model, block, ISA);                      \
-	kernel_bins KERNEL_NAME(model, bins, ISA);                        \
-	static const struct lane_model model##_lanes = {__VA_ARGS__};     \
-	void KERNEL_NAME(model, block, ISA)(const struct plan *plan,      \
-	    const double *const *theta, const uint32_t *index, bool calm, \
-	    double *scratch, double *misfit)                              \
-	{                                                                 \
-		evaluate_all(&model##_lanes, plan, theta, index, calm,    \
-		    scratch, misfit);                                     \
-	}                                                                 \
-	void KERNEL_NAME(model, bins, ISA)(const struct plan *plan,       \
-	    const double *const *theta, size_t first, uint16_t *bin)      \
-	{                                                                 \
-		bins(&model##_lanes, plan, theta, first, bin);            \
+#define KERNEL(model, ...)                                                  \
+	kernel_block KERNEL_NAME(model, block, ISA);                        \
+	kernel_bins KERNEL_NAME(model, bins, ISA);                          \
+	static const struct lane_model model##_lanes = {__VA_ARGS__};       \
+	void KERNEL_NAME(model, block, ISA)(const struct plan *plan,        \
+	    const double *const *theta, const uint32_t *index, bool smooth, \
+	    double *scratch, double *misfit)                                \
+	{                                                                   \
+		evaluate_all(&model##_lanes, plan, theta, index, smooth,    \
+		    scratch, misfit);                                       \
+	}                                                                   \
+	void KERNEL_NAME(model, bins, ISA)(const struct plan *plan,         \
+	    const double *const *theta, size_t first, uint16_t *bin)        \
+	{                                                                   \
+		bins(&model##_lanes, plan, theta, first, bin);              \
 	}

@@ -102,8 +102,8 @@ reflect(
 
 /* x [n] with the least |A x - b|, where b is column n of A [rows], by
  * Householder's reflections; A is used up.  Of our own, because a library's
- * last bits differ between its versions and processors, and hops go on from
- * them. */
+ * last bits differ between its versions and processors, and perturbations go on
+ * from them. */
 static void
 least_squares(double (*A)[PARAMS_MOST + 1], size_t rows, size_t n, double *x)
 {
@@ -177,7 +177,7 @@ is_hopeless(double before, double now, const struct polish_rival *rival)
 		return false;
 	double above = now - rival->misfit;
 	return above < 1e-9 * rival->misfit ||
-	       rival->hope * (before - now) < above;
+	       rival->gains * (before - now) < above;
 }
 
 struct polish_result

@@ -24,7 +24,7 @@ struct polish_result {
 /* What a polish has to be better than, or it is of no use. */
 struct polish_rival {
 	double misfit;
-	double hope; /* as many times its last gain it may still gain */
+	double gains; /* as many times its last gain it may still gain */
 };
 
 /* Lowers the misfit from *p within the bounds, at most max_steps steps;

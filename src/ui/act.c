@@ -12,9 +12,9 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/doubt.h"
+#include "cmd/band.h"
 #include "cmd/fit.h"
-#include "ui/conduct.h"
+#include "ui/control.h"
 #include "ui/page_predict.h"
 #include "ui/pages.h"
 #include "ui/screen.h"
@@ -87,10 +87,10 @@ run_key(struct tui *t, const struct key *key)
 		t->message[0] = '\0';
 		typing_begin(&t->typing, line);
 	} else if (key->act == ACT_RUN || key->act == ACT_TELL) {
-		conduct_typed(t, line);
+		control_typed(t, line);
 	} else {
-		conduct_keep(t);
-		conduct_run(t, line);
+		control_keep(t);
+		control_run(t, line);
 	}
 	free(line);
 }
@@ -165,8 +165,8 @@ band(struct tui *t)
 	t->band = !t->band;
 	if (!t->band || t->now.site[0] == '\0')
 		return;
-	bool known = doubt_band(t->session, entry, &t->shown) != NULL;
-	tui_say(t, false, "%s%s", known ? "" : doubt_why_none(entry),
+	bool known = band_at(t->session, entry, &t->shown) != NULL;
+	tui_say(t, false, "%s%s", known ? "" : band_why_none(entry),
 	    !known && entry->has_fit && fit_too_few(&entry->fit) ? ""
 	    : !known                ? "; f calibrates"
 	    : screen_depth() >= 256 ? "band on: 80 % uncertainty"
@@ -178,7 +178,7 @@ static void
 stop(struct tui *t)
 {
 	if (session_busy(t->session))
-		conduct_keep(t);
+		control_keep(t);
 	else
 		tui_say(t, false, "no calibration to stop: q quits");
 }
@@ -290,7 +290,7 @@ type_key(struct tui *t, int code, bool special)
 		return;
 	typing_end(y);
 	if (result == TYPING_DONE)
-		conduct_typed(t, y->text);
+		control_typed(t, y->text);
 }
 
 /* Digits of a speed; the first are pages, but behind a 0. */

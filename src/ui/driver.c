@@ -7,7 +7,7 @@
 #include "cmd/job.h"
 #include "cmd/line.h"
 #include "cmd/script.h"
-#include "cmd/turn.h"
+#include "cmd/invocation.h"
 #include "ui/pump.h"
 
 /* Ends what the line has under way after an error or an interruption; the

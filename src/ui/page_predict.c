@@ -9,7 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/doubt.h"
+#include "cmd/band.h"
 #include "cmd/fit.h"
 #include "io/units.h"
 #include "ui/screen.h"
@@ -173,7 +173,7 @@ draw_cross_band(const struct tui *t, int row, bool sizes)
 	const struct area *side = &t->places.side;
 	const struct prediction *p = &t->shown;
 	const struct band *b =
-	    t->band ? doubt_band(t->session, tui_entry(t), p) : NULL;
+	    t->band ? band_at(t->session, tui_entry(t), p) : NULL;
 	double range[2];
 	if (b == NULL)
 		return row;
@@ -246,9 +246,8 @@ static int
 draw_p50_band(const struct tui *t, int row)
 {
 	const struct band *b =
-	    t->band && !t->cross
-		? doubt_band(t->session, tui_entry(t), &t->shown)
-		: NULL;
+	    t->band && !t->cross ? band_at(t->session, tui_entry(t), &t->shown)
+				 : NULL;
 	if (b != NULL && isfinite(b->p50[0]))
 		screen_text(&t->places.side, row++, 0, 0,
 		    "P50 in %.2f .. %.2f mm", 1000 * b->p50[0],

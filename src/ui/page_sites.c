@@ -10,7 +10,7 @@
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "io/units.h"
-#include "ui/conduct.h"
+#include "ui/control.h"
 #include "ui/screen.h"
 
 /* The P50 at a speed: of the site in use as on its page, of the others on the
@@ -281,8 +281,8 @@ choose(struct tui *t)
 	const struct session *s = t->session;
 	char *line = xasprintf(
 	    "use %s", t->site_at < s->n_entry ? s->entry[t->site_at].key : "");
-	conduct_keep(t);
-	conduct_run(t, line);
+	control_keep(t);
+	control_run(t, line);
 	free(line);
 }
 

@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "ui/act.h"
-#include "ui/conduct.h"
+#include "ui/control.h"
 #include "ui/frame.h"
 #include "ui/pages.h"
 #include "ui/pump.h"
@@ -26,8 +26,8 @@ press(struct tui *t, int code, bool special)
 {
 	act_key(t, code, special);
 	t->clock++;
-	conduct_pump(t);
-	conduct_predict(t);
+	control_pump(t);
+	control_predict(t);
 	pages_update(t);
 	if (!asks)
 		frame_draw(t);
@@ -103,7 +103,7 @@ press_all(struct tui *t, const char *keys, struct error *error)
 static bool
 draw_open(const struct screen_request *request, struct error *error)
 {
-	struct tui t = *conduct_open();
+	struct tui t = *control_open();
 	if (request->keys[0] != '\0') {
 		error_set(error, ERROR_USAGE,
 		    "keys= is for use outside full-screen mode");
@@ -125,16 +125,16 @@ draw_new(struct session *s, const struct screen_request *request,
     struct error *error)
 {
 	struct tui t;
-	conduct_begin(&t, s, &SHOT_WAYS);
-	conduct_predict(&t);
+	control_begin(&t, s, &SHOT_WAYS);
+	control_predict(&t);
 	frame_draw(&t);
 	if (request->page > 0)
 		press(&t, '0' + request->page, false);
 	bool ok = press_all(&t, request->keys, error);
 	/* Before the session has its streams again: what a search that ends
 	 * here says is not for the picture. */
-	conduct_keep(&t);
-	conduct_end(&t);
+	control_keep(&t);
+	control_end(&t);
 	return ok;
 }
 
@@ -143,7 +143,7 @@ shot_draw(struct session *s, const struct screen_request *request,
     struct error *error)
 {
 	struct screen_request r = *request;
-	bool open = conduct_open() != NULL;
+	bool open = control_open() != NULL;
 	int rows = 30, columns = 100;
 	if (open)
 		screen_size(&rows, &columns);

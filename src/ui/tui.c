@@ -13,7 +13,7 @@
 #include "base/xalloc.h"
 #include "cmd/keep.h"
 #include "ui/act.h"
-#include "ui/conduct.h"
+#include "ui/control.h"
 #include "ui/frame.h"
 #include "ui/input.h"
 #include "ui/manpage.h"
@@ -148,13 +148,13 @@ loop(struct tui *t)
 	while (!t->leave && !t->session->quit && pump_signal() == 0) {
 		t->clock = session_clock();
 		pump_watch(true);
-		conduct_predict(t);
+		control_predict(t);
 		pages_update(t);
 		show(t);
 		t->clock = session_clock();
 		take_keys(t);
 		pump_watch(true);
-		conduct_pump(t);
+		control_pump(t);
 		pump_watch(false);
 	}
 }
@@ -194,11 +194,11 @@ tui_run(struct session *s)
 	pump_take_terminal(was);
 	bool opened = screen_open(terminal_colour());
 	if (opened) {
-		conduct_begin(&t, s, &WAYS);
+		control_begin(&t, s, &WAYS);
 		s->hooks.show_page = show_page;
 		offer_last(&t);
 		loop(&t);
-		conduct_end(&t);
+		control_end(&t);
 		screen_close();
 		rescue_done();
 	}

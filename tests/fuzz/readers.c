@@ -13,7 +13,7 @@
 #include "cmd/job.h"
 #include "cmd/line.h"
 #include "cmd/script.h"
-#include "cmd/turn.h"
+#include "cmd/invocation.h"
 #include "io/site_read.h"
 #include "io/site_write.h"
 #include "io/spec.h"

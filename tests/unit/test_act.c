@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "cmd/journal.h"
 #include "ui/act.h"
-#include "ui/conduct.h"
+#include "ui/control.h"
 #include "ui/frame.h"
 #include "ui/input.h"
 #include "ui/page_fit.h"
@@ -42,7 +42,7 @@ stage_open(void **state)
 	desk_open(&desk);
 	stage->desk = desk;
 	stage->was = screen_aside(24, 80, CHARSET_ASCII, 0);
-	conduct_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
+	control_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
 	frame_draw(&stage->t);
 	*state = stage;
 	return 0;
@@ -53,7 +53,7 @@ stage_close(void **state)
 {
 	struct stage *stage = *state;
 	void *desk = stage->desk;
-	conduct_end(&stage->t);
+	control_end(&stage->t);
 	canvas_free(screen_back(stage->was));
 	free(stage);
 	return desk_close(&desk);
@@ -181,7 +181,7 @@ a_pause_is_no_part_of_the_search(void **state)
 	t->clock = 100;
 	type(t, "f");
 	t->clock = 103;
-	conduct_pump(t);
+	control_pump(t);
 	type(t, " ");
 	t->clock = 160;
 	assert_float_equal(tui_searched(t), 3, 1e-9);
@@ -257,7 +257,7 @@ the_list_has_the_keys_of_other_pages(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(
 	    stage->desk, "load data/sites/tierp.csv data/sites/bro.csv");
-	conduct_look(t);
+	control_look(t);
 	t->site_at = 0;
 	type(t, "?/use this site\n");
 	assert_int_equal(stage->desk->session->current, 0);
@@ -301,10 +301,10 @@ d_tells_the_picture_of_the_page(void **state)
 	type(t, "\033vd");
 	assert_string_equal(t->command, "describe spread");
 	type(t, "\0331");
-	conduct_predict(t);
+	control_predict(t);
 	type(t, "cbx");
 	type(t, "76\n");
-	conduct_predict(t);
+	control_predict(t);
 	type(t, "d");
 	assert_string_equal(t->command,
 	    "describe psd speed=76.0 beside=tierp other=74.0 band=on at=5.6 "
@@ -339,7 +339,7 @@ a_step_predicts_once_and_says_nothing(void **state)
 	size_t n = 0;
 	desk_expect(((struct stage *)*state)->desk,
 	    "load data/sites/tierp.csv; calibrate; predict speed=74");
-	conduct_predict(t);
+	control_predict(t);
 	type(t, "xbc");
 	FILE *said = s->out,
 	     *heard = s->out = s->notes = text_memory(&text, &n);
@@ -347,7 +347,7 @@ a_step_predicts_once_and_says_nothing(void **state)
 		int before = t->tenths;
 		press(t, i < 20 ? "L" : "H");
 		predictions = 0;
-		conduct_predict(t);
+		control_predict(t);
 		frame_draw(t);
 		assert_int_equal(predictions, t->tenths != before);
 		assert_true(t->shown.speed == t->tenths / 10.0);

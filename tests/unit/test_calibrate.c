@@ -93,7 +93,7 @@ expect_same_fit(const struct fit *a, const struct fit *b)
 	assert_memory_equal(&a->misfit, &b->misfit, sizeof a->misfit);
 	assert_int_equal(a->generations, b->generations);
 	assert_int_equal(a->evaluations, b->evaluations);
-	assert_int_equal(a->hops, b->hops);
+	assert_int_equal(a->perturbations, b->perturbations);
 	assert_int_equal(a->stop, b->stop);
 }
 
@@ -256,7 +256,7 @@ a_fit_says_where_it_is_from(void **state)
 	assert_true(largest_beta(&fit.params) == 1);
 	assert_int_equal(fit.n_residual, n);
 	assert_int_equal(fit.seed, 7);
-	assert_true(fit.hops > 0);
+	assert_true(fit.perturbations > 0);
 	assert_int_equal(fit.population, 600);
 	assert_true(fit.site_digest == site_digest(site));
 	assert_int_equal(fit.settings.method, METHOD_CONTINUOUS);
@@ -393,7 +393,7 @@ a_step_that_is_stopped_is_made_anew(void **state)
 	assert_true(idle[0] > 5 && idle[1] > 5);
 	assert_memory_equal(&fit.params, &whole.params, sizeof fit.params);
 	assert_int_equal(fit.evaluations, whole.evaluations);
-	assert_int_equal(fit.hops, whole.hops);
+	assert_int_equal(fit.perturbations, whole.perturbations);
 	calibration_free(c);
 	site_free(site);
 }

@@ -8,7 +8,7 @@
 
 #include "cmd/keep.h"
 #include "cmd/script.h"
-#include "cmd/turn.h"
+#include "cmd/invocation.h"
 #include "io/kept.h"
 #include "io/store.h"
 

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "cmd/answers.h"
-#include "cmd/doubt.h"
+#include "cmd/band.h"
 #include "cmd/fit.h"
 #include "desk.h"
 
@@ -84,7 +84,7 @@ parameters_keep_their_origin_in_use_by_another(void **state)
 	assert_string_equal(bro->origin->provenance, tierp->site->provenance);
 	assert_true(answers_extrapolates(bro, 80));
 	assert_false(answers_extrapolates(bro, 70));
-	assert_ptr_equal(doubt_of(bro), doubt_of(tierp));
+	assert_ptr_equal(band_draws(bro), band_draws(tierp));
 	/* From hand to hand they stay Tierp's. */
 	desk_expect(desk, "load data/sites/umea.csv; params use bro");
 	assert_string_equal(session_entry(s)->origin->whose, "tierp");
@@ -107,7 +107,7 @@ a_shared_fit_has_a_band_for_each_site(void **state)
 		const struct entry *entry = session_entry(s);
 		struct prediction p = answers_predict(
 		    s, entry, 74, site_run_nearest(entry->site, 74));
-		const struct band *band = doubt_band(s, entry, &p);
+		const struct band *band = band_at(s, entry, &p);
 		assert_non_null(band);
 		prediction_free(&p);
 		if (i < 2)
@@ -128,7 +128,7 @@ each_feed_has_its_own_band(void **state)
 	const struct entry *entry = session_entry(s);
 	for (size_t feed = 0; feed < entry->site->n_run; feed++) {
 		struct prediction p = answers_predict(s, entry, 74, feed);
-		const struct band *band = doubt_band(s, entry, &p);
+		const struct band *band = band_at(s, entry, &p);
 		for (size_t i = 0; i < p.product.n; i++)
 			assert_true(band->low[i] <= p.product.passing[i] &&
 				    p.product.passing[i] <= band->high[i]);
@@ -144,10 +144,10 @@ undo_and_redo_carry_the_origin(void **state)
 	use_of_another(desk);
 	desk_expect(desk, "params set f_mat=1");
 	assert_string_equal(session_entry(s)->origin->words, "set by hand");
-	assert_null(doubt_of(session_entry(s)));
+	assert_null(band_draws(session_entry(s)));
 	desk_expect(desk, "undo");
 	assert_string_equal(session_entry(s)->origin->whose, "tierp");
-	assert_non_null(doubt_of(session_entry(s)));
+	assert_non_null(band_draws(session_entry(s)));
 	desk_expect(desk, "undo");
 	assert_null(session_entry(s)->origin);
 	desk_expect(desk, "redo; drop tierp; predict 90");
@@ -170,7 +170,7 @@ a_fit_of_few_cells_is_not_judged(void **state)
 	const struct entry *entry = session_entry(s);
 	assert_int_equal(entry->fit.n_residual, 12);
 	assert_int_equal(entry->fit.parameters, 7);
-	assert_non_null(doubt_of(entry));
+	assert_non_null(band_draws(entry));
 	assert_int_equal(entry->fit.cells, 11);
 	/* One passing more than parameters is enough, as many are not; that of
 	 * the coarsest sieve is 100 % whatever is done. */
@@ -180,7 +180,7 @@ a_fit_of_few_cells_is_not_judged(void **state)
 		desk_expect(desk, "calibrate population=200 train=69");
 		assert_int_equal(entry->fit.n_residual, n + 1);
 		assert_int_equal(entry->fit.cells, n);
-		assert_int_equal(doubt_of(session_entry(s)) != NULL, n > 7);
+		assert_int_equal(band_draws(session_entry(s)) != NULL, n > 7);
 	}
 	assert_string_equal(fit_verdict(&entry->fit), "too few data");
 	assert_false(desk_say(desk, "assert poor = 0"));

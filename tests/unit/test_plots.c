@@ -8,7 +8,7 @@
 
 #include "cmd/answers.h"
 #include "cmd/plots.h"
-#include "cmd/turn.h"
+#include "cmd/invocation.h"
 
 static const char PARAMS_SET[] =
     "params set f_mat=2.18 e0_min=16.74 alpha=0.96";

@@ -5,7 +5,7 @@
 
 #include "cmd/settings.h"
 #include "cmd/table.h"
-#include "cmd/turn.h"
+#include "cmd/invocation.h"
 #include "cmd/undo.h"
 #include "desk.h"
 

@@ -1,6 +1,6 @@
 /* Uncertainty as commands show it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/doubt.h"
+#include "cmd/band.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 #include "cmd/fit.h"
 
 const struct uncertainty *
-doubt_of(const struct entry *entry)
+band_draws(const struct entry *entry)
 {
 	const struct fit *fit = origin_fit(entry);
 	if (fit == NULL || fit_too_few(fit))
@@ -23,13 +23,13 @@ doubt_of(const struct entry *entry)
 }
 
 const struct band *
-doubt_band(const struct session *s, const struct entry *entry,
+band_at(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
 	const struct fit *fit = origin_fit(entry);
 	bool same =
 	    fit != NULL && model_settings_same(&s->set.model, &fit->settings);
-	const struct uncertainty *u = same ? doubt_of(entry) : NULL;
+	const struct uncertainty *u = same ? band_draws(entry) : NULL;
 	if (u == NULL)
 		return NULL;
 	struct history *h = entry->origin->spread;
@@ -48,7 +48,7 @@ doubt_band(const struct session *s, const struct entry *entry,
 }
 
 const char *
-doubt_why_none(const struct entry *entry)
+band_why_none(const struct entry *entry)
 {
 	const struct fit *fit = origin_fit(entry);
 	return fit == NULL ? "no uncertainty band: the parameters do not come "
@@ -60,7 +60,7 @@ doubt_why_none(const struct entry *entry)
 }
 
 void
-doubt_note(struct answer *r, const struct entry *entry)
+band_note(struct answer *r, const struct entry *entry)
 {
 	if (entry->has_fit)
 		answer_say(r, ANSWER_REMARK,
@@ -76,7 +76,7 @@ doubt_note(struct answer *r, const struct entry *entry)
 }
 
 void
-doubt_put_interval(struct fields *o, const struct uncertainty *u)
+band_put_interval(struct fields *o, const struct uncertainty *u)
 {
 	if (u == NULL) {
 		fields_put(o, "interval %g", NAN);
@@ -90,7 +90,7 @@ doubt_put_interval(struct fields *o, const struct uncertainty *u)
 }
 
 void
-doubt_put_band(struct fields *o, const struct band *band)
+band_put(struct fields *o, const struct band *band)
 {
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
 		answers_put_pair(o, ANSWERS_RANGES[i], 1000 * band->size[i][0],

@@ -1,7 +1,7 @@
 /* How far a fit and its products are open: draws kept with the entry.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_DOUBT_H
-#define TIPSPEED_CMD_DOUBT_H
+#ifndef TIPSPEED_CMD_BAND_H
+#define TIPSPEED_CMD_BAND_H
 
 #include "cmd/session.h"
 #include "core/predict.h"
@@ -10,27 +10,28 @@
  * another one, made when first asked for; NULL where no calibration of this
  * session found them, or one of too few data, or where session.stop said so
  * meanwhile. */
-const struct uncertainty *doubt_of(const struct entry *entry);
+const struct uncertainty *band_draws(const struct entry *entry);
 
 /* The band of the entry's prediction, borrowed until the next one is asked for.
- * NULL where doubt_of is, or for a fit made with other settings.  The last one
- * is kept: who predicts, who draws and who shows numbers ask for the same. */
-const struct band *doubt_band(const struct session *s,
-    const struct entry *entry, const struct prediction *p);
+ * NULL where band_draws is, or for a fit made with other settings.  The last
+ * one is kept: who predicts, who draws and who shows numbers ask for the
+ * same. */
+const struct band *band_at(const struct session *s, const struct entry *entry,
+    const struct prediction *p);
 
 /* Why there is none: "no band: parameters ..".  Not to be asked where there is
  * one. */
-const char *doubt_why_none(const struct entry *entry);
+const char *band_why_none(const struct entry *entry);
 
 /* Says what low and high are: of another site's parameters they are what its
  * data leave open, and know nothing of the difference between the two. */
-void doubt_note(struct answer *r, const struct entry *entry);
+void band_note(struct answer *r, const struct entry *entry);
 
 /* Puts "interval": {"beta1":[low, high], .. "alpha":[low, high]}, or null where
  * there is none. */
-void doubt_put_interval(struct fields *o, const struct uncertainty *u);
+void band_put_interval(struct fields *o, const struct uncertainty *u);
 
 /* Puts the ranges of the sizes. */
-void doubt_put_band(struct fields *o, const struct band *band);
+void band_put(struct fields *o, const struct band *band);
 
 #endif

@@ -1,7 +1,7 @@
 /* What goes with every command: where its results go, how long it takes,
  * what of it can be undone and saved.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/turn.h"
+#include "cmd/invocation.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -15,9 +15,9 @@
 #include "cmd/undo.h"
 #include "plot/picture.h"
 
-/* Turns nest: a script's commands run within the turn of its source. */
-struct turn {
-	struct turn *outer;
+/* Invocations nest: the commands of a script run within that of its source. */
+struct invocation {
+	struct invocation *outer;
 	const struct command *command;
 	struct redirect *redirect; /* or NULL */
 	struct place place;
@@ -113,7 +113,7 @@ can_take(const struct command *command, const struct words *words,
 }
 
 bool
-turn_begin(struct session *s, const struct args *args,
+invocation_begin(struct session *s, const struct args *args,
     const struct words *words, struct place place, struct error *error)
 {
 	const struct command *command = args->command;
@@ -124,8 +124,8 @@ turn_begin(struct session *s, const struct args *args,
 		*s->first = s->set;
 		journal_settings(s);
 	}
-	struct turn *t = xcalloc(1, sizeof *t);
-	*t = (struct turn){.outer = s->turn,
+	struct invocation *t = xcalloc(1, sizeof *t);
+	*t = (struct invocation){.outer = s->invocation,
 	    .command = command,
 	    .place = place,
 	    .column =
@@ -147,14 +147,14 @@ turn_begin(struct session *s, const struct args *args,
 	t->steps = undo_depth(s);
 	if (command->flags & COMMAND_CHANGES)
 		t->before = snapshot_take(s);
-	s->turn = t;
+	s->invocation = t;
 	return true;
 }
 
 void
-turn_stopped(struct session *s, size_t steps)
+invocation_stopped(struct session *s, size_t steps)
 {
-	struct turn *t = s->job.turn;
+	struct invocation *t = s->job.invocation;
 	if (t == NULL)
 		return;
 	t->stopped = true;
@@ -162,20 +162,20 @@ turn_stopped(struct session *s, size_t steps)
 }
 
 void
-turn_adds(struct session *s, const char *option, const char *value)
+invocation_adds(struct session *s, const char *option, const char *value)
 {
-	xappend(&s->turn->line, " %s=%s", option, value);
+	xappend(&s->invocation->line, " %s=%s", option, value);
 }
 
 void
-turn_saved(struct session *s)
+invocation_saved(struct session *s)
 {
-	s->turn->saved = true;
+	s->invocation->saved = true;
 }
 
 /* True where its results go elsewhere, by itself or with its script. */
 static bool
-is_redirected(const struct turn *t)
+is_redirected(const struct invocation *t)
 {
 	while (t != NULL && t->redirect == NULL)
 		t = t->outer;
@@ -183,19 +183,19 @@ is_redirected(const struct turn *t)
 }
 
 static bool
-came_to_nothing(const struct turn *t)
+came_to_nothing(const struct invocation *t)
 {
 	return t->stopped && t->stopped_at == 0;
 }
 
 /* What went elsewhere is not done again, but for what it changed. */
 static void
-record(struct session *s, const struct turn *t, bool changed)
+record(struct session *s, const struct invocation *t, bool changed)
 {
 	bool elsewhere = is_redirected(t),
 	     latest = (t->command->flags & COMMAND_LATEST) != 0;
 	/* What is asked while a calibration runs hangs on the moment. */
-	bool between = session_busy(s) && s->job.turn != t;
+	bool between = session_busy(s) && s->job.invocation != t;
 	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
 	    between || came_to_nothing(t))
 		return;
@@ -207,16 +207,16 @@ record(struct session *s, const struct turn *t, bool changed)
 }
 
 void
-turn_asked(struct session *s, const char *command, const char *line)
+invocation_asked(struct session *s, const char *command, const char *line)
 {
-	if (!is_redirected(s->turn) && !session_busy(s))
+	if (!is_redirected(s->invocation) && !session_busy(s))
 		journal_add(s, command, "%s", line);
 	keep_turn(s, true, false);
 }
 
-/* Where the outermost turn began, for one within it. */
+/* Where the outermost invocation began, for one within it. */
 static size_t
-floor_of(const struct turn *t)
+floor_of(const struct invocation *t)
 {
 	size_t floor = SIZE_MAX;
 	for (t = t->outer; t != NULL; t = t->outer)
@@ -225,7 +225,7 @@ floor_of(const struct turn *t)
 }
 
 static void
-turn_free(struct turn *t)
+invocation_free(struct invocation *t)
 {
 	free(t->label);
 	free(t->line);
@@ -233,27 +233,28 @@ turn_free(struct turn *t)
 }
 
 void
-turn_ran(struct session *s)
+invocation_ran(struct session *s)
 {
-	s->turn->running = false;
+	s->invocation->running = false;
 }
 
 bool
-turn_over(const struct session *s)
+invocation_over(const struct session *s)
 {
-	bool working = session_busy(s) && s->job.turn == s->turn;
-	return !working && !s->turn->running && s->scripts <= s->turn->scripts;
+	bool working = session_busy(s) && s->job.invocation == s->invocation;
+	return !working && !s->invocation->running &&
+	       s->scripts <= s->invocation->scripts;
 }
 
 bool
-turn_end(struct session *s, bool ok, struct error *error)
+invocation_end(struct session *s, bool ok, struct error *error)
 {
-	struct turn *t = s->turn;
+	struct invocation *t = s->invocation;
 	/* The answer of a check that says no is a result. */
 	bool keep = ok || error->kind == ERROR_CHECK;
 	bool changed = t->before != NULL && !came_to_nothing(t) &&
 		       snapshot_differs(t->before, s);
-	s->turn = t->outer;
+	s->invocation = t->outer;
 	if (ok)
 		record(s, t, changed);
 	if (t->redirect != NULL)
@@ -275,14 +276,14 @@ turn_end(struct session *s, bool ok, struct error *error)
 	    journal_mark(s).state == t->state)
 		journal_changed(s);
 	keep_turn(s, ok, t->saved);
-	turn_free(t);
+	invocation_free(t);
 	return ok;
 }
 
 bool
 session_settle(struct session *s, bool ok, struct error *error)
 {
-	while (s->turn != NULL && turn_over(s))
-		ok = turn_end(s, ok, error);
+	while (s->invocation != NULL && invocation_over(s))
+		ok = invocation_end(s, ok, error);
 	return ok;
 }

@@ -1,6 +1,6 @@
 /* The driver of the full screen: lines, scripts, jobs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/conduct.h"
+#include "ui/control.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@
 #include "cmd/line.h"
 #include "cmd/predict.h"
 #include "cmd/script.h"
-#include "cmd/turn.h"
+#include "cmd/invocation.h"
 #include "ui/driver.h"
 #include "ui/pump.h"
 #include "ui/screen.h"
@@ -93,7 +93,7 @@ forget(struct tui *t)
 
 /* What the session is like after any command. */
 void
-conduct_look(struct tui *t)
+control_look(struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
@@ -140,7 +140,7 @@ run(struct tui *t, const char *line)
 		t->feed = 0;
 	}
 	tui_keep_feed(t);
-	conduct_look(t);
+	control_look(t);
 	if (session_busy(s) && !was_busy) {
 		t->held = false;
 		t->generation = 0;
@@ -152,7 +152,7 @@ run(struct tui *t, const char *line)
 }
 
 bool
-conduct_run(struct tui *t, const char *line)
+control_run(struct tui *t, const char *line)
 {
 	free(t->command);
 	t->command = xstrdup(line);
@@ -236,12 +236,12 @@ run_typed(struct tui *t, const char *line)
 		draw_screen(t, line);
 		return;
 	}
-	conduct_keep(t);
+	control_keep(t);
 	/* Only a shell command may write past the session's streams. */
 	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
 	if (aside)
 		t->ways->leave();
-	bool ok = conduct_run(t, line);
+	bool ok = control_run(t, line);
 	if (aside) {
 		await_return();
 		t->ways->come_back();
@@ -251,7 +251,7 @@ run_typed(struct tui *t, const char *line)
 	if (searching && memcmp(&before, &s->set.bounds, sizeof before) != 0 &&
 	    !session_busy(s)) {
 		bool on = s->job.paused;
-		if (conduct_run(t, on ? "continue" : "calibrate") && on)
+		if (control_run(t, on ? "continue" : "calibrate") && on)
 			tui_say(t, false, "continues within the new bounds");
 		return;
 	}
@@ -291,7 +291,7 @@ meant_by(const char *line, const char *where)
 }
 
 void
-conduct_typed(struct tui *t, const char *line)
+control_typed(struct tui *t, const char *line)
 {
 	char *where = tui_where(t);
 	char *meant = meant_by(line, where);
@@ -305,7 +305,7 @@ conduct_typed(struct tui *t, const char *line)
 }
 
 void
-conduct_predict(struct tui *t)
+control_predict(struct tui *t)
 {
 	struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
@@ -347,7 +347,7 @@ conduct_predict(struct tui *t)
 }
 
 void
-conduct_keep(struct tui *t)
+control_keep(struct tui *t)
 {
 	struct session *s = t->session;
 	if (!session_busy(s))
@@ -358,7 +358,7 @@ conduct_keep(struct tui *t)
 	t->ran = tui_searched(t);
 	t->held = false;
 	t->asked.tenths = 0;
-	conduct_look(t);
+	control_look(t);
 	tui_say(t, false,
 	    "stopped, the best is kept: Space continues, f starts again, both "
 	    "within the current bounds");
@@ -372,7 +372,7 @@ finish(struct tui *t)
 	if (!session_settle(t->session, true, &error))
 		say_error(t, &error, "", "");
 	t->held = false;
-	conduct_look(t);
+	control_look(t);
 	const struct entry *entry = tui_entry(t);
 	if (entry != NULL && entry->has_fit && error.kind == ERROR_NONE)
 		tui_say(t, false,
@@ -383,7 +383,7 @@ finish(struct tui *t)
 }
 
 void
-conduct_pump(struct tui *t)
+control_pump(struct tui *t)
 {
 	static const double FRAME = 0.02; /* s, at full pace */
 	struct session *s = t->session;
@@ -405,7 +405,7 @@ conduct_pump(struct tui *t)
 }
 
 const struct tui *
-conduct_open(void)
+control_open(void)
 {
 	return open;
 }
@@ -433,7 +433,7 @@ first_speed(const struct session *s)
 }
 
 void
-conduct_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
+control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 {
 	enum { PACE = 4 };
 	*t = (struct tui){.session = s,
@@ -456,12 +456,12 @@ conduct_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 	tui_keep_feed(t);
 	t->said = text_memory(&t->said_text, &t->said_n);
 	s->out = s->notes = t->said;
-	conduct_look(t);
+	control_look(t);
 	open = t;
 }
 
 void
-conduct_end(struct tui *t)
+control_end(struct tui *t)
 {
 	struct session *s = t->session;
 	open = NULL;
@@ -471,7 +471,7 @@ conduct_end(struct tui *t)
 	s->prompt = t->before.prompt;
 	s->typed_at = t->before.typed_at;
 	s->screen = t->before.screen;
-	conduct_keep(t);
+	control_keep(t);
 	fclose(t->said);
 	free(t->said_text);
 	typing_end(&t->typing);

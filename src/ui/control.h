@@ -1,37 +1,37 @@
 /* Runs command lines for the full screen, with all they print kept off it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_CONDUCT_H
-#define TIPSPEED_UI_CONDUCT_H
+#ifndef TIPSPEED_UI_CONTROL_H
+#define TIPSPEED_UI_CONTROL_H
 
 #include "ui/tui_state.h"
 
 /* A full screen on a session, as it opens, and its end: what runs is stopped
  * and kept, and the session has its ways again. */
-void conduct_begin(
+void control_begin(
     struct tui *t, struct session *s, const struct tui_ways *ways);
-void conduct_end(struct tui *t);
+void control_end(struct tui *t);
 
 /* The one that is open, or NULL. */
-const struct tui *conduct_open(void);
+const struct tui *control_open(void);
 
 /* Runs a line that a key composed, and shows it.  False with a message where
  * it failed. */
-bool conduct_run(struct tui *t, const char *line);
+bool control_run(struct tui *t, const char *line);
 
 /* The same for a typed line: what it prints is shown. */
-void conduct_typed(struct tui *t, const char *line);
+void control_typed(struct tui *t, const char *line);
 
 /* Predicts at the slider's speed, where there is something to predict with and
  * it is not done already. */
-void conduct_predict(struct tui *t);
+void control_predict(struct tui *t);
 
 /* Looks what the session is like after a command that was not run here. */
-void conduct_look(struct tui *t);
+void control_look(struct tui *t);
 
 /* Some steps of the calibration that runs, as many as are due. */
-void conduct_pump(struct tui *t);
+void control_pump(struct tui *t);
 
 /* Stops the calibration that runs and keeps its best. */
-void conduct_keep(struct tui *t);
+void control_keep(struct tui *t);
 
 #endif
