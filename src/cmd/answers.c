@@ -226,9 +226,27 @@ answers_note_sizes(
 	free(sizes);
 }
 
-void
-answers_note_worth(struct answer *r, const struct entry *entry)
+/* The paper's model goes without saying. */
+static void
+note_model(const struct session *s, struct answer *r, const struct entry *entry)
 {
+	size_t own = entry->params.breakage, set = s->set.model.breakage;
+	if (!entry->has_params)
+		return;
+	if (own != set)
+		answer_say(r, ANSWER_REMARK,
+		    "these are parameters of the model %s; %s is set, and "
+		    "'calibrate' finds its own",
+		    BREAKAGES[own]->name, BREAKAGES[set]->name);
+	else if (own > 0)
+		answer_say(r, ANSWER_REMARK, "model: %s", BREAKAGES[own]->name);
+}
+
+void
+answers_note_worth(
+    const struct session *s, struct answer *r, const struct entry *entry)
+{
+	note_model(s, r, entry);
 	const struct fit *fit = origin_fit(entry);
 	if (fit != NULL && fit->rmse > FIT_POOR)
 		answer_say(r, ANSWER_WARNING,
@@ -257,7 +275,7 @@ answers_note_doubt(
 	    fabs(site->run[feed_run].speed - speed) > 1e-3)
 		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s",
 		    site->run[feed_run].speed);
-	answers_note_worth(r, entry);
+	answers_note_worth(s, r, entry);
 }
 
 const char *

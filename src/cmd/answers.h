@@ -90,7 +90,8 @@ void answers_note_sizes(
 
 /* Notes on what the calibration behind an answer is worth, where that is
  * little. */
-void answers_note_worth(struct answer *r, const struct entry *entry);
+void answers_note_worth(
+    const struct session *s, struct answer *r, const struct entry *entry);
 
 /* Notes on how far to trust an answer for the site in use at a speed from the
  * feed of a run. */

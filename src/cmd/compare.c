@@ -98,10 +98,10 @@ provenance(const struct side side[2])
 	return both;
 }
 
-/* Doubts about either side, and the fines. */
+/* What limits either side, and the fines. */
 static void
-comparison_notes(
-    struct answer *r, const struct side side[2], const double *x, size_t n)
+comparison_notes(const struct session *s, struct answer *r,
+    const struct side side[2], const double *x, size_t n)
 {
 	double finest = NAN, a = NAN, b = NAN;
 	for (size_t i = 0; i < n; i++) {
@@ -127,7 +127,7 @@ comparison_notes(
 		if (i == 1 && entry == side[0].entry)
 			continue;
 		origin_note(r, entry);
-		answers_note_worth(r, entry);
+		answers_note_worth(s, r, entry);
 	}
 }
 
@@ -157,7 +157,7 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 }
 
 static struct answer *
-comparison(const struct side side[2], bool sites)
+comparison(const struct session *s, const struct side side[2], bool sites)
 {
 	const struct site *a = side[0].entry->site, *b = side[1].entry->site;
 	size_t n;
@@ -176,7 +176,7 @@ comparison(const struct side side[2], bool sites)
 		free(data);
 	}
 	comparison_rows(r, side, x, n);
-	comparison_notes(r, side, x, n);
+	comparison_notes(s, r, side, x, n);
 	if (!sites && a->individual_feeds)
 		answer_say(r, ANSWER_REMARK,
 		    "feed used for both: sampled at %g m/s",
@@ -201,7 +201,7 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 	bool ok = take_side(s, args, sites, 0, &side[0], error) &&
 		  take_side(s, args, sites, 1, &side[1], error);
 	if (ok)
-		session_answer(s, comparison(side, sites));
+		session_answer(s, comparison(s, side, sites));
 	for (size_t i = 0; i < 2; i++) {
 		prediction_free(&side[i].p);
 		free(side[i].head);

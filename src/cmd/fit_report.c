@@ -188,7 +188,8 @@ fit_answer(
 	}
 	answer_note(r,
 	    "misfit %.6g (sum of squared residuals), RMSE %.2f points over %zu "
-	    "passings; crushing can change %zu of them, for %zu parameters",
+	    "passings; %zu of these can change by crushing, and %zu parameters "
+	    "were fitted to them",
 	    fit->misfit, 100 * fit->rmse, fit->n_residual, fit->cells,
 	    fit->parameters);
 	answer_note(r, "stopped after %zu generations, %zu evaluations: %s",
@@ -276,7 +277,7 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	answer_say(r, ANSWER_REMARK,
 	    "best and median misfit of the search, then the spread of each "
 	    "parameter in %% of its bounds");
-	answers_note_worth(r, entry);
+	answers_note_worth(s, r, entry);
 	if (entry->fit.edits > 0)
 		answer_say(r, ANSWER_REMARK,
 		    "the bounds were edited after generation %zu%s: earlier "

@@ -49,6 +49,11 @@ static bool
 unknown(const char *name, struct error *error)
 {
 	const char *near = command_nearest(name);
+	if (breakage_find(name) < breakage_count())
+		return error_set(error, ERROR_USAGE,
+		    "there is no command '%s', but a breakage model\n"
+		    "run 'show models', or 'man model'",
+		    name);
 	return error_set(error, ERROR_USAGE,
 	    near != NULL ? "there is no command '%s'\ndid you mean '%s'?"
 			 : "there is no command '%s'\n"

@@ -286,6 +286,7 @@ session_pause(struct session *s)
 		return;
 	}
 	s->job.paused = true;
+	s->job.stopped = session_clock();
 	session_note(s,
 	    "stopped at generation %zu of %zu, best misfit %.4g kept; "
 	    "continue, accept or calibrate again",
@@ -481,8 +482,16 @@ static void
 take_bounds(struct session *s)
 {
 	struct job *job = &s->job;
-	if (s->set.model.breakage != job->options.settings.breakage ||
-	    memcmp(&s->set.bounds, &job->options.bounds,
+	size_t model = job->options.settings.breakage;
+	if (s->set.model.breakage != model) {
+		session_note(s,
+		    "  continuing with the model %s; 'calibrate' begins with "
+		    "%s",
+		    BREAKAGES[model]->name,
+		    BREAKAGES[s->set.model.breakage]->name);
+		return;
+	}
+	if (memcmp(&s->set.bounds, &job->options.bounds,
 		sizeof s->set.bounds) == 0)
 		return;
 	job->options.bounds = s->set.bounds;
@@ -504,6 +513,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 		    s->job.step);
 	take_bounds(s);
 	s->job.pause_at = (size_t)pause->whole;
+	s->job.started += session_clock() - s->job.stopped;
 	s->job.paused = false;
 	s->job.invocation = s->invocation;
 	return true;

@@ -150,8 +150,14 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	if (!model_settings_same(&before, &s->set.model))
 		session_forget(s);
 	/* What a site has stays as it is. */
-	if (s->set.model.breakage != before.breakage)
+	if (s->set.model.breakage != before.breakage) {
+		const struct bounds usual = bounds_default(before.breakage);
+		if (memcmp(&usual, &s->set.bounds, sizeof usual) != 0)
+			session_note(s,
+			    "  the search bounds are now the usual ones of %s",
+			    BREAKAGES[s->set.model.breakage]->name);
 		s->set.bounds = bounds_default(s->set.model.breakage);
+	}
 	return any || show_settings(s);
 }
 

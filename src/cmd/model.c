@@ -90,16 +90,23 @@ set_params(struct session *s, const struct args *args, struct error *error)
 	struct params p = has ? entry->params : params_start(model);
 	if (!check_named(args, of, error))
 		return false;
+	char *missing = xstrdup("");
 	for (size_t j = 0; j < of->n; j++) {
 		const struct value *v = args_value(args, of->parameter[j].name);
 		if (v->given)
 			p.at[j] = v->number;
-		else if (isnan(p.at[j]))
-			return error_set(error, ERROR_USAGE,
-			    "params set: expected %s too: %s has no parameters "
-			    "yet",
-			    of->parameter[j].name, entry->site->name);
+		if (isnan(p.at[j]))
+			xlist(&missing, " ", "%s=..", of->parameter[j].name);
 	}
+	if (missing[0] != '\0')
+		error_set(error, ERROR_USAGE,
+		    "params set: expected %s too: %s has no parameters of the "
+		    "model %s yet",
+		    missing, entry->site->name, of->name);
+	bool whole = missing[0] == '\0';
+	free(missing);
+	if (!whole)
+		return false;
 	model_take_params(s, session_entry(s), &p, origin_by_hand());
 	return true;
 }
@@ -225,10 +232,14 @@ show_bounds(struct session *s, const struct args *args, struct error *error)
 	answer_columns(
 	    r, "parameter, lower: lower bound, upper: upper bound, unit");
 	const struct breakage *of = BREAKAGES[s->set.model.breakage];
-	for (size_t j = 0; j < of->n; j++)
+	answer_missing(r, "by calibrate");
+	for (size_t j = 0; j < of->n; j++) {
+		const struct bounds *b = &s->set.bounds;
+		bool open = j == of->reference && !(b->upper[j] > 0);
 		answer_cells(r, "%s %g %g %s", of->parameter[j].name,
-		    s->set.bounds.lower[j], s->set.bounds.upper[j],
+		    open ? NAN : b->lower[j], open ? NAN : b->upper[j],
 		    of->parameter[j].unit);
+	}
 	return session_answer(s, r);
 }
 

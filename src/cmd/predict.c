@@ -89,18 +89,12 @@ interpolated(const struct site *site, const struct prediction *p)
 	return passing;
 }
 
-static struct answer *
-prediction_answer(struct session *s, const struct prediction *p,
-    const struct band *band, const double *between)
+/* A row a sieve; band, measured, between: NULL for none; model: with it and the
+ * speed in columns of their own, for files, or NULL. */
+static void
+add_rows(struct answer *r, const struct prediction *p, const struct band *band,
+    const struct psd *measured, const double *between, const char *model)
 {
-	const struct site *site = session_entry(s)->site;
-	size_t run = site_run_at(site, p->speed);
-	const struct psd *measured =
-	    run < site->n_run ? &site->run[run].product : NULL;
-	if (measured != NULL && measured->n == 0)
-		measured = NULL;
-	struct answer *r = answers_new(site, "predict",
-	    "product at %.1f m/s (%.0f J/kg)", p->speed, p->energy);
 	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
 	if (band != NULL)
@@ -109,6 +103,8 @@ prediction_answer(struct session *s, const struct prediction *p,
 		answer_columns(r, "measured_pct: measured %%");
 	if (between != NULL)
 		answer_columns(r, "interpolated_pct: interpolated %%");
+	if (model != NULL)
+		answer_columns(r, "speed, model");
 	for (size_t i = 0; i < p->product.n; i++) {
 		double x = p->product.size[i];
 		answer_cells(r, "%g %.1f %.1f", units_mm(x),
@@ -122,7 +118,26 @@ prediction_answer(struct session *s, const struct prediction *p,
 			    r, "%.1f", units_pct(psd_at_sieve(measured, x)));
 		if (between != NULL)
 			answer_cells(r, "%.1f", units_pct(between[i]));
+		if (model != NULL)
+			answer_cells(r, "%g %s", p->speed, model);
 	}
+}
+
+static struct answer *
+prediction_answer(struct session *s, const struct prediction *p,
+    const struct band *band, const double *between, const char *model)
+{
+	const struct site *site = session_entry(s)->site;
+	size_t run = site_run_at(site, p->speed);
+	const struct psd *measured =
+	    run < site->n_run ? &site->run[run].product : NULL;
+	if (measured != NULL && measured->n == 0)
+		measured = NULL;
+	struct answer *r = answers_new(site, "predict",
+	    "product at %.1f m/s (%.0f J/kg)", p->speed, p->energy);
+	add_rows(r, p, band, measured, between, NULL);
+	answer_for_programs(r);
+	add_rows(r, p, band, measured, between, model);
 	return r;
 }
 
@@ -149,7 +164,8 @@ explained(struct session *s, const struct prediction *p,
 {
 	const struct entry *entry = session_entry(s);
 	double *between = wanted ? interpolated(entry->site, p) : NULL;
-	struct answer *r = prediction_answer(s, p, band, between);
+	struct answer *r =
+	    prediction_answer(s, p, band, between, breakage_of(params)->name);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, params, p);
 	answers_note_sizes(r, &p->product, band);

@@ -19,6 +19,7 @@ struct job {
 	size_t entry;
 	struct invocation *invocation; /* the command that runs it */
 	double started; /* s, of a clock that only goes forward */
+	double stopped; /* likewise, where it is paused */
 	struct calibrate_options options;
 	bool *train;
 	bool all;               /* one loaded site after the other */

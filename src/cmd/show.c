@@ -134,13 +134,16 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		fit_put_params(o, &entry->params);
 	else
 		fields_put(o, "params %g", NAN);
+	answer_missing(r, entry->has_params ? "all" : "-");
 	answer_columns(r, "speed: m/s, energy_j_kg: E J/kg, break_mm: break "
 			  "size mm, selected_pct: broken %% of feed");
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed, x = NAN, selected = NAN;
 		if (entry->has_params) {
 			struct prediction p = answers_predict(s, entry, v, i);
-			x = 1000 * p.break_size;
+			x = p.break_size < ANSWERS_NO_SIZE
+				? NAN
+				: 1000 * p.break_size;
 			selected = 100 * p.selected;
 			prediction_free(&p);
 		}
@@ -158,7 +161,15 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	return session_answer(s, r);
 }
 
-/* A row for each parameter of each model; a bypass is told once. */
+static void
+model_row(
+    struct answer *r, const struct breakage *of, const struct param_info *info)
+{
+	answer_cells(r, "%s %s %s %g %g %s", of->name, info->name, info->unit,
+	    info->lower, info->upper, info->meaning);
+}
+
+/* For people a row a model, for programs one for each parameter. */
 static bool
 show_models(struct session *s, const struct args *args, struct error *error)
 {
@@ -166,17 +177,17 @@ show_models(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	struct answer *r = answer_new("show");
 	answer_title(r, "breakage models, for 'set model'");
+	answer_columns(r, "model, parameters, what");
+	for (size_t m = 0; m < breakage_count(); m++)
+		answer_cells(r, "%s %g %s", BREAKAGES[m]->name,
+		    (double)BREAKAGES[m]->n, BREAKAGES[m]->brief);
+	answer_for_programs(r);
 	answer_columns(r, "model, parameter, unit, lower, upper, meaning");
-	for (size_t m = 0; m < breakage_count(); m++) {
-		const struct breakage *of = BREAKAGES[m];
-		size_t first = of->bypass ? of->n - 1 : 0;
-		for (size_t j = first; j < of->n; j++)
-			answer_cells(r, "%s %s %s %g %g %s", of->name,
-			    of->parameter[j].name, of->parameter[j].unit,
-			    of->parameter[j].lower, of->parameter[j].upper,
-			    of->parameter[j].meaning);
-		answer_note(r, "%s: %s", of->name, of->brief);
-	}
+	for (size_t m = 0; m < breakage_count(); m++)
+		for (size_t j = 0; j < BREAKAGES[m]->n; j++)
+			model_row(r, BREAKAGES[m], &BREAKAGES[m]->parameter[j]);
+	answer_note(r, "'set model NAME; bounds' lists the parameters of one, "
+		       "'man model' says what they mean");
 	return session_answer(s, r);
 }
 

@@ -402,14 +402,21 @@ show_list(
 {
 	struct answer *r = answer_new("materials");
 	size_t n = 0, own = 0;
-	answer_columns(r,
-	    "name, rock, top_size_mm: top mm, f_mat, e0_min: E0_min, alpha, "
-	    "origin, data");
+	bool models = false;
+	for (size_t i = 0; i < list->n; i++)
+		models = models || list->item[i].params.breakage > 0;
+	answer_columns(r, "name, rock, top_size_mm: top mm, f_mat, e0_min, "
+			  "alpha, origin, data");
+	if (models)
+		answer_columns(r, "model");
 	for (size_t i = 0; i < list->n; i++) {
 		own += !stored_is_table3(&list->item[i]);
 		if (!is_wanted(&list->item[i], args))
 			continue;
 		add_row(r, &list->item[i]);
+		if (models)
+			answer_cells(
+			    r, "%s", breakage_of(&list->item[i].params)->name);
 		n++;
 	}
 	answer_note(r, "%zu of %zu materials, %zu of them your own, in %s", n,

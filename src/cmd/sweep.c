@@ -90,7 +90,7 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	if (outside && across)
 		answer_say(r, ANSWER_WARNING,
 		    "speeds marked * are outside the training speeds");
-	answers_note_worth(r, entry);
+	answers_note_worth(s, r, entry);
 	answers_put_products(s, answer_fields(r), p, n);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);

@@ -91,7 +91,7 @@ const struct command TABLE_MODEL[] = {
 	.flags = COMMAND_CHANGES,
 	.text = "Without operands, shows the lower and upper bounds. A single "
 		"VALUE holds the parameter fixed. The defaults are those of "
-		"the paper's Table 2.",
+		"the paper's Table 2, for its model.",
 	.example = "bounds f_mat 1.2\nbounds alpha 0.8..1\nbounds",
 	.run = cmd_bounds},
     {.name = "set",

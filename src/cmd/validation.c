@@ -145,6 +145,6 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 	if (entry->has_fit)
 		fields_put(
 		    answer_fields(r), "verdict %s", fit_verdict(&entry->fit));
-	answers_note_worth(r, entry);
+	answers_note_worth(s, r, entry);
 	return session_answer(s, r);
 }

@@ -59,9 +59,12 @@ grunditz_breaks(const struct breaker *b)
 char *
 grunditz_appearance_text(const struct params *p)
 {
-	return xasprintf("p(u) = max(0, %.4g %+.4g u %+.4g u^2 %+.4g u^3), u = "
-			 "progeny / parent",
-	    p->beta[0], p->beta[1], p->beta[2], p->beta[3]);
+	return xasprintf(
+	    "p(u) = max(0, %.4g %c %.4g u %c %.4g u^2 %c %.4g u^3), u = "
+	    "progeny / parent",
+	    p->beta[0], p->beta[1] < 0 ? '-' : '+', fabs(p->beta[1]),
+	    p->beta[2] < 0 ? '-' : '+', fabs(p->beta[2]),
+	    p->beta[3] < 0 ? '-' : '+', fabs(p->beta[3]));
 }
 
 static double

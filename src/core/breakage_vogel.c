@@ -7,6 +7,7 @@
 #ifndef LANES
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "base/xalloc.h"
 #include "core/elementary.h"
@@ -78,9 +79,15 @@ breaks(const struct breaker *b)
 static char *
 appearance_text(const struct params *p)
 {
-	return xasprintf("B = (y/x)^q (1 + tanh(y/%.4g - 1)) / 2, q = %.4g v "
-			 "%+.4g, y = progeny in mm, x = parent, v in m/s",
-	    p->at[Y_FINE], p->at[Q_SLOPE], p->at[Q_0]);
+	const double *q = p->at;
+	char *fines = q[Y_FINE] > 0
+			  ? xasprintf(" (1 + tanh(y/%.4g - 1)) / 2", q[Y_FINE])
+			  : xstrdup("");
+	char *text = xasprintf("B = (y/x)^q%s, q = %.4g v %c %.4g, y = progeny "
+			       "in mm, x = parent, v in m/s",
+	    fines, q[Q_SLOPE], q[Q_0] < 0 ? '-' : '+', fabs(q[Q_0]));
+	free(fines);
+	return text;
 }
 
 static const struct param_info PARAMETERS[] = {

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/answers.h"
 #include "cmd/band.h"
 #include "cmd/fit.h"
 #include "io/units.h"
@@ -25,6 +26,8 @@ size_text(double mm, char text[static 24])
 		snprintf(text, 24, "off sieves");
 	else if (isinf(mm))
 		snprintf(text, 24, "none");
+	else if (mm < 1000 * ANSWERS_NO_SIZE)
+		snprintf(text, 24, "all");
 	else
 		snprintf(text, 24, "%.2f mm", mm);
 	return text;
