@@ -29,9 +29,9 @@ for f in "$dir"/data/sites/*.csv; do
 	"$TIPSPEED" --format=csv "$f" -c 'calibrate; predict 74 band=off' \
 		-c "params set beta1=0 beta2=1 beta3=-1 beta4=0.5 $made" \
 		-c 'predict 74' 2>>"$dir/log" | grep '^predict,' | awk -F, '
-		$(NF - 3) in found { d = $(NF - 1) - found[$(NF - 3)]
+		$(NF - 5) in found { d = $(NF - 3) - found[$(NF - 5)]
 			sum += d * d; n++; next }
-		{ found[$(NF - 3)] = $(NF - 1) }
+		{ found[$(NF - 5)] = $(NF - 3) }
 		END { printf "# RMSE to the true curve %.3f points, %d sieves\n",
 			sqrt(sum / n), n
 		    exit !(n >= 9 && sqrt(sum / n) <= 0.5) }'
