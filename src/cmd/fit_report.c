@@ -188,10 +188,10 @@ fit_answer(
 	}
 	answer_note(r,
 	    "misfit %.6g (sum of squared residuals), RMSE %.2f points over %zu "
-	    "passings; %zu of these can change by crushing, and %zu parameters "
-	    "were fitted to them",
+	    "passings; %zu of these can change by crushing, and %zu "
+	    "parameter%s fitted to them",
 	    fit->misfit, 100 * fit->rmse, fit->n_residual, fit->cells,
-	    fit->parameters);
+	    fit->parameters, fit->parameters == 1 ? " was" : "s were");
 	answer_note(r, "stopped after %zu generations, %zu evaluations: %s",
 	    fit->generations, fit->evaluations, stop_sentence(fit));
 	if (fit->edits > 0)

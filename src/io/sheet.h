@@ -73,7 +73,7 @@ bool sheet_fault(struct sheet *sheet, struct cell where, const char *format,
  * character. */
 int sheet_cut(const char *text);
 
-/* The fault "WANTED was wanted, found 'CELL'", the cell cut when long, with a
+/* The fault "expected WANTED, got 'CELL'", the cell cut when long, with a
  * hint (NULL: none).  Returns false. */
 bool sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
     const char *hint, ...) __attribute__((format(printf, 4, 5)));
