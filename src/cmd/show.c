@@ -134,16 +134,14 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		fit_put_params(o, &entry->params);
 	else
 		fields_put(o, "params %g", NAN);
-	answer_missing(r, entry->has_params ? "all" : "-");
+	answer_missing(r, entry->has_params ? "none" : "-");
 	answer_columns(r, "speed: m/s, energy_j_kg: E J/kg, break_mm: break "
 			  "size mm, selected_pct: broken %% of feed");
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed, x = NAN, selected = NAN;
 		if (entry->has_params) {
 			struct prediction p = answers_predict(s, entry, v, i);
-			x = p.break_size < ANSWERS_NO_SIZE
-				? NAN
-				: 1000 * p.break_size;
+			x = 1000 * p.break_size;
 			selected = 100 * p.selected;
 			prediction_free(&p);
 		}
