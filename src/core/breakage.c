@@ -28,6 +28,23 @@ breakage_find(const char *name)
 	return i;
 }
 
+size_t
+breakage_wider(size_t breakage)
+{
+	const struct breakage *of = BREAKAGES[breakage];
+	for (size_t i = 0; i < breakage_count(); i++) {
+		const struct breakage *wide = BREAKAGES[i];
+		size_t j = 0;
+		while (j < of->n && breakage_parameter(
+					wide, of->parameter[j].name) < wide->n)
+			j++;
+		if (j == of->n && wide->reference < wide->n &&
+		    wide->bypass == of->bypass)
+			return i;
+	}
+	return breakage;
+}
+
 const struct breakage *
 breakage_of(const struct params *p)
 {

@@ -15,11 +15,20 @@
 
 struct plan;
 
+/* What is wanted of candidates, each in its place: the misfit, and where
+ * difference is not NULL the weighted differences simulated - measured, that of
+ * cell i (see struct plan_target) at difference[i * stride]. */
+struct kernel_out {
+	double *misfit, *difference;
+	size_t stride;
+};
+
 /* A model's part of the search, see kernel_body.h.  Evaluates KERNEL_LANES
- * candidates, those of the indices, and puts each misfit in its place; theta:
- * one array a parameter of the model.  smooth: all are, see KERNEL_BINS. */
+ * candidates, those of the indices; theta: one array a parameter of the model.
+ * smooth: all are, see KERNEL_BINS. */
 typedef void kernel_block(const struct plan *plan, const double *const *theta,
-    const uint32_t *index, bool smooth, double *scratch, double *misfit);
+    const uint32_t *index, bool smooth, double *scratch,
+    const struct kernel_out *out);
 
 /* Which of the candidates first..first+KERNEL_LANES-1 belong together: a bin of
  * ln x* at the mean energy for each, plus KERNEL_BINS for the smooth ones,
@@ -95,6 +104,10 @@ size_t breakage_count(void);
 /* Index of the model of that name, or breakage_count(). */
 size_t breakage_find(const char *name);
 
+/* Index of the model that has all parameters of another and lets the appearance
+ * follow the energy (D12); the model itself where there is none. */
+size_t breakage_wider(size_t breakage);
+
 /* The model of the parameters. */
 const struct breakage *breakage_of(const struct params *p);
 
@@ -138,10 +151,10 @@ void breaker_at(struct breaker *b, double v);
 
 /* The row that closes a parameter table: of the models with a bypass.
  * D14: product = (1 - bypass) crushed + bypass feed. */
-#define BYPASS_PARAMETER                                        \
-	{                                                       \
-		"bypass", "-", 0, 0.5, 0, 1, 0,                 \
-		    "share of the feed that bypasses the rotor" \
+#define BYPASS_PARAMETER                                           \
+	{                                                          \
+		"bypass", "-", 0, 0.5, 0, 1, 0,                    \
+		    "share of the feed that bypasses the rotor", 0 \
 	}
 
 /* A model's two rows: as it is with n parameters, and with a bypass. */

@@ -7,14 +7,14 @@
 
 #define GRUNDITZ_BETA                                                  \
 	{"beta1", "-", -1000, 1000, -BETA_MOST, BETA_MOST, 0,          \
-	    "appearance: constant term"},                              \
+	    "appearance: constant term", 0},                           \
 	    {"beta2", "-", -1000, 1000, -BETA_MOST, BETA_MOST, 1,      \
-		"appearance: term in u"},                              \
+		"appearance: term in u", 0},                           \
 	    {"beta3", "-", -1000, 1000, -BETA_MOST, BETA_MOST, -1,     \
-		"appearance: term in u squared"},                      \
+		"appearance: term in u squared", 0},                   \
 	{                                                              \
 		"beta4", "-", -1000, 1000, -BETA_MOST, BETA_MOST, 0.5, \
-		    "appearance: term in u cubed"                      \
+		    "appearance: term in u cubed", 0                   \
 	}
 
 /* own of the breaker: the appearance of beta scaled to 1. */

@@ -308,8 +308,8 @@ judge_part(void *data, size_t part, unsigned thread)
 	if (atomic_load(&c->stopped))
 		return;
 	to = to < c->options.population ? to : c->options.population;
-	kernel_evaluate_part(
-	    c->kernel, ga_ask_part(c->ga, from, to), from, to, thread, c->told);
+	kernel_evaluate_part(c->kernel, ga_ask_part(c->ga, from, to), from, to,
+	    thread, &(struct kernel_out){.misfit = c->told});
 }
 
 static void

@@ -90,12 +90,20 @@ line_up(const struct kernel *kernel, const double *const *theta, size_t from,
 
 void
 kernel_evaluate_part(const struct kernel *kernel, const double *const *theta,
-    size_t from, size_t to, unsigned thread, double *misfit)
+    size_t from, size_t to, unsigned thread, const struct kernel_out *out)
 {
 	struct queue q;
 	assert(to - from <= KERNEL_PART && from % KERNEL_LANES == 0);
 	line_up(kernel, theta, from, to, &q);
 	for (size_t i = 0; i < q.n; i += KERNEL_LANES)
 		kernel->block(&kernel->plan, theta, q.index + i, i >= q.n_stiff,
-		    kernel->scratch[thread], misfit);
+		    kernel->scratch[thread], out);
+}
+
+void
+kernel_set_speed(struct kernel *kernel, double v)
+{
+	assert(kernel->plan.n_run == 1);
+	plan_set_speed(&kernel->plan, 0, v);
+	kernel->plan.over_E = 1 / kernel->plan.run[0].E;
 }

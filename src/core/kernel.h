@@ -33,15 +33,18 @@ struct kernel *kernel_new(
     const struct misfit *m, enum isa isa, unsigned threads);
 void kernel_free(struct kernel *kernel);
 
-/* misfit [to] out in from..to-1, for those candidates of theta, one array [to]
- * a parameter of the misfit's model in the order of its table, aligned to 64
- * bytes and readable up to the next multiple of KERNEL_LANES.  from is a
- * multiple of KERNEL_LANES, and to - from at most KERNEL_PART.  Not a number
- * becomes INFINITY.  thread: below that of kernel_new; two at once have
+/* The misfits out->misfit [to] in from..to-1, for those candidates of theta,
+ * one array [to] a parameter of the misfit's model in the order of its table,
+ * aligned to 64 bytes and readable up to the next multiple of KERNEL_LANES.
+ * from is a multiple of KERNEL_LANES, and to - from at most KERNEL_PART.  Not a
+ * number becomes INFINITY.  thread: below that of kernel_new; two at once have
  * different ones. */
 enum { KERNEL_PART = 63 * KERNEL_LANES };
 void kernel_evaluate_part(const struct kernel *kernel,
     const double *const *theta, size_t from, size_t to, unsigned thread,
-    double *misfit);
+    const struct kernel_out *out);
+
+/* Another speed, m/s, for a misfit of one run. */
+void kernel_set_speed(struct kernel *kernel, double v);
 
 #endif

@@ -19,6 +19,8 @@
 struct block {
 	lanes f, e0, alpha, over_alpha, f_e0, log_e0, log_full, kept,
 	    over_total, own[6];
+	const uint32_t *index;
+	const struct kernel_out *out;
 };
 
 /* p = dB / d ln u at a node of u, and B up to there, both times the total. */
@@ -290,10 +292,15 @@ add_split(const struct lane_model *m, const struct plan_sieve *sieve,
 	below[1] = second;
 }
 
+/* A weighted difference squared, which is kept where it is asked for. */
 static inline lanes
-square(const struct plan_target *t, const struct block *b, lanes below)
+square(const struct plan_target *t, const struct block *b, lanes d)
 {
-	lanes d = t->weight * (t->difference + below * b->over_total);
+	d *= t->weight;
+	if (b->out->difference != NULL && t->weight > 0)
+		for (size_t l = 0; l < LANES; l++)
+			b->out->difference[t->cell * b->out->stride +
+					   b->index[l]] = d[l];
 	return d * d;
 }
 
@@ -330,9 +337,11 @@ sieve_squares(const struct lane_model *m, const struct plan *plan,
 			below[0] *= share_at;
 			below[1] *= share_at;
 		}
-		squares += square(&run[0]->target[s], b, below[0]);
-		if (other > r)
-			squares += square(&run[1]->target[s], b, below[1]);
+		for (size_t i = 0; i < 1 + (other > r); i++) {
+			const struct plan_target *t = &run[i]->target[s];
+			squares += square(
+			    t, b, t->difference + below[i] * b->over_total);
+		}
 	}
 	return squares;
 }
@@ -411,8 +420,7 @@ classes_run(const struct lane_model *m, const struct plan *plan,
 		lanes P = fine + t->share * (coarse - fine);
 		if (plan->bypass > 0)
 			P = t->feed + b->kept * (P - t->feed);
-		lanes d = t->weight * (P - t->measured);
-		sum += d * d;
+		sum += square(t, b, P - t->measured);
 	}
 	return sum;
 }
@@ -436,24 +444,26 @@ classes_block(const struct lane_model *m, const struct plan *plan,
 INLINE void
 evaluate(const struct lane_model *m, const struct plan *plan,
     const double *const *theta, const uint32_t *index, bool smooth,
-    double *scratch, double *misfit)
+    double *scratch, const struct kernel_out *out)
 {
 	struct block b;
+	b.index = index;
+	b.out = out;
 	load(m, &b, plan, theta, index);
 	lanes sum = plan->method == METHOD_CLASSES
 			? classes_block(m, plan, &b, scratch)
 			: continuous_block(m, plan, &b, smooth, scratch);
 	for (size_t l = 0; l < LANES; l++)
-		misfit[index[l]] = sum[l] <= 1e300 ? sum[l] : HUGE_VAL;
+		out->misfit[index[l]] = sum[l] <= 1e300 ? sum[l] : HUGE_VAL;
 }
 
 INLINE void
 evaluate_all(const struct lane_model *m, const struct plan *plan,
     const double *const *theta, const uint32_t *index, bool smooth,
-    double *scratch, double *misfit)
+    double *scratch, const struct kernel_out *out)
 {
 	for (size_t i = 0; i < KERNEL_LANES; i += LANES)
-		evaluate(m, plan, theta, index + i, smooth, scratch, misfit);
+		evaluate(m, plan, theta, index + i, smooth, scratch, out);
 }
 
 static inline void
@@ -481,19 +491,19 @@ bins(const struct lane_model *m, const struct plan *plan,
  * its struct lane_model. */
 #define KERNEL_JOIN(model, what, isa) model##_##what##_##isa
 #define KERNEL_NAME(model, what, isa) KERNEL_JOIN(model, what, isa)
-#define KERNEL(model, ...)                                                  \
-	kernel_block KERNEL_NAME(model, block, ISA);                        \
-	kernel_bins KERNEL_NAME(model, bins, ISA);                          \
-	static const struct lane_model model##_lanes = {__VA_ARGS__};       \
-	void KERNEL_NAME(model, block, ISA)(const struct plan *plan,        \
-	    const double *const *theta, const uint32_t *index, bool smooth, \
-	    double *scratch, double *misfit)                                \
-	{                                                                   \
-		evaluate_all(&model##_lanes, plan, theta, index, smooth,    \
-		    scratch, misfit);                                       \
-	}                                                                   \
-	void KERNEL_NAME(model, bins, ISA)(const struct plan *plan,         \
-	    const double *const *theta, size_t first, uint16_t *bin)        \
-	{                                                                   \
-		bins(&model##_lanes, plan, theta, first, bin);              \
+#define KERNEL(model, ...)                                                     \
+	kernel_block KERNEL_NAME(model, block, ISA);                           \
+	kernel_bins KERNEL_NAME(model, bins, ISA);                             \
+	static const struct lane_model model##_lanes = {__VA_ARGS__};          \
+	void KERNEL_NAME(model, block, ISA)(const struct plan *plan,           \
+	    const double *const *theta, const uint32_t *index, bool smooth,    \
+	    double *scratch, const struct kernel_out *out)                     \
+	{                                                                      \
+		evaluate_all(                                                  \
+		    &model##_lanes, plan, theta, index, smooth, scratch, out); \
+	}                                                                      \
+	void KERNEL_NAME(model, bins, ISA)(const struct plan *plan,            \
+	    const double *const *theta, size_t first, uint16_t *bin)           \
+	{                                                                      \
+		bins(&model##_lanes, plan, theta, first, bin);                 \
 	}

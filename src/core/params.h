@@ -49,6 +49,7 @@ struct param_info {
 	double least, most;  /* of any value */
 	double start; /* where a site has none; NAN: it has to be given */
 	const char *meaning;
+	double spread; /* of a normal prior about start; 0: uniform in bounds */
 };
 
 /* Search bounds: one pair for each parameter. lower == upper holds it fixed. */

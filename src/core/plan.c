@@ -130,7 +130,7 @@ plan_sieve(const struct plan *plan, struct plan_sieve *s, double log_s)
 static void
 plan_targets(struct plan *plan, const struct misfit *m)
 {
-	size_t room = m->n_residual, n = 0;
+	size_t room = m->n_residual, n = 0, cell = 0;
 	double *sieve = xdoubles(room);
 	for (size_t r = 0; r < m->n_run; r++)
 		for (size_t i = 0; i < m->run[r].n; i++)
@@ -147,6 +147,7 @@ plan_targets(struct plan *plan, const struct misfit *m)
 		for (size_t i = 0, s = 0; i < from->n; i++) {
 			while (sieve[s] > from->sieve[i])
 				s++;
+			run->target[s].cell = cell++;
 			run->target[s].difference =
 			    psd_passing(&from->feed, sieve[s]) -
 			    from->measured[i];
@@ -188,7 +189,7 @@ plan_continuous(struct plan *plan, const struct misfit *m)
 
 static void
 plan_class_run(struct plan_run *run, const struct misfit_run *from,
-    enum appearance_form form)
+    enum appearance_form form, size_t first)
 {
 	const struct psd *feed = &from->feed;
 	size_t n = run->n_size = feed->n;
@@ -225,16 +226,18 @@ plan_class_run(struct plan_run *run, const struct misfit_run *from,
 		t->feed = psd_passing(feed, size);
 		t->measured = from->measured[s];
 		t->weight = from->weight[s];
+		t->cell = first + s;
 	}
 }
 
 static void
 plan_class_runs(struct plan *plan, const struct misfit *m)
 {
-	size_t widest = 0;
+	size_t widest = 0, cell = 0;
 	for (size_t r = 0; r < m->n_run; r++) {
 		plan_class_run(
-		    &plan->run[r], &m->run[r], m->settings.appearance);
+		    &plan->run[r], &m->run[r], m->settings.appearance, cell);
+		cell += m->run[r].n;
 		if (plan->run[r].n_size > widest)
 			widest = plan->run[r].n_size;
 	}
@@ -259,6 +262,14 @@ plan_order(struct plan *plan, const struct misfit *m)
 }
 
 void
+plan_set_speed(struct plan *plan, size_t run, double v)
+{
+	plan->run[run].v = v;
+	plan->run[run].E = energy_specific(v);
+	plan->run[run].log_E = el_log(plan->run[run].E);
+}
+
+void
 plan_make(struct plan *plan, const struct misfit *m)
 {
 	const struct breakage *of = BREAKAGES[m->settings.breakage];
@@ -267,11 +278,8 @@ plan_make(struct plan *plan, const struct misfit *m)
 	    .bypass = of->bypass ? of->n - 1 : 0,
 	    .n_run = m->n_run,
 	    .run = xcalloc(m->n_run, sizeof *plan->run)};
-	for (size_t r = 0; r < m->n_run; r++) {
-		plan->run[r].v = m->run[r].speed;
-		plan->run[r].E = energy_specific(m->run[r].speed);
-		plan->run[r].log_E = el_log(plan->run[r].E);
-	}
+	for (size_t r = 0; r < m->n_run; r++)
+		plan_set_speed(plan, r, m->run[r].speed);
 	plan_order(plan, m);
 	if (plan->method == METHOD_CLASSES)
 		plan_class_runs(plan, m);

@@ -22,9 +22,10 @@ struct plan_target {
 	double difference; /* feed less measured passing */
 	double measured;
 	double weight; /* 0 where the run has no such sieve */
-	size_t sieve;  /* `classes`: the feed sieve at or above it, */
-	double share;  /* and how much of that one's passing to take */
-	double feed;   /* `classes`: passing of the feed */
+	size_t cell; /* index of the difference, as misfit_differences has it */
+	size_t sieve; /* `classes`: the feed sieve at or above it, */
+	double share; /* and how much of that one's passing to take */
+	double feed;  /* `classes`: passing of the feed */
 };
 
 struct plan_run {
@@ -66,6 +67,7 @@ struct plan {
 
 /* Fills the plan, which plan_clear empties.  The misfit is read, not kept. */
 void plan_make(struct plan *plan, const struct misfit *m);
+void plan_set_speed(struct plan *plan, size_t run, double v);
 void plan_clear(struct plan *plan);
 
 #endif

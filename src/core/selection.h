@@ -35,12 +35,12 @@ selection(const double q[static 3], double k, double E, double log_x, double *d)
  * D7). */
 #define SELECTION_PARAMETERS                                 \
 	{"f_mat", "kg/(J m)", 0.001, 3, 0, F_MAT_MOST, NAN,  \
-	    "material: a higher one breaks more"},           \
+	    "material: a higher one breaks more", 0},        \
 	    {"e0_min", "J m/kg", 0, 30, 0, E0_MIN_MOST, NAN, \
-		"threshold energy for breakage"},            \
+		"threshold energy for breakage", 0},         \
 	{                                                    \
 		"alpha", "-", 0, 1, 0, ALPHA_MOST, NAN,      \
-		    "size dependency of breakage"            \
+		    "size dependency of breakage", 0         \
 	}
 
 /* And what a model with them has in its own row, see breakage.h. */

@@ -89,7 +89,7 @@ evaluate_part(void *data, size_t part, unsigned thread)
 	const struct batch *b = data;
 	size_t from = part * KERNEL_PART, to = from + KERNEL_PART;
 	kernel_evaluate_part(b->kernel, b->theta, from, to < b->n ? to : b->n,
-	    thread, b->misfit);
+	    thread, &(struct kernel_out){.misfit = b->misfit});
 }
 
 /* All of n candidates; the pool's threads, at most those of kernel_new, share

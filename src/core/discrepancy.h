@@ -1,0 +1,81 @@
+/* What a model leaves out, as a Gaussian process, and the errors of a sample.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_DISCREPANCY_H
+#define TIPSPEED_CORE_DISCREPANCY_H
+
+#include <stddef.h>
+
+/* D13 (Kennedy and O'Hagan 2001):
+ *   measured = model + discrepancy + error of the sample
+ * The discrepancy at a size s and a time t, which is 0 in the middle of the
+ * measured speeds and 1 where the energy is e^0.135 times that there, as from
+ * 74 to 79 m/s:
+ *   h(P) (f_0(s) + c t f_1(s) + 0.4 c (t^2 - 1) f_2(s)),  h = 2 sqrt(P (1 - P))
+ * P is the model's passing; the f are independent Gaussian processes with the
+ * covariance
+ *   sigma_d^2 rho(ln s - ln s', l) + sigma_n^2 rho(ln s - ln s', 1/4)
+ *   rho(z, l) = exp(-z^2 / 2 l^2)
+ * of which the second is for features of single sieves.  The error of a sample
+ * has a part that is shared along its curve, sigma_s^2 rho(.., l) within a run,
+ * and an independent one, sigma_i^2, both times h h'. */
+enum hyper {
+	HYPER_DELTA,
+	HYPER_LENGTH,
+	HYPER_SLOPE,
+	HYPER_NARROW,
+	HYPER_SHARED,
+	HYPER_OWN,
+	HYPERS
+};
+
+/* A hyperparameter and its prior: its logarithm is normal about that of the
+ * median, spread is its standard deviation.  Sizes are passings, 0..1. */
+struct hyper_info {
+	const char *name, *symbol;
+	double median, spread;
+	const char *meaning;
+};
+extern const struct hyper_info HYPER[HYPERS];
+
+/* t of a tip speed; middle: ln of the mean energy. */
+double discrepancy_time(double v, double middle);
+
+/* The factors of f_0, f_1 and f_2 at t. */
+enum { DISCREPANCY_TERMS = 3 };
+void discrepancy_terms(
+    double t, double slope, double term[static DISCREPANCY_TERMS]);
+
+/* h at a passing P, 0..1. */
+double discrepancy_h(double P);
+
+/* -ln of the prior of the hyperparameters' logarithms, but for a constant. */
+double discrepancy_prior(const double log_hyper[static HYPERS]);
+
+/* Covariance of an f, and of the shared error of a sample, between sizes whose
+ * logarithms lie so far apart. */
+double discrepancy_covariance(double apart, const double hyper[static HYPERS]);
+double discrepancy_shared(double apart, const double hyper[static HYPERS]);
+
+/* A passing that was measured: ln of its size, in m, and t and h there. */
+struct cell {
+	size_t run;
+	double log_size, t, h;
+};
+
+/* Replaces the lower half of L [n * n], by rows, by its Cholesky factor, and
+ * solves L z = d and L' x = z in place.  Plain loops, and not GSL's, whose last
+ * bits depend on its version: a walk turns one bit into another walk. */
+void discrepancy_cholesky(double *L, size_t n);
+void discrepancy_forward(const double *L, size_t n, double *d);
+void discrepancy_backward(const double *L, size_t n, double *z);
+
+/* The factor L [n * n] of the covariance of what n measured passings and the
+ * model differ by. */
+void discrepancy_factor(const struct cell *cell, size_t n,
+    const double log_hyper[static HYPERS], double *L);
+
+/* -ln of the probability of the differences d [n], but for a constant; they are
+ * replaced by L^-1 d. */
+double discrepancy_level(const double *L, size_t n, double *d);
+
+#endif

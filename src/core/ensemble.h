@@ -1,0 +1,44 @@
+/* The products of a posterior's draws, and the answer that they make.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_ENSEMBLE_H
+#define TIPSPEED_CORE_ENSEMBLE_H
+
+#include "core/posterior.h"
+#include "core/psd.h"
+
+/* Products of all draws from one feed, at any speed.  The posterior must
+ * outlive it. */
+struct ensemble;
+
+/* size [n] m, coarsest first, each covered by the feed. */
+struct ensemble *ensemble_new(const struct posterior *posterior,
+    const struct psd *feed, const double *size, size_t n);
+void ensemble_free(struct ensemble *e);
+
+/* What a row of products is of: the model alone, so that rows differ by their
+ * parameters; with the discrepancy, which is the answer; and with the error of
+ * one more sample, which is what would be measured. */
+enum ensemble_part {
+	ENSEMBLE_MODEL,
+	ENSEMBLE_ANSWER,
+	ENSEMBLE_SAMPLE,
+	ENSEMBLE_PARTS
+};
+
+/* Moves to tip speed v, m/s. */
+void ensemble_at(struct ensemble *e, double v);
+
+/* The products at that speed, [n * POSTERIOR_DRAWS] row by size, borrowed.
+ * None is coarser than the feed, and each falls with the size, but for the
+ * samples, which only fall. */
+const double *ensemble_products(
+    const struct ensemble *e, enum ensemble_part part);
+
+/* The mean of the answers, [n] out: the best single one. */
+void ensemble_mean(const struct ensemble *e, double *passing);
+
+/* The middle `level` (0..1) of values [POSTERIOR_DRAWS], whose order changes.
+ * NAN counts as the least, and is an end where it is found there. */
+void ensemble_middle(double *value, double level, double *low, double *high);
+
+#endif

@@ -1,0 +1,807 @@
+/* Draws by differential evolution Markov chains.
+ *
+ * Many chains run side by side, in two halves: a chain of one half moves along
+ * the difference of two of the other (ter Braak 2006), so that moves have the
+ * length and the direction of what the data leave open, and leap between the
+ * valleys in which there are chains.  A half is evaluated at once by the
+ * search's kernel.  The warm-up lets the likelihood count more and more and
+ * draws the chains anew at each rung (population annealing): else those that
+ * begin in a valley which holds next to nothing stay there for thousands of
+ * generations.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/posterior.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/pool.h"
+#include "base/xalloc.h"
+#include "core/elementary.h"
+#include "core/kernel.h"
+#include "core/rng.h"
+#include "core/sensitivity.h"
+
+enum {
+	CHAINS = POSTERIOR_DRAWS / 2, /* which give two draws each */
+	HALF = CHAINS / 2,
+	RUNG = 10, /* generations */
+	WARM_UP = 200,
+	KEPT = 200,
+	HYPER_EVERY = 4, /* generations, one of the hyperparameters */
+	LEAP_EVERY = 10, /* one that leaps from valley to valley */
+	COORDINATES = PARAMS_MOST + HYPERS,
+	NUMBERS = 64 /* random ones of a chain and generation */
+};
+
+static const double FIRST_RUNG = 0.02, RISE = 1.5;
+
+enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
+
+/* x: coordinates of the parameters (params_of), and from PARAMS_MOST on the
+ * hyperparameters' logarithms.  likelihood, prior: -ln, but for constants. */
+struct chain {
+	double x[COORDINATES];
+	double likelihood, prior;
+	double *L, *d; /* factor, differences simulated - measured */
+};
+
+struct sampler {
+	const struct breakage *of;
+	struct params fit;
+	struct bounds bounds;
+	struct sensitivity sensitivity;
+	double rms;    /* of the fit's differences */
+	double middle; /* ln of the mean energy */
+	size_t held;   /* of the gauge: it stays 1 or -1 */
+	bool by_slope; /* coordinates of Eq 3, see params_of */
+	size_t n_cell;
+	struct cell *cell;
+	double *scheme; /* what the kernel's differences err by, at the fit */
+	struct kernel *kernel;
+	struct pool *pool;
+	uint64_t seed, generation;
+	double share; /* of the likelihood that counts */
+	struct chain chain[CHAINS], trial[HALF];
+	size_t first; /* chain of the half that moves */
+	bool hyper;   /* the hyperparameters move, not the parameters */
+	double *theta[PARAMS_MOST], *difference, *misfit; /* of the trials */
+	size_t accepted, tried;
+};
+
+/* The parameters at coordinates x.  Of the gauge one is held, as only the
+ * direction counts.
+ *
+ * Of Eq 3 the data tell the break size and how steeply S rises there, and much
+ * less f_mat, e0_min and alpha, which compensate for each other along a bent
+ * ridge.  So coordinates are
+ *   ln x* = (ln e0_min - ln E) / alpha,  ln(f_mat alpha e0_min),  alpha
+ * in which the ridge is nearly straight; or the three themselves, where one of
+ * them is held fixed. */
+static void
+params_of(const struct sampler *s, const double *x, double *at)
+{
+	size_t f = s->of->strength;
+	memcpy(at, x, s->of->n * sizeof *at);
+	if (!s->by_slope)
+		return;
+	at[f + 1] = el_exp(s->middle + x[f + 2] * x[f]);
+	at[f] = el_exp(x[f + 1]) / (x[f + 2] * at[f + 1]);
+}
+
+static void
+coordinates_of(const struct sampler *s, const double *at, double *x)
+{
+	size_t f = s->of->strength;
+	memcpy(x, at, s->of->n * sizeof *x);
+	for (size_t j = 0; j < s->of->gauge; j++)
+		x[j] /= fabs(at[s->held]);
+	if (!s->by_slope)
+		return;
+	double alpha = fmax(at[f + 2], 1e-3), e0 = fmax(at[f + 1], 1e-6);
+	x[f] = (el_log(e0) - s->middle) / alpha;
+	x[f + 1] = el_log(fmax(at[f], 1e-6) * alpha * e0);
+	x[f + 2] = alpha;
+}
+
+/* Priors are uniform between the bounds, normal where the model says so, and
+ * alike for all directions of the gauge: seen from the plane in which one is
+ * held, directions far out are rarer than on a sphere. */
+static double
+prior_of(const struct sampler *s, const double *x)
+{
+	double sum = discrepancy_prior(x + PARAMS_MOST), squares = 0;
+	for (size_t j = 0; j < s->of->n; j++) {
+		const struct param_info *info = &s->of->parameter[j];
+		double z =
+		    info->spread > 0 ? (x[j] - info->start) / info->spread : 0;
+		sum += z * z / 2;
+		squares += j < s->of->gauge ? x[j] * x[j] : 0;
+	}
+	if (s->of->gauge > 0)
+		sum += (double)s->of->gauge / 2 * el_log(squares);
+	return s->by_slope ? sum - x[s->of->strength + 1] : sum;
+}
+
+static bool
+is_own_coordinate(const struct sampler *s, size_t j)
+{
+	size_t f = s->of->strength;
+	return j >= s->of->gauge && !(s->by_slope && (j == f || j == f + 1));
+}
+
+/* Brings coordinates that went over a bound back by as much as they did. */
+static void
+reflect(const struct sampler *s, double *x)
+{
+	for (size_t j = 0; j < s->of->n; j++) {
+		double lower = s->bounds.lower[j], upper = s->bounds.upper[j];
+		if (!is_own_coordinate(s, j))
+			continue;
+		if (x[j] < lower)
+			x[j] = 2 * lower - x[j];
+		if (x[j] > upper)
+			x[j] = 2 * upper - x[j];
+	}
+}
+
+static bool
+is_within(const struct sampler *s, const double *at)
+{
+	for (size_t j = s->of->gauge; j < s->of->n; j++)
+		if (!(at[j] >= s->bounds.lower[j] &&
+			at[j] <= s->bounds.upper[j]))
+			return false;
+	return true;
+}
+
+static void
+evaluate_trial(struct sampler *s, size_t i, double *work)
+{
+	struct chain *trial = &s->trial[i];
+	const struct chain *now = &s->chain[s->first + i];
+	size_t n = s->n_cell;
+	double at[PARAMS_MOST];
+	if (s->hyper) {
+		memcpy(trial->d, now->d, n * sizeof *now->d);
+		discrepancy_factor(
+		    s->cell, n, trial->x + PARAMS_MOST, trial->L);
+	}
+	for (size_t k = 0; k < n && !s->hyper; k++)
+		trial->d[k] = s->difference[k * HALF + i] + s->scheme[k];
+	memcpy(work, trial->d, n * sizeof *work);
+	trial->likelihood =
+	    discrepancy_level(s->hyper ? trial->L : now->L, n, work);
+	trial->prior = prior_of(s, trial->x);
+	params_of(s, trial->x, at);
+	if (!is_within(s, at) || !isfinite(trial->likelihood))
+		trial->prior = INFINITY;
+}
+
+static void
+evaluate_part(void *data, size_t part, unsigned thread)
+{
+	struct sampler *s = data;
+	size_t from = part * KERNEL_LANES, to = from + KERNEL_LANES;
+	struct kernel_out out = {s->misfit, s->difference, HALF};
+	double *work = xdoubles(s->n_cell);
+	if (!s->hyper)
+		kernel_evaluate_part(s->kernel, (const double *const *)s->theta,
+		    from, to, thread, &out);
+	for (size_t i = from; i < to; i++)
+		evaluate_trial(s, i, work);
+	free(work);
+}
+
+static void
+evaluate(struct sampler *s)
+{
+	for (size_t i = 0; i < HALF; i++) {
+		double at[PARAMS_MOST];
+		params_of(s, s->trial[i].x, at);
+		for (size_t j = 0; j < s->of->n; j++)
+			s->theta[j][i] = at[j];
+	}
+	pool_run(s->pool, HALF / KERNEL_LANES, evaluate_part, s);
+}
+
+/* Where the chain goes of this index: along the difference of two of the other
+ * half. */
+static void
+propose(struct sampler *s, size_t i, struct rng_key key)
+{
+	const struct chain *other = &s->chain[s->first == 0 ? HALF : 0];
+	uint32_t at = (uint32_t)((s->first + i) * NUMBERS);
+	size_t from = s->hyper ? PARAMS_MOST : 0;
+	size_t to = s->hyper ? COORDINATES : s->of->n;
+	double n = s->hyper ? HYPERS : (double)s->sensitivity.n;
+	size_t a = (size_t)(rng_uniform(key, at) * HALF);
+	size_t b = (size_t)(rng_uniform(key, at + 1) * (HALF - 1));
+	b += b >= a;
+	double length = 2.38 / sqrt(2 * fmax(n, 1));
+	length *= 0.5 + rng_uniform(key, at + 2);
+	if (s->generation % LEAP_EVERY == 0)
+		length = 1;
+	double *x = s->trial[i].x;
+	memcpy(x, s->chain[s->first + i].x, sizeof s->trial[i].x);
+	for (size_t j = from; j < to; j++)
+		x[j] += length * (other[a].x[j] - other[b].x[j]);
+	reflect(s, x);
+}
+
+static void
+swap(double **a, double **b)
+{
+	double *other = *a;
+	*a = *b;
+	*b = other;
+}
+
+/* Takes the trial as the chain's next state. */
+static void
+take(struct chain *chain, struct chain *trial, bool hyper)
+{
+	memcpy(chain->x, trial->x, sizeof chain->x);
+	chain->likelihood = trial->likelihood;
+	chain->prior = trial->prior;
+	swap(&chain->d, &trial->d);
+	if (hyper)
+		swap(&chain->L, &trial->L);
+}
+
+static void
+accept(struct sampler *s, size_t i, struct rng_key key)
+{
+	struct chain *now = &s->chain[s->first + i], *trial = &s->trial[i];
+	double rise = s->share * (trial->likelihood - now->likelihood) +
+		      trial->prior - now->prior;
+	uint32_t at = (uint32_t)((s->first + i) * NUMBERS + 3);
+	s->tried++;
+	if (!(el_log(rng_uniform(key, at)) < -rise))
+		return;
+	s->accepted++;
+	take(now, trial, s->hyper);
+}
+
+static void
+generation(struct sampler *s)
+{
+	struct rng_key key = rng_key(s->seed, s->generation, USE_MOVE);
+	s->hyper = s->generation % HYPER_EVERY == HYPER_EVERY - 1;
+	for (s->first = 0; s->first < CHAINS; s->first += HALF) {
+		for (size_t i = 0; i < HALF; i++)
+			propose(s, i, key);
+		evaluate(s);
+		for (size_t i = 0; i < HALF; i++)
+			accept(s, i, key);
+	}
+	s->generation++;
+}
+
+/* Puts a chain somewhere about the fit, as far along each direction of the
+ * sensitivities as the data leave open, more or less. */
+static void
+scatter(const struct sampler *s, struct rng_key key, struct chain *c)
+{
+	const struct sensitivity *of = &s->sensitivity;
+	struct params p = s->fit;
+	for (size_t h = 0; h < of->n; h++) {
+		double length =
+		    fmin(1.5 * s->rms / fmax(of->sigma[h], 1e-9), 0.3);
+		double move = length * rng_normal(key, (uint32_t)h);
+		for (size_t k = 0; k < of->n; k++)
+			p.at[of->column[k]] += move * of->direction[h][k] *
+					       of->range[of->column[k]];
+	}
+	for (size_t j = s->of->gauge; j < s->of->n; j++)
+		p.at[j] =
+		    fmin(fmax(p.at[j], s->bounds.lower[j]), s->bounds.upper[j]);
+	coordinates_of(s, p.at, c->x);
+	for (size_t h = 0; h < HYPERS; h++)
+		c->x[PARAMS_MOST + h] =
+		    el_log(HYPER[h].median) +
+		    HYPER[h].spread *
+			rng_normal(key, (uint32_t)(PARAMS_MOST + h));
+	discrepancy_factor(s->cell, s->n_cell, c->x + PARAMS_MOST, c->L);
+}
+
+static void
+start(struct sampler *s)
+{
+	s->hyper = false;
+	s->share = FIRST_RUNG;
+	for (s->first = 0; s->first < CHAINS; s->first += HALF) {
+		for (size_t i = 0; i < HALF; i++) {
+			struct chain *c = &s->chain[s->first + i];
+			scatter(
+			    s, rng_key(s->seed, s->first + i, USE_START), c);
+			memcpy(s->trial[i].x, c->x, sizeof c->x);
+		}
+		evaluate(s);
+		for (size_t i = 0; i < HALF; i++)
+			take(&s->chain[s->first + i], &s->trial[i], false);
+	}
+}
+
+static void
+copy_chain(struct chain *to, const struct chain *from, size_t n)
+{
+	memcpy(to->x, from->x, sizeof to->x);
+	memcpy(to->L, from->L, n * n * sizeof *to->L);
+	memcpy(to->d, from->d, n * sizeof *to->d);
+	to->likelihood = from->likelihood;
+	to->prior = from->prior;
+}
+
+/* Lets a larger share of the likelihood count, and draws the chains anew by how
+ * much more probable that makes each. */
+static void
+climb(struct sampler *s, double share)
+{
+	double weight[CHAINS], least = INFINITY, sum = 0, at = 0;
+	size_t copies[CHAINS] = {0}, spare = 0, drawn = 0;
+	for (size_t i = 0; i < CHAINS; i++)
+		least = fmin(least, s->chain[i].likelihood);
+	for (size_t i = 0; i < CHAINS; i++) {
+		double rise = s->chain[i].likelihood - least;
+		weight[i] = rise < 1e9 ? el_exp(-(share - s->share) * rise) : 0;
+		sum += weight[i];
+	}
+	s->share = share;
+	double u = rng_uniform(rng_key(s->seed, s->generation, USE_ANNEAL), 0);
+	for (size_t i = 0; i < CHAINS; i++) {
+		at += weight[i] / sum * CHAINS;
+		for (; drawn < CHAINS && (double)drawn + u < at; drawn++)
+			copies[i]++;
+	}
+	for (size_t i = 0; i < CHAINS; i++)
+		for (; copies[i] > 1; copies[i]--) {
+			while (copies[spare] > 0)
+				spare++;
+			copy_chain(&s->chain[spare], &s->chain[i], s->n_cell);
+			copies[spare] = 1;
+		}
+}
+
+/* Sums over a part of the kept generations, by chain and coordinate. */
+struct sums {
+	double n, of[CHAINS][COORDINATES], squares[CHAINS][COORDINATES];
+};
+
+static void
+add_to(struct sums *sums, const struct sampler *s)
+{
+	sums->n++;
+	for (size_t i = 0; i < CHAINS; i++)
+		for (size_t j = 0; j < COORDINATES; j++) {
+			double x = s->chain[i].x[j];
+			sums->of[i][j] += x;
+			sums->squares[i][j] += x * x;
+		}
+}
+
+/* Gelman and Rubin's R of a coordinate. */
+static double
+ratio_of(const struct sums *sums, size_t j)
+{
+	double mean = 0, within = 0, between = 0;
+	for (size_t i = 0; i < CHAINS; i++) {
+		double own = sums->of[i][j] / sums->n;
+		mean += own / CHAINS;
+		within += (sums->squares[i][j] / sums->n - own * own) / CHAINS;
+	}
+	for (size_t i = 0; i < CHAINS; i++) {
+		double off = sums->of[i][j] / sums->n - mean;
+		between += off * off / (CHAINS - 1);
+	}
+	return within > 1e-12 * fabs(mean) ? sqrt(1 + between / within) : 1;
+}
+
+/* Draws of the first and the second half, in standard deviations. */
+static double
+drift_of(const struct posterior *p, size_t j)
+{
+	double sum[2] = {0}, squares = 0;
+	for (size_t i = 0; i < POSTERIOR_DRAWS; i++) {
+		double x = p->draw[i].params.at[j];
+		sum[i / CHAINS] += x / CHAINS;
+		squares += x * x / POSTERIOR_DRAWS;
+	}
+	double mean = (sum[0] + sum[1]) / 2, variance = squares - mean * mean;
+	return variance > 1e-12 * mean * mean
+		   ? fabs(sum[0] - sum[1]) / sqrt(variance)
+		   : 0;
+}
+
+static void
+find_convergence(
+    struct posterior *p, const struct sampler *s, const struct sums *sums)
+{
+	p->ratio = 1;
+	p->accepted = (double)s->accepted / (double)s->tried;
+	for (size_t j = 0; j < COORDINATES; j++)
+		if (j < s->of->n || j >= PARAMS_MOST)
+			p->ratio = fmax(p->ratio, ratio_of(sums, j));
+	for (size_t j = 0; j < s->of->n; j++)
+		p->drift = fmax(p->drift, drift_of(p, j));
+}
+
+/* The sizes of the cells and the ends of the feeds, and more where these lie
+ * apart, so that processes are straight between them. */
+static void
+make_knots(
+    struct posterior *p, const struct site *site, const struct sampler *s)
+{
+	const double most = 0.2;
+	double *at = xdoubles(s->n_cell + 2 * site->n_run);
+	size_t n = 0;
+	for (size_t i = 0; i < s->n_cell; i++)
+		at[n++] = s->cell[i].log_size;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct psd *feed = &site->run[r].feed;
+		at[n++] = el_log(feed->size[0]);
+		at[n++] = el_log(feed->size[feed->n - 1]);
+	}
+	n = psd_sort(at, n, 1e-9);
+	p->knot = xdoubles(n + (size_t)((at[0] - at[n - 1]) / most) + 2);
+	p->knot[p->n_knot++] = at[0];
+	for (size_t i = 1; i < n; i++) {
+		double gap = at[i - 1] - at[i];
+		double parts = floor(gap / most) + 1;
+		for (double k = 1; k <= parts; k++)
+			p->knot[p->n_knot++] = at[i - 1] - gap * k / parts;
+	}
+	if (p->n_knot == 1)
+		p->knot[p->n_knot++] = at[0] - most;
+	free(at);
+}
+
+static size_t
+knot_at(const struct posterior *p, double log_size)
+{
+	size_t k = 0;
+	while (k + 1 < p->n_knot && p->knot[k] > log_size + 1e-6)
+		k++;
+	return k;
+}
+
+/* Random numbers of one draw: of two from the same chain one has the negative
+ * ones of the other, so that their mean errs less. */
+struct noise {
+	struct rng_key key;
+	uint32_t next;
+	double sign;
+};
+
+static double
+normal(struct noise *noise)
+{
+	return noise->sign * rng_normal(noise->key, noise->next++);
+}
+
+/* A Gaussian process at the knots, whose covariance has the factor L. */
+static void
+draw_process(
+    const double *L, size_t n, struct noise *noise, double *f, double *work)
+{
+	for (size_t i = 0; i < n; i++)
+		work[i] = normal(noise);
+	for (size_t i = 0; i < n; i++) {
+		f[i] = 0;
+		for (size_t k = 0; k <= i; k++)
+			f[i] += L[i * n + k] * work[k];
+	}
+}
+
+static double *
+knots_factor(const struct posterior *p, const double *hyper,
+    double covariance(double apart, const double hyper[static HYPERS]))
+{
+	size_t n = p->n_knot;
+	double *L = xdoubles(n * n), jitter = 1e-8 * covariance(0, hyper);
+	for (size_t i = 0; i < n; i++)
+		for (size_t j = 0; j <= i; j++)
+			L[i * n + j] =
+			    covariance(p->knot[i] - p->knot[j], hyper) +
+			    (i == j ? jitter : 0);
+	discrepancy_cholesky(L, n);
+	return L;
+}
+
+/* What the data of a made-up plant, with the processes as drawn from the prior
+ * and errors alike, leave to be explained: d [n_cell] out. */
+static void
+made_up_differences(const struct sampler *s, const struct posterior *p,
+    const struct posterior_draw *draw, const double *shared,
+    struct noise *noise, double *d)
+{
+	size_t m = p->n_knot;
+	double *error = xdoubles(m), *work = xdoubles(m);
+	double term[DISCREPANCY_TERMS];
+	for (size_t i = 0; i < s->n_cell; i++) {
+		const struct cell *c = &s->cell[i];
+		size_t k = knot_at(p, c->log_size);
+		if (i == 0 || c->run != s->cell[i - 1].run)
+			draw_process(shared, m, noise, error, work);
+		double sum = error[k] + draw->hyper[HYPER_OWN] * normal(noise);
+		discrepancy_terms(c->t, draw->hyper[HYPER_SLOPE], term);
+		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
+			sum += term[j] * draw->term[j][k];
+		d[i] = c->h * sum;
+	}
+	free(error);
+	free(work);
+}
+
+/* Brings processes from the prior to the data (Matheron's rule): adds what the
+ * data say beyond those of the made-up plant. */
+static void
+bring_to_data(const struct sampler *s, const struct posterior *p,
+    const struct chain *chain, struct posterior_draw *draw, double *d)
+{
+	double term[DISCREPANCY_TERMS];
+	for (size_t i = 0; i < s->n_cell; i++)
+		d[i] = -chain->d[i] - d[i];
+	discrepancy_forward(chain->L, s->n_cell, d);
+	discrepancy_backward(chain->L, s->n_cell, d);
+	for (size_t i = 0; i < s->n_cell; i++) {
+		const struct cell *c = &s->cell[i];
+		discrepancy_terms(c->t, draw->hyper[HYPER_SLOPE], term);
+		for (size_t k = 0; k < p->n_knot; k++) {
+			double apart = p->knot[k] - c->log_size;
+			double gain =
+			    c->h * d[i] *
+			    discrepancy_covariance(apart, draw->hyper);
+			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
+				draw->term[j][k] += term[j] * gain;
+		}
+	}
+}
+
+static void
+make_draw(const struct sampler *s, const struct posterior *p,
+    const struct chain *chain, struct noise noise, struct posterior_draw *draw)
+{
+	size_t m = p->n_knot;
+	double *work = xdoubles(m), *d = xdoubles(s->n_cell);
+	draw->params = s->fit;
+	params_of(s, chain->x, draw->params.at);
+	params_scale(&draw->params);
+	for (size_t j = 0; j < HYPERS; j++)
+		draw->hyper[j] = el_exp(chain->x[PARAMS_MOST + j]);
+	double *wide = knots_factor(p, draw->hyper, discrepancy_covariance);
+	double *shared = knots_factor(p, draw->hyper, discrepancy_shared);
+	for (size_t j = 0; j < DISCREPANCY_TERMS; j++) {
+		draw->term[j] = xdoubles(m);
+		draw_process(wide, m, &noise, draw->term[j], work);
+	}
+	draw->shared = xdoubles(m);
+	draw_process(shared, m, &noise, draw->shared, work);
+	draw->own = xdoubles(m);
+	for (size_t k = 0; k < m; k++)
+		draw->own[k] = draw->hyper[HYPER_OWN] * normal(&noise);
+	made_up_differences(s, p, draw, shared, &noise, d);
+	bring_to_data(s, p, chain, draw, d);
+	free(wide);
+	free(shared);
+	free(work);
+	free(d);
+}
+
+static double
+mean_energy(const struct misfit *m)
+{
+	double sum = 0;
+	for (size_t r = 0; r < m->n_run; r++)
+		sum += energy_specific(m->run[r].speed);
+	return sum / (double)m->n_run;
+}
+
+/* The fit and its bounds in the model with gamma that holds its own, if there
+ * is one and Eq 1 is not taken in another form (D3). */
+static struct params
+widen(const struct params *p, double energy, struct model_settings *settings,
+    struct bounds *bounds)
+{
+	const struct breakage *own = breakage_of(p);
+	size_t wide = settings->appearance == APPEARANCE_RATIO
+			  ? breakage_wider(p->breakage)
+			  : p->breakage;
+	const struct breakage *of = BREAKAGES[wide];
+	struct bounds b = bounds_default(wide);
+	struct params q = params_start(wide);
+	for (size_t j = 0; j < of->n; j++) {
+		const struct param_info *info = &of->parameter[j];
+		size_t i = breakage_parameter(own, info->name);
+		if (i < own->n) {
+			q.at[j] = p->at[i];
+			b.lower[j] = bounds->lower[i];
+			b.upper[j] = bounds->upper[i];
+		} else {
+			b.lower[j] = info->start - 5 * info->spread;
+			b.upper[j] = info->start + 5 * info->spread;
+		}
+		if (j == of->reference) {
+			q.at[j] = i < own->n ? p->at[i] : energy;
+			b.lower[j] = b.upper[j] = q.at[j];
+		}
+	}
+	settings->breakage = (unsigned)wide;
+	*bounds = b;
+	params_scale(&q);
+	return q;
+}
+
+/* h is taken between the measured passing and the fit's: either may be an
+ * outlier. */
+static void
+make_cells(struct sampler *s, const struct misfit *m, const double *d)
+{
+	s->n_cell = m->n_residual;
+	s->cell = xcalloc(s->n_cell, sizeof *s->cell);
+	for (size_t r = 0, k = 0; r < m->n_run; r++)
+		for (size_t i = 0; i < m->run[r].n; i++, k++) {
+			double P = m->run[r].measured[i] + d[k] / 2;
+			s->cell[k] = (struct cell){.run = r,
+			    .log_size = el_log(m->run[r].sieve[i]),
+			    .t = discrepancy_time(m->run[r].speed, s->middle),
+			    .h = discrepancy_h(P)};
+		}
+}
+
+static void
+make_room(struct sampler *s)
+{
+	size_t n = s->n_cell;
+	for (size_t j = 0; j < s->of->n; j++)
+		s->theta[j] = xdoubles(HALF);
+	s->difference = xdoubles(n * HALF);
+	s->misfit = xdoubles(HALF);
+	s->scheme = xdoubles(n);
+	for (size_t i = 0; i < CHAINS + HALF; i++) {
+		struct chain *c =
+		    i < CHAINS ? &s->chain[i] : &s->trial[i - CHAINS];
+		c->L = xdoubles(n * n);
+		c->d = xdoubles(n);
+	}
+}
+
+/* What the kernel's differences at the fit err by: exact d less its own. */
+static void
+measure_scheme(struct sampler *s, const double *d)
+{
+	struct kernel_out out = {s->misfit, s->difference, HALF};
+	for (size_t j = 0; j < s->of->n; j++)
+		for (size_t i = 0; i < KERNEL_LANES; i++)
+			s->theta[j][i] = s->fit.at[j];
+	kernel_evaluate_part(s->kernel, (const double *const *)s->theta, 0,
+	    KERNEL_LANES, 0, &out);
+	for (size_t k = 0; k < s->n_cell; k++)
+		s->scheme[k] = d[k] - s->difference[k * HALF];
+}
+
+static bool
+is_free(const struct bounds *b, size_t j)
+{
+	return b->upper[j] > b->lower[j];
+}
+
+static struct sampler *
+sampler_new(struct misfit *m, const struct params *fit,
+    const struct bounds *bounds, const struct posterior_options *o)
+{
+	struct sampler *s = xcalloc(1, sizeof *s);
+	double *d = xdoubles(m->n_residual);
+	size_t f = m->of->strength;
+	s->of = m->of;
+	s->fit = *fit;
+	s->bounds = *bounds;
+	s->seed = o->seed;
+	s->middle = el_log(mean_energy(m));
+	s->by_slope = is_free(bounds, f) && is_free(bounds, f + 1) &&
+		      is_free(bounds, f + 2);
+	for (size_t j = 1; j < s->of->gauge; j++)
+		if (fabs(fit->at[j]) > fabs(fit->at[s->held]))
+			s->held = j;
+	s->sensitivity = sensitivity_of(m, fit, bounds, true, NULL);
+	double squares = misfit_differences(m, fit, d);
+	s->rms = fmax(sqrt(squares / (double)m->n_residual), 0.001);
+	s->kernel = kernel_new(m, o->isa, o->threads);
+	s->pool = pool_new(o->threads);
+	make_cells(s, m, d);
+	make_room(s);
+	measure_scheme(s, d);
+	free(d);
+	return s;
+}
+
+static void
+sampler_free(struct sampler *s)
+{
+	for (size_t i = 0; i < CHAINS + HALF; i++) {
+		struct chain *c =
+		    i < CHAINS ? &s->chain[i] : &s->trial[i - CHAINS];
+		free(c->L);
+		free(c->d);
+	}
+	for (size_t j = 0; j < PARAMS_MOST; j++)
+		free(s->theta[j]);
+	kernel_free(s->kernel);
+	pool_free(s->pool);
+	free(s->cell);
+	free(s->difference);
+	free(s->misfit);
+	free(s->scheme);
+	free(s);
+}
+
+/* Half of the draws come from the middle of the kept generations, half from
+ * their end.  Returns false where stop said so. */
+static bool
+run_chains(struct sampler *s, struct posterior *p, bool (*stop)(void))
+{
+	struct sums *sums = xcalloc(1, sizeof *sums);
+	bool stopped = false;
+	start(s);
+	while (s->generation < WARM_UP + KEPT && !stopped) {
+		generation(s);
+		if (s->generation % RUNG == 0 && s->share < 1)
+			climb(s, fmin(1, RISE * s->share));
+		if (s->generation <= WARM_UP)
+			s->accepted = s->tried = 0;
+		else
+			add_to(sums, s);
+		size_t first = s->generation == WARM_UP + KEPT ? CHAINS : 0;
+		bool now = first > 0 || s->generation == WARM_UP + KEPT / 2;
+		for (size_t i = 0; i < CHAINS && now; i++) {
+			struct noise noise = {rng_key(s->seed, i, USE_DRAW), 0,
+			    first == 0 ? 1 : -1};
+			make_draw(
+			    s, p, &s->chain[i], noise, &p->draw[first + i]);
+		}
+		stopped = stop != NULL && stop();
+	}
+	if (!stopped)
+		find_convergence(p, s, sums);
+	free(sums);
+	return !stopped;
+}
+
+struct posterior *
+posterior_new(const struct site *site, const struct params *fit,
+    const struct posterior_options *o)
+{
+	struct posterior *p = xcalloc(1, sizeof *p);
+	struct bounds bounds = o->bounds;
+	struct misfit *m = misfit_new(site, o->use, NULL, false, o->settings);
+	p->settings = o->settings;
+	p->fit = widen(fit, mean_energy(m), &p->settings, &bounds);
+	misfit_free(m);
+	m = misfit_new(site, o->use, NULL, false, p->settings);
+	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);
+	p->n_cell = s->n_cell;
+	p->middle = s->middle;
+	make_knots(p, site, s);
+	bool done = run_chains(s, p, o->stop);
+	sampler_free(s);
+	misfit_free(m);
+	if (done)
+		return p;
+	posterior_free(p);
+	return NULL;
+}
+
+void
+posterior_free(struct posterior *p)
+{
+	if (p == NULL)
+		return;
+	for (size_t i = 0; i < POSTERIOR_DRAWS; i++) {
+		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
+			free(p->draw[i].term[j]);
+		free(p->draw[i].shared);
+		free(p->draw[i].own);
+	}
+	free(p->knot);
+	free(p);
+}

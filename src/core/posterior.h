@@ -1,0 +1,61 @@
+/* What is known after the data: draws of the parameters and of what the model
+ * leaves out, as probable as model, measurements and priors make them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_POSTERIOR_H
+#define TIPSPEED_CORE_POSTERIOR_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "core/discrepancy.h"
+#include "core/isa.h"
+#include "core/params.h"
+#include "core/site.h"
+
+enum { POSTERIOR_DRAWS = 256 };
+
+/* At the knots [n_knot]: the processes of the discrepancy (discrepancy.h), and
+ * the errors of one more sample, shared and independent, over h. */
+struct posterior_draw {
+	struct params params; /* scaled */
+	double hyper[HYPERS];
+	double *term[DISCREPANCY_TERMS], *shared, *own;
+};
+
+/* settings: the model of the draws, which lets the appearance follow the energy
+ * where there is such a one (D12).  fit: the optimum it was told, in that
+ * model. */
+struct posterior {
+	struct model_settings settings;
+	struct params fit;
+	size_t n_cell;
+	double middle; /* ln of the mean energy, J/kg, where t is 0 */
+	size_t n_knot;
+	double *knot; /* ln of sizes, coarsest first */
+	struct posterior_draw draw[POSTERIOR_DRAWS];
+	/* What shows that the chains converged.  ratio: Gelman and Rubin's R,
+	 * the largest of all coordinates, 1 at best; drift: how far the means
+	 * of the draws' two halves, taken at different times, lie apart, in
+	 * standard deviations, the largest; accepted: share of the moves. */
+	double ratio, drift, accepted;
+};
+
+/* use [n_run]: the runs that inform it, of which one has a product; settings,
+ * bounds: of the fit.  stop: or NULL. */
+struct posterior_options {
+	const bool *use;
+	struct model_settings settings;
+	struct bounds bounds;
+	uint64_t seed;
+	unsigned threads;
+	enum isa isa;
+	bool (*stop)(void);
+};
+
+/* p: the fit.  The same seed gives the same bits with any number of threads and
+ * any instruction set.  NULL where stop said so meanwhile; posterior_free. */
+struct posterior *posterior_new(const struct site *site, const struct params *p,
+    const struct posterior_options *options);
+void posterior_free(struct posterior *posterior);
+
+#endif
