@@ -22,7 +22,8 @@ put_speeds(
 	struct fields *list = fields_list(o, key);
 	const struct site *site = entry->site;
 	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].product.n > 0 && entry->train[r] == trained)
+		if (site->run[r].product.n > 0 && entry->train[r] == trained &&
+		    !site_run_repeats(site, r))
 			fields_put(list, "%g", site->run[r].speed);
 }
 

@@ -216,11 +216,15 @@ add_measured(
     struct curves *c, const struct site *site, double speed, size_t most)
 {
 	size_t taken = 0;
-	for (size_t i = 0; i < site->n_run; i++)
-		if (site_run_is_near(site, i, speed, most))
-			add_curve(c, &site->run[i].product,
-			    xasprintf("measured %g m/s", site->run[i].speed),
-			    plots_look(taken++));
+	for (size_t i = 0; i < site->n_run; i++) {
+		if (!site_run_is_near(site, i, speed, most))
+			continue;
+		taken += !site_run_repeats(site, i);
+		add_curve(c, &site->run[i].product,
+		    xasprintf("measured %g m/s%s", site->run[i].speed,
+			site->run[i].repeat),
+		    plots_look(taken - 1));
+	}
 }
 
 /* What is read at a place: chart_at at a size, chart_at_y at a passing. */
@@ -404,7 +408,8 @@ add_feed(struct curves *c, const struct plot_request *q,
 	    site->individual_feeds &&
 	    (!(q->words & CHART_NOTES) || run != site_run_nearest(site, speed));
 	add_curve(c, &site->run[run].feed,
-	    sampled ? xasprintf("feed %g m/s", site->run[run].speed)
+	    sampled ? xasprintf("feed %g m/s%s", site->run[run].speed,
+			  site->run[run].repeat)
 		    : xstrdup("feed"),
 	    FEED);
 }
@@ -508,8 +513,8 @@ add_residuals(struct chart *chart, struct session *s, size_t run,
 	size_t n = misfit_covered(r);
 	struct prediction p =
 	    predict(entry->site, params, s->set.model, r->speed, run);
-	struct chart_series *series = chart_add(chart, look, n, "%g m/s%s",
-	    r->speed, entry->train[run] ? "" : " (held out)");
+	struct chart_series *series = chart_add(chart, look, n, "%g m/s%s%s",
+	    r->speed, r->repeat, entry->train[run] ? "" : " (held out)");
 	for (size_t i = 0; i < n; i++) {
 		double predicted = psd_passing(&p.product, r->product.size[i]);
 		series->x[i] = units_mm(r->product.size[i]);
@@ -562,9 +567,10 @@ residuals_chart(
 	for (size_t i = 0; i < site->n_run; i++) {
 		if (!site_run_is_near(site, i, middle, MOST))
 			continue;
-		struct chart_series look = plots_look(taken++);
+		taken += !site_run_repeats(site, i);
 		if (misfit_covered(&site->run[i]) > 0)
-			add_residuals(chart, s, i, &params, look);
+			add_residuals(
+			    chart, s, i, &params, plots_look(taken - 1));
 	}
 	chart->y = around_zero(chart, "difference, points");
 	free_curves(&c);
