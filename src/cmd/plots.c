@@ -675,22 +675,14 @@ spread_chart(
 	return chart;
 }
 
-/* Sizes measured and predicted, mm: P20, P50, P80 of each run held out.  about:
- * where the sites' data are from, each once. */
+/* Sizes measured and predicted, mm: P20, P50, P80 of each run held out, and
+ * whose it is.  about: where the sites' data are from, each once. */
 struct pairs {
 	size_t n, n_site;
 	char *about;
+	const struct entry **entry;
 	double (*measured)[3], (*predicted)[3];
 };
-
-static void
-add_about(struct pairs *pairs, const struct site *site)
-{
-	char *clause = site_source(site, "provenance not stated");
-	if (strstr(pairs->about, clause) == NULL)
-		xlist(&pairs->about, "; ", "%s", clause);
-	free(clause);
-}
 
 static void
 add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
@@ -703,19 +695,23 @@ add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
 		struct validation v = validate_run(entry->site, run,
 		    entry->train, &entry->params, s->set.model);
 		size_t n = pairs->n++;
+		pairs->entry =
+		    xrealloc(pairs->entry, n + 1, sizeof(*pairs->entry));
+		pairs->entry[n] = entry;
 		pairs->measured =
 		    xrealloc(pairs->measured, n + 1, sizeof *pairs->measured);
 		pairs->predicted =
 		    xrealloc(pairs->predicted, n + 1, sizeof *pairs->predicted);
 		for (size_t i = 0; i < 3; i++) {
-			pairs->measured[n][i] = 1000 * v.size[i].measured;
-			pairs->predicted[n][i] = 1000 * v.size[i].predicted;
+			pairs->measured[n][i] = 1000 * v.measured[i];
+			pairs->predicted[n][i] =
+			    1000 * v.by[VALIDATE_MODEL].size[i];
 		}
 	}
 	if (pairs->n == before)
 		return;
 	pairs->n_site++;
-	add_about(pairs, entry->site);
+	site_add_source(&pairs->about, entry->site);
 }
 
 static void
@@ -734,7 +730,11 @@ put_pairs(
 		look.line = CHART_MARKS;
 		struct chart_series *p =
 		    chart_add(chart, look, pairs->n, "%s", NAMES[i]);
+		chart_add_whose(p);
 		for (size_t j = 0; j < pairs->n; j++) {
+			const struct entry *of = pairs->entry[j];
+			p->whose[j] = (struct chart_whose){
+			    xstrdup(of->key), site_source(of->site, "")};
 			p->x[j] = pairs->measured[j][i];
 			p->y[j] = isnan(p->x[j]) ? NAN : pairs->predicted[j][i];
 		}
@@ -775,6 +775,7 @@ parity_chart(
 		    "load sites with three speeds, then run 'calibrate all'");
 	}
 	free(pairs.about);
+	free(pairs.entry);
 	free(pairs.measured);
 	free(pairs.predicted);
 	return chart;

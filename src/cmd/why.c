@@ -234,7 +234,8 @@ say_measured(const struct subject *a)
 		answer_note(a->answer,
 		    "The held-out product measured at %g m/s%s differs from "
 		    "the prediction by %.2f points (RMSE)%s",
-		    v.speed, site->run[r].repeat, 100 * v.rmse,
+		    v.speed, site->run[r].repeat,
+		    100 * v.by[VALIDATE_MODEL].rmse,
 		    validation_loses(&v)
 			? "; interpolating the training products is closer"
 			: "");

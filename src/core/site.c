@@ -181,6 +181,15 @@ site_source(const struct site *site, const char *none)
 	return n > 0 ? xstrndup(site->provenance, n) : xstrdup(none);
 }
 
+void
+site_add_source(char **list, const struct site *site)
+{
+	char *clause = site_source(site, "provenance not stated");
+	if (strstr(*list, clause) == NULL)
+		xlist(list, "; ", "%s", clause);
+	free(clause);
+}
+
 static const char *const MADE_UP[] = {
     "reconstructed", "synthetic", "made up", "simulated"};
 

@@ -99,4 +99,7 @@ bool site_data_made_up(const char *provenance);
  * `none` where the sheet says nothing. */
 char *site_source(const struct site *site, const char *none);
 
+/* Adds that clause to a list "a; b" of several sites', each once. */
+void site_add_source(char **list, const struct site *site);
+
 #endif
