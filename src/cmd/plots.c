@@ -705,7 +705,7 @@ add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
 		for (size_t i = 0; i < 3; i++) {
 			pairs->measured[n][i] = 1000 * v.measured[i];
 			pairs->predicted[n][i] =
-			    1000 * v.by[VALIDATE_MODEL].size[i];
+			    1000 * v.size[VALIDATE_MODEL][i];
 		}
 	}
 	if (pairs->n == before)

@@ -25,9 +25,10 @@ static const struct {
 
 static const char *const SIZES[PSD_SIZES] = {"p20", "p50", "p80"};
 
-/* A run that was compared, with what predicted it; train is its own. */
+/* A run that was compared, with what predicted it.  name: "74 (2)". */
 struct compared {
 	const struct site *site;
+	char *name;
 	bool *train;
 	struct params params;
 	struct model_settings settings;
@@ -48,8 +49,10 @@ static void
 comparison_drop(void *of)
 {
 	struct comparison *c = of;
-	for (size_t i = 0; i < c->n; i++)
+	for (size_t i = 0; i < c->n; i++) {
+		free(c->item[i].name);
 		free(c->item[i].train);
+	}
 	free(c->item);
 	free(c);
 }
@@ -58,18 +61,16 @@ static void
 compare(struct comparison *c, const struct site *site, size_t run,
     const bool *train, const struct params *p, struct model_settings settings)
 {
-	size_t size = site->n_run * sizeof *train;
 	c->item = xrealloc(c->item, c->n + 1, sizeof *c->item);
 	struct compared *item = &c->item[c->n++];
-	*item = (struct compared){site, xcalloc(site->n_run, sizeof *train), *p,
-	    settings, validate_run(site, run, train, p, settings)};
-	memcpy(item->train, train, size);
-}
-
-static const char *
-repeat_of(const struct compared *item)
-{
-	return item->site->run[item->v.run].repeat;
+	*item = (struct compared){.site = site,
+	    .name =
+		xasprintf("%g%s", site->run[run].speed, site->run[run].repeat),
+	    .train = xcalloc(site->n_run, sizeof *train),
+	    .params = *p,
+	    .settings = settings,
+	    .v = validate_run(site, run, train, p, settings)};
+	memcpy(item->train, train, site->n_run * sizeof *train);
 }
 
 /* Root mean square over the runs of what each way errs. */
@@ -79,7 +80,7 @@ overall(const struct comparison *c, double rmse[static VALIDATE_WAYS])
 	for (size_t way = 0; way < VALIDATE_WAYS; way++) {
 		double sum = 0;
 		for (size_t i = 0; i < c->n; i++)
-			sum += pow(c->item[i].v.by[way].rmse, 2);
+			sum += pow(c->item[i].v.rmse[way], 2);
 		rmse[way] = sqrt(sum / (double)c->n);
 	}
 }
@@ -88,15 +89,14 @@ overall(const struct comparison *c, double rmse[static VALIDATE_WAYS])
 static void
 put_null(struct fields *o, const double rmse[static VALIDATE_WAYS])
 {
-	enum validate_way best = VALIDATE_MODEL;
 	struct fields *null = fields_object(o, "null");
-	for (enum validate_way way = 1; way < VALIDATE_WAYS; way++) {
+	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS;
+	     way++) {
 		char *key = xasprintf("%s_rmse_pct", WAYS[way].key);
 		fields_number(null, key, 100 * rmse[way]);
 		free(key);
-		best = rmse[way] < rmse[best] ? way : best;
 	}
-	fields_put(o, "winner %s", WAYS[best].key);
+	fields_put(o, "winner %s", WAYS[validate_winner(rmse)].key);
 }
 
 static void
@@ -105,11 +105,10 @@ put_sizes(struct fields *o, const struct validation *v)
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		struct fields *size = fields_object(o, SIZES[i]);
 		fields_put(size, "measured_mm %g predicted_mm %g",
-		    1000 * v->measured[i],
-		    1000 * v->by[VALIDATE_MODEL].size[i]);
-		for (size_t way = 1; way < VALIDATE_WAYS; way++) {
+		    1000 * v->measured[i], 1000 * v->size[VALIDATE_MODEL][i]);
+		for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
 			char *key = xasprintf("%s_mm", WAYS[way].key);
-			fields_number(size, key, 1000 * v->by[way].size[i]);
+			fields_number(size, key, 1000 * v->size[way][i]);
 			free(key);
 		}
 	}
@@ -145,18 +144,12 @@ static void
 put_run(struct fields *o, const struct compared *item)
 {
 	const struct validation *v = &item->v;
-	double rmse[VALIDATE_WAYS];
-	for (size_t way = 0; way < VALIDATE_WAYS; way++)
-		rmse[way] = v->by[way].rmse;
 	fields_number(o, "speed", v->speed);
-	if (repeat_of(item)[0] != '\0') {
-		char *name = xasprintf("%g%s", v->speed, repeat_of(item));
-		fields_put(o, "run %s", name);
-		free(name);
-	}
-	fields_number(o, "rmse_pct", 100 * rmse[VALIDATE_MODEL]);
+	if (item->site->run[v->run].repeat[0] != '\0')
+		fields_put(o, "run %s", item->name);
+	fields_number(o, "rmse_pct", 100 * v->rmse[VALIDATE_MODEL]);
 	put_sizes(o, v);
-	put_null(o, rmse);
+	put_null(o, v->rmse);
 	fields_put(o, "loses_to_interpolation %d nearest_mps %g",
 	    validation_loses(v), v->nearest);
 	fields_numbers(o, "interpolation_mps", v->line, 2, NULL);
@@ -180,20 +173,17 @@ put_all(struct fields *o, const struct comparison *c)
 	put_null(o, rmse);
 }
 
-/* The columns of measured and of each way; key, unit: "%s_mm". */
+/* The run, for programs behind its speed. */
 static void
-add_ways(struct answer *r, const char *unit)
+begin_row(struct answer *r, const struct compared *item, bool exact)
 {
-	answer_columns(r, "measured%s: measured", unit);
-	for (size_t way = 0; way < VALIDATE_WAYS; way++)
-		answer_columns(
-		    r, "%s%s: %s", WAYS[way].key, unit, WAYS[way].head);
+	if (exact)
+		answer_cells(r, "%g", item->v.speed);
+	answer_text(r, "%s", item->name);
 }
 
-/* Cells of the sieves, which begin alike. */
 static void
-add_sieves(struct answer *r, const struct compared *item,
-    void (*begin)(struct answer *, const struct compared *, double))
+add_sieves(struct answer *r, const struct compared *item, bool exact)
 {
 	const struct psd *product = &item->site->run[item->v.run].product;
 	double *passing[VALIDATE_WAYS];
@@ -201,7 +191,11 @@ add_sieves(struct answer *r, const struct compared *item,
 		passing[way] = passing_of(item, way);
 	answer_missing(r, "-");
 	for (size_t i = 0; i < item->v.n_sieve; i++) {
-		begin(r, item, units_mm(product->size[i]));
+		begin_row(r, item, exact);
+		if (exact)
+			answer_cells(r, "%g", units_mm(product->size[i]));
+		else
+			answer_text(r, "%g mm, %%", units_mm(product->size[i]));
 		answer_cells(r, "%.1f", units_pct(product->passing[i]));
 		for (size_t way = 0; way < VALIDATE_WAYS; way++)
 			answer_cells(r, "%.1f", units_pct(passing[way][i]));
@@ -211,16 +205,9 @@ add_sieves(struct answer *r, const struct compared *item,
 }
 
 static void
-begin_shown(struct answer *r, const struct compared *item, double mm)
+add_rmse(struct answer *r, const char *run, const double *rmse)
 {
-	answer_text(r, "%g%s", item->v.speed, repeat_of(item));
-	answer_text(r, "%g mm, %%", mm);
-}
-
-static void
-add_rmse(struct answer *r, const char *speed, const double *rmse)
-{
-	answer_text(r, "%s", speed);
+	answer_text(r, "%s", run);
 	answer_text(r, "RMSE, points");
 	answer_missing(r, "-");
 	answer_cells(r, "%.2f", NAN);
@@ -228,60 +215,42 @@ add_rmse(struct answer *r, const char *speed, const double *rmse)
 		answer_cells(r, "%.2f", 100 * rmse[way]);
 }
 
-/* What people see of a run. */
 static void
-add_shown(
-    struct answer *r, const struct comparison *c, const struct compared *item)
+add_sizes(struct answer *r, const struct compared *item, bool exact)
 {
 	const struct validation *v = &item->v;
-	char *speed = xasprintf("%g%s", v->speed, repeat_of(item));
-	double rmse[VALIDATE_WAYS];
-	for (size_t way = 0; way < VALIDATE_WAYS; way++)
-		rmse[way] = v->by[way].rmse;
-	if (c->sieves)
-		add_sieves(r, item, begin_shown);
-	add_rmse(r, speed, rmse);
 	answer_missing(r, "outside");
 	for (size_t i = 0; i < PSD_SIZES; i++) {
-		answer_text(r, "%s", speed);
-		answer_text(r, "P%.0f, mm", 100 * PSD_PASSING[i]);
+		begin_row(r, item, exact);
+		answer_text(
+		    r, exact ? "P%.0f" : "P%.0f, mm", 100 * PSD_PASSING[i]);
 		answer_cells(r, "%.3f", 1000 * v->measured[i]);
 		for (size_t way = 0; way < VALIDATE_WAYS; way++)
-			answer_cells(r, "%.3f", 1000 * v->by[way].size[i]);
+			answer_cells(r, "%.3f", 1000 * v->size[way][i]);
 	}
-	free(speed);
 }
 
+/* A table of sieves or of sizes for programs; people have both, and RMSE, below
+ * each other. */
 static void
-begin_exact(struct answer *r, const struct compared *item, double mm)
+add_table(struct answer *r, const struct comparison *c, bool exact)
 {
-	answer_cells(r, "%g", item->v.speed);
-	answer_text(r, "%g%s", item->v.speed, repeat_of(item));
-	answer_cells(r, "%g", mm);
-}
-
-/* What programs read: sizes, or sieves; run: the speed with which repeat. */
-static void
-add_exact(struct answer *r, const struct comparison *c)
-{
-	answer_for_programs(r);
-	answer_columns(
-	    r, c->sieves ? "speed, run, sieve_mm" : "speed, run, size");
-	add_ways(r, c->sieves ? "_pct" : "_mm");
-	for (size_t k = 0; k < c->n; k++) {
-		const struct validation *v = &c->item[k].v;
+	const char *unit = !exact ? "" : c->sieves ? "_pct" : "_mm";
+	answer_columns(r, !exact      ? "speed: m/s, of: "
+			  : c->sieves ? "speed, run, sieve_mm"
+				      : "speed, run, size");
+	answer_columns(r, "measured%s: measured", unit);
+	for (size_t way = 0; way < VALIDATE_WAYS; way++)
+		answer_columns(
+		    r, "%s%s: %s", WAYS[way].key, unit, WAYS[way].head);
+	for (size_t i = 0; i < c->n; i++) {
+		const struct compared *item = &c->item[i];
 		if (c->sieves)
-			add_sieves(r, &c->item[k], begin_exact);
-		for (size_t i = 0; i < PSD_SIZES && !c->sieves; i++) {
-			answer_cells(r, "%g", v->speed);
-			answer_text(
-			    r, "%g%s", v->speed, repeat_of(&c->item[k]));
-			answer_text(r, "P%.0f", 100 * PSD_PASSING[i]);
-			answer_cells(r, "%g", 1000 * v->measured[i]);
-			for (size_t way = 0; way < VALIDATE_WAYS; way++)
-				answer_cells(
-				    r, "%g", 1000 * v->by[way].size[i]);
-		}
+			add_sieves(r, item, exact);
+		if (!exact)
+			add_rmse(r, item->name, item->v.rmse);
+		if (!exact || !c->sieves)
+			add_sizes(r, item, exact);
 	}
 }
 
@@ -311,8 +280,8 @@ stands_out(const struct validation *v)
 static void
 note_winner(struct answer *r, const struct validation *v, const char *run)
 {
-	enum validate_way best = validation_winner(v);
-	double own = v->by[VALIDATE_MODEL].rmse, least = v->by[best].rmse;
+	enum validate_way best = validate_winner(v->rmse);
+	double own = v->rmse[VALIDATE_MODEL], least = v->rmse[best];
 	bool clearly = own > 1.1 * least && own - least > CLEARLY;
 	bool between =
 	    best == VALIDATE_INTERPOLATION && !validation_extrapolates(v);
@@ -321,7 +290,7 @@ note_winner(struct answer *r, const struct validation *v, const char *run)
 		xappend(&who, ", %g m/s", v->nearest);
 	if (best == VALIDATE_MODEL)
 		answer_note(r, "  the model predicts best%s",
-		    isnan(v->by[VALIDATE_INTERPOLATION].rmse)
+		    isnan(v->rmse[VALIDATE_INTERPOLATION])
 			? " of those with an answer on all sieves"
 			: "");
 	else if (clearly)
@@ -342,15 +311,16 @@ static void
 note_run(struct answer *r, const struct compared *item)
 {
 	const struct validation *v = &item->v;
-	char *run = xasprintf("%g m/s%s", v->speed, repeat_of(item));
+	char *run =
+	    xasprintf("%g m/s%s", v->speed, item->site->run[v->run].repeat);
 	answer_note(r,
 	    "at %s: RMSE %.2f points over %zu sieves, misfit %.4g; largest "
 	    "error %+.2f points at %g mm (predicted - measured)",
-	    run, 100 * v->by[VALIDATE_MODEL].rmse, v->n_sieve, v->misfit,
+	    run, 100 * v->rmse[VALIDATE_MODEL], v->n_sieve, v->misfit,
 	    100 * v->worst_difference, units_mm(v->worst_sieve));
 	note_winner(r, v, run);
 	free(run);
-	if (isnan(v->by[VALIDATE_INTERPOLATION].rmse))
+	if (isnan(v->rmse[VALIDATE_INTERPOLATION]))
 		answer_say(r, ANSWER_REMARK, "  no interpolation: %s",
 		    isnan(v->line[1])
 			? "there is one training speed"
@@ -399,15 +369,13 @@ run_answer(struct session *s, const struct comparison *c)
 	struct answer *r = answers_new(site, "validate", "%s",
 	    c->each ? "each speed held out, the others calibrated on"
 		    : "held-out speeds, measured and predicted");
-	answer_columns(r, "speed: m/s, of: ");
-	add_ways(r, "");
-	for (size_t i = 0; i < c->n; i++)
-		add_shown(r, c, &c->item[i]);
+	add_table(r, c, false);
 	if (c->n > 1) {
 		overall(c, rmse);
 		add_rmse(r, "all", rmse);
 	}
-	add_exact(r, c);
+	answer_for_programs(r);
+	add_table(r, c, true);
 	for (size_t i = 0; i < c->n; i++)
 		note_run(r, &c->item[i]);
 	if (c->n == 0)
@@ -451,7 +419,8 @@ add_scores(struct answer *r, const struct comparison *c)
 				put_score(o, i, score);
 		}
 	null = fields_object(o, "null");
-	for (enum validate_way way = 1; way < VALIDATE_WAYS; way++) {
+	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS;
+	     way++) {
 		struct fields *own = fields_object(null, WAYS[way].key);
 		for (size_t i = 0; i < PSD_SIZES; i++)
 			put_score(own, i, validate_score(v, c->n, way, i));
@@ -467,7 +436,7 @@ add_wins(struct answer *r, const struct comparison *c)
 	struct fields *o = fields_object(answer_fields(r), "wins");
 	char *list = xstrdup("");
 	for (size_t k = 0; k < c->n; k++)
-		wins[validation_winner(&c->item[k].v)]++;
+		wins[validate_winner(c->item[k].v.rmse)]++;
 	for (size_t way = 0; way < VALIDATE_WAYS; way++) {
 		fields_number(o, WAYS[way].key, (double)wins[way]);
 		xlist(&list, ", ", "%s %zu", WAYS[way].noun, wins[way]);

@@ -234,8 +234,7 @@ say_measured(const struct subject *a)
 		answer_note(a->answer,
 		    "The held-out product measured at %g m/s%s differs from "
 		    "the prediction by %.2f points (RMSE)%s",
-		    v.speed, site->run[r].repeat,
-		    100 * v.by[VALIDATE_MODEL].rmse,
+		    v.speed, site->run[r].repeat, 100 * v.rmse[VALIDATE_MODEL],
 		    validation_loses(&v)
 			? "; interpolating the training products is closer"
 			: "");

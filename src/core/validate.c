@@ -147,12 +147,11 @@ validation_put(struct validation *v, const struct site *site,
 {
 	const struct psd *product = &site->run[v->run].product;
 	size_t worst = 0, n = v->n_sieve;
-	struct validate_answer *answer = &v->by[way];
-	answer->rmse = psd_rms(passing, product->passing, n, &worst);
-	read_sizes(product, passing, n, answer->size);
+	v->rmse[way] = psd_rms(passing, product->passing, n, &worst);
+	read_sizes(product, passing, n, v->size[way]);
 	if (way != VALIDATE_MODEL)
 		return;
-	v->misfit = answer->rmse * answer->rmse * (double)n;
+	v->misfit = v->rmse[way] * v->rmse[way] * (double)n;
 	v->worst_sieve = product->size[worst];
 	v->worst_difference = passing[worst] - product->passing[worst];
 }
@@ -183,11 +182,11 @@ validate_run(const struct site *site, size_t run, const bool *train,
 }
 
 enum validate_way
-validation_winner(const struct validation *v)
+validate_winner(const double rmse[static VALIDATE_WAYS])
 {
 	enum validate_way best = VALIDATE_MODEL;
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
-		if (v->by[way].rmse < v->by[best].rmse)
+		if (rmse[way] < rmse[best])
 			best = way;
 	return best;
 }
@@ -196,7 +195,7 @@ bool
 validation_loses(const struct validation *v)
 {
 	return v->holdout &&
-	       v->by[VALIDATE_INTERPOLATION].rmse < v->by[VALIDATE_MODEL].rmse;
+	       v->rmse[VALIDATE_INTERPOLATION] < v->rmse[VALIDATE_MODEL];
 }
 
 bool
@@ -211,7 +210,7 @@ validate_score(const struct validation *const *v, size_t n,
 {
 	double mean = 0, bias = 0, square = 0, left = 0, spread = 0, count = 0;
 	for (size_t k = 0; k < n; k++) {
-		double m = v[k]->measured[i], p = v[k]->by[way].size[i];
+		double m = v[k]->measured[i], p = v[k]->size[way][i];
 		if (isnan(m) || isnan(p))
 			continue;
 		count++;

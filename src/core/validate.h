@@ -18,17 +18,13 @@ enum validate_way {
 	VALIDATE_INTERPOLATION,
 	VALIDATE_NEAREST,
 	VALIDATE_FEED,
-	VALIDATE_WAYS
+	VALIDATE_WAYS,
+	VALIDATE_NULL = VALIDATE_INTERPOLATION /* the first null model */
 };
 
-/* How well one predicts a run: RMSE of passing, 0..1, NAN where it has no
- * answer at one of the sieves; P20, P50, P80, m, NAN outside the sieves. */
-struct validate_answer {
-	double rmse, size[PSD_SIZES];
-};
-
-/* One run against what each way predicts for it; misfit and worst of the model,
- * passing 0..1. */
+/* One run against what each way predicts for it: RMSE of passing, 0..1, NAN
+ * where it has no answer at one of the sieves; P20, P50, P80, m, NAN outside
+ * the sieves.  misfit and worst are the model's. */
 struct validation {
 	size_t run;
 	double speed;
@@ -37,7 +33,7 @@ struct validation {
 	double misfit;
 	double worst_sieve, worst_difference; /* m; predicted - measured */
 	double measured[PSD_SIZES];           /* P20, P50, P80, m */
-	struct validate_answer by[VALIDATE_WAYS];
+	double rmse[VALIDATE_WAYS], size[VALIDATE_WAYS][PSD_SIZES];
 	double line[2]; /* speeds that interpolation goes through, or NAN */
 	double nearest; /* training speed, m/s, or NAN */
 };
@@ -58,7 +54,7 @@ void validation_put(struct validation *v, const struct site *site,
     enum validate_way way, const double *passing);
 
 /* The way with the smallest RMSE. */
-enum validate_way validation_winner(const struct validation *v);
+enum validate_way validate_winner(const double rmse[static VALIDATE_WAYS]);
 
 /* True when the model at this run is worse than interpolating the measured
  * training products. */

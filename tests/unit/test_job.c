@@ -103,8 +103,7 @@ run_weights_pull_the_fit_to_a_run(void **state)
 		assert_true(desk_say(desk, lines[i]));
 		rmse[i] = validate_run(entry->site, 0, entry->train,
 		    &entry->params, model_settings_default())
-			      .by[VALIDATE_MODEL]
-			      .rmse;
+			      .rmse[VALIDATE_MODEL];
 	}
 	assert_true(rmse[0] < rmse[1]);
 	assert_false(desk_say(desk, "calibrate run_weights=1,2,3"));
@@ -118,8 +117,7 @@ rmse_at(struct desk *desk, size_t run)
 	const struct entry *entry = session_entry(desk->session);
 	return validate_run(entry->site, run, entry->train, &entry->params,
 	    model_settings_default())
-	    .by[VALIDATE_MODEL]
-	    .rmse;
+	    .rmse[VALIDATE_MODEL];
 }
 
 static void

@@ -322,15 +322,15 @@ null_models_say_which_speeds_they_take(void **state)
 		for (size_t k = 0; k < v.n_sieve; k++)
 			out[k] = naive_passing(
 			    &site->run[at].product, run->product.size[k]);
-		expect_near("nearest", v.by[VALIDATE_NEAREST].rmse,
+		expect_near("nearest", v.rmse[VALIDATE_NEAREST],
 		    psd_rms(out, run->product.passing, v.n_sieve, NULL), 1e-12);
 	}
 	const bool one[3] = {true, false, false};
 	struct validation v =
 	    validate_run(site, 1, one, &p, model_settings_default());
 	assert_true(isnan(v.line[1]));
-	assert_true(isnan(v.by[VALIDATE_INTERPOLATION].rmse));
-	assert_true(isnan(v.by[VALIDATE_INTERPOLATION].size[1]));
+	assert_true(isnan(v.rmse[VALIDATE_INTERPOLATION]));
+	assert_true(isnan(v.size[VALIDATE_INTERPOLATION][1]));
 	assert_true(v.nearest == 69);
 	site_free(site);
 }
@@ -341,15 +341,15 @@ the_smallest_rmse_wins(void **state)
 	(void)state;
 	struct validation v = {.holdout = true};
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
-		v.by[way].rmse = 0.01;
-	assert_int_equal(validation_winner(&v), VALIDATE_MODEL);
+		v.rmse[way] = 0.01;
+	assert_int_equal(validate_winner(v.rmse), VALIDATE_MODEL);
 	for (enum validate_way way = VALIDATE_WAYS; way-- > 0;) {
-		v.by[way].rmse -= 0.001 * (double)(VALIDATE_WAYS - way);
-		assert_int_equal(validation_winner(&v), way);
+		v.rmse[way] -= 0.001 * (double)(VALIDATE_WAYS - way);
+		assert_int_equal(validate_winner(v.rmse), way);
 	}
-	v.by[VALIDATE_MODEL].rmse = 0.02;
-	v.by[VALIDATE_INTERPOLATION].rmse = NAN;
-	assert_int_equal(validation_winner(&v), VALIDATE_NEAREST);
+	v.rmse[VALIDATE_MODEL] = 0.02;
+	v.rmse[VALIDATE_INTERPOLATION] = NAN;
+	assert_int_equal(validate_winner(v.rmse), VALIDATE_NEAREST);
 	assert_false(validation_loses(&v));
 }
 
@@ -364,7 +364,7 @@ scores_are_of_relative_errors(void **state)
 	const struct validation *list[5];
 	for (size_t k = 0; k < 5; k++) {
 		v[k].measured[1] = measured[k];
-		v[k].by[VALIDATE_FEED].size[1] = predicted[k];
+		v[k].size[VALIDATE_FEED][1] = predicted[k];
 		list[k] = &v[k];
 	}
 	struct validate_score s = validate_score(list, 5, VALIDATE_FEED, 1);
@@ -409,10 +409,10 @@ validation_is_the_plain_comparison(void **state)
 	assert_int_equal(v.n_left_out, 1);
 	expect_near("misfit", v.misfit, sum, 1e-6);
 	expect_near(
-	    "rmse", v.by[VALIDATE_MODEL].rmse, sqrt(sum / (double)n), 1e-6);
+	    "rmse", v.rmse[VALIDATE_MODEL], sqrt(sum / (double)n), 1e-6);
 	expect_near(
-	    "feed", v.by[VALIDATE_FEED].rmse, sqrt(feed / (double)n), 1e-12);
-	expect_near("interpolation", v.by[VALIDATE_INTERPOLATION].rmse,
+	    "feed", v.rmse[VALIDATE_FEED], sqrt(feed / (double)n), 1e-12);
+	expect_near("interpolation", v.rmse[VALIDATE_INTERPOLATION],
 	    sqrt(between / (double)n), 1e-12);
 	assert_true(v.worst_sieve == run->product.size[worst]);
 	expect_near("worst", v.worst_difference,
@@ -438,7 +438,7 @@ validation_compares_p20_p50_and_p80(void **state)
 		double passing = 0.2 + 0.3 * (double)i;
 		expect_near("measured", v.measured[i],
 		    psd_size(&site->run[1].product, passing), 1e-12);
-		expect_near("predicted", v.by[VALIDATE_MODEL].size[i],
+		expect_near("predicted", v.size[VALIDATE_MODEL][i],
 		    psd_size(&found, passing), 1e-12);
 	}
 	psd_free(&found);
