@@ -52,9 +52,10 @@ const struct command TABLE_FIT[] = {
 	.text = "A genetic algorithm searches within the bounds; then bounded "
 		"least squares refines the best candidates (polish). The "
 		"slowest and the fastest speed are the training speeds, with "
-		"every repeat; the others are held out for 'validate'. The "
-		"misfit is the sum of "
-		"squared residuals of passing, as fractions.",
+		"every repeat; the others are held out for 'validate'. "
+		"train=all holds out none; 'validate holdout=each' then tests "
+		"the model. The misfit is the sum of squared residuals of "
+		"passing, as fractions.",
 	.example = "load data/sites/tierp.csv\ncalibrate seed=1\nvalidate",
 	.run = cmd_calibrate},
     {.name = "continue",
