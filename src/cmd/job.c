@@ -225,14 +225,8 @@ end_alone(struct session *s, void *of)
 	(void)of;
 }
 
-static void
-drop_alone(void *of)
-{
-	(void)of;
-}
-
 static const struct rounds ALONE = {
-    next_alone, take_alone, end_alone, drop_alone, true, true};
+    next_alone, take_alone, end_alone, free, true, true};
 
 /* What `calibrate all` adds up. */
 struct every {
