@@ -273,8 +273,8 @@ answers_note_doubt(
 		    fastest);
 	if (site->individual_feeds &&
 	    fabs(site->run[feed_run].speed - speed) > 1e-3)
-		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s",
-		    site->run[feed_run].speed);
+		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s%s",
+		    site->run[feed_run].speed, site->run[feed_run].repeat);
 	answers_note_worth(s, r, entry);
 }
 

@@ -64,11 +64,11 @@ check_warn_coarser(struct session *s, const struct site *site)
 		struct coarser c = find_coarser(&site->run[r]);
 		if (c.sieves > 0)
 			session_note(s,
-			    "  at %g m/s the product is coarser than the feed "
-			    "on %zu of %zu sieves, by up to %.2f points at %g "
-			    "mm: run 'check'",
-			    site->run[r].speed, c.sieves, c.compared,
-			    100 * c.most, units_mm(c.at));
+			    "  at %g m/s%s the product is coarser than the "
+			    "feed on %zu of %zu sieves, by up to %.2f points "
+			    "at %g mm: run 'check'",
+			    site->run[r].speed, site->run[r].repeat, c.sieves,
+			    c.compared, 100 * c.most, units_mm(c.at));
 	}
 }
 
@@ -86,13 +86,13 @@ finding(struct answer *r, const struct entry *entry, bool fault,
 	free(text);
 }
 
-/* Where a finding is: "69 m/s"; of the feed of all runs, 0: "feed". */
+/* Where a finding is: "69 m/s"; of the feed of all runs, NULL: "feed". */
 static const char *
-place(double speed, char buf[static 40])
+place(const struct run *run, char buf[static 40])
 {
-	if (!(speed > 0))
+	if (run == NULL || !(run->speed > 0))
 		return "feed";
-	snprintf(buf, 40, "%g m/s", speed);
+	snprintf(buf, 40, "%g m/s%s", run->speed, run->repeat);
 	return buf;
 }
 
@@ -101,7 +101,7 @@ check_run(struct answer *r, const struct entry *entry, const struct run *run)
 {
 	struct coarser c = find_coarser(run);
 	char buf[40];
-	const char *where = place(run->speed, buf);
+	const char *where = place(run, buf);
 	bool fault = c.most > COARSER_FAULT;
 	if (c.sieves > 0)
 		finding(r, entry, fault, where,
@@ -162,6 +162,14 @@ is_copy(const struct psd *a, const struct psd *b)
 	return a->n > 0 && i == a->n && i == b->n;
 }
 
+/* "69, 79 m/s", "69 (1), 69 (2) m/s".  The caller frees. */
+static char *
+place_of_two(const struct run *a, const struct run *b)
+{
+	return xasprintf(
+	    "%g%s, %g%s m/s", a->speed, a->repeat, b->speed, b->repeat);
+}
+
 /* A column typed, or pasted, twice: no two samples have the same numbers. */
 static void
 check_copies(struct answer *r, const struct entry *entry)
@@ -172,11 +180,36 @@ check_copies(struct answer *r, const struct entry *entry)
 			const struct run *a = &site->run[k], *b = &site->run[i];
 			if (!is_copy(&a->product, &b->product))
 				continue;
-			char *where =
-			    xasprintf("%g, %g m/s", a->speed, b->speed);
+			char *where = place_of_two(a, b);
 			finding(r, entry, false, where,
 			    "the two products have identical numbers: was a "
 			    "column copied?");
+			free(where);
+		}
+}
+
+/* Repeats that differ by more than two samples from one belt do. */
+static void
+check_repeats(struct answer *r, const struct entry *entry)
+{
+	const double far = 0.05;
+	const struct site *site = entry->site;
+	for (size_t i = 1; i < site->n_run; i++)
+		for (size_t k = i; site_run_repeats(site, k); k--) {
+			const struct run *a = &site->run[k - 1];
+			const struct run *b = &site->run[i];
+			double mean, at = 0, other = 0,
+				     most = find_fall(a, b, &at, &mean),
+				     least = find_fall(b, a, &other, &mean);
+			if (fmax(most, least) <= far)
+				continue;
+			char *where = place_of_two(a, b);
+			finding(r, entry, false, where,
+			    "two products at one speed differ by %.2f points "
+			    "at %g mm, where repeat samples agree within 1: "
+			    "were samples mixed up or digits transposed?",
+			    100 * fmax(most, least),
+			    units_mm(most >= least ? at : other));
 			free(where);
 		}
 }
@@ -186,31 +219,44 @@ check_copies(struct answer *r, const struct entry *entry)
  * than any sampling at one sieve: of 180 sheets with noise of 1 point 29 fall
  * by more than 2 points somewhere, 3 are called faults. */
 static bool
-check_order(struct answer *r, const struct entry *entry)
+check_pair(struct answer *r, const struct entry *entry, const struct run *slow,
+    const struct run *fast)
 {
 	const double on_the_whole = 0.003, far = 0.05;
 	const struct site *site = entry->site;
+	double at = 0, mean, most = find_fall(slow, fast, &at, &mean);
+	bool fault =
+	    !site->individual_feeds && (mean > on_the_whole || most > far);
+	if (most <= COARSER_FAULT)
+		return true;
+	char *where = place_of_two(slow, fast);
+	const char *why = site->individual_feeds
+			      ? "its feed may have been coarser"
+			  : fault ? "were speeds swapped or digits transposed?"
+				  : "sampling error may explain it, or digits "
+				    "were transposed there";
+	finding(r, entry, fault, where,
+	    "the faster run's product is coarser by %.2f points at %g mm: %s",
+	    100 * most, units_mm(at), why);
+	free(where);
+	return !fault;
+}
+
+/* Each run against those at the next lower speed. */
+static bool
+check_order(struct answer *r, const struct entry *entry)
+{
+	const struct site *site = entry->site;
 	bool ok = true;
-	for (size_t i = 1; i < site->n_run; i++) {
-		const struct run *slow = &site->run[i - 1];
-		const struct run *fast = &site->run[i];
-		double at = 0, mean, most = find_fall(slow, fast, &at, &mean);
-		bool fault = !site->individual_feeds &&
-			     (mean > on_the_whole || most > far);
-		if (most <= COARSER_FAULT)
-			continue;
-		char where[40];
-		snprintf(where, sizeof where, "%g, %g m/s", slow->speed,
-		    fast->speed);
-		finding(r, entry, fault, where,
-		    "the faster run's product is coarser by %.2f points at %g "
-		    "mm: %s",
-		    100 * most, units_mm(at),
-		    site->individual_feeds ? "its feed may have been coarser"
-		    : fault ? "were speeds swapped or digits transposed?"
-			    : "sampling error may explain it, or digits were "
-			      "transposed there");
-		ok = ok && !fault;
+	for (size_t i = 0, slow = 0, first = 0; i < site->n_run; i++) {
+		if (!site_run_repeats(site, i)) {
+			slow = first;
+			first = i;
+		}
+		for (size_t k = slow; k < first; k++)
+			ok = check_pair(
+				 r, entry, &site->run[k], &site->run[i]) &&
+			     ok;
 	}
 	return ok;
 }
@@ -251,13 +297,13 @@ check_gaps(struct answer *r, const struct entry *entry)
 	char buf[40];
 	size_t n = 0, feeds = site->individual_feeds ? site->n_run : 1;
 	const struct psd **curve = xcalloc(site->n_run + feeds, sizeof(*curve));
-	double *speed = xdoubles(site->n_run + feeds);
+	const struct run **run = xcalloc(site->n_run + feeds, sizeof(*run));
 	for (size_t i = 0; i < feeds; i++) {
-		speed[n] = site->run[i].speed;
+		run[n] = site->individual_feeds ? &site->run[i] : NULL;
 		curve[n++] = &site->run[i].feed;
 	}
 	for (size_t i = 0; i < site->n_run; i++) {
-		speed[n] = site->run[i].speed;
+		run[n] = &site->run[i];
 		if (site->run[i].product.n > 0)
 			curve[n++] = &site->run[i].product;
 	}
@@ -266,15 +312,14 @@ check_gaps(struct answer *r, const struct entry *entry)
 		if (x == 0)
 			continue;
 		bool feed = i < feeds;
-		bool shared = feed && !site->individual_feeds;
-		finding(r, entry, false, place(shared ? 0 : speed[i], buf),
+		finding(r, entry, false, place(run[i], buf),
 		    "the %s's cell at %g mm is empty, and no other in its row: "
 		    "if it was weighed in grams and forgotten, the whole curve "
 		    "is wrong",
 		    feed ? "feed" : "product", units_mm(x));
 	}
 	free(curve);
-	free(speed);
+	free(run);
 }
 
 /* The one cell of the products (or the feeds) that stands out most.  The rule:
@@ -303,7 +348,7 @@ check_smooth(struct answer *r, const struct entry *entry, bool feed)
 		char buf[40];
 		bool shared = feed && !site->individual_feeds;
 		finding(r, entry, false,
-		    place(shared ? 0 : run[o.curve]->speed, buf),
+		    place(shared ? NULL : run[o.curve], buf),
 		    "%s passing %g %% at %g mm is %.1f points %s a line "
 		    "between its neighbours%s: were digits transposed?",
 		    feed ? "feed" : "product",
@@ -326,7 +371,7 @@ check_fit(struct answer *r, const struct entry *entry)
 		return;
 	const struct run *run = &entry->site->run[v.run];
 	char buf[40];
-	finding(r, entry, false, place(v.speed, buf),
+	finding(r, entry, false, place(run, buf),
 	    "product passing %g %% at %g mm is %.1f points %s the calibrated "
 	    "product: were digits transposed, here or in a neighbouring cell?",
 	    units_pct(psd_passing(&run->product, v.worst_sieve)),
@@ -383,6 +428,7 @@ check_site(
 	for (size_t i = 0; i < entry->site->n_run; i++)
 		ok = check_run(r, entry, &entry->site->run[i]) && ok;
 	ok = check_order(r, entry) && ok;
+	check_repeats(r, entry);
 	check_copies(r, entry);
 	check_gaps(r, entry);
 	check_smooth(r, entry, true);

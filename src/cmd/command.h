@@ -19,7 +19,7 @@ enum value_kind {
 	VALUE_NUMBER,  /* decimal point; the option's unit may follow */
 	VALUE_WHOLE,   /* 0 to 2^64-1 */
 	VALUE_CHOICE,  /* one of the option's choices */
-	VALUE_NUMBERS, /* a,b,c or a..b[:step] */
+	VALUE_NUMBERS, /* a,b,c or a..b[:step]; n is 0 for a choice */
 	VALUE_FILE,    /* path of a file */
 	VALUE_TEXT
 };
@@ -30,7 +30,8 @@ struct command_option {
 	enum value_kind kind;
 	const char *unit;     /* "m/s"; "" where there is none */
 	double least, most;   /* of numbers */
-	const char *choices;  /* "on off"; of text as in `expect` below */
+	const char *choices;  /* "on off"; of numbers, what may stand instead;
+			       * of text as in `expect` below */
 	const char *fallback; /* default, as typed; "" where there is none */
 	const char *brief;
 };

@@ -102,6 +102,8 @@ offer_speeds(struct work *w)
 		return;
 	const struct site *site = w->session->entry[w->session->current].site;
 	for (size_t r = 0; r < site->n_run; r++) {
+		if (site_run_repeats(site, r))
+			continue;
 		char *text = xasprintf("%g", site->run[r].speed);
 		offer(w, text, ' ');
 		free(text);
@@ -206,14 +208,15 @@ offer_operand(struct work *w, const struct command *command, size_t i)
 		offer_words(w, list);
 }
 
+/* further: behind a comma, where a word that stands for all numbers cannot. */
 static void
-offer_values(struct work *w, const struct command_option *o)
+offer_values(struct work *w, const struct command_option *o, bool further)
 {
-	if (o->choices != NULL)
+	if (o->choices != NULL && !further)
 		offer_words(w, o->choices);
 	else if (o->kind == VALUE_FILE)
 		offer_files(w);
-	else if (strcmp(o->unit, "m/s") == 0)
+	if (strcmp(o->unit, "m/s") == 0)
 		offer_speeds(w);
 }
 
@@ -250,7 +253,8 @@ offer_arguments(
 {
 	const struct command_option *o;
 	if (used->awaits < OPTIONS) {
-		offer_values(w, command_option_at(command, used->awaits));
+		offer_values(
+		    w, command_option_at(command, used->awaits), false);
 		return;
 	}
 	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
@@ -259,7 +263,7 @@ offer_arguments(
 		offer(w, o->name, command->setting != NULL ? ' ' : '=');
 		if (command->bare != NULL &&
 		    strcmp(o->name, command->bare) == 0)
-			offer_values(w, o);
+			offer_values(w, o, false);
 	}
 	offer_operand(w, command, used->n_operand);
 }
@@ -306,10 +310,12 @@ offer_behind(struct work *w, const struct words *words, const char *line)
 	const char *word = line + w->result->start;
 	if (named)
 		narrow(w, line, strchr(word, '='));
-	if (o != NULL && o->kind == VALUE_NUMBERS && strchr(word, ',') != NULL)
+	bool further =
+	    o != NULL && o->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
+	if (further)
 		narrow(w, line, strrchr(word, ','));
 	if (named)
-		offer_values(w, o);
+		offer_values(w, o, further);
 	else
 		offer_arguments(w, command, &used);
 }

@@ -65,7 +65,7 @@ origin_of_fit(const struct entry *entry)
 	o->digest = site->digest;
 	o->spread = share_history(entry->history);
 	for (size_t r = 0; r < site->n_run; r++)
-		if (entry->train[r])
+		if (entry->train[r] && !site_run_repeats(site, r))
 			add_speed(o, site->run[r].speed);
 	return o;
 }

@@ -47,7 +47,7 @@ fit_holdout_rmse(const struct entry *entry)
 			continue;
 		struct validation v = validate_run(entry->site, r, entry->train,
 		    &entry->fit.params, entry->fit.settings);
-		largest = fmax(largest, v.rmse);
+		largest = fmax(largest, v.rmse[VALIDATE_MODEL]);
 	}
 	return largest;
 }

@@ -22,7 +22,8 @@ put_speeds(
 	struct fields *list = fields_list(o, key);
 	const struct site *site = entry->site;
 	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].product.n > 0 && entry->train[r] == trained)
+		if (site->run[r].product.n > 0 && entry->train[r] == trained &&
+		    !site_run_repeats(site, r))
 			fields_put(list, "%g", site->run[r].speed);
 }
 
@@ -125,9 +126,10 @@ add_verdict(struct answer *r, const struct entry *entry,
 	struct validation far = fit_outlier(entry);
 	if (far.worst_difference != 0)
 		answer_say(r, ANSWER_WARNING,
-		    "the product at %g m/s differs by %.1f points from the fit "
-		    "at %g mm: run 'check'",
-		    far.speed, 100 * fabs(far.worst_difference),
+		    "the product at %g m/s%s differs by %.1f points from the "
+		    "fit at %g mm: run 'check'",
+		    far.speed, entry->site->run[far.run].repeat,
+		    100 * fabs(far.worst_difference),
 		    units_mm(far.worst_sieve));
 	for (size_t j = 0; j < breakage_of(&fit->params)->n; j++)
 		if (fit->on_bound[j])

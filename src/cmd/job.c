@@ -33,17 +33,13 @@ announce(struct session *s)
 	free(holdout);
 }
 
-/* Begins with the site of job.entry. */
+/* Begins with the round that job.entry and job.train say. */
 static void
 begin(struct session *s)
 {
 	struct job *job = &s->job;
 	const struct site *site = s->entry[job->entry].site;
-	if (job->train == NULL || job->all) {
-		free(job->train);
-		job->train = xcalloc(site->n_run, sizeof *job->train);
-		misfit_default_train(site, job->train);
-	}
+	calibration_free(job->calibration);
 	job->options.train = job->train;
 	job->options.run_weight = job->run_weight;
 	job->calibration = calibration_new(site, &job->options);
@@ -55,51 +51,37 @@ begin(struct session *s)
 static void
 job_free(struct job *job)
 {
+	if (job->rounds != NULL)
+		job->rounds->drop(job->of);
 	free(job->run_weight);
 	calibration_free(job->calibration);
 	free(job->train);
-	answer_free(job->summary);
 	*job = (struct job){0};
 }
 
-/* The next site of `all` that can be calibrated; n_entry when there is none. */
-static size_t
-next_site(const struct session *s, size_t from)
-{
-	for (size_t i = from; i < s->n_entry; i++) {
-		const struct site *site = s->entry[i].site;
-		for (size_t r = 0; r < site->n_run; r++)
-			if (misfit_covered(&site->run[r]) > 0)
-				return i;
-	}
-	return s->n_entry;
-}
-
-static struct answer *
-new_summary(void)
-{
-	struct answer *r = answer_new("calibrate");
-	answer_title(r, "all sites, calibrated");
-	answer_columns(r, "site, f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
-			  "holdout_pct: hold-out RMSE, remark");
-	return r;
-}
-
-/* Starts a job, of which options, train, all, pause_at, run_weight say what is
- * wanted, on the site in use (all: the first of those loaded); takes what it
- * owns.  Where no site has a product, nothing is started. */
-static void
+bool
 job_start(struct session *s, const struct job *job)
 {
 	session_stop(s);
 	s->job = *job;
 	s->job.invocation = s->invocation;
-	s->job.entry = job->all ? next_site(s, 0) : s->current;
-	s->job.summary = job->all ? new_summary() : NULL;
-	if (s->job.entry < s->n_entry)
+	bool any = job->rounds->next(s);
+	if (any)
 		begin(s);
 	else
 		job_free(&s->job);
+	return any;
+}
+
+size_t
+job_mark(const struct site *site, bool all, bool *train)
+{
+	size_t n = 0;
+	if (!all)
+		return misfit_default_train(site, train);
+	for (size_t r = 0; r < site->n_run; r++)
+		n += train[r] = misfit_covered(&site->run[r]) > 0;
+	return n;
 }
 
 /* Keeps the job's generations and its misfit in its site. */
@@ -210,9 +192,8 @@ remarks(const struct session *s, const struct entry *entry)
 }
 
 static void
-summarise(struct session *s, const struct entry *entry)
+summarise(struct session *s, struct answer *r, const struct entry *entry)
 {
-	struct answer *r = s->job.summary;
 	char *words = remarks(s, entry);
 	const struct params *p = &entry->fit.params;
 	answer_cells(r, "%s %.3f %.2f %.3f %g %.2f %.2f %s", entry->key,
@@ -222,40 +203,115 @@ summarise(struct session *s, const struct entry *entry)
 	free(words);
 }
 
-/* Takes the result of the calibration that ended or was stopped. */
+/* A job of one calibration has its site and its runs from the start. */
+static bool
+next_alone(struct session *s)
+{
+	s->job.entry = s->current;
+	return s->job.calibration == NULL;
+}
+
 static void
-take_result(struct session *s)
+take_alone(struct session *s)
 {
 	take_fit(s);
-	if (s->job.all)
-		summarise(s, &s->entry[s->job.entry]);
-	else
-		show_fit(s);
+	show_fit(s);
 }
 
 static void
-end_all(struct session *s)
+end_alone(struct session *s, void *of)
 {
-	struct answer *summary = s->job.summary;
-	s->job.summary = NULL;
-	job_free(&s->job);
-	if (summary != NULL)
-		session_answer(s, summary);
+	(void)s;
+	(void)of;
 }
 
-/* The calibration is done: on to the next site of `all`, or to the end. */
+static const struct rounds ALONE = {
+    next_alone, take_alone, end_alone, free, true, true};
+
+/* What `calibrate all` adds up. */
+struct every {
+	bool train_all;
+	struct answer *summary;
+};
+
+static void *
+every_new(bool train_all)
+{
+	struct every *every = xcalloc(1, sizeof *every);
+	struct answer *r = answer_new("calibrate");
+	answer_title(r, "all sites, calibrated");
+	answer_columns(r, "site, f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
+			  "holdout_pct: hold-out RMSE, remark");
+	*every = (struct every){train_all, r};
+	return every;
+}
+
+static void
+drop_every(void *of)
+{
+	struct every *every = of;
+	if (every != NULL)
+		answer_free(every->summary);
+	free(every);
+}
+
+/* The next of the sites that can be calibrated. */
+static bool
+next_every(struct session *s)
+{
+	struct job *job = &s->job;
+	const struct every *every = job->of;
+	size_t i = job->calibration == NULL ? 0 : job->entry + 1;
+	for (; i < s->n_entry; i++) {
+		const struct site *site = s->entry[i].site;
+		free(job->train);
+		job->train = xcalloc(site->n_run, sizeof *job->train);
+		job->entry = i;
+		if (job_mark(site, true, job->train) > 0 &&
+		    job_mark(site, every->train_all, job->train) > 0)
+			return true;
+	}
+	return false;
+}
+
+static void
+take_every(struct session *s)
+{
+	const struct every *every = s->job.of;
+	take_fit(s);
+	summarise(s, every->summary, &s->entry[s->job.entry]);
+}
+
+static void
+end_every(struct session *s, void *of)
+{
+	struct every *every = of;
+	session_answer(s, every->summary);
+	free(every);
+}
+
+static const struct rounds EVERY = {
+    next_every, take_every, end_every, drop_every, false, true};
+
+static void
+end_rounds(struct session *s)
+{
+	const struct rounds *rounds = s->job.rounds;
+	void *of = s->job.of;
+	s->job.rounds = NULL;
+	job_free(&s->job);
+	rounds->end(s, of);
+}
+
+/* The calibration is done: on to the next round, or to the end. */
 static void
 next_or_end(struct session *s)
 {
-	take_result(s);
-	size_t next = s->job.all ? next_site(s, s->job.entry + 1) : s->n_entry;
-	if (next == s->n_entry) {
-		end_all(s);
-		return;
-	}
-	calibration_free(s->job.calibration);
-	s->job.entry = next;
-	begin(s);
+	s->job.rounds->take(s);
+	if (s->job.rounds->next(s))
+		begin(s);
+	else
+		end_rounds(s);
 }
 
 void
@@ -276,13 +332,18 @@ session_pause(struct session *s)
 {
 	if (!session_busy(s))
 		return;
+	if (!s->job.rounds->partial) {
+		session_stop(s);
+		session_note(s, "stopped before all speeds were predicted");
+		return;
+	}
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	/* Before its first generation there is nothing to keep. */
 	if (st.generation > 0)
-		take_result(s);
+		s->job.rounds->take(s);
 	invocation_stopped(s, s->job.step);
-	if (s->job.all || st.generation == 0) {
-		end_all(s);
+	if (!s->job.rounds->alone || st.generation == 0) {
+		end_rounds(s);
 		return;
 	}
 	s->job.paused = true;
@@ -311,13 +372,14 @@ session_let_go(struct session *s)
 	    s, "discarded the stopped calibration; it cannot be continued");
 }
 
-/* Marks the runs at the speeds given; each must have a product. */
+/* Marks the runs with a product at the speeds given, with all repeats; each
+ * must have one. */
 static bool
 mark_training(const struct site *site, const struct value *value, bool *train,
     struct error *error)
 {
-	if (!value->given)
-		return misfit_default_train(site, train) > 0 ||
+	if (value->n == 0)
+		return job_mark(site, value->given, train) > 0 ||
 		       error_set(error, ERROR_DATA,
 			   "%s has no product to calibrate on\n"
 			   "run 'guess' for an estimate from its feed, or "
@@ -330,7 +392,9 @@ mark_training(const struct site *site, const struct value *value, bool *train,
 			    "%s has no product at %g m/s\n"
 			    "run 'show' for its speeds",
 			    site->name, value->list[i]);
-		train[r] = true;
+		for (train[r] = true;
+		     r + 1 < site->n_run && site_run_repeats(site, r + 1); r++)
+			train[r + 1] = true;
 	}
 	return true;
 }
@@ -393,39 +457,48 @@ spread_weights(const struct site *site, const bool *train,
 	    n, value->n);
 }
 
+struct calibrate_options
+job_options(const struct session *s)
+{
+	struct calibrate_options o = calibrate_options_default();
+	o.seed = s->set.seed;
+	o.threads = s->set.threads;
+	o.isa = s->isa;
+	o.stop = s->hooks.stop;
+	o.bounds = s->set.bounds;
+	o.settings = s->set.model;
+	return o;
+}
+
 static struct calibrate_options
 chosen_options(const struct session *s, const struct args *args)
 {
-	struct calibrate_options o = calibrate_options_default();
+	struct calibrate_options o = job_options(s);
 	const struct value *seed = args_value(args, "seed");
 	const struct value *threads = args_value(args, "threads");
 	const struct value *polish = args_value(args, "polish");
 	o.plain = args_value(args, "preset")->choice == 1;
-	o.seed = seed->given ? seed->whole : s->set.seed;
-	o.threads = threads->given ? (unsigned)threads->whole : s->set.threads;
-	o.isa = s->isa;
-	o.stop = s->hooks.stop;
+	o.seed = seed->given ? seed->whole : o.seed;
+	o.threads = threads->given ? (unsigned)threads->whole : o.threads;
 	o.population = (size_t)args_value(args, "population")->whole;
 	o.generations = (size_t)args_value(args, "generations")->whole;
 	o.stall = (size_t)args_value(args, "stall")->whole;
 	o.tolerance = args_value(args, "tolerance")->number;
 	o.polish = polish->choice == 0 && (polish->given || !o.plain);
 	o.by_sd = args_value(args, "weights")->choice == 1;
-	o.bounds = s->set.bounds;
-	o.settings = s->set.model;
 	return o;
 }
 
 static bool
 check_all(const struct args *args, struct error *error)
 {
-	if (!args_value(args, "train")->given &&
+	if (args_value(args, "train")->n == 0 &&
 	    !args_value(args, "run_weights")->given &&
 	    !args_value(args, "weights")->choice)
 		return true;
 	return error_set(error, ERROR_USAGE,
-	    "calibrate all: expected no train=, weights= or run_weights=; each "
-	    "site uses its own speeds");
+	    "calibrate all: expected no weights= or run_weights= and no speeds "
+	    "but train=all; each site uses its own");
 }
 
 /* The runs to train on, and what each counts. */
@@ -447,21 +520,23 @@ bool
 cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 {
 	const struct site *site = session_entry(s)->site;
-	struct job job = {.options = chosen_options(s, args),
-	    .all = args->n_operand > 0,
+	bool all = args->n_operand > 0;
+	struct job job = {.rounds = all ? &EVERY : &ALONE,
+	    .options = chosen_options(s, args),
 	    .pause_at = (size_t)args_value(args, "pause")->whole};
-	if (job.all && strcmp(args->operand[0], "all") != 0)
+	if (all && strcmp(args->operand[0], "all") != 0)
 		return error_set(error, ERROR_USAGE,
 		    "calibrate: expected options or all, got '%s'",
 		    args->operand[0]);
 	if (!fit_settings_agree(&s->set.model, s->set.model.breakage, error) ||
-	    !(job.all ? check_all(args, error)
-		      : choose_runs(site, args, &job, error))) {
+	    !(all ? check_all(args, error)
+		  : choose_runs(site, args, &job, error))) {
 		job_free(&job);
 		return false;
 	}
-	job_start(s, &job);
-	return session_busy(s) ||
+	if (all)
+		job.of = every_new(args_value(args, "train")->given);
+	return job_start(s, &job) ||
 	       error_set(error, ERROR_DATA,
 		   "no loaded site has a product to calibrate on");
 }

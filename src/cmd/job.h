@@ -5,6 +5,32 @@
 
 #include "cmd/session.h"
 
+/* What a job calibrates, round by round. */
+struct rounds {
+	/* The first round, or the one after: job.entry, and job.train for that
+	 * site.  False where there is none left. */
+	bool (*next)(struct session *s);
+	/* The round's calibration has ended. */
+	void (*take)(struct session *s);
+	/* All rounds have, or ^C ended them: answers, and owns `of`. */
+	void (*end)(struct session *s, void *of);
+	void (*drop)(void *of); /* without an answer; `of` or NULL */
+	bool alone;   /* one calibration, to be watched and continued */
+	bool partial; /* what a stopped one has found is of use */
+};
+
+/* The options of a plain `calibrate` in this session. */
+struct calibrate_options job_options(const struct session *s);
+
+/* Starts a job, of which rounds, of, options, pause_at and, where there is one
+ * round, train and run_weight are given; takes what it owns.  False where it
+ * has no round. */
+bool job_start(struct session *s, const struct job *job);
+
+/* Marks every run with a product that its feed covers (all), or the slowest and
+ * the fastest speed, in train [n_run].  Returns how many. */
+size_t job_mark(const struct site *site, bool all, bool *train);
+
 /* One step of the job; prints its result and ends it when it is done. */
 void session_step(struct session *s);
 

@@ -313,6 +313,9 @@ static bool
 numbers(const struct command_option *option, const char *word,
     struct value *value, struct error *error)
 {
+	size_t all;
+	if (option->choices != NULL && text_choice(option->choices, word, &all))
+		return true;
 	char *text = xstrdup(word);
 	char *dots = strstr(text, "..");
 	bool ok = true;

@@ -79,14 +79,30 @@ key_of(const struct axis *axis)
 	return key;
 }
 
+/* Of points of several sites, or of a line that belongs to all of them, a row
+ * says whose each is. */
+static void
+add_whose(struct answer *r, const struct chart_series *series, size_t i)
+{
+	const struct chart_whose *whose = series->whose;
+	answer_cells(r, "%s %s", whose != NULL ? whose[i].site : "",
+	    whose != NULL ? whose[i].about : "");
+}
+
 /* The numbers of a chart: one row a point. */
 static struct answer *
 chart_answer(const struct session *s, const struct chart *chart)
 {
 	struct answer *r = answer_new("plot");
+	bool several =
+	    chart->n > 0 && chart->series[chart->n - 1].whose != NULL;
 	answer_title(r, "%s", chart->title);
-	answer_site(r, s->n_entry > 0 ? s->entry[s->current].site->name : "",
-	    chart->about);
+	if (several)
+		answer_columns(r, "site, provenance");
+	else
+		answer_site(r,
+		    s->n_entry > 0 ? s->entry[s->current].site->name : "",
+		    chart->about);
 	char *x = key_of(&chart->x), *y = key_of(&chart->y);
 	answer_columns(r, "series");
 	answer_column(r, x, chart->x.title);
@@ -97,6 +113,8 @@ chart_answer(const struct session *s, const struct chart *chart)
 			const struct chart_series *p = &chart->series[i];
 			if (isnan(p->y[j]))
 				continue;
+			if (several)
+				add_whose(r, p, j);
 			answer_cells(r, "%s %g %g %g %g", p->name, p->x[j],
 			    p->y[j], p->low != NULL ? p->low[j] : NAN,
 			    p->low != NULL ? p->high[j] : NAN);

@@ -216,11 +216,15 @@ add_measured(
     struct curves *c, const struct site *site, double speed, size_t most)
 {
 	size_t taken = 0;
-	for (size_t i = 0; i < site->n_run; i++)
-		if (site_run_is_near(site, i, speed, most))
-			add_curve(c, &site->run[i].product,
-			    xasprintf("measured %g m/s", site->run[i].speed),
-			    plots_look(taken++));
+	for (size_t i = 0; i < site->n_run; i++) {
+		if (!site_run_is_near(site, i, speed, most))
+			continue;
+		taken += !site_run_repeats(site, i);
+		add_curve(c, &site->run[i].product,
+		    xasprintf("measured %g m/s%s", site->run[i].speed,
+			site->run[i].repeat),
+		    plots_look(taken - 1));
+	}
 }
 
 /* What is read at a place: chart_at at a size, chart_at_y at a passing. */
@@ -404,7 +408,8 @@ add_feed(struct curves *c, const struct plot_request *q,
 	    site->individual_feeds &&
 	    (!(q->words & CHART_NOTES) || run != site_run_nearest(site, speed));
 	add_curve(c, &site->run[run].feed,
-	    sampled ? xasprintf("feed %g m/s", site->run[run].speed)
+	    sampled ? xasprintf("feed %g m/s%s", site->run[run].speed,
+			  site->run[run].repeat)
 		    : xstrdup("feed"),
 	    FEED);
 }
@@ -508,8 +513,8 @@ add_residuals(struct chart *chart, struct session *s, size_t run,
 	size_t n = misfit_covered(r);
 	struct prediction p =
 	    predict(entry->site, params, s->set.model, r->speed, run);
-	struct chart_series *series = chart_add(chart, look, n, "%g m/s%s",
-	    r->speed, entry->train[run] ? "" : " (held out)");
+	struct chart_series *series = chart_add(chart, look, n, "%g m/s%s%s",
+	    r->speed, r->repeat, entry->train[run] ? "" : " (held out)");
 	for (size_t i = 0; i < n; i++) {
 		double predicted = psd_passing(&p.product, r->product.size[i]);
 		series->x[i] = units_mm(r->product.size[i]);
@@ -562,9 +567,10 @@ residuals_chart(
 	for (size_t i = 0; i < site->n_run; i++) {
 		if (!site_run_is_near(site, i, middle, MOST))
 			continue;
-		struct chart_series look = plots_look(taken++);
+		taken += !site_run_repeats(site, i);
 		if (misfit_covered(&site->run[i]) > 0)
-			add_residuals(chart, s, i, &params, look);
+			add_residuals(
+			    chart, s, i, &params, plots_look(taken - 1));
 	}
 	chart->y = around_zero(chart, "difference, points");
 	free_curves(&c);
@@ -669,22 +675,14 @@ spread_chart(
 	return chart;
 }
 
-/* Sizes measured and predicted, mm: P20, P50, P80 of each run held out.  about:
- * where the sites' data are from, each once. */
+/* Sizes measured and predicted, mm: P20, P50, P80 of each run held out, and
+ * whose it is.  about: where the sites' data are from, each once. */
 struct pairs {
 	size_t n, n_site;
 	char *about;
+	const struct entry **entry;
 	double (*measured)[3], (*predicted)[3];
 };
-
-static void
-add_about(struct pairs *pairs, const struct site *site)
-{
-	char *clause = site_source(site, "provenance not stated");
-	if (strstr(pairs->about, clause) == NULL)
-		xlist(&pairs->about, "; ", "%s", clause);
-	free(clause);
-}
 
 static void
 add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
@@ -697,19 +695,23 @@ add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
 		struct validation v = validate_run(entry->site, run,
 		    entry->train, &entry->params, s->set.model);
 		size_t n = pairs->n++;
+		pairs->entry =
+		    xrealloc(pairs->entry, n + 1, sizeof(*pairs->entry));
+		pairs->entry[n] = entry;
 		pairs->measured =
 		    xrealloc(pairs->measured, n + 1, sizeof *pairs->measured);
 		pairs->predicted =
 		    xrealloc(pairs->predicted, n + 1, sizeof *pairs->predicted);
 		for (size_t i = 0; i < 3; i++) {
-			pairs->measured[n][i] = 1000 * v.size[i].measured;
-			pairs->predicted[n][i] = 1000 * v.size[i].predicted;
+			pairs->measured[n][i] = 1000 * v.measured[i];
+			pairs->predicted[n][i] =
+			    1000 * v.size[VALIDATE_MODEL][i];
 		}
 	}
 	if (pairs->n == before)
 		return;
 	pairs->n_site++;
-	add_about(pairs, entry->site);
+	site_add_source(&pairs->about, entry->site);
 }
 
 static void
@@ -728,7 +730,11 @@ put_pairs(
 		look.line = CHART_MARKS;
 		struct chart_series *p =
 		    chart_add(chart, look, pairs->n, "%s", NAMES[i]);
+		chart_add_whose(p);
 		for (size_t j = 0; j < pairs->n; j++) {
+			const struct entry *of = pairs->entry[j];
+			p->whose[j] = (struct chart_whose){
+			    xstrdup(of->key), site_source(of->site, "")};
 			p->x[j] = pairs->measured[j][i];
 			p->y[j] = isnan(p->x[j]) ? NAN : pairs->predicted[j][i];
 		}
@@ -769,6 +775,7 @@ parity_chart(
 		    "load sites with three speeds, then run 'calibrate all'");
 	}
 	free(pairs.about);
+	free(pairs.entry);
 	free(pairs.measured);
 	free(pairs.predicted);
 	return chart;

@@ -81,7 +81,8 @@ struct plots_past plots_past(const struct session *s);
 bool plots_params(const struct session *s, const struct plot_request *request,
     struct params *params, struct error *error);
 
-/* So many measured products, those nearest to the speed, has psd. */
+/* Measured products of so many speeds, those nearest to its own, has psd;
+ * repeats look alike. */
 enum { PLOTS_MEASURED = 3 };
 
 /* The looks that several series of a chart take in turn; the first 23

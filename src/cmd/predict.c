@@ -89,18 +89,37 @@ interpolated(const struct site *site, const struct prediction *p)
 	return passing;
 }
 
-/* A row a sieve; band, measured, between: NULL for none; model: with it and the
- * speed in columns of their own, for files, or NULL. */
-static void
-add_rows(struct answer *r, const struct prediction *p, const struct band *band,
-    const struct psd *measured, const double *between, const char *model)
+/* What was measured at a speed: all repeats.  Returns how many runs have a
+ * product there, from run [*first] on. */
+static size_t
+measured_at(const struct site *site, double speed, const struct run **first)
 {
+	size_t from = site_run_at(site, speed), n = 0;
+	*first = &site->run[from];
+	while (from + n < site->n_run && (*first)[n].product.n > 0 &&
+	       (*first)[n].speed == (*first)[0].speed)
+		n++;
+	return n;
+}
+
+/* A row a sieve; band, between: NULL for none; model: with it and the speed in
+ * columns of their own, for files, or NULL. */
+static void
+add_rows(struct answer *r, const struct site *site, const struct prediction *p,
+    const struct band *band, const double *between, const char *model)
+{
+	const struct run *run;
+	size_t n = measured_at(site, p->speed, &run);
 	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
 	if (band != NULL)
 		answer_columns(r, "low_pct: low %%, high_pct: high %%");
-	if (measured != NULL)
-		answer_columns(r, "measured_pct: measured %%");
+	for (size_t k = 0; k < n; k++)
+		if (n == 1)
+			answer_columns(r, "measured_pct: measured %%");
+		else
+			answer_columns(r, "measured_%zu_pct: measured (%zu) %%",
+			    k + 1, k + 1);
 	if (between != NULL)
 		answer_columns(r, "interpolated_pct: interpolated %%");
 	if (model != NULL)
@@ -113,9 +132,9 @@ add_rows(struct answer *r, const struct prediction *p, const struct band *band,
 		if (band != NULL)
 			answer_cells(r, "%.1f %.1f", units_pct(band->low[i]),
 			    units_pct(band->high[i]));
-		if (measured != NULL)
-			answer_cells(
-			    r, "%.1f", units_pct(psd_at_sieve(measured, x)));
+		for (size_t k = 0; k < n; k++)
+			answer_cells(r, "%.1f",
+			    units_pct(psd_at_sieve(&run[k].product, x)));
 		if (between != NULL)
 			answer_cells(r, "%.1f", units_pct(between[i]));
 		if (model != NULL)
@@ -128,16 +147,11 @@ prediction_answer(struct session *s, const struct prediction *p,
     const struct band *band, const double *between, const char *model)
 {
 	const struct site *site = session_entry(s)->site;
-	size_t run = site_run_at(site, p->speed);
-	const struct psd *measured =
-	    run < site->n_run ? &site->run[run].product : NULL;
-	if (measured != NULL && measured->n == 0)
-		measured = NULL;
 	struct answer *r = answers_new(site, "predict",
 	    "product at %.1f m/s (%.0f J/kg)", p->speed, p->energy);
-	add_rows(r, p, band, measured, between, NULL);
+	add_rows(r, site, p, band, between, NULL);
 	answer_for_programs(r);
-	add_rows(r, p, band, measured, between, model);
+	add_rows(r, site, p, band, between, model);
 	return r;
 }
 

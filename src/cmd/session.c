@@ -165,9 +165,16 @@ session_speeds(
     const struct site *site, const char *between, const bool *mark, bool marked)
 {
 	char *list = xstrdup("");
-	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].product.n > 0 &&
-		    (mark == NULL || mark[r] == marked))
+	for (size_t r = 0, n = 0; r < site->n_run; r++) {
+		if (site->run[r].product.n == 0 ||
+		    (mark != NULL && mark[r] != marked))
+			continue;
+		n = n > 0 && site_run_repeats(site, r) ? n + 1 : 1;
+		if (n == 1)
 			xlist(&list, between, "%g", site->run[r].speed);
+		if (n > 1 &&
+		    (r + 1 == site->n_run || !site_run_repeats(site, r + 1)))
+			xappend(&list, " (%zu runs)", n);
+	}
 	return list;
 }

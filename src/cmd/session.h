@@ -12,9 +12,13 @@
 #include "cmd/settings.h"
 #include "io/store.h"
 
-/* A calibration under way.  The driver pumps it: session_step until
- * session_busy is false. */
+struct rounds;
+
+/* A calibration under way, or several one after the other.  The driver pumps
+ * it: session_step until session_busy is false. */
 struct job {
+	const struct rounds *rounds; /* see job.h */
+	void *of;                    /* what they add up, theirs */
 	struct calibration *calibration;
 	size_t entry;
 	struct invocation *invocation; /* the command that runs it */
@@ -22,12 +26,10 @@ struct job {
 	double stopped; /* likewise, where it is paused */
 	struct calibrate_options options;
 	bool *train;
-	bool all;               /* one loaded site after the other */
-	bool paused;            /* stopped by ^C; `continue` goes on */
-	size_t step;            /* of all sites so far */
-	size_t pause_at;        /* step to stop after; 0: none */
-	struct answer *summary; /* of all */
-	double *run_weight;     /* [n_run] of the site, or NULL */
+	bool paused;        /* stopped by ^C; `continue` goes on */
+	size_t step;        /* of all rounds so far */
+	size_t pause_at;    /* step to stop after; 0: none */
+	double *run_weight; /* [n_run] of the site, or NULL */
 };
 
 /* The terminal that results go to.  columns: 0 where they go elsewhere;
@@ -120,8 +122,8 @@ double session_clock(void);
 /* The label of a site for people: "Tierp, Granite, 11.2 mm". */
 char *session_label(const struct site *site);
 
-/* "69, 79": speeds of the runs that have a product, and whose mark [n_run] is
- * `marked`; mark NULL: of all.  The caller frees. */
+/* "69, 79 (2 runs)": speeds of the runs that have a product, and whose mark
+ * [n_run] is `marked`; mark NULL: of all.  The caller frees. */
 char *session_speeds(const struct site *site, const char *between,
     const bool *mark, bool marked);
 

@@ -73,8 +73,8 @@ add_columns(struct answer *r, const struct site *site, bool feed,
 		if (shared)
 			answer_columns(r, "feed");
 		else
-			answer_columns(
-			    r, "%s@%g", feed ? "feed" : "product", run->speed);
+			answer_columns(r, "%s@%g%s", feed ? "feed" : "product",
+			    run->speed, run->repeat);
 		curve[n++] = feed ? &run->feed : &run->product;
 	}
 	return n;
@@ -139,6 +139,8 @@ show_model(struct session *s, const struct args *args, struct error *error)
 			  "size mm, selected_pct: broken %% of feed");
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed, x = NAN, selected = NAN;
+		if (site_run_repeats(site, i) && !site->individual_feeds)
+			continue;
 		if (entry->has_params) {
 			struct prediction p = answers_predict(s, entry, v, i);
 			x = 1000 * p.break_size;

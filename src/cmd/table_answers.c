@@ -42,6 +42,13 @@ static const struct command_option FIND_OPTIONS[] = {
 	"fastest speed; default 85, or more to cover the runs"},
     TABLE_FEED, {.name = NULL}};
 
+static const struct command_option VALIDATE_OPTIONS[] = {
+    {"holdout", VALUE_CHOICE, "", 0, 0, "untrained each", "untrained",
+	"each: hold out each speed in turn and calibrate on the others"},
+    {"sieves", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"also compare sieve by sieve"},
+    {.name = NULL}};
+
 /* Of why and spec. */
 static const struct command_option AT_SPEED_OPTIONS[] = {
     SPEED_OPTION, TABLE_FEED, {.name = NULL}};
@@ -122,14 +129,22 @@ const struct command TABLE_ANSWERS[] = {
 	.run = cmd_spec},
     {.name = "validate",
 	.brief = "compare predictions with the held-out runs",
+	.operands = {"[all]", {"all"}, 0, 1},
 	.flags = COMMAND_AT_SITE,
-	.text = "Shows P20, P50 and P80 measured and predicted, the root mean "
-		"square error (RMSE) and the worst sieve at each held-out "
-		"speed, and for comparison the RMSE of two predictions without "
-		"the model: the feed unchanged, and the measured training "
-		"products interpolated in speed squared. Reports when "
-		"interpolation predicts better than the model.",
-	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate",
+	.option = VALIDATE_OPTIONS,
+	.text =
+	    "Shows the root mean square error (RMSE), P20, P50 and P80 at each "
+	    "held-out run, measured and predicted by the model and by three "
+	    "that need no model: the training products interpolated in speed "
+	    "squared (outside the training speeds, on the line through the two "
+	    "nearest), the product at the nearest training speed, and the feed "
+	    "unchanged. Reports who predicts best. holdout=each calibrates "
+	    "without each speed in turn, as 'calibrate' alone would, and "
+	    "predicts it; the fit in use stays. 'validate all' sums up the "
+	    "relative errors of P20, P50 and P80 over all calibrated sites: "
+	    "bias (mean), rms and R2; see VALIDATION in tipspeed-model(7).",
+	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate\n"
+		   "validate sieves=on\nvalidate holdout=each",
 	.run = cmd_validate},
     {.name = "why",
 	.brief = "explain the numbers at a speed",

@@ -24,8 +24,9 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
 	"finish with local refinement (polish) by bounded least squares"},
     {"threads", VALUE_WHOLE, "", 1, 64, NULL, "",
 	"threads; default: the session's, one for each processor"},
-    {"train", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",
-	"training speeds; default: the slowest and the fastest"},
+    {"train", VALUE_NUMBERS, "m/s", 1, 200, "all", "",
+	"training speeds, with all repeats, or all; default: the slowest and "
+	"the fastest"},
     {"weights", VALUE_CHOICE, "", 0, 0, "off sd", "off",
 	"sd: divide by the standard deviations of the site file"},
     {"run_weights", VALUE_NUMBERS, "", 0.001, 1000, NULL, "",
@@ -50,9 +51,11 @@ const struct command TABLE_FIT[] = {
 	.option = CALIBRATE_OPTIONS,
 	.text = "A genetic algorithm searches within the bounds; then bounded "
 		"least squares refines the best candidates (polish). The "
-		"slowest and the fastest speed are the training speeds; the "
-		"others are held out for 'validate'. The misfit is the sum of "
-		"squared residuals of passing, as fractions.",
+		"slowest and the fastest speed are the training speeds, with "
+		"every repeat; the others are held out for 'validate'. "
+		"train=all holds out none; 'validate holdout=each' then tests "
+		"the model. The misfit is the sum of squared residuals of "
+		"passing, as fractions.",
 	.example = "load data/sites/tierp.csv\ncalibrate seed=1\nvalidate",
 	.run = cmd_calibrate},
     {.name = "continue",

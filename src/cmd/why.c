@@ -224,18 +224,21 @@ say_measured(const struct subject *a)
 {
 	const struct site *site = a->entry->site;
 	size_t r = site_run_at(site, a->p.speed);
-	if (r == site->n_run || a->entry->train[r] ||
-	    misfit_covered(&site->run[r]) == 0)
-		return;
-	struct validation v = validate_run(
-	    site, r, a->entry->train, &a->entry->params, a->s->set.model);
-	answer_note(a->answer,
-	    "The held-out product measured at %g m/s differs from the "
-	    "prediction by %.2f points (RMSE)%s",
-	    v.speed, 100 * v.rmse,
-	    validation_loses(&v)
-		? "; interpolating the training products is closer"
-		: "");
+	for (size_t first = r;
+	     r < site->n_run && site->run[r].speed == site->run[first].speed;
+	     r++) {
+		if (a->entry->train[r] || misfit_covered(&site->run[r]) == 0)
+			continue;
+		struct validation v = validate_run(site, r, a->entry->train,
+		    &a->entry->params, a->s->set.model);
+		answer_note(a->answer,
+		    "The held-out product measured at %g m/s%s differs from "
+		    "the prediction by %.2f points (RMSE)%s",
+		    v.speed, site->run[r].repeat, 100 * v.rmse[VALIDATE_MODEL],
+		    validation_loses(&v)
+			? "; interpolating the training products is closer"
+			: "");
+	}
 }
 
 /* As the sheet says itself. */

@@ -20,19 +20,21 @@ misfit_covered(const struct run *run)
 size_t
 misfit_default_train(const struct site *site, bool *train)
 {
-	size_t first = site->n_run, last = site->n_run;
+	double slowest = INFINITY, fastest = 0;
+	size_t n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
-		train[r] = false;
 		if (site->run[r].product.n == 0)
 			continue;
-		if (first == site->n_run)
-			first = r;
-		last = r;
+		slowest = fmin(slowest, site->run[r].speed);
+		fastest = fmax(fastest, site->run[r].speed);
 	}
-	if (first == site->n_run)
-		return 0;
-	train[first] = train[last] = true;
-	return first == last ? 1 : 2;
+	for (size_t r = 0; r < site->n_run; r++) {
+		double v = site->run[r].speed;
+		train[r] = site->run[r].product.n > 0 &&
+			   (v == slowest || v == fastest);
+		n += train[r];
+	}
+	return n;
 }
 
 static void

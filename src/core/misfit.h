@@ -74,8 +74,8 @@ double misfit_rmse(struct misfit *m, const struct params *p);
  * are left out first, so these are the leading ones. */
 size_t misfit_covered(const struct run *run);
 
-/* The default training set: the slowest and the fastest run with a product.
- * Returns how many were marked, 0..2. */
+/* The default training set: the slowest and the fastest speed with a product,
+ * with all repeats.  Returns how many runs were marked. */
 size_t misfit_default_train(const struct site *site, bool *train);
 
 /* The misfit of the null model product = feed. */

@@ -125,6 +125,12 @@ site_run_at(const struct site *site, double speed)
 	return r;
 }
 
+bool
+site_run_repeats(const struct site *site, size_t run)
+{
+	return run > 0 && site->run[run].speed == site->run[run - 1].speed;
+}
+
 size_t
 site_run_nearest(const struct site *site, double speed)
 {
@@ -142,9 +148,10 @@ site_run_is_near(const struct site *site, size_t run, double speed, size_t most)
 	size_t nearer = 0;
 	double far = fabs(site->run[run].speed - speed);
 	for (size_t i = 0; i < site->n_run; i++) {
-		double d = fabs(site->run[i].speed - speed);
+		double v = site->run[i].speed, d = fabs(v - speed);
 		nearer += site->run[i].product.n > 0 &&
-			  (d < far || (d == far && i < run));
+			  !site_run_repeats(site, i) &&
+			  (d < far || (d == far && v < site->run[run].speed));
 	}
 	return site->run[run].product.n > 0 && nearer < most;
 }
@@ -172,6 +179,15 @@ site_source(const struct site *site, const char *none)
 {
 	size_t n = strcspn(site->provenance, ";");
 	return n > 0 ? xstrndup(site->provenance, n) : xstrdup(none);
+}
+
+void
+site_add_source(char **list, const struct site *site)
+{
+	char *clause = site_source(site, "provenance not stated");
+	if (strstr(*list, clause) == NULL)
+		xlist(list, "; ", "%s", clause);
+	free(clause);
 }
 
 static const char *const MADE_UP[] = {

@@ -9,10 +9,12 @@
 
 #include "core/psd.h"
 
-/* One rotor tip speed.  product.n is 0 where only the feed was sampled.
- * product_sd: standard deviation of each product passing, 0..1, or NULL. */
+/* One sampling at a rotor tip speed.  product.n is 0 where only the feed was
+ * sampled.  product_sd: standard deviation of each product passing, 0..1, or
+ * NULL. */
 struct run {
-	double speed; /* m/s; 0 of a feed for any speed, without product */
+	double speed;    /* m/s; 0 of a feed for any speed, without product */
+	char repeat[16]; /* " (2)": which of several at this speed; else "" */
 	struct psd feed;
 	struct psd product;
 	double *product_sd;
@@ -24,8 +26,9 @@ struct site_note {
 };
 
 /* Strings are never NULL; "" where the sheet says nothing.  run[] is in order
- * of rising speed.  individual_feeds: each run has a feed sample of its own;
- * otherwise every run holds a copy of the one feed. */
+ * of rising speed, repeats at one speed in the order of the sheet.
+ * individual_feeds: each run has a feed sample of its own; otherwise every run
+ * holds a copy of the one feed. */
 struct site {
 	char *name, *rock, *machine, *provenance;
 	double top_size; /* m; 0 when not stated */
@@ -61,14 +64,19 @@ void site_add_note(
 /* How many runs have a product. */
 size_t site_products(const struct site *site);
 
-/* Index of the run at the given speed (to 0.001 m/s), or n_run if none. */
+/* Index of the run at the given speed (to 0.001 m/s), the first of repeats, or
+ * n_run if none. */
 size_t site_run_at(const struct site *site, double speed);
 
-/* The run whose speed is nearest; the slower of two equally near. */
+/* Whether the run repeats the speed of the one before it. */
+bool site_run_repeats(const struct site *site, size_t run);
+
+/* The run whose speed is nearest; the slower of two equally near, the first of
+ * repeats. */
 size_t site_run_nearest(const struct site *site, double speed);
 
-/* Whether the run has a product and is one of the `most` such whose speeds are
- * nearest. */
+/* Whether the run has a product and its speed is one of the `most` nearest that
+ * have one: repeats stand together. */
 bool site_run_is_near(
     const struct site *site, size_t run, double speed, size_t most);
 
@@ -90,5 +98,8 @@ bool site_data_made_up(const char *provenance);
 /* The first clause of the provenance, which the caller frees; or a copy of
  * `none` where the sheet says nothing. */
 char *site_source(const struct site *site, const char *none);
+
+/* Adds that clause to a list "a; b" of several sites', each once. */
+void site_add_source(char **list, const struct site *site);
 
 #endif

@@ -1,4 +1,4 @@
-/* Hold-out runs, always beside two null models.
+/* Hold-out runs, always beside null models.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/validate.h"
 
@@ -10,67 +10,150 @@
 #include "core/misfit.h"
 #include "core/product.h"
 
+/* Whether a product may be interpolated from. */
+static bool
+counts(const struct site *site, const bool *train, size_t r)
+{
+	return train[r] && site->run[r].product.n > 0;
+}
+
+/* The training speed next to a speed and not above it, or above it; NAN where
+ * there is none. */
+static double
+next_speed(const struct site *site, const bool *train, double speed, bool above)
+{
+	double next = NAN;
+	for (size_t r = 0; r < site->n_run; r++) {
+		double v = site->run[r].speed;
+		if (counts(site, train, r) && (v > speed) == above)
+			next = above ? fmin(next, v) : fmax(next, v);
+	}
+	return next;
+}
+
+/* The training speed nearest to a speed, the slower of two. */
+static double
+nearest_speed(const struct site *site, const bool *train, double speed)
+{
+	double below = next_speed(site, train, speed, false);
+	double above = next_speed(site, train, speed, true);
+	return above - speed < speed - below || isnan(below) ? above : below;
+}
+
+/* The two training speeds that interpolation goes through; of one alone it is
+ * the first, and NAN the second. */
+static void
+find_line(const struct site *site, const bool *train, double speed,
+    double line[static 2])
+{
+	line[0] = next_speed(site, train, speed, false);
+	line[1] = next_speed(site, train, speed, true);
+	if (isnan(line[0])) {
+		line[0] = line[1];
+		line[1] = next_speed(site, train, line[0], true);
+	} else if (isnan(line[1])) {
+		line[1] = line[0];
+		line[0] = next_speed(site, train, nextafter(line[1], 0), false);
+	}
+	if (isnan(line[0])) {
+		line[0] = line[1];
+		line[1] = NAN;
+	}
+}
+
+/* Mean passing at a size of the training products of one speed; NAN where none
+ * has it. */
+static double
+mean_passing(const struct site *site, const bool *train, double speed, double x)
+{
+	double sum = 0, n = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct psd *product = &site->run[r].product;
+		if (site->run[r].speed != speed || !counts(site, train, r) ||
+		    !psd_covers(product, x))
+			continue;
+		sum += psd_passing(product, x);
+		n++;
+	}
+	return n > 0 ? sum / n : NAN;
+}
+
 double
 validate_interpolation(
     const struct site *site, const bool *train, double speed, double x)
 {
-	size_t below = site->n_run, above = site->n_run;
-	for (size_t r = 0; r < site->n_run; r++) {
-		if (!train[r] || site->run[r].product.n == 0)
-			continue;
-		bool first = below == site->n_run;
-		if (first || site->run[r].speed <= speed) {
-			below = r;
-		} else if (above == site->n_run) {
-			above = r;
-		}
-	}
-	/* Above the fastest: the two fastest; `below` is then the fastest. */
-	for (size_t r = below; above == site->n_run && r-- > 0;)
-		if (train[r] && site->run[r].product.n > 0)
-			above = r;
-	if (above == site->n_run)
-		return NAN;
-	const struct run *a = &site->run[below], *b = &site->run[above];
-	if (!psd_covers(&a->product, x) || !psd_covers(&b->product, x))
-		return NAN;
-	double E_a = energy_specific(a->speed), E_b = energy_specific(b->speed);
+	double line[2];
+	find_line(site, train, speed, line);
+	double a = mean_passing(site, train, line[0], x);
+	double b = mean_passing(site, train, line[1], x);
+	double E_a = energy_specific(line[0]), E_b = energy_specific(line[1]);
 	double t = (energy_specific(speed) - E_a) / (E_b - E_a);
-	double at_a = psd_passing(&a->product, x);
-	return at_a + t * (psd_passing(&b->product, x) - at_a);
-}
-
-bool
-validation_loses(const struct validation *v)
-{
-	return v->holdout && v->interpolation_rmse < v->rmse;
+	return a + t * (b - a);
 }
 
 static void
-compare_sizes(struct validation *v, const struct psd *measured,
-    const struct psd *predicted)
+model_passing(const struct run *run, const struct params *p,
+    struct model_settings settings, double *out)
 {
+	struct model *model = model_new(
+	    &run->feed, run->product.size, misfit_covered(run), settings);
+	model_set(model, p);
+	model_product(model, run->speed, out);
+	model_free(model);
+}
+
+void
+validate_passing(const struct site *site, size_t run, const bool *train,
+    const struct params *p, struct model_settings settings,
+    enum validate_way way, double *out)
+{
+	const struct run *at = &site->run[run];
+	double nearest = nearest_speed(site, train, at->speed);
+	if (way == VALIDATE_MODEL) {
+		model_passing(at, p, settings, out);
+		return;
+	}
+	for (size_t i = 0; i < misfit_covered(at); i++) {
+		double x = at->product.size[i];
+		out[i] =
+		    way == VALIDATE_FEED ? psd_passing(&at->feed, x)
+		    : way == VALIDATE_NEAREST
+			? mean_passing(site, train, nearest, x)
+			: validate_interpolation(site, train, at->speed, x);
+	}
+}
+
+/* P20, P50, P80 of a curve where it is known. */
+static void
+read_sizes(const struct psd *sieves, const double *passing, size_t n,
+    double size[static PSD_SIZES])
+{
+	struct psd known = psd_new(n);
+	known.n = 0;
+	for (size_t i = 0; i < n; i++) {
+		if (isnan(passing[i]))
+			continue;
+		known.size[known.n] = sieves->size[i];
+		known.passing[known.n++] = passing[i];
+	}
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		v->size[i] = (struct validate_size){PSD_PASSING[i],
-		    psd_size(measured, PSD_PASSING[i]),
-		    psd_size(predicted, PSD_PASSING[i])};
+		size[i] = psd_size(&known, PSD_PASSING[i]);
+	psd_free(&known);
 }
 
-static void
-compare_nulls(struct validation *v, const struct site *site, const bool *train,
-    const struct psd *predicted)
+void
+validation_put(struct validation *v, const struct site *site,
+    enum validate_way way, const double *passing)
 {
-	const struct run *run = &site->run[v->run];
-	size_t n = predicted->n;
-	double *null = xdoubles(n);
-	for (size_t i = 0; i < n; i++)
-		null[i] = psd_passing(&run->feed, predicted->size[i]);
-	v->feed_rmse = psd_rms(null, run->product.passing, n, NULL);
-	for (size_t i = 0; i < n; i++)
-		null[i] = validate_interpolation(
-		    site, train, run->speed, predicted->size[i]);
-	v->interpolation_rmse = psd_rms(null, run->product.passing, n, NULL);
-	free(null);
+	const struct psd *product = &site->run[v->run].product;
+	size_t worst = 0, n = v->n_sieve;
+	v->rmse[way] = psd_rms(passing, product->passing, n, &worst);
+	read_sizes(product, passing, n, v->size[way]);
+	if (way != VALIDATE_MODEL)
+		return;
+	v->misfit = v->rmse[way] * v->rmse[way] * (double)n;
+	v->worst_sieve = product->size[worst];
+	v->worst_difference = passing[worst] - product->passing[worst];
 }
 
 struct validation
@@ -78,26 +161,67 @@ validate_run(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings)
 {
 	const struct run *at = &site->run[run];
-	size_t n = misfit_covered(at), worst = 0;
+	size_t n = misfit_covered(at);
 	assert(n > 0);
 	struct validation v = {.run = run,
 	    .speed = at->speed,
 	    .holdout = !train[run],
 	    .n_sieve = n,
-	    .n_left_out = at->product.n - n};
-	struct psd predicted = psd_copy(&at->product);
-	predicted.n = n;
-	struct model *model = model_new(&at->feed, predicted.size, n, settings);
-	model_set(model, p);
-	model_product(model, at->speed, predicted.passing);
-	model_free(model);
-	v.rmse = psd_rms(predicted.passing, at->product.passing, n, &worst);
-	v.misfit = v.rmse * v.rmse * (double)n;
-	v.worst_sieve = predicted.size[worst];
-	v.worst_difference =
-	    predicted.passing[worst] - at->product.passing[worst];
-	compare_sizes(&v, &at->product, &predicted);
-	compare_nulls(&v, site, train, &predicted);
-	psd_free(&predicted);
+	    .n_left_out = at->product.n - n,
+	    .nearest = nearest_speed(site, train, at->speed)};
+	find_line(site, train, at->speed, v.line);
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		v.measured[i] = psd_size(&at->product, PSD_PASSING[i]);
+	double *passing = xdoubles(n);
+	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
+		validate_passing(site, run, train, p, settings, way, passing);
+		validation_put(&v, site, way, passing);
+	}
+	free(passing);
 	return v;
+}
+
+enum validate_way
+validate_winner(const double rmse[static VALIDATE_WAYS])
+{
+	enum validate_way best = VALIDATE_MODEL;
+	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
+		if (rmse[way] < rmse[best])
+			best = way;
+	return best;
+}
+
+bool
+validation_loses(const struct validation *v)
+{
+	return v->holdout &&
+	       v->rmse[VALIDATE_INTERPOLATION] < v->rmse[VALIDATE_MODEL];
+}
+
+bool
+validation_extrapolates(const struct validation *v)
+{
+	return v->speed < v->line[0] || v->speed > v->line[1];
+}
+
+struct validate_score
+validate_score(const struct validation *const *v, size_t n,
+    enum validate_way way, size_t i)
+{
+	double mean = 0, bias = 0, square = 0, left = 0, spread = 0, count = 0;
+	for (size_t k = 0; k < n; k++) {
+		double m = v[k]->measured[i], p = v[k]->size[way][i];
+		if (isnan(m) || isnan(p))
+			continue;
+		count++;
+		bias += (p - m) / m;
+		square += (p - m) / m * ((p - m) / m);
+		left += (p - m) * (p - m);
+		spread += (m - mean) * (m - mean) * (count - 1) / count;
+		mean += (m - mean) / count;
+	}
+	return (struct validate_score){.n = (size_t)count,
+	    .bias = count > 0 ? bias / count : NAN,
+	    .rms = count > 0 ? sqrt(square / count) : NAN,
+	    .r2 = spread > 0 ? 1 - left / spread : NAN};
 }

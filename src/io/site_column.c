@@ -28,12 +28,29 @@ static const double SAME_SPEED = 1e-3;
 /* Above this a tip speed is a slip of the pen; m/s. */
 static const double FASTEST = 200;
 
-struct column *
-site_column_find(const struct table *t, enum role role, double speed)
+static bool
+is_of(const struct column *c, enum role role, double speed)
 {
+	return c->role == role && fabs(c->speed - speed) <= SAME_SPEED;
+}
+
+size_t
+site_column_repeats(const struct table *t, enum role role, double speed)
+{
+	size_t n = 0;
 	for (size_t i = 0; i < t->n_column; i++)
-		if (t->column[i].role == role &&
-		    fabs(t->column[i].speed - speed) <= SAME_SPEED)
+		n += is_of(&t->column[i], role, speed);
+	return n;
+}
+
+struct column *
+site_column_find(
+    const struct table *t, enum role role, double speed, size_t nth)
+{
+	size_t wanted = site_column_repeats(t, role, speed) > 1 ? nth : 0;
+	for (size_t i = 0; i < t->n_column; i++)
+		if (is_of(&t->column[i], role, speed) &&
+		    t->column[i].nth == wanted)
 			return &t->column[i];
 	return NULL;
 }
@@ -234,25 +251,48 @@ split_head(struct table *t, char *word, struct column *c)
 	return good;
 }
 
+/* Takes the number off the end of "product@69 (2)", as repeats are shown; their
+ * order is that of the columns. */
+static void
+cut_repeat(char *word)
+{
+	char *open = strrchr(word, '(');
+	size_t n = open != NULL ? strspn(open + 1, "0123456789") : 0;
+	if (n == 0 || strcmp(open + 1 + n, ")") != 0)
+		return;
+	*open = '\0';
+	if (strchr(word, '@') == NULL && strstr(word, "m/s") == NULL)
+		*open = '(';
+}
+
+/* Whether it may stand beside an earlier column of its role and speed: the one
+ * feed has no repeats, and what is given in another unit as well is rather the
+ * same sample. */
+static bool
+may_repeat(const struct column *c, const struct column *twin)
+{
+	return c->speed > 0 &&
+	       SITE_UNITS[c->unit].kind == SITE_UNITS[twin->unit].kind;
+}
+
 bool
 site_column_head(struct table *t, struct column *c)
 {
 	char *word = text_fold(c->head.text);
+	cut_repeat(word);
 	bool good = split_head(t, word, c);
 	free(word);
 	if (!good)
 		return false;
-	const struct column *twin = site_column_find(t, c->role, c->speed);
-	if (twin == NULL)
+	c->nth = site_column_repeats(t, c->role, c->speed);
+	const struct column *twin = site_column_find(t, c->role, c->speed, 0);
+	if (twin == NULL || may_repeat(c, twin))
 		return true;
 	return sheet_fault(t->sheet, c->head,
 	    "duplicate column: %s is already at column %d\n"
-	    "%s",
+	    "keep one of the two%s",
 	    c->head.text, twin->head.column,
-	    c->speed > 0 && c->unit == twin->unit
-		? "average the two, or change one speed: each run needs a "
-		  "speed of its own"
-		: "keep one of the two");
+	    c->speed > 0 ? "; repeats at one speed have one unit" : "");
 }
 
 /* Percent that the parts of a sieving may miss of the whole. */

@@ -34,6 +34,7 @@ struct column {
 	enum role role;
 	size_t unit;  /* index in the table of units */
 	double speed; /* m/s; 0 for the feed of all runs */
+	size_t nth;   /* of its role and speed, from 0: repeats */
 	double *pct;
 	double pan;
 	bool faulty, told_percent;
@@ -55,16 +56,21 @@ struct table {
 };
 
 /* Role, unit and speed from c->head; a fault and false when they are not
- * understood, or are those of an earlier column of the table. */
+ * understood, or are those of an earlier column of the table that this one
+ * cannot repeat. */
 bool site_column_head(struct table *t, struct column *c);
 
 /* Reads the cells of c, converts them to c->pct and checks them one by one and
  * as a curve. */
 void site_column_values(struct table *t, struct column *c);
 
-/* The column of that role and speed, or NULL. */
+/* How many columns have that role and speed. */
+size_t site_column_repeats(const struct table *t, enum role role, double speed);
+
+/* The nth column of that role and speed, or the only one, which serves all
+ * repeats; NULL where there is none. */
 struct column *site_column_find(
-    const struct table *t, enum role role, double speed);
+    const struct table *t, enum role role, double speed, size_t nth);
 
 /* Number of sieves with a value. */
 size_t site_column_count(const struct table *t, const struct column *c);

@@ -196,12 +196,30 @@ count_role(const struct table *t, enum role role)
 	return n;
 }
 
+/* Of repeats at one speed, one feed serves all, or each product has its own;
+ * likewise standard deviations. */
+static void
+check_repeats(struct table *t, const struct column *c)
+{
+	size_t own = site_column_repeats(t, c->role, c->speed);
+	size_t products = site_column_repeats(t, PRODUCT, c->speed);
+	if (c->role == PRODUCT || c->nth != 1 || own == products)
+		return;
+	sheet_fault(t->sheet, c->head,
+	    "duplicate column: expected one %s@%g%s, got %zu\n"
+	    "keep one for all products at this speed, or one for each in their "
+	    "order",
+	    SITE_ROLES[c->role], c->speed,
+	    products > 1 ? " or one for each product" : "", own);
+}
+
 /* A feed for each product, a product for each standard deviation. */
 static void
 check_partner(struct table *t, const struct column *c)
 {
-	const struct column *shared = site_column_find(t, FEED, 0);
-	bool alone = site_column_find(t, PRODUCT, c->speed) == NULL;
+	const struct column *shared = site_column_find(t, FEED, 0, 0);
+	bool alone = site_column_repeats(t, PRODUCT, c->speed) == 0;
+	check_repeats(t, c);
 	if (c->role == FEED && c->speed > 0 && shared != NULL)
 		sheet_fault(t->sheet, c->head,
 		    "expected one kind of feed, got feed and %s\n"
@@ -213,7 +231,7 @@ check_partner(struct table *t, const struct column *c)
 		    "add its product column, or remove this one",
 		    c->head.text);
 	if (c->role == PRODUCT && shared == NULL && count_role(t, FEED) > 0 &&
-	    site_column_find(t, FEED, c->speed) == NULL)
+	    site_column_repeats(t, FEED, c->speed) == 0)
 		sheet_fault(t->sheet, c->head,
 		    "expected a feed for %s, got none\n"
 		    "add a feed@ column with this speed",
@@ -222,10 +240,11 @@ check_partner(struct table *t, const struct column *c)
 
 /* Each product value needs a standard deviation, and the other way round. */
 static void
-check_sd(struct table *t, const struct column *sd)
+check_sd(struct table *t, const struct column *product)
 {
-	const struct column *product = site_column_find(t, PRODUCT, sd->speed);
-	for (size_t i = 0; i < t->n_row && product != NULL; i++) {
+	const struct column *sd =
+	    site_column_find(t, SD, product->speed, product->nth);
+	for (size_t i = 0; i < t->n_row && sd != NULL; i++) {
 		struct cell a = sheet_cell(&t->row[i], product->at);
 		struct cell b = sheet_cell(&t->row[i], sd->at);
 		bool has = a.text[0] != '\0', has_sd = b.text[0] != '\0';
@@ -244,13 +263,15 @@ check_sd(struct table *t, const struct column *sd)
 static void
 read_columns(struct table *t)
 {
+	size_t speeds = 0;
 	for (size_t i = 0; i < t->n_column; i++) {
 		struct column *c = &t->column[i];
 		site_column_values(t, c);
-		if (c->role == SD)
+		if (c->role == PRODUCT)
 			check_sd(t, c);
 		if (!t->lost)
 			check_partner(t, c);
+		speeds += c->role == PRODUCT && c->nth == 0;
 	}
 	struct cell head = t->head->cell[0];
 	if (!t->lost && count_role(t, FEED) == 0)
@@ -258,7 +279,7 @@ read_columns(struct table *t)
 		    "expected a feed column, got none\n"
 		    "add a column feed, or feed@SPEED for each run");
 	/* A feed without any product will do for a guess. */
-	if (!t->lost && count_role(t, PRODUCT) == 1)
+	if (!t->lost && speeds == 1)
 		sheet_fault(t->sheet, head,
 		    "expected products at two or more speeds, got 1\n"
 		    "add columns such as product@69 and product@79");
@@ -295,12 +316,18 @@ make_psd(const struct table *t, const struct column *c)
 	return psd;
 }
 
+/* nth: of the runs at its speed. */
 static void
-fill_run(const struct table *t, const struct column *shared, struct run *run)
+fill_run(const struct table *t, const struct column *shared, struct run *run,
+    size_t nth)
 {
-	const struct column *own = site_column_find(t, FEED, run->speed);
-	const struct column *product = site_column_find(t, PRODUCT, run->speed);
-	const struct column *sd = site_column_find(t, SD, run->speed);
+	double v = run->speed;
+	const struct column *own = site_column_find(t, FEED, v, nth);
+	const struct column *product = site_column_find(t, PRODUCT, v, nth);
+	const struct column *sd = site_column_find(t, SD, v, nth);
+	if (site_column_repeats(t, PRODUCT, v) > 1)
+		snprintf(run->repeat, sizeof run->repeat, " (%u)",
+		    (unsigned)nth + 1);
 	run->feed = make_psd(t, shared != NULL ? shared : own);
 	if (product != NULL)
 		run->product = make_psd(t, product);
@@ -318,26 +345,31 @@ by_speed(const void *a, const void *b)
 	return (r->speed > s->speed) - (r->speed < s->speed);
 }
 
-/* A run for each speed with a product or a feed of its own; where there is only
- * the feed of all runs, one run without a speed. */
+/* A run for each product, and for each speed with no more than a feed of its
+ * own; where there is only the feed of all runs, one run without a speed. */
 static void
 make_runs(struct site *site, const struct table *t)
 {
-	const struct column *shared = site_column_find(t, FEED, 0);
+	const struct column *shared = site_column_find(t, FEED, 0, 0);
 	site->individual_feeds = shared == NULL;
 	site->run = xrealloc(site->run, t->n_column, sizeof *site->run);
 	for (size_t i = 0; i < t->n_column; i++) {
 		const struct column *c = &t->column[i];
-		if (c->role != SD && c->speed > 0 &&
-		    site_run_at(site, c->speed) == site->n_run)
+		size_t n = site_column_repeats(t, PRODUCT, c->speed);
+		if (c->role == SD || !(c->speed > 0) ||
+		    site_run_at(site, c->speed) < site->n_run)
+			continue;
+		for (size_t k = 0; k == 0 || k < n; k++)
 			site->run[site->n_run++] =
 			    (struct run){.speed = c->speed};
 	}
 	if (site->n_run == 0)
 		site->run[site->n_run++] = (struct run){.speed = 0};
 	qsort(site->run, site->n_run, sizeof *site->run, by_speed);
-	for (size_t r = 0; r < site->n_run; r++)
-		fill_run(t, shared, &site->run[r]);
+	for (size_t r = 0, first = 0; r < site->n_run; r++) {
+		first = site_run_repeats(site, r) ? first : r;
+		fill_run(t, shared, &site->run[r], r - first);
+	}
 	site->digest = site_digest(site);
 }
 

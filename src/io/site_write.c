@@ -15,17 +15,25 @@
 struct curve {
 	const char *role;
 	double speed; /* m/s; 0: without one in the header */
+	bool small;   /* written in fractions */
 	const struct psd *psd;
 	const double *value; /* [psd->n] fractions */
 	size_t next;
 };
 
-/* The reader takes percents that are all 1 or less for fractions, so a curve
- * like that is written in fractions. */
+/* The reader takes percents that are all 1 or less for fractions, so a product
+ * like that is written in fractions, as are its repeats, which have one unit
+ * with it. */
 static bool
-is_small(const struct curve *c)
+is_small(const struct site *site, double speed)
 {
-	return strcmp(c->role, "product") == 0 && c->value[0] <= 0.01;
+	bool small = false;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		small = small || (run->speed == speed && run->product.n > 0 &&
+				     run->product.passing[0] <= 0.01);
+	}
+	return small;
 }
 
 static double
@@ -38,7 +46,7 @@ size_mm(double size)
 static double
 as_written(const struct curve *c, double fraction)
 {
-	return round(fraction * 1e14) / (is_small(c) ? 1e14 : 1e12);
+	return round(fraction * 1e14) / (c->small ? 1e14 : 1e12);
 }
 
 static void
@@ -88,14 +96,16 @@ list_curves(const struct site *site, struct curve *curve)
 		const struct psd *feed = &run->feed;
 		const struct psd *product = &run->product;
 		if (own || r == 0)
-			curve[n++] = (struct curve){"feed",
-			    own ? run->speed : 0, feed, feed->passing, 0};
+			curve[n++] =
+			    (struct curve){"feed", own ? run->speed : 0, false,
+				feed, feed->passing, 0};
 		if (product->n > 0)
 			curve[n++] = (struct curve){"product", run->speed,
-			    product, product->passing, 0};
+			    is_small(site, run->speed), product,
+			    product->passing, 0};
 		if (product->n > 0 && run->product_sd != NULL)
-			curve[n++] = (struct curve){
-			    "sd", run->speed, product, run->product_sd, 0};
+			curve[n++] = (struct curve){"sd", run->speed, false,
+			    product, run->product_sd, 0};
 	}
 	return n;
 }
@@ -146,8 +156,8 @@ site_write(const struct site *site, FILE *out)
 	fputs("size_mm", out);
 	for (size_t i = 0; i < n; i++) {
 		const struct curve *c = &curve[i];
-		fprintf(out, ",%s%s%s%s", c->role,
-		    is_small(c) ? "_fraction" : "", c->speed > 0 ? "@" : "",
+		fprintf(out, ",%s%s%s%s", c->role, c->small ? "_fraction" : "",
+		    c->speed > 0 ? "@" : "",
 		    c->speed > 0 ? text_exact(c->speed, number) : "");
 	}
 	fputc('\n', out);

@@ -31,6 +31,11 @@ chart_free(struct chart *chart)
 		free(s->y);
 		free(s->low);
 		free(s->high);
+		for (size_t j = 0; j < s->n && s->whose != NULL; j++) {
+			free(s->whose[j].site);
+			free(s->whose[j].about);
+		}
+		free(s->whose);
 	}
 	for (size_t i = 0; i < chart->n_rule; i++)
 		free(chart->rule[i].name);
@@ -62,7 +67,14 @@ chart_add(struct chart *chart, struct chart_series look, size_t n,
 	s->x = xdoubles(n);
 	s->y = xdoubles(n);
 	s->low = s->high = NULL;
+	s->whose = NULL;
 	return s;
+}
+
+void
+chart_add_whose(struct chart_series *series)
+{
+	series->whose = xcalloc(series->n, sizeof *series->whose);
 }
 
 void

@@ -19,10 +19,15 @@ enum chart_line {
 	CHART_DOTTED
 };
 
+/* Whose a point is, where a chart has those of several sites. */
+struct chart_whose {
+	char *site, *about;
+};
+
 /* One curve or set of points.  x, y [n] in the axes' units; a NAN in y lifts
  * the pen.  low, high [n]: a shade behind all lines, or both NULL. ascii: what
  * a line is drawn with where there are only ASCII characters; mark: an ASCII
- * character at each point, 0: none. */
+ * character at each point, 0: none.  whose [n]: or NULL. */
 struct chart_series {
 	char *name;
 	enum series series;
@@ -30,6 +35,7 @@ struct chart_series {
 	char ascii, mark;
 	size_t n;
 	double *x, *y, *low, *high;
+	struct chart_whose *whose;
 };
 
 /* A line across the plot from its foot to its top, at x. */
@@ -60,6 +66,9 @@ void chart_free(struct chart *chart);
  * Borrowed until the next. */
 struct chart_series *chart_add(struct chart *chart, struct chart_series look,
     size_t n, const char *name, ...) __attribute__((format(printf, 4, 5)));
+
+/* An array whose for a series, to be filled with strings that it then owns. */
+void chart_add_whose(struct chart_series *series);
 
 /* Arrays low and high for a series, for its shade. */
 void chart_add_band(struct chart_series *series);

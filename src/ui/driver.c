@@ -73,7 +73,8 @@ driver_line(
 			return (int)error.kind;
 		}
 		if (d->watches && number == 0 && session_busy(s) &&
-		    s->scripts == depth && line[at] == '\0' && !s->job.all)
+		    s->scripts == depth && line[at] == '\0' &&
+		    s->job.rounds->alone)
 			return 0;
 		status = go_through(d, depth, line, name, number);
 	} while (status == 0 && at > 0 && !s->quit);

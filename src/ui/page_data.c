@@ -29,6 +29,17 @@ draw_passing(const struct area *area, int row, int column,
 
 enum { FIRST = 18, WIDTH = 9 };
 
+/* Columns that the runs at so many speeds take, nearest to the slider's. */
+static int
+columns_of(const struct tui *t, size_t speeds)
+{
+	const struct site *site = tui_entry(t)->site;
+	int n = 0;
+	for (size_t r = 0; r < site->n_run; r++)
+		n += site_run_is_near(site, r, t->tenths / 10.0, speeds);
+	return n;
+}
+
 /* Whether there is room for a run's column: those nearest to the slider's speed
  * come first. */
 static bool
@@ -36,8 +47,10 @@ is_shown(const struct tui *t, size_t run)
 {
 	const struct site *site = tui_entry(t)->site;
 	int room = (t->places.body.columns - FIRST) / WIDTH - 1;
-	return site_run_is_near(
-	    site, run, t->tenths / 10.0, room > 0 ? (size_t)room : 0);
+	size_t speeds = site->n_run;
+	while (speeds > 0 && columns_of(t, speeds) > room)
+		speeds--;
+	return site_run_is_near(site, run, t->tenths / 10.0, speeds);
 }
 
 /* The run whose feed the slider predicts with. */
@@ -60,8 +73,11 @@ draw_heads(const struct tui *t, const struct area *area)
 	for (size_t r = 0; r < site->n_run; r++) {
 		if (!is_shown(t, r))
 			continue;
-		screen_text(area, 0, column, LOOK_BOLD, "%7g%s",
-		    site->run[r].speed, tui_entry(t)->train[r] ? "*" : " ");
+		char name[32];
+		snprintf(name, sizeof name, "%g%s", site->run[r].speed,
+		    site->run[r].repeat);
+		screen_text(area, 0, column, LOOK_BOLD, "%7s%s", name,
+		    tui_entry(t)->train[r] ? "*" : " ");
 		column += WIDTH;
 	}
 	screen_text(area, 0, column, LOOK_BOLD, "%8s", "PRED");

@@ -212,7 +212,8 @@ draw_cross(const struct tui *t, int row, int room)
 		const struct run *run = &site->run[r];
 		if (run->product.n == 0 || row - from + others > room)
 			continue;
-		snprintf(name, sizeof name, "meas %g", run->speed);
+		snprintf(
+		    name, sizeof name, "meas %g%s", run->speed, run->repeat);
 		draw_reading(t, row++, 0, name, &run->product);
 	}
 	draw_reading(t, row++, LOOK_BOLD, "PRED", &p->product);

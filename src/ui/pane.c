@@ -70,7 +70,8 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 	    text, sizeof text, "%s feed%s", ascii ? "." : "\u2508", sample);
 	int column = draw_name(t, 0, SERIES_FEED, 0, text);
 	for (size_t r = 0; r < site->n_run; r++) {
-		if (!site_run_is_near(
+		if (site_run_repeats(site, r) ||
+		    !site_run_is_near(
 			site, r, t->tenths / 10.0, PLOTS_MEASURED))
 			continue;
 		struct chart_series look = plots_look(shown++);

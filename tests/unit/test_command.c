@@ -66,8 +66,9 @@ options_are_in_order(void **state)
 			assert_int_equal(command_option_index(c, o->name), n);
 			bool choice = o->kind == VALUE_CHOICE;
 			bool words = o->choices != NULL;
-			assert_true(
-			    choice ? words : !words || o->kind == VALUE_TEXT);
+			assert_true(choice ? words
+					   : !words || o->kind == VALUE_TEXT ||
+						 o->kind == VALUE_NUMBERS);
 			bool limits = !choice && o->kind < VALUE_FILE;
 			assert_true(!limits || o->least < o->most);
 			assert_non_null(o->unit);

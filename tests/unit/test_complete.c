@@ -206,6 +206,7 @@ speeds_are_those_of_the_site_in_use(void **state)
 	expect(desk, "predict 6", 8, "69 ");
 	expect(desk, "sweep speeds=69,7", 16, "74 |79 ");
 	expect(desk, "sweep 69,7", 9, "74 |79 ");
+	expect(desk, "calibrate train=", 16, "69 |74 |79 |all ");
 	expect(desk, "calibrate train=69,", 19, "69 |74 |79 ");
 }
 

@@ -103,11 +103,69 @@ run_weights_pull_the_fit_to_a_run(void **state)
 		assert_true(desk_say(desk, lines[i]));
 		rmse[i] = validate_run(entry->site, 0, entry->train,
 		    &entry->params, model_settings_default())
-			      .rmse;
+			      .rmse[VALIDATE_MODEL];
 	}
 	assert_true(rmse[0] < rmse[1]);
 	assert_false(desk_say(desk, "calibrate run_weights=1,2,3"));
 	assert_non_null(strstr(desk->error.text, "expected 2 numbers"));
+}
+
+/* RMSE at a run of what the site has been calibrated to. */
+static double
+rmse_at(struct desk *desk, size_t run)
+{
+	const struct entry *entry = session_entry(desk->session);
+	return validate_run(entry->site, run, entry->train, &entry->params,
+	    model_settings_default())
+	    .rmse[VALIDATE_MODEL];
+}
+
+static void
+each_speed_is_predicted_from_the_others(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	static const char *const lines[] = {"calibrate train=74,79",
+	    "calibrate train=69,79", "calibrate train=69,74"};
+	double largest = 0, sum = 0;
+	for (size_t run = 0; run < 3; run++) {
+		assert_true(desk_say(desk, lines[run]));
+		largest = fmax(largest, rmse_at(desk, run));
+		sum += pow(rmse_at(desk, run), 2);
+	}
+	struct params before = session_entry(s)->params;
+	assert_true(desk_say(desk, "validate holdout=each"));
+	assert_memory_equal(&session_entry(s)->params, &before, sizeof before);
+	assert_true(
+	    session_known(s, "validate", "holdout.rmse_pct") == 100 * largest);
+	assert_true(fabs(session_known(s, "validate", "overall.rmse_pct") -
+			 100 * sqrt(sum / 3)) < 1e-12);
+	assert_true(session_entry(s)->train[0] && session_entry(s)->train[1]);
+	assert_null(s->job.calibration);
+}
+
+static void
+a_validation_needs_three_speeds_and_no_fit(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	start(desk, "validate holdout=each");
+	steps(desk, 5);
+	session_pause(s);
+	assert_false(session_busy(s) || session_entry(s)->has_params);
+	assert_null(s->job.calibration);
+	assert_false(desk_say(desk, "continue"));
+	assert_true(desk_say(desk, "validate holdout=each"));
+	assert_false(session_entry(s)->has_params);
+	assert_true(
+	    desk_say(desk, "synth data/table3.csv site=Bro speeds=69,79"));
+	assert_false(desk_say(desk, "validate holdout=each"));
+	assert_non_null(strstr(desk->error.text, "three or more speeds"));
+	assert_true(desk_say(desk, "validate all holdout=each"));
+	assert_true(session_known(s, "validate", "sites") == 1);
+	assert_true(session_known(s, "validate", "runs") == 3);
+	assert_false(desk_say(desk, "validate all"));
+	assert_non_null(strstr(desk->error.text, "held-out run"));
 }
 
 static void
@@ -282,6 +340,8 @@ main(void)
 	    WITH_SITE(a_stopped_calibration_goes_on_to_the_same_bits),
 	    WITH_SITE(threads_and_instruction_sets_change_no_bit),
 	    WITH_SITE(run_weights_pull_the_fit_to_a_run),
+	    WITH_SITE(each_speed_is_predicted_from_the_others),
+	    WITH_SITE(a_validation_needs_three_speeds_and_no_fit),
 	    WITH_SITE(a_paused_calibration_can_be_accepted),
 	    WITH_SITE(a_pause_before_the_first_generation_keeps_nothing),
 	    WITH_SITE(a_new_calibration_replaces_a_paused_one),

@@ -46,8 +46,18 @@ static const struct {
     {"size_mm,feed,product@fast,product@79\n" ROWS, 1, 14, "product@fast", "@"},
     {"size_mm,feed,product@-69,product@79\n" ROWS, 1, 14, "above 0", "@"},
     {"size_mm,feed,product@201,product@79\n" ROWS, 1, 14, "200 m/s", "@"},
-    {"size_mm,feed,product@79,product@79 m/s\n" ROWS, 1, 25, "duplicate column",
-	"speed"},
+    {"size_mm,feed,product@79,product@79 m/s\n" ROWS, 1, 1,
+	"two or more speeds, got 1", "product@79"},
+    {"size_mm,feed,product@79,retained_pct@79\n8,100,100,0\n4,60,80,5\n"
+     "1,10,20,95\n",
+	1, 25, "duplicate column", "one unit"},
+    {"size_mm,feed@69,product@69,feed@79,feed@79,product@79\n"
+     "8,100,100,100,100,100\n4,60,80,60,61,90\n",
+	1, 36, "one feed@79, got 2", "in their order"},
+    {"size_mm,feed,product@69,product@79,product@79,product@79,sd@79,sd@79\n"
+     "8,100,100,100,100,100,1,1\n4,60,80,90,91,92,1,1\n",
+	1, 64, "one sd@79 or one for each product, got 2", "in their order"},
+    {"size_mm,feed,product (2),product@79\n" ROWS, 1, 14, "heading", "@69"},
     {"size_mm,feed,siktrest@69,product@79\n" ROWS, 1, 14, "heading",
 	"grams or per cent"},
     {"size_mm,feed,product 69,product@79\n" ROWS, 1, 14, "heading",
@@ -263,6 +273,39 @@ individual_feeds_may_lack_a_product(void **state)
 	site_free(site);
 }
 
+/* Two products and two feeds at 79 m/s, one feed for both at 69 m/s. */
+static const char REPEATS[] =
+    "size_mm,product@79 (1),feed@69,product@69,feed@79,product 69 m/s "
+    "(2),sd@79,Product @ 79 (2),feed@79 (2),product@74,feed@74\n"
+    "8,100,100,100,100,100,1,100,100,100,100\n"
+    "4,90,60,80,61,81,2,91,62,85,60\n1,30,10,20,11,,3,31,12,25,10\n";
+
+static void
+repeats_are_runs_of_their_own(void **state)
+{
+	(void)state;
+	struct site *site = accept(REPEATS);
+	static const double speed[] = {69, 69, 74, 79, 79},
+			    feed[] = {60, 60, 60, 61, 62},
+			    product[] = {80, 81, 85, 90, 91};
+	static const char *const repeat[] = {
+	    " (1)", " (2)", "", " (1)", " (2)"};
+	assert_int_equal(site->n_run, 5);
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		assert_true(run->speed == speed[r]);
+		assert_true(run->feed.passing[1] == feed[r] / 100);
+		assert_true(run->product.passing[1] == product[r] / 100);
+		assert_int_equal(run->product.n, r == 1 ? 2 : 3);
+		assert_string_equal(run->repeat, repeat[r]);
+		assert_int_equal(run->product_sd != NULL, r > 2);
+		assert_int_equal(site_run_repeats(site, r), r == 1 || r == 4);
+	}
+	assert_int_equal(site_run_at(site, 79), 3);
+	assert_int_equal(site_run_nearest(site, 80), 3);
+	site_free(site);
+}
+
 static void
 retained_counts_the_coarsest_sieve_and_the_pan(void **state)
 {
@@ -342,7 +385,10 @@ a_written_site_reads_back_to_the_same_bits(void **state)
 	     "31000.123,100,0,1,1,100\n7.1,33.333333333333336,7.7,"
 	     "0.981379781,,7\n3.3,1,0.1,0.7,0.123456789,1\npan,,3.3\n"),
 	    ("size_mm,feed,cum_retained_pct@69,fraction@79\n8,100,99.01,.01\n"
-	     "4,60,99.123456789,0\n")};
+	     "4,60,99.123456789,0\n"),
+	    REPEATS,
+	    ("size_mm,feed,product@69,fraction@79,fraction@79\n"
+	     "8,100,50,.01,.02\n4,60,5,0,0.015\n")};
 	for (size_t i = 0; i < ARRAY_LEN(sheet); i++) {
 		struct site *site = accept(sheet[i]);
 		assert_true(reads_back(site));
@@ -376,6 +422,7 @@ main(void)
 	    cmocka_unit_test(every_spelling_gives_the_same_site),
 	    cmocka_unit_test(a_site_is_read_in_si_units),
 	    cmocka_unit_test(individual_feeds_may_lack_a_product),
+	    cmocka_unit_test(repeats_are_runs_of_their_own),
 	    cmocka_unit_test(retained_counts_the_coarsest_sieve_and_the_pan),
 	    cmocka_unit_test(a_total_may_be_a_little_more_than_its_sum),
 	    cmocka_unit_test(all_faults_are_told_in_file_order),

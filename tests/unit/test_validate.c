@@ -8,6 +8,7 @@
 #include "rules.h"
 
 #include "core/breakage.h"
+#include "core/misfit.h"
 #include "core/predict.h"
 #include "core/validate.h"
 
@@ -251,6 +252,133 @@ interpolation_is_straight_in_v_squared(void **state)
 	site_free(site);
 }
 
+/* Tierp measured twice at 69 m/s, and at 79: the second of three runs is moved
+ * to the first one's speed. */
+static struct site *
+site_with_repeat(void)
+{
+	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 3);
+	site->run[1].speed = site->run[0].speed;
+	return site;
+}
+
+static void
+repeats_train_together_and_are_averaged(void **state)
+{
+	(void)state;
+	struct site *site = site_with_repeat();
+	const struct run *run = site->run;
+	const bool slow[3] = {true, true, false};
+	bool train[3];
+	double out[20], a = run[0].speed, b = run[2].speed, v = 72;
+	assert_int_equal(misfit_default_train(site, train), 3);
+	assert_true(train[0] && train[1] && train[2]);
+	for (double x = 70e-6; x < 0.03; x *= 1.7) {
+		double mean = (psd_passing(&run[0].product, x) +
+				  psd_passing(&run[1].product, x)) /
+			      2;
+		double t = (v * v - a * a) / (b * b - a * a);
+		expect_near("passing",
+		    validate_interpolation(site, train, v, x),
+		    mean + t * (psd_passing(&run[2].product, x) - mean), 1e-13);
+		assert_true(isnan(validate_interpolation(site, slow, v, x)));
+	}
+	struct params p = made_params(&TABLE_3[TIERP]);
+	validate_passing(
+	    site, 2, slow, &p, model_settings_default(), VALIDATE_NEAREST, out);
+	for (size_t i = 0; i < misfit_covered(&run[2]); i++)
+		expect_near("nearest", out[i],
+		    (psd_passing(&run[0].product, run[2].product.size[i]) +
+			psd_passing(&run[1].product, run[2].product.size[i])) /
+			2,
+		    1e-15);
+	site_free(site);
+}
+
+static void
+null_models_say_which_speeds_they_take(void **state)
+{
+	(void)state;
+	static const struct {
+		bool train[3];
+		size_t run;
+		double line[2], nearest;
+		bool beyond;
+	} rows[] = {{{true, false, true}, 1, {69, 79}, 69, false},
+	    {{true, true, false}, 2, {69, 74}, 74, true},
+	    {{false, true, true}, 0, {74, 79}, 74, true}};
+	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 3);
+	struct params p = made_params(&TABLE_3[TIERP]);
+	double out[20];
+	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
+		const struct run *run = &site->run[rows[i].run];
+		struct validation v = validate_run(site, rows[i].run,
+		    rows[i].train, &p, model_settings_default());
+		assert_true(v.line[0] == rows[i].line[0] &&
+			    v.line[1] == rows[i].line[1]);
+		assert_true(v.nearest == rows[i].nearest);
+		assert_true(validation_extrapolates(&v) == rows[i].beyond);
+		size_t at = site_run_at(site, v.nearest);
+		for (size_t k = 0; k < v.n_sieve; k++)
+			out[k] = naive_passing(
+			    &site->run[at].product, run->product.size[k]);
+		expect_near("nearest", v.rmse[VALIDATE_NEAREST],
+		    psd_rms(out, run->product.passing, v.n_sieve, NULL), 1e-12);
+	}
+	const bool one[3] = {true, false, false};
+	struct validation v =
+	    validate_run(site, 1, one, &p, model_settings_default());
+	assert_true(isnan(v.line[1]));
+	assert_true(isnan(v.rmse[VALIDATE_INTERPOLATION]));
+	assert_true(isnan(v.size[VALIDATE_INTERPOLATION][1]));
+	assert_true(v.nearest == 69);
+	site_free(site);
+}
+
+static void
+the_smallest_rmse_wins(void **state)
+{
+	(void)state;
+	struct validation v = {.holdout = true};
+	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
+		v.rmse[way] = 0.01;
+	assert_int_equal(validate_winner(v.rmse), VALIDATE_MODEL);
+	for (enum validate_way way = VALIDATE_WAYS; way-- > 0;) {
+		v.rmse[way] -= 0.001 * (double)(VALIDATE_WAYS - way);
+		assert_int_equal(validate_winner(v.rmse), way);
+	}
+	v.rmse[VALIDATE_MODEL] = 0.02;
+	v.rmse[VALIDATE_INTERPOLATION] = NAN;
+	assert_int_equal(validate_winner(v.rmse), VALIDATE_NEAREST);
+	assert_false(validation_loses(&v));
+}
+
+/* Of 1, 2, 4 mm predicted 1.1, 1.8, 4: errors of 10, -10 and 0 %. */
+static void
+scores_are_of_relative_errors(void **state)
+{
+	(void)state;
+	const double measured[] = {1, 2, 4, NAN, 3},
+		     predicted[] = {1.1, 1.8, 4, 1, NAN};
+	struct validation v[5] = {0};
+	const struct validation *list[5];
+	for (size_t k = 0; k < 5; k++) {
+		v[k].measured[1] = measured[k];
+		v[k].size[VALIDATE_FEED][1] = predicted[k];
+		list[k] = &v[k];
+	}
+	struct validate_score s = validate_score(list, 5, VALIDATE_FEED, 1);
+	assert_int_equal(s.n, 3);
+	expect_near("bias", s.bias, 0, 1e-15);
+	expect_near("rms", s.rms, sqrt(0.02 / 3), 1e-15);
+	expect_near("R2", s.r2, 1 - 0.05 / (14.0 / 3), 1e-14);
+	s = validate_score(list, 1, VALIDATE_FEED, 1);
+	expect_near("bias", s.bias, 0.1, 1e-15);
+	assert_true(isnan(s.r2));
+	s = validate_score(list, 0, VALIDATE_FEED, 1);
+	assert_true(s.n == 0 && isnan(s.bias) && isnan(s.rms) && isnan(s.r2));
+}
+
 static void
 validation_is_the_plain_comparison(void **state)
 {
@@ -280,9 +408,11 @@ validation_is_the_plain_comparison(void **state)
 	assert_int_equal(v.n_sieve, n);
 	assert_int_equal(v.n_left_out, 1);
 	expect_near("misfit", v.misfit, sum, 1e-6);
-	expect_near("rmse", v.rmse, sqrt(sum / (double)n), 1e-6);
-	expect_near("feed", v.feed_rmse, sqrt(feed / (double)n), 1e-12);
-	expect_near("interpolation", v.interpolation_rmse,
+	expect_near(
+	    "rmse", v.rmse[VALIDATE_MODEL], sqrt(sum / (double)n), 1e-6);
+	expect_near(
+	    "feed", v.rmse[VALIDATE_FEED], sqrt(feed / (double)n), 1e-12);
+	expect_near("interpolation", v.rmse[VALIDATE_INTERPOLATION],
 	    sqrt(between / (double)n), 1e-12);
 	assert_true(v.worst_sieve == run->product.size[worst]);
 	expect_near("worst", v.worst_difference,
@@ -306,10 +436,9 @@ validation_compares_p20_p50_and_p80(void **state)
 	made_product(&site->run[1], &p, found.passing);
 	for (size_t i = 0; i < 3; i++) {
 		double passing = 0.2 + 0.3 * (double)i;
-		expect_near("passing", v.size[i].passing, passing, 1e-15);
-		expect_near("measured", v.size[i].measured,
+		expect_near("measured", v.measured[i],
 		    psd_size(&site->run[1].product, passing), 1e-12);
-		expect_near("predicted", v.size[i].predicted,
+		expect_near("predicted", v.size[VALIDATE_MODEL][i],
 		    psd_size(&found, passing), 1e-12);
 	}
 	psd_free(&found);
@@ -330,6 +459,10 @@ main(void)
 	    cmocka_unit_test(a_prediction_is_on_all_sieves_the_feed_covers),
 	    cmocka_unit_test(speeds_outside_the_training_runs_extrapolate),
 	    cmocka_unit_test(interpolation_is_straight_in_v_squared),
+	    cmocka_unit_test(repeats_train_together_and_are_averaged),
+	    cmocka_unit_test(null_models_say_which_speeds_they_take),
+	    cmocka_unit_test(the_smallest_rmse_wins),
+	    cmocka_unit_test(scores_are_of_relative_errors),
 	    cmocka_unit_test(validation_is_the_plain_comparison),
 	    cmocka_unit_test(validation_compares_p20_p50_and_p80),
 	};
