@@ -209,8 +209,8 @@ offer_operand(struct work *w, const struct command *command, size_t i)
 static void
 offer_values(struct work *w, const struct command_option *o)
 {
-	if (o->choices != NULL)
-		offer_words(w, o->choices);
+	if (option_choices(o) != NULL)
+		offer_words(w, option_choices(o));
 	else if (o->kind == VALUE_FILE)
 		offer_files(w);
 	else if (strcmp(o->unit, "m/s") == 0)

@@ -364,8 +364,8 @@ wrong_choice(
 	if (word[0] == '\0')
 		return value_wanted(option, error);
 	error_set(error, ERROR_USAGE, "%s: expected one of %s; got '%s'",
-	    option->name, option->choices, word);
-	char *copy = xstrdup(option->choices), *save = NULL;
+	    option->name, option_choices(option), word);
+	char *copy = xstrdup(option_choices(option)), *save = NULL;
 	char *folded = text_fold(word);
 	for (char *choice = strtok_r(copy, " ", &save); choice != NULL;
 	     choice = strtok_r(NULL, " ", &save))
@@ -393,7 +393,7 @@ value_take(const struct command_option *option, const char *word,
 			return true;
 		return wrong_whole(option, word, error);
 	case VALUE_CHOICE:
-		if (text_choice(option->choices, word, &value->choice))
+		if (text_choice(option_choices(option), word, &value->choice))
 			return true;
 		return wrong_choice(option, word, error);
 	default:

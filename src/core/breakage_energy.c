@@ -76,9 +76,9 @@ appearance_text(const struct params *p)
 
 static const struct param_info PARAMETERS[] = {GRUNDITZ_BETA,
     SELECTION_PARAMETERS,
-    {"gamma", "-", 0, 2, -GAMMA_MOST, GAMMA_MOST, 0,
+    {"gamma", "-", 0, 2, -10, 10, 0,
 	"appearance: finer with energy where above 0"},
-    {"e_ref", "J/kg", 0, 0, 1e-3, E_REF_MOST, NAN,
+    {"e_ref", "J/kg", 0, 0, 1e-3, 1e6, NAN,
 	"energy at which beta holds: mean of the training runs"},
     BYPASS_PARAMETER};
 

@@ -5,16 +5,16 @@
 
 #include "core/breakage.h"
 
-#define GRUNDITZ_BETA                                                  \
-	{"beta1", "-", -1000, 1000, -BETA_MOST, BETA_MOST, 0,          \
-	    "appearance: constant term"},                              \
-	    {"beta2", "-", -1000, 1000, -BETA_MOST, BETA_MOST, 1,      \
-		"appearance: term in u"},                              \
-	    {"beta3", "-", -1000, 1000, -BETA_MOST, BETA_MOST, -1,     \
-		"appearance: term in u squared"},                      \
-	{                                                              \
-		"beta4", "-", -1000, 1000, -BETA_MOST, BETA_MOST, 0.5, \
-		    "appearance: term in u cubed"                      \
+#define GRUNDITZ_BETA                                      \
+	{"beta1", "-", -1000, 1000, -1e9, 1e9, 0,          \
+	    "appearance: constant term"},                  \
+	    {"beta2", "-", -1000, 1000, -1e9, 1e9, 1,      \
+		"appearance: term in u"},                  \
+	    {"beta3", "-", -1000, 1000, -1e9, 1e9, -1,     \
+		"appearance: term in u squared"},          \
+	{                                                  \
+		"beta4", "-", -1000, 1000, -1e9, 1e9, 0.5, \
+		    "appearance: term in u cubed"          \
 	}
 
 /* own of the breaker: the appearance of beta scaled to 1. */

@@ -91,11 +91,10 @@ appearance_text(const struct params *p)
 }
 
 static const struct param_info PARAMETERS[] = {
-    {"q_slope", "s/m", -0.05, 0.05, -Q_SLOPE_MOST, Q_SLOPE_MOST, 0,
+    {"q_slope", "s/m", -0.05, 0.05, -10, 10, 0,
 	"appearance: change of its exponent with the speed"},
-    {"q_0", "-", 0, 5, -Q_0_MOST, Q_0_MOST, NAN,
-	"appearance: its exponent at speed 0"},
-    {"y_fine", "mm", 0, 0.5, 0, Y_FINE_MOST, 0,
+    {"q_0", "-", 0, 5, -1000, 1000, NAN, "appearance: its exponent at speed 0"},
+    {"y_fine", "mm", 0, 0.5, 0, 1000, 0,
 	"appearance: size at which the fines fall off"},
     SELECTION_PARAMETERS, BYPASS_PARAMETER};
 

@@ -138,7 +138,7 @@ every_setting_is_set_undone_and_reset(void **state)
 		const struct command_option *o = &r->option;
 		char *first = settings_text(r, desk->session->first);
 		char *other = o->kind == VALUE_CHOICE
-				  ? xstrdup(strrchr(o->choices, ' ') + 1)
+				  ? xstrdup(strrchr(option_choices(o), ' ') + 1)
 				  : xasprintf("%g", o->most);
 		char *line = xasprintf("set %s %s", o->name, other);
 		assert_string_not_equal(first, other);
