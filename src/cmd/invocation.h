@@ -27,6 +27,9 @@ bool invocation_over(const struct session *s);
  * came to nothing. */
 void invocation_stopped(struct session *s, size_t steps);
 
+/* What the command that runs changes is undone with the step before it. */
+void invocation_joins(struct session *s);
+
 /* The command that runs is saved with this option, which it was not given. */
 void invocation_adds(struct session *s, const char *option, const char *value);
 

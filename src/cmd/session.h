@@ -24,6 +24,7 @@ struct job {
 	bool *train;
 	bool all;               /* one loaded site after the other */
 	bool paused;            /* stopped by ^C; `continue` goes on */
+	bool newest;            /* paused, and undo would begin with it */
 	size_t step;            /* of all sites so far */
 	size_t pause_at;        /* step to stop after; 0: none */
 	struct answer *summary; /* of all */

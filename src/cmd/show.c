@@ -7,6 +7,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/entries.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
 #include "cmd/table.h"
@@ -365,6 +366,20 @@ static const struct {
     {"store", false, false, show_store},
 };
 
+static bool
+nothing_called(struct session *s, const char *what, const struct args *args,
+    struct error *error)
+{
+	struct error none = {0};
+	size_t at;
+	error_set(error, ERROR_USAGE, "there is no '%s' to show", what);
+	if (session_find(s, what, &at, &none))
+		return error_hint(error,
+		    "'%s' is a loaded site: write 'use %s; show'", what, what);
+	return error_hint(
+	    error, "write: show %s", args->command->operands.usage);
+}
+
 bool
 cmd_show(struct session *s, const struct args *args, struct error *error)
 {
@@ -373,10 +388,7 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 	while (i < ARRAY_LEN(WHAT) && strcmp(what, WHAT[i].name) != 0)
 		i++;
 	if (i == ARRAY_LEN(WHAT))
-		return error_set(error, ERROR_USAGE,
-		    "there is no '%s' to show\n"
-		    "write: show %s",
-		    what, args->command->operands.usage);
+		return nothing_called(s, what, args, error);
 	if (args_value(args, "speed")->given && !WHAT[i].at_speed)
 		return error_set(error, ERROR_USAGE,
 		    "show %s: expected no speed; it is the same at all speeds",

@@ -25,9 +25,9 @@ struct params {
 	};
 };
 
-/* Above these no value is taken, typed, read or as a bound: far outside what any
- * rock has, so that what lies there is a typing error.  Constants, because Table
- * 3 is read with them too. */
+/* Above these no value is taken, typed, read or as a bound: far outside what
+ * any rock has, so that what lies there is a typing error.  Constants, because
+ * Table 3 is read with them too. */
 enum { F_MAT_MOST = 10000, E0_MIN_MOST = 10000, ALPHA_MOST = 100 };
 
 /* What there is to say of one parameter. */

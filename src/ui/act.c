@@ -57,6 +57,22 @@ next_focus(struct tui *t)
 	t->focus = can && t->focus == NULL ? page : NULL;
 }
 
+/* Puts a name for the file after `>`: "tierp-74.0.csv"; of the plot of two
+ * predictions an image. */
+static void
+propose_file(const struct tui *t, char **line)
+{
+	const struct entry *entry = tui_entry(t);
+	char *key = xstrdup(entry != NULL ? entry->key : "");
+	for (char *p = key; *p != '\0'; p++)
+		if (*p == '/')
+			*p = '-';
+	if (key[0] != '\0')
+		xappend(line, "%s-%.1f.%s", key, t->tenths / 10.0,
+		    t->pin.site[0] != '\0' ? "svg" : "csv");
+	free(key);
+}
+
 /* The command of a key that has one, with the speed or the picture in it.  The
  * caller frees. */
 static char *
@@ -76,6 +92,8 @@ compose(const struct tui *t, const struct key *key)
 		line = xasprintf("%.*s%s%s", (int)(hole - key->command),
 		    key->command, where, hole + 2);
 	free(where);
+	if (key->act == ACT_EXPORT)
+		propose_file(t, &line);
 	return line;
 }
 
