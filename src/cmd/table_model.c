@@ -18,7 +18,7 @@ const struct setting SETTINGS[] = {
     {{"k", VALUE_NUMBER, "", 0.001, 1000, NULL, "1", "number of impacts"},
 	AT(model.k)},
     {{"threads", VALUE_WHOLE, "", 1, 64, NULL, "",
-	 "threads of a calibration; else one for each processor"},
+	 "threads of a calibration; default: one for each processor"},
 	AT(threads)},
     {{"format", VALUE_CHOICE, "", 0, 0, "table csv json markdown", "table",
 	 "output format"},
@@ -44,7 +44,7 @@ const struct command TABLE_MODEL[] = {
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_PARAMS,
 	.text = "'params set' sets known parameters of the current model "
 		"instead of a calibration; those not named keep their value, "
-		"and beta starts from (0, 1, -1, 0.5). Only the direction of "
+		"and beta is (0, 1, -1, 0.5) at first. Only the direction of "
 		"beta matters: it is scaled to max 1. 'params diff SITE' "
 		"compares them with those of another loaded site; 'params use "
 		"SITE' uses those of that site, and results then state it.",
