@@ -1,4 +1,4 @@
-/* check: the sheet doctor.  It reports and mends nothing.
+/* check: the search for faults in site files.  It reports and changes nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/check.h"
 
@@ -334,7 +334,7 @@ check_fit(struct answer *r, const struct entry *entry)
 	    v.worst_difference < 0 ? "above" : "below");
 }
 
-/* Other loaded sites with the very same numbers. */
+/* Other loaded sites with the same numbers. */
 static void
 check_twins(struct session *s, struct answer *r, size_t index)
 {

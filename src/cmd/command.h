@@ -82,7 +82,7 @@ enum command_flag {
 
 /* What a command works on: as shown in usage, or NULL; at least `least` and at
  * most `most` of them.  expect: what completion offers for the first, the
- * second ...; the last one holds for all further ones.  Words between blanks:
+ * second ...; the last one holds for all further ones.  Words between spaces:
  * one in capitals stands for what there is (see KINDS in complete.c), others
  * for themselves. */
 struct command_operands {

@@ -181,7 +181,7 @@ offer_kind(struct work *w, const char *word)
 	KINDS[i].offer(w);
 }
 
-/* A list of words between blanks: kinds in capitals, others as they are. */
+/* A list of words between spaces: kinds in capitals, others as they are. */
 static void
 offer_words(struct work *w, const char *list)
 {
@@ -264,7 +264,7 @@ offer_arguments(
 	offer_operand(w, command, used->n_operand);
 }
 
-/* Narrows the completion to what is behind a character of the word. */
+/* Narrows the completion to what is after a character of the word. */
 static void
 narrow(struct work *w, const char *line, const char *behind)
 {

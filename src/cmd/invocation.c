@@ -201,7 +201,7 @@ record(struct session *s, const struct invocation *t, bool changed)
 {
 	bool elsewhere = is_redirected(t),
 	     latest = (t->command->flags & COMMAND_LATEST) != 0;
-	/* What is asked while a calibration runs hangs on the moment. */
+	/* What is asked while a calibration runs depends on the moment. */
 	bool between = session_busy(s) && s->job.invocation != t;
 	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
 	    between || came_to_nothing(t))

@@ -38,7 +38,7 @@ void invocation_adds(struct session *s, const char *option, const char *value);
 void invocation_saved(struct session *s);
 
 /* A command that only asked was done without an invocation of its own: its line
- * is saved in the place of the one before of that name. */
+ * is saved instead of the one before of that name. */
 void invocation_asked(struct session *s, const char *command, const char *line);
 
 /* The innermost command is over: its results are handed over.  ok: it did what

@@ -187,7 +187,7 @@ show_fit(struct session *s)
 			      calibration_bounds(s->job.calibration), seconds));
 }
 
-/* "alpha on bound; twin of ubbarp; poor". */
+/* "alpha at bound; same data as ubbarp; poor". */
 static char *
 remarks(const struct session *s, const struct entry *entry)
 {

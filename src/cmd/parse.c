@@ -1,5 +1,5 @@
 /* From a line of text to calls: the line as commands, words and where the
- * results go; what may stand behind an option; words as options and operands of
+ * results go; what may stand after an option; words as options and operands of
  * a command.  The grammar is that of tipspeed(1), COMMAND LANGUAGE.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/parse.h"
@@ -31,7 +31,7 @@ ends_word(char c, bool verbatim)
 	       (!verbatim && (c == '>' || c == '|'));
 }
 
-/* Copies one word from *at on and moves *at behind it. False on an open quote;
+/* Copies one word from *at on and moves *at after it. False on an open quote;
  * the caller frees the word in any case. */
 static bool
 take_word(const char *line, size_t *at, bool verbatim, char **word)
@@ -74,7 +74,7 @@ take_pipe(const char *line, size_t i, struct words *words)
 	return words->target[0] != '\0' && words->target[0] != '|';
 }
 
-/* "> FILE" or ">> FILE" at *at; *at is then behind it. */
+/* "> FILE" or ">> FILE" at *at; *at is then after it. */
 static bool
 take_file(const char *line, size_t *at, struct place place, struct words *words,
     struct error *error)
@@ -444,7 +444,7 @@ take_value(size_t i, const char *word, struct args *args, struct error *error)
 	    command_option_at(args->command, i), word, &args->value[i], error);
 }
 
-/* One word behind the command's name: key=value, the bare option or an
+/* One word after the command's name: key=value, the bare option or an
  * operand. */
 static bool
 take_argument(const char *word, struct args *args, struct error *error)

@@ -475,7 +475,7 @@ sweep_chart(
 	if (n > ARRAY_LEN(c.prediction)) {
 		error_set(error, ERROR_USAGE,
 		    "%zu speeds are too many to draw\n"
-		    "use at most %zu, which can be told apart",
+		    "use at most %zu, so that the curves can be distinguished",
 		    n, ARRAY_LEN(c.prediction));
 		return NULL;
 	}

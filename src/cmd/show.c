@@ -251,7 +251,7 @@ class_name(const struct psd *feed, size_t i, char buf[static 32])
 	return buf;
 }
 
-/* Parents across and daughters down; a: as appearance_matrix has it. */
+/* Parents across and progeny down; a: as appearance_matrix has it. */
 static void
 matrix_across(struct answer *r, const struct psd *feed, const double *a)
 {
@@ -268,7 +268,7 @@ matrix_across(struct answer *r, const struct psd *feed, const double *a)
 	}
 }
 
-/* A row for each parent and daughter: for spreadsheets. */
+/* A row for each parent and progeny: for spreadsheets. */
 static void
 matrix_long(
     struct answer *r, const struct psd *feed, const double *x, const double *a)

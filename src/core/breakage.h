@@ -92,7 +92,7 @@ struct breakage {
 extern const struct breakage *const BREAKAGES[];
 size_t breakage_count(void);
 
-/* Their names, a blank between two; for one thread. */
+/* Their names, a space between two; for one thread. */
 const char *breakage_names(void);
 
 /* Index of the model of that name, or breakage_count(). */

@@ -1,4 +1,4 @@
-/* grunditz-energy: the paper's model with finer fragments at higher energy.
+/* grunditz-energy: the paper's model with finer progeny at higher energy.
  *   B_v(u) = B(u)^((E / E_ref)^-gamma)
  * D12; gamma 0 is the paper's model.  Scalar, or with LANES.
  * SPDX-License-Identifier: GPL-3.0-or-later */

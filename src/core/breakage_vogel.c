@@ -135,7 +135,7 @@ vogel_nodes(const struct block *b, const struct plan *plan, struct node *node)
 	return lanes_of(1);
 }
 
-/* The fall-off of the fines at a daughter of ln y; *ratio: y / y'. */
+/* The fall-off of the fines at a progeny size of ln y; *ratio: y / y'. */
 static inline lanes
 vogel_fines(const struct block *b, double log_y, lanes *ratio)
 {

@@ -47,8 +47,8 @@ struct bounds {
 
 enum method { METHOD_CONTINUOUS, METHOD_CLASSES };
 enum appearance_form {
-	APPEARANCE_RATIO,      /* daughter over parent: the default (D3) */
-	APPEARANCE_PROGENY_MM, /* daughter size in mm */
+	APPEARANCE_RATIO,      /* progeny over parent: the default (D3) */
+	APPEARANCE_PROGENY_MM, /* progeny size in mm */
 	APPEARANCE_PARENT_MM   /* parent size in mm: literal, degenerate */
 };
 

@@ -311,7 +311,7 @@ type_key(struct tui *t, int code, bool special)
 		control_typed(t, y->text);
 }
 
-/* Digits of a speed; the first are pages, but behind a 0. */
+/* Digits of a speed; the first are pages, but after a 0. */
 static bool
 digit_key(struct tui *t, int code, bool special)
 {

@@ -47,7 +47,7 @@ feed_run(const struct tui *t)
 	return &tui_entry(t)->site->run[tui_feed(t)];
 }
 
-/* Returns the column behind the table. */
+/* Returns the column after the table. */
 static int
 draw_heads(const struct tui *t, const struct area *area)
 {

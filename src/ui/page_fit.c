@@ -11,7 +11,7 @@
 #include "core/sensitivity.h"
 #include "ui/screen.h"
 
-/* The slider of the generations, in the place of the usual caption. */
+/* The slider of the generations, instead of the usual caption. */
 static bool
 caption(struct tui *t, const struct area *area)
 {

@@ -40,7 +40,7 @@ typing_end(struct typing *t)
 	t->active = false;
 }
 
-/* Puts text in the place of the bytes from start to the cursor. */
+/* Puts text instead of the bytes from start to the cursor. */
 static void
 replace(struct typing *t, size_t start, const char *text, size_t n)
 {
@@ -64,7 +64,7 @@ insert(struct typing *t, unsigned code)
 	replace(t, t->at, bytes, n);
 }
 
-/* The offset of the character before, and behind, an offset. */
+/* The offset of the character before, and after, an offset. */
 static size_t
 before(const struct typing *t, size_t at)
 {
