@@ -3,7 +3,6 @@
 #include "core/appearance.h"
 
 #include <math.h>
-#include <stdbool.h>
 
 #include "core/elementary.h"
 

@@ -8,6 +8,7 @@
 #define TIPSPEED_CORE_BREAKAGE_H
 
 #include <stdalign.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/isa.h"

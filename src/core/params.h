@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_CORE_PARAMS_H
 #define TIPSPEED_CORE_PARAMS_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 enum { PARAMS_MOST = 10 };

@@ -1,9 +1,8 @@
 /* The page Data: the sheet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/page_data.h"
+#include "ui/pane.h"
 
 #include <limits.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 

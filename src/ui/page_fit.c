@@ -1,6 +1,6 @@
 /* The Fit page: the search, generation by generation, while it runs and after.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/page_fit.h"
+#include "ui/pane.h"
 
 #include <math.h>
 #include <stdio.h>

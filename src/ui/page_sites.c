@@ -1,6 +1,6 @@
 /* The page Sites: what each loaded site is and how far it is calibrated.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/page_sites.h"
+#include "ui/pane.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -40,6 +40,9 @@ struct page_ops {
 	char *(*words)(const struct tui *t);
 };
 
+extern const struct page_ops page_predict, page_fit, page_data, page_parity,
+    page_sites;
+
 /* A plot in an area, or in words why there is none. */
 void pane_plot(const struct tui *t, const struct plot_request *request,
     const struct area *area);

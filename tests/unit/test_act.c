@@ -15,7 +15,7 @@
 #include "ui/control.h"
 #include "ui/frame.h"
 #include "ui/input.h"
-#include "ui/page_fit.h"
+#include "ui/pane.h"
 #include "ui/screen.h"
 #include "ui/shot.h"
 #include "ui/tui_state.h"
