@@ -242,6 +242,24 @@ find_gap(const struct psd *const *curve, size_t n, size_t at)
 	return 0;
 }
 
+/* Adds the feeds of a site, or its products, to the n curves that there are,
+ * with the speed of each (0: of all runs).  Returns how many there are then. */
+static size_t
+gather(const struct site *site, bool feed, const struct psd **curve,
+    double *speed, size_t n)
+{
+	for (size_t i = 0; i < site->n_run; i++) {
+		const struct run *run = &site->run[i];
+		const struct psd *psd = feed ? &run->feed : &run->product;
+		bool shared = feed && !site->individual_feeds;
+		if (psd->n == 0 || (shared && i > 0))
+			continue;
+		speed[n] = shared ? 0 : run->speed;
+		curve[n++] = psd;
+	}
+	return n;
+}
+
 /* A cell that is empty where all others of its row are full: of grams, what is
  * forgotten is missing from the whole. */
 static void
@@ -249,29 +267,18 @@ check_gaps(struct answer *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	char buf[40];
-	size_t n = 0, feeds = site->individual_feeds ? site->n_run : 1;
-	const struct psd **curve = xcalloc(site->n_run + feeds, sizeof(*curve));
-	double *speed = xdoubles(site->n_run + feeds);
-	for (size_t i = 0; i < feeds; i++) {
-		speed[n] = site->run[i].speed;
-		curve[n++] = &site->run[i].feed;
-	}
-	for (size_t i = 0; i < site->n_run; i++) {
-		speed[n] = site->run[i].speed;
-		if (site->run[i].product.n > 0)
-			curve[n++] = &site->run[i].product;
-	}
+	const struct psd **curve = xcalloc(2 * site->n_run, sizeof(*curve));
+	double *speed = xdoubles(2 * site->n_run);
+	size_t feeds = gather(site, true, curve, speed, 0);
+	size_t n = gather(site, false, curve, speed, feeds);
 	for (size_t i = 0; i < n && n > 2; i++) {
 		double x = find_gap(curve, n, i);
-		if (x == 0)
-			continue;
-		bool feed = i < feeds;
-		bool shared = feed && !site->individual_feeds;
-		finding(r, entry, false, place(shared ? 0 : speed[i], buf),
-		    "the %s's cell at %g mm is empty, and no other in its row: "
-		    "if it was weighed in grams and forgotten, the whole curve "
-		    "is wrong",
-		    feed ? "feed" : "product", units_mm(x));
+		if (x > 0)
+			finding(r, entry, false, place(speed[i], buf),
+			    "the %s's cell at %g mm is empty, and no other in "
+			    "its row: if it was weighed in grams and "
+			    "forgotten, the whole curve is wrong",
+			    i < feeds ? "feed" : "product", units_mm(x));
 	}
 	free(curve);
 	free(speed);
@@ -287,23 +294,13 @@ check_smooth(struct answer *r, const struct entry *entry, bool feed)
 {
 	const struct site *site = entry->site;
 	const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
-	const struct run **run = xcalloc(site->n_run, sizeof(*run));
-	size_t n = 0;
-	for (size_t i = 0; i < site->n_run; i++) {
-		const struct psd *psd =
-		    feed ? &site->run[i].feed : &site->run[i].product;
-		if (psd->n == 0 || (feed && i > 0 && !site->individual_feeds))
-			continue;
-		curve[n] = psd;
-		run[n++] = &site->run[i];
-	}
+	double *speed = xdoubles(site->n_run);
+	char buf[40];
+	size_t n = gather(site, feed, curve, speed, 0);
 	struct smooth_outlier o = smooth_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
-	if (fabs(o.off) > most) {
-		char buf[40];
-		bool shared = feed && !site->individual_feeds;
-		finding(r, entry, false,
-		    place(shared ? 0 : run[o.curve]->speed, buf),
+	if (fabs(o.off) > most)
+		finding(r, entry, false, place(speed[o.curve], buf),
 		    "%s passing %g %% at %g mm is %.1f points %s a line "
 		    "between its neighbours%s: were digits transposed?",
 		    feed ? "feed" : "product",
@@ -311,9 +308,8 @@ check_smooth(struct answer *r, const struct entry *entry, bool feed)
 		    units_mm(curve[o.curve]->size[o.sieve]), 100 * fabs(o.off),
 		    o.off > 0 ? "above" : "below",
 		    o.others > 0 ? ", compared with the other runs" : "");
-	}
 	free(curve);
-	free(run);
+	free(speed);
 }
 
 /* A cell that neither its neighbours nor the other runs give away may lie off

@@ -240,15 +240,11 @@ number(const struct command_option *option, const char *word, double *value,
 	bool ok = value_number(word, option->unit, value);
 	const char *in = option->unit[0] != '\0' ? " in " : "";
 	const char *space = option->unit[0] != '\0' ? " " : "";
-	if (!ok && option->kind == VALUE_NUMBER && strchr(word, ',') != NULL) {
-		error_set(error, ERROR_USAGE, "%s: expected a number, got '%s'",
-		    option->name, word);
-		return hint_number(option, word, error);
-	}
+	bool comma = option->kind == VALUE_NUMBER && strchr(word, ',') != NULL;
 	if (!ok) {
 		error_set(error, ERROR_USAGE,
-		    "%s: expected a number%s%s, got '%s'", option->name, in,
-		    option->unit, word);
+		    "%s: expected a number%s%s, got '%s'", option->name,
+		    comma ? "" : in, comma ? "" : option->unit, word);
 		return hint_number(option, word, error);
 	}
 	if (*value < option->least || *value > option->most) {
@@ -635,16 +631,14 @@ parse_call(const struct words *words, struct place place, struct args *args,
 	}
 	args->command = command;
 	for (size_t i = 1; i < words->n; i++) {
-		if (command->setting != NULL && i + 1 == words->n &&
-		    lacks_value(command, words->text[i], error)) {
-			put_place(error, place, command, words, i);
-			return NULL;
-		}
-		bool pair = command->setting != NULL && i + 1 < words->n &&
-			    strchr(words->text[i], '=') == NULL;
-		bool ok = pair ? take_pair(words->text[i], words->text[i + 1],
-				     args, error)
-			       : take_argument(words->text[i], args, error);
+		const char *word = words->text[i];
+		bool set = command->setting != NULL, last = i + 1 == words->n;
+		bool pair = set && !last && strchr(word, '=') == NULL;
+		bool ok =
+		    pair
+			? take_pair(word, words->text[i + 1], args, error)
+			: !(set && last && lacks_value(command, word, error)) &&
+			      take_argument(word, args, error);
 		if (!ok) {
 			put_place(error, place, command, words, i);
 			return NULL;

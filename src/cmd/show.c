@@ -160,14 +160,6 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	return session_answer(s, r);
 }
 
-static void
-model_row(
-    struct answer *r, const struct breakage *of, const struct param_info *info)
-{
-	answer_cells(r, "%s %s %s %g %g %s", of->name, info->name, info->unit,
-	    info->lower, info->upper, info->meaning);
-}
-
 /* For people a row a model, for programs one for each parameter. */
 static bool
 show_models(struct session *s, const struct args *args, struct error *error)
@@ -183,8 +175,12 @@ show_models(struct session *s, const struct args *args, struct error *error)
 	answer_for_programs(r);
 	answer_columns(r, "model, parameter, unit, lower, upper, meaning");
 	for (size_t m = 0; m < breakage_count(); m++)
-		for (size_t j = 0; j < BREAKAGES[m]->n; j++)
-			model_row(r, BREAKAGES[m], &BREAKAGES[m]->parameter[j]);
+		for (size_t j = 0; j < BREAKAGES[m]->n; j++) {
+			const struct param_info *p =
+			    &BREAKAGES[m]->parameter[j];
+			answer_cells(r, "%s %s %s %g %g %s", BREAKAGES[m]->name,
+			    p->name, p->unit, p->lower, p->upper, p->meaning);
+		}
 	answer_note(r, "'set model NAME; bounds' lists the parameters of one, "
 		       "'man model' says what they mean");
 	return session_answer(s, r);
@@ -286,13 +282,9 @@ static void
 note_passing(struct answer *r, const struct breaker *b, const struct site *site)
 {
 	char *text = xstrdup("");
-	for (int i = 1; i < 10; i++) {
-		char *more =
-		    xasprintf("%s%s1/%d: %.1f %%", text, i > 1 ? ", " : "",
-			1 << i, 100 * answers_finer(b, ldexp(1, -i), site));
-		free(text);
-		text = more;
-	}
+	for (int i = 1; i < 10; i++)
+		xlist(&text, ", ", "1/%d: %.1f %%", 1 << i,
+		    100 * answers_finer(b, ldexp(1, -i), site));
 	answer_note(r,
 	    "B(u), the share of a broken particle finer than u times its size, "
 	    "as used by the method continuous: %s; nothing is finer than "
