@@ -9,6 +9,7 @@
 
 #include <curses.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/band.h"
@@ -61,15 +62,12 @@ next_focus(struct tui *t)
 static void
 propose_file(const struct tui *t, char **line)
 {
-	const struct entry *entry = tui_entry(t);
-	char *key = xstrdup(entry != NULL ? entry->key : "");
-	for (char *p = key; *p != '\0'; p++)
-		if (*p == '/')
-			*p = '-';
-	if (key[0] != '\0')
-		xappend(line, "%s-%.1f.%s", key, t->tenths / 10.0,
-		    t->pin.site[0] != '\0' ? "svg" : "csv");
-	free(key);
+	if (tui_entry(t) == NULL)
+		return;
+	char *name = text_slug(tui_entry(t)->key);
+	xappend(line, "%s-%.1f.%s", name, t->tenths / 10.0,
+	    t->pin.site[0] != '\0' ? "svg" : "csv");
+	free(name);
 }
 
 /* The command of a key that has one, with the speed or the picture in it.  The
