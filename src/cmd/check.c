@@ -86,13 +86,13 @@ finding(struct answer *r, const struct entry *entry, bool fault,
 	free(text);
 }
 
-/* Where a finding is: "69 m/s"; of the feed of all runs, 0: "feed". */
+/* Where a finding is: "69 m/s"; of the feed of all runs, NULL: "feed". */
 static const char *
-place(double speed, char buf[static 40])
+place(const struct run *run, char buf[static 40])
 {
-	if (!(speed > 0))
+	if (run == NULL || !(run->speed > 0))
 		return "feed";
-	snprintf(buf, 40, "%g m/s", speed);
+	snprintf(buf, 40, "%g m/s", run->speed);
 	return buf;
 }
 
@@ -101,7 +101,7 @@ check_run(struct answer *r, const struct entry *entry, const struct run *run)
 {
 	struct coarser c = find_coarser(run);
 	char buf[40];
-	const char *where = place(run->speed, buf);
+	const char *where = place(run, buf);
 	bool fault = c.most > COARSER_FAULT;
 	if (c.sieves > 0)
 		finding(r, entry, fault, where,
@@ -243,18 +243,18 @@ find_gap(const struct psd *const *curve, size_t n, size_t at)
 }
 
 /* Adds the feeds of a site, or its products, to the n curves that there are,
- * with the speed of each (0: of all runs).  Returns how many there are then. */
+ * with the run of each (NULL: of all).  Returns how many there are then. */
 static size_t
 gather(const struct site *site, bool feed, const struct psd **curve,
-    double *speed, size_t n)
+    const struct run **run, size_t n)
 {
 	for (size_t i = 0; i < site->n_run; i++) {
-		const struct run *run = &site->run[i];
-		const struct psd *psd = feed ? &run->feed : &run->product;
+		const struct run *its = &site->run[i];
+		const struct psd *psd = feed ? &its->feed : &its->product;
 		bool shared = feed && !site->individual_feeds;
 		if (psd->n == 0 || (shared && i > 0))
 			continue;
-		speed[n] = shared ? 0 : run->speed;
+		run[n] = shared ? NULL : its;
 		curve[n++] = psd;
 	}
 	return n;
@@ -268,20 +268,20 @@ check_gaps(struct answer *r, const struct entry *entry)
 	const struct site *site = entry->site;
 	char buf[40];
 	const struct psd **curve = xcalloc(2 * site->n_run, sizeof(*curve));
-	double *speed = xdoubles(2 * site->n_run);
-	size_t feeds = gather(site, true, curve, speed, 0);
-	size_t n = gather(site, false, curve, speed, feeds);
+	const struct run **run = xcalloc(2 * site->n_run, sizeof(*run));
+	size_t feeds = gather(site, true, curve, run, 0);
+	size_t n = gather(site, false, curve, run, feeds);
 	for (size_t i = 0; i < n && n > 2; i++) {
 		double x = find_gap(curve, n, i);
 		if (x > 0)
-			finding(r, entry, false, place(speed[i], buf),
+			finding(r, entry, false, place(run[i], buf),
 			    "the %s's cell at %g mm is empty, and no other in "
 			    "its row: if it was weighed in grams and "
 			    "forgotten, the whole curve is wrong",
 			    i < feeds ? "feed" : "product", units_mm(x));
 	}
 	free(curve);
-	free(speed);
+	free(run);
 }
 
 /* The one cell of the products (or the feeds) that stands out most.  The rule:
@@ -294,13 +294,13 @@ check_smooth(struct answer *r, const struct entry *entry, bool feed)
 {
 	const struct site *site = entry->site;
 	const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
-	double *speed = xdoubles(site->n_run);
+	const struct run **run = xcalloc(site->n_run, sizeof(*run));
 	char buf[40];
-	size_t n = gather(site, feed, curve, speed, 0);
+	size_t n = gather(site, feed, curve, run, 0);
 	struct smooth_outlier o = smooth_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
 	if (fabs(o.off) > most)
-		finding(r, entry, false, place(speed[o.curve], buf),
+		finding(r, entry, false, place(run[o.curve], buf),
 		    "%s passing %g %% at %g mm is %.1f points %s a line "
 		    "between its neighbours%s: were digits transposed?",
 		    feed ? "feed" : "product",
@@ -309,7 +309,7 @@ check_smooth(struct answer *r, const struct entry *entry, bool feed)
 		    o.off > 0 ? "above" : "below",
 		    o.others > 0 ? ", compared with the other runs" : "");
 	free(curve);
-	free(speed);
+	free(run);
 }
 
 /* A cell that neither its neighbours nor the other runs give away may lie off
@@ -322,7 +322,7 @@ check_fit(struct answer *r, const struct entry *entry)
 		return;
 	const struct run *run = &entry->site->run[v.run];
 	char buf[40];
-	finding(r, entry, false, place(v.speed, buf),
+	finding(r, entry, false, place(run, buf),
 	    "product passing %g %% at %g mm is %.1f points %s the calibrated "
 	    "product: were digits transposed, here or in a neighbouring cell?",
 	    units_pct(psd_passing(&run->product, v.worst_sieve)),
