@@ -97,7 +97,7 @@ struct parts {
 	struct params best;
 };
 
-/* The paper's full run without calibrate.c: the candidates are bred before the
+/* The paper's full run without calibrate.c: the candidates are made before the
  * clock of the kernel starts. */
 static struct parts
 drive(const struct site *site, const struct calibrate_options *full)

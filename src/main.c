@@ -103,8 +103,8 @@ take_option(
 	}
 }
 
-/* Told here and not by getopt, which would write the word as it is.  word: the
- * argument gone through last; a letter in the middle of one is told alone. */
+/* Reported here and not by getopt, which would write the word as it is.  word:
+ * the argument read last; a letter in the middle of one is reported alone. */
 static bool
 refuse_option(
     int option, const char *letters, const char *word, struct error *error)

@@ -105,7 +105,7 @@ error_add(struct error_list *list)
 	return &beyond;
 }
 
-/* Lines that fit stay as they are, blanks and all: they may quote somebody. */
+/* Lines that fit stay as they are, spaces and all: they may quote somebody. */
 static void
 print_line(char *line, bool wrap, int margin, FILE *out)
 {

@@ -53,7 +53,7 @@ bool error_say(struct error *e, enum error_kind kind, const char *file,
 void error_place(struct error *e, const char *file, int line, int column);
 
 /* The same for one of a file as a whole, which the text then names: a script is
- * where it is told. */
+ * where it is reported. */
 void error_told_at(struct error *e, const char *file, int line, int column);
 
 /* Another hint for an error already set.  Returns false. */
@@ -65,7 +65,7 @@ bool error_hint(struct error *e, const char *format, ...)
 struct error *error_add(struct error_list *list);
 
 /* "file:line:column: text" and, where there is one, the hint below it.  A hint
- * goes on behind a margin where the screen ends; the text, which programs may
+ * goes on after a margin where the screen ends; the text, which programs may
  * read, on a terminal only. */
 void error_print(const struct error *e, FILE *out);
 

@@ -17,7 +17,7 @@
 
 enum { SPINS = 60000 }; /* looks for work before going to sleep: some 10 us */
 
-/* What a thread is told when it starts. */
+/* What a thread is given when it starts. */
 struct worker {
 	struct pool *pool;
 	unsigned number;

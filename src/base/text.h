@@ -9,7 +9,7 @@
 #include <stdio.h>
 
 /* Read all of s as a decimal number with a point ("11.2", "1e-3"), whatever
- * the locale.  Blanks around it are allowed; hex, "inf" and "nan" are not. */
+ * the locale.  Spaces around it are allowed; hex, "inf" and "nan" are not. */
 bool text_number(const char *s, double *value);
 
 /* Read all of s as a whole number from 0 to 2^64-1. */
@@ -18,7 +18,7 @@ bool text_whole(const char *s, uint64_t *value);
 /* Shortest decimal form that reads back as the same double; buf of 32. */
 const char *text_exact(double value, char buf[static 32]);
 
-/* Without blanks at both ends, in place; returns a pointer into s. */
+/* Without spaces at both ends, in place; returns a pointer into s. */
 char *text_trim(char *s);
 
 /* A copy in small letters with the accents of Latin letters taken off, so that
@@ -35,7 +35,7 @@ char *text_slug(const char *s);
 char *text_unquoted(const char *s, size_t n);
 
 /* Whether a spreadsheet may take a cell for a formula: one that begins with one
- * of = + - @ and is no number and no sign alone.  A sheet has such text behind
+ * of = + - @ and is no number and no sign alone.  A sheet has such text after
  * an apostrophe, which its reader takes off; so text that begins with
  * apostrophes and then one of those gets one more. */
 bool text_is_formula(const char *s);
@@ -46,13 +46,13 @@ bool text_ends(const char *s, const char *end);
 /* Same word but for case and accents. */
 bool text_same(const char *a, const char *b);
 
-/* Index of a word in a list with blanks between; false if it has none such. */
+/* Index of a word in a list with spaces between; false if it has none such. */
 bool text_choice(const char *list, const char *word, size_t *index);
 
 /* Number of single-letter edits between a and b (Damerau-Levenshtein). */
 size_t text_distance(const char *a, const char *b);
 
-/* The code point at *text, which moves behind it; U+FFFD for a byte that is no
+/* The code point at *text, which moves after it; U+FFFD for a byte that is no
  * UTF-8.  Not to be asked at the end of a text. */
 uint32_t text_next(const char **text);
 
@@ -65,12 +65,12 @@ int text_columns(uint32_t code);
 
 /* Text may be somebody else's: a name, a sheet, a store.  What a terminal would
  * act on (controls of both kinds), what turns other text around or is not seen
- * (marks of direction, line separators, blanks without width), and what is no
+ * (marks of direction, line separators, spaces without width), and what is no
  * text (bytes that are not UTF-8, U+FFFE, U+FFFF) is shown as \x1b, \u202e or
  * \U000e0001.  Whatever is printed for people comes through here, and what
  * comes out may stand in XML.
  *
- * text_show: the character at *text, which moves behind it, as it is shown;
+ * text_show: the character at *text, which moves after it, as it is shown;
  * returns its columns.  text_shown: a whole text, which the caller frees.
  * text_put: prints it.  text_width: its columns. */
 enum { TEXT_SHOWN = 12 };
@@ -84,18 +84,18 @@ int text_width(const char *s);
 bool text_is_plain(const char *s);
 bool text_is_hidden(uint32_t code);
 
-/* Prints text as shown in lines of at most width columns, broken at blanks,
- * each behind margin blanks; blanks at its start widen the margin. */
+/* Prints text as shown in lines of at most width columns, broken at spaces,
+ * each after margin spaces; spaces at its start widen the margin. */
 void text_wrap(const char *text, int margin, int width, FILE *out);
 
-/* The same with the first line behind first blanks. */
+/* The same with the first line after first spaces. */
 void text_hang(const char *text, int first, int margin, int width, FILE *out);
 
 /* The lines of text_wrap as one string, which the caller frees. */
 char *text_wrapped(const char *text, int width);
 
 /* Adds the next line of `in`, its end included, to *text, which has *n bytes
- * and room for *room, and a NUL behind it.  A line has no end where the file
+ * and room for *room, and a NUL after it.  A line has no end where the file
  * ends, or cannot be read on (ferror); what would be longer than 10 MB is not
  * read. */
 enum text_line { TEXT_LINE, TEXT_END, TEXT_TOO_LONG };

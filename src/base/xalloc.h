@@ -22,7 +22,7 @@ char *xvasprintf(const char *format, va_list ap)
     __attribute__((format(printf, 1, 0)));
 
 /* Adds to the end of a text that one of these gave; to a list that is not
- * empty, behind the separator. */
+ * empty, after the separator. */
 void xappend(char **text, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void xlist(char **list, const char *separator, const char *format, ...)

@@ -66,7 +66,7 @@ void answers_keep(
 enum { ANSWERS_P20, ANSWERS_P50, ANSWERS_P80, ANSWERS_BREAK, ANSWERS_SIZES };
 
 /* What assert knows by a name of its own: a field of the newest answer of one
- * of these commands, with a blank between two. */
+ * of these commands, with a space between two. */
 struct asserted {
 	const char *name, *from, *path;
 };

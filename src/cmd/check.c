@@ -1,4 +1,4 @@
-/* check: the sheet doctor.  It reports and mends nothing.
+/* check: the search for faults in site files.  It reports and changes nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/check.h"
 
@@ -288,6 +288,24 @@ find_gap(const struct psd *const *curve, size_t n, size_t at)
 	return 0;
 }
 
+/* Adds the feeds of a site, or its products, to the n curves that there are,
+ * with the run of each (NULL: of all).  Returns how many there are then. */
+static size_t
+gather(const struct site *site, bool feed, const struct psd **curve,
+    const struct run **run, size_t n)
+{
+	for (size_t i = 0; i < site->n_run; i++) {
+		const struct run *its = &site->run[i];
+		const struct psd *psd = feed ? &its->feed : &its->product;
+		bool shared = feed && !site->individual_feeds;
+		if (psd->n == 0 || (shared && i > 0))
+			continue;
+		run[n] = shared ? NULL : its;
+		curve[n++] = psd;
+	}
+	return n;
+}
+
 /* A cell that is empty where all others of its row are full: of grams, what is
  * forgotten is missing from the whole. */
 static void
@@ -295,28 +313,18 @@ check_gaps(struct answer *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	char buf[40];
-	size_t n = 0, feeds = site->individual_feeds ? site->n_run : 1;
-	const struct psd **curve = xcalloc(site->n_run + feeds, sizeof(*curve));
-	const struct run **run = xcalloc(site->n_run + feeds, sizeof(*run));
-	for (size_t i = 0; i < feeds; i++) {
-		run[n] = site->individual_feeds ? &site->run[i] : NULL;
-		curve[n++] = &site->run[i].feed;
-	}
-	for (size_t i = 0; i < site->n_run; i++) {
-		run[n] = &site->run[i];
-		if (site->run[i].product.n > 0)
-			curve[n++] = &site->run[i].product;
-	}
+	const struct psd **curve = xcalloc(2 * site->n_run, sizeof(*curve));
+	const struct run **run = xcalloc(2 * site->n_run, sizeof(*run));
+	size_t feeds = gather(site, true, curve, run, 0);
+	size_t n = gather(site, false, curve, run, feeds);
 	for (size_t i = 0; i < n && n > 2; i++) {
 		double x = find_gap(curve, n, i);
-		if (x == 0)
-			continue;
-		bool feed = i < feeds;
-		finding(r, entry, false, place(run[i], buf),
-		    "the %s's cell at %g mm is empty, and no other in its row: "
-		    "if it was weighed in grams and forgotten, the whole curve "
-		    "is wrong",
-		    feed ? "feed" : "product", units_mm(x));
+		if (x > 0)
+			finding(r, entry, false, place(run[i], buf),
+			    "the %s's cell at %g mm is empty, and no other in "
+			    "its row: if it was weighed in grams and "
+			    "forgotten, the whole curve is wrong",
+			    i < feeds ? "feed" : "product", units_mm(x));
 	}
 	free(curve);
 	free(run);
@@ -333,22 +341,12 @@ check_smooth(struct answer *r, const struct entry *entry, bool feed)
 	const struct site *site = entry->site;
 	const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
 	const struct run **run = xcalloc(site->n_run, sizeof(*run));
-	size_t n = 0;
-	for (size_t i = 0; i < site->n_run; i++) {
-		const struct psd *psd =
-		    feed ? &site->run[i].feed : &site->run[i].product;
-		if (psd->n == 0 || (feed && i > 0 && !site->individual_feeds))
-			continue;
-		curve[n] = psd;
-		run[n++] = &site->run[i];
-	}
+	char buf[40];
+	size_t n = gather(site, feed, curve, run, 0);
 	struct smooth_outlier o = smooth_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
-	if (fabs(o.off) > most) {
-		char buf[40];
-		bool shared = feed && !site->individual_feeds;
-		finding(r, entry, false,
-		    place(shared ? NULL : run[o.curve], buf),
+	if (fabs(o.off) > most)
+		finding(r, entry, false, place(run[o.curve], buf),
 		    "%s passing %g %% at %g mm is %.1f points %s a line "
 		    "between its neighbours%s: were digits transposed?",
 		    feed ? "feed" : "product",
@@ -356,7 +354,6 @@ check_smooth(struct answer *r, const struct entry *entry, bool feed)
 		    units_mm(curve[o.curve]->size[o.sieve]), 100 * fabs(o.off),
 		    o.off > 0 ? "above" : "below",
 		    o.others > 0 ? ", compared with the other runs" : "");
-	}
 	free(curve);
 	free(run);
 }
@@ -379,7 +376,7 @@ check_fit(struct answer *r, const struct entry *entry)
 	    v.worst_difference < 0 ? "above" : "below");
 }
 
-/* Other loaded sites with the very same numbers. */
+/* Other loaded sites with the same numbers. */
 static void
 check_twins(struct session *s, struct answer *r, size_t index)
 {

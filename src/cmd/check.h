@@ -1,4 +1,4 @@
-/* What check finds that is told elsewhere too.
+/* What check finds that is reported elsewhere too.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_CHECK_H
 #define TIPSPEED_CMD_CHECK_H

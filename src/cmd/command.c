@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "core/breakage.h"
 
 /* In the order of help and manual. */
 static const struct {
@@ -111,13 +112,51 @@ command_nearest(const char *name)
 	return nearest;
 }
 
+/* Adds a model's parameters to those of the models before it. */
+static void
+add_parameters(const struct breakage *model, struct command_option *row)
+{
+	bool own = model != BREAKAGES[0] && !model->bypass;
+	for (size_t j = 0; j < model->n; j++) {
+		const struct param_info *p = &model->parameter[j];
+		size_t i = 0;
+		while (i < OPTIONS && row[i].name != NULL &&
+		       strcmp(row[i].name, p->name) != 0)
+			i++;
+		assert(i < OPTIONS);
+		if (row[i].name != NULL)
+			continue;
+		row[i] = (struct command_option){.name = p->name,
+		    .kind = VALUE_NUMBER,
+		    .unit = strcmp(p->unit, "-") == 0 ? "" : p->unit,
+		    .least = p->least,
+		    .most = p->most,
+		    .fallback = "",
+		    .brief =
+			own ? xasprintf("%s, model %s", p->meaning, model->name)
+			    : xstrdup(p->meaning)};
+	}
+}
+
+/* The parameters of all models as options, made when first asked for. */
+static const struct command_option *
+parameters(size_t i)
+{
+	static struct command_option row[OPTIONS + 1];
+	bool made = row[0].name != NULL;
+	for (size_t m = 0; !made && m < breakage_count(); m++)
+		add_parameters(BREAKAGES[m], row);
+	return &row[i];
+}
+
 const struct command_option *
 command_option_at(const struct command *command, size_t i)
 {
 	const struct command_option *o =
-	    command->setting != NULL  ? &command->setting[i].option
-	    : command->option != NULL ? &command->option[i]
-				      : NULL;
+	    command->flags & COMMAND_PARAMS ? parameters(i)
+	    : command->setting != NULL      ? &command->setting[i].option
+	    : command->option != NULL       ? &command->option[i]
+					    : NULL;
 	return o != NULL && o->name != NULL ? o : NULL;
 }
 
@@ -142,7 +181,7 @@ placeholder(const struct command_option *o)
 	case VALUE_WHOLE:
 		return "N";
 	case VALUE_CHOICE:
-		return o->choices;
+		return option_choices(o);
 	case VALUE_FILE:
 		return "FILE";
 	default:
@@ -178,6 +217,13 @@ limit_text(double limit)
 	return xasprintf(fabs(limit) >= 1e5 ? "%.0f" : "%g", limit);
 }
 
+const char *
+option_choices(const struct command_option *o)
+{
+	return o->kind == VALUE_CHOICE && o->choices == NULL ? breakage_names()
+							     : o->choices;
+}
+
 char *
 command_limits(const struct command_option *o)
 {
@@ -187,7 +233,7 @@ command_limits(const struct command_option *o)
 		return xstrdup("file");
 	if (o->kind == VALUE_CHOICE) {
 		char *list = xstrdup("");
-		for (const char *c = o->choices; *c != '\0'; c++)
+		for (const char *c = option_choices(o); *c != '\0'; c++)
 			xappend(&list, *c == ' ' ? ", " : "%c", *c);
 		return list;
 	}

@@ -30,8 +30,7 @@ struct command_option {
 	enum value_kind kind;
 	const char *unit;     /* "m/s"; "" where there is none */
 	double least, most;   /* of numbers */
-	const char *choices;  /* "on off"; of numbers, what may stand instead;
-			       * of text as in `expect` below */
+	const char *choices;  /* see option_choices */
 	const char *fallback; /* default, as typed; "" where there is none */
 	const char *brief;
 };
@@ -54,7 +53,7 @@ struct value {
 	double *list;
 };
 
-enum { OPTIONS = 16, OPERANDS = 256, EXPECTS = 5 };
+enum { OPTIONS = 24, OPERANDS = 256, EXPECTS = 5 };
 
 /* A parsed call.  value[i] belongs to the command's option i; an option with a
  * fallback that was not given has the fallback's value and given = false. */
@@ -77,12 +76,13 @@ enum command_flag {
 	COMMAND_LATEST = 16,  /* of several in a row save keeps the last */
 	COMMAND_DRAWS = 32,   /* may write into a picture's file */
 	COMMAND_AT_SITE = 64, /* needs a site to work on */
-	COMMAND_LOOKS = 128   /* what it changes alone is not worth keeping */
+	COMMAND_LOOKS = 128,  /* what it changes alone is not worth keeping */
+	COMMAND_PARAMS = 256  /* its options are the models' parameters */
 };
 
 /* What a command works on: as shown in usage, or NULL; at least `least` and at
  * most `most` of them.  expect: what completion offers for the first, the
- * second ...; the last one holds for all further ones.  Words between blanks:
+ * second ...; the last one holds for all further ones.  Words between spaces:
  * one in capitals stands for what there is (see KINDS in complete.c), others
  * for themselves. */
 struct command_operands {
@@ -145,6 +145,11 @@ char *command_usage(const struct command *command);
 
 /* "brief (limits), default D": an option in words.  The caller frees. */
 char *command_option_words(const struct command_option *option);
+
+/* The words of an option: "on off"; of one of text as `expect` of operands; of
+ * numbers, what may stand instead; or NULL.  A choice without any is one of the
+ * breakage models. */
+const char *option_choices(const struct command_option *option);
 
 /* What an option may be: "1 to 200 m/s", "on, off".  The caller frees. */
 char *command_limits(const struct command_option *option);

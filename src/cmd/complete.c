@@ -183,7 +183,7 @@ offer_kind(struct work *w, const char *word)
 	KINDS[i].offer(w);
 }
 
-/* A list of words between blanks: kinds in capitals, others as they are. */
+/* A list of words between spaces: kinds in capitals, others as they are. */
 static void
 offer_words(struct work *w, const char *list)
 {
@@ -212,8 +212,8 @@ offer_operand(struct work *w, const struct command *command, size_t i)
 static void
 offer_values(struct work *w, const struct command_option *o, bool further)
 {
-	if (o->choices != NULL && !further)
-		offer_words(w, o->choices);
+	if (option_choices(o) != NULL && !further)
+		offer_words(w, option_choices(o));
 	else if (o->kind == VALUE_FILE)
 		offer_files(w);
 	if (strcmp(o->unit, "m/s") == 0)
@@ -268,7 +268,7 @@ offer_arguments(
 	offer_operand(w, command, used->n_operand);
 }
 
-/* Narrows the completion to what is behind a character of the word. */
+/* Narrows the completion to what is after a character of the word. */
 static void
 narrow(struct work *w, const char *line, const char *behind)
 {

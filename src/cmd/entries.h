@@ -6,10 +6,10 @@
 #include "cmd/session.h"
 
 /* Adds a site, which the session then owns, and makes it the one in use.  It
- * takes the place of a site that was read from the same file. */
+ * replaces a site that was read from the same file. */
 void session_add(struct session *s, struct site *site);
 
-/* Takes a site out of those loaded, and lets go of a calibration of it. */
+/* Takes a site out of those loaded, and discards a calibration of it. */
 void session_drop(struct session *s, size_t index);
 
 /* Finds a loaded site by name without case and accents ("borlange"), by name

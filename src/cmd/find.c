@@ -1,5 +1,5 @@
-/* find: the tip speed that gives a wanted product; spec: a product held against
- * a grading envelope.
+/* find: the tip speed that gives a wanted product; spec: a product compared
+ * with a grading envelope.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
@@ -23,7 +23,7 @@ struct grading {
 };
 
 /* Reads the file; feed: the run of the site in use whose feed to take.  Faults
- * of the file are told as session_load does. */
+ * of the file are reported as session_load does. */
 static bool
 grading_open(struct session *s, const char *path, size_t feed,
     struct grading *grading, struct error *error)
@@ -87,7 +87,7 @@ grading_rows(struct answer *r, struct grading *grading, double v)
 		    verdict(grading, i));
 }
 
-/* Where the limits are from, and which sieves are not judged. */
+/* Where the limits are from, and which sieves are not checked. */
 static void
 grading_notes(struct answer *r, const struct grading *grading)
 {

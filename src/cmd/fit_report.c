@@ -73,25 +73,52 @@ explain_nothing(struct answer *r, const struct entry *entry)
 	    fastest->speed, units_mm(x), 100 * coarser);
 }
 
+/* The range of a parameter: that of its bounds, of the gauge's scaled to 1. */
+static double
+range_of(const struct fit *fit, const struct bounds *bounds, size_t j)
+{
+	return j < breakage_of(&fit->params)->gauge
+		   ? 2
+		   : bounds->upper[j] - bounds->lower[j];
+}
+
+/* Whether all poorly determined parameters stay within their bounds with the
+ * step as it is (sign 1) or reversed (-1). */
+static bool
+step_fits(const struct fit *fit, const struct bounds *bounds, double sign)
+{
+	const struct breakage *of = breakage_of(&fit->params);
+	bool fits = true;
+	for (size_t j = of->gauge; j < of->n; j++) {
+		double x = fit->params.at[j] +
+			   sign * fit->flat.part[j] * range_of(fit, bounds, j);
+		if (fit_is_flat(fit, j))
+			fits = fits && x >= bounds->lower[j] &&
+			       x <= bounds->upper[j];
+	}
+	return fits;
+}
+
 /* Names the parameters that can go far together for a tenth more misfit, each
- * with its step; all signs may be turned.  Steps beyond the search range say no
- * more than that the data are silent. */
+ * with its step, in a direction that the bounds allow.  Steps beyond the bounds
+ * either way say no more than that the data are silent. */
 static void
 add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 {
 	char *list = xstrdup("");
 	size_t n = 0;
-	bool silent = fit->flat.reach > 1;
+	bool ahead = step_fits(fit, bounds, 1),
+	     back = step_fits(fit, bounds, -1);
+	bool silent = fit->flat.reach > 1 || (!ahead && !back);
 	const struct breakage *of = breakage_of(&fit->params);
 	for (size_t j = 0; j < of->n; j++) {
-		double part = fit->flat.part[j];
-		double range =
-		    j < of->gauge ? 2 : bounds->upper[j] - bounds->lower[j];
 		if (!fit_is_flat(fit, j))
 			continue;
 		xlist(&list, ", ", "%s", of->parameter[j].name);
 		if (!silent)
-			xappend(&list, " by %+.2g", part * range);
+			xappend(&list, " by %+.2g",
+			    (ahead ? 1 : -1) * fit->flat.part[j] *
+				range_of(fit, bounds, j));
 		n++;
 	}
 	if (silent)
@@ -99,12 +126,14 @@ add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 		    "poorly determined: the data hardly constrain %s; rely on "
 		    "the curves, not on single parameters",
 		    list);
-	else if (list[0] != '\0')
+	else if (n > 0)
 		answer_say(r, ANSWER_REMARK,
-		    "poorly determined%s: changing %s%s raises the misfit by "
+		    "poorly determined%s: changing %s%s%s raises the misfit by "
 		    "only 10 %%; rely on the curves, not on single parameters",
-		    n > 1 ? " combination" : "", list,
-		    n > 1 ? " together (or all reversed)" : " or the reverse");
+		    n > 1 ? " combination" : "", list, n > 1 ? " together" : "",
+		    !ahead || !back ? ""
+		    : n > 1         ? " (or all reversed)"
+				    : " or the reverse");
 	free(list);
 }
 

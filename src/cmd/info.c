@@ -107,7 +107,8 @@ tells_of(const struct command *c, const char *folded)
 	const struct command_option *o;
 	for (size_t i = 0; !found && (o = command_option_at(c, i)) != NULL; i++)
 		found = holds(o->name, folded) || holds(o->brief, folded) ||
-			(o->choices != NULL && holds(o->choices, folded));
+			(option_choices(o) != NULL &&
+			    holds(option_choices(o), folded));
 	return found;
 }
 

@@ -26,6 +26,7 @@ struct invocation {
 	struct snapshot *before; /* or NULL where it changes nothing */
 	size_t state;            /* of the journal when it began */
 	size_t steps;            /* that could be undone then */
+	bool joins;              /* is undone with the step before */
 	bool stopped;            /* its calibration was, after */
 	size_t stopped_at;       /* so many steps */
 	struct error late;       /* of handing over */
@@ -162,6 +163,12 @@ invocation_stopped(struct session *s, size_t steps)
 }
 
 void
+invocation_joins(struct session *s)
+{
+	s->invocation->joins = true;
+}
+
+void
 invocation_adds(struct session *s, const char *option, const char *value)
 {
 	xappend(&s->invocation->line, " %s=%s", option, value);
@@ -194,7 +201,7 @@ record(struct session *s, const struct invocation *t, bool changed)
 {
 	bool elsewhere = is_redirected(t),
 	     latest = (t->command->flags & COMMAND_LATEST) != 0;
-	/* What is asked while a calibration runs hangs on the moment. */
+	/* What is asked while a calibration runs depends on the moment. */
 	bool between = session_busy(s) && s->job.invocation != t;
 	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
 	    between || came_to_nothing(t))
@@ -264,10 +271,12 @@ invocation_end(struct session *s, bool ok, struct error *error)
 		error_told_at(error, t->place.file, t->place.line, t->column);
 		ok = false;
 	}
-	if (changed)
+	if (changed && !t->joins)
 		undo_push(s, t->before, t->steps, floor_of(t), t->label);
 	else
 		snapshot_free(t->before);
+	if (changed)
+		s->job.newest = t->stopped;
 	if (t->timed && s->set.timing)
 		session_note(s, "%s: %.3f s", t->command->name,
 		    session_clock() - t->started);

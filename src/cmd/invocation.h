@@ -27,6 +27,9 @@ bool invocation_over(const struct session *s);
  * came to nothing. */
 void invocation_stopped(struct session *s, size_t steps);
 
+/* What the command that runs changes is undone with the step before it. */
+void invocation_joins(struct session *s);
+
 /* The command that runs is saved with this option, which it was not given. */
 void invocation_adds(struct session *s, const char *option, const char *value);
 
@@ -35,7 +38,7 @@ void invocation_adds(struct session *s, const char *option, const char *value);
 void invocation_saved(struct session *s);
 
 /* A command that only asked was done without an invocation of its own: its line
- * is saved in the place of the one before of that name. */
+ * is saved instead of the one before of that name. */
 void invocation_asked(struct session *s, const char *command, const char *line);
 
 /* The innermost command is over: its results are handed over.  ok: it did what

@@ -169,7 +169,7 @@ show_fit(struct session *s)
 			      calibration_bounds(s->job.calibration), seconds));
 }
 
-/* "alpha on bound; twin of ubbarp; poor". */
+/* "alpha at bound; same data as ubbarp; poor". */
 static char *
 remarks(const struct session *s, const struct entry *entry)
 {
@@ -327,6 +327,17 @@ session_step(struct session *s)
 		session_pause(s);
 }
 
+/* The misfit of the site's fit where that is one of the same runs, so that the
+ * two compare; else INFINITY. */
+static double
+former_misfit(const struct entry *entry, const struct job *job)
+{
+	bool same =
+	    entry->has_fit && memcmp(entry->train, job->train,
+				  entry->site->n_run * sizeof *job->train) == 0;
+	return same ? entry->fit.misfit : INFINITY;
+}
+
 void
 session_pause(struct session *s)
 {
@@ -338,6 +349,8 @@ session_pause(struct session *s)
 		return;
 	}
 	struct calibrate_status st = calibration_status(s->job.calibration);
+	const struct entry *entry = &s->entry[s->job.entry];
+	double former = former_misfit(entry, &s->job);
 	/* Before its first generation there is nothing to keep. */
 	if (st.generation > 0)
 		s->job.rounds->take(s);
@@ -349,9 +362,14 @@ session_pause(struct session *s)
 	s->job.paused = true;
 	s->job.stopped = session_clock();
 	session_note(s,
-	    "stopped at generation %zu of %zu, best misfit %.4g kept; "
-	    "continue, accept or calibrate again",
-	    st.generation, s->job.options.generations, st.best);
+	    "stopped at generation %zu of %zu, best misfit %.4g kept: "
+	    "continue, accept, undo or calibrate again",
+	    st.generation, s->job.options.generations, entry->fit.misfit);
+	if (entry->fit.misfit > former)
+		session_note(s,
+		    "the former fit was better (misfit %.4g): 'undo' brings "
+		    "it back",
+		    former);
 }
 
 void
@@ -587,6 +605,9 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 		    "pause: expected a generation after %zu, which is done",
 		    s->job.step);
 	take_bounds(s);
+	/* One fit is one step of undo, however often it was stopped. */
+	if (s->job.newest)
+		invocation_joins(s);
 	s->job.pause_at = (size_t)pause->whole;
 	s->job.started += session_clock() - s->job.stopped;
 	s->job.paused = false;

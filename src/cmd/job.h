@@ -34,7 +34,7 @@ size_t job_mark(const struct site *site, bool all, bool *train);
 /* One step of the job; prints its result and ends it when it is done. */
 void session_step(struct session *s);
 
-/* Lets go of a calibration that was stopped, and says so. */
+/* Discards a calibration that was stopped, and says so. */
 void session_let_go(struct session *s);
 
 /* Stops the job for the user: the best so far becomes the site's fit, and

@@ -21,7 +21,7 @@ struct mark journal_mark(const struct session *s);
 struct tail {
 	size_t n;
 	char **line;
-	struct mark from, to; /* the journal before the lines and behind them */
+	struct mark from, to; /* the journal before the lines and after them */
 };
 
 struct tail journal_cut(struct session *s, struct mark mark);

@@ -164,7 +164,7 @@ print_commands(FILE *out)
 	fputs("'\n		;;\n", out);
 }
 
-/* What may stand behind an option that takes something: words, files, or what
+/* What may stand after an option that takes something: words, files, or what
  * only the user knows. */
 static void
 print_argument(const struct usage_option *o, FILE *out)

@@ -17,7 +17,7 @@ void manual_status(FILE *out);
 void manual_models(FILE *out);
 
 /* A file for bash-completion: the options of the command line with what they
- * take, the commands behind -c, and files. */
+ * take, the commands after -c, and files. */
 void manual_bash(FILE *out);
 
 #endif

@@ -65,8 +65,10 @@ static bool
 check_named(
     const struct args *args, const struct breakage *of, struct error *error)
 {
-	for (size_t i = 0; args->command->option[i].name != NULL; i++) {
-		const char *name = args->command->option[i].name;
+	const struct command_option *o;
+	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
+	     i++) {
+		const char *name = o->name;
 		if (args->value[i].given &&
 		    breakage_parameter(of, name) == of->n)
 			return error_set(error, ERROR_USAGE,
@@ -210,14 +212,16 @@ cmd_params(struct session *s, const struct args *args, struct error *error)
 	if (args->n_operand > VERBS[i].operands)
 		return error_set(error, ERROR_USAGE,
 		    "params %s: unexpected word '%s'", verb, args->operand[1]);
-	const struct command_option *option = args->command->option;
-	for (size_t j = 0; option[j].name != NULL && !VERBS[i].values; j++) {
+	const struct command_option *o;
+	for (size_t j = 0; !VERBS[i].values &&
+			   (o = command_option_at(args->command, j)) != NULL;
+	     j++) {
 		if (!args->value[j].given)
 			continue;
 		return error_set(error, ERROR_USAGE,
 		    "params %s: expected no values, got %s=\n"
 		    "write params set %s=VALUE",
-		    verb, option[j].name, option[j].name);
+		    verb, o->name, o->name);
 	}
 	return VERBS[i].run(s, args, error);
 }

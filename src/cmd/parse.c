@@ -1,5 +1,5 @@
 /* From a line of text to calls: the line as commands, words and where the
- * results go; what may stand behind an option; words as options and operands of
+ * results go; what may stand after an option; words as options and operands of
  * a command.  The grammar is that of tipspeed(1), COMMAND LANGUAGE.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/parse.h"
@@ -31,7 +31,7 @@ ends_word(char c, bool verbatim)
 	       (!verbatim && (c == '>' || c == '|'));
 }
 
-/* Copies one word from *at on and moves *at behind it. False on an open quote;
+/* Copies one word from *at on and moves *at after it. False on an open quote;
  * the caller frees the word in any case. */
 static bool
 take_word(const char *line, size_t *at, bool verbatim, char **word)
@@ -74,7 +74,7 @@ take_pipe(const char *line, size_t i, struct words *words)
 	return words->target[0] != '\0' && words->target[0] != '|';
 }
 
-/* "> FILE" or ">> FILE" at *at; *at is then behind it. */
+/* "> FILE" or ">> FILE" at *at; *at is then after it. */
 static bool
 take_file(const char *line, size_t *at, struct place place, struct words *words,
     struct error *error)
@@ -240,15 +240,11 @@ number(const struct command_option *option, const char *word, double *value,
 	bool ok = value_number(word, option->unit, value);
 	const char *in = option->unit[0] != '\0' ? " in " : "";
 	const char *space = option->unit[0] != '\0' ? " " : "";
-	if (!ok && option->kind == VALUE_NUMBER && strchr(word, ',') != NULL) {
-		error_set(error, ERROR_USAGE, "%s: expected a number, got '%s'",
-		    option->name, word);
-		return hint_number(option, word, error);
-	}
+	bool comma = option->kind == VALUE_NUMBER && strchr(word, ',') != NULL;
 	if (!ok) {
 		error_set(error, ERROR_USAGE,
-		    "%s: expected a number%s%s, got '%s'", option->name, in,
-		    option->unit, word);
+		    "%s: expected a number%s%s, got '%s'", option->name,
+		    comma ? "" : in, comma ? "" : option->unit, word);
 		return hint_number(option, word, error);
 	}
 	if (*value < option->least || *value > option->most) {
@@ -367,8 +363,8 @@ wrong_choice(
 	if (word[0] == '\0')
 		return value_wanted(option, error);
 	error_set(error, ERROR_USAGE, "%s: expected one of %s; got '%s'",
-	    option->name, option->choices, word);
-	char *copy = xstrdup(option->choices), *save = NULL;
+	    option->name, option_choices(option), word);
+	char *copy = xstrdup(option_choices(option)), *save = NULL;
 	char *folded = text_fold(word);
 	for (char *choice = strtok_r(copy, " ", &save); choice != NULL;
 	     choice = strtok_r(NULL, " ", &save))
@@ -396,7 +392,7 @@ value_take(const struct command_option *option, const char *word,
 			return true;
 		return wrong_whole(option, word, error);
 	case VALUE_CHOICE:
-		if (text_choice(option->choices, word, &value->choice))
+		if (text_choice(option_choices(option), word, &value->choice))
 			return true;
 		return wrong_choice(option, word, error);
 	default:
@@ -447,7 +443,7 @@ take_value(size_t i, const char *word, struct args *args, struct error *error)
 	    command_option_at(args->command, i), word, &args->value[i], error);
 }
 
-/* One word behind the command's name: key=value, the bare option or an
+/* One word after the command's name: key=value, the bare option or an
  * operand. */
 static bool
 take_argument(const char *word, struct args *args, struct error *error)
@@ -638,16 +634,14 @@ parse_call(const struct words *words, struct place place, struct args *args,
 	}
 	args->command = command;
 	for (size_t i = 1; i < words->n; i++) {
-		if (command->setting != NULL && i + 1 == words->n &&
-		    lacks_value(command, words->text[i], error)) {
-			put_place(error, place, command, words, i);
-			return NULL;
-		}
-		bool pair = command->setting != NULL && i + 1 < words->n &&
-			    strchr(words->text[i], '=') == NULL;
-		bool ok = pair ? take_pair(words->text[i], words->text[i + 1],
-				     args, error)
-			       : take_argument(words->text[i], args, error);
+		const char *word = words->text[i];
+		bool set = command->setting != NULL, last = i + 1 == words->n;
+		bool pair = set && !last && strchr(word, '=') == NULL;
+		bool ok =
+		    pair
+			? take_pair(word, words->text[i + 1], args, error)
+			: !(set && last && lacks_value(command, word, error)) &&
+			      take_argument(word, args, error);
 		if (!ok) {
 			put_place(error, place, command, words, i);
 			return NULL;

@@ -38,7 +38,7 @@ struct words {
 	int reached_column;
 };
 
-/* Splits the command that begins at line + from: words between blanks, "quoted"
+/* Splits the command that begins at line + from: words between spaces, "quoted"
  * ones whole ("" within quotes is one quote), up to ; or # or the end.  False
  * on an open quote, too many words or a faulty redirection.  Free with
  * words_free in any case. */

@@ -27,16 +27,11 @@ read_request(const struct session *s, const struct args *args,
 	const struct value *speed = args_value(args, "speed");
 	const struct value *other = args_value(args, "other");
 	const struct value *at = args_value(args, "at");
-	const struct value *beside = args_value(args, "beside");
 	const struct value *speeds = args_value(args, "speeds");
-	if (speed->given)
-		request->speed = speed->number;
-	if (other->given)
-		request->other_speed = other->number;
-	if (at->given)
-		request->crosshair_mm = at->number;
-	if (beside->given)
-		request->beside = beside->text;
+	request->speed = speed->given ? speed->number : NAN;
+	request->other_speed = other->given ? other->number : NAN;
+	request->crosshair_mm = at->given ? at->number : NAN;
+	request->beside = args_value(args, "beside")->text;
 	if (args_value(args, "feed")->given && s->n_entry > 0) {
 		const struct site *site = s->entry[s->current].site;
 		size_t run;
@@ -220,8 +215,9 @@ screen_answer(const struct canvas *canvas)
 
 static bool
 write_screen(struct session *s, const struct canvas *canvas, int colours,
-    enum picture_form form, struct error *error)
+    struct error *error)
 {
+	enum picture_form form;
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
 	char *label = entry != NULL ? session_label(entry->site)
@@ -235,8 +231,10 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	char *from = entry != NULL ? site_source(entry->site, "") : xstrdup("");
 	char *about = xasprintf("A text screen of %d columns and %d rows.%s%s",
 	    canvas->columns, canvas->rows, from[0] ? " Data: " : "", from);
-	bool ok = picture_cells(canvas, colours, form, title, about, s->out) ||
-		  cannot_draw(s, error);
+	bool ok =
+	    (picture_form_of(s->file, &form) &&
+		picture_cells(canvas, colours, form, title, about, s->out)) ||
+	    cannot_draw(s, error);
 	free(about);
 	free(from);
 	free(title);
@@ -247,8 +245,7 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 bool
 cmd_screen(struct session *s, const struct args *args, struct error *error)
 {
-	enum picture_form form;
-	bool picture = s->file != NULL && picture_form_of(s->file, &form);
+	bool picture = pictures_wanted(s);
 	if (s->hooks.draw_screen == NULL)
 		return error_set(error, ERROR_SYSTEM,
 		    "full-screen mode is not available here");
@@ -258,7 +255,7 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 		return false;
 	bool ok = true;
 	if (picture)
-		ok = write_screen(s, canvas, r.colours, form, error);
+		ok = write_screen(s, canvas, r.colours, error);
 	else if (s->set.format == ANSWER_TABLE)
 		canvas_print(canvas, r.colours, s->out);
 	else

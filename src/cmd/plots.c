@@ -480,7 +480,7 @@ sweep_chart(
 	if (n > ARRAY_LEN(c.prediction)) {
 		error_set(error, ERROR_USAGE,
 		    "%zu speeds are too many to draw\n"
-		    "use at most %zu, which can be told apart",
+		    "use at most %zu, so that the curves can be distinguished",
 		    n, ARRAY_LEN(c.prediction));
 		return NULL;
 	}
@@ -753,12 +753,10 @@ parity_chart(
 		if (s->entry[i].has_params)
 			add_pairs(s, &s->entry[i], &pairs);
 	for (size_t j = 0; j < 3 * pairs.n; j++) {
-		double both[] = {pairs.measured[j / 3][j % 3],
-		    pairs.predicted[j / 3][j % 3]};
-		for (size_t k = 0; k < 2; k++) {
-			low = fmin(low, both[k]);
-			high = fmax(high, both[k]);
-		}
+		double measured = pairs.measured[j / 3][j % 3];
+		double predicted = pairs.predicted[j / 3][j % 3];
+		low = fmin(low, fmin(measured, predicted));
+		high = fmax(high, fmax(measured, predicted));
 	}
 	if (high > 0) {
 		struct axis x = axis_log("measured, mm", low, high);
@@ -820,14 +818,10 @@ selection_chart(
 	if (!plots_params(s, q, &params, error))
 		return NULL;
 	const struct psd *feed = &site->run[site_run_nearest(site, speed)].feed;
-	double *size = xdoubles(feed->n);
-	for (size_t i = 0; i < feed->n; i++)
-		size[i] = units_mm(feed->size[i]);
-	struct chart *chart =
-	    site_chart(site, axis_sieves("size, mm", size, feed->n),
-		axis_percent("share that breaks S(x), %"),
-		"selection function (Eq 3)");
-	free(size);
+	const struct curves c = {.n = 1, .item = {{.psd = feed}}};
+	struct chart *chart = site_chart(site, sieves_of(&c),
+	    axis_percent("share that breaks S(x), %"),
+	    "selection function (Eq 3)");
 	if (!isnan(q->other_speed))
 		add_selection(chart, s, &params, q->other_speed,
 		    (struct chart_series){.series = SERIES_OTHER,

@@ -21,7 +21,7 @@ enum plot_kind {
 	PLOT_SWEEP
 };
 
-/* In the order of the enum, a blank between two. */
+/* In the order of the enum, a space between two. */
 #define PLOT_KINDS                                                      \
 	"psd parity convergence spread residuals selection appearance " \
 	"map sweep"
@@ -38,7 +38,7 @@ struct plot_request {
 	const struct prediction *made; /* psd: the first, made before; NULL: it
 					* is made now */
 	double crosshair_mm; /* psd: a vertical line with values; NAN: none */
-	double level;        /* psd: passing whose sizes are told with the
+	double level;        /* psd: passing whose sizes are reported with the
 			      * line, % */
 	bool band; /* psd: shade the uncertainty of the prediction, if there is
 		    * one */

@@ -88,7 +88,7 @@ extent(const struct redirect *r, size_t rows)
 {
 	enum picture_form form;
 	if (picture_form_of(r->target, &form))
-		return xstrdup("a picture");
+		return xstrdup("an image");
 	bool lines = rows == 0 || r->form == ANSWER_JSON;
 	size_t n = lines ? 0 : rows;
 	for (size_t i = 0; lines && i < r->n; i++)

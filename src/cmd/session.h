@@ -27,6 +27,7 @@ struct job {
 	struct calibrate_options options;
 	bool *train;
 	bool paused;        /* stopped by ^C; `continue` goes on */
+	bool newest;        /* paused, and undo would begin with it */
 	size_t step;        /* of all rounds so far */
 	size_t pause_at;    /* step to stop after; 0: none */
 	double *run_weight; /* [n_run] of the site, or NULL */
@@ -64,7 +65,7 @@ struct session {
 	size_t n_answer;
 	struct answer **answer; /* kept, the newest last: see session_keep */
 	struct job job;
-	struct hooks hooks;  /* what the driver lends a hand with */
+	struct hooks hooks;  /* what the driver helps with */
 	struct files *files; /* read and written, see files.h; or NULL */
 	size_t n_site;
 	struct site **site;    /* every site there was; entries borrow them */
@@ -105,7 +106,7 @@ bool session_answer(struct session *s, struct answer *answer);
 void session_keep(struct session *s, struct answer *answer);
 
 /* The number of a field, see answer_number, in the newest answer of one of
- * these commands, with a blank between two, that has it; else NAN. */
+ * these commands, with a space between two, that has it; else NAN. */
 double session_known(
     const struct session *s, const char *commands, const char *path);
 

@@ -29,7 +29,7 @@ char *
 settings_text(const struct setting *row, const struct choices *set)
 {
 	const char *place = (const char *)set + row->offset;
-	const char *word = row->option.choices;
+	const char *word = option_choices(&row->option);
 	double number;
 	unsigned whole;
 	if (row->option.kind == VALUE_NUMBER) {

@@ -18,7 +18,7 @@ struct choices {
 	unsigned semicolon; /* 1: in csv, with decimal commas */
 	unsigned unpaged;   /* 0: at a prompt, what is taller than the screen is
 			       paged */
-	bool timing;        /* tell how long each command took */
+	bool timing;        /* print how long each command took */
 };
 
 /* What is set in a session that has just begun. */

@@ -7,6 +7,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/entries.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
 #include "cmd/table.h"
@@ -161,14 +162,6 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	return session_answer(s, r);
 }
 
-static void
-model_row(
-    struct answer *r, const struct breakage *of, const struct param_info *info)
-{
-	answer_cells(r, "%s %s %s %g %g %s", of->name, info->name, info->unit,
-	    info->lower, info->upper, info->meaning);
-}
-
 /* For people a row a model, for programs one for each parameter. */
 static bool
 show_models(struct session *s, const struct args *args, struct error *error)
@@ -184,8 +177,12 @@ show_models(struct session *s, const struct args *args, struct error *error)
 	answer_for_programs(r);
 	answer_columns(r, "model, parameter, unit, lower, upper, meaning");
 	for (size_t m = 0; m < breakage_count(); m++)
-		for (size_t j = 0; j < BREAKAGES[m]->n; j++)
-			model_row(r, BREAKAGES[m], &BREAKAGES[m]->parameter[j]);
+		for (size_t j = 0; j < BREAKAGES[m]->n; j++) {
+			const struct param_info *p =
+			    &BREAKAGES[m]->parameter[j];
+			answer_cells(r, "%s %s %s %g %g %s", BREAKAGES[m]->name,
+			    p->name, p->unit, p->lower, p->upper, p->meaning);
+		}
 	answer_note(r, "'set model NAME; bounds' lists the parameters of one, "
 		       "'man model' says what they mean");
 	return session_answer(s, r);
@@ -252,7 +249,7 @@ class_name(const struct psd *feed, size_t i, char buf[static 32])
 	return buf;
 }
 
-/* Parents across and daughters down; a: as appearance_matrix has it. */
+/* Parents across and progeny down; a: as appearance_matrix has it. */
 static void
 matrix_across(struct answer *r, const struct psd *feed, const double *a)
 {
@@ -269,7 +266,7 @@ matrix_across(struct answer *r, const struct psd *feed, const double *a)
 	}
 }
 
-/* A row for each parent and daughter: for spreadsheets. */
+/* A row for each parent and progeny: for spreadsheets. */
 static void
 matrix_long(
     struct answer *r, const struct psd *feed, const double *x, const double *a)
@@ -287,13 +284,9 @@ static void
 note_passing(struct answer *r, const struct breaker *b, const struct site *site)
 {
 	char *text = xstrdup("");
-	for (int i = 1; i < 10; i++) {
-		char *more =
-		    xasprintf("%s%s1/%d: %.1f %%", text, i > 1 ? ", " : "",
-			1 << i, 100 * answers_finer(b, ldexp(1, -i), site));
-		free(text);
-		text = more;
-	}
+	for (int i = 1; i < 10; i++)
+		xlist(&text, ", ", "1/%d: %.1f %%", 1 << i,
+		    100 * answers_finer(b, ldexp(1, -i), site));
 	answer_note(r,
 	    "B(u), the share of a broken particle finer than u times its size, "
 	    "as used by the method continuous: %s; nothing is finer than "
@@ -367,6 +360,20 @@ static const struct {
     {"store", false, false, show_store},
 };
 
+static bool
+nothing_called(struct session *s, const char *what, const struct args *args,
+    struct error *error)
+{
+	struct error none = {0};
+	size_t at;
+	error_set(error, ERROR_USAGE, "there is no '%s' to show", what);
+	if (session_find(s, what, &at, &none))
+		return error_hint(error,
+		    "'%s' is a loaded site: write 'use %s; show'", what, what);
+	return error_hint(
+	    error, "write: show %s", args->command->operands.usage);
+}
+
 bool
 cmd_show(struct session *s, const struct args *args, struct error *error)
 {
@@ -375,10 +382,7 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 	while (i < ARRAY_LEN(WHAT) && strcmp(what, WHAT[i].name) != 0)
 		i++;
 	if (i == ARRAY_LEN(WHAT))
-		return error_set(error, ERROR_USAGE,
-		    "there is no '%s' to show\n"
-		    "write: show %s",
-		    what, args->command->operands.usage);
+		return nothing_called(s, what, args, error);
 	if (args_value(args, "speed")->given && !WHAT[i].at_speed)
 		return error_set(error, ERROR_USAGE,
 		    "show %s: expected no speed; it is the same at all speeds",

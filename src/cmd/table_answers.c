@@ -76,10 +76,11 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_AT_SITE,
 	.bare = "speeds",
 	.option = SWEEP_OPTIONS,
-	.text = "Up to seven speeds are shown side by side, sieve by sieve; "
-		"more are listed one a row. Without speeds= it covers 65 to 85 "
-		"m/s and the runs outside that range; if all runs are below "
-		"32.5 or above 170 m/s, it covers only the range around them.",
+	.text =
+	    "Up to seven speeds are shown side by side, sieve by sieve; "
+	    "more are listed one per row. Without speeds= it covers 65 to 85 "
+	    "m/s and the runs outside that range; if all runs are below "
+	    "32.5 or above 170 m/s, it covers only the range around them.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nsweep 65,74,85",
 	.run = cmd_sweep},
     {.name = "compare",

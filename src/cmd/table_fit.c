@@ -13,8 +13,9 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
     {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "",
 	"seed of the random numbers; default: the session's"},
     {"population", VALUE_WHOLE, "", 8, 1e6, NULL, "8000",
-	"candidates a generation"},
-    {"generations", VALUE_WHOLE, "", 1, 1e6, NULL, "800", "at most"},
+	"candidates per generation"},
+    {"generations", VALUE_WHOLE, "", 1, 1e6, NULL, "800",
+	"largest number of generations"},
     {"tolerance", VALUE_NUMBER, "", 0, 1e3, NULL, "0.05",
 	"stop at this relative tolerance: median misfit over best misfit, less "
 	"1; 0: never"},
@@ -45,7 +46,7 @@ static const struct command_option CONTINUE_OPTIONS[] = {
 const struct command TABLE_FIT[] = {
     {.name = "calibrate",
 	.alias = "fit",
-	.brief = "find the parameters that explain the runs",
+	.brief = "find the parameters that fit the training runs",
 	.operands = {"[all]", {"all"}, 0, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
 	.option = CALIBRATE_OPTIONS,

@@ -2,43 +2,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session.h"
 #include "cmd/table.h"
-#include "core/params.h"
-
-static const struct command_option PARAMS_OPTIONS[] = {
-    {"beta1", VALUE_NUMBER, "", -BETA_MOST, BETA_MOST, NULL, "",
-	"constant term"},
-    {"beta2", VALUE_NUMBER, "", -BETA_MOST, BETA_MOST, NULL, "", "term in u"},
-    {"beta3", VALUE_NUMBER, "", -BETA_MOST, BETA_MOST, NULL, "",
-	"term in u squared"},
-    {"beta4", VALUE_NUMBER, "", -BETA_MOST, BETA_MOST, NULL, "",
-	"term in u cubed"},
-    {"f_mat", VALUE_NUMBER, "kg/(J m)", 0, F_MAT_MOST, NULL, "",
-	"material parameter"},
-    {"e0_min", VALUE_NUMBER, "J m/kg", 0, E0_MIN_MOST, NULL, "",
-	"threshold energy"},
-    {"alpha", VALUE_NUMBER, "", 0, ALPHA_MOST, NULL, "", "size dependency"},
-    {"gamma", VALUE_NUMBER, "", -GAMMA_MOST, GAMMA_MOST, NULL, "",
-	"finer with energy (grunditz-energy)"},
-    {"e_ref", VALUE_NUMBER, "J/kg", 1e-3, E_REF_MOST, NULL, "",
-	"energy at which beta holds (grunditz-energy)"},
-    {"q_slope", VALUE_NUMBER, "s/m", -Q_SLOPE_MOST, Q_SLOPE_MOST, NULL, "",
-	"change of the exponent with the speed (vogel)"},
-    {"q_0", VALUE_NUMBER, "", -Q_0_MOST, Q_0_MOST, NULL, "",
-	"exponent at speed 0 (vogel)"},
-    {"y_fine", VALUE_NUMBER, "mm", 0, Y_FINE_MOST, NULL, "",
-	"size at which the fines fall off (vogel)"},
-    {"bypass", VALUE_NUMBER, "", 0, 1, NULL, "",
-	"share of the feed that is not crushed (models with +bypass)"},
-    {.name = NULL}};
 
 #define AT(member) offsetof(struct choices, member)
 
 const struct setting SETTINGS[] = {
-    {{"model", VALUE_CHOICE, "", 0, 0,
-	 "grunditz grunditz-energy vogel grunditz+bypass "
-	 "grunditz-energy+bypass "
-	 "vogel+bypass",
-	 "grunditz", "breakage model of calibrations and of params set"},
+    {{"model", VALUE_CHOICE, "", 0, 0, NULL, "grunditz",
+	 "breakage model of calibrations and of params set"},
 	AT(model.breakage)},
     {{"method", VALUE_CHOICE, "", 0, 0, "continuous classes", "continuous",
 	 "how products are computed"},
@@ -49,7 +18,7 @@ const struct setting SETTINGS[] = {
     {{"k", VALUE_NUMBER, "", 0.001, 1000, NULL, "1", "number of impacts"},
 	AT(model.k)},
     {{"threads", VALUE_WHOLE, "", 1, 64, NULL, "",
-	 "threads of a calibration; else one for each processor"},
+	 "threads of a calibration; default: one for each processor"},
 	AT(threads)},
     {{"format", VALUE_CHOICE, "", 0, 0, "table csv json markdown", "table",
 	 "output format"},
@@ -72,11 +41,10 @@ const struct command TABLE_MODEL[] = {
 	.brief = "show, set or compare the model's parameters",
 	.operands = {"[list | set | diff SITE | use SITE]",
 	    {"list set diff use", "SITE"}, 0, 2},
-	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
-	.option = PARAMS_OPTIONS,
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_PARAMS,
 	.text = "'params set' sets known parameters of the current model "
 		"instead of a calibration; those not named keep their value, "
-		"and beta starts from (0, 1, -1, 0.5). Only the direction of "
+		"and beta is (0, 1, -1, 0.5) at first. Only the direction of "
 		"beta matters: it is scaled to max 1. 'params diff SITE' "
 		"compares them with those of another loaded site; 'params use "
 		"SITE' uses those of that site, and results then state it.",

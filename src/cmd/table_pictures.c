@@ -26,24 +26,24 @@
 
 static const struct command_option PLOT_OPTIONS[] = {WHAT_OPTIONS,
     {"width", VALUE_NUMBER, "columns", 1, 1000, NULL, "",
-	"default: as the screen, at most 100; 78 without a terminal"},
+	"default: that of the screen, at most 100; 78 without a terminal"},
     {"height", VALUE_NUMBER, "rows", 1, 1000, NULL, "",
-	"default: as the screen, at most 24"},
+	"default: that of the screen, at most 24"},
     {"charset", VALUE_CHOICE, "", 0, 0, "auto ascii quadrants braille", "auto",
 	"characters that lines are drawn with"},
     {.name = NULL}};
 
 static const struct command_option SCREEN_OPTIONS[] = {
     {"width", VALUE_NUMBER, "columns", 1, 1000, NULL, "",
-	"default: as the open full screen, else 100"},
+	"default: that of full-screen mode if it is open, else 100"},
     {"height", VALUE_NUMBER, "rows", 1, 1000, NULL, "",
-	"default: as the open full screen, else 30"},
+	"default: that of full-screen mode if it is open, else 30"},
     {"page", VALUE_CHOICE, "", 0, 0, "predict fit data parity sites", "",
 	"the page to show; default: the open page, else predict"},
     {"charset", VALUE_CHOICE, "", 0, 0, "auto ascii quadrants braille", "auto",
 	"characters that lines are drawn with"},
     {"colours", VALUE_CHOICE, "", 0, 0, "auto 256 16 8 0", "auto",
-	"number of colours; auto: as the terminal, 256 in an image file"},
+	"number of colours; auto: those of the terminal, 256 in an image"},
     {"keys", VALUE_TEXT, "", 0, 0, NULL, "",
 	"keys to press first, named as in tipspeed-tui(1)"},
     {.name = NULL}};
@@ -90,7 +90,7 @@ const struct command TABLE_PICTURES[] = {
 		   "describe psd speed=74",
 	.run = cmd_describe},
     {.name = "screen",
-	.brief = "make an image of the full screen",
+	.brief = "make an image of full-screen mode",
 	.flags = COMMAND_DRAWS | COMMAND_UNSAVED,
 	.option = SCREEN_OPTIONS,
 	.text =

@@ -22,8 +22,9 @@ const struct command TABLE_SESSION[] = {
 	.flags = COMMAND_UNSAVED,
 	.text = "Undoes changes of sites, the site in use, parameters, "
 		"calibrations, bounds, settings and seed: up to 200 steps. A "
-		"calibration is one step, and so is a sourced script. Written "
-		"files are not changed.",
+		"calibration is one step, also if it was stopped and "
+		"continued, and so is a sourced script. Written files are not "
+		"changed.",
 	.example = "set k 2\nundo",
 	.run = cmd_undo},
     {.name = "redo",
@@ -82,7 +83,7 @@ const struct command TABLE_SESSION[] = {
 	.brief = "print words",
 	.operands = {"[WORD]...", {""}, 0, OPERANDS - 1},
 	.text = "Prints a line among the results, with one space between "
-		"words; quotes keep more.",
+		"words; use quotes to keep more.",
 	.example = "echo \"Tierp, at 74 m/s:\"",
 	.run = cmd_echo},
     {.name = "timing",

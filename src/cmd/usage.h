@@ -10,7 +10,7 @@
 
 /* An option of the command line.  code: what getopt_long returns for it, the
  * letter where it has one.  argument: its name in usage, or NULL.  choices:
- * what the argument may be, between blanks, or NULL. */
+ * what the argument may be, between spaces, or NULL. */
 struct usage_option {
 	int code;
 	const char *name, *argument, *choices, *brief;
@@ -40,7 +40,7 @@ extern const struct usage_word USAGE_ENVIRONMENT[], USAGE_STATUS[];
 void usage_list(const char *group, FILE *out);
 
 /* A command in one line; all that the table says of it; the lines of its
- * example, each behind the margin. */
+ * example, each after the margin. */
 void usage_brief(const struct command *command, FILE *out);
 void usage_command(const struct command *command, FILE *out);
 void usage_example(

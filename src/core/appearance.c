@@ -1,9 +1,8 @@
-/* Eq 1: the daughter distribution, as a curve and as the matrix of Table 1.
+/* Eq 1: the progeny distribution, as a curve and as the matrix of Table 1.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/appearance.h"
 
 #include <math.h>
-#include <stdbool.h>
 
 #include "core/elementary.h"
 

@@ -7,12 +7,12 @@
 
 #include "core/params.h"
 
-/* Daughters finer than 2^-10 of the parent do not occur. */
+/* Progeny finer than 2^-10 of the parent do not occur. */
 #define APPEARANCE_FINEST (1.0 / 1024)
 
 enum { APPEARANCE_PIECES = 4 };
 
-/* The daughter distribution of the form `ratio`, u = daughter / parent:
+/* The progeny distribution of the form `ratio`, u = progeny / parent:
  *   p(u) = max(0, beta1 + beta2 u + beta3 u^2 + beta4 u^3), u in [2^-10, 1]
  *   B(u) = integral of p d ln u up to u, over the integral up to 1
  * D3: read literally Eq 1 gives every daughter the same share; u is the ratio.
@@ -39,7 +39,7 @@ struct appearance appearance_of(const double beta[static 4]);
 /* p(u), not normalised, clipped at 0.   Source: paper Eq 1. */
 double appearance_density(const double beta[static 4], double u);
 
-/* What p is a function of, for a parent and a daughter of the sizes given, m:
+/* What p is a function of, for a parent and progeny of the sizes given, m:
  * their ratio, or one of the two in mm (departure D3). */
 double appearance_argument(
     enum appearance_form form, double parent, double daughter);

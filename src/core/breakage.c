@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/xalloc.h"
+
 extern const struct breakage BREAKAGE_GRUNDITZ, BREAKAGE_GRUNDITZ_BYPASS,
     BREAKAGE_ENERGY, BREAKAGE_ENERGY_BYPASS, BREAKAGE_VOGEL,
     BREAKAGE_VOGEL_BYPASS;
@@ -17,6 +19,18 @@ size_t
 breakage_count(void)
 {
 	return sizeof BREAKAGES / sizeof *BREAKAGES - 1;
+}
+
+const char *
+breakage_names(void)
+{
+	static char *names;
+	if (names == NULL) {
+		names = xstrdup("");
+		for (size_t i = 0; i < breakage_count(); i++)
+			xlist(&names, " ", "%s", BREAKAGES[i]->name);
+	}
+	return names;
 }
 
 size_t

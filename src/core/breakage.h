@@ -8,6 +8,7 @@
 #define TIPSPEED_CORE_BREAKAGE_H
 
 #include <stdalign.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/isa.h"
@@ -100,6 +101,9 @@ struct breakage {
 /* All models, the paper's first; NULL ends them.  breakage_count: how many. */
 extern const struct breakage *const BREAKAGES[];
 size_t breakage_count(void);
+
+/* Their names, a space between two; for one thread. */
+const char *breakage_names(void);
 
 /* Index of the model of that name, or breakage_count(). */
 size_t breakage_find(const char *name);

@@ -1,4 +1,4 @@
-/* grunditz-energy: the paper's model with finer fragments at higher energy.
+/* grunditz-energy: the paper's model with finer progeny at higher energy.
  *   B_v(u) = B(u)^((E / E_ref)^-gamma)
  * D12; gamma 0 is the paper's model.  Scalar, or with LANES.
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -76,9 +76,9 @@ appearance_text(const struct params *p)
 
 static const struct param_info PARAMETERS[] = {GRUNDITZ_BETA,
     SELECTION_PARAMETERS,
-    {"gamma", "-", 0, 2, -GAMMA_MOST, GAMMA_MOST, 0,
+    {"gamma", "-", 0, 2, -10, 10, 0,
 	"appearance: finer with energy where above 0", 0.4},
-    {"e_ref", "J/kg", 0, 0, 1e-3, E_REF_MOST, NAN,
+    {"e_ref", "J/kg", 0, 0, 1e-3, 1e6, NAN,
 	"energy at which beta holds: mean of the training runs", 0},
     BYPASS_PARAMETER};
 

@@ -5,16 +5,16 @@
 
 #include "core/breakage.h"
 
-#define GRUNDITZ_BETA                                                  \
-	{"beta1", "-", -1000, 1000, -BETA_MOST, BETA_MOST, 0,          \
-	    "appearance: constant term", 0},                           \
-	    {"beta2", "-", -1000, 1000, -BETA_MOST, BETA_MOST, 1,      \
-		"appearance: term in u", 0},                           \
-	    {"beta3", "-", -1000, 1000, -BETA_MOST, BETA_MOST, -1,     \
-		"appearance: term in u squared", 0},                   \
-	{                                                              \
-		"beta4", "-", -1000, 1000, -BETA_MOST, BETA_MOST, 0.5, \
-		    "appearance: term in u cubed", 0                   \
+#define GRUNDITZ_BETA                                                          \
+	{"beta1", "-", -1000, 1000, -1e9, 1e9, 0, "appearance: constant term", \
+	    0},                                                                \
+	    {"beta2", "-", -1000, 1000, -1e9, 1e9, 1, "appearance: term in u", \
+		0},                                                            \
+	    {"beta3", "-", -1000, 1000, -1e9, 1e9, -1,                         \
+		"appearance: term in u squared", 0},                           \
+	{                                                                      \
+		"beta4", "-", -1000, 1000, -1e9, 1e9, 0.5,                     \
+		    "appearance: term in u cubed", 0                           \
 	}
 
 /* own of the breaker: the appearance of beta scaled to 1. */

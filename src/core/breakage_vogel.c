@@ -91,11 +91,11 @@ appearance_text(const struct params *p)
 }
 
 static const struct param_info PARAMETERS[] = {
-    {"q_slope", "s/m", -0.05, 0.05, -Q_SLOPE_MOST, Q_SLOPE_MOST, 0,
+    {"q_slope", "s/m", -0.05, 0.05, -10, 10, 0,
 	"appearance: change of its exponent with the speed", 0},
-    {"q_0", "-", 0, 5, -Q_0_MOST, Q_0_MOST, NAN,
-	"appearance: its exponent at speed 0", 0},
-    {"y_fine", "mm", 0, 0.5, 0, Y_FINE_MOST, 0,
+    {"q_0", "-", 0, 5, -1000, 1000, NAN, "appearance: its exponent at speed 0",
+	0},
+    {"y_fine", "mm", 0, 0.5, 0, 1000, 0,
 	"appearance: size at which the fines fall off", 0},
     SELECTION_PARAMETERS, BYPASS_PARAMETER};
 
@@ -136,7 +136,7 @@ vogel_nodes(const struct block *b, const struct plan *plan, struct node *node)
 	return lanes_of(1);
 }
 
-/* The fall-off of the fines at a daughter of ln y; *ratio: y / y'. */
+/* The fall-off of the fines at a progeny size of ln y; *ratio: y / y'. */
 static inline lanes
 vogel_fines(const struct block *b, double log_y, lanes *ratio)
 {

@@ -297,7 +297,7 @@ calibration_history(const struct calibration *c, size_t *n)
 	return c->history;
 }
 
-/* Breeds and judges a part of the generation. */
+/* Makes and evaluates a part of the generation. */
 static void
 judge_part(void *data, size_t part, unsigned thread)
 {
@@ -511,7 +511,7 @@ calibration_status(const struct calibration *c)
 	    .starts_done = c->done,
 	    .starts = c->n_start,
 	    .params = best_of(c, s.best)};
-	/* Other bounds, and nothing judged within them yet. */
+	/* Other bounds, and nothing evaluated within them yet. */
 	if (isinf(status.best) && s.generation > 0)
 		status.best = misfit_at(c->misfit, &status.params);
 	params_scale(&status.params);

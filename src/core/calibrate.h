@@ -66,12 +66,12 @@ void calibration_free(struct calibration *c);
 
 /* One generation, or the polish of a few starts. Returns the state after it; to
  * call it after the end changes nothing.  Nor does it where options.stop says
- * on the way that somebody waits: the step is then to be made anew. */
+ * on the way that somebody waits: the step is then to be made again. */
 enum calibrate_state calibration_step(struct calibration *c);
 
 /* Goes on within other bounds, from the present population (ga_set_box). What
  * is kept for the polish is brought to them, and a polish under way begins
- * again. Generations and history go on, the stop rules begin anew. Only before
+ * again. Generations and history go on, the stop rules begin again. Only before
  * the end (asserted). What is found then depends on when: the fit's `edits`
  * says so. */
 void calibration_set_bounds(struct calibration *c, const struct bounds *bounds);
@@ -96,7 +96,7 @@ struct calibrate_status calibration_status(const struct calibration *c);
  * each parameter among the first few hundred candidates, a random sample. */
 struct calibrate_generation {
 	double best, median;
-	struct params params; /* the best so far, beta as bred */
+	struct params params; /* the best so far, beta not scaled */
 	double p10[PARAMS_MOST], p90[PARAMS_MOST];
 };
 

@@ -1,4 +1,4 @@
-/* Breeding.  Leaves the judging of candidates to its caller.
+/* The genetic algorithm.  Its caller evaluates the candidates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/ga.h"
 

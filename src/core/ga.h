@@ -43,18 +43,18 @@ void ga_free(struct ga *ga);
 const double *const *ga_ask(struct ga *ga);
 
 /* The same with only from..to-1 sure to be there, for several threads at once
- * that each judge parts of their own.  from: a multiple of GA_PART; to: at most
- * the population. */
+ * that each evaluate parts of their own.  from: a multiple of GA_PART; to: at
+ * most the population. */
 enum { GA_PART = 8 };
 const double *const *ga_ask_part(const struct ga *ga, size_t from, size_t to);
 
 /* Takes the misfits of this generation's candidates, all of which were asked
- * for: lower is better, INFINITY for a candidate that cannot be judged. */
+ * for: lower is better, INFINITY for a candidate without one. */
 void ga_tell(struct ga *ga, const double *misfit);
 
-/* Another box from the next generation on, whose candidates are bred and
+/* Another box from the next generation on, whose candidates are made and
  * brought to its limits. Where the best ever told lies outside, so is it, and
- * its misfit is INFINITY until the next ga_tell. To draw half of them anew
+ * its misfit is INFINITY until the next ga_tell. To draw half of them again
  * where the box has grown was tried: none came near the leaders. */
 void ga_set_box(struct ga *ga, const double *lower, const double *upper);
 

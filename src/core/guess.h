@@ -22,8 +22,8 @@ struct guess_material {
 
 /* The nearest materials: the same rock (without case and accents) before any
  * other, then the smallest |ln(top size / wanted top size)|, then the order of
- * the list; an unknown size counts as the farthest.  Of materials with the very
- * same numbers (departure D9) only the nearest counts.
+ * the list; an unknown size counts as the farthest.  Of materials with the same
+ * numbers (departure D9) only the nearest counts.
  *   leave_out [n]: true for those not to take
  *   pick [most]: their indices out, nearest first.  Returns how many. */
 size_t guess_nearest(const struct guess_material *m, size_t n,

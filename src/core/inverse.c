@@ -50,7 +50,7 @@ inverse_speed(
 	return to;
 }
 
-/* An inverse with the envelope it is held against. */
+/* An inverse with the envelope it is compared with. */
 struct held {
 	struct inverse *inverse;
 	const struct envelope *envelope;

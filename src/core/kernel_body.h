@@ -10,7 +10,7 @@
 #include "core/lanes.h"
 #include "core/plan.h"
 
-/* Into each of the models the whole kernel is compiled anew. */
+/* Into each of the models the whole kernel is compiled again. */
 #define INLINE static inline __attribute__((always_inline))
 
 /* A block's parameters and what follows from them.  own: the appearance's, as
@@ -29,9 +29,9 @@ struct node {
 };
 
 /* A model's part.  strength: index of f_mat, which e0_min and alpha follow.
- * nodes: fills a table [KERNEL_NODES], or where B hangs on the speed (per_run)
+ * nodes: fills a table [KERNEL_NODES], or if B depends on the speed (per_run)
  * one for each run, and returns the total.  at_sieve: what B is multiplied by
- * at a daughter of ln s, or NULL.  density: p at u for `classes`, or NULL where
+ * at progeny of ln s, or NULL.  density: p at u for `classes`, or NULL where
  * the nodes serve. */
 struct lane_model {
 	size_t strength;

@@ -51,8 +51,8 @@ void misfit_free(struct misfit *m);
  * feed passes, all of any product does, whatever the parameters. */
 size_t misfit_cells(const struct misfit *m);
 
-/* Whether somebody waits for what works on the misfit to end: it then lets go
- * of what is half done, which may be done anew later.  For any thread. */
+/* Whether somebody waits for what works on the misfit to end: it then discards
+ * what is half done, which may be done again later.  For any thread. */
 bool misfit_stopped(const struct misfit *m);
 
 /* The misfit at p; INFINITY where it is not a number.   Source: paper Eq 5. */

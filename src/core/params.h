@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_CORE_PARAMS_H
 #define TIPSPEED_CORE_PARAMS_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 enum { PARAMS_MOST = 10 };
@@ -25,21 +24,10 @@ struct params {
 	};
 };
 
-/* Beyond these no value is taken, typed, read or as a bound: far outside what
- * any rock has, so that what lies there is a typing error.  Of beta either way,
- * of the others from 0.  Constants, because rows of other tables have them
- * too. */
-enum {
-	BETA_MOST = 1000000000,
-	F_MAT_MOST = 10000,
-	E0_MIN_MOST = 10000,
-	ALPHA_MOST = 100,
-	GAMMA_MOST = 10,
-	E_REF_MOST = 1000000,
-	Q_SLOPE_MOST = 10,
-	Q_0_MOST = 1000,
-	Y_FINE_MOST = 1000
-};
+/* Above these no value is taken, typed, read or as a bound: far outside what
+ * any rock has, so that what lies there is a typing error.  Constants, because
+ * Table 3 is read with them too. */
+enum { F_MAT_MOST = 10000, E0_MIN_MOST = 10000, ALPHA_MOST = 100 };
 
 /* What there is to say of one parameter. */
 struct param_info {
@@ -59,8 +47,8 @@ struct bounds {
 
 enum method { METHOD_CONTINUOUS, METHOD_CLASSES };
 enum appearance_form {
-	APPEARANCE_RATIO,      /* daughter over parent: the default (D3) */
-	APPEARANCE_PROGENY_MM, /* daughter size in mm */
+	APPEARANCE_RATIO,      /* progeny over parent: the default (D3) */
+	APPEARANCE_PROGENY_MM, /* progeny size in mm */
 	APPEARANCE_PARENT_MM   /* parent size in mm: literal, degenerate */
 };
 

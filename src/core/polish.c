@@ -84,7 +84,7 @@ update_scale(struct polish *s)
 }
 
 /* Brings column c of A [rows] to `top` and zeros below it, by the reflection
- * that the column becomes; the n columns behind it go through the same. */
+ * that the column becomes; the n columns after it go through the same. */
 static void
 reflect(
     double (*A)[PARAMS_MOST + 1], size_t rows, size_t c, size_t n, double top)

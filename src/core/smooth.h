@@ -16,7 +16,7 @@ double smooth_bend(const struct psd *psd, size_t i);
  * and more (at its top size, at the break size), but curves of one crusher do
  * so together, and a slip of the pen stands alone.
  * off: its bend less the mean bend of the others, passing -1..1; 0 where no
- * point can be judged.  others: how many there were; with none off is the bend
+ * point can be checked.  others: how many there were; with none off is the bend
  * itself.  Of two curves that differ from each other the one with the larger
  * bend is named. */
 struct smooth_outlier {

@@ -691,7 +691,7 @@ print_padded(const char *text, int width, bool right, bool last, FILE *out)
 	    right || last ? 0 : pad, "");
 }
 
-/* True where the last column holds sentences that would not fit a screen behind
+/* True where the last column holds sentences that would not fit a screen after
  * the columns before it. One column alone is something to be copied. */
 static bool
 wraps(const struct table *t, int *indent)
@@ -763,7 +763,7 @@ print_row(const struct table *t, size_t row, bool head, struct block block,
 	}
 }
 
-/* A row of a table (0: the heads) without blanks at its end. */
+/* A row of a table (0: the heads) without spaces at its end. */
 static void
 print_trimmed(const struct table *t, size_t row, struct block block, FILE *out)
 {
@@ -869,7 +869,7 @@ is_markup(const char *text, const char *p)
 	return strchr(p == text ? "|*[]`\\~$#" : "|*[]`\\~$", *p) != NULL;
 }
 
-/* Words that markdown shows as they are: signs behind backslashes, and as
+/* Words that markdown shows as they are: signs after backslashes, and as
  * entities those of HTML, which knows no backslash. */
 static char *
 as_markdown(const char *text)

@@ -51,7 +51,7 @@ void answer_site(
 void answer_sites(
     struct answer *answer, const char *names, const char *provenance);
 
-/* Columns: "speed: m/s, size" has keys for csv and json and, behind a colon,
+/* Columns: "speed: m/s, size" has keys for csv and json and, after a colon,
  * heads for people where these differ. */
 void answer_columns(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
@@ -60,11 +60,11 @@ void answer_columns(struct answer *answer, const char *format, ...)
 void answer_column(struct answer *answer, const char *key, const char *head);
 
 /* The columns and cells that follow are another table, which csv and json have
- * in the place of the one before. */
+ * instead of the one before. */
 void answer_for_programs(struct answer *answer);
 
 /* Cells, which fill the columns from left to right, row by row: "%s %.2f %g",
- * with a blank between two.  %s: a text; %.2f: a number, with so many decimals
+ * with a space between two.  %s: a text; %.2f: a number, with so many decimals
  * for people; %g: with as many significant digits as needed, up to 6.  NAN is
  * shown as the words given by answer_missing, empty in csv and null in json. */
 void answer_cells(struct answer *answer, const char *format, ...)
@@ -101,7 +101,7 @@ struct fields *answer_fields(struct answer *answer);
 
 /* Adds values under keys, "speed %g extrapolated %d": %g a number, null where
  * it is not finite; %d true or false; %zu and %llu a whole number; %s text.  To
- * a list: "%g %g".  json leaves out what is behind a point, ".poor %g". */
+ * a list: "%g %g".  json leaves out what is after a point, ".poor %g". */
 void fields_put(struct fields *fields, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -117,7 +117,7 @@ void fields_numbers(struct fields *fields, const char *key, const double *value,
     size_t n, double (*shown)(double));
 
 /* Adds the rows there are as objects; or as lists the columns so called, with a
- * blank between two. */
+ * space between two. */
 void answer_put_rows(struct answer *answer, const char *key);
 void answer_put_columns(struct answer *answer, const char *keys);
 

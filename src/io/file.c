@@ -59,7 +59,7 @@ link_target(const char *path)
 	return target;
 }
 
-/* The file behind links, which need not be there yet. */
+/* The file after links, which need not be there yet. */
 static char *
 behind_links(const char *path)
 {

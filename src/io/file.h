@@ -19,7 +19,7 @@ enum file_rights { FILE_SHARED = 0666, FILE_PRIVATE = 0600 };
  * symbolic link stays and the file that it points to is replaced.  What is no
  * regular file (/dev/null, a FIFO) is written to.  On failure false, an error
  * of kind ERROR_SYSTEM, and the old file untouched.  No signal but KILL leaves
- * the new file behind; what KILL leaves, the next call in that folder removes.
+ * the new file after; what KILL leaves, the next call in that folder removes.
  */
 bool file_replace(const char *path, enum file_rights rights, const char *bytes,
     size_t n, struct error *error);

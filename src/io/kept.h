@@ -17,7 +17,7 @@ struct kept;
 /* Makes nothing yet, and cannot fail. */
 struct kept *kept_new(void);
 
-/* Lets go of the file, which stays: what is written next goes into another. */
+/* Discards the file, which stays: what is written next goes into another. */
 void kept_leave(struct kept *kept);
 
 /* The same, and ends; NULL is allowed. */
@@ -32,7 +32,7 @@ bool kept_write(struct kept *kept, void (*write)(const void *data, FILE *out),
 /* Removes the file, if there is one. */
 void kept_remove(struct kept *kept);
 
-/* One that was left: its first line, behind "# ", and when it was written. */
+/* One that was left: its first line, after "# ", and when it was written. */
 struct kept_file {
 	char *path, *about;
 	time_t when;

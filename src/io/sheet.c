@@ -126,7 +126,7 @@ number_hint(const char *s)
 		     : "write digits and a decimal point";
 }
 
-/* 1 010,5 with a blank, also one that does not break, before each three digits
+/* 1 010,5 with a space, also one that does not break, before each three digits
  * becomes 1010,5. */
 static void
 join_thousands(char *s)
@@ -214,7 +214,7 @@ skip_blanks(struct cursor *c, char separator)
 		step(c);
 }
 
-/* From the opening quote to behind the closing one; false when it is open. */
+/* From the opening quote to after the closing one; false when it is open. */
 static bool
 skip_quoted(struct cursor *c)
 {
@@ -384,7 +384,7 @@ static bool
 is_numbers(const char *line, char separator)
 {
 	const char stop[] = {separator, '\r', '\n', '\0'};
-	/* With units and blanks that do not break. */
+	/* With units and spaces that do not break. */
 	const char *digits = "\" +-.,0123456789eEg%\xC2\xA0\xE2\x80\xAF\x89";
 	const char *sieve = "\" +-.,0123456789eE#NOno/inch\xC2\xBA\xB0\xA0";
 	size_t n = strcspn(line, stop);

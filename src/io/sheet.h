@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 
-/* text: without blanks at both ends, never NULL.  column: of its first
+/* text: without spaces at both ends, never NULL.  column: of its first
  * character, counted from 1 in characters, not bytes. */
 struct cell {
 	char *text;
@@ -18,7 +18,7 @@ struct cell {
 };
 
 /* n: cells up to the last that is not empty, 1 or more.  n_all: with the empty
- * ones that spreadsheets add at the end.  end: column behind the line. */
+ * ones that spreadsheets add at the end.  end: column after the line. */
 struct row {
 	size_t n, n_all;
 	struct cell *cell;
@@ -38,7 +38,7 @@ struct sheet {
 	char *path;
 	char separator; /* ',', ';' or tab */
 	char decimal;   /* decimal sign seen first, '\0' before that */
-	bool mixed;     /* a second decimal sign was told */
+	bool mixed;     /* a second decimal sign was reported */
 	bool lost;
 	size_t n_row, most_rows, n_fault;
 	struct row *row;
@@ -49,9 +49,8 @@ struct sheet {
 
 /* Splits a text of UTF-8 with LF, CRLF or CR line ends, at most most_rows lines
  * of cells and 256 cells a line, and takes it apart doing so; it must outlive
- * the sheet.  What is wrong is
- * told in errors (never NULL): a line with wrong quotes is left out, one beyond
- * the limits ends the sheet. */
+ * the sheet.  Faults are put into errors (never NULL): a line with wrong quotes
+ * is left out, one beyond the limits ends the sheet. */
 struct sheet *sheet_new(
     const char *path, char *text, size_t most_rows, struct error_list *errors);
 void sheet_free(struct sheet *sheet);
@@ -79,7 +78,7 @@ bool sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
     const char *hint, ...) __attribute__((format(printf, 4, 5)));
 
 /* The cell as a number with a decimal point, or a decimal comma where the
- * comma does not separate the cells or stands in quotes, perhaps with blanks
+ * comma does not separate the cells or stands in quotes, perhaps with spaces
  * between thousands.  A fault and false when it is none, or when it is the
  * first whose decimal sign is not that of the others. */
 bool sheet_number(

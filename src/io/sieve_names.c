@@ -4,7 +4,6 @@
 
 #include <ctype.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -34,7 +33,7 @@ static const struct {
 
 enum kind { NO_NAME, NUMBER, INCHES };
 
-/* Behind the first of the words that the text begins with, and blanks; the text
+/* After the first of the words that the text begins with, and spaces; the text
  * itself where it begins with none. */
 static const char *
 behind(const char *text, const char *const *word, size_t n)
@@ -48,7 +47,7 @@ behind(const char *text, const char *const *word, size_t n)
 }
 
 /* "4", "3/8", "3 1/2" or "0.530" at *text, which begins with a digit and moves
- * behind it and blanks. */
+ * after it and spaces. */
 static double
 read_mixed(const char **text)
 {

@@ -7,8 +7,8 @@
 
 /* The opening in mm of the sieve so named; 0 where the text is no name of a
  * sieve, and NAN where it has the form of one but there is no such sieve.
- * Understood are the numbers of ASTM E11 behind #, No. or Nº, with or without
- * blanks, and its inches, as 1/2 in, 1 1/2 inch or 3/8". */
+ * Understood are the numbers of ASTM E11 after #, No. or Nº, with or without
+ * spaces, and its inches, as 1/2 in, 1 1/2 inch or 3/8". */
 double sieve_names_mm(const char *text);
 
 /* Whether it is such a number, of a sieve or not: not inches, not a size. */

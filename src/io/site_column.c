@@ -1,4 +1,4 @@
-/* From the head of a column to its role, unit and speed, and from its cells to
+/* From the column heading to its role, unit and speed, and from its cells to
  * passing in percent.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/site_column.h"
@@ -181,7 +181,7 @@ find_speed(struct table *t, char *text, struct column *c)
 	    speed_hint(text, good ? v : 0));
 }
 
-/* The speed's text, cut out of the head: what stands behind @, or before m/s;
+/* The speed's text, cut out of the head: what stands after @, or before m/s;
  * NULL where it has none.  The caller frees. */
 static char *
 cut_speed(char *word)

@@ -12,7 +12,7 @@
 #include "io/sieve_names.h"
 #include "io/units.h"
 
-/* The words that may begin the table, letters only, with a unit behind. */
+/* The words that may begin the table, letters only, with a unit after. */
 static const char *const SIZE_WORDS[] = {"size", "sieve", "sievesize", "sikt",
     "siktstorlek", "maskvidd", "storlek", "kornstorlek"};
 static const struct {
@@ -41,7 +41,7 @@ letters(const char *text, char word[static MOST_LETTERS])
 	free(folded);
 }
 
-/* What stands behind the word that begins a table; NULL where none does. */
+/* What stands after the word that begins a table; NULL where none does. */
 static const char *
 behind_word(const char *word)
 {
@@ -174,7 +174,7 @@ is_word(const struct table *t, const struct row *row)
 	       !sheet_value(t->sheet, row->cell[0], &v);
 }
 
-/* Below a table stand sums, with anything behind them, and remarks in the first
+/* Below a table stand sums, with anything after them, and remarks in the first
  * cell alone. */
 static void
 drop_foot(struct table *t)

@@ -168,7 +168,7 @@ use_wal(sqlite3 *db, const char *path, struct error *error)
 	}
 }
 
-/* Within a transaction: the version is asked anew, as another program may have
+/* Within a transaction: the version is asked again, as another program may have
  * done the work meanwhile. */
 static bool
 run_steps(sqlite3 *db, const char *path, struct error *error)

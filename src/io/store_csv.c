@@ -153,7 +153,7 @@ read_head(struct sheet *sheet, struct column *column, size_t n)
 			    column_name(&column[c]));
 }
 
-/* A number that cannot be read is told already. */
+/* A number that cannot be read is reported already. */
 static void
 take_value(struct sheet *sheet, struct cell cell, const struct field *f,
     struct stored *m)

@@ -10,7 +10,7 @@
 
 /* Writes a line of column names and one for each material, numbers exact, to a
  * file that is there whole or not at all.  What was read from a sheet is
- * written as the very same bytes. */
+ * written as the same bytes. */
 bool store_csv_save(
     const struct stored_list *list, const char *path, struct error *error);
 

@@ -54,7 +54,7 @@ read_row(struct sheet *sheet, const struct row *row, struct materials *m)
 	return true;
 }
 
-/* text is taken apart and freed; NULL after a fault that is told already. */
+/* text is taken apart and freed; NULL after a fault, which is reported. */
 static struct materials *
 take_text(const char *path, char *text, struct error_list *errors)
 {
@@ -62,7 +62,7 @@ take_text(const char *path, char *text, struct error_list *errors)
 		return NULL;
 	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
 	struct materials *m = xcalloc(1, sizeof *m);
-	size_t i = 1; /* behind the heading */
+	size_t i = 1; /* after the heading */
 	while (i < sheet->n_row && read_row(sheet, &sheet->row[i], m))
 		i++;
 	if (m->n == 0 && sheet->n_fault == 0)

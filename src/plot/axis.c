@@ -177,7 +177,7 @@ axis_share(const struct axis *axis, double value)
 	return fmin(fmax(t, 0), 1);
 }
 
-/* A row's cells from `from` on, with a blank around them, are free. */
+/* A row's cells from `from` on, with a space around them, are free. */
 static bool
 has_room(const char *taken, int columns, int from, int length)
 {

@@ -51,7 +51,7 @@ double axis_share(const struct axis *axis, double value);
 enum { AXIS_DROPPED = -1 };
 
 /* Lays the labels of an axis across `columns`, the tick of share 0 in the first
- * and that of share 1 in the last: by rank, centred, a blank between two, in
+ * and that of share 1 in the last: by rank, centred, a space between two, in
  * up to `rows` rows.  column, row [axis->n] out: where each label begins, row
  * AXIS_DROPPED of those without room.  Returns how many rows are used. */
 int axis_place(

@@ -33,7 +33,7 @@ enum series {
 enum { CELL_BOLD = 1, CELL_DIM = 2, CELL_REVERSE = 4, CELL_SHADE = 8 };
 enum { CANVAS_SHADE = 238, CANVAS_SHADE_CODE = 0x2591 };
 
-/* code: a Unicode code point; 0 behind one that is two columns wide. */
+/* code: a Unicode code point; 0 after one that is two columns wide. */
 struct canvas_cell {
 	uint32_t code;
 	unsigned char series, attribute;
@@ -57,7 +57,7 @@ struct canvas_cell *canvas_at(struct canvas *canvas, int column, int row);
 void canvas_text(struct canvas *canvas, int column, int row, const char *text,
     enum series series, unsigned attribute);
 
-/* The same, cut at column `end`.  Returns the column behind the text. */
+/* The same, cut at column `end`.  Returns the column after the text. */
 int canvas_text_within(struct canvas *canvas, int column, int row, int end,
     const char *text, enum series series, unsigned attribute);
 
@@ -69,12 +69,12 @@ const char *canvas_utf8(uint32_t code, char text[static 5]);
  * 8 on it is a bright one, which among eight is the bold one. */
 int canvas_colour(enum series series, int depth);
 
-/* Whether a cell has that ground; and what is shown of it, a blank in the place
- * of the shade that the ground is. */
+/* Whether a cell has that ground; and what is shown of it, a space instead of
+ * the shade that the ground is. */
 bool canvas_is_shaded(const struct canvas_cell *cell, int depth);
 uint32_t canvas_code(const struct canvas_cell *cell, int depth);
 
-/* Prints the rows, each without blanks at its end and with a line feed; escape
+/* Prints the rows, each without spaces at its end and with a line feed; escape
  * sequences where depth > 0. */
 void canvas_print(const struct canvas *canvas, int depth, FILE *out);
 

@@ -46,7 +46,7 @@ struct chart_rule {
 };
 
 /* Later series lie on top.  about: where the data are from, shown at the foot
- * behind "data: "; note: lines below the legend. */
+ * after "data: "; note: lines below the legend. */
 struct chart {
 	char *title, *about;
 	struct axis x, y;

@@ -560,8 +560,8 @@ is_alike(const struct canvas_cell *a, const struct canvas_cell *b)
 	return a->series == b->series && a->attribute == b->attribute;
 }
 
-/* The column behind a run of text from `from` on: cells alike, with no more
- * than one blank between two words. */
+/* The column after a run of text from `from` on: cells alike, with no more
+ * than one space between two words. */
 static int
 run_end(const struct sheet *s, int from, int row)
 {

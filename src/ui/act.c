@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/act.h"
 
-#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,6 +9,7 @@
 
 #include <curses.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/band.h"
@@ -57,6 +57,19 @@ next_focus(struct tui *t)
 	t->focus = can && t->focus == NULL ? page : NULL;
 }
 
+/* Puts a name for the file after `>`: "tierp-74.0.csv"; of the plot of two
+ * predictions an image. */
+static void
+propose_file(const struct tui *t, char **line)
+{
+	if (tui_entry(t) == NULL)
+		return;
+	char *name = text_slug(tui_entry(t)->key);
+	xappend(line, "%s-%.1f.%s", name, t->tenths / 10.0,
+	    t->pin.site[0] != '\0' ? "svg" : "csv");
+	free(name);
+}
+
 /* The command of a key that has one, with the speed or the picture in it.  The
  * caller frees. */
 static char *
@@ -76,6 +89,8 @@ compose(const struct tui *t, const struct key *key)
 		line = xasprintf("%.*s%s%s", (int)(hole - key->command),
 		    key->command, where, hole + 2);
 	free(where);
+	if (key->act == ACT_EXPORT)
+		propose_file(t, &line);
 	return line;
 }
 
@@ -293,7 +308,7 @@ type_key(struct tui *t, int code, bool special)
 		control_typed(t, y->text);
 }
 
-/* Digits of a speed; the first are pages, but behind a 0. */
+/* Digits of a speed; the first are pages, but after a 0. */
 static bool
 digit_key(struct tui *t, int code, bool special)
 {

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "base/xalloc.h"
 #include "cmd/keep.h"
 #include "cmd/script.h"
 #include "ui/driver.h"

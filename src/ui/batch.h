@@ -15,7 +15,7 @@ int batch_stream(struct session *s, FILE *in, const char *name);
 int batch_file(struct session *s, const char *path);
 
 /* From now on lines are typed by somebody: the session is kept, and what was
- * kept of the last one is told of. */
+ * kept of the last one is announced. */
 void batch_attend(struct session *s);
 
 /* Lines typed at a terminal while results go elsewhere: an error is printed and

@@ -361,7 +361,7 @@ control_keep(struct tui *t)
 	control_look(t);
 	tui_say(t, false,
 	    "stopped, the best is kept: Space continues, f starts again, both "
-	    "within the current bounds");
+	    "within the current bounds; u undoes it");
 }
 
 /* The calibration has come to its end. */

@@ -19,16 +19,12 @@
 const struct key KEYS[] = {
     {KEY_LEFT, "Left, h", ON_ALL, ACT_MOVE, -1, PREDICT,
 	"speed down by 0.1 m/s; or move what Tab chose to the left"},
-    {'h', NULL, ON_ALL, ACT_MOVE, -1, PREDICT, NULL},
     {KEY_RIGHT, "Right, l", ON_ALL, ACT_MOVE, 1, PREDICT,
 	"speed up by 0.1 m/s; or move what Tab chose to the right"},
-    {'l', NULL, ON_ALL, ACT_MOVE, 1, PREDICT, NULL},
     {KEY_SLEFT, "Shift-Left, H", ON_ALL, ACT_FINE, -10, PREDICT,
 	"speed down by 1 m/s; or ten generations"},
-    {'H', NULL, ON_ALL, ACT_FINE, -10, PREDICT, NULL},
     {KEY_SRIGHT, "Shift-Right, L", ON_ALL, ACT_FINE, 10, PREDICT,
 	"speed up by 1 m/s; or ten generations"},
-    {'L', NULL, ON_ALL, ACT_FINE, 10, PREDICT, NULL},
     {KEY_NPAGE, "PgDn", ON_ALL, ACT_FINE, -50, PREDICT,
 	"speed down by 5 m/s; or fifty generations"},
     {KEY_PPAGE, "PgUp", ON_ALL, ACT_FINE, 50, PREDICT,
@@ -54,10 +50,8 @@ const struct key KEYS[] = {
     {'5', "5", ON_ALL, ACT_PAGE, PAGE_SITES, NULL, "page Sites"},
     {KEY_UP, "Up, k", ON_ALL, ACT_LIST, -1, NULL,
 	"up in a list; to a higher passing for the crosshair's sizes"},
-    {'k', NULL, ON_ALL, ACT_LIST, -1, NULL, NULL},
     {KEY_DOWN, "Down, j", ON_ALL, ACT_LIST, 1, NULL,
 	"down in a list; to a lower passing"},
-    {'j', NULL, ON_ALL, ACT_LIST, 1, NULL, NULL},
     {'\n', "Enter", ON_SITES, ACT_CHOOSE, 0, NULL, "use this site"},
     {'c', "c", ON_ALL, ACT_CROSS, 0, NULL,
 	"crosshair on or off: reads the curves at a sieve"},
@@ -72,21 +66,19 @@ const struct key KEYS[] = {
 	"pause or resume the calibration; once stopped: continue"},
     {'s', "s", ON_ALL, ACT_KEEP, 0, NULL,
 	"stop the calibration and keep the best"},
-    {'+', "+", ON_ALL, ACT_PACE, 1, NULL, "more generations a second"},
-    {'=', NULL, ON_ALL, ACT_PACE, 1, NULL, NULL},
+    {'+', "+, =", ON_ALL, ACT_PACE, 1, NULL, "more generations a second"},
     {'-', "-", ON_ALL, ACT_PACE, -1, NULL, "fewer generations a second"},
     {'d', "d", ON_ALL, ACT_TELL, 0, "describe %s",
 	"describe the plot of the page in words"},
     {'e', "e", ON_ALL, ACT_EXPORT, 0, "predict %s > ",
-	"export prediction: .csv table, .png curves; pinned one too"},
+	"export the prediction, pinned one too: .csv table, .svg plot"},
     {':', ":", ON_ALL, ACT_TYPE, 0, "",
 	"a command: find, spec, bounds ..; Tab completes, Up repeats"},
     {'u', "u", ON_ALL, ACT_RUN, 0, "undo", "undo the last change"},
     {'U', "U", ON_ALL, ACT_RUN, 0, "redo", "redo it"},
     {'w', "w", ON_ALL, ACT_TYPE, 0, "save ",
 	"save the session as a script: give a file name"},
-    {'?', "?, F1", ON_ALL, ACT_HELP, 0, NULL, "this list"},
-    {KEY_F(1), NULL, ON_ALL, ACT_HELP, 0, NULL, NULL},
+    {KEY_F(1), "?, F1", ON_ALL, ACT_HELP, 0, NULL, "this list"},
     {'M', "M", ON_ALL, ACT_MOUSE, 0, NULL,
 	"mouse on or off; Shift and drag selects text"},
     {CONTROL('L'), "^L", ON_ALL, ACT_REDRAW, 0, NULL, "redraw"},
@@ -96,17 +88,6 @@ const struct key KEYS[] = {
 	"to the shell; fg comes back"},
     {'q', "q", ON_ALL, ACT_LEAVE, 0, NULL, "quit full-screen mode"},
     {.code = 0}};
-
-const struct key *
-keys_find(int code, enum page page)
-{
-	if (code == '\r')
-		code = '\n';
-	for (const struct key *k = KEYS; k->code != 0; k++)
-		if (k->code == code && (k->pages & (1U << page)))
-			return k;
-	return NULL;
-}
 
 /* Whether one of the names of a row, "Left, h", is this. */
 static bool
@@ -121,6 +102,20 @@ has_name(const char *names, const char *name)
 		names = names != NULL ? names + 2 : NULL;
 	}
 	return false;
+}
+
+const struct key *
+keys_find(int code, enum page page)
+{
+	if (code == '\r')
+		code = '\n';
+	const char letter[2] = {code < 127 ? (char)code : '\0'};
+	for (const struct key *k = KEYS; k->code != 0; k++)
+		if ((k->pages & (1U << page)) &&
+		    (k->code == code ||
+			(letter[0] > ' ' && has_name(k->name, letter))))
+			return k;
+	return NULL;
 }
 
 bool
@@ -165,8 +160,6 @@ line_of(const struct key *k)
 static bool
 has_word(const struct key *k, const char *word)
 {
-	if (k->name == NULL)
-		return false;
 	char *line = line_of(k), *folded = text_fold(line);
 	char *wanted = text_fold(word);
 	bool has = strstr(folded, wanted) != NULL;
@@ -214,8 +207,6 @@ keys_manual(FILE *out)
 {
 	fputs(".Bl -tag -width Shift-Right\n", out);
 	for (const struct key *k = KEYS; k->code != 0; k++) {
-		if (k->name == NULL)
-			continue;
 		/* The control characters of mdoc would be taken as such. */
 		fprintf(out, ".It %s%s\n%s%s.\n",
 		    k->name[1] == '\0' ? "\\&" : "", k->name, k->what,

@@ -48,8 +48,8 @@ enum key_act {
 /* To an end of the slider, or a run: amounts of ACT_TO. */
 enum { TO_LEAST, TO_MOST, TO_SLOWEST, TO_FASTEST, TO_MIDDLE };
 
-/* code: as ncurses gives it; name: as shown, NULL for a second way to press
- * what stands in the row above.  command: what it composes, with %s for the
+/* code: as ncurses gives it; name: as shown, "Left, h" where h does the same.
+ * command: what it composes, with %s for the
  * slider's speed, or NULL. */
 struct key {
 	int code;

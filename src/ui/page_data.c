@@ -1,9 +1,8 @@
 /* The page Data: the sheet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/page_data.h"
+#include "ui/pane.h"
 
 #include <limits.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -60,7 +59,7 @@ feed_run(const struct tui *t)
 	return &tui_entry(t)->site->run[tui_feed(t)];
 }
 
-/* Returns the column behind the table. */
+/* Returns the column after the table. */
 static int
 draw_heads(const struct tui *t, const struct area *area)
 {

@@ -1,6 +1,6 @@
 /* The Fit page: the search, generation by generation, while it runs and after.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/page_fit.h"
+#include "ui/pane.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,9 +8,10 @@
 
 #include "base/xalloc.h"
 #include "cmd/fit.h"
+#include "core/sensitivity.h"
 #include "ui/screen.h"
 
-/* The slider of the generations, in the place of the usual caption. */
+/* The slider of the generations, instead of the usual caption. */
 static bool
 caption(struct tui *t, const struct area *area)
 {
@@ -79,7 +80,8 @@ draw_parameter(const struct area *side, int row, size_t j,
 	enum { NAME = 7, VALUE = 18, MOST = 40 };
 	double lower = bounds->lower[j], upper = bounds->upper[j];
 	bool gauge = j < breakage_of(&g->params)->gauge;
-	double value = (polished != NULL ? polished : &g->params)->at[j];
+	const struct params *p = polished != NULL ? polished : &g->params;
+	double value = p->at[j];
 	double best = value;
 	if (polished != NULL && gauge)
 		best *= gauge_scale(polished, g);
@@ -93,12 +95,9 @@ draw_parameter(const struct area *side, int row, size_t j,
 	for (int c = from; c <= to; c++)
 		bar[c] = '=';
 	bar[cell_of(best, lower, upper, width)] = '*';
-	double near = 0.02 * (upper - lower);
-	const char *remark = lower >= upper              ? "fixed"
-			     : polished != NULL && gauge ? ""
-			     : best - lower < near || upper - best < near
-				 ? "near bound"
-				 : "";
+	const char *remark = lower >= upper                       ? "fixed"
+			     : sensitivity_on_bound(bounds, p, j) ? "at bound"
+								  : "";
 	screen_text(side, row, 0, 0, "%-7s|%s|%7.3g %s",
 	    breakage_of(&g->params)->parameter[j].name, bar, value, remark);
 }

@@ -1,6 +1,6 @@
 /* The page Parity: predicted against measured.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/page_parity.h"
+#include "ui/pane.h"
 
 #include "base/xalloc.h"
 

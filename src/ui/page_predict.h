@@ -5,8 +5,6 @@
 
 #include "ui/pane.h"
 
-extern const struct page_ops page_predict;
-
 /* The crosshair on, which opens the page, or off. */
 void page_predict_cross(struct tui *t);
 

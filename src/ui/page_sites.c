@@ -1,6 +1,6 @@
 /* The page Sites: what each loaded site is and how far it is calibrated.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/page_sites.h"
+#include "ui/pane.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -33,7 +33,7 @@ row_at(struct site_row *row, const struct tui *t, const struct entry *e)
 	prediction_free(&p);
 }
 
-/* What does not hang on the speed is worked out when the session has changed
+/* What does not depend on the speed is worked out when the session has changed
  * only (rows_at 0). */
 static void
 update(struct tui *t)

@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_UI_PAGER_H
 #define TIPSPEED_UI_PAGER_H
 
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 

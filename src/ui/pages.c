@@ -2,12 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/pages.h"
 
-#include "ui/page_data.h"
-#include "ui/page_fit.h"
-#include "ui/page_parity.h"
-#include "ui/page_predict.h"
-#include "ui/page_sites.h"
-
 const struct page_ops *const PAGE_OPS[PAGES] = {[PAGE_PREDICT] = &page_predict,
     [PAGE_FIT] = &page_fit,
     [PAGE_DATA] = &page_data,

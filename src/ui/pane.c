@@ -38,8 +38,8 @@ pane_plot(const struct tui *t, const struct plot_request *request,
 	screen_words(area, row, 0, error.hint);
 }
 
-/* A curve's name behind those to its left, where there is room for all of it.
- * Returns the column behind. */
+/* A curve's name after those to its left, where there is room for all of it.
+ * Returns the column after. */
 static int
 draw_name(const struct tui *t, int column, enum series series, unsigned look,
     const char *text)

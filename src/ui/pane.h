@@ -10,7 +10,7 @@
  * page has no use for is NULL. */
 struct page_ops {
 	const char *name;  /* in the heading */
-	const char *hints; /* of its keys, two blanks between them; or NULL: */
+	const char *hints; /* of its keys, two spaces between them; or NULL: */
 	const char *(*hints_now)(const struct tui *t);
 	int side, wide_side; /* columns of its panel; wide: of 120 or more */
 
@@ -40,12 +40,15 @@ struct page_ops {
 	char *(*words)(const struct tui *t);
 };
 
+extern const struct page_ops page_predict, page_fit, page_data, page_parity,
+    page_sites;
+
 /* A plot in an area, or in words why there is none. */
 void pane_plot(const struct tui *t, const struct plot_request *request,
     const struct area *area);
 
 /* Curves in the plot area, with a legend below them where there is room.
- * notes: they are told what the side panel does not. */
+ * notes: they show what the side panel does not. */
 void pane_curves(const struct tui *t, struct plot_request *request, bool notes);
 
 /* The curves, as `describe` names them.  The caller frees. */
@@ -54,11 +57,11 @@ char *pane_curves_words(const struct tui *t);
 /* The body with the row of the legend: a list has none. */
 struct area pane_list_area(const struct tui *t);
 
-/* A row of hints, two blanks between them: what does not fit is left out by
+/* A row of hints, two spaces between them: what does not fit is left out by
  * whole ones. */
 void pane_hints(const struct area *area, unsigned look, const char *hints);
 
-/* Leaves out words, two blanks between them, that there is no room for. */
+/* Leaves out words, two spaces between them, that there is no room for. */
 void pane_cut(char *words, int columns);
 
 /* A place in a list of n, moved and kept within it. */

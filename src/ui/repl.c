@@ -56,7 +56,7 @@ shared_bytes(char **text, size_t n)
 	return shared;
 }
 
-/* The text to put in the place of readline's word, which begins at start; NULL
+/* The text to put instead of readline's word, which begins at start; NULL
  * where the two do not go together.  from: where the candidate's begins. */
 static char *
 fit_word(const struct candidate *c, const char *line, long from, long start)

@@ -14,7 +14,7 @@ void repl_begin(struct session *s);
  * pump_catch_signals must have been called. */
 int repl_run(struct session *s);
 
-/* The same in the place of the full screen, where the session is to be heard.
+/* The same instead of the full screen, where the session is to be heard.
  * At the prompt there is nothing to do. */
 int repl_for_screen(struct session *s);
 

@@ -19,7 +19,7 @@ void rescue_prompt(const char *bytes);
 /* The screen has been closed, or the prompt has its line. */
 void rescue_done(void);
 
-/* Mends a terminal that a killed program left behind; for --reset-tty. */
+/* Restores a terminal that a killed program left behind; for --reset-tty. */
 void rescue_reset(void);
 
 #endif

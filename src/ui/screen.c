@@ -374,7 +374,7 @@ show_cell(int row, int column, const struct canvas_cell *from)
 	mvadd_wch(row, column, &cell);
 }
 
-/* A blank shows no colour: it has that of the line which moves most, so that
+/* A space shows no colour: it has that of the line which moves most, so that
  * less is written. */
 static void
 blank_plot(void)

@@ -50,14 +50,14 @@ bool screen_mouse_on(void);
 void screen_leave(void);
 void screen_return(void);
 
-/* Asks the terminal for its size; all is drawn anew. */
+/* Asks the terminal for its size; all is drawn again. */
 void screen_resize(void);
 
 /* A new frame, of the size it has now. */
 void screen_begin(int *rows, int *columns);
 
 /* UTF-8 from the cell of an area on, cut at its right edge; nothing below its
- * last row.  Returns the column behind it, within the area. */
+ * last row.  Returns the column after it, within the area. */
 int screen_text(const struct area *area, int row, int column, unsigned look,
     const char *format, ...) __attribute__((format(printf, 5, 6)));
 
@@ -65,8 +65,8 @@ int screen_text(const struct area *area, int row, int column, unsigned look,
 int screen_series(const struct area *area, int row, int column,
     enum series series, unsigned look, const char *text);
 
-/* Text in as many rows of the area as it takes, broken at blanks.  Returns the
- * row behind it. */
+/* Text in as many rows of the area as it takes, broken at spaces.  Returns the
+ * row after it. */
 int screen_words(
     const struct area *area, int row, unsigned look, const char *text);
 

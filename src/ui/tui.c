@@ -10,7 +10,6 @@
 
 #include <curses.h>
 
-#include "base/xalloc.h"
 #include "cmd/keep.h"
 #include "ui/act.h"
 #include "ui/control.h"

@@ -40,7 +40,7 @@ typing_end(struct typing *t)
 	t->active = false;
 }
 
-/* Puts text in the place of the bytes from start to the cursor. */
+/* Puts text instead of the bytes from start to the cursor. */
 static void
 replace(struct typing *t, size_t start, const char *text, size_t n)
 {
@@ -64,7 +64,7 @@ insert(struct typing *t, unsigned code)
 	replace(t, t->at, bytes, n);
 }
 
-/* The offset of the character before, and behind, an offset. */
+/* The offset of the character before, and after, an offset. */
 static size_t
 before(const struct typing *t, size_t at)
 {
@@ -146,62 +146,39 @@ complete_word(struct typing *t, const struct session *s)
 static void
 edit(struct typing *t, int code)
 {
-	switch (code) {
-	case KEY_LEFT:
+	if (code == KEY_LEFT)
 		t->at = before(t, t->at);
-		break;
-	case KEY_RIGHT:
+	else if (code == KEY_RIGHT)
 		t->at = behind(t, t->at);
-		break;
-	case KEY_HOME:
+	else if (code == KEY_HOME)
 		t->at = 0;
-		break;
-	case KEY_END:
+	else if (code == KEY_END)
 		t->at = t->n;
-		break;
-	case KEY_UP:
-		go_back(t, 1);
-		break;
-	case KEY_DOWN:
-		go_back(t, -1);
-		break;
-	case KEY_BACKSPACE:
+	else if (code == KEY_UP || code == KEY_DOWN)
+		go_back(t, code == KEY_UP ? 1 : -1);
+	else if (code == KEY_DC && t->at < t->n)
+		t->at = behind(t, t->at);
+	else if (code != KEY_BACKSPACE)
+		return;
+	if (code == KEY_DC || code == KEY_BACKSPACE)
 		replace(t, before(t, t->at), "", 0);
-		break;
-	case KEY_DC:
-		if (t->at < t->n) {
-			t->at = behind(t, t->at);
-			replace(t, before(t, t->at), "", 0);
-		}
-		break;
-	}
 }
 
 /* What the control keys are short for. */
 static int
 meaning(int code)
 {
-	switch (code) {
-	case CONTROL('A'):
-		return KEY_HOME;
-	case CONTROL('E'):
-		return KEY_END;
-	case CONTROL('B'):
-		return KEY_LEFT;
-	case CONTROL('F'):
-		return KEY_RIGHT;
-	case CONTROL('P'):
-		return KEY_UP;
-	case CONTROL('N'):
-		return KEY_DOWN;
-	case CONTROL('D'):
-		return KEY_DC;
-	case CONTROL('H'):
-	case DELETE:
-		return KEY_BACKSPACE;
-	default:
-		return 0;
-	}
+	static const struct {
+		int code, key;
+	} SHORT[] = {{CONTROL('A'), KEY_HOME}, {CONTROL('E'), KEY_END},
+	    {CONTROL('B'), KEY_LEFT}, {CONTROL('F'), KEY_RIGHT},
+	    {CONTROL('P'), KEY_UP}, {CONTROL('N'), KEY_DOWN},
+	    {CONTROL('D'), KEY_DC}, {CONTROL('H'), KEY_BACKSPACE},
+	    {DELETE, KEY_BACKSPACE}};
+	for (size_t i = 0; i < ARRAY_LEN(SHORT); i++)
+		if (SHORT[i].code == code)
+			return SHORT[i].key;
+	return 0;
 }
 
 enum typing_result

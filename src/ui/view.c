@@ -74,7 +74,7 @@ view_message(struct tui *t)
 		free(text);
 }
 
-/* A character of the word behind '/'; false where it is none. */
+/* A character of the word after '/'; false where it is none. */
 static bool
 find(struct tui *t, int code, bool special)
 {
@@ -148,7 +148,7 @@ view_key(struct tui *t, int code, bool special)
 	return chosen;
 }
 
-/* The list of keys has one blank between a key and what it does where it is
+/* The list of keys has one space between a key and what it does where it is
  * narrow. */
 static void
 squeeze(char *line)

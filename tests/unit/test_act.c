@@ -15,7 +15,7 @@
 #include "ui/control.h"
 #include "ui/frame.h"
 #include "ui/input.h"
-#include "ui/page_fit.h"
+#include "ui/pane.h"
 #include "ui/screen.h"
 #include "ui/shot.h"
 #include "ui/tui_state.h"
@@ -283,6 +283,22 @@ a_colon_begins_a_line_over_what_fills_the_screen(void **state)
 	assert_string_equal(t->typing.text, "undo");
 }
 
+static void
+e_proposes_a_file(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	desk_expect(((struct stage *)*state)->desk,
+	    "load data/sites/tierp.csv; calibrate; predict speed=74");
+	type(t, "e");
+	assert_string_equal(
+	    t->typing.text, "predict speed=74.0 > tierp-74.0.csv");
+	type(t, "\033");
+	control_predict(t);
+	type(t, "xe");
+	assert_non_null(strstr(t->typing.text, "beside=tierp"));
+	assert_non_null(strstr(t->typing.text, " > tierp-74.0.svg"));
+}
+
 /* In words what is to be seen, and not something else. */
 static void
 d_tells_the_picture_of_the_page(void **state)
@@ -504,6 +520,7 @@ main(void)
 	    ON_STAGE(the_mouse_drags_the_scrubber_to_its_ends),
 	    ON_STAGE(the_list_has_the_keys_of_other_pages),
 	    ON_STAGE(a_colon_begins_a_line_over_what_fills_the_screen),
+	    ON_STAGE(e_proposes_a_file),
 	    ON_STAGE(d_tells_the_picture_of_the_page),
 	    ON_STAGE(
 		an_answer_is_measured_by_the_screen_and_not_by_the_text_before),

@@ -65,7 +65,7 @@ options_are_in_order(void **state)
 		for (; (o = command_option_at(c, n)) != NULL; n++) {
 			assert_int_equal(command_option_index(c, o->name), n);
 			bool choice = o->kind == VALUE_CHOICE;
-			bool words = o->choices != NULL;
+			bool words = option_choices(o) != NULL;
 			assert_true(choice ? words
 					   : !words || o->kind == VALUE_TEXT ||
 						 o->kind == VALUE_NUMBERS);

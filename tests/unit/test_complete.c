@@ -121,7 +121,7 @@ every_choice_is_offered(void **state)
 			if (o->kind != VALUE_CHOICE)
 				continue;
 			char *line = xasprintf("%s %s=", c->name, o->name);
-			char *copy = xstrdup(o->choices), *save = NULL;
+			char *copy = xstrdup(option_choices(o)), *save = NULL;
 			char *one = strtok_r(copy, " ", &save);
 			for (; one != NULL; one = strtok_r(NULL, " ", &save)) {
 				char *wanted = xasprintf("%s ", one);

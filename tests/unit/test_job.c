@@ -304,6 +304,62 @@ edited_bounds_are_told(void **state)
 	    "bounds f_mat 0.5..0.7"));
 }
 
+/* A line's notes. */
+static const char *
+noted(struct desk *desk, const char *line)
+{
+	size_t before = desk->n_notes;
+	desk_expect(desk, line);
+	return desk->notes + before;
+}
+
+static void
+a_stop_that_left_a_worse_fit_names_undo(void **state)
+{
+	struct desk *desk = *state;
+	static const char worse[] = "the former fit was better";
+	whole(desk);
+	const char *line = "calibrate population=64 seed=3 pause=2";
+	assert_non_null(strstr(noted(desk, line), worse));
+	assert_null(strstr(noted(desk, "undo; undo"), worse));
+	const char *notes = noted(desk, line);
+	assert_null(strstr(notes, worse));
+	assert_non_null(strstr(notes, "undo or calibrate again"));
+}
+
+/* What is named as poorly determined can be changed so: not past a bound, but
+ * for its rounding. */
+static void
+a_step_is_named_that_the_bounds_allow(void **state)
+{
+	struct desk *desk = *state;
+	static const double most[] = {12, 13, 14, 15, 16, 20, 30};
+	size_t named = 0, one_way = 0;
+	for (size_t i = 0; i < ARRAY_LEN(most); i++) {
+		char *line = xasprintf("bounds e0_min 8..%g; bounds alpha "
+				       "0.9..1; calibrate population=200",
+		    most[i]);
+		size_t before = desk->n_out;
+		desk_expect(desk, line);
+		free(line);
+		for (char *p = desk->out + before; *p != '\0'; p++)
+			*p = *p == '\n' ? ' ' : *p;
+		const char *step = strstr(desk->out + before, "e0_min by ");
+		if (step == NULL)
+			continue;
+		const struct fit *fit = &session_entry(desk->session)->fit;
+		double by = strtod(step + strlen("e0_min by "), NULL);
+		double x = fit->params.e0_min, room = 0.06 * fabs(by);
+		bool both = strstr(step, "reverse") != NULL;
+		assert_true(x + by >= 8 - room && x + by <= most[i] + room);
+		assert_true(
+		    !both || (x - by >= 8 - room && x - by <= most[i] + room));
+		named++;
+		one_way += !both;
+	}
+	assert_true(named > 0 && one_way > 0);
+}
+
 #define WITH_SITE(f) \
 	cmocka_unit_test_setup_teardown(f, open_with_site, desk_close)
 
@@ -350,6 +406,8 @@ main(void)
 	    WITH_SITE(a_flat_direction_raises_the_misfit_by_a_tenth),
 	    WITH_SITE(standard_deviations_weigh_when_asked_for),
 	    WITH_SITE(edited_bounds_are_told),
+	    WITH_SITE(a_stop_that_left_a_worse_fit_names_undo),
+	    WITH_SITE(a_step_is_named_that_the_bounds_allow),
 	    WITH_SITE(the_generations_stay_with_their_site),
 	};
 	chdir_to_source();

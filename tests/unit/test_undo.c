@@ -138,7 +138,7 @@ every_setting_is_set_undone_and_reset(void **state)
 		const struct command_option *o = &r->option;
 		char *first = settings_text(r, desk->session->first);
 		char *other = o->kind == VALUE_CHOICE
-				  ? xstrdup(strrchr(o->choices, ' ') + 1)
+				  ? xstrdup(strrchr(option_choices(o), ' ') + 1)
 				  : xasprintf("%g", o->most);
 		char *line = xasprintf("set %s %s", o->name, other);
 		assert_string_not_equal(first, other);
@@ -182,6 +182,28 @@ undo_gives_back_the_former_fit(void **state)
 	assert_true(
 	    snapshot_same_fit(&session_entry(desk->session)->fit, &first));
 	assert_non_null(strstr(desk->notes, "undone: calibrate seed=2"));
+}
+
+/* However often it was stopped, a fit is one step; bounds edited on the way are
+ * one of their own. */
+static void
+a_continued_fit_is_one_step(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	size_t depth = undo_depth(s);
+	desk_expect(desk, "calibrate population=64 generations=30 pause=3; "
+			  "continue pause=5; predict 74; continue");
+	size_t done = session_entry(s)->fit.generations;
+	assert_int_equal(undo_depth(s), depth + 1);
+	desk_expect(desk, "undo");
+	assert_non_null(strstr(desk->notes, "undone: calibrate"));
+	assert_false(session_entry(s)->has_fit);
+	desk_expect(desk, "redo");
+	assert_int_equal(session_entry(s)->fit.generations, done);
+	desk_expect(desk, "undo; calibrate population=64 pause=3; "
+			  "bounds alpha 0.8..1; continue pause=5");
+	assert_int_equal(undo_depth(s), depth + 3);
 }
 
 /* It goes on only where its site and the fit it left are still there. */
@@ -251,6 +273,7 @@ main(void)
 	    at_desk(every_setting_is_set_undone_and_reset),
 	    at_desk(a_load_that_fails_half_way_is_one_step),
 	    at_desk(undo_gives_back_the_former_fit),
+	    at_desk(a_continued_fit_is_one_step),
 	    at_desk(undo_lets_go_of_a_stopped_calibration),
 	    at_desk(undo_ends_a_running_calibration),
 	    at_desk(undo_forgets_the_answers),
