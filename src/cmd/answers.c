@@ -104,14 +104,6 @@ answers_finer(const struct breaker *b, double u, const struct site *site)
 	       (of->at_size != NULL ? of->at_size(b, log_x + log_u, NULL) : 1);
 }
 
-struct prediction
-answers_predict(const struct session *s, const struct entry *entry,
-    double speed, size_t feed_run)
-{
-	return predict(
-	    entry->site, &entry->params, s->set.model, speed, feed_run);
-}
-
 double
 answers_middle(const struct site *site)
 {
@@ -204,7 +196,7 @@ add_size(
 				 : outside_words(psd, passing);
 	xlist(list, ", ", "P%.0f %s mm", 100 * passing, size);
 	free(size);
-	if (range == NULL || !isfinite(range[1]))
+	if (!isfinite(range[1]))
 		return;
 	if (isfinite(range[0]))
 		xappend(list, " (%.2f to ", 1000 * range[0]);
@@ -215,13 +207,11 @@ add_size(
 }
 
 void
-answers_note_sizes(
-    struct answer *r, const struct psd *psd, const struct band *band)
+answers_note_sizes(struct answer *r, const struct prediction *p)
 {
 	char *sizes = xstrdup("");
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		add_size(&sizes, psd, PSD_PASSING[i],
-		    band != NULL ? band->size[i] : NULL);
+		add_size(&sizes, &p->curve, PSD_PASSING[i], p->range[i]);
 	answer_note(r, "%s", sizes);
 	free(sizes);
 }
@@ -309,6 +299,7 @@ answers_put_prediction(struct session *s, struct fields *o,
 	fields_numbers(o, "sieve_mm", product->size, product->n, units_mm);
 	fields_numbers(
 	    o, "passing_pct", product->passing, product->n, units_pct);
+	fields_numbers(o, "model_pct", p->model, product->n, units_pct);
 	answers_put_sizes(o, p);
 	fields_put(o, "model %s", breakage_of(params)->name);
 	fit_put_params(o, params);

@@ -42,10 +42,6 @@ bool answers_feed(const struct site *site, const struct args *args,
 double answers_finer(
     const struct breaker *b, double u, const struct site *site);
 
-/* The product of a site with its parameters. */
-struct prediction answers_predict(const struct session *s,
-    const struct entry *entry, double speed, size_t feed_run);
-
 /* The speed that the option names; else that of the held-out run nearest to the
  * middle, else 74 m/s, or the middle where that is beyond site_reach. */
 double answers_speed(const struct args *args, const struct entry *entry);
@@ -85,8 +81,7 @@ void answers_size_cell(struct answer *r, const struct prediction *p, size_t i);
 
 /* The note "P20 1.14 mm, P50 2.91 mm, P80 5.28 mm", with their ranges where a
  * band is given: "P20 1.14 mm (1.12 to 1.18)". */
-void answers_note_sizes(
-    struct answer *r, const struct psd *psd, const struct band *band);
+void answers_note_sizes(struct answer *r, const struct prediction *p);
 
 /* Notes on what the calibration behind an answer is worth, where that is
  * little. */

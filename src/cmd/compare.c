@@ -9,6 +9,7 @@
 #include "cmd/entries.h"
 #include "cmd/parse.h"
 #include "cmd/table.h"
+#include "cmd/outlook.h"
 #include "core/predict.h"
 #include "io/units.h"
 
@@ -151,7 +152,7 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected speeds from 1 to 200 m/s, got %s", word);
 	side->entry = entry;
-	side->p = answers_predict(s, entry, v, feed);
+	side->p = outlook_predict(s, entry, v, feed);
 	side->head = sites ? xstrdup(entry->key) : xasprintf("%g m/s", v);
 	return true;
 }

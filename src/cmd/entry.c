@@ -15,9 +15,10 @@ history_drop(struct history *h)
 	if (h == NULL || --h->holders > 0)
 		return;
 	free(h->generation);
-	misfit_free(h->misfit);
-	free(h->uncertainty);
-	band_free(&h->band);
+	free(h->train);
+	for (size_t i = 0; i < 2; i++)
+		posterior_free(h->posterior[i]);
+	ensemble_free(h->ensemble);
 	free(h);
 }
 

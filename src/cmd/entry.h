@@ -7,30 +7,31 @@
 #include <stdbool.h>
 
 #include "core/calibrate.h"
-#include "core/misfit.h"
+#include "core/ensemble.h"
 #include "core/site.h"
-#include "core/uncertainty.h"
 #include "io/answer.h"
 #include "io/stored.h"
 
 /* What a calibration left: what it found; its generations, [n], with the bounds
- * it searched in; and its misfit, from which is drawn, when first asked for,
- * what the data leave open.  Shared by the entries, snapshots and origins that
- * hold it. */
+ * it searched in; and its site and training runs [n_run], from which is drawn,
+ * when first asked for, what is known after it: posterior, by the runs that
+ * inform it (enum correction), and the products of the last feed that was asked
+ * for.  Shared by the entries, snapshots and origins that hold it. */
 struct history {
 	size_t holders, n;
 	struct fit fit;
 	struct calibrate_generation *generation;
 	struct bounds bounds;
-	struct misfit *misfit;
-	struct uncertainty *uncertainty; /* NULL: not drawn yet */
-	struct band band;                /* the last one asked for */
-	struct band_of {
+	const struct site *site;
+	bool *train;
+	bool (*stop)(void);
+	struct posterior *posterior[2]; /* NULL: not drawn yet */
+	struct ensemble *ensemble;
+	struct ensemble_of {
+		const struct posterior *posterior;
 		const struct site *site;
-		struct model_settings settings;
-		double speed;
 		size_t feed_run;
-	} band_of;
+	} ensemble_of;
 };
 
 /* Never changed once made, and shared by the entries and snapshots that hold

@@ -8,6 +8,7 @@
 #include "cmd/answers.h"
 #include "cmd/files.h"
 #include "cmd/table.h"
+#include "cmd/outlook.h"
 #include "core/inverse.h"
 #include "core/predict.h"
 #include "io/spec.h"
@@ -228,7 +229,7 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 		    "%g mm is finer than the feed's finest sieve, %g mm\n"
 		    "use a size on or above that sieve",
 		    1000 * wish->x, units_mm(feed->size[feed->n - 1]));
-	struct prediction p = answers_predict(s, entry, wish->from, wish->feed);
+	struct prediction p = outlook_predict(s, entry, wish->from, wish->feed);
 	wish->inverse = inverse_new(feed,
 	    wish->key != NULL ? p.product.size : &wish->x,
 	    wish->key != NULL ? p.product.n : 1, &entry->params, s->set.model);
@@ -299,7 +300,7 @@ answer_wish(struct session *s, struct wish *wish)
 	size_t n = found ? 1 : 2;
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
-		p[i] = answers_predict(s, entry, speed[i], wish->feed);
+		p[i] = outlook_predict(s, entry, speed[i], wish->feed);
 	session_forget(s);
 	char *words = wish_words(wish);
 	struct answer *r =

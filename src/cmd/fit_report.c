@@ -8,6 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/band.h"
+#include "cmd/outlook.h"
 #include "cmd/fit.h"
 #include "cmd/table.h"
 #include "core/breakage.h"
@@ -138,8 +139,8 @@ add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 }
 
 static void
-add_verdict(struct answer *r, const struct entry *entry,
-    const struct bounds *bounds, bool ranges)
+add_verdict(struct answer *r, const struct session *s,
+    const struct entry *entry, const struct bounds *bounds, bool ranges)
 {
 	const struct fit *fit = &entry->fit;
 	if (fit->rmse > FIT_POOR)
@@ -168,7 +169,7 @@ add_verdict(struct answer *r, const struct entry *entry,
 			    breakage_of(&fit->params)->parameter[j].name);
 	add_flat(r, fit, bounds);
 	if (ranges)
-		band_note(r, entry);
+		band_note(r, s, entry);
 }
 
 static const char *
@@ -187,15 +188,21 @@ stop_sentence(const struct fit *fit)
 	}
 }
 
+static void
+add_range(struct answer *r, const struct session *s, const struct posterior *u,
+    const struct params *p, size_t j)
+{
+	double range[2];
+	band_parameter(u, s, p, j, range);
+	answer_cells(r, "%.4f %.4f", range[0], range[1]);
+}
+
 struct answer *
-fit_answer(
-    const struct entry *entry, const struct bounds *bounds, double seconds)
+fit_answer(const struct session *s, const struct entry *entry,
+    const struct bounds *bounds, double seconds)
 {
 	const struct fit *fit = &entry->fit;
-	/* Not of the place where a search was stopped, which may be any; and
-	 * who stops it does not wait for that. */
-	const struct uncertainty *u =
-	    fit->stop != CALIBRATE_STOPPED ? band_draws(entry) : NULL;
+	const struct posterior *u = outlook_draws(s, entry);
 	const struct breakage *of = breakage_of(&fit->params);
 	struct answer *r = answers_new(entry->site, "calibrate",
 	    "calibrated parameters%s%s", of != BREAKAGES[0] ? " of " : "",
@@ -209,7 +216,7 @@ fit_answer(
 		answer_cells(
 		    r, "%s %.4f", of->parameter[j].name, fit->params.at[j]);
 		if (u != NULL)
-			answer_cells(r, "%.4f %.4f", u->low[j], u->high[j]);
+			add_range(r, s, u, &fit->params, j);
 		answer_cells(r, "%s %g %g %s", of->parameter[j].unit,
 		    bounds->lower[j], bounds->upper[j],
 		    fixed              ? "held fixed"
@@ -230,9 +237,9 @@ fit_answer(
 		    "the bounds were edited after generation %zu%s: a script "
 		    "written by 'save' repeats that, calibrate alone does not",
 		    fit->edited_at, fit->edits > 1 ? " and before" : "");
-	add_verdict(r, entry, bounds, u != NULL);
+	add_verdict(r, s, entry, bounds, u != NULL);
 	fit_put(answer_fields(r), entry, seconds);
-	band_put_interval(answer_fields(r), u);
+	band_put_interval(answer_fields(r), s, u, &fit->params);
 	return r;
 }
 

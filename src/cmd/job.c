@@ -97,7 +97,10 @@ take_history(struct entry *entry, const struct job *job)
 	    .n = n,
 	    .generation = xcalloc(n + 1, size),
 	    .bounds = *calibration_bounds(job->calibration),
-	    .misfit = calibrate_misfit(entry->site, &job->options)};
+	    .site = entry->site,
+	    .train = xcalloc(entry->site->n_run, sizeof *h->train),
+	    .stop = job->options.stop};
+	memcpy(h->train, entry->train, entry->site->n_run * sizeof *h->train);
 	if (n > 0)
 		memcpy(h->generation, g, n * size);
 	history_drop(entry->history);
@@ -165,7 +168,7 @@ show_fit(struct session *s)
 {
 	double seconds = session_clock() - s->job.started;
 	session_note(s, "  done in %.2f s", seconds);
-	session_answer(s, fit_answer(&s->entry[s->job.entry],
+	session_answer(s, fit_answer(s, &s->entry[s->job.entry],
 			      calibration_bounds(s->job.calibration), seconds));
 }
 

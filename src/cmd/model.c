@@ -11,6 +11,7 @@
 #include "cmd/answers.h"
 #include "cmd/band.h"
 #include "cmd/entries.h"
+#include "cmd/outlook.h"
 #include "cmd/table.h"
 
 const char *const MODEL_FORMS[3] = {"ratio", "progeny_mm", "parent_mm"};
@@ -21,7 +22,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	const struct entry *entry = session_entry(s);
-	const struct uncertainty *u = band_draws(entry);
+	const struct posterior *u = outlook_draws(s, entry);
 	const struct breakage *of = entry->has_params
 					? breakage_of(&entry->params)
 					: BREAKAGES[s->set.model.breakage];
@@ -37,12 +38,15 @@ show_params(struct session *s, const struct args *args, struct error *error)
 		const struct param_info *info = &of->parameter[j];
 		answer_cells(r, u != NULL ? "%s %.4f" : "%s %g", info->name,
 		    entry->has_params ? entry->params.at[j] : NAN);
-		if (u != NULL)
-			answer_cells(r, "%.4f %.4f", u->low[j], u->high[j]);
+		if (u != NULL) {
+			double range[2];
+			band_parameter(u, s, &entry->params, j, range);
+			answer_cells(r, "%.4f %.4f", range[0], range[1]);
+		}
 		answer_cells(r, "%s %s", info->unit, info->meaning);
 	}
 	if (u != NULL)
-		band_note(r, entry);
+		band_note(r, s, entry);
 	if (entry->origin != NULL && entry->origin->whose[0] != '\0')
 		origin_note(r, entry);
 	return session_answer(s, r);

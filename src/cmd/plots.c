@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/band.h"
+#include "cmd/outlook.h"
 #include "cmd/entries.h"
 #include "core/elementary.h"
 #include "core/breakage.h"
@@ -163,11 +163,11 @@ add_curve(struct curves *c, const struct psd *psd, char *name,
 /* One that is kept with the curves. */
 static const struct prediction *
 make_prediction(struct curves *c, const struct session *s,
-    const struct site *site, const struct params *params, double speed,
+    const struct entry *entry, const struct params *params, double speed,
     size_t feed)
 {
 	struct prediction *p = &c->prediction[c->n_prediction++];
-	*p = predict(site, params, s->set.model, speed, feed);
+	*p = outlook_form(s, entry, params, speed, feed);
 	return p;
 }
 
@@ -319,23 +319,23 @@ static void
 shade_prediction(
     struct chart *chart, struct session *s, const struct prediction *p)
 {
-	const struct band *band = band_at(s, session_entry(s), p);
-	if (band == NULL) {
-		chart_note(chart, "%s", band_why_none(session_entry(s)));
+	if (p->low == NULL) {
+		chart_note(chart, "%s", outlook_why_none(s, session_entry(s)));
 		return;
 	}
 	struct chart_series *series = &chart->series[chart->n - 1];
 	chart_add_band(series);
 	for (size_t i = 0; i < series->n; i++) {
-		series->low[i] = units_pct(band->low[i]);
-		series->high[i] = units_pct(band->high[i]);
+		series->low[i] = units_pct(p->low[i]);
+		series->high[i] = units_pct(p->high[i]);
 	}
 	char p50[64] = "";
-	if (isfinite(band->p50[0]) && isfinite(band->p50[1]))
+	const double *range = p->range[1];
+	if (isfinite(range[0]) && isfinite(range[1]))
 		snprintf(p50, sizeof p50, "; P50 %.2f to %.2f mm",
-		    1000 * band->p50[0], 1000 * band->p50[1]);
-	chart_note(
-	    chart, "shaded: %d %% uncertainty band%s", UNCERTAINTY_LEVEL, p50);
+		    1000 * range[0], 1000 * range[1]);
+	chart_note(chart, "shaded: %.0f %% uncertainty band%s",
+	    100 * settings_level(&s->set), p50);
 }
 
 /* A second prediction beside the first, and the site it is of; p NULL: there is
@@ -374,7 +374,7 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
 		double v = isnan(q->other_speed) ? speed : q->other_speed;
 		if (i != s->current)
 			feed = site_run_nearest(site, v);
-		second->p = make_prediction(c, s, site, own, v, feed);
+		second->p = make_prediction(c, s, second->whose, own, v, feed);
 	}
 	char *name = xasprintf("%s %s%s%g m/s", kept ? "pin" : "predicted",
 	    beside ? q->beside : "", beside ? " " : "", second->p->speed);

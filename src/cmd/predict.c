@@ -13,6 +13,7 @@
 #include "cmd/plots.h"
 #include "cmd/table.h"
 #include "cmd/invocation.h"
+#include "cmd/outlook.h"
 #include "core/predict.h"
 #include "core/validate.h"
 #include "io/units.h"
@@ -102,18 +103,19 @@ measured_at(const struct site *site, double speed, const struct run **first)
 	return n;
 }
 
-/* A row a sieve; band, between: NULL for none; model: with it and the speed in
- * columns of their own, for files, or NULL. */
+/* A row a sieve; between: NULL for none; model: with it and the speed in columns
+ * of their own, for files, or NULL. */
 static void
 add_rows(struct answer *r, const struct site *site, const struct prediction *p,
-    const struct band *band, const double *between, const char *model)
+    const double *between, const char *model)
 {
 	const struct run *run;
 	size_t n = measured_at(site, p->speed, &run);
 	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
-	if (band != NULL)
-		answer_columns(r, "low_pct: low %%, high_pct: high %%");
+	if (p->low != NULL)
+		answer_columns(r, "low_pct: low %%, high_pct: high %%, "
+				  "model_pct: model alone %%");
 	for (size_t k = 0; k < n; k++)
 		if (n == 1)
 			answer_columns(r, "measured_pct: measured %%");
@@ -129,9 +131,9 @@ add_rows(struct answer *r, const struct site *site, const struct prediction *p,
 		answer_cells(r, "%g %.1f %.1f", units_mm(x),
 		    units_pct(p->feed.passing[i]),
 		    units_pct(p->product.passing[i]));
-		if (band != NULL)
-			answer_cells(r, "%.1f %.1f", units_pct(band->low[i]),
-			    units_pct(band->high[i]));
+		if (p->low != NULL)
+			answer_cells(r, "%.1f %.1f %.1f", units_pct(p->low[i]),
+			    units_pct(p->high[i]), units_pct(p->model[i]));
 		for (size_t k = 0; k < n; k++)
 			answer_cells(r, "%.1f",
 			    units_pct(psd_at_sieve(&run[k].product, x)));
@@ -144,49 +146,36 @@ add_rows(struct answer *r, const struct site *site, const struct prediction *p,
 
 static struct answer *
 prediction_answer(struct session *s, const struct prediction *p,
-    const struct band *band, const double *between, const char *model)
+    const double *between, const char *model)
 {
 	const struct site *site = session_entry(s)->site;
-	struct answer *r = answers_new(site, "predict",
-	    "product at %.1f m/s (%.0f J/kg)", p->speed, p->energy);
-	add_rows(r, site, p, band, between, NULL);
+	struct answer *r =
+	    answers_new(site, "predict", "product at %.1f m/s (%.0f J/kg)%s%s",
+		p->speed, p->energy, p->low != NULL ? ", " : "",
+		p->low != NULL ? outlook_words(s, session_entry(s)) : "");
+	add_rows(r, site, p, between, NULL);
 	answer_for_programs(r);
-	add_rows(r, site, p, band, between, model);
+	add_rows(r, site, p, between, model);
 	return r;
 }
 
-/* What the band is, and what it leaves out. */
-static void
-note_band(struct answer *r, const struct entry *entry, double speed)
-{
-	band_note(r, entry);
-	if (origin_fit(entry)->rmse > FIT_POOR)
-		answer_say(r, ANSWER_WARNING,
-		    "the band is too narrow: the fit is poor, and the band "
-		    "excludes model error");
-	else if (answers_extrapolates(entry, speed))
-		answer_say(r, ANSWER_WARNING,
-		    "the band excludes model error, which grows outside the "
-		    "training speeds");
-}
-
-/* The answer with what is to be said of it; band: NULL for none; wanted: with
- * the interpolated products. */
+/* The answer with what is to be said of it; wanted: with the interpolated
+ * products. */
 static struct answer *
 explained(struct session *s, const struct prediction *p,
-    const struct params *params, const struct band *band, bool wanted)
+    const struct params *params, bool wanted)
 {
 	const struct entry *entry = session_entry(s);
 	double *between = wanted ? interpolated(entry->site, p) : NULL;
 	struct answer *r =
-	    prediction_answer(s, p, band, between, breakage_of(params)->name);
+	    prediction_answer(s, p, between, breakage_of(params)->name);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, params, p);
-	answers_note_sizes(r, &p->product, band);
-	if (band != NULL) {
-		note_band(r, entry, p->speed);
+	answers_note_sizes(r, p);
+	if (p->low != NULL) {
+		band_note(r, s, entry);
 		answer_put_columns(r, "low_pct high_pct");
-		band_put(o, band);
+		band_put(o, s, p);
 	}
 	note_breakage(r, params, p);
 	note_feed_gaps(r, entry->site, p);
@@ -207,14 +196,13 @@ explained(struct session *s, const struct prediction *p,
 /* The psd plot of the prediction: with its band as a picture where one is
  * wanted, else in plain text wherever it goes. */
 static bool
-draw_curves(struct session *s, const struct prediction *p,
-    const struct band *band, struct error *error)
+draw_curves(struct session *s, const struct prediction *p, struct error *error)
 {
 	enum { WIDTH = 78, HEIGHT = 24 };
 	struct plot_request request = plots_request(PLOT_PSD);
 	request.speed = p->speed;
 	request.feed_speed = session_entry(s)->site->run[p->feed_run].speed;
-	request.band = pictures_wanted(s) && band != NULL;
+	request.band = pictures_wanted(s) && p->low != NULL;
 	struct chart *chart = plots_chart(s, &request, error);
 	if (chart == NULL)
 		return false;
@@ -248,8 +236,7 @@ predict_step(struct session *s, double speed, size_t feed_run, const char *line,
 	struct params params;
 	if (!take_params(s, &params, error))
 		return false;
-	*p = predict(
-	    session_entry(s)->site, &params, s->set.model, speed, feed_run);
+	*p = outlook_form(s, session_entry(s), &params, speed, feed_run);
 	answers_keep(s, &params, p);
 	invocation_asked(s, "predict", line);
 	return true;
@@ -266,16 +253,14 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 	size_t feed;
 	if (!answers_feed(entry->site, args, speed, &feed, error))
 		return false;
-	struct prediction p =
-	    predict(entry->site, &params, s->set.model, speed, feed);
+	struct prediction p = outlook_form(s, entry, &params, speed, feed);
 	bool wanted = args_value(args, "interpolated")->choice == 1;
 	const struct value *asked = args_value(args, "band");
-	const struct band *band = !session_busy(s) && asked->choice == 1
-				      ? band_at(s, entry, &p)
-				      : NULL;
-	struct answer *r = explained(s, &p, &params, band, wanted);
-	if (asked->given && asked->choice == 1 && band == NULL)
-		answer_note(r, "%s", band_why_none(entry));
+	if (asked->choice == 0)
+		prediction_drop_band(&p);
+	struct answer *r = explained(s, &p, &params, wanted);
+	if (asked->given && asked->choice == 1 && p.low == NULL)
+		answer_note(r, "%s", outlook_why_none(s, entry));
 	bool picture = pictures_wanted(s);
 	bool curve = args_value(args, "curve")->choice == 1 &&
 		     s->set.format == ANSWER_TABLE;
@@ -283,7 +268,7 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 		session_keep(s, r);
 	else
 		session_answer(s, r);
-	bool ok = (!picture && !curve) || draw_curves(s, &p, band, error);
+	bool ok = (!picture && !curve) || draw_curves(s, &p, error);
 	prediction_free(&p);
 	return ok;
 }

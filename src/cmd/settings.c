@@ -70,6 +70,12 @@ settings_default(void)
 	return set;
 }
 
+double
+settings_level(const struct choices *set)
+{
+	return set->level == 0 ? 0.8 : 0.9;
+}
+
 bool
 settings_same(const struct choices *a, const struct choices *b)
 {

@@ -8,12 +8,18 @@
 #include "core/predict.h"
 #include "io/answer.h"
 
+/* Which runs inform an answer beside the parameters (D13): every measured one,
+ * the training runs only, or none. */
+enum correction { CORRECTION_ALL, CORRECTION_TRAIN, CORRECTION_OFF };
+
 /* What is set, as against loaded: by bounds, seed, timing and the SETTINGS. */
 struct choices {
 	struct model_settings model;
 	struct bounds bounds;
 	uint64_t seed;
 	unsigned threads;
+	enum correction correction;
+	unsigned level; /* of bands: 0 80 %, 1 90 % */
 	enum answer_format format;
 	unsigned semicolon; /* 1: in csv, with decimal commas */
 	unsigned unpaged;   /* 0: at a prompt, what is taller than the screen is
@@ -26,6 +32,9 @@ struct choices settings_default(void);
 
 /* Bounds, seed and timing are compared too. */
 bool settings_same(const struct choices *a, const struct choices *b);
+
+/* The probability of bands, 0..1. */
+double settings_level(const struct choices *set);
 
 /* Keeps a value that `set` was given. */
 void settings_put(

@@ -11,6 +11,7 @@
 #include "cmd/fit.h"
 #include "cmd/model.h"
 #include "cmd/table.h"
+#include "cmd/outlook.h"
 #include "core/classes.h"
 #include "core/breakage.h"
 #include "core/predict.h"
@@ -143,7 +144,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		if (site_run_repeats(site, i) && !site->individual_feeds)
 			continue;
 		if (entry->has_params) {
-			struct prediction p = answers_predict(s, entry, v, i);
+			struct prediction p = outlook_predict(s, entry, v, i);
 			x = 1000 * p.break_size;
 			selected = 100 * p.selected;
 			prediction_free(&p);
@@ -214,7 +215,7 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	double v = answers_speed(args, entry);
 	size_t run = site_run_nearest(entry->site, v);
 	const struct psd *feed = &entry->site->run[run].feed;
-	struct prediction p = answers_predict(s, entry, v, run);
+	struct prediction p = outlook_predict(s, entry, v, run);
 	double *S = xdoubles(feed->n);
 	predict_selection(feed, &entry->params, s->set.model, v, S);
 	struct answer *r = answers_new(

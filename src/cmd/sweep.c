@@ -6,6 +6,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/table.h"
+#include "cmd/outlook.h"
 #include "core/predict.h"
 #include "io/units.h"
 
@@ -72,7 +73,7 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	struct prediction *p = xcalloc(n, sizeof *p);
 	bool outside = false;
 	for (size_t i = 0; i < n; i++) {
-		p[i] = answers_predict(s, entry, speed[i], feed);
+		p[i] = outlook_predict(s, entry, speed[i], feed);
 		outside = outside || answers_extrapolates(entry, speed[i]);
 	}
 	free(usual);

@@ -17,6 +17,13 @@ const struct setting SETTINGS[] = {
 	AT(model.appearance)},
     {{"k", VALUE_NUMBER, "", 0.001, 1000, NULL, "1", "number of impacts"},
 	AT(model.k)},
+    {{"correction", VALUE_CHOICE, "", 0, 0, "all train off", "all",
+	 "runs that correct the model in answers: every measured one, the "
+	 "training runs, or none"},
+	AT(correction)},
+    {{"level", VALUE_CHOICE, "%", 0, 0, "80 90", "80",
+	 "uncertainty bands hold the truth with this probability"},
+	AT(level)},
     {{"threads", VALUE_WHOLE, "", 1, 64, NULL, "",
 	 "threads of a calibration; default: one for each processor"},
 	AT(threads)},

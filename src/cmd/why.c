@@ -8,6 +8,7 @@
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/table.h"
+#include "cmd/outlook.h"
 #include "core/breakage.h"
 #include "core/misfit.h"
 #include "core/validate.h"
@@ -98,7 +99,7 @@ say_response(const struct subject *a)
 {
 	double v = a->p.speed, n = (double)a->p.product.n, sum = 0;
 	struct prediction fast =
-	    answers_predict(a->s, a->entry, v + 1, a->p.feed_run);
+	    outlook_predict(a->s, a->entry, v + 1, a->p.feed_run);
 	for (size_t i = 0; i < a->p.product.n; i++)
 		sum +=
 		    pow(fast.product.passing[i] - a->p.product.passing[i], 2);
@@ -281,7 +282,7 @@ cmd_why(struct session *s, const struct args *args, struct error *error)
 	struct subject a = {.s = s,
 	    .entry = entry,
 	    .feed = &entry->site->run[run].feed,
-	    .p = answers_predict(s, entry, v, run),
+	    .p = outlook_predict(s, entry, v, run),
 	    .answer = answers_new(entry->site, "why", "why, at %g m/s", v)};
 	fields_put(answer_fields(a.answer), "speed %g", v);
 	say_feed(&a);

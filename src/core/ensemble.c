@@ -174,6 +174,12 @@ ensemble_products(const struct ensemble *e, enum ensemble_part part)
 	return e->part[part];
 }
 
+double
+ensemble_break_size(const struct ensemble *e, size_t draw, double v)
+{
+	return params_break_size(&e->of->draw[draw].params, v);
+}
+
 void
 ensemble_mean(const struct ensemble *e, double *passing)
 {

@@ -34,6 +34,9 @@ void ensemble_at(struct ensemble *e, double v);
 const double *ensemble_products(
     const struct ensemble *e, enum ensemble_part part);
 
+/* The break size of a draw at a speed, m. */
+double ensemble_break_size(const struct ensemble *e, size_t draw, double v);
+
 /* The mean of the answers, [n] out: the best single one. */
 void ensemble_mean(const struct ensemble *e, double *passing);
 

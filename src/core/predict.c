@@ -6,12 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/xalloc.h"
 #include "core/breakage.h"
+#include "core/elementary.h"
 #include "core/product.h"
 
 /* All sieves of the site that the feed covers, coarsest first. */
 static struct psd
-all_sieves(const struct site *site, const struct psd *feed)
+covered_sieves(const struct site *site, const struct psd *feed)
 {
 	size_t n, kept = 0;
 	double *size = site_sieves(site, &n);
@@ -23,6 +25,58 @@ all_sieves(const struct site *site, const struct psd *feed)
 	return psd;
 }
 
+struct psd
+predict_sizes(const struct site *site, const struct psd *feed)
+{
+	const double apart = 0.1823; /* ln 1.2 */
+	struct psd sieves = covered_sieves(site, feed);
+	double span = el_log(sieves.size[0] / sieves.size[sieves.n - 1]);
+	struct psd psd = psd_new(sieves.n + (size_t)(span / apart));
+	psd.n = 0;
+	for (size_t i = 0; i < sieves.n; i++) {
+		double x = sieves.size[i];
+		psd.size[psd.n++] = x;
+		if (i + 1 == sieves.n)
+			break;
+		double gap = el_log(x / sieves.size[i + 1]);
+		double parts = floor(gap / apart) + 1;
+		for (double k = 1; k < parts; k++)
+			psd.size[psd.n++] = x * el_exp(-gap * k / parts);
+	}
+	psd_free(&sieves);
+	return psd;
+}
+
+/* The passings of a curve at sieves that are among its sizes. */
+static void
+pick(const struct psd *curve, const double *from, const struct psd *sieves,
+    double *to)
+{
+	for (size_t i = 0, k = 0; i < sieves->n; i++) {
+		while (k + 1 < curve->n && curve->size[k] > sieves->size[i])
+			k++;
+		to[i] = from[k];
+	}
+}
+
+static void
+read_curve(struct prediction *p)
+{
+	pick(&p->curve, p->curve.passing, &p->product, p->product.passing);
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		p->size[i] = psd_size(&p->curve, PSD_PASSING[i]);
+}
+
+void
+prediction_drop_band(struct prediction *p)
+{
+	free(p->low);
+	free(p->high);
+	p->low = p->high = NULL;
+	for (size_t i = 0; i <= PSD_SIZES; i++)
+		p->range[i][0] = p->range[i][1] = NAN;
+}
+
 struct prediction
 predict(const struct site *site, const struct params *p,
     struct model_settings settings, double speed, size_t feed_run)
@@ -31,21 +85,74 @@ predict(const struct site *site, const struct params *p,
 	struct prediction out = {.speed = speed,
 	    .energy = energy_specific(speed),
 	    .feed_run = feed_run,
-	    .product = all_sieves(site, feed),
+	    .product = covered_sieves(site, feed),
+	    .curve = predict_sizes(site, feed),
 	    .break_size = params_break_size(p, speed)};
 	out.feed = psd_copy(&out.product);
 	for (size_t i = 0; i < out.feed.n; i++)
 		out.feed.passing[i] = psd_passing(feed, out.feed.size[i]);
 	struct model *model =
-	    model_new(feed, out.product.size, out.product.n, settings);
+	    model_new(feed, out.curve.size, out.curve.n, settings);
 	model_set(model, p);
-	model_product(model, speed, out.product.passing);
+	model_product(model, speed, out.curve.passing);
 	out.selected = model_selected(model, speed);
 	out.no_daughters = !model_breaks(model, speed);
 	model_free(model);
-	for (size_t i = 0; i < PSD_SIZES; i++)
-		out.size[i] = psd_size(&out.product, PSD_PASSING[i]);
+	read_curve(&out);
+	out.model = xdoubles(out.product.n);
+	memcpy(
+	    out.model, out.product.passing, out.product.n * sizeof *out.model);
+	prediction_drop_band(&out);
 	return out;
+}
+
+/* The sizes of the draws' own curves. */
+static void
+spread_sizes(struct prediction *p, const struct ensemble *e, double level)
+{
+	enum { N = POSTERIOR_DRAWS };
+	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
+	struct psd one = psd_copy(&p->curve);
+	double value[PSD_SIZES + 1][N];
+	for (size_t d = 0; d < N; d++) {
+		for (size_t i = 0; i < one.n; i++)
+			one.passing[i] = P[i * N + d];
+		for (size_t k = 0; k < PSD_SIZES; k++)
+			value[k][d] = psd_size(&one, PSD_PASSING[k]);
+		value[PSD_SIZES][d] = ensemble_break_size(e, d, p->speed);
+	}
+	for (size_t k = 0; k <= PSD_SIZES; k++) {
+		double *range = p->range[k];
+		ensemble_middle(value[k], level, &range[0], &range[1]);
+		range[0] = fmin(range[0], p->size[k]);
+		range[1] = fmax(range[1], p->size[k]);
+	}
+	psd_free(&one);
+}
+
+void
+predict_spread(struct prediction *p, struct ensemble *e, double level)
+{
+	enum { N = POSTERIOR_DRAWS };
+	size_t n = p->curve.n;
+	double *low = xdoubles(n), *high = xdoubles(n), row[N];
+	ensemble_at(e, p->speed);
+	ensemble_mean(e, p->curve.passing);
+	read_curve(p);
+	for (size_t i = 0; i < n; i++) {
+		const double *P = ensemble_products(e, ENSEMBLE_ANSWER) + i * N;
+		memcpy(row, P, sizeof row);
+		ensemble_middle(row, level, &low[i], &high[i]);
+		low[i] = fmin(low[i], p->curve.passing[i]);
+		high[i] = fmax(high[i], p->curve.passing[i]);
+	}
+	p->low = xdoubles(p->product.n);
+	p->high = xdoubles(p->product.n);
+	pick(&p->curve, low, &p->product, p->low);
+	pick(&p->curve, high, &p->product, p->high);
+	spread_sizes(p, e, level);
+	free(low);
+	free(high);
 }
 
 /* A feed of one class alone, selected as a whole: the class's mean S. */
@@ -68,11 +175,38 @@ predict_selection(const struct psd *feed, const struct params *p,
 	}
 }
 
+static double *
+copy_of(const double *from, size_t n)
+{
+	if (from == NULL)
+		return NULL;
+	double *to = xdoubles(n);
+	memcpy(to, from, n * sizeof *to);
+	return to;
+}
+
+struct prediction
+prediction_copy(const struct prediction *from)
+{
+	struct prediction to = *from;
+	to.feed = psd_copy(&from->feed);
+	to.product = psd_copy(&from->product);
+	to.curve = psd_copy(&from->curve);
+	to.model = copy_of(from->model, to.product.n);
+	to.low = copy_of(from->low, to.product.n);
+	to.high = copy_of(from->high, to.product.n);
+	return to;
+}
+
 void
 prediction_free(struct prediction *prediction)
 {
 	psd_free(&prediction->feed);
 	psd_free(&prediction->product);
+	psd_free(&prediction->curve);
+	free(prediction->model);
+	free(prediction->low);
+	free(prediction->high);
 }
 
 bool

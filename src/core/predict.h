@@ -6,16 +6,22 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "core/ensemble.h"
 #include "core/params.h"
 #include "core/site.h"
 
 /* product, feed [same sieves]: all sieves of the site's feed and products that
- * the feed covers.  Sizes in m; NAN where they lie outside the sieves. */
+ * the feed covers.  curve: the product at these and more sizes (predict_sizes),
+ * from which sizes are read.  model [product.n]: the product of the model
+ * alone.  low, high [product.n], range: the band; NULL and NAN without.  Sizes
+ * in m; NAN where they lie outside the sieves. */
 struct prediction {
 	double speed;    /* m/s */
 	double energy;   /* J/kg */
 	size_t feed_run; /* the run whose feed was taken */
-	struct psd feed, product;
+	struct psd feed, product, curve;
+	double *model, *low, *high;
+	double range[PSD_SIZES + 1][2]; /* of size, below */
 	union {
 		struct {
 			double p20, p50, p80;
@@ -32,7 +38,20 @@ struct prediction {
  * speed. Cannot fail; free with prediction_free. */
 struct prediction predict(const struct site *site, const struct params *p,
     struct model_settings settings, double speed, size_t feed_run);
+struct prediction prediction_copy(const struct prediction *prediction);
 void prediction_free(struct prediction *prediction);
+
+/* The site's sieves that the feed covers, coarsest first, and where neighbours
+ * lie more than a fifth apart more between them; passings 0.  psd_free. */
+struct psd predict_sizes(const struct site *site, const struct psd *feed);
+
+/* Leaves the answer and takes its band away. */
+void prediction_drop_band(struct prediction *p);
+
+/* Makes a prediction of the model alone the mean of the draws, with the band
+ * that holds the middle `level` of them, widened to hold the answer.
+ * e: of the same site, feed and predict_sizes; it moves to the speed. */
+void predict_spread(struct prediction *p, struct ensemble *e, double level);
 
 /* Selection of each size class of a feed: the share of its mass that breaks.
  * Class i lies between the sieves i and i + 1, the last is the pan.

@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/band.h"
+#include "cmd/outlook.h"
 #include "cmd/fit.h"
 #include "ui/control.h"
 #include "ui/page_predict.h"
@@ -163,9 +163,7 @@ pin(struct tui *t)
 		tui_say(t, true, "no prediction yet: f calibrates");
 	} else {
 		t->pin = t->now;
-		t->kept = *last;
-		t->kept.feed = psd_copy(&last->feed);
-		t->kept.product = psd_copy(&last->product);
+		t->kept = prediction_copy(last);
 		tui_say(t, false,
 		    "pinned %s at %.1f m/s: go to another speed or site; e "
 		    "exports both",
@@ -180,8 +178,9 @@ band(struct tui *t)
 	t->band = !t->band;
 	if (!t->band || t->now.site[0] == '\0')
 		return;
-	bool known = band_at(t->session, entry, &t->shown) != NULL;
-	tui_say(t, false, "%s%s", known ? "" : band_why_none(entry),
+	bool known = t->shown.low != NULL;
+	tui_say(t, false, "%s%s",
+	    known ? "" : outlook_why_none(t->session, entry),
 	    !known && entry->has_fit && fit_too_few(&entry->fit) ? ""
 	    : !known                ? "; f calibrates"
 	    : screen_depth() >= 256 ? "band on: 80 % uncertainty"

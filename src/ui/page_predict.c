@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/band.h"
 #include "cmd/fit.h"
 #include "io/units.h"
 #include "ui/screen.h"
@@ -152,20 +151,17 @@ draw_reading(const struct tui *t, int row, unsigned look, const char *name,
 
 /* Between which sizes the level lies in the band, mm. */
 static void
-level_range(
-    const struct band *b, const struct psd *product, int level, double range[2])
+level_range(const struct prediction *p, int level, double range[2])
 {
-	const double *known = level == 20   ? b->p20
-			      : level == 50 ? b->p50
-			      : level == 80 ? b->p80
-					    : NULL;
-	struct psd edge = *product;
-	edge.passing = b->high;
-	range[0] = psd_size(&edge, level / 100.0);
-	edge.passing = b->low;
-	range[1] = psd_size(&edge, level / 100.0);
-	for (size_t i = 0; i < 2; i++)
-		range[i] = 1000 * (known != NULL ? known[i] : range[i]);
+	double passing = level / 100.0;
+	struct psd edge = p->product;
+	edge.passing = p->high;
+	range[0] = 1000 * psd_size(&edge, passing);
+	edge.passing = p->low;
+	range[1] = 1000 * psd_size(&edge, passing);
+	for (size_t k = 0; k < PSD_SIZES; k++)
+		for (size_t i = 0; i < 2 && passing == PSD_PASSING[k]; i++)
+			range[i] = 1000 * p->range[k][i];
 }
 
 /* One row, or two where there is room: the passing there, and the size at the
@@ -175,14 +171,12 @@ draw_cross_band(const struct tui *t, int row, bool sizes)
 {
 	const struct area *side = &t->places.side;
 	const struct prediction *p = &t->shown;
-	const struct band *b =
-	    t->band ? band_at(t->session, tui_entry(t), p) : NULL;
 	double range[2];
-	if (b == NULL)
+	if (!t->band || p->low == NULL)
 		return row;
 	screen_text(side, row++, 0, 0, "band %5.1f .. %.1f %%",
-	    100 * b->low[t->cross_at], 100 * b->high[t->cross_at]);
-	level_range(b, &p->product, t->level, range);
+	    100 * p->low[t->cross_at], 100 * p->high[t->cross_at]);
+	level_range(p, t->level, range);
 	if (sizes && isfinite(range[0]) && isfinite(range[1]))
 		screen_text(side, row++, 0, 0, "     %5.2f .. %.2f mm",
 		    range[0], range[1]);
@@ -249,13 +243,10 @@ draw_worth(const struct tui *t, int row)
 static int
 draw_p50_band(const struct tui *t, int row)
 {
-	const struct band *b =
-	    t->band && !t->cross ? band_at(t->session, tui_entry(t), &t->shown)
-				 : NULL;
-	if (b != NULL && isfinite(b->p50[0]))
+	const double *p50 = t->shown.range[1];
+	if (t->band && !t->cross && t->shown.low != NULL && isfinite(p50[0]))
 		screen_text(&t->places.side, row++, 0, 0,
-		    "P50 in %.2f .. %.2f mm", 1000 * b->p50[0],
-		    1000 * b->p50[1]);
+		    "P50 in %.2f .. %.2f mm", 1000 * p50[0], 1000 * p50[1]);
 	return row;
 }
 

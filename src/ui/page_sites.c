@@ -9,6 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/outlook.h"
 #include "io/units.h"
 #include "ui/control.h"
 #include "ui/screen.h"
@@ -27,7 +28,7 @@ row_at(struct site_row *row, const struct tui *t, const struct entry *e)
 	size_t feed = e == tui_entry(t)
 			  ? tui_feed(t)
 			  : site_run_nearest(e->site, answers_middle(e->site));
-	struct prediction p = answers_predict(s, e, speed, feed);
+	struct prediction p = outlook_predict(s, e, speed, feed);
 	row->p50 = 1000 * p.p50;
 	row->beyond = answers_extrapolates(e, speed);
 	prediction_free(&p);

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/outlook.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/fit.h"
+#include "core/ensemble.h"
+
+const struct posterior *
+outlook_posterior(const struct session *s, const struct entry *entry,
+    enum correction correction)
+{
+	const struct fit *fit = origin_fit(entry);
+	if (fit == NULL || fit_too_few(fit) || fit->stop == CALIBRATE_STOPPED)
+		return NULL;
+	struct history *h = entry->origin->spread;
+	size_t n = h->site->n_run;
+	bool *use = xcalloc(n, sizeof *use), same = true;
+	for (size_t r = 0; r < n; r++) {
+		bool measured = misfit_covered(&h->site->run[r]) > 0;
+		use[r] =
+		    h->train[r] || (correction == CORRECTION_ALL && measured);
+		same = same && use[r] == h->train[r];
+	}
+	struct posterior **p =
+	    &h->posterior[same ? CORRECTION_TRAIN : CORRECTION_ALL];
+	if (*p == NULL) {
+		struct posterior_options o = {.use = use,
+		    .settings = fit->settings,
+		    .bounds = h->bounds,
+		    .seed = fit->seed,
+		    .threads = s->set.threads,
+		    .isa = s->isa,
+		    .stop = h->stop};
+		*p = posterior_new(h->site, &fit->params, &o);
+	}
+	free(use);
+	return *p;
+}
+
+const struct posterior *
+outlook_draws(const struct session *s, const struct entry *entry)
+{
+	return outlook_posterior(s, entry,
+	    s->set.correction == CORRECTION_ALL ? CORRECTION_ALL
+						: CORRECTION_TRAIN);
+}
+
+/* Whether the settings are those of the fit. */
+static bool
+as_fitted(const struct session *s, const struct entry *entry)
+{
+	const struct fit *fit = origin_fit(entry);
+	return fit != NULL &&
+	       model_settings_same(&s->set.model, &fit->settings);
+}
+
+struct ensemble *
+outlook_ensemble(
+    const struct session *s, const struct entry *entry, size_t feed_run)
+{
+	if (s->set.correction == CORRECTION_OFF || !as_fitted(s, entry))
+		return NULL;
+	const struct posterior *p = outlook_draws(s, entry);
+	if (p == NULL)
+		return NULL;
+	struct history *h = entry->origin->spread;
+	struct ensemble_of of = {p, entry->site, feed_run};
+	if (h->ensemble != NULL && memcmp(&of, &h->ensemble_of, sizeof of) == 0)
+		return h->ensemble;
+	ensemble_free(h->ensemble);
+	const struct psd *feed = &entry->site->run[feed_run].feed;
+	struct psd sizes = predict_sizes(entry->site, feed);
+	h->ensemble = ensemble_new(p, feed, sizes.size, sizes.n);
+	h->ensemble_of = of;
+	psd_free(&sizes);
+	return h->ensemble;
+}
+
+struct prediction
+outlook_predict(const struct session *s, const struct entry *entry,
+    double speed, size_t feed_run)
+{
+	return outlook_form(s, entry, &entry->params, speed, feed_run);
+}
+
+struct prediction
+outlook_form(const struct session *s, const struct entry *entry,
+    const struct params *params, double speed, size_t feed_run)
+{
+	struct prediction p =
+	    predict(entry->site, params, s->set.model, speed, feed_run);
+	bool own = !session_busy(s) &&
+		   memcmp(params, &entry->params, sizeof *params) == 0;
+	struct ensemble *e = own ? outlook_ensemble(s, entry, feed_run) : NULL;
+	if (e != NULL)
+		predict_spread(&p, e, settings_level(&s->set));
+	return p;
+}
+
+const char *
+outlook_why_none(const struct session *s, const struct entry *entry)
+{
+	const struct fit *fit = origin_fit(entry);
+	return fit == NULL
+		   ? "no uncertainty band: the parameters do not come from a "
+		     "calibration in this session"
+	       : fit_too_few(fit)
+		   ? "no uncertainty band: too few data for the number of "
+		     "parameters"
+	       : s->set.correction == CORRECTION_OFF
+		   ? "no uncertainty band for the model alone: 'set correction "
+		     "all' has one"
+	       : fit->stop == CALIBRATE_STOPPED
+		   ? "no uncertainty band: the calibration was stopped"
+		   : "no uncertainty band: the site was calibrated with other "
+		     "settings";
+}
+
+const char *
+outlook_words(const struct session *s, const struct entry *entry)
+{
+	if (s->set.correction == CORRECTION_OFF || !as_fitted(s, entry) ||
+	    outlook_draws(s, entry) == NULL)
+		return "model alone";
+	return s->set.correction == CORRECTION_TRAIN
+		   ? "corrected by the training runs"
+		   : "corrected by all measured runs";
+}
