@@ -5,6 +5,7 @@
 #define TIPSPEED_CMD_OUTLOOK_H
 
 #include "cmd/session.h"
+#include "core/inverse.h"
 #include "core/predict.h"
 
 /* The posterior that all measured runs inform, or the training runs only, of
@@ -26,6 +27,11 @@ const struct posterior *outlook_draws(
  * another is asked for. */
 struct ensemble *outlook_ensemble(
     const struct session *s, const struct entry *entry, size_t feed_run);
+
+/* The entry's answers from that feed on sieves [n], to be asked at many speeds;
+ * inverse_free. */
+struct inverse outlook_inverse(const struct session *s,
+    const struct entry *entry, size_t feed_run, const double *sieve, size_t n);
 
 /* The entry's product: the answer, with its band where there is one.
  * outlook_form: with other parameters, as while a calibration runs: the model

@@ -443,7 +443,7 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	    !known ? NULL
 	    : q->made != NULL
 		? q->made
-		: make_prediction(&c, s, site, &params, speed, feed);
+		: make_prediction(&c, s, entry, &params, speed, feed);
 	if (known)
 		add_curve(&c, &one->product,
 		    q->words & CHART_NOTES
@@ -471,7 +471,8 @@ static struct chart *
 sweep_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct site *site = session_entry(s)->site;
+	const struct entry *entry = session_entry(s);
+	const struct site *site = entry->site;
 	size_t n = q->n_speed;
 	struct curves c = {0};
 	struct params params;
@@ -491,7 +492,7 @@ sweep_chart(
 	const double *speed = usual != NULL ? usual : q->speeds;
 	for (size_t i = 0; i < n; i++)
 		add_curve(&c,
-		    &make_prediction(&c, s, site, &params, speed[i], feed)
+		    &make_prediction(&c, s, entry, &params, speed[i], feed)
 			 ->product,
 		    xasprintf("predicted %g m/s", speed[i]), plots_look(i));
 	free(usual);
@@ -693,7 +694,7 @@ add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
 		    misfit_covered(&entry->site->run[run]) == 0)
 			continue;
 		struct validation v = validate_run(entry->site, run,
-		    entry->train, &entry->params, s->set.model);
+		    entry->train, &entry->params, s->set.model, NULL);
 		size_t n = pairs->n++;
 		pairs->entry =
 		    xrealloc(pairs->entry, n + 1, sizeof(*pairs->entry));

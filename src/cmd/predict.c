@@ -103,8 +103,8 @@ measured_at(const struct site *site, double speed, const struct run **first)
 	return n;
 }
 
-/* A row a sieve; between: NULL for none; model: with it and the speed in columns
- * of their own, for files, or NULL. */
+/* A row a sieve; between: NULL for none; model: with it and the speed in
+ * columns of their own, for files, or NULL. */
 static void
 add_rows(struct answer *r, const struct site *site, const struct prediction *p,
     const double *between, const char *model)
