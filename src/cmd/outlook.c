@@ -24,6 +24,8 @@ outlook_posterior(const struct session *s, const struct entry *entry,
 		    h->train[r] || (correction == CORRECTION_ALL && measured);
 		same = same && use[r] == h->train[r];
 	}
+	if (h->noise != s->set.noise)
+		history_redraw(h, s->set.noise);
 	struct posterior **p =
 	    &h->posterior[same ? CORRECTION_TRAIN : CORRECTION_ALL];
 	if (*p == NULL) {
@@ -33,6 +35,7 @@ outlook_posterior(const struct session *s, const struct entry *entry,
 		    .seed = fit->seed,
 		    .threads = s->set.threads,
 		    .isa = s->isa,
+		    .noise = s->set.noise / 100,
 		    .stop = h->stop};
 		*p = posterior_new(h->site, &fit->params, &o);
 	}
@@ -140,4 +143,14 @@ outlook_words(const struct session *s, const struct entry *entry)
 	return s->set.correction == CORRECTION_TRAIN
 		   ? "corrected by the training runs"
 		   : "corrected by all measured runs";
+}
+
+const char *
+outlook_short(const struct session *s, const struct prediction *p)
+{
+	static const char *const WORDS[] = {[CORRECTION_ALL] = ", all runs",
+	    [CORRECTION_TRAIN] = ", training runs",
+	    [CORRECTION_OFF] = ", model"};
+	bool asked = s->set.correction == CORRECTION_OFF;
+	return p->low != NULL || asked ? WORDS[s->set.correction] : "";
 }
