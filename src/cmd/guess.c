@@ -15,8 +15,8 @@
 #include "io/units.h"
 
 /* What a guess is made from.  list: all materials, those of Table 3 from index
- * `table3` on; m [list.n]: the same for core; pick [n]: those taken; error: that
- * of guesses from so many. */
+ * `table3` on; m [list.n]: the same for core; pick [n]: those taken; error:
+ * that of guesses from so many. */
 struct basis {
 	struct stored_list list;
 	struct guess_material *m, wanted;
