@@ -71,6 +71,17 @@ note_feed_gaps(
 	free(list);
 }
 
+static void
+note_wide_gap(struct answer *r, const struct psd *feed)
+{
+	size_t i = psd_gap(feed);
+	if (i < feed->n)
+		answer_say(r, ANSWER_REMARK,
+		    "the feed has no sieve between %g and %g mm: passings and "
+		    "sizes there rest on a straight line",
+		    units_mm(feed->size[i]), units_mm(feed->size[i + 1]));
+}
+
 /* Measured products interpolated in speed squared at each sieve, [n]; NULL
  * where no measured runs lie on both sides of the speed. */
 static double *
@@ -177,6 +188,7 @@ explained(struct session *s, const struct prediction *p,
 	}
 	note_breakage(r, params, p);
 	note_feed_gaps(r, entry->site, p);
+	note_wide_gap(r, &entry->site->run[p->feed_run].feed);
 	if (session_busy(s))
 		answer_say(r, ANSWER_REMARK,
 		    "predicted with the best parameters so far");
