@@ -16,8 +16,10 @@ history_drop(struct history *h)
 		return;
 	free(h->generation);
 	free(h->train);
-	for (size_t i = 0; i < 2; i++)
+	for (size_t i = 0; i < 2; i++) {
 		posterior_free(h->posterior[i]);
+		free(h->evidence[i]);
+	}
 	ensemble_free(h->ensemble);
 	free(h);
 }
