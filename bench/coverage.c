@@ -403,7 +403,7 @@ one_plant(void *data, size_t piece, unsigned thread)
 	struct ensemble *view =
 	    ensemble_new(posterior, &site->run[0].feed, p.sieve, p.n_sieve);
 	struct evidence evidence =
-	    trust_evidence(site, use, use, &fit, &o.bounds, posterior);
+	    trust_evidence(site, use, use, &fit, &o.bounds, posterior, 0);
 	for (size_t a = 0; a < ASKED; a++) {
 		struct score *score = &task->score[piece * ASKED + a];
 		score_at(&p, site, &fit, view, ASKED_SPEED[a], score);

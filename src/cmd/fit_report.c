@@ -41,8 +41,9 @@ fit_put(struct fields *o, const struct session *s, const struct entry *entry,
 	    fit->evaluations);
 	if (fit->edits > 0)
 		fields_put(o, "bounds_edited_at %zu", fit->edited_at);
-	fields_put(o, "stop %s misfit %g seconds %g",
-	    calibrate_state_name(fit->stop), fit->misfit, seconds);
+	fields_put(o, "stop %s converged %d misfit %g seconds %g",
+	    calibrate_state_name(fit->stop), fit->converged, fit->misfit,
+	    seconds);
 	fields_put(o, "model %s", breakage_of(&fit->params)->name);
 	fit_put_params(o, &fit->params);
 	put_speeds(o, "train", entry, true);
@@ -159,7 +160,7 @@ add_verdict(struct answer *r, const struct session *s,
 		    units_mm(far.worst_sieve));
 	add_flat(r, fit, bounds);
 	if (ranges)
-		band_note(r, s, entry);
+		band_note(r, s, entry, false);
 }
 
 static const char *

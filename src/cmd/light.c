@@ -90,6 +90,11 @@ judge_calibration(
 		trust_add(t, LIGHT_AMBER, TRUST_FIT,
 		    xstrdup("the calibration was stopped: 'continue' may find "
 			    "better parameters"));
+	else if (!fit->converged)
+		trust_add(t, LIGHT_AMBER, TRUST_FIT,
+		    xstrdup("the calibration has not converged: the misfit can "
+			    "still fall, so that another seed may give other "
+			    "parameters"));
 	if (!model_settings_same(&s->set.model, &fit->settings))
 		trust_add(t, LIGHT_AMBER, TRUST_FIT,
 		    xstrdup("the site was calibrated with other settings: "

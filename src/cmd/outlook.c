@@ -37,6 +37,8 @@ outlook_posterior(const struct session *s, const struct entry *entry,
 	struct history *h = entry->origin->spread;
 	size_t place;
 	bool *use = used_runs(h, correction, &place);
+	if (h->noise != s->set.noise)
+		history_redraw(h, s->set.noise);
 	struct posterior **p = &h->posterior[place];
 	if (*p == NULL) {
 		struct posterior_options o = {.use = use,
@@ -45,6 +47,7 @@ outlook_posterior(const struct session *s, const struct entry *entry,
 		    .seed = fit->seed,
 		    .threads = s->set.threads,
 		    .isa = s->isa,
+		    .noise = s->set.noise / 100,
 		    .stop = h->stop};
 		*p = posterior_new(h->site, &fit->params, &o);
 	}
@@ -76,11 +79,13 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 	size_t place;
 	bool *use = used_runs(h, informing(s), &place);
 	struct evidence **e = &h->evidence[place];
-	const struct posterior *p = *e == NULL ? outlook_draws(s, entry) : NULL;
-	if (*e == NULL) {
+	/* They may have been stopped before. */
+	const struct posterior *p = outlook_draws(s, entry);
+	if (*e == NULL || (p != NULL && isnan((*e)->discrepancy))) {
+		free(*e);
 		*e = xcalloc(1, sizeof **e);
-		**e =
-		    trust_evidence(h->site, h->train, use, fit, &h->bounds, p);
+		**e = trust_evidence(
+		    h->site, h->train, use, fit, &h->bounds, p, s->set.noise);
 	}
 	free(use);
 	return *e;
@@ -205,8 +210,18 @@ const char *
 outlook_words(const struct session *s, const struct entry *entry)
 {
 	if (answering(s, entry) == NULL)
-		return "model alone";
+		return "the model alone";
 	return s->set.correction == CORRECTION_TRAIN
-		   ? "corrected by the training runs"
-		   : "corrected by all measured runs";
+		   ? "model corrected by the training runs"
+		   : "model corrected by all measured runs";
+}
+
+const char *
+outlook_short(const struct session *s, const struct prediction *p)
+{
+	static const char *const WORDS[] = {[CORRECTION_ALL] = ", all runs",
+	    [CORRECTION_TRAIN] = ", training runs",
+	    [CORRECTION_OFF] = ", model"};
+	bool asked = s->set.correction == CORRECTION_OFF;
+	return p->low != NULL || asked ? WORDS[s->set.correction] : "";
 }

@@ -62,4 +62,9 @@ const char *outlook_why_none(
  * all runs", "corrected by the training runs", "model alone". */
 const char *outlook_words(const struct session *s, const struct entry *entry);
 
+/* The same behind a name in a legend: ", all runs", ", training runs", or ""
+ * where the prediction is the model alone and nothing else was asked for;
+ * ", model" where it is what was asked for. */
+const char *outlook_short(const struct session *s, const struct prediction *p);
+
 #endif

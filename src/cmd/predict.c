@@ -149,10 +149,8 @@ prediction_answer(struct session *s, const struct prediction *p,
     const double *between, const char *model)
 {
 	const struct site *site = session_entry(s)->site;
-	struct answer *r =
-	    answers_new(site, "predict", "product at %.1f m/s (%.0f J/kg)%s%s",
-		p->speed, p->energy, p->low != NULL ? ", " : "",
-		p->low != NULL ? outlook_words(s, session_entry(s)) : "");
+	struct answer *r = answers_new(site, "predict",
+	    "product at %.1f m/s (%.0f J/kg)", p->speed, p->energy);
 	add_rows(r, site, p, between, NULL);
 	answer_for_programs(r);
 	add_rows(r, site, p, between, model);
@@ -173,7 +171,7 @@ explained(struct session *s, const struct prediction *p,
 	answers_put_prediction(s, o, params, p);
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {
-		band_note(r, s, entry);
+		band_note(r, s, entry, true);
 		answer_put_columns(r, "low_pct high_pct");
 		band_put(o, s, p);
 	}
@@ -242,8 +240,8 @@ predict_step(struct session *s, double speed, size_t feed_run, const char *line,
 	return true;
 }
 
-bool
-cmd_predict(struct session *s, const struct args *args, struct error *error)
+static bool
+predict_as_set(struct session *s, const struct args *args, struct error *error)
 {
 	struct entry *entry = session_entry(s);
 	struct params params;
@@ -270,5 +268,17 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 		session_answer(s, r);
 	bool ok = (!picture && !curve) || draw_curves(s, &p, error);
 	prediction_free(&p);
+	return ok;
+}
+
+bool
+cmd_predict(struct session *s, const struct args *args, struct error *error)
+{
+	const struct value *correction = args_value(args, "correction");
+	enum correction before = s->set.correction;
+	if (correction->given)
+		s->set.correction = (enum correction)correction->choice;
+	bool ok = predict_as_set(s, args, error);
+	s->set.correction = before;
 	return ok;
 }

@@ -57,10 +57,10 @@ take_steps(struct misfit *m, const struct fit *fit, const struct bounds *bounds,
  * products of neighbours. */
 static void
 weigh_residuals(struct evidence *e, const struct misfit *m, const double *d,
-    double parameters)
+    double parameters, double noise)
 {
-	double error =
-	    hypot(HYPER[HYPER_SHARED].median, HYPER[HYPER_OWN].median);
+	double error = hypot(HYPER[HYPER_SHARED].median,
+	    noise > 0 ? noise : HYPER[HYPER_OWN].median);
 	double squares = 0, products = 0, cells = 0, pairs = 0;
 	for (size_t r = 0, k = 0; r < m->n_run; r++) {
 		double last = NAN;
@@ -160,7 +160,7 @@ find_speeds(struct evidence *e, const struct misfit *m)
 struct evidence
 trust_evidence(const struct site *site, const bool *train, const bool *use,
     const struct fit *fit, const struct bounds *bounds,
-    const struct posterior *posterior)
+    const struct posterior *posterior, double noise)
 {
 	struct misfit *m = misfit_new(site, use, NULL, false, fit->settings);
 	struct evidence e = {.cells = fit->cells,
@@ -180,7 +180,7 @@ trust_evidence(const struct site *site, const bool *train, const bool *use,
 	size_t n;
 	double *sieve = site_sieves(site, &n);
 	misfit_differences(m, &fit->params, d);
-	weigh_residuals(&e, m, d, take_steps(m, fit, bounds, d));
+	weigh_residuals(&e, m, d, take_steps(m, fit, bounds, d), noise);
 	find_speeds(&e, m);
 	find_holdout(&e, site, train, fit);
 	if (posterior != NULL)

@@ -46,9 +46,10 @@ struct evidence {
 	struct validation holdout; /* the worst; n_sieve 0: none was */
 };
 
+/* noise: known error of a single passing, 0..1; 0: as usual. */
 struct evidence trust_evidence(const struct site *site, const bool *train,
     const bool *use, const struct fit *fit, const struct bounds *bounds,
-    const struct posterior *posterior);
+    const struct posterior *posterior, double noise);
 
 /* What is asked, beside the fit.  All but speed may be 0 or NAN. */
 struct trust_question {

@@ -38,8 +38,8 @@ known(struct site *site)
 	    .threads = 2,
 	    .isa = ISA_BEST};
 	struct posterior *posterior = posterior_new(site, &k.fit.params, &p);
-	k.e =
-	    trust_evidence(site, k.train, k.use, &k.fit, &o.bounds, posterior);
+	k.e = trust_evidence(
+	    site, k.train, k.use, &k.fit, &o.bounds, posterior, 0);
 	posterior_free(posterior);
 	return k;
 }
