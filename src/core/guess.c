@@ -114,7 +114,7 @@ range_of_sizes(const struct psd *median, const struct prediction *p, size_t n,
 {
 	double *v = xdoubles(n);
 	for (size_t i = 0; i < n; i++) {
-		v[i] = psd_size(&p[i].product, passing);
+		v[i] = psd_size(&p[i].curve, passing);
 		v[i] = isnan(v[i]) ? -INFINITY : v[i];
 	}
 	struct guess_range range = range_of(v, n);
@@ -123,6 +123,21 @@ range_of_sizes(const struct psd *median, const struct prediction *p, size_t n,
 	range.low = isfinite(range.low) ? range.low : NAN;
 	range.high = isfinite(range.high) ? range.high : NAN;
 	return range;
+}
+
+/* The median of n curves at the same sizes. */
+static struct psd
+median_curve(const struct prediction *p, size_t n)
+{
+	struct psd median = psd_copy(&p[0].curve);
+	double *v = xdoubles(n);
+	for (size_t s = 0; s < median.n; s++) {
+		for (size_t i = 0; i < n; i++)
+			v[i] = p[i].curve.passing[s];
+		median.passing[s] = range_of(v, n).middle;
+	}
+	free(v);
+	return median;
 }
 
 /* The curves over n products on the same sieves. */
@@ -159,9 +174,10 @@ guess_product(const struct site *site, size_t feed_run,
 		p[i] = predict(
 		    site, &m[pick[i]].params, m[pick[i]].settings, v, feed_run);
 	spread(&guess, p, n);
+	struct psd median = median_curve(p, n);
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		guess.size[i] =
-		    range_of_sizes(&guess.median, p, n, PSD_PASSING[i]);
+		guess.size[i] = range_of_sizes(&median, p, n, PSD_PASSING[i]);
+	psd_free(&median);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(p);
