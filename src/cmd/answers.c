@@ -300,7 +300,7 @@ answers_put_prediction(struct session *s, struct fields *o,
 	fit_put_params(o, params);
 	fields_put(o, ".feed_mps %g", entry->site->run[p->feed_run].speed);
 	if (entry->has_fit)
-		fields_put(o, "verdict %s", light_verdict(s, entry));
+		fields_put(o, "verdict %s", light_verdict(s, entry, p));
 	if (entry->origin != NULL && entry->origin->stored)
 		fields_put(o, "recalled %s", entry->origin->whose);
 	origin_put(o, entry);

@@ -51,7 +51,7 @@ fit_put(struct fields *o, const struct session *s, const struct entry *entry,
 	fields_put(o,
 	    "cells %zu parameters %zu rmse_pct %g verdict %s .poor %g",
 	    fit->cells, fit->parameters, fit->rmse * 100,
-	    light_verdict(s, entry),
+	    light_verdict(s, entry, NULL),
 	    poor               ? 1
 	    : fit_too_few(fit) ? NAN
 			       : 0);
@@ -308,7 +308,9 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	    "best and median misfit of the search, then the spread of each "
 	    "parameter in %% of its bounds");
 	answers_note_model(s, r, entry);
-	light_show(r, light_of(s, entry, NULL));
+	struct trust light = light_of(s, entry, NULL);
+	light_note(r, &light);
+	trust_free(&light);
 	if (entry->fit.edits > 0)
 		answer_say(r, ANSWER_REMARK,
 		    "the bounds were edited after generation %zu%s: earlier "

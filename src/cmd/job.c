@@ -190,7 +190,7 @@ remarks(const struct session *s, const struct entry *entry)
 		    other->site->digest == entry->site->digest)
 			xlist(&text, "; ", "same data as %s", other->key);
 	}
-	const char *verdict = light_verdict(s, entry);
+	const char *verdict = light_verdict(s, entry, NULL);
 	if (strcmp(verdict, "good") != 0)
 		xlist(&text, "; ", "%s", verdict);
 	return text;

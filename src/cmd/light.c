@@ -61,13 +61,23 @@ largest_error(const struct session *s, const struct entry *entry)
 	return most;
 }
 
-/* Parameters that were not found on this site. */
+/* Parameters that no calibration on this site's data found in this session. */
 static void
 judge_origin(
     struct trust *t, const struct session *s, const struct entry *entry)
 {
+	const struct origin *o = entry->origin;
+	bool same = o->found && o->digest == entry->site->digest;
 	double error = largest_error(s, entry);
-	if (isnan(error))
+	if (same && origin_fit(entry) != NULL)
+		return;
+	if (same)
+		trust_add(t, LIGHT_AMBER, TRUST_ORIGIN,
+		    xasprintf("parameters %s, calibrated on the same data in "
+			      "another session: calibrate here to see how far "
+			      "the data determine them",
+			origin_words(entry)));
+	else if (isnan(error))
 		trust_add(t, LIGHT_RED, TRUST_ORIGIN,
 		    xasprintf("parameters %s, and no product of this site was "
 			      "measured that could check them",
@@ -196,7 +206,8 @@ light_show(struct answer *r, struct trust t)
 }
 
 const char *
-light_verdict(const struct session *s, const struct entry *entry)
+light_verdict(const struct session *s, const struct entry *entry,
+    const struct prediction *p)
 {
 	const struct fit *fit = &entry->fit;
 	if (fit->rmse > FIT_POOR)
@@ -205,7 +216,7 @@ light_verdict(const struct session *s, const struct entry *entry)
 		return "too few data";
 	if (fit_breaks_nothing(fit))
 		return "nothing breaks";
-	struct trust t = light_of(s, entry, NULL);
+	struct trust t = light_of(s, entry, p);
 	bool good = t.light == LIGHT_GREEN;
 	trust_free(&t);
 	return good ? "good" : "doubtful";

@@ -28,8 +28,10 @@ void light_put(struct fields *o, const struct trust *t);
 /* Both, of the answer's own, and frees it. */
 void light_show(struct answer *r, struct trust t);
 
-/* What the entry's fit is called: "poor", "too few data", "nothing breaks";
- * "good" where its light is green, else "doubtful". */
-const char *light_verdict(const struct session *s, const struct entry *entry);
+/* What the fit behind an answer p, or for NULL alone, is called: "poor", "too
+ * few data", "nothing breaks"; "good" where the light is green, else
+ * "doubtful". */
+const char *light_verdict(const struct session *s, const struct entry *entry,
+    const struct prediction *p);
 
 #endif

@@ -200,7 +200,8 @@ const struct command TABLE_ANSWERS[] = {
 	.text =
 	    "Explains the site in use at a speed in sentences: what breaks, "
 	    "how much of the feed that is, how far the speed is from the "
-	    "training speeds, how good the fit is, which parameters the data "
+	    "training speeds, the light with each reason, which parameters the "
+	    "data "
 	    "do not determine, and where the data are from.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nwhy 85",
 	.run = cmd_why},

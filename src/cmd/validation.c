@@ -586,8 +586,8 @@ validate_one(struct session *s, struct comparison *c, struct error *error)
 	struct answer *r = run_answer(s, c);
 	origin_note(r, entry);
 	if (entry->has_fit)
-		fields_put(
-		    answer_fields(r), "verdict %s", light_verdict(s, entry));
+		fields_put(answer_fields(r), "verdict %s",
+		    light_verdict(s, entry, NULL));
 	answers_note_model(s, r, entry);
 	light_show(r, light_of(s, entry, NULL));
 	return session_answer(s, r);

@@ -215,18 +215,21 @@ judge_data(struct trust *t, const struct evidence *e)
 		trust_add(t, LIGHT_RED, TRUST_FIT,
 		    xasprintf("the fit is poor: RMSE %.1f points on the "
 			      "training products, where repeat samples agree "
-			      "within 0.5 to 1",
+			      "within 0.5 to 1; check the data with 'check'",
 			100 * e->rmse));
 	if (spare == 0)
 		trust_add(t, LIGHT_RED, TRUST_DATA,
 		    xasprintf("%zu passing%s cannot determine %zu parameters: "
-			      "the quality of the fit is not known",
+			      "the quality of the fit is not known; add "
+			      "sieves or a run",
 			e->cells, e->cells == 1 ? "" : "s", e->parameters));
 	else if (spare < 4)
 		trust_add(t, LIGHT_AMBER, TRUST_DATA,
-		    xasprintf("%zu passings for %zu parameters leave little "
-			      "that could show a wrong model",
-			e->cells, e->parameters));
+		    xasprintf("%zu passings for %zu parameter%s leave little "
+			      "that could show a wrong model; add sieves or a "
+			      "run",
+			e->cells, e->parameters,
+			e->parameters == 1 ? "" : "s"));
 	else if (e->like_feed && !(e->rmse > FIT_POOR))
 		trust_add(t, LIGHT_AMBER, TRUST_DATA,
 		    xstrdup("the training products hardly differ from their "

@@ -380,8 +380,8 @@ finish(struct tui *t)
 	if (entry != NULL && entry->has_fit && error.kind == ERROR_NONE)
 		tui_say(t, false,
 		    "calibrated: %s, RMSE %.2f points, %zu generations%s",
-		    light_verdict(t->session, entry), 100 * entry->fit.rmse,
-		    entry->fit.generations,
+		    light_verdict(t->session, entry, NULL),
+		    100 * entry->fit.rmse, entry->fit.generations,
 		    t->page == PAGE_FIT ? "; Tab, arrows: show them" : "");
 }
 

@@ -219,7 +219,7 @@ draw_state(const struct tui *t, const struct area *area)
 	} else if (entry->has_fit) {
 		column = screen_text(area, 0, 0, 0, "READY  %s%s",
 		    fit_too_few(&entry->fit) ? "" : "fit ",
-		    light_verdict(s, entry));
+		    light_verdict(s, entry, NULL));
 	} else {
 		column = screen_text(
 		    area, 0, 0, 0, "READY  parameters %s", origin_words(entry));

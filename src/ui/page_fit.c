@@ -174,7 +174,7 @@ draw_result(const struct tui *t, const struct area *side, int row)
 	screen_text(side, row++, 0, 0, "polished: misfit %.4g  seed %llu",
 	    entry->fit.misfit, (unsigned long long)entry->fit.seed);
 	screen_text(side, row++, 0, 0, "RMSE %.2f points, %s",
-	    100 * entry->fit.rmse, light_verdict(t->session, entry));
+	    100 * entry->fit.rmse, light_verdict(t->session, entry, NULL));
 	return row;
 }
 

@@ -124,7 +124,7 @@ runs_text(const struct entry *e, char *text, size_t n)
 static const char *
 origin_text(const struct session *s, const struct entry *e)
 {
-	return e->has_fit          ? light_verdict(s, e)
+	return e->has_fit          ? light_verdict(s, e, NULL)
 	       : !e->has_params    ? "not calibrated"
 	       : e->origin->stored ? "from the store"
 				   : origin_words(e);
