@@ -16,6 +16,7 @@
 #include "core/ensemble.h"
 #include "core/product.h"
 #include "core/rng.h"
+#include "core/trust.h"
 #include "io/site_read.h"
 #include "measure.h"
 
@@ -268,6 +269,7 @@ struct score {
 	size_t cells, in80, in90;
 	double answer, model, line, width; /* sums of squares; of widths */
 	double median;
+	enum light light;
 };
 
 struct task {
@@ -336,6 +338,41 @@ score_at(const struct plant *p, const struct site *site, const struct fit *fit,
 	model_free(model);
 }
 
+static enum light
+light_at(const struct evidence *e, double v, const struct score *score)
+{
+	struct trust_question q = {
+	    .speed = v, .width = score->width / (double)score->cells};
+	struct trust t = {0};
+	trust_judge(&t, e, &q);
+	enum light light = t.light;
+	trust_free(&t);
+	return light;
+}
+
+/* At the second speed asked, between the measured ones: how many lights were
+ * green, amber, red, and the error (RMSE, points) of green answers and the
+ * largest of one. */
+static void
+print_lights(const struct score *score, size_t plants)
+{
+	size_t count[3] = {0}, cells = 0;
+	double squares = 0, most = 0;
+	for (size_t i = 0; i < plants; i++) {
+		const struct score *s = &score[i * ASKED + 1];
+		count[s->light]++;
+		if (s->light != LIGHT_GREEN)
+			continue;
+		cells += s->cells;
+		squares += s->answer;
+		most = fmax(most, s->answer / (double)s->cells);
+	}
+	printf("%6zu%5zu%5zu%6.2f%5.2f", count[LIGHT_GREEN], count[LIGHT_AMBER],
+	    count[LIGHT_RED],
+	    cells > 0 ? 100 * sqrt(squares / (double)cells) : NAN,
+	    100 * sqrt(most));
+}
+
 static void
 one_plant(void *data, size_t piece, unsigned thread)
 {
@@ -365,9 +402,13 @@ one_plant(void *data, size_t piece, unsigned thread)
 	task->convergence[piece] = posterior->drift;
 	struct ensemble *view =
 	    ensemble_new(posterior, &site->run[0].feed, p.sieve, p.n_sieve);
-	for (size_t a = 0; a < ASKED; a++)
-		score_at(&p, site, &fit, view, ASKED_SPEED[a],
-		    &task->score[piece * ASKED + a]);
+	struct evidence evidence =
+	    trust_evidence(site, use, use, &fit, &o.bounds, posterior, 0);
+	for (size_t a = 0; a < ASKED; a++) {
+		struct score *score = &task->score[piece * ASKED + a];
+		score_at(&p, site, &fit, view, ASKED_SPEED[a], score);
+		score->light = light_at(&evidence, ASKED_SPEED[a], score);
+	}
 	ensemble_free(view);
 	posterior_free(posterior);
 	site_free(site);
@@ -432,8 +473,9 @@ main(int argc, char **argv)
 	}
 	size_t plants = argc > 1 ? (size_t)atoi(argv[1]) : 200;
 	struct pool *pool = pool_new(2);
-	printf("%-32s%21s%21s%18s%18s%18s%18s%7s\n", "law", "80 % holds",
-	    "90 % holds", "width", "answer", "model", "line", "R");
+	printf("%-32s%21s%21s%18s%18s%18s%18s%7s%36s\n", "law", "80 % holds",
+	    "90 % holds", "width", "answer", "model", "line", "R",
+	    "green amber red, error of green");
 	for (size_t law = 0; law < LAWS; law++) {
 		if (argc > 2 && strchr(argv[2], (int)('a' + law)) == NULL)
 			continue;
@@ -476,9 +518,11 @@ main(int argc, char **argv)
 		for (size_t a = 0; a < ASKED; a++)
 			printf("%6.2f",
 			    100 * sqrt(sum[a].line / (double)sum[a].cells));
-		printf("%7.2f%4zu %.3f\n",
+		printf("%7.2f%4zu %.3f",
 		    measure_median(task.convergence, plants), unconverged,
 		    measure_median(task.seconds, plants));
+		print_lights(task.score, plants);
+		putchar('\n');
 		fflush(stdout);
 		free(task.score);
 		free(task.convergence);

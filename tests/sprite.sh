@@ -37,12 +37,14 @@ convert() {
 }
 for screen in 12.7 19.05; do
 	convert $screen >"$dir/sprite.csv"
-	"$TIPSPEED" "$dir/sprite.csv" -c calibrate -c validate \
-		>"$dir/out" 2>"$dir/log"
+	"$TIPSPEED" "$dir/sprite.csv" -c 'set correction train' -c calibrate \
+		-c validate -c 'predict band=on' >"$dir/out" 2>"$dir/log"
 	result $? "screen $screen: loads, calibrates and validates"
 	remark "$dir/log"
-	grep -q '^warning: poor fit' "$dir/out"
-	result $? "screen $screen: the fit is called poor"
+	grep -q '^warning: trust: red: the fit is poor' "$dir/out"
+	result $? "screen $screen: the fit is called poor, the light is red"
+	grep -q '^no uncertainty band: the fit is poor' "$dir/out"
+	result $? "screen $screen: two speeds of a poor fit give no band"
 	grep -q 'at 8.168 m/s: RMSE' "$dir/out"
 	result $? "screen $screen: the middle speed is held out"
 done

@@ -9,6 +9,8 @@
 #include "base/xalloc.h"
 #include "core/elementary.h"
 #include "cmd/fit.h"
+#include "cmd/light.h"
+#include "cmd/outlook.h"
 #include "io/units.h"
 
 const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {
@@ -216,9 +218,9 @@ answers_note_sizes(struct answer *r, const struct prediction *p)
 	free(sizes);
 }
 
-/* The paper's model goes without saying. */
-static void
-note_model(const struct session *s, struct answer *r, const struct entry *entry)
+void
+answers_note_model(
+    const struct session *s, struct answer *r, const struct entry *entry)
 {
 	size_t own = entry->params.breakage, set = s->set.model.breakage;
 	if (!entry->has_params)
@@ -233,29 +235,21 @@ note_model(const struct session *s, struct answer *r, const struct entry *entry)
 }
 
 void
-answers_note_worth(
-    const struct session *s, struct answer *r, const struct entry *entry)
-{
-	note_model(s, r, entry);
-	const struct fit *fit = origin_fit(entry);
-	if (fit != NULL && fit->rmse > FIT_POOR)
-		answer_say(r, ANSWER_WARNING,
-		    "poor fit of %s (RMSE %.1f points): do not rely on this",
-		    origin_key(entry), 100 * fit->rmse);
-	if (fit != NULL && fit_too_few(fit))
-		fit_note_too_few(r, fit);
-}
-
-void
 answers_note_doubt(
     struct session *s, struct answer *r, double speed, size_t feed_run)
 {
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
+	/* Of a feed alone a search that found nothing has no speed. */
+	struct prediction p = {0};
+	if (speed > 0)
+		p = outlook_predict(s, entry, speed, feed_run);
+	struct trust light = light_of(s, entry, speed > 0 ? &p : NULL);
+	prediction_free(&p);
 	double slowest, fastest;
 	origin_note(r, entry);
-	/* Of a feed alone a search that found nothing has no speed. */
-	if (speed > 0 && origin_reach(entry, &slowest, &fastest) &&
+	bool said = light.n > 0 && light.reason[0].cause == TRUST_BEYOND;
+	if (speed > 0 && !said && origin_reach(entry, &slowest, &fastest) &&
 	    answers_extrapolates(entry, speed))
 		answer_say(r, ANSWER_WARNING,
 		    "%.1f m/s is outside the %s speeds, %g to %g m/s", speed,
@@ -265,7 +259,8 @@ answers_note_doubt(
 	    fabs(site->run[feed_run].speed - speed) > 1e-3)
 		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s%s",
 		    site->run[feed_run].speed, site->run[feed_run].repeat);
-	answers_note_worth(s, r, entry);
+	answers_note_model(s, r, entry);
+	light_show(r, light);
 }
 
 const char *
@@ -305,7 +300,7 @@ answers_put_prediction(struct session *s, struct fields *o,
 	fit_put_params(o, params);
 	fields_put(o, ".feed_mps %g", entry->site->run[p->feed_run].speed);
 	if (entry->has_fit)
-		fields_put(o, "verdict %s", fit_verdict(&entry->fit));
+		fields_put(o, "verdict %s", light_verdict(s, entry, p));
 	if (entry->origin != NULL && entry->origin->stored)
 		fields_put(o, "recalled %s", entry->origin->whose);
 	origin_put(o, entry);
@@ -322,6 +317,9 @@ answers_put_products(
 		    session_entry(s)->site->name);
 		answers_put_prediction(
 		    s, product, &session_entry(s)->params, &p[i]);
+		struct trust light = light_of(s, session_entry(s), &p[i]);
+		light_put(product, &light);
+		trust_free(&light);
 	}
 }
 

@@ -83,13 +83,12 @@ void answers_size_cell(struct answer *r, const struct prediction *p, size_t i);
  * band is given: "P20 1.14 mm (1.12 to 1.18)". */
 void answers_note_sizes(struct answer *r, const struct prediction *p);
 
-/* Notes on what the calibration behind an answer is worth, where that is
- * little. */
-void answers_note_worth(
+/* Says which model it is, where that is not the paper's. */
+void answers_note_model(
     const struct session *s, struct answer *r, const struct entry *entry);
 
 /* Notes on how far to trust an answer for the site in use at a speed from the
- * feed of a run. */
+ * feed of a run, with its light. */
 void answers_note_doubt(
     struct session *s, struct answer *r, double speed, size_t feed_run);
 

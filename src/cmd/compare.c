@@ -7,6 +7,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/entries.h"
+#include "cmd/light.h"
 #include "cmd/parse.h"
 #include "cmd/table.h"
 #include "cmd/outlook.h"
@@ -179,8 +180,11 @@ comparison_notes(const struct session *s, struct answer *r,
 		if (i == 1 && entry == side[0].entry)
 			continue;
 		origin_note(r, entry);
-		answers_note_worth(s, r, entry);
+		answers_note_model(s, r, entry);
 	}
+	struct trust light = light_of(s, side[0].entry, &side[0].p);
+	light_worse(&light, light_of(s, side[1].entry, &side[1].p));
+	light_show(r, light);
 }
 
 /* Side i: a loaded site at the speed of the option, with a feed of its own; or

@@ -15,6 +15,8 @@ history_redraw(struct history *h, double noise)
 	for (size_t i = 0; i < ARRAY_LEN(h->posterior); i++) {
 		posterior_free(h->posterior[i]);
 		h->posterior[i] = NULL;
+		free(h->evidence[i]);
+		h->evidence[i] = NULL;
 	}
 	ensemble_free(h->ensemble);
 	h->ensemble = NULL;

@@ -7,16 +7,17 @@
 #include <stdbool.h>
 
 #include "core/calibrate.h"
-#include "core/ensemble.h"
 #include "core/site.h"
+#include "core/trust.h"
 #include "io/answer.h"
 #include "io/stored.h"
 
 /* What a calibration left: what it found; its generations, [n], with the bounds
- * it searched in; and its site and training runs [n_run], from which is drawn,
- * when first asked for, what is known after it: posterior, by the runs that
- * inform it (enum correction), and the products of the last feed that was asked
- * for.  Shared by the entries, snapshots and origins that hold it. */
+ * it searched in; and its site and training runs [n_run], from which follows,
+ * when first asked for, what is known after it: posterior and evidence, by the
+ * runs that inform them (enum correction), and the products of the last feed
+ * that was asked for.  Shared by the entries, snapshots and origins that hold
+ * it. */
 struct history {
 	size_t holders, n;
 	struct fit fit;
@@ -26,6 +27,7 @@ struct history {
 	bool *train;
 	bool (*stop)(void);
 	struct posterior *posterior[2]; /* NULL: not drawn yet */
+	struct evidence *evidence[2];
 	double noise;                   /* that they were drawn with */
 	struct ensemble *ensemble;
 	struct ensemble_of {

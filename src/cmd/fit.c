@@ -18,25 +18,6 @@ fit_too_few(const struct fit *fit)
 	return fit->cells <= fit->parameters;
 }
 
-void
-fit_note_too_few(struct answer *r, const struct fit *fit)
-{
-	answer_say(r, ANSWER_WARNING,
-	    "%zu passing%s cannot determine %zu parameters: no verdict and no "
-	    "uncertainty band; add sieves or a run",
-	    fit->cells, fit->cells == 1 ? "" : "s", fit->parameters);
-}
-
-const char *
-fit_verdict(const struct fit *fit)
-{
-	if (fit->rmse > FIT_POOR)
-		return "poor";
-	if (fit_too_few(fit))
-		return "too few data";
-	return fit_breaks_nothing(fit) ? "nothing breaks" : "good";
-}
-
 double
 fit_holdout_rmse(const struct entry *entry)
 {

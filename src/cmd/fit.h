@@ -6,15 +6,7 @@
 #include <stdbool.h>
 
 #include "cmd/session.h"
-#include "core/validate.h"
-
-/* Above this RMSE (passing, 0..1) at the training runs a fit is called poor: a
- * careful sample repeats to 0.005 or 0.01. */
-#define FIT_POOR 0.02
-
-/* Below this share of the null model's misfit taken away, the products cannot
- * be told from the feed. */
-#define FIT_NOTHING 0.5
+#include "core/trust.h"
 
 /* True when the fit explains little that product = feed does not. */
 bool fit_breaks_nothing(const struct fit *fit);
@@ -39,16 +31,10 @@ bool fit_settings_agree(const struct model_settings *settings, size_t breakage,
 /* Puts "params": {"beta":[4],"f_mat":..,"e0_min":..,"alpha":..}. */
 void fit_put_params(struct fields *o, const struct params *p);
 
-/* "poor", "too few data", "nothing breaks" or "good". */
-const char *fit_verdict(const struct fit *fit);
-
 /* Where no more passings were compared than parameters searched the fit says
  * nothing of itself: it meets any noise, so that it is not called good and has
  * no band.  Beta counts as the four numbers it is reported as, though its scale
  * is free: one passing to spare would show no noise either. */
 bool fit_too_few(const struct fit *fit);
-
-/* The sentence about it, which says the two numbers. */
-void fit_note_too_few(struct answer *r, const struct fit *fit);
 
 #endif

@@ -10,6 +10,7 @@
 #include "cmd/band.h"
 #include "cmd/outlook.h"
 #include "cmd/fit.h"
+#include "cmd/light.h"
 #include "cmd/table.h"
 #include "core/breakage.h"
 #include "core/validate.h"
@@ -29,7 +30,8 @@ put_speeds(
 }
 
 void
-fit_put(struct fields *o, const struct entry *entry, double seconds)
+fit_put(struct fields *o, const struct session *s, const struct entry *entry,
+    double seconds)
 {
 	const struct fit *fit = &entry->fit;
 	bool poor = fit->rmse > FIT_POOR;
@@ -48,7 +50,8 @@ fit_put(struct fields *o, const struct entry *entry, double seconds)
 	put_speeds(o, "holdout", entry, false);
 	fields_put(o,
 	    "cells %zu parameters %zu rmse_pct %g verdict %s .poor %g",
-	    fit->cells, fit->parameters, fit->rmse * 100, fit_verdict(fit),
+	    fit->cells, fit->parameters, fit->rmse * 100,
+	    light_verdict(s, entry, NULL),
 	    poor               ? 1
 	    : fit_too_few(fit) ? NAN
 			       : 0);
@@ -144,21 +147,9 @@ add_verdict(struct answer *r, const struct session *s,
     const struct entry *entry, const struct bounds *bounds, bool ranges)
 {
 	const struct fit *fit = &entry->fit;
-	if (fit->rmse > FIT_POOR)
-		answer_say(r, ANSWER_WARNING,
-		    "poor fit: RMSE %.1f points on the training products, "
-		    "where repeat samples agree within 0.5 to 1: do not rely "
-		    "on predictions; check the data with 'check'",
-		    100 * fit->rmse);
-	else if (!fit_too_few(fit) && fit_breaks_nothing(fit))
+	if (fit->rmse <= FIT_POOR && !fit_too_few(fit) &&
+	    fit_breaks_nothing(fit))
 		explain_nothing(r, entry);
-	if (fit_too_few(fit))
-		fit_note_too_few(r, fit);
-	if (!fit->converged && fit->stop != CALIBRATE_STOPPED)
-		answer_say(r, ANSWER_WARNING,
-		    "not converged: the misfit can still fall, so that "
-		    "another seed may give other parameters; compare the "
-		    "curves of several seeds");
 	struct validation far = fit_outlier(entry);
 	if (far.worst_difference != 0)
 		answer_say(r, ANSWER_WARNING,
@@ -167,12 +158,6 @@ add_verdict(struct answer *r, const struct session *s,
 		    far.speed, entry->site->run[far.run].repeat,
 		    100 * fabs(far.worst_difference),
 		    units_mm(far.worst_sieve));
-	for (size_t j = 0; j < breakage_of(&fit->params)->n; j++)
-		if (fit->on_bound[j])
-			answer_say(r, ANSWER_REMARK,
-			    "%s is at its bound: the bound, not the data, "
-			    "sets it",
-			    breakage_of(&fit->params)->parameter[j].name);
 	add_flat(r, fit, bounds);
 	if (ranges)
 		band_note(r, s, entry, false);
@@ -244,7 +229,8 @@ fit_answer(const struct session *s, const struct entry *entry,
 		    "written by 'save' repeats that, calibrate alone does not",
 		    fit->edited_at, fit->edits > 1 ? " and before" : "");
 	add_verdict(r, s, entry, bounds, u != NULL);
-	fit_put(answer_fields(r), entry, seconds);
+	fit_put(answer_fields(r), s, entry, seconds);
+	light_show(r, light_of(s, entry, NULL));
 	band_put_interval(answer_fields(r), s, u, &fit->params);
 	return r;
 }
@@ -321,7 +307,10 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	answer_say(r, ANSWER_REMARK,
 	    "best and median misfit of the search, then the spread of each "
 	    "parameter in %% of its bounds");
-	answers_note_worth(s, r, entry);
+	answers_note_model(s, r, entry);
+	struct trust light = light_of(s, entry, NULL);
+	light_note(r, &light);
+	trust_free(&light);
 	if (entry->fit.edits > 0)
 		answer_say(r, ANSWER_REMARK,
 		    "the bounds were edited after generation %zu%s: earlier "

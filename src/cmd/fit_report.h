@@ -10,6 +10,7 @@ struct answer *fit_answer(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds);
 
 /* What json has of an entry's fit, but for its ranges. */
-void fit_put(struct fields *o, const struct entry *entry, double seconds);
+void fit_put(struct fields *o, const struct session *s,
+    const struct entry *entry, double seconds);
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/fit.h"
+#include "cmd/light.h"
 #include "cmd/fit_report.h"
 #include "cmd/table.h"
 #include "cmd/invocation.h"
@@ -159,7 +160,8 @@ take_fit(struct session *s)
 	entry->origin = origin_of_fit(entry);
 	/* That of `all` is a table of sites, and tells of none alone. */
 	struct answer *answer = answer_new("calibrate");
-	fit_put(answer_fields(answer), entry, session_clock() - s->job.started);
+	fit_put(
+	    answer_fields(answer), s, entry, session_clock() - s->job.started);
 	session_keep(s, answer);
 }
 
@@ -188,7 +190,7 @@ remarks(const struct session *s, const struct entry *entry)
 		    other->site->digest == entry->site->digest)
 			xlist(&text, "; ", "same data as %s", other->key);
 	}
-	const char *verdict = fit_verdict(&entry->fit);
+	const char *verdict = light_verdict(s, entry, NULL);
 	if (strcmp(verdict, "good") != 0)
 		xlist(&text, "; ", "%s", verdict);
 	return text;

@@ -1,12 +1,31 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/outlook.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/xalloc.h"
 #include "cmd/fit.h"
 #include "core/ensemble.h"
+#include "core/misfit.h"
+
+/* The runs of the calibration that inform an answer, [n_run], which the caller
+ * frees, and the place where what they say is kept. */
+static bool *
+used_runs(const struct history *h, enum correction correction, size_t *place)
+{
+	size_t n = h->site->n_run;
+	bool *use = xcalloc(n, sizeof *use), same = true;
+	for (size_t r = 0; r < n; r++) {
+		bool measured = misfit_covered(&h->site->run[r]) > 0;
+		use[r] =
+		    h->train[r] || (correction == CORRECTION_ALL && measured);
+		same = same && use[r] == h->train[r];
+	}
+	*place = same ? CORRECTION_TRAIN : CORRECTION_ALL;
+	return use;
+}
 
 const struct posterior *
 outlook_posterior(const struct session *s, const struct entry *entry,
@@ -16,18 +35,11 @@ outlook_posterior(const struct session *s, const struct entry *entry,
 	if (fit == NULL || fit_too_few(fit) || fit->stop == CALIBRATE_STOPPED)
 		return NULL;
 	struct history *h = entry->origin->spread;
-	size_t n = h->site->n_run;
-	bool *use = xcalloc(n, sizeof *use), same = true;
-	for (size_t r = 0; r < n; r++) {
-		bool measured = misfit_covered(&h->site->run[r]) > 0;
-		use[r] =
-		    h->train[r] || (correction == CORRECTION_ALL && measured);
-		same = same && use[r] == h->train[r];
-	}
+	size_t place;
+	bool *use = used_runs(h, correction, &place);
 	if (h->noise != s->set.noise)
 		history_redraw(h, s->set.noise);
-	struct posterior **p =
-	    &h->posterior[same ? CORRECTION_TRAIN : CORRECTION_ALL];
+	struct posterior **p = &h->posterior[place];
 	if (*p == NULL) {
 		struct posterior_options o = {.use = use,
 		    .settings = fit->settings,
@@ -43,12 +55,66 @@ outlook_posterior(const struct session *s, const struct entry *entry,
 	return *p;
 }
 
+/* The runs that inform the answers that are set. */
+static enum correction
+informing(const struct session *s)
+{
+	return s->set.correction == CORRECTION_ALL ? CORRECTION_ALL
+						   : CORRECTION_TRAIN;
+}
+
 const struct posterior *
 outlook_draws(const struct session *s, const struct entry *entry)
 {
-	return outlook_posterior(s, entry,
-	    s->set.correction == CORRECTION_ALL ? CORRECTION_ALL
-						: CORRECTION_TRAIN);
+	return outlook_posterior(s, entry, informing(s));
+}
+
+const struct evidence *
+outlook_evidence(const struct session *s, const struct entry *entry)
+{
+	const struct fit *fit = origin_fit(entry);
+	if (fit == NULL)
+		return NULL;
+	struct history *h = entry->origin->spread;
+	size_t place;
+	bool *use = used_runs(h, informing(s), &place);
+	struct evidence **e = &h->evidence[place];
+	/* They may have been stopped before. */
+	const struct posterior *p = outlook_draws(s, entry);
+	if (*e == NULL || (p != NULL && isnan((*e)->discrepancy))) {
+		free(*e);
+		*e = xcalloc(1, sizeof **e);
+		**e = trust_evidence(
+		    h->site, h->train, use, fit, &h->bounds, p, s->set.noise);
+	}
+	free(use);
+	return *e;
+}
+
+double
+outlook_feed_difference(
+    const struct session *s, const struct entry *entry, size_t feed_run)
+{
+	const struct history *h = entry->origin->spread;
+	double least = INFINITY;
+	size_t place;
+	bool *use = used_runs(h, informing(s), &place);
+	for (size_t r = 0; r < h->site->n_run; r++)
+		if (use[r])
+			least = fmin(
+			    least, trust_feed_difference(&h->site->run[r].feed,
+				       &entry->site->run[feed_run].feed));
+	free(use);
+	return least;
+}
+
+/* A poor fit with two speeds: two points lie on any line, so that nothing shows
+ * how far what the model leaves out bends between them. */
+static bool
+is_open(const struct session *s, const struct entry *entry)
+{
+	const struct evidence *e = outlook_evidence(s, entry);
+	return e != NULL && e->rmse > FIT_POOR && e->speeds <= 2;
 }
 
 /* Whether the settings are those of the fit. */
@@ -65,7 +131,8 @@ static const struct posterior *
 answering(const struct session *s, const struct entry *entry)
 {
 	bool off = s->set.correction == CORRECTION_OFF || session_busy(s);
-	return off || !as_fitted(s, entry) ? NULL : outlook_draws(s, entry);
+	bool none = off || !as_fitted(s, entry) || is_open(s, entry);
+	return none ? NULL : outlook_draws(s, entry);
 }
 
 struct inverse
@@ -131,6 +198,10 @@ outlook_why_none(const struct session *s, const struct entry *entry)
 		     "all' has one"
 	       : fit->stop == CALIBRATE_STOPPED
 		   ? "no uncertainty band: the calibration was stopped"
+	       : is_open(s, entry)
+		   ? "no uncertainty band: the fit is poor, and two speeds do "
+		     "not show how its error changes with the speed; measure a "
+		     "third"
 		   : "no uncertainty band: the site was calibrated with other "
 		     "settings";
 }

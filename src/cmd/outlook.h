@@ -21,6 +21,18 @@ const struct posterior *outlook_posterior(const struct session *s,
 const struct posterior *outlook_draws(
     const struct session *s, const struct entry *entry);
 
+/* What the calibration that found the entry's parameters shows of itself, by
+ * the runs that inform the answers; NULL where none of this session did.  Kept
+ * with it. */
+const struct evidence *outlook_evidence(
+    const struct session *s, const struct entry *entry);
+
+/* How far the feed of that run differs from the most similar of those that
+ * inform the answers: the largest difference, passing 0..1.  Only with such
+ * evidence. */
+double outlook_feed_difference(
+    const struct session *s, const struct entry *entry, size_t feed_run);
+
 /* The products of its draws from the entry's feed of that run, at its sieves
  * and others between (predict_sizes); NULL where there is none, where answers
  * are the model alone, or for a fit made with other settings.  Kept until

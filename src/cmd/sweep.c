@@ -6,6 +6,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/band.h"
+#include "cmd/light.h"
 #include "cmd/table.h"
 #include "cmd/outlook.h"
 #include "core/predict.h"
@@ -121,7 +122,8 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	if (outside && across)
 		answer_say(r, ANSWER_WARNING,
 		    "speeds marked * are outside the training speeds");
-	answers_note_worth(s, r, entry);
+	answers_note_model(s, r, entry);
+	light_show(r, light_worst(s, entry, p, n));
 	answers_put_products(s, answer_fields(r), p, n);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);

@@ -159,6 +159,20 @@ const struct command TABLE_ANSWERS[] = {
 	    "tipspeed-model(7).",
 	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty speed=85",
 	.run = cmd_uncertainty},
+    {.name = "advise",
+	.brief = "which sample next narrows a band most",
+	.operands = {"[QUANTITY] [SIZE]", {"p20 p50 p80 passing", ""}, 0, 2},
+	.flags = COMMAND_AT_SITE,
+	.option = AT_SPEED_OPTIONS,
+	.text = "The quantity is p20, p50, p80 (the default), or passing and a "
+		"size in mm, at a speed. For a repeat at each measured speed "
+		"and a sample at each round one, it shows how wide the "
+		"uncertainty band is expected to be after it; see UNCERTAINTY "
+		"in tipspeed-model(7). Where the feed used was sampled with "
+		"another run, it also shows what the feeds change.",
+	.example = "load data/sites/tierp.csv\ncalibrate\nadvise p80\n"
+		   "advise passing 2 speed=85",
+	.run = cmd_advise},
     {.name = "validate",
 	.brief = "compare predictions with the held-out runs",
 	.operands = {"[all]", {"all"}, 0, 1},
@@ -186,7 +200,8 @@ const struct command TABLE_ANSWERS[] = {
 	.text =
 	    "Explains the site in use at a speed in sentences: what breaks, "
 	    "how much of the feed that is, how far the speed is from the "
-	    "training speeds, how good the fit is, which parameters the data "
+	    "training speeds, the light with each reason, which parameters the "
+	    "data "
 	    "do not determine, and where the data are from.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nwhy 85",
 	.run = cmd_why},

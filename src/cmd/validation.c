@@ -8,6 +8,7 @@
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/job.h"
+#include "cmd/light.h"
 #include "cmd/outlook.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
@@ -585,9 +586,10 @@ validate_one(struct session *s, struct comparison *c, struct error *error)
 	struct answer *r = run_answer(s, c);
 	origin_note(r, entry);
 	if (entry->has_fit)
-		fields_put(
-		    answer_fields(r), "verdict %s", fit_verdict(&entry->fit));
-	answers_note_worth(s, r, entry);
+		fields_put(answer_fields(r), "verdict %s",
+		    light_verdict(s, entry, NULL));
+	answers_note_model(s, r, entry);
+	light_show(r, light_of(s, entry, NULL));
 	return session_answer(s, r);
 }
 

@@ -7,6 +7,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/light.h"
 #include "cmd/table.h"
 #include "cmd/outlook.h"
 #include "core/breakage.h"
@@ -142,42 +143,47 @@ say_trained(const struct subject *a)
 	    near);
 }
 
-/* "alpha" or "beta3 and beta4" of those for which `is` holds; "" for none. */
-static char *
-names_of(const struct fit *fit, bool (*is)(const struct fit *, size_t))
-{
-	char *names = xstrdup("");
-	const struct breakage *of = breakage_of(&fit->params);
-	for (size_t j = 0; j < of->n; j++)
-		if (is(fit, j))
-			xlist(&names, " and ", "%s", of->parameter[j].name);
-	return names;
-}
-
-static bool
-is_on_bound(const struct fit *fit, size_t j)
-{
-	return fit->on_bound[j];
-}
-
 static void
 say_parameters(const struct subject *a, const struct fit *fit)
 {
-	char *bound = names_of(fit, is_on_bound);
-	char *flat = names_of(fit, fit_is_flat);
-	if (bound[0] != '\0')
-		answer_note(a->answer,
-		    "%s at a bound of the search: the bound, not the data, "
-		    "sets the value",
-		    bound);
+	char *flat = xstrdup("");
+	const struct breakage *of = breakage_of(&fit->params);
+	for (size_t j = 0; j < of->n; j++)
+		if (fit_is_flat(fit, j))
+			xlist(&flat, " and ", "%s", of->parameter[j].name);
 	if (flat[0] != '\0')
 		answer_note(a->answer,
 		    "The data do not determine %s well: very different values, "
 		    "changed together, raise the misfit by only 10 %%; rely on "
 		    "the curves, not on these values",
 		    flat);
-	free(bound);
 	free(flat);
+}
+
+/* The light, each reason with its number. */
+static void
+say_light(const struct subject *a)
+{
+	struct trust t = light_of(a->s, a->entry, &a->p);
+	const struct evidence *e = outlook_evidence(a->s, a->entry);
+	if (t.n > 0)
+		answer_say(a->answer,
+		    t.light == LIGHT_RED ? ANSWER_WARNING : ANSWER_PLAIN,
+		    "Trust is %s%s", LIGHT_NAME[t.light],
+		    t.light == LIGHT_RED ? ": do not rely on this answer" : "");
+	else if (e != NULL)
+		answer_note(a->answer,
+		    "Trust is green: the residuals are like sampling errors "
+		    "(RMSE %.2f points; %.1f times as large as usual, "
+		    "neighbours %+.1f sd alike), and %zu passings for %zu "
+		    "parameters would have shown more",
+		    100 * e->rmse, sqrt(e->size), e->alike, e->cells,
+		    e->parameters);
+	for (size_t i = 0; i < t.n; i++)
+		answer_note(a->answer, "  %s: %s",
+		    LIGHT_NAME[t.reason[i].light], t.reason[i].text);
+	light_put(answer_fields(a->answer), &t);
+	trust_free(&t);
 }
 
 static void
@@ -196,26 +202,6 @@ say_fit(const struct subject *a)
 		free(details);
 		return;
 	}
-	if (fit->rmse > FIT_POOR)
-		answer_say(a->answer, ANSWER_WARNING,
-		    "The fit is poor: RMSE %.1f points on the training "
-		    "products, where repeat samples agree within 0.5 to 1; "
-		    "look for faults in the site file with 'check'",
-		    100 * fit->rmse);
-	else if (fit_too_few(fit))
-		answer_say(a->answer, ANSWER_WARNING,
-		    "%zu passings cannot determine %zu parameters, so the "
-		    "quality of the fit is not known; add sieves or a run",
-		    fit->cells, fit->parameters);
-	else if (fit_breaks_nothing(fit))
-		answer_say(a->answer, ANSWER_WARNING,
-		    "The training products do not differ measurably from their "
-		    "feed, so the parameters fit sampling error");
-	else
-		answer_note(a->answer,
-		    "The fit is good: RMSE %.2f points on the training "
-		    "products",
-		    100 * fit->rmse);
 	say_parameters(a, fit);
 }
 
@@ -291,6 +277,7 @@ cmd_why(struct session *s, const struct args *args, struct error *error)
 	say_response(&a);
 	say_trained(&a);
 	say_measured(&a);
+	say_light(&a);
 	say_fit(&a);
 	say_data(&a);
 	prediction_free(&a.p);

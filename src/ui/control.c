@@ -11,6 +11,9 @@
 #include "cmd/answers.h"
 #include "cmd/command.h"
 #include "cmd/fit.h"
+#include "cmd/light.h"
+#include "cmd/fit.h"
+#include "cmd/light.h"
 #include "cmd/job.h"
 #include "cmd/line.h"
 #include "cmd/predict.h"
@@ -377,8 +380,8 @@ finish(struct tui *t)
 	if (entry != NULL && entry->has_fit && error.kind == ERROR_NONE)
 		tui_say(t, false,
 		    "calibrated: %s, RMSE %.2f points, %zu generations%s",
-		    fit_verdict(&entry->fit), 100 * entry->fit.rmse,
-		    entry->fit.generations,
+		    light_verdict(t->session, entry, NULL),
+		    100 * entry->fit.rmse, entry->fit.generations,
 		    t->page == PAGE_FIT ? "; Tab, arrows: show them" : "");
 }
 

@@ -9,6 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/light.h"
 #include "core/breakage.h"
 #include "ui/page_predict.h"
 #include "ui/pages.h"
@@ -218,7 +219,7 @@ draw_state(const struct tui *t, const struct area *area)
 	} else if (entry->has_fit) {
 		column = screen_text(area, 0, 0, 0, "READY  %s%s",
 		    fit_too_few(&entry->fit) ? "" : "fit ",
-		    fit_verdict(&entry->fit));
+		    light_verdict(s, entry, NULL));
 	} else {
 		column = screen_text(
 		    area, 0, 0, 0, "READY  parameters %s", origin_words(entry));

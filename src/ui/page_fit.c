@@ -8,6 +8,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/fit.h"
+#include "cmd/light.h"
 #include "core/sensitivity.h"
 #include "ui/screen.h"
 
@@ -173,7 +174,7 @@ draw_result(const struct tui *t, const struct area *side, int row)
 	screen_text(side, row++, 0, 0, "polished: misfit %.4g  seed %llu",
 	    entry->fit.misfit, (unsigned long long)entry->fit.seed);
 	screen_text(side, row++, 0, 0, "RMSE %.2f points, %s",
-	    100 * entry->fit.rmse, fit_verdict(&entry->fit));
+	    100 * entry->fit.rmse, light_verdict(t->session, entry, NULL));
 	return row;
 }
 

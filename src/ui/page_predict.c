@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/fit.h"
+#include "cmd/light.h"
 #include "io/units.h"
 #include "ui/screen.h"
 
@@ -217,23 +217,21 @@ draw_cross(const struct tui *t, int row, int room)
 	return row;
 }
 
+/* The light of the answer shown, and how far off the model was where it could
+ * be tried. */
 static void
 draw_worth(const struct tui *t, int row)
 {
+	static const unsigned LOOKS[] = {LOOK_PLAIN, LOOK_BOLD, LOOK_REVERSE};
 	const struct area *side = &t->places.side;
-	const struct entry *entry = tui_entry(t);
-	if (entry->has_fit) {
-		const char *verdict = fit_verdict(&entry->fit);
-		const char *fit = fit_too_few(&entry->fit) ? "" : "fit ";
-		char *words = xasprintf("%s%s, seed %llu", fit, verdict,
-		    (unsigned long long)entry->fit.seed);
-		if (text_width(words) > side->columns)
-			words[strlen(fit) + strlen(verdict)] = '\0';
-		screen_text(side, row++, 0, 0, "%s", words);
-		free(words);
-	} else if (entry->has_params) {
-		screen_text(side, row++, 0, 0, "%s", origin_words(entry));
-	}
+	struct trust light = light_of(t->session, tui_entry(t), &t->shown);
+	char *words = light.n == 0 ? xasprintf("trust green")
+				   : xasprintf("trust %s, %zu reason%s",
+					 LIGHT_NAME[light.light], light.n,
+					 light.n == 1 ? "" : "s");
+	screen_text(side, row++, 0, LOOKS[light.light], "%s", words);
+	free(words);
+	trust_free(&light);
 	if (isfinite(t->holdout))
 		screen_text(
 		    side, row, 0, 0, "hold-out RMSE %.1f points", t->holdout);

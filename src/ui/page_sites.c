@@ -9,6 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/light.h"
 #include "cmd/outlook.h"
 #include "io/units.h"
 #include "ui/control.h"
@@ -121,9 +122,9 @@ runs_text(const struct entry *e, char *text, size_t n)
 }
 
 static const char *
-origin_text(const struct entry *e)
+origin_text(const struct session *s, const struct entry *e)
 {
-	return e->has_fit          ? fit_verdict(&e->fit)
+	return e->has_fit          ? light_verdict(s, e, NULL)
 	       : !e->has_params    ? "not calibrated"
 	       : e->origin->stored ? "from the store"
 				   : origin_words(e);
@@ -162,7 +163,7 @@ cell_text(
 		runs_text(e, text, n);
 		break;
 	case PARAMETERS:
-		snprintf(text, n, "%s", origin_text(e));
+		snprintf(text, n, "%s", origin_text(t->session, e));
 		break;
 	case RMS:
 		number_text(

@@ -4,7 +4,7 @@
 
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
-#include "cmd/fit.h"
+#include "cmd/light.h"
 #include "desk.h"
 
 /* Whether the newest results have the text, and the former ones forgotten. */
@@ -181,7 +181,7 @@ a_fit_of_few_cells_is_not_judged(void **state)
 		assert_int_equal(
 		    outlook_draws(s, session_entry(s)) != NULL, n > 7);
 	}
-	assert_string_equal(fit_verdict(&entry->fit), "too few data");
+	assert_string_equal(light_verdict(s, entry, NULL), "too few data");
 	assert_false(desk_say(desk, "assert poor = 0"));
 	assert_int_equal(desk->error.kind, ERROR_CHECK);
 	desk_expect(desk, "bounds alpha 0.9; "

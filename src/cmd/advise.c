@@ -1,0 +1,284 @@
+/* advise: which sample next narrows the band of an answer most.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/light.h"
+#include "cmd/outlook.h"
+#include "cmd/parse.h"
+#include "cmd/settings.h"
+#include "cmd/table.h"
+#include "core/advise.h"
+#include "core/misfit.h"
+#include "io/units.h"
+
+/* A sample that could be taken.  width: of the band, expected after it. */
+struct candidate {
+	double speed, width;
+	bool repeat;
+};
+
+/* What is asked: a passing at size x, m, or where that is 0 the size that so
+ * much passes. */
+struct wanted {
+	double speed, x, passing;
+	size_t feed;
+	char *name;
+	const char *unit;
+};
+
+static double
+value_of(const struct psd *curve, const struct wanted *w)
+{
+	return w->x > 0 ? units_pct(psd_passing(curve, w->x))
+			: 1000 * psd_size(curve, w->passing);
+}
+
+/* The draws of the answer, [POSTERIOR_DRAWS] out.  False where one lies outside
+ * the sieves. */
+static bool
+answer_draws(const struct session *s, const struct entry *entry,
+    const struct wanted *w, double *value)
+{
+	enum { N = POSTERIOR_DRAWS };
+	struct ensemble *e = outlook_ensemble(s, entry, w->feed);
+	struct psd curve =
+	    predict_sizes(entry->site, &entry->site->run[w->feed].feed);
+	bool known = true;
+	ensemble_at(e, w->speed);
+	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
+	for (size_t d = 0; d < N; d++) {
+		for (size_t i = 0; i < curve.n; i++)
+			curve.passing[i] = P[i * N + d];
+		value[d] = value_of(&curve, w);
+		known = known && isfinite(value[d]);
+	}
+	psd_free(&curve);
+	return known;
+}
+
+static size_t
+add_candidate(const struct site *site, struct candidate *c, size_t n, double v)
+{
+	for (size_t i = 0; i < n; i++)
+		if (fabs(c[i].speed - v) < 0.5)
+			return n;
+	size_t r = site_run_at(site, v);
+	c[n] = (struct candidate){.speed = v,
+	    .repeat = r < site->n_run && site->run[r].product.n > 0};
+	return n + 1;
+}
+
+/* A repeat at each measured speed, the speed asked for and round ones; [*n],
+ * which the caller frees. */
+static struct candidate *
+candidates(const struct site *site, double asked, size_t *n)
+{
+	size_t more, k = 0;
+	double *round = answers_speeds(site, &more);
+	struct candidate *c = xcalloc(site->n_run + more + 1, sizeof *c);
+	for (size_t r = 0; r < site->n_run; r++)
+		if (misfit_covered(&site->run[r]) > 0)
+			k = add_candidate(site, c, k, site->run[r].speed);
+	k = add_candidate(site, c, k, asked);
+	for (size_t i = 0; i < more; i++)
+		k = add_candidate(site, c, k, round[i]);
+	free(round);
+	*n = k;
+	return c;
+}
+
+static int
+by_width(const void *a, const void *b)
+{
+	double x = ((const struct candidate *)a)->width;
+	double y = ((const struct candidate *)b)->width;
+	return (x > y) - (x < y);
+}
+
+/* The sieves of the site's products that the feed covers. */
+static struct ensemble *
+sieved(
+    const struct session *s, const struct entry *entry, size_t feed, size_t *n)
+{
+	const struct psd *from = &entry->site->run[feed].feed;
+	double *sieve = site_sieves(entry->site, n);
+	while (*n > 0 && !psd_covers(from, sieve[*n - 1]))
+		(*n)--;
+	struct ensemble *e =
+	    ensemble_new(outlook_draws(s, entry), from, sieve, *n);
+	free(sieve);
+	return e;
+}
+
+/* Sorts the candidates by what they leave of a width. */
+static void
+weigh(const struct session *s, const struct entry *entry,
+    const struct wanted *w, const double *answer, double width,
+    struct candidate *c, size_t n)
+{
+	size_t sieves;
+	struct ensemble *e = sieved(s, entry, w->feed, &sieves);
+	for (size_t i = 0; i < n; i++) {
+		ensemble_at(e, c[i].speed);
+		double share = advise_share(
+		    answer, ensemble_products(e, ENSEMBLE_SAMPLE), sieves);
+		c[i].width = width * sqrt(1 - share);
+	}
+	ensemble_free(e);
+	qsort(c, n, sizeof *c, by_width);
+}
+
+/* Where each run has a feed of its own the product is as uncertain as the
+ * feed. */
+static void
+note_feed(struct answer *r, const struct session *s, const struct entry *entry,
+    const struct wanted *w)
+{
+	const struct site *site = entry->site;
+	double low = INFINITY, high = -INFINITY;
+	for (size_t i = 0; i < site->n_run && site->individual_feeds; i++) {
+		struct prediction p =
+		    predict(site, &entry->params, s->set.model, w->speed, i);
+		double value = value_of(&p.curve, w);
+		low = fmin(low, value);
+		high = fmax(high, value);
+		prediction_free(&p);
+	}
+	if (!(high > low) || fabs(site->run[w->feed].speed - w->speed) < 1e-3)
+		return;
+	answer_say(r, ANSWER_REMARK,
+	    "feed used: sampled at %g m/s; with the feeds of the other runs "
+	    "%s is %.3g to %.3g %s: sample the feed with the product",
+	    site->run[w->feed].speed, w->name, low, high, w->unit);
+	fields_put(answer_fields(r), "feeds_low %g feeds_high %g", low, high);
+}
+
+static void
+note_best(struct answer *r, const struct session *s, const struct wanted *w,
+    const struct candidate *best, double width)
+{
+	double level = 100 * settings_level(&s->set);
+	double less = 100 * (1 - best->width / width);
+	if (less < 5)
+		answer_note(r,
+		    "no single sample narrows the %.0f %% band of %s at %g "
+		    "m/s (%.2g %s wide) by more than %.0f %%: take several",
+		    level, w->name, w->speed, width, w->unit, fmax(less, 0));
+	else
+		answer_note(r,
+		    "a sample at %g m/s%s is expected to narrow the %.0f %% "
+		    "band of %s at %g m/s most: from %.2g to %.2g %s, by %.0f "
+		    "%%",
+		    best->speed, best->repeat ? " (a repeat)" : "", level,
+		    w->name, w->speed, width, best->width, w->unit, less);
+}
+
+/* NULL where there is no band to narrow. */
+static struct answer *
+advice(const struct session *s, const struct entry *entry,
+    const struct wanted *w, double *answer)
+{
+	size_t n;
+	double ends[2], *copy = xdoubles(POSTERIOR_DRAWS);
+	memcpy(copy, answer, POSTERIOR_DRAWS * sizeof *copy);
+	ensemble_middle(copy, settings_level(&s->set), &ends[0], &ends[1]);
+	free(copy);
+	double width = ends[1] - ends[0];
+	if (!(width > 0))
+		return NULL;
+	struct candidate *c = candidates(entry->site, w->speed, &n);
+	weigh(s, entry, w, answer, width, c, n);
+	struct answer *r = answers_new(entry->site, "advise",
+	    "what to sample next, for %s at %g m/s", w->name, w->speed);
+	answer_columns(r,
+	    "speed: sample at m/s, kind, width_%s: band after "
+	    "%s, narrower_pct: narrower %%",
+	    w->x > 0 ? "points" : "mm", w->unit);
+	for (size_t i = 0; i < n; i++)
+		answer_cells(r, "%g %s %.3f %.0f", c[i].speed,
+		    c[i].repeat ? "repeat" : "new", c[i].width,
+		    100 * (1 - c[i].width / width));
+	struct fields *o = answer_fields(r);
+	fields_put(o, "quantity %s speed %g low %g high %g width %g", w->name,
+	    w->speed, ends[0], ends[1], width);
+	fields_put(o, "best_mps %g best_width %g", c[0].speed, c[0].width);
+	answer_put_rows(r, "samples");
+	note_best(r, s, w, &c[0], width);
+	note_feed(r, s, entry, w);
+	free(c);
+	return r;
+}
+
+/* "p80", or "passing" and a size. */
+static bool
+take_quantity(const struct args *args, struct wanted *w, struct error *error)
+{
+	const char *word = args->n_operand > 0 ? args->operand[0] : "p80";
+	double mm = NAN;
+	bool size = args->n_operand > 1 &&
+		    value_number(args->operand[1], "mm", &mm) && mm > 0;
+	for (size_t i = 0; i < PSD_SIZES; i++) {
+		char *name = xasprintf("p%.0f", 100 * PSD_PASSING[i]);
+		if (strcmp(word, name) == 0 && args->n_operand < 2) {
+			w->passing = PSD_PASSING[i];
+			w->name = xasprintf("P%.0f", 100 * PSD_PASSING[i]);
+			w->unit = "mm";
+		}
+		free(name);
+	}
+	if (strcmp(word, "passing") == 0 && size) {
+		w->x = mm / 1000;
+		w->name = xasprintf("the passing at %g mm", mm);
+		w->unit = "points";
+	}
+	return w->name != NULL ||
+	       error_set(error, ERROR_USAGE,
+		   "advise: expected p20, p50, p80, or passing and a size in "
+		   "mm, got '%s'\n"
+		   "write 'advise p80' or 'advise passing 2'",
+		   word);
+}
+
+static bool
+advise(struct session *s, const struct entry *entry, struct wanted *w,
+    struct error *error)
+{
+	double answer[POSTERIOR_DRAWS];
+	const struct psd *feed = &entry->site->run[w->feed].feed;
+	if (outlook_ensemble(s, entry, w->feed) == NULL)
+		return error_set(error, ERROR_USAGE, "%s\n%s",
+		    outlook_why_none(s, entry),
+		    "advise needs an answer with a band: run 'calibrate'");
+	if ((w->x > 0 && !psd_covers(feed, w->x)) ||
+	    !answer_draws(s, entry, w, answer))
+		return error_set(error, ERROR_DATA,
+		    "%s at %g m/s lies outside the sieves\n"
+		    "ask for another size",
+		    w->name, w->speed);
+	struct answer *r = advice(s, entry, w, answer);
+	if (r == NULL)
+		return error_set(error, ERROR_DATA,
+		    "%s at %g m/s is the same in all draws: no sample can "
+		    "narrow its band",
+		    w->name, w->speed);
+	struct prediction p = outlook_predict(s, entry, w->speed, w->feed);
+	light_show(r, light_of(s, entry, &p));
+	prediction_free(&p);
+	return session_answer(s, r);
+}
+
+bool
+cmd_advise(struct session *s, const struct args *args, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	struct wanted w = {.speed = answers_speed(args, entry)};
+	bool ok = answers_ready(s, error) &&
+		  answers_feed(entry->site, args, w.speed, &w.feed, error) &&
+		  take_quantity(args, &w, error) && advise(s, entry, &w, error);
+	free(w.name);
+	return ok;
+}

@@ -1,0 +1,37 @@
+/* How far an answer holds, as commands and the full screen say it: one light
+ * and its reasons.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_LIGHT_H
+#define TIPSPEED_CMD_LIGHT_H
+
+#include "cmd/session.h"
+#include "core/predict.h"
+
+/* Of the entry's answer p, or for NULL of its fit; trust_free. */
+struct trust light_of(const struct session *s, const struct entry *entry,
+    const struct prediction *p);
+
+/* Keeps the worse of the two and frees the other; of several answers [n] the
+ * worst. */
+void light_worse(struct trust *worst, struct trust t);
+struct trust light_worst(const struct session *s, const struct entry *entry,
+    const struct prediction *p, size_t n);
+
+/* "amber: " and the first reason, or "green"; the caller frees. */
+char *light_words(const struct trust *t);
+
+/* The sentence about it, a warning where it is red.  Puts "trust" and
+ * "reasons". */
+void light_note(struct answer *r, const struct trust *t);
+void light_put(struct fields *o, const struct trust *t);
+
+/* Both, of the answer's own, and frees it. */
+void light_show(struct answer *r, struct trust t);
+
+/* What the fit behind an answer p, or for NULL alone, is called: "poor", "too
+ * few data", "nothing breaks"; "good" where the light is green, else
+ * "doubtful". */
+const char *light_verdict(const struct session *s, const struct entry *entry,
+    const struct prediction *p);
+
+#endif

@@ -1,0 +1,16 @@
+/* What one more sample would tell about an answer.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_ADVISE_H
+#define TIPSPEED_CORE_ADVISE_H
+
+#include <stddef.h>
+
+/* answer [POSTERIOR_DRAWS], none of them NAN; sample [n * POSTERIOR_DRAWS], row
+ * by sieve: what that sample would be by each draw, with its errors
+ * (ENSEMBLE_SAMPLE).  Returns the share of the answer's variance, 0..1, that
+ * knowing the sample is expected to take away: R^2 of a regression on the
+ * sample's principal components, adjusted for their number, as many as adjust
+ * it most.  The band is then sqrt(1 - share) as wide. */
+double advise_share(const double *answer, const double *sample, size_t n);
+
+#endif

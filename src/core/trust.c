@@ -1,0 +1,421 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/trust.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_statistics_double.h>
+
+#include "base/xalloc.h"
+#include "core/elementary.h"
+#include "core/misfit.h"
+#include "core/sensitivity.h"
+
+const char *const LIGHT_NAME[3] = {"green", "amber", "red"};
+
+/* What no passing is trusted to more than. */
+static const double ROUNDING = 0.001;
+
+/* Signs that residuals are more than sampling errors.  One that is strong turns
+ * the light amber, and so do two weak ones.  Found by counting, with
+ * bench/coverage: TRUST in tipspeed-model(7) has the figures. */
+struct sign {
+	double weak, strong;
+};
+static const struct sign SIZE = {1.6, 2.2}, ALIKE = {1.2, 2.2},
+			 MORE = {0.45, 0.6}, GAMMA = {2, 3};
+
+/* In units of discrepancy_time, 5 m/s at 74: beyond the speeds. */
+static const double BEYOND = 1, FAR_BEYOND = 3;
+
+/* Mean width of a band, and a difference of feeds, passing. */
+static const double WIDE = 0.05, VERY_WIDE = 0.15, OTHER_FEED = 0.1,
+		    STRANGE_FEED = 0.3;
+
+/* Takes from the differences d what a small step of the parameters would: some
+ * of the runs used may not have been trained on.  Returns how many steps. */
+static double
+take_steps(struct misfit *m, const struct fit *fit, const struct bounds *bounds,
+    double *d)
+{
+	double *basis = xdoubles(m->n_residual * PARAMS_MOST);
+	struct sensitivity s =
+	    sensitivity_of(m, &fit->params, bounds, true, basis);
+	for (size_t c = 0; c < s.n; c++) {
+		double along = 0;
+		for (size_t i = 0; i < m->n_residual; i++)
+			along += d[i] * basis[i * PARAMS_MOST + c];
+		for (size_t i = 0; i < m->n_residual; i++)
+			d[i] -= along * basis[i * PARAMS_MOST + c];
+	}
+	free(basis);
+	return (double)s.n;
+}
+
+/* Sum of squares over the sampling errors that the priors expect, and of the
+ * products of neighbours. */
+static void
+weigh_residuals(struct evidence *e, const struct misfit *m, const double *d,
+    double parameters, double noise)
+{
+	double error = hypot(HYPER[HYPER_SHARED].median,
+	    noise > 0 ? noise : HYPER[HYPER_OWN].median);
+	double squares = 0, products = 0, cells = 0, pairs = 0;
+	for (size_t r = 0, k = 0; r < m->n_run; r++) {
+		double last = NAN;
+		for (size_t i = 0; i < m->run[r].n; i++, k++) {
+			double P = m->run[r].measured[i] + d[k] / 2;
+			double h = discrepancy_h(P);
+			bool counts = h > 0.02;
+			double z = d[k] / hypot(h * error, ROUNDING);
+			squares += counts ? z * z : 0;
+			cells += counts;
+			products += counts && !isnan(last) ? z * last : 0;
+			pairs += counts && !isnan(last);
+			last = counts ? z : NAN;
+		}
+	}
+	double spare = fmax(cells - parameters, 1);
+	e->size = squares / spare;
+	e->alike = pairs > 0 && squares > 0
+		       ? products / squares * cells / sqrt(pairs)
+		       : 0;
+}
+
+/* Of the feed above the break size the share that breaks at a speed. */
+static double
+share_broken(const struct misfit *m, const struct params *p)
+{
+	double x = params_break_size(p, m->run[0].speed);
+	double above =
+	    x > 0 && isfinite(x) ? 1 - psd_passing(&m->run[0].feed, x) : NAN;
+	model_set(m->model[0], p);
+	return above > 0.01
+		   ? model_selected(m->model[0], m->run[0].speed) / above
+		   : NAN;
+}
+
+static double
+median(double *value)
+{
+	return gsl_stats_median(value, 1, POSTERIOR_DRAWS);
+}
+
+static void
+read_draws(struct evidence *e, const struct posterior *p, const struct fit *fit,
+    double finest)
+{
+	enum { N = POSTERIOR_DRAWS };
+	double off[N], error[N], gamma[N];
+	double e0 = params_value(&fit->params, "e0_min");
+	e->more = e->unbounded = 0;
+	for (size_t i = 0; i < N; i++) {
+		const struct posterior_draw *d = &p->draw[i];
+		off[i] = hypot(d->hyper[HYPER_DELTA], d->hyper[HYPER_NARROW]);
+		error[i] = hypot(d->hyper[HYPER_SHARED], d->hyper[HYPER_OWN]);
+		gamma[i] = params_value(&d->params, "gamma");
+		e->more += off[i] > error[i] ? 1.0 / N : 0;
+		e->unbounded +=
+		    params_break_size(&d->params, e->slowest) < finest ||
+			    params_value(&d->params, "e0_min") < 0.05 * e0
+			? 1.0 / N
+			: 0;
+	}
+	e->gamma = gsl_stats_mean(gamma, 1, N);
+	e->gamma_sd = gsl_stats_sd(gamma, 1, N);
+	e->discrepancy = median(off);
+	e->sampling = median(error);
+	e->ratio = p->ratio;
+	e->drift = p->drift;
+}
+
+static void
+find_holdout(struct evidence *e, const struct site *site, const bool *train,
+    const struct fit *fit)
+{
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (train[r] || misfit_covered(&site->run[r]) == 0)
+			continue;
+		struct validation v = validate_run(
+		    site, r, train, &fit->params, fit->settings, NULL);
+		if (e->holdout.n_sieve == 0 ||
+		    v.rmse[VALIDATE_MODEL] > e->holdout.rmse[VALIDATE_MODEL])
+			e->holdout = v;
+	}
+}
+
+static void
+find_speeds(struct evidence *e, const struct misfit *m)
+{
+	e->slowest = INFINITY;
+	for (size_t r = 0; r < m->n_run; r++) {
+		double v = m->run[r].speed;
+		e->speeds += r == 0 || v != m->run[r - 1].speed;
+		e->slowest = fmin(e->slowest, v);
+		e->fastest = fmax(e->fastest, v);
+	}
+}
+
+struct evidence
+trust_evidence(const struct site *site, const bool *train, const bool *use,
+    const struct fit *fit, const struct bounds *bounds,
+    const struct posterior *posterior, double noise)
+{
+	struct misfit *m = misfit_new(site, use, NULL, false, fit->settings);
+	struct evidence e = {.cells = fit->cells,
+	    .parameters = fit->parameters,
+	    .rmse = fit->rmse,
+	    .like_feed = fit->misfit > (1 - FIT_NOTHING) * fit->feed_misfit,
+	    .discrepancy = NAN,
+	    .sampling = NAN,
+	    .more = NAN,
+	    .gamma = NAN,
+	    .gamma_sd = NAN,
+	    .unbounded = NAN,
+	    .ratio = NAN,
+	    .drift = NAN,
+	    .breaks = share_broken(m, &fit->params)};
+	double *d = xdoubles(m->n_residual);
+	size_t n;
+	double *sieve = site_sieves(site, &n);
+	misfit_differences(m, &fit->params, d);
+	weigh_residuals(&e, m, d, take_steps(m, fit, bounds, d), noise);
+	find_speeds(&e, m);
+	find_holdout(&e, site, train, fit);
+	if (posterior != NULL)
+		read_draws(&e, posterior, fit, sieve[n - 1]);
+	free(sieve);
+	free(d);
+	misfit_free(m);
+	return e;
+}
+
+void
+trust_add(struct trust *t, enum light light, enum trust_cause cause, char *text)
+{
+	size_t at = t->n;
+	if (t->n == TRUST_REASONS) {
+		free(text);
+		return;
+	}
+	for (; at > 0 && t->reason[at - 1].light < light; at--)
+		t->reason[at] = t->reason[at - 1];
+	t->reason[at] = (struct trust_reason){cause, light, text};
+	t->n++;
+	t->light = t->reason[0].light;
+}
+
+static void
+judge_data(struct trust *t, const struct evidence *e)
+{
+	size_t spare =
+	    e->cells - (e->cells < e->parameters ? e->cells : e->parameters);
+	if (e->rmse > FIT_POOR)
+		trust_add(t, LIGHT_RED, TRUST_FIT,
+		    xasprintf("the fit is poor: RMSE %.1f points on the "
+			      "training products, where repeat samples agree "
+			      "within 0.5 to 1; check the data with 'check'",
+			100 * e->rmse));
+	if (spare == 0)
+		trust_add(t, LIGHT_RED, TRUST_DATA,
+		    xasprintf("%zu passing%s cannot determine %zu parameters: "
+			      "the quality of the fit is not known; add "
+			      "sieves or a run",
+			e->cells, e->cells == 1 ? "" : "s", e->parameters));
+	else if (spare < 4)
+		trust_add(t, LIGHT_AMBER, TRUST_DATA,
+		    xasprintf("%zu passings for %zu parameter%s leave little "
+			      "that could show a wrong model; add sieves or a "
+			      "run",
+			e->cells, e->parameters,
+			e->parameters == 1 ? "" : "s"));
+	else if (e->like_feed && !(e->rmse > FIT_POOR))
+		trust_add(t, LIGHT_AMBER, TRUST_DATA,
+		    xstrdup("the training products hardly differ from their "
+			    "feed: the parameters fit sampling errors"));
+	if (e->speeds == 1)
+		trust_add(t, LIGHT_AMBER, TRUST_DATA,
+		    xasprintf("one speed, %g m/s, was measured: nothing shows "
+			      "what the speed does",
+			e->slowest));
+	if (e->drift > 0.7)
+		trust_add(t, e->drift > 1.2 ? LIGHT_RED : LIGHT_AMBER,
+		    TRUST_FIT,
+		    xasprintf("the uncertainty band has not converged (its two "
+			      "halves differ by %.1f sd): it may be too narrow",
+			e->drift));
+}
+
+static int
+strength(double value, struct sign sign)
+{
+	return (value > sign.weak) + (value > sign.strong);
+}
+
+static void
+judge_pattern(struct trust *t, const struct evidence *e)
+{
+	double gamma = fabs(e->gamma) / e->gamma_sd;
+	int size = strength(e->size, SIZE), alike = strength(e->alike, ALIKE);
+	int more = strength(e->more, MORE), drift = strength(gamma, GAMMA);
+	if (size + alike + more + drift < 2)
+		return;
+	if (size > 0)
+		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
+		    xasprintf("the residuals are %.1f times as large as usual "
+			      "sampling errors: the model misses something, or "
+			      "the samples are biased",
+			sqrt(e->size)));
+	if (alike > 0)
+		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
+		    xasprintf("residuals of neighbouring sieves are alike "
+			      "(%.1f sd more than by chance): the model misses "
+			      "something, or whole samples are biased",
+			e->alike));
+	if (more > 0)
+		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
+		    xasprintf("what the model leaves out (%.1f points) is as "
+			      "large as the sampling errors (%.1f): the answer "
+			      "is as much correction as model",
+			100 * e->discrepancy, 100 * e->sampling));
+	if (drift > 0)
+		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
+		    xasprintf("the residuals follow the speed, as if fragments "
+			      "got %s with energy (gamma %.2f \302\261 %.2f): "
+			      "beyond the measured speeds the answer rests on "
+			      "that",
+			e->gamma > 0 ? "finer" : "coarser", e->gamma,
+			e->gamma_sd));
+}
+
+static void
+judge_holdout(struct trust *t, const struct evidence *e)
+{
+	const struct validation *v = &e->holdout;
+	double own = v->rmse[VALIDATE_MODEL];
+	double line = v->rmse[VALIDATE_INTERPOLATION];
+	if (v->n_sieve == 0)
+		return;
+	if (own > FIT_POOR)
+		trust_add(t, LIGHT_RED, TRUST_HOLDOUT,
+		    xasprintf("at %g m/s, held out, the model errs by %.1f "
+			      "points (RMSE)",
+			v->speed, 100 * own));
+	else if (validation_loses(v) && own > 1.2 * line + 0.001)
+		trust_add(t, LIGHT_AMBER, TRUST_HOLDOUT,
+		    xasprintf("at %g m/s, held out, interpolating the "
+			      "training products is closer (%.2f points RMSE) "
+			      "than the model (%.2f)",
+			v->speed, 100 * line, 100 * own));
+}
+
+static void
+judge_slow(struct trust *t, const struct evidence *e)
+{
+	if (e->unbounded > 0.05)
+		trust_add(t, LIGHT_AMBER, TRUST_SLOW,
+		    xasprintf("the threshold is only bounded from above (%.0f "
+			      "%% of the draws have none): slower than %g m/s "
+			      "far less may break",
+			100 * e->unbounded, e->slowest));
+	else if (e->breaks > 0.995)
+		trust_add(t, LIGHT_AMBER, TRUST_SLOW,
+		    xasprintf("already at %g m/s %.0f %% of what is coarse "
+			      "enough breaks: f_mat is only bounded from "
+			      "below, and slower less may break",
+			e->slowest, 100 * e->breaks));
+}
+
+static void
+judge_speed(struct trust *t, const struct evidence *e, double v)
+{
+	bool slow = v<e->slowest - 1e-9, fast = v> e->fastest + 1e-9;
+	double end = slow ? e->slowest : e->fastest;
+	double beyond = fabs(discrepancy_time(v, 0) - discrepancy_time(end, 0));
+	if (!slow && !fast)
+		return;
+	if (beyond > BEYOND)
+		trust_add(t, beyond > FAR_BEYOND ? LIGHT_RED : LIGHT_AMBER,
+		    TRUST_BEYOND,
+		    xasprintf("%g m/s is %.1f m/s %s than any measured speed: "
+			      "no measurement shows what happens there",
+			v, fabs(v - end), slow ? "slower" : "faster"));
+	if (slow)
+		judge_slow(t, e);
+}
+
+static void
+judge_question(struct trust *t, const struct trust_question *q)
+{
+	if (q->width > WIDE)
+		trust_add(t, q->width > VERY_WIDE ? LIGHT_RED : LIGHT_AMBER,
+		    TRUST_BAND,
+		    xasprintf("the uncertainty band is wide, %.0f points on "
+			      "average: the data leave the answer open",
+			100 * q->width));
+	if (q->feed > OTHER_FEED)
+		trust_add(t, q->feed > STRANGE_FEED ? LIGHT_RED : LIGHT_AMBER,
+		    TRUST_FEED,
+		    xasprintf("the feed differs by up to %.0f points from "
+			      "those calibrated with: it may break differently",
+			100 * q->feed));
+	if (q->bound != NULL)
+		trust_add(t, LIGHT_AMBER, TRUST_BOUND,
+		    xasprintf("%s is at its bound, and across it the answer "
+			      "would move by %.1f points: the bound, not the "
+			      "data, sets it",
+			q->bound, 100 * q->bound_moves));
+}
+
+void
+trust_judge(
+    struct trust *t, const struct evidence *e, const struct trust_question *q)
+{
+	judge_data(t, e);
+	judge_holdout(t, e);
+	judge_pattern(t, e);
+	if (q->speed > 0)
+		judge_speed(t, e, q->speed);
+	judge_question(t, q);
+}
+
+void
+trust_free(struct trust *t)
+{
+	for (size_t i = 0; i < t->n; i++)
+		free(t->reason[i].text);
+	*t = (struct trust){0};
+}
+
+double
+trust_moves(const struct posterior *p, const struct ensemble *e, size_t n,
+    const char *parameter)
+{
+	enum { N = POSTERIOR_DRAWS };
+	double value[N], sum = 0;
+	for (size_t d = 0; d < N; d++)
+		value[d] = params_value(&p->draw[d].params, parameter);
+	double sd = gsl_stats_sd(value, 1, N);
+	for (size_t i = 0; i < n && sd > 0; i++) {
+		const double *P = ensemble_products(e, ENSEMBLE_ANSWER) + i * N;
+		double move = gsl_stats_covariance(value, 1, P, 1, N) / sd;
+		sum += move * move / (double)n;
+	}
+	return sqrt(sum);
+}
+
+double
+trust_feed_difference(const struct psd *a, const struct psd *b)
+{
+	double most = 0;
+	for (size_t i = 0; i < a->n; i++)
+		if (psd_covers(b, a->size[i]))
+			most = fmax(most,
+			    fabs(psd_passing(b, a->size[i]) - a->passing[i]));
+	for (size_t i = 0; i < b->n; i++)
+		if (psd_covers(a, b->size[i]))
+			most = fmax(most,
+			    fabs(psd_passing(a, b->size[i]) - b->passing[i]));
+	return most;
+}

@@ -1,0 +1,112 @@
+/* How far an answer holds, as one light with its reasons.
+ *
+ * A residual has two causes that its size and pattern do not tell apart: the
+ * model is wrong for this plant, or the samples are biased.  So reasons name
+ * what was seen and what follows from it, and not the cause.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_TRUST_H
+#define TIPSPEED_CORE_TRUST_H
+
+#include "core/calibrate.h"
+#include "core/ensemble.h"
+#include "core/posterior.h"
+#include "core/validate.h"
+
+enum light { LIGHT_GREEN, LIGHT_AMBER, LIGHT_RED };
+extern const char *const LIGHT_NAME[3];
+
+/* Above this RMSE (passing, 0..1) at the training runs a fit is called poor: a
+ * careful sample repeats to 0.005 or 0.01. */
+#define FIT_POOR 0.02
+
+/* Below this share of the null model's misfit taken away, the products cannot
+ * be told from the feed. */
+#define FIT_NOTHING 0.5
+
+/* What a fit shows of itself, whatever is asked of it.  It is worked out once a
+ * fit.  use: the runs that inform the answer. */
+struct evidence {
+	size_t cells, parameters; /* of the fit */
+	double rmse;              /* of the fit, passing 0..1 */
+	bool like_feed;           /* products do not differ from the feed */
+	/* Residuals at all runs used, but for what other parameters would take
+	 * away: mean square over that of usual sampling errors; correlation of
+	 * neighbours on a curve, in its standard deviations. */
+	double size, alike;
+	/* NAN without a posterior.  discrepancy, sampling: medians of the
+	 * draws, passing 0..1; more: share of the draws in which the first is
+	 * the larger. */
+	double discrepancy, sampling, more;
+	double gamma, gamma_sd; /* NAN in a model without */
+	double unbounded;       /* share of the draws with no threshold */
+	double ratio, drift;    /* of the chains */
+	double breaks; /* of the feed above the break size, slowest speed */
+	size_t speeds; /* how many inform it */
+	double slowest, fastest;   /* of these */
+	struct validation holdout; /* the worst; n_sieve 0: none was */
+};
+
+/* noise: known error of a single passing, 0..1; 0: as usual. */
+struct evidence trust_evidence(const struct site *site, const bool *train,
+    const bool *use, const struct fit *fit, const struct bounds *bounds,
+    const struct posterior *posterior, double noise);
+
+/* What is asked, beside the fit.  All but speed may be 0 or NAN. */
+struct trust_question {
+	double speed; /* m/s; 0: none, the fit is meant */
+	double width; /* of the band, mean over the sieves, passing 0..1 */
+	/* The largest difference between the feed taken and the nearest of
+	 * those the fit was made with, passing 0..1. */
+	double feed;
+	/* A parameter on a bound, and what the answer would move by, were it
+	 * free to move on by its standard deviation. */
+	const char *bound;
+	double bound_moves; /* passing 0..1 */
+};
+
+/* What a reason is about, which decides whether others need be said. */
+enum trust_cause {
+	TRUST_FIT,
+	TRUST_DATA,
+	TRUST_PATTERN,
+	TRUST_HOLDOUT,
+	TRUST_BEYOND,
+	TRUST_SLOW,
+	TRUST_BAND,
+	TRUST_FEED,
+	TRUST_BOUND,
+	TRUST_ORIGIN
+};
+
+enum { TRUST_REASONS = 16 };
+
+/* The light is that of the worst reason; reasons [n], the worst first, are
+ * sentences without a full stop. */
+struct trust {
+	enum light light;
+	size_t n;
+	struct trust_reason {
+		enum trust_cause cause;
+		enum light light;
+		char *text;
+	} reason[TRUST_REASONS];
+};
+
+/* Takes the text. */
+void trust_add(
+    struct trust *t, enum light light, enum trust_cause cause, char *text);
+
+/* Adds what evidence and question speak against. */
+void trust_judge(
+    struct trust *t, const struct evidence *e, const struct trust_question *q);
+void trust_free(struct trust *t);
+
+/* What one standard deviation of a parameter moves the answers of an ensemble
+ * by, at its speed and on n sizes: root mean square, passing 0..1. */
+double trust_moves(const struct posterior *p, const struct ensemble *e,
+    size_t n, const char *parameter);
+
+/* The largest difference of two feeds, passing 0..1. */
+double trust_feed_difference(const struct psd *a, const struct psd *b);
+
+#endif

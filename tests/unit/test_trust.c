@@ -1,0 +1,235 @@
+/* The light: green where the model is right, never where it is far off, and
+ * each reason where it belongs.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "made.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/calibrate.h"
+#include "core/ensemble.h"
+#include "core/trust.h"
+
+struct known {
+	struct site *site;
+	bool train[8], use[8];
+	struct fit fit;
+	struct evidence e;
+};
+
+/* Calibrated at 69 and 79 m/s, with the evidence of all runs. */
+static struct known
+known(struct site *site)
+{
+	struct known k = {.site = site, .use = {true, true, true}};
+	struct calibrate_options o = calibrate_options_default();
+	o.population = 1000;
+	misfit_default_train(site, k.train);
+	struct calibration *c = calibration_new(site, &o);
+	while (calibration_step(c) < CALIBRATE_TOLERANCE)
+		;
+	k.fit = calibration_fit(c);
+	calibration_free(c);
+	struct posterior_options p = {.use = k.use,
+	    .settings = k.fit.settings,
+	    .bounds = o.bounds,
+	    .seed = 1,
+	    .threads = 2,
+	    .isa = ISA_BEST};
+	struct posterior *posterior = posterior_new(site, &k.fit.params, &p);
+	k.e = trust_evidence(
+	    site, k.train, k.use, &k.fit, &o.bounds, posterior, 0);
+	posterior_free(posterior);
+	return k;
+}
+
+static struct trust
+asked(const struct evidence *e, struct trust_question q)
+{
+	struct trust t = {0};
+	trust_judge(&t, e, &q);
+	return t;
+}
+
+static enum light
+light_at(const struct evidence *e, double v)
+{
+	struct trust t = asked(e, (struct trust_question){.speed = v});
+	enum light light = t.light;
+	trust_free(&t);
+	return light;
+}
+
+static bool
+names(const struct trust *t, const char *words)
+{
+	for (size_t i = 0; i < t->n; i++)
+		if (strstr(t->reason[i].text, words) != NULL)
+			return true;
+	return false;
+}
+
+/* Plants that follow the model: green inside, amber beyond 5 m/s, red far out.
+ * One of eight may look wrong by chance. */
+static void
+test_right(void **state)
+{
+	(void)state;
+	size_t green = 0;
+	for (uint64_t seed = 1; seed <= 8; seed++) {
+		struct known k = known(made_site(&TABLE_3[TIERP], 0.005, seed));
+		green += light_at(&k.e, 74) == LIGHT_GREEN;
+		assert_int_not_equal(light_at(&k.e, 90), LIGHT_GREEN);
+		assert_int_equal(light_at(&k.e, 110), LIGHT_RED);
+		site_free(k.site);
+	}
+	assert_true(green >= 7);
+}
+
+/* Products that no parameters give: finer than the model's at the fast speed,
+ * coarser at the slow one, by up to a few points, smoothly along the curve. */
+static void
+test_wrong(void **state)
+{
+	(void)state;
+	for (uint64_t seed = 1; seed <= 3; seed++) {
+		struct site *site = made_site(&TABLE_3[TIERP], 0.003, seed);
+		for (size_t r = 0; r < site->n_run; r++) {
+			struct psd *product = &site->run[r].product;
+			for (size_t i = 0; i < product->n; i++) {
+				double P = product->passing[i];
+				double x = log(product->size[i]);
+				P += 0.1 * P * (1 - P) * sin(3 * x) *
+				     (r == 1 ? -1 : 1);
+				product->passing[i] = fmin(fmax(P, 0), 1);
+			}
+		}
+		struct known k = known(site);
+		assert_int_not_equal(light_at(&k.e, 74), LIGHT_GREEN);
+		site_free(site);
+	}
+}
+
+static const struct evidence SOUND = {.cells = 24,
+    .parameters = 7,
+    .rmse = 0.003,
+    .size = 1,
+    .discrepancy = 0.002,
+    .sampling = 0.005,
+    .more = 0.1,
+    .gamma = 0.05,
+    .gamma_sd = 0.1,
+    .ratio = 1.3,
+    .drift = 0.2,
+    .breaks = 0.9,
+    .speeds = 3,
+    .slowest = 69,
+    .fastest = 79};
+
+/* Each reason alone, its light and its words. */
+static void
+test_reasons(void **state)
+{
+	(void)state;
+	struct evidence poor = SOUND, few = SOUND, slow = SOUND, drift = SOUND,
+			lost = SOUND, bent = SOUND;
+	poor.rmse = 0.03;
+	few.cells = 7;
+	slow.unbounded = 0.4;
+	drift.drift = 0.9;
+	bent.gamma = 0.5;
+	lost.holdout = (struct validation){.n_sieve = 9,
+	    .holdout = true,
+	    .speed = 74,
+	    .rmse = {0.012, 0.01, 0.004, 0.03, 0.2}};
+	const struct {
+		const struct evidence *e;
+		struct trust_question q;
+		enum light light;
+		const char *words;
+	} want[] = {
+	    {&poor, {.speed = 74}, LIGHT_RED, "RMSE 3.0 points"},
+	    {&few, {.speed = 74}, LIGHT_RED, "7 passings cannot determine 7"},
+	    {&slow, {.speed = 68}, LIGHT_AMBER, "bounded from above (40 %"},
+	    {&slow, {.speed = 74}, LIGHT_GREEN, NULL},
+	    {&drift, {.speed = 74}, LIGHT_AMBER, "0.9 sd"},
+	    {&bent, {.speed = 74}, LIGHT_AMBER, "finer with energy"},
+	    {&lost, {.speed = 74}, LIGHT_AMBER, "0.40 points RMSE"},
+	    {&SOUND, {.speed = 74, .width = 0.08}, LIGHT_AMBER, "8 points"},
+	    {&SOUND, {.speed = 74, .width = 0.2}, LIGHT_RED, "20 points"},
+	    {&SOUND, {.speed = 74, .feed = 0.12}, LIGHT_AMBER, "12 points"},
+	    {&SOUND, {.speed = 74, .bound = "f_mat", .bound_moves = 0.01},
+		LIGHT_AMBER, "f_mat is at its bound"},
+	    {&SOUND, {.speed = 86}, LIGHT_AMBER, "7.0 m/s faster"},
+	    {&SOUND, {.speed = 66}, LIGHT_GREEN, NULL},
+	    {&SOUND, {.speed = 74}, LIGHT_GREEN, NULL},
+	};
+	for (size_t i = 0; i < ARRAY_LEN(want); i++) {
+		struct trust t = asked(want[i].e, want[i].q);
+		assert_int_equal(t.light, want[i].light);
+		assert_int_equal(t.n > 0, want[i].words != NULL);
+		assert_true(t.n == 0 || names(&t, want[i].words));
+		trust_free(&t);
+	}
+}
+
+/* Two weak signs make what one does not. */
+static void
+test_signs(void **state)
+{
+	(void)state;
+	struct evidence e = SOUND;
+	e.size = 1.8;
+	assert_int_equal(light_at(&e, 74), LIGHT_GREEN);
+	e.alike = 1.5;
+	assert_int_equal(light_at(&e, 74), LIGHT_AMBER);
+	e.size = 1;
+	assert_int_equal(light_at(&e, 74), LIGHT_GREEN);
+	e.alike = 2.5;
+	assert_int_equal(light_at(&e, 74), LIGHT_AMBER);
+}
+
+/* The worst reason comes first, and gives the light. */
+static void
+test_order(void **state)
+{
+	(void)state;
+	struct evidence e = SOUND;
+	e.gamma = 0.5;
+	e.rmse = 0.05;
+	struct trust t = asked(&e, (struct trust_question){.speed = 110});
+	assert_int_equal(t.light, LIGHT_RED);
+	assert_true(t.n >= 3);
+	for (size_t i = 1; i < t.n; i++)
+		assert_true(t.reason[i].light <= t.reason[i - 1].light);
+	trust_free(&t);
+	assert_int_equal(t.n, 0);
+}
+
+static void
+test_feeds(void **state)
+{
+	(void)state;
+	struct site *a = made_site(&TABLE_3[TIERP], 0.005, 1);
+	struct psd *feed = &a->run[0].feed, other = psd_copy(feed);
+	assert_true(trust_feed_difference(feed, &other) == 0);
+	other.passing[3] -= 0.07;
+	assert_true(fabs(trust_feed_difference(feed, &other) - 0.07) < 1e-12);
+	psd_free(&other);
+	site_free(a);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(test_right),
+	    cmocka_unit_test(test_wrong),
+	    cmocka_unit_test(test_reasons),
+	    cmocka_unit_test(test_signs),
+	    cmocka_unit_test(test_order),
+	    cmocka_unit_test(test_feeds),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
