@@ -13,10 +13,12 @@
 #include "core/predict.h"
 #include "io/units.h"
 
-/* One of the two, with its name for people. */
+/* One of the two, with its name for people; draws: of its answers, row by size
+ * of its curve, or NULL. */
 struct side {
 	const struct entry *entry;
 	struct prediction p;
+	double *draws;
 	char *head;
 };
 
@@ -41,13 +43,56 @@ all_sieves(const struct side side[2], size_t *n)
 	return x;
 }
 
+/* What a curve is asked for: the passing at a size, in points, or where that is
+ * 0 the size that so much passes, in mm. */
+struct asked {
+	double x, passing;
+};
+
+static double
+value_of(const struct psd *curve, const struct asked *asked)
+{
+	if (asked->x == 0)
+		return 1000 * psd_size(curve, asked->passing);
+	return psd_covers(curve, asked->x)
+		   ? units_pct(psd_passing(curve, asked->x))
+		   : NAN;
+}
+
+/* Cells for the two ends of b - a over the draws, which go together where both
+ * are of one posterior and are independent where they are not. */
 static void
-comparison_rows(
-    struct answer *r, const struct side side[2], const double *x, size_t n)
+difference_cells(struct answer *r, const struct session *s,
+    const struct side side[2], const struct asked *asked)
+{
+	enum { N = POSTERIOR_DRAWS };
+	double difference[N] = {0}, low, high;
+	bool size = asked->x == 0;
+	if (side[0].draws == NULL || side[1].draws == NULL)
+		return;
+	for (size_t i = 0; i < 2; i++) {
+		struct psd one = psd_copy(&side[i].p.curve);
+		for (size_t d = 0; d < N; d++) {
+			for (size_t k = 0; k < one.n; k++)
+				one.passing[k] = side[i].draws[k * N + d];
+			double value = value_of(&one, asked);
+			difference[d] += i == 0 ? -value : value;
+		}
+		psd_free(&one);
+	}
+	ensemble_middle(difference, settings_level(&s->set), &low, &high);
+	answer_cells(r, size ? "%.2f %.2f" : "%.1f %.1f", low, high);
+}
+
+static void
+comparison_rows(const struct session *s, struct answer *r,
+    const struct side side[2], const double *x, size_t n)
 {
 	char key[40], head[24];
 	answer_columns(r, "quantity: sieve mm, a: %s, b: %s, difference",
 	    side[0].head, side[1].head);
+	if (side[0].draws != NULL && side[1].draws != NULL)
+		answer_columns(r, "low, high");
 	for (size_t i = 0; i < n; i++) {
 		double a = passing_at(&side[0], x[i]);
 		double b = passing_at(&side[1], x[i]);
@@ -57,6 +102,7 @@ comparison_rows(
 		answer_missing(r, "-");
 		answer_cells(r, "%.1f %.1f %.1f", units_pct(a), units_pct(b),
 		    100 * (b - a));
+		difference_cells(r, s, side, &(struct asked){.x = x[i]});
 	}
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
 		answer_name(r, ANSWERS_KEYS[i], ANSWERS_HEADS[i]);
@@ -65,6 +111,11 @@ comparison_rows(
 		answer_missing(r, "-");
 		answer_cells(r, "%.2f",
 		    answers_size(&side[1].p, i) - answers_size(&side[0].p, i));
+		if (i != ANSWERS_BREAK)
+			difference_cells(r, s, side,
+			    &(struct asked){.passing = PSD_PASSING[i]});
+		else if (side[0].draws != NULL && side[1].draws != NULL)
+			answer_cells(r, "%.2f %.2f", NAN, NAN);
 	}
 }
 
@@ -153,6 +204,13 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 		    "compare: expected speeds from 1 to 200 m/s, got %s", word);
 	side->entry = entry;
 	side->p = outlook_predict(s, entry, v, feed);
+	struct ensemble *e = outlook_ensemble(s, entry, feed);
+	size_t size = side->p.curve.n * POSTERIOR_DRAWS;
+	if (e != NULL) {
+		side->draws = xdoubles(size);
+		memcpy(side->draws, ensemble_products(e, ENSEMBLE_ANSWER),
+		    size * sizeof *side->draws);
+	}
 	side->head = sites ? xstrdup(entry->key) : xasprintf("%g m/s", v);
 	return true;
 }
@@ -176,7 +234,11 @@ comparison(const struct session *s, const struct side side[2], bool sites)
 		free(both);
 		free(data);
 	}
-	comparison_rows(r, side, x, n);
+	comparison_rows(s, r, side, x, n);
+	if (side[0].draws != NULL && side[1].draws != NULL)
+		answer_say(r, ANSWER_REMARK,
+		    "low, high: of the difference, with %.0f %% probability",
+		    100 * settings_level(&s->set));
 	comparison_notes(s, r, side, x, n);
 	if (!sites && a->individual_feeds)
 		answer_say(r, ANSWER_REMARK,
@@ -205,6 +267,7 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 		session_answer(s, comparison(s, side, sites));
 	for (size_t i = 0; i < 2; i++) {
 		prediction_free(&side[i].p);
+		free(side[i].draws);
 		free(side[i].head);
 	}
 	return ok;

@@ -10,15 +10,25 @@
 #include "base/xalloc.h"
 
 void
+history_redraw(struct history *h, double noise)
+{
+	for (size_t i = 0; i < ARRAY_LEN(h->posterior); i++) {
+		posterior_free(h->posterior[i]);
+		h->posterior[i] = NULL;
+	}
+	ensemble_free(h->ensemble);
+	h->ensemble = NULL;
+	h->noise = noise;
+}
+
+void
 history_drop(struct history *h)
 {
 	if (h == NULL || --h->holders > 0)
 		return;
+	history_redraw(h, 0);
 	free(h->generation);
 	free(h->train);
-	for (size_t i = 0; i < 2; i++)
-		posterior_free(h->posterior[i]);
-	ensemble_free(h->ensemble);
 	free(h);
 }
 

@@ -26,6 +26,7 @@ struct history {
 	bool *train;
 	bool (*stop)(void);
 	struct posterior *posterior[2]; /* NULL: not drawn yet */
+	double noise;                   /* that they were drawn with */
 	struct ensemble *ensemble;
 	struct ensemble_of {
 		const struct posterior *posterior;
@@ -75,6 +76,9 @@ void entry_clear(struct entry *entry);
 
 /* Gives a share in it up; NULL is allowed. */
 void history_drop(struct history *history);
+
+/* Forgets what was drawn, which is to be drawn with another noise. */
+void history_redraw(struct history *history, double noise);
 
 /* Of the parameters that the entry's fit has just found; set by hand; those of
  * another entry, taken over; of a material.  The caller owns a share. */

@@ -46,8 +46,8 @@ grading_open(struct session *s, const char *path, size_t feed,
 		    "sieves",
 		    path);
 	}
-	grading->inverse = inverse_new(
-	    from, spec->size, grading->n, &entry->params, s->set.model);
+	grading->inverse =
+	    outlook_inverse(s, entry, feed, spec->size, grading->n);
 	grading->envelope = (struct envelope){spec->least, spec->most};
 	return true;
 }
@@ -75,17 +75,31 @@ verdict(const struct grading *grading, size_t i)
 /* A row for each sieve: limits, passing at speed v and "ok", "above", "below"
  * or "not known". */
 static void
-grading_rows(struct answer *r, struct grading *grading, double v)
+grading_rows(struct answer *r, const struct session *s, struct grading *grading,
+    double v)
 {
 	const struct spec *spec = grading->spec;
+	struct ensemble *e = grading->inverse.ensemble;
 	const struct psd *product = inverse_at(&grading->inverse, v);
 	answer_columns(r, "sieve_mm: sieve mm, min_pct: min %%, max_pct: max "
-			  "%%, passing_pct: product %%, verdict");
-	for (size_t i = 0; i < spec->n; i++)
-		answer_cells(r, "%g %g %g %.1f %s", units_mm(spec->size[i]),
+			  "%%, passing_pct: product %%");
+	if (e != NULL)
+		answer_columns(r, "low_pct: low %%, high_pct: high %%");
+	answer_columns(r, "verdict");
+	for (size_t i = 0; i < spec->n; i++) {
+		bool known = i < grading->n;
+		double low = NAN, high = NAN;
+		if (known && e != NULL)
+			ensemble_band(e, ENSEMBLE_ANSWER, i,
+			    settings_level(&s->set), &low, &high);
+		answer_cells(r, "%g %g %g %.1f", units_mm(spec->size[i]),
 		    units_pct(spec->least[i]), units_pct(spec->most[i]),
-		    i < grading->n ? units_pct(product->passing[i]) : NAN,
-		    verdict(grading, i));
+		    known ? units_pct(product->passing[i]) : NAN);
+		if (e != NULL)
+			answer_cells(
+			    r, "%.1f %.1f", units_pct(low), units_pct(high));
+		answer_cells(r, "%s", verdict(grading, i));
+	}
 }
 
 /* Where the limits are from, and which sieves are not checked. */
@@ -120,6 +134,9 @@ note_verdict(struct answer *r, struct grading *grading, double v)
 	    inverse_outside(&grading->inverse, &grading->envelope, v, &worst);
 	for (size_t i = 0; i < grading->n; i++)
 		out += verdict(grading, i)[0] != 'o';
+	double certain =
+	    inverse_certainty(&grading->inverse, &grading->envelope, v);
+	fields_number(answer_fields(r), "certainty_pct", 100 * certain);
 	if (out == 0)
 		answer_note(r, "meets the envelope");
 	else
@@ -128,6 +145,11 @@ note_verdict(struct answer *r, struct grading *grading, double v)
 		    "%s",
 		    out, grading->n, units_mm(grading->spec->size[worst]),
 		    100 * fabs(by), by > 0 ? "above max" : "below min");
+	if (isfinite(certain))
+		answer_note(r,
+		    "the true product meets the checked limits with %.0f %% "
+		    "probability",
+		    100 * certain);
 }
 
 bool
@@ -145,7 +167,7 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 	bool inside = inverse_outside(&g.inverse, &g.envelope, v, &worst) == 0;
 	struct answer *r =
 	    answers_new(entry->site, "spec", "%s at %g m/s", g.spec->name, v);
-	grading_rows(r, &g, v);
+	grading_rows(r, s, &g, v);
 	note_verdict(r, &g, v);
 	grading_notes(r, &g);
 	answers_note_doubt(s, r, v, feed);
@@ -206,8 +228,8 @@ check_wish(
 	    error, "write: find p80=5, find passing=40 at=2 or find spec=FILE");
 }
 
-/* Sizes are read between the sieves as predict reads them; a passing is that of
- * the size itself. */
+/* Sizes are read from the curve that predict reads them from; a passing is that
+ * of the size itself. */
 static bool
 open_wish(struct session *s, const struct args *args, struct wish *wish,
     struct error *error)
@@ -229,11 +251,12 @@ open_wish(struct session *s, const struct args *args, struct wish *wish,
 		    "%g mm is finer than the feed's finest sieve, %g mm\n"
 		    "use a size on or above that sieve",
 		    1000 * wish->x, units_mm(feed->size[feed->n - 1]));
-	struct prediction p = outlook_predict(s, entry, wish->from, wish->feed);
-	wish->inverse = inverse_new(feed,
-	    wish->key != NULL ? p.product.size : &wish->x,
-	    wish->key != NULL ? p.product.n : 1, &entry->params, s->set.model);
-	prediction_free(&p);
+	struct psd sizes = predict_sizes(entry->site, feed);
+	wish->inverse =
+	    wish->key != NULL
+		? outlook_inverse(s, entry, wish->feed, sizes.size, sizes.n)
+		: outlook_inverse(s, entry, wish->feed, &wish->x, 1);
+	psd_free(&sizes);
 	return true;
 }
 
@@ -256,7 +279,8 @@ wish_words(const struct wish *wish)
 }
 
 static void
-put_wish(struct fields *o, struct wish *wish, double speed)
+put_wish(
+    struct fields *o, struct wish *wish, double speed, const double range[2])
 {
 	bool size = wish->key != NULL;
 	fields_put(o,
@@ -266,6 +290,26 @@ put_wish(struct fields *o, struct wish *wish, double speed)
 	    size ? units_mm(wish->x) : units_pct(wish->passing),
 	    size ? NAN : units_mm(wish->x), wish->from, wish->to,
 	    value_at(wish, wish->from), value_at(wish, wish->to), speed);
+	fields_put(o, "speed_low %g speed_high %g",
+	    range[0] > 0 ? range[0] : NAN, isfinite(range[1]) ? range[1] : NAN);
+}
+
+/* The speed found with its range, an end of which may lie beyond the speeds
+ * searched. */
+static void
+note_speed(struct answer *r, const struct session *s, const struct wish *wish,
+    const char *words, double v, const double range[2])
+{
+	char low[40], high[40];
+	snprintf(low, sizeof low, range[0] > 0 ? "%.2f" : "below %g",
+	    range[0] > 0 ? range[0] : wish->from);
+	snprintf(high, sizeof high, isfinite(range[1]) ? "%.2f" : "above %g",
+	    isfinite(range[1]) ? range[1] : wish->to);
+	if (isnan(range[0]))
+		answer_note(r, "%s at %.2f m/s", words, v);
+	else
+		answer_note(r, "%s at %.2f m/s (%.0f %% range: %s to %s m/s)",
+		    words, v, 100 * settings_level(&s->set), low, high);
 }
 
 /* Why there is no such speed: what the two ends give. */
@@ -306,13 +350,18 @@ answer_wish(struct session *s, struct wish *wish)
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speed for %s", words);
 	answers_speed_rows(s, r, p, n);
+	double range[2];
+	inverse_range(&wish->inverse, wish->x, wish->passing, wish->from,
+	    wish->to, settings_level(&s->set), range);
 	if (found)
-		answer_note(r, "%s at %.2f m/s", words, v);
+		note_speed(r, s, wish, words, v, range);
 	else
 		note_unreached(r, wish, words);
+	if (found)
+		answers_note_sizes(r, &p[0]);
 	answers_note_doubt(
 	    s, r, found ? v : entry->site->run[wish->feed].speed, wish->feed);
-	put_wish(answer_fields(r), wish, found ? v : NAN);
+	put_wish(answer_fields(r), wish, found ? v : NAN, range);
 	answers_put_products(s, answer_fields(r), p, n);
 	session_answer(s, r);
 	if (found)
@@ -341,6 +390,47 @@ note_window(struct answer *r, const struct wish *wish, const struct grading *g,
 	    w->by > 0 ? "above max" : "below min");
 }
 
+/* The speeds around the most certain one at which the limits hold with the
+ * probability of bands; [2] out, NAN where there are none. */
+static void
+certain_window(const struct session *s, const struct wish *wish,
+    struct grading *g, double range[2])
+{
+	enum { STEPS = 80 };
+	double certain[STEPS + 1], step = (wish->to - wish->from) / STEPS;
+	size_t best = 0;
+	for (size_t k = 0; k <= STEPS; k++) {
+		certain[k] = inverse_certainty(
+		    &g->inverse, &g->envelope, wish->from + step * (double)k);
+		best = certain[k] > certain[best] ? k : best;
+	}
+	size_t low = best, high = best;
+	double level = settings_level(&s->set);
+	range[0] = range[1] = NAN;
+	if (!(certain[best] >= level))
+		return;
+	while (low > 0 && certain[low - 1] >= level)
+		low--;
+	while (high < STEPS && certain[high + 1] >= level)
+		high++;
+	range[0] = wish->from + step * (double)low;
+	range[1] = wish->from + step * (double)high;
+}
+
+static void
+note_certain(struct answer *r, const struct session *s, const double range[2])
+{
+	double level = 100 * settings_level(&s->set);
+	if (isfinite(range[0]))
+		answer_note(r,
+		    "holds with %.0f %% probability from %.2f to %.2f m/s",
+		    level, range[0], range[1]);
+	else
+		answer_note(r,
+		    "at no speed does it hold with %.0f %% probability", level);
+	answers_put_pair(answer_fields(r), "certain", range[0], range[1]);
+}
+
 static bool
 answer_spec(struct session *s, const struct args *args, const struct wish *wish,
     struct error *error)
@@ -355,8 +445,13 @@ answer_spec(struct session *s, const struct args *args, const struct wish *wish,
 	double v = w.inside ? w.slowest : w.nearest;
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speeds for %s", g.spec->name);
-	grading_rows(r, &g, v);
+	grading_rows(r, s, &g, v);
 	note_window(r, wish, &g, &w);
+	if (g.inverse.ensemble != NULL) {
+		double certain[2];
+		certain_window(s, wish, &g, certain);
+		note_certain(r, s, certain);
+	}
 	grading_notes(r, &g);
 	answers_note_doubt(s, r, v, wish->feed);
 	fields_put(answer_fields(r),

@@ -46,7 +46,7 @@ fit_holdout_rmse(const struct entry *entry)
 		if (entry->train[r] || misfit_covered(run) == 0)
 			continue;
 		struct validation v = validate_run(entry->site, r, entry->train,
-		    &entry->fit.params, entry->fit.settings);
+		    &entry->fit.params, entry->fit.settings, NULL);
 		largest = fmax(largest, v.rmse[VALIDATE_MODEL]);
 	}
 	return largest;
@@ -66,7 +66,7 @@ fit_outlier(const struct entry *entry)
 		if (misfit_covered(run) == 0)
 			continue;
 		struct validation v = validate_run(entry->site, r, entry->train,
-		    &entry->fit.params, entry->fit.settings);
+		    &entry->fit.params, entry->fit.settings, NULL);
 		if (fabs(v.worst_difference) >
 		    fmax(far_off, fabs(farthest.worst_difference)))
 			farthest = v;

@@ -24,6 +24,8 @@ outlook_posterior(const struct session *s, const struct entry *entry,
 		    h->train[r] || (correction == CORRECTION_ALL && measured);
 		same = same && use[r] == h->train[r];
 	}
+	if (h->noise != s->set.noise)
+		history_redraw(h, s->set.noise);
 	struct posterior **p =
 	    &h->posterior[same ? CORRECTION_TRAIN : CORRECTION_ALL];
 	if (*p == NULL) {
@@ -33,6 +35,7 @@ outlook_posterior(const struct session *s, const struct entry *entry,
 		    .seed = fit->seed,
 		    .threads = s->set.threads,
 		    .isa = s->isa,
+		    .noise = s->set.noise / 100,
 		    .stop = h->stop};
 		*p = posterior_new(h->site, &fit->params, &o);
 	}
@@ -57,13 +60,27 @@ as_fitted(const struct session *s, const struct entry *entry)
 	       model_settings_same(&s->set.model, &fit->settings);
 }
 
+/* What answers are drawn from; NULL: they are the model alone. */
+static const struct posterior *
+answering(const struct session *s, const struct entry *entry)
+{
+	bool off = s->set.correction == CORRECTION_OFF || session_busy(s);
+	return off || !as_fitted(s, entry) ? NULL : outlook_draws(s, entry);
+}
+
+struct inverse
+outlook_inverse(const struct session *s, const struct entry *entry,
+    size_t feed_run, const double *sieve, size_t n)
+{
+	return inverse_new(&entry->site->run[feed_run].feed, sieve, n,
+	    &entry->params, s->set.model, answering(s, entry));
+}
+
 struct ensemble *
 outlook_ensemble(
     const struct session *s, const struct entry *entry, size_t feed_run)
 {
-	if (s->set.correction == CORRECTION_OFF || !as_fitted(s, entry))
-		return NULL;
-	const struct posterior *p = outlook_draws(s, entry);
+	const struct posterior *p = answering(s, entry);
 	if (p == NULL)
 		return NULL;
 	struct history *h = entry->origin->spread;
@@ -92,8 +109,7 @@ outlook_form(const struct session *s, const struct entry *entry,
 {
 	struct prediction p =
 	    predict(entry->site, params, s->set.model, speed, feed_run);
-	bool own = !session_busy(s) &&
-		   memcmp(params, &entry->params, sizeof *params) == 0;
+	bool own = memcmp(params, &entry->params, sizeof *params) == 0;
 	struct ensemble *e = own ? outlook_ensemble(s, entry, feed_run) : NULL;
 	if (e != NULL)
 		predict_spread(&p, e, settings_level(&s->set));
@@ -122,10 +138,19 @@ outlook_why_none(const struct session *s, const struct entry *entry)
 const char *
 outlook_words(const struct session *s, const struct entry *entry)
 {
-	if (s->set.correction == CORRECTION_OFF || !as_fitted(s, entry) ||
-	    outlook_draws(s, entry) == NULL)
+	if (answering(s, entry) == NULL)
 		return "model alone";
 	return s->set.correction == CORRECTION_TRAIN
 		   ? "corrected by the training runs"
 		   : "corrected by all measured runs";
+}
+
+const char *
+outlook_short(const struct session *s, const struct prediction *p)
+{
+	static const char *const WORDS[] = {[CORRECTION_ALL] = ", all runs",
+	    [CORRECTION_TRAIN] = ", training runs",
+	    [CORRECTION_OFF] = ", model"};
+	bool asked = s->set.correction == CORRECTION_OFF;
+	return p->low != NULL || asked ? WORDS[s->set.correction] : "";
 }

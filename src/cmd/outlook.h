@@ -5,6 +5,7 @@
 #define TIPSPEED_CMD_OUTLOOK_H
 
 #include "cmd/session.h"
+#include "core/inverse.h"
 #include "core/predict.h"
 
 /* The posterior that all measured runs inform, or the training runs only, of
@@ -27,6 +28,11 @@ const struct posterior *outlook_draws(
 struct ensemble *outlook_ensemble(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
+/* The entry's answers from that feed on sieves [n], to be asked at many speeds;
+ * inverse_free. */
+struct inverse outlook_inverse(const struct session *s,
+    const struct entry *entry, size_t feed_run, const double *sieve, size_t n);
+
 /* The entry's product: the answer, with its band where there is one.
  * outlook_form: with other parameters, as while a calibration runs: the model
  * alone, unless they are the entry's. */
@@ -43,5 +49,10 @@ const char *outlook_why_none(
 /* Which runs inform the answer, in words for a head or a title: "corrected by
  * all runs", "corrected by the training runs", "model alone". */
 const char *outlook_words(const struct session *s, const struct entry *entry);
+
+/* The same behind a name in a legend: ", all runs", ", training runs", or ""
+ * where the prediction is the model alone and nothing else was asked for;
+ * ", model" where it is what was asked for. */
+const char *outlook_short(const struct session *s, const struct prediction *p);
 
 #endif

@@ -282,9 +282,9 @@ note_crosshair(struct chart *chart, double x, double level)
  * that is no longer loaded.  The name of a rule tells no numbers where there
  * are no notes. */
 static void
-note_prediction(struct chart *chart, const struct plot_request *q,
-    const struct entry *whose, const struct prediction *p, const char *name,
-    enum series series)
+note_prediction(struct chart *chart, const struct session *s,
+    const struct plot_request *q, const struct entry *whose,
+    const struct prediction *p, const char *name, enum series series)
 {
 	double mm = 1000 * p->break_size;
 	if (!(q->words & CHART_NOTES))
@@ -303,8 +303,10 @@ note_prediction(struct chart *chart, const struct plot_request *q,
 		    isnan(p->size[i]) ? "outside" : "%.2f mm",
 		    1000 * p->size[i]);
 	bool beyond = whose != NULL && answers_extrapolates(whose, p->speed);
-	chart_note(chart, "%s: P20 %s, P50 %s, P80 %s%s", name, p20, p50, p80,
-	    beyond ? "; extrapolated" : "");
+	chart_note(chart, "%s: P20 %s, P50 %s, P80 %s%s%s%s", name, p20, p50,
+	    p80, beyond ? "; extrapolated" : "",
+	    p->low != NULL && whose != NULL ? "; " : "",
+	    p->low != NULL && whose != NULL ? outlook_words(s, whose) : "");
 	if (whose == NULL || origin_key(whose) == whose->key)
 		return;
 	char *from = origin_sentence(whose);
@@ -391,11 +393,12 @@ note_curves(struct chart *chart, struct session *s,
 	const struct entry *entry = session_entry(s);
 	const struct chart_series *last = &chart->series[chart->n - 1];
 	if (one != NULL)
-		note_prediction(chart, q, entry, one, last->name, SERIES_BREAK);
+		note_prediction(
+		    chart, s, q, entry, one, last->name, SERIES_BREAK);
 	if (one != NULL && shade)
 		shade_prediction(chart, s, one);
 	if (two->p != NULL)
-		note_prediction(chart, q, two->whose, two->p,
+		note_prediction(chart, s, q, two->whose, two->p,
 		    last[one != NULL ? -1 : 0].name, SERIES_OTHER);
 }
 
@@ -443,12 +446,12 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	    !known ? NULL
 	    : q->made != NULL
 		? q->made
-		: make_prediction(&c, s, site, &params, speed, feed);
+		: make_prediction(&c, s, entry, &params, speed, feed);
 	if (known)
 		add_curve(&c, &one->product,
 		    q->words & CHART_NOTES
 			? xasprintf("predicted %g m/s", speed)
-			: xstrdup("predicted"),
+			: xasprintf("predicted%s", outlook_short(s, one)),
 		    PREDICTED);
 	struct chart *chart =
 	    site_chart(site, sieves_of(&c), axis_percent("passing, %"),
@@ -471,7 +474,8 @@ static struct chart *
 sweep_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct site *site = session_entry(s)->site;
+	const struct entry *entry = session_entry(s);
+	const struct site *site = entry->site;
 	size_t n = q->n_speed;
 	struct curves c = {0};
 	struct params params;
@@ -491,7 +495,7 @@ sweep_chart(
 	const double *speed = usual != NULL ? usual : q->speeds;
 	for (size_t i = 0; i < n; i++)
 		add_curve(&c,
-		    &make_prediction(&c, s, site, &params, speed[i], feed)
+		    &make_prediction(&c, s, entry, &params, speed[i], feed)
 			 ->product,
 		    xasprintf("predicted %g m/s", speed[i]), plots_look(i));
 	free(usual);
@@ -693,7 +697,7 @@ add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
 		    misfit_covered(&entry->site->run[run]) == 0)
 			continue;
 		struct validation v = validate_run(entry->site, run,
-		    entry->train, &entry->params, s->set.model);
+		    entry->train, &entry->params, s->set.model, NULL);
 		size_t n = pairs->n++;
 		pairs->entry =
 		    xrealloc(pairs->entry, n + 1, sizeof(*pairs->entry));

@@ -103,8 +103,8 @@ measured_at(const struct site *site, double speed, const struct run **first)
 	return n;
 }
 
-/* A row a sieve; between: NULL for none; model: with it and the speed in columns
- * of their own, for files, or NULL. */
+/* A row a sieve; between: NULL for none; model: with it and the speed in
+ * columns of their own, for files, or NULL. */
 static void
 add_rows(struct answer *r, const struct site *site, const struct prediction *p,
     const double *between, const char *model)
@@ -242,8 +242,8 @@ predict_step(struct session *s, double speed, size_t feed_run, const char *line,
 	return true;
 }
 
-bool
-cmd_predict(struct session *s, const struct args *args, struct error *error)
+static bool
+predict_as_set(struct session *s, const struct args *args, struct error *error)
 {
 	struct entry *entry = session_entry(s);
 	struct params params;
@@ -270,5 +270,17 @@ cmd_predict(struct session *s, const struct args *args, struct error *error)
 		session_answer(s, r);
 	bool ok = (!picture && !curve) || draw_curves(s, &p, error);
 	prediction_free(&p);
+	return ok;
+}
+
+bool
+cmd_predict(struct session *s, const struct args *args, struct error *error)
+{
+	const struct value *correction = args_value(args, "correction");
+	enum correction before = s->set.correction;
+	if (correction->given)
+		s->set.correction = (enum correction)correction->choice;
+	bool ok = predict_as_set(s, args, error);
+	s->set.correction = before;
 	return ok;
 }

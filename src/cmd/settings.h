@@ -20,6 +20,7 @@ struct choices {
 	unsigned threads;
 	enum correction correction;
 	unsigned level; /* of bands: 0 80 %, 1 90 % */
+	double noise;   /* points, of a passing at 50 %; 0: not known */
 	enum answer_format format;
 	unsigned semicolon; /* 1: in csv, with decimal commas */
 	unsigned unpaged;   /* 0: at a prompt, what is taller than the screen is

@@ -5,10 +5,25 @@
 
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/band.h"
 #include "cmd/table.h"
 #include "cmd/outlook.h"
 #include "core/predict.h"
 #include "io/units.h"
+
+/* Rows of the two ends of a size's band. */
+static void
+size_band(struct answer *r, const struct prediction *p, size_t n, size_t size)
+{
+	static const char *const ENDS[] = {"  low", "  high"};
+	for (size_t end = 0; end < 2; end++) {
+		answer_cells(r, "%s", ENDS[end]);
+		answer_missing(r, "");
+		answer_cells(r, "%.0f", NAN);
+		for (size_t i = 0; i < n; i++)
+			answer_cells(r, "%.2f", 1000 * p[i].range[size][end]);
+	}
+}
 
 /* Sieves down, speeds across: for as many speeds as fit a screen. */
 static void
@@ -35,7 +50,20 @@ sweep_across(
 		answer_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
 			answers_size_cell(r, &p[i], size);
+		if (p[0].low != NULL && size != ANSWERS_BREAK)
+			size_band(r, p, n, size);
 	}
+}
+
+static void
+sweep_row(struct answer *r, const struct prediction *p, size_t j, bool outside)
+{
+	bool band = p->low != NULL;
+	answer_cells(r, "%g %s %g %.1f %.1f %.1f %.1f %.1f", p->speed,
+	    outside ? "yes" : "no", units_mm(p->product.size[j]),
+	    units_pct(p->feed.passing[j]), units_pct(p->product.passing[j]),
+	    band ? units_pct(p->low[j]) : NAN,
+	    band ? units_pct(p->high[j]) : NAN, units_pct(p->model[j]));
 }
 
 /* One row a speed and sieve: for spreadsheets and programs. */
@@ -45,15 +73,13 @@ sweep_long(
 {
 	const struct entry *entry = session_entry(s);
 	answer_columns(r, "speed: m/s, extrapolated, sieve_mm: sieve mm, "
-			  "feed_pct: feed %%, passing_pct: product %%");
+			  "feed_pct: feed %%, passing_pct: product %%, "
+			  "low_pct: low %%, high_pct: high %%, "
+			  "model_pct: model alone %%");
 	for (size_t i = 0; i < n; i++) {
 		bool outside = answers_extrapolates(entry, p[i].speed);
 		for (size_t j = 0; j < p[i].product.n; j++)
-			answer_cells(r, "%g %s %g %.1f %.1f", p[i].speed,
-			    outside ? "yes" : "no",
-			    units_mm(p[i].product.size[j]),
-			    units_pct(p[i].feed.passing[j]),
-			    units_pct(p[i].product.passing[j]));
+			sweep_row(r, &p[i], j, outside);
 	}
 }
 
@@ -77,12 +103,16 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 		outside = outside || answers_extrapolates(entry, speed[i]);
 	}
 	free(usual);
-	struct answer *r =
-	    answers_new(entry->site, "sweep", "products, %% passing");
+	struct answer *r = answers_new(entry->site, "sweep",
+	    "products, %% passing%s%s", p[0].low != NULL ? ", " : "",
+	    p[0].low != NULL ? outlook_words(s, entry) : "");
+	bool band = p[0].low != NULL;
 	bool across = n <= ACROSS;
 	(across ? sweep_across : answers_speed_rows)(s, r, p, n);
 	answer_for_programs(r);
 	sweep_long(s, r, p, n);
+	if (band)
+		band_note(r, s, entry);
 	origin_note(r, entry);
 	if (entry->site->individual_feeds)
 		answer_say(r, ANSWER_REMARK,

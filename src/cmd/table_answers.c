@@ -15,7 +15,9 @@ static const struct command_option PREDICT_OPTIONS[] = {SPEED_OPTION,
     {"interpolated", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"add the measured products interpolated at this speed"},
     {"band", VALUE_CHOICE, "", 0, 0, "off on", "on",
-	"show the 80 % uncertainty band of a calibrated product"},
+	"show the uncertainty band of a calibrated product"},
+    {"correction", VALUE_CHOICE, "", 0, 0, "all train off", "all",
+	"runs that correct the model, for this prediction; default: as set"},
     {.name = NULL}};
 
 static const struct command_option SWEEP_OPTIONS[] = {
@@ -42,6 +44,15 @@ static const struct command_option FIND_OPTIONS[] = {
 	"fastest speed; default 85, or more to cover the runs"},
     TABLE_FEED, {.name = NULL}};
 
+static const struct command_option UNCERTAINTY_OPTIONS[] = {SPEED_OPTION,
+    {"level", VALUE_CHOICE, "%", 0, 0, "80 90", "80",
+	"probability of the bands; 'set level' sets it too"},
+    {"noise", VALUE_NUMBER, "points", 0, 10, NULL, "0",
+	"known standard deviation of a single passing around 50 %; 0: as the "
+	"data show it"},
+    {"n", VALUE_WHOLE, "", 1, 256, NULL, "200", "how many draws to write"},
+    TABLE_FEED, {.name = NULL}};
+
 static const struct command_option VALIDATE_OPTIONS[] = {
     {"holdout", VALUE_CHOICE, "", 0, 0, "untrained each", "untrained",
 	"each: hold out each speed in turn and calibrate on the others"},
@@ -64,10 +75,12 @@ const struct command TABLE_ANSWERS[] = {
 	    "training speeds the result is marked as extrapolated. "
 	    "interpolated=on adds the products measured at the next lower and "
 	    "higher speed, interpolated in speed squared: the prediction "
-	    "without the model. If the parameters were found by calibrate, low "
-	    "and high are the 80 % uncertainty band: 80 % of the fits "
-	    "consistent with the data lie between them; see UNCERTAINTY in "
-	    "tipspeed-model(7). After >, a file whose name ends in .svg, .png "
+	    "without the model. If the parameters were found by calibrate, the "
+	    "product is the model corrected by what the measured runs show it "
+	    "to leave out, low and high are the uncertainty band, and the "
+	    "model alone stands beside it; 'set correction' chooses the runs. "
+	    "See UNCERTAINTY in tipspeed-model(7). After >, a file whose name "
+	    "ends in .svg, .png "
 	    "or .pdf gets the curves, as plot psd draws them.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74",
 	.run = cmd_predict},
@@ -128,6 +141,24 @@ const struct command TABLE_ANSWERS[] = {
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "spec data/specs/en-12620-0-8.csv speed=79",
 	.run = cmd_spec},
+    {.name = "uncertainty",
+	.brief = "what makes the answer uncertain, and its draws",
+	.operands = {"[draws]", {"draws"}, 0, 1},
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_LOOKS,
+	.option = UNCERTAINTY_OPTIONS,
+	.text =
+	    "Shows half the width of the uncertainty band at a speed, sieve by "
+	    "sieve: of the model alone, which is what its parameters leave "
+	    "open; of the answer, with what the model leaves out, which is the "
+	    "band of predict; and of one more sample with its error, which is "
+	    "where a new measurement is expected. Below it are the sizes of "
+	    "these errors as the data show "
+	    "them. level= and noise= are settings, kept for the commands that "
+	    "follow. 'uncertainty draws > FILE.csv' writes the draws: "
+	    "parameters, errors and product of each. See UNCERTAINTY in "
+	    "tipspeed-model(7).",
+	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty speed=85",
+	.run = cmd_uncertainty},
     {.name = "validate",
 	.brief = "compare predictions with the held-out runs",
 	.operands = {"[all]", {"all"}, 0, 1},

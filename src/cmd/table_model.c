@@ -24,6 +24,10 @@ const struct setting SETTINGS[] = {
     {{"level", VALUE_CHOICE, "%", 0, 0, "80 90", "80",
 	 "uncertainty bands hold the truth with this probability"},
 	AT(level)},
+    {{"noise", VALUE_NUMBER, "points", 0, 10, NULL, "0",
+	 "known standard deviation of a single passing around 50 %; 0: as the "
+	 "data show it"},
+	AT(noise)},
     {{"threads", VALUE_WHOLE, "", 1, 64, NULL, "",
 	 "threads of a calibration; default: one for each processor"},
 	AT(threads)},

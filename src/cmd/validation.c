@@ -8,6 +8,7 @@
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/job.h"
+#include "cmd/outlook.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
 #include "core/validate.h"
@@ -17,6 +18,7 @@
 static const struct {
 	const char *key, *head, *noun;
 } WAYS[VALIDATE_WAYS] = {[VALIDATE_MODEL] = {"model", "model", "the model"},
+    [VALIDATE_CORRECTED] = {"corrected", "corrected", "the corrected answer"},
     [VALIDATE_INTERPOLATION] = {"interpolation", "interpolated",
 	"interpolation"},
     [VALIDATE_NEAREST] = {"nearest", "nearest",
@@ -25,20 +27,25 @@ static const struct {
 
 static const char *const SIZES[PSD_SIZES] = {"p20", "p50", "p80"};
 
-/* A run that was compared, with what predicted it.  name: "74 (2)". */
+/* A run that was compared, with what predicted it.  name: "74 (2)".  within:
+ * how many of its passings lie in the band for one more sample. */
 struct compared {
 	const struct site *site;
 	char *name;
 	bool *train;
 	struct params params;
 	struct model_settings settings;
+	bool has_band;
 	struct validation v;
+	size_t within;
+	double *corrected; /* [v.n_sieve] */
 };
 
 /* What one `validate` compares.  at, end, speed: of holdout=each, the site that
  * is looked at, the one to stop before, and the speed left out last. */
 struct comparison {
 	bool all, each, sieves;
+	double level;
 	size_t n, left_out;
 	struct compared *item;
 	size_t at, end;
@@ -52,14 +59,36 @@ comparison_drop(void *of)
 	for (size_t i = 0; i < c->n; i++) {
 		free(c->item[i].name);
 		free(c->item[i].train);
+		free(c->item[i].corrected);
 	}
 	free(c->item);
 	free(c);
 }
 
+/* How many of the run's passings lie in the band for a sample. */
+static size_t
+count_within(const struct site *site, size_t run,
+    const struct posterior *posterior, double level)
+{
+	const struct run *at = &site->run[run];
+	size_t n = misfit_covered(at), within = 0;
+	struct ensemble *e =
+	    ensemble_new(posterior, &at->feed, at->product.size, n);
+	ensemble_at(e, at->speed);
+	for (size_t i = 0; i < n; i++) {
+		double P = at->product.passing[i], low, high;
+		ensemble_band(e, ENSEMBLE_SAMPLE, i, level, &low, &high);
+		/* To the 0.01 % that sheets are rounded to. */
+		within += P >= low - 1e-4 && P <= high + 1e-4;
+	}
+	ensemble_free(e);
+	return within;
+}
+
 static void
 compare(struct comparison *c, const struct site *site, size_t run,
-    const bool *train, const struct params *p, struct model_settings settings)
+    const bool *train, const struct params *p, struct model_settings settings,
+    const struct posterior *posterior)
 {
 	c->item = xrealloc(c->item, c->n + 1, sizeof *c->item);
 	struct compared *item = &c->item[c->n++];
@@ -69,8 +98,15 @@ compare(struct comparison *c, const struct site *site, size_t run,
 	    .train = xcalloc(site->n_run, sizeof *train),
 	    .params = *p,
 	    .settings = settings,
-	    .v = validate_run(site, run, train, p, settings)};
+	    .v = validate_run(site, run, train, p, settings, posterior),
+	    .has_band = posterior != NULL,
+	    .within = posterior != NULL
+			  ? count_within(site, run, posterior, c->level)
+			  : 0};
 	memcpy(item->train, train, site->n_run * sizeof *train);
+	item->corrected = xdoubles(item->v.n_sieve);
+	validate_passing(site, run, train, p, settings, posterior,
+	    VALIDATE_CORRECTED, item->corrected);
 }
 
 /* Root mean square over the runs of what each way errs. */
@@ -104,8 +140,10 @@ put_sizes(struct fields *o, const struct validation *v)
 {
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		struct fields *size = fields_object(o, SIZES[i]);
-		fields_put(size, "measured_mm %g predicted_mm %g",
-		    1000 * v->measured[i], 1000 * v->size[VALIDATE_MODEL][i]);
+		fields_put(size,
+		    "measured_mm %g predicted_mm %g corrected_mm %g",
+		    1000 * v->measured[i], 1000 * v->size[VALIDATE_MODEL][i],
+		    1000 * v->size[VALIDATE_CORRECTED][i]);
 		for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
 			char *key = xasprintf("%s_mm", WAYS[way].key);
 			fields_number(size, key, 1000 * v->size[way][i]);
@@ -120,7 +158,10 @@ passing_of(const struct compared *item, enum validate_way way)
 {
 	double *passing = xdoubles(item->v.n_sieve);
 	validate_passing(item->site, item->v.run, item->train, &item->params,
-	    item->settings, way, passing);
+	    item->settings, NULL, way, passing);
+	if (way == VALIDATE_CORRECTED)
+		memcpy(passing, item->corrected,
+		    item->v.n_sieve * sizeof *passing);
 	return passing;
 }
 
@@ -148,6 +189,10 @@ put_run(struct fields *o, const struct compared *item)
 	if (item->site->run[v->run].repeat[0] != '\0')
 		fields_put(o, "run %s", item->name);
 	fields_number(o, "rmse_pct", 100 * v->rmse[VALIDATE_MODEL]);
+	fields_number(
+	    o, "corrected_rmse_pct", 100 * v->rmse[VALIDATE_CORRECTED]);
+	if (item->has_band)
+		fields_number(o, "within", (double)item->within);
 	put_sizes(o, v);
 	put_null(o, v->rmse);
 	fields_put(o, "loses_to_interpolation %d nearest_mps %g",
@@ -170,6 +215,7 @@ put_all(struct fields *o, const struct comparison *c)
 	overall(c, rmse);
 	o = fields_object(o, "overall");
 	fields_number(o, "rmse_pct", 100 * rmse[VALIDATE_MODEL]);
+	fields_number(o, "corrected_rmse_pct", 100 * rmse[VALIDATE_CORRECTED]);
 	put_null(o, rmse);
 }
 
@@ -276,26 +322,31 @@ stands_out(const struct validation *v)
 	return v->n_sieve > 3 && worst > least && worst > times * rest(v);
 }
 
-/* Who predicts best, and a warning where that is clearly not the model. */
+/* Who predicts best, and a warning where that is clearly neither the model nor
+ * the corrected answer. */
 static void
 note_winner(struct answer *r, const struct validation *v, const char *run)
 {
 	enum validate_way best = validate_winner(v->rmse);
-	double own = v->rmse[VALIDATE_MODEL], least = v->rmse[best];
+	double own = fmin(v->rmse[VALIDATE_MODEL],
+	    isnan(v->rmse[VALIDATE_CORRECTED]) ? INFINITY
+					       : v->rmse[VALIDATE_CORRECTED]);
+	double least = v->rmse[best];
 	bool clearly = own > 1.1 * least && own - least > CLEARLY;
 	bool between =
 	    best == VALIDATE_INTERPOLATION && !validation_extrapolates(v);
 	char *who = xstrdup(WAYS[best].noun);
 	if (best == VALIDATE_NEAREST)
 		xappend(&who, ", %g m/s", v->nearest);
-	if (best == VALIDATE_MODEL)
-		answer_note(r, "  the model predicts best%s",
+	if (best < VALIDATE_NULL)
+		answer_note(r, "  %s predicts best%s", who,
 		    isnan(v->rmse[VALIDATE_INTERPOLATION])
 			? " of those with an answer on all sieves"
 			: "");
 	else if (clearly)
 		answer_say(r, ANSWER_WARNING,
-		    "at %s the model predicts worse than %s%s", run, who,
+		    "at %s model and corrected answer predict worse than %s%s",
+		    run, who,
 		    between ? ": between the training speeds, prefer the "
 			      "interpolated products"
 			    : "");
@@ -308,7 +359,7 @@ note_winner(struct answer *r, const struct validation *v, const char *run)
 }
 
 static void
-note_run(struct answer *r, const struct compared *item)
+note_run(struct answer *r, const struct compared *item, double level)
 {
 	const struct validation *v = &item->v;
 	char *run =
@@ -319,6 +370,11 @@ note_run(struct answer *r, const struct compared *item)
 	    run, 100 * v->rmse[VALIDATE_MODEL], v->n_sieve, v->misfit,
 	    100 * v->worst_difference, units_mm(v->worst_sieve));
 	note_winner(r, v, run);
+	if (item->has_band)
+		answer_note(r,
+		    "  %zu of %zu measured passings lie in the %.0f %% band "
+		    "for a sample there",
+		    item->within, v->n_sieve, 100 * level);
 	free(run);
 	if (isnan(v->rmse[VALIDATE_INTERPOLATION]))
 		answer_say(r, ANSWER_REMARK, "  no interpolation: %s",
@@ -360,7 +416,7 @@ run_answer(struct session *s, const struct comparison *c)
 	answer_for_programs(r);
 	add_table(r, c, true);
 	for (size_t i = 0; i < c->n; i++)
-		note_run(r, &c->item[i]);
+		note_run(r, &c->item[i], c->level);
 	if (c->n == 0)
 		answer_say(r, ANSWER_REMARK,
 		    job_speeds(site) < JOB_FOR_EACH
@@ -401,6 +457,10 @@ add_scores(struct answer *r, const struct comparison *c)
 			if (way == VALIDATE_MODEL)
 				put_score(o, i, score);
 		}
+	struct fields *corrected = fields_object(o, "corrected");
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		put_score(corrected, i,
+		    validate_score(v, c->n, VALIDATE_CORRECTED, i));
 	null = fields_object(o, "null");
 	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS;
 	     way++) {
@@ -473,7 +533,8 @@ compare_entry(
 		if (!entry->train[i] &&
 		    misfit_covered(&entry->site->run[i]) > 0)
 			compare(c, entry->site, i, entry->train, &entry->params,
-			    s->set.model);
+			    s->set.model,
+			    outlook_posterior(s, entry, CORRECTION_TRAIN));
 	c->left_out += c->n == before;
 }
 
@@ -541,11 +602,22 @@ take_speed(struct session *s)
 	const struct job *job = &s->job;
 	const struct site *site = s->entry[job->entry].site;
 	struct fit fit = calibration_fit(job->calibration);
+	bool few = fit.cells <= fit.parameters;
+	struct posterior_options o = {.use = job->train,
+	    .settings = fit.settings,
+	    .bounds = *calibration_bounds(job->calibration),
+	    .seed = fit.seed,
+	    .threads = s->set.threads,
+	    .isa = s->isa,
+	    .stop = job->options.stop};
+	struct posterior *posterior =
+	    few ? NULL : posterior_new(site, &fit.params, &o);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].speed == c->speed &&
 		    misfit_covered(&site->run[r]) > 0)
-			compare(
-			    c, site, r, job->train, &fit.params, fit.settings);
+			compare(c, site, r, job->train, &fit.params,
+			    fit.settings, posterior);
+	posterior_free(posterior);
 }
 
 static void
@@ -580,7 +652,8 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 {
 	struct comparison c = {.all = args->n_operand > 0,
 	    .each = args_value(args, "holdout")->choice == 1,
-	    .sieves = args_value(args, "sieves")->choice == 1};
+	    .sieves = args_value(args, "sieves")->choice == 1,
+	    .level = settings_level(&s->set)};
 	if (c.all && strcmp(args->operand[0], "all") != 0)
 		return error_set(error, ERROR_USAGE,
 		    "validate: expected options or all, got '%s'",

@@ -231,7 +231,7 @@ say_measured(const struct subject *a)
 		if (a->entry->train[r] || misfit_covered(&site->run[r]) == 0)
 			continue;
 		struct validation v = validate_run(site, r, a->entry->train,
-		    &a->entry->params, a->s->set.model);
+		    &a->entry->params, a->s->set.model, NULL);
 		answer_note(a->answer,
 		    "The held-out product measured at %g m/s%s differs from "
 		    "the prediction by %.2f points (RMSE)%s",

@@ -3,6 +3,7 @@
 #include "core/discrepancy.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "core/elementary.h"
 
@@ -42,12 +43,15 @@ discrepancy_h(double P)
 }
 
 double
-discrepancy_prior(const double log_hyper[static HYPERS])
+discrepancy_prior(const double log_hyper[static HYPERS], double noise)
 {
+	const double known = 0.05; /* spread of what is said to be known */
 	double sum = 0;
 	for (size_t i = 0; i < HYPERS; i++) {
-		double z =
-		    (log_hyper[i] - el_log(HYPER[i].median)) / HYPER[i].spread;
+		bool given = i == HYPER_OWN && noise > 0;
+		double median = given ? noise : HYPER[i].median;
+		double z = (log_hyper[i] - el_log(median)) /
+			   (given ? known : HYPER[i].spread);
 		sum += z * z / 2;
 	}
 	return sum;

@@ -48,8 +48,9 @@ void discrepancy_terms(
 /* h at a passing P, 0..1. */
 double discrepancy_h(double P);
 
-/* -ln of the prior of the hyperparameters' logarithms, but for a constant. */
-double discrepancy_prior(const double log_hyper[static HYPERS]);
+/* -ln of the prior of the hyperparameters' logarithms, but for a constant.
+ * noise: known sigma_i, or 0. */
+double discrepancy_prior(const double log_hyper[static HYPERS], double noise);
 
 /* Covariance of an f, and of the shared error of a sample, between sizes whose
  * logarithms lie so far apart. */

@@ -197,8 +197,17 @@ ensemble_middle(double *value, double level, double *low, double *high)
 			value[i] = -INFINITY;
 	*low = gsl_stats_select(value, 1, DRAWS, cut);
 	*high = gsl_stats_select(value, 1, DRAWS, DRAWS - 1 - cut);
-	if (!isfinite(*low))
+	if (*low < -1e300)
 		*low = NAN;
-	if (!isfinite(*high))
+	if (*high < -1e300)
 		*high = NAN;
+}
+
+void
+ensemble_band(const struct ensemble *e, enum ensemble_part part, size_t row,
+    double level, double *low, double *high)
+{
+	double value[DRAWS];
+	memcpy(value, e->part[part] + row * DRAWS, sizeof value);
+	ensemble_middle(value, level, low, high);
 }

@@ -37,6 +37,10 @@ const double *ensemble_products(
 /* The break size of a draw at a speed, m. */
 double ensemble_break_size(const struct ensemble *e, size_t draw, double v);
 
+/* The middle `level` of a row of products. */
+void ensemble_band(const struct ensemble *e, enum ensemble_part part,
+    size_t row, double level, double *low, double *high);
+
 /* The mean of the answers, [n] out: the best single one. */
 void ensemble_mean(const struct ensemble *e, double *passing);
 

@@ -9,12 +9,15 @@
 
 struct inverse
 inverse_new(const struct psd *feed, const double *sieve, size_t n,
-    const struct params *p, struct model_settings settings)
+    const struct params *p, struct model_settings settings,
+    const struct posterior *posterior)
 {
-	struct inverse inverse = {
-	    model_new(feed, sieve, n, settings), psd_new(n)};
+	struct inverse inverse = {.model = model_new(feed, sieve, n, settings),
+	    .product = psd_new(n)};
 	memcpy(inverse.product.size, sieve, n * sizeof *sieve);
 	model_set(inverse.model, p);
+	if (posterior != NULL)
+		inverse.ensemble = ensemble_new(posterior, feed, sieve, n);
 	return inverse;
 }
 
@@ -22,13 +25,20 @@ void
 inverse_free(struct inverse *inverse)
 {
 	model_free(inverse->model);
+	ensemble_free(inverse->ensemble);
 	psd_free(&inverse->product);
 }
 
 const struct psd *
 inverse_at(struct inverse *inverse, double v)
 {
-	model_product(inverse->model, v, inverse->product.passing);
+	double *passing = inverse->product.passing;
+	if (inverse->ensemble == NULL) {
+		model_product(inverse->model, v, passing);
+		return &inverse->product;
+	}
+	ensemble_at(inverse->ensemble, v);
+	ensemble_mean(inverse->ensemble, passing);
 	return &inverse->product;
 }
 
@@ -139,4 +149,71 @@ inverse_window(struct inverse *inverse, const struct envelope *envelope,
 	w.nearest = fmin(even, to);
 	w.by = inverse_outside(inverse, envelope, w.nearest, &w.worst);
 	return w;
+}
+
+/* The product of a draw at the speed that the ensemble is at. */
+static void
+take_draw(struct inverse *inverse, size_t draw)
+{
+	const double *P =
+	    ensemble_products(inverse->ensemble, ENSEMBLE_ANSWER) + draw;
+	for (size_t i = 0; i < inverse->product.n; i++)
+		inverse->product.passing[i] = P[i * POSTERIOR_DRAWS];
+}
+
+double
+inverse_certainty(
+    struct inverse *inverse, const struct envelope *envelope, double v)
+{
+	struct held held = {inverse, envelope};
+	size_t inside = 0, worst;
+	if (inverse->ensemble == NULL)
+		return NAN;
+	ensemble_at(inverse->ensemble, v);
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
+		take_draw(inverse, d);
+		inside += missed(&held, true, &worst) <= EXACT &&
+			  missed(&held, false, &worst) <= EXACT;
+	}
+	return (double)inside / POSTERIOR_DRAWS;
+}
+
+enum { STEPS = 48 };
+
+/* Where a draw crosses a passing, from its passings [STEPS + 1] at equal steps
+ * of the speed. */
+static double
+crossing(const double *P, double passing, double from, double to)
+{
+	size_t k = 0;
+	if (P[0] >= passing)
+		return P[0] > passing ? 0 : from;
+	while (k <= STEPS && P[k] < passing)
+		k++;
+	if (k > STEPS)
+		return INFINITY;
+	double part = (passing - P[k - 1]) / (P[k] - P[k - 1]);
+	return from + (to - from) * ((double)k - 1 + part) / STEPS;
+}
+
+void
+inverse_range(struct inverse *inverse, double x, double passing, double from,
+    double to, double level, double range[static 2])
+{
+	enum { N = POSTERIOR_DRAWS };
+	double P[N][STEPS + 1], speed[N];
+	range[0] = range[1] = NAN;
+	if (inverse->ensemble == NULL)
+		return;
+	for (size_t k = 0; k <= STEPS; k++) {
+		double v = from + (to - from) * (double)k / STEPS;
+		ensemble_at(inverse->ensemble, v);
+		for (size_t d = 0; d < N; d++) {
+			take_draw(inverse, d);
+			P[d][k] = psd_passing(&inverse->product, x);
+		}
+	}
+	for (size_t d = 0; d < N; d++)
+		speed[d] = crossing(P[d], passing, from, to);
+	ensemble_middle(speed, level, &range[0], &range[1]);
 }

@@ -6,19 +6,24 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "core/ensemble.h"
 #include "core/params.h"
 #include "core/psd.h"
 
-/* A model of one feed on a list of sieves, to be asked at many speeds.
- * product: its sieves, and the passings at the speed asked for last. */
+/* The products of one feed on a list of sieves, to be asked at many speeds: of
+ * a model alone, or the mean of a posterior's draws.  product: its sieves, and
+ * the passings at the speed asked for last. */
 struct inverse {
 	struct model *model;
+	struct ensemble *ensemble; /* NULL: the model alone */
 	struct psd product;
 };
 
-/* sieve [n] m, coarsest first, each covered by the feed. */
+/* sieve [n] m, coarsest first, each covered by the feed.  posterior: NULL for
+ * the model alone; else it must outlive the inverse. */
 struct inverse inverse_new(const struct psd *feed, const double *sieve,
-    size_t n, const struct params *p, struct model_settings settings);
+    size_t n, const struct params *p, struct model_settings settings,
+    const struct posterior *posterior);
 void inverse_free(struct inverse *inverse);
 
 /* The product at speed v, m/s; borrowed. */
@@ -55,5 +60,16 @@ struct window inverse_window(struct inverse *inverse,
  * of the worst sieve; 0 inside. */
 double inverse_outside(struct inverse *inverse, const struct envelope *envelope,
     double v, size_t *worst);
+
+/* The share of the draws that lie in the envelope at speed v; NAN of a model
+ * alone. */
+double inverse_certainty(
+    struct inverse *inverse, const struct envelope *envelope, double v);
+
+/* The middle `level` (0..1) of the speeds at which the draws pass so much at
+ * size x, between the speeds from and to: 0 and INFINITY where they do so below
+ * and above these.  NAN of a model alone. */
+void inverse_range(struct inverse *inverse, double x, double passing,
+    double from, double to, double level, double range[static 2]);
 
 #endif

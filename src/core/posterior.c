@@ -52,6 +52,7 @@ struct sampler {
 	struct bounds bounds;
 	struct sensitivity sensitivity;
 	double rms;    /* of the fit's differences */
+	double noise;  /* known, or 0 */
 	double middle; /* ln of the mean energy */
 	size_t held;   /* of the gauge: it stays 1 or -1 */
 	bool by_slope; /* coordinates of Eq 3, see params_of */
@@ -110,7 +111,7 @@ coordinates_of(const struct sampler *s, const double *at, double *x)
 static double
 prior_of(const struct sampler *s, const double *x)
 {
-	double sum = discrepancy_prior(x + PARAMS_MOST), squares = 0;
+	double sum = discrepancy_prior(x + PARAMS_MOST, s->noise), squares = 0;
 	for (size_t j = 0; j < s->of->n; j++) {
 		const struct param_info *info = &s->of->parameter[j];
 		double z =
@@ -697,6 +698,7 @@ sampler_new(struct misfit *m, const struct params *fit,
 	s->fit = *fit;
 	s->bounds = *bounds;
 	s->seed = o->seed;
+	s->noise = o->noise;
 	s->middle = el_log(mean_energy(m));
 	s->by_slope = is_free(bounds, f) && is_free(bounds, f + 1) &&
 		      is_free(bounds, f + 2);

@@ -47,6 +47,7 @@ struct posterior_options {
 	struct model_settings settings;
 	struct bounds bounds;
 	uint64_t seed;
+	double noise; /* known sigma_i, passing 0..1; 0: the prior's */
 	unsigned threads;
 	enum isa isa;
 	bool (*stop)(void);

@@ -133,16 +133,13 @@ spread_sizes(struct prediction *p, const struct ensemble *e, double level)
 void
 predict_spread(struct prediction *p, struct ensemble *e, double level)
 {
-	enum { N = POSTERIOR_DRAWS };
 	size_t n = p->curve.n;
-	double *low = xdoubles(n), *high = xdoubles(n), row[N];
+	double *low = xdoubles(n), *high = xdoubles(n);
 	ensemble_at(e, p->speed);
 	ensemble_mean(e, p->curve.passing);
 	read_curve(p);
 	for (size_t i = 0; i < n; i++) {
-		const double *P = ensemble_products(e, ENSEMBLE_ANSWER) + i * N;
-		memcpy(row, P, sizeof row);
-		ensemble_middle(row, level, &low[i], &high[i]);
+		ensemble_band(e, ENSEMBLE_ANSWER, i, level, &low[i], &high[i]);
 		low[i] = fmin(low[i], p->curve.passing[i]);
 		high[i] = fmax(high[i], p->curve.passing[i]);
 	}

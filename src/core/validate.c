@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
+#include "core/ensemble.h"
 #include "core/misfit.h"
 #include "core/product.h"
 
@@ -102,15 +103,35 @@ model_passing(const struct run *run, const struct params *p,
 	model_free(model);
 }
 
+static void
+corrected_passing(
+    const struct run *run, const struct posterior *posterior, double *out)
+{
+	size_t n = misfit_covered(run);
+	for (size_t i = 0; i < n; i++)
+		out[i] = NAN;
+	if (posterior == NULL)
+		return;
+	struct ensemble *e =
+	    ensemble_new(posterior, &run->feed, run->product.size, n);
+	ensemble_at(e, run->speed);
+	ensemble_mean(e, out);
+	ensemble_free(e);
+}
+
 void
 validate_passing(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
-    enum validate_way way, double *out)
+    const struct posterior *posterior, enum validate_way way, double *out)
 {
 	const struct run *at = &site->run[run];
 	double nearest = nearest_speed(site, train, at->speed);
 	if (way == VALIDATE_MODEL) {
 		model_passing(at, p, settings, out);
+		return;
+	}
+	if (way == VALIDATE_CORRECTED) {
+		corrected_passing(at, posterior, out);
 		return;
 	}
 	for (size_t i = 0; i < misfit_covered(at); i++) {
@@ -158,7 +179,8 @@ validation_put(struct validation *v, const struct site *site,
 
 struct validation
 validate_run(const struct site *site, size_t run, const bool *train,
-    const struct params *p, struct model_settings settings)
+    const struct params *p, struct model_settings settings,
+    const struct posterior *posterior)
 {
 	const struct run *at = &site->run[run];
 	size_t n = misfit_covered(at);
@@ -174,7 +196,8 @@ validate_run(const struct site *site, size_t run, const bool *train,
 		v.measured[i] = psd_size(&at->product, PSD_PASSING[i]);
 	double *passing = xdoubles(n);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
-		validate_passing(site, run, train, p, settings, way, passing);
+		validate_passing(
+		    site, run, train, p, settings, posterior, way, passing);
 		validation_put(&v, site, way, passing);
 	}
 	free(passing);

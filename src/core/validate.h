@@ -7,14 +7,17 @@
 #include <stddef.h>
 
 #include "core/params.h"
+#include "core/posterior.h"
 #include "core/site.h"
 
-/* Who predicts: the model, and the null models that anyone has without one: the
+/* Who predicts: the model, the answer that the training runs correct it to, and
+ * the null models that anyone has without one: the
  * measured training products interpolated straight in v^2, the product at the
  * nearest training speed, and the feed itself.  In the order in which they are
  * shown; of two that are equally good the first wins. */
 enum validate_way {
 	VALIDATE_MODEL,
+	VALIDATE_CORRECTED,
 	VALIDATE_INTERPOLATION,
 	VALIDATE_NEAREST,
 	VALIDATE_FEED,
@@ -38,16 +41,18 @@ struct validation {
 	double nearest; /* training speed, m/s, or NAN */
 };
 
-/* Compares the run of that index.  train [n_run]: the runs trained on.  The run
- * must have a product with a covered sieve (asserted). */
+/* Compares the run of that index.  train [n_run]: the runs trained on.
+ * posterior: which these inform, or NULL for no corrected answer.  The run must
+ * have a product with a covered sieve (asserted). */
 struct validation validate_run(const struct site *site, size_t run,
-    const bool *train, const struct params *p, struct model_settings settings);
+    const bool *train, const struct params *p, struct model_settings settings,
+    const struct posterior *posterior);
 
 /* Passing, 0..1, that one way predicts for the run at its covered sieves, out
  * [misfit_covered], NAN where it has no answer. */
 void validate_passing(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
-    enum validate_way way, double *out);
+    const struct posterior *posterior, enum validate_way way, double *out);
 
 /* Puts in what a way predicts at the covered sieves. */
 void validation_put(struct validation *v, const struct site *site,

@@ -110,6 +110,19 @@ run_key(struct tui *t, const struct key *key)
 	free(line);
 }
 
+/* Goes on to the next choice. */
+static void
+correct(struct tui *t)
+{
+	static const char *const NEXT[] = {[CORRECTION_ALL] = "train",
+	    [CORRECTION_TRAIN] = "off",
+	    [CORRECTION_OFF] = "all"};
+	char *line =
+	    xasprintf("set correction %s", NEXT[t->session->set.correction]);
+	control_typed(t, line);
+	free(line);
+}
+
 static void
 fit(struct tui *t, const struct key *key)
 {
@@ -276,6 +289,9 @@ act(struct tui *t, const struct key *key)
 	case ACT_TYPE:
 	case ACT_EXPORT:
 		run_key(t, key);
+		break;
+	case ACT_CORRECT:
+		correct(t);
 		break;
 	case ACT_FIT:
 		fit(t, key);

@@ -25,6 +25,7 @@ enum key_act {
 	ACT_FOCUS,   /* what the arrows move */
 	ACT_LIST,    /* up and down */
 	ACT_RUN,     /* the command */
+	ACT_CORRECT, /* the next choice of `set correction` */
 	ACT_TELL,    /* describe what the page draws */
 	ACT_TYPE,    /* the command into the command line, to be completed */
 	ACT_EXPORT,  /* the same; with one kept beside, both curves */

@@ -16,8 +16,8 @@ static struct inverse
 inverse_of(const struct site *site, size_t row)
 {
 	struct params p = made_params(&TABLE_3[row]);
-	return inverse_new(
-	    &site->run[0].feed, SIEVE, SIEVES, &p, model_settings_default());
+	return inverse_new(&site->run[0].feed, SIEVE, SIEVES, &p,
+	    model_settings_default(), NULL);
 }
 
 struct target {

@@ -102,7 +102,7 @@ run_weights_pull_the_fit_to_a_run(void **state)
 	for (size_t i = 0; i < 2; i++) {
 		assert_true(desk_say(desk, lines[i]));
 		rmse[i] = validate_run(entry->site, 0, entry->train,
-		    &entry->params, model_settings_default())
+		    &entry->params, model_settings_default(), NULL)
 			      .rmse[VALIDATE_MODEL];
 	}
 	assert_true(rmse[0] < rmse[1]);
@@ -116,7 +116,7 @@ rmse_at(struct desk *desk, size_t run)
 {
 	const struct entry *entry = session_entry(desk->session);
 	return validate_run(entry->site, run, entry->train, &entry->params,
-	    model_settings_default())
+	    model_settings_default(), NULL)
 	    .rmse[VALIDATE_MODEL];
 }
 

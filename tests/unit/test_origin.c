@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "cmd/answers.h"
-#include "cmd/band.h"
+#include "cmd/outlook.h"
 #include "cmd/fit.h"
 #include "desk.h"
 
@@ -84,7 +84,7 @@ parameters_keep_their_origin_in_use_by_another(void **state)
 	assert_string_equal(bro->origin->provenance, tierp->site->provenance);
 	assert_true(answers_extrapolates(bro, 80));
 	assert_false(answers_extrapolates(bro, 70));
-	assert_ptr_equal(band_draws(bro), band_draws(tierp));
+	assert_ptr_equal(outlook_draws(s, bro), outlook_draws(s, tierp));
 	/* From hand to hand they stay Tierp's. */
 	desk_expect(desk, "load data/sites/umea.csv; params use bro");
 	assert_string_equal(session_entry(s)->origin->whose, "tierp");
@@ -105,14 +105,13 @@ a_shared_fit_has_a_band_for_each_site(void **state)
 		desk_expect(desk, i % 2 == 0 ? "use tierp; predict 74"
 					     : "use bro; predict 74");
 		const struct entry *entry = session_entry(s);
-		struct prediction p = answers_predict(
+		struct prediction p = outlook_predict(
 		    s, entry, 74, site_run_nearest(entry->site, 74));
-		const struct band *band = band_at(s, entry, &p);
-		assert_non_null(band);
-		prediction_free(&p);
+		assert_non_null(p.low);
 		if (i < 2)
-			low[i][0] = band->low[4];
-		low[i % 2][1] = band->low[4];
+			low[i][0] = p.low[4];
+		low[i % 2][1] = p.low[4];
+		prediction_free(&p);
 	}
 	assert_true(low[0][0] == low[0][1] && low[1][0] == low[1][1]);
 	assert_true(low[0][0] != low[1][0]);
@@ -127,11 +126,10 @@ each_feed_has_its_own_band(void **state)
 	desk_expect(desk, "synth data/table3.csv site=Umea seed=3; calibrate");
 	const struct entry *entry = session_entry(s);
 	for (size_t feed = 0; feed < entry->site->n_run; feed++) {
-		struct prediction p = answers_predict(s, entry, 74, feed);
-		const struct band *band = band_at(s, entry, &p);
+		struct prediction p = outlook_predict(s, entry, 74, feed);
 		for (size_t i = 0; i < p.product.n; i++)
-			assert_true(band->low[i] <= p.product.passing[i] &&
-				    p.product.passing[i] <= band->high[i]);
+			assert_true(p.low[i] <= p.product.passing[i] &&
+				    p.product.passing[i] <= p.high[i]);
 		prediction_free(&p);
 	}
 }
@@ -144,10 +142,10 @@ undo_and_redo_carry_the_origin(void **state)
 	use_of_another(desk);
 	desk_expect(desk, "params set f_mat=1");
 	assert_string_equal(session_entry(s)->origin->words, "set by hand");
-	assert_null(band_draws(session_entry(s)));
+	assert_null(outlook_draws(s, session_entry(s)));
 	desk_expect(desk, "undo");
 	assert_string_equal(session_entry(s)->origin->whose, "tierp");
-	assert_non_null(band_draws(session_entry(s)));
+	assert_non_null(outlook_draws(s, session_entry(s)));
 	desk_expect(desk, "undo");
 	assert_null(session_entry(s)->origin);
 	desk_expect(desk, "redo; drop tierp; predict 90");
@@ -170,7 +168,7 @@ a_fit_of_few_cells_is_not_judged(void **state)
 	const struct entry *entry = session_entry(s);
 	assert_int_equal(entry->fit.n_residual, 12);
 	assert_int_equal(entry->fit.parameters, 7);
-	assert_non_null(band_draws(entry));
+	assert_non_null(outlook_draws(s, entry));
 	assert_int_equal(entry->fit.cells, 11);
 	/* One passing more than parameters is enough, as many are not; that of
 	 * the coarsest sieve is 100 % whatever is done. */
@@ -180,7 +178,8 @@ a_fit_of_few_cells_is_not_judged(void **state)
 		desk_expect(desk, "calibrate population=200 train=69");
 		assert_int_equal(entry->fit.n_residual, n + 1);
 		assert_int_equal(entry->fit.cells, n);
-		assert_int_equal(band_draws(session_entry(s)) != NULL, n > 7);
+		assert_int_equal(
+		    outlook_draws(s, session_entry(s)) != NULL, n > 7);
 	}
 	assert_string_equal(fit_verdict(&entry->fit), "too few data");
 	assert_false(desk_say(desk, "assert poor = 0"));

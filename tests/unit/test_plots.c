@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "cmd/answers.h"
+#include "cmd/outlook.h"
 #include "cmd/plots.h"
 #include "cmd/invocation.h"
 
@@ -182,7 +183,7 @@ a_second_site_has_a_curve_of_its_own(void **state)
 	desk_expect(desk, PARAMS_SET);
 	const struct entry *entry = session_entry(s);
 	struct prediction kept =
-	    answers_predict(s, entry, 70, site_run_nearest(entry->site, 70));
+	    outlook_predict(s, entry, 70, site_run_nearest(entry->site, 70));
 	desk_expect(desk, "load data/sites/bro.csv");
 	for (int way = 0; way < 2; way++) {
 		struct chart *c = chart_of(desk, &q);

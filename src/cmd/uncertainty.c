@@ -1,0 +1,182 @@
+/* uncertainty: what makes an answer uncertain, and its draws.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/band.h"
+#include "cmd/outlook.h"
+#include "cmd/settings.h"
+#include "cmd/table.h"
+#include "core/ensemble.h"
+#include "io/units.h"
+
+/* Beyond these the chains are said not to have converged. */
+static const double DRIFT = 0.5, RATIO = 4;
+
+static const char *const PARTS[ENSEMBLE_PARTS] = {
+    "parameters_pct", "answer_pct", "sample_pct"};
+
+/* Half of the width of each band, in points.  That of the answer may be the
+ * narrower: what the runs show the model to leave out goes with its
+ * parameters. */
+static void
+add_parts(struct answer *r, const struct session *s, const struct prediction *p,
+    const struct ensemble *e)
+{
+	answer_columns(r, "sieve_mm: sieve mm, passing_pct: product %%, "
+			  "parameters_pct: model alone, answer_pct: answer, "
+			  "sample_pct: a new sample");
+	for (size_t i = 0, k = 0; i < p->product.n; i++) {
+		while (p->curve.size[k] > p->product.size[i])
+			k++;
+		answer_cells(r, "%g %.1f", units_mm(p->product.size[i]),
+		    units_pct(p->product.passing[i]));
+		for (size_t part = 0; part < ENSEMBLE_PARTS; part++) {
+			double low, high;
+			ensemble_band(
+			    e, part, k, settings_level(&s->set), &low, &high);
+			answer_cells(r, "%.2f", 50 * (high - low));
+		}
+	}
+}
+
+/* Median and range of the hyperparameters beside their priors. */
+static void
+add_hyper(struct answer *r, const struct session *s, const struct posterior *p)
+{
+	double value[POSTERIOR_DRAWS], low, high, median, unused;
+	struct fields *o = fields_object(answer_fields(r), "errors");
+	for (enum hyper h = 0; h < HYPERS; h++) {
+		bool size = h != HYPER_LENGTH && h != HYPER_SLOPE;
+		double unit = size ? 100 : 1;
+		for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
+			value[d] = unit * p->draw[d].hyper[h];
+		ensemble_middle(value, 0, &median, &unused);
+		ensemble_middle(value, settings_level(&s->set), &low, &high);
+		struct fields *one = fields_object(o, HYPER[h].name);
+		fields_put(one, "median %g low %g high %g", median, low, high);
+		answer_note(r, "%s: %.2f%s (%.2f to %.2f): %s", HYPER[h].name,
+		    median, size ? " points" : "", low, high, HYPER[h].meaning);
+	}
+}
+
+static void
+note_chains(struct answer *r, const struct posterior *p)
+{
+	bool poor = p->drift > DRIFT || p->ratio > RATIO;
+	fields_put(answer_fields(r), "draws %g ratio %g drift %g accepted %g",
+	    (double)POSTERIOR_DRAWS, p->ratio, p->drift, p->accepted);
+	answer_say(r, poor ? ANSWER_WARNING : ANSWER_REMARK,
+	    "%d draws%s: the two halves differ by %.2f standard deviations, "
+	    "R %.2f, %.0f %% of the moves accepted",
+	    POSTERIOR_DRAWS, poor ? " that have not converged" : "", p->drift,
+	    p->ratio, 100 * p->accepted);
+}
+
+/* A row a draw: what it was made of and what it answers. */
+static struct answer *
+draws_answer(const struct session *s, const struct entry *entry,
+    const struct posterior *p, const struct prediction *at, size_t n)
+{
+	const struct ensemble *e = outlook_ensemble(s, entry, at->feed_run);
+	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
+	const struct breakage *of = BREAKAGES[p->settings.breakage];
+	struct answer *r = answers_new(
+	    entry->site, "uncertainty", "draws at %.1f m/s", at->speed);
+	struct psd one = psd_copy(&at->curve);
+	answer_columns(r, "draw");
+	for (size_t j = 0; j < of->n; j++)
+		answer_columns(r, "%s", of->parameter[j].name);
+	for (size_t h = 0; h < HYPERS; h++)
+		answer_columns(r, "%s", HYPER[h].symbol);
+	answer_columns(r, "p20_mm, p50_mm, p80_mm");
+	for (size_t i = 0; i < at->product.n; i++)
+		answer_columns(
+		    r, "passing_pct@%g", units_mm(at->product.size[i]));
+	for (size_t d = 0; d < n; d++) {
+		answer_cells(r, "%g", (double)d + 1);
+		for (size_t j = 0; j < of->n; j++)
+			answer_cells(r, "%.6g", p->draw[d].params.at[j]);
+		for (size_t h = 0; h < HYPERS; h++)
+			answer_cells(r, "%.6g", p->draw[d].hyper[h]);
+		for (size_t k = 0; k < one.n; k++)
+			one.passing[k] = P[k * POSTERIOR_DRAWS + d];
+		for (size_t k = 0; k < PSD_SIZES; k++)
+			answer_cells(
+			    r, "%.4f", 1000 * psd_size(&one, PSD_PASSING[k]));
+		for (size_t i = 0; i < at->product.n; i++)
+			answer_cells(r, "%.4f",
+			    units_pct(psd_at_sieve(&one, at->product.size[i])));
+	}
+	psd_free(&one);
+	return r;
+}
+
+static struct answer *
+parts_answer(const struct session *s, const struct entry *entry,
+    const struct posterior *p, const struct prediction *at)
+{
+	struct answer *r = answers_new(entry->site, "uncertainty",
+	    "half width of the %.0f %% band at %.1f m/s, points",
+	    100 * settings_level(&s->set), at->speed);
+	add_parts(r, s, at, outlook_ensemble(s, entry, at->feed_run));
+	fields_put(answer_fields(r), "speed %g level %g correction %s",
+	    at->speed, 100 * settings_level(&s->set),
+	    s->set.correction == CORRECTION_ALL ? "all" : "train");
+	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
+		answer_put_columns(r, PARTS[i]);
+	answer_put_columns(r, "sieve_mm passing_pct");
+	answer_note(r, "%s", outlook_words(s, entry));
+	add_hyper(r, s, p);
+	note_chains(r, p);
+	return r;
+}
+
+/* Settings that the options name are set first. */
+static void
+take_settings(struct session *s, const struct args *args)
+{
+	static const char *const OWN[] = {"level", "noise"};
+	for (size_t i = 0; i < ARRAY_LEN(OWN); i++) {
+		const struct value *value = args_value(args, OWN[i]);
+		for (const struct setting *row = SETTINGS;
+		     row->option.name != NULL && value->given; row++)
+			if (strcmp(row->option.name, OWN[i]) == 0)
+				settings_put(row, value, &s->set);
+	}
+}
+
+bool
+cmd_uncertainty(struct session *s, const struct args *args, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	double speed = answers_speed(args, entry);
+	size_t feed;
+	if (args->n_operand > 0 && strcmp(args->operand[0], "draws") != 0)
+		return error_set(error, ERROR_USAGE,
+		    "uncertainty: expected options or draws, got '%s'\n"
+		    "write: uncertainty speed=74",
+		    args->operand[0]);
+	take_settings(s, args);
+	if (!answers_ready(s, error) ||
+	    !answers_feed(entry->site, args, speed, &feed, error))
+		return false;
+	struct prediction at = outlook_predict(s, entry, speed, feed);
+	if (at.low == NULL) {
+		prediction_free(&at);
+		return error_set(error, ERROR_USAGE, "%s\n%s",
+		    outlook_why_none(s, entry),
+		    origin_fit(entry) == NULL ? "run 'calibrate' first"
+					      : "'set' shows the settings");
+	}
+	const struct posterior *p = outlook_draws(s, entry);
+	bool draws = args->n_operand > 0;
+	size_t n = (size_t)args_value(args, "n")->whole;
+	session_answer(s, draws ? draws_answer(s, entry, p, &at, n)
+				: parts_answer(s, entry, p, &at));
+	prediction_free(&at);
+	return true;
+}
