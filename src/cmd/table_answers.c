@@ -194,6 +194,20 @@ const struct command TABLE_ANSWERS[] = {
 	    "all loaded sites and adds up the results.",
 	.example = "load data/sites/tierp.csv\nleague",
 	.run = cmd_league},
+    {.name = "identify",
+	.brief = "what the data determine, and what they do not",
+	.flags = COMMAND_AT_SITE,
+	.text =
+	    "Reads off the draws of the uncertainty which parameters the data "
+	    "determine: the standard deviation of the draws in per cent of "
+	    "that before the data (below 10: determined, below 50: poorly, "
+	    "else they cannot be told), the break size at each measured "
+	    "speed, the parameters that lie at a bound or compensate for each "
+	    "other, and whether the threshold is bounded from above only. Ends "
+	    "in one sentence. plot correlation and plot profile draw it; see "
+	    "IDENTIFIABILITY in tipspeed-model(7).",
+	.example = "load data/sites/tierp.csv\ncalibrate\nidentify",
+	.run = cmd_identify},
     {.name = "why",
 	.brief = "explain the numbers at a speed",
 	.flags = COMMAND_AT_SITE,
