@@ -7,10 +7,12 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "base/pool.h"
 #include "base/xalloc.h"
 #include "core/kernel.h"
 #include "core/params.h"
 #include "core/rng.h"
+#include "measure.h"
 
 enum { HERD = 8000 };
 
@@ -39,20 +41,45 @@ herd_in(const double *lower, const double *upper)
 static inline struct herd
 herd_wide(void)
 {
-	struct bounds b = bounds_default();
+	struct bounds b = bounds_default(0);
 	return herd_in(b.lower, b.upper);
 }
 
 static inline struct herd
 herd_near(const struct params *p)
 {
-	struct bounds b = bounds_default();
+	struct bounds b = bounds_default(0);
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		double x = p->at[j];
 		b.lower[j] = x - HERD_NEAR * fabs(x);
 		b.upper[j] = fmin(x + HERD_NEAR * fabs(x), b.upper[j]);
 	}
 	return herd_in(b.lower, b.upper);
+}
+
+/* What the threads of a pool share. */
+struct herd_batch {
+	const struct kernel *kernel;
+	const double *const *gene;
+	size_t n;
+	double *misfit;
+};
+
+static inline void
+herd_part(void *data, size_t part, unsigned thread)
+{
+	const struct herd_batch *b = data;
+	size_t from = part * KERNEL_PART, to = from + KERNEL_PART;
+	kernel_evaluate_part(b->kernel, b->gene, from, to < b->n ? to : b->n,
+	    thread, &(struct kernel_out){.misfit = b->misfit});
+}
+
+static inline void
+herd_evaluate(const struct kernel *kernel, struct pool *pool,
+    const double *const *gene, size_t n, double *misfit)
+{
+	struct herd_batch batch = {kernel, gene, n, misfit};
+	pool_run(pool, (n + KERNEL_PART - 1) / KERNEL_PART, herd_part, &batch);
 }
 
 static inline void

@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "../tests/unit/paper.h"
 #include "core/calibrate.h"
 #include "core/misfit.h"
 #include "core/site.h"

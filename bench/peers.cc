@@ -57,7 +57,7 @@ struct Problem {
 
 	std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const
 	{
-		struct bounds b = bounds_default();
+		struct bounds b = bounds_default(0);
 		return {{b.lower, b.lower + PARAM_COUNT},
 		    {b.upper, b.upper + PARAM_COUNT}};
 	}
@@ -85,7 +85,7 @@ nlopt_search(const Objective &objective, nlopt::algorithm algorithm,
     unsigned population, int most, unsigned seed)
 {
 	double start = measure_now();
-	struct bounds b = bounds_default();
+	struct bounds b = bounds_default(0);
 	std::mt19937_64 random(seed);
 	Found found{Theta(PARAM_COUNT), 0, 0, 0};
 	for (std::size_t j = 0; j < PARAM_COUNT; j++)
@@ -247,6 +247,15 @@ peer_row(const Peer &peer, const Objective &objective, struct misfit *accurate,
 	return row;
 }
 
+// The paper's size with the operators of a textbook (preset=paper).
+struct calibrate_options
+textbook(unsigned threads)
+{
+	struct calibrate_options o = measure_full_run(threads);
+	o.plain = true;
+	return o;
+}
+
 // tipspeed's full run comes first: on all threads, then on one.
 std::vector<Row>
 race(const struct site *site, const Objective &objective,
@@ -256,6 +265,7 @@ race(const struct site *site, const Objective &objective,
 	std::vector<Row> rows = {
 	    tipspeed_row("8000 x 800", site, measure_full_run(all), seeds),
 	    tipspeed_row("8000 x 800", site, measure_full_run(1), seeds),
+	    tipspeed_row("textbook", site, textbook(all), seeds),
 	    tipspeed_row("ordinary", site, ordinary(all), seeds),
 	    tipspeed_row("ordinary", site, ordinary(1), seeds)};
 	for (const Peer &peer : PEERS)
@@ -319,7 +329,7 @@ exact_search(const struct site *site, unsigned seeds)
 {
 	Exact e;
 	struct misfit *m = measure_misfit(site, false);
-	struct bounds bounds = bounds_default();
+	struct bounds bounds = bounds_default(0);
 	struct polish *polish = polish_new(m);
 	Objective accurate = [m](const double *theta) {
 		struct params p = params_of(theta);

@@ -11,18 +11,18 @@
 #include "core/ensemble.h"
 
 void
-band_note(struct answer *r, const struct session *s, const struct entry *entry)
+band_note(struct answer *r, const struct session *s, const struct entry *entry,
+    bool product)
 {
-	char *other = entry->has_fit
-			  ? xstrdup("")
-			  : xasprintf("; the difference from %s, whose data "
-				      "they are, is not included",
-				origin_key(entry));
+	if (product)
+		answer_say(r, ANSWER_REMARK, "%s", outlook_words(s, entry));
 	answer_say(r, ANSWER_REMARK,
 	    "low, high: the true value lies between them with %.0f %% "
 	    "probability%s",
-	    100 * settings_level(&s->set), other);
-	free(other);
+	    100 * settings_level(&s->set),
+	    entry->has_fit ? ""
+			   : "; the difference between the two sites is not "
+			     "included");
 }
 
 void

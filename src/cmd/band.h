@@ -6,11 +6,11 @@
 #include "cmd/session.h"
 #include "core/predict.h"
 
-/* Says what low and high are, and which runs inform the answer; of another
- * site's parameters they are what its data leave open, and know nothing of the
- * difference between the two. */
-void band_note(
-    struct answer *r, const struct session *s, const struct entry *entry);
+/* Says what low and high are, and of a product which runs correct it; of
+ * another site's parameters they are what its data leave open, and know nothing
+ * of the difference between the two. */
+void band_note(struct answer *r, const struct session *s,
+    const struct entry *entry, bool product);
 
 /* The middle of the draws of parameter j of a fit's model, widened to hold the
  * fit's value. */

@@ -306,6 +306,20 @@ gather(const struct site *site, bool feed, const struct psd **curve,
 	return n;
 }
 
+/* Sieves so far apart that what lies between rests on a straight line. */
+static void
+check_wide(struct answer *r, const struct entry *entry)
+{
+	const struct psd *feed = &entry->site->run[0].feed;
+	size_t i = psd_gap(feed);
+	if (i < feed->n)
+		finding(r, entry, false, "feed",
+		    "no sieve between %g and %g mm, where %.0f points of it "
+		    "lie: add one, as its curve is taken to be straight there",
+		    units_mm(feed->size[i]), units_mm(feed->size[i + 1]),
+		    100 * (feed->passing[i] - feed->passing[i + 1]));
+}
+
 /* A cell that is empty where all others of its row are full: of grams, what is
  * forgotten is missing from the whole. */
 static void
@@ -428,6 +442,7 @@ check_site(
 	check_repeats(r, entry);
 	check_copies(r, entry);
 	check_gaps(r, entry);
+	check_wide(r, entry);
 	check_smooth(r, entry, true);
 	check_smooth(r, entry, false);
 	check_fit(r, entry);

@@ -39,8 +39,9 @@ fit_put(struct fields *o, const struct entry *entry, double seconds)
 	    fit->evaluations);
 	if (fit->edits > 0)
 		fields_put(o, "bounds_edited_at %zu", fit->edited_at);
-	fields_put(o, "stop %s misfit %g seconds %g",
-	    calibrate_state_name(fit->stop), fit->misfit, seconds);
+	fields_put(o, "stop %s converged %d misfit %g seconds %g",
+	    calibrate_state_name(fit->stop), fit->converged, fit->misfit,
+	    seconds);
 	fields_put(o, "model %s", breakage_of(&fit->params)->name);
 	fit_put_params(o, &fit->params);
 	put_speeds(o, "train", entry, true);
@@ -153,6 +154,11 @@ add_verdict(struct answer *r, const struct session *s,
 		explain_nothing(r, entry);
 	if (fit_too_few(fit))
 		fit_note_too_few(r, fit);
+	if (!fit->converged && fit->stop != CALIBRATE_STOPPED)
+		answer_say(r, ANSWER_WARNING,
+		    "not converged: the misfit can still fall, so that "
+		    "another seed may give other parameters; compare the "
+		    "curves of several seeds");
 	struct validation far = fit_outlier(entry);
 	if (far.worst_difference != 0)
 		answer_say(r, ANSWER_WARNING,
@@ -169,7 +175,7 @@ add_verdict(struct answer *r, const struct session *s,
 			    breakage_of(&fit->params)->parameter[j].name);
 	add_flat(r, fit, bounds);
 	if (ranges)
-		band_note(r, s, entry);
+		band_note(r, s, entry, false);
 }
 
 static const char *

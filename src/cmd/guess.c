@@ -14,13 +14,16 @@
 #include "cmd/table.h"
 #include "io/units.h"
 
-/* What a guess is made from.  list: all materials; m [list.n]: the same for
- * core; pick [n]: the nearest ones. */
+/* What a guess is made from.  list: all materials, those of Table 3 from index
+ * `table3` on; m [list.n]: the same for core; pick [n]: those taken; error:
+ * that of guesses from so many. */
 struct basis {
 	struct stored_list list;
 	struct guess_material *m, wanted;
 	bool *leave_out;
-	size_t n, *pick;
+	size_t n, *pick, table3;
+	struct guess_choice choice;
+	struct guess_error error;
 };
 
 static void
@@ -33,12 +36,12 @@ basis_free(struct basis *b)
 }
 
 static void
-basis_find(struct basis *b, size_t most)
+basis_fill(struct basis *b)
 {
 	size_t n = b->list.n;
 	b->m = xcalloc(n, sizeof *b->m);
 	b->leave_out = xcalloc(n, sizeof *b->leave_out);
-	b->pick = xcalloc(most, sizeof *b->pick);
+	b->pick = xcalloc(n, sizeof *b->pick);
 	for (size_t i = 0; i < n; i++) {
 		const struct stored *m = &b->list.item[i];
 		double top_mm = m->top_size_mm;
@@ -46,6 +49,26 @@ basis_find(struct basis *b, size_t most)
 		    isfinite(top_mm) ? top_mm / 1000 : 0, m->params,
 		    stored_settings(m)};
 		b->leave_out[i] = text_same(m->site, b->wanted.site);
+	}
+	while (!stored_is_table3(&b->list.item[b->table3]))
+		b->table3++;
+}
+
+/* As many of the nearest as told, else as leaving one site out finds best: of
+ * Table 3 alone, so that it is the same for everyone. */
+static void
+basis_pick(struct basis *b, const struct value *nearest, double speed)
+{
+	size_t n = b->list.n, n_table = n - b->table3, most = n;
+	const struct guess_material *table = b->m + b->table3;
+	if (nearest->given) {
+		most = (size_t)nearest->whole;
+		most = most < n ? most : n;
+		b->error = guess_leave_one_out(table, n_table, most, speed);
+	} else {
+		b->choice = guess_choose(table, n_table, speed);
+		b->error = b->choice.helps ? b->choice.few : b->choice.all;
+		most = b->choice.helps ? b->error.nearest : n;
 	}
 	b->n = guess_nearest(b->m, n, &b->wanted, b->leave_out, most, b->pick);
 }
@@ -60,26 +83,14 @@ find_wanted(const struct site *site, const struct args *args,
 	*wanted = (struct guess_material){.site = site->name,
 	    .rock = rock->given ? rock->text : site->rock,
 	    .top_size = top->given ? top->number / 1000 : site->top_size};
-	if (wanted->rock[0] != '\0' || wanted->top_size > 0)
+	bool nearest = args_value(args, "nearest")->given;
+	if (!nearest || wanted->rock[0] != '\0' || wanted->top_size > 0)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "guess: expected a rock type or a top size; the site file of %s "
 	    "states neither\n"
-	    "write: guess rock=granite top=11.2",
+	    "write: guess rock=granite top=11.2, or leave out nearest=",
 	    site->name);
-}
-
-/* Of Table 3 alone, so that it is the same for everyone. */
-static struct guess_error
-table3_error(const struct basis *b, size_t nearest, double speed, char **worst)
-{
-	size_t first = 0;
-	while (!stored_is_table3(&b->list.item[first]))
-		first++;
-	struct guess_error e = guess_leave_one_out(
-	    b->m + first, b->list.n - first, nearest, speed);
-	*worst = xstrdup(b->list.item[first + e.worst_at].name);
-	return e;
 }
 
 static void
@@ -98,14 +109,21 @@ put_materials(struct fields *o, const struct basis *b)
 	}
 }
 
-static void
-put_error(struct fields *o, const struct guess_error *e, const char *worst)
+static const char *
+worst_name(const struct basis *b)
 {
+	return b->list.item[b->table3 + b->error.worst_at].name;
+}
+
+static void
+put_error(struct fields *o, const struct basis *b)
+{
+	const struct guess_error *e = &b->error;
 	fields_put(fields_object(o, "leave_one_site_out"),
 	    "data %s sites %zu median_rmse_pct %g worst_rmse_pct %g worst %s "
-	    "feed_rmse_pct %g",
+	    "feed_rmse_pct %g held_pct %g",
 	    "reconstructed from Table 3", e->n, 100 * e->median, 100 * e->worst,
-	    worst, 100 * e->feed);
+	    worst_name(b), 100 * e->feed, 100 * e->held);
 }
 
 static void
@@ -115,12 +133,12 @@ put_guess(struct answer *r, const struct basis *b, const struct guess *guess)
 	double top = b->wanted.top_size;
 	fields_put(o, "calibrated %d rock %s top_size_mm %g speed %g", false,
 	    b->wanted.rock, top > 0 ? units_mm(top) : NAN, guess->speed);
-	answer_put_columns(r, "sieve_mm passing_pct least_pct most_pct");
+	answer_put_columns(r, "sieve_mm passing_pct low_pct high_pct");
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
 		const struct guess_range *range = &guess->size[i];
 		fields_number(o, ANSWERS_KEYS[i], 1000 * range->middle);
-		answers_put_pair(o, ANSWERS_RANGES[i], 1000 * range->least,
-		    1000 * range->most);
+		answers_put_pair(o, ANSWERS_RANGES[i], 1000 * range->low,
+		    1000 * range->high);
 	}
 	put_materials(o, b);
 }
@@ -131,14 +149,14 @@ guess_table(const struct site *site, const struct guess *guess)
 	struct answer *r = answers_new(site, "guess",
 	    "estimated product at %.1f m/s, not calibrated", guess->speed);
 	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: "
-			  "guess %%, least_pct: min %%, most_pct: max %%");
+			  "guess %%, low_pct: low %%, high_pct: high %%");
 	for (size_t i = 0; i < guess->median.n; i++)
 		answer_cells(r, "%g %.1f %.1f %.1f %.1f",
 		    units_mm(guess->median.size[i]),
 		    units_pct(guess->feed.passing[i]),
 		    units_pct(guess->median.passing[i]),
-		    units_pct(guess->least.passing[i]),
-		    units_pct(guess->most.passing[i]));
+		    units_pct(guess->low.passing[i]),
+		    units_pct(guess->high.passing[i]));
 	return r;
 }
 
@@ -146,7 +164,7 @@ guess_table(const struct site *site, const struct guess *guess)
 static char *
 range_words(const struct guess_range *range, const char *none)
 {
-	const double v[3] = {range->middle, range->least, range->most};
+	const double v[3] = {range->middle, range->low, range->high};
 	char *word[3];
 	for (size_t i = 0; i < 3; i++)
 		word[i] = isfinite(v[i]) ? xasprintf("%.2f", 1000 * v[i])
@@ -187,28 +205,15 @@ names(const struct basis *b, bool left)
 	return list;
 }
 
+/* The materials by name, where they were chosen. */
 static void
-note_materials(struct answer *r, const struct basis *b)
+note_nearest(struct answer *r, const struct basis *b)
 {
 	size_t same = 0;
-	bool measured = true;
-	for (size_t i = 0; i < b->n; i++) {
-		const struct stored *m = &b->list.item[b->pick[i]];
-		same += text_same(m->rock, b->wanted.rock);
-		measured = measured && strcmp(site_data_kind(m->provenance),
-					   "measured") == 0;
-	}
-	char *picked = names(b, false), *left = names(b, true);
-	if (b->n > 1)
-		answer_say(r, ANSWER_REMARK,
-		    "estimated from other quarries, not calibrated: median, "
-		    "min and max of the products with the %zu nearest "
-		    "materials",
-		    b->n);
-	else
-		answer_say(r, ANSWER_REMARK,
-		    "estimated from another quarry, not calibrated: from one "
-		    "material, so without a spread");
+	for (size_t i = 0; i < b->n; i++)
+		same +=
+		    text_same(b->list.item[b->pick[i]].rock, b->wanted.rock);
+	char *picked = names(b, false);
 	if (b->wanted.rock[0] == '\0')
 		answer_note(
 		    r, "nearest by top size (no rock type stated): %s", picked);
@@ -218,14 +223,51 @@ note_materials(struct answer *r, const struct basis *b)
 		    b->wanted.top_size > 0 ? " and top size"
 					   : " (no top size stated)",
 		    picked);
+	free(picked);
+}
+
+static void
+note_choice(struct answer *r, const struct basis *b)
+{
+	const struct guess_choice *c = &b->choice;
+	if (c->all.n > 0 && !c->helps)
+		answer_say(r, ANSWER_REMARK,
+		    "rock type and top size carry no information here: by "
+		    "the error below no number of nearest materials does "
+		    "clearly better (the best, %zu: %.1f points) than all "
+		    "(%.1f)",
+		    c->few.nearest, 100 * c->few.median, 100 * c->all.median);
+	else
+		note_nearest(r, b);
+}
+
+static void
+note_materials(struct answer *r, const struct basis *b)
+{
+	bool measured = true;
+	for (size_t i = 0; i < b->n; i++)
+		measured =
+		    measured &&
+		    strcmp(site_data_kind(b->list.item[b->pick[i]].provenance),
+			"measured") == 0;
+	if (b->n > 1)
+		answer_say(r, ANSWER_REMARK,
+		    "estimated from other quarries, not calibrated: median "
+		    "and 80 %% band of the products with %zu materials",
+		    b->n);
+	else
+		answer_say(r, ANSWER_REMARK,
+		    "estimated from another quarry, not calibrated: from one "
+		    "material, so without a band");
+	note_choice(r, b);
 	if (!measured)
 		answer_say(r, ANSWER_WARNING,
 		    "some of these materials were not calibrated on measured "
 		    "data");
+	char *left = names(b, true);
 	if (left[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
 		    "left out because they are this site's own: %s", left);
-	free(picked);
 	free(left);
 }
 
@@ -257,26 +299,41 @@ note_reach(struct answer *r, const struct basis *b, double speed)
 		    speed, slowest, fastest);
 }
 
+/* What such guesses are worth.  A band of few materials is too narrow, which is
+ * no matter of luck: see struct guess. */
 static void
-give_guess(struct session *s, const struct basis *b, const struct guess *guess,
-    size_t nearest)
+note_error(struct answer *r, const struct basis *b)
 {
-	const struct site *site = session_entry(s)->site;
-	struct answer *r = guess_table(site, guess);
-	char *worst;
-	struct guess_error e = table3_error(b, nearest, guess->speed, &worst);
+	const struct guess_error *e = &b->error;
+	if (b->n > 1 && e->held < 0.7)
+		answer_say(r, ANSWER_WARNING,
+		    "the band of so few materials is too narrow: it held "
+		    "%.0f %% of the passings of sites left out, instead of 80",
+		    100 * e->held);
+	char *held = b->n > 1 ? xasprintf(", the band held %.0f %% of the "
+					  "passings",
+				    100 * e->held)
+			      : xstrdup("");
+	answer_say(r, ANSWER_REMARK,
+	    "leave-one-site-out RMSE (%zu materials of Table 3): median %.1f "
+	    "points, worst %.1f (%s)%s; feed unchanged %.1f. These are "
+	    "reconstructed data on synthetic feeds without sampling error: "
+	    "expect larger errors at a plant",
+	    e->n, 100 * e->median, 100 * e->worst, worst_name(b), held,
+	    100 * e->feed);
+	free(held);
+}
+
+static void
+give_guess(struct session *s, const struct basis *b, const struct guess *guess)
+{
+	struct answer *r = guess_table(session_entry(s)->site, guess);
 	note_sizes(r, guess);
 	note_materials(r, b);
 	note_reach(r, b, guess->speed);
-	answer_say(r, ANSWER_REMARK,
-	    "leave-one-site-out RMSE (%zu materials of Table 3): median %.1f "
-	    "points, worst %.1f (%s); feed unchanged %.1f. These are "
-	    "reconstructed data on synthetic feeds without sampling error: "
-	    "expect larger errors at a plant",
-	    e.n, 100 * e.median, 100 * e.worst, worst, 100 * e.feed);
+	note_error(r, b);
 	put_guess(r, b, guess);
-	put_error(answer_fields(r), &e, worst);
-	free(worst);
+	put_error(answer_fields(r), b);
 	session_answer(s, r);
 }
 
@@ -285,16 +342,17 @@ cmd_guess(struct session *s, const struct args *args, struct error *error)
 {
 	const struct site *site = session_entry(s)->site;
 	double speed = answers_speed(args, session_entry(s));
-	size_t nearest = (size_t)args_value(args, "nearest")->whole, feed;
-	struct basis b = {0};
+	size_t feed;
+	struct basis b = {.n = 0};
 	bool ok = find_wanted(site, args, &b.wanted, error) &&
 		  answers_feed(site, args, speed, &feed, error) &&
 		  store_list_all(s->store, &b.list, error);
 	if (ok) {
-		basis_find(&b, nearest);
+		basis_fill(&b);
+		basis_pick(&b, args_value(args, "nearest"), speed);
 		struct guess guess =
 		    guess_product(site, feed, b.m, b.pick, b.n, speed);
-		give_guess(s, &b, &guess, nearest);
+		give_guess(s, &b, &guess);
 		guess_free(&guess);
 	}
 	basis_free(&b);

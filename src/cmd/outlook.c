@@ -139,10 +139,10 @@ const char *
 outlook_words(const struct session *s, const struct entry *entry)
 {
 	if (answering(s, entry) == NULL)
-		return "model alone";
+		return "the model alone";
 	return s->set.correction == CORRECTION_TRAIN
-		   ? "corrected by the training runs"
-		   : "corrected by all measured runs";
+		   ? "model corrected by the training runs"
+		   : "model corrected by all measured runs";
 }
 
 const char *

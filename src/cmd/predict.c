@@ -71,6 +71,17 @@ note_feed_gaps(
 	free(list);
 }
 
+static void
+note_wide_gap(struct answer *r, const struct psd *feed)
+{
+	size_t i = psd_gap(feed);
+	if (i < feed->n)
+		answer_say(r, ANSWER_REMARK,
+		    "the feed has no sieve between %g and %g mm: passings and "
+		    "sizes there rest on a straight line",
+		    units_mm(feed->size[i]), units_mm(feed->size[i + 1]));
+}
+
 /* Measured products interpolated in speed squared at each sieve, [n]; NULL
  * where no measured runs lie on both sides of the speed. */
 static double *
@@ -149,10 +160,8 @@ prediction_answer(struct session *s, const struct prediction *p,
     const double *between, const char *model)
 {
 	const struct site *site = session_entry(s)->site;
-	struct answer *r =
-	    answers_new(site, "predict", "product at %.1f m/s (%.0f J/kg)%s%s",
-		p->speed, p->energy, p->low != NULL ? ", " : "",
-		p->low != NULL ? outlook_words(s, session_entry(s)) : "");
+	struct answer *r = answers_new(site, "predict",
+	    "product at %.1f m/s (%.0f J/kg)", p->speed, p->energy);
 	add_rows(r, site, p, between, NULL);
 	answer_for_programs(r);
 	add_rows(r, site, p, between, model);
@@ -173,12 +182,13 @@ explained(struct session *s, const struct prediction *p,
 	answers_put_prediction(s, o, params, p);
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {
-		band_note(r, s, entry);
+		band_note(r, s, entry, true);
 		answer_put_columns(r, "low_pct high_pct");
 		band_put(o, s, p);
 	}
 	note_breakage(r, params, p);
 	note_feed_gaps(r, entry->site, p);
+	note_wide_gap(r, &entry->site->run[p->feed_run].feed);
 	if (session_busy(s))
 		answer_say(r, ANSWER_REMARK,
 		    "predicted with the best parameters so far");

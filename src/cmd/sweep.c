@@ -112,7 +112,7 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	answer_for_programs(r);
 	sweep_long(s, r, p, n);
 	if (band)
-		band_note(r, s, entry);
+		band_note(r, s, entry, true);
 	origin_note(r, entry);
 	if (entry->site->individual_feeds)
 		answer_say(r, ANSWER_REMARK,

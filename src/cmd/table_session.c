@@ -111,7 +111,7 @@ const struct command TABLE_SESSION[] = {
 		"other parameters or a new calibration clear them. For "
 		"automatic plant checks, which should assert poor = 0 first.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
-		   "assert p50 = 2.81 within 0.05\nvalidate\n"
+		   "assert p50 = 2.87 within 0.05\nvalidate\n"
 		   "assert holdout < 1",
 	.run = cmd_assert},
     {.name = "help",

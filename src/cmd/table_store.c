@@ -41,8 +41,9 @@ static const struct command_option GUESS_OPTIONS[] = {
 	"top size; default: that of the site file"},
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"rotor tip speed; default: a held-out speed, else 74"},
-    {"nearest", VALUE_WHOLE, "", 1, 100, NULL, "5",
-	"number of materials to estimate from"},
+    {"nearest", VALUE_WHOLE, "", 1, 100, NULL, "",
+	"number of nearest materials to estimate from; default: the number "
+	"that errs least when one site is left out"},
     TABLE_FEED, {.name = NULL}};
 
 const struct command TABLE_STORE[] = {
@@ -119,12 +120,13 @@ const struct command TABLE_STORE[] = {
 	.bare = "speed",
 	.option = GUESS_OPTIONS,
 	.text =
-	    "Uses the materials nearest to the site: the same rock type first, "
-	    "then the top size by its ratio. The estimate is the median of the "
-	    "products with each of them; min and max are their spread. The "
-	    "site needs only a feed, and its own materials are left out. The "
-	    "leave-one-site-out error is that of the sites of Table 3, each "
-	    "estimated from the others, on reconstructed data. An estimate "
+	    "The estimate is the median of the products with each material; "
+	    "low and high are an 80 % band. All materials count, unless "
+	    "estimates of the sites of Table 3, each from the others, err "
+	    "clearly less with the nearest only: the same rock type first, "
+	    "then the top size by its ratio. The site needs only a feed, and "
+	    "its own materials are left out. The leave-one-site-out error is "
+	    "that of these estimates, on reconstructed data. An estimate "
 	    "from other quarries is not a calibration.",
 	.example = "load data/sites/tierp.csv\nguess rock=granite top=11.2",
 	.run = cmd_guess},

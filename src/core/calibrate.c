@@ -18,6 +18,7 @@
 
 #include "base/pool.h"
 #include "base/xalloc.h"
+#include "core/elementary.h"
 #include "core/ga.h"
 #include "core/kernel.h"
 #include "core/polish.h"
@@ -26,9 +27,11 @@
 enum {
 	SCOUTS = 16,             /* leaders kept of each early generation */
 	STARTS = 2 * SCOUTS + 2, /* and the bests of the two phases */
-	BATCH = 8,    /* starts or perturbations polished side by side */
-	LEADERS = 64, /* spread over this many */
-	POLISH_STEPS = 300,
+	BATCH = 8,          /* starts or perturbations polished side by side */
+	LEADERS = 64,       /* spread over this many */
+	POLISH_MOST = 1000, /* evaluations, and with a parameter held */
+	POLISH_HELD = 30,
+	PLACES = 8,         /* at which a parameter is held */
 	PERTURBATIONS = 64, /* fruitless ones in a row that end the polish, */
 	PERTURBATIONS_IN_NOISE = 256, /* and where there is little but noise */
 	/* Where the misfit falls ever slower, as it does on the E0_min, alpha,
@@ -45,6 +48,8 @@ struct worker {
 	struct misfit *misfit;
 	struct polish *polish;
 	struct params p;
+	struct bounds first; /* where it holds a parameter at first */
+	bool holds;
 	struct polish_result result;
 };
 
@@ -73,6 +78,7 @@ struct calibration {
 	struct calibrate_generation *history;
 	struct params best;
 	double best_misfit; /* accurate; INFINITY during the search */
+	bool converged;     /* the polish of the best */
 };
 
 static const size_t SCOUT_GENERATION[2] = {6, 11};
@@ -292,6 +298,7 @@ end_phase(struct calibration *c)
 	c->box = c->options.bounds;
 	c->phase_from = ga_status(c->ga).generation;
 	c->batches = batches(c);
+	c->converged = false;
 	c->stall = c->done = c->fruitless = 0;
 	c->stall_from = INFINITY;
 	c->start[0] = c->best;
@@ -309,6 +316,7 @@ end_search(struct calibration *c, enum calibrate_state why)
 	if (!(c->best_misfit < misfit)) {
 		c->best = found;
 		c->best_misfit = misfit;
+		c->converged = false;
 	}
 	c->start[c->n_start++] = found;
 	c->state = CALIBRATE_POLISHING;
@@ -406,16 +414,60 @@ perturbed(const struct calibration *c, size_t number)
 	return p;
 }
 
+/* Where parameter j is held: those of the gauge at shares of the largest one,
+ * the others evenly between their bounds, on a log scale if these are above
+ * 0. */
+static double
+place(const struct calibration *c, size_t j, size_t number)
+{
+	static const double SHARE[PLACES] = {
+	    -1, -0.1, -0.01, 0, 0.001, 0.003, 0.03, 0.3};
+	double lower = c->box.lower[j], upper = c->box.upper[j];
+	double at = ((double)number + 0.5) / PLACES;
+	if (j < c->misfit->of->gauge)
+		return fmin(fmax(SHARE[number] * upper / 2, lower), upper);
+	return lower > 0 ? lower * el_exp(at * el_log(upper / lower))
+			 : lower + at * (upper - lower);
+}
+
+/* Perturbation `number` of those that hold one parameter at a place, while the
+ * others find theirs, and then let go of it: the first of the gauge and each
+ * beyond it.  Random ones rarely reach along the E0_min, alpha, f_mat ridge,
+ * which has a valley wherever the break size of a run crosses a sieve of its
+ * feed, nor the narrow valleys of little ultra-fines (beta1 just above 0).
+ * False when there are no more. */
+static bool
+hold(const struct calibration *c, size_t number, struct worker *w)
+{
+	size_t j = 0, gauge = c->misfit->of->gauge;
+	w->first = c->box;
+	w->p = c->best;
+	for (size_t nth = 0; j < c->misfit->of->n; j++)
+		if ((j == 0 || j >= gauge) &&
+		    c->box.lower[j] < c->box.upper[j] &&
+		    number / PLACES == nth++)
+			break;
+	if (j == c->misfit->of->n)
+		return false;
+	w->p.at[j] = place(c, j, number % PLACES);
+	w->first.lower[j] = w->first.upper[j] = w->p.at[j];
+	return true;
+}
+
 static void
 take_polished(struct calibration *c, const struct worker *w, bool perturbing)
 {
+	double gain = c->best_misfit - w->result.misfit;
+	double next_to_nothing = 1e-9 * c->best_misfit;
 	c->evaluations += (size_t)w->result.evaluations;
 	c->fruitless += perturbing;
 	c->perturbations += perturbing;
-	if (!(w->result.misfit < c->best_misfit))
+	if (w->result.converged && gain > -next_to_nothing)
+		c->converged = true;
+	else if (gain > next_to_nothing)
+		c->converged = false;
+	if (!(gain > 0))
 		return;
-	if (w->result.misfit < c->best_misfit * (1 - 1e-7))
-		c->fruitless = 0;
 	c->best_misfit = w->result.misfit;
 	c->best = w->p;
 	centre_gauge(&c->box, &c->best);
@@ -436,10 +488,21 @@ polish_one(void *data, size_t i, unsigned thread)
 	(void)thread;
 	struct calibration *c = data;
 	struct worker *w = &c->worker[i];
-	struct polish_rival best = {
-	    c->best_misfit, is_noisy(c) ? GAINS_IN_NOISE : GAINS};
-	w->result = polish_run(w->polish, &c->box, POLISH_STEPS,
-	    c->done >= c->n_start ? &best : NULL, &w->p);
+	bool perturbing = c->done >= c->n_start;
+	struct polish_rival best = {c->best_misfit, INFINITY};
+	int before = 0;
+	if (perturbing)
+		best.gains = is_noisy(c) ? GAINS_IN_NOISE : GAINS;
+	w->result.stopped = false;
+	if (w->holds) {
+		w->result =
+		    polish_run(w->polish, &w->first, POLISH_HELD, NULL, &w->p);
+		before = w->result.evaluations;
+	}
+	if (!w->result.stopped)
+		w->result = polish_run(w->polish, &c->box, POLISH_MOST,
+		    perturbing || c->converged ? &best : NULL, &w->p);
+	w->result.evaluations += before;
 	if (w->result.stopped)
 		atomic_store(&c->stopped, true);
 }
@@ -452,15 +515,23 @@ polish_batch(struct calibration *c)
 	bool perturbing = c->done >= c->n_start;
 	size_t left = c->n_start - c->done;
 	size_t n = perturbing || left > BATCH ? BATCH : left;
-	for (size_t i = 0; i < n; i++)
-		c->worker[i].p = perturbing ? perturbed(c, c->perturbations + i)
-					    : c->start[c->done + i];
+	double before = c->best_misfit;
+	for (size_t i = 0; i < n; i++) {
+		struct worker *w = &c->worker[i];
+		w->holds = perturbing && hold(c, c->fruitless + i, w);
+		if (!perturbing)
+			w->p = c->start[c->done + i];
+		else if (!w->holds)
+			w->p = perturbed(c, c->perturbations + i);
+	}
 	pool_run(c->pool, n, polish_one, c);
 	if (atomic_load(&c->stopped))
 		return;
 	for (size_t i = 0; i < n; i++)
 		take_polished(c, &c->worker[i], perturbing);
 	c->done += n;
+	if (c->best_misfit < before * (1 - 1e-7))
+		c->fruitless = 0;
 	if (c->fruitless >=
 	    (is_noisy(c) ? PERTURBATIONS_IN_NOISE : PERTURBATIONS))
 		end_phase(c);
@@ -495,6 +566,7 @@ calibration_set_bounds(struct calibration *c, const struct bounds *bounds)
 		bring(bounds, &c->start[i]);
 	if (isfinite(c->best_misfit)) {
 		bring(bounds, &c->best);
+		c->converged = false;
 		c->best_misfit = misfit_at(c->misfit, &c->best);
 	}
 	if (c->state == CALIBRATE_SEARCHING)
@@ -555,6 +627,7 @@ calibration_fit(struct calibration *c)
 	    .generations = s.generation,
 	    .evaluations = c->evaluations,
 	    .perturbations = c->perturbations,
+	    .converged = c->converged,
 	    .edits = c->edits,
 	    .edited_at = c->edited_at,
 	    .seed = c->options.seed,

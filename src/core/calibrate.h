@@ -119,6 +119,7 @@ struct fit {
 	bool on_bound[PARAMS_MOST];
 	struct flat flat; /* what the data tell least */
 	enum calibrate_state stop;
+	bool converged; /* the polish that found it came to rest */
 	size_t generations, evaluations, perturbations;
 	size_t edits, edited_at; /* changes of the bounds, last generation */
 	uint64_t seed, site_digest;

@@ -85,35 +85,59 @@ rising(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
+/* The value at that place, 1 for the first, among v [n], rising; between two,
+ * straight, and where one has no end it is that. */
+static double
+value_at(const double *v, size_t n, double place)
+{
+	double at = fmin(fmax(place - 1, 0), (double)(n - 1));
+	size_t i = (size_t)at;
+	double part = at - (double)i;
+	return part > 0 ? v[i] * (1 - part) + v[i + 1] * part : v[i];
+}
+
 /* Sorts v, which has no NAN. */
 static struct guess_range
 range_of(double *v, size_t n)
 {
+	double places = (double)n + 1;
 	qsort(v, n, sizeof *v, rising);
-	double middle = n % 2 == 1 ? v[n / 2] : 0.5 * (v[n / 2 - 1] + v[n / 2]);
-	return (struct guess_range){middle, v[0], v[n - 1]};
+	return (struct guess_range){value_at(v, n, 0.5 * places),
+	    value_at(v, n, 0.1 * places), value_at(v, n, 0.9 * places)};
 }
 
 /* A size that lies outside the sieves is finer than they are, as some sieve
- * passes all of the feed and of the product: it is the least then. */
+ * passes all of the feed and of the product. */
 static struct guess_range
 range_of_sizes(const struct psd *median, const struct prediction *p, size_t n,
     double passing)
 {
-	struct guess_range range = {
-	    psd_size(median, passing), INFINITY, -INFINITY};
-	bool finer = false;
+	double *v = xdoubles(n);
 	for (size_t i = 0; i < n; i++) {
-		double x = psd_size(&p[i].product, passing);
-		finer = finer || isnan(x);
-		range.least = fmin(range.least, x);
-		range.most = fmax(range.most, x);
+		v[i] = psd_size(&p[i].curve, passing);
+		v[i] = isnan(v[i]) ? -INFINITY : v[i];
 	}
-	if (finer)
-		range.least = NAN;
-	if (isinf(range.most))
-		range.most = NAN;
+	struct guess_range range = range_of(v, n);
+	free(v);
+	range.middle = psd_size(median, passing);
+	range.low = isfinite(range.low) ? range.low : NAN;
+	range.high = isfinite(range.high) ? range.high : NAN;
 	return range;
+}
+
+/* The median of n curves at the same sizes. */
+static struct psd
+median_curve(const struct prediction *p, size_t n)
+{
+	struct psd median = psd_copy(&p[0].curve);
+	double *v = xdoubles(n);
+	for (size_t s = 0; s < median.n; s++) {
+		for (size_t i = 0; i < n; i++)
+			v[i] = p[i].curve.passing[s];
+		median.passing[s] = range_of(v, n).middle;
+	}
+	free(v);
+	return median;
 }
 
 /* The curves over n products on the same sieves. */
@@ -123,15 +147,15 @@ spread(struct guess *guess, const struct prediction *p, size_t n)
 	double *v = xdoubles(n);
 	guess->feed = psd_copy(&p[0].feed);
 	guess->median = psd_copy(&p[0].product);
-	guess->least = psd_copy(&p[0].product);
-	guess->most = psd_copy(&p[0].product);
+	guess->low = psd_copy(&p[0].product);
+	guess->high = psd_copy(&p[0].product);
 	for (size_t s = 0; s < guess->median.n; s++) {
 		for (size_t i = 0; i < n; i++)
 			v[i] = p[i].product.passing[s];
 		struct guess_range range = range_of(v, n);
 		guess->median.passing[s] = range.middle;
-		guess->least.passing[s] = range.least;
-		guess->most.passing[s] = range.most;
+		guess->low.passing[s] = range.low;
+		guess->high.passing[s] = range.high;
 	}
 	for (size_t i = 0; i < n; i++)
 		v[i] = p[i].break_size;
@@ -150,9 +174,10 @@ guess_product(const struct site *site, size_t feed_run,
 		p[i] = predict(
 		    site, &m[pick[i]].params, m[pick[i]].settings, v, feed_run);
 	spread(&guess, p, n);
+	struct psd median = median_curve(p, n);
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		guess.size[i] =
-		    range_of_sizes(&guess.median, p, n, PSD_PASSING[i]);
+		guess.size[i] = range_of_sizes(&median, p, n, PSD_PASSING[i]);
+	psd_free(&median);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(p);
@@ -164,14 +189,19 @@ guess_free(struct guess *guess)
 {
 	psd_free(&guess->feed);
 	psd_free(&guess->median);
-	psd_free(&guess->least);
-	psd_free(&guess->most);
+	psd_free(&guess->low);
+	psd_free(&guess->high);
 }
 
-/* The error of the guess of one material, and of product = feed. */
-static void
+/* What leaving out one material shows. */
+struct trial {
+	double error, feed; /* of the guess, and of product = feed */
+	size_t cells, held; /* where the band has a width, and holds */
+};
+
+static struct trial
 guess_one(const struct guess_material *m, const size_t *pick, size_t n,
-    const struct guess_material *truth, double v, double *error, double *feed)
+    const struct guess_material *truth, double v)
 {
 	struct synth synth = {.top_size = truth->top_size,
 	    .params = truth->params,
@@ -179,51 +209,87 @@ guess_one(const struct guess_material *m, const size_t *pick, size_t n,
 	    .n_speed = 1,
 	    .speed = &v};
 	struct site *site = synth_site(&synth);
-	struct guess guess = guess_product(site, 0, m, pick, n, v);
+	struct guess g = guess_product(site, 0, m, pick, n, v);
 	struct prediction p =
 	    predict(site, &truth->params, truth->settings, v, 0);
-	*error =
-	    psd_rms(guess.median.passing, p.product.passing, p.product.n, NULL);
-	*feed = psd_rms(p.feed.passing, p.product.passing, p.product.n, NULL);
+	const double *P = p.product.passing;
+	struct trial trial = {
+	    .error = psd_rms(g.median.passing, P, p.product.n, NULL),
+	    .feed = psd_rms(p.feed.passing, P, p.product.n, NULL)};
+	for (size_t s = 0; s < p.product.n; s++) {
+		if (g.high.passing[s] - g.low.passing[s] < 1e-4)
+			continue;
+		trial.cells++;
+		trial.held +=
+		    P[s] >= g.low.passing[s] && P[s] <= g.high.passing[s];
+	}
 	prediction_free(&p);
-	guess_free(&guess);
+	guess_free(&g);
 	site_free(site);
+	return trial;
+}
+
+/* Marks what a guess of material i may not be made from.  False where others
+ * with its numbers were guessed before. */
+static bool
+leave_out_own(
+    const struct guess_material *m, size_t n, size_t i, bool *leave_out)
+{
+	bool first = true;
+	for (size_t j = 0; j < n; j++) {
+		bool same = same_numbers(&m[i], &m[j]);
+		first = first && !(same && j < i);
+		leave_out[j] = same || text_same(m[i].site, m[j].site);
+	}
+	return first;
 }
 
 struct guess_error
 guess_leave_one_out(
     const struct guess_material *m, size_t n, size_t nearest, double v)
 {
-	struct guess_error out = {.worst = -1};
+	struct guess_error out = {.worst = -1, .nearest = nearest};
 	bool *leave_out = xcalloc(n, sizeof *leave_out);
-	size_t *pick = xcalloc(nearest, sizeof *pick);
+	size_t *pick = xcalloc(nearest, sizeof *pick), cells = 0, held = 0;
 	double *error = xdoubles(n), *feed = xdoubles(n);
 	for (size_t i = 0; i < n; i++) {
-		bool twin = false;
-		for (size_t j = 0; j < n; j++) {
-			bool same = same_numbers(&m[i], &m[j]);
-			twin = twin || (same && j < i);
-			leave_out[j] = same || text_same(m[i].site, m[j].site);
-		}
+		if (!leave_out_own(m, n, i, leave_out))
+			continue;
 		size_t picked =
 		    guess_nearest(m, n, &m[i], leave_out, nearest, pick);
-		if (twin || picked == 0)
+		if (picked == 0)
 			continue;
-		guess_one(
-		    m, pick, picked, &m[i], v, &error[out.n], &feed[out.n]);
-		if (error[out.n] > out.worst) {
-			out.worst = error[out.n];
+		struct trial trial = guess_one(m, pick, picked, &m[i], v);
+		cells += trial.cells;
+		held += trial.held;
+		if (trial.error > out.worst) {
+			out.worst = trial.error;
 			out.worst_at = i;
 		}
-		out.n++;
+		feed[out.n] = trial.feed;
+		error[out.n++] = trial.error;
 	}
 	if (out.n > 0) {
 		out.median = range_of(error, out.n).middle;
 		out.feed = range_of(feed, out.n).middle;
+		out.held = cells > 0 ? (double)held / (double)cells : NAN;
 	}
 	free(leave_out);
 	free(pick);
 	free(error);
 	free(feed);
 	return out;
+}
+
+struct guess_choice
+guess_choose(const struct guess_material *m, size_t n, double v)
+{
+	struct guess_choice choice = {.all = guess_leave_one_out(m, n, n, v)};
+	choice.few = guess_leave_one_out(m, n, 1, v);
+	for (size_t k = 2; k + 1 < n; k++) {
+		struct guess_error e = guess_leave_one_out(m, n, k, v);
+		choice.few = e.median < choice.few.median ? e : choice.few;
+	}
+	choice.helps = choice.few.median < 0.8 * choice.all.median;
+	return choice;
 }

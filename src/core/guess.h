@@ -30,18 +30,22 @@ size_t guess_nearest(const struct guess_material *m, size_t n,
     const struct guess_material *wanted, const bool *leave_out, size_t most,
     size_t *pick);
 
-/* A value with its range over the materials; NAN where it lies below the finest
- * sieve, INFINITY for a break size where nothing breaks. */
+/* A value with its 80 % band over the materials; NAN where it lies below the
+ * finest sieve, INFINITY for a break size where nothing breaks. */
 struct guess_range {
-	double middle, least, most;
+	double middle, low, high;
 };
 
-/* Curves on the same sieves.  median, least, most: sieve by sieve over the
+/* Curves on the same sieves: median and 80 % band, sieve by sieve over the
  * products, one for each material.  p20, p50, p80, m: middle is read off the
- * median curve.  break_size, m: middle is the median. */
+ * median curve.  break_size, m: middle is the median.
+ *
+ * The band goes from place 0.1 (n + 1) to 0.9 (n + 1) among n values: another
+ * value of their kind lies between with a probability of 80 %, if n is 9 or
+ * more; of fewer the band is the least and the most, with (n - 1) / (n + 1). */
 struct guess {
 	double speed; /* m/s */
-	struct psd feed, median, least, most;
+	struct psd feed, median, low, high;
 	union {
 		struct {
 			struct guess_range p20, p50, p80, break_size;
@@ -59,10 +63,11 @@ void guess_free(struct guess *guess);
 
 /* How far such guesses err: RMSE of passing, 0..1, over the sieves.  n: how
  * many were guessed; worst_at: index of the worst; feed: the median error of
- * the guess that product = feed. */
+ * the guess that product = feed; held: share of the passings that lie within
+ * the band, where it has a width.  nearest: how many materials were used. */
 struct guess_error {
-	size_t n, worst_at;
-	double median, worst, feed;
+	size_t n, worst_at, nearest;
+	double median, worst, feed, held;
 };
 
 /* Leaves one site out at a time: guesses the product at v of each material from
@@ -72,5 +77,17 @@ struct guess_error {
  * guessed.  Each top size must be known. */
 struct guess_error guess_leave_one_out(
     const struct guess_material *m, size_t n, size_t nearest, double v);
+
+/* Whether it helps to know the rock and the top size: the errors of using all
+ * others and of the number of nearest ones with the smallest median error; true
+ * where that is less than 0.8 of the former's.  A smaller gain is no more than
+ * the best of so many numbers has by chance from 18 sites. */
+struct guess_choice {
+	struct guess_error all, few;
+	bool helps;
+};
+
+struct guess_choice guess_choose(
+    const struct guess_material *m, size_t n, double v);
 
 #endif

@@ -8,12 +8,25 @@
 
 #include "base/xalloc.h"
 
+enum {
+	DAMPED =
+	    40, /* evaluations after which damped steps give way to secants */
+	PATIENCE = 8 /* evaluations from one look at the rival to the next */
+};
+
+/* Shares of the misfit: that a step gains nothing; that a whole descent gained
+ * nothing; that there is a gradient all the same, as at a crease that no line
+ * search leaves. */
+static const double NO_GAIN = 1e-13, AT_REST = 1e-11, STEEP = 1e-9;
+/* The misfit of a fit without residuals. */
+static const double EXACT = 1e-24;
+
 struct polish {
 	struct misfit *misfit;
 	size_t n, width; /* of rows, the model's n */
 	double *r, *J, *r_try, *J_try;
-	/* The Jacobian's free columns and -r over the damping and 0. */
-	double (*A)[PARAMS_MOST + 1];
+	/* See damped_triangle. */
+	double (*A)[PARAMS_MOST + 1], top[PARAMS_MOST];
 	double scale[PARAMS_MOST]; /* largest column norms seen (More) */
 };
 
@@ -46,11 +59,11 @@ polish_free(struct polish *s)
 	free(s);
 }
 
-/* Marks the parameters that may move: not fixed, and not on a bound that the
- * gradient pushes against.  Returns how many. */
+/* Marks the parameters that may move: not fixed and not on a bound, unless the
+ * gradient leads away from there and these are let go.  Returns how many. */
 static size_t
 free_columns(const struct polish *s, const struct bounds *bounds,
-    const struct params *p, size_t column[PARAMS_MOST])
+    const struct params *p, bool let_go, size_t column[PARAMS_MOST])
 {
 	size_t n_free = 0;
 	for (size_t j = 0; j < s->width; j++) {
@@ -60,10 +73,11 @@ free_columns(const struct polish *s, const struct bounds *bounds,
 			gradient += s->r[i] * d;
 			norm += d * d;
 		}
-		bool held = bounds->lower[j] >= bounds->upper[j] ||
-			    (x <= bounds->lower[j] && gradient > 0) ||
-			    (x >= bounds->upper[j] && gradient < 0) ||
-			    !(norm > 0);
+		bool held =
+		    bounds->lower[j] >= bounds->upper[j] ||
+		    (x <= bounds->lower[j] && !(let_go && gradient <= 0)) ||
+		    (x >= bounds->upper[j] && !(let_go && gradient >= 0)) ||
+		    !(norm > 0);
 		if (!held)
 			column[n_free++] = j;
 	}
@@ -100,14 +114,13 @@ reflect(
 			A[i][k] -= A[i][c] * (along[k] / half);
 }
 
-/* x [n] with the least |A x - b|, where b is column n of A [rows], by
- * Householder's reflections; A is used up.  Of our own, because a library's
- * last bits differ between its versions and processors, and perturbations go on
- * from them. */
+/* Brings the first n columns of A [rows] to a triangle R by Householder's
+ * reflections: its diagonal is top [n], the rest stands above A's.  Column n
+ * goes through the same.  Of our own, because a library's last bits differ
+ * between its versions and processors, and perturbations go on from them. */
 static void
-least_squares(double (*A)[PARAMS_MOST + 1], size_t rows, size_t n, double *x)
+triangle(double (*A)[PARAMS_MOST + 1], size_t rows, size_t n, double *top)
 {
-	double top[PARAMS_MOST] = {0};
 	for (size_t c = 0; c < n; c++) {
 		double norm = 0;
 		for (size_t i = c; i < rows; i++)
@@ -116,20 +129,14 @@ least_squares(double (*A)[PARAMS_MOST + 1], size_t rows, size_t n, double *x)
 		if (norm > 0)
 			reflect(A, rows, c, n - c, top[c]);
 	}
-	for (size_t c = n; c-- > 0;) {
-		x[c] = A[c][n];
-		for (size_t k = c + 1; k < n; k++)
-			x[c] -= A[c][k] * x[k];
-		x[c] = top[c] != 0 ? x[c] / top[c] : 0;
-	}
 }
 
-/* Solves min |J d + r|^2 + damping |D d|^2 over the free columns. */
+/* The free columns of J over the damping, a triangle as above; behind them -r
+ * over 0, turned likewise. */
 static void
-damped_step(struct polish *s, const size_t *column, size_t n_free,
-    double damping, double step[PARAMS_MOST])
+damped_triangle(
+    struct polish *s, const size_t *column, size_t n_free, double damping)
 {
-	double x[PARAMS_MOST];
 	memset(s->A, 0, (s->n + n_free) * sizeof *s->A);
 	for (size_t i = 0; i < s->n; i++) {
 		for (size_t c = 0; c < n_free; c++)
@@ -138,10 +145,35 @@ damped_step(struct polish *s, const size_t *column, size_t n_free,
 	}
 	for (size_t c = 0; c < n_free; c++)
 		s->A[s->n + c][c] = sqrt(damping) * s->scale[column[c]];
-	least_squares(s->A, s->n + n_free, n_free, x);
+	triangle(s->A, s->n + n_free, n_free, s->top);
+}
+
+/* The step of all parameters whose free ones x solve R x = z [n_free]. */
+static void
+solve(const struct polish *s, const size_t *column, size_t n_free,
+    const double *z, double step[PARAMS_MOST])
+{
+	double x[PARAMS_MOST];
 	memset(step, 0, PARAMS_MOST * sizeof *step);
-	for (size_t c = 0; c < n_free; c++)
+	for (size_t c = n_free; c-- > 0;) {
+		x[c] = z[c];
+		for (size_t k = c + 1; k < n_free; k++)
+			x[c] -= s->A[c][k] * x[k];
+		x[c] = s->top[c] != 0 ? x[c] / s->top[c] : 0;
 		step[column[c]] = x[c];
+	}
+}
+
+/* Solves min |J d + r|^2 + damping |D d|^2 over the free columns. */
+static void
+damped_step(struct polish *s, const size_t *column, size_t n_free,
+    double damping, double step[PARAMS_MOST])
+{
+	double z[PARAMS_MOST];
+	damped_triangle(s, column, n_free, damping);
+	for (size_t c = 0; c < n_free; c++)
+		z[c] = s->A[c][n_free];
+	solve(s, column, n_free, z, step);
 }
 
 static struct params
@@ -157,76 +189,261 @@ moved(const struct params *p, const double step[PARAMS_MOST],
 	return q;
 }
 
-static void
-accept(struct polish *s)
+/* Whether a bound lies in the way of the step. */
+static bool
+is_cut(const struct params *p, const double step[PARAMS_MOST],
+    const struct bounds *bounds)
 {
-	double *r = s->r, *J = s->J;
-	s->r = s->r_try;
-	s->r_try = r;
-	s->J = s->J_try;
-	s->J_try = J;
+	for (size_t j = 0; j < breakage_of(p)->n; j++)
+		if (p->at[j] + step[j] < bounds->lower[j] ||
+		    p->at[j] + step[j] > bounds->upper[j])
+			return true;
+	return false;
 }
+
+/* A descent under way, from *p. */
+struct descent {
+	struct polish *s;
+	const struct bounds *bounds;
+	const struct polish_rival *rival;
+	struct params *p;
+	struct polish_result result;
+	int most;      /* evaluations */
+	int small;     /* gains of next to nothing in a row */
+	double before; /* misfit PATIENCE evaluations ago */
+	bool given_up;
+};
 
 /* Every PATIENCE evaluations: whether so far above the rival's misfit more of
  * such gains are of no use. */
-enum { PATIENCE = 8 };
 static bool
 is_hopeless(double before, double now, const struct polish_rival *rival)
 {
 	if (rival == NULL)
 		return false;
 	double above = now - rival->misfit;
-	return above < 1e-9 * rival->misfit ||
+	return fabs(above) < 1e-9 * rival->misfit ||
 	       rival->gains * (before - now) < above;
 }
 
-struct polish_result
-polish_run(struct polish *s, const struct bounds *bounds, int max_steps,
-    const struct polish_rival *rival, struct params *p)
+static bool
+has_ended(const struct descent *d)
+{
+	return d->result.converged || d->result.stopped || d->given_up ||
+	       d->result.evaluations >= d->most;
+}
+
+/* For what is at rest: above the rival it need not be known how surely. */
+static bool
+is_beaten(const struct descent *d)
+{
+	return d->rival != NULL && !(d->result.misfit < d->rival->misfit);
+}
+
+/* The misfit at q, its r and J kept for take(). */
+static double
+try(struct descent *d, const struct params *q)
+{
+	struct polish *s = d->s;
+	d->result.stopped = d->result.stopped || misfit_stopped(s->misfit);
+	if (d->result.evaluations % PATIENCE == 0) {
+		d->given_up = d->given_up || is_hopeless(d->before,
+						 d->result.misfit, d->rival);
+		d->before = d->result.misfit;
+	}
+	d->result.evaluations++;
+	return misfit_jacobian(s->misfit, q, s->r_try, s->J_try);
+}
+
+/* Goes on from q, tried last. */
+static void
+take(struct descent *d, const struct params *q, double trial)
+{
+	struct polish *s = d->s;
+	double *r = s->r, *J = s->J;
+	double gain = (d->result.misfit - trial) / d->result.misfit;
+	d->small = gain < NO_GAIN ? d->small + 1 : 0;
+	d->result.converged = trial < EXACT;
+	d->result.misfit = trial;
+	*d->p = *q;
+	s->r = s->r_try;
+	s->r_try = r;
+	s->J = s->J_try;
+	s->J_try = J;
+	update_scale(s);
+}
+
+/* Levenberg's and Marquardt's steps, until they gain nothing or a number of
+ * evaluations was made. */
+static void
+descend_damped(struct descent *d, int evaluations)
 {
 	const double least_damping = 1e-14, most_damping = 1e12;
-	double damping = 1e-2, grow = 2;
+	double damping = 1e-2, grow = 2, step[PARAMS_MOST];
 	size_t column[PARAMS_MOST];
-	int small = 0;
-	memset(s->scale, 0, sizeof s->scale);
-	struct polish_result result = {
-	    misfit_jacobian(s->misfit, p, s->r, s->J), 1, false, false};
-	double before = result.misfit;
-	while (result.evaluations < max_steps && !result.converged) {
-		result.stopped = misfit_stopped(s->misfit);
-		if (result.stopped)
+	while (!has_ended(d) && d->small < 3 && damping <= most_damping &&
+	       d->result.evaluations < evaluations) {
+		size_t n_free =
+		    free_columns(d->s, d->bounds, d->p, true, column);
+		d->result.converged = n_free == 0;
+		if (d->result.converged)
 			break;
-		if (result.evaluations % PATIENCE == 0) {
-			if (is_hopeless(before, result.misfit, rival))
-				break;
-			before = result.misfit;
-		}
-		update_scale(s);
-		size_t n_free = free_columns(s, bounds, p, column);
-		if (n_free == 0 || !isfinite(result.misfit)) {
-			result.converged = n_free == 0;
-			break;
-		}
-		double step[PARAMS_MOST];
-		damped_step(s, column, n_free, damping, step);
-		struct params q = moved(p, step, bounds);
-		double trial =
-		    misfit_jacobian(s->misfit, &q, s->r_try, s->J_try);
-		result.evaluations++;
-		if (!(trial < result.misfit)) {
+		damped_step(d->s, column, n_free, damping, step);
+		struct params q = moved(d->p, step, d->bounds);
+		double trial = try(d, &q);
+		if (trial < d->result.misfit) {
+			take(d, &q, trial);
+			damping = fmax(damping / 5, least_damping);
+			grow = 2;
+		} else {
 			damping *= grow;
 			grow *= 2;
-			result.converged = damping > most_damping;
-			continue;
 		}
-		double gain = (result.misfit - trial) / result.misfit;
-		small = gain < 1e-13 ? small + 1 : 0;
-		result.converged = small >= 3 || trial < 1e-28;
-		*p = q;
-		accept(s);
-		result.misfit = trial;
-		damping = fmax(damping / 5, least_damping);
-		grow = 2;
 	}
-	return result;
+}
+
+/* What a secant method knows of the valley, in z = R x with the triangle R of
+ * where it began: half the gradient, and the inverse of its derivative. */
+struct secant {
+	size_t n, column[PARAMS_MOST];
+	double g[PARAMS_MOST], H[PARAMS_MOST][PARAMS_MOST];
+};
+
+static void
+gradient(const struct polish *s, const struct secant *q, const double *r,
+    const double *J, double *g)
+{
+	for (size_t c = 0; c < q->n; c++) {
+		g[c] = 0;
+		for (size_t i = 0; i < s->n; i++)
+			g[c] += J[i * s->width + q->column[c]] * r[i];
+		for (size_t k = 0; k < c; k++)
+			g[c] -= s->A[k][c] * g[k];
+		g[c] = s->top[c] != 0 ? g[c] / s->top[c] : 0;
+	}
+}
+
+/* The inverse after a move dz that changed the gradient by dg. */
+static void
+update_secant(struct secant *q, const double *dz, const double *dg)
+{
+	double along = 0, across = 0, Hg[PARAMS_MOST] = {0};
+	for (size_t c = 0; c < q->n; c++) {
+		for (size_t k = 0; k < q->n; k++)
+			Hg[c] += q->H[c][k] * dg[k];
+		along += dz[c] * dg[c];
+		across += dg[c] * Hg[c];
+	}
+	if (!(along > 0))
+		return;
+	for (size_t c = 0; c < q->n; c++)
+		for (size_t k = 0; k < q->n; k++)
+			q->H[c][k] += ((1 + across / along) * dz[c] * dz[k] -
+					  Hg[c] * dz[k] - dz[c] * Hg[k]) /
+				      along;
+}
+
+/* A move of the secant method. */
+struct move {
+	double z[PARAMS_MOST], g[PARAMS_MOST]; /* as far as tried, and there */
+	bool cut;                              /* off by a bound */
+	bool rest;                             /* nothing to gain */
+};
+
+/* Looks along -H g for a point that is lower and less steep (Wolfe's weak
+ * conditions), by halving.  False where there is none. */
+static bool
+move_along(struct descent *d, const struct secant *q, struct move *m)
+{
+	double way[PARAMS_MOST] = {0}, slope = 0, step[PARAMS_MOST];
+	double low = 0, high = INFINITY, t = 1;
+	for (size_t c = 0; c < q->n; c++) {
+		for (size_t k = 0; k < q->n; k++)
+			way[c] -= q->H[c][k] * q->g[k];
+		slope += way[c] * q->g[c];
+	}
+	m->rest = -slope <= NO_GAIN * d->result.misfit;
+	for (int i = 0; i < 30 && !m->rest && !has_ended(d); i++) {
+		double there = 0;
+		for (size_t c = 0; c < q->n; c++)
+			m->z[c] = t * way[c];
+		solve(d->s, q->column, q->n, m->z, step);
+		struct params p = moved(d->p, step, d->bounds);
+		m->cut = is_cut(d->p, step, d->bounds);
+		double trial = try(d, &p);
+		gradient(d->s, q, d->s->r_try, d->s->J_try, m->g);
+		for (size_t c = 0; c < q->n; c++)
+			there += way[c] * m->g[c];
+		if (!(trial < d->result.misfit + 2e-4 * t * slope)) {
+			high = t;
+		} else if (!m->cut && there < 0.9 * slope) {
+			low = t;
+		} else {
+			take(d, &p, trial);
+			return true;
+		}
+		t = isinf(high) ? 2 * low : (low + high) / 2;
+	}
+	return false;
+}
+
+/* Goes on by a secant method (Broyden, Fletcher, Goldfarb, Shanno) from the
+ * identity, until it gains nothing or meets a bound.  It learns what J does not
+ * tell: where p(u) has a zero at small u, or all of p is small, most of the
+ * curvature is that of the residuals themselves, and it jumps where zeros come
+ * and go; there damped steps cross the valley to and fro for thousands.
+ * Returns whether it began at rest: without a gradient, and gained nothing. */
+static bool
+descend_by_secants(struct descent *d, struct secant *q)
+{
+	struct move m = {.cut = false};
+	double steep = 0, from = d->result.misfit;
+	damped_triangle(d->s, q->column, q->n, 1e-4);
+	gradient(d->s, q, d->s->r, d->s->J, q->g);
+	for (size_t c = 0; c < q->n; c++) {
+		q->H[c][c] = 1;
+		steep += q->g[c] * q->g[c];
+	}
+	while (move_along(d, q, &m) && !m.cut) {
+		double dg[PARAMS_MOST];
+		for (size_t c = 0; c < q->n; c++)
+			dg[c] = m.g[c] - q->g[c];
+		update_secant(q, m.z, dg);
+		memcpy(q->g, m.g, sizeof q->g);
+	}
+	bool idle = from - d->result.misfit <= AT_REST * from && !m.cut;
+	d->given_up = d->given_up || (idle && steep > STEEP * from) ||
+		      (m.rest && is_beaten(d));
+	return idle && !has_ended(d);
+}
+
+/* Parameters on a bound stay there until the others are at rest; only then does
+ * the gradient tell whether they would leave it. */
+static void
+descend_to_rest(struct descent *d)
+{
+	bool let_go = false;
+	while (!has_ended(d)) {
+		struct secant q = {0};
+		q.n = free_columns(d->s, d->bounds, d->p, let_go, q.column);
+		bool rest = descend_by_secants(d, &q);
+		d->result.converged = d->result.converged || (rest && let_go);
+		let_go = rest;
+	}
+}
+
+struct polish_result
+polish_run(struct polish *s, const struct bounds *bounds, int most,
+    const struct polish_rival *rival, struct params *p)
+{
+	struct descent d = {s, bounds, rival, p, .most = most};
+	memset(s->scale, 0, sizeof s->scale);
+	d.result.misfit = d.before = misfit_jacobian(s->misfit, p, s->r, s->J);
+	d.result.evaluations = 1;
+	d.given_up = !isfinite(d.result.misfit);
+	update_scale(s);
+	descend_damped(&d, DAMPED);
+	d.given_up = d.given_up || (d.small >= 3 && is_beaten(&d));
+	descend_to_rest(&d);
+	return d.result;
 }

@@ -17,7 +17,7 @@ void polish_free(struct polish *polish);
 struct polish_result {
 	double misfit;
 	int evaluations; /* of the misfit, derivatives included */
-	bool converged;  /* no step lowers it by more than 1e-13 of itself */
+	bool converged;  /* at rest: begun anew, it gains less than 1e-11 */
 	bool stopped;    /* by the misfit, on the way */
 };
 
@@ -27,17 +27,20 @@ struct polish_rival {
 	double gains; /* as many times its last gain it may still gain */
 };
 
-/* Lowers the misfit from *p within the bounds, at most max_steps steps;
+/* Lowers the misfit from *p within the bounds, with about `most` evaluations;
  * *p moves to the best found and never gets worse.  Gives up where it would
  * come to rest above the rival, or is within 1e-9 of it; NULL for no rival.
  *
  * Bounded least squares by Levenberg and Marquardt: parameters whose bound
  * stands in the way of descent are held, the rest take the damped Gauss-Newton
- * step (QR of the stacked Jacobian, GSL), cut off at the bounds. Source: More,
- * J. J. (1978), The Levenberg-Marquardt algorithm, in Numerical Analysis, LNM
- * 630; Kanzow, Yamashita, Fukushima (2004), J. Comput. Appl. Math. 172. */
+ * step (QR of the stacked Jacobian), cut off at the bounds.  Where that is
+ * slow, a secant method (BFGS) in the coordinates of that QR goes on from
+ * there.  Source: More, J. J. (1978), The Levenberg-Marquardt algorithm, in
+ * Numerical Analysis, LNM 630; Kanzow, Yamashita, Fukushima (2004), J. Comput.
+ * Appl. Math. 172; Lewis, Overton (2013), Nonsmooth optimization via
+ * quasi-Newton methods, Math. Program. 141. */
 struct polish_result polish_run(struct polish *polish,
-    const struct bounds *bounds, int max_steps,
-    const struct polish_rival *rival, struct params *p);
+    const struct bounds *bounds, int most, const struct polish_rival *rival,
+    struct params *p);
 
 #endif

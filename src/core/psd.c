@@ -84,6 +84,23 @@ psd_size(const struct psd *psd, double passing)
 	return only ? psd->size[0] : NAN;
 }
 
+size_t
+psd_gap(const struct psd *psd)
+{
+	const double factor = 2.5, least = 0.05;
+	size_t widest = psd->n;
+	double most = factor;
+	for (size_t i = 0; i + 1 < psd->n; i++) {
+		double ratio = psd->size[i] / psd->size[i + 1];
+		if (psd->passing[i] - psd->passing[i + 1] > least &&
+		    ratio > most * (1 + 1e-9)) {
+			widest = i;
+			most = ratio;
+		}
+	}
+	return widest;
+}
+
 bool
 psd_covers(const struct psd *psd, double x)
 {

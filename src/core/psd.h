@@ -39,6 +39,11 @@ double psd_size(const struct psd *psd, double passing);
 enum { PSD_SIZES = 3 };
 extern const double PSD_PASSING[PSD_SIZES];
 
+/* The sieve above the widest gap: the next finer one is finer by a factor of
+ * more than 2.5, and more than 5 points of passing lie between.  n where there
+ * is no such gap. */
+size_t psd_gap(const struct psd *psd);
+
 /* True when passing at x is known: x within the sieves or above them, or below
  * a finest sieve that passes nothing. */
 bool psd_covers(const struct psd *psd, double x);

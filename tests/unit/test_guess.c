@@ -106,11 +106,11 @@ one_material_gives_its_own_product(void **state)
 	for (size_t i = 0; i < p.product.n; i++) {
 		assert_true(guess.median.size[i] == p.product.size[i]);
 		assert_true(guess.median.passing[i] == p.product.passing[i]);
-		assert_true(guess.least.passing[i] == p.product.passing[i]);
-		assert_true(guess.most.passing[i] == p.product.passing[i]);
+		assert_true(guess.low.passing[i] == p.product.passing[i]);
+		assert_true(guess.high.passing[i] == p.product.passing[i]);
 	}
-	assert_true(guess.p50.middle == p.p50 && guess.p50.least == p.p50);
-	assert_true(guess.break_size.most == p.break_size);
+	assert_true(guess.p50.middle == p.p50 && guess.p50.low == p.p50);
+	assert_true(guess.break_size.high == p.break_size);
 	prediction_free(&p);
 	guess_free(&guess);
 	site_free(site);
@@ -141,14 +141,14 @@ the_median_lies_within_the_spread(void **state)
 				v[i] = p[i].product.passing[s];
 			qsort(v, n, sizeof *v, rising);
 			double middle = 0.5 * (v[(n - 1) / 2] + v[n / 2]);
-			assert_true(g.least.passing[s] == v[0]);
-			assert_true(g.most.passing[s] == v[n - 1]);
+			assert_true(g.low.passing[s] == v[0]);
+			assert_true(g.high.passing[s] == v[n - 1]);
 			expect_near(
 			    "median", g.median.passing[s], middle, 1e-15);
 		}
 		assert_true(keeps_rules(&g.median));
-		assert_true(g.p50.least <= g.p50.middle);
-		assert_true(g.p50.middle <= g.p50.most);
+		assert_true(g.p50.low <= g.p50.middle);
+		assert_true(g.p50.middle <= g.p50.high);
 		for (size_t i = 0; i < n; i++)
 			prediction_free(&p[i]);
 		guess_free(&g);
@@ -156,7 +156,7 @@ the_median_lies_within_the_spread(void **state)
 	site_free(site);
 }
 
-/* A P20 below the finest sieve of one material has no number for its least. */
+/* A P20 below the finest sieve of one material has no number for its low. */
 static void
 sizes_below_the_sieves_are_told(void **state)
 {
@@ -169,8 +169,8 @@ sizes_below_the_sieves_are_told(void **state)
 	memcpy(site->run[0].feed.passing, passing, sizeof passing);
 	nearest(t, "Granite", 11.2, 3);
 	struct guess g = guess_product(site, 0, t->m, t->pick, 3, 79);
-	assert_true(isnan(g.p20.least) && isnan(g.p20.most));
-	assert_true(isfinite(g.p80.least) && isfinite(g.p80.most));
+	assert_true(isnan(g.p20.low) && isnan(g.p20.high));
+	assert_true(isfinite(g.p80.low) && isfinite(g.p80.high));
 	guess_free(&g);
 	site_free(site);
 }
@@ -219,6 +219,49 @@ a_site_is_not_guessed_from_itself(void **state)
 	assert_true(e.median < e.worst && e.worst < e.feed);
 }
 
+/* Of the passings of sites left out, at each of these speeds and in all; of 5
+ * nearest materials the least and the most hold two thirds at best. */
+static void
+the_band_holds_four_of_five_left_out(void **state)
+{
+	struct table *t = *state;
+	double all = 0, five = 0;
+	for (double v = 65; v <= 85; v += 4) {
+		double held = guess_leave_one_out(t->m, N, N, v).held;
+		if (!(held >= 0.75 && held <= 0.9))
+			fail_msg("%g m/s: the band held %.3f", v, held);
+		all += held / 6;
+		five += guess_leave_one_out(t->m, N, 5, v).held / 6;
+	}
+	print_message("# the band held %.1f %%, of 5 nearest %.1f %%\n",
+	    100 * all, 100 * five);
+	expect_near("held", all, 0.8, 0.05);
+	assert_true(five < 0.7);
+}
+
+/* In Table 3 the rock tells nothing; where it tells all, the nearest are used.
+ */
+static void
+the_nearest_are_used_where_that_helps(void **state)
+{
+	struct table *t = *state;
+	struct guess_choice c = guess_choose(t->m, N, 74);
+	assert_false(c.helps);
+	assert_int_equal(c.all.nearest, N);
+	assert_true(c.few.nearest < N);
+	for (size_t i = 0; i < N; i++) {
+		bool soft = i % 2 == 0;
+		t->m[i].rock = soft ? "soft" : "hard";
+		t->m[i].top_size = 11.2e-3;
+		t->m[i].params.f_mat = soft ? 2 : 0.2 + 0.001 * (double)i;
+		t->m[i].params.e0_min = (soft ? 14 : 24) + 0.01 * (double)i;
+		t->m[i].params.alpha = 0.95;
+	}
+	c = guess_choose(t->m, N, 74);
+	assert_true(c.helps && c.few.nearest < 10);
+	assert_true(c.few.median < 0.2 * c.all.median);
+}
+
 int
 main(void)
 {
@@ -236,6 +279,10 @@ main(void)
 		leaving_one_out_errs_by_the_difference, fill, drop),
 	    cmocka_unit_test_setup_teardown(
 		a_site_is_not_guessed_from_itself, fill, drop),
+	    cmocka_unit_test_setup_teardown(
+		the_band_holds_four_of_five_left_out, fill, drop),
+	    cmocka_unit_test_setup_teardown(
+		the_nearest_are_used_where_that_helps, fill, drop),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -26,6 +26,21 @@ passing_is_read_straight_on_log_size(void **state)
 		}
 }
 
+/* Between 4 and 1 mm lies nothing, between 1 and 0.063 mm a quarter. */
+static void
+the_widest_gap_counts_where_mass_lies_in_it(void **state)
+{
+	(void)state;
+	assert_int_equal(psd_gap(&CURVE), 5);
+	struct psd upper = {6, SIZES, PASSINGS};
+	assert_int_equal(psd_gap(&upper), 6);
+	double size[] = {5, 2, 0.7}, passing[] = {1, 0.9, 0.5};
+	struct psd gaps = {2, size, passing};
+	assert_int_equal(psd_gap(&gaps), 2);
+	gaps.n = 3;
+	assert_int_equal(psd_gap(&gaps), 1);
+}
+
 static void
 outside_the_sieves_the_end_values_hold(void **state)
 {
@@ -248,6 +263,7 @@ main(void)
 	    cmocka_unit_test(rms_and_the_worst_sieve),
 	    cmocka_unit_test(exp_is_within_2_ulp),
 	    cmocka_unit_test(expm1_keeps_its_digits_near_0),
+	    cmocka_unit_test(the_widest_gap_counts_where_mass_lies_in_it),
 	    cmocka_unit_test(log_is_within_2e_15),
 	    cmocka_unit_test(powers_agree_with_the_c_library),
 	};
