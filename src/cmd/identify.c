@@ -90,7 +90,7 @@ add_rows(struct answer *r, const struct findings *f)
 		const struct identify_param *a = &f->param[j];
 		if (j == f->of->reference)
 			continue;
-		answer_cells(r, "%s %.4f %.4f %.0f %s",
+		answer_cells(r, "%s %.3f %.3f %.0f %s",
 		    f->of->parameter[j].name, a->mean, a->sd, 100 * a->ratio,
 		    f->of->parameter[j].unit);
 		answer_text(r, "%s%s", GRADES[a->grade],

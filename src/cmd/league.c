@@ -26,6 +26,7 @@ struct tried {
 /* A site with the cells of the runs that were held out, [n]. */
 struct ground {
 	const struct site *site;
+	size_t entry;
 	bool each; /* each speed in turn */
 	struct tried *model;
 	size_t n;
@@ -114,6 +115,7 @@ begin_site(struct session *s)
 		job_mark(site, false, s->job.train);
 	l->ground = xrealloc(l->ground, l->n + 1, sizeof *l->ground);
 	l->ground[l->n++] = (struct ground){.site = site,
+	    .entry = l->at,
 	    .model = xcalloc(breakage_count(), sizeof(struct tried))};
 	return true;
 }
@@ -216,11 +218,12 @@ find_noise(struct ground *g)
 
 /* What is said of one site, or of several together: models
  * [breakage_count()], whose misfits, parameters and AICc are added up; the runs
- * held out of all, and what the null models err there.  winner: the null model
- * that errs least where that is less than the best model errs, by more than
- * sampling explains; else VALIDATE_MODEL. */
+ * held out of all, and what the null models err there.  simplest: of those that
+ * remain, the one that the others extend, where they can be told.  winner: the
+ * null model that errs least where that is less than the best model errs, by
+ * more than sampling explains; else VALIDATE_MODEL. */
 struct verdict {
-	size_t n, cells, best, *parameters;
+	size_t n, cells, best, simplest, *parameters;
 	struct league_cell *cell;
 	struct league_model *model;
 	double *misfit, **predicted, *null[VALIDATE_WAYS];
@@ -300,6 +303,11 @@ verdict_of(const struct ground *g, size_t n)
 	v.can_tell = league_rank(v.model, models, v.cell, v.n);
 	while (v.model[v.best].standing != LEAGUE_BEST)
 		v.best++;
+	v.simplest = v.best;
+	for (size_t m = 0; m < models; m++)
+		if (v.model[m].standing == LEAGUE_POSSIBLE &&
+		    breakage_extends(v.simplest, m))
+			v.simplest = m;
 	v.ranked = isfinite(v.model[v.best].aicc) || v.n > 0;
 	const double *least = v.predicted[v.best];
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
@@ -354,6 +362,8 @@ put_verdict(struct fields *o, const struct verdict *v)
 	if (v->ranked)
 		fields_put(o, "best %s", BREAKAGES[v->best]->name);
 	fields_put(o, "can_tell %d", v->can_tell);
+	if (v->can_tell)
+		fields_put(o, "simplest %s", BREAKAGES[v->simplest]->name);
 	if (v->winner != VALIDATE_MODEL)
 		fields_put(o, "beaten_by %s", NULLS[v->winner].key);
 }
@@ -396,11 +406,10 @@ say_verdict(struct answer *r, const struct verdict *v)
 	const char *best = BREAKAGES[v->best]->name;
 	if (v->can_tell)
 		answer_note(r,
-		    "the data can tell the models apart: %s is the best%s%s%s",
-		    best, out[0] ? "; they rule out " : "", out,
-		    open[0] ? "; the others are the same law with more or "
-			      "fewer parameters"
-			    : "");
+		    "the data can tell the models apart: %s%s remain%s%s%s",
+		    BREAKAGES[v->simplest]->name,
+		    open[0] ? " and what extends it" : "", open[0] ? "" : "s",
+		    out[0] ? "; they rule out " : "", out);
 	else if (!v->ranked)
 		answer_note(r, "the data cannot rank the models: no AICc and "
 			       "no hold-out error");
@@ -464,7 +473,7 @@ one_answer(const struct ground *g)
 
 /* A row a site, and all of them together. */
 static struct answer *
-all_answer(const struct league *l)
+all_answer(const struct session *s, const struct league *l)
 {
 	struct answer *r = answer_new("league");
 	struct fields *sites = fields_list(answer_fields(r), "sites");
@@ -479,7 +488,8 @@ all_answer(const struct league *l)
 		struct verdict v =
 		    g != NULL ? verdict_of(g, 1) : verdict_of(l->ground, l->n);
 		char *open = names_of(&v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
-		answer_text(r, "%s", g != NULL ? g->site->name : "all");
+		const char *key = g != NULL ? s->entry[g->entry].key : "all";
+		answer_text(r, "%s", key);
 		answer_cells(r, "%s %.2f %.2f %s", BREAKAGES[v.best]->name,
 		    100 * v.model[v.best].rmse,
 		    100 * v.rmse[VALIDATE_INTERPOLATION],
@@ -487,7 +497,7 @@ all_answer(const struct league *l)
 		answer_text(r, "%s", open);
 		if (g != NULL) {
 			struct fields *own = fields_object(sites, NULL);
-			fields_put(own, "site %s", g->site->name);
+			fields_put(own, "site %s key %s", g->site->name, key);
 			put_verdict(own, &v);
 			site_add_source(&about, g->site);
 		} else {
@@ -509,7 +519,8 @@ end_league(struct session *s, void *of)
 	struct league *l = of;
 	for (size_t i = 0; i < l->n; i++)
 		find_noise(&l->ground[i]);
-	session_answer(s, l->all ? all_answer(l) : one_answer(&l->ground[0]));
+	session_answer(
+	    s, l->all ? all_answer(s, l) : one_answer(&l->ground[0]));
 	league_drop(l);
 }
 
