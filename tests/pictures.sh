@@ -12,7 +12,8 @@ if "$TIPSPEED" -c version | grep -q 'without cairo'; then
 	result $? "without cairo: svg is drawn, png refused"
 	finish
 fi
-kinds='psd parity convergence spread residuals selection appearance map sweep'
+kinds='psd parity convergence spread residuals selection appearance map sweep
+profile correlation'
 for kind in $kinds; do
 	for form in svg png pdf txt csv; do
 		echo "plot $kind > $kind.$form"

@@ -20,11 +20,13 @@ announce(struct session *s)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	const struct calibrate_options *o = &s->job.options;
+	size_t model = o->settings.breakage;
 	char *train = session_speeds(entry->site, ", ", s->job.train, true);
 	char *holdout = session_speeds(entry->site, ", ", s->job.train, false);
-	session_note(s, "calibrating %s on %s m/s%s%s%s", entry->site->name,
+	session_note(s, "calibrating %s on %s m/s%s%s%s%s%s", entry->site->name,
 	    train, holdout[0] != '\0' ? " (held out: " : "", holdout,
-	    holdout[0] != '\0' ? ")" : "");
+	    holdout[0] != '\0' ? ")" : "", model > 0 ? ", model " : "",
+	    model > 0 ? BREAKAGES[model]->name : "");
 	session_note(s,
 	    "  population %zu, generations %zu, tolerance %g, stall %zu, "
 	    "polish %s, seed %llu, threads %u",
@@ -83,6 +85,37 @@ job_mark(const struct site *site, bool all, bool *train)
 	for (size_t r = 0; r < site->n_run; r++)
 		n += train[r] = misfit_covered(&site->run[r]) > 0;
 	return n;
+}
+
+size_t
+job_speeds(const struct site *site)
+{
+	size_t n = 0;
+	double last = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (misfit_covered(&site->run[r]) == 0)
+			continue;
+		n += site->run[r].speed != last;
+		last = site->run[r].speed;
+	}
+	return n;
+}
+
+bool
+job_hold_out(const struct site *site, double *speed, bool *train)
+{
+	size_t next = 0;
+	while (next < site->n_run && (site->run[next].speed <= *speed ||
+					 misfit_covered(&site->run[next]) == 0))
+		next++;
+	if (next == site->n_run)
+		return false;
+	*speed = site->run[next].speed;
+	job_mark(site, true, train);
+	for (size_t r = 0; r < site->n_run; r++)
+		if (site->run[r].speed == *speed)
+			train[r] = false;
+	return true;
 }
 
 /* Keeps the job's generations and its misfit in its site. */
@@ -231,7 +264,7 @@ end_alone(struct session *s, void *of)
 }
 
 static const struct rounds ALONE = {
-    next_alone, take_alone, end_alone, free, true, true};
+    next_alone, take_alone, end_alone, free, true, NULL};
 
 /* What `calibrate all` adds up. */
 struct every {
@@ -296,7 +329,7 @@ end_every(struct session *s, void *of)
 }
 
 static const struct rounds EVERY = {
-    next_every, take_every, end_every, drop_every, false, true};
+    next_every, take_every, end_every, drop_every, false, NULL};
 
 static void
 end_rounds(struct session *s)
@@ -348,9 +381,10 @@ session_pause(struct session *s)
 {
 	if (!session_busy(s))
 		return;
-	if (!s->job.rounds->partial) {
+	const char *useless = s->job.rounds->useless;
+	if (useless != NULL) {
 		session_stop(s);
-		session_note(s, "stopped before all speeds were predicted");
+		session_note(s, "%s", useless);
 		return;
 	}
 	struct calibrate_status st = calibration_status(s->job.calibration);

@@ -15,8 +15,10 @@ struct rounds {
 	/* All rounds have, or ^C ended them: answers, and owns `of`. */
 	void (*end)(struct session *s, void *of);
 	void (*drop)(void *of); /* without an answer; `of` or NULL */
-	bool alone;   /* one calibration, to be watched and continued */
-	bool partial; /* what a stopped one has found is of use */
+	bool alone; /* one calibration, to be watched and continued */
+	/* What to say of a stopped one, of which nothing is of use; NULL: what
+	 * it has found is. */
+	const char *useless;
 };
 
 /* The options of a plain `calibrate` in this session. */
@@ -30,6 +32,15 @@ bool job_start(struct session *s, const struct job *job);
 /* Marks every run with a product that its feed covers (all), or the slowest and
  * the fastest speed, in train [n_run].  Returns how many. */
 size_t job_mark(const struct site *site, bool all, bool *train);
+
+/* How many speeds have a product that the feed covers; to hold out each in turn
+ * takes so many, as two at least are to be left. */
+enum { JOB_FOR_EACH = 3 };
+size_t job_speeds(const struct site *site);
+
+/* Moves on to the next of these speeds, 0 being before the first, and marks the
+ * runs at the others in train.  False where there is none left. */
+bool job_hold_out(const struct site *site, double *speed, bool *train);
 
 /* One step of the job; prints its result and ends it when it is done. */
 void session_step(struct session *s);

@@ -32,6 +32,7 @@ read_request(const struct session *s, const struct args *args,
 	request->other_speed = other->given ? other->number : NAN;
 	request->crosshair_mm = at->given ? at->number : NAN;
 	request->beside = args_value(args, "beside")->text;
+	request->param = args_value(args, "param")->text;
 	if (args_value(args, "feed")->given && s->n_entry > 0) {
 		const struct site *site = s->entry[s->current].site;
 		size_t run;
@@ -84,6 +85,31 @@ add_whose(struct answer *r, const struct chart_series *series, size_t i)
 	    whose != NULL ? whose[i].about : "");
 }
 
+static const char *
+tick_at(const struct axis *axis, double at)
+{
+	size_t i = 0;
+	while (axis->tick[i].at != at)
+		i++;
+	return axis->tick[i].label;
+}
+
+/* Of fields the names beside and below, and the value. */
+static void
+add_fields(struct answer *r, const struct chart *chart)
+{
+	answer_columns(r, "parameter, with, correlation");
+	for (size_t i = 0; i < chart->n; i++)
+		for (size_t j = 0; j < chart->series[i].n; j++) {
+			const struct chart_series *p = &chart->series[i];
+			if (!isnan(p->field[j].value))
+				answer_cells(r, "%s %s %g",
+				    tick_at(&chart->y, p->y[j]),
+				    tick_at(&chart->x, p->x[j]),
+				    p->field[j].value);
+		}
+}
+
 /* The numbers of a chart: one row a point. */
 static struct answer *
 chart_answer(const struct session *s, const struct chart *chart)
@@ -98,6 +124,10 @@ chart_answer(const struct session *s, const struct chart *chart)
 		answer_site(r,
 		    s->n_entry > 0 ? s->entry[s->current].site->name : "",
 		    chart->about);
+	if (chart->n > 0 && chart->series[0].field != NULL) {
+		add_fields(r, chart);
+		return r;
+	}
 	char *x = key_of(&chart->x), *y = key_of(&chart->y);
 	answer_columns(r, "series");
 	answer_column(r, x, chart->x.title);
@@ -285,8 +315,10 @@ say_axes(struct tale *t)
 {
 	const struct axis *axes[] = {&t->chart->x, &t->chart->y};
 	static const char *const ways[] = {"Across", "Up"};
-	bool rows = t->kind == PLOT_SPREAD; /* one row a parameter */
-	for (size_t i = 0; i < ARRAY_LEN(axes) - rows; i++)
+	size_t named = t->kind == PLOT_SPREAD        ? 1
+		       : t->kind == PLOT_CORRELATION ? 2
+						     : 0; /* by parameters */
+	for (size_t i = 0; i < ARRAY_LEN(axes) - named; i++)
 		answer_note(t->answer, "%s: %s, from %.4g to %.4g%s", ways[i],
 		    axes[i]->title, axes[i]->low, axes[i]->high,
 		    axes[i]->log ? " on a log scale" : "");
@@ -375,6 +407,31 @@ say_spread(struct tale *t)
 	}
 }
 
+/* The pairs that stand out, each once. */
+static void
+say_fields(struct tale *t)
+{
+	const double worth_saying = 0.5;
+	const struct chart *c = t->chart;
+	for (size_t i = 0; i < c->n; i++) {
+		const struct chart_series *s = &c->series[i];
+		char *list = xstrdup("");
+		for (size_t j = 0; j < s->n; j++)
+			if (fabs(s->field[j].value) >= worth_saying &&
+			    s->x[j] + s->y[j] < (double)c->y.n + 1)
+				xlist(&list, ", ", "%s and %s %s",
+				    tick_at(&c->x, s->x[j]),
+				    tick_at(&c->y, s->y[j]), s->field[j].label);
+		if (list[0] != '\0')
+			answer_note(t->answer, "%s: %s", s->name, list);
+		free(list);
+	}
+	answer_note(t->answer,
+	    "All other pairs of the %zu parameters are "
+	    "below %g",
+	    c->x.n, worth_saying);
+}
+
 /* Where the last curve, which lies on top, is furthest from another. */
 static void
 say_difference(struct tale *t, const struct chart_series *other)
@@ -431,6 +488,8 @@ cmd_describe(struct session *s, const struct args *args, struct error *error)
 	say_axes(&t);
 	if (request.kind == PLOT_SPREAD)
 		say_spread(&t);
+	else if (request.kind == PLOT_CORRELATION)
+		say_fields(&t);
 	else
 		say_series(&t);
 	for (size_t i = 0; i < chart->n_rule; i++)

@@ -4,7 +4,6 @@
 #include "cmd/plots.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,6 +11,8 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
+#include "cmd/plots_draws.h"
+#include "cmd/site_chart.h"
 #include "cmd/entries.h"
 #include "core/elementary.h"
 #include "core/breakage.h"
@@ -99,26 +100,6 @@ plots_params(const struct session *s, const struct plot_request *request,
 		return false;
 	*params = entry->params;
 	return true;
-}
-
-/* Title "Tierp, Granite, 11.2 mm: ..." and where the site's data are from; it
- * takes the axes. */
-static struct chart *__attribute__((format(printf, 4, 5)))
-site_chart(const struct site *site, struct axis x, struct axis y,
-    const char *format, ...)
-{
-	va_list ap;
-	va_start(ap, format);
-	char *words = xvasprintf(format, ap), *label = session_label(site);
-	va_end(ap);
-	char *title = xasprintf("%s: %s", label, words);
-	char *about = site_source(site, "provenance not stated");
-	struct chart *c = chart_new(title, about, x, y);
-	free(about);
-	free(words);
-	free(title);
-	free(label);
-	return c;
 }
 
 struct chart_series
@@ -935,6 +916,21 @@ map_chart(struct session *s, const struct plot_request *q, struct error *error)
 	return chart;
 }
 
+static struct chart *
+profile_chart(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	return plots_draws_profile(s, q->param, error);
+}
+
+static struct chart *
+correlation_chart(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	(void)q;
+	return plots_draws_correlation(s, error);
+}
+
 struct chart *
 plots_chart(
     struct session *s, const struct plot_request *request, struct error *error)
@@ -951,7 +947,9 @@ plots_chart(
 	    [PLOT_SELECTION] = {selection_chart, false},
 	    [PLOT_APPEARANCE] = {appearance_chart, false},
 	    [PLOT_MAP] = {map_chart, true},
-	    [PLOT_SWEEP] = {sweep_chart, false}};
+	    [PLOT_SWEEP] = {sweep_chart, false},
+	    [PLOT_PROFILE] = {profile_chart, false},
+	    [PLOT_CORRELATION] = {correlation_chart, false}};
 	if (!KINDS[request->kind].any_site &&
 	    !session_need_site(s, "this plot", error))
 		return NULL;

@@ -18,13 +18,15 @@ enum plot_kind {
 	PLOT_SELECTION,
 	PLOT_APPEARANCE,
 	PLOT_MAP,
-	PLOT_SWEEP
+	PLOT_SWEEP,
+	PLOT_PROFILE,
+	PLOT_CORRELATION
 };
 
 /* In the order of the enum, a space between two. */
 #define PLOT_KINDS                                                      \
 	"psd parity convergence spread residuals selection appearance " \
-	"map sweep"
+	"map sweep profile correlation"
 
 struct plot_request {
 	enum plot_kind kind;
@@ -50,6 +52,7 @@ struct plot_request {
 			 * change with the speed */
 	size_t n_speed; /* sweep: speeds [n_speed]; 0: answers_speeds */
 	const double *speeds;
+	const char *param; /* profile: of this parameter; NULL: e0_min */
 	double feed_speed; /* psd, sweep: take the feed sampled at this speed;
 			    * 0: the nearest one, of sweep to the middle */
 };

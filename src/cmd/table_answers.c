@@ -192,6 +192,36 @@ const struct command TABLE_ANSWERS[] = {
 	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate\n"
 		   "validate sieves=on\nvalidate holdout=each",
 	.run = cmd_validate},
+    {.name = "league",
+	.brief = "compare all breakage models on the site's runs",
+	.operands = {"[all]", {"all"}, 0, 1},
+	.flags = COMMAND_AT_SITE,
+	.text =
+	    "Calibrates each breakage model, with and without a bypass, on the "
+	    "training runs, and shows for each the misfit, how many "
+	    "parameters were free, AICc (lower is better) and the RMSE at the "
+	    "held-out runs, beside predictions that need no model. If no run "
+	    "is held out, each speed is held out in turn where there are three "
+	    "or more. Reports which models the data rule out and whether they "
+	    "can tell the models apart; see COMPARING MODELS in "
+	    "tipspeed-model(7). The fit in use stays. 'league all' does it for "
+	    "all loaded sites and adds up the results.",
+	.example = "load data/sites/tierp.csv\nleague",
+	.run = cmd_league},
+    {.name = "identify",
+	.brief = "what the data determine, and what they do not",
+	.flags = COMMAND_AT_SITE,
+	.text =
+	    "Reads off the draws of the uncertainty which parameters the data "
+	    "determine: the standard deviation of the draws in per cent of "
+	    "that before the data (below 10: determined, below 50: poorly, "
+	    "else they cannot be told), the break size at each measured "
+	    "speed, the parameters that lie at a bound or compensate for each "
+	    "other, and whether the threshold is bounded from above only. Ends "
+	    "in one sentence. plot correlation and plot profile draw it; see "
+	    "IDENTIFIABILITY in tipspeed-model(7).",
+	.example = "load data/sites/tierp.csv\ncalibrate\nidentify",
+	.run = cmd_identify},
     {.name = "why",
 	.brief = "explain the numbers at a speed",
 	.flags = COMMAND_AT_SITE,

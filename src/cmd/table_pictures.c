@@ -17,6 +17,8 @@
 		"cover the runs"},                                             \
 	    {"band", VALUE_CHOICE, "", 0, 0, "off on", "off",                  \
 		"psd: shade the 80 % uncertainty band"},                       \
+	    {"param", VALUE_TEXT, "", 0, 0, "PARAMETER", "",                   \
+		"profile: the parameter; default e0_min"},                     \
 	    {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",                    \
 		"psd: draw a line at this size and show the passings there"},  \
 	{                                                                      \
@@ -66,7 +68,10 @@ const struct command TABLE_PICTURES[] = {
 	    "the selection function, how much of each size breaks (Eq 3); "
 	    "appearance: the appearance function, the sizes it breaks into (Eq "
 	    "1); map: the materials of the store by rock type; sweep: products "
-	    "at several speeds. Marks and dashes distinguish the lines, with "
+	    "at several speeds; profile: what the data say of one parameter, "
+	    "by the misfit with the others refitted and by the draws; "
+	    "correlation: of the draws of all parameters. Marks and dashes "
+	    "distinguish the lines, with "
 	    "and without colour. charset=auto draws with braille dots on a "
 	    "UTF-8 terminal, otherwise with ASCII characters. After >, a file "
 	    "whose name ends in .svg, .png or .pdf becomes a publication "

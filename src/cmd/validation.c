@@ -399,23 +399,6 @@ note_run(struct answer *r, const struct compared *item, double level)
 		    v->n_left_out);
 }
 
-/* Speeds with a product that the feed covers. */
-static size_t
-count_speeds(const struct site *site)
-{
-	size_t n = 0;
-	double last = 0;
-	for (size_t r = 0; r < site->n_run; r++) {
-		if (misfit_covered(&site->run[r]) == 0)
-			continue;
-		n += site->run[r].speed != last;
-		last = site->run[r].speed;
-	}
-	return n;
-}
-
-enum { FOR_EACH = 3 }; /* two speeds at least are left to calibrate on */
-
 /* Of one site. */
 static struct answer *
 run_answer(struct session *s, const struct comparison *c)
@@ -437,7 +420,7 @@ run_answer(struct session *s, const struct comparison *c)
 		note_run(r, &c->item[i], c->level);
 	if (c->n == 0)
 		answer_say(r, ANSWER_REMARK,
-		    count_speeds(site) < FOR_EACH
+		    job_speeds(site) < JOB_FOR_EACH
 			? "no run was held out; measure another speed to test "
 			  "the model"
 			: "no run was held out: 'validate holdout=each' holds "
@@ -600,24 +583,15 @@ next_speed(struct session *s)
 	struct comparison *c = s->job.of;
 	for (; c->at < c->end; c->at++, c->speed = 0) {
 		const struct site *site = s->entry[c->at].site;
-		bool enough = count_speeds(site) >= FOR_EACH;
-		size_t next = 0;
-		while (next < site->n_run &&
-		       (site->run[next].speed <= c->speed ||
-			   misfit_covered(&site->run[next]) == 0))
-			next++;
-		c->left_out += !enough;
-		if (!enough || next == site->n_run)
+		if (job_speeds(site) < JOB_FOR_EACH) {
+			c->left_out++;
 			continue;
-		c->speed = site->run[next].speed;
+		}
 		free(s->job.train);
 		s->job.train = xcalloc(site->n_run, sizeof *s->job.train);
-		job_mark(site, true, s->job.train);
-		for (size_t r = 0; r < site->n_run; r++)
-			if (site->run[r].speed == c->speed)
-				s->job.train[r] = false;
 		s->job.entry = c->at;
-		return true;
+		if (job_hold_out(site, &c->speed, s->job.train))
+			return true;
 	}
 	return false;
 }
@@ -656,8 +630,8 @@ end_speeds(struct session *s, void *of)
 	comparison_drop(c);
 }
 
-static const struct rounds EACH = {
-    next_speed, take_speed, end_speeds, comparison_drop, false, false};
+static const struct rounds EACH = {next_speed, take_speed, end_speeds,
+    comparison_drop, false, "stopped before all speeds were predicted"};
 
 /* Calibrates without each speed in turn; c is the job's. */
 static bool

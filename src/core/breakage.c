@@ -42,20 +42,43 @@ breakage_find(const char *name)
 	return i;
 }
 
+/* Whether a model has the parameters of another. */
+static bool
+has_all(size_t wide, size_t narrow)
+{
+	const struct breakage *of = BREAKAGES[narrow];
+	size_t j = 0;
+	while (j < of->n && breakage_parameter(BREAKAGES[wide],
+				of->parameter[j].name) < BREAKAGES[wide]->n)
+		j++;
+	return j == of->n;
+}
+
+bool
+breakage_extends(size_t wide, size_t narrow)
+{
+	return wide != narrow && has_all(wide, narrow);
+}
+
+struct params
+breakage_widened(const struct params *p, size_t wide)
+{
+	struct params q = params_start(wide);
+	for (size_t i = 0; i < breakage_of(p)->n; i++) {
+		const char *name = breakage_of(p)->parameter[i].name;
+		q.at[breakage_parameter(BREAKAGES[wide], name)] = p->at[i];
+	}
+	return q;
+}
+
 size_t
 breakage_wider(size_t breakage)
 {
-	const struct breakage *of = BREAKAGES[breakage];
-	for (size_t i = 0; i < breakage_count(); i++) {
-		const struct breakage *wide = BREAKAGES[i];
-		size_t j = 0;
-		while (j < of->n && breakage_parameter(
-					wide, of->parameter[j].name) < wide->n)
-			j++;
-		if (j == of->n && wide->reference < wide->n &&
-		    wide->bypass == of->bypass)
+	for (size_t i = 0; i < breakage_count(); i++)
+		if (has_all(i, breakage) &&
+		    BREAKAGES[i]->reference < BREAKAGES[i]->n &&
+		    BREAKAGES[i]->bypass == BREAKAGES[breakage]->bypass)
 			return i;
-	}
 	return breakage;
 }
 

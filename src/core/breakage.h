@@ -108,6 +108,13 @@ const char *breakage_names(void);
 /* Index of the model of that name, or breakage_count(). */
 size_t breakage_find(const char *name);
 
+/* Whether a model has all parameters of another, and others beside them that
+ * change nothing at their start. */
+bool breakage_extends(size_t wide, size_t narrow);
+
+/* Parameters of a model in one that extends it, the others at their start. */
+struct params breakage_widened(const struct params *p, size_t wide);
+
 /* Index of the model that has all parameters of another and lets the appearance
  * follow the energy (D12); the model itself where there is none. */
 size_t breakage_wider(size_t breakage);

@@ -154,6 +154,45 @@ begin_nested(struct calibration *c)
 	}
 }
 
+/* The gauge may be scaled as it likes (D4).  At half the largest size its
+ * bounds allow, perturbations reach every direction alike. */
+static void
+centre_gauge(const struct bounds *b, struct params *p)
+{
+	double reach = INFINITY;
+	size_t gauge = breakage_of(p)->gauge;
+	for (size_t j = 0; j < gauge; j++)
+		reach = fmin(reach, fmin(b->upper[j], -b->lower[j]));
+	if (!(reach > 0))
+		return;
+	params_scale(p);
+	for (size_t j = 0; j < gauge; j++)
+		p->at[j] *= reach / 2;
+}
+
+/* The same gauge, scaled so that as little as possible is cut off (D4). */
+static void
+bring(const struct bounds *b, struct params *p)
+{
+	centre_gauge(b, p);
+	for (size_t j = 0; j < breakage_of(p)->n; j++)
+		p->at[j] = fmin(fmax(p->at[j], b->lower[j]), b->upper[j]);
+}
+
+/* Leaves the first phase out, of which the best is known.  To polish at once
+ * was the other way, a third quicker: of 32 fits to plants with gamma one ended
+ * at 3.6 times the lowest misfit. */
+static void
+begin_at(struct calibration *c, const struct params *start)
+{
+	c->best = breakage_widened(start, c->options.settings.breakage);
+	c->nested = false;
+	c->box = c->options.bounds;
+	bring(&c->box, &c->best);
+	c->best_misfit = misfit_at(c->misfit, &c->best);
+	c->start[c->n_start++] = c->best;
+}
+
 struct calibration *
 calibration_new(
     const struct site *site, const struct calibrate_options *options)
@@ -161,6 +200,7 @@ calibration_new(
 	struct calibration *c = xcalloc(1, sizeof *c);
 	struct ga_options ga = ga_options_default();
 	c->options = *options;
+	c->best_misfit = INFINITY;
 	c->pool = pool_new(options->threads);
 	c->site_digest = site->digest;
 	c->misfit = calibrate_misfit(site, options);
@@ -175,6 +215,8 @@ calibration_new(
 	if (ga.elite > ga.population / 4)
 		ga.elite = ga.population / 4;
 	begin_nested(c);
+	if (options->start != NULL)
+		begin_at(c, options->start);
 	c->ga = ga_new(&ga, c->misfit->of->n, c->box.lower, c->box.upper);
 	for (size_t i = 0; i < BATCH; i++) {
 		c->worker[i].misfit = calibrate_misfit(site, options);
@@ -182,7 +224,6 @@ calibration_new(
 	}
 	c->told = xdoubles(options->population);
 	c->stall_from = INFINITY;
-	c->best_misfit = INFINITY;
 	return c;
 }
 
@@ -413,22 +454,6 @@ hold(const struct calibration *c, size_t number, struct worker *w)
 	return true;
 }
 
-/* The gauge may be scaled as it likes (D4).  At half the largest size its
- * bounds allow, perturbations reach every direction alike. */
-static void
-centre_gauge(const struct bounds *b, struct params *p)
-{
-	double reach = INFINITY;
-	size_t gauge = breakage_of(p)->gauge;
-	for (size_t j = 0; j < gauge; j++)
-		reach = fmin(reach, fmin(b->upper[j], -b->lower[j]));
-	if (!(reach > 0))
-		return;
-	params_scale(p);
-	for (size_t j = 0; j < gauge; j++)
-		p->at[j] *= reach / 2;
-}
-
 static void
 take_polished(struct calibration *c, const struct worker *w, bool perturbing)
 {
@@ -521,15 +546,6 @@ calibration_step(struct calibration *c)
 	else if (c->state == CALIBRATE_POLISHING)
 		polish_batch(c);
 	return c->state;
-}
-
-/* The same gauge, scaled so that as little as possible is cut off (D4). */
-static void
-bring(const struct bounds *b, struct params *p)
-{
-	centre_gauge(b, p);
-	for (size_t j = 0; j < breakage_of(p)->n; j++)
-		p->at[j] = fmin(fmax(p->at[j], b->lower[j]), b->upper[j]);
 }
 
 void

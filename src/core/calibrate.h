@@ -29,6 +29,9 @@ struct calibrate_options {
 	const bool *train;
 	const double *run_weight;
 	bool by_sd;
+	/* What a model that this one extends was calibrated to, on the same
+	 * runs: it is not calibrated again.  NULL: none. */
+	const struct params *start;
 	bool plain;         /* a textbook genetic algorithm, as in the paper */
 	bool (*stop)(void); /* or NULL; see calibration_step */
 };

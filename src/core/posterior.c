@@ -778,6 +778,7 @@ posterior_new(const struct site *site, const struct params *fit,
 	struct misfit *m = misfit_new(site, o->use, NULL, false, o->settings);
 	p->settings = o->settings;
 	p->fit = widen(fit, mean_energy(m), &p->settings, &bounds);
+	p->bounds = bounds;
 	misfit_free(m);
 	m = misfit_new(site, o->use, NULL, false, p->settings);
 	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);

@@ -23,11 +23,12 @@ struct posterior_draw {
 };
 
 /* settings: the model of the draws, which lets the appearance follow the energy
- * where there is such a one (D12).  fit: the optimum it was told, in that
- * model. */
+ * where there is such a one (D12).  fit, bounds: the optimum it was told and
+ * what it keeps within, in that model. */
 struct posterior {
 	struct model_settings settings;
 	struct params fit;
+	struct bounds bounds;
 	size_t n_cell;
 	double middle; /* ln of the mean energy, J/kg, where t is 0 */
 	size_t n_knot;

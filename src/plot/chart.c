@@ -36,6 +36,9 @@ chart_free(struct chart *chart)
 			free(s->whose[j].about);
 		}
 		free(s->whose);
+		for (size_t j = 0; j < s->n && s->field != NULL; j++)
+			free(s->field[j].label);
+		free(s->field);
 	}
 	for (size_t i = 0; i < chart->n_rule; i++)
 		free(chart->rule[i].name);
@@ -68,6 +71,7 @@ chart_add(struct chart *chart, struct chart_series look, size_t n,
 	s->y = xdoubles(n);
 	s->low = s->high = NULL;
 	s->whose = NULL;
+	s->field = NULL;
 	return s;
 }
 

@@ -24,10 +24,19 @@ struct chart_whose {
 	char *site, *about;
 };
 
+/* What is drawn around a point instead of a mark: a field a unit wide and high,
+ * filled as far as the value is from 0, at most 1, with its label; NAN: not at
+ * all. */
+struct chart_field {
+	double value;
+	char *label;
+};
+
 /* One curve or set of points.  x, y [n] in the axes' units; a NAN in y lifts
  * the pen.  low, high [n]: a shade behind all lines, or both NULL. ascii: what
  * a line is drawn with where there are only ASCII characters; mark: an ASCII
- * character at each point, 0: none.  whose [n]: or NULL. */
+ * character at each point, 0: none.  whose,
+ * field [n]: or NULL. */
 struct chart_series {
 	char *name;
 	enum series series;
@@ -36,6 +45,7 @@ struct chart_series {
 	size_t n;
 	double *x, *y, *low, *high;
 	struct chart_whose *whose;
+	struct chart_field *field;
 };
 
 /* A line across the plot from its foot to its top, at x. */

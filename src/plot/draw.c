@@ -438,10 +438,42 @@ draw_line(struct brush *p, const struct chart_series *s)
 			draw_segment(p, s, i);
 }
 
+/* The shade of a field by its value, and the label where it has room. */
+static void
+draw_field(struct brush *p, const struct chart_series *s, size_t i)
+{
+	static const uint32_t SHADES[] = {' ', '.', ':', '#'},
+			      BLOCKS[] = {' ', 0x2591, 0x2592, 0x2593};
+	static const double FROM[] = {0, 0.5, 0.7, 0.9};
+	double value = fabs(s->field[i].value);
+	const char *label = s->field[i].label;
+	size_t shade = 0;
+	while (shade + 1 < ARRAY_LEN(FROM) && value >= FROM[shade + 1])
+		shade++;
+	int left = layout_column(&p->at, s->x[i] - 0.5, 1);
+	int right = layout_column(&p->at, s->x[i] + 0.5, 1);
+	int top = layout_row(&p->at, s->y[i] + 0.5, 1);
+	int foot = layout_row(&p->at, s->y[i] - 0.5, 1);
+	for (int row = top; row < foot || row == top; row++)
+		for (int column = left; column < right; column++)
+			put(p, column, row,
+			    p->at.charset == CHARSET_ASCII ? SHADES[shade]
+							   : BLOCKS[shade],
+			    s->series, 0);
+	int room = right - left - 2, wide = text_width(label);
+	if (wide <= room)
+		canvas_text(p->at.canvas,
+		    p->at.left + left + (right - left - wide) / 2,
+		    p->at.top + (top + foot) / 2, label, s->series,
+		    shade == 3 ? CELL_BOLD : 0);
+}
+
 static void
 draw_marks(struct brush *p, const struct chart_series *s)
 {
-	for (size_t i = 0; i < s->n && s->mark != 0; i++)
+	for (size_t i = 0; i < s->n && s->field != NULL; i++)
+		draw_field(p, s, i);
+	for (size_t i = 0; i < s->n && s->mark != 0 && s->field == NULL; i++)
 		if (isfinite(s->y[i]))
 			put(p, layout_column(&p->at, s->x[i], 1),
 			    layout_row(&p->at, s->y[i], 1), (uint32_t)s->mark,

@@ -258,6 +258,24 @@ rule_stroke(const struct chart_rule *rule)
 	return (struct pen_stroke){rule->series, line, 0.8, PEN_OPEN};
 }
 
+/* A square whose area is the value, none for NAN, and the label. */
+static void
+draw_field(struct page *p, const struct chart_series *s, size_t i)
+{
+	double x = page_x(p, s->x[i]), y = page_y(p, s->y[i]);
+	double width = page_x(p, s->x[i] + 0.5) - page_x(p, s->x[i] - 0.5);
+	double height = page_y(p, s->y[i] - 0.5) - page_y(p, s->y[i] + 0.5);
+	double share = 0.95 * sqrt(fabs(s->field[i].value)) / 2;
+	double w = share * width, h = share * height;
+	double px[] = {x - w, x + w, x + w, x - w};
+	double py[] = {y - h, y - h, y + h, y + h};
+	if (!isnan(share))
+		p->pen->path(p->pen, px, py, ARRAY_LEN(px),
+		    &(struct pen_stroke){s->series, CHART_SOLID, 0, PEN_TINT});
+	p->pen->text(p->pen, x, y + 3, s->field[i].label,
+	    &(struct pen_style){.size = 8, .anchor = PEN_MIDDLE});
+}
+
 static void
 draw_data(struct page *p)
 {
@@ -274,7 +292,9 @@ draw_data(struct page *p)
 	for (size_t i = 0; i < c->n; i++)
 		for (size_t j = 0; j < c->series[i].n; j++) {
 			const struct chart_series *s = &c->series[i];
-			if (s->mark != 0 && isfinite(s->y[j]))
+			if (s->field != NULL)
+				draw_field(p, s, j);
+			else if (s->mark != 0 && isfinite(s->y[j]))
 				draw_mark(p, s->mark, s->series,
 				    page_x(p, s->x[j]), page_y(p, s->y[j]));
 		}

@@ -289,7 +289,8 @@ progress_line(struct progress *p, const struct calibrate_status *st)
 static void
 progress_row(struct progress *p, const struct calibrate_status *st)
 {
-	bool due = st->generation == 1 || st->generation % 10 == 0;
+	bool due = st->generation == 1 ||
+		   (st->generation > 0 && st->generation % 10 == 0);
 	if (st->state == CALIBRATE_POLISHING || !due ||
 	    st->generation == p->row)
 		return;

@@ -279,6 +279,46 @@ values_are_read_off_straight_on_the_log(void **state)
 	chart_free(chart);
 }
 
+/* Two fields side by side: shaded by the size of their values, labelled. */
+static void
+fields_are_shaded_and_labelled(void **state)
+{
+	(void)state;
+	struct axis x = {.title = strdup("a"), .low = 0.5, .high = 2.5},
+		    y = {.title = strdup("b"), .low = 0.5, .high = 1.5};
+	struct chart *chart = chart_new("title", "made up", x, y);
+	struct chart_series *s =
+	    chart_add(chart, (struct chart_series){.mark = '+'}, 2, "fields");
+	s->field = calloc(2, sizeof *s->field);
+	for (size_t i = 0; i < 2; i++) {
+		s->x[i] = (double)i + 1;
+		s->y[i] = 1;
+		s->field[i].value = i == 0 ? -0.95 : 0.3;
+		s->field[i].label = strdup(i == 0 ? "-0.95" : "+0.30");
+	}
+	struct canvas *c = chart_draw(chart, 40, 9, CHARSET_ASCII, 0);
+	char *text = NULL;
+	size_t n = 0;
+	FILE *memory = open_memstream(&text, &n);
+	canvas_print(c, 0, memory);
+	fclose(memory);
+	assert_non_null(strstr(text, "#######-0.95#######"));
+	assert_non_null(strstr(text, "   +0.30"));
+	assert_null(strchr(text, ':'));
+	free(text);
+	canvas_free(c);
+	/* Where there is no room the shade alone is left. */
+	c = chart_draw(chart, 12, 4, CHARSET_ASCII, 0);
+	memory = open_memstream(&text, &n);
+	canvas_print(c, 0, memory);
+	fclose(memory);
+	assert_null(strstr(text, "0.95"));
+	assert_non_null(strstr(text, "####"));
+	free(text);
+	canvas_free(c);
+	chart_free(chart);
+}
+
 int
 main(void)
 {
@@ -293,6 +333,6 @@ main(void)
 	    cmocka_unit_test(a_mark_stands_at_every_point),
 	    cmocka_unit_test(a_band_lies_behind_its_line),
 	    cmocka_unit_test(values_are_read_off_straight_on_the_log),
-	};
+	    cmocka_unit_test(fields_are_shaded_and_labelled)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -389,6 +389,30 @@ the_generations_stay_with_their_site(void **state)
 	assert_non_null(strstr(desk->error.text, "not been calibrated"));
 }
 
+/* Its models are no fits of the site, whether it ends or is stopped. */
+static void
+a_league_leaves_the_fit_alone(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	struct fit want = whole(desk);
+	start(desk, "league");
+	steps(desk, 70);
+	assert_true(session_busy(s));
+	session_pause(s);
+	assert_false(session_busy(s));
+	assert_null(s->job.calibration);
+	fflush(desk->notes_file);
+	assert_non_null(
+	    strstr(desk->notes, "stopped before all models were calibrated"));
+	assert_true(isnan(session_known(s, "league", "can_tell")));
+	expect_same(&session_entry(s)->fit, &want);
+	assert_true(desk_say(desk, "league"));
+	expect_same(&session_entry(s)->fit, &want);
+	assert_true(session_known(s, "league", "can_tell") == 1);
+	assert_false(desk_say(desk, "continue"));
+}
+
 int
 main(void)
 {
@@ -409,6 +433,7 @@ main(void)
 	    WITH_SITE(a_stop_that_left_a_worse_fit_names_undo),
 	    WITH_SITE(a_step_is_named_that_the_bounds_allow),
 	    WITH_SITE(the_generations_stay_with_their_site),
+	    WITH_SITE(a_league_leaves_the_fit_alone),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);

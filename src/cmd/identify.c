@@ -1,0 +1,286 @@
+/* identify: what the data determine, and what they do not.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/outlook.h"
+#include "cmd/table.h"
+#include "core/identify.h"
+#include "core/misfit.h"
+#include "io/units.h"
+
+/* Correlation that makes a ridge; how many of them are told; a break size is
+ * fixed where its standard deviation is below such a share of it, and open
+ * where so many draws have one that no sieve shows. */
+static const double RIDGE = 0.9, SHARP = 0.1, OPEN = 0.1;
+enum { RIDGES = 3 };
+
+static const char *const GRADES[] = {[IDENTIFY_FIXED] = "fixed",
+    [IDENTIFY_DETERMINED] = "determined",
+    [IDENTIFY_POORLY] = "poorly",
+    [IDENTIFY_NOT] = "cannot be told"};
+
+/* What is told: the parameters [of->n] of the draws' model, the break sizes at
+ * the measured speeds [n_speed], the finest sieve that is compared, m. */
+struct findings {
+	const struct posterior *p;
+	const struct breakage *of;
+	struct identify_param param[PARAMS_MOST];
+	size_t n_speed;
+	double *speed, finest;
+	struct identify_break *at;
+	bool open; /* the threshold is bounded from above only */
+};
+
+static void
+find_speeds(struct findings *f, const struct site *site)
+{
+	f->finest = INFINITY;
+	f->speed = xdoubles(site->n_run);
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		size_t n = misfit_covered(run);
+		if (n == 0)
+			continue;
+		f->finest = fmin(f->finest, run->product.size[n - 1]);
+		if (f->n_speed == 0 || f->speed[f->n_speed - 1] != run->speed)
+			f->speed[f->n_speed++] = run->speed;
+	}
+}
+
+static struct findings
+find(const struct posterior *p, const struct site *site)
+{
+	struct findings f = {.p = p, .of = BREAKAGES[p->settings.breakage]};
+	size_t threshold = breakage_parameter(f.of, "e0_min");
+	find_speeds(&f, site);
+	f.at = xcalloc(f.n_speed + 1, sizeof *f.at);
+	for (size_t i = 0; i < f.n_speed; i++)
+		f.at[i] = identify_break(p, f.speed[i], f.finest);
+	for (size_t j = 0; j < f.of->n; j++)
+		f.param[j] = identify_param(p, j);
+	f.open = (f.n_speed > 0 && f.at[0].below > OPEN) ||
+		 (threshold < f.of->n && f.param[threshold].bound < 0);
+	return f;
+}
+
+static const char *
+grade_of_break(const struct findings *f, size_t i)
+{
+	const struct identify_break *at = &f->at[i];
+	return f->open                      ? "bounded from above"
+	       : at->sd <= SHARP * at->mean ? "determined"
+					    : "poorly";
+}
+
+static void
+add_rows(struct answer *r, const struct findings *f)
+{
+	answer_columns(
+	    r, "what: , mean, sd, share_pct: %% of prior, unit, grade: ");
+	for (size_t i = 0; i < f->n_speed; i++) {
+		answer_text(r, "break size, %g m/s", f->speed[i]);
+		answer_cells(r, "%.3f %.3f %.0f %s", 1000 * f->at[i].mean,
+		    1000 * f->at[i].sd, NAN, "mm");
+		answer_text(r, "%s", grade_of_break(f, i));
+	}
+	for (size_t j = 0; j < f->of->n; j++) {
+		const struct identify_param *a = &f->param[j];
+		if (j == f->of->reference)
+			continue;
+		answer_cells(r, "%s %.3f %.3f %.0f %s",
+		    f->of->parameter[j].name, a->mean, a->sd, 100 * a->ratio,
+		    f->of->parameter[j].unit);
+		answer_text(r, "%s%s", GRADES[a->grade],
+		    a->bound < 0   ? ", low bound"
+		    : a->bound > 0 ? ", high bound"
+				   : "");
+	}
+}
+
+/* Pairs of parameters by their correlation, the strongest first; [n] out, of
+ * RIDGES at most.  Returns how many there are. */
+static size_t
+find_ridges(const struct findings *f, size_t pair[RIDGES][2])
+{
+	size_t n = 0;
+	double last = INFINITY;
+	while (n < RIDGES) {
+		double most = RIDGE;
+		bool found = false;
+		for (size_t i = 0; i < f->of->n; i++)
+			for (size_t j = i + 1; j < f->of->n; j++) {
+				double r = fabs(identify_strongest(
+				    identify_pair(f->p, i, j)));
+				if (!(r > most && r < last))
+					continue;
+				most = r;
+				pair[n][0] = i;
+				pair[n][1] = j;
+				found = true;
+			}
+		if (!found)
+			return n;
+		last = most;
+		n++;
+	}
+	return n;
+}
+
+static void
+say_ridges(struct answer *r, const struct findings *f)
+{
+	size_t pair[RIDGES][2], n = find_ridges(f, pair);
+	struct fields *list = fields_list(answer_fields(r), "ridges");
+	for (size_t k = 0; k < n; k++) {
+		struct identify_pair c =
+		    identify_pair(f->p, pair[k][0], pair[k][1]);
+		const char *a = f->of->parameter[pair[k][0]].name;
+		const char *b = f->of->parameter[pair[k][1]].name;
+		double most = identify_strongest(c);
+		fields_put(fields_object(list, NULL),
+		    "a %s b %s linear %g rank %g", a, b, c.linear, c.rank);
+		answer_note(r,
+		    "%s and %s compensate for each other: a higher %s goes "
+		    "with a %s %s (correlation %+.2f)",
+		    a, b, a, most > 0 ? "higher" : "lower", b, most);
+	}
+}
+
+static void
+say_open(struct answer *r, const struct findings *f)
+{
+	if (f->open)
+		answer_say(r, ANSWER_WARNING,
+		    "the threshold is bounded from above only: at %g m/s the "
+		    "break size is at most %.2f mm in 90 %% of the draws, "
+		    "below the finest sieve (%g mm) in %.0f %%",
+		    f->speed[0], 1000 * f->at[0].high, units_mm(f->finest),
+		    100 * f->at[0].below);
+}
+
+/* "5.72 +- 0.06, 4.31 +- 0.05 mm" at the speeds of a grade, which are listed
+ * too; NULL where there is none.  The caller frees. */
+static char *
+sizes_of(const struct findings *f, bool sharp, char **speeds)
+{
+	char *sizes = xstrdup("");
+	size_t n = 0, left = 0;
+	for (size_t i = 0; i < f->n_speed; i++)
+		left += (f->at[i].sd <= SHARP * f->at[i].mean) == sharp;
+	for (size_t i = 0; i < f->n_speed; i++) {
+		if ((f->at[i].sd <= SHARP * f->at[i].mean) != sharp)
+			continue;
+		xlist(speeds, ++n == left ? " and " : ", ", "%g", f->speed[i]);
+		xlist(&sizes, ", ", "%.2f +- %.2f", 1000 * f->at[i].mean,
+		    1000 * f->at[i].sd);
+	}
+	return sizes;
+}
+
+static void
+add_sizes(char **text, const struct findings *f, bool sharp)
+{
+	char *speeds = xstrdup(""), *sizes = sizes_of(f, sharp, &speeds);
+	if (sizes[0] != '\0')
+		xlist(text, "; ", "%s the break size at %s m/s%s: %s mm",
+		    sharp ? "the data fix" : "the data leave", speeds,
+		    sharp ? "" : " open", sizes);
+	free(speeds);
+	free(sizes);
+}
+
+static void
+add_names(char **text, const struct findings *f, enum identify_grade grade,
+    const char *one, const char *several)
+{
+	char *names = xstrdup("");
+	size_t n = 0, left = 0;
+	for (size_t j = 0; j < f->of->n; j++)
+		left += f->param[j].grade == grade;
+	for (size_t j = 0; j < f->of->n; j++)
+		if (f->param[j].grade == grade)
+			xlist(&names, ++n == left ? " and " : ", ", "%s",
+			    f->of->parameter[j].name);
+	if (left > 0)
+		xlist(text, "; ", "%s %s", names, left > 1 ? several : one);
+	free(names);
+}
+
+/* The one sentence.  The caller frees. */
+static char *
+sentence(const struct findings *f)
+{
+	char *text = xstrdup("");
+	if (f->open && f->n_speed > 0)
+		xlist(&text, "; ",
+		    "the data bound the break size from above only: at most "
+		    "%.2f mm at %g m/s",
+		    1000 * f->at[0].high, f->speed[0]);
+	else {
+		add_sizes(&text, f, true);
+		add_sizes(&text, f, false);
+	}
+	add_names(
+	    &text, f, IDENTIFY_DETERMINED, "is determined", "are determined");
+	add_names(&text, f, IDENTIFY_POORLY, "is determined poorly",
+	    "are determined poorly");
+	add_names(&text, f, IDENTIFY_NOT, "cannot be told", "cannot be told");
+	return text;
+}
+
+static void
+put(struct fields *o, const struct findings *f, const char *text)
+{
+	struct fields *list = fields_list(o, "break_size");
+	for (size_t i = 0; i < f->n_speed; i++)
+		fields_put(fields_object(list, NULL),
+		    "speed %g mean_mm %g sd_mm %g low_mm %g high_mm %g "
+		    "below_sieves_share %g",
+		    f->speed[i], 1000 * f->at[i].mean, 1000 * f->at[i].sd,
+		    1000 * f->at[i].low, 1000 * f->at[i].high, f->at[i].below);
+	list = fields_list(o, "parameters");
+	for (size_t j = 0; j < f->of->n; j++) {
+		const struct identify_param *a = &f->param[j];
+		fields_put(fields_object(list, NULL),
+		    "name %s mean %g sd %g prior_sd %g share_pct %g grade %s "
+		    "bound %s",
+		    f->of->parameter[j].name, a->mean, a->sd, a->prior,
+		    100 * a->ratio, GRADES[a->grade],
+		    a->bound < 0   ? "lower"
+		    : a->bound > 0 ? "upper"
+				   : "none");
+	}
+	fields_put(o, "model %s threshold_open %d sentence %s", f->of->name,
+	    f->open, text);
+}
+
+bool
+cmd_identify(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	if (!answers_ready(s, error))
+		return false;
+	const struct entry *entry = session_entry(s);
+	const struct posterior *p = outlook_draws(s, entry);
+	if (p == NULL)
+		return error_set(error, ERROR_USAGE,
+		    "nothing was drawn to identify parameters by (%s)\n"
+		    "run 'calibrate' first",
+		    outlook_why_none(s, entry));
+	struct findings f = find(p, entry->site);
+	struct answer *r =
+	    answers_new(entry->site, "identify", "what the data determine");
+	char *text = sentence(&f);
+	add_rows(r, &f);
+	put(answer_fields(r), &f, text);
+	say_ridges(r, &f);
+	say_open(r, &f);
+	answer_note(r, "%s", text);
+	free(text);
+	free(f.speed);
+	free(f.at);
+	return session_answer(s, r);
+}

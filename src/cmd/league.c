@@ -1,0 +1,554 @@
+/* league: every breakage model on the same runs, beside those who need none.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/fit.h"
+#include "cmd/job.h"
+#include "cmd/table.h"
+#include "core/discrepancy.h"
+#include "core/league.h"
+#include "core/misfit.h"
+#include "core/validate.h"
+
+/* A model at a site.  fit: of the site's training runs; last: of the present
+ * round, where a larger model begins. */
+struct tried {
+	struct fit fit, last;
+	size_t parameters;
+	size_t n;
+	double *predicted; /* [n] of the cells */
+};
+
+/* A site with the cells of the runs that were held out, [n]. */
+struct ground {
+	const struct site *site;
+	size_t entry;
+	bool each; /* each speed in turn */
+	struct tried *model;
+	size_t n;
+	struct league_cell *cell;
+	double *null[VALIDATE_WAYS];
+};
+
+/* at, end: the site that is worked on and the one to stop before; speed: held
+ * out in turn, 0: none yet; model: of the present round. */
+struct league {
+	bool all;
+	size_t n, at, end, model, runs;
+	double speed;
+	struct ground *ground;
+};
+
+static void
+league_drop(void *of)
+{
+	struct league *l = of;
+	for (size_t i = 0; l != NULL && i < l->n; i++) {
+		struct ground *g = &l->ground[i];
+		for (size_t m = 0; m < breakage_count(); m++)
+			free(g->model[m].predicted);
+		for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
+			free(g->null[way]);
+		free(g->model);
+		free(g->cell);
+	}
+	if (l != NULL)
+		free(l->ground);
+	free(l);
+}
+
+/* Default bounds, and those that were set of parameters with the same name. */
+static struct bounds
+bounds_of(const struct session *s, size_t model)
+{
+	struct bounds b = bounds_default(model);
+	const struct breakage *set = BREAKAGES[s->set.model.breakage];
+	for (size_t i = 0; i < set->n; i++) {
+		size_t j = breakage_parameter(
+		    BREAKAGES[model], set->parameter[i].name);
+		if (j == BREAKAGES[model]->n)
+			continue;
+		b.lower[j] = s->set.bounds.lower[i];
+		b.upper[j] = s->set.bounds.upper[i];
+	}
+	return b;
+}
+
+/* The round's model, which begins with the best of those that it extends. */
+static bool
+begin_model(struct session *s)
+{
+	const struct league *l = s->job.of;
+	const struct tried *tried = l->ground[l->n - 1].model;
+	struct calibrate_options *o = &s->job.options;
+	const struct fit *from = NULL;
+	for (size_t i = 0; i < l->model; i++)
+		if (breakage_extends(l->model, i) &&
+		    (from == NULL || tried[i].last.misfit < from->misfit))
+			from = &tried[i].last;
+	o->settings.breakage = (unsigned)l->model;
+	o->bounds = bounds_of(s, l->model);
+	o->start = from != NULL ? &from->params : NULL;
+	return true;
+}
+
+/* The site's own training runs. */
+static bool
+begin_site(struct session *s)
+{
+	struct league *l = s->job.of;
+	const struct entry *entry = &s->entry[l->at];
+	const struct site *site = entry->site;
+	free(s->job.train);
+	s->job.train = xcalloc(site->n_run, sizeof *s->job.train);
+	s->job.entry = l->at;
+	if (job_mark(site, true, s->job.train) == 0)
+		return false;
+	if (entry->has_fit)
+		memcpy(s->job.train, entry->train,
+		    site->n_run * sizeof *entry->train);
+	else
+		job_mark(site, false, s->job.train);
+	l->ground = xrealloc(l->ground, l->n + 1, sizeof *l->ground);
+	l->ground[l->n++] = (struct ground){.site = site,
+	    .entry = l->at,
+	    .model = xcalloc(breakage_count(), sizeof(struct tried))};
+	return true;
+}
+
+/* The next model; or the next speed to hold out, where no run was held out
+ * anyway; or the next site. */
+static bool
+next_round(struct session *s)
+{
+	struct league *l = s->job.of;
+	bool first = s->job.calibration == NULL;
+	if (!first && ++l->model < breakage_count())
+		return begin_model(s);
+	l->model = 0;
+	struct ground *g = first ? NULL : &l->ground[l->n - 1];
+	if (!first && l->speed == 0)
+		g->each = g->n == 0 && job_speeds(g->site) >= JOB_FOR_EACH;
+	if (!first && g->each && job_hold_out(g->site, &l->speed, s->job.train))
+		return begin_model(s);
+	l->speed = 0;
+	for (l->at += !first; l->at < l->end; l->at++)
+		if (begin_site(s))
+			return begin_model(s);
+	return false;
+}
+
+/* The cells of a run that was held out, and what predicts them without a
+ * model. */
+static void
+add_cells(struct league *l, size_t run, const bool *train, size_t from)
+{
+	struct ground *g = &l->ground[l->n - 1];
+	const struct psd *product = &g->site->run[run].product;
+	g->n = from + misfit_covered(&g->site->run[run]);
+	g->cell = xrealloc(g->cell, g->n, sizeof *g->cell);
+	for (size_t i = from; i < g->n; i++)
+		g->cell[i] = (struct league_cell){.run = l->runs,
+		    .log_size = log(product->size[i - from]),
+		    .measured = product->passing[i - from]};
+	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS;
+	     way++) {
+		g->null[way] =
+		    xrealloc(g->null[way], g->n, sizeof *g->null[way]);
+		validate_passing(g->site, run, train, NULL,
+		    model_settings_default(), NULL, way, g->null[way] + from);
+	}
+	l->runs++;
+}
+
+static void
+take_round(struct session *s)
+{
+	struct league *l = s->job.of;
+	const struct job *job = &s->job;
+	struct ground *g = &l->ground[l->n - 1];
+	struct tried *t = &g->model[l->model];
+	t->last = calibration_fit(job->calibration);
+	if (l->speed == 0) {
+		t->fit = t->last;
+		t->parameters = league_parameters(
+		    &t->fit, calibration_bounds(job->calibration));
+	}
+	for (size_t r = 0; r < g->site->n_run; r++) {
+		size_t n = misfit_covered(&g->site->run[r]), from = t->n;
+		if (job->train[r] || n == 0)
+			continue;
+		if (l->model == 0)
+			add_cells(l, r, job->train, from);
+		t->n += n;
+		t->predicted =
+		    xrealloc(t->predicted, t->n, sizeof *t->predicted);
+		validate_passing(g->site, r, job->train, &t->last.params,
+		    t->last.settings, NULL, VALIDATE_MODEL,
+		    t->predicted + from);
+	}
+}
+
+/* The sampling error of the cells: as large as the model that explains the
+ * training runs best leaves it, 0.1 points at least, 0.5 where none can say;
+ * more in the middle of a curve than at its ends, as h is (D13). */
+static void
+find_noise(struct ground *g)
+{
+	const double least = 0.001, unknown = 0.005;
+	double variance = INFINITY, h = 0;
+	for (size_t m = 0; m < breakage_count(); m++) {
+		const struct tried *t = &g->model[m];
+		if (t->fit.cells > t->parameters)
+			variance = fmin(variance,
+			    t->fit.misfit /
+				(double)(t->fit.cells - t->parameters));
+	}
+	double sd = isfinite(variance) ? fmax(sqrt(variance), least) : unknown;
+	for (size_t i = 0; i < g->n; i++)
+		h += pow(discrepancy_h(g->cell[i].measured), 2) / (double)g->n;
+	for (size_t i = 0; i < g->n && h > 0; i++)
+		g->cell[i].noise =
+		    sd * discrepancy_h(g->cell[i].measured) / sqrt(h);
+}
+
+/* What is said of one site, or of several together: models
+ * [breakage_count()], whose misfits, parameters and AICc are added up; the runs
+ * held out of all, and what the null models err there.  simplest: of those that
+ * remain, the one that the others extend, where they can be told.  winner: the
+ * null model that errs least where that is less than the best model errs, by
+ * more than sampling explains; else VALIDATE_MODEL. */
+struct verdict {
+	size_t n, cells, best, simplest, *parameters;
+	struct league_cell *cell;
+	struct league_model *model;
+	double *misfit, **predicted, *null[VALIDATE_WAYS];
+	double rmse[VALIDATE_WAYS];
+	bool can_tell, ranked;
+	enum validate_way winner;
+};
+
+static void
+verdict_free(struct verdict *v)
+{
+	for (size_t m = 0; m < breakage_count(); m++)
+		free(v->predicted[m]);
+	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
+		free(v->null[way]);
+	free(v->predicted);
+	free(v->parameters);
+	free(v->cell);
+	free(v->model);
+	free(v->misfit);
+}
+
+/* Adds b [more] to a [n]. */
+static void
+extend(double **a, size_t n, const double *b, size_t more)
+{
+	*a = xrealloc(*a, n + more + 1, sizeof **a);
+	if (more > 0)
+		memcpy(*a + n, b, more * sizeof *b);
+}
+
+/* Adds a site.  Its AICc count where all models have one. */
+static void
+add_ground(struct verdict *v, const struct ground *g, bool alone)
+{
+	bool counts = true;
+	size_t size = sizeof *v->cell;
+	for (size_t m = 0; m < breakage_count(); m++) {
+		const struct tried *t = &g->model[m];
+		double aicc =
+		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
+		counts = counts && (alone || isfinite(aicc));
+	}
+	for (size_t m = 0; m < breakage_count(); m++) {
+		const struct tried *t = &g->model[m];
+		double aicc =
+		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
+		v->misfit[m] += t->fit.misfit;
+		v->parameters[m] += t->parameters;
+		v->model[m].aicc += counts ? aicc : 0;
+		extend(&v->predicted[m], v->n, t->predicted, g->n);
+	}
+	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
+		extend(&v->null[way], v->n, g->null[way], g->n);
+	v->cell = xrealloc(v->cell, v->n + g->n + 1, size);
+	if (g->n > 0)
+		memcpy(v->cell + v->n, g->cell, g->n * size);
+	v->n += g->n;
+	v->cells += g->model[0].fit.cells;
+}
+
+static struct verdict
+verdict_of(const struct ground *g, size_t n)
+{
+	size_t models = breakage_count();
+	struct verdict v = {.model = xcalloc(models, sizeof *v.model),
+	    .misfit = xdoubles(models),
+	    .parameters = xcalloc(models, sizeof *v.parameters),
+	    .predicted = xcalloc(models, sizeof *v.predicted)};
+	for (size_t i = 0; i < n; i++)
+		add_ground(&v, &g[i], n == 1);
+	for (size_t m = 0; m < models; m++) {
+		v.model[m].model = m;
+		v.model[m].predicted = v.predicted[m];
+		v.model[m].rmse = league_rmse(v.cell, v.n, v.predicted[m]);
+	}
+	v.can_tell = league_rank(v.model, models, v.cell, v.n);
+	while (v.model[v.best].standing != LEAGUE_BEST)
+		v.best++;
+	v.simplest = v.best;
+	for (size_t m = 0; m < models; m++)
+		if (v.model[m].standing == LEAGUE_POSSIBLE &&
+		    breakage_extends(v.simplest, m))
+			v.simplest = m;
+	v.ranked = isfinite(v.model[v.best].aicc) || v.n > 0;
+	const double *least = v.predicted[v.best];
+	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
+		v.rmse[way] = league_rmse(v.cell, v.n, v.null[way]);
+		if (!league_errs_more(v.cell, v.n, least, v.null[way]))
+			continue;
+		least = v.null[way];
+		v.winner = (enum validate_way)way;
+	}
+	return v;
+}
+
+/* How the null models are called: in keys, and in sentences. */
+static const struct {
+	const char *key, *noun;
+} NULLS[VALIDATE_WAYS] = {
+    [VALIDATE_INTERPOLATION] = {"interpolation", "interpolation"},
+    [VALIDATE_NEAREST] = {"nearest",
+	"the product at the nearest training speed"},
+    [VALIDATE_FEED] = {"feed", "the unchanged feed"}};
+
+static const char *const STANDINGS[] = {[LEAGUE_BEST] = "best",
+    [LEAGUE_POSSIBLE] = "possible",
+    [LEAGUE_OUT_AICC] = "out: AICc",
+    [LEAGUE_OUT_ERROR] = "out: hold-out"};
+
+/* Where it stands; without AICc and error none is the best. */
+static const char *
+standing_of(const struct verdict *v, size_t m)
+{
+	enum league_standing standing = v->model[m].standing;
+	return STANDINGS[v->ranked ? standing : LEAGUE_POSSIBLE];
+}
+
+static void
+put_verdict(struct fields *o, const struct verdict *v)
+{
+	struct fields *list = fields_list(o, "models");
+	for (size_t m = 0; m < breakage_count(); m++)
+		fields_put(fields_object(list, NULL),
+		    "model %s holdout_rmse_pct %g aicc %g misfit %g "
+		    "parameters %zu cells %zu standing %s",
+		    BREAKAGES[m]->name, 100 * v->model[m].rmse,
+		    v->model[m].aicc, v->misfit[m], v->parameters[m], v->cells,
+		    standing_of(v, m));
+	struct fields *null = fields_object(o, "null");
+	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
+		char *key = xasprintf("%s_rmse_pct", NULLS[way].key);
+		fields_number(null, key, 100 * v->rmse[way]);
+		free(key);
+	}
+	if (v->ranked)
+		fields_put(o, "best %s", BREAKAGES[v->best]->name);
+	fields_put(o, "can_tell %d", v->can_tell);
+	if (v->can_tell)
+		fields_put(o, "simplest %s", BREAKAGES[v->simplest]->name);
+	if (v->winner != VALIDATE_MODEL)
+		fields_put(o, "beaten_by %s", NULLS[v->winner].key);
+}
+
+/* The models, then those who need none; csv has the site in each row. */
+static void
+add_rows(struct answer *r, const struct verdict *v)
+{
+	double least = v->model[v->best].aicc;
+	answer_columns(r, "model, parameters: free, misfit, aicc: AICc, "
+			  "above_best: above, holdout_rmse_pct: hold-out, "
+			  "standing");
+	for (size_t m = 0; m < breakage_count(); m++)
+		answer_cells(r, "%s %g %.5f %.1f %.1f %.2f %s",
+		    BREAKAGES[m]->name, (double)v->parameters[m], v->misfit[m],
+		    v->model[m].aicc, v->model[m].aicc - least,
+		    100 * v->model[m].rmse, standing_of(v, m));
+	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
+		answer_cells(r, "%s %g %.5f %.1f %.1f %.2f %s", NULLS[way].key,
+		    NAN, NAN, NAN, NAN, 100 * v->rmse[way], "no model");
+}
+
+/* "grunditz, vogel": those of the standings from..to but one. */
+static char *
+names_of(
+    const struct verdict *v, enum league_standing from, enum league_standing to)
+{
+	char *list = xstrdup("");
+	for (size_t m = 0; m < breakage_count(); m++)
+		if (v->model[m].standing >= from && v->model[m].standing <= to)
+			xlist(&list, ", ", "%s", BREAKAGES[m]->name);
+	return list;
+}
+
+static void
+say_verdict(struct answer *r, const struct verdict *v)
+{
+	char *open = names_of(v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
+	char *out = names_of(v, LEAGUE_OUT_AICC, LEAGUE_OUT_ERROR);
+	const char *best = BREAKAGES[v->best]->name;
+	if (v->can_tell)
+		answer_note(r,
+		    "the data can tell the models apart: %s%s remain%s%s%s",
+		    BREAKAGES[v->simplest]->name,
+		    open[0] ? " and what extends it" : "", open[0] ? "" : "s",
+		    out[0] ? "; they rule out " : "", out);
+	else if (!v->ranked)
+		answer_note(r, "the data cannot rank the models: no AICc and "
+			       "no hold-out error");
+	else if (open[0] != '\0')
+		answer_note(r,
+		    "the data cannot tell the models apart: beside %s, %s "
+		    "remain%s possible%s%s",
+		    best, open, strchr(open, ',') ? "" : "s",
+		    out[0] ? "; they rule out " : "", out);
+	if (v->winner != VALIDATE_MODEL)
+		answer_say(r, ANSWER_WARNING,
+		    "%s predicts the held-out runs better than the best model, "
+		    "%s: RMSE %.2f against %.2f points",
+		    NULLS[v->winner].noun, best, 100 * v->rmse[v->winner],
+		    100 * v->model[v->best].rmse);
+	free(open);
+	free(out);
+}
+
+/* How to read it. */
+static void
+note_rule(struct answer *r, const struct verdict *v, bool each, bool alone)
+{
+	answer_say(r, ANSWER_REMARK,
+	    "ruled out: AICc more than 10 above the best and no smaller "
+	    "hold-out error; or a hold-out error larger by 0.1 points and "
+	    "twice what sampling explains");
+	if (v->n == 0)
+		answer_say(r, ANSWER_REMARK,
+		    "no run was held out, and there are fewer than three "
+		    "speeds: no hold-out error");
+	else if (each && alone)
+		answer_say(r, ANSWER_REMARK,
+		    "hold-out: each speed in turn, calibrated on the others; "
+		    "AICc: all runs");
+	for (size_t m = 0; m < breakage_count(); m++)
+		if (isnan(v->model[m].aicc)) {
+			answer_say(r, ANSWER_REMARK,
+			    "no AICc: it needs two more passings than "
+			    "parameters with the variance; %s has %zu and %zu",
+			    BREAKAGES[m]->name, v->cells, v->parameters[m] + 1);
+			break;
+		}
+}
+
+static struct answer *
+one_answer(const struct ground *g)
+{
+	struct verdict v = verdict_of(g, 1);
+	struct answer *r =
+	    answers_new(g->site, "league", "breakage models compared");
+	add_rows(r, &v);
+	say_verdict(r, &v);
+	note_rule(r, &v, g->each, true);
+	put_verdict(answer_fields(r), &v);
+	if (g->each)
+		fields_put(answer_fields(r), "holdout_each %d", true);
+	verdict_free(&v);
+	return r;
+}
+
+/* A row a site, and all of them together. */
+static struct answer *
+all_answer(const struct session *s, const struct league *l)
+{
+	struct answer *r = answer_new("league");
+	struct fields *sites = fields_list(answer_fields(r), "sites");
+	char *about = xstrdup("");
+	answer_title(r, "breakage models compared, %zu site%s", l->n,
+	    l->n == 1 ? "" : "s");
+	answer_columns(r, "site, best, holdout_rmse_pct: hold-out RMSE, "
+			  "interpolation_pct: interpolation, "
+			  "can_tell: can tell, possible: also possible");
+	for (size_t i = 0; i <= l->n; i++) {
+		const struct ground *g = i < l->n ? &l->ground[i] : NULL;
+		struct verdict v =
+		    g != NULL ? verdict_of(g, 1) : verdict_of(l->ground, l->n);
+		char *open = names_of(&v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
+		const char *key = g != NULL ? s->entry[g->entry].key : "all";
+		answer_text(r, "%s", key);
+		answer_cells(r, "%s %.2f %.2f %s", BREAKAGES[v.best]->name,
+		    100 * v.model[v.best].rmse,
+		    100 * v.rmse[VALIDATE_INTERPOLATION],
+		    v.can_tell ? "yes" : "no");
+		answer_text(r, "%s", open);
+		if (g != NULL) {
+			struct fields *own = fields_object(sites, NULL);
+			fields_put(own, "site %s key %s", g->site->name, key);
+			put_verdict(own, &v);
+			site_add_source(&about, g->site);
+		} else {
+			put_verdict(answer_fields(r), &v);
+			say_verdict(r, &v);
+			note_rule(r, &v, false, false);
+		}
+		free(open);
+		verdict_free(&v);
+	}
+	answer_sites(r, "all", about);
+	free(about);
+	return r;
+}
+
+static void
+end_league(struct session *s, void *of)
+{
+	struct league *l = of;
+	for (size_t i = 0; i < l->n; i++)
+		find_noise(&l->ground[i]);
+	session_answer(
+	    s, l->all ? all_answer(s, l) : one_answer(&l->ground[0]));
+	league_drop(l);
+}
+
+static const struct rounds LEAGUE = {next_round, take_round, end_league,
+    league_drop, false, "stopped before all models were calibrated"};
+
+bool
+cmd_league(struct session *s, const struct args *args, struct error *error)
+{
+	bool all = args->n_operand > 0;
+	if (all && strcmp(args->operand[0], "all") != 0)
+		return error_set(error, ERROR_USAGE,
+		    "league: expected all or nothing, got '%s'",
+		    args->operand[0]);
+	for (size_t m = 0; m < breakage_count(); m++)
+		if (!fit_settings_agree(&s->set.model, m, error))
+			return false;
+	struct league *l = xcalloc(1, sizeof *l);
+	*l = (struct league){.all = all,
+	    .at = all ? 0 : s->current,
+	    .end = all ? s->n_entry : s->current + 1};
+	session_let_go(s);
+	const struct job job = {
+	    .rounds = &LEAGUE, .of = l, .options = job_options(s)};
+	return job_start(s, &job) ||
+	       error_set(error, ERROR_DATA,
+		   all ? "no loaded site has a product to calibrate on"
+		       : "%s has no product to calibrate on\n"
+			 "measure a product at two speeds or more",
+		   session_entry(s)->site->name);
+}

@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/plots_draws.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/outlook.h"
+#include "cmd/site_chart.h"
+#include "core/identify.h"
+#include "core/profile.h"
+
+/* The draws of the site in use, or NULL with an error. */
+static const struct posterior *
+drawn(struct session *s, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	if (!answers_ready(s, error))
+		return NULL;
+	const struct posterior *p = outlook_draws(s, entry);
+	if (p == NULL)
+		error_set(error, ERROR_USAGE,
+		    "there are no draws to plot (%s)\n"
+		    "run 'calibrate' first",
+		    outlook_why_none(s, entry));
+	return p;
+}
+
+/* The parameters that are not held fixed.  Returns how many. */
+static size_t
+find_free(const struct posterior *p, size_t column[static PARAMS_MOST])
+{
+	size_t n = 0;
+	for (size_t j = 0; j < BREAKAGES[p->settings.breakage]->n; j++)
+		if (identify_param(p, j).grade != IDENTIFY_FIXED)
+			column[n++] = j;
+	return n;
+}
+
+/* A tick for each parameter, across from the left or up from the top. */
+static struct axis
+names_axis(const struct posterior *p, const size_t *column, size_t n, bool up)
+{
+	const struct breakage *of = BREAKAGES[p->settings.breakage];
+	struct axis axis = {
+	    .title = xstrdup("parameter"), .low = 0.5, .high = (double)n + 0.5};
+	for (size_t k = 0; k < n; k++)
+		axis_add(&axis, (double)(up ? n - k : k + 1),
+		    of->parameter[column[k]].name, 0);
+	return axis;
+}
+
+/* Fields of one sign. */
+static void
+add_fields(struct chart *chart, const struct posterior *p, const size_t *column,
+    size_t n, bool positive)
+{
+	struct chart_series *s = chart_add(chart,
+	    (struct chart_series){
+		.series = positive ? SERIES_PREDICTED : SERIES_MEASURED_1,
+		.mark = positive ? '+' : '-'},
+	    n * n, positive ? "rise together" : "one falls as the other rises");
+	s->n = 0;
+	s->field = xcalloc(n * n + 1, sizeof *s->field);
+	for (size_t i = 0; i < n; i++)
+		for (size_t j = 0; j < n; j++) {
+			double r = i == j ? 1
+					  : identify_strongest(identify_pair(
+						p, column[i], column[j]));
+			if ((r >= 0) != positive)
+				continue;
+			s->x[s->n] = (double)(j + 1);
+			s->y[s->n] = (double)(n - i);
+			s->field[s->n].value = i == j ? NAN : r;
+			s->field[s->n++].label =
+			    i == j ? xstrdup("1") : xasprintf("%+.2f", r);
+		}
+}
+
+struct chart *
+plots_draws_correlation(struct session *s, struct error *error)
+{
+	size_t column[PARAMS_MOST];
+	const struct posterior *p = drawn(s, error);
+	if (p == NULL)
+		return NULL;
+	size_t n = find_free(p, column);
+	if (n < 2) {
+		error_set(error, ERROR_USAGE,
+		    "correlation: expected two free parameters or more\n"
+		    "run 'bounds default' and 'calibrate'");
+		return NULL;
+	}
+	struct chart *chart = site_chart(session_entry(s)->site,
+	    names_axis(p, column, n, false), names_axis(p, column, n, true),
+	    "correlations of %d draws", POSTERIOR_DRAWS);
+	add_fields(chart, p, column, n, true);
+	add_fields(chart, p, column, n, false);
+	chart_note(chart,
+	    "of the draws or of their ranks, whichever is stronger; above 0.9 "
+	    "the data tell a combination of the two only");
+	return chart;
+}
+
+/* What a profile is of: the calibration's misfit and fit in its own model, or
+ * in that of the draws where only that has the parameter. */
+struct profiled {
+	const struct history *h;
+	const struct posterior *p; /* or NULL */
+	struct misfit *misfit;
+	struct params fit;
+	struct bounds bounds;
+	size_t j;   /* of the parameter in that model, */
+	size_t own; /* and among the draws */
+	const struct param_info *info;
+};
+
+static bool
+find_profiled(struct session *s, const char *name, struct profiled *a,
+    struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	if (!answers_ready(s, error))
+		return false;
+	if (origin_fit(entry) == NULL)
+		return error_set(error, ERROR_USAGE,
+		    "the parameters do not come from a calibration in this "
+		    "session\n"
+		    "run 'calibrate' first");
+	*a = (struct profiled){
+	    .h = entry->origin->spread, .p = outlook_draws(s, entry)};
+	a->fit = a->h->fit.params;
+	a->bounds = a->h->bounds;
+	struct model_settings settings = a->h->fit.settings;
+	if (a->p != NULL && breakage_parameter(breakage_of(&a->fit), name) ==
+				breakage_of(&a->fit)->n) {
+		a->fit = a->p->fit;
+		a->bounds = a->p->bounds;
+		settings = a->p->settings;
+	}
+	const struct breakage *of = breakage_of(&a->fit);
+	a->j = breakage_parameter(of, name);
+	if (a->j == of->n)
+		return error_set(error, ERROR_USAGE,
+		    "the model %s has no parameter %s\n"
+		    "run 'params' for its parameters",
+		    of->name, name);
+	a->info = &of->parameter[a->j];
+	a->own = a->p == NULL ? 0
+			      : breakage_parameter(
+				    BREAKAGES[a->p->settings.breakage], name);
+	bool gauge = a->j < of->gauge;
+	if ((gauge && fabs(a->fit.at[a->j]) == 1) ||
+	    (!gauge && !(a->bounds.lower[a->j] < a->bounds.upper[a->j])))
+		return error_set(error, ERROR_USAGE,
+		    "%s is %s\nchoose another parameter: plot profile "
+		    "param=..",
+		    name,
+		    gauge ? "what the others of beta are scaled to"
+			  : "held fixed");
+	a->misfit = misfit_new(a->h->site, a->h->train, NULL, false, settings);
+	if (gauge) {
+		a->bounds.lower[a->j] = -1;
+		a->bounds.upper[a->j] = 1;
+	}
+	return true;
+}
+
+/* What is worth showing of the bounds: the draws and the fit, and a quarter
+ * more; without draws all. */
+static void
+find_reach(const struct profiled *a, const double *draw, double reach[static 2])
+{
+	reach[0] = a->bounds.lower[a->j];
+	reach[1] = a->bounds.upper[a->j];
+	if (draw == NULL)
+		return;
+	double low = a->fit.at[a->j], high = low;
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
+		low = fmin(low, draw[d]);
+		high = fmax(high, draw[d]);
+	}
+	double more = (high - low) / 4;
+	if (!(more > 0))
+		return;
+	reach[0] = fmax(reach[0], low - more);
+	reach[1] = fmin(reach[1], high + more);
+}
+
+/* Values over the axis within the bounds, the fit's own in the place of the
+ * nearest. */
+static void
+find_values(
+    const struct chart *chart, const struct profiled *a, double *x, size_t n)
+{
+	double step = (chart->x.high - chart->x.low) / (double)(n - 1);
+	double fit = a->fit.at[a->j];
+	for (size_t i = 0; i < n; i++) {
+		double at = chart->x.low + step * (double)i;
+		if (fabs(at - fit) <= step / 2)
+			at = fit;
+		x[i] = fmin(
+		    fmax(at, a->bounds.lower[a->j]), a->bounds.upper[a->j]);
+	}
+}
+
+/* Refitted misfits as a likelihood of errors of unknown size, E^(-n/2). */
+static void
+add_profile(struct chart *chart, const struct profiled *a)
+{
+	enum { VALUES = 31 };
+	double x[VALUES], misfit[VALUES], least = INFINITY, near[2];
+	find_values(chart, a, x, VALUES);
+	profile_misfit(a->misfit, &a->fit, &a->bounds, a->j, x, VALUES, misfit);
+	for (size_t i = 0; i < VALUES; i++)
+		least = fmin(least, misfit[i]);
+	struct chart_series *s = chart_add(chart,
+	    (struct chart_series){
+		.series = SERIES_MEASURED_1, .line = CHART_SOLID, .ascii = '='},
+	    VALUES, "misfit, others refitted");
+	double half = (double)misfit_cells(a->misfit) / 2;
+	near[0] = INFINITY;
+	near[1] = -INFINITY;
+	for (size_t i = 0; i < VALUES; i++) {
+		s->x[i] = x[i];
+		s->y[i] = 100 * pow(least / misfit[i], half);
+		if (misfit[i] > 1.1 * least)
+			continue;
+		near[0] = fmin(near[0], x[i]);
+		near[1] = fmax(near[1], x[i]);
+	}
+	chart_note(chart,
+	    "lowest misfit E %.4g, within 10 %% of it from %.3g to %.3g; as a "
+	    "likelihood, E to the power -%g, which takes errors to be "
+	    "independent",
+	    least, near[0], near[1], half);
+}
+
+static void
+add_density(struct chart *chart, const struct profiled *a, const double *draw)
+{
+	enum { POINTS = 101 };
+	struct chart_series *s = chart_add(chart,
+	    (struct chart_series){
+		.series = SERIES_PREDICTED, .line = CHART_DASHED, .ascii = '#'},
+	    POINTS, "draws");
+	double most = 0;
+	for (size_t i = 0; i < POINTS; i++) {
+		s->x[i] = chart->x.low + (chart->x.high - chart->x.low) *
+					     (double)i / (POINTS - 1);
+		s->y[i] = profile_density(draw, POSTERIOR_DRAWS,
+		    a->bounds.lower[a->j], a->bounds.upper[a->j], s->x[i]);
+		if (s->x[i] < a->bounds.lower[a->j] ||
+		    s->x[i] > a->bounds.upper[a->j])
+			s->y[i] = NAN;
+		most = fmax(most, s->y[i]);
+	}
+	for (size_t i = 0; i < POINTS && most > 0; i++)
+		s->y[i] *= 100 / most;
+}
+
+struct chart *
+plots_draws_profile(struct session *s, const char *param, struct error *error)
+{
+	struct profiled a;
+	double draws[POSTERIOR_DRAWS], reach[2], *draw = NULL;
+	if (!find_profiled(s, param != NULL ? param : "e0_min", &a, error))
+		return NULL;
+	for (size_t d = 0; a.p != NULL && d < POSTERIOR_DRAWS; d++) {
+		draw = draws;
+		draws[d] = a.p->draw[d].params.at[a.own];
+	}
+	find_reach(&a, draw, reach);
+	char *title = xasprintf("%s, %s", a.info->name, a.info->unit);
+	struct chart *chart = site_chart(session_entry(s)->site,
+	    axis_linear(title, reach[0], reach[1]),
+	    axis_percent("relative to the most probable, %"),
+	    "what the data say of %s", a.info->name);
+	free(title);
+	add_profile(chart, &a);
+	if (draw != NULL)
+		add_density(chart, &a, draw);
+	chart_add_rule(chart, SERIES_BREAK, a.fit.at[a.j], "calibrated %.4g",
+	    a.fit.at[a.j]);
+	misfit_free(a.misfit);
+	return chart;
+}

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/identify.h"
+
+#include <gsl/gsl_statistics_double.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/breakage.h"
+#include "core/ensemble.h"
+
+enum { DRAWS = POSTERIOR_DRAWS };
+
+static const double DETERMINED = 0.1, POORLY = 0.5;
+
+/* Part of the range that counts as on a bound, and draws that make it one. */
+static const double EDGE = 0.02, MANY = 0.2;
+
+static void
+draws_of(const struct posterior *p, size_t j, double value[static DRAWS])
+{
+	for (size_t d = 0; d < DRAWS; d++)
+		value[d] = p->draw[d].params.at[j];
+}
+
+static int
+bound_of(const double *value, double lower, double upper)
+{
+	double edge = EDGE * (upper - lower), low = 0, high = 0;
+	for (size_t d = 0; d < DRAWS; d++) {
+		low += value[d] <= lower + edge;
+		high += value[d] >= upper - edge;
+	}
+	return low >= MANY * DRAWS ? -1 : high >= MANY * DRAWS;
+}
+
+struct identify_param
+identify_param(const struct posterior *p, size_t j)
+{
+	double value[DRAWS];
+	const struct bounds *b = &p->bounds;
+	const struct breakage *of = BREAKAGES[p->settings.breakage];
+	const struct param_info *info = &of->parameter[j];
+	double range = j < of->gauge ? 2 : b->upper[j] - b->lower[j];
+	draws_of(p, j, value);
+	struct identify_param a = {.mean = gsl_stats_mean(value, 1, DRAWS),
+	    .sd = gsl_stats_sd(value, 1, DRAWS),
+	    .prior = info->spread > 0 ? info->spread : range / sqrt(12)};
+	bool moves =
+	    b->upper[j] > b->lower[j] && a.sd > 1e-9 * fmax(fabs(a.mean), 1e-9);
+	a.ratio = moves ? a.sd / a.prior : NAN;
+	a.grade = !moves                 ? IDENTIFY_FIXED
+		  : a.ratio < DETERMINED ? IDENTIFY_DETERMINED
+		  : a.ratio < POORLY     ? IDENTIFY_POORLY
+					 : IDENTIFY_NOT;
+	a.bound = moves && j >= of->gauge
+		      ? bound_of(value, b->lower[j], b->upper[j])
+		      : 0;
+	return a;
+}
+
+struct identify_pair
+identify_pair(const struct posterior *p, size_t i, size_t j)
+{
+	double a[DRAWS], b[DRAWS], work[2 * DRAWS];
+	draws_of(p, i, a);
+	draws_of(p, j, b);
+	if (!(gsl_stats_sd(a, 1, DRAWS) > 0 && gsl_stats_sd(b, 1, DRAWS) > 0))
+		return (struct identify_pair){NAN, NAN};
+	return (struct identify_pair){gsl_stats_correlation(a, 1, b, 1, DRAWS),
+	    gsl_stats_spearman(a, 1, b, 1, DRAWS, work)};
+}
+
+double
+identify_strongest(struct identify_pair pair)
+{
+	return fabs(pair.rank) > fabs(pair.linear) ? pair.rank : pair.linear;
+}
+
+struct identify_break
+identify_break(const struct posterior *p, double v, double size)
+{
+	double value[DRAWS], sum[3] = {0};
+	struct identify_break a = {0};
+	for (size_t d = 0; d < DRAWS; d++) {
+		value[d] = params_break_size(&p->draw[d].params, v);
+		a.below += (value[d] < size) / (double)DRAWS;
+		if (!isfinite(value[d]))
+			continue;
+		sum[0]++;
+		sum[1] += value[d];
+		sum[2] += value[d] * value[d];
+	}
+	a.mean = sum[0] > 0 ? sum[1] / sum[0] : INFINITY;
+	a.sd = sqrt(fmax(sum[2] / sum[0] - a.mean * a.mean, 0));
+	ensemble_middle(value, 0.8, &a.low, &a.high);
+	return a;
+}

@@ -1,0 +1,52 @@
+/* What data say of parameters, read off the draws of the posterior.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_IDENTIFY_H
+#define TIPSPEED_CORE_IDENTIFY_H
+
+#include "core/params.h"
+#include "core/posterior.h"
+
+/* How far the data narrow a parameter, by the standard deviation of its draws
+ * over that of its prior: determined below 0.1, poorly below 0.5. */
+enum identify_grade {
+	IDENTIFY_FIXED, /* held, by a bound or as what others are scaled to */
+	IDENTIFY_DETERMINED,
+	IDENTIFY_POORLY,
+	IDENTIFY_NOT
+};
+
+/* A parameter's draws.  prior: standard deviation of its prior, uniform within
+ * the bounds (of a parameter in the gauge from -1 to 1, as it is reported), or
+ * the normal one of its table.  bound: -1 or 1 where at least a fifth of the
+ * draws lie within the fiftieth of the range next to the lower or upper bound,
+ * else 0. */
+struct identify_param {
+	double mean, sd, prior, ratio;
+	enum identify_grade grade;
+	int bound;
+};
+
+/* Of the parameter j of the posterior's model. */
+struct identify_param identify_param(const struct posterior *p, size_t j);
+
+/* Correlations of two parameters' draws, as they are (Pearson) and of their
+ * ranks (Spearman); NAN where one never changes. */
+struct identify_pair {
+	double linear, rank;
+};
+struct identify_pair identify_pair(
+    const struct posterior *p, size_t i, size_t j);
+
+/* The larger of the two by its absolute value, with its sign. */
+double identify_strongest(struct identify_pair pair);
+
+/* The break size at a tip speed v: mean and standard deviation of the draws in
+ * which something breaks, their middle 80 %, m; below: share of the draws in
+ * which it lies below a size. */
+struct identify_break {
+	double mean, sd, low, high, below;
+};
+struct identify_break identify_break(
+    const struct posterior *p, double v, double size);
+
+#endif

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/league.h"
+
+#include <math.h>
+
+#include "core/breakage.h"
+#include "core/discrepancy.h"
+
+/* AICc that rules a model out; standard errors that do, where RMSE differs by
+ * so much, 0..1: less is of no use to anybody, be it ever so certain. */
+static const double FAR = 10, ERRORS = 2, LEAST = 0.001;
+
+/* RMSE that differs by less is the same. */
+static const double ROUNDING = 1e-5;
+
+double
+league_aicc(double misfit, size_t cells, size_t parameters)
+{
+	double n = (double)cells, K = (double)parameters + 1;
+	if (!(n > K + 1) || !(misfit > 0))
+		return NAN;
+	return n * log(misfit / n) + 2 * K + 2 * K * (K + 1) / (n - K - 1);
+}
+
+size_t
+league_parameters(const struct fit *fit, const struct bounds *bounds)
+{
+	size_t gauge = breakage_of(&fit->params)->gauge;
+	bool scale = gauge > 0;
+	for (size_t j = 0; j < gauge; j++)
+		scale = scale && bounds->lower[j] < bounds->upper[j];
+	return fit->parameters - scale;
+}
+
+/* The cell after those of the same run. */
+static size_t
+run_end(const struct league_cell *cell, size_t n, size_t from)
+{
+	size_t to = from;
+	while (to < n && cell[to].run == cell[from].run)
+		to++;
+	return to;
+}
+
+double
+league_rmse(const struct league_cell *cell, size_t n, const double *predicted)
+{
+	double sum = 0, runs = 0;
+	for (size_t from = 0, to; from < n; from = to, runs++) {
+		double squares = 0;
+		to = run_end(cell, n, from);
+		for (size_t i = from; i < to; i++)
+			squares += pow(predicted[i] - cell[i].measured, 2);
+		sum += squares / (double)(to - from);
+	}
+	return runs > 0 ? sqrt(sum / runs) : NAN;
+}
+
+/* (a - m)^2 - (b - m)^2 = (a - b) (a + b - 2 m), in which an error of m counts
+ * -2 (a - b) times. */
+struct league_pair
+league_compare(
+    const struct league_cell *cell, size_t n, const double *a, const double *b)
+{
+	double prior[HYPERS], difference = 0, variance = 0;
+	for (size_t i = 0; i < HYPERS; i++)
+		prior[i] = HYPER[i].median;
+	double own = prior[HYPER_OWN] * prior[HYPER_OWN];
+	double all = own + discrepancy_shared(0, prior);
+	for (size_t i = 0; i < n; i++) {
+		double apart = a[i] - b[i];
+		difference += apart * (a[i] + b[i] - 2 * cell[i].measured);
+		variance += own / all * pow(apart * cell[i].noise, 2);
+		for (size_t j = 0; j < n; j++) {
+			double z = cell[i].log_size - cell[j].log_size;
+			if (cell[i].run == cell[j].run)
+				variance += discrepancy_shared(z, prior) / all *
+					    apart * cell[i].noise *
+					    (a[j] - b[j]) * cell[j].noise;
+		}
+	}
+	return (struct league_pair){difference, 2 * sqrt(variance)};
+}
+
+/* Whether a model comes before another: by AICc, of those that have none by
+ * what they err. */
+static bool
+is_better(const struct league_model *a, const struct league_model *b)
+{
+	if (isnan(a->aicc) || isnan(b->aicc))
+		return isnan(a->aicc) && isnan(b->aicc) ? a->rmse < b->rmse
+							: isnan(b->aicc);
+	return a->aicc < b->aicc;
+}
+
+bool
+league_errs_more(
+    const struct league_cell *cell, size_t n, const double *a, const double *b)
+{
+	struct league_pair p = league_compare(cell, n, a, b);
+	return p.difference > ERRORS * p.error &&
+	       league_rmse(cell, n, a) > league_rmse(cell, n, b) + LEAST;
+}
+
+/* Whether all models that remain extend the one with the fewest parameters. */
+static bool
+is_one_law(const struct league_model *model, size_t n)
+{
+	const struct league_model *least = NULL;
+	for (size_t i = 0; i < n; i++)
+		if (model[i].standing <= LEAGUE_POSSIBLE &&
+		    (least == NULL || BREAKAGES[model[i].model]->n <
+					  BREAKAGES[least->model]->n))
+			least = &model[i];
+	for (size_t i = 0; i < n; i++)
+		if (model[i].standing <= LEAGUE_POSSIBLE &&
+		    &model[i] != least &&
+		    !breakage_extends(model[i].model, least->model))
+			return false;
+	return true;
+}
+
+bool
+league_rank(struct league_model *model, size_t n_model,
+    const struct league_cell *cell, size_t n)
+{
+	struct league_model *best = &model[0];
+	bool agree = true;
+	for (size_t i = 1; i < n_model; i++)
+		if (is_better(&model[i], best))
+			best = &model[i];
+	for (size_t i = 0; i < n_model; i++) {
+		struct league_model *m = &model[i];
+		const double *p = m->predicted, *q = best->predicted;
+		bool spared = m->rmse < best->rmse - ROUNDING;
+		m->standing =
+		    m == best                               ? LEAGUE_BEST
+		    : league_errs_more(cell, n, p, q)       ? LEAGUE_OUT_ERROR
+		    : m->aicc > best->aicc + FAR && !spared ? LEAGUE_OUT_AICC
+							    : LEAGUE_POSSIBLE;
+		agree = agree && !league_errs_more(cell, n, q, p);
+	}
+	return agree && is_one_law(model, n_model);
+}

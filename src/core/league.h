@@ -1,0 +1,78 @@
+/* What tells models apart that were calibrated on the same runs: Akaike's
+ * criterion, and how far they miss runs that were held out.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_LEAGUE_H
+#define TIPSPEED_CORE_LEAGUE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/calibrate.h"
+
+/* Akaike's information criterion, corrected for few data, of least squares with
+ * an unknown variance:
+ *   AICc = n ln(E / n) + 2 K + 2 K (K + 1) / (n - K - 1),   K = p + 1
+ * E misfit over n cells, p parameters; the variance is one more.  NAN where n
+ * is not above K + 1, or E is 0.
+ * Source: Hurvich and Tsai (1989), Biometrika 76; Burnham and Anderson (2002),
+ * Model Selection and Multimodel Inference, section 2.4. */
+double league_aicc(double misfit, size_t cells, size_t parameters);
+
+/* Parameters that a fit found: those searched, without the free scale of a
+ * gauge that no bound holds. */
+size_t league_parameters(const struct fit *fit, const struct bounds *bounds);
+
+/* A passing of a run that was held out, 0..1; log_size: ln of its sieve, m;
+ * noise: standard deviation of its sampling error.  Those of a run stand
+ * together. */
+struct league_cell {
+	size_t run;
+	double log_size, measured, noise;
+};
+
+/* The root mean square over the runs of what was predicted, [n], errs in each;
+ * NAN with no cell, or where one has no answer. */
+double league_rmse(
+    const struct league_cell *cell, size_t n, const double *predicted);
+
+/* By how much the squared errors of a exceed those of b, summed over all cells,
+ * and what sampling error of the cells alone moves that: its standard error.
+ * The error of a run's cells is partly shared along its curve, in the shares of
+ * the priors of HYPER (D13). */
+struct league_pair {
+	double difference, error;
+};
+struct league_pair league_compare(
+    const struct league_cell *cell, size_t n, const double *a, const double *b);
+
+/* Whether a errs more than b, by more than sampling explains: twice that
+ * standard error, and 0.1 points of RMSE. */
+bool league_errs_more(
+    const struct league_cell *cell, size_t n, const double *a, const double *b);
+
+/* A model as the league sees it: model is its index in BREAKAGES.  Out: where
+ * it stands. */
+enum league_standing {
+	LEAGUE_BEST,     /* the least AICc, or where there is none, error */
+	LEAGUE_POSSIBLE, /* not told from the best */
+	LEAGUE_OUT_AICC, /* ruled out by AICc, */
+	LEAGUE_OUT_ERROR /* or by its error at the runs held out */
+};
+struct league_model {
+	size_t model;
+	double aicc, rmse;
+	const double *predicted; /* [n] of the cells */
+	enum league_standing standing;
+};
+
+/* Ranks models [n_model] and returns whether the data can tell them apart.
+ * Ruled out is one that errs more than the best at the cells held out; or whose
+ * AICc is more than 10 above the best's, unless its RMSE there is smaller,
+ * however little: AICc takes errors to be independent and of one size, which
+ * those of sieves are not.  The data can tell the models apart where all that
+ * remain are the simplest of them and such as extend it, and none errs less
+ * than the best by more than sampling explains. */
+bool league_rank(struct league_model *model, size_t n_model,
+    const struct league_cell *cell, size_t n);
+
+#endif

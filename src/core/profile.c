@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/profile.h"
+
+#include <gsl/gsl_statistics_double.h>
+#include <math.h>
+
+#include "core/polish.h"
+
+/* Steps of one polish: its start is a neighbour's end. */
+enum { STEPS = 60 };
+
+/* One of the gauge at its size, the others within it. */
+static void
+hold_gauge(struct bounds *b, const struct params *p)
+{
+	size_t gauge = breakage_of(p)->gauge, largest = 0;
+	for (size_t i = 1; i < gauge; i++)
+		if (fabs(p->at[i]) > fabs(p->at[largest]))
+			largest = i;
+	for (size_t i = 0; i < gauge; i++) {
+		double size = fabs(p->at[largest]);
+		b->lower[i] = i == largest ? p->at[i] : -size;
+		b->upper[i] = i == largest ? p->at[i] : size;
+	}
+}
+
+void
+profile_misfit(struct misfit *m, const struct params *fit,
+    const struct bounds *bounds, size_t j, const double *x, size_t n,
+    double *misfit)
+{
+	struct polish *polish = polish_new(m);
+	struct bounds b = *bounds;
+	size_t first = 0;
+	if (j < breakage_of(fit)->gauge)
+		hold_gauge(&b, fit);
+	while (first + 1 < n && x[first] < fit->at[j])
+		first++;
+	for (int up = 0; up < 2; up++) {
+		struct params p = *fit;
+		for (size_t i = up ? first : first - 1; i < n;
+		     i += up ? 1 : SIZE_MAX) {
+			b.lower[j] = b.upper[j] = p.at[j] = x[i];
+			misfit[i] =
+			    polish_run(polish, &b, STEPS, NULL, &p).misfit;
+		}
+	}
+	polish_free(polish);
+}
+
+static double
+bell(double z)
+{
+	return exp(-z * z / 2);
+}
+
+double
+profile_density(
+    const double *draw, size_t n, double lower, double upper, double x)
+{
+	double sd = gsl_stats_sd(draw, 1, n), sum = 0;
+	double h = 0.9 * sd * pow((double)n, -0.2);
+	for (size_t i = 0; i < n && h > 0; i++)
+		sum += bell((x - draw[i]) / h) +
+		       bell((x - 2 * lower + draw[i]) / h) +
+		       bell((x - 2 * upper + draw[i]) / h);
+	return h > 0 ? sum / ((double)n * h * sqrt(2 * acos(-1))) : 0;
+}

@@ -1,0 +1,23 @@
+/* The profile of the misfit over one parameter.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_PROFILE_H
+#define TIPSPEED_CORE_PROFILE_H
+
+#include "core/misfit.h"
+
+/* The lowest misfit, out [n], with parameter j held at each of x [n], rising,
+ * and the others refitted within the bounds: polished from the fit outward,
+ * each from its neighbour.  p: the fit.  Of a parameter in the gauge the
+ * largest one is held too, and the others keep within its size (D4); of that
+ * one itself all are alike. */
+void profile_misfit(struct misfit *m, const struct params *p,
+    const struct bounds *bounds, size_t j, const double *x, size_t n,
+    double *misfit);
+
+/* The density of draws [n] at x, by Gaussian kernels as wide as Silverman's
+ * rule has them, reflected at the bounds.
+ * Source: Silverman (1986), Density Estimation, section 3.4.2. */
+double profile_density(
+    const double *draw, size_t n, double lower, double upper, double x);
+
+#endif
