@@ -1,0 +1,18 @@
+#!/bin/sh
+# A few plants of each law of bench/coverage, of which most do not follow the
+# model: the 80 % band holds the true product, and the answer errs less than
+# interpolation.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "${srcdir:-.}/tests/tap.sh"
+scratch
+bench/coverage "${TIPSPEED_TEST_PLANTS:-4}" >"$dir/out"
+status=$?
+sed -n 's/^not ok //p; s/^ok //p' "$dir/out" >"$dir/lines"
+while read -r line; do
+	grep -q "^ok $line" "$dir/out"
+	result $? "$line"
+done <"$dir/lines"
+[ $status -eq 0 ] && [ "$(grep -c . "$dir/lines")" -eq 3 ]
+result $? "three speeds were counted"
+remark "$dir/out"
+finish
