@@ -273,7 +273,7 @@ struct score {
 
 struct task {
 	struct score *score; /* [LAWS][plants][ASKED] */
-	size_t plants, law;
+	size_t plants, law, first;
 	double *convergence, *seconds;
 };
 
@@ -376,7 +376,7 @@ static void
 one_plant(void *data, size_t piece, unsigned thread)
 {
 	struct task *task = data;
-	uint64_t number = piece + 1;
+	uint64_t number = task->first + piece;
 	struct plant p = plant_of((enum law)task->law, number);
 	struct site *site = site_of(&p, number);
 	bool use[6] = {true, true, true, true, true, true};
@@ -518,9 +518,11 @@ print_law(struct task *task, const struct score sum[static ASKED])
 
 /* Makes the plants of a law and prints its row; sum [ASKED]: adds to it. */
 static void
-try_law(size_t law, size_t plants, struct pool *pool, struct score *sum)
+try_law(size_t law, size_t plants, size_t first, struct pool *pool,
+    struct score *sum)
 {
 	struct task task = {.plants = plants,
+	    .first = first,
 	    .law = law,
 	    .score = xcalloc(plants * ASKED, sizeof *task.score),
 	    .convergence = xdoubles(plants),
@@ -568,14 +570,16 @@ leave_each_out(const char *path)
 	return 0;
 }
 
-/* coverage [PLANTS [LAWS]]: LAWS by letters, "ac" the first and the third;
- * coverage FILE: each run of a site from the others. */
+/* coverage [PLANTS [LAWS [FIRST]]]: LAWS by letters, "ac" the first and the
+ * third; FIRST the number of the first plant, 1.  coverage FILE: each run of a
+ * site from the others. */
 int
 main(int argc, char **argv)
 {
 	if (argc > 1 && strchr(argv[1], '.') != NULL)
 		return leave_each_out(argv[1]);
 	size_t plants = argc > 1 ? (size_t)atoi(argv[1]) : 200;
+	size_t first = argc > 3 ? (size_t)atoi(argv[3]) : 1;
 	struct pool *pool = pool_new(measure_threads());
 	struct score sum[ASKED] = {{0}};
 	printf("%-32s%21s%21s%18s%18s%18s%18s%7s%36s\n", "law", "80 % holds",
@@ -583,7 +587,7 @@ main(int argc, char **argv)
 	    "green amber red, error of green");
 	for (size_t law = 0; law < LAWS; law++)
 		if (argc < 3 || strchr(argv[2], (int)('a' + law)) != NULL)
-			try_law(law, plants, pool, sum);
+			try_law(law, plants, first, pool, sum);
 	pool_free(pool);
 	return holds(sum) ? 0 : 1;
 }

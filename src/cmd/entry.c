@@ -234,7 +234,8 @@ void
 origin_note(struct answer *r, const struct entry *entry)
 {
 	char *sentence = origin_sentence(entry);
-	if (sentence[0] != '\0')
+	bool whose = entry->origin != NULL && entry->origin->whose[0] != '\0';
+	if (sentence[0] != '\0' && whose)
 		answer_say(r,
 		    origin_is_other(entry) ? ANSWER_WARNING : ANSWER_REMARK,
 		    "%s", sentence);

@@ -118,7 +118,8 @@ char *origin_details(const struct origin *origin);
 bool origin_is_other(const struct entry *entry);
 
 /* "parameters from tierp (..), not calibrated on this site"; "" where they were
- * found here.  The caller frees.  origin_note: as a note. */
+ * found here.  The caller frees.  origin_note: as a note, of
+ * another site's or of the store; the light says which were set by hand. */
 char *origin_sentence(const struct entry *entry);
 void origin_note(struct answer *r, const struct entry *entry);
 

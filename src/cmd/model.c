@@ -47,8 +47,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 	}
 	if (u != NULL)
 		band_note(r, s, entry, false);
-	if (entry->origin != NULL && entry->origin->whose[0] != '\0')
-		origin_note(r, entry);
+	origin_note(r, entry);
 	return session_answer(s, r);
 }
 
