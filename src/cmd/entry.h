@@ -28,7 +28,7 @@ struct history {
 	bool (*stop)(void);
 	struct posterior *posterior[2]; /* NULL: not drawn yet */
 	struct evidence *evidence[2];
-	double noise;                   /* that they were drawn with */
+	double noise; /* that they were drawn with */
 	struct ensemble *ensemble;
 	struct ensemble_of {
 		const struct posterior *posterior;
