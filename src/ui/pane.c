@@ -1,5 +1,6 @@
 /* What pages draw with.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/outlook.h"
 #include "ui/pane.h"
 
 #include <stdio.h>
@@ -81,8 +82,9 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 	}
 	if (t->now.site[0] == '\0')
 		return;
-	column = draw_name(t, column, SERIES_PREDICTED, LOOK_BOLD,
-	    ascii ? "# predicted" : "\u254C predicted");
+	snprintf(text, sizeof text, "%s predicted%s", ascii ? "#" : "\u254C",
+	    outlook_short(t->session, &t->shown));
+	column = draw_name(t, column, SERIES_PREDICTED, LOOK_BOLD, text);
 	if (request->kept != NULL)
 		column = draw_name(t, column, SERIES_OTHER, 0,
 		    ascii ? "% pinned" : "\u2501%\u2501 pinned");
