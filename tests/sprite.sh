@@ -47,5 +47,12 @@ for screen in 12.7 19.05; do
 	result $? "screen $screen: two speeds of a poor fit give no band"
 	grep -q 'at 8.168 m/s: RMSE' "$dir/out"
 	result $? "screen $screen: the middle speed is held out"
+	# Each speed asked for from the two others.
+	"$TIPSPEED" "$dir/sprite.csv" -c 'validate holdout=each' \
+		>"$dir/out" 2>"$dir/log"
+	awk '/passings lie in the/ { n++; bad += $1 < 0.7 * $3 }
+	/no band: the fit is poor/ { n++ }
+	END { exit !(n == 3 && bad == 0) }' "$dir/out"
+	result $? "screen $screen: bands hold 70 % of the sieves, or there is none"
 done
 finish

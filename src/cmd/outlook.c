@@ -108,13 +108,11 @@ outlook_feed_difference(
 	return least;
 }
 
-/* A poor fit with two speeds: two points lie on any line, so that nothing shows
- * how far what the model leaves out bends between them. */
 static bool
 is_open(const struct session *s, const struct entry *entry)
 {
 	const struct evidence *e = outlook_evidence(s, entry);
-	return e != NULL && e->rmse > FIT_POOR && e->speeds <= 2;
+	return e != NULL && trust_without_band(e->rmse, e->speeds);
 }
 
 /* Whether the settings are those of the fit. */

@@ -12,6 +12,7 @@
 #include "cmd/outlook.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
+#include "core/trust.h"
 #include "core/validate.h"
 #include "io/units.h"
 
@@ -36,7 +37,7 @@ struct compared {
 	bool *train;
 	struct params params;
 	struct model_settings settings;
-	bool has_band;
+	bool has_band, open; /* open: see trust_without_band */
 	struct validation v;
 	size_t within;
 	double *corrected; /* [v.n_sieve] */
@@ -86,10 +87,24 @@ count_within(const struct site *site, size_t run,
 	return within;
 }
 
+/* Speeds of the training runs. */
+static size_t
+count_trained(const struct site *site, const bool *train)
+{
+	size_t n = 0;
+	double last = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		n += train[r] && site->run[r].speed != last;
+		last = train[r] ? site->run[r].speed : last;
+	}
+	return n;
+}
+
+/* rmse: of the fit, 0..1. */
 static void
 compare(struct comparison *c, const struct site *site, size_t run,
     const bool *train, const struct params *p, struct model_settings settings,
-    const struct posterior *posterior)
+    const struct posterior *posterior, double rmse)
 {
 	c->item = xrealloc(c->item, c->n + 1, sizeof *c->item);
 	struct compared *item = &c->item[c->n++];
@@ -100,10 +115,12 @@ compare(struct comparison *c, const struct site *site, size_t run,
 	    .params = *p,
 	    .settings = settings,
 	    .v = validate_run(site, run, train, p, settings, posterior),
+	    .open = trust_without_band(rmse, count_trained(site, train)),
 	    .has_band = posterior != NULL,
 	    .within = posterior != NULL
 			  ? count_within(site, run, posterior, c->level)
 			  : 0};
+	item->has_band = item->has_band && !item->open;
 	memcpy(item->train, train, site->n_run * sizeof *train);
 	item->corrected = xdoubles(item->v.n_sieve);
 	validate_passing(site, run, train, p, settings, posterior,
@@ -376,6 +393,10 @@ note_run(struct answer *r, const struct compared *item, double level)
 		    "  %zu of %zu measured passings lie in the %.0f %% band "
 		    "for a sample there",
 		    item->within, v->n_sieve, 100 * level);
+	else if (item->open)
+		answer_say(r, ANSWER_REMARK,
+		    "  no band: the fit is poor, and two speeds do not show "
+		    "how its error changes with the speed");
 	free(run);
 	if (isnan(v->rmse[VALIDATE_INTERPOLATION]))
 		answer_say(r, ANSWER_REMARK, "  no interpolation: %s",
@@ -530,12 +551,14 @@ compare_entry(
     struct session *s, const struct entry *entry, struct comparison *c)
 {
 	size_t before = c->n;
+	const struct fit *fit = origin_fit(entry);
 	for (size_t i = 0; i < entry->site->n_run; i++)
 		if (!entry->train[i] &&
 		    misfit_covered(&entry->site->run[i]) > 0)
 			compare(c, entry->site, i, entry->train, &entry->params,
 			    s->set.model,
-			    outlook_posterior(s, entry, CORRECTION_TRAIN));
+			    outlook_posterior(s, entry, CORRECTION_TRAIN),
+			    fit != NULL ? fit->rmse : 0);
 	c->left_out += c->n == before;
 }
 
@@ -611,6 +634,7 @@ take_speed(struct session *s)
 	    .seed = fit.seed,
 	    .threads = s->set.threads,
 	    .isa = s->isa,
+	    .noise = s->set.noise / 100,
 	    .stop = job->options.stop};
 	struct posterior *posterior =
 	    few ? NULL : posterior_new(site, &fit.params, &o);
@@ -618,7 +642,7 @@ take_speed(struct session *s)
 		if (site->run[r].speed == c->speed &&
 		    misfit_covered(&site->run[r]) > 0)
 			compare(c, site, r, job->train, &fit.params,
-			    fit.settings, posterior);
+			    fit.settings, posterior, fit.rmse);
 	posterior_free(posterior);
 }
 

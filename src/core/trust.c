@@ -380,6 +380,12 @@ trust_judge(
 	judge_question(t, q);
 }
 
+bool
+trust_without_band(double rmse, size_t speeds)
+{
+	return rmse > FIT_POOR && speeds <= 2;
+}
+
 void
 trust_free(struct trust *t)
 {

@@ -23,6 +23,11 @@ extern const char *const LIGHT_NAME[3];
  * be told from the feed. */
 #define FIT_NOTHING 0.5
 
+/* Whether there is no band: the fit is poor, and two speeds or fewer inform it.
+ * Two points lie on any line, so that nothing shows how what the model leaves
+ * out bends between them. */
+bool trust_without_band(double rmse, size_t speeds);
+
 /* What a fit shows of itself, whatever is asked of it.  It is worked out once a
  * fit.  use: the runs that inform the answer. */
 struct evidence {

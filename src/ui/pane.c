@@ -1,6 +1,5 @@
 /* What pages draw with.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/outlook.h"
 #include "ui/pane.h"
 
 #include <stdio.h>
@@ -9,6 +8,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/outlook.h"
 #include "ui/screen.h"
 
 struct area
