@@ -84,6 +84,29 @@ misfit_new(const struct site *site, const bool *train, const double *run_weight,
 	return m;
 }
 
+void
+misfit_thin(struct misfit *m, size_t most)
+{
+	m->n_residual = 0;
+	for (size_t r = 0; r < m->n_run; r++) {
+		struct misfit_run *run = &m->run[r];
+		size_t n = run->n;
+		m->n_residual += n < most ? n : most;
+		if (n <= most)
+			continue;
+		for (size_t i = 0; i < most; i++) {
+			size_t from = i * (n - 1) / (most - 1);
+			run->sieve[i] = run->sieve[from];
+			run->measured[i] = run->measured[from];
+			run->weight[i] = run->weight[from];
+		}
+		run->n = most;
+		model_free(m->model[r]);
+		m->model[r] =
+		    model_new(&run->feed, run->sieve, most, m->settings);
+	}
+}
+
 size_t
 misfit_cells(const struct misfit *m)
 {

@@ -47,6 +47,10 @@ struct misfit *misfit_new(const struct site *site, const bool *train,
     const double *run_weight, bool by_sd, struct model_settings settings);
 void misfit_free(struct misfit *m);
 
+/* Keeps no more than `most` sieves of each run, evenly among its own, the
+ * coarsest and the finest with them; most >= 2. */
+void misfit_thin(struct misfit *m, size_t most);
+
 /* How many of the n_residual passings crushing can change: where all of the
  * feed passes, all of any product does, whatever the parameters. */
 size_t misfit_cells(const struct misfit *m);

@@ -31,7 +31,9 @@ enum {
 	HYPER_EVERY = 4, /* generations, one of the hyperparameters */
 	LEAP_EVERY = 10, /* one that leaps from valley to valley */
 	COORDINATES = PARAMS_MOST + HYPERS,
-	NUMBERS = 64 /* random ones of a chain and generation */
+	NUMBERS = 64, /* random ones of a chain and generation */
+	CELLS = 96    /* passings taken, as their covariance is factored often:
+		       * of more sieves each tells little more */
 };
 
 static const double FIRST_RUNG = 0.02, RISE = 1.5;
@@ -781,6 +783,7 @@ posterior_new(const struct site *site, const struct params *fit,
 	p->bounds = bounds;
 	misfit_free(m);
 	m = misfit_new(site, o->use, NULL, false, p->settings);
+	misfit_thin(m, CELLS / m->n_run < 8 ? 8 : CELLS / m->n_run);
 	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);
 	p->n_cell = s->n_cell;
 	p->middle = s->middle;

@@ -144,6 +144,33 @@ test_parts(void **state)
 	site_free(k.site);
 }
 
+/* Of 400 sieves 48 a run inform it, the two ends among them. */
+static void
+test_many_sieves(void **state)
+{
+	(void)state;
+	enum { MANY = 400 };
+	struct known k = known(TIERP, 0, 1);
+	for (size_t r = 0; r < k.site->n_run; r++) {
+		struct psd *old = &k.site->run[r].product;
+		struct psd many = psd_new(MANY);
+		double step = log(old->size[0] / old->size[old->n - 1]);
+		for (size_t i = 0; i < MANY; i++) {
+			many.size[i] =
+			    old->size[0] * exp(-step * (double)i / (MANY - 1));
+			many.passing[i] = psd_passing(old, many.size[i]);
+		}
+		many.size[MANY - 1] = old->size[old->n - 1];
+		psd_free(old);
+		*old = many;
+	}
+	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
+	assert_int_equal(p->n_cell, 96);
+	assert_true(fabs(p->knot[p->n_knot - 1] - log(63e-6)) < 1e-6);
+	posterior_free(p);
+	site_free(k.site);
+}
+
 /* Counts the sieves at 74 m/s whose true passing the middle 80 % holds; sieves
  * that pass all or next to nothing are left out. */
 static void
@@ -198,6 +225,7 @@ main(void)
 	    cmocka_unit_test(test_bits),
 	    cmocka_unit_test(test_bounds),
 	    cmocka_unit_test(test_parts),
+	    cmocka_unit_test(test_many_sieves),
 	    cmocka_unit_test(test_bands_hold),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
