@@ -92,7 +92,7 @@ want 'band  *6[0-9.]* \.\. 6[0-9.]* %'
 keys Down b c x
 want 'pinned: 74\.0 m.s tierp' "a prediction is kept beside"
 keys 7 8 Enter
-want 'P50 2.81 mm  now -' "with what is now less than it"
+want 'P50 2.87 mm  now -' "with what is now less than it"
 want '%.*pin' "and a curve of its own"
 want 'P50 2.* mm  *-0' "changes since the last pause"
 want '78\.0 m/s  *since 7' "and since when"
