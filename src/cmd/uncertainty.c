@@ -34,7 +34,8 @@ add_parts(struct answer *r, const struct session *s, const struct prediction *p,
 			k++;
 		answer_cells(r, "%g %.1f", units_mm(p->product.size[i]),
 		    units_pct(p->product.passing[i]));
-		for (size_t part = 0; part < ENSEMBLE_PARTS; part++) {
+		for (enum ensemble_part part = 0; part < ENSEMBLE_PARTS;
+		     part++) {
 			double low, high;
 			ensemble_band(
 			    e, part, k, settings_level(&s->set), &low, &high);
