@@ -612,12 +612,11 @@ widen(const struct params *p, double energy, struct model_settings *settings,
 			  : p->breakage;
 	const struct breakage *of = BREAKAGES[wide];
 	struct bounds b = bounds_default(wide);
-	struct params q = params_start(wide);
+	struct params q = breakage_widened(p, wide);
 	for (size_t j = 0; j < of->n; j++) {
 		const struct param_info *info = &of->parameter[j];
 		size_t i = breakage_parameter(own, info->name);
 		if (i < own->n) {
-			q.at[j] = p->at[i];
 			b.lower[j] = bounds->lower[i];
 			b.upper[j] = bounds->upper[i];
 		} else {
@@ -625,7 +624,7 @@ widen(const struct params *p, double energy, struct model_settings *settings,
 			b.upper[j] = info->start + 5 * info->spread;
 		}
 		if (j == of->reference) {
-			q.at[j] = i < own->n ? p->at[i] : energy;
+			q.at[j] = i < own->n ? q.at[j] : energy;
 			b.lower[j] = b.upper[j] = q.at[j];
 		}
 	}
