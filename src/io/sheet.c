@@ -97,7 +97,8 @@ sheet_cell(const struct row *row, size_t i)
 	if (i < row->n_all)
 		return row->cell[i];
 	static char nothing[1] = "";
-	return (struct cell){nothing, row->line, row->end};
+	return (struct cell){
+	    .text = nothing, .line = row->line, .column = row->end};
 }
 
 /* What to do about a cell that is no number. */
@@ -235,7 +236,7 @@ skip_quoted(struct cursor *c)
 static bool
 skip_cell(struct sheet *sheet, struct cursor *c, int line)
 {
-	struct cell start = {NULL, line, c->column};
+	struct cell start = {.line = line, .column = c->column};
 	bool quoted = *c->p == '"';
 	if (quoted && !skip_quoted(c))
 		return sheet_fault(sheet, start,
@@ -266,8 +267,8 @@ add_cell(struct row *row, const struct cursor *from, const char *end)
 	const char *said = text_trim(text);
 	said += said[0] == '\'' && text_is_formula(said);
 	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
-	row->cell[row->n_all++] =
-	    (struct cell){xstrdup(said), row->line, from->column};
+	row->cell[row->n_all++] = (struct cell){
+	    .text = xstrdup(said), .line = row->line, .column = from->column};
 	free(text);
 	if (row->cell[row->n_all - 1].text[0] != '\0')
 		row->n = row->n_all;
@@ -289,7 +290,8 @@ split_line(struct sheet *sheet, const char *text, struct row *row)
 			return true;
 		step(&c);
 	}
-	return sheet_fault(sheet, (struct cell){NULL, row->line, c.column},
+	return sheet_fault(sheet,
+	    (struct cell){.line = row->line, .column = c.column},
 	    "more than %d cells in a line\n"
 	    "a site file has a few columns: is this the right file?",
 	    MOST_CELLS);
@@ -309,7 +311,7 @@ static bool
 add_row(struct sheet *sheet, const char *line, int number)
 {
 	if (strlen(line) > MOST_LINE || sheet->n_row == sheet->most_rows) {
-		sheet_fault(sheet, (struct cell){NULL, number, 1},
+		sheet_fault(sheet, (struct cell){.line = number, .column = 1},
 		    "more than %zu lines, or %d bytes in a line\n"
 		    "a site file has a few kB: is this the right file?",
 		    sheet->most_rows, MOST_LINE);
@@ -426,6 +428,7 @@ sheet_new(
 {
 	struct sheet *sheet = xcalloc(1, sizeof *sheet);
 	sheet->path = xstrdup(path);
+	sheet->name = xstrdup("");
 	sheet->errors = errors;
 	sheet->most_rows = most_rows;
 	sheet->separator = find_separator(text);
@@ -441,6 +444,7 @@ sheet_free(struct sheet *sheet)
 	free(sheet->row);
 	free(sheet->comment);
 	free(sheet->path);
+	free(sheet->name);
 	free(sheet);
 }
 

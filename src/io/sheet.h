@@ -10,11 +10,17 @@
 
 #include "base/error.h"
 
-/* text: without spaces at both ends, never NULL.  column: of its first
- * character, counted from 1 in characters, not bytes. */
+/* What a cell of a workbook holds; all cells of a text are CELL_TEXT. */
+enum cell_kind { CELL_TEXT, CELL_NUMBER, CELL_DATE };
+
+/* text: without spaces at both ends, never NULL; of CELL_NUMBER as text_exact
+ * writes it.  column: of its first character, counted from 1 in characters, not
+ * bytes; in a workbook 1 is A. */
 struct cell {
 	char *text;
 	int line, column;
+	enum cell_kind kind;
+	double number; /* of CELL_NUMBER; 97.5 of one shown as 97.5 % */
 };
 
 /* n: cells up to the last that is not empty, 1 or more.  n_all: with the empty
@@ -36,6 +42,7 @@ struct comment {
  * not in row[]. */
 struct sheet {
 	char *path;
+	char *name;     /* in a workbook; "" of a text */
 	char separator; /* ',', ';' or tab */
 	char decimal;   /* decimal sign seen first, '\0' before that */
 	bool mixed;     /* a second decimal sign was reported */

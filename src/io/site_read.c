@@ -15,10 +15,7 @@
 #include "io/sieve_names.h"
 #include "io/site_column.h"
 #include "io/site_sieve.h"
-#include "io/textfile.h"
-
-/* A sieve sheet has some dozen lines. */
-enum { MOST_ROWS = 2000 };
+#include "io/source.h"
 
 static void
 read_top_size(struct site *site, struct sheet *sheet, struct cell cell)
@@ -453,13 +450,9 @@ tell_names(struct site *site, const struct table *t)
 	}
 }
 
-struct site *
-site_read(const char *path, struct error_list *errors)
+static struct site *
+read_sheet(const char *path, struct sheet *sheet)
 {
-	char *text = textfile_read(path, errors);
-	if (text == NULL)
-		return NULL;
-	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
 	struct table t = {.sheet = sheet, .lost = sheet->lost};
 	struct site *site = site_new(0);
 	size_t head = 0;
@@ -482,7 +475,16 @@ site_read(const char *path, struct error_list *errors)
 		site = NULL;
 	}
 	table_clear(&t);
-	sheet_free(sheet);
-	free(text);
+	return site;
+}
+
+struct site *
+site_read(const char *path, struct error_list *errors)
+{
+	struct source source;
+	struct site *site = NULL;
+	if (source_read(path, errors, &source))
+		site = read_sheet(path, source.sheet[0]);
+	source_free(&source);
 	return site;
 }

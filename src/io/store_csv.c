@@ -268,7 +268,7 @@ store_csv_read(const char *path, const struct stored_list *there,
 	if (sheet->n_row > 0)
 		read_head(sheet, column, n);
 	if (sheet->n_row < 2 && sheet->n_fault == 0)
-		sheet_fault(sheet, (struct cell){NULL, 1, 1},
+		sheet_fault(sheet, (struct cell){.line = 1, .column = 1},
 		    "expected a line of column names and a line for each "
 		    "material, got %zu line%s",
 		    sheet->n_row, sheet->n_row == 1 ? "" : "s");
