@@ -3,12 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sheet.h"
 
-#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -99,98 +97,6 @@ sheet_cell(const struct row *row, size_t i)
 	static char nothing[1] = "";
 	return (struct cell){
 	    .text = nothing, .line = row->line, .column = row->end};
-}
-
-/* What to do about a cell that is no number. */
-static const char *
-number_hint(const char *s)
-{
-	static const char *const absent[] = {"", "-", "--", "\u2013", "\u2014",
-	    "n/a", "na", "nan", "#n/a", "none", "null", "?"};
-	for (size_t i = 0; i < ARRAY_LEN(absent); i++)
-		if (strcasecmp(s, absent[i]) == 0)
-			return "leave the cell empty where the sieve was not "
-			       "used";
-	const char *comma = strchr(s, ',');
-	bool commas = comma != NULL && strchr(comma + 1, ',') != NULL;
-	bool both = comma != NULL && strchr(s, '.') != NULL;
-	size_t n = strspn(s, "0123456789");
-	if (n > 0 && s[n] == '-' && isalpha((unsigned char)s[n + 1]))
-		return "the spreadsheet turned it into a date: type it again "
-		       "in a cell formatted as text";
-	n = strspn(s, "+-0123456789");
-	bool group = n > 0 && strchr(" '\xC2\xE2", s[n]) != NULL &&
-		     s[n] != '\0' && isdigit((unsigned char)s[strlen(s) - 1]);
-	if (commas || both || group || comma != NULL)
-		return "write thousands without a separator: 1000";
-	return n > 0 ? "write the number alone; units belong in the header"
-		     : "write digits and a decimal point";
-}
-
-/* 1 010,5 with a space, also one that does not break, before each three digits
- * becomes 1010,5. */
-static void
-join_thousands(char *s)
-{
-	static const char *const BLANKS[] = {
-	    " ", "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x89"};
-	char *to = s;
-	for (const char *p = s; *p != '\0';) {
-		size_t n = 0;
-		for (size_t b = 0; b < ARRAY_LEN(BLANKS); b++)
-			if (strncmp(p, BLANKS[b], strlen(BLANKS[b])) == 0)
-				n = strlen(BLANKS[b]);
-		if (n > 0 && p > s && isdigit((unsigned char)p[-1]) &&
-		    strspn(p + n, "0123456789") == 3)
-			p += n;
-		else
-			*to++ = *p++;
-	}
-	*to = '\0';
-}
-
-/* Where commas separate the cells a comma in a number stood in quotes: "80,5"
- * is decimal, and "1,250" may be thousands. */
-static bool
-may_group(const char *s, const char *comma)
-{
-	return strspn(comma + 1, "0123456789") == 3 && comma[4] == '\0' &&
-	       !(comma == s + 1 && s[0] == '0');
-}
-
-bool
-sheet_value(const struct sheet *sheet, struct cell cell, double *value)
-{
-	char copy[64];
-	bool fits = strlen(cell.text) < sizeof copy;
-	snprintf(copy, sizeof copy, "%s", cell.text);
-	join_thousands(copy);
-	char *comma = strchr(copy, ',');
-	if (comma != NULL && strchr(copy, '.') == NULL &&
-	    (sheet->separator != ',' || !may_group(copy, comma)))
-		*comma = '.';
-	return fits && text_number(copy, value);
-}
-
-bool
-sheet_number(
-    struct sheet *sheet, struct cell cell, const char *wanted, double *value)
-{
-	if (!sheet_value(sheet, cell, value))
-		return sheet_wanted(
-		    sheet, cell, wanted, "%s", number_hint(cell.text));
-	const char *comma = strchr(cell.text, ',');
-	const char *point = strchr(cell.text, '.');
-	char sign = comma != NULL ? ',' : point != NULL ? '.' : '\0';
-	if (sheet->decimal == '\0')
-		sheet->decimal = sign;
-	if (sign == '\0' || sign == sheet->decimal || sheet->mixed)
-		return true;
-	sheet->mixed = true;
-	return sheet_fault(sheet, cell,
-	    "expected a decimal %s as above, got %s\n"
-	    "use one decimal sign, and no separator for thousands",
-	    sign == ',' ? "point" : "comma", cell.text);
 }
 
 /* A place in a line of text; column counts characters. */
@@ -433,6 +339,7 @@ sheet_new(
 	sheet->most_rows = most_rows;
 	sheet->separator = find_separator(text);
 	split_text(sheet, text);
+	sheet_decide_decimal(sheet);
 	return sheet;
 }
 
