@@ -307,6 +307,9 @@ truth_make(struct plan *plan)
 	psd_free(&feed);
 	for (size_t i = 0; i < plan->n_curve; i++) {
 		struct curve *c = &plan->curve[i];
+		/* Clay, without which washing would take nothing that shows. */
+		for (size_t k = 0; plan->washed && k < c->n; k++)
+			c->pct[k] = 3 + 0.97 * c->pct[k];
 		enum quantity q =
 		    c->feed ? plan->feed_quantity : plan->quantity;
 		truth_show(
