@@ -145,6 +145,12 @@ thousands_apostrophe(struct plan *p)
 }
 
 static bool
+thousands_quote(struct plan *p)
+{
+	return thousands(p, "\xE2\x80\x99");
+}
+
+static bool
 thousands_comma(struct plan *p)
 {
 	return p->decimal == '.' && thousands(p, ",");
@@ -161,6 +167,12 @@ percent_signs(struct plan *p)
 {
 	return p->quantity != HELD_G && p->quantity != SUM_G &&
 	       on(&p->percent_signs);
+}
+
+static bool
+gram_signs(struct plan *p)
+{
+	return is_held(p) && on(&p->gram_signs);
 }
 
 static bool
@@ -463,6 +475,13 @@ sizes_bare(struct plan *p)
 }
 
 static bool
+sizes_ranges(struct plan *p)
+{
+	return is_held(p) && is_table(p) && p->series == &SERIES_EN &&
+	       !p->apart && sizes(p, SIZE_RANGES);
+}
+
+static bool
 greek_micro(struct plan *p)
 {
 	return (p->sizes == SIZE_UM || p->sizes == SIZE_UM_BELOW_1) &&
@@ -565,7 +584,7 @@ individual_feeds(struct plan *p)
 		    !p->repeats && !p->feed_only &&
 		    p->quantity == p->feed_quantity &&
 		    p->speeds != SPEED_SAMPLE && p->speeds != SPEED_ALONE &&
-		    p->speeds != SPEED_BRACKETS;
+		    p->speeds < SPEED_BRACKETS;
 	return fits && on(&p->individual);
 }
 
@@ -638,6 +657,12 @@ static bool
 speed_in_brackets(struct plan *p)
 {
 	return speeds(p, SPEED_BRACKETS);
+}
+
+static bool
+speed_and_date(struct plan *p)
+{
+	return speeds(p, SPEED_DATED);
 }
 
 static bool
@@ -745,6 +770,19 @@ static bool
 quotes(struct plan *p)
 {
 	return on(&p->quotes);
+}
+
+static bool
+loose(struct plan *p)
+{
+	return on(&p->loose);
+}
+
+static bool
+broken_heads(struct plan *p)
+{
+	return p->shape == SHAPE_WIDE && p->heads == HEADS_ONE &&
+	       p->line_end[0] != '\r' && on(&p->broken_heads);
 }
 
 static bool
@@ -898,6 +936,7 @@ const struct habit HABITS[] = {
     {"mm and um in the cells", 0.04, sizes_um_below_1},
     {"inches", 0.02, sizes_inches},
     {"sizes without a unit", 0.05, sizes_bare},
+    {"classes of size", 0.04, sizes_ranges},
     {"Greek micro", 0.4, greek_micro},
     {"names and mm of sieves", 0.25, two_sizes},
     {"finest first", 0.1, finest_first},
@@ -907,6 +946,7 @@ const struct habit HABITS[] = {
     {"rpm and m/s", 0.06, speed_and_turns},
     {"sample and speed", 0.08, speed_of_sample},
     {"number and speed", 0.06, speed_in_brackets},
+    {"date and speed", 0.03, speed_and_date},
     {"rpm and rotor", 0.08, speed_turns},
     {"ft/min", 0.03, speed_feet},
     {"km/h", 0.02, speed_kmh},
@@ -927,14 +967,18 @@ const struct habit HABITS[] = {
     {"thousands by nbsp", 0.15, thousands_nbsp},
     {"thousands by narrow nbsp", 0.1, thousands_narrow},
     {"thousands by apostrophe", 0.06, thousands_apostrophe},
+    {"thousands by right quote", 0.06, thousands_quote},
     {"thousands by comma", 0.2, thousands_comma},
     {"thousands by point", 0.2, thousands_point},
     {"percent signs", 0.06, percent_signs},
+    {"g in the cells", 0.05, gram_signs},
     {"empty cells", 0.06, empty_cells},
     {"dashes", 0.06, dashes},
     {"n/a", 0.04, not_available},
     {"<0.1", 0.04, less_than},
     {"quotes", 0.1, quotes},
+    {"blanks around cells", 0.05, loose},
+    {"line breaks in heads", 0.05, broken_heads},
     {"padded rows", 0.25, padded},
     {"sep=", 0.03, sep_line},
     {"title", 0.25, title},

@@ -50,16 +50,17 @@ enum heads {
 };
 
 enum speeds {
-	SPEED_MPS,     /* Product 63.6 m/s */
-	SPEED_AT,      /* product@63.6 */
-	SPEED_BARE,    /* Product 63.6 */
-	SPEED_ALONE,   /* 63.6 m/s */
-	SPEED_BOTH,    /* 1350 rpm (63.6 m/s) */
-	SPEED_SAMPLE,  /* Prov 1 63,6 m/s */
-	SPEED_RPM,     /* Product 1350 rpm; the rotor's diameter stands above */
-	SPEED_FEET,    /* Product 12500 ft/min */
-	SPEED_KMH,     /* Product 229 km/h */
-	SPEED_BRACKETS /* Product 1 (63.6 m/s) */
+	SPEED_MPS,    /* Product 63.6 m/s */
+	SPEED_AT,     /* product@63.6 */
+	SPEED_BARE,   /* Product 63.6 */
+	SPEED_ALONE,  /* 63.6 m/s */
+	SPEED_BOTH,   /* 1350 rpm (63.6 m/s) */
+	SPEED_SAMPLE, /* Prov 1 63,6 m/s */
+	SPEED_RPM,    /* Product 1350 rpm; the rotor's diameter stands above */
+	SPEED_FEET,   /* Product 12500 ft/min */
+	SPEED_KMH,    /* Product 229 km/h */
+	SPEED_BRACKETS, /* Product 1 (63.6 m/s) */
+	SPEED_DATED     /* Product 2026-05-03 63.6 m/s */
 };
 
 enum sizes {
@@ -70,7 +71,8 @@ enum sizes {
 	SIZE_INCHES,
 	SIZE_NAMES,   /* No. 4; BS 7 mesh */
 	SIZE_NUMBERS, /* 8 below "Tyler mesh" */
-	SIZE_BARE     /* 22.4 below "Sieve" */
+	SIZE_BARE,    /* 22.4 below "Sieve" */
+	SIZE_RANGES   /* 16 - 22.4, of what is retained */
 };
 
 enum coding { UTF_8, UTF_8_BOM, CP_1252, UTF_16LE, UTF_16BE };
@@ -144,8 +146,9 @@ struct plan {
 	    washed, paired, percent_signs, fineness, row_numbers, two_sizes,
 	    products_first, fast_first, size_last, limits, remark_column,
 	    date_column, lab_column, person_row, date_row, repeats, individual,
-	    feed_only, one_product, at_files, micro_greek, two_sites, mass_row,
-	    whole_pct, grams_whole, blank_column, apart;
+	    feed_only, one_product, at_files, micro_greek, two_sites, whole_pct,
+	    grams_whole, blank_column, apart, gram_signs, loose, broken_heads,
+	    plain_speed;
 	int gaps; /* 0 none, 1 empty, 2 "-", 3 "n/a", 4 "<0.1" */
 	int word; /* which of several words; they stay the same on a sheet */
 	double rotor_mm;

@@ -59,7 +59,7 @@ is_number(const char *text)
 static void
 put_cell(const struct plan *plan, const char *text, FILE *out)
 {
-	const char special[] = {plan->separator, '"', '\0'};
+	const char special[] = {plan->separator, '"', '\n', '\0'};
 	bool quotes = strpbrk(text, special) != NULL ||
 		      (plan->quotes && !is_number(text) && *text != '\0');
 	if (!quotes) {
@@ -124,7 +124,14 @@ grid_write(struct plan *plan, struct grid *grid, const char *name)
 			const char *cell = grid->cell[r][c];
 			if (c > 0)
 				fputc(plan->separator, out);
+			bool blank = plan->loose && cell != NULL &&
+				     strchr(cell, plan->separator) == NULL &&
+				     strpbrk(cell, "\"\n") == NULL;
+			if (blank && c > 0)
+				fputc(' ', out);
 			put_cell(plan, cell != NULL ? cell : "", out);
+			if (blank && r % 3 == 0)
+				fputc(' ', out);
 		}
 		fputs(plan->line_end, out);
 	}

@@ -19,7 +19,8 @@ head_size(const struct plan *plan)
 {
 	static const char *const FORMS[] = {"%s (%s)", "%s [%s]", "%s, %s"};
 	char *word = plan_upper(plan, plan_word(plan, plan->tongue->size, 6));
-	const char *unit = plan->sizes == SIZE_MM       ? "mm"
+	const char *unit = plan->sizes == SIZE_MM || plan->sizes == SIZE_RANGES
+			       ? "mm"
 			   : plan->sizes == SIZE_UM     ? micro(plan)
 			   : plan->sizes == SIZE_INCHES ? "in"
 							: NULL;
@@ -76,6 +77,23 @@ rpm_of(const struct plan *plan, const struct curve *curve)
 	return plan_number(plan, round(curve->speed * 60 / round_m), 0);
 }
 
+static char *
+speed_mps(const struct plan *plan, const char *v)
+{
+	switch (plan->plain_speed ? 0 : plan->word / 7 % 8) {
+	case 1:
+		return xasprintf("%sm/s", v);
+	case 2:
+		return xasprintf("(%s m/s)", v);
+	case 3:
+		return xasprintf("v = %s m/s", v);
+	case 4:
+		return xasprintf("@ %s m/s", v);
+	default:
+		return xasprintf("%s m/s", v);
+	}
+}
+
 /* The speed as the sheet gives it, without the role; "" of a feed for all. */
 char *
 head_speed(const struct plan *plan, const struct curve *curve)
@@ -107,8 +125,12 @@ head_speed(const struct plan *plan, const struct curve *curve)
 	case SPEED_BRACKETS:
 		text = xasprintf("%zu (%s m/s)", number_of(plan, curve), v);
 		break;
+	case SPEED_DATED:
+		text = xasprintf(
+		    "2026-05-%02zu %s m/s", 2 + number_of(plan, curve), v);
+		break;
 	default:
-		text = xasprintf("%s m/s", v);
+		text = speed_mps(plan, v);
 	}
 	free(v);
 	return text;
@@ -178,6 +200,16 @@ whole_head(const struct plan *plan, const struct curve *curve, char *quantity)
 	return joined(role, speed, quantity);
 }
 
+/* With a line break in place of the first blank, as in a wrapped cell. */
+static char *
+broken(const struct plan *plan, char *text)
+{
+	char *blank = strchr(text, ' ');
+	if (plan->broken_heads && blank != NULL)
+		*blank = '\n';
+	return text;
+}
+
 static void
 curve_heads(const struct plan *plan, const struct curve *curve,
     const struct curve *left, struct grid *grid, size_t row, size_t at)
@@ -188,7 +220,8 @@ curve_heads(const struct plan *plan, const struct curve *curve,
 	switch (plan->heads) {
 	case HEADS_ONE:
 		grid_put(grid, row, at,
-		    whole_head(plan, curve, quantity_text(plan, q)));
+		    broken(
+			plan, whole_head(plan, curve, quantity_text(plan, q))));
 		break;
 	case HEADS_TWO:
 		grid_put(grid, row, at,

@@ -35,6 +35,23 @@ sieve_name(const struct plan *plan, const struct sieve *sieve)
 		   : xasprintf("%s mesh %s", name, plan->series->name);
 }
 
+/* What lies on a sieve is between it and the next coarser one. */
+static char *
+size_range(const struct plan *plan, const struct curve *curve, size_t i)
+{
+	char *low = plan_short(plan, curve->mm[i], 3), *high, *text;
+	if (i == 0) {
+		text = xasprintf("> %s", low);
+	} else {
+		high = plan_short(plan, curve->mm[i - 1], 3);
+		text = plan->word % 2 == 0 ? xasprintf("%s - %s", low, high)
+					   : xasprintf("%s/%s", low, high);
+		free(high);
+	}
+	free(low);
+	return text;
+}
+
 char *
 size_cell(const struct plan *plan, const struct curve *curve, size_t i)
 {
@@ -50,11 +67,13 @@ size_cell(const struct plan *plan, const struct curve *curve, size_t i)
 		return plan_number(plan, round(mm * 1000), 0);
 	if (plan->sizes == SIZE_INCHES)
 		return plan_short(plan, mm / 25.4, 4);
+	if (plan->sizes == SIZE_RANGES)
+		return size_range(plan, curve, i);
 	if (plan->sizes == SIZE_MM || plan->sizes == SIZE_BARE)
 		return plan->word % 7 == 3 ? plan_number(plan, mm, 3)
 					   : plan_short(plan, mm, 3);
 	number = plan_short(plan, small ? mm * 1000 : mm, 3);
-	text = xasprintf("%s %s", number,
+	text = xasprintf("%s%s%s", number, plan->word % 3 == 1 ? "" : " ",
 	    !small              ? "mm"
 	    : plan->micro_greek ? "\xCE\xBCm"
 				: "\xC2\xB5m");
@@ -83,8 +102,13 @@ value_cell(const struct plan *plan, const struct curve *curve, size_t i)
 	char *number = plan_number(plan, curve->shown[i], curve->decimals);
 	bool percent = plan->percent_signs && !share &&
 		       curve->quantity != HELD_G && curve->quantity != SUM_G;
-	char *text = xasprintf(
-	    "%s%s", number, percent ? plan->word % 2 == 0 ? " %" : "%" : "");
+	bool grams = plan->gram_signs &&
+		     (curve->quantity == HELD_G || curve->quantity == SUM_G);
+	char *text = xasprintf("%s%s", number,
+	    grams                 ? " g"
+	    : !percent            ? ""
+	    : plan->word % 2 == 0 ? " %"
+				  : "%");
 	free(number);
 	return text;
 }
@@ -94,7 +118,9 @@ pan_cell(const struct plan *plan, const struct curve *curve)
 {
 	if (plan->word % 6 < 5)
 		return plan_upper(plan, plan_word(plan, plan->tongue->pan, 3));
-	char *finest = size_cell(plan, curve, curve->n - 1);
+	char *finest = plan->sizes == SIZE_RANGES
+			   ? plan_short(plan, curve->mm[curve->n - 1], 3)
+			   : size_cell(plan, curve, curve->n - 1);
 	char *text = xasprintf("<%s", finest);
 	free(finest);
 	return text;

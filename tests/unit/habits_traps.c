@@ -22,7 +22,9 @@ plain(struct plan *p)
 	p->heads = HEADS_ONE;
 	p->quantity = p->feed_quantity = PASS_PCT;
 	p->gaps = 0;
-	p->loss = p->washed = p->row_numbers = p->lab_column = false;
+	p->loss = p->washed = p->row_numbers = p->lab_column = p->broken_heads =
+	    p->gram_signs = false;
+	p->plain_speed = true;
 }
 
 static void
@@ -53,6 +55,70 @@ make_utf_8(struct plan *p)
 {
 	p->coding = UTF_8;
 	sheet_make(p);
+}
+
+/* Another word in place of each speed: what stands before the number of the
+ * product, and after it. */
+static void
+instead_of_speeds(struct plan *p, const char *before, double first, double step,
+    const char *after)
+{
+	make_utf_8(p);
+	for (size_t c = 0, n = 0; c < p->n_curve; c++) {
+		if (p->curve[c].feed)
+			continue;
+		char *speed = head_speed(p, &p->curve[c]);
+		char *word = xasprintf(
+		    "%s%g%s", before, first + step * (double)n++, after);
+		swap_text(p, speed, word);
+		free(speed);
+		free(word);
+	}
+}
+
+static void
+hertz_make(struct plan *p)
+{
+	instead_of_speeds(p, "", 45, 5, " Hz");
+}
+
+static void
+power_make(struct plan *p)
+{
+	instead_of_speeds(p, "", 185, 15, " kW");
+}
+
+static void
+years_make(struct plan *p)
+{
+	instead_of_speeds(p, "", 2024, 1, "");
+}
+
+static void
+fractions_make(struct plan *p)
+{
+	instead_of_speeds(p, "0/", 4, 4, "");
+}
+
+static void
+tonnes_make(struct plan *p)
+{
+	instead_of_speeds(p, "", 80, 20, " t/h");
+}
+
+/* 690 m/s, which no rotor does. */
+static void
+too_fast_make(struct plan *p)
+{
+	instead_of_speeds(p, "", 690, 50, " m/s");
+}
+
+static void
+two_feeds_make(struct plan *p)
+{
+	p->curve[p->n_curve - 1].feed = true;
+	p->curve[p->n_curve - 1].speed = 0;
+	make_utf_8(p);
 }
 
 /* Thousandths of an inch, which nobody says. */
@@ -221,7 +287,8 @@ static void
 curves_of_others_make(struct plan *p)
 {
 	static const char *const WORDS[][2] = {{"0/8 min", "0/8 max"},
-	    {"Fuller", "Target"}, {"Last year", "Design"}, {"A", "B"}};
+	    {"Fuller", "Target"}, {"Last year", "Design"}, {"A", "B"},
+	    {"Mean", "Std dev"}, {"Average", "Goal"}};
 	struct tongue mine = *p->tongue;
 	const struct tongue *was = p->tongue;
 	size_t which = pick(p, ARRAY_LEN(WORDS));
@@ -471,6 +538,13 @@ const struct trap TRAPS[] = {
     {"grams without a pan", held_pct_plain, NULL, no_pan_make, true},
     {"one sieve twice", plain, NULL, same_sieve_twice_make, true},
     {"a product alone", plain, NULL, product_alone_make, false},
+    {"Hz for speeds", plain, NULL, hertz_make, true},
+    {"kW for speeds", plain, NULL, power_make, true},
+    {"years for speeds", plain, NULL, years_make, true},
+    {"fractions for speeds", plain, NULL, fractions_make, true},
+    {"t/h for speeds", plain, NULL, tonnes_make, true},
+    {"speeds of no rotor", plain, NULL, too_fast_make, true},
+    {"two feeds", plain, NULL, two_feeds_make, true},
     {"timesheet", plain, NULL, timesheet_make, true},
     {"price list", plain, NULL, prices_make, true},
     {"plant log", plain, NULL, plant_log_make, true},

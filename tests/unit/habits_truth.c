@@ -130,7 +130,8 @@ show_grams(struct curve *curve, int decimals, bool loss, bool washed)
 	double left = sum;
 	for (size_t i = 0; i < curve->n; i++) {
 		left -= curve->shown[i];
-		curve->pct[i] = 100 * fmax(left, 0) / sum;
+		curve->pct[i] =
+		    rounded(fmin(100, 100 * fmax(left, 0) / sum), 9);
 	}
 	if (loss) {
 		curve->loss = rounded(0.005 * sum, decimals);
