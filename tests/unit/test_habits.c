@@ -304,11 +304,13 @@ show(const struct plan *plan, const char *line, const struct outcome *o)
 	for (size_t i = 0; i < plan->n_file; i++) {
 		const struct made_file *f = &plan->file[i];
 		printf("# --- %s\n", f->name);
+		char last = '\n';
 		for (size_t k = 0; k < f->n && k < 6000; k++) {
-			char c = f->bytes[k];
-			if (c == '\0')
+			char c = f->bytes[k] == '\r' ? '\n' : f->bytes[k];
+			if (c == '\0' || (c == '\n' && last == '\n'))
 				continue;
-			putchar(c == '\r' ? '\n' : c);
+			printf(last == '\n' ? "#| %c" : "%c", c);
+			last = c;
 		}
 	}
 	printf("# ---\n");
