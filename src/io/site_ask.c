@@ -176,6 +176,7 @@ list_columns(struct site_ask *ask, struct table *const *table, size_t n_table,
 		const struct block *b = t->block;
 		struct cell head = site_sieve_head(t);
 		char *sieve = xasprintf("sieve %s", site_sieve_unit(t));
+		ask->across = b->across;
 		xlist(&text, ", ", "%zu=%s", b->number[0], sieve);
 		add_question(ask, t, 0, &head, sieve, sieves);
 		for (size_t i = 0; i < all->n; i++) {
