@@ -24,8 +24,8 @@ static void
 row_cells(const struct inquiry *q, size_t row, bool narrow, char *number,
     const char *cell[static CELLS])
 {
-	static const char *const HEADS[] = {
-	    "", "head", "first values", "seems to be"};
+	const char *const HEADS[] = {
+	    "", "head", narrow ? "values" : "first values", "seems to be"};
 	if (row == 0) {
 		memcpy(cell, HEADS, sizeof HEADS);
 		cell[0] = narrow ? "" : q->ask->across ? "line" : "column";
@@ -43,7 +43,7 @@ row_cells(const struct inquiry *q, size_t row, bool narrow, char *number,
 static void
 fit_widths(const struct inquiry *q, int room, bool narrow, int width[CELLS])
 {
-	static const int LEAST[CELLS] = {0, 8, 7, 8};
+	static const int LEAST[CELLS] = {0, 9, 6, 8};
 	static const int GIVES[] = {2, 1, 3};
 	char number[24];
 	const char *cell[CELLS];
@@ -183,6 +183,9 @@ with_words(const struct site_ask_column *c, const char *said,
 	bool role = (means & (WORD_FEED | WORD_PRODUCT | WORD_SD)) != 0;
 	bool bare = head->speed == 0 && head->rpm == 0 && head->n_number > 0;
 	char number[32];
+	if (!role && said[0] >= '0' && said[0] <= '9')
+		return xasprintf("product%s%s",
+		    head->speed > 0 || head->rpm > 0 ? " " : "@", said);
 	if (!role) {
 		char *text = xstrndup(c->guess, strcspn(c->guess, " "));
 		xappend(&text, " %s", said);
@@ -264,19 +267,18 @@ ask_column(struct session *s, struct inquiry *q, struct site_ask_column *c)
 	char wrong[INQUIRY_WRONG] = "";
 	const char *kind = q->ask->across ? "line" : "column";
 	bool speed = wants_speed(c);
-	char *question = speed ? xasprintf("%s %zu '%s': tip speed in m/s",
-				     kind, c->number, c->head)
+	char *question = speed ? xasprintf("%s %zu '%s': tip speed, m/s", kind,
+				     c->number, c->head)
 			       : xasprintf("%s %zu '%s': what is it", kind,
 				     c->number, c->head);
 	char *words = NULL;
 	bool good;
 	q->text = question;
 	q->offered = speed ? "" : c->guess;
-	q->hint = is_sieve(c) ? "or its unit: mm, um, in, tyler, bs, astm"
-		  : speed ? "or what else it is: 1350 rpm, feed; - leaves it "
-			    "out"
-			  : "or say what: feed, product@69, retained_g; - "
-			    "leaves it out";
+	q->hint = is_sieve(c) ? "or: mm, um, in, tyler, bs, astm"
+		  : speed     ? "or: 1350 rpm, feed; - leaves it out"
+			      : "or: feed, product@69, retained_g; - leaves it "
+				"out";
 	q->wrong = wrong;
 	do {
 		char *answer = s->hooks.question(s, q);

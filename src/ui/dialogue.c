@@ -81,7 +81,7 @@ about(const struct inquiry *q)
 static struct parts
 share_rows(const struct inquiry *q, const char *asks, int room, int columns)
 {
-	enum { LEAST = 4 };
+	enum { LEAST = 5 };
 	int table = q->ask->n > 0 ? (int)q->ask->n + 1 : 0, left = room;
 	struct parts p = {0};
 	p.line = at_most(1, &left);
