@@ -58,7 +58,11 @@ merge(struct head *said, const struct head *more, bool own, bool titles)
 	    WORD_PASSES | WORD_STAYS | WORD_SUMS,
 	    WORD_PERCENT | WORD_GRAMS | WORD_SHARE | WORD_MASS};
 	unsigned rest = ~(GROUPS[0] | GROUPS[1] | GROUPS[2]);
-	for (size_t i = 0; i < 3; i++)
+	/* Of "Feed" above the next column, where this one has a speed of its
+	 * own, only the feed is meant. */
+	bool feed = !own && (more->means & WORD_FEED) != 0 &&
+		    (said->speed > 0 || said->rpm > 0);
+	for (size_t i = feed ? 1 : 0; i < 3; i++)
 		if ((said->means & GROUPS[i]) == 0)
 			said->means |= more->means & GROUPS[i];
 	if (own)
@@ -68,6 +72,7 @@ merge(struct head *said, const struct head *more, bool own, bool titles)
 	if (said->speed == 0 && said->rpm == 0) {
 		said->speed = more->speed;
 		said->rpm = more->rpm;
+		said->spread = !own && (more->speed > 0 || more->rpm > 0);
 		said->unit =
 		    said->unit == SPEED_NO_UNIT ? more->unit : said->unit;
 	}
@@ -318,14 +323,14 @@ settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		*scale = OF_MASS;
 		return kind != PASSING;
 	}
+	if ((means & WORD_SHARE) != 0) {
+		*scale = one ? OF_1 : OF_100;
+		return one || (kind == PASSING && near(s->first, 100, 0.6));
+	}
 	if ((means & WORD_MASS) != 0 && kind != PASSING &&
 	    (s->has_pan || !isnan(total))) {
 		*scale = OF_MASS;
 		return true;
-	}
-	if ((means & WORD_SHARE) != 0) {
-		*scale = one ? OF_1 : OF_100;
-		return one || (kind == PASSING && near(s->first, 100, 0.6));
 	}
 	if (kind == RETAINED)
 		return parts_scale(s, total, scale);
@@ -370,6 +375,16 @@ is_defined(const struct column *c, const struct shape *s, size_t *unit)
 	return false;
 }
 
+/* Whether the sieves are classes between two of them, as retained masses have. */
+static bool
+has_classes(const struct table *t)
+{
+	for (size_t i = 0; i < t->n_row; i++)
+		if (sieve_size_is_class(t->sheet, t->row[i].cell[0]))
+			return true;
+	return false;
+}
+
 static void
 find_unit(struct column *c, bool told)
 {
@@ -382,7 +397,8 @@ find_unit(struct column *c, bool told)
 	bool sure = true;
 	if (c->role == SD || s.n == 0)
 		return;
-	if (is_defined(c, &s, &c->unit))
+	bool classes = has_classes(c->table);
+	if (!classes && is_defined(c, &s, &c->unit))
 		return;
 	c->unit = 0;
 	if ((kinds & (WORD_PASSES | WORD_STAYS)) == 0) {
@@ -398,7 +414,7 @@ find_unit(struct column *c, bool told)
 		c->unit = site_unit_find(kind, scale);
 		if (kind != PASSING || scale != OF_100 || scales == 0)
 			assume(c, "as %s", SITE_UNITS[c->unit].words);
-		c->open = c->open || !sure;
+		c->open = c->open || !sure || (classes && kind != RETAINED);
 		return;
 	}
 	kind = (kinds & WORD_PASSES) != 0 ? PASSING
@@ -416,7 +432,7 @@ find_unit(struct column *c, bool told)
 	    s.rises == 0 && s.sum > 102)
 		sure = false;
 	c->unit = site_unit_find(kind, scale);
-	c->open = c->open || !sure;
+	c->open = c->open || !sure || (classes && kind != RETAINED);
 }
 
 /* The one number without a unit that can be a tip speed in m/s: 63.6, not the 1
@@ -453,13 +469,14 @@ find_speed(struct column *c, const struct surroundings *near)
 		if (c->speed > 0)
 			assume(c, "%g rpm of a rotor of %g mm as %g m/s",
 			    c->rpm, 1000 * near->rotor, c->speed);
-	} else if (bare_speed(said) > 0) {
+	} else if (bare_speed(said) > 0 && said->unknown == 0) {
 		c->speed = bare_speed(said);
 		assume(c, "%g as m/s", c->speed);
 	} else if (near->speed > 0 && c->role == PRODUCT) {
 		c->speed = near->speed;
 	}
-	if (c->speed > FASTEST) {
+	bool counted = said->rpm > 0 || said->unit == SPEED_FT_MIN;
+	if (c->speed > FASTEST || (counted && c->speed > 0 && c->speed < 20)) {
 		c->open = true;
 		c->speed = 0;
 	}
@@ -600,11 +617,13 @@ rank(const struct column *c)
 static bool
 is_same_sample(const struct column *a, const struct column *b)
 {
+	bool numbers =
+	    a->speed > 0 || (a->said.n_number == b->said.n_number &&
+				(a->said.n_number == 0 ||
+				    a->said.number[0] == b->said.number[0]));
 	return a->table == b->table && a->role == b->role && a->role != SD &&
 	       fabs(a->speed - b->speed) < 1e-3 && a->rpm == b->rpm &&
-	       a->said.n_number == b->said.n_number &&
-	       (a->said.n_number == 0 ||
-		   a->said.number[0] == b->said.number[0]) &&
+	       numbers &&
 	       (SITE_UNITS[a->unit].kind != SITE_UNITS[b->unit].kind ||
 		   SITE_UNITS[a->unit].scale != SITE_UNITS[b->unit].scale);
 }
@@ -646,6 +665,22 @@ is_curve(const struct column *c)
 	enum unit_kind kind;
 	enum unit_scale scale;
 	return s.n > 2 && guess_kind(&s, NAN, &kind, &scale);
+}
+
+/* The one feed is that of all runs, though the speed at its left spreads over
+ * it. */
+static void
+free_feed(struct columns *all)
+{
+	struct column *only = NULL;
+	size_t n = 0;
+	for (size_t i = 0; i < all->n; i++)
+		if (all->column[i].role == FEED) {
+			only = &all->column[i];
+			n++;
+		}
+	if (n == 1 && only->said.spread && all->n > 2)
+		only->speed = only->rpm = 0;
 }
 
 /* Where nothing is called feed, the one column without a role may be it. */
@@ -691,6 +726,7 @@ recognise_settle(struct columns *all, struct site *site, bool *wants_rotor)
 		c->open = true;
 	}
 	guess_feed(all, feeds);
+	free_feed(all);
 	drop_twins(all, site);
 	for (size_t i = 0; i < all->n; i++) {
 		struct column *c = &all->column[i];

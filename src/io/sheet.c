@@ -270,19 +270,47 @@ sheet_uncomment(struct sheet *sheet, size_t i)
 	sheet->row[last] = row;
 }
 
+/* To the end of the line, over line ends within quotes: these become blanks.  A
+ * quote that is not closed soon ends with its line, to be told. */
+static size_t
+line_length(char *text, int *ends)
+{
+	enum { MOST_LINES = 40 };
+	size_t n = 0, first = strcspn(text, "\r\n");
+	int lines = 0;
+	bool open = false;
+	for (; text[n] != '\0' && lines < MOST_LINES; n++) {
+		bool end = text[n] == '\r' || text[n] == '\n';
+		if (end && !open)
+			break;
+		lines += end;
+		open = open != (text[n] == '"');
+	}
+	*ends = 0;
+	if (open || lines == MOST_LINES || n == first)
+		return first;
+	*ends = lines;
+	for (size_t i = 0; i < n; i++)
+		if (text[i] == '\r' || text[i] == '\n')
+			text[i] = ' ';
+	return n;
+}
+
 /* Ends each line in place with a NUL on its way. */
 static void
 split_text(struct sheet *sheet, char *text)
 {
 	sheet->row = xcalloc(sheet->most_rows, sizeof *sheet->row);
 	for (int number = 1; *text != '\0'; number++) {
-		size_t n = strcspn(text, "\r\n");
+		int ends;
+		size_t n = line_length(text, &ends);
 		bool pair = text[n] == '\r' && text[n + 1] == '\n';
 		char *next = text + n + (pair ? 2 : text[n] != '\0');
 		text[n] = '\0';
 		if (!add_line(sheet, text, number))
 			return;
 		text = next;
+		number += ends;
 	}
 }
 
@@ -309,16 +337,21 @@ static char
 find_separator(const char *text)
 {
 	static const char SIGNS[] = ";\t,";
-	size_t numbers[3] = {0}, lines[3] = {0};
+	size_t numbers[3] = {0}, lines[3] = {0}, filled = 0;
 	for (const char *p = text; *p != '\0'; p++) {
 		if (p > text && p[-1] != '\n' && p[-1] != '\r')
 			continue;
+		filled += strcspn(p, "\r\n") > strspn(p, " \t;,");
 		for (size_t i = 0; i < 3; i++) {
 			numbers[i] += is_numbers(p, SIGNS[i]);
 			lines[i] +=
 			    memchr(p, SIGNS[i], strcspn(p, "\r\n")) != NULL;
 		}
 	}
+	/* Neither stands in numbers: in half of the lines it separates. */
+	for (size_t i = 0; i < 2; i++)
+		if (2 * lines[i] >= filled && lines[i] > 0)
+			return SIGNS[i];
 	size_t best = 2;
 	bool told = numbers[0] + numbers[1] + numbers[2] > 0;
 	const size_t *count = told ? numbers : lines;

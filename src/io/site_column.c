@@ -228,30 +228,61 @@ read_cells(struct column *c)
 	}
 }
 
-/* What the lines below the table say of a column, in its unit: the sum, or the
- * mass before sieving (NAN: neither), whose cell is *cell; and what was washed
- * out, which belongs to the pan. */
+/* The number that a line below the table has for a column; NAN: none. */
+static double
+foot_value(const struct column *c, const struct row *row)
+{
+	double v;
+	char copy[40];
+	struct cell cell = row->cell[c->at];
+	if (sheet_absent(cell) ||
+	    !sheet_value(c->table->sheet, without_unit(cell, true, copy), &v))
+		return NAN;
+	return v;
+}
+
+/* Sieves above the first number of what is retained held nothing: a dash there,
+ * or no number, is 0. */
+static void
+fill_top(struct column *c)
+{
+	struct table *t = c->table;
+	size_t first = 0;
+	while (first < t->n_row && (isnan(c->pct[first]) || t->mm[first] <= 0))
+		first++;
+	if (SITE_UNITS[c->unit].kind == PASSING || c->role == SD || c->faulty ||
+	    first == t->n_row || c->pct[first] <= 0)
+		return;
+	for (size_t i = 0; i < first; i++)
+		c->pct[i] = t->mm[i] > 0 ? 0 : NAN;
+}
+
+/* What the lines below the table say of a column, in its unit: the largest sum,
+ * which may be the mass before sieving (NAN: neither), whose cell is *where;
+ * and what was washed out, which belongs to the pan.  That may be told by the
+ * masses before and after washing, M1 and M2 of EN 933-1. */
 static double
 read_foot(struct column *c, struct cell *where)
 {
 	const struct block *block = c->table->block;
-	double total = NAN, v;
-	char copy[40];
+	double total = NAN, washed = NAN;
 	for (size_t i = 0; i < block->n_foot; i++) {
 		const struct row *row = &block->foot[i];
-		struct cell cell = row->cell[c->at];
 		unsigned means = vocabulary_text(row->cell[0].text, NULL);
-		if (sheet_absent(cell) ||
-		    !sheet_value(c->table->sheet,
-			without_unit(cell, of_mass(c), copy), &v))
-			continue;
-		if ((means & WORD_WASHED) != 0 && (means & WORD_TOTAL) == 0)
-			c->pan = (isnan(c->pan) ? 0 : c->pan) + v;
-		else if ((means & WORD_TOTAL) != 0 && isnan(total)) {
+		double v = foot_value(c, row);
+		if ((means & WORD_WASHED) != 0) {
+			washed = v;
+		} else if ((means & WORD_TOTAL) != 0 && !isnan(v) &&
+			   !(v <= total)) {
 			total = v;
-			*where = cell;
+			*where = row->cell[c->at];
 		}
 	}
+	/* A mass that is most of the whole is what was left. */
+	if (!isnan(total) && washed > total / 2)
+		washed = total - washed;
+	if (!isnan(washed))
+		c->pan = (isnan(c->pan) ? 0 : c->pan) + fmax(washed, 0);
 	return total;
 }
 
@@ -429,6 +460,7 @@ site_column_values(struct column *c)
 	c->pct = xdoubles(t->n_row);
 	c->pan = NAN;
 	read_cells(c);
+	fill_top(c);
 	if (c->role != SD) {
 		convert(c);
 		check_rise(c);

@@ -161,6 +161,30 @@ find_unit(struct table *t)
 	return SIEVES_ASSUMED;
 }
 
+/* Where the sieves are there twice, as names and in mm, a row that has one of
+ * them only. */
+static void
+fill_names(struct table *t)
+{
+	static const unsigned ELSE =
+	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
+	struct sieve_unit none = {0, SIEVE_NONE};
+	double mm;
+	for (size_t c = 1; c < t->block->n_col; c++) {
+		char *head = layout_head(t->block, c);
+		unsigned means = vocabulary_text(head, NULL);
+		free(head);
+		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
+		    (means & ELSE) != 0)
+			continue;
+		for (size_t i = 0; i < t->n_row; i++)
+			if (t->row[i].cell[0].text[0] == '\0' &&
+			    sieve_size(t->sheet, t->row[i].cell[c], none,
+				&mm) != SIEVE_IS_NONE)
+				t->row[i].cell[0] = t->row[i].cell[c];
+	}
+}
+
 /* Whether the sizes rise without exception. */
 static bool
 is_finest_first(const struct table *t)
@@ -192,6 +216,7 @@ site_sieve_table(
 	char *head = layout_head(block, 0);
 	t.unit = sieve_unit_of(told != 0 ? told : vocabulary_text(head, NULL));
 	free(head);
+	fill_names(&t);
 	*certainty = find_unit(&t);
 	if (told != 0 && *certainty == SIEVES_OPEN && t.unit.mm > 0)
 		*certainty = SIEVES_SAID;

@@ -84,7 +84,7 @@ curve_differs(const struct curve *want, const struct psd *got)
 	size_t found = 0;
 	bool named = want->sieve[want->n - 1]->name != NULL;
 	for (size_t i = 0; i < want->n; i++) {
-		double mm = want->mm[i], near = named ? 0.012 : 0.005;
+		double mm = want->mm[i], near = named ? 0.012 : 0.009;
 		size_t k = 0;
 		while (
 		    k < got->n && !(fabs(got->size[k] * 1000 / mm - 1) <= near))
