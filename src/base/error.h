@@ -66,9 +66,9 @@ bool error_hint(struct error *e, const char *format, ...)
  * never NULL. */
 struct error *error_add(struct error_list *list);
 
-/* "file:line:column: text", "file, B5: text" in a workbook, and, where there is one, the hint below it.  A hint
- * goes on after a margin where the screen ends; the text, which programs may
- * read, on a terminal only. */
+/* "file:line:column: text", or in a workbook "file, B5: text", and, where there
+ * is one, the hint below it.  A hint goes on after a margin where the screen
+ * ends; the text, which programs may read, on a terminal only. */
 void error_print(const struct error *e, FILE *out);
 
 /* The hint alone. */

@@ -15,8 +15,8 @@ enum cell_kind { CELL_TEXT, CELL_NUMBER, CELL_DATE };
 
 /* text: without spaces at both ends, never NULL; of CELL_NUMBER as text_exact
  * writes it, then a unit that the cell is shown with: "97.5 %", "69 m/s"; of
- * CELL_DATE "2026-05-03T10:15", "2026-05-03" or "10:15".  column: of its first character, counted from 1 in characters, not
- * bytes; in a workbook 1 is A. */
+ * CELL_DATE "2026-05-03T10:15", "2026-05-03" or "10:15".  column: of its first
+ * character, counted from 1 in characters, not bytes; in a workbook 1 is A. */
 struct cell {
 	char *text;
 	int line, column;

@@ -9,9 +9,7 @@
 #include "base/xalloc.h"
 #include "io/sheet.h"
 #include "io/site_sieve.h"
-#include "io/textfile.h"
-
-enum { MOST_ROWS = 200 };
+#include "io/source.h"
 
 static const char *const HEADS[2] = {"min_pct", "max_pct"};
 
@@ -141,16 +139,13 @@ read_table(struct spec *spec, struct sheet *sheet, size_t head)
 	free(t.mm);
 }
 
-struct spec *
-spec_read(const char *path, struct error_list *errors)
+static struct spec *
+read_sheet(const char *path, struct sheet *sheet)
 {
-	char *text = textfile_read(path, errors);
-	if (text == NULL)
-		return NULL;
-	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
 	struct spec *spec = xcalloc(1, sizeof *spec);
 	spec->name = xstrdup("");
 	spec->source = xstrdup("");
+	spec->note = xstrdup("");
 	size_t head = 0;
 	while (head < sheet->n_row && site_sieve_unit(&sheet->row[head]) <= 0)
 		head++;
@@ -167,12 +162,24 @@ spec_read(const char *path, struct error_list *errors)
 		free(spec->name);
 		spec->name = xstrdup(path);
 	}
-	if (sheet->n_fault > 0) {
-		spec_free(spec);
-		spec = NULL;
+	if (sheet->n_fault == 0)
+		return spec;
+	spec_free(spec);
+	return NULL;
+}
+
+struct spec *
+spec_read(const char *path, struct error_list *errors)
+{
+	struct source source;
+	struct spec *spec = NULL;
+	if (source_read(path, errors, &source))
+		spec = read_sheet(path, source.sheet[0]);
+	if (spec != NULL) {
+		free(spec->note);
+		spec->note = xstrdup(source.note);
 	}
-	sheet_free(sheet);
-	free(text);
+	source_free(&source);
 	return spec;
 }
 
@@ -183,6 +190,7 @@ spec_free(struct spec *spec)
 		return;
 	free(spec->name);
 	free(spec->source);
+	free(spec->note);
 	free(spec->size);
 	free(spec->least);
 	free(spec->most);

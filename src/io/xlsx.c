@@ -406,10 +406,10 @@ read_sheet(struct book *b, const struct tab *tab)
 	free(r.value.text);
 	free(r.formula.text);
 	if (wrong == NULL && r.wrong != NULL)
-		return r.wrong;
-	free(r.wrong);
-	if (wrong == NULL)
+		wrong = xasprintf("%s: %s", tab->part, r.wrong);
+	else if (wrong == NULL)
 		grid_end(b->grid);
+	free(r.wrong);
 	return wrong;
 }
 

@@ -26,8 +26,8 @@ char *xml_read(
  * value" by how the namespace ends. */
 const char *xml_attribute(const char *const *attribute, const char *name);
 
-/* The same as a whole number up to two million, the most rows that programs have
- * and more; or `other` where it is absent or none. */
+/* The same as a whole number up to two million, which is more than the rows of
+ * any program; or `other` where it is absent or none. */
 size_t xml_whole(const char *const *attribute, const char *name, size_t other);
 
 #endif
