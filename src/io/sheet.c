@@ -527,12 +527,23 @@ is_remark(const struct row *row)
 	return text[0] == '#' && !failed;
 }
 
+/* A key whose value was left empty has the cell all the same. */
+static void
+add_empty_cell(struct row *row)
+{
+	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
+	row->cell[row->n_all++] = (struct cell){
+	    .text = xstrdup(""), .line = row->line, .column = row->end++};
+}
+
 void
 sheet_end(struct sheet *sheet)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < sheet->n_row; i++) {
 		struct row row = sheet->row[i];
+		if (row.n_all == 1)
+			add_empty_cell(&row);
 		if (row.n == 0) {
 			free_row(&row);
 		} else if (is_remark(&row)) {
