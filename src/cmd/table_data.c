@@ -37,6 +37,15 @@ static const struct command_option SYNTH_OPTIONS[] = {
 	"tip speeds, slow to fast"},
     {.name = NULL}};
 
+static const struct command_option TEMPLATE_OPTIONS[] = {
+    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "69,79",
+	"tip speeds of the products, a column each"},
+    {"unit", VALUE_CHOICE, "", 0, 0, "passing_pct retained_g", "passing_pct",
+	"what the numbers will be"},
+    {"sieves", VALUE_NUMBERS, "mm", 0.001, 1000, NULL, "",
+	"sieves, a row each; default: the usual ones of EN 933"},
+    {.name = NULL}};
+
 static const struct command_option WRITE_OPTIONS[] = {
     {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"overwrite existing files"},
@@ -130,6 +139,15 @@ const struct command TABLE_DATA[] = {
 		"not measured wherever they are shown.",
 	.example = "synth data/table3.csv site=Tierp seed=9\nshow product",
 	.run = cmd_synth},
+    {.name = "template",
+	.brief = "show an empty site file to fill in",
+	.option = TEMPLATE_OPTIONS,
+	.text = "Remarks in it explain its lines and columns. Write it to a "
+		"file (> FILE.csv or > FILE.xlsx), fill it in with a "
+		"spreadsheet program, and load it.",
+	.example = "template > my.csv\n"
+		   "template speeds=60,65,70 unit=retained_g > lab.xlsx",
+	.run = cmd_template},
     {.name = "write",
 	.brief = "write site files",
 	.operands = {"FILE|FOLDER", {"FILE"}, 1, 1},

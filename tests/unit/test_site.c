@@ -172,7 +172,10 @@ static const struct {
     {"ägare,Å \"Ö\"\n" TOP ROWS, 1, 9, "quote inside", "whole"},
     {"", 1, 1, "empty file", "tipspeed-site"},
     {"\xEF\xBB\xBF \r\n", 1, 1, "empty file", "tipspeed-site"},
-    {"site,Tierp\nrock,Gr\xE5 gnejs\n" TOP ROWS, 2, 8, "Latin-1", "CSV UTF-8"},
+    {"site,Tierp\nrock,Gr\xE5\x81 gnejs\n" TOP ROWS, 2, 9, "Windows-1252",
+	"CSV UTF-8"},
+    {"site,Tierp\nrock,Gr\xC3\xA5 gnejs, r\xF6" TOP ROWS, 2, 18,
+	"a damaged letter", "CSV UTF-8"},
     {"site,T\x01\n" TOP ROWS, 1, 7, "a binary file", "CSV UTF-8"},
 };
 
