@@ -15,6 +15,7 @@
 
 enum {
 	MOST_HEADS = 6,
+	MOST_TABLES = 64,
 	LEAST_WITHOUT_HEAD = 4 /* sieves of a table that nothing heads */
 };
 
@@ -326,25 +327,36 @@ find_bare(const struct grid *g, struct place *place, size_t most)
 	return 0;
 }
 
-/* Where somebody says which column has the sieves: those from its first number
- * that has numbers beside it. */
+/* The tables of a column that somebody says has sieves: from a first one that
+ * has numbers beside it. */
 static size_t
-find_told(const struct grid *g, size_t number, struct place *place)
+find_in(const struct grid *g, size_t c, struct place *place, size_t most)
 {
-	size_t c = 0, n = 0;
-	while (c < g->n_col && g->col_number[c] != number)
-		c++;
-	for (size_t r = 0; c < g->n_col && r < g->n_row && n == 0; r++) {
+	size_t n = 0;
+	for (size_t r = 0; r < g->n_row && n < most; r++) {
 		double mm;
 		struct place p = {c, r, r, 0, g->n_col, 0};
-		if (kind_at(g, r, c, &mm) != SIEVE_IS_SIZE ||
+		if (kind_at(g, r, c, &mm) == SIEVE_IS_NONE ||
 		    !has_numbers(g, r, c, g->n_col))
 			continue;
 		find_end(g, &p);
 		p.head = r > 0 ? r - 1 : g->n_row;
-		place[n++] = p;
-		n -= p.last < p.first + 2;
+		if (p.last >= p.first + 2)
+			place[n++] = p;
+		r = p.last > r ? p.last - 1 : r;
 	}
+	return n;
+}
+
+static size_t
+find_told(
+    const struct grid *g, const struct layout_range *range, struct place *place)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < range->n_sieves; i++)
+		for (size_t c = 0; c < g->n_col; c++)
+			if (g->col_number[c] == range->sieves[i])
+				n += find_in(g, c, place + n, MOST_TABLES - n);
 	return n;
 }
 
@@ -471,8 +483,6 @@ drop_doubles(const struct grid *g, struct place *place, size_t n)
 	return kept;
 }
 
-enum { MOST_TABLES = 64 };
-
 static void
 take_blocks(const struct grid *g, const struct place *place, size_t n,
     struct layout *layout)
@@ -590,9 +600,9 @@ layout_new(struct sheet *sheet, struct layout_range range)
 	size_t m = find_headed(&t, across, MOST_TABLES);
 	n = drop_doubles(&g, down, n);
 	m = drop_doubles(&t, across, m);
-	if (range.sieves > 0) {
-		n = find_told(&g, range.sieves, down);
-		m = find_told(&t, range.sieves, across);
+	if (range.n_sieves > 0) {
+		n = find_told(&g, &range, down);
+		m = find_told(&t, &range, across);
 	} else if (n == 0 && m == 0) {
 		n = find_bare(&g, down, MOST_TABLES);
 		m = n > 0 ? 0 : find_bare(&t, across, MOST_TABLES);

@@ -32,11 +32,12 @@ struct layout {
 };
 
 /* A part of a sheet: lines and columns from..to, each counted from 1; zeros are
- * all of it.  sieves: the column of the sieves, or their line, where somebody
- * says; else 0. */
+ * all of it.  sieves [n_sieves]: the columns of sieves, or their lines, where
+ * somebody says. */
+enum { LAYOUT_SIEVES = 8 };
 struct layout_range {
 	int first_line, last_line, first_column, last_column;
-	size_t sieves;
+	size_t n_sieves, sieves[LAYOUT_SIEVES];
 };
 
 /* Of a long table, which has a line for each sieve of each sample, makes one

@@ -209,16 +209,17 @@ stated_total(const struct column *c)
 static bool
 parts_scale(const struct shape *s, double total, enum unit_scale *scale)
 {
+	bool percent = near(s->sum, 100, 5) && s->most <= 100.5;
+	*scale = OF_100;
 	if (near(s->sum, 100, 1.05) && s->most <= 100.5)
 		*scale = OF_100;
 	else if (near(s->sum, 1, 1.05) && s->most <= 1.005)
 		*scale = OF_1;
-	else if (s->has_pan || !isnan(total))
+	else if (!percent && (s->has_pan || !isnan(total)))
 		*scale = OF_MASS;
-	else
+	else /* nearly 100, and neither 100 nor some mass */
 		return false;
-	/* Nearly 100, and neither 100 nor some mass. */
-	return *scale != OF_MASS || fabs(s->sum - 100) > 4;
+	return true;
 }
 
 /* What the numbers alone look like; false where they could be several things. */
@@ -538,6 +539,29 @@ has_words(const struct column *c, size_t *filled, size_t *numbers)
 	return *filled > 0 && *numbers * 2 < *filled;
 }
 
+/* 1, 2, 3 and so on, up or down, or one number throughout: no curve. */
+static bool
+is_count(const struct column *c)
+{
+	size_t n = c->table->n_row, steps = 0, same = 0, pairs = 0;
+	double *raw = xdoubles(n), last = NAN;
+	site_column_raw(c, raw);
+	for (size_t i = 0; i < n; last = raw[i++]) {
+		pairs += !isnan(raw[i]) && !isnan(last);
+		steps += fabs(raw[i] - last) == 1;
+		same += raw[i] == last;
+	}
+	bool whole = n > 0 && raw[0] == floor(raw[0]);
+	bool small = fabs(raw[0] - 1) < 2 || fabs(last - 1) < 2;
+	bool limit = same == pairs && (raw[0] == 100 || raw[0] == 0);
+	free(raw);
+	bool speed = same == pairs && c->said.speed == 0 &&
+		     c->said.unit != SPEED_NO_UNIT;
+	return pairs > 2 && (whole || speed) && !limit &&
+	       (c->said.means & ROLE_WORDS) == 0 &&
+	       ((steps == pairs && small) || same == pairs);
+}
+
 /* Whether a column is no sample, told to the site. */
 static bool
 is_no_sample(const struct column *c, struct site *site)
@@ -548,7 +572,11 @@ is_no_sample(const struct column *c, struct site *site)
 	unsigned means = c->said.means;
 	const char *head = c->head.text;
 	unsigned sample = ROLE_WORDS | KIND_WORDS;
-	if (filled == 0) {
+	if (is_count(c)) {
+		leave_out(site, b->number[c->at],
+		    "row numbers, or the same "
+		    "number in each row");
+	} else if (filled == 0) {
 		leave_out(site, b->number[c->at], "it is empty");
 	} else if (words && (means & ROLE_WORDS) == 0) {
 		leave_out(site, b->number[c->at], "%s: it has words", head);
@@ -567,11 +595,41 @@ is_no_sample(const struct column *c, struct site *site)
 	return true;
 }
 
+/* A column that has one speed for all rows: of a long table with one sample. */
+static void
+note_speed(struct table *t, size_t at, struct surroundings *near)
+{
+	struct column c = {
+	    .table = t, .at = at, .said = read_heads(t->block, at)};
+	static const unsigned COUNTED = WORD_PASSES | WORD_STAYS |
+					WORD_PERCENT | WORD_GRAMS | WORD_FEED |
+					WORD_PRODUCT;
+	bool about =
+	    (c.said.means & WORD_SPEED) != 0 || c.said.unit != SPEED_NO_UNIT;
+	if (!about || c.said.speed > 0 || c.said.rpm > 0 ||
+	    (c.said.means & COUNTED) != 0)
+		return;
+	double *raw = xdoubles(t->n_row), v = NAN;
+	bool same = true;
+	site_column_raw(&c, raw);
+	for (size_t i = 0; i < t->n_row; i++) {
+		v = isnan(v) ? raw[i] : v;
+		same = same && !(raw[i] < v) && !(raw[i] > v);
+	}
+	free(raw);
+	if (same && v > 0)
+		near->speed = head_mps(v, c.said.unit, near->rotor);
+}
+
 void
 recognise_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site)
 {
 	const struct block *b = t->block;
+	struct surroundings around = *near;
+	near = &around;
+	for (size_t at = 1; at < b->n_col; at++)
+		note_speed(t, at, &around);
 	for (size_t at = 1; at < b->n_col; at++) {
 		struct column c = {.table = t, .at = at, .pan = NAN};
 		bool own = false;

@@ -97,7 +97,8 @@ static const struct {
 	"remark remarks note notes comment comments anm anmarkning "
 	"anmarkningar bemerkung bemerkungen remarque remarques observaciones "
 	"observacion observacoes observacao obs huom huomautus date datum "
-	"fecha data pvm paivamaara lab labno id time tid operator klockan "
+	"fecha data pvm paivamaara lab labor labno labnr laboratory id time "
+	"tid operator klockan "
 	"moisture fukt feuchte"},
     {WORD_SAMPLE,
 	"sample samples prov provet provnr probe proben cut belt beltcut run "
@@ -121,9 +122,9 @@ static const struct {
 	"abschlammbare abgeschlammt lavage lave lavado lavagem pesu pesty"},
     {WORD_FILLER,
 	"at vid material mangd on of the and by to for with a i pa av mit "
-	"bei der die das des du de la le en sur par del el por em o"
+	"bei der die das des du de la le en sur par del el por em o "
 	"wt gew vol masse-% m m-% the med och und et y e astia "
-	"kohti v ms s mps peripheral periferi crusher vsi kross concasseur "
+	"kohti p v ms s mps peripheral periferi crusher vsi kross concasseur "
 	"analysis siktning each per je single individual einzeln parcial "
 	"partiel simple enskild nominal"},
 };
@@ -132,17 +133,20 @@ static const struct {
 static const struct {
 	const char *part;
 	unsigned means;
-} PARTS[] = {{"durchgang", WORD_PASSES}, {"ruckstand", WORD_STAYS},
-    {"passerande", WORD_PASSES}, {"siktrest", WORD_STAYS},
-    {"lapaisy", WORD_PASSES}, {"cumul", WORD_SUMS}, {"kumul", WORD_SUMS},
-    {"ackumul", WORD_SUMS}, {"acumul", WORD_SUMS}, {"prozent", WORD_PERCENT},
-    {"procent", WORD_PERCENT}, {"percent", WORD_PERCENT},
-    {"hastighet", WORD_SPEED}, {"geschwindigkeit", WORD_SPEED},
-    {"drehzahl", WORD_SPEED | WORD_RPM}, {"varvtal", WORD_SPEED | WORD_RPM},
-    {"maschenweit", WORD_SIZE}, {"korngro", WORD_SIZE}, {"siebgro", WORD_SIZE},
-    {"siktstorl", WORD_SIZE}, {"maskvidd", WORD_SIZE}, {"siebweite", WORD_SIZE},
-    {"aufgabe", WORD_FEED}, {"produkt", WORD_PRODUCT}, {"retained", WORD_STAYS},
+} PARTS[] = {{"summenruckstand", WORD_STAYS | WORD_SUMS},
+    {"summendurchgang", WORD_PASSES | WORD_SUMS}, {"durchgang", WORD_PASSES},
+    {"ruckstand", WORD_STAYS}, {"passerande", WORD_PASSES},
+    {"siktrest", WORD_STAYS}, {"lapaisy", WORD_PASSES}, {"cumul", WORD_SUMS},
+    {"kumul", WORD_SUMS}, {"ackumul", WORD_SUMS}, {"acumul", WORD_SUMS},
+    {"prozent", WORD_PERCENT}, {"procent", WORD_PERCENT},
+    {"percent", WORD_PERCENT}, {"hastighet", WORD_SPEED},
+    {"geschwindigkeit", WORD_SPEED}, {"drehzahl", WORD_SPEED | WORD_RPM},
+    {"varvtal", WORD_SPEED | WORD_RPM}, {"maschenweit", WORD_SIZE},
+    {"korngro", WORD_SIZE}, {"siebgro", WORD_SIZE}, {"siktstorl", WORD_SIZE},
+    {"maskvidd", WORD_SIZE}, {"siebweite", WORD_SIZE}, {"aufgabe", WORD_FEED},
+    {"produkt", WORD_PRODUCT}, {"retained", WORD_STAYS},
     {"passing", WORD_PASSES}, {"product", WORD_PRODUCT}, {"feed", WORD_FEED},
+    {"syote", WORD_FEED}, {"jaav", WORD_STAYS}, {"tuote", WORD_PRODUCT},
     {"gewicht", WORD_MASS}};
 
 /* Whether a list of words with spaces between has this one. */

@@ -420,6 +420,17 @@ no_sheet_is_read_wrongly(void **state)
 		if (o.verdict == REFUSED && getenv("TIPSPEED_TEST_REFUSED"))
 			printf("# refused %llu: %s | %s\n",
 			    (unsigned long long)seed, o.text, o.hint);
+		if (o.verdict == ASKED && getenv("TIPSPEED_TEST_REFUSED"))
+			printf("# asked %llu: proposal %s, answer %s: %s | "
+			       "%s\n",
+			    (unsigned long long)seed,
+			    o.settled[PROPOSED_RIGHT]   ? "right"
+			    : o.settled[PROPOSED_WRONG] ? "wrong"
+							: "none",
+			    o.settled[ANSWERED]         ? "right"
+			    : o.settled[ANSWERED_WRONG] ? "wrong"
+							: "none",
+			    o.text, o.hint);
 		count(&tally, plan, &o);
 		plan_free(plan);
 	}
