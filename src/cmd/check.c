@@ -479,10 +479,12 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	    : answer_rows(r) == 0
 		? "no faults found"
 		: "no faults found; judge the remarks yourself");
+	bool mends = answer_number(r, "mends.n") > 0;
 	session_answer(s, r);
 	if (ok)
 		return true;
 	return error_set(error, ERROR_CHECK,
 	    "check found faults in the site file\n"
-	    "correct the spreadsheet, save it and load it again");
+	    "correct the spreadsheet, save it and load it again%s",
+	    mends ? "; or take a mend: mend 1" : "");
 }

@@ -161,7 +161,7 @@ find_numbered(
     struct session *s, const char *word, struct mend *mend, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
-	double known = session_known(s, "check mend", ".mark");
+	double known = session_known(s, "check mend", "mark");
 	struct doctor d = mend_look(s, entry);
 	unsigned long n = strtoul(word, NULL, 10);
 	bool ok = false;

@@ -13,7 +13,7 @@
 
 /* After a calibration a cell is told of from this surprise on, of a product and
  * of a feed, where it is off by WORTH at least.  Counted with bench/doctor. */
-static const double SURPRISE_PRODUCT = 4, SURPRISE_FEED = 7, WORTH = 0.02;
+static const double SURPRISE_PRODUCT = 4, SURPRISE_FEED = 4.5, WORTH = 0.02;
 
 /* Before one, a cell whose distance from the straight line, on log size,
  * between its neighbours is more than this from the mean distance of the other
@@ -94,8 +94,10 @@ find_swapped_feeds(struct doctor *d, const struct site *site)
 		    (site->individual_feeds || all_finer(other))) {
 			double most;
 			struct finding *f = add(d, m);
+			const struct run *now = &other->run[r];
 			f->off[0] = above(&run->feed, &run->product, &most);
-			f->off[1] = 0;
+			f->off[1] =
+			    fmax(0, above(&now->feed, &now->product, &most));
 		}
 		site_free(other);
 	}
@@ -149,26 +151,46 @@ find_exchanged(struct doctor *d, const struct site *site)
 	f->off[1] = least;
 }
 
-/* RMS distance of a run's product from the mean of the other products, NAN with
- * less than two others: of two curves nobody knows which is wrong. */
+/* Sums for a straight line in energy through the others' passings. */
+struct line {
+	double n, e, ee, p, ep;
+};
+
+static double
+line_at(const struct line *l, double e)
+{
+	double mean = l->e / l->n, about = l->ee / l->n - mean * mean;
+	double slope = about > 1e-9 * mean * mean
+			   ? (l->ep / l->n - mean * l->p / l->n) / about
+			   : 0;
+	return l->p / l->n + slope * (e - mean);
+}
+
+/* RMS distance of a run's product from the line through the other products,
+ * NAN with less than two others: of two curves nobody knows which is wrong. */
 static double
 distance(const struct site *site, size_t at)
 {
-	const struct psd *own = &site->run[at].product;
+	const struct run *run = &site->run[at];
 	double squares = 0, n = 0;
-	for (size_t i = 0; i < own->n; i++) {
-		double sum = 0, with = 0;
+	for (size_t i = 0; i < run->product.n; i++) {
+		struct line l = {.n = 0};
+		double x = run->product.size[i];
 		for (size_t r = 0; r < site->n_run; r++) {
 			const struct psd *p = &site->run[r].product;
-			if (r == at || p->n == 0 ||
-			    !psd_covers(p, own->size[i]))
+			if (r == at || p->n == 0 || !psd_covers(p, x))
 				continue;
-			sum += psd_passing(p, own->size[i]);
-			with++;
+			double v = site->run[r].speed, P = psd_passing(p, x);
+			l.n++;
+			l.e += v * v;
+			l.ee += v * v * v * v;
+			l.p += P;
+			l.ep += v * v * P;
 		}
-		if (with < 2)
+		if (l.n < 2)
 			continue;
-		double by = own->passing[i] - sum / with;
+		double by = run->product.passing[i] -
+			    line_at(&l, run->speed * run->speed);
 		squares += by * by;
 		n++;
 	}

@@ -232,15 +232,23 @@ is_site(const struct site *site)
 	return ok;
 }
 
+/* The first clause, which results show, says that there are mends; what they
+ * are stands at the end. */
 static void
 add_provenance(
     struct site *site, const struct site *from, const struct mend *mend)
 {
+	static const char mark[] = ", mended";
+	const char *was =
+	    from->provenance[0] != '\0' ? from->provenance : "not stated";
+	size_t n = strcspn(was, ";"), m = strlen(mark);
+	bool marked = n >= m && strncmp(was + n - m, mark, m) == 0;
 	char *words = mend_words(from, mend);
-	const char *was = from->provenance;
+	char *first = xstrndup(was, n);
 	free(site->provenance);
-	site->provenance = xasprintf(
-	    "%s; mended: %s", was[0] != '\0' ? was : "not stated", words);
+	site->provenance = xasprintf("%s%s%s; mended: %s", first,
+	    marked ? "" : mark, was + n, words);
+	free(first);
 	free(words);
 }
 
@@ -285,9 +293,8 @@ mend_site(const struct site *from, const struct mend *mend, struct error *error)
 	}
 	site_free(site);
 	error_set(error, ERROR_USAGE,
-	    "cannot mend so: passing would rise on a finer sieve, the feed "
-	    "would not all pass its coarsest sieve, or too few sieves are "
-	    "left\n"
-	    "correct the spreadsheet, save it and load it again");
+	    "the mend would leave no curve that a site can have\n"
+	    "passing must not rise on a finer sieve, all of a feed must pass "
+	    "its coarsest sieve, and two sieves must be left");
 	return NULL;
 }
