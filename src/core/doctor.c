@@ -9,6 +9,7 @@
 #include "base/xalloc.h"
 #include "core/leave_out.h"
 #include "core/misfit.h"
+#include "core/polish.h"
 #include "core/smooth.h"
 
 /* After a calibration a cell is told of from this surprise on, of a product and
@@ -301,7 +302,7 @@ consider(struct finding *f, double passing)
 	f->mend.value = passing;
 }
 
-/* The digits of a passing in percent, "6910" and how many stand before the
+/* The digits of a passing in percent, "691", and how many stand before the
  * point; 0 where it was worked out and not typed. */
 static size_t
 digits_of(double passing, char digits[static 16], size_t *point)
@@ -316,7 +317,7 @@ digits_of(double passing, char digits[static 16], size_t *point)
 			digits[n++] = *c;
 	digits[n] = '\0';
 	*point = n - 2;
-	while (n > *point && digits[n - 1] == '0')
+	if (digits[n - 1] == '0')
 		digits[--n] = '\0';
 	free(text);
 	return n;
@@ -376,25 +377,92 @@ add_cell(struct doctor *d, const struct site *site,
 	site_free(other);
 }
 
+/* Which runs have passings to fit. */
+static bool *
+measured_runs(const struct site *site)
+{
+	bool *use = xcalloc(site->n_run, sizeof *use);
+	for (size_t r = 0; r < site->n_run; r++)
+		use[r] = misfit_covered(&site->run[r]) > 0;
+	return use;
+}
+
+/* The fit went some way to meet a cell that is off: moves it to where it would
+ * be without that cell. */
+static void
+refit(struct posterior *p, const struct site *site, struct mend m)
+{
+	enum { MOST = 100 };
+	m.kind = MEND_OUT;
+	struct site *less = mend_site(site, &m, NULL);
+	if (less == NULL)
+		return;
+	bool *use = measured_runs(less);
+	struct misfit *misfit = misfit_new(less, use, NULL, false, p->settings);
+	struct polish *polish = polish_new(misfit);
+	polish_run(polish, &p->bounds, MOST, NULL, &p->fit);
+	params_scale(&p->fit);
+	polish_free(polish);
+	misfit_free(misfit);
+	site_free(less);
+	free(use);
+}
+
+static double
+passing_of(const struct site *site, const struct leave_out_cell *c)
+{
+	const struct run *run = &site->run[c->run];
+	return (c->feed ? &run->feed : &run->product)->passing[c->sieve];
+}
+
+/* The next cell from a fit of its own, which moves; before: those that were
+ * found [n].  Returns false where none is worth telling of. */
+static bool
+find_next(struct doctor *d, const struct site *site, struct posterior *p,
+    double noise, size_t *found, size_t n)
+{
+	struct leave_out *l = leave_out_new(site, p, noise);
+	for (size_t i = 0; i < n; i++)
+		leave_out_drop(l, found[i]);
+	struct leave_out_shift s = {.gain = 0};
+	if (leave_out_cells(l) > n)
+		s = leave_out_worst(l);
+	struct leave_out_cell c = {.feed = false};
+	bool tell = s.gain > fmin(SURPRISE_PRODUCT, SURPRISE_FEED);
+	if (tell)
+		c = leave_out_cell(l, s.cell);
+	leave_out_free(l);
+	tell = tell && s.gain > (c.feed ? SURPRISE_FEED : SURPRISE_PRODUCT) &&
+	       fabs(s.expected - passing_of(site, &c)) > WORTH;
+	if (!tell)
+		return false;
+	struct mend m = {.feed = c.feed, .run = c.run};
+	m.size = curve_of(site, &m)->size[c.sieve];
+	refit(p, site, m);
+	l = leave_out_new(site, p, noise);
+	for (size_t i = 0; i < n; i++)
+		leave_out_drop(l, found[i]);
+	double gain = s.gain;
+	s = leave_out_look(l, s.cell);
+	leave_out_free(l);
+	found[n] = s.cell;
+	if (!(fabs(s.expected - passing_of(site, &c)) > WORTH))
+		return false;
+	add_cell(d, site, &c, &s);
+	d->finding[d->n - 1].surprise = gain;
+	return true;
+}
+
 static void
 find_surprising(struct doctor *d, const struct site *site,
     const struct posterior *posterior, double noise)
 {
-	struct leave_out *l = leave_out_new(site, posterior, noise);
-	for (size_t i = 0; i < CELLS && leave_out_cells(l) > 0; i++) {
-		struct leave_out_shift s = leave_out_worst(l);
-		struct leave_out_cell c = leave_out_cell(l, s.cell);
-		const struct run *run = &site->run[c.run];
-		double P =
-		    (c.feed ? &run->feed : &run->product)->passing[c.sieve];
-		double least = c.feed ? SURPRISE_FEED : SURPRISE_PRODUCT;
-		if (!(s.gain > least) || !(fabs(s.expected - P) > WORTH))
-			break;
-		add_cell(d, site, &c, &s);
-		d->finding[d->n - 1].surprise = s.gain;
-		leave_out_drop(l, s.cell);
-	}
-	leave_out_free(l);
+	struct posterior *p = xcalloc(1, sizeof *p); /* borrows the draws */
+	size_t found[CELLS], n = 0;
+	*p = *posterior;
+	while (n < CELLS && find_next(d, site, p, noise, found, n))
+		n++;
+	free(p);
 }
 
 /* The curves of the feeds, or the products, with their runs. */
@@ -450,11 +518,9 @@ find_bent(struct doctor *d, const struct site *site, bool feed, double noise)
 static double
 rmse_of(const struct site *site, const struct posterior *p)
 {
-	bool *use = xcalloc(site->n_run, sizeof *use), any = false;
-	for (size_t r = 0; r < site->n_run; r++) {
-		use[r] = misfit_covered(&site->run[r]) > 0;
+	bool *use = measured_runs(site), any = false;
+	for (size_t r = 0; r < site->n_run; r++)
 		any = any || use[r];
-	}
 	double rmse = NAN;
 	if (any) {
 		struct misfit *m =
