@@ -174,6 +174,11 @@ find_numbered(
 			  "or the fit have changed\n"
 			  "run 'check' again",
 		    word);
+	else if (d.n == 0)
+		error_set(error, ERROR_USAGE,
+		    "no mend is proposed for %s\n"
+		    "name a column to mend it: 'help mend'",
+		    entry->key);
 	else if (n < 1 || n > d.n)
 		error_set(error, ERROR_USAGE,
 		    "expected a mend from 1 to %zu, got %s\n"
