@@ -227,6 +227,32 @@ find_moved(struct doctor *d, const struct site *site)
 		memcpy(add(d, mend)->off, off, sizeof off);
 }
 
+/* How far off the run is that fits the others least, after a mend. */
+static double
+roughness(const struct site *site, const struct mend *m)
+{
+	struct site *other = mend_site(site, m, NULL);
+	double most = 0;
+	for (size_t r = 0; other != NULL && r < other->n_run; r++)
+		if (other->run[r].product.n > 0)
+			most = fmax(most, distance(other, r));
+	site_free(other);
+	return most;
+}
+
+/* A column that was moved makes speeds seem exchanged too, and the other way:
+ * of the two mends keeps the one that leaves the products more alike. */
+static void
+keep_smoother(struct doctor *d, const struct site *site)
+{
+	if (d->n < 2)
+		return;
+	const struct finding *f = d->finding;
+	if (roughness(site, &f[1].mend) < roughness(site, &f[0].mend))
+		d->finding[0] = f[1];
+	d->n = 1;
+}
+
 /* A column in micrometres, taken for millimetres, or the other way. */
 static void
 find_scaled(struct doctor *d, const struct site *site)
@@ -569,10 +595,11 @@ doctor_look(
 	find_scaled(&d, site);
 	if (d.n == 0)
 		find_swapped_feeds(&d, site);
-	if (d.n == 0)
+	if (d.n == 0) {
 		find_exchanged(&d, site);
-	if (d.n == 0)
 		find_moved(&d, site);
+		keep_smoother(&d, site);
+	}
 	bool columns = d.n > 0;
 	find_copies(&d, site);
 	if (!columns && posterior != NULL)
