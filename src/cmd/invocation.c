@@ -180,6 +180,13 @@ invocation_adds(struct session *s, const char *option, const char *value)
 }
 
 void
+invocation_reads(struct session *s, const char *line)
+{
+	free(s->invocation->line);
+	s->invocation->line = xstrdup(line);
+}
+
+void
 invocation_saved(struct session *s)
 {
 	s->invocation->saved = true;

@@ -90,6 +90,28 @@ grid_new(struct sheet *sheet, struct layout_range range)
 	return g;
 }
 
+/* R heads its tables without the column of row numbers: a line one cell short
+ * above lines that begin with 1, 2, 3. */
+static void
+shift_head(struct grid *g)
+{
+	size_t h = 0, wide = g->n_col;
+	double v;
+	while (h < g->n_row && (wide < 3 || is_filled(g, h, wide - 1)))
+		h++;
+	if (h != 0 || g->n_row < 4 || !is_filled(g, 0, wide - 2))
+		return;
+	for (size_t r = 1; r < g->n_row; r++)
+		if (!is_filled(g, r, wide - 1) ||
+		    !sheet_value(g->sheet, *cell_at(g, r, 0), &v) ||
+		    v != (double)r)
+			return;
+	struct cell none = *cell_at(g, 0, wide - 1);
+	for (size_t c = wide - 1; c > 0; c--)
+		*cell_at(g, 0, c) = *cell_at(g, 0, c - 1);
+	*cell_at(g, 0, 0) = none;
+}
+
 static struct grid
 grid_turned(const struct grid *g)
 {
@@ -411,11 +433,18 @@ list_columns(const struct grid *g, const struct place *p, size_t from,
 {
 	size_t n = 0;
 	col[n++] = p->c;
+	size_t first = p->head < g->n_row ? p->head : p->first;
+	bool empty = false;
 	for (size_t c = from; c < end; c++) {
-		bool filled = false;
-		size_t first = p->head < g->n_row ? p->head : p->first;
+		bool filled = false, headed = false;
 		for (size_t r = first; r < p->last; r++)
 			filled = filled || is_filled(g, r, c);
+		for (size_t r = first; r < p->first; r++)
+			headed = headed || is_filled(g, r, c);
+		/* Beyond an empty column only heads show that it goes on. */
+		if (c > p->c && empty && filled && !headed)
+			break;
+		empty = !filled;
 		if (c != p->c && filled)
 			col[n++] = c;
 	}
@@ -527,6 +556,13 @@ list_heading(const struct grid *g, struct layout *layout)
 		}
 		if (!used)
 			layout->heading[layout->n_heading++] = row;
+		for (size_t c = 0; used && c < row->n; c++) {
+			size_t at =
+			    g->across ? c * g->n_col + r : r * g->n_col + c;
+			if (!g->used[at] && row->cell[c].text[0] != '\0' &&
+			    layout->beside.text == NULL)
+				layout->beside = row->cell[c];
+		}
 	}
 }
 
@@ -581,6 +617,13 @@ layout_name(struct block *block, const size_t *number, const char *const *text,
 }
 
 char *
+layout_keep(struct block *b, char *text)
+{
+	b->text = xrealloc(b->text, b->n_text + 1, sizeof *b->text);
+	return b->text[b->n_text++] = text;
+}
+
+char *
 layout_head(const struct block *block, size_t c)
 {
 	char *text = xstrdup("");
@@ -595,7 +638,9 @@ layout_new(struct sheet *sheet, struct layout_range range)
 {
 	struct layout *layout = xcalloc(1, sizeof *layout);
 	struct place down[MOST_TABLES], across[MOST_TABLES];
-	struct grid g = grid_new(sheet, range), t = grid_turned(&g);
+	struct grid g = grid_new(sheet, range);
+	shift_head(&g);
+	struct grid t = grid_turned(&g);
 	size_t n = find_headed(&g, down, MOST_TABLES);
 	size_t m = find_headed(&t, across, MOST_TABLES);
 	n = drop_doubles(&g, down, n);

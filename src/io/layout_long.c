@@ -221,13 +221,6 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 	return text;
 }
 
-static char *
-keep_text(struct block *b, char *text)
-{
-	b->text = xrealloc(b->text, b->n_text + 1, sizeof *b->text);
-	return b->text[b->n_text++] = text;
-}
-
 /* The wide table of a long one. */
 static void
 widen(struct longer *l)
@@ -263,7 +256,7 @@ widen(struct longer *l)
 	char *size = layout_head(b, 0);
 	wide.head[0].cell[0] =
 	    b->n_head > 0 ? b->head[b->n_head - 1].cell[0] : b->row[0].cell[0];
-	wide.head[0].cell[0].text = keep_text(&wide, size);
+	wide.head[0].cell[0].text = layout_keep(&wide, size);
 	wide.number[0] = b->number[0];
 	size_t at = 1;
 	for (size_t s = 0; s < l->n_sample; s++)
@@ -272,7 +265,7 @@ widen(struct longer *l)
 				continue;
 			struct cell head = b->row[l->lead[s]].cell[c];
 			head.kind = CELL_TEXT;
-			head.text = keep_text(&wide, sample_head(l, s, c));
+			head.text = layout_keep(&wide, sample_head(l, s, c));
 			wide.head[0].cell[at] = head;
 			wide.number[at] = b->number[c];
 			for (size_t r = 0; r < b->n_row; r++)

@@ -260,12 +260,14 @@ fill_top(struct column *c)
 /* What the lines below the table say of a column, in its unit: the largest sum,
  * which may be the mass before sieving (NAN: neither), whose cell is *where;
  * and what was washed out, which belongs to the pan.  That may be told by the
- * masses before and after washing, M1 and M2 of EN 933-1. */
+ * masses before and after washing, M1 and M2 of EN 933-1.  weighed: the sum
+ * is the mass before sieving. */
 static double
-read_foot(struct column *c, struct cell *where)
+read_foot(struct column *c, struct cell *where, bool *weighed)
 {
 	const struct block *block = c->table->block;
 	double total = NAN, washed = NAN;
+	*weighed = false;
 	for (size_t i = 0; i < block->n_foot; i++) {
 		const struct row *row = &block->foot[i];
 		unsigned means = vocabulary_text(row->cell[0].text, NULL);
@@ -276,6 +278,7 @@ read_foot(struct column *c, struct cell *where)
 			   !(v <= total)) {
 			total = v;
 			*where = row->cell[c->at];
+			*weighed = (means & WORD_WEIGHED) != 0;
 		}
 	}
 	/* A mass that is most of the whole is what was left. */
@@ -325,7 +328,8 @@ static double
 total_mass(struct column *c)
 {
 	struct cell where = c->head;
-	double total = read_foot(c, &where), sum = sum_of(c);
+	bool weighed;
+	double total = read_foot(c, &where, &weighed), sum = sum_of(c);
 	bool cumulative = SITE_UNITS[c->unit].kind == CUMULATIVE;
 	if (cumulative && !isnan(c->pan))
 		return c->pan;
@@ -346,7 +350,9 @@ total_mass(struct column *c)
 		    c->head.text);
 		return 0;
 	}
-	return agrees(c, where, total, sum) ? sum : 0;
+	if (!agrees(c, where, total, sum))
+		return 0;
+	return weighed ? fmax(total, sum) : sum; /* as EN 933-1 counts */
 }
 
 /* Of percentages or fractions retained: what all of them are parts of. */
@@ -356,7 +362,8 @@ total_share(struct column *c)
 	char head[64];
 	struct cell where = c->head;
 	double whole = SITE_UNITS[c->unit].most;
-	read_foot(c, &where);
+	bool weighed;
+	read_foot(c, &where, &weighed);
 	double sum = sum_of(c), off = (sum - whole) / whole * 100;
 	bool pan = !isnan(c->pan);
 	/* What is lost in sieving is missing from the sum. */
