@@ -72,6 +72,14 @@ new_key(struct session *s, const struct site *site)
 }
 
 static void
+own_site(struct session *s, struct site *site)
+{
+	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
+	s->site[s->n_site++] = site;
+	session_forget(s);
+}
+
+static void
 insert(struct session *s, struct site *site, size_t place)
 {
 	struct entry entry = {.site = site, .key = new_key(s, site)};
@@ -84,9 +92,7 @@ insert(struct session *s, struct site *site, size_t place)
 	if (s->job.calibration != NULL && s->job.entry >= place)
 		s->job.entry++;
 	s->current = place;
-	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
-	s->site[s->n_site++] = site;
-	session_forget(s);
+	own_site(s, site);
 }
 
 /* The loaded site that was read from the same file, or n_entry. */
@@ -131,6 +137,36 @@ session_drop(struct session *s, size_t index)
 	bool last = s->current == index && index == s->n_entry;
 	if (s->current > index || (last && index > 0))
 		s->current--;
+}
+
+bool
+session_mend(struct session *s, size_t index, struct site *site)
+{
+	struct entry *entry = &s->entry[index];
+	bool own =
+	    entry->has_fit || (entry->origin != NULL && entry->origin->found &&
+				  entry->origin->whose[0] == '\0');
+	if (s->job.calibration != NULL && s->job.entry == index)
+		session_let_go(s);
+	if (site->n_run != entry->site->n_run) {
+		free(entry->train);
+		entry->train = xcalloc(site->n_run, sizeof *entry->train);
+		misfit_default_train(site, entry->train);
+	}
+	entry->site = site;
+	history_drop(entry->history);
+	entry->history = NULL;
+	entry->has_fit = false;
+	entry->fit = (struct fit){.misfit = 0};
+	entry->options[0] = '\0';
+	if (own) {
+		origin_drop(entry->origin);
+		entry->origin = NULL;
+		entry->has_params = false;
+		entry->params = (struct params){.breakage = 0};
+	}
+	own_site(s, site);
+	return own;
 }
 
 /* How well a loaded site answers to a name: 0 not, 1 by its name, 2 by name and

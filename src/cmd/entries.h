@@ -12,6 +12,11 @@ void session_add(struct session *s, struct site *site);
 /* Takes a site out of those loaded, and discards a calibration of it. */
 void session_drop(struct session *s, size_t index);
 
+/* Puts a mended site, which the session then owns, in the place of a loaded
+ * one.  What a calibration found on the former is no longer the site's; returns
+ * whether there was such.  Other parameters stay. */
+bool session_mend(struct session *s, size_t index, struct site *site);
+
 /* Finds a loaded site by name without case and accents ("borlange"), by name
  * and top size ("gavle/4") or by key.  Several or none: an error that lists
  * what there is. */

@@ -44,6 +44,51 @@ notes_free(struct site_note *list, size_t n)
 	free(list);
 }
 
+static struct run
+run_copy(const struct run *from)
+{
+	struct run to = *from;
+	to.feed = psd_copy(&from->feed);
+	to.product = psd_copy(&from->product);
+	if (from->product_sd == NULL)
+		return to;
+	to.product_sd = xdoubles(from->product.n);
+	memcpy(to.product_sd, from->product_sd,
+	    from->product.n * sizeof *to.product_sd);
+	return to;
+}
+
+static void
+replace_text(char **text, const char *by)
+{
+	free(*text);
+	*text = xstrdup(by);
+}
+
+struct site *
+site_copy(const struct site *from)
+{
+	struct site *to = site_new(from->n_run);
+	replace_text(&to->name, from->name);
+	replace_text(&to->rock, from->rock);
+	replace_text(&to->machine, from->machine);
+	replace_text(&to->provenance, from->provenance);
+	replace_text(&to->named, from->named);
+	replace_text(&to->path, from->path);
+	to->top_size = from->top_size;
+	to->individual_feeds = from->individual_feeds;
+	to->digest = from->digest;
+	for (size_t r = 0; r < from->n_run; r++)
+		to->run[r] = run_copy(&from->run[r]);
+	for (size_t i = 0; i < from->n_note; i++)
+		site_add_note(&to->note, &to->n_note, from->note[i].key,
+		    from->note[i].value);
+	for (size_t i = 0; i < from->n_left_out; i++)
+		site_add_note(&to->left_out, &to->n_left_out,
+		    from->left_out[i].key, from->left_out[i].value);
+	return to;
+}
+
 void
 site_free(struct site *site)
 {
@@ -202,7 +247,8 @@ site_data_kind(const char *provenance)
 {
 	char *folded = text_fold(provenance);
 	const char *text = text_trim(folded), *kind = "measured";
-	if (text[0] == '\0')
+	const char none[] = "not stated";
+	if (text[0] == '\0' || strncmp(text, none, strlen(none)) == 0)
 		kind = "not stated";
 	for (size_t i = 0; i < ARRAY_LEN(MADE_UP); i++)
 		if (strncmp(text, MADE_UP[i], strlen(MADE_UP[i])) == 0)

@@ -35,6 +35,14 @@ is_numeric(const struct block *b, size_t c)
 		struct cell cell = b->row[r].cell[c];
 		if (sheet_absent(cell))
 			continue;
+		size_t n = strlen(cell.text);
+		char last = n > 0 ? cell.text[n - 1] : '\0';
+		char copy[40];
+		if (n < sizeof copy && (last == '%' || last == 'g')) {
+			memcpy(copy, cell.text, n - 1);
+			copy[n - 1] = '\0';
+			cell.text = text_trim(copy);
+		}
 		if (!sheet_value(b->sheet, cell, &v))
 			return false;
 		numbers++;
@@ -116,6 +124,39 @@ list_samples(struct longer *l)
 	}
 }
 
+/* Whether sample a comes after b by the numbers of samples. */
+static bool
+is_later(const struct longer *l, size_t a, size_t b)
+{
+	const struct block *block = l->block;
+	for (size_t c = 1; c < block->n_col; c++) {
+		double x, y;
+		if (l->use[c] != COUNT ||
+		    !sheet_value(
+			block->sheet, block->row[l->lead[a]].cell[c], &x) ||
+		    !sheet_value(
+			block->sheet, block->row[l->lead[b]].cell[c], &y))
+			continue;
+		return x > y;
+	}
+	return false;
+}
+
+static void
+sort_samples(struct longer *l)
+{
+	for (size_t i = 1; i < l->n_sample; i++)
+		for (size_t k = i; k > 0 && is_later(l, k - 1, k); k--) {
+			size_t lead = l->lead[k];
+			l->lead[k] = l->lead[k - 1];
+			l->lead[k - 1] = lead;
+		}
+	for (size_t r = 0; r < l->block->n_row; r++)
+		for (size_t i = 0; i < l->n_sample; i++)
+			if (is_same_sample(l, l->lead[i], r))
+				l->sample[r] = i;
+}
+
 /* Whether each sample has each of its sieves once, and some sieve is there for
  * several samples. */
 static bool
@@ -180,13 +221,6 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 	return text;
 }
 
-static char *
-keep_text(struct block *b, char *text)
-{
-	b->text = xrealloc(b->text, b->n_text + 1, sizeof *b->text);
-	return b->text[b->n_text++] = text;
-}
-
 /* The wide table of a long one. */
 static void
 widen(struct longer *l)
@@ -222,7 +256,7 @@ widen(struct longer *l)
 	char *size = layout_head(b, 0);
 	wide.head[0].cell[0] =
 	    b->n_head > 0 ? b->head[b->n_head - 1].cell[0] : b->row[0].cell[0];
-	wide.head[0].cell[0].text = keep_text(&wide, size);
+	wide.head[0].cell[0].text = layout_keep(&wide, size);
 	wide.number[0] = b->number[0];
 	size_t at = 1;
 	for (size_t s = 0; s < l->n_sample; s++)
@@ -231,7 +265,7 @@ widen(struct longer *l)
 				continue;
 			struct cell head = b->row[l->lead[s]].cell[c];
 			head.kind = CELL_TEXT;
-			head.text = keep_text(&wide, sample_head(l, s, c));
+			head.text = layout_keep(&wide, sample_head(l, s, c));
 			wide.head[0].cell[at] = head;
 			wide.number[at] = b->number[c];
 			for (size_t r = 0; r < b->n_row; r++)
@@ -269,6 +303,7 @@ layout_widen(struct block *block)
 	}
 	list_sizes(&l);
 	list_samples(&l);
+	sort_samples(&l);
 	if (is_long(&l))
 		widen(&l);
 	free(l.use);

@@ -166,6 +166,9 @@ sheet_absent(struct cell cell)
 static const char *
 number_hint(const char *s)
 {
+	if (s[0] == '=')
+		return "the workbook was saved without results: open and save "
+		       "it in a spreadsheet program";
 	size_t n = strspn(s, "0123456789");
 	bool date = n > 0 && strchr("-/.", s[n]) != NULL && s[n] != '\0' &&
 		    (isalpha((unsigned char)s[n + 1]) ||

@@ -58,7 +58,11 @@ merge(struct head *said, const struct head *more, bool own, bool titles)
 	    WORD_PASSES | WORD_STAYS | WORD_SUMS,
 	    WORD_PERCENT | WORD_GRAMS | WORD_SHARE | WORD_MASS};
 	unsigned rest = ~(GROUPS[0] | GROUPS[1] | GROUPS[2]);
-	for (size_t i = 0; i < 3; i++)
+	/* Of "Feed" above the next column, where this one has a speed of its
+	 * own, only the feed is meant. */
+	bool feed = !own && (more->means & WORD_FEED) != 0 &&
+		    (said->speed > 0 || said->rpm > 0);
+	for (size_t i = feed ? 1 : 0; i < 3; i++)
 		if ((said->means & GROUPS[i]) == 0)
 			said->means |= more->means & GROUPS[i];
 	if (own)
@@ -68,6 +72,7 @@ merge(struct head *said, const struct head *more, bool own, bool titles)
 	if (said->speed == 0 && said->rpm == 0) {
 		said->speed = more->speed;
 		said->rpm = more->rpm;
+		said->spread = !own && (more->speed > 0 || more->rpm > 0);
 		said->unit =
 		    said->unit == SPEED_NO_UNIT ? more->unit : said->unit;
 	}
@@ -204,16 +209,17 @@ stated_total(const struct column *c)
 static bool
 parts_scale(const struct shape *s, double total, enum unit_scale *scale)
 {
+	bool percent = near(s->sum, 100, 5) && s->most <= 100.5;
+	*scale = OF_100;
 	if (near(s->sum, 100, 1.05) && s->most <= 100.5)
 		*scale = OF_100;
 	else if (near(s->sum, 1, 1.05) && s->most <= 1.005)
 		*scale = OF_1;
-	else if (s->has_pan || !isnan(total))
+	else if (!percent && (s->has_pan || !isnan(total)))
 		*scale = OF_MASS;
-	else
+	else /* nearly 100, and neither 100 nor some mass */
 		return false;
-	/* Nearly 100, and neither 100 nor some mass. */
-	return *scale != OF_MASS || fabs(s->sum - 100) > 4;
+	return true;
 }
 
 /* What the numbers alone look like; false where they could be several things. */
@@ -318,14 +324,14 @@ settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		*scale = OF_MASS;
 		return kind != PASSING;
 	}
+	if ((means & WORD_SHARE) != 0) {
+		*scale = one ? OF_1 : OF_100;
+		return one || (kind == PASSING && near(s->first, 100, 0.6));
+	}
 	if ((means & WORD_MASS) != 0 && kind != PASSING &&
 	    (s->has_pan || !isnan(total))) {
 		*scale = OF_MASS;
 		return true;
-	}
-	if ((means & WORD_SHARE) != 0) {
-		*scale = one ? OF_1 : OF_100;
-		return one || (kind == PASSING && near(s->first, 100, 0.6));
 	}
 	if (kind == RETAINED)
 		return parts_scale(s, total, scale);
@@ -370,6 +376,16 @@ is_defined(const struct column *c, const struct shape *s, size_t *unit)
 	return false;
 }
 
+/* Whether the sieves are classes between two of them, as retained masses have. */
+static bool
+has_classes(const struct table *t)
+{
+	for (size_t i = 0; i < t->n_row; i++)
+		if (sieve_size_is_class(t->sheet, t->row[i].cell[0]))
+			return true;
+	return false;
+}
+
 static void
 find_unit(struct column *c, bool told)
 {
@@ -382,7 +398,8 @@ find_unit(struct column *c, bool told)
 	bool sure = true;
 	if (c->role == SD || s.n == 0)
 		return;
-	if (is_defined(c, &s, &c->unit))
+	bool classes = has_classes(c->table);
+	if (!classes && is_defined(c, &s, &c->unit))
 		return;
 	c->unit = 0;
 	if ((kinds & (WORD_PASSES | WORD_STAYS)) == 0) {
@@ -398,7 +415,7 @@ find_unit(struct column *c, bool told)
 		c->unit = site_unit_find(kind, scale);
 		if (kind != PASSING || scale != OF_100 || scales == 0)
 			assume(c, "as %s", SITE_UNITS[c->unit].words);
-		c->open = c->open || !sure;
+		c->open = c->open || !sure || (classes && kind != RETAINED);
 		return;
 	}
 	kind = (kinds & WORD_PASSES) != 0 ? PASSING
@@ -416,7 +433,7 @@ find_unit(struct column *c, bool told)
 	    s.rises == 0 && s.sum > 102)
 		sure = false;
 	c->unit = site_unit_find(kind, scale);
-	c->open = c->open || !sure;
+	c->open = c->open || !sure || (classes && kind != RETAINED);
 }
 
 /* The one number without a unit that can be a tip speed in m/s: 63.6, not the 1
@@ -453,13 +470,14 @@ find_speed(struct column *c, const struct surroundings *near)
 		if (c->speed > 0)
 			assume(c, "%g rpm of a rotor of %g mm as %g m/s",
 			    c->rpm, 1000 * near->rotor, c->speed);
-	} else if (bare_speed(said) > 0) {
+	} else if (bare_speed(said) > 0 && said->unknown == 0) {
 		c->speed = bare_speed(said);
 		assume(c, "%g as m/s", c->speed);
 	} else if (near->speed > 0 && c->role == PRODUCT) {
 		c->speed = near->speed;
 	}
-	if (c->speed > FASTEST) {
+	bool counted = said->rpm > 0 || said->unit == SPEED_FT_MIN;
+	if (c->speed > FASTEST || (counted && c->speed > 0 && c->speed < 20)) {
 		c->open = true;
 		c->speed = 0;
 	}
@@ -521,6 +539,29 @@ has_words(const struct column *c, size_t *filled, size_t *numbers)
 	return *filled > 0 && *numbers * 2 < *filled;
 }
 
+/* 1, 2, 3 and so on, up or down, or one number throughout: no curve. */
+static bool
+is_count(const struct column *c)
+{
+	size_t n = c->table->n_row, steps = 0, same = 0, pairs = 0;
+	double *raw = xdoubles(n), last = NAN;
+	site_column_raw(c, raw);
+	for (size_t i = 0; i < n; last = raw[i++]) {
+		pairs += !isnan(raw[i]) && !isnan(last);
+		steps += fabs(raw[i] - last) == 1;
+		same += raw[i] == last;
+	}
+	bool whole = n > 0 && raw[0] == floor(raw[0]);
+	bool small = fabs(raw[0] - 1) < 2 || fabs(last - 1) < 2;
+	bool limit = same == pairs && (raw[0] == 100 || raw[0] == 0);
+	free(raw);
+	bool speed = same == pairs && c->said.speed == 0 &&
+		     c->said.unit != SPEED_NO_UNIT;
+	return pairs > 2 && (whole || speed) && !limit &&
+	       (c->said.means & ROLE_WORDS) == 0 &&
+	       ((steps == pairs && small) || same == pairs);
+}
+
 /* Whether a column is no sample, told to the site. */
 static bool
 is_no_sample(const struct column *c, struct site *site)
@@ -531,7 +572,11 @@ is_no_sample(const struct column *c, struct site *site)
 	unsigned means = c->said.means;
 	const char *head = c->head.text;
 	unsigned sample = ROLE_WORDS | KIND_WORDS;
-	if (filled == 0) {
+	if (is_count(c)) {
+		leave_out(site, b->number[c->at],
+		    "row numbers, or the same "
+		    "number in each row");
+	} else if (filled == 0) {
 		leave_out(site, b->number[c->at], "it is empty");
 	} else if (words && (means & ROLE_WORDS) == 0) {
 		leave_out(site, b->number[c->at], "%s: it has words", head);
@@ -550,11 +595,41 @@ is_no_sample(const struct column *c, struct site *site)
 	return true;
 }
 
+/* A column that has one speed for all rows: of a long table with one sample. */
+static void
+note_speed(struct table *t, size_t at, struct surroundings *near)
+{
+	struct column c = {
+	    .table = t, .at = at, .said = read_heads(t->block, at)};
+	static const unsigned COUNTED = WORD_PASSES | WORD_STAYS |
+					WORD_PERCENT | WORD_GRAMS | WORD_FEED |
+					WORD_PRODUCT;
+	bool about =
+	    (c.said.means & WORD_SPEED) != 0 || c.said.unit != SPEED_NO_UNIT;
+	if (!about || c.said.speed > 0 || c.said.rpm > 0 ||
+	    (c.said.means & COUNTED) != 0)
+		return;
+	double *raw = xdoubles(t->n_row), v = NAN;
+	bool same = true;
+	site_column_raw(&c, raw);
+	for (size_t i = 0; i < t->n_row; i++) {
+		v = isnan(v) ? raw[i] : v;
+		same = same && !(raw[i] < v) && !(raw[i] > v);
+	}
+	free(raw);
+	if (same && v > 0)
+		near->speed = head_mps(v, c.said.unit, near->rotor);
+}
+
 void
 recognise_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site)
 {
 	const struct block *b = t->block;
+	struct surroundings around = *near;
+	near = &around;
+	for (size_t at = 1; at < b->n_col; at++)
+		note_speed(t, at, &around);
 	for (size_t at = 1; at < b->n_col; at++) {
 		struct column c = {.table = t, .at = at, .pan = NAN};
 		bool own = false;
@@ -600,11 +675,13 @@ rank(const struct column *c)
 static bool
 is_same_sample(const struct column *a, const struct column *b)
 {
+	bool numbers =
+	    a->speed > 0 || (a->said.n_number == b->said.n_number &&
+				(a->said.n_number == 0 ||
+				    a->said.number[0] == b->said.number[0]));
 	return a->table == b->table && a->role == b->role && a->role != SD &&
 	       fabs(a->speed - b->speed) < 1e-3 && a->rpm == b->rpm &&
-	       a->said.n_number == b->said.n_number &&
-	       (a->said.n_number == 0 ||
-		   a->said.number[0] == b->said.number[0]) &&
+	       numbers &&
 	       (SITE_UNITS[a->unit].kind != SITE_UNITS[b->unit].kind ||
 		   SITE_UNITS[a->unit].scale != SITE_UNITS[b->unit].scale);
 }
@@ -646,6 +723,22 @@ is_curve(const struct column *c)
 	enum unit_kind kind;
 	enum unit_scale scale;
 	return s.n > 2 && guess_kind(&s, NAN, &kind, &scale);
+}
+
+/* The one feed is that of all runs, though the speed at its left spreads over
+ * it. */
+static void
+free_feed(struct columns *all)
+{
+	struct column *only = NULL;
+	size_t n = 0;
+	for (size_t i = 0; i < all->n; i++)
+		if (all->column[i].role == FEED) {
+			only = &all->column[i];
+			n++;
+		}
+	if (n == 1 && only->said.spread && all->n > 2)
+		only->speed = only->rpm = 0;
 }
 
 /* Where nothing is called feed, the one column without a role may be it. */
@@ -691,6 +784,7 @@ recognise_settle(struct columns *all, struct site *site, bool *wants_rotor)
 		c->open = true;
 	}
 	guess_feed(all, feeds);
+	free_feed(all);
 	drop_twins(all, site);
 	for (size_t i = 0; i < all->n; i++) {
 		struct column *c = &all->column[i];

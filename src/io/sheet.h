@@ -14,8 +14,9 @@
 enum cell_kind { CELL_TEXT, CELL_NUMBER, CELL_DATE };
 
 /* text: without spaces at both ends, never NULL; of CELL_NUMBER as text_exact
- * writes it.  column: of its first character, counted from 1 in characters, not
- * bytes; in a workbook 1 is A. */
+ * writes it, then a unit that the cell is shown with: "97.5 %", "69 m/s"; of
+ * CELL_DATE "2026-05-03T10:15", "2026-05-03" or "10:15".  column: of its first
+ * character, counted from 1 in characters, not bytes; in a workbook 1 is A. */
 struct cell {
 	char *text;
 	int line, column;
@@ -31,10 +32,12 @@ struct row {
 	int line, end;
 };
 
-/* A line that starts with #, borrowed from the text of the sheet. */
+/* A line that starts with #, borrowed from the text of the sheet; in a workbook
+ * a row whose first cell does, which is text. */
 struct comment {
 	int line;
 	const char *text;
+	struct row row; /* of a workbook */
 };
 
 /* Blank lines are left out of row[], and lines that start with # are in
@@ -63,6 +66,17 @@ struct sheet {
 struct sheet *sheet_new(
     const char *path, char *text, size_t most_rows, struct error_list *errors);
 void sheet_free(struct sheet *sheet);
+
+/* A sheet of a workbook, with tabs between its cells where a message shows one.
+ * sheet_put: one more cell, in any order, whose text it takes.  sheet_end: all
+ * are there; until then no row is a comment. */
+struct sheet *sheet_begin(const char *path, const char *name, size_t most_rows,
+    struct error_list *errors);
+void sheet_put(struct sheet *sheet, struct cell cell);
+void sheet_end(struct sheet *sheet);
+
+/* What sheet_put takes: another row or a cell in this column. */
+bool sheet_has_room(const struct sheet *sheet, struct cell cell);
 
 /* Makes a row of comment i, in the order of the lines, which the # is part
  * of. */

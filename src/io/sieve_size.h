@@ -24,4 +24,8 @@ struct sieve_unit sieve_unit_of(unsigned means);
 enum sieve_kind sieve_size(const struct sheet *sheet, struct cell cell,
     struct sieve_unit unit, double *mm);
 
+/* Whether it is a class between two sieves, "11,2/16", or above one, "> 22,4",
+ * which sieve_size gives the lower one of where the unit is a length. */
+bool sieve_size_is_class(const struct sheet *sheet, struct cell cell);
+
 #endif

@@ -33,6 +33,13 @@ add_name(struct names *names, char *part, struct error *error)
 	return true;
 }
 
+static void
+add_sieves(struct layout_range *range, size_t number)
+{
+	if (range->n_sieves < LAYOUT_SIEVES)
+		range->sieves[range->n_sieves++] = number;
+}
+
 bool
 names_read(struct names *names, const char *columns, struct layout_range *range,
     struct error *error)
@@ -59,9 +66,9 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 		unsigned other =
 		    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
 		if ((means & WORD_SIZE) != 0 && (means & other) == 0)
-			range->sieves = names->number[i];
+			add_sieves(range, names->number[i]);
 	}
-	if (good && range->sieves == 0)
+	if (good && range->n_sieves == 0)
 		good = error_set(error, ERROR_USAGE,
 		    "expected a column of sieves in columns, got '%s'\n"
 		    "for instance: columns=\"1=sieve mm, 2=feed, "

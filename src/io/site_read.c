@@ -377,6 +377,11 @@ tell_left_out(struct reading *r)
 			    c->text, c->text[shown] != '\0' ? "..." : "");
 		}
 		leave_out_foot(r, page);
+		const struct cell *beside = &page->layout->beside;
+		snprintf(where, sizeof where, "line %d", beside->line);
+		if (beside->text != NULL)
+			leave_out(r->site, where, "beside the table: %.*s",
+			    sheet_cut(beside->text), beside->text);
 	}
 	for (size_t i = 0; i < r->n_table; i++)
 		leave_out_rows(r, r->table[i]);

@@ -161,6 +161,84 @@ find_unit(struct table *t)
 	return SIEVES_ASSUMED;
 }
 
+/* Where the sieves are there twice, as names and in mm, a row that has one of
+ * them only. */
+static void
+fill_names(struct table *t)
+{
+	static const unsigned ELSE =
+	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
+	struct sieve_unit none = {0, SIEVE_NONE};
+	double mm;
+	for (size_t c = 1; c < t->block->n_col; c++) {
+		char *head = layout_head(t->block, c);
+		unsigned means = vocabulary_text(head, NULL);
+		free(head);
+		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
+		    (means & ELSE) != 0)
+			continue;
+		for (size_t i = 0; i < t->n_row; i++)
+			if (t->row[i].cell[0].text[0] == '\0' &&
+			    sieve_size(t->sheet, t->row[i].cell[c], none,
+				&mm) != SIEVE_IS_NONE)
+				t->row[i].cell[0] = t->row[i].cell[c];
+	}
+}
+
+/* Whether sizes rise, or fall, without exception; NAN are passed over. */
+static bool
+is_ordered(const double *v, size_t n)
+{
+	int rises = 0, falls = 0, pairs = 0;
+	double last = NAN;
+	for (size_t i = 0; i < n; i++) {
+		if (isnan(v[i]))
+			continue;
+		pairs += !isnan(last);
+		rises += v[i] > last;
+		falls += v[i] < last;
+		last = v[i];
+	}
+	return rises == pairs || falls == pairs;
+}
+
+/* 2, 1, 500, 250: sieves below 1 mm are called by their um, as ISO 3310 does.
+ * Gives these, at one end of the table, their unit where that brings all into
+ * order. */
+static bool
+split_micro(struct table *t)
+{
+	size_t n = t->n_row, from = 0, to = 0;
+	double *v = xdoubles(n), number;
+	for (size_t i = 0; i < n; i++)
+		v[i] = sheet_value(t->sheet, t->row[i].cell[0], &number) &&
+			       number > 0
+			   ? number
+			   : NAN;
+	bool split = false;
+	for (size_t i = 1; i < n && !is_ordered(v, n) && to == 0; i++) {
+		from = v[i] > 10 * v[i - 1] ? i : 0;
+		to = v[i] > 10 * v[i - 1] ? n : 10 * v[i] < v[i - 1] ? i : 0;
+	}
+	for (size_t i = from; i < to; i++) {
+		split = v[i] >= 20 && v[i] < 1000;
+		v[i] /= 1000;
+		if (!split && !isnan(v[i]))
+			break;
+	}
+	split = split && is_ordered(v, n);
+	for (size_t i = from; split && i < to; i++) {
+		struct cell *cell = &t->row[i].cell[0];
+		if (isnan(v[i]))
+			continue;
+		cell->kind = CELL_TEXT;
+		cell->text =
+		    layout_keep(t->block, xasprintf("%s um", cell->text));
+	}
+	free(v);
+	return split;
+}
+
 /* Whether the sizes rise without exception. */
 static bool
 is_finest_first(const struct table *t)
@@ -192,7 +270,14 @@ site_sieve_table(
 	char *head = layout_head(block, 0);
 	t.unit = sieve_unit_of(told != 0 ? told : vocabulary_text(head, NULL));
 	free(head);
+	fill_names(&t);
+	bool lengths = t.unit.mm == 1 || t.unit.mm == 0;
+	bool split = lengths && t.unit.series == SIEVE_NONE && split_micro(&t);
+	if (split)
+		t.unit.mm = 1;
 	*certainty = find_unit(&t);
+	if (split && *certainty == SIEVES_SAID)
+		*certainty = SIEVES_ASSUMED;
 	if (told != 0 && *certainty == SIEVES_OPEN && t.unit.mm > 0)
 		*certainty = SIEVES_SAID;
 	t.finest_first = is_finest_first(&t);

@@ -6,21 +6,59 @@
 
 #include "base/xalloc.h"
 #include "io/textfile.h"
+#include "io/workbook.h"
 
 /* A sieve sheet has some dozen lines. */
 enum { MOST_ROWS = 2000 };
 
-bool
-source_read(const char *path, struct error_list *errors, struct source *source)
+/* Takes the sheets and the note. */
+static bool
+read_workbook(const char *path, const char *bytes, size_t n,
+    struct error_list *errors, struct source *source)
 {
-	*source = (struct source){.note = xstrdup("")};
-	source->text = textfile_read(path, errors);
+	struct grid grid = grid_new(path, MOST_ROWS, errors);
+	if (!workbook_read(bytes, n, &grid)) {
+		grid_clear(&grid);
+		return false;
+	}
+	free(source->note);
+	source->n = grid.n;
+	source->sheet = grid.sheet;
+	source->note = grid.note;
+	for (size_t i = 0; i < source->n; i++)
+		sheet_decide_decimal(source->sheet[i]);
+	return true;
+}
+
+static bool
+read_text(const char *path, const char *bytes, size_t n,
+    struct error_list *errors, struct source *source)
+{
+	const char *note;
+	source->text = textfile_text(path, bytes, n, &note, errors);
 	if (source->text == NULL)
 		return false;
+	free(source->note);
+	source->note = xstrdup(note);
 	source->sheet = xcalloc(1, sizeof(*source->sheet));
 	source->sheet[source->n++] =
 	    sheet_new(path, source->text, MOST_ROWS, errors);
 	return true;
+}
+
+bool
+source_read(const char *path, struct error_list *errors, struct source *source)
+{
+	size_t n;
+	*source = (struct source){.note = xstrdup("")};
+	char *bytes = textfile_bytes(path, &n, errors);
+	if (bytes == NULL)
+		return false;
+	bool good = workbook_is(bytes, n)
+			? read_workbook(path, bytes, n, errors, source)
+			: read_text(path, bytes, n, errors, source);
+	free(bytes);
+	return good;
 }
 
 void

@@ -168,6 +168,7 @@ spec_read(const char *path, struct error_list *errors)
 		spec = xcalloc(1, sizeof *spec);
 		spec->name = xstrdup("");
 		spec->source = xstrdup("");
+		spec->note = xstrdup(source.note);
 		read_sheet(spec, source.sheet[0]);
 		if (spec->name[0] == '\0') {
 			free(spec->name);
@@ -189,6 +190,7 @@ spec_free(struct spec *spec)
 		return;
 	free(spec->name);
 	free(spec->source);
+	free(spec->note);
 	free(spec->size);
 	free(spec->least);
 	free(spec->most);

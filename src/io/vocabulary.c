@@ -64,8 +64,10 @@ static const struct {
 	"korngro\xC3\x9F"
 	"e lochweite nennweite tamis maille mailles ouverture "
 	"diametre tamiz tamices malla mallas abertura apertura criba tamano "
-	"peneira peneiras malha malhas seula seulat seulakoko raekoko "
-	"silmakoko maskevidde kornstorrelse sikte d luz"},
+	"tamanho "
+	"peneira peneiras malha malhas seula seulan seulat seulakoko raekoko "
+	"silmakoko aukko aukkokoko dimension maskevidde kornstorrelse sikte d "
+	"luz"},
     {WORD_SIZE | WORD_MESH, "mesh meshes"},
     {WORD_TYLER, "tyler"},
     {WORD_BS, "bs bss"},
@@ -95,19 +97,23 @@ static const struct {
 	"remark remarks note notes comment comments anm anmarkning "
 	"anmarkningar bemerkung bemerkungen remarque remarques observaciones "
 	"observacion observacoes observacao obs huom huomautus date datum "
-	"fecha data pvm paivamaara lab labno id time tid operator klockan "
+	"fecha data pvm paivamaara lab labor labno labnr laboratory id time "
+	"tid operator klockan "
 	"moisture fukt feuchte"},
     {WORD_SAMPLE,
 	"sample samples prov provet provnr probe proben cut belt beltcut run "
 	"runs test trial forsok versuch essai echantillon muestra ensayo "
-	"amostra ensaio nayte koe bandprov band"},
+	"amostra ensaio nayte koe bandprov band no nr n num nummer number "
+	"repeat rep"},
     {WORD_PAN,
 	"pan bottom receiver rest botten trag bunn boden siebboden schale "
 	"auffangschale fond fondo fundo charola bandeja cazuela pohja bund "
 	"receptor recipiente panela"},
     {WORD_TOTAL,
 	"sum total totals totalt summa summe gesamt insgesamt somme suma "
-	"soma totale yhteensa einwaage invagt m1 before original"},
+	"soma totale yhteensa"},
+    {WORD_TOTAL | WORD_WEIGHED, "einwaage invagt m1"},
+    {WORD_WASHED, "m2 waschen tvattning"},
     {WORD_LOSS,
 	"loss losses forlust siktforlust verlust siebverlust perte pertes "
 	"perdida perdidas perda perdas havio havikki difference"},
@@ -116,9 +122,9 @@ static const struct {
 	"abschlammbare abgeschlammt lavage lave lavado lavagem pesu pesty"},
     {WORD_FILLER,
 	"at vid material mangd on of the and by to for with a i pa av mit "
-	"bei der die das des du de la le en sur par del el por em o no nr n "
-	"num nummer number wt gew vol masse-% m m-% the med och und et y e "
-	"kohti v ms s mps peripheral periferi crusher vsi kross concasseur "
+	"bei der die das des du de la le en sur par del el por em o "
+	"wt gew vol masse-% m m-% the med och und et y e astia "
+	"kohti p v ms s mps peripheral periferi crusher vsi kross concasseur "
 	"analysis siktning each per je single individual einzeln parcial "
 	"partiel simple enskild nominal"},
 };
@@ -127,16 +133,20 @@ static const struct {
 static const struct {
 	const char *part;
 	unsigned means;
-} PARTS[] = {{"durchgang", WORD_PASSES}, {"ruckstand", WORD_STAYS},
-    {"passerande", WORD_PASSES}, {"siktrest", WORD_STAYS},
-    {"lapaisy", WORD_PASSES}, {"cumul", WORD_SUMS}, {"kumul", WORD_SUMS},
-    {"ackumul", WORD_SUMS}, {"acumul", WORD_SUMS}, {"prozent", WORD_PERCENT},
-    {"procent", WORD_PERCENT}, {"percent", WORD_PERCENT},
-    {"hastighet", WORD_SPEED}, {"geschwindigkeit", WORD_SPEED},
-    {"drehzahl", WORD_SPEED | WORD_RPM}, {"varvtal", WORD_SPEED | WORD_RPM},
-    {"maschenweite", WORD_SIZE}, {"siebweite", WORD_SIZE},
-    {"aufgabe", WORD_FEED}, {"produkt", WORD_PRODUCT}, {"retained", WORD_STAYS},
+} PARTS[] = {{"summenruckstand", WORD_STAYS | WORD_SUMS},
+    {"summendurchgang", WORD_PASSES | WORD_SUMS}, {"durchgang", WORD_PASSES},
+    {"ruckstand", WORD_STAYS}, {"passerande", WORD_PASSES},
+    {"siktrest", WORD_STAYS}, {"lapaisy", WORD_PASSES}, {"cumul", WORD_SUMS},
+    {"kumul", WORD_SUMS}, {"ackumul", WORD_SUMS}, {"acumul", WORD_SUMS},
+    {"prozent", WORD_PERCENT}, {"procent", WORD_PERCENT},
+    {"percent", WORD_PERCENT}, {"hastighet", WORD_SPEED},
+    {"geschwindigkeit", WORD_SPEED}, {"drehzahl", WORD_SPEED | WORD_RPM},
+    {"varvtal", WORD_SPEED | WORD_RPM}, {"maschenweit", WORD_SIZE},
+    {"korngro", WORD_SIZE}, {"siebgro", WORD_SIZE}, {"siktstorl", WORD_SIZE},
+    {"maskvidd", WORD_SIZE}, {"siebweite", WORD_SIZE}, {"aufgabe", WORD_FEED},
+    {"produkt", WORD_PRODUCT}, {"retained", WORD_STAYS},
     {"passing", WORD_PASSES}, {"product", WORD_PRODUCT}, {"feed", WORD_FEED},
+    {"syote", WORD_FEED}, {"jaav", WORD_STAYS}, {"tuote", WORD_PRODUCT},
     {"gewicht", WORD_MASS}};
 
 /* Whether a list of words with spaces between has this one. */

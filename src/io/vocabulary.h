@@ -36,7 +36,8 @@ enum word_meaning {
 	WORD_MESH = 1 << 26,
 	WORD_TYLER = 1 << 27,
 	WORD_BS = 1 << 28,
-	WORD_ASTM = 1 << 29
+	WORD_ASTM = 1 << 29,
+	WORD_WEIGHED = 1 << 30 /* before sieving: M1 of EN 933-1 */
 };
 
 /* The meanings of n bytes of text_fold's, one word; 0 where it is unknown. */

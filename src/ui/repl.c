@@ -345,6 +345,9 @@ repl_run(struct session *s)
 	set_up(s);
 	batch_attend(s);
 	s->hooks.question = question;
+	if (s->n_entry == 0)
+		session_note(s, "load your own sheet: load plant.xlsx; an "
+				"empty one to fill in: template > my.csv");
 	while (!s->quit && !pump_ended()) {
 		char *text = prompt(s);
 		char *typed = read_line(text);
