@@ -107,7 +107,9 @@ note_loaded(struct session *s, const struct site *site)
 	if (site->read_as[0] != '\0')
 		session_note(s, "  read: %s", site->read_as);
 	if (site->assumed[0] != '\0')
-		session_note(s, "  not stated, taken so: %s", site->assumed);
+		session_note(s, "  likely, not stated: %s", site->assumed);
+	else if (site->read_as[0] != '\0')
+		session_note(s, "  sure: all of it is stated");
 	for (size_t i = 0; i < site->n_left_out && i < MOST; i++, more--)
 		session_note(s, "  not read: %s, %s", site->left_out[i].key,
 		    site->left_out[i].value);
