@@ -10,9 +10,7 @@ static const struct command_option SHOW_OPTIONS[] = {
 static const struct command_option LOAD_OPTIONS[] = {
     {"columns", VALUE_TEXT, "", 0, 0, NULL, "",
 	"what the columns are, by number: \"1=sieve mm, 2=feed retained_g, "
-	"4=product@70\"; others are left out; numbers of lines where the "
-	"sieves "
-	"go across"},
+	"4=product@70\"; others are left out; where sieves go across, lines"},
     {"sheet", VALUE_TEXT, "", 0, 0, NULL, "", "sheet of a workbook"},
     {"range", VALUE_TEXT, "", 0, 0, NULL, "",
 	"part of a sheet, as A3:F20; default: all"},
@@ -67,19 +65,24 @@ static const struct command_option WRITE_OPTIONS[] = {
 
 const struct command TABLE_DATA[] = {
     {.name = "load",
-	.brief = "read site files",
+	.brief = "read the sieve sheets of a site",
 	.operands = {"FILE...", {"FILE"}, 1, OPERANDS - 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.option = LOAD_OPTIONS,
 	.text =
-	    "Reads site files, see tipspeed-site(5), and makes the last one "
-	    "the site in use: CSV from a spreadsheet (Excel, LibreOffice), "
-	    "with commas, or with semicolons and decimal commas, in per cent "
-	    "or grams, at tip speeds in m/s (not rpm). A site file with faults "
-	    "is refused, and each fault is reported with its place; the sites "
-	    "already loaded stay. A site file that is loaded again replaces "
-	    "the earlier one. Quote a name with spaces.",
-	.example = "load data/sites/tierp.csv\nshow",
+	    "Reads workbooks and text of spreadsheets in any of the forms of "
+	    "tipspeed-site(5), and makes the last site the one in use. Says "
+	    "what it took each column for, and how sure that is; what a sheet "
+	    "leaves open is asked, and in a script is an error whose hint is "
+	    "the command that settles it. Files are one site where a tip "
+	    "speed follows a name, or none has both feed and product: load "
+	    "feed.csv cut1.csv@70 cut2.csv@75. A sheet with faults is refused, "
+	    "each fault with its place; the sites already loaded stay. A site "
+	    "that is loaded again replaces the earlier one. Quote a name with "
+	    "spaces.",
+	.example = "load data/sites/tierp.csv\n"
+		   "load data/sites/bro.csv columns=\"1=sieve mm, 2=feed, "
+		   "3=product@69\"\nshow",
 	.run = cmd_load},
     {.name = "sites",
 	.brief = "list the loaded sites",
