@@ -15,7 +15,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/sheet.h"
+#include "io/number.h"
 
 /* Decimals that have a format of their own. */
 enum { DECIMALS = 5 };
@@ -373,11 +373,11 @@ put_row(struct book *b, struct page *p, const struct sheet *sheet,
     const struct row *row)
 {
 	double value;
-	bool head = row->n > 2 && !sheet_value(sheet, row->cell[0], &value);
+	bool head = row->n > 2 && !number_of(sheet, row->cell[0], &value);
 	p->row = (lxw_row_t)row->line - 1;
 	for (size_t c = 0; c < row->n; c++) {
 		lxw_col_t column = (lxw_col_t)c;
-		if (!head && sheet_value(sheet, row->cell[c], &value))
+		if (!head && number_of(sheet, row->cell[c], &value))
 			worksheet_write_number(
 			    p->sheet, p->row, column, value, NULL);
 		else
