@@ -12,7 +12,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/data.h"
+#include "cmd/load.h"
 #include "cmd/line.h"
 #include "cmd/session.h"
 #include "cmd/usage.h"
@@ -161,19 +161,31 @@ chosen_isa(void)
 	return isa;
 }
 
-/* A FILE is a site file, or a script when its name ends in .tip. */
+/* A FILE is a site file, or a script when its name ends in .tip.  Site files
+ * that follow each other are loaded together: they may be one site's. */
 static int
-open_file(struct session *s, const char *path)
+open_files(struct session *s, char *const *path, size_t n)
 {
-	if (text_ends(path, ".tip"))
-		return batch_file(s, path);
-	struct error error = {0};
-	if (data_load(s, path, NULL, &error))
-		return 0;
-	if (error.kind == ERROR_SYSTEM && command_find(path) != NULL)
-		error_hint(&error, "put commands after -c: -c '%s'", path);
-	error_print(&error, stderr);
-	return (int)error.kind;
+	for (size_t i = 0, k; i < n; i = k) {
+		int status = 0;
+		struct error error = {0};
+		for (k = i; k < n && !text_ends(path[k], ".tip"); k++)
+			;
+		if (k == i) {
+			status = batch_file(s, path[k++]);
+		} else if (!load_files(s, k - i, (const char *const *)path + i,
+			       &error)) {
+			if (error.kind == ERROR_SYSTEM &&
+			    command_find(path[i]) != NULL)
+				error_hint(&error,
+				    "put commands after -c: -c '%s'", path[i]);
+			error_print(&error, stderr);
+			status = (int)error.kind;
+		}
+		if (status != 0 || s->quit)
+			return status;
+	}
+	return 0;
 }
 
 static int
@@ -199,8 +211,9 @@ run(struct session *s, const struct invocation *in, int argc, char **argv)
 	bool prompt = in->n_action == 0 && terminal_attended();
 	if (prompt)
 		repl_begin(s);
-	for (int i = in->first_file; status == 0 && i < argc; i++)
-		status = open_file(s, argv[i]);
+	if (in->first_file < argc)
+		status = open_files(
+		    s, argv + in->first_file, (size_t)(argc - in->first_file));
 	if (status != 0)
 		return status;
 	if (in->n_action > 0)

@@ -19,63 +19,6 @@
 #include "io/table3.h"
 #include "io/units.h"
 
-/* What was loaded in a line, and more only where something was passed over. */
-static void
-note_loaded(struct session *s, const struct site *site)
-{
-	enum { MOST = 4 };
-	size_t n, more = site->n_left_out;
-	char *label = session_label(site);
-	free(site_sieves(site, &n));
-	if (site_products(site) > 0)
-		session_note(s, "loaded %s: %zu runs, %zu sieves", label,
-		    site->n_run, n);
-	else
-		session_note(s,
-		    "loaded %s: a feed on %zu sieves, no product; run 'guess' "
-		    "for an estimate",
-		    label, n);
-	for (size_t i = 0; i < site->n_left_out && i < MOST; i++, more--)
-		session_note(s, "  not read: %s, %s", site->left_out[i].key,
-		    site->left_out[i].value);
-	if (more > 0)
-		session_note(s, "  and %zu more: run 'check'", more);
-	free(label);
-}
-
-bool
-data_load(struct session *s, const char *path, const char *digest,
-    struct error *error)
-{
-	if (text_ends(path, ".tip"))
-		return error_set(error, ERROR_USAGE,
-		    "expected a site file, got a script (%s)\n"
-		    "run it with: source %s",
-		    path, path);
-	if (!session_load(s, path, digest, error))
-		return false;
-	const struct entry *entry = session_entry(s);
-	note_loaded(s, entry->site);
-	check_warn_coarser(s, entry->site);
-	char *line = journal_load(entry->site);
-	journal_add(s, NULL, "%s", line);
-	free(line);
-	return true;
-}
-
-bool
-cmd_load(struct session *s, const struct args *args, struct error *error)
-{
-	const struct value *digest = args_value(args, "digest");
-	if (digest->given && args->n_operand > 1)
-		return error_set(error, ERROR_USAGE,
-		    "expected one file with digest=, got %zu", args->n_operand);
-	for (size_t i = 0; i < args->n_operand; i++)
-		if (!data_load(s, args->operand[i], digest->text, error))
-			return false;
-	return true;
-}
-
 bool
 cmd_sites(struct session *s, const struct args *args, struct error *error)
 {

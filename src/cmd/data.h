@@ -8,11 +8,6 @@
 #include "cmd/command.h"
 #include "cmd/session.h"
 
-/* Loads a site file and says so beside the results.  digest: the one it must
- * have, or NULL. */
-bool data_load(struct session *s, const char *path, const char *digest,
-    struct error *error);
-
 /* False, with an error, where a file is there already and the call does not say
  * replace=on, or where it is none to be replaced, see files.h. */
 bool data_may_write(const struct session *s, const struct args *args,

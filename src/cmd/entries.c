@@ -10,9 +10,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/files.h"
 #include "cmd/job.h"
-#include "io/site_read.h"
 #include "io/units.h"
 
 static bool
@@ -196,9 +194,8 @@ session_find(
 	return false;
 }
 
-/* Takes the site, or refuses it. */
-static bool
-add_checked(struct session *s, struct site *site, const char *digest,
+bool
+session_take(struct session *s, struct site *site, const char *digest,
     struct error *error)
 {
 	char found[17];
@@ -214,15 +211,4 @@ add_checked(struct session *s, struct site *site, const char *digest,
 	    digest, found);
 	site_free(site);
 	return false;
-}
-
-bool
-session_load(struct session *s, const char *path, const char *digest,
-    struct error *error)
-{
-	struct error_list errors = {0};
-	files_reads(s, path);
-	struct site *site = site_read(path, &errors);
-	return site != NULL ? add_checked(s, site, digest, error)
-			    : session_tell_faults(s, path, &errors, error);
 }

@@ -18,10 +18,9 @@ void session_drop(struct session *s, size_t index);
 bool session_find(
     struct session *s, const char *name, size_t *index, struct error *error);
 
-/* Reads a site file and adds it.  digest: the one it must have, as hexadecimal
- * digits, or NULL.  Every fault of the file is printed to notes
- * but the last, which is the error. */
-bool session_load(struct session *s, const char *path, const char *digest,
+/* Takes a site that was read, which the session then owns, or refuses it: where
+ * digest, hexadecimal digits or NULL, is another. */
+bool session_take(struct session *s, struct site *site, const char *digest,
     struct error *error);
 
 #endif

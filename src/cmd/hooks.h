@@ -25,6 +25,8 @@ struct hooks {
 	int (*run_screen)(struct session *);
 	/* Asks somebody who sits there; NULL: nobody does, nothing is asked. */
 	bool (*confirm)(struct session *s, const char *question);
+	/* Asks somebody for a line, which the caller frees; NULL: given up. */
+	char *(*question)(struct session *s, const char *question);
 };
 
 #endif

@@ -203,10 +203,17 @@ journal_line(const struct args *args, const struct words *words)
 }
 
 char *
-journal_load(const struct site *site)
+journal_load(const struct site *site, size_t n, const char *const *path,
+    const double *speed)
 {
-	char *line = xstrdup("load");
-	put_path(&line, NULL, site->path);
+	char *line = xstrdup("load"), number[32];
+	for (size_t i = 0; i < n; i++) {
+		char *word = speed[i] > 0 ? xasprintf("%s@%s", path[i],
+						text_exact(speed[i], number))
+					  : xstrdup(path[i]);
+		put_path(&line, NULL, word);
+		free(word);
+	}
 	xappend(&line, " digest=%016" PRIx64, site->digest);
 	return line;
 }

@@ -47,8 +47,10 @@ void journal_settings(struct session *s);
  * caller frees. */
 char *journal_line(const struct args *args, const struct words *words);
 
-/* "load FILE digest=HEX" for a site that was read. */
-char *journal_load(const struct site *site);
+/* "load FILE@SPEED.. digest=HEX" for a site that was read from n files, the
+ * samples of each at a speed, m/s, where it was given (0). */
+char *journal_load(const struct site *site, size_t n, const char *const *path,
+    const double *speed);
 
 /* The call as typed, with the command's full name.  The caller frees. */
 char *journal_label(const struct command *command, const struct words *words);

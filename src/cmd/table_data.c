@@ -8,6 +8,18 @@ static const struct command_option SHOW_OPTIONS[] = {
     {.name = NULL}};
 
 static const struct command_option LOAD_OPTIONS[] = {
+    {"columns", VALUE_TEXT, "", 0, 0, NULL, "",
+	"what the columns are, by number: \"1=sieve mm, 2=feed retained_g, "
+	"4=product@70\"; others are left out; numbers of lines where the "
+	"sieves "
+	"go across"},
+    {"sheet", VALUE_TEXT, "", 0, 0, NULL, "", "sheet of a workbook"},
+    {"range", VALUE_TEXT, "", 0, 0, NULL, "",
+	"part of a sheet, as A3:F20; default: all"},
+    {"decimal", VALUE_CHOICE, "", 0, 0, "point comma", "",
+	"decimal sign of the numbers, where they do not tell"},
+    {"rotor_mm", VALUE_NUMBER, "mm", 100, 5000, NULL, "",
+	"diameter of the rotor, for speeds in rpm"},
     {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
 	"refuse a site file with other numbers; written by save"},
     {.name = NULL}};

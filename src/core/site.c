@@ -19,6 +19,8 @@ site_new(size_t n_run)
 	site->provenance = xstrdup("");
 	site->path = xstrdup("");
 	site->named = xstrdup("");
+	site->read_as = xstrdup("");
+	site->assumed = xstrdup("");
 	site->n_run = n_run;
 	site->run = xcalloc(n_run, sizeof *site->run);
 	return site;
@@ -55,6 +57,8 @@ site_free(struct site *site)
 	notes_free(site->note, site->n_note);
 	notes_free(site->left_out, site->n_left_out);
 	free(site->named);
+	free(site->read_as);
+	free(site->assumed);
 	free(site->run);
 	free(site->name);
 	free(site->rock);

@@ -32,6 +32,7 @@ struct site_note {
 struct site {
 	char *name, *rock, *machine, *provenance;
 	double top_size; /* m; 0 when not stated */
+	double rotor;    /* diameter, m; 0 when not stated */
 	bool individual_feeds;
 	size_t n_run;
 	struct run *run;
@@ -42,6 +43,9 @@ struct site {
 	size_t n_left_out;
 	struct site_note *left_out;
 	char *named;
+	/* What its columns were taken for, and what of that the sheet does not
+	 * state; "" where it has the heads of tipspeed-site(5). */
+	char *read_as, *assumed;
 	char *path;      /* file it was read from, or "" */
 	uint64_t digest; /* of the numbers: sizes, passings, speeds */
 };

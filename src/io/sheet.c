@@ -3,12 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sheet.h"
 
-#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -103,107 +101,6 @@ sheet_cell(const struct row *row, size_t i)
 	static char nothing[1] = "";
 	return (struct cell){
 	    .text = nothing, .line = row->line, .column = row->end};
-}
-
-/* What to do about a cell that is no number. */
-static const char *
-number_hint(const char *s)
-{
-	static const char *const absent[] = {"", "-", "--", "\u2013", "\u2014",
-	    "n/a", "na", "nan", "#n/a", "none", "null", "?"};
-	for (size_t i = 0; i < ARRAY_LEN(absent); i++)
-		if (strcasecmp(s, absent[i]) == 0)
-			return "leave the cell empty where the sieve was not "
-			       "used";
-	if (s[0] == '=')
-		return "the workbook was saved without results: open and save "
-		       "it in a spreadsheet program";
-	const char *comma = strchr(s, ',');
-	bool commas = comma != NULL && strchr(comma + 1, ',') != NULL;
-	bool both = comma != NULL && strchr(s, '.') != NULL;
-	size_t n = strspn(s, "0123456789");
-	if (n > 0 && s[n] == '-' && isalpha((unsigned char)s[n + 1]))
-		return "the spreadsheet turned it into a date: type it again "
-		       "in a cell formatted as text";
-	n = strspn(s, "+-0123456789");
-	bool group = n > 0 && strchr(" '\xC2\xE2", s[n]) != NULL &&
-		     s[n] != '\0' && isdigit((unsigned char)s[strlen(s) - 1]);
-	if (commas || both || group || comma != NULL)
-		return "write thousands without a separator: 1000";
-	return n > 0 ? "write the number alone; units belong in the header"
-		     : "write digits and a decimal point";
-}
-
-/* 1 010,5 with a space, also one that does not break, before each three digits
- * becomes 1010,5. */
-static void
-join_thousands(char *s)
-{
-	static const char *const BLANKS[] = {
-	    " ", "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x89"};
-	char *to = s;
-	for (const char *p = s; *p != '\0';) {
-		size_t n = 0;
-		for (size_t b = 0; b < ARRAY_LEN(BLANKS); b++)
-			if (strncmp(p, BLANKS[b], strlen(BLANKS[b])) == 0)
-				n = strlen(BLANKS[b]);
-		if (n > 0 && p > s && isdigit((unsigned char)p[-1]) &&
-		    strspn(p + n, "0123456789") == 3)
-			p += n;
-		else
-			*to++ = *p++;
-	}
-	*to = '\0';
-}
-
-/* Where commas separate the cells a comma in a number stood in quotes: "80,5"
- * is decimal, and "1,250" may be thousands. */
-static bool
-may_group(const char *s, const char *comma)
-{
-	return strspn(comma + 1, "0123456789") == 3 && comma[4] == '\0' &&
-	       !(comma == s + 1 && s[0] == '0');
-}
-
-bool
-sheet_value(const struct sheet *sheet, struct cell cell, double *value)
-{
-	if (cell.kind != CELL_TEXT) {
-		*value = cell.number;
-		return cell.kind == CELL_NUMBER;
-	}
-	char copy[64];
-	bool fits = strlen(cell.text) < sizeof copy;
-	snprintf(copy, sizeof copy, "%s", cell.text);
-	join_thousands(copy);
-	char *comma = strchr(copy, ',');
-	if (comma != NULL && strchr(copy, '.') == NULL &&
-	    (sheet->separator != ',' || !may_group(copy, comma)))
-		*comma = '.';
-	return fits && text_number(copy, value);
-}
-
-bool
-sheet_number(
-    struct sheet *sheet, struct cell cell, const char *wanted, double *value)
-{
-	if (!sheet_value(sheet, cell, value))
-		return sheet_wanted(
-		    sheet, cell, wanted, "%s", number_hint(cell.text));
-	if (cell.kind == CELL_NUMBER)
-		return true;
-	const char *comma = strchr(cell.text, ',');
-	const char *point = strchr(cell.text, '.');
-	char sign = comma != NULL ? ',' : point != NULL ? '.' : '\0';
-	if (sheet->decimal == '\0')
-		sheet->decimal = sign;
-	if (sign == '\0' || sign == sheet->decimal || sheet->mixed)
-		return true;
-	sheet->mixed = true;
-	return sheet_fault(sheet, cell,
-	    "expected a decimal %s as above, got %s\n"
-	    "use one decimal sign, and no separator for thousands",
-	    sign == ',' ? "point" : "comma", cell.text);
 }
 
 /* A place in a line of text; column counts characters. */
@@ -382,19 +279,47 @@ sheet_uncomment(struct sheet *sheet, size_t i)
 	sheet->row[last] = row;
 }
 
+/* To the end of the line, over line ends within quotes: these become blanks.  A
+ * quote that is not closed soon ends with its line, to be told. */
+static size_t
+line_length(char *text, int *ends)
+{
+	enum { MOST_LINES = 40 };
+	size_t n = 0, first = strcspn(text, "\r\n");
+	int lines = 0;
+	bool open = false;
+	for (; text[n] != '\0' && lines < MOST_LINES; n++) {
+		bool end = text[n] == '\r' || text[n] == '\n';
+		if (end && !open)
+			break;
+		lines += end;
+		open = open != (text[n] == '"');
+	}
+	*ends = 0;
+	if (open || lines == MOST_LINES || n == first)
+		return first;
+	*ends = lines;
+	for (size_t i = 0; i < n; i++)
+		if (text[i] == '\r' || text[i] == '\n')
+			text[i] = ' ';
+	return n;
+}
+
 /* Ends each line in place with a NUL on its way. */
 static void
 split_text(struct sheet *sheet, char *text)
 {
 	sheet->row = xcalloc(sheet->most_rows, sizeof *sheet->row);
 	for (int number = 1; *text != '\0'; number++) {
-		size_t n = strcspn(text, "\r\n");
+		int ends;
+		size_t n = line_length(text, &ends);
 		bool pair = text[n] == '\r' && text[n + 1] == '\n';
 		char *next = text + n + (pair ? 2 : text[n] != '\0');
 		text[n] = '\0';
 		if (!add_line(sheet, text, number))
 			return;
 		text = next;
+		number += ends;
 	}
 }
 
@@ -421,16 +346,21 @@ static char
 find_separator(const char *text)
 {
 	static const char SIGNS[] = ";\t,";
-	size_t numbers[3] = {0}, lines[3] = {0};
+	size_t numbers[3] = {0}, lines[3] = {0}, filled = 0;
 	for (const char *p = text; *p != '\0'; p++) {
 		if (p > text && p[-1] != '\n' && p[-1] != '\r')
 			continue;
+		filled += strcspn(p, "\r\n") > strspn(p, " \t;,");
 		for (size_t i = 0; i < 3; i++) {
 			numbers[i] += is_numbers(p, SIGNS[i]);
 			lines[i] +=
 			    memchr(p, SIGNS[i], strcspn(p, "\r\n")) != NULL;
 		}
 	}
+	/* Neither stands in numbers: in half of the lines it separates. */
+	for (size_t i = 0; i < 2; i++)
+		if (2 * lines[i] >= filled && lines[i] > 0)
+			return SIGNS[i];
 	size_t best = 2;
 	bool told = numbers[0] + numbers[1] + numbers[2] > 0;
 	const size_t *count = told ? numbers : lines;
@@ -451,6 +381,7 @@ sheet_new(
 	sheet->most_rows = most_rows;
 	sheet->separator = find_separator(text);
 	split_text(sheet, text);
+	sheet_decide_decimal(sheet);
 	return sheet;
 }
 

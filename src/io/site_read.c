@@ -1,139 +1,56 @@
-/* From a sheet of cells to a site: heading, sieves, runs.  Cells and their
- * places come from sheet, columns and their units from site_column.
+/* From the sheets of one site or of its samples to the site: sheets come from
+ * source, tables from layout, what they hold from recognise.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/site_read.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/sieve_names.h"
+#include "io/recognise.h"
+#include "io/site_ask.h"
 #include "io/site_column.h"
+#include "io/site_heading.h"
 #include "io/site_sieve.h"
 #include "io/source.h"
+#include "io/vocabulary.h"
 
-static void
-read_top_size(struct site *site, struct sheet *sheet, struct cell cell)
+/* One sheet of one file, with what was found on it. */
+struct page {
+	size_t file;
+	struct sheet *sheet;
+	struct layout *layout;
+};
+
+/* A site on its way.  table [n_table] and their columns in all; lost: something
+ * is at fault, so that what is missing cannot be judged. */
+struct reading {
+	const struct site_request *request;
+	struct error_list *errors;
+	struct site *site;
+	struct names names;
+	struct layout_range range;
+	size_t n_source, n_page, n_table;
+	struct source *source;
+	struct page *page;
+	struct table **table;
+	struct columns all;
+	struct open open;
+	bool lost;
+};
+
+static struct sheet *
+first_sheet(const struct reading *r)
 {
-	double mm = site_sieve_mm(sheet, cell, 1, "a positive size in mm");
-	if (mm <= 0)
-		sheet_wanted(sheet, cell, "a positive size in mm",
-		    "write the size, or remove the line");
-	site->top_size = mm / 1000;
+	return r->page[0].sheet;
 }
 
-static const char *const KEYS[] = {
-    "site", "rock", "machine", "provenance", "top_size_mm"};
-enum { TOP_SIZE = 4, N_KEY = 5 };
-
-static void
-take_value(struct site *site, size_t key, struct sheet *sheet, struct cell cell)
-{
-	char **text[TOP_SIZE] = {
-	    &site->name, &site->rock, &site->machine, &site->provenance};
-	if (key == TOP_SIZE) {
-		read_top_size(site, sheet, cell);
-		return;
-	}
-	free(*text[key]);
-	*text[key] = xstrdup(cell.text);
-}
-
-/* "rock Granite" without a separator. */
-static bool
-begins_with_key(const char *text)
-{
-	for (size_t k = 0; k < N_KEY; k++)
-		if (strncasecmp(text, KEYS[k], strlen(KEYS[k])) == 0)
-			return true;
-	return false;
-}
-
-/* A title in one cell is a key without a value.  seen: line of each known key,
- * 0 before it is met. */
-static void
-read_heading_line(struct site *site, struct sheet *sheet, const struct row *row,
-    int seen[static N_KEY])
-{
-	struct cell key = row->cell[0], value = sheet_cell(row, 1);
-	size_t k = 0;
-	while (k < N_KEY && !text_same(key.text, KEYS[k]))
-		k++;
-	if (key.text[0] == '\0' ||
-	    (row->n_all < 2 && begins_with_key(key.text))) {
-		sheet_wanted(sheet, key, "a key and a value",
-		    "write key%cvalue, or begin a remark with #%s",
-		    sheet->separator,
-		    row->n > 2 ? "; put all column headings on one line" : "");
-	} else if (row->n > 2) {
-		sheet_wanted(sheet, row->cell[2],
-		    "the end of the line after key and value",
-		    "quote a value that contains the separator, or begin a "
-		    "remark with #; with decimal commas, separate the cells "
-		    "with ;");
-	} else if (k < N_KEY && seen[k] > 0) {
-		sheet_fault(sheet, key,
-		    "duplicate key: %s is already in line %d\n"
-		    "remove one of the two lines",
-		    KEYS[k], seen[k]);
-	} else if (k < N_KEY) {
-		take_value(site, k, sheet, value);
-	} else {
-		site_add_note(&site->note, &site->n_note, key.text, value.text);
-	}
-	if (k < N_KEY)
-		seen[k] = row->line;
-}
-
-/* File name without folder and extension.  A name that is not UTF-8, or has
- * control characters in it, could not be written into a sheet again. */
-static char *
-name_from(const char *path)
-{
-	const char *slash = strrchr(path, '/');
-	const char *name = slash != NULL ? slash + 1 : path;
-	const char *dot = strrchr(name, '.');
-	bool extension = dot != NULL && dot > name;
-	size_t n = extension ? (size_t)(dot - name) : strlen(name);
-	bool good = text_is_utf8(name, n);
-	char *copy = xstrndup(name, n);
-	for (char *p = copy; *p != '\0'; p++) {
-		unsigned char c = (unsigned char)*p;
-		if (c < 0x20 || c == 0x7F || (c >= 0x80 && !good))
-			*p = '_';
-	}
-	return copy;
-}
-
-static void
-read_heading(struct site *site, struct sheet *sheet, size_t n_line)
-{
-	int seen[N_KEY] = {0};
-	for (size_t i = 0; i < n_line; i++)
-		read_heading_line(site, sheet, &sheet->row[i], seen);
-	if (site->name[0] == '\0') {
-		free(site->name);
-		site->name = name_from(sheet->path);
-	}
-}
-
-/* Heads of columns, in words of their own: three cells or more, no number in
- * the first two. */
-static bool
-is_heads(const struct row *row)
-{
-	double v;
-	return row->n > 2 && !text_number(row->cell[0].text, &v) &&
-	       !text_number(row->cell[1].text, &v);
-}
-
-/* Without a first line of the table nothing else can be judged.  The place
- * told is the first line that looks like the table. */
+/* Without a table nothing else can be judged. */
 static void
 tell_no_table(struct sheet *sheet)
 {
@@ -144,65 +61,46 @@ tell_no_table(struct sheet *sheet)
 		struct cell cell = sheet->row[i].cell[0];
 		double v;
 		if (sheet_value(sheet, cell, &v) ||
-		    strncasecmp(cell.text, "size", 4) == 0 ||
-		    is_heads(&sheet->row[i]))
+		    (vocabulary_text(cell.text, NULL) & WORD_SIZE) != 0)
 			found = cell;
 	}
-	char c = sheet->separator;
-	if (site_sieve_word(found.text))
-		sheet_wanted(sheet, found, "a line that begins with size_mm",
-		    "add the unit of the sizes: %s mm", found.text);
-	else
-		sheet_wanted(sheet, found, "a line that begins with size_mm",
-		    "begin the table with "
-		    "size_mm%cfeed%cproduct@69%cproduct@79, then one line for "
-		    "each sieve",
-		    c, c, c);
-}
-
-static bool
-is_empty_column(const struct table *t, size_t at)
-{
-	bool empty = t->head->cell[at].text[0] == '\0';
-	for (size_t i = 0; empty && i < t->n_row; i++)
-		empty = sheet_cell(&t->row[i], at).text[0] == '\0';
-	return empty;
-}
-
-static void
-read_heads(struct table *t)
-{
-	t->column = xcalloc(t->head->n, sizeof *t->column);
-	for (size_t at = 1; at < t->head->n; at++) {
-		struct column c = {.head = t->head->cell[at], .at = at};
-		if (is_empty_column(t, at))
-			continue;
-		if (site_column_head(t, &c))
-			t->column[t->n_column++] = c;
-		else
-			t->lost = true;
+	char c = sheet->separator != '\0' ? sheet->separator : ',';
+	bool heads = (vocabulary_text(found.text, NULL) & WORD_SIZE) != 0 &&
+		     found.line == sheet->row[sheet->n_row - 1].line;
+	if (heads) {
+		sheet_wanted(sheet, found,
+		    "a row for each sieve below this line",
+		    "add rows such as 22.4%c100%c100%c100", c, c, c);
+		return;
 	}
+	sheet_wanted(sheet, found, "a table of sieves",
+	    "begin it with a line of heads, "
+	    "size_mm%cfeed%cproduct@69%cproduct@79, then one line for each "
+	    "sieve; or see: template",
+	    c, c, c);
 }
 
 static size_t
-count_role(const struct table *t, enum role role)
+count_role(const struct columns *all, enum role role)
 {
 	size_t n = 0;
-	for (size_t i = 0; i < t->n_column; i++)
-		n += t->column[i].role == role;
+	for (size_t i = 0; i < all->n; i++)
+		n += all->column[i].role == role;
 	return n;
 }
 
 /* Of repeats at one speed, one feed serves all, or each product has its own;
  * likewise standard deviations. */
 static void
-check_repeats(struct table *t, const struct column *c)
+check_repeats(const struct columns *t, const struct column *c)
 {
+	if (!(c->speed > 0))
+		return;
 	size_t own = site_column_repeats(t, c->role, c->speed);
 	size_t products = site_column_repeats(t, PRODUCT, c->speed);
 	if (c->role == PRODUCT || c->nth != 1 || own == products)
 		return;
-	sheet_fault(t->sheet, c->head,
+	sheet_fault(c->table->sheet, c->head,
 	    "duplicate column: expected one %s@%g%s, got %zu\n"
 	    "keep one for all products at this speed, or one for each in their "
 	    "order",
@@ -212,24 +110,30 @@ check_repeats(struct table *t, const struct column *c)
 
 /* A feed for each product, a product for each standard deviation. */
 static void
-check_partner(struct table *t, const struct column *c)
+check_partner(const struct columns *t, const struct column *c)
 {
 	const struct column *shared = site_column_find(t, FEED, 0, 0);
 	bool alone = site_column_repeats(t, PRODUCT, c->speed) == 0;
 	check_repeats(t, c);
+	if (c->role == FEED && !(c->speed > 0) && c->nth == 1)
+		sheet_fault(c->table->sheet, c->head,
+		    "duplicate column: %s is already at column %d\n"
+		    "keep one of the two, or name the columns to read: load "
+		    "FILE columns=\"..\"",
+		    c->head.text, shared->head.column);
 	if (c->role == FEED && c->speed > 0 && shared != NULL)
-		sheet_fault(t->sheet, c->head,
+		sheet_fault(c->table->sheet, c->head,
 		    "expected one kind of feed, got feed and %s\n"
 		    "use one feed for all runs, or feed@SPEED for each run",
 		    c->head.text);
 	if (c->role == SD && alone)
-		sheet_fault(t->sheet, c->head,
+		sheet_fault(c->table->sheet, c->head,
 		    "expected a product for %s, got none\n"
 		    "add its product column, or remove this one",
 		    c->head.text);
 	if (c->role == PRODUCT && shared == NULL && count_role(t, FEED) > 0 &&
 	    site_column_repeats(t, FEED, c->speed) == 0)
-		sheet_fault(t->sheet, c->head,
+		sheet_fault(c->table->sheet, c->head,
 		    "expected a feed for %s, got none\n"
 		    "add a feed@ column with this speed",
 		    c->head.text);
@@ -237,13 +141,16 @@ check_partner(struct table *t, const struct column *c)
 
 /* Each product value needs a standard deviation, and the other way round. */
 static void
-check_sd(struct table *t, const struct column *product)
+check_sd(const struct columns *all, const struct column *product)
 {
+	const struct table *t = product->table;
 	const struct column *sd =
-	    site_column_find(t, SD, product->speed, product->nth);
+	    site_column_find(all, SD, product->speed, product->nth);
+	if (sd != NULL && sd->table != t)
+		return;
 	for (size_t i = 0; i < t->n_row && sd != NULL; i++) {
-		struct cell a = sheet_cell(&t->row[i], product->at);
-		struct cell b = sheet_cell(&t->row[i], sd->at);
+		struct cell a = t->row[i].cell[product->at];
+		struct cell b = t->row[i].cell[sd->at];
 		bool has = a.text[0] != '\0', has_sd = b.text[0] != '\0';
 		if (has == has_sd || !(t->mm[i] > 0))
 			continue;
@@ -257,52 +164,61 @@ check_sd(struct table *t, const struct column *product)
 	}
 }
 
+/* Two quantities of one sample say the same, but for rounding and what was lost
+ * in sieving. */
 static void
-read_columns(struct table *t)
+check_twin(const struct columns *all, const struct column *twin)
 {
-	size_t speeds = 0;
-	for (size_t i = 0; i < t->n_column; i++) {
-		struct column *c = &t->column[i];
-		site_column_values(t, c);
-		if (c->role == PRODUCT)
-			check_sd(t, c);
-		if (!t->lost)
-			check_partner(t, c);
-		speeds += c->role == PRODUCT && c->nth == 0;
+	const double far = 1.5;
+	const struct table *t = twin->table;
+	for (size_t k = 0; k < all->n; k++) {
+		const struct column *c = &all->column[k];
+		if (c->table != t || t->block->number[c->at] != twin->twin)
+			continue;
+		for (size_t i = 0; i < t->n_row; i++) {
+			if (!(fabs(c->pct[i] - twin->pct[i]) > far))
+				continue;
+			sheet_fault(t->sheet, t->row[i].cell[twin->at],
+			    "expected the sample of column %zu again, got "
+			    "%.4g %% passing and %.4g %%\n"
+			    "say which is to be read: load FILE "
+			    "columns=\"1=sieve mm, 2=feed, ..\"",
+			    twin->twin, c->pct[i], twin->pct[i]);
+			return;
+		}
 	}
-	struct cell head = t->head->cell[0];
-	if (!t->lost && count_role(t, FEED) == 0)
-		sheet_fault(t->sheet, head,
-		    "expected a feed column, got none\n"
-		    "add a column feed, or feed@SPEED for each run");
-	/* A feed without any product will do for a guess. */
-	if (!t->lost && speeds == 1)
-		sheet_fault(t->sheet, head,
-		    "expected products at two or more speeds, got 1\n"
-		    "add columns such as product@69 and product@79");
 }
 
 static void
-read_table(struct table *t, size_t head)
+read_columns(struct reading *r)
 {
-	t->head = &t->sheet->row[head];
-	site_sieve_numbers(t->sheet, t->head);
-	t->row = t->head + 1;
-	t->n_row = t->sheet->n_row - head - 1;
-	read_heads(t);
-	site_sieve_rows(t);
-	if (t->n_row > 0)
-		read_columns(t);
-	else if (!t->lost)
-		sheet_fault(t->sheet, t->head->cell[0],
-		    "expected a row for each sieve below this line, got none\n"
-		    "add rows such as 22.4,100,100,100");
+	struct columns *all = &r->all;
+	for (size_t i = 0; i < all->n; i++) {
+		struct column *c = &all->column[i];
+		site_column_values(c);
+		r->lost = r->lost || c->table->lost;
+	}
+	for (size_t i = 0; i < all->n; i++) {
+		if (all->column[i].twin > 0)
+			check_twin(all, &all->column[i]);
+		if (all->column[i].role == PRODUCT)
+			check_sd(all, &all->column[i]);
+		if (!r->lost)
+			check_partner(all, &all->column[i]);
+	}
+	if (!r->lost && count_role(all, FEED) == 0)
+		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
+		    "expected a feed column, got none\n"
+		    "add a column feed, or load the feed's file with it: load "
+		    "feed.csv %s@SPEED",
+		    r->request->path[0]);
 }
 
 static struct psd
-make_psd(const struct table *t, const struct column *c)
+make_psd(const struct column *c)
 {
-	struct psd psd = psd_new(site_column_count(t, c));
+	const struct table *t = c->table;
+	struct psd psd = psd_new(site_column_count(c));
 	size_t n = 0;
 	for (size_t i = 0; i < t->n_row; i++) {
 		if (!(t->mm[i] > 0) || isnan(c->pct[i]))
@@ -315,7 +231,7 @@ make_psd(const struct table *t, const struct column *c)
 
 /* nth: of the runs at its speed. */
 static void
-fill_run(const struct table *t, const struct column *shared, struct run *run,
+fill_run(const struct columns *t, const struct column *shared, struct run *run,
     size_t nth)
 {
 	double v = run->speed;
@@ -325,12 +241,12 @@ fill_run(const struct table *t, const struct column *shared, struct run *run,
 	if (site_column_repeats(t, PRODUCT, v) > 1)
 		snprintf(run->repeat, sizeof run->repeat, " (%u)",
 		    (unsigned)nth + 1);
-	run->feed = make_psd(t, shared != NULL ? shared : own);
+	run->feed = make_psd(shared != NULL ? shared : own);
 	if (product != NULL)
-		run->product = make_psd(t, product);
+		run->product = make_psd(product);
 	if (sd == NULL)
 		return;
-	struct psd deviation = make_psd(t, sd);
+	struct psd deviation = make_psd(sd);
 	run->product_sd = deviation.passing;
 	free(deviation.size);
 }
@@ -345,12 +261,12 @@ by_speed(const void *a, const void *b)
 /* A run for each product, and for each speed with no more than a feed of its
  * own; where there is only the feed of all runs, one run without a speed. */
 static void
-make_runs(struct site *site, const struct table *t)
+make_runs(struct site *site, const struct columns *t)
 {
 	const struct column *shared = site_column_find(t, FEED, 0, 0);
 	site->individual_feeds = shared == NULL;
-	site->run = xrealloc(site->run, t->n_column, sizeof *site->run);
-	for (size_t i = 0; i < t->n_column; i++) {
+	site->run = xrealloc(site->run, t->n, sizeof *site->run);
+	for (size_t i = 0; i < t->n; i++) {
 		const struct column *c = &t->column[i];
 		size_t n = site_column_repeats(t, PRODUCT, c->speed);
 		if (c->role == SD || !(c->speed > 0) ||
@@ -370,15 +286,6 @@ make_runs(struct site *site, const struct table *t)
 	site->digest = site_digest(site);
 }
 
-static void
-table_clear(struct table *t)
-{
-	for (size_t i = 0; i < t->n_column; i++)
-		free(t->column[i].pct);
-	free(t->column);
-	free(t->mm);
-}
-
 static void __attribute__((format(printf, 3, 4)))
 leave_out(struct site *site, const char *where, const char *format, ...)
 {
@@ -390,101 +297,367 @@ leave_out(struct site *site, const char *where, const char *format, ...)
 	free(what);
 }
 
+/* Sieves without a number, and words below the table. */
 static void
-leave_out_row(struct site *site, const struct table *t, size_t i, bool compared)
+leave_out_rows(struct reading *r, const struct table *t)
 {
-	const struct row *row = &t->row[i];
-	const char *text = row->cell[0].text;
-	char *where = xasprintf("line %d", row->line);
-	bool values = false;
-	for (size_t c = 0; c < t->n_column && i < t->n_row; c++)
-		values = values || !isnan(t->column[c].pct[i]);
-	if (i < t->n_row && t->mm[i] > 0 && !values)
-		leave_out(site, where, "the sieve %s has no numbers", text);
-	else if (i >= t->n_row && row != t->total)
-		leave_out(site, where, "remark below the table: %.*s",
-		    sheet_cut(text), text);
-	else if (i >= t->n_row && !compared)
-		leave_out(
-		    site, where, "%s: sums are checked for grams only", text);
-	free(where);
+	char where[32];
+	for (size_t i = 0; i < t->n_row; i++) {
+		bool values = !(t->mm[i] > 0);
+		for (size_t c = 0; c < r->all.n && !values; c++)
+			values = r->all.column[c].table == t &&
+				 !isnan(r->all.column[c].pct[i]);
+		snprintf(where, sizeof where, "line %d", t->row[i].line);
+		if (!values)
+			leave_out(r->site, where, "the sieve %s has no numbers",
+			    t->row[i].cell[0].text);
+	}
+}
+
+/* Lines of sums that nothing could be compared with. */
+static void
+leave_out_sums(struct reading *r, const struct page *page)
+{
+	char where[32];
+	bool grams = false;
+	for (size_t c = 0; c < r->all.n; c++)
+		grams =
+		    grams || SITE_UNITS[r->all.column[c].unit].scale == OF_MASS;
+	for (size_t b = 0; b < page->layout->n && !grams; b++)
+		for (size_t i = 0; i < page->layout->block[b].n_foot; i++) {
+			const struct row *row = &page->layout->block[b].foot[i];
+			const char *text = row->cell[0].text;
+			snprintf(where, sizeof where, "line %d", row->line);
+			if ((vocabulary_text(text, NULL) & WORD_TOTAL) != 0)
+				leave_out(r->site, where,
+				    "%s: sums are checked for grams only",
+				    text);
+		}
+}
+
+static void
+leave_out_foot(struct reading *r, const struct page *page)
+{
+	char where[32];
+	int first = page->layout->block[0].row[0].line;
+	leave_out_sums(r, page);
+	for (size_t i = 0; i < page->layout->n_heading; i++) {
+		const struct row *row = page->layout->heading[i];
+		size_t c = 0;
+		while (row->cell[c].text[0] == '\0')
+			c++;
+		snprintf(where, sizeof where, "line %d", row->line);
+		const char *text = row->cell[c].text;
+		if (row->line > first)
+			leave_out(r->site, where,
+			    "remark below the table: %.*s", sheet_cut(text),
+			    text);
+	}
 }
 
 /* What stands in the table or below it and was not read.  A line that begins
  * with # may be a sieve that somebody thought away. */
 static void
-tell_left_out(struct site *site, const struct table *t)
+tell_left_out(struct reading *r)
 {
-	bool grams = false;
 	char where[32];
-	for (size_t c = 0; c < t->n_column; c++)
-		grams =
-		    grams || SITE_UNITS[t->column[c].unit].kind == RETAINED_G;
-	for (size_t i = 0; i < t->sheet->n_comment; i++) {
-		const struct comment *c = &t->sheet->comment[i];
-		if (c->line <= t->head->line)
+	for (size_t p = 0; p < r->n_page; p++) {
+		const struct page *page = &r->page[p];
+		if (page->layout->n == 0)
 			continue;
-		snprintf(where, sizeof where, "line %d", c->line);
-		int shown = sheet_cut(c->text);
-		leave_out(site, where, "a comment: %.*s%s", shown, c->text,
-		    c->text[shown] != '\0' ? "..." : "");
+		const struct block *b = &page->layout->block[0];
+		int head = b->n_head > 0 ? b->head[b->n_head - 1].line : 0;
+		for (size_t i = 0; i < page->sheet->n_comment; i++) {
+			const struct comment *c = &page->sheet->comment[i];
+			if (c->line <= head)
+				continue;
+			snprintf(where, sizeof where, "line %d", c->line);
+			int shown = sheet_cut(c->text);
+			leave_out(r->site, where, "a comment: %.*s%s", shown,
+			    c->text, c->text[shown] != '\0' ? "..." : "");
+		}
+		leave_out_foot(r, page);
 	}
-	for (const struct row *row = t->row;
-	     row < t->sheet->row + t->sheet->n_row; row++)
-		leave_out_row(site, t, (size_t)(row - t->row), grams);
-	for (size_t at = 1; at < t->head->n; at++) {
-		snprintf(where, sizeof where, "column %zu", at + 1);
-		if (t->head->cell[at].text[0] == '\0')
-			leave_out(site, where, "it is empty");
-	}
+	for (size_t i = 0; i < r->n_table; i++)
+		leave_out_rows(r, r->table[i]);
 }
 
 /* "#4 = 4.75, No. 8 = 2.36" of the sieves that have names. */
 static void
-tell_names(struct site *site, const struct table *t)
+tell_names(struct reading *r)
 {
-	for (size_t i = 0; i < t->n_row; i++) {
-		const char *text = t->row[i].cell[0].text;
-		if (sieve_names_mm(text) > 0)
-			xlist(&site->named, ", ", "%s = %g", text, t->mm[i]);
+	for (size_t k = 0; k < r->n_table; k++) {
+		const struct table *t = r->table[k];
+		for (size_t i = 0; i < t->n_row; i++) {
+			const char *text = t->row[i].cell[0].text;
+			double v;
+			bool bare =
+			    sheet_value(t->sheet, t->row[i].cell[0], &v);
+			if (t->mm[i] > 0 &&
+			    (sieve_names_series(text) != SIEVE_NONE ||
+				(bare && t->unit.series != SIEVE_NONE)))
+				xlist(&r->site->named, ", ", "%s = %g", text,
+				    t->mm[i]);
+		}
 	}
 }
 
-static struct site *
-read_sheet(const char *path, struct sheet *sheet)
+/* Meanings of the words that stand next to a table and tell feed from product:
+ * its title, the name of its sheet or file. */
+static unsigned
+context_of(const struct page *page, const struct block *b, const char *path,
+    struct surroundings *near)
 {
-	struct table t = {.sheet = sheet, .lost = sheet->lost};
-	struct site *site = site_new(0);
-	size_t head = 0;
-	while (head < sheet->n_row && site_sieve_unit(&sheet->row[head]) <= 0)
-		head++;
-	if (head < sheet->n_row) {
-		read_heading(site, sheet, head);
-		read_table(&t, head);
-	} else if (!sheet->lost) {
-		tell_no_table(sheet);
+	unsigned means = vocabulary_text(page->sheet->name, NULL);
+	struct head name = head_read(page->sheet->name);
+	near->speed = near->speed > 0 ? near->speed : name.speed;
+	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line;
+	int left = b->row[0].cell[0].column;
+	for (size_t i = 0; i < page->layout->n_heading; i++) {
+		const struct row *row = page->layout->heading[i];
+		if (row->line >= top || row->line < top - 3)
+			continue;
+		for (size_t c = 0; c < row->n; c++) {
+			if (row->n > 1 && row->cell[c].column < left)
+				continue;
+			struct head title = head_read(row->cell[c].text);
+			unsigned role =
+			    title.means & (WORD_FEED | WORD_PRODUCT);
+			if (role == 0 && !(title.speed > 0))
+				continue;
+			means = role != 0 ? role : means;
+			if (title.speed > 0 && !title.several)
+				near->speed = title.speed;
+			break;
+		}
 	}
-	if (sheet->n_fault == 0) {
-		free(site->path);
-		site->path = xstrdup(path);
-		make_runs(site, &t);
-		tell_left_out(site, &t);
-		tell_names(site, &t);
-	} else {
-		site_free(site);
-		site = NULL;
+	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0) {
+		char *stem = site_heading_name(path);
+		means |= vocabulary_text(stem, NULL);
+		free(stem);
 	}
-	table_clear(&t);
+	return means;
+}
+
+static void
+read_block(struct reading *r, const struct page *page, struct block *b,
+    struct heading_speed told)
+{
+	enum sieve_certainty certainty;
+	const struct site_request *q = r->request;
+	double given = q->speed != NULL ? q->speed[page->file] : 0;
+	struct surroundings near = {
+	    .rotor = r->site->rotor, .told = r->names.n > 0};
+	near.speed = told.mps;
+	if (near.speed == 0 && told.rpm > 0) {
+		near.speed = head_mps(told.rpm, SPEED_RPM, near.rotor);
+		r->open.rotor = r->open.rotor || near.rotor == 0;
+	}
+	near.context = context_of(page, b, q->path[page->file], &near);
+	if (given > 0)
+		near.speed = given;
+	unsigned sieve = names_apply(&r->names, b);
+	layout_widen(b);
+	struct table *t = xcalloc(1, sizeof *t);
+	*t = site_sieve_table(b, sieve, &certainty);
+	t->lost = page->sheet->lost;
+	r->table = xrealloc(r->table, r->n_table + 1, sizeof(*r->table));
+	r->table[r->n_table++] = t;
+	site_sieve_check(t);
+	r->open.sieves = r->open.sieves || certainty == SIEVES_OPEN;
+	if (certainty == SIEVES_ASSUMED)
+		xlist(&r->site->assumed, "; ", "sieves in %s",
+		    site_sieve_unit(t));
+	r->lost = r->lost || t->lost;
+	size_t first = r->all.n;
+	recognise_columns(t, &near, &r->all, r->site);
+	for (size_t i = first; given > 0 && i < r->all.n; i++)
+		if (r->all.column[i].role == NO_ROLE)
+			r->all.column[i].role = PRODUCT;
+	open_numbers(&r->open, t);
+}
+
+/* What a request says in words: columns=, range=. */
+static bool
+read_request(struct reading *r)
+{
+	const struct site_request *q = r->request;
+	struct error e;
+	if (names_read(&r->names, q->columns, &r->range, &e) &&
+	    range_read(q->range, &r->range, &e))
+		return true;
+	*error_add(r->errors) = e;
+	return false;
+}
+
+/* The sheets of a file that are wanted: the one with the name, or all. */
+static bool
+read_file(struct reading *r, size_t file)
+{
+	const struct site_request *q = r->request;
+	struct source *source = &r->source[r->n_source++];
+	if (!source_read(q->path[file], r->errors, source))
+		return false;
+	size_t before = r->n_page;
+	char *names = xstrdup("");
+	if (source->note[0] != '\0')
+		xlist(&r->site->assumed, "; ", "%s", source->note);
+	for (size_t i = 0; i < source->n; i++) {
+		struct sheet *sheet = source->sheet[i];
+		xlist(&names, ", ", "%s", sheet->name);
+		if (q->sheet != NULL && !text_same(sheet->name, q->sheet))
+			continue;
+		if (q->decimal != '\0') {
+			sheet->decimal = q->decimal;
+			sheet->open.text = NULL;
+		}
+		site_sieve_numbers(sheet);
+		struct layout *layout = layout_new(sheet, r->range);
+		r->page = xrealloc(r->page, r->n_page + 1, sizeof *r->page);
+		r->page[r->n_page++] = (struct page){file, sheet, layout};
+		r->lost = r->lost || sheet->lost;
+	}
+	bool found = r->n_page > before;
+	if (!found)
+		error_at(error_add(r->errors), ERROR_DATA, q->path[file], 0, 0,
+		    "expected a sheet called %s, got none\n"
+		    "its sheets: %s",
+		    q->sheet != NULL ? q->sheet : "(any)", names);
+	free(names);
+	return found;
+}
+
+/* Pages of a workbook without any table are no part of it. */
+static bool
+has_tables(struct reading *r)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < r->n_page; i++)
+		n += r->page[i].layout->n;
+	if (n == 0 && !r->lost)
+		tell_no_table(first_sheet(r));
+	return n > 0;
+}
+
+static void
+read_pages(struct reading *r)
+{
+	for (size_t i = 0; i < r->n_page; i++) {
+		const struct page *page = &r->page[i];
+		struct heading_speed told = {0};
+		if (page->layout->n == 0)
+			continue;
+		site_heading(page->layout, page->sheet, r->site, &told);
+		for (size_t b = 0; b < page->layout->n; b++)
+			read_block(r, page, &page->layout->block[b], told);
+	}
+}
+
+static size_t
+count_faults(const struct reading *r)
+{
+	return r->errors->n + r->errors->more;
+}
+
+/* What the site was made of, in the two lines of load. */
+static void
+tell_reading(struct reading *r)
+{
+	for (size_t i = 0; i < r->all.n; i++) {
+		const struct column *c = &r->all.column[i];
+		if (c->assumed != NULL)
+			xlist(&r->site->assumed, "; ", "column %zu %s",
+			    c->table->block->number[c->at], c->assumed);
+	}
+	open_describe(r->table, r->n_table, &r->all, &r->site->read_as);
+}
+
+static struct site *
+finish(struct reading *r)
+{
+	const struct site_request *q = r->request;
+	free(r->site->path);
+	r->site->path = xstrdup(q->path[0]);
+	if (r->site->name[0] == '\0') {
+		free(r->site->name);
+		r->site->name = site_heading_name(q->path[0]);
+	}
+	make_runs(r->site, &r->all);
+	tell_left_out(r);
+	tell_names(r);
+	tell_reading(r);
+	struct site *site = r->site;
+	r->site = NULL;
+	return site;
+}
+
+static void
+reading_clear(struct reading *r)
+{
+	for (size_t i = 0; i < r->all.n; i++) {
+		free(r->all.column[i].pct);
+		free(r->all.column[i].assumed);
+	}
+	free(r->all.column);
+	for (size_t i = 0; i < r->n_table; i++) {
+		free(r->table[i]->mm);
+		free(r->table[i]);
+	}
+	free(r->table);
+	for (size_t i = 0; i < r->n_page; i++)
+		layout_free(r->page[i].layout);
+	free(r->page);
+	for (size_t i = 0; i < r->n_source; i++)
+		source_free(&r->source[i]);
+	free(r->source);
+	names_clear(&r->names);
+	site_free(r->site);
+}
+
+static bool
+read_files(struct reading *r)
+{
+	for (size_t i = 0; i < r->request->n; i++)
+		if (!read_file(r, i))
+			return false;
+	return has_tables(r);
+}
+
+struct site *
+site_read_as(const struct site_request *request, struct error_list *errors,
+    struct site_ask *ask)
+{
+	struct site_ask none = {0};
+	struct site *site = NULL;
+	struct reading r = {
+	    .request = request, .errors = errors, .site = site_new(0)};
+	r.site->rotor = request->rotor;
+	r.source = xcalloc(request->n, sizeof *r.source);
+	if (read_request(&r) && read_files(&r)) {
+		read_pages(&r);
+		if (request->rotor > 0)
+			r.site->rotor = request->rotor;
+		recognise_settle(&r.all, r.site, &r.open.rotor);
+		bool open = count_faults(&r) == 0 &&
+			    open_ask(&r.open, request, r.table, r.n_table,
+				&r.all, ask != NULL ? ask : &none, errors);
+		if (!open)
+			read_columns(&r);
+		if (ask != NULL) {
+			ask->no_feed = count_role(&r.all, FEED) == 0;
+			ask->no_product = count_role(&r.all, PRODUCT) == 0;
+		}
+		if (count_faults(&r) == 0)
+			site = finish(&r);
+	}
+	reading_clear(&r);
+	site_ask_clear(&none);
 	return site;
 }
 
 struct site *
 site_read(const char *path, struct error_list *errors)
 {
-	struct source source;
-	struct site *site = NULL;
-	if (source_read(path, errors, &source))
-		site = read_sheet(path, source.sheet[0]);
-	source_free(&source);
-	return site;
+	struct site_request request = {.n = 1, .path = &path};
+	return site_read_as(&request, errors, NULL);
 }

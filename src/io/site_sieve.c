@@ -9,89 +9,13 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/sieve_names.h"
 #include "io/units.h"
+#include "io/vocabulary.h"
 
-/* The words that may begin the table, letters only, with a unit after. */
-static const char *const SIZE_WORDS[] = {"size", "sieve", "sievesize", "sikt",
-    "siktstorlek", "maskvidd", "storlek", "kornstorlek"};
-static const struct {
-	const char *unit;
-	double mm;
-} SIZE_UNITS[] = {{"mm", 1}, {"um", 1e-3}, {"m", 1e3}};
-
-enum { MOST_LETTERS = 16 };
-
-/* The letters of "Size (mm)" in small, the two signs for micro as u; a word
- * longer than any is cut. */
-static void
-letters(const char *text, char word[static MOST_LETTERS])
-{
-	char *folded = text_fold(text);
-	size_t n = 0;
-	for (const char *p = folded; *p != '\0' && n + 1 < MOST_LETTERS; p++) {
-		bool micro = strncmp(p, "\xC2\xB5", 2) == 0 ||
-			     strncmp(p, "\xCE\xBC", 2) == 0;
-		if (micro || (*p >= 'a' && *p <= 'z') ||
-		    (*p >= '0' && *p <= '9'))
-			word[n++] = micro ? 'u' : *p;
-		p += micro;
-	}
-	word[n] = '\0';
-	free(folded);
-}
-
-/* What stands after the word that begins a table; NULL where none does. */
-static const char *
-behind_word(const char *word)
-{
-	const char *rest = NULL;
-	size_t longest = 0;
-	for (size_t w = 0; w < ARRAY_LEN(SIZE_WORDS); w++) {
-		size_t n = strlen(SIZE_WORDS[w]);
-		if (n > longest && strncmp(word, SIZE_WORDS[w], n) == 0) {
-			longest = n;
-			rest = word + n;
-		}
-	}
-	return rest;
-}
-
-double
-site_sieve_unit(const struct row *row)
-{
-	char word[MOST_LETTERS];
-	letters(row->cell[0].text, word);
-	const char *rest = behind_word(word);
-	for (size_t u = 0; rest != NULL && u < ARRAY_LEN(SIZE_UNITS); u++)
-		if (strcmp(rest, SIZE_UNITS[u].unit) == 0)
-			return SIZE_UNITS[u].mm;
-	return 0;
-}
-
-bool
-site_sieve_word(const char *text)
-{
-	char word[MOST_LETTERS];
-	letters(text, word);
-	const char *rest = behind_word(word);
-	return rest != NULL && *rest == '\0';
-}
-
-/* What is left under the finest sieve, as labs of several languages head it:
- * pan, Botten, <0.063. */
-static bool
-is_pan(const char *text)
-{
-	static const char *const WORDS[] = {"pan", "bottom", "receiver", "rest",
-	    "botten", "tråg", "bunn", "boden", "fond", "fondo"};
-	if (text[0] == '<')
-		return true;
-	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
-		if (text_same(text, WORDS[i]))
-			return true;
-	return false;
-}
+/* Sieves of a crusher's product that are not said to be in mm are not taken for
+ * it outside these, mm: what is coarser may be in um, what is finer in inches
+ * or metres. */
+static const double COARSEST_TOP = 500, LEAST_TOP = 4, COARSE_TOP = 150;
 
 double
 site_sieve_mm(
@@ -115,113 +39,202 @@ site_sieve_mm(
 	return NAN;
 }
 
-/* Of a sieve that has a name; 0 where it has none, NAN after a fault. */
-static double
-named_mm(struct sheet *sheet, struct cell cell)
+/* Of a name that no sieve has. */
+static void
+tell_name(struct table *t, struct cell cell)
 {
-	double mm = sieve_names_mm(cell.text);
-	if (!isnan(mm))
-		return mm;
+	if (sieve_names_series(cell.text) == SIEVE_MESH ||
+	    t->unit.series == SIEVE_MESH) {
+		sheet_wanted(t->sheet, cell, "a mesh number with its series",
+		    "write Tyler, BS or No. (ASTM E11) before the numbers, or "
+		    "head the column with it; or load FILE columns=\"%zu=sieve "
+		    "tyler, ..\"",
+		    t->block->number[0]);
+		return;
+	}
 	char *nearest = sieve_names_nearest(cell.text);
-	sheet_wanted(sheet, cell, "a sieve of ASTM E11",
+	sheet_wanted(t->sheet, cell, "a sieve of ASTM E11",
 	    "use the nearest: %s; or begin a remark with # and a word, not a "
 	    "number alone",
 	    nearest);
 	free(nearest);
-	return NAN;
 }
 
+/* The size of a row; 0: pan; NAN after a fault. */
 static double
-row_mm(struct table *t, const struct row *row, double unit)
+row_mm(struct table *t, struct cell cell)
 {
-	struct cell cell = row->cell[0];
-	if (row->n > t->head->n && t->told_cells)
-		return NAN;
-	if (row->n > t->head->n) {
-		t->told_cells = true;
-		sheet_fault(t->sheet, row->cell[t->head->n],
-		    "expected %zu cells as in line %d, got %zu\n"
-		    "%s",
-		    t->head->n, t->head->line, row->n,
-		    t->sheet->separator == ','
-			? "use ; between the cells if they have decimal "
-			  "commas; otherwise remove the last cells"
-			: "remove the last cells, or give their columns "
-			  "headings");
+	double mm;
+	enum sieve_kind kind = sieve_size(t->sheet, cell, t->unit, &mm);
+	if (kind == SIEVE_IS_PAN)
+		return 0;
+	if (kind == SIEVE_IS_SIZE && isnan(mm)) {
+		tell_name(t, cell);
 		return NAN;
 	}
-	if (is_pan(cell.text))
-		return 0;
-	double named = named_mm(t->sheet, cell);
-	if (named != 0)
-		return named;
+	if (kind == SIEVE_IS_SIZE && mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM)
+		return mm;
 	if (isalpha((unsigned char)cell.text[0])) {
 		sheet_wanted(t->sheet, cell, "a sieve size or pan",
 		    "remove sums and remarks from the table, or begin their "
 		    "line with #");
 		return NAN;
 	}
-	return site_sieve_mm(t->sheet, cell, unit, "a sieve size or pan");
+	return site_sieve_mm(t->sheet, cell, t->unit.mm > 0 ? t->unit.mm : 1,
+	    "a sieve size or pan");
 }
 
-/* Neither a size, a sieve's name nor the pan. */
+/* Share of the sizes, times a factor, that are those of real sieves. */
+static double
+standard_share(const struct table *t, double factor, double *most)
+{
+	double n = 0, known = 0;
+	struct sieve_unit bare = {1, SIEVE_NONE};
+	*most = 0;
+	for (size_t i = 0; i < t->n_row; i++) {
+		double mm;
+		if (sieve_size(t->sheet, t->row[i].cell[0], bare, &mm) !=
+			SIEVE_IS_SIZE ||
+		    isnan(mm))
+			continue;
+		n++;
+		known += sieve_names_standard(mm * factor);
+		*most = fmax(*most, mm * factor);
+	}
+	return n > 0 ? known / n : 0;
+}
+
+/* Whether every size has its own unit or is a name. */
 static bool
-is_word(const struct table *t, const struct row *row)
+all_named(const struct table *t)
 {
 	double v;
-	return !is_pan(row->cell[0].text) &&
-	       sieve_names_mm(row->cell[0].text) == 0 &&
-	       !sheet_value(t->sheet, row->cell[0], &v);
+	size_t n = 0;
+	for (size_t i = 0; i < t->n_row; i++) {
+		struct cell cell = t->row[i].cell[0];
+		double mm;
+		struct sieve_unit none = {0, SIEVE_NONE};
+		if (sieve_size(t->sheet, cell, none, &mm) != SIEVE_IS_SIZE)
+			continue;
+		if (sheet_value(t->sheet, cell, &v))
+			return false;
+		n++;
+	}
+	return n > 0;
 }
 
-/* Below a table stand sums, with anything after them, and remarks in the first
- * cell alone. */
+static bool
+all_whole(const struct table *t)
+{
+	double v;
+	for (size_t i = 0; i < t->n_row; i++)
+		if (sheet_value(t->sheet, t->row[i].cell[0], &v) &&
+		    v != floor(v))
+			return false;
+	return true;
+}
+
+/* Takes mm or um for what has no unit, where the numbers leave no doubt. */
+static enum sieve_certainty
+find_unit(struct table *t)
+{
+	double most, share = standard_share(t, 1, &most);
+	bool mesh = t->unit.series == SIEVE_MESH && all_whole(t);
+	if (all_named(t))
+		return SIEVES_SAID;
+	if (t->unit.series != SIEVE_NONE && t->unit.series != SIEVE_MESH)
+		return SIEVES_SAID;
+	if (t->unit.mm > 0)
+		return most * t->unit.mm > COARSEST_TOP ||
+			       most * t->unit.mm < 0.1
+			   ? SIEVES_OPEN
+			   : SIEVES_SAID;
+	if (mesh)
+		return SIEVES_SAID; /* and each row is told to lack a series */
+	t->unit = (struct sieve_unit){1, SIEVE_NONE};
+	if (share >= 0.8 && most > LEAST_TOP && most <= COARSE_TOP)
+		return SIEVES_ASSUMED;
+	share = standard_share(t, 1e-3, &most);
+	if (share < 0.8 || most <= LEAST_TOP || most > COARSE_TOP)
+		return SIEVES_OPEN;
+	t->unit.mm = 1e-3;
+	return SIEVES_ASSUMED;
+}
+
+/* Where the sieves are there twice, as names and in mm, a row that has one of
+ * them only. */
 static void
-drop_foot(struct table *t)
+fill_names(struct table *t)
 {
-	static const char *const SUMS[] = {
-	    "sum", "total", "summa", "totalt", "summe"};
-	size_t foot = t->n_row;
-	while (foot > 0 && is_word(t, &t->row[foot - 1]))
-		foot--;
-	for (size_t i = foot; i < t->n_row; i++)
-		for (size_t k = 0; k < ARRAY_LEN(SUMS); k++)
-			if (text_same(t->row[i].cell[0].text, SUMS[k])) {
-				t->total = &t->row[i];
-				t->n_row = i;
-			}
-	while (t->n_row > foot && t->row[t->n_row - 1].n == 1)
-		t->n_row--;
-}
-
-void
-site_sieve_numbers(struct sheet *sheet, const struct row *head)
-{
-	const char separator[] = {sheet->separator, '\0'};
-	int line = head->line;
-	for (size_t i = sheet->n_comment; !sheet->lost && i-- > 0;) {
-		const struct comment *c = &sheet->comment[i];
-		char *first =
-		    text_unquoted(c->text, strcspn(c->text, separator));
-		if (c->line > line && sieve_names_is_number(first))
-			sheet_uncomment(sheet, i);
-		free(first);
+	static const unsigned ELSE =
+	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
+	struct sieve_unit none = {0, SIEVE_NONE};
+	double mm;
+	for (size_t c = 1; c < t->block->n_col; c++) {
+		char *head = layout_head(t->block, c);
+		unsigned means = vocabulary_text(head, NULL);
+		free(head);
+		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
+		    (means & ELSE) != 0)
+			continue;
+		for (size_t i = 0; i < t->n_row; i++)
+			if (t->row[i].cell[0].text[0] == '\0' &&
+			    sieve_size(t->sheet, t->row[i].cell[c], none,
+				&mm) != SIEVE_IS_NONE)
+				t->row[i].cell[0] = t->row[i].cell[c];
 	}
 }
 
+/* Whether the sizes rise without exception. */
 static bool
 is_finest_first(const struct table *t)
 {
-	size_t rising = 0, last = t->n_row;
+	int rising = 0;
+	double last = NAN;
 	for (size_t i = 0; i < t->n_row; i++) {
-		if (isnan(t->mm[i]))
+		double mm;
+		if (sieve_size(t->sheet, t->row[i].cell[0], t->unit, &mm) !=
+			SIEVE_IS_SIZE ||
+		    isnan(mm))
 			continue;
-		if (last < t->n_row && t->mm[i] <= t->mm[last])
+		if (!isnan(last) && mm <= last)
 			return false;
-		rising += last < t->n_row;
-		last = i;
+		rising += !isnan(last);
+		last = mm;
 	}
 	return rising > 0;
+}
+
+struct table
+site_sieve_table(
+    struct block *block, unsigned told, enum sieve_certainty *certainty)
+{
+	struct table t = {.sheet = block->sheet,
+	    .block = block,
+	    .n_row = block->n_row,
+	    .row = block->row};
+	char *head = layout_head(block, 0);
+	t.unit = sieve_unit_of(told != 0 ? told : vocabulary_text(head, NULL));
+	free(head);
+	fill_names(&t);
+	*certainty = find_unit(&t);
+	if (told != 0 && *certainty == SIEVES_OPEN && t.unit.mm > 0)
+		*certainty = SIEVES_SAID;
+	t.finest_first = is_finest_first(&t);
+	for (size_t i = 0; t.finest_first && i < t.n_row / 2; i++) {
+		struct row row = t.row[i];
+		t.row[i] = t.row[t.n_row - 1 - i];
+		t.row[t.n_row - 1 - i] = row;
+	}
+	return t;
+}
+
+struct cell
+site_sieve_head(const struct table *t)
+{
+	const struct block *b = t->block;
+	return b->n_head > b->titles ? b->head[b->titles].cell[0]
+				     : t->row[0].cell[0];
 }
 
 /* Neighbours are compared, so that one wrong size is one fault. */
@@ -251,23 +264,71 @@ check_order(struct table *t)
 	}
 }
 
-void
-site_sieve_rows(struct table *t)
+/* A number in a column that nothing heads: a decimal comma may have cut one in
+ * two. */
+static void
+check_heads(struct table *t)
 {
-	double unit = site_sieve_unit(t->head);
-	drop_foot(t);
-	t->mm = xdoubles(t->n_row);
-	for (size_t i = 0; i < t->n_row; i++) {
-		t->mm[i] = row_mm(t, &t->row[i], unit);
-		t->lost = t->lost || isnan(t->mm[i]);
+	const struct block *b = t->block;
+	size_t heads = 0;
+	for (size_t c = 0; c < b->n_col; c++) {
+		char *head = layout_head(b, c);
+		heads = head[0] != '\0' ? c + 1 : heads;
+		free(head);
 	}
-	if (!is_finest_first(t)) {
-		check_order(t);
+	for (size_t i = 0; i < t->n_row && heads > 1; i++) {
+		size_t n = b->n_col;
+		while (n > heads && t->row[i].cell[n - 1].text[0] == '\0')
+			n--;
+		if (n == heads)
+			continue;
+		t->lost = true;
+		sheet_fault(t->sheet, t->row[i].cell[heads],
+		    "expected %zu cells as in line %d, got %zu\n"
+		    "%s",
+		    heads, b->head[b->n_head - 1].line, n,
+		    t->sheet->separator == ','
+			? "use ; between the cells if they have decimal "
+			  "commas; otherwise remove the last cells"
+			: "remove the last cells, or give their columns "
+			  "headings");
 		return;
 	}
-	sheet_fault(t->sheet, t->row[0].cell[0],
-	    "expected sieves coarsest first, got the table finest first\n"
-	    "sort the rows by size, largest first (in a spreadsheet: Data, "
-	    "Sort, Descending)");
-	t->lost = true;
+}
+
+void
+site_sieve_check(struct table *t)
+{
+	check_heads(t);
+	t->mm = xdoubles(t->n_row);
+	for (size_t i = 0; i < t->n_row; i++) {
+		t->mm[i] = row_mm(t, t->row[i].cell[0]);
+		t->lost = t->lost || isnan(t->mm[i]);
+	}
+	check_order(t);
+}
+
+const char *
+site_sieve_unit(const struct table *t)
+{
+	static const char *const SERIES[] = {
+	    "mm", "ASTM E11", "in", "Tyler mesh", "BS mesh", "mesh"};
+	if (t->unit.series != SIEVE_NONE)
+		return SERIES[t->unit.series];
+	return t->unit.mm == 1e-3 ? "um" : t->unit.mm == 1e3 ? "m" : "mm";
+}
+
+void
+site_sieve_numbers(struct sheet *sheet)
+{
+	const char separator[] = {sheet->separator, '\0'};
+	for (size_t i = sheet->n_comment; !sheet->lost && i-- > 0;) {
+		const struct comment *c = &sheet->comment[i];
+		char *first =
+		    text_unquoted(c->text, strcspn(c->text, separator));
+		bool cells = c->text[strcspn(c->text, separator)] != '\0';
+		if (cells && sieve_names_is_number(first))
+			sheet_uncomment(sheet, i);
+		free(first);
+	}
 }

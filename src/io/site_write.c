@@ -61,12 +61,15 @@ write_line(const char *key, const char *value, FILE *out)
 static void
 write_heading(const struct site *site, FILE *out)
 {
-	char top[32] = "";
+	char top[32] = "", rotor[32] = "";
 	if (site->top_size > 0)
 		text_exact(size_mm(site->top_size), top);
+	if (site->rotor > 0)
+		text_exact(size_mm(site->rotor), rotor);
 	const char *const line[][2] = {{"site", site->name},
 	    {"rock", site->rock}, {"top_size_mm", top},
-	    {"machine", site->machine}, {"provenance", site->provenance}};
+	    {"machine", site->machine}, {"rotor_mm", rotor},
+	    {"provenance", site->provenance}};
 	for (size_t i = 0; i < ARRAY_LEN(line); i++)
 		if (line[i][1][0] != '\0')
 			write_line(line[i][0], line[i][1], out);

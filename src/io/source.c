@@ -25,6 +25,8 @@ read_workbook(const char *path, const char *bytes, size_t n,
 	source->n = grid.n;
 	source->sheet = grid.sheet;
 	source->note = grid.note;
+	for (size_t i = 0; i < source->n; i++)
+		sheet_decide_decimal(source->sheet[i]);
 	return true;
 }
 

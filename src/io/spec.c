@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/sheet.h"
+#include "io/layout.h"
 #include "io/site_sieve.h"
 #include "io/source.h"
 
@@ -15,16 +16,18 @@ static const char *const HEADS[2] = {"min_pct", "max_pct"};
 
 /* Keys that are neither spec nor source are remarks. */
 static void
-read_heading(struct spec *spec, struct sheet *sheet, size_t n_line)
+read_heading(
+    struct spec *spec, struct sheet *sheet, const struct layout *layout)
 {
-	for (size_t i = 0; i < n_line; i++) {
-		struct cell key = sheet->row[i].cell[0];
-		struct cell value = sheet_cell(&sheet->row[i], 1);
+	for (size_t i = 0; i < layout->n_heading; i++) {
+		const struct row *row = layout->heading[i];
+		struct cell key = row->cell[0];
+		struct cell value = sheet_cell(row, 1);
 		char **text = text_same(key.text, "spec")     ? &spec->name
 			      : text_same(key.text, "source") ? &spec->source
 							      : NULL;
-		if (sheet->row[i].n > 2)
-			sheet_wanted(sheet, sheet->row[i].cell[2],
+		if (row->n > 2)
+			sheet_wanted(sheet, row->cell[2],
 			    "the end of the line after key and value",
 			    "quote a value that contains the separator");
 		if (text == NULL)
@@ -38,21 +41,22 @@ read_heading(struct spec *spec, struct sheet *sheet, size_t n_line)
 static void
 read_heads(const struct table *t, size_t at[static 2])
 {
+	const struct block *b = t->block;
 	at[0] = at[1] = 0;
-	for (size_t i = 1; i < t->head->n; i++) {
-		struct cell head = t->head->cell[i];
+	for (size_t i = 1; i < b->n_col; i++) {
+		struct cell head = b->head[b->n_head - 1].cell[i];
 		bool is_max = text_same(head.text, HEADS[1]);
 		if ((is_max || text_same(head.text, HEADS[0])) &&
 		    at[is_max] == 0)
 			at[is_max] = i;
-		else
+		else if (head.text[0] != '\0')
 			sheet_wanted(t->sheet, head,
 			    "a column min_pct or max_pct, each once",
 			    "use size_mm,min_pct,max_pct; see "
 			    "tipspeed-spec(5)");
 	}
-	if (at[0] == 0 && at[1] == 0 && t->head->n < 2)
-		sheet_fault(t->sheet, t->head->cell[0],
+	if (at[0] == 0 && at[1] == 0 && b->n_col < 2)
+		sheet_fault(t->sheet, site_sieve_head(t),
 		    "expected a column min_pct or max_pct, got none\n"
 		    "write this line as size_mm,min_pct,max_pct");
 }
@@ -75,7 +79,8 @@ read_limit(const struct table *t, size_t row, size_t at)
 
 /* Neither limit rises from a sieve to the next finer one that has it. */
 static void
-check_fall(const struct table *t, const double *limit, size_t at)
+check_fall(
+    const struct table *t, const double *limit, size_t at, size_t at_most)
 {
 	char size[32];
 	double last = INFINITY;
@@ -88,7 +93,7 @@ check_fall(const struct table *t, const double *limit, size_t at)
 			    "more passing)\n"
 			    "check this row and the one above: a limit cannot "
 			    "rise on a finer sieve",
-			    t->head->cell[at].text, 100 * last, 100 * limit[i],
+			    HEADS[at_most], 100 * last, 100 * limit[i],
 			    text_exact(t->mm[i], size));
 		last = limit[i];
 	}
@@ -116,56 +121,42 @@ read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
 			    100 * spec->least[i], 100 * spec->most[i]);
 	}
 	for (size_t i = 0; i < 2 && !t->lost; i++)
-		check_fall(t, i == 0 ? spec->least : spec->most, at[i]);
+		check_fall(t, i == 0 ? spec->least : spec->most, at[i], i);
 }
 
 static void
-read_table(struct spec *spec, struct sheet *sheet, size_t head)
+read_table(struct spec *spec, struct block *block)
 {
-	site_sieve_numbers(sheet, &sheet->row[head]);
-	struct table t = {.sheet = sheet,
-	    .head = &sheet->row[head],
-	    .n_row = sheet->n_row - head - 1,
-	    .row = &sheet->row[head] + 1,
-	    .lost = sheet->lost};
+	enum sieve_certainty certainty;
+	struct table t = site_sieve_table(block, 0, &certainty);
 	size_t at[2];
 	read_heads(&t, at);
-	site_sieve_rows(&t);
-	if (t.n_row == 0 && !t.lost)
-		sheet_fault(sheet, t.head->cell[0],
-		    "expected a row for each sieve below this line, got none\n"
-		    "add rows such as 4,85,99");
+	site_sieve_check(&t);
+	if (certainty == SIEVES_OPEN)
+		sheet_wanted(t.sheet, site_sieve_head(&t),
+		    "the unit of the sieves", "write size_mm");
 	read_rows(spec, &t, at);
 	free(t.mm);
 }
 
-static struct spec *
-read_sheet(const char *path, struct sheet *sheet)
+static void
+read_sheet(struct spec *spec, struct sheet *sheet)
 {
-	struct spec *spec = xcalloc(1, sizeof *spec);
-	spec->name = xstrdup("");
-	spec->source = xstrdup("");
-	spec->note = xstrdup("");
-	size_t head = 0;
-	while (head < sheet->n_row && site_sieve_unit(&sheet->row[head]) <= 0)
-		head++;
-	read_heading(spec, sheet, head);
-	if (head < sheet->n_row) {
-		read_table(spec, sheet, head);
+	struct layout_range all = {0};
+	site_sieve_numbers(sheet);
+	struct layout *layout = layout_new(sheet, all);
+	read_heading(spec, sheet, layout);
+	if (layout->n > 0 && layout->block[0].n_head > 0) {
+		read_table(spec, &layout->block[0]);
 	} else if (!sheet->lost) {
 		struct row none = {.line = 1, .end = 1};
 		sheet_wanted(sheet, sheet_cell(&none, 0),
-		    "a line that begins with size_mm",
-		    "begin the table with size_mm,min_pct,max_pct");
+		    "a line that begins with size_mm, and rows of sieves below "
+		    "it",
+		    "begin the table with size_mm,min_pct,max_pct and go on "
+		    "with rows such as 4,85,99");
 	}
-	if (spec->name[0] == '\0') {
-		free(spec->name);
-		spec->name = xstrdup(path);
-	}
-	if (sheet->n_fault == 0)
-		return spec;
-	spec_free(spec);
-	return NULL;
+	layout_free(layout);
 }
 
 struct spec *
@@ -173,11 +164,20 @@ spec_read(const char *path, struct error_list *errors)
 {
 	struct source source;
 	struct spec *spec = NULL;
-	if (source_read(path, errors, &source))
-		spec = read_sheet(path, source.sheet[0]);
-	if (spec != NULL) {
-		free(spec->note);
+	if (source_read(path, errors, &source)) {
+		spec = xcalloc(1, sizeof *spec);
+		spec->name = xstrdup("");
+		spec->source = xstrdup("");
 		spec->note = xstrdup(source.note);
+		read_sheet(spec, source.sheet[0]);
+		if (spec->name[0] == '\0') {
+			free(spec->name);
+			spec->name = xstrdup(path);
+		}
+		if (source.sheet[0]->n_fault > 0) {
+			spec_free(spec);
+			spec = NULL;
+		}
 	}
 	source_free(&source);
 	return spec;

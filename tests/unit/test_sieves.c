@@ -25,7 +25,7 @@ a_sieve_has_its_name_in_many_spellings(void **state)
 	    {"#4/0", 0}, {"#0", 0}, {"#3", NAN}, {"#9", NAN}, {"#1000", NAN},
 	    {"0.9 in", NAN}};
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
-		double mm = sieve_names_mm(NAMES[i].name);
+		double mm = sieve_names_mm(NAMES[i].name, SIEVE_NONE);
 		if (mm != NAMES[i].mm && !(isnan(mm) && isnan(NAMES[i].mm)))
 			fail_msg("%s is %g mm", NAMES[i].name, mm);
 	}
@@ -85,7 +85,7 @@ what_was_passed_over_is_told(void **state)
 		""},
 	    {TOP "8,100,100,100\n5.6\n4,60,80,90\n1,10,20,30\n",
 		"line 3: the sieve 5.6 has no numbers; "},
-	    {"size_mm,feed,,product@69,product@79\n8,100,,100,100\n"
+	    {"size_mm,feed,sd@69,product@69,product@79\n8,100,,100,100\n"
 	     "4,60,,80,90\n",
 		"column 3: it is empty; "}};
 	for (size_t i = 0; i < ARRAY_LEN(SHEETS); i++) {

@@ -115,7 +115,7 @@ large_garbage_is_refused(void **state)
 	} garbage[] = {{"lorem ipsum\n", "more than 2000 lines"},
 	    {"lorem ipsum ", "20000 bytes"}, {",", "20000 bytes"},
 	    {"\"", "20000 bytes"}, {"1,2,3\n", "more than 2000 lines"},
-	    {"#\n", "size_mm"}, {"\n ", "empty file"}};
+	    {"#\n", "a table of sieves"}, {"\n ", "empty file"}};
 	for (size_t i = 0; i < ARRAY_LEN(garbage); i++) {
 		for (size_t k = 0; k < N; k++)
 			bytes[k] = garbage[i].fill[k % strlen(garbage[i].fill)];

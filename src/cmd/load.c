@@ -1,0 +1,394 @@
+/* load: from files to sites, by way of questions.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/load.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/check.h"
+#include "cmd/entries.h"
+#include "cmd/files.h"
+#include "cmd/journal.h"
+#include "cmd/table.h"
+#include "io/head.h"
+#include "io/site_read.h"
+
+enum { MOST_ROUNDS = 5 };
+
+/* A request whose texts are its own. */
+struct load {
+	struct site_request request;
+	char **path;
+	double *speed;
+	char *columns, *sheet, *range;
+	const char *digest;
+};
+
+/* "cut1.csv@70" as file and speed; a file of that whole name comes first. */
+static bool
+split_speed(const char *word, char **path, double *speed, struct error *error)
+{
+	const char *at = strrchr(word, '@');
+	*speed = 0;
+	*path = xstrdup(word);
+	if (at == NULL || at == word || access(word, F_OK) == 0 ||
+	    strchr(at, '/') != NULL)
+		return true;
+	struct head head = head_read(at);
+	char **copy = path;
+	(*copy)[at - word] = '\0';
+	*speed = head.speed;
+	if (head.speed > 0 && head.speed <= 200)
+		return true;
+	return error_set(error, ERROR_USAGE,
+	    "expected a tip speed in m/s after @, got '%s'\n"
+	    "for instance: load feed.csv cut1.csv@70 cut2.csv@75",
+	    word);
+}
+
+static void
+load_clear(struct load *l)
+{
+	for (size_t i = 0; i < l->request.n; i++)
+		free(l->path[i]);
+	free(l->path);
+	free(l->speed);
+	free(l->columns);
+	free(l->sheet);
+	free(l->range);
+}
+
+static bool
+load_init(
+    struct load *l, size_t n, const char *const *word, struct error *error)
+{
+	bool good = true;
+	l->path = xcalloc(n, sizeof(*l->path));
+	l->speed = xdoubles(n);
+	for (size_t i = 0; i < n && good; i++) {
+		good = split_speed(word[i], &l->path[i], &l->speed[i], error);
+		l->request.n = i + 1;
+		if (good && text_ends(l->path[i], ".tip"))
+			good = error_set(error, ERROR_USAGE,
+			    "expected a site file, got a script (%s)\n"
+			    "run it with: source %s",
+			    l->path[i], l->path[i]);
+	}
+	l->request.path = (const char *const *)l->path;
+	l->request.speed = l->speed;
+	return good;
+}
+
+/* What was loaded in a line, what it was taken for in two, and more only where
+ * something was passed over. */
+static void
+note_loaded(struct session *s, const struct site *site)
+{
+	enum { MOST = 4 };
+	size_t n, more = site->n_left_out, products = site_products(site);
+	char *label = session_label(site);
+	free(site_sieves(site, &n));
+	if (products > 0)
+		session_note(s, "loaded %s: %zu run%s, %zu sieves", label,
+		    site->n_run, site->n_run == 1 ? "" : "s", n);
+	else
+		session_note(s,
+		    "loaded %s: a feed on %zu sieves, no product; run 'guess' "
+		    "for an estimate",
+		    label, n);
+	if (products == 1)
+		session_note(s,
+		    "  one product: calibrate needs two speeds; use 'guess' "
+		    "or 'recall'");
+	if (site->read_as[0] != '\0')
+		session_note(s, "  read: %s", site->read_as);
+	if (site->assumed[0] != '\0')
+		session_note(s, "  not stated, taken so: %s", site->assumed);
+	for (size_t i = 0; i < site->n_left_out && i < MOST; i++, more--)
+		session_note(s, "  not read: %s, %s", site->left_out[i].key,
+		    site->left_out[i].value);
+	if (more > 0)
+		session_note(s, "  and %zu more: run 'check'", more);
+	free(label);
+}
+
+/* The offered text with the answer to a question about one column in it: a
+ * number is its speed, a dash leaves it out.  The caller frees. */
+static char *
+answered(const struct site_ask_column *column, const char *answer)
+{
+	const char *at = strstr(column->guess, "@SPEED");
+	const char *said = answer + strspn(answer, " ");
+	if (said[0] == '\0')
+		return xstrdup(column->guess);
+	if (strcmp(said, "-") == 0)
+		return NULL;
+	struct head head = head_read(said);
+	double v = head.speed > 0      ? head.speed
+		   : head.n_number > 0 ? head.number[0]
+				       : 0;
+	bool number = isdigit((unsigned char)said[0]) && v > 0;
+	if (!number)
+		return xstrdup(said);
+	if (at == NULL)
+		return xasprintf("product@%g", v);
+	return xasprintf("%.*s@%g%s", (int)(at - column->guess), column->guess,
+	    v, at + strlen("@SPEED"));
+}
+
+/* Asks about each open column, after showing all of them. */
+static bool
+ask_columns(struct session *s, struct load *l, const struct site_ask *ask)
+{
+	char *columns = xstrdup("");
+	bool good = true;
+	session_note(
+	    s, "  column  %-22s %-24s seems to be", "head", "first values");
+	for (size_t i = 0; i < ask->n; i++) {
+		const struct site_ask_column *c = &ask->column[i];
+		session_note(s, "  %6zu  %-22.22s %-24.24s %s%s", c->number,
+		    c->head, c->values, c->guess, c->open ? "  ?" : "");
+	}
+	for (size_t i = 0; i < ask->n && good; i++) {
+		const struct site_ask_column *c = &ask->column[i];
+		char *answer = NULL, *what = xstrdup(c->guess);
+		if (c->open) {
+			bool speed = strstr(c->guess, "@SPEED") != NULL;
+			char *question = xasprintf(
+			    speed ? "column %zu '%s': tip speed in m/s (or "
+				    "what it is, - to leave it out): "
+				  : "column %zu '%s' is [%s] (or what it is, - "
+				    "to leave it out): ",
+			    c->number, c->head, c->guess);
+			answer = s->hooks.question(s, question);
+			free(question);
+			free(what);
+			good = answer != NULL &&
+			       !(speed && answer[strspn(answer, " ")] == '\0');
+			what = good ? answered(c, answer) : NULL;
+		}
+		if (what != NULL)
+			xlist(&columns, ", ", "%zu=%s", c->number, what);
+		free(what);
+		free(answer);
+	}
+	free(l->columns);
+	l->columns = columns;
+	l->request.columns = columns;
+	return good;
+}
+
+/* One answer for an option of its own. */
+static bool
+ask_option(struct session *s, struct load *l, const struct site_ask *ask)
+{
+	size_t n = strcspn(ask->settle, "=");
+	const char *offered = ask->settle + n + 1;
+	bool rotor = strncmp(ask->settle, "rotor_mm", n) == 0;
+	bool decimal = strncmp(ask->settle, "decimal", n) == 0;
+	char *question =
+	    rotor     ? xstrdup("diameter of the rotor in mm: ")
+	    : decimal ? xstrdup("decimal sign, point or comma: ")
+		      : xasprintf("%.*s [%s]: ", (int)n, ask->settle, offered);
+	char *answer = s->hooks.question(s, question);
+	free(question);
+	if (answer == NULL)
+		return false;
+	char *said = text_trim(answer);
+	double mm;
+	bool good = true;
+	if (rotor) {
+		good = text_number(said, &mm) && mm >= 100 && mm <= 5000;
+		l->request.rotor = good ? mm / 1000 : 0;
+	} else if (decimal) {
+		bool comma = strcmp(said, ",") == 0 || text_same(said, "comma");
+		l->request.decimal = comma ? ',' : '.';
+		good =
+		    comma || strcmp(said, ".") == 0 || text_same(said, "point");
+	} else {
+		char **slot =
+		    n == 5 && ask->settle[0] == 's' ? &l->sheet : &l->range;
+		const char *from = said[0] != '\0' ? said : offered;
+		free(*slot);
+		*slot = text_unquoted(from, strlen(from));
+		l->request.sheet = l->sheet;
+		l->request.range = l->range;
+	}
+	free(answer);
+	return good;
+}
+
+static bool
+ask_somebody(struct session *s, struct load *l, const struct site_ask *ask,
+    const struct error_list *errors)
+{
+	if (s->hooks.question == NULL || ask->settle == NULL)
+		return false;
+	session_note(s, "%s: %s", l->path[0], errors->item[0].text);
+	return ask->n > 0 ? ask_columns(s, l, ask) : ask_option(s, l, ask);
+}
+
+/* Everything of a request as a line that reads the same sheets again. */
+static void
+write_journal(struct session *s, const struct load *l, const struct site *site)
+{
+	char *line =
+	    journal_load(site, l->request.n, l->request.path, l->request.speed);
+	if (l->columns != NULL)
+		xappend(&line, " columns=\"%s\"", l->columns);
+	if (l->sheet != NULL)
+		xappend(&line, " sheet=\"%s\"", l->sheet);
+	if (l->range != NULL)
+		xappend(&line, " range=%s", l->range);
+	if (l->request.decimal != '\0')
+		xappend(&line, " decimal=%s",
+		    l->request.decimal == ',' ? "comma" : "point");
+	if (l->request.rotor > 0)
+		xappend(&line, " rotor_mm=%g", 1000 * l->request.rotor);
+	journal_add(s, NULL, "%s", line);
+	free(line);
+}
+
+/* Reads the request as one site, asking where somebody can be asked.  NULL:
+ * with the error. */
+static struct site *
+read_site(struct session *s, struct load *l, struct error *error)
+{
+	for (int round = 0;; round++) {
+		struct error_list errors = {0};
+		struct site_ask ask = {0};
+		struct site *site = site_read_as(&l->request, &errors, &ask);
+		bool again = site == NULL && round < MOST_ROUNDS &&
+			     ask_somebody(s, l, &ask, &errors);
+		site_ask_clear(&ask);
+		if (site != NULL)
+			return site;
+		if (again)
+			continue;
+		session_tell_faults(s, l->path[0], &errors, error);
+		return NULL;
+	}
+}
+
+static bool
+take_site(
+    struct session *s, struct load *l, struct site *site, struct error *error)
+{
+	if (!session_take(s, site, l->digest, error))
+		return false;
+	const struct entry *entry = session_entry(s);
+	note_loaded(s, entry->site);
+	check_warn_coarser(s, entry->site);
+	write_journal(s, l, entry->site);
+	return true;
+}
+
+static bool
+load_as_one(struct session *s, struct load *l, struct error *error)
+{
+	for (size_t i = 0; i < l->request.n; i++)
+		files_reads(s, l->path[i]);
+	struct site *site = read_site(s, l, error);
+	return site != NULL && take_site(s, l, site, error);
+}
+
+/* Whether files are parts of one site: none of them is complete, and one feed
+ * serves the others' products. */
+static bool
+are_parts(struct load *l)
+{
+	size_t feeds = 0, products = 0;
+	for (size_t i = 0; i < l->request.n; i++) {
+		struct site_request one = l->request;
+		struct error_list errors = {0};
+		struct site_ask ask = {0};
+		one.n = 1;
+		one.path = &l->request.path[i];
+		one.speed = &l->request.speed[i];
+		site_free(site_read_as(&one, &errors, &ask));
+		if (l->speed[i] > 0)
+			feeds = l->request.n; /* it was said so */
+		products += ask.no_feed && !ask.no_product;
+		feeds += ask.no_product && !ask.no_feed;
+		site_ask_clear(&ask);
+	}
+	return feeds >= l->request.n ||
+	       (products > 0 && feeds == 1 && feeds + products == l->request.n);
+}
+
+static bool
+load_each(struct session *s, struct load *l, struct error *error)
+{
+	for (size_t i = 0; i < l->request.n; i++) {
+		struct load one = *l;
+		one.request.n = 1;
+		one.path = &l->path[i];
+		one.request.path = &l->request.path[i];
+		one.request.speed = &l->request.speed[i];
+		one.columns = l->columns != NULL ? xstrdup(l->columns) : NULL;
+		one.sheet = l->sheet != NULL ? xstrdup(l->sheet) : NULL;
+		one.range = l->range != NULL ? xstrdup(l->range) : NULL;
+		bool good = load_as_one(s, &one, error);
+		free(one.columns);
+		free(one.sheet);
+		free(one.range);
+		if (!good)
+			return false;
+	}
+	return true;
+}
+
+static bool
+run(struct session *s, struct load *l, struct error *error)
+{
+	if (l->request.n == 1)
+		return load_as_one(s, l, error);
+	if (are_parts(l))
+		return load_as_one(s, l, error);
+	if (l->digest != NULL)
+		return error_set(error, ERROR_USAGE,
+		    "expected one file with digest=, got %zu", l->request.n);
+	return load_each(s, l, error);
+}
+
+bool
+load_files(
+    struct session *s, size_t n, const char *const *word, struct error *error)
+{
+	struct load l = {0};
+	bool good = load_init(&l, n, word, error) && run(s, &l, error);
+	load_clear(&l);
+	return good;
+}
+
+static char *
+given_text(const struct args *args, const char *name)
+{
+	const struct value *value = args_value(args, name);
+	return value->given ? xstrdup(value->text) : NULL;
+}
+
+bool
+cmd_load(struct session *s, const struct args *args, struct error *error)
+{
+	struct load l = {0};
+	const struct value *digest = args_value(args, "digest");
+	const struct value *decimal = args_value(args, "decimal");
+	const struct value *rotor = args_value(args, "rotor_mm");
+	bool good = load_init(&l, args->n_operand, args->operand, error);
+	l.digest = digest->given ? digest->text : NULL;
+	l.request.columns = l.columns = given_text(args, "columns");
+	l.request.sheet = l.sheet = given_text(args, "sheet");
+	l.request.range = l.range = given_text(args, "range");
+	if (decimal->given)
+		l.request.decimal = decimal->choice == 1 ? ',' : '.';
+	if (rotor->given)
+		l.request.rotor = rotor->number / 1000;
+	good = good && run(s, &l, error);
+	load_clear(&l);
+	return good;
+}

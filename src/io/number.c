@@ -1,0 +1,207 @@
+/* Numbers as sheets of several countries write them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/sheet.h"
+
+enum { LONGEST = 64 };
+
+/* What may stand between thousands whatever the decimal sign: blanks, also
+ * those that do not break, and apostrophes. */
+static const char *const GROUPS[] = {" ", "\xC2\xA0", "\xE2\x80\xAF",
+    "\xE2\x80\x89", "'", "\xE2\x80\x99", "\xCA\xBC"};
+
+/* A copy without them; 1 010,5 becomes 1010,5.  False for what is too long to
+ * be a number. */
+static bool
+join_thousands(const char *s, char copy[static LONGEST])
+{
+	char *to = copy;
+	if (strlen(s) >= LONGEST)
+		return false;
+	for (const char *p = s; *p != '\0';) {
+		size_t n = 0;
+		for (size_t g = 0; g < ARRAY_LEN(GROUPS); g++)
+			if (strncmp(p, GROUPS[g], strlen(GROUPS[g])) == 0)
+				n = strlen(GROUPS[g]);
+		if (n > 0 && p > s && isdigit((unsigned char)p[-1]) &&
+		    strspn(p + n, "0123456789") == 3)
+			p += n;
+		else
+			*to++ = *p++;
+	}
+	*to = '\0';
+	return true;
+}
+
+/* The one sign that must be decimal in a number; '?' where it may stand between
+ * thousands as well (1,250); '\0' where there is none, or no number. */
+static char
+decimal_of(const char *s)
+{
+	char copy[LONGEST];
+	if (!join_thousands(s, copy))
+		return '\0';
+	const char *p = copy + strspn(copy, "<>+- ");
+	size_t n = strspn(p, "0123456789.,");
+	/* Units may follow, other numbers may not. */
+	if (n == 0 || p[n + strcspn(p + n, "0123456789.,")] != '\0')
+		return '\0';
+	size_t signs = 0, last = n;
+	bool both = false;
+	for (size_t i = 0; i < n; i++) {
+		if (isdigit((unsigned char)p[i]))
+			continue;
+		both = both || (signs > 0 && p[i] != p[last]);
+		signs++;
+		last = i;
+	}
+	size_t after = n - last - 1;
+	if (signs == 0)
+		return '\0';
+	if (both)
+		return p[last];
+	if (signs > 1) /* 1.234.567; dates and versions say nothing */
+		return after == 3 && last > 4 && last < 8 &&
+			       p[last - 4] == p[last]
+			   ? (p[last] == '.' ? ',' : '.')
+			   : '\0';
+	bool groups = after == 3 && last > 0 && last <= 3 && p[0] != '0';
+	return groups ? '?' : p[last];
+}
+
+void
+sheet_decide_decimal(struct sheet *sheet)
+{
+	size_t points = 0, commas = 0;
+	char first = '\0';
+	sheet->open = (struct cell){0};
+	for (size_t r = 0; r < sheet->n_row; r++)
+		for (size_t i = 0; i < sheet->row[r].n; i++) {
+			struct cell cell = sheet->row[r].cell[i];
+			char sign = cell.kind == CELL_TEXT
+					? decimal_of(cell.text)
+					: '\0';
+			points += sign == '.';
+			commas += sign == ',';
+			if (first == '\0' && (sign == '.' || sign == ','))
+				first = sign;
+			if (sign == '?' && sheet->open.text == NULL)
+				sheet->open = cell;
+		}
+	sheet->decimal = points > commas ? '.' : points < commas ? ',' : first;
+	/* Who separates cells by commas has decimal points. */
+	if (sheet->decimal == '\0' && sheet->separator == ',')
+		sheet->decimal = '.';
+	if (sheet->decimal != '\0')
+		sheet->open.text = NULL;
+}
+
+bool
+sheet_is_open(const struct sheet *sheet, struct cell cell)
+{
+	return sheet->decimal == '\0' && cell.kind == CELL_TEXT &&
+	       decimal_of(cell.text) == '?';
+}
+
+/* Takes the other sign out where it stands between thousands; false where it
+ * stands elsewhere. */
+static bool
+drop_groups(char *s, char sign)
+{
+	char *to = s;
+	for (const char *p = s; *p != '\0'; p++) {
+		if (*p != sign) {
+			*to++ = *p;
+			continue;
+		}
+		if (p == s || !isdigit((unsigned char)p[-1]) ||
+		    strspn(p + 1, "0123456789") != 3)
+			return false;
+	}
+	*to = '\0';
+	return true;
+}
+
+bool
+sheet_value(const struct sheet *sheet, struct cell cell, double *value)
+{
+	char copy[LONGEST];
+	if (cell.kind == CELL_NUMBER)
+		*value = cell.number;
+	if (cell.kind != CELL_TEXT)
+		return cell.kind == CELL_NUMBER;
+	if (!join_thousands(cell.text, copy))
+		return false;
+	char decimal = sheet->decimal;
+	if (decimal == '\0')
+		decimal = strchr(copy, ',') != NULL ? ',' : '.';
+	if (!drop_groups(copy, decimal == ',' ? '.' : ','))
+		return false;
+	char *comma = decimal == ',' ? strchr(copy, ',') : NULL;
+	if (comma != NULL)
+		*comma = '.';
+	return text_number(copy, value);
+}
+
+bool
+sheet_absent(struct cell cell)
+{
+	static const char *const ABSENT[] = {"", "-", "--", "---",
+	    "\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x88\x92", "n/a", "na", "n.a.",
+	    "nan", "#n/a", "none", "null", "nd", "n.d.", "ej", "k.a.", "?",
+	    "not used", "saknas"};
+	for (size_t i = 0; i < ARRAY_LEN(ABSENT); i++)
+		if (strcasecmp(cell.text, ABSENT[i]) == 0)
+			return true;
+	return false;
+}
+
+/* What to do about a cell that is no number. */
+static const char *
+number_hint(const char *s)
+{
+	if (s[0] == '=')
+		return "the workbook was saved without results: open and save "
+		       "it in a spreadsheet program";
+	size_t n = strspn(s, "0123456789");
+	bool date = n > 0 && strchr("-/.", s[n]) != NULL && s[n] != '\0' &&
+		    (isalpha((unsigned char)s[n + 1]) ||
+			strchr(s + n + 1, s[n]) != NULL);
+	if (date)
+		return "the spreadsheet turned it into a date: type it again "
+		       "in a cell formatted as text";
+	n = strspn(s, "+-0123456789");
+	bool group = n > 0 && s[n] != '\0' && strchr(" ',.\xC2\xE2", s[n]) &&
+		     isdigit((unsigned char)s[strlen(s) - 1]);
+	if (group)
+		return "write thousands without a separator: 1000";
+	return n > 0 ? "write the number alone; units belong in the header"
+		     : "write digits and a decimal point, or leave the cell "
+		       "empty where the sieve was not used";
+}
+
+bool
+sheet_number(
+    struct sheet *sheet, struct cell cell, const char *wanted, double *value)
+{
+	if (sheet_value(sheet, cell, value))
+		return true;
+	char sign = decimal_of(cell.text);
+	if (sheet->decimal == '\0' || (sign != '.' && sign != ',') ||
+	    sign == sheet->decimal)
+		return sheet_wanted(
+		    sheet, cell, wanted, "%s", number_hint(cell.text));
+	if (sheet->mixed)
+		return false;
+	sheet->mixed = true;
+	return sheet_fault(sheet, cell,
+	    "expected a decimal %s as in other cells, got %s\n"
+	    "use one decimal sign in the whole sheet",
+	    sheet->decimal == ',' ? "comma" : "point", cell.text);
+}

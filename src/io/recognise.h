@@ -1,0 +1,34 @@
+/* What the columns of somebody else's table are, and how sure that is.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_RECOGNISE_H
+#define TIPSPEED_IO_RECOGNISE_H
+
+#include "core/site.h"
+#include "io/site_column.h"
+
+/* What is known beside the table.  rotor: its diameter, m; 0: not known.  speed:
+ * m/s, of samples whose heads tell none; 0.  context: the meanings of the words
+ * around the table (title, name of the sheet or file) that tell feed from
+ * product.  told: the heads were given by hand. */
+struct surroundings {
+	double rotor, speed;
+	unsigned context;
+	bool told;
+};
+
+/* Adds the columns of a table that hold samples, with what can be told from
+ * their heads and numbers; what holds none goes to site->left_out.  A column
+ * that could be several things is open. */
+void recognise_columns(struct table *t, const struct surroundings *near,
+    struct columns *all, struct site *site);
+
+/* Settles what only all columns together tell: which of two quantities of one
+ * sample is taken, what a column without a role is, the order of repeats.
+ * wants_rotor: a speed is told in rpm, and the rotor's diameter is not. */
+void recognise_settle(
+    struct columns *all, struct site *site, bool *wants_rotor);
+
+/* "product@69 retained_g", as columns= has it.  The caller frees. */
+char *recognise_words(const struct column *c);
+
+#endif

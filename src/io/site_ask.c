@@ -1,0 +1,378 @@
+/* Questions about columns in the words that answer them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/site_ask.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/recognise.h"
+#include "io/site_sieve.h"
+#include "io/vocabulary.h"
+
+static bool
+add_name(struct names *names, char *part, struct error *error)
+{
+	char *text = text_trim(part), *end;
+	unsigned long number = strtoul(text, &end, 10);
+	if (end == text || *end != '=' || number == 0 || number > 100000 ||
+	    end[1] == '\0')
+		return error_set(error, ERROR_USAGE,
+		    "expected NUMBER=WHAT in columns, got '%s'\n"
+		    "for instance: columns=\"1=sieve mm, 2=feed, "
+		    "3=product@69\"",
+		    text);
+	names->number =
+	    xrealloc(names->number, names->n + 1, sizeof *names->number);
+	names->text = xrealloc(names->text, names->n + 1, sizeof(*names->text));
+	names->number[names->n] = number;
+	names->text[names->n++] = xstrdup(text_trim(end + 1));
+	return true;
+}
+
+static void
+add_sieves(struct layout_range *range, size_t number)
+{
+	if (range->n_sieves < LAYOUT_SIEVES)
+		range->sieves[range->n_sieves++] = number;
+}
+
+bool
+names_read(struct names *names, const char *columns, struct layout_range *range,
+    struct error *error)
+{
+	if (columns == NULL)
+		return true;
+	char *copy = xstrdup(columns), *rest = copy;
+	bool good = true;
+	while (good && rest != NULL) {
+		char *part = rest;
+		rest = strchr(part, ',');
+		/* A comma within a speed: product@63,6. */
+		while (rest != NULL && isdigit((unsigned char)rest[1]) &&
+		       strchr(rest, '=') != NULL &&
+		       rest[1 + strspn(rest + 1, "0123456789")] != '=')
+			rest = strchr(rest + 1, ',');
+		if (rest != NULL)
+			*rest++ = '\0';
+		good = add_name(names, part, error);
+	}
+	free(copy);
+	for (size_t i = 0; i < names->n; i++) {
+		unsigned means = vocabulary_text(names->text[i], NULL);
+		unsigned other =
+		    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
+		if ((means & WORD_SIZE) != 0 && (means & other) == 0)
+			add_sieves(range, names->number[i]);
+	}
+	if (good && range->n_sieves == 0)
+		good = error_set(error, ERROR_USAGE,
+		    "expected a column of sieves in columns, got '%s'\n"
+		    "for instance: columns=\"1=sieve mm, 2=feed, "
+		    "3=product@69\"",
+		    columns);
+	return good;
+}
+
+unsigned
+names_apply(const struct names *names, struct block *b)
+{
+	if (names->n == 0)
+		return 0;
+	unsigned sieve = 0;
+	for (size_t i = 0; i < names->n; i++)
+		if (names->number[i] == b->number[0])
+			sieve = vocabulary_text(names->text[i], NULL);
+	layout_name(
+	    b, names->number, (const char *const *)names->text, names->n);
+	return sieve;
+}
+
+void
+names_clear(struct names *names)
+{
+	for (size_t i = 0; i < names->n; i++)
+		free(names->text[i]);
+	free(names->text);
+	free(names->number);
+}
+
+/* "A3" as column 1 and line 3. */
+static const char *
+read_corner(const char *p, int *column, int *line)
+{
+	*column = *line = 0;
+	for (; isalpha((unsigned char)*p) && *column < 1000; p++)
+		*column = 26 * *column + (toupper((unsigned char)*p) - 'A') + 1;
+	for (; isdigit((unsigned char)*p) && *line < 1000000; p++)
+		*line = 10 * *line + (*p - '0');
+	return *column > 0 && *line > 0 ? p : NULL;
+}
+
+bool
+range_read(const char *text, struct layout_range *range, struct error *error)
+{
+	if (text == NULL)
+		return true;
+	const char *p =
+	    read_corner(text, &range->first_column, &range->first_line);
+	if (p != NULL && *p == ':')
+		p = read_corner(p + 1, &range->last_column, &range->last_line);
+	else
+		p = NULL;
+	return (p != NULL && *p == '\0') ||
+	       error_set(error, ERROR_USAGE,
+		   "expected a range such as A3:F20, got '%s'\n"
+		   "the first is the cell at the top left, the second the one "
+		   "at the bottom right",
+		   text);
+}
+
+void
+open_numbers(struct open *open, const struct table *t)
+{
+	if (t->sheet->open.text == NULL || open->number.text != NULL)
+		return;
+	for (size_t r = 0; r < t->n_row; r++)
+		for (size_t c = 0; c < t->block->n_col; c++)
+			if (sheet_is_open(t->sheet, t->row[r].cell[c])) {
+				open->number = t->row[r].cell[c];
+				return;
+			}
+}
+
+/* "100, 97.8, 92.9": the first cells of a column. */
+static char *
+first_values(const struct table *t, size_t at)
+{
+	char *list = xstrdup("");
+	for (size_t r = 0, n = 0; r < t->n_row && n < 4; r++) {
+		const char *text = t->row[r].cell[at].text;
+		if (text[0] == '\0')
+			continue;
+		xlist(&list, " ", "%.*s", sheet_cut(text), text);
+		n++;
+	}
+	return list;
+}
+
+static void
+add_question(struct site_ask *ask, const struct table *t, size_t at,
+    const struct cell *head, char *guess, bool open)
+{
+	ask->column = xrealloc(ask->column, ask->n + 1, sizeof *ask->column);
+	ask->column[ask->n++] =
+	    (struct site_ask_column){.number = t->block->number[at],
+		.head = xstrndup(head->text, (size_t)sheet_cut(head->text)),
+		.values = first_values(t, at),
+		.guess = guess,
+		.open = open};
+}
+
+/* Everything as columns= would have it. */
+static void
+list_columns(struct site_ask *ask, struct table *const *table, size_t n_table,
+    const struct columns *all, bool sieves)
+{
+	char *text = xstrdup("");
+	for (size_t k = 0; k < n_table; k++) {
+		const struct table *t = table[k];
+		const struct block *b = t->block;
+		struct cell head = site_sieve_head(t);
+		char *sieve = xasprintf("sieve %s", site_sieve_unit(t));
+		xlist(&text, ", ", "%zu=%s", b->number[0], sieve);
+		add_question(ask, t, 0, &head, sieve, sieves);
+		for (size_t i = 0; i < all->n; i++) {
+			const struct column *c = &all->column[i];
+			if (c->table != t || c->twin > 0)
+				continue;
+			char *guess = recognise_words(c);
+			xlist(&text, ", ", "%zu=%s", b->number[c->at], guess);
+			add_question(ask, t, c->at, &c->head, guess, c->open);
+		}
+	}
+	ask->settle = xasprintf("columns=\"%s\"", text);
+	free(text);
+}
+
+/* The files of the request, as load has them. */
+static char *
+list_files(const struct site_request *q)
+{
+	char *list = xstrdup("");
+	for (size_t i = 0; i < q->n; i++) {
+		bool quote = strpbrk(q->path[i], " \t;#'|>") != NULL;
+		xlist(&list, " ", "%s%s%s", quote ? "\"" : "", q->path[i],
+		    quote ? "\"" : "");
+		if (q->speed != NULL && q->speed[i] > 0)
+			xappend(&list, "@%g", q->speed[i]);
+	}
+	if (q->sheet != NULL)
+		xappend(&list, " sheet=\"%s\"", q->sheet);
+	if (q->range != NULL)
+		xappend(&list, " range=%s", q->range);
+	if (q->decimal != '\0')
+		xappend(&list, " decimal=%s",
+		    q->decimal == ',' ? "comma" : "point");
+	if (q->rotor > 0)
+		xappend(&list, " rotor_mm=%g", 1000 * q->rotor);
+	return list;
+}
+
+static bool
+refuse(const struct site_request *q, const struct table *t, struct cell where,
+    struct site_ask *ask, struct error_list *errors, const char *what)
+{
+	char *files = list_files(q);
+	struct error *e = error_add(errors);
+	error_at(e, ERROR_DATA, t->sheet->path, where.line, where.column,
+	    "%s\nsay what it is: load %s %s", what, files, ask->settle);
+	free(files);
+	return true;
+}
+
+/* Several tables that each have a feed: which is the one? */
+static const struct table *
+second_feed(const struct columns *all)
+{
+	const struct table *first = NULL;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->role != FEED || c->speed > 0)
+			continue;
+		if (first != NULL && first != c->table)
+			return c->table;
+		first = c->table;
+	}
+	return NULL;
+}
+
+static bool
+ask_table(const struct site_request *q, struct table *const *table,
+    size_t n_table, const struct table *second, struct site_ask *ask,
+    struct error_list *errors)
+{
+	const struct table *first = table[0];
+	for (size_t i = 0; i < n_table; i++)
+		if (table[i]->sheet != second->sheet)
+			first = table[i];
+	if (first->sheet != second->sheet) {
+		ask->settle = xasprintf("sheet=\"%s\"", first->sheet->name);
+		return refuse(q, second, second->row[0].cell[0], ask, errors,
+		    "expected one site, got sheets with a feed each");
+	}
+	const struct block *b = first->block;
+	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line, bottom = 0;
+	size_t right = 0, left = b->number[0];
+	for (size_t r = 0; r < b->n_row; r++)
+		bottom = b->row[r].line > bottom ? b->row[r].line : bottom;
+	for (size_t c = 0; c < b->n_col; c++) {
+		right = b->number[c] > right ? b->number[c] : right;
+		left = b->number[c] < left ? b->number[c] : left;
+	}
+	ask->settle = xasprintf("range=%c%d:%c%d", 'A' + (int)((left - 1) % 26),
+	    top, 'A' + (int)((right - 1) % 26), bottom);
+	return refuse(q, second, second->row[0].cell[0], ask, errors,
+	    "expected one site, got tables with a feed each");
+}
+
+bool
+open_ask(const struct open *open, const struct site_request *q,
+    struct table *const *table, size_t n_table, const struct columns *all,
+    struct site_ask *ask, struct error_list *errors)
+{
+	const struct table *second = second_feed(all);
+	const struct column *first = NULL;
+	for (size_t i = 0; i < all->n; i++)
+		if (all->column[i].open && first == NULL)
+			first = &all->column[i];
+	if (open->number.text != NULL) {
+		ask->settle = xstrdup("decimal=point|comma");
+		char *what = xasprintf(
+		    "expected a number that can be read in one way, got %s: a "
+		    "decimal sign, or thousands?",
+		    open->number.text);
+		refuse(q, table[0], open->number, ask, errors, what);
+		free(what);
+		return true;
+	}
+	if (open->rotor) {
+		ask->settle = xstrdup("rotor_mm=DIAMETER");
+		return refuse(q, table[0], table[0]->row[0].cell[0], ask,
+		    errors,
+		    "expected tip speeds in m/s, got rpm without the "
+		    "rotor's diameter");
+	}
+	if (second != NULL)
+		return ask_table(q, table, n_table, second, ask, errors);
+	if (first == NULL && !open->sieves)
+		return false;
+	list_columns(ask, table, n_table, all, open->sieves);
+	if (first == NULL)
+		return refuse(q, table[0], table[0]->row[0].cell[0], ask,
+		    errors,
+		    "expected the unit of the sieves, got none that "
+		    "fits their numbers");
+	char *values = first_values(first->table, first->at);
+	bool speed = first->role == PRODUCT && !(first->speed > 0);
+	char *what = xasprintf(
+	    "expected heads and numbers that tell what column %zu is%s, got "
+	    "'%.*s' above %s",
+	    first->table->block->number[first->at],
+	    speed ? " and its tip speed" : "", sheet_cut(first->head.text),
+	    first->head.text, values);
+	refuse(q, first->table, first->head, ask, errors, what);
+	free(what);
+	free(values);
+	return true;
+}
+
+static bool
+is_own_form(const struct table *t)
+{
+	const struct block *b = t->block;
+	return b->n_head == 1 && !b->across && !b->is_long &&
+	       strncmp(b->head[0].cell[0].text, "size_", 5) == 0;
+}
+
+void
+open_describe(struct table *const *table, size_t n_table,
+    const struct columns *all, char **text)
+{
+	bool own = true;
+	for (size_t k = 0; k < n_table; k++)
+		own = own && is_own_form(table[k]) && !table[k]->finest_first;
+	for (size_t k = 0; k < n_table && !own; k++) {
+		const struct table *t = table[k];
+		const char *kind = t->block->across ? "line" : "column";
+		xlist(text, "; ", "sieves in %s %zu (%s%s)", kind,
+		    t->block->number[0], site_sieve_unit(t),
+		    t->finest_first ? ", finest first" : "");
+		for (size_t i = 0; i < all->n; i++) {
+			const struct column *c = &all->column[i];
+			char *what = recognise_words(c);
+			size_t word = strcspn(what, " ");
+			if (c->table == t && c->twin == 0)
+				xlist(text, ", ", "%.*s in %zu (%s)", (int)word,
+				    what, t->block->number[c->at],
+				    SITE_UNITS[c->unit].words);
+			free(what);
+		}
+	}
+}
+
+void
+site_ask_clear(struct site_ask *ask)
+{
+	for (size_t i = 0; i < ask->n; i++) {
+		free(ask->column[i].head);
+		free(ask->column[i].values);
+		free(ask->column[i].guess);
+	}
+	free(ask->column);
+	free(ask->settle);
+	*ask = (struct site_ask){0};
+}
