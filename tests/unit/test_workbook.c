@@ -288,6 +288,16 @@ cells_of_libreoffice_are_read(void **state)
 			     "<table:table-cell office:value-type='float' "
 			     "office:value='2'/></table:table-row>"))),
 	    "May: A1#2 A2#2", "");
+	/* What a format adds stands in what is shown only. */
+	expect(PARTS(ODS_CONTENT("",
+		   ODS_TABLE("<table:table-row>"
+			     "<table:table-cell office:value-type='float' "
+			     "office:value='69.5'><text:p>69,5 m/s</text:p>"
+			     "</table:table-cell><table:table-cell "
+			     "office:value-type='float' office:value='1500'>"
+			     "<text:p>1.50E+03</text:p></table:table-cell>"
+			     "</table:table-row>"))),
+	    "May: A1#69.5 m/s B1#1500", "");
 }
 
 static void
