@@ -233,7 +233,7 @@ is_curve(const struct answer_view *v, size_t rows, size_t column)
 		double y = v->cell[i * v->n_column + column].number;
 		if (y < 0 || y > 100)
 			return false;
-		n += isfinite(y);
+		n += isfinite(y) ? 1 : 0;
 	}
 	return n > 1;
 }

@@ -343,8 +343,9 @@ workbooks_are_sites(void **state)
 	assert_true(site->run[1].product.passing[1] == 0.8);
 	site_free(site);
 	/* Faults are told where people of spreadsheets look. */
-	put_parts(SHEET(HEADS THREE("4", "8", "100", "100")
-		THREE("5", "4", "160", "80") THREE("6", "1", "10", "20")));
+	put_parts(SHEET(HEADS THREE("4", "8", "100", "100") "<row r='5'>" CELL(
+	    "A5", "><v>4</v>") SAY("B5", "x1")
+		CELL("C5", "><v>80</v>") "</row>" THREE("6", "1", "10", "20")));
 	assert_null(site_read(BOOK, &errors));
 	assert_int_equal(errors.n, 1);
 	char *shown = NULL;
@@ -352,7 +353,7 @@ workbooks_are_sites(void **state)
 	FILE *out = open_memstream(&shown, &n);
 	error_print(&errors.item[0], out);
 	fclose(out);
-	const char *place = "book.xlsx, sheet May, B5: expected passing";
+	const char *place = "book.xlsx, sheet May, B5: expected a number";
 	assert_int_equal(strncmp(shown, place, strlen(place)), 0);
 	free(shown);
 }
