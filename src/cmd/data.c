@@ -47,10 +47,11 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    site_data_kind(entry->site->provenance));
 		free(speeds);
 	}
-	answer_note(r, s->n_entry > 0 ? "* is the site in use"
-				      : "no site is loaded: run 'load FILE', or "
-					"'template > my.csv' for an empty "
-					"sheet");
+	answer_note(r, s->n_entry > 0
+			   ? "* is the site in use"
+			   : "no site is loaded: run 'load FILE', or "
+			     "'template > my.csv' for an empty "
+			     "sheet");
 	return session_answer(s, r);
 }
 

@@ -10,7 +10,8 @@ static const struct command_option SHOW_OPTIONS[] = {
 static const struct command_option LOAD_OPTIONS[] = {
     {"columns", VALUE_TEXT, "", 0, 0, NULL, "",
 	"what the columns are, by number: \"1=sieve mm, 2=feed retained_g, "
-	"4=product@70\"; others are left out; where sieves go across, lines"},
+	"4=product@70\"; others are left out; lines, where the sieves go "
+	"across"},
     {"sheet", VALUE_TEXT, "", 0, 0, NULL, "", "sheet of a workbook"},
     {"range", VALUE_TEXT, "", 0, 0, NULL, "",
 	"part of a sheet, as A3:F20; default: all"},

@@ -246,8 +246,8 @@ add_provenance(
 	char *words = mend_words(from, mend);
 	char *first = xstrndup(was, n);
 	free(site->provenance);
-	site->provenance = xasprintf("%s%s%s; mended: %s", first,
-	    marked ? "" : mark, was + n, words);
+	site->provenance = xasprintf(
+	    "%s%s%s; mended: %s", first, marked ? "" : mark, was + n, words);
 	free(first);
 	free(words);
 }

@@ -15,7 +15,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/sheet.h"
+#include "io/number.h"
 
 /* Decimals that have a format of their own. */
 enum { DECIMALS = 5 };
@@ -233,7 +233,7 @@ is_curve(const struct answer_view *v, size_t rows, size_t column)
 		double y = v->cell[i * v->n_column + column].number;
 		if (y < 0 || y > 100)
 			return false;
-		n += isfinite(y);
+		n += isfinite(y) ? 1 : 0;
 	}
 	return n > 1;
 }
@@ -373,11 +373,11 @@ put_row(struct book *b, struct page *p, const struct sheet *sheet,
     const struct row *row)
 {
 	double value;
-	bool head = row->n > 2 && !sheet_value(sheet, row->cell[0], &value);
+	bool head = row->n > 2 && !number_of(sheet, row->cell[0], &value);
 	p->row = (lxw_row_t)row->line - 1;
 	for (size_t c = 0; c < row->n; c++) {
 		lxw_col_t column = (lxw_col_t)c;
-		if (!head && sheet_value(sheet, row->cell[c], &value))
+		if (!head && number_of(sheet, row->cell[c], &value))
 			worksheet_write_number(
 			    p->sheet, p->row, column, value, NULL);
 		else

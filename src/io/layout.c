@@ -12,6 +12,7 @@
 #include "io/head.h"
 #include "io/sieve_size.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 enum {
 	MOST_HEADS = 6,
@@ -103,7 +104,7 @@ shift_head(struct grid *g)
 		return;
 	for (size_t r = 1; r < g->n_row; r++)
 		if (!is_filled(g, r, wide - 1) ||
-		    !sheet_value(g->sheet, *cell_at(g, r, 0), &v) ||
+		    !number_of(g->sheet, *cell_at(g, r, 0), &v) ||
 		    v != (double)r)
 			return;
 	struct cell none = *cell_at(g, 0, wide - 1);
@@ -189,14 +190,14 @@ has_numbers(const struct grid *g, size_t r, size_t c, size_t end)
 {
 	double v;
 	for (size_t k = c + 1; k < end; k++)
-		if (sheet_value(g->sheet, *cell_at(g, r, k), &v))
+		if (number_of(g->sheet, *cell_at(g, r, k), &v))
 			return true;
 	return false;
 }
 
-/* A table found: rows first..last (excluded), its sieves in column c, headed in
- * row head (g->n_row: by nothing), its numbers before column end.  score: openings that are those of real
- * sieves. */
+/* A table found: rows first to before last, its sieves in column c, headed in
+ * row head (g->n_row: by nothing), its numbers before column end.  score:
+ * openings that are those of real sieves. */
 struct place {
 	size_t c, head, first, last, end;
 	int score;

@@ -41,10 +41,6 @@ struct layout_range {
 	size_t n_sieves, sieves[LAYOUT_SIEVES];
 };
 
-/* Of a long table, which has a line for each sieve of each sample, makes one
- * with a column for each sample; leaves others as they are. */
-void layout_widen(struct block *block);
-
 /* Keeps a text as long as the block; returns it. */
 char *layout_keep(struct block *block, char *text);
 

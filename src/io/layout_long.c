@@ -1,5 +1,7 @@
-/* Long (tidy) tables: a line has one number, with its sieve and its sample.
+/* A column for each sample, a row for each sieve of any of them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/layout_long.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +9,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/head.h"
-#include "io/layout.h"
+#include "io/number.h"
 #include "io/sieve_size.h"
 #include "io/vocabulary.h"
 
@@ -33,7 +35,7 @@ is_numeric(const struct block *b, size_t c)
 	size_t numbers = 0;
 	for (size_t r = 0; r < b->n_row; r++) {
 		struct cell cell = b->row[r].cell[c];
-		if (sheet_absent(cell))
+		if (number_absent(cell))
 			continue;
 		size_t n = strlen(cell.text);
 		char last = n > 0 ? cell.text[n - 1] : '\0';
@@ -43,7 +45,7 @@ is_numeric(const struct block *b, size_t c)
 			copy[n - 1] = '\0';
 			cell.text = text_trim(copy);
 		}
-		if (!sheet_value(b->sheet, cell, &v))
+		if (!number_of(b->sheet, cell, &v))
 			return false;
 		numbers++;
 	}
@@ -132,9 +134,9 @@ is_later(const struct longer *l, size_t a, size_t b)
 	for (size_t c = 1; c < block->n_col; c++) {
 		double x, y;
 		if (l->use[c] != COUNT ||
-		    !sheet_value(
+		    !number_of(
 			block->sheet, block->row[l->lead[a]].cell[c], &x) ||
-		    !sheet_value(
+		    !number_of(
 			block->sheet, block->row[l->lead[b]].cell[c], &y))
 			continue;
 		return x > y;
@@ -200,9 +202,9 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 	for (size_t c = 1; c < b->n_col; c++) {
 		struct cell cell = b->row[l->lead[sample]].cell[c];
 		double v;
-		if (l->use[c] != KEY || sheet_absent(cell))
+		if (l->use[c] != KEY || number_absent(cell))
 			continue;
-		bool number = sheet_value(b->sheet, cell, &v);
+		bool number = number_of(b->sheet, cell, &v);
 		enum speed_unit unit = l->head[c].unit;
 		if (unit == SPEED_NO_UNIT && (l->head[c].means & WORD_RPM) != 0)
 			unit = SPEED_RPM;
@@ -221,6 +223,20 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 	return text;
 }
 
+/* An empty row of n cells at a place. */
+static struct row
+empty_row(size_t n, const struct row *from)
+{
+	struct row row = {.n = n,
+	    .n_all = n,
+	    .cell = xcalloc(n, sizeof(struct cell)),
+	    .line = from->line};
+	for (size_t c = 0; c < n; c++)
+		row.cell[c] = sheet_cell(from, from->n_all);
+	row.cell[0] = from->cell[0];
+	return row;
+}
+
 /* The wide table of a long one. */
 static void
 widen(struct longer *l)
@@ -237,25 +253,12 @@ widen(struct longer *l)
 	wide.head = xcalloc(1, sizeof *wide.head);
 	wide.row = xcalloc(wide.n_row, sizeof *wide.row);
 	wide.number = xcalloc(wide.n_col, sizeof *wide.number);
-	wide.head[0] = (struct row){.n = wide.n_col,
-	    .n_all = wide.n_col,
-	    .cell = xcalloc(wide.n_col, sizeof(struct cell)),
-	    .line =
-		b->n_head > 0 ? b->head[b->n_head - 1].line : b->row[0].line};
-	for (size_t i = 0; i < wide.n_row; i++) {
-		struct row *row = &wide.row[i];
-		const struct row *from = &b->row[l->first[i]];
-		*row = (struct row){.n = wide.n_col,
-		    .n_all = wide.n_col,
-		    .cell = xcalloc(wide.n_col, sizeof(struct cell)),
-		    .line = from->line};
-		for (size_t c = 0; c < wide.n_col; c++)
-			row->cell[c] = sheet_cell(from, from->n_all);
-		row->cell[0] = from->cell[0];
-	}
+	const struct row *above =
+	    b->n_head > 0 ? &b->head[b->n_head - 1] : &b->row[0];
+	wide.head[0] = empty_row(wide.n_col, above);
+	for (size_t i = 0; i < wide.n_row; i++)
+		wide.row[i] = empty_row(wide.n_col, &b->row[l->first[i]]);
 	char *size = layout_head(b, 0);
-	wide.head[0].cell[0] =
-	    b->n_head > 0 ? b->head[b->n_head - 1].cell[0] : b->row[0].cell[0];
 	wide.head[0].cell[0].text = layout_keep(&wide, size);
 	wide.number[0] = b->number[0];
 	size_t at = 1;

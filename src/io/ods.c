@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/ods.h"
 
+#include <ctype.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -244,19 +245,34 @@ put_date(struct grid *grid, struct cell at, const char *value)
 	grid_put_date(grid, at, text);
 }
 
+/* "m/s" of a cell that shows "69 m/s", or nothing. */
+static void
+unit_of(const char *said, char unit[static 16])
+{
+	size_t n = strlen(said);
+	while (n > 0 && !isdigit((unsigned char)said[n - 1]))
+		n--;
+	const char *rest = said + n + strspn(said + n, " ");
+	bool word = isalpha((unsigned char)*rest) || (*rest & 0x80) != 0;
+	snprintf(
+	    unit, 16, "%s", n > 0 && word && strlen(rest) < 16 ? rest : "");
+}
+
 static void
 put_content(struct grid *grid, struct cell at, const struct content *c)
 {
 	double number;
+	char unit[16];
 	const char *type = c->type != NULL ? c->type : "";
 	const char *said = c->said != NULL ? c->said : "";
 	bool numeric = strcmp(type, "float") == 0 ||
 		       strcmp(type, "currency") == 0 ||
 		       strcmp(type, "percentage") == 0;
+	unit_of(said, unit);
 	if (c->failed)
 		grid_put_text(grid, at, said[0] != '\0' ? said : "#VALUE!");
 	else if (numeric && c->value != NULL && text_number(c->value, &number))
-		grid_put_number(grid, at, number, type[0] == 'p' ? "%" : "");
+		grid_put_number(grid, at, number, type[0] == 'p' ? "%" : unit);
 	else if (strcmp(type, "date") == 0 && c->value != NULL)
 		put_date(grid, at, c->value);
 	else if (strcmp(type, "time") == 0 && c->value != NULL)

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 /* Above this a tip speed is a slip of the pen; m/s. */
 static const double FASTEST = 200;
@@ -199,7 +200,7 @@ stated_total(const struct column *c)
 	for (size_t i = 0; i < b->n_foot; i++) {
 		unsigned means = vocabulary_text(b->foot[i].cell[0].text, NULL);
 		if ((means & WORD_TOTAL) != 0 &&
-		    sheet_value(c->table->sheet, b->foot[i].cell[c->at], &v))
+		    number_of(c->table->sheet, b->foot[i].cell[c->at], &v))
 			return v;
 	}
 	return NAN;
@@ -222,7 +223,8 @@ parts_scale(const struct shape *s, double total, enum unit_scale *scale)
 	return true;
 }
 
-/* What the numbers alone look like; false where they could be several things. */
+/* What the numbers alone look like; false where they could be several
+ * things. */
 static bool
 guess_kind(const struct shape *s, double total, enum unit_kind *kind,
     enum unit_scale *scale)
@@ -376,7 +378,8 @@ is_defined(const struct column *c, const struct shape *s, size_t *unit)
 	return false;
 }
 
-/* Whether the sieves are classes between two of them, as retained masses have. */
+/* Whether the sieves are classes between two of them, as retained masses
+ * have. */
 static bool
 has_classes(const struct table *t)
 {
@@ -530,7 +533,7 @@ has_words(const struct column *c, size_t *filled, size_t *numbers)
 	*filled = *numbers = 0;
 	site_column_raw(c, raw);
 	for (size_t i = 0; i < c->table->n_row; i++) {
-		if (!sheet_absent(c->table->row[i].cell[c->at]))
+		if (!number_absent(c->table->row[i].cell[c->at]))
 			*filled += 1;
 		if (!isnan(raw[i]))
 			*numbers += 1;

@@ -381,7 +381,6 @@ sheet_new(
 	sheet->most_rows = most_rows;
 	sheet->separator = find_separator(text);
 	split_text(sheet, text);
-	sheet_decide_decimal(sheet);
 	return sheet;
 }
 

@@ -100,27 +100,6 @@ int sheet_cut(const char *text);
 bool sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
     const char *hint, ...) __attribute__((format(printf, 4, 5)));
 
-/* Decides for the whole sheet which sign is the decimal one, by those numbers
- * that leave no choice (80,5; 1.250,5), of which most count.  Where there are
- * none, numbers such as 1,250 stay open. */
-void sheet_decide_decimal(struct sheet *sheet);
-
-/* The cell as a number with the decimal sign of the sheet, perhaps with the
- * other sign, blanks or apostrophes between thousands.  A fault and false when
- * it is none. */
-bool sheet_number(
-    struct sheet *sheet, struct cell cell, const char *wanted, double *value);
-
-/* The same, but false without a fault. */
-bool sheet_value(const struct sheet *sheet, struct cell cell, double *value);
-
-/* Whether it could have a decimal sign or thousands, and the sheet does not
- * tell which. */
-bool sheet_is_open(const struct sheet *sheet, struct cell cell);
-
-/* Whether a cell says that there is no number: "", -, n/a, nd, and others. */
-bool sheet_absent(struct cell cell);
-
 /* A cell for a sheet with commas: quotes where the reader needs them, and no
  * line end, which would break the row. */
 void sheet_write_cell(const char *text, FILE *out);

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 struct sieve_unit
 sieve_unit_of(unsigned means)
@@ -74,8 +75,8 @@ cut_unit(struct cell *cell, char copy[static 40])
 	return unit.mm;
 }
 
-/* The lower of the two sizes of a class, "11,2/16" or "11,2 - 16", or the one of
- * "> 22,4", as the cell's text. */
+/* The lower of the two sizes of a class, "11,2/16" or "11,2 - 16", or the one
+ * of "> 22,4", as the cell's text. */
 static bool
 cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 {
@@ -90,17 +91,17 @@ cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 	part.text = first;
 	if (cut == NULL && first > copy && copy[0] == '>') {
 		cell->text = first;
-		return sheet_value(sheet, part, &a);
+		return number_of(sheet, part, &a);
 	}
 	if (cut == NULL || cut == first)
 		return false;
 	*cut = '\0';
 	part.text = text_trim(first);
-	if (!sheet_value(sheet, part, &a))
+	if (!number_of(sheet, part, &a))
 		return false;
 	char *lower = part.text;
 	part.text = text_trim(cut + 1);
-	if (!sheet_value(sheet, part, &b) || a == b)
+	if (!number_of(sheet, part, &b) || a == b)
 		return false;
 	cell->text = a < b ? lower : part.text;
 	return true;
@@ -133,7 +134,7 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 	if (unit.mm > 0 && unit.series == SIEVE_NONE)
 		cut_class(sheet, &cell, bounds);
 	double own = cut_unit(&cell, copy);
-	if (!sheet_value(sheet, cell, &value) || value < 0)
+	if (!number_of(sheet, cell, &value) || value < 0)
 		return SIEVE_IS_NONE;
 	if (value == 0)
 		return SIEVE_IS_PAN;

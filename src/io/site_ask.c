@@ -12,6 +12,7 @@
 #include "io/recognise.h"
 #include "io/site_sieve.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 static bool
 add_name(struct names *names, char *part, struct error *error)
@@ -138,7 +139,7 @@ open_numbers(struct open *open, const struct table *t)
 		return;
 	for (size_t r = 0; r < t->n_row; r++)
 		for (size_t c = 0; c < t->block->n_col; c++)
-			if (sheet_is_open(t->sheet, t->row[r].cell[c])) {
+			if (number_is_open(t->sheet, t->row[r].cell[c])) {
 				open->number = t->row[r].cell[c];
 				return;
 			}
@@ -329,17 +330,4 @@ open_ask(const struct open *open, const struct site_request *q,
 	free(what);
 	free(values);
 	return true;
-}
-
-void
-site_ask_clear(struct site_ask *ask)
-{
-	for (size_t i = 0; i < ask->n; i++) {
-		free(ask->column[i].head);
-		free(ask->column[i].values);
-		free(ask->column[i].guess);
-	}
-	free(ask->column);
-	free(ask->settle);
-	*ask = (struct site_ask){0};
 }

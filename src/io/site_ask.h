@@ -4,7 +4,7 @@
 #define TIPSPEED_IO_SITE_ASK_H
 
 #include "io/site_column.h"
-#include "io/site_read.h"
+#include "io/site_request.h"
 
 /* The columns that were named by hand [n]. */
 struct names {

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 const char *const SITE_ROLES[4] = {"feed", "product", "sd", ""};
 
@@ -145,7 +146,7 @@ is_trace(const struct sheet *sheet, struct cell cell)
 	double v;
 	bool less = cell.kind == CELL_TEXT && cell.text[0] == '<';
 	cell.text += less;
-	return less && sheet_value(sheet, cell, &v);
+	return less && number_of(sheet, cell, &v);
 }
 
 void
@@ -155,10 +156,10 @@ site_column_raw(const struct column *c, double *raw)
 	char copy[40];
 	for (size_t i = 0; i < c->table->n_row; i++) {
 		struct cell cell = c->table->row[i].cell[c->at];
-		bool none = sheet_absent(cell) || is_trace(sheet, cell);
-		if (none || (!sheet_value(sheet, without_unit(cell, true, copy),
+		bool none = number_absent(cell) || is_trace(sheet, cell);
+		if (none || (!number_of(sheet, without_unit(cell, true, copy),
 				 &raw[i]) &&
-				!sheet_value(sheet,
+				!number_of(sheet,
 				    without_unit(cell, false, copy), &raw[i])))
 			raw[i] = NAN;
 	}
@@ -215,9 +216,9 @@ read_cells(struct column *c)
 		double v = 0;
 		c->pct[i] = NAN;
 		bool trace = is_trace(t->sheet, cell);
-		if (sheet_absent(cell) || (trace && !retained))
+		if (number_absent(cell) || (trace && !retained))
 			continue;
-		bool good = trace || sheet_number(t->sheet,
+		bool good = trace || number_read(t->sheet,
 					 without_unit(cell, of_mass(c), copy),
 					 "a number", &v);
 		if (good && t->mm[i] <= 0)
@@ -235,8 +236,8 @@ foot_value(const struct column *c, const struct row *row)
 	double v;
 	char copy[40];
 	struct cell cell = row->cell[c->at];
-	if (sheet_absent(cell) ||
-	    !sheet_value(c->table->sheet, without_unit(cell, true, copy), &v))
+	if (number_absent(cell) ||
+	    !number_of(c->table->sheet, without_unit(cell, true, copy), &v))
 		return NAN;
 	return v;
 }

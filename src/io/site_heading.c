@@ -12,6 +12,7 @@
 #include "io/head.h"
 #include "io/site_sieve.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 static const char *const NAMES[N_KEY] = {
     "site", "rock", "machine", "provenance", "top_size_mm"};
@@ -43,11 +44,11 @@ first_number(const struct sheet *sheet, struct cell cell, double *value)
 	while (n > 0 && cell.text[n - 1] == ' ')
 		n--;
 	if (cell.kind == CELL_NUMBER || n == 0 || n >= sizeof copy)
-		return sheet_value(sheet, cell, value);
+		return number_of(sheet, cell, value);
 	memcpy(copy, cell.text, n);
 	copy[n] = '\0';
 	cell.text = copy;
-	return sheet_value(sheet, cell, value);
+	return number_of(sheet, cell, value);
 }
 
 /* The rotor's diameter, if the line tells it.  A number below 10 is in m. */

@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "io/layout_long.h"
 #include "io/recognise.h"
 #include "io/site_ask.h"
 #include "io/site_column.h"
@@ -20,6 +21,7 @@
 #include "io/site_sieve.h"
 #include "io/source.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 /* One sheet of one file, with what was found on it. */
 struct page {
@@ -61,7 +63,7 @@ tell_no_table(struct sheet *sheet)
 	for (size_t i = sheet->n_row; i-- > 0;) {
 		struct cell cell = sheet->row[i].cell[0];
 		double v;
-		if (sheet_value(sheet, cell, &v) ||
+		if (number_of(sheet, cell, &v) ||
 		    (vocabulary_text(cell.text, NULL) & WORD_SIZE) != 0)
 			found = cell;
 	}
@@ -397,8 +399,7 @@ tell_names(struct reading *r)
 		for (size_t i = 0; i < t->n_row; i++) {
 			const char *text = t->row[i].cell[0].text;
 			double v;
-			bool bare =
-			    sheet_value(t->sheet, t->row[i].cell[0], &v);
+			bool bare = number_of(t->sheet, t->row[i].cell[0], &v);
 			if (t->mm[i] > 0 &&
 			    (sieve_names_series(text) != SIEVE_NONE ||
 				(bare && t->unit.series != SIEVE_NONE)))

@@ -11,6 +11,7 @@
 #include "base/xalloc.h"
 #include "io/units.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 /* Sieves of a crusher's product that are not said to be in mm are not taken for
  * it outside these, mm: what is coarser may be in um, what is finer in inches
@@ -27,7 +28,7 @@ site_sieve_mm(
 		    "write the sieve size, or remove the row");
 		return NAN;
 	}
-	if (!sheet_number(sheet, cell, wanted, &v))
+	if (!number_read(sheet, cell, wanted, &v))
 		return NAN;
 	double mm = site_column_round(v * unit, 1e9);
 	if ((mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM) || v == 0)
@@ -116,7 +117,7 @@ all_named(const struct table *t)
 		struct sieve_unit none = {0, SIEVE_NONE};
 		if (sieve_size(t->sheet, cell, none, &mm) != SIEVE_IS_SIZE)
 			continue;
-		if (sheet_value(t->sheet, cell, &v))
+		if (number_of(t->sheet, cell, &v))
 			return false;
 		n++;
 	}
@@ -128,8 +129,7 @@ all_whole(const struct table *t)
 {
 	double v;
 	for (size_t i = 0; i < t->n_row; i++)
-		if (sheet_value(t->sheet, t->row[i].cell[0], &v) &&
-		    v != floor(v))
+		if (number_of(t->sheet, t->row[i].cell[0], &v) && v != floor(v))
 			return false;
 	return true;
 }
@@ -211,7 +211,7 @@ split_micro(struct table *t)
 	size_t n = t->n_row, from = 0, to = 0;
 	double *v = xdoubles(n), number;
 	for (size_t i = 0; i < n; i++)
-		v[i] = sheet_value(t->sheet, t->row[i].cell[0], &number) &&
+		v[i] = number_of(t->sheet, t->row[i].cell[0], &number) &&
 			       number > 0
 			   ? number
 			   : NAN;

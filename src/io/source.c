@@ -7,6 +7,7 @@
 #include "base/xalloc.h"
 #include "io/textfile.h"
 #include "io/workbook.h"
+#include "io/number.h"
 
 /* A sieve sheet has some dozen lines. */
 enum { MOST_ROWS = 2000 };
@@ -26,7 +27,7 @@ read_workbook(const char *path, const char *bytes, size_t n,
 	source->sheet = grid.sheet;
 	source->note = grid.note;
 	for (size_t i = 0; i < source->n; i++)
-		sheet_decide_decimal(source->sheet[i]);
+		number_decide(source->sheet[i]);
 	return true;
 }
 
@@ -43,6 +44,7 @@ read_text(const char *path, const char *bytes, size_t n,
 	source->sheet = xcalloc(1, sizeof(*source->sheet));
 	source->sheet[source->n++] =
 	    sheet_new(path, source->text, MOST_ROWS, errors);
+	number_decide(source->sheet[0]);
 	return true;
 }
 

@@ -11,6 +11,7 @@
 #include "io/layout.h"
 #include "io/site_sieve.h"
 #include "io/source.h"
+#include "io/number.h"
 
 static const char *const HEADS[2] = {"min_pct", "max_pct"};
 
@@ -68,7 +69,7 @@ read_limit(const struct table *t, size_t row, size_t at)
 	double v;
 	struct cell cell = sheet_cell(&t->row[row], at);
 	if (at == 0 || cell.text[0] == '\0' ||
-	    !sheet_number(t->sheet, cell, "a number", &v))
+	    !number_read(t->sheet, cell, "a number", &v))
 		return NAN;
 	if (v >= 0 && v <= 100)
 		return v / 100;

@@ -358,7 +358,8 @@ count(struct tally *t, const struct plan *plan, const struct outcome *o)
 	for (size_t i = 0; !trap && i < habits_count(); i++)
 		if (plan->used[i])
 			t->habit[i][o->verdict]++;
-	for (size_t i = 0; i < N_SETTLED; i++)
+	/* Of a trap no answer is right. */
+	for (size_t i = 0; i < N_SETTLED && !trap; i++)
 		t->settled[i] += o->settled[i];
 	t->without_hint += o->verdict == REFUSED && o->hint[0] == '\0';
 }

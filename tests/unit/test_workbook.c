@@ -5,6 +5,7 @@
 
 #include "io/shown.h"
 #include "io/source.h"
+#include "io/number.h"
 
 static const char BOOK[] = "book.xlsx";
 
@@ -154,11 +155,11 @@ numbers_are_what_their_formats_show(void **state)
 	assert_true(source_read(BOOK, &errors, &source));
 	double v = 0;
 	struct sheet *sheet = source.sheet[0];
-	assert_true(sheet_value(sheet, sheet->row[0].cell[0], &v));
+	assert_true(number_of(sheet, sheet->row[0].cell[0], &v));
 	assert_true(v == 97.5);
-	assert_true(sheet_value(sheet, sheet->row[0].cell[4], &v));
+	assert_true(number_of(sheet, sheet->row[0].cell[4], &v));
 	assert_true(v == 69);
-	assert_false(sheet_value(sheet, sheet->row[0].cell[2], &v));
+	assert_false(number_of(sheet, sheet->row[0].cell[2], &v));
 	source_free(&source);
 }
 
@@ -287,6 +288,16 @@ cells_of_libreoffice_are_read(void **state)
 			     "<table:table-cell office:value-type='float' "
 			     "office:value='2'/></table:table-row>"))),
 	    "May: A1#2 A2#2", "");
+	/* What a format adds stands in what is shown only. */
+	expect(PARTS(ODS_CONTENT("",
+		   ODS_TABLE("<table:table-row>"
+			     "<table:table-cell office:value-type='float' "
+			     "office:value='69.5'><text:p>69,5 m/s</text:p>"
+			     "</table:table-cell><table:table-cell "
+			     "office:value-type='float' office:value='1500'>"
+			     "<text:p>1.50E+03</text:p></table:table-cell>"
+			     "</table:table-row>"))),
+	    "May: A1#69.5 m/s B1#1500", "");
 }
 
 static void
@@ -332,8 +343,9 @@ workbooks_are_sites(void **state)
 	assert_true(site->run[1].product.passing[1] == 0.8);
 	site_free(site);
 	/* Faults are told where people of spreadsheets look. */
-	put_parts(SHEET(HEADS THREE("4", "8", "100", "100")
-		THREE("5", "4", "160", "80") THREE("6", "1", "10", "20")));
+	put_parts(SHEET(HEADS THREE("4", "8", "100", "100") "<row r='5'>" CELL(
+	    "A5", "><v>4</v>") SAY("B5", "x1")
+		CELL("C5", "><v>80</v>") "</row>" THREE("6", "1", "10", "20")));
 	assert_null(site_read(BOOK, &errors));
 	assert_int_equal(errors.n, 1);
 	char *shown = NULL;
@@ -341,7 +353,7 @@ workbooks_are_sites(void **state)
 	FILE *out = open_memstream(&shown, &n);
 	error_print(&errors.item[0], out);
 	fclose(out);
-	const char *place = "book.xlsx, sheet May, B5: expected passing";
+	const char *place = "book.xlsx, sheet May, B5: expected a number";
 	assert_int_equal(strncmp(shown, place, strlen(place)), 0);
 	free(shown);
 }
