@@ -371,9 +371,9 @@ is_defined(const struct column *c, const struct shape *s, size_t *unit)
 	for (size_t i = 0; i < ARRAY_LEN(DEFINED); i++)
 		if (DEFINED[i].words == words) {
 			*unit = DEFINED[i].unit;
-			return words != 0 ||
-			       ((s->rises == 0 || s->falls == 0) &&
-				   s->most > 1);
+			return words != 0 || ((s->rises == 0 || s->falls == 0 ||
+						  near(s->first, 100, 0.6)) &&
+						 s->most > 1);
 		}
 	return false;
 }

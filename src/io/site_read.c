@@ -66,7 +66,7 @@ tell_no_table(struct sheet *sheet)
 		    (vocabulary_text(cell.text, NULL) & WORD_SIZE) != 0)
 			found = cell;
 	}
-	char c = sheet->separator != '\0' ? sheet->separator : ',';
+	char c = sheet->separator == ';' ? ';' : ',';
 	bool heads = (vocabulary_text(found.text, NULL) & WORD_SIZE) != 0 &&
 		     found.line == sheet->row[sheet->n_row - 1].line;
 	if (heads) {
@@ -191,6 +191,14 @@ check_twin(const struct columns *all, const struct column *twin)
 	}
 }
 
+/* Where the numbers of an empty table begin. */
+static struct cell
+first_empty(const struct table *t)
+{
+	const struct row *row = &t->row[0];
+	return row->n_all > 1 ? row->cell[1] : site_sieve_head(t);
+}
+
 static void
 read_columns(struct reading *r)
 {
@@ -208,7 +216,12 @@ read_columns(struct reading *r)
 		if (!r->lost)
 			check_partner(all, &all->column[i]);
 	}
-	if (!r->lost && count_role(all, FEED) == 0)
+	if (!r->lost && r->all.n == 0)
+		sheet_fault(r->table[0]->sheet, first_empty(r->table[0]),
+		    "expected numbers below the heads, got none\n"
+		    "fill in the columns from this cell on; leave a cell empty "
+		    "only where a sieve was not used");
+	else if (!r->lost && count_role(all, FEED) == 0)
 		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
 		    "expected a feed column, got none\n"
 		    "add a column feed, or load the feed's file with it: load "
