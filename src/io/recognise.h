@@ -3,6 +3,8 @@
 #ifndef TIPSPEED_IO_RECOGNISE_H
 #define TIPSPEED_IO_RECOGNISE_H
 
+#include <stdint.h>
+
 #include "core/site.h"
 #include "io/site_column.h"
 
@@ -12,7 +14,7 @@
  * from product.  told: the heads were given by hand. */
 struct surroundings {
 	double rotor, speed;
-	unsigned context;
+	uint64_t context;
 	bool told;
 };
 

@@ -255,7 +255,7 @@ fill_run(const struct columns *t, const struct column *shared, struct run *run,
 	const struct column *sd = site_column_find(t, SD, v, nth);
 	if (site_column_repeats(t, PRODUCT, v) > 1)
 		snprintf(run->repeat, sizeof run->repeat, " (%u)",
-		    (unsigned)nth + 1);
+		    (uint64_t)nth + 1);
 	run->feed = make_psd(shared != NULL ? shared : own);
 	if (product != NULL)
 		run->product = make_psd(product);
@@ -423,11 +423,11 @@ tell_names(struct reading *r)
 
 /* Meanings of the words that stand next to a table and tell feed from product:
  * its title, the name of its sheet or file. */
-static unsigned
+static uint64_t
 context_of(const struct page *page, const struct block *b, const char *path,
     struct surroundings *near)
 {
-	unsigned means = vocabulary_text(page->sheet->name, NULL);
+	uint64_t means = vocabulary_text(page->sheet->name, NULL);
 	struct head name = head_read(page->sheet->name);
 	near->speed = near->speed > 0 ? near->speed : name.speed;
 	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line;
@@ -440,7 +440,7 @@ context_of(const struct page *page, const struct block *b, const char *path,
 			if (row->n > 1 && row->cell[c].column < left)
 				continue;
 			struct head title = head_read(row->cell[c].text);
-			unsigned role =
+			uint64_t role =
 			    title.means & (WORD_FEED | WORD_PRODUCT);
 			if (role == 0 && !(title.speed > 0))
 				continue;
@@ -475,7 +475,7 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	near.context = context_of(page, b, q->path[page->file], &near);
 	if (given > 0)
 		near.speed = given;
-	unsigned sieve = names_apply(&r->names, b);
+	uint64_t sieve = names_apply(&r->names, b);
 	layout_widen(b);
 	struct table *t = xcalloc(1, sizeof *t);
 	*t = site_sieve_table(b, sieve, &certainty);

@@ -166,13 +166,13 @@ find_unit(struct table *t)
 static void
 fill_names(struct table *t)
 {
-	static const unsigned ELSE =
+	static const uint64_t ELSE =
 	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
 	struct sieve_unit none = {0, SIEVE_NONE};
 	double mm;
 	for (size_t c = 1; c < t->block->n_col; c++) {
 		char *head = layout_head(t->block, c);
-		unsigned means = vocabulary_text(head, NULL);
+		uint64_t means = vocabulary_text(head, NULL);
 		free(head);
 		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
 		    (means & ELSE) != 0)
@@ -296,7 +296,7 @@ check_order(struct table *t)
 
 struct table
 site_sieve_table(
-    struct block *block, unsigned told, enum sieve_certainty *certainty)
+    struct block *block, uint64_t told, enum sieve_certainty *certainty)
 {
 	struct table t = {.sheet = block->sheet,
 	    .block = block,
