@@ -255,7 +255,7 @@ fill_run(const struct columns *t, const struct column *shared, struct run *run,
 	const struct column *sd = site_column_find(t, SD, v, nth);
 	if (site_column_repeats(t, PRODUCT, v) > 1)
 		snprintf(run->repeat, sizeof run->repeat, " (%u)",
-		    (uint64_t)nth + 1);
+		    (unsigned)nth + 1);
 	run->feed = make_psd(shared != NULL ? shared : own);
 	if (product != NULL)
 		run->product = make_psd(product);
