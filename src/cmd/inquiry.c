@@ -176,9 +176,9 @@ with_speed(const struct site_ask_column *c, const struct head *head,
 /* Words that say a role, a quantity or both. */
 static char *
 with_words(const struct site_ask_column *c, const char *said,
-    const struct head *head, unsigned means)
+    const struct head *head, uint64_t means)
 {
-	unsigned quantity = WORD_PASSES | WORD_STAYS | WORD_SUMS | WORD_SHARE |
+	uint64_t quantity = WORD_PASSES | WORD_STAYS | WORD_SUMS | WORD_SHARE |
 			    WORD_PERCENT | WORD_GRAMS | WORD_MASS;
 	bool role = (means & (WORD_FEED | WORD_PRODUCT | WORD_SD)) != 0;
 	bool bare = head->speed == 0 && head->rpm == 0 && head->n_number > 0;
@@ -204,10 +204,10 @@ with_words(const struct site_ask_column *c, const char *said,
 }
 
 static char *
-sieve_answer(const struct site_ask_column *c, const char *said, unsigned means,
+sieve_answer(const struct site_ask_column *c, const char *said, uint64_t means,
     char wrong[static INQUIRY_WRONG])
 {
-	unsigned unit = WORD_MM | WORD_UM | WORD_M | WORD_INCH | WORD_MESH |
+	uint64_t unit = WORD_MM | WORD_UM | WORD_M | WORD_INCH | WORD_MESH |
 			WORD_TYLER | WORD_BS | WORD_ASTM;
 	(void)c;
 	if ((means & unit) != 0)
@@ -230,8 +230,8 @@ inquiry_answer(const struct site_ask_column *c, const char *answer,
 		if (*p == ',' && (p[1] < '0' || p[1] > '9'))
 			*p = ' ';
 	struct head head = head_read(said);
-	unsigned means = head.means | vocabulary_text(said, NULL);
-	unsigned known = WORD_FEED | WORD_PRODUCT | WORD_SD | WORD_PASSES |
+	uint64_t means = head.means | vocabulary_text(said, NULL);
+	uint64_t known = WORD_FEED | WORD_PRODUCT | WORD_SD | WORD_PASSES |
 			 WORD_STAYS | WORD_SUMS | WORD_SHARE | WORD_PERCENT |
 			 WORD_GRAMS | WORD_MASS;
 	bool speed = head.speed > 0 || head.rpm > 0 || head.n_number > 0;

@@ -3,6 +3,7 @@
 #ifndef TIPSPEED_IO_HEAD_H
 #define TIPSPEED_IO_HEAD_H
 
+#include <stdint.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -22,7 +23,7 @@ enum speed_unit {
  * spread: its speed stands in a cell at its left. */
 enum { HEAD_NUMBERS = 4 };
 struct head {
-	unsigned means;
+	uint64_t means;
 	size_t unknown, n_number;
 	enum speed_unit unit;
 	double speed, rpm, number[HEAD_NUMBERS];

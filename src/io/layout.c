@@ -149,7 +149,7 @@ grid_clear(struct grid *g)
 static bool
 is_sieve_head(const struct cell *cell)
 {
-	static const unsigned ELSE = WORD_PASSES | WORD_STAYS | WORD_FEED |
+	static const uint64_t ELSE = WORD_PASSES | WORD_STAYS | WORD_FEED |
 				     WORD_PRODUCT | WORD_ROTOR | WORD_SPEED |
 				     WORD_SUMS | WORD_GRAMS | WORD_SHARE |
 				     WORD_PERCENT | WORD_PAN;
@@ -158,15 +158,15 @@ is_sieve_head(const struct cell *cell)
 	    strpbrk(cell->text, "0123456789") != NULL ||
 	    text_same(cell->text, "top_size_mm"))
 		return false;
-	unsigned means = vocabulary_text(cell->text, &unknown);
-	unsigned units = WORD_MM | WORD_UM | WORD_INCH | WORD_TYLER | WORD_BS;
+	uint64_t means = vocabulary_text(cell->text, &unknown);
+	uint64_t units = WORD_MM | WORD_UM | WORD_INCH | WORD_TYLER | WORD_BS;
 	/* A micrometre, too, in some languages: "My quarry" is a name. */
 	bool mine = unknown > 0 && strncasecmp(cell->text, "my ", 3) == 0;
 	if ((means & ELSE) != 0 || mine)
 		return false;
 	return (means & WORD_SIZE) != 0 ||
 	       ((means & units) != 0 && unknown <= 1 &&
-		   (means & ~units & ~(unsigned)WORD_FILLER) == 0);
+		   (means & ~units & ~WORD_FILLER) == 0);
 }
 
 static enum sieve_kind
@@ -215,7 +215,7 @@ is_foot(const struct grid *g, size_t r, size_t c)
 	if (cell->text[0] == '\0' || is_sieve(g, r, c) ||
 	    strspn(cell->text, "0123456789.,") == strlen(cell->text))
 		return false;
-	unsigned means = vocabulary_text(cell->text, &unknown);
+	uint64_t means = vocabulary_text(cell->text, &unknown);
 	return (means & (WORD_TOTAL | WORD_LOSS | WORD_WASHED)) != 0;
 }
 

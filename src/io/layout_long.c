@@ -55,7 +55,7 @@ is_numeric(const struct block *b, size_t c)
 static enum use
 use_of(const struct block *b, size_t c, const struct head *head)
 {
-	static const unsigned COUNTED = WORD_PASSES | WORD_STAYS |
+	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_MASS |
 					WORD_SHARE;
 	bool numeric = is_numeric(b, c);

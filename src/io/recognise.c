@@ -16,9 +16,9 @@
 /* Above this a tip speed is a slip of the pen; m/s. */
 static const double FASTEST = 200;
 
-static const unsigned ROLE_WORDS = WORD_FEED | WORD_PRODUCT | WORD_SD;
-static const unsigned KIND_WORDS = WORD_PASSES | WORD_STAYS | WORD_SUMS;
-static const unsigned SCALE_WORDS =
+static const uint64_t ROLE_WORDS = WORD_FEED | WORD_PRODUCT | WORD_SD;
+static const uint64_t KIND_WORDS = WORD_PASSES | WORD_STAYS | WORD_SUMS;
+static const uint64_t SCALE_WORDS =
     WORD_PERCENT | WORD_GRAMS | WORD_SHARE | WORD_MASS;
 
 static void __attribute__((format(printf, 2, 3)))
@@ -55,10 +55,10 @@ head_cell(const struct block *b, size_t r, size_t c, bool *own)
 static void
 merge(struct head *said, const struct head *more, bool own, bool titles)
 {
-	static const unsigned GROUPS[3] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
+	static const uint64_t GROUPS[3] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
 	    WORD_PASSES | WORD_STAYS | WORD_SUMS,
 	    WORD_PERCENT | WORD_GRAMS | WORD_SHARE | WORD_MASS};
-	unsigned rest = ~(GROUPS[0] | GROUPS[1] | GROUPS[2]);
+	uint64_t rest = ~(GROUPS[0] | GROUPS[1] | GROUPS[2]);
 	/* Of "Feed" above the next column, where this one has a speed of its
 	 * own, only the feed is meant. */
 	bool feed = !own && (more->means & WORD_FEED) != 0 &&
@@ -198,7 +198,7 @@ stated_total(const struct column *c)
 	const struct block *b = c->table->block;
 	double v;
 	for (size_t i = 0; i < b->n_foot; i++) {
-		unsigned means = vocabulary_text(b->foot[i].cell[0].text, NULL);
+		uint64_t means = vocabulary_text(b->foot[i].cell[0].text, NULL);
 		if ((means & WORD_TOTAL) != 0 &&
 		    number_of(c->table->sheet, b->foot[i].cell[c->at], &v))
 			return v;
@@ -308,7 +308,7 @@ static bool
 settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
     double total, enum unit_scale *scale)
 {
-	unsigned means = c->said.means;
+	uint64_t means = c->said.means;
 	double whole = kind == RETAINED  ? s->sum
 		       : kind == PASSING ? s->first
 		       : s->has_pan      ? s->pan
@@ -354,9 +354,9 @@ static bool
 is_defined(const struct column *c, const struct shape *s, size_t *unit)
 {
 	const struct block *b = c->table->block;
-	unsigned words = c->said.means & (KIND_WORDS | SCALE_WORDS);
+	uint64_t words = c->said.means & (KIND_WORDS | SCALE_WORDS);
 	static const struct {
-		unsigned words;
+		uint64_t words;
 		size_t unit;
 	} DEFINED[] = {{0, 0}, {WORD_PASSES | WORD_PERCENT, 1}, {WORD_SHARE, 2},
 	    {WORD_STAYS | WORD_GRAMS, 3}, {WORD_STAYS | WORD_PERCENT, 4},
@@ -371,9 +371,9 @@ is_defined(const struct column *c, const struct shape *s, size_t *unit)
 	for (size_t i = 0; i < ARRAY_LEN(DEFINED); i++)
 		if (DEFINED[i].words == words) {
 			*unit = DEFINED[i].unit;
-			return words != 0 ||
-			       ((s->rises == 0 || s->falls == 0) &&
-				   s->most > 1);
+			return words != 0 || ((s->rises == 0 || s->falls == 0 ||
+						  near(s->first, 100, 0.6)) &&
+						 s->most > 1);
 		}
 	return false;
 }
@@ -393,8 +393,8 @@ static void
 find_unit(struct column *c, bool told)
 {
 	struct shape s = shape_of(c);
-	unsigned kinds = c->said.means & KIND_WORDS;
-	unsigned scales = c->said.means & SCALE_WORDS;
+	uint64_t kinds = c->said.means & KIND_WORDS;
+	uint64_t scales = c->said.means & SCALE_WORDS;
 	double total = stated_total(c);
 	enum unit_kind kind = PASSING;
 	enum unit_scale scale = OF_100;
@@ -491,8 +491,8 @@ find_speed(struct column *c, const struct surroundings *near)
 static void
 find_role(struct column *c, const struct surroundings *near)
 {
-	unsigned role = c->said.means & ROLE_WORDS;
-	unsigned context = near->context & (WORD_FEED | WORD_PRODUCT);
+	uint64_t role = c->said.means & ROLE_WORDS;
+	uint64_t context = near->context & (WORD_FEED | WORD_PRODUCT);
 	bool speed = c->said.speed > 0 || c->said.rpm > 0;
 	c->role = NO_ROLE;
 	if ((role & WORD_SD) != 0)
@@ -572,9 +572,9 @@ is_no_sample(const struct column *c, struct site *site)
 	const struct block *b = c->table->block;
 	size_t filled, numbers;
 	bool words = has_words(c, &filled, &numbers);
-	unsigned means = c->said.means;
+	uint64_t means = c->said.means;
 	const char *head = c->head.text;
-	unsigned sample = ROLE_WORDS | KIND_WORDS;
+	uint64_t sample = ROLE_WORDS | KIND_WORDS;
 	if (is_count(c)) {
 		leave_out(site, b->number[c->at],
 		    "row numbers, or the same "
@@ -604,7 +604,7 @@ note_speed(struct table *t, size_t at, struct surroundings *near)
 {
 	struct column c = {
 	    .table = t, .at = at, .said = read_heads(t->block, at)};
-	static const unsigned COUNTED = WORD_PASSES | WORD_STAYS |
+	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_FEED |
 					WORD_PRODUCT;
 	bool about =
@@ -698,6 +698,27 @@ mark_twin(struct column *c, const struct column *other)
 	c->open = false;
 }
 
+/* The mean of samples that are there themselves is no sample. */
+static void
+drop_means(struct columns *all, struct site *site)
+{
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		size_t others = 0;
+		for (size_t k = 0; k < all->n; k++) {
+			const struct column *o = &all->column[k];
+			others += k != i && o->role == c->role &&
+				  (o->said.means & WORD_MEAN) == 0 &&
+				  fabs(o->speed - c->speed) < 1e-3;
+		}
+		if ((c->said.means & WORD_MEAN) == 0 || others < 2)
+			continue;
+		leave_out(site, c->table->block->number[c->at],
+		    "%s: the mean of samples that are read", c->head.text);
+		drop(all, i--);
+	}
+}
+
 static void
 drop_twins(struct columns *all, struct site *site)
 {
@@ -786,6 +807,7 @@ recognise_settle(struct columns *all, struct site *site, bool *wants_rotor)
 		}
 		c->open = true;
 	}
+	drop_means(all, site);
 	guess_feed(all, feeds);
 	free_feed(all);
 	drop_twins(all, site);

@@ -339,6 +339,20 @@ is_numbers(const char *line, char separator)
 	       strspn(second, digits) >= strcspn(second, stop);
 }
 
+/* Whether a line has the sign outside quotes. */
+static bool
+has_sign(const char *line, char sign)
+{
+	bool quoted = false;
+	size_t n = strcspn(line, "\r\n");
+	for (size_t i = 0; i < n; i++) {
+		quoted = quoted != (line[i] == '"');
+		if (line[i] == sign && !quoted)
+			return true;
+	}
+	return false;
+}
+
 /* What stands between the numbers in most lines; where there are none, what is
  * in most lines, as decimal commas may be more than the semicolons between
  * them. */
@@ -350,11 +364,12 @@ find_separator(const char *text)
 	for (const char *p = text; *p != '\0'; p++) {
 		if (p > text && p[-1] != '\n' && p[-1] != '\r')
 			continue;
+		if (*p == '#')
+			continue;
 		filled += strcspn(p, "\r\n") > strspn(p, " \t;,");
 		for (size_t i = 0; i < 3; i++) {
 			numbers[i] += is_numbers(p, SIGNS[i]);
-			lines[i] +=
-			    memchr(p, SIGNS[i], strcspn(p, "\r\n")) != NULL;
+			lines[i] += has_sign(p, SIGNS[i]);
 		}
 	}
 	/* Neither stands in numbers: in half of the lines it separates. */

@@ -13,7 +13,7 @@
 #include "io/number.h"
 
 struct sieve_unit
-sieve_unit_of(unsigned means)
+sieve_unit_of(uint64_t means)
 {
 	struct sieve_unit unit = {0, SIEVE_NONE};
 	if ((means & WORD_MM) != 0)
@@ -48,7 +48,7 @@ is_pan(const char *text)
 	}
 	if (isdigit((unsigned char)text[0]) || strpbrk(text, "0123456789"))
 		return false;
-	unsigned means = vocabulary_text(text, &unknown);
+	uint64_t means = vocabulary_text(text, &unknown);
 	return (means & WORD_PAN) != 0 && unknown == 0 &&
 	       (means & (WORD_TOTAL | WORD_LOSS)) == 0;
 }

@@ -3,6 +3,8 @@
 #ifndef TIPSPEED_IO_SIEVE_SIZE_H
 #define TIPSPEED_IO_SIEVE_SIZE_H
 
+#include <stdint.h>
+
 #include "io/sheet.h"
 #include "io/sieve_names.h"
 
@@ -16,7 +18,7 @@ struct sieve_unit {
 enum sieve_kind { SIEVE_IS_NONE, SIEVE_IS_PAN, SIEVE_IS_SIZE };
 
 /* The unit that the words of a head tell, see vocabulary.h. */
-struct sieve_unit sieve_unit_of(unsigned means);
+struct sieve_unit sieve_unit_of(uint64_t means);
 
 /* What a cell is, and of SIEVE_IS_SIZE its opening, mm to 9 decimals: NAN where
  * it has the form of a name that no sieve has.  Numbers without a unit are

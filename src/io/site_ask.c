@@ -63,8 +63,8 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 	}
 	free(copy);
 	for (size_t i = 0; i < names->n; i++) {
-		unsigned means = vocabulary_text(names->text[i], NULL);
-		unsigned other =
+		uint64_t means = vocabulary_text(names->text[i], NULL);
+		uint64_t other =
 		    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
 		if ((means & WORD_SIZE) != 0 && (means & other) == 0)
 			add_sieves(range, names->number[i]);
@@ -78,12 +78,12 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 	return good;
 }
 
-unsigned
+uint64_t
 names_apply(const struct names *names, struct block *b)
 {
 	if (names->n == 0)
 		return 0;
-	unsigned sieve = 0;
+	uint64_t sieve = 0;
 	for (size_t i = 0; i < names->n; i++)
 		if (names->number[i] == b->number[0])
 			sieve = vocabulary_text(names->text[i], NULL);

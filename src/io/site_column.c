@@ -271,7 +271,7 @@ read_foot(struct column *c, struct cell *where, bool *weighed)
 	*weighed = false;
 	for (size_t i = 0; i < block->n_foot; i++) {
 		const struct row *row = &block->foot[i];
-		unsigned means = vocabulary_text(row->cell[0].text, NULL);
+		uint64_t means = vocabulary_text(row->cell[0].text, NULL);
 		double v = foot_value(c, row);
 		if ((means & WORD_WASHED) != 0) {
 			washed = v;

@@ -56,7 +56,7 @@ static bool
 take_rotor(struct site *site, const struct sheet *sheet, struct cell key,
     struct cell value)
 {
-	unsigned means = vocabulary_text(key.text, NULL);
+	uint64_t means = vocabulary_text(key.text, NULL);
 	double number;
 	if ((means & WORD_ROTOR) == 0 || (means & WORD_SPEED) != 0 ||
 	    !first_number(sheet, value, &number))

@@ -67,7 +67,7 @@ tell_no_table(struct sheet *sheet)
 		    (vocabulary_text(cell.text, NULL) & WORD_SIZE) != 0)
 			found = cell;
 	}
-	char c = sheet->separator != '\0' ? sheet->separator : ',';
+	char c = sheet->separator == ';' ? ';' : ',';
 	bool heads = (vocabulary_text(found.text, NULL) & WORD_SIZE) != 0 &&
 		     found.line == sheet->row[sheet->n_row - 1].line;
 	if (heads) {
@@ -192,6 +192,14 @@ check_twin(const struct columns *all, const struct column *twin)
 	}
 }
 
+/* Where the numbers of an empty table begin. */
+static struct cell
+first_empty(const struct table *t)
+{
+	const struct row *row = &t->row[0];
+	return row->n_all > 1 ? row->cell[1] : site_sieve_head(t);
+}
+
 static void
 read_columns(struct reading *r)
 {
@@ -209,7 +217,12 @@ read_columns(struct reading *r)
 		if (!r->lost)
 			check_partner(all, &all->column[i]);
 	}
-	if (!r->lost && count_role(all, FEED) == 0)
+	if (!r->lost && r->all.n == 0)
+		sheet_fault(r->table[0]->sheet, first_empty(r->table[0]),
+		    "expected numbers below the heads, got none\n"
+		    "fill in the columns from this cell on; leave a cell empty "
+		    "only where a sieve was not used");
+	else if (!r->lost && count_role(all, FEED) == 0)
 		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
 		    "expected a feed column, got none\n"
 		    "add a column feed, or load the feed's file with it: load "
@@ -411,11 +424,11 @@ tell_names(struct reading *r)
 
 /* Meanings of the words that stand next to a table and tell feed from product:
  * its title, the name of its sheet or file. */
-static unsigned
+static uint64_t
 context_of(const struct page *page, const struct block *b, const char *path,
     struct surroundings *near)
 {
-	unsigned means = vocabulary_text(page->sheet->name, NULL);
+	uint64_t means = vocabulary_text(page->sheet->name, NULL);
 	struct head name = head_read(page->sheet->name);
 	near->speed = near->speed > 0 ? near->speed : name.speed;
 	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line;
@@ -428,7 +441,7 @@ context_of(const struct page *page, const struct block *b, const char *path,
 			if (row->n > 1 && row->cell[c].column < left)
 				continue;
 			struct head title = head_read(row->cell[c].text);
-			unsigned role =
+			uint64_t role =
 			    title.means & (WORD_FEED | WORD_PRODUCT);
 			if (role == 0 && !(title.speed > 0))
 				continue;
@@ -463,7 +476,7 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	near.context = context_of(page, b, q->path[page->file], &near);
 	if (given > 0)
 		near.speed = given;
-	unsigned sieve = names_apply(&r->names, b);
+	uint64_t sieve = names_apply(&r->names, b);
 	layout_widen(b);
 	struct table *t = xcalloc(1, sizeof *t);
 	*t = site_sieve_table(b, sieve, &certainty);

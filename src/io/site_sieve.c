@@ -166,13 +166,13 @@ find_unit(struct table *t)
 static void
 fill_names(struct table *t)
 {
-	static const unsigned ELSE =
+	static const uint64_t ELSE =
 	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
 	struct sieve_unit none = {0, SIEVE_NONE};
 	double mm;
 	for (size_t c = 1; c < t->block->n_col; c++) {
 		char *head = layout_head(t->block, c);
-		unsigned means = vocabulary_text(head, NULL);
+		uint64_t means = vocabulary_text(head, NULL);
 		free(head);
 		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
 		    (means & ELSE) != 0)
@@ -259,36 +259,6 @@ is_finest_first(const struct table *t)
 	return rising > 0;
 }
 
-struct table
-site_sieve_table(
-    struct block *block, unsigned told, enum sieve_certainty *certainty)
-{
-	struct table t = {.sheet = block->sheet,
-	    .block = block,
-	    .n_row = block->n_row,
-	    .row = block->row};
-	char *head = layout_head(block, 0);
-	t.unit = sieve_unit_of(told != 0 ? told : vocabulary_text(head, NULL));
-	free(head);
-	fill_names(&t);
-	bool lengths = t.unit.mm == 1 || t.unit.mm == 0;
-	bool split = lengths && t.unit.series == SIEVE_NONE && split_micro(&t);
-	if (split)
-		t.unit.mm = 1;
-	*certainty = find_unit(&t);
-	if (split && *certainty == SIEVES_SAID)
-		*certainty = SIEVES_ASSUMED;
-	if (told != 0 && *certainty == SIEVES_OPEN && t.unit.mm > 0)
-		*certainty = SIEVES_SAID;
-	t.finest_first = is_finest_first(&t);
-	for (size_t i = 0; t.finest_first && i < t.n_row / 2; i++) {
-		struct row row = t.row[i];
-		t.row[i] = t.row[t.n_row - 1 - i];
-		t.row[t.n_row - 1 - i] = row;
-	}
-	return t;
-}
-
 struct cell
 site_sieve_head(const struct table *t)
 {
@@ -322,6 +292,37 @@ check_order(struct table *t)
 			    cell.text, t->row[last].cell[0].text);
 		last = i;
 	}
+}
+
+struct table
+site_sieve_table(
+    struct block *block, uint64_t told, enum sieve_certainty *certainty)
+{
+	struct table t = {.sheet = block->sheet,
+	    .block = block,
+	    .n_row = block->n_row,
+	    .row = block->row};
+	char *head = layout_head(block, 0);
+	t.unit = sieve_unit_of(told != 0 ? told : vocabulary_text(head, NULL));
+	free(head);
+	fill_names(&t);
+	bool lengths = t.unit.mm == 1 || t.unit.mm == 0;
+	bool split = lengths && t.unit.series == SIEVE_NONE && split_micro(&t);
+	if (split)
+		t.unit.mm = 1;
+	*certainty = find_unit(&t);
+	if (split && *certainty == SIEVES_SAID)
+		*certainty = SIEVES_ASSUMED;
+	bool own = strncmp(site_sieve_head(&t).text, "size_", 5) == 0;
+	if ((told != 0 || own) && *certainty == SIEVES_OPEN && t.unit.mm > 0)
+		*certainty = SIEVES_SAID;
+	t.finest_first = is_finest_first(&t);
+	for (size_t i = 0; t.finest_first && i < t.n_row / 2; i++) {
+		struct row row = t.row[i];
+		t.row[i] = t.row[t.n_row - 1 - i];
+		t.row[t.n_row - 1 - i] = row;
+	}
+	return t;
 }
 
 /* A number in a column that nothing heads: a decimal comma may have cut one in

@@ -148,6 +148,12 @@ read_sheet(struct spec *spec, struct sheet *sheet)
 	struct layout *layout = layout_new(sheet, all);
 	read_heading(spec, sheet, layout);
 	if (layout->n > 0 && layout->block[0].n_head > 0) {
+		const struct block *block = &layout->block[0];
+		if (block->titles > 0)
+			sheet_wanted(sheet,
+			    block->head[0].cell[block->n_col - 1],
+			    "the end of the line after key and value",
+			    "quote a value that contains the separator");
 		read_table(spec, &layout->block[0]);
 	} else if (!sheet->lost) {
 		struct row none = {.line = 1, .end = 1};

@@ -12,7 +12,7 @@
 /* The terms are those of ISO 3310 and EN 933-1 in each language, and what
  * people write for them. */
 static const struct {
-	unsigned means;
+	uint64_t means;
 	const char *words;
 } WORDS[] = {
     {WORD_FEED,
@@ -100,6 +100,9 @@ static const struct {
 	"fecha data pvm paivamaara lab labor labno labnr laboratory id time "
 	"tid operator klockan "
 	"moisture fukt feuchte"},
+    {WORD_MEAN,
+	"mean average avg medel medelvarde snitt mittel mittelwert moyenne "
+	"media medio promedio keskiarvo gjennomsnitt gemiddelde"},
     {WORD_SAMPLE,
 	"sample samples prov provet provnr probe proben cut belt beltcut run "
 	"runs test trial forsok versuch essai echantillon muestra ensayo "
@@ -132,7 +135,7 @@ static const struct {
 /* Parts of compounds that say enough: Siebdurchgangsanteil. */
 static const struct {
 	const char *part;
-	unsigned means;
+	uint64_t means;
 } PARTS[] = {{"summenruckstand", WORD_STAYS | WORD_SUMS},
     {"summendurchgang", WORD_PASSES | WORD_SUMS}, {"durchgang", WORD_PASSES},
     {"ruckstand", WORD_STAYS}, {"passerande", WORD_PASSES},
@@ -163,10 +166,10 @@ lists(const char *words, const char *word, size_t n)
 	return false;
 }
 
-unsigned
+uint64_t
 vocabulary_word(const char *word, size_t n)
 {
-	unsigned means = 0;
+	uint64_t means = 0;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
 		if (lists(WORDS[i].words, word, n))
 			means |= WORDS[i].means;
@@ -179,12 +182,12 @@ vocabulary_word(const char *word, size_t n)
 	return means;
 }
 
-unsigned
+uint64_t
 vocabulary_text(const char *text, size_t *unknown)
 {
 	static const char LETTERS[] = "abcdefghijklmnopqrstuvwxyz0123456789";
 	char *folded = text_fold(text);
-	unsigned means = 0;
+	uint64_t means = 0;
 	size_t none = 0;
 	for (char *p = folded; *p != '\0';) {
 		/* Both signs for micro; text_fold leaves them. */
@@ -199,7 +202,7 @@ vocabulary_text(const char *text, size_t *unknown)
 			bool micro = p - word == 3 && word[2] == 'm' &&
 				     (memcmp(word, "\xC2\xB5", 2) == 0 ||
 					 memcmp(word, "\xCE\xBC", 2) == 0);
-			unsigned one =
+			uint64_t one =
 			    micro ? WORD_UM
 				  : vocabulary_word(word, (size_t)(p - word));
 			bool digits =
