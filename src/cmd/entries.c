@@ -72,6 +72,14 @@ new_key(struct session *s, const struct site *site)
 }
 
 static void
+own_site(struct session *s, struct site *site)
+{
+	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
+	s->site[s->n_site++] = site;
+	session_forget(s);
+}
+
+static void
 insert(struct session *s, struct site *site, size_t place)
 {
 	struct entry entry = {.site = site, .key = new_key(s, site)};
@@ -84,9 +92,7 @@ insert(struct session *s, struct site *site, size_t place)
 	if (s->job.calibration != NULL && s->job.entry >= place)
 		s->job.entry++;
 	s->current = place;
-	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
-	s->site[s->n_site++] = site;
-	session_forget(s);
+	own_site(s, site);
 }
 
 /* The loaded site that was read from the same file, or n_entry. */
@@ -131,6 +137,26 @@ session_drop(struct session *s, size_t index)
 	bool last = s->current == index && index == s->n_entry;
 	if (s->current > index || (last && index > 0))
 		s->current--;
+}
+
+/* Runs that a fit was trained on stay those; without one they are chosen
+ * anew. */
+void
+session_grow(struct session *s, struct site *site, const size_t *from)
+{
+	struct entry *entry = session_entry(s);
+	if (s->job.calibration != NULL && s->job.entry == s->current)
+		session_let_go(s);
+	bool *train = xcalloc(site->n_run, sizeof *train);
+	if (!entry->has_fit)
+		misfit_default_train(site, train);
+	for (size_t r = 0; r < site->n_run && entry->has_fit; r++)
+		train[r] =
+		    from[r] < entry->site->n_run && entry->train[from[r]];
+	free(entry->train);
+	entry->train = train;
+	entry->site = site;
+	own_site(s, site);
 }
 
 /* How well a loaded site answers to a name: 0 not, 1 by its name, 2 by name and

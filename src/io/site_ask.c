@@ -222,7 +222,8 @@ refuse(const struct site_request *q, const struct table *t, struct cell where,
 	char *files = list_files(q);
 	struct error *e = error_add(errors);
 	error_at(e, ERROR_DATA, t->sheet->path, where.line, where.column,
-	    "%s\nsay what it is: load %s %s", what, files, ask->settle);
+	    "%s\nsay what it is: %s %s %s", what, q->parts ? "add" : "load",
+	    files, ask->settle);
 	free(files);
 	return true;
 }
@@ -318,6 +319,11 @@ open_ask(const struct open *open, const struct site_request *q,
 	    speed ? " and its tip speed" : "", sheet_cut(first->head.text),
 	    first->head.text, values);
 	refuse(q, first->table, first->head, ask, errors, what);
+	if (q->parts && speed && q->n == 1 && all->n == 1)
+		error_hint(&errors->item[0],
+		    "say its speed: add %s@SPEED, or with a log its time: add "
+		    "%s@2026-05-03T10:15",
+		    q->path[0], q->path[0]);
 	free(what);
 	free(values);
 	return true;

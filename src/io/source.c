@@ -7,11 +7,12 @@
 #include "base/xalloc.h"
 #include "io/textfile.h"
 
-/* A sieve sheet has some dozen lines. */
-enum { MOST_ROWS = 2000 };
+/* A sieve sheet has some dozen lines, a log one for each minute of months. */
+enum { MOST_ROWS = 2000, MOST_LOG = 200000 };
 
-bool
-source_read(const char *path, struct error_list *errors, struct source *source)
+static bool
+read_rows(const char *path, size_t most_rows, struct error_list *errors,
+    struct source *source)
 {
 	*source = (struct source){.note = xstrdup("")};
 	source->text = textfile_read(path, errors);
@@ -19,8 +20,21 @@ source_read(const char *path, struct error_list *errors, struct source *source)
 		return false;
 	source->sheet = xcalloc(1, sizeof(*source->sheet));
 	source->sheet[source->n++] =
-	    sheet_new(path, source->text, MOST_ROWS, errors);
+	    sheet_new(path, source->text, most_rows, errors);
 	return true;
+}
+
+bool
+source_read(const char *path, struct error_list *errors, struct source *source)
+{
+	return read_rows(path, MOST_ROWS, errors, source);
+}
+
+bool
+source_read_log(
+    const char *path, struct error_list *errors, struct source *source)
+{
+	return read_rows(path, MOST_LOG, errors, source);
 }
 
 void
