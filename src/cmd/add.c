@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -14,6 +15,7 @@
 #include "cmd/load.h"
 #include "cmd/log.h"
 #include "cmd/table.h"
+#include "io/head.h"
 #include "io/units.h"
 
 /* What is known of each file [n] beside its numbers: its word as load has it,
@@ -87,25 +89,34 @@ read_time(const char *text, double day, double *time, struct error *error)
 		   text);
 }
 
+/* The @ before a speed or a time; NULL where the word is a name. */
+static const char *
+speed_at(const char *word)
+{
+	struct moment m;
+	const char *at = strrchr(word, '@');
+	bool name = at == NULL || at == word || access(word, F_OK) == 0 ||
+		    (strchr(at, '/') != NULL && !moment_read(at + 1, &m));
+	return name ? NULL : at;
+}
+
 /* "cut.csv@2026-05-03T10:15" by the log as "cut.csv@64.2". */
 static bool
 look_up(struct session *s, const struct args *args, const char *word,
     double day, double rotor, struct cut_origin *o, struct error *error)
 {
-	const char *at = strrchr(word, '@'), *slash = strrchr(word, '/');
-	struct moment m;
-	double time;
-	bool timed = at != NULL && at > word && moment_read(at + 1, &m);
-	bool there = at != NULL && slash != NULL && slash > at;
-	size_t n = at != NULL && !there ? (size_t)(at - word) : strlen(word);
-	const char *name = slash != NULL && !there ? slash + 1 : word;
-	o->file = xstrndup(name, (size_t)(word + n - name));
+	const char *at = speed_at(word);
+	size_t n = at != NULL ? (size_t)(at - word) : strlen(word), from = n;
+	double time = NAN;
+	while (from > 0 && word[from - 1] != '/')
+		from--;
+	o->file = xstrndup(word + from, n - from);
 	o->word = xstrdup(word);
 	o->when = isnan(day) ? xstrdup("") : moment_text(day);
 	if (!isnan(day))
 		o->when[strcspn(o->when, " ")] = '\0';
 	o->logged = (struct logged){NAN, NAN, NAN};
-	if (!timed)
+	if (at == NULL || head_read(at).speed > 0)
 		return true;
 	double window = 60 * args_value(args, "window")->number;
 	if (!read_time(at + 1, day, &time, error) ||
@@ -170,6 +181,11 @@ warn_of(struct session *s, const struct site *site, const struct site *cuts)
 				    "before? 'undo' takes it back",
 				    cut->speed, site->run[r].repeat);
 		}
+		if (cut->feed.n == 0 && site->individual_feeds)
+			session_note(s,
+			    "  feed of the cut at %g m/s: that of the site at "
+			    "%g m/s",
+			    cut->speed, site->run[at].speed);
 		double apart = 0;
 		for (size_t i = 0; i < cut->feed.n; i++) {
 			double is = psd_at_sieve(

@@ -210,7 +210,7 @@ static void
 note_speed(struct session *s, const struct plant_log *log, double time,
     double within, double rotor, const struct log_window *w)
 {
-	const double steady = 0.05;
+	const double steady = 0.02;
 	enum log_column k = log->value[LOG_SPEED] != NULL ? LOG_SPEED : LOG_RPM;
 	char *at = moment_text(time);
 	char *span = span_text(time - within, time + within);
@@ -222,7 +222,7 @@ note_speed(struct session *s, const struct plant_log *log, double time,
 		if (!isnan(w->median[c]))
 			xappend(&more, ", %s %.4g", LOG_UNITS[c], w->median[c]);
 	session_note(
-	    s, "  log at %s: %s %.4g%s", at, LOG_UNITS[k], w->median[k], more);
+	    s, "log at %s: %s %.4g%s", at, LOG_UNITS[k], w->median[k], more);
 	session_note(s, "  median of %zu row%s, %s: %s %s", w->n,
 	    w->n == 1 ? "" : "s", span, LOG_UNITS[k], range);
 	if (w->most[k] - w->least[k] > steady * w->median[k])
