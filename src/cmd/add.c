@@ -181,7 +181,8 @@ warn_of(struct session *s, const struct site *site, const struct site *cuts)
 				    "before? 'undo' takes it back",
 				    cut->speed, site->run[r].repeat);
 		}
-		if (cut->feed.n == 0 && site->individual_feeds)
+		if (cut->feed.n == 0 && site->individual_feeds &&
+		    site->run[at].speed != cut->speed)
 			session_note(s,
 			    "  feed of the cut at %g m/s: that of the site at "
 			    "%g m/s",

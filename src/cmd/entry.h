@@ -17,8 +17,8 @@
  * when first asked for, what is known after it: posterior and evidence, by the
  * runs that inform them (enum correction), and the products of the last feed
  * that was asked for.  later: runs that came to a site after it, and the one
- * that it misses by most.  Shared by the entries, snapshots and origins that hold
- * it. */
+ * that it misses by most.  Shared by the entries, snapshots and origins that
+ * hold it. */
 struct history {
 	size_t holders, n;
 	struct fit fit;

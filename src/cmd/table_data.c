@@ -73,7 +73,9 @@ const struct command TABLE_DATA[] = {
 	    "or grams, at tip speeds in m/s (not rpm). A site file with faults "
 	    "is refused, and each fault is reported with its place; the sites "
 	    "already loaded stay. A site file that is loaded again replaces "
-	    "the earlier one. Quote a name with spaces.",
+	    "the earlier one. Quote a name with spaces. With as=log the files "
+	    "are a plant's log for 'add': rows with date and time, and columns "
+	    "whose heads tell rpm or m/s, kW and t/h.",
 	.example = "load data/sites/tierp.csv\nshow",
 	.run = cmd_load},
     {.name = "add",

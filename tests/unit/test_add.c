@@ -370,48 +370,49 @@ read_log(const char *text, const char *columns, char decimal,
 	return log;
 }
 
-/* Of a log with three rows at 10:00, 10:01 and 10:02: what is read at 10:01. */
+/* A log with three rows, at 10:00, 10:01 and 10:02. */
+static const struct {
+	const char *text, *columns;
+	char decimal;
+	enum moment_order order;
+} LOGS[] = {{"time,rpm,kW,t/h\n2026-05-03T10:00,1350,180,120\n"
+	     "2026-05-03T10:01,1360,187.5,121\n"
+	     "2026-05-03T10:02,1370,190,122\n",
+		NULL, 0, MOMENT_OPEN},
+    {"Zeit;Drehzahl;Leistung [kW];Durchsatz t/h\n"
+     "03.05.2026 10:00:00;1.350;180,0;120\n"
+     "03.05.2026 10:01:00;1.360;187,5;121\n"
+     "03.05.2026 10:02:00;1.370;190,0;122\n",
+	NULL, 0, MOMENT_OPEN},
+    {"Datum;Tid;Effekt kW;Varvtal;Kapacitet\n"
+     "2026-05-03;10:02;190;1370;122\n2026-05-03;10:01;187,5;1360;121\n"
+     "2026-05-03;10:00;180;1350;120\n",
+	NULL, 0, MOMENT_OPEN},
+    {"Exported 2026-05-04 08:00\nDate\tRotor speed\tMotor power\t"
+     "Feed rate\tFeeder speed\n\trpm\tkW\tt/h\t%\n"
+     "5/3/2026 10:00 AM\t1350\t180\t120\t40\n"
+     "5/3/2026 10:01 AM\t1360\t187.5\t121\t41\n"
+     "No Data\tBad\tBad\tBad\tBad\n"
+     "5/3/2026 10:02 AM\t1370\t190\t122\t42\n",
+	NULL, 0, MOMENT_MONTH_FIRST},
+    {"Timestamp,A,B,C\n03-May-26 10:00:00,1350,180,120\n"
+     "03-May-26 10:01:00,1360,187.5,121\n"
+     "03-May-26 10:02:00,1370,190,122\n",
+	"1=time, 2=rpm, 3=kW, 4=t/h", 0, MOMENT_OPEN}};
+
 static void
 logs_of_several_programs_say_the_same(void **state)
 {
-	static const struct {
-		const char *text, *columns;
-		char decimal;
-		enum moment_order order;
-	} CASE[] = {{"time,rpm,kW,t/h\n2026-05-03T10:00,1350,180,120\n"
-		     "2026-05-03T10:01,1360,187.5,121\n"
-		     "2026-05-03T10:02,1370,190,122\n",
-			NULL, 0, MOMENT_OPEN},
-	    {"Zeit;Drehzahl;Leistung [kW];Durchsatz t/h\n"
-	     "03.05.2026 10:00:00;1.350;180,0;120\n"
-	     "03.05.2026 10:01:00;1.360;187,5;121\n"
-	     "03.05.2026 10:02:00;1.370;190,0;122\n",
-		NULL, 0, MOMENT_OPEN},
-	    {"Datum;Tid;Effekt kW;Varvtal;Kapacitet\n"
-	     "2026-05-03;10:02;190;1370;122\n2026-05-03;10:01;187,5;1360;121\n"
-	     "2026-05-03;10:00;180;1350;120\n",
-		NULL, 0, MOMENT_OPEN},
-	    {"Exported 2026-05-04 08:00\nDate\tRotor speed\tMotor power\t"
-	     "Feed rate\tFeeder speed\n\trpm\tkW\tt/h\t%\n"
-	     "5/3/2026 10:00 AM\t1350\t180\t120\t40\n"
-	     "5/3/2026 10:01 AM\t1360\t187.5\t121\t41\n"
-	     "No Data\tBad\tBad\tBad\tBad\n"
-	     "5/3/2026 10:02 AM\t1370\t190\t122\t42\n",
-		NULL, 0, MOMENT_MONTH_FIRST},
-	    {"Timestamp,A,B,C\n03-May-26 10:00:00,1350,180,120\n"
-	     "03-May-26 10:01:00,1360,187.5,121\n"
-	     "03-May-26 10:02:00,1370,190,122\n",
-		"1=time, 2=rpm, 3=kW, 4=t/h", 0, MOMENT_OPEN}};
 	(void)state;
 	struct moment m;
 	assert_true(moment_read("2026-05-03 10:01", &m));
 	double at = moment_seconds(&m, MOMENT_OPEN);
-	for (size_t i = 0; i < ARRAY_LEN(CASE); i++) {
+	for (size_t i = 0; i < ARRAY_LEN(LOGS); i++) {
 		struct error e;
-		struct plant_log *log = read_log(CASE[i].text, CASE[i].columns,
-		    CASE[i].decimal, CASE[i].order, &e);
+		struct plant_log *log = read_log(LOGS[i].text, LOGS[i].columns,
+		    LOGS[i].decimal, LOGS[i].order, &e);
 		if (log == NULL)
-			fail_msg("%s: %s", CASE[i].text, e.text);
+			fail_msg("%s: %s", LOGS[i].text, e.text);
 		assert_int_equal(log->n, 3);
 		assert_near(log->time[1], at, 1e-6);
 		assert_near(log->apart, 60, 1e-6);
