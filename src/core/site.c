@@ -214,10 +214,13 @@ site_with_cuts(const struct site *site, const struct site *cuts, size_t *from)
 		    &site->run[site_run_nearest(site, run.speed)].feed;
 		if (at < to->n_run && to->run[at].product.n == 0)
 			feed = &to->run[at].feed;
-		if (run.feed.n == 0)
+		bool own = run.feed.n > 0;
+		to->individual_feeds =
+		    to->individual_feeds || (own && !same_psd(&run.feed, feed));
+		if (!own) {
+			psd_free(&run.feed);
 			run.feed = psd_copy(feed);
-		else if (!same_psd(&run.feed, feed))
-			to->individual_feeds = true;
+		}
 		insert_run(to, run, from);
 	}
 	/* The feed of any speed is in the runs now. */

@@ -221,14 +221,10 @@ a_written_site_is_the_same(void **state)
 	assert_string_equal(site->note[0].value, "79 m/s, 2026-05-03, cut.csv");
 }
 
+/* Runs the saved session in an empty one. */
 static void
-a_saved_session_adds_again_and_notices_changes(void **state)
+replay(struct desk *desk)
 {
-	struct desk *desk = *state;
-	fresh(desk);
-	say(desk, "add %s/cut.csv@79 date=2026-05-03", folder);
-	uint64_t digest = site_of(desk)->digest;
-	say(desk, "save %s/s.tip", folder);
 	char *saved = xasprintf("%s/s.tip", folder), line[500];
 	FILE *in = fopen(saved, "r");
 	assert_non_null(in);
@@ -239,6 +235,17 @@ a_saved_session_adds_again_and_notices_changes(void **state)
 	}
 	fclose(in);
 	free(saved);
+}
+
+static void
+a_saved_session_adds_again_and_notices_changes(void **state)
+{
+	struct desk *desk = *state;
+	fresh(desk);
+	say(desk, "add %s/cut.csv@79 date=2026-05-03", folder);
+	uint64_t digest = site_of(desk)->digest;
+	say(desk, "save %s/s.tip replace=on", folder);
+	replay(desk);
 	assert_int_equal(site_of(desk)->digest, digest);
 	fresh(desk);
 	char *wrong = xasprintf("add %s/cut.csv@78 digest=%016llx", folder,
@@ -502,6 +509,42 @@ a_log_gives_the_speed_of_a_cut(void **state)
 	assert_false(desk_say(desk, "show log"));
 }
 
+static size_t asked;
+
+static char *
+answer(struct session *s, const char *question)
+{
+	(void)s;
+	asked++;
+	return xstrdup(strstr(question, "tip speed") != NULL      ? "79"
+		       : strstr(question, "day or month") != NULL ? " month"
+								  : "");
+}
+
+static void
+somebody_is_asked_once(void **state)
+{
+	struct desk *desk = *state;
+	char *log = file("log.csv", "time,m/s\n5/3/2026 10:00,70\n"
+				    "5/3/2026 10:01,71\n5/3/2026 10:02,70.5\n");
+	fresh(desk);
+	desk->session->hooks.question = answer;
+	asked = 0;
+	say(desk, "add %s/cut.csv", folder);
+	assert_int_equal(asked, 1);
+	assert_near(site_of(desk)->run[1].speed, 79, 1e-9);
+	say(desk, "load %s as=log", log);
+	assert_int_equal(asked, 2);
+	say(desk, "add %s/cut.csv@2026-05-03T10:01", folder);
+	assert_near(site_of(desk)->run[0].speed, 70.5, 1e-9);
+	uint64_t digest = site_of(desk)->digest;
+	say(desk, "save %s/s.tip replace=on", folder);
+	desk->session->hooks.question = NULL;
+	replay(desk);
+	assert_int_equal(site_of(desk)->digest, digest);
+	free(log);
+}
+
 static int
 make_files(void **state)
 {
@@ -550,6 +593,7 @@ main(void)
 	    cmocka_unit_test(logs_that_are_open_are_refused),
 	    cmocka_unit_test(dates_of_one_order_settle_the_others),
 	    AT_DESK(a_log_gives_the_speed_of_a_cut),
+	    AT_DESK(somebody_is_asked_once),
 	};
 	return cmocka_run_group_tests(tests, make_files, remove_files);
 }
