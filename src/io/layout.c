@@ -467,9 +467,16 @@ take_block(const struct grid *g, const struct place *p, size_t from, size_t end,
 	       is_head_row(g, top - 1, p, end) &&
 	       !g->used[(top - 1) * g->n_col + p->c])
 		top--;
+	for (size_t r = top; r < p->first; r++) {
+		bool mass =
+		    is_foot(g, r, p->c) && has_numbers(g, r, p->c, p->end);
+		if (!mass)
+			add_row(g, r, col, n, &b.head, &b.n_head);
+		b.titles += !mass && r < own;
+	}
 	for (size_t r = top; r < p->first; r++)
-		add_row(g, r, col, n, &b.head, &b.n_head);
-	b.titles = own - top;
+		if (is_foot(g, r, p->c) && has_numbers(g, r, p->c, p->end))
+			add_row(g, r, col, n, &b.foot, &b.n_foot);
 	for (size_t r = p->first; r < p->last; r++)
 		add_row(g, r, col, n, &b.row, &b.n_row);
 	for (size_t r = p->last; r < g->n_row && is_foot(g, r, p->c); r++)

@@ -258,36 +258,84 @@ fill_top(struct column *c)
 		c->pct[i] = t->mm[i] > 0 ? 0 : NAN;
 }
 
-/* What the lines below the table say of a column, in its unit: the largest sum,
- * which may be the mass before sieving (NAN: neither), whose cell is *where;
- * and what was washed out, which belongs to the pan.  That may be told by the
- * masses before and after washing, M1 and M2 of EN 933-1.  weighed: the sum
- * is the mass before sieving. */
-static double
-read_foot(struct column *c, struct cell *where, bool *weighed)
+/* What the lines below the table say of a column, in its unit.  total: the
+ * largest sum, NAN where there is none, whose cell is `where`; weighed: it is
+ * the mass before sieving, M1 of EN 933-1.  washed: what was washed out, told as
+ * such or by the masses before and after; odd: a mass about washing from which
+ * it does not follow. */
+struct foot {
+	double total, washed;
+	struct cell where, odd;
+	bool weighed;
+};
+
+static struct foot
+read_foot(const struct column *c, double sum)
 {
 	const struct block *block = c->table->block;
-	double total = NAN, washed = NAN;
-	*weighed = false;
+	struct foot foot = {.total = NAN, .washed = 0, .where = c->head};
+	double before = NAN, after = NAN;
 	for (size_t i = 0; i < block->n_foot; i++) {
 		const struct row *row = &block->foot[i];
 		uint64_t means = vocabulary_text(row->cell[0].text, NULL);
 		double v = foot_value(c, row);
-		if ((means & WORD_WASHED) != 0) {
-			washed = v;
-		} else if ((means & WORD_TOTAL) != 0 && !isnan(v) &&
-			   !(v <= total)) {
-			total = v;
-			*where = row->cell[c->at];
-			*weighed = (means & WORD_WEIGHED) != 0;
+		bool washing = (means & WORD_WASHED) != 0;
+		if (isnan(v)) {
+			continue;
+		} else if (washing && v < 0.2 * sum) {
+			foot.washed += v;
+		} else if (washing) { /* a mass, before or after it */
+			foot.odd = row->cell[c->at];
+			before = v > after || isnan(after) ? v : before;
+			after = isnan(after) || v < after ? v : after;
+			before = fmax(before, v);
+		} else if ((means & WORD_TOTAL) != 0 && !(v <= foot.total)) {
+			foot.total = v;
+			foot.where = row->cell[c->at];
+			foot.weighed = (means & WORD_WEIGHED) != 0;
 		}
 	}
-	/* A mass that is most of the whole is what was left. */
-	if (!isnan(total) && washed > total / 2)
-		washed = total - washed;
-	if (!isnan(washed))
-		c->pan = (isnan(c->pan) ? 0 : c->pan) + fmax(washed, 0);
-	return total;
+	if (!isnan(after) && before > after) {
+		foot.washed = before - after;
+		foot.total = isnan(foot.total) || before > foot.total
+				 ? before
+				 : foot.total;
+		foot.weighed = true;
+		foot.odd.text = NULL;
+	} else if (!isnan(after) && foot.total > after) {
+		foot.washed = foot.total - after;
+		foot.odd.text = NULL;
+	} else if (fabs(after - sum) <= MASS_TOLERANCE * sum) {
+		foot.odd.text = NULL; /* what went on the sieves */
+	}
+	return foot;
+}
+
+static double
+sum_of(const struct column *c)
+{
+	double sum = isnan(c->pan) ? 0 : c->pan;
+	for (size_t i = 0; i < c->table->n_row; i++)
+		sum += isnan(c->pct[i]) ? 0 : c->pct[i];
+	return sum;
+}
+
+/* Reads the lines below and adds what was washed out to the pan; false after a
+ * fault. */
+static bool
+take_foot(struct column *c, struct foot *foot)
+{
+	*foot = read_foot(c, sum_of(c));
+	if (foot->odd.text != NULL)
+		return sheet_fault(c->table->sheet, foot->odd,
+		    "expected the masses before and after washing, or what was "
+		    "washed out, got %s alone\n"
+		    "head the lines 'mass before washing' and 'mass after "
+		    "washing', or write the difference as 'washed out'",
+		    foot->odd.text);
+	if (foot->washed > 0)
+		c->pan = (isnan(c->pan) ? 0 : c->pan) + foot->washed;
+	return true;
 }
 
 /* Whether the sheet's own total is the sum of the column, or it has none. */
@@ -305,15 +353,6 @@ agrees(struct column *c, struct cell where, double total, double sum)
 }
 
 static double
-sum_of(const struct column *c)
-{
-	double sum = isnan(c->pan) ? 0 : c->pan;
-	for (size_t i = 0; i < c->table->n_row; i++)
-		sum += isnan(c->pct[i]) ? 0 : c->pct[i];
-	return sum;
-}
-
-static double
 tell_no_pan(struct column *c)
 {
 	sheet_fault(c->table->sheet, c->head,
@@ -328,9 +367,12 @@ tell_no_pan(struct column *c)
 static double
 total_mass(struct column *c)
 {
-	struct cell where = c->head;
-	bool weighed;
-	double total = read_foot(c, &where, &weighed), sum = sum_of(c);
+	struct foot foot;
+	if (!take_foot(c, &foot))
+		return 0;
+	struct cell where = foot.where;
+	bool weighed = foot.weighed;
+	double total = foot.total, sum = sum_of(c);
 	bool cumulative = SITE_UNITS[c->unit].kind == CUMULATIVE;
 	if (cumulative && !isnan(c->pan))
 		return c->pan;
@@ -361,10 +403,10 @@ static double
 total_share(struct column *c)
 {
 	char head[64];
-	struct cell where = c->head;
+	struct foot foot;
 	double whole = SITE_UNITS[c->unit].most;
-	bool weighed;
-	read_foot(c, &where, &weighed);
+	if (!take_foot(c, &foot))
+		return 0;
 	double sum = sum_of(c), off = (sum - whole) / whole * 100;
 	bool pan = !isnan(c->pan);
 	/* What is lost in sieving is missing from the sum. */
@@ -450,7 +492,9 @@ check_coarsest(struct column *c)
 			  : SITE_UNITS[c->unit].scale == OF_1 ? "1"
 							      : "100";
 	text_exact(t->mm[i], mm);
-	if (s > 0)
+	if (c->pct[i] < 95)
+		snprintf(next, sizeof next, "the coarser sieves, up to one");
+	else if (s > 0)
 		snprintf(next, sizeof next, "%g mm", series[s - 1]);
 	else
 		snprintf(next, sizeof next, "a sieve coarser than %s mm", mm);

@@ -100,9 +100,9 @@ static const struct {
 	"fecha data pvm paivamaara lab labor labno labnr laboratory id time "
 	"tid operator klockan "
 	"moisture fukt feuchte"},
-    {WORD_MEAN,
-	"mean average avg medel medelvarde snitt mittel mittelwert moyenne "
-	"media medio promedio keskiarvo gjennomsnitt gemiddelde"},
+    {WORD_MEAN, "mean average avg mw moy ka median gj medel medelvarde snitt "
+		"mittel mittelwert moyenne "
+		"media medio promedio keskiarvo gjennomsnitt gemiddelde"},
     {WORD_SAMPLE,
 	"sample samples prov provet provnr probe proben cut belt beltcut run "
 	"runs test trial forsok versuch essai echantillon muestra ensayo "
@@ -116,18 +116,27 @@ static const struct {
 	"sum total totals totalt summa summe gesamt insgesamt somme suma "
 	"soma totale yhteensa"},
     {WORD_TOTAL | WORD_WEIGHED, "einwaage invagt m1"},
-    {WORD_WASHED, "m2 waschen tvattning"},
+
     {WORD_LOSS,
 	"loss losses forlust siktforlust verlust siebverlust perte pertes "
 	"perdida perdidas perda perdas havio havikki difference"},
-    {WORD_WASHED,
-	"washed washing wash tvatt tvattforlust tvattat abschlammbar "
-	"abschlammbare abgeschlammt lavage lave lavado lavagem pesu pesty"},
+    {WORD_WASHED, "washed washing wash tvatt tvattforlust tvattat abschlammbar "
+		  "abschlammbare abgeschlammt lavage lave lavado lavagem pesu "
+		  "pesty pesun waschen "
+		  "gewaschen tvattning tvattad m2"},
+    {WORD_LIMIT,
+	"calculated calc berechnet beraknad beraknat beregnet calcule "
+	"calculado "
+	"laskettu predicted expected simulated simulerad model modell fit "
+	"fitted smoothed interpolated rejected outlier discarded kasserad "
+	"ungultig previous fuller theoretical teoretisk"},
+    {WORD_MACHINE, "vsi crusher kross brecher concasseur trituradora britador "
+		   "murskain line machine maskin"},
     {WORD_FILLER,
 	"at vid material mangd on of the and by to for with a i pa av mit "
 	"bei der die das des du de la le en sur par del el por em o "
 	"wt gew vol masse-% m m-% the med och und et y e astia "
-	"kohti p v ms s mps peripheral periferi crusher vsi kross concasseur "
+	"kohti p v ms s mps peripheral periferi "
 	"analysis siktning each per je single individual einzeln parcial "
 	"partiel simple enskild nominal"},
 };

@@ -38,7 +38,8 @@
 #define WORD_BS (UINT64_C(1) << 28)
 #define WORD_ASTM (UINT64_C(1) << 29)
 #define WORD_WEIGHED (UINT64_C(1) << 30) /* before sieving: M1 of EN 933-1 */
-#define WORD_MEAN (UINT64_C(1) << 31)    /* of several samples */
+#define WORD_MACHINE (UINT64_C(1) << 32)
+#define WORD_MEAN (UINT64_C(1) << 31) /* of several samples */
 
 /* The meanings of n bytes of text_fold's, one word; 0 where it is unknown. */
 uint64_t vocabulary_word(const char *word, size_t n);
