@@ -17,6 +17,7 @@ error_place(struct error *e, const char *file, int line, int column)
 	snprintf(e->file, sizeof e->file, "%s", file);
 	e->line = line;
 	e->column = column;
+	e->in_grid = false;
 }
 
 void
@@ -119,16 +120,31 @@ print_line(char *line, bool wrap, int margin, FILE *out)
 	free(line);
 }
 
+/* "14:9:" after a file's name, or "B5:". */
+static void
+show_place(const struct error *e, char place[static 32])
+{
+	enum { LETTERS = 26 };
+	char name[8] = "", *first = name + sizeof name - 1;
+	for (int c = e->column; c > 0 && first > name; c = (c - 1) / LETTERS)
+		*--first = (char)('A' + (c - 1) % LETTERS);
+	if (e->line > 0 && e->in_grid)
+		snprintf(place, 32, " %s%d:", first, e->line);
+	else if (e->line > 0)
+		snprintf(place, 32, "%d:%d:", e->line, e->column);
+}
+
 void
 error_print(const struct error *e, FILE *out)
 {
 	char place[32] = "";
-	if (e->line > 0)
-		snprintf(place, sizeof place, "%d:%d:", e->line, e->column);
+	show_place(e, place);
 	bool known = e->file[0] != '\0' || e->line > 0;
-	print_line(
-	    xasprintf("%s%s%s%s %s", e->file, e->file[0] != '\0' ? ":" : "",
-		place, known ? "" : "tipspeed:", e->text),
+	const char *sign = e->file[0] == '\0'               ? ""
+			   : e->in_grid && place[0] != '\0' ? ","
+							    : ":";
+	print_line(xasprintf("%s%s%s%s %s", e->file, sign, place,
+		       known ? "" : "tipspeed:", e->text),
 	    isatty(fileno(out)) != 0, 4, out);
 	error_print_hint(e, out);
 }

@@ -19,10 +19,12 @@ enum error_kind {
 };
 
 /* A plain value: nothing to free.  line and column count from 1; 0: none.
+ * in_grid: they are those of a cell in a workbook, shown as B5.
  * text: what was wanted and what was found; hint: the next step, or "". */
 struct error {
 	enum error_kind kind;
 	int line, column;
+	bool in_grid;
 	char file[240];
 	char text[512];
 	char hint[512];
@@ -64,9 +66,9 @@ bool error_hint(struct error *e, const char *format, ...)
  * never NULL. */
 struct error *error_add(struct error_list *list);
 
-/* "file:line:column: text" and, where there is one, the hint below it.  A hint
- * goes on after a margin where the screen ends; the text, which programs may
- * read, on a terminal only. */
+/* "file:line:column: text", or in a workbook "file, B5: text", and, where there
+ * is one, the hint below it.  A hint goes on after a margin where the screen
+ * ends; the text, which programs may read, on a terminal only. */
 void error_print(const struct error *e, FILE *out);
 
 /* The hint alone. */

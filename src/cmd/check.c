@@ -10,9 +10,9 @@
 #include "base/xalloc.h"
 #include "cmd/entries.h"
 #include "cmd/fit.h"
+#include "cmd/mend.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
-#include "core/smooth.h"
 #include "io/units.h"
 
 /* Product coarser than feed by more than this is no sampling error. */
@@ -20,12 +20,6 @@ static const double COARSER_FAULT = 0.02;
 
 /* Closer to the feed than this on every sieve: nothing breaks. */
 static const double NOTHING = 0.01;
-
-/* A cell farther off its neighbours than this is remarked on, see check_smooth.
- * Of 19000 made-up sites at 50 to 90 m/s none has more than 0.13 in a product
- * (where the break size passes a sieve), 0.03 in a feed, and 0.15 in a curve
- * without others to compare with. */
-static const double OFF_PRODUCT = 0.14, OFF_FEED = 0.08, OFF_ALONE = 0.2;
 
 /* Where a run's product is coarser than its feed: on how many of the compared
  * sieves, and where by most. */
@@ -344,32 +338,34 @@ check_gaps(struct answer *r, const struct entry *entry)
 	free(run);
 }
 
-/* The one cell of the products (or the feeds) that stands out most.  The rule:
- * a passing whose distance from the straight line, on log size, between its
- * neighbours is more than OFF_PRODUCT or OFF_FEED from the mean distance of the
- * other runs on the same three sieves; or more than OFF_ALONE where there are
- * no others. */
+/* The cells that the doctor found, each in words; column mends stand beside
+ * what tells of the columns. */
 static void
-check_smooth(struct answer *r, const struct entry *entry, bool feed)
+check_cells(struct answer *r, const struct entry *entry, const struct doctor *d)
 {
-	const struct site *site = entry->site;
-	const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
-	const struct run **run = xcalloc(site->n_run, sizeof(*run));
 	char buf[40];
-	size_t n = gather(site, feed, curve, run, 0);
-	struct smooth_outlier o = smooth_outlier(curve, n);
-	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
-	if (fabs(o.off) > most)
-		finding(r, entry, false, place(run[o.curve], buf),
-		    "%s passing %g %% at %g mm is %.1f points %s a line "
-		    "between its neighbours%s: were digits transposed?",
-		    feed ? "feed" : "product",
-		    units_pct(curve[o.curve]->passing[o.sieve]),
-		    units_mm(curve[o.curve]->size[o.sieve]), 100 * fabs(o.off),
-		    o.off > 0 ? "above" : "below",
-		    o.others > 0 ? ", compared with the other runs" : "");
-	free(curve);
-	free(run);
+	for (size_t i = 0; i < d->n; i++) {
+		const struct finding *f = &d->finding[i];
+		const struct mend *m = &f->mend;
+		bool shared = m->feed && !entry->site->individual_feeds;
+		if (m->kind != MEND_READ && m->kind != MEND_OUT)
+			continue;
+		char *expected =
+		    isnan(f->expected)
+			? xstrdup("is off the line between its neighbours")
+			: xasprintf("where %.1f (sd %.1f) is expected",
+			      100 * f->expected, 100 * f->sd);
+		finding(r, entry, false,
+		    place(shared ? NULL : &entry->site->run[m->run], buf),
+		    "%s passing %g %% at %g mm, %s %s: %s",
+		    m->feed ? "feed" : "product", units_pct(f->measured),
+		    units_mm(m->size), expected,
+		    isnan(f->surprise) ? "by its neighbours and the other runs"
+				       : "by all other passings and the fit",
+		    m->kind == MEND_READ ? "were digits transposed?"
+					 : "measure it again, or leave it out");
+		free(expected);
+	}
 }
 
 /* A cell that neither its neighbours nor the other runs give away may lie off
@@ -443,11 +439,15 @@ check_site(
 	check_copies(r, entry);
 	check_gaps(r, entry);
 	check_wide(r, entry);
-	check_smooth(r, entry, true);
-	check_smooth(r, entry, false);
-	check_fit(r, entry);
+	struct doctor d = mend_look(s, entry);
+	check_cells(r, entry, &d);
+	if (!mend_is_calibrated(s, entry))
+		check_fit(r, entry);
 	check_twins(s, r, index);
-	if (entry->site->provenance[0] == '\0')
+	if (index == s->current)
+		mend_put(r, entry, &d);
+	doctor_free(&d);
+	if (strcmp(site_data_kind(entry->site->provenance), "not stated") == 0)
 		finding(r, entry, false, "site file",
 		    "provenance is not stated: add a line 'provenance,...' "
 		    "with the source of the data");
@@ -479,10 +479,12 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	    : answer_rows(r) == 0
 		? "no faults found"
 		: "no faults found; judge the remarks yourself");
+	bool mends = answer_number(r, "mends.n") > 0;
 	session_answer(s, r);
 	if (ok)
 		return true;
 	return error_set(error, ERROR_CHECK,
 	    "check found faults in the site file\n"
-	    "correct the spreadsheet, save it and load it again");
+	    "correct the spreadsheet, save it and load it again%s",
+	    mends ? "; or take a mend: mend 1" : "");
 }

@@ -48,8 +48,11 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    site_data_kind(entry->site->provenance));
 		free(speeds);
 	}
-	answer_note(r, s->n_entry > 0 ? "* is the site in use"
-				      : "no site is loaded: run 'load FILE'");
+	answer_note(r, s->n_entry > 0
+			   ? "* is the site in use"
+			   : "no site is loaded: run 'load FILE', or "
+			     "'template > my.csv' for an empty "
+			     "sheet");
 	if (s->log != NULL)
 		answer_note(r, "log: %s ('show log')", s->log->path);
 	return session_answer(s, r);

@@ -159,6 +159,36 @@ session_grow(struct session *s, struct site *site, const size_t *from)
 	own_site(s, site);
 }
 
+bool
+session_mend(struct session *s, size_t index, struct site *site)
+{
+	struct entry *entry = &s->entry[index];
+	bool own =
+	    entry->has_fit || (entry->origin != NULL && entry->origin->found &&
+				  entry->origin->whose[0] == '\0');
+	if (s->job.calibration != NULL && s->job.entry == index)
+		session_let_go(s);
+	if (site->n_run != entry->site->n_run) {
+		free(entry->train);
+		entry->train = xcalloc(site->n_run, sizeof *entry->train);
+		misfit_default_train(site, entry->train);
+	}
+	entry->site = site;
+	history_drop(entry->history);
+	entry->history = NULL;
+	entry->has_fit = false;
+	entry->fit = (struct fit){.misfit = 0};
+	entry->options[0] = '\0';
+	if (own) {
+		origin_drop(entry->origin);
+		entry->origin = NULL;
+		entry->has_params = false;
+		entry->params = (struct params){.breakage = 0};
+	}
+	own_site(s, site);
+	return own;
+}
+
 /* How well a loaded site answers to a name: 0 not, 1 by its name, 2 by name and
  * top size, 3 by its key. */
 static int

@@ -37,6 +37,8 @@ grading_open(struct session *s, const char *path, size_t feed,
 	*grading = (struct grading){.spec = spec};
 	if (spec == NULL)
 		return session_tell_faults(s, path, &errors, error);
+	if (spec->note[0] != '\0')
+		session_note(s, "%s: %s", path, spec->note);
 	while (grading->n < spec->n && psd_covers(from, spec->size[grading->n]))
 		grading->n++;
 	if (grading->n == 0) {

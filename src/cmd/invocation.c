@@ -72,21 +72,26 @@ check_safe(
 }
 
 /* A file for a picture wants one command that draws, and holds one picture. A
- * workbook is no text: a spreadsheet would call one of text broken. */
+ * workbook is no text: a spreadsheet would call one of text broken, and more
+ * cannot be added to its end. */
 static bool
 can_take(const struct command *command, const struct words *words,
     struct error *error)
 {
-	static const char *const BOOKS[] = {".xlsx", ".xls", ".ods"};
+	static const char *const BOOKS[] = {".xls", ".xlsm", ".xlsb", ".ods"};
 	enum picture_form form;
 	size_t kind;
 	for (size_t i = 0; words->to != TO_PIPE && i < ARRAY_LEN(BOOKS); i++)
 		if (text_ends(words->target, BOOKS[i]))
 			return error_set(error, ERROR_USAGE,
-			    "cannot write a workbook (%s)\n"
-			    "write > FILE.csv instead; run 'set csv semicolon' "
-			    "for decimal commas",
+			    "cannot write this kind of workbook (%s)\n"
+			    "write > FILE.xlsx instead, or > FILE.csv",
 			    words->target);
+	if (words->to == TO_END && text_ends(words->target, ".xlsx"))
+		return error_set(error, ERROR_USAGE,
+		    "results cannot be appended to a workbook (%s)\n"
+		    "use > with a file for each command, or >> FILE.csv",
+		    words->target);
 	if (words->to == TO_PIPE || !picture_form_of(words->target, &form))
 		return true;
 	if (!picture_can(form))
@@ -172,6 +177,13 @@ void
 invocation_adds(struct session *s, const char *option, const char *value)
 {
 	xappend(&s->invocation->line, " %s=%s", option, value);
+}
+
+void
+invocation_reads(struct session *s, const char *line)
+{
+	free(s->invocation->line);
+	s->invocation->line = xstrdup(line);
 }
 
 void

@@ -33,6 +33,9 @@ void invocation_joins(struct session *s);
 /* The command that runs is saved with this option, which it was not given. */
 void invocation_adds(struct session *s, const char *option, const char *value);
 
+/* The command that runs is saved as this line instead. */
+void invocation_reads(struct session *s, const char *line);
+
 /* When the command that runs has done what it should, a file of the user's has
  * the session as it then is. */
 void invocation_saved(struct session *s);

@@ -14,6 +14,8 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/files.h"
+#include "config.h"
+#include "io/book.h"
 #include "io/file.h"
 #include "plot/picture.h"
 
@@ -26,6 +28,8 @@ struct redirect {
 	enum answer_format form, before;
 	struct screen screen; /* before, too */
 	size_t rows;
+	struct book *book, *outer; /* a workbook, and that before */
+	char *line;                /* the command */
 };
 
 /* The form that the end of a file's name asks for. */
@@ -46,7 +50,18 @@ redirect_open(struct session *s, const struct words *words, struct error *error)
 		return NULL;
 	if (words->to == TO_FILE && !files_may_replace(s, words->target, error))
 		return NULL;
+	bool is_book =
+	    words->to == TO_FILE && text_ends(words->target, ".xlsx");
+	struct book *book = is_book ? book_new(error) : NULL;
+	if (is_book && book == NULL)
+		return NULL;
 	struct redirect *r = xcalloc(1, sizeof *r);
+	r->book = book;
+	r->outer = s->book;
+	s->book = book;
+	r->line = xstrdup("");
+	for (size_t i = 0; i < words->n; i++)
+		xlist(&r->line, " ", "%s", words->text[i]);
 	r->memory = text_memory(&r->text, &r->n);
 	r->to = words->to;
 	r->target = xstrdup(words->target);
@@ -54,6 +69,9 @@ redirect_open(struct session *s, const struct words *words, struct error *error)
 	r->before = s->set.format;
 	r->form = r->to == TO_PIPE ? s->set.format
 				   : form_of(r->target, s->set.format);
+	/* Commands that draw have numbers for csv. */
+	if (is_book)
+		r->form = ANSWER_CSV;
 	r->screen = s->screen;
 	r->rows = s->rows;
 	s->rows = 0;
@@ -116,6 +134,54 @@ write_file(struct session *s, struct redirect *r, struct error *error)
 	return true;
 }
 
+/* What the results rest on. */
+static void
+tell_about(struct session *s, const struct redirect *r)
+{
+	book_about(r->book, "program", "tipspeed " PACKAGE_VERSION);
+	book_about(r->book, "command", r->line);
+	if (!book_has_site(r->book) || s->n_entry == 0)
+		return;
+	const struct entry *entry = session_entry(s);
+	const struct site *site = entry->site;
+	char *label = session_label(site);
+	char *speeds = session_speeds(site, ", ", NULL, true);
+	book_about(r->book, "site", label);
+	book_about(r->book, "file", site->path);
+	book_about(r->book, "provenance", site->provenance);
+	book_about(r->book, "speeds, m/s", speeds);
+	book_about(r->book, "parameters", origin_words(entry));
+	free(label);
+	free(speeds);
+	const struct breakage *model = BREAKAGES[entry->params.breakage];
+	for (size_t j = 0; entry->has_params && j < model->n; j++) {
+		const struct param_info *p = &model->parameter[j];
+		char number[32];
+		bool bare = strcmp(p->unit, "-") == 0;
+		char *name = xasprintf(
+		    "%s%s%s", p->name, bare ? "" : ", ", bare ? "" : p->unit);
+		book_about(r->book, name,
+		    text_exact(params_value(&entry->params, p->name), number));
+		free(name);
+	}
+}
+
+/* Puts the workbook in place of what was printed, which has no table. */
+static bool
+bind_book(struct session *s, struct redirect *r, struct error *error)
+{
+	if (book_sheets(r->book) == 0)
+		return error_set(error, ERROR_USAGE,
+		    "no table for a workbook (%s)\n"
+		    "write > FILE.txt instead",
+		    r->target);
+	tell_about(s, r);
+	free(r->text);
+	r->text = book_finish(r->book, &r->n, error);
+	r->book = NULL;
+	return r->text != NULL;
+}
+
 /* How the shell command ended.  One that ^C ended passes it on. */
 static bool
 judge_shell(const struct redirect *r, int status, struct error *error)
@@ -162,14 +228,17 @@ redirect_close(
     struct session *s, struct redirect *r, bool keep, struct error *error)
 {
 	s->out = r->out;
+	s->book = r->outer;
 	s->screen = r->screen;
 	s->file = NULL;
 	/* Unless the command itself was to set it. */
 	if (s->set.format == r->form)
 		s->set.format = r->before;
 	bool whole = fclose(r->memory) == 0, ok = true;
-	if (r->to != TO_PIPE && r->form == ANSWER_CSV && s->set.semicolon &&
-	    r->n > 0)
+	if (keep && r->book != NULL)
+		keep = ok = bind_book(s, r, error);
+	else if (r->to != TO_PIPE && r->form == ANSWER_CSV &&
+		 s->set.semicolon && r->n > 0)
 		put_mark(r);
 	if (keep && !whole)
 		ok = error_set(error, ERROR_SYSTEM,
@@ -179,6 +248,8 @@ redirect_close(
 				      : write_file(s, r, error);
 	s->rows = r->rows;
 	free(r->text);
+	book_free(r->book);
+	free(r->line);
 	free(r->target);
 	free(r);
 	return ok;

@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "io/book.h"
 #include "io/units.h"
 
 struct entry *
@@ -99,9 +100,12 @@ bool
 session_answer(struct session *s, struct answer *answer)
 {
 	const struct answer_form *form = &ANSWER_FORMATS[s->set.format];
-	s->rows += form->exact && s->screen.columns > 0
-		       ? show_exact(s, form, answer)
-		       : form->print(answer, s->set.semicolon, s->out);
+	if (s->book != NULL)
+		s->rows += book_add(s->book, answer);
+	else
+		s->rows += form->exact && s->screen.columns > 0
+			       ? show_exact(s, form, answer)
+			       : form->print(answer, s->set.semicolon, s->out);
 	fflush(s->out);
 	session_keep(s, answer);
 	return true;

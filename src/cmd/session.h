@@ -61,8 +61,9 @@ struct session {
 	FILE *out;       /* results */
 	FILE *notes;     /* what is said beside results; NULL: nothing */
 	struct screen screen;
-	const char *file; /* results go there; NULL: no file */
-	size_t rows;      /* reported since results go where they go */
+	const char *file;  /* results go there; NULL: no file */
+	struct book *book; /* and are put together in this workbook, or NULL */
+	size_t rows;       /* reported since results go where they go */
 	size_t n_answer;
 	struct answer **answer; /* kept, the newest last: see session_keep */
 	struct job job;

@@ -42,6 +42,20 @@ static const struct command_option ADD_OPTIONS[] = {SHEET_OPTIONS,
 	"refuse cuts that give the site other numbers; written by save"},
     {.name = NULL}};
 
+static const struct command_option MEND_OPTIONS[] = {
+    {"sieve", VALUE_NUMBER, "mm", 1e-6, 1e6, NULL, "",
+	"sieve of the passing to mend"},
+    {"value", VALUE_NUMBER, "%", 0, 100, NULL, "",
+	"read the passing at sieve= as this"},
+    {"do", VALUE_CHOICE, "", 0, 0, "out swap up down drop", "",
+	"leave the passing at sieve= out; swap a product with its feed; move a "
+	"column to the next coarser (up) or finer sieves; drop a run"},
+    {"with", VALUE_TEXT, "", 0, 0, NULL, "",
+	"exchange two products: product@79"},
+    {"scale", VALUE_NUMBER, "", 1e-6, 1e6, NULL, "",
+	"multiply the column's sieve sizes, as by 0.001"},
+    {.name = NULL}};
+
 static const struct command_option SYNTH_OPTIONS[] = {
     {"site", VALUE_TEXT, "", 0, 0, NULL, "",
 	"make only the sites with this name"},
@@ -53,6 +67,15 @@ static const struct command_option SYNTH_OPTIONS[] = {
 	"seed of the noise"},
     {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "69,74,79",
 	"tip speeds, slow to fast"},
+    {.name = NULL}};
+
+static const struct command_option TEMPLATE_OPTIONS[] = {
+    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "69,79",
+	"tip speeds of the products, a column each"},
+    {"unit", VALUE_CHOICE, "", 0, 0, "passing_pct retained_g", "passing_pct",
+	"what the numbers will be"},
+    {"sieves", VALUE_NUMBERS, "mm", 0.001, 1000, NULL, "",
+	"sieves, a row each; default: the usual ones of EN 933"},
     {.name = NULL}};
 
 static const struct command_option WRITE_OPTIONS[] = {
@@ -131,13 +154,32 @@ const struct command TABLE_DATA[] = {
 	    "sieves and columns were read and what was left out; products "
 	    "coarser than their feed; a faster run with a coarser or an "
 	    "identical product; a passing that differs from its neighbours, as "
-	    "transposed digits do, or from the calibrated product; runs where "
-	    "nothing breaks; sieves that cannot be compared; and loaded sites "
-	    "with identical data. Nothing is changed. A fault (not a remark) "
-	    "ends a script with exit status 1.",
+	    "transposed digits do, or, once calibrated, from what all other "
+	    "passings make probable; runs where nothing breaks; sieves that "
+	    "cannot be compared; and loaded sites with identical data. For the "
+	    "site in use it proposes mends, numbered for the command mend. "
+	    "Nothing is changed. A fault (not a remark) ends a script with "
+	    "exit status 1.",
 	.example = "load data/sites/ubbarp.csv data/sites/gasgruvan.csv\n"
 		   "check all",
 	.run = cmd_check},
+    {.name = "mend",
+	.brief = "mend a site file's data as check proposes",
+	.operands = {"[N|COLUMN]", {"feed"}, 0, 1},
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
+	.option = MEND_OPTIONS,
+	.text =
+	    "Takes mend N of the last check of the site in use, or lists them "
+	    "without N. A column (product@79, feed, feed@79) with options says "
+	    "in full what to do, as save writes it. The mend is added to the "
+	    "provenance, so that all results show it; parameters that were "
+	    "calibrated on the former numbers are dropped. The file stays as "
+	    "it is: write saves the mended sheet. undo takes a mend back. "
+	    "Nothing is mended unless you say so: look at the laboratory's "
+	    "sheet first.",
+	.example = "load data/sites/tierp.csv\n"
+		   "mend product@74 sieve=4 do=out\nundo",
+	.run = cmd_mend},
     {.name = "show",
 	.brief = "show a site and its model",
 	.operands = {"[site|feed|product|params|bounds|model|models|"
@@ -172,6 +214,15 @@ const struct command TABLE_DATA[] = {
 		"not measured wherever they are shown.",
 	.example = "synth data/table3.csv site=Tierp seed=9\nshow product",
 	.run = cmd_synth},
+    {.name = "template",
+	.brief = "show an empty site file to fill in",
+	.option = TEMPLATE_OPTIONS,
+	.text = "Remarks in it explain its lines and columns. Write it to a "
+		"file (> FILE.csv or > FILE.xlsx), fill it in with a "
+		"spreadsheet program, and load it.",
+	.example = "template > my.csv\n"
+		   "template speeds=60,65,70 unit=retained_g > lab.xlsx",
+	.run = cmd_template},
     {.name = "write",
 	.brief = "write site files",
 	.operands = {"FILE|FOLDER", {"FILE"}, 1, 1},

@@ -48,6 +48,8 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
     {"XDG_DATA_HOME", "Folder of tipspeed/store.db, the remembered "
 		      "calibrations; default .local/share in HOME."},
     {"HOME", "Your home folder."},
+    {"TMPDIR", "Folder of the temporary files, without names, that workbooks "
+	       "are put together in; default /tmp."},
     {"LC_CTYPE", "Character set, or LC_ALL or LANG if they replace it; text is "
 		 "always UTF-8 and numbers always have a decimal point."},
     {.name = NULL}};

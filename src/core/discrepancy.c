@@ -124,7 +124,7 @@ terms_product(double t, double u, double slope)
 }
 
 void
-discrepancy_factor(const struct cell *cell, size_t n,
+discrepancy_fill(const struct cell *cell, size_t n,
     const double log_hyper[static HYPERS], double *L)
 {
 	double hyper[HYPERS];
@@ -143,6 +143,13 @@ discrepancy_factor(const struct cell *cell, size_t n,
 			L[i * n + j] = a->h * b->h * (K + (i == j ? own : 0)) +
 				       (i == j ? ROUNDING * ROUNDING : 0);
 		}
+}
+
+void
+discrepancy_factor(const struct cell *cell, size_t n,
+    const double log_hyper[static HYPERS], double *L)
+{
+	discrepancy_fill(cell, n, log_hyper, L);
 	discrepancy_cholesky(L, n);
 }
 

@@ -70,8 +70,10 @@ void discrepancy_cholesky(double *L, size_t n);
 void discrepancy_forward(const double *L, size_t n, double *d);
 void discrepancy_backward(const double *L, size_t n, double *z);
 
-/* The factor L [n * n] of the covariance of what n measured passings and the
- * model differ by. */
+/* The lower half of the covariance of what n measured passings and the model
+ * differ by, L [n * n], and its factor. */
+void discrepancy_fill(const struct cell *cell, size_t n,
+    const double log_hyper[static HYPERS], double *L);
 void discrepancy_factor(const struct cell *cell, size_t n,
     const double log_hyper[static HYPERS], double *L);
 

@@ -340,7 +340,8 @@ site_data_kind(const char *provenance)
 {
 	char *folded = text_fold(provenance);
 	const char *text = text_trim(folded), *kind = "measured";
-	if (text[0] == '\0')
+	const char none[] = "not stated";
+	if (text[0] == '\0' || strncmp(text, none, strlen(none)) == 0)
 		kind = "not stated";
 	for (size_t i = 0; i < ARRAY_LEN(MADE_UP); i++)
 		if (strncmp(text, MADE_UP[i], strlen(MADE_UP[i])) == 0)

@@ -103,8 +103,8 @@ bool site_run_is_near(
 void site_reach(const struct site *site, double *from, double *to);
 
 /* What data of that provenance are: "reconstructed", "synthetic", "made up" or
- * "simulated", as it begins; "not stated" where it is empty; in all other words
- * "measured", says who wrote them. */
+ * "simulated", as it begins; "not stated" where it says that or is empty; in
+ * all other words "measured", says who wrote them. */
 const char *site_data_kind(const char *provenance);
 
 /* Whether they were never measured at a plant, as they say themselves. */

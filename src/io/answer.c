@@ -18,23 +18,10 @@
 /* Columns of a terminal, less two for its edges. */
 enum { SCREEN = 79 };
 
-/* text is what people see; number is exact.  key: what programs see of a text
- * in its place, or NULL.  is_text: no number. */
-struct cell {
-	bool is_text;
-	double number;
-	char *text, *key;
-};
-
 struct table {
 	size_t n_column, n_cell;
 	char **key, **head;
-	struct cell *cell; /* row by row */
-};
-
-struct sentence {
-	enum answer_grade grade;
-	char *text;
+	struct answer_cell *cell; /* row by row */
 };
 
 enum kind { NUMBER, WHOLE, BOOL, TEXT, OBJECT, LIST };
@@ -61,7 +48,7 @@ struct answer {
 	struct table table[2], *filled;
 	struct fields fields;
 	size_t n_sentence;
-	struct sentence *sentence;
+	struct answer_sentence *sentence;
 };
 
 struct answer *
@@ -189,7 +176,7 @@ answer_columns(struct answer *a, const char *format, ...)
 }
 
 static void
-add_cell(struct answer *a, struct cell cell)
+add_cell(struct answer *a, struct answer_cell cell)
 {
 	struct table *t = a->filled;
 	t->cell = xrealloc(t->cell, t->n_cell + 1, sizeof *t->cell);
@@ -199,7 +186,7 @@ add_cell(struct answer *a, struct cell cell)
 static void
 add_text(struct answer *a, char *text)
 {
-	add_cell(a, (struct cell){true, NAN, text, NULL});
+	add_cell(a, (struct answer_cell){true, NAN, -1, text, NULL});
 }
 
 /* decimals -1: as many digits as needed. */
@@ -217,7 +204,7 @@ add_number(struct answer *a, double value, int decimals)
 	if (text[0] == '-' && strpbrk(text, "123456789") == NULL &&
 	    isfinite(value))
 		memmove(text, text + 1, strlen(text));
-	add_cell(a, (struct cell){false, value, text, NULL});
+	add_cell(a, (struct answer_cell){false, value, decimals, text, NULL});
 }
 
 void
@@ -248,7 +235,8 @@ answer_text(struct answer *a, const char *format, ...)
 void
 answer_name(struct answer *a, const char *key, const char *head)
 {
-	add_cell(a, (struct cell){true, NAN, xstrdup(head), xstrdup(key)});
+	add_cell(a,
+	    (struct answer_cell){true, NAN, -1, xstrdup(head), xstrdup(key)});
 }
 
 void
@@ -286,7 +274,7 @@ add_sentence(struct answer *a, enum answer_grade grade, char *text)
 {
 	a->sentence =
 	    xrealloc(a->sentence, a->n_sentence + 1, sizeof *a->sentence);
-	a->sentence[a->n_sentence++] = (struct sentence){grade, text};
+	a->sentence[a->n_sentence++] = (struct answer_sentence){grade, text};
 }
 
 void
@@ -405,7 +393,8 @@ fields_numbers(struct fields *fields, const char *key, const double *value,
 
 /* A cell of the table as a field. */
 static void
-add_cell_field(struct fields *fields, const char *key, const struct cell *cell)
+add_cell_field(
+    struct fields *fields, const char *key, const struct answer_cell *cell)
 {
 	if (cell->is_text)
 		add_field(fields, key, TEXT)->text =
@@ -484,6 +473,21 @@ answer_number(const struct answer *a, const char *path)
 	return value;
 }
 
+struct answer_view
+answer_view(const struct answer *a)
+{
+	const struct table *t = &a->table[0];
+	return (struct answer_view){.title = a->title,
+	    .site = a->site,
+	    .provenance = a->provenance,
+	    .n_column = t->n_column,
+	    .n_row = rows_of(t),
+	    .n_sentence = a->n_sentence,
+	    .head = t->head,
+	    .cell = t->cell,
+	    .sentence = a->sentence};
+}
+
 static const struct table *
 for_programs(const struct answer *a)
 {
@@ -545,7 +549,7 @@ print_csv_origin(const struct answer *a, char separator, FILE *out)
 }
 
 static void
-print_csv_cell(const struct cell *cell, char separator, FILE *out)
+print_csv_cell(const struct answer_cell *cell, char separator, FILE *out)
 {
 	if (cell->is_text)
 		print_csv_text(
@@ -784,7 +788,7 @@ put_sentences(char *(*way)(const char *), const struct answer *a, bool warnings,
     struct answer *copy)
 {
 	for (size_t i = 0; i < a->n_sentence; i++) {
-		const struct sentence *said = &a->sentence[i];
+		const struct answer_sentence *said = &a->sentence[i];
 		if ((said->grade == ANSWER_WARNING) != warnings)
 			continue;
 		char *text = xasprintf("%s%s%s",
@@ -817,9 +821,9 @@ put_in(char *(*way)(const char *), const struct answer *a)
 		free(head);
 	}
 	for (size_t i = 0; i < from->n_cell; i++)
-		add_cell(copy,
-		    (struct cell){from->cell[i].is_text, from->cell[i].number,
-			way(from->cell[i].text), NULL});
+		add_cell(copy, (struct answer_cell){from->cell[i].is_text,
+				   from->cell[i].number, from->cell[i].decimals,
+				   way(from->cell[i].text), NULL});
 	put_sentences(way, a, true, copy);
 	put_sentences(way, a, false, copy);
 	return copy;

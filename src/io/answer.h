@@ -96,6 +96,29 @@ void answer_say(struct answer *answer, enum answer_grade grade,
 void answer_note(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/* What people are shown of it, borrowed: title, site and provenance or NULL, a
+ * table row by row, sentences.  A cell: text is what they see; number is exact,
+ * NAN where it is missing, and they see so many decimals of it, for -1 as many
+ * as needed; key: what programs see in place of a text, or NULL. */
+struct answer_cell {
+	bool is_text;
+	double number;
+	int decimals;
+	char *text, *key;
+};
+struct answer_sentence {
+	enum answer_grade grade;
+	char *text;
+};
+struct answer_view {
+	const char *title, *site, *provenance;
+	size_t n_column, n_row, n_sentence;
+	char *const *head;
+	const struct answer_cell *cell;
+	const struct answer_sentence *sentence;
+};
+struct answer_view answer_view(const struct answer *answer);
+
 /* Its fields, beside command, site and provenance; borrowed. */
 struct fields *answer_fields(struct answer *answer);
 

@@ -29,7 +29,7 @@ static const struct {
 /* Units of other things: a number before one of them is no speed. */
 static const char *const OTHER_UNITS[] = {"mm", "um", "\xC2\xB5m", "\xCE\xBCm",
     "cm", "micron", "inch", "in.", "\"", "g", "kg", "%", "t/h", "tph", "ton",
-    "t", "kw", "h", "pct", "\xC2\xB0"};
+    "t", "kw", "h", "hz", "pct", "\xC2\xB0"};
 
 static bool
 is_letter(char c)
@@ -82,6 +82,31 @@ head_mps(double number, enum speed_unit unit, double rotor)
 	}
 }
 
+/* Whether speeds in a unit have four digits and more. */
+static bool
+has_thousands(enum speed_unit unit)
+{
+	return unit == SPEED_RPM || unit == SPEED_FT_MIN;
+}
+
+/* Blanks that do not break become others. */
+static void
+plain_blanks(char *s)
+{
+	static const char *const BLANKS[] = {
+	    "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x89"};
+	char *to = s;
+	for (const char *p = s; *p != '\0';) {
+		size_t n = 0;
+		for (size_t b = 0; b < ARRAY_LEN(BLANKS); b++)
+			if (strncmp(p, BLANKS[b], strlen(BLANKS[b])) == 0)
+				n = strlen(BLANKS[b]);
+		*to++ = n > 0 || *p == '\n' ? ' ' : *p;
+		p += n > 0 ? n : 1;
+	}
+	*to = '\0';
+}
+
 /* A number at *text, which moves after it: 63,6 or 63.6, 1 350 or 1,350 where
  * rpm follow.  False for dates, times and ranges (0/8, 2026-05-03), which are
  * moved over. */
@@ -111,11 +136,11 @@ number_at(const char **text, double *value)
 	if (parts == 1 && after == 0 && *p == ' ' && n <= 3 &&
 	    strspn(p + 1, DIGITS) == 3) {
 		const char *unit = p + 4 + strspn(p + 4, " ");
-		if (unit_at(unit, &k) == SPEED_RPM) {
+		if (has_thousands(unit_at(unit, &k))) {
 			strncat(copy, p + 1, 3);
 			*text = p + 4;
 		}
-	} else if (after == 3 && unit_at(blank, &k) == SPEED_RPM) {
+	} else if (after == 3 && has_thousands(unit_at(blank, &k))) {
 		memmove(strchr(copy, '.'), strchr(copy, '.') + 1, 4);
 	}
 	return parts == 1 && text_number(copy, value);
@@ -152,6 +177,7 @@ head_read(const char *text)
 {
 	struct head head = {0};
 	char *folded = text_fold(text);
+	plain_blanks(folded);
 	char *words = xcalloc(strlen(folded) + 1, 1);
 	size_t n = 0, k;
 	bool at = false;

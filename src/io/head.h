@@ -3,6 +3,7 @@
 #ifndef TIPSPEED_IO_HEAD_H
 #define TIPSPEED_IO_HEAD_H
 
+#include <stdint.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -18,14 +19,15 @@ enum speed_unit {
 /* means: of all its words, see vocabulary.h.  unknown: words without a meaning.
  * unit: of a speed, with or without a number.  speed: m/s, 0 where none is told
  * in a unit of speed; rpm: 0 likewise.  number: the first of n_number numbers
- * without any unit.  several: it tells two speeds. */
+ * without any unit.  several: it tells two speeds.
+ * spread: its speed stands in a cell at its left. */
 enum { HEAD_NUMBERS = 4 };
 struct head {
-	unsigned means;
+	uint64_t means;
 	size_t unknown, n_number;
 	enum speed_unit unit;
 	double speed, rpm, number[HEAD_NUMBERS];
-	bool several;
+	bool several, spread;
 };
 
 /* Reads one cell of a head. */

@@ -12,9 +12,11 @@
 #include "io/head.h"
 #include "io/sieve_size.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 enum {
 	MOST_HEADS = 6,
+	MOST_TABLES = 64,
 	LEAST_WITHOUT_HEAD = 4 /* sieves of a table that nothing heads */
 };
 
@@ -89,6 +91,28 @@ grid_new(struct sheet *sheet, struct layout_range range)
 	return g;
 }
 
+/* R heads its tables without the column of row numbers: a line one cell short
+ * above lines that begin with 1, 2, 3. */
+static void
+shift_head(struct grid *g)
+{
+	size_t h = 0, wide = g->n_col;
+	double v;
+	while (h < g->n_row && (wide < 3 || is_filled(g, h, wide - 1)))
+		h++;
+	if (h != 0 || g->n_row < 4 || !is_filled(g, 0, wide - 2))
+		return;
+	for (size_t r = 1; r < g->n_row; r++)
+		if (!is_filled(g, r, wide - 1) ||
+		    !number_of(g->sheet, *cell_at(g, r, 0), &v) ||
+		    v != (double)r)
+			return;
+	struct cell none = *cell_at(g, 0, wide - 1);
+	for (size_t c = wide - 1; c > 0; c--)
+		*cell_at(g, 0, c) = *cell_at(g, 0, c - 1);
+	*cell_at(g, 0, 0) = none;
+}
+
 static struct grid
 grid_turned(const struct grid *g)
 {
@@ -124,28 +148,33 @@ grid_clear(struct grid *g)
 static bool
 is_sieve_head(const struct cell *cell)
 {
-	static const unsigned ELSE =
-	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT | WORD_ROTOR |
-	    WORD_SPEED | WORD_SUMS | WORD_GRAMS | WORD_SHARE | WORD_PERCENT;
+	static const uint64_t ELSE = WORD_PASSES | WORD_STAYS | WORD_FEED |
+				     WORD_PRODUCT | WORD_ROTOR | WORD_SPEED |
+				     WORD_SUMS | WORD_GRAMS | WORD_SHARE |
+				     WORD_PERCENT | WORD_PAN;
 	size_t unknown;
 	if (cell->kind != CELL_TEXT || cell->text[0] == '\0' ||
 	    strpbrk(cell->text, "0123456789") != NULL ||
 	    text_same(cell->text, "top_size_mm"))
 		return false;
-	unsigned means = vocabulary_text(cell->text, &unknown);
-	unsigned units = WORD_MM | WORD_UM | WORD_INCH | WORD_TYLER | WORD_BS;
+	uint64_t means = vocabulary_text(cell->text, &unknown);
+	uint64_t units = WORD_MM | WORD_UM | WORD_INCH | WORD_TYLER | WORD_BS;
 	if ((means & ELSE) != 0)
 		return false;
 	return (means & WORD_SIZE) != 0 ||
-	       ((means & units) != 0 && unknown == 0 &&
-		   (means & ~units & ~(unsigned)WORD_FILLER) == 0);
+	       ((means & units) != 0 && unknown <= 1 &&
+		   (means & ~units & ~WORD_FILLER) == 0);
 }
 
 static enum sieve_kind
 kind_at(const struct grid *g, size_t r, size_t c, double *mm)
 {
-	struct sieve_unit none = {0, SIEVE_NONE};
-	return sieve_size(g->sheet, *cell_at(g, r, c), none, mm);
+	struct sieve_unit none = {0, SIEVE_NONE}, length = {1, SIEVE_NONE};
+	enum sieve_kind kind =
+	    sieve_size(g->sheet, *cell_at(g, r, c), none, mm);
+	return kind != SIEVE_IS_NONE
+		   ? kind
+		   : sieve_size(g->sheet, *cell_at(g, r, c), length, mm);
 }
 
 static bool
@@ -155,22 +184,22 @@ is_sieve(const struct grid *g, size_t r, size_t c)
 	return kind_at(g, r, c, &mm) != SIEVE_IS_NONE;
 }
 
-/* A number in one of the columns after c. */
+/* A number in one of the columns after c, before end. */
 static bool
-has_numbers(const struct grid *g, size_t r, size_t c)
+has_numbers(const struct grid *g, size_t r, size_t c, size_t end)
 {
 	double v;
-	for (size_t k = c + 1; k < g->n_col; k++)
-		if (sheet_value(g->sheet, *cell_at(g, r, k), &v))
+	for (size_t k = c + 1; k < end; k++)
+		if (number_of(g->sheet, *cell_at(g, r, k), &v))
 			return true;
 	return false;
 }
 
-/* A table found: rows first..last (excluded), its sieves in column c, headed in
- * row head (g->n_row: by nothing).  score: openings that are those of real
- * sieves. */
+/* A table found: rows first to before last, its sieves in column c, headed in
+ * row head (g->n_row: by nothing), its numbers before column end.  score:
+ * openings that are those of real sieves. */
 struct place {
-	size_t c, head, first, last;
+	size_t c, head, first, last, end;
 	int score;
 };
 
@@ -183,18 +212,18 @@ is_foot(const struct grid *g, size_t r, size_t c)
 	if (cell->text[0] == '\0' || is_sieve(g, r, c) ||
 	    strspn(cell->text, "0123456789.,") == strlen(cell->text))
 		return false;
-	unsigned means = vocabulary_text(cell->text, &unknown);
+	uint64_t means = vocabulary_text(cell->text, &unknown);
 	return (means & (WORD_TOTAL | WORD_LOSS | WORD_WASHED)) != 0;
 }
 
 /* Whether a sieve with numbers follows right below. */
 static bool
-goes_on(const struct grid *g, size_t r, size_t c)
+goes_on(const struct grid *g, size_t r, size_t c, size_t end)
 {
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
 		if (is_sieve_head(cell_at(g, r, c)))
 			return false;
-		if (is_sieve(g, r, c) && has_numbers(g, r, c))
+		if (is_sieve(g, r, c) && has_numbers(g, r, c, end))
 			return true;
 	}
 	return false;
@@ -203,12 +232,12 @@ goes_on(const struct grid *g, size_t r, size_t c)
 /* A row right below the sieves that has numbers, and for a sieve something that
  * is none: it is no remark. */
 static bool
-is_unnamed(const struct grid *g, size_t r, size_t c)
+is_unnamed(const struct grid *g, size_t r, size_t c, size_t end)
 {
 	const char *text = cell_at(g, r, c)->text;
 	bool word =
 	    text[0] != '\0' && strchr("-<>#+0123456789", text[0]) == NULL;
-	return !g->gap[r] && !word && has_numbers(g, r, c);
+	return !g->gap[r] && !word && has_numbers(g, r, c, end);
 }
 
 /* From the first sieve down to the last: a blank line ends the table unless
@@ -221,9 +250,9 @@ find_end(const struct grid *g, struct place *p)
 	for (size_t r = p->first; r < g->n_row; r++) {
 		double mm;
 		enum sieve_kind kind = kind_at(g, r, p->c, &mm);
-		bool numbers = has_numbers(g, r, p->c);
+		bool numbers = has_numbers(g, r, p->c, p->end);
 		if (is_sieve_head(cell_at(g, r, p->c)) ||
-		    (is_foot(g, r, p->c) && !goes_on(g, r, p->c)))
+		    (is_foot(g, r, p->c) && !goes_on(g, r, p->c, p->end)))
 			break;
 		if (r > p->first && g->gap[r] &&
 		    (kind == SIEVE_IS_NONE || !numbers))
@@ -237,9 +266,20 @@ find_end(const struct grid *g, struct place *p)
 				sieve_names_series(cell_at(g, r, p->c)->text) !=
 				    SIEVE_NONE);
 	}
-	while (p->last < g->n_row && is_unnamed(g, p->last, p->c))
+	while (p->last < g->n_row && is_unnamed(g, p->last, p->c, p->end))
 		p->last++;
 	p->score = standard;
+}
+
+/* The column of the next head for sieves in a row, but for one right beside it,
+ * which has the same sieves in other words; n_col where there is none. */
+static size_t
+next_head(const struct grid *g, size_t r, size_t c)
+{
+	size_t k = c + 2;
+	while (k < g->n_col && !is_sieve_head(cell_at(g, r, k)))
+		k++;
+	return k < g->n_col ? k : g->n_col;
 }
 
 /* Tables under a head for sieves. */
@@ -249,7 +289,8 @@ find_headed(const struct grid *g, struct place *place, size_t most)
 	size_t n = 0;
 	for (size_t r = 0; r < g->n_row; r++)
 		for (size_t c = 0; c < g->n_col; c++) {
-			struct place p = {c, r, r + 1, 0, 0};
+			struct place p = {
+			    c, r, r + 1, 0, next_head(g, r, c), 0};
 			if (!is_sieve_head(cell_at(g, r, c)))
 				continue;
 			while (p.first < g->n_row && p.first < r + 4 &&
@@ -265,14 +306,23 @@ find_headed(const struct grid *g, struct place *place, size_t most)
 	return n;
 }
 
+static bool
+is_pan_row(const struct grid *g, size_t r, size_t c)
+{
+	double mm;
+	return kind_at(g, r, c, &mm) == SIEVE_IS_PAN &&
+	       has_numbers(g, r, c, g->n_col);
+}
+
 /* Numbers that fall, or rise, and nearly all are openings of real sieves: a
  * table without a head. */
 static size_t
-find_bare(const struct grid *g, struct place *place)
+find_bare(const struct grid *g, struct place *place, size_t most)
 {
-	for (size_t c = 0; c < g->n_col; c++)
+	size_t found = 0;
+	for (size_t c = 0; c < g->n_col; c++) {
 		for (size_t r = 0; r < g->n_row; r++) {
-			struct place p = {c, g->n_row, r, 0, 0};
+			struct place p = {c, g->n_row, r, 0, g->n_col, 0};
 			double mm, last = NAN;
 			size_t rises = 0, falls = 0, n = 0;
 			if (kind_at(g, r, c, &mm) != SIEVE_IS_SIZE)
@@ -286,36 +336,50 @@ find_bare(const struct grid *g, struct place *place)
 				last = mm;
 				n++;
 			}
+			while (p.first > 0 && is_pan_row(g, p.first - 1, c))
+				p.first--;
 			bool ordered = rises + 1 == n || falls + 1 == n;
 			if (n >= LEAST_WITHOUT_HEAD && ordered &&
-			    p.score * 5 >= (int)n * 4) {
-				*place = p;
-				return 1;
-			}
+			    p.score * 5 >= (int)n * 4 && found < most)
+				place[found++] = p;
 			r = p.last > r ? p.last - 1 : r;
 		}
+		if (found > 0)
+			return found;
+	}
 	return 0;
 }
 
-/* Where somebody says which column has the sieves: those from its first number
- * that has numbers beside it. */
+/* The tables of a column that somebody says has sieves: from a first one that
+ * has numbers beside it. */
 static size_t
-find_told(const struct grid *g, size_t number, struct place *place)
+find_in(const struct grid *g, size_t c, struct place *place, size_t most)
 {
-	size_t c = 0, n = 0;
-	while (c < g->n_col && g->col_number[c] != number)
-		c++;
-	for (size_t r = 0; c < g->n_col && r < g->n_row && n == 0; r++) {
+	size_t n = 0;
+	for (size_t r = 0; r < g->n_row && n < most; r++) {
 		double mm;
-		struct place p = {c, r, r, 0, 0};
-		if (kind_at(g, r, c, &mm) != SIEVE_IS_SIZE ||
-		    !has_numbers(g, r, c))
+		struct place p = {c, r, r, 0, g->n_col, 0};
+		if (kind_at(g, r, c, &mm) == SIEVE_IS_NONE ||
+		    !has_numbers(g, r, c, g->n_col))
 			continue;
 		find_end(g, &p);
 		p.head = r > 0 ? r - 1 : g->n_row;
-		place[n++] = p;
-		n -= p.last < p.first + 2;
+		if (p.last >= p.first + 2)
+			place[n++] = p;
+		r = p.last > r ? p.last - 1 : r;
 	}
+	return n;
+}
+
+static size_t
+find_told(
+    const struct grid *g, const struct layout_range *range, struct place *place)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < range->n_sieves; i++)
+		for (size_t c = 0; c < g->n_col; c++)
+			if (g->col_number[c] == range->sieves[i])
+				n += find_in(g, c, place + n, MOST_TABLES - n);
 	return n;
 }
 
@@ -370,11 +434,18 @@ list_columns(const struct grid *g, const struct place *p, size_t from,
 {
 	size_t n = 0;
 	col[n++] = p->c;
+	size_t first = p->head < g->n_row ? p->head : p->first;
+	bool empty = false;
 	for (size_t c = from; c < end; c++) {
-		bool filled = false;
-		size_t first = p->head < g->n_row ? p->head : p->first;
+		bool filled = false, headed = false;
 		for (size_t r = first; r < p->last; r++)
 			filled = filled || is_filled(g, r, c);
+		for (size_t r = first; r < p->first; r++)
+			headed = headed || is_filled(g, r, c);
+		/* Beyond an empty column only heads show that it goes on. */
+		if (c > p->c && empty && filled && !headed)
+			break;
+		empty = !filled;
 		if (c != p->c && filled)
 			col[n++] = c;
 	}
@@ -442,8 +513,6 @@ drop_doubles(const struct grid *g, struct place *place, size_t n)
 	return kept;
 }
 
-enum { MOST_TABLES = 64 };
-
 static void
 take_blocks(const struct grid *g, const struct place *place, size_t n,
     struct layout *layout)
@@ -488,6 +557,13 @@ list_heading(const struct grid *g, struct layout *layout)
 		}
 		if (!used)
 			layout->heading[layout->n_heading++] = row;
+		for (size_t c = 0; used && c < row->n; c++) {
+			size_t at =
+			    g->across ? c * g->n_col + r : r * g->n_col + c;
+			if (!g->used[at] && row->cell[c].text[0] != '\0' &&
+			    layout->beside.text == NULL)
+				layout->beside = row->cell[c];
+		}
 	}
 }
 
@@ -542,6 +618,13 @@ layout_name(struct block *block, const size_t *number, const char *const *text,
 }
 
 char *
+layout_keep(struct block *b, char *text)
+{
+	b->text = xrealloc(b->text, b->n_text + 1, sizeof *b->text);
+	return b->text[b->n_text++] = text;
+}
+
+char *
 layout_head(const struct block *block, size_t c)
 {
 	char *text = xstrdup("");
@@ -556,17 +639,19 @@ layout_new(struct sheet *sheet, struct layout_range range)
 {
 	struct layout *layout = xcalloc(1, sizeof *layout);
 	struct place down[MOST_TABLES], across[MOST_TABLES];
-	struct grid g = grid_new(sheet, range), t = grid_turned(&g);
+	struct grid g = grid_new(sheet, range);
+	shift_head(&g);
+	struct grid t = grid_turned(&g);
 	size_t n = find_headed(&g, down, MOST_TABLES);
 	size_t m = find_headed(&t, across, MOST_TABLES);
 	n = drop_doubles(&g, down, n);
 	m = drop_doubles(&t, across, m);
-	if (range.sieves > 0) {
-		n = find_told(&g, range.sieves, down);
-		m = find_told(&t, range.sieves, across);
+	if (range.n_sieves > 0) {
+		n = find_told(&g, &range, down);
+		m = find_told(&t, &range, across);
 	} else if (n == 0 && m == 0) {
-		n = find_bare(&g, down);
-		m = n > 0 ? 0 : find_bare(&t, across);
+		n = find_bare(&g, down, MOST_TABLES);
+		m = n > 0 ? 0 : find_bare(&t, across, MOST_TABLES);
 	}
 	bool turned = total_score(across, m) > total_score(down, n);
 	layout->across = turned;

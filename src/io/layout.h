@@ -29,19 +29,20 @@ struct layout {
 	struct block *block;
 	const struct row **heading;
 	bool across;
+	struct cell beside; /* the first that is beside a table; or text NULL */
 };
 
 /* A part of a sheet: lines and columns from..to, each counted from 1; zeros are
- * all of it.  sieves: the column of the sieves, or their line, where somebody
- * says; else 0. */
+ * all of it.  sieves [n_sieves]: the columns of sieves, or their lines, where
+ * somebody says. */
+enum { LAYOUT_SIEVES = 8 };
 struct layout_range {
 	int first_line, last_line, first_column, last_column;
-	size_t sieves;
+	size_t n_sieves, sieves[LAYOUT_SIEVES];
 };
 
-/* Of a long table, which has a line for each sieve of each sample, makes one
- * with a column for each sample; leaves others as they are. */
-void layout_widen(struct block *block);
+/* Keeps a text as long as the block; returns it. */
+char *layout_keep(struct block *block, char *text);
 
 /* The words that head column c of a block, from the top.  The caller frees. */
 char *layout_head(const struct block *block, size_t c);

@@ -1,5 +1,7 @@
-/* Long (tidy) tables: a line has one number, with its sieve and its sample.
+/* A column for each sample, a row for each sieve of any of them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/layout_long.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +9,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/head.h"
-#include "io/layout.h"
+#include "io/number.h"
 #include "io/sieve_size.h"
 #include "io/vocabulary.h"
 
@@ -33,9 +35,17 @@ is_numeric(const struct block *b, size_t c)
 	size_t numbers = 0;
 	for (size_t r = 0; r < b->n_row; r++) {
 		struct cell cell = b->row[r].cell[c];
-		if (sheet_absent(cell))
+		if (number_absent(cell))
 			continue;
-		if (!sheet_value(b->sheet, cell, &v))
+		size_t n = strlen(cell.text);
+		char last = n > 0 ? cell.text[n - 1] : '\0';
+		char copy[40];
+		if (n < sizeof copy && (last == '%' || last == 'g')) {
+			memcpy(copy, cell.text, n - 1);
+			copy[n - 1] = '\0';
+			cell.text = text_trim(copy);
+		}
+		if (!number_of(b->sheet, cell, &v))
 			return false;
 		numbers++;
 	}
@@ -45,7 +55,7 @@ is_numeric(const struct block *b, size_t c)
 static enum use
 use_of(const struct block *b, size_t c, const struct head *head)
 {
-	static const unsigned COUNTED = WORD_PASSES | WORD_STAYS |
+	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_MASS |
 					WORD_SHARE;
 	bool numeric = is_numeric(b, c);
@@ -116,6 +126,39 @@ list_samples(struct longer *l)
 	}
 }
 
+/* Whether sample a comes after b by the numbers of samples. */
+static bool
+is_later(const struct longer *l, size_t a, size_t b)
+{
+	const struct block *block = l->block;
+	for (size_t c = 1; c < block->n_col; c++) {
+		double x, y;
+		if (l->use[c] != COUNT ||
+		    !number_of(
+			block->sheet, block->row[l->lead[a]].cell[c], &x) ||
+		    !number_of(
+			block->sheet, block->row[l->lead[b]].cell[c], &y))
+			continue;
+		return x > y;
+	}
+	return false;
+}
+
+static void
+sort_samples(struct longer *l)
+{
+	for (size_t i = 1; i < l->n_sample; i++)
+		for (size_t k = i; k > 0 && is_later(l, k - 1, k); k--) {
+			size_t lead = l->lead[k];
+			l->lead[k] = l->lead[k - 1];
+			l->lead[k - 1] = lead;
+		}
+	for (size_t r = 0; r < l->block->n_row; r++)
+		for (size_t i = 0; i < l->n_sample; i++)
+			if (is_same_sample(l, l->lead[i], r))
+				l->sample[r] = i;
+}
+
 /* Whether each sample has each of its sieves once, and some sieve is there for
  * several samples. */
 static bool
@@ -159,9 +202,9 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 	for (size_t c = 1; c < b->n_col; c++) {
 		struct cell cell = b->row[l->lead[sample]].cell[c];
 		double v;
-		if (l->use[c] != KEY || sheet_absent(cell))
+		if (l->use[c] != KEY || number_absent(cell))
 			continue;
-		bool number = sheet_value(b->sheet, cell, &v);
+		bool number = number_of(b->sheet, cell, &v);
 		enum speed_unit unit = l->head[c].unit;
 		if (unit == SPEED_NO_UNIT && (l->head[c].means & WORD_RPM) != 0)
 			unit = SPEED_RPM;
@@ -180,11 +223,18 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 	return text;
 }
 
-static char *
-keep_text(struct block *b, char *text)
+/* An empty row of n cells at a place. */
+static struct row
+empty_row(size_t n, const struct row *from)
 {
-	b->text = xrealloc(b->text, b->n_text + 1, sizeof *b->text);
-	return b->text[b->n_text++] = text;
+	struct row row = {.n = n,
+	    .n_all = n,
+	    .cell = xcalloc(n, sizeof(struct cell)),
+	    .line = from->line};
+	for (size_t c = 0; c < n; c++)
+		row.cell[c] = sheet_cell(from, from->n_all);
+	row.cell[0] = from->cell[0];
+	return row;
 }
 
 /* The wide table of a long one. */
@@ -203,26 +253,13 @@ widen(struct longer *l)
 	wide.head = xcalloc(1, sizeof *wide.head);
 	wide.row = xcalloc(wide.n_row, sizeof *wide.row);
 	wide.number = xcalloc(wide.n_col, sizeof *wide.number);
-	wide.head[0] = (struct row){.n = wide.n_col,
-	    .n_all = wide.n_col,
-	    .cell = xcalloc(wide.n_col, sizeof(struct cell)),
-	    .line =
-		b->n_head > 0 ? b->head[b->n_head - 1].line : b->row[0].line};
-	for (size_t i = 0; i < wide.n_row; i++) {
-		struct row *row = &wide.row[i];
-		const struct row *from = &b->row[l->first[i]];
-		*row = (struct row){.n = wide.n_col,
-		    .n_all = wide.n_col,
-		    .cell = xcalloc(wide.n_col, sizeof(struct cell)),
-		    .line = from->line};
-		for (size_t c = 0; c < wide.n_col; c++)
-			row->cell[c] = sheet_cell(from, from->n_all);
-		row->cell[0] = from->cell[0];
-	}
+	const struct row *above =
+	    b->n_head > 0 ? &b->head[b->n_head - 1] : &b->row[0];
+	wide.head[0] = empty_row(wide.n_col, above);
+	for (size_t i = 0; i < wide.n_row; i++)
+		wide.row[i] = empty_row(wide.n_col, &b->row[l->first[i]]);
 	char *size = layout_head(b, 0);
-	wide.head[0].cell[0] =
-	    b->n_head > 0 ? b->head[b->n_head - 1].cell[0] : b->row[0].cell[0];
-	wide.head[0].cell[0].text = keep_text(&wide, size);
+	wide.head[0].cell[0].text = layout_keep(&wide, size);
 	wide.number[0] = b->number[0];
 	size_t at = 1;
 	for (size_t s = 0; s < l->n_sample; s++)
@@ -231,7 +268,7 @@ widen(struct longer *l)
 				continue;
 			struct cell head = b->row[l->lead[s]].cell[c];
 			head.kind = CELL_TEXT;
-			head.text = keep_text(&wide, sample_head(l, s, c));
+			head.text = layout_keep(&wide, sample_head(l, s, c));
 			wide.head[0].cell[at] = head;
 			wide.number[at] = b->number[c];
 			for (size_t r = 0; r < b->n_row; r++)
@@ -269,6 +306,7 @@ layout_widen(struct block *block)
 	}
 	list_sizes(&l);
 	list_samples(&l);
+	sort_samples(&l);
 	if (is_long(&l))
 		widen(&l);
 	free(l.use);

@@ -1,5 +1,7 @@
-/* Numbers as sheets of several countries write them.
+/* Decimal signs, thousands, and cells without a number.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/number.h"
+
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,7 +9,6 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/sheet.h"
 
 enum { LONGEST = 64 };
 
@@ -76,7 +77,7 @@ decimal_of(const char *s)
 }
 
 void
-sheet_decide_decimal(struct sheet *sheet)
+number_decide(struct sheet *sheet)
 {
 	size_t points = 0, commas = 0;
 	char first = '\0';
@@ -103,7 +104,7 @@ sheet_decide_decimal(struct sheet *sheet)
 }
 
 bool
-sheet_is_open(const struct sheet *sheet, struct cell cell)
+number_is_open(const struct sheet *sheet, struct cell cell)
 {
 	return sheet->decimal == '\0' && cell.kind == CELL_TEXT &&
 	       decimal_of(cell.text) == '?';
@@ -129,7 +130,7 @@ drop_groups(char *s, char sign)
 }
 
 bool
-sheet_value(const struct sheet *sheet, struct cell cell, double *value)
+number_of(const struct sheet *sheet, struct cell cell, double *value)
 {
 	char copy[LONGEST];
 	if (cell.kind == CELL_NUMBER)
@@ -150,7 +151,7 @@ sheet_value(const struct sheet *sheet, struct cell cell, double *value)
 }
 
 bool
-sheet_absent(struct cell cell)
+number_absent(struct cell cell)
 {
 	static const char *const ABSENT[] = {"", "-", "--", "---",
 	    "\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x88\x92", "n/a", "na", "n.a.",
@@ -166,6 +167,9 @@ sheet_absent(struct cell cell)
 static const char *
 number_hint(const char *s)
 {
+	if (s[0] == '=')
+		return "the workbook was saved without results: open and save "
+		       "it in a spreadsheet program";
 	size_t n = strspn(s, "0123456789");
 	bool date = n > 0 && strchr("-/.", s[n]) != NULL && s[n] != '\0' &&
 		    (isalpha((unsigned char)s[n + 1]) ||
@@ -184,10 +188,10 @@ number_hint(const char *s)
 }
 
 bool
-sheet_number(
+number_read(
     struct sheet *sheet, struct cell cell, const char *wanted, double *value)
 {
-	if (sheet_value(sheet, cell, value))
+	if (number_of(sheet, cell, value))
 		return true;
 	char sign = decimal_of(cell.text);
 	if (sheet->decimal == '\0' || (sign != '.' && sign != ',') ||

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/head.h"
+#include "io/number.h"
 #include "io/source.h"
 #include "io/vocabulary.h"
 
@@ -239,8 +240,7 @@ settle_unit(struct reading *r, size_t c)
 	if (r->kind[c] != LOG_SPEED || r->head[c].unit != SPEED_NO_UNIT)
 		return true;
 	for (size_t i = r->first; i < r->sheet->n_row; i++)
-		if (sheet_value(
-			r->sheet, sheet_cell(&r->sheet->row[i], c), &v) &&
+		if (number_of(r->sheet, sheet_cell(&r->sheet->row[i], c), &v) &&
 		    v > 0) {
 			sum += v;
 			n++;
@@ -347,7 +347,7 @@ read_numbers(struct reading *r, const struct row *row)
 		unsigned k = r->kind[c];
 		double v;
 		if (k >= LOG_COLUMNS ||
-		    !sheet_value(r->sheet, sheet_cell(row, c), &v) || v < 0)
+		    !number_of(r->sheet, sheet_cell(row, c), &v) || v < 0)
 			continue;
 		if (k == LOG_SPEED)
 			v = head_mps(v, r->head[c].unit, 0);
@@ -390,7 +390,7 @@ check_numbers(struct reading *r)
 		for (size_t c = 0; c < r->n_column; c++) {
 			struct cell cell = sheet_cell(&r->sheet->row[i], c);
 			if (r->kind[c] < LOG_COLUMNS &&
-			    sheet_is_open(r->sheet, cell))
+			    number_is_open(r->sheet, cell))
 				return sheet_fault(r->sheet, cell,
 				    "expected a number that can be read in one "
 				    "way, got %s: a decimal sign, or "

@@ -11,13 +11,14 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 /* Above this a tip speed is a slip of the pen; m/s. */
 static const double FASTEST = 200;
 
-static const unsigned ROLE_WORDS = WORD_FEED | WORD_PRODUCT | WORD_SD;
-static const unsigned KIND_WORDS = WORD_PASSES | WORD_STAYS | WORD_SUMS;
-static const unsigned SCALE_WORDS =
+static const uint64_t ROLE_WORDS = WORD_FEED | WORD_PRODUCT | WORD_SD;
+static const uint64_t KIND_WORDS = WORD_PASSES | WORD_STAYS | WORD_SUMS;
+static const uint64_t SCALE_WORDS =
     WORD_PERCENT | WORD_GRAMS | WORD_SHARE | WORD_MASS;
 
 static void __attribute__((format(printf, 2, 3)))
@@ -54,11 +55,15 @@ head_cell(const struct block *b, size_t r, size_t c, bool *own)
 static void
 merge(struct head *said, const struct head *more, bool own, bool titles)
 {
-	static const unsigned GROUPS[3] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
+	static const uint64_t GROUPS[3] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
 	    WORD_PASSES | WORD_STAYS | WORD_SUMS,
 	    WORD_PERCENT | WORD_GRAMS | WORD_SHARE | WORD_MASS};
-	unsigned rest = ~(GROUPS[0] | GROUPS[1] | GROUPS[2]);
-	for (size_t i = 0; i < 3; i++)
+	uint64_t rest = ~(GROUPS[0] | GROUPS[1] | GROUPS[2]);
+	/* Of "Feed" above the next column, where this one has a speed of its
+	 * own, only the feed is meant. */
+	bool feed = !own && (more->means & WORD_FEED) != 0 &&
+		    (said->speed > 0 || said->rpm > 0);
+	for (size_t i = feed ? 1 : 0; i < 3; i++)
 		if ((said->means & GROUPS[i]) == 0)
 			said->means |= more->means & GROUPS[i];
 	if (own)
@@ -68,6 +73,7 @@ merge(struct head *said, const struct head *more, bool own, bool titles)
 	if (said->speed == 0 && said->rpm == 0) {
 		said->speed = more->speed;
 		said->rpm = more->rpm;
+		said->spread = !own && (more->speed > 0 || more->rpm > 0);
 		said->unit =
 		    said->unit == SPEED_NO_UNIT ? more->unit : said->unit;
 	}
@@ -192,9 +198,9 @@ stated_total(const struct column *c)
 	const struct block *b = c->table->block;
 	double v;
 	for (size_t i = 0; i < b->n_foot; i++) {
-		unsigned means = vocabulary_text(b->foot[i].cell[0].text, NULL);
+		uint64_t means = vocabulary_text(b->foot[i].cell[0].text, NULL);
 		if ((means & WORD_TOTAL) != 0 &&
-		    sheet_value(c->table->sheet, b->foot[i].cell[c->at], &v))
+		    number_of(c->table->sheet, b->foot[i].cell[c->at], &v))
 			return v;
 	}
 	return NAN;
@@ -204,19 +210,21 @@ stated_total(const struct column *c)
 static bool
 parts_scale(const struct shape *s, double total, enum unit_scale *scale)
 {
+	bool percent = near(s->sum, 100, 5) && s->most <= 100.5;
+	*scale = OF_100;
 	if (near(s->sum, 100, 1.05) && s->most <= 100.5)
 		*scale = OF_100;
 	else if (near(s->sum, 1, 1.05) && s->most <= 1.005)
 		*scale = OF_1;
-	else if (s->has_pan || !isnan(total))
+	else if (!percent && (s->has_pan || !isnan(total)))
 		*scale = OF_MASS;
-	else
+	else /* nearly 100, and neither 100 nor some mass */
 		return false;
-	/* Nearly 100, and neither 100 nor some mass. */
-	return *scale != OF_MASS || fabs(s->sum - 100) > 4;
+	return true;
 }
 
-/* What the numbers alone look like; false where they could be several things. */
+/* What the numbers alone look like; false where they could be several
+ * things. */
 static bool
 guess_kind(const struct shape *s, double total, enum unit_kind *kind,
     enum unit_scale *scale)
@@ -300,7 +308,7 @@ static bool
 settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
     double total, enum unit_scale *scale)
 {
-	unsigned means = c->said.means;
+	uint64_t means = c->said.means;
 	double whole = kind == RETAINED  ? s->sum
 		       : kind == PASSING ? s->first
 		       : s->has_pan      ? s->pan
@@ -318,14 +326,14 @@ settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		*scale = OF_MASS;
 		return kind != PASSING;
 	}
+	if ((means & WORD_SHARE) != 0) {
+		*scale = one ? OF_1 : OF_100;
+		return one || (kind == PASSING && near(s->first, 100, 0.6));
+	}
 	if ((means & WORD_MASS) != 0 && kind != PASSING &&
 	    (s->has_pan || !isnan(total))) {
 		*scale = OF_MASS;
 		return true;
-	}
-	if ((means & WORD_SHARE) != 0) {
-		*scale = one ? OF_1 : OF_100;
-		return one || (kind == PASSING && near(s->first, 100, 0.6));
 	}
 	if (kind == RETAINED)
 		return parts_scale(s, total, scale);
@@ -346,9 +354,9 @@ static bool
 is_defined(const struct column *c, const struct shape *s, size_t *unit)
 {
 	const struct block *b = c->table->block;
-	unsigned words = c->said.means & (KIND_WORDS | SCALE_WORDS);
+	uint64_t words = c->said.means & (KIND_WORDS | SCALE_WORDS);
 	static const struct {
-		unsigned words;
+		uint64_t words;
 		size_t unit;
 	} DEFINED[] = {{0, 0}, {WORD_PASSES | WORD_PERCENT, 1}, {WORD_SHARE, 2},
 	    {WORD_STAYS | WORD_GRAMS, 3}, {WORD_STAYS | WORD_PERCENT, 4},
@@ -363,10 +371,21 @@ is_defined(const struct column *c, const struct shape *s, size_t *unit)
 	for (size_t i = 0; i < ARRAY_LEN(DEFINED); i++)
 		if (DEFINED[i].words == words) {
 			*unit = DEFINED[i].unit;
-			return words != 0 ||
-			       ((s->rises == 0 || s->falls == 0) &&
-				   s->most > 1);
+			return words != 0 || ((s->rises == 0 || s->falls == 0 ||
+						  near(s->first, 100, 0.6)) &&
+						 s->most > 1);
 		}
+	return false;
+}
+
+/* Whether the sieves are classes between two of them, as retained masses
+ * have. */
+static bool
+has_classes(const struct table *t)
+{
+	for (size_t i = 0; i < t->n_row; i++)
+		if (sieve_size_is_class(t->sheet, t->row[i].cell[0]))
+			return true;
 	return false;
 }
 
@@ -374,15 +393,16 @@ static void
 find_unit(struct column *c, bool told)
 {
 	struct shape s = shape_of(c);
-	unsigned kinds = c->said.means & KIND_WORDS;
-	unsigned scales = c->said.means & SCALE_WORDS;
+	uint64_t kinds = c->said.means & KIND_WORDS;
+	uint64_t scales = c->said.means & SCALE_WORDS;
 	double total = stated_total(c);
 	enum unit_kind kind = PASSING;
 	enum unit_scale scale = OF_100;
 	bool sure = true;
 	if (c->role == SD || s.n == 0)
 		return;
-	if (is_defined(c, &s, &c->unit))
+	bool classes = has_classes(c->table);
+	if (!classes && is_defined(c, &s, &c->unit))
 		return;
 	c->unit = 0;
 	if ((kinds & (WORD_PASSES | WORD_STAYS)) == 0) {
@@ -398,7 +418,7 @@ find_unit(struct column *c, bool told)
 		c->unit = site_unit_find(kind, scale);
 		if (kind != PASSING || scale != OF_100 || scales == 0)
 			assume(c, "as %s", SITE_UNITS[c->unit].words);
-		c->open = c->open || !sure;
+		c->open = c->open || !sure || (classes && kind != RETAINED);
 		return;
 	}
 	kind = (kinds & WORD_PASSES) != 0 ? PASSING
@@ -416,7 +436,7 @@ find_unit(struct column *c, bool told)
 	    s.rises == 0 && s.sum > 102)
 		sure = false;
 	c->unit = site_unit_find(kind, scale);
-	c->open = c->open || !sure;
+	c->open = c->open || !sure || (classes && kind != RETAINED);
 }
 
 /* The one number without a unit that can be a tip speed in m/s: 63.6, not the 1
@@ -453,13 +473,14 @@ find_speed(struct column *c, const struct surroundings *near)
 		if (c->speed > 0)
 			assume(c, "%g rpm of a rotor of %g mm as %g m/s",
 			    c->rpm, 1000 * near->rotor, c->speed);
-	} else if (bare_speed(said) > 0) {
+	} else if (bare_speed(said) > 0 && said->unknown == 0) {
 		c->speed = bare_speed(said);
 		assume(c, "%g as m/s", c->speed);
 	} else if (near->speed > 0 && c->role == PRODUCT) {
 		c->speed = near->speed;
 	}
-	if (c->speed > FASTEST) {
+	bool counted = said->rpm > 0 || said->unit == SPEED_FT_MIN;
+	if (c->speed > FASTEST || (counted && c->speed > 0 && c->speed < 20)) {
 		c->open = true;
 		c->speed = 0;
 	}
@@ -470,8 +491,8 @@ find_speed(struct column *c, const struct surroundings *near)
 static void
 find_role(struct column *c, const struct surroundings *near)
 {
-	unsigned role = c->said.means & ROLE_WORDS;
-	unsigned context = near->context & (WORD_FEED | WORD_PRODUCT);
+	uint64_t role = c->said.means & ROLE_WORDS;
+	uint64_t context = near->context & (WORD_FEED | WORD_PRODUCT);
 	bool speed = c->said.speed > 0 || c->said.rpm > 0;
 	c->role = NO_ROLE;
 	if ((role & WORD_SD) != 0)
@@ -512,13 +533,36 @@ has_words(const struct column *c, size_t *filled, size_t *numbers)
 	*filled = *numbers = 0;
 	site_column_raw(c, raw);
 	for (size_t i = 0; i < c->table->n_row; i++) {
-		if (!sheet_absent(c->table->row[i].cell[c->at]))
+		if (!number_absent(c->table->row[i].cell[c->at]))
 			*filled += 1;
 		if (!isnan(raw[i]))
 			*numbers += 1;
 	}
 	free(raw);
 	return *filled > 0 && *numbers * 2 < *filled;
+}
+
+/* 1, 2, 3 and so on, up or down, or one number throughout: no curve. */
+static bool
+is_count(const struct column *c)
+{
+	size_t n = c->table->n_row, steps = 0, same = 0, pairs = 0;
+	double *raw = xdoubles(n), last = NAN;
+	site_column_raw(c, raw);
+	for (size_t i = 0; i < n; last = raw[i++]) {
+		pairs += !isnan(raw[i]) && !isnan(last);
+		steps += fabs(raw[i] - last) == 1;
+		same += raw[i] == last;
+	}
+	bool whole = n > 0 && raw[0] == floor(raw[0]);
+	bool small = fabs(raw[0] - 1) < 2 || fabs(last - 1) < 2;
+	bool limit = same == pairs && (raw[0] == 100 || raw[0] == 0);
+	free(raw);
+	bool speed = same == pairs && c->said.speed == 0 &&
+		     c->said.unit != SPEED_NO_UNIT;
+	return pairs > 2 && (whole || speed) && !limit &&
+	       (c->said.means & ROLE_WORDS) == 0 &&
+	       ((steps == pairs && small) || same == pairs);
 }
 
 /* Whether a column is no sample, told to the site. */
@@ -528,10 +572,14 @@ is_no_sample(const struct column *c, struct site *site)
 	const struct block *b = c->table->block;
 	size_t filled, numbers;
 	bool words = has_words(c, &filled, &numbers);
-	unsigned means = c->said.means;
+	uint64_t means = c->said.means;
 	const char *head = c->head.text;
-	unsigned sample = ROLE_WORDS | KIND_WORDS;
-	if (filled == 0) {
+	uint64_t sample = ROLE_WORDS | KIND_WORDS;
+	if (is_count(c)) {
+		leave_out(site, b->number[c->at],
+		    "row numbers, or the same "
+		    "number in each row");
+	} else if (filled == 0) {
 		leave_out(site, b->number[c->at], "it is empty");
 	} else if (words && (means & ROLE_WORDS) == 0) {
 		leave_out(site, b->number[c->at], "%s: it has words", head);
@@ -550,11 +598,41 @@ is_no_sample(const struct column *c, struct site *site)
 	return true;
 }
 
+/* A column that has one speed for all rows: of a long table with one sample. */
+static void
+note_speed(struct table *t, size_t at, struct surroundings *near)
+{
+	struct column c = {
+	    .table = t, .at = at, .said = read_heads(t->block, at)};
+	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
+					WORD_PERCENT | WORD_GRAMS | WORD_FEED |
+					WORD_PRODUCT;
+	bool about =
+	    (c.said.means & WORD_SPEED) != 0 || c.said.unit != SPEED_NO_UNIT;
+	if (!about || c.said.speed > 0 || c.said.rpm > 0 ||
+	    (c.said.means & COUNTED) != 0)
+		return;
+	double *raw = xdoubles(t->n_row), v = NAN;
+	bool same = true;
+	site_column_raw(&c, raw);
+	for (size_t i = 0; i < t->n_row; i++) {
+		v = isnan(v) ? raw[i] : v;
+		same = same && !(raw[i] < v) && !(raw[i] > v);
+	}
+	free(raw);
+	if (same && v > 0)
+		near->speed = head_mps(v, c.said.unit, near->rotor);
+}
+
 void
 recognise_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site)
 {
 	const struct block *b = t->block;
+	struct surroundings around = *near;
+	near = &around;
+	for (size_t at = 1; at < b->n_col; at++)
+		note_speed(t, at, &around);
 	for (size_t at = 1; at < b->n_col; at++) {
 		struct column c = {.table = t, .at = at, .pan = NAN};
 		bool own = false;
@@ -600,11 +678,13 @@ rank(const struct column *c)
 static bool
 is_same_sample(const struct column *a, const struct column *b)
 {
+	bool numbers =
+	    a->speed > 0 || (a->said.n_number == b->said.n_number &&
+				(a->said.n_number == 0 ||
+				    a->said.number[0] == b->said.number[0]));
 	return a->table == b->table && a->role == b->role && a->role != SD &&
 	       fabs(a->speed - b->speed) < 1e-3 && a->rpm == b->rpm &&
-	       a->said.n_number == b->said.n_number &&
-	       (a->said.n_number == 0 ||
-		   a->said.number[0] == b->said.number[0]) &&
+	       numbers &&
 	       (SITE_UNITS[a->unit].kind != SITE_UNITS[b->unit].kind ||
 		   SITE_UNITS[a->unit].scale != SITE_UNITS[b->unit].scale);
 }
@@ -616,6 +696,27 @@ mark_twin(struct column *c, const struct column *other)
 	c->twin = other->table->block->number[other->at];
 	c->role = NO_ROLE;
 	c->open = false;
+}
+
+/* The mean of samples that are there themselves is no sample. */
+static void
+drop_means(struct columns *all, struct site *site)
+{
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		size_t others = 0;
+		for (size_t k = 0; k < all->n; k++) {
+			const struct column *o = &all->column[k];
+			others += k != i && o->role == c->role &&
+				  (o->said.means & WORD_MEAN) == 0 &&
+				  fabs(o->speed - c->speed) < 1e-3;
+		}
+		if ((c->said.means & WORD_MEAN) == 0 || others < 2)
+			continue;
+		leave_out(site, c->table->block->number[c->at],
+		    "%s: the mean of samples that are read", c->head.text);
+		drop(all, i--);
+	}
 }
 
 static void
@@ -646,6 +747,22 @@ is_curve(const struct column *c)
 	enum unit_kind kind;
 	enum unit_scale scale;
 	return s.n > 2 && guess_kind(&s, NAN, &kind, &scale);
+}
+
+/* The one feed is that of all runs, though the speed at its left spreads over
+ * it. */
+static void
+free_feed(struct columns *all)
+{
+	struct column *only = NULL;
+	size_t n = 0;
+	for (size_t i = 0; i < all->n; i++)
+		if (all->column[i].role == FEED) {
+			only = &all->column[i];
+			n++;
+		}
+	if (n == 1 && only->said.spread && all->n > 2)
+		only->speed = only->rpm = 0;
 }
 
 /* Where nothing is called feed, the one column without a role may be it. */
@@ -690,7 +807,9 @@ recognise_settle(struct columns *all, struct site *site, bool *wants_rotor)
 		}
 		c->open = true;
 	}
+	drop_means(all, site);
 	guess_feed(all, feeds);
+	free_feed(all);
 	drop_twins(all, site);
 	for (size_t i = 0; i < all->n; i++) {
 		struct column *c = &all->column[i];

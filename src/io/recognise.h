@@ -3,16 +3,18 @@
 #ifndef TIPSPEED_IO_RECOGNISE_H
 #define TIPSPEED_IO_RECOGNISE_H
 
+#include <stdint.h>
+
 #include "core/site.h"
 #include "io/site_column.h"
 
-/* What is known beside the table.  rotor: its diameter, m; 0: not known.  speed:
- * m/s, of samples whose heads tell none; 0.  context: the meanings of the words
- * around the table (title, name of the sheet or file) that tell feed from
- * product.  told: the heads were given by hand. */
+/* What is known beside the table.  rotor: its diameter, m; 0: not known.
+ * speed: m/s, of samples whose heads tell none; 0.  context: the meanings of
+ * the words around the table (title, name of the sheet or file) that tell feed
+ * from product.  told: the heads were given by hand. */
 struct surroundings {
 	double rotor, speed;
-	unsigned context;
+	uint64_t context;
 	bool told;
 };
 

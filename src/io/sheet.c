@@ -49,8 +49,12 @@ sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 	struct error e;
 	va_list ap;
 	va_start(ap, format);
-	error_say(
-	    &e, ERROR_DATA, sheet->path, where.line, where.column, format, ap);
+	char *file = sheet->name[0] != '\0'
+			 ? xasprintf("%s, sheet %s", sheet->path, sheet->name)
+			 : xstrdup(sheet->path);
+	error_say(&e, ERROR_DATA, file, where.line, where.column, format, ap);
+	e.in_grid = sheet->name[0] != '\0';
+	free(file);
 	va_end(ap);
 	*place(sheet, &e) = e;
 	return false;
@@ -250,7 +254,7 @@ add_line(struct sheet *sheet, const char *line, int number)
 	if ((n & (n - 1)) == 0)
 		sheet->comment =
 		    xrealloc(sheet->comment, 2 * n + 1, sizeof *sheet->comment);
-	sheet->comment[n] = (struct comment){number, line};
+	sheet->comment[n] = (struct comment){.line = number, .text = line};
 	return true;
 }
 
@@ -261,7 +265,12 @@ sheet_uncomment(struct sheet *sheet, size_t i)
 	size_t last = sheet->n_row;
 	memmove(&sheet->comment[i], &sheet->comment[i + 1],
 	    (--sheet->n_comment - i) * sizeof comment);
-	add_row(sheet, comment.text, comment.line);
+	if (comment.row.cell == NULL)
+		add_row(sheet, comment.text, comment.line);
+	else if (sheet->n_row < sheet->most_rows)
+		sheet->row[sheet->n_row++] = comment.row;
+	else
+		free_row(&comment.row);
 	if (sheet->n_row == last)
 		return;
 	struct row row = sheet->row[last];
@@ -270,19 +279,47 @@ sheet_uncomment(struct sheet *sheet, size_t i)
 	sheet->row[last] = row;
 }
 
+/* To the end of the line, over line ends within quotes: these become blanks.  A
+ * quote that is not closed soon ends with its line, to be told. */
+static size_t
+line_length(char *text, int *ends)
+{
+	enum { MOST_LINES = 40 };
+	size_t n = 0, first = strcspn(text, "\r\n");
+	int lines = 0;
+	bool open = false;
+	for (; text[n] != '\0' && lines < MOST_LINES; n++) {
+		bool end = text[n] == '\r' || text[n] == '\n';
+		if (end && !open)
+			break;
+		lines += end;
+		open = open != (text[n] == '"');
+	}
+	*ends = 0;
+	if (open || lines == MOST_LINES || n == first)
+		return first;
+	*ends = lines;
+	for (size_t i = 0; i < n; i++)
+		if (text[i] == '\r' || text[i] == '\n')
+			text[i] = ' ';
+	return n;
+}
+
 /* Ends each line in place with a NUL on its way. */
 static void
 split_text(struct sheet *sheet, char *text)
 {
 	sheet->row = xcalloc(sheet->most_rows, sizeof *sheet->row);
 	for (int number = 1; *text != '\0'; number++) {
-		size_t n = strcspn(text, "\r\n");
+		int ends;
+		size_t n = line_length(text, &ends);
 		bool pair = text[n] == '\r' && text[n + 1] == '\n';
 		char *next = text + n + (pair ? 2 : text[n] != '\0');
 		text[n] = '\0';
 		if (!add_line(sheet, text, number))
 			return;
 		text = next;
+		number += ends;
 	}
 }
 
@@ -302,6 +339,20 @@ is_numbers(const char *line, char separator)
 	       strspn(second, digits) >= strcspn(second, stop);
 }
 
+/* Whether a line has the sign outside quotes. */
+static bool
+has_sign(const char *line, char sign)
+{
+	bool quoted = false;
+	size_t n = strcspn(line, "\r\n");
+	for (size_t i = 0; i < n; i++) {
+		quoted = quoted != (line[i] == '"');
+		if (line[i] == sign && !quoted)
+			return true;
+	}
+	return false;
+}
+
 /* What stands between the numbers in most lines; where there are none, what is
  * in most lines, as decimal commas may be more than the semicolons between
  * them. */
@@ -309,16 +360,22 @@ static char
 find_separator(const char *text)
 {
 	static const char SIGNS[] = ";\t,";
-	size_t numbers[3] = {0}, lines[3] = {0};
+	size_t numbers[3] = {0}, lines[3] = {0}, filled = 0;
 	for (const char *p = text; *p != '\0'; p++) {
 		if (p > text && p[-1] != '\n' && p[-1] != '\r')
 			continue;
+		if (*p == '#')
+			continue;
+		filled += strcspn(p, "\r\n") > strspn(p, " \t;,");
 		for (size_t i = 0; i < 3; i++) {
 			numbers[i] += is_numbers(p, SIGNS[i]);
-			lines[i] +=
-			    memchr(p, SIGNS[i], strcspn(p, "\r\n")) != NULL;
+			lines[i] += has_sign(p, SIGNS[i]);
 		}
 	}
+	/* Neither stands in numbers: in half of the lines it separates. */
+	for (size_t i = 0; i < 2; i++)
+		if (2 * lines[i] >= filled && lines[i] > 0)
+			return SIGNS[i];
 	size_t best = 2;
 	bool told = numbers[0] + numbers[1] + numbers[2] > 0;
 	const size_t *count = told ? numbers : lines;
@@ -339,8 +396,111 @@ sheet_new(
 	sheet->most_rows = most_rows;
 	sheet->separator = find_separator(text);
 	split_text(sheet, text);
-	sheet_decide_decimal(sheet);
 	return sheet;
+}
+
+struct sheet *
+sheet_begin(const char *path, const char *name, size_t most_rows,
+    struct error_list *errors)
+{
+	struct sheet *sheet = xcalloc(1, sizeof *sheet);
+	sheet->path = xstrdup(path);
+	sheet->name = xstrdup(name);
+	sheet->errors = errors;
+	sheet->most_rows = most_rows;
+	sheet->separator = '\t';
+	sheet->row = xcalloc(most_rows, sizeof *sheet->row);
+	return sheet;
+}
+
+/* How many rows stand before that of a line, or are it. */
+static size_t
+rows_to(const struct sheet *sheet, int line)
+{
+	size_t n = sheet->n_row;
+	while (n > 0 && sheet->row[n - 1].line > line)
+		n--;
+	return n;
+}
+
+bool
+sheet_has_room(const struct sheet *sheet, struct cell cell)
+{
+	size_t n = rows_to(sheet, cell.line);
+	bool has_row = n > 0 && sheet->row[n - 1].line == cell.line;
+	return cell.column <= MOST_CELLS &&
+	       (has_row || sheet->n_row < sheet->most_rows);
+}
+
+/* The row of a line, a new one in its place where there is none yet. */
+static struct row *
+row_at(struct sheet *sheet, int line)
+{
+	size_t n = rows_to(sheet, line);
+	struct row *row = &sheet->row[n];
+	if (n > 0 && row[-1].line == line)
+		return &row[-1];
+	memmove(row + 1, row, (sheet->n_row++ - n) * sizeof *row);
+	*row = (struct row){.line = line, .end = 1};
+	return row;
+}
+
+void
+sheet_put(struct sheet *sheet, struct cell cell)
+{
+	struct row *row = row_at(sheet, cell.line);
+	size_t at = (size_t)cell.column - 1;
+	if (row->n_all <= at)
+		row->cell = xrealloc(row->cell, at + 1, sizeof *row->cell);
+	for (; row->n_all <= at; row->end++, row->n_all++)
+		row->cell[row->n_all] = (struct cell){
+		    .text = xstrdup(""), .line = row->line, .column = row->end};
+	free(row->cell[at].text);
+	row->cell[at] = cell;
+	if (cell.text[0] != '\0' && row->n <= at)
+		row->n = at + 1;
+}
+
+/* "#DIV/0!" and "#N/A" are what a formula came to. */
+static bool
+is_remark(const struct row *row)
+{
+	const char *text = row->cell[0].text;
+	bool failed = strcmp(text, "#N/A") == 0 ||
+		      (strchr(text, ' ') == NULL &&
+			  (text_ends(text, "!") || text_ends(text, "?")));
+	return text[0] == '#' && !failed;
+}
+
+/* A key whose value was left empty has the cell all the same. */
+static void
+add_empty_cell(struct row *row)
+{
+	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
+	row->cell[row->n_all++] = (struct cell){
+	    .text = xstrdup(""), .line = row->line, .column = row->end++};
+}
+
+void
+sheet_end(struct sheet *sheet)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < sheet->n_row; i++) {
+		struct row row = sheet->row[i];
+		if (row.n_all == 1)
+			add_empty_cell(&row);
+		if (row.n == 0) {
+			free_row(&row);
+		} else if (is_remark(&row)) {
+			sheet->comment = xrealloc(sheet->comment,
+			    sheet->n_comment + 1, sizeof *sheet->comment);
+			sheet->comment[sheet->n_comment++] =
+			    (struct comment){row.line, row.cell[0].text, row};
+		} else {
+			sheet->row[n++] = row;
+		}
+	}
+	sheet->n_row = n;
 }
 
 void
@@ -348,6 +508,8 @@ sheet_free(struct sheet *sheet)
 {
 	for (size_t i = 0; i < sheet->n_row; i++)
 		free_row(&sheet->row[i]);
+	for (size_t i = 0; i < sheet->n_comment; i++)
+		free_row(&sheet->comment[i].row);
 	free(sheet->row);
 	free(sheet->comment);
 	free(sheet->path);

@@ -14,8 +14,9 @@
 enum cell_kind { CELL_TEXT, CELL_NUMBER, CELL_DATE };
 
 /* text: without spaces at both ends, never NULL; of CELL_NUMBER as text_exact
- * writes it.  column: of its first character, counted from 1 in characters, not
- * bytes; in a workbook 1 is A. */
+ * writes it, then a unit that the cell is shown with: "97.5 %", "69 m/s"; of
+ * CELL_DATE "2026-05-03T10:15", "2026-05-03" or "10:15".  column: of its first
+ * character, counted from 1 in characters, not bytes; in a workbook 1 is A. */
 struct cell {
 	char *text;
 	int line, column;
@@ -31,10 +32,12 @@ struct row {
 	int line, end;
 };
 
-/* A line that starts with #, borrowed from the text of the sheet. */
+/* A line that starts with #, borrowed from the text of the sheet; in a workbook
+ * a row whose first cell does, which is text. */
 struct comment {
 	int line;
 	const char *text;
+	struct row row; /* of a workbook */
 };
 
 /* Blank lines are left out of row[], and lines that start with # are in
@@ -64,6 +67,17 @@ struct sheet *sheet_new(
     const char *path, char *text, size_t most_rows, struct error_list *errors);
 void sheet_free(struct sheet *sheet);
 
+/* A sheet of a workbook, with tabs between its cells where a message shows one.
+ * sheet_put: one more cell, in any order, whose text it takes.  sheet_end: all
+ * are there; until then no row is a comment. */
+struct sheet *sheet_begin(const char *path, const char *name, size_t most_rows,
+    struct error_list *errors);
+void sheet_put(struct sheet *sheet, struct cell cell);
+void sheet_end(struct sheet *sheet);
+
+/* What sheet_put takes: another row or a cell in this column. */
+bool sheet_has_room(const struct sheet *sheet, struct cell cell);
+
 /* Makes a row of comment i, in the order of the lines, which the # is part
  * of. */
 void sheet_uncomment(struct sheet *sheet, size_t i);
@@ -85,27 +99,6 @@ int sheet_cut(const char *text);
  * hint (NULL: none).  Returns false. */
 bool sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
     const char *hint, ...) __attribute__((format(printf, 4, 5)));
-
-/* Decides for the whole sheet which sign is the decimal one, by those numbers
- * that leave no choice (80,5; 1.250,5), of which most count.  Where there are
- * none, numbers such as 1,250 stay open. */
-void sheet_decide_decimal(struct sheet *sheet);
-
-/* The cell as a number with the decimal sign of the sheet, perhaps with the
- * other sign, blanks or apostrophes between thousands.  A fault and false when
- * it is none. */
-bool sheet_number(
-    struct sheet *sheet, struct cell cell, const char *wanted, double *value);
-
-/* The same, but false without a fault. */
-bool sheet_value(const struct sheet *sheet, struct cell cell, double *value);
-
-/* Whether it could have a decimal sign or thousands, and the sheet does not
- * tell which. */
-bool sheet_is_open(const struct sheet *sheet, struct cell cell);
-
-/* Whether a cell says that there is no number: "", -, n/a, nd, and others. */
-bool sheet_absent(struct cell cell);
 
 /* A cell for a sheet with commas: quotes where the reader needs them, and no
  * line end, which would break the row. */

@@ -153,11 +153,17 @@ find_mesh(const struct mesh *mesh, size_t n, double number)
 static double
 find_inches(double inches)
 {
-	double mm = 25.4 * inches;
-	for (size_t i = 0; i < ARRAY_LEN(SIEVES); i++)
-		if (fabs(SIEVES[i].mm - mm) < 0.02 * mm)
-			return SIEVES[i].mm;
-	return mm;
+	double mm = 25.4 * inches, nearest = mm, off = 0.015 * mm;
+	for (size_t i = 0; i < ARRAY_LEN(SIEVES) + ARRAY_LEN(OTHERS); i++) {
+		double other = i < ARRAY_LEN(SIEVES)
+				   ? SIEVES[i].mm
+				   : OTHERS[i - ARRAY_LEN(SIEVES)];
+		if (fabs(other - mm) < off) {
+			off = fabs(other - mm);
+			nearest = other;
+		}
+	}
+	return nearest;
 }
 
 static double

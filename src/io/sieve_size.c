@@ -10,9 +10,10 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 struct sieve_unit
-sieve_unit_of(unsigned means)
+sieve_unit_of(uint64_t means)
 {
 	struct sieve_unit unit = {0, SIEVE_NONE};
 	if ((means & WORD_MM) != 0)
@@ -40,11 +41,14 @@ static bool
 is_pan(const char *text)
 {
 	size_t unknown;
-	if (text[0] == '<')
-		return isdigit((unsigned char)text[1 + strspn(text + 1, " ")]);
+	if (text[0] == '<') {
+		const char *rest = text + 1 + strspn(text + 1, " ");
+		return isdigit((unsigned char)rest[0]) ||
+		       sieve_names_series(rest) != SIEVE_NONE;
+	}
 	if (isdigit((unsigned char)text[0]) || strpbrk(text, "0123456789"))
 		return false;
-	unsigned means = vocabulary_text(text, &unknown);
+	uint64_t means = vocabulary_text(text, &unknown);
 	return (means & WORD_PAN) != 0 && unknown == 0 &&
 	       (means & (WORD_TOTAL | WORD_LOSS)) == 0;
 }
@@ -71,6 +75,45 @@ cut_unit(struct cell *cell, char copy[static 40])
 	return unit.mm;
 }
 
+/* The lower of the two sizes of a class, "11,2/16" or "11,2 - 16", or the one
+ * of "> 22,4", as the cell's text. */
+static bool
+cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
+{
+	double a, b;
+	size_t n = strlen(cell->text);
+	struct cell part = *cell;
+	if (cell->kind != CELL_TEXT || n >= 40)
+		return false;
+	memcpy(copy, cell->text, n + 1);
+	char *first = copy + strspn(copy, "> ");
+	char *cut = strpbrk(first, "/-");
+	part.text = first;
+	if (cut == NULL && first > copy && copy[0] == '>') {
+		cell->text = first;
+		return number_of(sheet, part, &a);
+	}
+	if (cut == NULL || cut == first)
+		return false;
+	*cut = '\0';
+	part.text = text_trim(first);
+	if (!number_of(sheet, part, &a))
+		return false;
+	char *lower = part.text;
+	part.text = text_trim(cut + 1);
+	if (!number_of(sheet, part, &b) || a == b)
+		return false;
+	cell->text = a < b ? lower : part.text;
+	return true;
+}
+
+bool
+sieve_size_is_class(const struct sheet *sheet, struct cell cell)
+{
+	char copy[40];
+	return cut_class(sheet, &cell, copy);
+}
+
 enum sieve_kind
 sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
     double *mm)
@@ -87,8 +130,11 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 		*mm = named;
 		return SIEVE_IS_SIZE;
 	}
+	char bounds[40];
+	if (unit.mm > 0 && unit.series == SIEVE_NONE)
+		cut_class(sheet, &cell, bounds);
 	double own = cut_unit(&cell, copy);
-	if (!sheet_value(sheet, cell, &value) || value < 0)
+	if (!number_of(sheet, cell, &value) || value < 0)
 		return SIEVE_IS_NONE;
 	if (value == 0)
 		return SIEVE_IS_PAN;

@@ -3,6 +3,8 @@
 #ifndef TIPSPEED_IO_SIEVE_SIZE_H
 #define TIPSPEED_IO_SIEVE_SIZE_H
 
+#include <stdint.h>
+
 #include "io/sheet.h"
 #include "io/sieve_names.h"
 
@@ -16,12 +18,16 @@ struct sieve_unit {
 enum sieve_kind { SIEVE_IS_NONE, SIEVE_IS_PAN, SIEVE_IS_SIZE };
 
 /* The unit that the words of a head tell, see vocabulary.h. */
-struct sieve_unit sieve_unit_of(unsigned means);
+struct sieve_unit sieve_unit_of(uint64_t means);
 
 /* What a cell is, and of SIEVE_IS_SIZE its opening, mm to 9 decimals: NAN where
  * it has the form of a name that no sieve has.  Numbers without a unit are
  * taken for mm where the head tells none. */
 enum sieve_kind sieve_size(const struct sheet *sheet, struct cell cell,
     struct sieve_unit unit, double *mm);
+
+/* Whether it is a class between two sieves, "11,2/16", or above one, "> 22,4",
+ * which sieve_size gives the lower one of where the unit is a length. */
+bool sieve_size_is_class(const struct sheet *sheet, struct cell cell);
 
 #endif

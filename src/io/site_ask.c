@@ -12,6 +12,7 @@
 #include "io/recognise.h"
 #include "io/site_sieve.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 static bool
 add_name(struct names *names, char *part, struct error *error)
@@ -31,6 +32,13 @@ add_name(struct names *names, char *part, struct error *error)
 	names->number[names->n] = number;
 	names->text[names->n++] = xstrdup(text_trim(end + 1));
 	return true;
+}
+
+static void
+add_sieves(struct layout_range *range, size_t number)
+{
+	if (range->n_sieves < LAYOUT_SIEVES)
+		range->sieves[range->n_sieves++] = number;
 }
 
 bool
@@ -55,13 +63,13 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 	}
 	free(copy);
 	for (size_t i = 0; i < names->n; i++) {
-		unsigned means = vocabulary_text(names->text[i], NULL);
-		unsigned other =
+		uint64_t means = vocabulary_text(names->text[i], NULL);
+		uint64_t other =
 		    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
 		if ((means & WORD_SIZE) != 0 && (means & other) == 0)
-			range->sieves = names->number[i];
+			add_sieves(range, names->number[i]);
 	}
-	if (good && range->sieves == 0)
+	if (good && range->n_sieves == 0)
 		good = error_set(error, ERROR_USAGE,
 		    "expected a column of sieves in columns, got '%s'\n"
 		    "for instance: columns=\"1=sieve mm, 2=feed, "
@@ -70,12 +78,12 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 	return good;
 }
 
-unsigned
+uint64_t
 names_apply(const struct names *names, struct block *b)
 {
 	if (names->n == 0)
 		return 0;
-	unsigned sieve = 0;
+	uint64_t sieve = 0;
 	for (size_t i = 0; i < names->n; i++)
 		if (names->number[i] == b->number[0])
 			sieve = vocabulary_text(names->text[i], NULL);
@@ -131,7 +139,7 @@ open_numbers(struct open *open, const struct table *t)
 		return;
 	for (size_t r = 0; r < t->n_row; r++)
 		for (size_t c = 0; c < t->block->n_col; c++)
-			if (sheet_is_open(t->sheet, t->row[r].cell[c])) {
+			if (number_is_open(t->sheet, t->row[r].cell[c])) {
 				open->number = t->row[r].cell[c];
 				return;
 			}
@@ -369,17 +377,4 @@ open_describe(struct table *const *table, size_t n_table,
 			free(what);
 		}
 	}
-}
-
-void
-site_ask_clear(struct site_ask *ask)
-{
-	for (size_t i = 0; i < ask->n; i++) {
-		free(ask->column[i].head);
-		free(ask->column[i].values);
-		free(ask->column[i].guess);
-	}
-	free(ask->column);
-	free(ask->settle);
-	*ask = (struct site_ask){0};
 }

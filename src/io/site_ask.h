@@ -3,8 +3,10 @@
 #ifndef TIPSPEED_IO_SITE_ASK_H
 #define TIPSPEED_IO_SITE_ASK_H
 
+#include <stdint.h>
+
 #include "io/site_column.h"
-#include "io/site_read.h"
+#include "io/site_request.h"
 
 /* The columns that were named by hand [n]. */
 struct names {
@@ -18,7 +20,7 @@ bool names_read(struct names *names, const char *columns,
     struct layout_range *range, struct error *error);
 
 /* Heads a table by them; the meanings of what heads its sieves, 0: none. */
-unsigned names_apply(const struct names *names, struct block *b);
+uint64_t names_apply(const struct names *names, struct block *b);
 void names_clear(struct names *names);
 
 /* From "A3:F20"; NULL is everything. */

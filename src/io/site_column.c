@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 const char *const SITE_ROLES[4] = {"feed", "product", "sd", ""};
 
@@ -145,7 +146,7 @@ is_trace(const struct sheet *sheet, struct cell cell)
 	double v;
 	bool less = cell.kind == CELL_TEXT && cell.text[0] == '<';
 	cell.text += less;
-	return less && sheet_value(sheet, cell, &v);
+	return less && number_of(sheet, cell, &v);
 }
 
 void
@@ -155,10 +156,10 @@ site_column_raw(const struct column *c, double *raw)
 	char copy[40];
 	for (size_t i = 0; i < c->table->n_row; i++) {
 		struct cell cell = c->table->row[i].cell[c->at];
-		bool none = sheet_absent(cell) || is_trace(sheet, cell);
-		if (none || (!sheet_value(sheet, without_unit(cell, true, copy),
+		bool none = number_absent(cell) || is_trace(sheet, cell);
+		if (none || (!number_of(sheet, without_unit(cell, true, copy),
 				 &raw[i]) &&
-				!sheet_value(sheet,
+				!number_of(sheet,
 				    without_unit(cell, false, copy), &raw[i])))
 			raw[i] = NAN;
 	}
@@ -215,9 +216,9 @@ read_cells(struct column *c)
 		double v = 0;
 		c->pct[i] = NAN;
 		bool trace = is_trace(t->sheet, cell);
-		if (sheet_absent(cell) || (trace && !retained))
+		if (number_absent(cell) || (trace && !retained))
 			continue;
-		bool good = trace || sheet_number(t->sheet,
+		bool good = trace || number_read(t->sheet,
 					 without_unit(cell, of_mass(c), copy),
 					 "a number", &v);
 		if (good && t->mm[i] <= 0)
@@ -228,30 +229,64 @@ read_cells(struct column *c)
 	}
 }
 
-/* What the lines below the table say of a column, in its unit: the sum, or the
- * mass before sieving (NAN: neither), whose cell is *cell; and what was washed
- * out, which belongs to the pan. */
+/* The number that a line below the table has for a column; NAN: none. */
 static double
-read_foot(struct column *c, struct cell *where)
+foot_value(const struct column *c, const struct row *row)
+{
+	double v;
+	char copy[40];
+	struct cell cell = row->cell[c->at];
+	if (number_absent(cell) ||
+	    !number_of(c->table->sheet, without_unit(cell, true, copy), &v))
+		return NAN;
+	return v;
+}
+
+/* Sieves above the first number of what is retained held nothing: a dash there,
+ * or no number, is 0. */
+static void
+fill_top(struct column *c)
+{
+	struct table *t = c->table;
+	size_t first = 0;
+	while (first < t->n_row && (isnan(c->pct[first]) || t->mm[first] <= 0))
+		first++;
+	if (SITE_UNITS[c->unit].kind == PASSING || c->role == SD || c->faulty ||
+	    first == t->n_row || c->pct[first] <= 0)
+		return;
+	for (size_t i = 0; i < first; i++)
+		c->pct[i] = t->mm[i] > 0 ? 0 : NAN;
+}
+
+/* What the lines below the table say of a column, in its unit: the largest sum,
+ * which may be the mass before sieving (NAN: neither), whose cell is *where;
+ * and what was washed out, which belongs to the pan.  That may be told by the
+ * masses before and after washing, M1 and M2 of EN 933-1.  weighed: the sum
+ * is the mass before sieving. */
+static double
+read_foot(struct column *c, struct cell *where, bool *weighed)
 {
 	const struct block *block = c->table->block;
-	double total = NAN, v;
-	char copy[40];
+	double total = NAN, washed = NAN;
+	*weighed = false;
 	for (size_t i = 0; i < block->n_foot; i++) {
 		const struct row *row = &block->foot[i];
-		struct cell cell = row->cell[c->at];
-		unsigned means = vocabulary_text(row->cell[0].text, NULL);
-		if (sheet_absent(cell) ||
-		    !sheet_value(c->table->sheet,
-			without_unit(cell, of_mass(c), copy), &v))
-			continue;
-		if ((means & WORD_WASHED) != 0 && (means & WORD_TOTAL) == 0)
-			c->pan = (isnan(c->pan) ? 0 : c->pan) + v;
-		else if ((means & WORD_TOTAL) != 0 && isnan(total)) {
+		uint64_t means = vocabulary_text(row->cell[0].text, NULL);
+		double v = foot_value(c, row);
+		if ((means & WORD_WASHED) != 0) {
+			washed = v;
+		} else if ((means & WORD_TOTAL) != 0 && !isnan(v) &&
+			   !(v <= total)) {
 			total = v;
-			*where = cell;
+			*where = row->cell[c->at];
+			*weighed = (means & WORD_WEIGHED) != 0;
 		}
 	}
+	/* A mass that is most of the whole is what was left. */
+	if (!isnan(total) && washed > total / 2)
+		washed = total - washed;
+	if (!isnan(washed))
+		c->pan = (isnan(c->pan) ? 0 : c->pan) + fmax(washed, 0);
 	return total;
 }
 
@@ -294,7 +329,8 @@ static double
 total_mass(struct column *c)
 {
 	struct cell where = c->head;
-	double total = read_foot(c, &where), sum = sum_of(c);
+	bool weighed;
+	double total = read_foot(c, &where, &weighed), sum = sum_of(c);
 	bool cumulative = SITE_UNITS[c->unit].kind == CUMULATIVE;
 	if (cumulative && !isnan(c->pan))
 		return c->pan;
@@ -315,7 +351,9 @@ total_mass(struct column *c)
 		    c->head.text);
 		return 0;
 	}
-	return agrees(c, where, total, sum) ? sum : 0;
+	if (!agrees(c, where, total, sum))
+		return 0;
+	return weighed ? fmax(total, sum) : sum; /* as EN 933-1 counts */
 }
 
 /* Of percentages or fractions retained: what all of them are parts of. */
@@ -325,7 +363,8 @@ total_share(struct column *c)
 	char head[64];
 	struct cell where = c->head;
 	double whole = SITE_UNITS[c->unit].most;
-	read_foot(c, &where);
+	bool weighed;
+	read_foot(c, &where, &weighed);
 	double sum = sum_of(c), off = (sum - whole) / whole * 100;
 	bool pan = !isnan(c->pan);
 	/* What is lost in sieving is missing from the sum. */
@@ -429,6 +468,7 @@ site_column_values(struct column *c)
 	c->pct = xdoubles(t->n_row);
 	c->pan = NAN;
 	read_cells(c);
+	fill_top(c);
 	if (c->role != SD) {
 		convert(c);
 		check_rise(c);

@@ -12,6 +12,7 @@
 #include "io/head.h"
 #include "io/site_sieve.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 static const char *const NAMES[N_KEY] = {
     "site", "rock", "machine", "provenance", "top_size_mm"};
@@ -43,11 +44,11 @@ first_number(const struct sheet *sheet, struct cell cell, double *value)
 	while (n > 0 && cell.text[n - 1] == ' ')
 		n--;
 	if (cell.kind == CELL_NUMBER || n == 0 || n >= sizeof copy)
-		return sheet_value(sheet, cell, value);
+		return number_of(sheet, cell, value);
 	memcpy(copy, cell.text, n);
 	copy[n] = '\0';
 	cell.text = copy;
-	return sheet_value(sheet, cell, value);
+	return number_of(sheet, cell, value);
 }
 
 /* The rotor's diameter, if the line tells it.  A number below 10 is in m. */
@@ -55,7 +56,7 @@ static bool
 take_rotor(struct site *site, const struct sheet *sheet, struct cell key,
     struct cell value)
 {
-	unsigned means = vocabulary_text(key.text, NULL);
+	uint64_t means = vocabulary_text(key.text, NULL);
 	double number;
 	if ((means & WORD_ROTOR) == 0 || (means & WORD_SPEED) != 0 ||
 	    !first_number(sheet, value, &number))
@@ -117,23 +118,25 @@ split_colon(struct cell *key, struct cell *value, char **left, char **right)
 	return value->text[0] != '\0' && key->text[0] != '\0';
 }
 
-/* The cells of a line that are not empty: the first two, and how many. */
+/* The next key of a line from cell *at on, which moves after it and its value:
+ * the cells up to an empty one, or two of them.  Returns how many there are. */
 static size_t
-filled_cells(const struct row *row, struct cell *key, struct cell *value,
-    struct cell *third)
+next_pair(const struct row *row, size_t *at, struct cell *key,
+    struct cell *value, struct cell *third)
 {
-	size_t n = 0;
-	for (size_t i = 0; i < row->n; i++) {
+	size_t n = 0, i = *at;
+	while (i < row->n && row->cell[i].text[0] == '\0')
+		i++;
+	*value = sheet_cell(row, row->n_all);
+	for (; i < row->n && (row->cell[i].text[0] != '\0' || n == 1); i++) {
 		if (row->cell[i].text[0] == '\0')
 			continue;
+		struct cell *slot[] = {key, value, third};
+		if (n < 3)
+			*slot[n] = row->cell[i];
 		n++;
-		if (n == 1)
-			*key = row->cell[i];
-		else if (n == 2)
-			*value = row->cell[i];
-		else if (n == 3)
-			*third = row->cell[i];
 	}
+	*at = i;
 	return n;
 }
 
@@ -147,13 +150,16 @@ begins_with_key(const char *text)
 	return false;
 }
 
-static void
-read_line(struct site *site, struct sheet *sheet, const struct row *row,
-    int seen[static N_KEY], struct heading_speed *speed)
+/* A pair of the line, or what there is of one; false at its end. */
+static bool
+read_pair(struct site *site, struct sheet *sheet, const struct row *row,
+    size_t *at, int seen[static N_KEY], struct heading_speed *speed)
 {
-	struct cell key = {0}, value = sheet_cell(row, row->n_all), third;
+	struct cell key = {0}, value, third;
 	char *left = NULL, *right = NULL;
-	size_t n = filled_cells(row, &key, &value, &third);
+	size_t n = next_pair(row, at, &key, &value, &third);
+	if (n == 0)
+		return false;
 	if (n == 1 && split_colon(&key, &value, &left, &right))
 		n = 2;
 	size_t colon = strlen(key.text);
@@ -190,6 +196,7 @@ read_line(struct site *site, struct sheet *sheet, const struct row *row,
 	free(left);
 	free(right);
 	free(bare);
+	return true;
 }
 
 void
@@ -206,7 +213,9 @@ site_heading(const struct layout *layout, struct sheet *sheet,
 			}
 	for (size_t i = 0; i < layout->n_heading; i++)
 		if (layout->heading[i]->line < first)
-			read_line(site, sheet, layout->heading[i], seen, speed);
+			for (size_t at = 0; read_pair(site, sheet,
+				 layout->heading[i], &at, seen, speed);)
+				;
 }
 
 char *

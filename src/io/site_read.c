@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "io/layout_long.h"
 #include "io/recognise.h"
 #include "io/site_ask.h"
 #include "io/site_column.h"
@@ -19,6 +20,7 @@
 #include "io/site_sieve.h"
 #include "io/source.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 /* One sheet of one file, with what was found on it. */
 struct page {
@@ -60,11 +62,11 @@ tell_no_table(struct sheet *sheet)
 	for (size_t i = sheet->n_row; i-- > 0;) {
 		struct cell cell = sheet->row[i].cell[0];
 		double v;
-		if (sheet_value(sheet, cell, &v) ||
+		if (number_of(sheet, cell, &v) ||
 		    (vocabulary_text(cell.text, NULL) & WORD_SIZE) != 0)
 			found = cell;
 	}
-	char c = sheet->separator != '\0' ? sheet->separator : ',';
+	char c = sheet->separator == ';' ? ';' : ',';
 	bool heads = (vocabulary_text(found.text, NULL) & WORD_SIZE) != 0 &&
 		     found.line == sheet->row[sheet->n_row - 1].line;
 	if (heads) {
@@ -189,6 +191,36 @@ check_twin(const struct columns *all, const struct column *twin)
 	}
 }
 
+/* Where the numbers of an empty table begin. */
+static struct cell
+first_empty(const struct table *t)
+{
+	const struct row *row = &t->row[0];
+	return row->n_all > 1 ? row->cell[1] : site_sieve_head(t);
+}
+
+/* What the sheets lack. */
+static void
+check_roles(struct reading *r)
+{
+	bool parts = r->request->parts;
+	if (r->all.n == 0)
+		sheet_fault(r->table[0]->sheet, first_empty(r->table[0]),
+		    "expected numbers below the heads, got none\n"
+		    "fill in the columns from this cell on; leave a cell empty "
+		    "only where a sieve was not used");
+	else if (count_role(&r->all, FEED) == 0 && !parts)
+		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
+		    "expected a feed column, got none\n"
+		    "add a column feed, or load the feed's file with it: load "
+		    "feed.csv %s@SPEED",
+		    r->request->path[0]);
+	else if (count_role(&r->all, PRODUCT) == 0 && parts)
+		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
+		    "expected a product, got a feed only\n"
+		    "add takes samples of product; load this file as a site");
+}
+
 static void
 read_columns(struct reading *r)
 {
@@ -206,19 +238,8 @@ read_columns(struct reading *r)
 		if (!r->lost)
 			check_partner(all, &all->column[i]);
 	}
-	if (r->lost)
-		return;
-	bool parts = r->request->parts;
-	if (count_role(all, FEED) == 0 && !parts)
-		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
-		    "expected a feed column, got none\n"
-		    "add a column feed, or load the feed's file with it: load "
-		    "feed.csv %s@SPEED",
-		    r->request->path[0]);
-	if (count_role(all, PRODUCT) == 0 && parts)
-		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
-		    "expected a product, got a feed only\n"
-		    "add takes samples of product; load this file as a site");
+	if (!r->lost)
+		check_roles(r);
 }
 
 static struct psd
@@ -385,6 +406,11 @@ tell_left_out(struct reading *r)
 			    c->text, c->text[shown] != '\0' ? "..." : "");
 		}
 		leave_out_foot(r, page);
+		const struct cell *beside = &page->layout->beside;
+		snprintf(where, sizeof where, "line %d", beside->line);
+		if (beside->text != NULL)
+			leave_out(r->site, where, "beside the table: %.*s",
+			    sheet_cut(beside->text), beside->text);
 	}
 	for (size_t i = 0; i < r->n_table; i++)
 		leave_out_rows(r, r->table[i]);
@@ -399,8 +425,7 @@ tell_names(struct reading *r)
 		for (size_t i = 0; i < t->n_row; i++) {
 			const char *text = t->row[i].cell[0].text;
 			double v;
-			bool bare =
-			    sheet_value(t->sheet, t->row[i].cell[0], &v);
+			bool bare = number_of(t->sheet, t->row[i].cell[0], &v);
 			if (t->mm[i] > 0 &&
 			    (sieve_names_series(text) != SIEVE_NONE ||
 				(bare && t->unit.series != SIEVE_NONE)))
@@ -412,11 +437,11 @@ tell_names(struct reading *r)
 
 /* Meanings of the words that stand next to a table and tell feed from product:
  * its title, the name of its sheet or file. */
-static unsigned
+static uint64_t
 context_of(const struct page *page, const struct block *b, const char *path,
     struct surroundings *near)
 {
-	unsigned means = vocabulary_text(page->sheet->name, NULL);
+	uint64_t means = vocabulary_text(page->sheet->name, NULL);
 	struct head name = head_read(page->sheet->name);
 	near->speed = near->speed > 0 ? near->speed : name.speed;
 	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line;
@@ -429,7 +454,7 @@ context_of(const struct page *page, const struct block *b, const char *path,
 			if (row->n > 1 && row->cell[c].column < left)
 				continue;
 			struct head title = head_read(row->cell[c].text);
-			unsigned role =
+			uint64_t role =
 			    title.means & (WORD_FEED | WORD_PRODUCT);
 			if (role == 0 && !(title.speed > 0))
 				continue;
@@ -464,7 +489,7 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	near.context = context_of(page, b, q->path[page->file], &near);
 	if (given > 0)
 		near.speed = given;
-	unsigned sieve = names_apply(&r->names, b);
+	uint64_t sieve = names_apply(&r->names, b);
 	layout_widen(b);
 	struct table *t = xcalloc(1, sizeof *t);
 	*t = site_sieve_table(b, sieve, &certainty);

@@ -11,6 +11,7 @@
 #include "base/xalloc.h"
 #include "io/units.h"
 #include "io/vocabulary.h"
+#include "io/number.h"
 
 /* Sieves of a crusher's product that are not said to be in mm are not taken for
  * it outside these, mm: what is coarser may be in um, what is finer in inches
@@ -27,7 +28,7 @@ site_sieve_mm(
 		    "write the sieve size, or remove the row");
 		return NAN;
 	}
-	if (!sheet_number(sheet, cell, wanted, &v))
+	if (!number_read(sheet, cell, wanted, &v))
 		return NAN;
 	double mm = site_column_round(v * unit, 1e9);
 	if ((mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM) || v == 0)
@@ -116,7 +117,7 @@ all_named(const struct table *t)
 		struct sieve_unit none = {0, SIEVE_NONE};
 		if (sieve_size(t->sheet, cell, none, &mm) != SIEVE_IS_SIZE)
 			continue;
-		if (sheet_value(t->sheet, cell, &v))
+		if (number_of(t->sheet, cell, &v))
 			return false;
 		n++;
 	}
@@ -128,8 +129,7 @@ all_whole(const struct table *t)
 {
 	double v;
 	for (size_t i = 0; i < t->n_row; i++)
-		if (sheet_value(t->sheet, t->row[i].cell[0], &v) &&
-		    v != floor(v))
+		if (number_of(t->sheet, t->row[i].cell[0], &v) && v != floor(v))
 			return false;
 	return true;
 }
@@ -161,6 +161,84 @@ find_unit(struct table *t)
 	return SIEVES_ASSUMED;
 }
 
+/* Where the sieves are there twice, as names and in mm, a row that has one of
+ * them only. */
+static void
+fill_names(struct table *t)
+{
+	static const uint64_t ELSE =
+	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
+	struct sieve_unit none = {0, SIEVE_NONE};
+	double mm;
+	for (size_t c = 1; c < t->block->n_col; c++) {
+		char *head = layout_head(t->block, c);
+		uint64_t means = vocabulary_text(head, NULL);
+		free(head);
+		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
+		    (means & ELSE) != 0)
+			continue;
+		for (size_t i = 0; i < t->n_row; i++)
+			if (t->row[i].cell[0].text[0] == '\0' &&
+			    sieve_size(t->sheet, t->row[i].cell[c], none,
+				&mm) != SIEVE_IS_NONE)
+				t->row[i].cell[0] = t->row[i].cell[c];
+	}
+}
+
+/* Whether sizes rise, or fall, without exception; NAN are passed over. */
+static bool
+is_ordered(const double *v, size_t n)
+{
+	int rises = 0, falls = 0, pairs = 0;
+	double last = NAN;
+	for (size_t i = 0; i < n; i++) {
+		if (isnan(v[i]))
+			continue;
+		pairs += !isnan(last);
+		rises += v[i] > last;
+		falls += v[i] < last;
+		last = v[i];
+	}
+	return rises == pairs || falls == pairs;
+}
+
+/* 2, 1, 500, 250: sieves below 1 mm are called by their um, as ISO 3310 does.
+ * Gives these, at one end of the table, their unit where that brings all into
+ * order. */
+static bool
+split_micro(struct table *t)
+{
+	size_t n = t->n_row, from = 0, to = 0;
+	double *v = xdoubles(n), number;
+	for (size_t i = 0; i < n; i++)
+		v[i] = number_of(t->sheet, t->row[i].cell[0], &number) &&
+			       number > 0
+			   ? number
+			   : NAN;
+	bool split = false;
+	for (size_t i = 1; i < n && !is_ordered(v, n) && to == 0; i++) {
+		from = v[i] > 10 * v[i - 1] ? i : 0;
+		to = v[i] > 10 * v[i - 1] ? n : 10 * v[i] < v[i - 1] ? i : 0;
+	}
+	for (size_t i = from; i < to; i++) {
+		split = v[i] >= 20 && v[i] < 1000;
+		v[i] /= 1000;
+		if (!split && !isnan(v[i]))
+			break;
+	}
+	split = split && is_ordered(v, n);
+	for (size_t i = from; split && i < to; i++) {
+		struct cell *cell = &t->row[i].cell[0];
+		if (isnan(v[i]))
+			continue;
+		cell->kind = CELL_TEXT;
+		cell->text =
+		    layout_keep(t->block, xasprintf("%s um", cell->text));
+	}
+	free(v);
+	return split;
+}
+
 /* Whether the sizes rise without exception. */
 static bool
 is_finest_first(const struct table *t)
@@ -179,29 +257,6 @@ is_finest_first(const struct table *t)
 		last = mm;
 	}
 	return rising > 0;
-}
-
-struct table
-site_sieve_table(
-    struct block *block, unsigned told, enum sieve_certainty *certainty)
-{
-	struct table t = {.sheet = block->sheet,
-	    .block = block,
-	    .n_row = block->n_row,
-	    .row = block->row};
-	char *head = layout_head(block, 0);
-	t.unit = sieve_unit_of(told != 0 ? told : vocabulary_text(head, NULL));
-	free(head);
-	*certainty = find_unit(&t);
-	if (told != 0 && *certainty == SIEVES_OPEN && t.unit.mm > 0)
-		*certainty = SIEVES_SAID;
-	t.finest_first = is_finest_first(&t);
-	for (size_t i = 0; t.finest_first && i < t.n_row / 2; i++) {
-		struct row row = t.row[i];
-		t.row[i] = t.row[t.n_row - 1 - i];
-		t.row[t.n_row - 1 - i] = row;
-	}
-	return t;
 }
 
 struct cell
@@ -237,6 +292,37 @@ check_order(struct table *t)
 			    cell.text, t->row[last].cell[0].text);
 		last = i;
 	}
+}
+
+struct table
+site_sieve_table(
+    struct block *block, uint64_t told, enum sieve_certainty *certainty)
+{
+	struct table t = {.sheet = block->sheet,
+	    .block = block,
+	    .n_row = block->n_row,
+	    .row = block->row};
+	char *head = layout_head(block, 0);
+	t.unit = sieve_unit_of(told != 0 ? told : vocabulary_text(head, NULL));
+	free(head);
+	fill_names(&t);
+	bool lengths = t.unit.mm == 1 || t.unit.mm == 0;
+	bool split = lengths && t.unit.series == SIEVE_NONE && split_micro(&t);
+	if (split)
+		t.unit.mm = 1;
+	*certainty = find_unit(&t);
+	if (split && *certainty == SIEVES_SAID)
+		*certainty = SIEVES_ASSUMED;
+	bool own = strncmp(site_sieve_head(&t).text, "size_", 5) == 0;
+	if ((told != 0 || own) && *certainty == SIEVES_OPEN && t.unit.mm > 0)
+		*certainty = SIEVES_SAID;
+	t.finest_first = is_finest_first(&t);
+	for (size_t i = 0; t.finest_first && i < t.n_row / 2; i++) {
+		struct row row = t.row[i];
+		t.row[i] = t.row[t.n_row - 1 - i];
+		t.row[t.n_row - 1 - i] = row;
+	}
+	return t;
 }
 
 /* A number in a column that nothing heads: a decimal comma may have cut one in

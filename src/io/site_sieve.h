@@ -3,6 +3,8 @@
 #ifndef TIPSPEED_IO_SITE_SIEVE_H
 #define TIPSPEED_IO_SITE_SIEVE_H
 
+#include <stdint.h>
+
 #include "io/site_column.h"
 
 /* What the unit of the sieves was taken for. */
@@ -15,7 +17,7 @@ enum sieve_certainty {
 /* The table of a block.  told: the unit in the words of a head given by hand,
  * see vocabulary.h, or 0. */
 struct table site_sieve_table(
-    struct block *block, unsigned told, enum sieve_certainty *certainty);
+    struct block *block, uint64_t told, enum sieve_certainty *certainty);
 
 /* The cell that heads the sieves, or the first of them. */
 struct cell site_sieve_head(const struct table *t);

@@ -6,22 +6,63 @@
 
 #include "base/xalloc.h"
 #include "io/textfile.h"
+#include "io/workbook.h"
+#include "io/number.h"
 
 /* A sieve sheet has some dozen lines, a log one for each minute of months. */
 enum { MOST_ROWS = 2000, MOST_LOG = 200000 };
+
+/* Takes the sheets and the note. */
+static bool
+read_workbook(const char *path, const char *bytes, size_t n, size_t most_rows,
+    struct error_list *errors, struct source *source)
+{
+	struct grid grid = grid_new(path, most_rows, errors);
+	if (!workbook_read(bytes, n, &grid)) {
+		grid_clear(&grid);
+		return false;
+	}
+	free(source->note);
+	source->n = grid.n;
+	source->sheet = grid.sheet;
+	source->note = grid.note;
+	for (size_t i = 0; i < source->n; i++)
+		number_decide(source->sheet[i]);
+	return true;
+}
+
+static bool
+read_text(const char *path, const char *bytes, size_t n, size_t most_rows,
+    struct error_list *errors, struct source *source)
+{
+	const char *note;
+	source->text = textfile_text(path, bytes, n, &note, errors);
+	if (source->text == NULL)
+		return false;
+	free(source->note);
+	source->note = xstrdup(note);
+	source->sheet = xcalloc(1, sizeof(*source->sheet));
+	source->sheet[source->n++] =
+	    sheet_new(path, source->text, most_rows, errors);
+	number_decide(source->sheet[0]);
+	return true;
+}
 
 static bool
 read_rows(const char *path, size_t most_rows, struct error_list *errors,
     struct source *source)
 {
+	size_t n;
 	*source = (struct source){.note = xstrdup("")};
-	source->text = textfile_read(path, errors);
-	if (source->text == NULL)
+	char *bytes = textfile_bytes(path, &n, errors);
+	if (bytes == NULL)
 		return false;
-	source->sheet = xcalloc(1, sizeof(*source->sheet));
-	source->sheet[source->n++] =
-	    sheet_new(path, source->text, most_rows, errors);
-	return true;
+	bool good =
+	    workbook_is(bytes, n)
+		? read_workbook(path, bytes, n, most_rows, errors, source)
+		: read_text(path, bytes, n, most_rows, errors, source);
+	free(bytes);
+	return good;
 }
 
 bool

@@ -11,6 +11,7 @@
 #include "io/layout.h"
 #include "io/site_sieve.h"
 #include "io/source.h"
+#include "io/number.h"
 
 static const char *const HEADS[2] = {"min_pct", "max_pct"};
 
@@ -68,7 +69,7 @@ read_limit(const struct table *t, size_t row, size_t at)
 	double v;
 	struct cell cell = sheet_cell(&t->row[row], at);
 	if (at == 0 || cell.text[0] == '\0' ||
-	    !sheet_number(t->sheet, cell, "a number", &v))
+	    !number_read(t->sheet, cell, "a number", &v))
 		return NAN;
 	if (v >= 0 && v <= 100)
 		return v / 100;
@@ -147,6 +148,12 @@ read_sheet(struct spec *spec, struct sheet *sheet)
 	struct layout *layout = layout_new(sheet, all);
 	read_heading(spec, sheet, layout);
 	if (layout->n > 0 && layout->block[0].n_head > 0) {
+		const struct block *block = &layout->block[0];
+		if (block->titles > 0)
+			sheet_wanted(sheet,
+			    block->head[0].cell[block->n_col - 1],
+			    "the end of the line after key and value",
+			    "quote a value that contains the separator");
 		read_table(spec, &layout->block[0]);
 	} else if (!sheet->lost) {
 		struct row none = {.line = 1, .end = 1};
@@ -168,6 +175,7 @@ spec_read(const char *path, struct error_list *errors)
 		spec = xcalloc(1, sizeof *spec);
 		spec->name = xstrdup("");
 		spec->source = xstrdup("");
+		spec->note = xstrdup(source.note);
 		read_sheet(spec, source.sheet[0]);
 		if (spec->name[0] == '\0') {
 			free(spec->name);
@@ -189,6 +197,7 @@ spec_free(struct spec *spec)
 		return;
 	free(spec->name);
 	free(spec->source);
+	free(spec->note);
 	free(spec->size);
 	free(spec->least);
 	free(spec->most);

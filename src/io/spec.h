@@ -8,16 +8,17 @@
 #include "base/error.h"
 
 /* size [n] m, coarsest first; least, most [n] passing 0..1, NAN where there is
- * no limit.  Strings are never NULL; source: "" when not stated. */
+ * no limit.  Strings are never NULL; source: "" when not stated; note: that of
+ * struct source. */
 struct spec {
-	char *name, *source;
+	char *name, *source, *note;
 	size_t n;
 	double *size, *least, *most;
 };
 
-/* NULL and all the faults of the sheet, each with its line and column, in
- * errors, a list that the caller has zeroed; ERROR_SYSTEM when the file cannot
- * be read. */
+/* Of a workbook its first sheet.  NULL and all the faults of the sheet, each
+ * with its line and column, in errors, a list that the caller has zeroed;
+ * ERROR_SYSTEM when the file cannot be read. */
 struct spec *spec_read(const char *path, struct error_list *errors);
 
 void spec_free(struct spec *spec);

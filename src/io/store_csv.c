@@ -11,6 +11,7 @@
 #include "io/file.h"
 #include "io/sheet.h"
 #include "io/textfile.h"
+#include "io/number.h"
 
 /* More lines than that would not fit the 10 MB of a text file. */
 enum { MOST_ROWS = 10000 };
@@ -165,7 +166,7 @@ take_value(struct sheet *sheet, struct cell cell, const struct field *f,
 		stored_set_text(m, f, cell.text);
 	else if (f->kind == FIELD_MODEL)
 		stored_set_written(m, f, cell.text);
-	else if ((read = sheet_number(sheet, cell, wanted, &value)))
+	else if ((read = number_read(sheet, cell, wanted, &value)))
 		stored_set_number(m, f, value);
 	if (read && !stored_fits(m, f))
 		sheet_wanted(sheet, cell, wanted, NULL);
@@ -186,7 +187,7 @@ take_param(struct sheet *sheet, struct cell cell, const struct param_info *info,
 	size_t j = breakage_parameter(breakage_of(&m->params), info->name);
 	if (cell.text[0] == '\0')
 		sheet_fault(sheet, cell, EMPTY, info->name);
-	else if (sheet_number(sheet, cell, wanted, &value)) {
+	else if (number_read(sheet, cell, wanted, &value)) {
 		m->params.at[j] = value;
 		if (value < info->least || value > info->most)
 			sheet_wanted(sheet, cell, wanted, NULL);
@@ -260,6 +261,7 @@ store_csv_read(const char *path, const struct stored_list *there,
 	if (text == NULL)
 		return false;
 	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
+	number_decide(sheet);
 	struct column column[COLUMNS];
 	bool *all = xcalloc(breakage_count(), sizeof *all);
 	memset(all, true, breakage_count() * sizeof *all);

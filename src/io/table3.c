@@ -9,6 +9,7 @@
 #include "base/xalloc.h"
 #include "core/breakage.h"
 #include "io/sheet.h"
+#include "io/number.h"
 #include "io/textfile.h"
 #include "io/units.h"
 
@@ -40,7 +41,7 @@ read_row(struct sheet *sheet, const struct row *row, struct materials *m)
 			continue;
 		char *wanted =
 		    xasprintf("a number above 0, up to %g,", column[i].most);
-		if (sheet_number(sheet, row->cell[i], wanted, number) &&
+		if (number_read(sheet, row->cell[i], wanted, number) &&
 		    !(*number > 0 && *number <= column[i].most))
 			sheet_wanted(sheet, row->cell[i], wanted, NULL);
 		free(wanted);
@@ -61,6 +62,7 @@ take_text(const char *path, char *text, struct error_list *errors)
 	if (text == NULL)
 		return NULL;
 	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
+	number_decide(sheet);
 	struct materials *m = xcalloc(1, sizeof *m);
 	size_t i = 1; /* after the heading */
 	while (i < sheet->n_row && read_row(sheet, &sheet->row[i], m))

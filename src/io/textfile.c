@@ -14,28 +14,19 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "io/encoding.h"
 
 enum { MOST_BYTES = 10 * 1000 * 1000 };
 
 /* Offset of the first control character, NUL among them, or n. */
 static size_t
-first_control(const char *bytes, size_t n)
+first_control(const char *text, size_t n)
 {
 	size_t i = 0;
-	while (i < n && ((unsigned char)bytes[i] >= 0x20 ||
-			    memchr("\t\n\r\f", bytes[i], 4) != NULL))
+	while (i < n && ((unsigned char)text[i] >= 0x20 ||
+			    memchr("\t\n\r\f", text[i], 4) != NULL))
 		i++;
 	return i;
-}
-
-static size_t
-first_not_utf8(const char *bytes, size_t n)
-{
-	for (size_t i = 0, k; i < n; i += k)
-		for (k = 1; !text_is_utf8(bytes + i, k);)
-			if (++k > 4 || i + k > n)
-				return i;
-	return n;
 }
 
 struct place {
@@ -43,42 +34,19 @@ struct place {
 };
 
 static struct place
-place_of(const char *bytes, size_t offset)
+place_of(const char *text, size_t offset)
 {
 	struct place place = {1, 1};
 	for (size_t i = 0; i < offset; i++) {
-		bool pair = bytes[i] == '\r' && bytes[i + 1] == '\n';
-		if (bytes[i] == '\n' || (bytes[i] == '\r' && !pair)) {
+		bool pair = text[i] == '\r' && text[i + 1] == '\n';
+		if (text[i] == '\n' || (text[i] == '\r' && !pair)) {
 			place.line++;
 			place.column = 1;
-		} else if ((bytes[i] & 0xC0) != 0x80) {
+		} else if ((text[i] & 0xC0) != 0x80) {
 			place.column++;
 		}
 	}
 	return place;
-}
-
-/* What the bytes are instead of text, and where that shows; NULL for text. */
-static const char *
-other_kind(const char *bytes, size_t n, size_t *bad)
-{
-	*bad = 0;
-	bool marked = n > 1 && (memcmp(bytes, "\xFF\xFE", 2) == 0 ||
-				   memcmp(bytes, "\xFE\xFF", 2) == 0);
-	bool every_other = n > 3 && (bytes[0] == 0) != (bytes[1] == 0) &&
-			   (bytes[0] == 0) == (bytes[2] == 0) &&
-			   (bytes[1] == 0) == (bytes[3] == 0);
-	if (marked || every_other)
-		return "expected UTF-8, got what looks like UTF-16";
-	if (n > 3 && memcmp(bytes, "PK\3\4", 4) == 0)
-		return "expected text, got a workbook (.xlsx, .ods)";
-	*bad = first_control(bytes, n);
-	if (*bad < n)
-		return "expected text, got a binary file";
-	*bad = first_not_utf8(bytes, n);
-	if (*bad < n)
-		return "expected UTF-8, got what looks like Latin-1";
-	return NULL;
 }
 
 static bool
@@ -100,28 +68,45 @@ refuse_size(const char *path, double bytes, struct error_list *errors)
 	return NULL;
 }
 
-/* The n bytes as a string, or NULL and what they are instead. */
 static char *
-check(const char *path, const char *bytes, size_t n, struct error_list *errors)
+refuse_text(const char *path, const char *text, size_t bad, const char *what,
+    struct error_list *errors)
 {
-	if (n > MOST_BYTES)
-		return refuse_size(path, (double)n, errors);
-	if (n >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0) {
-		bytes += 3;
-		n -= 3;
-	}
-	size_t bad;
-	const char *kind = other_kind(bytes, n, &bad);
-	if (kind == NULL && !is_blank(bytes, n))
-		return xstrndup(bytes, n);
-	struct place at = place_of(bytes, kind != NULL ? bad : 0);
+	struct place at = place_of(text, bad);
 	error_at(error_add(errors), ERROR_DATA, path, at.line, at.column,
-	    kind != NULL ? "%s\n"
-			   "save the spreadsheet as \"CSV UTF-8\""
-			 : "expected a site file, got an empty file%.0s\n"
-			   "see tipspeed-site(5) for what a site file contains",
-	    kind != NULL ? kind : "");
+	    "%s\n"
+	    "save the spreadsheet as .xlsx, .ods or \"CSV UTF-8\"",
+	    what);
 	return NULL;
+}
+
+char *
+textfile_text(const char *path, const char *bytes, size_t n, const char **note,
+    struct error_list *errors)
+{
+	*note = "";
+	if (n > 3 && memcmp(bytes, "PK\3\4", 4) == 0)
+		return refuse_text(path, bytes, 0,
+		    "expected text, got a workbook (.xlsx, .ods)", errors);
+	struct decoded d = encoding_decode(bytes, n);
+	size_t control = first_control(d.text, d.n);
+	char *text = NULL;
+	if (control < d.n)
+		refuse_text(path, d.text, control,
+		    "expected text, got a binary file", errors);
+	else if (d.wrong != NULL)
+		refuse_text(path, d.text, d.bad, d.wrong, errors);
+	else if (is_blank(d.text, d.n))
+		error_at(error_add(errors), ERROR_DATA, path, 1, 1,
+		    "expected a site file, got an empty file\n"
+		    "see tipspeed-site(5) for what a site file contains");
+	else
+		text = encoding_compose(d.text);
+	if (d.encoding == ENCODING_1252)
+		*note = "read as Windows-1252: check names and units such as "
+			"å and µ";
+	free(d.text);
+	return text;
 }
 
 /* Reads to the end, or until it is too much, in growing pieces, because a pipe
@@ -209,23 +194,34 @@ textfile_open(const char *path, const char **why)
 }
 
 char *
-textfile_read(const char *path, struct error_list *errors)
+textfile_bytes(const char *path, size_t *n, struct error_list *errors)
 {
 	const char *why;
 	FILE *file = textfile_open(path, &why);
 	if (file == NULL)
 		return refuse_system(path, why, errors);
 	struct stat about;
-	size_t n;
-	char *bytes = NULL, *text = NULL;
+	char *bytes = NULL;
 	if (fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode) &&
 	    about.st_size > MOST_BYTES)
 		refuse_size(path, (double)about.st_size, errors);
-	else if ((bytes = load(file, &n)) == NULL)
+	else if ((bytes = load(file, n)) == NULL)
 		refuse_system(path, strerror(errno), errors);
-	else
-		text = check(path, bytes, n, errors);
-	free(bytes);
 	fclose(file);
+	if (bytes == NULL || *n <= MOST_BYTES)
+		return bytes;
+	free(bytes);
+	return refuse_size(path, (double)*n, errors);
+}
+
+char *
+textfile_read(const char *path, struct error_list *errors)
+{
+	size_t n;
+	const char *note;
+	char *bytes = textfile_bytes(path, &n, errors), *text = NULL;
+	if (bytes != NULL)
+		text = textfile_text(path, bytes, n, &note, errors);
+	free(bytes);
 	return text;
 }

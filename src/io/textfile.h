@@ -13,9 +13,18 @@
  * end. */
 FILE *textfile_open(const char *path, const char **why);
 
-/* All of a file of at most 10 MB without its byte order mark; the caller
- * frees.  NULL and one fault when it cannot be read (ERROR_SYSTEM), is larger
- * (seen before it is read), is empty, or holds something other than UTF-8. */
+/* All of a file of at most 10 MB, *n bytes, which the caller frees.  NULL and
+ * one fault when it cannot be read (ERROR_SYSTEM) or is larger, which is seen
+ * before it is read. */
+char *textfile_bytes(const char *path, size_t *n, struct error_list *errors);
+
+/* These bytes as UTF-8 with composed letters, see encoding.h, without a byte
+ * order mark; the caller frees.  note: what to check after a guess at how they
+ * are coded, or "".  NULL and one fault when they are no text, or blank. */
+char *textfile_text(const char *path, const char *bytes, size_t n,
+    const char **note, struct error_list *errors);
+
+/* Both of these in one, without the note. */
 char *textfile_read(const char *path, struct error_list *errors);
 
 #endif

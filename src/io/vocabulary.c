@@ -12,7 +12,7 @@
 /* The terms are those of ISO 3310 and EN 933-1 in each language, and what
  * people write for them. */
 static const struct {
-	unsigned means;
+	uint64_t means;
 	const char *words;
 } WORDS[] = {
     {WORD_FEED,
@@ -64,8 +64,10 @@ static const struct {
 	"korngro\xC3\x9F"
 	"e lochweite nennweite tamis maille mailles ouverture "
 	"diametre tamiz tamices malla mallas abertura apertura criba tamano "
-	"peneira peneiras malha malhas seula seulat seulakoko raekoko "
-	"silmakoko maskevidde kornstorrelse sikte d luz"},
+	"tamanho "
+	"peneira peneiras malha malhas seula seulan seulat seulakoko raekoko "
+	"silmakoko aukko aukkokoko dimension maskevidde kornstorrelse sikte d "
+	"luz"},
     {WORD_SIZE | WORD_MESH, "mesh meshes"},
     {WORD_TYLER, "tyler"},
     {WORD_BS, "bs bss"},
@@ -95,19 +97,26 @@ static const struct {
 	"remark remarks note notes comment comments anm anmarkning "
 	"anmarkningar bemerkung bemerkungen remarque remarques observaciones "
 	"observacion observacoes observacao obs huom huomautus date datum "
-	"fecha data pvm paivamaara lab labno id time tid operator klockan "
+	"fecha data pvm paivamaara lab labor labno labnr laboratory id time "
+	"tid operator klockan "
 	"moisture fukt feuchte"},
+    {WORD_MEAN,
+	"mean average avg medel medelvarde snitt mittel mittelwert moyenne "
+	"media medio promedio keskiarvo gjennomsnitt gemiddelde"},
     {WORD_SAMPLE,
 	"sample samples prov provet provnr probe proben cut belt beltcut run "
 	"runs test trial forsok versuch essai echantillon muestra ensayo "
-	"amostra ensaio nayte koe bandprov band"},
+	"amostra ensaio nayte koe bandprov band no nr n num nummer number "
+	"repeat rep"},
     {WORD_PAN,
 	"pan bottom receiver rest botten trag bunn boden siebboden schale "
 	"auffangschale fond fondo fundo charola bandeja cazuela pohja bund "
 	"receptor recipiente panela"},
     {WORD_TOTAL,
 	"sum total totals totalt summa summe gesamt insgesamt somme suma "
-	"soma totale yhteensa einwaage invagt m1 before original"},
+	"soma totale yhteensa"},
+    {WORD_TOTAL | WORD_WEIGHED, "einwaage invagt m1"},
+    {WORD_WASHED, "m2 waschen tvattning"},
     {WORD_LOSS,
 	"loss losses forlust siktforlust verlust siebverlust perte pertes "
 	"perdida perdidas perda perdas havio havikki difference"},
@@ -116,9 +125,9 @@ static const struct {
 	"abschlammbare abgeschlammt lavage lave lavado lavagem pesu pesty"},
     {WORD_FILLER,
 	"at vid material mangd on of the and by to for with a i pa av mit "
-	"bei der die das des du de la le en sur par del el por em o no nr n "
-	"num nummer number wt gew vol masse-% m m-% the med och und et y e "
-	"kohti v ms s mps peripheral periferi crusher vsi kross concasseur "
+	"bei der die das des du de la le en sur par del el por em o "
+	"wt gew vol masse-% m m-% the med och und et y e astia "
+	"kohti p v ms s mps peripheral periferi crusher vsi kross concasseur "
 	"analysis siktning each per je single individual einzeln parcial "
 	"partiel simple enskild nominal"},
 };
@@ -126,17 +135,21 @@ static const struct {
 /* Parts of compounds that say enough: Siebdurchgangsanteil. */
 static const struct {
 	const char *part;
-	unsigned means;
-} PARTS[] = {{"durchgang", WORD_PASSES}, {"ruckstand", WORD_STAYS},
-    {"passerande", WORD_PASSES}, {"siktrest", WORD_STAYS},
-    {"lapaisy", WORD_PASSES}, {"cumul", WORD_SUMS}, {"kumul", WORD_SUMS},
-    {"ackumul", WORD_SUMS}, {"acumul", WORD_SUMS}, {"prozent", WORD_PERCENT},
-    {"procent", WORD_PERCENT}, {"percent", WORD_PERCENT},
-    {"hastighet", WORD_SPEED}, {"geschwindigkeit", WORD_SPEED},
-    {"drehzahl", WORD_SPEED | WORD_RPM}, {"varvtal", WORD_SPEED | WORD_RPM},
-    {"maschenweite", WORD_SIZE}, {"siebweite", WORD_SIZE},
-    {"aufgabe", WORD_FEED}, {"produkt", WORD_PRODUCT}, {"retained", WORD_STAYS},
+	uint64_t means;
+} PARTS[] = {{"summenruckstand", WORD_STAYS | WORD_SUMS},
+    {"summendurchgang", WORD_PASSES | WORD_SUMS}, {"durchgang", WORD_PASSES},
+    {"ruckstand", WORD_STAYS}, {"passerande", WORD_PASSES},
+    {"siktrest", WORD_STAYS}, {"lapaisy", WORD_PASSES}, {"cumul", WORD_SUMS},
+    {"kumul", WORD_SUMS}, {"ackumul", WORD_SUMS}, {"acumul", WORD_SUMS},
+    {"prozent", WORD_PERCENT}, {"procent", WORD_PERCENT},
+    {"percent", WORD_PERCENT}, {"hastighet", WORD_SPEED},
+    {"geschwindigkeit", WORD_SPEED}, {"drehzahl", WORD_SPEED | WORD_RPM},
+    {"varvtal", WORD_SPEED | WORD_RPM}, {"maschenweit", WORD_SIZE},
+    {"korngro", WORD_SIZE}, {"siebgro", WORD_SIZE}, {"siktstorl", WORD_SIZE},
+    {"maskvidd", WORD_SIZE}, {"siebweite", WORD_SIZE}, {"aufgabe", WORD_FEED},
+    {"produkt", WORD_PRODUCT}, {"retained", WORD_STAYS},
     {"passing", WORD_PASSES}, {"product", WORD_PRODUCT}, {"feed", WORD_FEED},
+    {"syote", WORD_FEED}, {"jaav", WORD_STAYS}, {"tuote", WORD_PRODUCT},
     {"gewicht", WORD_MASS}};
 
 /* Whether a list of words with spaces between has this one. */
@@ -153,10 +166,10 @@ lists(const char *words, const char *word, size_t n)
 	return false;
 }
 
-unsigned
+uint64_t
 vocabulary_word(const char *word, size_t n)
 {
-	unsigned means = 0;
+	uint64_t means = 0;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
 		if (lists(WORDS[i].words, word, n))
 			means |= WORDS[i].means;
@@ -169,12 +182,12 @@ vocabulary_word(const char *word, size_t n)
 	return means;
 }
 
-unsigned
+uint64_t
 vocabulary_text(const char *text, size_t *unknown)
 {
 	static const char LETTERS[] = "abcdefghijklmnopqrstuvwxyz0123456789";
 	char *folded = text_fold(text);
-	unsigned means = 0;
+	uint64_t means = 0;
 	size_t none = 0;
 	for (char *p = folded; *p != '\0';) {
 		/* Both signs for micro; text_fold leaves them. */
@@ -189,7 +202,7 @@ vocabulary_text(const char *text, size_t *unknown)
 			bool micro = p - word == 3 && word[2] == 'm' &&
 				     (memcmp(word, "\xC2\xB5", 2) == 0 ||
 					 memcmp(word, "\xCE\xBC", 2) == 0);
-			unsigned one =
+			uint64_t one =
 			    micro ? WORD_UM
 				  : vocabulary_word(word, (size_t)(p - word));
 			bool digits =

@@ -313,6 +313,9 @@ repl_run(struct session *s)
 	int number = 1;
 	set_up(s);
 	batch_attend(s);
+	if (s->n_entry == 0)
+		session_note(s, "load your own sheet: load plant.xlsx; an "
+				"empty one to fill in: template > my.csv");
 	while (!s->quit && !pump_ended()) {
 		char *text = prompt(s);
 		char *typed = read_line(text);

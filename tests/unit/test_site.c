@@ -116,8 +116,8 @@ static const struct {
     {"site,Tierp\nsize,feed,product@69\n", 2, 1, "got 'size'",
 	"add rows such as"},
     {"# nothing\n", 1, 1, "a table of sieves", "size_mm,"},
-    {"site;Tierp\nSil mm;Feed;P1;P2\n22,4;0,5;0,5;0,5\n16;1,5;2,5;2,5\n", 3, 1,
-	"a table of sieves", "size_mm;feed;product@69"},
+    {"site;Tierp\nSil mm;Feed;P1;P2\n22,4;0,5;0,5;0,5\n16;1,5;2,5;2,5\n", 2, 8,
+	"what column 2 is", "3=product@SPEED"},
     {"site;Tierp\n22,4;0,5;0,5\n16,5;1,5;2,5\n", 2, 1, "got '22,4'",
 	"size_mm;feed"},
     {"size_mm,feed,product 1180 rpm,product@79\n" ROWS, 2, 1, "rpm without",
@@ -172,7 +172,10 @@ static const struct {
     {"ägare,Å \"Ö\"\n" TOP ROWS, 1, 9, "quote inside", "whole"},
     {"", 1, 1, "empty file", "tipspeed-site"},
     {"\xEF\xBB\xBF \r\n", 1, 1, "empty file", "tipspeed-site"},
-    {"site,Tierp\nrock,Gr\xE5 gnejs\n" TOP ROWS, 2, 8, "Latin-1", "CSV UTF-8"},
+    {"site,Tierp\nrock,Gr\xE5\x81 gnejs\n" TOP ROWS, 2, 9, "Windows-1252",
+	"CSV UTF-8"},
+    {"site,Tierp\nrock,Gr\xC3\xA5 gnejs, r\xF6" TOP ROWS, 2, 18,
+	"a damaged letter", "CSV UTF-8"},
     {"site,T\x01\n" TOP ROWS, 1, 7, "a binary file", "CSV UTF-8"},
 };
 

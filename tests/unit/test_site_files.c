@@ -130,13 +130,13 @@ large_garbage_is_refused(void **state)
 }
 
 static void
-utf_16_is_named(void **state)
+files_that_are_no_text_are_named(void **state)
 {
 	(void)state;
-	expect_other_file("\xFF\xFEs\0i\0t\0e\0", 10, "UTF-16");
-	expect_other_file("\xFE\xFF\0s\0i\0t\0e", 10, "UTF-16");
-	expect_other_file("s\0i\0t\0e\0", 8, "UTF-16");
-	expect_other_file("PK\3\4\0\0\0\0", 8, "a workbook");
+	expect_other_file("\xFF\xFEs\0i\0t", 7, "damaged UTF-16");
+	expect_other_file("\xFE\xFF\xD8\0\0i", 6, "damaged UTF-16");
+	expect_other_file("\xFF\xFEs\0\0\0t\0", 8, "a binary file");
+	expect_other_file("PK\3\4\0\0\0\0", 8, "a damaged one");
 	expect_other_file("site,T\0", 7, "a binary file");
 }
 
@@ -286,7 +286,7 @@ main(void)
 	    cmocka_unit_test(every_prefix_is_read_or_refused),
 	    cmocka_unit_test(every_mutation_is_read_or_refused),
 	    cmocka_unit_test(large_garbage_is_refused),
-	    cmocka_unit_test(utf_16_is_named),
+	    cmocka_unit_test(files_that_are_no_text_are_named),
 	    cmocka_unit_test_setup_teardown(
 		files_that_cannot_be_read_are_told, make_folder, drop_folder),
 	    cmocka_unit_test_setup_teardown(

@@ -1,0 +1,235 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "plants.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "core/rng.h"
+
+enum { TABLE = PLANT_TABLE, CLASSES = 300 };
+
+const char *const LAW_NAME[LAWS] = {"Eqs 1-3", "finer with energy",
+    "strongly finer, energies spread", "shared errors", "bypass", "feed drift",
+    "t10", "two strengths", "few sieves", "five runs", "two runs"};
+
+struct dice {
+	struct rng_key key;
+	uint32_t at;
+};
+
+static double
+uniform(struct dice *d, double from, double to)
+{
+	return from + (to - from) * rng_uniform(d->key, d->at++);
+}
+
+static double
+normal(struct dice *d)
+{
+	d->at = (d->at + 12) / 12 * 12;
+	double z = rng_normal(d->key, d->at / 12);
+	d->at += 12;
+	return z;
+}
+
+double
+plant_feed(const struct plant *p, double x, double n)
+{
+	double d = x / p->top;
+	if (d >= 1)
+		return fmin(0.9 + 0.1 * log2(d), 1);
+	return 0.9 * pow(d, n);
+}
+
+static double
+cubic_B(const struct plant *p, double u)
+{
+	double at = -log2(u) / 10 * (TABLE - 1);
+	size_t i = (size_t)at;
+	if (u >= 1)
+		return 1;
+	if (i + 1 >= TABLE)
+		return 0;
+	return p->B[i] + (at - (double)i) * (p->B[i + 1] - p->B[i]);
+}
+
+/* What breaks at x with energy E, finer than u x. */
+static double
+finer(const struct plant *p, double u, double x, double E)
+{
+	if (p->law == T10) {
+		double Ecs = E / 3600; /* kWh/t */
+		double t10 =
+		    0.55 *
+		    (1 - exp(-p->f_mat * Ecs * pow(x / p->top, p->alpha)));
+		double n = fmax(1 / u, 1 + 1e-9);
+		return 1 - pow(1 - t10, pow(9 / (n - 1), 0.75));
+	}
+	if (p->law == FINER || p->law == STRONG)
+		return u >= 1 ? 1 : pow(u, 0.7 * pow(E / p->e_ref, -p->gamma));
+	return cubic_B(p, u);
+}
+
+static double
+breaks(const struct plant *p, double x, double E)
+{
+	double y = pow(x, p->alpha) * E, part[2];
+	if (p->law == T10)
+		return 1;
+	for (size_t i = 0; i < 2; i++) {
+		double e0 = p->e0 * (i == 0 ? 1 : p->hard);
+		part[i] = y > e0 ? 1 - exp(-p->f_mat * (y - e0)) : 0;
+	}
+	return p->share * part[0] + (1 - p->share) * part[1];
+}
+
+double
+plant_product(const struct plant *p, double n, double v, double s)
+{
+	static const double SPREAD[5] = {0.55, 0.8, 1, 1.2, 1.45};
+	double E = v * v / 2, P = plant_feed(p, s, n);
+	size_t spread = p->law == STRONG ? 5 : 1;
+	double top = log(2 * p->top), width = (top - log(s)) / CLASSES;
+	for (size_t c = 0; c < CLASSES; c++) {
+		double a = exp(top - width * (double)c);
+		double b = exp(top - width * (double)(c + 1));
+		double x = sqrt(a * b);
+		double mass = plant_feed(p, a, n) - plant_feed(p, b, n);
+		for (size_t i = 0; i < spread; i++) {
+			double e = spread > 1 ? E * SPREAD[i] : E;
+			P += mass * breaks(p, x, e) * finer(p, s / x, x, e) /
+			     (double)spread;
+		}
+	}
+	return (1 - p->bypass) * P + p->bypass * plant_feed(p, s, n);
+}
+
+static void
+make_cubic(struct plant *p, struct dice *d)
+{
+	double beta[4] = {0.15 * fabs(normal(d)), 1, -1 + 0.4 * normal(d),
+	    0.5 + 0.4 * normal(d)};
+	double total = 0;
+	p->B[TABLE - 1] = 0;
+	for (size_t i = TABLE - 1; i-- > 0;) {
+		double u = exp2(-10 * ((double)i + 0.5) / (TABLE - 1));
+		total += fmax(0, beta[0] + beta[1] * u + beta[2] * u * u +
+				     beta[3] * u * u * u);
+		p->B[i] = total;
+	}
+	for (size_t i = 0; i < TABLE; i++)
+		p->B[i] /= total;
+}
+
+struct plant
+plant_of(enum law law, uint64_t number)
+{
+	static const double SIEVES[] = {2, 1.42, 1, 0.714, 0.5, 0.357, 0.18,
+	    0.09, 0.045, 0.0223, 0.0112, 0.0056};
+	static const double FEW_SIEVES[] = {2, 1, 0.5, 0.18, 0.045, 0.0112};
+	static const double TIPS[6] = {69, 74, 79, 66, 82, 0};
+	struct dice d = {rng_key(number, law, 77), 0};
+	struct plant p = {.law = law,
+	    .top = uniform(&d, 0.008, 0.022),
+	    .feed_n = uniform(&d, 0.6, 1.3),
+	    .f_mat = uniform(&d, 0.3, 2.5),
+	    .alpha = uniform(&d, 0.75, 1),
+	    .e_ref = 74 * 74 / 2.0,
+	    .share = 1,
+	    .hard = 1,
+	    .own = 0.005,
+	    .n_run = 3};
+	double break_size = p.top * uniform(&d, 0.25, 0.6);
+	p.e0 = pow(break_size, p.alpha) * p.e_ref;
+	make_cubic(&p, &d);
+	if (law == FINER)
+		p.gamma = 0.4;
+	if (law == STRONG)
+		p.gamma = 0.8;
+	if (law == SHARED) {
+		p.own = 0.002;
+		p.shared = 0.007;
+	}
+	if (law == BYPASS)
+		p.bypass = uniform(&d, 0.05, 0.25);
+	if (law == T10) {
+		p.f_mat = uniform(&d, 0.5, 1.5);
+		p.alpha = uniform(&d, 0.2, 0.6);
+	}
+	if (law == MIXED) {
+		p.share = uniform(&d, 0.3, 0.7);
+		p.hard = uniform(&d, 1.4, 2);
+	}
+	p.n_sieve = law == FEW ? ARRAY_LEN(FEW_SIEVES) : ARRAY_LEN(SIEVES);
+	for (size_t i = 0; i < p.n_sieve; i++)
+		p.sieve[i] = p.top * (law == FEW ? FEW_SIEVES[i] : SIEVES[i]);
+	p.n_run = law == FIVE ? 5 : law == TWO ? 2 : 3;
+	memcpy(p.speed, TIPS, sizeof p.speed);
+	if (law == TWO)
+		p.speed[1] = 79;
+	if (law == FIVE) {
+		static const double MORE[5] = {66, 69, 74, 79, 82};
+		memcpy(p.speed, MORE, sizeof MORE);
+	}
+	return p;
+}
+
+/* Errors of a curve: independent, and one shared along it. */
+static void
+add_errors(
+    const struct plant *p, double own, double along, struct dice *d, double *P)
+{
+	double smooth[4], before = 1;
+	for (size_t i = 0; i < 4; i++)
+		smooth[i] = normal(d);
+	for (size_t i = 0; i < p->n_sieve; i++) {
+		double h = 2 * sqrt(fmax(P[i] * (1 - P[i]), 0));
+		double t = log(p->top / p->sieve[i]), shared = 0;
+		for (size_t k = 0; k < 4; k++)
+			shared +=
+			    smooth[k] *
+			    cos(t * (0.3 + 0.4 * (double)k) + 1.3 * (double)k) /
+			    sqrt(2);
+		P[i] += h * (own * normal(d) + along * shared);
+		P[i] = fmin(fmax(round(P[i] * 1e4) / 1e4, 0), before);
+		before = P[i];
+	}
+}
+
+struct site *
+plant_site(const struct plant *p, uint64_t number)
+{
+	struct site *site = site_new(p->n_run);
+	struct dice d = {rng_key(number, p->law, 78), 0};
+	struct dice other = {rng_key(number, p->law, 79), 0};
+	double feed[PLANT_SIEVES];
+	site->top_size = p->top;
+	for (size_t i = 0; i < p->n_sieve; i++)
+		feed[i] = plant_feed(p, p->sieve[i], p->feed_n);
+	if (p->feed_own > 0)
+		add_errors(p, p->feed_own, 0, &other, feed);
+	for (size_t r = 0; r < p->n_run; r++) {
+		struct run *run = &site->run[r];
+		double n = p->feed_n;
+		if (p->law == DRIFT)
+			n *= 1 + 0.04 * normal(&d);
+		run->speed = p->speed[r];
+		run->feed = psd_new(p->n_sieve);
+		run->product = psd_new(p->n_sieve);
+		for (size_t i = 0; i < p->n_sieve; i++) {
+			double s = p->sieve[i];
+			run->feed.size[i] = run->product.size[i] = s;
+			run->feed.passing[i] =
+			    round(plant_feed(p, s, p->feed_n) * 1e4) / 1e4;
+			run->product.passing[i] =
+			    i == 0 ? 1 : plant_product(p, n, run->speed, s);
+		}
+		add_errors(p, p->own, p->shared, &d, run->product.passing);
+		if (p->feed_own > 0)
+			memcpy(
+			    run->feed.passing, feed, p->n_sieve * sizeof *feed);
+	}
+	site->digest = site_digest(site);
+	return site;
+}

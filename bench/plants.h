@@ -1,0 +1,53 @@
+/* Plants made by laws of their own, of which many are not the model's, to
+ * count on.  The laws share no code with the program's models.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_BENCH_PLANTS_H
+#define TIPSPEED_BENCH_PLANTS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/site.h"
+
+enum { PLANT_TABLE = 600, PLANT_SIEVES = 16 };
+
+enum law {
+	RIGHT,
+	FINER,
+	STRONG,
+	SHARED,
+	BYPASS,
+	DRIFT,
+	T10,
+	MIXED,
+	FEW,
+	FIVE,
+	TWO,
+	LAWS
+};
+
+extern const char *const LAW_NAME[LAWS];
+
+struct plant {
+	enum law law;
+	double top, feed_n;    /* m */
+	double B[PLANT_TABLE]; /* over ln u, of the cubic */
+	double f_mat, e0, alpha, gamma, e_ref, bypass, share, hard;
+	double own, shared; /* errors, passing */
+	double feed_own;    /* of the feed as the sheet has it */
+	size_t n_sieve, n_run;
+	double sieve[PLANT_SIEVES], speed[6]; /* m, m/s */
+};
+
+/* The plant of that number: a law and a number always make the same one. */
+struct plant plant_of(enum law law, uint64_t number);
+
+/* Its sheet, with the errors of that number. */
+struct site *plant_site(const struct plant *p, uint64_t number);
+
+/* The feed with exponent n, and the true product of it at tip speed v, at a
+ * size s, m. */
+double plant_feed(const struct plant *p, double x, double n);
+double plant_product(const struct plant *p, double n, double v, double s);
+
+#endif

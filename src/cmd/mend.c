@@ -1,0 +1,312 @@
+/* mend: takes one of the mends that check proposes, or one that is told.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/mend.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/entries.h"
+#include "cmd/invocation.h"
+#include "cmd/outlook.h"
+#include "cmd/table.h"
+#include "io/units.h"
+
+/* The posterior of a calibration of this very site. */
+static const struct posterior *
+own_posterior(const struct session *s, const struct entry *entry)
+{
+	if (origin_fit(entry) == NULL || session_busy(s) ||
+	    entry->origin->spread->site != entry->site)
+		return NULL;
+	return outlook_posterior(s, entry, CORRECTION_ALL);
+}
+
+bool
+mend_is_calibrated(const struct session *s, const struct entry *entry)
+{
+	return own_posterior(s, entry) != NULL;
+}
+
+struct doctor
+mend_look(const struct session *s, const struct entry *entry)
+{
+	return doctor_look(
+	    entry->site, own_posterior(s, entry), s->set.noise / 100);
+}
+
+/* ---- Telling ---- */
+
+static const char *const KINDS[] = {[MEND_READ] = "read",
+    [MEND_OUT] = "leave out",
+    [MEND_SWAP] = "swap with feed",
+    [MEND_UP] = "move up",
+    [MEND_DOWN] = "move down",
+    [MEND_WITH] = "exchange",
+    [MEND_SCALE] = "scale sieves",
+    [MEND_DROP] = "drop run"};
+
+/* The call that does the same in any session: "product@79 sieve=2 value=61.9".
+ * The caller frees. */
+static char *
+call_of(const struct site *site, const struct mend *m)
+{
+	static const char *const DO[] = {[MEND_OUT] = "out",
+	    [MEND_SWAP] = "swap",
+	    [MEND_UP] = "up",
+	    [MEND_DOWN] = "down",
+	    [MEND_DROP] = "drop"};
+	char *name = mend_column(site, m->feed, m->run);
+	char *call = xasprintf("mend %s", name), number[32];
+	free(name);
+	if (m->kind == MEND_READ || m->kind == MEND_OUT)
+		xappend(
+		    &call, " sieve=%s", text_exact(units_mm(m->size), number));
+	if (m->kind == MEND_READ)
+		xappend(&call, " value=%s",
+		    text_exact(units_pct(m->value), number));
+	else if (m->kind == MEND_SCALE)
+		xappend(&call, " scale=%g", m->value);
+	else if (m->kind == MEND_WITH) {
+		name = mend_column(site, false, m->other);
+		xappend(&call, " with=%s", name);
+		free(name);
+	} else
+		xappend(&call, " do=%s", DO[m->kind]);
+	return call;
+}
+
+/* What the mend would make of it: "; RMSE of the fit 1.52 -> 0.61 points". */
+static char *
+effect_of(const struct finding *f)
+{
+	char *text = xstrdup("");
+	if (!isnan(f->off[0]))
+		xappend(&text, "; off by %.2f points now, %.2f then",
+		    100 * f->off[0], 100 * f->off[1]);
+	if (!isnan(f->rmse[0]) && !isnan(f->rmse[1]))
+		xappend(&text,
+		    "; RMSE of the fit %.2f points now, %.2f then, and less "
+		    "once calibrated again",
+		    100 * f->rmse[0], 100 * f->rmse[1]);
+	return text;
+}
+
+static void
+put_one(struct answer *r, struct fields *list, const struct entry *entry,
+    const struct finding *f, size_t number)
+{
+	const struct site *site = entry->site;
+	const struct mend *m = &f->mend;
+	bool cell = m->kind == MEND_READ || m->kind == MEND_OUT;
+	char *words = mend_words(site, m), *effect = effect_of(f);
+	char *name = mend_column(site, m->feed, m->run);
+	char *call = call_of(site, m);
+	answer_note(r, "mend %zu: %s%s", number, words, effect);
+	struct fields *o = fields_object(list, NULL);
+	fields_put(o, "n %zu kind %s run %s sieve_mm %g from %g to %g", number,
+	    KINDS[m->kind], name, cell ? units_mm(m->size) : NAN,
+	    units_pct(f->measured),
+	    m->kind == MEND_READ ? units_pct(m->value) : NAN);
+	fields_put(o, "expected %g sd %g surprise %g", units_pct(f->expected),
+	    100 * f->sd, f->surprise);
+	fields_put(o, "rmse_pct %g mended_rmse_pct %g words %s call %s",
+	    100 * f->rmse[0], 100 * f->rmse[1], words, call);
+	free(words);
+	free(effect);
+	free(name);
+	free(call);
+}
+
+/* A number that another list of mends, or of another site, has not. */
+static double
+mark_of(const struct entry *entry, const struct doctor *d)
+{
+	uint64_t h = TEXT_DIGEST_START;
+	h = text_digest(h, &entry->site->digest, sizeof entry->site->digest);
+	for (size_t i = 0; i < d->n; i++) {
+		char *call = call_of(entry->site, &d->finding[i].mend);
+		h = text_digest(h, call, strlen(call) + 1);
+		free(call);
+	}
+	return (double)(h >> 12);
+}
+
+void
+mend_put(struct answer *r, const struct entry *entry, const struct doctor *d)
+{
+	struct fields *list = fields_list(answer_fields(r), "mends");
+	for (size_t i = 0; i < d->n; i++)
+		put_one(r, list, entry, &d->finding[i], i + 1);
+	fields_put(answer_fields(r), ".mark %g", mark_of(entry, d));
+	if (d->n > 0)
+		answer_note(r,
+		    "'mend N' takes one, once the laboratory's sheet says so; "
+		    "'undo' takes it back; nothing is changed until then");
+}
+
+/* ---- Taking ---- */
+
+static bool
+is_number(const char *word)
+{
+	return word[0] != '\0' && strspn(word, "0123456789") == strlen(word);
+}
+
+static bool
+find_numbered(
+    struct session *s, const char *word, struct mend *mend, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	double known = session_known(s, "check mend", "mark");
+	struct doctor d = mend_look(s, entry);
+	unsigned long n = strtoul(word, NULL, 10);
+	bool ok = false;
+	if (isnan(known) || known != mark_of(entry, &d))
+		error_set(error, ERROR_USAGE,
+		    isnan(known)
+			? "there is no list of mends that %s could be of\n"
+			  "run 'check' first"
+			: "mend %s is of a list that no longer holds: the data "
+			  "or the fit have changed\n"
+			  "run 'check' again",
+		    word);
+	else if (d.n == 0)
+		error_set(error, ERROR_USAGE,
+		    "no mend is proposed for %s\n"
+		    "name a column to mend it: 'help mend'",
+		    entry->key);
+	else if (n < 1 || n > d.n)
+		error_set(error, ERROR_USAGE,
+		    "expected a mend from 1 to %zu, got %s\n"
+		    "run 'mend' to list them",
+		    d.n, word);
+	else {
+		*mend = d.finding[n - 1].mend;
+		ok = true;
+	}
+	doctor_free(&d);
+	return ok;
+}
+
+/* Which of the options that say what to do were given. */
+static size_t
+options_given(const struct args *args)
+{
+	static const char *const ONE_OF[] = {"value", "do", "with", "scale"};
+	size_t n = 0;
+	for (size_t i = 0; i < ARRAY_LEN(ONE_OF); i++)
+		n += args_value(args, ONE_OF[i])->given;
+	return n;
+}
+
+static bool
+take_kind(const struct args *args, struct mend *mend)
+{
+	static const enum mend_kind DO[] = {
+	    MEND_OUT, MEND_SWAP, MEND_UP, MEND_DOWN, MEND_DROP};
+	const struct value *value = args_value(args, "value");
+	const struct value *scale = args_value(args, "scale");
+	const struct value *what = args_value(args, "do");
+	mend->size = args_value(args, "sieve")->number / 1000;
+	mend->kind = value->given   ? MEND_READ
+		     : scale->given ? MEND_SCALE
+		     : what->given  ? DO[what->choice]
+				    : MEND_WITH;
+	mend->value = value->given ? value->number / 100 : scale->number;
+	bool cell = mend->kind == MEND_READ || mend->kind == MEND_OUT;
+	bool product = mend->kind == MEND_SWAP || mend->kind == MEND_WITH ||
+		       mend->kind == MEND_DROP;
+	return cell == args_value(args, "sieve")->given &&
+	       !(product && mend->feed);
+}
+
+static bool
+no_column(const struct site *site, const char *name, struct error *error)
+{
+	char *list = xstrdup("");
+	for (size_t i = 0; i < 2 * site->n_run; i++) {
+		bool feed = i < site->n_run;
+		size_t r = i % site->n_run;
+		if (feed ? r > 0 && !site->individual_feeds
+			 : site->run[r].product.n == 0)
+			continue;
+		char *own = mend_column(site, feed, r);
+		xlist(&list, ", ", "%s", own);
+		free(own);
+	}
+	error_set(error, ERROR_USAGE,
+	    "the site has no column '%s'\n"
+	    "use a number that check gave, or one of: %s",
+	    name, list);
+	free(list);
+	return false;
+}
+
+static bool
+find_told(const struct site *site, const struct args *args, struct mend *mend,
+    struct error *error)
+{
+	const char *name = args->operand[0];
+	const struct value *with = args_value(args, "with");
+	bool feed = false;
+	if (!mend_find_column(site, name, &mend->feed, &mend->run))
+		return no_column(site, name, error);
+	if (options_given(args) != 1 || !take_kind(args, mend))
+		return error_set(error, ERROR_USAGE,
+		    "expected what to do with %s\n"
+		    "use sieve=MM value=PERCENT, sieve=MM do=out, do=up, "
+		    "do=down or scale=X; of a product also do=swap, do=drop or "
+		    "with=product@SPEED",
+		    name);
+	if (!with->given)
+		return true;
+	if (!mend_find_column(site, with->text, &feed, &mend->other) || feed ||
+	    mend->other == mend->run)
+		return no_column(site, with->text, error);
+	return true;
+}
+
+static bool
+list_mends(struct session *s)
+{
+	const struct entry *entry = session_entry(s);
+	struct answer *r = answer_new("mend");
+	struct doctor d = mend_look(s, entry);
+	mend_put(r, entry, &d);
+	if (d.n == 0)
+		answer_note(r, "no mend is proposed for %s", entry->key);
+	doctor_free(&d);
+	return session_answer(s, r);
+}
+
+bool
+cmd_mend(struct session *s, const struct args *args, struct error *error)
+{
+	struct mend mend = {.kind = MEND_READ};
+	const struct entry *entry = session_entry(s);
+	if (args->n_operand == 0)
+		return list_mends(s);
+	const char *word = args->operand[0];
+	bool found = is_number(word)
+			 ? find_numbered(s, word, &mend, error)
+			 : find_told(entry->site, args, &mend, error);
+	struct site *site = found ? mend_site(entry->site, &mend, error) : NULL;
+	if (site == NULL)
+		return false;
+	char *words = mend_words(entry->site, &mend);
+	char *call = call_of(entry->site, &mend);
+	invocation_reads(s, call);
+	bool fitted = session_mend(s, s->current, site);
+	session_note(s, "mended: %s%s", words,
+	    fitted ? "; the fit was of other numbers: calibrate again" : "");
+	session_note(s,
+	    "  its file stays as it is: 'write FILE' saves the mended sheet, "
+	    "'undo' takes the mend back");
+	free(words);
+	free(call);
+	return true;
+}

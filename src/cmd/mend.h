@@ -1,0 +1,21 @@
+/* Mends of the site in use.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_MEND_H
+#define TIPSPEED_CMD_MEND_H
+
+#include "cmd/session.h"
+#include "core/doctor.h"
+
+/* What is wrong with an entry's sheet: by the posterior of its own calibration
+ * where there is one, else by its curves alone; doctor_free. */
+struct doctor mend_look(const struct session *s, const struct entry *entry);
+
+/* Whether doctor told of cells by a calibration. */
+bool mend_is_calibrated(const struct session *s, const struct entry *entry);
+
+/* Puts the mends into an answer, numbered: as sentences, and as a list "mends"
+ * among its fields; and what they are known again by. */
+void mend_put(
+    struct answer *r, const struct entry *entry, const struct doctor *d);
+
+#endif

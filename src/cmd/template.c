@@ -1,0 +1,140 @@
+/* template: an empty site file for who starts from nothing.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/session.h"
+#include "cmd/table.h"
+#include "io/book.h"
+
+/* Basic set and set 1 of EN 933-2, with those of filler: what most laboratories
+ * in Europe have. */
+static const double SIEVES[] = {
+    31.5, 22.4, 16, 11.2, 8, 5.6, 4, 2, 1, 0.5, 0.25, 0.125, 0.063};
+
+static const char *const KEYS[][2] = {{"site", "name of the quarry or plant"},
+    {"rock", "rock type"}, {"machine", "make and model of the crusher"},
+    {"rotor_mm", "diameter of the rotor, from tip to tip, mm"},
+    {"provenance", "who sampled, where and when; results state it"}};
+
+static const char *const WORDS[2][3] = {
+    {"what passes each sieve, % of the mass",
+	"the coarsest sieve passes 100 % of the feed: all of it must be known",
+	""},
+    {"what stays on each sieve, g",
+	"nothing of the feed stays on the coarsest sieve: all of it must be "
+	"known",
+	"pan: what passes the finest sieve"}};
+
+struct form {
+	char separator;
+	FILE *sheet;
+};
+
+static void
+say(const struct form *f, const char *text)
+{
+	bool quote = strchr(text, f->separator) != NULL;
+	fprintf(
+	    f->sheet, "%s# %s%s\n", quote ? "\"" : "", text, quote ? "\"" : "");
+}
+
+static void
+put_number(const struct form *f, double value)
+{
+	char text[32];
+	text_exact(value, text);
+	char *point = strchr(text, '.');
+	if (f->separator == ';' && point != NULL)
+		*point = ',';
+	fputs(text, f->sheet);
+}
+
+static int
+coarser(const void *a, const void *b)
+{
+	const double *x = a, *y = b;
+	return (*x < *y) - (*x > *y);
+}
+
+/* A row for each sieve, with as many empty cells as there are columns.  Returns
+ * how many. */
+static size_t
+put_rows(const struct form *f, const struct value *sieves, size_t columns)
+{
+	size_t rows = 0, n = sieves->given ? sieves->n : ARRAY_LEN(SIEVES);
+	double *mm = xdoubles(n);
+	memcpy(mm, sieves->given ? sieves->list : SIEVES, n * sizeof *mm);
+	qsort(mm, n, sizeof *mm, coarser);
+	for (size_t i = 0; i < n; i++) {
+		if (i > 0 && mm[i] == mm[i - 1])
+			continue;
+		put_number(f, mm[i]);
+		for (size_t c = 0; c < columns; c++)
+			fputc(f->separator, f->sheet);
+		fputc('\n', f->sheet);
+		rows++;
+	}
+	free(mm);
+	return rows;
+}
+
+static size_t
+put_form(const struct form *f, const struct args *args)
+{
+	const struct value *speeds = args_value(args, "speeds");
+	bool grams = args_value(args, "unit")->choice == 1;
+	const char *unit = grams ? "_retained_g" : "";
+	say(f, "fill in what you have and remove lines that you do not need; "
+	       "lines with # are remarks");
+	for (size_t i = 0; i < ARRAY_LEN(KEYS); i++) {
+		char *text = xasprintf("%s: %s", KEYS[i][0], KEYS[i][1]);
+		say(f, text);
+		free(text);
+	}
+	for (size_t i = 0; i < ARRAY_LEN(KEYS); i++)
+		fprintf(f->sheet, "%s%c\n", KEYS[i][0], f->separator);
+	say(f, "feed: what goes in; product@69: what comes out at a tip speed "
+	       "of 69 m/s");
+	say(f, "tip speed in m/s = 3.1416 x rotor_mm x rpm / 60000");
+	for (size_t i = 0; i < 3; i++)
+		if (WORDS[grams][i][0] != '\0')
+			say(f, WORDS[grams][i]);
+	say(f, "leave a cell empty where a sieve was not used");
+	fprintf(f->sheet, "size_mm%cfeed%s", f->separator, unit);
+	for (size_t i = 0; i < speeds->n; i++) {
+		fprintf(f->sheet, "%cproduct%s@", f->separator, unit);
+		put_number(f, speeds->list[i]);
+	}
+	fputc('\n', f->sheet);
+	size_t rows = put_rows(f, args_value(args, "sieves"), speeds->n + 1);
+	if (!grams)
+		return rows;
+	fputs("pan", f->sheet);
+	for (size_t c = 0; c <= speeds->n; c++)
+		fputc(f->separator, f->sheet);
+	fputc('\n', f->sheet);
+	return rows + 1;
+}
+
+bool
+cmd_template(struct session *s, const struct args *args, struct error *error)
+{
+	(void)error;
+	char *text = NULL;
+	size_t n = 0;
+	struct form f = {s->set.semicolon ? ';' : ',', s->out};
+	if (s->book == NULL) {
+		s->rows += put_form(&f, args);
+		return true;
+	}
+	/* In a workbook numbers have no decimal sign. */
+	f = (struct form){',', text_memory(&text, &n)};
+	s->rows += put_form(&f, args);
+	fclose(f.sheet);
+	book_add_text(s->book, "template", text);
+	free(text);
+	return true;
+}

@@ -1,0 +1,621 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/doctor.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "core/leave_out.h"
+#include "core/misfit.h"
+#include "core/polish.h"
+#include "core/smooth.h"
+
+/* After a calibration a cell is told of from this surprise on, of a product and
+ * of a feed, where it is off by WORTH at least.  Counted with bench/doctor. */
+static const double SURPRISE_PRODUCT = 4, SURPRISE_FEED = 4.5, WORTH = 0.02;
+
+/* Before one, a cell whose distance from the straight line, on log size,
+ * between its neighbours is more than this from the mean distance of the other
+ * runs on the same three sieves, or from 0 where there are none.  Of 19000
+ * made-up sites at 50 to 90 m/s none has more than 0.13 in a product (where the
+ * break size passes a sieve), 0.03 in a feed, and 0.15 in a curve alone. */
+static const double OFF_PRODUCT = 0.14, OFF_FEED = 0.08, OFF_ALONE = 0.2;
+
+/* No more cells than this are told of at a time: of a bad sheet each changes
+ * what is said of the others. */
+enum { CELLS = 3 };
+
+static struct finding *
+add(struct doctor *d, struct mend mend)
+{
+	d->finding = xrealloc(d->finding, d->n + 1, sizeof *d->finding);
+	struct finding *f = &d->finding[d->n++];
+	*f = (struct finding){.mend = mend,
+	    .measured = NAN,
+	    .expected = NAN,
+	    .sd = NAN,
+	    .surprise = NAN,
+	    .off = {NAN, NAN},
+	    .rmse = {NAN, NAN}};
+	return f;
+}
+
+/* ---- Columns ---- */
+
+/* How far curve a passes above b: mean at their common sieves, and the most. */
+static double
+above(const struct psd *a, const struct psd *b, double *most)
+{
+	double sum = 0, n = 0;
+	*most = 0;
+	for (size_t i = 0; i < b->n; i++) {
+		if (!psd_covers(a, b->size[i]))
+			continue;
+		double by = psd_passing(a, b->size[i]) - b->passing[i];
+		*most = fmax(*most, by);
+		sum += by;
+		n++;
+	}
+	return n > 0 ? sum / n : 0;
+}
+
+static bool
+is_coarser(const struct psd *product, const struct psd *feed)
+{
+	const double sampling = 0.02, on_the_whole = 0.01;
+	double most, mean = above(feed, product, &most);
+	return most > sampling && mean > on_the_whole;
+}
+
+/* Whether no product of the site is coarser than its feed. */
+static bool
+all_finer(const struct site *site)
+{
+	bool ok = true;
+	for (size_t r = 0; r < site->n_run; r++)
+		ok = ok && (site->run[r].product.n == 0 ||
+			       !is_coarser(
+				   &site->run[r].product, &site->run[r].feed));
+	return ok;
+}
+
+static void
+find_swapped_feeds(struct doctor *d, const struct site *site)
+{
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		struct mend m = {.kind = MEND_SWAP, .run = r};
+		if (run->product.n == 0 ||
+		    !is_coarser(&run->product, &run->feed))
+			continue;
+		struct site *other = mend_site(site, &m, NULL);
+		if (other != NULL &&
+		    (site->individual_feeds || all_finer(other))) {
+			double most;
+			struct finding *f = add(d, m);
+			const struct run *now = &other->run[r];
+			f->off[0] = above(&run->feed, &run->product, &most);
+			f->off[1] =
+			    fmax(0, above(&now->feed, &now->product, &most));
+		}
+		site_free(other);
+	}
+}
+
+/* Sum over neighbouring speeds of how much coarser, on the whole, the faster
+ * product is. */
+static double
+disorder(const struct site *site)
+{
+	double sum = 0, most;
+	const struct run *slow = NULL;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		if (run->product.n == 0)
+			continue;
+		if (slow != NULL && slow->speed < run->speed)
+			sum += fmax(
+			    0, above(&slow->product, &run->product, &most));
+		slow = run;
+	}
+	return sum;
+}
+
+static void
+find_exchanged(struct doctor *d, const struct site *site)
+{
+	/* What check calls a fault, on the whole. */
+	const double much = 0.003, share = 0.2;
+	double before = disorder(site), least = share * before;
+	struct mend best = {.kind = MEND_READ};
+	for (size_t i = 0; i < site->n_run && before > much; i++)
+		for (size_t k = i + 1; k < site->n_run; k++) {
+			struct mend m = {
+			    .kind = MEND_WITH, .run = i, .other = k};
+			if (site->individual_feeds ||
+			    site->run[i].product.n == 0 ||
+			    site->run[k].product.n == 0)
+				continue;
+			struct site *other = mend_site(site, &m, NULL);
+			double after = other != NULL ? disorder(other) : 1;
+			site_free(other);
+			if (after < least) {
+				least = after;
+				best = m;
+			}
+		}
+	if (best.kind != MEND_WITH)
+		return;
+	struct finding *f = add(d, best);
+	f->off[0] = before;
+	f->off[1] = least;
+}
+
+/* Sums for a straight line in energy through the others' passings. */
+struct line {
+	double n, e, ee, p, ep;
+};
+
+static double
+line_at(const struct line *l, double e)
+{
+	double mean = l->e / l->n, about = l->ee / l->n - mean * mean;
+	double slope = about > 1e-9 * mean * mean
+			   ? (l->ep / l->n - mean * l->p / l->n) / about
+			   : 0;
+	return l->p / l->n + slope * (e - mean);
+}
+
+/* RMS distance of a run's product from the line through the other products,
+ * NAN with less than two others: of two curves nobody knows which is wrong. */
+static double
+distance(const struct site *site, size_t at)
+{
+	const struct run *run = &site->run[at];
+	double squares = 0, n = 0;
+	for (size_t i = 0; i < run->product.n; i++) {
+		struct line l = {.n = 0};
+		double x = run->product.size[i];
+		for (size_t r = 0; r < site->n_run; r++) {
+			const struct psd *p = &site->run[r].product;
+			if (r == at || p->n == 0 || !psd_covers(p, x))
+				continue;
+			double v = site->run[r].speed, P = psd_passing(p, x);
+			l.n++;
+			l.e += v * v;
+			l.ee += v * v * v * v;
+			l.p += P;
+			l.ep += v * v * P;
+		}
+		if (l.n < 2)
+			continue;
+		double by = run->product.passing[i] -
+			    line_at(&l, run->speed * run->speed);
+		squares += by * by;
+		n++;
+	}
+	return n > 2 ? sqrt(squares / n) : NAN;
+}
+
+/* The column that lies off the others and, moved by one sieve, on them. */
+static void
+find_moved(struct doctor *d, const struct site *site)
+{
+	const double far = 0.05, share = 0.35;
+	double best = 1;
+	struct mend mend = {.kind = MEND_READ};
+	double off[2] = {0, 0};
+	for (size_t i = 0; i < 2 * site->n_run; i++) {
+		struct mend m = {.run = i / 2};
+		double before = distance(site, m.run);
+		m.kind = i % 2 == 0 ? MEND_UP : MEND_DOWN;
+		if (!(before > far))
+			continue;
+		struct site *other = mend_site(site, &m, NULL);
+		double after = other != NULL ? distance(other, m.run) : NAN;
+		site_free(other);
+		if (!(after < share * before) || after / before >= best)
+			continue;
+		best = after / before;
+		mend = m;
+		off[0] = before;
+		off[1] = after;
+	}
+	if (mend.kind != MEND_READ)
+		memcpy(add(d, mend)->off, off, sizeof off);
+}
+
+/* How far off the run is that fits the others least, after a mend. */
+static double
+roughness(const struct site *site, const struct mend *m)
+{
+	struct site *other = mend_site(site, m, NULL);
+	double most = 0;
+	for (size_t r = 0; other != NULL && r < other->n_run; r++)
+		if (other->run[r].product.n > 0)
+			most = fmax(most, distance(other, r));
+	site_free(other);
+	return most;
+}
+
+/* A column that was moved makes speeds seem exchanged too, and the other way:
+ * of the two mends keeps the one that leaves the products more alike. */
+static void
+keep_smoother(struct doctor *d, const struct site *site)
+{
+	if (d->n < 2)
+		return;
+	const struct finding *f = d->finding;
+	if (roughness(site, &f[1].mend) < roughness(site, &f[0].mend))
+		d->finding[0] = f[1];
+	d->n = 1;
+}
+
+/* A column in micrometres, taken for millimetres, or the other way. */
+static void
+find_scaled(struct doctor *d, const struct site *site)
+{
+	const double apart = 100, factor = 1000, largest = 1;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		if (run->product.n == 0)
+			continue;
+		double ratio = run->product.size[0] / run->feed.size[0];
+		struct mend m = {.kind = MEND_SCALE, .run = r};
+		if (ratio > apart)
+			m.value = 1 / factor;
+		else if (ratio * apart < 1) {
+			m.feed = run->feed.size[0] > largest;
+			m.value = m.feed ? 1 / factor : factor;
+		} else
+			continue;
+		add(d, m);
+		if (m.feed && !site->individual_feeds)
+			return;
+	}
+}
+
+static bool
+is_copy(const struct psd *a, const struct psd *b)
+{
+	size_t i = 0;
+	while (i < a->n && i < b->n && a->size[i] == b->size[i] &&
+	       a->passing[i] == b->passing[i])
+		i++;
+	return a->n > 0 && i == a->n && i == b->n;
+}
+
+static void
+find_copies(struct doctor *d, const struct site *site)
+{
+	for (size_t i = 1; i < site->n_run; i++)
+		for (size_t k = 0; k < i; k++)
+			if (is_copy(
+				&site->run[k].product, &site->run[i].product)) {
+				add(d,
+				    (struct mend){.kind = MEND_DROP, .run = i});
+				break;
+			}
+}
+
+/* ---- Cells ---- */
+
+static const struct psd *
+curve_of(const struct site *site, const struct mend *m)
+{
+	const struct run *run = &site->run[m->run];
+	return m->feed ? &run->feed : &run->product;
+}
+
+static double
+distance_to(const struct finding *f, double passing)
+{
+	return fabs(passing - f->expected);
+}
+
+/* Takes a reading of the cell that the others would expect: within three
+ * standard deviations, nearer than what is there, and than what was taken. */
+static void
+consider(struct finding *f, double passing)
+{
+	double least = 0.001, near = 3 * f->sd + least;
+	bool taken = f->mend.kind == MEND_READ;
+	double so_far = taken ? distance_to(f, f->mend.value) : near;
+	if (distance_to(f, passing) >= so_far || passing < 0 || passing > 1)
+		return;
+	f->mend.kind = MEND_READ;
+	f->mend.value = passing;
+}
+
+/* The digits of a passing in percent, "691", and how many stand before the
+ * point; 0 where it was worked out and not typed. */
+static size_t
+digits_of(double passing, char digits[static 16], size_t *point)
+{
+	double hundredths = passing * 1e4;
+	size_t n = 0;
+	if (fabs(hundredths - round(hundredths)) > 1e-6)
+		return 0;
+	char *text = xasprintf("%.2f", round(hundredths) / 100);
+	for (const char *c = text; *c != '\0' && n < 15; c++)
+		if (*c != '.')
+			digits[n++] = *c;
+	digits[n] = '\0';
+	if (n < 3)
+		return 0;
+	*point = n - 2;
+	if (n > 1 && digits[n - 1] == '0')
+		digits[--n] = '\0';
+	free(text);
+	return n;
+}
+
+static double
+value_of(const char *digits, size_t point)
+{
+	double value = 0, place = 1;
+	for (size_t i = 0; digits[i] != '\0'; i++) {
+		value = value * 10 + (digits[i] - '0');
+		place *= i >= point ? 10 : 1;
+	}
+	return round(value / place * 1e10) / 1e12;
+}
+
+/* Two neighbouring digits transposed, one typed twice, or the point moved. */
+static void
+consider_digits(struct finding *f)
+{
+	char digits[16], other[16];
+	size_t point, n = digits_of(f->measured, digits, &point);
+	for (size_t i = 0; i + 1 < n; i++) {
+		memcpy(other, digits, sizeof other);
+		other[i] = digits[i + 1];
+		other[i + 1] = digits[i];
+		if (digits[i] != digits[i + 1])
+			consider(f, value_of(other, point));
+		memmove(other + i, digits + i + 1, n - i);
+		memcpy(other, digits, i);
+		if (digits[i] == digits[i + 1])
+			consider(f, value_of(other, point - (i < point)));
+	}
+	if (n > 0) {
+		consider(f, round(f->measured * 1e13) / 1e12);
+		consider(f, round(f->measured * 1e11) / 1e12);
+	}
+}
+
+/* A cell's mend: the reading, where the site can be read with it, or none. */
+static void
+add_cell(struct doctor *d, const struct site *site,
+    const struct leave_out_cell *cell, const struct leave_out_shift *s)
+{
+	struct mend m = {
+	    .kind = MEND_OUT, .feed = cell->feed, .run = cell->run};
+	const struct psd *psd = curve_of(site, &m);
+	m.size = psd->size[cell->sieve];
+	struct finding *f = add(d, m);
+	f->measured = psd->passing[cell->sieve];
+	f->expected = s->expected;
+	f->sd = s->sd;
+	consider_digits(f);
+	struct site *other = mend_site(site, &f->mend, NULL);
+	if (other == NULL)
+		f->mend = m;
+	site_free(other);
+}
+
+/* Which runs have passings to fit. */
+static bool *
+measured_runs(const struct site *site)
+{
+	bool *use = xcalloc(site->n_run, sizeof *use);
+	for (size_t r = 0; r < site->n_run; r++)
+		use[r] = misfit_covered(&site->run[r]) > 0;
+	return use;
+}
+
+/* The fit went some way to meet a cell that is off: moves it to where it would
+ * be without that cell. */
+static void
+refit(struct posterior *p, const struct site *site, struct mend m)
+{
+	enum { MOST = 100 };
+	m.kind = MEND_OUT;
+	struct site *less = mend_site(site, &m, NULL);
+	if (less == NULL)
+		return;
+	bool *use = measured_runs(less);
+	struct misfit *misfit = misfit_new(less, use, NULL, false, p->settings);
+	struct polish *polish = polish_new(misfit);
+	polish_run(polish, &p->bounds, MOST, NULL, &p->fit);
+	params_scale(&p->fit);
+	polish_free(polish);
+	misfit_free(misfit);
+	site_free(less);
+	free(use);
+}
+
+static double
+passing_of(const struct site *site, const struct leave_out_cell *c)
+{
+	const struct run *run = &site->run[c->run];
+	return (c->feed ? &run->feed : &run->product)->passing[c->sieve];
+}
+
+/* The next cell from a fit of its own, which moves; before: those that were
+ * found [n].  Returns false where none is worth telling of. */
+static bool
+find_next(struct doctor *d, const struct site *site, struct posterior *p,
+    double noise, size_t *found, size_t n)
+{
+	struct leave_out *l = leave_out_new(site, p, noise);
+	for (size_t i = 0; i < n; i++)
+		leave_out_drop(l, found[i]);
+	struct leave_out_shift s = {.gain = 0};
+	if (leave_out_cells(l) > n)
+		s = leave_out_worst(l);
+	struct leave_out_cell c = {.feed = false};
+	bool tell = s.gain > fmin(SURPRISE_PRODUCT, SURPRISE_FEED);
+	if (tell)
+		c = leave_out_cell(l, s.cell);
+	leave_out_free(l);
+	tell = tell && s.gain > (c.feed ? SURPRISE_FEED : SURPRISE_PRODUCT) &&
+	       fabs(s.expected - passing_of(site, &c)) > WORTH;
+	if (!tell)
+		return false;
+	struct mend m = {.feed = c.feed, .run = c.run};
+	m.size = curve_of(site, &m)->size[c.sieve];
+	refit(p, site, m);
+	l = leave_out_new(site, p, noise);
+	for (size_t i = 0; i < n; i++)
+		leave_out_drop(l, found[i]);
+	double gain = s.gain;
+	s = leave_out_look(l, s.cell);
+	leave_out_free(l);
+	found[n] = s.cell;
+	if (!(fabs(s.expected - passing_of(site, &c)) > WORTH))
+		return false;
+	add_cell(d, site, &c, &s);
+	d->finding[d->n - 1].surprise = gain;
+	return true;
+}
+
+static void
+find_surprising(struct doctor *d, const struct site *site,
+    const struct posterior *posterior, double noise)
+{
+	struct posterior *p = xcalloc(1, sizeof *p); /* borrows the draws */
+	size_t found[CELLS], n = 0;
+	*p = *posterior;
+	while (n < CELLS && find_next(d, site, p, noise, found, n))
+		n++;
+	free(p);
+}
+
+/* The curves of the feeds, or the products, with their runs. */
+static size_t
+gather(
+    const struct site *site, bool feed, const struct psd **curve, size_t *run)
+{
+	size_t n = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct psd *psd =
+		    feed ? &site->run[r].feed : &site->run[r].product;
+		if (psd->n == 0 || (feed && r > 0 && !site->individual_feeds))
+			continue;
+		run[n] = r;
+		curve[n++] = psd;
+	}
+	return n;
+}
+
+static void
+add_bent(struct doctor *d, const struct site *site, double noise,
+    struct leave_out_cell cell)
+{
+	struct leave_out *l = leave_out_new(site, NULL, noise);
+	struct leave_out_shift s = {.expected = NAN, .sd = NAN};
+	for (size_t i = 0; i < leave_out_cells(l); i++) {
+		struct leave_out_cell c = leave_out_cell(l, i);
+		if (c.feed == cell.feed && c.run == cell.run &&
+		    c.sieve == cell.sieve)
+			s = leave_out_look(l, i);
+	}
+	leave_out_free(l);
+	add_cell(d, site, &cell, &s);
+}
+
+static void
+find_bent(struct doctor *d, const struct site *site, bool feed, double noise)
+{
+	const struct psd **curve = xcalloc(site->n_run, sizeof *curve);
+	size_t *run = xcalloc(site->n_run, sizeof *run);
+	size_t n = gather(site, feed, curve, run);
+	struct smooth_outlier o = smooth_outlier(curve, n);
+	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
+	if (fabs(o.off) > most)
+		add_bent(d, site, noise,
+		    (struct leave_out_cell){feed, run[o.curve], o.sieve});
+	free(curve);
+	free(run);
+}
+
+/* ---- All ---- */
+
+static double
+rmse_of(const struct site *site, const struct posterior *p)
+{
+	bool *use = measured_runs(site), any = false;
+	for (size_t r = 0; r < site->n_run; r++)
+		any = any || use[r];
+	double rmse = NAN;
+	if (any) {
+		struct misfit *m =
+		    misfit_new(site, use, NULL, false, p->settings);
+		rmse = misfit_rmse(m, &p->fit);
+		misfit_free(m);
+	}
+	free(use);
+	return rmse;
+}
+
+static void
+measure(struct doctor *d, const struct site *site, const struct posterior *p)
+{
+	for (size_t i = 0; i < d->n && p != NULL; i++) {
+		struct finding *f = &d->finding[i];
+		struct site *other = mend_site(site, &f->mend, NULL);
+		f->rmse[0] = rmse_of(site, p);
+		f->rmse[1] = other != NULL ? rmse_of(other, p) : NAN;
+		site_free(other);
+	}
+}
+
+/* Leaves out what cannot be done, as of a run that is the only one. */
+static void
+keep_possible(struct doctor *d, const struct site *site)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < d->n; i++) {
+		struct site *other = mend_site(site, &d->finding[i].mend, NULL);
+		if (other != NULL)
+			d->finding[n++] = d->finding[i];
+		site_free(other);
+	}
+	d->n = n;
+}
+
+struct doctor
+doctor_look(
+    const struct site *site, const struct posterior *posterior, double noise)
+{
+	struct doctor d = {0};
+	find_scaled(&d, site);
+	if (d.n == 0)
+		find_swapped_feeds(&d, site);
+	if (d.n == 0) {
+		find_exchanged(&d, site);
+		find_moved(&d, site);
+		keep_smoother(&d, site);
+	}
+	bool columns = d.n > 0;
+	find_copies(&d, site);
+	if (!columns && posterior != NULL)
+		find_surprising(&d, site, posterior, noise);
+	if (!columns && posterior == NULL) {
+		find_bent(&d, site, true, noise);
+		find_bent(&d, site, false, noise);
+	}
+	keep_possible(&d, site);
+	measure(&d, site, posterior);
+	return d;
+}
+
+void
+doctor_free(struct doctor *doctor)
+{
+	free(doctor->finding);
+	*doctor = (struct doctor){0};
+}

@@ -1,0 +1,39 @@
+/* What is wrong with a sheet, and which mends would put it right.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_DOCTOR_H
+#define TIPSPEED_CORE_DOCTOR_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/mend.h"
+#include "core/posterior.h"
+
+/* A mend that would make the sheet agree with itself.  It is only ever
+ * proposed: whoever has the laboratory's sheet knows.
+ *   measured, expected, sd  of a cell: as it is, and as all others say (see
+ *                 leave_out.h), passing 0..1; NAN of columns
+ *   surprise      of a cell after a calibration: how much more probable the
+ *                 sheet is without it, as a logarithm; NAN
+ *   off           of a column: how far it is from what others say, RMS before
+ *                 and after the mend, 0..1; NAN of cells
+ *   rmse          of all products to the posterior's fit, before and after the
+ *                 mend and without another calibration; NAN without */
+struct finding {
+	struct mend mend;
+	double measured, expected, sd, surprise;
+	double off[2], rmse[2];
+};
+
+struct doctor {
+	size_t n;
+	struct finding *finding;
+};
+
+/* posterior: of this very site, or NULL.  noise: known error of a passing,
+ * 0..1, or 0.  No cell is looked at where a column has a mend. */
+struct doctor doctor_look(
+    const struct site *site, const struct posterior *posterior, double noise);
+void doctor_free(struct doctor *doctor);
+
+#endif

@@ -1,0 +1,633 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/leave_out.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "core/elementary.h"
+#include "core/misfit.h"
+#include "core/product.h"
+
+/* CLOSE: so many candidates are looked at closely.  SEARCHED: with more cells
+ * in a block its hyperparameters stay at their priors' medians, as the search
+ * would take seconds. */
+enum { SMOOTHS = 5, CLOSE = 6, SEARCHED = 150, PRODUCTS = 0, FEEDS, BLOCKS };
+
+enum smooth {
+	SMOOTH_AMPLITUDE,
+	SMOOTH_LENGTH,
+	SMOOTH_SPEED,
+	SMOOTH_RUN,
+	SMOOTH_OWN
+};
+
+/* Medians and spreads as of struct hyper_info, of ln(P / (1 - P)) but for the
+ * last, which is the error of a passing. */
+static const struct {
+	double median, spread;
+} SMOOTH[SMOOTHS] = {
+    {0.5, 1}, {0.7, 0.4}, {0.1, 0.7}, {0.03, 0.7}, {0.0035, 0.3}};
+
+/* What a free cell may be off by, and what feeds are off by themselves, both as
+ * passing; what no passing is trusted to more than. */
+static const double FREE = 0.3, FEED_OWN = 0.0035, ROUNDING = 0.0005;
+
+/* Above COARSE a curve ends at the screen it was cut by, with a corner that no
+ * smooth curve has: sd of ln(P / (1 - P)). */
+static const double COARSE = 0.8, CORNER = 0.6;
+
+/* Nearer to 0 or 1 a passing says nothing of how steep a curve is. */
+static const double END = 0.0005;
+
+/* Cells of the products, or of the feeds, which share hyperparameters.
+ *   value   [n] differences from the fit, or ln(P / (1 - P)) less their mean
+ *   slope   [n] change of value with the passing
+ *   fixed   [n n] the part of the covariance that they do not change
+ *   L       [n n] factor */
+struct block {
+	bool smooth;
+	size_t n, first; /* index of its first cell */
+	struct cell *cell;
+	double *value, *slope, *fixed, *L, *work;
+	double hyper[HYPERS]; /* logarithms */
+	double level;         /* with the prior, at hyper */
+};
+
+/* of [n]: the cells, products first.  shift [n n]: row i has u of cell i. */
+struct leave_out {
+	const struct site *site;
+	size_t n;
+	struct leave_out_cell *of;
+	double *passing, *shift, *cross;
+	bool *dropped;
+	struct block block[BLOCKS];
+	double noise;
+};
+
+static const struct psd *
+curve_of(const struct leave_out *l, const struct leave_out_cell *c)
+{
+	const struct run *run = &l->site->run[c->run];
+	return c->feed ? &run->feed : &run->product;
+}
+
+static double
+rho(double apart, double length)
+{
+	double z = apart / length;
+	return z * z > 80 ? 0 : el_exp(-z * z / 2);
+}
+
+/* ---- The covariance and its hyperparameters ---- */
+
+static void
+smooth_fill(const struct block *b, double *K)
+{
+	double h[SMOOTHS];
+	for (size_t i = 0; i < SMOOTHS; i++)
+		h[i] = el_exp(b->hyper[i]);
+	for (size_t i = 0; i < b->n; i++)
+		for (size_t j = 0; j <= i; j++) {
+			const struct cell *x = &b->cell[i], *y = &b->cell[j];
+			double apart = x->log_size - y->log_size;
+			double near = rho(apart, h[SMOOTH_LENGTH]);
+			double k =
+			    h[SMOOTH_AMPLITUDE] * h[SMOOTH_AMPLITUDE] +
+			    h[SMOOTH_SPEED] * h[SMOOTH_SPEED] * x->t * y->t;
+			k *= near;
+			if (x->run == y->run)
+				k += h[SMOOTH_RUN] * h[SMOOTH_RUN] *
+				     rho(apart, 1);
+			double own = h[SMOOTH_OWN] * x->h * b->slope[i];
+			double least = ROUNDING * b->slope[i];
+			K[i * b->n + j] =
+			    k + (i == j ? own * own + least * least : 0);
+		}
+}
+
+static double
+prior_of(const struct block *b, double noise)
+{
+	const double known = 0.05;
+	double sum = 0;
+	if (!b->smooth)
+		return discrepancy_prior(b->hyper, noise);
+	for (size_t i = 0; i < SMOOTHS; i++) {
+		bool given = i == SMOOTH_OWN && noise > 0;
+		double median = given ? noise : SMOOTH[i].median;
+		double z = (b->hyper[i] - el_log(median)) /
+			   (given ? known : SMOOTH[i].spread);
+		sum += z * z / 2;
+	}
+	return sum;
+}
+
+/* Fills L with the covariance, of which only the lower half counts. */
+static void
+fill(struct block *b)
+{
+	if (b->smooth)
+		smooth_fill(b, b->L);
+	else
+		discrepancy_fill(b->cell, b->n, b->hyper, b->L);
+	for (size_t i = 0; i < b->n * b->n; i++)
+		b->L[i] += b->fixed[i];
+}
+
+static double
+level_of(struct block *b, double noise)
+{
+	fill(b);
+	discrepancy_cholesky(b->L, b->n);
+	memcpy(b->work, b->value, b->n * sizeof *b->work);
+	double level = discrepancy_level(b->L, b->n, b->work);
+	return isfinite(level) ? level + prior_of(b, noise) : INFINITY;
+}
+
+/* The most probable hyperparameters, from where they are: a step up or down
+ * each, and shorter ones when none helps. */
+static void
+search(struct block *b, double noise)
+{
+	const double last = 0.06;
+	size_t hypers = b->smooth ? SMOOTHS : HYPERS;
+	double step = 0.5;
+	b->level = level_of(b, noise);
+	while (step > last && b->n > 0 && b->n <= SEARCHED) {
+		bool better = false;
+		for (size_t k = 0; k < 2 * hypers; k++) {
+			double was = b->hyper[k / 2];
+			b->hyper[k / 2] += k % 2 == 0 ? step : -step;
+			double level = level_of(b, noise);
+			if (level < b->level - 1e-3) {
+				b->level = level;
+				better = true;
+			} else
+				b->hyper[k / 2] = was;
+		}
+		step *= better ? 1 : 0.5;
+	}
+}
+
+/* Lets (sign 1) the cell be what it likes, or holds it again (-1). */
+static void
+free_cell(struct leave_out *l, size_t cell, double sign)
+{
+	const double *u = l->shift + cell * l->n;
+	for (size_t k = 0; k < BLOCKS; k++) {
+		struct block *b = &l->block[k];
+		for (size_t i = 0; i < b->n; i++)
+			for (size_t j = 0; j < b->n; j++)
+				b->fixed[i * b->n + j] += sign * FREE * FREE *
+							  u[b->first + i] *
+							  u[b->first + j];
+	}
+}
+
+/* ---- The joint vector ---- */
+
+/* L of both blocks with what they share, [n n], which the caller frees. */
+static double *
+joint_factor(struct leave_out *l)
+{
+	double *L = xdoubles(l->n * l->n);
+	const struct block *p = &l->block[PRODUCTS], *f = &l->block[FEEDS];
+	for (size_t k = 0; k < BLOCKS; k++) {
+		struct block *b = &l->block[k];
+		fill(b);
+		for (size_t i = 0; i < b->n; i++)
+			for (size_t j = 0; j <= i; j++)
+				L[(b->first + i) * l->n + b->first + j] =
+				    b->L[i * b->n + j];
+	}
+	for (size_t i = 0; i < f->n; i++)
+		for (size_t j = 0; j < p->n; j++)
+			L[(f->first + i) * l->n + j] = l->cross[i * p->n + j];
+	for (size_t c = 0; c < l->n; c++)
+		for (size_t i = 0; i < f->n && l->dropped[c]; i++)
+			for (size_t j = 0; j < p->n; j++)
+				L[(f->first + i) * l->n + j] +=
+				    FREE * FREE *
+				    l->shift[c * l->n + f->first + i] *
+				    l->shift[c * l->n + j];
+	discrepancy_cholesky(L, l->n);
+	return L;
+}
+
+/* L^-1 y of the whole vector, which the caller frees. */
+static double *
+joint_values(const struct leave_out *l, const double *L)
+{
+	double *y = xdoubles(l->n);
+	for (size_t k = 0; k < BLOCKS; k++)
+		memcpy(y + l->block[k].first, l->block[k].value,
+		    l->block[k].n * sizeof *y);
+	discrepancy_forward(L, l->n, y);
+	return y;
+}
+
+/* Puts z, and the shift's size as passing, of one cell. */
+static double
+shift_of(const struct leave_out *l, const double *L, const double *y,
+    size_t cell, double *shift, double *sd)
+{
+	double *u = xdoubles(l->n), dot = 0, squares = 0;
+	memcpy(u, l->shift + cell * l->n, l->n * sizeof *u);
+	discrepancy_forward(L, l->n, u);
+	for (size_t i = 0; i < l->n; i++) {
+		dot += u[i] * y[i];
+		squares += u[i] * u[i];
+	}
+	free(u);
+	*shift = dot / squares;
+	*sd = 1 / sqrt(squares);
+	return dot / sqrt(squares);
+}
+
+static double
+logit(double P)
+{
+	return el_log(P / (1 - P));
+}
+
+/* Takes a cell's shift from its passing: where values are logarithms it is
+ * straight in them. */
+static void
+expect(const struct leave_out *l, struct leave_out_shift *s, double shift)
+{
+	double P = l->passing[s->cell];
+	bool feed = s->cell >= l->block[FEEDS].first;
+	const struct block *b = &l->block[feed ? FEEDS : PRODUCTS];
+	s->expected = P - shift;
+	if (b->smooth && P > END && P < 1 - END) {
+		double slope = b->slope[s->cell - b->first];
+		double z = logit(P) - slope * shift;
+		s->expected = 1 / (1 + el_exp(-z));
+		s->sd *= slope * s->expected * (1 - s->expected);
+	}
+	s->expected = fmin(fmax(s->expected, 0), 1);
+}
+
+/* ---- The search for the worst ---- */
+
+/* The cells of the largest |z|, [CLOSE]; returns how many. */
+static size_t
+candidates(struct leave_out *l, size_t *cell)
+{
+	double *L = joint_factor(l), *y = joint_values(l, L);
+	double best[CLOSE] = {0}, shift, sd;
+	size_t n = 0;
+	for (size_t c = 0; c < l->n; c++) {
+		double z = fabs(shift_of(l, L, y, c, &shift, &sd));
+		size_t at = n < CLOSE ? n : CLOSE;
+		if (l->dropped[c] || !isfinite(z))
+			continue;
+		while (at > 0 && best[at - 1] < z)
+			at--;
+		for (size_t k = CLOSE - 1; k > at; k--) {
+			best[k] = best[k - 1];
+			cell[k] = cell[k - 1];
+		}
+		if (at < CLOSE) {
+			best[at] = z;
+			cell[at] = c;
+			n += n < CLOSE;
+		}
+	}
+	free(L);
+	free(y);
+	return n;
+}
+
+static double
+searched_level(struct leave_out *l)
+{
+	for (size_t k = 0; k < BLOCKS; k++)
+		search(&l->block[k], l->noise);
+	return l->block[PRODUCTS].level + l->block[FEEDS].level;
+}
+
+/* The cell free, with the hyperparameters found so. */
+static struct leave_out_shift
+look_closely(struct leave_out *l, size_t cell, double level)
+{
+	struct leave_out_shift s = {.cell = cell};
+	double was[BLOCKS][HYPERS], shift;
+	for (size_t k = 0; k < BLOCKS; k++)
+		memcpy(was[k], l->block[k].hyper, sizeof was[k]);
+	free_cell(l, cell, 1);
+	s.gain = level - searched_level(l);
+	free_cell(l, cell, -1);
+	double *L = joint_factor(l), *y = joint_values(l, L);
+	s.z = shift_of(l, L, y, cell, &shift, &s.sd);
+	expect(l, &s, shift);
+	free(L);
+	free(y);
+	for (size_t k = 0; k < BLOCKS; k++)
+		memcpy(l->block[k].hyper, was[k], sizeof was[k]);
+	return s;
+}
+
+struct leave_out_shift
+leave_out_look(struct leave_out *l, size_t cell)
+{
+	return look_closely(l, cell, searched_level(l));
+}
+
+struct leave_out_shift
+leave_out_worst(struct leave_out *l)
+{
+	struct leave_out_shift worst = {.gain = -INFINITY};
+	size_t cell[CLOSE];
+	double level = searched_level(l);
+	size_t n = candidates(l, cell);
+	for (size_t i = 0; i < n; i++) {
+		struct leave_out_shift s = look_closely(l, cell[i], level);
+		if (isfinite(s.z) && s.gain > worst.gain)
+			worst = s;
+	}
+	return worst;
+}
+
+void
+leave_out_drop(struct leave_out *l, size_t cell)
+{
+	l->dropped[cell] = true;
+	free_cell(l, cell, 1);
+}
+
+double
+leave_out_level(struct leave_out *l)
+{
+	return searched_level(l);
+}
+
+size_t
+leave_out_cells(const struct leave_out *l)
+{
+	return l->n;
+}
+
+struct leave_out_cell
+leave_out_cell(const struct leave_out *l, size_t i)
+{
+	return l->of[i];
+}
+
+/* ---- Making it ---- */
+
+static bool
+is_smooth_cell(double P)
+{
+	return P > END && P < 1 - END;
+}
+
+static void
+add_cell(struct leave_out *l, bool feed, size_t run, size_t sieve)
+{
+	struct leave_out_cell c = {feed, run, sieve};
+	l->of = xrealloc(l->of, l->n + 1, sizeof *l->of);
+	l->of[l->n++] = c;
+}
+
+static void
+list_cells(struct leave_out *l, const struct posterior *posterior)
+{
+	const struct site *site = l->site;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct psd *psd = &site->run[r].product;
+		size_t covered = misfit_covered(&site->run[r]);
+		for (size_t i = 0; i < psd->n; i++)
+			if (posterior != NULL ? i < covered
+					      : is_smooth_cell(psd->passing[i]))
+				add_cell(l, false, r, i);
+	}
+	l->block[PRODUCTS].n = l->block[FEEDS].first = l->n;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct psd *psd = &site->run[r].feed;
+		if (r > 0 && !site->individual_feeds)
+			break;
+		for (size_t i = 0; i < psd->n; i++)
+			if (is_smooth_cell(psd->passing[i]))
+				add_cell(l, true, r, i);
+	}
+	l->block[FEEDS].n = l->n - l->block[FEEDS].first;
+}
+
+/* ln of the mean energy of the runs. */
+static double
+middle_of(const struct site *site)
+{
+	double sum = 0, n = 0;
+	for (size_t r = 0; r < site->n_run; r++)
+		if (site->run[r].speed > 0) {
+			sum += site->run[r].speed * site->run[r].speed / 2;
+			n++;
+		}
+	return n > 0 ? el_log(sum / n) : 0;
+}
+
+/* Cells of a block, with values and covariance of smooth curves. */
+static void
+fill_smooth(struct leave_out *l, struct block *b, bool feed)
+{
+	double middle = middle_of(l->site);
+	for (size_t i = 0; i < b->n; i++) {
+		size_t c = b->first + i;
+		double P = l->passing[c], v = l->site->run[l->of[c].run].speed;
+		double x = curve_of(l, &l->of[c])->size[l->of[c].sieve];
+		b->cell[i] = (struct cell){.run = l->of[c].run,
+		    .log_size = el_log(x),
+		    .t = feed ? 0 : discrepancy_time(v, middle),
+		    .h = discrepancy_h(P)};
+		b->value[i] = logit(P);
+		b->slope[i] = 1 / (P * (1 - P));
+		l->shift[c * l->n + c] = b->slope[i];
+	}
+	for (size_t k = 0; k < SMOOTHS; k++)
+		b->hyper[k] = el_log(SMOOTH[k].median);
+	/* Level, steepness, and how they change with the speed. */
+	for (size_t i = 0; i < b->n; i++)
+		for (size_t j = 0; j < b->n; j++) {
+			const struct cell *x = &b->cell[i], *y = &b->cell[j];
+			double P = l->passing[b->first + i];
+			double sizes = (x->log_size - b->cell[0].log_size) *
+				       (y->log_size - b->cell[0].log_size);
+			b->fixed[i * b->n + j] =
+			    25 + 4 * sizes + x->t * y->t * (0.1 + 0.01 * sizes);
+			bool corner = i == j && P > COARSE;
+			b->fixed[i * b->n + j] += corner ? CORNER * CORNER : 0;
+		}
+}
+
+static void
+fill_differences(
+    struct leave_out *l, struct block *b, const struct posterior *p)
+{
+	bool *use = xcalloc(l->site->n_run, sizeof *use);
+	for (size_t r = 0; r < l->site->n_run; r++)
+		use[r] = misfit_covered(&l->site->run[r]) > 0;
+	struct misfit *m = misfit_new(l->site, use, NULL, false, p->settings);
+	size_t n = m->of->n;
+	double *J = xdoubles(b->n * n);
+	misfit_jacobian(m, &p->fit, b->value, J);
+	for (size_t i = 0; i < b->n; i++) {
+		const struct leave_out_cell *c = &l->of[i];
+		const struct run *run = &l->site->run[c->run];
+		double P = run->product.passing[c->sieve];
+		b->value[i] = -b->value[i];
+		b->slope[i] = l->shift[i * l->n + i] = 1;
+		b->cell[i] = (struct cell){.run = c->run,
+		    .log_size = el_log(run->product.size[c->sieve]),
+		    .t = discrepancy_time(run->speed, p->middle),
+		    .h = discrepancy_h(P - b->value[i] / 2)};
+		for (size_t k = 0; k <= i; k++)
+			for (size_t j = 0; j < n; j++) {
+				double wide =
+				    (p->bounds.upper[j] - p->bounds.lower[j]) /
+				    2;
+				double part =
+				    wide * wide * J[i * n + j] * J[k * n + j];
+				b->fixed[i * b->n + k] += part;
+			}
+	}
+	for (size_t i = 0; i < b->n; i++)
+		for (size_t k = 0; k < i; k++)
+			b->fixed[k * b->n + i] = b->fixed[i * b->n + k];
+	for (size_t k = 0; k < HYPERS; k++)
+		b->hyper[k] = el_log(HYPER[k].median);
+	misfit_free(m);
+	free(J);
+	free(use);
+}
+
+/* How the products of a run answer to a passing of its feed, per passing,
+ * gain [covered] out. */
+static void
+feed_gain(const struct run *run, size_t sieve, const struct posterior *p,
+    double *gain)
+{
+	const double more = 1e-4;
+	size_t n = misfit_covered(run);
+	double *product[2] = {xdoubles(n), xdoubles(n)};
+	for (size_t k = 0; k < 2; k++) {
+		struct psd feed = psd_copy(&run->feed);
+		feed.passing[sieve] += k == 1 ? more : -more;
+		struct model *model =
+		    model_new(&feed, run->product.size, n, p->settings);
+		model_set(model, &p->fit);
+		model_product(model, run->speed, product[k]);
+		model_free(model);
+		psd_free(&feed);
+	}
+	for (size_t i = 0; i < n; i++)
+		gain[i] = (product[1][i] - product[0][i]) / (2 * more);
+	free(product[0]);
+	free(product[1]);
+}
+
+/* What products answer to a feed's cell by, in its shift: they are compared
+ * with the product of the feed as the sheet has it, so that a feed too fine
+ * makes them seem too coarse. */
+static void
+fill_feed_shift(struct leave_out *l, size_t cell, const struct posterior *p)
+{
+	const struct leave_out_cell *of = &l->of[cell];
+	bool shared = !l->site->individual_feeds;
+	double *u = l->shift + cell * l->n, *gain = NULL;
+	for (size_t i = 0; i < l->block[PRODUCTS].n; i++) {
+		const struct leave_out_cell *c = &l->of[i];
+		const struct run *run = &l->site->run[c->run];
+		if (c->run != of->run && !shared)
+			continue;
+		if (i == 0 || c->run != l->of[i - 1].run || gain == NULL) {
+			free(gain);
+			gain = xdoubles(misfit_covered(run));
+			feed_gain(run, of->sieve, p, gain);
+		}
+		u[i] = -gain[c->sieve];
+	}
+	free(gain);
+}
+
+/* The feeds' own errors, in the products and shared with the feeds. */
+static void
+add_feed_errors(struct leave_out *l)
+{
+	struct block *p = &l->block[PRODUCTS], *f = &l->block[FEEDS];
+	double own = l->noise > 0 ? l->noise : FEED_OWN;
+	for (size_t c = 0; c < f->n; c++) {
+		double sd = own * f->cell[c].h;
+		const double *u = l->shift + (f->first + c) * l->n;
+		for (size_t i = 0; i < p->n; i++) {
+			for (size_t j = 0; j < p->n; j++)
+				p->fixed[i * p->n + j] += sd * sd * u[i] * u[j];
+			l->cross[c * p->n + i] =
+			    sd * sd * u[i] * u[f->first + c];
+		}
+	}
+}
+
+static void
+block_new(struct block *b, bool smooth)
+{
+	b->smooth = smooth;
+	b->cell = xcalloc(b->n + 1, sizeof *b->cell);
+	b->value = xdoubles(b->n);
+	b->slope = xdoubles(b->n);
+	b->work = xdoubles(b->n);
+	b->fixed = xdoubles(b->n * b->n);
+	b->L = xdoubles(b->n * b->n);
+}
+
+struct leave_out *
+leave_out_new(
+    const struct site *site, const struct posterior *posterior, double noise)
+{
+	struct leave_out *l = xcalloc(1, sizeof *l);
+	l->site = site;
+	l->noise = noise;
+	list_cells(l, posterior);
+	block_new(&l->block[PRODUCTS], posterior == NULL);
+	block_new(&l->block[FEEDS], true);
+	l->passing = xdoubles(l->n);
+	l->shift = xdoubles(l->n * l->n);
+	l->cross = xdoubles(l->block[FEEDS].n * l->block[PRODUCTS].n);
+	l->dropped = xcalloc(l->n + 1, sizeof *l->dropped);
+	for (size_t i = 0; i < l->n; i++)
+		l->passing[i] = curve_of(l, &l->of[i])->passing[l->of[i].sieve];
+	fill_smooth(l, &l->block[FEEDS], true);
+	if (posterior == NULL) {
+		fill_smooth(l, &l->block[PRODUCTS], false);
+		return l;
+	}
+	fill_differences(l, &l->block[PRODUCTS], posterior);
+	for (size_t c = l->block[FEEDS].first; c < l->n; c++)
+		fill_feed_shift(l, c, posterior);
+	add_feed_errors(l);
+	return l;
+}
+
+void
+leave_out_free(struct leave_out *l)
+{
+	if (l == NULL)
+		return;
+	for (size_t k = 0; k < BLOCKS; k++) {
+		struct block *b = &l->block[k];
+		free(b->cell);
+		free(b->value);
+		free(b->slope);
+		free(b->work);
+		free(b->fixed);
+		free(b->L);
+	}
+	free(l->of);
+	free(l->passing);
+	free(l->shift);
+	free(l->cross);
+	free(l->dropped);
+	free(l);
+}

@@ -1,0 +1,72 @@
+/* Each passing of a sheet against what all the others say of it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_LEAVE_OUT_H
+#define TIPSPEED_CORE_LEAVE_OUT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/posterior.h"
+#include "core/site.h"
+
+/* All passings of a site as one Gaussian vector.
+ *
+ * Feeds: ln(P / (1 - P)) is a straight line on log size, a smooth process with
+ * an amplitude and a length, and errors of the sample, as in D13.
+ * Products, without a posterior: likewise, with a second process that changes
+ * with the speed, straight in energy, and one of the run's own.
+ * Products, with one: what they differ from the fit by.  Its covariance is that
+ * of D13 (discrepancy.h), that of the parameters, by the Jacobian at the fit
+ * and the width of their bounds, so that the others alone set them; and that of
+ * the feed's own errors, which the products answer to.
+ *
+ * So a wrong passing of a feed shows in the feed and in all products of it.
+ * Without a cell, whose shift in that vector is u, the others expect it lower
+ * by
+ *   shift = u' K^-1 y / u' K^-1 u    with variance  1 / u' K^-1 u
+ * and z is their ratio (Rasmussen and Williams 2006, eq 5.12, where u has one
+ * element).  Amplitudes, lengths and errors of K are those most probable
+ * without the cell, or else one that is far off would make all seem uncertain.
+ */
+struct leave_out;
+
+/* A cell of the sheet.  run: 0 of a feed that all share. */
+struct leave_out_cell {
+	bool feed;
+	size_t run, sieve; /* index into the curve */
+};
+
+/* posterior: of the site, or NULL.  noise: known error of a passing, 0..1, or
+ * 0. */
+struct leave_out *leave_out_new(
+    const struct site *site, const struct posterior *posterior, double noise);
+void leave_out_free(struct leave_out *l);
+
+/* How many cells it can check, and which they are.  Without a posterior none at
+ * 0 or 100 %; with one, products where the feed covers them. */
+size_t leave_out_cells(const struct leave_out *l);
+struct leave_out_cell leave_out_cell(const struct leave_out *l, size_t i);
+
+/* A cell against the others.  expected, sd: passing 0..1, with the error of one
+ * sample; gain: how much more probable, as a logarithm, the sheet is with that
+ * cell free. */
+struct leave_out_shift {
+	size_t cell;
+	double expected, sd, z, gain;
+};
+
+/* The cell without which the others agree best; z is 0 where there is none to
+ * check. */
+struct leave_out_shift leave_out_worst(struct leave_out *l);
+
+/* That cell. */
+struct leave_out_shift leave_out_look(struct leave_out *l, size_t cell);
+
+/* Lets the cell be what it likes from now on. */
+void leave_out_drop(struct leave_out *l, size_t cell);
+
+/* -ln of how probable the sheet is, but for a constant that the number of its
+ * passings sets. */
+double leave_out_level(struct leave_out *l);
+
+#endif

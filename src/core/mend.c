@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/mend.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+static struct psd *
+column(const struct site *site, const struct mend *m)
+{
+	struct run *run = &site->run[m->run];
+	return m->feed ? &run->feed : &run->product;
+}
+
+/* Index of the mend's sieve, or n: to what sheets write of sizes. */
+static size_t
+sieve_of(const struct psd *psd, double size)
+{
+	size_t i = 0;
+	while (i < psd->n && fabs(psd->size[i] / size - 1) > 1e-6)
+		i++;
+	return i;
+}
+
+/* ---- Words ---- */
+
+char *
+mend_column(const struct site *site, bool feed, size_t run)
+{
+	const struct run *r = &site->run[run];
+	const char *repeat = r->repeat;
+	if (feed && (!site->individual_feeds || !(r->speed > 0)))
+		return xstrdup("feed");
+	return xasprintf("%s@%g%s", feed ? "feed" : "product", r->speed,
+	    repeat + (repeat[0] == ' '));
+}
+
+bool
+mend_find_column(
+    const struct site *site, const char *name, bool *feed, size_t *run)
+{
+	for (size_t i = 0; i < 2 * site->n_run; i++) {
+		*feed = i % 2 == 0;
+		*run = i / 2;
+		const struct run *r = &site->run[*run];
+		char *own = mend_column(site, *feed, *run);
+		bool same = strcmp(own, name) == 0;
+		free(own);
+		if (same && (*feed || r->product.n > 0))
+			return true;
+	}
+	return false;
+}
+
+/* Percent to as many digits as were written. */
+static char *
+percent(double passing)
+{
+	return xasprintf("%.6g", 100 * passing);
+}
+
+static char *
+words_of_cell(const struct site *site, const struct mend *m, const char *name)
+{
+	const struct psd *psd = column(site, m);
+	size_t i = sieve_of(psd, m->size);
+	char *was = percent(i < psd->n ? psd->passing[i] : NAN);
+	char *now = percent(m->value);
+	char *words = xasprintf("%s at %g mm: %s %s%s", name, 1000 * m->size,
+	    was, m->kind == MEND_READ ? "read as " : "left out",
+	    m->kind == MEND_READ ? now : "");
+	free(was);
+	free(now);
+	return words;
+}
+
+char *
+mend_words(const struct site *site, const struct mend *m)
+{
+	char *name = mend_column(site, m->feed, m->run), *words;
+	char *with = m->kind == MEND_SWAP ? mend_column(site, true, m->run)
+					  : mend_column(site, false, m->other);
+	switch (m->kind) {
+	case MEND_READ:
+	case MEND_OUT:
+		words = words_of_cell(site, m, name);
+		break;
+	case MEND_SWAP:
+	case MEND_WITH:
+		words = xasprintf("%s and %s exchanged", name, with);
+		break;
+	case MEND_UP:
+	case MEND_DOWN:
+		words = xasprintf("%s moved to the next %s sieve", name,
+		    m->kind == MEND_UP ? "coarser" : "finer");
+		break;
+	case MEND_SCALE:
+		words = xasprintf("sieve sizes of %s times %g", name, m->value);
+		break;
+	default:
+		words = xasprintf("%s left out", name);
+		break;
+	}
+	free(name);
+	free(with);
+	return words;
+}
+
+/* ---- Mending ---- */
+
+static void
+drop_cell(struct run *run, struct psd *psd, size_t i)
+{
+	size_t after = psd->n - i - 1;
+	memmove(psd->size + i, psd->size + i + 1, after * sizeof *psd->size);
+	memmove(psd->passing + i, psd->passing + i + 1,
+	    after * sizeof *psd->passing);
+	if (psd == &run->product && run->product_sd != NULL)
+		memmove(run->product_sd + i, run->product_sd + i + 1,
+		    after * sizeof *run->product_sd);
+	psd->n--;
+}
+
+static void
+exchange(struct psd *a, struct psd *b)
+{
+	struct psd was = *a;
+	*a = *b;
+	*b = was;
+}
+
+/* Each passing goes to the next coarser sieve of the site, or finer one; where
+ * there is none it is left out. */
+static void
+move_column(const struct site *site, struct run *run, struct psd *psd, bool up)
+{
+	size_t n;
+	double *size = site_sieves(site, &n);
+	for (size_t i = psd->n; i-- > 0;) {
+		size_t k = 0;
+		while (k < n && size[k] != psd->size[i])
+			k++;
+		if (up ? k == 0 : k + 1 >= n)
+			drop_cell(run, psd, i);
+		else
+			psd->size[i] = size[up ? k - 1 : k + 1];
+	}
+	free(size);
+}
+
+static void
+change_column(const struct site *from, struct run *run, const struct mend *m)
+{
+	struct psd *psd = m->feed ? &run->feed : &run->product;
+	size_t i = sieve_of(psd, m->size);
+	switch (m->kind) {
+	case MEND_READ:
+		psd->passing[i] = m->value;
+		break;
+	case MEND_OUT:
+		drop_cell(run, psd, i);
+		break;
+	case MEND_UP:
+	case MEND_DOWN:
+		move_column(from, run, psd, m->kind == MEND_UP);
+		break;
+	case MEND_SCALE:
+		for (i = 0; i < psd->n; i++)
+			psd->size[i] *= m->value;
+		break;
+	default:
+		break;
+	}
+}
+
+static void
+forget_sd(struct run *run)
+{
+	free(run->product_sd);
+	run->product_sd = NULL;
+}
+
+/* A shared feed stays that of all runs. */
+static void
+swap_feed(struct site *site, size_t at)
+{
+	struct run *run = &site->run[at];
+	exchange(&run->feed, &run->product);
+	forget_sd(run);
+	for (size_t r = 0; r < site->n_run && !site->individual_feeds; r++) {
+		if (r == at)
+			continue;
+		psd_free(&site->run[r].feed);
+		site->run[r].feed = psd_copy(&run->feed);
+	}
+}
+
+static void
+drop_run(struct site *site, size_t at)
+{
+	struct run *run = &site->run[at];
+	psd_free(&run->feed);
+	psd_free(&run->product);
+	free(run->product_sd);
+	site->n_run--;
+	memmove(run, run + 1, (site->n_run - at) * sizeof *run);
+}
+
+/* Sieves fall, passings do not rise, and all of a feed passes its coarsest. */
+static bool
+is_curve(const struct psd *psd, bool feed)
+{
+	bool ok = psd->n >= 2 && (!feed || psd->passing[0] == 1);
+	for (size_t i = 0; i < psd->n; i++)
+		ok = ok && psd->passing[i] >= 0 && psd->passing[i] <= 1 &&
+		     (i == 0 || (psd->size[i] < psd->size[i - 1] &&
+				    psd->passing[i] <= psd->passing[i - 1]));
+	return ok;
+}
+
+static bool
+is_site(const struct site *site)
+{
+	bool ok = site->n_run > 0;
+	for (size_t r = 0; r < site->n_run; r++)
+		ok = ok && is_curve(&site->run[r].feed, true) &&
+		     (site->run[r].product.n == 0 ||
+			 is_curve(&site->run[r].product, false));
+	return ok;
+}
+
+/* The first clause, which results show, says that there are mends; what they
+ * are stands at the end. */
+static void
+add_provenance(
+    struct site *site, const struct site *from, const struct mend *mend)
+{
+	static const char mark[] = ", mended";
+	const char *was =
+	    from->provenance[0] != '\0' ? from->provenance : "not stated";
+	size_t n = strcspn(was, ";"), m = strlen(mark);
+	bool marked = n >= m && strncmp(was + n - m, mark, m) == 0;
+	char *words = mend_words(from, mend);
+	char *first = xstrndup(was, n);
+	free(site->provenance);
+	site->provenance = xasprintf(
+	    "%s%s%s; mended: %s", first, marked ? "" : mark, was + n, words);
+	free(first);
+	free(words);
+}
+
+static void
+change(struct site *site, const struct site *from, const struct mend *m)
+{
+	bool all = m->feed && !site->individual_feeds;
+	if (m->kind == MEND_SWAP) {
+		swap_feed(site, m->run);
+	} else if (m->kind == MEND_WITH) {
+		exchange(
+		    &site->run[m->run].product, &site->run[m->other].product);
+		forget_sd(&site->run[m->run]);
+		forget_sd(&site->run[m->other]);
+	} else if (m->kind == MEND_DROP) {
+		drop_run(site, m->run);
+	} else {
+		for (size_t r = 0; r < site->n_run; r++)
+			if (all || r == m->run)
+				change_column(from, &site->run[r], m);
+	}
+}
+
+struct site *
+mend_site(const struct site *from, const struct mend *mend, struct error *error)
+{
+	const struct psd *psd = column(from, mend);
+	bool cell = mend->kind == MEND_READ || mend->kind == MEND_OUT;
+	if (cell && sieve_of(psd, mend->size) == psd->n) {
+		error_set(error, ERROR_USAGE,
+		    "the column has no sieve of %g mm\n"
+		    "use a sieve of its own: see 'show product', 'show feed'",
+		    1000 * mend->size);
+		return NULL;
+	}
+	struct site *site = site_copy(from);
+	change(site, from, mend);
+	if (is_site(site)) {
+		add_provenance(site, from, mend);
+		site->digest = site_digest(site);
+		return site;
+	}
+	site_free(site);
+	error_set(error, ERROR_USAGE,
+	    "the mend would leave no curve that a site can have\n"
+	    "passing must not rise on a finer sieve, all of a feed must pass "
+	    "its coarsest sieve, and two sieves must be left");
+	return NULL;
+}

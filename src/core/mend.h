@@ -1,0 +1,48 @@
+/* Mends: changes of a site that somebody takes because a sheet is wrong.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_MEND_H
+#define TIPSPEED_CORE_MEND_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/error.h"
+#include "core/site.h"
+
+enum mend_kind {
+	MEND_READ,  /* a passing is read as `value` */
+	MEND_OUT,   /* a passing is left out */
+	MEND_SWAP,  /* a product and its feed change places */
+	MEND_UP,    /* a column belongs one sieve coarser */
+	MEND_DOWN,  /* or finer */
+	MEND_WITH,  /* two products change places */
+	MEND_SCALE, /* the sieves of a column are `value` times as large */
+	MEND_DROP   /* a run is left out */
+};
+
+/* A mend of one column.  run: 0 of a feed that all share.  size: of a passing,
+ * m.  value: a passing, 0..1, or a factor.  other: run that a product changes
+ * places with. */
+struct mend {
+	enum mend_kind kind;
+	bool feed;
+	size_t run, other;
+	double size, value;
+};
+
+/* The site mended, with the mend in its provenance; or NULL with an error where
+ * no site can be so: passings that rise on finer sieves, a feed of which not
+ * all passes its coarsest sieve, a curve of less than two sieves. */
+struct site *mend_site(
+    const struct site *site, const struct mend *mend, struct error *error);
+
+/* The name of a column, "product@79", "feed", "product@79(2)", and what the
+ * mend does, "product@79 at 2 mm: 69.1 read as 61.9".  The caller frees. */
+char *mend_column(const struct site *site, bool feed, size_t run);
+char *mend_words(const struct site *site, const struct mend *mend);
+
+/* The column of that name; false where there is none. */
+bool mend_find_column(
+    const struct site *site, const char *name, bool *feed, size_t *run);
+
+#endif

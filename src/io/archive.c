@@ -1,0 +1,105 @@
+/* libzip, with limits.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/archive.h"
+
+#include <stdlib.h>
+
+#include <zip.h>
+
+#include "base/xalloc.h"
+
+enum { MOST_BYTES = 50 * 1000 * 1000 };
+
+struct archive {
+	zip_t *zip;
+	size_t unpacked;
+};
+
+struct archive *
+archive_open(const char *bytes, size_t n, char **wrong)
+{
+	zip_error_t error;
+	zip_error_init(&error);
+	zip_source_t *source = zip_source_buffer_create(bytes, n, 0, &error);
+	zip_t *zip = source != NULL
+			 ? zip_open_from_source(source, ZIP_RDONLY, &error)
+			 : NULL;
+	struct archive *archive = NULL;
+	if (zip != NULL) {
+		archive = xcalloc(1, sizeof *archive);
+		archive->zip = zip;
+	} else {
+		*wrong = xstrdup(zip_error_strerror(&error));
+		zip_source_free(source);
+	}
+	zip_error_fini(&error);
+	return archive;
+}
+
+void
+archive_close(struct archive *archive)
+{
+	if (archive == NULL)
+		return;
+	zip_discard(archive->zip);
+	free(archive);
+}
+
+bool
+archive_has(const struct archive *archive, const char *name)
+{
+	return zip_name_locate(archive->zip, name, ZIP_FL_NOCASE) >= 0;
+}
+
+/* What stands in the entry, however much it says it has. */
+static char *
+unpack(struct archive *archive, zip_file_t *file, size_t *n)
+{
+	char *bytes = NULL;
+	zip_int64_t got = 1;
+	*n = 0;
+	for (size_t room = 0; got > 0 && archive->unpacked <= MOST_BYTES;) {
+		if (*n == room) {
+			room = room * 2 + 65536;
+			bytes = xrealloc(bytes, room + 1, 1);
+		}
+		got = zip_fread(file, bytes + *n, room - *n);
+		*n += got > 0 ? (size_t)got : 0;
+		archive->unpacked += got > 0 ? (size_t)got : 0;
+	}
+	if (got == 0) {
+		bytes[*n] = '\0';
+		return bytes;
+	}
+	free(bytes);
+	return NULL;
+}
+
+char *
+archive_part(struct archive *archive, const char *name, size_t *n, char **wrong)
+{
+	zip_int64_t at = zip_name_locate(archive->zip, name, ZIP_FL_NOCASE);
+	zip_stat_t about;
+	if (at < 0) {
+		*wrong = xasprintf("%s is missing", name);
+		return NULL;
+	}
+	if (zip_stat_index(archive->zip, (zip_uint64_t)at, 0, &about) == 0 &&
+	    (about.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 &&
+	    about.encryption_method != ZIP_EM_NONE) {
+		*wrong = xasprintf("%s has a password", name);
+		return NULL;
+	}
+	zip_file_t *file = zip_fopen_index(archive->zip, (zip_uint64_t)at, 0);
+	char *bytes = file != NULL ? unpack(archive, file, n) : NULL;
+	if (bytes == NULL && archive->unpacked > MOST_BYTES)
+		*wrong =
+		    xasprintf("more than %d MB unpacked", MOST_BYTES / 1000000);
+	else if (bytes == NULL)
+		*wrong = xasprintf("%s: %s", name,
+		    file != NULL ? zip_file_strerror(file)
+				 : zip_strerror(archive->zip));
+	if (file != NULL)
+		zip_fclose(file);
+	return bytes;
+}

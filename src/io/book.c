@@ -1,0 +1,486 @@
+/* libxlsxwriter, which writes into a file: here one without a name.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/book.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+#include <xlsxwriter.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/number.h"
+
+/* Decimals that have a format of their own. */
+enum { DECIMALS = 5 };
+
+struct book {
+	lxw_workbook *workbook;
+	int fd; /* of the file that it is written to */
+	lxw_format *title, *head, *remark, *warning, *light[3];
+	lxw_format *number[DECIMALS];
+	size_t sheets;
+	bool has_site;
+	size_t n_about;
+	char **about; /* keys and values */
+};
+
+/* A file that nobody can find; -1 where there is none. */
+static int
+open_nameless(void)
+{
+	const char *folder = getenv("TMPDIR");
+	char *path = xasprintf("%s/tipspeed-XXXXXX",
+	    folder != NULL && folder[0] != '\0' ? folder : "/tmp");
+	int fd = mkstemp(path);
+	if (fd >= 0)
+		unlink(path);
+	free(path);
+	return fd;
+}
+
+static lxw_format *
+add_format(struct book *b, bool bold, int colour, int fill)
+{
+	lxw_format *f = workbook_add_format(b->workbook);
+	if (bold)
+		format_set_bold(f);
+	if (colour != 0)
+		format_set_font_color(f, (lxw_color_t)colour);
+	if (fill != 0)
+		format_set_bg_color(f, (lxw_color_t)fill);
+	return f;
+}
+
+static void
+add_formats(struct book *b)
+{
+	b->title = add_format(b, true, 0, 0);
+	format_set_font_size(b->title, 13);
+	b->head = add_format(b, true, 0, 0xE8E8E8);
+	format_set_bottom(b->head, LXW_BORDER_THIN);
+	format_set_text_wrap(b->head);
+	format_set_align(b->head, LXW_ALIGN_VERTICAL_TOP);
+	b->remark = add_format(b, false, 0x606060, 0);
+	b->warning = add_format(b, true, 0xB00000, 0);
+	b->light[0] = add_format(b, true, 0, 0xC6EFCE);
+	b->light[1] = add_format(b, true, 0, 0xFFEB9C);
+	b->light[2] = add_format(b, true, 0, 0xFFC7CE);
+	for (int i = 0; i < DECIMALS; i++) {
+		char code[16];
+		b->number[i] = add_format(b, false, 0, 0);
+		snprintf(code, sizeof code, "0%s%.*s", i > 0 ? "." : "", i,
+		    "00000000");
+		format_set_num_format(b->number[i], code);
+	}
+}
+
+struct book *
+book_new(struct error *error)
+{
+	int fd = open_nameless();
+	if (fd < 0) {
+		error_set(error, ERROR_SYSTEM,
+		    "cannot make a temporary file: %s\n"
+		    "set TMPDIR to a folder with free space",
+		    strerror(errno));
+		return NULL;
+	}
+	struct book *b = xcalloc(1, sizeof *b);
+	const char *folder = getenv("TMPDIR");
+	char *path = xasprintf("/dev/fd/%d", fd);
+	char *parts = xstrdup(folder != NULL ? folder : "");
+	lxw_workbook_options options = {
+	    .tmpdir = parts[0] != '\0' ? parts : NULL};
+	/* 2000-01-01, in place of the hour at which it is written. */
+	lxw_doc_properties properties = {.created = 946684800};
+	b->fd = fd;
+	b->workbook = workbook_new_opt(path, &options);
+	workbook_set_properties(b->workbook, &properties);
+	add_formats(b);
+	free(path);
+	free(parts);
+	return b;
+}
+
+static void
+free_rest(struct book *b)
+{
+	for (size_t i = 0; i < 2 * b->n_about; i++)
+		free(b->about[i]);
+	free(b->about);
+	close(b->fd);
+	free(b);
+}
+
+void
+book_free(struct book *b)
+{
+	if (b == NULL)
+		return;
+	lxw_workbook_free(b->workbook);
+	free_rest(b);
+}
+
+/* A sheet on which rows are written from the top. */
+struct page {
+	lxw_worksheet *sheet;
+	const char *name;
+	lxw_row_t row;
+};
+
+/* Names of sheets are different from each other, and short. */
+static struct page
+add_page(struct book *b, const char *name)
+{
+	char tab[32];
+	snprintf(tab, sizeof tab, "%.20s", name);
+	if (b->sheets++ > 0)
+		snprintf(tab, sizeof tab, "%.20s %zu", name, b->sheets);
+	struct page page = {.sheet = workbook_add_worksheet(b->workbook, tab)};
+	page.name = page.sheet->name;
+	return page;
+}
+
+/* As text in any case, also where it begins with =. */
+static void
+put_text(const struct page *p, lxw_col_t column, const char *text,
+    lxw_format *format)
+{
+	enum { MOST = 32000 }; /* bytes; Excel has 32,767 characters */
+	char *shown = text_shown(text);
+	if (strlen(shown) > MOST) {
+		size_t n = MOST;
+		while ((shown[n] & 0xC0) == 0x80)
+			n--;
+		shown[n] = '\0';
+	}
+	if (shown[0] != '\0')
+		worksheet_write_string(p->sheet, p->row, column, shown, format);
+	free(shown);
+}
+
+/* Text of a column of sieves: there are also rows such as "P80 mm" in it. */
+static bool
+is_sieve(const char *head, const struct answer_cell *cell, double *value)
+{
+	return strncmp(head, "sieve", 5) == 0 && cell->is_text &&
+	       text_number(cell->text, value);
+}
+
+static void
+put_cell(struct book *b, const struct page *p, lxw_col_t column,
+    const char *head, const struct answer_cell *cell)
+{
+	double value = cell->number;
+	bool fixed = cell->decimals >= 0 && cell->decimals < DECIMALS;
+	if (is_sieve(head, cell, &value) || (!cell->is_text && isfinite(value)))
+		worksheet_write_number(p->sheet, p->row, column, value,
+		    fixed ? b->number[cell->decimals] : NULL);
+	else if (strcmp(cell->text, "-") != 0)
+		put_text(p, column, cell->text, NULL);
+}
+
+/* As wide as its numbers; text of the last column may go on to the right. */
+static void
+set_width(const struct page *p, const struct answer_view *v, lxw_col_t column)
+{
+	enum { LEAST = 9, MOST = 60 };
+	int width = text_width(v->head[column]);
+	for (size_t i = 0; i < v->n_row; i++) {
+		int w = text_width(v->cell[i * v->n_column + column].text);
+		width = w > width ? w : width;
+	}
+	width = width < LEAST ? LEAST : width > MOST ? MOST : width;
+	worksheet_set_column(p->sheet, column, column, (double)width + 2, NULL);
+}
+
+/* Rows of the table from its first on whose first cell is a sieve. */
+static size_t
+sieve_rows(const struct answer_view *v)
+{
+	size_t n = 0;
+	double mm;
+	if (v->n_column < 2 || strncmp(v->head[0], "sieve", 5) != 0)
+		return 0;
+	for (; n < v->n_row; n++) {
+		const struct answer_cell *cell = &v->cell[n * v->n_column];
+		mm = cell->number;
+		if (!is_sieve(v->head[0], cell, &mm) &&
+		    !(!cell->is_text && mm > 0))
+			break;
+	}
+	return n;
+}
+
+/* Whether a column is a curve: numbers from 0 to 100 that are no difference. */
+static bool
+is_curve(const struct answer_view *v, size_t rows, size_t column)
+{
+	static const char *const OTHERS[] = {
+	    "differ", "error", "outside", "points", "sd", "share"};
+	size_t n = 0;
+	for (size_t i = 0; i < ARRAY_LEN(OTHERS); i++)
+		if (strstr(v->head[column], OTHERS[i]) != NULL)
+			return false;
+	for (size_t i = 0; i < rows; i++) {
+		double y = v->cell[i * v->n_column + column].number;
+		if (y < 0 || y > 100)
+			return false;
+		n += isfinite(y) ? 1 : 0;
+	}
+	return n > 1;
+}
+
+/* The power of ten at or below, at or above the sieves. */
+static void
+set_sizes(lxw_chart *chart, const struct answer_view *v, size_t rows)
+{
+	double least = INFINITY, most = 0, mm;
+	for (size_t i = 0; i < rows; i++) {
+		const struct answer_cell *cell = &v->cell[i * v->n_column];
+		mm = cell->number;
+		is_sieve(v->head[0], cell, &mm);
+		least = fmin(least, mm);
+		most = fmax(most, mm);
+	}
+	double from = pow(10, floor(log10(least)));
+	chart_axis_set_log_base(chart->x_axis, 10);
+	chart_axis_set_min(chart->x_axis, from);
+	chart_axis_set_max(chart->x_axis, pow(10, ceil(log10(most))));
+	chart_axis_set_crossing(chart->x_axis, from);
+}
+
+/* Passings over the sieves, beside the table that begins at the page's row. */
+static void
+add_chart(struct book *b, const struct page *p, const struct answer_view *v)
+{
+	size_t rows = sieve_rows(v), curves = 0;
+	lxw_row_t from = p->row + 1, to = p->row + (lxw_row_t)rows;
+	for (size_t c = 1; rows > 1 && c < v->n_column; c++)
+		curves += is_curve(v, rows, c);
+	if (curves == 0)
+		return;
+	lxw_chart *chart = workbook_add_chart(
+	    b->workbook, LXW_CHART_SCATTER_STRAIGHT_WITH_MARKERS);
+	for (size_t c = 1; c < v->n_column; c++) {
+		if (!is_curve(v, rows, c))
+			continue;
+		lxw_chart_series *series = chart_add_series(chart, NULL, NULL);
+		char *name = text_shown(v->head[c]);
+		chart_series_set_categories(series, p->name, from, 0, to, 0);
+		chart_series_set_values(
+		    series, p->name, from, (lxw_col_t)c, to, (lxw_col_t)c);
+		chart_series_set_name(series, name);
+		free(name);
+	}
+	chart_axis_set_name(chart->x_axis, "sieve, mm");
+	chart_axis_set_name(chart->y_axis, "passing, %");
+	chart_axis_set_min(chart->y_axis, 0);
+	chart_axis_set_max(chart->y_axis, 100);
+	chart_axis_major_gridlines_set_visible(chart->x_axis, LXW_TRUE);
+	set_sizes(chart, v, rows);
+	lxw_chart_options options = {.x_scale = 1.4, .y_scale = 1.3};
+	worksheet_insert_chart_opt(
+	    p->sheet, p->row, (lxw_col_t)(v->n_column + 1), chart, &options);
+}
+
+static void
+put_table(struct book *b, struct page *p, const struct answer_view *v)
+{
+	for (size_t c = 0; c < v->n_column; c++) {
+		put_text(p, (lxw_col_t)c, v->head[c], b->head);
+		set_width(p, v, (lxw_col_t)c);
+	}
+	worksheet_freeze_panes(p->sheet, p->row + 1, 1);
+	add_chart(b, p, v);
+	p->row++;
+	for (size_t i = 0; i < v->n_row; i++, p->row++)
+		for (size_t c = 0; c < v->n_column; c++)
+			put_cell(b, p, (lxw_col_t)c, v->head[c],
+			    &v->cell[i * v->n_column + c]);
+	p->row++;
+}
+
+/* "trust: amber: .." in its colour. */
+static lxw_format *
+light_of(const struct book *b, const char *text)
+{
+	static const char *const LIGHTS[] = {
+	    "trust: green", "trust: amber", "trust: red"};
+	for (size_t i = 0; i < ARRAY_LEN(LIGHTS); i++)
+		if (strncmp(text, LIGHTS[i], strlen(LIGHTS[i])) == 0)
+			return b->light[i];
+	return NULL;
+}
+
+static void
+put_sentences(
+    struct book *b, struct page *p, const struct answer_view *v, bool warnings)
+{
+	for (size_t i = 0; i < v->n_sentence; i++) {
+		const struct answer_sentence *said = &v->sentence[i];
+		bool warning = said->grade == ANSWER_WARNING;
+		if (warning != warnings)
+			continue;
+		char *text =
+		    xasprintf("%s%s", warning ? "warning: " : "", said->text);
+		lxw_format *light = light_of(b, said->text);
+		put_text(p, 0, text,
+		    light != NULL ? light
+		    : warning     ? b->warning
+				  : NULL);
+		p->row++;
+		free(text);
+	}
+}
+
+size_t
+book_add(struct book *b, const struct answer *answer)
+{
+	struct answer_view v = answer_view(answer);
+	struct page p = add_page(b, answer_command(answer));
+	if (v.title != NULL) {
+		put_text(&p, 0, v.title, b->title);
+		p.row++;
+	}
+	if (v.provenance != NULL && v.provenance[0] != '\0') {
+		char *data = xasprintf("data: %.*s",
+		    (int)strcspn(v.provenance, ";"), v.provenance);
+		put_text(&p, 0, data, b->remark);
+		free(data);
+		p.row++;
+	}
+	p.row += p.row > 0;
+	if (v.n_column > 0)
+		put_table(b, &p, &v);
+	put_sentences(b, &p, &v, true);
+	put_sentences(b, &p, &v, false);
+	b->has_site = b->has_site || v.site != NULL;
+	return v.n_column > 0 ? v.n_row : v.n_sentence;
+}
+
+/* A row of a text; heads of columns, which are more than a key and a value, are
+ * bold. */
+static void
+put_row(struct book *b, struct page *p, const struct sheet *sheet,
+    const struct row *row)
+{
+	double value;
+	bool head = row->n > 2 && !number_of(sheet, row->cell[0], &value);
+	p->row = (lxw_row_t)row->line - 1;
+	for (size_t c = 0; c < row->n; c++) {
+		lxw_col_t column = (lxw_col_t)c;
+		if (!head && number_of(sheet, row->cell[c], &value))
+			worksheet_write_number(
+			    p->sheet, p->row, column, value, NULL);
+		else
+			put_text(p, column, row->cell[c].text,
+			    head ? b->head : NULL);
+	}
+	if (head)
+		worksheet_set_column(
+		    p->sheet, 0, (lxw_col_t)(row->n - 1), 14, NULL);
+}
+
+void
+book_add_text(struct book *b, const char *name, const char *text)
+{
+	enum { MOST_ROWS = 2000 };
+	struct error_list errors = {0};
+	char *copy = xstrdup(text);
+	struct sheet *sheet = sheet_new("", copy, MOST_ROWS, &errors);
+	struct page p = add_page(b, name);
+	for (size_t i = 0; i < sheet->n_row; i++)
+		put_row(b, &p, sheet, &sheet->row[i]);
+	for (size_t i = 0; i < sheet->n_comment; i++) {
+		const char *said = sheet->comment[i].text;
+		char *plain = text_unquoted(said, strlen(said));
+		p.row = (lxw_row_t)sheet->comment[i].line - 1;
+		put_text(&p, 0, plain, b->remark);
+		free(plain);
+	}
+	sheet_free(sheet);
+	free(copy);
+}
+
+void
+book_about(struct book *b, const char *key, const char *value)
+{
+	b->about = xrealloc(b->about, 2 * b->n_about + 2, sizeof *b->about);
+	b->about[2 * b->n_about] = xstrdup(key);
+	b->about[2 * b->n_about++ + 1] = xstrdup(value);
+}
+
+size_t
+book_sheets(const struct book *b)
+{
+	return b->sheets;
+}
+
+bool
+book_has_site(const struct book *b)
+{
+	return b->has_site;
+}
+
+static void
+put_about(struct book *b)
+{
+	struct page p = {.sheet = workbook_add_worksheet(b->workbook, "About")};
+	lxw_format *left = add_format(b, false, 0, 0);
+	format_set_align(left, LXW_ALIGN_LEFT);
+	for (size_t i = 0; i < b->n_about; i++, p.row++) {
+		put_text(&p, 0, b->about[2 * i], b->head);
+		const char *value = b->about[2 * i + 1];
+		double number;
+		if (text_number(value, &number))
+			worksheet_write_number(p.sheet, p.row, 1, number, left);
+		else
+			put_text(&p, 1, value, NULL);
+	}
+	worksheet_set_column(p.sheet, 0, 0, 16, NULL);
+	worksheet_set_column(p.sheet, 1, 1, 80, NULL);
+}
+
+/* All of the file. */
+static char *
+read_back(int fd, size_t *n)
+{
+	off_t end = lseek(fd, 0, SEEK_END);
+	char *bytes = end > 0 ? xcalloc((size_t)end, 1) : NULL;
+	*n = 0;
+	while (bytes != NULL && *n < (size_t)end) {
+		ssize_t got =
+		    pread(fd, bytes + *n, (size_t)end - *n, (off_t)*n);
+		if (got > 0) {
+			*n += (size_t)got;
+		} else if (got == 0 || errno != EINTR) {
+			free(bytes);
+			bytes = NULL;
+		}
+	}
+	return bytes;
+}
+
+char *
+book_finish(struct book *b, size_t *n, struct error *error)
+{
+	put_about(b);
+	errno = 0;
+	lxw_error code = workbook_close(b->workbook);
+	char *bytes = code == LXW_NO_ERROR ? read_back(b->fd, n) : NULL;
+	if (bytes == NULL)
+		error_set(error, ERROR_SYSTEM,
+		    "cannot put the workbook together: %s\n"
+		    "set TMPDIR to a folder with free space",
+		    errno != 0 ? strerror(errno) : lxw_strerror(code));
+	free_rest(b);
+	return bytes;
+}

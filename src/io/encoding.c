@@ -1,0 +1,175 @@
+/* Decodes by hand, as iconv's names and the letters it knows depend on the
+ * system; composes by utf8proc.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/encoding.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <utf8proc.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+/* Windows-1252 from 0x80 to 0x9F, 0 where it has no character.  Source:
+ * unicode.org, MAPPINGS/VENDORS/MICSFT/WINDOWS/CP1252.TXT. */
+static const uint16_t C1[32] = {0x20AC, 0, 0x201A, 0x0192, 0x201E, 0x2026,
+    0x2020, 0x2021, 0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0, 0x017D, 0, 0,
+    0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014, 0x02DC, 0x2122,
+    0x0161, 0x203A, 0x0153, 0, 0x017E, 0x0178};
+
+static uint32_t
+from_1252(char byte)
+{
+	unsigned char c = (unsigned char)byte;
+	return c >= 0x80 && c < 0xA0 ? C1[c - 0x80] : c;
+}
+
+/* Bytes of the character at i, or 0 where there is none. */
+static size_t
+utf8_length(const char *bytes, size_t n, size_t i)
+{
+	for (size_t k = 1; k <= 4 && i + k <= n; k++)
+		if (text_is_utf8(bytes + i, k) || bytes[i] == '\0')
+			return k;
+	return 0;
+}
+
+static char *
+put(char *to, uint32_t code)
+{
+	return to + utf8proc_encode_char(
+			(utf8proc_int32_t)code, (utf8proc_uint8_t *)to);
+}
+
+static struct decoded
+decode_1252(const char *bytes, size_t n)
+{
+	struct decoded d = {ENCODING_1252, xcalloc(3 * n + 1, 1), 0, 0, NULL};
+	char *to = d.text;
+	for (size_t i = 0; i < n; i++) {
+		uint32_t code = from_1252(bytes[i]);
+		bool none = code == 0 && bytes[i] != '\0';
+		if (none && d.wrong == NULL) {
+			d.wrong = "expected UTF-8 or Windows-1252, got a byte "
+				  "of neither";
+			d.bad = (size_t)(to - d.text);
+		}
+		to = put(to, none ? 0xFFFD : code);
+	}
+	d.n = (size_t)(to - d.text);
+	return d;
+}
+
+/* A byte that is not UTF-8 among such that are means a damaged file: its
+ * letters cannot all be right in Windows-1252. */
+static struct decoded
+decode_bytes(const char *bytes, size_t n)
+{
+	size_t bad = n;
+	bool beyond_ascii = false;
+	for (size_t i = 0, k; i < n; i += k) {
+		k = utf8_length(bytes, n, i);
+		beyond_ascii = beyond_ascii || k > 1;
+		if (k == 0 && bad == n)
+			bad = i;
+		k += k == 0;
+	}
+	if (bad < n && !beyond_ascii)
+		return decode_1252(bytes, n);
+	struct decoded d = {ENCODING_UTF8, xcalloc(n + 1, 1), n, bad, NULL};
+	memcpy(d.text, bytes, n);
+	if (bad < n)
+		d.wrong = "expected UTF-8, got UTF-8 with a damaged letter";
+	return d;
+}
+
+static unsigned
+unit_16(const char *bytes, bool big)
+{
+	unsigned a = (unsigned char)bytes[!big], b = (unsigned char)bytes[big];
+	return a << 8 | b;
+}
+
+/* The character at i, which moves after it; UINT32_MAX for half a pair. */
+static uint32_t
+next_16(const char *bytes, size_t n, bool big, size_t *i)
+{
+	if (*i + 2 > n)
+		return UINT32_MAX;
+	unsigned first = unit_16(bytes + *i, big);
+	*i += 2;
+	if (first < 0xD800 || first > 0xDFFF)
+		return first;
+	unsigned second = *i + 2 <= n ? unit_16(bytes + *i, big) : 0;
+	if (first > 0xDBFF || second < 0xDC00 || second > 0xDFFF)
+		return UINT32_MAX;
+	*i += 2;
+	return 0x10000 + ((first - 0xD800) << 10) + (second - 0xDC00);
+}
+
+static struct decoded
+decode_16(const char *bytes, size_t n, bool big)
+{
+	struct decoded d = {
+	    ENCODING_UTF16, xcalloc(3 * (n / 2) + 4, 1), 0, 0, NULL};
+	char *to = d.text;
+	for (size_t i = 0; i < n;) {
+		uint32_t code = next_16(bytes, n, big, &i);
+		if (code == UINT32_MAX) {
+			d.wrong = "expected text, got damaged UTF-16";
+			break;
+		}
+		to = put(to, code);
+	}
+	d.n = d.bad = (size_t)(to - d.text);
+	return d;
+}
+
+struct decoded
+encoding_decode(const char *bytes, size_t n)
+{
+	if (n >= 2 && memcmp(bytes, "\xFF\xFE", 2) == 0)
+		return decode_16(bytes + 2, n - 2, false);
+	if (n >= 2 && memcmp(bytes, "\xFE\xFF", 2) == 0)
+		return decode_16(bytes + 2, n - 2, true);
+	if (n > 3 && (bytes[0] == 0) != (bytes[1] == 0) &&
+	    (bytes[0] == 0) == (bytes[2] == 0) &&
+	    (bytes[1] == 0) == (bytes[3] == 0))
+		return decode_16(bytes, n, bytes[0] == 0);
+	if (n >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0)
+		return decode_bytes(bytes + 3, n - 3);
+	return decode_bytes(bytes, n);
+}
+
+/* utf8proc sorts the accents of a letter by exchanging neighbours: with a
+ * million of them that would never end. */
+static bool
+is_composable(const char *text)
+{
+	enum { MOST_MARKS = 30 };
+	bool plain = true;
+	for (int marks = 0; *text != '\0';) {
+		uint32_t code = text_next(&text);
+		const utf8proc_property_t *about =
+		    utf8proc_get_property((utf8proc_int32_t)code);
+		marks = about->combining_class > 0 ? marks + 1 : 0;
+		if (marks > MOST_MARKS)
+			return false;
+		plain = plain && code < 0x300;
+	}
+	return !plain;
+}
+
+char *
+encoding_compose(const char *text)
+{
+	utf8proc_uint8_t *composed =
+	    is_composable(text) ? utf8proc_NFC((const utf8proc_uint8_t *)text)
+				: NULL;
+	if (composed == NULL)
+		return xstrdup(text);
+	return (char *)composed;
+}

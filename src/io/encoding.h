@@ -1,0 +1,28 @@
+/* From the characters that a file is coded in to UTF-8.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_ENCODING_H
+#define TIPSPEED_IO_ENCODING_H
+
+#include <stddef.h>
+
+/* Text of n bytes: of UTF-16 with a mark, or known by the zeros beside its
+ * first two characters; of Windows-1252 where some byte is not UTF-8 and none
+ * are a letter in it; else of UTF-8.  text: UTF-8 without a mark, never NULL.
+ * wrong: NULL, or in words what is wrong at byte `bad` of text. */
+enum encoding { ENCODING_UTF8, ENCODING_UTF16, ENCODING_1252 };
+struct decoded {
+	enum encoding encoding;
+	char *text;
+	size_t n, bad;
+	const char *wrong;
+};
+
+/* The caller frees text. */
+struct decoded encoding_decode(const char *bytes, size_t n);
+
+/* A copy in which a letter and its accent are one character (NFC), as they are
+ * on most keyboards; text with more than 30 accents on one letter stays as it
+ * is.  The caller frees. */
+char *encoding_compose(const char *text);
+
+#endif

@@ -1,0 +1,166 @@
+/* Cells into sheets, with limits; how files hold them is left to xlsx and ods.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/grid.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/encoding.h"
+
+/* Of a sheet, though its texts may stand in the file once for many cells. */
+enum { MOST_SHEETS = 200, MOST_BYTES = 10 * 1000 * 1000 };
+
+struct grid
+grid_new(const char *path, size_t most_rows, struct error_list *errors)
+{
+	return (struct grid){.path = path,
+	    .most_rows = most_rows,
+	    .errors = errors,
+	    .note = xstrdup("")};
+}
+
+void
+grid_clear(struct grid *g)
+{
+	if (g->now != NULL)
+		sheet_free(g->now);
+	for (size_t i = 0; i < g->n; i++)
+		sheet_free(g->sheet[i]);
+	free(g->sheet);
+	free(g->note);
+}
+
+void
+grid_note(struct grid *g, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	char *text = xvasprintf(format, ap);
+	va_end(ap);
+	xlist(&g->note, "; ", "%s", text);
+	free(text);
+}
+
+void
+grid_begin(struct grid *g, const char *name)
+{
+	g->now = sheet_begin(g->path, name, g->most_rows, g->errors);
+	g->too_big = g->n == MOST_SHEETS ? "more than 200 sheets" : NULL;
+	g->bytes = 0;
+	g->unsolved = g->hidden = false;
+}
+
+void
+grid_end(struct grid *g)
+{
+	struct sheet *sheet = g->now;
+	g->now = NULL;
+	sheet_end(sheet);
+	bool empty = sheet->n_row == 0 && sheet->n_comment == 0;
+	if (g->too_big != NULL)
+		grid_note(
+		    g, "sheet %s is not read: %s", sheet->name, g->too_big);
+	else if (!empty && g->hidden)
+		grid_note(g,
+		    "hidden rows and columns of sheet %s are read, too",
+		    sheet->name);
+	if (!empty && g->unsolved && g->too_big == NULL)
+		grid_note(g,
+		    "sheet %s has formulas without results: open and save "
+		    "the workbook in a spreadsheet program",
+		    sheet->name);
+	if (empty || g->too_big != NULL) {
+		sheet_free(sheet);
+		return;
+	}
+	g->sheet = xrealloc(g->sheet, g->n + 1, sizeof *g->sheet);
+	g->sheet[g->n++] = sheet;
+}
+
+/* Takes the text of the cell. */
+static void
+put(struct grid *g, struct cell cell)
+{
+	g->bytes += strlen(cell.text);
+	if (cell.text[0] != '\0' && g->too_big == NULL) {
+		if (g->bytes > MOST_BYTES)
+			g->too_big = "more than 10 MB of text";
+		else if (!sheet_has_room(g->now, cell))
+			g->too_big = cell.column > 256 ? "more than 256 columns"
+						       : "too many rows";
+	}
+	if (cell.text[0] == '\0' || g->too_big != NULL)
+		free(cell.text);
+	else
+		sheet_put(g->now, cell);
+}
+
+void
+grid_put_text(struct grid *g, struct cell where, const char *text)
+{
+	char *line = encoding_compose(text), *to = line;
+	for (const char *p = line; *p != '\0'; p++) {
+		bool blank = *p == '\n' || *p == '\r' || *p == '\t';
+		if (blank && to > line && to[-1] == ' ')
+			continue;
+		*to++ = blank ? ' ' : *p;
+	}
+	*to = '\0';
+	char *said = text_trim(line);
+	said += said[0] == '\'' && text_is_formula(said);
+	where.text = xstrdup(said);
+	where.kind = CELL_TEXT;
+	free(line);
+	put(g, where);
+}
+
+/* A hundred times 0.975 is 97.5, and not what the last bit makes of it. */
+static double
+percent(double value)
+{
+	char text[32];
+	double v = 100 * value;
+	snprintf(text, sizeof text, "%.12g", v);
+	text_number(text, &v);
+	return v;
+}
+
+void
+grid_put_number(
+    struct grid *g, struct cell where, double value, const char *unit)
+{
+	char text[32];
+	where.kind = CELL_NUMBER;
+	where.number = strcmp(unit, "%") == 0 ? percent(value) : value;
+	where.text = xasprintf("%s%s%s", text_exact(where.number, text),
+	    unit[0] != '\0' ? " " : "", unit);
+	put(g, where);
+}
+
+void
+grid_put_date(struct grid *g, struct cell where, const char *text)
+{
+	where.text = xstrdup(text);
+	where.kind = CELL_DATE;
+	put(g, where);
+}
+
+void
+grid_put_formula(struct grid *g, struct cell where, const char *formula)
+{
+	char *text = xasprintf("=%s", formula + (formula[0] == '='));
+	g->unsolved = true;
+	grid_put_text(g, where, text);
+	free(text);
+}
+
+void
+grid_hidden(struct grid *g)
+{
+	g->hidden = true;
+}

@@ -1,0 +1,56 @@
+/* The sheets of a workbook while they are read, whatever kind it is of.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_GRID_H
+#define TIPSPEED_IO_GRID_H
+
+#include "io/sheet.h"
+
+/* Of a workbook: the sheets with anything in them, and note: what else is to be
+ * known ("sheet Log is not read: ..."), or "".  A sheet that is beyond the
+ * limits of struct sheet is left out: a workbook may have a plant's log beside
+ * its sieves. */
+struct grid {
+	const char *path; /* borrowed, as is errors */
+	size_t most_rows;
+	struct error_list *errors;
+	size_t n;
+	struct sheet **sheet;
+	char *note;
+	struct sheet *now;   /* the one that is being read */
+	const char *too_big; /* why it is left out, or NULL */
+	size_t bytes;        /* of its texts */
+	bool unsolved, hidden;
+};
+
+struct grid grid_new(
+    const char *path, size_t most_rows, struct error_list *errors);
+
+/* What was not handed on. */
+void grid_clear(struct grid *grid);
+
+/* A sheet begins, ends.  Nothing may be put in between two. */
+void grid_begin(struct grid *grid, const char *name);
+void grid_end(struct grid *grid);
+
+/* A cell of the sheet; line and column are set.  An empty one is nothing.
+ * Text becomes one line without spaces at its ends, its letters composed. */
+void grid_put_text(struct grid *grid, struct cell where, const char *text);
+
+/* A number as shown: unit "%" for one whose cell shows a hundred times as much,
+ * another unit, or "". */
+void grid_put_number(
+    struct grid *grid, struct cell where, double value, const char *unit);
+void grid_put_date(struct grid *grid, struct cell where, const char *text);
+
+/* A formula without its result; the cell has the formula as its text. */
+void grid_put_formula(
+    struct grid *grid, struct cell where, const char *formula);
+
+/* The sheet has rows or columns that are not seen: they are read. */
+void grid_hidden(struct grid *grid);
+
+/* One more thing to be known of the workbook. */
+void grid_note(struct grid *grid, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+#endif

@@ -1,0 +1,377 @@
+/* content.xml from its start to its end: styles, of which only whether a sheet
+ * is shown counts, then sheets of rows of cells, which may be repeated.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/ods.h"
+
+#include <ctype.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/xml.h"
+
+/* Cells and rows that are repeated with something in them; beyond that a sheet
+ * is too large in any case. */
+enum { MOST_REPEATS = 5000 };
+
+/* value: as its type tells, else NULL.  said: what people see. */
+struct content {
+	char *type, *value, *formula;
+	char *said;
+	size_t n, room;
+	bool failed, paragraphs;
+};
+
+struct reading {
+	struct grid *grid;
+	char *style; /* of sheets, that is being read, or NULL */
+	size_t n_hidden;
+	char **hidden; /* styles of sheets that are not shown */
+	/* How deep in the sheet, 0: in none; in its cell, its paragraphs. */
+	int table, cell, paragraph;
+	int skip; /* how deep in something that is no content of the cell */
+	bool visible;
+	struct cell at;
+	size_t rows, cells; /* how often the row, the cell stands there */
+	struct content content;
+	/* Of a row that is repeated. */
+	size_t n_kept;
+	struct kept {
+		int column;
+		size_t repeats;
+		struct content content;
+	} * kept;
+};
+
+static void
+say(struct content *c, const char *text, size_t n)
+{
+	if (c->n + n + 1 > c->room) {
+		c->room = 2 * (c->n + n) + 64;
+		c->said = xrealloc(c->said, c->room, 1);
+	}
+	memcpy(c->said + c->n, text, n);
+	c->n += n;
+	c->said[c->n] = '\0';
+}
+
+static void
+clear(struct content *c)
+{
+	free(c->type);
+	free(c->value);
+	free(c->formula);
+	free(c->said);
+	*c = (struct content){0};
+}
+
+static char *
+copy_of(const char *text)
+{
+	return text != NULL ? xstrdup(text) : NULL;
+}
+
+static bool
+is_hidden(const struct reading *r, const char *style)
+{
+	for (size_t i = 0; style != NULL && i < r->n_hidden; i++)
+		if (strcmp(r->hidden[i], style) == 0)
+			return true;
+	return false;
+}
+
+static void
+begin_style(struct reading *r, const char *name, const char *const *attribute)
+{
+	enum { MOST_STYLES = 1000 };
+	const char *family = xml_attribute(attribute, "style:1.0 family");
+	const char *shown = xml_attribute(attribute, "table:1.0 display");
+	if (strcmp(name, "style") == 0 && family != NULL) {
+		free(r->style);
+		r->style =
+		    strcmp(family, "table") == 0
+			? copy_of(xml_attribute(attribute, "style:1.0 name"))
+			: NULL;
+	} else if (strcmp(name, "table-properties") == 0 && r->style != NULL &&
+		   shown != NULL && strcmp(shown, "false") == 0 &&
+		   r->n_hidden < MOST_STYLES) {
+		r->hidden =
+		    xrealloc(r->hidden, r->n_hidden + 1, sizeof *r->hidden);
+		r->hidden[r->n_hidden++] = xstrdup(r->style);
+	}
+}
+
+static void
+begin_table(struct reading *r, const char *const *attribute)
+{
+	const char *name = xml_attribute(attribute, "table:1.0 name");
+	const char *style = xml_attribute(attribute, "table:1.0 style-name");
+	name = name != NULL ? name : "";
+	r->visible = !is_hidden(r, style);
+	r->at = (struct cell){.line = 1};
+	if (r->visible)
+		grid_begin(r->grid, name);
+	else
+		grid_note(r->grid, "sheet %s is hidden and not read", name);
+}
+
+static void
+note_hidden(struct reading *r, const char *const *attribute)
+{
+	const char *seen = xml_attribute(attribute, "table:1.0 visibility");
+	if (seen != NULL && strcmp(seen, "visible") != 0 && r->visible)
+		grid_hidden(r->grid);
+}
+
+static void
+begin_cell(struct reading *r, const char *const *attribute)
+{
+	static const struct {
+		const char *type, *value;
+	} VALUES[] = {{"float", "office:1.0 value"},
+	    {"percentage", "office:1.0 value"},
+	    {"currency", "office:1.0 value"}, {"date", "office:1.0 date-value"},
+	    {"time", "office:1.0 time-value"},
+	    {"string", "office:1.0 string-value"},
+	    {"boolean", "office:1.0 boolean-value"}};
+	struct content *c = &r->content;
+	const char *type = xml_attribute(attribute, "office:1.0 value-type");
+	const char *more = xml_attribute(attribute, "calcext:1.0 value-type");
+	c->type = copy_of(type);
+	c->formula = copy_of(xml_attribute(attribute, "table:1.0 formula"));
+	c->failed = more != NULL && strcmp(more, "error") == 0;
+	for (size_t i = 0; type != NULL && i < ARRAY_LEN(VALUES); i++)
+		if (strcmp(type, VALUES[i].type) == 0)
+			c->value =
+			    copy_of(xml_attribute(attribute, VALUES[i].value));
+	r->cells = xml_whole(attribute, "table:1.0 number-columns-repeated", 1);
+}
+
+/* What goes on in a cell: paragraphs, of which notes, shapes and readings are
+ * no part. */
+static void
+begin_in_cell(struct reading *r, const char *name, const char *const *attribute)
+{
+	static const char *const OTHER[] = {
+	    "annotation", "note", "ruby-text", "frame"};
+	enum { MOST_SPACES = 100 };
+	bool other = r->paragraph == 0 && strcmp(name, "p") != 0;
+	for (size_t i = 0; i < ARRAY_LEN(OTHER); i++)
+		other = other || strcmp(name, OTHER[i]) == 0;
+	if (other || r->skip > 0) {
+		r->skip++;
+		return;
+	}
+	if (r->paragraph++ == 0 && r->content.paragraphs)
+		say(&r->content, " ", 1);
+	r->content.paragraphs = true;
+	size_t n =
+	    strcmp(name, "s") == 0 ? xml_whole(attribute, "text:1.0 c", 1) : 0;
+	n += strcmp(name, "tab") == 0 || strcmp(name, "line-break") == 0;
+	for (size_t i = 0; i < n && i < MOST_SPACES; i++)
+		say(&r->content, " ", 1);
+}
+
+static void
+on_begin(void *data, const char *name, const char *const *attribute)
+{
+	struct reading *r = data;
+	bool cell = strcmp(name, "table-cell") == 0 ||
+		    strcmp(name, "covered-table-cell") == 0;
+	if (r->skip > 0 && r->cell == 0) {
+		r->skip++;
+	} else if (r->cell > 0) {
+		begin_in_cell(r, name, attribute);
+	} else if (r->table == 0 && strcmp(name, "table") == 0) {
+		r->table = 1;
+		begin_table(r, attribute);
+	} else if (r->table == 0) {
+		r->skip = strcmp(name, "tracked-changes") == 0;
+		begin_style(r, name, attribute);
+	} else if (strcmp(name, "table-row") == 0) {
+		note_hidden(r, attribute);
+		r->at.column = 1;
+		r->rows =
+		    xml_whole(attribute, "table:1.0 number-rows-repeated", 1);
+	} else if (strcmp(name, "table-column") == 0) {
+		note_hidden(r, attribute);
+	} else if (cell) {
+		r->cell = 1;
+		begin_cell(r, attribute);
+	} else if (strcmp(name, "shapes") == 0 || strcmp(name, "forms") == 0) {
+		r->skip = 1;
+	}
+}
+
+static void
+on_text(void *data, const char *text, size_t n)
+{
+	struct reading *r = data;
+	if (r->cell > 0 && r->paragraph > 0 && r->skip == 0)
+		say(&r->content, text, n);
+}
+
+/* "PT10H15M00S" as 10:15. */
+static void
+put_time(struct grid *grid, struct cell at, const char *value)
+{
+	int h, m, n = 0;
+	char text[32], second[8] = "";
+	if (sscanf(value, "PT%4dH%2dM%n", &h, &m, &n) != 2 || n == 0) {
+		grid_put_date(grid, at, value);
+		return;
+	}
+	if (strncmp(value + n, "00", 2) != 0 && strlen(value + n) > 2)
+		snprintf(second, sizeof second, ":%.2s", value + n);
+	snprintf(text, sizeof text, "%02d:%02d%s", h, m, second);
+	grid_put_date(grid, at, text);
+}
+
+/* Without seconds where there are none, as from a workbook of Excel. */
+static void
+put_date(struct grid *grid, struct cell at, const char *value)
+{
+	const char *t = strchr(value, 'T');
+	char text[32];
+	size_t n = strlen(value);
+	if (t != NULL && strncmp(t, "T00:00:00", 9) == 0)
+		n = (size_t)(t - value);
+	else if (t != NULL && n >= 19 && strncmp(t + 6, ":00", 3) == 0)
+		n = (size_t)(t - value) + 6;
+	snprintf(text, sizeof text, "%.*s", (int)(n < 31 ? n : 31), value);
+	grid_put_date(grid, at, text);
+}
+
+/* "m/s" of a cell that shows "69 m/s", or nothing. */
+static void
+unit_of(const char *said, char unit[static 16])
+{
+	size_t n = strlen(said);
+	while (n > 0 && !isdigit((unsigned char)said[n - 1]))
+		n--;
+	const char *rest = said + n + strspn(said + n, " ");
+	bool word = isalpha((unsigned char)*rest) || (*rest & 0x80) != 0;
+	snprintf(
+	    unit, 16, "%s", n > 0 && word && strlen(rest) < 16 ? rest : "");
+}
+
+static void
+put_content(struct grid *grid, struct cell at, const struct content *c)
+{
+	double number;
+	char unit[16];
+	const char *type = c->type != NULL ? c->type : "";
+	const char *said = c->said != NULL ? c->said : "";
+	bool numeric = strcmp(type, "float") == 0 ||
+		       strcmp(type, "currency") == 0 ||
+		       strcmp(type, "percentage") == 0;
+	unit_of(said, unit);
+	if (c->failed)
+		grid_put_text(grid, at, said[0] != '\0' ? said : "#VALUE!");
+	else if (numeric && c->value != NULL && text_number(c->value, &number))
+		grid_put_number(grid, at, number, type[0] == 'p' ? "%" : unit);
+	else if (strcmp(type, "date") == 0 && c->value != NULL)
+		put_date(grid, at, c->value);
+	else if (strcmp(type, "time") == 0 && c->value != NULL)
+		put_time(grid, at, c->value);
+	else if (strcmp(type, "boolean") == 0 && c->value != NULL)
+		grid_put_text(
+		    grid, at, strcmp(c->value, "true") == 0 ? "TRUE" : "FALSE");
+	else if (strcmp(type, "string") == 0 && c->value != NULL)
+		grid_put_text(grid, at, c->value);
+	else if (c->formula != NULL && type[0] == '\0' && said[0] == '\0')
+		grid_put_formula(grid, at,
+		    strchr(c->formula, '=') != NULL ? strchr(c->formula, '=')
+						    : c->formula);
+	else
+		grid_put_text(grid, at, said);
+}
+
+/* Keeps the cell for its row; most are empty. */
+static void
+end_cell(struct reading *r)
+{
+	struct content *c = &r->content;
+	if (c->type != NULL || c->formula != NULL || c->n > 0) {
+		r->kept = xrealloc(r->kept, r->n_kept + 1, sizeof *r->kept);
+		r->kept[r->n_kept++] =
+		    (struct kept){r->at.column, r->cells, *c};
+		*c = (struct content){0};
+	}
+	clear(c);
+	if (r->at.column < 2000000)
+		r->at.column += (int)r->cells;
+}
+
+static void
+end_row(struct reading *r)
+{
+	size_t most = r->rows < MOST_REPEATS ? r->rows : MOST_REPEATS;
+	for (size_t line = 0; line < most && r->n_kept > 0; line++)
+		for (size_t i = 0; i < r->n_kept && r->visible; i++)
+			for (size_t k = 0;
+			     k < r->kept[i].repeats && k < MOST_REPEATS &&
+			     r->grid->too_big == NULL;
+			     k++) {
+				struct cell at = {
+				    .line = r->at.line + (int)line,
+				    .column = r->kept[i].column + (int)k};
+				put_content(r->grid, at, &r->kept[i].content);
+			}
+	for (size_t i = 0; i < r->n_kept; i++)
+		clear(&r->kept[i].content);
+	r->n_kept = 0;
+	if (r->at.line < 100000000)
+		r->at.line += (int)r->rows;
+}
+
+static void
+on_end(void *data, const char *name)
+{
+	struct reading *r = data;
+	bool cell = strcmp(name, "table-cell") == 0 ||
+		    strcmp(name, "covered-table-cell") == 0;
+	if (r->skip > 0) {
+		r->skip--;
+	} else if (r->paragraph > 0) {
+		r->paragraph--;
+	} else if (r->cell > 0 && cell) {
+		r->cell = 0;
+		end_cell(r);
+	} else if (r->table > 0 && strcmp(name, "table-row") == 0) {
+		end_row(r);
+	} else if (r->table > 0 && strcmp(name, "table") == 0) {
+		r->table = 0;
+		if (r->visible)
+			grid_end(r->grid);
+	}
+}
+
+char *
+ods_read(struct archive *archive, struct grid *grid)
+{
+	static const struct xml_events EVENTS = {on_begin, on_end, on_text};
+	size_t n;
+	char *wrong = NULL;
+	char *bytes = archive_part(archive, "content.xml", &n, &wrong);
+	if (bytes == NULL)
+		return wrong;
+	struct reading r = {.grid = grid};
+	char *fault = xml_read(bytes, n, &EVENTS, &r);
+	free(bytes);
+	if (fault != NULL)
+		wrong = xasprintf("content.xml: %s", fault);
+	free(fault);
+	clear(&r.content);
+	for (size_t i = 0; i < r.n_kept; i++)
+		clear(&r.kept[i].content);
+	for (size_t i = 0; i < r.n_hidden; i++)
+		free(r.hidden[i]);
+	free(r.kept);
+	free(r.hidden);
+	free(r.style);
+	return wrong;
+}

@@ -1,0 +1,13 @@
+/* Workbooks of LibreOffice (OpenDocument 1.0 to 1.4, spreadsheet).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_ODS_H
+#define TIPSPEED_IO_ODS_H
+
+#include "io/archive.h"
+#include "io/grid.h"
+
+/* Reads all sheets that are not hidden.  NULL, or in words what is wrong with
+ * the workbook, which the caller frees. */
+char *ods_read(struct archive *archive, struct grid *grid);
+
+#endif

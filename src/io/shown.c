@@ -1,0 +1,179 @@
+/* Format codes of workbooks, and their calendar.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/shown.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/xalloc.h"
+
+/* What a code says on its way. */
+struct said {
+	bool percent, day, time, span;
+	size_t n; /* of unit */
+	char unit[16];
+};
+
+static void
+add_unit(struct said *said, char c)
+{
+	if (said->n + 1 < sizeof said->unit)
+		said->unit[said->n++] = c;
+}
+
+/* "text", [Red], [h]; returns where it ends. */
+static const char *
+take_enclosed(const char *p, struct said *said)
+{
+	char close = *p == '[' ? ']' : '"';
+	const char *from = ++p;
+	while (*p != '\0' && *p != close) {
+		if (close == '"')
+			add_unit(said, *p);
+		p++;
+	}
+	/* Of elapsed time: a letter alone, once or twice. */
+	size_t n = (size_t)(p - from);
+	if (close == ']' && n > 0 && n <= 2 &&
+	    strchr("hHmMsS", *from) != NULL && from[n - 1] == from[0])
+		said->span = true;
+	return *p != '\0' ? p + 1 : p;
+}
+
+/* A sign by itself; returns where it ends. */
+static const char *
+take_sign(const char *p, struct said *said)
+{
+	switch (tolower((unsigned char)*p)) {
+	case '\\':
+		if (p[1] != '\0')
+			add_unit(said, *++p);
+		break;
+	case '_':
+	case '*':
+		p += p[1] != '\0';
+		break;
+	case '%':
+		said->percent = true;
+		break;
+	case 'd':
+	case 'y':
+		said->day = true;
+		break;
+	case 'h':
+	case 's':
+		said->time = true;
+		break;
+	case 'm': /* a month, or minutes beside hours or seconds */
+		said->day = said->day || !said->time;
+		break;
+	default:
+		break;
+	}
+	return p + 1;
+}
+
+/* m:ss has minutes. */
+static bool
+is_minutes(const char *code)
+{
+	return strncasecmp(code, "m:s", 3) == 0 ||
+	       strncasecmp(code, "mm:s", 4) == 0;
+}
+
+struct shown
+shown_code(const char *code)
+{
+	struct said said = {.time = is_minutes(code)};
+	static const char *const PLAIN[] = {"General", "Standard"};
+	for (const char *p = code; *p != '\0' && *p != ';';) {
+		size_t plain = 0;
+		for (size_t i = 0; i < ARRAY_LEN(PLAIN); i++)
+			if (strncasecmp(p, PLAIN[i], strlen(PLAIN[i])) == 0)
+				plain = strlen(PLAIN[i]);
+		if (plain > 0)
+			p += plain;
+		else if (*p == '"' || *p == '[')
+			p = take_enclosed(p, &said);
+		else
+			p = take_sign(p, &said);
+	}
+	struct shown shown = {.kind = said.span   ? SHOWN_SPAN
+				      : said.day  ? SHOWN_DATE
+				      : said.time ? SHOWN_TIME
+						  : SHOWN_NUMBER};
+	if (shown.kind != SHOWN_NUMBER)
+		return shown;
+	const char *unit = said.unit + strspn(said.unit, " ");
+	size_t n = strlen(unit);
+	while (n > 0 && unit[n - 1] == ' ')
+		n--;
+	/* A word; what was too long may end within a character. */
+	if (said.n + 1 == sizeof said.unit ||
+	    !(isalpha((unsigned char)*unit) || (*unit & 0x80) != 0))
+		n = 0;
+	snprintf(shown.unit, sizeof shown.unit, "%.*s",
+	    said.percent ? 1 : (int)n, said.percent ? "%" : unit);
+	return shown;
+}
+
+struct shown
+shown_builtin(unsigned id)
+{
+	bool day = (id >= 14 && id <= 17) || id == 22 ||
+		   (id >= 27 && id <= 36) || (id >= 50 && id <= 58);
+	bool time = (id >= 18 && id <= 21) || id == 45 || id == 47;
+	struct shown shown = {.kind = day        ? SHOWN_DATE
+				      : time     ? SHOWN_TIME
+				      : id == 46 ? SHOWN_SPAN
+						 : SHOWN_NUMBER};
+	if (id == 9 || id == 10)
+		shown.unit[0] = '%';
+	return shown;
+}
+
+/* The day so many days after 1970-01-01.  Source: H. Hinnant,
+ * chrono-Compatible Low-Level Date Algorithms, civil_from_days. */
+static void
+put_day(long days, char text[static 16])
+{
+	long z = days + 719468, era = z / 146097, doe = z - era * 146097;
+	long yoe = (doe - doe / 1460 + doe / 36524 - doe / 146096) / 365;
+	long doy = doe - (365 * yoe + yoe / 4 - yoe / 100);
+	long mp = (5 * doy + 2) / 153;
+	long d = doy - (153 * mp + 2) / 5 + 1;
+	long m = mp < 10 ? mp + 3 : mp - 9;
+	long y = yoe + era * 400 + (m <= 2);
+	snprintf(text, 16, "%04d-%02d-%02d", (int)y, (int)m, (int)d);
+}
+
+bool
+shown_date(
+    double serial, bool from_1904, enum shown_kind kind, char text[static 32])
+{
+	enum { DAY = 86400, TO_1899 = -25569, TO_1904 = -24107 };
+	if (!(serial >= 0 && serial < 2958466))
+		return false;
+	double seconds = round(serial * DAY);
+	long day = (long)floor(seconds / DAY);
+	long s = (long)(seconds - (double)day * DAY);
+	long hours = s / 3600 + (kind == SHOWN_SPAN ? 24 * day : 0);
+	char date[16] = "", time[16] = "", second[8] = "";
+	/* Before 1900-03-01 the calendar of 1900 is a day behind: it has a
+	 * leap day that never was. */
+	long epoch = from_1904 ? TO_1904 : TO_1899 + (day < 60);
+	if (kind == SHOWN_DATE || (kind == SHOWN_TIME && day > 0))
+		put_day(day + epoch, date);
+	if (s % 60 != 0)
+		snprintf(second, sizeof second, ":%02d", (int)(s % 60));
+	if (date[0] == '\0' || s != 0)
+		snprintf(time, sizeof time, "%02d:%02d", (int)hours,
+		    (int)(s / 60 % 60));
+	snprintf(text, 32, "%s%s%s%s", date,
+	    date[0] != '\0' && time[0] != '\0' ? "T" : "", time,
+	    time[0] != '\0' ? second : "");
+	return true;
+}

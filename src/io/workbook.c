@@ -1,0 +1,128 @@
+/* Tells the kinds of workbooks apart, and what is none.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/workbook.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "io/archive.h"
+#include "io/ods.h"
+#include "io/xlsx.h"
+
+static const char OLE[] = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1";
+
+static bool
+begins(const char *bytes, size_t n, const char *with)
+{
+	return n >= strlen(with) && memcmp(bytes, with, strlen(with)) == 0;
+}
+
+/* An empty archive begins with its end, a split one with PK78. */
+bool
+workbook_is(const char *bytes, size_t n)
+{
+	return begins(bytes, n, "PK\3\4") || begins(bytes, n, "PK\5\6") ||
+	       begins(bytes, n, "PK\7\x8") || begins(bytes, n, OLE);
+}
+
+static bool
+refuse(const struct grid *grid, const char *what, const char *step)
+{
+	return error_at(error_add(grid->errors), ERROR_DATA, grid->path, 0, 0,
+	    "%s\n"
+	    "%s",
+	    what, step);
+}
+
+/* In a workbook of OpenDocument with a password the parts are there, but
+ * nobody can read them. */
+static bool
+is_locked(struct archive *archive)
+{
+	size_t n;
+	char *wrong = NULL;
+	if (archive_has(archive, "encrypted-package"))
+		return true;
+	char *list = archive_part(archive, "META-INF/manifest.xml", &n, &wrong);
+	bool locked = list != NULL && strstr(list, "encryption-data") != NULL;
+	free(list);
+	free(wrong);
+	return locked;
+}
+
+static bool
+refuse_other(struct archive *archive, const struct grid *grid)
+{
+	static const char *const NAMES[][2] = {
+	    {"xl/workbook.bin", "expected .xlsx, .ods or text, got .xlsb"},
+	    {"Index/Document.iwa", "expected .xlsx, .ods or text, got a file "
+				   "of Apple's programs"},
+	    {"word/document.xml", "expected a workbook or text, got a "
+				  "document of Word"}};
+	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++)
+		if (archive_has(archive, NAMES[i][0]))
+			return refuse(grid, NAMES[i][1],
+			    "save the spreadsheet as .xlsx, or as CSV");
+	return refuse(grid, "expected a workbook or text, got a zip archive",
+	    "unpack it, or save the spreadsheet as .xlsx, .ods or CSV");
+}
+
+static bool
+refuse_damaged(const struct grid *grid, const char *wrong)
+{
+	char *what =
+	    xasprintf("expected a workbook, got a damaged one: %s", wrong);
+	refuse(grid, what, "open and save it in a spreadsheet program");
+	free(what);
+	return false;
+}
+
+static bool
+is_ods(struct archive *archive)
+{
+	return archive_has(archive, "content.xml") ||
+	       archive_has(archive, "encrypted-package");
+}
+
+static bool
+read_archive(struct archive *archive, struct grid *grid)
+{
+	bool xlsx = archive_has(archive, "xl/workbook.xml");
+	if (!xlsx && !is_ods(archive))
+		return refuse_other(archive, grid);
+	if (!xlsx && is_locked(archive))
+		return refuse(grid,
+		    "expected a workbook without a password, got one with it",
+		    "save it without a password");
+	char *wrong = xlsx ? xlsx_read(archive, grid) : ods_read(archive, grid);
+	if (wrong != NULL)
+		refuse_damaged(grid, wrong);
+	else if (grid->n == 0 && grid->note[0] != '\0')
+		refuse(
+		    grid, "expected a sheet with sieves, got none", grid->note);
+	else if (grid->n == 0)
+		refuse(grid, "expected a site file, got an empty workbook",
+		    "see tipspeed-site(5) for what a site file contains");
+	bool good = wrong == NULL && grid->n > 0;
+	free(wrong);
+	return good;
+}
+
+bool
+workbook_read(const char *bytes, size_t n, struct grid *grid)
+{
+	char *wrong = NULL;
+	if (begins(bytes, n, OLE))
+		return refuse(grid,
+		    "expected .xlsx, .ods or text, got an old .xls or a "
+		    "workbook with a password",
+		    "save it as .xlsx without a password");
+	struct archive *archive = archive_open(bytes, n, &wrong);
+	bool good = archive != NULL && read_archive(archive, grid);
+	if (archive == NULL)
+		refuse_damaged(grid, wrong);
+	free(wrong);
+	archive_close(archive);
+	return good;
+}

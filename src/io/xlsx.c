@@ -1,0 +1,471 @@
+/* The parts of a workbook of Excel one after the other: what sheets there are,
+ * strings, formats, then each sheet.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/xlsx.h"
+
+#include <ctype.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/shown.h"
+#include "io/xml.h"
+
+/* Of these a file of 50 MB could hold millions. */
+enum { MOST_FORMATS = 100000, MOST_TABS = 1000 };
+
+/* Text put together piece by piece. */
+struct pieces {
+	char *text;
+	size_t n, room;
+};
+
+/* Of the workbook: a sheet, a format by its number, a relation. */
+struct tab {
+	char *name, *id, *part;
+	bool hidden;
+};
+struct code {
+	unsigned id;
+	struct shown shown;
+};
+
+struct book {
+	struct archive *archive;
+	struct grid *grid;
+	bool from_1904;
+	size_t n_tab;
+	struct tab *tab;
+	/* All shared strings, each with a NUL; where they begin. */
+	struct pieces string;
+	size_t n_start, *start;
+	size_t n_code, n_style;
+	struct code *code;
+	struct shown *style; /* of a cell, by its index */
+	bool in_styles, in_item, in_text;
+	int phonetic;
+};
+
+static void
+add_piece(struct pieces *p, const char *text, size_t n)
+{
+	if (p->n + n + 1 > p->room) {
+		p->room = 2 * (p->n + n) + 64;
+		p->text = xrealloc(p->text, p->room, 1);
+	}
+	memcpy(p->text + p->n, text, n);
+	p->n += n;
+	p->text[p->n] = '\0';
+}
+
+/* Goes through a part of the archive. */
+static char *
+read_part(struct book *b, const char *name, const struct xml_events *events,
+    void *data)
+{
+	size_t n;
+	char *wrong = NULL;
+	char *bytes = archive_part(b->archive, name, &n, &wrong);
+	if (bytes == NULL)
+		return wrong;
+	char *fault = xml_read(bytes, n, events, data);
+	free(bytes);
+	if (fault != NULL)
+		wrong = xasprintf("%s: %s", name, fault);
+	free(fault);
+	return wrong;
+}
+
+static void
+no_end(void *data, const char *name)
+{
+	(void)data;
+	(void)name;
+}
+
+static bool
+is_true(const char *const *attribute, const char *name)
+{
+	const char *value = xml_attribute(attribute, name);
+	return value != NULL &&
+	       (strcmp(value, "1") == 0 || strcmp(value, "true") == 0);
+}
+
+/* xl/workbook.xml */
+static void
+begin_workbook(void *data, const char *name, const char *const *attribute)
+{
+	struct book *b = data;
+	if (strcmp(name, "workbookPr") == 0)
+		b->from_1904 = is_true(attribute, "date1904");
+	if (strcmp(name, "sheet") != 0)
+		return;
+	const char *title = xml_attribute(attribute, "name");
+	const char *id = xml_attribute(attribute, " id");
+	const char *state = xml_attribute(attribute, "state");
+	if (title == NULL || id == NULL || b->n_tab == MOST_TABS)
+		return;
+	b->tab = xrealloc(b->tab, b->n_tab + 1, sizeof *b->tab);
+	b->tab[b->n_tab++] = (struct tab){.name = xstrdup(title),
+	    .id = xstrdup(id),
+	    .hidden = state != NULL && strcmp(state, "visible") != 0};
+}
+
+/* xl/_rels/workbook.xml.rels: which part a sheet is in.  Sheets that are charts
+ * and macros are of other types. */
+static void
+begin_relations(void *data, const char *name, const char *const *attribute)
+{
+	struct book *b = data;
+	const char *id = xml_attribute(attribute, "Id");
+	const char *type = xml_attribute(attribute, "Type");
+	const char *target = xml_attribute(attribute, "Target");
+	if (strcmp(name, "Relationship") != 0 || id == NULL || type == NULL ||
+	    target == NULL || !text_ends(type, "/worksheet"))
+		return;
+	for (size_t i = 0; i < b->n_tab; i++)
+		if (strcmp(b->tab[i].id, id) == 0 && b->tab[i].part == NULL)
+			b->tab[i].part = target[0] == '/'
+					     ? xstrdup(target + 1)
+					     : xasprintf("xl/%s", target);
+}
+
+/* xl/sharedStrings.xml: <si><t>..</t></si>, or runs <r><t> in several fonts;
+ * <rPh> says how Japanese is spoken. */
+static void
+begin_string(void *data, const char *name, const char *const *attribute)
+{
+	struct book *b = data;
+	(void)attribute;
+	if (strcmp(name, "si") == 0) {
+		if ((b->n_start & (b->n_start - 1)) == 0)
+			b->start = xrealloc(
+			    b->start, 2 * b->n_start + 1, sizeof *b->start);
+		b->start[b->n_start++] = b->string.n;
+		add_piece(&b->string, "", 0);
+	}
+	b->phonetic += strcmp(name, "rPh") == 0;
+	b->in_text = strcmp(name, "t") == 0 && b->n_start > 0;
+}
+
+static void
+end_string(void *data, const char *name)
+{
+	struct book *b = data;
+	b->in_text = false;
+	b->phonetic -= strcmp(name, "rPh") == 0;
+	if (strcmp(name, "si") == 0)
+		add_piece(&b->string, "", 1);
+}
+
+static void
+text_string(void *data, const char *text, size_t n)
+{
+	struct book *b = data;
+	if (b->in_text && b->phonetic == 0)
+		add_piece(&b->string, text, n);
+}
+
+/* xl/styles.xml: <numFmt numFmtId formatCode>, then <cellXfs><xf numFmtId>. */
+static struct shown
+shown_of(const struct book *b, unsigned id)
+{
+	for (size_t i = 0; i < b->n_code; i++)
+		if (b->code[i].id == id)
+			return b->code[i].shown;
+	return shown_builtin(id);
+}
+
+static void
+begin_style(void *data, const char *name, const char *const *attribute)
+{
+	struct book *b = data;
+	unsigned id = (unsigned)xml_whole(attribute, "numFmtId", 0);
+	const char *code = xml_attribute(attribute, "formatCode");
+	b->in_styles = b->in_styles || strcmp(name, "cellXfs") == 0;
+	if (strcmp(name, "numFmt") == 0 && code != NULL && b->n_code < 1000) {
+		b->code = xrealloc(b->code, b->n_code + 1, sizeof *b->code);
+		b->code[b->n_code++] = (struct code){id, shown_code(code)};
+	}
+	if (!b->in_styles || strcmp(name, "xf") != 0 ||
+	    b->n_style == MOST_FORMATS)
+		return;
+	if ((b->n_style & (b->n_style - 1)) == 0)
+		b->style =
+		    xrealloc(b->style, 2 * b->n_style + 1, sizeof *b->style);
+	b->style[b->n_style++] = shown_of(b, id);
+}
+
+static void
+end_style(void *data, const char *name)
+{
+	struct book *b = data;
+	b->in_styles = b->in_styles && strcmp(name, "cellXfs") != 0;
+}
+
+/* A sheet while its part is read: where the next cell is when it does not say
+ * so itself, and what this one has told so far. */
+struct reading {
+	struct book *book;
+	struct cell at;
+	char type[12];
+	size_t style;
+	bool in_cell, has_value, has_formula;
+	int phonetic;
+	enum { IN_NOTHING, IN_VALUE, IN_FORMULA, IN_TEXT } in;
+	struct pieces value, formula;
+	char *wrong;
+};
+
+/* "BC12": false for what is no place. */
+static bool
+read_place(const char *ref, struct cell *at)
+{
+	int column = 0;
+	uint64_t line;
+	for (; isalpha((unsigned char)*ref) && column < 20000; ref++)
+		column = 26 * column + toupper((unsigned char)*ref) - 'A' + 1;
+	if (column == 0 || !text_whole(ref, &line) || line == 0 ||
+	    line > 2000000)
+		return false;
+	at->line = (int)line;
+	at->column = column;
+	return true;
+}
+
+static void
+begin_cell(struct reading *r, const char *const *attribute)
+{
+	const char *place = xml_attribute(attribute, "r");
+	const char *type = xml_attribute(attribute, "t");
+	r->at.column++;
+	if (place != NULL)
+		read_place(place, &r->at);
+	snprintf(r->type, sizeof r->type, "%s", type != NULL ? type : "n");
+	r->style = xml_whole(attribute, "s", 0);
+	r->in_cell = true;
+	r->has_value = r->has_formula = false;
+	r->value.n = r->formula.n = 0;
+	add_piece(&r->value, "", 0);
+	add_piece(&r->formula, "", 0);
+}
+
+static void
+begin_row(struct reading *r, const char *const *attribute)
+{
+	size_t next = (size_t)r->at.line + 1;
+	size_t line = xml_whole(attribute, "r", next);
+	r->at.line = (int)(line > 0 ? line : next);
+	r->at.column = 0;
+	if (is_true(attribute, "hidden"))
+		grid_hidden(r->book->grid);
+}
+
+static void
+begin_in_sheet(void *data, const char *name, const char *const *attribute)
+{
+	struct reading *r = data;
+	r->in = IN_NOTHING;
+	if (strcmp(name, "row") == 0)
+		begin_row(r, attribute);
+	else if (strcmp(name, "c") == 0)
+		begin_cell(r, attribute);
+	else if (strcmp(name, "col") == 0 && is_true(attribute, "hidden"))
+		grid_hidden(r->book->grid);
+	else if (!r->in_cell)
+		return;
+	else if (strcmp(name, "rPh") == 0)
+		r->phonetic++;
+	else if (strcmp(name, "v") == 0)
+		r->in = IN_VALUE;
+	else if (strcmp(name, "f") == 0)
+		r->in = IN_FORMULA;
+	else if (strcmp(name, "t") == 0 && r->phonetic == 0)
+		r->in = IN_TEXT;
+	r->has_formula = r->has_formula || r->in == IN_FORMULA;
+	r->has_value = r->has_value || r->in == IN_VALUE || r->in == IN_TEXT;
+}
+
+static void
+text_in_sheet(void *data, const char *text, size_t n)
+{
+	struct reading *r = data;
+	if (r->in == IN_VALUE || r->in == IN_TEXT)
+		add_piece(&r->value, text, n);
+	else if (r->in == IN_FORMULA)
+		add_piece(&r->formula, text, n);
+}
+
+/* Excel writes a carriage return as _x000D_, and _ before an x as _x005F_. */
+static void
+put_text(struct reading *r, const char *text)
+{
+	char *copy = xstrdup(text), *to = copy;
+	for (const char *p = text; *p != '\0';) {
+		unsigned code = 0;
+		int n = 0;
+		if (p[0] == '_' && p[1] == 'x' &&
+		    sscanf(p, "_x%4x_%n", &code, &n) == 1 && n == 7 &&
+		    code < 0x80) {
+			*to++ = code < ' ' ? ' ' : (char)code;
+			p += n;
+		} else {
+			*to++ = *p++;
+		}
+	}
+	*to = '\0';
+	grid_put_text(r->book->grid, r->at, copy);
+	free(copy);
+}
+
+static void
+put_number(struct reading *r)
+{
+	const struct book *b = r->book;
+	double value;
+	char date[32];
+	struct shown shown =
+	    r->style < b->n_style ? b->style[r->style] : shown_builtin(0);
+	if (!text_number(r->value.text, &value))
+		put_text(r, r->value.text);
+	else if (shown.kind != SHOWN_NUMBER &&
+		 shown_date(value, b->from_1904, shown.kind, date))
+		grid_put_date(b->grid, r->at, date);
+	else
+		grid_put_number(b->grid, r->at, value, shown.unit);
+}
+
+static void
+put_shared(struct reading *r)
+{
+	const struct book *b = r->book;
+	uint64_t i;
+	if (text_whole(r->value.text, &i) && i < b->n_start)
+		put_text(r, b->string.text + b->start[i]);
+	else if (r->wrong == NULL)
+		r->wrong = xasprintf(
+		    "row %d has a text that is not there", r->at.line);
+}
+
+/* An ISO date as strict workbooks have it; midnight is a date alone. */
+static void
+put_iso(struct reading *r)
+{
+	char *t = strchr(r->value.text, 'T');
+	if (t != NULL && strncmp(t, "T00:00:00", 9) == 0)
+		*t = '\0';
+	grid_put_date(r->book->grid, r->at, r->value.text);
+}
+
+static void
+put_cell(struct reading *r)
+{
+	bool is_text =
+	    strcmp(r->type, "str") == 0 || strcmp(r->type, "inlineStr") == 0;
+	bool empty = r->value.n == 0;
+	if (r->has_formula && (!r->has_value || (empty && !is_text)))
+		grid_put_formula(r->book->grid, r->at, r->formula.text);
+	else if (!r->has_value || empty)
+		return;
+	else if (strcmp(r->type, "s") == 0)
+		put_shared(r);
+	else if (strcmp(r->type, "b") == 0)
+		put_text(r, strcmp(r->value.text, "1") == 0 ? "TRUE" : "FALSE");
+	else if (strcmp(r->type, "d") == 0)
+		put_iso(r);
+	else if (strcmp(r->type, "n") == 0)
+		put_number(r);
+	else
+		put_text(r, r->value.text);
+}
+
+static void
+end_in_sheet(void *data, const char *name)
+{
+	struct reading *r = data;
+	r->in = IN_NOTHING;
+	r->phonetic -= r->phonetic > 0 && strcmp(name, "rPh") == 0;
+	if (!r->in_cell || strcmp(name, "c") != 0)
+		return;
+	r->in_cell = false;
+	if (r->at.line > 0 && r->at.column > 0)
+		put_cell(r);
+}
+
+static char *
+read_sheet(struct book *b, const struct tab *tab)
+{
+	static const struct xml_events EVENTS = {
+	    begin_in_sheet, end_in_sheet, text_in_sheet};
+	struct reading r = {.book = b};
+	grid_begin(b->grid, tab->name);
+	char *wrong = read_part(b, tab->part, &EVENTS, &r);
+	free(r.value.text);
+	free(r.formula.text);
+	if (wrong == NULL && r.wrong != NULL)
+		wrong = xasprintf("%s: %s", tab->part, r.wrong);
+	else if (wrong == NULL)
+		grid_end(b->grid);
+	free(r.wrong);
+	return wrong;
+}
+
+static char *
+read_sheets(struct book *b)
+{
+	char *wrong = NULL;
+	for (size_t i = 0; i < b->n_tab && wrong == NULL; i++) {
+		const struct tab *tab = &b->tab[i];
+		if (tab->part != NULL && tab->hidden)
+			grid_note(b->grid, "sheet %s is hidden and not read",
+			    tab->name);
+		else if (tab->part != NULL)
+			wrong = read_sheet(b, tab);
+	}
+	return wrong;
+}
+
+/* Parts that a workbook may do without. */
+static char *
+read_if_there(struct book *b, const char *name, const struct xml_events *events)
+{
+	return archive_has(b->archive, name) ? read_part(b, name, events, b)
+					     : NULL;
+}
+
+char *
+xlsx_read(struct archive *archive, struct grid *grid)
+{
+	static const struct xml_events WORKBOOK = {
+	    begin_workbook, no_end, NULL};
+	static const struct xml_events RELATIONS = {
+	    begin_relations, no_end, NULL};
+	static const struct xml_events STRINGS = {
+	    begin_string, end_string, text_string};
+	static const struct xml_events STYLES = {begin_style, end_style, NULL};
+	struct book b = {.archive = archive, .grid = grid};
+	char *wrong = read_part(&b, "xl/workbook.xml", &WORKBOOK, &b);
+	if (wrong == NULL)
+		wrong =
+		    read_part(&b, "xl/_rels/workbook.xml.rels", &RELATIONS, &b);
+	if (wrong == NULL)
+		wrong = read_if_there(&b, "xl/sharedStrings.xml", &STRINGS);
+	if (wrong == NULL)
+		wrong = read_if_there(&b, "xl/styles.xml", &STYLES);
+	if (wrong == NULL)
+		wrong = read_sheets(&b);
+	for (size_t i = 0; i < b.n_tab; i++) {
+		free(b.tab[i].name);
+		free(b.tab[i].id);
+		free(b.tab[i].part);
+	}
+	free(b.tab);
+	free(b.string.text);
+	free(b.start);
+	free(b.code);
+	free(b.style);
+	return wrong;
+}

@@ -1,0 +1,13 @@
+/* Workbooks of Excel (ECMA-376, Office Open XML, transitional and strict).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_XLSX_H
+#define TIPSPEED_IO_XLSX_H
+
+#include "io/archive.h"
+#include "io/grid.h"
+
+/* Reads all worksheets that are not hidden.  NULL, or in words what is wrong
+ * with the workbook, which the caller frees. */
+char *xlsx_read(struct archive *archive, struct grid *grid);
+
+#endif
