@@ -50,6 +50,11 @@ failed=0
 # N.name (a file's); all sessions together in the file session.
 extract() {
 	awk -v folder="$2" '
+	BEGIN {
+		letter["\\(oa"] = "å"
+		letter["\\(:a"] = "ä"
+		letter["\\(:o"] = "ö"
+	}
 	function start(kind) {
 		n++
 		base = folder "/" sprintf("%04d", n)
@@ -76,11 +81,17 @@ extract() {
 		was = "bad"
 	}
 	# What roff prints for a line of a display.
-	function plain(line,   out, at, two) {
+	function plain(line,   out, at, two, four) {
 		out = ""
 		while ((at = index(line, "\\")) > 0) {
 			out = out substr(line, 1, at - 1)
 			two = substr(line, at, 2)
+			four = substr(line, at, 4)
+			if (four in letter) {
+				out = out letter[four]
+				line = substr(line, at + 4)
+				continue
+			}
 			if (two == "\\e")
 				out = out "\\"
 			else if (two == "\\-")

@@ -37,6 +37,15 @@ printf '%s\n' site,Boulders rock,Gneiss size_mm,feed,product@69,product@79 \
 printf '%s\n' site,Poor size_mm,feed,product@69,product@79 22.4,100,100,100 \
 	11.2,90,92.5,97.5 5.6,45,60,65 2,16,20,34 0.5,5,9,8 0.063,0.5,0.9,1.4 \
 	>poor.csv
+printf '%s\n' 'Sikt (mm);Ingående;Produkt 1;Produkt 2' '11,2;100;100;100' \
+	'8;62,1;75,0;78,1' '5,6;40;55;60' '4;25;42;48' '1;5;15;19' >open.csv
+{
+	echo 'Sieve mm;Feed;Product 1;Product 2;Product 3;Product 4;Product 5'
+	printf '%s\n' '8;100;100;100;100;100;100' '4;50;60;62;64;66;68' \
+		'1;5;11;12;13;14;15'
+} >many.csv
+printf '%s\n' 'Sieve (mm),Feed,Product 1464 rpm,Product 1676 rpm' \
+	8,100,100,100 4,50,70,80 1,5,12,15 >rpm.csv
 "$TIPSPEED" -f "$srcdir/tests/screens.tip" >out 2>log
 good=$?
 remark log >all

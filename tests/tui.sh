@@ -260,6 +260,38 @@ keys C-z y
 want '^wrote mine.csv: 1 row$'
 grep -q '^sites,' mine.csv
 result $? "y replaces it"
+printf '%s\n' 'Sieve mm;Feed;Product 1;Product 2' '8;100;100;100' '4;40;60;65' \
+	'1;5;15;19' >open.csv
+keys : 'load open.csv' Enter
+want "column 3 'Product 1': tip speed" "what a sheet leaves open is asked"
+for size in '40 12' '20 5' '100 30' '80 24'; do
+	# shellcheck disable=SC2086
+	set -- $size
+	mux resize-window -t one -x "$1" -y "$2"
+	want '^.*> *\|^> *$' "the dialogue at $1 x $2"
+done
+want 'Esc gives up'
+keys Escape
+want 'what column 3 is and its' "Escape gives up"
+keys q : 'load open.csv' Enter
+want "column 3 'Product 1'"
+paste 'banana'
+want '> banana' "what is pasted comes into its line"
+keys Enter
+want "expected a tip speed.*'banana'" "what is no answer is asked again"
+keys C-z 6 8 Left Delete 9 Enter
+want "column 4 'Product 2'" "it is edited as commands are, ^Z is no answer"
+want '3  Product 1 .*product@69' "answers stand in the table"
+keys C-c
+want 'what column 3 is and its' "^C gives up"
+keys q : 'load open.csv' Enter
+want "column 3 'Product 1'"
+keys 69 Enter
+want "column 4 'Product 2'"
+keys 79 Enter
+want 'loaded open: 2 runs' "with all answers it is loaded"
+keys q : 'use tierp' Enter
+want '^\[*tipspeed\|Tierp, Granite'
 keys : 'predict > here.csv' Enter
 want '^wrote here.csv: 12 rows$' "what was written stays told"
 "$TIPSPEED" data/sites/tierp.csv -c 'calibrate; set k 1.5' \

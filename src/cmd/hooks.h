@@ -7,6 +7,7 @@
 
 struct canvas;
 struct error;
+struct inquiry;
 struct screen_request;
 struct session;
 
@@ -25,8 +26,9 @@ struct hooks {
 	int (*run_screen)(struct session *);
 	/* Asks somebody who sits there; NULL: nobody does, nothing is asked. */
 	bool (*confirm)(struct session *s, const char *question);
-	/* Asks somebody for a line, which the caller frees; NULL: given up. */
-	char *(*question)(struct session *s, const char *question);
+	/* Asks somebody for a line about a sheet, which the caller frees; it
+	 * returns NULL when given up.  NULL: nobody is there. */
+	char *(*question)(struct session *s, const struct inquiry *inquiry);
 };
 
 #endif

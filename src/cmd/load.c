@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/load.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -12,6 +11,7 @@
 #include "cmd/check.h"
 #include "cmd/entries.h"
 #include "cmd/files.h"
+#include "cmd/inquiry.h"
 #include "cmd/invocation.h"
 #include "cmd/journal.h"
 #include "cmd/log.h"
@@ -93,7 +93,9 @@ load_note_reading(const struct session *s, const struct site *site)
 	if (site->read_as[0] != '\0')
 		session_note(s, "  read: %s", site->read_as);
 	if (site->assumed[0] != '\0')
-		session_note(s, "  not stated, taken so: %s", site->assumed);
+		session_note(s, "  likely, not stated: %s", site->assumed);
+	else if (site->read_as[0] != '\0')
+		session_note(s, "  sure: all of it is stated");
 	for (size_t i = 0; i < site->n_left_out && i < MOST; i++, more--)
 		session_note(s, "  not read: %s, %s", site->left_out[i].key,
 		    site->left_out[i].value);
@@ -127,120 +129,33 @@ note_loaded(struct session *s, const struct site *site)
 	free(label);
 }
 
-/* The offered text with the answer to a question about one column in it: a
- * number is its speed, a dash leaves it out.  The caller frees. */
-static char *
-answered(const struct site_ask_column *column, const char *answer)
+/* Puts one answer instead of another. */
+static void
+take_text(char **slot, const char **request, char *text)
 {
-	const char *at = strstr(column->guess, "@SPEED");
-	const char *said = answer + strspn(answer, " ");
-	if (said[0] == '\0')
-		return xstrdup(column->guess);
-	if (strcmp(said, "-") == 0)
-		return NULL;
-	struct head head = head_read(said);
-	double v = head.speed > 0      ? head.speed
-		   : head.n_number > 0 ? head.number[0]
-				       : 0;
-	bool number = isdigit((unsigned char)said[0]) && v > 0;
-	if (!number)
-		return xstrdup(said);
-	if (at == NULL)
-		return xasprintf("product@%g", v);
-	return xasprintf("%.*s@%g%s", (int)(at - column->guess), column->guess,
-	    v, at + strlen("@SPEED"));
+	if (text == NULL)
+		return;
+	free(*slot);
+	*request = *slot = text;
 }
 
-/* Asks about each open column, after showing all of them. */
-static bool
-ask_columns(struct session *s, struct load *l, const struct site_ask *ask)
-{
-	char *columns = xstrdup("");
-	bool good = true;
-	session_note(
-	    s, "  column  %-22s %-24s seems to be", "head", "first values");
-	for (size_t i = 0; i < ask->n; i++) {
-		const struct site_ask_column *c = &ask->column[i];
-		session_note(s, "  %6zu  %-22.22s %-24.24s %s%s", c->number,
-		    c->head, c->values, c->guess, c->open ? "  ?" : "");
-	}
-	for (size_t i = 0; i < ask->n && good; i++) {
-		const struct site_ask_column *c = &ask->column[i];
-		char *answer = NULL, *what = xstrdup(c->guess);
-		if (c->open) {
-			bool speed = strstr(c->guess, "@SPEED") != NULL;
-			char *question = xasprintf(
-			    speed ? "column %zu '%s': tip speed in m/s (or "
-				    "what it is, - to leave it out): "
-				  : "column %zu '%s' is [%s] (or what it is, - "
-				    "to leave it out): ",
-			    c->number, c->head, c->guess);
-			answer = s->hooks.question(s, question);
-			free(question);
-			free(what);
-			good = answer != NULL &&
-			       !(speed && answer[strspn(answer, " ")] == '\0');
-			what = good ? answered(c, answer) : NULL;
-		}
-		if (what != NULL)
-			xlist(&columns, ", ", "%zu=%s", c->number, what);
-		free(what);
-		free(answer);
-	}
-	free(l->columns);
-	l->columns = columns;
-	l->request.columns = columns;
-	return good;
-}
-
-/* One answer for an option of its own. */
-static bool
-ask_option(struct session *s, struct load *l, const struct site_ask *ask)
-{
-	size_t n = strcspn(ask->settle, "=");
-	const char *offered = ask->settle + n + 1;
-	bool rotor = strncmp(ask->settle, "rotor_mm", n) == 0;
-	bool decimal = strncmp(ask->settle, "decimal", n) == 0;
-	char *question =
-	    rotor     ? xstrdup("diameter of the rotor in mm: ")
-	    : decimal ? xstrdup("decimal sign, point or comma: ")
-		      : xasprintf("%.*s [%s]: ", (int)n, ask->settle, offered);
-	char *answer = s->hooks.question(s, question);
-	free(question);
-	if (answer == NULL)
-		return false;
-	char *said = text_trim(answer);
-	double mm;
-	bool good = true;
-	if (rotor) {
-		good = text_number(said, &mm) && mm >= 100 && mm <= 5000;
-		l->request.rotor = good ? mm / 1000 : 0;
-	} else if (decimal) {
-		bool comma = strcmp(said, ",") == 0 || text_same(said, "comma");
-		l->request.decimal = comma ? ',' : '.';
-		good =
-		    comma || strcmp(said, ".") == 0 || text_same(said, "point");
-	} else {
-		char **slot =
-		    n == 5 && ask->settle[0] == 's' ? &l->sheet : &l->range;
-		const char *from = said[0] != '\0' ? said : offered;
-		free(*slot);
-		*slot = text_unquoted(from, strlen(from));
-		l->request.sheet = l->sheet;
-		l->request.range = l->range;
-	}
-	free(answer);
-	return good;
-}
-
+/* Asks whoever sits there; false where nobody does, or has given up. */
 static bool
 ask_somebody(struct session *s, struct load *l, const struct site_ask *ask,
     const struct error_list *errors)
 {
-	if (s->hooks.question == NULL || ask->settle == NULL)
+	struct inquired said = {0};
+	if (ask->settle == NULL || errors->n == 0)
 		return false;
-	session_note(s, "%s: %s", l->path[0], errors->item[0].text);
-	return ask->n > 0 ? ask_columns(s, l, ask) : ask_option(s, l, ask);
+	bool good = inquire(s, ask, &errors->item[0], &said);
+	take_text(&l->columns, &l->request.columns, said.columns);
+	take_text(&l->sheet, &l->request.sheet, said.sheet);
+	take_text(&l->range, &l->request.range, said.range);
+	if (said.decimal != '\0')
+		l->request.decimal = said.decimal;
+	if (said.rotor > 0)
+		l->request.rotor = said.rotor;
+	return good;
 }
 
 /* Everything of a request as a line that reads the same sheets again. */

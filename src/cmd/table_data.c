@@ -85,21 +85,26 @@ static const struct command_option WRITE_OPTIONS[] = {
 
 const struct command TABLE_DATA[] = {
     {.name = "load",
-	.brief = "read site files",
+	.brief = "read the sieve sheets of a site",
 	.operands = {"FILE...", {"FILE"}, 1, OPERANDS - 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.option = LOAD_OPTIONS,
 	.text =
-	    "Reads site files, see tipspeed-site(5), and makes the last one "
-	    "the site in use: CSV from a spreadsheet (Excel, LibreOffice), "
-	    "with commas, or with semicolons and decimal commas, in per cent "
-	    "or grams, at tip speeds in m/s (not rpm). A site file with faults "
-	    "is refused, and each fault is reported with its place; the sites "
-	    "already loaded stay. A site file that is loaded again replaces "
-	    "the earlier one. Quote a name with spaces. With as=log the files "
-	    "are a plant's log for 'add': rows with date and time, and columns "
-	    "whose heads tell rpm or m/s, kW and t/h.",
-	.example = "load data/sites/tierp.csv\nshow",
+	    "Reads workbooks and text of spreadsheets in any of the forms of "
+	    "tipspeed-site(5), and makes the last site the one in use. Says "
+	    "what it took each column for, and how sure that is; what a sheet "
+	    "leaves open is asked, and in a script is an error whose hint is "
+	    "the command that settles it. Files are one site where a tip "
+	    "speed follows a name, or none has both feed and product: load "
+	    "feed.csv cut1.csv@70 cut2.csv@75. A sheet with faults is refused, "
+	    "each fault with its place; the sites already loaded stay. A site "
+	    "that is loaded again replaces the earlier one. Quote a name with "
+	    "spaces. With as=log the files are a plant's log for 'add': rows "
+	    "with date and time, and columns whose heads tell rpm or m/s, kW "
+	    "and t/h.",
+	.example = "load data/sites/tierp.csv\n"
+		   "load data/sites/bro.csv columns=\"1=sieve mm, 2=feed, "
+		   "3=product@69\"\nshow",
 	.run = cmd_load},
     {.name = "add",
 	.brief = "add belt cuts to the site in use",

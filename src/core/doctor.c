@@ -123,6 +123,23 @@ disorder(const struct site *site)
 	return sum;
 }
 
+/* Whether the slower product is the finer one on most of the sieves that tell
+ * the two apart: one wrong cell, however large, does not make it so. */
+static bool
+mostly_finer(const struct psd *slow, const struct psd *fast)
+{
+	const double apart = 1e-3;
+	size_t finer = 0, coarser = 0;
+	for (size_t i = 0; i < slow->n; i++) {
+		if (!psd_covers(fast, slow->size[i]))
+			continue;
+		double by = slow->passing[i] - psd_passing(fast, slow->size[i]);
+		finer += by > apart;
+		coarser += by < -apart;
+	}
+	return finer > coarser;
+}
+
 static void
 find_exchanged(struct doctor *d, const struct site *site)
 {
@@ -136,7 +153,9 @@ find_exchanged(struct doctor *d, const struct site *site)
 			    .kind = MEND_WITH, .run = i, .other = k};
 			if (site->individual_feeds ||
 			    site->run[i].product.n == 0 ||
-			    site->run[k].product.n == 0)
+			    site->run[k].product.n == 0 ||
+			    !mostly_finer(
+				&site->run[i].product, &site->run[k].product))
 				continue;
 			struct site *other = mend_site(site, &m, NULL);
 			double after = other != NULL ? disorder(other) : 1;

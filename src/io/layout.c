@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -159,7 +160,9 @@ is_sieve_head(const struct cell *cell)
 		return false;
 	uint64_t means = vocabulary_text(cell->text, &unknown);
 	uint64_t units = WORD_MM | WORD_UM | WORD_INCH | WORD_TYLER | WORD_BS;
-	if ((means & ELSE) != 0)
+	/* A micrometre, too, in some languages: "My quarry" is a name. */
+	bool mine = unknown > 0 && strncasecmp(cell->text, "my ", 3) == 0;
+	if ((means & ELSE) != 0 || mine)
 		return false;
 	return (means & WORD_SIZE) != 0 ||
 	       ((means & units) != 0 && unknown <= 1 &&

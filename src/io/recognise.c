@@ -31,7 +31,7 @@ assume(struct column *c, const char *format, ...)
 	if (c->assumed == NULL)
 		c->assumed = what;
 	else {
-		xlist(&c->assumed, ", ", "%s", what);
+		xlist(&c->assumed, "\n", "%s", what);
 		free(what);
 	}
 }

@@ -184,6 +184,7 @@ list_columns(struct site_ask *ask, struct table *const *table, size_t n_table,
 		const struct block *b = t->block;
 		struct cell head = site_sieve_head(t);
 		char *sieve = xasprintf("sieve %s", site_sieve_unit(t));
+		ask->across = b->across;
 		xlist(&text, ", ", "%zu=%s", b->number[0], sieve);
 		add_question(ask, t, 0, &head, sieve, sieves);
 		for (size_t i = 0; i < all->n; i++) {
@@ -343,38 +344,4 @@ open_ask(const struct open *open, const struct site_request *q,
 		    "expected the unit of the sieves, got none that "
 		    "fits their numbers");
 	return ask_column(q, first, all->n == 1, ask, errors);
-}
-
-static bool
-is_own_form(const struct table *t)
-{
-	const struct block *b = t->block;
-	return b->n_head == 1 && !b->across && !b->is_long &&
-	       strncmp(b->head[0].cell[0].text, "size_", 5) == 0;
-}
-
-void
-open_describe(struct table *const *table, size_t n_table,
-    const struct columns *all, char **text)
-{
-	bool own = true;
-	for (size_t k = 0; k < n_table; k++)
-		own = own && is_own_form(table[k]) && !table[k]->finest_first;
-	for (size_t k = 0; k < n_table && !own; k++) {
-		const struct table *t = table[k];
-		const char *kind = t->block->across ? "line" : "column";
-		xlist(text, "; ", "sieves in %s %zu (%s%s)", kind,
-		    t->block->number[0], site_sieve_unit(t),
-		    t->finest_first ? ", finest first" : "");
-		for (size_t i = 0; i < all->n; i++) {
-			const struct column *c = &all->column[i];
-			char *what = recognise_words(c);
-			size_t word = strcspn(what, " ");
-			if (c->table == t && c->twin == 0)
-				xlist(text, ", ", "%.*s in %zu (%s)", (int)word,
-				    what, t->block->number[c->at],
-				    SITE_UNITS[c->unit].words);
-			free(what);
-		}
-	}
 }

@@ -42,9 +42,4 @@ bool open_ask(const struct open *open, const struct site_request *request,
     struct table *const *table, size_t n_table, const struct columns *all,
     struct site_ask *ask, struct error_list *errors);
 
-/* "sieves in column 1 (mm, finest first), feed in 2 (% passing), .."; "" where
- * the heads are those of tipspeed-site(5). */
-void open_describe(struct table *const *table, size_t n_table,
-    const struct columns *all, char **text);
-
 #endif

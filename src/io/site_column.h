@@ -49,7 +49,8 @@ struct table {
  * percentage points; NAN where the cell is empty or at fault.  pan: what the
  * column has below the finest sieve, in its unit, or NAN.  faulty: a cell is at
  * fault, so that what is missing cannot be judged.  open: what it is was not to
- * be told; assumed: what was taken without being stated, and why, or NULL. */
+ * be told; assumed: what was taken without being stated, in lines,
+ * or NULL. */
 struct column {
 	struct table *table;
 	struct cell head;

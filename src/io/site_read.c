@@ -16,6 +16,7 @@
 #include "io/recognise.h"
 #include "io/site_ask.h"
 #include "io/site_column.h"
+#include "io/site_describe.h"
 #include "io/site_heading.h"
 #include "io/site_sieve.h"
 #include "io/source.h"
@@ -592,19 +593,6 @@ count_faults(const struct reading *r)
 	return r->errors->n + r->errors->more;
 }
 
-/* What the site was made of, in the two lines of load. */
-static void
-tell_reading(struct reading *r)
-{
-	for (size_t i = 0; i < r->all.n; i++) {
-		const struct column *c = &r->all.column[i];
-		if (c->assumed != NULL)
-			xlist(&r->site->assumed, "; ", "column %zu %s",
-			    c->table->block->number[c->at], c->assumed);
-	}
-	open_describe(r->table, r->n_table, &r->all, &r->site->read_as);
-}
-
 static struct site *
 finish(struct reading *r)
 {
@@ -618,7 +606,7 @@ finish(struct reading *r)
 	make_runs(r->site, &r->all);
 	tell_left_out(r);
 	tell_names(r);
-	tell_reading(r);
+	site_describe(r->table, r->n_table, &r->all, r->site);
 	struct site *site = r->site;
 	r->site = NULL;
 	return site;

@@ -25,7 +25,8 @@ struct site_request {
 /* What could not be told: columns [n], with what each seems to be in the words
  * of columns=, and all of it as that option.  settle: the option that settles
  * it ("columns=\"1=sieve mm, ..\"", "rotor_mm=DIAMETER"); NULL: nothing was
- * open.  no_feed, no_product: what the files lack. */
+ * open.  across: the numbers are those of lines.  no_feed, no_product: what the
+ * files lack. */
 struct site_ask {
 	size_t n;
 	struct site_ask_column {
@@ -34,7 +35,7 @@ struct site_ask {
 		bool open;
 	} * column;
 	char *settle;
-	bool no_feed, no_product;
+	bool across, no_feed, no_product;
 };
 
 /* Frees what *ask owns. */

@@ -117,6 +117,7 @@ batch_attend(struct session *s)
 		session_note(s, "%s", offer);
 	free(offer);
 	s->hooks.confirm = pump_confirm;
+	s->hooks.question = pump_question;
 	s->prompt = true;
 	s->typed_at = s->scripts;
 }

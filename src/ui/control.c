@@ -19,6 +19,7 @@
 #include "cmd/predict.h"
 #include "cmd/script.h"
 #include "cmd/invocation.h"
+#include "ui/dialogue.h"
 #include "ui/driver.h"
 #include "ui/pump.h"
 #include "ui/screen.h"
@@ -224,7 +225,7 @@ await_return(void)
 	fflush(stdout);
 	/* ^C has ended the shell command. */
 	pump_forget_interrupt();
-	pump_answer();
+	pump_answer(NULL);
 }
 
 static void
@@ -416,11 +417,21 @@ control_open(void)
 static bool
 confirm(struct session *s, const char *question)
 {
-	(void)s;
+	int code = 0;
+	bool special = false;
+	if (open->ways->is_away != NULL && open->ways->is_away())
+		return pump_confirm(s, question);
 	open->question = question;
-	int code = open->ways->answer(open);
+	bool got = open->ways->answer(open, &code, &special);
 	open->question = NULL;
-	return code == 'y' || code == 'Y';
+	return got && !special && (code == 'y' || code == 'Y');
+}
+
+static char *
+question(struct session *s, const struct inquiry *q)
+{
+	bool away = open->ways->is_away != NULL && open->ways->is_away();
+	return away ? pump_question(s, q) : dialogue_ask(open, q);
 }
 
 /* The speed last predicted, else the usual one of the site. */
@@ -452,6 +463,7 @@ control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 	    .before = {
 		s->out, s->notes, s->hooks, s->prompt, s->typed_at, s->screen}};
 	s->hooks.confirm = confirm;
+	s->hooks.question = question;
 	s->prompt = true;
 	s->typed_at = s->scripts;
 	s->hooks.show_page = NULL;

@@ -11,6 +11,7 @@
 #include "cmd/fit.h"
 #include "cmd/light.h"
 #include "core/breakage.h"
+#include "ui/dialogue.h"
 #include "ui/page_predict.h"
 #include "ui/pages.h"
 #include "ui/screen.h"
@@ -349,5 +350,7 @@ frame_draw(struct tui *t)
 		draw_page(t);
 	if (t->question != NULL && !viewing)
 		draw_question(t, rows, columns);
+	if (t->inquiry != NULL)
+		dialogue_draw(t, rows, columns);
 	screen_show(t->cursor.row, t->cursor.column);
 }

@@ -11,6 +11,7 @@
 #include <curses.h>
 
 #include "ui/act.h"
+#include "ui/dialogue.h"
 #include "ui/pump.h"
 #include "ui/screen.h"
 
@@ -21,6 +22,8 @@ enum { MOST = 2000 };
 static bool
 is_taken(const struct tui *t, int code)
 {
+	if (t->inquiry != NULL)
+		return true;
 	if (t->question != NULL || t->typing.active)
 		return t->question == NULL;
 	if (t->viewer.text != NULL)
@@ -45,7 +48,10 @@ take(struct tui *t, int code)
 		return;
 	}
 	p->taken++;
-	act_key(t, code, false);
+	if (t->inquiry != NULL)
+		dialogue_key(t, code, false);
+	else
+		act_key(t, code, false);
 }
 
 void

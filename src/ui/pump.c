@@ -7,6 +7,8 @@
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/select.h>
 #include <unistd.h>
 
@@ -183,7 +185,7 @@ pump_forget_interrupt(void)
  * came just before would be noted, and the read would wait on.  ^Z keeps its
  * usual effect all the time. */
 int
-pump_answer(void)
+pump_answer(char **line)
 {
 	static const int ENDS[] = {SIGINT, SIGTERM, SIGHUP};
 	sigset_t held, was;
@@ -200,6 +202,8 @@ pump_answer(void)
 		if (got == 0 || (got < 0 && errno != EINTR))
 			break;
 		first = got > 0 && first == EOF ? c : first;
+		if (got > 0 && c != '\n' && line != NULL)
+			xappend(line, "%c", c);
 	}
 	sigprocmask(SIG_SETMASK, &was, NULL);
 	return c == '\n' ? first : EOF;
@@ -211,10 +215,68 @@ pump_confirm(struct session *s, const char *question)
 	(void)s;
 	text_put(question, stderr);
 	fputs(" [y/N] ", stderr);
-	int c = pump_answer();
+	int c = pump_answer(NULL);
 	if (c == EOF)
 		fputc('\n', stderr);
 	return c == 'y' || c == 'Y';
+}
+
+/* What stands above the questions of a table. */
+static void
+show_table(const struct inquiry *q, int columns)
+{
+	text_wrap(q->about, 0, columns, stderr);
+	for (size_t r = 0; q->ask->n > 0 && r <= q->ask->n; r++) {
+		char *line = inquiry_row(q, r, columns);
+		text_put(line, stderr);
+		fputc('\n', stderr);
+		free(line);
+	}
+	if (q->ask->n > 0)
+		text_wrap("Enter accepts what is in [ ], - leaves a column "
+			  "out, ^C gives up",
+		    0, columns, stderr);
+}
+
+/* Past the notes of the session, which wait for the end of the command. */
+char *
+pump_ask(
+    struct session *s, const struct inquiry *q, char *(*read)(const char *text))
+{
+	int rows, columns;
+	(void)s;
+	terminal_size(&rows, &columns);
+	columns = columns < 100 ? columns - 1 : 99;
+	if (q->wrong[0] != '\0')
+		text_wrap(q->wrong, 0, columns, stderr);
+	if (q->first)
+		show_table(q, columns);
+	fflush(stderr);
+	bool offers = q->offered[0] != '\0';
+	char *asks = xasprintf("%s%s%s%s: ", q->text, offers ? " [" : "",
+	    q->offered, offers ? "]" : "");
+	char *shown = text_shown(asks), *answer = read(shown);
+	free(shown);
+	free(asks);
+	return answer;
+}
+
+static char *
+read_plain(const char *text)
+{
+	text_put(text, stderr);
+	char *line = xstrdup("");
+	if (pump_answer(&line) != EOF && text_is_utf8(line, strlen(line)))
+		return line;
+	free(line);
+	fputc('\n', stderr);
+	return NULL;
+}
+
+char *
+pump_question(struct session *s, const struct inquiry *q)
+{
+	return pump_ask(s, q, read_plain);
 }
 
 int

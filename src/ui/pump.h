@@ -5,7 +5,7 @@
 
 #include <signal.h>
 
-#include "cmd/session.h"
+#include "cmd/inquiry.h"
 
 /* From now on SIGINT, SIGTERM and SIGHUP are noted, and SIGUSR1 asks a
  * calibration for a line about itself. */
@@ -48,11 +48,17 @@ void pump_forget_interrupt(void);
 
 /* Waits for a line that is typed at the terminal.  A stop, or another size of
  * the terminal, is none.  Returns its first character, or EOF at the end of
- * input or a signal. */
-int pump_answer(void);
+ * input or a signal; adds all of it, without its end, to *line (NULL: not
+ * wanted). */
+int pump_answer(char **line);
 
-/* Asks at the prompt, for session->hooks.confirm. */
+/* Asks at the prompt, for session->hooks.confirm and .question; read: asks for
+ * a line after such a text, and returns it without its end, which the caller
+ * frees, or NULL at the end of input or a signal. */
 bool pump_confirm(struct session *s, const char *question);
+char *pump_question(struct session *s, const struct inquiry *inquiry);
+char *pump_ask(struct session *s, const struct inquiry *inquiry,
+    char *(*read)(const char *text));
 
 /* The exit status of a program that the noted signal ended, as shells count
  * it; 0 without one. */

@@ -296,6 +296,8 @@ repl_begin(struct session *s)
 		batch_file(s, path);
 	free(path);
 	pump_forget_interrupt();
+	/* Files of the command line are asked about, too. */
+	s->hooks.question = pump_question;
 }
 
 /* At the end of input readline ends the line itself, but only where it turns
@@ -307,12 +309,42 @@ end_line(void)
 		fputc('\n', stdout);
 }
 
+/* For readline: what is no command has no completion. */
+static char **
+complete_nothing(const char *text, int start, int end)
+{
+	(void)text, (void)start, (void)end;
+	rl_attempted_completion_over = 1;
+	return NULL;
+}
+
+static char *
+read_answer(const char *text)
+{
+	rl_attempted_completion_function = complete_nothing;
+	char *line = read_line(text);
+	rl_attempted_completion_function = on_complete;
+	if (line == NULL && pump_signal() == 0)
+		fputc('\n', rl_outstream);
+	if (line == NULL || text_is_utf8(line, strlen(line)))
+		return line;
+	free(line);
+	return NULL;
+}
+
+static char *
+question(struct session *s, const struct inquiry *q)
+{
+	return pump_ask(s, q, read_answer);
+}
+
 int
 repl_run(struct session *s)
 {
 	int number = 1;
 	set_up(s);
 	batch_attend(s);
+	s->hooks.question = question;
 	if (s->n_entry == 0)
 		session_note(s, "load your own sheet: load plant.xlsx; an "
 				"empty one to fill in: template > my.csv");

@@ -17,7 +17,8 @@
 
 /* Of the keys those that are not pressed yet, while there are any. */
 static char *keys_left;
-static bool asks; /* a question stands on the picture */
+static char *letters; /* of one of them, typed into an answer */
+static bool asks;     /* a question stands on the picture */
 
 /* What the loop does between two keys; the clock goes on by a second, so that
  * the same keys give the same picture on any machine. */
@@ -35,14 +36,26 @@ press(struct tui *t, int code, bool special)
 
 /* The next of the keys answers; without one the picture is that of the
  * question. */
-static int
-answer(struct tui *t)
+static bool
+answer(struct tui *t, int *code, bool *special)
 {
+	*special = false;
 	frame_draw(t);
-	char *word = keys_left != NULL ? strtok_r(NULL, " ", &keys_left) : NULL;
-	int code = 0;
-	asks = word == NULL || !keys_code(word, &code);
-	return code;
+	if (letters == NULL || *letters == '\0')
+		letters =
+		    keys_left != NULL ? strtok_r(NULL, " ", &keys_left) : NULL;
+	if (letters != NULL && keys_code(letters, code)) {
+		*special = *code > 255;
+		letters = NULL;
+		return true;
+	}
+	asks = letters == NULL || t->inquiry == NULL;
+	if (asks)
+		return false;
+	const char *next = letters;
+	*code = (int)text_next(&next);
+	letters += next - letters;
+	return true;
 }
 
 const struct tui_ways SHOT_WAYS = {.answer = answer};
@@ -94,7 +107,7 @@ press_all(struct tui *t, const char *keys, struct error *error)
 			    "interrupted at the key '%s'", word);
 	}
 	free(copy);
-	keys_left = NULL;
+	keys_left = letters = NULL;
 	return ok;
 }
 

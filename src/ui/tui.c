@@ -35,7 +35,8 @@ static double
 patience(const struct tui *t)
 {
 	double left = t->paste.on ? PASTE_PAUSE : INFINITY;
-	if (t->question == NULL && session_busy(t->session) && !t->held)
+	bool asks = t->question != NULL || t->inquiry != NULL;
+	if (!asks && session_busy(t->session) && !t->held)
 		left = t->pace == PACE_FULL
 			   ? 0
 			   : fmin(left, t->due - session_clock());
@@ -117,28 +118,31 @@ show(struct tui *t)
 		screen_resize();
 }
 
-/* The key that answers; 0 at a signal.  The mouse answers nothing. */
-static int
-answer(struct tui *t)
+static bool
+is_away(void)
+{
+	return aside;
+}
+
+/* False at a signal.  The mouse answers nothing. */
+static bool
+answer(struct tui *t, int *code, bool *special)
 {
 	enum { STOP = 26 };
-	int code = 0;
-	bool special = false, done = false;
-	if (aside)
-		return pump_confirm(t->session, t->question) ? 'y' : 0;
+	bool done = false;
 	while (!done && pump_signal() == 0) {
 		show(t);
-		done = input_key(t, &code, &special);
-		if (done && special && code == KEY_MOUSE) {
+		done = input_key(t, code, special);
+		if (done && *special && *code == KEY_MOUSE) {
 			MEVENT e;
 			getmouse(&e);
 			done = false;
-		} else if (done && !special && code == STOP) {
+		} else if (done && !*special && *code == STOP) {
 			done = false;
 			raise(SIGTSTP);
 		}
 	}
-	return done && !special ? code : 0;
+	return done;
 }
 
 static void
@@ -181,7 +185,7 @@ offer_last(struct tui *t)
 int
 tui_run(struct session *s)
 {
-	static const struct tui_ways WAYS = {answer, leave, come_back};
+	static const struct tui_ways WAYS = {answer, leave, come_back, is_away};
 	struct sigaction was[3];
 	struct tui t;
 	bool history = typed_is_open();

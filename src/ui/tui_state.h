@@ -61,16 +61,18 @@ struct cursor {
 	int row, column;
 };
 
+struct inquiry;
 struct page_ops;
 struct tui;
 
 /* How a full screen is shown. */
 struct tui_ways {
-	/* The key that answers t->question; 0: none does. */
-	int (*answer)(struct tui *t);
+	/* The next key for t->question or t->inquiry; false: none comes. */
+	bool (*answer)(struct tui *t, int *code, bool *special);
 	/* Leaves terminal and signals to somebody else, and takes them back;
 	 * NULL where it is drawn without a terminal. */
 	void (*leave)(void), (*come_back)(void);
+	bool (*is_away)(void); /* NULL: never */
 };
 
 struct tui {
@@ -122,7 +124,10 @@ struct tui {
 	bool bad;             /* the message is an error */
 	bool told;            /* it is of the command that moved the slider */
 	const char *question; /* that waits for an answer, or NULL */
-	FILE *said;           /* what commands print */
+	const struct inquiry *inquiry; /* likewise, for a line */
+	struct typing answer;          /* that line */
+	int inquiry_up;                /* rows its table is moved up */
+	FILE *said;                    /* what commands print */
 	char *said_text;
 	size_t said_n;
 	bool leave;

@@ -262,7 +262,7 @@ files_and_folders(void **state)
 	expect(desk, "load \"b", 5, "\"bro.csv\" ");
 	expect(desk, "load sem", 5, "\"semi;colon\" ");
 	expect(desk, "load .", 5, ".hidden ");
-	expect(desk, "load s", 5, "\"semi;colon\" |sheets/");
+	expect(desk, "load s", 5, "\"semi;colon\" |sheet=|sheets/");
 	expect(desk, "load sheets/", 5, "sheets/tierp.csv ");
 	expect(desk, "load two", 5, "\"two words/");
 	expect(desk, "load \"two words/", 5, "\"two words/a.csv\" ");

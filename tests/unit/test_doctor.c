@@ -239,6 +239,42 @@ mends_say_what_they_did(void **state)
 	site_free(site);
 }
 
+/* The coarsest cell of a product that can be 20 points lower and keep the
+ * order is one wrong cell, though the faster product is then the coarser one
+ * on the whole. */
+static void
+a_large_slip_is_no_exchange(void **state)
+{
+	(void)state;
+	size_t tried = 0;
+	for (uint64_t seed = 1; seed <= SITES; seed++) {
+		struct site *site = site_of(seed);
+		struct psd *psd = &site->run[1].product;
+		size_t i = 1;
+		/* Speeds so near that one cell outweighs them. */
+		for (size_t k = 0; k < psd->n; k++) {
+			double p = psd->passing[k], by = 0.04 * p * (1 - p);
+			site->run[0].product.passing[k] = p - by;
+			site->run[2].product.passing[k] = p + by;
+		}
+		while (i + 1 < psd->n &&
+		       psd->passing[i] - 0.2 < psd->passing[i + 1])
+			i++;
+		if (i + 1 < psd->n) {
+			tried++;
+			psd->passing[i] -= 0.2;
+			struct doctor d = doctor_look(site, NULL, 0);
+			assert_int_equal(d.n, 1);
+			assert_true(d.finding[0].mend.kind != MEND_WITH);
+			assert_int_equal(d.finding[0].mend.run, 1);
+			assert_true(d.finding[0].mend.size == psd->size[i]);
+			doctor_free(&d);
+		}
+		site_free(site);
+	}
+	assert_true(tried > 2);
+}
+
 /* A feed alone, or one product, has no mend and does no harm. */
 static void
 little_is_looked_at_too(void **state)
@@ -268,6 +304,7 @@ main(void)
 	    cmocka_unit_test(a_wrong_cell_is_named),
 	    cmocka_unit_test(transposed_digits_are_read),
 	    cmocka_unit_test(columns_are_put_right),
+	    cmocka_unit_test(a_large_slip_is_no_exchange),
 	    cmocka_unit_test(mends_say_what_they_did),
 	    cmocka_unit_test(little_is_looked_at_too),
 	};

@@ -1,0 +1,432 @@
+/* Questions about a sheet: the table, one question after the other, answers.
+ * Who asks, and where, is the driver's business.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/inquiry.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/head.h"
+#include "io/vocabulary.h"
+
+/* Rotors of such crushers are 0.4 to 1.5 m wide. */
+static const double LEAST_ROTOR_MM = 100, MOST_ROTOR_MM = 5000;
+static const double MOST_SPEED = 200; /* m/s */
+
+enum { CELLS = 4 };
+
+/* The cells of a row, which live as long as the question; number: of at least
+ * 24 bytes. */
+static void
+row_cells(const struct inquiry *q, size_t row, bool narrow, char *number,
+    const char *cell[static CELLS])
+{
+	const char *const HEADS[] = {
+	    "", "head", narrow ? "values" : "first values", "seems to be"};
+	if (row == 0) {
+		memcpy(cell, HEADS, sizeof HEADS);
+		cell[0] = narrow ? "" : q->ask->across ? "line" : "column";
+		return;
+	}
+	const struct site_ask_column *c = &q->ask->column[row - 1];
+	snprintf(number, 24, "%zu", c->number);
+	cell[0] = number;
+	cell[1] = c->head;
+	cell[2] = c->values;
+	cell[3] = c->guess;
+}
+
+/* Widths at which all rows fit: values give way first, then heads. */
+static void
+fit_widths(const struct inquiry *q, int room, bool narrow, int width[CELLS])
+{
+	static const int LEAST[CELLS] = {0, 9, 6, 8};
+	static const int GIVES[] = {2, 1, 3};
+	char number[24];
+	const char *cell[CELLS];
+	for (int i = 0; i < CELLS; i++)
+		width[i] = 0;
+	for (size_t r = 0; r <= q->ask->n; r++) {
+		row_cells(q, r, narrow, number, cell);
+		for (int i = 0; i < CELLS; i++) {
+			int w = text_width(cell[i]);
+			width[i] = w > width[i] ? w : width[i];
+		}
+	}
+	for (int i = 0; i < CELLS; i++)
+		room -= width[i];
+	for (size_t k = 0; k < ARRAY_LEN(GIVES) && room < 0; k++) {
+		int i = GIVES[k], spare = width[i] - LEAST[i];
+		int less = spare < -room ? spare : -room;
+		less = less > 0 ? less : 0;
+		width[i] -= less;
+		room += less;
+	}
+}
+
+/* Adds a cell of a table, cut to its width or filled up to it. */
+static void
+add_cell(char **line, const char *text, int width, bool right)
+{
+	int own = text_width(text);
+	if (right || own <= width) {
+		xappend(line, "%*s%s%*s",
+		    right && own < width ? width - own : 0, "", text,
+		    !right ? width - own : 0, "");
+		return;
+	}
+	char shown[TEXT_SHOWN];
+	int at = 0, most = width - 2;
+	for (const char *p = text; *p != '\0';) {
+		int w = text_show(&p, shown);
+		if (at + w > most)
+			break;
+		xappend(line, "%s", shown);
+		at += w;
+	}
+	xappend(line, "..%*s", at < most ? most - at : 0, "");
+}
+
+char *
+inquiry_row(const struct inquiry *q, size_t row, int columns)
+{
+	bool narrow = columns < 60;
+	const char *gap = narrow ? " " : "  ";
+	int width[CELLS], mark = 2;
+	char number[24];
+	const char *cell[CELLS];
+	fit_widths(
+	    q, columns - mark - (CELLS - 1) * (narrow ? 1 : 2), narrow, width);
+	row_cells(q, row, narrow, number, cell);
+	bool open = row > 0 && q->ask->column[row - 1].open;
+	char *line = xstrdup(open ? "? " : "  ");
+	for (int i = 0; i < CELLS; i++) {
+		xappend(&line, "%s", i > 0 ? gap : "");
+		add_cell(&line, cell[i], width[i], i == 0);
+	}
+	size_t n = strlen(line);
+	while (n > 0 && line[n - 1] == ' ')
+		line[--n] = '\0';
+	return line;
+}
+
+/* Whether an offered text is that of the sieves. */
+static bool
+is_sieve(const struct site_ask_column *c)
+{
+	return strncmp(c->guess, "sieve", 5) == 0;
+}
+
+static bool
+wants_speed(const struct site_ask_column *c)
+{
+	return strstr(c->guess, "@SPEED") != NULL;
+}
+
+/* "product@69 retained_g" with other words for its role and speed. */
+static char *
+with_role(const struct site_ask_column *c, const char *role)
+{
+	const char *unit = strchr(c->guess, ' ');
+	return xasprintf("%s%s", role, unit != NULL ? unit : "");
+}
+
+/* The role that is offered: of a column of sieves, which it is not said to be,
+ * a product's. */
+static char *
+offered_role(const struct site_ask_column *c)
+{
+	return is_sieve(c) ? xstrdup("product")
+			   : xstrndup(c->guess, strcspn(c->guess, "@ "));
+}
+
+/* A speed by itself: of what the column seems to be; a feed has none. */
+static char *
+with_speed(const struct site_ask_column *c, const struct head *head,
+    char wrong[static INQUIRY_WRONG])
+{
+	bool rpm = head->rpm > 0 && !(head->speed > 0);
+	double v = head->speed > 0 ? head->speed
+		   : rpm           ? head->rpm
+				   : head->number[0];
+	if (!rpm && !(v >= 1 && v <= MOST_SPEED)) {
+		snprintf(wrong, INQUIRY_WRONG,
+		    "expected a tip speed from 1 to %g m/s, got %g; of rpm "
+		    "write: %g rpm",
+		    MOST_SPEED, v, v);
+		return NULL;
+	}
+	char number[32];
+	char *role = offered_role(c);
+	if (strcmp(role, "feed") == 0 && strchr(c->guess, '@') == NULL) {
+		free(role);
+		role = xstrdup("product");
+	}
+	char *said =
+	    xasprintf(rpm ? "%s %s rpm" : "%s@%s", role, text_exact(v, number));
+	char *text = with_role(c, said);
+	free(said);
+	free(role);
+	return text;
+}
+
+/* Words that say a role, a quantity or both. */
+static char *
+with_words(const struct site_ask_column *c, const char *said,
+    const struct head *head, uint64_t means)
+{
+	uint64_t quantity = WORD_PASSES | WORD_STAYS | WORD_SUMS | WORD_SHARE |
+			    WORD_PERCENT | WORD_GRAMS | WORD_MASS;
+	bool role = (means & (WORD_FEED | WORD_PRODUCT | WORD_SD)) != 0;
+	bool bare = head->speed == 0 && head->rpm == 0 && head->n_number > 0;
+	char number[32];
+	if (!role && said[0] >= '0' && said[0] <= '9')
+		return xasprintf("product%s%s",
+		    head->speed > 0 || head->rpm > 0 ? " " : "@", said);
+	if (!role) {
+		char *text = xstrndup(c->guess, strcspn(c->guess, " "));
+		xappend(&text, " %s", said);
+		return text;
+	}
+	if ((means & quantity) != 0)
+		return xstrdup(said);
+	if (bare && (means & WORD_PRODUCT) != 0) {
+		char *product = xasprintf(
+		    "product@%s", text_exact(head->number[0], number));
+		char *text = with_role(c, product);
+		free(product);
+		return text;
+	}
+	return with_role(c, said);
+}
+
+static char *
+sieve_answer(const struct site_ask_column *c, const char *said, uint64_t means,
+    char wrong[static INQUIRY_WRONG])
+{
+	uint64_t unit = WORD_MM | WORD_UM | WORD_M | WORD_INCH | WORD_MESH |
+			WORD_TYLER | WORD_BS | WORD_ASTM;
+	(void)c;
+	if ((means & unit) != 0)
+		return xasprintf(
+		    "%s%s", (means & WORD_SIZE) != 0 ? "" : "sieve ", said);
+	snprintf(wrong, INQUIRY_WRONG,
+	    "expected the unit of the sieves (mm, um, in, tyler, bs, astm), "
+	    "got '%.30s'",
+	    said);
+	return NULL;
+}
+
+char *
+inquiry_answer(const struct site_ask_column *c, const char *answer,
+    char wrong[static INQUIRY_WRONG])
+{
+	char *copy = xstrdup(answer), *said = text_trim(copy), *text = NULL;
+	/* columns= has commas between columns only. */
+	for (char *p = said; *p != '\0'; p++)
+		if (*p == ',' && (p[1] < '0' || p[1] > '9'))
+			*p = ' ';
+	struct head head = head_read(said);
+	uint64_t means = head.means | vocabulary_text(said, NULL);
+	uint64_t known = WORD_FEED | WORD_PRODUCT | WORD_SD | WORD_PASSES |
+			 WORD_STAYS | WORD_SUMS | WORD_SHARE | WORD_PERCENT |
+			 WORD_GRAMS | WORD_MASS;
+	bool speed = head.speed > 0 || head.rpm > 0 || head.n_number > 0;
+	wrong[0] = '\0';
+	if (said[0] == '\0' && wants_speed(c))
+		snprintf(wrong, INQUIRY_WRONG,
+		    "expected a tip speed in m/s, got nothing; - leaves the "
+		    "column out");
+	else if (said[0] == '\0')
+		text = xstrdup(c->guess);
+	else if (is_sieve(c))
+		text = sieve_answer(c, said, means, wrong);
+	else if (strcmp(said, "-") != 0 && strpbrk(said, "\"=") != NULL)
+		snprintf(wrong, INQUIRY_WRONG,
+		    "expected what this column is, got '%.40s'", said);
+	else if ((means & known) != 0)
+		text = with_words(c, said, &head, means);
+	else if (speed && head.unknown == 0)
+		text = with_speed(c, &head, wrong);
+	else if (strcmp(said, "-") != 0)
+		snprintf(wrong, INQUIRY_WRONG,
+		    "expected a tip speed, feed, product@69 or -, got '%.30s'",
+		    said);
+	free(copy);
+	return text;
+}
+
+/* Asks about one column until the answer can be taken; false: given up.  The
+ * words, or NULL to leave it out, then stand in the table. */
+static bool
+ask_column(struct session *s, struct inquiry *q, struct site_ask_column *c)
+{
+	char wrong[INQUIRY_WRONG] = "";
+	const char *kind = q->ask->across ? "line" : "column";
+	bool speed = wants_speed(c);
+	char *question = speed ? xasprintf("%s %zu '%s': tip speed, m/s", kind,
+				     c->number, c->head)
+			       : xasprintf("%s %zu '%s': what is it", kind,
+				     c->number, c->head);
+	char *words = NULL;
+	bool good;
+	q->text = question;
+	q->offered = speed ? "" : c->guess;
+	q->hint = is_sieve(c) ? "or: mm, um, in, tyler, bs, astm"
+		  : speed     ? "or: 1350 rpm, feed; - leaves it out"
+			      : "or: feed, product@69, retained_g; - leaves it "
+				"out";
+	q->wrong = wrong;
+	do {
+		char *answer = s->hooks.question(s, q);
+		good = answer != NULL;
+		if (good)
+			words = inquiry_answer(c, answer, wrong);
+		free(answer);
+		q->first = false;
+	} while (good && words == NULL && wrong[0] != '\0');
+	free(question);
+	if (!good)
+		return false;
+	free(c->guess);
+	c->guess = words != NULL ? words : xstrdup("-");
+	c->open = false;
+	return true;
+}
+
+/* The table is a copy: answers are put into it as they come. */
+static bool
+ask_columns(struct session *s, const struct site_ask *ask, const char *file,
+    struct inquired *said)
+{
+	struct site_ask table = *ask;
+	table.column = xcalloc(ask->n, sizeof *table.column);
+	for (size_t i = 0; i < ask->n; i++) {
+		table.column[i] = ask->column[i];
+		table.column[i].guess = xstrdup(ask->column[i].guess);
+	}
+	char *about = xasprintf("%s: what are the %s marked with ?", file,
+	    ask->across ? "lines" : "columns");
+	struct inquiry q = {.about = about, .ask = &table, .first = true};
+	bool good = true;
+	said->columns = xstrdup("");
+	for (size_t i = 0; i < ask->n && good; i++) {
+		struct site_ask_column *c = &table.column[i];
+		q.at = i;
+		if (c->open)
+			good = ask_column(s, &q, c);
+		if (good && strcmp(c->guess, "-") != 0)
+			xlist(&said->columns, ", ", "%zu=%s", c->number,
+			    c->guess);
+	}
+	for (size_t i = 0; i < ask->n; i++)
+		free(table.column[i].guess);
+	free(table.column);
+	free(about);
+	return good;
+}
+
+static bool
+take_rotor(const char *said, struct inquired *into, char *wrong)
+{
+	double mm;
+	bool good = text_number(said, &mm) && mm >= LEAST_ROTOR_MM &&
+		    mm <= MOST_ROTOR_MM;
+	into->rotor = good ? mm / 1000 : 0;
+	if (!good)
+		snprintf(wrong, INQUIRY_WRONG,
+		    "expected a diameter from %g to %g mm, got '%.30s'",
+		    LEAST_ROTOR_MM, MOST_ROTOR_MM, said);
+	return good;
+}
+
+static bool
+take_decimal(const char *said, struct inquired *into, char *wrong)
+{
+	bool comma = strcmp(said, ",") == 0 || text_same(said, "comma");
+	bool point = strcmp(said, ".") == 0 || text_same(said, "point");
+	into->decimal = comma ? ',' : '.';
+	if (!comma && !point)
+		snprintf(wrong, INQUIRY_WRONG,
+		    "expected point or comma, got '%.30s'", said);
+	return comma || point;
+}
+
+/* A sheet or range as typed, or what is offered. */
+static bool
+take_place(const char *settle, const char *said, struct inquired *into)
+{
+	char **slot =
+	    strncmp(settle, "sheet=", 6) == 0 ? &into->sheet : &into->range;
+	const char *from = said[0] != '\0' ? said : strchr(settle, '=') + 1;
+	free(*slot);
+	*slot = text_unquoted(from, strlen(from));
+	return true;
+}
+
+static bool
+take_option(
+    const char *settle, const char *said, struct inquired *into, char *wrong)
+{
+	if (strncmp(settle, "rotor_mm=", 9) == 0)
+		return take_rotor(said, into, wrong);
+	if (strncmp(settle, "decimal=", 8) == 0)
+		return take_decimal(said, into, wrong);
+	return take_place(settle, said, into);
+}
+
+/* One answer for an option of its own. */
+static bool
+ask_option(struct session *s, const struct site_ask *ask,
+    const struct error *trouble, struct inquired *said)
+{
+	static const struct {
+		const char *option, *question;
+	} ASKS[] = {{"rotor_mm=", "diameter of the rotor in mm"},
+	    {"decimal=", "decimal sign, point or comma"},
+	    {"sheet=", "which sheet is to be read"},
+	    {"range=", "which cells are to be read"}};
+	char wrong[INQUIRY_WRONG] = "";
+	char *about = xasprintf("%s: %s", trouble->file, trouble->text);
+	struct inquiry q = {.about = about,
+	    .ask = ask,
+	    .text = ask->settle,
+	    .offered = "",
+	    .hint = "",
+	    .wrong = wrong,
+	    .first = true};
+	for (size_t i = 0; i < ARRAY_LEN(ASKS); i++)
+		if (strncmp(ask->settle, ASKS[i].option,
+			strlen(ASKS[i].option)) == 0) {
+			q.text = ASKS[i].question;
+			q.offered = i < 2 ? "" : strchr(ask->settle, '=') + 1;
+		}
+	bool good = false, given_up = false;
+	while (!good && !given_up) {
+		char *answer = s->hooks.question(s, &q);
+		given_up = answer == NULL;
+		wrong[0] = '\0';
+		good = !given_up &&
+		       take_option(ask->settle, text_trim(answer), said, wrong);
+		free(answer);
+		q.first = false;
+	}
+	free(about);
+	return good;
+}
+
+bool
+inquire(struct session *s, const struct site_ask *ask,
+    const struct error *trouble, struct inquired *said)
+{
+	/* A script that somebody runs at a prompt has no questions either: it
+	 * is to do the same every time. */
+	if (s->hooks.question == NULL || ask->settle == NULL ||
+	    s->scripts > s->typed_at)
+		return false;
+	return ask->n > 0 ? ask_columns(s, ask, trouble->file, said)
+			  : ask_option(s, ask, trouble, said);
+}

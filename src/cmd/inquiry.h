@@ -1,0 +1,48 @@
+/* Questions about a sheet, for somebody who sits there, and what the answers
+ * mean.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_INQUIRY_H
+#define TIPSPEED_CMD_INQUIRY_H
+
+#include "cmd/session.h"
+#include "io/site_request.h"
+
+/* One question.  about: what it is about, a sentence.  ask: its columns are the
+ * table shown with it (n 0: none), of which `at` is asked about.  text: the
+ * question; offered: what an empty line stands for, or "".  hint: what else may
+ * be answered.  wrong: why the last answer was none, or "".  first: no question
+ * of the same table came before. */
+struct inquiry {
+	const char *about;
+	const struct site_ask *ask;
+	size_t at;
+	const char *text, *offered, *hint, *wrong;
+	bool first;
+};
+
+/* What somebody said, as load's options have it: texts are the caller's, NULL
+ * and zeros where nothing was asked. */
+struct inquired {
+	char *columns, *sheet, *range;
+	char decimal;
+	double rotor; /* m */
+};
+
+/* Asks session->hooks.question until all that is open has an answer; false:
+ * nobody is there, or has given up.  trouble: the fault that says what is open.
+ * said: zeroed by the caller. */
+bool inquire(struct session *s, const struct site_ask *ask,
+    const struct error *trouble, struct inquired *said);
+
+/* Row 0..ask->n of the table as a line of at most so many screen columns, the
+ * heads first; what is too long ends in "..".  The caller frees. */
+char *inquiry_row(const struct inquiry *q, size_t row, int columns);
+
+/* What the answer about a column says, as columns= has it, which the caller
+ * frees: a speed, words, or what is offered for "".  NULL: it is left out where
+ * wrong is "", else wrong says what was expected. */
+enum { INQUIRY_WRONG = 160 };
+char *inquiry_answer(const struct site_ask_column *column, const char *answer,
+    char wrong[static INQUIRY_WRONG]);
+
+#endif

@@ -1,0 +1,211 @@
+/* The box of a question.  What there is no room for drops in this order: what
+ * else may be answered, what the question is about, the keys, the table but for
+ * the row asked about.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/dialogue.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include <curses.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "ui/pane.h"
+#include "ui/screen.h"
+
+enum typing_result
+dialogue_key(struct tui *t, int code, bool special)
+{
+	enum { DELETE = 127 };
+	bool back =
+	    special ? code == KEY_BACKSPACE : code == DELETE || code == '\b';
+	if (special && (code == KEY_UP || code == KEY_DOWN)) {
+		t->inquiry_up += code == KEY_UP ? 1 : -1;
+		return TYPING_ON;
+	}
+	if (special && code == KEY_ENTER)
+		return TYPING_DONE;
+	/* In an empty line Backspace would give up; Tab completes commands. */
+	if ((back && t->answer.n == 0) || (!special && code == '\t'))
+		return TYPING_ON;
+	return typing_key(&t->answer, t->session, code, special);
+}
+
+char *
+dialogue_ask(struct tui *t, const struct inquiry *q)
+{
+	int code;
+	bool special;
+	enum typing_result result = TYPING_ON;
+	t->inquiry = q;
+	t->inquiry_up = 0;
+	typing_begin(&t->answer, "");
+	while (result == TYPING_ON && t->ways->answer(t, &code, &special))
+		result = dialogue_key(t, code, special);
+	t->inquiry = NULL;
+	typing_end(&t->answer);
+	return result == TYPING_DONE ? xstrdup(t->answer.text) : NULL;
+}
+
+/* How many rows each part has; gap: blank ones around the table. */
+struct parts {
+	int about, table, gap, text, line, hint;
+};
+
+static int
+rows_of(const char *text, int columns)
+{
+	char *lines = text_wrapped(text, columns);
+	int n = 0;
+	for (const char *p = lines; *p != '\0'; p++)
+		n += *p == '\n';
+	free(lines);
+	return text[0] != '\0' ? n : 0;
+}
+
+static int
+at_most(int n, int *left)
+{
+	int taken = n < *left ? n : *left;
+	*left -= taken;
+	return taken;
+}
+
+static const char *
+about(const struct inquiry *q)
+{
+	return q->wrong[0] != '\0' ? q->wrong : q->about;
+}
+
+static struct parts
+share_rows(const struct inquiry *q, const char *asks, int room, int columns)
+{
+	enum { LEAST = 5 };
+	int table = q->ask->n > 0 ? (int)q->ask->n + 1 : 0, left = room;
+	struct parts p = {0};
+	p.line = at_most(1, &left);
+	p.text = at_most(rows_of(asks, columns), &left);
+	p.table = at_most(table < LEAST ? table : LEAST, &left);
+	p.about = at_most(rows_of(about(q), columns), &left);
+	int hint = rows_of(q->hint, columns);
+	p.hint = hint <= left ? at_most(hint, &left) : 0;
+	p.table += at_most(table - p.table, &left);
+	p.gap = table > 0 && left >= 2 ? 2 : 0;
+	return p;
+}
+
+static void
+draw_frame(const struct area *box, const char *keys)
+{
+	static const char *const CORNERS[] = {
+	    "\u250c", "\u2510", "\u2514", "\u2518"};
+	bool ascii = screen_charset() == CHARSET_ASCII;
+	struct area edge = *box;
+	edge.rows = 1;
+	screen_rule(&edge);
+	edge.row += box->rows - 1;
+	screen_rule(&edge);
+	screen_wall(box->row, box->column, box->rows);
+	screen_wall(box->row, box->column + box->columns - 1, box->rows);
+	for (int i = 0; i < 4; i++)
+		screen_text(box, i < 2 ? 0 : box->rows - 1,
+		    i % 2 == 0 ? 0 : box->columns - 1, LOOK_DIM, "%s",
+		    ascii ? "+" : CORNERS[i]);
+	screen_text(&edge, 0, 2, LOOK_PLAIN, " %s ", keys);
+}
+
+/* The heads, and as many rows as there is room for, with the one asked about
+ * unless it was moved away. */
+static void
+draw_table(struct tui *t, const struct area *area)
+{
+	const struct inquiry *q = t->inquiry;
+	int shown = area->rows - 1, n = (int)q->ask->n, at = (int)q->at;
+	if (shown < 1)
+		return;
+	int top = at - shown / 2 - t->inquiry_up, most = n - shown;
+	int fit = top > most ? most : top;
+	fit = fit < 0 ? 0 : fit;
+	t->inquiry_up += top - fit;
+	for (int r = 0; r < area->rows; r++) {
+		size_t row = r == 0 ? 0 : (size_t)(fit + r);
+		char *line = inquiry_row(q, row, area->columns);
+		screen_text(area, r, 0,
+		    r == 0               ? LOOK_DIM
+		    : (int)row - 1 == at ? LOOK_REVERSE
+					 : LOOK_PLAIN,
+		    "%s", line);
+		free(line);
+	}
+}
+
+/* What is typed, after "> "; of what is too long the end. */
+static void
+draw_line(struct tui *t, const struct area *area)
+{
+	const struct typing *y = &t->answer;
+	char *till = xstrndup(y->text, y->at);
+	int before = text_width(till), room = area->columns - 3;
+	const char *shown = y->text;
+	char left[TEXT_SHOWN];
+	free(till);
+	while (before > room && *shown != '\0')
+		before -= text_show(&shown, left);
+	screen_text(area, 0, 0, LOOK_BOLD, "> %s", shown);
+	t->cursor = (struct cursor){area->row, area->column + 2 + before};
+}
+
+/* The parts one below the other. */
+static void
+draw_parts(struct tui *t, const struct area *inner, const struct parts *p,
+    const char *asks)
+{
+	const struct inquiry *q = t->inquiry;
+	struct area area = *inner;
+	area.rows = p->about;
+	if (p->about > 0)
+		screen_words(&area, 0, LOOK_BOLD, about(q));
+	area.row += p->about + p->gap / 2;
+	area.rows = p->table;
+	draw_table(t, &area);
+	area.row += p->table + p->gap / 2;
+	area.rows = p->text;
+	if (p->text > 0)
+		screen_words(&area, 0, LOOK_BOLD, asks);
+	area.row += p->text;
+	area.rows = p->line;
+	draw_line(t, &area);
+	area.row += p->line;
+	area.rows = p->hint;
+	if (p->hint > 0)
+		screen_words(&area, 0, LOOK_DIM, q->hint);
+}
+
+void
+dialogue_draw(struct tui *t, int rows, int columns)
+{
+	enum { MOST_COLUMNS = 100, FRAME_ROWS = 9, FRAME_COLUMNS = 32 };
+	const struct inquiry *q = t->inquiry;
+	bool frame = rows >= FRAME_ROWS && columns >= FRAME_COLUMNS;
+	bool offers = q->offered[0] != '\0';
+	int edge = frame ? 1 : 0, side = columns >= 60 ? 2 * edge : edge;
+	int wide = columns < MOST_COLUMNS ? columns : MOST_COLUMNS;
+	char *asks = xasprintf("%s%s%s%s", q->text, offers ? " [" : "",
+	    q->offered, offers ? "]" : "?");
+	struct parts p = share_rows(q, asks, rows - 2 * edge, wide - 2 * side);
+	int high = p.about + p.table + p.gap + p.text + p.line + p.hint;
+	struct area box = {.row = (rows - high) / 2 - edge,
+	    .column = (columns - wide) / 2,
+	    .rows = high + 2 * edge,
+	    .columns = wide};
+	for (int r = 0; r < box.rows; r++)
+		screen_text(&box, r, 0, 0, "%*s", box.columns, "");
+	if (frame)
+		draw_frame(&box,
+		    offers ? "Enter accepts  Esc gives up" : "Esc gives up");
+	struct area inner = {
+	    box.row + edge, box.column + side, high, wide - 2 * side};
+	draw_parts(t, &inner, &p, asks);
+	free(asks);
+}

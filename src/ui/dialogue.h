@@ -1,0 +1,20 @@
+/* A question about a sheet on the full screen: a box with the table of its
+ * columns and a line to answer in.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_DIALOGUE_H
+#define TIPSPEED_UI_DIALOGUE_H
+
+#include "cmd/inquiry.h"
+#include "ui/tui_state.h"
+
+/* See session->hooks.question. */
+char *dialogue_ask(struct tui *t, const struct inquiry *q);
+
+/* Takes a key of the dialogue that stands. */
+enum typing_result dialogue_key(struct tui *t, int code, bool special);
+
+/* Draws it over whatever the screen shows, at any size, and puts the cursor
+ * into its line. */
+void dialogue_draw(struct tui *t, int rows, int columns);
+
+#endif

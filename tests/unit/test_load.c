@@ -1,0 +1,309 @@
+/* What load asks about a sheet, and what the answers come to.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "cmd/inquiry.h"
+#include "desk.h"
+
+/* Who sits there: gives these answers, separated by |, and notes what was
+ * asked.  "^" gives up. */
+static struct {
+	const char *answers;
+	char asked[4000];
+	size_t n;
+} user;
+
+static char *
+answer(struct session *s, const struct inquiry *q)
+{
+	(void)s;
+	size_t used = strlen(user.asked);
+	snprintf(user.asked + used, sizeof user.asked - used, "%s [%s] %s\n",
+	    q->text, q->offered, q->wrong);
+	user.n++;
+	if (user.answers == NULL || user.n > 20)
+		return NULL;
+	const char *from = user.answers, *end = strchr(from, '|');
+	user.answers = end != NULL ? end + 1 : NULL;
+	size_t n = end != NULL ? (size_t)(end - from) : strlen(from);
+	return n == 1 && from[0] == '^' ? NULL : xstrndup(from, n);
+}
+
+static int
+open_with_user(void **state)
+{
+	desk_open(state);
+	struct desk *desk = *state;
+	desk->session->hooks.question = answer;
+	memset(&user, 0, sizeof user);
+	return 0;
+}
+
+/* A sheet in the build's folder, which the next one replaces. */
+static const char SHEET[] = "test-load.csv";
+
+static int
+close_without_sheet(void **state)
+{
+	unlink(SHEET);
+	return desk_close(state);
+}
+
+static void
+write_sheet(const char *text)
+{
+	FILE *f = fopen(SHEET, "w");
+	assert_non_null(f);
+	fputs(text, f);
+	assert_int_equal(fclose(f), 0);
+}
+
+static bool
+load_with(struct desk *desk, const char *sheet, const char *answers)
+{
+	write_sheet(sheet);
+	user.answers = answers;
+	user.asked[0] = '\0';
+	user.n = 0;
+	return desk_say(desk, "load test-load.csv");
+}
+
+static void
+assert_near(double value, double wanted, double by)
+{
+	if (!(fabs(value - wanted) <= by))
+		fail_msg("expected %.9g, got %.9g", wanted, value);
+}
+
+static const struct site *
+site_of(struct desk *desk)
+{
+	return session_entry(desk->session)->site;
+}
+
+static void
+assert_speeds(const struct site *site, double slow, double fast)
+{
+	assert_int_equal(site->n_run, 2);
+	assert_near(site->run[0].speed, slow, 1e-9);
+	assert_near(site->run[1].speed, fast, 1e-9);
+	assert_true(site->run[0].feed.n > 0 && site->run[0].product.n > 0);
+}
+
+static const char OPEN[] = "Sieve mm;Feed;Product 1;Product 2\n"
+			   "8;100;100;100\n4;40;60;65\n2;20;35;40\n1;5;15;19\n";
+
+static void
+speeds_are_asked_column_by_column(void **state)
+{
+	struct desk *desk = *state;
+	assert_true(load_with(desk, OPEN, "69|79"));
+	assert_int_equal(user.n, 2);
+	assert_non_null(strstr(user.asked, "column 3 'Product 1'"));
+	assert_non_null(strstr(user.asked, "column 4 'Product 2'"));
+	assert_speeds(site_of(desk), 69, 79);
+	assert_near(
+	    psd_passing(&site_of(desk)->run[1].product, 4e-3), 0.65, 1e-9);
+}
+
+static void
+speeds_come_with_units(void **state)
+{
+	struct desk *desk = *state;
+	assert_true(load_with(desk, OPEN, "63,6 m/s|product at 252 km/h"));
+	assert_speeds(site_of(desk), 63.6, 70);
+}
+
+static void
+rpm_lead_to_the_rotor(void **state)
+{
+	struct desk *desk = *state;
+	assert_true(
+	    load_with(desk, OPEN, "1350 rpm|1500 rpm|nine hundred|900"));
+	assert_non_null(strstr(user.asked, "diameter of the rotor"));
+	assert_non_null(strstr(user.asked, "got 'nine hundred'"));
+	assert_int_equal(site_of(desk)->n_run, 2);
+	assert_near(site_of(desk)->run[0].speed, 63.62, 0.01);
+}
+
+static void
+words_say_what_a_column_is(void **state)
+{
+	struct desk *desk = *state;
+	/* The first is another feed's product, the second is left out. */
+	assert_true(load_with(desk, OPEN, "product@72|-"));
+	assert_int_equal(site_of(desk)->n_run, 1);
+	assert_near(site_of(desk)->run[0].speed, 72, 1e-9);
+	assert_true(load_with(desk,
+	    "Sieve mm;Feed;Product 1;Product 2\n8;0;0;0\n4;120;80;70\n"
+	    "2;40;50;50\n1;30;40;42\npan;10;30;38\n",
+	    "69 g retained|product 79 retained_g"));
+	assert_speeds(site_of(desk), 69, 79);
+	assert_near(
+	    psd_passing(&site_of(desk)->run[0].product, 4e-3), 0.6, 1e-9);
+}
+
+static void
+feed_and_product_can_be_told(void **state)
+{
+	struct desk *desk = *state;
+	assert_true(load_with(desk,
+	    "Sieve mm;Sample A;Sample B\n8;100;100\n4;40;60\n2;20;35\n1;5;15\n",
+	    "feed|72"));
+	assert_int_equal(site_of(desk)->n_run, 1);
+	assert_near(psd_passing(&site_of(desk)->run[0].feed, 4e-3), 0.4, 1e-9);
+	assert_near(
+	    psd_passing(&site_of(desk)->run[0].product, 4e-3), 0.6, 1e-9);
+}
+
+static void
+enter_accepts_what_is_offered(void **state)
+{
+	struct desk *desk = *state;
+	const char *sheet = "Sieve,Feed,Product 69 m/s,Product 79 m/s\n"
+			    "882,100,100,100\n441,40,60,65\n210,20,35,40\n"
+			    "97,5,15,19\n";
+	assert_true(load_with(desk, sheet, "furlong|um"));
+	assert_non_null(strstr(user.asked, "[sieve mm]"));
+	assert_non_null(strstr(user.asked, "expected the unit of the sieves"));
+	assert_near(
+	    psd_passing(&site_of(desk)->run[0].product, 441e-6), 0.6, 1e-9);
+	assert_true(load_with(desk, sheet, ""));
+	assert_near(
+	    psd_passing(&site_of(desk)->run[0].product, 0.441), 0.6, 1e-9);
+}
+
+static void
+what_is_no_answer_is_asked_again(void **state)
+{
+	struct desk *desk = *state;
+	assert_true(load_with(desk, OPEN, "|banana|1350|69|a=b|79"));
+	assert_int_equal(user.n, 6);
+	assert_non_null(strstr(user.asked, "got nothing"));
+	assert_non_null(strstr(user.asked, "got 'banana'"));
+	assert_non_null(strstr(user.asked, "of rpm write: 1350 rpm"));
+	assert_speeds(site_of(desk), 69, 79);
+}
+
+static void
+who_gives_up_gets_the_command(void **state)
+{
+	struct desk *desk = *state;
+	assert_false(load_with(desk, OPEN, "69|^"));
+	assert_int_equal(desk->session->n_entry, 0);
+	assert_int_equal(desk->error.kind, ERROR_DATA);
+	assert_non_null(strstr(desk->error.hint, "load test-load.csv "
+						 "columns=\"1=sieve mm"));
+}
+
+static void
+a_decimal_sign_is_asked(void **state)
+{
+	struct desk *desk = *state;
+	const char *sheet = "Sieve mm;Feed retained g;Product 69 m/s retained g"
+			    "\n8;0;0\n4;1.500;1.250\n2;1.250;1.500\n"
+			    "1;1.125;1.125\npan;1.000;1.125\n";
+	assert_true(load_with(desk, sheet, "maybe|point"));
+	assert_int_equal(user.n, 2);
+	assert_non_null(strstr(user.asked, "got 'maybe'"));
+	assert_near(psd_passing(&site_of(desk)->run[0].feed, 4e-3),
+	    1 - 1.5 / 4.875, 1e-6);
+}
+
+static void
+of_two_tables_one_is_asked_for(void **state)
+{
+	struct desk *desk = *state;
+	const char *sheet =
+	    "May\nSieve mm;Feed;Product 69 m/s\n8;100;100\n4;40;60\n1;5;15\n"
+	    "\nJune\nSieve mm;Feed;Product 79 "
+	    "m/s\n8;100;100\n4;42;66\n1;6;18\n";
+	assert_true(load_with(desk, sheet, ""));
+	assert_near(site_of(desk)->run[0].speed, 69, 1e-9);
+	assert_true(load_with(desk, sheet, "A8:C11"));
+	assert_near(site_of(desk)->run[0].speed, 79, 1e-9);
+}
+
+static void
+scripts_are_not_asked(void **state)
+{
+	struct desk *desk = *state;
+	desk->session->scripts = 1;
+	assert_false(load_with(desk, OPEN, "69|79"));
+	desk->session->scripts = 0;
+	assert_int_equal(user.n, 0);
+	desk->session->hooks.question = NULL;
+	assert_false(load_with(desk, OPEN, "69|79"));
+	assert_non_null(strstr(desk->error.hint, "columns="));
+}
+
+static void
+answers_are_saved_with_the_session(void **state)
+{
+	struct desk *desk = *state;
+	assert_true(load_with(desk, OPEN, "69|79"));
+	unlink("test-load.tip");
+	desk_expect(desk, "save test-load.tip");
+	FILE *f = fopen("test-load.tip", "r");
+	assert_non_null(f);
+	char text[2000];
+	size_t n = fread(text, 1, sizeof text - 1, f);
+	fclose(f);
+	unlink("test-load.tip");
+	text[n] = '\0';
+	assert_non_null(strstr(text, "3=product@69 passing_pct"));
+}
+
+/* Rows of the table fit whatever width there is. */
+static void
+rows_fit(void **state)
+{
+	(void)state;
+	struct site_ask_column column[] = {
+	    {1, "Sikt (mm)", "11,2 8 5,6 4", "sieve mm", false},
+	    {12, "Förkrossad produkt, prov nummer ett", "100 75,0 55,25 42,125",
+		"product@SPEED retained_cum_pct", true}};
+	struct site_ask ask = {.n = 2, .column = column};
+	struct inquiry q = {.ask = &ask};
+	for (int columns = 38; columns <= 110; columns++) {
+		size_t at = 0;
+		for (size_t row = 0; row <= ask.n; row++) {
+			char *line = inquiry_row(&q, row, columns);
+			assert_true(text_width(line) <= columns);
+			if (row == 2)
+				at = strncmp(line, "? ", 2) == 0 ? 1 : 0;
+			free(line);
+		}
+		assert_int_equal(at, 1);
+	}
+	char *line = inquiry_row(&q, 2, 110);
+	assert_non_null(strstr(line, "prov nummer ett  100 75,0 55,25 42,125  "
+				     "product@SPEED retained_cum_pct"));
+	free(line);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+#define WITH_USER(test)                  \
+	cmocka_unit_test_setup_teardown( \
+	    test, open_with_user, close_without_sheet)
+	    WITH_USER(speeds_are_asked_column_by_column),
+	    WITH_USER(speeds_come_with_units),
+	    WITH_USER(rpm_lead_to_the_rotor),
+	    WITH_USER(words_say_what_a_column_is),
+	    WITH_USER(feed_and_product_can_be_told),
+	    WITH_USER(enter_accepts_what_is_offered),
+	    WITH_USER(what_is_no_answer_is_asked_again),
+	    WITH_USER(who_gives_up_gets_the_command),
+	    WITH_USER(a_decimal_sign_is_asked),
+	    WITH_USER(of_two_tables_one_is_asked_for),
+	    WITH_USER(scripts_are_not_asked),
+	    WITH_USER(answers_are_saved_with_the_session),
+	    cmocka_unit_test(rows_fit),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
