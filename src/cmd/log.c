@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/files.h"
+#include "cmd/inquiry.h"
 #include "cmd/journal.h"
 #include "cmd/table.h"
 #include "io/head.h"
@@ -112,21 +113,35 @@ write_journal(struct session *s, const struct args *args,
 	(void)args;
 }
 
-/* Asks whether the day comes first; false where nobody answers. */
+/* Asks whether the day comes first, until somebody says so; false where nobody
+ * does. */
 static bool
 ask_order(struct session *s, const struct error_list *errors,
     enum moment_order *order)
 {
-	if (s->hooks.question == NULL)
-		return false;
-	session_note(s, "%s", errors->item[0].text);
-	char *answer = s->hooks.question(s, "day or month first: ");
-	char *said = answer != NULL ? text_trim(answer) : NULL;
-	bool day = said != NULL && (said[0] == 'd' || said[0] == 'D');
-	bool month = said != NULL && (said[0] == 'm' || said[0] == 'M');
-	*order = day ? MOMENT_DAY_FIRST : MOMENT_MONTH_FIRST;
-	free(answer);
-	return day || month;
+	const struct site_ask none = {0};
+	struct inquiry q = {.about = errors->item[0].text,
+	    .ask = &none,
+	    .text = "dates: day or month first",
+	    .offered = "",
+	    .hint = "day, or month",
+	    .wrong = "",
+	    .first = true};
+	while (*order == MOMENT_OPEN) {
+		char *answer =
+		    s->hooks.question != NULL ? s->hooks.question(s, &q) : NULL;
+		if (answer == NULL)
+			return false;
+		const char *said = text_trim(answer);
+		if (said[0] == 'd' || said[0] == 'D')
+			*order = MOMENT_DAY_FIRST;
+		else if (said[0] == 'm' || said[0] == 'M')
+			*order = MOMENT_MONTH_FIRST;
+		q.wrong = "expected day or month";
+		q.first = false;
+		free(answer);
+	}
+	return true;
 }
 
 static struct plant_log *

@@ -29,7 +29,7 @@ static const struct {
 /* Units of other things: a number before one of them is no speed. */
 static const char *const OTHER_UNITS[] = {"mm", "um", "\xC2\xB5m", "\xCE\xBCm",
     "cm", "micron", "inch", "in.", "\"", "g", "kg", "%", "t/h", "tph", "ton",
-    "t", "kw", "h", "hz", "pct", "\xC2\xB0"};
+    "t", "kw", "h", "hz", "a", "s", "v", "bar", "min", "pct", "\xC2\xB0"};
 
 static bool
 is_letter(char c)

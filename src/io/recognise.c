@@ -61,6 +61,7 @@ merge(struct head *said, const struct head *more, bool own, bool titles)
 	uint64_t rest = ~(GROUPS[0] | GROUPS[1] | GROUPS[2]);
 	/* Of "Feed" above the next column, where this one has a speed of its
 	 * own, only the feed is meant. */
+	bool mean = !own && (said->means & WORD_MEAN) != 0;
 	bool feed = !own && (more->means & WORD_FEED) != 0 &&
 		    (said->speed > 0 || said->rpm > 0);
 	for (size_t i = feed ? 1 : 0; i < 3; i++)
@@ -70,9 +71,9 @@ merge(struct head *said, const struct head *more, bool own, bool titles)
 		said->means |= more->means & rest;
 	if (own && !titles)
 		said->unknown += more->unknown;
-	if (said->speed == 0 && said->rpm == 0) {
+	if (!mean && said->speed == 0 && (said->rpm == 0 || more->speed > 0)) {
 		said->speed = more->speed;
-		said->rpm = more->rpm;
+		said->rpm = said->rpm > 0 ? said->rpm : more->rpm;
 		said->spread = !own && (more->speed > 0 || more->rpm > 0);
 		said->unit =
 		    said->unit == SPEED_NO_UNIT ? more->unit : said->unit;
@@ -98,6 +99,16 @@ apply_label(const struct cell *label, struct head *head)
 	if (unit == SPEED_NO_UNIT && (row.means & WORD_RPM) != 0)
 		unit = SPEED_RPM;
 	bool speed = unit != SPEED_NO_UNIT || (row.means & WORD_SPEED) != 0;
+	/* "Speed (Hz)", "Belt speed m/s", "t/h": another quantity. */
+	bool other =
+	    row.unknown > 0 || row.n_number > 0 ||
+	    (row.means & (WORD_PERCENT | WORD_GRAMS | WORD_LIMIT)) != 0 ||
+	    (speed && (row.means & WORD_SAMPLE) != 0) ||
+	    (speed && (row.means & WORD_FEED) != 0);
+	if (other && head->unit == SPEED_NO_UNIT) {
+		head->n_number = 0;
+		return;
+	}
 	if (speed && head->n_number == 1 && head->unit == SPEED_NO_UNIT) {
 		if (unit == SPEED_NO_UNIT) {
 			head->means |= WORD_SPEED;
@@ -448,6 +459,8 @@ bare_speed(const struct head *said)
 	double found = 0;
 	bool numbered =
 	    (said->means & WORD_SAMPLE) != 0 && (said->means & WORD_SPEED) == 0;
+	if ((said->means & WORD_OTHER) != 0)
+		return 0;
 	for (size_t i = 0; i < said->n_number; i++) {
 		double v = said->number[i];
 		bool whole = v == floor(v);
@@ -585,7 +598,7 @@ is_no_sample(const struct column *c, struct site *site)
 		leave_out(site, b->number[c->at], "%s: it has words", head);
 	} else if ((means & WORD_LIMIT) != 0) {
 		leave_out(site, b->number[c->at],
-		    "%s: limits of a specification", head);
+		    "%s: a limit, or calculated, or rejected", head);
 	} else if ((means & WORD_OTHER) != 0 && (means & sample) == 0) {
 		leave_out(site, b->number[c->at], "%s: no sample", head);
 	} else if ((means & (WORD_SIZE | WORD_MM | WORD_UM | WORD_MESH)) != 0 &&
@@ -698,6 +711,64 @@ mark_twin(struct column *c, const struct column *other)
 	c->open = false;
 }
 
+/* The words of the heads of a column that nobody knows, and ranges such as 0/4:
+ * what makes it another sample than its neighbours.  Signs of samples, of two
+ * letters at most, are left out.  The caller frees. */
+static char *
+own_words(const struct column *c)
+{
+	char *head = layout_head(c->table->block, c->at), *words = xstrdup("");
+	char *folded = text_fold(head);
+	for (char *p = folded; *p != '\0';) {
+		size_t n = strcspn(p, " ,;()[]@\n");
+		char *word = xstrndup(p, n);
+		bool range = strchr(word, '/') != NULL &&
+			     strspn(word, "0123456789/.") == n && n > 2;
+		bool letters = strpbrk(word, "0123456789") == NULL && n > 2 &&
+			       strcmp(word, "iii") != 0;
+		size_t unknown;
+		vocabulary_text(word, &unknown);
+		if (range || (letters && unknown > 0))
+			xlist(&words, " ", "%s", word);
+		free(word);
+		p += n + (p[n] != '\0');
+	}
+	free(folded);
+	free(head);
+	return words;
+}
+
+/* Samples at one speed that are called by other words, or come from machines
+ * with other numbers, are perhaps no repeats. */
+static bool
+is_repeat(const struct column *a, const struct column *b)
+{
+	char *x = own_words(a), *y = own_words(b);
+	bool machine = ((a->said.means | b->said.means) & WORD_MACHINE) != 0;
+	bool same = strcmp(x, y) == 0 &&
+		    !(machine && a->said.n_number > 0 && b->said.n_number > 0 &&
+			a->said.number[0] != b->said.number[0]);
+	free(x);
+	free(y);
+	return same;
+}
+
+static void
+ask_repeats(struct columns *all, bool told)
+{
+	for (size_t i = 0; i < all->n && !told; i++)
+		for (size_t k = 0; k < i; k++) {
+			struct column *a = &all->column[i];
+			struct column *b = &all->column[k];
+			if (a->role != PRODUCT || b->role != PRODUCT ||
+			    !(a->speed > 0) ||
+			    fabs(a->speed - b->speed) > 1e-3 ||
+			    a->table != b->table || is_repeat(a, b))
+				continue;
+			a->open = b->open = true;
+		}
+}
+
 /* The mean of samples that are there themselves is no sample. */
 static void
 drop_means(struct columns *all, struct site *site)
@@ -711,7 +782,11 @@ drop_means(struct columns *all, struct site *site)
 				  (o->said.means & WORD_MEAN) == 0 &&
 				  fabs(o->speed - c->speed) < 1e-3;
 		}
-		if ((c->said.means & WORD_MEAN) == 0 || others < 2)
+		bool mean = (c->said.means & WORD_MEAN) != 0;
+		if (mean && others == 1 && c->speed > 0)
+			all->column[i].open = true;
+		if (!mean || (others < 2 && c->speed > 0) ||
+		    (others == 0 && all->n < 3))
 			continue;
 		leave_out(site, c->table->block->number[c->at],
 		    "%s: the mean of samples that are read", c->head.text);
@@ -782,7 +857,8 @@ guess_feed(struct columns *all, size_t feeds)
 }
 
 void
-recognise_settle(struct columns *all, struct site *site, bool *wants_rotor)
+recognise_settle(
+    struct columns *all, struct site *site, bool told, bool *wants_rotor)
 {
 	size_t feeds = 0, products = 0;
 	*wants_rotor = false;
@@ -811,6 +887,7 @@ recognise_settle(struct columns *all, struct site *site, bool *wants_rotor)
 	guess_feed(all, feeds);
 	free_feed(all);
 	drop_twins(all, site);
+	ask_repeats(all, told);
 	for (size_t i = 0; i < all->n; i++) {
 		struct column *c = &all->column[i];
 		if (c->twin > 0)

@@ -11,11 +11,12 @@
 /* What is known beside the table.  rotor: its diameter, m; 0: not known.
  * speed: m/s, of samples whose heads tell none; 0.  context: the meanings of
  * the words around the table (title, name of the sheet or file) that tell feed
- * from product.  told: the heads were given by hand. */
+ * from product.  told: the heads were given by hand.
+ * strange: the title has words that may tell another machine or day. */
 struct surroundings {
 	double rotor, speed;
 	uint64_t context;
-	bool told;
+	bool told, strange;
 };
 
 /* Adds the columns of a table that hold samples, with what can be told from
@@ -26,9 +27,9 @@ void recognise_columns(struct table *t, const struct surroundings *near,
 
 /* Settles what only all columns together tell: which of two quantities of one
  * sample is taken, what a column without a role is, the order of repeats.
- * wants_rotor: a speed is told in rpm, and the rotor's diameter is not. */
+ * told: the heads were given by hand.  wants_rotor: a speed is told in rpm, and the rotor's diameter is not. */
 void recognise_settle(
-    struct columns *all, struct site *site, bool *wants_rotor);
+    struct columns *all, struct site *site, bool told, bool *wants_rotor);
 
 /* "product@69 retained_g", as columns= has it.  The caller frees. */
 char *recognise_words(const struct column *c);

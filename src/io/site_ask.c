@@ -279,7 +279,8 @@ ask_table(const struct site_request *q, struct table *const *table,
 	ask->settle = xasprintf("range=%c%d:%c%d", 'A' + (int)((left - 1) % 26),
 	    top, 'A' + (int)((right - 1) % 26), bottom);
 	return refuse(q, second, second->row[0].cell[0], ask, errors,
-	    "expected one site, got tables with a feed each");
+	    "expected one site, got several tables that may be of different "
+	    "machines, days or limits");
 }
 
 /* What is the first column that is open, and how fast was it? */
@@ -312,6 +313,9 @@ open_ask(const struct open *open, const struct site_request *q,
     struct site_ask *ask, struct error_list *errors)
 {
 	const struct table *second = second_feed(all);
+	for (size_t i = 0; i < n_table && second == NULL; i++)
+		if (table[i]->block == open->other)
+			second = table[i];
 	const struct column *first = NULL;
 	for (size_t i = 0; i < all->n; i++)
 		if (all->column[i].open && first == NULL)

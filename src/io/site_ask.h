@@ -32,6 +32,7 @@ bool range_read(
 struct open {
 	bool rotor, sieves;
 	struct cell number;
+	const struct block *other; /* a table that may be another site's */
 };
 
 /* Notes numbers of the table whose sign is open. */

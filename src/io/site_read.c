@@ -200,6 +200,28 @@ first_empty(const struct table *t)
 	return row->n_all > 1 ? row->cell[1] : site_sieve_head(t);
 }
 
+/* What the sheets lack. */
+static void
+check_roles(struct reading *r)
+{
+	bool parts = r->request->parts;
+	if (r->all.n == 0)
+		sheet_fault(r->table[0]->sheet, first_empty(r->table[0]),
+		    "expected numbers below the heads, got none\n"
+		    "fill in the columns from this cell on; leave a cell empty "
+		    "only where a sieve was not used");
+	else if (count_role(&r->all, FEED) == 0 && !parts)
+		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
+		    "expected a feed column, got none\n"
+		    "add a column feed, or load the feed's file with it: load "
+		    "feed.csv %s@SPEED",
+		    r->request->path[0]);
+	else if (count_role(&r->all, PRODUCT) == 0 && parts)
+		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
+		    "expected a product, got a feed only\n"
+		    "add takes samples of product; load this file as a site");
+}
+
 static void
 read_columns(struct reading *r)
 {
@@ -217,24 +239,8 @@ read_columns(struct reading *r)
 		if (!r->lost)
 			check_partner(all, &all->column[i]);
 	}
-	if (r->lost)
-		return;
-	bool parts = r->request->parts;
-	if (r->all.n == 0)
-		sheet_fault(r->table[0]->sheet, first_empty(r->table[0]),
-		    "expected numbers below the heads, got none\n"
-		    "fill in the columns from this cell on; leave a cell empty "
-		    "only where a sieve was not used");
-	else if (count_role(all, FEED) == 0 && !parts)
-		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
-		    "expected a feed column, got none\n"
-		    "add a column feed, or load the feed's file with it: load "
-		    "feed.csv %s@SPEED",
-		    r->request->path[0]);
-	if (count_role(all, PRODUCT) == 0 && parts)
-		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
-		    "expected a product, got a feed only\n"
-		    "add takes samples of product; load this file as a site");
+	if (!r->lost)
+		check_roles(r);
 }
 
 static struct psd
@@ -443,7 +449,8 @@ context_of(const struct page *page, const struct block *b, const char *path,
 	int left = b->row[0].cell[0].column;
 	for (size_t i = 0; i < page->layout->n_heading; i++) {
 		const struct row *row = page->layout->heading[i];
-		if (row->line >= top || row->line < top - 3)
+		if (row->line >= top || row->line < top - 3 ||
+		    vocabulary_key(row->cell[0].text) != N_KEY)
 			continue;
 		for (size_t c = 0; c < row->n; c++) {
 			if (row->n > 1 && row->cell[c].column < left)
@@ -451,6 +458,9 @@ context_of(const struct page *page, const struct block *b, const char *path,
 			struct head title = head_read(row->cell[c].text);
 			uint64_t role =
 			    title.means & (WORD_FEED | WORD_PRODUCT);
+			near->strange = near->strange || title.unknown > 0 ||
+					(title.means & (WORD_LIMIT | WORD_MEAN |
+							   WORD_MACHINE)) != 0;
 			if (role == 0 && !(title.speed > 0))
 				continue;
 			means = role != 0 ? role : means;
@@ -482,6 +492,10 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 		r->open.rotor = r->open.rotor || near.rotor == 0;
 	}
 	near.context = context_of(page, b, q->path[page->file], &near);
+	/* "Specification", "VSI 2" above a further table of the sheet. */
+	if (near.strange && b != &page->layout->block[0] && !near.told &&
+	    q->range == NULL)
+		r->open.other = b;
 	if (given > 0)
 		near.speed = given;
 	uint64_t sieve = names_apply(&r->names, b);
@@ -652,7 +666,7 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 		read_pages(&r);
 		if (request->rotor > 0)
 			r.site->rotor = request->rotor;
-		recognise_settle(&r.all, r.site, &r.open.rotor);
+		recognise_settle(&r.all, r.site, r.names.n > 0, &r.open.rotor);
 		bool open = count_faults(&r) == 0 &&
 			    open_ask(&r.open, request, r.table, r.n_table,
 				&r.all, ask != NULL ? ask : &none, errors);

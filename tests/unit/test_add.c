@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "cmd/cut.h"
+#include "cmd/inquiry.h"
 #include "desk.h"
 #include "io/moment.h"
 #include "io/plant_log.h"
@@ -511,14 +512,16 @@ a_log_gives_the_speed_of_a_cut(void **state)
 
 static size_t asked;
 
+/* A first answer that is none is asked again. */
 static char *
-answer(struct session *s, const char *question)
+answer(struct session *s, const struct inquiry *q)
 {
 	(void)s;
 	asked++;
-	return xstrdup(strstr(question, "tip speed") != NULL      ? "79"
-		       : strstr(question, "day or month") != NULL ? " month"
-								  : "");
+	if (strstr(q->text, "tip speed") != NULL)
+		return xstrdup("79");
+	assert_string_equal(q->text, "dates: day or month first");
+	return xstrdup(q->wrong[0] == '\0' ? "5" : " month");
 }
 
 static void
@@ -534,7 +537,7 @@ somebody_is_asked_once(void **state)
 	assert_int_equal(asked, 1);
 	assert_near(site_of(desk)->run[1].speed, 79, 1e-9);
 	say(desk, "load %s as=log", log);
-	assert_int_equal(asked, 2);
+	assert_int_equal(asked, 3);
 	say(desk, "add %s/cut.csv@2026-05-03T10:01", folder);
 	assert_near(site_of(desk)->run[0].speed, 70.5, 1e-9);
 	uint64_t digest = site_of(desk)->digest;
