@@ -27,7 +27,8 @@ void recognise_columns(struct table *t, const struct surroundings *near,
 
 /* Settles what only all columns together tell: which of two quantities of one
  * sample is taken, what a column without a role is, the order of repeats.
- * told: the heads were given by hand.  wants_rotor: a speed is told in rpm, and the rotor's diameter is not. */
+ * told: the heads were given by hand.  wants_rotor: out, a speed is told in rpm
+ * and the rotor's diameter is not. */
 void recognise_settle(
     struct columns *all, struct site *site, bool told, bool *wants_rotor);
 

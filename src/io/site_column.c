@@ -260,9 +260,9 @@ fill_top(struct column *c)
 
 /* What the lines below the table say of a column, in its unit.  total: the
  * largest sum, NAN where there is none, whose cell is `where`; weighed: it is
- * the mass before sieving, M1 of EN 933-1.  washed: what was washed out, told as
- * such or by the masses before and after; odd: a mass about washing from which
- * it does not follow. */
+ * the mass before sieving, M1 of EN 933-1.  washed: what was washed out, told
+ * as such or by the masses before and after; odd: a mass about washing from
+ * which it does not follow. */
 struct foot {
 	double total, washed;
 	struct cell where, odd;

@@ -150,6 +150,18 @@ begins_with_key(const char *text)
 	return false;
 }
 
+/* A line of numbers above the table that heads nothing. */
+static void
+leave_out_line(struct site *site, const struct cell *key)
+{
+	char *where = xasprintf("line %d", key->line);
+	char *what = xasprintf(
+	    "%.*s: numbers above the table", sheet_cut(key->text), key->text);
+	site_add_note(&site->left_out, &site->n_left_out, where, what);
+	free(where);
+	free(what);
+}
+
 /* A pair of the line, or what there is of one; false at its end. */
 static bool
 read_pair(struct site *site, struct sheet *sheet, const struct row *row,
@@ -186,8 +198,11 @@ read_pair(struct site *site, struct sheet *sheet, const struct row *row,
 	} else {
 		bool taken = n > 1 && (take_rotor(site, sheet, key, value) ||
 					  take_speed(sheet, key, value, speed));
-		if (!(taken && site->rotor > 0 &&
-			strcmp(key.text, "rotor_mm") == 0))
+		double number;
+		if (n > 2 && number_of(sheet, third, &number))
+			leave_out_line(site, &key);
+		else if (!(taken && site->rotor > 0 &&
+			     strcmp(key.text, "rotor_mm") == 0))
 			site_add_note(&site->note, &site->n_note, key.text,
 			    n > 1 ? value.text : "");
 	}

@@ -344,6 +344,32 @@ leave_out_rows(struct reading *r, const struct table *t)
 	}
 }
 
+/* Cells of the samples that say that there is no number, "-" or "<0.1". */
+static void
+leave_out_cells(struct reading *r)
+{
+	size_t more = 0;
+	char *list = xstrdup("");
+	for (size_t k = 0; k < r->all.n; k++) {
+		const struct column *c = &r->all.column[k];
+		for (size_t i = 0; i < c->table->n_row; i++) {
+			const char *text = c->table->row[i].cell[c->at].text;
+			bool read = !isnan(c->pct[i]) || c->table->mm[i] <= 0;
+			if (text[0] == '\0' || read || c->twin > 0)
+				continue;
+			if (more++ < 3)
+				xlist(&list, ", ", "'%.*s' in line %d",
+				    sheet_cut(text), text,
+				    c->table->row[i].line);
+		}
+	}
+	if (more > 3)
+		xappend(&list, " and %zu more", more - 3);
+	if (more > 0)
+		leave_out(r->site, "cells without a number", "%s", list);
+	free(list);
+}
+
 /* Lines of sums that nothing could be compared with. */
 static void
 leave_out_sums(struct reading *r, const struct page *page)
@@ -415,6 +441,7 @@ tell_left_out(struct reading *r)
 	}
 	for (size_t i = 0; i < r->n_table; i++)
 		leave_out_rows(r, r->table[i]);
+	leave_out_cells(r);
 }
 
 /* "#4 = 4.75, No. 8 = 2.36" of the sieves that have names. */
@@ -434,6 +461,16 @@ tell_names(struct reading *r)
 				    t->mm[i]);
 		}
 	}
+}
+
+/* One cell with something in it: a title. */
+static bool
+is_alone(const struct row *row)
+{
+	size_t filled = 0;
+	for (size_t i = 0; i < row->n; i++)
+		filled += (size_t)(row->cell[i].text[0] != '\0');
+	return filled == 1;
 }
 
 /* Meanings of the words that stand next to a table and tell feed from product:
@@ -458,9 +495,12 @@ context_of(const struct page *page, const struct block *b, const char *path,
 			struct head title = head_read(row->cell[c].text);
 			uint64_t role =
 			    title.means & (WORD_FEED | WORD_PRODUCT);
-			near->strange = near->strange || title.unknown > 0 ||
-					(title.means & (WORD_LIMIT | WORD_MEAN |
-							   WORD_MACHINE)) != 0;
+			near->strange =
+			    near->strange ||
+			    (is_alone(row) &&
+				(title.unknown > 0 ||
+				    (title.means & (WORD_LIMIT | WORD_MEAN |
+						       WORD_MACHINE)) != 0));
 			if (role == 0 && !(title.speed > 0))
 				continue;
 			means = role != 0 ? role : means;
