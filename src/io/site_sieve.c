@@ -303,7 +303,11 @@ site_sieve_table(
 	    .n_row = block->n_row,
 	    .row = block->row};
 	char *head = layout_head(block, 0);
-	t.unit = sieve_unit_of(told != 0 ? told : vocabulary_text(head, NULL));
+	/* A head of speeds, beside sieves that nothing heads, tells no unit. */
+	struct head said = head_read(head);
+	bool speeds =
+	    said.unit != SPEED_NO_UNIT || (said.means & WORD_SPEED) != 0;
+	t.unit = sieve_unit_of(told != 0 ? told : speeds ? 0 : said.means);
 	free(head);
 	fill_names(&t);
 	bool lengths = t.unit.mm == 1 || t.unit.mm == 0;

@@ -110,7 +110,8 @@ static const struct {
 	"repeat rep"},
     {WORD_PAN,
 	"pan bottom receiver rest botten trag bunn boden siebboden schale "
-	"auffangschale fond fondo fundo charola bandeja cazuela pohja bund "
+	"auffangschale pfanne fond fondo fundo charola bandeja cazuela pohja "
+	"bund "
 	"receptor recipiente panela"},
     {WORD_TOTAL,
 	"sum total totals totalt summa summe gesamt insgesamt somme suma "
