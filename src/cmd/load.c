@@ -100,16 +100,18 @@ note_loaded(struct session *s, const struct site *site)
 		    "loaded %s: a feed on %zu sieves, no product; run 'guess' "
 		    "for an estimate",
 		    label, n);
-	if (products == 1)
-		session_note(s,
-		    "  one product: calibrate needs two speeds; use 'guess' "
-		    "or 'recall'");
 	if (site->read_as[0] != '\0')
 		session_note(s, "  read: %s", site->read_as);
 	if (site->assumed[0] != '\0')
 		session_note(s, "  likely, not stated: %s", site->assumed);
 	else if (site->read_as[0] != '\0')
 		session_note(s, "  sure: all of it is stated");
+	if (site->remark[0] != '\0')
+		session_note(s, "  %s", site->remark);
+	if (products == 1)
+		session_note(s,
+		    "  one product: calibrate needs two speeds; use 'guess' "
+		    "or 'recall'");
 	for (size_t i = 0; i < site->n_left_out && i < MOST; i++, more--)
 		session_note(s, "  not read: %s, %s", site->left_out[i].key,
 		    site->left_out[i].value);

@@ -71,7 +71,8 @@ const struct command TABLE_DATA[] = {
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.option = LOAD_OPTIONS,
 	.text =
-	    "Reads workbooks and text of spreadsheets in any of the forms of "
+	    "Reads spreadsheets (Excel, LibreOffice, CSV) in any of the forms "
+	    "of "
 	    "tipspeed-site(5), and makes the last site the one in use. Says "
 	    "what it took each column for, and how sure that is; what a sheet "
 	    "leaves open is asked, and in a script is an error whose hint is "
