@@ -109,7 +109,10 @@ answers_finer(const struct breaker *b, double u, const struct site *site)
 double
 answers_middle(const struct site *site)
 {
-	return (site->run[0].speed + site->run[site->n_run - 1].speed) / 2;
+	const double usual = 74;
+	double middle =
+	    (site->run[0].speed + site->run[site->n_run - 1].speed) / 2;
+	return middle > 0 ? middle : usual;
 }
 
 double
@@ -234,6 +237,15 @@ answers_note_model(
 		answer_say(r, ANSWER_REMARK, "model: %s", BREAKAGES[own]->name);
 }
 
+char *
+answers_reach(const struct entry *entry, double slowest, double fastest)
+{
+	const char *how = origin_trained(entry) ? "training" : "measured";
+	return slowest < fastest
+		   ? xasprintf("%s speeds, %g to %g m/s", how, slowest, fastest)
+		   : xasprintf("one %s speed, %g m/s", how, slowest);
+}
+
 void
 answers_note_doubt(
     struct session *s, struct answer *r, double speed, size_t feed_run)
@@ -250,11 +262,12 @@ answers_note_doubt(
 	origin_note(r, entry);
 	bool said = light.n > 0 && light.reason[0].cause == TRUST_BEYOND;
 	if (speed > 0 && !said && origin_reach(entry, &slowest, &fastest) &&
-	    answers_extrapolates(entry, speed))
-		answer_say(r, ANSWER_WARNING,
-		    "%.1f m/s is outside the %s speeds, %g to %g m/s", speed,
-		    origin_trained(entry) ? "training" : "measured", slowest,
-		    fastest);
+	    answers_extrapolates(entry, speed)) {
+		char *speeds = answers_reach(entry, slowest, fastest);
+		answer_say(r, ANSWER_WARNING, "%.1f m/s is outside the %s",
+		    speed, speeds);
+		free(speeds);
+	}
 	if (site->individual_feeds &&
 	    fabs(site->run[feed_run].speed - speed) > 1e-3)
 		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s%s",

@@ -51,7 +51,8 @@ double answers_usual(const struct entry *entry);
 double *answers_speeds(const struct site *site, size_t *n);
 
 /* Where speeds are compared one feed serves for all, so that what differs is
- * what the speed does: that of the run nearest to this speed, m/s. */
+ * what the speed does: that of the run nearest to this speed, m/s; 74 where the
+ * site has a feed only. */
 double answers_middle(const struct site *site);
 
 /* Keeps a prediction as the newest answer of `predict`. */
@@ -86,6 +87,10 @@ void answers_note_sizes(struct answer *r, const struct prediction *p);
 /* Says which model it is, where that is not the paper's. */
 void answers_note_model(
     const struct session *s, struct answer *r, const struct entry *entry);
+
+/* "training speeds, 69 to 79 m/s", "one measured speed, 72 m/s".  The caller
+ * frees. */
+char *answers_reach(const struct entry *entry, double slowest, double fastest);
 
 /* Notes on how far to trust an answer for the site in use at a speed from the
  * feed of a run, with its light. */

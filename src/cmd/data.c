@@ -15,6 +15,7 @@
 #include "cmd/journal.h"
 #include "cmd/table.h"
 #include "core/synth.h"
+#include "io/plant_log.h"
 #include "io/site_write.h"
 #include "io/table3.h"
 #include "io/units.h"
@@ -52,6 +53,8 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 			   : "no site is loaded: run 'load FILE', or "
 			     "'template > my.csv' for an empty "
 			     "sheet");
+	if (s->log != NULL)
+		answer_note(r, "log: %s ('show log')", s->log->path);
 	return session_answer(s, r);
 }
 

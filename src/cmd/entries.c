@@ -169,6 +169,26 @@ session_mend(struct session *s, size_t index, struct site *site)
 	return own;
 }
 
+/* Runs that a fit was trained on stay those; without one they are chosen
+ * anew. */
+void
+session_grow(struct session *s, struct site *site, const size_t *from)
+{
+	struct entry *entry = session_entry(s);
+	if (s->job.calibration != NULL && s->job.entry == s->current)
+		session_let_go(s);
+	bool *train = xcalloc(site->n_run, sizeof *train);
+	if (!entry->has_fit)
+		misfit_default_train(site, train);
+	for (size_t r = 0; r < site->n_run && entry->has_fit; r++)
+		train[r] =
+		    from[r] < entry->site->n_run && entry->train[from[r]];
+	free(entry->train);
+	entry->train = train;
+	entry->site = site;
+	own_site(s, site);
+}
+
 /* How well a loaded site answers to a name: 0 not, 1 by its name, 2 by name and
  * top size, 3 by its key. */
 static int

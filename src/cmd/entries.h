@@ -17,6 +17,11 @@ void session_drop(struct session *s, size_t index);
  * whether there was such.  Other parameters stay. */
 bool session_mend(struct session *s, size_t index, struct site *site);
 
+/* Puts a site that has more runs, which the session then owns, in the place of
+ * the one in use; from [n_run]: see site_with_cuts.  Its parameters and its fit
+ * stay: they are of the former numbers, and the new runs are held out. */
+void session_grow(struct session *s, struct site *site, const size_t *from);
+
 /* Finds a loaded site by name without case and accents ("borlange"), by name
  * and top size ("gavle/4") or by key.  Several or none: an error that lists
  * what there is. */

@@ -20,6 +20,7 @@ history_redraw(struct history *h, double noise)
 	}
 	ensemble_free(h->ensemble);
 	h->ensemble = NULL;
+	h->later.site = NULL;
 	h->noise = noise;
 }
 

@@ -16,8 +16,9 @@
  * it searched in; and its site and training runs [n_run], from which follows,
  * when first asked for, what is known after it: posterior and evidence, by the
  * runs that inform them (enum correction), and the products of the last feed
- * that was asked for.  Shared by the entries, snapshots and origins that hold
- * it. */
+ * that was asked for.  later: runs that came to a site after it, and the one
+ * that it misses by most.  Shared by the entries, snapshots and origins that
+ * hold it. */
 struct history {
 	size_t holders, n;
 	struct fit fit;
@@ -30,6 +31,12 @@ struct history {
 	struct evidence *evidence[2];
 	double noise; /* that they were drawn with */
 	struct ensemble *ensemble;
+	struct later {
+		const struct site *site; /* NULL: not compared yet */
+		size_t n;
+		double rms, speed;
+		bool missed;
+	} later;
 	struct ensemble_of {
 		const struct posterior *posterior;
 		const struct site *site;

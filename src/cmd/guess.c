@@ -12,6 +12,8 @@
 #include "cmd/data.h"
 #include "cmd/fit.h"
 #include "cmd/table.h"
+#include "core/misfit.h"
+#include "core/validate.h"
 #include "io/units.h"
 
 /* What a guess is made from.  list: all materials, those of Table 3 from index
@@ -324,12 +326,47 @@ note_error(struct answer *r, const struct basis *b)
 	free(held);
 }
 
+/* Which material meets the site's one product best, beside the product of all:
+ * its parameters can be taken, where a median of products has none. */
+static void
+note_best(struct answer *r, const struct site *site, const struct basis *b)
+{
+	if (site_products(site) != 1)
+		return;
+	size_t run = 0, best = b->list.n;
+	double least = INFINITY;
+	while (misfit_covered(&site->run[run]) == 0)
+		if (++run == site->n_run)
+			return;
+	bool *train = xcalloc(site->n_run, sizeof *train);
+	for (size_t i = 0; i < b->list.n; i++) {
+		const struct guess_material *m = &b->m[i];
+		if (b->leave_out[i])
+			continue;
+		struct validation v = validate_run(
+		    site, run, train, &m->params, m->settings, NULL);
+		if (v.rmse[VALIDATE_MODEL] < least) {
+			least = v.rmse[VALIDATE_MODEL];
+			best = i;
+		}
+	}
+	free(train);
+	if (best == b->list.n)
+		return;
+	const char *name = b->list.item[best].name;
+	answer_note(r,
+	    "of the materials %s meets the cut at %g m/s best (RMSE %.1f "
+	    "points): 'recall %s' predicts with it",
+	    name, site->run[run].speed, 100 * least, name);
+}
+
 static void
 give_guess(struct session *s, const struct basis *b, const struct guess *guess)
 {
 	struct answer *r = guess_table(session_entry(s)->site, guess);
 	note_sizes(r, guess);
 	note_materials(r, b);
+	note_best(r, session_entry(s)->site, b);
 	note_reach(r, b, guess->speed);
 	note_error(r, b);
 	put_guess(r, b, guess);

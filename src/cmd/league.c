@@ -455,6 +455,20 @@ note_rule(struct answer *r, const struct verdict *v, bool each, bool alone)
 		}
 }
 
+static bool
+is_one_speed(const struct site *site)
+{
+	double speed = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (site->run[r].product.n == 0)
+			continue;
+		if (speed > 0 && site->run[r].speed != speed)
+			return false;
+		speed = site->run[r].speed;
+	}
+	return true;
+}
+
 static struct answer *
 one_answer(const struct ground *g)
 {
@@ -463,6 +477,10 @@ one_answer(const struct ground *g)
 	    answers_new(g->site, "league", "breakage models compared");
 	add_rows(r, &v);
 	say_verdict(r, &v);
+	if (is_one_speed(g->site))
+		answer_say(r, ANSWER_WARNING,
+		    "all products are of one speed: this compares how models "
+		    "meet one curve, not what they make of the speed");
 	note_rule(r, &v, g->each, true);
 	put_verdict(answer_fields(r), &v);
 	if (g->each)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
+#include "cmd/cut.h"
 #include "cmd/fit.h"
 #include "cmd/outlook.h"
 #include "core/misfit.h"
@@ -111,6 +112,20 @@ judge_calibration(
 			    "calibrate again"));
 }
 
+/* Cuts that were added since. */
+static void
+judge_later(struct trust *t, const struct session *s, const struct entry *entry)
+{
+	struct later later = cut_later(s, entry);
+	if (later.missed)
+		trust_add(t, later.rms > FIT_POOR ? LIGHT_RED : LIGHT_AMBER,
+		    TRUST_HOLDOUT,
+		    xasprintf("the cut at %g m/s, added after the calibration, "
+			      "is missed by %.1f points (RMS): calibrate again "
+			      "with train=all",
+			later.speed, 100 * later.rms));
+}
+
 /* Speeds of parameters that no calibration of this session found. */
 static struct evidence
 reach_of(const struct entry *entry)
@@ -136,6 +151,7 @@ light_of(const struct session *s, const struct entry *entry,
 		    xstrdup("a calibration is running: parameters change"));
 		return t;
 	}
+	judge_later(&t, s, entry);
 	if (p != NULL)
 		q.width = mean_width(p);
 	if (p != NULL && e != NULL)

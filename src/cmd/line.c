@@ -14,6 +14,7 @@
 #include "cmd/script.h"
 #include "cmd/invocation.h"
 #include "cmd/undo.h"
+#include "io/plant_log.h"
 
 struct session *
 session_new(FILE *out, FILE *notes)
@@ -43,6 +44,9 @@ session_free(struct session *s)
 	for (size_t i = 0; i < s->n_site; i++)
 		site_free(s->site[i]);
 	free(s->site);
+	for (size_t i = 0; i < s->n_log; i++)
+		plant_log_free(s->logs[i]);
+	free(s->logs);
 	free(s->first);
 	files_free(s->files);
 	session_forget(s);

@@ -12,7 +12,9 @@
 #include "cmd/entries.h"
 #include "cmd/files.h"
 #include "cmd/inquiry.h"
+#include "cmd/invocation.h"
 #include "cmd/journal.h"
+#include "cmd/log.h"
 #include "cmd/table.h"
 #include "io/head.h"
 #include "io/site_read.h"
@@ -83,13 +85,32 @@ load_init(
 	return good;
 }
 
+void
+load_note_reading(const struct session *s, const struct site *site)
+{
+	enum { MOST = 4 };
+	size_t more = site->n_left_out;
+	if (site->read_as[0] != '\0')
+		session_note(s, "  read: %s", site->read_as);
+	if (site->assumed[0] != '\0')
+		session_note(s, "  likely, not stated: %s", site->assumed);
+	else if (site->read_as[0] != '\0')
+		session_note(s, "  sure: all of it is stated");
+	if (site->remark[0] != '\0')
+		session_note(s, "  %s", site->remark);
+	for (size_t i = 0; i < site->n_left_out && i < MOST; i++, more--)
+		session_note(s, "  not read: %s, %s", site->left_out[i].key,
+		    site->left_out[i].value);
+	if (more > 0)
+		session_note(s, "  and %zu more: run 'check'", more);
+}
+
 /* What was loaded in a line, what it was taken for in two, and more only where
  * something was passed over. */
 static void
 note_loaded(struct session *s, const struct site *site)
 {
-	enum { MOST = 4 };
-	size_t n, more = site->n_left_out, products = site_products(site);
+	size_t n, products = site_products(site);
 	char *label = session_label(site);
 	free(site_sieves(site, &n));
 	if (products > 0)
@@ -100,23 +121,12 @@ note_loaded(struct session *s, const struct site *site)
 		    "loaded %s: a feed on %zu sieves, no product; run 'guess' "
 		    "for an estimate",
 		    label, n);
-	if (site->read_as[0] != '\0')
-		session_note(s, "  read: %s", site->read_as);
-	if (site->assumed[0] != '\0')
-		session_note(s, "  likely, not stated: %s", site->assumed);
-	else if (site->read_as[0] != '\0')
-		session_note(s, "  sure: all of it is stated");
-	if (site->remark[0] != '\0')
-		session_note(s, "  %s", site->remark);
+	load_note_reading(s, site);
 	if (products == 1)
 		session_note(s,
-		    "  one product: calibrate needs two speeds; use 'guess' "
-		    "or 'recall'");
-	for (size_t i = 0; i < site->n_left_out && i < MOST; i++, more--)
-		session_note(s, "  not read: %s, %s", site->left_out[i].key,
-		    site->left_out[i].value);
-	if (more > 0)
-		session_note(s, "  and %zu more: run 'check'", more);
+		    "  one product: it cannot show what the speed does; "
+		    "'guess' and 'recall' take that from other quarries, 'add' "
+		    "adds a cut at another speed");
 	free(label);
 }
 
@@ -289,22 +299,82 @@ given_text(const struct args *args, const char *name)
 	return value->given ? xstrdup(value->text) : NULL;
 }
 
+/* What the options say of the files. */
+static void
+take_options(struct load *l, const struct args *args)
+{
+	const struct value *decimal = args_value(args, "decimal");
+	const struct value *rotor = args_value(args, "rotor_mm");
+	l->request.columns = l->columns = given_text(args, "columns");
+	l->request.sheet = l->sheet = given_text(args, "sheet");
+	l->request.range = l->range = given_text(args, "range");
+	if (decimal->given)
+		l->request.decimal = decimal->choice == 1 ? ',' : '.';
+	if (rotor->given)
+		l->request.rotor = rotor->number / 1000;
+}
+
+/* What somebody answered, as an option of the line that is saved. */
+static void
+save_answer(struct session *s, const struct args *args, const char *option,
+    const char *text)
+{
+	if (text == NULL || args_value(args, option)->given)
+		return;
+	char *value = xasprintf("\"%s\"", text);
+	invocation_adds(s, option, value);
+	free(value);
+}
+
+static void
+save_answers(struct session *s, const struct args *args, const struct load *l,
+    double rotor)
+{
+	const struct site_request *q = &l->request;
+	char number[32];
+	save_answer(s, args, "columns", l->columns);
+	save_answer(s, args, "sheet", l->sheet);
+	save_answer(s, args, "range", l->range);
+	if (q->decimal != '\0')
+		save_answer(
+		    s, args, "decimal", q->decimal == ',' ? "comma" : "point");
+	if (q->rotor != rotor)
+		save_answer(
+		    s, args, "rotor_mm", text_exact(1000 * q->rotor, number));
+}
+
+struct site *
+load_parts(struct session *s, const struct args *args, const char *const *word,
+    double rotor, struct error *error)
+{
+	struct load l = {.request.parts = true};
+	bool good = load_init(&l, args->n_operand, word, error);
+	take_options(&l, args);
+	if (!(l.request.rotor > 0))
+		l.request.rotor = rotor;
+	for (size_t i = 0; i < l.request.n && good; i++)
+		files_reads(s, l.path[i]);
+	struct site *site = good ? read_site(s, &l, error) : NULL;
+	if (site != NULL)
+		save_answers(s, args, &l, rotor);
+	load_clear(&l);
+	return site;
+}
+
 bool
 cmd_load(struct session *s, const struct args *args, struct error *error)
 {
 	struct load l = {0};
 	const struct value *digest = args_value(args, "digest");
-	const struct value *decimal = args_value(args, "decimal");
-	const struct value *rotor = args_value(args, "rotor_mm");
+	if (args_value(args, "as")->choice == 1)
+		return log_load(s, args, error);
+	if (args_value(args, "dates")->given)
+		return error_set(error, ERROR_USAGE,
+		    "load: expected no dates=, which is for a log\n"
+		    "write: load FILE as=log dates=day-first");
 	bool good = load_init(&l, args->n_operand, args->operand, error);
 	l.digest = digest->given ? digest->text : NULL;
-	l.request.columns = l.columns = given_text(args, "columns");
-	l.request.sheet = l.sheet = given_text(args, "sheet");
-	l.request.range = l.range = given_text(args, "range");
-	if (decimal->given)
-		l.request.decimal = decimal->choice == 1 ? ',' : '.';
-	if (rotor->given)
-		l.request.rotor = rotor->number / 1000;
+	take_options(&l, args);
 	good = good && run(s, &l, error);
 	load_clear(&l);
 	return good;

@@ -4,6 +4,7 @@
 #ifndef TIPSPEED_CMD_LOAD_H
 #define TIPSPEED_CMD_LOAD_H
 
+#include "cmd/command.h"
 #include "cmd/session.h"
 
 /* Loads files, each "FILE" or "FILE@SPEED", and says so beside the results: as
@@ -11,5 +12,15 @@
  * each. */
 bool load_files(
     struct session *s, size_t n, const char *const *word, struct error *error);
+
+/* Reads the operands of a call, each as word [n_operand] "FILE" or
+ * "FILE@SPEED", as samples to be added to a site; what was answered on the way
+ * is saved with the call.  rotor: diameter where the call tells none, m.  NULL:
+ * with the error. */
+struct site *load_parts(struct session *s, const struct args *args,
+    const char *const *word, double rotor, struct error *error);
+
+/* Says what a site was read from, as load does. */
+void load_note_reading(const struct session *s, const struct site *site);
 
 #endif

@@ -39,6 +39,7 @@ forget_all(struct session *s, const struct choices *choices)
 	session_let_go(s);
 	entries_free(s->entry, s->n_entry);
 	s->entry = NULL;
+	s->log = NULL;
 	s->n_entry = s->current = 0;
 	s->set = *choices;
 	session_forget(s);

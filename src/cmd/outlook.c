@@ -209,9 +209,13 @@ outlook_words(const struct session *s, const struct entry *entry)
 {
 	if (answering(s, entry) == NULL)
 		return "the model alone";
+	bool former = entry->has_fit &&
+		      entry->history->site->digest != entry->site->digest;
 	return s->set.correction == CORRECTION_TRAIN
 		   ? "model corrected by the training runs"
-		   : "model corrected by all measured runs";
+	       : former ? "model corrected by the runs measured before the "
+			  "calibration, not by those added since"
+			: "model corrected by all measured runs";
 }
 
 const char *

@@ -8,6 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/band.h"
+#include "cmd/cut.h"
 #include "cmd/fit.h"
 #include "cmd/pictures.h"
 #include "cmd/plots.h"
@@ -168,6 +169,28 @@ prediction_answer(struct session *s, const struct prediction *p,
 	return r;
 }
 
+/* The one product of a site whose parameters are from elsewhere says how far
+ * they hold. */
+static void
+note_only_check(
+    struct answer *r, const struct session *s, const struct entry *entry)
+{
+	size_t run;
+	if (session_busy(s) || !cut_is_only_check(entry, &run))
+		return;
+	struct cut cut = cut_compare(s, entry, run);
+	char *words = cut_words(&cut);
+	answer_say(r, cut.missed ? ANSWER_WARNING : ANSWER_PLAIN,
+	    "the prediction %s the cut at %g m/s, the one product of this "
+	    "site: %s",
+	    cut.missed ? "misses" : "meets", entry->site->run[run].speed,
+	    words);
+	free(words);
+	fields_put(fields_object(answer_fields(r), "cut"),
+	    "speed %g rms_pct %g sieves %zu", entry->site->run[run].speed,
+	    100 * cut.rms, cut.n);
+}
+
 /* The answer with what is to be said of it; wanted: with the interpolated
  * products. */
 static struct answer *
@@ -198,6 +221,7 @@ explained(struct session *s, const struct prediction *p,
 		answer_say(r, ANSWER_REMARK,
 		    "no interpolation: %g m/s is not between measured runs",
 		    p->speed);
+	note_only_check(r, s, entry);
 	answers_note_doubt(s, r, p->speed, p->feed_run);
 	free(between);
 	return r;

@@ -41,6 +41,7 @@ struct screen {
 };
 
 struct files;
+struct plant_log;
 struct journal;
 struct keep;
 struct script;
@@ -70,6 +71,9 @@ struct session {
 	struct files *files; /* read and written, see files.h; or NULL */
 	size_t n_site;
 	struct site **site;    /* every site there was; entries borrow them */
+	struct plant_log *log; /* in use, or NULL */
+	size_t n_log;
+	struct plant_log **logs; /* every one there was */
 	struct choices *first; /* what the command line set; reset goes there */
 	struct journal *journal;
 	struct keep *keep; /* what is not saved, see keep.h; NULL: no matter */

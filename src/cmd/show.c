@@ -141,6 +141,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 			  "size mm, selected_pct: broken %% of feed");
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed, x = NAN, selected = NAN;
+		v = v > 0 ? v : answers_usual(entry);
 		if (site_run_repeats(site, i) && !site->individual_feeds)
 			continue;
 		if (entry->has_params) {
@@ -359,6 +360,7 @@ static const struct {
     {"selection", true, true, show_selection},
     {"appearance", true, false, show_appearance},
     {"store", false, false, show_store},
+    {"log", false, false, show_log},
 };
 
 static bool

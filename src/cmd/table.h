@@ -5,8 +5,8 @@
 
 #include "cmd/command.h"
 
-command_run cmd_load, cmd_sites, cmd_use, cmd_drop, cmd_check, cmd_mend,
-    cmd_show, cmd_synth, cmd_template, cmd_write;
+command_run cmd_load, cmd_add, cmd_sites, cmd_use, cmd_drop, cmd_check,
+    cmd_mend, cmd_show, cmd_synth, cmd_template, cmd_write;
 command_run cmd_calibrate, cmd_continue, cmd_accept, cmd_history;
 command_run cmd_predict, cmd_sweep, cmd_compare, cmd_find, cmd_spec,
     cmd_uncertainty, cmd_validate, cmd_league, cmd_identify, cmd_advise,
@@ -27,6 +27,6 @@ command_run cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset, cmd_source,
 	}
 
 /* What show runs too. */
-command_run show_params, show_bounds, show_store;
+command_run show_params, show_bounds, show_store, show_log;
 
 #endif

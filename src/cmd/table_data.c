@@ -7,20 +7,39 @@ static const struct command_option SHOW_OPTIONS[] = {
 	"speed of the selection function; default: a held-out speed, else 74"},
     {.name = NULL}};
 
-static const struct command_option LOAD_OPTIONS[] = {
-    {"columns", VALUE_TEXT, "", 0, 0, NULL, "",
-	"what the columns are, by number: \"1=sieve mm, 2=feed retained_g, "
-	"4=product@70\"; others are left out; lines, where the sieves go "
-	"across"},
-    {"sheet", VALUE_TEXT, "", 0, 0, NULL, "", "sheet of a workbook"},
-    {"range", VALUE_TEXT, "", 0, 0, NULL, "",
-	"part of a sheet, as A3:F20; default: all"},
-    {"decimal", VALUE_CHOICE, "", 0, 0, "point comma", "",
-	"decimal sign of the numbers, where they do not tell"},
-    {"rotor_mm", VALUE_NUMBER, "mm", 100, 5000, NULL, "",
-	"diameter of the rotor, for speeds in rpm"},
+/* Options of load and add, which both read sheets. */
+#define SHEET_OPTIONS                                                         \
+	{"columns", VALUE_TEXT, "", 0, 0, NULL, "",                           \
+	    "what the columns are, by number: \"1=sieve mm, 2=feed "          \
+	    "retained_g, 4=product@70\"; others are left out; numbers of "    \
+	    "lines where the sieves go across"},                              \
+	    {"sheet", VALUE_TEXT, "", 0, 0, NULL, "", "sheet of a workbook"}, \
+	    {"range", VALUE_TEXT, "", 0, 0, NULL, "",                         \
+		"part of a sheet, as A3:F20; default: all"},                  \
+	    {"decimal", VALUE_CHOICE, "", 0, 0, "point comma", "",            \
+		"decimal sign of the numbers, where they do not tell"},       \
+	{                                                                     \
+		"rotor_mm", VALUE_NUMBER, "mm", 100, 5000, NULL, "",          \
+		    "diameter of the rotor, for speeds in rpm"                \
+	}
+
+static const struct command_option LOAD_OPTIONS[] = {SHEET_OPTIONS,
+    {"as", VALUE_CHOICE, "", 0, 0, "site log", "site",
+	"log: the plant's log of rpm, kW and t/h over time, for 'add "
+	"FILE@TIME'; its columns= are named time, rpm, m/s, kW, t/h"},
+    {"dates", VALUE_CHOICE, "", 0, 0, "day-first month-first", "",
+	"order in dates of a log such as 5/3/2026, where they do not tell"},
     {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
-	"refuse a site file with other numbers; written by save"},
+	"refuse a file with other numbers; written by save"},
+    {.name = NULL}};
+
+static const struct command_option ADD_OPTIONS[] = {SHEET_OPTIONS,
+    {"date", VALUE_TEXT, "", 0, 0, NULL, "",
+	"day of the cuts, such as 2026-05-03; not set from the clock"},
+    {"window", VALUE_NUMBER, "min", 0.1, 600, NULL, "10",
+	"minutes of the log, half before the time and half after it"},
+    {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
+	"refuse cuts that give the site other numbers; written by save"},
     {.name = NULL}};
 
 static const struct command_option MEND_OPTIONS[] = {
@@ -81,11 +100,34 @@ const struct command TABLE_DATA[] = {
 	    "feed.csv cut1.csv@70 cut2.csv@75. A sheet with faults is refused, "
 	    "each fault with its place; the sites already loaded stay. A site "
 	    "that is loaded again replaces the earlier one. Quote a name with "
-	    "spaces.",
+	    "spaces. With as=log the files are a plant's log for 'add': rows "
+	    "with date and time, and columns whose heads tell rpm or m/s, kW "
+	    "and t/h.",
 	.example = "load data/sites/tierp.csv\n"
 		   "load data/sites/bro.csv columns=\"1=sieve mm, 2=feed, "
 		   "3=product@69\"\nshow",
 	.run = cmd_load},
+    {.name = "add",
+	.brief = "add belt cuts to the site in use",
+	.operands = {"FILE@SPEED...", {"FILE"}, 1, OPERANDS - 1},
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_FILES,
+	.option = ADD_OPTIONS,
+	.text =
+	    "Reads samples of product, as load does, and adds each to the site "
+	    "in use as one more run: at the speed after @, or at that of the "
+	    "sheet. After 'load LOG as=log' it may be a time, as in "
+	    "cut.csv@2026-05-03T10:15: the speed is then the median of the log "
+	    "around it, and its power and feed rate are noted. A cut has the "
+	    "site's feed unless its sheet has one. The parameters stay, and "
+	    "what they predict is compared with the cut at once; calibrate "
+	    "again to train on it. The site's own file stays as it is: 'write' "
+	    "saves the site with its cuts, and a line 'cut' for each. 'undo' "
+	    "takes the cuts out again.",
+	.example = "load data/sites/tierp.csv\ncalibrate\n"
+		   "add data/cuts/tierp-72.csv@72 date=2026-05-03\n"
+		   "load data/cuts/log.csv as=log\n"
+		   "add data/cuts/tierp-72.csv@2026-05-03T10:15 rotor_mm=900",
+	.run = cmd_add},
     {.name = "sites",
 	.brief = "list the loaded sites",
 	.text = "The first column has the names for 'use'.",
@@ -147,9 +189,9 @@ const struct command TABLE_DATA[] = {
     {.name = "show",
 	.brief = "show a site and its model",
 	.operands = {"[site|feed|product|params|bounds|model|models|"
-		     "selection|appearance|store]",
+		     "selection|appearance|store|log]",
 	    {"site feed product params bounds model models selection "
-	     "appearance store"},
+	     "appearance store log"},
 	    0, 1},
 	.option = SHOW_OPTIONS,
 	.text =
@@ -161,7 +203,8 @@ const struct command TABLE_DATA[] = {
 	    "at a speed (selection function, Eq 3), and its share of the feed; "
 	    "appearance: the size classes of the progeny of each broken class "
 	    "(appearance function, Eq 1, the matrix of the paper's Table 1); "
-	    "store: where remembered materials are kept.",
+	    "store: where remembered materials are kept; log: what the "
+	    "plant's log has.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "show model\nshow selection speed=79",

@@ -11,11 +11,12 @@
 
 enum { STEPS = 200 };
 
-/* Sites are borrowed: the session keeps every one to its end. */
+/* Sites and logs are borrowed: the session keeps every one to its end. */
 struct snapshot {
 	struct mark mark;
 	size_t n_entry, current;
 	struct entry *entry;
+	struct plant_log *log;
 	struct choices set;
 };
 
@@ -36,6 +37,7 @@ snapshot_take(const struct session *s)
 	    .n_entry = s->n_entry,
 	    .current = s->current,
 	    .entry = copy_entries(s->entry, s->n_entry),
+	    .log = s->log,
 	    .set = s->set};
 	return snapshot;
 }
@@ -57,6 +59,7 @@ snapshot_put(struct session *s, const struct snapshot *snapshot)
 	s->entry = copy_entries(snapshot->entry, snapshot->n_entry);
 	s->n_entry = snapshot->n_entry;
 	s->current = snapshot->current;
+	s->log = snapshot->log;
 	s->set = snapshot->set;
 	session_forget(s);
 }
@@ -87,7 +90,7 @@ bool
 snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 {
 	if (snapshot->n_entry != s->n_entry ||
-	    snapshot->current != s->current ||
+	    snapshot->current != s->current || snapshot->log != s->log ||
 	    !settings_same(&snapshot->set, &s->set))
 		return true;
 	for (size_t i = 0; i < s->n_entry; i++)

@@ -122,25 +122,24 @@ say_trained(const struct subject *a)
 {
 	const struct entry *entry = a->entry;
 	double slow, fast, v = a->p.speed;
-	const char *how = origin_trained(entry) ? "training" : "measured";
 	if (!origin_reach(entry, &slow, &fast)) {
 		answer_say(a->answer, ANSWER_WARNING,
 		    "The training speeds of these parameters are not known");
 		return;
 	}
+	char *speeds = answers_reach(entry, slow, fast);
 	if (!answers_extrapolates(entry, v)) {
-		answer_note(a->answer,
-		    "%g m/s is within the %s speeds, %g to %g m/s", v, how,
-		    slow, fast);
+		answer_note(a->answer, "%g m/s is within the %s", v, speeds);
+		free(speeds);
 		return;
 	}
 	double near = v > fast ? fast : slow;
 	double more = energy_specific(v) / energy_specific(near) - 1;
 	answer_say(a->answer, ANSWER_WARNING,
-	    "%g m/s is outside the %s speeds, %g to %g m/s: an impact has %.1f "
-	    "%% %s energy than at %g m/s, and no measurement shows the effect",
-	    v, how, slow, fast, 100 * fabs(more), more > 0 ? "more" : "less",
-	    near);
+	    "%g m/s is outside the %s: an impact has %.1f %% %s energy than at "
+	    "%g m/s, and no measurement shows the effect",
+	    v, speeds, 100 * fabs(more), more > 0 ? "more" : "less", near);
+	free(speeds);
 }
 
 static void

@@ -75,8 +75,11 @@ site_copy(const struct site *from)
 	replace_text(&to->machine, from->machine);
 	replace_text(&to->provenance, from->provenance);
 	replace_text(&to->named, from->named);
+	replace_text(&to->read_as, from->read_as);
+	replace_text(&to->assumed, from->assumed);
 	replace_text(&to->path, from->path);
 	to->top_size = from->top_size;
+	to->rotor = from->rotor;
 	to->individual_feeds = from->individual_feeds;
 	to->digest = from->digest;
 	for (size_t r = 0; r < from->n_run; r++)
@@ -90,16 +93,21 @@ site_copy(const struct site *from)
 	return to;
 }
 
+static void
+run_clear(struct run *run)
+{
+	psd_free(&run->feed);
+	psd_free(&run->product);
+	free(run->product_sd);
+}
+
 void
 site_free(struct site *site)
 {
 	if (site == NULL)
 		return;
-	for (size_t r = 0; r < site->n_run; r++) {
-		psd_free(&site->run[r].feed);
-		psd_free(&site->run[r].product);
-		free(site->run[r].product_sd);
-	}
+	for (size_t r = 0; r < site->n_run; r++)
+		run_clear(&site->run[r]);
 	notes_free(site->note, site->n_note);
 	notes_free(site->left_out, site->n_left_out);
 	free(site->named);
@@ -138,6 +146,91 @@ site_digest(const struct site *site)
 			    run->product.n * sizeof *run->product_sd);
 	}
 	return h;
+}
+
+/* Which of several at its speed each run is. */
+static void
+number_repeats(struct site *site)
+{
+	for (size_t r = 0, nth = 0; r < site->n_run; r++) {
+		nth = site_run_repeats(site, r) ? nth + 1 : 1;
+		bool more =
+		    r + 1 < site->n_run && site_run_repeats(site, r + 1);
+		char *which =
+		    nth > 1 || more ? xasprintf(" (%zu)", nth) : xstrdup("");
+		strncpy(
+		    site->run[r].repeat, which, sizeof site->run[r].repeat - 1);
+		free(which);
+	}
+}
+
+/* Takes the run out of the site. */
+static void
+drop_run(struct site *site, size_t r, size_t *from)
+{
+	run_clear(&site->run[r]);
+	size_t after = --site->n_run - r;
+	memmove(&site->run[r], &site->run[r + 1], after * sizeof *site->run);
+	memmove(&from[r], &from[r + 1], after * sizeof *from);
+}
+
+static bool
+same_psd(const struct psd *a, const struct psd *b)
+{
+	return a->n == b->n &&
+	       memcmp(a->size, b->size, a->n * sizeof *a->size) == 0 &&
+	       memcmp(a->passing, b->passing, a->n * sizeof *a->passing) == 0;
+}
+
+/* After all runs that are as fast; in the place of the first of them if that
+ * has a feed only, which is then its feed. */
+static void
+insert_run(struct site *site, struct run run, size_t *from)
+{
+	size_t at = site_run_at(site, run.speed);
+	if (at < site->n_run && site->run[at].product.n == 0) {
+		run_clear(&site->run[at]);
+		site->run[at] = run;
+		return;
+	}
+	for (at = 0; at < site->n_run && site->run[at].speed <= run.speed;)
+		at++;
+	site->run = xrealloc(site->run, site->n_run + 1, sizeof *site->run);
+	size_t after = site->n_run++ - at;
+	memmove(&site->run[at + 1], &site->run[at], after * sizeof *site->run);
+	memmove(&from[at + 1], &from[at], after * sizeof *from);
+	site->run[at] = run;
+	from[at] = SIZE_MAX;
+}
+
+struct site *
+site_with_cuts(const struct site *site, const struct site *cuts, size_t *from)
+{
+	struct site *to = site_copy(site);
+	for (size_t r = 0; r < site->n_run; r++)
+		from[r] = r;
+	for (size_t k = 0; k < cuts->n_run; k++) {
+		struct run run = run_copy(&cuts->run[k]);
+		size_t at = site_run_at(to, run.speed);
+		const struct psd *feed =
+		    &site->run[site_run_nearest(site, run.speed)].feed;
+		if (at < to->n_run && to->run[at].product.n == 0)
+			feed = &to->run[at].feed;
+		bool own = run.feed.n > 0;
+		to->individual_feeds =
+		    to->individual_feeds || (own && !same_psd(&run.feed, feed));
+		if (!own) {
+			psd_free(&run.feed);
+			run.feed = psd_copy(feed);
+		}
+		insert_run(to, run, from);
+	}
+	/* The feed of any speed is in the runs now. */
+	if (to->n_run > 1 && !(to->run[0].speed > 0))
+		drop_run(to, 0, from);
+	number_repeats(to);
+	to->digest = site_digest(to);
+	return to;
 }
 
 double *

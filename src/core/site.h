@@ -58,6 +58,14 @@ void site_free(struct site *site);
 /* Another one with copies of all it has. */
 struct site *site_copy(const struct site *site);
 
+/* A copy with the products of cuts as further runs, behind those at their
+ * speed.  Each has its own feed, where it has one, else that of the site's run
+ * at the nearest speed; a run that had a feed only is completed.
+ * from [runs of both]: out, for each run of the copy its place in the site, or
+ * SIZE_MAX. */
+struct site *site_with_cuts(
+    const struct site *site, const struct site *cuts, size_t *from);
+
 /* Digest of everything a calibration depends on; site_read sets it. */
 uint64_t site_digest(const struct site *site);
 

@@ -237,7 +237,7 @@ judge_data(struct trust *t, const struct evidence *e)
 	if (e->speeds == 1)
 		trust_add(t, LIGHT_AMBER, TRUST_DATA,
 		    xasprintf("one speed, %g m/s, was measured: nothing shows "
-			      "what the speed does",
+			      "what the speed does; add a cut at another",
 			e->slowest));
 	if (e->drift > 0.7)
 		trust_add(t, e->drift > 1.2 ? LIGHT_RED : LIGHT_AMBER,

@@ -231,7 +231,8 @@ refuse(const struct site_request *q, const struct table *t, struct cell where,
 	char *files = list_files(q);
 	struct error *e = error_add(errors);
 	error_at(e, ERROR_DATA, t->sheet->path, where.line, where.column,
-	    "%s\nsay what it is: load %s %s", what, files, ask->settle);
+	    "%s\nsay what it is: %s %s %s", what, q->parts ? "add" : "load",
+	    files, ask->settle);
 	free(files);
 	return true;
 }
@@ -281,6 +282,30 @@ ask_table(const struct site_request *q, struct table *const *table,
 	    "expected one site, got tables with a feed each");
 }
 
+/* What is the first column that is open, and how fast was it? */
+static bool
+ask_column(const struct site_request *q, const struct column *first, bool alone,
+    struct site_ask *ask, struct error_list *errors)
+{
+	char *values = first_values(first->table, first->at);
+	bool speed = first->role == PRODUCT && !(first->speed > 0);
+	char *what = xasprintf(
+	    "expected heads and numbers that tell what column %zu is%s, got "
+	    "'%.*s' above %s",
+	    first->table->block->number[first->at],
+	    speed ? " and its tip speed" : "", sheet_cut(first->head.text),
+	    first->head.text, values);
+	refuse(q, first->table, first->head, ask, errors, what);
+	if (q->parts && speed && q->n == 1 && alone)
+		error_hint(&errors->item[0],
+		    "say its speed: add %s@SPEED, or with a log its time: add "
+		    "%s@2026-05-03T10:15",
+		    q->path[0], q->path[0]);
+	free(what);
+	free(values);
+	return true;
+}
+
 bool
 open_ask(const struct open *open, const struct site_request *q,
     struct table *const *table, size_t n_table, const struct columns *all,
@@ -318,16 +343,5 @@ open_ask(const struct open *open, const struct site_request *q,
 		    errors,
 		    "expected the unit of the sieves, got none that "
 		    "fits their numbers");
-	char *values = first_values(first->table, first->at);
-	bool speed = first->role == PRODUCT && !(first->speed > 0);
-	char *what = xasprintf(
-	    "expected heads and numbers that tell what column %zu is%s, got "
-	    "'%.*s' above %s",
-	    first->table->block->number[first->at],
-	    speed ? " and its tip speed" : "", sheet_cut(first->head.text),
-	    first->head.text, values);
-	refuse(q, first->table, first->head, ask, errors, what);
-	free(what);
-	free(values);
-	return true;
+	return ask_column(q, first, all->n == 1, ask, errors);
 }

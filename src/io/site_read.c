@@ -217,17 +217,24 @@ read_columns(struct reading *r)
 		if (!r->lost)
 			check_partner(all, &all->column[i]);
 	}
-	if (!r->lost && r->all.n == 0)
+	if (r->lost)
+		return;
+	bool parts = r->request->parts;
+	if (r->all.n == 0)
 		sheet_fault(r->table[0]->sheet, first_empty(r->table[0]),
 		    "expected numbers below the heads, got none\n"
 		    "fill in the columns from this cell on; leave a cell empty "
 		    "only where a sieve was not used");
-	else if (!r->lost && count_role(all, FEED) == 0)
+	else if (count_role(all, FEED) == 0 && !parts)
 		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
 		    "expected a feed column, got none\n"
 		    "add a column feed, or load the feed's file with it: load "
 		    "feed.csv %s@SPEED",
 		    r->request->path[0]);
+	if (count_role(all, PRODUCT) == 0 && parts)
+		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
+		    "expected a product, got a feed only\n"
+		    "add takes samples of product; load this file as a site");
 }
 
 static struct psd
@@ -257,7 +264,8 @@ fill_run(const struct columns *t, const struct column *shared, struct run *run,
 	if (site_column_repeats(t, PRODUCT, v) > 1)
 		snprintf(run->repeat, sizeof run->repeat, " (%u)",
 		    (unsigned)nth + 1);
-	run->feed = make_psd(shared != NULL ? shared : own);
+	if (shared != NULL || own != NULL)
+		run->feed = make_psd(shared != NULL ? shared : own);
 	if (product != NULL)
 		run->product = make_psd(product);
 	if (sd == NULL)
@@ -491,7 +499,7 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	r->lost = r->lost || t->lost;
 	size_t first = r->all.n;
 	recognise_columns(t, &near, &r->all, r->site);
-	for (size_t i = first; given > 0 && i < r->all.n; i++)
+	for (size_t i = first; (given > 0 || q->parts) && i < r->all.n; i++)
 		if (r->all.column[i].role == NO_ROLE)
 			r->all.column[i].role = PRODUCT;
 	open_numbers(&r->open, t);

@@ -10,7 +10,8 @@
  * in each, m/s, where it was given (0: in the sheet); and what somebody says of
  * them, NULL or 0 where nothing.  columns: "1=sieve mm, 3=feed retained_g", by
  * number from 1 (lines where sieves go across); those not named are left out.
- * range: "A3:F20".  decimal: '.' or ','.  rotor: diameter, m. */
+ * range: "A3:F20".  decimal: '.' or ','.  rotor: diameter, m.  parts: samples
+ * of product to be added to a site, which need no feed. */
 struct site_request {
 	size_t n;
 	const char *const *path;
@@ -18,6 +19,7 @@ struct site_request {
 	const char *columns, *sheet, *range;
 	char decimal;
 	double rotor;
+	bool parts;
 };
 
 /* What could not be told: columns [n], with what each seems to be in the words

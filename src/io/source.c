@@ -9,15 +9,15 @@
 #include "io/workbook.h"
 #include "io/number.h"
 
-/* A sieve sheet has some dozen lines. */
-enum { MOST_ROWS = 2000 };
+/* A sieve sheet has some dozen lines, a log one for each minute of months. */
+enum { MOST_ROWS = 2000, MOST_LOG = 200000 };
 
 /* Takes the sheets and the note. */
 static bool
-read_workbook(const char *path, const char *bytes, size_t n,
+read_workbook(const char *path, const char *bytes, size_t n, size_t most_rows,
     struct error_list *errors, struct source *source)
 {
-	struct grid grid = grid_new(path, MOST_ROWS, errors);
+	struct grid grid = grid_new(path, most_rows, errors);
 	if (!workbook_read(bytes, n, &grid)) {
 		grid_clear(&grid);
 		return false;
@@ -32,7 +32,7 @@ read_workbook(const char *path, const char *bytes, size_t n,
 }
 
 static bool
-read_text(const char *path, const char *bytes, size_t n,
+read_text(const char *path, const char *bytes, size_t n, size_t most_rows,
     struct error_list *errors, struct source *source)
 {
 	const char *note;
@@ -43,24 +43,39 @@ read_text(const char *path, const char *bytes, size_t n,
 	source->note = xstrdup(note);
 	source->sheet = xcalloc(1, sizeof(*source->sheet));
 	source->sheet[source->n++] =
-	    sheet_new(path, source->text, MOST_ROWS, errors);
+	    sheet_new(path, source->text, most_rows, errors);
 	number_decide(source->sheet[0]);
 	return true;
 }
 
-bool
-source_read(const char *path, struct error_list *errors, struct source *source)
+static bool
+read_rows(const char *path, size_t most_rows, struct error_list *errors,
+    struct source *source)
 {
 	size_t n;
 	*source = (struct source){.note = xstrdup("")};
 	char *bytes = textfile_bytes(path, &n, errors);
 	if (bytes == NULL)
 		return false;
-	bool good = workbook_is(bytes, n)
-			? read_workbook(path, bytes, n, errors, source)
-			: read_text(path, bytes, n, errors, source);
+	bool good =
+	    workbook_is(bytes, n)
+		? read_workbook(path, bytes, n, most_rows, errors, source)
+		: read_text(path, bytes, n, most_rows, errors, source);
 	free(bytes);
 	return good;
+}
+
+bool
+source_read(const char *path, struct error_list *errors, struct source *source)
+{
+	return read_rows(path, MOST_ROWS, errors, source);
+}
+
+bool
+source_read_log(
+    const char *path, struct error_list *errors, struct source *source)
+{
+	return read_rows(path, MOST_LOG, errors, source);
 }
 
 void

@@ -18,6 +18,10 @@ struct source {
  * either case. */
 bool source_read(
     const char *path, struct error_list *errors, struct source *source);
+
+/* The same of a plant's log, which has many more lines. */
+bool source_read_log(
+    const char *path, struct error_list *errors, struct source *source);
 void source_free(struct source *source);
 
 #endif

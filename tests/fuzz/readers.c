@@ -15,6 +15,7 @@
 #include "cmd/line.h"
 #include "cmd/script.h"
 #include "cmd/invocation.h"
+#include "io/plant_log.h"
 #include "io/site_read.h"
 #include "io/site_write.h"
 #include "io/spec.h"
@@ -162,6 +163,20 @@ read_spec(const char *path)
 }
 
 static bool
+read_log(const char *path)
+{
+	struct error_list errors = {0};
+	struct log_request q = {.n = 1, .path = &path};
+	bool open;
+	struct plant_log *log = plant_log_read(&q, &errors, &open);
+	if (log != NULL)
+		plant_log_window(log, log->time[0], log->time[log->n - 1]);
+	bool good = log != NULL;
+	plant_log_free(log);
+	return good;
+}
+
+static bool
 read_materials(const char *path)
 {
 	struct error_list errors = {0};
@@ -245,7 +260,7 @@ static const struct reader READERS[] = {{"sheet", read_sheet},
     {"xlsx-styles", read_xlsx_styles}, {"xlsx-strings", read_xlsx_strings},
     {"ods", read_ods}, {"table3", read_table3}, {"spec", read_spec},
     {"materials", read_materials}, {"script", read_script}, {"init", read_init},
-    {"store", read_store}};
+    {"store", read_store}, {"log", read_log}};
 
 const struct reader *
 reader_find(const char *name)

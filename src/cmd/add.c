@@ -1,0 +1,313 @@
+/* add: belt cuts of later days to the site in use.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/check.h"
+#include "cmd/cut.h"
+#include "cmd/entries.h"
+#include "cmd/invocation.h"
+#include "cmd/load.h"
+#include "cmd/log.h"
+#include "cmd/table.h"
+#include "io/head.h"
+#include "io/units.h"
+
+/* What is known of each file [n] beside its numbers: its word as load has it,
+ * its time in words, or "", and what the log says. */
+struct origins {
+	size_t n;
+	struct cut_origin {
+		char *word, *file, *when;
+		struct logged logged;
+	} * file;
+};
+
+static void
+origins_clear(struct origins *o)
+{
+	for (size_t i = 0; i < o->n; i++) {
+		free(o->file[i].word);
+		free(o->file[i].file);
+		free(o->file[i].when);
+	}
+	free(o->file);
+}
+
+/* A date that can be read in one way. */
+static bool
+read_date(const struct value *date, double *day, struct error *error)
+{
+	struct moment m;
+	*day = NAN;
+	if (!date->given)
+		return true;
+	bool good = moment_read(date->text, &m) && m.has_date;
+	*day = good ? moment_seconds(&m, MOMENT_OPEN) - m.seconds : (double)NAN;
+	if (!good || isnan(*day))
+		return error_set(error, ERROR_USAGE,
+		    good ? "expected a date that can be read in one way, got "
+			   "'%s'\n"
+			   "write year, month, day: date=2026-05-03"
+			 : "expected a date such as 2026-05-03, got '%s'\n"
+			   "write year, month, day: date=2026-05-03",
+		    date->text);
+	return true;
+}
+
+/* The time after @, with the day of date= where it has none. */
+static bool
+read_time(const char *text, double day, double *time, struct error *error)
+{
+	struct moment m;
+	if (!moment_read(text, &m) || !m.has_time)
+		return error_set(error, ERROR_USAGE,
+		    "expected a tip speed or a time after @, got '%s'\n"
+		    "for instance: add cut.csv@72, add "
+		    "cut.csv@2026-05-03T10:15",
+		    text);
+	if (!m.has_date && isnan(day))
+		return error_set(error, ERROR_USAGE,
+		    "expected a day for the time %s, got none\n"
+		    "write: date=2026-05-03, or @2026-05-03T%s",
+		    text, text);
+	*time = m.has_date ? moment_seconds(&m, MOMENT_OPEN) : day + m.seconds;
+	if (isnan(*time))
+		return error_set(error, ERROR_USAGE,
+		    "expected a date that can be read in one way, got '%s'\n"
+		    "write year, month, day: @2026-05-03T10:15",
+		    text);
+	return isnan(day) || day == floor(*time / 86400) * 86400 ||
+	       error_set(error, ERROR_USAGE,
+		   "expected the day of date= after @, got %s\n"
+		   "leave one of the two out",
+		   text);
+}
+
+/* The @ before a speed or a time; NULL where the word is a name. */
+static const char *
+speed_at(const char *word)
+{
+	struct moment m;
+	const char *at = strrchr(word, '@');
+	bool name = at == NULL || at == word || access(word, F_OK) == 0 ||
+		    (strchr(at, '/') != NULL && !moment_read(at + 1, &m));
+	return name ? NULL : at;
+}
+
+/* "cut.csv@2026-05-03T10:15" by the log as "cut.csv@64.2". */
+static bool
+look_up(struct session *s, const struct args *args, const char *word,
+    double day, double rotor, struct cut_origin *o, struct error *error)
+{
+	const char *at = speed_at(word);
+	size_t n = at != NULL ? (size_t)(at - word) : strlen(word), from = n;
+	double time = NAN;
+	while (from > 0 && word[from - 1] != '/')
+		from--;
+	o->file = xstrndup(word + from, n - from);
+	o->word = xstrdup(word);
+	o->when = isnan(day) ? xstrdup("") : moment_text(day);
+	if (!isnan(day))
+		o->when[strcspn(o->when, " ")] = '\0';
+	o->logged = (struct logged){NAN, NAN, NAN};
+	if (at == NULL || head_read(at).speed > 0)
+		return true;
+	double window = 60 * args_value(args, "window")->number;
+	if (!read_time(at + 1, day, &time, error) ||
+	    !log_at(s, time, window / 2, rotor, &o->logged, error))
+		return false;
+	free(o->word);
+	free(o->when);
+	o->word = xasprintf("%.*s@%.1f", (int)n, word, o->logged.speed);
+	o->when = moment_text(time);
+	return true;
+}
+
+/* "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv": what a site keeps of a
+ * cut, and who fits power to speed and feed rate reads again. */
+static char *
+cut_note(double speed, const struct cut_origin *o)
+{
+	char *text = xasprintf("%g m/s", speed);
+	if (o != NULL && o->when[0] != '\0')
+		xappend(&text, ", %s", o->when);
+	if (o != NULL && !isnan(o->logged.power))
+		xappend(&text, ", %.4g kW", o->logged.power);
+	if (o != NULL && !isnan(o->logged.rate))
+		xappend(&text, ", %.4g t/h", o->logged.rate);
+	if (o != NULL)
+		xappend(&text, ", %s", o->file);
+	return text;
+}
+
+/* The file that a cut is from: the only one, or that of its speed. */
+static const struct cut_origin *
+origin_of(const struct origins *all, double speed)
+{
+	const struct cut_origin *found = all->n == 1 ? &all->file[0] : NULL;
+	for (size_t i = 0; i < all->n && found == NULL; i++) {
+		const char *at = strrchr(all->file[i].word, '@');
+		double v;
+		if (at != NULL && text_number(at + 1, &v) &&
+		    fabs(v - speed) < 1e-3)
+			found = &all->file[i];
+	}
+	return found;
+}
+
+/* Products that the site has already, and feeds of their own. */
+static void
+warn_of(struct session *s, const struct site *site, const struct site *cuts)
+{
+	for (size_t k = 0; k < cuts->n_run; k++) {
+		const struct run *cut = &cuts->run[k];
+		size_t at = site_run_nearest(site, cut->speed);
+		for (size_t r = 0; r < site->n_run; r++) {
+			const struct psd *p = &site->run[r].product;
+			bool same = site->run[r].speed == cut->speed &&
+				    p->n == cut->product.n &&
+				    memcmp(p->passing, cut->product.passing,
+					p->n * sizeof *p->passing) == 0;
+			if (same)
+				session_note(s,
+				    "  warning: the numbers are those of the "
+				    "product at %g m/s%s: was it added "
+				    "before? 'undo' takes it back",
+				    cut->speed, site->run[r].repeat);
+		}
+		if (cut->feed.n == 0 && site->individual_feeds &&
+		    site->run[at].speed != cut->speed)
+			session_note(s,
+			    "  feed of the cut at %g m/s: that of the site at "
+			    "%g m/s",
+			    cut->speed, site->run[at].speed);
+		double apart = 0;
+		for (size_t i = 0; i < cut->feed.n; i++) {
+			double is = psd_at_sieve(
+			    &site->run[at].feed, cut->feed.size[i]);
+			if (!isnan(is))
+				apart = fmax(
+				    apart, fabs(is - cut->feed.passing[i]));
+		}
+		if (apart > 0)
+			session_note(s,
+			    "  the cut at %g m/s has a feed of its own, up to "
+			    "%.1f points from that of the site: it is used for "
+			    "this cut",
+			    cut->speed, 100 * apart);
+	}
+}
+
+/* How well what was known meets what came. */
+static void
+note_check(struct session *s, size_t run)
+{
+	const struct entry *entry = session_entry(s);
+	const struct site *site = entry->site;
+	if (!entry->has_params || misfit_covered(&site->run[run]) == 0)
+		return;
+	struct cut cut = cut_compare(s, entry, run);
+	char *words = cut_words(&cut);
+	session_note(s, "  %sthe prediction %s the cut at %g m/s%s: %s%s",
+	    cut.missed ? "warning: " : "", cut.missed ? "misses" : "meets",
+	    site->run[run].speed, site->run[run].repeat, words,
+	    !cut.missed      ? ""
+	    : entry->has_fit ? "; calibrate again with train=all"
+			     : "");
+	free(words);
+}
+
+static void
+note_next(struct session *s)
+{
+	const struct entry *entry = session_entry(s);
+	char *speeds = session_speeds(entry->site, ", ", NULL, true);
+	session_note(s, "  %s has products at %s m/s%s", entry->key, speeds,
+	    entry->has_params ? "" : "; no parameters yet: run 'calibrate'");
+	free(speeds);
+}
+
+static bool
+is_expected(const struct site *site, const struct value *digest,
+    struct session *s, struct error *error)
+{
+	char *found = xasprintf("%016" PRIx64, site->digest);
+	bool good = !digest->given || strcmp(digest->text, found) == 0;
+	if (!good)
+		error_set(error, ERROR_DATA,
+		    "expected the site to have digest %s with these cuts, got "
+		    "%s: numbers of a cut, of the log or of the site have "
+		    "changed\n"
+		    "leave out digest= to add them anyway; results will change",
+		    digest->text, found);
+	if (good && !digest->given)
+		invocation_adds(s, "digest", found);
+	free(found);
+	return good;
+}
+
+/* Puts the cuts into a copy of the site in use, which takes its place. */
+static bool
+add_cuts(struct session *s, const struct args *args, const struct site *cuts,
+    const struct origins *all, struct error *error)
+{
+	const struct site *old = session_entry(s)->site;
+	size_t *from = xcalloc(old->n_run + cuts->n_run, sizeof *from);
+	struct site *site = site_with_cuts(old, cuts, from);
+	if (!is_expected(site, args_value(args, "digest"), s, error)) {
+		site_free(site);
+		free(from);
+		return false;
+	}
+	if (!(site->rotor > 0))
+		site->rotor = args_value(args, "rotor_mm")->number / 1000;
+	for (size_t k = 0; k < cuts->n_run; k++) {
+		double v = cuts->run[k].speed;
+		char *note = cut_note(v, origin_of(all, v));
+		site_add_note(&site->note, &site->n_note, "cut", note);
+		session_note(s, "added a cut: %s", note);
+		free(note);
+	}
+	load_note_reading(s, cuts);
+	warn_of(s, old, cuts);
+	session_grow(s, site, from);
+	check_warn_coarser(s, site);
+	note_next(s);
+	for (size_t r = 0; r < site->n_run; r++)
+		if (site->run[r].product.n > 0 &&
+		    (from[r] == SIZE_MAX || old->run[from[r]].product.n == 0))
+			note_check(s, r);
+	free(from);
+	return true;
+}
+
+bool
+cmd_add(struct session *s, const struct args *args, struct error *error)
+{
+	const struct value *rotor_mm = args_value(args, "rotor_mm");
+	double day, rotor = session_entry(s)->site->rotor;
+	struct origins all = {
+	    .file = xcalloc(args->n_operand, sizeof *all.file)};
+	const char **word = xcalloc(args->n_operand, sizeof(*word));
+	bool good = read_date(args_value(args, "date"), &day, error);
+	if (rotor_mm->given)
+		rotor = rotor_mm->number / 1000;
+	for (size_t i = 0; i < args->n_operand && good; i++) {
+		good = look_up(s, args, args->operand[i], day, rotor,
+		    &all.file[all.n++], error);
+		word[i] = all.file[i].word;
+	}
+	struct site *cuts =
+	    good ? load_parts(s, args, word, rotor, error) : NULL;
+	good = cuts != NULL && add_cuts(s, args, cuts, &all, error);
+	site_free(cuts);
+	origins_clear(&all);
+	free(word);
+	return good;
+}

@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/cut.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/outlook.h"
+#include "core/ensemble.h"
+#include "core/misfit.h"
+#include "core/predict.h"
+#include "io/units.h"
+
+/* Whether a passing lies in the band of one more sample, to the hundredth of a
+ * point that sheets are rounded to. */
+static bool
+is_inside(const struct ensemble *e, const struct prediction *p, double x,
+    double passing, double level)
+{
+	const double rounding = 5e-4;
+	double low, high;
+	size_t k = 0;
+	while (k + 1 < p->curve.n && p->curve.size[k] > x)
+		k++;
+	ensemble_band(e, ENSEMBLE_SAMPLE, k, level, &low, &high);
+	return passing >= low - rounding && passing <= high + rounding;
+}
+
+/* Errors go along a curve together, so that half of the sieves outside alone
+ * may be chance; a point is what a careful sample repeats to. */
+static bool
+is_missed(const struct cut *c)
+{
+	const double careful = 0.01;
+	return c->n > 0 &&
+	       (c->no_band ? c->rms > FIT_POOR
+			   : 2 * c->inside < c->n && c->rms > careful);
+}
+
+struct cut
+cut_compare(const struct session *s, const struct entry *entry, size_t run)
+{
+	const struct run *r = &entry->site->run[run];
+	struct cut c = {.level = settings_level(&s->set)};
+	struct prediction p = outlook_predict(s, entry, r->speed, run);
+	struct ensemble *e = outlook_ensemble(s, entry, run);
+	if (e != NULL)
+		ensemble_at(e, r->speed);
+	c.no_band = e == NULL;
+	double sum = 0;
+	for (size_t i = 0; i < p.product.n; i++) {
+		double x = p.product.size[i];
+		double passing = psd_at_sieve(&r->product, x);
+		double off = passing - p.product.passing[i];
+		if (isnan(passing) || !(p.feed.passing[i] < 1))
+			continue;
+		c.n++;
+		sum += off * off;
+		if (fabs(off) > fabs(c.worst)) {
+			c.worst = off;
+			c.worst_sieve = x;
+		}
+		if (e != NULL)
+			c.inside += is_inside(e, &p, x, passing, c.level);
+	}
+	c.rms = c.n > 0 ? sqrt(sum / (double)c.n) : NAN;
+	c.missed = is_missed(&c);
+	prediction_free(&p);
+	return c;
+}
+
+char *
+cut_words(const struct cut *c)
+{
+	char *words = xasprintf("%.1f points (RMS of %zu sieves; largest %+.1f "
+				"at %g mm, measured less predicted)",
+	    100 * c->rms, c->n, 100 * c->worst, units_mm(c->worst_sieve));
+	if (!c->no_band)
+		xappend(&words,
+		    ", %zu of %zu sieves within the %.0f %% band of one more "
+		    "sample",
+		    c->inside, c->n, 100 * c->level);
+	return words;
+}
+
+/* Whether the calibration knew that product. */
+static bool
+was_known(const struct site *then, const struct run *run)
+{
+	for (size_t r = 0; r < then->n_run; r++) {
+		const struct psd *a = &then->run[r].product, *b = &run->product;
+		if (then->run[r].speed == run->speed && a->n == b->n &&
+		    memcmp(a->passing, b->passing, a->n * sizeof *a->passing) ==
+			0)
+			return true;
+	}
+	return false;
+}
+
+struct later
+cut_later(const struct session *s, const struct entry *entry)
+{
+	const struct site *site = entry->site;
+	struct history *h = entry->history;
+	struct later later = {.site = site};
+	if (!entry->has_fit || h == NULL || h->site->digest == site->digest)
+		return later;
+	if (h->later.site == site)
+		return h->later;
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (misfit_covered(&site->run[r]) == 0 ||
+		    was_known(h->site, &site->run[r]))
+			continue;
+		struct cut c = cut_compare(s, entry, r);
+		if (later.n++ > 0 && !(c.rms > later.rms))
+			continue;
+		later.rms = c.rms;
+		later.missed = c.missed;
+		later.speed = site->run[r].speed;
+	}
+	h->later = later;
+	return later;
+}
+
+bool
+cut_is_only_check(const struct entry *entry, size_t *run)
+{
+	const struct site *site = entry->site;
+	if (!entry->has_params || !origin_is_other(entry) ||
+	    site_products(site) != 1)
+		return false;
+	for (*run = 0; site->run[*run].product.n == 0;)
+		++*run;
+	return misfit_covered(&site->run[*run]) > 0;
+}

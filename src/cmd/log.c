@@ -1,0 +1,334 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/log.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/files.h"
+#include "cmd/inquiry.h"
+#include "cmd/journal.h"
+#include "cmd/table.h"
+#include "io/head.h"
+
+/* "1,440 rows", as people read long numbers. */
+static char *
+rows_text(size_t n)
+{
+	return n < 1000 ? xasprintf("%zu row%s", n, n == 1 ? "" : "s")
+			: xasprintf("%zu,%03zu rows", n / 1000, n % 1000);
+}
+
+/* "1180 to 1420" */
+static char *
+range_text(double least, double most)
+{
+	return most > least ? xasprintf("%.4g to %.4g", least, most)
+			    : xasprintf("%.4g", least);
+}
+
+static char *
+span_text(double from, double to)
+{
+	char *a = moment_text(from);
+	char *b = floor(from / 86400) == floor(to / 86400) ? moment_clock(to)
+							   : moment_text(to);
+	char *text = xasprintf("%s to %s", a, b);
+	free(a);
+	free(b);
+	return text;
+}
+
+/* "rpm 1180 to 1420, kW 150 to 210" */
+static char *
+contents(const struct plant_log *log)
+{
+	struct log_window all =
+	    plant_log_window(log, log->time[0], log->time[log->n - 1]);
+	char *text = xstrdup("");
+	for (size_t k = 0; k < LOG_COLUMNS; k++) {
+		if (log->value[k] == NULL)
+			continue;
+		char *range = range_text(all.least[k], all.most[k]);
+		xlist(&text, ", ", "%s %s", LOG_UNITS[k], range);
+		free(range);
+	}
+	return text;
+}
+
+/* A gap worth a word: ten rows, and more than some minutes. */
+static bool
+has_gap(const struct plant_log *log)
+{
+	return log->gap > 10 * log->apart && log->gap > 300;
+}
+
+static void
+note_log(struct session *s, const struct plant_log *log)
+{
+	char *rows = rows_text(log->n), *all = contents(log);
+	char *span = span_text(log->time[0], log->time[log->n - 1]);
+	session_note(s, "log: %s from %s, %s", rows, span, all);
+	session_note(s, "  read: %s", log->read_as);
+	if (log->assumed[0] != '\0')
+		session_note(s, "  likely, not stated: %s", log->assumed);
+	if (log->passed > 0)
+		session_note(
+		    s, "  not read: %zu rows without a time", log->passed);
+	if (has_gap(log)) {
+		char *gap = span_text(log->gap_from, log->gap_from + log->gap);
+		session_note(s, "  the longest gap: %s", gap);
+		free(gap);
+	}
+	free(rows);
+	free(all);
+	free(span);
+}
+
+static void
+write_journal(struct session *s, const struct args *args,
+    const struct log_request *q, const struct plant_log *log)
+{
+	struct site digest = {.digest = log->digest};
+	double *speed = xdoubles(q->n);
+	memset(speed, 0, q->n * sizeof *speed);
+	char *line = journal_load(&digest, q->n, q->path, speed);
+	xappend(&line, " as=log");
+	if (q->columns != NULL)
+		xappend(&line, " columns=\"%s\"", q->columns);
+	if (q->sheet != NULL)
+		xappend(&line, " sheet=\"%s\"", q->sheet);
+	if (q->decimal != '\0')
+		xappend(&line, " decimal=%s",
+		    q->decimal == ',' ? "comma" : "point");
+	if (q->order != MOMENT_OPEN)
+		xappend(&line, " dates=%s",
+		    q->order == MOMENT_DAY_FIRST ? "day-first" : "month-first");
+	journal_add(s, NULL, "%s", line);
+	free(line);
+	free(speed);
+	(void)args;
+}
+
+/* Asks whether the day comes first; false where nobody answers. */
+static bool
+ask_order(struct session *s, const struct error_list *errors,
+    enum moment_order *order)
+{
+	static const char *const EITHER[] = {"day", "month"};
+	bool month;
+	if (!inquire_either(s, &errors->item[0], "is it day or month first",
+		EITHER, &month))
+		return false;
+	*order = month ? MOMENT_MONTH_FIRST : MOMENT_DAY_FIRST;
+	return true;
+}
+
+static struct plant_log *
+read_log(struct session *s, struct log_request *q, struct error *error)
+{
+	for (;;) {
+		struct error_list errors = {0};
+		bool open;
+		struct plant_log *log = plant_log_read(q, &errors, &open);
+		if (log != NULL)
+			return log;
+		if (open && q->order == MOMENT_OPEN &&
+		    ask_order(s, &errors, &q->order))
+			continue;
+		session_tell_faults(s, q->path[0], &errors, error);
+		return NULL;
+	}
+}
+
+static bool
+check_digest(
+    const struct plant_log *log, const struct value *digest, struct error *e)
+{
+	char *found = xasprintf("%016" PRIx64, log->digest);
+	bool good = !digest->given || strcmp(digest->text, found) == 0;
+	if (!good)
+		error_at(e, ERROR_DATA, log->path, 0, 0,
+		    "expected a log with digest %s, got %s: its numbers have "
+		    "changed\n"
+		    "leave out digest= to load it anyway; results will change",
+		    digest->text, found);
+	free(found);
+	return good;
+}
+
+bool
+log_load(struct session *s, const struct args *args, struct error *error)
+{
+	const struct value *columns = args_value(args, "columns");
+	const struct value *sheet = args_value(args, "sheet");
+	const struct value *decimal = args_value(args, "decimal");
+	const struct value *dates = args_value(args, "dates");
+	struct log_request q = {.n = args->n_operand,
+	    .path = args->operand,
+	    .columns = columns->given ? columns->text : NULL,
+	    .sheet = sheet->given ? sheet->text : NULL};
+	if (decimal->given)
+		q.decimal = decimal->choice == 1 ? ',' : '.';
+	if (dates->given)
+		q.order =
+		    dates->choice == 0 ? MOMENT_DAY_FIRST : MOMENT_MONTH_FIRST;
+	for (size_t i = 0; i < q.n; i++)
+		files_reads(s, q.path[i]);
+	struct plant_log *log = read_log(s, &q, error);
+	if (log == NULL)
+		return false;
+	s->logs = xrealloc(s->logs, s->n_log + 1, sizeof(*s->logs));
+	s->logs[s->n_log++] = log;
+	if (!check_digest(log, args_value(args, "digest"), error))
+		return false;
+	if (s->log != NULL)
+		session_note(s, "replaced the log loaded earlier");
+	s->log = log;
+	note_log(s, log);
+	write_journal(s, args, &q, log);
+	return true;
+}
+
+/* Tip speed of rpm, or what the log has. */
+static double
+speed_of(const struct plant_log *log, const struct log_window *w, double rotor)
+{
+	double v = log->value[LOG_SPEED] != NULL
+		       ? w->median[LOG_SPEED]
+		       : head_mps(w->median[LOG_RPM], SPEED_RPM, rotor);
+	return round(10 * v) / 10;
+}
+
+/* How the speed was found, and whether it held. */
+static void
+note_speed(struct session *s, const struct plant_log *log, double time,
+    double within, double rotor, const struct log_window *w)
+{
+	const double steady = 0.02;
+	enum log_column k = log->value[LOG_SPEED] != NULL ? LOG_SPEED : LOG_RPM;
+	char *at = moment_text(time);
+	char *span = span_text(time - within, time + within);
+	char *range = range_text(w->least[k], w->most[k]), *more = xstrdup("");
+	if (k == LOG_RPM)
+		xappend(&more, " = %.1f m/s with a rotor of %g mm",
+		    speed_of(log, w, rotor), 1000 * rotor);
+	for (size_t c = LOG_POWER; c < LOG_COLUMNS; c++)
+		if (!isnan(w->median[c]))
+			xappend(&more, ", %s %.4g", LOG_UNITS[c], w->median[c]);
+	session_note(
+	    s, "log at %s: %s %.4g%s", at, LOG_UNITS[k], w->median[k], more);
+	session_note(s, "  median of %zu row%s, %s: %s %s", w->n,
+	    w->n == 1 ? "" : "s", span, LOG_UNITS[k], range);
+	if (w->most[k] - w->least[k] > steady * w->median[k])
+		session_note(s,
+		    "  warning: %s changed from %.4g to %.4g within the "
+		    "window: was the rotor steady at the cut?",
+		    LOG_UNITS[k], w->least[k], w->most[k]);
+	free(at);
+	free(span);
+	free(range);
+	free(more);
+}
+
+static bool
+nothing_at(const struct plant_log *log, double time, double within,
+    struct error *error)
+{
+	double near = log->time[plant_log_nearest(log, time)];
+	char *at = moment_text(time), *nearest = moment_text(near);
+	char *span = span_text(log->time[0], log->time[log->n - 1]);
+	error_set(error, ERROR_USAGE,
+	    "the log has no row within %g minutes of %s; the nearest is of "
+	    "%s\n"
+	    "the log has %s; window= looks further, or give the speed",
+	    within / 60, at, nearest, span);
+	free(at);
+	free(nearest);
+	free(span);
+	return false;
+}
+
+bool
+log_at(struct session *s, double time, double within, double rotor,
+    struct logged *found, struct error *error)
+{
+	const struct plant_log *log = s->log;
+	if (log == NULL)
+		return error_set(error, ERROR_USAGE,
+		    "expected a log to look the time up in, got none\n"
+		    "load it first: load log.csv as=log; or give the speed: "
+		    "add FILE@SPEED");
+	bool rpm = log->value[LOG_SPEED] == NULL;
+	if (rpm && log->value[LOG_RPM] == NULL)
+		return error_set(error, ERROR_USAGE,
+		    "expected a log with rpm or m/s, got one without\n"
+		    "give the speed: add FILE@SPEED");
+	if (rpm && !(rotor > 0))
+		return error_set(error, ERROR_USAGE,
+		    "the log has rpm: expected the rotor's diameter, got "
+		    "none\n"
+		    "write: rotor_mm=DIAMETER, or a line rotor_mm in the site "
+		    "file");
+	struct log_window w =
+	    plant_log_window(log, time - within, time + within);
+	if (w.n == 0)
+		return nothing_at(log, time, within, error);
+	double v = speed_of(log, &w, rotor);
+	if (!(v >= 1 && v <= 200)) {
+		char *at = moment_text(time);
+		error_set(error, ERROR_USAGE,
+		    "expected a running rotor at %s, got %s %.4g\n"
+		    "check the time, or give the speed: add FILE@SPEED",
+		    at, rpm ? "rpm" : "m/s",
+		    w.median[rpm ? LOG_RPM : LOG_SPEED]);
+		free(at);
+		return false;
+	}
+	note_speed(s, log, time, within, rotor, &w);
+	*found = (struct logged){v, w.median[LOG_POWER], w.median[LOG_RATE]};
+	return true;
+}
+
+bool
+show_log(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	const struct plant_log *log = s->log;
+	if (log == NULL)
+		return error_set(error, ERROR_USAGE,
+		    "no log is loaded\n"
+		    "load one: load log.csv as=log");
+	struct answer *r = answer_new("show");
+	struct log_window all =
+	    plant_log_window(log, log->time[0], log->time[log->n - 1]);
+	char *from = moment_text(log->time[0]);
+	char *to = moment_text(log->time[log->n - 1]);
+	answer_title(r, "the plant's log");
+	answer_columns(r, "what, value");
+	answer_pair(r, "file", "%s", log->path);
+	answer_pair(r, "rows", "%zu", log->n);
+	answer_pair(r, "from", "%s", from);
+	answer_pair(r, "to", "%s", to);
+	answer_pair(r, "seconds between rows", "%g", log->apart);
+	for (size_t k = 0; k < LOG_COLUMNS; k++) {
+		if (log->value[k] == NULL)
+			continue;
+		char *range = range_text(all.least[k], all.most[k]);
+		answer_pair(
+		    r, LOG_UNITS[k], "%s, median %.4g", range, all.median[k]);
+		free(range);
+	}
+	answer_pair(r, "read", "%s", log->read_as);
+	if (has_gap(log)) {
+		char *gap = span_text(log->gap_from, log->gap_from + log->gap);
+		answer_pair(r, "longest gap", "%s", gap);
+		free(gap);
+	}
+	free(from);
+	free(to);
+	return session_answer(s, r);
+}

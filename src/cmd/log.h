@@ -1,0 +1,22 @@
+/* The plant log of a session.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_LOG_H
+#define TIPSPEED_CMD_LOG_H
+
+#include "cmd/command.h"
+#include "cmd/session.h"
+#include "io/plant_log.h"
+
+/* load FILE.. as=log: the log that cuts are looked up in. */
+bool log_load(struct session *s, const struct args *args, struct error *error);
+
+/* What it has within so many seconds of a time: the tip speed, m/s, to a tenth,
+ * with a rotor of that diameter, m (0: not known); kW and t/h, NAN where it has
+ * none.  Says how it was found. */
+struct logged {
+	double speed, power, rate;
+};
+bool log_at(struct session *s, double time, double within, double rotor,
+    struct logged *found, struct error *error);
+
+#endif

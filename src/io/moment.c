@@ -1,0 +1,270 @@
+/* Zones are passed over: the clock on the wall is what the crew wrote down.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/moment.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+static const int DAY = 24 * 3600;
+
+/* The first three letters of the months: English, Swedish, German, French,
+ * Spanish, Portuguese, Norwegian and Dutch. */
+static const char *const MONTHS[12] = {"jan ene", "feb fev", "mar mrt",
+    "apr avr abr", "may mai maj mei", "jun", "jul", "aug ago", "sep set",
+    "oct okt out", "nov", "dec dez des dic"};
+
+static int
+days_in(int year, int month)
+{
+	static const int DAYS[12] = {
+	    31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+	bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+	return DAYS[month - 1] + (month == 2 && leap);
+}
+
+static bool
+is_date(int year, int month, int day)
+{
+	return year >= 1970 && year <= 2199 && month >= 1 && month <= 12 &&
+	       day >= 1 && day <= days_in(year, month);
+}
+
+/* Days from the beginning of 1970. */
+static int
+days_to(int year, int month, int day)
+{
+	int days = day - 1;
+	for (int y = 1970; y < year; y++)
+		days += 337 + days_in(y, 2);
+	for (int m = 1; m < month; m++)
+		days += days_in(year, m);
+	return days;
+}
+
+/* A number of at most `most` digits at *p, which moves after it; -1: none. */
+static int
+digits(const char **p, size_t most, size_t *n)
+{
+	int value = 0;
+	for (*n = 0; *n < most && isdigit((unsigned char)**p); (*n)++)
+		value = 10 * value + *(*p)++ - '0';
+	return *n > 0 && !isdigit((unsigned char)**p) ? value : -1;
+}
+
+static int
+month_of(const char *word)
+{
+	for (int m = 0; m < 12; m++)
+		for (const char *p = MONTHS[m]; *p != '\0';
+		     p += strcspn(p, " "), p += strspn(p, " "))
+			if (strncmp(p, word, 3) == 0)
+				return m + 1;
+	return 0;
+}
+
+/* "May-2026" after the day. */
+static bool
+read_named(const char **p, int day, struct moment *m)
+{
+	size_t n;
+	m->day = day;
+	m->month = month_of(*p);
+	while (isalpha((unsigned char)**p))
+		(*p)++;
+	*p += strspn(*p, ".- ,");
+	m->year = digits(p, 4, &n);
+	/* The day comes first where the month is a word: 03-May-26. */
+	m->year += n == 2 ? 2000 : 0;
+	m->plain = true;
+	return (n == 2 || n == 4) && is_date(m->year, m->month, m->day);
+}
+
+/* The last two numbers after a day or month and a sign. */
+static bool
+read_local(const char **p, int first, char sign, struct moment *m)
+{
+	size_t n;
+	int second = digits(p, 2, &n);
+	if (*(*p)++ != sign)
+		return false;
+	m->year = digits(p, 4, &n);
+	m->day = first;
+	m->month = second;
+	m->plain = sign == '.' || first == second;
+	bool day_first = is_date(m->year, second, first);
+	bool month_first = is_date(m->year, first, second) && !m->plain;
+	if (day_first && month_first)
+		m->order = MOMENT_OPEN;
+	else
+		m->order = day_first ? MOMENT_DAY_FIRST : MOMENT_MONTH_FIRST;
+	return n == 4 && (day_first || month_first);
+}
+
+/* A date at *p, which moves after it. */
+static bool
+read_date(const char **p, struct moment *m)
+{
+	size_t n;
+	int first = digits(p, 4, &n);
+	char sign = **p;
+	if (first < 0 || strchr("-/. ", sign) == NULL || sign == '\0')
+		return false;
+	(*p)++;
+	const char *word = *p + strspn(*p, " ");
+	if (n <= 2 && isalpha((unsigned char)*word)) {
+		*p = word;
+		return read_named(p, first, m);
+	}
+	if (sign == ' ')
+		return false;
+	if (n <= 2)
+		return read_local(p, first, sign, m);
+	m->year = first;
+	m->month = digits(p, 2, &n);
+	if (*(*p)++ != sign)
+		return false;
+	m->day = digits(p, 2, &n);
+	m->plain = true;
+	return is_date(m->year, m->month, m->day);
+}
+
+/* "AM", "p.m." */
+static bool
+read_half(const char **p, int *hour)
+{
+	const char *q = *p + strspn(*p, " ");
+	if ((*q != 'a' && *q != 'p') || (q[1] != 'm' && q[1] != '.'))
+		return true;
+	bool after = *q == 'p';
+	q += strspn(q, "apm.");
+	if (*hour < 1 || *hour > 12)
+		return false;
+	*hour = *hour % 12 + (after ? 12 : 0);
+	*p = q;
+	return true;
+}
+
+/* "Z", "+02:00"; nothing else may follow. */
+static bool
+read_zone(const char *p, struct moment *m)
+{
+	size_t n;
+	p += strspn(p, " ");
+	if (*p == '\0')
+		return true;
+	m->has_zone = true;
+	if (*p == 'z')
+		return p[1] == '\0';
+	if (strncmp(p, "utc", 3) == 0 || strncmp(p, "gmt", 3) == 0)
+		return p[3] == '\0';
+	if (*p != '+' && *p != '-')
+		return false;
+	p++;
+	if (digits(&p, 4, &n) < 0)
+		return false;
+	if (*p == ':') {
+		p++;
+		digits(&p, 2, &n);
+	}
+	return *p == '\0';
+}
+
+/* A time of day, to the end of the text; point: "10.15" is one, too. */
+static bool
+read_time(const char *p, bool point, struct moment *m)
+{
+	size_t n;
+	int hour = digits(&p, 2, &n), minute, second = 0;
+	double part = 0;
+	char sign = *p;
+	if (hour < 0 || (sign != ':' && !(point && sign == '.')))
+		return false;
+	p++;
+	minute = digits(&p, 2, &n);
+	if (n != 2)
+		return false;
+	if (*p == sign) {
+		p++;
+		second = digits(&p, 2, &n);
+		if (second >= 0 && (*p == '.' || *p == ',') &&
+		    isdigit((unsigned char)p[1])) {
+			double scale = 1;
+			for (p++; isdigit((unsigned char)*p); p++)
+				part += (scale /= 10) * (*p - '0');
+		}
+	}
+	if (!read_half(&p, &hour) || !read_zone(p, m))
+		return false;
+	m->seconds = 3600 * hour + 60 * minute + second + part;
+	m->has_time = true;
+	return minute >= 0 && minute < 60 && second >= 0 && second < 60 &&
+	       (hour < 24 || (hour == 24 && m->seconds == DAY));
+}
+
+bool
+moment_read(const char *text, struct moment *m)
+{
+	char *folded = text_fold(text);
+	const char *all = text_trim(folded), *p = all;
+	struct moment none = {.plain = false};
+	*m = none;
+	m->has_date = read_date(&p, m);
+	bool good = m->has_date;
+	if (good && *p != '\0') {
+		size_t gap = strspn(p, "t, ");
+		p += gap;
+		good = gap > 0 && (*p == '\0' || read_time(p, true, m));
+	} else if (!good) {
+		*m = none;
+		good = read_time(all, false, m);
+	}
+	free(folded);
+	return good;
+}
+
+double
+moment_seconds(const struct moment *m, enum moment_order order)
+{
+	if (!m->has_date)
+		return NAN;
+	if (m->order != MOMENT_OPEN)
+		order = m->order;
+	bool turned = !m->plain && order == MOMENT_MONTH_FIRST;
+	int month = turned ? m->day : m->month,
+	    day = turned ? m->month : m->day;
+	if ((!m->plain && order == MOMENT_OPEN) ||
+	    !is_date(m->year, month, day))
+		return NAN;
+	return (double)days_to(m->year, month, day) * DAY + m->seconds;
+}
+
+char *
+moment_clock(double seconds)
+{
+	double day = floor(seconds / DAY), left = seconds - day * DAY;
+	int of_day = (int)left, s = of_day % 60;
+	if (s > 0)
+		return xasprintf(
+		    "%02d:%02d:%02d", of_day / 3600, of_day / 60 % 60, s);
+	return xasprintf("%02d:%02d", of_day / 3600, of_day / 60 % 60);
+}
+
+char *
+moment_text(double seconds)
+{
+	int days = (int)floor(seconds / DAY), year = 1970, month = 1;
+	while (days >= 337 + days_in(year, 2))
+		days -= 337 + days_in(year++, 2);
+	while (days >= days_in(year, month))
+		days -= days_in(year, month++);
+	char *clock = moment_clock(seconds);
+	char *text =
+	    xasprintf("%04d-%02d-%02d %s", year, month, days + 1, clock);
+	free(clock);
+	return text;
+}

@@ -1,0 +1,627 @@
+/* Finds the times first, then the columns beside them by their heads; what is
+ * no number is passed over, as logs are full of it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/plant_log.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/head.h"
+#include "io/number.h"
+#include "io/source.h"
+#include "io/vocabulary.h"
+
+const char *const LOG_UNITS[LOG_COLUMNS] = {"rpm", "m/s", "kW", "t/h"};
+
+/* The first rows tell what the columns are. */
+enum { MOST_COLUMNS = 256, MOST_HEADS = 4, LOOKED_AT = 2000 };
+
+/* Words of heads, as text_fold has them, between spaces. */
+static const char
+    POWER[] = " kw power effekt motoreffekt leistung motorleistung "
+	      "antriebsleistung wirkleistung puissance potencia potenza teho "
+	      "moottoriteho effekten ",
+    RATE[] = " t/h tph mtph ton/h tons/h t/tim t/std ton/tim feedrate "
+	     "throughput tonnage kapacitet produktion durchsatz "
+	     "durchsatzleistung aufgabeleistung debit caudal vazao "
+	     "kapasiteetti kapasitet ",
+    /* Of other machines, and of quantities that only look like these. */
+    OTHER[] =
+	" feeder matare syotin alimentador alimentateur aufgeber belt "
+	"band conveyor transportor forderband fan flakt screen sikt pump "
+	"kwh % hz percent setpoint sp borvarde sollwert limit alarm a amp "
+	"stph ",
+    TIMES[] = " time tid zeit datum date timestamp datetime zeitstempel "
+	      "tidpunkt uhrzeit fecha hora heure data aika pvm klockan ";
+
+/* What a column of a log holds. */
+enum kind { NO_KIND = LOG_COLUMNS, TIME };
+
+/* A log on its way.  kind [n_column]: of each; date, clock: the columns of the
+ * time, the same where it is one.  told: by number, from columns=. */
+struct reading {
+	const struct log_request *request;
+	struct error_list *errors;
+	struct sheet *sheet;
+	struct plant_log *log;
+	size_t n_column, first, date, clock, room;
+	unsigned kind[MOST_COLUMNS];
+	struct head head[MOST_COLUMNS];
+	enum moment_order order;
+	bool told, zone;
+};
+
+static bool
+lists(const char *words, const char *word, size_t n)
+{
+	char *wanted = xasprintf(" %.*s ", (int)n, word);
+	bool found = strstr(words, wanted) != NULL;
+	free(wanted);
+	return found;
+}
+
+/* Whether a text has one of these words. */
+static bool
+has_word(const char *text, const char *words)
+{
+	static const char BREAKS[] = " ()[],;:_-.\t\n";
+	char *folded = text_fold(text);
+	bool found = strstr(folded, "feed rate") != NULL && words == RATE;
+	for (const char *p = folded; *p != '\0' && !found;) {
+		size_t n = strcspn(p, BREAKS);
+		found = n > 0 && lists(words, p, n);
+		p += n;
+		p += strspn(p, BREAKS);
+	}
+	free(folded);
+	return found;
+}
+
+/* What a head says its column is. */
+static unsigned
+kind_of(const char *text, const struct head *head)
+{
+	if (has_word(text, RATE))
+		return LOG_RATE;
+	if (has_word(text, OTHER))
+		return NO_KIND;
+	if (has_word(text, POWER))
+		return LOG_POWER;
+	if (head->unit == SPEED_RPM || (head->means & WORD_RPM) != 0)
+		return LOG_RPM;
+	if (head->unit != SPEED_NO_UNIT || (head->means & WORD_SPEED) != 0)
+		return LOG_SPEED;
+	return has_word(text, TIMES) ? TIME : NO_KIND;
+}
+
+static bool
+moment_at(const struct reading *r, size_t row, size_t column, struct moment *m)
+{
+	struct cell cell = sheet_cell(&r->sheet->row[row], column);
+	return cell.text[0] != '\0' && moment_read(cell.text, m);
+}
+
+/* The column with the most dates, the one with the most times of day without
+ * one, and the first row of data. */
+static bool
+find_times(struct reading *r)
+{
+	size_t dates[MOST_COLUMNS] = {0}, clocks[MOST_COLUMNS] = {0}, full = 0;
+	size_t n = r->sheet->n_row;
+	struct moment m;
+	n = n < LOOKED_AT ? n : LOOKED_AT;
+	for (size_t i = 0; i < n; i++)
+		for (size_t c = 0; c < r->sheet->row[i].n; c++)
+			if (moment_at(r, i, c, &m)) {
+				r->n_column =
+				    c + 1 > r->n_column ? c + 1 : r->n_column;
+				dates[c] += m.has_date;
+				clocks[c] += !m.has_date;
+			}
+	for (size_t c = 0; c < r->n_column; c++) {
+		r->date = dates[c] > dates[r->date] ? c : r->date;
+		r->clock = clocks[c] > clocks[r->clock] ? c : r->clock;
+	}
+	for (r->first = 0; r->first < n; r->first++)
+		if (moment_at(r, r->first, r->date, &m) && m.has_date)
+			break;
+	for (size_t i = r->first; i < n; i++) {
+		full += moment_at(r, i, r->date, &m) && m.has_time;
+		r->n_column = r->sheet->row[i].n > r->n_column
+				  ? r->sheet->row[i].n
+				  : r->n_column;
+	}
+	if (full > 0)
+		r->clock = r->date;
+	struct cell top = {.line = 1, .column = 1, .text = NULL};
+	if (dates[r->date] == 0)
+		return sheet_fault(r->sheet, top,
+		    "expected a log with a column of dates and times, got "
+		    "none\n"
+		    "write times as 2026-05-03 10:15; a sieve sheet is loaded "
+		    "without as=log");
+	if (full == 0 && clocks[r->clock] == 0)
+		return sheet_fault(r->sheet,
+		    sheet_cell(&r->sheet->row[r->first], r->date),
+		    "expected times of day with the dates, got none\n"
+		    "a log needs the time of each row: 2026-05-03 10:15");
+	return true;
+}
+
+/* The words above a column: lines of one cell are titles. */
+static char *
+head_text(const struct reading *r, size_t c)
+{
+	char *text = xstrdup("");
+	size_t from = r->first > MOST_HEADS ? r->first - MOST_HEADS : 0;
+	for (size_t i = from; i < r->first; i++) {
+		const struct row *row = &r->sheet->row[i];
+		const char *cell = sheet_cell(row, c).text;
+		size_t filled = 0;
+		for (size_t k = 0; k < row->n; k++)
+			filled += row->cell[k].text[0] != '\0';
+		if (filled > 1 && cell[0] != '\0')
+			xlist(&text, " ", "%s", cell);
+	}
+	return text;
+}
+
+/* "1=time, 3=rpm, 4=kW" */
+static bool
+take_columns(struct reading *r, const char *columns)
+{
+	bool good = true;
+	char *copy = xstrdup(columns), *save = NULL;
+	for (size_t c = 0; c < r->n_column; c++)
+		r->kind[c] = NO_KIND;
+	for (char *part = strtok_r(copy, ",", &save); part != NULL && good;
+	     part = strtok_r(NULL, ",", &save)) {
+		char *end;
+		unsigned long number = strtoul(part, &end, 10);
+		good = number > 0 && number <= r->n_column && *end == '=';
+		if (!good)
+			break;
+		r->head[number - 1] = head_read(end + 1);
+		r->kind[number - 1] = kind_of(end + 1, &r->head[number - 1]);
+		good = r->kind[number - 1] != NO_KIND;
+	}
+	if (!good)
+		error_set(error_add(r->errors), ERROR_USAGE,
+		    "expected NUMBER=WHAT in columns, got '%s'\n"
+		    "for instance: columns=\"1=time, 2=rpm, 3=kW, 4=t/h\"",
+		    columns);
+	free(copy);
+	r->told = true;
+	return good;
+}
+
+/* The only column of that kind, or of those that name the rotor; of several
+ * that cannot be told apart none. */
+static bool
+settle_kind(struct reading *r, unsigned kind)
+{
+	size_t n = 0, rotors = 0, last = 0, rotor = 0;
+	for (size_t c = 0; c < r->n_column; c++) {
+		if (r->kind[c] != kind)
+			continue;
+		bool named = (r->head[c].means & WORD_ROTOR) != 0;
+		n++;
+		last = c;
+		rotors += named;
+		rotor = named ? c : rotor;
+	}
+	if (n < 2 || r->told)
+		return true;
+	if (rotors == 1) {
+		for (size_t c = 0; c < r->n_column; c++)
+			if (r->kind[c] == kind && c != rotor)
+				r->kind[c] = NO_KIND;
+		return true;
+	}
+	size_t head = r->first > 0 ? r->first - 1 : 0;
+	return sheet_fault(r->sheet, sheet_cell(&r->sheet->row[head], last),
+	    "expected one column of %s, got %zu\n"
+	    "name the columns to read: load %s as=log columns=\"%zu=time, "
+	    "%zu=%s, ..\"; two of kW are added up",
+	    LOG_UNITS[kind], n, r->sheet->path, r->date + 1, last + 1,
+	    LOG_UNITS[kind]);
+}
+
+/* A speed without a unit is told by its size: no rotor of a crusher has less
+ * than 400 rpm, or more than 150 m/s at its tip. */
+static bool
+settle_unit(struct reading *r, size_t c)
+{
+	double sum = 0, v;
+	size_t n = 0;
+	if (r->kind[c] != LOG_SPEED || r->head[c].unit != SPEED_NO_UNIT)
+		return true;
+	for (size_t i = r->first; i < r->sheet->n_row; i++)
+		if (number_of(r->sheet, sheet_cell(&r->sheet->row[i], c), &v) &&
+		    v > 0) {
+			sum += v;
+			n++;
+		}
+	if (n == 0 || sum / (double)n < 400)
+		return sheet_fault(r->sheet,
+		    sheet_cell(&r->sheet->row[r->first], c),
+		    "expected a speed in rpm or m/s, got numbers without a "
+		    "unit\n"
+		    "say which: load %s as=log columns=\"%zu=time, %zu=m/s, "
+		    "..\"",
+		    r->sheet->path, r->date + 1, c + 1);
+	r->kind[c] = LOG_RPM;
+	xlist(&r->log->assumed, "; ", "column %zu in rpm", c + 1);
+	return true;
+}
+
+static bool
+find_columns(struct reading *r)
+{
+	for (size_t c = 0; c < r->n_column; c++) {
+		char *text = head_text(r, c);
+		r->head[c] = head_read(text);
+		bool time = c == r->date || c == r->clock;
+		r->kind[c] = time ? TIME : kind_of(text, &r->head[c]);
+		free(text);
+	}
+	const char *columns = r->request->columns;
+	if (columns != NULL && !take_columns(r, columns))
+		return false;
+	bool good = true, speed = false, any = false;
+	for (size_t c = 0; c < r->n_column && good; c++) {
+		good = settle_unit(r, c);
+		speed = speed || r->kind[c] == LOG_SPEED;
+		any = any || r->kind[c] < LOG_COLUMNS;
+	}
+	for (unsigned k = 0; k < LOG_COLUMNS && good; k++)
+		good = settle_kind(r, k);
+	if (!any && good)
+		return sheet_fault(r->sheet,
+		    sheet_cell(&r->sheet->row[r->first > 0 ? r->first - 1 : 0],
+			r->date),
+		    "expected heads that name rpm, m/s, kW or t/h, got none "
+		    "that does\n"
+		    "name the columns: load %s as=log columns=\"%zu=time, "
+		    "2=rpm, ..\"",
+		    r->sheet->path, r->date + 1);
+	return good;
+}
+
+/* Whether 5/3/2026 is of May or of March, by dates that have one order only. */
+static bool
+find_order(struct reading *r, bool *open)
+{
+	struct moment m;
+	struct cell other = {.text = NULL}, undecided = {.text = NULL};
+	r->order = r->request->order;
+	for (size_t i = r->first; i < r->sheet->n_row; i++) {
+		if (!moment_at(r, i, r->date, &m) || m.plain)
+			continue;
+		if (m.order == MOMENT_OPEN)
+			undecided = sheet_cell(&r->sheet->row[i], r->date);
+		else if (r->order == MOMENT_OPEN)
+			r->order = m.order;
+		else if (m.order != r->order)
+			other = sheet_cell(&r->sheet->row[i], r->date);
+	}
+	if (other.text != NULL)
+		return sheet_fault(r->sheet, other,
+		    "expected dates with the %s first, got %s\n"
+		    "write dates as 2026-05-03",
+		    r->order == MOMENT_DAY_FIRST ? "day" : "month", other.text);
+	if (undecided.text == NULL || r->order != MOMENT_OPEN)
+		return true;
+	*open = true;
+	return sheet_fault(r->sheet, undecided,
+	    "expected dates that can be read in one way, got %s: day or month "
+	    "first?\n"
+	    "say which: load %s as=log dates=day-first, or month-first",
+	    undecided.text, r->sheet->path);
+}
+
+/* Room for one more row, all of its numbers unknown. */
+static void
+grow(struct reading *r)
+{
+	struct plant_log *log = r->log;
+	if (log->n < r->room)
+		return;
+	r->room = 2 * r->room + 64;
+	log->time = xrealloc(log->time, r->room, sizeof *log->time);
+	for (size_t k = 0; k < LOG_COLUMNS; k++)
+		log->value[k] =
+		    xrealloc(log->value[k], r->room, sizeof *log->value[k]);
+}
+
+static void
+read_numbers(struct reading *r, const struct row *row)
+{
+	struct plant_log *log = r->log;
+	for (size_t k = 0; k < LOG_COLUMNS; k++)
+		log->value[k][log->n] = NAN;
+	for (size_t c = 0; c < r->n_column; c++) {
+		unsigned k = r->kind[c];
+		double v;
+		if (k >= LOG_COLUMNS ||
+		    !number_of(r->sheet, sheet_cell(row, c), &v) || v < 0)
+			continue;
+		if (k == LOG_SPEED)
+			v = head_mps(v, r->head[c].unit, 0);
+		double *slot = &log->value[k][log->n];
+		*slot = isnan(*slot) ? v : *slot + v;
+	}
+}
+
+static void
+read_rows(struct reading *r)
+{
+	for (size_t i = r->first; i < r->sheet->n_row; i++) {
+		struct moment day, clock = {.has_time = false};
+		bool good = moment_at(r, i, r->date, &day) && day.has_date;
+		double time =
+		    good ? moment_seconds(&day, r->order) : (double)NAN;
+		if (good && r->clock != r->date) {
+			good = moment_at(r, i, r->clock, &clock);
+			time += clock.seconds;
+		} else {
+			good = good && day.has_time;
+		}
+		if (!good || isnan(time)) {
+			r->log->passed++;
+			continue;
+		}
+		r->zone = r->zone || day.has_zone || clock.has_zone;
+		grow(r);
+		r->log->time[r->log->n] = time;
+		read_numbers(r, &r->sheet->row[i]);
+		r->log->n++;
+	}
+}
+
+/* Numbers such as 1,250, where the sheet does not tell what the comma is. */
+static bool
+check_numbers(struct reading *r)
+{
+	for (size_t i = r->first; i < r->sheet->n_row; i++)
+		for (size_t c = 0; c < r->n_column; c++) {
+			struct cell cell = sheet_cell(&r->sheet->row[i], c);
+			if (r->kind[c] < LOG_COLUMNS &&
+			    number_is_open(r->sheet, cell))
+				return sheet_fault(r->sheet, cell,
+				    "expected a number that can be read in one "
+				    "way, got %s: a decimal sign, or "
+				    "thousands?\n"
+				    "say which: load %s as=log decimal=point, "
+				    "or decimal=comma",
+				    cell.text, r->sheet->path);
+		}
+	return true;
+}
+
+static void
+tell_columns(struct reading *r)
+{
+	char *text = xasprintf("time in column %zu", r->date + 1);
+	if (r->clock != r->date)
+		xappend(&text, " and %zu", r->clock + 1);
+	for (size_t k = 0; k < LOG_COLUMNS; k++)
+		for (size_t c = 0; c < r->n_column; c++)
+			if (r->kind[c] == k)
+				xlist(&text, ", ", "%s in %zu", LOG_UNITS[k],
+				    c + 1);
+	if (r->log->read_as[0] == '\0')
+		xappend(&r->log->read_as, "%s", text);
+	free(text);
+}
+
+/* A sheet without times at all is none of a log, where others have some. */
+static bool
+read_sheet(struct reading *r, struct sheet *sheet, bool *open)
+{
+	r->sheet = sheet;
+	r->n_column = r->first = r->date = r->clock = 0;
+	r->told = false;
+	if (r->request->decimal != '\0') {
+		sheet->decimal = r->request->decimal;
+		sheet->open.text = NULL;
+	}
+	if (!find_times(r))
+		return false;
+	if (!find_columns(r) || !find_order(r, open) || !check_numbers(r))
+		return false;
+	read_rows(r);
+	tell_columns(r);
+	return true;
+}
+
+static bool
+read_file(struct reading *r, const char *path, bool *open)
+{
+	struct source source;
+	bool good = source_read_log(path, r->errors, &source);
+	size_t taken = 0;
+	for (size_t i = 0; i < source.n && good; i++) {
+		const char *wanted = r->request->sheet;
+		if (wanted != NULL && !text_same(source.sheet[i]->name, wanted))
+			continue;
+		if (wanted == NULL && source.n > 1 &&
+		    source.sheet[i]->n_row < 2)
+			continue;
+		good = read_sheet(r, source.sheet[i], open);
+		taken++;
+	}
+	if (good && taken == 0)
+		good = error_at(error_add(r->errors), ERROR_DATA, path, 0, 0,
+		    "expected a sheet with a log, got none\n"
+		    "name one of its sheets: sheet=NAME");
+	if (good && source.note[0] != '\0')
+		xlist(&r->log->assumed, "; ", "%s", source.note);
+	source_free(&source);
+	return good;
+}
+
+struct stamp {
+	double time;
+	size_t row;
+};
+
+static int
+by_time(const void *a, const void *b)
+{
+	const struct stamp *s = a, *t = b;
+	if (s->time != t->time)
+		return s->time < t->time ? -1 : 1;
+	return (s->row > t->row) - (s->row < t->row);
+}
+
+static void
+sort_rows(struct plant_log *log)
+{
+	struct stamp *stamp = xcalloc(log->n, sizeof *stamp);
+	double *old = xdoubles(log->n);
+	for (size_t i = 0; i < log->n; i++)
+		stamp[i] = (struct stamp){log->time[i], i};
+	qsort(stamp, log->n, sizeof *stamp, by_time);
+	for (size_t i = 0; i < log->n; i++)
+		log->time[i] = stamp[i].time;
+	for (size_t k = 0; k < LOG_COLUMNS; k++) {
+		memcpy(old, log->value[k], log->n * sizeof *old);
+		for (size_t i = 0; i < log->n; i++)
+			log->value[k][i] = old[stamp[i].row];
+	}
+	free(old);
+	free(stamp);
+}
+
+static int
+by_value(const void *a, const void *b)
+{
+	const double *x = a, *y = b;
+	return (*x > *y) - (*x < *y);
+}
+
+/* NAN of none. */
+static double
+median(double *value, size_t n)
+{
+	if (n == 0)
+		return NAN;
+	qsort(value, n, sizeof *value, by_value);
+	return (value[(n - 1) / 2] + value[n / 2]) / 2;
+}
+
+/* What is told of the rows as a whole; columns without numbers go. */
+static void
+finish(struct reading *r)
+{
+	struct plant_log *log = r->log;
+	sort_rows(log);
+	double *apart = xdoubles(log->n);
+	for (size_t i = 1; i < log->n; i++) {
+		apart[i - 1] = log->time[i] - log->time[i - 1];
+		if (apart[i - 1] > log->gap) {
+			log->gap = apart[i - 1];
+			log->gap_from = log->time[i - 1];
+		}
+	}
+	log->apart = log->n > 1 ? median(apart, log->n - 1) : 0;
+	free(apart);
+	log->digest = text_digest(
+	    TEXT_DIGEST_START, log->time, log->n * sizeof *log->time);
+	for (size_t k = 0; k < LOG_COLUMNS; k++) {
+		bool any = false;
+		for (size_t i = 0; i < log->n; i++)
+			any = any || !isnan(log->value[k][i]);
+		for (size_t i = 0; i < log->n && any; i++)
+			if (!isnan(log->value[k][i]))
+				log->digest = text_digest(log->digest,
+				    &log->value[k][i], sizeof(double));
+		if (any)
+			continue;
+		free(log->value[k]);
+		log->value[k] = NULL;
+	}
+	if (r->zone)
+		xlist(&log->assumed, "; ",
+		    "times as they are written, whatever their zone");
+}
+
+struct plant_log *
+plant_log_read(
+    const struct log_request *request, struct error_list *errors, bool *open)
+{
+	struct reading r = {.request = request, .errors = errors};
+	bool good = true;
+	r.log = xcalloc(1, sizeof *r.log);
+	r.log->path = xstrdup(request->path[0]);
+	r.log->read_as = xstrdup("");
+	r.log->assumed = xstrdup("");
+	*open = false;
+	for (size_t i = 0; i < request->n && good; i++)
+		good = read_file(&r, request->path[i], open) && errors->n == 0;
+	if (good && r.log->passed >= r.log->n)
+		good = error_at(error_add(errors), ERROR_DATA, request->path[0],
+		    0, 0,
+		    "expected a time in each row of the log, got %zu rows "
+		    "without one and %zu with\n"
+		    "write times as 2026-05-03 10:15",
+		    r.log->passed, r.log->n);
+	if (good) {
+		finish(&r);
+		return r.log;
+	}
+	plant_log_free(r.log);
+	return NULL;
+}
+
+void
+plant_log_free(struct plant_log *log)
+{
+	if (log == NULL)
+		return;
+	for (size_t k = 0; k < LOG_COLUMNS; k++)
+		free(log->value[k]);
+	free(log->time);
+	free(log->path);
+	free(log->read_as);
+	free(log->assumed);
+	free(log);
+}
+
+struct log_window
+plant_log_window(const struct plant_log *log, double from, double to)
+{
+	struct log_window w = {.n = 0};
+	size_t first = 0, end;
+	while (first < log->n && log->time[first] < from)
+		first++;
+	for (end = first; end < log->n && log->time[end] <= to;)
+		end++;
+	w.n = end - first;
+	for (size_t k = 0; k < LOG_COLUMNS; k++) {
+		double *value = xdoubles(w.n);
+		size_t n = 0;
+		for (size_t i = first; i < end && log->value[k] != NULL; i++)
+			if (!isnan(log->value[k][i]))
+				value[n++] = log->value[k][i];
+		w.median[k] = median(value, n);
+		w.least[k] = n > 0 ? value[0] : NAN;
+		w.most[k] = n > 0 ? value[n - 1] : NAN;
+		free(value);
+	}
+	return w;
+}
+
+size_t
+plant_log_nearest(const struct plant_log *log, double time)
+{
+	size_t best = 0;
+	for (size_t i = 1; i < log->n; i++)
+		if (fabs(log->time[i] - time) < fabs(log->time[best] - time))
+			best = i;
+	return best;
+}

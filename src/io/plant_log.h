@@ -1,0 +1,61 @@
+/* What a plant's own system logged: speed, power and feed rate over time.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_PLANT_LOG_H
+#define TIPSPEED_IO_PLANT_LOG_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/error.h"
+#include "io/moment.h"
+
+/* What a log tells of each time: rpm, tip speed in m/s, kW, t/h. */
+enum log_column { LOG_RPM, LOG_SPEED, LOG_POWER, LOG_RATE, LOG_COLUMNS };
+
+extern const char *const LOG_UNITS[LOG_COLUMNS];
+
+/* Rows [n] in order of time, see moment_seconds.  value [n]: NAN where the log
+ * has no number; NULL: no such column.  apart: seconds between rows, as a rule.
+ * gap: the longest time without a row, and when it began.  passed: rows without
+ * a time that could be read.  read_as: "time in column 1, rpm in 3"; assumed:
+ * what of that is not stated, or "". */
+struct plant_log {
+	char *path;
+	size_t n, passed;
+	double *time, *value[LOG_COLUMNS];
+	double apart, gap, gap_from;
+	char *read_as, *assumed;
+	uint64_t digest;
+};
+
+/* What is to be read as one log: files [n], and what somebody says of them:
+ * columns, "1=time, 3=rpm, 4=kW" or NULL; the sheet of a workbook, or NULL; the
+ * decimal sign, or '\0'. */
+struct log_request {
+	size_t n;
+	const char *const *path;
+	const char *columns, *sheet;
+	char decimal;
+	enum moment_order order;
+};
+
+/* NULL and faults where it cannot be read; *open: set where the order of day
+ * and month alone is open. */
+struct plant_log *plant_log_read(
+    const struct log_request *request, struct error_list *errors, bool *open);
+void plant_log_free(struct plant_log *log);
+
+/* Medians and ranges of the rows from one time to another, both included; NAN
+ * where there are no numbers. */
+struct log_window {
+	size_t n;
+	double median[LOG_COLUMNS], least[LOG_COLUMNS], most[LOG_COLUMNS];
+};
+struct log_window plant_log_window(
+    const struct plant_log *log, double from, double to);
+
+/* The row nearest to a time. */
+size_t plant_log_nearest(const struct plant_log *log, double time);
+
+#endif
