@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -418,14 +419,52 @@ ask_option(struct session *s, const struct site_ask *ask,
 	return good;
 }
 
+/* A script that somebody runs at a prompt has no questions either: it is to do
+ * the same every time. */
+static bool
+is_attended(const struct session *s)
+{
+	return s->hooks.question != NULL && s->scripts <= s->typed_at;
+}
+
+bool
+inquire_either(struct session *s, const struct error *trouble, const char *text,
+    const char *const either[2], bool *second)
+{
+	const struct site_ask none = {0};
+	char wrong[INQUIRY_WRONG] = "";
+	char *about = xasprintf("%s: %s", trouble->file, trouble->text);
+	struct inquiry q = {.about = about,
+	    .ask = &none,
+	    .text = text,
+	    .offered = "",
+	    .hint = "",
+	    .wrong = wrong,
+	    .first = true};
+	bool good = false, given_up = !is_attended(s);
+	while (!good && !given_up) {
+		char *answer = s->hooks.question(s, &q);
+		given_up = answer == NULL;
+		char *said = given_up ? NULL : text_trim(answer);
+		for (size_t i = 0; i < 2 && said != NULL && !good; i++) {
+			size_t n = strlen(said);
+			good = n > 0 && strncasecmp(said, either[i], n) == 0;
+			*second = i == 1;
+		}
+		snprintf(wrong, sizeof wrong, "expected %s or %s, got '%.30s'",
+		    either[0], either[1], said != NULL ? said : "");
+		free(answer);
+		q.first = false;
+	}
+	free(about);
+	return good;
+}
+
 bool
 inquire(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said)
 {
-	/* A script that somebody runs at a prompt has no questions either: it
-	 * is to do the same every time. */
-	if (s->hooks.question == NULL || ask->settle == NULL ||
-	    s->scripts > s->typed_at)
+	if (!is_attended(s) || ask->settle == NULL)
 		return false;
 	return ask->n > 0 ? ask_columns(s, ask, trouble->file, said)
 			  : ask_option(s, ask, trouble, said);

@@ -34,6 +34,11 @@ struct inquired {
 bool inquire(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said);
 
+/* Asks which of two it is, "day" or "month", or their first letters; false:
+ * nobody is there, or has given up.  second: whether it is the second. */
+bool inquire_either(struct session *s, const struct error *trouble,
+    const char *text, const char *const either[2], bool *second);
+
 /* Row 0..ask->n of the table as a line of at most so many screen columns, the
  * heads first; what is too long ends in "..".  The caller frees. */
 char *inquiry_row(const struct inquiry *q, size_t row, int columns);

@@ -96,6 +96,8 @@ load_note_reading(const struct session *s, const struct site *site)
 		session_note(s, "  likely, not stated: %s", site->assumed);
 	else if (site->read_as[0] != '\0')
 		session_note(s, "  sure: all of it is stated");
+	if (site->remark[0] != '\0')
+		session_note(s, "  %s", site->remark);
 	for (size_t i = 0; i < site->n_left_out && i < MOST; i++, more--)
 		session_note(s, "  not read: %s, %s", site->left_out[i].key,
 		    site->left_out[i].value);
@@ -119,13 +121,12 @@ note_loaded(struct session *s, const struct site *site)
 		    "loaded %s: a feed on %zu sieves, no product; run 'guess' "
 		    "for an estimate",
 		    label, n);
+	load_note_reading(s, site);
 	if (products == 1)
 		session_note(s,
 		    "  one product: it cannot show what the speed does; "
-		    "'guess' "
-		    "and 'recall' take that from other quarries, 'add' adds a "
-		    "cut at another speed");
-	load_note_reading(s, site);
+		    "'guess' and 'recall' take that from other quarries, 'add' "
+		    "adds a cut at another speed");
 	free(label);
 }
 

@@ -74,7 +74,7 @@ note_log(struct session *s, const struct plant_log *log)
 	session_note(s, "log: %s from %s, %s", rows, span, all);
 	session_note(s, "  read: %s", log->read_as);
 	if (log->assumed[0] != '\0')
-		session_note(s, "  not stated, taken so: %s", log->assumed);
+		session_note(s, "  likely, not stated: %s", log->assumed);
 	if (log->passed > 0)
 		session_note(
 		    s, "  not read: %zu rows without a time", log->passed);
@@ -113,34 +113,17 @@ write_journal(struct session *s, const struct args *args,
 	(void)args;
 }
 
-/* Asks whether the day comes first, until somebody says so; false where nobody
- * does. */
+/* Asks whether the day comes first; false where nobody answers. */
 static bool
 ask_order(struct session *s, const struct error_list *errors,
     enum moment_order *order)
 {
-	const struct site_ask none = {0};
-	struct inquiry q = {.about = errors->item[0].text,
-	    .ask = &none,
-	    .text = "dates: day or month first",
-	    .offered = "",
-	    .hint = "day, or month",
-	    .wrong = "",
-	    .first = true};
-	while (*order == MOMENT_OPEN) {
-		char *answer =
-		    s->hooks.question != NULL ? s->hooks.question(s, &q) : NULL;
-		if (answer == NULL)
-			return false;
-		const char *said = text_trim(answer);
-		if (said[0] == 'd' || said[0] == 'D')
-			*order = MOMENT_DAY_FIRST;
-		else if (said[0] == 'm' || said[0] == 'M')
-			*order = MOMENT_MONTH_FIRST;
-		q.wrong = "expected day or month";
-		q.first = false;
-		free(answer);
-	}
+	static const char *const EITHER[] = {"day", "month"};
+	bool month;
+	if (!inquire_either(s, &errors->item[0], "is it day or month first",
+		EITHER, &month))
+		return false;
+	*order = month ? MOMENT_MONTH_FIRST : MOMENT_DAY_FIRST;
 	return true;
 }
 

@@ -21,6 +21,7 @@ site_new(size_t n_run)
 	site->named = xstrdup("");
 	site->read_as = xstrdup("");
 	site->assumed = xstrdup("");
+	site->remark = xstrdup("");
 	site->n_run = n_run;
 	site->run = xcalloc(n_run, sizeof *site->run);
 	return site;
@@ -112,6 +113,7 @@ site_free(struct site *site)
 	free(site->named);
 	free(site->read_as);
 	free(site->assumed);
+	free(site->remark);
 	free(site->run);
 	free(site->name);
 	free(site->rock);

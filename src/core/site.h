@@ -44,8 +44,9 @@ struct site {
 	struct site_note *left_out;
 	char *named;
 	/* What its columns were taken for, and what of that the sheet does not
-	 * state; "" where it has the heads of tipspeed-site(5). */
-	char *read_as, *assumed;
+	 * state; "" where it has the heads of tipspeed-site(5).  remark: on how
+	 * its file was read, or "". */
+	char *read_as, *assumed, *remark;
 	char *path;      /* file it was read from, or "" */
 	uint64_t digest; /* of the numbers: sizes, passings, speeds */
 };

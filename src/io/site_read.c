@@ -583,7 +583,7 @@ read_file(struct reading *r, size_t file)
 	size_t before = r->n_page;
 	char *names = xstrdup("");
 	if (source->note[0] != '\0')
-		xlist(&r->site->assumed, "; ", "%s", source->note);
+		xlist(&r->site->remark, "; ", "%s", source->note);
 	for (size_t i = 0; i < source->n; i++) {
 		struct sheet *sheet = source->sheet[i];
 		xlist(&names, ", ", "%s", sheet->name);
