@@ -520,7 +520,7 @@ answer(struct session *s, const struct inquiry *q)
 	asked++;
 	if (strstr(q->text, "tip speed") != NULL)
 		return xstrdup("79");
-	assert_string_equal(q->text, "dates: day or month first");
+	assert_string_equal(q->text, "is it day or month first");
 	return xstrdup(q->wrong[0] == '\0' ? "5" : " month");
 }
 
