@@ -250,6 +250,8 @@ set_sizes(lxw_chart *chart, const struct answer_view *v, size_t rows)
 		least = fmin(least, mm);
 		most = fmax(most, mm);
 	}
+	if (!(least > 0 && most > 0))
+		return;
 	double from = pow(10, floor(log10(least)));
 	chart_axis_set_log_base(chart->x_axis, 10);
 	chart_axis_set_min(chart->x_axis, from);

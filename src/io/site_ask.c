@@ -202,7 +202,7 @@ list_columns(struct site_ask *ask, struct table *const *table, size_t n_table,
 
 /* The files of the request, as load has them. */
 static char *
-list_files(const struct site_request *q)
+list_files(const struct site_request *q, const char *settle)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < q->n; i++) {
@@ -212,6 +212,8 @@ list_files(const struct site_request *q)
 		if (q->speed != NULL && q->speed[i] > 0)
 			xappend(&list, "@%g", q->speed[i]);
 	}
+	if (q->columns != NULL && strncmp(settle, "columns", 7) != 0)
+		xappend(&list, " columns=\"%s\"", q->columns);
 	if (q->sheet != NULL)
 		xappend(&list, " sheet=\"%s\"", q->sheet);
 	if (q->range != NULL)
@@ -228,7 +230,7 @@ static bool
 refuse(const struct site_request *q, const struct table *t, struct cell where,
     struct site_ask *ask, struct error_list *errors, const char *what)
 {
-	char *files = list_files(q);
+	char *files = list_files(q, ask->settle);
 	struct error *e = error_add(errors);
 	error_at(e, ERROR_DATA, t->sheet->path, where.line, where.column,
 	    "%s\nsay what it is: %s %s %s", what, q->parts ? "add" : "load",

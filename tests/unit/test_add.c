@@ -29,7 +29,7 @@ static const char CUT[] = "size_mm,passing\n16,100\n8,90\n4,66\n2,36\n1,19\n"
 			  "0.5,10\n";
 
 /* "load X" and the like, with the folder before the names. */
-static void
+static void __attribute__((format(printf, 2, 3)))
 say(struct desk *desk, const char *format, ...)
 {
 	va_list ap;
