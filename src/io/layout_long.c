@@ -64,11 +64,14 @@ use_of(const struct block *b, size_t c, const struct head *head)
 	if (!numeric)
 		return KEY;
 	bool speed = head->speed > 0 || head->rpm > 0;
-	if (!speed &&
+	bool percent = (head->means & WORD_PERCENT) != 0;
+	if (!speed && !percent &&
 	    (head->unit != SPEED_NO_UNIT || (head->means & WORD_SPEED) != 0))
 		return KEY;
-	if ((head->means & WORD_SAMPLE) != 0 && (head->means & COUNTED) == 0)
-		return COUNT;
+	bool other = (head->means & (WORD_SAMPLE | WORD_SPEED)) != 0 &&
+		     (head->means & (COUNTED & ~WORD_PERCENT)) == 0;
+	if (other)
+		return COUNT; /* a number of the sample, or per cent of speed */
 	return VALUE;
 }
 

@@ -101,7 +101,8 @@ apply_label(const struct cell *label, struct head *head)
 	bool speed = unit != SPEED_NO_UNIT || (row.means & WORD_SPEED) != 0;
 	/* "Speed (Hz)", "Belt speed m/s", "t/h": another quantity. */
 	bool other =
-	    row.unknown > 0 || row.n_number > 0 ||
+	    row.unknown > 0 || (row.means & ~WORD_FILLER) == 0 ||
+	    row.n_number > 0 ||
 	    (row.means & (WORD_PERCENT | WORD_GRAMS | WORD_LIMIT)) != 0 ||
 	    (speed && (row.means & WORD_SAMPLE) != 0) ||
 	    (speed && (row.means & WORD_FEED) != 0);
@@ -464,7 +465,7 @@ bare_speed(const struct head *said)
 	for (size_t i = 0; i < said->n_number; i++) {
 		double v = said->number[i];
 		bool whole = v == floor(v);
-		if (v < 30 || v > 110 || (whole && (numbered || v < 40)))
+		if (v < 30 || v > 100 || (whole && (numbered || v < 40)))
 			continue;
 		if (found > 0)
 			return 0;
@@ -659,6 +660,9 @@ recognise_columns(struct table *t, const struct surroundings *near,
 			continue;
 		find_role(&c, near);
 		find_speed(&c, near);
+		/* Below a speed an empty cell may be the same, or forgotten. */
+		if (b->across && c.said.spread && c.role == PRODUCT)
+			c.open = true;
 		find_unit(&c, near->told);
 		all->column =
 		    xrealloc(all->column, all->n + 1, sizeof *all->column);
@@ -728,7 +732,11 @@ own_words(const struct column *c)
 			       strcmp(word, "iii") != 0;
 		size_t unknown;
 		vocabulary_text(word, &unknown);
-		if (range || (letters && unknown > 0))
+		char *end = word + strcspn(word, "0123456789");
+		bool machine = *end != '\0' &&
+			       (vocabulary_word(word, (size_t)(end - word)) &
+				   WORD_MACHINE) != 0;
+		if (range || machine || (letters && unknown > 0))
 			xlist(&words, " ", "%s", word);
 		free(word);
 		p += n + (p[n] != '\0');
