@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/load.h"
 #include "cmd/line.h"
@@ -56,6 +57,16 @@ take_format(const char *word, enum answer_format *format, struct error *error)
 }
 
 static bool
+take_language(const char *word, struct error *error)
+{
+	return tr_begin(word) ||
+	       error_set(error, ERROR_USAGE,
+		   "expected --lang with a language that tipspeed has, got "
+		   "'%s'",
+		   word);
+}
+
+static bool
 take_option(
     struct invocation *in, int option, const char *value, struct error *error)
 {
@@ -79,6 +90,8 @@ take_option(
 		return value[0] != '\0' ||
 		       error_set(error, ERROR_USAGE,
 			   "expected --store with a file or :memory:");
+	case USAGE_LANG:
+		return take_language(value, error);
 	case USAGE_SAFE:
 		in->safe = true;
 		return true;
@@ -113,9 +126,9 @@ refuse_option(
 	bool alone = optopt > 0 && optopt < 256 && option == '?' &&
 		     strchr(letters, optopt) == NULL;
 	return error_set(error, ERROR_USAGE,
-	    option == ':' ? "expected a value after '%s', got none\n%s"
-			  : "unrecognized option '%s'\n%s",
-	    alone ? letter : word, "run tipspeed --help for the options");
+	    option == ':' ? N_("expected a value after '%s', got none\n%s")
+			  : N_("unrecognized option '%s'\n%s"),
+	    alone ? letter : word, tr("run tipspeed --help for the options"));
 }
 
 static bool
@@ -231,7 +244,8 @@ close_output(int status)
 {
 	if (fflush(stdout) == 0 && !ferror(stdout))
 		return status;
-	fputs("tipspeed: not all results could be written: is the disk full?\n",
+	fputs(tr("tipspeed: not all results could be written: is the disk "
+		 "full?\n"),
 	    stderr);
 	return ERROR_SYSTEM;
 }
@@ -254,8 +268,9 @@ int
 main(int argc, char **argv)
 {
 	open_missing();
-	/* LC_CTYPE only: under sv_SE, LC_NUMERIC would read 11.2 as 11. */
+	/* Not LC_NUMERIC: under sv_SE it would read 11.2 as 11. */
 	setlocale(LC_CTYPE, "");
+	tr_begin(NULL);
 	gsl_set_error_handler_off();
 	struct invocation in = {.seed = 1};
 	in.action = xcalloc((size_t)argc, sizeof *in.action);
@@ -270,6 +285,7 @@ main(int argc, char **argv)
 	} else if (understood) {
 		struct session *s = session_new(stdout, stderr);
 		s->set.format = in.format;
+		session_language(s);
 		s->set.seed = in.seed;
 		s->isa = chosen_isa();
 		s->safe = in.safe;

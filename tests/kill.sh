@@ -49,6 +49,10 @@ enter() {
 		keys '?'
 		want 'speed down by 0.1'
 		;;
+	files)
+		keys o
+		want 'open a sheet, in'
+		;;
 	typing)
 		keys : 'predict 7'
 		want '^:predict 7'
@@ -79,7 +83,7 @@ over() {
 	result $good "$1: $2"
 }
 
-for state in idle calibrating list typing prompt 'prompt calibrating'; do
+for state in idle calibrating list files typing prompt 'prompt calibrating'; do
 	for signal in SEGV BUS FPE ILL ABRT TERM HUP INT QUIT XCPU KILL; do
 		# ^C is for the line and for the calibration there.
 		case $state$signal in prompt*INT) continue ;; esac
@@ -116,7 +120,7 @@ while read -r columns rows; do
 done <sizes
 mux resize-window -t one -x 1 -y 1
 mux resize-window -t one -x 80 -y 24
-want 'rotor tip speed\|generation [0-9]* of 1000000' "50 sizes in a search"
+want '74\.0 m/s  2738 J/kg .* held out' "50 sizes in a search"
 keys q
 over calibrating '50 sizes, then q' 0
 

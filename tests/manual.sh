@@ -37,7 +37,8 @@ result $? "README has a session"
 XDG_DATA_HOME=$dir "$TIPSPEED" -f session >out 2>log
 result $? "it runs on the sheet in README"
 remark log
-grep -q '^P80 5.5 mm at 7[0-9.]* m/s' out && [ -s product.csv ] && [ -s quarry.tip ]
+grep -q '^34 % passing 2 mm at 7[0-9.]* m/s' out && [ -s product.csv ] &&
+	[ -s card.pdf ] && [ -s my-quarry.html ] && [ -s quarry.tip ]
 result $? "finds a speed, and leaves the files"
 "$TIPSPEED" myquarry.csv -c calibrate -c 'predict 72' 2>log |
 	grep -q '^P20 .*P50 .*P80 '

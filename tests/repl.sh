@@ -84,7 +84,7 @@ done
 	'calibrate generations=1000000 tolerance=0 stall=0' >out 2>log &
 pid=$!
 tries=0
-until grep -q 'generation  *10 ' log || [ $tries -ge 300 ]; do
+until grep -q 'generation  *[0-9]*0 ' log || [ $tries -ge 300 ]; do
 	sleep 0.1
 	tries=$((tries + 1))
 done

@@ -106,6 +106,35 @@ refused() {
 sed 's/92.92/92.93/' "$here/tierp.csv" >"$here/bro.csv"
 refused 'a sheet that has changed' 3 'expected a site file with digest 7cf447237a8dfa59, got' \
 	'source ../undone.tip'
+# changes FILE WORDS: a session with the command is saved, the file changed
+changes() {
+	cp "$here/$1" "$dir/was"
+	rm -f "$dir/files.tip" "$dir/again.tip"
+	run -c "load tierp.csv; params set f_mat=2 e0_min=16 alpha=1" \
+		-c "$2; save ../files.tip replace=on" >"$dir/out" 2>&1
+	run -c 'restore ../files.tip; save ../again.tip replace=on' \
+		>"$dir/out" 2>&1
+	cmp -s "$dir/files.tip" "$dir/again.tip"
+	result $? "$2 is saved and restored as it was"
+	echo >>"$here/$1"
+	refused "$2 with another file" 3 "$1 with digest .*has changed" \
+		'restore ../files.tip'
+	rm "$here/$1"
+	refused "$2 without its file" 3 'cannot be read' 'restore ../files.tip'
+	cp "$dir/was" "$here/$1"
+}
+printf 'size_mm,feed\n16,100\n8,62\n4,31\n2,17\n1,8\n' >"$here/north one.csv"
+printf 'size_mm,min_pct,max_pct\n4,10,90\n2,5,60\n' >"$here/own.csv"
+cat >"$here/own.circuit" <<'END'
+feed,new,80
+crusher,new,crushed
+stockpile,crushed
+END
+changes 'north one.csv' 'blend tierp.csv@74=60 "north one.csv=40"'
+changes 'north one.csv' 'predict 72 feed="north one.csv"'
+changes own.csv 'spec own.csv'
+changes own.csv 'find p80=5 spec=own.csv'
+changes own.circuit 'flow tph=100 circuit=own.circuit'
 run --store=s.db -c 'load tierp.csv; params set f_mat=2 e0_min=16 alpha=1
 	remember pit; recall pit; predict 74; save ../pit.tip
 	params set f_mat=1; remember pit replace=on' >"$dir/out" 2>&1

@@ -18,7 +18,7 @@ for signal in INT TERM HUP; do
 		-c "$run" >out 2>log &
 	pid=$!
 	tries=0
-	until grep -q 'generation  *10 ' log || [ $tries -ge 300 ]; do
+	until grep -q 'generation  *[0-9]*0 ' log || [ $tries -ge 300 ]; do
 		sleep 0.1
 		tries=$((tries + 1))
 	done
@@ -27,7 +27,7 @@ for signal in INT TERM HUP; do
 	status=$?
 	[ $status -eq $want ]
 	result $? "$signal ends with status $want"
-	grep -q 'calibrated parameters' out
+	grep -q 'calibrated on 69, 79 m/s' out
 	result $? "$signal prints the best so far"
 done
 # Results that go to a file are written when ^C stops what gives them.
@@ -36,7 +36,7 @@ env --default-signal=INT "$TIPSPEED" data/sites/tierp.csv \
 	-c "$run > fit.json" >out 2>log &
 pid=$!
 tries=0
-until grep -q 'generation  *10 ' log || [ $tries -ge 300 ]; do
+until grep -q 'generation  *[0-9]*0 ' log || [ $tries -ge 300 ]; do
 	sleep 0.1
 	tries=$((tries + 1))
 done

@@ -13,11 +13,23 @@ cd "$dir" || exit 99
 HOME=$dir
 export HOME
 unset NO_COLOR TIPSPEED_COLOR
-LC_ALL=C.UTF-8 timeout -k 2 100 expect "$script" "$TIPSPEED" \
-	data/sites/tierp.csv >steps
+# steps KEYS: how many bytes each step writes after these keys, to the file steps;
+# sets most.
+steps()
+{
+	LC_ALL=C.UTF-8 timeout -k 2 100 expect "$script" "$TIPSPEED" \
+		data/sites/tierp.csv "$1" >steps
+	most=$(sort -n steps | tail -n 1)
+}
+steps ''
 [ "$(wc -l <steps)" -eq 400 ]
 result $? "every step from 65 to 85 m/s and back writes something"
-most=$(sort -n steps | tail -n 1)
-[ "${most%% *}" -lt 600 ]
-result $? "a step writes less than 600 bytes (most, and at: $most)"
+[ "${most%% *}" -lt 900 ]
+result $? "a step writes less than 900 bytes (most, and at: $most)"
+steps "$(printf 'bt5.2\r')"
+[ "$(wc -l <steps)" -eq 400 ] && [ "${most%% *}" -lt 900 ]
+result $? "with a goal and the band less than 900 (most, and at: $most)"
+steps "$(printf 'bxt5.2\r:spec use "ASTM C33"\rc\t')"
+[ "$(wc -l <steps)" -eq 400 ] && [ "${most%% *}" -lt 900 ]
+result $? "with envelope, pin and crosshair, too (most, and at: $most)"
 finish

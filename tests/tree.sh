@@ -100,6 +100,8 @@ none "ncurses in ui only"
 awk 'FNR == 1 { all = "" }
 	{ all = all " " $0 }
 	/[;{}]$/ {
+		# A translation has the conversions of its text.
+		gsub(/tr\("/, "\"", all)
 		if (all ~ /(printf|puts|fwrite)\(/ &&
 		    all ~ /stderr|stdout|->out|->notes/ &&
 		    all ~ /%[-.*0-9]*s|puts\([^"]|fwrite/)

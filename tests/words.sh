@@ -101,8 +101,9 @@ same "variables: --help and manual" all in_manual
 	cat "$srcdir"/src/*.c "$srcdir"/src/*/*.c | tr -s '\n\t ' '   ' |
 		grep -oE '(getenv|home_path)\( ?"[A-Z_]+"' |
 		sed 's/.*"\(.*\)"/\1/' | sort -u
-	cat "$srcdir"/src/*.c | grep -oE 'setlocale\(LC_[A-Z]+' |
-		sed 's/setlocale(//'
+	grep -oE 'setenv\("[A-Z]+' "$srcdir"/src/base/tr.c | sed 's/.*"//'
+	cat "$srcdir"/src/*.c "$srcdir"/src/base/tr.c |
+		grep -oE 'setlocale\(LC_[A-Z]+' | sed 's/setlocale(//' | sort -u
 } >in_source
 same "variables: --help and source" all in_source
 

@@ -3,6 +3,7 @@
  *   models: of tipspeed-model(7)
  *   keys: those of tipspeed-tui(1)
  *   bash: completion for the shell
+ *   texts: what of them is translated
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdio.h>
 #include <string.h>
@@ -10,12 +11,19 @@
 #include "cmd/manual.h"
 #include "ui/keys.h"
 
+static void
+print_texts(FILE *out)
+{
+	manual_texts(out);
+	keys_texts(manual_text, out);
+}
+
 static const struct {
 	const char *name;
 	void (*print)(FILE *out);
 } PARTS[] = {{"commands", manual_commands}, {"environment", manual_environment},
     {"status", manual_status}, {"models", manual_models}, {"bash", manual_bash},
-    {"keys", keys_manual}};
+    {"keys", keys_manual}, {"texts", print_texts}};
 
 int
 main(int argc, char **argv)
@@ -26,8 +34,8 @@ main(int argc, char **argv)
 		PARTS[i].print(stdout);
 		return fflush(stdout) != 0 || ferror(stdout);
 	}
-	fputs(
-	    "usage: make-manual commands|environment|status|models|bash|keys\n",
+	fputs("usage: make-manual commands|environment|status|models|bash|keys|"
+	      "texts\n",
 	    stderr);
 	return 2;
 }

@@ -72,4 +72,17 @@ realloc(void *p, size_t n)
 		xalloc_fail();
 	return q;
 }
+
+/* musl's gives nothing where malloc is another's but this is not. */
+PUBLIC void *
+aligned_alloc(size_t line, size_t n)
+{
+	static void *(*next)(size_t, size_t);
+	if (next == NULL)
+		find(&next, "aligned_alloc");
+	void *p = next(line, n);
+	if (p == NULL)
+		xalloc_fail();
+	return p;
+}
 #endif

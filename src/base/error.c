@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 _Static_assert((int)ERROR_SYSTEM == XALLOC_STATUS, "no memory is a status");
@@ -47,6 +48,7 @@ error_say(struct error *e, enum error_kind kind, const char *file, int line,
 		return false;
 	va_list again;
 	va_copy(again, ap);
+	format = tr(format);
 	char *first, *text = xvasprintf(first_line(format, &first), ap);
 	char *all = xvasprintf(format, again);
 	const char *rest = all + strlen(text);
@@ -89,7 +91,7 @@ error_hint(struct error *e, const char *format, ...)
 		return false;
 	va_list ap;
 	va_start(ap, format);
-	vsnprintf(e->hint, sizeof e->hint, format, ap);
+	vsnprintf(e->hint, sizeof e->hint, tr(format), ap);
 	va_end(ap);
 	return false;
 }
@@ -153,5 +155,5 @@ void
 error_print_hint(const struct error *e, FILE *out)
 {
 	if (e->hint[0] != '\0')
-		print_line(xasprintf("  hint: %s", e->hint), true, 8, out);
+		print_line(xasprintf(tr("  hint: %s"), e->hint), true, 8, out);
 }

@@ -400,6 +400,23 @@ text_put(const char *s, FILE *out)
 	}
 }
 
+void
+text_put_xml(const char *s, FILE *out)
+{
+	char *shown = text_shown(s);
+	for (const char *p = shown; *p != '\0'; p++) {
+		const char *entity = *p == '<'   ? "&lt;"
+				     : *p == '>' ? "&gt;"
+				     : *p == '&' ? "&amp;"
+						 : NULL;
+		if (entity != NULL)
+			fputs(entity, out);
+		else
+			fputc(*p, out);
+	}
+	free(shown);
+}
+
 int
 text_width(const char *s)
 {

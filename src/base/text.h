@@ -72,11 +72,13 @@ int text_columns(uint32_t code);
  *
  * text_show: the character at *text, which moves after it, as it is shown;
  * returns its columns.  text_shown: a whole text, which the caller frees.
- * text_put: prints it.  text_width: its columns. */
+ * text_put: prints it.  text_put_xml: with < > & as entities, for the text of
+ * an element.  text_width: its columns. */
 enum { TEXT_SHOWN = 12 };
 int text_show(const char **text, char shown[static TEXT_SHOWN]);
 char *text_shown(const char *s);
 void text_put(const char *s, FILE *out);
+void text_put_xml(const char *s, FILE *out);
 int text_width(const char *s);
 
 /* True where text_shown changes nothing; and for a character that it never

@@ -55,13 +55,17 @@ xstrdup(const char *s)
 char *
 xvasprintf(const char *format, va_list ap)
 {
+	char text[256]; /* most are no longer, and are made once */
 	va_list again;
 	va_copy(again, ap);
-	int n = vsnprintf(NULL, 0, format, again);
+	int length = vsnprintf(text, sizeof text, format, again);
 	va_end(again);
-	char *s = xcalloc(n < 0 ? 1 : (size_t)n + 1, 1);
-	if (n >= 0)
-		vsnprintf(s, (size_t)n + 1, format, ap);
+	size_t n = length < 0 ? 0 : (size_t)length;
+	char *s = xcalloc(n + 1, 1);
+	if (n < sizeof text)
+		memcpy(s, text, n);
+	else
+		vsnprintf(s, n + 1, format, ap);
 	return s;
 }
 
@@ -79,10 +83,11 @@ xasprintf(const char *format, ...)
 static void
 add(char **text, const char *separator, char *more)
 {
-	char *longer = xasprintf("%s%s%s", *text, separator, more);
-	free(*text);
+	size_t n = strlen(*text), gap = strlen(separator), m = strlen(more);
+	*text = xrealloc(*text, n + gap + m + 1, 1);
+	memcpy(*text + n, separator, gap);
+	memcpy(*text + n + gap, more, m + 1);
 	free(more);
-	*text = longer;
 }
 
 void

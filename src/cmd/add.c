@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/check.h"
 #include "cmd/cut.h"
@@ -16,7 +17,6 @@
 #include "cmd/log.h"
 #include "cmd/table.h"
 #include "io/head.h"
-#include "io/units.h"
 
 /* What is known of each file [n] beside its numbers: its word as load has it,
  * its time in words, or "", and what the log says. */
@@ -51,11 +51,12 @@ read_date(const struct value *date, double *day, struct error *error)
 	*day = good ? moment_seconds(&m, MOMENT_OPEN) - m.seconds : (double)NAN;
 	if (!good || isnan(*day))
 		return error_set(error, ERROR_USAGE,
-		    good ? "expected a date that can be read in one way, got "
-			   "'%s'\n"
-			   "write year, month, day: date=2026-05-03"
-			 : "expected a date such as 2026-05-03, got '%s'\n"
-			   "write year, month, day: date=2026-05-03",
+		    good
+			? N_("expected a date that can be read in one way, got "
+			     "'%s'\n"
+			     "write year, month, day: date=2026-05-03")
+			: N_("expected a date such as 2026-05-03, got '%s'\n"
+			     "write year, month, day: date=2026-05-03"),
 		    date->text);
 	return true;
 }
@@ -138,12 +139,25 @@ cut_note(double speed, const struct cut_origin *o)
 	if (o != NULL && o->when[0] != '\0')
 		xappend(&text, ", %s", o->when);
 	if (o != NULL && !isnan(o->logged.power))
-		xappend(&text, ", %.4g kW", o->logged.power);
+		xappend(&text, tr(", %.4g kW"), o->logged.power);
 	if (o != NULL && !isnan(o->logged.rate))
 		xappend(&text, ", %.4g t/h", o->logged.rate);
 	if (o != NULL)
 		xappend(&text, ", %s", o->file);
 	return text;
+}
+
+/* The same of a run of a sheet, which may say in its own header when its cuts
+ * were taken: then that, with the file. */
+static char *
+note_of(const struct site *cuts, size_t run, const struct cut_origin *o)
+{
+	const char *said = cut_heading(cuts, run);
+	if (said == NULL || (o != NULL && o->when[0] != '\0'))
+		return cut_note(cuts->run[run].speed, o);
+	bool named = o == NULL || strstr(said, o->file) != NULL;
+	return xasprintf(
+	    "%s%s%s", said, named ? "" : ", ", named ? "" : o->file);
 }
 
 /* The file that a cut is from: the only one, or that of its speed. */
@@ -181,7 +195,8 @@ warn_of(struct session *s, const struct site *site, const struct site *cuts)
 				    "before? 'undo' takes it back",
 				    cut->speed, site->run[r].repeat);
 		}
-		if (cut->feed.n == 0 && site->individual_feeds &&
+		bool told = k > 0 && cuts->run[k - 1].speed == cut->speed;
+		if (cut->feed.n == 0 && site->individual_feeds && !told &&
 		    site->run[at].speed != cut->speed)
 			session_note(s,
 			    "  feed of the cut at %g m/s: that of the site at "
@@ -214,13 +229,44 @@ note_check(struct session *s, size_t run)
 		return;
 	struct cut cut = cut_compare(s, entry, run);
 	char *words = cut_words(&cut);
-	session_note(s, "  %sthe prediction %s the cut at %g m/s%s: %s%s",
-	    cut.missed ? "warning: " : "", cut.missed ? "misses" : "meets",
-	    site->run[run].speed, site->run[run].repeat, words,
-	    !cut.missed      ? ""
-	    : entry->has_fit ? "; calibrate again with train=all"
-			     : "");
+	session_note(s,
+	    !cut.missed ? N_("  the prediction meets the cut at %g m/s%s: %s")
+	    : entry->has_fit
+		? N_("  warning: the prediction misses the cut at %g m/s%s: "
+		     "%s; calibrate again with train=all")
+		: N_("  warning: the prediction misses the cut at %g m/s%s: "
+		     "%s"),
+	    site->run[run].speed, site->run[run].repeat, words);
 	free(words);
+}
+
+/* Of each run that is new, or of many in sum; from: see site_with_cuts. */
+static void
+note_checks(
+    struct session *s, const struct site *old, const size_t *from, size_t n)
+{
+	enum { FEW = 3 };
+	const struct entry *entry = session_entry(s);
+	size_t compared = 0, missed = 0;
+	for (size_t r = 0; r < entry->site->n_run; r++) {
+		if (entry->site->run[r].product.n == 0 ||
+		    (from[r] != SIZE_MAX && old->run[from[r]].product.n > 0))
+			continue;
+		if (n <= FEW) {
+			note_check(s, r);
+		} else if (entry->has_params) {
+			compared++;
+			missed += cut_compare(s, entry, r).missed;
+		}
+	}
+	if (compared > 0)
+		session_note(s,
+		    missed > 0
+			? N_("  warning: the prediction misses %zu of the %zu "
+			     "cuts: 'drift' follows them one by one")
+			: N_("  the prediction misses %zu of the %zu cuts: "
+			     "'drift' follows them one by one"),
+		    missed, compared);
 }
 
 static void
@@ -228,8 +274,11 @@ note_next(struct session *s)
 {
 	const struct entry *entry = session_entry(s);
 	char *speeds = session_speeds(entry->site, ", ", NULL, true);
-	session_note(s, "  %s has products at %s m/s%s", entry->key, speeds,
-	    entry->has_params ? "" : "; no parameters yet: run 'calibrate'");
+	session_note(s,
+	    entry->has_params ? N_("  %s has products at %s m/s")
+			      : N_("  %s has products at %s m/s; no parameters "
+				   "yet: run 'calibrate'"),
+	    entry->key, speeds);
 	free(speeds);
 }
 
@@ -269,7 +318,7 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 		site->rotor = args_value(args, "rotor_mm")->number / 1000;
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		double v = cuts->run[k].speed;
-		char *note = cut_note(v, origin_of(all, v));
+		char *note = note_of(cuts, k, origin_of(all, v));
 		site_add_note(&site->note, &site->n_note, "cut", note);
 		session_note(s, "added a cut: %s", note);
 		free(note);
@@ -279,10 +328,7 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 	session_grow(s, site, from);
 	check_warn_coarser(s, site);
 	note_next(s);
-	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].product.n > 0 &&
-		    (from[r] == SIZE_MAX || old->run[from[r]].product.n == 0))
-			note_check(s, r);
+	note_checks(s, old, from, cuts->n_run);
 	free(from);
 	return true;
 }

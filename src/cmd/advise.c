@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/light.h"
@@ -140,7 +141,8 @@ note_feed(struct answer *r, const struct session *s, const struct entry *entry,
 {
 	const struct site *site = entry->site;
 	double low = INFINITY, high = -INFINITY;
-	for (size_t i = 0; i < site->n_run && site->individual_feeds; i++) {
+	for (size_t i = 0; i < site->n_run && answers_sampled(site, w->feed);
+	     i++) {
 		struct prediction p =
 		    predict(site, &entry->params, s->set.model, w->speed, i);
 		double value = value_of(&p.curve, w);
@@ -170,11 +172,15 @@ note_best(struct answer *r, const struct session *s, const struct wanted *w,
 		    level, w->name, w->speed, width, w->unit, fmax(less, 0));
 	else
 		answer_note(r,
-		    "a sample at %g m/s%s is expected to narrow the %.0f %% "
-		    "band of %s at %g m/s most: from %.2g to %.2g %s, by %.0f "
-		    "%%",
-		    best->speed, best->repeat ? " (a repeat)" : "", level,
-		    w->name, w->speed, width, best->width, w->unit, less);
+		    best->repeat
+			? N_("a sample at %g m/s (a repeat) is expected to "
+			     "narrow the %.0f %% band of %s at %g m/s most: "
+			     "from %.2g to %.2g %s, by %.0f %%")
+			: N_("a sample at %g m/s is expected to narrow the "
+			     "%.0f %% band of %s at %g m/s most: from %.2g to "
+			     "%.2g %s, by %.0f %%"),
+		    best->speed, level, w->name, w->speed, width, best->width,
+		    w->unit, less);
 }
 
 /* NULL where there is no band to narrow. */
@@ -200,7 +206,7 @@ advice(const struct session *s, const struct entry *entry,
 	    w->x > 0 ? "points" : "mm", w->unit);
 	for (size_t i = 0; i < n; i++)
 		answer_cells(r, "%g %s %.3f %.0f", c[i].speed,
-		    c[i].repeat ? "repeat" : "new", c[i].width,
+		    c[i].repeat ? tr("repeat") : tr("new"), c[i].width,
 		    100 * (1 - c[i].width / width));
 	struct fields *o = answer_fields(r);
 	fields_put(o, "quantity %s speed %g low %g high %g width %g", w->name,
@@ -232,8 +238,8 @@ take_quantity(const struct args *args, struct wanted *w, struct error *error)
 	}
 	if (strcmp(word, "passing") == 0 && size) {
 		w->x = mm / 1000;
-		w->name = xasprintf("the passing at %g mm", mm);
-		w->unit = "points";
+		w->name = xasprintf(tr("the passing at %g mm"), mm);
+		w->unit = tr("points");
 	}
 	return w->name != NULL ||
 	       error_set(error, ERROR_USAGE,
@@ -252,7 +258,7 @@ advise(struct session *s, const struct entry *entry, struct wanted *w,
 	if (outlook_ensemble(s, entry, w->feed) == NULL)
 		return error_set(error, ERROR_USAGE, "%s\n%s",
 		    outlook_why_none(s, entry),
-		    "advise needs an answer with a band: run 'calibrate'");
+		    tr("advise needs an answer with a band: run 'calibrate'"));
 	if ((w->x > 0 && !psd_covers(feed, w->x)) ||
 	    !answer_draws(s, entry, w, answer))
 		return error_set(error, ERROR_DATA,

@@ -6,10 +6,12 @@
 #include <stdarg.h>
 #include <stdlib.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/elementary.h"
 #include "cmd/fit.h"
 #include "cmd/light.h"
+#include "cmd/screened.h"
 #include "cmd/outlook.h"
 #include "io/units.h"
 
@@ -18,7 +20,16 @@ const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {
 const char *const ANSWERS_RANGES[ANSWERS_SIZES] = {
     "p20_range_mm", "p50_range_mm", "p80_range_mm", "break_range_mm"};
 const char *const ANSWERS_HEADS[ANSWERS_SIZES] = {
-    "P20 mm", "P50 mm", "P80 mm", "break size mm"};
+    N_("P20 mm"), N_("P50 mm"), N_("P80 mm"), N_("break size mm")};
+
+void
+answers_put_variant(struct answer *r, const struct site *site)
+{
+	if (site->feed_from[0] != '\0')
+		fields_put(answer_fields(r), "feed %s", site->feed_from);
+	if (site->with[0] != '\0')
+		fields_put(answer_fields(r), "with %s", site->with);
+}
 
 struct answer *
 answers_new(
@@ -27,10 +38,11 @@ answers_new(
 	struct answer *r = answer_new(command);
 	va_list ap;
 	va_start(ap, format);
-	char *title = xvasprintf(format, ap), *label = session_label(site);
+	char *title = xvasprintf(tr(format), ap), *label = session_label(site);
 	va_end(ap);
 	answer_title(r, "%s: %s", label, title);
 	answer_site(r, site->name, site->provenance);
+	answers_put_variant(r, site);
 	free(label);
 	free(title);
 	return r;
@@ -46,11 +58,12 @@ answers_known(
 	return error_set(error, ERROR_USAGE, "%s has no parameters yet\n%s",
 	    entry->site->name,
 	    site_products(entry->site) > 0
-		? "run 'calibrate', or supply them with 'recall' or 'params "
-		  "set'"
-		: "run 'guess' for an estimate, or 'params use SITE' for "
-		  "another site's parameters: there is no product to calibrate "
-		  "on");
+		? tr("run 'calibrate', or supply them with 'recall' or 'params "
+		     "set'")
+		: tr("run 'guess' for an estimate, or 'params use SITE' for "
+		     "another site's parameters: there is no product to "
+		     "calibrate "
+		     "on"));
 }
 
 bool
@@ -62,7 +75,8 @@ answers_ready(struct session *s, struct error *error)
 bool
 answers_forming(const struct session *s, struct params *params)
 {
-	if (!session_busy(s) || s->job.entry != s->current)
+	const struct entry *fitting = session_fitting(s);
+	if (fitting == NULL || fitting != &s->entry[s->current])
 		return false;
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	if (st.generation > 0)
@@ -75,6 +89,9 @@ answers_feed(const struct site *site, const struct args *args, double speed,
     size_t *run, struct error *error)
 {
 	const struct value *feed = args_value(args, "feed");
+	*run = site_run_at(site, SITE_OTHER_FEED);
+	if (*run < site->n_run)
+		return true;
 	*run = site_run_nearest(site, speed);
 	if (!feed->given)
 		return true;
@@ -85,6 +102,12 @@ answers_feed(const struct site *site, const struct args *args, double speed,
 	    "%s has no feed sampled at %g m/s\n"
 	    "run 'show feed' for its feeds",
 	    site->name, feed->number);
+}
+
+bool
+answers_sampled(const struct site *site, size_t feed_run)
+{
+	return site->individual_feeds && site->run[feed_run].speed > 0;
 }
 
 bool
@@ -110,8 +133,9 @@ double
 answers_middle(const struct site *site)
 {
 	const double usual = 74;
-	double middle =
-	    (site->run[0].speed + site->run[site->n_run - 1].speed) / 2;
+	size_t other = site_run_at(site, SITE_OTHER_FEED);
+	size_t last = other > 0 ? other - 1 : 0;
+	double middle = (site->run[0].speed + site->run[last].speed) / 2;
 	return middle > 0 ? middle : usual;
 }
 
@@ -168,7 +192,7 @@ static char *
 outside_words(const struct psd *psd, double passing)
 {
 	bool fine = psd->passing[psd->n - 1] >= passing;
-	return xasprintf("%s %g", fine ? "below" : "above",
+	return xasprintf("%s %g", fine ? tr("below") : tr("above"),
 	    units_mm(psd->size[fine ? psd->n - 1 : 0]));
 }
 
@@ -182,16 +206,16 @@ void
 answers_size_cell(struct answer *r, const struct prediction *p, size_t i)
 {
 	char *words = i == ANSWERS_BREAK
-			  ? xstrdup("none")
-			  : outside_words(&p->product, PSD_PASSING[i]);
+			  ? xstrdup(tr("none"))
+			  : outside_words(&p->curve, PSD_PASSING[i]);
 	answer_missing(r, words);
 	answer_cells(r, "%.2f", answers_size(p, i));
 	free(words);
 }
 
-/* Adds "P50 2.81 mm", or "P20 below 0.063 mm", to a list; where there is a
- * range, followed by " (2.75 to 2.90)", whose lower end may lie below the
- * finest sieve. */
+/* Adds "P50 2.81", or "P20 below 0.063 mm", to a list, whose first has the
+ * unit; where there is a range, followed by " (2.75 to 2.90)", whose lower end
+ * may lie below the finest sieve. */
 static void
 add_size(
     char **list, const struct psd *psd, double passing, const double *range)
@@ -199,15 +223,17 @@ add_size(
 	double x = psd_size(psd, passing);
 	char *size = isfinite(x) ? xasprintf("%.2f", 1000 * x)
 				 : outside_words(psd, passing);
-	xlist(list, ", ", "P%.0f %s mm", 100 * passing, size);
+	bool first = *list[0] == '\0';
+	xlist(list, ", ", "P%.0f %s%s", 100 * passing, size,
+	    first || size[0] > '9' ? " mm" : "");
 	free(size);
 	if (!isfinite(range[1]))
 		return;
 	if (isfinite(range[0]))
-		xappend(list, " (%.2f to ", 1000 * range[0]);
+		xappend(list, tr(" (%.2f to "), 1000 * range[0]);
 	else
-		xappend(
-		    list, " (below %g to ", units_mm(psd->size[psd->n - 1]));
+		xappend(list, tr(" (below %g to "),
+		    units_mm(psd->size[psd->n - 1]));
 	xappend(list, "%.2f)", 1000 * range[1]);
 }
 
@@ -240,10 +266,50 @@ answers_note_model(
 char *
 answers_reach(const struct entry *entry, double slowest, double fastest)
 {
-	const char *how = origin_trained(entry) ? "training" : "measured";
-	return slowest < fastest
-		   ? xasprintf("%s speeds, %g to %g m/s", how, slowest, fastest)
-		   : xasprintf("one %s speed, %g m/s", how, slowest);
+	bool trained = origin_trained(entry);
+	if (slowest < fastest)
+		return xasprintf(trained ? tr("training speeds, %g to %g m/s")
+					 : tr("measured speeds, %g to %g m/s"),
+		    slowest, fastest);
+	return xasprintf(trained ? tr("one training speed, %g m/s")
+				 : tr("one measured speed, %g m/s"),
+	    slowest);
+}
+
+/* What the other feed's sheet does not tell. */
+static void
+note_other_feed(struct answer *r, const struct entry *entry)
+{
+	const struct site *site = entry->site;
+	const struct psd *feed = &site->run[site->n_run - 1].feed;
+	size_t n;
+	double *sieve = site_sieves(site, &n);
+	if (!psd_covers(feed, sieve[n - 1]))
+		answer_say(r, ANSWER_REMARK,
+		    "finer than %g mm nothing is known: the feed was not "
+		    "sieved there",
+		    units_mm(feed->size[feed->n - 1]));
+	if (entry->variant->rock[0] == '\0' && site->rock[0] != '\0')
+		answer_say(r, ANSWER_REMARK,
+		    "the feed's rock is not stated, and taken to be the site's "
+		    "(%s)",
+		    site->rock);
+	free(sieve);
+}
+
+void
+answers_note_variant(struct answer *r, const struct entry *entry)
+{
+	const struct variant *v = entry->variant;
+	if (v == NULL)
+		return;
+	if (v->feed)
+		note_other_feed(r, entry);
+	if (v->rotor > 0 && !(v->measured_rotor > 0))
+		answer_say(r, ANSWER_REMARK,
+		    "the rotor that was measured with is not stated, and taken "
+		    "to be of %g mm too",
+		    units_mm(v->rotor));
 }
 
 void
@@ -268,10 +334,11 @@ answers_note_doubt(
 		    speed, speeds);
 		free(speeds);
 	}
-	if (site->individual_feeds &&
+	if (answers_sampled(site, feed_run) &&
 	    fabs(site->run[feed_run].speed - speed) > 1e-3)
 		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s%s",
 		    site->run[feed_run].speed, site->run[feed_run].repeat);
+	answers_note_variant(r, entry);
 	answers_note_model(s, r, entry);
 	light_show(r, light);
 }
@@ -309,9 +376,11 @@ answers_put_prediction(struct session *s, struct fields *o,
 	    o, "passing_pct", product->passing, product->n, units_pct);
 	fields_numbers(o, "model_pct", p->model, product->n, units_pct);
 	answers_put_sizes(o, p);
+	screened_put(o, p);
 	fields_put(o, "model %s", breakage_of(params)->name);
 	fit_put_params(o, params);
-	fields_put(o, ".feed_mps %g", entry->site->run[p->feed_run].speed);
+	double sampled = entry->site->run[p->feed_run].speed;
+	fields_put(o, ".feed_mps %g", sampled >= 0 ? sampled : NAN);
 	if (entry->has_fit)
 		fields_put(o, "verdict %s", light_verdict(s, entry, p));
 	if (entry->origin != NULL && entry->origin->stored)
@@ -346,7 +415,7 @@ answers_speed_rows(
 	char *head = xasprintf(
 	    "< %g mm, %%", units_mm(p[0].product.size[p[0].product.n - 1]));
 	answer_column(r, "finest_pct", head);
-	answer_columns(r, "extrapolated");
+	answer_columns(r, "extrapolated: extrapolated");
 	free(head);
 	for (size_t i = 0; i < n; i++) {
 		size_t finest = p[i].product.n - 1;
@@ -359,6 +428,7 @@ answers_speed_rows(
 		answers_size_cell(r, &p[i], ANSWERS_P80);
 		answer_cells(r, "%.1f %s",
 		    units_pct(p[i].product.passing[finest]),
-		    answers_extrapolates(entry, p[i].speed) ? "yes" : "no");
+		    answers_extrapolates(entry, p[i].speed) ? tr("yes")
+							    : tr("no"));
 	}
 }

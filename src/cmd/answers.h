@@ -18,6 +18,10 @@
 struct answer *answers_new(const struct site *site, const char *command,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
 
+/* Puts "feed" and "with" where it is asked about another feed or machine;
+ * answers_new does. */
+void answers_put_variant(struct answer *r, const struct site *site);
+
 /* False, with the next step, where the site (in use) has no parameters yet, or
  * the settings do not go together. */
 bool answers_known(
@@ -32,10 +36,14 @@ bool answers_forming(const struct session *s, struct params *params);
  * were measured where that is not known. */
 bool answers_extrapolates(const struct entry *entry, double speed);
 
-/* The run whose feed to take: at the speed that the option feed names, else the
- * run nearest to the speed given. */
+/* The run whose feed to take: that of another sheet, where the call asks with
+ * one (cmd/variant.h); at the speed that the option feed names; else the run
+ * nearest to the speed given. */
 bool answers_feed(const struct site *site, const struct args *args,
     double speed, size_t *run, struct error *error);
+
+/* Whether the feed of the run is one of several, sampled at its speed. */
+bool answers_sampled(const struct site *site, size_t feed_run);
 
 /* B(u) at the breaker's speed, of a parent of the site's top size where it
  * depends on that. */
@@ -80,8 +88,8 @@ double answers_size(const struct prediction *p, size_t i);
 /* A cell with it, or with "below 0.063", or "none". */
 void answers_size_cell(struct answer *r, const struct prediction *p, size_t i);
 
-/* The note "P20 1.14 mm, P50 2.91 mm, P80 5.28 mm", with their ranges where a
- * band is given: "P20 1.14 mm (1.12 to 1.18)". */
+/* The note "P20 1.14 mm, P50 2.91, P80 5.28", with their ranges where a band is
+ * given: "P20 1.14 mm (1.12 to 1.18)". */
 void answers_note_sizes(struct answer *r, const struct prediction *p);
 
 /* Says which model it is, where that is not the paper's. */
@@ -91,6 +99,10 @@ void answers_note_model(
 /* "training speeds, 69 to 79 m/s", "one measured speed, 72 m/s".  The caller
  * frees. */
 char *answers_reach(const struct entry *entry, double slowest, double fastest);
+
+/* What is to be said of another feed beside title and light, where the entry is
+ * asked with one. */
+void answers_note_variant(struct answer *r, const struct entry *entry);
 
 /* Notes on how far to trust an answer for the site in use at a speed from the
  * feed of a run, with its light. */

@@ -1,12 +1,15 @@
 /* Compares answers with what was expected of them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/files.h"
 #include "cmd/table.h"
 
 const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED] = {
@@ -55,16 +58,20 @@ side(const struct session *s, const char *word, double *value,
 	return !isnan(*value) ||
 	       error_set(error, ERROR_CHECK,
 		   strchr(word, '.') != NULL
-		       ? "%s is not known\n"
-			 "run the command first; 'set format json' shows the "
-			 "fields of a result. Another site or a new "
-			 "calibration clears them"
-		       : "%s is not known\n"
-			 "run the command that sets it: predict or find (p20, "
-			 "p50, p80, break, speed, extrapolated), spec "
-			 "(inside), calibrate (misfit, rmse, and poor unless "
-			 "there are too few data), validate (holdout). Another "
-			 "site or a new calibration clears them",
+		       ? N_("%s is not known\n"
+			    "run the command first; 'set format json' shows "
+			    "the "
+			    "fields of a result. Another site or a new "
+			    "calibration clears them")
+		       : N_("%s is not known\n"
+			    "run the command that sets it: predict or find "
+			    "(p20, "
+			    "p50, p80, break, speed, extrapolated), spec "
+			    "(inside), calibrate (misfit, rmse, and poor "
+			    "unless "
+			    "there are too few data), validate (holdout). "
+			    "Another "
+			    "site or a new calibration clears them"),
 		   word);
 }
 
@@ -81,6 +88,32 @@ holds(const char *op, double a, double b, double within)
 	return -1;
 }
 
+/* "FILE is DIGEST": nothing in it has changed. */
+static bool
+is_as_saved(const struct session *s, const char *path, const char *wanted,
+    struct error *error)
+{
+	uint64_t digest = 0;
+	if (s->safe)
+		return error_set(error, ERROR_USAGE,
+		    "assert FILE is off: it names a file\n"
+		    "start the program without --safe to allow it");
+	if (!files_digest(path, &digest))
+		return error_set(error, ERROR_DATA,
+		    "%s cannot be read, and the session needs it\n"
+		    "put it back where it was, or take out its lines",
+		    path);
+	char *found = xasprintf("%016" PRIx64, digest);
+	bool good = strcmp(found, wanted) == 0;
+	if (!good)
+		error_set(error, ERROR_DATA,
+		    "expected %s with digest %s, got %s: the file has changed\n"
+		    "take out this line to read it anyway; results will change",
+		    path, wanted, found);
+	free(found);
+	return good;
+}
+
 bool
 cmd_assert(struct session *s, const struct args *args, struct error *error)
 {
@@ -92,6 +125,8 @@ cmd_assert(struct session *s, const struct args *args, struct error *error)
 		!text_number(word[4], &within) || within < 0))
 		return error_set(error, ERROR_USAGE,
 		    "assert: expected 'within NUMBER' after the comparison");
+	if (strcmp(word[1], "is") == 0)
+		return is_as_saved(s, word[0], word[2], error);
 	if (!side(s, word[0], &a, error) || !side(s, word[2], &b, error))
 		return false;
 	int result = holds(word[1], a, b, within);
@@ -103,6 +138,6 @@ cmd_assert(struct session *s, const struct args *args, struct error *error)
 		return true;
 	return error_set(error, ERROR_CHECK,
 	    "assertion failed: %s %s %s%s%s: got %.6g and %.6g", word[0],
-	    word[1], word[2], has_within ? " within " : "",
+	    word[1], word[2], has_within ? tr(" within ") : "",
 	    has_within ? word[4] : "", a, b);
 }

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/xalloc.h"
+#include "base/tr.h"
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
 #include "core/ensemble.h"
@@ -21,8 +21,8 @@ band_note(struct answer *r, const struct session *s, const struct entry *entry,
 	    "probability%s",
 	    100 * settings_level(&s->set),
 	    entry->has_fit ? ""
-			   : "; the difference between the two sites is not "
-			     "included");
+			   : tr("; the difference between the two sites is not "
+				"included"));
 }
 
 void

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/entries.h"
 #include "cmd/fit.h"
@@ -73,10 +74,10 @@ finding(struct answer *r, const struct entry *entry, bool fault,
 {
 	va_list ap;
 	va_start(ap, format);
-	char *text = xvasprintf(format, ap);
+	char *text = xvasprintf(tr(format), ap);
 	va_end(ap);
-	answer_cells(r, "%s %s %s %s", entry->key, fault ? "FAULT" : "remark",
-	    where, text);
+	answer_cells(r, "%s %s %s %s", entry->key,
+	    fault ? tr("FAULT") : tr("remark"), where, text);
 	free(text);
 }
 
@@ -85,7 +86,7 @@ static const char *
 place(const struct run *run, char buf[static 40])
 {
 	if (run == NULL || !(run->speed > 0))
-		return "feed";
+		return tr("feed");
 	snprintf(buf, 40, "%g m/s%s", run->speed, run->repeat);
 	return buf;
 }
@@ -99,11 +100,15 @@ check_run(struct answer *r, const struct entry *entry, const struct run *run)
 	bool fault = c.most > COARSER_FAULT;
 	if (c.sieves > 0)
 		finding(r, entry, fault, where,
-		    "product coarser than feed on %zu of %zu sieves, by up to "
-		    "%.2f points at %g mm: crushing cannot coarsen%s",
-		    c.sieves, c.compared, 100 * c.most, units_mm(c.at),
-		    fault ? ": were the samples mixed up?"
-			  : "; sampling error may explain it");
+		    fault ? N_("product coarser than feed on %zu of %zu "
+			       "sieves, by up to %.2f points at %g mm: "
+			       "crushing cannot coarsen: were the samples "
+			       "mixed up?")
+			  : N_("product coarser than feed on %zu of %zu "
+			       "sieves, by up to %.2f points at %g mm: "
+			       "crushing cannot coarsen; sampling error may "
+			       "explain it"),
+		    c.sieves, c.compared, 100 * c.most, units_mm(c.at));
 	if (run->product.n > 0 && c.farthest < NOTHING)
 		finding(r, entry, false, where,
 		    "product equals feed within %.2f points: nothing breaks at "
@@ -146,16 +151,6 @@ find_fall(
 	return most;
 }
 
-static bool
-is_copy(const struct psd *a, const struct psd *b)
-{
-	size_t i = 0;
-	while (i < a->n && i < b->n && a->size[i] == b->size[i] &&
-	       a->passing[i] == b->passing[i])
-		i++;
-	return a->n > 0 && i == a->n && i == b->n;
-}
-
 /* "69, 79 m/s", "69 (1), 69 (2) m/s".  The caller frees. */
 static char *
 place_of_two(const struct run *a, const struct run *b)
@@ -172,7 +167,7 @@ check_copies(struct answer *r, const struct entry *entry)
 	for (size_t i = 1; i < site->n_run; i++)
 		for (size_t k = 0; k < i; k++) {
 			const struct run *a = &site->run[k], *b = &site->run[i];
-			if (!is_copy(&a->product, &b->product))
+			if (!psd_same(&a->product, &b->product))
 				continue;
 			char *where = place_of_two(a, b);
 			finding(r, entry, false, where,
@@ -224,11 +219,11 @@ check_pair(struct answer *r, const struct entry *entry, const struct run *slow,
 	if (most <= COARSER_FAULT)
 		return true;
 	char *where = place_of_two(slow, fast);
-	const char *why = site->individual_feeds
-			      ? "its feed may have been coarser"
-			  : fault ? "were speeds swapped or digits transposed?"
-				  : "sampling error may explain it, or digits "
-				    "were transposed there";
+	const char *why =
+	    site->individual_feeds ? tr("its feed may have been coarser")
+	    : fault ? tr("were speeds swapped or digits transposed?")
+		    : tr("sampling error may explain it, or digits "
+			 "were transposed there");
 	finding(r, entry, fault, where,
 	    "the faster run's product is coarser by %.2f points at %g mm: %s",
 	    100 * most, units_mm(at), why);
@@ -329,10 +324,16 @@ check_gaps(struct answer *r, const struct entry *entry)
 		double x = find_gap(curve, n, i);
 		if (x > 0)
 			finding(r, entry, false, place(run[i], buf),
-			    "the %s's cell at %g mm is empty, and no other in "
-			    "its row: if it was weighed in grams and "
-			    "forgotten, the whole curve is wrong",
-			    i < feeds ? "feed" : "product", units_mm(x));
+			    i < feeds
+				? N_("the feed's cell at %g mm is empty, and "
+				     "no other in its row: if it was weighed "
+				     "in grams and forgotten, the whole curve "
+				     "is wrong")
+				: N_("the product's cell at %g mm is empty, "
+				     "and no other in its row: if it was "
+				     "weighed in grams and forgotten, the "
+				     "whole curve is wrong"),
+			    units_mm(x));
 	}
 	free(curve);
 	free(run);
@@ -350,21 +351,11 @@ check_cells(struct answer *r, const struct entry *entry, const struct doctor *d)
 		bool shared = m->feed && !entry->site->individual_feeds;
 		if (m->kind != MEND_READ && m->kind != MEND_OUT)
 			continue;
-		char *expected =
-		    isnan(f->expected)
-			? xstrdup("is off the line between its neighbours")
-			: xasprintf("where %.1f (sd %.1f) is expected",
-			      100 * f->expected, 100 * f->sd);
+		char *words = mend_finding(entry->site, f);
 		finding(r, entry, false,
-		    place(shared ? NULL : &entry->site->run[m->run], buf),
-		    "%s passing %g %% at %g mm, %s %s: %s",
-		    m->feed ? "feed" : "product", units_pct(f->measured),
-		    units_mm(m->size), expected,
-		    isnan(f->surprise) ? "by its neighbours and the other runs"
-				       : "by all other passings and the fit",
-		    m->kind == MEND_READ ? "were digits transposed?"
-					 : "measure it again, or leave it out");
-		free(expected);
+		    place(shared ? NULL : &entry->site->run[m->run], buf), "%s",
+		    words);
+		free(words);
 	}
 }
 
@@ -383,7 +374,7 @@ check_fit(struct answer *r, const struct entry *entry)
 	    "product: were digits transposed, here or in a neighbouring cell?",
 	    units_pct(psd_passing(&run->product, v.worst_sieve)),
 	    units_mm(v.worst_sieve), 100 * fabs(v.worst_difference),
-	    v.worst_difference < 0 ? "above" : "below");
+	    v.worst_difference < 0 ? tr("above") : tr("below"));
 }
 
 /* Other loaded sites with the same numbers. */
@@ -415,9 +406,16 @@ check_counts(struct answer *r, struct fields *read, const struct entry *entry)
 	for (size_t i = 0; i < site->n_left_out; i++)
 		finding(r, entry, false, site->left_out[i].key, "not read: %s",
 		    site->left_out[i].value);
-	answer_note(r, "%s: read %zu sieve%s in %zu column%s, %zu run%s",
-	    entry->key, n, n == 1 ? "" : "s", columns, columns == 1 ? "" : "s",
-	    site->n_run, site->n_run == 1 ? "" : "s");
+	char *in =
+	    xasprintf(tr_n("%zu column", "%zu columns", columns), columns);
+	char *runs =
+	    xasprintf(tr_n("%zu run", "%zu runs", site->n_run), site->n_run);
+	answer_note(r,
+	    tr_n("%s: read %zu sieve in %s, %s",
+		"%s: read %zu sieves in %s, %s", n),
+	    entry->key, n, in, runs);
+	free(in);
+	free(runs);
 	if (site->named[0] != '\0')
 		answer_note(r, "  by ASTM E11, mm: %s", site->named);
 	fields_put(fields_object(read, NULL),
@@ -475,10 +473,10 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	answer_put_rows(r, "rows");
 	fields_put(answer_fields(r), "ok %d", ok);
 	answer_note(r, "%s",
-	    !ok ? "there are faults"
+	    !ok ? tr("there are faults")
 	    : answer_rows(r) == 0
-		? "no faults found"
-		: "no faults found; judge the remarks yourself");
+		? tr("no faults found")
+		: tr("no faults found; judge the remarks yourself"));
 	bool mends = answer_number(r, "mends.n") > 0;
 	session_answer(s, r);
 	if (ok)
@@ -486,5 +484,5 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	return error_set(error, ERROR_CHECK,
 	    "check found faults in the site file\n"
 	    "correct the spreadsheet, save it and load it again%s",
-	    mends ? "; or take a mend: mend 1" : "");
+	    mends ? tr("; or take a mend: mend 1") : "");
 }

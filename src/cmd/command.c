@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/breakage.h"
 
@@ -132,9 +133,9 @@ add_parameters(const struct breakage *model, struct command_option *row)
 		    .least = p->least,
 		    .most = p->most,
 		    .fallback = "",
-		    .brief =
-			own ? xasprintf("%s, model %s", p->meaning, model->name)
-			    : xstrdup(p->meaning)};
+		    .brief = own ? xasprintf(tr("%s, model %s"), p->meaning,
+				       model->name)
+				 : xstrdup(p->meaning)};
 	}
 }
 
@@ -184,6 +185,10 @@ placeholder(const struct command_option *o)
 		return option_choices(o);
 	case VALUE_FILE:
 		return "FILE";
+	case VALUE_FEED:
+		return "V|FILE";
+	case VALUE_SPEC:
+		return "NAME";
 	default:
 		return "TEXT";
 	}
@@ -230,7 +235,9 @@ command_limits(const struct command_option *o)
 	if (o->kind == VALUE_TEXT)
 		return xstrdup("text");
 	if (o->kind == VALUE_FILE)
-		return xstrdup("file");
+		return xstrdup(tr("file"));
+	if (o->kind == VALUE_SPEC)
+		return xstrdup(tr("name or file"));
 	if (o->kind == VALUE_CHOICE) {
 		char *list = xstrdup("");
 		for (const char *c = option_choices(o); *c != '\0'; c++)
@@ -238,9 +245,10 @@ command_limits(const struct command_option *o)
 		return list;
 	}
 	char *least = limit_text(o->least), *most = limit_text(o->most);
-	char *text =
-	    xasprintf("%s %s%s%s%s", least, most[0] != '\0' ? "to " : "or more",
-		most, o->unit[0] != '\0' ? " " : "", o->unit);
+	char *text = xasprintf("%s %s%s%s%s%s", least,
+	    most[0] != '\0' ? tr("to ") : tr("or more"), most,
+	    o->unit[0] != '\0' ? " " : "", o->unit,
+	    o->kind == VALUE_FEED ? tr(", or file") : "");
 	free(least);
 	free(most);
 	return text;
@@ -250,10 +258,19 @@ char *
 command_option_words(const struct command_option *o)
 {
 	char *limits = command_limits(o);
-	char *words = xasprintf("%s (%s)%s%s", o->brief, limits,
-	    o->fallback[0] != '\0' ? ", default " : "", o->fallback);
+	char *words = xasprintf("%s (%s)%s%s", tr(o->brief), limits,
+	    o->fallback[0] != '\0' ? tr(", default ") : "", o->fallback);
 	free(limits);
 	return words;
+}
+
+/* A number cannot be 0, see TABLE_FEED. */
+bool
+value_is_file(const struct command_option *option, const struct value *value)
+{
+	bool feed = option->kind == VALUE_FEED && value->number == 0;
+	bool off = value->given && strcmp(value->text, "off") == 0;
+	return value->given && ((option->kind == VALUE_FILE && !off) || feed);
 }
 
 const struct value *
@@ -262,4 +279,11 @@ args_value(const struct args *args, const char *name)
 	size_t i = command_option_index(args->command, name);
 	assert(i < OPTIONS);
 	return &args->value[i];
+}
+
+double
+args_number(const struct args *args, const char *name, double otherwise)
+{
+	const struct value *value = args_value(args, name);
+	return value->given ? value->number : otherwise;
 }

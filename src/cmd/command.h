@@ -21,6 +21,8 @@ enum value_kind {
 	VALUE_CHOICE,  /* one of the option's choices */
 	VALUE_NUMBERS, /* a,b,c or a..b[:step]; n is 0 for a choice */
 	VALUE_FILE,    /* path of a file */
+	VALUE_FEED,    /* a number, or path of a sheet with a feed */
+	VALUE_SPEC,    /* that of an envelope, or the name of a shipped one */
 	VALUE_TEXT
 };
 
@@ -37,10 +39,13 @@ struct command_option {
 
 /* A setting: what may be said of it, option.fallback being what it is at first,
  * or "" where the session finds that; and where it is kept, a member of struct
- * choices: a double for a number, an unsigned or an enum for the rest. */
+ * choices: a double for a number, letters for a text, an unsigned or an enum
+ * for the rest.  looks: is of the full screen, which saves it, and is nothing
+ * to undo. */
 struct setting {
 	struct command_option option;
 	size_t offset;
+	bool looks;
 };
 
 struct value {
@@ -77,7 +82,9 @@ enum command_flag {
 	COMMAND_DRAWS = 32,   /* may write into a picture's file */
 	COMMAND_AT_SITE = 64, /* needs a site to work on */
 	COMMAND_LOOKS = 128,  /* what it changes alone is not worth keeping */
-	COMMAND_PARAMS = 256  /* its options are the models' parameters */
+	COMMAND_PARAMS = 256, /* its options are the models' parameters */
+	COMMAND_SPEC = 512,   /* operands are as VALUE_SPEC */
+	COMMAND_BESIDE = 1024 /* on the screen a search goes on beside it */
 };
 
 /* What a command works on: as shown in usage, or NULL; at least `least` and at
@@ -154,7 +161,14 @@ const char *option_choices(const struct command_option *option);
 /* What an option may be: "1 to 200 m/s", "on, off".  The caller frees. */
 char *command_limits(const struct command_option *option);
 
+/* Whether the value given names a file. */
+bool value_is_file(
+    const struct command_option *option, const struct value *value);
+
 /* Value of an option of the call; asserts that the command has it. */
 const struct value *args_value(const struct args *args, const char *name);
+
+/* Its number where it was given, else `otherwise`. */
+double args_number(const struct args *args, const char *name, double otherwise);
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/entries.h"
@@ -180,6 +181,8 @@ comparison_notes(const struct session *s, struct answer *r,
 		if (i == 1 && entry == side[0].entry)
 			continue;
 		origin_note(r, entry);
+		if (i == 0)
+			answers_note_variant(r, entry);
 		answers_note_model(s, r, entry);
 	}
 	struct trust light = light_of(s, side[0].entry, &side[0].p);
@@ -232,8 +235,11 @@ comparison(const struct session *s, const struct side side[2], bool sites)
 	if (sites) {
 		char *both = xasprintf("%s, %s", a->name, b->name);
 		char *data = provenance(side);
-		answer_title(r, "%s and %s at %g m/s, %% passing", a->name,
-		    b->name, side[0].p.speed);
+		bool with = a->with[0] != '\0';
+		answer_title(r, "%s and %s%s%s at %g m/s, %% passing", a->name,
+		    b->name, with ? tr(", with ") : "", a->with,
+		    side[0].p.speed);
+		answers_put_variant(r, a);
 		answer_sites(r, both, data);
 		free(both);
 		free(data);
@@ -244,7 +250,7 @@ comparison(const struct session *s, const struct side side[2], bool sites)
 		    "low, high: of the difference, with %.0f %% probability",
 		    100 * settings_level(&s->set));
 	comparison_notes(s, r, side, x, n);
-	if (!sites && a->individual_feeds)
+	if (!sites && answers_sampled(a, side[0].p.feed_run))
 		answer_say(r, ANSWER_REMARK,
 		    "feed used for both: sampled at %g m/s",
 		    a->run[side[0].p.feed_run].speed);

@@ -15,6 +15,7 @@
 #include "cmd/answers.h"
 #include "cmd/command.h"
 #include "cmd/parse.h"
+#include "io/standards.h"
 
 /* A completion being made.  typed: the word so far, without its quotes; quoted:
  * whether it began with one. */
@@ -110,15 +111,51 @@ offer_speeds(struct work *w)
 	}
 }
 
+/* One that has begun so; what ends a word is quoted. */
+static void
+put_material(void *data, const char *name)
+{
+	struct work *w = data;
+	bool quotes = w->quoted || name[strcspn(name, " ;|<>")] != '\0';
+	char *text = quotes ? xasprintf("\"%s\"", name) : xstrdup(name);
+	put(w, text, ' ');
+	free(text);
+}
+
+/* Without case and accents, as `recall` finds them; no more than one would
+ * look through. */
 static void
 offer_materials(struct work *w)
 {
-	struct stored_list list = {0};
+	enum { MOST = 200 };
+	struct stored_list paper = {0};
 	struct error error = {0};
-	if (store_list_all(w->session->store, &list, &error))
-		for (size_t i = 0; i < list.n; i++)
-			offer(w, list.item[i].name, ' ');
-	stored_list_free(&list);
+	store_begin(w->session->store, w->typed, MOST, put_material, w, &error);
+	stored_table3(&paper);
+	char *folded = text_fold(w->typed);
+	for (size_t i = 0; i < paper.n; i++)
+		if (strncmp(paper.item[i].name, folded, strlen(folded)) == 0)
+			put_material(w, paper.item[i].name);
+	free(folded);
+	stored_list_free(&paper);
+}
+
+/* Without case; their names have blanks. */
+static void
+offer_specs(struct work *w)
+{
+	struct standards *all = standards_shipped();
+	char *folded = text_fold(w->typed);
+	for (size_t i = 0; i < all->n; i++) {
+		char *name = text_fold(all->spec[i]->name);
+		char *quoted = xasprintf("\"%s\"", all->spec[i]->name);
+		if (strncmp(name, folded, strlen(folded)) == 0)
+			put(w, quoted, ' ');
+		free(quoted);
+		free(name);
+	}
+	free(folded);
+	standards_free(all);
 }
 
 static void
@@ -171,7 +208,7 @@ static const struct {
 } KINDS[] = {{"ANSWER", offer_answers}, {"COMMAND", offer_commands},
     {"FILE", offer_files}, {"GROUP", offer_groups},
     {"MATERIAL", offer_materials}, {"PARAMETER", offer_parameters},
-    {"SITE", offer_sites}, {"SPEED", offer_speeds}};
+    {"SITE", offer_sites}, {"SPEC", offer_specs}, {"SPEED", offer_speeds}};
 
 static void
 offer_kind(struct work *w, const char *word)
@@ -214,8 +251,11 @@ offer_values(struct work *w, const struct command_option *o, bool further)
 {
 	if (option_choices(o) != NULL && !further)
 		offer_words(w, option_choices(o));
-	else if (o->kind == VALUE_FILE)
+	else if (o->kind == VALUE_FILE || o->kind == VALUE_FEED ||
+		 o->kind == VALUE_SPEC)
 		offer_files(w);
+	if (o->kind == VALUE_SPEC)
+		offer_specs(w);
 	if (strcmp(o->unit, "m/s") == 0)
 		offer_speeds(w);
 }

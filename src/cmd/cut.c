@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/outlook.h"
 #include "core/ensemble.h"
@@ -73,28 +75,60 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 char *
 cut_words(const struct cut *c)
 {
-	char *words = xasprintf("%.1f points (RMS of %zu sieves; largest %+.1f "
-				"at %g mm, measured less predicted)",
-	    100 * c->rms, c->n, 100 * c->worst, units_mm(c->worst_sieve));
+	char *words =
+	    xasprintf(tr("%.1f points (RMS of %zu sieves; largest %+.1f "
+			 "at %g mm, measured less predicted)"),
+		100 * c->rms, c->n, 100 * c->worst, units_mm(c->worst_sieve));
 	if (!c->no_band)
 		xappend(&words,
-		    ", %zu of %zu sieves within the %.0f %% band of one more "
-		    "sample",
+		    tr(", %zu of %zu sieves within the %.0f %% band of one "
+		       "more "
+		       "sample"),
 		    c->inside, c->n, 100 * c->level);
 	return words;
+}
+
+bool
+cut_is_same(const struct run *one, const struct run *two)
+{
+	const struct psd *a = &one->product, *b = &two->product;
+	return one->speed == two->speed && a->n == b->n &&
+	       memcmp(a->passing, b->passing, a->n * sizeof *a->passing) == 0;
+}
+
+static bool
+is_of_speed(const struct site_note *note, double speed)
+{
+	double said;
+	char *number =
+	    xstrndup(note->value, strspn(note->value, "0123456789."));
+	bool same = strcmp(note->key, "cut") == 0 &&
+		    text_number(number, &said) && fabs(said - speed) < 1e-3;
+	free(number);
+	return same;
+}
+
+const char *
+cut_heading(const struct site *site, size_t run)
+{
+	double speed = site->run[run].speed;
+	size_t after = 0;
+	for (size_t r = run + 1; r < site->n_run; r++)
+		after += fabs(site->run[r].speed - speed) < 1e-3 &&
+			 site->run[r].product.n > 0;
+	for (size_t i = site->n_note; i-- > 0;)
+		if (is_of_speed(&site->note[i], speed) && after-- == 0)
+			return site->note[i].value;
+	return NULL;
 }
 
 /* Whether the calibration knew that product. */
 static bool
 was_known(const struct site *then, const struct run *run)
 {
-	for (size_t r = 0; r < then->n_run; r++) {
-		const struct psd *a = &then->run[r].product, *b = &run->product;
-		if (then->run[r].speed == run->speed && a->n == b->n &&
-		    memcmp(a->passing, b->passing, a->n * sizeof *a->passing) ==
-			0)
+	for (size_t r = 0; r < then->n_run; r++)
+		if (cut_is_same(&then->run[r], run))
 			return true;
-	}
 	return false;
 }
 

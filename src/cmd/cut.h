@@ -19,6 +19,14 @@ struct cut {
 struct cut cut_compare(
     const struct session *s, const struct entry *entry, size_t run);
 
+/* Whether both have the same product at the same speed. */
+bool cut_is_same(const struct run *a, const struct run *b);
+
+/* The note "72 m/s, 2026-05-03 10:15, cut.csv" in the site's header that is of
+ * this run, borrowed, or NULL: those of a speed are of its last runs, in one
+ * order. */
+const char *cut_heading(const struct site *site, size_t run);
+
 /* "0.8 points (RMS of 12 sieves; largest +1.9 at 4 mm, measured less
  * predicted), 11 of 12 sieves within the 80 % band".  The caller frees. */
 char *cut_words(const struct cut *cut);

@@ -8,8 +8,8 @@
 #include <sys/stat.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/check.h"
 #include "cmd/entries.h"
 #include "cmd/files.h"
 #include "cmd/journal.h"
@@ -41,18 +41,18 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
 					      : NAN,
 		    speeds,
-		    entry->has_fit          ? "yes"
-		    : !entry->has_params    ? "no"
-		    : entry->origin->stored ? "from store"
+		    entry->has_fit          ? tr("yes")
+		    : !entry->has_params    ? tr("no")
+		    : entry->origin->stored ? tr("from store")
 					    : origin_words(entry),
 		    site_data_kind(entry->site->provenance));
 		free(speeds);
 	}
 	answer_note(r, s->n_entry > 0
-			   ? "* is the site in use"
-			   : "no site is loaded: run 'load FILE', or "
-			     "'template > my.csv' for an empty "
-			     "sheet");
+			   ? N_("* is the site in use")
+			   : N_("no site is loaded: run 'load FILE', or "
+				"'template > my.csv' for an empty "
+				"sheet"));
 	if (s->log != NULL)
 		answer_note(r, "log: %s ('show log')", s->log->path);
 	return session_answer(s, r);
@@ -107,7 +107,9 @@ synth_row(const struct material *m, const struct args *args)
 	const char *slash = strrchr(args->operand[0], '/');
 	const char *file = slash != NULL ? slash + 1 : args->operand[0];
 	describe_synth(site, m, &synth,
-	    strcmp(file, "table3.csv") == 0 ? "Table 3" : file);
+	    strcmp(file, "table3.csv") == 0 || strcmp(file, "table3") == 0
+		? "Table 3"
+		: file);
 	return site;
 }
 
@@ -121,8 +123,12 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 			return error_set(error, ERROR_USAGE,
 			    "expected speeds from slow to fast, each once");
 	struct error_list errors = {0};
-	files_reads(s, args->operand[0]);
-	struct materials *m = materials_read(args->operand[0], &errors);
+	bool built_in = strcmp(args->operand[0], "table3") == 0;
+	if (!built_in)
+		files_reads(s, args->operand[0]);
+	struct materials *m = built_in
+				  ? materials_table3()
+				  : materials_read(args->operand[0], &errors);
 	if (m == NULL)
 		return session_tell_faults(s, args->operand[0], &errors, error);
 	size_t made = 0;
@@ -138,8 +144,10 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 		    "%s has no site '%s'\n"
 		    "use a name of its column site",
 		    args->operand[0], wanted->text);
-	session_note(s, "made %zu synthetic site%s: not measured", made,
-	    made == 1 ? "" : "s");
+	session_note(s,
+	    tr_n("made %zu synthetic site: not measured",
+		"made %zu synthetic sites: not measured", made),
+	    made);
 	return true;
 }
 

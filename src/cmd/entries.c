@@ -9,15 +9,24 @@
 #include <sys/stat.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/job.h"
 #include "io/units.h"
 
+static uint64_t
+digest_of(const char *text)
+{
+	return text_digest(TEXT_DIGEST_START, text, strlen(text));
+}
+
+/* Keys with the same name before a slash are of that name only. */
 static bool
-key_taken(const struct session *s, const char *key)
+key_taken(const struct session *s, uint64_t name, const char *key)
 {
 	for (size_t i = 0; i < s->n_entry; i++)
-		if (strcmp(s->entry[i].key, key) == 0)
+		if (s->entry[i].mark.name == name &&
+		    strcmp(s->entry[i].key, key) == 0)
 			return true;
 	return false;
 }
@@ -46,23 +55,28 @@ new_key(struct session *s, const struct site *site)
 {
 	char *slug = name_slug(site->name), *key = xstrdup(slug);
 	bool shared = false;
+	uint64_t name = digest_of(slug);
+	size_t n = strlen(slug);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		struct entry *other = &s->entry[i];
-		char *name = name_slug(other->site->name);
-		shared = shared || strcmp(name, slug) == 0;
+		/* A key is the name's slug, alone or before a slash. */
+		if (other->mark.name != name ||
+		    strncmp(other->key, slug, n) != 0 ||
+		    (other->key[n] != '\0' && other->key[n] != '/'))
+			continue;
+		shared = true;
 		if (strcmp(other->key, slug) == 0 &&
 		    other->site->top_size > 0) {
 			free(other->key);
 			other->key = sized_key(slug, other->site);
 		}
-		free(name);
 	}
 	if (shared && site->top_size > 0) {
 		free(key);
 		key = sized_key(slug, site);
 	}
 	char *stem = xstrdup(key);
-	for (int i = 2; key_taken(s, key); i++) {
+	for (int i = 2; key_taken(s, name, key); i++) {
 		free(key);
 		key = xasprintf("%s/%d", stem, i);
 	}
@@ -79,10 +93,31 @@ own_site(struct session *s, struct site *site)
 	session_forget(s);
 }
 
+static uint64_t
+digest_of_file(const struct stat *file)
+{
+	uint64_t digest =
+	    text_digest(TEXT_DIGEST_START, &file->st_dev, sizeof file->st_dev);
+	return text_digest(digest, &file->st_ino, sizeof file->st_ino);
+}
+
+static struct mark_of
+mark_of(const struct site *site)
+{
+	struct stat file;
+	char *slug = name_slug(site->name);
+	struct mark_of mark = {digest_of(slug), digest_of(site->path), 0};
+	if (stat(site->path, &file) == 0)
+		mark.file = digest_of_file(&file);
+	free(slug);
+	return mark;
+}
+
 static void
 insert(struct session *s, struct site *site, size_t place)
 {
-	struct entry entry = {.site = site, .key = new_key(s, site)};
+	struct entry entry = {
+	    .mark = mark_of(site), .site = site, .key = new_key(s, site)};
 	entry.train = xcalloc(site->n_run, sizeof *entry.train);
 	misfit_default_train(site, entry.train);
 	s->entry = xrealloc(s->entry, s->n_entry + 1, sizeof *s->entry);
@@ -95,15 +130,20 @@ insert(struct session *s, struct site *site, size_t place)
 	own_site(s, site);
 }
 
-/* The loaded site that was read from the same file, or n_entry. */
+/* The loaded site that was read from the same file, or n_entry: by its path, or
+ * by another name of the file.  To ask the system of each would take a fleet
+ * longer than to read its files. */
 static size_t
 former(const struct session *s, const struct site *site)
 {
 	struct stat file, other;
 	if (stat(site->path, &file) != 0)
 		return s->n_entry;
+	struct mark_of own = {0, digest_of(site->path), digest_of_file(&file)};
 	for (size_t i = 0; i < s->n_entry; i++)
-		if (stat(s->entry[i].site->path, &other) == 0 &&
+		if ((s->entry[i].mark.path == own.path ||
+			s->entry[i].mark.file == own.file) &&
+		    stat(s->entry[i].site->path, &other) == 0 &&
 		    file.st_dev == other.st_dev && file.st_ino == other.st_ino)
 			return i;
 	return s->n_entry;
@@ -242,9 +282,10 @@ session_find(
 	}
 	char *keys = list_keys(s, best > 0 ? name : NULL);
 	error_set(error, ERROR_USAGE,
-	    best > 0          ? "several sites are called '%s'\nuse one of: %s"
-	    : keys[0] != '\0' ? "no site '%s' is loaded\nloaded: %s"
-			      : "no site '%s' is loaded\nload its file first%s",
+	    best > 0 ? N_("several sites are called '%s'\nuse one of: %s")
+	    : keys[0] != '\0'
+		? N_("no site '%s' is loaded\nloaded: %s")
+		: N_("no site '%s' is loaded\nload its file first%s"),
 	    name, keys);
 	free(keys);
 	return false;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 void
@@ -18,10 +19,26 @@ history_redraw(struct history *h, double noise)
 		free(h->evidence[i]);
 		h->evidence[i] = NULL;
 	}
+	posterior_free(posterior_end(h->drawing));
+	h->drawing = NULL;
 	ensemble_free(h->ensemble);
 	h->ensemble = NULL;
 	h->later.site = NULL;
+	h->alarm.site = NULL;
 	h->noise = noise;
+}
+
+void
+history_forget(struct history *h, const struct site *site)
+{
+	if (h == NULL)
+		return;
+	if (h->later.site == site)
+		h->later.site = NULL;
+	if (h->ensemble_of.site != site)
+		return;
+	ensemble_free(h->ensemble);
+	h->ensemble = NULL;
 }
 
 void
@@ -73,8 +90,8 @@ struct origin *
 origin_of_fit(const struct entry *entry)
 {
 	const struct site *site = entry->site;
-	struct origin *o =
-	    origin_new(xstrdup("found by calibration"), "", site->provenance);
+	struct origin *o = origin_new(
+	    xstrdup(tr("found by calibration")), "", site->provenance);
 	o->found = true;
 	o->digest = site->digest;
 	o->spread = share_history(entry->history);
@@ -96,8 +113,8 @@ origin_taken(const struct entry *from)
 	struct origin *was = from->origin;
 	if (was->whose[0] != '\0')
 		return share_origin(was);
-	struct origin *o = origin_new(
-	    xasprintf("taken from %s", from->key), from->key, was->provenance);
+	struct origin *o = origin_new(xasprintf(tr("taken from %s"), from->key),
+	    from->key, was->provenance);
 	o->found = was->found;
 	o->digest = was->digest;
 	o->spread = share_history(was->spread);
@@ -110,7 +127,7 @@ struct origin *
 origin_stored(const struct stored *m)
 {
 	struct origin *o = origin_new(
-	    xasprintf("from store: %s", m->name), m->name, m->provenance);
+	    xasprintf(tr("from store: %s"), m->name), m->name, m->provenance);
 	o->stored = true;
 	o->digest = strtoull(m->site_digest, NULL, 16);
 	char *list = xstrdup(m->train_mps), *next = NULL;
@@ -187,21 +204,23 @@ origin_reach(const struct entry *entry, double *slowest, double *fastest)
 char *
 origin_details(const struct origin *o)
 {
-	char *text = xstrdup("");
+	if (!o->found)
+		return xstrdup(tr("set by hand"));
+	char *speeds = xstrdup("");
 	for (size_t i = 0; i < o->n_speed; i++)
-		xlist(&text, i + 1 < o->n_speed ? ", " : " and ", "%s%g",
-		    i == 0 ? "trained at " : "", o->speed[i]);
-	if (!o->found) {
-		xappend(&text, "set by hand");
-		return text;
-	}
-	xappend(&text, o->n_speed > 0 ? " m/s" : "training speeds not known");
-	bool made_up = site_data_made_up(o->provenance);
-	xappend(&text, "; %s%s",
-	    o->provenance[0] != '\0'
-		? site_data_kind(o->provenance)
-		: "where their data are from is not stated",
-	    made_up ? ", not measured" : "");
+		xlist(&speeds, i + 1 < o->n_speed ? ", " : tr(" and "), "%g",
+		    o->speed[i]);
+	char *text = o->n_speed > 0 ? xasprintf(tr("trained at %s m/s"), speeds)
+				    : xstrdup(tr("training speeds not known"));
+	free(speeds);
+	const char *kind = tr(site_data_kind(o->provenance));
+	if (o->provenance[0] == '\0')
+		xlist(&text, "; ", "%s",
+		    tr("where their data are from is not stated"));
+	else if (site_data_made_up(o->provenance))
+		xlist(&text, "; ", tr("%s, not measured"), kind);
+	else
+		xlist(&text, "; ", "%s", kind);
 	return text;
 }
 
@@ -220,13 +239,20 @@ origin_sentence(const struct entry *entry)
 	if (entry->has_fit || o == NULL)
 		return xstrdup("");
 	if (o->whose[0] == '\0')
-		return xasprintf("parameters %s", o->words);
+		return xasprintf(tr("parameters %s"), o->words);
 	bool own = !origin_is_other(entry);
 	char *details = origin_details(o);
-	char *sentence = xasprintf("parameters %s%s (%s), %s",
-	    o->stored ? "from the store: " : "from ", o->whose, details,
-	    own ? "calibrated on the same data as this site"
-		: "not calibrated on this site");
+	char *sentence = xasprintf(
+	    own && o->stored
+		? tr("parameters from the store: %s (%s), calibrated on the "
+		     "same data as this site")
+	    : own ? tr("parameters from %s (%s), calibrated on the same data "
+		       "as this site")
+	    : o->stored ? tr("parameters from the store: %s (%s), not "
+			     "calibrated on this site")
+			: tr("parameters from %s (%s), not calibrated on this "
+			     "site"),
+	    o->whose, details);
 	free(details);
 	return sentence;
 }
@@ -259,9 +285,9 @@ const char *
 origin_words(const struct entry *entry)
 {
 	if (entry->has_fit)
-		return "found by calibration";
+		return tr("found by calibration");
 	if (!entry->has_params)
-		return "not known yet";
+		return tr("not known yet");
 	return entry->origin->words;
 }
 

@@ -7,6 +7,7 @@
 #include <stdbool.h>
 
 #include "core/calibrate.h"
+#include "core/drift.h"
 #include "core/site.h"
 #include "core/trust.h"
 #include "io/answer.h"
@@ -17,8 +18,8 @@
  * when first asked for, what is known after it: posterior and evidence, by the
  * runs that inform them (enum correction), and the products of the last feed
  * that was asked for.  later: runs that came to a site after it, and the one
- * that it misses by most.  Shared by the entries, snapshots and origins that
- * hold it. */
+ * that it misses by most; alarm: what the charts of them say (drift.h).  Shared
+ * by the entries, snapshots and origins that hold it. */
 struct history {
 	size_t holders, n;
 	struct fit fit;
@@ -28,8 +29,11 @@ struct history {
 	bool *train;
 	bool (*stop)(void);
 	struct posterior *posterior[2]; /* NULL: not drawn yet */
+	struct posterior_run *drawing;  /* of the place `drawn`, or NULL */
+	size_t drawn;
 	struct evidence *evidence[2];
-	double noise; /* that they were drawn with */
+	double weight; /* see calibration_weight */
+	double noise;  /* that they were drawn with */
 	struct ensemble *ensemble;
 	struct later {
 		const struct site *site; /* NULL: not compared yet */
@@ -37,6 +41,11 @@ struct history {
 		double rms, speed;
 		bool missed;
 	} later;
+	struct alarm {
+		const struct site *site; /* NULL: not followed yet */
+		const struct posterior *posterior;
+		enum drift_state state;
+	} alarm;
 	struct ensemble_of {
 		const struct posterior *posterior;
 		const struct site *site;
@@ -59,9 +68,28 @@ struct origin {
 	struct history *spread; /* the calibration, where it was here */
 };
 
+/* What answers are asked of instead of what was measured; see cmd/variant.h.
+ * own: the entry as it is.  rock: of the other feed, "" where not stated or
+ * there is none.  rotor: m, 0: not known; other_rotor: it is not the one that
+ * was measured with.  bypass: share of the feed led past the rotor; k: impacts,
+ * 0: as set. */
+struct variant {
+	const struct entry *own;
+	bool feed, other_rotor;
+	char *rock;
+	double rotor, measured_rotor, bypass, k;
+};
+
+/* By which one of many sites is found: digests of its name as in keys, of its
+ * path, and of the file there when it was loaded, 0 where there was none. */
+struct mark_of {
+	uint64_t name, path, file;
+};
+
 /* A loaded site with its answers.  key: how it is called here, "gavle/4".
  * train [site->n_run]: runs to train on, or that were trained on. */
 struct entry {
+	struct mark_of mark;
 	struct site *site;
 	char *key;
 	bool *train;
@@ -71,6 +99,7 @@ struct entry {
 	struct fit fit;          /* where the parameters were found */
 	struct history *history; /* of the last calibration, or NULL */
 	char options[400];       /* of the fit, in the words of calibrate */
+	const struct variant *variant; /* NULL: it is as it was measured */
 };
 
 /* Frees entries [n] with what they own. */
@@ -88,6 +117,9 @@ void history_drop(struct history *history);
 
 /* Forgets what was drawn, which is to be drawn with another noise. */
 void history_redraw(struct history *history, double noise);
+
+/* Forgets what was worked out for a site that goes. */
+void history_forget(struct history *history, const struct site *site);
 
 /* Of the parameters that the entry's fit has just found; set by hand; those of
  * another entry, taken over; of a material.  The caller owns a share. */

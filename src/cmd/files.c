@@ -8,6 +8,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/file.h"
 
@@ -15,8 +17,14 @@ struct files {
 	size_t n;
 	struct known {
 		char *path;
-		bool written; /* else read */
+		uint64_t digest; /* of the path: strings of many are slow */
+		bool written;    /* else read */
 	} * known;
+	size_t n_reading;
+	struct reading_of {
+		char *path;
+		uint64_t digest;
+	} * reading;
 };
 
 static void
@@ -25,18 +33,58 @@ note(struct session *s, const char *path, bool written)
 	struct files *f = s->files;
 	if (f == NULL)
 		f = s->files = xcalloc(1, sizeof *f);
+	uint64_t digest = text_digest(TEXT_DIGEST_START, path, strlen(path));
 	for (size_t i = 0; i < f->n; i++)
-		if (f->known[i].written == written &&
+		if (f->known[i].digest == digest &&
+		    f->known[i].written == written &&
 		    strcmp(f->known[i].path, path) == 0)
 			return;
 	f->known = xrealloc(f->known, f->n + 1, sizeof *f->known);
-	f->known[f->n++] = (struct known){xstrdup(path), written};
+	f->known[f->n++] = (struct known){xstrdup(path), digest, written};
+}
+
+bool
+files_digest(const char *path, uint64_t *digest)
+{
+	struct stat file;
+	char piece[1 << 14];
+	/* To read a FIFO is to take what is in it from the command. */
+	FILE *in = stat(path, &file) == 0 && S_ISREG(file.st_mode)
+		       ? fopen(path, "rb")
+		       : NULL;
+	if (in == NULL)
+		return false;
+	*digest = UINT64_C(0xcbf29ce484222325);
+	for (size_t n; (n = fread(piece, 1, sizeof piece, in)) > 0;)
+		*digest = text_digest(*digest, piece, n);
+	bool good = !ferror(in);
+	fclose(in);
+	return good;
 }
 
 void
 files_reads(struct session *s, const char *path)
 {
+	uint64_t digest;
 	note(s, path, false);
+	if (!files_digest(path, &digest))
+		return;
+	struct files *f = s->files;
+	f->reading = xrealloc(f->reading, f->n_reading + 1, sizeof *f->reading);
+	f->reading[f->n_reading++] = (struct reading_of){xstrdup(path), digest};
+}
+
+size_t
+files_readings(const struct session *s)
+{
+	return s->files != NULL ? s->files->n_reading : 0;
+}
+
+const char *
+files_reading(const struct session *s, size_t i, uint64_t *digest)
+{
+	*digest = s->files->reading[i].digest;
+	return s->files->reading[i].path;
 }
 
 void
@@ -52,6 +100,9 @@ files_free(struct files *files)
 		return;
 	for (size_t i = 0; i < files->n; i++)
 		free(files->known[i].path);
+	for (size_t i = 0; i < files->n_reading; i++)
+		free(files->reading[i].path);
+	free(files->reading);
 	free(files->known);
 	free(files);
 }
@@ -114,7 +165,7 @@ files_may_replace(struct session *s, const char *path, struct error *error)
 	    stat(path, &file) != 0 || !S_ISREG(file.st_mode) ||
 	    file.st_size == 0 || is_known(s, &file, true))
 		return true;
-	char *question = xasprintf("%s exists: replace it?", path);
+	char *question = xasprintf(tr("%s exists: replace it?"), path);
 	bool yes = s->hooks.confirm(s, question);
 	free(question);
 	return yes || error_set(error, ERROR_USAGE,

@@ -5,6 +5,8 @@
 #define TIPSPEED_CMD_FILES_H
 
 #include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 
 #include "cmd/session.h"
 
@@ -22,6 +24,14 @@ bool files_may_write(
  * who is asked wants to keep it.  Scripts are not asked for. */
 bool files_may_replace(
     struct session *s, const char *path, struct error *error);
+
+/* Digest of the bytes of a regular file; false where there is none to read. */
+bool files_digest(const char *path, uint64_t *digest);
+
+/* How many times a file was read so far, of which digests are known; and what
+ * the one numbered i was then, i below that. */
+size_t files_readings(const struct session *s);
+const char *files_reading(const struct session *s, size_t i, uint64_t *digest);
 
 void files_free(struct files *files);
 

@@ -1,422 +1,574 @@
-/* find: the tip speed that gives a wanted product; spec: a product compared
- * with a grading envelope.
+/* find: the tip speed that gives a wanted product.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
+#include <strings.h>
 
+#include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/files.h"
-#include "cmd/table.h"
+#include "cmd/conditions.h"
+#include "cmd/grading.h"
 #include "cmd/outlook.h"
-#include "core/inverse.h"
+#include "cmd/quantities.h"
+#include "cmd/table.h"
 #include "core/predict.h"
-#include "io/spec.h"
 #include "io/units.h"
 
-/* An envelope with a model of one feed on those of its sieves that the feed
- * tells: the first `n` of the spec. */
-struct grading {
-	struct spec *spec;
+/* What is wanted: one value of a quantity, or the most or the least of it, and
+ * the conditions that have to hold besides; on which feed, and between which
+ * speeds.  n: how many goals were named. */
+struct goal {
+	enum { GOAL_VALUE, GOAL_MOST, GOAL_LEAST } kind;
 	size_t n;
-	struct inverse inverse;
-	struct envelope envelope;
-};
-
-/* Reads the file; feed: the run of the site in use whose feed to take.  Faults
- * of the file are reported as session_load does. */
-static bool
-grading_open(struct session *s, const char *path, size_t feed,
-    struct grading *grading, struct error *error)
-{
-	const struct entry *entry = session_entry(s);
-	const struct psd *from = &entry->site->run[feed].feed;
-	struct error_list errors = {0};
-	files_reads(s, path);
-	struct spec *spec = spec_read(path, &errors);
-	*grading = (struct grading){.spec = spec};
-	if (spec == NULL)
-		return session_tell_faults(s, path, &errors, error);
-	if (spec->note[0] != '\0')
-		session_note(s, "%s: %s", path, spec->note);
-	while (grading->n < spec->n && psd_covers(from, spec->size[grading->n]))
-		grading->n++;
-	if (grading->n == 0) {
-		spec_free(spec);
-		return error_set(error, ERROR_DATA,
-		    "%s: none of its sieves is in the range of the feed's "
-		    "sieves",
-		    path);
-	}
-	grading->inverse =
-	    outlook_inverse(s, entry, feed, spec->size, grading->n);
-	grading->envelope = (struct envelope){spec->least, spec->most};
-	return true;
-}
-
-static void
-grading_close(struct grading *grading)
-{
-	inverse_free(&grading->inverse);
-	spec_free(grading->spec);
-}
-
-/* Of sieve i, at the speed the inverse was asked for last. */
-static const char *
-verdict(const struct grading *grading, size_t i)
-{
-	const double exact = 1e-9;
-	if (i >= grading->n)
-		return "not known";
-	double passing = grading->inverse.product.passing[i];
-	if (passing < grading->spec->least[i] - exact)
-		return "below";
-	return passing > grading->spec->most[i] + exact ? "above" : "ok";
-}
-
-/* A row for each sieve: limits, passing at speed v and "ok", "above", "below"
- * or "not known". */
-static void
-grading_rows(struct answer *r, const struct session *s, struct grading *grading,
-    double v)
-{
-	const struct spec *spec = grading->spec;
-	struct ensemble *e = grading->inverse.ensemble;
-	const struct psd *product = inverse_at(&grading->inverse, v);
-	answer_columns(r, "sieve_mm: sieve mm, min_pct: min %%, max_pct: max "
-			  "%%, passing_pct: product %%");
-	if (e != NULL)
-		answer_columns(r, "low_pct: low %%, high_pct: high %%");
-	answer_columns(r, "verdict");
-	for (size_t i = 0; i < spec->n; i++) {
-		bool known = i < grading->n;
-		double low = NAN, high = NAN;
-		if (known && e != NULL)
-			ensemble_band(e, ENSEMBLE_ANSWER, i,
-			    settings_level(&s->set), &low, &high);
-		answer_cells(r, "%g %g %g %.1f", units_mm(spec->size[i]),
-		    units_pct(spec->least[i]), units_pct(spec->most[i]),
-		    known ? units_pct(product->passing[i]) : NAN);
-		if (e != NULL)
-			answer_cells(
-			    r, "%.1f %.1f", units_pct(low), units_pct(high));
-		answer_cells(r, "%s", verdict(grading, i));
-	}
-}
-
-/* Where the limits are from, and which sieves are not checked. */
-static void
-grading_notes(struct answer *r, const struct grading *grading)
-{
-	const struct spec *spec = grading->spec;
-	if (grading->n < spec->n)
-		answer_say(r, ANSWER_REMARK,
-		    "not checked: %g mm and below, finer than the feed's "
-		    "finest sieve",
-		    units_mm(spec->size[grading->n]));
-	if (spec->source[0] != '\0')
-		answer_say(r, ANSWER_REMARK, "limits: %s", spec->source);
-}
-
-/* Puts spec, source and the columns of grading_rows into its JSON. */
-static void
-grading_put(struct answer *r, const struct spec *spec)
-{
-	fields_put(
-	    answer_fields(r), "spec %s source %s", spec->name, spec->source);
-	answer_put_columns(r, "sieve_mm min_pct max_pct passing_pct verdict");
-}
-
-/* What is wrong, in a line. */
-static void
-note_verdict(struct answer *r, struct grading *grading, double v)
-{
-	size_t worst, out = 0;
-	double by =
-	    inverse_outside(&grading->inverse, &grading->envelope, v, &worst);
-	for (size_t i = 0; i < grading->n; i++)
-		out += verdict(grading, i)[0] != 'o';
-	double certain =
-	    inverse_certainty(&grading->inverse, &grading->envelope, v);
-	fields_number(answer_fields(r), "certainty_pct", 100 * certain);
-	if (out == 0)
-		answer_note(r, "meets the envelope");
-	else
-		answer_note(r,
-		    "outside on %zu of %zu sieves; worst at %g mm: %.1f points "
-		    "%s",
-		    out, grading->n, units_mm(grading->spec->size[worst]),
-		    100 * fabs(by), by > 0 ? "above max" : "below min");
-	if (isfinite(certain))
-		answer_note(r,
-		    "the true product meets the checked limits with %.0f %% "
-		    "probability",
-		    100 * certain);
-}
-
-bool
-cmd_spec(struct session *s, const struct args *args, struct error *error)
-{
-	const struct entry *entry = session_entry(s);
-	double v = answers_speed(args, entry);
-	size_t feed, worst;
-	struct grading g;
-	if (!answers_ready(s, error) ||
-	    !answers_feed(entry->site, args, v, &feed, error) ||
-	    !grading_open(s, args->operand[0], feed, &g, error))
-		return false;
-	bool outside = answers_extrapolates(entry, v);
-	bool inside = inverse_outside(&g.inverse, &g.envelope, v, &worst) == 0;
-	struct answer *r =
-	    answers_new(entry->site, "spec", "%s at %g m/s", g.spec->name, v);
-	grading_rows(r, s, &g, v);
-	note_verdict(r, &g, v);
-	grading_notes(r, &g);
-	answers_note_doubt(s, r, v, feed);
-	fields_put(answer_fields(r), "speed %g extrapolated %d inside %d", v,
-	    outside, inside);
-	grading_put(r, g.spec);
-	session_answer(s, r);
-	grading_close(&g);
-	return true;
-}
-
-/* What is wanted: that a share passes a size; and on which feed, between which
- * speeds.  key: p80_mm, p50_mm or p20_mm; NULL where the passing is looked
- * at. */
-struct wish {
-	const char *key;
-	double passing, x; /* 0..1; m */
-	double from, to;
+	struct condition target; /* both limits the value */
+	struct condition_list others;
+	char *limits; /* where those of an envelope are from; or NULL */
+	const struct entry *entry;
 	size_t feed;
-	struct inverse inverse;
+	struct wanted wanted; /* the others; then the target's quantity */
 };
 
-static double
-passing_over(void *data, double v)
+/* Whether the speeds of an envelope are asked for: of one that is named, or,
+ * for no other wish, of the one that is chosen. */
+static bool
+wishes_spec(const struct session *s, const struct args *args)
 {
-	struct wish *wish = data;
-	return psd_passing(inverse_at(&wish->inverse, v), wish->x) -
-	       wish->passing;
+	bool other = args_value(args, "p20")->given ||
+		     args_value(args, "p50")->given ||
+		     args_value(args, "p80")->given ||
+		     args_value(args, "passing")->given || args->n_operand > 0;
+	return !other && (args_value(args, "spec")->given || s->spec != NULL);
 }
 
-/* Exactly one of the wishes is given, with what belongs to it. */
-static bool
-check_wish(
-    const struct args *args, const struct wish *wish, struct error *error)
+static void
+aim(struct goal *goal, struct quantity q, double value)
 {
-	static const char *const ONE[] = {
-	    "p20", "p50", "p80", "passing", "spec"};
-	size_t given = 0;
-	for (size_t i = 0; i < ARRAY_LEN(ONE); i++)
-		given += args_value(args, ONE[i])->given;
-	bool at = args_value(args, "at")->given;
-	if (given != 1)
+	goal->n++;
+	goal->target = (struct condition){q, value, value};
+}
+
+/* The goals of the options p20, p50, p80, passing and at. */
+static void
+read_options(
+    const struct args *args, const struct fraction *fraction, struct goal *goal)
+{
+	static const char *const NAMES[PSD_SIZES] = {"p20", "p50", "p80"};
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		if (args_value(args, NAMES[i])->given)
+			aim(goal,
+			    (struct quantity){.kind = QUANTITY_SIZE,
+				.x = PSD_PASSING[i],
+				.fraction = *fraction},
+			    args_value(args, NAMES[i])->number / 1000);
+	if (args_value(args, "passing")->given)
+		aim(goal,
+		    (struct quantity){.kind = QUANTITY_PASSING,
+			.x = args_value(args, "at")->number / 1000,
+			.fraction = *fraction},
+		    args_value(args, "passing")->number / 100);
+}
+
+/* The quantity after max or min, maximise or minimise; NULL of other words. */
+static const char *
+extreme(const char *text, bool *most)
+{
+	static const struct {
+		const char *word;
+		bool most;
+	} WORDS[] = {{"maximise ", true}, {"maximize ", true},
+	    {"minimise ", false}, {"minimize ", false}, {"max ", true},
+	    {"min ", false}};
+	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
+		size_t n = strlen(WORDS[i].word);
+		*most = WORDS[i].most;
+		if (strncasecmp(text, WORDS[i].word, n) == 0)
+			return text + n;
+	}
+	return NULL;
+}
+
+static bool
+read_operand(const char *text, const struct fraction *fraction,
+    struct goal *goal, struct error *error)
+{
+	bool most;
+	struct condition c = {.least = NAN, .most = NAN};
+	const char *of = extreme(text, &most);
+	if (of == NULL && !conditions_read(text, fraction, &c, error))
+		return false;
+	if (of != NULL &&
+	    (!quantities_read(of, &fraction->partition, &c.quantity, error) ||
+		!quantities_cut(&c.quantity, fraction, error)))
+		return false;
+	if (of == NULL && c.least != c.most) {
+		conditions_add(&goal->others, c);
+		return true;
+	}
+	goal->kind = of == NULL ? GOAL_VALUE : most ? GOAL_MOST : GOAL_LEAST;
+	aim(goal, c.quantity, c.least);
+	return true;
+}
+
+/* Conditions alone are a window's; or else something is to be most. */
+static bool
+no_goal(const struct args *args, const struct goal *goal, struct error *error)
+{
+	char *all = xstrdup("");
+	char *first =
+	    xstrndup(args->operand[0], strcspn(args->operand[0], "<>="));
+	for (size_t i = 0; i < args->n_operand; i++)
+		xappend(&all, " \"%s\"", args->operand[i]);
+	error_set(error, ERROR_USAGE,
+	    goal->others.n > 1
+		? N_("find: expected a goal, one value or the most of a "
+		     "quantity, got conditions only\n"
+		     "for the speeds at which these hold write window%s; for "
+		     "the speed that gives most add \"max %s\"")
+		: N_("find: expected a goal, one value or the most of a "
+		     "quantity, got a condition only\n"
+		     "for the speeds at which this holds write window%s; for "
+		     "the speed that gives most add \"max %s\""),
+	    all, text_trim(first));
+	free(first);
+	free(all);
+	return false;
+}
+
+/* Exactly one goal is given, with what belongs to it. */
+static bool
+check_goal(
+    const struct args *args, const struct goal *goal, struct error *error)
+{
+	if (goal->n == 0 && goal->others.n > 0)
+		return no_goal(args, goal, error);
+	if (goal->n != 1)
 		error_set(error, ERROR_USAGE,
-		    "find: expected one of p20, p50, p80, passing and spec, "
-		    "got %zu of them",
-		    given);
-	else if (at != args_value(args, "passing")->given)
+		    "find: expected one of p20, p50, p80, passing, spec and a "
+		    "condition with = or max, got %zu of them",
+		    goal->n);
+	else if (args_value(args, "at")->given !=
+		 args_value(args, "passing")->given)
 		error_set(error, ERROR_USAGE,
 		    "find: expected passing and at together: this much passing "
 		    "at this size");
-	else if (wish->from >= wish->to)
-		error_set(error, ERROR_USAGE,
-		    "find: expected from below to, got %g and %g m/s",
-		    wish->from, wish->to);
 	else
 		return true;
-	return error_hint(
-	    error, "write: find p80=5, find passing=40 at=2 or find spec=FILE");
+	return error_hint(error,
+	    "write: find p80=5, find \"passing 2 = 45\" \"passing 0.063 < "
+	    "6\" or find spec=NAME");
 }
 
-/* Sizes are read from the curve that predict reads them from; a passing is that
- * of the size itself. */
 static bool
-open_wish(struct session *s, const struct args *args, struct wish *wish,
+read_goal(struct session *s, const struct args *args, struct goal *goal,
     struct error *error)
 {
-	static const char *const NAMES[3] = {"p20", "p50", "p80"};
-	const struct entry *entry = session_entry(s);
-	const struct psd *feed = &entry->site->run[wish->feed].feed;
-	wish->x = args_value(args, "at")->number / 1000;
-	wish->passing = args_value(args, "passing")->number / 100;
-	for (size_t i = 0; i < 3; i++) {
-		if (!args_value(args, NAMES[i])->given)
-			continue;
-		wish->key = ANSWERS_KEYS[i];
-		wish->passing = PSD_PASSING[i];
-		wish->x = args_value(args, NAMES[i])->number / 1000;
-	}
-	if (!psd_covers(feed, wish->x))
-		return error_set(error, ERROR_USAGE,
-		    "%g mm is finer than the feed's finest sieve, %g mm\n"
-		    "use a size on or above that sieve",
-		    1000 * wish->x, units_mm(feed->size[feed->n - 1]));
-	struct psd sizes = predict_sizes(entry->site, feed);
-	wish->inverse =
-	    wish->key != NULL
-		? outlook_inverse(s, entry, wish->feed, sizes.size, sizes.n)
-		: outlook_inverse(s, entry, wish->feed, &wish->x, 1);
-	psd_free(&sizes);
-	return true;
+	const struct psd *feed = &session_entry(s)->site->run[goal->feed].feed;
+	struct fraction fraction;
+	if (!quantities_option(args, &fraction, error))
+		return false;
+	read_options(args, &fraction, goal);
+	for (size_t i = 0; i < args->n_operand; i++)
+		if (!read_operand(args->operand[i], &fraction, goal, error))
+			return false;
+	if (!check_goal(args, goal, error) ||
+	    !conditions_covered(&goal->target, feed, error))
+		return false;
+	for (size_t i = 0; i < goal->others.n; i++)
+		if (!conditions_covered(&goal->others.at[i], feed, error))
+			return false;
+	return conditions_add_option(
+	    s, args, &fraction, feed, &goal->others, &goal->limits, error);
 }
 
-/* What is wanted, at a speed, in mm or %; NAN outside the sieves. */
+/* The target's, as people see it. */
 static double
-value_at(struct wish *wish, double v)
+shown(const struct goal *goal, double value)
 {
-	const struct psd *product = inverse_at(&wish->inverse, v);
-	return wish->key != NULL ? 1000 * psd_size(product, wish->passing)
-				 : units_pct(psd_passing(product, wish->x));
+	return quantities_shown(&goal->target.quantity, value);
 }
 
+/* At the speed that the response is at, or at v. */
+static double
+value_now(const struct goal *goal)
+{
+	return shown(
+	    goal, response_value(goal->wanted.response, goal->wanted.n));
+}
+
+static double
+value_at(const struct goal *goal, double v)
+{
+	response_at(goal->wanted.response, v);
+	return value_now(goal);
+}
+
+/* "P80 5 mm", "40 % passing 2 mm", "the most passing 2 mm". */
 static char *
-wish_words(const struct wish *wish)
+goal_words(const struct goal *goal)
 {
-	return wish->key != NULL ? xasprintf("P%.0f %g mm", 100 * wish->passing,
-				       units_mm(wish->x))
-				 : xasprintf("%g %% passing %g mm",
-				       100 * wish->passing, units_mm(wish->x));
+	const struct quantity *q = &goal->target.quantity;
+	char *name = quantities_words(q), *words;
+	if (goal->kind != GOAL_VALUE)
+		words = xasprintf(goal->kind == GOAL_MOST ? tr("the largest %s")
+							  : tr("the least %s"),
+		    name);
+	else if (q->kind == QUANTITY_PASSING)
+		words = xasprintf(
+		    "%g %% %s", shown(goal, goal->target.least), name);
+	else
+		words = conditions_words(&goal->target);
+	free(name);
+	return words;
 }
 
+/* range: of the speed. */
 static void
-put_wish(
-    struct fields *o, struct wish *wish, double speed, const double range[2])
+put_goal(struct fields *o, const struct goal *goal, double speed,
+    const double range[2])
 {
-	bool size = wish->key != NULL;
+	const struct quantity *q = &goal->target.quantity;
+	bool passing =
+	    q->kind == QUANTITY_PASSING && !fraction_screens(&q->fraction);
+	bool value = goal->kind == GOAL_VALUE;
+	char *key =
+	    passing && value ? xstrdup("passing_pct") : quantities_key(q);
+	char *wanted = xasprintf("%s%s",
+	    value                     ? ""
+	    : goal->kind == GOAL_MOST ? "max "
+				      : "min ",
+	    key);
 	fields_put(o,
 	    "wanted %s value %g at_mm %g from %g to %g value_from %g "
 	    "value_to %g speed %g",
-	    size ? wish->key : "passing_pct",
-	    size ? units_mm(wish->x) : units_pct(wish->passing),
-	    size ? NAN : units_mm(wish->x), wish->from, wish->to,
-	    value_at(wish, wish->from), value_at(wish, wish->to), speed);
+	    wanted,
+	    value ? shown(goal, goal->target.least) : value_at(goal, speed),
+	    passing ? units_mm(q->x) : NAN, goal->wanted.from, goal->wanted.to,
+	    value_at(goal, goal->wanted.from), value_at(goal, goal->wanted.to),
+	    speed);
 	fields_put(o, "speed_low %g speed_high %g",
 	    range[0] > 0 ? range[0] : NAN, isfinite(range[1]) ? range[1] : NAN);
+	free(key);
+	free(wanted);
+}
+
+/* What was found.  speed: NAN where there is none; holds: the others do
+ * there. */
+struct finding {
+	double speed, range[2];
+	bool holds;
+	size_t n; /* speeds that give the value */
+	double *root;
+	struct window_found w; /* of the others */
+};
+
+static bool
+others_hold(const struct goal *goal, double v)
+{
+	response_at(goal->wanted.response, v);
+	return window_holds(&goal->wanted);
+}
+
+/* How far a speed is from those of the training, or of a model that has none
+ * from the middle of the runs. */
+static double
+beyond(const struct entry *entry, double v)
+{
+	double slowest, fastest;
+	if (!origin_reach(entry, &slowest, &fastest))
+		slowest = fastest = answers_middle(entry->site);
+	return fmax(0, fmax(slowest - v, v - fastest));
+}
+
+/* Of the speeds that give the value the one nearest to those of the training,
+ * the slowest of several; first of all of those at which the others hold. */
+static void
+choose(const struct entry *entry, const struct goal *goal, struct finding *f)
+{
+	for (size_t i = 0; i < f->n; i++) {
+		bool holds = others_hold(goal, f->root[i]);
+		bool nearer = isnan(f->speed) || beyond(entry, f->root[i]) <
+						     beyond(entry, f->speed);
+		if (holds < f->holds || (holds == f->holds && !nearer))
+			continue;
+		f->holds = holds;
+		f->speed = f->root[i];
+	}
+}
+
+static struct finding
+search(const struct session *s, const struct goal *goal)
+{
+	const struct wanted *c = &goal->wanted;
+	struct finding f = {.speed = NAN, .range = {NAN, NAN}};
+	f.w = window_find(c);
+	if (goal->kind != GOAL_VALUE) {
+		f.speed =
+		    window_extreme(c, &f.w, c->n, goal->kind == GOAL_MOST);
+		f.holds = !isnan(f.speed);
+		return f;
+	}
+	f.n = window_roots(c, c->n, goal->target.least, &f.root);
+	choose(goal->entry, goal, &f);
+	/* As another value is to be looked for elsewhere, so is its range. */
+	double about = isnan(f.speed) ? (c->from + c->to) / 2 : f.speed;
+	window_spread(c, c->n, goal->target.least, about,
+	    settings_level(&s->set), f.range);
+	return f;
 }
 
 /* The speed found with its range, an end of which may lie beyond the speeds
  * searched. */
 static void
-note_speed(struct answer *r, const struct session *s, const struct wish *wish,
-    const char *words, double v, const double range[2])
+note_speed(struct answer *r, const struct session *s, const struct goal *goal,
+    const struct finding *f, const char *words)
 {
+	const double *range = f->range;
 	char low[40], high[40];
-	snprintf(low, sizeof low, range[0] > 0 ? "%.2f" : "below %g",
-	    range[0] > 0 ? range[0] : wish->from);
-	snprintf(high, sizeof high, isfinite(range[1]) ? "%.2f" : "above %g",
-	    isfinite(range[1]) ? range[1] : wish->to);
+	snprintf(low, sizeof low, range[0] > 0 ? "%.2f" : tr("below %g"),
+	    range[0] > 0 ? range[0] : goal->wanted.from);
+	snprintf(high, sizeof high,
+	    isfinite(range[1]) ? "%.2f" : tr("above %g"),
+	    isfinite(range[1]) ? range[1] : goal->wanted.to);
 	if (isnan(range[0]))
-		answer_note(r, "%s at %.2f m/s", words, v);
+		answer_note(r, "%s at %.2f m/s", words, f->speed);
 	else
 		answer_note(r, "%s at %.2f m/s (%.0f %% range: %s to %s m/s)",
-		    words, v, 100 * settings_level(&s->set), low, high);
+		    words, f->speed, 100 * settings_level(&s->set), low, high);
+	for (size_t i = 0; i < f->n; i++)
+		if (f->root[i] != f->speed)
+			answer_note(r, "also at %.2f m/s%s", f->root[i],
+			    answers_extrapolates(goal->entry, f->root[i])
+				? tr(", extrapolated")
+				: "");
+}
+
+/* "passing 2 mm 36.0 % (35.2 to 36.9)" at the speed the response is at; the
+ * caller frees. */
+static char *
+value_words(const struct session *s, const struct goal *goal, size_t i)
+{
+	const struct quantity *q = i < goal->wanted.n
+				       ? &goal->wanted.at[i].quantity
+				       : &goal->target.quantity;
+	int digits = quantities_decimals(q);
+	double range[2];
+	struct response *all = goal->wanted.response;
+	char *words = quantities_words(q);
+	xappend(&words, " %.*f%s", digits,
+	    quantities_shown(q, response_value(all, i)), quantities_after(q));
+	response_band(all, i, settings_level(&s->set), range);
+	if (isfinite(range[0]) && isfinite(range[1]))
+		xappend(&words, tr(" (%.*f to %.*f)"), digits,
+		    quantities_shown(q, range[0]), digits,
+		    quantities_shown(q, range[1]));
+	return words;
+}
+
+/* The largest value, and what keeps it from being larger. */
+static void
+note_extreme(struct answer *r, const struct session *s, const struct goal *goal,
+    const struct finding *f)
+{
+	bool most = goal->kind == GOAL_MOST;
+	response_at(goal->wanted.response, f->speed);
+	char *words = value_words(s, goal, goal->wanted.n);
+	answer_note(r, "%s at %.2f m/s: %s", most ? tr("largest") : tr("least"),
+	    f->speed, words);
+	free(words);
+	struct window_limit limit;
+	double margin = window_margin(&goal->wanted, &limit);
+	if (goal->wanted.n > 0 && margin < 1e-6) {
+		words = conditions_limit(&goal->others, limit);
+		answer_note(r, "what binds: %s", words);
+		free(words);
+	} else if (f->speed - goal->wanted.from < 1e-3 ||
+		   goal->wanted.to - f->speed < 1e-3) {
+		answer_say(r, ANSWER_REMARK,
+		    "that is the end of the speeds searched: from= and to= "
+		    "search others");
+	}
+}
+
+/* The best with the probability of bands, which at a limit that binds is a half
+ * only. */
+static void
+note_sure(struct answer *r, const struct session *s, const struct goal *goal,
+    const struct finding *f)
+{
+	double level = settings_level(&s->set);
+	struct window_range sure = {0};
+	struct window_found in = {.n_inside = 1, .inside = &sure};
+	double range[2];
+	window_certain(&f->w, level, range);
+	if (isnan(range[0])) {
+		answer_note(r,
+		    "at no speed do the conditions hold with %.0f %% certainty",
+		    100 * level);
+		return;
+	}
+	sure.from = range[0];
+	sure.to = range[1];
+	double v = window_extreme(
+	    &goal->wanted, &in, goal->wanted.n, goal->kind == GOAL_MOST);
+	response_at(goal->wanted.response, v);
+	char *words = value_words(s, goal, goal->wanted.n);
+	answer_note(
+	    r, "with %.0f %% certainty at %.1f m/s: %s", 100 * level, v, words);
+	free(words);
+}
+
+/* Each other condition at the speed found, and how sure all of them are. */
+static void
+note_others(struct answer *r, const struct session *s, const struct goal *goal,
+    const struct finding *f)
+{
+	response_at(goal->wanted.response, f->speed);
+	for (size_t i = 0; i < goal->wanted.n; i++) {
+		struct window_limit limit;
+		double margin = window_margin_of(&goal->wanted, i, &limit);
+		const struct condition *c = &goal->wanted.at[i];
+		char *words = conditions_words(c);
+		bool points = quantities_unit(&c->quantity)[0] == '%';
+		char *value = value_words(s, goal, i);
+		if (window_holds_of(&goal->wanted, i))
+			answer_note(r, "%s: met, %s", words, value);
+		else if (!points)
+			answer_note(r, "%s: missed: %s", words, value);
+		else
+			answer_note(r, "%s: missed by %.1f points, %s", words,
+			    -100 * margin, value);
+		free(words);
+		free(value);
+	}
+	double certain = window_certainty(&goal->wanted);
+	fields_number(answer_fields(r), "certainty_pct", 100 * certain);
+	if (isnan(certain))
+		return;
+	char *words = conditions_percent(certain);
+	answer_note(r,
+	    goal->wanted.n > 1
+		? N_("at %.2f m/s these conditions hold with %s certainty")
+		: N_("at %.2f m/s this condition holds with %s certainty"),
+	    f->speed, words);
+	free(words);
+	if (goal->kind != GOAL_VALUE && certain < settings_level(&s->set))
+		note_sure(r, s, goal, f);
 }
 
 /* Why there is no such speed: what the two ends give. */
 static void
-note_unreached(struct answer *r, struct wish *wish, const char *words)
+note_unreached(struct answer *r, const struct goal *goal, const char *words)
 {
-	const char *what = wish->key != NULL ? "mm" : "%";
-	double low = value_at(wish, wish->from),
-	       high = value_at(wish, wish->to);
-	bool above = passing_over(wish, wish->from) > 0;
-	answer_note(r,
-	    "no speed from %g to %g m/s gives %s: the product is still %s at "
-	    "%g m/s",
-	    wish->from, wish->to, words, above ? "finer" : "coarser",
-	    above ? wish->from : wish->to);
+	const struct quantity *q = &goal->target.quantity;
+	const struct wanted *c = &goal->wanted;
+	bool size = q->kind == QUANTITY_SIZE;
+	bool falls = (size || q->kind == QUANTITY_PASSING) &&
+		     !fraction_screens(&q->fraction);
+	double high = value_at(goal, c->to), low = value_at(goal, c->from);
+	double over =
+	    response_over(c->response, c->n, goal->target.least, SIZE_MAX);
+	bool finer = size ? over < 0 : over > 0;
+	if (falls)
+		answer_note(r,
+		    "no speed from %g to %g m/s gives %s: the product is still "
+		    "%s at %g m/s",
+		    c->from, c->to, words, finer ? tr("finer") : tr("coarser"),
+		    finer ? c->from : c->to);
+	else
+		answer_note(r, "no speed from %g to %g m/s gives %s", c->from,
+		    c->to, words);
+	const char *unit = quantities_after(q);
 	if (isfinite(low) && isfinite(high))
-		answer_note(r, "it is %.2f %s at %g m/s and %.2f %s at %g m/s",
-		    low, what, wish->from, high, what, wish->to);
-	answer_note(r, above ? "use from= to search slower speeds"
-			     : "use to= to search faster speeds");
+		answer_note(r, "it is %.2f%s at %g m/s and %.2f%s at %g m/s",
+		    low, unit, c->from, high, unit, c->to);
+	if (falls)
+		answer_note(r, finer ? N_("use from= to search slower speeds")
+				     : N_("use to= to search faster speeds"));
+}
+
+static void
+note_finding(struct answer *r, const struct session *s, const struct goal *goal,
+    const struct finding *f, const char *words)
+{
+	bool found = !isnan(f->speed);
+	if (!found && goal->kind == GOAL_VALUE)
+		note_unreached(r, goal, words);
+	else if (!found)
+		conditions_note_missed(r, &goal->wanted, &goal->others, &f->w);
+	else if (goal->kind == GOAL_VALUE)
+		note_speed(r, s, goal, f, words);
+	else
+		note_extreme(r, s, goal, f);
+	if (found && goal->wanted.n > 0)
+		note_others(r, s, goal, f);
+	if (goal->limits != NULL)
+		answer_say(r, ANSWER_REMARK, "%s", goal->limits);
 }
 
 /* The product at the speed found; without one those at the two ends. */
 static void
-answer_wish(struct session *s, struct wish *wish)
+answer_goal(struct session *s, struct goal *goal)
 {
-	const double exact = 1e-9;
 	const struct entry *entry = session_entry(s);
-	double v = inverse_speed(passing_over, wish, wish->from, wish->to);
-	bool found = isfinite(v) && passing_over(wish, v) < exact;
-	double speed[2] = {found ? v : wish->from, wish->to};
+	struct finding f = search(s, goal);
+	bool found = !isnan(f.speed);
+	double speed[2] = {
+	    found ? f.speed : goal->wanted.from, goal->wanted.to};
 	size_t n = found ? 1 : 2;
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
-		p[i] = outlook_predict(s, entry, speed[i], wish->feed);
+		p[i] = outlook_predict(s, entry, speed[i], goal->feed);
 	session_forget(s);
-	char *words = wish_words(wish);
+	char *words = goal_words(goal);
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speed for %s", words);
 	answers_speed_rows(s, r, p, n);
-	double range[2];
-	inverse_range(&wish->inverse, wish->x, wish->passing, wish->from,
-	    wish->to, settings_level(&s->set), range);
-	if (found)
-		note_speed(r, s, wish, words, v, range);
-	else
-		note_unreached(r, wish, words);
+	note_finding(r, s, goal, &f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
-	answers_note_doubt(
-	    s, r, found ? v : entry->site->run[wish->feed].speed, wish->feed);
-	put_wish(answer_fields(r), wish, found ? v : NAN, range);
+	double near = entry->site->run[goal->feed].speed;
+	if (near == SITE_OTHER_FEED)
+		near = answers_middle(entry->site);
+	answers_note_doubt(s, r, found ? f.speed : near, goal->feed);
+	put_goal(answer_fields(r), goal, f.speed, f.range);
+	response_at(goal->wanted.response, found ? f.speed : f.w.best);
+	if (goal->wanted.n > 0)
+		conditions_put(answer_fields(r), s, &goal->wanted, &f.w);
+	if (goal->wanted.n > 0)
+		fields_put(answer_fields(r), "holds %d", f.holds);
 	answers_put_products(s, answer_fields(r), p, n);
 	session_answer(s, r);
 	if (found)
 		answers_keep(s, &entry->params, &p[0]);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
+	window_free(&f.w);
+	free(f.root);
 	free(words);
 }
 
+/* Where none meets it: what is missed at the nearest speed. */
 static void
-note_window(struct answer *r, const struct wish *wish, const struct grading *g,
-    const struct window *w)
+note_window(struct answer *r, const struct goal *goal, const struct grading *g,
+    const struct window_found *w)
 {
-	if (w->inside) {
+	const struct window_range *in = window_around(w);
+	if (in != NULL) {
 		answer_note(r,
 		    "meets the envelope from %.2f to %.2f m/s; table: %.2f m/s",
-		    w->slowest, w->fastest, w->slowest);
+		    in->from, in->to, in->from);
 		return;
 	}
 	answer_note(r,
 	    "no speed from %g to %g m/s meets the envelope; the nearest is "
 	    "%.2f m/s",
-	    wish->from, wish->to, w->nearest);
-	answer_note(r, "worst at %g mm: %.1f points %s",
-	    units_mm(g->spec->size[w->worst]), 100 * fabs(w->by),
-	    w->by > 0 ? "above max" : "below min");
-}
-
-/* The speeds around the most certain one at which the limits hold with the
- * probability of bands; [2] out, NAN where there are none. */
-static void
-certain_window(const struct session *s, const struct wish *wish,
-    struct grading *g, double range[2])
-{
-	enum { STEPS = 80 };
-	double certain[STEPS + 1], step = (wish->to - wish->from) / STEPS;
-	size_t best = 0;
-	for (size_t k = 0; k <= STEPS; k++) {
-		certain[k] = inverse_certainty(
-		    &g->inverse, &g->envelope, wish->from + step * (double)k);
-		best = certain[k] > certain[best] ? k : best;
-	}
-	size_t low = best, high = best;
-	double level = settings_level(&s->set);
-	range[0] = range[1] = NAN;
-	if (!(certain[best] >= level))
-		return;
-	while (low > 0 && certain[low - 1] >= level)
-		low--;
-	while (high < STEPS && certain[high + 1] >= level)
-		high++;
-	range[0] = wish->from + step * (double)low;
-	range[1] = wish->from + step * (double)high;
+	    goal->wanted.from, goal->wanted.to, w->best);
+	char *missed = grading_missed(g);
+	answer_note(r, "%s", missed);
+	free(missed);
 }
 
 static void
@@ -434,60 +586,74 @@ note_certain(struct answer *r, const struct session *s, const double range[2])
 }
 
 static bool
-answer_spec(struct session *s, const struct args *args, const struct wish *wish,
+answer_spec(struct session *s, const struct args *args, const struct goal *goal,
     struct error *error)
 {
 	const struct entry *entry = session_entry(s);
+	const struct spec *spec =
+	    grading_spec(s, args_value(args, "spec")->text, error);
 	struct grading g;
-	if (!grading_open(
-		s, args_value(args, "spec")->text, wish->feed, &g, error))
+	if (spec == NULL || !grading_open(s, args, spec, goal->feed, &g, error))
 		return false;
-	struct window w =
-	    inverse_window(&g.inverse, &g.envelope, wish->from, wish->to);
-	double v = w.inside ? w.slowest : w.nearest;
+	g.conditions.from = goal->wanted.from;
+	g.conditions.to = goal->wanted.to;
+	struct window_found w = window_find(&g.conditions);
+	const struct window_range *in = window_around(&w);
+	double v = in != NULL ? in->from : w.best, certain[2];
+	char *words = grading_words(&g);
 	struct answer *r =
-	    answers_new(entry->site, "find", "the speeds for %s", g.spec->name);
+	    answers_new(entry->site, "find", "the speeds for %s", words);
+	free(words);
+	window_certain(&w, settings_level(&s->set), certain);
 	grading_rows(r, s, &g, v);
-	note_window(r, wish, &g, &w);
-	if (g.inverse.ensemble != NULL) {
-		double certain[2];
-		certain_window(s, wish, &g, certain);
+	note_window(r, goal, &g, &w);
+	if (response_draws(g.conditions.response, 0) != NULL)
 		note_certain(r, s, certain);
-	}
-	grading_notes(r, &g);
-	answers_note_doubt(s, r, v, wish->feed);
+	grading_notes(r, s, &g);
+	answers_note_doubt(s, r, v, goal->feed);
 	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
-	    "speed %g worst_mm %g outside_pct %g",
-	    "spec", wish->from, wish->to, w.inside, w.inside ? w.slowest : NAN,
-	    w.inside ? w.fastest : NAN, v,
-	    w.inside ? NAN : units_mm(g.spec->size[w.worst]), 100 * w.by);
-	grading_put(r, g.spec);
+	    "speed %g",
+	    "spec", goal->wanted.from, goal->wanted.to, in != NULL,
+	    in != NULL ? in->from : NAN, in != NULL ? in->to : NAN, v);
+	grading_put_worst(answer_fields(r), &g);
+	grading_put(r, &g);
 	session_forget(s);
 	session_answer(s, r);
+	window_free(&w);
 	grading_close(&g);
 	return true;
+}
+
+static bool
+find_goal(struct session *s, const struct args *args, struct goal *goal,
+    struct error *error)
+{
+	double from = goal->wanted.from, to = goal->wanted.to;
+	bool ok = read_goal(s, args, goal, error);
+	if (ok) {
+		goal->wanted = conditions_ask(s, session_entry(s), goal->feed,
+		    &goal->others, &goal->target.quantity);
+		goal->wanted.from = from;
+		goal->wanted.to = to;
+		answer_goal(s, goal);
+		response_free(goal->wanted.response);
+	}
+	conditions_free(&goal->others);
+	free(goal->limits);
+	return ok;
 }
 
 bool
 cmd_find(struct session *s, const struct args *args, struct error *error)
 {
 	const struct site *site = session_entry(s)->site;
-	const struct value *from = args_value(args, "from");
-	const struct value *to = args_value(args, "to");
-	struct wish wish = {0};
-	site_reach(site, &wish.from, &wish.to);
-	wish.from = from->given ? from->number : wish.from;
-	wish.to = to->given ? to->number : wish.to;
-	if (!answers_ready(s, error) || !check_wish(args, &wish, error))
+	struct goal goal = {.kind = GOAL_VALUE, .entry = session_entry(s)};
+	if (!answers_ready(s, error) ||
+	    !conditions_speeds(
+		args, site, &goal.wanted.from, &goal.wanted.to, error) ||
+	    !answers_feed(site, args, answers_middle(site), &goal.feed, error))
 		return false;
-	if (!answers_feed(site, args, answers_middle(site), &wish.feed, error))
-		return false;
-	if (args_value(args, "spec")->given)
-		return answer_spec(s, args, &wish, error);
-	if (!open_wish(s, args, &wish, error))
-		return false;
-	answer_wish(s, &wish);
-	inverse_free(&wish.inverse);
-	return true;
+	return wishes_spec(s, args) ? answer_spec(s, args, &goal, error)
+				    : find_goal(s, args, &goal, error);
 }

@@ -4,7 +4,9 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/band.h"
@@ -30,7 +32,7 @@ put_speeds(
 }
 
 void
-fit_put(struct fields *o, const struct session *s, const struct entry *entry,
+fit_put(struct fields *o, const struct entry *entry, const char *verdict,
     double seconds)
 {
 	const struct fit *fit = &entry->fit;
@@ -50,8 +52,7 @@ fit_put(struct fields *o, const struct session *s, const struct entry *entry,
 	put_speeds(o, "holdout", entry, false);
 	fields_put(o,
 	    "cells %zu parameters %zu rmse_pct %g verdict %s .poor %g",
-	    fit->cells, fit->parameters, fit->rmse * 100,
-	    light_verdict(s, entry, NULL),
+	    fit->cells, fit->parameters, fit->rmse * 100, verdict,
 	    poor               ? 1
 	    : fit_too_few(fit) ? NAN
 			       : 0);
@@ -62,7 +63,8 @@ static void
 explain_nothing(struct answer *r, const struct entry *entry)
 {
 	const struct run *fastest = &entry->site->run[entry->site->n_run - 1];
-	double x = params_break_size(&entry->fit.params, fastest->speed);
+	double x = params_break_size_by(
+	    &entry->fit.params, &entry->fit.settings, fastest->speed);
 	double coarser =
 	    isfinite(x) && x > 0 ? 1 - psd_passing(&fastest->feed, x) : 0;
 	answer_say(r, ANSWER_WARNING,
@@ -104,6 +106,28 @@ step_fits(const struct fit *fit, const struct bounds *bounds, double sign)
 	return fits;
 }
 
+/* both: to either side. */
+static void
+say_flat(struct answer *r, const char *list, bool several, bool both)
+{
+	answer_say(r, ANSWER_REMARK,
+	    several && both
+		? N_("poorly determined combination: changing %s together (or "
+		     "all reversed) raises the misfit by only 10 %%; rely on "
+		     "the curves, not on single parameters")
+	    : several
+		? N_("poorly determined combination: changing %s together "
+		     "raises the misfit by only 10 %%; rely on the curves, "
+		     "not on single parameters")
+	    : both ? N_("poorly determined: changing %s or the reverse raises "
+			"the misfit by only 10 %%; rely on the curves, not on "
+			"single parameters")
+		   : N_("poorly determined: changing %s raises the misfit by "
+			"only 10 %%; rely on the curves, not on single "
+			"parameters"),
+	    list);
+}
+
 /* Names the parameters that can go far together for a tenth more misfit, each
  * with its step, in a direction that the bounds allow.  Steps beyond the bounds
  * either way say no more than that the data are silent. */
@@ -119,9 +143,11 @@ add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 	for (size_t j = 0; j < of->n; j++) {
 		if (!fit_is_flat(fit, j))
 			continue;
-		xlist(&list, ", ", "%s", of->parameter[j].name);
-		if (!silent)
-			xappend(&list, " by %+.2g",
+		if (silent)
+			xlist(&list, ", ", "%s", of->parameter[j].name);
+		else
+			xlist(&list, ", ", tr("%s by %+.2g"),
+			    of->parameter[j].name,
 			    (ahead ? 1 : -1) * fit->flat.part[j] *
 				range_of(fit, bounds, j));
 		n++;
@@ -132,19 +158,13 @@ add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 		    "the curves, not on single parameters",
 		    list);
 	else if (n > 0)
-		answer_say(r, ANSWER_REMARK,
-		    "poorly determined%s: changing %s%s%s raises the misfit by "
-		    "only 10 %%; rely on the curves, not on single parameters",
-		    n > 1 ? " combination" : "", list, n > 1 ? " together" : "",
-		    !ahead || !back ? ""
-		    : n > 1         ? " (or all reversed)"
-				    : " or the reverse");
+		say_flat(r, list, n > 1, ahead && back);
 	free(list);
 }
 
+/* What speaks against the fit. */
 static void
-add_verdict(struct answer *r, const struct session *s,
-    const struct entry *entry, const struct bounds *bounds, bool ranges)
+add_warnings(struct answer *r, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
 	if (fit->rmse <= FIT_POOR && !fit_too_few(fit) &&
@@ -158,9 +178,6 @@ add_verdict(struct answer *r, const struct session *s,
 		    far.speed, entry->site->run[far.run].repeat,
 		    100 * fabs(far.worst_difference),
 		    units_mm(far.worst_sieve));
-	add_flat(r, fit, bounds);
-	if (ranges)
-		band_note(r, s, entry, false);
 }
 
 static const char *
@@ -168,14 +185,15 @@ stop_sentence(const struct fit *fit)
 {
 	switch (fit->stop) {
 	case CALIBRATE_TOLERANCE:
-		return "the population converged: median misfit within the "
-		       "tolerance of the best";
+		return tr("the population converged: median misfit within the "
+			  "tolerance of the best");
 	case CALIBRATE_STALLED:
-		return "the search stalled: the best misfit no longer improved";
+		return tr(
+		    "the search stalled: the best misfit no longer improved");
 	case CALIBRATE_GENERATIONS:
-		return "the generation limit was reached";
+		return tr("the generation limit was reached");
 	default:
-		return "interrupted; the best so far is kept";
+		return tr("interrupted; the best so far is kept");
 	}
 }
 
@@ -188,16 +206,12 @@ add_range(struct answer *r, const struct session *s, const struct posterior *u,
 	answer_cells(r, "%.4f %.4f", range[0], range[1]);
 }
 
-struct answer *
-fit_answer(const struct session *s, const struct entry *entry,
-    const struct bounds *bounds, double seconds)
+/* A row for each parameter, with its range where there are draws. */
+static void
+add_params(struct answer *r, const struct session *s, const struct fit *fit,
+    const struct posterior *u, const struct bounds *bounds)
 {
-	const struct fit *fit = &entry->fit;
-	const struct posterior *u = outlook_draws(s, entry);
 	const struct breakage *of = breakage_of(&fit->params);
-	struct answer *r = answers_new(entry->site, "calibrate",
-	    "calibrated parameters%s%s", of != BREAKAGES[0] ? " of " : "",
-	    of != BREAKAGES[0] ? of->name : "");
 	answer_columns(r, "parameter, value");
 	if (u != NULL)
 		answer_columns(r, "low, high");
@@ -210,29 +224,170 @@ fit_answer(const struct session *s, const struct entry *entry,
 			add_range(r, s, u, &fit->params, j);
 		answer_cells(r, "%s %g %g %s", of->parameter[j].unit,
 		    bounds->lower[j], bounds->upper[j],
-		    fixed              ? "held fixed"
-		    : fit->on_bound[j] ? "at bound"
-		    : j < of->gauge    ? "scaled to max 1"
+		    fixed              ? tr("held fixed")
+		    : fit->on_bound[j] ? tr("at bound")
+		    : j < of->gauge    ? tr("scaled to max 1")
 				       : "");
 	}
-	answer_note(r,
-	    "misfit %.6g (sum of squared residuals), RMSE %.2f points over %zu "
-	    "passings; %zu of these can change by crushing, and %zu "
-	    "parameter%s fitted to them",
-	    fit->misfit, 100 * fit->rmse, fit->n_residual, fit->cells,
-	    fit->parameters, fit->parameters == 1 ? " was" : "s were");
-	answer_note(r, "stopped after %zu generations, %zu evaluations: %s",
-	    fit->generations, fit->evaluations, stop_sentence(fit));
+}
+
+static void
+note_edits(struct answer *r, const struct fit *fit)
+{
 	if (fit->edits > 0)
 		answer_say(r, ANSWER_REMARK,
-		    "the bounds were edited after generation %zu%s: a script "
-		    "written by 'save' repeats that, calibrate alone does not",
-		    fit->edited_at, fit->edits > 1 ? " and before" : "");
-	add_verdict(r, s, entry, bounds, u != NULL);
-	fit_put(answer_fields(r), s, entry, seconds);
-	light_show(r, light_of(s, entry, NULL));
+		    fit->edits > 1
+			? N_("the bounds were edited after generation %zu and "
+			     "before: a script written by 'save' repeats "
+			     "that, calibrate alone does not")
+			: N_("the bounds were edited after generation %zu: a "
+			     "script written by 'save' repeats that, "
+			     "calibrate alone does not"),
+		    fit->edited_at);
+}
+
+/* What the search did and how far it determines the parameters. */
+static void
+add_search(struct answer *r, const struct session *s, const struct entry *entry,
+    const struct posterior *u, const struct bounds *bounds)
+{
+	const struct fit *fit = &entry->fit;
+	answer_note(r,
+	    tr_n("misfit %.6g (sum of squared residuals), RMSE %.2f points "
+		 "over %zu passings; %zu of these can change by crushing, and "
+		 "%zu parameter was fitted to them",
+		"misfit %.6g (sum of squared residuals), RMSE %.2f points over "
+		"%zu passings; %zu of these can change by crushing, and %zu "
+		"parameters were fitted to them",
+		fit->parameters),
+	    fit->misfit, 100 * fit->rmse, fit->n_residual, fit->cells,
+	    fit->parameters);
+	answer_note(r, "stopped after %zu generations, %zu evaluations: %s",
+	    fit->generations, fit->evaluations, stop_sentence(fit));
+	note_edits(r, fit);
+	add_warnings(r, entry);
+	add_flat(r, fit, bounds);
+	if (u != NULL)
+		band_note(r, s, entry, false);
+}
+
+/* What would test a fit of which no speed was held out. */
+static void
+note_untested(struct answer *r, const struct entry *entry)
+{
+	const struct site *site = entry->site;
+	size_t speeds = 0;
+	for (size_t i = 0; i < site->n_run; i++)
+		speeds += entry->train[i] && !site_run_repeats(site, i);
+	answer_note(r,
+	    speeds > 2 ? N_("no speed was held out: 'validate holdout=each' "
+			    "tests the model")
+		       : N_("no speed was held out: measure a third speed to "
+			    "test the model"));
+}
+
+/* How good the fit is, in a line, and what tests it. */
+static void
+add_summary(
+    struct answer *r, const struct session *s, const struct entry *entry)
+{
+	const struct fit *fit = &entry->fit;
+	const char *verdict = light_verdict(s, entry, NULL);
+	bool of_fit = strchr(verdict, ' ') == NULL;
+	char *held = session_speeds(entry->site, ", ", entry->train, false);
+	double holdout = fit_holdout_rmse(entry);
+	char *test = xstrdup("");
+	if (isfinite(holdout))
+		xappend(&test,
+		    strchr(held, ',') != NULL ? tr("; held-out %s m/s: up to "
+						   "%.2f")
+					      : tr("; held-out %s m/s: %.2f"),
+		    held, 100 * holdout);
+	answer_note(r,
+	    of_fit ? N_("%s fit: RMSE %.2f percentage points over %zu "
+			"passings%s")
+		   : N_("%s: RMSE %.2f percentage points over %zu passings%s"),
+	    verdict, 100 * fit->rmse, fit->n_residual, test);
+	if (isnan(holdout))
+		note_untested(r, entry);
+	free(test);
+	free(held);
+}
+
+static struct answer *
+new_answer(const struct entry *entry, const char *command, bool detail)
+{
+	const struct breakage *of = breakage_of(&entry->fit.params);
+	const char *model = of != BREAKAGES[0] ? of->name : NULL;
+	if (detail && model == NULL)
+		return answers_new(
+		    entry->site, command, "calibrated parameters");
+	if (detail)
+		return answers_new(
+		    entry->site, command, "calibrated parameters of %s", model);
+	char *speeds = session_speeds(entry->site, ", ", entry->train, true);
+	struct answer *r = model == NULL ? answers_new(entry->site, command,
+					       "calibrated on %s m/s", speeds)
+					 : answers_new(entry->site, command,
+					       "calibrated on %s m/s, model %s",
+					       speeds, model);
+	free(speeds);
+	return r;
+}
+
+struct answer *
+fit_answer(const struct session *s, const struct entry *entry,
+    const struct bounds *bounds, double seconds, bool detail)
+{
+	const struct fit *fit = &entry->fit;
+	const struct posterior *u = outlook_draws(s, entry);
+	struct answer *r = new_answer(entry, "calibrate", detail);
+	if (detail) {
+		add_params(r, s, fit, u, bounds);
+		add_search(r, s, entry, u, bounds);
+	} else {
+		answer_for_programs(r);
+		add_params(r, s, fit, u, bounds);
+		add_summary(r, s, entry);
+		note_edits(r, fit);
+		add_warnings(r, entry);
+	}
+	fit_put(
+	    answer_fields(r), entry, light_verdict(s, entry, NULL), seconds);
+	struct trust light = light_of(s, entry, NULL);
+	bool red = light.light == LIGHT_RED;
+	light_show(r, light);
+	if (!detail && red)
+		answer_note(r, "next: 'check' looks for faults in the sheet");
+	else if (!detail)
+		answer_note(r,
+		    "next: 'predict %g', or any speed; 'show fit' "
+		    "has the parameters",
+		    answers_usual(entry));
 	band_put_interval(answer_fields(r), s, u, &fit->params);
 	return r;
+}
+
+bool
+show_fit(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	const struct entry *entry = session_entry(s);
+	if (!entry->has_fit || entry->history == NULL)
+		return error_set(error, ERROR_USAGE,
+		    "%s has not been calibrated in this session\n"
+		    "run 'calibrate' first",
+		    entry->site->name);
+	const struct posterior *u = outlook_draws(s, entry);
+	const struct bounds *bounds = &entry->history->bounds;
+	struct answer *r = new_answer(entry, "show", true);
+	add_params(r, s, &entry->fit, u, bounds);
+	add_search(r, s, entry, u, bounds);
+	fields_put(answer_fields(r), "what %s", "fit");
+	fit_put(answer_fields(r), entry, light_verdict(s, entry, NULL), NAN);
+	light_show(r, light_of(s, entry, NULL));
+	band_put_interval(answer_fields(r), s, u, &entry->fit.params);
+	return session_answer(s, r);
 }
 
 /* Rows that fit a screen with their heading. */
@@ -313,9 +468,12 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	trust_free(&light);
 	if (entry->fit.edits > 0)
 		answer_say(r, ANSWER_REMARK,
-		    "the bounds were edited after generation %zu%s: earlier "
-		    "spreads are in %% of the edited bounds",
-		    entry->fit.edited_at,
-		    entry->fit.edits > 1 ? " and before" : "");
+		    entry->fit.edits > 1
+			? N_("the bounds were edited after generation %zu and "
+			     "before: earlier spreads are in %% of the edited "
+			     "bounds")
+			: N_("the bounds were edited after generation %zu: "
+			     "earlier spreads are in %% of the edited bounds"),
+		    entry->fit.edited_at);
 	return session_answer(s, r);
 }

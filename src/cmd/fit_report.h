@@ -5,12 +5,14 @@
 
 #include "cmd/session.h"
 
-/* The table of a site's fit, with its fields; seconds: how long it took. */
+/* A site's fit, with its fields; seconds: how long it took.  detail: with the
+ * table of its parameters and what the search did, which programs have in any
+ * case; else how good it is, in a few lines. */
 struct answer *fit_answer(const struct session *s, const struct entry *entry,
-    const struct bounds *bounds, double seconds);
+    const struct bounds *bounds, double seconds, bool detail);
 
 /* What json has of an entry's fit, but for its ranges. */
-void fit_put(struct fields *o, const struct session *s,
-    const struct entry *entry, double seconds);
+void fit_put(struct fields *o, const struct entry *entry, const char *verdict,
+    double seconds);
 
 #endif

@@ -1,5 +1,6 @@
 /* guess: a first product for a site with no calibration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/tr.h"
 #include "core/guess.h"
 
 #include <math.h>
@@ -9,21 +10,25 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/data.h"
 #include "cmd/fit.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
 #include "core/validate.h"
 #include "io/units.h"
 
-/* What a guess is made from.  list: all materials, those of Table 3 from index
+/* Of more materials only so many are looked at, the nearest; a band of all of
+ * 100,000 would be no other and take seconds. */
+enum { MOST_OWN = 200 };
+
+/* What a guess is made from.  own: the user's materials, of which list has
+ * MOST_OWN at most.  list: all materials, those of Table 3 from index
  * `table3` on; m [list.n]: the same for core; pick [n]: those taken; error:
  * that of guesses from so many. */
 struct basis {
 	struct stored_list list;
 	struct guess_material *m, wanted;
 	bool *leave_out;
-	size_t n, *pick, table3;
+	size_t n, *pick, table3, own;
 	struct guess_choice choice;
 	struct guess_error error;
 };
@@ -35,6 +40,22 @@ basis_free(struct basis *b)
 	free(b->m);
 	free(b->leave_out);
 	free(b->pick);
+}
+
+static bool
+basis_read(struct basis *b, struct store *store, struct error *error)
+{
+	struct store_query query = {0};
+	if (!store_count(store, &b->own, error))
+		return false;
+	if (b->own > MOST_OWN)
+		query = (struct store_query){.rock = b->wanted.rock,
+		    .top = units_mm(b->wanted.top_size),
+		    .most = MOST_OWN};
+	if (!store_find(store, &query, &b->list, error))
+		return false;
+	stored_table3(&b->list);
+	return true;
 }
 
 static void
@@ -222,10 +243,24 @@ note_nearest(struct answer *r, const struct basis *b)
 	else
 		answer_note(r, "nearest by rock (%s, %zu of %zu)%s: %s",
 		    b->wanted.rock, same, b->n,
-		    b->wanted.top_size > 0 ? " and top size"
-					   : " (no top size stated)",
+		    b->wanted.top_size > 0 ? tr(" and top size")
+					   : tr(" (no top size stated)"),
 		    picked);
 	free(picked);
+}
+
+/* It may be one more, or spelt wrongly. */
+static void
+note_rock(struct answer *r, const struct basis *b)
+{
+	bool known = b->wanted.rock[0] == '\0';
+	for (size_t i = 0; i < b->list.n && !known; i++)
+		known = text_same(b->list.item[i].rock, b->wanted.rock);
+	if (!known)
+		answer_say(r, ANSWER_REMARK,
+		    "no material is of the rock type '%s': materials lists "
+		    "those there are",
+		    b->wanted.rock);
 }
 
 static void
@@ -261,7 +296,13 @@ note_materials(struct answer *r, const struct basis *b)
 		answer_say(r, ANSWER_REMARK,
 		    "estimated from another quarry, not calibrated: from one "
 		    "material, so without a band");
+	note_rock(r, b);
 	note_choice(r, b);
+	if (b->table3 < b->own)
+		answer_say(r, ANSWER_REMARK,
+		    "of your own %zu materials the %zu nearest by rock and top "
+		    "size were looked at",
+		    b->own, b->table3);
 	if (!measured)
 		answer_say(r, ANSWER_WARNING,
 		    "some of these materials were not calibrated on measured "
@@ -312,8 +353,8 @@ note_error(struct answer *r, const struct basis *b)
 		    "the band of so few materials is too narrow: it held "
 		    "%.0f %% of the passings of sites left out, instead of 80",
 		    100 * e->held);
-	char *held = b->n > 1 ? xasprintf(", the band held %.0f %% of the "
-					  "passings",
+	char *held = b->n > 1 ? xasprintf(tr(", the band held %.0f %% of the "
+					     "passings"),
 				    100 * e->held)
 			      : xstrdup("");
 	answer_say(r, ANSWER_REMARK,
@@ -383,7 +424,7 @@ cmd_guess(struct session *s, const struct args *args, struct error *error)
 	struct basis b = {.n = 0};
 	bool ok = find_wanted(site, args, &b.wanted, error) &&
 		  answers_feed(site, args, speed, &feed, error) &&
-		  store_list_all(s->store, &b.list, error);
+		  basis_read(&b, s->store, error);
 	if (ok) {
 		basis_fill(&b);
 		basis_pick(&b, args_value(args, "nearest"), speed);

@@ -16,11 +16,14 @@ struct hooks {
 			       there is none */
 	bool (*stop)(void); /* whether the user waits for what takes long to
 			       end; NULL: never */
+	/* Something that takes a moment begins: in a few words what; NULL:
+	 * nobody looks. */
+	void (*begins)(const char *what);
 	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
 						where there is no terminal */
 	/* Draws the full screen, see pictures.h; NULL: there is none. */
 	struct canvas *(*draw_screen)(
-	    struct session *, const struct screen_request *, struct error *);
+	    struct session *, struct screen_request *, struct error *);
 	/* Is the full screen until it is left; returns an exit status.  NULL:
 	 * none is opened. */
 	int (*run_screen)(struct session *);

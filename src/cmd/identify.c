@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
@@ -17,10 +18,10 @@
 static const double RIDGE = 0.9, SHARP = 0.1, OPEN = 0.1;
 enum { RIDGES = 3 };
 
-static const char *const GRADES[] = {[IDENTIFY_FIXED] = "fixed",
-    [IDENTIFY_DETERMINED] = "determined",
-    [IDENTIFY_POORLY] = "poorly",
-    [IDENTIFY_NOT] = "cannot be told"};
+static const char *const GRADES[] = {[IDENTIFY_FIXED] = N_("fixed"),
+    [IDENTIFY_DETERMINED] = N_("determined"),
+    [IDENTIFY_POORLY] = N_("poorly"),
+    [IDENTIFY_NOT] = N_("cannot be told")};
 
 /* What is told: the parameters [of->n] of the draws' model, the break sizes at
  * the measured speeds [n_speed], the finest sieve that is compared, m. */
@@ -70,9 +71,9 @@ static const char *
 grade_of_break(const struct findings *f, size_t i)
 {
 	const struct identify_break *at = &f->at[i];
-	return f->open                      ? "bounded from above"
-	       : at->sd <= SHARP * at->mean ? "determined"
-					    : "poorly";
+	return f->open                      ? tr("bounded from above")
+	       : at->sd <= SHARP * at->mean ? tr("determined")
+					    : tr("poorly");
 }
 
 static void
@@ -93,10 +94,11 @@ add_rows(struct answer *r, const struct findings *f)
 		answer_cells(r, "%s %.3f %.3f %.0f %s",
 		    f->of->parameter[j].name, a->mean, a->sd, 100 * a->ratio,
 		    f->of->parameter[j].unit);
-		answer_text(r, "%s%s", GRADES[a->grade],
-		    a->bound < 0   ? ", low bound"
-		    : a->bound > 0 ? ", high bound"
-				   : "");
+		answer_text(r,
+		    a->bound < 0   ? N_("%s, low bound")
+		    : a->bound > 0 ? N_("%s, high bound")
+				   : "%s",
+		    tr(GRADES[a->grade]));
 	}
 }
 
@@ -143,9 +145,12 @@ say_ridges(struct answer *r, const struct findings *f)
 		fields_put(fields_object(list, NULL),
 		    "a %s b %s linear %g rank %g", a, b, c.linear, c.rank);
 		answer_note(r,
-		    "%s and %s compensate for each other: a higher %s goes "
-		    "with a %s %s (correlation %+.2f)",
-		    a, b, a, most > 0 ? "higher" : "lower", b, most);
+		    most > 0
+			? N_("%s and %s compensate for each other: a higher "
+			     "%s goes with a higher %s (correlation %+.2f)")
+			: N_("%s and %s compensate for each other: a higher "
+			     "%s goes with a lower %s (correlation %+.2f)"),
+		    a, b, a, b, most);
 	}
 }
 
@@ -173,7 +178,8 @@ sizes_of(const struct findings *f, bool sharp, char **speeds)
 	for (size_t i = 0; i < f->n_speed; i++) {
 		if ((f->at[i].sd <= SHARP * f->at[i].mean) != sharp)
 			continue;
-		xlist(speeds, ++n == left ? " and " : ", ", "%g", f->speed[i]);
+		xlist(speeds, ++n == left ? tr(" and ") : ", ", "%g",
+		    f->speed[i]);
 		xlist(&sizes, ", ", "%.2f +- %.2f", 1000 * f->at[i].mean,
 		    1000 * f->at[i].sd);
 	}
@@ -185,16 +191,17 @@ add_sizes(char **text, const struct findings *f, bool sharp)
 {
 	char *speeds = xstrdup(""), *sizes = sizes_of(f, sharp, &speeds);
 	if (sizes[0] != '\0')
-		xlist(text, "; ", "%s the break size at %s m/s%s: %s mm",
-		    sharp ? "the data fix" : "the data leave", speeds,
-		    sharp ? "" : " open", sizes);
+		xlist(text, "; ",
+		    sharp ? tr("the data fix the break size at %s m/s: %s mm")
+			  : tr("the data leave the break size at %s m/s open: "
+			       "%s mm"),
+		    speeds, sizes);
 	free(speeds);
 	free(sizes);
 }
 
 static void
-add_names(char **text, const struct findings *f, enum identify_grade grade,
-    const char *one, const char *several)
+add_names(char **text, const struct findings *f, enum identify_grade grade)
 {
 	char *names = xstrdup("");
 	size_t n = 0, left = 0;
@@ -202,10 +209,17 @@ add_names(char **text, const struct findings *f, enum identify_grade grade,
 		left += f->param[j].grade == grade;
 	for (size_t j = 0; j < f->of->n; j++)
 		if (f->param[j].grade == grade)
-			xlist(&names, ++n == left ? " and " : ", ", "%s",
+			xlist(&names, ++n == left ? tr(" and ") : ", ", "%s",
 			    f->of->parameter[j].name);
 	if (left > 0)
-		xlist(text, "; ", "%s %s", names, left > 1 ? several : one);
+		xlist(text, "; ",
+		    grade == IDENTIFY_NOT
+			? tr_n("%s cannot be told", "%s cannot be told", left)
+		    : grade == IDENTIFY_POORLY
+			? tr_n("%s is determined poorly",
+			      "%s are determined poorly", left)
+			: tr_n("%s is determined", "%s are determined", left),
+		    names);
 	free(names);
 }
 
@@ -216,18 +230,16 @@ sentence(const struct findings *f)
 	char *text = xstrdup("");
 	if (f->open && f->n_speed > 0)
 		xlist(&text, "; ",
-		    "the data bound the break size from above only: at most "
-		    "%.2f mm at %g m/s",
+		    tr("the data bound the break size from above only: at most "
+		       "%.2f mm at %g m/s"),
 		    1000 * f->at[0].high, f->speed[0]);
 	else {
 		add_sizes(&text, f, true);
 		add_sizes(&text, f, false);
 	}
-	add_names(
-	    &text, f, IDENTIFY_DETERMINED, "is determined", "are determined");
-	add_names(&text, f, IDENTIFY_POORLY, "is determined poorly",
-	    "are determined poorly");
-	add_names(&text, f, IDENTIFY_NOT, "cannot be told", "cannot be told");
+	add_names(&text, f, IDENTIFY_DETERMINED);
+	add_names(&text, f, IDENTIFY_POORLY);
+	add_names(&text, f, IDENTIFY_NOT);
 	return text;
 }
 
@@ -248,7 +260,7 @@ put(struct fields *o, const struct findings *f, const char *text)
 		    "name %s mean %g sd %g prior_sd %g share_pct %g grade %s "
 		    "bound %s",
 		    f->of->parameter[j].name, a->mean, a->sd, a->prior,
-		    100 * a->ratio, GRADES[a->grade],
+		    100 * a->ratio, tr(GRADES[a->grade]),
 		    a->bound < 0   ? "lower"
 		    : a->bound > 0 ? "upper"
 				   : "none");

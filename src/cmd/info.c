@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session.h"
 #include "cmd/table.h"
@@ -55,9 +56,9 @@ unknown(const char *name, struct error *error)
 		    "run 'show models', or 'man model'",
 		    name);
 	return error_set(error, ERROR_USAGE,
-	    near != NULL ? "there is no command '%s'\ndid you mean '%s'?"
-			 : "there is no command '%s'\n"
-			   "run 'apropos %s' to search all help",
+	    near != NULL ? N_("there is no command '%s'\ndid you mean '%s'?")
+			 : N_("there is no command '%s'\n"
+			      "run 'apropos %s' to search all help"),
 	    name, near != NULL ? near : name);
 }
 
@@ -139,7 +140,7 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 	/* In the order of the choices in the table. */
 	static const char *const PAGES[] = {"tipspeed.1", "tipspeed-tutorial.7",
 	    "tipspeed-tui.1", "tipspeed-site.5", "tipspeed-spec.5",
-	    "tipspeed-model.7"};
+	    "tipspeed-model.7", "tipspeed-circuit.5"};
 	size_t i = args_value(args, "page")->choice;
 	assert(i < ARRAY_LEN(PAGES));
 	if (!s->safe && s->hooks.show_page != NULL &&

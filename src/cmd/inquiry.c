@@ -9,9 +9,12 @@
 #include <strings.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/head.h"
 #include "io/vocabulary.h"
+
+enum { WRONG = 160 };
 
 /* Rotors of such crushers are 0.4 to 1.5 m wide. */
 static const double LEAST_ROTOR_MM = 100, MOST_ROTOR_MM = 5000;
@@ -25,11 +28,13 @@ static void
 row_cells(const struct inquiry *q, size_t row, bool narrow, char *number,
     const char *cell[static CELLS])
 {
-	const char *const HEADS[] = {
-	    "", "head", narrow ? "values" : "first values", "seems to be"};
+	const char *const HEADS[] = {"", tr("head"),
+	    narrow ? tr("values") : tr("first values"), tr("seems to be")};
 	if (row == 0) {
 		memcpy(cell, HEADS, sizeof HEADS);
-		cell[0] = narrow ? "" : q->ask->across ? "line" : "column";
+		cell[0] = narrow           ? ""
+			  : q->ask->across ? tr("line")
+					   : tr("column");
 		return;
 	}
 	const struct site_ask_column *c = &q->ask->column[row - 1];
@@ -147,16 +152,16 @@ offered_role(const struct site_ask_column *c)
 /* A speed by itself: of what the column seems to be; a feed has none. */
 static char *
 with_speed(const struct site_ask_column *c, const struct head *head,
-    char wrong[static INQUIRY_WRONG])
+    char wrong[static WRONG])
 {
 	bool rpm = head->rpm > 0 && !(head->speed > 0);
 	double v = head->speed > 0 ? head->speed
 		   : rpm           ? head->rpm
 				   : head->number[0];
 	if (!rpm && !(v >= 1 && v <= MOST_SPEED)) {
-		snprintf(wrong, INQUIRY_WRONG,
-		    "expected a tip speed from 1 to %g m/s, got %g; of rpm "
-		    "write: %g rpm",
+		snprintf(wrong, WRONG,
+		    tr("expected a tip speed from 1 to %g m/s, got %g; of rpm "
+		       "write: %g rpm"),
 		    MOST_SPEED, v, v);
 		return NULL;
 	}
@@ -206,24 +211,27 @@ with_words(const struct site_ask_column *c, const char *said,
 
 static char *
 sieve_answer(const struct site_ask_column *c, const char *said, uint64_t means,
-    char wrong[static INQUIRY_WRONG])
+    char wrong[static WRONG])
 {
 	uint64_t unit = WORD_MM | WORD_UM | WORD_M | WORD_INCH | WORD_MESH |
 			WORD_TYLER | WORD_BS | WORD_ASTM;
 	(void)c;
 	if ((means & unit) != 0)
 		return xasprintf(
-		    "%s%s", (means & WORD_SIZE) != 0 ? "" : "sieve ", said);
-	snprintf(wrong, INQUIRY_WRONG,
-	    "expected the unit of the sieves (mm, um, in, tyler, bs, astm), "
-	    "got '%.30s'",
+		    "%s%s", (means & WORD_SIZE) != 0 ? "" : tr("sieve "), said);
+	snprintf(wrong, WRONG,
+	    tr("expected the unit of the sieves (mm, um, in, tyler, bs, astm), "
+	       "got '%.30s'"),
 	    said);
 	return NULL;
 }
 
-char *
-inquiry_answer(const struct site_ask_column *c, const char *answer,
-    char wrong[static INQUIRY_WRONG])
+/* What the answer about a column says, as columns= has it, which the caller
+ * frees: a speed, words, or what is offered for "".  NULL: it is left out where
+ * wrong is "", else wrong says what was expected. */
+static char *
+read_answer(const struct site_ask_column *c, const char *answer,
+    char wrong[static WRONG])
 {
 	char *copy = xstrdup(answer), *said = text_trim(copy), *text = NULL;
 	/* columns= has commas between columns only. */
@@ -238,23 +246,24 @@ inquiry_answer(const struct site_ask_column *c, const char *answer,
 	bool speed = head.speed > 0 || head.rpm > 0 || head.n_number > 0;
 	wrong[0] = '\0';
 	if (said[0] == '\0' && wants_speed(c))
-		snprintf(wrong, INQUIRY_WRONG,
-		    "expected a tip speed in m/s, got nothing; - leaves the "
-		    "column out");
+		snprintf(wrong, WRONG,
+		    tr("expected a tip speed in m/s, got nothing; - leaves the "
+		       "column out"));
 	else if (said[0] == '\0')
 		text = xstrdup(c->guess);
 	else if (is_sieve(c))
 		text = sieve_answer(c, said, means, wrong);
 	else if (strcmp(said, "-") != 0 && strpbrk(said, "\"=") != NULL)
-		snprintf(wrong, INQUIRY_WRONG,
-		    "expected what this column is, got '%.40s'", said);
+		snprintf(wrong, WRONG,
+		    tr("expected what this column is, got '%.40s'"), said);
 	else if ((means & known) != 0)
 		text = with_words(c, said, &head, means);
 	else if (speed && head.unknown == 0)
 		text = with_speed(c, &head, wrong);
 	else if (strcmp(said, "-") != 0)
-		snprintf(wrong, INQUIRY_WRONG,
-		    "expected a tip speed, feed, product@69 or -, got '%.30s'",
+		snprintf(wrong, WRONG,
+		    tr("expected a tip speed, feed, product@69 or -, got "
+		       "'%.30s'"),
 		    said);
 	free(copy);
 	return text;
@@ -265,27 +274,27 @@ inquiry_answer(const struct site_ask_column *c, const char *answer,
 static bool
 ask_column(struct session *s, struct inquiry *q, struct site_ask_column *c)
 {
-	char wrong[INQUIRY_WRONG] = "";
-	const char *kind = q->ask->across ? "line" : "column";
+	char wrong[WRONG] = "";
+	const char *kind = q->ask->across ? tr("line") : tr("column");
 	bool speed = wants_speed(c);
-	char *question = speed ? xasprintf("%s %zu '%s': tip speed, m/s", kind,
-				     c->number, c->head)
-			       : xasprintf("%s %zu '%s': what is it", kind,
+	char *question = speed ? xasprintf(tr("%s %zu '%s': tip speed, m/s"),
+				     kind, c->number, c->head)
+			       : xasprintf(tr("%s %zu '%s': what is it"), kind,
 				     c->number, c->head);
 	char *words = NULL;
 	bool good;
 	q->text = question;
 	q->offered = speed ? "" : c->guess;
-	q->hint = is_sieve(c) ? "or: mm, um, in, tyler, bs, astm"
-		  : speed     ? "or: 1350 rpm, feed; - leaves it out"
-			      : "or: feed, product@69, retained_g; - leaves it "
-				"out";
+	q->hint = is_sieve(c) ? tr("or: mm, um, in, tyler, bs, astm")
+		  : speed     ? tr("or: 1350 rpm, feed; - leaves it out")
+			  : tr("or: feed, product@69, retained_g; - leaves it "
+			       "out");
 	q->wrong = wrong;
 	do {
 		char *answer = s->hooks.question(s, q);
 		good = answer != NULL;
 		if (good)
-			words = inquiry_answer(c, answer, wrong);
+			words = read_answer(c, answer, wrong);
 		free(answer);
 		q->first = false;
 	} while (good && words == NULL && wrong[0] != '\0');
@@ -309,8 +318,8 @@ ask_columns(struct session *s, const struct site_ask *ask, const char *file,
 		table.column[i] = ask->column[i];
 		table.column[i].guess = xstrdup(ask->column[i].guess);
 	}
-	char *about = xasprintf("%s: what are the %s marked with ?", file,
-	    ask->across ? "lines" : "columns");
+	char *about = xasprintf(tr("%s: what are the %s marked with ?"), file,
+	    ask->across ? tr("lines") : tr("columns"));
 	struct inquiry q = {.about = about, .ask = &table, .first = true};
 	bool good = true;
 	said->columns = xstrdup("");
@@ -338,8 +347,8 @@ take_rotor(const char *said, struct inquired *into, char *wrong)
 		    mm <= MOST_ROTOR_MM;
 	into->rotor = good ? mm / 1000 : 0;
 	if (!good)
-		snprintf(wrong, INQUIRY_WRONG,
-		    "expected a diameter from %g to %g mm, got '%.30s'",
+		snprintf(wrong, WRONG,
+		    tr("expected a diameter from %g to %g mm, got '%.30s'"),
 		    LEAST_ROTOR_MM, MOST_ROTOR_MM, said);
 	return good;
 }
@@ -351,8 +360,8 @@ take_decimal(const char *said, struct inquired *into, char *wrong)
 	bool point = strcmp(said, ".") == 0 || text_same(said, "point");
 	into->decimal = comma ? ',' : '.';
 	if (!comma && !point)
-		snprintf(wrong, INQUIRY_WRONG,
-		    "expected point or comma, got '%.30s'", said);
+		snprintf(wrong, WRONG,
+		    tr("expected point or comma, got '%.30s'"), said);
 	return comma || point;
 }
 
@@ -386,11 +395,11 @@ ask_option(struct session *s, const struct site_ask *ask,
 {
 	static const struct {
 		const char *option, *question;
-	} ASKS[] = {{"rotor_mm=", "diameter of the rotor in mm"},
-	    {"decimal=", "decimal sign, point or comma"},
-	    {"sheet=", "which sheet is to be read"},
-	    {"range=", "which cells are to be read"}};
-	char wrong[INQUIRY_WRONG] = "";
+	} ASKS[] = {{"rotor_mm=", N_("diameter of the rotor in mm")},
+	    {"decimal=", N_("decimal sign, point or comma")},
+	    {"sheet=", N_("which sheet is to be read")},
+	    {"range=", N_("which cells are to be read")}};
+	char wrong[WRONG] = "";
 	char *about = xasprintf("%s: %s", trouble->file, trouble->text);
 	struct inquiry q = {.about = about,
 	    .ask = ask,
@@ -402,7 +411,7 @@ ask_option(struct session *s, const struct site_ask *ask,
 	for (size_t i = 0; i < ARRAY_LEN(ASKS); i++)
 		if (strncmp(ask->settle, ASKS[i].option,
 			strlen(ASKS[i].option)) == 0) {
-			q.text = ASKS[i].question;
+			q.text = tr(ASKS[i].question);
 			q.offered = i < 2 ? "" : strchr(ask->settle, '=') + 1;
 		}
 	bool good = false, given_up = false;
@@ -432,7 +441,7 @@ inquire_either(struct session *s, const struct error *trouble, const char *text,
     const char *const either[2], bool *second)
 {
 	const struct site_ask none = {0};
-	char wrong[INQUIRY_WRONG] = "";
+	char wrong[WRONG] = "";
 	char *about = xasprintf("%s: %s", trouble->file, trouble->text);
 	struct inquiry q = {.about = about,
 	    .ask = &none,
@@ -451,8 +460,9 @@ inquire_either(struct session *s, const struct error *trouble, const char *text,
 			good = n > 0 && strncasecmp(said, either[i], n) == 0;
 			*second = i == 1;
 		}
-		snprintf(wrong, sizeof wrong, "expected %s or %s, got '%.30s'",
-		    either[0], either[1], said != NULL ? said : "");
+		snprintf(wrong, sizeof wrong,
+		    tr("expected %s or %s, got '%.30s'"), either[0], either[1],
+		    said != NULL ? said : "");
 		free(answer);
 		q.first = false;
 	}

@@ -43,11 +43,4 @@ bool inquire_either(struct session *s, const struct error *trouble,
  * heads first; what is too long ends in "..".  The caller frees. */
 char *inquiry_row(const struct inquiry *q, size_t row, int columns);
 
-/* What the answer about a column says, as columns= has it, which the caller
- * frees: a speed, words, or what is offered for "".  NULL: it is left out where
- * wrong is "", else wrong says what was expected. */
-enum { INQUIRY_WRONG = 160 };
-char *inquiry_answer(const struct site_ask_column *column, const char *answer,
-    char wrong[static INQUIRY_WRONG]);
-
 #endif

@@ -7,13 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/files.h"
 #include "cmd/keep.h"
+#include "cmd/output.h"
 #include "cmd/redirect.h"
-#include "cmd/script.h"
 #include "cmd/undo.h"
-#include "plot/picture.h"
 
 /* Invocations nest: the commands of a script run within that of its source. */
 struct invocation {
@@ -26,6 +26,7 @@ struct invocation {
 	struct snapshot *before; /* or NULL where it changes nothing */
 	size_t state;            /* of the journal when it began */
 	size_t steps;            /* that could be undone then */
+	size_t readings;         /* of files by then */
 	bool joins;              /* is undone with the step before */
 	bool stopped;            /* its calibration was, after */
 	size_t stopped_at;       /* so many steps */
@@ -42,7 +43,7 @@ file_option(const struct args *args)
 	const struct command_option *o;
 	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
 	     i++)
-		if (o->kind == VALUE_FILE && args->value[i].given)
+		if (value_is_file(o, &args->value[i]))
 			return i;
 	return OPTIONS;
 }
@@ -54,7 +55,7 @@ check_safe(
 {
 	const struct command *command = args->command;
 	size_t option = file_option(args);
-	if (command->flags & COMMAND_FILES)
+	if ((command->flags & COMMAND_FILES) && args->n_operand > 0)
 		error_set(error, ERROR_USAGE, "%s is off: it works on files",
 		    command->name);
 	else if (option < OPTIONS)
@@ -62,60 +63,13 @@ check_safe(
 		    command_option_at(command, option)->name);
 	else if (words->to != TO_SCREEN)
 		error_set(error, ERROR_USAGE, "%s is off",
-		    words->to == TO_PIPE ? "a shell command"
-					 : "writing to a file");
+		    words->to == TO_PIPE ? tr("a shell command")
+					 : tr("writing to a file"));
 	else
 		return true;
 	return error_hint(error,
 	    "start the program without --safe to allow it: with --safe it "
 	    "reads only the files of its command line and writes none");
-}
-
-/* A file for a picture wants one command that draws, and holds one picture. A
- * workbook is no text: a spreadsheet would call one of text broken, and more
- * cannot be added to its end. */
-static bool
-can_take(const struct command *command, const struct words *words,
-    struct error *error)
-{
-	static const char *const BOOKS[] = {".xls", ".xlsm", ".xlsb", ".ods"};
-	enum picture_form form;
-	size_t kind;
-	for (size_t i = 0; words->to != TO_PIPE && i < ARRAY_LEN(BOOKS); i++)
-		if (text_ends(words->target, BOOKS[i]))
-			return error_set(error, ERROR_USAGE,
-			    "cannot write this kind of workbook (%s)\n"
-			    "write > FILE.xlsx instead, or > FILE.csv",
-			    words->target);
-	if (words->to == TO_END && text_ends(words->target, ".xlsx"))
-		return error_set(error, ERROR_USAGE,
-		    "results cannot be appended to a workbook (%s)\n"
-		    "use > with a file for each command, or >> FILE.csv",
-		    words->target);
-	if (words->to == TO_PIPE || !picture_form_of(words->target, &form))
-		return true;
-	if (!picture_can(form))
-		return error_set(error, ERROR_USAGE,
-		    "this program draws %s, not %s\n> FILE.svg works",
-		    picture_forms(), strrchr(words->target, '.') + 1);
-	if (!(command->flags & COMMAND_DRAWS) &&
-	    text_choice(
-		command_find("plot")->operands.expect[0], command->name, &kind))
-		return error_set(error, ERROR_USAGE,
-		    "%s makes no image for %s\n"
-		    "use plot %s > %s",
-		    command->name, words->target, command->name, words->target);
-	if (!(command->flags & COMMAND_DRAWS))
-		return error_set(error, ERROR_USAGE,
-		    "%s makes no image for %s\n"
-		    "use predict or plot KIND",
-		    command->name, words->target);
-	if (words->to == TO_FILE)
-		return true;
-	return error_set(error, ERROR_USAGE,
-	    "an image cannot be appended to %s\n"
-	    "use > instead of >>",
-	    words->target);
 }
 
 bool
@@ -140,8 +94,8 @@ invocation_begin(struct session *s, const struct args *args,
 	    .timed = s->set.timing,
 	    .running = true,
 	    .scripts = s->scripts};
-	if (words->to != TO_SCREEN && can_take(command, words, error))
-		t->redirect = redirect_open(s, words, error);
+	if (words->to != TO_SCREEN && output_allowed(command, words, error))
+		t->redirect = redirect_open(s, command, words, error);
 	if (words->to != TO_SCREEN && t->redirect == NULL) {
 		error_place(error, place.file, place.line, t->column);
 		free(t);
@@ -151,6 +105,7 @@ invocation_begin(struct session *s, const struct args *args,
 	t->line = journal_line(args, words);
 	t->state = journal_mark(s).state;
 	t->steps = undo_depth(s);
+	t->readings = files_readings(s);
 	if (command->flags & COMMAND_CHANGES)
 		t->before = snapshot_take(s);
 	s->invocation = t;
@@ -187,6 +142,13 @@ invocation_reads(struct session *s, const char *line)
 }
 
 void
+invocation_fails(struct session *s, const struct error *error)
+{
+	if (s->invocation != NULL)
+		s->invocation->late = *error;
+}
+
+void
 invocation_saved(struct session *s)
 {
 	s->invocation->saved = true;
@@ -207,22 +169,42 @@ came_to_nothing(const struct invocation *t)
 	return t->stopped && t->stopped_at == 0;
 }
 
+/* The files that it read have to be the same when it is done again; commands
+ * with digest= see to it themselves, by the numbers. */
+static void
+record_files(struct session *s, const struct invocation *t, const char *latest)
+{
+	uint64_t digest;
+	size_t n = files_readings(s);
+	if (command_option_index(t->command, "digest") < OPTIONS)
+		return;
+	for (size_t i = t->readings; i < n; i++) {
+		const char *path = files_reading(s, i, &digest);
+		journal_check(
+		    s, i == t->readings ? latest : NULL, path, digest);
+	}
+}
+
 /* What went elsewhere is not done again, but for what it changed. */
 static void
 record(struct session *s, const struct invocation *t, bool changed)
 {
-	bool elsewhere = is_redirected(t),
-	     latest = (t->command->flags & COMMAND_LATEST) != 0;
-	/* What is asked while a calibration runs depends on the moment. */
-	bool between = session_busy(s) && s->job.invocation != t;
+	bool elsewhere = is_redirected(t);
+	const char *latest =
+	    t->command->flags & COMMAND_LATEST ? t->command->name : NULL;
+	/* What is asked while a calibration runs depends on the moment; what is
+	 * set does not. */
+	bool between = session_busy(s) && s->job.invocation != t &&
+		       t->command->setting == NULL;
 	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
 	    between || came_to_nothing(t))
 		return;
 	char pause[32] = "";
 	if (t->stopped)
 		snprintf(pause, sizeof pause, " pause=%zu", t->stopped_at);
-	journal_add(s, latest ? t->command->name : NULL, "%s%s%s", t->line,
-	    pause, elsewhere ? " > /dev/null" : "");
+	record_files(s, t, latest);
+	journal_add(s, latest, "%s%s%s", t->line, pause,
+	    elsewhere ? " > /dev/null" : "");
 }
 
 void

@@ -36,6 +36,10 @@ void invocation_adds(struct session *s, const char *option, const char *value);
 /* The command that runs is saved as this line instead. */
 void invocation_reads(struct session *s, const char *line);
 
+/* The command that runs fails in the end, though its results stay: they are of
+ * a part of what was asked. */
+void invocation_fails(struct session *s, const struct error *error);
+
 /* When the command that runs has done what it should, a file of the user's has
  * the session as it then is. */
 void invocation_saved(struct session *s);

@@ -6,10 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/pool.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/fit.h"
 #include "cmd/light.h"
+#include "cmd/part.h"
 #include "cmd/fit_report.h"
+#include "cmd/outlook.h"
 #include "cmd/table.h"
 #include "cmd/invocation.h"
 #include "core/misfit.h"
@@ -23,17 +27,31 @@ announce(struct session *s)
 	size_t model = o->settings.breakage;
 	char *train = session_speeds(entry->site, ", ", s->job.train, true);
 	char *holdout = session_speeds(entry->site, ", ", s->job.train, false);
-	session_note(s, "calibrating %s on %s m/s%s%s%s%s%s", entry->site->name,
-	    train, holdout[0] != '\0' ? " (held out: " : "", holdout,
-	    holdout[0] != '\0' ? ")" : "", model > 0 ? ", model " : "",
-	    model > 0 ? BREAKAGES[model]->name : "");
-	session_note(s,
-	    "  population %zu, generations %zu, tolerance %g, stall %zu, "
-	    "polish %s, seed %llu, threads %u",
-	    o->population, o->generations, o->tolerance, o->stall,
-	    o->polish ? "on" : "off", (unsigned long long)o->seed, o->threads);
+	char *words = xasprintf(
+	    holdout[0] != '\0' ? tr("calibrating %s on %s m/s (held out: %s)")
+			       : tr("calibrating %s on %s m/s%s"),
+	    entry->site->name, train, holdout);
+	if (model > 0)
+		xappend(&words, tr(", model %s"), BREAKAGES[model]->name);
+	session_note(s, "%s", words);
+	free(words);
+	if (s->job.detail)
+		session_note(s,
+		    "  population %zu, generations %zu, tolerance %g, stall "
+		    "%zu, "
+		    "polish %s, seed %llu, threads %u",
+		    o->population, o->generations, o->tolerance, o->stall,
+		    o->polish ? "on" : "off", (unsigned long long)o->seed,
+		    o->threads);
 	free(train);
 	free(holdout);
+}
+
+/* What is to be paused after some step goes one after the other. */
+static bool
+together(const struct job *job)
+{
+	return job->apart && job->pause_at == 0;
 }
 
 /* Begins with the round that job.entry and job.train say. */
@@ -45,7 +63,9 @@ begin(struct session *s)
 	calibration_free(job->calibration);
 	job->options.train = job->train;
 	job->options.run_weight = job->run_weight;
-	job->calibration = calibration_new(site, &job->options);
+	struct calibrate_options options = job->options;
+	options.threads = together(job) ? 1 : options.threads;
+	job->calibration = calibration_new(site, &options);
 	job->started = session_clock();
 	announce(s);
 }
@@ -68,6 +88,7 @@ job_start(struct session *s, const struct job *job)
 	session_stop(s);
 	s->job = *job;
 	s->job.invocation = s->invocation;
+	s->job.fits = job->rounds->at == NULL;
 	bool any = job->rounds->next(s);
 	if (any)
 		begin(s);
@@ -131,6 +152,7 @@ take_history(struct entry *entry, const struct job *job)
 	    .n = n,
 	    .generation = xcalloc(n + 1, size),
 	    .bounds = *calibration_bounds(job->calibration),
+	    .weight = calibration_weight(job->calibration),
 	    .site = entry->site,
 	    .train = xcalloc(entry->site->n_run, sizeof *h->train),
 	    .stop = job->options.stop};
@@ -163,12 +185,12 @@ options_words(const struct session *s, const struct fit *fit)
 		sign = ",";
 	}
 	if (fit->edits > 0)
-		xappend(&words, "; bounds edited after generation %zu%s",
-		    fit->edited_at, fit->edits > 1 ? " and before" : "");
+		xappend(&words, tr("; bounds edited after generation %zu%s"),
+		    fit->edited_at, fit->edits > 1 ? tr(" and before") : "");
 	for (size_t j = 0; j < BREAKAGES[model]->n; j++)
 		if (o->bounds.lower[j] != usual.lower[j] ||
 		    o->bounds.upper[j] != usual.upper[j])
-			xappend(&words, "; bounds %s %g..%g",
+			xappend(&words, tr("; bounds %s %g..%g"),
 			    BREAKAGES[model]->parameter[j].name,
 			    o->bounds.lower[j], o->bounds.upper[j]);
 	return words;
@@ -176,7 +198,7 @@ options_words(const struct session *s, const struct fit *fit)
 
 /* Takes the job's result into its site. */
 static void
-take_fit(struct session *s)
+take_entry(struct session *s)
 {
 	struct entry *entry = &s->entry[s->job.entry];
 	entry->fit = calibration_fit(s->job.calibration);
@@ -191,20 +213,43 @@ take_fit(struct session *s)
 	    entry->site->n_run * sizeof *entry->train);
 	origin_drop(entry->origin);
 	entry->origin = origin_of_fit(entry);
+	s->job.taken = true;
+}
+
+/* The draws that tell its light take longer than many generations. */
+static bool
+draw_fit(struct session *s)
+{
+	if (!s->job.taken)
+		take_entry(s);
+	return outlook_draw(s, &s->entry[s->job.entry]);
+}
+
+/* draw: with what its draws tell. */
+static void
+take_fit(struct session *s, bool draw)
+{
+	const struct entry *entry = &s->entry[s->job.entry];
+	if (!s->job.taken)
+		take_entry(s);
 	/* That of `all` is a table of sites, and tells of none alone. */
 	struct answer *answer = answer_new("calibrate");
-	fit_put(
-	    answer_fields(answer), s, entry, session_clock() - s->job.started);
+	fit_put(answer_fields(answer), entry,
+	    draw ? light_verdict(s, entry, NULL)
+		 : light_verdict_undrawn(s, entry),
+	    session_clock() - s->job.started);
 	session_keep(s, answer);
 }
 
 static void
-show_fit(struct session *s)
+give_fit(struct session *s)
 {
 	double seconds = session_clock() - s->job.started;
-	session_note(s, "  done in %.2f s", seconds);
+	if (s->job.detail)
+		session_note(s, "  done in %.2f s", seconds);
 	session_answer(s, fit_answer(s, &s->entry[s->job.entry],
-			      calibration_bounds(s->job.calibration), seconds));
+			      calibration_bounds(s->job.calibration), seconds,
+			      s->job.detail));
 }
 
 /* "alpha at bound; same data as ubbarp; poor". */
@@ -215,15 +260,15 @@ remarks(const struct session *s, const struct entry *entry)
 	const struct breakage *of = breakage_of(&entry->fit.params);
 	for (size_t j = 0; j < of->n; j++)
 		if (entry->fit.on_bound[j])
-			xlist(
-			    &text, "; ", "%s at bound", of->parameter[j].name);
+			xlist(&text, "; ", tr("%s at bound"),
+			    of->parameter[j].name);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *other = &s->entry[i];
 		if (other != entry &&
 		    other->site->digest == entry->site->digest)
-			xlist(&text, "; ", "same data as %s", other->key);
+			xlist(&text, "; ", tr("same data as %s"), other->key);
 	}
-	const char *verdict = light_verdict(s, entry, NULL);
+	const char *verdict = light_verdict_undrawn(s, entry);
 	if (strcmp(verdict, "good") != 0)
 		xlist(&text, "; ", "%s", verdict);
 	return text;
@@ -234,10 +279,10 @@ summarise(struct session *s, struct answer *r, const struct entry *entry)
 {
 	char *words = remarks(s, entry);
 	const struct params *p = &entry->fit.params;
-	answer_cells(r, "%s %.3f %.2f %.3f %g %.2f %.2f %s", entry->key,
-	    params_value(p, "f_mat"), params_value(p, "e0_min"),
-	    params_value(p, "alpha"), entry->fit.misfit, 100 * entry->fit.rmse,
-	    100 * fit_holdout_rmse(entry), words);
+	part_add(r, &(struct part_row){entry->key, words,
+			params_value(p, "f_mat"), params_value(p, "e0_min"),
+			params_value(p, "alpha"), entry->fit.misfit,
+			100 * entry->fit.rmse, 100 * fit_holdout_rmse(entry)});
 	free(words);
 }
 
@@ -252,8 +297,8 @@ next_alone(struct session *s)
 static void
 take_alone(struct session *s)
 {
-	take_fit(s);
-	show_fit(s);
+	take_fit(s, true);
+	give_fit(s);
 }
 
 static void
@@ -264,23 +309,26 @@ end_alone(struct session *s, void *of)
 }
 
 static const struct rounds ALONE = {
-    next_alone, take_alone, end_alone, free, true, NULL};
+    next_alone, draw_fit, take_alone, end_alone, free, true, NULL, NULL, NULL};
 
 /* What `calibrate all` adds up. */
 struct every {
 	bool train_all;
+	struct part part;
+	size_t n, *index; /* sites of the part so far */
+	char *options;    /* that all parts must have */
 	struct answer *summary;
 };
 
 static void *
-every_new(bool train_all)
+every_new(const struct session *s, bool train_all, struct part part,
+    const struct calibrate_options *options)
 {
 	struct every *every = xcalloc(1, sizeof *every);
-	struct answer *r = answer_new("calibrate");
-	answer_title(r, "all sites, calibrated");
-	answer_columns(r, "site, f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
-			  "holdout_pct: hold-out RMSE, remark");
-	*every = (struct every){train_all, r};
+	*every = (struct every){.train_all = train_all,
+	    .part = part,
+	    .options = part_options(s, options, train_all ? "all" : "ends"),
+	    .summary = part_answer()};
 	return every;
 }
 
@@ -288,8 +336,11 @@ static void
 drop_every(void *of)
 {
 	struct every *every = of;
-	if (every != NULL)
-		answer_free(every->summary);
+	if (every == NULL)
+		return;
+	answer_free(every->summary);
+	free(every->index);
+	free(every->options);
 	free(every);
 }
 
@@ -305,18 +356,32 @@ next_every(struct session *s)
 		free(job->train);
 		job->train = xcalloc(site->n_run, sizeof *job->train);
 		job->entry = i;
-		if (job_mark(site, true, job->train) > 0 &&
+		if (part_has(&every->part, i) &&
+		    job_mark(site, true, job->train) > 0 &&
 		    job_mark(site, every->train_all, job->train) > 0)
 			return true;
 	}
 	return false;
 }
 
+/* One line for each site as it ends. */
+static void
+tell_end(const struct session *s)
+{
+	const struct entry *entry = &s->entry[s->job.entry];
+	session_note(s, "  %s: misfit %.4g, RMSE %.2f points", entry->key,
+	    entry->fit.misfit, 100 * entry->fit.rmse);
+}
+
 static void
 take_every(struct session *s)
 {
-	const struct every *every = s->job.of;
-	take_fit(s);
+	struct every *every = s->job.of;
+	take_fit(s, false);
+	tell_end(s);
+	every->index =
+	    xrealloc(every->index, every->n + 1, sizeof *every->index);
+	every->index[every->n++] = s->job.entry;
 	summarise(s, every->summary, &s->entry[s->job.entry]);
 }
 
@@ -324,12 +389,18 @@ static void
 end_every(struct session *s, void *of)
 {
 	struct every *every = of;
+	if (every->part.of > 0) {
+		part_sign(every->summary, s, &every->part, every->index,
+		    every->n, every->options);
+		answer_put_rows(every->summary, "rows");
+	}
 	session_answer(s, every->summary);
-	free(every);
+	every->summary = NULL;
+	drop_every(every);
 }
 
-static const struct rounds EVERY = {
-    next_every, take_every, end_every, drop_every, false, NULL};
+static const struct rounds EVERY = {next_every, draw_fit, take_every, end_every,
+    drop_every, false, NULL, NULL, NULL};
 
 static void
 end_rounds(struct session *s)
@@ -356,13 +427,123 @@ void
 session_step(struct session *s)
 {
 	struct calibration *c = s->job.calibration;
-	size_t before = calibration_status(c).step;
+	struct calibrate_status before = calibration_status(c);
+	if (before.state < CALIBRATE_TOLERANCE)
+		s->job.taken = false;
 	bool over = calibration_step(c) >= CALIBRATE_TOLERANCE;
-	s->job.step += calibration_status(c).step - before;
+	s->job.step += calibration_status(c).step - before.step;
+	if (over && s->job.rounds->draw != NULL && !s->job.rounds->draw(s))
+		return;
+	if (over && s->job.rounds->follow != NULL)
+		s->job.found = s->job.rounds->follow(
+		    s, &(struct round){s->job.entry, s->job.train, c, NULL});
 	if (over)
 		next_or_end(s);
 	if (session_busy(s) && s->job.step == s->job.pause_at)
 		session_pause(s);
+}
+
+/* A round that is calibrated beside others.  found: what followed. */
+struct ahead {
+	const struct session *s;
+	struct round round;
+	bool *train;
+	struct calibration *calibration;
+	bool over;
+	void *found;
+};
+
+/* To its end, or until somebody waits. */
+static void
+run_ahead(void *data, size_t piece, unsigned thread)
+{
+	struct ahead *a = &((struct ahead *)data)[piece];
+	const struct rounds *rounds = a->s->job.rounds;
+	bool (*stop)(void) = a->round.stop;
+	(void)thread;
+	do
+		a->over =
+		    calibration_step(a->calibration) >= CALIBRATE_TOLERANCE;
+	while (!a->over && (stop == NULL || !stop()));
+	if (a->over && rounds->follow != NULL) {
+		a->found = rounds->follow(a->s, &a->round);
+		a->over = a->found != NULL;
+	}
+}
+
+/* The present round and those after it, `most` at most. */
+static size_t
+look_ahead(struct session *s, struct ahead *ahead, size_t most)
+{
+	struct job *job = &s->job;
+	size_t n = 0;
+	do {
+		ahead[n++] = (struct ahead){.s = s,
+		    .round = {job->entry, job->train, job->calibration,
+			job->options.stop},
+		    .train = job->train,
+		    .calibration = job->calibration};
+		job->train = NULL;
+		if (n == most || !job->rounds->next(s))
+			break;
+		job->calibration = NULL;
+		begin(s);
+	} while (true);
+	free(job->train);
+	return n;
+}
+
+/* Takes the results in the order of the rounds.  One that was stopped is the
+ * present one then, and those after it begin anew. */
+static void
+take_ahead(struct session *s, const struct ahead *ahead, size_t n)
+{
+	struct job *job = &s->job;
+	bool over = true;
+	for (size_t i = 0; i < n; i++) {
+		if (!over) {
+			if (ahead[i].found != NULL)
+				job->rounds->drop(ahead[i].found);
+			calibration_free(ahead[i].calibration);
+			free(ahead[i].train);
+			continue;
+		}
+		job->entry = ahead[i].round.entry;
+		job->train = ahead[i].train;
+		job->calibration = ahead[i].calibration;
+		job->found = ahead[i].found;
+		struct calibrate_status st =
+		    calibration_status(job->calibration);
+		over = ahead[i].over;
+		job->taken = false;
+		job->step += over ? st.step : 0;
+		if (!over || i + 1 == n)
+			continue;
+		job->rounds->take(s);
+		calibration_free(job->calibration);
+		free(job->train);
+	}
+	if (over)
+		next_or_end(s);
+}
+
+void
+session_rounds(struct session *s)
+{
+	enum { EACH_THREAD = 2 };
+	if (!together(&s->job)) {
+		session_step(s);
+		return;
+	}
+	unsigned threads = s->job.options.threads;
+	size_t most = EACH_THREAD * threads;
+	struct ahead *ahead = xcalloc(most, sizeof *ahead);
+	size_t n = look_ahead(s, ahead, most);
+	struct pool *pool = pool_new(threads);
+	pool_run(pool, n, run_ahead, ahead);
+	pool_free(pool);
+	take_ahead(s, ahead, n);
+	free(ahead);
 }
 
 /* The misfit of the site's fit where that is one of the same runs, so that the
@@ -578,24 +759,34 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 {
 	const struct site *site = session_entry(s)->site;
 	bool all = args->n_operand > 0;
+	struct part part = {0};
 	struct job job = {.rounds = all ? &EVERY : &ALONE,
 	    .options = chosen_options(s, args),
+	    .detail = args_value(args, "detail")->choice == 1,
 	    .pause_at = (size_t)args_value(args, "pause")->whole};
 	if (all && strcmp(args->operand[0], "all") != 0)
 		return error_set(error, ERROR_USAGE,
 		    "calibrate: expected options or all, got '%s'",
 		    args->operand[0]);
 	if (!fit_settings_agree(&s->set.model, s->set.model.breakage, error) ||
+	    !part_choose(args, all, &part, error) ||
 	    !(all ? check_all(args, error)
 		  : choose_runs(site, args, &job, error))) {
 		job_free(&job);
 		return false;
 	}
+	bool train_all = all && args_value(args, "train")->given;
+	job.apart = all;
 	if (all)
-		job.of = every_new(args_value(args, "train")->given);
-	return job_start(s, &job) ||
-	       error_set(error, ERROR_DATA,
-		   "no loaded site has a product to calibrate on");
+		job.of = every_new(s, train_all, part, &job.options);
+	if (job_start(s, &job))
+		return true;
+	if (part.of == 0)
+		return error_set(error, ERROR_DATA,
+		    "no loaded site has a product to calibrate on");
+	/* More parts than sites: an empty one is a part, too. */
+	end_every(s, every_new(s, train_all, part, &job.options));
+	return true;
 }
 
 static bool

@@ -5,20 +5,40 @@
 
 #include "cmd/session.h"
 
+/* A round: a site, the runs it is trained on, its calibration; stop: whether
+ * somebody waits, or NULL. */
+struct round {
+	size_t entry;
+	const bool *train;
+	struct calibration *calibration;
+	bool (*stop)(void);
+};
+
 /* What a job calibrates, round by round. */
 struct rounds {
 	/* The first round, or the one after: job.entry, and job.train for that
 	 * site.  False where there is none left. */
 	bool (*next)(struct session *s);
-	/* The round's calibration has ended. */
+	/* The round's calibration has ended: works out a part of what follows
+	 * from it; true when there is no more.  NULL: nothing does. */
+	bool (*draw)(struct session *s);
+	/* That is done. */
 	void (*take)(struct session *s);
 	/* All rounds have, or ^C ended them: answers, and owns `of`. */
 	void (*end)(struct session *s, void *of);
 	void (*drop)(void *of); /* without an answer; `of` or NULL */
-	bool alone; /* one calibration, to be watched and continued */
+	bool alone; /* one calibration, to be continued when stopped */
+	/* What it is at, which the caller frees: "tierp without 74 m/s".  NULL:
+	 * each is of its site's own fit, and can be watched. */
+	char *(*at)(const struct session *s);
 	/* What to say of a stopped one, of which nothing is of use; NULL: what
 	 * it has found is. */
 	const char *useless;
+	/* What follows from a round's calibration once it has ended, for take
+	 * as job.found, which owns it; such as drop frees.  Rounds side by side
+	 * do it there too, so that it changes nothing of the session.  NULL
+	 * where it was stopped.  Itself NULL: nothing follows. */
+	void *(*follow)(const struct session *s, const struct round *round);
 };
 
 /* The options of a plain `calibrate` in this session. */
@@ -44,6 +64,10 @@ bool job_hold_out(const struct site *site, double *speed, bool *train);
 
 /* One step of the job; prints its result and ends it when it is done. */
 void session_step(struct session *s);
+
+/* The same for who need not be live meanwhile: several rounds to their ends,
+ * side by side, where they do not wait for each other. */
+void session_rounds(struct session *s);
 
 /* Discards a calibration that was stopped, and says so. */
 void session_let_go(struct session *s);

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/journal.h"
 
+#include <ctype.h>
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -11,6 +12,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/settings.h"
+#include "io/standards.h"
 
 struct journal {
 	size_t n, start;
@@ -98,13 +100,24 @@ is_call_of(const char *line, const char *name)
 	       (line[n] == '\0' || line[n] == ' ');
 }
 
+/* The last line, if it is a call of that name, and what was checked for it:
+ * assert is saved for nothing else. */
+static void
+drop_latest(struct journal *j, const char *latest)
+{
+	if (latest == NULL || j->n <= j->start ||
+	    !is_call_of(j->line[j->n - 1], latest))
+		return;
+	free(j->line[--j->n]);
+	while (j->n > j->start && is_call_of(j->line[j->n - 1], "assert"))
+		free(j->line[--j->n]);
+}
+
 void
 journal_add(struct session *s, const char *latest, const char *line, ...)
 {
 	struct journal *j = s->journal;
-	if (latest != NULL && j->n > j->start &&
-	    is_call_of(j->line[j->n - 1], latest))
-		free(j->line[--j->n]);
+	drop_latest(j, latest);
 	va_list ap;
 	va_start(ap, line);
 	append(j, xvasprintf(line, ap));
@@ -159,27 +172,66 @@ put_path(char **line, const char *key, const char *path)
 	free(whole);
 }
 
-/* The option of the call that the word gives, or NULL. */
+void
+journal_check(
+    struct session *s, const char *latest, const char *path, uint64_t digest)
+{
+	struct journal *j = s->journal;
+	char *line = xstrdup("assert");
+	put_path(&line, NULL, path);
+	xappend(&line, " is %016" PRIx64, digest);
+	drop_latest(j, latest);
+	bool known = false;
+	for (size_t i = j->start; i < j->n; i++)
+		known = known || strcmp(j->line[i], line) == 0;
+	if (known)
+		free(line);
+	else
+		append(j, line);
+}
+
+/* The option of the call that the word gives, or NULL; file: whether its value
+ * names one. */
 static const struct command_option *
-given_by(const struct args *args, const char *word)
+given_by(const struct args *args, const char *word, bool *file)
 {
 	const struct command_option *o;
 	const char *equals = strchr(word, '=');
 	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
-	     i++)
+	     i++) {
+		*file = value_is_file(o, &args->value[i]);
 		if (args->value[i].given && equals != NULL &&
 		    args->value[i].text == equals + 1)
 			return o;
+	}
 	return NULL;
 }
 
+/* Whether a word is an operand of the call that is a path. */
 static bool
-is_operand(const struct args *args, const char *word)
+is_path(const struct args *args, const char *word)
 {
-	for (size_t i = 0; i < args->n_operand; i++)
-		if (args->operand[i] == word)
-			return true;
-	return false;
+	size_t i = 0, which;
+	while (i < args->n_operand && args->operand[i] != word)
+		i++;
+	if (i == args->n_operand)
+		return false;
+	const char *verbs = args->command->operands.expect[0];
+	bool verb = i == 0 && islower((unsigned char)word[0]) &&
+		    verbs != NULL && text_choice(verbs, word, &which);
+	if (args->command->flags & COMMAND_FILES)
+		return !verb;
+	return (args->command->flags & COMMAND_SPEC) &&
+	       !text_choice("use list off", word, &which) &&
+	       standards_is_path(word);
+}
+
+/* What a script that is run again leaves out: where a calibration was stopped,
+ * which has a line of its own, and a sheet that is there by then. */
+static bool
+not_again(const struct command_option *o)
+{
+	return strcmp(o->name, "pause") == 0 || strcmp(o->name, "out") == 0;
 }
 
 char *
@@ -188,13 +240,15 @@ journal_line(const struct args *args, const struct words *words)
 	char *line = xstrdup(args->command->name);
 	for (size_t i = 1; i < words->n; i++) {
 		const char *word = words->text[i];
-		const struct command_option *o = given_by(args, word);
-		if (o != NULL && strcmp(o->name, "pause") == 0)
+		bool file = false;
+		const struct command_option *o = given_by(args, word, &file);
+		if (o != NULL && not_again(o))
 			continue;
-		if (o != NULL && o->kind == VALUE_FILE)
+		bool names = o != NULL && o->kind == VALUE_SPEC &&
+			     standards_is_path(strchr(word, '=') + 1);
+		if (o != NULL && (names || file))
 			put_path(&line, o->name, strchr(word, '=') + 1);
-		else if ((args->command->flags & COMMAND_FILES) &&
-			 is_operand(args, word))
+		else if (is_path(args, word))
 			put_path(&line, NULL, word);
 		else
 			put_word(&line, word);

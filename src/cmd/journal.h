@@ -4,6 +4,7 @@
 #define TIPSPEED_CMD_JOURNAL_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "cmd/command.h"
 #include "cmd/parse.h"
@@ -32,6 +33,11 @@ void tail_free(struct tail *tail);
  * that is the last; or NULL. */
 void journal_add(struct session *s, const char *latest, const char *line, ...)
     __attribute__((format(printf, 3, 4)));
+
+/* A line before that of a command: the file that it is about to read has to be
+ * as it was, by a digest of its bytes.  latest: see journal_add. */
+void journal_check(
+    struct session *s, const char *latest, const char *path, uint64_t digest);
 
 /* The session is as it never was before. */
 void journal_changed(struct session *s);

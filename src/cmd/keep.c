@@ -9,6 +9,7 @@
 #include <time.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/journal.h"
 #include "config.h"
@@ -59,14 +60,19 @@ keep_begin(struct session *s)
 	s->keep->written = journal_mark(s);
 	s->keep->saved = s->keep->written.state;
 	size_t n;
-	char *offer = NULL, day[32];
+	static const char *const MONTHS[] = {N_("January"), N_("February"),
+	    N_("March"), N_("April"), N_("May"), N_("June"), N_("July"),
+	    N_("August"), N_("September"), N_("October"), N_("November"),
+	    N_("December")};
+	char *offer = NULL, day[8];
 	struct kept_file *file = kept_files(&n);
 	if (n > 0) {
 		const struct tm *tm = localtime(&file[0].when);
-		strftime(day, sizeof day, "%B %H:%M", tm);
-		offer = xasprintf("your last session of %d %s was not saved "
-				  "(%s): 'restore last' brings it back",
-		    tm->tm_mday, day, file[0].about);
+		strftime(day, sizeof day, " %H:%M", tm);
+		offer = xasprintf(
+		    tr("your last session of %d %s%s was not saved "
+		       "(%s): 'restore last' brings it back"),
+		    tm->tm_mday, tr(MONTHS[tm->tm_mon]), day, file[0].about);
 	}
 	kept_files_free(file, n);
 	return offer;
@@ -189,9 +195,9 @@ keep_list(struct session *s)
 		    localtime(&file[i].when));
 		answer_cells(r, "%s %s %s", when, file[i].about, file[i].path);
 	}
-	answer_note(r, n > 0 ? "run 'restore last' for the first, 'restore "
-			       "FILE' for any of them"
-			     : "there is none");
+	answer_note(r, n > 0 ? N_("run 'restore last' for the first, 'restore "
+				  "FILE' for any of them")
+			     : N_("there is none"));
 	kept_files_free(file, n);
 	return session_answer(s, r);
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
@@ -13,6 +14,21 @@
 #include "core/league.h"
 #include "core/misfit.h"
 #include "core/validate.h"
+
+/* The rows of a league: every breakage model and, where collision energies are
+ * set, the paper's with these (D15), the last. */
+static size_t
+breakage_of_row(size_t row)
+{
+	return row < breakage_count() ? row : 0;
+}
+
+static const char *
+name_of_row(size_t row)
+{
+	return row < breakage_count() ? BREAKAGES[row]->name
+				      : "grunditz+energies";
+}
 
 /* A model at a site.  fit: of the site's training runs; last: of the present
  * round, where a larger model begins. */
@@ -28,7 +44,8 @@ struct ground {
 	const struct site *site;
 	size_t entry;
 	bool each; /* each speed in turn */
-	struct tried *model;
+	size_t n_model;
+	struct tried *model; /* [n_model] */
 	size_t n;
 	struct league_cell *cell;
 	double *null[VALIDATE_WAYS];
@@ -38,7 +55,7 @@ struct ground {
  * out in turn, 0: none yet; model: of the present round. */
 struct league {
 	bool all;
-	size_t n, at, end, model, runs;
+	size_t n, at, end, model, n_model, runs;
 	double speed;
 	struct ground *ground;
 };
@@ -49,7 +66,7 @@ league_drop(void *of)
 	struct league *l = of;
 	for (size_t i = 0; l != NULL && i < l->n; i++) {
 		struct ground *g = &l->ground[i];
-		for (size_t m = 0; m < breakage_count(); m++)
+		for (size_t m = 0; m < g->n_model; m++)
 			free(g->model[m].predicted);
 		for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
 			free(g->null[way]);
@@ -86,12 +103,15 @@ begin_model(struct session *s)
 	const struct tried *tried = l->ground[l->n - 1].model;
 	struct calibrate_options *o = &s->job.options;
 	const struct fit *from = NULL;
-	for (size_t i = 0; i < l->model; i++)
+	bool energies = l->model >= breakage_count();
+	for (size_t i = 0; i < l->model && !energies; i++)
 		if (breakage_extends(l->model, i) &&
 		    (from == NULL || tried[i].last.misfit < from->misfit))
 			from = &tried[i].last;
-	o->settings.breakage = (unsigned)l->model;
-	o->bounds = bounds_of(s, l->model);
+	o->settings.breakage = (unsigned)breakage_of_row(l->model);
+	o->settings.impacts =
+	    energies ? s->set.model.impacts : (struct impacts){.n = 0};
+	o->bounds = bounds_of(s, breakage_of_row(l->model));
 	o->start = from != NULL ? &from->params : NULL;
 	return true;
 }
@@ -116,7 +136,8 @@ begin_site(struct session *s)
 	l->ground = xrealloc(l->ground, l->n + 1, sizeof *l->ground);
 	l->ground[l->n++] = (struct ground){.site = site,
 	    .entry = l->at,
-	    .model = xcalloc(breakage_count(), sizeof(struct tried))};
+	    .n_model = l->n_model,
+	    .model = xcalloc(l->n_model, sizeof(struct tried))};
 	return true;
 }
 
@@ -127,7 +148,7 @@ next_round(struct session *s)
 {
 	struct league *l = s->job.of;
 	bool first = s->job.calibration == NULL;
-	if (!first && ++l->model < breakage_count())
+	if (!first && ++l->model < l->n_model)
 		return begin_model(s);
 	l->model = 0;
 	struct ground *g = first ? NULL : &l->ground[l->n - 1];
@@ -201,7 +222,7 @@ find_noise(struct ground *g)
 {
 	const double least = 0.001, unknown = 0.005;
 	double variance = INFINITY, h = 0;
-	for (size_t m = 0; m < breakage_count(); m++) {
+	for (size_t m = 0; m < g->n_model; m++) {
 		const struct tried *t = &g->model[m];
 		if (t->fit.cells > t->parameters)
 			variance = fmin(variance,
@@ -217,13 +238,13 @@ find_noise(struct ground *g)
 }
 
 /* What is said of one site, or of several together: models
- * [breakage_count()], whose misfits, parameters and AICc are added up; the runs
+ * [n_model], whose misfits, parameters and AICc are added up; the runs
  * held out of all, and what the null models err there.  simplest: of those that
  * remain, the one that the others extend, where they can be told.  winner: the
  * null model that errs least where that is less than the best model errs, by
  * more than sampling explains; else VALIDATE_MODEL. */
 struct verdict {
-	size_t n, cells, best, simplest, *parameters;
+	size_t n, n_model, cells, best, simplest, *parameters;
 	struct league_cell *cell;
 	struct league_model *model;
 	double *misfit, **predicted, *null[VALIDATE_WAYS];
@@ -235,7 +256,7 @@ struct verdict {
 static void
 verdict_free(struct verdict *v)
 {
-	for (size_t m = 0; m < breakage_count(); m++)
+	for (size_t m = 0; m < v->n_model; m++)
 		free(v->predicted[m]);
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
 		free(v->null[way]);
@@ -261,13 +282,13 @@ add_ground(struct verdict *v, const struct ground *g, bool alone)
 {
 	bool counts = true;
 	size_t size = sizeof *v->cell;
-	for (size_t m = 0; m < breakage_count(); m++) {
+	for (size_t m = 0; m < v->n_model; m++) {
 		const struct tried *t = &g->model[m];
 		double aicc =
 		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
 		counts = counts && (alone || isfinite(aicc));
 	}
-	for (size_t m = 0; m < breakage_count(); m++) {
+	for (size_t m = 0; m < v->n_model; m++) {
 		const struct tried *t = &g->model[m];
 		double aicc =
 		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
@@ -288,15 +309,17 @@ add_ground(struct verdict *v, const struct ground *g, bool alone)
 static struct verdict
 verdict_of(const struct ground *g, size_t n)
 {
-	size_t models = breakage_count();
-	struct verdict v = {.model = xcalloc(models, sizeof *v.model),
+	size_t models = g->n_model;
+	struct verdict v = {.n_model = models,
+	    .model = xcalloc(models, sizeof *v.model),
 	    .misfit = xdoubles(models),
 	    .parameters = xcalloc(models, sizeof *v.parameters),
 	    .predicted = xcalloc(models, sizeof *v.predicted)};
 	for (size_t i = 0; i < n; i++)
 		add_ground(&v, &g[i], n == 1);
 	for (size_t m = 0; m < models; m++) {
-		v.model[m].model = m;
+		v.model[m].model = breakage_of_row(m);
+		v.model[m].energies = m >= breakage_count();
 		v.model[m].predicted = v.predicted[m];
 		v.model[m].rmse = league_rmse(v.cell, v.n, v.predicted[m]);
 	}
@@ -306,6 +329,7 @@ verdict_of(const struct ground *g, size_t n)
 	v.simplest = v.best;
 	for (size_t m = 0; m < models; m++)
 		if (v.model[m].standing == LEAGUE_POSSIBLE &&
+		    !v.model[m].energies && !v.model[v.simplest].energies &&
 		    breakage_extends(v.simplest, m))
 			v.simplest = m;
 	v.ranked = isfinite(v.model[v.best].aicc) || v.n > 0;
@@ -324,34 +348,34 @@ verdict_of(const struct ground *g, size_t n)
 static const struct {
 	const char *key, *noun;
 } NULLS[VALIDATE_WAYS] = {
-    [VALIDATE_INTERPOLATION] = {"interpolation", "interpolation"},
-    [VALIDATE_NEAREST] = {"nearest",
-	"the product at the nearest training speed"},
-    [VALIDATE_FEED] = {"feed", "the unchanged feed"}};
+    [VALIDATE_INTERPOLATION] = {N_("interpolation"), N_("interpolation")},
+    [VALIDATE_NEAREST] = {N_("nearest"),
+	N_("the product at the nearest training speed")},
+    [VALIDATE_FEED] = {N_("feed"), N_("the unchanged feed")}};
 
-static const char *const STANDINGS[] = {[LEAGUE_BEST] = "best",
-    [LEAGUE_POSSIBLE] = "possible",
-    [LEAGUE_OUT_AICC] = "out: AICc",
-    [LEAGUE_OUT_ERROR] = "out: hold-out"};
+static const char *const STANDINGS[] = {[LEAGUE_BEST] = N_("best"),
+    [LEAGUE_POSSIBLE] = N_("possible"),
+    [LEAGUE_OUT_AICC] = N_("out: AICc"),
+    [LEAGUE_OUT_ERROR] = N_("out: hold-out")};
 
 /* Where it stands; without AICc and error none is the best. */
 static const char *
 standing_of(const struct verdict *v, size_t m)
 {
 	enum league_standing standing = v->model[m].standing;
-	return STANDINGS[v->ranked ? standing : LEAGUE_POSSIBLE];
+	return tr(STANDINGS[v->ranked ? standing : LEAGUE_POSSIBLE]);
 }
 
 static void
 put_verdict(struct fields *o, const struct verdict *v)
 {
 	struct fields *list = fields_list(o, "models");
-	for (size_t m = 0; m < breakage_count(); m++)
+	for (size_t m = 0; m < v->n_model; m++)
 		fields_put(fields_object(list, NULL),
 		    "model %s holdout_rmse_pct %g aicc %g misfit %g "
 		    "parameters %zu cells %zu standing %s",
-		    BREAKAGES[m]->name, 100 * v->model[m].rmse,
-		    v->model[m].aicc, v->misfit[m], v->parameters[m], v->cells,
+		    name_of_row(m), 100 * v->model[m].rmse, v->model[m].aicc,
+		    v->misfit[m], v->parameters[m], v->cells,
 		    standing_of(v, m));
 	struct fields *null = fields_object(o, "null");
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
@@ -360,10 +384,10 @@ put_verdict(struct fields *o, const struct verdict *v)
 		free(key);
 	}
 	if (v->ranked)
-		fields_put(o, "best %s", BREAKAGES[v->best]->name);
+		fields_put(o, "best %s", name_of_row(v->best));
 	fields_put(o, "can_tell %d", v->can_tell);
 	if (v->can_tell)
-		fields_put(o, "simplest %s", BREAKAGES[v->simplest]->name);
+		fields_put(o, "simplest %s", name_of_row(v->simplest));
 	if (v->winner != VALIDATE_MODEL)
 		fields_put(o, "beaten_by %s", NULLS[v->winner].key);
 }
@@ -376,14 +400,14 @@ add_rows(struct answer *r, const struct verdict *v)
 	answer_columns(r, "model, parameters: free, misfit, aicc: AICc, "
 			  "above_best: above, holdout_rmse_pct: hold-out, "
 			  "standing");
-	for (size_t m = 0; m < breakage_count(); m++)
-		answer_cells(r, "%s %g %.5f %.1f %.1f %.2f %s",
-		    BREAKAGES[m]->name, (double)v->parameters[m], v->misfit[m],
-		    v->model[m].aicc, v->model[m].aicc - least,
-		    100 * v->model[m].rmse, standing_of(v, m));
+	for (size_t m = 0; m < v->n_model; m++)
+		answer_cells(r, "%s %g %.5f %.1f %.1f %.2f %s", name_of_row(m),
+		    (double)v->parameters[m], v->misfit[m], v->model[m].aicc,
+		    v->model[m].aicc - least, 100 * v->model[m].rmse,
+		    standing_of(v, m));
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
 		answer_cells(r, "%s %g %.5f %.1f %.1f %.2f %s", NULLS[way].key,
-		    NAN, NAN, NAN, NAN, 100 * v->rmse[way], "no model");
+		    NAN, NAN, NAN, NAN, 100 * v->rmse[way], tr("no model"));
 }
 
 /* "grunditz, vogel": those of the standings from..to but one. */
@@ -392,9 +416,9 @@ names_of(
     const struct verdict *v, enum league_standing from, enum league_standing to)
 {
 	char *list = xstrdup("");
-	for (size_t m = 0; m < breakage_count(); m++)
+	for (size_t m = 0; m < v->n_model; m++)
 		if (v->model[m].standing >= from && v->model[m].standing <= to)
-			xlist(&list, ", ", "%s", BREAKAGES[m]->name);
+			xlist(&list, ", ", "%s", name_of_row(m));
 	return list;
 }
 
@@ -403,30 +427,36 @@ say_verdict(struct answer *r, const struct verdict *v)
 {
 	char *open = names_of(v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 	char *out = names_of(v, LEAGUE_OUT_AICC, LEAGUE_OUT_ERROR);
-	const char *best = BREAKAGES[v->best]->name;
+	const char *best = name_of_row(v->best);
+	char *ruled = out[0] != '\0' ? xasprintf(tr("; they rule out %s"), out)
+				     : xstrdup("");
 	if (v->can_tell)
 		answer_note(r,
-		    "the data can tell the models apart: %s%s remain%s%s%s",
-		    BREAKAGES[v->simplest]->name,
-		    open[0] ? " and what extends it" : "", open[0] ? "" : "s",
-		    out[0] ? "; they rule out " : "", out);
+		    open[0] ? N_("the data can tell the models apart: %s and "
+				 "what extends it remain%s")
+			    : N_("the data can tell the models apart: %s "
+				 "remains%s"),
+		    name_of_row(v->simplest), ruled);
 	else if (!v->ranked)
 		answer_note(r, "the data cannot rank the models: no AICc and "
 			       "no hold-out error");
 	else if (open[0] != '\0')
 		answer_note(r,
-		    "the data cannot tell the models apart: beside %s, %s "
-		    "remain%s possible%s%s",
-		    best, open, strchr(open, ',') ? "" : "s",
-		    out[0] ? "; they rule out " : "", out);
+		    tr_n("the data cannot tell the models apart: beside %s, %s "
+			 "remains possible%s",
+			"the data cannot tell the models apart: beside %s, %s "
+			"remain possible%s",
+			strchr(open, ',') != NULL ? 2 : 1),
+		    best, open, ruled);
 	if (v->winner != VALIDATE_MODEL)
 		answer_say(r, ANSWER_WARNING,
 		    "%s predicts the held-out runs better than the best model, "
 		    "%s: RMSE %.2f against %.2f points",
-		    NULLS[v->winner].noun, best, 100 * v->rmse[v->winner],
+		    tr(NULLS[v->winner].noun), best, 100 * v->rmse[v->winner],
 		    100 * v->model[v->best].rmse);
 	free(open);
 	free(out);
+	free(ruled);
 }
 
 /* How to read it. */
@@ -445,12 +475,12 @@ note_rule(struct answer *r, const struct verdict *v, bool each, bool alone)
 		answer_say(r, ANSWER_REMARK,
 		    "hold-out: each speed in turn, calibrated on the others; "
 		    "AICc: all runs");
-	for (size_t m = 0; m < breakage_count(); m++)
+	for (size_t m = 0; m < v->n_model; m++)
 		if (isnan(v->model[m].aicc)) {
 			answer_say(r, ANSWER_REMARK,
 			    "no AICc: it needs two more passings than "
 			    "parameters with the variance; %s has %zu and %zu",
-			    BREAKAGES[m]->name, v->cells, v->parameters[m] + 1);
+			    name_of_row(m), v->cells, v->parameters[m] + 1);
 			break;
 		}
 }
@@ -496,8 +526,10 @@ all_answer(const struct session *s, const struct league *l)
 	struct answer *r = answer_new("league");
 	struct fields *sites = fields_list(answer_fields(r), "sites");
 	char *about = xstrdup("");
-	answer_title(r, "breakage models compared, %zu site%s", l->n,
-	    l->n == 1 ? "" : "s");
+	answer_title(r,
+	    tr_n("breakage models compared, %zu site",
+		"breakage models compared, %zu sites", l->n),
+	    l->n);
 	answer_columns(r, "site, best, holdout_rmse_pct: hold-out RMSE, "
 			  "interpolation_pct: interpolation, "
 			  "can_tell: can tell, possible: also possible");
@@ -508,10 +540,10 @@ all_answer(const struct session *s, const struct league *l)
 		char *open = names_of(&v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 		const char *key = g != NULL ? s->entry[g->entry].key : "all";
 		answer_text(r, "%s", key);
-		answer_cells(r, "%s %.2f %.2f %s", BREAKAGES[v.best]->name,
+		answer_cells(r, "%s %.2f %.2f %s", name_of_row(v.best),
 		    100 * v.model[v.best].rmse,
 		    100 * v.rmse[VALIDATE_INTERPOLATION],
-		    v.can_tell ? "yes" : "no");
+		    v.can_tell ? tr("yes") : tr("no"));
 		answer_text(r, "%s", open);
 		if (g != NULL) {
 			struct fields *own = fields_object(sites, NULL);
@@ -542,8 +574,20 @@ end_league(struct session *s, void *of)
 	league_drop(l);
 }
 
-static const struct rounds LEAGUE = {next_round, take_round, end_league,
-    league_drop, false, "stopped before all models were calibrated"};
+static char *
+at_model(const struct session *s)
+{
+	const struct league *l = s->job.of;
+	char *at = xasprintf(tr("league: %s, model %s"),
+	    s->entry[s->job.entry].key, name_of_row(l->model));
+	if (l->speed > 0)
+		xappend(&at, tr(" without %g m/s"), l->speed);
+	return at;
+}
+
+static const struct rounds LEAGUE = {next_round, NULL, take_round, end_league,
+    league_drop, false, at_model,
+    N_("stopped before all models were calibrated"), NULL};
 
 bool
 cmd_league(struct session *s, const struct args *args, struct error *error)
@@ -558,6 +602,7 @@ cmd_league(struct session *s, const struct args *args, struct error *error)
 			return false;
 	struct league *l = xcalloc(1, sizeof *l);
 	*l = (struct league){.all = all,
+	    .n_model = breakage_count() + (s->set.model.impacts.n > 0),
 	    .at = all ? 0 : s->current,
 	    .end = all ? s->n_entry : s->current + 1};
 	session_let_go(s);
@@ -565,8 +610,8 @@ cmd_league(struct session *s, const struct args *args, struct error *error)
 	    .rounds = &LEAGUE, .of = l, .options = job_options(s)};
 	return job_start(s, &job) ||
 	       error_set(error, ERROR_DATA,
-		   all ? "no loaded site has a product to calibrate on"
-		       : "%s has no product to calibrate on\n"
-			 "measure a product at two speeds or more",
+		   all ? N_("no loaded site has a product to calibrate on")
+		       : N_("%s has no product to calibrate on\n"
+			    "measure a product at two speeds or more"),
 		   session_entry(s)->site->name);
 }

@@ -4,11 +4,16 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/cut.h"
+#include "cmd/energies.h"
 #include "cmd/fit.h"
 #include "cmd/outlook.h"
+#include "cmd/routine.h"
 #include "core/misfit.h"
+#include "io/units.h"
 
 /* Below this width of a band, passing, no parameter moves the answer by what is
  * worth a word; and that. */
@@ -37,7 +42,7 @@ find_bound(const struct session *s, const struct entry *entry,
 		const char *name = breakage_of(&fit->params)->parameter[j].name;
 		double moves = fit->on_bound[j]
 				   ? trust_moves(outlook_draws(s, entry), e,
-					 p->curve.n, name)
+					 ensemble_sizes(e), name)
 				   : 0;
 		if (moves > fmax(q->bound_moves, MOVES)) {
 			q->bound = name;
@@ -74,21 +79,23 @@ judge_origin(
 		return;
 	if (same)
 		trust_add(t, LIGHT_AMBER, TRUST_ORIGIN,
-		    xasprintf("parameters %s, calibrated on the same data in "
-			      "another session: calibrate here to see how far "
-			      "the data determine them",
+		    xasprintf(
+			tr("parameters %s, calibrated on the same data in "
+			   "another session: calibrate here to see how far "
+			   "the data determine them"),
 			origin_words(entry)));
 	else if (isnan(error))
 		trust_add(t, LIGHT_RED, TRUST_ORIGIN,
-		    xasprintf("parameters %s, and no product of this site was "
-			      "measured that could check them",
+		    xasprintf(
+			tr("parameters %s, and no product of this site was "
+			   "measured that could check them"),
 			origin_words(entry)));
 	else
 		trust_add(t, error > FIT_POOR ? LIGHT_RED : LIGHT_AMBER,
 		    TRUST_ORIGIN,
-		    xasprintf("parameters %s, not calibrated on this site: "
-			      "they miss a measured product by %.1f points "
-			      "(RMSE)",
+		    xasprintf(tr("parameters %s, not calibrated on this site: "
+				 "they miss a measured product by %.1f points "
+				 "(RMSE)"),
 			origin_words(entry), 100 * error));
 }
 
@@ -99,31 +106,81 @@ judge_calibration(
 {
 	if (fit->stop == CALIBRATE_STOPPED)
 		trust_add(t, LIGHT_AMBER, TRUST_FIT,
-		    xstrdup("the calibration was stopped: 'continue' may find "
-			    "better parameters"));
+		    xstrdup(
+			tr("the calibration was stopped: 'continue' may find "
+			   "better parameters")));
 	else if (!fit->converged)
 		trust_add(t, LIGHT_AMBER, TRUST_FIT,
-		    xstrdup("the calibration has not converged: the misfit can "
-			    "still fall, so that another seed may give other "
-			    "parameters"));
+		    xstrdup(
+			tr("the calibration has not converged: the misfit can "
+			   "still fall, so that another seed may give other "
+			   "parameters")));
 	if (!model_settings_same(&s->set.model, &fit->settings))
 		trust_add(t, LIGHT_AMBER, TRUST_FIT,
-		    xstrdup("the site was calibrated with other settings: "
-			    "calibrate again"));
+		    xstrdup(tr("the site was calibrated with other settings: "
+			       "calibrate again")));
 }
 
-/* Cuts that were added since. */
+/* Cuts that were added since: all of them, and the one that is missed most.
+ * Where they drift somebody should look at the crusher before a calibration
+ * takes them up. */
 static void
 judge_later(struct trust *t, const struct session *s, const struct entry *entry)
 {
 	struct later later = cut_later(s, entry);
+	char *alarm = routine_alarm(s, entry);
+	bool drifts = alarm != NULL;
+	if (drifts)
+		trust_add(t, LIGHT_AMBER, TRUST_HOLDOUT, alarm);
 	if (later.missed)
 		trust_add(t, later.rms > FIT_POOR ? LIGHT_RED : LIGHT_AMBER,
 		    TRUST_HOLDOUT,
-		    xasprintf("the cut at %g m/s, added after the calibration, "
-			      "is missed by %.1f points (RMS): calibrate again "
-			      "with train=all",
+		    xasprintf(
+			drifts
+			    ? tr("the cut at %g m/s, added after the "
+				 "calibration, is missed by %.1f points (RMS)")
+			    : tr("the cut at %g m/s, added after the "
+				 "calibration, is missed by %.1f points "
+				 "(RMS): calibrate again with train=all"),
 			later.speed, 100 * later.rms));
+}
+
+/* What is asked about that nobody measured.  evidence: of the fit, or NULL. */
+static void
+judge_variant(struct trust *t, const struct session *s,
+    const struct entry *entry, const struct evidence *evidence)
+{
+	const struct variant *v = entry->variant;
+	const char *rock = v->own->site->rock;
+	if (v->feed && v->rock[0] != '\0' && rock[0] != '\0' &&
+	    !text_same(v->rock, rock))
+		trust_add(t, LIGHT_RED, TRUST_FEED,
+		    xasprintf(
+			tr("the feed is %s and the site's rock is %s: no "
+			   "measurement shows how the feed's rock breaks"),
+			v->rock, rock));
+	if (v->feed && evidence == NULL)
+		trust_add(t, LIGHT_AMBER, TRUST_FEED,
+		    xstrdup(
+			tr("which feeds the parameters were found with is not "
+			   "known: this one may break differently")));
+	if (v->other_rotor)
+		trust_add(t, LIGHT_AMBER, TRUST_MACHINE,
+		    xasprintf(
+			tr("the runs were measured with a rotor of %g mm: "
+			   "no measurement shows the effect of another "
+			   "rotor diameter (%g mm)"),
+			units_mm(v->measured_rotor), units_mm(v->rotor)));
+	if (v->bypass > 0)
+		trust_add(t, LIGHT_AMBER, TRUST_MACHINE,
+		    xasprintf(tr("no measurement shows the effect of another "
+				 "cascade share (%g %% of the feed)"),
+			100 * v->bypass));
+	if (v->k > 0 && v->k != s->set.model.k)
+		trust_add(t, LIGHT_AMBER, TRUST_MACHINE,
+		    xasprintf(tr("no measurement shows the effect of another "
+				 "number of impacts (%g instead of %g)"),
+			v->k, s->set.model.k));
 }
 
 /* Speeds of parameters that no calibration of this session found. */
@@ -138,20 +195,20 @@ reach_of(const struct entry *entry)
 	return e;
 }
 
-struct trust
-light_of(const struct session *s, const struct entry *entry,
-    const struct prediction *p)
+static struct trust
+judge(const struct session *s, const struct entry *entry,
+    const struct prediction *p, const struct evidence *e, bool later)
 {
 	struct trust t = {0};
 	struct trust_question q = {.speed = p != NULL ? p->speed : 0};
-	const struct evidence *e = outlook_evidence(s, entry);
 	struct evidence reach = reach_of(entry);
-	if (p != NULL && session_busy(s) && &s->entry[s->job.entry] == entry) {
-		trust_add(&t, LIGHT_AMBER, TRUST_FIT,
-		    xstrdup("a calibration is running: parameters change"));
-		return t;
-	}
-	judge_later(&t, s, entry);
+	/* What was measured is judged as it was measured. */
+	const struct entry *own =
+	    entry->variant != NULL ? entry->variant->own : entry;
+	if (later)
+		judge_later(&t, s, own);
+	if (entry->variant != NULL)
+		judge_variant(&t, s, entry, e);
 	if (p != NULL)
 		q.width = mean_width(p);
 	if (p != NULL && e != NULL)
@@ -159,11 +216,27 @@ light_of(const struct session *s, const struct entry *entry,
 	if (q.width > NARROW && e != NULL)
 		find_bound(s, entry, p, &q);
 	if (!entry->has_fit)
-		judge_origin(&t, s, entry);
+		judge_origin(&t, s, own);
 	if (e != NULL)
 		judge_calibration(&t, s, origin_fit(entry));
+	char *energies = energies_words(s);
+	if (energies != NULL)
+		trust_add(&t, LIGHT_AMBER, TRUST_MACHINE, energies);
 	trust_judge(&t, e != NULL ? e : &reach, &q);
 	return t;
+}
+
+struct trust
+light_of(const struct session *s, const struct entry *entry,
+    const struct prediction *p)
+{
+	struct trust t = {0};
+	if (p != NULL && session_fitting(s) == entry) {
+		trust_add(&t, LIGHT_AMBER, TRUST_FIT,
+		    xstrdup(tr("a calibration is running: parameters change")));
+		return t;
+	}
+	return judge(s, entry, p, outlook_evidence(s, entry), true);
 }
 
 void
@@ -185,12 +258,27 @@ light_worst(const struct session *s, const struct entry *entry,
 	return worst;
 }
 
-char *
+/* "amber: " and the first reason, or "green"; the caller frees. */
+static char *
 light_words(const struct trust *t)
 {
-	const char *name = LIGHT_NAME[t->light];
+	const char *name = tr(LIGHT_NAME[t->light]);
 	return t->n == 0 ? xstrdup(name)
 			 : xasprintf("%s: %s", name, t->reason[0].text);
+}
+
+char *
+light_at(const struct session *s, const struct entry *entry, double speed,
+    size_t feed)
+{
+	struct prediction p = outlook_predict(s, entry, speed, feed);
+	struct trust t = light_of(s, entry, &p);
+	char *words = light_words(&t);
+	char *said = xasprintf(tr("trust at %g m/s: %s"), speed, words);
+	free(words);
+	trust_free(&t);
+	prediction_free(&p);
+	return said;
 }
 
 void
@@ -200,7 +288,7 @@ light_note(struct answer *r, const struct trust *t)
 	    ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING};
 	char *words = light_words(t);
 	answer_say(r, GRADE[t->light], "trust: %s%s", words,
-	    t->n > 0 ? " ('why' explains)" : "");
+	    t->n > 0 ? tr(" ('why' explains)") : "");
 	free(words);
 }
 
@@ -221,19 +309,38 @@ light_show(struct answer *r, struct trust t)
 	trust_free(&t);
 }
 
+/* What needs no light; NULL: that decides. */
+static const char *
+plain_verdict(const struct fit *fit)
+{
+	return fit->rmse > FIT_POOR      ? tr("poor")
+	       : fit_too_few(fit)        ? tr("too few data")
+	       : fit_breaks_nothing(fit) ? tr("nothing breaks")
+					 : NULL;
+}
+
+static const char *
+light_name(struct trust t)
+{
+	bool good = t.light == LIGHT_GREEN;
+	trust_free(&t);
+	return good ? tr("good") : tr("doubtful");
+}
+
 const char *
 light_verdict(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
-	const struct fit *fit = &entry->fit;
-	if (fit->rmse > FIT_POOR)
-		return "poor";
-	if (fit_too_few(fit))
-		return "too few data";
-	if (fit_breaks_nothing(fit))
-		return "nothing breaks";
-	struct trust t = light_of(s, entry, p);
-	bool good = t.light == LIGHT_GREEN;
-	trust_free(&t);
-	return good ? "good" : "doubtful";
+	const char *plain = plain_verdict(&entry->fit);
+	return plain != NULL ? plain : light_name(light_of(s, entry, p));
+}
+
+const char *
+light_verdict_undrawn(const struct session *s, const struct entry *entry)
+{
+	const char *plain = plain_verdict(&entry->fit);
+	struct evidence e = outlook_undrawn(s, entry);
+	/* No cut was added since. */
+	return plain != NULL ? plain
+			     : light_name(judge(s, entry, NULL, &e, false));
 }

@@ -17,8 +17,10 @@ void light_worse(struct trust *worst, struct trust t);
 struct trust light_worst(const struct session *s, const struct entry *entry,
     const struct prediction *p, size_t n);
 
-/* "amber: " and the first reason, or "green"; the caller frees. */
-char *light_words(const struct trust *t);
+/* The answer's at a speed with the feed of a run, for charts: "trust at 74 m/s:
+ * amber: " and the first reason.  The caller frees. */
+char *light_at(const struct session *s, const struct entry *entry, double speed,
+    size_t feed);
 
 /* The sentence about it, a warning where it is red.  Puts "trust" and
  * "reasons". */
@@ -33,5 +35,11 @@ void light_show(struct answer *r, struct trust t);
  * "doubtful". */
 const char *light_verdict(const struct session *s, const struct entry *entry,
     const struct prediction *p);
+
+/* The same of a fit by what shows without draws from its posterior, which take
+ * three times as long as the calibration: "good" may become "doubtful" by
+ * them. */
+const char *light_verdict_undrawn(
+    const struct session *s, const struct entry *entry);
 
 #endif

@@ -6,15 +6,19 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/energies.h"
 #include "cmd/files.h"
 #include "cmd/job.h"
 #include "cmd/journal.h"
 #include "cmd/keep.h"
 #include "cmd/parse.h"
+#include "cmd/pin.h"
 #include "cmd/script.h"
 #include "cmd/invocation.h"
 #include "cmd/undo.h"
+#include "cmd/variant.h"
 #include "io/plant_log.h"
+#include "io/spec.h"
 
 struct session *
 session_new(FILE *out, FILE *notes)
@@ -47,6 +51,18 @@ session_free(struct session *s)
 	for (size_t i = 0; i < s->n_log; i++)
 		plant_log_free(s->logs[i]);
 	free(s->logs);
+	for (size_t i = 0; i < s->n_drill; i++)
+		free(s->drills[i]);
+	free(s->drills);
+	for (size_t i = 0; i < s->n_spec; i++)
+		spec_free(s->specs[i]);
+	free(s->specs);
+	for (size_t i = 0; i < s->n_energies; i++)
+		energies_free(s->energies[i]);
+	free(s->energies);
+	for (size_t i = 0; i < s->n_pin; i++)
+		pin_free(s->pins[i]);
+	free(s->pins);
 	free(s->first);
 	files_free(s->files);
 	session_forget(s);
@@ -68,12 +84,13 @@ run_words(struct session *s, const struct words *words, struct place place,
 		      session_need_site(s, command->name, error)) &&
 		  invocation_begin(s, &args, words, place, error);
 	if (ok) {
-		ok = command->run(s, &args, error);
+		ok = variant_run(s, &args, error);
 		invocation_ran(s);
 		if (!ok || invocation_over(s))
 			ok = invocation_end(s, ok, error);
 	}
 	args_free(&args);
+	session_language(s);
 	if (!ok && error->line == 0 && strcmp(error->file, place.file) != 0)
 		error_told_at(error, place.file, place.line, words->column[0]);
 	return ok;

@@ -2,11 +2,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/load.h"
 
+#include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/check.h"
 #include "cmd/entries.h"
@@ -17,6 +19,7 @@
 #include "cmd/log.h"
 #include "cmd/table.h"
 #include "io/head.h"
+#include "io/results.h"
 #include "io/site_read.h"
 
 enum { MOST_ROUNDS = 5 };
@@ -114,8 +117,10 @@ note_loaded(struct session *s, const struct site *site)
 	char *label = session_label(site);
 	free(site_sieves(site, &n));
 	if (products > 0)
-		session_note(s, "loaded %s: %zu run%s, %zu sieves", label,
-		    site->n_run, site->n_run == 1 ? "" : "s", n);
+		session_note(s,
+		    tr_n("loaded %s: %zu run, %zu sieves",
+			"loaded %s: %zu runs, %zu sieves", site->n_run),
+		    label, site->n_run, n);
 	else
 		session_note(s,
 		    "loaded %s: a feed on %zu sieves, no product; run 'guess' "
@@ -223,35 +228,73 @@ load_as_one(struct session *s, struct load *l, struct error *error)
 	return site != NULL && take_site(s, l, site, error);
 }
 
+/* What a file alone lacks of a site. */
+static void
+look_into(struct load *l, size_t i, bool *feed, bool *product)
+{
+	struct site_request one = l->request;
+	struct error_list errors = {0};
+	struct site_ask ask = {0};
+	one.n = 1;
+	one.path = &l->request.path[i];
+	one.speed = &l->request.speed[i];
+	site_free(site_read_as(&one, &errors, &ask));
+	*feed = ask.no_product && !ask.no_feed;
+	*product = ask.no_feed && !ask.no_product;
+	site_ask_clear(&ask);
+}
+
 /* Whether files are parts of one site: none of them is complete, and one feed
- * serves the others' products. */
+ * serves the others' products.  The first that is complete tells. */
 static bool
 are_parts(struct load *l)
 {
-	size_t feeds = 0, products = 0;
-	for (size_t i = 0; i < l->request.n; i++) {
-		struct site_request one = l->request;
-		struct error_list errors = {0};
-		struct site_ask ask = {0};
-		one.n = 1;
-		one.path = &l->request.path[i];
-		one.speed = &l->request.speed[i];
-		site_free(site_read_as(&one, &errors, &ask));
+	size_t feeds = 0, n = l->request.n;
+	for (size_t i = 0; i < n; i++)
 		if (l->speed[i] > 0)
-			feeds = l->request.n; /* it was said so */
-		products += ask.no_feed && !ask.no_product;
-		feeds += ask.no_product && !ask.no_feed;
-		site_ask_clear(&ask);
+			return true; /* it was said so */
+	for (size_t i = 0; i < n; i++) {
+		bool feed, product;
+		look_into(l, i, &feed, &product);
+		if (!feed && !product)
+			return false;
+		feeds += feed;
 	}
-	return feeds >= l->request.n ||
-	       (products > 0 && feeds == 1 && feeds + products == l->request.n);
+	return feeds == n || feeds == 1;
 }
 
+/* Files that could not be read, for the end. */
+struct unread {
+	size_t n;
+	struct error *fault;
+};
+
+/* All of them, in order: the last as the error, of the kind of the first.
+ * skip: none is an error. */
 static bool
-load_each(struct session *s, struct load *l, struct error *error)
+tell_unread(struct session *s, const struct unread *u, size_t n, bool skip,
+    struct error *error)
 {
+	if (u->n == 0)
+		return true;
+	session_note(s, "%zu of %zu files are loaded, not these:", n - u->n, n);
+	for (size_t i = 0; i + !skip < u->n && s->notes != NULL; i++)
+		error_print(&u->fault[i], s->notes);
+	if (skip)
+		return true;
+	*error = u->fault[u->n - 1];
+	error->kind = u->fault[0].kind;
+	return false;
+}
+
+/* Each file is a site: those that can be read are loaded. */
+static bool
+load_each(struct session *s, struct load *l, bool skip, struct error *error)
+{
+	struct unread unread = {0};
 	for (size_t i = 0; i < l->request.n; i++) {
 		struct load one = *l;
+		struct error fault = {0};
 		one.request.n = 1;
 		one.path = &l->path[i];
 		one.request.path = &l->request.path[i];
@@ -259,27 +302,133 @@ load_each(struct session *s, struct load *l, struct error *error)
 		one.columns = l->columns != NULL ? xstrdup(l->columns) : NULL;
 		one.sheet = l->sheet != NULL ? xstrdup(l->sheet) : NULL;
 		one.range = l->range != NULL ? xstrdup(l->range) : NULL;
-		bool good = load_as_one(s, &one, error);
+		if (!load_as_one(s, &one, &fault)) {
+			unread.fault = xrealloc(
+			    unread.fault, unread.n + 1, sizeof *unread.fault);
+			unread.fault[unread.n++] = fault;
+		}
 		free(one.columns);
 		free(one.sheet);
 		free(one.range);
-		if (!good)
-			return false;
 	}
-	return true;
+	bool good = tell_unread(s, &unread, l->request.n, skip, error);
+	free(unread.fault);
+	return good;
 }
 
 static bool
-run(struct session *s, struct load *l, struct error *error)
+run(struct session *s, struct load *l, bool skip, struct error *error)
 {
-	if (l->request.n == 1)
+	if (l->request.n == 1 && !skip)
 		return load_as_one(s, l, error);
-	if (are_parts(l))
+	if (l->request.n > 1 && are_parts(l))
 		return load_as_one(s, l, error);
 	if (l->digest != NULL)
 		return error_set(error, ERROR_USAGE,
 		    "expected one file with digest=, got %zu", l->request.n);
-	return load_each(s, l, error);
+	return load_each(s, l, skip, error);
+}
+
+/* Files, with the sheets of folders in their places. */
+struct listed {
+	const struct session *session; /* told what is left out */
+	size_t n;
+	char **word;
+};
+
+static void
+listed_add(struct listed *list, char *word)
+{
+	list->word = xrealloc(list->word, list->n + 1, sizeof(*list->word));
+	list->word[list->n++] = word;
+}
+
+static void
+listed_clear(struct listed *list)
+{
+	for (size_t i = 0; i < list->n; i++)
+		free(list->word[i]);
+	free(list->word);
+}
+
+/* A quote in a name could not be typed, nor saved. */
+static bool
+is_sheet(const char *name)
+{
+	static const char *const ENDS[] = {
+	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
+	char *folded = text_fold(name);
+	bool sheet = false;
+	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++)
+		sheet = sheet || text_ends(folded, ENDS[i]);
+	free(folded);
+	return sheet && name[0] != '.' && strchr(name, '"') == NULL;
+}
+
+static int
+by_name(const void *a, const void *b)
+{
+	return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+/* Results that were saved beside the sheets, from this one on. */
+static void
+leave_out_results(struct listed *list, size_t from)
+{
+	size_t n = from;
+	for (size_t i = from; i < list->n; i++) {
+		char *command = results_command_in(list->word[i]);
+		if (command == NULL) {
+			list->word[n++] = list->word[i];
+			continue;
+		}
+		session_note(list->session,
+		    "left out %s: results of tipspeed's own (%s)",
+		    list->word[i], command);
+		free(list->word[i]);
+		free(command);
+	}
+	list->n = n;
+}
+
+/* The sheets of a folder by their names; those of folders in it are not its. */
+static bool
+list_folder(
+    struct listed *list, DIR *dir, const char *path, struct error *error)
+{
+	size_t before = list->n, end = strlen(path);
+	while (end > 1 && path[end - 1] == '/')
+		end--;
+	for (struct dirent *e; (e = readdir(dir)) != NULL;)
+		if (is_sheet(e->d_name))
+			listed_add(list,
+			    xasprintf("%.*s/%s", (int)end, path, e->d_name));
+	if (list->n > before)
+		qsort(&list->word[before], list->n - before,
+		    sizeof(*list->word), by_name);
+	leave_out_results(list, before);
+	return list->n > before ||
+	       error_at(error, ERROR_DATA, path, 0, 0,
+		   "expected sheets in this folder (.csv .tsv .txt .xlsx "
+		   ".ods), got none\n"
+		   "name the folder that has them");
+}
+
+static bool
+list_words(
+    struct listed *list, size_t n, const char *const *word, struct error *error)
+{
+	bool good = true;
+	for (size_t i = 0; i < n && good; i++) {
+		DIR *dir = opendir(word[i]);
+		if (dir == NULL) {
+			listed_add(list, xstrdup(word[i]));
+			continue;
+		}
+		good = list_folder(list, dir, word[i], error);
+		closedir(dir);
+	}
+	return good;
 }
 
 bool
@@ -287,8 +436,13 @@ load_files(
     struct session *s, size_t n, const char *const *word, struct error *error)
 {
 	struct load l = {0};
-	bool good = load_init(&l, n, word, error) && run(s, &l, error);
+	struct listed list = {.session = s};
+	bool good =
+	    list_words(&list, n, word, error) &&
+	    load_init(&l, list.n, (const char *const *)list.word, error) &&
+	    run(s, &l, false, error);
 	load_clear(&l);
+	listed_clear(&list);
 	return good;
 }
 
@@ -361,6 +515,63 @@ load_parts(struct session *s, const struct args *args, const char *const *word,
 	return site;
 }
 
+/* The run whose feed is meant; speed: 0 where none was said. */
+static bool
+find_feed(const struct site *site, const char *word, double speed, size_t *run,
+    struct error *error)
+{
+	bool several = site->individual_feeds && site->n_run > 1;
+	*run = several || speed > 0 ? site_run_at(site, speed) : 0;
+	if (*run < site->n_run)
+		return true;
+	char *speeds = xstrdup("");
+	for (size_t r = 0; r < site->n_run; r++)
+		if (!site_run_repeats(site, r))
+			xlist(&speeds, ", ", "%g", site->run[r].speed);
+	if (speed > 0 && !(site->run[site->n_run - 1].speed > 0))
+		error_set(error, ERROR_DATA,
+		    "%s: expected no speed, got %g m/s: its feed is of none\n"
+		    "leave out @%g",
+		    site->path, speed, speed);
+	else if (speed > 0)
+		error_set(error, ERROR_DATA,
+		    "%s: expected the speed of one of its samples, got %g "
+		    "m/s\n"
+		    "it has %s m/s%s",
+		    site->path, speed, speeds,
+		    several ? ""
+			    : tr(", all with one feed: @ can be left out"));
+	else
+		error_set(error, ERROR_DATA,
+		    "%s: expected one feed, got one for each speed\n"
+		    "say which, as in %s@%g; they were sampled at %s m/s",
+		    site->path, word, site->run[0].speed, speeds);
+	free(speeds);
+	return false;
+}
+
+struct site *
+load_feed(struct session *s, const char *word, size_t *run, struct error *error)
+{
+	struct load l = {0};
+	struct site *site = NULL;
+	bool good = load_init(&l, 1, &word, error);
+	double speed = good ? l.speed[0] : 0;
+	if (good) {
+		l.speed[0] = 0;
+		files_reads(s, l.path[0]);
+		site = read_site(s, &l, error);
+	}
+	if (site != NULL && !find_feed(site, word, speed, run, error)) {
+		site_free(site);
+		site = NULL;
+	}
+	if (site != NULL)
+		load_note_reading(s, site);
+	load_clear(&l);
+	return site;
+}
+
 bool
 cmd_load(struct session *s, const struct args *args, struct error *error)
 {
@@ -372,10 +583,14 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "load: expected no dates=, which is for a log\n"
 		    "write: load FILE as=log dates=day-first");
-	bool good = load_init(&l, args->n_operand, args->operand, error);
+	struct listed list = {.session = s};
+	bool good =
+	    list_words(&list, args->n_operand, args->operand, error) &&
+	    load_init(&l, list.n, (const char *const *)list.word, error);
 	l.digest = digest->given ? digest->text : NULL;
 	take_options(&l, args);
-	good = good && run(s, &l, error);
+	good = good && run(s, &l, args_value(args, "skip")->choice == 1, error);
 	load_clear(&l);
+	listed_clear(&list);
 	return good;
 }

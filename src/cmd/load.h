@@ -20,6 +20,12 @@ bool load_files(
 struct site *load_parts(struct session *s, const struct args *args,
     const char *const *word, double rotor, struct error *error);
 
+/* Reads a sheet whose feed answers are asked with, as word "FILE" or
+ * "FILE@SPEED", which says which of several, and finds the run that has it.
+ * The caller frees the site.  NULL: with the error. */
+struct site *load_feed(
+    struct session *s, const char *word, size_t *run, struct error *error);
+
 /* Says what a site was read from, as load does. */
 void load_note_reading(const struct session *s, const struct site *site);
 

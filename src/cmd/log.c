@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/files.h"
 #include "cmd/inquiry.h"
@@ -18,15 +19,15 @@
 static char *
 rows_text(size_t n)
 {
-	return n < 1000 ? xasprintf("%zu row%s", n, n == 1 ? "" : "s")
-			: xasprintf("%zu,%03zu rows", n / 1000, n % 1000);
+	return n < 1000 ? xasprintf(tr_n("%zu row", "%zu rows", n), n)
+			: xasprintf(tr("%zu,%03zu rows"), n / 1000, n % 1000);
 }
 
 /* "1180 to 1420" */
 static char *
 range_text(double least, double most)
 {
-	return most > least ? xasprintf("%.4g to %.4g", least, most)
+	return most > least ? xasprintf(tr("%.4g to %.4g"), least, most)
 			    : xasprintf("%.4g", least);
 }
 
@@ -36,7 +37,7 @@ span_text(double from, double to)
 	char *a = moment_text(from);
 	char *b = floor(from / 86400) == floor(to / 86400) ? moment_clock(to)
 							   : moment_text(to);
-	char *text = xasprintf("%s to %s", a, b);
+	char *text = xasprintf(tr("%s to %s"), a, b);
 	free(a);
 	free(b);
 	return text;
@@ -163,14 +164,12 @@ check_digest(
 bool
 log_load(struct session *s, const struct args *args, struct error *error)
 {
-	const struct value *columns = args_value(args, "columns");
-	const struct value *sheet = args_value(args, "sheet");
 	const struct value *decimal = args_value(args, "decimal");
 	const struct value *dates = args_value(args, "dates");
 	struct log_request q = {.n = args->n_operand,
 	    .path = args->operand,
-	    .columns = columns->given ? columns->text : NULL,
-	    .sheet = sheet->given ? sheet->text : NULL};
+	    .columns = args_value(args, "columns")->text,
+	    .sheet = args_value(args, "sheet")->text};
 	if (decimal->given)
 		q.decimal = decimal->choice == 1 ? ',' : '.';
 	if (dates->given)
@@ -214,15 +213,17 @@ note_speed(struct session *s, const struct plant_log *log, double time,
 	char *span = span_text(time - within, time + within);
 	char *range = range_text(w->least[k], w->most[k]), *more = xstrdup("");
 	if (k == LOG_RPM)
-		xappend(&more, " = %.1f m/s with a rotor of %g mm",
+		xappend(&more, tr(" = %.1f m/s with a rotor of %g mm"),
 		    speed_of(log, w, rotor), 1000 * rotor);
 	for (size_t c = LOG_POWER; c < LOG_COLUMNS; c++)
 		if (!isnan(w->median[c]))
 			xappend(&more, ", %s %.4g", LOG_UNITS[c], w->median[c]);
 	session_note(
 	    s, "log at %s: %s %.4g%s", at, LOG_UNITS[k], w->median[k], more);
-	session_note(s, "  median of %zu row%s, %s: %s %s", w->n,
-	    w->n == 1 ? "" : "s", span, LOG_UNITS[k], range);
+	session_note(s,
+	    tr_n("  median of %zu row, %s: %s %s",
+		"  median of %zu rows, %s: %s %s", w->n),
+	    w->n, span, LOG_UNITS[k], range);
 	if (w->most[k] - w->least[k] > steady * w->median[k])
 		session_note(s,
 		    "  warning: %s changed from %.4g to %.4g within the "
@@ -283,7 +284,7 @@ log_at(struct session *s, double time, double within, double rotor,
 		error_set(error, ERROR_USAGE,
 		    "expected a running rotor at %s, got %s %.4g\n"
 		    "check the time, or give the speed: add FILE@SPEED",
-		    at, rpm ? "rpm" : "m/s",
+		    at, rpm ? tr("rpm") : "m/s",
 		    w.median[rpm ? LOG_RPM : LOG_SPEED]);
 		free(at);
 		return false;

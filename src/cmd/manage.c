@@ -5,13 +5,17 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/data.h"
+#include "cmd/energies.h"
 #include "cmd/entries.h"
 #include "cmd/files.h"
+#include "cmd/goals.h"
 #include "cmd/job.h"
 #include "cmd/journal.h"
 #include "cmd/keep.h"
+#include "cmd/quantities.h"
 #include "cmd/script.h"
 #include "cmd/settings.h"
 #include "cmd/table.h"
@@ -40,6 +44,10 @@ forget_all(struct session *s, const struct choices *choices)
 	entries_free(s->entry, s->n_entry);
 	s->entry = NULL;
 	s->log = NULL;
+	s->drill = NULL;
+	s->spec = NULL;
+	s->pin = NULL;
+	s->energy = NULL;
 	s->n_entry = s->current = 0;
 	s->set = *choices;
 	session_forget(s);
@@ -130,21 +138,48 @@ show_settings(struct session *s)
 	for (const struct setting *row = SETTINGS; row->option.name != NULL;
 	     row++) {
 		char *text = settings_text(row, &s->set);
-		answer_pair(r, row->option.name, "%s", text);
+		answer_cells(r, "%s %s", row->option.name, text);
 		free(text);
 	}
 	return session_answer(s, r);
 }
 
+/* Texts that cannot be read are refused; a feed may not tell of them yet. */
+static bool
+check_text(struct session *s, const struct setting *row,
+    const struct value *value, struct error *error)
+{
+	static const struct partition SHARP = {0, 1};
+	struct condition_list list = {0};
+	struct quantity q;
+	size_t n_value;
+	if (row->option.kind != VALUE_TEXT ||
+	    strcmp(value->text, SETTINGS_NONE) == 0)
+		return true;
+	if (strlen(value->text) >= SETTINGS_TEXT)
+		return error_set(error, ERROR_USAGE,
+		    "%s: expected %d letters at most", row->option.name,
+		    SETTINGS_TEXT - 1);
+	if (row->offset == offsetof(struct choices, quantity))
+		return quantities_read(value->text, &SHARP, &q, error);
+	bool ok = goals_read(s, value->text, NULL, &list, &n_value, error);
+	conditions_free(&list);
+	return ok;
+}
+
 bool
 cmd_set(struct session *s, const struct args *args, struct error *error)
 {
-	(void)error;
 	const struct model_settings before = s->set.model;
 	bool any = false;
 	for (size_t i = 0; SETTINGS[i].option.name != NULL; i++) {
 		if (!args->value[i].given)
 			continue;
+		if (SETTINGS[i].option.kind == VALUE_FILE &&
+		    !energies_set(s, args->value[i].text, error))
+			return false;
+		if (!check_text(s, &SETTINGS[i], &args->value[i], error))
+			return false;
 		settings_put(&SETTINGS[i], &args->value[i], &s->set);
 		any = true;
 	}
@@ -172,7 +207,7 @@ cmd_seed(struct session *s, const struct args *args, struct error *error)
 		return true;
 	}
 	struct answer *r = answer_new("seed");
-	answer_columns(r, "seed");
+	answer_columns(r, "seed: seed");
 	answer_text(r, "%llu", (unsigned long long)s->set.seed);
 	return session_answer(s, r);
 }
@@ -185,15 +220,20 @@ put_script(const void *data, FILE *out)
 	journal_put(data, out);
 }
 
-bool
-cmd_save(struct session *s, const struct args *args, struct error *error)
+/* What was typed, with the ending where it has none.  The caller frees. */
+static char *
+script_name(const char *typed)
 {
-	const char *path = args->operand[0];
-	if (!text_ends(path, ".tip"))
-		return error_set(error, ERROR_USAGE,
-		    "save: expected a name that ends in .tip, got '%s'\n"
-		    "use > FILE to save results, write to save a site file",
-		    path);
+	const char *slash = strrchr(typed, '/');
+	const char *name = slash != NULL ? slash + 1 : typed;
+	bool bare = name[0] != '\0' && strchr(name, '.') == NULL;
+	return xasprintf("%s%s", typed, bare ? ".tip" : "");
+}
+
+static bool
+save_as(struct session *s, const struct args *args, const char *path,
+    struct error *error)
+{
 	if (!data_may_write(s, args, path, error) ||
 	    !journal_can_be_saved(s, error) ||
 	    !file_replace_by(path, FILE_SHARED, put_script, s, error))
@@ -202,8 +242,27 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 	invocation_saved(s);
 	struct mark mark = journal_mark(s);
 	size_t n = mark.n - mark.start;
-	session_note(s, "wrote %s: %zu command%s", path, n, n == 1 ? "" : "s");
+	session_note(s,
+	    tr_n("wrote %s: %zu command", "wrote %s: %zu commands", n), path,
+	    n);
 	return true;
+}
+
+bool
+cmd_save(struct session *s, const struct args *args, struct error *error)
+{
+	char *path = script_name(args->operand[0]);
+	bool good =
+	    text_ends(path, ".tip")
+		? save_as(s, args, path, error)
+		: error_set(error, ERROR_USAGE,
+		      "save: expected a name that ends in .tip, got "
+		      "'%s'\n"
+		      "use > FILE to save results, write to save a site "
+		      "file",
+		      path);
+	free(path);
+	return good;
 }
 
 /* Goes to another session.  A calibration that was stopped is kept only where

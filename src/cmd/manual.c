@@ -230,3 +230,38 @@ manual_bash(FILE *out)
 	      "	complete -F _tipspeed tipspeed\n",
 	    out);
 }
+
+/* Not a format, though it may have a sign for per cent. */
+void
+manual_text(const char *text, FILE *out)
+{
+	if (text == NULL || text[0] == '\0')
+		return;
+	fputs("/* xgettext:no-c-format */\nN_(\"", out);
+	for (const char *p = text; *p != '\0'; p++)
+		fprintf(out, strchr("\"\\", *p) != NULL ? "\\%c" : "%c", *p);
+	fputs("\");\n", out);
+}
+
+static void
+print_meanings(const struct usage_word *word, FILE *out)
+{
+	for (; word->name != NULL; word++)
+		manual_text(word->meaning, out);
+}
+
+void
+manual_texts(FILE *out)
+{
+	const struct command_option *o;
+	for (const struct usage_option *u = USAGE_OPTIONS; u->code != 0; u++)
+		manual_text(u->brief, out);
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
+		manual_text(c->brief, out);
+		manual_text(c->text, out);
+		for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++)
+			manual_text(o->brief, out);
+	}
+	print_meanings(USAGE_ENVIRONMENT, out);
+	print_meanings(USAGE_STATUS, out);
+}

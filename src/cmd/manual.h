@@ -16,6 +16,11 @@ void manual_status(FILE *out);
 /* The breakage models, each with its parameters. */
 void manual_models(FILE *out);
 
+/* The texts of the tables for people, and one of another, as C that xgettext
+ * reads. */
+void manual_texts(FILE *out);
+void manual_text(const char *text, FILE *out);
+
 /* A file for bash-completion: the options of the command line with what they
  * take, the commands after -c, and files. */
 void manual_bash(FILE *out);

@@ -2,12 +2,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/mend.h"
 
-#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/entries.h"
 #include "cmd/invocation.h"
@@ -49,10 +49,8 @@ static const char *const KINDS[] = {[MEND_READ] = "read",
     [MEND_SCALE] = "scale sieves",
     [MEND_DROP] = "drop run"};
 
-/* The call that does the same in any session: "product@79 sieve=2 value=61.9".
- * The caller frees. */
-static char *
-call_of(const struct site *site, const struct mend *m)
+char *
+mend_call(const struct site *site, const struct mend *m)
 {
 	static const char *const DO[] = {[MEND_OUT] = "out",
 	    [MEND_SWAP] = "swap",
@@ -85,14 +83,40 @@ effect_of(const struct finding *f)
 {
 	char *text = xstrdup("");
 	if (!isnan(f->off[0]))
-		xappend(&text, "; off by %.2f points now, %.2f then",
+		xappend(&text, tr("; off by %.2f points now, %.2f then"),
 		    100 * f->off[0], 100 * f->off[1]);
 	if (!isnan(f->rmse[0]) && !isnan(f->rmse[1]))
 		xappend(&text,
-		    "; RMSE of the fit %.2f points now, %.2f then, and less "
-		    "once calibrated again",
+		    tr("; RMSE of the fit %.2f points now, %.2f then, and less "
+		       "once calibrated again"),
 		    100 * f->rmse[0], 100 * f->rmse[1]);
 	return text;
+}
+
+char *
+mend_finding(const struct site *site, const struct finding *f)
+{
+	const struct mend *m = &f->mend;
+	if (m->kind != MEND_READ && m->kind != MEND_OUT) {
+		char *words = mend_words(site, m), *effect = effect_of(f);
+		xappend(&words, "%s", effect);
+		free(effect);
+		return words;
+	}
+	char *expected =
+	    isnan(f->expected)
+		? xstrdup(tr("is off the line between its neighbours"))
+		: xasprintf(tr("where %.1f (sd %.1f) is expected"),
+		      100 * f->expected, 100 * f->sd);
+	char *words = xasprintf(tr("%s passing %g %% at %g mm, %s %s: %s"),
+	    m->feed ? tr("feed") : tr("product"), units_pct(f->measured),
+	    units_mm(m->size), expected,
+	    isnan(f->surprise) ? tr("by its neighbours and the other runs")
+			       : tr("by all other passings and the fit"),
+	    m->kind == MEND_READ ? tr("were digits transposed?")
+				 : tr("measure it again, or leave it out"));
+	free(expected);
+	return words;
 }
 
 static void
@@ -104,7 +128,7 @@ put_one(struct answer *r, struct fields *list, const struct entry *entry,
 	bool cell = m->kind == MEND_READ || m->kind == MEND_OUT;
 	char *words = mend_words(site, m), *effect = effect_of(f);
 	char *name = mend_column(site, m->feed, m->run);
-	char *call = call_of(site, m);
+	char *call = mend_call(site, m);
 	answer_note(r, "mend %zu: %s%s", number, words, effect);
 	struct fields *o = fields_object(list, NULL);
 	fields_put(o, "n %zu kind %s run %s sieve_mm %g from %g to %g", number,
@@ -128,7 +152,7 @@ mark_of(const struct entry *entry, const struct doctor *d)
 	uint64_t h = TEXT_DIGEST_START;
 	h = text_digest(h, &entry->site->digest, sizeof entry->site->digest);
 	for (size_t i = 0; i < d->n; i++) {
-		char *call = call_of(entry->site, &d->finding[i].mend);
+		char *call = mend_call(entry->site, &d->finding[i].mend);
 		h = text_digest(h, call, strlen(call) + 1);
 		free(call);
 	}
@@ -168,11 +192,12 @@ find_numbered(
 	if (isnan(known) || known != mark_of(entry, &d))
 		error_set(error, ERROR_USAGE,
 		    isnan(known)
-			? "there is no list of mends that %s could be of\n"
-			  "run 'check' first"
-			: "mend %s is of a list that no longer holds: the data "
-			  "or the fit have changed\n"
-			  "run 'check' again",
+			? N_("there is no list of mends that %s could be of\n"
+			     "run 'check' first")
+			: N_("mend %s is of a list that no longer holds: the "
+			     "data "
+			     "or the fit have changed\n"
+			     "run 'check' again"),
 		    word);
 	else if (d.n == 0)
 		error_set(error, ERROR_USAGE,
@@ -298,11 +323,12 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	if (site == NULL)
 		return false;
 	char *words = mend_words(entry->site, &mend);
-	char *call = call_of(entry->site, &mend);
+	char *call = mend_call(entry->site, &mend);
 	invocation_reads(s, call);
 	bool fitted = session_mend(s, s->current, site);
 	session_note(s, "mended: %s%s", words,
-	    fitted ? "; the fit was of other numbers: calibrate again" : "");
+	    fitted ? tr("; the fit was of other numbers: calibrate again")
+		   : "");
 	session_note(s,
 	    "  its file stays as it is: 'write FILE' saves the mended sheet, "
 	    "'undo' takes the mend back");

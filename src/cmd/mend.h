@@ -18,4 +18,10 @@ bool mend_is_calibrated(const struct session *s, const struct entry *entry);
 void mend_put(
     struct answer *r, const struct entry *entry, const struct doctor *d);
 
+/* A finding as a sentence, of a cell what check says of it; and the call that
+ * takes its mend in any session, "mend product@79 sieve=2 value=61.9".  The
+ * caller frees. */
+char *mend_finding(const struct site *site, const struct finding *finding);
+char *mend_call(const struct site *site, const struct mend *mend);
+
 #endif

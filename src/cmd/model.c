@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/band.h"
@@ -27,9 +28,11 @@ show_params(struct session *s, const struct args *args, struct error *error)
 					? breakage_of(&entry->params)
 					: BREAKAGES[s->set.model.breakage];
 	struct answer *r =
-	    answers_new(entry->site, "params", "parameters %s%s%s",
-		origin_words(entry), of != BREAKAGES[0] ? "; model " : "",
-		of != BREAKAGES[0] ? of->name : "");
+	    of == BREAKAGES[0]
+		? answers_new(entry->site, "params", "parameters %s",
+		      origin_words(entry))
+		: answers_new(entry->site, "params", "parameters %s; model %s",
+		      origin_words(entry), of->name);
 	answer_columns(r, "parameter, value");
 	if (u != NULL)
 		answer_columns(r, "low, high");
@@ -43,7 +46,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 			band_parameter(u, s, &entry->params, j, range);
 			answer_cells(r, "%.4f %.4f", range[0], range[1]);
 		}
-		answer_cells(r, "%s %s", info->unit, info->meaning);
+		answer_cells(r, "%s %s", info->unit, tr(info->meaning));
 	}
 	if (u != NULL)
 		band_note(r, s, entry, false);
@@ -187,7 +190,7 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 	answer_note(r, "%s: %s; %s: %s%s%s%s", mine->key, origin_words(mine),
 	    other->key, origin_words(other), of->gauge > 0 ? "; " : "",
 	    of->gauge > 0 ? of->gauge_name : "",
-	    of->gauge > 0 ? " scaled to max 1" : "");
+	    of->gauge > 0 ? tr(" scaled to max 1") : "");
 	answer_note(r, "e0_min, alpha and f_mat compensate for each other: run "
 		       "'compare' to see the difference between the products");
 	return session_answer(s, r);

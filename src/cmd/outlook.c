@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/fit.h"
 #include "core/ensemble.h"
@@ -27,32 +28,92 @@ used_runs(const struct history *h, enum correction correction, size_t *place)
 	return use;
 }
 
-const struct posterior *
-outlook_posterior(const struct session *s, const struct entry *entry,
-    enum correction correction)
+/* Whether there is something to draw from, of a calibration that came to its
+ * end. */
+static bool
+has_draws(const struct entry *entry)
 {
 	const struct fit *fit = origin_fit(entry);
-	if (fit == NULL || fit_too_few(fit) || fit->stop == CALIBRATE_STOPPED)
-		return NULL;
+	return fit != NULL && !fit_too_few(fit) &&
+	       fit->stop != CALIBRATE_STOPPED;
+}
+
+/* Begins to draw for a place of the history, or goes on: until all is drawn,
+ * or `stop` says that somebody waits.  steps: at most so many, 0: all. */
+static void
+draw(const struct session *s, const struct entry *entry, const bool *use,
+    size_t place, size_t steps)
+{
 	struct history *h = entry->origin->spread;
-	size_t place;
-	bool *use = used_runs(h, correction, &place);
-	if (h->noise != s->set.noise)
-		history_redraw(h, s->set.noise);
-	struct posterior **p = &h->posterior[place];
-	if (*p == NULL) {
+	const struct fit *fit = origin_fit(entry);
+	if (h->drawing != NULL && h->drawn != place) {
+		posterior_free(posterior_end(h->drawing));
+		h->drawing = NULL;
+	}
+	if (h->drawing == NULL) {
+		if (s->hooks.begins != NULL)
+			s->hooks.begins("posterior: drawing the parameters "
+					"that the data allow");
 		struct posterior_options o = {.use = use,
 		    .settings = fit->settings,
 		    .bounds = h->bounds,
 		    .seed = fit->seed,
 		    .threads = s->set.threads,
 		    .isa = s->isa,
-		    .noise = s->set.noise / 100,
-		    .stop = h->stop};
-		*p = posterior_new(h->site, &fit->params, &o);
+		    .noise = s->set.noise / 100};
+		h->drawing = posterior_begin(h->site, &fit->params, &o);
+		h->drawn = place;
 	}
+	bool done = false;
+	for (size_t i = 0; !done && (steps == 0 || i < steps); i++) {
+		done = posterior_step(h->drawing);
+		if (!done && steps == 0 && h->stop != NULL && h->stop())
+			return;
+	}
+	if (!done)
+		return;
+	h->posterior[place] = posterior_end(h->drawing);
+	h->drawing = NULL;
+}
+
+/* The draws; NULL while they are not complete. */
+static const struct posterior *
+drawn(const struct session *s, const struct entry *entry,
+    enum correction correction, size_t steps)
+{
+	struct history *h = entry->origin->spread;
+	size_t place;
+	bool *use = used_runs(h, correction, &place);
+	if (h->noise != s->set.noise)
+		history_redraw(h, s->set.noise);
+	if (h->posterior[place] == NULL)
+		draw(s, entry, use, place, steps);
 	free(use);
-	return *p;
+	return h->posterior[place];
+}
+
+struct posterior *
+outlook_beside(const struct session *s, const struct entry *entry)
+{
+	if (!has_draws(entry) || s->set.correction == CORRECTION_OFF)
+		return NULL;
+	const struct history *h = entry->origin->spread;
+	const struct fit *fit = origin_fit(entry);
+	const struct posterior_options o = {.use = h->train,
+	    .settings = fit->settings,
+	    .bounds = h->bounds,
+	    .seed = fit->seed,
+	    .threads = 1,
+	    .isa = s->isa,
+	    .noise = s->set.noise / 100};
+	return posterior_new(h->site, &fit->params, &o);
+}
+
+const struct posterior *
+outlook_posterior(const struct session *s, const struct entry *entry,
+    enum correction correction)
+{
+	return has_draws(entry) ? drawn(s, entry, correction, 0) : NULL;
 }
 
 /* The runs that inform the answers that are set. */
@@ -61,6 +122,14 @@ informing(const struct session *s)
 {
 	return s->set.correction == CORRECTION_ALL ? CORRECTION_ALL
 						   : CORRECTION_TRAIN;
+}
+
+bool
+outlook_draw(const struct session *s, const struct entry *entry)
+{
+	enum { STEPS = 8 };
+	return !has_draws(entry) ||
+	       drawn(s, entry, informing(s), STEPS) != NULL;
 }
 
 const struct posterior *
@@ -89,6 +158,18 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 	}
 	free(use);
 	return *e;
+}
+
+struct evidence
+outlook_undrawn(const struct session *s, const struct entry *entry)
+{
+	struct history *h = entry->origin->spread;
+	size_t place;
+	bool *use = used_runs(h, informing(s), &place);
+	struct evidence e = trust_evidence(h->site, h->train, use,
+	    origin_fit(entry), &h->bounds, NULL, s->set.noise);
+	free(use);
+	return e;
 }
 
 double
@@ -124,21 +205,65 @@ as_fitted(const struct session *s, const struct entry *entry)
 	       model_settings_same(&s->set.model, &fit->settings);
 }
 
+struct model_settings
+outlook_settings(const struct session *s, const struct entry *entry)
+{
+	struct model_settings settings = s->set.model;
+	const struct variant *v = entry->variant;
+	if (v == NULL)
+		return settings;
+	settings.bypass = v->bypass;
+	settings.k = v->k > 0 ? v->k : settings.k;
+	return settings;
+}
+
 /* What answers are drawn from; NULL: they are the model alone. */
 static const struct posterior *
 answering(const struct session *s, const struct entry *entry)
 {
-	bool off = s->set.correction == CORRECTION_OFF || session_busy(s);
+	bool off =
+	    s->set.correction == CORRECTION_OFF || session_fitting(s) != NULL;
 	bool none = off || !as_fitted(s, entry) || is_open(s, entry);
 	return none ? NULL : outlook_draws(s, entry);
 }
 
-struct inverse
-outlook_inverse(const struct session *s, const struct entry *entry,
-    size_t feed_run, const double *sieve, size_t n)
+const struct posterior *
+outlook_unseen(
+    const struct session *s, const struct entry *entry, bool training_only)
 {
-	return inverse_new(&entry->site->run[feed_run].feed, sieve, n,
-	    &entry->params, s->set.model, answering(s, entry));
+	if (!as_fitted(s, entry) || is_open(s, entry))
+		return NULL;
+	return outlook_posterior(
+	    s, entry, training_only ? CORRECTION_TRAIN : informing(s));
+}
+
+/* Whether these are the entry's own parameters. */
+static bool
+are_own(const struct entry *entry, const struct params *params)
+{
+	return memcmp(params, &entry->params, sizeof *params) == 0;
+}
+
+struct response *
+outlook_response(const struct session *s, const struct entry *entry,
+    const struct params *params, size_t feed_run, const struct quantity *asked,
+    size_t n)
+{
+	const struct psd *feed = &entry->site->run[feed_run].feed;
+	struct psd sizes = predict_sizes(entry->site, feed);
+	struct response *r = response_new(feed, sizes.size, sizes.n, asked, n,
+	    params, outlook_settings(s, entry),
+	    are_own(entry, params) ? answering(s, entry) : NULL);
+	psd_free(&sizes);
+	return r;
+}
+
+struct crusher *
+outlook_crusher(const struct session *s, const struct entry *entry,
+    const double *size, size_t n)
+{
+	return crusher_new(size, n, &entry->params, outlook_settings(s, entry),
+	    answering(s, entry));
 }
 
 struct ensemble *
@@ -156,6 +281,7 @@ outlook_ensemble(
 	const struct psd *feed = &entry->site->run[feed_run].feed;
 	struct psd sizes = predict_sizes(entry->site, feed);
 	h->ensemble = ensemble_new(p, feed, sizes.size, sizes.n);
+	ensemble_machine(h->ensemble, outlook_settings(s, entry));
 	h->ensemble_of = of;
 	psd_free(&sizes);
 	return h->ensemble;
@@ -172,9 +298,9 @@ struct prediction
 outlook_form(const struct session *s, const struct entry *entry,
     const struct params *params, double speed, size_t feed_run)
 {
-	struct prediction p =
-	    predict(entry->site, params, s->set.model, speed, feed_run);
-	bool own = memcmp(params, &entry->params, sizeof *params) == 0;
+	struct prediction p = predict(
+	    entry->site, params, outlook_settings(s, entry), speed, feed_run);
+	bool own = are_own(entry, params);
 	struct ensemble *e = own ? outlook_ensemble(s, entry, feed_run) : NULL;
 	if (e != NULL)
 		predict_spread(&p, e, settings_level(&s->set));
@@ -185,45 +311,48 @@ const char *
 outlook_why_none(const struct session *s, const struct entry *entry)
 {
 	const struct fit *fit = origin_fit(entry);
-	return fit == NULL
-		   ? "no uncertainty band: the parameters do not come from a "
-		     "calibration in this session"
+	return fit == NULL ? tr("no uncertainty band: the parameters do not "
+				"come from a "
+				"calibration in this session")
 	       : fit_too_few(fit)
-		   ? "no uncertainty band: too few data for the number of "
-		     "parameters"
+		   ? tr("no uncertainty band: too few data for the number of "
+			"parameters")
 	       : s->set.correction == CORRECTION_OFF
-		   ? "no uncertainty band for the model alone: 'set correction "
-		     "all' has one"
+		   ? tr("no uncertainty band for the model alone: 'set "
+			"correction "
+			"all' has one")
 	       : fit->stop == CALIBRATE_STOPPED
-		   ? "no uncertainty band: the calibration was stopped"
-	       : is_open(s, entry)
-		   ? "no uncertainty band: the fit is poor, and two speeds do "
-		     "not show how its error changes with the speed; measure a "
-		     "third"
-		   : "no uncertainty band: the site was calibrated with other "
-		     "settings";
+		   ? tr("no uncertainty band: the calibration was stopped")
+	       : is_open(s, entry) ? tr("no uncertainty band: the fit is poor, "
+					"and two speeds do "
+					"not show how its error changes with "
+					"the speed; measure a "
+					"third")
+				   : tr("no uncertainty band: the site was "
+					"calibrated with other "
+					"settings");
 }
 
 const char *
 outlook_words(const struct session *s, const struct entry *entry)
 {
 	if (answering(s, entry) == NULL)
-		return "the model alone";
+		return tr("the model alone");
 	bool former = entry->has_fit &&
 		      entry->history->site->digest != entry->site->digest;
 	return s->set.correction == CORRECTION_TRAIN
-		   ? "model corrected by the training runs"
-	       : former ? "model corrected by the runs measured before the "
-			  "calibration, not by those added since"
-			: "model corrected by all measured runs";
+		   ? tr("model corrected by the training runs")
+	       : former ? tr("model corrected by the runs measured before the "
+			     "calibration, not by those added since")
+			: tr("model corrected by all measured runs");
 }
 
 const char *
 outlook_short(const struct session *s, const struct prediction *p)
 {
-	static const char *const WORDS[] = {[CORRECTION_ALL] = ", all runs",
-	    [CORRECTION_TRAIN] = ", training runs",
-	    [CORRECTION_OFF] = ", model"};
+	static const char *const WORDS[] = {[CORRECTION_ALL] = N_(", all runs"),
+	    [CORRECTION_TRAIN] = N_(", training runs"),
+	    [CORRECTION_OFF] = N_(", model")};
 	bool asked = s->set.correction == CORRECTION_OFF;
-	return p->low != NULL || asked ? WORDS[s->set.correction] : "";
+	return p->low != NULL || asked ? tr(WORDS[s->set.correction]) : "";
 }

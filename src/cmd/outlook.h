@@ -5,8 +5,10 @@
 #define TIPSPEED_CMD_OUTLOOK_H
 
 #include "cmd/session.h"
+#include "core/crusher.h"
 #include "core/inverse.h"
 #include "core/predict.h"
+#include "core/response.h"
 
 /* The posterior that all measured runs inform, or the training runs only, of
  * the calibration that found the entry's parameters, on this site or another
@@ -16,15 +18,36 @@
 const struct posterior *outlook_posterior(const struct session *s,
     const struct entry *entry, enum correction correction);
 
+/* That of the training runs, drawn by one thread, which may be one of several,
+ * and kept nowhere: posterior_free.  NULL too where answers are the model
+ * alone. */
+struct posterior *outlook_beside(
+    const struct session *s, const struct entry *entry);
+
+/* Draws a part of what outlook_draws gives; true when that is all there, or
+ * there is nothing to draw from. */
+bool outlook_draw(const struct session *s, const struct entry *entry);
+
 /* The one that is set; that of the training runs where answers are the model
  * alone. */
 const struct posterior *outlook_draws(
     const struct session *s, const struct entry *entry);
 
+/* That of a calibration whose answers have a band, of the runs that are set to
+ * inform them, though these be the model alone, or of its training runs only:
+ * what cuts are compared with that it has not seen.  NULL where there is no
+ * band but for what is set. */
+const struct posterior *outlook_unseen(
+    const struct session *s, const struct entry *entry, bool training_only);
+
 /* What the calibration that found the entry's parameters shows of itself, by
  * the runs that inform the answers; NULL where none of this session did.  Kept
  * with it. */
 const struct evidence *outlook_evidence(
+    const struct session *s, const struct entry *entry);
+
+/* The same of an entry that was calibrated, without draws. */
+struct evidence outlook_undrawn(
     const struct session *s, const struct entry *entry);
 
 /* How far the feed of that run differs from the most similar of those that
@@ -40,10 +63,20 @@ double outlook_feed_difference(
 struct ensemble *outlook_ensemble(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
-/* The entry's answers from that feed on sieves [n], to be asked at many speeds;
- * inverse_free. */
-struct inverse outlook_inverse(const struct session *s,
-    const struct entry *entry, size_t feed_run, const double *sieve, size_t n);
+/* The settings that are set, with what another machine does otherwise. */
+struct model_settings outlook_settings(
+    const struct session *s, const struct entry *entry);
+
+/* The same for quantities [n] of a product that is formed with these
+ * parameters, as outlook_form; response_free. */
+struct response *outlook_response(const struct session *s,
+    const struct entry *entry, const struct params *params, size_t feed_run,
+    const struct quantity *asked, size_t n);
+
+/* The crusher of the entry's answers, for any feed, with classes between sizes
+ * [n]; crusher_free. */
+struct crusher *outlook_crusher(const struct session *s,
+    const struct entry *entry, const double *size, size_t n);
 
 /* The entry's product: the answer, with its band where there is one.
  * outlook_form: with other parameters, as while a calibration runs: the model

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 /* Goes on from the last place asked for, so that a long line costs no more than
@@ -150,8 +151,9 @@ bool
 words_split(const char *line, size_t from, struct place place,
     struct words *words, struct error *error)
 {
-	size_t i = skip_blanks(line, from);
+	size_t i = skip_blanks(line, from), begin = i, end = i;
 	words->n = 0;
+	words->typed = NULL;
 	words->to = TO_SCREEN;
 	words->target = NULL;
 	words->next = from;
@@ -166,8 +168,10 @@ words_split(const char *line, size_t from, struct place place,
 			: add_word(line, &i, place, verbatim, words, error);
 		if (!ok)
 			return false;
+		end = words->to == TO_SCREEN ? i : end;
 		i = skip_blanks(line, i);
 	}
+	words->typed = xstrndup(line + begin, end - begin);
 	words->next = line[i] == ';' ? i + 1 : i + strlen(line + i);
 	column_of(line, words, words->next);
 	return true;
@@ -179,7 +183,8 @@ words_free(struct words *words)
 	for (size_t i = 0; i < words->n; i++)
 		free(words->text[i]);
 	free(words->target);
-	words->target = NULL;
+	free(words->typed);
+	words->target = words->typed = NULL;
 	words->n = 0;
 }
 
@@ -203,7 +208,7 @@ value_number(const char *word, const char *unit, double *value)
 
 /* A control room shows the rotor's turns. */
 static const char TURNS[] =
-    "is this rpm? tip speed (m/s) = 3.1416 x rotor diameter (m) x rpm / 60";
+    N_("is this rpm? tip speed (m/s) = 3.1416 x rotor diameter (m) x rpm / 60");
 
 /* The next step where a number is written as in another language. */
 static bool
@@ -216,7 +221,7 @@ hint_number(
 	double low, high;
 	cut_unit(copy, option->unit);
 	if (strcmp(option->unit, "m/s") == 0 && strstr(word, "rpm") != NULL) {
-		error_hint(error, "%s", TURNS);
+		error_hint(error, "%s", tr(TURNS));
 	} else if (comma != NULL) {
 		*comma = '.';
 		bool right = text_number(copy, &low);
@@ -253,7 +258,7 @@ number(const struct command_option *option, const char *word, double *value,
 		    option->least, option->most, space, option->unit, word);
 		return *value > option->most &&
 		       strcmp(option->unit, "m/s") == 0 &&
-		       error_hint(error, "%s", TURNS);
+		       error_hint(error, "%s", tr(TURNS));
 	}
 	return true;
 }
@@ -282,7 +287,7 @@ range(const struct command_option *option, char *word, char *dots,
 	if (colon != NULL)
 		*colon = '\0';
 	struct command_option step_of = *option;
-	step_of.name = "the step";
+	step_of.name = tr("the step");
 	step_of.least = 0.001;
 	bool ok = number(option, word, &from, error) &&
 		  number(option, dots + 2, &to, error) &&
@@ -383,6 +388,10 @@ value_take(const struct command_option *option, const char *word,
 	switch (option->kind) {
 	case VALUE_NUMBER:
 		return number(option, word, &value->number, error);
+	case VALUE_FEED:
+		if (value_number(word, option->unit, &value->number))
+			return number(option, word, &value->number, error);
+		return word[0] != '\0' || value_wanted(option, error);
 	case VALUE_NUMBERS:
 		return numbers(option, word, value, error);
 	case VALUE_WHOLE:
@@ -561,10 +570,10 @@ check_operands(const struct args *args, struct error *error)
 		return false;
 	char *usage = command_usage(command);
 	error_set(error, ERROR_USAGE,
-	    more != NULL ? "%s: unexpected word '%s'\n"
-			   "usage: %s"
-			 : "%s: expected %s\n"
-			   "usage: %s",
+	    more != NULL ? N_("%s: unexpected word '%s'\n"
+			      "usage: %s")
+			 : N_("%s: expected %s\n"
+			      "usage: %s"),
 	    command->name, more != NULL ? more : command->operands.usage,
 	    usage);
 	free(usage);

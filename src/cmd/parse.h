@@ -23,6 +23,7 @@ struct place {
 enum target { TO_SCREEN, TO_FILE, TO_END, TO_PIPE };
 
 /* The words of one command and the characters they start at (from 1).
+ * typed: the words as they stand in the line; NULL of one at fault.
  * next: the offset in the line at which the next command may begin.
  * target: file of TO_FILE (">") and TO_END (">>"), shell command of TO_PIPE;
  * to_column: where > or | stands. */
@@ -30,6 +31,7 @@ struct words {
 	size_t n;
 	char *text[OPERANDS];
 	int column[OPERANDS];
+	char *typed;
 	size_t next;
 	enum target to;
 	char *target;

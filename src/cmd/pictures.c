@@ -8,11 +8,38 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/document.h"
+#include "cmd/goals.h"
+#include "cmd/line.h"
+#include "cmd/pin.h"
 #include "cmd/table.h"
 #include "config.h"
 #include "plot/picture.h"
+
+/* What it is of, and what is shown beside: loaded sites, or what is pinned. */
+static bool
+read_sites(const struct session *s, const struct args *args,
+    struct plot_request *request, struct error *error)
+{
+	static const char PINNED[] = "pinned";
+	const char *of = args_value(args, "site")->text;
+	const char *beside = args_value(args, "beside")->text;
+	bool own = of != NULL && strcmp(of, PINNED) == 0,
+	     second = beside != NULL && strcmp(beside, PINNED) == 0;
+	if ((own || second) && s->pin == NULL)
+		return error_set(error, ERROR_USAGE,
+		    "no prediction is pinned\n"
+		    "keep one first: pin speed=74");
+	request->site = own ? s->pin->key : of;
+	request->made = own ? &s->pin->p : NULL;
+	request->speed = own ? s->pin->p.speed : request->speed;
+	request->beside = second ? s->pin->key : beside;
+	request->kept = second ? &s->pin->p : NULL;
+	return true;
+}
 
 static bool
 read_request(const struct session *s, const struct args *args,
@@ -24,15 +51,14 @@ read_request(const struct session *s, const struct args *args,
 		    "there is no plot '%s'\nthe plots are: %s",
 		    args->operand[0], PLOT_KINDS);
 	*request = plots_request((enum plot_kind)kind);
-	const struct value *speed = args_value(args, "speed");
-	const struct value *other = args_value(args, "other");
-	const struct value *at = args_value(args, "at");
 	const struct value *speeds = args_value(args, "speeds");
-	request->speed = speed->given ? speed->number : NAN;
-	request->other_speed = other->given ? other->number : NAN;
-	request->crosshair_mm = at->given ? at->number : NAN;
-	request->beside = args_value(args, "beside")->text;
+	request->speed = args_number(args, "speed", NAN);
+	request->other_speed = args_number(args, "other", NAN);
+	request->other_feed = args_number(args, "other_feed", 0);
+	request->crosshair_mm = args_number(args, "at", NAN);
 	request->param = args_value(args, "param")->text;
+	request->of = args_value(args, "of")->text;
+	request->limits = args_value(args, "limits")->text;
 	if (args_value(args, "feed")->given && s->n_entry > 0) {
 		const struct site *site = s->entry[s->current].site;
 		size_t run;
@@ -42,9 +68,10 @@ read_request(const struct session *s, const struct args *args,
 	}
 	request->level = args_value(args, "level")->number;
 	request->band = args_value(args, "band")->choice == 1;
+	request->generation = (size_t)args_value(args, "generation")->whole;
 	request->n_speed = speeds->n;
 	request->speeds = speeds->list;
-	return true;
+	return read_sites(s, args, request, error);
 }
 
 /* The chart that the call asks for, by its kind and the options that plot and
@@ -110,6 +137,33 @@ add_fields(struct answer *r, const struct chart *chart)
 		}
 }
 
+/* A row a point; of: what is up, or NULL. */
+static void
+add_points(struct answer *r, const struct chart_series *p, bool several,
+    const char *of)
+{
+	for (size_t j = 0; j < p->n; j++) {
+		if (isnan(p->y[j]))
+			continue;
+		if (several)
+			add_whose(r, p, j);
+		answer_cells(r, "%s %g", p->name, p->x[j]);
+		if (of != NULL)
+			answer_text(r, "%s", of);
+		answer_cells(r, "%g %g %g", p->y[j],
+		    p->low != NULL ? p->low[j] : NAN,
+		    p->low != NULL ? p->high[j] : NAN);
+	}
+}
+
+/* The chart below one, but not a strip, whose numbers follow from the rest. */
+static const struct chart *
+next_chart(const struct chart *chart)
+{
+	const struct chart *below = chart->below;
+	return below != NULL && below->strip > 0 ? NULL : below;
+}
+
 /* The numbers of a chart: one row a point. */
 static struct answer *
 chart_answer(const struct session *s, const struct chart *chart)
@@ -129,21 +183,17 @@ chart_answer(const struct session *s, const struct chart *chart)
 		return r;
 	}
 	char *x = key_of(&chart->x), *y = key_of(&chart->y);
-	answer_columns(r, "series");
+	answer_columns(r, "series: series");
 	answer_column(r, x, chart->x.title);
-	answer_column(r, y, chart->y.title);
+	if (next_chart(chart) == NULL)
+		answer_column(r, y, chart->y.title);
+	else
+		answer_columns(r, "of, value");
 	answer_columns(r, "low, high");
-	for (size_t i = 0; i < chart->n; i++)
-		for (size_t j = 0; j < chart->series[i].n; j++) {
-			const struct chart_series *p = &chart->series[i];
-			if (isnan(p->y[j]))
-				continue;
-			if (several)
-				add_whose(r, p, j);
-			answer_cells(r, "%s %g %g %g %g", p->name, p->x[j],
-			    p->y[j], p->low != NULL ? p->low[j] : NAN,
-			    p->low != NULL ? p->high[j] : NAN);
-		}
+	for (const struct chart *c = chart; c != NULL; c = next_chart(c))
+		for (size_t i = 0; i < c->n; i++)
+			add_points(r, &c->series[i], several,
+			    next_chart(chart) != NULL ? c->y.title : NULL);
 	free(x);
 	free(y);
 	return r;
@@ -166,8 +216,16 @@ print_chart(struct session *s, const struct args *args,
 	const struct screen *screen = &s->screen;
 	int columns =
 	    size_of(args_value(args, "width"), screen->columns, WIDEST, WIDTH);
-	int rows = size_of(
-	    args_value(args, "height"), screen->rows - 2, HEIGHT, HEIGHT);
+	const struct value *height = args_value(args, "height");
+	int strip = chart->below != NULL ? chart->below->strip : 0;
+	int most = HEIGHT + strip;
+	int rows = size_of(height, screen->rows - 2, most, most);
+	/* Where there are several each is as high as one alone. */
+	for (const struct chart *c = next_chart(chart); c != NULL;
+	     c = next_chart(c))
+		rows += height->given
+			    ? 0
+			    : size_of(height, screen->rows - 2, HEIGHT, HEIGHT);
 	struct canvas *canvas =
 	    chart_draw(chart, columns, rows, charset, CHART_ALL);
 	canvas_print(canvas, screen->colours, s->out);
@@ -187,17 +245,41 @@ bool
 pictures_wanted(const struct session *s)
 {
 	enum picture_form form;
-	return s->file != NULL && picture_form_of(s->file, &form);
+	return s->document != NULL ||
+	       (s->file != NULL && picture_form_of(s->file, &form));
 }
 
 bool
-pictures_draw(struct session *s, const struct chart *chart, struct error *error)
+pictures_draw(struct session *s, struct chart *chart, struct error *error)
 {
 	enum picture_form form;
-	return (picture_form_of(s->file, &form) &&
-		   picture_write(
-		       chart, form, "tipspeed " PACKAGE_VERSION, s->out)) ||
-	       cannot_draw(s, error);
+	if (s->document != NULL) {
+		document_picture(s->document, chart);
+		return true;
+	}
+	bool ok = (picture_form_of(s->file, &form) &&
+		      picture_write(
+			  chart, form, "tipspeed " PACKAGE_VERSION, s->out)) ||
+		  cannot_draw(s, error);
+	chart_free(chart);
+	return ok;
+}
+
+/* Only a browser plays, and only SVG; an open screen has nobody's keys. */
+static bool
+can_record(const struct session *s, const struct args *args, bool picture,
+    struct error *error)
+{
+	enum picture_form form;
+	if (!args_value(args, "frames")->given)
+		return true;
+	if (!picture || !picture_form_of(s->file, &form) || form != PICTURE_SVG)
+		return error_set(error, ERROR_USAGE,
+		    "expected a file name ending in .svg with frames=, got %s\n"
+		    "for instance: screen keys=\"Right*9\" frames=400 > "
+		    "demo.svg",
+		    s->file != NULL ? s->file : tr("none"));
+	return true;
 }
 
 static struct screen_request
@@ -243,28 +325,31 @@ screen_answer(const struct canvas *canvas)
 	return r;
 }
 
+/* film: of frames, or NULL. */
 static bool
 write_screen(struct session *s, const struct canvas *canvas, int colours,
-    struct error *error)
+    const struct film *film, struct error *error)
 {
 	enum picture_form form;
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
 	char *label = entry != NULL ? session_label(entry->site)
-				    : xstrdup("no site loaded");
+				    : xstrdup(tr("no site loaded"));
 	double speed = session_known(s, "predict", "speed");
 	char *title =
 	    isfinite(speed)
-		? xasprintf("tipspeed, full-screen mode: %s at %.1f m/s", label,
-		      speed)
-		: xasprintf("tipspeed, full-screen mode: %s", label);
+		? xasprintf(tr("tipspeed, full-screen mode: %s at %.1f m/s"),
+		      label, speed)
+		: xasprintf(tr("tipspeed, full-screen mode: %s"), label);
 	char *from = entry != NULL ? site_source(entry->site, "") : xstrdup("");
-	char *about = xasprintf("A text screen of %d columns and %d rows.%s%s",
-	    canvas->columns, canvas->rows, from[0] ? " Data: " : "", from);
-	bool ok =
-	    (picture_form_of(s->file, &form) &&
-		picture_cells(canvas, colours, form, title, about, s->out)) ||
-	    cannot_draw(s, error);
+	char *about = xasprintf(
+	    tr("A text screen of %d columns and %d rows.%s%s"), canvas->columns,
+	    canvas->rows, from[0] ? tr(" Data: ") : "", from);
+	bool ok = film != NULL ? film_write(film, colours, title, about, s->out)
+			       : picture_form_of(s->file, &form) &&
+				     picture_cells(canvas, colours, form, title,
+					 about, s->out);
+	ok = ok || cannot_draw(s, error);
 	free(about);
 	free(from);
 	free(title);
@@ -272,25 +357,80 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	return ok;
 }
 
+/* A row for who hears it: what is drawn with a sign again and again is left
+ * out, and so is a row without anything else. */
+static void
+print_heard(const struct canvas_cell *cell, int columns, FILE *out)
+{
+	char *text = xstrdup(""), code[5];
+	for (int c = 0, n; c < columns; c += n) {
+		uint32_t sign = cell[c].code;
+		for (n = 1; c + n < columns && cell[c + n].code == sign; n++)
+			;
+		bool drawn = n >= 3 && !(sign >= '0' && sign <= '9');
+		for (int i = 0; i < n && !drawn && sign != 0; i++)
+			xappend(&text, "%s", canvas_utf8(sign, code));
+		if (drawn)
+			xappend(&text, "  ");
+	}
+	const char *from = text + strspn(text, " ");
+	size_t end = strlen(from);
+	while (end > 0 && from[end - 1] == ' ')
+		end--;
+	if (end > 0)
+		fprintf(out, "%.*s\n", (int)end, from);
+	free(text);
+}
+
+/* All that it shows, row by row, then its plot. */
+static bool
+say_screen(struct session *s, const struct canvas *canvas, const char *picture,
+    struct error *error)
+{
+	for (int row = 0; row < canvas->rows; row++)
+		print_heard(canvas->cell + row * canvas->columns,
+		    canvas->columns, s->out);
+	if (picture == NULL)
+		return true;
+	size_t next;
+	char *line = xasprintf("describe %s", picture);
+	bool ok = session_line(s, line, 0, "screen", 1, &next, error);
+	free(line);
+	return ok;
+}
+
 bool
 cmd_screen(struct session *s, const struct args *args, struct error *error)
 {
-	bool picture = pictures_wanted(s);
+	bool picture = pictures_wanted(s) && s->document == NULL;
 	if (s->hooks.draw_screen == NULL)
 		return error_set(error, ERROR_SYSTEM,
 		    "full-screen mode is not available here");
-	struct screen_request r = screen_request(s, args, picture);
-	struct canvas *canvas = s->hooks.draw_screen(s, &r, error);
-	if (canvas == NULL)
+	if (!can_record(s, args, picture, error))
 		return false;
+	struct film film = {0};
+	const struct value *frames = args_value(args, "frames");
+	struct screen_request r = screen_request(s, args, picture);
+	r.film = frames->given ? &film : NULL;
+	r.frame_ms = frames->given ? (unsigned)frames->number : 0;
+	r.words = s->linear && !picture && s->set.format == ANSWER_TABLE;
+	struct canvas *canvas = s->hooks.draw_screen(s, &r, error);
+	if (canvas == NULL) {
+		film_free(&film);
+		return false;
+	}
 	bool ok = true;
 	if (picture)
-		ok = write_screen(s, canvas, r.colours, error);
+		ok = write_screen(s, canvas, r.colours, r.film, error);
+	else if (r.words)
+		ok = say_screen(s, canvas, r.picture, error);
 	else if (s->set.format == ANSWER_TABLE)
 		canvas_print(canvas, r.colours, s->out);
 	else
 		session_answer(s, screen_answer(canvas));
 	canvas_free(canvas);
+	free(r.picture);
+	film_free(&film);
 	return ok;
 }
 
@@ -301,27 +441,20 @@ struct tale {
 	struct answer *answer;
 };
 
-/* " mm" of "size, mm"; "" where there is no unit. */
-static char *
-unit_of(const struct axis *axis)
-{
-	const char *unit = strrchr(axis->title, ',');
-	bool none = unit == NULL || strcmp(unit, ", -") == 0;
-	return xstrdup(none ? "" : unit + 1);
-}
-
 static void
 say_axes(struct tale *t)
 {
 	const struct axis *axes[] = {&t->chart->x, &t->chart->y};
-	static const char *const ways[] = {"Across", "Up"};
+	static const char *const ways[] = {N_("Across"), N_("Up")};
 	size_t named = t->kind == PLOT_SPREAD        ? 1
 		       : t->kind == PLOT_CORRELATION ? 2
 						     : 0; /* by parameters */
 	for (size_t i = 0; i < ARRAY_LEN(axes) - named; i++)
-		answer_note(t->answer, "%s: %s, from %.4g to %.4g%s", ways[i],
-		    axes[i]->title, axes[i]->low, axes[i]->high,
-		    axes[i]->log ? " on a log scale" : "");
+		answer_note(t->answer, "%s: %s, from %.4g to %.4g%s",
+		    tr(ways[i]), axes[i]->title, axes[i]->low, axes[i]->high,
+		    axes[i]->log            ? tr(" on a log scale")
+		    : axes[i]->straight > 0 ? tr(" on a symmetric log scale")
+					    : "");
 }
 
 /* "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" of a product or a feed. */
@@ -335,7 +468,7 @@ sizes_of(const struct tale *t, const struct chart_series *s)
 		double x = chart_at_y(t->chart, s, PASSING[i]);
 		xappend(&text, "%s P%g ", i > 0 ? "," : ";", PASSING[i]);
 		if (isnan(x))
-			xappend(&text, "outside the sieves");
+			xappend(&text, tr("outside the sieves"));
 		else
 			xappend(&text, "%.2f mm", x);
 	}
@@ -356,7 +489,7 @@ say_curve(struct tale *t, const struct chart_series *s)
 	while (first != last &&
 	       (isnan(s->y[last]) || s->y[last] == s->y[last - step]))
 		last -= step;
-	char *x = unit_of(&t->chart->x), *y = unit_of(&t->chart->y);
+	const char *x = axis_unit(&t->chart->x), *y = axis_unit(&t->chart->y);
 	char *sizes = sizes_of(t, s);
 	if (first == last)
 		answer_note(t->answer, "%s: %.4g%s throughout", s->name,
@@ -366,8 +499,6 @@ say_curve(struct tale *t, const struct chart_series *s)
 		    "%s: from %.3g%s at %.3g%s to %.3g%s at %.3g%s%s", s->name,
 		    s->y[first], y, s->x[first], x, s->y[last], y, s->x[last],
 		    x, sizes);
-	free(x);
-	free(y);
 	free(sizes);
 }
 
@@ -381,11 +512,13 @@ say_points(struct tale *t, const struct chart_series *s)
 	for (size_t i = 0; i < s->n && shown < FEW; i++) {
 		if (isnan(s->y[i]))
 			continue;
-		xlist(&text, ";", " %.3g and %.3g", s->x[i], s->y[i]);
+		xlist(&text, ";", tr(" %.3g and %.3g"), s->x[i], s->y[i]);
 		shown++;
 	}
-	answer_note(t->answer, "%s, %zu point%s, across and up:%s%s", s->name,
-	    s->n, s->n == 1 ? "" : "s", text, s->n > FEW ? " and more" : "");
+	answer_note(t->answer,
+	    tr_n("%s, %zu point, across and up:%s%s",
+		"%s, %zu points, across and up:%s%s", s->n),
+	    s->name, s->n, text, s->n > FEW ? tr(" and more") : "");
 	free(text);
 }
 
@@ -419,7 +552,7 @@ say_fields(struct tale *t)
 		for (size_t j = 0; j < s->n; j++)
 			if (fabs(s->field[j].value) >= worth_saying &&
 			    s->x[j] + s->y[j] < (double)c->y.n + 1)
-				xlist(&list, ", ", "%s and %s %s",
+				xlist(&list, ", ", tr("%s and %s %s"),
 				    tick_at(&c->x, s->x[j]),
 				    tick_at(&c->y, s->y[j]), s->field[j].label);
 		if (list[0] != '\0')
@@ -447,13 +580,11 @@ say_difference(struct tale *t, const struct chart_series *other)
 		here = y;
 		there = other->y[i];
 	}
-	char *x_unit = unit_of(&t->chart->x), *y_unit = unit_of(&t->chart->y);
 	if (!isnan(x))
 		answer_note(t->answer,
 		    "%s and %s differ most at %.3g%s: %.3g and %.3g%s",
-		    top->name, other->name, x, x_unit, here, there, y_unit);
-	free(x_unit);
-	free(y_unit);
+		    top->name, other->name, x, axis_unit(&t->chart->x), here,
+		    there, axis_unit(&t->chart->y));
 }
 
 static void
@@ -462,14 +593,105 @@ say_series(struct tale *t)
 	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct chart_series *s = &c->series[i];
-		if (s->line == CHART_MARKS)
+		if (s->line == CHART_MARKS && t->kind != PLOT_PSD)
 			say_points(t, s);
 		else if (s->series != SERIES_TEXT)
 			say_curve(t, s);
 	}
-	for (size_t i = 0; i + 1 < c->n; i++)
-		if (c->series[c->n - 1].line != CHART_MARKS)
+	for (size_t i = 0; i + 1 < c->n && t->kind != PLOT_RESPONSE; i++)
+		if (c->series[c->n - 1].line != CHART_MARKS &&
+		    c->series[i].series != SERIES_TEXT)
 			say_difference(t, &c->series[i]);
+}
+
+/* Of each difference where it is largest. */
+static void
+say_strip(struct tale *t)
+{
+	const struct chart *c = t->chart;
+	for (size_t i = 0; i < c->n; i++) {
+		const struct chart_series *s = &c->series[i];
+		size_t most = 0;
+		for (size_t j = 0; j < s->n; j++)
+			if (!(fabs(s->y[j]) <= fabs(s->y[most])))
+				most = isnan(s->y[j]) ? most : j;
+		if (!isnan(s->y[most]))
+			answer_note(t->answer,
+			    "%s: at most %+.2f points, at %.3g mm", s->name,
+			    s->y[most], s->x[most]);
+	}
+}
+
+/* Of each run the sieve at which the candidates lie furthest apart, and that
+ * which the best misses by most. */
+static void
+say_search(struct tale *t)
+{
+	for (size_t i = 0; i + 1 < t->chart->n; i++) {
+		const struct chart_series *s = &t->chart->series[i];
+		const struct chart_series *best = s + 1;
+		size_t wide = 0, off = 0;
+		for (size_t j = 0; j < s->n && s->bars; j++) {
+			if (s->high[j] - s->low[j] >
+			    s->high[wide] - s->low[wide])
+				wide = j;
+			if (fabs(best->y[j]) > fabs(best->y[off]))
+				off = j;
+		}
+		if (s->bars && s->n > 0)
+			answer_note(t->answer,
+			    "%s is widest at %.3g mm: from %+.2f to %+.2f "
+			    "points; %s is furthest off at %.3g mm: %+.2f "
+			    "points",
+			    s->name, s->x[wide], s->low[wide], s->high[wide],
+			    best->name, best->x[off], best->y[off]);
+	}
+}
+
+static void
+say_chart(struct tale *t)
+{
+	const struct chart *chart = t->chart;
+	if (chart->strip > 0) {
+		say_strip(t);
+		return;
+	}
+	say_axes(t);
+	if (t->kind == PLOT_SPREAD)
+		say_spread(t);
+	else if (t->kind == PLOT_CORRELATION)
+		say_fields(t);
+	else if (t->kind == PLOT_SEARCH)
+		say_search(t);
+	else
+		say_series(t);
+	for (size_t i = 0; i < chart->n_rule; i++)
+		answer_note(t->answer, "A line from foot to top: %s",
+		    chart->rule[i].name);
+	for (size_t i = 0; i < chart->n_note; i++)
+		answer_note(t->answer, "%s", chart->note[i]);
+}
+
+/* Where the goal that is set is met, on the feed that the curves have. */
+static void
+say_goal(struct tale *t, struct session *s, const struct plot_request *request)
+{
+	struct goal goal = {.n_value = 0};
+	if (t->kind != PLOT_PSD || !goals_set(s) || session_busy(s) ||
+	    request->site != NULL || !session_entry(s)->has_params)
+		return;
+	const struct site *site = session_entry(s)->site;
+	double speed =
+	    isnan(request->speed) ? answers_middle(site) : request->speed;
+	size_t feed = site_run_nearest(
+	    site, request->feed_speed != 0 ? request->feed_speed : speed);
+	while (goals_pending(s, &goal, feed))
+		goals_step(s, &goal, feed);
+	char *words = goals_words(s, &goal, speed, GOALS_FULL);
+	answer_note(t->answer, "%s", words);
+	fields_put(answer_fields(t->answer), "goal %s", words);
+	free(words);
+	goals_clear(&goal);
 }
 
 bool
@@ -485,18 +707,9 @@ cmd_describe(struct session *s, const struct args *args, struct error *error)
 	    s->n_entry > 0 ? session_entry(s)->site->name : "", chart->about);
 	fields_put(answer_fields(t.answer), "kind %s title %s data %s",
 	    args->operand[0], chart->title, chart->about);
-	say_axes(&t);
-	if (request.kind == PLOT_SPREAD)
-		say_spread(&t);
-	else if (request.kind == PLOT_CORRELATION)
-		say_fields(&t);
-	else
-		say_series(&t);
-	for (size_t i = 0; i < chart->n_rule; i++)
-		answer_note(t.answer, "A line from foot to top: %s",
-		    chart->rule[i].name);
-	for (size_t i = 0; i < chart->n_note; i++)
-		answer_note(t.answer, "%s", chart->note[i]);
+	for (t.chart = chart; t.chart != NULL; t.chart = t.chart->below)
+		say_chart(&t);
+	say_goal(&t, s, &request);
 	chart_free(chart);
 	return session_answer(s, t.answer);
 }
@@ -516,13 +729,12 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 	enum charset charset = choice != AUTO      ? (enum charset)(choice - 1)
 			       : s->screen.drawing ? CHARSET_BRAILLE
 						   : CHARSET_ASCII;
-	bool ok = true;
 	if (pictures_wanted(s))
-		ok = pictures_draw(s, chart, error);
-	else if (s->set.format == ANSWER_TABLE)
+		return pictures_draw(s, chart, error);
+	if (s->set.format == ANSWER_TABLE)
 		print_chart(s, args, chart, charset);
 	else
 		session_answer(s, chart_answer(s, chart));
 	chart_free(chart);
-	return ok;
+	return true;
 }

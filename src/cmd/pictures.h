@@ -8,22 +8,30 @@
 #include "cmd/command.h"
 #include "cmd/plots.h"
 #include "cmd/session.h"
+#include "plot/film.h"
 
 /* A picture of the full screen.  columns, rows: 0: as the one that is open,
  * else 100 x 30.  page: from 1; 0: the one shown.  keys: names of keys, pressed
  * before; "": none.  charset and colours (0, 8, 16 or 256) are those of the
- * open one unless they are `asked`. */
+ * open one unless they are `asked`.  film: a frame for each key goes there, of
+ * frame_ms, or NULL.  words: for who hears it: plots and lines are left out,
+ * and `picture` is what describe calls the plot of the page, which the caller
+ * frees, or NULL. */
 struct screen_request {
 	int columns, rows, page, colours;
 	enum charset charset;
 	bool charset_asked, colours_asked;
 	const char *keys;
+	bool words;
+	char *picture;
+	struct film *film;
+	unsigned frame_ms;
 };
 
 /* Whether the results go into a file whose name asks for a picture, and the
- * chart as that picture. */
+ * chart as that picture, or in the document that they are put together in; the
+ * chart is freed. */
 bool pictures_wanted(const struct session *s);
-bool pictures_draw(
-    struct session *s, const struct chart *chart, struct error *error);
+bool pictures_draw(struct session *s, struct chart *chart, struct error *error);
 
 #endif

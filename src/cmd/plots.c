@@ -8,10 +8,17 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
+#include "cmd/plots_difference.h"
 #include "cmd/plots_draws.h"
+#include "cmd/plots_drift.h"
+#include "cmd/plots_energy.h"
+#include "cmd/plots_limits.h"
+#include "cmd/plots_response.h"
+#include "cmd/plots_search.h"
 #include "cmd/site_chart.h"
 #include "cmd/entries.h"
 #include "core/elementary.h"
@@ -20,11 +27,12 @@
 #include "core/predict.h"
 #include "core/validate.h"
 #include "io/units.h"
+#include "plot/marks.h"
 
 /* The looks of a feed, or what lies behind, and of a single curve. */
 static const struct chart_series FEED = {
     .series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'};
-static const struct chart_series CURVE = {
+static const struct chart_series PREDICTED = {
     .series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'};
 
 struct plot_request
@@ -36,48 +44,8 @@ plots_request(enum plot_kind kind)
 	    .crosshair_mm = NAN,
 	    .level = 50,
 	    .charset = CHARSET_ASCII,
-	    .words = CHART_ALL};
-}
-
-static bool
-is_running(const struct session *s)
-{
-	return s->job.calibration != NULL && s->job.entry == s->current;
-}
-
-struct plots_past
-plots_past(const struct session *s)
-{
-	struct plots_past past = {0};
-	const struct history *h = s->entry[s->current].history;
-	if (is_running(s)) {
-		past.generation =
-		    calibration_history(s->job.calibration, &past.n);
-		past.bounds = calibration_bounds(s->job.calibration);
-	} else if (h != NULL) {
-		past = (struct plots_past){h->n, h->generation, &h->bounds};
-	}
-	return past;
-}
-
-/* Index of the generation asked for; n with an error where there is none. */
-static size_t
-generation_of(const struct session *s, const struct plot_request *request,
-    const struct plots_past *past, struct error *error)
-{
-	if (past->n == 0) {
-		error_set(error, ERROR_USAGE,
-		    "%s has not been calibrated in this session\n"
-		    "run 'calibrate' first",
-		    s->entry[s->current].site->name);
-		return past->n;
-	}
-	if (request->generation <= past->n)
-		return request->generation > 0 ? request->generation - 1
-					       : past->n - 1;
-	error_set(error, ERROR_USAGE, "there is no generation %zu, only %zu",
-	    request->generation, past->n);
-	return past->n;
+	    .words = CHART_ALL,
+	    .strip = PLOTS_STRIP};
 }
 
 bool
@@ -86,14 +54,12 @@ plots_params(const struct session *s, const struct plot_request *request,
 {
 	const struct entry *entry = &s->entry[s->current];
 	struct plots_past past = plots_past(s);
-	bool search = request->generation > 0 || is_running(s);
+	bool search = request->generation > 0 || plots_past_runs(s);
 	if (search && past.n > 0) {
-		size_t i = generation_of(s, request, &past, error);
-		if (i == past.n)
+		if (plots_past_at(s, &past, request->generation, error) ==
+		    past.n)
 			return false;
-		*params = request->generation > 0
-			      ? past.generation[i].params
-			      : calibration_status(s->job.calibration).params;
+		*params = plots_past_best(&past, request->generation);
 		return true;
 	}
 	if (!answers_known(s, entry, error))
@@ -102,43 +68,45 @@ plots_params(const struct session *s, const struct plot_request *request,
 	return true;
 }
 
-struct chart_series
-plots_look(size_t i)
-{
-	static const char MARKS[] = "v^ox*+@&$%szNHKTUYAEMRW", ASCII[] = "=-~";
-	enum { COLOURS = 3 };
-	return (struct chart_series){
-	    .series = (enum series)(SERIES_MEASURED_1 + i % COLOURS),
-	    .line = CHART_SOLID,
-	    .ascii = ASCII[i % COLOURS],
-	    .mark = MARKS[i % (sizeof MARKS - 1)]};
-}
-
 /* Curves to be drawn on one axis.  psd is borrowed, or of a prediction that
- * is kept for it. */
+ * is kept for it; finer: the same curve at more sizes, or NULL.  near: of what
+ * was measured nearest to the speed. */
 struct curves {
 	size_t n, n_prediction;
 	struct {
-		const struct psd *psd;
+		const struct psd *psd, *finer;
 		char *name;
+		bool near;
 		struct chart_series look;
-	} item[16];
+	} * item;
 	struct prediction prediction[8];
 };
 
-static const struct chart_series PREDICTED = {
-    .series = SERIES_PREDICTED, .line = CHART_DASHED, .ascii = '#'};
 static const struct chart_series OTHER = {
-    .series = SERIES_OTHER, .line = CHART_LONG, .ascii = '%', .mark = '%'};
+    .series = SERIES_OTHER, .line = CHART_DASHED, .ascii = '%'};
+static const struct chart_series PART = {
+    .series = SERIES_PREDICTED, .line = CHART_LONG, .ascii = '@'};
 
 /* Takes the name. */
 static void
 add_curve(struct curves *c, const struct psd *psd, char *name,
     struct chart_series look)
 {
+	c->item = xrealloc(c->item, c->n + 1, sizeof *c->item);
 	c->item[c->n].psd = psd;
+	c->item[c->n].finer = NULL;
+	c->item[c->n].near = false;
 	c->item[c->n].name = name;
 	c->item[c->n++].look = look;
+}
+
+/* Its sizes are read where the prediction itself reads them. */
+static void
+add_product(struct curves *c, const struct prediction *p, char *name,
+    struct chart_series look)
+{
+	add_curve(c, &p->product, name, look);
+	c->item[c->n - 1].finer = &p->curve;
 }
 
 /* One that is kept with the curves. */
@@ -164,9 +132,18 @@ sieves_of(const struct curves *c)
 		for (size_t j = 0; j < psd->n; j++)
 			size[n++] = units_mm(psd->size[j]);
 	}
-	struct axis axis = axis_sieves("size, mm", size, n);
+	struct axis axis = axis_sieves(tr("size, mm"), size, n);
 	free(size);
 	return axis;
+}
+
+static void
+put_points(struct chart_series *s, const struct psd *psd)
+{
+	for (size_t j = 0; j < psd->n; j++) {
+		s->x[j] = units_mm(psd->size[j]);
+		s->y[j] = units_pct(psd->passing[j]);
+	}
 }
 
 static void
@@ -174,12 +151,12 @@ put_curves(struct chart *chart, const struct curves *c)
 {
 	for (size_t i = 0; i < c->n; i++) {
 		const struct psd *psd = c->item[i].psd;
+		const struct psd *finer = c->item[i].finer;
 		struct chart_series *s = chart_add(
 		    chart, c->item[i].look, psd->n, "%s", c->item[i].name);
-		for (size_t j = 0; j < psd->n; j++) {
-			s->x[j] = units_mm(psd->size[j]);
-			s->y[j] = units_pct(psd->passing[j]);
-		}
+		put_points(s, psd);
+		if (finer != NULL)
+			put_points(chart_add_finer(s, finer->n), finer);
 	}
 }
 
@@ -190,22 +167,58 @@ free_curves(struct curves *c)
 		free(c->item[i].name);
 	for (size_t i = 0; i < c->n_prediction; i++)
 		prediction_free(&c->prediction[i]);
+	free(c->item);
+}
+
+size_t
+plots_left_out(const struct site *site)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < site->n_run; i++)
+		n += site->run[i].product.n > 0 && !site_run_repeats(site, i);
+	return n > PLOTS_MEASURED ? n - PLOTS_MEASURED : 0;
+}
+
+/* Nothing where another feed or machine is asked about. */
+static void
+add_measured(struct curves *c, const struct entry *entry, double speed)
+{
+	const struct site *site = entry->site;
+	for (size_t i = 0; i < site->n_run && site->with[0] == '\0'; i++) {
+		if (!site_run_is_near(site, i, speed, PLOTS_MEASURED))
+			continue;
+		add_curve(c, &site->run[i].product,
+		    xasprintf(tr("measured %g m/s%s"), site->run[i].speed,
+			site->run[i].repeat),
+		    site_chart_run(site, i, !entry->train[i]));
+		c->item[c->n - 1].near = site_run_is_near(site, i, speed, 1);
+	}
 }
 
 static void
-add_measured(
-    struct curves *c, const struct site *site, double speed, size_t most)
+note_measured(
+    struct chart *chart, const struct curves *c, const struct site *site)
 {
-	size_t taken = 0;
-	for (size_t i = 0; i < site->n_run; i++) {
-		if (!site_run_is_near(site, i, speed, most))
-			continue;
-		taken += !site_run_repeats(site, i);
-		add_curve(c, &site->run[i].product,
-		    xasprintf("measured %g m/s%s", site->run[i].speed,
-			site->run[i].repeat),
-		    plots_look(taken - 1));
-	}
+	bool hollow = false;
+	for (size_t i = 0; i < c->n; i++)
+		hollow = hollow || (c->item[i].look.fine &&
+				       mark_of(c->item[i].look.mark)->hollow);
+	if (hollow)
+		chart_note(chart, "hollow marks: held out from the fit");
+	if (plots_left_out(site) > 0)
+		chart_note(chart, "%zu measured runs are not drawn",
+		    plots_left_out(site));
+}
+
+/* Below curves whose last one is the prediction. */
+static void
+add_strip(struct chart *chart, const struct curves *c, int rows)
+{
+	bool *near = xcalloc(chart->n, sizeof *near);
+	for (size_t i = 0; i < c->n; i++)
+		near[chart->n - c->n + i] = c->item[i].near;
+	plots_difference(chart, rows, near);
+	free(near);
 }
 
 /* What is read at a place: chart_at at a size, chart_at_y at a passing. */
@@ -213,10 +226,11 @@ typedef double reading(
     const struct chart *, const struct chart_series *, double);
 
 /* Adds " feed 16.0 %" to a note, or " predicted 33.1 % (31.6 to 34.5)" of what
- * has a band, or " feed -". */
+ * has a band, or " feed -".  range: the band there, mm, or NULL where it is to
+ * be read between the sieves. */
 static void
 add_reading(char **note, const struct chart *chart,
-    const struct chart_series *s, reading *read, double at)
+    const struct chart_series *s, reading *read, double at, const double *range)
 {
 	struct chart_series low = *s, high = *s;
 	int digits = read == chart_at ? 1 : 2;
@@ -231,28 +245,46 @@ add_reading(char **note, const struct chart *chart,
 		return;
 	low.y = s->low;
 	high.y = s->high;
+	low.finer = high.finer = NULL;
 	double a = read(chart, &low, at), b = read(chart, &high, at);
-	if (!isnan(a) && !isnan(b))
-		xappend(note, " (%.*f to %.*f)", digits, fmin(a, b), digits,
-		    fmax(a, b));
+	if (range != NULL) {
+		a = range[0];
+		b = range[1];
+	}
+	/* Between sieves the band is a straight line, and the curve is not. */
+	if (isfinite(a) && isfinite(b))
+		xappend(note, tr(" (%.*f to %.*f)"), digits,
+		    fmin(fmin(a, b), own), digits, fmax(fmax(a, b), own));
 }
 
-/* "at 2 mm: feed 16.0 %, measured 69 m/s 29.0 %", and of each curve the size
- * that the level passes. */
+/* A rule, and where there are notes "at 2 mm: feed 16.0 %, measured 69 m/s
+ * 29.0 %", and of each curve the size that the level passes; p: the prediction
+ * whose band it is, or NULL. */
 static void
-note_crosshair(struct chart *chart, double x, double level)
+note_crosshair(struct chart *chart, const struct plot_request *q,
+    const struct prediction *p)
 {
-	char *at = xasprintf("at %g mm:", x);
-	char *sizes = xasprintf("%g %% pass:", level);
+	double mm[2], *range = NULL, x = q->crosshair_mm, level = q->level;
+	chart_add_rule(chart, SERIES_CROSSHAIR, x, "crosshair at %g mm", x);
+	if (!(q->words & CHART_NOTES))
+		return;
+	for (size_t k = 0; k < PSD_SIZES && p != NULL; k++) {
+		if (fabs(level - 100 * PSD_PASSING[k]) > 1e-9)
+			continue;
+		range = mm;
+		mm[0] = 1000 * p->range[k][0];
+		mm[1] = 1000 * p->range[k][1];
+	}
+	char *at = xasprintf(tr("at %g mm:"), x);
+	char *sizes = xasprintf(tr("%g %% pass:"), level);
 	for (size_t i = 0; i < chart->n; i++) {
 		const char *comma = i + 1 < chart->n ? "," : "";
-		add_reading(&at, chart, &chart->series[i], chart_at, x);
+		add_reading(&at, chart, &chart->series[i], chart_at, x, NULL);
 		add_reading(
-		    &sizes, chart, &chart->series[i], chart_at_y, level);
+		    &sizes, chart, &chart->series[i], chart_at_y, level, range);
 		xappend(&at, "%s", comma);
 		xappend(&sizes, "%s", comma);
 	}
-	chart_add_rule(chart, SERIES_CROSSHAIR, x, "crosshair at %g mm", x);
 	chart_note(chart, "%s", at);
 	chart_note(chart, "%s", sizes);
 	free(at);
@@ -270,7 +302,7 @@ note_prediction(struct chart *chart, const struct session *s,
 	double mm = 1000 * p->break_size;
 	if (!(q->words & CHART_NOTES))
 		chart_add_rule(chart, series, mm, "%sbreak size",
-		    series == SERIES_OTHER ? "pin " : "");
+		    series == SERIES_OTHER ? tr("pin ") : "");
 	else if (series == SERIES_OTHER && q->beside != NULL)
 		chart_add_rule(
 		    chart, series, mm, "%s: break size %.2f mm", q->beside, mm);
@@ -281,18 +313,18 @@ note_prediction(struct chart *chart, const struct session *s,
 	char *const words[] = {p20, p50, p80};
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		snprintf(words[i], sizeof p20,
-		    isnan(p->size[i]) ? "outside" : "%.2f mm",
+		    isnan(p->size[i]) ? tr("outside") : "%.2f mm",
 		    1000 * p->size[i]);
 	bool beyond = whose != NULL && answers_extrapolates(whose, p->speed);
 	chart_note(chart, "%s: P20 %s, P50 %s, P80 %s%s%s%s", name, p20, p50,
-	    p80, beyond ? "; extrapolated" : "",
+	    p80, beyond ? tr("; extrapolated") : "",
 	    p->low != NULL && whose != NULL ? "; " : "",
 	    p->low != NULL && whose != NULL ? outlook_words(s, whose) : "");
 	if (whose == NULL || origin_key(whose) == whose->key)
 		return;
 	char *from = origin_sentence(whose);
 	chart_note(
-	    chart, "%s%s", origin_is_other(whose) ? "warning: " : "", from);
+	    chart, "%s%s", origin_is_other(whose) ? tr("warning: ") : "", from);
 	free(from);
 }
 
@@ -315,7 +347,7 @@ shade_prediction(
 	char p50[64] = "";
 	const double *range = p->range[1];
 	if (isfinite(range[0]) && isfinite(range[1]))
-		snprintf(p50, sizeof p50, "; P50 %.2f to %.2f mm",
+		snprintf(p50, sizeof p50, tr("; P50 %.2f to %.2f mm"),
 		    1000 * range[0], 1000 * range[1]);
 	chart_note(chart, "shaded: %.0f %% uncertainty band%s",
 	    100 * settings_level(&s->set), p50);
@@ -355,13 +387,21 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
 	if (!kept) {
 		const struct site *site = second->whose->site;
 		double v = isnan(q->other_speed) ? speed : q->other_speed;
-		if (i != s->current)
+		if (q->other_feed != 0)
+			feed = site_run_at(site, q->other_feed);
+		else if (i != s->current)
 			feed = site_run_nearest(site, v);
+		if (feed >= site->n_run)
+			return error_set(error, ERROR_USAGE,
+			    "%s has no feed sampled at %g m/s\n"
+			    "run 'show feed' for its feeds",
+			    site->name, q->other_feed);
 		second->p = make_prediction(c, s, second->whose, own, v, feed);
 	}
-	char *name = xasprintf("%s %s%s%g m/s", kept ? "pin" : "predicted",
-	    beside ? q->beside : "", beside ? " " : "", second->p->speed);
-	add_curve(c, &second->p->product, name, OTHER);
+	char *name =
+	    xasprintf("%s %s%s%g m/s", kept ? tr("pin") : tr("predicted"),
+		beside ? q->beside : "", beside ? " " : "", second->p->speed);
+	add_product(c, second->p, name, OTHER);
 	return true;
 }
 
@@ -389,13 +429,51 @@ add_feed(struct curves *c, const struct plot_request *q,
     const struct site *site, size_t run, double speed)
 {
 	bool sampled =
-	    site->individual_feeds &&
+	    answers_sampled(site, run) &&
 	    (!(q->words & CHART_NOTES) || run != site_run_nearest(site, speed));
 	add_curve(c, &site->run[run].feed,
-	    sampled ? xasprintf("feed %g m/s%s", site->run[run].speed,
+	    sampled ? xasprintf(tr("feed %g m/s%s"), site->run[run].speed,
 			  site->run[run].repeat)
-		    : xstrdup("feed"),
+		    : xstrdup(tr("feed")),
 	    FEED);
+}
+
+/* The fraction that an envelope in use is for, with its limits. */
+static void
+add_part(struct curves *c, const struct session *s, const struct entry *entry,
+    const struct prediction *whole)
+{
+	struct prediction *part = &c->prediction[c->n_prediction];
+	if (!plots_limits_fraction(s, entry, whole, part))
+		return;
+	c->n_prediction++;
+	char *words = plots_limits_words(s);
+	add_product(c, part, xasprintf(tr("fraction %s"), words), PART);
+	free(words);
+}
+
+static void
+add_predicted(struct curves *c, const struct session *s,
+    const struct plot_request *q, const struct prediction *p)
+{
+	add_product(c, p,
+	    q->words & CHART_NOTES
+		? xasprintf(tr("predicted %g m/s"), p->speed)
+		: xasprintf(tr("predicted%s"), outlook_short(s, p)),
+	    PREDICTED);
+}
+
+/* The first prediction, and of it the fraction that is looked at. */
+static const struct prediction *
+make_first(struct curves *c, struct session *s, const struct plot_request *q,
+    const struct params *params, double speed, size_t feed)
+{
+	const struct entry *entry = session_entry(s);
+	const struct prediction *one =
+	    q->made != NULL ? q->made
+			    : make_prediction(c, s, entry, params, speed, feed);
+	add_part(c, s, entry, one);
+	return one;
 }
 
 static struct chart *
@@ -405,7 +483,7 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	const struct site *site = entry->site;
 	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
 	size_t feed =
-	    site_run_nearest(site, q->feed_speed > 0 ? q->feed_speed : speed);
+	    site_run_nearest(site, q->feed_speed != 0 ? q->feed_speed : speed);
 	struct curves c = {0};
 	struct params params = {0};
 	struct error unknown = {0};
@@ -417,36 +495,33 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 		return NULL;
 	}
 	add_feed(&c, q, site, feed, speed);
-	add_measured(&c, site, speed, PLOTS_MEASURED);
+	add_measured(&c, entry, speed);
+	const struct prediction *one =
+	    known ? make_first(&c, s, q, &params, speed, feed) : NULL;
 	if (!add_second(
 		&c, s, q, known ? &params : NULL, speed, feed, &two, error)) {
 		free_curves(&c);
 		return NULL;
 	}
-	const struct prediction *one =
-	    !known ? NULL
-	    : q->made != NULL
-		? q->made
-		: make_prediction(&c, s, entry, &params, speed, feed);
 	if (known)
-		add_curve(&c, &one->product,
-		    q->words & CHART_NOTES
-			? xasprintf("predicted %g m/s", speed)
-			: xasprintf("predicted%s", outlook_short(s, one)),
-		    PREDICTED);
+		add_predicted(&c, s, q, one);
 	struct chart *chart =
-	    site_chart(site, sieves_of(&c), axis_percent("passing, %"),
-		known                     ? "product at %.1f m/s"
-		: site_products(site) > 0 ? "feed and products"
-					  : "feed",
+	    site_chart(site, sieves_of(&c), axis_percent(tr("passing, %")),
+		known                     ? N_("product at %.1f m/s")
+		: site_products(site) > 0 ? N_("feed and products")
+					  : N_("feed"),
 		speed);
+	plots_limits_add(chart, s, (q->words & CHART_NOTES) != 0);
 	put_curves(chart, &c);
 	bool own = memcmp(&entry->params, &params, sizeof params) == 0;
 	note_curves(chart, s, q, one, &two, q->band && own);
 	if (!known)
 		chart_note(chart, "no prediction: %s", unknown.text);
+	else if (q->strip > 0)
+		add_strip(chart, &c, q->strip);
+	note_measured(chart, &c, site);
 	if (!isnan(q->crosshair_mm))
-		note_crosshair(chart, q->crosshair_mm, q->level);
+		note_crosshair(chart, q, one);
 	free_curves(&c);
 	return chart;
 }
@@ -470,18 +545,18 @@ sweep_chart(
 		return NULL;
 	}
 	size_t feed = site_run_nearest(
-	    site, q->feed_speed > 0 ? q->feed_speed : answers_middle(site));
-	add_curve(&c, &site->run[feed].feed, xstrdup("feed"), FEED);
+	    site, q->feed_speed != 0 ? q->feed_speed : answers_middle(site));
+	add_curve(&c, &site->run[feed].feed, xstrdup(tr("feed")), FEED);
 	double *usual = n == 0 ? answers_speeds(site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : q->speeds;
 	for (size_t i = 0; i < n; i++)
-		add_curve(&c,
-		    &make_prediction(&c, s, entry, &params, speed[i], feed)
-			 ->product,
-		    xasprintf("predicted %g m/s", speed[i]), plots_look(i));
+		add_product(&c,
+		    make_prediction(&c, s, entry, &params, speed[i], feed),
+		    xasprintf(tr("predicted %g m/s"), speed[i]),
+		    site_chart_look(i));
 	free(usual);
 	struct chart *chart = site_chart(site, sieves_of(&c),
-	    axis_percent("passing, %"), "products at %zu speeds", n);
+	    axis_percent(tr("passing, %")), "products at %zu speeds", n);
 	put_curves(chart, &c);
 	free_curves(&c);
 	return chart;
@@ -499,7 +574,7 @@ add_residuals(struct chart *chart, struct session *s, size_t run,
 	struct prediction p =
 	    predict(entry->site, params, s->set.model, r->speed, run);
 	struct chart_series *series = chart_add(chart, look, n, "%g m/s%s%s",
-	    r->speed, r->repeat, entry->train[run] ? "" : " (held out)");
+	    r->speed, r->repeat, entry->train[run] ? "" : tr(" (held out)"));
 	for (size_t i = 0; i < n; i++) {
 		double predicted = psd_passing(&p.product, r->product.size[i]);
 		series->x[i] = units_mm(r->product.size[i]);
@@ -528,135 +603,39 @@ static struct chart *
 residuals_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	enum { MOST = 12 };
 	const struct site *site = session_entry(s)->site;
 	struct params params;
 	struct curves c = {0};
 	if (!plots_params(s, q, &params, error))
 		return NULL;
-	size_t compared = 0, taken = 0;
+	size_t compared = 0;
 	for (size_t i = 0; i < site->n_run; i++)
 		compared += misfit_covered(&site->run[i]) > 0;
 	if (compared == 0) {
 		error_set(error, ERROR_USAGE,
-		    site_products(site) == 0 ? "%s has no measured product"
-					     : "%s: no product sieve is in the "
-					       "range of the feed's sieves",
+		    site_products(site) == 0
+			? N_("%s has no measured product")
+			: N_("%s: no product sieve is in the "
+			     "range of the feed's sieves"),
 		    site->name);
 		return NULL;
 	}
 	double middle = answers_middle(site);
-	add_measured(&c, site, middle, MOST);
+	add_measured(&c, session_entry(s), middle);
 	struct chart *chart = site_chart(site, sieves_of(&c), (struct axis){0},
 	    "predicted minus measured, sieve by sieve");
 	for (size_t i = 0; i < site->n_run; i++) {
-		if (!site_run_is_near(site, i, middle, MOST))
+		if (!site_run_is_near(site, i, middle, PLOTS_MEASURED) ||
+		    misfit_covered(&site->run[i]) == 0)
 			continue;
-		taken += !site_run_repeats(site, i);
-		if (misfit_covered(&site->run[i]) > 0)
-			add_residuals(
-			    chart, s, i, &params, plots_look(taken - 1));
+		struct chart_series look =
+		    site_chart_run(site, i, !session_entry(s)->train[i]);
+		look.line = CHART_SOLID;
+		look.ascii = look.mark;
+		add_residuals(chart, s, i, &params, look);
 	}
 	chart->y = around_zero(chart, "difference, points");
 	free_curves(&c);
-	return chart;
-}
-
-/* A misfit that a log axis can show. */
-static double
-shown_misfit(double misfit)
-{
-	return isfinite(misfit) && misfit > 0 ? misfit : NAN;
-}
-
-static struct chart *
-convergence_chart(
-    struct session *s, const struct plot_request *q, struct error *error)
-{
-	struct plots_past past = plots_past(s);
-	size_t last = generation_of(s, q, &past, error);
-	if (last == past.n)
-		return NULL;
-	double low = INFINITY, high = 0;
-	for (size_t i = 0; i <= last; i++) {
-		const struct calibrate_generation *g = &past.generation[i];
-		low = fmin(low, shown_misfit(g->best));
-		high = fmax(high, shown_misfit(g->best));
-		high = fmax(high, shown_misfit(g->median));
-	}
-	if (!isfinite(low))
-		low = high = 1;
-	struct chart *chart = site_chart(session_entry(s)->site,
-	    axis_linear("generation", 1, (double)past.n),
-	    axis_log("misfit, -", low, high), "the search, %zu generations",
-	    last + 1);
-	chart_add(chart, FEED, last + 1, "median candidate");
-	chart_add(chart, CURVE, last + 1, "best");
-	struct chart_series *median = &chart->series[0], *best = median + 1;
-	for (size_t i = 0; i <= last; i++) {
-		median->x[i] = best->x[i] = (double)(i + 1);
-		median->y[i] = shown_misfit(past.generation[i].median);
-		best->y[i] = shown_misfit(past.generation[i].best);
-	}
-	return chart;
-}
-
-/* One row for each parameter, the first on top, half a row within the ends; not
- * quite half, lest rounding put two into one row of cells. */
-static struct axis
-parameter_axis(const struct breakage *of)
-{
-	const double margin = 0.45;
-	struct axis axis = {.title = xstrdup("parameter"),
-	    .low = margin,
-	    .high = (double)of->n + margin};
-	for (size_t j = 0; j < of->n; j++)
-		axis_add(&axis, (double)(of->n - j), of->parameter[j].name, 0);
-	return axis;
-}
-
-/* Where a value lies within its bounds, %; NAN of a parameter held fixed. */
-static double
-share_of(const struct bounds *b, size_t j, double value)
-{
-	double range = b->upper[j] - b->lower[j];
-	return range > 0 ? 100 * (value - b->lower[j]) / range : NAN;
-}
-
-static struct chart *
-spread_chart(
-    struct session *s, const struct plot_request *q, struct error *error)
-{
-	struct plots_past past = plots_past(s);
-	size_t i = generation_of(s, q, &past, error);
-	if (i == past.n)
-		return NULL;
-	const struct calibrate_generation *g = &past.generation[i];
-	const struct breakage *of = breakage_of(&g->params);
-	struct chart *chart = site_chart(session_entry(s)->site,
-	    axis_linear("position between the bounds, %", 0, 100),
-	    parameter_axis(of), "candidates of generation %zu", i + 1);
-	/* Two ends and a lift of the pen. */
-	struct chart_series *spread = chart_add(chart,
-	    (struct chart_series){
-		.series = SERIES_MEASURED_1, .line = CHART_SOLID, .ascii = '='},
-	    3 * of->n, "middle 80 %%");
-	for (size_t j = 0; j < of->n; j++) {
-		double ends[3] = {share_of(past.bounds, j, g->p10[j]),
-		    share_of(past.bounds, j, g->p90[j]), NAN};
-		for (size_t k = 0; k < 3; k++) {
-			spread->x[3 * j + k] = k < 2 ? ends[k] : 0;
-			spread->y[3 * j + k] =
-			    isnan(ends[k]) ? NAN : (double)(of->n - j);
-		}
-	}
-	struct chart_series *best = chart_add(chart,
-	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'},
-	    of->n, "best");
-	for (size_t j = 0; j < of->n; j++) {
-		best->x[j] = share_of(past.bounds, j, g->params.at[j]);
-		best->y[j] = isnan(best->x[j]) ? NAN : (double)(of->n - j);
-	}
 	return chart;
 }
 
@@ -707,11 +686,11 @@ put_pairs(
 	struct chart_series *equal = chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '.'},
-	    2, "as measured (1:1)");
+	    2, N_("as measured (1:1)"));
 	equal->x[0] = equal->y[0] = low;
 	equal->x[1] = equal->y[1] = high;
 	for (size_t i = 0; i < 3; i++) {
-		struct chart_series look = plots_look(i);
+		struct chart_series look = site_chart_look(i);
 		look.line = CHART_MARKS;
 		struct chart_series *p =
 		    chart_add(chart, look, pairs->n, "%s", NAMES[i]);
@@ -744,10 +723,12 @@ parity_chart(
 		high = fmax(high, fmax(measured, predicted));
 	}
 	if (high > 0) {
-		struct axis x = axis_log("measured, mm", low, high);
-		struct axis y = axis_log("predicted, mm", low, high);
-		char *title = xasprintf("sizes at held-out speeds, %zu site%s",
-		    pairs.n_site, pairs.n_site == 1 ? "" : "s");
+		struct axis x = axis_log(tr("measured, mm"), low, high);
+		struct axis y = axis_log(tr("predicted, mm"), low, high);
+		char *title = xasprintf(
+		    tr_n("sizes at held-out speeds, %zu site",
+			"sizes at held-out speeds, %zu sites", pairs.n_site),
+		    pairs.n_site);
 		chart = chart_new(title, pairs.about, x, y);
 		free(title);
 		put_pairs(chart, &pairs, x.low, x.high);
@@ -780,14 +761,14 @@ add_selection(struct chart *chart, const struct session *s,
 	struct chart_series *series =
 	    chart_add(chart, look, SAMPLES, "%g m/s", speed);
 	struct breaker b;
-	breaker_set(&b, params, s->set.model.k);
+	breaker_set(&b, params, &s->set.model);
 	breaker_at(&b, speed);
 	for (size_t i = 0; i < SAMPLES; i++) {
 		series->x[i] = sample(chart->x.low, chart->x.high, i);
 		series->y[i] = 100 * b.model->selection(
 					 &b, el_log(series->x[i] / 1000), NULL);
 	}
-	double mm = 1000 * params_break_size(params, speed);
+	double mm = 1000 * params_break_size_by(params, &s->set.model, speed);
 	chart_add_rule(chart,
 	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm,
 	    "break size %.2f mm at %g m/s", mm, speed);
@@ -803,16 +784,18 @@ selection_chart(
 	if (!plots_params(s, q, &params, error))
 		return NULL;
 	const struct psd *feed = &site->run[site_run_nearest(site, speed)].feed;
-	const struct curves c = {.n = 1, .item = {{.psd = feed}}};
+	struct curves c = {0};
+	add_curve(&c, feed, xstrdup(""), FEED);
 	struct chart *chart = site_chart(site, sieves_of(&c),
-	    axis_percent("share that breaks S(x), %"),
+	    axis_percent(tr("share that breaks S(x), %")),
 	    "selection function (Eq 3)");
+	free_curves(&c);
 	if (!isnan(q->other_speed))
 		add_selection(chart, s, &params, q->other_speed,
 		    (struct chart_series){.series = SERIES_OTHER,
 			.line = CHART_LONG,
 			.ascii = '%'});
-	add_selection(chart, s, &params, speed, CURVE);
+	add_selection(chart, s, &params, speed, PREDICTED);
 	return chart;
 }
 
@@ -833,12 +816,14 @@ appearance_chart(
 	const struct site *site = session_entry(s)->site;
 	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
 	struct breaker b;
-	breaker_set(&b, &params, s->set.model.k);
+	breaker_set(&b, &params, &s->set.model);
 	breaker_at(&b, speed);
-	struct chart *chart = site_chart(site,
-	    axis_log("progeny / parent u, -", 0.001, 1),
-	    axis_percent("finer than u B(u), %"), "appearance function (Eq 1)");
-	struct chart_series *curve = chart_add(chart, CURVE, SAMPLES, "B(u)");
+	struct chart *chart =
+	    site_chart(site, axis_log(tr("progeny / parent u, -"), 0.001, 1),
+		axis_percent(tr("finer than u B(u), %")),
+		"appearance function (Eq 1)");
+	struct chart_series *curve =
+	    chart_add(chart, PREDICTED, SAMPLES, "B(u)");
 	for (size_t i = 0; i < SAMPLES; i++) {
 		curve->x[i] = sample(chart->x.low, chart->x.high, i);
 		curve->y[i] = 100 * answers_finer(&b, curve->x[i], site);
@@ -850,10 +835,10 @@ appearance_chart(
 static void
 add_rock(struct chart *chart, const struct stored_list *list, const char *rock)
 {
-	struct chart_series look = plots_look(chart->n);
+	struct chart_series look = site_chart_look(chart->n);
 	look.line = CHART_MARKS;
-	struct chart_series *series = chart_add(
-	    chart, look, list->n, "%s", rock[0] != '\0' ? rock : "not stated");
+	struct chart_series *series = chart_add(chart, look, list->n, "%s",
+	    rock[0] != '\0' ? rock : tr("not stated"));
 	series->n = 0;
 	for (size_t i = 0; i < list->n; i++) {
 		if (!text_same(list->item[i].rock, rock))
@@ -885,12 +870,30 @@ add_own(struct chart *chart, const struct entry *entry)
 	own->y[0] = params_value(&entry->params, "e0_min");
 }
 
+/* Of a large store as many as a chart can show: every so many-th. */
+static bool
+list_some(const struct session *s, struct stored_list *list, size_t *apart,
+    struct error *error)
+{
+	enum { MOST = 1000 };
+	size_t n;
+	if (!store_count(s->store, &n, error))
+		return false;
+	*apart = 1 + (n > 0 ? (n - 1) / MOST : 0);
+	const struct store_query query = {.apart = *apart};
+	bool ok = store_find(s->store, &query, list, error);
+	stored_table3(list);
+	return ok;
+}
+
 static struct chart *
 map_chart(struct session *s, const struct plot_request *q, struct error *error)
 {
 	(void)q;
 	struct stored_list list = {0};
-	if (!store_list_all(s->store, &list, error))
+	size_t apart;
+	char number[32];
+	if (!list_some(s, &list, &apart, error))
 		return NULL;
 	const struct entry *entry = s->n_entry > 0 ? session_entry(s) : NULL;
 	if (entry != NULL && !entry->has_params)
@@ -903,10 +906,17 @@ map_chart(struct session *s, const struct plot_request *q, struct error *error)
 		low = fmin(low, params_value(p, "e0_min"));
 		high = fmax(high, params_value(p, "e0_min"));
 	}
-	struct chart *chart = chart_new("materials by rock",
-	    "Table 3 of Grunditz et al. (2021) and the user's own fits",
+	char *about = apart > 1
+			  ? xasprintf(tr("Table 3 of Grunditz et al. (2021) "
+					 "and the user's own fits, one shown "
+					 "of each %s"),
+				text_exact((double)apart, number))
+			  : xstrdup(tr("Table 3 of Grunditz et al. (2021) "
+				       "and the user's own fits"));
+	struct chart *chart = chart_new(tr("materials by rock"), about,
 	    axis_linear("f_mat, kg/(J m)", 0, f_mat),
 	    axis_linear("e0_min, J m/kg", low, high));
+	free(about);
 	for (size_t i = 0; i < list.n; i++)
 		if (is_first(&list, i))
 			add_rock(chart, &list, list.item[i].rock);
@@ -916,44 +926,86 @@ map_chart(struct session *s, const struct plot_request *q, struct error *error)
 	return chart;
 }
 
-static struct chart *
-profile_chart(
-    struct session *s, const struct plot_request *q, struct error *error)
-{
-	return plots_draws_profile(s, q->param, error);
-}
-
-static struct chart *
-correlation_chart(
-    struct session *s, const struct plot_request *q, struct error *error)
-{
-	(void)q;
-	return plots_draws_correlation(s, error);
-}
-
 struct chart *
 plots_chart(
     struct session *s, const struct plot_request *request, struct error *error)
 {
 	static const struct {
-		struct chart *(*make)(struct session *,
-		    const struct plot_request *, struct error *);
+		plot_make *make;
 		bool any_site;
 	} KINDS[] = {[PLOT_PSD] = {psd_chart, false},
 	    [PLOT_PARITY] = {parity_chart, false},
-	    [PLOT_CONVERGENCE] = {convergence_chart, false},
-	    [PLOT_SPREAD] = {spread_chart, false},
+	    [PLOT_CONVERGENCE] = {plots_search_convergence, false},
+	    [PLOT_SPREAD] = {plots_search_spread, false},
 	    [PLOT_RESIDUALS] = {residuals_chart, false},
 	    [PLOT_SELECTION] = {selection_chart, false},
 	    [PLOT_APPEARANCE] = {appearance_chart, false},
 	    [PLOT_MAP] = {map_chart, true},
 	    [PLOT_SWEEP] = {sweep_chart, false},
-	    [PLOT_PROFILE] = {profile_chart, false},
-	    [PLOT_CORRELATION] = {correlation_chart, false}};
+	    [PLOT_RESPONSE] = {plots_response, false},
+	    [PLOT_PROFILE] = {plots_draws_profile, false},
+	    [PLOT_CORRELATION] = {plots_draws_correlation, false},
+	    [PLOT_DRIFT] = {plots_drift, false},
+	    [PLOT_SEARCH] = {plots_search, false},
+	    [PLOT_ENERGY] = {plots_energy, true}};
 	if (!KINDS[request->kind].any_site &&
 	    !session_need_site(s, "this plot", error))
 		return NULL;
-	return KINDS[request->kind].make(s, request, error);
+	size_t current = s->current, at = current;
+	if (request->site != NULL &&
+	    !session_find(s, request->site, &at, error))
+		return NULL;
+	s->current = at;
+	struct chart *chart = KINDS[request->kind].make(s, request, error);
+	s->current = current;
+	if (chart != NULL)
+		chart->theme = (enum theme)s->set.theme;
+	return chart;
+}
+
+/* "82.1 %". */
+static char *
+with_unit(const struct axis *axis, double value)
+{
+	const char *unit = axis_unit(axis);
+	return xasprintf(
+	    strcmp(unit, " %") == 0 ? "%.1f%s" : "%.4g%s", value, unit);
+}
+
+static char *
+found_words(const struct chart_found *f)
+{
+	const struct chart_series *of = f->series;
+	if (of == NULL)
+		return NULL;
+	char *x = with_unit(&f->chart->x, of->x[f->point]),
+	     *y = with_unit(&f->chart->y, of->y[f->point]);
+	bool whose = of->whose != NULL && of->whose[f->point].site != NULL;
+	char *words =
+	    xasprintf("%s%s%s: %s, %s", whose ? of->whose[f->point].site : "",
+		whose ? ", " : "", of->name, x, y);
+	free(x);
+	free(y);
+	return words;
+}
+
+bool
+plots_find(struct session *s, const struct plot_request *request, int columns,
+    int rows, int column, int row, struct plots_found *found)
+{
+	struct error error = {0};
+	struct chart_found f;
+	struct chart *chart = plots_chart(s, request, &error);
+	if (chart == NULL)
+		return false;
+	struct canvas *canvas = canvas_new(columns, rows);
+	bool in = chart_find(
+	    chart, canvas, request->charset, request->words, column, row, &f);
+	if (in)
+		*found = (struct plots_found){f.x, f.y, found_words(&f)};
+	canvas_free(canvas);
+	chart_free(chart);
+	return in;
 }
 
 struct canvas *

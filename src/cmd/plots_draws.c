@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
@@ -58,9 +59,11 @@ add_fields(struct chart *chart, const struct posterior *p, const size_t *column,
 {
 	struct chart_series *s = chart_add(chart,
 	    (struct chart_series){
-		.series = positive ? SERIES_PREDICTED : SERIES_MEASURED_1,
+		.series = positive ? SERIES_PREDICTED : SERIES_KIND_1,
 		.mark = positive ? '+' : '-'},
-	    n * n, positive ? "rise together" : "one falls as the other rises");
+	    n * n,
+	    positive ? N_("rise together")
+		     : N_("one falls as the other rises"));
 	s->n = 0;
 	s->field = xcalloc(n * n + 1, sizeof *s->field);
 	for (size_t i = 0; i < n; i++)
@@ -79,8 +82,10 @@ add_fields(struct chart *chart, const struct posterior *p, const size_t *column,
 }
 
 struct chart *
-plots_draws_correlation(struct session *s, struct error *error)
+plots_draws_correlation(
+    struct session *s, const struct plot_request *q, struct error *error)
 {
+	(void)q;
 	size_t column[PARAMS_MOST];
 	const struct posterior *p = drawn(s, error);
 	if (p == NULL)
@@ -157,8 +162,8 @@ find_profiled(struct session *s, const char *name, struct profiled *a,
 		    "%s is %s\nchoose another parameter: plot profile "
 		    "param=..",
 		    name,
-		    gauge ? "what the others of beta are scaled to"
-			  : "held fixed");
+		    gauge ? tr("what the others of beta are scaled to")
+			  : tr("held fixed"));
 	a->misfit = misfit_new(a->h->site, a->h->train, NULL, false, settings);
 	if (gauge) {
 		a->bounds.lower[a->j] = -1;
@@ -217,8 +222,8 @@ add_profile(struct chart *chart, const struct profiled *a)
 		least = fmin(least, misfit[i]);
 	struct chart_series *s = chart_add(chart,
 	    (struct chart_series){
-		.series = SERIES_MEASURED_1, .line = CHART_SOLID, .ascii = '='},
-	    VALUES, "misfit, others refitted");
+		.series = SERIES_KIND_1, .line = CHART_SOLID, .ascii = '='},
+	    VALUES, N_("misfit, others refitted"));
 	double half = (double)misfit_cells(a->misfit) / 2;
 	near[0] = INFINITY;
 	near[1] = -INFINITY;
@@ -244,7 +249,7 @@ add_density(struct chart *chart, const struct profiled *a, const double *draw)
 	struct chart_series *s = chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_PREDICTED, .line = CHART_DASHED, .ascii = '#'},
-	    POINTS, "draws");
+	    POINTS, N_("draws"));
 	double most = 0;
 	for (size_t i = 0; i < POINTS; i++) {
 		s->x[i] = chart->x.low + (chart->x.high - chart->x.low) *
@@ -261,11 +266,13 @@ add_density(struct chart *chart, const struct profiled *a, const double *draw)
 }
 
 struct chart *
-plots_draws_profile(struct session *s, const char *param, struct error *error)
+plots_draws_profile(
+    struct session *s, const struct plot_request *q, struct error *error)
 {
 	struct profiled a;
 	double draws[POSTERIOR_DRAWS], reach[2], *draw = NULL;
-	if (!find_profiled(s, param != NULL ? param : "e0_min", &a, error))
+	if (!find_profiled(
+		s, q->param != NULL ? q->param : "e0_min", &a, error))
 		return NULL;
 	for (size_t d = 0; a.p != NULL && d < POSTERIOR_DRAWS; d++) {
 		draw = draws;
@@ -275,7 +282,7 @@ plots_draws_profile(struct session *s, const char *param, struct error *error)
 	char *title = xasprintf("%s, %s", a.info->name, a.info->unit);
 	struct chart *chart = site_chart(session_entry(s)->site,
 	    axis_linear(title, reach[0], reach[1]),
-	    axis_percent("relative to the most probable, %"),
+	    axis_percent(tr("relative to the most probable, %")),
 	    "what the data say of %s", a.info->name);
 	free(title);
 	add_profile(chart, &a);

@@ -5,13 +5,14 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/band.h"
 #include "cmd/cut.h"
-#include "cmd/fit.h"
 #include "cmd/pictures.h"
 #include "cmd/plots.h"
+#include "cmd/screened.h"
 #include "cmd/table.h"
 #include "cmd/invocation.h"
 #include "cmd/outlook.h"
@@ -21,10 +22,10 @@
 
 /* Which sizes break at this speed, in a sentence. */
 static void
-note_breakage(
-    struct answer *r, const struct params *params, const struct prediction *p)
+note_breakage(struct answer *r, const struct params *params,
+    const struct psd *feed, const struct prediction *p)
 {
-	double top = p->feed.size[0];
+	double top = feed->size[0];
 	if (p->no_daughters)
 		answer_note(r,
 		    "the appearance function gives no progeny: feed unchanged");
@@ -46,11 +47,12 @@ note_breakage(
 		    params_value(params, "alpha"), 100 * p->selected);
 	else
 		answer_note(r,
-		    p->break_size < 1e-4
-			? "break size %.3g mm (nothing finer breaks); %.1f %% "
-			  "of the feed breaks"
-			: "break size %.2f mm (nothing finer breaks); %.1f %% "
-			  "of the feed breaks",
+		    p->break_size < 1e-4 ? N_("break size %.3g mm (nothing "
+					      "finer breaks); %.1f %% "
+					      "of the feed breaks")
+					 : N_("break size %.2f mm (nothing "
+					      "finer breaks); %.1f %% "
+					      "of the feed breaks"),
 		    1000 * p->break_size, 100 * p->selected);
 }
 
@@ -84,10 +86,13 @@ note_wide_gap(struct answer *r, const struct psd *feed)
 }
 
 /* Measured products interpolated in speed squared at each sieve, [n]; NULL
- * where no measured runs lie on both sides of the speed. */
+ * where no measured runs lie on both sides of the speed, or were measured with
+ * another feed or machine. */
 static double *
 interpolated(const struct site *site, const struct prediction *p)
 {
+	if (site->with[0] != '\0')
+		return NULL;
 	bool *measured = xcalloc(site->n_run, sizeof *measured);
 	double *passing = NULL;
 	for (size_t r = 0; r < site->n_run; r++)
@@ -103,31 +108,46 @@ interpolated(const struct site *site, const struct prediction *p)
 }
 
 /* What was measured at a speed: all repeats.  Returns how many runs have a
- * product there, from run [*first] on. */
+ * product there, from run [*first] on; with another feed or machine none
+ * has. */
 static size_t
 measured_at(const struct site *site, double speed, const struct run **first)
 {
 	size_t from = site_run_at(site, speed), n = 0;
 	*first = &site->run[from];
-	while (from + n < site->n_run && (*first)[n].product.n > 0 &&
+	while (site->with[0] == '\0' && from + n < site->n_run &&
+	       (*first)[n].product.n > 0 &&
 	       (*first)[n].speed == (*first)[0].speed)
 		n++;
 	return n;
 }
 
+/* The measured products of runs [n] there, of the fraction that is asked for;
+ * the caller frees all. */
+static struct psd *
+measured_parts(const struct run *run, size_t n, const struct fraction *fraction)
+{
+	struct psd *part = xcalloc(n, sizeof *part);
+	for (size_t k = 0; k < n; k++)
+		part[k] = screened_measured(&run[k].product, fraction);
+	return part;
+}
+
 /* A row a sieve; between: NULL for none; model: with it and the speed in
- * columns of their own, for files, or NULL. */
+ * columns of their own, for files, or NULL; alone: with the model alone. */
 static void
 add_rows(struct answer *r, const struct site *site, const struct prediction *p,
-    const double *between, const char *model)
+    const double *between, const char *model, bool alone)
 {
 	const struct run *run;
 	size_t n = measured_at(site, p->speed, &run);
+	struct psd *part = measured_parts(run, n, &p->fraction);
 	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
 	if (p->low != NULL)
-		answer_columns(r, "low_pct: low %%, high_pct: high %%, "
-				  "model_pct: model alone %%");
+		answer_columns(r, "low_pct: low %%, high_pct: high %%");
+	if (p->low != NULL && alone)
+		answer_columns(r, "model_pct: model alone %%");
 	for (size_t k = 0; k < n; k++)
 		if (n == 1)
 			answer_columns(r, "measured_pct: measured %%");
@@ -144,28 +164,43 @@ add_rows(struct answer *r, const struct site *site, const struct prediction *p,
 		    units_pct(p->feed.passing[i]),
 		    units_pct(p->product.passing[i]));
 		if (p->low != NULL)
-			answer_cells(r, "%.1f %.1f %.1f", units_pct(p->low[i]),
-			    units_pct(p->high[i]), units_pct(p->model[i]));
+			answer_cells(r, "%.1f %.1f", units_pct(p->low[i]),
+			    units_pct(p->high[i]));
+		if (p->low != NULL && alone)
+			answer_cells(r, "%.1f", units_pct(p->model[i]));
 		for (size_t k = 0; k < n; k++)
-			answer_cells(r, "%.1f",
-			    units_pct(psd_at_sieve(&run[k].product, x)));
+			answer_cells(
+			    r, "%.1f", units_pct(psd_at_sieve(&part[k], x)));
 		if (between != NULL)
 			answer_cells(r, "%.1f", units_pct(between[i]));
 		if (model != NULL)
 			answer_cells(r, "%g %s", p->speed, model);
 	}
+	for (size_t k = 0; k < n; k++)
+		psd_free(&part[k]);
+	free(part);
 }
 
 static struct answer *
 prediction_answer(struct session *s, const struct prediction *p,
-    const double *between, const char *model)
+    const double *between, const char *model, bool detail)
 {
 	const struct site *site = session_entry(s)->site;
+	char *fraction = screened_title(p);
+	char *more =
+	    detail ? xasprintf(tr(" (%.0f J/kg)"), p->energy) : xstrdup("");
+	char *band =
+	    !detail && p->low != NULL
+		? xasprintf(tr(", %.0f %% band"), 100 * settings_level(&s->set))
+		: xstrdup("");
 	struct answer *r = answers_new(site, "predict",
-	    "product at %.1f m/s (%.0f J/kg)", p->speed, p->energy);
-	add_rows(r, site, p, between, NULL);
+	    "product at %.1f m/s%s%s%s", p->speed, more, fraction, band);
+	free(band);
+	free(more);
+	free(fraction);
+	add_rows(r, site, p, between, NULL, detail);
 	answer_for_programs(r);
-	add_rows(r, site, p, between, model);
+	add_rows(r, site, p, between, model, true);
 	return r;
 }
 
@@ -176,50 +211,71 @@ note_only_check(
     struct answer *r, const struct session *s, const struct entry *entry)
 {
 	size_t run;
-	if (session_busy(s) || !cut_is_only_check(entry, &run))
+	if (session_busy(s) || entry->variant != NULL ||
+	    !cut_is_only_check(entry, &run))
 		return;
 	struct cut cut = cut_compare(s, entry, run);
 	char *words = cut_words(&cut);
 	answer_say(r, cut.missed ? ANSWER_WARNING : ANSWER_PLAIN,
-	    "the prediction %s the cut at %g m/s, the one product of this "
-	    "site: %s",
-	    cut.missed ? "misses" : "meets", entry->site->run[run].speed,
-	    words);
+	    cut.missed ? N_("the prediction misses the cut at %g m/s, the one "
+			    "product of this site: %s")
+		       : N_("the prediction meets the cut at %g m/s, the one "
+			    "product of this site: %s"),
+	    entry->site->run[run].speed, words);
 	free(words);
 	fields_put(fields_object(answer_fields(r), "cut"),
 	    "speed %g rms_pct %g sieves %zu", entry->site->run[run].speed,
 	    100 * cut.rms, cut.n);
 }
 
+/* Which sizes break, and which runs correct the model: in detail, or where it
+ * is not as usual. */
+static void
+note_usual(struct answer *r, struct session *s, const struct params *params,
+    const struct prediction *p, bool detail)
+{
+	const struct entry *entry = session_entry(s);
+	bool unusual = s->set.correction != CORRECTION_ALL || !entry->has_fit;
+	if (p->low != NULL && (detail || unusual))
+		band_note(r, s, entry, true);
+	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
+		note_breakage(
+		    r, params, &entry->site->run[p->feed_run].feed, p);
+}
+
 /* The answer with what is to be said of it; wanted: with the interpolated
  * products. */
 static struct answer *
 explained(struct session *s, const struct prediction *p,
-    const struct params *params, bool wanted)
+    const struct params *params, bool wanted, bool detail)
 {
 	const struct entry *entry = session_entry(s);
 	double *between = wanted ? interpolated(entry->site, p) : NULL;
 	struct answer *r =
-	    prediction_answer(s, p, between, breakage_of(params)->name);
+	    prediction_answer(s, p, between, breakage_of(params)->name, detail);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, params, p);
+	screened_note(r, p);
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {
-		band_note(r, s, entry, true);
 		answer_put_columns(r, "low_pct high_pct");
 		band_put(o, s, p);
 	}
-	note_breakage(r, params, p);
+	note_usual(r, s, params, p, detail);
 	note_feed_gaps(r, entry->site, p);
 	note_wide_gap(r, &entry->site->run[p->feed_run].feed);
-	if (session_busy(s))
+	if (session_fitting(s) == session_entry(s))
 		answer_say(r, ANSWER_REMARK,
 		    "predicted with the best parameters so far");
 	if (between != NULL)
 		answer_put_columns(r, "interpolated_pct");
 	else if (wanted)
 		answer_say(r, ANSWER_REMARK,
-		    "no interpolation: %g m/s is not between measured runs",
+		    entry->variant != NULL
+			? N_("no interpolation: at %g m/s nothing was measured "
+			     "with this feed and machine")
+			: N_("no interpolation: %g m/s is not between measured "
+			     "runs"),
 		    p->speed);
 	note_only_check(r, s, entry);
 	answers_note_doubt(s, r, p->speed, p->feed_run);
@@ -237,21 +293,20 @@ draw_curves(struct session *s, const struct prediction *p, struct error *error)
 	request.speed = p->speed;
 	request.feed_speed = session_entry(s)->site->run[p->feed_run].speed;
 	request.band = pictures_wanted(s) && p->low != NULL;
+	if (!pictures_wanted(s))
+		request.strip = 0;
 	struct chart *chart = plots_chart(s, &request, error);
 	if (chart == NULL)
 		return false;
-	bool ok = true;
-	if (pictures_wanted(s)) {
-		ok = pictures_draw(s, chart, error);
-	} else {
-		struct canvas *canvas = chart_draw(
-		    chart, WIDTH, HEIGHT, request.charset, request.words);
-		fputc('\n', s->out);
-		canvas_print(canvas, 0, s->out);
-		canvas_free(canvas);
-	}
+	if (pictures_wanted(s))
+		return pictures_draw(s, chart, error);
+	struct canvas *canvas =
+	    chart_draw(chart, WIDTH, HEIGHT, request.charset, request.words);
+	fputc('\n', s->out);
+	canvas_print(canvas, 0, s->out);
+	canvas_free(canvas);
 	chart_free(chart);
-	return ok;
+	return true;
 }
 
 /* What the site in use is predicted with; while it is being calibrated, the
@@ -276,6 +331,20 @@ predict_step(struct session *s, double speed, size_t feed_run, const char *line,
 	return true;
 }
 
+/* Interpolated products and curves are those of the whole product. */
+static bool
+whole_for(const struct args *args, const struct screened *screened,
+    struct error *error)
+{
+	bool asked = args_value(args, "interpolated")->choice == 1 ||
+		     args_value(args, "curve")->choice == 1;
+	if (!asked || !fraction_screens(&screened->fraction))
+		return true;
+	return error_set(error, ERROR_USAGE,
+	    "interpolated= and curve= show the whole product, not a "
+	    "fraction\nleave out cut=, or write plot response");
+}
+
 static bool
 predict_as_set(struct session *s, const struct args *args, struct error *error)
 {
@@ -287,15 +356,22 @@ predict_as_set(struct session *s, const struct args *args, struct error *error)
 	size_t feed;
 	if (!answers_feed(entry->site, args, speed, &feed, error))
 		return false;
-	struct prediction p = outlook_form(s, entry, &params, speed, feed);
 	bool wanted = args_value(args, "interpolated")->choice == 1;
+	struct screened screened;
+	if (!screened_read(
+		args, &entry->site->run[feed].feed, &screened, error) ||
+	    !whole_for(args, &screened, error))
+		return false;
+	struct prediction p = outlook_form(s, entry, &params, speed, feed);
+	screened_take(s, entry, &params, &screened, &p);
 	const struct value *asked = args_value(args, "band");
 	if (asked->choice == 0)
 		prediction_drop_band(&p);
-	struct answer *r = explained(s, &p, &params, wanted);
+	struct answer *r = explained(
+	    s, &p, &params, wanted, args_value(args, "detail")->choice == 1);
 	if (asked->given && asked->choice == 1 && p.low == NULL)
 		answer_note(r, "%s", outlook_why_none(s, entry));
-	bool picture = pictures_wanted(s);
+	bool picture = pictures_wanted(s) && s->document == NULL;
 	bool curve = args_value(args, "curve")->choice == 1 &&
 		     s->set.format == ANSWER_TABLE;
 	if (picture)

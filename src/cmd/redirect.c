@@ -12,12 +12,15 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/files.h"
+#include "cmd/document_html.h"
+#include "cmd/document_pdf.h"
+#include "cmd/output.h"
 #include "config.h"
 #include "io/book.h"
 #include "io/file.h"
-#include "plot/picture.h"
 
 struct redirect {
 	enum target to;
@@ -28,57 +31,72 @@ struct redirect {
 	enum answer_format form, before;
 	struct screen screen; /* before, too */
 	size_t rows;
-	struct book *book, *outer; /* a workbook, and that before */
-	char *line;                /* the command */
+	enum output_kind kind;
+	struct book *book, *outer_book; /* a workbook, and that before */
+	struct document *document, *outer_document;
+	const char *outer_file;
+	size_t pages; /* of a document on paper */
+	char *line;   /* the command */
 };
 
-/* The form that the end of a file's name asks for. */
-static enum answer_format
-form_of(const char *path, enum answer_format other)
+/* What results are put together in, where that is more than text. */
+static bool
+open_whole(struct session *s, struct redirect *r, struct error *error)
 {
-	for (size_t i = 0; i < ARRAY_LEN(ANSWER_FORMATS); i++)
-		if (ANSWER_FORMATS[i].end != NULL &&
-		    text_ends(path, ANSWER_FORMATS[i].end))
-			return (enum answer_format)i;
-	return other;
+	r->outer_book = s->book;
+	r->outer_document = s->document;
+	if (r->kind == OUTPUT_BOOK && (r->book = book_new(error)) == NULL)
+		return false;
+	if (r->kind == OUTPUT_HTML || r->kind == OUTPUT_PDF) {
+		char *made_by =
+		    xasprintf("tipspeed " PACKAGE_VERSION ": %s", r->line);
+		r->document = document_new(made_by);
+		free(made_by);
+	}
+	s->book = r->book;
+	s->document = r->document;
+	return true;
 }
 
 struct redirect *
-redirect_open(struct session *s, const struct words *words, struct error *error)
+redirect_open(struct session *s, const struct command *command,
+    const struct words *words, struct error *error)
 {
 	if (words->to != TO_PIPE && !files_may_write(s, words->target, error))
 		return NULL;
 	if (words->to == TO_FILE && !files_may_replace(s, words->target, error))
 		return NULL;
-	bool is_book =
-	    words->to == TO_FILE && text_ends(words->target, ".xlsx");
-	struct book *book = is_book ? book_new(error) : NULL;
-	if (is_book && book == NULL)
-		return NULL;
+	const struct output *output = output_of(command, words);
 	struct redirect *r = xcalloc(1, sizeof *r);
-	r->book = book;
-	r->outer = s->book;
-	s->book = book;
-	r->line = xstrdup("");
-	for (size_t i = 0; i < words->n; i++)
-		xlist(&r->line, " ", "%s", words->text[i]);
+	r->kind = output->kind;
+	r->line = xstrdup(words->typed);
+	if (!open_whole(s, r, error)) {
+		free(r->line);
+		free(r);
+		return NULL;
+	}
 	r->memory = text_memory(&r->text, &r->n);
 	r->to = words->to;
 	r->target = xstrdup(words->target);
 	r->out = s->out;
 	r->before = s->set.format;
-	r->form = r->to == TO_PIPE ? s->set.format
-				   : form_of(r->target, s->set.format);
-	/* Commands that draw have numbers for csv. */
-	if (is_book)
+	r->form = r->before;
+	if (r->kind == OUTPUT_ANSWERS && output->end != NULL)
+		r->form = (enum answer_format)output->format;
+	/* Commands that draw have numbers for csv, and text for people. */
+	if (r->book != NULL)
 		r->form = ANSWER_CSV;
+	if (r->document != NULL)
+		r->form = ANSWER_TABLE;
 	r->screen = s->screen;
 	r->rows = s->rows;
 	s->rows = 0;
 	s->screen = (struct screen){0};
+	r->outer_file = s->file;
 	s->file = r->to == TO_PIPE ? NULL : r->target;
-	s->out = r->memory;
+	s->out = r->document != NULL ? document_out(r->document) : r->memory;
 	s->set.format = r->form;
+	session_language(s);
 	return r;
 }
 
@@ -104,20 +122,30 @@ put_mark(struct redirect *r)
 static char *
 extent(const struct redirect *r, size_t rows)
 {
-	enum picture_form form;
-	if (picture_form_of(r->target, &form))
-		return xstrdup("an image");
+	if (r->kind == OUTPUT_PICTURE)
+		return xstrdup(tr("an image"));
+	if (r->document != NULL) {
+		char *text = document_extent(r->document);
+		if (r->pages > 0)
+			xlist(&text, ", ",
+			    tr_n("%zu page", "%zu pages", r->pages), r->pages);
+		return text;
+	}
 	bool lines = rows == 0 || r->form == ANSWER_JSON;
 	size_t n = lines ? 0 : rows;
 	for (size_t i = 0; lines && i < r->n; i++)
 		n += r->text[i] == '\n';
-	return xasprintf(
-	    "%zu %s%s", n, lines ? "line" : "row", n == 1 ? "" : "s");
+	return xasprintf(lines ? tr_n("%zu line", "%zu lines", n)
+			       : tr_n("%zu row", "%zu rows", n),
+	    n);
 }
 
 static bool
 write_file(struct session *s, struct redirect *r, struct error *error)
 {
+	/* The command itself may have read it since redirect_open. */
+	if (!files_may_write(s, r->target, error))
+		return false;
 	bool whole = r->to == TO_FILE;
 	bool (*write)(const char *, enum file_rights, const char *, size_t,
 	    struct error *) = whole ? file_replace : file_append;
@@ -128,8 +156,8 @@ write_file(struct session *s, struct redirect *r, struct error *error)
 		return true;
 	char *what = extent(r, s->rows);
 	files_wrote(s, r->target);
-	session_note(
-	    s, whole ? "wrote %s: %s" : "added to %s: %s", r->target, what);
+	session_note(s, whole ? N_("wrote %s: %s") : N_("added to %s: %s"),
+	    r->target, what);
 	free(what);
 	return true;
 }
@@ -182,6 +210,25 @@ bind_book(struct session *s, struct redirect *r, struct error *error)
 	return r->text != NULL;
 }
 
+/* Puts the document in place of what was printed, which is a part of it. */
+static bool
+bind_document(struct redirect *r, struct error *error)
+{
+	if (!document_end(r->document))
+		return error_set(error, ERROR_USAGE,
+		    "no results for a document (%s)\n"
+		    "use it with a command that answers: predict > %s",
+		    r->target, r->target);
+	free(r->text);
+	r->text = r->kind == OUTPUT_PDF
+		      ? document_pdf(r->document, &r->n, &r->pages)
+		      : document_html(r->document, &r->n);
+	return r->text != NULL || error_set(error, ERROR_SYSTEM,
+				      "cannot draw the document %s\n"
+				      "try > FILE.html",
+				      r->target);
+}
+
 /* How the shell command ended.  One that ^C ended passes it on. */
 static bool
 judge_shell(const struct redirect *r, int status, struct error *error)
@@ -228,15 +275,19 @@ redirect_close(
     struct session *s, struct redirect *r, bool keep, struct error *error)
 {
 	s->out = r->out;
-	s->book = r->outer;
+	s->book = r->outer_book;
+	s->document = r->outer_document;
 	s->screen = r->screen;
-	s->file = NULL;
+	s->file = r->outer_file;
 	/* Unless the command itself was to set it. */
 	if (s->set.format == r->form)
 		s->set.format = r->before;
+	session_language(s);
 	bool whole = fclose(r->memory) == 0, ok = true;
 	if (keep && r->book != NULL)
 		keep = ok = bind_book(s, r, error);
+	else if (keep && r->document != NULL)
+		keep = ok = bind_document(r, error);
 	else if (r->to != TO_PIPE && r->form == ANSWER_CSV &&
 		 s->set.semicolon && r->n > 0)
 		put_mark(r);
@@ -249,6 +300,7 @@ redirect_close(
 	s->rows = r->rows;
 	free(r->text);
 	book_free(r->book);
+	document_free(r->document);
 	free(r->line);
 	free(r->target);
 	free(r);

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 
+#include "cmd/command.h"
 #include "cmd/parse.h"
 #include "cmd/session.h"
 
@@ -13,8 +14,8 @@ struct redirect;
 /* From now on the session's results are kept for the target of words, in the
  * form that a file's name asks for.  NULL, with an error of kind ERROR_SYSTEM,
  * where the file cannot be written. */
-struct redirect *redirect_open(
-    struct session *s, const struct words *words, struct error *error);
+struct redirect *redirect_open(struct session *s, const struct command *command,
+    const struct words *words, struct error *error);
 
 /* Results go where they went before.  keep: those kept are handed over, all or
  * none of them.  False when that failed, or the shell command did. */

@@ -20,6 +20,7 @@ struct script {
 	char *name, *text; /* what in reads from, where it is no file */
 	int number;        /* of the last line read */
 	bool one_number;   /* all lines have it */
+	struct script_place at;
 };
 
 static struct script *
@@ -32,6 +33,32 @@ push(struct session *s, FILE *in, const char *name)
 	s->script = script;
 	s->scripts++;
 	return script;
+}
+
+static bool
+is_command(const char *line)
+{
+	line += strspn(line, " \t\r\n");
+	return *line != '\0' && *line != '#';
+}
+
+/* How many commands there are to read; 0 where it can be read but once. */
+static size_t
+count(FILE *in)
+{
+	char *line = NULL;
+	size_t n = 0, room = 0, commands = 0;
+	long begin = ftell(in);
+	bool more = false;
+	if (begin < 0)
+		return 0;
+	while (text_line(&line, &n, &room, in) == TEXT_LINE) {
+		commands += !more && is_command(line);
+		more = script_goes_on(line);
+		n = 0;
+	}
+	free(line);
+	return fseek(in, begin, SEEK_SET) == 0 ? commands : 0;
 }
 
 bool
@@ -52,7 +79,7 @@ script_open(struct session *s, const char *path, struct error *error)
 		    "check the name (quote names with spaces), the folder and "
 		    "its permissions",
 		    path, why);
-	push(s, in, path);
+	push(s, in, path)->at.of = count(in);
 	return true;
 }
 
@@ -162,7 +189,15 @@ script_line(struct session *s, struct place *place, struct error *error)
 	    script->in != NULL ? join(script, &place->line, error) : NULL;
 	if (line == NULL && error->kind == ERROR_NONE)
 		script_close(s, s->scripts - 1);
+	else if (line != NULL)
+		script->at.at += is_command(line);
 	return line;
+}
+
+struct script_place
+script_place(const struct session *s)
+{
+	return s->script != NULL ? s->script->at : (struct script_place){0};
 }
 
 bool

@@ -22,6 +22,13 @@ void script_open_text(
  * then with an error.  place is valid until the script is closed. */
 char *script_line(struct session *s, struct place *place, struct error *error);
 
+/* The which-th command of how many the line read last of the innermost is;
+ * `of` 0 where that is not known, as of a stream. */
+struct script_place {
+	size_t at, of;
+};
+struct script_place script_place(const struct session *s);
+
 /* Closes the innermost ones until `depth` are left. */
 void script_close(struct session *s, size_t depth);
 

@@ -10,7 +10,9 @@
 #include <time.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/document.h"
 #include "io/book.h"
 #include "io/units.h"
 
@@ -102,6 +104,8 @@ session_answer(struct session *s, struct answer *answer)
 	const struct answer_form *form = &ANSWER_FORMATS[s->set.format];
 	if (s->book != NULL)
 		s->rows += book_add(s->book, answer);
+	else if (s->document != NULL)
+		s->rows += document_answer(s->document, answer);
 	else
 		s->rows += form->exact && s->screen.columns > 0
 			       ? show_exact(s, form, answer)
@@ -112,6 +116,12 @@ session_answer(struct session *s, struct answer *answer)
 }
 
 void
+session_language(const struct session *s)
+{
+	tr_on(!ANSWER_FORMATS[s->set.format].exact);
+}
+
+void
 session_note(const struct session *s, const char *format, ...)
 {
 	if (s->notes == NULL)
@@ -119,7 +129,7 @@ session_note(const struct session *s, const char *format, ...)
 	char text[1024];
 	va_list ap;
 	va_start(ap, format);
-	vsnprintf(text, sizeof text, format, ap);
+	vsnprintf(text, sizeof text, tr(format), ap);
 	va_end(ap);
 	if (s->hooks.tidy != NULL)
 		s->hooks.tidy();
@@ -150,10 +160,11 @@ char *
 session_label(const struct site *site)
 {
 	char *size = site->top_size > 0
-			 ? xasprintf(", %g mm", units_mm(site->top_size))
+			 ? xasprintf(tr(", %g mm"), units_mm(site->top_size))
 			 : xstrdup("");
-	char *label = xasprintf("%s%s%s%s", site->name,
-	    site->rock[0] != '\0' ? ", " : "", site->rock, size);
+	bool rock = site->rock[0] != '\0', with = site->with[0] != '\0';
+	char *label = xasprintf("%s%s%s%s%s%s", site->name, rock ? ", " : "",
+	    site->rock, size, with ? tr(", with ") : "", site->with);
 	free(size);
 	return label;
 }
@@ -162,6 +173,12 @@ bool
 session_busy(const struct session *s)
 {
 	return s->job.calibration != NULL && !s->job.paused;
+}
+
+const struct entry *
+session_fitting(const struct session *s)
+{
+	return session_busy(s) && s->job.fits ? &s->entry[s->job.entry] : NULL;
 }
 
 char *
@@ -178,7 +195,7 @@ session_speeds(
 			xlist(&list, between, "%g", site->run[r].speed);
 		if (n > 1 &&
 		    (r + 1 == site->n_run || !site_run_repeats(site, r + 1)))
-			xappend(&list, " (%zu runs)", n);
+			xappend(&list, tr(" (%zu runs)"), n);
 	}
 	return list;
 }

@@ -19,6 +19,7 @@ struct rounds;
 struct job {
 	const struct rounds *rounds; /* see job.h */
 	void *of;                    /* what they add up, theirs */
+	void *found;                 /* what followed from a round, likewise */
 	struct calibration *calibration;
 	size_t entry;
 	struct invocation *invocation; /* the command that runs it */
@@ -26,8 +27,12 @@ struct job {
 	double stopped; /* likewise, where it is paused */
 	struct calibrate_options options;
 	bool *train;
+	bool fits;          /* its rounds are of their sites' own fits */
+	bool detail;        /* tells of the search, and all of the fit */
 	bool paused;        /* stopped by ^C; `continue` goes on */
+	bool taken;         /* its fit is in its site, and draws of it follow */
 	bool newest;        /* paused, and undo would begin with it */
+	bool apart;         /* rounds can be calibrated side by side */
 	size_t step;        /* of all rounds so far */
 	size_t pause_at;    /* step to stop after; 0: none */
 	double *run_weight; /* [n_run] of the site, or NULL */
@@ -42,11 +47,16 @@ struct screen {
 
 struct files;
 struct plant_log;
+struct drill;
+struct spec;
+struct energies;
+struct pin;
 struct journal;
 struct keep;
 struct script;
 struct invocation;
 struct undo;
+struct stand_in;
 
 struct session {
 	size_t n_entry, current; /* current is meaningful when n_entry > 0 */
@@ -63,7 +73,8 @@ struct session {
 	struct screen screen;
 	const char *file;  /* results go there; NULL: no file */
 	struct book *book; /* and are put together in this workbook, or NULL */
-	size_t rows;       /* reported since results go where they go */
+	struct document *document; /* or this document; or NULL */
+	size_t rows;               /* reported since results go where they go */
 	size_t n_answer;
 	struct answer **answer; /* kept, the newest last: see session_keep */
 	struct job job;
@@ -73,13 +84,27 @@ struct session {
 	struct site **site;    /* every site there was; entries borrow them */
 	struct plant_log *log; /* in use, or NULL */
 	size_t n_log;
-	struct plant_log **logs; /* every one there was */
+	struct plant_log **logs;   /* every one there was */
+	const struct drill *drill; /* under way, or NULL */
+	size_t n_drill;
+	struct drill **drills;   /* every state there was of any */
+	const struct spec *spec; /* envelope chosen, or NULL */
+	size_t n_spec;
+	struct spec **specs;   /* every one there was */
+	const struct pin *pin; /* see pin.h, or NULL */
+	size_t n_pin;
+	struct pin **pins;             /* every one there was */
+	const struct energies *energy; /* shown, or NULL */
+	size_t n_energies;
+	struct energies **energies; /* every one there was */
 	struct choices *first; /* what the command line set; reset goes there */
 	struct journal *journal;
 	struct keep *keep; /* what is not saved, see keep.h; NULL: no matter */
 	struct undo *undo;
-	struct script *script;         /* scripts being read, innermost first */
-	size_t scripts;                /* how many */
+	struct stand_in *stand_in; /* of the command under way, see variant.h;
+				    * or NULL */
+	struct script *script;     /* scripts being read, innermost first */
+	size_t scripts;            /* how many */
 	struct invocation *invocation; /* commands under way, innermost first */
 	struct store *store; /* ":memory:" until another is put here */
 	bool wants_tui; /* the driver opens the full screen, then goes on */
@@ -115,12 +140,19 @@ void session_keep(struct session *s, struct answer *answer);
 double session_known(
     const struct session *s, const char *commands, const char *path);
 
+/* Texts are translated unless the results are for programs; after each change
+ * of their format. */
+void session_language(const struct session *s);
+
 /* A line beside the results. */
 void session_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Whether a calibration is under way, and not stopped. */
 bool session_busy(const struct session *s);
+
+/* The site whose own fit a calibration under way is to become, or NULL. */
+const struct entry *session_fitting(const struct session *s);
 
 /* Seconds of a clock that only goes forward. */
 double session_clock(void);

@@ -3,6 +3,7 @@
 #include "cmd/settings.h"
 
 #include <assert.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -16,6 +17,14 @@ settings_put(
     const struct setting *row, const struct value *value, struct choices *set)
 {
 	char *place = (char *)set + row->offset;
+	/* What is in a file is read by cmd_set. */
+	if (row->option.kind == VALUE_FILE)
+		return;
+	if (row->option.kind == VALUE_TEXT) {
+		bool none = strcmp(value->text, SETTINGS_NONE) == 0;
+		snprintf(place, SETTINGS_TEXT, "%s", none ? "" : value->text);
+		return;
+	}
 	unsigned whole =
 	    (unsigned)(row->option.kind == VALUE_CHOICE ? value->choice
 							: value->whole);
@@ -32,6 +41,10 @@ settings_text(const struct setting *row, const struct choices *set)
 	const char *word = option_choices(&row->option);
 	double number;
 	unsigned whole;
+	if (row->option.kind == VALUE_FILE)
+		return xstrdup(set->energy != NULL ? set->energy : "off");
+	if (row->option.kind == VALUE_TEXT)
+		return xstrdup(place[0] != '\0' ? place : SETTINGS_NONE);
 	if (row->option.kind == VALUE_NUMBER) {
 		memcpy(&number, place, sizeof number);
 		return xasprintf("%.15g", number);
@@ -79,13 +92,15 @@ settings_level(const struct choices *set)
 bool
 settings_same(const struct choices *a, const struct choices *b)
 {
-	bool same = a->seed == b->seed && a->timing == b->timing &&
+	bool same = a->seed == b->seed && a->energy == b->energy &&
+		    model_settings_same(&a->model, &b->model) &&
+		    a->energy == b->energy && a->timing == b->timing &&
 		    memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0;
-	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++)
-		same = same && memcmp((const char *)a + r->offset,
-				   (const char *)b + r->offset,
-				   r->option.kind == VALUE_NUMBER
-				       ? sizeof(double)
-				       : sizeof(unsigned)) == 0;
+	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
+		char *mine = settings_text(r, a), *other = settings_text(r, b);
+		same = same && (r->looks || strcmp(mine, other) == 0);
+		free(mine);
+		free(other);
+	}
 	return same;
 }

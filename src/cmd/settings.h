@@ -12,9 +12,15 @@
  * the training runs only, or none. */
 enum correction { CORRECTION_ALL, CORRECTION_TRAIN, CORRECTION_OFF };
 
+/* The longest text of one, and that for none. */
+enum { SETTINGS_TEXT = 200 };
+#define SETTINGS_NONE "none"
+
 /* What is set, as against loaded: by bounds, seed, timing and the SETTINGS. */
 struct choices {
 	struct model_settings model;
+	const char *energy; /* file that model.impacts are from, borrowed; NULL:
+			       a single impact */
 	struct bounds bounds;
 	uint64_t seed;
 	unsigned threads;
@@ -23,15 +29,21 @@ struct choices {
 	double noise;   /* points, of a passing at 50 %; 0: not known */
 	enum answer_format format;
 	unsigned semicolon; /* 1: in csv, with decimal commas */
+	unsigned theme;     /* enum theme */
 	unsigned unpaged;   /* 0: at a prompt, what is taller than the screen is
 			       paged */
 	bool timing;        /* print how long each command took */
+	/* What is wanted of the product, see goals.h; and the quantity that the
+	 * full screen has above its track.  "": none. */
+	char goal[SETTINGS_TEXT], quantity[SETTINGS_TEXT];
+	unsigned page; /* of the full screen that is open */
 };
 
 /* What is set in a session that has just begun. */
 struct choices settings_default(void);
 
-/* Bounds, seed and timing are compared too. */
+/* Bounds, seed and timing are compared too, but not how the full screen
+ * looks. */
 bool settings_same(const struct choices *a, const struct choices *b);
 
 /* The probability of bands, 0..1. */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/entries.h"
@@ -38,8 +39,9 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	answer_pair(r, "machine", "%s", site->machine);
 	answer_pair(r, "file", "%s", site->path);
 	answer_pair(r, "speeds m/s", "%s", speeds);
-	answer_pair(r, "feeds", "one for %s",
-	    site->individual_feeds ? "each speed" : "all speeds");
+	answer_pair(r, "feeds",
+	    site->individual_feeds ? N_("one for each speed")
+				   : N_("one for all speeds"));
 	for (size_t i = 0; i < site->n_note; i++)
 		answer_cells(
 		    r, "%s %s", site->note[i].key, site->note[i].value);
@@ -60,6 +62,19 @@ next_sieve(const struct psd *const *curve, size_t n, double below)
 	return x;
 }
 
+static void
+add_curve(struct answer *r, const struct run *run, bool feed)
+{
+	const char *key = feed ? N_("feed") : N_("product");
+	char *at = xasprintf("@%g%s", run->speed, run->repeat);
+	char *name = xasprintf("%s%s", key, at);
+	char *head = xasprintf("%s%s", tr(key), at);
+	answer_column(r, name, head);
+	free(head);
+	free(name);
+	free(at);
+}
+
 /* Columns feed@69, or the one feed of all runs, or product@69; their curves go
  * to curve [n_run].  Returns how many. */
 static size_t
@@ -73,10 +88,9 @@ add_columns(struct answer *r, const struct site *site, bool feed,
 		if ((!feed && run->product.n == 0) || (shared && i > 0))
 			continue;
 		if (shared)
-			answer_columns(r, "feed");
+			answer_columns(r, "feed: feed");
 		else
-			answer_columns(r, "%s@%g%s", feed ? "feed" : "product",
-			    run->speed, run->repeat);
+			add_curve(r, run, feed);
 		curve[n++] = feed ? &run->feed : &run->product;
 	}
 	return n;
@@ -90,8 +104,9 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	const struct site *site = session_entry(s)->site;
 	bool feed = strcmp(args->operand[0], "feed") == 0;
 	const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
-	struct answer *r = answers_new(site, "show", "%s, %% passing",
-	    feed ? "feed" : "measured products");
+	struct answer *r = answers_new(site, "show",
+	    feed ? N_("feed, %% passing")
+		 : N_("measured products, %% passing"));
 	answer_columns(r, "sieve_mm: sieve mm");
 	size_t n = add_columns(r, site, feed, curve);
 	if (n == 0)
@@ -136,7 +151,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		fit_put_params(o, &entry->params);
 	else
 		fields_put(o, "params %g", NAN);
-	answer_missing(r, entry->has_params ? "none" : "-");
+	answer_missing(r, entry->has_params ? N_("none") : "-");
 	answer_columns(r, "speed: m/s, energy_j_kg: E J/kg, break_mm: break "
 			  "size mm, selected_pct: broken %% of feed");
 	for (size_t i = 0; i < site->n_run; i++) {
@@ -183,7 +198,8 @@ show_models(struct session *s, const struct args *args, struct error *error)
 			const struct param_info *p =
 			    &BREAKAGES[m]->parameter[j];
 			answer_cells(r, "%s %s %s %g %g %s", BREAKAGES[m]->name,
-			    p->name, p->unit, p->lower, p->upper, p->meaning);
+			    p->name, p->unit, p->lower, p->upper,
+			    tr(p->meaning));
 		}
 	answer_note(r, "'set model NAME; bounds' lists the parameters of one, "
 		       "'man model' says what they mean");
@@ -247,7 +263,7 @@ class_name(const struct psd *feed, size_t i, char buf[static 32])
 {
 	if (i + 1 == feed->n)
 		return "pan";
-	snprintf(buf, 32, "on %g", units_mm(feed->size[i + 1]));
+	snprintf(buf, 32, tr("on %g"), units_mm(feed->size[i + 1]));
 	return buf;
 }
 
@@ -256,7 +272,7 @@ static void
 matrix_across(struct answer *r, const struct psd *feed, const double *a)
 {
 	char name[32];
-	answer_columns(r, "daughter");
+	answer_columns(r, "daughter: daughter");
 	for (size_t i = 0; i < feed->n; i++)
 		answer_columns(r, "%s", class_name(feed, i, name));
 	for (size_t j = 0; j < feed->n; j++) {
@@ -319,7 +335,7 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 			      ? entry->params
 			      : params_start(s->set.model.breakage);
 	struct breaker b;
-	breaker_set(&b, &p, s->set.model.k);
+	breaker_set(&b, &p, &s->set.model);
 	breaker_at(&b, answers_middle(entry->site));
 	double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
 	classes_sizes(feed, x);
@@ -354,6 +370,7 @@ static const struct {
     {"feed", true, false, show_curves},
     {"product", true, false, show_curves},
     {"params", true, false, show_params},
+    {"fit", true, false, show_fit},
     {"bounds", false, false, show_bounds},
     {"model", true, false, show_model},
     {"models", false, false, show_models},

@@ -4,8 +4,10 @@
 #include <stdarg.h>
 #include <stdlib.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session.h"
+#include "plot/marks.h"
 
 struct chart *
 site_chart(const struct site *site, struct axis x, struct axis y,
@@ -13,7 +15,7 @@ site_chart(const struct site *site, struct axis x, struct axis y,
 {
 	va_list ap;
 	va_start(ap, format);
-	char *words = xvasprintf(format, ap), *label = session_label(site);
+	char *words = xvasprintf(tr(format), ap), *label = session_label(site);
 	va_end(ap);
 	char *title = xasprintf("%s: %s", label, words);
 	char *about = site_source(site, "provenance not stated");
@@ -23,4 +25,32 @@ site_chart(const struct site *site, struct axis x, struct axis y,
 	free(title);
 	free(label);
 	return c;
+}
+
+struct chart_series
+site_chart_look(size_t i)
+{
+	static const char MARKS[] = "v^ox*+@&$%szNHKTUYAEMRW", ASCII[] = "=-~_";
+	enum { COLOURS = sizeof ASCII - 1 };
+	return (struct chart_series){
+	    .series = (enum series)(SERIES_KIND_1 + i % COLOURS),
+	    .line = CHART_SOLID,
+	    .ascii = ASCII[i % COLOURS],
+	    .mark = MARKS[i % (sizeof MARKS - 1)]};
+}
+
+struct chart_series
+site_chart_run(const struct site *site, size_t run, bool held_out)
+{
+	enum { COLOURS = 4 };
+	unsigned i = 0, n = 0;
+	for (size_t r = 0; r <= run; r++) {
+		n += site->run[r].product.n > 0 && !site_run_repeats(site, r);
+		i = n > 0 ? n - 1 : 0;
+	}
+	return (struct chart_series){
+	    .series = (enum series)(SERIES_MEASURED_1 + i % COLOURS),
+	    .line = CHART_MARKS,
+	    .mark = mark_code(i, held_out),
+	    .fine = true};
 }

@@ -3,6 +3,8 @@
 #ifndef TIPSPEED_CMD_SITE_CHART_H
 #define TIPSPEED_CMD_SITE_CHART_H
 
+#include <stdbool.h>
+
 #include "core/site.h"
 #include "plot/chart.h"
 
@@ -10,5 +12,14 @@
  * takes the axes. */
 struct chart *site_chart(const struct site *site, struct axis x, struct axis y,
     const char *format, ...) __attribute__((format(printf, 4, 5)));
+
+/* The looks that several series of a chart take in turn; the first 23
+ * differ without colour. */
+struct chart_series site_chart_look(size_t i);
+
+/* That of what was measured in a run, the same in every plot: marks alone, full
+ * ones where the model was fitted to it.  Repeats look alike. */
+struct chart_series site_chart_run(
+    const struct site *site, size_t run, bool held_out);
 
 #endif

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/data.h"
@@ -29,35 +30,63 @@ origin_of(const struct stored *m)
 					       : "set by hand";
 }
 
-/* A material by its name, one's own before Table 3's: "tierp", else
- * "table3/tierp".  None: an error with the name that is nearest. */
+/* The name nearest to what was typed. */
+struct spelling {
+	const char *typed;
+	char *best;
+	size_t least;
+};
+
+static void
+compare_spelling(void *data, const char *name)
+{
+	struct spelling *s = data;
+	bool paper = stored_is_table3_name(name);
+	size_t d = text_distance(name + (paper ? 7 : 0), s->typed);
+	if (d >= s->least)
+		return;
+	free(s->best);
+	s->best = xstrdup(name);
+	s->least = d;
+}
+
 static bool
-find_material(const struct stored_list *list, const char *name,
+refuse_name(struct store *store, const struct stored_list *paper,
+    const char *name, struct error *error)
+{
+	struct spelling s = {name, xstrdup(""), 3};
+	bool ok = store_each(store, STORE_NAMES, compare_spelling, &s, error);
+	for (size_t i = 0; i < paper->n; i++)
+		compare_spelling(&s, paper->item[i].name);
+	if (ok)
+		error_set(error, ERROR_USAGE,
+		    s.least < 3 ? "the store has no material '%s'\n"
+				  "did you mean '%s'?"
+				: "the store has no material '%s'\n"
+				  "run 'materials' to list them%.0s",
+		    name, s.best);
+	free(s.best);
+	return false;
+}
+
+/* A material by its name, one's own before Table 3's: "tierp", else
+ * "table3/tierp"; it is in the list then.  None: an error with the name that is
+ * nearest. */
+static bool
+find_material(struct store *store, const char *name, struct stored_list *list,
     const struct stored **found, struct error *error)
 {
+	const struct store_query query = {.name = name};
+	if (!store_find(store, &query, list, error))
+		return false;
+	stored_table3(list);
 	*found = stored_find(list, name);
 	if (*found == NULL) {
 		char *paper = xasprintf("table3/%s", name);
 		*found = stored_find(list, paper);
 		free(paper);
 	}
-	if (*found != NULL)
-		return true;
-	size_t best = 0, least = 3;
-	for (size_t i = 0; i < list->n; i++) {
-		const char *own = list->item[i].name;
-		bool paper = stored_is_table3(&list->item[i]);
-		size_t d = text_distance(own + (paper ? 7 : 0), name);
-		if (d < least) {
-			best = i;
-			least = d;
-		}
-	}
-	return error_set(error, ERROR_USAGE,
-	    least < 3 ? "the store has no material '%s'\ndid you mean '%s'?"
-		      : "the store has no material '%s'\n"
-			"run 'materials' to list them%.0s",
-	    name, least < 3 ? list->item[best].name : "");
+	return *found != NULL || refuse_name(store, list, name, error);
 }
 
 static void
@@ -135,6 +164,12 @@ check_remember(
 {
 	const struct value *date = args_value(args, "date");
 	const struct value *note = args_value(args, "note");
+	if (entry->has_fit && entry->fit.settings.impacts.n > 0)
+		return error_set(error, ERROR_USAGE,
+		    "expected parameters of Eq 3 with one impact at v^2/2, got "
+		    "those with collision energies, which the store does not "
+		    "keep\nrun 'set energy off' and calibrate, or 'save' the "
+		    "session");
 	if (!entry->has_params)
 		return error_set(error, ERROR_USAGE,
 		    "%s has no parameters to remember yet\n"
@@ -156,27 +191,40 @@ check_remember(
 
 /* What was put, as the sign that it is on the disk. */
 static void
-give_remembered(struct session *s, const struct stored *m)
+give_remembered(struct session *s, const struct stored *item, size_t n)
 {
 	struct answer *r = answer_new("remember");
-	answer_title(r, "remembered %s", m->name);
-	answer_site(r, m->site, m->provenance);
+	char *about = xstrdup("");
+	if (n == 1)
+		answer_title(r, "remembered %s", item->name);
+	else
+		answer_title(r, "remembered %zu materials", n);
 	answer_columns(r, "name, origin, data, rmse_pct: RMSE, holdout_pct: "
 			  "hold-out RMSE, date");
-	answer_cells(r, "%s %s %s %.2f %.2f %s", m->name, origin_of(m),
-	    site_data_kind(m->provenance), m->rmse_pct, m->holdout_pct,
-	    m->date);
+	for (size_t i = 0; i < n; i++) {
+		const struct stored *m = &item[i];
+		if (strstr(about, m->provenance) == NULL)
+			xlist(&about, "; ", "%s", m->provenance);
+		answer_cells(r, "%s %s %s %.2f %.2f %s", m->name, origin_of(m),
+		    site_data_kind(m->provenance), m->rmse_pct, m->holdout_pct,
+		    m->date);
+	}
+	if (n == 1)
+		answer_site(r, item->site, item->provenance);
+	else
+		answer_sites(r, "all", about);
 	answer_note(r, "in %s", store_path(s->store));
 	session_answer(s, r);
+	free(about);
 }
 
-bool
-cmd_remember(struct session *s, const struct args *args, struct error *error)
+/* A material by that name; false where it is none to remember. */
+static bool
+add_material(struct session *s, const struct entry *entry, const char *name,
+    const struct args *args, struct stored_list *list, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
 	const struct value *date = args_value(args, "date");
 	const struct value *note = args_value(args, "note");
-	const char *name = args->n_operand > 0 ? args->operand[0] : entry->key;
 	if (!check_remember(entry, args, error) ||
 	    !stored_check_name(name, error))
 		return false;
@@ -185,11 +233,40 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	set_copy(&m.date, date->given ? date->text : "");
 	if (note->given)
 		set_copy(&m.note, note->text);
+	stored_list_add(list, m);
+	return true;
+}
+
+/* Every site that was calibrated here. */
+static bool
+add_all(struct session *s, const struct args *args, struct stored_list *list,
+    struct error *error)
+{
+	for (size_t i = 0; i < s->n_entry; i++) {
+		const struct entry *entry = &s->entry[i];
+		if (entry->has_fit &&
+		    !add_material(s, entry, entry->key, args, list, error))
+			return false;
+	}
+	return list->n > 0 ||
+	       error_set(error, ERROR_USAGE,
+		   "no loaded site is calibrated\nrun 'calibrate all'");
+}
+
+bool
+cmd_remember(struct session *s, const struct args *args, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	const char *name = args->n_operand > 0 ? args->operand[0] : entry->key;
+	bool all = strcmp(name, "all") == 0 && args->n_operand > 0;
 	bool replace = args_value(args, "replace")->choice == 1;
-	bool ok = store_put(s->store, &m, 1, replace, error);
+	struct stored_list list = {0};
+	bool ok = all ? add_all(s, args, &list, error)
+		      : add_material(s, entry, name, args, &list, error);
+	ok = ok && store_put(s->store, list.item, list.n, replace, error);
 	if (ok)
-		give_remembered(s, &m);
-	stored_free(&m);
+		give_remembered(s, list.item, list.n);
+	stored_list_free(&list);
 	return ok;
 }
 
@@ -201,13 +278,13 @@ note_recalled(
 	struct model_settings set_to = stored_settings(m);
 	session_note(s, "%s: parameters from store: %s (%s, %s; %s)",
 	    entry->site->name, m->name, m->site,
-	    m->rock[0] != '\0' ? m->rock : "rock not stated", origin_of(m));
+	    m->rock[0] != '\0' ? m->rock : tr("rock not stated"), origin_of(m));
 	const struct origin *o = entry->origin;
 	char *details = origin_details(o);
-	session_note(s, "  %s (%s)",
+	session_note(s,
 	    o->found && o->digest == entry->site->digest
-		? "calibrated on the same data as this site"
-		: "not calibrated on this site",
+		? N_("  calibrated on the same data as this site (%s)")
+		: N_("  not calibrated on this site (%s)"),
 	    details);
 	free(details);
 	if (!model_settings_same(&set_to, &s->set.model))
@@ -248,8 +325,7 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 		return false;
 	struct stored_list list = {0};
 	const struct stored *m;
-	bool ok = store_list_all(s->store, &list, error) &&
-		  find_material(&list, args->operand[0], &m, error) &&
+	bool ok = find_material(s->store, args->operand[0], &list, &m, error) &&
 		  check_recalled(s, args, m, error);
 	if (ok) {
 		struct entry *entry = &s->entry[index];
@@ -295,8 +371,9 @@ cmd_forget(struct session *s, const struct args *args, struct error *error)
 {
 	const char *name = args->operand[0];
 	struct stored_list list = {0};
-	/* A row that is damaged cannot be listed, but can be taken out. */
-	bool listed = store_list(s->store, &list, NULL);
+	const struct store_query query = {.name = name};
+	/* A row that is damaged cannot be read, but can be taken out. */
+	bool listed = store_find(s->store, &query, &list, NULL);
 	const struct stored *m = listed ? stored_find(&list, name) : NULL;
 	bool ok = store_forget(s->store, name, error);
 	if (ok && m != NULL)
@@ -322,8 +399,10 @@ cmd_export(struct session *s, const struct args *args, struct error *error)
 		  store_csv_save(&list, path, error);
 	if (ok) {
 		files_wrote(s, path);
-		session_note(s, "wrote %s: %zu material%s of your own", path,
-		    list.n, list.n == 1 ? "" : "s");
+		session_note(s,
+		    tr_n("wrote %s: %zu material of your own",
+			"wrote %s: %zu materials of your own", list.n),
+		    path, list.n);
 	}
 	stored_list_free(&list);
 	return ok;
@@ -343,8 +422,10 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 		ok = session_tell_faults(s, path, &errors, error);
 	ok = ok && store_put(s->store, list.item, list.n, replace, error);
 	if (ok)
-		session_note(s, "imported %zu material%s from %s", list.n,
-		    list.n == 1 ? "" : "s", path);
+		session_note(s,
+		    tr_n("imported %zu material from %s",
+			"imported %zu materials from %s", list.n),
+		    list.n, path);
 	stored_list_free(&there);
 	stored_list_free(&list);
 	return ok;
@@ -379,52 +460,109 @@ add_row(struct answer *r, const struct stored *m)
 	    site_data_kind(m->provenance));
 }
 
-/* "Diabase, Granite, ...", each once, where none was of the rock asked for. */
-static void
-note_rocks(struct answer *r, const struct stored_list *list)
-{
-	char *rocks = xstrdup("");
-	for (size_t i = 0; i < list->n; i++) {
-		bool before = list->item[i].rock[0] == '\0';
-		for (size_t j = 0; j < i; j++)
-			before = before || text_same(list->item[j].rock,
-					       list->item[i].rock);
-		if (!before)
-			xlist(&rocks, ", ", "%s", list->item[i].rock);
-	}
-	answer_note(r, "rocks: %s", rocks);
-	free(rocks);
-}
+/* "Diabase, Granite, ...", each once. */
+struct rocks {
+	size_t n;
+	char **rock, *words;
+};
 
 static void
-show_list(
-    struct session *s, const struct args *args, const struct stored_list *list)
+add_rock(void *data, const char *rock)
+{
+	struct rocks *r = data;
+	bool before = rock[0] == '\0';
+	for (size_t i = 0; i < r->n; i++)
+		before = before || text_same(r->rock[i], rock);
+	if (before)
+		return;
+	r->rock = xrealloc(r->rock, r->n + 1, sizeof(*r->rock));
+	r->rock[r->n++] = xstrdup(rock);
+	xlist(&r->words, ", ", "%s", rock);
+}
+
+/* Where none was of the rock asked for. */
+static bool
+note_rocks(struct answer *r, struct store *store,
+    const struct stored_list *paper, struct error *error)
+{
+	struct rocks rocks = {.words = xstrdup("")};
+	bool ok = store_each(store, STORE_ROCKS, add_rock, &rocks, error);
+	for (size_t i = 0; i < paper->n; i++)
+		add_rock(&rocks, paper->item[i].rock);
+	answer_note(r, "rocks: %s", rocks.words);
+	for (size_t i = 0; i < rocks.n; i++)
+		free(rocks.rock[i]);
+	free(rocks.rock);
+	free(rocks.words);
+	return ok;
+}
+
+/* Those of the user's own that may be wanted. */
+static struct store_query
+query_of(const struct args *args)
+{
+	const struct value *top = args_value(args, "top");
+	struct store_query query = {.rock = args_value(args, "rock")->text};
+	if (top->given) {
+		query.top_least = 0.94 * top->number;
+		query.top_most = 1.06 * top->number;
+	}
+	query.first = (size_t)args_value(args, "most")->whole;
+	return query;
+}
+
+static struct answer *
+list_answer(const struct args *args, const struct stored_list *list, size_t *n)
 {
 	struct answer *r = answer_new("materials");
-	size_t n = 0, own = 0;
 	bool models = false;
+	*n = 0;
 	for (size_t i = 0; i < list->n; i++)
 		models = models || list->item[i].params.breakage > 0;
 	answer_columns(r, "name, rock, top_size_mm: top mm, f_mat, e0_min, "
 			  "alpha, origin, data");
 	if (models)
-		answer_columns(r, "model");
+		answer_columns(r, "model: model");
 	for (size_t i = 0; i < list->n; i++) {
-		own += !stored_is_table3(&list->item[i]);
 		if (!is_wanted(&list->item[i], args))
 			continue;
 		add_row(r, &list->item[i]);
 		if (models)
 			answer_cells(
 			    r, "%s", breakage_of(&list->item[i].params)->name);
-		n++;
+		++*n;
 	}
+	return r;
+}
+
+static bool
+show_list(struct session *s, const struct args *args, struct error *error)
+{
+	struct stored_list list = {0}, paper = {0};
+	struct store_query query = query_of(args);
+	size_t n, own = 0;
+	stored_table3(&paper);
+	bool ok = store_count(s->store, &own, error) &&
+		  store_find(s->store, &query, &list, error);
+	size_t listed = list.n;
+	stored_table3(&list);
+	struct answer *r = list_answer(args, &list, &n);
 	answer_note(r, "%zu of %zu materials, %zu of them your own, in %s", n,
-	    list->n, own, store_path(s->store));
+	    own + paper.n, own, store_path(s->store));
 	answer_note(r, "Table 3 is the paper's, and read only");
-	if (n == 0 && args_value(args, "rock")->given)
-		note_rocks(r, list);
-	session_answer(s, r);
+	if (n > 0 && query.first > 0 && listed == query.first)
+		answer_say(r, ANSWER_REMARK,
+		    "of your own the first %zu only: 'materials most=0' lists "
+		    "all",
+		    listed);
+	if (ok && n == 0 && query.rock != NULL)
+		ok = note_rocks(r, s->store, &paper, error);
+	stored_list_free(&list);
+	stored_list_free(&paper);
+	if (ok)
+		return session_answer(s, r);
+	answer_free(r);
+	return false;
 }
 
 static void
@@ -448,11 +586,10 @@ bool
 show_store(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	struct stored_list own = {0}, all = {0};
-	if (!store_list(s->store, &own, error)) {
-		stored_list_free(&own);
+	struct stored_list all = {0};
+	size_t own;
+	if (!store_count(s->store, &own, error))
 		return false;
-	}
 	stored_table3(&all);
 	const char *path = store_path(s->store);
 	int64_t bytes = store_bytes(s->store);
@@ -468,10 +605,9 @@ show_store(struct session *s, const struct args *args, struct error *error)
 	else
 		answer_pair(r, "file", "%" PRId64 " bytes", bytes);
 	answer_pair(r, "schema", "%d", STORE_SCHEMA);
-	answer_pair(r, "own materials", "%zu", own.n);
+	answer_pair(r, "own materials", "%zu", own);
 	answer_pair(r, "of Table 3", "%zu, read only", all.n);
 	answer_note(r, "run 'materials' to list them");
-	stored_list_free(&own);
 	stored_list_free(&all);
 	return session_answer(s, r);
 }
@@ -479,16 +615,13 @@ show_store(struct session *s, const struct args *args, struct error *error)
 bool
 cmd_materials(struct session *s, const struct args *args, struct error *error)
 {
+	if (args->n_operand == 0)
+		return show_list(s, args, error);
 	struct stored_list list = {0};
-	bool ok = store_list_all(s->store, &list, error);
-	const struct stored *m = NULL;
-	if (ok && args->n_operand > 0) {
-		ok = find_material(&list, args->operand[0], &m, error);
-		if (ok)
-			show_one(s, m);
-	} else if (ok) {
-		show_list(s, args, &list);
-	}
+	const struct stored *m;
+	bool ok = find_material(s->store, args->operand[0], &list, &m, error);
+	if (ok)
+		show_one(s, m);
 	stored_list_free(&list);
 	return ok;
 }

@@ -3,12 +3,14 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/band.h"
 #include "cmd/light.h"
 #include "cmd/table.h"
 #include "cmd/outlook.h"
+#include "cmd/screened.h"
 #include "core/predict.h"
 #include "io/units.h"
 
@@ -16,9 +18,9 @@
 static void
 size_band(struct answer *r, const struct prediction *p, size_t n, size_t size)
 {
-	static const char *const ENDS[] = {"  low", "  high"};
+	static const char *const ENDS[] = {N_("  low"), N_("  high")};
 	for (size_t end = 0; end < 2; end++) {
-		answer_cells(r, "%s", ENDS[end]);
+		answer_cells(r, "%s", tr(ENDS[end]));
 		answer_missing(r, "");
 		answer_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
@@ -45,6 +47,13 @@ sweep_across(
 			answer_cells(
 			    r, "%.1f", units_pct(p[i].product.passing[row]));
 	}
+	if (fraction_screens(&p[0].fraction)) {
+		answer_cells(r, "%s", tr("share %"));
+		answer_missing(r, "");
+		answer_cells(r, "%.0f", NAN);
+		for (size_t i = 0; i < n; i++)
+			answer_cells(r, "%.1f", units_pct(p[i].share));
+	}
 	for (size_t size = 0; size < ANSWERS_SIZES; size++) {
 		answer_cells(r, "%s", ANSWERS_HEADS[size]);
 		answer_missing(r, "");
@@ -61,10 +70,12 @@ sweep_row(struct answer *r, const struct prediction *p, size_t j, bool outside)
 {
 	bool band = p->low != NULL;
 	answer_cells(r, "%g %s %g %.1f %.1f %.1f %.1f %.1f", p->speed,
-	    outside ? "yes" : "no", units_mm(p->product.size[j]),
+	    outside ? tr("yes") : tr("no"), units_mm(p->product.size[j]),
 	    units_pct(p->feed.passing[j]), units_pct(p->product.passing[j]),
 	    band ? units_pct(p->low[j]) : NAN,
 	    band ? units_pct(p->high[j]) : NAN, units_pct(p->model[j]));
+	if (fraction_screens(&p->fraction))
+		answer_cells(r, "%.1f", units_pct(p->share));
 }
 
 /* One row a speed and sieve: for spreadsheets and programs. */
@@ -77,6 +88,8 @@ sweep_long(
 			  "feed_pct: feed %%, passing_pct: product %%, "
 			  "low_pct: low %%, high_pct: high %%, "
 			  "model_pct: model alone %%");
+	if (fraction_screens(&p[0].fraction))
+		answer_columns(r, "share_pct: share %%");
 	for (size_t i = 0; i < n; i++) {
 		bool outside = answers_extrapolates(entry, p[i].speed);
 		for (size_t j = 0; j < p[i].product.n; j++)
@@ -84,16 +97,52 @@ sweep_long(
 	}
 }
 
-bool
-cmd_sweep(struct session *s, const struct args *args, struct error *error)
+/* The answer of all predictions; outside: one of them lies outside the training
+ * speeds. */
+static struct answer *
+sweep_answer(
+    struct session *s, const struct prediction *p, size_t n, bool outside)
 {
 	enum { ACROSS = 7 };
 	const struct entry *entry = session_entry(s);
+	bool band = p[0].low != NULL, across = n <= ACROSS;
+	char *fraction = screened_title(&p[0]);
+	struct answer *r = answers_new(entry->site, "sweep",
+	    "products, %% passing%s%s%s", fraction, band ? ", " : "",
+	    band ? outlook_words(s, entry) : "");
+	free(fraction);
+	(across ? sweep_across : answers_speed_rows)(s, r, p, n);
+	answer_for_programs(r);
+	sweep_long(s, r, p, n);
+	if (band && across)
+		band_note(r, s, entry, true);
+	origin_note(r, entry);
+	if (answers_sampled(entry->site, p[0].feed_run))
+		answer_say(r, ANSWER_REMARK,
+		    "feed used for all speeds: sampled at %g m/s",
+		    entry->site->run[p[0].feed_run].speed);
+	if (outside && across)
+		answer_say(r, ANSWER_WARNING,
+		    "speeds marked * are outside the training speeds");
+	answers_note_variant(r, entry);
+	answers_note_model(s, r, entry);
+	light_show(r, light_worst(s, entry, p, n));
+	answers_put_products(s, answer_fields(r), p, n);
+	return r;
+}
+
+bool
+cmd_sweep(struct session *s, const struct args *args, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
 	const struct value *speeds = args_value(args, "speeds");
 	size_t n = speeds->n, feed;
+	struct screened screened;
 	if (!answers_ready(s, error) ||
 	    !answers_feed(
-		entry->site, args, answers_middle(entry->site), &feed, error))
+		entry->site, args, answers_middle(entry->site), &feed, error) ||
+	    !screened_read(
+		args, &entry->site->run[feed].feed, &screened, error))
 		return false;
 	double *usual = n == 0 ? answers_speeds(entry->site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : speeds->list;
@@ -101,30 +150,11 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	bool outside = false;
 	for (size_t i = 0; i < n; i++) {
 		p[i] = outlook_predict(s, entry, speed[i], feed);
+		screened_take(s, entry, &entry->params, &screened, &p[i]);
 		outside = outside || answers_extrapolates(entry, speed[i]);
 	}
 	free(usual);
-	struct answer *r = answers_new(entry->site, "sweep",
-	    "products, %% passing%s%s", p[0].low != NULL ? ", " : "",
-	    p[0].low != NULL ? outlook_words(s, entry) : "");
-	bool band = p[0].low != NULL;
-	bool across = n <= ACROSS;
-	(across ? sweep_across : answers_speed_rows)(s, r, p, n);
-	answer_for_programs(r);
-	sweep_long(s, r, p, n);
-	if (band)
-		band_note(r, s, entry, true);
-	origin_note(r, entry);
-	if (entry->site->individual_feeds)
-		answer_say(r, ANSWER_REMARK,
-		    "feed used for all speeds: sampled at %g m/s",
-		    entry->site->run[feed].speed);
-	if (outside && across)
-		answer_say(r, ANSWER_WARNING,
-		    "speeds marked * are outside the training speeds");
-	answers_note_model(s, r, entry);
-	light_show(r, light_worst(s, entry, p, n));
-	answers_put_products(s, answer_fields(r), p, n);
+	struct answer *r = sweep_answer(s, p, n, outside);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(p);

@@ -9,7 +9,7 @@
 	}
 
 static const struct command_option PREDICT_OPTIONS[] = {SPEED_OPTION,
-    TABLE_FEED,
+    TABLE_TURNS, TABLE_FEED, TABLE_MACHINE,
     {"curve", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"draw feed, measured and predicted as text"},
     {"interpolated", VALUE_CHOICE, "", 0, 0, "off on", "off",
@@ -18,18 +18,74 @@ static const struct command_option PREDICT_OPTIONS[] = {SPEED_OPTION,
 	"show the uncertainty band of a calibrated product"},
     {"correction", VALUE_CHOICE, "", 0, 0, "all train off", "all",
 	"runs that correct the model, for this prediction; default: as set"},
+    {"detail", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"on: show the model alone, specific energy and break size too"},
+    TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
+
+static const struct command_option BLEND_OPTIONS[] = {SPEED_OPTION,
+    {"out", VALUE_FILE, "", 0, 0, NULL, "",
+	"write the blended feed as a sheet, for load and feed="},
+    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"overwrite an existing sheet"},
     {.name = NULL}};
+static const struct command_option REPORT_OPTIONS[] = {
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"rotor tip speed; default: the best one for the conditions, else a "
+	"held-out speed, else 74"},
+    {"tph", VALUE_NUMBER, "t/h", 1e-3, 1e5, NULL, "",
+	"new feed, for a section with its flow"},
+    {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
+	"grading envelope: a name of 'spec list', or a file"},
+    TABLE_CUT, {.name = NULL}};
 
 static const struct command_option SWEEP_OPTIONS[] = {
     {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",
 	"rotor tip speeds; default 65..85:5, extended or moved to cover the "
 	"runs"},
-    TABLE_FEED, {.name = NULL}};
+    TABLE_FEED, TABLE_MACHINE, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
+
+/* A crusher with its screens, of flow and card, see flow_plan_read. */
+#define FLOW_PARTS                                                          \
+	{"fractions", VALUE_TEXT, "", 0, 0, NULL, "0/2,2/5,5/8,8/11.2",     \
+	    "fractions of the product, mm"},                                \
+	    {"recycle", VALUE_TEXT, "", 0, 0, NULL, "",                     \
+		"fractions that go back to the crusher"},                   \
+	    {"circuit", VALUE_FILE, "", 0, 0, NULL, "",                     \
+		"file of a circuit, instead of fractions"},                 \
+	    {"power", VALUE_TEXT, "", 0, 0, NULL, "",                       \
+		"readings of the motor, m/s:kW:t/h with commas between; "   \
+		"default: "                                                 \
+		"those of belt cuts"},                                      \
+	    {"prices", VALUE_TEXT, "", 0, 0, NULL, "",                      \
+		"price per t of each product, such as 0/2:12,2/5:9"},       \
+	{                                                                   \
+		"kwh", VALUE_NUMBER, "", 0, 1e6, NULL, "0", "price per kWh" \
+	}
+
+static const struct command_option CARD_OPTIONS[] = {
+    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",
+	"rotor tip speeds; default 65..85 by 1, extended or moved to cover the "
+	"runs"},
+    {"of", VALUE_TEXT, "", 0, 0, NULL, "passing 2,fines",
+	"figures beside P20, P50 and P80, see figures"},
+    {"tph", VALUE_NUMBER, "t/h", 0.001, 1e5, NULL, "",
+	"new feed, for tonnes and kWh/t as flow has them"},
+    FLOW_PARTS,
+    {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
+	"grading envelope: a name of 'spec list', or a file"},
+    TABLE_FEED, TABLE_MACHINE, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option COMPARE_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"speed for two sites; default: a held-out speed, else 74"},
-    TABLE_FEED, {.name = NULL}};
+    TABLE_FEED, TABLE_MACHINE, TABLE_SIEVES, {.name = NULL}};
+
+static const struct command_option PIN_OPTIONS[] = {
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"rotor tip speed; default: as last predicted, with its feed"},
+    {"feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"take the feed sampled at this speed"},
+    {.name = NULL}};
 
 static const struct command_option FIND_OPTIONS[] = {
     {"p20", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P20"},
@@ -37,12 +93,39 @@ static const struct command_option FIND_OPTIONS[] = {
     {"p80", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P80"},
     {"passing", VALUE_NUMBER, "%", 0, 100, NULL, "", "wanted passing"},
     {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "size for that passing"},
-    {"spec", VALUE_FILE, "", 0, 0, NULL, "", "file of a grading envelope"},
+    {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
+	"grading envelope: a name of 'spec list', or a file"},
     {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"slowest speed; default 65, or less to cover the runs"},
     {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"fastest speed; default 85, or more to cover the runs"},
+    TABLE_FEED, TABLE_MACHINE, TABLE_CUT, {.name = NULL}};
+
+static const struct command_option FIGURES_OPTIONS[] = {SPEED_OPTION,
+    TABLE_TURNS,
+    {"of", VALUE_TEXT, "", 0, 0, NULL, "",
+	"figures, with commas between: P80, passing 2, fm EN, 0/4, P50 of 0/4"},
+    TABLE_FEED, TABLE_MACHINE, TABLE_CUT, {.name = NULL}};
+
+static const struct command_option FLOW_OPTIONS[] = {
+    {"tph", VALUE_NUMBER, "t/h", 1e-3, 1e5, NULL, "", "new feed"}, SPEED_OPTION,
+    FLOW_PARTS, TABLE_SCREENS, TABLE_MACHINE, TABLE_TURNS,
+    {"best", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"find the speed that earns most"},
+    {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"slowest speed of best=on; default 65, or less to cover the runs"},
+    {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"fastest speed of best=on; default 85, or more to cover the runs"},
     TABLE_FEED, {.name = NULL}};
+
+static const struct command_option WINDOW_OPTIONS[] = {
+    {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
+	"grading envelope: a name of 'spec list', or a file"},
+    {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"slowest speed; default 65, or less to cover the runs"},
+    {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"fastest speed; default 85, or more to cover the runs"},
+    TABLE_CUT, TABLE_FEED, {.name = NULL}};
 
 static const struct command_option UNCERTAINTY_OPTIONS[] = {SPEED_OPTION,
     {"level", VALUE_CHOICE, "%", 0, 0, "80 90", "80",
@@ -51,23 +134,39 @@ static const struct command_option UNCERTAINTY_OPTIONS[] = {SPEED_OPTION,
 	"known standard deviation of a single passing around 50 %; 0: as the "
 	"data show it"},
     {"n", VALUE_WHOLE, "", 1, 256, NULL, "200", "how many draws to write"},
-    TABLE_FEED, {.name = NULL}};
+    TABLE_FEED, TABLE_SIEVES, {.name = NULL}};
 
 static const struct command_option VALIDATE_OPTIONS[] = {
     {"holdout", VALUE_CHOICE, "", 0, 0, "untrained each", "untrained",
 	"each: hold out each speed in turn and calibrate on the others"},
     {"sieves", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"also compare sieve by sieve"},
+    {"part", VALUE_TEXT, "", 0, 0, NULL, "",
+	"I/N: with all, every N-th site, as of 'calibrate all'"},
     {.name = NULL}};
 
-/* Of why and spec. */
+static const struct command_option DRIFT_OPTIONS[] = {
+    {"k", VALUE_NUMBER, "sd", 0, 5, NULL, "0.5",
+	"allowance of the CUSUM: half of the shift to be found soonest"},
+    {"h", VALUE_NUMBER, "sd", 0.1, 100, NULL, "5",
+	"limit of the CUSUM: higher signals later and less often by chance"},
+    {.name = NULL}};
+
+static const struct command_option SPEC_OPTIONS[] = {SPEED_OPTION, TABLE_TURNS,
+    TABLE_FEED, TABLE_MACHINE, TABLE_CUT, {.name = NULL}};
+
+/* Of why. */
 static const struct command_option AT_SPEED_OPTIONS[] = {
+    SPEED_OPTION, TABLE_TURNS, TABLE_FEED, TABLE_MACHINE, {.name = NULL}};
+
+static const struct command_option ADVISE_OPTIONS[] = {
     SPEED_OPTION, TABLE_FEED, {.name = NULL}};
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
 	.brief = "the product at a tip speed",
-	.flags = COMMAND_AT_SITE | COMMAND_LATEST | COMMAND_DRAWS,
+	.flags =
+	    COMMAND_AT_SITE | COMMAND_LATEST | COMMAND_DRAWS | COMMAND_BESIDE,
 	.bare = "speed",
 	.option = PREDICT_OPTIONS,
 	.text =
@@ -77,13 +176,36 @@ const struct command TABLE_ANSWERS[] = {
 	    "higher speed, interpolated in speed squared: the prediction "
 	    "without the model. If the parameters were found by calibrate, the "
 	    "product is the model corrected by what the measured runs show it "
-	    "to leave out, low and high are the uncertainty band, and the "
-	    "model alone stands beside it; 'set correction' chooses the runs. "
-	    "See UNCERTAINTY in tipspeed-model(7). After >, a file whose name "
+	    "to leave out; low and high are the uncertainty band, between "
+	    "which the true value lies with the probability in the title, and "
+	    "detail=on has the model alone beside it; 'set correction' chooses "
+	    "the runs. See UNCERTAINTY in tipspeed-model(7). feed=FILE "
+	    "predicts with "
+	    "the feed of any sheet that load reads, rpm= takes the turns of "
+	    "the rotor for a speed, and rotor_mm=, cascade= and k= ask about "
+	    "another machine; see OTHER FEEDS AND MACHINES. After >, a file "
+	    "whose name "
 	    "ends in .svg, .png "
 	    "or .pdf gets the curves, as plot psd draws them.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74",
 	.run = cmd_predict},
+    {.name = "blend",
+	.brief = "mix feeds by mass, and predict the product",
+	.operands = {"FILE=PART FILE=PART..", {"FILE"}, 2, 20},
+	.flags = COMMAND_FILES,
+	.option = BLEND_OPTIONS,
+	.text =
+	    "Reads the feeds of several sheets (FILE@SPEED where a sheet has "
+	    "one for each speed) and mixes them, in parts by mass that need "
+	    "not sum to 100. The blend has the sieves of all feeds, as far "
+	    "down as each was sieved; between its sieves a feed is straight on "
+	    "log size. If the site in use has parameters, the product of the "
+	    "blend is predicted with its band and its light, as predict does "
+	    "with feed=. out=FILE writes the blend as a sheet.",
+	.example = "load data/sites/tierp.csv\n"
+		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
+		   "blend data/sites/tierp.csv@69=60 data/sites/bro.csv@69=40",
+	.run = cmd_blend},
     {.name = "sweep",
 	.brief = "products over a range of speeds",
 	.flags = COMMAND_AT_SITE,
@@ -96,6 +218,21 @@ const struct command TABLE_ANSWERS[] = {
 	    "32.5 or above 170 m/s, it covers only the range around them.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nsweep 65,74,85",
 	.run = cmd_sweep},
+    {.name = "card",
+	.brief = "one page for the cabin: what each speed gives",
+	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
+	.flags = COMMAND_AT_SITE,
+	.option = CARD_OPTIONS,
+	.text =
+	    "One row a speed, in m/s and, where the site states the rotor's "
+	    "diameter, in rpm: P20, P50 and P80, figures of one's own choice, "
+	    "tonnes of fractions, the band of P80 and the light; with "
+	    "conditions, as window has them, or spec=, whether they hold, and "
+	    "how certain that is. "
+	    "'card > card.pdf' is a page to be pinned up.",
+	.example = "load data/sites/tierp.csv\ncalibrate\n"
+		   "card of=\"passing 2,fines\" tph=120 fractions=0/2,2/5,5/8",
+	.run = cmd_card},
     {.name = "compare",
 	.brief = "two speeds or two sites side by side",
 	.operands = {"SPEED SPEED | SITE SITE", {"SPEED SITE"}, 2, 2},
@@ -111,34 +248,141 @@ const struct command TABLE_ANSWERS[] = {
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "compare 69 79",
 	.run = cmd_compare},
+    {.name = "pin",
+	.brief = "keep a prediction to compare others with",
+	.operands = {"[off]", {"off"}, 0, 1},
+	.flags = COMMAND_CHANGES | COMMAND_LOOKS | COMMAND_BESIDE,
+	.option = PIN_OPTIONS,
+	.text = "Keeps the product of the site in use at a speed as it is "
+		"predicted now, also when the site is calibrated again: "
+		"full-screen mode shows it beside the prediction, and plot psd "
+		"and describe psd do with beside=pinned. 'pin off' lets it go.",
+	.example = "load data/sites/tierp.csv\ncalibrate\npin speed=69\n"
+		   "describe psd speed=74 beside=pinned",
+	.run = cmd_pin},
+    {.name = "figures",
+	.brief = "sizes, moduli and shares of a product",
+	.flags = COMMAND_AT_SITE,
+	.bare = "speed",
+	.option = FIGURES_OPTIONS,
+	.text =
+	    "Single numbers of the product at a speed, with their bands: P and "
+	    "a number, or D and a number, the size that so much passes; "
+	    "passing and a size; fines, the passing at 0.063 mm; cu, D60/D10; "
+	    "cc, D30^2/(D60 D10); fm and a standard, the fineness modulus on "
+	    "the sieves of EN 12620, ASTM C136, IS 2386-1, DIN 1045-2 (the "
+	    "k-value) or GB/T 14684; and a fraction such as 0/2, its share of "
+	    "the product. 'of 0/4' after a figure, or cut=0/4 for all of them, "
+	    "takes that screened fraction. Figures that the sieves do not "
+	    "reach are left out, or missing.",
+	.example = "load data/sites/tierp.csv\ncalibrate\nfigures 72\n"
+		   "figures 72 of=\"D10,fm EN of 0/4,0/2\"",
+	.run = cmd_figures},
     {.name = "find",
 	.brief = "find the speed that gives a wanted product",
+	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
 	.flags = COMMAND_AT_SITE,
 	.option = FIND_OPTIONS,
 	.text =
 	    "The inverse of predict: finds the tip speed for a P20, P50 or "
 	    "P80, for a passing at a size, or the speeds at which the product "
-	    "meets a grading envelope; see tipspeed-spec(5). A faster rotor "
-	    "never makes a coarser product, so there is one answer or none. If "
+	    "meets a grading envelope; see spec and tipspeed-spec(5). "
+	    "Conditions are those of window: the one with = and a single "
+	    "number is what the speed is for, \"max passing 2\" or \"min "
+	    "P80\" asks for the speed that gives most or least of a "
+	    "quantity; others are checked there, or hold it back. A limit "
+	    "that binds is kept with a certainty of about a half only, so the "
+	    "best with 80 % certainty (set level) is said too. Of "
+	    "several speeds that give the value the one inside the training "
+	    "speeds, or nearest to them, is taken, first of those that meet "
+	    "the other conditions, and the rest are named. If "
 	    "there is none, the products at both ends are shown, or the "
-	    "nearest speed and the sieve that fails. Without from= and to= it "
+	    "nearest speed and what fails. Without from= and to= it "
 	    "searches the speeds of sweep. The same feed is used for all "
 	    "speeds: that of the middle run, unless feed= is given.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "find p80=5\nfind passing=40 at=2\n"
-		   "find spec=data/specs/en-12620-0-8.csv",
+		   "find \"passing 2 = 33\" \"passing 0.063 < 6\"\n"
+		   "find \"max passing 2\" \"P80 > 5\"\n"
+		   "find spec=data/specs/en-12620-0-8.csv\n"
+		   "find spec=\"EN 12620 0/8\"",
 	.run = cmd_find},
-    {.name = "spec",
-	.brief = "compare the product with a grading envelope",
-	.operands = {"FILE", {"FILE"}, 1, 1},
-	.flags = COMMAND_AT_SITE | COMMAND_FILES,
-	.option = AT_SPEED_OPTIONS,
-	.text = "Shows each sieve of the envelope with its limits, the passing "
-		"predicted at a speed, and ok, above or below. "
-		"tipspeed-spec(5) describes FILE; data/specs has examples.",
+    {.name = "flow",
+	.brief = "tonnes of each fraction, what goes back, power, earnings",
+	.flags = COMMAND_AT_SITE | COMMAND_DRAWS,
+	.bare = "tph",
+	.option = FLOW_OPTIONS,
+	.text =
+	    "Tonnes an hour of each fraction that screens make of the product "
+	    "of a new feed, in steady state; what is coarser or finer than "
+	    "all, or between, is listed too. Fractions of recycle= go back to "
+	    "the crusher: their tonnes are the circulating load, and beside it "
+	    "is what the balance of feed and products is out by. Power is an "
+	    "engineering estimate, idle + c v2 Q, fitted to readings of the "
+	    "motor. With prices, best=on finds the speed that earns most and "
+	    "what it gains over speed=. circuit= takes screens, splits and "
+	    "stockpiles from a file, see tipspeed-circuit(5), which also says "
+	    "what is left out. > FILE.svg, .png or .pdf draws the tonnes of "
+	    "the products against the speed, from=..to=.",
+	.example = "load data/sites/tierp.csv\ncalibrate\n"
+		   "flow tph=120 recycle=8/11.2\n"
+		   "flow tph=120 recycle=8/11.2 power=69:157:118,79:197:121 "
+		   "prices=0/2:12,2/5:9,5/8:7 kwh=0.15 best=on\n"
+		   "flow circuit=data/circuits/two-decks.csv\n"
+		   "flow tph=120 recycle=8/11.2 > flow.svg",
+	.run = cmd_flow},
+    {.name = "window",
+	.brief = "the speeds at which conditions hold",
+	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
+	.flags = COMMAND_AT_SITE,
+	.option = WINDOW_OPTIONS,
+	.text =
+	    "A condition is a quantity of figures and a limit, in quotes: "
+	    "\"passing 2 = 40..50\", \"passing 0.063 < 6\", \"P80 > 5\", "
+	    "\"0/2 >= 30\", \"fm EN of 0/4 = 2.4..3.1\"; < and <= are the "
+	    "same. spec= adds the limits of a grading envelope, those of its "
+	    "standard on the fineness modulus and between two sieves too, and "
+	    "cut= is the fraction of those that name none. Shows the speeds at "
+	    "which "
+	    "all hold, what binds below and above them, and the best speed, "
+	    "which has most to spare. To compare limits on different "
+	    "quantities all margins are passings, in points: at the size that "
+	    "is the limit of a P, and a fineness modulus counts its distance "
+	    "for each of its sieves. Moduli and fractions rise and fall "
+	    "with the speed, so that there may be several windows. With the "
+	    "uncertainty band it says at which speeds all conditions hold "
+	    "together with 80 % certainty (set level). If no speed will do, "
+	    "the nearest is shown, and what binds.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
+		   "window \"passing 2 = 30..36\" \"P80 > 5\"",
+	.run = cmd_window},
+    {.name = "spec",
+	.brief = "compare the product with a grading envelope",
+	.operands = {"[use NAME|list [NAME|limits]|off|NAME|FILE]",
+	    {"use list off SPEC FILE", "SPEC FILE", ""}, 0, 12},
+	.flags = COMMAND_CHANGES | COMMAND_SPEC,
+	.option = SPEC_OPTIONS,
+	.text =
+	    "'spec use NAME' chooses an envelope for the session: spec and "
+	    "find then compare with it, and plots of size distributions draw "
+	    "its limits; 'spec off' ends that. Those of ASTM C33, BS 882, BS "
+	    "1200, EN 12620, IS 383 and a Norwegian road base come with the "
+	    "program, second-hand copies to be checked against your own; 'spec "
+	    "list' has their names, of which some words that no other has are "
+	    "enough. tipspeed-spec(5) describes FILE, an envelope of your own. "
+	    "spec alone, or with a NAME or FILE, shows each sieve with its "
+	    "limits, the passing predicted at a speed, and ok, above or below. "
+	    "An envelope for a fraction, such as a sand, is compared with that "
+	    "fraction of the product, by ideal screens unless sharpness= is "
+	    "given; cut= takes another one, cut=off the product as it is. "
+	    "Where "
+	    "its standard has limits of the fineness modulus and between two "
+	    "sieves, they are compared as well.",
+	.example = "load data/sites/tierp.csv\n"
+		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
+		   "spec use \"ASTM C33\"\nspec speed=79\n"
 		   "spec data/specs/en-12620-0-8.csv speed=79",
 	.run = cmd_spec},
     {.name = "uncertainty",
@@ -163,7 +407,7 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "which sample next narrows a band most",
 	.operands = {"[QUANTITY] [SIZE]", {"p20 p50 p80 passing", ""}, 0, 2},
 	.flags = COMMAND_AT_SITE,
-	.option = AT_SPEED_OPTIONS,
+	.option = ADVISE_OPTIONS,
 	.text = "The quantity is p20, p50, p80 (the default), or passing and a "
 		"size in mm, at a speed. For a repeat at each measured speed "
 		"and a sample at each round one, it shows how wide the "
@@ -188,7 +432,11 @@ const struct command TABLE_ANSWERS[] = {
 	    "without each speed in turn, as 'calibrate' alone would, and "
 	    "predicts it; the fit in use stays. 'validate all' sums up the "
 	    "relative errors of P20, P50 and P80 over all calibrated sites: "
-	    "bias (mean), rms and R2; see VALIDATION in tipspeed-model(7).",
+	    "bias (mean), rms and R2; see VALIDATION in tipspeed-model(7). The "
+	    "sites share the threads; after 'set correction off' the corrected "
+	    "answer is not drawn, which takes most of the time. One that "
+	    "cannot be compared is told at the end, and the answer is of the "
+	    "others.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate\n"
 		   "validate sieves=on\nvalidate holdout=each",
 	.run = cmd_validate},
@@ -223,7 +471,8 @@ const struct command TABLE_ANSWERS[] = {
 	.example = "load data/sites/tierp.csv\ncalibrate\nidentify",
 	.run = cmd_identify},
     {.name = "why",
-	.brief = "explain the numbers at a speed",
+	.brief = "explain the numbers at a speed, or from one to another",
+	.operands = {"[SPEED]", {"SPEED"}, 0, 1},
 	.flags = COMMAND_AT_SITE,
 	.bare = "speed",
 	.option = AT_SPEED_OPTIONS,
@@ -231,8 +480,55 @@ const struct command TABLE_ANSWERS[] = {
 	    "Explains the site in use at a speed in sentences: what breaks, "
 	    "how much of the feed that is, how far the speed is from the "
 	    "training speeds, the light with each reason, which parameters the "
-	    "data "
-	    "do not determine, and where the data are from.",
-	.example = "load data/sites/tierp.csv\ncalibrate\nwhy 85",
+	    "data do not determine, and where the data are from. With two "
+	    "speeds it shows where the mass of the feed goes at each: for each "
+	    "class of the feed's sieves what stays in it, what breaks and "
+	    "leaves it, what comes from coarser ones, and the change of the "
+	    "product; then in a sentence how much more breaks, and which "
+	    "classes lose and gain most. All columns are shares of the feed's "
+	    "mass and sum to 100 %.",
+	.example = "load data/sites/tierp.csv\ncalibrate\nwhy 85\nwhy 69 79",
 	.run = cmd_why},
+    {.name = "drift",
+	.brief = "follow routine cuts on control charts",
+	.flags = COMMAND_AT_SITE,
+	.option = DRIFT_OPTIONS,
+	.text =
+	    "Compares each cut that was added after the calibration with what "
+	    "is predicted at its own speed from its own feed, by runs that "
+	    "have not seen it. A row has the mean of the residuals (measured "
+	    "less predicted, points), the largest with its sieve, and the "
+	    "control charts: EWMA (weight 0.2) with its limit and CUSUM in "
+	    "both directions, of the mean and of the tilt (coarse sieves less "
+	    "fine ones). The limits come from the draws of the uncertainty, or "
+	    "from 'set noise' if there are none; see DRIFT in "
+	    "tipspeed-model(7). Reports how often they signal by chance, what "
+	    "drifts, where to look and when to calibrate anew. A signal makes "
+	    "the light of the site's answers amber. plot drift draws it.",
+	.example = "load data/sites/tierp.csv\ncalibrate\n"
+		   "add data/cuts/tierp-may.csv\ndrift",
+	.run = cmd_drift},
+    {.name = "report",
+	.brief = "write all about the site in use to one file",
+	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
+	.flags = COMMAND_AT_SITE,
+	.option = REPORT_OPTIONS,
+	.text =
+	    "Wants > FILE.html, for a browser, or > FILE.pdf, for paper (A4). "
+	    "The file holds what other commands answer: the light with its "
+	    "reasons, data, check and mends, the product with its band, other "
+	    "speeds, the window of the conditions, which are those of window, "
+	    "the envelope in use or of spec=, the flow of tph=, the card, "
+	    "routine cuts, "
+	    "validation, fit, "
+	    "plots, with several calibrated sites "
+	    "their common errors, and the script that makes the report again. "
+	    "With conditions it says first whether they are met, and at which "
+	    "speeds. "
+	    "It needs no network and no other file. A site that is not "
+	    "calibrated gets the parts that do not need it, and what is "
+	    "missing is stated.",
+	.example = "load data/sites/tierp.csv\ncalibrate\n"
+		   "report \"passing 2 = 30..36\" > tierp.html",
+	.run = cmd_report},
     {.name = NULL}};

@@ -29,6 +29,9 @@ static const struct command_option LOAD_OPTIONS[] = {SHEET_OPTIONS,
 	"FILE@TIME'; its columns= are named time, rpm, m/s, kW, t/h"},
     {"dates", VALUE_CHOICE, "", 0, 0, "day-first month-first", "",
 	"order in dates of a log such as 5/3/2026, where they do not tell"},
+    {"skip", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"on: files that cannot be read are told and left out, and a script "
+	"goes on"},
     {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
 	"refuse a file with other numbers; written by save"},
     {.name = NULL}};
@@ -83,10 +86,29 @@ static const struct command_option WRITE_OPTIONS[] = {
 	"overwrite existing files"},
     {.name = NULL}};
 
+static const struct command_option ENERGY_OPTIONS[] = {
+    {"cut", VALUE_NUMBER, "J/kg", 0, 1e6, NULL, "",
+	"impacts below it do not count; default: as loaded, else 10"},
+    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+	"load: tip speed of the simulation; else: scale the energies to it by "
+	"v^2"},
+    {"columns", VALUE_TEXT, "", 0, 0, NULL, "",
+	"load: names of the columns in order, with commas between; - for one "
+	"to skip"},
+    {"particles", VALUE_FILE, "", 0, 0, NULL, "",
+	"load: file with columns id and radius, for a dump of contacts"},
+    {"unit", VALUE_CHOICE, "", 0, 0, "j_kg m_s", "",
+	"load: of a list of numbers without heads"},
+    {"density", VALUE_NUMBER, "kg/m3", 100, 20000, NULL, "2700",
+	"load: of the particles"},
+    {"note", VALUE_TEXT, "", 0, 0, NULL, "",
+	"load: where the energies are from"},
+    {.name = NULL}};
+
 const struct command TABLE_DATA[] = {
     {.name = "load",
 	.brief = "read the sieve sheets of a site",
-	.operands = {"FILE...", {"FILE"}, 1, OPERANDS - 1},
+	.operands = {"FILE|FOLDER...", {"FILE"}, 1, OPERANDS - 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.option = LOAD_OPTIONS,
 	.text =
@@ -96,10 +118,14 @@ const struct command TABLE_DATA[] = {
 	    "leaves open is asked, and in a script is an error whose hint is "
 	    "the command that settles it. Files are one site where a tip "
 	    "speed follows a name, or none has both feed and product: load "
-	    "feed.csv cut1.csv@70 cut2.csv@75. A sheet with faults is refused, "
-	    "each fault with its place; the sites already loaded stay. A site "
-	    "that is loaded again replaces the earlier one. Quote a name with "
-	    "spaces. With as=log the files are a plant's log for 'add': rows "
+	    "feed.csv cut1.csv@70 cut2.csv@75. A folder stands for the sheets "
+	    "in it; results of tipspeed's own are not read as sheets. A sheet "
+	    "with faults is refused, each fault with its place; "
+	    "the sites already loaded stay, and of several files the others "
+	    "are loaded: those with faults are told at the end, where a script "
+	    "then stops unless skip=on. A site that is loaded again replaces "
+	    "the earlier one. Quote a name with spaces. With as=log the files "
+	    "are a plant's log for 'add': rows "
 	    "with date and time, and columns whose heads tell rpm or m/s, kW "
 	    "and t/h.",
 	.example = "load data/sites/tierp.csv\n"
@@ -129,6 +155,7 @@ const struct command TABLE_DATA[] = {
 	.run = cmd_add},
     {.name = "sites",
 	.brief = "list the loaded sites",
+	.flags = COMMAND_BESIDE,
 	.text = "The first column has the names for 'use'.",
 	.example = "load data/sites/tierp.csv data/sites/bro.csv\nsites",
 	.run = cmd_sites},
@@ -187,15 +214,17 @@ const struct command TABLE_DATA[] = {
 	.run = cmd_mend},
     {.name = "show",
 	.brief = "show a site and its model",
-	.operands = {"[site|feed|product|params|bounds|model|models|"
+	.operands = {"[site|feed|product|params|fit|bounds|model|models|"
 		     "selection|appearance|store|log]",
-	    {"site feed product params bounds model models selection "
+	    {"site feed product params fit bounds model models selection "
 	     "appearance store log"},
 	    0, 1},
+	.flags = COMMAND_BESIDE,
 	.option = SHOW_OPTIONS,
 	.text =
 	    "site: the site file, its source and contents; feed and product: "
-	    "the measured curves; params and bounds: like those commands; "
+	    "the measured curves; params and bounds: like those commands; fit: "
+	    "the last calibration: parameters and search; "
 	    "model: settings, energy and break size at each run's speed, and "
 	    "the equations with their numbers; models: the breakage models and "
 	    "their parameters; selection: how much of each size class breaks "
@@ -210,15 +239,36 @@ const struct command TABLE_DATA[] = {
 	.run = cmd_show},
     {.name = "synth",
 	.brief = "make synthetic sites from material parameters",
-	.operands = {"FILE", {"FILE"}, 1, 1},
+	.operands = {"FILE", {"FILE table3"}, 1, 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES,
 	.option = SYNTH_OPTIONS,
-	.text = "FILE has rows of parameters like data/table3.csv. Each row "
-		"becomes a synthetic site whose products are computed by the "
+	.text = "FILE has rows of parameters like data/table3.csv, which the "
+		"word table3 stands for where there is none. Each row becomes "
+		"a synthetic site whose products are computed by the "
 		"model, with sampling error added. Such sites are marked as "
 		"not measured wherever they are shown.",
 	.example = "synth data/table3.csv site=Tierp seed=9\nshow product",
 	.run = cmd_synth},
+    {.name = "energy",
+	.brief = "load and show collision energies",
+	.operands = {"[load FILE | write FILE]", {"load write", "FILE"}, 0, 2},
+	.flags = COMMAND_CHANGES | COMMAND_FILES,
+	.option = ENERGY_OPTIONS,
+	.text =
+	    "Collision energies of a discrete element simulation: how often "
+	    "particles are hit and how hard, as in the paper's Figure 1. "
+	    "'energy load FILE' reads a LIGGGHTS dump of contacts (dump local "
+	    "with pos, vel and id; contacts in snapshots one after another are "
+	    "one impact at its largest relative normal velocity), a table of "
+	    "impacts from another program by the heads of its columns, a list "
+	    "of energies (J/kg) or velocities (m/s), perhaps with weights, or "
+	    "a binned spectrum (low, high and weight). Without operands, shows "
+	    "impacts a particle, energies above the cut, the share of the "
+	    "first impact and the k with which Eq 3 would break as much. "
+	    "'energy write FILE' writes the spectrum. 'set energy FILE' has "
+	    "the model use it in place of one impact at v^2/2.",
+	.example = "energy load data/energy/vsi-69.csv\nenergy cut=100",
+	.run = cmd_energy},
     {.name = "template",
 	.brief = "show an empty site file to fill in",
 	.option = TEMPLATE_OPTIONS,

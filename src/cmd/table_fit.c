@@ -34,11 +34,20 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
 	"weight of each training run's squared residuals, slow to fast"},
     {"preset", VALUE_CHOICE, "", 0, 0, "best paper", "best",
 	"paper: a textbook genetic algorithm, without polish"},
+    {"detail", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"on: show parameters, bounds and search too, as 'show fit' does"},
+    {"part", VALUE_TEXT, "", 0, 0, NULL, "",
+	"I/N: of all sites every N-th, from the I-th on; default: as the "
+	"environment of a Slurm job array or of mpirun tells, else all"},
     PAUSE_OPTION, {.name = NULL}};
 
 static const struct command_option HISTORY_OPTIONS[] = {
     {"every", VALUE_WHOLE, "", 1, 1e6, NULL, "",
 	"show every N-th generation; default: as many as fit a screen"},
+    {.name = NULL}};
+static const struct command_option COLLECT_OPTIONS[] = {
+    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"replace materials of the same name in the store in use"},
     {.name = NULL}};
 static const struct command_option CONTINUE_OPTIONS[] = {
     PAUSE_OPTION, {.name = NULL}};
@@ -56,9 +65,35 @@ const struct command TABLE_FIT[] = {
 		"every repeat; the others are held out for 'validate'. "
 		"train=all holds out none; 'validate holdout=each' then tests "
 		"the model. The misfit is the sum of squared residuals of "
-		"passing, as fractions.",
+		"passing, as fractions. The result says how well the model "
+		"fits; 'show fit' has the parameters with their ranges, the "
+		"bounds and the search, and so have csv and json. With all, "
+		"the sites share the threads and are the same whatever the "
+		"threads; a remark 'doubtful' is then by the fit alone, and "
+		"'why' of a site draws its ranges too.",
 	.example = "load data/sites/tierp.csv\ncalibrate seed=1\nvalidate",
 	.run = cmd_calibrate},
+    {.name = "collect",
+	.brief = "join the parts of 'calibrate all' or 'validate all'",
+	.operands = {"FILE...", {"FILE"}, 1, OPERANDS - 1},
+	.flags = COMMAND_FILES,
+	.option = COLLECT_OPTIONS,
+	.text = "Reads what several programs wrote as JSON with part=I/N, each "
+		"of one part of the sites, and answers as one 'calibrate all' "
+		"or 'validate all' of them would have, to the last byte. A "
+		"file may hold several parts, a line each. A part that is "
+		"missing, there twice, or from another version, other options, "
+		"other collision energies or other sites is refused. Each part "
+		"wants the same files loaded in the same order. With the parts "
+		"of 'calibrate all' may go the stores of their programs, each "
+		"filled by 'remember all': their materials are put into the "
+		"store in use, unless one is missing, there twice or of "
+		"another calibration.",
+	.example = "synth data/table3.csv\n"
+		   "calibrate all part=1/2 generations=30 > part1.json\n"
+		   "calibrate all part=2/2 generations=30 > part2.json\n"
+		   "collect part1.json part2.json",
+	.run = cmd_collect},
     {.name = "continue",
 	.brief = "continue a stopped calibration",
 	.flags = COMMAND_CHANGES,

@@ -3,7 +3,7 @@
 #include "cmd/session.h"
 #include "cmd/table.h"
 
-#define AT(member) offsetof(struct choices, member)
+#define AT(member) .offset = offsetof(struct choices, member)
 
 const struct setting SETTINGS[] = {
     {{"model", VALUE_CHOICE, "", 0, 0, NULL, "grunditz",
@@ -17,6 +17,9 @@ const struct setting SETTINGS[] = {
 	AT(model.appearance)},
     {{"k", VALUE_NUMBER, "", 0.001, 1000, NULL, "1", "number of impacts"},
 	AT(model.k)},
+    {{"energy", VALUE_FILE, "", 0, 0, NULL, "off",
+	 "collision energies in Eq 3 in place of one impact at v^2/2"},
+	AT(energy)},
     {{"correction", VALUE_CHOICE, "", 0, 0, "all train off", "all",
 	 "runs that correct the model in answers: every measured one, the "
 	 "training runs, or none"},
@@ -40,6 +43,20 @@ const struct setting SETTINGS[] = {
     {{"pager", VALUE_CHOICE, "", 0, 0, "on off", "on",
 	 "at the prompt, show results taller than the screen in the pager"},
 	AT(unpaged)},
+    {{"theme", VALUE_CHOICE, "", 0, 0, "normal dark light", "normal",
+	 "colours for any terminal, or of high contrast for a dark or a light "
+	 "one"},
+	AT(theme)},
+    {{"goal", VALUE_TEXT, "", 0, 0, NULL, "none",
+	 "what is wanted of the product: p80=5.4, \"passing 2 = 40..50\", an "
+	 "envelope"},
+	AT(goal)},
+    {{"quantity", VALUE_TEXT, "", 0, 0, NULL, "p80",
+	 "what full-screen mode shows above the track of the speed"},
+	AT(quantity), .looks = true},
+    {{"page", VALUE_CHOICE, "", 0, 0, "predict fit data parity sites",
+	 "predict", "page that full-screen mode opens on"},
+	AT(page), .looks = true},
     {.offset = 0}};
 
 static const struct command_option SEED_OPTIONS[] = {

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/table.h"
 
-#include "cmd/plots.h"
+#include "cmd/plot_request.h"
 
 #define WHAT_OPTIONS                                                           \
 	{"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                       \
@@ -10,13 +10,28 @@
 	    TABLE_FEED,                                                        \
 	    {"other", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                   \
 		"another speed for comparison"},                               \
+	    {"other_feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",              \
+		"psd: that one takes the feed sampled at this speed"},         \
 	    {"beside", VALUE_TEXT, "", 0, 0, "SITE", "",                       \
-		"psd: also show the product of this loaded site"},             \
+		"psd: also show the product of this loaded site, or what is "  \
+		"pinned: pinned"},                                             \
+	    {"site", VALUE_TEXT, "", 0, 0, "SITE", "",                         \
+		"this loaded site instead of the one in use; pinned: the "     \
+		"prediction that is, with its site"},                          \
 	    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",                 \
 		"tip speeds of sweep; default 65..85:5, extended or moved to " \
 		"cover the runs"},                                             \
 	    {"band", VALUE_CHOICE, "", 0, 0, "off on", "off",                  \
 		"psd: shade the 80 % uncertainty band"},                       \
+	    {"of", VALUE_TEXT, "", 0, 0, NULL, "",                             \
+		"response: quantities, with commas between: passing 2, P50, "  \
+		"0/4; default: those of limits=, else passings"},              \
+	    {"limits", VALUE_TEXT, "", 0, 0, NULL, "",                         \
+		"response: conditions, with commas between: passing 2 = "      \
+		"40..50, passing 0.063 < 6"},                                  \
+	    {"generation", VALUE_WHOLE, "", 0, 1000000, NULL, "0",             \
+		"search, convergence, spread, psd: as of this generation of "  \
+		"the search; 0: its end"},                                     \
 	    {"param", VALUE_TEXT, "", 0, 0, "PARAMETER", "",                   \
 		"profile: the parameter; default e0_min"},                     \
 	    {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",                    \
@@ -47,7 +62,10 @@ static const struct command_option SCREEN_OPTIONS[] = {
     {"colours", VALUE_CHOICE, "", 0, 0, "auto 256 16 8 0", "auto",
 	"number of colours; auto: those of the terminal, 256 in an image"},
     {"keys", VALUE_TEXT, "", 0, 0, NULL, "",
-	"keys to press first, named as in tipspeed-tui(1)"},
+	"keys to press first, named as in tipspeed-tui(1); Right*5: five "
+	"times"},
+    {"frames", VALUE_NUMBER, "ms", 20, 10000, NULL, "",
+	"record: a frame a key, each shown for so long"},
     {.name = NULL}};
 
 static const struct command_option DESCRIBE_OPTIONS[] = {
@@ -57,20 +75,28 @@ const struct command TABLE_PICTURES[] = {
     {.name = "plot",
 	.brief = "draw a plot",
 	.operands = {"KIND", {PLOT_KINDS}, 1, 1},
-	.flags = COMMAND_DRAWS,
+	.flags = COMMAND_DRAWS | COMMAND_BESIDE,
 	.option = PLOT_OPTIONS,
 	.text =
 	    "psd: feed, measured and predicted products; parity: P20, P50 and "
 	    "P80 predicted against measured, at the held-out speeds of all "
-	    "loaded sites; convergence: best and median misfit of the search; "
-	    "spread: the candidates within the bounds of each parameter; "
+	    "loaded sites; search: how far the candidates of a generation lie "
+	    "from each passing that is fitted, as a bar from the 10th to the "
+	    "90th percentile, the best as a mark, and the sampling noise; "
+	    "convergence: best and median candidate of the search, in points "
+	    "RMS; spread: the candidates within the bounds of each parameter; "
 	    "residuals: predicted minus measured, sieve by sieve; selection: "
 	    "the selection function, how much of each size breaks (Eq 3); "
 	    "appearance: the appearance function, the sizes it breaks into (Eq "
 	    "1); map: the materials of the store by rock type; sweep: products "
-	    "at several speeds; profile: what the data say of one parameter, "
+	    "at several speeds; response: quantities of the product against "
+	    "the tip speed, with what was measured, the training speeds and, "
+	    "with limits=, where they are met; profile: what the data say of "
+	    "one parameter, "
 	    "by the misfit with the others refitted and by the draws; "
-	    "correlation: of the draws of all parameters. Marks and dashes "
+	    "correlation: of the draws of all parameters; drift: routine cuts "
+	    "on control charts, as drift follows them; energy: the collision "
+	    "energies loaded. Marks and dashes "
 	    "distinguish the lines, with "
 	    "and without colour. charset=auto draws with braille dots on a "
 	    "UTF-8 terminal, otherwise with ASCII characters. After >, a file "
@@ -84,6 +110,7 @@ const struct command TABLE_PICTURES[] = {
     {.name = "describe",
 	.brief = "describe a plot in sentences",
 	.operands = {"KIND", {PLOT_KINDS}, 1, 1},
+	.flags = COMMAND_BESIDE,
 	.option = DESCRIBE_OPTIONS,
 	.text =
 	    "Describes what plot would draw, for users of screen readers: the "
@@ -96,7 +123,7 @@ const struct command TABLE_PICTURES[] = {
 	.run = cmd_describe},
     {.name = "screen",
 	.brief = "make an image of full-screen mode",
-	.flags = COMMAND_DRAWS | COMMAND_UNSAVED,
+	.flags = COMMAND_DRAWS | COMMAND_UNSAVED | COMMAND_BESIDE,
 	.option = SCREEN_OPTIONS,
 	.text =
 	    "In full-screen mode: shows the screen as it is without the "
@@ -107,7 +134,11 @@ const struct command TABLE_PICTURES[] = {
 	    "file, and in .txt, it is text. keys= presses keys first, "
 	    "separated by spaces: keys=\"Left Left c\"; a word that is not the "
 	    "name of a key is typed if a line or a speed is being edited. Each "
-	    "key lets a calibration run for one generation.",
+	    "key lets a calibration run for one generation. frames= records "
+	    "what the keys do: the .svg then plays, and shows the last frame "
+	    "to who prefers reduced motion. A letter that is typed takes a "
+	    "quarter of the time; ^L waits for a frame. With --linear: "
+	    "says the text of the screen row by row, then describes its plot.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "screen width=80 height=24",

@@ -11,9 +11,16 @@ static const struct command_option TIMING_OPTIONS[] = {
     {"state", VALUE_CHOICE, "", 0, 0, "on off", "on", "show it or not"},
     {.name = NULL}};
 
+static const struct command_option DRILL_OPTIONS[] = {
+    {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "",
+	"of new: the plant; default: any"},
+    {"level", VALUE_CHOICE, "", 0, 0, "easy hard", "easy", "of new"},
+    {.name = NULL}};
+
 static const struct command_option MAN_OPTIONS[] = {
-    {"page", VALUE_CHOICE, "", 0, 0, "tipspeed tutorial tui site spec model",
-	"tipspeed", "page of the manual"},
+    {"page", VALUE_CHOICE, "", 0, 0,
+	"tipspeed tutorial tui site spec model circuit", "tipspeed",
+	"page of the manual"},
     {.name = NULL}};
 
 const struct command TABLE_SESSION[] = {
@@ -46,9 +53,10 @@ const struct command TABLE_SESSION[] = {
 	    "identical results anywhere, as long as the site files are in the "
 	    "same place and the store has the recalled materials: a site file "
 	    "or a material with other numbers is refused. Results are saved "
-	    "with > FILE after a command, not with save.",
+	    "with > FILE after a command, not with save. A name without an "
+	    "ending gets .tip.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
-		   "save plant.tip",
+		   "save plant",
 	.run = cmd_save},
     {.name = "restore",
 	.brief = "replace this session by a saved one",
@@ -82,6 +90,7 @@ const struct command TABLE_SESSION[] = {
     {.name = "echo",
 	.brief = "print words",
 	.operands = {"[WORD]...", {""}, 0, OPERANDS - 1},
+	.flags = COMMAND_BESIDE,
 	.text = "Prints a line among the results, with one space between "
 		"words; use quotes to keep more.",
 	.example = "echo \"Tierp, at 74 m/s:\"",
@@ -109,16 +118,41 @@ const struct command TABLE_SESSION[] = {
 		"predict.params.alpha; of a list it is the largest; "
 		"predict.warnings is the number of warnings. Another site, "
 		"other parameters or a new calibration clear them. For "
-		"automatic plant checks, which should assert poor = 0 first.",
+		"automatic plant checks, which should assert poor = 0 first. "
+		"'assert FILE is DIGEST', which save writes, stops where a "
+		"file is not the one that was read.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
 		   "assert p50 = 2.87 within 0.05\nvalidate\n"
 		   "assert holdout < 1",
 	.run = cmd_assert},
+    {.name = "drill",
+	.brief = "train: find a hidden plant's speed",
+	.operands = {"[new | sample SPEED | answer SPEED]",
+	    {"new sample answer", "SPEED"}, 0, 2},
+	.flags = COMMAND_CHANGES,
+	.option = DRILL_OPTIONS,
+	.text =
+	    "A game: 'drill new' makes up a plant and says what product is "
+	    "wanted of it: at least so much below 2 mm, at most so much below "
+	    "0.5 mm. 'drill sample SPEED' buys a sample of its product with "
+	    "the error of sampling, as a run of the site drill, on which all "
+	    "commands work: calibrate, predict, find, why. There are 10 "
+	    "credits: a sample costs 2, another one at its speed 1. 'drill "
+	    "answer SPEED' ends it: the product that the plant truly makes at "
+	    "that speed, the speeds that meet the conditions, whether the "
+	    "uncertainty band held the truth, and a score: up to 80 for the "
+	    "speed and 20 for credits left. level=hard: larger sampling "
+	    "errors, a plant that does not quite follow the paper's model, and "
+	    "half the range of speeds. The same seed makes the same plant. "
+	    "'drill' alone shows where it stands.",
+	.example = "drill new seed=7\ndrill sample 66\ndrill sample 80\n"
+		   "calibrate\nfind passing=35 at=2\ndrill answer 75",
+	.run = cmd_drill},
     {.name = "help",
 	.brief = "list the commands or explain one",
 	.operands = {"[COMMAND|GROUP] [example]", {"COMMAND GROUP", "example"},
 	    0, 2},
-	.flags = COMMAND_UNSAVED,
+	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
 	.text = "With the name of a command, explains it; with the name of a "
 		"group, lists its commands. 'help COMMAND example' prints an "
 		"example that can be run as printed.",
@@ -127,14 +161,14 @@ const struct command TABLE_SESSION[] = {
     {.name = "apropos",
 	.brief = "find commands by a word of their help",
 	.operands = {"WORD", {""}, 1, 1},
-	.flags = COMMAND_UNSAVED,
+	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
 	.text = "Searches names, help texts, options and their choices; case "
 		"and accents do not matter.",
 	.example = "apropos threads",
 	.run = cmd_apropos},
     {.name = "man",
 	.brief = "show a page of the manual",
-	.flags = COMMAND_UNSAVED,
+	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
 	.bare = "page",
 	.option = MAN_OPTIONS,
 	.text = "At the prompt, shows the page with man(1). Elsewhere, or "
@@ -143,7 +177,7 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_man},
     {.name = "version",
 	.brief = "show the version of the program",
-	.flags = COMMAND_UNSAVED,
+	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
 	.text = "Includes the libraries and the instruction set that numbers "
 		"depend on.",
 	.example = "version",

@@ -9,6 +9,8 @@ static const struct command_option MATERIALS_OPTIONS[] = {
 	"only top sizes within 5 % of this one"},
     {"origin", VALUE_CHOICE, "", 0, 0, "all table3 own", "all",
 	"materials of the paper, your own, or both"},
+    {"most", VALUE_WHOLE, "", 0, 1e9, NULL, "1000",
+	"of your own list only so many, by name; 0: all"},
     {.name = NULL}};
 
 static const struct command_option RECALL_OPTIONS[] = {
@@ -50,6 +52,7 @@ const struct command TABLE_STORE[] = {
     {.name = "materials",
 	.brief = "list the materials of the store, or show one",
 	.operands = {"[NAME]", {"MATERIAL"}, 0, 1},
+	.flags = COMMAND_BESIDE,
 	.option = MATERIALS_OPTIONS,
 	.text = "Lists your own calibrations and the rows of the paper's Table "
 		"3, which are called table3/... and are read only. With NAME, "
@@ -69,14 +72,15 @@ const struct command TABLE_STORE[] = {
 	.run = cmd_recall},
     {.name = "remember",
 	.brief = "store the site's parameters",
-	.operands = {"[NAME]", {""}, 0, 1},
+	.operands = {"[NAME|all]", {"all"}, 0, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_UNSAVED,
 	.option = REMEMBER_OPTIONS,
 	.text = "Stores the parameters found by a calibration or set by "
 		"'params set', with their origin: the site and the provenance "
 		"of its data, misfit, hold-out RMSE, seed and options. NAME is "
-		"by default the name of the site in 'sites'. When the result "
-		"is printed, it is on the disk.",
+		"by default the name of the site in 'sites'; all: every site "
+		"that was calibrated, by that name. When the result is "
+		"printed, it is on the disk.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "remember date=2026-11-21 note=\"after new liners\"\n"
 		   "materials origin=own",

@@ -7,6 +7,7 @@
 #include "base/xalloc.h"
 #include "cmd/session.h"
 #include "cmd/table.h"
+#include "core/psd.h"
 #include "io/book.h"
 
 /* Basic set and set 1 of EN 933-2, with those of filler: what most laboratories
@@ -52,33 +53,23 @@ put_number(const struct form *f, double value)
 	fputs(text, f->sheet);
 }
 
-static int
-coarser(const void *a, const void *b)
-{
-	const double *x = a, *y = b;
-	return (*x < *y) - (*x > *y);
-}
-
 /* A row for each sieve, with as many empty cells as there are columns.  Returns
  * how many. */
 static size_t
 put_rows(const struct form *f, const struct value *sieves, size_t columns)
 {
-	size_t rows = 0, n = sieves->given ? sieves->n : ARRAY_LEN(SIEVES);
+	size_t n = sieves->given ? sieves->n : ARRAY_LEN(SIEVES);
 	double *mm = xdoubles(n);
 	memcpy(mm, sieves->given ? sieves->list : SIEVES, n * sizeof *mm);
-	qsort(mm, n, sizeof *mm, coarser);
+	n = psd_sort(mm, n, 0);
 	for (size_t i = 0; i < n; i++) {
-		if (i > 0 && mm[i] == mm[i - 1])
-			continue;
 		put_number(f, mm[i]);
 		for (size_t c = 0; c < columns; c++)
 			fputc(f->separator, f->sheet);
 		fputc('\n', f->sheet);
-		rows++;
 	}
 	free(mm);
-	return rows;
+	return n;
 }
 
 static size_t

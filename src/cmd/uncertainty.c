@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/band.h"
 #include "cmd/outlook.h"
 #include "cmd/settings.h"
 #include "cmd/table.h"
@@ -59,9 +59,35 @@ add_hyper(struct answer *r, const struct session *s, const struct posterior *p)
 		ensemble_middle(value, settings_level(&s->set), &low, &high);
 		struct fields *one = fields_object(o, HYPER[h].name);
 		fields_put(one, "median %g low %g high %g", median, low, high);
-		answer_note(r, "%s: %.2f%s (%.2f to %.2f): %s", HYPER[h].name,
-		    median, size ? " points" : "", low, high, HYPER[h].meaning);
+		answer_note(r,
+		    size ? N_("%s: %.2f points (%.2f to %.2f): %s")
+			 : N_("%s: %.2f (%.2f to %.2f): %s"),
+		    HYPER[h].name, median, low, high, tr(HYPER[h].meaning));
 	}
+}
+
+/* In how many draws the rock has two strengths, and which. */
+static void
+note_strengths(struct answer *r, const struct posterior *p)
+{
+	double two = 0, share = 0, ratio = 0;
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
+		const struct strengths *rock = &p->draw[d].strengths;
+		if (!(rock->share > 0))
+			continue;
+		two++;
+		share += rock->share;
+		ratio += rock->harder / rock->softer;
+	}
+	struct fields *o = fields_object(answer_fields(r), "two_strengths");
+	fields_put(o, "draws_pct %g harder_share_pct %g ratio %g",
+	    100 * two / POSTERIOR_DRAWS, 100 * share / two, ratio / two);
+	if (two > 0)
+		answer_note(r,
+		    "two strengths: in %.0f %% of the draws; there %.0f %% of "
+		    "the rock has a threshold %.2f times the other's",
+		    100 * two / POSTERIOR_DRAWS, 100 * share / two,
+		    ratio / two);
 }
 
 static void
@@ -71,10 +97,12 @@ note_chains(struct answer *r, const struct posterior *p)
 	fields_put(answer_fields(r), "draws %g ratio %g drift %g accepted %g",
 	    (double)POSTERIOR_DRAWS, p->ratio, p->drift, p->accepted);
 	answer_say(r, poor ? ANSWER_WARNING : ANSWER_REMARK,
-	    "%d draws%s: the two halves differ by %.2f standard deviations, "
-	    "R %.2f, %.0f %% of the moves accepted",
-	    POSTERIOR_DRAWS, poor ? " that have not converged" : "", p->drift,
-	    p->ratio, 100 * p->accepted);
+	    poor ? N_("%d draws that have not converged: the two halves differ "
+		      "by %.2f standard deviations, R %.2f, %.0f %% of the "
+		      "moves accepted")
+		 : N_("%d draws: the two halves differ by %.2f standard "
+		      "deviations, R %.2f, %.0f %% of the moves accepted"),
+	    POSTERIOR_DRAWS, p->drift, p->ratio, 100 * p->accepted);
 }
 
 /* A row a draw: what it was made of and what it answers. */
@@ -88,9 +116,10 @@ draws_answer(const struct session *s, const struct entry *entry,
 	struct answer *r = answers_new(
 	    entry->site, "uncertainty", "draws at %.1f m/s", at->speed);
 	struct psd one = psd_copy(&at->curve);
-	answer_columns(r, "draw");
+	answer_columns(r, "draw: draw");
 	for (size_t j = 0; j < of->n; j++)
 		answer_columns(r, "%s", of->parameter[j].name);
+	answer_columns(r, "harder_share, softer_e0, harder_e0");
 	for (size_t h = 0; h < HYPERS; h++)
 		answer_columns(r, "%s", HYPER[h].symbol);
 	answer_columns(r, "p20_mm, p50_mm, p80_mm");
@@ -98,9 +127,13 @@ draws_answer(const struct session *s, const struct entry *entry,
 		answer_columns(
 		    r, "passing_pct@%g", units_mm(at->product.size[i]));
 	for (size_t d = 0; d < n; d++) {
+		double e0 = p->draw[d].params.at[of->strength + 1];
 		answer_cells(r, "%g", (double)d + 1);
 		for (size_t j = 0; j < of->n; j++)
 			answer_cells(r, "%.6g", p->draw[d].params.at[j]);
+		answer_cells(r, "%.6g %.6g %.6g", p->draw[d].strengths.share,
+		    e0 * p->draw[d].strengths.softer,
+		    e0 * p->draw[d].strengths.harder);
 		for (size_t h = 0; h < HYPERS; h++)
 			answer_cells(r, "%.6g", p->draw[d].hyper[h]);
 		for (size_t k = 0; k < one.n; k++)
@@ -132,6 +165,7 @@ parts_answer(const struct session *s, const struct entry *entry,
 	answer_put_columns(r, "sieve_mm passing_pct");
 	answer_note(r, "%s", outlook_words(s, entry));
 	add_hyper(r, s, p);
+	note_strengths(r, p);
 	note_chains(r, p);
 	return r;
 }
@@ -170,8 +204,8 @@ cmd_uncertainty(struct session *s, const struct args *args, struct error *error)
 		prediction_free(&at);
 		return error_set(error, ERROR_USAGE, "%s\n%s",
 		    outlook_why_none(s, entry),
-		    origin_fit(entry) == NULL ? "run 'calibrate' first"
-					      : "'set' shows the settings");
+		    origin_fit(entry) == NULL ? tr("run 'calibrate' first")
+					      : tr("'set' shows the settings"));
 	}
 	const struct posterior *p = outlook_draws(s, entry);
 	bool draws = args->n_operand > 0;

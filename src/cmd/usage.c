@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 const struct usage_option USAGE_OPTIONS[] = {
@@ -18,6 +19,8 @@ const struct usage_option USAGE_OPTIONS[] = {
 	"store file of remembered calibrations; :memory: writes none"},
     {USAGE_COLOR, "color", "WHEN", "auto always never",
 	"colour at the prompt and in plots"},
+    {USAGE_LANG, "lang", "LANG", NULL,
+	"language of texts for people, such as sv; default: the locale's"},
     {USAGE_SAFE, "safe", NULL, NULL, "commands cannot use files or the shell"},
     {USAGE_LINEAR, "linear", NULL, NULL,
 	"for screen readers: the prompt, and plots described in words"},
@@ -52,6 +55,11 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
 	       "are put together in; default /tmp."},
     {"LC_CTYPE", "Character set, or LC_ALL or LANG if they replace it; text is "
 		 "always UTF-8 and numbers always have a decimal point."},
+    {"LC_MESSAGES",
+	"Language of texts for people, or LC_ALL or LANG if they replace it, "
+	"unless --lang is given. Commands, csv and json are in English."},
+    {"LANGUAGE", "Languages in order of preference, as sv:en; not in the "
+		 "locale C."},
     {.name = NULL}};
 
 const struct usage_word USAGE_STATUS[] = {{"0", "All commands succeeded."},
@@ -78,7 +86,7 @@ usage_brief(const struct command *c, FILE *out)
 {
 	char *name = c->alias != NULL ? xasprintf("%s, %s", c->name, c->alias)
 				      : xstrdup(c->name);
-	fprintf(out, "  %-16s %s\n", name, c->brief);
+	fprintf(out, "  %-16s %s\n", name, tr(c->brief));
 	free(name);
 }
 
@@ -95,8 +103,8 @@ usage_list(const char *group, FILE *out)
 		last = its;
 		usage_brief(c, out);
 	}
-	fputs("\n"
-	      "help COMMAND explains one, apropos WORD searches\n",
+	fputs(tr("\n"
+		 "help COMMAND explains one, apropos WORD searches\n"),
 	    out);
 }
 
@@ -123,20 +131,20 @@ void
 usage_command(const struct command *c, FILE *out)
 {
 	char *usage = command_usage(c);
-	fprintf(out, "%s - %s\n\n", c->name, c->brief);
+	fprintf(out, "%s - %s\n\n", c->name, tr(c->brief));
 	text_hang(usage, 2, 6, 78, out);
 	free(usage);
 	if (c->alias != NULL)
-		fprintf(out, "  also called %s\n", c->alias);
+		fprintf(out, tr("  also called %s\n"), c->alias);
 	fputc('\n', out);
-	text_wrap(c->text, 2, 78, out);
+	text_wrap(tr(c->text), 2, 78, out);
 	const struct command_option *o;
 	for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++) {
 		if (i == 0)
-			fputs("\noptions\n", out);
+			fputs(tr("\noptions\n"), out);
 		print_command_option(o, out);
 	}
-	fputs("\nexample\n", out);
+	fputs(tr("\nexample\n"), out);
 	usage_example(c, "  ", out);
 }
 
@@ -153,7 +161,7 @@ print_options(FILE *out)
 		    : o->name != NULL   ? "="
 					: " ",
 		    o->argument != NULL ? o->argument : "");
-		fprintf(out, "  %-16s %s%s%s\n", option, o->brief,
+		fprintf(out, "  %-16s %s%s%s\n", option, tr(o->brief),
 		    o->choices != NULL ? ": " : "",
 		    o->choices != NULL ? o->choices : "");
 		free(option);
@@ -163,24 +171,26 @@ print_options(FILE *out)
 static void
 print_words(const char *title, const struct usage_word *word, FILE *out)
 {
-	fprintf(out, "\n%s\n", title);
+	fprintf(out, "\n%s\n", tr(title));
 	for (; word->name != NULL; word++) {
 		fprintf(out, "  %s\n", word->name);
-		text_wrap(word->meaning, 6, 78, out);
+		text_wrap(tr(word->meaning), 6, 78, out);
 	}
 }
 
 void
 usage_print(FILE *out)
 {
-	fputs("usage: tipspeed [-c CMD]... [-f FILE]... [OPTION]... [FILE...]\n"
-	      "\nLoads the site FILEs (a FILE.tip is a script and is run), "
-	      "then runs the commands\nof -c and -f in order. Without -c and "
-	      "-f, commands come from standard input.\n\n",
+	fputs(
+	    tr("usage: tipspeed [-c CMD]... [-f FILE]... [OPTION]... "
+	       "[FILE...]\n"
+	       "\nLoads the site FILEs (a FILE.tip is a script and is run), "
+	       "then runs the commands\nof -c and -f in order. Without -c and "
+	       "-f, commands come from standard input.\n\n"),
 	    out);
 	print_options(out);
-	fputs("\ncommands\n", out);
+	fputs(tr("\ncommands\n"), out);
 	usage_list(NULL, out);
-	print_words("environment", USAGE_ENVIRONMENT, out);
-	print_words("exit status", USAGE_STATUS, out);
+	print_words(N_("environment"), USAGE_ENVIRONMENT, out);
+	print_words(N_("exit status"), USAGE_STATUS, out);
 }

@@ -4,34 +4,28 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/pool.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/invocation.h"
 #include "cmd/job.h"
 #include "cmd/light.h"
 #include "cmd/outlook.h"
+#include "cmd/part.h"
+#include "cmd/scores.h"
 #include "cmd/table.h"
 #include "core/misfit.h"
 #include "core/trust.h"
 #include "core/validate.h"
 #include "io/units.h"
 
-/* How each way is called: in keys, over its column, and in sentences. */
-static const struct {
-	const char *key, *head, *noun;
-} WAYS[VALIDATE_WAYS] = {[VALIDATE_MODEL] = {"model", "model", "the model"},
-    [VALIDATE_CORRECTED] = {"corrected", "corrected", "the corrected answer"},
-    [VALIDATE_INTERPOLATION] = {"interpolation", "interpolated",
-	"interpolation"},
-    [VALIDATE_NEAREST] = {"nearest", "nearest",
-	"the product at the nearest training speed"},
-    [VALIDATE_FEED] = {"feed", "feed", "the unchanged feed"}};
-
-static const char *const SIZES[PSD_SIZES] = {"p20", "p50", "p80"};
-
-/* A run that was compared, with what predicted it.  name: "74 (2)".  within:
- * how many of its passings lie in the band for one more sample. */
+/* A run that was compared, with what predicted it.  entry: its site's.  name:
+ * "74 (2)".  within: how many of its passings lie in the band for one more
+ * sample; this and corrected are of one site alone. */
 struct compared {
+	size_t entry;
 	const struct site *site;
 	char *name;
 	bool *train;
@@ -48,6 +42,8 @@ struct compared {
 struct comparison {
 	bool all, each, sieves;
 	double level;
+	struct part part;
+	char *options; /* that all parts must have */
 	size_t n, left_out;
 	struct compared *item;
 	size_t at, end;
@@ -64,7 +60,20 @@ comparison_drop(void *of)
 		free(c->item[i].corrected);
 	}
 	free(c->item);
+	free(c->options);
 	free(c);
+}
+
+/* Moves the runs of one behind those of the other. */
+static void
+comparison_take(struct comparison *c, struct comparison *from)
+{
+	c->left_out += from->left_out;
+	c->item = xrealloc(c->item, c->n + from->n + 1, sizeof *c->item);
+	for (size_t i = 0; i < from->n; i++)
+		c->item[c->n++] = from->item[i];
+	from->n = 0;
+	comparison_drop(from);
 }
 
 /* How many of the run's passings lie in the band for a sample. */
@@ -100,31 +109,53 @@ count_trained(const struct site *site, const bool *train)
 	return n;
 }
 
-/* rmse: of the fit, 0..1. */
+/* What runs of a site are compared with.  rmse: of the fit, 0..1. */
+struct predicted_by {
+	size_t entry;
+	const struct site *site;
+	const bool *train;
+	struct params params;
+	struct model_settings settings;
+	const struct posterior *posterior;
+	double rmse;
+};
+
 static void
-compare(struct comparison *c, const struct site *site, size_t run,
-    const bool *train, const struct params *p, struct model_settings settings,
-    const struct posterior *posterior, double rmse)
+compare(struct comparison *c, const struct predicted_by *by, size_t run)
 {
+	const struct site *site = by->site;
+	const struct posterior *posterior = by->posterior;
 	c->item = xrealloc(c->item, c->n + 1, sizeof *c->item);
 	struct compared *item = &c->item[c->n++];
-	*item = (struct compared){.site = site,
+	*item = (struct compared){.entry = by->entry,
+	    .site = site,
 	    .name =
 		xasprintf("%g%s", site->run[run].speed, site->run[run].repeat),
-	    .train = xcalloc(site->n_run, sizeof *train),
-	    .params = *p,
-	    .settings = settings,
-	    .v = validate_run(site, run, train, p, settings, posterior),
-	    .open = trust_without_band(rmse, count_trained(site, train)),
-	    .has_band = posterior != NULL,
-	    .within = posterior != NULL
-			  ? count_within(site, run, posterior, c->level)
-			  : 0};
-	item->has_band = item->has_band && !item->open;
-	memcpy(item->train, train, site->n_run * sizeof *train);
+	    .train = xcalloc(site->n_run, sizeof *by->train),
+	    .params = by->params,
+	    .settings = by->settings,
+	    .v = validate_run(
+		site, run, by->train, &by->params, by->settings, posterior),
+	    .open =
+		trust_without_band(by->rmse, count_trained(site, by->train))};
+	memcpy(item->train, by->train, site->n_run * sizeof *by->train);
+	if (c->all)
+		return;
+	item->has_band = posterior != NULL && !item->open;
+	if (item->has_band)
+		item->within = count_within(site, run, posterior, c->level);
 	item->corrected = xdoubles(item->v.n_sieve);
-	validate_passing(site, run, train, p, settings, posterior,
-	    VALIDATE_CORRECTED, item->corrected);
+	validate_passing(site, run, by->train, &by->params, by->settings,
+	    posterior, VALIDATE_CORRECTED, item->corrected);
+}
+
+/* All runs held out. */
+static void
+compare_runs(struct comparison *c, const struct predicted_by *by)
+{
+	for (size_t r = 0; r < by->site->n_run; r++)
+		if (!by->train[r] && misfit_covered(&by->site->run[r]) > 0)
+			compare(c, by, r);
 }
 
 /* Root mean square over the runs of what each way errs. */
@@ -146,24 +177,24 @@ put_null(struct fields *o, const double rmse[static VALIDATE_WAYS])
 	struct fields *null = fields_object(o, "null");
 	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS;
 	     way++) {
-		char *key = xasprintf("%s_rmse_pct", WAYS[way].key);
+		char *key = xasprintf("%s_rmse_pct", SCORES_WAYS[way].key);
 		fields_number(null, key, 100 * rmse[way]);
 		free(key);
 	}
-	fields_put(o, "winner %s", WAYS[validate_winner(rmse)].key);
+	fields_put(o, "winner %s", SCORES_WAYS[validate_winner(rmse)].key);
 }
 
 static void
 put_sizes(struct fields *o, const struct validation *v)
 {
 	for (size_t i = 0; i < PSD_SIZES; i++) {
-		struct fields *size = fields_object(o, SIZES[i]);
+		struct fields *size = fields_object(o, SCORES_SIZES[i]);
 		fields_put(size,
 		    "measured_mm %g predicted_mm %g corrected_mm %g",
 		    1000 * v->measured[i], 1000 * v->size[VALIDATE_MODEL][i],
 		    1000 * v->size[VALIDATE_CORRECTED][i]);
 		for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
-			char *key = xasprintf("%s_mm", WAYS[way].key);
+			char *key = xasprintf("%s_mm", SCORES_WAYS[way].key);
 			fields_number(size, key, 1000 * v->size[way][i]);
 			free(key);
 		}
@@ -192,7 +223,7 @@ put_sieves(struct fields *o, const struct compared *item)
 	fields_numbers(o, "measured_pct", product->passing, n, units_pct);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
 		double *passing = passing_of(item, way);
-		char *key = xasprintf("%s_pct", WAYS[way].key);
+		char *key = xasprintf("%s_pct", SCORES_WAYS[way].key);
 		fields_numbers(o, key, passing, n, units_pct);
 		free(key);
 		free(passing);
@@ -287,7 +318,7 @@ add_sizes(struct answer *r, const struct compared *item, bool exact)
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		begin_row(r, item, exact);
 		answer_text(
-		    r, exact ? "P%.0f" : "P%.0f, mm", 100 * PSD_PASSING[i]);
+		    r, exact ? "P%.0f" : N_("P%.0f, mm"), 100 * PSD_PASSING[i]);
 		answer_cells(r, "%.3f", 1000 * v->measured[i]);
 		for (size_t way = 0; way < VALIDATE_WAYS; way++)
 			answer_cells(r, "%.3f", 1000 * v->size[way][i]);
@@ -300,13 +331,13 @@ static void
 add_table(struct answer *r, const struct comparison *c, bool exact)
 {
 	const char *unit = !exact ? "" : c->sieves ? "_pct" : "_mm";
-	answer_columns(r, !exact      ? "speed: m/s, of: "
-			  : c->sieves ? "speed, run, sieve_mm"
-				      : "speed, run, size");
+	answer_columns(r, !exact      ? N_("speed: m/s, of: ")
+			  : c->sieves ? N_("speed, run, sieve_mm")
+				      : N_("speed, run, size"));
 	answer_columns(r, "measured%s: measured", unit);
 	for (size_t way = 0; way < VALIDATE_WAYS; way++)
-		answer_columns(
-		    r, "%s%s: %s", WAYS[way].key, unit, WAYS[way].head);
+		answer_columns(r, "%s%s: %s", SCORES_WAYS[way].key, unit,
+		    tr(SCORES_WAYS[way].head));
 	for (size_t i = 0; i < c->n; i++) {
 		const struct compared *item = &c->item[i];
 		if (c->sieves)
@@ -353,21 +384,24 @@ note_winner(struct answer *r, const struct validation *v, const char *run)
 	bool clearly = own > 1.1 * least && own - least > CLEARLY;
 	bool between =
 	    best == VALIDATE_INTERPOLATION && !validation_extrapolates(v);
-	char *who = xstrdup(WAYS[best].noun);
+	char *who = xstrdup(tr(SCORES_WAYS[best].noun));
 	if (best == VALIDATE_NEAREST)
 		xappend(&who, ", %g m/s", v->nearest);
 	if (best < VALIDATE_NULL)
-		answer_note(r, "  %s predicts best%s", who,
+		answer_note(r,
 		    isnan(v->rmse[VALIDATE_INTERPOLATION])
-			? " of those with an answer on all sieves"
-			: "");
+			? N_("  %s predicts best of those with an answer on "
+			     "all sieves")
+			: N_("  %s predicts best"),
+		    who);
 	else if (clearly)
 		answer_say(r, ANSWER_WARNING,
-		    "at %s model and corrected answer predict worse than %s%s",
-		    run, who,
-		    between ? ": between the training speeds, prefer the "
-			      "interpolated products"
-			    : "");
+		    between ? N_("at %s model and corrected answer predict "
+				 "worse than %s: between the training speeds, "
+				 "prefer the interpolated products")
+			    : N_("at %s model and corrected answer predict "
+				 "worse than %s"),
+		    run, who);
 	else
 		answer_say(r, ANSWER_REMARK,
 		    "  the model predicts no better than %s at this speed; the "
@@ -399,10 +433,11 @@ note_run(struct answer *r, const struct compared *item, double level)
 		    "how its error changes with the speed");
 	free(run);
 	if (isnan(v->rmse[VALIDATE_INTERPOLATION]))
-		answer_say(r, ANSWER_REMARK, "  no interpolation: %s",
+		answer_say(r, ANSWER_REMARK,
 		    isnan(v->line[1])
-			? "there is one training speed"
-			: "a training product lacks some of these sieves");
+			? N_("  no interpolation: there is one training speed")
+			: N_("  no interpolation: a training product lacks "
+			     "some of these sieves"));
 	else if (validation_extrapolates(v))
 		answer_say(r, ANSWER_REMARK,
 		    "  interpolation extrapolates here: the line through %g "
@@ -428,8 +463,8 @@ run_answer(struct session *s, const struct comparison *c)
 	    c->n > 0 ? c->item[0].site : session_entry(s)->site;
 	double rmse[VALIDATE_WAYS];
 	struct answer *r = answers_new(site, "validate", "%s",
-	    c->each ? "each speed held out, the others calibrated on"
-		    : "held-out speeds, measured and predicted");
+	    c->each ? tr("each speed held out, the others calibrated on")
+		    : tr("held-out speeds, measured and predicted"));
 	add_table(r, c, false);
 	if (c->n > 1) {
 		overall(c, rmse);
@@ -442,144 +477,214 @@ run_answer(struct session *s, const struct comparison *c)
 	if (c->n == 0)
 		answer_say(r, ANSWER_REMARK,
 		    job_speeds(site) < JOB_FOR_EACH
-			? "no run was held out; measure another speed to test "
-			  "the model"
-			: "no run was held out: 'validate holdout=each' holds "
-			  "out each speed in turn");
+			? N_("no run was held out; measure another speed to "
+			     "test "
+			     "the model")
+			: N_("no run was held out: 'validate holdout=each' "
+			     "holds "
+			     "out each speed in turn"));
 	put_all(answer_fields(r), c);
-	return r;
-}
-
-/* Bias, rms and R2 of a size. */
-static void
-put_score(struct fields *o, size_t i, struct validate_score score)
-{
-	fields_put(fields_object(o, SIZES[i]),
-	    "n %zu bias_pct %g rms_pct %g r2 %g", score.n, 100 * score.bias,
-	    100 * score.rms, score.r2);
-}
-
-static void
-add_scores(struct answer *r, const struct comparison *c)
-{
-	struct fields *o = answer_fields(r), *null = NULL;
-	const struct validation **v = xcalloc(c->n + 1, sizeof(*v));
-	for (size_t k = 0; k < c->n; k++)
-		v[k] = &c->item[k].v;
-	answer_columns(r, "size, by: predicted by, n: runs, bias_pct: bias %%, "
-			  "rms_pct: rms %%, r2: R2");
-	for (size_t i = 0; i < PSD_SIZES; i++)
-		for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
-			struct validate_score score =
-			    validate_score(v, c->n, way, i);
-			answer_text(r, "P%.0f", 100 * PSD_PASSING[i]);
-			answer_cells(r, "%s %g %.2f %.2f %.4f", WAYS[way].key,
-			    (double)score.n, 100 * score.bias, 100 * score.rms,
-			    score.r2);
-			if (way == VALIDATE_MODEL)
-				put_score(o, i, score);
-		}
-	struct fields *corrected = fields_object(o, "corrected");
-	for (size_t i = 0; i < PSD_SIZES; i++)
-		put_score(corrected, i,
-		    validate_score(v, c->n, VALIDATE_CORRECTED, i));
-	null = fields_object(o, "null");
-	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS;
-	     way++) {
-		struct fields *own = fields_object(null, WAYS[way].key);
-		for (size_t i = 0; i < PSD_SIZES; i++)
-			put_score(own, i, validate_score(v, c->n, way, i));
-	}
-	free(v);
-}
-
-/* At how many runs each way is the best. */
-static void
-add_wins(struct answer *r, const struct comparison *c)
-{
-	size_t wins[VALIDATE_WAYS] = {0};
-	struct fields *o = fields_object(answer_fields(r), "wins");
-	char *list = xstrdup("");
-	for (size_t k = 0; k < c->n; k++)
-		wins[validate_winner(c->item[k].v.rmse)]++;
-	for (size_t way = 0; way < VALIDATE_WAYS; way++) {
-		fields_number(o, WAYS[way].key, (double)wins[way]);
-		xlist(&list, ", ", "%s %zu", WAYS[way].noun, wins[way]);
-	}
-	answer_note(
-	    r, "best at how many of the %zu runs (RMSE): %s", c->n, list);
-	free(list);
-}
-
-/* Over all sites. */
-static struct answer *
-all_answer(const struct comparison *c)
-{
-	struct answer *r = answer_new("validate");
-	char *about = xstrdup("");
-	size_t sites = 0;
-	for (size_t k = 0; k < c->n; k++) {
-		if (k > 0 && c->item[k].site == c->item[k - 1].site)
-			continue;
-		sites++;
-		site_add_source(&about, c->item[k].site);
-	}
-	answer_title(r, "sizes at %s, %zu site%s",
-	    c->each ? "each speed held out in turn" : "held-out speeds", sites,
-	    sites == 1 ? "" : "s");
-	answer_sites(r, "all", about);
-	fields_put(answer_fields(r), "sites %zu runs %zu", sites, c->n);
-	add_scores(r, c);
-	add_wins(r, c);
-	if (c->each)
-		fields_put(answer_fields(r), "holdout_each %d", true);
-	if (c->left_out > 0)
-		answer_say(r, ANSWER_REMARK,
-		    c->each
-			? "%zu loaded site%s with fewer than three speeds: not "
-			  "compared"
-			: "%zu loaded site%s without a calibration or a "
-			  "held-out run: not compared",
-		    c->left_out, c->left_out == 1 ? "" : "s");
-	free(about);
 	return r;
 }
 
 /* Compares the held-out runs of an entry. */
 static void
-compare_entry(
-    struct session *s, const struct entry *entry, struct comparison *c)
+compare_entry(const struct session *s, size_t index,
+    const struct posterior *posterior, struct comparison *c)
 {
 	size_t before = c->n;
+	const struct entry *entry = &s->entry[index];
 	const struct fit *fit = origin_fit(entry);
-	for (size_t i = 0; i < entry->site->n_run; i++)
-		if (!entry->train[i] &&
-		    misfit_covered(&entry->site->run[i]) > 0)
-			compare(c, entry->site, i, entry->train, &entry->params,
-			    s->set.model,
-			    outlook_posterior(s, entry, CORRECTION_TRAIN),
-			    fit != NULL ? fit->rmse : 0);
+	compare_runs(c, &(struct predicted_by){index, entry->site, entry->train,
+			    entry->params, s->set.model, posterior,
+			    fit != NULL ? fit->rmse : 0});
 	c->left_out += c->n == before;
+}
+
+/* A line for each run of a site of many as it ends. */
+static void
+tell_compared(const struct session *s, const struct comparison *found)
+{
+	for (size_t i = 0; i < found->n; i++) {
+		const struct compared *item = &found->item[i];
+		const double *rmse = item->v.rmse;
+		bool drawn = !isnan(rmse[VALIDATE_CORRECTED]);
+		session_note(s,
+		    drawn ? N_("  %s at %s m/s: RMSE %.2f points, "
+			       "corrected %.2f")
+			  : N_("  %s at %s m/s: RMSE %.2f points (%.2f "
+			       "interpolated)"),
+		    s->entry[item->entry].key, item->name,
+		    100 * rmse[VALIDATE_MODEL],
+		    100 * rmse[drawn ? VALIDATE_CORRECTED
+				     : VALIDATE_INTERPOLATION]);
+	}
+}
+
+static void
+give_all(struct session *s, const struct comparison *c)
+{
+	struct scores scores = {.each = c->each, .left_out = c->left_out};
+	size_t *index = xcalloc(c->n + 1, sizeof *index);
+	for (size_t i = 0; i < c->n; i++) {
+		const struct compared *item = &c->item[i];
+		char *source = site_source(item->site, "provenance not stated");
+		index[i] = item->entry;
+		scores_add(
+		    &scores, &(struct scored){item->entry,
+				 s->entry[item->entry].key, source, item->v});
+		free(source);
+	}
+	struct answer *r = scores_answer(&scores);
+	if (c->part.of > 0) {
+		part_sign(r, s, &c->part, index, c->n, c->options);
+		fields_put(answer_fields(r), "left_out %zu each %zu",
+		    c->left_out, (size_t)c->each);
+		scores_put(answer_fields(r), &scores);
+	}
+	session_answer(s, r);
+	scores_clear(&scores);
+	free(index);
+}
+
+/* Sites that `validate all` cannot compare though they are calibrated. */
+struct failed {
+	size_t n;
+	char *keys;
+	struct error first;
+};
+
+/* The answer is of the others, and stays. */
+static void
+fail_late(struct session *s, struct failed *failed, size_t n)
+{
+	if (failed->n > 0) {
+		struct error e = failed->first;
+		error_set(&e, failed->first.kind,
+		    "%zu of %zu calibrated sites could not be compared (%s): "
+		    "%s\n%s",
+		    failed->n, n + failed->n, failed->keys, failed->first.text,
+		    failed->first.hint);
+		invocation_fails(s, &e);
+	}
+	free(failed->keys);
+}
+
+/* Sites that are compared side by side. */
+struct beside {
+	const struct session *s;
+	size_t entry;
+	struct comparison *found; /* NULL: not compared, as somebody waits */
+};
+
+static void
+compare_beside(void *data, size_t piece, unsigned thread)
+{
+	struct beside *b = &((struct beside *)data)[piece];
+	const struct session *s = b->s;
+	(void)thread;
+	if (s->hooks.stop != NULL && s->hooks.stop())
+		return;
+	struct posterior *p = outlook_beside(s, &s->entry[b->entry]);
+	b->found = xcalloc(1, sizeof *b->found);
+	b->found->all = true;
+	compare_entry(s, b->entry, p, b->found);
+	posterior_free(p);
+}
+
+/* Compares sites [n], some at a time.  False where somebody stopped it. */
+static bool
+compare_sites(
+    struct session *s, struct comparison *c, const size_t *index, size_t n)
+{
+	enum { EACH_THREAD = 2 };
+	size_t most = EACH_THREAD * s->set.threads;
+	struct beside *beside = xcalloc(most, sizeof *beside);
+	struct pool *pool = pool_new(s->set.threads);
+	bool all = true;
+	for (size_t from = 0; all && from < n; from += most) {
+		size_t m = n - from < most ? n - from : most;
+		for (size_t i = 0; i < m; i++)
+			beside[i] = (struct beside){s, index[from + i], NULL};
+		pool_run(pool, m, compare_beside, beside);
+		for (size_t i = 0; i < m; i++) {
+			all = all && beside[i].found != NULL;
+			if (beside[i].found == NULL)
+				continue;
+			tell_compared(s, beside[i].found);
+			comparison_take(c, beside[i].found);
+		}
+	}
+	pool_free(pool);
+	free(beside);
+	return all;
+}
+
+/* The calibrated sites of the part, index [n_entry]. */
+static size_t
+find_calibrated(const struct session *s, struct comparison *c, size_t *index,
+    struct failed *failed)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < s->n_entry; i++) {
+		struct error error = {0};
+		if (!part_has(&c->part, i))
+			continue;
+		if (!s->entry[i].has_fit) {
+			c->left_out++;
+		} else if (answers_known(s, &s->entry[i], &error)) {
+			index[n++] = i;
+		} else {
+			if (failed->n++ == 0)
+				failed->first = error;
+			xlist(&failed->keys, ", ", "%s", s->entry[i].key);
+		}
+	}
+	return n;
+}
+
+/* What the fits are of that parts made elsewhere must have too: seeds and
+ * options, each once. */
+static char *
+fits_words(const struct session *s, const size_t *index, size_t n)
+{
+	char *words = xstrdup("fits");
+	for (size_t i = 0; i < n; i++) {
+		const struct entry *entry = &s->entry[index[i]];
+		char *own = xasprintf(" [seed=%llu model=%s %s]",
+		    (unsigned long long)entry->fit.seed,
+		    breakage_of(&entry->fit.params)->name, entry->options);
+		if (strstr(words, own) == NULL)
+			xappend(&words, "%s", own);
+		free(own);
+	}
+	return words;
 }
 
 static bool
 validate_all(struct session *s, struct comparison *c, struct error *error)
 {
-	for (size_t i = 0; i < s->n_entry; i++) {
-		const struct entry *entry = &s->entry[i];
-		if (!entry->has_fit) {
-			c->left_out++;
-			continue;
-		}
-		if (!answers_known(s, entry, error))
-			return false;
-		compare_entry(s, entry, c);
-	}
-	if (c->n == 0)
-		return error_set(error, ERROR_USAGE,
+	struct failed failed = {.keys = xstrdup("")};
+	size_t *index = xcalloc(s->n_entry + 1, sizeof *index);
+	size_t n = find_calibrated(s, c, index, &failed);
+	char *fits = fits_words(s, index, n);
+	struct calibrate_options o = job_options(s);
+	bool whole = compare_sites(s, c, index, n);
+	free(index);
+	c->options = part_options(s, &o, fits);
+	free(fits);
+	if (!whole)
+		session_note(s, "stopped before all sites were compared");
+	else if (c->n > 0 || c->part.of > 0)
+		give_all(s, c);
+	else if (failed.n > 0)
+		*error = failed.first;
+	else
+		error_set(error, ERROR_USAGE,
 		    "no loaded site has both a calibration and a held-out run\n"
 		    "load sites with three speeds, then run 'calibrate all'");
-	return session_answer(s, all_answer(c));
+	fail_late(s, &failed, n);
+	return error->kind == ERROR_NONE;
 }
 
 static bool
@@ -588,7 +693,8 @@ validate_one(struct session *s, struct comparison *c, struct error *error)
 	if (!answers_ready(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	compare_entry(s, entry, c);
+	compare_entry(
+	    s, s->current, outlook_posterior(s, entry, CORRECTION_TRAIN), c);
 	struct answer *r = run_answer(s, c);
 	origin_note(r, entry);
 	if (entry->has_fit)
@@ -606,6 +712,8 @@ next_speed(struct session *s)
 	struct comparison *c = s->job.of;
 	for (; c->at < c->end; c->at++, c->speed = 0) {
 		const struct site *site = s->entry[c->at].site;
+		if (!part_has(&c->part, c->at))
+			continue;
 		if (job_speeds(site) < JOB_FOR_EACH) {
 			c->left_out++;
 			continue;
@@ -620,42 +728,81 @@ next_speed(struct session *s)
 }
 
 /* Compares the runs at the speed held out with what the others have found. */
+static void *
+follow_speed(const struct session *s, const struct round *round)
+{
+	const struct comparison *c = s->job.of;
+	const struct site *site = s->entry[round->entry].site;
+	struct fit fit = calibration_fit(round->calibration);
+	bool few = fit.cells <= fit.parameters;
+	struct posterior_options o = {.use = round->train,
+	    .settings = fit.settings,
+	    .bounds = *calibration_bounds(round->calibration),
+	    .seed = fit.seed,
+	    .threads = c->all ? 1 : s->set.threads,
+	    .isa = s->isa,
+	    .noise = s->set.noise / 100,
+	    .stop = round->stop};
+	struct posterior *posterior =
+	    few ? NULL : posterior_new(site, &fit.params, &o);
+	if (posterior == NULL && !few)
+		return NULL;
+	struct comparison *found = xcalloc(1, sizeof *found);
+	found->all = c->all;
+	found->level = c->level;
+	compare_runs(
+	    found, &(struct predicted_by){round->entry, site, round->train,
+		       fit.params, fit.settings, posterior, fit.rmse});
+	posterior_free(posterior);
+	return found;
+}
+
 static void
 take_speed(struct session *s)
 {
-	struct comparison *c = s->job.of;
-	const struct job *job = &s->job;
-	const struct site *site = s->entry[job->entry].site;
-	struct fit fit = calibration_fit(job->calibration);
-	bool few = fit.cells <= fit.parameters;
-	struct posterior_options o = {.use = job->train,
-	    .settings = fit.settings,
-	    .bounds = *calibration_bounds(job->calibration),
-	    .seed = fit.seed,
-	    .threads = s->set.threads,
-	    .isa = s->isa,
-	    .noise = s->set.noise / 100,
-	    .stop = job->options.stop};
-	struct posterior *posterior =
-	    few ? NULL : posterior_new(site, &fit.params, &o);
-	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].speed == c->speed &&
-		    misfit_covered(&site->run[r]) > 0)
-			compare(c, site, r, job->train, &fit.params,
-			    fit.settings, posterior, fit.rmse);
-	posterior_free(posterior);
+	struct comparison *c = s->job.of, *found = s->job.found;
+	if (c->all)
+		tell_compared(s, found);
+	comparison_take(c, found);
+}
+
+static char *
+at_speed(const struct session *s)
+{
+	const struct comparison *c = s->job.of;
+	return xasprintf(tr("validate: %s without %g m/s"),
+	    s->entry[s->job.entry].key, c->speed);
 }
 
 static void
 end_speeds(struct session *s, void *of)
 {
 	struct comparison *c = of;
-	session_answer(s, c->all ? all_answer(c) : run_answer(s, c));
+	if (c->all)
+		give_all(s, c);
+	else
+		session_answer(s, run_answer(s, c));
 	comparison_drop(c);
 }
 
-static const struct rounds EACH = {next_speed, take_speed, end_speeds,
-    comparison_drop, false, "stopped before all speeds were predicted"};
+static const struct rounds EACH = {next_speed, NULL, take_speed, end_speeds,
+    comparison_drop, false, at_speed,
+    N_("stopped before all speeds were predicted"), follow_speed};
+
+/* Whether the part has a site of enough speeds; without, it is a part, too. */
+static bool
+has_speeds(const struct session *s, struct comparison *c)
+{
+	size_t n = 0, of = 0;
+	for (size_t i = 0; i < s->n_entry; i++)
+		if (part_has(&c->part, i)) {
+			of++;
+			n += job_speeds(s->entry[i].site) >= JOB_FOR_EACH;
+		}
+	if (n == 0)
+		c->left_out = of;
+	return n > 0;
+}
 
 /* Calibrates without each speed in turn; c is the job's. */
 static bool
@@ -664,8 +811,15 @@ validate_each(struct session *s, struct comparison *c, struct error *error)
 	c->at = c->all ? 0 : s->current;
 	c->end = c->all ? s->n_entry : s->current + 1;
 	session_let_go(s);
-	const struct job job = {
-	    .rounds = &EACH, .of = c, .options = job_options(s)};
+	const struct job job = {.rounds = &EACH,
+	    .of = c,
+	    .apart = c->all,
+	    .options = job_options(s)};
+	c->options = part_options(s, &job.options, "each");
+	if (c->part.of > 0 && !has_speeds(s, c)) {
+		end_speeds(s, c);
+		return true;
+	}
 	return job_start(s, &job) ||
 	       error_set(error, ERROR_DATA,
 		   "holdout=each: expected products at three or more speeds, "
@@ -688,8 +842,9 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "validate all: expected no sieves=on; it sums up over the "
 		    "sites");
-	if (c.each &&
-	    !fit_settings_agree(&s->set.model, s->set.model.breakage, error))
+	if (!part_choose(args, c.all, &c.part, error) ||
+	    (c.each && !fit_settings_agree(
+			   &s->set.model, s->set.model.breakage, error)))
 		return false;
 	struct comparison *own = xcalloc(1, sizeof *own);
 	*own = c;

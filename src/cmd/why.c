@@ -4,8 +4,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/balance.h"
 #include "cmd/fit.h"
 #include "cmd/light.h"
 #include "cmd/table.h"
@@ -58,7 +60,7 @@ say_breakage(const struct subject *a)
 		    "%g m/s",
 		    params_value(&a->entry->params, "e0_min") <= 0
 			? "e0_min = 0"
-			: "so low an alpha",
+			: tr("so low an alpha"),
 		    100 * does, p->speed);
 	else
 		answer_note(a->answer,
@@ -136,9 +138,13 @@ say_trained(const struct subject *a)
 	double near = v > fast ? fast : slow;
 	double more = energy_specific(v) / energy_specific(near) - 1;
 	answer_say(a->answer, ANSWER_WARNING,
-	    "%g m/s is outside the %s: an impact has %.1f %% %s energy than at "
-	    "%g m/s, and no measurement shows the effect",
-	    v, speeds, 100 * fabs(more), more > 0 ? "more" : "less", near);
+	    more > 0 ? N_("%g m/s is outside the %s: an impact has %.1f %% "
+			  "more energy than at %g m/s, and no measurement "
+			  "shows the effect")
+		     : N_("%g m/s is outside the %s: an impact has %.1f %% "
+			  "less energy than at %g m/s, and no measurement "
+			  "shows the effect"),
+	    v, speeds, 100 * fabs(more), near);
 	free(speeds);
 }
 
@@ -149,7 +155,7 @@ say_parameters(const struct subject *a, const struct fit *fit)
 	const struct breakage *of = breakage_of(&fit->params);
 	for (size_t j = 0; j < of->n; j++)
 		if (fit_is_flat(fit, j))
-			xlist(&flat, " and ", "%s", of->parameter[j].name);
+			xlist(&flat, tr(" and "), "%s", of->parameter[j].name);
 	if (flat[0] != '\0')
 		answer_note(a->answer,
 		    "The data do not determine %s well: very different values, "
@@ -168,8 +174,9 @@ say_light(const struct subject *a)
 	if (t.n > 0)
 		answer_say(a->answer,
 		    t.light == LIGHT_RED ? ANSWER_WARNING : ANSWER_PLAIN,
-		    "Trust is %s%s", LIGHT_NAME[t.light],
-		    t.light == LIGHT_RED ? ": do not rely on this answer" : "");
+		    t.light == LIGHT_RED
+			? N_("Trust is red: do not rely on this answer")
+			: N_("Trust is amber"));
 	else if (e != NULL)
 		answer_note(a->answer,
 		    "Trust is green: the residuals are like sampling errors "
@@ -180,7 +187,7 @@ say_light(const struct subject *a)
 		    e->parameters);
 	for (size_t i = 0; i < t.n; i++)
 		answer_note(a->answer, "  %s: %s",
-		    LIGHT_NAME[t.reason[i].light], t.reason[i].text);
+		    tr(LIGHT_NAME[t.reason[i].light]), t.reason[i].text);
 	light_put(answer_fields(a->answer), &t);
 	trust_free(&t);
 }
@@ -210,8 +217,8 @@ say_measured(const struct subject *a)
 {
 	const struct site *site = a->entry->site;
 	size_t r = site_run_at(site, a->p.speed);
-	for (size_t first = r;
-	     r < site->n_run && site->run[r].speed == site->run[first].speed;
+	for (size_t first = r; a->entry->variant == NULL && r < site->n_run &&
+			       site->run[r].speed == site->run[first].speed;
 	     r++) {
 		if (a->entry->train[r] || misfit_covered(&site->run[r]) == 0)
 			continue;
@@ -222,7 +229,7 @@ say_measured(const struct subject *a)
 		    "the prediction by %.2f points (RMSE)%s",
 		    v.speed, site->run[r].repeat, 100 * v.rmse[VALIDATE_MODEL],
 		    validation_loses(&v)
-			? "; interpolating the training products is closer"
+			? tr("; interpolating the training products is closer")
 			: "");
 	}
 }
@@ -238,8 +245,9 @@ say_data(const struct subject *a)
 	else
 		answer_note(a->answer,
 		    site_data_made_up(from)
-			? "The data were not measured at a plant: %s"
-			: "The site file states the provenance of its data: %s",
+			? N_("The data were not measured at a plant: %s")
+			: N_("The site file states the provenance of its data: "
+			     "%s"),
 		    from);
 	free(from);
 }
@@ -249,7 +257,8 @@ static void
 say_feed(const struct subject *a)
 {
 	const struct site *site = a->entry->site;
-	if (a->p.feed_run != site_run_nearest(site, a->p.speed))
+	if (site->run[a->p.feed_run].speed >= 0 &&
+	    a->p.feed_run != site_run_nearest(site, a->p.speed))
 		answer_note(a->answer, "The feed used was sampled at %g m/s",
 		    site->run[a->p.feed_run].speed);
 }
@@ -259,6 +268,8 @@ cmd_why(struct session *s, const struct args *args, struct error *error)
 {
 	if (!answers_ready(s, error))
 		return false;
+	if (args->n_operand > 0)
+		return balance_answer(s, args, error);
 	const struct entry *entry = session_entry(s);
 	double v = answers_speed(args, entry);
 	size_t run;

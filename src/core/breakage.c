@@ -126,6 +126,15 @@ params_break_size(const struct params *p, double v)
 }
 
 double
+params_break_size_by(
+    const struct params *p, const struct model_settings *settings, double v)
+{
+	const struct impacts *i = &settings->impacts;
+	double most = i->n > 0 ? i->ratio[i->n - 1] : 1;
+	return breakage_of(p)->break_size(p, most * energy_specific(v));
+}
+
+double
 params_gauge(const struct params *p)
 {
 	double largest = 0;
@@ -154,11 +163,13 @@ bounds_default(size_t breakage)
 }
 
 void
-breaker_set(struct breaker *b, const struct params *p, double k)
+breaker_set(struct breaker *b, const struct params *p,
+    const struct model_settings *settings)
 {
 	b->p = *p;
 	b->model = breakage_of(p);
-	b->k = k;
+	b->k = settings->k;
+	b->impacts = settings->impacts;
 }
 
 void
@@ -172,8 +183,9 @@ breaker_at(struct breaker *b, double v)
 struct model_settings
 model_settings_default(void)
 {
-	return (struct model_settings){
-	    METHOD_CONTINUOUS, APPEARANCE_RATIO, 1.0, 0};
+	return (struct model_settings){.method = METHOD_CONTINUOUS,
+	    .appearance = APPEARANCE_RATIO,
+	    .k = 1.0};
 }
 
 bool
@@ -181,5 +193,6 @@ model_settings_same(
     const struct model_settings *a, const struct model_settings *b)
 {
 	return a->method == b->method && a->appearance == b->appearance &&
-	       a->k == b->k;
+	       a->k == b->k && a->bypass == b->bypass &&
+	       memcmp(&a->impacts, &b->impacts, sizeof a->impacts) == 0;
 }

@@ -44,6 +44,7 @@ struct breaker {
 	struct params p;
 	const struct breakage *model;
 	double k, v, E; /* impacts; m/s; J/kg */
+	struct impacts impacts;
 	alignas(max_align_t) unsigned char own[640];
 };
 
@@ -141,6 +142,10 @@ double energy_specific(double v);
  * v m/s.  Returns m: 0 where every size breaks, INFINITY where none does. */
 double params_break_size(const struct params *p, double v);
 
+/* The same with the impacts of the settings: of the strongest. */
+double params_break_size_by(
+    const struct params *p, const struct model_settings *settings, double v);
+
 /* The largest absolute value of the parameters in the gauge; 0 without. */
 double params_gauge(const struct params *p);
 
@@ -156,8 +161,10 @@ struct model_settings model_settings_default(void);
 bool model_settings_same(
     const struct model_settings *a, const struct model_settings *b);
 
-/* Makes b ready for parameters and k, at a tip speed (m/s). */
-void breaker_set(struct breaker *b, const struct params *p, double k);
+/* Makes b ready for parameters, with the k and the impacts of the settings, at
+ * a tip speed (m/s). */
+void breaker_set(struct breaker *b, const struct params *p,
+    const struct model_settings *settings);
 void breaker_at(struct breaker *b, double v);
 
 /* The row that closes a parameter table: of the models with a bypass.

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/appearance.h"
 #include "core/elementary.h"
@@ -77,9 +78,9 @@ appearance_text(const struct params *p)
 static const struct param_info PARAMETERS[] = {GRUNDITZ_BETA,
     SELECTION_PARAMETERS,
     {"gamma", "-", 0, 2, -10, 10, 0,
-	"appearance: finer with energy where above 0", 0.4},
+	N_("appearance: finer with energy where above 0"), 0.4},
     {"e_ref", "J/kg", 0, 0, 1e-3, 1e6, NAN,
-	"energy at which beta holds: mean of the training runs", 0},
+	N_("energy at which beta holds: mean of the training runs"), 0},
     BYPASS_PARAMETER};
 
 KERNELS(energy);

@@ -99,7 +99,8 @@ static void
 add_S(const struct continuous *c, double t, double weight, void *data)
 {
 	struct moments *sum = data;
-	double S = selection(c->b.p.at + F_MAT, c->b.k, c->b.E, t, NULL);
+	double S = selection_by(
+	    &c->b.impacts, c->b.p.at + F_MAT, c->b.k, c->b.E, t, NULL);
 	double x1 = el_exp(-t);
 	double g[MOMENTS] = {1, x1, x1 * x1, x1 * x1 * x1, t};
 	for (size_t m = 0; m < MOMENTS; m++)
@@ -112,7 +113,8 @@ add_shapes(const struct continuous *c, double t, double weight, void *data)
 {
 	struct moments *sum = data;
 	double shape[SHAPES] = {0};
-	shape[0] = selection(c->b.p.at + F_MAT, c->b.k, c->b.E, t, shape + 1);
+	shape[0] = selection_by(
+	    &c->b.impacts, c->b.p.at + F_MAT, c->b.k, c->b.E, t, shape + 1);
 	double x1 = el_exp(-t);
 	double g[MOMENTS] = {1, x1, x1 * x1, x1 * x1 * x1, t};
 	for (size_t i = 0; i < SHAPES; i++)

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/elementary.h"
 #include "core/selection.h"
@@ -92,11 +93,11 @@ appearance_text(const struct params *p)
 
 static const struct param_info PARAMETERS[] = {
     {"q_slope", "s/m", -0.05, 0.05, -10, 10, 0,
-	"appearance: change of its exponent with the speed", 0},
-    {"q_0", "-", 0, 5, -1000, 1000, NAN, "appearance: its exponent at speed 0",
-	0},
+	N_("appearance: change of its exponent with the speed"), 0},
+    {"q_0", "-", 0, 5, -1000, 1000, NAN,
+	N_("appearance: its exponent at speed 0"), 0},
     {"y_fine", "mm", 0, 0.5, 0, 1000, 0,
-	"appearance: size at which the fines fall off", 0},
+	N_("appearance: size at which the fines fall off"), 0},
     SELECTION_PARAMETERS, BYPASS_PARAMETER};
 
 KERNELS(vogel);

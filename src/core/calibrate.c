@@ -62,6 +62,7 @@ struct calibration {
 	struct ga *ga;
 	struct worker worker[BATCH];
 	double *told;
+	size_t elite; /* candidates that a generation takes over */
 	enum calibrate_state state, stop;
 	atomic_bool stopped; /* the present step */
 	size_t stall, evaluations;
@@ -217,6 +218,7 @@ calibration_new(
 	begin_nested(c);
 	if (options->start != NULL)
 		begin_at(c, options->start);
+	c->elite = ga.elite;
 	c->ga = ga_new(&ga, c->misfit->of->n, c->box.lower, c->box.upper);
 	for (size_t i = 0; i < BATCH; i++) {
 		c->worker[i].misfit = calibrate_misfit(site, options);
@@ -335,8 +337,14 @@ remember(struct calibration *c, const struct ga_status *s)
 	struct calibrate_generation *g = &c->history[c->n_history++];
 	*g = (struct calibrate_generation){
 	    .best = s->best, .median = s->median, .params = search_best(c)};
-	for (size_t j = 0; j < c->misfit->of->n; j++)
+	const double *const *told = ga_told(c->ga);
+	size_t elite = c->elite, n = c->options.population - elite;
+	g->n_kept = n < CALIBRATE_KEPT ? n : CALIBRATE_KEPT;
+	for (size_t j = 0; j < c->misfit->of->n; j++) {
 		ga_spread(c->ga, j, &g->p10[j], &g->p90[j]);
+		for (size_t i = 0; i < g->n_kept; i++)
+			g->kept[j][i] = (float)told[j][elite + i];
+	}
 }
 
 const struct calibrate_generation *
@@ -482,6 +490,12 @@ is_noisy(const struct calibration *c)
 	return c->best_misfit > misfit_of_feed(c->misfit) / 2;
 }
 
+static size_t
+fruitless_most(const struct calibration *c)
+{
+	return is_noisy(c) ? PERTURBATIONS_IN_NOISE : PERTURBATIONS;
+}
+
 static void
 polish_one(void *data, size_t i, unsigned thread)
 {
@@ -532,8 +546,7 @@ polish_batch(struct calibration *c)
 	c->done += n;
 	if (c->best_misfit < before * (1 - 1e-7))
 		c->fruitless = 0;
-	if (c->fruitless >=
-	    (is_noisy(c) ? PERTURBATIONS_IN_NOISE : PERTURBATIONS))
+	if (c->fruitless >= fruitless_most(c))
 		end_phase(c);
 }
 
@@ -598,12 +611,25 @@ calibration_status(const struct calibration *c)
 	    .worst = s.worst,
 	    .starts_done = c->done,
 	    .starts = c->n_start,
+	    .trials = c->fruitless,
+	    .trials_most = fruitless_most(c),
 	    .params = best_of(c, s.best)};
 	/* Other bounds, and nothing evaluated within them yet. */
 	if (isinf(status.best) && s.generation > 0)
 		status.best = misfit_at(c->misfit, &status.params);
 	params_scale(&status.params);
 	return status;
+}
+
+double
+calibration_weight(const struct calibration *c)
+{
+	double sum = 0;
+	for (size_t r = 0; r < c->misfit->n_run; r++)
+		for (size_t i = 0; i < c->misfit->run[r].n; i++)
+			sum += c->misfit->run[r].weight[i] *
+			       c->misfit->run[r].weight[i];
+	return sum;
 }
 
 const struct bounds *

@@ -79,6 +79,10 @@ enum calibrate_state calibration_step(struct calibration *c);
  * says so. */
 void calibration_set_bounds(struct calibration *c, const struct bounds *bounds);
 
+/* The sum of the squared weights of the passings compared: a misfit over it is
+ * a mean square of differences. */
+double calibration_weight(const struct calibration *c);
+
 /* The bounds of the search, a reference energy (D12) in its place. */
 const struct bounds *calibration_bounds(const struct calibration *c);
 
@@ -89,18 +93,25 @@ struct calibrate_status {
 	size_t stall;    /* generations since the best last fell by 0.1 % */
 	size_t infinite; /* candidates whose misfit was not a number */
 	double best, median, worst; /* misfits on the search's scheme */
-	size_t starts_done, starts; /* of the polish */
+	size_t starts_done, starts; /* of the polish, */
+	size_t trials, trials_most; /* and perturbations without a gain, so many
+				     * of which end it */
 	struct params params;       /* the best so far */
 };
 
 struct calibrate_status calibration_status(const struct calibration *c);
 
 /* What is remembered of a generation.  p10, p90: middle 80 % of the values of
- * each parameter among the first few hundred candidates, a random sample. */
+ * each parameter among the first few hundred candidates, a random sample; kept
+ * [n_kept]: the parameters of the first of these, for whoever looks at the
+ * generation (candidates.h). */
+enum { CALIBRATE_KEPT = 64 };
 struct calibrate_generation {
 	double best, median;
 	struct params params; /* the best so far, beta not scaled */
 	double p10[PARAMS_MOST], p90[PARAMS_MOST];
+	size_t n_kept;
+	float kept[PARAMS_MOST][CALIBRATE_KEPT];
 };
 
 /* All generations so far, [*n]; borrowed until the next step. */

@@ -89,7 +89,7 @@ classes_free(struct classes *c)
 void
 classes_set(struct classes *c, const struct params *p)
 {
-	breaker_set(&c->b, p, c->settings.k);
+	breaker_set(&c->b, p, &c->settings);
 }
 
 /* The breaker, the matrix and S at that speed. */

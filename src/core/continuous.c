@@ -54,12 +54,13 @@ make_density(struct continuous *c, const struct psd *feed)
 }
 
 struct continuous *
-continuous_new(const struct psd *feed, const double *sieve, size_t n, double k)
+continuous_new(const struct psd *feed, const double *sieve, size_t n,
+    const struct model_settings *settings)
 {
 	assert(feed->n >= 2 && feed->passing[0] >= 1);
 	struct continuous *c = xcalloc(1, sizeof *c);
 	c->n_sieve = n;
-	c->b.k = k;
+	c->settings = *settings;
 	c->log_sieve = xdoubles(n);
 	c->feed_passing = xdoubles(n);
 	for (size_t i = 0; i < n; i++) {
@@ -69,7 +70,7 @@ continuous_new(const struct psd *feed, const double *sieve, size_t n, double k)
 	}
 	make_edges(c, feed);
 	make_density(c, feed);
-	c->point = xcalloc((c->n_edge + STOPS) * GAUSS, sizeof *c->point);
+	c->point = xcalloc((c->n_edge + STOPS_MOST) * GAUSS, sizeof *c->point);
 	return c;
 }
 
@@ -91,7 +92,29 @@ continuous_free(struct continuous *c)
 void
 continuous_set(struct continuous *c, const struct params *p)
 {
-	breaker_set(&c->b, p, c->b.k);
+	breaker_set(&c->b, p, &c->settings);
+}
+
+/* The stops of a spectrum: S is a sum over its nodes, whose kinks lie where
+ * each begins to break. */
+static void
+stop_at_impacts(struct continuous *c)
+{
+	const struct impacts *of = &c->b.impacts;
+	const struct breakage *model = c->b.model;
+	double E = c->b.E, stop[STOPS_MOST];
+	size_t n = 0;
+	for (size_t j = 0; j < of->n; j++) {
+		bool end = j == 0 || j + 1 == of->n;
+		c->b.E = of->ratio[j] * E;
+		for (size_t i = 0; i < (end ? STOPS : 1); i++)
+			stop[n++] = model->size_at(&c->b, STOP_AT[i]);
+	}
+	c->b.E = E;
+	/* psd_sort has the largest first. */
+	c->n_stop = psd_sort(stop, n, 1e-9);
+	for (size_t i = 0; i < c->n_stop; i++)
+		c->stop[i] = stop[c->n_stop - 1 - i];
 }
 
 static void
@@ -100,6 +123,9 @@ go_to(struct continuous *c, double v)
 	breaker_at(&c->b, v);
 	for (size_t i = 0; i < STOPS; i++)
 		c->stop[i] = c->b.model->size_at(&c->b, STOP_AT[i]);
+	c->n_stop = STOPS;
+	if (c->b.impacts.n > 0)
+		stop_at_impacts(c);
 }
 
 static void

@@ -6,7 +6,10 @@
 #include "core/breakage.h"
 #include "core/psd.h"
 
-enum { STOPS = 5, GAUSS = 8 };
+/* Panels end at so many values of the exponent of Eq 3 and, with a spectrum of
+ * impacts, where each node of it begins to break and, of the weakest, at the
+ * same values. */
+enum { STOPS = 5, STOPS_MOST = 2 * STOPS + IMPACTS_MOST, GAUSS = 8 };
 
 /* A point of the integrals over the feed: t = ln x, the mass dF that it stands
  * for, S there and its derivatives. */
@@ -22,8 +25,10 @@ struct continuous {
 	size_t n_sieve, n_edge;
 	double *log_sieve, *feed_passing;
 	double *edge, *density;
+	struct model_settings settings; /* but for the method */
 	struct breaker b;
-	double stop[STOPS]; /* ln x, rising */
+	size_t n_stop;
+	double stop[STOPS_MOST]; /* ln x, rising */
 	size_t n_point;
 	struct point *point;
 	struct moments *above; /* [n_edge], of the paper's model; or NULL */
@@ -34,8 +39,8 @@ struct continuous {
 };
 
 /* See model_new. */
-struct continuous *continuous_new(
-    const struct psd *feed, const double *sieve, size_t n, double k);
+struct continuous *continuous_new(const struct psd *feed, const double *sieve,
+    size_t n, const struct model_settings *settings);
 void continuous_free(struct continuous *c);
 
 /* See model_set, model_jacobian (d_passing may be NULL) and model_selected,
@@ -61,10 +66,11 @@ continuous_stretch(const struct continuous *c, double a, double b,
 		return;
 	if (a < c->stop[0])
 		a = c->stop[0];
-	for (size_t i = 1; i <= STOPS && a < b; i++) {
-		if (i < STOPS && c->stop[i] <= a)
+	for (size_t i = 1; i <= c->n_stop && a < b; i++) {
+		bool more = i < c->n_stop;
+		if (more && c->stop[i] <= a)
 			continue;
-		double end = i < STOPS && c->stop[i] < b ? c->stop[i] : b;
+		double end = more && c->stop[i] < b ? c->stop[i] : b;
 		double middle = (a + end) / 2, half = (end - a) / 2;
 		for (size_t q = 0; q < GAUSS / 2; q++) {
 			double weight = density * half * W[q];

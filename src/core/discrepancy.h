@@ -3,6 +3,7 @@
 #ifndef TIPSPEED_CORE_DISCREPANCY_H
 #define TIPSPEED_CORE_DISCREPANCY_H
 
+#include <math.h>
 #include <stddef.h>
 
 /* D13 (Kennedy and O'Hagan 2001):
@@ -45,12 +46,37 @@ enum { DISCREPANCY_TERMS = 3 };
 void discrepancy_terms(
     double t, double slope, double term[static DISCREPANCY_TERMS]);
 
-/* h at a passing P, 0..1. */
-double discrepancy_h(double P);
+/* h at a passing P, 0..1.  This and the next two are worked out for all draws
+ * at all sizes: without calls a compiler makes vectors of them. */
+static inline double
+discrepancy_h(double P)
+{
+	double square = P * (1 - P);
+	return 2 * sqrt(square > 0 ? square : 0);
+}
+
+/* A passing that is at least `least` and at most 1. */
+static inline double
+discrepancy_within(double P, double least)
+{
+	P = P > least ? P : least;
+	return P < 1 ? P : 1;
+}
+
+/* A model's passing P with the discrepancy over h, delta; at least `least`,
+ * that of the feed or of the next finer size, and at most 1. */
+static inline double
+discrepancy_answer(double P, double delta, double least)
+{
+	return discrepancy_within(P + discrepancy_h(P) * delta, least);
+}
 
 /* -ln of the prior of the hyperparameters' logarithms, but for a constant.
  * noise: known sigma_i, or 0. */
 double discrepancy_prior(const double log_hyper[static HYPERS], double noise);
+
+/* rho(z, l) of above. */
+double discrepancy_rho(double apart, double length);
 
 /* Covariance of an f, and of the shared error of a sample, between sizes whose
  * logarithms lie so far apart. */

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/xalloc.h"
 #include "core/leave_out.h"
 #include "core/misfit.h"
@@ -296,22 +295,12 @@ find_scaled(struct doctor *d, const struct site *site)
 	}
 }
 
-static bool
-is_copy(const struct psd *a, const struct psd *b)
-{
-	size_t i = 0;
-	while (i < a->n && i < b->n && a->size[i] == b->size[i] &&
-	       a->passing[i] == b->passing[i])
-		i++;
-	return a->n > 0 && i == a->n && i == b->n;
-}
-
 static void
 find_copies(struct doctor *d, const struct site *site)
 {
 	for (size_t i = 1; i < site->n_run; i++)
 		for (size_t k = 0; k < i; k++)
-			if (is_copy(
+			if (psd_same(
 				&site->run[k].product, &site->run[i].product)) {
 				add(d,
 				    (struct mend){.kind = MEND_DROP, .run = i});

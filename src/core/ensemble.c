@@ -8,13 +8,20 @@
 #include <gsl/gsl_statistics_double.h>
 
 #include "base/xalloc.h"
+#include "core/breakage.h"
 #include "core/elementary.h"
 #include "core/kernel.h"
 #include "core/product.h"
 
-/* The draws' parameters and in the last block the fit's, whose exact product
- * tells what the search's scheme errs by. */
-enum { DRAWS = POSTERIOR_DRAWS, ALL = DRAWS + KERNEL_LANES };
+/* The draws' parameters, in a block behind them the fit's, whose exact product
+ * tells what the search's scheme errs by, and then those of the harder rock in
+ * draws that have two strengths. */
+enum {
+	DRAWS = POSTERIOR_DRAWS,
+	FIT = DRAWS,
+	HARDER = FIT + KERNEL_LANES,
+	ALL = HARDER + DRAWS
+};
 
 struct ensemble {
 	const struct posterior *of;
@@ -23,10 +30,14 @@ struct ensemble {
 	struct model *exact;
 	double *theta[PARAMS_MOST]; /* [ALL] */
 	double *product, *misfit;   /* [n * ALL], [ALL], of the scheme */
+	size_t n_two, two[DRAWS];   /* draws that have two strengths */
 	double *fit, *feed;         /* [n] */
 	size_t *knot;               /* [n]: between it and the next, */
 	double *share;              /* and how much it counts */
+	double *delta, *error;      /* at the knots, [n_knot * DRAWS] */
+	/* [n + 1][DRAWS]: below the finest size is nothing. */
 	double *part[ENSEMBLE_PARTS];
+	double more, bypass; /* k and bypass of another machine */
 };
 
 /* Passings less 0 are differences from sieves at which nothing passes. */
@@ -75,6 +86,35 @@ find_knots(struct ensemble *e, const double *size)
 	}
 }
 
+/* Parameters in a column, with so many times their e0_min. */
+static void
+set_column(struct ensemble *e, size_t column, const struct params *p, double by)
+{
+	size_t strength = breakage_of(p)->strength;
+	for (size_t j = 0; j < breakage_of(p)->n; j++)
+		e->theta[j][column] = p->at[j];
+	e->theta[strength][column] *= e->more;
+	e->theta[strength + 1][column] *= by;
+}
+
+static void
+set_theta(struct ensemble *e)
+{
+	const struct posterior *p = e->of;
+	e->n_two = 0;
+	for (size_t i = FIT; i < ALL; i++)
+		set_column(e, i, &p->fit, 1);
+	for (size_t d = 0; d < DRAWS; d++) {
+		const struct params *own = &p->draw[d].params;
+		const struct strengths *rock = &p->draw[d].strengths;
+		set_column(e, d, own, rock->softer);
+		if (!(rock->share > 0))
+			continue;
+		set_column(e, HARDER + e->n_two, own, rock->harder);
+		e->two[e->n_two++] = d;
+	}
+}
+
 struct ensemble *
 ensemble_new(const struct posterior *p, const struct psd *feed,
     const double *size, size_t n)
@@ -87,20 +127,33 @@ ensemble_new(const struct posterior *p, const struct psd *feed,
 	    .product = xdoubles(n * ALL),
 	    .misfit = xdoubles(ALL),
 	    .fit = xdoubles(n),
-	    .feed = xdoubles(n)};
+	    .feed = xdoubles(n),
+	    .delta = xdoubles(p->n_knot * DRAWS),
+	    .error = xdoubles(p->n_knot * DRAWS),
+	    .more = 1};
 	model_set(e->exact, &p->fit);
-	for (size_t j = 0; j < breakage_of(&p->fit)->n; j++) {
+	for (size_t j = 0; j < breakage_of(&p->fit)->n; j++)
 		e->theta[j] = xdoubles(ALL);
-		for (size_t i = 0; i < ALL; i++)
-			e->theta[j][i] =
-			    i < DRAWS ? p->draw[i].params.at[j] : p->fit.at[j];
-	}
+	set_theta(e);
 	for (size_t i = 0; i < n; i++)
 		e->feed[i] = psd_passing(feed, size[i]);
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
-		e->part[i] = xdoubles(n * DRAWS);
+		e->part[i] = xdoubles((n + 1) * DRAWS);
 	find_knots(e, size);
 	return e;
+}
+
+void
+ensemble_machine(struct ensemble *e, struct model_settings settings)
+{
+	const struct params *fit = &e->of->fit;
+	size_t strength = breakage_of(fit)->strength;
+	e->more = settings.k / e->of->settings.k;
+	struct params p = *fit;
+	p.at[strength] *= e->more;
+	model_set(e->exact, &p);
+	set_theta(e);
+	e->bypass = settings.bypass;
 }
 
 void
@@ -120,38 +173,115 @@ ensemble_free(struct ensemble *e)
 	free(e->feed);
 	free(e->knot);
 	free(e->share);
+	free(e->delta);
+	free(e->error);
 	free(e);
 }
 
-static double
-at_knots(const struct ensemble *e, size_t i, const double *f)
+size_t
+ensemble_sizes(const struct ensemble *e)
 {
-	size_t k = e->knot[i];
-	return e->share[i] * f[k] + (1 - e->share[i]) * f[k + 1];
+	return e->n;
 }
 
-/* Column d of all parts, from the finest size on. */
-static void
-fill_draw(struct ensemble *e, size_t d, double t)
+/* Slower than this share of the slowest measured speed the correction is that
+ * at this speed, less as less of the coarsest size breaks: what nothing breaks
+ * needs none, and its trend over so far would be no measurement's. */
+#define SLOW 0.875
+
+/* How much of it there is at speed v, 0..1; *at: the speed whose it is. */
+static double
+correction_left(const struct posterior *p, double v, double *at)
 {
-	const struct posterior_draw *draw = &e->of->draw[d];
-	double term[DISCREPANCY_TERMS], finer = 0, sample = 0;
-	discrepancy_terms(t, draw->hyper[HYPER_SLOPE], term);
-	for (size_t i = e->n; i-- > 0;) {
-		const double *row = e->product + i * ALL;
-		double P = row[d] + e->fit[i] - row[DRAWS];
-		P = fmin(fmax(P, e->feed[i]), 1);
-		double h = discrepancy_h(P), delta = 0;
-		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
-			delta += term[j] * at_knots(e, i, draw->term[j]);
-		finer = fmax(fmax(P + h * delta, e->feed[i]), finer);
-		finer = fmin(finer, 1);
-		double error =
-		    at_knots(e, i, draw->shared) + at_knots(e, i, draw->own);
-		sample = fmin(fmax(finer + h * error, sample), 1);
-		e->part[ENSEMBLE_MODEL][i * DRAWS + d] = P;
-		e->part[ENSEMBLE_ANSWER][i * DRAWS + d] = finer;
-		e->part[ENSEMBLE_SAMPLE][i * DRAWS + d] = sample;
+	struct breaker b;
+	*at = fmax(v, SLOW * p->slowest);
+	if (v == *at)
+		return 1;
+	breaker_set(&b, &p->fit, &p->settings);
+	breaker_at(&b, *at);
+	double there = b.model->selection(&b, p->knot[0], NULL);
+	breaker_at(&b, v);
+	return there > 0 ? b.model->selection(&b, p->knot[0], NULL) / there : 0;
+}
+
+/* What the model leaves out at speed v, and the errors of a sample, at the
+ * knots of each draw. */
+static void
+fill_knots(struct ensemble *e, double v)
+{
+	const struct posterior *p = e->of;
+	double at, left = correction_left(p, v, &at);
+	double t = discrepancy_time(at, p->middle);
+	for (size_t d = 0; d < DRAWS; d++) {
+		const struct posterior_draw *draw = &p->draw[d];
+		double term[DISCREPANCY_TERMS];
+		discrepancy_terms(t, draw->hyper[HYPER_SLOPE], term);
+		for (size_t k = 0; k < p->n_knot; k++) {
+			double delta = 0;
+			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
+				delta += left * term[j] * draw->term[j][k];
+			e->delta[k * DRAWS + d] = delta;
+			e->error[k * DRAWS + d] =
+			    draw->shared[k] + draw->own[k];
+		}
+	}
+}
+
+void
+ensemble_delta(const struct ensemble *e, size_t d, double *delta)
+{
+	for (size_t i = 0; i < e->n; i++) {
+		const double *at = e->delta + e->knot[i] * DRAWS + d;
+		delta[i] = e->share[i] * at[0] + (1 - e->share[i]) * at[DRAWS];
+	}
+}
+
+/* Row i of all parts; that of the next finer size is made. */
+static void
+fill_row(const struct ensemble *e, size_t i, double *restrict model,
+    double *restrict answer, double *restrict sample)
+{
+	const double *P = e->product + i * ALL;
+	const double *delta = e->delta + e->knot[i] * DRAWS;
+	const double *error = e->error + e->knot[i] * DRAWS;
+	double share = e->share[i], rest = 1 - share;
+	double fit = e->fit[i], scheme = P[FIT], feed = e->feed[i];
+	for (size_t d = 0; d < DRAWS; d++) {
+		double p = discrepancy_within(P[d] + fit - scheme, feed);
+		double more = share * delta[d] + rest * delta[d + DRAWS];
+		double err = share * error[d] + rest * error[d + DRAWS];
+		double finer = answer[d + DRAWS];
+		double a =
+		    discrepancy_answer(p, more, finer > feed ? finer : feed);
+		model[d] = p;
+		answer[d] = a;
+		sample[d] = discrepancy_within(
+		    a + discrepancy_h(p) * err, sample[d + DRAWS]);
+	}
+}
+
+/* What met the rotor, with what went by. */
+static void
+add_bypass(struct ensemble *e)
+{
+	for (size_t k = 0; k < ENSEMBLE_PARTS; k++)
+		for (size_t i = 0; i < e->n * DRAWS; i++) {
+			double *P = &e->part[k][i];
+			*P += e->bypass * (e->feed[i / DRAWS] - *P);
+		}
+}
+
+/* Products of the harder rock into those of the draws. */
+static void
+mix_strengths(struct ensemble *e)
+{
+	for (size_t i = 0; i < e->n; i++) {
+		double *row = e->product + i * ALL;
+		for (size_t t = 0; t < e->n_two; t++) {
+			size_t d = e->two[t];
+			double share = e->of->draw[d].strengths.share;
+			row[d] += share * (row[HARDER + t] - row[d]);
+		}
 	}
 }
 
@@ -159,13 +289,21 @@ void
 ensemble_at(struct ensemble *e, double v)
 {
 	struct kernel_out out = {e->misfit, e->product, ALL};
-	double t = discrepancy_time(v, e->of->middle);
 	kernel_set_speed(e->kernel, v);
-	kernel_evaluate_part(
-	    e->kernel, (const double *const *)e->theta, 0, ALL, 0, &out);
+	const double *const *theta = (const double *const *)e->theta;
+	kernel_evaluate_part(e->kernel, theta, 0, HARDER, 0, &out);
+	if (e->n_two > 0)
+		kernel_evaluate_part(
+		    e->kernel, theta, HARDER, HARDER + e->n_two, 0, &out);
+	mix_strengths(e);
 	model_product(e->exact, v, e->fit);
-	for (size_t d = 0; d < DRAWS; d++)
-		fill_draw(e, d, t);
+	fill_knots(e, v);
+	for (size_t i = e->n; i-- > 0;)
+		fill_row(e, i, e->part[ENSEMBLE_MODEL] + i * DRAWS,
+		    e->part[ENSEMBLE_ANSWER] + i * DRAWS,
+		    e->part[ENSEMBLE_SAMPLE] + i * DRAWS);
+	if (e->bypass > 0)
+		add_bypass(e);
 }
 
 const double *
@@ -177,15 +315,20 @@ ensemble_products(const struct ensemble *e, enum ensemble_part part)
 double
 ensemble_break_size(const struct ensemble *e, size_t draw, double v)
 {
-	return params_break_size(&e->of->draw[draw].params, v);
+	return params_break_size_by(
+	    &e->of->draw[draw].params, &e->of->settings, v);
 }
 
 void
 ensemble_mean(const struct ensemble *e, double *passing)
 {
-	for (size_t i = 0; i < e->n; i++)
-		passing[i] = gsl_stats_mean(
-		    e->part[ENSEMBLE_ANSWER] + i * DRAWS, 1, DRAWS);
+	const double *P = e->part[ENSEMBLE_ANSWER];
+	for (size_t i = 0; i < e->n; i++, P += DRAWS) {
+		passing[i] = 0;
+		for (size_t d = 0; d < DRAWS; d++)
+			passing[i] += P[d];
+		passing[i] /= DRAWS;
+	}
 }
 
 void

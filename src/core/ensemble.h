@@ -15,6 +15,11 @@ struct ensemble *ensemble_new(const struct posterior *posterior,
     const struct psd *feed, const double *size, size_t n);
 void ensemble_free(struct ensemble *e);
 
+/* Of another machine than the measured one: settings of the posterior's method
+ * with its own k, which the strength of every draw follows, and a share of the
+ * feed that goes by the rotor. */
+void ensemble_machine(struct ensemble *e, struct model_settings settings);
+
 /* What a row of products is of: the model alone, so that rows differ by their
  * parameters; with the discrepancy, which is the answer; and with the error of
  * one more sample, which is what would be measured. */
@@ -25,6 +30,9 @@ enum ensemble_part {
 	ENSEMBLE_PARTS
 };
 
+/* How many sizes it has. */
+size_t ensemble_sizes(const struct ensemble *e);
+
 /* Moves to tip speed v, m/s. */
 void ensemble_at(struct ensemble *e, double v);
 
@@ -33,6 +41,10 @@ void ensemble_at(struct ensemble *e, double v);
  * samples, which only fall. */
 const double *ensemble_products(
     const struct ensemble *e, enum ensemble_part part);
+
+/* What the model leaves out in a draw at that speed, over h, at the sizes, [n]
+ * out: see discrepancy_answer. */
+void ensemble_delta(const struct ensemble *e, size_t draw, double *delta);
 
 /* The break size of a draw at a speed, m. */
 double ensemble_break_size(const struct ensemble *e, size_t draw, double v);

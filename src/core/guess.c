@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort_double.h>
+
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "core/breakage.h"
@@ -43,15 +45,19 @@ size_distance(
 			       : INFINITY;
 }
 
+/* How near a material is to what is wanted. */
+struct nearness {
+	bool rock;
+	double size;
+};
+
 static bool
-nearer(const struct guess_material *a, const struct guess_material *b,
-    const struct guess_material *wanted)
+nearer(const struct nearness *a, const struct nearness *b)
 {
-	bool rock_a = same_rock(a, wanted), rock_b = same_rock(b, wanted);
-	if (rock_a != rock_b)
-		return rock_a;
+	if (a->rock != b->rock)
+		return a->rock;
 	/* 11.2 mm read twice may differ in the last bit. */
-	return size_distance(a, wanted) < size_distance(b, wanted) - 1e-9;
+	return a->size < b->size - 1e-9;
 }
 
 size_t
@@ -61,12 +67,16 @@ guess_nearest(const struct guess_material *m, size_t n,
 {
 	size_t picked = 0;
 	bool *taken = xcalloc(n, sizeof *taken);
+	struct nearness *near = xcalloc(n, sizeof *near);
 	memcpy(taken, leave_out, n * sizeof *taken);
+	for (size_t i = 0; i < n; i++)
+		near[i] = (struct nearness){
+		    same_rock(&m[i], wanted), size_distance(&m[i], wanted)};
 	while (picked < most) {
 		size_t best = n;
 		for (size_t i = 0; i < n; i++)
 			if (!taken[i] &&
-			    (best == n || nearer(&m[i], &m[best], wanted)))
+			    (best == n || nearer(&near[i], &near[best])))
 				best = i;
 		if (best == n)
 			break;
@@ -74,15 +84,9 @@ guess_nearest(const struct guess_material *m, size_t n,
 			taken[i] = taken[i] || same_numbers(&m[i], &m[best]);
 		pick[picked++] = best;
 	}
+	free(near);
 	free(taken);
 	return picked;
-}
-
-static int
-rising(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-	return (x > y) - (x < y);
 }
 
 /* The value at that place, 1 for the first, among v [n], rising; between two,
@@ -101,7 +105,7 @@ static struct guess_range
 range_of(double *v, size_t n)
 {
 	double places = (double)n + 1;
-	qsort(v, n, sizeof *v, rising);
+	gsl_sort(v, 1, n);
 	return (struct guess_range){value_at(v, n, 0.5 * places),
 	    value_at(v, n, 0.1 * places), value_at(v, n, 0.9 * places)};
 }
@@ -163,21 +167,28 @@ spread(struct guess *guess, const struct prediction *p, size_t n)
 	free(v);
 }
 
-struct guess
-guess_product(const struct site *site, size_t feed_run,
-    const struct guess_material *m, const size_t *pick, size_t n, double v)
+static struct guess
+guess_from(const struct prediction *p, size_t n, double v)
 {
 	struct guess guess = {.speed = v};
-	struct prediction *p = xcalloc(n, sizeof *p);
-	assert(n >= 1);
-	for (size_t i = 0; i < n; i++)
-		p[i] = predict(
-		    site, &m[pick[i]].params, m[pick[i]].settings, v, feed_run);
 	spread(&guess, p, n);
 	struct psd median = median_curve(p, n);
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		guess.size[i] = range_of_sizes(&median, p, n, PSD_PASSING[i]);
 	psd_free(&median);
+	return guess;
+}
+
+struct guess
+guess_product(const struct site *site, size_t feed_run,
+    const struct guess_material *m, const size_t *pick, size_t n, double v)
+{
+	struct prediction *p = xcalloc(n, sizeof *p);
+	assert(n >= 1);
+	for (size_t i = 0; i < n; i++)
+		p[i] = predict(
+		    site, &m[pick[i]].params, m[pick[i]].settings, v, feed_run);
+	struct guess guess = guess_from(p, n, v);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(p);
@@ -199,19 +210,51 @@ struct trial {
 	size_t cells, held; /* where the band has a width, and holds */
 };
 
-static struct trial
-guess_one(const struct guess_material *m, const size_t *pick, size_t n,
-    const struct guess_material *truth, double v)
+/* The products of each material's made-up feed with each material, p [n * n],
+ * worked out once for however many trials. */
+struct pairs {
+	size_t n;
+	double v;
+	const struct guess_material *m;
+	struct prediction *p;
+};
+
+static struct pairs
+pairs_new(const struct guess_material *m, size_t n, double v)
 {
-	struct synth synth = {.top_size = truth->top_size,
-	    .params = truth->params,
-	    .n = 1,
-	    .n_speed = 1,
-	    .speed = &v};
-	struct site *site = synth_site(&synth);
-	struct guess g = guess_product(site, 0, m, pick, n, v);
-	struct prediction p =
-	    predict(site, &truth->params, truth->settings, v, 0);
+	struct pairs pairs = {n, v, m, xcalloc(n * n, sizeof *pairs.p)};
+	for (size_t i = 0; i < n; i++) {
+		struct synth synth = {.top_size = m[i].top_size,
+		    .params = m[i].params,
+		    .n = 1,
+		    .n_speed = 1,
+		    .speed = &v};
+		struct site *site = synth_site(&synth);
+		for (size_t j = 0; j < n; j++)
+			pairs.p[i * n + j] =
+			    predict(site, &m[j].params, m[j].settings, v, 0);
+		site_free(site);
+	}
+	return pairs;
+}
+
+static void
+pairs_free(struct pairs *pairs)
+{
+	for (size_t i = 0; i < pairs->n * pairs->n; i++)
+		prediction_free(&pairs->p[i]);
+	free(pairs->p);
+}
+
+static struct trial
+guess_one(const struct pairs *pairs, const size_t *pick, size_t n, size_t truth)
+{
+	const struct prediction *row = &pairs->p[truth * pairs->n];
+	struct prediction *picked = xcalloc(n, sizeof *picked), p = row[truth];
+	for (size_t i = 0; i < n; i++)
+		picked[i] = row[pick[i]];
+	struct guess g = guess_from(picked, n, pairs->v);
+	free(picked);
 	const double *P = p.product.passing;
 	struct trial trial = {
 	    .error = psd_rms(g.median.passing, P, p.product.n, NULL),
@@ -223,9 +266,7 @@ guess_one(const struct guess_material *m, const size_t *pick, size_t n,
 		trial.held +=
 		    P[s] >= g.low.passing[s] && P[s] <= g.high.passing[s];
 	}
-	prediction_free(&p);
 	guess_free(&g);
-	site_free(site);
 	return trial;
 }
 
@@ -244,10 +285,11 @@ leave_out_own(
 	return first;
 }
 
-struct guess_error
-guess_leave_one_out(
-    const struct guess_material *m, size_t n, size_t nearest, double v)
+static struct guess_error
+leave_one_out(const struct pairs *pairs, size_t nearest)
 {
+	const struct guess_material *m = pairs->m;
+	size_t n = pairs->n;
 	struct guess_error out = {.worst = -1, .nearest = nearest};
 	bool *leave_out = xcalloc(n, sizeof *leave_out);
 	size_t *pick = xcalloc(nearest, sizeof *pick), cells = 0, held = 0;
@@ -259,7 +301,7 @@ guess_leave_one_out(
 		    guess_nearest(m, n, &m[i], leave_out, nearest, pick);
 		if (picked == 0)
 			continue;
-		struct trial trial = guess_one(m, pick, picked, &m[i], v);
+		struct trial trial = guess_one(pairs, pick, picked, i);
 		cells += trial.cells;
 		held += trial.held;
 		if (trial.error > out.worst) {
@@ -281,15 +323,27 @@ guess_leave_one_out(
 	return out;
 }
 
+struct guess_error
+guess_leave_one_out(
+    const struct guess_material *m, size_t n, size_t nearest, double v)
+{
+	struct pairs pairs = pairs_new(m, n, v);
+	struct guess_error e = leave_one_out(&pairs, nearest);
+	pairs_free(&pairs);
+	return e;
+}
+
 struct guess_choice
 guess_choose(const struct guess_material *m, size_t n, double v)
 {
-	struct guess_choice choice = {.all = guess_leave_one_out(m, n, n, v)};
-	choice.few = guess_leave_one_out(m, n, 1, v);
+	struct pairs pairs = pairs_new(m, n, v);
+	struct guess_choice choice = {.all = leave_one_out(&pairs, n)};
+	choice.few = leave_one_out(&pairs, 1);
 	for (size_t k = 2; k + 1 < n; k++) {
-		struct guess_error e = guess_leave_one_out(m, n, k, v);
+		struct guess_error e = leave_one_out(&pairs, k);
 		choice.few = e.median < choice.few.median ? e : choice.few;
 	}
 	choice.helps = choice.few.median < 0.8 * choice.all.median;
+	pairs_free(&pairs);
 	return choice;
 }

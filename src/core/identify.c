@@ -82,7 +82,8 @@ identify_break(const struct posterior *p, double v, double size)
 	double value[DRAWS], sum[3] = {0};
 	struct identify_break a = {0};
 	for (size_t d = 0; d < DRAWS; d++) {
-		value[d] = params_break_size(&p->draw[d].params, v);
+		value[d] =
+		    params_break_size_by(&p->draw[d].params, &p->settings, v);
 		a.below += (value[d] < size) / (double)DRAWS;
 		if (!isfinite(value[d]))
 			continue;

@@ -19,6 +19,7 @@
 struct block {
 	lanes f, e0, alpha, over_alpha, f_e0, log_e0, log_full, kept,
 	    over_total, own[6];
+	const struct impacts *impacts; /* NULL: a single one at v^2/2 */
 	const uint32_t *index;
 	const struct kernel_out *out;
 };
@@ -78,7 +79,11 @@ load(const struct lane_model *m, struct block *b, const struct plan *plan,
 	 * where the exponent reaches FULL. */
 	b->f_e0 = b->f * b->e0;
 	b->log_e0 = lanes_log(b->e0);
-	b->log_full = lanes_log(FULL / b->f + b->e0);
+	double full = FULL;
+	b->impacts = plan->impacts.n > 0 ? &plan->impacts : NULL;
+	if (b->impacts != NULL && b->impacts->number < 1)
+		full /= b->impacts->number;
+	b->log_full = lanes_log(full / b->f + b->e0);
 	if (plan->bypass > 0)
 		b->kept = 1 - lanes_gather(theta[plan->bypass], index);
 }
@@ -122,12 +127,28 @@ power_at(const struct block *b, lanes t)
 	return lanes_exp_quick(lanes_min(b->alpha * t, lanes_of(708)));
 }
 
+/* S with a spectrum of impacts (D15), at = f E x^alpha; see selection_by. */
+static inline lanes
+impacts_selection(const struct block *b, lanes at)
+{
+	const struct impacts *of = b->impacts;
+	lanes kept = lanes_of(0);
+	for (size_t j = 0; j < of->n; j++)
+		kept += of->share[j] *
+			lanes_exp_quick(lanes_min(
+			    b->f_e0 - of->ratio[j] * at, lanes_of(0)));
+	kept = lanes_max(kept, lanes_of(1e-300));
+	return 1 - lanes_exp_quick(of->number * lanes_log(kept));
+}
+
 /* S of Eq 3 from x^alpha, by an exp; selection.h has it for one. */
 static inline lanes
 lanes_selection(
     const struct block *b, double E, lanes power, lanes exp_of(lanes x))
 {
 	lanes y = b->f * E * power - b->f_e0;
+	if (b->impacts != NULL)
+		return impacts_selection(b, b->f * E * power);
 	return 1 - exp_of(lanes_min(-y, lanes_of(0)));
 }
 
@@ -227,8 +248,10 @@ shares(const struct block *b, const struct plan *plan, const struct gauss *g,
 	bool any = true, all = true;
 	for (size_t r = 0; r < plan->n_run; r++) {
 		double log_E = plan->run[r].log_E;
-		room->from[r] = (b->log_e0 - log_E) * b->over_alpha;
-		room->full[r] = (b->log_full - log_E) * b->over_alpha;
+		double most = log_E + plan->log_most;
+		double least = log_E + plan->log_least;
+		room->from[r] = (b->log_e0 - most) * b->over_alpha;
+		room->full[r] = (b->log_full - least) * b->over_alpha;
 	}
 	size_t c = 0;
 	for (room->n_full = 0; c < plan->n_class; c++) {

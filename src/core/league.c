@@ -115,7 +115,8 @@ is_one_law(const struct league_model *model, size_t n)
 	for (size_t i = 0; i < n; i++)
 		if (model[i].standing <= LEAGUE_POSSIBLE &&
 		    &model[i] != least &&
-		    !breakage_extends(model[i].model, least->model))
+		    (model[i].energies || least->energies ||
+			!breakage_extends(model[i].model, least->model)))
 			return false;
 	return true;
 }

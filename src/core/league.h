@@ -60,6 +60,7 @@ enum league_standing {
 };
 struct league_model {
 	size_t model;
+	bool energies; /* with collision energies (D15): a law of its own */
 	double aicc, rmse;
 	const double *predicted; /* [n] of the cells */
 	enum league_standing standing;

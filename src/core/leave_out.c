@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "core/discrepancy.h"
 #include "core/elementary.h"
 #include "core/misfit.h"
 #include "core/product.h"
@@ -73,13 +74,6 @@ curve_of(const struct leave_out *l, const struct leave_out_cell *c)
 	return c->feed ? &run->feed : &run->product;
 }
 
-static double
-rho(double apart, double length)
-{
-	double z = apart / length;
-	return z * z > 80 ? 0 : el_exp(-z * z / 2);
-}
-
 /* ---- The covariance and its hyperparameters ---- */
 
 static void
@@ -92,14 +86,14 @@ smooth_fill(const struct block *b, double *K)
 		for (size_t j = 0; j <= i; j++) {
 			const struct cell *x = &b->cell[i], *y = &b->cell[j];
 			double apart = x->log_size - y->log_size;
-			double near = rho(apart, h[SMOOTH_LENGTH]);
+			double near = discrepancy_rho(apart, h[SMOOTH_LENGTH]);
 			double k =
 			    h[SMOOTH_AMPLITUDE] * h[SMOOTH_AMPLITUDE] +
 			    h[SMOOTH_SPEED] * h[SMOOTH_SPEED] * x->t * y->t;
 			k *= near;
 			if (x->run == y->run)
 				k += h[SMOOTH_RUN] * h[SMOOTH_RUN] *
-				     rho(apart, 1);
+				     discrepancy_rho(apart, 1);
 			double own = h[SMOOTH_OWN] * x->h * b->slope[i];
 			double least = ROUNDING * b->slope[i];
 			K[i * b->n + j] =
@@ -356,12 +350,6 @@ leave_out_drop(struct leave_out *l, size_t cell)
 {
 	l->dropped[cell] = true;
 	free_cell(l, cell, 1);
-}
-
-double
-leave_out_level(struct leave_out *l)
-{
-	return searched_level(l);
 }
 
 size_t

@@ -65,8 +65,4 @@ struct leave_out_shift leave_out_look(struct leave_out *l, size_t cell);
 /* Lets the cell be what it likes from now on. */
 void leave_out_drop(struct leave_out *l, size_t cell);
 
-/* -ln of how probable the sheet is, but for a constant that the number of its
- * passings sets. */
-double leave_out_level(struct leave_out *l);
-
 #endif

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 static struct psd *
@@ -33,8 +33,8 @@ mend_column(const struct site *site, bool feed, size_t run)
 	const struct run *r = &site->run[run];
 	const char *repeat = r->repeat;
 	if (feed && (!site->individual_feeds || !(r->speed > 0)))
-		return xstrdup("feed");
-	return xasprintf("%s@%g%s", feed ? "feed" : "product", r->speed,
+		return xstrdup(tr("feed"));
+	return xasprintf("%s@%g%s", feed ? tr("feed") : "product", r->speed,
 	    repeat + (repeat[0] == ' '));
 }
 
@@ -69,9 +69,10 @@ words_of_cell(const struct site *site, const struct mend *m, const char *name)
 	size_t i = sieve_of(psd, m->size);
 	char *was = percent(i < psd->n ? psd->passing[i] : NAN);
 	char *now = percent(m->value);
-	char *words = xasprintf("%s at %g mm: %s %s%s", name, 1000 * m->size,
-	    was, m->kind == MEND_READ ? "read as " : "left out",
-	    m->kind == MEND_READ ? now : "");
+	char *words =
+	    xasprintf(tr("%s at %g mm: %s %s%s"), name, 1000 * m->size, was,
+		m->kind == MEND_READ ? tr("read as ") : tr("left out"),
+		m->kind == MEND_READ ? now : "");
 	free(was);
 	free(now);
 	return words;
@@ -90,18 +91,19 @@ mend_words(const struct site *site, const struct mend *m)
 		break;
 	case MEND_SWAP:
 	case MEND_WITH:
-		words = xasprintf("%s and %s exchanged", name, with);
+		words = xasprintf(tr("%s and %s exchanged"), name, with);
 		break;
 	case MEND_UP:
 	case MEND_DOWN:
-		words = xasprintf("%s moved to the next %s sieve", name,
-		    m->kind == MEND_UP ? "coarser" : "finer");
+		words = xasprintf(tr("%s moved to the next %s sieve"), name,
+		    m->kind == MEND_UP ? tr("coarser") : tr("finer"));
 		break;
 	case MEND_SCALE:
-		words = xasprintf("sieve sizes of %s times %g", name, m->value);
+		words =
+		    xasprintf(tr("sieve sizes of %s times %g"), name, m->value);
 		break;
 	default:
-		words = xasprintf("%s left out", name);
+		words = xasprintf(tr("%s left out"), name);
 		break;
 	}
 	free(name);

@@ -52,14 +52,26 @@ enum appearance_form {
 	APPEARANCE_PARENT_MM   /* parent size in mm: literal, degenerate */
 };
 
+/* The impacts of a particle in place of one at v^2/2, see spectrum_impacts:
+ * number of them, each of the energy ratio[j] v^2/2 with probability share[j].
+ * n 0: the paper's single one. */
+enum { IMPACTS_MOST = 12 };
+struct impacts {
+	size_t n;
+	double number, share[IMPACTS_MOST], ratio[IMPACTS_MOST];
+};
+
 /* How products are computed.  breakage: of the calibrations to come; a product
  * takes that of its parameters.  k: number of impacts, 1 in the paper; it acts
- * only as a product with f_mat and is never fitted. */
+ * only as a product with f_mat and is never fitted.  bypass: share of the feed
+ * that goes by the rotor beside what the parameters say of it (D14): 0 but
+ * where another machine is asked about, and never in a calibration. */
 struct model_settings {
 	enum method method;
 	enum appearance_form appearance;
-	double k;
+	double k, bypass;
 	unsigned breakage;
+	struct impacts impacts;
 };
 
 #endif

@@ -278,6 +278,12 @@ plan_make(struct plan *plan, const struct misfit *m)
 	    .bypass = of->bypass ? of->n - 1 : 0,
 	    .n_run = m->n_run,
 	    .run = xcalloc(m->n_run, sizeof *plan->run)};
+	plan->impacts = m->settings.impacts;
+	if (plan->impacts.n > 0) {
+		const struct impacts *i = &plan->impacts;
+		plan->log_most = el_log(i->ratio[i->n - 1]);
+		plan->log_least = el_log(i->ratio[0]);
+	}
 	for (size_t r = 0; r < m->n_run; r++)
 		plan_set_speed(plan, r, m->run[r].speed);
 	plan_order(plan, m);

@@ -52,6 +52,9 @@ struct plan_sieve {
 struct plan {
 	enum method method;
 	double k;
+	struct impacts impacts;
+	/* Of a spectrum, else 0: ln of its most and its least energy. */
+	double log_most, log_least;
 	size_t bypass; /* index of its parameter; 0: the model has none */
 	size_t n_run, n_class, n_sieve;
 	bool one_feed; /* all runs have that of the first */

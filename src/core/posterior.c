@@ -30,7 +30,8 @@ enum {
 	KEPT = 200,
 	HYPER_EVERY = 4, /* generations, one of the hyperparameters */
 	LEAP_EVERY = 10, /* one that leaps from valley to valley */
-	COORDINATES = PARAMS_MOST + HYPERS,
+	STRENGTHS = PARAMS_MOST + HYPERS,
+	COORDINATES = STRENGTHS + STRENGTHS_COORDINATES,
 	NUMBERS = 64, /* random ones of a chain and generation */
 	CELLS = 96    /* passings taken, as their covariance is factored often:
 		       * of more sieves each tells little more */
@@ -40,8 +41,9 @@ static const double FIRST_RUNG = 0.02, RISE = 1.5;
 
 enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
 
-/* x: coordinates of the parameters (params_of), and from PARAMS_MOST on the
- * hyperparameters' logarithms.  likelihood, prior: -ln, but for constants. */
+/* x: coordinates of the parameters (params_of), from PARAMS_MOST on the
+ * hyperparameters' logarithms, from STRENGTHS on those of the strengths.
+ * likelihood, prior: -ln, but for constants. */
 struct chain {
 	double x[COORDINATES];
 	double likelihood, prior;
@@ -58,6 +60,7 @@ struct sampler {
 	double middle; /* ln of the mean energy */
 	size_t held;   /* of the gauge: it stays 1 or -1 */
 	bool by_slope; /* coordinates of Eq 3, see params_of */
+	bool two;      /* the rock may have two strengths */
 	size_t n_cell;
 	struct cell *cell;
 	double *scheme; /* what the kernel's differences err by, at the fit */
@@ -68,7 +71,10 @@ struct sampler {
 	struct chain chain[CHAINS], trial[HALF];
 	size_t first; /* chain of the half that moves */
 	bool hyper;   /* the hyperparameters move, not the parameters */
-	double *theta[PARAMS_MOST], *difference, *misfit; /* of the trials */
+	/* Of the trials: parameters, e0_min of the harder rock and its share,
+	 * and differences, [1] of the harder rock. */
+	double *theta[PARAMS_MOST], *harder, share_harder[HALF];
+	double *difference[2], *misfit;
 	size_t accepted, tried;
 };
 
@@ -121,6 +127,8 @@ prior_of(const struct sampler *s, const double *x)
 		sum += z * z / 2;
 		squares += j < s->of->gauge ? x[j] * x[j] : 0;
 	}
+	for (size_t j = STRENGTHS; j < COORDINATES; j++)
+		sum += x[j] * x[j] / 2;
 	if (s->of->gauge > 0)
 		sum += (double)s->of->gauge / 2 * el_log(squares);
 	return s->by_slope ? sum - x[s->of->strength + 1] : sum;
@@ -171,7 +179,7 @@ evaluate_trial(struct sampler *s, size_t i, double *work)
 		    s->cell, n, trial->x + PARAMS_MOST, trial->L);
 	}
 	for (size_t k = 0; k < n && !s->hyper; k++)
-		trial->d[k] = s->difference[k * HALF + i] + s->scheme[k];
+		trial->d[k] = s->difference[0][k * HALF + i] + s->scheme[k];
 	memcpy(work, trial->d, n * sizeof *work);
 	trial->likelihood =
 	    discrepancy_level(s->hyper ? trial->L : now->L, n, work);
@@ -181,27 +189,61 @@ evaluate_trial(struct sampler *s, size_t i, double *work)
 		trial->prior = INFINITY;
 }
 
+/* Differences of the trials from..to-1, mixed of the two strengths where any of
+ * them has two; the same bits for the others. */
+static void
+find_differences(struct sampler *s, size_t from, size_t to, unsigned thread)
+{
+	const double *theta[PARAMS_MOST];
+	bool two = false;
+	for (size_t j = 0; j < s->of->n; j++)
+		theta[j] = s->theta[j];
+	for (size_t i = from; i < to; i++)
+		two = two || s->share_harder[i] > 0;
+	for (size_t part = 0; part < (two ? 2 : 1); part++) {
+		struct kernel_out out = {s->misfit, s->difference[part], HALF};
+		kernel_evaluate_part(s->kernel, theta, from, to, thread, &out);
+		theta[s->of->strength + 1] = s->harder;
+	}
+	for (size_t k = 0; k < s->n_cell && two; k++)
+		for (size_t i = from; i < to; i++) {
+			double *d = &s->difference[0][k * HALF + i];
+			double harder = s->difference[1][k * HALF + i];
+			*d += s->share_harder[i] * (harder - *d);
+		}
+}
+
 static void
 evaluate_part(void *data, size_t part, unsigned thread)
 {
 	struct sampler *s = data;
 	size_t from = part * KERNEL_LANES, to = from + KERNEL_LANES;
-	struct kernel_out out = {s->misfit, s->difference, HALF};
 	double *work = xdoubles(s->n_cell);
 	if (!s->hyper)
-		kernel_evaluate_part(s->kernel, (const double *const *)s->theta,
-		    from, to, thread, &out);
+		find_differences(s, from, to, thread);
 	for (size_t i = from; i < to; i++)
 		evaluate_trial(s, i, work);
 	free(work);
 }
 
+static struct strengths
+strengths_of(const struct sampler *s, const double *x)
+{
+	return s->two ? strengths_at(x + STRENGTHS)
+		      : (struct strengths){0, 1, 1};
+}
+
 static void
 evaluate(struct sampler *s)
 {
+	size_t e0 = s->of->strength + 1;
 	for (size_t i = 0; i < HALF; i++) {
 		double at[PARAMS_MOST];
+		struct strengths rock = strengths_of(s, s->trial[i].x);
 		params_of(s, s->trial[i].x, at);
+		s->harder[i] = at[e0] * rock.harder;
+		s->share_harder[i] = rock.share;
+		at[e0] *= rock.softer;
 		for (size_t j = 0; j < s->of->n; j++)
 			s->theta[j][i] = at[j];
 	}
@@ -215,9 +257,10 @@ propose(struct sampler *s, size_t i, struct rng_key key)
 {
 	const struct chain *other = &s->chain[s->first == 0 ? HALF : 0];
 	uint32_t at = (uint32_t)((s->first + i) * NUMBERS);
+	size_t strengths = s->two && !s->hyper ? STRENGTHS_COORDINATES : 0;
 	size_t from = s->hyper ? PARAMS_MOST : 0;
-	size_t to = s->hyper ? COORDINATES : s->of->n;
-	double n = s->hyper ? HYPERS : (double)s->sensitivity.n;
+	size_t to = s->hyper ? STRENGTHS : s->of->n;
+	double n = s->hyper ? HYPERS : (double)(s->sensitivity.n + strengths);
 	size_t a = (size_t)(rng_uniform(key, at) * HALF);
 	size_t b = (size_t)(rng_uniform(key, at + 1) * (HALF - 1));
 	b += b >= a;
@@ -228,6 +271,8 @@ propose(struct sampler *s, size_t i, struct rng_key key)
 	double *x = s->trial[i].x;
 	memcpy(x, s->chain[s->first + i].x, sizeof s->trial[i].x);
 	for (size_t j = from; j < to; j++)
+		x[j] += length * (other[a].x[j] - other[b].x[j]);
+	for (size_t j = STRENGTHS; j < STRENGTHS + strengths; j++)
 		x[j] += length * (other[a].x[j] - other[b].x[j]);
 	reflect(s, x);
 }
@@ -305,6 +350,8 @@ scatter(const struct sampler *s, struct rng_key key, struct chain *c)
 		    el_log(HYPER[h].median) +
 		    HYPER[h].spread *
 			rng_normal(key, (uint32_t)(PARAMS_MOST + h));
+	for (size_t j = STRENGTHS; j < COORDINATES; j++)
+		c->x[j] = rng_normal(key, (uint32_t)j);
 	discrepancy_factor(s->cell, s->n_cell, c->x + PARAMS_MOST, c->L);
 }
 
@@ -570,6 +617,7 @@ make_draw(const struct sampler *s, const struct posterior *p,
 	draw->params = s->fit;
 	params_of(s, chain->x, draw->params.at);
 	params_scale(&draw->params);
+	draw->strengths = strengths_of(s, chain->x);
 	for (size_t j = 0; j < HYPERS; j++)
 		draw->hyper[j] = el_exp(chain->x[PARAMS_MOST + j]);
 	double *wide = knots_factor(p, draw->hyper, discrepancy_covariance);
@@ -657,7 +705,9 @@ make_room(struct sampler *s)
 	size_t n = s->n_cell;
 	for (size_t j = 0; j < s->of->n; j++)
 		s->theta[j] = xdoubles(HALF);
-	s->difference = xdoubles(n * HALF);
+	s->harder = xdoubles(HALF);
+	for (size_t part = 0; part < 2; part++)
+		s->difference[part] = xdoubles(n * HALF);
 	s->misfit = xdoubles(HALF);
 	s->scheme = xdoubles(n);
 	for (size_t i = 0; i < CHAINS + HALF; i++) {
@@ -672,14 +722,14 @@ make_room(struct sampler *s)
 static void
 measure_scheme(struct sampler *s, const double *d)
 {
-	struct kernel_out out = {s->misfit, s->difference, HALF};
+	struct kernel_out out = {s->misfit, s->difference[0], HALF};
 	for (size_t j = 0; j < s->of->n; j++)
 		for (size_t i = 0; i < KERNEL_LANES; i++)
 			s->theta[j][i] = s->fit.at[j];
 	kernel_evaluate_part(s->kernel, (const double *const *)s->theta, 0,
 	    KERNEL_LANES, 0, &out);
 	for (size_t k = 0; k < s->n_cell; k++)
-		s->scheme[k] = d[k] - s->difference[k * HALF];
+		s->scheme[k] = d[k] - s->difference[0][k * HALF];
 }
 
 static bool
@@ -701,8 +751,8 @@ sampler_new(struct misfit *m, const struct params *fit,
 	s->seed = o->seed;
 	s->noise = o->noise;
 	s->middle = el_log(mean_energy(m));
-	s->by_slope = is_free(bounds, f) && is_free(bounds, f + 1) &&
-		      is_free(bounds, f + 2);
+	s->two = is_free(bounds, f + 1);
+	s->by_slope = s->two && is_free(bounds, f) && is_free(bounds, f + 2);
 	for (size_t j = 1; j < s->of->gauge; j++)
 		if (fabs(fit->at[j]) > fabs(fit->at[s->held]))
 			s->held = j;
@@ -732,46 +782,23 @@ sampler_free(struct sampler *s)
 	kernel_free(s->kernel);
 	pool_free(s->pool);
 	free(s->cell);
-	free(s->difference);
+	free(s->harder);
+	free(s->difference[0]);
+	free(s->difference[1]);
 	free(s->misfit);
 	free(s->scheme);
 	free(s);
 }
 
-/* Half of the draws come from the middle of the kept generations, half from
- * their end.  Returns false where stop said so. */
-static bool
-run_chains(struct sampler *s, struct posterior *p, bool (*stop)(void))
-{
-	struct sums *sums = xcalloc(1, sizeof *sums);
-	bool stopped = false;
-	start(s);
-	while (s->generation < WARM_UP + KEPT && !stopped) {
-		generation(s);
-		if (s->generation % RUNG == 0 && s->share < 1)
-			climb(s, fmin(1, RISE * s->share));
-		if (s->generation <= WARM_UP)
-			s->accepted = s->tried = 0;
-		else
-			add_to(sums, s);
-		size_t first = s->generation == WARM_UP + KEPT ? CHAINS : 0;
-		bool now = first > 0 || s->generation == WARM_UP + KEPT / 2;
-		for (size_t i = 0; i < CHAINS && now; i++) {
-			struct noise noise = {rng_key(s->seed, i, USE_DRAW), 0,
-			    first == 0 ? 1 : -1};
-			make_draw(
-			    s, p, &s->chain[i], noise, &p->draw[first + i]);
-		}
-		stopped = stop != NULL && stop();
-	}
-	if (!stopped)
-		find_convergence(p, s, sums);
-	free(sums);
-	return !stopped;
-}
+struct posterior_run {
+	struct posterior *p;
+	struct misfit *m;
+	struct sampler *s;
+	struct sums *sums;
+};
 
-struct posterior *
-posterior_new(const struct site *site, const struct params *fit,
+struct posterior_run *
+posterior_begin(const struct site *site, const struct params *fit,
     const struct posterior_options *o)
 {
 	struct posterior *p = xcalloc(1, sizeof *p);
@@ -786,14 +813,69 @@ posterior_new(const struct site *site, const struct params *fit,
 	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);
 	p->n_cell = s->n_cell;
 	p->middle = s->middle;
+	p->slowest = INFINITY;
+	for (size_t r = 0; r < m->n_run; r++)
+		p->slowest = fmin(p->slowest, m->run[r].speed);
 	make_knots(p, site, s);
-	bool done = run_chains(s, p, o->stop);
-	sampler_free(s);
-	misfit_free(m);
+	start(s);
+	struct posterior_run *run = xcalloc(1, sizeof *run);
+	*run = (struct posterior_run){p, m, s, xcalloc(1, sizeof *run->sums)};
+	return run;
+}
+
+/* Half of the draws come from the middle of the kept generations, half from
+ * their end. */
+bool
+posterior_step(struct posterior_run *run)
+{
+	struct sampler *s = run->s;
+	struct posterior *p = run->p;
+	if (s->generation == WARM_UP + KEPT)
+		return true;
+	generation(s);
+	if (s->generation % RUNG == 0 && s->share < 1)
+		climb(s, fmin(1, RISE * s->share));
+	if (s->generation <= WARM_UP)
+		s->accepted = s->tried = 0;
+	else
+		add_to(run->sums, s);
+	size_t first = s->generation == WARM_UP + KEPT ? CHAINS : 0;
+	bool now = first > 0 || s->generation == WARM_UP + KEPT / 2;
+	for (size_t i = 0; i < CHAINS && now; i++) {
+		struct noise noise = {
+		    rng_key(s->seed, i, USE_DRAW), 0, first == 0 ? 1 : -1};
+		make_draw(s, p, &s->chain[i], noise, &p->draw[first + i]);
+	}
+	if (first > 0)
+		find_convergence(p, s, run->sums);
+	return first > 0;
+}
+
+struct posterior *
+posterior_end(struct posterior_run *run)
+{
+	if (run == NULL)
+		return NULL;
+	struct posterior *p = run->p;
+	bool done = run->s->generation == WARM_UP + KEPT;
+	sampler_free(run->s);
+	misfit_free(run->m);
+	free(run->sums);
+	free(run);
 	if (done)
 		return p;
 	posterior_free(p);
 	return NULL;
+}
+
+struct posterior *
+posterior_new(const struct site *site, const struct params *fit,
+    const struct posterior_options *o)
+{
+	struct posterior_run *run = posterior_begin(site, fit, o);
+	while (!posterior_step(run) && (o->stop == NULL || !o->stop()))
+		;
+	return posterior_end(run);
 }
 
 void

@@ -11,13 +11,16 @@
 #include "core/isa.h"
 #include "core/params.h"
 #include "core/site.h"
+#include "core/strengths.h"
 
 enum { POSTERIOR_DRAWS = 256 };
 
-/* At the knots [n_knot]: the processes of the discrepancy (discrepancy.h), and
+/* strengths: of the rock, where e0_min is its mean's (D16).
+ * At the knots [n_knot]: the processes of the discrepancy (discrepancy.h), and
  * the errors of one more sample, shared and independent, over h. */
 struct posterior_draw {
 	struct params params; /* scaled */
+	struct strengths strengths;
 	double hyper[HYPERS];
 	double *term[DISCREPANCY_TERMS], *shared, *own;
 };
@@ -30,7 +33,8 @@ struct posterior {
 	struct params fit;
 	struct bounds bounds;
 	size_t n_cell;
-	double middle; /* ln of the mean energy, J/kg, where t is 0 */
+	double middle;  /* ln of the mean energy, J/kg, where t is 0 */
+	double slowest; /* of the runs that inform it, m/s */
 	size_t n_knot;
 	double *knot; /* ln of sizes, coarsest first */
 	struct posterior_draw draw[POSTERIOR_DRAWS];
@@ -58,6 +62,15 @@ struct posterior_options {
  * any instruction set.  NULL where stop said so meanwhile; posterior_free. */
 struct posterior *posterior_new(const struct site *site, const struct params *p,
     const struct posterior_options *options);
+
+/* The same in steps of less than a millisecond, of which the last says so and
+ * `stop` has no part in; the site is to outlive it.  posterior_end frees it at
+ * any time, and gives NULL before the last. */
+struct posterior_run;
+struct posterior_run *posterior_begin(const struct site *site,
+    const struct params *p, const struct posterior_options *options);
+bool posterior_step(struct posterior_run *run);
+struct posterior *posterior_end(struct posterior_run *run);
 void posterior_free(struct posterior *posterior);
 
 #endif

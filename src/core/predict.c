@@ -11,16 +11,25 @@
 #include "core/elementary.h"
 #include "core/product.h"
 
-/* All sieves of the site that the feed covers, coarsest first. */
+/* Those of sizes [n], coarsest first, that the feed covers. */
 static struct psd
-covered_sieves(const struct site *site, const struct psd *feed)
+covered(const double *size, size_t n, const struct psd *feed)
 {
-	size_t n, kept = 0;
-	double *size = site_sieves(site, &n);
+	size_t kept = 0;
 	while (kept < n && psd_covers(feed, size[kept]))
 		kept++;
 	struct psd psd = psd_new(kept);
-	memcpy(psd.size, size, kept * sizeof *size);
+	for (size_t i = 0; i < kept; i++)
+		psd.size[i] = size[i];
+	return psd;
+}
+
+static struct psd
+covered_sieves(const struct site *site, const struct psd *feed)
+{
+	size_t n;
+	double *size = site_sieves(site, &n);
+	struct psd psd = covered(size, n, feed);
 	free(size);
 	return psd;
 }
@@ -28,10 +37,11 @@ covered_sieves(const struct site *site, const struct psd *feed)
 struct psd
 predict_sizes(const struct site *site, const struct psd *feed)
 {
-	const double apart = 0.1823; /* ln 1.2 */
+	const double apart = 0.0953; /* ln 1.1 */
 	struct psd sieves = covered_sieves(site, feed);
 	double span = el_log(sieves.size[0] / sieves.size[sieves.n - 1]);
-	struct psd psd = psd_new(sieves.n + (size_t)(span / apart));
+	struct psd psd =
+	    psd_new(sieves.n + (size_t)(span / apart) + site->n_shown);
 	psd.n = 0;
 	for (size_t i = 0; i < sieves.n; i++) {
 		double x = sieves.size[i];
@@ -44,25 +54,30 @@ predict_sizes(const struct site *site, const struct psd *feed)
 			psd.size[psd.n++] = x * el_exp(-gap * k / parts);
 	}
 	psd_free(&sieves);
+	struct psd shown = covered(site->shown, site->n_shown, feed);
+	for (size_t i = 0; i < shown.n; i++)
+		psd.size[psd.n++] = shown.size[i];
+	psd.n = psd_sort(psd.size, psd.n, 0);
+	psd_free(&shown);
 	return psd;
 }
 
-/* The passings of a curve at sieves that are among its sizes. */
-static void
-pick(const struct psd *curve, const double *from, const struct psd *sieves,
-    double *to)
+/* The place of a sieve among a curve's sizes, from k on. */
+static size_t
+find_size(const struct psd *curve, size_t k, double sieve)
 {
-	for (size_t i = 0, k = 0; i < sieves->n; i++) {
-		while (k + 1 < curve->n && curve->size[k] > sieves->size[i])
-			k++;
-		to[i] = from[k];
-	}
+	while (k + 1 < curve->n && curve->size[k] > sieve)
+		k++;
+	return k;
 }
 
 static void
 read_curve(struct prediction *p)
 {
-	pick(&p->curve, p->curve.passing, &p->product, p->product.passing);
+	for (size_t i = 0, k = 0; i < p->product.n; i++) {
+		k = find_size(&p->curve, k, p->product.size[i]);
+		p->product.passing[i] = p->curve.passing[k];
+	}
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		p->size[i] = psd_size(&p->curve, PSD_PASSING[i]);
 }
@@ -85,9 +100,13 @@ predict(const struct site *site, const struct params *p,
 	struct prediction out = {.speed = speed,
 	    .energy = energy_specific(speed),
 	    .feed_run = feed_run,
-	    .product = covered_sieves(site, feed),
+	    .share = 1,
+	    .share_range = {NAN, NAN},
+	    .product = site->n_shown > 0
+			   ? covered(site->shown, site->n_shown, feed)
+			   : covered_sieves(site, feed),
 	    .curve = predict_sizes(site, feed),
-	    .break_size = params_break_size(p, speed)};
+	    .break_size = params_break_size_by(p, &settings, speed)};
 	out.feed = psd_copy(&out.product);
 	for (size_t i = 0; i < out.feed.n; i++)
 		out.feed.passing[i] = psd_passing(feed, out.feed.size[i]);
@@ -106,50 +125,60 @@ predict(const struct site *site, const struct params *p,
 	return out;
 }
 
+/* The size at a level of a draw's curve, whose passings P stand a row of draws
+ * apart and fall: as psd_size has it, of the interval that holds it. */
+static double
+size_of_draw(const struct psd *curve, const double *P, double level)
+{
+	enum { N = POSTERIOR_DRAWS };
+	size_t above = 0, n = curve->n < 2 ? curve->n : 2;
+	for (size_t below = curve->n - 1; above + 1 < below;) {
+		size_t middle = (above + below) / 2;
+		*(P[middle * N] > level ? &above : &below) = middle;
+	}
+	double ends[2] = {P[above * N], P[(above + n - 1) * N]};
+	return psd_size(&(struct psd){n, curve->size + above, ends}, level);
+}
+
 /* The sizes of the draws' own curves. */
 static void
 spread_sizes(struct prediction *p, const struct ensemble *e, double level)
 {
 	enum { N = POSTERIOR_DRAWS };
 	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
-	struct psd one = psd_copy(&p->curve);
-	double value[PSD_SIZES + 1][N];
-	for (size_t d = 0; d < N; d++) {
-		for (size_t i = 0; i < one.n; i++)
-			one.passing[i] = P[i * N + d];
-		for (size_t k = 0; k < PSD_SIZES; k++)
-			value[k][d] = psd_size(&one, PSD_PASSING[k]);
-		value[PSD_SIZES][d] = ensemble_break_size(e, d, p->speed);
-	}
+	double value[N];
 	for (size_t k = 0; k <= PSD_SIZES; k++) {
 		double *range = p->range[k];
-		ensemble_middle(value[k], level, &range[0], &range[1]);
+		for (size_t d = 0; d < N; d++)
+			value[d] =
+			    k < PSD_SIZES
+				? size_of_draw(&p->curve, P + d, PSD_PASSING[k])
+				: ensemble_break_size(e, d, p->speed);
+		ensemble_middle(value, level, &range[0], &range[1]);
 		range[0] = fmin(range[0], p->size[k]);
 		range[1] = fmax(range[1], p->size[k]);
 	}
-	psd_free(&one);
 }
 
+/* Bands are worked out at the sieves only, which are among the curve's
+ * sizes. */
 void
 predict_spread(struct prediction *p, struct ensemble *e, double level)
 {
-	size_t n = p->curve.n;
-	double *low = xdoubles(n), *high = xdoubles(n);
+	const struct psd *product = &p->product;
 	ensemble_at(e, p->speed);
 	ensemble_mean(e, p->curve.passing);
 	read_curve(p);
-	for (size_t i = 0; i < n; i++) {
-		ensemble_band(e, ENSEMBLE_ANSWER, i, level, &low[i], &high[i]);
-		low[i] = fmin(low[i], p->curve.passing[i]);
-		high[i] = fmax(high[i], p->curve.passing[i]);
+	p->low = xdoubles(product->n);
+	p->high = xdoubles(product->n);
+	for (size_t i = 0, k = 0; i < product->n; i++) {
+		k = find_size(&p->curve, k, product->size[i]);
+		ensemble_band(
+		    e, ENSEMBLE_ANSWER, k, level, &p->low[i], &p->high[i]);
+		p->low[i] = fmin(p->low[i], product->passing[i]);
+		p->high[i] = fmax(p->high[i], product->passing[i]);
 	}
-	p->low = xdoubles(p->product.n);
-	p->high = xdoubles(p->product.n);
-	pick(&p->curve, low, &p->product, p->low);
-	pick(&p->curve, high, &p->product, p->high);
 	spread_sizes(p, e, level);
-	free(low);
-	free(high);
 }
 
 /* A feed of one class alone, selected as a whole: the class's mean S. */

@@ -8,13 +8,14 @@
 
 #include "core/ensemble.h"
 #include "core/params.h"
+#include "core/screening.h"
 #include "core/site.h"
 
 /* product, feed [same sieves]: all sieves of the site's feed and products that
- * the feed covers.  curve: the product at these and more sizes (predict_sizes),
- * from which sizes are read.  model [product.n]: the product of the model
- * alone.  low, high [product.n], range: the band; NULL and NAN without.  Sizes
- * in m; NAN where they lie outside the sieves. */
+ * the feed covers, or of site->shown.  curve: the product at these and more
+ * sizes (predict_sizes), from which sizes are read.  model [product.n]: the
+ * product of the model alone.  low, high [product.n], range: the band; NULL and
+ * NAN without.  Sizes in m; NAN where they lie outside the sieves. */
 struct prediction {
 	double speed;    /* m/s */
 	double energy;   /* J/kg */
@@ -30,6 +31,10 @@ struct prediction {
 		};
 		double size[PSD_SIZES + 1];
 	};
+	/* Which part of the product it is, and what share: 1 and all zeros of
+	 * the whole. */
+	struct fraction fraction;
+	double share, share_range[2];
 	double selected;   /* mass fraction of the feed that is selected */
 	bool no_daughters; /* p(u) is 0 everywhere: product = feed */
 };
@@ -41,8 +46,9 @@ struct prediction predict(const struct site *site, const struct params *p,
 struct prediction prediction_copy(const struct prediction *prediction);
 void prediction_free(struct prediction *prediction);
 
-/* The site's sieves that the feed covers, coarsest first, and where neighbours
- * lie more than a fifth apart more between them; passings 0.  psd_free. */
+/* The site's sieves that the feed covers, coarsest first, where neighbours lie
+ * more than a tenth apart more between them, and those of site->shown; passings
+ * 0.  psd_free. */
 struct psd predict_sizes(const struct site *site, const struct psd *feed);
 
 /* Leaves the answer and takes its band away. */

@@ -14,7 +14,8 @@ struct model {
 	struct continuous *continuous;
 	struct classes *classes;
 	size_t n_sieve;
-	double *feed; /* passing */
+	double bypass; /* of the settings */
+	double *feed;  /* passing */
 	struct params p;
 	double *plus, *minus; /* products on both sides, for differences */
 };
@@ -25,10 +26,11 @@ model_new(const struct psd *feed, const double *sieve, size_t n,
 {
 	struct model *model = xcalloc(1, sizeof *model);
 	model->n_sieve = n;
+	model->bypass = settings.bypass;
 	if (settings.method == METHOD_CLASSES)
 		model->classes = classes_new(feed, sieve, n, settings);
 	else
-		model->continuous = continuous_new(feed, sieve, n, settings.k);
+		model->continuous = continuous_new(feed, sieve, n, &settings);
 	model->feed = xdoubles(n);
 	for (size_t i = 0; i < n; i++)
 		model->feed[i] = psd_passing(feed, sieve[i]);
@@ -60,24 +62,27 @@ model_set(struct model *model, const struct params *p)
 		continuous_set(model->continuous, p);
 }
 
-/* D14: a share of the feed never meets the rotor.  The derivatives of what is
- * crushed, with the bypass's own, [n_sieve * model's n]; or NULL. */
+/* D14: a share of the feed never meets the rotor, by the parameters and of what
+ * is left by the settings.  The derivatives of what is crushed, with the
+ * bypass's own, [n_sieve * model's n]; or NULL. */
 static void
 add_bypass(const struct model *model, double *passing, double *d_passing)
 {
 	const struct breakage *of = breakage_of(&model->p);
-	if (!of->bypass)
+	if (!of->bypass && model->bypass == 0)
 		return;
-	double share = model->p.at[of->n - 1];
+	double share = of->bypass ? model->p.at[of->n - 1] : 0;
+	double all = 1 - model->bypass;
 	for (size_t s = 0; s < model->n_sieve; s++) {
-		double broken = passing[s] - model->feed[s];
+		double broken = all * (passing[s] - model->feed[s]);
 		passing[s] = model->feed[s] + (1 - share) * broken;
 		if (d_passing == NULL)
 			continue;
 		double *row = d_passing + s * of->n;
-		for (size_t j = 0; j + 1 < of->n; j++)
-			row[j] *= 1 - share;
-		row[of->n - 1] = -broken;
+		for (size_t j = 0; j < of->n; j++)
+			row[j] *= all * (1 - share);
+		if (of->bypass)
+			row[of->n - 1] = -broken;
 	}
 }
 
@@ -140,7 +145,8 @@ model_breaks(struct model *model, double v)
 	if (model->classes != NULL)
 		return classes_breaks(model->classes, v);
 	struct breaker b;
-	breaker_set(&b, &model->p, 1);
+	struct model_settings settings = model_settings_default();
+	breaker_set(&b, &model->p, &settings);
 	breaker_at(&b, v);
 	return b.model->breaks(&b);
 }
@@ -150,7 +156,8 @@ model_selected(struct model *model, double v)
 {
 	const struct breakage *of = breakage_of(&model->p);
 	double share = of->bypass ? 1 - model->p.at[of->n - 1] : 1;
-	return share * (model->classes != NULL
-			       ? classes_selected(model->classes, v)
-			       : continuous_selected(model->continuous, v));
+	return (1 - model->bypass) * share *
+	       (model->classes != NULL
+		       ? classes_selected(model->classes, v)
+		       : continuous_selected(model->continuous, v));
 }

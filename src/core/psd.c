@@ -55,6 +55,16 @@ psd_passing(const struct psd *psd, double x)
 	return psd->passing[psd->n - 1];
 }
 
+bool
+psd_same(const struct psd *a, const struct psd *b)
+{
+	size_t i = 0;
+	while (i < a->n && i < b->n && a->size[i] == b->size[i] &&
+	       a->passing[i] == b->passing[i])
+		i++;
+	return a->n > 0 && i == a->n && i == b->n;
+}
+
 double
 psd_at_sieve(const struct psd *psd, double x)
 {

@@ -28,6 +28,9 @@ void psd_free(struct psd *psd);
  * sieves.  Asserts n >= 1 and x > 0. */
 double psd_passing(const struct psd *psd, double x);
 
+/* Whether both are the same to the last bit, and there is something. */
+bool psd_same(const struct psd *a, const struct psd *b);
+
 /* The passing measured at x, NAN where x is none of the sieves. */
 double psd_at_sieve(const struct psd *psd, double x);
 

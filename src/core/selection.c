@@ -10,8 +10,8 @@ double
 selection_of(const struct breaker *b, double log_x, double *d)
 {
 	size_t f = b->model->strength;
-	return selection(
-	    b->p.at + f, b->k, b->E, log_x, d != NULL ? d + f : NULL);
+	return selection_by(&b->impacts, b->p.at + f, b->k, b->E, log_x,
+	    d != NULL ? d + f : NULL);
 }
 
 double

@@ -30,6 +30,31 @@ selection(const double q[static 3], double k, double E, double log_x, double *d)
 	return S;
 }
 
+/* The same with a spectrum of impacts in place of the single one (D15), see
+ * spectrum.h; of none, the same.  An impact of r E is one at E whose size
+ * counts for more, so that the derivatives are those of the nodes. */
+static inline double
+selection_by(const struct impacts *impacts, const double q[static 3], double k,
+    double E, double log_x, double *d)
+{
+	if (impacts->n == 0)
+		return selection(q, k, E, log_x, d);
+	double kept = 0, sum[3] = {0, 0, 0};
+	for (size_t j = 0; j < impacts->n; j++) {
+		double each[3] = {0, 0, 0}, share = impacts->share[j];
+		kept += share * (1 - selection(q, k, impacts->ratio[j] * E,
+					 log_x, d != NULL ? each : NULL));
+		for (size_t i = 0; i < 3; i++)
+			sum[i] += share * each[i];
+	}
+	if (!(kept > 1e-300))
+		return 1;
+	double left = el_exp(impacts->number * el_log(kept));
+	for (size_t i = 0; d != NULL && i < 3; i++)
+		d[i] += impacts->number * left / kept * sum[i];
+	return 1 - left;
+}
+
 /* The rows of Eq 3, in the order that selection wants.  lower, upper: Table 2
  * of the paper, whose text says six variables where there are seven (departure
  * D7). */

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 struct site *
@@ -17,6 +18,8 @@ site_new(size_t n_run)
 	site->rock = xstrdup("");
 	site->machine = xstrdup("");
 	site->provenance = xstrdup("");
+	site->feed_from = xstrdup("");
+	site->with = xstrdup("");
 	site->path = xstrdup("");
 	site->named = xstrdup("");
 	site->read_as = xstrdup("");
@@ -77,6 +80,8 @@ site_copy(const struct site *from)
 	replace_text(&to->named, from->named);
 	replace_text(&to->read_as, from->read_as);
 	replace_text(&to->assumed, from->assumed);
+	replace_text(&to->feed_from, from->feed_from);
+	replace_text(&to->with, from->with);
 	replace_text(&to->path, from->path);
 	to->top_size = from->top_size;
 	to->rotor = from->rotor;
@@ -119,6 +124,9 @@ site_free(struct site *site)
 	free(site->rock);
 	free(site->machine);
 	free(site->provenance);
+	free(site->feed_from);
+	free(site->with);
+	free(site->shown);
 	free(site->path);
 	free(site);
 }
@@ -172,6 +180,43 @@ drop_run(struct site *site, size_t r, size_t *from)
 	size_t after = --site->n_run - r;
 	memmove(&site->run[r], &site->run[r + 1], after * sizeof *site->run);
 	memmove(&from[r], &from[r + 1], after * sizeof *from);
+}
+
+/* Both in the first clause, which is what people are shown, and what nobody
+ * measured first. */
+static char *
+provenance_with(const struct site *site, const char *of)
+{
+	const char *own = site->provenance;
+	bool worse = site_data_made_up(of) && !site_data_made_up(own);
+	size_t n = strcspn(own, ";"), n_of = strcspn(of, ";");
+	char *site_is = xasprintf("%.*s", (int)n, n > 0 ? own : "");
+	char *feed_is = xasprintf("%.*s", (int)n_of, of);
+	if (n == 0)
+		replace_text(&site_is, "not stated");
+	if (n_of == 0)
+		replace_text(&feed_is, "not stated");
+	char *both =
+	    worse ? xasprintf(
+			"%s (the feed), site: %s%s", feed_is, site_is, own + n)
+		  : xasprintf("%s, feed: %s%s", site_is, feed_is, own + n);
+	free(site_is);
+	free(feed_is);
+	return both;
+}
+
+struct site *
+site_with_feed(const struct site *site, const struct psd *feed,
+    const char *from, const char *of)
+{
+	struct site *to = site_copy(site);
+	free(to->provenance);
+	to->provenance = provenance_with(site, of);
+	replace_text(&to->feed_from, from);
+	to->run = xrealloc(to->run, to->n_run + 1, sizeof *to->run);
+	to->run[to->n_run++] =
+	    (struct run){.speed = SITE_OTHER_FEED, .feed = psd_copy(feed)};
+	return to;
 }
 
 static bool
@@ -335,13 +380,13 @@ site_add_source(char **list, const struct site *site)
 }
 
 static const char *const MADE_UP[] = {
-    "reconstructed", "synthetic", "made up", "simulated"};
+    N_("reconstructed"), N_("synthetic"), N_("made up"), N_("simulated")};
 
 const char *
 site_data_kind(const char *provenance)
 {
 	char *folded = text_fold(provenance);
-	const char *text = text_trim(folded), *kind = "measured";
+	const char *text = text_trim(folded), *kind = N_("measured");
 	const char none[] = "not stated";
 	if (text[0] == '\0' || strncmp(text, none, strlen(none)) == 0)
 		kind = "not stated";

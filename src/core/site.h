@@ -9,11 +9,16 @@
 
 #include "core/psd.h"
 
+/* In place of the speed of a run: its feed is of another sheet and answers are
+ * asked with it.  It is the last run of a copy (site_with_feed). */
+#define SITE_OTHER_FEED (-1.0)
+
 /* One sampling at a rotor tip speed.  product.n is 0 where only the feed was
  * sampled.  product_sd: standard deviation of each product passing, 0..1, or
  * NULL. */
 struct run {
-	double speed;    /* m/s; 0 of a feed for any speed, without product */
+	double speed;    /* m/s; 0 of a feed for any speed, without product;
+			  * SITE_OTHER_FEED */
 	char repeat[16]; /* " (2)": which of several at this speed; else "" */
 	struct psd feed;
 	struct psd product;
@@ -47,6 +52,13 @@ struct site {
 	 * state; "" where it has the heads of tipspeed-site(5).  remark: on how
 	 * its file was read, or "". */
 	char *read_as, *assumed, *remark;
+	/* Of a copy that answers are asked of, what is taken instead of what
+	 * was sampled: where the feed is from, and all of it in words, "feed
+	 * b.csv, cascade 10 %"; else "". */
+	char *feed_from, *with;
+	/* Likewise: sieves to show, m, coarsest first; n_shown 0: its own. */
+	size_t n_shown;
+	double *shown;
 	char *path;      /* file it was read from, or "" */
 	uint64_t digest; /* of the numbers: sizes, passings, speeds */
 };
@@ -57,6 +69,11 @@ void site_free(struct site *site);
 
 /* Another one with copies of all it has. */
 struct site *site_copy(const struct site *site);
+
+/* A copy with another feed as its last run, which has no product; `from` says
+ * where it is from, of: what its sheet says of its data.  The digest stays. */
+struct site *site_with_feed(const struct site *site, const struct psd *feed,
+    const char *from, const char *of);
 
 /* A copy with the products of cuts as further runs, behind those at their
  * speed.  Each has its own feed, where it has one, else that of the site's run

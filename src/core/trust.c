@@ -7,12 +7,13 @@
 
 #include <gsl/gsl_statistics_double.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/elementary.h"
 #include "core/misfit.h"
 #include "core/sensitivity.h"
 
-const char *const LIGHT_NAME[3] = {"green", "amber", "red"};
+const char *const LIGHT_NAME[3] = {N_("green"), N_("amber"), N_("red")};
 
 /* What no passing is trusted to more than. */
 static const double ROUNDING = 0.001;
@@ -87,7 +88,7 @@ weigh_residuals(struct evidence *e, const struct misfit *m, const double *d,
 static double
 share_broken(const struct misfit *m, const struct params *p)
 {
-	double x = params_break_size(p, m->run[0].speed);
+	double x = params_break_size_by(p, &m->settings, m->run[0].speed);
 	double above =
 	    x > 0 && isfinite(x) ? 1 - psd_passing(&m->run[0].feed, x) : NAN;
 	model_set(m->model[0], p);
@@ -117,7 +118,8 @@ read_draws(struct evidence *e, const struct posterior *p, const struct fit *fit,
 		gamma[i] = params_value(&d->params, "gamma");
 		e->more += off[i] > error[i] ? 1.0 / N : 0;
 		e->unbounded +=
-		    params_break_size(&d->params, e->slowest) < finest ||
+		    params_break_size_by(&d->params, &p->settings, e->slowest) <
+				finest ||
 			    params_value(&d->params, "e0_min") < 0.05 * e0
 			? 1.0 / N
 			: 0;
@@ -213,37 +215,46 @@ judge_data(struct trust *t, const struct evidence *e)
 	    e->cells - (e->cells < e->parameters ? e->cells : e->parameters);
 	if (e->rmse > FIT_POOR)
 		trust_add(t, LIGHT_RED, TRUST_FIT,
-		    xasprintf("the fit is poor: RMSE %.1f points on the "
-			      "training products, where repeat samples agree "
-			      "within 0.5 to 1; check the data with 'check'",
+		    xasprintf(
+			tr("the fit is poor: RMSE %.1f points on the "
+			   "training products, where repeat samples agree "
+			   "within 0.5 to 1; check the data with 'check'"),
 			100 * e->rmse));
 	if (spare == 0)
 		trust_add(t, LIGHT_RED, TRUST_DATA,
-		    xasprintf("%zu passing%s cannot determine %zu parameters: "
-			      "the quality of the fit is not known; add "
-			      "sieves or a run",
-			e->cells, e->cells == 1 ? "" : "s", e->parameters));
+		    xasprintf(tr_n("%zu passing cannot determine %zu "
+				   "parameters: the quality of the fit is not "
+				   "known; add sieves or a run",
+				  "%zu passings cannot determine %zu "
+				  "parameters: the quality of the fit is not "
+				  "known; add sieves or a run",
+				  e->cells),
+			e->cells, e->parameters));
 	else if (spare < 4)
 		trust_add(t, LIGHT_AMBER, TRUST_DATA,
-		    xasprintf("%zu passings for %zu parameter%s leave little "
-			      "that could show a wrong model; add sieves or a "
-			      "run",
-			e->cells, e->parameters,
-			e->parameters == 1 ? "" : "s"));
+		    xasprintf(
+			tr_n("%zu passings for %zu parameter leave little that "
+			     "could show a wrong model; add sieves or a run",
+			    "%zu passings for %zu parameters leave little that "
+			    "could show a wrong model; add sieves or a run",
+			    e->parameters),
+			e->cells, e->parameters));
 	else if (e->like_feed && !(e->rmse > FIT_POOR))
 		trust_add(t, LIGHT_AMBER, TRUST_DATA,
-		    xstrdup("the training products hardly differ from their "
-			    "feed: the parameters fit sampling errors"));
+		    xstrdup(tr("the training products hardly differ from their "
+			       "feed: the parameters fit sampling errors")));
 	if (e->speeds == 1)
 		trust_add(t, LIGHT_AMBER, TRUST_DATA,
-		    xasprintf("one speed, %g m/s, was measured: nothing shows "
-			      "what the speed does; add a cut at another",
+		    xasprintf(
+			tr("one speed, %g m/s, was measured: nothing shows "
+			   "what the speed does; add a cut at another"),
 			e->slowest));
 	if (e->drift > 0.7)
 		trust_add(t, e->drift > 1.2 ? LIGHT_RED : LIGHT_AMBER,
 		    TRUST_FIT,
-		    xasprintf("the uncertainty band has not converged (its two "
-			      "halves differ by %.1f sd): it may be too narrow",
+		    xasprintf(
+			tr("the uncertainty band has not converged (its two "
+			   "halves differ by %.1f sd): it may be too narrow"),
 			e->drift));
 }
 
@@ -263,29 +274,33 @@ judge_pattern(struct trust *t, const struct evidence *e)
 		return;
 	if (size > 0)
 		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
-		    xasprintf("the residuals are %.1f times as large as usual "
-			      "sampling errors: the model misses something, or "
-			      "the samples are biased",
+		    xasprintf(
+			tr("the residuals are %.1f times as large as usual "
+			   "sampling errors: the model misses something, or "
+			   "the samples are biased"),
 			sqrt(e->size)));
 	if (alike > 0)
 		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
-		    xasprintf("residuals of neighbouring sieves are alike "
-			      "(%.1f sd more than by chance): the model misses "
-			      "something, or whole samples are biased",
+		    xasprintf(
+			tr("residuals of neighbouring sieves are alike "
+			   "(%.1f sd more than by chance): the model misses "
+			   "something, or whole samples are biased"),
 			e->alike));
 	if (more > 0)
 		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
-		    xasprintf("what the model leaves out (%.1f points) is as "
-			      "large as the sampling errors (%.1f): the answer "
-			      "is as much correction as model",
+		    xasprintf(
+			tr("what the model leaves out (%.1f points) is as "
+			   "large as the sampling errors (%.1f): the answer "
+			   "is as much correction as model"),
 			100 * e->discrepancy, 100 * e->sampling));
 	if (drift > 0)
 		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
-		    xasprintf("the residuals follow the speed, as if fragments "
-			      "got %s with energy (gamma %.2f \302\261 %.2f): "
-			      "beyond the measured speeds the answer rests on "
-			      "that",
-			e->gamma > 0 ? "finer" : "coarser", e->gamma,
+		    xasprintf(
+			tr("the residuals follow the speed, as if fragments "
+			   "got %s with energy (gamma %.2f \302\261 %.2f): "
+			   "beyond the measured speeds the answer rests on "
+			   "that"),
+			e->gamma > 0 ? tr("finer") : tr("coarser"), e->gamma,
 			e->gamma_sd));
 }
 
@@ -299,14 +314,15 @@ judge_holdout(struct trust *t, const struct evidence *e)
 		return;
 	if (own > FIT_POOR)
 		trust_add(t, LIGHT_RED, TRUST_HOLDOUT,
-		    xasprintf("at %g m/s, held out, the model errs by %.1f "
-			      "points (RMSE)",
+		    xasprintf(tr("at %g m/s, held out, the model errs by %.1f "
+				 "points (RMSE)"),
 			v->speed, 100 * own));
 	else if (validation_loses(v) && own > 1.2 * line + 0.001)
 		trust_add(t, LIGHT_AMBER, TRUST_HOLDOUT,
-		    xasprintf("at %g m/s, held out, interpolating the "
-			      "training products is closer (%.2f points RMSE) "
-			      "than the model (%.2f)",
+		    xasprintf(
+			tr("at %g m/s, held out, interpolating the "
+			   "training products is closer (%.2f points RMSE) "
+			   "than the model (%.2f)"),
 			v->speed, 100 * line, 100 * own));
 }
 
@@ -315,15 +331,16 @@ judge_slow(struct trust *t, const struct evidence *e)
 {
 	if (e->unbounded > 0.05)
 		trust_add(t, LIGHT_AMBER, TRUST_SLOW,
-		    xasprintf("the threshold is only bounded from above (%.0f "
-			      "%% of the draws have none): slower than %g m/s "
-			      "far less may break",
+		    xasprintf(
+			tr("the threshold is only bounded from above (%.0f "
+			   "%% of the draws have none): slower than %g m/s "
+			   "far less may break"),
 			100 * e->unbounded, e->slowest));
 	else if (e->breaks > 0.995)
 		trust_add(t, LIGHT_AMBER, TRUST_SLOW,
-		    xasprintf("already at %g m/s %.0f %% of what is coarse "
-			      "enough breaks: f_mat is only bounded from "
-			      "below, and slower less may break",
+		    xasprintf(tr("already at %g m/s %.0f %% of what is coarse "
+				 "enough breaks: f_mat is only bounded from "
+				 "below, and slower less may break"),
 			e->slowest, 100 * e->breaks));
 }
 
@@ -338,9 +355,10 @@ judge_speed(struct trust *t, const struct evidence *e, double v)
 	if (beyond > BEYOND)
 		trust_add(t, beyond > FAR_BEYOND ? LIGHT_RED : LIGHT_AMBER,
 		    TRUST_BEYOND,
-		    xasprintf("%g m/s is %.1f m/s %s than any measured speed: "
-			      "no measurement shows what happens there",
-			v, fabs(v - end), slow ? "slower" : "faster"));
+		    xasprintf(
+			tr("%g m/s is %.1f m/s %s than any measured speed: "
+			   "no measurement shows what happens there"),
+			v, fabs(v - end), slow ? tr("slower") : tr("faster")));
 	if (slow)
 		judge_slow(t, e);
 }
@@ -351,20 +369,22 @@ judge_question(struct trust *t, const struct trust_question *q)
 	if (q->width > WIDE)
 		trust_add(t, q->width > VERY_WIDE ? LIGHT_RED : LIGHT_AMBER,
 		    TRUST_BAND,
-		    xasprintf("the uncertainty band is wide, %.0f points on "
-			      "average: the data leave the answer open",
+		    xasprintf(tr("the uncertainty band is wide, %.0f points on "
+				 "average: the data leave the answer open"),
 			100 * q->width));
 	if (q->feed > OTHER_FEED)
 		trust_add(t, q->feed > STRANGE_FEED ? LIGHT_RED : LIGHT_AMBER,
 		    TRUST_FEED,
-		    xasprintf("the feed differs by up to %.0f points from "
-			      "those calibrated with: it may break differently",
+		    xasprintf(
+			tr("the feed differs by up to %.0f points from "
+			   "those calibrated with: it may break differently"),
 			100 * q->feed));
 	if (q->bound != NULL)
 		trust_add(t, LIGHT_AMBER, TRUST_BOUND,
-		    xasprintf("%s is at its bound, and across it the answer "
-			      "would move by %.1f points: the bound, not the "
-			      "data, sets it",
+		    xasprintf(
+			tr("%s is at its bound, and across it the answer "
+			   "would move by %.1f points: the bound, not the "
+			   "data, sets it"),
 			q->bound, 100 * q->bound_moves));
 }
 

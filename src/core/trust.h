@@ -80,6 +80,7 @@ enum trust_cause {
 	TRUST_BAND,
 	TRUST_FEED,
 	TRUST_BOUND,
+	TRUST_MACHINE,
 	TRUST_ORIGIN
 };
 

@@ -162,9 +162,10 @@ read_sizes(const struct psd *sieves, const double *passing, size_t n,
 	psd_free(&known);
 }
 
-void
-validation_put(struct validation *v, const struct site *site,
-    enum validate_way way, const double *passing)
+/* What a way predicts at the covered sieves. */
+static void
+put_way(struct validation *v, const struct site *site, enum validate_way way,
+    const double *passing)
 {
 	const struct psd *product = &site->run[v->run].product;
 	size_t worst = 0, n = v->n_sieve;
@@ -198,7 +199,7 @@ validate_run(const struct site *site, size_t run, const bool *train,
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
 		validate_passing(
 		    site, run, train, p, settings, posterior, way, passing);
-		validation_put(&v, site, way, passing);
+		put_way(&v, site, way, passing);
 	}
 	free(passing);
 	return v;

@@ -54,10 +54,6 @@ void validate_passing(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
     const struct posterior *posterior, enum validate_way way, double *out);
 
-/* Puts in what a way predicts at the covered sieves. */
-void validation_put(struct validation *v, const struct site *site,
-    enum validate_way way, const double *passing);
-
 /* The way with the smallest RMSE. */
 enum validate_way validate_winner(const double rmse[static VALIDATE_WAYS]);
 

@@ -13,6 +13,7 @@
 #include <strings.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 /* Columns of a terminal, less two for its edges. */
@@ -122,7 +123,7 @@ answer_title(struct answer *a, const char *format, ...)
 	va_list ap;
 	va_start(ap, format);
 	free(a->title);
-	a->title = xvasprintf(format, ap);
+	a->title = xvasprintf(tr(format), ap);
 	va_end(ap);
 }
 
@@ -153,7 +154,7 @@ answer_column(struct answer *a, const char *key, const char *head)
 	t->key = xrealloc(t->key, t->n_column + 1, sizeof *t->key);
 	t->head = xrealloc(t->head, t->n_column + 1, sizeof *t->head);
 	t->key[t->n_column] = xstrdup(key);
-	t->head[t->n_column++] = xstrdup(head);
+	t->head[t->n_column++] = xstrdup(tr(head));
 }
 
 void
@@ -161,7 +162,7 @@ answer_columns(struct answer *a, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	char *list = xvasprintf(format, ap), *save = NULL;
+	char *list = xvasprintf(tr(format), ap), *save = NULL;
 	va_end(ap);
 	for (char *key = strtok_r(list, ",", &save); key != NULL;
 	     key = strtok_r(NULL, ",", &save)) {
@@ -179,7 +180,10 @@ static void
 add_cell(struct answer *a, struct answer_cell cell)
 {
 	struct table *t = a->filled;
-	t->cell = xrealloc(t->cell, t->n_cell + 1, sizeof *t->cell);
+	bool full = (t->n_cell & (t->n_cell - 1)) == 0; /* 0, 1, 2, 4, .. */
+	if (full)
+		t->cell = xrealloc(t->cell, t->n_cell > 0 ? 2 * t->n_cell : 1,
+		    sizeof *t->cell);
 	t->cell[t->n_cell++] = cell;
 }
 
@@ -228,15 +232,15 @@ answer_text(struct answer *a, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add_text(a, xvasprintf(format, ap));
+	add_text(a, xvasprintf(tr(format), ap));
 	va_end(ap);
 }
 
 void
 answer_name(struct answer *a, const char *key, const char *head)
 {
-	add_cell(a,
-	    (struct answer_cell){true, NAN, -1, xstrdup(head), xstrdup(key)});
+	add_cell(a, (struct answer_cell){
+			true, NAN, -1, xstrdup(tr(head)), xstrdup(key)});
 }
 
 void
@@ -244,8 +248,8 @@ answer_pair(struct answer *a, const char *name, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add_text(a, xstrdup(name));
-	add_text(a, xvasprintf(format, ap));
+	add_text(a, xstrdup(tr(name)));
+	add_text(a, xvasprintf(tr(format), ap));
 	va_end(ap);
 }
 
@@ -253,7 +257,7 @@ void
 answer_missing(struct answer *a, const char *words)
 {
 	free(a->missing);
-	a->missing = xstrdup(words);
+	a->missing = xstrdup(tr(words));
 }
 
 static size_t
@@ -282,7 +286,7 @@ answer_note(struct answer *a, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add_sentence(a, ANSWER_PLAIN, xvasprintf(format, ap));
+	add_sentence(a, ANSWER_PLAIN, xvasprintf(tr(format), ap));
 	va_end(ap);
 }
 
@@ -291,7 +295,7 @@ answer_say(struct answer *a, enum answer_grade grade, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add_sentence(a, grade, xvasprintf(format, ap));
+	add_sentence(a, grade, xvasprintf(tr(format), ap));
 	va_end(ap);
 }
 
@@ -473,10 +477,17 @@ answer_number(const struct answer *a, const char *path)
 	return value;
 }
 
+static const struct table *
+for_programs(const struct answer *a)
+{
+	return &a->table[a->table[1].n_column > 0];
+}
+
 struct answer_view
 answer_view(const struct answer *a)
 {
-	const struct table *t = &a->table[0];
+	const struct table *t =
+	    a->table[0].n_column > 0 ? &a->table[0] : for_programs(a);
 	return (struct answer_view){.title = a->title,
 	    .site = a->site,
 	    .provenance = a->provenance,
@@ -488,17 +499,11 @@ answer_view(const struct answer *a)
 	    .sentence = a->sentence};
 }
 
-static const struct table *
-for_programs(const struct answer *a)
-{
-	return &a->table[a->table[1].n_column > 0];
-}
-
 /* Where there is no table the sentences are the answer. */
 static bool
 is_told(const struct answer *a)
 {
-	return a->table[0].n_column == 0 && a->n_sentence > 0;
+	return for_programs(a)->n_column == 0 && a->n_sentence > 0;
 }
 
 /* Length of the provenance's first clause, which says what the data are; the
@@ -567,7 +572,7 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 	size_t rows = told ? a->n_sentence : rows_of(t);
 	if (t->n_column == 0 && !told)
 		return 0;
-	fputs("command", out);
+	fputs(tr("command"), out);
 	if (a->site != NULL)
 		fprintf(out, "%csite%cprovenance", separator, separator);
 	for (size_t c = 0; c < t->n_column; c++)
@@ -666,6 +671,13 @@ print_json(const struct answer *a, bool semicolon, FILE *out)
 	return rows_of(t);
 }
 
+/* How a table is set, found once for all rows: width and number [n_column].
+ * wraps: the last column holds sentences, wrapped from indent on. */
+struct form {
+	int *width, indent;
+	bool *number, wraps;
+};
+
 /* A column of numbers is set flush right. */
 static bool
 is_number_column(const struct table *t, size_t column)
@@ -695,18 +707,31 @@ print_padded(const char *text, int width, bool right, bool last, FILE *out)
 	    right || last ? 0 : pad, "");
 }
 
-/* True where the last column holds sentences that would not fit a screen after
- * the columns before it. One column alone is something to be copied. */
-static bool
-wraps(const struct table *t, int *indent)
+/* Where the last column holds sentences that would not fit a screen after the
+ * columns before it, it is wrapped. One column alone is something to be
+ * copied. */
+static struct form
+form_of(const struct table *t)
 {
 	enum { LEAST = 24 };
-	*indent = 2;
-	for (size_t c = 0; c + 1 < t->n_column; c++)
-		*indent += column_width(t, c) + 2;
-	if (t->n_column < 2 || *indent >= SCREEN - LEAST)
-		return false;
-	return *indent + column_width(t, t->n_column - 1) > SCREEN;
+	struct form f = {.indent = 2};
+	f.width = xcalloc(t->n_column + 1, sizeof *f.width);
+	f.number = xcalloc(t->n_column + 1, sizeof *f.number);
+	for (size_t c = 0; c < t->n_column; c++) {
+		f.width[c] = column_width(t, c);
+		f.number[c] = is_number_column(t, c);
+		f.indent += c + 1 < t->n_column ? f.width[c] + 2 : 0;
+	}
+	f.wraps = t->n_column >= 2 && f.indent < SCREEN - LEAST &&
+		  f.indent + f.width[t->n_column - 1] > SCREEN;
+	return f;
+}
+
+static void
+form_free(struct form *f)
+{
+	free(f->width);
+	free(f->number);
 }
 
 /* The last cell of a row, wrapped under itself. */
@@ -732,14 +757,14 @@ struct block {
 /* As many columns as fit a screen.  A table that ends in sentences wraps them
  * instead. */
 static struct block
-block_from(const struct table *t, size_t from)
+block_from(const struct table *t, const struct form *f, size_t from)
 {
-	int indent, width = 4 + column_width(t, 0);
+	int width = 4 + f->width[0];
 	struct block b = {from, t->n_column};
-	if (wraps(t, &indent))
+	if (f->wraps)
 		return b;
 	for (b.to = from; b.to < t->n_column; b.to++) {
-		width += column_width(t, b.to) + 2;
+		width += f->width[b.to] + 2;
 		if (b.to > from && width > SCREEN + 2)
 			break;
 	}
@@ -747,21 +772,19 @@ block_from(const struct table *t, size_t from)
 }
 
 static void
-print_row(const struct table *t, size_t row, bool head, struct block block,
-    const char *between, FILE *out)
+print_row(const struct table *t, const struct form *f, size_t row, bool head,
+    struct block block, const char *between, FILE *out)
 {
-	int indent;
-	bool wrap = wraps(t, &indent) && between[1] != '|';
+	bool wrap = f->wraps && between[1] != '|';
 	for (size_t c = 0; c < block.to; c = c == 0 ? block.from : c + 1) {
 		const char *text =
 		    head ? t->head[c] : t->cell[row * t->n_column + c].text;
 		if (wrap && c + 1 == t->n_column) {
-			print_sentence(text, indent, out);
+			print_sentence(text, f->indent, out);
 			return;
 		}
 		bool last = c + 1 == block.to && between[1] != '|';
-		print_padded(text, column_width(t, c), is_number_column(t, c),
-		    last, out);
+		print_padded(text, f->width[c], f->number[c], last, out);
 		if (c + 1 < block.to)
 			fputs(between, out);
 	}
@@ -769,12 +792,13 @@ print_row(const struct table *t, size_t row, bool head, struct block block,
 
 /* A row of a table (0: the heads) without spaces at its end. */
 static void
-print_trimmed(const struct table *t, size_t row, struct block block, FILE *out)
+print_trimmed(const struct table *t, const struct form *f, size_t row,
+    struct block block, FILE *out)
 {
 	char *line = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&line, &n);
-	print_row(t, row - 1, row == 0, block, "  ", memory);
+	print_row(t, f, row - 1, row == 0, block, "  ", memory);
 	fclose(memory);
 	while (n > 0 && line[n - 1] == ' ')
 		n--;
@@ -793,8 +817,8 @@ put_sentences(char *(*way)(const char *), const struct answer *a, bool warnings,
 			continue;
 		char *text = xasprintf("%s%s%s",
 		    !warnings    ? ""
-		    : is_told(a) ? "Warning: "
-				 : "warning: ",
+		    : is_told(a) ? tr("Warning: ")
+				 : tr("warning: "),
 		    said->text, is_told(a) ? "." : "");
 		add_sentence(copy, said->grade, way(text));
 		free(text);
@@ -829,26 +853,34 @@ put_in(char *(*way)(const char *), const struct answer *a)
 	return copy;
 }
 
+struct answer *
+answer_shown(const struct answer *a)
+{
+	return put_in(text_shown, a);
+}
+
 static size_t
 print_table(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
-	struct answer *a = put_in(text_shown, answer);
+	struct answer *a = answer_shown(answer);
 	const struct table *t = &a->table[0];
 	if (a->title != NULL)
 		fprintf(out, "%s\n", a->title);
 	if (a->provenance != NULL)
-		fprintf(out, "data: %s\n", a->provenance);
+		fprintf(out, tr("data: %s\n"), a->provenance);
 	size_t rows = rows_of(t), from = 1;
+	struct form f = form_of(t);
 	while (rows > 0) {
-		struct block block = block_from(t, from);
+		struct block block = block_from(t, &f, from);
 		for (size_t row = 0; row <= rows; row++)
-			print_trimmed(t, row, block, out);
+			print_trimmed(t, &f, row, block, out);
 		from = block.to;
 		if (from >= t->n_column)
 			break;
 		fputc('\n', out);
 	}
+	form_free(&f);
 	for (size_t i = 0; i < a->n_sentence; i++)
 		text_wrap(a->sentence[i].text, 0, SCREEN, out);
 	answer_free(a);
@@ -900,18 +932,19 @@ as_markdown(const char *text)
 static void
 print_markdown_rows(const struct table *t, FILE *out)
 {
+	struct form f = form_of(t);
 	for (size_t row = 0; row <= rows_of(t); row++) {
 		fputs("| ", out);
-		print_row(t, row - 1, row == 0, (struct block){1, t->n_column},
-		    " | ", out);
+		print_row(t, &f, row - 1, row == 0,
+		    (struct block){1, t->n_column}, " | ", out);
 		fputs(" |\n", out);
 		if (row > 0)
 			continue;
 		for (size_t c = 0; c < t->n_column; c++)
-			fprintf(out, "%s",
-			    is_number_column(t, c) ? "|--:" : "|---");
+			fprintf(out, "%s", f.number[c] ? "|--:" : "|---");
 		fputs("|\n", out);
 	}
+	form_free(&f);
 }
 
 static size_t
@@ -923,7 +956,7 @@ print_markdown(const struct answer *answer, bool semicolon, FILE *out)
 	if (a->title != NULL)
 		fprintf(out, "**%s**\n\n", a->title);
 	if (a->provenance != NULL)
-		fprintf(out, "Data: %s\n\n", a->provenance);
+		fprintf(out, tr("Data: %s\n\n"), a->provenance);
 	if (t->n_column > 0)
 		print_markdown_rows(t, out);
 	for (size_t i = 0; i < a->n_sentence; i++)
@@ -934,7 +967,6 @@ print_markdown(const struct answer *answer, bool semicolon, FILE *out)
 	return rows;
 }
 
-const struct answer_form ANSWER_FORMATS[4] = {
-    {"table", NULL, false, print_table}, {"csv", ".csv", true, print_csv},
-    {"json", ".json", true, print_json},
-    {"markdown", ".md", false, print_markdown}};
+const struct answer_form ANSWER_FORMATS[4] = {{"table", false, print_table},
+    {"csv", true, print_csv}, {"json", true, print_json},
+    {"markdown", false, print_markdown}};

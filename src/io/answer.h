@@ -20,13 +20,13 @@
  * screen goes on in further blocks, each with the first column again. */
 struct answer;
 
-/* The forms it is shown in, in the order of the enum.  end: of a file's name,
- * or NULL; exact: for programs.  print: returns how many rows the table has;
- * semicolon: csv has semicolons, and commas in its numbers, as spreadsheets
- * have in Swedish and German.  JSON is one line. */
+/* The forms it is shown in, in the order of the enum.  exact: for programs.
+ * print: returns how many rows the table has; semicolon: csv has semicolons,
+ * and commas in its numbers, as spreadsheets have in Swedish and German.  JSON
+ * is one line. */
 enum answer_format { ANSWER_TABLE, ANSWER_CSV, ANSWER_JSON, ANSWER_MARKDOWN };
 extern const struct answer_form {
-	const char *name, *end;
+	const char *name;
 	bool exact;
 	size_t (*print)(const struct answer *, bool semicolon, FILE *out);
 } ANSWER_FORMATS[4];
@@ -97,9 +97,10 @@ void answer_note(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* What people are shown of it, borrowed: title, site and provenance or NULL, a
- * table row by row, sentences.  A cell: text is what they see; number is exact,
- * NAN where it is missing, and they see so many decimals of it, for -1 as many
- * as needed; key: what programs see in place of a text, or NULL. */
+ * table row by row, that of programs where they have none, sentences.  A cell:
+ * text is what they see; number is exact, NAN where it is missing, and they see
+ * so many decimals of it, for -1 as many as needed; key: what programs see in
+ * place of a text, or NULL. */
 struct answer_cell {
 	bool is_text;
 	double number;
@@ -118,6 +119,10 @@ struct answer_view {
 	const struct answer_sentence *sentence;
 };
 struct answer_view answer_view(const struct answer *answer);
+
+/* A copy of that with all texts as they are shown: of the provenance the first
+ * clause, warnings first and called so. */
+struct answer *answer_shown(const struct answer *answer);
 
 /* Its fields, beside command, site and provenance; borrowed. */
 struct fields *answer_fields(struct answer *answer);

@@ -6,6 +6,7 @@
 
 #include <zip.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 enum { MOST_BYTES = 50 * 1000 * 1000 };
@@ -51,6 +52,21 @@ archive_has(const struct archive *archive, const char *name)
 	return zip_name_locate(archive->zip, name, ZIP_FL_NOCASE) >= 0;
 }
 
+double
+archive_unpacked(const struct archive *archive)
+{
+	double bytes = 0;
+	zip_int64_t n = zip_get_num_entries(archive->zip, 0);
+	for (zip_int64_t i = 0; i < n; i++) {
+		zip_stat_t about;
+		if (zip_stat_index(archive->zip, (zip_uint64_t)i, 0, &about) ==
+			0 &&
+		    (about.valid & ZIP_STAT_SIZE) != 0)
+			bytes += (double)about.size;
+	}
+	return bytes;
+}
+
 /* What stands in the entry, however much it says it has. */
 static char *
 unpack(struct archive *archive, zip_file_t *file, size_t *n)
@@ -81,20 +97,20 @@ archive_part(struct archive *archive, const char *name, size_t *n, char **wrong)
 	zip_int64_t at = zip_name_locate(archive->zip, name, ZIP_FL_NOCASE);
 	zip_stat_t about;
 	if (at < 0) {
-		*wrong = xasprintf("%s is missing", name);
+		*wrong = xasprintf(tr("%s is missing"), name);
 		return NULL;
 	}
 	if (zip_stat_index(archive->zip, (zip_uint64_t)at, 0, &about) == 0 &&
 	    (about.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 &&
 	    about.encryption_method != ZIP_EM_NONE) {
-		*wrong = xasprintf("%s has a password", name);
+		*wrong = xasprintf(tr("%s has a password"), name);
 		return NULL;
 	}
 	zip_file_t *file = zip_fopen_index(archive->zip, (zip_uint64_t)at, 0);
 	char *bytes = file != NULL ? unpack(archive, file, n) : NULL;
 	if (bytes == NULL && archive->unpacked > MOST_BYTES)
-		*wrong =
-		    xasprintf("more than %d MB unpacked", MOST_BYTES / 1000000);
+		*wrong = xasprintf(
+		    tr("more than %d MB unpacked"), MOST_BYTES / 1000000);
 	else if (bytes == NULL)
 		*wrong = xasprintf("%s: %s", name,
 		    file != NULL ? zip_file_strerror(file)

@@ -18,6 +18,9 @@ void archive_close(struct archive *archive);
 /* Whether there is a part of that name, but for upper and lower case. */
 bool archive_has(const struct archive *archive, const char *name);
 
+/* How many bytes its parts are unpacked, as the archive itself says. */
+double archive_unpacked(const struct archive *archive);
+
 /* A part, *n bytes and a NUL, which the caller frees.  NULL, with *wrong in
  * words as above, where there is none or it is locked, damaged or too large. */
 char *archive_part(

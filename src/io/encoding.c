@@ -11,6 +11,7 @@
 #include <utf8proc.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 /* Windows-1252 from 0x80 to 0x9F, 0 where it has no character.  Source:
@@ -53,8 +54,9 @@ decode_1252(const char *bytes, size_t n)
 		uint32_t code = from_1252(bytes[i]);
 		bool none = code == 0 && bytes[i] != '\0';
 		if (none && d.wrong == NULL) {
-			d.wrong = "expected UTF-8 or Windows-1252, got a byte "
-				  "of neither";
+			d.wrong =
+			    tr("expected UTF-8 or Windows-1252, got a byte "
+			       "of neither");
 			d.bad = (size_t)(to - d.text);
 		}
 		to = put(to, none ? 0xFFFD : code);
@@ -82,7 +84,7 @@ decode_bytes(const char *bytes, size_t n)
 	struct decoded d = {ENCODING_UTF8, xcalloc(n + 1, 1), n, bad, NULL};
 	memcpy(d.text, bytes, n);
 	if (bad < n)
-		d.wrong = "expected UTF-8, got UTF-8 with a damaged letter";
+		d.wrong = tr("expected UTF-8, got UTF-8 with a damaged letter");
 	return d;
 }
 
@@ -119,7 +121,7 @@ decode_16(const char *bytes, size_t n, bool big)
 	for (size_t i = 0; i < n;) {
 		uint32_t code = next_16(bytes, n, big, &i);
 		if (code == UINT32_MAX) {
-			d.wrong = "expected text, got damaged UTF-16";
+			d.wrong = tr("expected text, got damaged UTF-16");
 			break;
 		}
 		to = put(to, code);

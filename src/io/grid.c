@@ -2,13 +2,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/grid.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/encoding.h"
 
@@ -40,7 +40,7 @@ grid_note(struct grid *g, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	char *text = xvasprintf(format, ap);
+	char *text = xvasprintf(tr(format), ap);
 	va_end(ap);
 	xlist(&g->note, "; ", "%s", text);
 	free(text);
@@ -50,7 +50,7 @@ void
 grid_begin(struct grid *g, const char *name)
 {
 	g->now = sheet_begin(g->path, name, g->most_rows, g->errors);
-	g->too_big = g->n == MOST_SHEETS ? "more than 200 sheets" : NULL;
+	g->too_big = g->n == MOST_SHEETS ? tr("more than 200 sheets") : NULL;
 	g->bytes = 0;
 	g->unsolved = g->hidden = false;
 }
@@ -89,10 +89,11 @@ put(struct grid *g, struct cell cell)
 	g->bytes += strlen(cell.text);
 	if (cell.text[0] != '\0' && g->too_big == NULL) {
 		if (g->bytes > MOST_BYTES)
-			g->too_big = "more than 10 MB of text";
+			g->too_big = tr("more than 10 MB of text");
 		else if (!sheet_has_room(g->now, cell))
-			g->too_big = cell.column > 256 ? "more than 256 columns"
-						       : "too many rows";
+			g->too_big = cell.column > 256
+					 ? tr("more than 256 columns")
+					 : tr("too many rows");
 	}
 	if (cell.text[0] == '\0' || g->too_big != NULL)
 		free(cell.text);

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "io/units.h"
 #include "io/vocabulary.h"
 
 /* Longer ones before those that they begin with. */
@@ -75,8 +76,7 @@ head_mps(double number, enum speed_unit unit, double rotor)
 		return number * 0.3048;
 	case SPEED_RPM:
 		/* To a hundredth: rpm are known to one in a thousand. */
-		return round(100 * 3.14159265358979 * rotor * number / 60) /
-		       100;
+		return round(100 * units_mps(number, rotor)) / 100;
 	default:
 		return number;
 	}

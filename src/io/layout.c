@@ -287,7 +287,7 @@ next_head(const struct grid *g, size_t r, size_t c)
 
 /* Tables under a head for sieves. */
 static size_t
-find_headed(const struct grid *g, struct place *place, size_t most)
+find_headed(const struct grid *g, struct place *place)
 {
 	size_t n = 0;
 	for (size_t r = 0; r < g->n_row; r++)
@@ -303,7 +303,7 @@ find_headed(const struct grid *g, struct place *place, size_t most)
 			if (p.first == g->n_row || !is_sieve(g, p.first, c))
 				continue;
 			find_end(g, &p);
-			if (p.last > p.first && n < most)
+			if (p.last > p.first && n < MOST_TABLES)
 				place[n++] = p;
 		}
 	return n;
@@ -320,7 +320,7 @@ is_pan_row(const struct grid *g, size_t r, size_t c)
 /* Numbers that fall, or rise, and nearly all are openings of real sieves: a
  * table without a head. */
 static size_t
-find_bare(const struct grid *g, struct place *place, size_t most)
+find_bare(const struct grid *g, struct place *place)
 {
 	size_t found = 0;
 	for (size_t c = 0; c < g->n_col; c++) {
@@ -343,7 +343,7 @@ find_bare(const struct grid *g, struct place *place, size_t most)
 				p.first--;
 			bool ordered = rises + 1 == n || falls + 1 == n;
 			if (n >= LEAST_WITHOUT_HEAD && ordered &&
-			    p.score * 5 >= (int)n * 4 && found < most)
+			    p.score * 5 >= (int)n * 4 && found < MOST_TABLES)
 				place[found++] = p;
 			r = p.last > r ? p.last - 1 : r;
 		}
@@ -652,16 +652,16 @@ layout_new(struct sheet *sheet, struct layout_range range)
 	struct grid g = grid_new(sheet, range);
 	shift_head(&g);
 	struct grid t = grid_turned(&g);
-	size_t n = find_headed(&g, down, MOST_TABLES);
-	size_t m = find_headed(&t, across, MOST_TABLES);
+	size_t n = find_headed(&g, down);
+	size_t m = find_headed(&t, across);
 	n = drop_doubles(&g, down, n);
 	m = drop_doubles(&t, across, m);
 	if (range.n_sieves > 0) {
 		n = find_told(&g, &range, down);
 		m = find_told(&t, &range, across);
 	} else if (n == 0 && m == 0) {
-		n = find_bare(&g, down, MOST_TABLES);
-		m = n > 0 ? 0 : find_bare(&t, across, MOST_TABLES);
+		n = find_bare(&g, down);
+		m = n > 0 ? 0 : find_bare(&t, across);
 	}
 	bool turned = total_score(across, m) > total_score(down, n);
 	layout->across = turned;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/head.h"
 #include "io/number.h"
@@ -215,7 +216,7 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 			continue;
 		if (number && unit == SPEED_NO_UNIT &&
 		    (l->head[c].means & WORD_SPEED) != 0)
-			xlist(&text, " ", "speed %s", cell.text);
+			xlist(&text, " ", tr("speed %s"), cell.text);
 		else
 			xlist(&text, " ", "%s %s", cell.text,
 			    number ? unit_text(unit) : "");

@@ -3,11 +3,11 @@
 #include "io/number.h"
 
 #include <ctype.h>
-#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 enum { LONGEST = 64 };
@@ -168,23 +168,25 @@ static const char *
 number_hint(const char *s)
 {
 	if (s[0] == '=')
-		return "the workbook was saved without results: open and save "
-		       "it in a spreadsheet program";
+		return tr(
+		    "the workbook was saved without results: open and save "
+		    "it in a spreadsheet program");
 	size_t n = strspn(s, "0123456789");
 	bool date = n > 0 && strchr("-/.", s[n]) != NULL && s[n] != '\0' &&
 		    (isalpha((unsigned char)s[n + 1]) ||
 			strchr(s + n + 1, s[n]) != NULL);
 	if (date)
-		return "the spreadsheet turned it into a date: type it again "
-		       "in a cell formatted as text";
+		return tr(
+		    "the spreadsheet turned it into a date: type it again "
+		    "in a cell formatted as text");
 	n = strspn(s, "+-0123456789");
 	bool group = n > 0 && s[n] != '\0' && strchr(" ',.\xC2\xE2", s[n]) &&
 		     isdigit((unsigned char)s[strlen(s) - 1]);
 	if (group)
-		return "write thousands without a separator: 1000";
-	return n > 0 ? "write the number alone; units belong in the header"
-		     : "write digits and a decimal point, or leave the cell "
-		       "empty where the sieve was not used";
+		return tr("write thousands without a separator: 1000");
+	return n > 0 ? tr("write the number alone; units belong in the header")
+		     : tr("write digits and a decimal point, or leave the cell "
+			  "empty where the sieve was not used");
 }
 
 bool

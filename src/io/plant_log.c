@@ -7,7 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort_double.h>
+
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/head.h"
 #include "io/number.h"
@@ -254,7 +257,7 @@ settle_unit(struct reading *r, size_t c)
 		    "..\"",
 		    r->sheet->path, r->date + 1, c + 1);
 	r->kind[c] = LOG_RPM;
-	xlist(&r->log->assumed, "; ", "column %zu in rpm", c + 1);
+	xlist(&r->log->assumed, "; ", tr("column %zu in rpm"), c + 1);
 	return true;
 }
 
@@ -312,7 +315,8 @@ find_order(struct reading *r, bool *open)
 		return sheet_fault(r->sheet, other,
 		    "expected dates with the %s first, got %s\n"
 		    "write dates as 2026-05-03",
-		    r->order == MOMENT_DAY_FIRST ? "day" : "month", other.text);
+		    r->order == MOMENT_DAY_FIRST ? tr("day") : tr("month"),
+		    other.text);
 	if (undecided.text == NULL || r->order != MOMENT_OPEN)
 		return true;
 	*open = true;
@@ -405,14 +409,14 @@ check_numbers(struct reading *r)
 static void
 tell_columns(struct reading *r)
 {
-	char *text = xasprintf("time in column %zu", r->date + 1);
+	char *text = xasprintf(tr("time in column %zu"), r->date + 1);
 	if (r->clock != r->date)
-		xappend(&text, " and %zu", r->clock + 1);
+		xappend(&text, tr(" and %zu"), r->clock + 1);
 	for (size_t k = 0; k < LOG_COLUMNS; k++)
 		for (size_t c = 0; c < r->n_column; c++)
 			if (r->kind[c] == k)
-				xlist(&text, ", ", "%s in %zu", LOG_UNITS[k],
-				    c + 1);
+				xlist(&text, ", ", tr("%s in %zu"),
+				    LOG_UNITS[k], c + 1);
 	if (r->log->read_as[0] == '\0')
 		xappend(&r->log->read_as, "%s", text);
 	free(text);
@@ -497,20 +501,13 @@ sort_rows(struct plant_log *log)
 	free(stamp);
 }
 
-static int
-by_value(const void *a, const void *b)
-{
-	const double *x = a, *y = b;
-	return (*x > *y) - (*x < *y);
-}
-
 /* NAN of none. */
 static double
 median(double *value, size_t n)
 {
 	if (n == 0)
 		return NAN;
-	qsort(value, n, sizeof *value, by_value);
+	gsl_sort(value, 1, n);
 	return (value[(n - 1) / 2] + value[n / 2]) / 2;
 }
 
@@ -547,7 +544,7 @@ finish(struct reading *r)
 	}
 	if (r->zone)
 		xlist(&log->assumed, "; ",
-		    "times as they are written, whatever their zone");
+		    tr("times as they are written, whatever their zone"));
 }
 
 struct plant_log *

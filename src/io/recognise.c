@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/vocabulary.h"
 #include "io/number.h"
@@ -26,7 +27,7 @@ assume(struct column *c, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	char *what = xvasprintf(format, ap);
+	char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
 	if (c->assumed == NULL)
 		c->assumed = what;
@@ -429,7 +430,7 @@ find_unit(struct column *c, bool told)
 		}
 		c->unit = site_unit_find(kind, scale);
 		if (kind != PASSING || scale != OF_100 || scales == 0)
-			assume(c, "as %s", SITE_UNITS[c->unit].words);
+			assume(c, "as %s", tr(SITE_UNITS[c->unit].words));
 		c->open = c->open || !sure || (classes && kind != RETAINED);
 		return;
 	}
@@ -442,8 +443,8 @@ find_unit(struct column *c, bool told)
 	sure = settle_scale(c, &s, kind, total, &scale) && sure;
 	sure = sure && !both && (told || agrees_with(&s, kind));
 	if (scales == 0)
-		assume(
-		    c, "as %s", SITE_UNITS[site_unit_find(kind, scale)].words);
+		assume(c, "as %s",
+		    tr(SITE_UNITS[site_unit_find(kind, scale)].words));
 	if (kind == RETAINED && scale == OF_100 && s.falls > 0 &&
 	    s.rises == 0 && s.sum > 102)
 		sure = false;
@@ -532,9 +533,9 @@ leave_out(struct site *site, size_t number, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	char *what = xvasprintf(format, ap);
+	char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
-	char *where = xasprintf("column %zu", number);
+	char *where = xasprintf(tr("column %zu"), number);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 	free(where);
 	free(what);
@@ -816,7 +817,7 @@ drop_twins(struct columns *all, struct site *site)
 			leave_out(site, a->table->block->number[a->at],
 			    "%s: the sample of column %zu again, as %s",
 			    a->head.text, b->table->block->number[b->at],
-			    SITE_UNITS[a->unit].words);
+			    tr(SITE_UNITS[a->unit].words));
 			mark_twin(&all->column[i], b);
 			break;
 		}

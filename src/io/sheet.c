@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 /* A sheet has a few kB; the limits keep time and memory small when the file is
@@ -49,9 +50,9 @@ sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 	struct error e;
 	va_list ap;
 	va_start(ap, format);
-	char *file = sheet->name[0] != '\0'
-			 ? xasprintf("%s, sheet %s", sheet->path, sheet->name)
-			 : xstrdup(sheet->path);
+	char *file = sheet->name[0] != '\0' ? xasprintf(tr("%s, sheet %s"),
+						  sheet->path, sheet->name)
+					    : xstrdup(sheet->path);
 	error_say(&e, ERROR_DATA, file, where.line, where.column, format, ap);
 	e.in_grid = sheet->name[0] != '\0';
 	free(file);
@@ -75,7 +76,7 @@ sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
 {
 	va_list ap;
 	va_start(ap, hint);
-	char *step = hint != NULL ? xvasprintf(hint, ap) : xstrdup("");
+	char *step = hint != NULL ? xvasprintf(tr(hint), ap) : xstrdup("");
 	va_end(ap);
 	int n = sheet_cut(found.text);
 	bool cut = found.text[n] != '\0';
@@ -83,12 +84,12 @@ sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
 		sheet_fault(sheet, found,
 		    "expected %s, got an empty cell\n"
 		    "%s",
-		    wanted, step);
+		    tr(wanted), step);
 	else
 		sheet_fault(sheet, found,
 		    "expected %s, got '%.*s%s'\n"
 		    "%s",
-		    wanted, n, found.text, cut ? "..." : "", step);
+		    tr(wanted), n, found.text, cut ? "..." : "", step);
 	free(step);
 	return false;
 }
@@ -161,8 +162,8 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 			    "%s\n"
 			    "quote the whole cell and write a quote inside it "
 			    "as \"\"",
-			    quoted ? "text after the closing quote"
-				   : "a quote inside a cell");
+			    quoted ? tr("text after the closing quote")
+				   : tr("a quote inside a cell"));
 		}
 		step(c);
 	}

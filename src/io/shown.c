@@ -147,7 +147,9 @@ put_day(long days, char text[static 16])
 	long d = doy - (153 * mp + 2) / 5 + 1;
 	long m = mp < 10 ? mp + 3 : mp - 9;
 	long y = yoe + era * 400 + (m <= 2);
-	snprintf(text, 16, "%04d-%02d-%02d", (int)y, (int)m, (int)d);
+	/* The remainders tell compilers that it fits. */
+	snprintf(text, 16, "%04d-%02d-%02d", (int)(y % 10000), (int)(m % 100),
+	    (int)(d % 100));
 }
 
 bool

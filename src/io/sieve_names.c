@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 /* ASTM E11-20, Table 1, alternative and standard designation; coarsest first.
@@ -251,7 +252,7 @@ sieve_names_nearest(const char *text)
 	}
 	char *list = xstrdup("");
 	for (size_t i = finer > 0 ? finer - 1 : 0; i < n && i <= finer; i++)
-		xlist(
-		    &list, " and ", "%s (%g mm)", SIEVES[i].name, SIEVES[i].mm);
+		xlist(&list, " and ", tr("%s (%g mm)"), SIEVES[i].name,
+		    SIEVES[i].mm);
 	return list;
 }

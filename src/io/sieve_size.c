@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "base/xalloc.h"
 #include "io/vocabulary.h"
 #include "io/number.h"
 

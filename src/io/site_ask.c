@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/recognise.h"
 #include "io/site_sieve.h"
@@ -183,7 +184,7 @@ list_columns(struct site_ask *ask, struct table *const *table, size_t n_table,
 		const struct table *t = table[k];
 		const struct block *b = t->block;
 		struct cell head = site_sieve_head(t);
-		char *sieve = xasprintf("sieve %s", site_sieve_unit(t));
+		char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
 		ask->across = b->across;
 		xlist(&text, ", ", "%zu=%s", b->number[0], sieve);
 		add_question(ask, t, 0, &head, sieve, sieves);
@@ -267,7 +268,7 @@ ask_table(const struct site_request *q, struct table *const *table,
 	if (first->sheet != second->sheet) {
 		ask->settle = xasprintf("sheet=\"%s\"", first->sheet->name);
 		return refuse(q, second, second->row[0].cell[0], ask, errors,
-		    "expected one site, got sheets with a feed each");
+		    tr("expected one site, got sheets with a feed each"));
 	}
 	const struct block *b = first->block;
 	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line, bottom = 0;
@@ -281,8 +282,8 @@ ask_table(const struct site_request *q, struct table *const *table,
 	ask->settle = xasprintf("range=%c%d:%c%d", 'A' + (int)((left - 1) % 26),
 	    top, 'A' + (int)((right - 1) % 26), bottom);
 	return refuse(q, second, second->row[0].cell[0], ask, errors,
-	    "expected one site, got several tables that may be of different "
-	    "machines, days or limits");
+	    tr("expected one site, got several tables that may be of different "
+	       "machines, days or limits"));
 }
 
 /* What is the first column that is open, and how fast was it? */
@@ -293,10 +294,10 @@ ask_column(const struct site_request *q, const struct column *first, bool alone,
 	char *values = first_values(first->table, first->at);
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
 	char *what = xasprintf(
-	    "expected heads and numbers that tell what column %zu is%s, got "
-	    "'%.*s' above %s",
+	    tr("expected heads and numbers that tell what column %zu is%s, got "
+	       "'%.*s' above %s"),
 	    first->table->block->number[first->at],
-	    speed ? " and its tip speed" : "", sheet_cut(first->head.text),
+	    speed ? tr(" and its tip speed") : "", sheet_cut(first->head.text),
 	    first->head.text, values);
 	refuse(q, first->table, first->head, ask, errors, what);
 	if (q->parts && speed && q->n == 1 && alone)
@@ -324,9 +325,9 @@ open_ask(const struct open *open, const struct site_request *q,
 			first = &all->column[i];
 	if (open->number.text != NULL) {
 		ask->settle = xstrdup("decimal=point|comma");
-		char *what = xasprintf(
-		    "expected a number that can be read in one way, got %s: a "
-		    "decimal sign, or thousands?",
+		char *what = xasprintf(tr("expected a number that can be read "
+					  "in one way, got %s: a "
+					  "decimal sign, or thousands?"),
 		    open->number.text);
 		refuse(q, table[0], open->number, ask, errors, what);
 		free(what);
@@ -336,8 +337,8 @@ open_ask(const struct open *open, const struct site_request *q,
 		ask->settle = xstrdup("rotor_mm=DIAMETER");
 		return refuse(q, table[0], table[0]->row[0].cell[0], ask,
 		    errors,
-		    "expected tip speeds in m/s, got rpm without the "
-		    "rotor's diameter");
+		    tr("expected tip speeds in m/s, got rpm without the "
+		       "rotor's diameter"));
 	}
 	if (second != NULL)
 		return ask_table(q, table, n_table, second, ask, errors);
@@ -347,7 +348,7 @@ open_ask(const struct open *open, const struct site_request *q,
 	if (first == NULL)
 		return refuse(q, table[0], table[0]->row[0].cell[0], ask,
 		    errors,
-		    "expected the unit of the sieves, got none that "
-		    "fits their numbers");
+		    tr("expected the unit of the sieves, got none that "
+		       "fits their numbers"));
 	return ask_column(q, first, all->n == 1, ask, errors);
 }

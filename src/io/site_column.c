@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/vocabulary.h"
 #include "io/number.h"
@@ -15,23 +16,23 @@
 const char *const SITE_ROLES[4] = {"feed", "product", "sd", ""};
 
 const struct site_unit SITE_UNITS[SITE_N_UNIT] = {
-    {"", "% passing", PASSING, OF_100, 100, "passing from 0 to 100 %"},
-    {"_passing_pct", "% passing", PASSING, OF_100, 100,
-	"passing from 0 to 100 %"},
-    {"_fraction", "fraction passing", PASSING, OF_1, 1,
-	"a fraction from 0 to 1"},
-    {"_retained_g", "mass retained", RETAINED, OF_MASS, 1e12,
-	"mass retained, 0 g or more"},
-    {"_retained_pct", "% retained", RETAINED, OF_100, 100,
-	"mass retained, 0 to 100 %"},
-    {"_retained_fraction", "fraction retained", RETAINED, OF_1, 1,
-	"a fraction from 0 to 1"},
-    {"_cum_retained_g", "cumulative mass retained", CUMULATIVE, OF_MASS, 1e12,
-	"mass retained, 0 g or more"},
-    {"_cum_retained_pct", "% cumulative retained", CUMULATIVE, OF_100, 100,
-	"mass retained, 0 to 100 %"},
-    {"_cum_retained_fraction", "cumulative fraction retained", CUMULATIVE, OF_1,
-	1, "a fraction from 0 to 1"},
+    {"", N_("% passing"), PASSING, OF_100, 100, N_("passing from 0 to 100 %")},
+    {"_passing_pct", N_("% passing"), PASSING, OF_100, 100,
+	N_("passing from 0 to 100 %")},
+    {"_fraction", N_("fraction passing"), PASSING, OF_1, 1,
+	N_("a fraction from 0 to 1")},
+    {"_retained_g", N_("mass retained"), RETAINED, OF_MASS, 1e12,
+	N_("mass retained, 0 g or more")},
+    {"_retained_pct", N_("% retained"), RETAINED, OF_100, 100,
+	N_("mass retained, 0 to 100 %")},
+    {"_retained_fraction", N_("fraction retained"), RETAINED, OF_1, 1,
+	N_("a fraction from 0 to 1")},
+    {"_cum_retained_g", N_("cumulative mass retained"), CUMULATIVE, OF_MASS,
+	1e12, N_("mass retained, 0 g or more")},
+    {"_cum_retained_pct", N_("% cumulative retained"), CUMULATIVE, OF_100, 100,
+	N_("mass retained, 0 to 100 %")},
+    {"_cum_retained_fraction", N_("cumulative fraction retained"), CUMULATIVE,
+	OF_1, 1, N_("a fraction from 0 to 1")},
 };
 
 size_t
@@ -182,8 +183,8 @@ in_range(struct column *c, struct cell cell, double v)
 		return false;
 	c->told_percent = c->told_percent || percent;
 	return sheet_wanted(sheet, cell, SITE_UNITS[c->unit].wanted,
-	    percent ? "change the column heading to %s"
-		    : "check the number%.0s",
+	    percent ? N_("change the column heading to %s")
+		    : N_("check the number%.0s"),
 	    other_head(c, "", head));
 }
 
@@ -200,7 +201,8 @@ read_pan(struct column *c, struct cell cell, double v)
 	if (fabs(v - end) <= 0.01 * unit->most)
 		return true;
 	return sheet_wanted(c->table->sheet, cell,
-	    cumulative ? "100 % above the pan" : "nothing passing the pan",
+	    cumulative ? N_("100 % above the pan")
+		       : N_("nothing passing the pan"),
 	    "leave the cell empty, or say what the column has: "
 	    "product_retained_pct@69");
 }
@@ -220,7 +222,7 @@ read_cells(struct column *c)
 			continue;
 		bool good = trace || number_read(t->sheet,
 					 without_unit(cell, of_mass(c), copy),
-					 "a number", &v);
+					 tr("a number"), &v);
 		if (good && t->mm[i] <= 0)
 			good = read_pan(c, cell, v);
 		else if (good && (good = in_range(c, cell, v)))
@@ -417,7 +419,7 @@ total_share(struct column *c)
 	sheet_fault(c->table->sheet, c->head,
 	    "expected retained %s that sum to %g, got %g in column %s\n"
 	    "check the numbers, or change the column heading to %s",
-	    whole > 1 ? "percentages" : "fractions", whole,
+	    whole > 1 ? tr("percentages") : tr("fractions"), whole,
 	    site_column_round(sum, 1e9), c->head.text,
 	    other_head(c, "_cum_retained_pct", head));
 	return 0;
@@ -493,11 +495,13 @@ check_coarsest(struct column *c)
 							      : "100";
 	text_exact(t->mm[i], mm);
 	if (c->pct[i] < 95)
-		snprintf(next, sizeof next, "the coarser sieves, up to one");
+		snprintf(
+		    next, sizeof next, tr("the coarser sieves, up to one"));
 	else if (s > 0)
 		snprintf(next, sizeof next, "%g mm", series[s - 1]);
 	else
-		snprintf(next, sizeof next, "a sieve coarser than %s mm", mm);
+		snprintf(
+		    next, sizeof next, tr("a sieve coarser than %s mm"), mm);
 	sheet_fault(t->sheet, t->row[i].cell[c->at],
 	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
 	    "%s mm\n"

@@ -42,7 +42,7 @@ struct table {
 	struct row *row;
 	double *mm;
 	struct sieve_unit unit;
-	bool lost, finest_first, told_cells;
+	bool lost, finest_first;
 };
 
 /* pct [n_row of the table]: passing in %, or standard deviation of passing in

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/recognise.h"
 #include "io/site_sieve.h"
@@ -23,7 +24,7 @@ numbers_text(const size_t *number, size_t n)
 			last = i;
 		xlist(&text, ", ", "%zu", number[i]);
 		if (last > i)
-			xappend(&text, " to %zu", number[last]);
+			xappend(&text, tr(" to %zu"), number[last]);
 	}
 	return text;
 }
@@ -72,10 +73,10 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 				(c->role == SD) != (before->role == SD));
 		if (ends) {
 			char *list = numbers_text(number, n);
-			xlist(text, "; ", "%s in %s (%s)", roles, list,
+			xlist(text, "; ", tr("%s in %s (%s)"), roles, list,
 			    before->role == SD
-				? "percentage points"
-				: SITE_UNITS[before->unit].words);
+				? tr("percentage points")
+				: tr(SITE_UNITS[before->unit].words));
 			free(list);
 			free(roles);
 			roles = xstrdup("");
@@ -127,10 +128,10 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 		const char *place = place_of(table, n, k);
 		char *own = xstrdup("");
 		if (k == 0 || !is_like(table[k - 1], t))
-			xlist(&own, "; ", "sieves in %s %zu (%s%s)",
-			    t->block->across ? "line" : "column",
+			xlist(&own, "; ", tr("sieves in %s %zu (%s%s)"),
+			    t->block->across ? tr("line") : tr("column"),
 			    t->block->number[0], site_sieve_unit(t),
-			    t->finest_first ? ", finest first" : "");
+			    t->finest_first ? tr(", finest first") : "");
 		describe_samples(t, all, &own);
 		if (own[0] != '\0')
 			xlist(&text, "; ", "%s%s%s", place,
@@ -185,11 +186,13 @@ add_note(const struct columns *all, size_t i, const char *note, size_t length,
 	bool across = all->column[i].table->block->across;
 	const char *colon = strncmp(note, "as ", 3) == 0 ? "" : ":";
 	if (has == samples && has > 1)
-		xlist(
-		    text, "; ", "all samples%s %.*s", colon, (int)length, note);
+		xlist(text, "; ", tr("all samples%s %.*s"), colon, (int)length,
+		    note);
 	else
-		xlist(text, "; ", "%s%s %s%s %.*s", across ? "line" : "column",
-		    n > 1 ? "s" : "", list, colon, (int)length, note);
+		xlist(text, "; ",
+		    across ? tr_n("line %s%s %.*s", "lines %s%s %.*s", n)
+			   : tr_n("column %s%s %.*s", "columns %s%s %.*s", n),
+		    list, colon, (int)length, note);
 	free(list);
 out:
 	free(number);

@@ -2,12 +2,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/site_heading.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/head.h"
 #include "io/site_sieve.h"
@@ -154,9 +154,9 @@ begins_with_key(const char *text)
 static void
 leave_out_line(struct site *site, const struct cell *key)
 {
-	char *where = xasprintf("line %d", key->line);
-	char *what = xasprintf(
-	    "%.*s: numbers above the table", sheet_cut(key->text), key->text);
+	char *where = xasprintf(tr("line %d"), key->line);
+	char *what = xasprintf(tr("%.*s: numbers above the table"),
+	    sheet_cut(key->text), key->text);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 	free(where);
 	free(what);

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/site_read.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -11,9 +10,11 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/layout_long.h"
 #include "io/recognise.h"
+#include "io/results.h"
 #include "io/site_ask.h"
 #include "io/site_column.h"
 #include "io/site_describe.h"
@@ -108,7 +109,7 @@ check_repeats(const struct columns *t, const struct column *c)
 	    "keep one for all products at this speed, or one for each in their "
 	    "order",
 	    SITE_ROLES[c->role], c->speed,
-	    products > 1 ? " or one for each product" : "", own);
+	    products > 1 ? tr(" or one for each product") : "", own);
 }
 
 /* A feed for each product, a product for each standard deviation. */
@@ -158,12 +159,12 @@ check_sd(const struct columns *all, const struct column *product)
 		if (has == has_sd || !(t->mm[i] > 0))
 			continue;
 		sheet_wanted(t->sheet, b,
-		    has ? "a standard deviation"
-			: "no standard deviation without a product",
+		    has ? N_("a standard deviation")
+			: N_("no standard deviation without a product"),
 		    "%s",
-		    has ? "fill it, or remove the column"
-			: "leave both cells empty where the sieve was not "
-			  "used");
+		    has ? tr("fill it, or remove the column")
+			: tr("leave both cells empty where the sieve was not "
+			     "used"));
 	}
 }
 
@@ -321,7 +322,7 @@ leave_out(struct site *site, const char *where, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	char *what = xvasprintf(format, ap);
+	char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 	free(what);
@@ -337,7 +338,7 @@ leave_out_rows(struct reading *r, const struct table *t)
 		for (size_t c = 0; c < r->all.n && !values; c++)
 			values = r->all.column[c].table == t &&
 				 !isnan(r->all.column[c].pct[i]);
-		snprintf(where, sizeof where, "line %d", t->row[i].line);
+		snprintf(where, sizeof where, tr("line %d"), t->row[i].line);
 		if (!values)
 			leave_out(r->site, where, "the sieve %s has no numbers",
 			    t->row[i].cell[0].text);
@@ -358,13 +359,13 @@ leave_out_cells(struct reading *r)
 			if (text[0] == '\0' || read || c->twin > 0)
 				continue;
 			if (more++ < 3)
-				xlist(&list, ", ", "'%.*s' in line %d",
+				xlist(&list, ", ", tr("'%.*s' in line %d"),
 				    sheet_cut(text), text,
 				    c->table->row[i].line);
 		}
 	}
 	if (more > 3)
-		xappend(&list, " and %zu more", more - 3);
+		xappend(&list, tr(" and %zu more"), more - 3);
 	if (more > 0)
 		leave_out(r->site, "cells without a number", "%s", list);
 	free(list);
@@ -383,7 +384,7 @@ leave_out_sums(struct reading *r, const struct page *page)
 		for (size_t i = 0; i < page->layout->block[b].n_foot; i++) {
 			const struct row *row = &page->layout->block[b].foot[i];
 			const char *text = row->cell[0].text;
-			snprintf(where, sizeof where, "line %d", row->line);
+			snprintf(where, sizeof where, tr("line %d"), row->line);
 			if ((vocabulary_text(text, NULL) & WORD_TOTAL) != 0)
 				leave_out(r->site, where,
 				    "%s: sums are checked for grams only",
@@ -402,7 +403,7 @@ leave_out_foot(struct reading *r, const struct page *page)
 		size_t c = 0;
 		while (row->cell[c].text[0] == '\0')
 			c++;
-		snprintf(where, sizeof where, "line %d", row->line);
+		snprintf(where, sizeof where, tr("line %d"), row->line);
 		const char *text = row->cell[c].text;
 		if (row->line > first)
 			leave_out(r->site, where,
@@ -427,14 +428,14 @@ tell_left_out(struct reading *r)
 			const struct comment *c = &page->sheet->comment[i];
 			if (c->line <= head)
 				continue;
-			snprintf(where, sizeof where, "line %d", c->line);
+			snprintf(where, sizeof where, tr("line %d"), c->line);
 			int shown = sheet_cut(c->text);
 			leave_out(r->site, where, "a comment: %.*s%s", shown,
 			    c->text, c->text[shown] != '\0' ? "..." : "");
 		}
 		leave_out_foot(r, page);
 		const struct cell *beside = &page->layout->beside;
-		snprintf(where, sizeof where, "line %d", beside->line);
+		snprintf(where, sizeof where, tr("line %d"), beside->line);
 		if (beside->text != NULL)
 			leave_out(r->site, where, "beside the table: %.*s",
 			    sheet_cut(beside->text), beside->text);
@@ -548,7 +549,7 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	site_sieve_check(t);
 	r->open.sieves = r->open.sieves || certainty == SIEVES_OPEN;
 	if (certainty == SIEVES_ASSUMED)
-		xlist(&r->site->assumed, "; ", "sieves in %s",
+		xlist(&r->site->assumed, "; ", tr("sieves in %s"),
 		    site_sieve_unit(t));
 	r->lost = r->lost || t->lost;
 	size_t first = r->all.n;
@@ -572,13 +573,34 @@ read_request(struct reading *r)
 	return false;
 }
 
+/* What was predicted is not read as measured, whatever columns= says. */
+static bool
+is_measured(const struct source *source)
+{
+	char *command = NULL;
+	size_t i = 0;
+	while (i < source->n && command == NULL)
+		command = results_command(source->sheet[i++]);
+	if (command != NULL)
+		sheet_fault(source->sheet[i - 1],
+		    source->sheet[i - 1]->row[0].cell[0],
+		    "expected a site file, got results of tipspeed's own "
+		    "(%s)\n"
+		    "load the sheet that they were made from; 'write' saves a "
+		    "site file",
+		    command);
+	free(command);
+	return command == NULL;
+}
+
 /* The sheets of a file that are wanted: the one with the name, or all. */
 static bool
 read_file(struct reading *r, size_t file)
 {
 	const struct site_request *q = r->request;
 	struct source *source = &r->source[r->n_source++];
-	if (!source_read(q->path[file], r->errors, source))
+	if (!source_read(q->path[file], r->errors, source) ||
+	    !is_measured(source))
 		return false;
 	size_t before = r->n_page;
 	char *names = xstrdup("");
@@ -604,7 +626,7 @@ read_file(struct reading *r, size_t file)
 		error_at(error_add(r->errors), ERROR_DATA, q->path[file], 0, 0,
 		    "expected a sheet called %s, got none\n"
 		    "its sheets: %s",
-		    q->sheet != NULL ? q->sheet : "(any)", names);
+		    q->sheet != NULL ? q->sheet : tr("(any)"), names);
 	free(names);
 	return found;
 }

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/units.h"
 #include "io/vocabulary.h"
@@ -34,9 +35,10 @@ site_sieve_mm(
 	if ((mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM) || v == 0)
 		return mm;
 	sheet_wanted(sheet, cell,
-	    v > 0 ? "a size from 1e-6 to 1e4 mm" : "a positive size", "%s",
-	    v > 0 ? "check the number and its unit"
-		  : "write pan for what is below the finest sieve");
+	    v > 0 ? N_("a size from 1e-6 to 1e4 mm") : N_("a positive size"),
+	    "%s",
+	    v > 0 ? tr("check the number and its unit")
+		  : tr("write pan for what is below the finest sieve"));
 	return NAN;
 }
 
@@ -355,8 +357,8 @@ check_heads(struct table *t)
 		    t->sheet->separator == ','
 			? "use ; between the cells if they have decimal "
 			  "commas; otherwise remove the last cells"
-			: "remove the last cells, or give their columns "
-			  "headings");
+			: tr("remove the last cells, or give their columns "
+			     "headings"));
 		return;
 	}
 }
@@ -376,8 +378,8 @@ site_sieve_check(struct table *t)
 const char *
 site_sieve_unit(const struct table *t)
 {
-	static const char *const SERIES[] = {
-	    "mm", "ASTM E11", "in", "Tyler mesh", "BS mesh", "mesh"};
+	static const char *const SERIES[] = {"mm", "ASTM E11", "in",
+	    N_("Tyler mesh"), N_("BS mesh"), N_("mesh")};
 	if (t->unit.series != SIEVE_NONE)
 		return SERIES[t->unit.series];
 	return t->unit.mm == 1e-3 ? "um" : t->unit.mm == 1e3 ? "m" : "mm";

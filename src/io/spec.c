@@ -4,8 +4,10 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sheet.h"
 #include "io/layout.h"
@@ -15,27 +17,78 @@
 
 static const char *const HEADS[2] = {"min_pct", "max_pct"};
 
-/* Keys that are neither spec nor source are remarks. */
+bool
+spec_read_cut(const char *text, double cut[static 2])
+{
+	double mm[2];
+	const char *slash = strchr(text, '/');
+	char *fine = slash != NULL ? xstrndup(text, (size_t)(slash - text))
+				   : xstrdup("");
+	bool ok = text_number(fine, &mm[0]) && text_number(slash + 1, &mm[1]) &&
+		  mm[0] >= 0 && mm[1] > mm[0];
+	free(fine);
+	for (size_t i = 0; ok && i < 2; i++)
+		cut[i] = mm[i] / 1000;
+	return ok;
+}
+
+static void
+read_cut(struct spec *spec, struct sheet *sheet, struct cell value)
+{
+	if (!spec_read_cut(value.text, spec->cut))
+		sheet_wanted(sheet, value, "a fraction in mm such as 0/4",
+		    "leave the line out for limits on the whole product");
+}
+
+/* False for a key that is none: a remark. */
+static bool
+read_key(
+    struct spec *spec, struct sheet *sheet, struct cell key, struct cell value)
+{
+	char **text = text_same(key.text, "spec")     ? &spec->name
+		      : text_same(key.text, "source") ? &spec->source
+						      : NULL;
+	if (text_same(key.text, "cut")) {
+		read_cut(spec, sheet, value);
+		return true;
+	}
+	if (text == NULL)
+		return false;
+	free(*text);
+	*text = xstrdup(value.text);
+	return true;
+}
+
 static void
 read_heading(
     struct spec *spec, struct sheet *sheet, const struct layout *layout)
 {
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
-		struct cell key = row->cell[0];
-		struct cell value = sheet_cell(row, 1);
-		char **text = text_same(key.text, "spec")     ? &spec->name
-			      : text_same(key.text, "source") ? &spec->source
-							      : NULL;
 		if (row->n > 2)
 			sheet_wanted(sheet, row->cell[2],
 			    "the end of the line after key and value",
 			    "quote a value that contains the separator");
-		if (text == NULL)
-			continue;
-		free(*text);
-		*text = xstrdup(value.text);
+		read_key(spec, sheet, row->cell[0], sheet_cell(row, 1));
 	}
+}
+
+/* Lines right above the table, which a value with numbers, "cut,0/4", makes
+ * look like heads of it.  False with a fault at one that is none of ours. */
+static bool
+read_titles(struct spec *spec, struct sheet *sheet, const struct block *block)
+{
+	for (size_t i = 0; i < block->titles; i++) {
+		const struct row *row = &block->head[i];
+		if (row->n == 2 &&
+		    read_key(spec, sheet, row->cell[0], sheet_cell(row, 1)))
+			continue;
+		return sheet_wanted(sheet,
+		    block->head[0].cell[block->n_col - 1],
+		    "the end of the line after key and value",
+		    "quote a value that contains the separator");
+	}
+	return true;
 }
 
 /* at: place of min_pct and max_pct in a row, 0 where there is none. */
@@ -69,7 +122,7 @@ read_limit(const struct table *t, size_t row, size_t at)
 	double v;
 	struct cell cell = sheet_cell(&t->row[row], at);
 	if (at == 0 || cell.text[0] == '\0' ||
-	    !number_read(t->sheet, cell, "a number", &v))
+	    !number_read(t->sheet, cell, tr("a number"), &v))
 		return NAN;
 	if (v >= 0 && v <= 100)
 		return v / 100;
@@ -149,11 +202,7 @@ read_sheet(struct spec *spec, struct sheet *sheet)
 	read_heading(spec, sheet, layout);
 	if (layout->n > 0 && layout->block[0].n_head > 0) {
 		const struct block *block = &layout->block[0];
-		if (block->titles > 0)
-			sheet_wanted(sheet,
-			    block->head[0].cell[block->n_col - 1],
-			    "the end of the line after key and value",
-			    "quote a value that contains the separator");
+		read_titles(spec, sheet, block);
 		read_table(spec, &layout->block[0]);
 	} else if (!sheet->lost) {
 		struct row none = {.line = 1, .end = 1};
@@ -172,9 +221,8 @@ spec_read(const char *path, struct error_list *errors)
 	struct source source;
 	struct spec *spec = NULL;
 	if (source_read(path, errors, &source)) {
-		spec = xcalloc(1, sizeof *spec);
-		spec->name = xstrdup("");
-		spec->source = xstrdup("");
+		spec = spec_new();
+		free(spec->note);
 		spec->note = xstrdup(source.note);
 		read_sheet(spec, source.sheet[0]);
 		if (spec->name[0] == '\0') {
@@ -190,6 +238,17 @@ spec_read(const char *path, struct error_list *errors)
 	return spec;
 }
 
+struct spec *
+spec_new(void)
+{
+	struct spec *spec = xcalloc(1, sizeof *spec);
+	spec->name = xstrdup("");
+	spec->source = xstrdup("");
+	spec->note = xstrdup("");
+	spec->standard = xstrdup("");
+	return spec;
+}
+
 void
 spec_free(struct spec *spec)
 {
@@ -198,6 +257,7 @@ spec_free(struct spec *spec)
 	free(spec->name);
 	free(spec->source);
 	free(spec->note);
+	free(spec->standard);
 	free(spec->size);
 	free(spec->least);
 	free(spec->most);

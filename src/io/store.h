@@ -25,6 +25,9 @@ void store_free(struct store *store);
 /* Where the store is, for people. */
 const char *store_path(const struct store *store);
 
+/* Whether a file is a database such as stores are. */
+bool store_is(const char *path);
+
 /* Bytes of the file; -1 where there is none (yet), as for ":memory:". */
 int64_t store_bytes(const struct store *store);
 
@@ -43,6 +46,37 @@ extern const char *const SCHEMA_STEPS[STORE_SCHEMA];
  * of tipspeed's or that of a newer one; the file is then as it was. */
 bool store_list(
     struct store *store, struct stored_list *list, struct error *error);
+
+/* Some of the user's own materials; of zeros: all.  most: only so many of those
+ * nearest to rock ("": any) and top, the wanted top size, mm; else rock,
+ * top_least and top_most, mm, are what they must have, first the number of
+ * those to take, by their names, and apart takes every so many-th only. */
+struct store_query {
+	const char *name, *rock; /* without case and accents; NULL: any */
+	double top_least, top_most, top;
+	size_t most, first, apart;
+};
+
+/* Adds those to the list, in the order of their names. */
+bool store_find(struct store *store, const struct store_query *query,
+    struct stored_list *list, struct error *error);
+
+/* How many the user has. */
+bool store_count(struct store *store, size_t *n, struct error *error);
+
+/* Calls take for each name, or once for each rock, that the user's materials
+ * have. */
+enum store_word { STORE_NAMES, STORE_ROCKS };
+bool store_each(struct store *store, enum store_word what,
+    void (*take)(void *data, const char *word), void *data,
+    struct error *error);
+
+/* Calls take for the names that begin so, without case and accents: for the
+ * first `most` in their order, and, where there are more, for the last, so that
+ * what these have in common, all have. */
+bool store_begin(struct store *store, const char *beginning, size_t most,
+    void (*take)(void *data, const char *name), void *data,
+    struct error *error);
 
 /* The user's own materials, then those of Table 3. */
 bool store_list_all(

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/file.h"
 #include "io/sheet.h"
@@ -271,9 +272,12 @@ store_csv_read(const char *path, const struct stored_list *there,
 		read_head(sheet, column, n);
 	if (sheet->n_row < 2 && sheet->n_fault == 0)
 		sheet_fault(sheet, (struct cell){.line = 1, .column = 1},
-		    "expected a line of column names and a line for each "
-		    "material, got %zu line%s",
-		    sheet->n_row, sheet->n_row == 1 ? "" : "s");
+		    tr_n("expected a line of column names and a line for each "
+			 "material, got %zu line",
+			"expected a line of column names and a line for each "
+			"material, got %zu lines",
+			sheet->n_row),
+		    sheet->n_row);
 	bool head = sheet->n_fault == 0;
 	for (size_t i = 1; head && i < sheet->n_row; i++)
 		read_row(sheet, &sheet->row[i], column, n, there, list);

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/table3.h"
 #include "io/units.h"
@@ -313,7 +314,7 @@ wrong_param(const struct params *p)
 static char *
 model_names(void)
 {
-	char *names = xstrdup("one of:");
+	char *names = xstrdup(tr("one of:"));
 	for (size_t i = 0; i < breakage_count(); i++)
 		xappend(&names, " %s", BREAKAGES[i]->name);
 	return names;
@@ -328,23 +329,24 @@ stored_wanted(const struct stored *m, const struct field *f)
 	if (f->kind == FIELD_PARAMS && wrong_param(p) < count_of(p)) {
 		const struct param_info *info =
 		    &breakage_of(p)->parameter[wrong_param(p)];
-		return xasprintf("a number from %g to %g for %s", info->least,
-		    info->most, info->name);
+		return xasprintf(tr("a number from %g to %g for %s"),
+		    info->least, info->most, info->name);
 	}
 	if (f->choices != NULL)
-		return xasprintf("one of: %s", f->choices);
+		return xasprintf(tr("one of: %s"), f->choices);
 	if (f == &FIELDS[FIELD_NAME])
-		return xasprintf("a name of 1 to %d bytes on one line, "
-				 "without quotes and not beginning with # or "
-				 "%s",
+		return xasprintf(
+		    tr("a name of 1 to %d bytes on one line, "
+		       "without quotes and not beginning with # or "
+		       "%s"),
 		    (int)MOST_NAME, TABLE3);
 	if (f->kind == FIELD_NUMBER)
-		return xasprintf("a number from %g to %g for %s", f->least,
+		return xasprintf(tr("a number from %g to %g for %s"), f->least,
 		    f->most, f->name);
-	return xstrdup(f->kind == FIELD_WHOLE ? "a whole number below 2^63"
+	return xstrdup(f->kind == FIELD_WHOLE ? tr("a whole number below 2^63")
 		       : strcmp(f->name, "date") == 0
-			   ? "a date such as 2026-11-21"
-			   : "text without control characters");
+			   ? tr("a date such as 2026-11-21")
+			   : tr("text without control characters"));
 }
 
 char *

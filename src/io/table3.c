@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/breakage.h"
 #include "io/sheet.h"
@@ -14,7 +15,7 @@
 #include "io/units.h"
 
 /* Made from data/table3.csv at build time: its rows without the remarks. */
-extern const char TABLE3_TEXT[];
+extern const char *const TABLE3_TEXT[];
 
 enum { CELLS = 7, MOST_ROWS = 1000 };
 
@@ -39,8 +40,8 @@ read_row(struct sheet *sheet, const struct row *row, struct materials *m)
 		double *number = column[i].number;
 		if (number == NULL)
 			continue;
-		char *wanted =
-		    xasprintf("a number above 0, up to %g,", column[i].most);
+		char *wanted = xasprintf(
+		    tr("a number above 0, up to %g,"), column[i].most);
 		if (number_read(sheet, row->cell[i], wanted, number) &&
 		    !(*number > 0 && *number <= column[i].most))
 			sheet_wanted(sheet, row->cell[i], wanted, NULL);
@@ -89,7 +90,8 @@ struct materials *
 materials_table3(void)
 {
 	struct error_list none = {0};
-	struct materials *m = take_text("Table 3", xstrdup(TABLE3_TEXT), &none);
+	struct materials *m =
+	    take_text("Table 3", textfile_lines(TABLE3_TEXT), &none);
 	/* It is part of the program: the tests read all of it. */
 	assert(m != NULL);
 	return m;

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/encoding.h"
 
@@ -103,8 +104,9 @@ textfile_text(const char *path, const char *bytes, size_t n, const char **note,
 	else
 		text = encoding_compose(d.text);
 	if (d.encoding == ENCODING_1252)
-		*note = "read as Windows-1252: check names and units such as "
-			"å and µ";
+		*note =
+		    tr("read as Windows-1252: check names and units such as "
+		       "å and µ");
 	free(d.text);
 	return text;
 }
@@ -139,8 +141,8 @@ refuse_system(const char *path, const char *why, struct error_list *errors)
 	    "cannot read: %s\n%s", why,
 	    several ? "name each file, or let the shell expand the pattern: "
 		      "tipspeed FOLDER/*.csv"
-		    : "check the name (quote names with spaces), the folder "
-		      "and its permissions");
+		    : tr("check the name (quote names with spaces), the folder "
+			 "and its permissions"));
 	return NULL;
 }
 
@@ -160,7 +162,7 @@ is_written(int fd, const char **why)
 	struct pollfd in = {.fd = fd, .events = POLLIN};
 	int got = poll(&in, 1, PATIENCE_MS);
 	*why = got < 0 ? strerror(errno)
-		       : "nothing was written to this pipe for a minute";
+		       : tr("nothing was written to this pipe for a minute");
 	return got > 0;
 }
 
@@ -181,7 +183,7 @@ textfile_open(const char *path, const char **why)
 		good = is_written(fd, why);
 	else if (good && !S_ISREG(about.st_mode) && !is_null_device(&about)) {
 		good = false;
-		*why = "expected a file or a pipe, got a device";
+		*why = tr("expected a file or a pipe, got a device");
 	}
 	if (good &&
 	    (fcntl(fd, F_SETFL, 0) != 0 || (file = fdopen(fd, "rb")) == NULL))
@@ -223,5 +225,14 @@ textfile_read(const char *path, struct error_list *errors)
 	if (bytes != NULL)
 		text = textfile_text(path, bytes, n, &note, errors);
 	free(bytes);
+	return text;
+}
+
+char *
+textfile_lines(const char *const *line)
+{
+	char *text = xstrdup("");
+	for (; *line != NULL; line++)
+		xappend(&text, "%s", *line);
 	return text;
 }

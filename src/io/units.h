@@ -1,4 +1,4 @@
-/* Between SI inside and what people read: mm and per cent.
+/* Between SI inside and what people read: mm, per cent, revolutions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_UNITS_H
 #define TIPSPEED_IO_UNITS_H
@@ -23,6 +23,20 @@ static inline double
 units_pct(double passing)
 {
 	return isfinite(passing) ? round(passing * 1e14) / 1e12 : passing;
+}
+
+/* Revolutions a minute of a rotor of this diameter in m, at a tip speed in m/s,
+ * and back.  (C11 has no pi.) */
+static inline double
+units_rpm(double v, double rotor)
+{
+	return 60 * v / (3.14159265358979323846 * rotor);
+}
+
+static inline double
+units_mps(double rpm, double rotor)
+{
+	return 3.14159265358979323846 * rotor * rpm / 60;
 }
 
 #endif

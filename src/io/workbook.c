@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/archive.h"
 #include "io/ods.h"
@@ -55,25 +56,27 @@ static bool
 refuse_other(struct archive *archive, const struct grid *grid)
 {
 	static const char *const NAMES[][2] = {
-	    {"xl/workbook.bin", "expected .xlsx, .ods or text, got .xlsb"},
-	    {"Index/Document.iwa", "expected .xlsx, .ods or text, got a file "
-				   "of Apple's programs"},
-	    {"word/document.xml", "expected a workbook or text, got a "
-				  "document of Word"}};
+	    {"xl/workbook.bin", N_("expected .xlsx, .ods or text, got .xlsb")},
+	    {"Index/Document.iwa",
+		N_("expected .xlsx, .ods or text, got a file "
+		   "of Apple's programs")},
+	    {"word/document.xml", N_("expected a workbook or text, got a "
+				     "document of Word")}};
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++)
 		if (archive_has(archive, NAMES[i][0]))
 			return refuse(grid, NAMES[i][1],
-			    "save the spreadsheet as .xlsx, or as CSV");
-	return refuse(grid, "expected a workbook or text, got a zip archive",
-	    "unpack it, or save the spreadsheet as .xlsx, .ods or CSV");
+			    tr("save the spreadsheet as .xlsx, or as CSV"));
+	return refuse(grid,
+	    tr("expected a workbook or text, got a zip archive"),
+	    tr("unpack it, or save the spreadsheet as .xlsx, .ods or CSV"));
 }
 
 static bool
 refuse_damaged(const struct grid *grid, const char *wrong)
 {
 	char *what =
-	    xasprintf("expected a workbook, got a damaged one: %s", wrong);
-	refuse(grid, what, "open and save it in a spreadsheet program");
+	    xasprintf(tr("expected a workbook, got a damaged one: %s"), wrong);
+	refuse(grid, what, tr("open and save it in a spreadsheet program"));
 	free(what);
 	return false;
 }
@@ -93,17 +96,18 @@ read_archive(struct archive *archive, struct grid *grid)
 		return refuse_other(archive, grid);
 	if (!xlsx && is_locked(archive))
 		return refuse(grid,
-		    "expected a workbook without a password, got one with it",
-		    "save it without a password");
+		    tr("expected a workbook without a password, got one with "
+		       "it"),
+		    tr("save it without a password"));
 	char *wrong = xlsx ? xlsx_read(archive, grid) : ods_read(archive, grid);
 	if (wrong != NULL)
 		refuse_damaged(grid, wrong);
 	else if (grid->n == 0 && grid->note[0] != '\0')
-		refuse(
-		    grid, "expected a sheet with sieves, got none", grid->note);
+		refuse(grid, tr("expected a sheet with sieves, got none"),
+		    grid->note);
 	else if (grid->n == 0)
-		refuse(grid, "expected a site file, got an empty workbook",
-		    "see tipspeed-site(5) for what a site file contains");
+		refuse(grid, tr("expected a site file, got an empty workbook"),
+		    tr("see tipspeed-site(5) for what a site file contains"));
 	bool good = wrong == NULL && grid->n > 0;
 	free(wrong);
 	return good;
@@ -115,9 +119,9 @@ workbook_read(const char *bytes, size_t n, struct grid *grid)
 	char *wrong = NULL;
 	if (begins(bytes, n, OLE))
 		return refuse(grid,
-		    "expected .xlsx, .ods or text, got an old .xls or a "
-		    "workbook with a password",
-		    "save it as .xlsx without a password");
+		    tr("expected .xlsx, .ods or text, got an old .xls or a "
+		       "workbook with a password"),
+		    tr("save it as .xlsx without a password"));
 	struct archive *archive = archive_open(bytes, n, &wrong);
 	bool good = archive != NULL && read_archive(archive, grid);
 	if (archive == NULL)

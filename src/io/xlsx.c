@@ -45,7 +45,7 @@ struct book {
 	size_t n_code, n_style;
 	struct code *code;
 	struct shown *style; /* of a cell, by its index */
-	bool in_styles, in_item, in_text;
+	bool in_styles, in_text;
 	int phonetic;
 };
 

@@ -8,6 +8,7 @@
 #include <expat.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 enum { MOST_DEPTH = 100 };
@@ -39,7 +40,7 @@ on_begin(void *data, const XML_Char *name, const XML_Char **attribute)
 {
 	struct reading *r = data;
 	if (r->wrong == NULL && ++r->depth > MOST_DEPTH)
-		give_up(r, "its elements are too deep within each other");
+		give_up(r, tr("its elements are too deep within each other"));
 	if (r->wrong == NULL)
 		r->events->begin(
 		    r->data, local(name), (const char *const *)attribute);
@@ -70,7 +71,7 @@ on_doctype(void *data, const XML_Char *name, const XML_Char *system,
 	(void)system;
 	(void)public;
 	(void)internal;
-	give_up(data, "it has a document type");
+	give_up(data, tr("it has a document type"));
 }
 
 char *
@@ -89,7 +90,7 @@ xml_read(
 	/* At once: a long name in pieces is looked at from its start for each
 	 * of them. */
 	if (XML_Parse(r.parser, bytes, (int)n, 1) != XML_STATUS_OK)
-		wrong = xasprintf("%s in line %lu",
+		wrong = xasprintf(tr("%s in line %lu"),
 		    r.wrong != NULL
 			? r.wrong
 			: XML_ErrorString(XML_GetErrorCode(r.parser)),

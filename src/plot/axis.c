@@ -159,6 +159,30 @@ axis_log(const char *title, double low, double high)
 	return a;
 }
 
+struct axis
+axis_symlog(const char *title, double straight, double most)
+{
+	struct axis a = {.title = xstrdup(title),
+	    .straight = straight,
+	    .low = -most,
+	    .high = most};
+	axis_add(&a, 0, "0", 0);
+	a.tick[0].guide = true;
+	for (double decade = straight; decade <= most * 1.001; decade *= 10)
+		for (int i = 0; i < 2; i++) {
+			double at = i == 0 ? decade : 3 * decade;
+			char label[24];
+			int rank = i == 1 ? 1 : 2;
+			if (at > most * 1.001)
+				break;
+			snprintf(label, sizeof label, "%+g", at);
+			axis_add(&a, at, label, near(at, most) ? 0 : rank);
+			snprintf(label, sizeof label, "%+g", -at);
+			axis_add(&a, -at, label, near(at, most) ? 0 : rank);
+		}
+	return a;
+}
+
 void
 axis_free(struct axis *axis)
 {
@@ -166,15 +190,44 @@ axis_free(struct axis *axis)
 	free(axis->tick);
 }
 
+/* Its distance on the axis.  On a symmetric one slopes meet where the straight
+ * part ends. */
+static double
+distance(const struct axis *axis, double value)
+{
+	double part = value / axis->straight;
+	if (axis->log)
+		return log(value);
+	if (!(axis->straight > 0))
+		return value;
+	return fabs(part) <= 1 ? part : copysign(1 + log(fabs(part)), part);
+}
+
+const char *
+axis_unit(const struct axis *axis)
+{
+	const char *unit =
+	    axis->title != NULL ? strrchr(axis->title, ',') : NULL;
+	return unit == NULL || strcmp(unit, ", -") == 0 ? "" : unit + 1;
+}
+
 double
 axis_share(const struct axis *axis, double value)
 {
-	double low = axis->log ? log(axis->low) : axis->low;
-	double high = axis->log ? log(axis->high) : axis->high;
+	double low = distance(axis, axis->low);
+	double high = distance(axis, axis->high);
 	if (axis->log && !(value > 0))
 		return 0;
-	double t = ((axis->log ? log(value) : value) - low) / (high - low);
+	double t = (distance(axis, value) - low) / (high - low);
 	return fmin(fmax(t, 0), 1);
+}
+
+/* What lies on a border goes to the later part, a rounding of grace off. */
+int
+axis_place_of(double share, int n)
+{
+	int i = (int)(share * n + 1e-9);
+	return i < n ? i : n - 1;
 }
 
 /* A row's cells from `from` on, with a space around them, are free. */
@@ -192,7 +245,7 @@ place_label(const struct axis_tick *tick, double share, int columns, int rows,
     char *taken, int *column, int *row)
 {
 	int length = (int)strlen(tick->label);
-	int middle = (int)lround(share * (columns - 1));
+	int middle = axis_place_of(share, columns);
 	int from = middle - length / 2;
 	if (from + length > columns)
 		from = columns - length;

@@ -15,12 +15,13 @@ struct axis_tick {
 	bool guide;
 };
 
-/* From low to high; log: distances are those of the logarithm.  title: with
- * the unit, "size, mm". */
+/* From low to high; log: distances are those of the logarithm; straight, where
+ * it is above 0: of the logarithm on both sides of 0, evenly within +-straight.
+ * title: with the unit, "size, mm". */
 struct axis {
 	char *title;
 	bool log;
-	double low, high;
+	double straight, low, high;
 	size_t n;
 	struct axis_tick *tick;
 };
@@ -40,18 +41,28 @@ struct axis axis_linear(const char *title, double low, double high);
 /* The same in 1-2-5 steps of a log axis; low > 0. */
 struct axis axis_log(const char *title, double low, double high);
 
+/* -most to +most on a symmetric log scale with ticks in 1-3-10 steps and a
+ * guide at 0; most > straight > 0. */
+struct axis axis_symlog(const char *title, double straight, double most);
+
 /* One tick, beside those there are. */
 void axis_add(struct axis *axis, double at, const char *label, int rank);
 
 void axis_free(struct axis *axis);
 
+/* " mm" of the title "size, mm"; "" where it has no unit. */
+const char *axis_unit(const struct axis *axis);
+
 /* Where a value stands, 0 at low and 1 at high; never beyond. */
 double axis_share(const struct axis *axis, double value);
 
+/* Which of n parts of equal size holds that share. */
+int axis_place_of(double share, int n);
+
 enum { AXIS_DROPPED = -1 };
 
-/* Lays the labels of an axis across `columns`, the tick of share 0 in the first
- * and that of share 1 in the last: by rank, centred, a space between two, in
+/* Lays the labels of an axis across `columns`, which share it out evenly: by
+ * rank, centred, a space between two, in
  * up to `rows` rows.  column, row [axis->n] out: where each label begins, row
  * AXIS_DROPPED of those without room.  Returns how many rows are used. */
 int axis_place(

@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 
 struct chart *
@@ -19,27 +20,35 @@ chart_new(const char *title, const char *about, struct axis x, struct axis y)
 	return c;
 }
 
+static void
+free_series(struct chart_series *s)
+{
+	if (s->finer != NULL)
+		free_series(s->finer);
+	free(s->finer);
+	free(s->name);
+	free(s->x);
+	free(s->y);
+	free(s->low);
+	free(s->high);
+	for (size_t j = 0; j < s->n && s->whose != NULL; j++) {
+		free(s->whose[j].site);
+		free(s->whose[j].about);
+	}
+	free(s->whose);
+	for (size_t j = 0; j < s->n && s->field != NULL; j++)
+		free(s->field[j].label);
+	free(s->field);
+}
+
 void
 chart_free(struct chart *chart)
 {
 	if (chart == NULL)
 		return;
-	for (size_t i = 0; i < chart->n; i++) {
-		struct chart_series *s = &chart->series[i];
-		free(s->name);
-		free(s->x);
-		free(s->y);
-		free(s->low);
-		free(s->high);
-		for (size_t j = 0; j < s->n && s->whose != NULL; j++) {
-			free(s->whose[j].site);
-			free(s->whose[j].about);
-		}
-		free(s->whose);
-		for (size_t j = 0; j < s->n && s->field != NULL; j++)
-			free(s->field[j].label);
-		free(s->field);
-	}
+	chart_free(chart->below);
+	for (size_t i = 0; i < chart->n; i++)
+		free_series(&chart->series[i]);
 	for (size_t i = 0; i < chart->n_rule; i++)
 		free(chart->rule[i].name);
 	for (size_t i = 0; i < chart->n_note; i++)
@@ -64,7 +73,7 @@ chart_add(struct chart *chart, struct chart_series look, size_t n,
 	*s = look;
 	va_list ap;
 	va_start(ap, name);
-	s->name = xvasprintf(name, ap);
+	s->name = xvasprintf(tr(name), ap);
 	va_end(ap);
 	s->n = n;
 	s->x = xdoubles(n);
@@ -72,7 +81,18 @@ chart_add(struct chart *chart, struct chart_series look, size_t n,
 	s->low = s->high = NULL;
 	s->whose = NULL;
 	s->field = NULL;
+	s->finer = NULL;
 	return s;
+}
+
+struct chart_series *
+chart_add_finer(struct chart_series *series, size_t n)
+{
+	struct chart_series *finer = xcalloc(1, sizeof *finer);
+	*finer =
+	    (struct chart_series){.n = n, .x = xdoubles(n), .y = xdoubles(n)};
+	series->finer = finer;
+	return finer;
 }
 
 void
@@ -99,7 +119,7 @@ chart_add_rule(
 	chart->rule =
 	    xrealloc(chart->rule, chart->n_rule + 1, sizeof *chart->rule);
 	chart->rule[chart->n_rule++] =
-	    (struct chart_rule){x, series, xvasprintf(name, ap)};
+	    (struct chart_rule){x, series, xvasprintf(tr(name), ap)};
 	va_end(ap);
 }
 
@@ -110,7 +130,7 @@ chart_note(struct chart *chart, const char *format, ...)
 	va_start(ap, format);
 	chart->note =
 	    xrealloc(chart->note, chart->n_note + 1, sizeof *chart->note);
-	chart->note[chart->n_note++] = xvasprintf(format, ap);
+	chart->note[chart->n_note++] = xvasprintf(tr(format), ap);
 	va_end(ap);
 }
 
@@ -147,6 +167,8 @@ double
 chart_at_y(
     const struct chart *chart, const struct chart_series *series, double y)
 {
+	if (series->finer != NULL)
+		series = series->finer;
 	for (size_t i = 0; i + 1 < series->n; i++) {
 		if (!holds(series->y + i, y))
 			continue;

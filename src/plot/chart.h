@@ -3,6 +3,7 @@
 #ifndef TIPSPEED_PLOT_CHART_H
 #define TIPSPEED_PLOT_CHART_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "plot/axis.h"
@@ -32,20 +33,29 @@ struct chart_field {
 	char *label;
 };
 
-/* One curve or set of points.  x, y [n] in the axes' units; a NAN in y lifts
- * the pen.  low, high [n]: a shade behind all lines, or both NULL. ascii: what
- * a line is drawn with where there are only ASCII characters; mark: an ASCII
- * character at each point, 0: none.  whose,
- * field [n]: or NULL. */
+/* One curve or set of points.  fine: its marks stand in parts of a cell, as
+ * plot/marks.h has them; of several such none hides another everywhere.  x, y
+ * [n] in the axes' units; a NAN in y lifts the pen.  low, high [n]: a shade
+ * behind all lines, or both NULL. ascii: what a line is drawn with where there
+ * are only ASCII characters; mark: an ASCII character at each point, 0: none.
+ * bars: low..high are a bar at each point instead of a shade, y is not drawn;
+ * long dashes make it a heavy one.  beside: drawn so many cells to the right of
+ * x.  lifted: its marks stand out of bars, in reverse, with a gap on either
+ * side.  whose, field [n]: or NULL.  finer: points of the same curve that
+ * chart_at_y reads instead, owned; NULL: none. */
 struct chart_series {
 	char *name;
 	enum series series;
 	enum chart_line line;
 	char ascii, mark;
+	bool fine;
+	bool bars, lifted;
+	int beside;
 	size_t n;
 	double *x, *y, *low, *high;
 	struct chart_whose *whose;
 	struct chart_field *field;
+	struct chart_series *finer;
 };
 
 /* A line across the plot from its foot to its top, at x. */
@@ -55,15 +65,22 @@ struct chart_rule {
 	char *name;
 };
 
-/* Later series lie on top.  about: where the data are from, shown at the foot
- * after "data: "; note: lines below the legend. */
+/* strip: it is drawn in so many rows, without labels, below another one of the
+ * same sizes, as its title says; 0: a chart of its own.  Later series lie on
+ * top.  about: where the data are from, shown at the foot
+ * after "data: "; note: lines below the legend; below: another chart that is
+ * drawn below it, of the same x axis and other units, or NULL; chart_free frees
+ * it too. */
 struct chart {
 	char *title, *about;
 	struct axis x, y;
+	enum theme theme;
+	int strip;
 	size_t n, n_rule, n_note;
 	struct chart_series *series;
 	struct chart_rule *rule;
 	char **note;
+	struct chart *below;
 };
 
 /* The chart takes the axes; the words are copied. */
@@ -82,6 +99,9 @@ void chart_add_whose(struct chart_series *series);
 
 /* Arrays low and high for a series, for its shade. */
 void chart_add_band(struct chart_series *series);
+
+/* Its finer points [n], of which x and y are to be filled in. */
+struct chart_series *chart_add_finer(struct chart_series *series, size_t n);
 
 /* Nothing is added where x lies outside the axis. */
 void chart_add_rule(struct chart *chart, enum series series, double x,

@@ -8,7 +8,9 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
+#include "plot/marks.h"
 
 /* The data's cells begin at left, top and are width x height.  Each other part
  * has its first row, -1 where it was dropped.  words: of CHART_ALL. */
@@ -22,19 +24,18 @@ struct layout {
 };
 
 /* Column of an x and row of a y among the data, in parts of a cell: 1 for
- * cells, 2 or 4 for dots.  Always within. */
+ * cells, 2 or 4 for dots.  The part that holds the value; always within. */
 static int
 layout_column(const struct layout *l, double x, int parts)
 {
-	double t = axis_share(&l->chart->x, x);
-	return (int)lround(t * (l->width * parts - 1));
+	return axis_place_of(axis_share(&l->chart->x, x), l->width * parts);
 }
 
 static int
 layout_row(const struct layout *l, double y, int parts)
 {
-	double t = axis_share(&l->chart->y, y);
-	return (int)lround((1 - t) * (l->height * parts - 1));
+	return axis_place_of(
+	    1 - axis_share(&l->chart->y, y), l->height * parts);
 }
 
 /* The character of a rule across the plot. */
@@ -52,26 +53,95 @@ rule_code(enum series series, enum charset charset)
 	}
 }
 
-/* One entry of the legend, "-v- measured 69"; the caller frees. */
+/* Dots of a cell, across and down. */
+static int
+dots_across(enum charset charset)
+{
+	return charset == CHARSET_ASCII ? 1 : 2;
+}
+
+static int
+dots_down(enum charset charset)
+{
+	return charset == CHARSET_ASCII       ? 1
+	       : charset == CHARSET_QUADRANTS ? 2
+					      : 4;
+}
+
+/* The character of a cell whose dots are set; bit 2 * row + column. */
+static uint32_t
+dots_code(enum charset charset, unsigned dots)
+{
+	static const uint16_t QUADRANTS[16] = {' ', 0x2598, 0x259D, 0x2580,
+	    0x2596, 0x258C, 0x259E, 0x259B, 0x2597, 0x259A, 0x2590, 0x259C,
+	    0x2584, 0x2599, 0x259F, 0x2588};
+	static const unsigned char BRAILLE[8] = {
+	    0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80};
+	if (charset == CHARSET_QUADRANTS)
+		return QUADRANTS[dots];
+	unsigned code = 0;
+	for (unsigned i = 0; i < ARRAY_LEN(BRAILLE); i++)
+		if (dots >> i & 1)
+			code |= BRAILLE[i];
+	return code > 0 ? 0x2800 + code : ' ';
+}
+
+/* A fine mark in dots, from the left of a cell on. */
 static char *
-legend_text(const struct chart_series *series, enum charset charset)
+mark_text(const struct mark *mark, enum charset charset)
+{
+	enum { SIDE = 3, CELLS = 2 };
+	unsigned cell[CELLS] = {0};
+	char text[5], *sample = xstrdup("");
+	for (unsigned i = 0; i < SIDE * SIDE; i++)
+		if (mark->dots >> i & 1)
+			cell[i % SIDE / 2] |=
+			    1U << (2 * (i / SIDE) + i % SIDE % 2);
+	if (charset == CHARSET_QUADRANTS)
+		xappend(&sample, "%s",
+		    canvas_utf8(dots_code(charset, mark->quarters), text));
+	for (size_t i = 0; i < CELLS && charset == CHARSET_BRAILLE; i++)
+		xappend(&sample, "%s",
+		    canvas_utf8(dots_code(charset, cell[i]), text));
+	return sample;
+}
+
+char *
+chart_sample(const struct chart_series *series, enum charset charset)
 {
 	static const char *const LINES[] = {[CHART_MARKS] = "",
 	    [CHART_SOLID] = "\u2500",
 	    [CHART_DASHED] = "\u254C",
 	    [CHART_LONG] = "\u2501",
 	    [CHART_DOTTED] = "\u2508"};
+	const struct mark *fine = series->fine && charset != CHARSET_ASCII
+				      ? mark_of(series->mark)
+				      : NULL;
 	char ascii[2] = {series->ascii, '\0'};
 	char mark[2] = {series->mark, '\0'};
 	const char *line = series->line == CHART_MARKS ? ""
 			   : charset == CHARSET_ASCII  ? ascii
 						       : LINES[series->line];
-	return xasprintf("%s%s%s %s", line, mark[0] != '\0' ? mark : line, line,
-	    series->name);
+	char *middle = fine != NULL ? mark_text(fine, charset)
+				    : xstrdup(mark[0] != '\0' ? mark : line);
+	char *sample = xasprintf("%s%s%s", line, middle, line);
+	free(middle);
+	return sample;
 }
 
-/* Series, then rules, side by side in rows as wide as the canvas; from row on,
- * or only counted where row is negative.  Returns the rows they take. */
+/* One entry of the legend, "-v- measured 69"; the caller frees. */
+static char *
+legend_text(const struct chart_series *series, enum charset charset)
+{
+	char *sample = chart_sample(series, charset);
+	char *text = xasprintf("%s %s", sample, series->name);
+	free(sample);
+	return text;
+}
+
+/* Series that have a name, then rules, side by side in rows as wide as the
+ * canvas; from row on, or only counted where row is negative.  Returns the rows
+ * they take. */
 static int
 flow_legend(struct layout *l, int row)
 {
@@ -87,6 +157,10 @@ flow_legend(struct layout *l, int row)
 				 ? xasprintf("  %s", rule->name)
 				 : legend_text(&c->series[i], l->charset);
 		int wide = text_width(text);
+		if (rule == NULL && c->series[i].name[0] == '\0') {
+			free(text);
+			continue;
+		}
 		if (rows == 0 || column + wide > l->canvas->columns) {
 			column = 0;
 			rows++;
@@ -135,22 +209,26 @@ flow_notes(struct layout *l, int row)
 static int
 flow_foot(struct layout *l, int row)
 {
-	char *text = xasprintf("data: %s", l->chart->about);
+	char *text = xasprintf(tr("data: %s"), l->chart->about);
 	int rows = flow_text(l, row, text, CELL_DIM);
 	free(text);
 	return rows;
 }
 
-/* Columns for the labels of the y axis and its line; none on a canvas that is
- * hardly wider. */
+/* Columns for the labels of the y axis and its line, the same for all charts
+ * below one another; none on a canvas that is hardly wider.  The labels of a
+ * strip change with its limits: they have room for "+0.5" at any. */
 static int
 gutter(const struct chart *chart, int columns)
 {
-	enum { NARROW = 3 };
+	enum { NARROW = 3, STRIP = 4 };
 	int wide = 0;
-	for (size_t i = 0; i < chart->y.n; i++) {
-		int label = text_width(chart->y.tick[i].label);
-		wide = label > wide ? label : wide;
+	for (const struct chart *c = chart; c != NULL; c = c->below) {
+		wide = c->strip > 0 && wide < STRIP ? STRIP : wide;
+		for (size_t i = 0; i < c->y.n; i++) {
+			int label = text_width(c->y.tick[i].label);
+			wide = label > wide ? label : wide;
+		}
 	}
 	return columns >= NARROW * (wide + 1) ? wide + 1 : 0;
 }
@@ -168,8 +246,19 @@ label_rows(const struct layout *l)
 	return rows;
 }
 
+/* A strip has its title alone. */
 static struct layout
-layout_make(const struct chart *chart, struct canvas *canvas,
+layout_strip(struct layout l)
+{
+	l.title = l.canvas->rows > 1 ? 0 : -1;
+	l.top = l.title + 1;
+	l.height = l.canvas->rows - l.top;
+	l.y_title = l.axis = l.labels = l.legend = l.foot = -1;
+	return l;
+}
+
+static struct layout
+layout_make(const struct chart *chart, struct canvas *canvas, int left,
     enum charset charset, unsigned words)
 {
 	enum { Y_TITLE, LEGEND, SECOND, FOOT, TITLE, LABELS, AXIS, PARTS };
@@ -178,12 +267,17 @@ layout_make(const struct chart *chart, struct canvas *canvas,
 	    .canvas = canvas,
 	    .charset = charset,
 	    .words = words};
-	l.left = gutter(chart, canvas->columns);
+	l.left = left;
 	l.width = canvas->columns - l.left;
+	if (chart->strip > 0)
+		return layout_strip(l);
 	int rows[PARTS] = {[Y_TITLE] = 1,
 	    [LEGEND] = flow_notes(&l, -1),
 	    [SECOND] = label_rows(&l) - 1,
-	    [FOOT] = words & CHART_LEGEND ? flow_foot(&l, -1) : 0,
+	    [FOOT] = words & CHART_LEGEND &&
+			     (chart->below == NULL || chart->below->strip > 0)
+			 ? flow_foot(&l, -1)
+			 : 0,
 	    [TITLE] = words & CHART_TITLE ? 1 : 0,
 	    [LABELS] = 1,
 	    [AXIS] = 1};
@@ -293,16 +387,27 @@ short_title(const char *title, int columns)
 	return xstrdup(rest + 2);
 }
 
+/* One that is cut ends in "..". */
+static void
+put_title(struct layout *l, const char *title, unsigned attribute)
+{
+	int columns = l->canvas->columns;
+	canvas_text(l->canvas, 0, l->title, title, SERIES_TEXT, attribute);
+	if (text_width(title) > columns && columns > 2)
+		canvas_text(l->canvas, columns - 2, l->title, "..", SERIES_TEXT,
+		    attribute);
+}
+
 static void
 draw_titles(struct layout *l)
 {
 	const struct chart *c = l->chart;
 	int columns = l->canvas->columns;
-	char *axes = xasprintf("%s  against  %s", c->y.title, c->x.title);
-	char *title = short_title(c->title, columns);
+	char *axes = xasprintf(tr("%s  against  %s"), c->y.title, c->x.title);
+	char *title =
+	    c->strip > 0 ? xstrdup(c->title) : short_title(c->title, columns);
 	if (l->title >= 0)
-		canvas_text(
-		    l->canvas, 0, l->title, title, SERIES_TEXT, CELL_BOLD);
+		put_title(l, title, c->strip > 0 ? CELL_DIM : CELL_BOLD);
 	if (l->y_title >= 0)
 		canvas_text(l->canvas, 0, l->y_title,
 		    text_width(axes) <= columns ? axes : c->y.title,
@@ -332,39 +437,6 @@ struct brush {
 	unsigned char *dots;
 };
 
-/* Dots of a cell, across and down. */
-static int
-dots_across(enum charset charset)
-{
-	return charset == CHARSET_ASCII ? 1 : 2;
-}
-
-static int
-dots_down(enum charset charset)
-{
-	return charset == CHARSET_ASCII       ? 1
-	       : charset == CHARSET_QUADRANTS ? 2
-					      : 4;
-}
-
-/* The character of a cell whose dots are set; bit 2 * row + column. */
-static uint32_t
-dots_code(enum charset charset, unsigned dots)
-{
-	static const uint16_t QUADRANTS[16] = {' ', 0x2598, 0x259D, 0x2580,
-	    0x2596, 0x258C, 0x259E, 0x259B, 0x2597, 0x259A, 0x2590, 0x259C,
-	    0x2584, 0x2599, 0x259F, 0x2588};
-	static const unsigned char BRAILLE[8] = {
-	    0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80};
-	if (charset == CHARSET_QUADRANTS)
-		return QUADRANTS[dots];
-	unsigned code = 0;
-	for (unsigned i = 0; i < ARRAY_LEN(BRAILLE); i++)
-		if (dots >> i & 1)
-			code |= BRAILLE[i];
-	return 0x2800 + code;
-}
-
 /* Whether a line is drawn at this step of its path.  In ASCII a cell is a step,
  * and the character tells most. */
 static bool
@@ -388,25 +460,29 @@ put(struct brush *p, int column, int row, uint32_t code, enum series series,
 		return;
 	struct canvas_cell *cell =
 	    canvas_at(p->at.canvas, p->at.left + column, p->at.top + row);
-	attribute |= cell->attribute & CELL_SHADE;
 	*cell = (struct canvas_cell){
 	    code, (unsigned char)series, (unsigned char)attribute};
 	p->dots[row * p->at.width + column] = 0;
 }
 
+/* Sets or clears a dot; those of a cell share its colour, the last one's. */
 static void
-put_dot(struct brush *p, const struct chart_series *s, int x, int y)
+put_dot(struct brush *p, const struct chart_series *s, int x, int y, bool set)
 {
 	int across = dots_across(p->at.charset),
 	    down = dots_down(p->at.charset);
 	int column = x / across, row = y / down;
-	if (p->at.charset == CHARSET_ASCII) {
-		put(p, column, row, (uint32_t)s->ascii, s->series, 0);
+	if (x < 0 || column >= p->at.width || y < 0 || row >= p->at.height)
 		return;
-	}
 	unsigned char *dots = &p->dots[row * p->at.width + column];
-	unsigned all = *dots | 1u << (across * (y % down) + x % across);
-	put(p, column, row, dots_code(p->at.charset, all), s->series, 0);
+	unsigned bit = 1u << (across * (y % down) + x % across);
+	unsigned all = set ? *dots | bit : *dots & ~bit;
+	uint32_t code = p->at.charset == CHARSET_ASCII
+			    ? (uint32_t)s->ascii
+			    : dots_code(p->at.charset, all);
+	if (all == *dots && !set)
+		return;
+	put(p, column, row, code, s->series, 0);
 	*dots = (unsigned char)all;
 }
 
@@ -426,7 +502,7 @@ draw_segment(struct brush *p, const struct chart_series *s, size_t i)
 		int step = dx < 0 ? x0 + dx + n - k : x0 + k;
 		if (is_inked(s->line, p->at.charset, step))
 			put_dot(p, s, x0 + (int)lround(t * dx),
-			    y0 + (int)lround(t * dy));
+			    y0 + (int)lround(t * dy), true);
 	}
 }
 
@@ -468,16 +544,129 @@ draw_field(struct brush *p, const struct chart_series *s, size_t i)
 		    shade == 3 ? CELL_BOLD : 0);
 }
 
+/* Of a point, with what it is drawn beside by. */
+static int
+column_of(const struct brush *p, const struct chart_series *s, size_t i)
+{
+	int column = layout_column(&p->at, s->x[i], 1) + s->beside;
+	int last = p->at.width - 1;
+	return column < 0 ? 0 : column > last ? last : column;
+}
+
+/* In one cell, as wide as it is and half as high: a strip has marks of one run,
+ * all of which move where another one comes nearest. */
+static void
+draw_small(struct brush *p, const struct chart_series *s, size_t i, int down)
+{
+	int row = layout_row(&p->at, s->y[i], down), high = down / 2;
+	int top = row % down - high / 2, x = 2 * column_of(p, s, i);
+	top = top < 0 ? 0 : top > down - high ? down - high : top;
+	for (int k = 0; k < 2 * high; k++)
+		put_dot(p, s, x + k % 2, row - row % down + top + k / 2, true);
+}
+
+/* The dots of a fine mark around its point, on a ground of its own: behind it a
+ * line is broken, or its shape would be lost. */
+static void
+draw_fine(struct brush *p, const struct chart_series *s,
+    const struct mark *mark, size_t i)
+{
+	bool braille = p->at.charset == CHARSET_BRAILLE;
+	int side = braille ? 3 : 2;
+	if (p->at.chart->strip > 0) {
+		draw_small(p, s, i, braille ? 4 : 2);
+		return;
+	}
+	int x = layout_column(&p->at, s->x[i], 2) + 2 * s->beside - side / 2;
+	int y = layout_row(&p->at, s->y[i], braille ? 4 : 2) - side / 2;
+	unsigned dots = braille ? mark->dots : mark->quarters;
+	for (int k = 0; k < side * side; k++)
+		put_dot(p, s, x + k % side, y + k / side, dots >> k & 1);
+}
+
+static void
+draw_mark(struct brush *p, const struct chart_series *s, size_t i)
+{
+	const struct mark *mark = mark_of(s->mark);
+	if (!isfinite(s->y[i]))
+		return;
+	if (s->fine && mark != NULL && p->at.charset != CHARSET_ASCII)
+		draw_fine(p, s, mark, i);
+	else
+		put(p, column_of(p, s, i), layout_row(&p->at, s->y[i], 1),
+		    (uint32_t)s->mark, s->series,
+		    (s->line == CHART_MARKS ? CELL_BOLD : 0) |
+			(s->lifted ? CELL_REVERSE : 0));
+}
+
+static bool
+has_dots(const struct brush *p, int column, int row)
+{
+	return row >= 0 && row < p->at.height &&
+	       p->dots[row * p->at.width + column] != 0;
+}
+
+/* Where there is no colour the gap in a bar shows where its mark is; one that
+ * ends there anyway is not made shorter. */
+static void
+clear_around(struct brush *p, const struct chart_series *s)
+{
+	for (size_t i = 0; i < s->n && s->lifted; i++)
+		for (int by = -1; by <= 1 && isfinite(s->y[i]); by += 2) {
+			int column = column_of(p, s, i);
+			int row = layout_row(&p->at, s->y[i], 1);
+			if (has_dots(p, column, row) &&
+			    has_dots(p, column, row + 2 * by))
+				put(p, column, row + by, ' ', SERIES_TEXT, 0);
+		}
+}
+
 static void
 draw_marks(struct brush *p, const struct chart_series *s)
 {
 	for (size_t i = 0; i < s->n && s->field != NULL; i++)
 		draw_field(p, s, i);
 	for (size_t i = 0; i < s->n && s->mark != 0 && s->field == NULL; i++)
-		if (isfinite(s->y[i]))
-			put(p, layout_column(&p->at, s->x[i], 1),
-			    layout_row(&p->at, s->y[i], 1), (uint32_t)s->mark,
-			    s->series, s->line == CHART_MARKS ? CELL_BOLD : 0);
+		if (!s->fine)
+			draw_mark(p, s, i);
+}
+
+/* A cell has one colour: series take turns in lying on top, point by point. */
+static void
+draw_fine_marks(struct brush *p)
+{
+	const struct chart *c = p->at.chart;
+	size_t most = 0;
+	for (size_t i = 0; i < c->n; i++)
+		most = c->series[i].fine && c->series[i].n > most
+			   ? c->series[i].n
+			   : most;
+	for (size_t point = 0; point < most; point++)
+		for (size_t turn = 0; turn < c->n; turn++) {
+			const struct chart_series *s =
+			    &c->series[(point + turn) % c->n];
+			if (s->fine && point < s->n)
+				draw_mark(p, s, point);
+		}
+}
+
+/* A bar from low to high at each point, a dot wide or a cell. */
+static void
+draw_bars(struct brush *p, const struct chart_series *s)
+{
+	enum { DOTTED = 2 };
+	int across = dots_across(p->at.charset),
+	    down = dots_down(p->at.charset);
+	int wide = s->line == CHART_LONG ? across : 1;
+	int step = s->line == CHART_DOTTED ? DOTTED : 1;
+	for (size_t i = 0; i < s->n; i++) {
+		int column = column_of(p, s, i);
+		int foot = layout_row(&p->at, s->low[i], down);
+		int top = layout_row(&p->at, s->high[i], down);
+		for (int y = top; y <= foot; y += step)
+			for (int x = 0; x < wide; x++)
+				put_dot(p, s, column * across + x, y, true);
+	}
 }
 
 /* y of the band's edge at x, straight between the points. */
@@ -489,56 +678,77 @@ edge_at(struct brush *p, const struct chart_series *s, double *edge, double x)
 	return chart_at(p->at.chart, &copy, x);
 }
 
+/* The value in the middle of part i of n along an axis. */
 static double
-x_at(const struct brush *p, int column)
+value_at(const struct axis *a, int i, int n)
 {
-	const struct axis *a = &p->at.chart->x;
-	double t = p->at.width > 1 ? (double)column / (p->at.width - 1) : 0;
+	double t = (i + 0.5) / n;
 	return a->log ? a->low * pow(a->high / a->low, t)
 		      : a->low + t * (a->high - a->low);
 }
 
-/* Behind the lines, where the depth of colour has a ground for it.  Elsewhere a
- * cell is shaded by a character where the band fills half of its height: of one
- * thinner than that there would be strays only, where it goes from row to row.
- */
+/* x in the middle of part i of n across. */
+static double
+x_at(const struct brush *p, int i, int n)
+{
+	return value_at(&p->at.chart->x, i, n);
+}
+
+/* Rows that the band fills from their foot to their top. */
+static void
+fill_band(
+    struct brush *p, int column, double low, double high, enum series tint)
+{
+	double top = p->at.height * (1 - axis_share(&p->at.chart->y, high));
+	double foot = p->at.height * (1 - axis_share(&p->at.chart->y, low));
+	uint32_t shade = p->at.charset == CHARSET_ASCII ? ',' : 0x2591;
+	for (int row = (int)ceil(top); row + 1 <= foot; row++)
+		put(p, column, row, shade, tint, CELL_DIM);
+}
+
+/* Behind the lines, and never thicker than it is: its edges in every second
+ * dot, and the cells between them. */
 static void
 draw_band(struct brush *p, const struct chart_series *s)
 {
-	enum { PARTS = 8 };
-	uint32_t shade =
-	    p->at.charset == CHARSET_ASCII ? ',' : CANVAS_SHADE_CODE;
-	for (int column = 0; column < p->at.width && s->low != NULL; column++) {
-		double x = x_at(p, column);
+	enum { EVERY = 2 };
+	const struct chart_series edge = {.series = palette_tint(s->series)};
+	int across = dots_across(p->at.charset), parts = p->at.width * across;
+	int down = dots_down(p->at.charset);
+	for (int i = 0; i < parts && s->low != NULL; i++) {
+		double x = x_at(p, i, parts);
 		double low = edge_at(p, s, s->low, x);
 		double high = edge_at(p, s, s->high, x);
 		if (isnan(low) || isnan(high))
 			continue;
-		int top = layout_row(&p->at, high, PARTS);
-		int foot = layout_row(&p->at, low, PARTS);
-		for (int row = top / PARTS; row <= foot / PARTS; row++) {
-			int from = row * PARTS, to = from + PARTS - 1;
-			int filled = (foot < to ? foot : to) -
-				     (top > from ? top : from) + 1;
-			bool half = 2 * filled >= PARTS;
-			bool middle = row == (top + foot) / 2 / PARTS;
-			if (middle || 4 * filled >= PARTS)
-				put(p, column, row, half ? shade : ' ',
-				    SERIES_BAND, CELL_DIM | CELL_SHADE);
-		}
+		if (i % across == 0)
+			fill_band(p, i / across, low, high, edge.series);
+		if (down == 1 || i % EVERY != 0)
+			continue;
+		put_dot(p, &edge, i, layout_row(&p->at, high, down), true);
+		put_dot(p, &edge, i, layout_row(&p->at, low, down), true);
 	}
 }
 
-/* Faint, and only where the plot is tall enough for them not to crowd it. */
+/* Faint, and only where the plot is tall enough for them not to crowd it; in a
+ * strip seldom: its marks stand on them and move. */
 static void
 draw_guides(struct brush *p)
 {
-	enum { TALL = 12, EVERY = 4 };
-	uint32_t code = p->at.charset == CHARSET_ASCII ? '-' : 0x00B7;
-	for (size_t i = 0; i < p->at.chart->y.n && p->at.height >= TALL; i++) {
+	enum { TALL = 12, EVERY = 4, SELDOM = 12 };
+	bool braille = p->at.charset == CHARSET_BRAILLE;
+	bool strip = p->at.chart->strip > 0;
+	int every = strip ? SELDOM : EVERY;
+	for (size_t i = 0;
+	     i < p->at.chart->y.n && (strip || p->at.height >= TALL); i++) {
 		const struct axis_tick *t = &p->at.chart->y.tick[i];
-		for (int column = EVERY / 2; column < p->at.width && t->guide;
-		     column += EVERY)
+		int dot = layout_row(&p->at, t->at, 4) % 4;
+		uint32_t code =
+		    braille ? dots_code(CHARSET_BRAILLE, 1U << (2 * dot))
+		    : p->at.charset == CHARSET_ASCII ? '-'
+						     : 0x00B7;
+		for (int column = every / 2; column < p->at.width && t->guide;
+		     column += every)
 			put(p, column, layout_row(&p->at, t->at, 1), code,
 			    SERIES_TEXT, CELL_DIM);
 	}
@@ -566,24 +776,157 @@ draw_data(struct brush *p)
 {
 	const struct chart *c = p->at.chart;
 	for (size_t i = 0; i < c->n; i++)
-		draw_band(p, &c->series[i]);
+		if (!c->series[i].bars)
+			draw_band(p, &c->series[i]);
 	draw_guides(p);
 	draw_rules(p);
 	for (size_t i = 0; i < c->n; i++)
-		draw_line(p, &c->series[i]);
+		if (c->series[i].bars)
+			draw_bars(p, &c->series[i]);
+		else
+			draw_line(p, &c->series[i]);
+	for (size_t i = 0; i < c->n; i++)
+		clear_around(p, &c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
 		draw_marks(p, &c->series[i]);
+	draw_fine_marks(p);
+}
+
+static struct canvas *
+draw_one(const struct chart *chart, int columns, int rows, int left,
+    enum charset charset, unsigned words)
+{
+	struct canvas *canvas = canvas_new(columns, rows);
+	struct brush p = {
+	    .at = layout_make(chart, canvas, left, charset, words)};
+	p.dots = xcalloc((size_t)(p.at.width * p.at.height), 1);
+	draw_around(&p.at);
+	draw_data(&p);
+	free(p.dots);
+	return canvas;
+}
+
+/* The mark nearest to a cell of the data, among those next to it. */
+static void
+find_mark(const struct layout *l, int column, int row, struct chart_found *f)
+{
+	int best = 4; /* more than of any neighbour */
+	for (size_t s = 0; s < l->chart->n; s++) {
+		const struct chart_series *of = &l->chart->series[s];
+		bool marks = of->mark != 0 || of->line == CHART_MARKS;
+		for (size_t i = 0; marks && i < of->n; i++) {
+			if (!isfinite(of->x[i]) || !isfinite(of->y[i]))
+				continue;
+			int dx = abs(layout_column(l, of->x[i], 1) - column),
+			    dy = abs(layout_row(l, of->y[i], 1) - row);
+			if (dx > 1 || dy > 1 || dx + 2 * dy >= best)
+				continue;
+			best = dx + 2 * dy;
+			f->series = of;
+			f->point = i;
+		}
+	}
+}
+
+/* The line in that row of a column, of several the one on top. */
+static void
+find_line(const struct layout *l, int row, struct chart_found *f)
+{
+	for (size_t s = l->chart->n; s-- > 0 && f->series == NULL;) {
+		const struct chart_series *of = &l->chart->series[s];
+		double y = chart_at(l->chart, of, f->x);
+		if (of->line == CHART_MARKS || isnan(y) ||
+		    abs(layout_row(l, y, 1) - row) > 1)
+			continue;
+		f->series = of;
+		f->point = 0;
+		for (size_t i = 1; i < of->n; i++)
+			if (fabs(axis_share(&l->chart->x, of->x[i]) -
+				 axis_share(&l->chart->x, f->x)) <
+			    fabs(axis_share(&l->chart->x, of->x[f->point]) -
+				 axis_share(&l->chart->x, f->x)))
+				f->point = i;
+	}
+}
+
+static bool
+find_in(const struct layout *l, int column, int row, struct chart_found *f)
+{
+	*f = (struct chart_found){.chart = l->chart};
+	column -= l->left;
+	row -= l->top;
+	if (column < 0 || column >= l->width || row < 0 || row >= l->height)
+		return false;
+	f->x = value_at(&l->chart->x, column, l->width);
+	f->y = value_at(&l->chart->y, l->height - 1 - row, l->height);
+	find_mark(l, column, row, f);
+	find_line(l, row, f);
+	return true;
+}
+
+static int
+charts_of(const struct chart *chart)
+{
+	int n = 0;
+	for (const struct chart *c = chart; c != NULL; c = c->below)
+		n++;
+	return n;
+}
+
+/* Rows of a chart and of the n below it share what is left, but a strip has its
+ * own, or none where its chart would become too low. */
+static int
+rows_of(const struct chart *chart, int left, int n)
+{
+	enum { LEAST = 8 };
+	const struct chart *below = chart->below;
+	bool strip = below != NULL && below->strip > 0;
+	if (strip && left - below->strip >= LEAST)
+		return left - below->strip;
+	int own = strip ? left : left / n;
+	return own > 0 ? own : 1;
+}
+
+bool
+chart_find(const struct chart *chart, const struct canvas *canvas,
+    enum charset charset, unsigned words, int column, int row,
+    struct chart_found *found)
+{
+	int n = charts_of(chart), top = 0;
+	int left = gutter(chart, canvas->columns);
+	for (const struct chart *c = chart; c != NULL && top < canvas->rows;
+	     c = c->below) {
+		int own = rows_of(c, canvas->rows - top, n--);
+		if (row >= top + own) {
+			top += own;
+			continue;
+		}
+		struct canvas *one = canvas_new(canvas->columns, own);
+		struct layout l = layout_make(c, one, left, charset, words);
+		bool in = find_in(&l, column, row - top, found);
+		canvas_free(one);
+		return in;
+	}
+	return false;
 }
 
 struct canvas *
 chart_draw(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words)
 {
-	struct canvas *canvas = canvas_new(columns, rows);
-	struct brush p = {.at = layout_make(chart, canvas, charset, words)};
-	p.dots = xcalloc((size_t)(p.at.width * p.at.height), 1);
-	draw_around(&p.at);
-	draw_data(&p);
-	free(p.dots);
-	return canvas;
+	struct canvas *all = canvas_new(columns, rows);
+	int n = charts_of(chart), top = 0, left = gutter(chart, columns);
+	all->theme = chart->theme;
+	/* Where there is no room for all the first ones are drawn. */
+	for (const struct chart *c = chart; c != NULL && top < rows;
+	     c = c->below) {
+		int own = rows_of(c, rows - top, n--);
+		struct canvas *one =
+		    draw_one(c, columns, own, left, charset, words);
+		memcpy(all->cell + top * columns, one->cell,
+		    (size_t)(one->rows * columns) * sizeof *one->cell);
+		top += one->rows;
+		canvas_free(one);
+	}
+	return all;
 }

@@ -11,8 +11,29 @@ enum { CHART_TITLE = 1, CHART_LEGEND = 2, CHART_NOTES = 4, CHART_ALL = 7 };
 /* The chart in exactly columns x rows cells, whatever they are.  Where room is
  * short its parts go in this order: title of the y axis, notes and legend,
  * second row of labels, foot, title, labels, axis.  words: which of them to
- * draw at all, of CHART_ALL.  The caller frees. */
+ * draw at all, of CHART_ALL.  A label stands in the row or column that holds
+ * its value, a dot of a line or of a fine mark in the part of a cell that does.
+ * The caller frees. */
 struct canvas *chart_draw(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words);
+
+/* What is at a cell of that canvas: the chart there, the values of its axes,
+ * and the nearest of its marks within a cell, or else the line drawn there:
+ * `point` of it, the nearest.  series NULL: none. */
+struct chart_found {
+	const struct chart *chart;
+	double x, y;
+	const struct chart_series *series;
+	size_t point;
+};
+
+/* False for a cell outside the data. */
+bool chart_find(const struct chart *chart, const struct canvas *canvas,
+    enum charset charset, unsigned words, int column, int row,
+    struct chart_found *found);
+
+/* What a legend has before the name of a series: its line and mark.  The caller
+ * frees. */
+char *chart_sample(const struct chart_series *series, enum charset charset);
 
 #endif

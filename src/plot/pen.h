@@ -10,6 +10,12 @@
 /* How much is left of the colour of what is faint. */
 #define PEN_FAINT 0.6
 
+/* Letters of one width, of the systems by their names: a browser's own
+ * monospace is often Courier. */
+#define PEN_MONO                                                            \
+	"ui-monospace, SFMono-Regular, Menlo, Consolas, DejaVu Sans Mono, " \
+	"Liberation Mono, monospace"
+
 enum pen_fill { PEN_OPEN, PEN_PAPER, PEN_FULL, PEN_TINT };
 enum pen_anchor { PEN_START, PEN_MIDDLE, PEN_END };
 
@@ -22,12 +28,12 @@ struct pen_stroke {
 };
 
 /* size in points; upward: reads from below to above; inverse: in the colour of
- * the paper; faint: as dim on a terminal.  length: stretched to that, 0: as it
- * comes. */
+ * the paper; faint: as dim on a terminal; mono: in letters of one width.
+ * length: stretched to that, 0: as it comes. */
 struct pen_style {
 	double size, length;
 	enum pen_anchor anchor;
-	bool bold, upward, inverse, faint;
+	bool bold, upward, inverse, faint, mono;
 	enum series series;
 };
 
@@ -49,7 +55,11 @@ struct pen_paper {
 
 /* path: through x, y [n].  bars: n straight ones, bar i from x, y [2 i] to the
  * next.  text: its base line begins, is centred or ends at x, y.  close: writes
- * what is left; false when that failed; frees the pen. */
+ * what is left; false when that failed; frees the pen.
+ *
+ * Of a PDF alone, which may have many pages: width: of a text, points; next:
+ * begins another page; place: what follows is drawn from x, y of the page on,
+ * so many times as large. */
 struct pen {
 	void (*path)(struct pen *, const double *x, const double *y, size_t n,
 	    const struct pen_stroke *);
@@ -58,13 +68,18 @@ struct pen {
 	void (*text)(struct pen *, double x, double y, const char *text,
 	    const struct pen_style *);
 	bool (*close)(struct pen *);
+	double (*width)(
+	    struct pen *, const char *text, const struct pen_style *);
+	void (*next)(struct pen *);
+	void (*place)(struct pen *, double x, double y, double scale);
 };
 
 /* Makes a pen for a page.  title and about go into the file's description; the
- * paper is borrowed until the pen is closed.  pdf: from cairo; else PNG. */
+ * paper is copied.  other: from cairo PDF, else PNG;
+ * SVG as a part of a page of HTML, else a file of its own. */
 typedef struct pen *pen_maker(double width, double height,
     const struct pen_paper *paper, const char *title, const char *about,
-    bool pdf, FILE *out);
+    bool other, FILE *out);
 pen_maker pen_svg, pen_cairo;
 
 #endif

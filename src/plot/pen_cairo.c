@@ -14,7 +14,7 @@
 
 struct picture {
 	struct pen pen;
-	const struct pen_paper *paper;
+	struct pen_paper paper;
 	cairo_surface_t *surface;
 	cairo_t *cairo;
 	bool pdf;
@@ -41,7 +41,7 @@ cairo_pen_path(struct pen *pen, const double *x, const double *y, size_t n,
 {
 	const struct picture *p = (struct picture *)pen;
 	cairo_t *c = p->cairo;
-	unsigned colour = p->paper->ink[stroke->series];
+	unsigned colour = p->paper.ink[stroke->series];
 	int on, off;
 	chart_dash(stroke->line, &on, &off);
 	double dash[2] = {on, off};
@@ -51,7 +51,7 @@ cairo_pen_path(struct pen *pen, const double *x, const double *y, size_t n,
 	if (stroke->fill != PEN_OPEN) {
 		cairo_close_path(c);
 		set_colour(c,
-		    stroke->fill == PEN_PAPER ? p->paper->colour : colour,
+		    stroke->fill == PEN_PAPER ? p->paper.colour : colour,
 		    stroke->fill == PEN_TINT ? 0.2 : 1);
 		cairo_fill_preserve(c);
 	}
@@ -73,7 +73,7 @@ cairo_pen_bars(struct pen *pen, const double *x, const double *y, size_t n,
 		cairo_move_to(c, x[i], y[i]);
 		cairo_line_to(c, x[i + 1], y[i + 1]);
 	}
-	set_colour(c, p->paper->ink[bar->series], bar->opacity);
+	set_colour(c, p->paper.ink[bar->series], bar->opacity);
 	cairo_set_dash(c, NULL, 0, 0);
 	cairo_set_line_width(c, bar->width);
 	cairo_set_line_cap(
@@ -83,19 +83,54 @@ cairo_pen_bars(struct pen *pen, const double *x, const double *y, size_t n,
 }
 
 static void
+take_font(const struct picture *p, const struct pen_style *style)
+{
+	cairo_select_font_face(p->cairo,
+	    p->paper.mono || style->mono ? "monospace" : "sans-serif",
+	    CAIRO_FONT_SLANT_NORMAL,
+	    style->bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+	cairo_set_font_size(p->cairo, style->size);
+}
+
+static double
+cairo_pen_width(
+    struct pen *pen, const char *words, const struct pen_style *style)
+{
+	const struct picture *p = (struct picture *)pen;
+	cairo_text_extents_t size;
+	char *text = text_shown(words);
+	take_font(p, style);
+	cairo_text_extents(p->cairo, text, &size);
+	free(text);
+	return size.x_advance;
+}
+
+static void
+cairo_pen_next(struct pen *pen)
+{
+	cairo_show_page(((struct picture *)pen)->cairo);
+}
+
+static void
+cairo_pen_place(struct pen *pen, double x, double y, double scale)
+{
+	cairo_t *c = ((struct picture *)pen)->cairo;
+	cairo_identity_matrix(c);
+	cairo_translate(c, x, y);
+	cairo_scale(c, scale, scale);
+}
+
+static void
 cairo_pen_text(struct pen *pen, double x, double y, const char *words,
     const struct pen_style *style)
 {
 	const struct picture *p = (struct picture *)pen;
-	const struct pen_paper *paper = p->paper;
+	const struct pen_paper *paper = &p->paper;
 	cairo_t *c = p->cairo;
 	cairo_text_extents_t size;
 	/* cairo draws nothing more after text that is not UTF-8. */
 	char *text = text_shown(words);
-	cairo_select_font_face(c, paper->mono ? "monospace" : "sans-serif",
-	    CAIRO_FONT_SLANT_NORMAL,
-	    style->bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-	cairo_set_font_size(c, style->size);
+	take_font(p, style);
 	cairo_text_extents(c, text, &size);
 	set_colour(c,
 	    style->inverse ? paper->colour : paper->ink[style->series],
@@ -144,9 +179,14 @@ pen_cairo(double width, double height, const struct pen_paper *paper,
     const char *title, const char *about, bool pdf, FILE *out)
 {
 	struct picture *p = xcalloc(1, sizeof *p);
-	p->pen = (struct pen){
-	    cairo_pen_path, cairo_pen_bars, cairo_pen_text, cairo_pen_close};
-	p->paper = paper;
+	p->pen = (struct pen){.path = cairo_pen_path,
+	    .bars = cairo_pen_bars,
+	    .text = cairo_pen_text,
+	    .close = cairo_pen_close,
+	    .width = cairo_pen_width,
+	    .next = cairo_pen_next,
+	    .place = cairo_pen_place};
+	p->paper = *paper;
 	p->pdf = pdf;
 	p->out = out;
 	if (pdf) {
@@ -154,6 +194,8 @@ pen_cairo(double width, double height, const struct pen_paper *paper,
 		    put_bytes, out, width, height);
 		describe(p->surface, CAIRO_PDF_METADATA_TITLE, title);
 		describe(p->surface, CAIRO_PDF_METADATA_SUBJECT, about);
+		/* The hour would make the same chart another file. */
+		describe(p->surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
 	} else {
 		p->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24,
 		    (int)ceil(width * PNG_SCALE),

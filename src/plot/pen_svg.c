@@ -9,34 +9,11 @@
 
 struct svg {
 	struct pen pen;
-	const struct pen_paper *paper;
+	struct pen_paper paper;
 	FILE *out;
 };
 
 static const char SANS[] = "Helvetica, Arial, sans-serif";
-/* Those of the systems by their names: a browser's own monospace is often
- * Courier. */
-static const char MONO[] =
-    "ui-monospace, SFMono-Regular, Menlo, Consolas, DejaVu Sans Mono, "
-    "Liberation Mono, monospace";
-
-/* Text of an element; what is shown holds no character that XML forbids. */
-static void
-put_text(const char *text, FILE *out)
-{
-	char *shown = text_shown(text);
-	for (const char *p = shown; *p != '\0'; p++) {
-		if (*p == '<')
-			fputs("&lt;", out);
-		else if (*p == '&')
-			fputs("&amp;", out);
-		else if (*p == '>')
-			fputs("&gt;", out);
-		else
-			fputc(*p, out);
-	}
-	free(shown);
-}
 
 static void
 svg_path(struct pen *pen, const double *x, const double *y, size_t n,
@@ -44,7 +21,7 @@ svg_path(struct pen *pen, const double *x, const double *y, size_t n,
 {
 	const struct svg *svg = (struct svg *)pen;
 	FILE *out = svg->out;
-	unsigned colour = svg->paper->ink[stroke->series];
+	unsigned colour = svg->paper.ink[stroke->series];
 	int on, off;
 	fputs("<path d=\"", out);
 	for (size_t i = 0; i < n; i++)
@@ -54,7 +31,7 @@ svg_path(struct pen *pen, const double *x, const double *y, size_t n,
 		fputs(" fill=\"none\"", out);
 	else
 		fprintf(out, " fill=\"#%06x\"",
-		    stroke->fill == PEN_PAPER ? svg->paper->colour : colour);
+		    stroke->fill == PEN_PAPER ? svg->paper.colour : colour);
 	if (stroke->fill == PEN_TINT)
 		fputs(" fill-opacity=\"0.2\"", out);
 	if (stroke->width > 0)
@@ -74,7 +51,7 @@ svg_bars(struct pen *pen, const double *x, const double *y, size_t n,
 	const struct svg *svg = (struct svg *)pen;
 	fprintf(svg->out,
 	    "<path fill=\"none\" stroke=\"#%06x\" stroke-width=\"%g\"",
-	    svg->paper->ink[bar->series], bar->width);
+	    svg->paper.ink[bar->series], bar->width);
 	if (bar->opacity < 1)
 		fprintf(svg->out, " stroke-opacity=\"%g\"", bar->opacity);
 	if (bar->round)
@@ -101,18 +78,19 @@ svg_text(struct pen *pen, double x, double y, const char *text,
 	    "<text x=\"%.2f\" y=\"%.2f\" font-size=\"%.1f\" "
 	    "text-anchor=\"%s\" fill=\"#%06x\"",
 	    x, y, style->size, ANCHORS[style->anchor],
-	    style->inverse ? svg->paper->colour
-			   : svg->paper->ink[style->series]);
+	    style->inverse ? svg->paper.colour : svg->paper.ink[style->series]);
 	if (style->length > 0)
 		fprintf(out, " textLength=\"%g\"", style->length);
 	if (style->faint)
 		fprintf(out, " fill-opacity=\"%g\"", PEN_FAINT);
+	if (style->mono && !svg->paper.mono)
+		fprintf(out, " font-family=\"%s\"", PEN_MONO);
 	if (style->bold)
 		fputs(" font-weight=\"bold\"", out);
 	if (style->upward)
 		fprintf(out, " transform=\"rotate(-90 %.2f %.2f)\"", x, y);
 	fputc('>', out);
-	put_text(text, out);
+	text_put_xml(text, out);
 	fputs("</text>\n", out);
 }
 
@@ -129,7 +107,7 @@ svg_close(struct pen *pen)
 static void
 put_paper(const struct svg *svg, double width, double height)
 {
-	const struct pen_paper *p = svg->paper;
+	const struct pen_paper *p = &svg->paper;
 	if (p->corner > 0)
 		fprintf(svg->out,
 		    "<rect x=\"0.5\" y=\"0.5\" width=\"%g\" height=\"%g\" "
@@ -144,22 +122,25 @@ put_paper(const struct svg *svg, double width, double height)
 
 struct pen *
 pen_svg(double width, double height, const struct pen_paper *paper,
-    const char *title, const char *about, bool pdf, FILE *out)
+    const char *title, const char *about, bool other, FILE *out)
 {
-	(void)pdf;
 	struct svg *svg = xcalloc(1, sizeof *svg);
-	svg->pen = (struct pen){svg_path, svg_bars, svg_text, svg_close};
-	svg->paper = paper;
+	svg->pen = (struct pen){.path = svg_path,
+	    .bars = svg_bars,
+	    .text = svg_text,
+	    .close = svg_close};
+	svg->paper = *paper;
 	svg->out = out;
+	if (!other)
+		fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", out);
 	fprintf(out,
-	    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
 	    "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
 	    "width=\"%gpt\" height=\"%gpt\" viewBox=\"0 0 %g %g\" "
 	    "font-family=\"%s\">\n<title>",
-	    width, height, width, height, paper->mono ? MONO : SANS);
-	put_text(title, out);
+	    width, height, width, height, paper->mono ? PEN_MONO : SANS);
+	text_put_xml(title, out);
 	fputs("</title>\n<desc>", out);
-	put_text(about, out);
+	text_put_xml(about, out);
 	fputs("</desc>\n", out);
 	put_paper(svg, width, height);
 	return &svg->pen;

@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "config.h"
-#include "plot/pen.h"
+#include "plot/marks.h"
 
 /* The page, in points: two columns of a journal wide. */
 enum {
@@ -18,11 +18,12 @@ enum {
 	TOP = 34,
 	WIDTH = 336,
 	LEAST_HEIGHT = 240,
+	STRIP_HEIGHT = 96,
 	LEGEND = LEFT + WIDTH + 18,
 	SAMPLE = 26,
 	RIGHT = 192,
-	PAGE = LEFT + WIDTH + RIGHT,
-	BELOW = 52, /* labels and title of the x axis */
+	PAGE = LEFT + WIDTH + RIGHT, /* PICTURE_WIDTH */
+	BELOW = 52,                  /* labels and title of the x axis */
 	ROW = 13,
 	FOOT_ROW = 11,
 	FOOT_COLUMNS = 112
@@ -31,7 +32,7 @@ enum {
 struct page {
 	const struct chart *chart;
 	struct pen *pen;
-	double height; /* of the plot */
+	double top, height; /* of the plot */
 };
 
 bool
@@ -48,23 +49,19 @@ picture_form_of(const char *path, enum picture_form *form)
 	return false;
 }
 
-/* White; the inks are safe for red-green blindness. */
-static const struct pen_paper WHITE = {.colour = 0xFFFFFF,
-    .ink = {[SERIES_TEXT] = 0x000000,
-	[SERIES_FEED] = 0xE69F00,
-	[SERIES_MEASURED_1] = 0x0072B2,
-	[SERIES_MEASURED_2] = 0x009E73,
-	[SERIES_MEASURED_3] = 0x56B4E9,
-	[SERIES_PREDICTED] = 0xD55E00,
-	[SERIES_OTHER] = 0xCC79A7,
-	[SERIES_BAND] = 0xD55E00,
-	[SERIES_BREAK] = 0x555555,
-	[SERIES_CROSSHAIR] = 0x000000}};
+static struct pen_paper
+white(enum theme theme)
+{
+	struct pen_paper paper = {.colour = 0xFFFFFF};
+	for (int i = 0; i < SERIES_COUNT; i++)
+		paper.ink[i] = palette_ink((enum series)i, theme);
+	return paper;
+}
 
 bool
 picture_can(enum picture_form form)
 {
-	return HAVE_CAIRO || form == PICTURE_SVG;
+	return HAVE_CAIRO || form == PICTURE_SVG || form == PICTURE_INLINE;
 }
 
 const char *
@@ -80,12 +77,13 @@ pen_open(enum picture_form form, double width, double height,
     FILE *out)
 {
 #if HAVE_CAIRO
-	if (form != PICTURE_SVG)
+	if (form == PICTURE_PNG || form == PICTURE_PDF)
 		return pen_cairo(width, height, paper, title, about,
 		    form == PICTURE_PDF, out);
 #endif
-	assert(form == PICTURE_SVG);
-	return pen_svg(width, height, paper, title, about, false, out);
+	assert(form == PICTURE_SVG || form == PICTURE_INLINE);
+	return pen_svg(
+	    width, height, paper, title, about, form == PICTURE_INLINE, out);
 }
 
 static double
@@ -97,7 +95,7 @@ page_x(const struct page *p, double x)
 static double
 page_y(const struct page *p, double y)
 {
-	return TOP + p->height * (1 - axis_share(&p->chart->y, y));
+	return p->top + p->height * (1 - axis_share(&p->chart->y, y));
 }
 
 static void
@@ -110,7 +108,7 @@ draw_rule(struct page *p, double x0, double y0, double x1, double y1,
 
 static const struct pen_stroke THIN = {SERIES_TEXT, CHART_SOLID, 0.6, PEN_OPEN};
 static const struct pen_stroke GUIDE = {
-    SERIES_BREAK, CHART_DOTTED, 0.3, PEN_OPEN};
+    SERIES_FEED, CHART_DOTTED, 0.3, PEN_OPEN};
 
 static void
 draw_x_axis(struct page *p)
@@ -118,7 +116,7 @@ draw_x_axis(struct page *p)
 	enum { COLUMN = 5, LABEL = 8, ROWS = 2 };
 	static const double DIGIT = 5.1; /* its width; a column rounds it */
 	const struct axis *a = &p->chart->x;
-	double foot = TOP + p->height;
+	double foot = p->top + p->height;
 	int *column = xcalloc(a->n, sizeof *column);
 	int *row = xcalloc(a->n, sizeof *row);
 	double end[ROWS] = {0};
@@ -173,40 +171,52 @@ draw_y_axis(struct page *p)
 			    &(struct pen_style){
 				.size = LABEL, .anchor = PEN_END});
 		}
-	p->pen->text(p->pen, 18, TOP + p->height / 2, a->title,
+	p->pen->text(p->pen, 18, p->top + p->height / 2, a->title,
 	    &(struct pen_style){
 		.size = 10, .anchor = PEN_MIDDLE, .upward = true});
 	free(placed);
 }
 
-/* Marks as shapes where there is one, else as the character. */
+/* A shape with so many corners around a point. */
 static void
-draw_mark(struct page *p, char mark, enum series series, double x, double y)
+draw_shape(struct page *p, int sides, double start, enum pen_fill fill,
+    enum series series, double x, double y)
 {
-	enum { ROUND = 16 };
+	enum { MOST = 16 };
 	const double r = 2.8, turn = 2 * acos(-1);
-	double px[ROUND], py[ROUND];
-	size_t n = mark == 'o'                  ? ROUND
-		   : mark == 'v' || mark == '^' ? 3
-		   : mark == '#'                ? 4
-						: 0;
-	double start = mark == 'v' ? 0.25 : mark == '^' ? 0.75 : 0.125;
-	for (size_t i = 0; i < n; i++) {
-		double angle = turn * (start + (double)i / (double)n);
+	double px[MOST], py[MOST];
+	for (int i = 0; i < sides; i++) {
+		double angle = turn * (start + (double)i / sides);
 		px[i] = x + r * cos(angle);
 		py[i] = y + r * sin(angle);
 	}
-	char text[2] = {mark, '\0'};
-	if (n > 0)
-		p->pen->path(p->pen, px, py, n,
-		    &(struct pen_stroke){series, CHART_SOLID, 0.8,
-			mark == '#' ? PEN_FULL : PEN_PAPER});
+	p->pen->path(p->pen, px, py, (size_t)sides,
+	    &(struct pen_stroke){series, CHART_SOLID, 0.8, fill});
+}
+
+/* Marks as shapes where there is one, else as the character. */
+static void
+draw_mark(struct page *p, const struct chart_series *s, double x, double y)
+{
+	const struct mark *fine = s->fine ? mark_of(s->mark) : NULL;
+	int sides = s->mark == 'o'                     ? 16
+		    : s->mark == 'v' || s->mark == '^' ? 3
+		    : s->mark == '#'                   ? 4
+						       : 0;
+	double start = s->mark == 'v' ? 0.25 : s->mark == '^' ? 0.75 : 0.125;
+	char text[2] = {s->mark, '\0'};
+	if (fine != NULL)
+		draw_shape(p, fine->sides, fine->turn,
+		    fine->hollow ? PEN_PAPER : PEN_FULL, s->series, x, y);
+	else if (sides > 0)
+		draw_shape(p, sides, start,
+		    s->mark == '#' ? PEN_FULL : PEN_PAPER, s->series, x, y);
 	else
 		p->pen->text(p->pen, x, y + 3, text,
 		    &(struct pen_style){.size = 9,
 			.anchor = PEN_MIDDLE,
 			.bold = true,
-			.series = series});
+			.series = s->series});
 }
 
 static void
@@ -222,9 +232,36 @@ draw_band(struct page *p, const struct chart_series *s)
 		y[back] = page_y(p, s->high[i]);
 	}
 	p->pen->path(p->pen, x, y, 2 * s->n,
-	    &(struct pen_stroke){SERIES_BAND, CHART_SOLID, 0, PEN_TINT});
+	    &(struct pen_stroke){
+		palette_tint(s->series), CHART_SOLID, 0, PEN_TINT});
 	free(x);
 	free(y);
+}
+
+static double
+beside(const struct chart_series *s)
+{
+	enum { CELL = 4 };
+	return CELL * s->beside;
+}
+
+static struct pen_stroke
+bar_stroke(const struct chart_series *s)
+{
+	return (struct pen_stroke){s->series, CHART_SOLID,
+	    s->line == CHART_LONG ? 2.4 : 1.2, PEN_OPEN};
+}
+
+/* A line from low to high at each point. */
+static void
+draw_spans(struct page *p, const struct chart_series *s)
+{
+	struct pen_stroke stroke = bar_stroke(s);
+	for (size_t i = 0; i < s->n; i++) {
+		double x = page_x(p, s->x[i]) + beside(s);
+		draw_rule(p, x, page_y(p, s->low[i]), x, page_y(p, s->high[i]),
+		    stroke);
+	}
 }
 
 /* From one lift of the pen to the next. */
@@ -280,23 +317,27 @@ static void
 draw_data(struct page *p)
 {
 	const struct chart *c = p->chart;
-	double foot = TOP + p->height;
+	double foot = p->top + p->height;
 	for (size_t i = 0; i < c->n; i++)
-		draw_band(p, &c->series[i]);
+		if (!c->series[i].bars)
+			draw_band(p, &c->series[i]);
 	for (size_t i = 0; i < c->n_rule; i++) {
 		double x = page_x(p, c->rule[i].x);
-		draw_rule(p, x, TOP, x, foot, rule_stroke(&c->rule[i]));
+		draw_rule(p, x, p->top, x, foot, rule_stroke(&c->rule[i]));
 	}
 	for (size_t i = 0; i < c->n; i++)
-		draw_line(p, &c->series[i]);
+		if (c->series[i].bars)
+			draw_spans(p, &c->series[i]);
+		else
+			draw_line(p, &c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
 		for (size_t j = 0; j < c->series[i].n; j++) {
 			const struct chart_series *s = &c->series[i];
 			if (s->field != NULL)
 				draw_field(p, s, j);
 			else if (s->mark != 0 && isfinite(s->y[j]))
-				draw_mark(p, s->mark, s->series,
-				    page_x(p, s->x[j]), page_y(p, s->y[j]));
+				draw_mark(p, s, page_x(p, s->x[j]) + beside(s),
+				    page_y(p, s->y[j]));
 		}
 }
 
@@ -304,7 +345,7 @@ static void
 draw_legend(struct page *p)
 {
 	const struct chart *c = p->chart;
-	double y = TOP + ROW / 2.0;
+	double y = p->top + ROW / 2.0;
 	struct pen_style style = {.size = 8};
 	for (size_t i = 0; i < c->n + c->n_rule; i++, y += ROW) {
 		const struct chart_series *s = i < c->n ? &c->series[i] : NULL;
@@ -314,10 +355,10 @@ draw_legend(struct page *p)
 			? (struct pen_stroke){s->series, s->line, 1.2, PEN_OPEN}
 			: rule_stroke(r);
 		if (stroke.line != CHART_MARKS)
-			draw_rule(p, LEGEND, y, LEGEND + SAMPLE, y, stroke);
+			draw_rule(p, LEGEND, y, LEGEND + SAMPLE, y,
+			    s != NULL && s->bars ? bar_stroke(s) : stroke);
 		if (s != NULL && s->mark != 0)
-			draw_mark(
-			    p, s->mark, s->series, LEGEND + SAMPLE / 2.0, y);
+			draw_mark(p, s, LEGEND + SAMPLE / 2.0, y);
 		p->pen->text(p->pen, LEGEND + SAMPLE + 5, y + 3,
 		    s != NULL ? s->name : r->name, &style);
 	}
@@ -331,8 +372,9 @@ foot_text(const struct chart *chart, const char *program)
 	size_t n = 0;
 	FILE *memory = text_memory(&text, &n);
 	char *about = xasprintf("data: %s; drawn by %s", chart->about, program);
-	for (size_t i = 0; i < chart->n_note; i++)
-		text_wrap(chart->note[i], 0, FOOT_COLUMNS, memory);
+	for (const struct chart *c = chart; c != NULL; c = c->below)
+		for (size_t i = 0; i < c->n_note; i++)
+			text_wrap(c->note[i], 0, FOOT_COLUMNS, memory);
 	text_wrap(about, 0, FOOT_COLUMNS, memory);
 	free(about);
 	fclose(memory);
@@ -343,7 +385,7 @@ static void
 draw_foot(struct page *p, char *text)
 {
 	char *save = NULL;
-	double y = TOP + p->height + BELOW;
+	double y = p->top + p->height + BELOW;
 	struct pen_style style = {.size = 8};
 	for (char *line = strtok_r(text, "\n", &save); line != NULL;
 	     line = strtok_r(NULL, "\n", &save)) {
@@ -353,36 +395,77 @@ draw_foot(struct page *p, char *text)
 }
 
 static void
-draw_page(struct page *p, char *foot)
+draw_page(struct page *p)
 {
 	double x[] = {LEFT, LEFT + WIDTH, LEFT + WIDTH, LEFT, LEFT};
-	double y[] = {TOP, TOP, TOP + p->height, TOP + p->height, TOP};
-	p->pen->text(p->pen, LEFT, TOP - 12, p->chart->title,
+	double y[] = {
+	    p->top, p->top, p->top + p->height, p->top + p->height, p->top};
+	p->pen->text(p->pen, LEFT, p->top - 12, p->chart->title,
 	    &(struct pen_style){.size = 11, .bold = true});
 	draw_x_axis(p);
 	draw_y_axis(p);
 	draw_data(p);
 	p->pen->path(p->pen, x, y, ARRAY_LEN(x), &THIN);
-	draw_legend(p);
-	draw_foot(p, foot);
+	if (p->chart->strip == 0) /* its title says it all */
+		draw_legend(p);
+}
+
+static double
+plot_height(const struct chart *chart)
+{
+	return fmax(chart->strip > 0 ? STRIP_HEIGHT : LEAST_HEIGHT,
+	    ROW * (double)(chart->n + chart->n_rule));
+}
+
+double
+picture_height(const struct chart *chart, const char *program)
+{
+	char *foot = foot_text(chart, program);
+	size_t rows = 1;
+	for (const char *c = foot; *c != '\0'; c++)
+		rows += *c == '\n';
+	free(foot);
+	double height = FOOT_ROW * (double)rows;
+	for (const struct chart *c = chart; c != NULL; c = c->below)
+		height += TOP + plot_height(c) + BELOW;
+	return height;
+}
+
+void
+picture_draw(const struct chart *chart, const char *program, struct pen *pen)
+{
+	struct page p = {.pen = pen, .top = TOP};
+	char *foot = foot_text(chart, program);
+	for (p.chart = chart;; p.chart = p.chart->below) {
+		p.height = plot_height(p.chart);
+		draw_page(&p);
+		if (p.chart->below == NULL)
+			break;
+		p.top += p.height + BELOW + TOP;
+	}
+	draw_foot(&p, foot);
+	free(foot);
 }
 
 bool
 picture_write(const struct chart *chart, enum picture_form form,
     const char *program, FILE *out)
 {
-	struct page p = {.chart = chart};
-	char *foot = foot_text(chart, program);
-	size_t rows = 1;
-	for (const char *c = foot; *c != '\0'; c++)
-		rows += *c == '\n';
-	p.height = fmax(LEAST_HEIGHT, ROW * (double)(chart->n + chart->n_rule));
-	double height = TOP + p.height + BELOW + FOOT_ROW * (double)rows;
-	p.pen = pen_open(
-	    form, PAGE, height, &WHITE, chart->title, chart->about, out);
-	draw_page(&p, foot);
-	free(foot);
-	return p.pen->close(p.pen);
+	const struct pen_paper paper = white(chart->theme);
+	struct pen *pen = pen_open(form, PAGE, picture_height(chart, program),
+	    &paper, chart->title, chart->about, out);
+	picture_draw(chart, program, pen);
+	return pen->close(pen);
+}
+
+struct pen *
+picture_pages(double width, double height, const char *title, const char *about,
+    FILE *out)
+{
+	const struct pen_paper paper = white(THEME_NORMAL);
+	return HAVE_CAIRO ? pen_open(PICTURE_PDF, width, height, &paper, title,
+				about, out)
+			  : NULL;
 }
 
 /* Cells of a terminal: runs of text, and shapes for what is to join from cell
@@ -498,7 +581,7 @@ cell_at(const struct sheet *s, int column, int row)
 static bool
 is_faint(const struct sheet *s, const struct canvas_cell *cell)
 {
-	return s->depth >= 256 && (cell->attribute & CELL_DIM);
+	return canvas_is_faint(s->canvas, cell, s->depth);
 }
 
 /* The places of bars are multiples of 3/4. */
@@ -541,11 +624,6 @@ draw_bars(struct sheet *s, enum kind kind, enum series series, bool faint)
 			    cell_at(s, column, row);
 			enum kind its;
 			struct bar bar[BARS];
-			if (kind == SHADE && canvas_is_shaded(cell, s->depth)) {
-				if (series == SERIES_BAND && !faint)
-					gather(s, column, row, &whole);
-				continue;
-			}
 			if (cell->series != series ||
 			    is_faint(s, cell) != faint)
 				continue;
@@ -625,46 +703,57 @@ draw_text(struct sheet *s, int row)
 	free(text);
 }
 
-/* What xterm makes of a colour by its number. */
-static unsigned
-palette(int colour)
+struct pen_paper
+picture_cells_paper(const struct canvas *canvas, int depth, double size[2])
 {
-	static const unsigned FIRST[16] = {0x000000, 0xCD3131, 0x0DBC79,
-	    0xCDCD00, 0x3B78FF, 0xBC3FBC, 0x11A8CD, 0xE5E5E5, 0x666666,
-	    0xF14C4C, 0x23D18B, 0xF5F543, 0x61A2FF, 0xD670D6, 0x29B8DB,
-	    0xFFFFFF};
-	static const unsigned LEVEL[6] = {0, 95, 135, 175, 215, 255};
-	if (colour < 16)
-		return FIRST[colour];
-	unsigned at = (unsigned)colour - 16;
-	return LEVEL[at / 36] << 16 | LEVEL[at / 6 % 6] << 8 | LEVEL[at % 6];
+	bool light = canvas->theme == THEME_LIGHT;
+	struct pen_paper paper = {.colour = light ? 0xFFFFFF : 0x161B22,
+	    .edge = 0x484F58,
+	    .corner = 6,
+	    .mono = true};
+	for (int i = 0; i < SERIES_COUNT; i++) {
+		int colour =
+		    palette_colour((enum series)i, depth, canvas->theme);
+		paper.ink[i] = colour >= 0 ? palette_rgb(colour)
+			       : light     ? 0x000000
+					   : 0xDFE3E8;
+	}
+	size[0] = 2 * MARGIN + CELL_WIDTH * canvas->columns;
+	size[1] = 2 * MARGIN + CELL_HEIGHT * canvas->rows;
+	return paper;
 }
 
-bool
-picture_cells(const struct canvas *canvas, int depth, enum picture_form form,
-    const char *title, const char *about, FILE *out)
+void
+picture_cells_draw(const struct canvas *canvas, int depth, struct pen *pen)
 {
-	struct pen_paper paper = {
-	    .colour = 0x161B22, .edge = 0x484F58, .corner = 6, .mono = true};
-	size_t most = 2 * BARS * (size_t)(canvas->columns * canvas->rows);
+	size_t n = (size_t)(canvas->columns * canvas->rows);
 	struct sheet s = {.canvas = canvas,
+	    .pen = pen,
 	    .depth = depth,
-	    .x = xdoubles(most),
-	    .y = xdoubles(most)};
-	for (int i = 0; i < SERIES_COUNT; i++) {
-		int colour = canvas_colour((enum series)i, depth);
-		paper.ink[i] = colour < 0 ? 0xDFE3E8 : palette(colour);
-	}
-	s.pen = pen_open(form, 2 * MARGIN + CELL_WIDTH * canvas->columns,
-	    2 * MARGIN + CELL_HEIGHT * canvas->rows, &paper, title, about, out);
+	    .x = xdoubles(2 * BARS * n),
+	    .y = xdoubles(2 * BARS * n)};
+	bool has[SERIES_COUNT] = {[SERIES_BAND] = true};
+	for (size_t i = 0; i < n; i++)
+		has[canvas->cell[i].series] = true;
 	for (int kind = 0; kind < KINDS; kind++)
 		for (int i = 0; i < SERIES_COUNT; i++)
-			for (int faint = 0; faint < 2; faint++)
+			for (int faint = 0; faint < 2 && has[i]; faint++)
 				draw_bars(&s, (enum kind)kind, (enum series)i,
 				    faint == 1);
 	for (int row = 0; row < canvas->rows; row++)
 		draw_text(&s, row);
 	free(s.x);
 	free(s.y);
-	return s.pen->close(s.pen);
+}
+
+bool
+picture_cells(const struct canvas *canvas, int depth, enum picture_form form,
+    const char *title, const char *about, FILE *out)
+{
+	double size[2];
+	struct pen_paper paper = picture_cells_paper(canvas, depth, size);
+	struct pen *pen =
+	    pen_open(form, size[0], size[1], &paper, title, about, out);
+	picture_cells_draw(canvas, depth, pen);
+	return pen->close(pen);
 }

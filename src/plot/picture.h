@@ -6,8 +6,13 @@
 #include <stdio.h>
 
 #include "plot/chart.h"
+#include "plot/pen.h"
 
-enum picture_form { PICTURE_SVG, PICTURE_PNG, PICTURE_PDF };
+/* PICTURE_INLINE: SVG that stands in a page of HTML. */
+enum picture_form { PICTURE_SVG, PICTURE_PNG, PICTURE_PDF, PICTURE_INLINE };
+
+/* How wide a chart is drawn, points. */
+#define PICTURE_WIDTH 592.0
 
 /* The form that the end of a file's name asks for (".svg"); false where it asks
  * for none. */
@@ -26,11 +31,33 @@ const char *picture_forms(void);
 bool picture_write(const struct chart *chart, enum picture_form form,
     const char *program, FILE *out);
 
+/* Pages of a PDF, in points, for who lays them out himself: a pen, or NULL
+ * where this program was built without cairo.  picture_height: of a chart that
+ * is PICTURE_WIDTH wide; picture_draw: draws it from the pen's place on. */
+struct pen *picture_pages(double width, double height, const char *title,
+    const char *about, FILE *out);
+double picture_height(const struct chart *chart, const char *program);
+void picture_draw(
+    const struct chart *chart, const char *program, struct pen *pen);
+
 /* Writes cells as a terminal with a dark ground shows them; lines, dots and
  * blocks are shapes, so that they join whatever the font.  depth: how many
  * colours, 0, 8, 16 or 256; title and about: described so.  False when it
  * cannot be drawn or written. */
 bool picture_cells(const struct canvas *canvas, int depth,
     enum picture_form form, const char *title, const char *about, FILE *out);
+
+/* The same for who makes the page himself: what it is drawn on, its size in
+ * points [2], and the cells. */
+struct pen_paper picture_cells_paper(
+    const struct canvas *canvas, int depth, double size[2]);
+void picture_cells_draw(
+    const struct canvas *canvas, int depth, struct pen *pen);
+
+/* Places of cells are multiples of this beyond their margin, points. */
+#define PICTURE_GRID 0.75
+
+/* Width of a letter of size 1. */
+#define PICTURE_LETTER 0.6
 
 #endif

@@ -3,21 +3,27 @@
 #include "ui/act.h"
 
 #include <signal.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <curses.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
 #include "cmd/fit.h"
+#include "ui/above.h"
+#include "ui/chooser.h"
 #include "ui/control.h"
+#include "ui/goal.h"
 #include "ui/page_predict.h"
 #include "ui/pages.h"
+#include "ui/rows.h"
 #include "ui/screen.h"
+#include "ui/tour.h"
+#include "ui/track.h"
 #include "ui/view.h"
 
 enum { ESCAPE = 27, DELETE = 127 };
@@ -51,10 +57,10 @@ move_to(struct tui *t, int where)
 static void
 next_focus(struct tui *t)
 {
-	const struct page_ops *page = pages_open(t);
-	bool can = page->takes_focus ||
-		   (page->can_focus != NULL && page->can_focus(t));
-	t->focus = can && t->focus == NULL ? page : NULL;
+	bool can = pages_can_focus(t) && t->focus == NULL;
+	t->focus = can ? pages_open(t) : NULL;
+	/* What was said of the arrows holds no longer. */
+	tui_say(t, false, "%s", "");
 }
 
 /* Puts a name for the file after `>`: "tierp-74.0.csv"; of the plot of two
@@ -82,10 +88,10 @@ compose(const struct tui *t, const struct key *key)
 	words = words != NULL ? words : pane_curves_words;
 	char *where = key->act == ACT_TELL ? words(t) : tui_where(t);
 	char *line;
-	if (key->act == ACT_EXPORT && t->pin.site[0] != '\0')
-		line = xasprintf("plot psd %s beside=%s other=%.1f > ", where,
-		    t->pin.site, t->pin.speed);
-	else
+	if (key->act == ACT_EXPORT && t->pin.site[0] != '\0') {
+		page_predict_beside(t, &where);
+		line = xasprintf("plot psd %s > ", where);
+	} else
 		line = xasprintf("%.*s%s%s", (int)(hole - key->command),
 		    key->command, where, hole + 2);
 	free(where);
@@ -126,8 +132,22 @@ correct(struct tui *t)
 static void
 fit(struct tui *t, const struct key *key)
 {
+	if (tui_entry(t) == NULL) {
+		tui_say(t, true, TUI_NO_SITE);
+		return;
+	}
 	pages_go(t, PAGE_FIT);
 	run_key(t, key);
+}
+
+static void
+export_shown(struct tui *t, const struct key *key)
+{
+	const struct entry *entry = tui_entry(t);
+	if (entry == NULL || !entry->has_params)
+		tui_say(t, true, "%s", tui_why_none(t));
+	else
+		run_key(t, key);
 }
 
 /* Pauses, goes on, or takes a stopped one up again. */
@@ -136,11 +156,9 @@ hold(struct tui *t, const struct key *key)
 {
 	const struct session *s = t->session;
 	if (session_busy(s)) {
-		t->ran = tui_searched(t);
-		t->held = !t->held;
-		t->due = t->started = t->clock;
+		control_hold(t, !t->held);
 		tui_say(t, false,
-		    t->held ? "paused: Space continues" : "continuing");
+		    t->held ? N_("paused: Space continues") : N_("continuing"));
 	} else if (s->job.calibration != NULL) {
 		run_key(t, key);
 	} else {
@@ -151,37 +169,46 @@ hold(struct tui *t, const struct key *key)
 static void
 set_pace(struct tui *t, int by)
 {
-	t->pace = pane_moved(t->pace, by, PACE_COUNT);
+	int from = t->pace == PACE_AUTO ? PACE_USUAL : t->pace;
+	t->pace = pane_moved(from, by, PACE_COUNT);
 	t->due = t->clock;
-	if (t->pace == PACE_FULL)
+	if (t->pace == PACE_AUTO)
+		tui_say(t, false,
+		    "generations a second: few while the best gains much");
+	else if (t->pace == PACE_FULL)
 		tui_say(t, false, "generations a second: as many as possible");
 	else
-		tui_say(t, false, "speed of display: %g generation%s a second",
-		    PACES[t->pace], PACES[t->pace] > 1 ? "s" : "");
+		tui_say(t, false,
+		    tr_n("speed of display: %g generation a second",
+			"speed of display: %g generations a second",
+			PACES[t->pace] > 1 ? 2 : 1),
+		    PACES[t->pace]);
 }
 
-/* The prediction itself is kept, so that it stays what it was when the site is
- * calibrated again. */
 static void
 pin(struct tui *t)
 {
-	bool kept = t->pin.site[0] != '\0';
-	const struct prediction *last = &t->shown;
-	prediction_free(&t->kept);
-	memset(&t->kept, 0, sizeof t->kept);
-	memset(&t->pin, 0, sizeof t->pin);
-	if (kept) {
-		tui_say(t, false, "unpinned");
-	} else if (t->now.site[0] == '\0') {
-		tui_say(t, true, "no prediction yet: f calibrates");
-	} else {
-		t->pin = t->now;
-		t->kept = prediction_copy(last);
+	const struct numbers was = t->pin;
+	char *where = tui_where(t), *line = xasprintf("pin %s", where);
+	if (was.site[0] == '\0' && t->now.site[0] == '\0')
+		tui_say(t, true, "%s", tui_why_none(t));
+	else if (!control_run(t, was.site[0] != '\0' ? "pin off" : line))
+		; /* it has said why */
+	else if (was.site[0] != '\0')
+		tui_say(t, false,
+		    "unpinned %s at %.1f m/s: u pins it again, x what is "
+		    "shown now",
+		    was.site, was.speed);
+	else
 		tui_say(t, false,
 		    "pinned %s at %.1f m/s: go to another speed or site; e "
-		    "exports both",
-		    t->pin.site, t->pin.speed);
-	}
+		    "exports both%s",
+		    t->pin.site, t->pin.speed,
+		    session_busy(t->session)
+			? tr("; of a search that runs, it is not saved")
+			: "");
+	free(where);
+	free(line);
 }
 
 static void
@@ -195,10 +222,12 @@ band(struct tui *t)
 	tui_say(t, false, "%s%s",
 	    known ? "" : outlook_why_none(t->session, entry),
 	    !known && entry->has_fit && fit_too_few(&entry->fit) ? ""
-	    : !known                ? "; f calibrates"
-	    : screen_depth() >= 256 ? "band on: 80 % uncertainty"
-				    : "band on: 80 % uncertainty; not visible "
-				      "where thinner than half a row");
+	    : !known ? tr("; f calibrates")
+	    : screen_charset() != CHARSET_ASCII
+		? tr("band on: 80 % uncertainty")
+		: tr("band on: 80 % uncertainty; not visible where thinner "
+		     "than "
+		     "a row"));
 }
 
 static void
@@ -217,10 +246,85 @@ toggle_mouse(struct tui *t)
 	if (t->mouse)
 		screen_mouse(false);
 	tui_say(t, false,
-	    on         ? "mouse on: Shift and drag selects text"
-	    : t->mouse ? "mouse off: drag selects text, M turns it on"
-		       : "this terminal has no mouse");
+	    on         ? N_("mouse on: Shift and drag selects text")
+	    : t->mouse ? N_("mouse off: drag selects text, M turns it on")
+		       : N_("this terminal has no mouse"));
 	t->mouse = screen_mouse_on();
+}
+
+/* What is wanted, and to where it is so. */
+static void
+aim(struct tui *t, const struct key *key)
+{
+	switch (key->act) {
+	case ACT_QUANTITY:
+		above_next(t, key->amount);
+		break;
+	case ACT_GOAL:
+		goal_open(t);
+		break;
+	case ACT_LIMIT:
+	case ACT_BEST:
+		track_go(t, key);
+		break;
+	default: /* none on this page */
+		break;
+	}
+}
+
+/* Where Esc leads. */
+static void
+back(struct tui *t)
+{
+	bool predict = t->page == PAGE_PREDICT;
+	t->message[0] = '\0';
+	if (t->tour > 0) {
+		t->tour = 0;
+		return;
+	}
+	if (t->wish != NULL) {
+		t->wish = NULL;
+		return;
+	}
+	if (rows_forget(t))
+		return;
+	if (session_busy(t->session) && !t->session->job.fits)
+		control_keep(t);
+	else if (predict && t->cross)
+		page_predict_cross(t);
+	else if (t->focus != NULL && !pages_open(t)->takes_focus)
+		t->focus = NULL;
+	else if (!predict)
+		pages_go(t, PAGE_PREDICT);
+	else
+		tui_say(t, false, "nothing is left to go back from: q quits");
+}
+
+/* Keys of lists, on a page without one. */
+static void
+nothing_here(struct tui *t, const struct key *key)
+{
+	tui_say(t, false,
+	    key->act == ACT_CHOOSE ? N_("there is nothing to open on this page")
+				   : N_("this page has no list to look "
+					"through: Sites, ? and texts "
+					"have"));
+}
+
+static void
+leave_act(struct tui *t, const struct key *key)
+{
+	switch (key->act) {
+	case ACT_SUSPEND:
+		raise(SIGTSTP); /* the loop answers it */
+		break;
+	case ACT_LEAVE:
+		t->leave = true;
+		break;
+	default:
+		aim(t, key);
+		break;
+	}
 }
 
 /* What changes how the screen looks and no more. */
@@ -230,6 +334,13 @@ show_act(struct tui *t, const struct key *key)
 	switch (key->act) {
 	case ACT_PAGE:
 		pages_go(t, (enum page)key->amount);
+		break;
+	case ACT_BACK:
+		back(t);
+		break;
+	case ACT_CHOOSE:
+	case ACT_FILTER:
+		nothing_here(t, key);
 		break;
 	case ACT_FOCUS:
 		next_focus(t);
@@ -243,6 +354,15 @@ show_act(struct tui *t, const struct key *key)
 	case ACT_PIN:
 		pin(t);
 		break;
+	case ACT_FILES:
+		chooser_open(t, CHOOSER_FILES);
+		break;
+	case ACT_TOUR:
+		tour_begin(t);
+		break;
+	case ACT_AGAIN:
+		view_again(t);
+		break;
 	case ACT_HELP:
 		view_keys(t);
 		break;
@@ -252,15 +372,19 @@ show_act(struct tui *t, const struct key *key)
 	case ACT_REDRAW:
 		screen_resize();
 		break;
-	case ACT_SUSPEND:
-		raise(SIGTSTP); /* the loop answers it */
-		break;
-	case ACT_LEAVE:
-		t->leave = true;
-		break;
-	default: /* none on this page */
+	default:
+		leave_act(t, key);
 		break;
 	}
+}
+
+/* Whether a key is about the speed of the slider: first that is to be the one
+ * which was asked for. */
+static bool
+is_about_speed(enum key_act act)
+{
+	return act == ACT_PIN || act == ACT_EXPORT || act == ACT_TELL ||
+	       act == ACT_TYPE || act == ACT_LIMIT || act == ACT_BEST;
 }
 
 /* Does what a key is for; nothing for NULL. */
@@ -271,24 +395,30 @@ act(struct tui *t, const struct key *key)
 		return;
 	/* From the list of keys one of another page may be chosen. */
 	enum page page = t->page;
+	if (is_about_speed(key->act))
+		track_wished(t, true);
 	while (!(key->pages & (1U << page)))
 		page = (page + 1) % PAGES;
 	bool (*own)(struct tui *, const struct key *) = PAGE_OPS[page]->key;
-	if (own != NULL && own(t, key))
+	if ((own != NULL && own(t, key)) || rows_key(t, key))
 		return;
 	switch (key->act) {
 	case ACT_MOVE:
 	case ACT_FINE:
+		t->wish = NULL;
 		t->tenths = slider_clamp(tui_range(t), t->tenths + key->amount);
 		break;
 	case ACT_TO:
+		t->wish = NULL;
 		move_to(t, key->amount);
 		break;
 	case ACT_RUN:
 	case ACT_TELL:
 	case ACT_TYPE:
-	case ACT_EXPORT:
 		run_key(t, key);
+		break;
+	case ACT_EXPORT:
+		export_shown(t, key);
 		break;
 	case ACT_CORRECT:
 		correct(t);
@@ -315,6 +445,13 @@ static void
 type_key(struct tui *t, int code, bool special)
 {
 	struct typing *y = &t->typing;
+	if (t->goal_field) {
+		char *line = goal_key(t, code, special);
+		if (line != NULL)
+			control_run(t, line);
+		free(line);
+		return;
+	}
 	enum typing_result result = typing_key(y, t->session, code, special);
 	if (result == TYPING_ON)
 		return;
@@ -345,62 +482,77 @@ digit_key(struct tui *t, int code, bool special)
 	return code == '\n' || code == '\r' || code == ESCAPE;
 }
 
-/* What was pressed follows the mouse. */
-static bool
-follow(struct tui *t, int row, int column, bool pressed)
-{
-	const struct page_ops *page = pages_open(t);
-	struct area track = places_track(&t->places);
-	if (page->mouse != NULL && page->mouse(t, row, column, pressed))
-		return true;
-	if (pressed && !area_has(&t->places.track, row, column))
-		return false;
-	if (pressed)
-		t->focus = NULL;
-	t->tenths =
-	    slider_at(tui_range(t), column - track.column, track.columns);
-	return true;
-}
-
+/* Over a line that is typed only what belongs to it was said to be touched; a
+ * speed that was begun ends where another thing is, but for its own keys. */
 static void
-press(struct tui *t, const MEVENT *e)
+touch(struct tui *t, enum touch_kind kind, int row, int column)
 {
-	for (size_t p = 0; p < PAGES; p++) {
-		const struct tab *tab = &t->tab[p];
-		if (e->y != t->places.header.row ||
-		    t->places.header.rows == 0 || e->x < tab->column ||
-		    e->x >= tab->column + tab->columns)
-			continue;
+	const struct touch *at = touch_at(&t->touches, row, column);
+	bool own = at != NULL && (at->code == '\n' || at->code == ESCAPE);
+	if (kind == TOUCH_PRESS && !own)
 		typing_begin(&t->speed, "");
-		act_key(t, '1' + (int)p, false);
-	}
-	if (follow(t, e->y, e->x, true))
-		t->dragging = true;
+	touch_mouse(t, &t->touches, kind, row, column, act_key);
 }
 
+/* What an event of ncurses means. */
 static void
-act_mouse(struct tui *t)
+act_mouse(struct tui *t,
+    void (*touched)(struct tui *t, enum touch_kind kind, int row, int column))
 {
 	MEVENT e;
-	if (getmouse(&e) != OK || t->typing.active)
+	if (getmouse(&e) != OK)
 		return;
-	if (t->viewer.text != NULL) {
-		if (e.bstate & (BUTTON4_PRESSED | BUTTON5_PRESSED))
-			act_key(t,
-			    e.bstate & BUTTON4_PRESSED ? KEY_UP : KEY_DOWN,
-			    true);
-		return;
-	}
-	if (e.bstate & BUTTON4_PRESSED)
-		t->tenths = slider_clamp(tui_range(t), t->tenths + 1);
-	else if (e.bstate & BUTTON5_PRESSED)
-		t->tenths = slider_clamp(tui_range(t), t->tenths - 1);
-	else if (e.bstate & (BUTTON1_PRESSED | BUTTON1_CLICKED))
-		press(t, &e);
-	else if (t->dragging && (e.bstate & REPORT_MOUSE_POSITION))
-		follow(t, e.y, e.x, false);
+	if (e.bstate & (BUTTON1_PRESSED | BUTTON1_CLICKED))
+		touched(t, TOUCH_PRESS, e.y, e.x);
+	else if (e.bstate & (BUTTON4_PRESSED | BUTTON5_PRESSED))
+		touched(t, e.bstate & BUTTON4_PRESSED ? TOUCH_UP : TOUCH_DOWN,
+		    e.y, e.x);
+	else if (e.bstate & REPORT_MOUSE_POSITION)
+		touched(t, TOUCH_DRAG, e.y, e.x);
 	if (e.bstate & (BUTTON1_RELEASED | BUTTON1_CLICKED))
-		t->dragging = false;
+		touch_release(&t->touches);
+}
+
+static void
+note_key(struct tui *t, int code, bool special)
+{
+	t->pointed.is = true;
+	t->pointed.code = code;
+	t->pointed.special = special;
+}
+
+static void
+touch_answer(struct tui *t, enum touch_kind kind, int row, int column)
+{
+	touch_mouse(t, &t->touches, kind, row, column, note_key);
+}
+
+bool
+act_pointed(struct tui *t, int *code, bool *special)
+{
+	t->pointed.is = false;
+	act_mouse(t, touch_answer);
+	*code = t->pointed.code;
+	*special = t->pointed.special;
+	return t->pointed.is;
+}
+
+/* A key of the page, also after it has closed a text. */
+static void
+page_key(struct tui *t, int code, bool special)
+{
+	const struct key *key = keys_find(code, t->page);
+	bool tours = t->tour > 0 && t->speed.n == 0 && code == ESCAPE;
+	if (t->chooser.on && chooser_key(t, code, special))
+		return;
+	if (tours)
+		t->tour = 0;
+	if (tours || rows_letter(t, code, special) ||
+	    digit_key(t, code, special))
+		return;
+	act(t, key);
+	if (key == NULL && code > ' ' && code < DELETE)
+		tui_say(t, false, "this key has no function: ? lists the keys");
 }
 
 void
@@ -413,20 +565,18 @@ act_key(struct tui *t, int code, bool special)
 	/* A character beyond ASCII is no key: its number may be one's. */
 	if (!special && code > DELETE && !t->typing.active)
 		return;
-	const struct key *key = keys_find(code, t->page);
+	const struct key *key = keys_find(code, t->page), *run = NULL;
 	if (special && code == KEY_MOUSE) {
-		act_mouse(t);
+		act_mouse(t, touch);
 	} else if (key != NULL &&
 		   (key->act == ACT_SUSPEND || key->act == ACT_REDRAW)) {
 		act(t, key);
 	} else if (t->typing.active) {
 		type_key(t, code, special);
-	} else if (t->viewer.text != NULL) {
-		act(t, view_key(t, code, special));
-	} else if (!digit_key(t, code, special)) {
-		act(t, key);
-		if (key == NULL && code > ' ' && code < DELETE)
-			tui_say(t, false,
-			    "this key has no function: ? lists the keys");
+	} else if (t->viewer.text == NULL ||
+		   !view_key(t, code, special, &run)) {
+		page_key(t, code, special);
+	} else {
+		act(t, run);
 	}
 }

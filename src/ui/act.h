@@ -9,4 +9,8 @@
  * character; the mouse is one such, whose event ncurses holds. */
 void act_key(struct tui *t, int code, bool special);
 
+/* While an answer is waited for: what the mouse did, from the event ncurses
+ * holds.  True where that is a key, which answers. */
+bool act_pointed(struct tui *t, int *code, bool *special);
+
 #endif

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "cmd/keep.h"
 #include "cmd/script.h"
 #include "ui/driver.h"
@@ -54,7 +55,7 @@ static void
 print_interrupted(const char *name, int number)
 {
 	text_put(name, stderr);
-	fprintf(stderr, ":%d: interrupted\n", number);
+	fprintf(stderr, tr(":%d: interrupted\n"), number);
 }
 
 static struct driver

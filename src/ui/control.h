@@ -31,6 +31,10 @@ void control_look(struct tui *t);
 /* Some steps of the calibration that runs, as many as are due. */
 void control_pump(struct tui *t);
 
+/* Lets the calibration that runs wait, or go on; makes one step of it. */
+void control_hold(struct tui *t, bool hold);
+void control_step(struct tui *t);
+
 /* Stops the calibration that runs and keeps its best. */
 void control_keep(struct tui *t);
 

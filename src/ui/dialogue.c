@@ -96,7 +96,7 @@ share_rows(const struct inquiry *q, const char *asks, int room, int columns)
 }
 
 static void
-draw_frame(const struct area *box, const char *keys)
+draw_frame(struct tui *t, const struct area *box, const char *keys)
 {
 	static const char *const CORNERS[] = {
 	    "\u250c", "\u2510", "\u2514", "\u2518"};
@@ -113,6 +113,17 @@ draw_frame(const struct area *box, const char *keys)
 		    i % 2 == 0 ? 0 : box->columns - 1, LOOK_DIM, "%s",
 		    ascii ? "+" : CORNERS[i]);
 	screen_text(&edge, 0, 2, LOOK_PLAIN, " %s ", keys);
+	pane_touch_hints(t, edge.row, edge.column + 3, keys);
+}
+
+/* The wheel goes through the table. */
+static bool
+touch_table(struct tui *t, const struct touched *touched)
+{
+	if (touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN)
+		return false;
+	t->inquiry_up += touched->kind == TOUCH_UP ? 1 : -1;
+	return true;
 }
 
 /* The heads, and as many rows as there is room for, with the one asked about
@@ -201,8 +212,10 @@ dialogue_draw(struct tui *t, int rows, int columns)
 	    .columns = wide};
 	for (int r = 0; r < box.rows; r++)
 		screen_text(&box, r, 0, 0, "%*s", box.columns, "");
+	touch_clear(&t->touches);
+	touch_add(&t->touches, box, touch_table, 0);
 	if (frame)
-		draw_frame(&box,
+		draw_frame(t, &box,
 		    offers ? "Enter accepts  Esc gives up" : "Esc gives up");
 	struct area inner = {
 	    box.row + edge, box.column + side, high, wide - 2 * side};

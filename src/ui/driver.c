@@ -73,8 +73,7 @@ driver_line(
 			return (int)error.kind;
 		}
 		if (d->watches && number == 0 && session_busy(s) &&
-		    s->scripts == depth && line[at] == '\0' &&
-		    s->job.rounds->alone)
+		    s->scripts == depth && line[at] == '\0')
 			return 0;
 		status = go_through(d, depth, line, name, number);
 	} while (status == 0 && at > 0 && !s->quit);
@@ -91,7 +90,9 @@ driver_scripts(const struct driver *d, size_t depth)
 		struct error error = {0};
 		struct place place;
 		char *line = script_line(s, &place, &error);
-		if (line != NULL)
+		if (line != NULL && d->begins != NULL)
+			d->begins(d->of, line);
+		if (line != NULL && pump_signal() == 0)
 			status = driver_line(d, line, place.file, place.line);
 		else if (error.kind != ERROR_NONE)
 			d->fail(d->of, &error, "", "");

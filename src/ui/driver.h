@@ -16,6 +16,8 @@ struct driver {
 	    const char *name);
 	/* Tells that a signal ended a line; NULL: one sees that. */
 	void (*interrupted)(const char *name, int number);
+	/* Tells of a line of a script before it is run; NULL: nobody waits. */
+	void (*begins)(void *of, const char *line);
 	/* Runs the job to its end; false when a signal came, with the job as it
 	 * was. */
 	bool (*work)(struct session *s);

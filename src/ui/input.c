@@ -28,6 +28,8 @@ is_taken(const struct tui *t, int code)
 		return t->question == NULL;
 	if (t->viewer.text != NULL)
 		return t->viewer.word.active;
+	if (t->filter.active)
+		return true;
 	return t->speed.n > 0 && t->speed.n < SPEED_LETTERS &&
 	       (code == '.' || (code >= '0' && code <= '9'));
 }

@@ -10,34 +10,45 @@
 
 enum page { PAGE_PREDICT, PAGE_FIT, PAGE_DATA, PAGE_PARITY, PAGE_SITES, PAGES };
 
-/* What hints call the keys of all of them. */
-#define PAGE_HINT "1-5 pages"
-
 /* On which pages a key is there: bits of 1 << page. */
 enum { ON_ALL = (1 << PAGES) - 1, ON_FIT = 1 << PAGE_FIT };
-enum { ON_SITES = 1 << PAGE_SITES };
+enum { ON_PREDICT = 1 << PAGE_PREDICT, ON_SITES = 1 << PAGE_SITES };
+enum { ON_DATA = 1 << PAGE_DATA };
 
 enum key_act {
-	ACT_MOVE,    /* the focus by so many steps */
-	ACT_FINE,    /* the slider by so many tenths */
-	ACT_TO,      /* the slider to an end, or a run */
-	ACT_PAGE,    /* to a page */
-	ACT_FOCUS,   /* what the arrows move */
-	ACT_LIST,    /* up and down */
-	ACT_RUN,     /* the command */
-	ACT_CORRECT, /* the next choice of `set correction` */
-	ACT_TELL,    /* describe what the page draws */
-	ACT_TYPE,    /* the command into the command line, to be completed */
-	ACT_EXPORT,  /* the same; with one kept beside, both curves */
-	ACT_CROSS,   /* crosshair on or off */
-	ACT_BAND,    /* uncertainty on or off */
-	ACT_PIN,     /* keep this prediction to compare with */
-	ACT_PICTURE, /* the next picture of the page */
-	ACT_FIT,     /* start, or start again */
-	ACT_HOLD,    /* pause and go on */
-	ACT_KEEP,    /* stop and keep the best */
-	ACT_PACE,    /* slower or faster */
-	ACT_CHOOSE,  /* use the site under the cursor */
+	ACT_MOVE,     /* the focus by so many steps */
+	ACT_FINE,     /* the slider by so many tenths */
+	ACT_TO,       /* the slider to an end, or a run */
+	ACT_PAGE,     /* to a page */
+	ACT_FOCUS,    /* what the arrows move */
+	ACT_LIST,     /* up and down */
+	ACT_RUN,      /* the command */
+	ACT_CORRECT,  /* the next choice of `set correction` */
+	ACT_TELL,     /* describe what the page draws */
+	ACT_TYPE,     /* the command into the command line, to be completed */
+	ACT_EXPORT,   /* the same; with one kept beside, both curves */
+	ACT_CROSS,    /* crosshair on or off */
+	ACT_BAND,     /* uncertainty on or off */
+	ACT_PIN,      /* keep this prediction to compare with */
+	ACT_QUANTITY, /* the next one above the track */
+	ACT_GOAL,     /* a field for what is wanted */
+	ACT_LIMIT,    /* the slider to the next limit of that, or run */
+	ACT_BEST,     /* the slider to its best speed */
+	ACT_PICTURE,  /* the next picture of the page */
+	ACT_STEP,     /* one generation */
+	ACT_FIT,      /* start, or start again */
+	ACT_HOLD,     /* pause and go on */
+	ACT_KEEP,     /* stop and keep the best */
+	ACT_PACE,     /* slower or faster */
+	ACT_CHOOSE,   /* use the site, open what is under the cursor */
+	ACT_SORT,     /* by the next column, or the other way round */
+	ACT_DOUBT,    /* to the next doubtful cell of a sheet */
+	ACT_MEND,     /* mend the cell under the cursor */
+	ACT_FILTER,   /* a word that rows must have */
+	ACT_BACK,     /* one step back: of a filter, the crosshair, the page */
+	ACT_FILES,    /* a list of them, to open one */
+	ACT_TOUR,
+	ACT_AGAIN, /* the text that was closed last */
 	ACT_HELP,
 	ACT_MOUSE,
 	ACT_REDRAW,
@@ -72,11 +83,16 @@ const struct key *keys_find(int code, enum page page);
 bool keys_code(const char *name, int *code);
 
 /* For the ? page: a line for each key whose line has the word, without regard
- * to case; all for "".  keys_nth: the key of the n-th of these, or NULL. */
-void keys_list(const char *word, FILE *out);
-const struct key *keys_nth(const char *word, size_t n);
+ * to case; all for "".  The page's own come first, under a heading.  keys_nth:
+ * the key of line n, or NULL; keys_count: how many keys there are. */
+void keys_list(enum page page, const char *word, FILE *out);
+const struct key *keys_nth(enum page page, const char *word, size_t n);
+size_t keys_count(enum page page, const char *word);
 
 /* The same for tipspeed-tui(1), as mdoc. */
 void keys_manual(FILE *out);
+
+/* Prints what each key does by a function, for who translates it. */
+void keys_texts(void (*print)(const char *text, FILE *out), FILE *out);
 
 #endif

@@ -1,133 +1,466 @@
 /* The page Data: the sheet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/tr.h"
 #include "ui/pane.h"
 
-#include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/xalloc.h"
-#include "cmd/fit.h"
-#include "core/predict.h"
+#include "cmd/mend.h"
 #include "io/units.h"
+#include "ui/control.h"
+#include "ui/frame.h"
 #include "ui/screen.h"
 
-/* Passing of a curve at a size, or a dash where it was not sieved. */
-static int
-draw_passing(const struct area *area, int row, int column,
-    const struct psd *psd, double x, unsigned look)
+/* Columns of the sieves, which stay, and of what is predicted. */
+enum { SIEVES = 9, PREDICTED = 9 };
+
+/* ---- The sheet ---- */
+
+/* A feed that serves for all runs is one column; else each stands before its
+ * product. */
+static void
+take_columns(struct sheet *h, const struct site *site)
 {
-	enum { WIDTH = 9 };
-	if (psd->n > 0 && psd_covers(psd, x))
-		screen_text(area, row, column, look, "%8.1f",
-		    100 * psd_passing(psd, x));
+	h->column = xcalloc(2 * site->n_run, sizeof *h->column);
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (r == 0 || site->individual_feeds)
+			h->column[h->n_column++] =
+			    (struct sheet_column){true, r};
+		if (site->run[r].product.n > 0)
+			h->column[h->n_column++] =
+			    (struct sheet_column){false, r};
+	}
+}
+
+static const struct psd *
+curve_of(const struct sheet *h, size_t column)
+{
+	const struct run *run = &h->site->run[h->column[column].run];
+	return h->column[column].feed ? &run->feed : &run->product;
+}
+
+/* The passing as the sheet has it, %; NAN where it has none. */
+static double
+cell_of(const struct sheet *h, size_t column, size_t row)
+{
+	const struct psd *psd = curve_of(h, column);
+	for (size_t i = 0; i < psd->n; i++)
+		if (psd->size[i] == h->sieve[row])
+			return units_pct(psd->passing[i]);
+	return NAN;
+}
+
+/* "74 (2)*": one trained on; "feed@74" where there are several. */
+static void
+head_text(const struct tui *t, size_t column, char text[static 48])
+{
+	const struct sheet *h = &t->sheet;
+	const struct run *run = &h->site->run[h->column[column].run];
+	bool feed = h->column[column].feed;
+	if (feed && !h->site->individual_feeds)
+		snprintf(text, 48, tr("feed %%"));
 	else
-		screen_text(area, row, column, look, "%8s", "-");
-	return column + WIDTH;
+		snprintf(text, 48, "%s%g%s%s", feed ? tr("feed@") : "",
+		    run->speed, run->repeat,
+		    !feed && tui_entry(t)->train[h->column[column].run] ? "*"
+									: "");
 }
 
-enum { FIRST = 18, WIDTH = 9 };
-
-/* Columns that the runs at so many speeds take, nearest to the slider's. */
+/* How many digits after the point all cells want. */
 static int
-columns_of(const struct tui *t, size_t speeds)
+digits_of(const struct sheet *h)
 {
-	const struct site *site = tui_entry(t)->site;
-	int n = 0;
-	for (size_t r = 0; r < site->n_run; r++)
-		n += site_run_is_near(site, r, t->tenths / 10.0, speeds);
-	return n;
+	enum { MOST = 3 };
+	int digits = 1;
+	for (size_t c = 0; c < h->n_column; c++) {
+		const struct psd *psd = curve_of(h, c);
+		for (size_t i = 0; i < psd->n && digits < MOST; i++) {
+			double x = units_pct(psd->passing[i]) * pow(10, digits);
+			digits += fabs(x - round(x)) > 1e-6;
+		}
+	}
+	return digits;
 }
 
-/* Whether there is room for a run's column: those nearest to the slider's speed
- * come first. */
+static void
+take_sheet(struct tui *t, const struct site *site)
+{
+	enum { LEAST = 9, GAP = 3 };
+	struct sheet *h = &t->sheet;
+	tui_forget_sheet(h);
+	h->site = site;
+	h->sieve = site_sieves(site, &h->n);
+	take_columns(h, site);
+	h->digits = digits_of(h);
+	h->width = LEAST;
+	for (size_t c = 0; c < h->n_column; c++) {
+		char text[48];
+		head_text(t, c, text);
+		int width = (int)strlen(text) + GAP;
+		h->width = width > h->width ? width : h->width;
+	}
+	h->row = h->row < h->n ? h->row : 0;
+	h->at = h->at < h->n_column ? h->at : 0;
+}
+
+/* Looks for doubtful cells once for a sheet and a calibration, which may take a
+ * while: the page stands there meanwhile. */
+static void
+update(struct tui *t)
+{
+	const struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	struct sheet *h = &t->sheet;
+	if (entry == NULL || entry->site->n_run == 0)
+		return;
+	if (entry->site != h->site)
+		take_sheet(t, entry->site);
+	bool calibrated = mend_is_calibrated(s, entry);
+	double misfit = calibrated ? entry->fit.misfit : 0;
+	bool same = h->calibrated == calibrated && h->misfit == misfit;
+	if (session_busy(s) || (h->looked && same))
+		return;
+	h->looked = false;
+	if (!t->aside)
+		frame_draw(t);
+	doctor_free(&h->doctor);
+	h->doctor = mend_look(s, entry);
+	h->looked = true;
+	h->calibrated = calibrated;
+	h->misfit = misfit;
+}
+
+/* ---- What is doubtful ---- */
+
 static bool
-is_shown(const struct tui *t, size_t run)
+is_cell(const struct mend *m)
 {
-	const struct site *site = tui_entry(t)->site;
-	int room = (t->places.body.columns - FIRST) / WIDTH - 1;
-	size_t speeds = site->n_run;
-	while (speeds > 0 && columns_of(t, speeds) > room)
-		speeds--;
-	return site_run_is_near(site, run, t->tenths / 10.0, speeds);
+	return m->kind == MEND_READ || m->kind == MEND_OUT;
 }
 
-/* The run whose feed the slider predicts with. */
-static const struct run *
-feed_run(const struct tui *t)
+/* Whether a finding is of that column. */
+static bool
+is_of(const struct mend *m, const struct sheet_column *column)
 {
-	return &tui_entry(t)->site->run[tui_feed(t)];
+	return (m->run == column->run && m->feed == column->feed) ||
+	       (m->kind == MEND_WITH && m->other == column->run &&
+		   !column->feed);
+}
+
+/* What is wrong with a cell, or with the whole of its column; NULL: nothing.
+ */
+static const struct finding *
+doubt_of(const struct sheet *h, size_t column, size_t row)
+{
+	for (size_t i = 0; h->looked && i < h->doctor.n; i++) {
+		const struct mend *m = &h->doctor.finding[i].mend;
+		if (is_of(m, &h->column[column]) &&
+		    (!is_cell(m) || m->size == h->sieve[row]))
+			return &h->doctor.finding[i];
+	}
+	return NULL;
+}
+
+/* The cursor to the next finding after where it is, by columns. */
+static void
+next_doubt(struct tui *t)
+{
+	struct sheet *h = &t->sheet;
+	size_t cells = h->n * h->n_column;
+	for (size_t i = 1; i <= cells; i++) {
+		size_t k = (h->at * h->n + h->row + i) % cells;
+		const struct finding *f = doubt_of(h, k / h->n, k % h->n);
+		/* Of a column its first cell. */
+		if (f == NULL || (!is_cell(&f->mend) && k % h->n > 0))
+			continue;
+		h->at = k / h->n;
+		h->row = k % h->n;
+		return;
+	}
+	tui_say(t, false,
+	    h->looked ? N_("no cell is doubtful")
+		      : N_("the cells are not checked yet"));
+}
+
+static void
+mend(struct tui *t)
+{
+	const struct sheet *h = &t->sheet;
+	const struct finding *f = h->n > 0 ? doubt_of(h, h->at, h->row) : NULL;
+	if (f == NULL) {
+		tui_say(t, false,
+		    "this cell is not doubtful: ! goes to one that is; help "
+		    "mend: any other");
+		return;
+	}
+	char *line = mend_call(h->site, &f->mend);
+	char *words = mend_words(h->site, &f->mend);
+	control_keep(t);
+	if (control_run(t, line))
+		tui_say(t, false,
+		    "mended: %s; u takes it back, f calibrates again, :write "
+		    "FILE saves the sheet",
+		    words);
+	free(words);
+	free(line);
+}
+
+/* ---- On the screen ---- */
+
+/* Rows and columns of cells that there is room for. */
+struct room {
+	size_t rows, columns;
+};
+
+static bool
+has_prediction(const struct tui *t)
+{
+	return t->shown.product.n > 0;
+}
+
+/* Rows below the cells: what is said of the one under the cursor, and on a tall
+ * screen where the data are from. */
+enum { SAID = 3, SOURCE = 7 };
+
+static struct room
+room_for(const struct tui *t, const struct area *area)
+{
+	const struct sheet *h = &t->sheet;
+	int rows = area->rows - 1 - (area->rows > 2 * SAID ? SAID : 0);
+	int columns =
+	    area->columns - SIEVES - (has_prediction(t) ? PREDICTED : 0);
+	columns = columns / h->width;
+	return (struct room){
+	    rows < 1 ? 1 : (size_t)rows, columns < 1 ? 1 : (size_t)columns};
+}
+
+/* The first of n to show, so that `at` is among them. */
+static size_t
+first_of(size_t first, size_t at, size_t n, size_t room)
+{
+	if (first + room <= at)
+		first = at + 1 - room;
+	first = first > at ? at : first;
+	return n <= room ? 0 : first > n - room ? n - room : first;
+}
+
+static bool
+touch_cells(struct tui *t, const struct touched *touched)
+{
+	struct sheet *h = &t->sheet;
+	int by = touched->kind == TOUCH_UP ? -1 : 1;
+	if (touched->kind == TOUCH_DRAG)
+		return false;
+	t->focus = &page_data;
+	if (touched->kind != TOUCH_PRESS) {
+		h->row = (size_t)pane_moved((int)h->row, by, h->n);
+		return true;
+	}
+	int column = touched->column < 0 ? 0 : touched->column / h->width;
+	h->at = (size_t)pane_moved((int)h->left, column, h->n_column);
+	h->row = (size_t)pane_moved((int)h->top, touched->row, h->n);
+	return true;
+}
+
+static void
+draw_cell(struct tui *t, const struct area *area, int row, int from,
+    size_t column, size_t i)
+{
+	const struct sheet *h = &t->sheet;
+	bool here = t->focus == &page_data && h->at == column && h->row == i;
+	bool doubtful = doubt_of(h, column, i) != NULL;
+	double x = cell_of(h, column, i);
+	char text[48];
+	if (isnan(x))
+		snprintf(text, sizeof text, "%*s", h->width - 2, "-");
+	else
+		snprintf(
+		    text, sizeof text, "%*.*f", h->width - 2, h->digits, x);
+	unsigned look = here ? LOOK_REVERSE : LOOK_PLAIN;
+	if (doubtful)
+		screen_series(area, row, from + h->width - 1, SERIES_PREDICTED,
+		    LOOK_BOLD, "!");
+	screen_series(area, row, from + 1,
+	    doubtful ? SERIES_PREDICTED : SERIES_TEXT,
+	    look | (doubtful ? LOOK_BOLD : LOOK_PLAIN), text);
+	if (here)
+		t->cursor = (struct cursor){
+		    area->row + row, area->column + from + h->width - 2};
+}
+
+/* Returns the column after it. */
+static int
+draw_column(struct tui *t, const struct area *area, size_t rows, int from,
+    size_t column)
+{
+	const struct sheet *h = &t->sheet;
+	char text[48];
+	head_text(t, column, text);
+	bool trained = text[strlen(text) - 1] == '*';
+	screen_text(area, 0, from, LOOK_BOLD, "%*s",
+	    h->width - (trained ? 0 : 1), text);
+	for (size_t i = h->top; i < h->n && i < h->top + rows; i++)
+		draw_cell(t, area, (int)(i - h->top) + 1, from, column, i);
+	return from + h->width;
+}
+
+static void
+draw_prediction(
+    const struct tui *t, const struct area *area, size_t rows, int from)
+{
+	const struct sheet *h = &t->sheet;
+	const struct psd *psd = &t->shown.product;
+	screen_text(area, 0, from, LOOK_BOLD, "%*s", PREDICTED - 1, tr("PRED"));
+	for (size_t i = h->top; i < h->n && i < h->top + rows; i++) {
+		int row = (int)(i - h->top) + 1;
+		if (psd_covers(psd, h->sieve[i]))
+			screen_text(area, row, from, LOOK_BOLD, "%*.*f",
+			    PREDICTED - 1, h->digits,
+			    100 * psd_passing(psd, h->sieve[i]));
+		else
+			screen_text(area, row, from, LOOK_BOLD, "%*s",
+			    PREDICTED - 1, "-");
+	}
+}
+
+/* Where there is more than what is shown. */
+static void
+draw_more(const struct tui *t, const struct area *area, struct room room)
+{
+	const struct sheet *h = &t->sheet;
+	if (h->top > 0)
+		screen_text(area, 1, 0, LOOK_BOLD, "^");
+	if (h->top + room.rows < h->n)
+		screen_text(area, (int)room.rows, 0, LOOK_BOLD, "v");
+	if (h->left > 0)
+		screen_text(area, 0, SIEVES, LOOK_BOLD, "<");
 }
 
 /* Returns the column after the table. */
 static int
-draw_heads(const struct tui *t, const struct area *area)
+draw_cells(struct tui *t, const struct area *area, struct room room)
 {
-	const struct site *site = tui_entry(t)->site;
-	int column = FIRST;
-	char feed[16] = "feed %";
-	if (site->individual_feeds)
-		snprintf(feed, sizeof feed, "feed@%.4g", feed_run(t)->speed);
-	screen_text(area, 0, 0, LOOK_BOLD, "%8s %8s", "sieve mm", feed);
-	for (size_t r = 0; r < site->n_run; r++) {
-		if (!is_shown(t, r))
-			continue;
-		char name[32];
-		snprintf(name, sizeof name, "%g%s", site->run[r].speed,
-		    site->run[r].repeat);
-		screen_text(area, 0, column, LOOK_BOLD, "%7s%s", name,
-		    tui_entry(t)->train[r] ? "*" : " ");
-		column += WIDTH;
-	}
-	screen_text(area, 0, column, LOOK_BOLD, "%8s", "PRED");
-	return column + WIDTH;
+	const struct sheet *h = &t->sheet;
+	int from = SIEVES;
+	screen_text(area, 0, 0, LOOK_BOLD, "%*s", SIEVES - 1, tr("sieve mm"));
+	for (size_t i = h->top; i < h->n && i < h->top + room.rows; i++)
+		screen_text(area, (int)(i - h->top) + 1, 0, 0, "%*g",
+		    SIEVES - 1, units_mm(h->sieve[i]));
+	for (size_t c = h->left; c < h->n_column && c < h->left + room.columns;
+	     c++)
+		from = draw_column(t, area, room.rows, from, c);
+	if (h->left + room.columns < h->n_column)
+		screen_text(area, 0, from - 1, LOOK_BOLD, ">");
+	touch_add(&t->touches,
+	    (struct area){area->row + 1, area->column + SIEVES,
+		(int)(h->n < room.rows ? h->n : room.rows), from - SIEVES},
+	    touch_cells, 0);
+	if (has_prediction(t))
+		draw_prediction(t, area, room.rows, from);
+	draw_more(t, area, room);
+	return from + (has_prediction(t) ? PREDICTED : 0);
 }
 
-static void
-draw_sieve(const struct tui *t, const struct area *area, int row, size_t i)
+/* How the sheet is doing as a whole. */
+static char *
+state_words(const struct tui *t)
 {
-	const struct site *site = tui_entry(t)->site;
-	const struct psd *feed = &feed_run(t)->feed;
-	double x = feed->size[i];
-	screen_text(area, row, 0, 0, "%8g", units_mm(x));
-	int column = draw_passing(area, row, WIDTH, feed, x, 0);
-	for (size_t r = 0; r < site->n_run; r++)
-		if (is_shown(t, r))
-			column = draw_passing(
-			    area, row, column, &site->run[r].product, x, 0);
-	draw_passing(area, row, column, &t->shown.product, x, LOOK_BOLD);
+	const struct sheet *h = &t->sheet;
+	if (session_busy(t->session))
+		return xstrdup(
+		    tr("the cells are checked when the calibration ends"));
+	if (!h->looked)
+		return xstrdup(tr("checking .."));
+	if (h->doctor.n == 0)
+		return xasprintf(
+		    tr("no doubtful cell (%s); :check has the rest"),
+		    h->calibrated ? tr("by all passings and the fit")
+				  : tr("by the curves alone: not calibrated"));
+	return xasprintf(
+	    tr("%zu doubtful, marked !: the key ! goes to the next, "
+	       "Enter mends it, u undoes that"),
+	    h->doctor.n);
 }
 
-/* Where the data are from, as far as there is room, in SOURCE rows of a wide
- * screen. */
-enum { SOURCE = 4 };
+/* What is said of the cell under the cursor. */
+static char *
+cell_words(const struct tui *t)
+{
+	const struct sheet *h = &t->sheet;
+	const struct sheet_column *c = &h->column[h->at];
+	const struct finding *f = doubt_of(h, h->at, h->row);
+	double x = cell_of(h, h->at, h->row);
+	char *name = mend_column(h->site, c->feed, c->run), *words;
+	if (f != NULL) {
+		char *why = mend_finding(h->site, f),
+		     *call = mend_call(h->site, &f->mend);
+		words = xasprintf(tr("! %s: %s  Enter: %s"), name, why, call);
+		free(why);
+		free(call);
+	} else if (isnan(x))
+		words = xasprintf(tr("%s: not sieved at %g mm"), name,
+		    units_mm(h->sieve[h->row]));
+	else
+		words = xasprintf(tr("%s: %.7g %% passes %g mm"), name, x,
+		    units_mm(h->sieve[h->row]));
+	free(name);
+	return words;
+}
 
+/* Returns the row after it. */
+static int
+draw_said(const struct tui *t, const struct area *area, int row)
+{
+	bool here = t->focus == &page_data;
+	char *words = here ? cell_words(t) : state_words(t);
+	const struct sheet *h = &t->sheet;
+	bool doubtful = here && doubt_of(h, h->at, h->row) != NULL;
+	row = screen_words(area, row, doubtful ? LOOK_BOLD : LOOK_PLAIN, words);
+	free(words);
+	return row;
+}
+
+/* Where the data are from, and what the reader took them for, as far as there
+ * is room. */
 static void
 draw_source(const struct tui *t, const struct area *area, int row)
 {
-	const struct site *site = tui_entry(t)->site;
-	char *from = xasprintf("data: %s", site->provenance);
-	row = screen_words(area, row, 0,
-	    "columns: product at each speed, m/s; * training; PRED: at the "
-	    "slider");
-	if (site->machine[0] != '\0')
-		screen_text(area, row++, 0, 0, "machine: %s", site->machine);
-	if (site->provenance[0] != '\0')
-		row = screen_words(area, row, 0, from);
-	screen_text(area, row, 0, LOOK_DIM, ":check looks for typing errors");
-	free(from);
+	const struct site *site = t->sheet.site;
+	const struct {
+		const char *what, *text;
+	} MORE[] = {{N_("machine"), site->machine},
+	    {N_("read as"), site->read_as}, {N_("assumed"), site->assumed},
+	    {N_("remark"), site->remark}, {N_("data"), site->provenance}};
+	row = screen_words(area, row, LOOK_DIM,
+	    tr("columns: feed and product at each speed, m/s, % passing; * "
+	       "training; PRED: at the slider"));
+	for (size_t i = 0; i < sizeof MORE / sizeof *MORE; i++) {
+		if (MORE[i].text[0] == '\0' || row >= area->rows)
+			continue;
+		char *line =
+		    xasprintf("%s: %s", tr(MORE[i].what), MORE[i].text);
+		row = screen_words(area, row, 0, line);
+		free(line);
+	}
+	for (size_t i = 0; i < site->n_left_out && row < area->rows; i++)
+		screen_text(area, row++, 0, 0, "not read, %s: %s",
+		    site->left_out[i].key, site->left_out[i].value);
 }
 
 /* What is left between measured and predicted, where the table leaves room;
  * returns whether it does. */
 static bool
-draw_residuals(const struct tui *t, int behind)
+draw_residuals(struct tui *t, int behind)
 {
 	enum { GAP = 2, LEAST = 50, MOST = 120, TALL = 14 };
 	struct area area = pane_list_area(t);
 	area.column = behind + GAP;
 	area.columns -= behind + GAP;
-	area.rows -= SOURCE + 1;
+	area.rows -= SOURCE + SAID;
 	if (area.columns > MOST)
 		area.columns = MOST;
 	if (area.columns < LEAST || area.rows < TALL ||
@@ -138,53 +471,110 @@ draw_residuals(const struct tui *t, int behind)
 	return true;
 }
 
-/* Up and Down scroll where there are more sieves than rows. */
-static void
-draw_more(const struct area *area, bool above, bool below)
-{
-	if (above)
-		screen_text(area, 1, area->columns - 1, LOOK_BOLD, "^");
-	if (below)
-		screen_text(
-		    area, area->rows - 1, area->columns - 1, LOOK_BOLD, "v");
-}
-
 static void
 draw(struct tui *t)
 {
-	enum { GAP = 1 };
 	const struct area area = pane_list_area(t);
 	const struct entry *entry = tui_entry(t);
+	struct sheet *h = &t->sheet;
 	if (entry == NULL || entry->site->n_run == 0) {
-		screen_text(
-		    &area, 0, 0, 0, "no site is loaded: type :load FILE");
+		screen_text(&area, 0, 0, 0, TUI_NO_SITE);
 		return;
 	}
-	size_t n = feed_run(t)->feed.n, row = 1;
-	size_t room = area.rows > 1 ? (size_t)area.rows - 1 : 0;
-	size_t last = n > room ? n - room : 0;
-	t->data_top = t->data_top > last ? last : t->data_top;
-	int behind = draw_heads(t, &area);
-	for (size_t i = t->data_top; i < n && row <= room; i++, row++)
-		draw_sieve(t, &area, (int)row, i);
-	draw_more(&area, t->data_top > 0, t->data_top < last);
-	int foot = draw_residuals(t, behind) ? area.rows - SOURCE : 0;
-	int below = (int)row + GAP;
-	draw_source(t, &area, foot > below ? foot : below);
+	/* In the midst of a command. */
+	if (entry->site != h->site)
+		take_sheet(t, entry->site);
+	struct room room = room_for(t, &area);
+	h->top = first_of(h->top, h->row, h->n, room.rows);
+	h->left = first_of(h->left, h->at, h->n_column, room.columns);
+	int behind = draw_cells(t, &area, room);
+	size_t shown = h->n < room.rows ? h->n : room.rows;
+	int row = (int)shown + 1, foot = area.rows - SOURCE - SAID;
+	bool plot = draw_residuals(t, behind);
+	if (area.rows <= 2 * SAID)
+		return;
+	row = plot && foot > row ? foot : row;
+	/* A blank row where that takes none away. */
+	row = draw_said(t, &area, row + (row + SAID < area.rows));
+	draw_source(t, &area, row + (row + SAID < area.rows));
+}
+
+/* ---- Keys ---- */
+
+static bool
+can_focus(const struct tui *t)
+{
+	const struct entry *entry = tui_entry(t);
+	return entry != NULL && entry->site->n_run > 0;
+}
+
+/* Pages of rows, or so many columns. */
+static void
+move_far(struct tui *t, int amount)
+{
+	enum { PAGE = 50, COLUMNS = 5 };
+	struct sheet *h = &t->sheet;
+	const struct area area = pane_list_area(t);
+	int rows = (int)room_for(t, &area).rows;
+	if (amount <= -PAGE || amount >= PAGE)
+		h->row = (size_t)pane_moved(
+		    (int)h->row, amount < 0 ? rows : -rows, h->n);
+	else if (amount != 0)
+		h->at = (size_t)pane_moved(
+		    (int)h->at, amount < 0 ? -COLUMNS : COLUMNS, h->n_column);
+}
+
+/* The arrows, where the page has the focus. */
+static bool
+move(struct tui *t, const struct key *key)
+{
+	struct sheet *h = &t->sheet;
+	if (key->act == ACT_MOVE)
+		h->at =
+		    (size_t)pane_moved((int)h->at, key->amount, h->n_column);
+	else if (key->act == ACT_FINE)
+		move_far(t, key->amount);
+	else if (key->act == ACT_TO && key->amount == TO_LEAST)
+		h->row = 0;
+	else if (key->act == ACT_TO && key->amount == TO_MOST)
+		h->row = h->n > 0 ? h->n - 1 : 0;
+	else
+		return false;
+	return true;
 }
 
 static bool
 act(struct tui *t, const struct key *key)
 {
-	if (key->act != ACT_LIST)
+	struct sheet *h = &t->sheet;
+	bool own = key->act == ACT_LIST || key->act == ACT_MEND ||
+		   key->act == ACT_DOUBT;
+	if (!can_focus(t) || (!own && t->focus != &page_data))
 		return false;
-	t->data_top =
-	    (size_t)pane_moved((int)t->data_top, key->amount, INT_MAX);
+	if (h->site != tui_entry(t)->site)
+		take_sheet(t, tui_entry(t)->site);
+	if (own && t->focus != &page_data) {
+		t->focus = &page_data;
+		/* Enter mends what was seen to be chosen. */
+		if (key->act != ACT_DOUBT)
+			return true;
+	}
+	if (key->act == ACT_DOUBT)
+		next_doubt(t);
+	else if (key->act == ACT_MEND)
+		mend(t);
+	else if (key->act == ACT_LIST)
+		h->row = (size_t)pane_moved((int)h->row, key->amount, h->n);
+	else
+		return move(t, key);
 	return true;
 }
 
-const struct page_ops page_data = {.name = "Data",
-    .hints = "<-/-> speed  ? keys  q quit  " PAGE_HINT "  Up/Down sieves  "
-	     ": command",
+const struct page_ops page_data = {.name = N_("Data"),
+    .hints =
+	N_("Up/Down/Left/Right cells  ! next doubtful  Enter mends  ? keys  "
+	   "q quit  1-5 pages  : command"),
+    .update = update,
     .draw = draw,
+    .can_focus = can_focus,
     .key = act};

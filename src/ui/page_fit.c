@@ -1,5 +1,6 @@
 /* The Fit page: the search, generation by generation, while it runs and after.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/tr.h"
 #include "ui/pane.h"
 
 #include <math.h>
@@ -7,29 +8,48 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "cmd/fit.h"
-#include "cmd/light.h"
-#include "core/sensitivity.h"
+#include "cmd/plots_search.h"
+#include "core/misfit.h"
+#include "ui/control.h"
 #include "ui/screen.h"
+#include "ui/search_side.h"
+
+static bool
+touch_scrubber(struct tui *t, const struct touched *touched)
+{
+	size_t n = tui_steps(t);
+	if (touched->kind != TOUCH_PRESS && touched->kind != TOUCH_DRAG)
+		return false;
+	t->focus = &page_fit;
+	int last = touched->area.columns - 1, at = touched->column;
+	if (n == 0 || last < 1)
+		return true;
+	at = at < 0 ? 0 : at > last ? last : at;
+	tui_look_at(t, 1 + (size_t)at * (n - 1) / (size_t)last);
+	return true;
+}
 
 /* The slider of the generations, instead of the usual caption. */
 static bool
 caption(struct tui *t, const struct area *area)
 {
-	size_t n = tui_past(t).n, at = tui_generation(t);
+	size_t n = tui_steps(t), at = tui_step(t);
 	if (n == 0)
 		return false;
+	bool polished = n > tui_past(t).n;
 	char label[32], last[32];
 	int from = screen_text(area, 0, 0, 0, "generation 1 ");
-	snprintf(last, sizeof last, " %zu", n);
+	snprintf(last, sizeof last, polished ? tr(" polished") : " %zu", n);
 	int room = area->columns - from - (int)strlen(last) - 1;
 	if (room < 12)
 		return false;
-	t->scrubber = (struct area){area->row, from, 1, room};
+	touch_add(&t->touches, (struct area){area->row, from, 1, room},
+	    touch_scrubber, 0);
 	for (int c = 0; c < room; c++)
 		screen_text(area, 0, from + c, LOOK_DIM, "-");
 	screen_text(area, 0, from + room, 0, "%s", last);
-	snprintf(label, sizeof label, "[%zu]", at);
+	snprintf(label, sizeof label,
+	    polished && at == n ? tr("[polished]") : "[%zu]", at);
 	int length = (int)strlen(label);
 	double share = n > 1 ? (double)(at - 1) / (double)(n - 1) : 1;
 	int column = from + (int)lround(share * (room - length));
@@ -41,199 +61,82 @@ caption(struct tui *t, const struct area *area)
 	return true;
 }
 
-/* Where a value stands within its bounds, as a cell of a bar. */
-static int
-cell_of(double value, double lower, double upper, int width)
-{
-	double share = upper > lower ? (value - lower) / (upper - lower) : 0.5;
-	share = share < 0 ? 0 : share > 1 ? 1 : share;
-	return (int)lround(share * (width - 1));
-}
-
-/* The parameters that were found, once the search has ended and its last
- * generation is shown; else NULL. */
-static const struct params *
-found(const struct tui *t)
-{
-	size_t n = tui_past(t).n;
-	const struct entry *entry = tui_entry(t);
-	bool last =
-	    n > 0 && tui_generation(t) == n && !session_busy(t->session);
-	return last && entry->has_fit ? &entry->params : NULL;
-}
-
-/* What the gauge, which counts by its direction only, is multiplied by to have
- * the size of that of a generation. */
-static double
-gauge_scale(const struct params *params, const struct calibrate_generation *g)
-{
-	double most = params_gauge(&g->params), own = params_gauge(params);
-	return own > 0 ? most / own : 1;
-}
-
-/* "beta1 |  ==*=    | -0.591": the bounds, the middle 80 % of the candidates
- * and the best, or what the polish made of it. */
+/* One row, where the plot's own would leave the plot little room. */
 static void
-draw_parameter(const struct area *side, int row, size_t j,
-    const struct calibrate_generation *g, const struct params *polished,
-    const struct bounds *bounds)
+draw_legend(const struct tui *t)
 {
-	enum { NAME = 7, VALUE = 18, MOST = 40 };
-	double lower = bounds->lower[j], upper = bounds->upper[j];
-	bool gauge = j < breakage_of(&g->params)->gauge;
-	const struct params *p = polished != NULL ? polished : &g->params;
-	double value = p->at[j];
-	double best = value;
-	if (polished != NULL && gauge)
-		best *= gauge_scale(polished, g);
-	int width = side->columns - NAME - VALUE - 2;
-	width = width > MOST ? MOST : width < 3 ? 3 : width;
-	char bar[MOST + 1];
-	memset(bar, ' ', (size_t)width);
-	bar[width] = '\0';
-	int from = cell_of(g->p10[j], lower, upper, width);
-	int to = cell_of(g->p90[j], lower, upper, width);
-	for (int c = from; c <= to; c++)
-		bar[c] = '=';
-	bar[cell_of(best, lower, upper, width)] = '*';
-	const char *remark = lower >= upper                       ? "fixed"
-			     : sensitivity_on_bound(bounds, p, j) ? "at bound"
-								  : "";
-	screen_text(side, row, 0, 0, "%-7s|%s|%7.3g %s",
-	    breakage_of(&g->params)->parameter[j].name, bar, value, remark);
-}
-
-static int
-draw_parameters(const struct tui *t, const struct area *side, int row)
-{
-	struct plots_past past = tui_past(t);
-	const struct params *polished = found(t);
-	if (past.n == 0)
-		return row;
-	screen_text(side, row++, 0, LOOK_DIM, "bounds, = middle 80 %%, * %s",
-	    polished != NULL ? "polished" : "best");
-	const struct calibrate_generation *g =
-	    &past.generation[tui_generation(t) - 1];
-	for (size_t j = 0; j < breakage_of(&g->params)->n; j++)
-		draw_parameter(side, row++, j, g, polished, past.bounds);
-	return row;
-}
-
-/* How far the search is, and how fast. */
-static int
-draw_progress(const struct tui *t, const struct area *side, int row)
-{
-	const struct session *s = t->session;
-	const struct calibrate_options *o = &s->job.options;
-	struct calibrate_status st = calibration_status(s->job.calibration);
-	double seconds = tui_searched(t);
-	double rate = seconds > 0 ? (double)st.evaluations / seconds : 0;
-	screen_text(side, row++, 0, LOOK_BOLD, "%sgeneration %zu of %zu",
-	    t->held ? "PAUSED " : "", st.generation, o->generations);
-	if (st.state == CALIBRATE_POLISHING)
-		screen_text(side, row++, 0, 0,
-		    "polishing: %zu starting points done", st.starts_done);
-	else
-		screen_text(side, row++, 0, 0, "stall %zu of %zu, tolerance %g",
-		    st.stall, o->stall, o->tolerance);
-	screen_text(
-	    side, row++, 0, 0, "best %.4g median %.4g", st.best, st.median);
-	screen_text(side, row++, 0, 0, "worst %.3g  seed %llu", st.worst,
-	    (unsigned long long)o->seed);
-	screen_text(side, row++, 0, 0, "%.0f evaluations a second", rate);
-	if (st.generation > 0)
-		screen_text(side, row++, 0, 0, "%.1f s, at most %.0f s more",
-		    seconds,
-		    seconds * (double)(o->generations - st.generation) /
-			(double)st.generation);
-	return row;
-}
-
-static const char *
-why_stopped(enum calibrate_state stop)
-{
-	return stop == CALIBRATE_TOLERANCE     ? "converged"
-	       : stop == CALIBRATE_STALLED     ? "stalled"
-	       : stop == CALIBRATE_GENERATIONS ? "limit reached"
-					       : "stopped";
-}
-
-static int
-draw_result(const struct tui *t, const struct area *side, int row)
-{
-	const struct entry *entry = tui_entry(t);
-	struct plots_past past = tui_past(t);
-	size_t at = tui_generation(t);
-	if (past.n == 0 || !entry->has_fit)
-		return row;
-	const struct calibrate_generation *g = &past.generation[at - 1];
-	screen_text(side, row++, 0, LOOK_BOLD, "generation %zu of %zu (%s)", at,
-	    past.n, why_stopped(entry->fit.stop));
-	screen_text(
-	    side, row++, 0, 0, "best %.4g median %.4g", g->best, g->median);
-	screen_text(side, row++, 0, 0, "polished: misfit %.4g  seed %llu",
-	    entry->fit.misfit, (unsigned long long)entry->fit.seed);
-	screen_text(side, row++, 0, 0, "RMSE %.2f points, %s",
-	    100 * entry->fit.rmse, light_verdict(t->session, entry, NULL));
-	return row;
-}
-
-static void
-draw_side(const struct tui *t)
-{
-	enum { LEAST = 7 };
-	const struct area *side = &t->places.side;
-	if (side->rows == 0)
-		return;
-	screen_wall(side->row, side->column - 1, side->rows);
-	int row = session_busy(t->session) ? draw_progress(t, side, 0)
-					   : draw_result(t, side, 0);
-	if (row == 0) {
-		bool can = tui_entry(t) == NULL ||
-			   site_products(tui_entry(t)->site) > 0;
-		screen_text(side, 0, 0, 0, "%s",
-		    can ? "not calibrated yet: f starts"
-			: "no product: type :guess");
-		screen_text(side, 1, 0, 0, "%s",
-		    can ? "+ and -: generations a second" : "");
-		return;
+	static const char *const BARS[] = {"\u2503", "\u2502", "\u250a"},
+				 *const ASCII[] = {"#", "|", ":"};
+	const struct area *area = &t->places.legend;
+	const struct plots_past past = tui_past(t);
+	bool ascii = screen_charset() == CHARSET_ASCII;
+	int column = 0;
+	size_t nth = 0;
+	char text[64];
+	for (size_t r = 0; r < past.site->n_run; r++) {
+		const struct run *run = &past.site->run[r];
+		if (!past.train[r] || misfit_covered(run) == 0)
+			continue;
+		struct chart_series look = plots_search_look(past.site, r, nth);
+		size_t kind = nth++ % ARRAY_LEN(BARS);
+		snprintf(text, sizeof text, tr("%s %g m/s%s: middle 80 %% "),
+		    ascii ? ASCII[kind] : BARS[kind], run->speed, run->repeat);
+		column = screen_series(area, 0, column, look.series, 0, text);
+		snprintf(text, sizeof text, tr("%c best  "), look.mark);
+		column =
+		    screen_series(area, 0, column, SERIES_PREDICTED, 0, text);
 	}
-	row = draw_parameters(t, side, row);
-	struct area below = *side;
-	below.row += row + 1;
-	below.rows -= row + 1;
-	struct plot_request request = plots_request(PLOT_CONVERGENCE);
-	request.words = CHART_TITLE;
-	request.generation = t->generation;
-	if (below.rows >= LEAST && t->picture != PLOT_CONVERGENCE)
-		pane_plot(t, &request, &below);
+	screen_series(area, 0, column, SERIES_TEXT, 0,
+	    ascii ? tr(", noise") : tr("\u2591 noise"));
 }
 
 static void
 draw(struct tui *t)
 {
-	struct plot_request request = plots_request(t->picture);
+	enum { TALL = 20, LOW = 9 };
+	bool any = tui_past(t).n > 0;
+	struct places *l = &t->places;
+	/* What there are no rows for to draw is said. */
+	if (l->side.rows == 0 && l->plot.rows < LOW && any &&
+	    t->picture == PLOT_SEARCH) {
+		l->side = l->plot;
+		search_side_draw(t);
+		return;
+	}
+	struct plot_request request =
+	    plots_request(any ? t->picture : PLOT_PSD);
 	request.words = CHART_TITLE;
 	request.speed = t->tenths / 10.0;
 	request.feed_speed = t->feed;
 	request.generation = t->generation;
-	pane_curves(t, &request, true);
-	draw_side(t);
+	bool own = request.kind == PLOT_SEARCH && t->places.plot.rows < TALL;
+	if (own)
+		pane_plot(t, &request, &t->places.plot);
+	else
+		pane_curves(t, &request, request.kind == PLOT_PSD);
+	if (own && t->places.legend.rows > 0)
+		draw_legend(t);
+	search_side_draw(t);
 }
 
 static const char *
 hints(const struct tui *t)
 {
+	if (session_busy(t->session) && !t->session->job.fits)
+		return t->held ? tr("Space continue  Esc stop  ? keys  q quit  "
+				    ": command")
+			       : tr("Space pause  Esc stop  ? keys  q quit  "
+				    ": command");
 	return session_busy(t->session) && t->held
-		   ? "Space continue  ? keys  q quit  s stop, keep  f fit "
-		     "again  Tab generations  v plot"
-	       : session_busy(t->session)
-		   ? "Space pause  ? keys  q quit  s stop, keep  +/- gen/s  f "
-		     "fit again  Tab generations  v plot"
+		   ? tr("Space continue  . one generation  ? keys  q quit  s "
+			"stop, keep  Down Enter bounds  v plot")
+	       : session_busy(t->session) ? tr("Space pause  . one generation  "
+					       "? keys  q quit  s stop, "
+					       "keep  +/- pace  v plot")
 	       : tui_past(t).n > 0
-		   ? "f fit again  ? keys  q quit  Tab generations  v plot  "
-		     "+/- gen/s  : command"
-		   : "f fit  ? keys  q quit  +/- gen/s  : command";
+		   ? tr("f fit again  . next generation  ? keys  q quit  Tab "
+			"generations  Down Enter bounds  v plot")
+		   : tr("f fit  ? keys  q quit  +/- pace  : command");
 }
 
 static bool
@@ -245,62 +148,70 @@ can_focus(const struct tui *t)
 static void
 move(struct tui *t, int by)
 {
-	int at = (int)tui_generation(t) - 1;
-	tui_look_at(t, (size_t)pane_moved(at, by, tui_past(t).n) + 1);
+	int at = (int)tui_step(t) - 1;
+	tui_look_at(t, (size_t)pane_moved(at, by, tui_steps(t)) + 1);
 }
 
-/* Arrows go through the generations where these have the focus. */
+/* Of a search that runs the next one is made, of one that is over shown. */
+static void
+one_generation(struct tui *t)
+{
+	if (!session_busy(t->session)) {
+		move(t, 1);
+		return;
+	}
+	control_hold(t, true);
+	t->generation = 0;
+	control_step(t);
+}
+
+/* Arrows to the sides go through the generations where these have the focus,
+ * up and down through the parameters. */
 static bool
 act(struct tui *t, const struct key *key)
 {
+	static const enum plot_kind NEXT[] = {[PLOT_SEARCH] = PLOT_PSD,
+	    [PLOT_PSD] = PLOT_CONVERGENCE,
+	    [PLOT_CONVERGENCE] = PLOT_SPREAD,
+	    [PLOT_SPREAD] = PLOT_SEARCH};
 	bool to_end = key->act == ACT_TO && key->amount <= TO_MOST;
+	bool focus = t->focus == &page_fit;
 	if (key->act == ACT_PICTURE)
-		t->picture = t->picture == PLOT_PSD           ? PLOT_CONVERGENCE
-			     : t->picture == PLOT_CONVERGENCE ? PLOT_SPREAD
-							      : PLOT_PSD;
-	else if (t->focus != &page_fit)
-		return false;
-	else if (to_end)
-		tui_look_at(t, key->amount == TO_LEAST ? 1 : tui_past(t).n);
-	else if (key->act == ACT_MOVE || key->act == ACT_FINE ||
-		 key->act == ACT_LIST)
+		t->picture = NEXT[t->picture];
+	else if (key->act == ACT_LIST)
+		search_side_choose(t, key->amount);
+	else if (key->act == ACT_CHOOSE)
+		search_side_bounds(t);
+	else if (key->act == ACT_STEP)
+		one_generation(t);
+	else if (focus && to_end)
+		tui_look_at(t, key->amount == TO_LEAST ? 1 : tui_steps(t));
+	else if (focus && (key->act == ACT_MOVE || key->act == ACT_FINE))
 		move(t, key->amount);
 	else
 		return false;
 	return true;
 }
 
-static bool
-mouse(struct tui *t, int row, int column, bool pressed)
-{
-	const struct area *s = &t->scrubber;
-	size_t n = tui_past(t).n;
-	if (pressed ? !area_has(s, row, column) : t->focus != &page_fit)
-		return false;
-	t->focus = &page_fit;
-	if (n == 0 || s->columns < 2)
-		return true;
-	int at = column - s->column;
-	at = at < 0 ? 0 : at >= s->columns ? s->columns - 1 : at;
-	tui_look_at(t, 1 + (size_t)at * (n - 1) / (size_t)(s->columns - 1));
-	return true;
-}
-
 static char *
 words(const struct tui *t)
 {
-	if (t->picture == PLOT_PSD)
-		return pane_curves_words(t);
-	return xstrdup(t->picture == PLOT_SPREAD ? "spread" : "convergence");
+	static const char *const NAMES[] = {[PLOT_SEARCH] = "search",
+	    [PLOT_CONVERGENCE] = "convergence",
+	    [PLOT_SPREAD] = "spread"};
+	bool curves = t->picture == PLOT_PSD || tui_past(t).n == 0;
+	char *line = curves ? pane_curves_words(t) : xstrdup(NAMES[t->picture]);
+	if (t->generation > 0)
+		xappend(&line, " generation=%zu", t->generation);
+	return line;
 }
 
-const struct page_ops page_fit = {.name = "Fit",
+const struct page_ops page_fit = {.name = N_("Fit"),
     .hints_now = hints,
-    .side = 38,
-    .wide_side = 50,
+    .side = 40,
+    .wide_side = 58,
     .draw = draw,
     .caption = caption,
     .can_focus = can_focus,
     .key = act,
-    .mouse = mouse,
     .words = words};

@@ -1,18 +1,393 @@
-/* The page Parity: predicted against measured.
+/* The page Parity: predicted against measured, at the speeds held out of all
+ * sites.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/tr.h"
 #include "ui/pane.h"
 
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/outlook.h"
+#include "core/misfit.h"
+#include "ui/frame.h"
+#include "ui/pump.h"
+#include "ui/screen.h"
+
+/* ---- What is compared ---- */
+
+static void
+compare(struct tui *t, const struct entry *entry)
+{
+	const struct session *s = t->session;
+	struct parity *y = &t->parity;
+	struct error error = {0};
+	if (!entry->has_params || !answers_known(s, entry, &error))
+		return;
+	const struct posterior *posterior =
+	    outlook_posterior(s, entry, CORRECTION_TRAIN);
+	for (size_t r = 0; r < entry->site->n_run; r++) {
+		if (entry->train[r] ||
+		    misfit_covered(&entry->site->run[r]) == 0)
+			continue;
+		y->point = xrealloc(y->point, y->n + 1, sizeof *y->point);
+		y->point[y->n++] = (struct parity_point){
+		    y->next, validate_run(entry->site, r, entry->train,
+				 &entry->params, s->set.model, posterior)};
+	}
+}
+
+/* The sizes of the chosen run, over all others by the same marks. */
+static void
+choose_points(struct parity *y)
+{
+	const struct validation *v = &y->point[y->at].v;
+	struct chart_series *of = &y->chart->series[y->chart->n - PSD_SIZES];
+	for (size_t i = 0; i < PSD_SIZES && y->n > 1; i++) {
+		of[i].x[0] = 1000 * v->measured[i];
+		of[i].y[0] = isnan(v->measured[i])
+				 ? NAN
+				 : 1000 * v->size[VALIDATE_MODEL][i];
+	}
+}
+
+/* In reverse, as is the run's row beside the plot; a single run needs no
+ * choice. */
+static void
+add_chosen(struct chart *chart)
+{
+	for (size_t i = 0; i < PSD_SIZES; i++) {
+		struct chart_series look = chart->series[chart->n - PSD_SIZES];
+		look.lifted = true;
+		chart_add(chart, look, 1, "%s", "");
+	}
+}
+
+static void
+finish(struct tui *t)
+{
+	struct parity *y = &t->parity;
+	struct plot_request request = plots_request(PLOT_PARITY);
+	const struct validation **v = xcalloc(y->n + 1, sizeof(*v));
+	for (size_t k = 0; k < y->n; k++)
+		v[k] = &y->point[k].v;
+	for (enum validate_way way = 0; way < VALIDATE_NULL; way++)
+		for (size_t i = 0; i < PSD_SIZES; i++)
+			y->score[way][i] = validate_score(v, y->n, way, i);
+	free(v);
+	y->at = y->at < y->n ? y->at : 0;
+	y->chart = plots_chart(t->session, &request, &y->error);
+	if (y->chart == NULL || y->n == 0)
+		return;
+	if (y->n > 1)
+		add_chosen(y->chart);
+	choose_points(y);
+}
+
+/* Site by site, as a first comparison draws what is known of each from its
+ * training runs alone; a key comes between. */
+static void
+update(struct tui *t)
+{
+	const struct session *s = t->session;
+	struct parity *y = &t->parity;
+	if (session_busy(s) || y->chart != NULL || y->error.text[0] != '\0')
+		return;
+	while (y->next < s->n_entry) {
+		if (!t->aside && y->next > 0)
+			frame_draw(t);
+		size_t before = y->n;
+		compare(t, &s->entry[y->next]);
+		if (!t->aside && pump_waited_for()) {
+			y->n = before;
+			return;
+		}
+		y->next++;
+	}
+	finish(t);
+}
+
+/* The newest comparison with each speed held out in turn, or NULL. */
+static const struct answer *
+each_of(const struct session *s)
+{
+	for (size_t i = s->n_answer; i-- > 0;)
+		if (strcmp(answer_command(s->answer[i]), "validate") == 0 &&
+		    answer_number(s->answer[i], "holdout_each") == 1 &&
+		    !isnan(answer_number(s->answer[i], "p50.r2")))
+			return s->answer[i];
+	return NULL;
+}
+
+/* ---- On the screen ---- */
+
+static const char *const SIZES[PSD_SIZES] = {"P20", "P50", "P80"};
+
+static void
+draw_score(const struct area *area, int row, const char *size, double n,
+    double bias, double rms, double r2)
+{
+	char last[16] = "-";
+	if (!isnan(r2))
+		snprintf(last, sizeof last, "%.4f", r2);
+	if (n > 0)
+		screen_text(area, row, 0, 0, "%-5s%6.0f %+8.2f %7.2f %8s", size,
+		    n, 100 * bias, 100 * rms, last);
+	else
+		screen_text(area, row, 0, 0, "%-5s%6s %8s %7s %8s", size, "-",
+		    "-", "-", last);
+}
+
+static int
+draw_scores(const struct area *area, int row, const char *who,
+    const struct validate_score score[static PSD_SIZES])
+{
+	screen_text(area, row++, 0, LOOK_BOLD, "%s", who);
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		draw_score(area, row++, SIZES[i], (double)score[i].n,
+		    score[i].bias, score[i].rms, score[i].r2);
+	return row;
+}
+
+static int
+draw_each(const struct tui *t, const struct area *area, int row)
+{
+	const struct answer *r = each_of(t->session);
+	static const char *const KEYS_OF[] = {"p20", "p50", "p80"};
+	if (r == NULL)
+		return screen_words(area, row, LOOK_DIM,
+		    tr("leave-one-out: :validate all holdout=each"));
+	screen_text(area, row++, 0, LOOK_BOLD, "model, each speed held out");
+	for (size_t i = 0; i < PSD_SIZES; i++) {
+		double x[4];
+		static const char *const WHAT[] = {
+		    "n", "bias_pct", "rms_pct", "r2"};
+		for (size_t k = 0; k < 4; k++) {
+			char path[32];
+			snprintf(
+			    path, sizeof path, "%s.%s", KEYS_OF[i], WHAT[k]);
+			x[k] = answer_number(r, path);
+		}
+		draw_score(
+		    area, row++, SIZES[i], x[0], x[1] / 100, x[2] / 100, x[3]);
+	}
+	return row;
+}
+
+/* Difference of a size, % of the measured one. */
+static double
+off_by(const struct validation *v, size_t i)
+{
+	return 100 * (v->size[VALIDATE_MODEL][i] / v->measured[i] - 1);
+}
+
+/* A click chooses a point; the wheel goes through them. */
+static bool
+touch_points(struct tui *t, const struct touched *touched)
+{
+	struct parity *y = &t->parity;
+	if (touched->kind == TOUCH_DRAG)
+		return false;
+	t->focus = &page_parity;
+	int by = touched->kind == TOUCH_UP ? -1 : 1;
+	y->at = (size_t)(touched->kind == TOUCH_PRESS
+			     ? pane_moved((int)y->top, touched->row, y->n)
+			     : pane_moved((int)y->at, by, y->n));
+	choose_points(y);
+	return true;
+}
+
+/* What there is room for beside the longest name: columns of the figures. */
+enum { FEW = 16, FIGURES = 32, ALL = 48 };
+
+static int
+figures_of(const struct tui *t, const struct area *area)
+{
+	static const int SETS[] = {ALL, FIGURES, FEW};
+	enum { LEAST = 8 };
+	int most = 0;
+	for (size_t k = 0; k < t->parity.n; k++) {
+		size_t entry = t->parity.point[k].entry;
+		int width = text_width(t->session->entry[entry].key);
+		most = width > most ? width : most;
+	}
+	for (size_t i = 0; i < ARRAY_LEN(SETS); i++)
+		if (area->columns - SETS[i] > most)
+			return SETS[i];
+	return area->columns > FEW + LEAST ? FEW : 0;
+}
+
+static void
+draw_point(const struct tui *t, const struct area *area, int row, size_t k,
+    int figures)
+{
+	const struct parity_point *p = &t->parity.point[k];
+	const struct entry *e = &t->session->entry[p->entry];
+	const struct run *run = &e->site->run[p->v.run];
+	unsigned look = k == t->parity.at ? LOOK_REVERSE : LOOK_PLAIN;
+	int from = area->columns - figures;
+	struct area name = *area;
+	name.columns = figures > 0 ? from - 1 : area->columns;
+	screen_text(area, row, 0, look, "%*s", area->columns, "");
+	screen_text(&name, row, 0, look, "%s", e->key);
+	if (figures == 0)
+		return;
+	from = screen_text(area, row, from, look, "%*g%s",
+	    8 - (int)strlen(run->repeat), run->speed, run->repeat);
+	if (figures >= FIGURES)
+		from = screen_text(area, row, from, look, "%8.2f%8.2f",
+		    1000 * p->v.measured[1],
+		    1000 * p->v.size[VALIDATE_MODEL][1]);
+	from = screen_text(area, row, from, look, "%+7.1f%%", off_by(&p->v, 1));
+	if (figures == ALL)
+		screen_text(area, row, from, look, "%+7.1f%%%+7.1f%%",
+		    off_by(&p->v, 0), off_by(&p->v, 2));
+}
+
+static void
+draw_points(struct tui *t, const struct area *area, int row)
+{
+	struct parity *y = &t->parity;
+	size_t room = area->rows > row + 1 ? (size_t)(area->rows - row - 1) : 0;
+	int figures = figures_of(t, area), from = area->columns - figures;
+	if (room == 0)
+		return;
+	screen_text(area, row, 0, LOOK_BOLD, "site");
+	if (figures > 0)
+		screen_text(area, row, from, LOOK_BOLD, "%8s%s%s", "m/s",
+		    figures == FEW ? tr(" P50 off")
+				   : tr("  P50 mm   model  off by"),
+		    figures == ALL ? "     P20     P80" : "");
+	row++;
+	if (y->top + room <= y->at)
+		y->top = y->at + 1 - room;
+	y->top = y->top > y->at ? y->at : y->top;
+	for (size_t k = y->top; k < y->n && k < y->top + room; k++)
+		draw_point(t, area, row + (int)(k - y->top), k, figures);
+	touch_add(&t->touches,
+	    (struct area){area->row + row, area->column,
+		(int)(room < y->n ? room : y->n), area->columns},
+	    touch_points, 0);
+	if (t->focus == &page_parity)
+		t->cursor = (struct cursor){
+		    area->row + row + (int)(y->at - y->top), area->column};
+}
+
+/* Statistics and points beside the plot. */
+static void
+draw_panel(struct tui *t, const struct area *area)
+{
+	const struct parity *y = &t->parity;
+	size_t sites = 0;
+	for (size_t k = 0; k < y->n; k++)
+		sites += k == 0 || y->point[k].entry != y->point[k - 1].entry;
+	screen_text(area, 0, 0, LOOK_BOLD,
+	    tr_n("held-out runs: %zu of %zu site",
+		"held-out runs: %zu of %zu sites", sites),
+	    y->n, sites);
+	screen_text(area, 1, 0, LOOK_DIM, "%-5s%6s %8s %7s %8s", "", tr("runs"),
+	    tr("bias %"), tr("rms %"), "R2");
+	int row = draw_scores(area, 2, tr("model"), y->score[VALIDATE_MODEL]);
+	row = draw_scores(area, row, tr("corrected by the training runs"),
+	    y->score[VALIDATE_CORRECTED]);
+	row = draw_each(t, area, row);
+	draw_points(t, area, row + 1 < area->rows - 4 ? row + 1 : row);
+}
+
+/* Where there is no room for a panel. */
+static void
+draw_line(const struct tui *t, const struct area *area)
+{
+	const struct validate_score *score =
+	    &t->parity.score[VALIDATE_MODEL][1];
+	char r2[16] = "-";
+	if (!isnan(score->r2))
+		snprintf(r2, sizeof r2, "%.3f", score->r2);
+	screen_text(area, 0, 0, 0, "P50: bias %+.1f%% rms %.1f%% R2 %s",
+	    100 * score->bias, 100 * score->rms, r2);
+}
+
+static void
+draw_chart(const struct tui *t, const struct area *area)
+{
+	unsigned words = t->places.legend.rows > 0 ? CHART_ALL : CHART_TITLE;
+	if (area->rows < 1 || area->columns < 1)
+		return;
+	struct canvas *canvas = chart_draw(t->parity.chart, area->columns,
+	    area->rows, screen_charset(), words);
+	screen_canvas(area, canvas);
+	canvas_free(canvas);
+}
+
+/* Why there is no plot, or not yet. */
+static void
+draw_none(const struct tui *t, const struct area *area)
+{
+	const struct session *s = t->session;
+	const struct parity *y = &t->parity;
+	char *words = session_busy(s)
+			  ? xstrdup(tr("compared when the calibration ends"))
+		      : y->error.text[0] != '\0'
+			  ? xstrdup(y->error.text)
+			  : xasprintf(tr("comparing site %zu of %zu .."),
+				y->next + 1, s->n_entry);
+	int row = screen_words(area, area->rows / 3, LOOK_BOLD, words);
+	screen_words(area, row, 0, y->error.hint);
+	free(words);
+}
 
 static void
 draw(struct tui *t)
 {
-	struct plot_request request = plots_request(PLOT_PARITY);
-	if (t->places.legend.rows == 0)
-		request.words = CHART_TITLE;
-	struct area plot = t->places.body;
-	plot.rows = t->places.plot.rows + t->places.legend.rows;
-	pane_plot(t, &request, &plot);
+	enum { NARROW = 70, WIDE = 120, PANEL = 37, WIDE_PANEL = 62, GAP = 2 };
+	struct area plot = pane_list_area(t), side = plot;
+	if (t->parity.chart == NULL || t->parity.n == 0) {
+		draw_none(t, &plot);
+		return;
+	}
+	if (plot.columns >= NARROW) {
+		int panel = plot.columns >= WIDE ? WIDE_PANEL : PANEL;
+		plot.columns -= panel + GAP;
+		side.column = plot.column + plot.columns + GAP;
+		side.columns = panel;
+		draw_panel(t, &side);
+	} else if (plot.rows > 3) {
+		draw_line(t, &side);
+		plot.row++;
+		plot.rows--;
+	}
+	draw_chart(t, &plot);
+}
+
+/* ---- Keys ---- */
+
+static bool
+can_focus(const struct tui *t)
+{
+	return t->parity.chart != NULL && t->parity.n > 0;
+}
+
+static bool
+act(struct tui *t, const struct key *key)
+{
+	struct parity *y = &t->parity;
+	bool here = t->focus == &page_parity;
+	int by = key->amount;
+	if (!can_focus(t) ||
+	    (key->act != ACT_LIST && !(here && key->act == ACT_MOVE) &&
+		!(here && key->act == ACT_TO && by <= TO_MOST)))
+		return false;
+	t->focus = &page_parity;
+	if (key->act == ACT_TO)
+		y->at = by == TO_MOST ? y->n - 1 : 0;
+	else
+		y->at = (size_t)pane_moved((int)y->at, by, y->n);
+	choose_points(y);
+	return true;
 }
 
 static char *
@@ -22,7 +397,11 @@ words(const struct tui *t)
 	return xstrdup("parity");
 }
 
-const struct page_ops page_parity = {.name = "Parity",
-    .hints = "<-/-> speed  ? keys  q quit  " PAGE_HINT "  : command",
+const struct page_ops page_parity = {.name = N_("Parity"),
+    .hints = N_("Up/Down site  ? keys  q quit  1-5 pages  <-/-> speed  "
+		": command"),
+    .update = update,
     .draw = draw,
+    .can_focus = can_focus,
+    .key = act,
     .words = words};

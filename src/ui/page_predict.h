@@ -8,7 +8,11 @@
 /* The crosshair on, which opens the page, or off. */
 void page_predict_cross(struct tui *t);
 
-/* The row of numbers that takes the side panel's place, on any page. */
-void page_predict_numbers(struct tui *t);
+/* The crosshair on, at the sieve nearest to a size, m. */
+void page_predict_read(struct tui *t, double size);
+
+/* Adds the pinned answer, if any, to what plot and describe are asked for, with
+ * the feed that it was predicted with. */
+void page_predict_beside(const struct tui *t, char **words);
 
 #endif

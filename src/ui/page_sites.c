@@ -1,64 +1,30 @@
 /* The page Sites: what each loaded site is and how far it is calibrated.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/tr.h"
 #include "ui/pane.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
+#include "cmd/job.h"
 #include "cmd/light.h"
 #include "cmd/outlook.h"
 #include "io/units.h"
+#include "ui/chooser.h"
 #include "ui/control.h"
+#include "ui/pages.h"
+#include "ui/rows.h"
 #include "ui/screen.h"
-
-/* The P50 at a speed: of the site in use as on its page, of the others on the
- * feed that serves for all speeds. */
-static void
-row_at(struct site_row *row, const struct tui *t, const struct entry *e)
-{
-	const struct session *s = t->session;
-	double speed = t->tenths / 10.0;
-	struct error error = {0};
-	*row = (struct site_row){.p50 = NAN, .holdout = row->holdout};
-	if (!answers_known(s, e, &error))
-		return;
-	size_t feed = e == tui_entry(t)
-			  ? tui_feed(t)
-			  : site_run_nearest(e->site, answers_middle(e->site));
-	struct prediction p = outlook_predict(s, e, speed, feed);
-	row->p50 = 1000 * p.p50;
-	row->beyond = answers_extrapolates(e, speed);
-	prediction_free(&p);
-}
-
-/* What does not depend on the speed is worked out when the session has changed
- * only (rows_at 0). */
-static void
-update(struct tui *t)
-{
-	const struct session *s = t->session;
-	if (t->rows_at == t->tenths)
-		return;
-	if (t->rows_at == 0) {
-		free(t->row);
-		t->n_row = s->n_entry;
-		t->row = xcalloc(t->n_row + 1, sizeof *t->row);
-		for (size_t i = 0; i < t->n_row; i++)
-			t->row[i].holdout =
-			    s->entry[i].has_fit
-				? 100 * fit_holdout_rmse(&s->entry[i])
-				: NAN;
-	}
-	for (size_t i = 0; i < t->n_row; i++)
-		row_at(&t->row[i], t, &s->entry[i]);
-	t->rows_at = t->tenths;
-}
+#include "ui/track.h"
 
 enum column {
+	LIGHT,
 	NAME,
 	ROCK,
 	TOP,
@@ -70,41 +36,81 @@ enum column {
 	MISFIT,
 	GENERATIONS,
 	MACHINE,
-	COLUMNS
+	COLUMNS = SITE_COLUMNS
 };
 
-/* As many as there is room for, those of low rank first; right: numbers. */
+/* Between two columns. */
+enum { GAP = 2 };
+
+/* Those of low rank have room first; least: columns that one wants to be shown
+ * at all, where it wants as many; right: numbers. */
 static const struct {
 	const char *head;
-	int width, rank;
+	int least, rank;
 	bool right;
-} TABLE[COLUMNS] = {[NAME] = {"site", 14, 0, false},
-    [ROCK] = {"rock", 11, 5, false},
-    [TOP] = {"top mm", 6, 6, true},
-    [RUNS] = {"runs m/s", 10, 7, false},
-    [PARAMETERS] = {"parameters", 15, 4, false},
+} TABLE[COLUMNS] = {[LIGHT] = {N_("light"), 7, 1, false},
+    [NAME] = {N_("site"), 1, 0, false},
+    [ROCK] = {N_("rock"), 8, 6, false},
+    [TOP] = {N_("top mm"), 7, 7, true},
+    [RUNS] = {N_("runs m/s"), 20, 8, false},
+    [PARAMETERS] = {N_("parameters"), 18, 5, false},
     [RMS] = {"RMSE", 7, 3, true},
-    [HOLDOUT] = {"hold-out", 9, 2, true},
-    [P50] = {"P50 mm", 8, 1, true},
-    [MISFIT] = {"misfit", 10, 8, true},
-    [GENERATIONS] = {"generations", 12, 9, true},
-    [MACHINE] = {"machine", 26, 10, false}};
+    [HOLDOUT] = {N_("hold-out"), 9, 4, true},
+    [P50] = {N_("P50 mm"), 8, 2, true},
+    [MISFIT] = {N_("misfit"), 10, 9, true},
+    [GENERATIONS] = {N_("generations"), 12, 10, true},
+    [MACHINE] = {N_("machine"), 12, 11, false}};
 
-static bool
-has_room(enum column column, int columns)
+/* ---- What is known of each ---- */
+
+/* The P50 at a speed: of the site in use as on its page, of the others on the
+ * feed that serves for all speeds. */
+static void
+row_at(struct site_row *row, const struct tui *t)
 {
-	int taken = 0;
-	for (int i = 0; i < COLUMNS; i++)
-		if (TABLE[i].rank <= TABLE[column].rank)
-			taken += TABLE[i].width;
-	return taken <= columns;
+	const struct session *s = t->session;
+	const struct entry *e = &s->entry[row->entry];
+	double speed = t->tenths / 10.0;
+	struct error error = {0};
+	row->p50 = NAN;
+	row->beyond = false;
+	if (!answers_known(s, e, &error))
+		return;
+	size_t feed = e == tui_entry(t)
+			  ? tui_feed(t)
+			  : site_run_nearest(e->site, answers_middle(e->site));
+	struct prediction p = outlook_predict(s, e, speed, feed);
+	row->p50 = 1000 * p.p50;
+	row->beyond = answers_extrapolates(e, speed);
+	prediction_free(&p);
 }
 
-/* "69 o74 79": o is held out, as on the slider's track; "8 runs" where there is
- * no room for all. */
+/* What does not depend on the speed. */
+static struct site_row
+row_of(const struct session *s, size_t i)
+{
+	const struct entry *e = &s->entry[i];
+	struct site_row row = {.entry = i,
+	    .p50 = NAN,
+	    .lit = e->has_params,
+	    .holdout = e->has_fit ? 100 * fit_holdout_rmse(e) : NAN};
+	/* That of a site under way is not known yet. */
+	row.lit = row.lit && session_fitting(s) != e;
+	if (row.lit) {
+		struct trust t = light_of(s, e, NULL);
+		row.light = t.light;
+		row.verdict = e->has_fit ? light_verdict(s, e, NULL) : NULL;
+		trust_free(&t);
+	}
+	return row;
+}
+
+/* "69 o74 79": o is held out, as on the slider's track; "8 runs" where these
+ * are many. */
 static void
 runs_text(const struct entry *e, char *text, size_t n)
 {
+	enum { MOST = 16 };
 	size_t at = 0;
 	text[0] = '\0';
 	for (size_t r = 0; r < e->site->n_run && at + 1 < n; r++) {
@@ -115,198 +121,534 @@ runs_text(const struct entry *e, char *text, size_t n)
 		    at > 0 ? " " : "", e->train[r] ? "" : "o", run->speed);
 		at += more > 0 ? (size_t)more : 0;
 	}
-	if (at >= (size_t)TABLE[RUNS].width)
-		snprintf(text, n, "%zu runs", site_products(e->site));
+	if (at > MOST)
+		snprintf(text, n, tr("%zu runs"), site_products(e->site));
 	if (text[0] == '\0')
-		snprintf(text, n, "feed only");
+		snprintf(text, n, tr("feed only"));
 }
 
 static const char *
-origin_text(const struct session *s, const struct entry *e)
+origin_text(const struct session *s, const struct site_row *row)
 {
-	return e->has_fit          ? light_verdict(s, e, NULL)
-	       : !e->has_params    ? "not calibrated"
-	       : e->origin->stored ? "from the store"
-				   : origin_words(e);
+	const struct entry *e = &s->entry[row->entry];
+	return row->verdict != NULL ? row->verdict
+	       : e->has_fit         ? tr("calibrating")
+	       : !e->has_params     ? tr("not calibrated")
+	       : e->origin->stored  ? tr("from the store")
+				    : origin_words(e);
+}
+
+/* Of several calibrations one after the other: of which this is one, and how
+ * far it is; false: they have nothing to do with it, or are over. */
+static bool
+progress_text(const struct tui *t, size_t i, char *text, size_t n)
+{
+	const struct session *s = t->session;
+	const struct job *job = &s->job;
+	if (session_fitting(s) == NULL || i < job->entry ||
+	    (i > job->entry &&
+		(job->rounds->alone || site_products(s->entry[i].site) == 0)))
+		return false;
+	struct calibrate_status st = calibration_status(job->calibration);
+	if (i > job->entry)
+		snprintf(text, n, tr("waiting"));
+	else if (t->held)
+		snprintf(text, n, tr("paused"));
+	else if (st.state == CALIBRATE_POLISHING)
+		snprintf(text, n, tr("polish"));
+	else if (st.state > CALIBRATE_POLISHING)
+		snprintf(text, n, tr("draws"));
+	else
+		snprintf(text, n, tr("gen %zu"), st.generation);
+	return true;
+}
+
+static void
+light_text(
+    const struct tui *t, const struct site_row *row, char *text, size_t n)
+{
+	if (!progress_text(t, row->entry, text, n))
+		snprintf(
+		    text, n, "%s", row->lit ? tr(LIGHT_NAME[row->light]) : "-");
+}
+
+/* The number of a column; NAN where there is none, or it has words. */
+static double
+number_of(
+    const struct session *s, const struct site_row *row, enum column column)
+{
+	const struct entry *e = &s->entry[row->entry];
+	switch (column) {
+	case LIGHT:
+		return row->lit ? (double)row->light : NAN;
+	case TOP:
+		return e->site->top_size > 0 ? units_mm(e->site->top_size)
+					     : NAN;
+	case RUNS:
+		return (double)site_products(e->site);
+	case RMS:
+		return e->has_fit ? 100 * e->fit.rmse : NAN;
+	case HOLDOUT:
+		return row->holdout;
+	case P50:
+		return row->p50;
+	case MISFIT:
+		return e->has_fit ? e->fit.misfit : NAN;
+	case GENERATIONS:
+		return e->has_fit ? (double)e->fit.generations : NAN;
+	default:
+		return NAN;
+	}
 }
 
 /* "-" where there is no such number. */
 static void
-number_text(double x, int digits, const char *behind, char *text, size_t n)
+number_text(const struct tui *t, const struct site_row *row, enum column column,
+    char *text, size_t n)
 {
-	if (isfinite(x))
-		snprintf(text, n, "%.*f%s", digits, x, behind);
-	else
+	double x = number_of(t->session, row, column);
+	if (isnan(x))
 		snprintf(text, n, "-");
+	else if (column == TOP || column == GENERATIONS)
+		snprintf(text, n, "%g", x);
+	else if (column == MISFIT)
+		snprintf(text, n, "%.3g", x);
+	else
+		snprintf(text, n, "%.2f%s", x,
+		    column == P50 && row->beyond ? track_signs().beyond : "");
 }
 
 static void
-cell_text(
-    const struct tui *t, size_t i, enum column column, char *text, size_t n)
+cell_text(const struct tui *t, const struct site_row *row, enum column column,
+    char *text, size_t n)
 {
-	const struct entry *e = &t->session->entry[i];
-	const struct site_row *row = i < t->n_row ? &t->row[i] : NULL;
-	text[0] = '\0';
+	const struct session *s = t->session;
+	const struct entry *e = &s->entry[row->entry];
 	switch (column) {
+	case LIGHT:
+		light_text(t, row, text, n);
+		break;
 	case NAME:
-		snprintf(text, n, "%c %s", i == t->session->current ? '*' : ' ',
+		snprintf(text, n, "%c %s", row->entry == s->current ? '*' : ' ',
 		    e->key);
 		break;
 	case ROCK:
 		snprintf(text, n, "%s", e->site->rock);
 		break;
-	case TOP:
-		if (e->site->top_size > 0)
-			snprintf(text, n, "%g", units_mm(e->site->top_size));
-		break;
 	case RUNS:
 		runs_text(e, text, n);
 		break;
 	case PARAMETERS:
-		snprintf(text, n, "%s", origin_text(t->session, e));
+		snprintf(text, n, "%s", origin_text(s, row));
 		break;
-	case RMS:
-		number_text(
-		    e->has_fit ? 100 * e->fit.rmse : NAN, 2, "", text, n);
-		break;
-	case HOLDOUT:
-		number_text(row != NULL ? row->holdout : NAN, 2, "", text, n);
-		break;
-	case P50:
-		number_text(row != NULL ? row->p50 : NAN, 2,
-		    row != NULL && row->beyond ? "x" : "", text, n);
-		break;
-	case MISFIT:
-		if (e->has_fit)
-			snprintf(text, n, "%.3g", e->fit.misfit);
-		break;
-	case GENERATIONS:
-		if (e->has_fit)
-			snprintf(text, n, "%zu", e->fit.generations);
+	case MACHINE:
+		snprintf(text, n, "%s", e->site->machine);
 		break;
 	default:
-		snprintf(text, n, "%s", e->site->machine);
+		number_text(t, row, column, text, n);
 	}
 }
 
-/* Row 0: the heads; cells are set one by one, as names may have wide
- * letters. */
+/* ---- Their order ---- */
+
+static const char *
+word_of(const struct session *s, const struct site_row *row, enum column column)
+{
+	const struct entry *e = &s->entry[row->entry];
+	return column == ROCK         ? e->site->rock
+	       : column == PARAMETERS ? origin_text(s, row)
+	       : column == MACHINE    ? e->site->machine
+				      : e->key;
+}
+
+/* Whether row a stands behind b: what has no number or word is last either
+ * way. */
+static bool
+is_behind(
+    const struct tui *t, const struct site_row *a, const struct site_row *b)
+{
+	if (t->sort == 0)
+		return t->sort_down ? a->entry < b->entry : a->entry > b->entry;
+	enum column column = (enum column)(t->sort - 1);
+	double x = number_of(t->session, a, column),
+	       y = number_of(t->session, b, column);
+	double by = x - y;
+	if (isnan(x) != isnan(y))
+		return isnan(x);
+	if (isnan(by)) {
+		const char *v = word_of(t->session, a, column);
+		const char *w = word_of(t->session, b, column);
+		if ((v[0] == '\0') != (w[0] == '\0'))
+			return v[0] == '\0';
+		by = strcmp(v, w);
+	}
+	return t->sort_down ? by < 0 : by > 0;
+}
+
+/* They are in order but for a few. */
 static void
-draw_row(const struct tui *t, const struct area *area, int row, size_t i)
+sort_rows(struct tui *t)
+{
+	for (size_t i = 1; i < t->n_row; i++) {
+		struct site_row row = t->row[i];
+		size_t k = i;
+		for (; k > 0 && is_behind(t, &t->row[k - 1], &row); k--)
+			t->row[k] = t->row[k - 1];
+		t->row[k] = row;
+	}
+}
+
+/* From what each column's texts take, a gap among it. */
+static void
+measure(struct tui *t)
+{
+	for (int c = 0; c < COLUMNS; c++) {
+		int most = text_width(tr(TABLE[c].head)) + (c == NAME ? 2 : 0);
+		for (size_t i = 0; i < t->n_row; i++) {
+			char text[128];
+			cell_text(
+			    t, &t->row[i], (enum column)c, text, sizeof text);
+			int width = text_width(text);
+			most = width > most ? width : most;
+		}
+		/* The light of a site under way is in other words. */
+		most = c == LIGHT ? TABLE[c].least : most + GAP;
+		t->site_width[c] = most;
+	}
+}
+
+/* What does not depend on the speed is worked out when the session has changed
+ * only (rows_at 0). */
+static void
+update(struct tui *t)
+{
+	const struct session *s = t->session;
+	bool other = t->rows_at == 0 || t->n_row != s->n_entry;
+	if (!other && t->rows_at == t->tenths)
+		return;
+	if (other) {
+		free(t->row);
+		t->n_row = s->n_entry;
+		t->row = xcalloc(t->n_row + 1, sizeof *t->row);
+		for (size_t i = 0; i < t->n_row; i++)
+			t->row[i] = row_of(s, i);
+	}
+	for (size_t i = 0; i < t->n_row; i++)
+		row_at(&t->row[i], t);
+	if (other)
+		measure(t);
+	if (other || t->sort == P50 + 1)
+		sort_rows(t);
+	t->rows_at = t->tenths;
+}
+
+/* The place of the site under the cursor. */
+static size_t
+place_of(const struct tui *t)
+{
+	size_t k = 0;
+	while (k + 1 < t->n_row && t->row[k].entry != t->site_at)
+		k++;
+	return k;
+}
+
+/* ---- On the screen ---- */
+
+/* How wide each column is drawn, 0: not; the name gives way last. */
+static void
+share_out(const struct tui *t, int columns, int width[static COLUMNS])
+{
+	memset(width, 0, COLUMNS * sizeof *width);
+	for (int rank = 0; rank < COLUMNS; rank++) {
+		int c = 0;
+		while (TABLE[c].rank != rank)
+			c++;
+		int wanted = t->site_width[c];
+		int least = TABLE[c].least < wanted ? TABLE[c].least : wanted;
+		if (columns < least)
+			return;
+		width[c] = wanted < columns ? wanted : columns;
+		columns -= width[c];
+		/* The light has room beside a long name. */
+		if (c == NAME && columns < TABLE[LIGHT].least &&
+		    width[c] > 3 * TABLE[LIGHT].least) {
+			width[c] += columns - TABLE[LIGHT].least;
+			columns = TABLE[LIGHT].least;
+		}
+	}
+}
+
+/* 0: as they were loaded, else 1 + the column; again: the other way round. */
+static void
+sort_by(struct tui *t, int by)
+{
+	t->sort_down = by == t->sort && !t->sort_down;
+	t->sort = by;
+	sort_rows(t);
+}
+
+/* A click on a heading. */
+static bool
+touch_head(struct tui *t, const struct touched *touched)
+{
+	if (touched->kind != TOUCH_PRESS)
+		return false;
+	sort_by(t, (int)touched->item + 1);
+	return true;
+}
+
+static const enum series LIGHT_LOOK[] = {[LIGHT_GREEN] = SERIES_GREEN,
+    [LIGHT_AMBER] = SERIES_AMBER,
+    [LIGHT_RED] = SERIES_RED};
+
+/* The part of a cell that has text: a gap is before it, but at the edge. */
+static struct area
+text_area(const struct area *area, int at, int column, int width)
+{
+	int gap = at == 0 || TABLE[column].right ? 0 : GAP;
+	struct area cell = *area;
+	cell.column += at + gap;
+	cell.columns = width - gap;
+	return cell;
+}
+
+/* A cell is set by itself, as names may have wide letters. */
+static void
+draw_cell(const struct tui *t, const struct area *cell, int row, int column,
+    const struct site_row *of)
+{
+	char text[128];
+	unsigned look = of->entry == t->site_at ? LOOK_REVERSE : LOOK_PLAIN;
+	cell_text(t, of, (enum column)column, text, sizeof text);
+	if (TABLE[column].right)
+		screen_text(cell, row, 0, look, "%*s", cell->columns, text);
+	else if (column == LIGHT && of->lit &&
+		 strcmp(text, LIGHT_NAME[of->light]) == 0)
+		screen_series(cell, row, 0, LIGHT_LOOK[of->light],
+		    look | LOOK_BOLD, text);
+	else
+		screen_text(cell, row, 0, look, "%s", text);
+}
+
+/* That of the column sorted by is marked, with its direction. */
+static void
+draw_head(struct tui *t, const struct area *cell, int column)
+{
+	bool sorted = column + 1 == t->sort;
+	char text[32];
+	snprintf(text, sizeof text, "%s%s", column == NAME ? "  " : "",
+	    tr(TABLE[column].head));
+	int room = cell->columns - text_width(text);
+	int from = TABLE[column].right && room > 0 ? room : 0;
+	int end = screen_text(cell, 0, from,
+	    LOOK_BOLD | (sorted ? LOOK_REVERSE : LOOK_PLAIN), "%s", text);
+	if (sorted && (from > 0 || end < cell->columns))
+		screen_text(cell, 0, from > 0 ? from - 1 : end, LOOK_BOLD, "%s",
+		    t->sort_down ? "v" : "^");
+	touch_add(&t->touches,
+	    (struct area){cell->row, cell->column, 1, cell->columns},
+	    touch_head, (size_t)column);
+}
+
+/* of: NULL of the heads. */
+static void
+draw_row(struct tui *t, const struct area *area, int row,
+    const int width[static COLUMNS], const struct site_row *of)
 {
 	int at = 0;
-	unsigned look = row == 0          ? LOOK_BOLD
-			: i == t->site_at ? LOOK_REVERSE
-					  : LOOK_PLAIN;
-	if (row > 0)
-		screen_text(area, row, 0, look, "%*s", area->columns, "");
+	if (of != NULL && of->entry == t->site_at)
+		screen_text(
+		    area, row, 0, LOOK_REVERSE, "%*s", area->columns, "");
 	for (int c = 0; c < COLUMNS; c++) {
-		char text[64];
-		if (!has_room((enum column)c, area->columns))
-			continue;
-		if (row == 0)
-			snprintf(text, sizeof text, "%s%s",
-			    c == NAME ? "  " : "", TABLE[c].head);
-		else
-			cell_text(t, i, (enum column)c, text, sizeof text);
-		int gap = TABLE[c].right || c == NAME ? 0 : 1;
-		struct area cell = *area;
-		cell.column += at + gap;
-		cell.columns = TABLE[c].width - gap;
-		if (cell.columns > area->columns - at - gap)
-			cell.columns = area->columns - at - gap;
-		if (TABLE[c].right)
-			screen_text(
-			    &cell, row, 0, look, "%*s", cell.columns, text);
-		else
-			screen_text(&cell, row, 0, look, "%s", text);
-		at += TABLE[c].width;
+		struct area cell = text_area(area, at, c, width[c]);
+		at += width[c];
+		if (width[c] > 0 && of == NULL)
+			draw_head(t, &cell, c);
+		else if (width[c] > 0)
+			draw_cell(t, &cell, row, c, of);
 	}
 }
 
-/* The first site shown: that of the cursor is always. */
-static size_t
-first_shown(const struct tui *t)
-{
-	int rows = pane_list_area(t).rows;
-	size_t room = rows > 2 ? (size_t)rows - 1 : 1;
-	return t->site_at >= room ? t->site_at - room + 1 : 0;
-}
-
-/* More of the site under the cursor, at the foot of the page. */
+/* More of the site under the cursor: what the mark of its P50 means, its
+ * parameters, what it is, where its data are from; the last is left out first.
+ */
+enum { ABOUT = 4 };
 static void
-draw_site(const struct tui *t, const struct area *area)
+tell_site(const struct tui *t, char *text[static ABOUT])
 {
 	const struct entry *e = &t->session->entry[t->site_at];
-	char *label = session_label(e->site);
-	int row = area->rows - 3;
-	screen_text(area, row++, 0, LOOK_BOLD, "%s%s%s", label,
-	    e->site->machine[0] != '\0' ? "; " : "", e->site->machine);
-	free(label);
-	screen_text(area, row++, 0, 0, "data: %s",
-	    e->site->provenance[0] != '\0' ? e->site->provenance
-					   : "provenance not stated");
-	if (!e->has_params)
-		return;
-	int at = 0;
 	const struct breakage *of = breakage_of(&e->params);
-	for (size_t j = 0; j < of->n; j++)
-		at = screen_text(area, row, at, 0, "%s%s %.4g",
-		    at > 0 ? "  " : "", of->parameter[j].name, e->params.at[j]);
+	bool beyond =
+	    e->has_params && answers_extrapolates(e, t->tenths / 10.0);
+	text[0] = beyond
+		      ? xasprintf(tr("%s extrapolated: %.1f m/s is outside the "
+				     "speeds measured"),
+			    track_signs().beyond, t->tenths / 10.0)
+		      : xstrdup("");
+	text[1] = xstrdup("");
+	for (size_t j = 0; e->has_params && j < of->n; j++)
+		xappend(&text[1], "%s%s=%.4g", j > 0 ? "  " : "",
+		    of->parameter[j].name, e->params.at[j]);
+	char *label = session_label(e->site);
+	text[2] = xasprintf("%s%s%s", label,
+	    e->site->machine[0] != '\0' ? "; " : "", e->site->machine);
+	text[3] = xasprintf(tr("data: %s"), e->site->provenance[0] != '\0'
+						? e->site->provenance
+						: tr("provenance not stated"));
+	free(label);
+}
+
+static int
+rows_of(const char *text, int columns)
+{
+	char *lines = text_wrapped(text, columns);
+	int n = 0;
+	for (const char *c = lines; *c != '\0'; c++)
+		n += *c == '\n';
+	free(lines);
+	return text[0] != '\0' ? n : 0;
+}
+
+/* In the rows at the foot of the page from `first` on. */
+static void
+draw_site(const struct tui *t, const struct area *area, int first)
+{
+	enum { LABEL = 2 };
+	static const size_t ORDER[ABOUT] = {LABEL, 3, 1, 0};
+	char *text[ABOUT];
+	int rows[ABOUT], left = area->rows - first;
+	tell_site(t, text);
+	for (size_t i = 0; i < ABOUT; i++) {
+		rows[i] = rows_of(text[i], area->columns);
+		rows[i] = rows[i] < left ? rows[i] : left;
+		left -= rows[i];
+	}
+	int row = first + left;
+	for (size_t i = 0; i < ABOUT; i++) {
+		size_t k = ORDER[i];
+		row = screen_words_within(area, row, rows[k],
+		    k == LABEL ? LOOK_BOLD : LOOK_PLAIN, text[k], " ..");
+		free(text[k]);
+	}
 }
 
 static void
 draw(struct tui *t)
 {
-	enum { HEAD = 1, DETAIL = 4 };
+	enum { HEAD = 1 };
 	const struct area area = pane_list_area(t);
 	const struct session *s = t->session;
-	const struct area *body = &t->places.body;
-	size_t top = first_shown(t);
-	if (t->focus == &page_sites && body->rows > 1)
-		t->cursor = (struct cursor){
-		    body->row + HEAD + (int)(t->site_at - top), 0};
+	int width[COLUMNS];
+	update(t);
 	if (s->n_entry == 0) {
-		screen_text(&area, 0, 2, 0, "none is loaded: type :load FILE");
+		screen_text(&area, 0, 2, 0, "none is loaded: o opens a sheet");
 		return;
 	}
-	draw_row(t, &area, 0, 0);
-	for (size_t i = top; i < s->n_entry; i++)
-		draw_row(t, &area, (int)(i - top) + HEAD, i);
-	if ((int)s->n_entry + HEAD + DETAIL <= area.rows)
-		draw_site(t, &area);
+	size_t i = rows_first(t, area.rows > 2 ? (size_t)area.rows - 1 : 1);
+	int row = HEAD;
+	share_out(t, area.columns, width);
+	draw_row(t, &area, 0, width, NULL);
+	for (; i < t->n_row && row < area.rows; i = rows_next(t, i), row++) {
+		struct area line = {
+		    area.row + row, area.column, 1, area.columns};
+		draw_row(t, &area, row, width, &t->row[i]);
+		rows_touch(t, line, i);
+		if (t->focus == &page_sites && t->row[i].entry == t->site_at)
+			t->cursor = (struct cursor){line.row, 0};
+	}
+	if (rows_count(t) == 0)
+		screen_text(&area, row, 2, 0, "no site has this word: Esc");
+	else if ((int)rows_count(t) + HEAD + 1 < area.rows)
+		draw_site(t, &area, (int)rows_count(t) + HEAD);
+}
+
+static size_t
+count(const struct tui *t)
+{
+	return t->n_row;
+}
+
+static void
+to_place(struct tui *t, size_t i)
+{
+	if (i < t->n_row)
+		t->site_at = t->row[i].entry;
+}
+
+/* All columns, whether there is room for them or not. */
+static char *
+text(const struct tui *t, size_t i)
+{
+	char *line = xstrdup(""), cell[64];
+	for (int c = 0; c < COLUMNS; c++) {
+		cell_text(t, &t->row[i], (enum column)c, cell, sizeof cell);
+		xappend(&line, "%s ", cell);
+	}
+	xappend(&line, "%s", t->session->entry[t->row[i].entry].site->name);
+	return line;
 }
 
 static void
 choose(struct tui *t)
 {
 	const struct session *s = t->session;
+	if (session_fitting(s) != NULL && !s->job.rounds->alone) {
+		tui_say(t, false,
+		    "calibrating all sites: s stops, then Enter opens one");
+		return;
+	}
 	char *line = xasprintf(
 	    "use %s", t->site_at < s->n_entry ? s->entry[t->site_at].key : "");
 	control_keep(t);
-	control_run(t, line);
+	bool used = control_run(t, line);
 	free(line);
+	if (used)
+		pages_go(t, PAGE_PREDICT);
+}
+
+/* Columns that are drawn come in turn. */
+static void
+sort_on(struct tui *t)
+{
+	int width[COLUMNS], by = t->sort;
+	share_out(t, pane_list_area(t).columns, width);
+	do
+		by = (by + 1) % (COLUMNS + 1);
+	while (by > 0 && width[by - 1] == 0);
+	t->sort_down = false;
+	t->sort = by;
+	sort_rows(t);
 }
 
 static bool
 act(struct tui *t, const struct key *key)
 {
-	if (key->act == ACT_CHOOSE) {
-		choose(t);
-		return true;
-	}
-	if (key->act == ACT_LIST)
-		t->focus = &page_sites;
-	else if (key->act != ACT_MOVE || t->focus != &page_sites)
+	if (key->act != ACT_SORT)
 		return false;
-	t->site_at = (size_t)pane_moved(
-	    (int)t->site_at, key->amount, t->session->n_entry);
+	if (t->session->n_entry == 0)
+		chooser_open(t, CHOOSER_FILES);
+	else if (key->amount > 0)
+		sort_on(t);
+	else
+		sort_by(t, t->sort);
 	return true;
 }
 
-const struct page_ops page_sites = {.name = "Sites",
-    .hints = "Up/Down site  Enter use it  ? keys  q quit  x pin  : command",
+static const struct page_list LIST = {count, place_of, to_place, text, choose};
+
+static const char *
+hints(const struct tui *t)
+{
+	return t->session->n_entry == 0
+		   ? tr("o open a sheet  ? keys  q quit  : command")
+		   : tr("Up/Down site  Enter use it  o sort  / filter  ? keys  "
+			"q quit  x pin  : command");
+}
+
+const struct page_ops page_sites = {.name = N_("Sites"),
+    .hints_now = hints,
     .update = update,
     .draw = draw,
     .takes_focus = true,
+    .list = &LIST,
     .key = act};

@@ -12,6 +12,9 @@ extern const struct page_ops *const PAGE_OPS[PAGES];
 const struct page_ops *pages_open(const struct tui *t);
 void pages_go(struct tui *t, enum page page);
 
+/* Whether the arrows can move something of the open page's own. */
+bool pages_can_focus(const struct tui *t);
+
 /* See page_ops; nothing where the page has no such thing. */
 void pages_update(struct tui *t);
 

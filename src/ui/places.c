@@ -27,15 +27,31 @@ enum {
 	FOR_COMMAND = 3,
 	FOR_HEADER = 4,
 	FOR_CAPTION = 5,
-	FOR_STATUS = 7,
+	FOR_HINTS = 7,
 	FOR_PLOT = 11,
-	FOR_RULE = 14,
-	FOR_HINTS = 15,
+	FOR_STATUS = 15,
 	FOR_SIDE = 18,
-	FOR_LEGEND = 20
+	FOR_LEGEND = 20,
+	FOR_ABOVE = 24,
+	FOR_STRIP = 30
 };
 /* Narrower, a plot, a legend or a panel says nothing. */
 enum { PLOT_COLUMNS = 34, LEGEND_COLUMNS = 50, PANEL = 24 };
+/* From so many columns on there is room for a second plot; for a blank column
+ * between a wall and its text. */
+enum { FOR_SECOND = 200, FOR_GAP = 100 };
+
+/* So many rows at the bottom of what is left: with the rows of the screen they
+ * become more. */
+static struct area
+take_rows(struct area *left, int rows, int least, int every)
+{
+	struct area area = *left;
+	area.rows = 3 + (rows - least) / every;
+	left->rows -= area.rows;
+	area.row = left->row + left->rows;
+	return area;
+}
 
 static void
 split_body(struct places *l, int rows, int side_columns)
@@ -50,16 +66,29 @@ split_body(struct places *l, int rows, int side_columns)
 	}
 	if (!side)
 		return;
-	l->plot.columns -= side_columns + 1;
+	int gap = l->body.columns >= FOR_GAP ? 1 : 0;
+	l->plot.columns -= side_columns + 1 + gap;
 	l->side = l->body;
-	l->side.column = l->plot.columns + 1;
+	l->wall = l->plot.columns;
+	l->side.column = l->wall + 1 + gap;
 	l->side.columns = side_columns;
 }
 
-struct places
-places_make(int rows, int columns, int side_columns)
+/* Two of five columns: the curves stay the larger one. */
+static void
+split_plot(struct places *l)
 {
-	struct places l = {.body = {0, 0, rows, columns}};
+	l->second = l->plot;
+	l->second.columns = l->plot.columns * 2 / 5;
+	l->plot.columns -= l->second.columns + 1;
+	l->second.column = l->plot.column + l->plot.columns + 2;
+	l->second.columns--;
+}
+
+struct places
+places_make(int rows, int columns, struct places_ask ask)
+{
+	struct places l = {.wall = -1, .body = {0, 0, rows, columns}};
 	struct area *left = &l.body;
 	if (rows >= FOR_HEADER) {
 		l.header = (struct area){0, 0, 1, columns};
@@ -70,18 +99,28 @@ places_make(int rows, int columns, int side_columns)
 		int least;
 		struct area *area;
 	} bottom[] = {{FOR_HINTS, &l.hints}, {FOR_STATUS, &l.status},
-	    {FOR_COMMAND, &l.command}, {1, &l.track}, {FOR_CAPTION, &l.caption},
-	    {FOR_RULE, &l.rule}};
+	    {FOR_COMMAND, &l.command}, {1, &l.track}};
 	for (size_t i = 0; i < ARRAY_LEN(bottom); i++)
 		if (rows >= bottom[i].least)
 			*bottom[i].area = take_bottom(left);
-	bool side = rows >= FOR_SIDE && side_columns > 0 &&
-		    columns - side_columns > PLOT_COLUMNS;
+	enum { EVERY = 10 };
+	if (ask.above && rows >= FOR_ABOVE)
+		l.above = take_rows(left, rows, FOR_ABOVE, EVERY);
+	if (rows >= FOR_CAPTION)
+		l.caption = take_bottom(left);
+	bool side = rows >= FOR_SIDE && ask.side_columns > 0 &&
+		    columns - ask.side_columns > PLOT_COLUMNS;
 	if (rows >= FOR_NUMBERS && !side)
 		l.numbers = take_bottom(left);
 	if (rows >= FOR_LEGEND && columns >= LEGEND_COLUMNS)
 		l.legend = take_bottom(left);
-	split_body(&l, rows, side_columns);
+	split_body(&l, rows, ask.side_columns);
+	if (ask.second && columns >= FOR_SECOND && l.plot.rows > 0)
+		split_plot(&l);
+	if (ask.strip && rows >= FOR_STRIP) {
+		l.strip = take_rows(&l.plot, rows + EVERY, FOR_STRIP, EVERY);
+		l.strip.row = l.plot.row + l.plot.rows;
+	}
 	return l;
 }
 

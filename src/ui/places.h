@@ -5,22 +5,32 @@
 
 #include <stdbool.h>
 
+/* What a page wants beside its body: columns of a side panel, or 0; a strip
+ * for differences below the plot; what is asked at all speeds, above the
+ * track; a second plot where there are columns for it. */
+struct places_ask {
+	int side_columns;
+	bool strip, above, second;
+};
+
 /* From the top left of the screen; of no rows: left out. */
 struct area {
 	int row, column, rows, columns;
 };
 
-/* body: all between header and rule; plot and side are its two parts. */
+/* body: all between header and caption, a rule with words; plot, second and
+ * side are its parts.  wall: the column of the line before side, -1: none. */
 struct places {
-	struct area header, body, plot, side, legend, rule, numbers, caption,
-	    track, command, status, hints;
+	int wall;
+	struct area header, body, plot, side, legend, strip, numbers, caption,
+	    second, above, track, command, status, hints;
 };
 
 /* Any size of at least 1 x 1.  What there is no room for drops in this order:
- * legend, side panel (a row of numbers takes its place), hints, rule, caption,
- * status, plot (the side panel has its rows), header, command; track and
- * numbers go last.  side_columns: width of the side panel. */
-struct places places_make(int rows, int columns, int side_columns);
+ * strip, above, legend, side panel (a row of numbers takes its place), status
+ * (the row of the command takes its place), plot (the side panel has its rows),
+ * hints, caption, header, command; track and numbers go last. */
+struct places places_make(int rows, int columns, struct places_ask ask);
 
 /* The same for text on all of the screen: between header and hints, as long as
  * there is room for these. */

@@ -304,7 +304,8 @@ pump_waited_for(void)
 }
 
 /* What a terminal shows while a calibration runs: one line, four times a
- * second; elsewhere a row at generation 1 and every ten. */
+ * second; elsewhere a row at generation 1 and every ten, of what takes long or
+ * is to be told in detail. */
 struct progress {
 	bool terminal;
 	double shown;
@@ -349,12 +350,15 @@ progress_line(struct progress *p, const struct calibrate_status *st)
 }
 
 static void
-progress_row(struct progress *p, const struct calibrate_status *st)
+progress_row(
+    struct session *s, struct progress *p, const struct calibrate_status *st)
 {
+	const double soon = 2; /* s */
 	bool due = st->generation == 1 ||
 		   (st->generation > 0 && st->generation % 10 == 0);
-	if (st->state == CALIBRATE_POLISHING || !due ||
-	    st->generation == p->row)
+	if (st->state >= CALIBRATE_POLISHING || !due ||
+	    st->generation == p->row ||
+	    (!s->job.detail && session_clock() - s->job.started < soon))
 		return;
 	p->row = st->generation;
 	fprintf(stderr, "  generation %4zu  best %.6g  median %.6g\n",
@@ -370,7 +374,7 @@ progress(struct session *s, struct progress *p)
 	if (p->terminal)
 		progress_line(p, &st);
 	else
-		progress_row(p, &st);
+		progress_row(s, p, &st);
 }
 
 /* The answer to SIGUSR1. */
@@ -396,7 +400,7 @@ pump_run(struct session *s)
 	asked = 0;
 	s->hooks.tidy = p.terminal ? clear_line : NULL;
 	while (session_busy(s) && noted == 0) {
-		session_step(s);
+		session_rounds(s);
 		if (session_busy(s) && asked)
 			answer(s);
 		progress(s, &p);

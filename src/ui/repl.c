@@ -15,6 +15,7 @@
 #include <readline/readline.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/complete.h"
 #include "cmd/script.h"
@@ -220,7 +221,8 @@ static void
 take_lines(struct session *s, char *typed, int *number)
 {
 	if (!text_is_utf8(typed, strlen(typed))) {
-		fputs("expected UTF-8: check the terminal's character set\n",
+		fputs(
+		    tr("expected UTF-8: check the terminal's character set\n"),
 		    stderr);
 		return;
 	}
@@ -286,7 +288,8 @@ set_up(struct session *s)
 void
 repl_begin(struct session *s)
 {
-	fprintf(stderr, "tipspeed %s: help lists the commands, quit exits\n",
+	fprintf(stderr,
+	    tr("tipspeed %s: help lists the commands, quit exits\n"),
 	    PACKAGE_VERSION);
 	s->hooks.show_page = manpage_show;
 	char *path = s->safe

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/screen.h"
 
+#include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,27 +15,37 @@
 #include <curses.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "ui/rescue.h"
 #include "ui/terminal.h"
 
 /* screen: NULL where nothing is shown, only drawn.  frame: the last one, or
- * NULL.  ncurses keeps its state by itself, too. */
+ * NULL; shown: that which ncurses has, or NULL, when it is to have all anew.
+ * ncurses keeps its state by itself, too. */
 static struct display {
 	SCREEN *screen;
-	bool utf8, mouse;
+	bool utf8, mouse, only_text;
 	int depth, rows, columns;
 	enum charset charset;
+	enum theme theme;
 	short pair[SERIES_COUNT]; /* 0 without colours */
-	struct canvas *frame;
-	struct area plot; /* of it, where the last canvas was put */
+	struct canvas *frame, *shown;
 } is;
+
+static void
+forget_shown(void)
+{
+	canvas_free(is.shown);
+	is.shown = NULL;
+}
 
 /* Series of one colour share a pair: ncurses would write the colour again from
  * one to the other. */
 static void
 set_colours(bool colour)
 {
+	forget_shown();
 	is.depth = 0;
 	memset(is.pair, 0, sizeof is.pair);
 	if (!colour || !has_colors() || start_color() != OK)
@@ -42,14 +53,12 @@ set_colours(bool colour)
 	use_default_colors();
 	is.depth = COLORS >= 256 ? 256 : COLORS >= 16 ? 16 : 8;
 	for (int i = 0; i < SERIES_COUNT; i++) {
-		int colour_of = canvas_colour((enum series)i, is.depth), j = 0;
-		while (canvas_colour((enum series)j, is.depth) != colour_of)
+		int of = palette_colour((enum series)i, is.depth, is.theme);
+		int j = 0;
+		while (palette_colour((enum series)j, is.depth, is.theme) != of)
 			j++;
 		is.pair[i] = (short)(j + 1);
-		init_pair(is.pair[i], (short)(colour_of % is.depth), -1);
-		if (is.depth >= 256)
-			init_pair((short)(is.pair[i] + SERIES_COUNT),
-			    (short)colour_of, CANVAS_SHADE);
+		init_pair(is.pair[i], (short)(of % is.depth), -1);
 	}
 	/* From a colour to a pair takes 5 bytes, to no pair at all 11. */
 	bkgdset(' ' | COLOR_PAIR(is.pair[SERIES_TEXT]));
@@ -87,6 +96,15 @@ mark_pastes(bool on)
 		return;
 	putp(on ? "\033[?2004h" : "\033[?2004l");
 	fflush(stdout);
+}
+
+void
+screen_theme(enum theme theme)
+{
+	bool other = theme != is.theme;
+	is.theme = theme;
+	if (other && is.screen != NULL && is.depth > 0)
+		set_colours(true);
 }
 
 bool
@@ -130,6 +148,7 @@ screen_close(void)
 	end_screen();
 	delscreen(is.screen);
 	canvas_free(is.frame);
+	forget_shown();
 	is = (struct display){0};
 }
 
@@ -153,6 +172,18 @@ screen_back(struct display *was)
 	is = *was;
 	free(was);
 	return frame;
+}
+
+const struct canvas *
+screen_frame(void)
+{
+	return is.frame;
+}
+
+void
+screen_only_text(bool on)
+{
+	is.only_text = on;
 }
 
 void
@@ -239,6 +270,7 @@ screen_resize(void)
 	struct winsize size = {0};
 	if (is.screen == NULL)
 		return;
+	forget_shown();
 	/* Without memory for it, ncurses 6.4 has spoilt the heap. */
 	if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 &&
 	    size.ws_col > 0 && resizeterm(size.ws_row, size.ws_col) == ERR)
@@ -251,9 +283,12 @@ screen_begin(int *rows, int *columns)
 {
 	if (is.screen != NULL)
 		getmaxyx(stdscr, is.rows, is.columns);
+	if (is.shown != NULL &&
+	    (is.shown->rows != is.rows || is.shown->columns != is.columns))
+		forget_shown();
 	canvas_free(is.frame);
 	is.frame = canvas_new(is.columns, is.rows);
-	is.plot = (struct area){0};
+	is.frame->theme = is.theme;
 	screen_size(rows, columns);
 }
 
@@ -285,27 +320,43 @@ screen_text(const struct area *area, int row, int column, unsigned look,
 	char text[512];
 	va_list ap;
 	va_start(ap, format);
-	vsnprintf(text, sizeof text, format, ap);
+	vsnprintf(text, sizeof text, tr(format), ap);
 	va_end(ap);
 	return screen_series(area, row, column, SERIES_TEXT, look, text);
 }
 
 int
-screen_words(const struct area *area, int row, unsigned look, const char *text)
+screen_words_within(const struct area *area, int row, int rows, unsigned look,
+    const char *text, const char *more)
 {
 	char *wrapped = text_wrapped(text, area->columns), *save = NULL;
-	for (char *line = strtok_r(wrapped, "\n", &save); line != NULL;
-	     line = strtok_r(NULL, "\n", &save))
-		screen_series(area, row++, 0, SERIES_TEXT, look, line);
+	struct area within = *area;
+	for (char *line = strtok_r(wrapped, "\n", &save);
+	     line != NULL && rows > 0; line = strtok_r(NULL, "\n", &save)) {
+		bool cut = --rows == 0 && *save != '\0';
+		within.columns = area->columns - (cut ? text_width(more) : 0);
+		int end =
+		    screen_series(&within, row, 0, SERIES_TEXT, look, line);
+		if (cut)
+			screen_series(area, row, end, SERIES_TEXT, look, more);
+		row++;
+	}
 	free(wrapped);
 	return row;
+}
+
+int
+screen_words(const struct area *area, int row, unsigned look, const char *text)
+{
+	return screen_words_within(area, row, INT_MAX, look, text, "");
 }
 
 void
 screen_rule(const struct area *area)
 {
 	bool lines = is.charset != CHARSET_ASCII;
-	for (int c = 0; c < area->columns && area->rows > 0; c++)
+	for (int c = 0; c < area->columns && area->rows > 0 && !is.only_text;
+	     c++)
 		put_cell(area->row, area->column + c, lines ? 0x2500 : '-',
 		    LOOK_DIM, SERIES_TEXT);
 }
@@ -314,7 +365,7 @@ void
 screen_wall(int row, int column, int rows)
 {
 	bool lines = is.charset != CHARSET_ASCII;
-	for (int r = 0; r < rows; r++)
+	for (int r = 0; r < rows && !is.only_text; r++)
 		put_cell(row + r, column, lines ? 0x2502 : '|', LOOK_DIM,
 		    SERIES_TEXT);
 }
@@ -322,13 +373,10 @@ screen_wall(int row, int column, int rows)
 void
 screen_canvas(const struct area *area, const struct canvas *canvas)
 {
-	is.plot = *area;
-	if (canvas->rows < area->rows)
-		is.plot.rows = canvas->rows;
-	if (canvas->columns < area->columns)
-		is.plot.columns = canvas->columns;
-	for (int r = 0; r < is.plot.rows; r++)
-		for (int c = 0; c < is.plot.columns; c++) {
+	if (is.only_text)
+		return;
+	for (int r = 0; r < area->rows && r < canvas->rows; r++)
+		for (int c = 0; c < area->columns && c < canvas->columns; c++) {
 			const struct canvas_cell *at =
 			    &canvas->cell[r * canvas->columns + c];
 			if (at->code != 0)
@@ -340,12 +388,15 @@ screen_canvas(const struct area *area, const struct canvas *canvas)
 
 /* Where there are eight colours, a bright one is a bold one. */
 static attr_t
-attributes(unsigned look, enum series series)
+attributes(const struct canvas_cell *cell)
 {
-	bool bright = is.depth == 8 && canvas_colour(series, is.depth) >= 8;
+	unsigned look = cell->attribute;
+	enum series series = (enum series)cell->series;
+	bool faint = canvas_is_faint(is.frame, cell, is.depth);
+	bool bright =
+	    is.depth == 8 && palette_colour(series, is.depth, is.theme) >= 8;
 	return ((look & LOOK_BOLD) || bright ? A_BOLD : 0) |
-	       ((look & LOOK_DIM) && is.depth == 256 ? A_DIM : 0) |
-	       ((look & LOOK_REVERSE) ? A_REVERSE : 0);
+	       (faint ? A_DIM : 0) | ((look & LOOK_REVERSE) ? A_REVERSE : 0);
 }
 
 /* A letter without its accent, where there is nothing but ASCII. */
@@ -362,49 +413,56 @@ bare_letter(uint32_t code)
 static void
 show_cell(int row, int column, const struct canvas_cell *from)
 {
-	wchar_t text[2] = {(wchar_t)canvas_code(from, is.depth), 0};
+	wchar_t text[2] = {(wchar_t)from->code, 0};
 	short pair = is.pair[from->series];
 	cchar_t cell;
-	if (canvas_is_shaded(from, is.depth))
-		pair = (short)(pair + SERIES_COUNT);
 	if (!is.utf8 && from->code > 126)
 		text[0] = bare_letter(from->code);
-	setcchar(&cell, text,
-	    attributes(from->attribute, (enum series)from->series), pair, NULL);
+	setcchar(&cell, text, attributes(from), pair, NULL);
 	mvadd_wch(row, column, &cell);
 }
 
-/* A space shows no colour: it has that of the line which moves most, so that
- * less is written. */
-static void
-blank_plot(void)
+static bool
+is_same(const struct canvas_cell *a, const struct canvas_cell *b)
 {
-	cchar_t blank;
-	setcchar(&blank, L" ", A_NORMAL, is.pair[SERIES_BREAK], NULL);
-	for (int r = 0; r < is.plot.rows; r++)
-		mvhline_set(
-		    is.plot.row + r, is.plot.column, &blank, is.plot.columns);
+	return a->code == b->code && a->series == b->series &&
+	       a->attribute == b->attribute;
 }
 
+/* Hands over a cell; the right half of a wide letter comes with its left. */
+static void
+put(int row, int column)
+{
+	static const struct canvas_cell BLANK = {' ', SERIES_TEXT, LOOK_PLAIN};
+	const struct canvas_cell *at = canvas_at(is.frame, column, row);
+	if (at->code == 0 && column > 0 && text_columns(at[-1].code) == 2)
+		return;
+	bool blank = at->code == 0 ||
+		     (at->code == ' ' && !(at->attribute & CELL_REVERSE));
+	show_cell(row, column, blank ? &BLANK : at);
+}
+
+/* What is as it was shown last ncurses has already. */
 void
 screen_show(int row, int column)
 {
 	if (is.screen == NULL)
 		return;
-	erase();
-	blank_plot();
+	const struct canvas *was = is.shown;
+	if (was == NULL)
+		erase();
 	for (int r = 0; r < is.rows; r++)
 		for (int c = 0; c < is.columns; c++) {
-			const struct canvas_cell *at =
-			    canvas_at(is.frame, c, r);
-			bool blank = at->code == ' ' &&
-				     !(at->attribute & CELL_REVERSE) &&
-				     !canvas_is_shaded(at, is.depth);
-			if (at->code != 0 && !blank)
-				show_cell(r, c, at);
+			int i = r * is.columns + c;
+			if (was == NULL ||
+			    !is_same(&is.frame->cell[i], &was->cell[i]))
+				put(r, c);
 		}
 	move(row < is.rows ? row : is.rows - 1,
 	    column < is.columns ? column : is.columns - 1);
 	wnoutrefresh(stdscr);
 	doupdate();
+	forget_shown();
+	is.shown = is.frame;
+	is.frame = NULL;
 }

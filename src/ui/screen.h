@@ -33,6 +33,13 @@ struct display *screen_aside(
     int rows, int columns, enum charset charset, int depth);
 struct canvas *screen_back(struct display *was);
 
+/* Leaves out canvases, rules and walls of what is drawn aside, for who hears
+ * it. */
+void screen_only_text(bool on);
+
+/* The last one, which stays with the screen; NULL where there was none. */
+const struct canvas *screen_frame(void);
+
 /* Of the last frame. */
 void screen_size(int *rows, int *columns);
 
@@ -41,6 +48,9 @@ enum charset screen_charset(void);
 
 /* Number of colours in use, 0 without. */
 int screen_depth(void);
+
+/* The colours from the next frame on. */
+void screen_theme(enum theme theme);
 
 /* Has the mouse reported or not; false where the terminal has none. */
 bool screen_mouse(bool on);
@@ -69,6 +79,10 @@ int screen_series(const struct area *area, int row, int column,
  * row after it. */
 int screen_words(
     const struct area *area, int row, unsigned look, const char *text);
+
+/* The same in so many rows at most: what is cut ends in `more`, as " ..". */
+int screen_words_within(const struct area *area, int row, int rows,
+    unsigned look, const char *text, const char *more);
 
 /* A line along the row, or along the column, of the area. */
 void screen_rule(const struct area *area);

@@ -12,7 +12,7 @@ extern const struct tui_ways SHOT_WAYS;
 /* What the request asks for, see there.  Without an open screen one is begun on
  * the session, its keys do what they do, and it is left.  NULL with an error
  * where a key has no such name, or a signal came. */
-struct canvas *shot_draw(struct session *s,
-    const struct screen_request *request, struct error *error);
+struct canvas *shot_draw(
+    struct session *s, struct screen_request *request, struct error *error);
 
 #endif

@@ -121,28 +121,57 @@ has_room(const char *text, int width, struct slider_range range,
  * one nor the handle stands there. */
 static void
 draw_marks(char *text, int width, struct slider_range range,
-    const struct slider_mark *mark, size_t n, int at, int length)
+    const struct slider_mark *mark, size_t n, int at, int length, bool shorter)
 {
 	char label[32];
 	for (size_t i = 0; i < n; i++)
 		text[slider_column(range, mark[i].tenths, width)] =
 		    mark[i].trained ? '|' : 'o';
-	bool words = has_room(text, width, range, mark, n);
+	bool words = !shorter && has_room(text, width, range, mark, n);
 	for (size_t i = 0; i < n; i++) {
 		int from = slider_column(range, mark[i].tenths, width) + 1;
 		int wanted = mark_label(&mark[i], words, label);
 		if (!is_free(text, width, from, wanted + 1, at, length))
 			wanted = mark_label(&mark[i], false, label);
 		bool covered = from > at && from <= at + length;
-		if (!covered &&
-		    is_free(text, width, from, wanted + 1, at, length))
-			memcpy(text + from, label, (size_t)wanted);
+		if (covered ||
+		    !is_free(text, width, from, wanted + 1, at, length))
+			continue;
+		memcpy(text + from, label, (size_t)wanted);
+		/* "79?" would be a doubtful 79. */
+		if (text[from + wanted] == 'x')
+			text[from + wanted] = ' ';
 	}
+}
+
+/* Kept cells are other signs until all labels stand. */
+enum { KEPT = '=', KEPT_OUTSIDE = 'X' };
+
+/* Returns whether there are any. */
+static bool
+keep_cells(char *text, int width, const bool *kept)
+{
+	bool any = false;
+	for (int c = 0; c < width && kept != NULL; c++) {
+		if (kept[c])
+			text[c] = text[c] == 'x' ? KEPT_OUTSIDE : KEPT;
+		any = any || kept[c];
+	}
+	return any;
+}
+
+static void
+give_back(char *text)
+{
+	for (; *text != '\0'; text++)
+		*text = *text == KEPT           ? '-'
+			: *text == KEPT_OUTSIDE ? 'x'
+						: *text;
 }
 
 int
 slider_draw(char *text, int width, struct slider_range range, int tenths,
-    const struct slider_mark *mark, size_t n)
+    const struct slider_mark *mark, size_t n, const bool *kept)
 {
 	char label[16];
 	text[0] = '\0';
@@ -161,7 +190,9 @@ slider_draw(char *text, int width, struct slider_range range, int tenths,
 	}
 	at -= length / 2;
 	at = at < 0 ? 0 : at > width - length ? width - length : at;
-	draw_marks(text, width, range, mark, n, at, length);
+	bool any = keep_cells(text, width, kept);
+	draw_marks(text, width, range, mark, n, at, length, any);
+	give_back(text);
 	memcpy(text + at, label, (size_t)length);
 	return at;
 }

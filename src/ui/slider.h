@@ -39,8 +39,9 @@ int slider_at(struct slider_range range, int column, int width);
 /* Draws the track into text [width + 1]: 'x' where no speed was trained on
  * that side, '-' between trained ones, "|69" at these and "o74" at those held
  * out, on a long track "|69 m/s 2380 J/kg", the value as "[74.0]" on top.
- * Returns the column of its '['. */
+ * kept [width]: cells that no label may cover, with any of which labels are
+ * short; or NULL.  Returns the column of its '['. */
 int slider_draw(char *text, int width, struct slider_range range, int tenths,
-    const struct slider_mark *mark, size_t n);
+    const struct slider_mark *mark, size_t n, const bool *kept);
 
 #endif

@@ -11,6 +11,7 @@
 #include <curses.h>
 
 #include "cmd/keep.h"
+#include "ui/above.h"
 #include "ui/act.h"
 #include "ui/control.h"
 #include "ui/frame.h"
@@ -40,6 +41,8 @@ patience(const struct tui *t)
 		left = t->pace == PACE_FULL
 			   ? 0
 			   : fmin(left, t->due - session_clock());
+	if (!asks)
+		left = fmin(left, above_wait(t));
 	return left > 0 ? left : 0;
 }
 
@@ -124,7 +127,7 @@ is_away(void)
 	return aside;
 }
 
-/* False at a signal.  The mouse answers nothing. */
+/* False at a signal. */
 static bool
 answer(struct tui *t, int *code, bool *special)
 {
@@ -134,15 +137,27 @@ answer(struct tui *t, int *code, bool *special)
 		show(t);
 		done = input_key(t, code, special);
 		if (done && *special && *code == KEY_MOUSE) {
-			MEVENT e;
-			getmouse(&e);
-			done = false;
+			done = act_pointed(t, code, special);
 		} else if (done && !*special && *code == STOP) {
 			done = false;
 			raise(SIGTSTP);
 		}
 	}
 	return done;
+}
+
+/* Keys that come before their time are lost. */
+static bool
+stopped(struct tui *t)
+{
+	enum { ESCAPE = 27, INTERRUPT = 3 };
+	int code;
+	bool special, stops = false;
+	pump_let_in();
+	while (input_key(t, &code, &special))
+		stops = stops ||
+			(!special && (code == ESCAPE || code == INTERRUPT));
+	return stops;
 }
 
 static void
@@ -185,7 +200,8 @@ offer_last(struct tui *t)
 int
 tui_run(struct session *s)
 {
-	static const struct tui_ways WAYS = {answer, leave, come_back, is_away};
+	static const struct tui_ways WAYS = {
+	    answer, frame_draw, leave, come_back, is_away, stopped};
 	struct sigaction was[3];
 	struct tui t;
 	bool history = typed_is_open();

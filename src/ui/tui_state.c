@@ -4,16 +4,25 @@
 
 #include <math.h>
 #include <stdarg.h>
+#include <stdlib.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 
-const double PACES[PACE_COUNT] = {1, 2, 5, 10, 20, 50, INFINITY};
+const double PACES[PACE_COUNT] = {0, 1, 2, 5, 10, 20, 50, INFINITY};
 
 const struct entry *
 tui_entry(const struct tui *t)
 {
 	const struct session *s = t->session;
 	return s->n_entry > 0 ? &s->entry[s->current] : NULL;
+}
+
+const char *
+tui_why_none(const struct tui *t)
+{
+	return tui_entry(t) == NULL ? TUI_NO_SITE
+				    : tr("no prediction yet: f calibrates");
 }
 
 struct slider_range
@@ -60,16 +69,30 @@ tui_past(const struct tui *t)
 }
 
 size_t
-tui_generation(const struct tui *t)
+tui_steps(const struct tui *t)
 {
-	size_t n = tui_past(t).n;
+	struct plots_past past = tui_past(t);
+	return past.n + (past.n > 0 && past.polished);
+}
+
+size_t
+tui_step(const struct tui *t)
+{
+	size_t n = tui_steps(t);
 	return t->generation > 0 && t->generation < n ? t->generation : n;
 }
 
 void
-tui_look_at(struct tui *t, size_t generation)
+tui_look_at(struct tui *t, size_t step)
 {
-	t->generation = generation < tui_past(t).n ? generation : 0;
+	t->generation = step < tui_steps(t) ? step : 0;
+}
+
+size_t
+tui_generation(const struct tui *t)
+{
+	size_t n = tui_past(t).n, step = tui_step(t);
+	return step < n ? step : n;
 }
 
 double
@@ -79,11 +102,39 @@ tui_searched(const struct tui *t)
 }
 
 void
+tui_untouch(struct tui *t)
+{
+	touch_clear(&t->touches);
+	touch_release(&t->touches);
+	t->n_drawn = 0;
+}
+
+void
+tui_forget_sheet(struct sheet *sheet)
+{
+	free(sheet->sieve);
+	free(sheet->column);
+	doctor_free(&sheet->doctor);
+	*sheet = (struct sheet){.row = sheet->row,
+	    .at = sheet->at,
+	    .top = sheet->top,
+	    .left = sheet->left};
+}
+
+void
+tui_forget_parity(struct parity *parity)
+{
+	free(parity->point);
+	chart_free(parity->chart);
+	*parity = (struct parity){.at = parity->at, .top = parity->top};
+}
+
+void
 tui_say(struct tui *t, bool bad, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	vsnprintf(t->message, sizeof t->message, format, ap);
+	vsnprintf(t->message, sizeof t->message, tr(format), ap);
 	va_end(ap);
 	t->bad = bad;
 }

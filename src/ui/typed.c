@@ -8,6 +8,7 @@
 
 #include <readline/history.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/file.h"
 #include "io/home.h"
@@ -21,7 +22,7 @@ static bool opened;
 static void
 give_up(const char *why)
 {
-	fprintf(stderr, "the history cannot be saved: %s\n", why);
+	fprintf(stderr, tr("the history cannot be saved: %s\n"), why);
 	free(path);
 	path = NULL;
 }
@@ -45,7 +46,7 @@ typed_open(bool with_file)
 		return;
 	path = home_path("XDG_STATE_HOME", ".local/state", "history");
 	if (path == NULL) {
-		give_up("HOME is not set");
+		give_up(tr("HOME is not set"));
 		return;
 	}
 	free(home_make_folders(path));

@@ -137,6 +137,7 @@ complete_word(struct typing *t, const struct session *s)
 		replace(t, c->start, c->candidate[0].text, shared(c));
 	if (c->n == 1 && c->candidate[0].append != '\0')
 		insert(t, (unsigned char)c->candidate[0].append);
+	t->start = c->start;
 	if (c->n > 1)
 		show_offers(t, c);
 	completion_free(c);
@@ -206,6 +207,26 @@ typing_key(struct typing *t, const struct session *s, int code, bool special)
 	else if (code >= ' ')
 		insert(t, (unsigned)code);
 	return TYPING_ON;
+}
+
+void
+typing_take(struct typing *t, size_t n)
+{
+	const char *offer = t->offers;
+	while (offer != NULL && n-- > 0) {
+		offer = strstr(offer, "  ");
+		offer = offer != NULL ? offer + 2 : NULL;
+	}
+	if (offer == NULL)
+		return;
+	size_t length = strcspn(offer, " ");
+	bool open = length > 0 &&
+		    (offer[length - 1] == '=' || offer[length - 1] == '/');
+	replace(t, t->start, offer, length);
+	if (!open)
+		insert(t, ' ');
+	free(t->offers);
+	t->offers = NULL;
 }
 
 bool

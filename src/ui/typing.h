@@ -10,13 +10,15 @@
 #include "cmd/session.h"
 
 /* text [n], UTF-8; at: the cursor, an offset.  back: how many lines of the
- * history up; offers: what completion found, for show, or NULL. */
+ * history up; offers: what completion found for the word at `start`, for show,
+ * or NULL. */
 struct typing {
 	bool active;
 	char text[2000];
 	size_t n, at;
 	int back;
 	char *offers;
+	size_t start;
 };
 
 enum typing_result { TYPING_ON, TYPING_DONE, TYPING_GIVEN_UP };
@@ -27,6 +29,9 @@ void typing_begin(struct typing *t, const char *text);
 enum typing_result typing_key(
     struct typing *t, const struct session *s, int code, bool special);
 void typing_end(struct typing *t);
+
+/* Puts the n-th of the offers in place of the word. */
+void typing_take(struct typing *t, size_t n);
 
 /* Takes a letter of ASCII into what has `most` of them, or takes the last one
  * back; false where the key is neither, or there is none. */

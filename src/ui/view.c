@@ -9,9 +9,12 @@
 #include <curses.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
+
+enum { ESCAPE = 27 };
 
 /* How many lines there are, and columns of the widest one. */
 static void
@@ -30,7 +33,14 @@ measure(struct viewer *v)
 void
 view_close(struct tui *t)
 {
-	free(t->viewer.text);
+	tui_untouch(t);
+	char *was = t->viewer.text;
+	if (was != NULL && !t->viewer.keys) {
+		free(t->closed);
+		t->closed = was;
+	} else {
+		free(was);
+	}
 	t->viewer = (struct viewer){0};
 }
 
@@ -38,8 +48,17 @@ void
 view_text(struct tui *t, char *text)
 {
 	view_close(t);
-	t->viewer = (struct viewer){.text = text};
+	t->viewer = (struct viewer){.text = text, .at = -1};
 	measure(&t->viewer);
+}
+
+void
+view_again(struct tui *t)
+{
+	if (t->closed != NULL)
+		view_text(t, xstrdup(t->closed));
+	else
+		tui_say(t, false, "no text has been shown yet");
 }
 
 void
@@ -49,11 +68,13 @@ view_keys(struct tui *t)
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_memory(&text, &n);
-	keys_list(word.text, out);
+	keys_list(t->page, word.text, out);
 	fclose(out);
 	view_text(t, text);
 	t->viewer.keys = true;
 	t->viewer.word = word;
+	t->viewer.at = 0;
+	view_scroll(t, 1);
 }
 
 /* The last frame may have been of other text there. */
@@ -63,7 +84,8 @@ view_message(struct tui *t)
 	enum { MARGIN = 2, LEAST = 8 };
 	int rows, columns, lines = 0;
 	screen_size(&rows, &columns);
-	const struct places l = places_make(rows, columns, 0);
+	const struct places l =
+	    places_make(rows, columns, (struct places_ask){0});
 	columns = columns > LEAST + MARGIN ? columns - MARGIN : LEAST;
 	char *text = text_wrapped(t->message, columns);
 	for (const char *c = text; *c != '\0'; c++)
@@ -74,19 +96,37 @@ view_message(struct tui *t)
 		free(text);
 }
 
-/* A character of the word after '/'; false where it is none. */
+/* Whether a line of the text has the word. */
 static bool
-find(struct tui *t, int code, bool special)
+has_word(const struct viewer *v, const char *line)
 {
-	struct typing *word = &t->viewer.word;
-	if (!t->viewer.keys || (!word->active && code != '/'))
-		return false;
-	if (word->active && !typing_letter(word, code, special, VIEWER_WORD))
-		return false;
-	if (word->active)
-		view_keys(t);
-	word->active = true;
-	return true;
+	char *text = xstrndup(line, strcspn(line, "\n"));
+	char *folded = text_fold(text), *wanted = text_fold(v->word.text);
+	bool has = strstr(folded, wanted) != NULL;
+	free(text);
+	free(folded);
+	free(wanted);
+	return has;
+}
+
+/* How many lines with the word there are; number: which of these v->at is, 1..,
+ * or 0; next: the first one from line `from` on, -1: none. */
+static int
+count_found(const struct viewer *v, int from, int *number, int *next)
+{
+	int n = 0, line = 0;
+	*number = 0;
+	*next = -1;
+	for (const char *p = v->text; *p != '\0'; line++) {
+		if (has_word(v, p)) {
+			n++;
+			*next = *next < 0 && line >= from ? line : *next;
+			*number = line == v->at ? n : *number;
+		}
+		p += strcspn(p, "\n");
+		p += *p == '\n';
+	}
+	return n;
 }
 
 static int
@@ -101,51 +141,193 @@ fit(struct tui *t)
 {
 	struct viewer *v = &t->viewer;
 	int rows = t->places.body.rows > 1 ? t->places.body.rows : 1;
-	v->at = within(v->at, 0, v->lines - 1);
-	if (v->keys)
+	if (v->keys) {
+		v->at = within(v->at, 0, v->lines - 1);
 		v->top = within(v->top, v->at - rows + 1, v->at);
+	}
 	v->top = within(v->top, 0, v->lines - rows);
 	v->left = within(v->left, 0, v->columns - t->places.body.columns);
 }
 
+/* To a line with the word, in the middle where it was not to be seen. */
 static void
-scroll_by(struct tui *t, int by)
+go_to(struct tui *t, int line)
 {
-	*(t->viewer.keys ? &t->viewer.at : &t->viewer.top) += by;
+	struct viewer *v = &t->viewer;
+	int rows = t->places.body.rows;
+	v->at = line;
+	if (line >= 0 && (line < v->top || line >= v->top + rows))
+		v->top = line - rows / 2;
 	fit(t);
 }
 
-const struct key *
-view_key(struct tui *t, int code, bool special)
+/* The last line with the word before a line; -1: none. */
+static int
+found_before(const struct viewer *v, int before)
+{
+	int found = -1, line = 0;
+	for (const char *p = v->text; *p != '\0' && line < before; line++) {
+		found = has_word(v, p) ? line : found;
+		p += strcspn(p, "\n");
+		p += *p == '\n';
+	}
+	return found;
+}
+
+/* The next line with the word, or the one before; round the ends. */
+static void
+find_next(struct tui *t, bool back)
 {
 	struct viewer *v = &t->viewer;
-	const struct key *key = keys_find(code, t->page), *chosen = NULL;
-	int page = t->places.body.rows > 2 ? t->places.body.rows - 1 : 1;
-	if (find(t, code, special))
-		return NULL;
-	if (key != NULL && key->act == ACT_LIST) {
-		scroll_by(t, key->amount);
-		return NULL;
+	int number, next = -1;
+	if (back)
+		next = found_before(v, v->at);
+	else
+		count_found(v, v->at + 1, &number, &next);
+	if (next < 0 && back)
+		next = found_before(v, v->lines);
+	else if (next < 0)
+		count_found(v, 0, &number, &next);
+	go_to(t, next);
+}
+
+/* A character of the word after '/'; false where it is none. */
+static bool
+find(struct tui *t, int code, bool special)
+{
+	struct viewer *v = &t->viewer;
+	struct typing *word = &v->word;
+	if (!word->active && (special || code != '/'))
+		return false;
+	if (!word->active) {
+		word->active = true;
+		return true;
 	}
-	if (key != NULL && key->act == ACT_MOVE && !v->keys) {
-		v->left += key->amount * (t->places.body.columns + 1) / 2;
+	if (code == '\n' && !special && !v->keys) {
+		word->active = false;
+		return true;
+	}
+	if (!typing_letter(word, code, special, VIEWER_WORD))
+		return false;
+	if (v->keys) {
+		view_keys(t);
+	} else {
+		int number, next;
+		count_found(v, v->at >= 0 ? v->at : v->top, &number, &next);
+		v->at = -1;
+		if (word->n > 0 && next >= 0)
+			go_to(t, next);
+		else if (word->n > 0)
+			find_next(t, false);
+	}
+	return true;
+}
+
+/* Of the list of keys the chosen one, past headings. */
+void
+view_scroll(struct tui *t, int by)
+{
+	struct viewer *v = &t->viewer;
+	int step = by < 0 ? -1 : 1;
+	if (!v->keys) {
+		v->top += by;
 		fit(t);
-		return NULL;
+		return;
 	}
-	if (special && (code == KEY_NPAGE || code == KEY_PPAGE)) {
-		scroll_by(t, code == KEY_NPAGE ? page : -page);
-		return NULL;
+	v->at += by;
+	fit(t);
+	bool last = v->at + step < 0 || v->at + step >= v->lines;
+	if (keys_nth(t->page, v->word.text, (size_t)v->at) == NULL)
+		v->at += last ? -step : step;
+	fit(t);
+}
+
+/* Back from the word that was looked for; false: there is none. */
+static bool
+forget_word(struct tui *t)
+{
+	struct viewer *v = &t->viewer;
+	if (!v->word.active && v->word.n == 0)
+		return false;
+	v->word = (struct typing){0};
+	if (v->keys)
+		view_keys(t);
+	else
+		v->at = -1;
+	return true;
+}
+
+/* What only goes through the text. */
+static bool
+moves(struct tui *t, const struct key *key, int code)
+{
+	enum { FAST = 50 };
+	struct viewer *v = &t->viewer;
+	int page = t->places.body.rows > 2 ? t->places.body.rows - 1 : 1;
+	enum key_act act = key != NULL ? key->act : ACT_HELP;
+	if (act == ACT_LIST)
+		view_scroll(t, key->amount);
+	else if (act == ACT_MOVE && !v->keys)
+		v->left += key->amount * (t->places.body.columns + 1) / 2;
+	else if (act == ACT_FINE && abs(key->amount) == FAST)
+		view_scroll(t, key->amount < 0 ? page : -page);
+	else if (code == ' ')
+		view_scroll(t, page);
+	else if (act == ACT_TO && key->amount <= TO_MOST)
+		view_scroll(t, key->amount == TO_LEAST ? -v->lines : v->lines);
+	else if (!v->keys && v->word.n > 0 && (code == 'n' || code == 'N'))
+		find_next(t, code == 'N');
+	else
+		return false;
+	fit(t);
+	return true;
+}
+
+/* Whether it changes what is calculated: that is not done by a key which was
+ * pressed to be rid of a text. */
+static bool
+changes(enum key_act act)
+{
+	return act == ACT_FIT || act == ACT_RUN || act == ACT_CORRECT ||
+	       act == ACT_KEEP || act == ACT_STOP;
+}
+
+/* A key that is none of the text's has closed it: true where that is all that
+ * it does. */
+static bool
+only_closes(struct tui *t, const struct key *key, int code, bool keys)
+{
+	if (code == ESCAPE || code == '\n')
+		return true;
+	if (key == NULL)
+		return false;
+	if (key->act == ACT_LEAVE || (keys && key->act == ACT_HELP))
+		return true;
+	if (changes(key->act) && key->act != ACT_STOP)
+		tui_say(t, false, "%s again: %s", key->name, key->what);
+	return changes(key->act);
+}
+
+bool
+view_key(struct tui *t, int code, bool special, const struct key **run)
+{
+	struct viewer *v = &t->viewer;
+	const struct key *key = keys_find(code, t->page);
+	code = special ? 0 : code == '\r' ? '\n' : code;
+	if (find(t, code, special) || moves(t, key, code) ||
+	    (code == ESCAPE && forget_word(t)))
+		return true;
+	bool keys = v->keys;
+	if (keys && code == '\n') {
+		*run = keys_nth(t->page, v->word.text, (size_t)v->at);
+		if (*run != NULL)
+			view_close(t);
+		return true;
 	}
-	if (code == ' ') {
-		scroll_by(t, page);
-		return NULL;
-	}
-	if (v->keys && (code == '\n' || code == '\r'))
-		chosen = keys_nth(v->word.text, (size_t)v->at);
-	else if (code == ':')
-		chosen = key;
+	/* How it is found again is read after it has gone. */
+	t->told = t->told || v->report;
 	view_close(t);
-	return chosen;
+	return only_closes(t, key, code, keys);
 }
 
 /* The list of keys has one space between a key and what it does where it is
@@ -160,27 +342,94 @@ squeeze(char *line)
 	*to = '\0';
 }
 
-/* One line of the text.  Returns what of it there is no room for. */
+/* A click on a key chooses it, and Enter runs it. */
+static bool
+touch_key(struct tui *t, const struct touched *touched)
+{
+	if (touched->kind == TOUCH_PRESS)
+		t->viewer.at = (int)touched->item;
+	return touched->kind == TOUCH_PRESS;
+}
+
+/* One line of the text; of a key what there is no room for is cut, with a
+ * mark.  Returns that. */
 static char *
-draw_line(const struct tui *t, int row, const char *text, size_t n)
+draw_line(struct tui *t, int row, const char *text, size_t n)
 {
 	enum { NARROW = 60 };
+	static const char MORE[] = " ..";
 	const struct viewer *v = &t->viewer;
 	const struct area *body = &t->places.body;
-	bool chosen = v->keys && row + v->top == v->at;
+	bool chosen = row + v->top == v->at;
+	bool found = !v->keys && v->word.n > 0 && has_word(v, text);
 	char *line = xstrndup(text, n), *rest = NULL;
 	if (v->keys && body->columns < NARROW)
 		squeeze(line);
+	int room = body->columns - (int)strlen(MORE);
+	if (v->keys && strlen(line) > (size_t)body->columns && room > 0) {
+		rest = xstrdup(line + room);
+		snprintf(line + room, sizeof MORE, "%s", MORE);
+	}
 	const char *shown = line;
 	char left[TEXT_SHOWN];
 	for (int c = 0; c < v->left && *shown != '\0';)
 		c += text_show(&shown, left);
 	screen_series(body, row, 0, SERIES_TEXT,
-	    chosen ? LOOK_REVERSE : LOOK_PLAIN, shown);
-	if (chosen && strlen(line) > (size_t)body->columns)
-		rest = xstrdup(line + body->columns);
+	    chosen                                 ? LOOK_REVERSE
+	    : found || (v->keys && text[0] != ' ') ? LOOK_BOLD
+						   : LOOK_PLAIN,
+	    shown);
 	free(line);
-	return rest;
+	if (chosen)
+		return rest;
+	free(rest);
+	return NULL;
+}
+
+/* The word that is looked for, and how many lines have it. */
+static int
+draw_word(struct tui *t)
+{
+	const struct viewer *v = &t->viewer;
+	const struct area *hints = &t->places.hints;
+	int number = 0, next = 0;
+	int at = screen_text(hints, 0, 0, LOOK_BOLD, "/%s", v->word.text);
+	if (v->word.n == 0)
+		return at;
+	char *words =
+	    v->keys
+		? xasprintf(tr("%zu keys"), keys_count(t->page, v->word.text))
+		: xasprintf(tr("%d lines"), count_found(v, 0, &number, &next));
+	int column = screen_text(hints, 0, at + 2, 0, "%s%.0d%s%s",
+	    number > 0 ? tr("line ") : "", number, number > 0 ? tr(" of ") : "",
+	    words);
+	free(words);
+	const char *keys = v->keys ? tr("Enter run it  Esc clear")
+			   : v->word.active
+			       ? tr("Enter keep  Esc clear")
+			       : tr("n next  N previous  Esc clear");
+	if (column + 2 + text_width(keys) <= hints->columns) {
+		screen_text(hints, 0, column + 2, LOOK_DIM, "%s", keys);
+		pane_touch_hints(
+		    t, hints->row, hints->column + column + 2, keys);
+	}
+	return at;
+}
+
+static void
+draw_hints(struct tui *t)
+{
+	const struct area *body = &t->places.body;
+	const struct viewer *v = &t->viewer;
+	bool below = v->lines - v->top > body->rows,
+	     aside = !v->keys && v->columns - v->left > body->columns;
+	char *hints = xasprintf("%s%s%s", below ? tr("Down more below  ") : "",
+	    aside ? tr("Right more right  ") : "",
+	    v->keys ? tr("Esc back  / find a word  Enter run it")
+		    : tr("Esc back  / search"));
+	pane_hints(
+	    t, LOOK_REVERSE, t->under_way != NULL ? tr("Esc stops") : hints);
+	free(hints);
 }
 
 void
@@ -195,24 +444,25 @@ view_draw(struct tui *t)
 		size_t n = strcspn(p, "\n");
 		char *cut = draw_line(t, line, p, n);
 		rest = cut != NULL ? cut : rest;
+		if (v->keys && line >= 0 && line < body->rows &&
+		    keys_nth(t->page, v->word.text, (size_t)(line + v->top)))
+			touch_add_both(&t->touches,
+			    (struct area){body->row + line, body->column, 1,
+				body->columns},
+			    touch_key, (size_t)(line + v->top), '\n');
 		p += n + (p[n] == '\n');
 	}
-	bool below = v->lines - v->top > body->rows,
-	     aside = !v->keys && v->columns - v->left > body->columns;
-	char *hints = xasprintf("%s%s%s", below ? "more below: Down  " : "",
-	    aside ? "more right: Right  " : "",
-	    v->keys ? "Esc back  / find a word  Enter run it"
-		    : "any other key: back");
-	t->cursor =
-	    (struct cursor){body->row + (v->keys ? v->at - v->top : 0), 0};
-	if (v->word.active && t->places.hints.rows > 0) {
-		t->cursor.row = t->places.hints.row;
-		t->cursor.column = screen_text(
-		    &t->places.hints, 0, 0, LOOK_BOLD, "/%s", v->word.text);
+	int at = v->at - v->top;
+	t->cursor = (struct cursor){
+	    body->row + (at > 0 && at < body->rows ? at : 0), 0};
+	if ((v->word.active || v->word.n > 0) && t->places.hints.rows > 0) {
+		int column = draw_word(t);
+		if (v->word.active)
+			t->cursor =
+			    (struct cursor){t->places.hints.row, column};
 	} else if (rest != NULL)
 		screen_text(&t->places.hints, 0, 0, LOOK_REVERSE, "%s", rest);
 	else
-		pane_hints(&t->places.hints, LOOK_REVERSE, hints);
-	free(hints);
+		draw_hints(t);
 	free(rest);
 }

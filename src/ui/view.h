@@ -8,19 +8,27 @@
 /* Shows text, which it takes. */
 void view_text(struct tui *t, char *text);
 
+/* Shows the text again that was closed last. */
+void view_again(struct tui *t);
+
 /* Shows the message where its rows have no room for all of it. */
 void view_message(struct tui *t);
 
 /* Shows the keys whose line has the word that is looked for. */
 void view_keys(struct tui *t);
 
-/* Takes a key: scrolls, filters, or closes.  Returns the key to act on, or
- * NULL. */
-const struct key *view_key(struct tui *t, int code, bool special);
+/* Takes a key: scrolls, looks for a word, or closes.  False where it is none
+ * of the text's, which is closed then, and does what it does without.  run: the
+ * key chosen from the list of keys, else left alone. */
+bool view_key(struct tui *t, int code, bool special, const struct key **run);
 
 /* Draws it with its hints. */
 void view_draw(struct tui *t);
 
+/* Moves the text, or the key that is chosen, by so many lines. */
+void view_scroll(struct tui *t, int by);
+
+/* Closes it; what was printed can be shown again. */
 void view_close(struct tui *t);
 
 #endif

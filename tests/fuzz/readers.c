@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +16,8 @@
 #include "cmd/line.h"
 #include "cmd/script.h"
 #include "cmd/invocation.h"
+#include "io/circuit_file.h"
+#include "io/collisions.h"
 #include "io/plant_log.h"
 #include "io/site_read.h"
 #include "io/site_write.h"
@@ -163,6 +166,27 @@ read_spec(const char *path)
 }
 
 static bool
+read_circuit(const char *path)
+{
+	struct error_list errors = {0};
+	struct circuit *circuit = circuit_file_read(path, &errors);
+	circuit_free(circuit);
+	return circuit != NULL;
+}
+
+static bool
+read_energy(const char *path)
+{
+	struct error_list errors = {0};
+	struct collisions c;
+	const struct collisions_way way = {
+	    .speed = NAN, .cut = 10, .density = 2700, .unit = "J/kg"};
+	bool taken = collisions_read(path, &way, &c, &errors);
+	collisions_clear(&c);
+	return taken;
+}
+
+static bool
 read_log(const char *path)
 {
 	struct error_list errors = {0};
@@ -259,8 +283,9 @@ static const struct reader READERS[] = {{"sheet", read_sheet},
     {"workbook", read_sheet}, {"xlsx-sheet", read_xlsx_sheet},
     {"xlsx-styles", read_xlsx_styles}, {"xlsx-strings", read_xlsx_strings},
     {"ods", read_ods}, {"table3", read_table3}, {"spec", read_spec},
-    {"materials", read_materials}, {"script", read_script}, {"init", read_init},
-    {"store", read_store}, {"log", read_log}};
+    {"circuit", read_circuit}, {"materials", read_materials},
+    {"script", read_script}, {"init", read_init}, {"store", read_store},
+    {"log", read_log}, {"energy", read_energy}};
 
 const struct reader *
 reader_find(const char *name)

@@ -1,6 +1,7 @@
 /* What keys do on the full screen, and in a line that is typed there.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <fcntl.h>
+#include <math.h>
 #include <signal.h>
 #include <string.h>
 #include <unistd.h>
@@ -8,16 +9,22 @@
 #include <curses.h>
 
 #include "desk.h"
+#include "stage.h"
 
 #include "base/text.h"
 #include "cmd/journal.h"
+#include "cmd/plots_search.h"
+#include "ui/above.h"
 #include "ui/act.h"
 #include "ui/control.h"
 #include "ui/frame.h"
+#include "ui/goal.h"
 #include "ui/input.h"
+#include "ui/pages.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
 #include "ui/shot.h"
+#include "ui/track.h"
 #include "ui/tui_state.h"
 
 static void
@@ -27,36 +34,13 @@ type(struct tui *t, const char *text)
 		act_key(t, (int)text_next(&text), false);
 }
 
-/* A full screen on the session of a desk, drawn aside. */
-struct stage {
-	struct tui t;
-	struct desk *desk;
-	struct display *was;
-};
-
 static int
 stage_open(void **state)
 {
-	struct stage *stage = xcalloc(1, sizeof *stage);
-	void *desk;
-	desk_open(&desk);
-	stage->desk = desk;
-	stage->was = screen_aside(24, 80, CHARSET_ASCII, 0);
-	control_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
+	struct stage *stage = stage_new(24, 80, CHARSET_ASCII, 0, NULL);
 	frame_draw(&stage->t);
 	*state = stage;
 	return 0;
-}
-
-static int
-stage_close(void **state)
-{
-	struct stage *stage = *state;
-	void *desk = stage->desk;
-	control_end(&stage->t);
-	canvas_free(screen_back(stage->was));
-	free(stage);
-	return desk_close(&desk);
 }
 
 /* U+0157 has the number of the keypad's Enter. */
@@ -135,9 +119,9 @@ a_smaller_screen_shows_the_key_under_the_cursor(void **state)
 	struct display *was = screen_aside(6, 60, CHARSET_ASCII, 0);
 	frame_draw(t);
 	canvas_free(screen_back(was));
-	assert_int_equal(v->at, 18);
+	assert_in_range(v->at, 19, 21); /* headings above */
 	assert_in_range(v->at - v->top, 0, t->places.body.rows - 1);
-	assert_in_range(v->top, 1, 18);
+	assert_in_range(v->top, 1, 21);
 	frame_draw(t);
 	type(t, "\033:help predict\n");
 	frame_draw(t);
@@ -217,15 +201,431 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	press(t, "End");
 	assert_int_equal(tui_generation(t), n);
 	press(t, "H");
-	assert_int_equal(tui_generation(t), n - 10);
+	/* The polish is a step of its own behind the last. */
+	assert_int_equal(tui_steps(t), n + 1);
+	assert_int_equal(tui_generation(t), n - 9);
 	assert_int_equal(t->tenths, tenths);
 	type(t, "\t");
 	press(t, "Home");
-	assert_int_equal(tui_generation(t), n - 10);
+	assert_int_equal(tui_generation(t), n - 9);
 	assert_int_equal(t->tenths, tui_range(t).least);
 }
 
-/* The letters of a command would each have done something. */
+static bool
+mouse(struct tui *t, enum touch_kind kind, int row, int column)
+{
+	return touch_mouse(t, &t->touches, kind, row, column, act_key);
+}
+
+/* Works out all that is drawn and draws it, as the loop does. */
+static void
+draw_all(struct tui *t)
+{
+	control_predict(t);
+	pages_update(t);
+	frame_draw(t);
+}
+
+/* From the fitted start: t, the value, Enter; find must say the same. */
+static void
+a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	control_look(t);
+	type(t, "t5.2\n");
+	assert_false(t->typing.active);
+	assert_string_equal(t->session->set.goal, "p80=5.2");
+	assert_string_equal(t->command, "set goal \"p80=5.2\"");
+	assert_false(goal_known(t));
+	char *words = goal_words(t, GOALS_FULL);
+	assert_string_equal(words, "goal p80=5.2: being worked out");
+	free(words);
+	words = goal_words(t, GOALS_SHORT);
+	assert_string_equal(words, "goal");
+	free(words);
+	draw_all(t);
+	assert_true(goal_known(t));
+	double best = goal_best(t);
+	type(t, "N");
+	assert_int_equal(t->tenths, slider_tenths(tui_range(t), best));
+	type(t, ":find p80=5.2\n");
+	assert_float_equal(
+	    session_known(t->session, "find", "speed"), best, 1e-6);
+	words = goal_words(t, GOALS_SHORT);
+	assert_string_equal(words, "goal at 72.4");
+	free(words);
+	words = goal_words(t, GOALS_FULL);
+	assert_string_equal(words, "goal p80=5.2: met at 72.4 m/s");
+	free(words);
+}
+
+/* Not to the next run, nor is it dropped: the slider follows, or whatever is
+ * asked at its speed. */
+static void
+a_key_of_the_goal_waits_for_its_speeds(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	control_look(t);
+	type(t, "tpassing 2 = 33..35\n");
+	static const char *const AWAY[] = {"l", "\033", "073.1\n"};
+	t->aside = false;
+	for (size_t i = 0; i < ARRAY_LEN(AWAY); i++) {
+		type(t, "074.3\nN");
+		assert_non_null(strstr(t->message, "being worked out"));
+		assert_int_equal(t->tenths, 743);
+		type(t, AWAY[i]);
+		int there = t->tenths;
+		track_wished(t, true);
+		assert_int_equal(t->tenths, there);
+	}
+	t->tenths = 743;
+	type(t, "N");
+	control_predict(t);
+	assert_int_equal(t->tenths, 743);
+	t->aside = true;
+	pages_update(t);
+	assert_true(above_wait(t) <= 0);
+	control_predict(t);
+	int best = slider_tenths(tui_range(t), goal_best(t));
+	assert_int_not_equal(best, 743);
+	assert_int_equal(t->tenths, best);
+	/* Before that it is worked out for who will not wait. */
+	type(t, ":set level 90\n");
+	assert_false(goal_known(t));
+	t->tenths = 743;
+	t->aside = false;
+	type(t, "Nx");
+	t->aside = true;
+	assert_int_equal(lround(10 * t->pin.speed), best);
+}
+
+/* Nor is it worked out again for what changes nothing of it. */
+static void
+a_goal_stays_known_until_something_else_is_asked(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	static const char *const SAME[] = {":why\n\033", "c", "x", "c", "1",
+	    ":validate\n\033", ":show fit\n\033"},
+				 *const OTHER[] = {":set correction off\n",
+				     ":set k 0.9\n", ":params set alpha=0.5\n",
+				     ":set goal p80<5.1\n"};
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	control_look(t);
+	type(t, "tp80<5.2\n");
+	draw_all(t);
+	for (size_t i = 0; i < ARRAY_LEN(SAME); i++) {
+		type(t, SAME[i]);
+		if (!goal_known(t))
+			fail_msg("forgotten by %s", SAME[i]);
+	}
+	for (size_t i = 0; i < ARRAY_LEN(OTHER); i++) {
+		type(t, OTHER[i]);
+		if (goal_known(t))
+			fail_msg("still known after %s", OTHER[i]);
+		draw_all(t);
+	}
+}
+
+/* The search itself tells what it has. */
+static void
+a_goal_may_be_set_while_a_first_search_runs(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	type(t, ":load data/sites/tierp.csv\nt");
+	assert_false(t->typing.active);
+	type(t, "f");
+	control_pump(t);
+	draw_all(t);
+	type(t, "tp80<5.2\n");
+	assert_string_equal(t->session->set.goal, "p80<5.2");
+	assert_true(session_busy(t->session));
+	type(t, "N");
+	assert_null(t->wish);
+}
+
+/* The key that was pressed as it opened has closed it. */
+static void
+a_report_that_was_closed_is_shown_again(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	control_look(t);
+	draw_all(t);
+	type(t, "V");
+	assert_null(t->viewer.text);
+	type(t, "2:validate holdout=each\n");
+	assert_true(session_busy(t->session));
+	const char *hints = page_fit.hints_now(t);
+	assert_non_null(strstr(hints, "Esc stop"));
+	assert_null(strstr(hints, "generation"));
+	while (session_busy(t->session))
+		control_pump(t);
+	assert_non_null(t->viewer.text);
+	char *report = xstrdup(t->viewer.text);
+	type(t, "1l");
+	draw_all(t);
+	assert_null(t->viewer.text);
+	assert_string_equal(t->message, "validate: done, V shows it again");
+	type(t, "?\033V");
+	assert_string_equal(t->viewer.text, report);
+	free(report);
+}
+
+static void
+the_crosshair_goes_to_both_ends_of_the_sieves(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	control_look(t);
+	draw_all(t);
+	type(t, "c");
+	int tenths = t->tenths;
+	press(t, "Home");
+	assert_int_equal(t->cross_at, t->shown.product.n - 1);
+	press(t, "End");
+	assert_int_equal(t->cross_at, 0);
+	assert_int_equal(t->tenths, tenths);
+}
+
+/* What is near a bound of a wide range is not at it. */
+static void
+the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
+{
+	enum { ALPHA = 7 };
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk,
+	    "load data/sites/tierp.csv; bounds alpha 0..60; "
+	    "calibrate generations=3");
+	control_look(t);
+	type(t, "2");
+	press(t, "Down");
+	type(t, "\n\033");
+	assert_int_equal(t->param_at, 1);
+	draw_all(t);
+	char *text = NULL;
+	size_t n = 0;
+	FILE *out = text_memory(&text, &n);
+	canvas_print(screen_frame(), 0, out);
+	fclose(out);
+	assert_non_null(strstr(text, "beta1 >"));
+	assert_null(strstr(text, "beta2 >"));
+	struct plots_past past = tui_past(t);
+	struct plots_strip strip =
+	    plots_search_strip(t->session, &past, 0, ALPHA - 1);
+	assert_true(strip.near && !strip.at_bound);
+	const char *alpha = strstr(text, "alpha ");
+	assert_non_null(alpha);
+	assert_null(memchr(alpha, '!', strcspn(alpha, "\n")));
+	free(text);
+	type(t, ":bounds alpha 0..2\n");
+	t->param_at = ALPHA;
+	type(t, "\n");
+	assert_non_null(strstr(t->message, "alpha: 0..2 now"));
+}
+
+/* The parts of the search are one window, as `window` gives it. */
+static void
+the_limits_of_a_window_are_where_n_and_p_go(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	double limit[8];
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	control_look(t);
+	type(t, "tpassing 2 = 33..35, p80 > 5\n");
+	draw_all(t);
+	assert_int_equal(goal_limits(t, limit, 8), 2);
+	desk_expect(stage->desk, "window \"passing 2 = 33..35\" \"p80 > 5\"");
+	const struct session *s = t->session;
+	assert_float_equal(
+	    session_known(s, "window", "best"), goal_best(t), 1e-3);
+	assert_int_equal(t->goal.found.n_inside, 1);
+	t->tenths = 650;
+	type(t, "n");
+	assert_int_equal(t->tenths, slider_tenths(tui_range(t), limit[0]));
+	type(t, "n");
+	assert_int_equal(t->tenths, slider_tenths(tui_range(t), limit[1]));
+	type(t, "n");
+	assert_int_equal(t->tenths, slider_tenths(tui_range(t), limit[1]));
+	type(t, "p");
+	assert_int_equal(t->tenths, slider_tenths(tui_range(t), limit[0]));
+	bool certain;
+	assert_true(goal_holds(t, limit[0], limit[1], &certain));
+	assert_false(goal_holds(t, 80, 85, &certain));
+	/* Nothing is wanted any more: runs are where they go. */
+	type(t, "t\025\n");
+	assert_string_equal(t->session->set.goal, "");
+	t->tenths = 650;
+	type(t, "nn");
+	assert_int_equal(t->tenths, 740);
+}
+
+static void
+what_is_no_goal_stays_in_its_field(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	type(t, "t");
+	assert_false(t->typing.active);
+	assert_true(t->bad);
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	control_look(t);
+	static const char *const BAD[] = {"p80 = few", "p80=5,p50=2",
+	    "passing 2 < 140", "no such envelope", "p80=-1"};
+	for (size_t i = 0; i < ARRAY_LEN(BAD); i++) {
+		type(t, "t");
+		type(t, BAD[i]);
+		type(t, "\n");
+		assert_true(t->typing.active && t->bad);
+		assert_string_equal(t->typing.text, BAD[i]);
+		assert_string_equal(t->session->set.goal, "");
+		type(t, "\033");
+		assert_false(t->typing.active);
+	}
+	/* What stands there already is only offered. */
+	static const struct {
+		const char *typed, *goal;
+	} ANEW[] = {{"t5.2\n", "p80=5.2"}, {"t5.4\n", "p80=5.4"},
+	    {"t<6\n", "p80<6"}, {"t,fines<9\n", "p80<6,fines<9"},
+	    {"tnone\n", ""}, {"tp80=5\n", "p80=5"}, {"t\025\n", ""}};
+	for (size_t i = 0; i < ARRAY_LEN(ANEW); i++) {
+		t->quantity =
+		    (struct quantity){.kind = QUANTITY_SIZE, .x = 0.8};
+		type(t, ANEW[i].typed);
+		assert_string_equal(t->session->set.goal, ANEW[i].goal);
+	}
+	/* A sign of its own; a quantity alone is shown, and nothing wanted. */
+	type(t, "t<6\n");
+	assert_string_equal(t->session->set.goal, "p80<6");
+	type(t, "tpassing 4\n");
+	assert_string_equal(t->session->set.goal, "");
+	assert_int_equal(t->quantity.kind, QUANTITY_PASSING);
+	type(t, "tfin\t");
+	assert_string_equal(t->typing.text, "fines<");
+	type(t, "6\n");
+	draw_all(t);
+	assert_true(goal_known(t));
+	type(t, "t\025EN 12620 0/4\n");
+	draw_all(t);
+	assert_true(t->goal.list.n > 1);
+}
+
+static void
+y_goes_round_the_quantities_above_the_track(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	control_look(t);
+	for (int i = 0; i < 8; i++) {
+		assert_true((t->quantity.kind == QUANTITY_SIZE &&
+				t->quantity.x == 0.8) == (i == 0));
+		draw_all(t);
+		type(t, "y");
+	}
+	assert_true(t->quantity.kind == QUANTITY_SIZE && t->quantity.x == 0.8);
+	type(t, "Y");
+	assert_int_equal(t->quantity.kind, QUANTITY_SHARE);
+	type(t, "y");
+	/* A press there is one on the track. */
+	draw_all(t);
+	struct area above = t->places.above;
+	assert_true(
+	    mouse(t, TOUCH_PRESS, above.row, places_track(&t->places).column));
+	assert_int_equal(t->tenths, tui_range(t).least);
+	touch_release(&t->touches);
+}
+
+static void
+a_point_makes_one_generation(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	desk_expect(
+	    ((struct stage *)*state)->desk, "load data/sites/tierp.csv");
+	control_look(t);
+	type(t, "f...");
+	assert_true(t->held);
+	assert_int_equal(tui_past(t).n, 3);
+	/* A search that waits is not pumped. */
+	t->clock = 1000;
+	control_pump(t);
+	assert_int_equal(tui_past(t).n, 3);
+	while (session_busy(t->session))
+		type(t, ".");
+	assert_true(tui_entry(t)->has_fit);
+	size_t steps = tui_steps(t);
+	assert_int_equal(tui_step(t), steps);
+	type(t, "\t");
+	press(t, "Home");
+	type(t, ".");
+	assert_int_equal(tui_step(t), 2);
+	tui_look_at(t, steps);
+	type(t, ".");
+	assert_int_equal(tui_step(t), steps);
+}
+
+/* With the key of the page and Enter in eight. */
+static void
+bounds_are_typed_on_their_strip(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	struct session *s = t->session;
+	desk_expect(((struct stage *)*state)->desk,
+	    "load data/sites/tierp.csv; calibrate population=100 "
+	    "generations=9");
+	control_look(t);
+	type(t, "2");
+	press(t, "Down");
+	press(t, "Enter");
+	assert_true(t->typing.active);
+	assert_string_equal(t->typing.text, "bounds beta1 ");
+	type(t, "0..5\n");
+	assert_string_equal(t->command, "bounds beta1 0..5");
+	assert_true(s->set.bounds.lower[0] == 0 && s->set.bounds.upper[0] == 5);
+	press(t, "Up");
+	assert_int_equal(t->param_at, 1);
+	for (int i = 0; i < 20; i++)
+		press(t, "Down");
+	assert_int_equal(t->param_at, 7);
+	frame_draw(t);
+	int row = t->places.side.row;
+	while (!t->typing.active && row < 24)
+		mouse(t, TOUCH_PRESS, row++, t->places.side.column + 2);
+	assert_string_equal(t->typing.text, "bounds beta1 ");
+}
+
+static void
+generations_are_slow_while_the_best_gains(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	desk_expect(
+	    ((struct stage *)*state)->desk, "load data/sites/tierp.csv");
+	control_look(t);
+	assert_int_equal(t->pace, PACE_AUTO);
+	type(t, "f");
+	bool slow = false, quick = false;
+	for (double clock = 0; tui_past(t).n < 40; clock += 0.001) {
+		size_t before = tui_past(t).n;
+		t->clock = t->due = clock;
+		control_pump(t);
+		assert_int_equal(tui_past(t).n, before + 1);
+		slow = slow || t->due - clock > 0.2;
+		quick = quick || t->due - clock < 0.03;
+	}
+	assert_true(slow && quick);
+	type(t, "+");
+	assert_true(PACES[t->pace] == 50);
+	type(t, "------");
+	assert_int_equal(t->pace, PACE_AUTO);
+}
 
 static void
 the_mouse_drags_the_scrubber_to_its_ends(void **state)
@@ -236,18 +636,22 @@ the_mouse_drags_the_scrubber_to_its_ends(void **state)
 	type(t, "2");
 	frame_draw(t);
 	size_t n = tui_past(t).n;
-	const struct area s = t->scrubber;
+	const struct area s = t->places.caption;
+	int column = 30;
 	assert_true(n > 1 && s.rows == 1);
-	assert_false(page_fit.mouse(t, s.row + 1, s.column, true));
+	assert_false(mouse(t, TOUCH_DRAG, s.row, column));
 	assert_null(t->focus);
-	assert_false(page_fit.mouse(t, s.row, s.column, false));
-	assert_true(page_fit.mouse(t, s.row, s.column, true));
+	assert_true(mouse(t, TOUCH_PRESS, s.row, column));
 	assert_true(t->focus == &page_fit);
-	assert_int_equal(tui_generation(t), 1);
-	assert_true(page_fit.mouse(t, 0, s.column + s.columns / 2, false));
 	assert_in_range(tui_generation(t), 2, n - 1);
-	assert_true(page_fit.mouse(t, 0, s.column + s.columns + 9, false));
+	assert_true(mouse(t, TOUCH_DRAG, 0, 0));
+	assert_int_equal(tui_generation(t), 1);
+	assert_true(mouse(t, TOUCH_DRAG, 0, 90));
 	assert_int_equal(tui_generation(t), n);
+	touch_release(&t->touches);
+	assert_false(mouse(t, TOUCH_DRAG, 0, 0));
+	assert_true(mouse(t, TOUCH_PRESS, t->places.header.row, 79));
+	assert_true(t->viewer.keys);
 }
 
 static void
@@ -258,12 +662,14 @@ the_list_has_the_keys_of_other_pages(void **state)
 	desk_expect(
 	    stage->desk, "load data/sites/tierp.csv data/sites/bro.csv");
 	control_look(t);
+	type(t, "5");
 	t->site_at = 0;
-	type(t, "?/use this site\n");
+	type(t, "?/use a site\n");
 	assert_int_equal(stage->desk->session->current, 0);
 	assert_string_equal(t->command, "use tierp");
+	assert_int_equal(t->page, PAGE_PREDICT);
 	type(t, "?/next plot\n");
-	assert_int_equal(t->picture, PLOT_CONVERGENCE);
+	assert_int_equal(t->picture, PLOT_PSD);
 	assert_int_equal(t->page, PAGE_PREDICT);
 	type(t, "?/down in a list\n");
 	assert_false(t->leave);
@@ -283,6 +689,247 @@ a_colon_begins_a_line_over_what_fills_the_screen(void **state)
 	assert_string_equal(t->typing.text, "undo");
 }
 
+/* The frame as it is drawn once the loop has gone round, but for the rows of
+ * the last command and of what it said. */
+static char *
+shown(struct tui *t)
+{
+	char *text = NULL;
+	size_t n = 0;
+	t->message[0] = '\0';
+	free(t->command);
+	t->command = NULL;
+	draw_all(t);
+	FILE *memory = open_memstream(&text, &n);
+	free(t->command);
+	t->command = NULL;
+	frame_draw(t);
+	canvas_print(screen_frame(), 0, memory);
+	fclose(memory);
+	char *copy = xstrdup(text);
+	free(text);
+	return copy;
+}
+
+/* Whether a screen on a new session shows the same by that script. */
+static void
+shows_in_another(struct tui *t, const char *file, const char *was)
+{
+	void *desk;
+	desk_open(&desk);
+	struct session *other = ((struct desk *)desk)->session;
+	const struct numbers pin = t->pin;
+	enum page page = t->page;
+	control_end(t);
+	control_begin(t, other, &SHOT_WAYS);
+	char *line = xasprintf(":source %s\n", file);
+	type(t, line);
+	free(line);
+	control_end(t);
+	control_begin(t, other, &SHOT_WAYS);
+	char *is = shown(t);
+	assert_int_equal(t->page, page);
+	assert_float_equal(t->quantity.x, 0.2, 1e-12);
+	assert_true(t->pin.feed == 69 && t->pin.speed == 74);
+	assert_memory_equal(t->pin.size, pin.size, sizeof pin.size);
+	assert_string_equal(is, was);
+	free(is);
+	control_end(t);
+	desk_close(&desk);
+}
+
+/* Goal, pinned prediction with its feed, quantity, correction and page are
+ * commands, so that the script brings all of them back. */
+static void
+what_is_shown_is_saved_and_shown_again(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	char folder[] = "/tmp/tipspeed-act-XXXXXX";
+	assert_non_null(mkdtemp(folder));
+	static const char *const PAGES_OF[] = {"1", "2", "5"};
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	type(t, ":predict 74 feed=69\n");
+	control_predict(t);
+	type(t, "xt5.2\n");
+	t->tenths = 712;
+	control_predict(t);
+	type(t, "yya");
+	for (size_t i = 0; i < ARRAY_LEN(PAGES_OF); i++) {
+		/* What was read cannot be overwritten. */
+		char *file = xasprintf("%s/%zu.tip", folder, i);
+		type(t, PAGES_OF[i]);
+		char *line = xasprintf(":save %s\n", file);
+		type(t, line);
+		assert_non_null(strstr(t->message, "wrote"));
+		assert_null(strstr(t->message, "without"));
+		free(line);
+		char *was = shown(t);
+		/* In a new session, and then in the screen that is open. */
+		shows_in_another(t, file, was);
+		control_begin(t, stage->desk->session, &SHOT_WAYS);
+		type(t, ":reset\n");
+		assert_int_equal(t->page, PAGE_PREDICT);
+		assert_string_equal(t->session->set.goal, "");
+		assert_int_equal(t->pin.site[0], '\0');
+		line = xasprintf(":restore %s\n", file);
+		type(t, line);
+		/* No text of what its commands said is to be closed. */
+		assert_null(t->viewer.text);
+		free(line);
+		char *is = shown(t);
+		assert_string_equal(is, was);
+		free(is);
+		free(was);
+		unlink(file);
+		free(file);
+	}
+	rmdir(folder);
+}
+
+/* q, and tui again; what the page is is nothing to undo. */
+static void
+what_is_left_is_found_again(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	struct session *s = stage->desk->session;
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	control_look(t);
+	control_predict(t);
+	type(t, "xtp80<5.2\ny4");
+	t->aside = false; /* as where somebody looks */
+	control_end(t);
+	assert_string_equal(s->set.goal, "p80<5.2");
+	control_begin(t, s, &SHOT_WAYS);
+	assert_int_equal(t->page, PAGE_PARITY);
+	assert_float_equal(t->quantity.x, 0.5, 1e-12);
+	assert_true(t->pin.speed == 74);
+	type(t, "1u");
+	assert_string_equal(s->set.goal, "");
+	assert_int_equal(t->page, PAGE_PREDICT);
+	type(t, "u");
+	assert_int_equal(t->pin.site[0], '\0');
+	assert_true(tui_entry(t)->has_fit);
+	type(t, "UU");
+	assert_string_equal(s->set.goal, "p80<5.2");
+	assert_true(t->pin.speed == 74);
+	/* A search goes on when a goal is set, which is saved nevertheless. */
+	type(t, "fy");
+	control_pump(t);
+	assert_true(session_busy(s));
+	type(t, "tp80<5.3\n");
+	assert_true(session_busy(s));
+	control_keep(t);
+	char *text = NULL;
+	size_t n = 0;
+	FILE *memory = open_memstream(&text, &n);
+	journal_put(s, memory);
+	fclose(memory);
+	assert_non_null(strstr(text, "set goal p80<5.3\n"));
+	free(text);
+}
+
+/* To its end, with the slider moved between its steps. */
+static void
+go_through(struct tui *t, const char *at)
+{
+	size_t frames = 0;
+	for (; session_busy(t->session); frames++) {
+		if (frames == 1) {
+			char *frame = shown(t);
+			assert_non_null(strstr(frame, at));
+			free(frame);
+		}
+		double p80 = t->now.size[2];
+		type(t, frames % 2 == 0 ? "H" : "L");
+		control_predict(t);
+		assert_true(t->now.size[2] != p80);
+		assert_non_null(t->shown.low);
+		control_pump(t);
+	}
+	assert_in_range(frames, 3, 100000);
+}
+
+/* Long commands are stepped: keys are taken meanwhile, a line says how far it
+ * is, the result is the same as at the prompt, and Esc stops. */
+static void
+long_commands_leave_the_screen_live(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	struct session *s = stage->desk->session;
+	static const struct {
+		const char *line, *at, *field, *stopped;
+	} LONG[] = {{":validate holdout=each\n", "WORKING  validate: tierp",
+			"overall.rmse_pct", "before all speeds"},
+	    {":validate all holdout=each\n", "WORKING  validate: tierp",
+		"p50.rms_pct", "before all speeds"},
+	    {":league\n", "WORKING  league: tierp, model", "models.aicc",
+		"before all models"}};
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	for (size_t i = 0; i < ARRAY_LEN(LONG); i++) {
+		const char *command = LONG[i].line + 1;
+		char *plain = xstrndup(command, strcspn(command, "\n")),
+		     *name = xstrndup(command, strcspn(command, " \n"));
+		desk_expect(stage->desk, plain);
+		double want = session_known(s, name, LONG[i].field);
+		session_forget(s);
+		control_look(t);
+		draw_all(t);
+		t->aside = false; /* as where somebody looks */
+		type(t, LONG[i].line);
+		assert_true(session_busy(s));
+		go_through(t, LONG[i].at);
+		assert_non_null(t->viewer.text);
+		assert_null(strstr(t->viewer.text, "calibrating Tierp"));
+		assert_float_equal(
+		    session_known(s, name, LONG[i].field), want, 1e-12);
+		assert_true(tui_entry(t)->has_fit);
+		type(t, "\033");
+		assert_null(t->viewer.text);
+		type(t, LONG[i].line);
+		control_pump(t);
+		type(t, "\033");
+		assert_false(session_busy(s));
+		assert_non_null(strstr(t->message, LONG[i].stopped));
+		assert_true(tui_entry(t)->has_fit);
+		t->aside = true;
+		free(plain);
+		free(name);
+	}
+}
+
+/* The draws behind the light are steps, too: keys are taken between them, and
+ * the page says what happens. */
+static void
+the_draws_after_a_fit_can_be_watched(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	struct session *s = stage->desk->session;
+	desk_expect(stage->desk, "load data/sites/tierp.csv");
+	control_look(t);
+	t->aside = false; /* as where somebody looks */
+	t->pace = PACE_FULL;
+	type(t, "f");
+	size_t drawing = 0;
+	while (session_busy(s)) {
+		control_pump(t);
+		if (!session_busy(s) ||
+		    calibration_status(s->job.calibration).state <
+			CALIBRATE_TOLERANCE)
+			continue;
+		drawing++;
+		char *frame = shown(t);
+		assert_non_null(strstr(frame, "posterior"));
+		free(frame);
+	}
+	assert_in_range(drawing, 2, 10000);
+	assert_true(tui_entry(t)->has_fit);
+	t->aside = true;
+}
+
 static void
 e_proposes_a_file(void **state)
 {
@@ -295,7 +942,7 @@ e_proposes_a_file(void **state)
 	type(t, "\033");
 	control_predict(t);
 	type(t, "xe");
-	assert_non_null(strstr(t->typing.text, "beside=tierp"));
+	assert_non_null(strstr(t->typing.text, "beside=pinned"));
 	assert_non_null(strstr(t->typing.text, " > tierp-74.0.svg"));
 }
 
@@ -311,6 +958,14 @@ d_tells_the_picture_of_the_page(void **state)
 	type(t, "\0334d");
 	assert_string_equal(t->command, "describe parity");
 	type(t, "\0332d");
+	assert_string_equal(t->command, "describe search");
+	type(t, "\033\t");
+	press(t, "Home");
+	type(t, "d");
+	assert_string_equal(t->command, "describe search generation=1");
+	press(t, "Esc");
+	press(t, "End");
+	type(t, "\tvd");
 	assert_string_equal(t->command, "describe psd speed=74.0");
 	type(t, "\033vd");
 	assert_string_equal(t->command, "describe convergence");
@@ -323,10 +978,36 @@ d_tells_the_picture_of_the_page(void **state)
 	control_predict(t);
 	type(t, "d");
 	assert_string_equal(t->command,
-	    "describe psd speed=76.0 beside=tierp other=74.0 band=on at=5.6 "
-	    "level=50");
+	    "describe psd speed=76.0 beside=pinned band=on at=5.6 level=50");
 	assert_non_null(t->viewer.text);
 	assert_non_null(strstr(t->viewer.text, "crosshair at 5.6 mm"));
+}
+
+/* The pinned answer is told and exported as it was shown, with its own feed,
+ * whatever feed the slider's has. */
+static void
+a_pinned_answer_keeps_its_feed(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	char want[40];
+	desk_expect(((struct stage *)*state)->desk,
+	    "load data/sites/tierp.csv; calibrate");
+	type(t, ":predict 74 feed=69\n");
+	control_predict(t);
+	type(t, "x");
+	assert_true(t->pin.feed == 69);
+	type(t, "\033");
+	type(t, ":predict 79 feed=79\n");
+	control_predict(t);
+	assert_int_equal(t->shown.feed_run, 2);
+	type(t, "d");
+	assert_non_null(strstr(t->command, "beside=pinned"));
+	snprintf(want, sizeof want, "P50 %.2f mm, P80 %.2f mm", t->pin.size[1],
+	    t->pin.size[2]);
+	assert_non_null(strstr(t->viewer.text, want));
+	type(t, "\033e");
+	assert_non_null(strstr(t->typing.text, "beside=pinned"));
+	type(t, "\033");
 }
 
 /* The linker puts these in the place of what they count. */
@@ -380,6 +1061,180 @@ a_step_predicts_once_and_says_nothing(void **state)
 	s->out = s->notes = said;
 	fclose(heard);
 	free(text);
+}
+
+/* Legend and numbers change together. */
+static void
+a_shows_the_answer_of_the_correction(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	desk_expect(((struct stage *)*state)->desk,
+	    "load data/sites/tierp.csv; calibrate; predict speed=74");
+	draw_all(t);
+	double all = t->now.size[1];
+	type(t, "aa");
+	draw_all(t);
+	assert_null(t->shown.low);
+	assert_true(fabs(t->now.size[1] - all) > 1e-6);
+	type(t, "a");
+	draw_all(t);
+	assert_non_null(t->shown.low);
+	assert_float_equal(t->now.size[1], all, 1e-9);
+	/* Page Data takes its column from the same answer; so does undo. */
+	type(t, "3aau");
+	draw_all(t);
+	assert_non_null(t->shown.low);
+}
+
+/* A text without the breaks between its lines; the caller frees. */
+static char *
+on_one_line(const char *text)
+{
+	char *line = xstrdup(text);
+	for (char *c = line; *c != '\0'; c++)
+		*c = *c == '\n' ? ' ' : *c;
+	return line;
+}
+
+/* Sizes are read from the finer curve wherever they stand. */
+static void
+a_size_is_one_number_everywhere(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	char words[64];
+	double apart = 0;
+	desk_expect(((struct stage *)*state)->desk,
+	    "load data/sites/tierp.csv; calibrate; predict speed=80");
+	draw_all(t);
+	type(t, "cb");
+	for (int v = 70; v <= 84; v += 2) {
+		t->tenths = 10 * v;
+		draw_all(t);
+		double p50 = t->now.size[1];
+		apart = fmax(
+		    apart, fabs(p50 - 1000 * psd_size(&t->shown.product, 0.5)));
+		type(t, "d");
+		assert_non_null(t->viewer.text);
+		char *told = on_one_line(t->viewer.text), *at = told;
+		snprintf(words, sizeof words, "predicted %d m/s: ", v);
+		/* Of the curve, and of the prediction. */
+		for (int n = 0; n < 2; n++, at++) {
+			at = strstr(at, words);
+			assert_non_null(at);
+			assert_float_equal(
+			    strtod(strstr(at, "P50 ") + 4, NULL), p50, 0.0051);
+		}
+		at = strstr(told, "50 % pass:");
+		assert_non_null(at);
+		snprintf(words, sizeof words, "predicted %d m/s ", v);
+		at = strstr(at, words) + strlen(words);
+		assert_float_equal(strtod(at, NULL), p50, 0.0051);
+		snprintf(words, sizeof words, "(%.2f to %.2f)",
+		    1000 * t->shown.range[1][0], 1000 * t->shown.range[1][1]);
+		assert_non_null(strstr(at, words));
+		free(told);
+		type(t, "\033");
+	}
+	assert_true(apart > 0.02); /* it can be told */
+}
+
+static void
+undo_says_what_it_took_and_how_it_comes_back(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	desk_expect(((struct stage *)*state)->desk,
+	    "load data/sites/tierp.csv; calibrate; predict speed=74");
+	draw_all(t);
+	press(t, "Right");
+	draw_all(t);
+	assert_null(strstr(pages_open(t)->hints_now(t), "U redo"));
+	type(t, "u");
+	assert_false(tui_entry(t)->has_fit);
+	assert_non_null(strstr(t->message, "undone: calibrate; U brings"));
+	assert_non_null(strstr(pages_open(t)->hints_now(t), "U redo"));
+	type(t, "U");
+	assert_true(tui_entry(t)->has_fit);
+	assert_null(strstr(t->message, "U brings"));
+}
+
+/* One stray x loses nothing: as in "/x" where there is no list to search. */
+static void
+what_was_unpinned_can_be_pinned_again(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	desk_expect(((struct stage *)*state)->desk,
+	    "load data/sites/tierp.csv; calibrate; predict speed=74");
+	draw_all(t);
+	type(t, "x");
+	double p50 = t->pin.size[1];
+	for (int i = 0; i < 30; i++)
+		press(t, "Right");
+	draw_all(t);
+	type(t, "/x");
+	assert_int_equal(t->pin.site[0], '\0');
+	assert_non_null(strstr(t->message, "unpinned tierp at 74.0 m/s: u"));
+	draw_all(t);
+	type(t, "u");
+	assert_true(t->pin.speed == 74 && t->pin.size[1] == p50);
+	assert_true(t->kept.speed == 74 && t->kept.product.n > 0);
+	assert_true(tui_entry(t)->has_fit);
+	draw_all(t);
+	/* x again pins what is shown; each is a step of undo. */
+	type(t, "xx");
+	assert_true(t->pin.speed == 77);
+	type(t, "x:set k 2\nuuuuu");
+	assert_int_equal(t->pin.site[0], '\0');
+	assert_true(tui_entry(t)->has_fit);
+	type(t, "u");
+	assert_false(tui_entry(t)->has_fit);
+}
+
+static bool may;
+static size_t asked;
+
+static bool
+answer_may(struct session *s, const char *question)
+{
+	(void)s;
+	(void)question;
+	asked++;
+	return may;
+}
+
+/* What only reads leaves a search alone; what stops it asks where a fit would
+ * be replaced, and tells. */
+static void
+a_line_stops_no_search_unsaid(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	struct session *s = t->session;
+	desk_expect(((struct stage *)*state)->desk,
+	    "load data/sites/tierp.csv; calibrate; predict speed=74");
+	control_look(t);
+	s->hooks.confirm = answer_may;
+	const double best = tui_entry(t)->fit.misfit;
+	type(t, "f.. ");
+	static const char *const BESIDE[] = {":help\n\033", ":hlep\n", "d\033",
+	    ":bounds\n\033", ":predict 75 \n", ":show\n\033"};
+	for (size_t i = 0; i < ARRAY_LEN(BESIDE); i++) {
+		type(t, BESIDE[i]);
+		assert_true(session_busy(s) && !t->held);
+		assert_int_equal(tui_past(t).n, 2);
+	}
+	type(t, ":version\n");
+	assert_non_null(t->viewer.text);
+	assert_int_equal(asked, 0);
+	type(t, "\033:set k 1\n");
+	assert_int_equal(asked, 1);
+	assert_true(session_busy(s));
+	assert_true(tui_entry(t)->fit.misfit == best);
+	assert_non_null(strstr(t->message, "goes on"));
+	may = true;
+	type(t, ":set k 1\n");
+	assert_int_equal(asked, 2);
+	assert_false(session_busy(s));
+	assert_non_null(strstr(t->message, "was stopped"));
+	assert_true(tui_entry(t)->fit.misfit > best);
 }
 
 static volatile sig_atomic_t stops;
@@ -509,6 +1364,21 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    ON_STAGE(a_step_predicts_once_and_says_nothing),
+	    ON_STAGE(a_shows_the_answer_of_the_correction),
+	    ON_STAGE(a_line_stops_no_search_unsaid),
+	    ON_STAGE(a_size_is_one_number_everywhere),
+	    ON_STAGE(undo_says_what_it_took_and_how_it_comes_back),
+	    ON_STAGE(what_was_unpinned_can_be_pinned_again),
+	    ON_STAGE(a_goal_takes_five_keys_and_is_met_where_find_says),
+	    ON_STAGE(a_key_of_the_goal_waits_for_its_speeds),
+	    ON_STAGE(a_goal_stays_known_until_something_else_is_asked),
+	    ON_STAGE(a_goal_may_be_set_while_a_first_search_runs),
+	    ON_STAGE(a_report_that_was_closed_is_shown_again),
+	    ON_STAGE(the_crosshair_goes_to_both_ends_of_the_sieves),
+	    ON_STAGE(the_chosen_parameter_and_those_at_bounds_are_marked),
+	    ON_STAGE(the_limits_of_a_window_are_where_n_and_p_go),
+	    ON_STAGE(what_is_no_goal_stays_in_its_field),
+	    ON_STAGE(y_goes_round_the_quantities_above_the_track),
 	    ON_STAGE(every_letter_is_text_in_a_line),
 	    ON_STAGE(what_is_completed_is_whole_letters),
 	    ON_STAGE(the_keypad_has_an_enter),
@@ -517,10 +1387,18 @@ main(void)
 	    ON_STAGE(text_wider_than_the_screen_is_read_to_its_end),
 	    ON_STAGE(a_pause_is_no_part_of_the_search),
 	    ON_STAGE(the_scrubber_has_the_keys_of_the_slider),
+	    ON_STAGE(a_point_makes_one_generation),
+	    ON_STAGE(bounds_are_typed_on_their_strip),
+	    ON_STAGE(generations_are_slow_while_the_best_gains),
 	    ON_STAGE(the_mouse_drags_the_scrubber_to_its_ends),
 	    ON_STAGE(the_list_has_the_keys_of_other_pages),
 	    ON_STAGE(a_colon_begins_a_line_over_what_fills_the_screen),
+	    ON_STAGE(what_is_shown_is_saved_and_shown_again),
+	    ON_STAGE(what_is_left_is_found_again),
+	    ON_STAGE(long_commands_leave_the_screen_live),
+	    ON_STAGE(the_draws_after_a_fit_can_be_watched),
 	    ON_STAGE(e_proposes_a_file),
+	    ON_STAGE(a_pinned_answer_keeps_its_feed),
 	    ON_STAGE(d_tells_the_picture_of_the_page),
 	    ON_STAGE(
 		an_answer_is_measured_by_the_screen_and_not_by_the_text_before),

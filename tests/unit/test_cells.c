@@ -61,7 +61,7 @@ every_dot_of_braille_is_drawn(void **state)
 	char *svg = drawn(c, 256);
 	assert_int_equal(count(svg, "<text "), 0);
 	assert_int_equal(count(svg, "h0"), 9);
-	assert_int_equal(count(svg, "stroke=\"#d7af00\""), 1);
+	assert_int_equal(count(svg, "stroke=\"#767676\""), 1);
 	free(svg);
 }
 

@@ -104,7 +104,8 @@ every_sieve_has_a_tick_where_it_belongs(void **state)
 		int row = axis_row(c), left = 4;
 		for (size_t i = 0; i < N; i++) {
 			double t = log(SIEVES[i] / 0.063) / log(22.4 / 0.063);
-			int at = left + (int)lround(t * (columns - left - 1));
+			int n = columns - left;
+			int at = left + (t < 1 ? (int)(t * n + 1e-9) : n - 1);
 			assert_int_equal(canvas_at(c, at, row)->code, '+');
 		}
 		canvas_free(c);
@@ -155,8 +156,208 @@ round_axes_cover_what_they_are_asked(void **state)
 	}
 }
 
+/* Row of a label of the y axis, or -1. */
+static int
+label_row(struct canvas *c, const char *label)
+{
+	for (int row = 0; row < c->rows; row++) {
+		char text[5] = "";
+		for (int i = 0; i < 4; i++)
+			text[i] = (char)canvas_at(c, i, row)->code;
+		text[strcspn(text, "|+")] = '\0';
+		if (strcmp(text + strspn(text, " "), label) == 0)
+			return row;
+	}
+	return -1;
+}
+
+/* Whatever the height, a label stands in the row that holds its value or
+ * nowhere; the data have all rows but that of the title of the axis and, where
+ * there is room, the axis and its labels. */
+static void
+a_label_stands_where_its_value_is(void **state)
+{
+	(void)state;
+	static const double TICKS[] = {0, 20, 50, 80, 100};
+	struct chart *chart = with(SOLID);
+	for (int rows = 5; rows <= 40; rows++) {
+		struct canvas *c =
+		    chart_draw(chart, 60, rows, CHARSET_ASCII, 0);
+		int top = canvas_at(c, 0, 0)->code == 'p', seen = 0;
+		int height = axis_row(c) > top ? axis_row(c) - top : rows - top;
+		for (size_t i = 0; i < sizeof TICKS / sizeof TICKS[0]; i++) {
+			char label[24];
+			snprintf(label, sizeof label, "%g", TICKS[i]);
+			int row = label_row(c, label) - top;
+			if (row < 0 || row >= height)
+				continue;
+			seen++;
+			double high = 100 - 100.0 * row / height;
+			assert_true(TICKS[i] <= high + 1e-9);
+			assert_true(TICKS[i] >= high - 100.0 / height - 1e-9);
+		}
+		assert_true(seen >= 2);
+		canvas_free(c);
+	}
+	chart_free(chart);
+}
+
+/* Of 19.7 and 36.2 % both stood at "50" in a plot of four rows. */
+static void
+a_fine_mark_stands_in_the_part_of_a_cell(void **state)
+{
+	(void)state;
+	for (int rows = 4; rows < 40; rows += 5)
+		for (double y = 1.7; y < 100; y += 5.9) {
+			struct chart *chart = empty();
+			struct chart_series *s = chart_add(chart,
+			    (struct chart_series){.series = SERIES_MEASURED_1,
+				.line = CHART_MARKS,
+				.mark = '+',
+				.fine = true},
+			    1, "mark");
+			s->x[0] = 1;
+			s->y[0] = y;
+			struct canvas *c =
+			    chart_draw(chart, 60, rows, CHARSET_BRAILLE, 0);
+			int top = canvas_at(c, 0, 0)->code == 'p', foot = rows;
+			while (canvas_at(c, 3, foot - 1)->code != 0x2502 &&
+			       canvas_at(c, 3, foot - 1)->code != 0x2524)
+				foot--;
+			/* Rows of dots that the mark has. */
+			int least = 4 * rows, most = -1;
+			for (int i = 0; i < c->columns * c->rows; i++) {
+				static const unsigned char ROW[4] = {
+				    0x09, 0x12, 0x24, 0xC0};
+				if (c->cell[i].series != SERIES_MEASURED_1)
+					continue;
+				for (int d = 0; d < 4; d++) {
+					int at = 4 * (i / c->columns - top) + d;
+					if (!(c->cell[i].code & ROW[d]))
+						continue;
+					least = at < least ? at : least;
+					most = at > most ? at : most;
+				}
+			}
+			int n = 4 * (foot - top);
+			int want = (int)((100 - y) / 100 * n);
+			assert_int_equal(least, want > 0 ? want - 1 : 0);
+			assert_int_equal(most, want + 1 < n ? want + 1 : want);
+			canvas_free(c);
+			chart_free(chart);
+		}
+}
+
 /* A line that rises to the right: seen from the left, no cell of a column lies
  * wholly below all cells of the column before. */
+/* Evenly within the straight part, by factors beyond, alike on both sides. */
+static void
+a_symmetric_axis_magnifies_what_is_near_0(void **state)
+{
+	(void)state;
+	struct axis a = axis_symlog("x", 0.1, 100);
+	assert_true(fabs(axis_share(&a, 0) - (0.5)) < 1e-9);
+	assert_true(fabs(axis_share(&a, -100) - (0)) < 1e-9);
+	assert_true(fabs(axis_share(&a, 1e6) - (1)) < 1e-9);
+	double straight = axis_share(&a, 0.1) - 0.5;
+	assert_true(fabs(axis_share(&a, 0.05) - 0.5 - (straight / 2)) < 1e-9);
+	double decade = axis_share(&a, 1) - axis_share(&a, 0.1);
+	assert_true(fabs(decade - (straight * log(10))) < 1e-9);
+	for (double x = 0.01; x < 100; x *= 1.3) {
+		assert_true(
+		    fabs(axis_share(&a, x) + axis_share(&a, -x) - (1)) < 1e-9);
+		assert_true(axis_share(&a, 1.3 * x) > axis_share(&a, x));
+	}
+	for (size_t i = 0; i < a.n; i++)
+		assert_true(
+		    fabs(atof(a.tick[i].label) - (a.tick[i].at)) < 1e-9);
+	axis_free(&a);
+}
+
+/* A bar stands in its cell and the one beside it stays free. */
+static void
+bars_stand_side_by_side(void **state)
+{
+	(void)state;
+	for (size_t c = 0; c < 3; c++) {
+		struct chart *chart = empty();
+		struct chart_series look = {.series = SERIES_MEASURED_1,
+		    .line = CHART_SOLID,
+		    .ascii = '|',
+		    .bars = true};
+		for (int k = 0; k < 2; k++) {
+			look.beside = k;
+			look.series = (enum series)(SERIES_MEASURED_1 + k);
+			struct chart_series *s =
+			    chart_add(chart, look, 1, "bar %d", k);
+			chart_add_band(s);
+			s->x[0] = 1;
+			s->low[0] = 20;
+			s->high[0] = 80;
+		}
+		struct canvas *canvas =
+		    chart_draw(chart, 60, 24, CHARSETS[c], 0);
+		int rows[2] = {0};
+		for (int k = 0; k < 60 * 24; k++)
+			for (int i = 0; i < 2; i++)
+				rows[i] += canvas->cell[k].series ==
+					   SERIES_MEASURED_1 + i;
+		assert_in_range(rows[0], 12, 15);
+		assert_int_equal(rows[0], rows[1]);
+		canvas_free(canvas);
+		chart_free(chart);
+	}
+}
+
+/* A mark in a bar, in reverse, with a free cell above and below. */
+static void
+a_lifted_mark_stands_out_of_its_bar(void **state)
+{
+	(void)state;
+	for (size_t k = 0; k < 3; k++) {
+		struct chart *chart = empty();
+		struct chart_series *bar = chart_add(chart,
+		    (struct chart_series){.series = SERIES_MEASURED_1,
+			.line = CHART_LONG,
+			.ascii = '#',
+			.bars = true},
+		    1, "bar");
+		chart_add_band(bar);
+		struct chart_series *best = chart_add(chart,
+		    (struct chart_series){.series = SERIES_PREDICTED,
+			.mark = 'v',
+			.lifted = true},
+		    1, "best");
+		bar->x[0] = best->x[0] = 2;
+		bar->high[0] = 95;
+		bar->y[0] = best->y[0] = 50;
+		struct canvas *c = chart_draw(chart, 60, 24, CHARSETS[k], 0);
+		int n = 0;
+		for (int row = 1; row + 1 < c->rows; row++)
+			for (int column = 5; column < c->columns; column++) {
+				const struct canvas_cell *at =
+				    canvas_at(c, column, row);
+				if (at->code != 'v')
+					continue;
+				n++;
+				assert_true(at->attribute & CELL_REVERSE);
+				for (int by = -1; by <= 1; by += 2) {
+					assert_int_equal(
+					    canvas_at(c, column, row + by)
+						->code,
+					    ' ');
+					assert_int_equal(
+					    canvas_at(c, column, row + 2 * by)
+						->series,
+					    SERIES_MEASURED_1);
+				}
+			}
+		assert_int_equal(n, 1);
+		canvas_free(c);
+		chart_free(chart);
+	}
+}
+
 static void
 a_rising_curve_rises_in_every_charset(void **state)
 {
@@ -246,22 +447,129 @@ a_mark_stands_at_every_point(void **state)
 	chart_free(chart);
 }
 
+/* Of a mark in dots, which may be in several cells, and of several runs at the
+ * same places each is seen somewhere. */
 static void
-a_band_lies_behind_its_line(void **state)
+no_run_hides_another(void **state)
 {
 	(void)state;
-	struct chart *chart = with(SOLID);
+	enum { RUNS = 4 };
+	struct chart *chart = empty();
+	for (int k = 0; k < RUNS; k++) {
+		struct chart_series *s = chart_add(chart,
+		    (struct chart_series){.line = CHART_MARKS,
+			.series = (enum series)(SERIES_MEASURED_1 + k),
+			.mark = "+xvo"[k],
+			.fine = true},
+		    N, "run %d", k);
+		memcpy(s->x, SIEVES, sizeof SIEVES);
+		memcpy(s->y, PASSING, sizeof PASSING);
+	}
+	for (size_t i = 0; i < 3; i++) {
+		struct canvas *c =
+		    chart_draw(chart, 75, 18, CHARSETS[i], CHART_TITLE);
+		for (int k = 0; k < RUNS; k++)
+			assert_in_range(
+			    count(c, (enum series)(SERIES_MEASURED_1 + k), 0),
+			    2, 1000);
+		canvas_free(c);
+	}
+	chart_free(chart);
+}
+
+/* The line is hollow where a hollow mark stands on it. */
+static void
+a_held_out_mark_is_hollow(void **state)
+{
+	(void)state;
+	struct chart *chart = empty();
+	struct chart_series *s = chart_add(chart,
+	    (struct chart_series){
+		.series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'},
+	    2, "line");
+	s->x[0] = 0.063;
+	s->x[1] = 22.4;
+	s->y[0] = s->y[1] = 50;
+	s = chart_add(chart,
+	    (struct chart_series){.series = SERIES_MEASURED_1,
+		.line = CHART_MARKS,
+		.mark = 'O',
+		.fine = true},
+	    1, "mark");
+	s->x[0] = 1;
+	s->y[0] = 50;
+	int dots[2] = {0};
+	for (int k = 0; k < 2; k++) {
+		chart->series[1].mark = "Ox"[k];
+		struct canvas *c =
+		    chart_draw(chart, 60, 20, CHARSET_BRAILLE, 0);
+		for (int i = 0; i < c->columns * c->rows; i++)
+			if (c->cell[i].series == SERIES_MEASURED_1)
+				dots[k] +=
+				    __builtin_popcount(c->cell[i].code & 0xFF);
+		canvas_free(c);
+	}
+	assert_int_equal(dots[1] - dots[0], 1);
+	chart_free(chart);
+}
+
+/* Cells of a band of so many points around the line. */
+static int
+banded(enum charset charset, double points, uint32_t code)
+{
+	struct chart_series look = SOLID;
+	look.series = SERIES_PREDICTED;
+	struct chart *chart = with(look);
 	struct chart_series *s = &chart->series[0];
 	chart_add_band(s);
 	for (size_t i = 0; i < N; i++) {
-		s->low[i] = fmax(0, s->y[i] - 10);
-		s->high[i] = fmin(100, s->y[i] + 10);
+		s->low[i] = fmax(0, s->y[i] - points);
+		s->high[i] = fmin(100, s->y[i] + points);
 	}
-	struct canvas *c =
-	    chart_draw(chart, 78, 24, CHARSET_BRAILLE, CHART_TITLE);
-	assert_true(count(c, SERIES_BAND, 0x2591) > 78);
-	assert_true(count(c, SERIES_MEASURED_1, 0) >= 70);
+	struct canvas *c = chart_draw(chart, 78, 24, charset, CHART_TITLE);
+	assert_true(count(c, SERIES_PREDICTED, 0) >= 70);
+	int n = count(c, SERIES_BAND, code);
 	canvas_free(c);
+	chart_free(chart);
+	return n;
+}
+
+/* A row has 5 points: a band of 2 fills none, it has edges, in dots. */
+static void
+a_band_is_no_thicker_than_it_is(void **state)
+{
+	(void)state;
+	assert_in_range(banded(CHARSET_BRAILLE, 10, 0x2591), 78, 1000);
+	assert_in_range(banded(CHARSET_ASCII, 10, ','), 78, 1000);
+	for (size_t i = 0; i < 3; i++) {
+		assert_int_equal(banded(CHARSETS[i], 1, 0x2591), 0);
+		assert_int_equal(banded(CHARSETS[i], 1, ','), 0);
+	}
+	assert_in_range(banded(CHARSET_BRAILLE, 4, 0), 20, 1000);
+}
+
+/* A strip takes its rows from the chart above it, whose axis it shares, and
+ * gives way where that becomes too low. */
+static void
+a_strip_lies_below_its_chart(void **state)
+{
+	(void)state;
+	struct chart *chart = with(SOLID);
+	chart->below = with(SOLID);
+	chart->below->strip = 4;
+	free(chart->below->title);
+	chart->below->title = strdup("strip");
+	for (int rows = 5; rows < 30; rows++) {
+		struct canvas *c =
+		    chart_draw(chart, 60, rows, CHARSET_ASCII, 0);
+		bool there = rows >= 12;
+		assert_int_equal(
+		    canvas_at(c, 0, there ? rows - 4 : 0)->code == 's', there);
+		assert_int_equal(canvas_at(c, 4, rows - 1)->code == '|' ||
+				     canvas_at(c, 4, rows - 1)->code == '+',
+		    there);
+		canvas_free(c);
+	}
 	chart_free(chart);
 }
 
@@ -325,13 +633,21 @@ main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(any_size_is_exact_and_safe),
 	    cmocka_unit_test(every_sieve_has_a_tick_where_it_belongs),
+	    cmocka_unit_test(a_label_stands_where_its_value_is),
+	    cmocka_unit_test(a_fine_mark_stands_in_the_part_of_a_cell),
 	    cmocka_unit_test(labels_go_by_rank_and_into_a_second_row),
 	    cmocka_unit_test(round_axes_cover_what_they_are_asked),
+	    cmocka_unit_test(a_symmetric_axis_magnifies_what_is_near_0),
+	    cmocka_unit_test(bars_stand_side_by_side),
+	    cmocka_unit_test(a_lifted_mark_stands_out_of_its_bar),
 	    cmocka_unit_test(a_rising_curve_rises_in_every_charset),
 	    cmocka_unit_test(points_outside_stay_off_the_axes),
 	    cmocka_unit_test(line_styles_differ_without_colour),
 	    cmocka_unit_test(a_mark_stands_at_every_point),
-	    cmocka_unit_test(a_band_lies_behind_its_line),
+	    cmocka_unit_test(no_run_hides_another),
+	    cmocka_unit_test(a_held_out_mark_is_hollow),
+	    cmocka_unit_test(a_band_is_no_thicker_than_it_is),
+	    cmocka_unit_test(a_strip_lies_below_its_chart),
 	    cmocka_unit_test(values_are_read_off_straight_on_the_log),
 	    cmocka_unit_test(fields_are_shaded_and_labelled)};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -107,8 +107,8 @@ every_option_is_offered_once(void **state)
 			free(wanted);
 		}
 	}
-	expect(desk, "predict s", 8, "speed=");
-	expect(desk, "predict 74 s", 11, "");
+	expect(desk, "predict sp", 8, "speed=");
+	expect(desk, "predict 74 sp", 11, "");
 }
 
 static void
@@ -262,7 +262,7 @@ files_and_folders(void **state)
 	expect(desk, "load \"b", 5, "\"bro.csv\" ");
 	expect(desk, "load sem", 5, "\"semi;colon\" ");
 	expect(desk, "load .", 5, ".hidden ");
-	expect(desk, "load s", 5, "\"semi;colon\" |sheet=|sheets/");
+	expect(desk, "load s", 5, "\"semi;colon\" |sheet=|sheets/|skip=");
 	expect(desk, "load sheets/", 5, "sheets/tierp.csv ");
 	expect(desk, "load two", 5, "\"two words/");
 	expect(desk, "load \"two words/", 5, "\"two words/a.csv\" ");
@@ -277,7 +277,9 @@ files_and_folders(void **state)
 	desk->session->safe = false;
 	expect(desk, "load new", 5, "");
 	expect(desk, "load nowhere/", 5, "");
-	expect(desk, "find spec=b", 10, "bro.csv ");
+	expect(desk, "find spec=br", 10, "bro.csv ");
+	expect(desk, "find spec=mo", 10, "");
+	expect(desk, "find spec=\"en 12620 gn", 10, "\"EN 12620 GNG90 0/8\" ");
 	expect(desk, "find spec=\"my q", 10, "\"my quarry.csv\" ");
 	expect(desk, "find spec=a=", 10, "a=b,c ");
 	expect(desk, "write replace=on b", 17, "bro.csv ");

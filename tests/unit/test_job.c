@@ -337,7 +337,8 @@ a_step_is_named_that_the_bounds_allow(void **state)
 	size_t named = 0, one_way = 0;
 	for (size_t i = 0; i < ARRAY_LEN(most); i++) {
 		char *line = xasprintf("bounds e0_min 8..%g; bounds alpha "
-				       "0.9..1; calibrate population=200",
+				       "0.9..1; calibrate population=200 "
+				       "detail=on",
 		    most[i]);
 		size_t before = desk->n_out;
 		desk_expect(desk, line);

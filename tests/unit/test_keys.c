@@ -30,7 +30,8 @@ every_key_is_found_on_its_pages_only(void **state)
 			if (k->pages & (1U << page))
 				assert_ptr_equal(
 				    keys_find(k->code, (enum page)page), k);
-	assert_null(keys_find('v', PAGE_PREDICT));
+	assert_null(keys_find('v', PAGE_DATA));
+	assert_non_null(keys_find('v', PAGE_PREDICT));
 	assert_non_null(keys_find('v', PAGE_FIT));
 	assert_ptr_equal(
 	    keys_find('\r', PAGE_SITES), keys_find('\n', PAGE_SITES));
@@ -59,7 +60,7 @@ the_list_has_every_name(void **state)
 	size_t n = 0;
 	FILE *out = open_memstream(&text, &n);
 	assert_non_null(out);
-	keys_list("", out);
+	keys_list(PAGE_FIT, "", out);
 	fclose(out);
 	for (const struct key *k = KEYS; k->code != 0; k++)
 		if (k->name != NULL)
@@ -68,16 +69,45 @@ the_list_has_every_name(void **state)
 	for (const char *p = text; *p != '\0'; p += strcspn(p, "\n") + 1)
 		assert_true(strcspn(p, "\n") <= 80);
 	free(text);
-	assert_ptr_equal(keys_nth("", 0), KEYS);
-	assert_int_equal(keys_nth("CALIBRATE, or", 0)->code, 'f');
-	assert_null(keys_nth("no such word", 0));
+	assert_null(keys_nth(PAGE_PREDICT, "", 0));
+	assert_ptr_equal(keys_nth(PAGE_PREDICT, "", 1), KEYS);
+	assert_int_equal(keys_nth(PAGE_FIT, "CALIBRATE, or", 1)->code, 'f');
+	assert_null(keys_nth(PAGE_FIT, "no such word", 1));
 	out = open_memstream(&text, &n);
 	assert_non_null(out);
-	keys_list("grading", out);
+	keys_list(PAGE_FIT, "grading", out);
 	fclose(out);
 	assert_non_null(strstr(text, "no key for 'grading'"));
 	assert_non_null(strstr(text, ":apropos grading"));
 	free(text);
+}
+
+/* The first line is a heading, then what only that page has or does most. */
+static void
+the_keys_of_the_open_page_come_first(void **state)
+{
+	(void)state;
+	static const struct {
+		enum page page;
+		int first, other;
+	} OF[] = {{PAGE_PREDICT, 'c', 'f'}, {PAGE_FIT, 'v', 'c'},
+	    {PAGE_SITES, '/', 'c'}};
+	for (size_t i = 0; i < sizeof OF / sizeof OF[0]; i++) {
+		size_t n = 1, first = 0, other = 0, all = 0;
+		for (const struct key *k = KEYS; k->code != 0; k++)
+			all++;
+		for (; keys_nth(OF[i].page, "", n) != NULL; n++)
+			first = keys_nth(OF[i].page, "", n)->code == OF[i].first
+				    ? n
+				    : first;
+		assert_true(first > 0);
+		for (size_t k = n + 1; keys_nth(OF[i].page, "", k); k++)
+			other = keys_nth(OF[i].page, "", k)->code == OF[i].other
+				    ? k
+				    : other;
+		assert_true(other > n);
+		assert_int_equal(keys_count(OF[i].page, ""), all);
+	}
 }
 
 static void
@@ -96,6 +126,7 @@ keys_are_called_by_every_name(void **state)
 			const struct key *found = keys_find(
 			    code, k->pages == ON_FIT     ? PAGE_FIT
 				  : k->pages == ON_SITES ? PAGE_SITES
+				  : k->pages == ON_DATA  ? PAGE_DATA
 							 : PAGE_PREDICT);
 			assert_non_null(found);
 			assert_int_equal(found->act, k->act);
@@ -118,6 +149,7 @@ main(void)
 	    cmocka_unit_test(every_key_is_found_on_its_pages_only),
 	    cmocka_unit_test(second_ways_do_the_same),
 	    cmocka_unit_test(the_list_has_every_name),
+	    cmocka_unit_test(the_keys_of_the_open_page_come_first),
 	    cmocka_unit_test(keys_are_called_by_every_name),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

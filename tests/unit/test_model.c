@@ -272,7 +272,8 @@ matrix_of(const double beta[4], enum appearance_form form, const double *x,
 {
 	struct breaker b;
 	struct params p = {.beta = {beta[0], beta[1], beta[2], beta[3]}};
-	breaker_set(&b, &p, 1);
+	struct model_settings settings = model_settings_default();
+	breaker_set(&b, &p, &settings);
 	breaker_at(&b, 74);
 	classes_matrix(&b, form, x, n, m);
 }

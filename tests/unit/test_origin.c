@@ -1,5 +1,6 @@
 /* Where data and parameters are from, wherever they go.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
 #include <string.h>
 
 #include "cmd/answers.h"
@@ -190,6 +191,33 @@ a_fit_of_few_cells_is_not_judged(void **state)
 	assert_true(says(desk, "predict", "low %"));
 }
 
+/* For the time of the command only, even where it fails. */
+static void
+another_feed_leaves_the_session_as_it_was(void **state)
+{
+	struct desk *desk = *state;
+	static const char *const LINE[] = {
+	    "predict 74 feed=data/sites/bro.csv@69 cascade=10",
+	    "why 69 79 feed=data/sites/bro.csv@69 k=2",
+	    "blend data/sites/bro.csv@69=1 data/sites/bro.csv@79=2",
+	    "find p80=5 p50=2 feed=data/sites/bro.csv@69",
+	    "predict 74 feed=nothing.csv"};
+	desk_expect(desk, "load data/sites/tierp.csv");
+	desk_expect(desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
+	struct session *s = desk->session;
+	const struct entry was = s->entry[0];
+	desk_expect(desk, "predict 74");
+	double own = session_known(s, "predict", "p50_mm");
+	for (size_t i = 0; i < ARRAY_LEN(LINE); i++) {
+		assert_true(desk_say(desk, LINE[i]) == (i < 3));
+		assert_memory_equal(&s->entry[0], &was, sizeof was);
+		assert_int_equal(was.site->n_run, 3);
+	}
+	assert_true(fabs(session_known(s, "predict", "p50_mm") - own) > 1e-4);
+	desk_expect(desk, "predict 74");
+	assert_true(session_known(s, "predict", "p50_mm") == own);
+}
+
 int
 main(void)
 {
@@ -202,6 +230,7 @@ main(void)
 	    at_desk(parameters_keep_their_origin_in_use_by_another),
 	    at_desk(a_shared_fit_has_a_band_for_each_site),
 	    at_desk(each_feed_has_its_own_band),
+	    at_desk(another_feed_leaves_the_session_as_it_was),
 	    at_desk(undo_and_redo_carry_the_origin),
 	    at_desk(a_fit_of_few_cells_is_not_judged),
 	};

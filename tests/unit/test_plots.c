@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
 #include "cmd/plots.h"
@@ -87,6 +88,55 @@ no_two_series_look_alike(void **state)
 	}
 }
 
+static bool
+is_of_a_run(enum series series)
+{
+	return series >= SERIES_MEASURED_1 && series <= SERIES_MEASURED_4;
+}
+
+/* Only what belongs to a measured run has a run's colour, and that its own. */
+static void
+colours_of_runs_are_of_runs_alone(void **state)
+{
+	static const enum plot_kind NO_RUN[] = {PLOT_PARITY, PLOT_CONVERGENCE,
+	    PLOT_SPREAD, PLOT_SELECTION, PLOT_APPEARANCE, PLOT_MAP, PLOT_SWEEP,
+	    PLOT_RESPONSE, PLOT_PROFILE, PLOT_CORRELATION};
+	static const enum plot_kind RUNS[] = {
+	    PLOT_PSD, PLOT_RESIDUALS, PLOT_SEARCH};
+	struct desk *desk = *state;
+	desk_expect(desk, SEARCH);
+	for (size_t k = 0; k < ARRAY_LEN(NO_RUN); k++) {
+		struct plot_request q = plots_request(NO_RUN[k]);
+		struct chart *c = chart_of(desk, &q);
+		for (size_t i = 0; i < c->n; i++)
+			assert_false(is_of_a_run(c->series[i].series));
+		chart_free(c);
+	}
+	for (size_t k = 0; k < ARRAY_LEN(RUNS); k++) {
+		struct plot_request q = plots_request(RUNS[k]);
+		struct chart *c = chart_of(desk, &q);
+		size_t n = 0;
+		for (size_t i = 0; i < c->n; i++) {
+			static const struct {
+				const char *speed;
+				enum series series;
+			} OF[] = {{"69 m/s", SERIES_MEASURED_1},
+			    {"74 m/s", SERIES_MEASURED_2},
+			    {"79 m/s", SERIES_MEASURED_3}};
+			const struct chart_series *s = &c->series[i];
+			for (size_t r = 0; r < ARRAY_LEN(OF); r++)
+				if (is_of_a_run(s->series) &&
+				    strstr(s->name, OF[r].speed) != NULL) {
+					assert_int_equal(
+					    s->series, OF[r].series);
+					n++;
+				}
+		}
+		assert_true(n >= 2);
+		chart_free(c);
+	}
+}
+
 static void
 every_sieve_of_the_sheet_is_a_tick(void **state)
 {
@@ -140,15 +190,51 @@ a_generation_shows_its_own_best(void **state)
 	assert_memory_equal(&p, &h->generation[6].params, sizeof p);
 	q.kind = PLOT_CONVERGENCE;
 	struct chart *c = chart_of(desk, &q);
-	assert_int_equal(c->series[0].n, 7);
+	assert_int_equal(c->series[0].n, h->n);
+	assert_true(c->n_rule == 1 && c->rule[0].x == 7);
 	chart_free(c);
 	q.generation = h->n + 1;
-	for (int kind = PLOT_PSD; kind <= PLOT_SPREAD; kind++) {
-		q.kind = (enum plot_kind)kind;
-		if (kind != PLOT_PARITY)
-			assert_null(
-			    plots_chart(desk->session, &q, &desk->error));
+	static const enum plot_kind KNOWING[] = {
+	    PLOT_PSD, PLOT_CONVERGENCE, PLOT_SPREAD, PLOT_SEARCH};
+	for (size_t i = 0; i < ARRAY_LEN(KNOWING); i++) {
+		q.kind = KNOWING[i];
+		assert_null(plots_chart(desk->session, &q, &desk->error));
 	}
+}
+
+/* Every generation on one scale, and only the runs that are fitted. */
+static void
+a_search_is_shown_on_a_scale_that_stays(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, SEARCH);
+	const struct entry *entry = session_entry(desk->session);
+	const struct history *h = entry->history;
+	struct plot_request q = plots_request(PLOT_SEARCH),
+			    r = plots_request(PLOT_CONVERGENCE);
+	size_t trained = 0;
+	for (size_t i = 0; i < entry->site->n_run; i++)
+		trained += entry->train[i];
+	struct chart *end = chart_of(desk, &q), *all = chart_of(desk, &r);
+	assert_int_equal(end->n, 1 + 2 * trained);
+	for (q.generation = 1; q.generation <= h->n; q.generation += 7) {
+		r.generation = q.generation;
+		struct chart *c = chart_of(desk, &q), *d = chart_of(desk, &r);
+		assert_true(c->y.low == end->y.low && c->y.high == end->y.high);
+		assert_true(d->y.low == all->y.low && d->y.high == all->y.high);
+		for (size_t i = 1; i < c->n; i += 2)
+			for (size_t j = 0; j < c->series[i].n; j++)
+				assert_true(
+				    c->series[i].low[j] <= c->series[i].y[j] &&
+				    c->series[i].y[j] <= c->series[i].high[j]);
+		chart_free(c);
+		chart_free(d);
+	}
+	/* What is told in points is what the fit says of itself. */
+	const struct chart_series *last = &all->series[all->n - 1];
+	assert_true(fabs(last->y[last->n - 1] - 100 * entry->fit.rmse) < 1e-6);
+	chart_free(end);
+	chart_free(all);
 }
 
 static void
@@ -207,6 +293,119 @@ a_second_site_has_a_curve_of_its_own(void **state)
 	prediction_free(&kept);
 }
 
+/* The second one of the same site takes the feed it is told to, the first one's
+ * without. */
+static void
+a_second_prediction_has_its_own_feed(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	static const double FEEDS[] = {0, 69};
+	desk_expect(desk, PARAMS_SET);
+	struct plot_request q = plots_request(PLOT_PSD);
+	q.speed = 79;
+	q.other_speed = 74;
+	for (size_t i = 0; i < 2; i++) {
+		const struct entry *entry = session_entry(s);
+		size_t feed = site_run_at(entry->site, i == 0 ? 79 : 69);
+		struct prediction want =
+		    outlook_form(s, entry, &entry->params, 74, feed);
+		q.other_feed = FEEDS[i];
+		struct chart *c = chart_of(desk, &q);
+		const struct chart_series *second = &c->series[c->n - 2];
+		assert_int_equal(second->series, SERIES_OTHER);
+		for (size_t j = 0; j < want.product.n; j++)
+			assert_true(fabs(second->y[j] -
+					 100 * want.product.passing[j]) < 1e-9);
+		chart_free(c);
+		prediction_free(&want);
+	}
+	desk_expect(desk, "plot psd speed=79 other=74 other_feed=69");
+	assert_false(
+	    desk_say(desk, "plot psd speed=79 other=74 other_feed=70"));
+	assert_non_null(strstr(desk->error.text, "no feed sampled at 70"));
+}
+
+/* Prediction less the other one, the nearest run less the prediction. */
+static void
+differences_have_a_strip(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, PARAMS_SET);
+	struct plot_request q = plots_request(PLOT_PSD);
+	q.speed = 74.3;
+	struct chart *c = chart_of(desk, &q);
+	assert_non_null(c->below);
+	assert_int_equal(c->below->n, 1);
+	assert_string_equal(
+	    c->below->title, "points; marks: measured 74 m/s less predicted");
+	chart_free(c);
+	q.other_speed = 70;
+	c = chart_of(desk, &q);
+	const struct chart *strip = c->below;
+	assert_int_equal(strip->n, 2);
+	assert_int_equal(strip->strip, q.strip);
+	assert_true(strip->y.high == -strip->y.low);
+	double most = 0;
+	for (size_t i = 0; i < 2; i++) {
+		const struct chart_series *d = &strip->series[i];
+		const struct chart_series *one = &c->series[c->n - 1];
+		const struct chart_series *two = &c->series[c->n - 2];
+		for (size_t j = 0; j < d->n; j++)
+			most = fmax(most, fabs(d->y[j]));
+		for (size_t j = 0; j < d->n && d->line != CHART_MARKS; j++)
+			assert_true(
+			    fabs(d->y[j] - (one->y[j] - two->y[j])) < 1e-9);
+	}
+	assert_true(most > 0 && most <= strip->y.high);
+	chart_free(c);
+	q.strip = 0;
+	c = chart_of(desk, &q);
+	assert_null(c->below);
+	chart_free(c);
+}
+
+/* Runs keep their colour and mark wherever the slider stands, and are hollow
+ * where held out; of more than can be told apart it is said. */
+static void
+all_runs_are_drawn(void **state)
+{
+	enum { RUNS = 14 };
+	struct desk *desk = *state;
+	char path[] = "/tmp/plots-XXXXXX";
+	int fd = mkstemp(path);
+	assert_true(fd >= 0);
+	dprintf(fd, "size_mm,feed");
+	for (int i = 0; i < RUNS; i++)
+		dprintf(fd, ",product@%d", 60 + 2 * i);
+	static const double FEED[] = {100, 60, 30, 10};
+	for (int row = 0; row < 4; row++) {
+		dprintf(fd, "\n%d,%g", 16 >> row, FEED[row]);
+		for (int i = 0; i < RUNS; i++)
+			dprintf(fd, ",%g", row == 0 ? 100 : FEED[row] + 5 + i);
+	}
+	dprintf(fd, "\n");
+	close(fd);
+	char *load = xasprintf("load %s", path);
+	desk_expect(desk, load);
+	free(load);
+	unlink(path);
+	desk_expect(desk, PARAMS_SET);
+	struct plot_request q = plots_request(PLOT_PSD);
+	q.speed = 61;
+	struct chart *c = chart_of(desk, &q);
+	size_t marks = 0;
+	for (size_t i = 0; i < c->n; i++)
+		marks += c->series[i].line == CHART_MARKS;
+	assert_int_equal(marks, PLOTS_MEASURED);
+	bool said = false;
+	for (size_t i = 0; i < c->n_note; i++)
+		said = said ||
+		       strcmp(c->note[i], "2 measured runs are not drawn") == 0;
+	assert_true(said);
+	chart_free(c);
+}
+
 static void
 what_is_missing_is_said(void **state)
 {
@@ -260,6 +459,8 @@ main(void)
 	    cmocka_unit_test_setup_teardown(
 		no_two_series_look_alike, open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(
+		colours_of_runs_are_of_runs_alone, open_with_site, desk_close),
+	    cmocka_unit_test_setup_teardown(
 		every_sieve_of_the_sheet_is_a_tick, open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(
 		a_running_search_shows_its_best_so_far, open_with_site,
@@ -267,11 +468,21 @@ main(void)
 	    cmocka_unit_test_setup_teardown(
 		a_generation_shows_its_own_best, open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(
+		a_search_is_shown_on_a_scale_that_stays, open_with_site,
+		desk_close),
+	    cmocka_unit_test_setup_teardown(
 		a_band_holds_the_prediction_of_a_fit, open_with_site,
 		desk_close),
 	    cmocka_unit_test_setup_teardown(
 		a_second_site_has_a_curve_of_its_own, open_with_site,
 		desk_close),
+	    cmocka_unit_test_setup_teardown(
+		a_second_prediction_has_its_own_feed, open_with_site,
+		desk_close),
+	    cmocka_unit_test_setup_teardown(
+		differences_have_a_strip, open_with_site, desk_close),
+	    cmocka_unit_test_setup_teardown(
+		all_runs_are_drawn, open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(
 		what_is_missing_is_said, open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(

@@ -61,6 +61,8 @@ test_bits(void **state)
 		assert_memory_equal(&a->params, &b->params, sizeof a->params);
 		assert_memory_equal(a->hyper, b->hyper, sizeof a->hyper);
 		assert_memory_equal(
+		    &a->strengths, &b->strengths, sizeof a->strengths);
+		assert_memory_equal(
 		    a->term[0], b->term[0], one->n_knot * sizeof *a->term[0]);
 	}
 	assert_true(one->ratio == two->ratio && one->drift == two->drift);
@@ -92,6 +94,117 @@ test_bounds(void **state)
 		most = fmax(most, q->at[gamma]);
 	}
 	assert_true(least < 0 && most > 0 && most - least < 2);
+	posterior_free(p);
+	site_free(k.site);
+}
+
+/* The exact product of parameters whose rock has two strengths. */
+static void
+exact_product(const struct params *p, const struct strengths *rock,
+    struct model_settings settings, const struct psd *feed, double v,
+    double *out)
+{
+	double by[2] = {rock->softer, rock->harder}, *part = xdoubles(feed->n);
+	struct model *model = model_new(feed, feed->size, feed->n, settings);
+	memset(out, 0, feed->n * sizeof *out);
+	for (size_t k = 0; k < 2; k++) {
+		struct params q = *p;
+		double share = k == 0 ? 1 - rock->share : rock->share;
+		q.at[breakage_of(p)->strength + 1] *= by[k];
+		model_set(model, &q);
+		model_product(model, v, part);
+		for (size_t i = 0; i < feed->n; i++)
+			out[i] += share * part[i];
+	}
+	model_free(model);
+	free(part);
+}
+
+static void
+mixed_product(const struct posterior *p, size_t d, const struct psd *feed,
+    double v, double *out)
+{
+	exact_product(&p->draw[d].params, &p->draw[d].strengths, p->settings,
+	    feed, v, out);
+}
+
+static const struct strengths TWO_STRENGTHS = {0.5, 0.745356, 1.341641};
+
+/* A site of three runs whose rock has two strengths, without noise. */
+static struct known
+two_strengths(void)
+{
+	struct known k = known(2, 0, 1);
+	k.truth.e0_min = 18;
+	k.use[1] = true;
+	for (size_t r = 0; r < k.site->n_run; r++) {
+		struct run *run = &k.site->run[r];
+		struct psd all = psd_copy(&run->feed);
+		exact_product(&k.truth, &TWO_STRENGTHS,
+		    model_settings_default(), &run->feed, run->speed,
+		    all.passing);
+		for (size_t i = 0; i < run->product.n; i++)
+			run->product.passing[i] =
+			    psd_passing(&all, run->product.size[i]);
+		psd_free(&all);
+	}
+	struct calibration *c = calibration_new(k.site, &k.options);
+	while (calibration_step(c) < CALIBRATE_TOLERANCE)
+		;
+	k.fit = calibration_fit(c);
+	calibration_free(c);
+	return k;
+}
+
+/* Adds the squares of what the answer and the fit err by at v. */
+static void
+add_errors(
+    const struct known *k, struct ensemble *e, double v, double error[static 2])
+{
+	const struct psd *feed = &k->site->run[1].feed;
+	const struct strengths one = {0, 1, 1};
+	double *truth = xdoubles(feed->n), *fit = xdoubles(feed->n);
+	double *mean = xdoubles(feed->n);
+	exact_product(
+	    &k->truth, &TWO_STRENGTHS, k->fit.settings, feed, v, truth);
+	exact_product(&k->fit.params, &one, k->fit.settings, feed, v, fit);
+	ensemble_at(e, v);
+	ensemble_mean(e, mean);
+	for (size_t i = 0; i < feed->n; i++) {
+		error[0] += pow(mean[i] - truth[i], 2);
+		error[1] += pow(fit[i] - truth[i], 2);
+	}
+	free(truth);
+	free(fit);
+	free(mean);
+}
+
+/* Rock of two strengths is seen as such, and predicted better than by the fit,
+ * which has one; where e0_min is held there is but one. */
+static void
+test_strengths(void **state)
+{
+	(void)state;
+	struct known k = two_strengths();
+	const struct psd *feed = &k.site->run[1].feed;
+	double two = 0, error[2] = {0};
+	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
+	struct ensemble *e = ensemble_new(p, feed, feed->size, feed->n);
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
+		two += p->draw[d].strengths.share > 0;
+	assert_true(two > 0.9 * POSTERIOR_DRAWS);
+	for (double v = 62; v <= 88; v += 13)
+		add_errors(&k, e, v, error);
+	print_message("squares: answer %g, fit %g\n", error[0], error[1]);
+	assert_true(error[0] < error[1] / 4);
+	ensemble_free(e);
+	posterior_free(p);
+	double held = k.fit.params.e0_min;
+	k.options.bounds.lower[5] = k.options.bounds.upper[5] = held;
+	p = posterior_of(&k, 1, ISA_BEST);
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
+		assert_true(p->draw[d].strengths.share == 0 &&
+			    p->draw[d].params.e0_min == held);
 	posterior_free(p);
 	site_free(k.site);
 }
@@ -130,14 +243,13 @@ test_parts(void **state)
 	const double *b = ensemble_products(e, ENSEMBLE_SAMPLE);
 	for (size_t i = 0; i < feed->n * N; i++)
 		assert_float_equal(a[i], b[i], 1e-12);
-	/* The first draw's product, by the exact way: the scheme errs by less
-	 * than 0.05 points. */
-	struct model *exact = model_new(feed, feed->size, feed->n, p->settings);
-	model_set(exact, &p->draw[0].params);
-	model_product(exact, 77, model);
-	for (size_t i = 0; i < feed->n; i++)
-		assert_float_equal(a[i * N], model[i], 5e-4);
-	model_free(exact);
+	/* Draws' products, by the exact way: the scheme errs by less than 0.05
+	 * points. */
+	for (size_t d = 0; d < N; d += 16) {
+		mixed_product(p, d, feed, 77, model);
+		for (size_t i = 0; i < feed->n; i++)
+			assert_float_equal(a[i * N + d], model[i], 5e-4);
+	}
 	free(model);
 	ensemble_free(e);
 	posterior_free(p);
@@ -218,15 +330,89 @@ test_bands_hold(void **state)
 	assert_in_range(in, all * 72 / 100, all * 96 / 100);
 }
 
+/* Of another machine: what goes by the rotor is mixed into every draw, more
+ * impacts break more, and the machine that was measured changes nothing. */
+static void
+test_machine(void **state)
+{
+	(void)state;
+	enum { N = POSTERIOR_DRAWS };
+	struct known k = known(TIERP, 0.005, 3);
+	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
+	const struct psd *feed = &k.site->run[1].feed;
+	struct ensemble *e = ensemble_new(p, feed, feed->size, feed->n);
+	size_t size = feed->n * N;
+	double *own = xdoubles(size);
+	ensemble_at(e, 74);
+	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
+	memcpy(own, P, size * sizeof *own);
+	struct model_settings machine = p->settings;
+	machine.bypass = 0.25;
+	ensemble_machine(e, machine);
+	ensemble_at(e, 74);
+	for (size_t i = 0; i < size; i++)
+		expect_near("led past", P[i],
+		    0.75 * own[i] + 0.25 * feed->passing[i / N], 1e-12);
+	machine = p->settings;
+	machine.k *= 2;
+	ensemble_machine(e, machine);
+	ensemble_at(e, 74);
+	double finer = 0;
+	for (size_t i = 0; i < size; i++)
+		finer += P[i] - own[i];
+	assert_true(finer / (double)size > 1e-4);
+	ensemble_machine(e, p->settings);
+	ensemble_at(e, 74);
+	assert_memory_equal(P, own, size * sizeof *own);
+	free(own);
+	ensemble_free(e);
+	posterior_free(p);
+	site_free(k.site);
+}
+
+/* A slower rotor makes no finer answer, down to where nothing breaks and the
+ * product is the feed, in every draw. */
+static void
+what_nothing_breaks_is_not_corrected(void **state)
+{
+	(void)state;
+	struct known k = known(TIERP, 0.005, 3);
+	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
+	const struct psd *feed = &k.site->run[0].feed;
+	struct ensemble *e = ensemble_new(p, feed, feed->size, feed->n);
+	double *mean = xdoubles(feed->n), *slower = xdoubles(feed->n);
+	memcpy(slower, feed->passing, feed->n * sizeof *slower);
+	for (double v = 1; v <= 69; v += 0.5) {
+		ensemble_at(e, v);
+		ensemble_mean(e, mean);
+		for (size_t i = 0; i < feed->n; i++) {
+			assert_true(mean[i] >= slower[i] - 2e-5);
+			slower[i] = mean[i];
+		}
+		const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
+		for (size_t i = 0; i < feed->n * POSTERIOR_DRAWS && v < 10; i++)
+			expect_near("feed", P[i],
+			    feed->passing[i / POSTERIOR_DRAWS], 1e-9);
+	}
+	free(mean);
+	free(slower);
+	ensemble_free(e);
+	posterior_free(p);
+	site_free(k.site);
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(test_bits),
 	    cmocka_unit_test(test_bounds),
+	    cmocka_unit_test(test_strengths),
 	    cmocka_unit_test(test_parts),
 	    cmocka_unit_test(test_many_sieves),
 	    cmocka_unit_test(test_bands_hold),
+	    cmocka_unit_test(test_machine),
+	    cmocka_unit_test(what_nothing_breaks_is_not_corrected),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

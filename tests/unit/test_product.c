@@ -67,7 +67,8 @@ products_match_the_goldens(void **state)
 static struct model_settings
 classes_of(enum appearance_form form)
 {
-	return (struct model_settings){METHOD_CLASSES, form, 1, 0};
+	return (struct model_settings){
+	    .method = METHOD_CLASSES, .appearance = form, .k = 1};
 }
 
 static struct model *

@@ -287,7 +287,7 @@ a_session_survives_errors(void **state)
 	assert_false(session_entry(desk->session)->has_params);
 	desk_expect(desk, "set k 1; bounds default; "
 			  "params set f_mat=2.18 e0_min=16.74 alpha=0.96; "
-			  "predict 74; validate");
+			  "predict 74 detail=on; validate");
 	assert_non_null(strstr(desk->out, "4.94"));
 }
 

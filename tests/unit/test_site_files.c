@@ -3,6 +3,8 @@
 #include "rules.h"
 #include "sheets.h"
 
+#include "io/results.h"
+
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -279,6 +281,38 @@ a_feed_needs_no_product(void **state)
 	site_free(site);
 }
 
+/* What was predicted is not taken for a product, whatever separates it. */
+static void
+own_results_are_no_sheet(void **state)
+{
+	(void)state;
+	static const char *const RESULTS[] = {
+	    "command,site,provenance,series,size_mm,passing_pct,low,high\n"
+	    "plot,T,\"made up, here\",feed,8,100,,\nplot,T,m,feed,4,60,,\n"
+	    "plot,T,m,product@74.9,8,100,,\nplot,T,m,product@74.9,4,80,,\n",
+	    "command;site;provenance;size_mm;feed_pct;product@74_pct\r\n"
+	    "plot;T;m;8;100;100\r\nplot;T;m;4;60,5;80,5\r\n",
+	    "command,size_mm,feed,product@74\nplot,8,100,100\n"
+	    "plot,4,60,80\n"};
+	for (size_t i = 0; i < ARRAY_LEN(RESULTS); i++) {
+		const char *path = put_sheet(RESULTS[i], strlen(RESULTS[i]));
+		const struct site_request request = {.n = 1,
+		    .path = &path,
+		    .columns =
+			i == 2 ? "2=sieve mm, 3=feed, 4=product@74" : NULL};
+		struct error_list errors = {0};
+		assert_null(site_read_as(&request, &errors, NULL));
+		assert_string_equal(errors.item[0].text,
+		    "expected a site file, got results of tipspeed's own "
+		    "(plot)");
+		char *command = results_command_in(path);
+		assert_string_equal(command, "plot");
+		free(command);
+	}
+	const char *path = put_sheet(GOOD, strlen(GOOD));
+	assert_null(results_command_in(path));
+}
+
 int
 main(void)
 {
@@ -295,6 +329,7 @@ main(void)
 		a_save_that_fails_leaves_the_old_file, make_folder,
 		drop_folder),
 	    cmocka_unit_test(a_feed_needs_no_product),
+	    cmocka_unit_test(own_results_are_no_sheet),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -72,21 +72,21 @@ the_track_shows_zones_runs_and_value(void **state)
 {
 	(void)state;
 	char text[128];
-	int at = slider_draw(text, 41, ALL, 650, MARKS, ARRAY_LEN(MARKS));
+	int at = slider_draw(text, 41, ALL, 650, MARKS, ARRAY_LEN(MARKS), NULL);
 	assert_int_equal(at, 0);
-	assert_string_equal(text, "[65.0]xx|69-------o74-------|79xxxxxxxxxx");
-	slider_draw(text, 41, ALL, 740, MARKS, ARRAY_LEN(MARKS));
-	assert_string_equal(text, "xxxxxxxx|69----[74.0]-------|79xxxxxxxxxx");
+	assert_string_equal(text, "[65.0]xx|69-------o74-------|79 xxxxxxxxx");
+	slider_draw(text, 41, ALL, 740, MARKS, ARRAY_LEN(MARKS), NULL);
+	assert_string_equal(text, "xxxxxxxx|69----[74.0]-------|79 xxxxxxxxx");
 	/* The handle covers a label whole. */
-	slider_draw(text, 41, ALL, 680, MARKS, ARRAY_LEN(MARKS));
-	assert_string_equal(text, "xxx[68.0]---------o74-------|79xxxxxxxxxx");
-	slider_draw(text, 41, ALL, 850, MARKS, ARRAY_LEN(MARKS));
+	slider_draw(text, 41, ALL, 680, MARKS, ARRAY_LEN(MARKS), NULL);
+	assert_string_equal(text, "xxx[68.0]---------o74-------|79 xxxxxxxxx");
+	slider_draw(text, 41, ALL, 850, MARKS, ARRAY_LEN(MARKS), NULL);
 	assert_string_equal(text + 35, "[85.0]");
-	slider_draw(text, 101, ALL, 760, MARKS, ARRAY_LEN(MARKS));
+	slider_draw(text, 101, ALL, 760, MARKS, ARRAY_LEN(MARKS), NULL);
 	assert_string_equal(text,
 	    "xxxxxxxxxxxxxxxxxxxx|69 m/s 2380 J/kg--------o74-"
-	    "---[76.0]------------|79 m/s 3120 J/kgxxxxxxxxxxxxxx");
-	slider_draw(text, 41, ALL, 850, NULL, 0);
+	    "---[76.0]------------|79 m/s 3120 J/kg xxxxxxxxxxxxx");
+	slider_draw(text, 41, ALL, 850, NULL, 0, NULL);
 	assert_int_equal(text[0], 'x');
 }
 
@@ -106,7 +106,7 @@ the_range_holds_the_runs_of_the_site(void **state)
 	assert_true(slider_read(range, "62.4", &tenths));
 	static const struct slider_mark marks[] = {{624, true}, {880, true}};
 	char text[64];
-	slider_draw(text, 27, range, 740, marks, 2);
+	slider_draw(text, 27, range, 740, marks, 2, NULL);
 	assert_string_equal(text, "|62.4----[74.0]-----------|");
 	runs[0].speed = 0; /* a feed for any speed */
 	runs[1].speed = 74;
@@ -115,6 +115,24 @@ the_range_holds_the_runs_of_the_site(void **state)
 	assert_int_equal(range.most, SLIDER_MOST);
 	range = slider_range(NULL);
 	assert_int_equal(range.most, SLIDER_MOST);
+}
+
+/* The window begins in column 10 and ends in 18: behind a label it would begin
+ * later, and before one end earlier. */
+static void
+no_label_covers_the_ends_of_a_window(void **state)
+{
+	(void)state;
+	char text[128];
+	bool kept[101] = {[9] = true, [18] = true};
+	slider_draw(text, 41, ALL, 800, MARKS, ARRAY_LEN(MARKS), kept);
+	assert_string_equal(text, "xxxxxxxx|---------o74------[80.0]xxxxxxxx");
+	kept[9] = kept[18] = false;
+	kept[60] = true;
+	slider_draw(text, 101, ALL, 650, MARKS, ARRAY_LEN(MARKS), kept);
+	assert_string_equal(text + 20,
+	    "|69----------------------o74----------------------|79"
+	    " xxxxxxxxxxxxxxxxxxxxxxxxxxx");
 }
 
 /* A mill that runs at a tenth of the speed: of a track up to 85 m/s its runs
@@ -146,8 +164,8 @@ any_width_is_drawn(void **state)
 	for (int width = 0; width < 400; width++)
 		for (int tenths = SLIDER_LEAST; tenths <= SLIDER_MOST;
 		     tenths += 7) {
-			int at = slider_draw(
-			    text, width, ALL, tenths, MARKS, ARRAY_LEN(MARKS));
+			int at = slider_draw(text, width, ALL, tenths, MARKS,
+			    ARRAY_LEN(MARKS), NULL);
 			assert_int_equal(strlen(text), width);
 			assert_true(at >= 0 && (at < width || width == 0));
 		}
@@ -161,6 +179,7 @@ main(void)
 	    cmocka_unit_test(typed_speeds_are_read_within_the_range),
 	    cmocka_unit_test(a_column_and_its_value_agree),
 	    cmocka_unit_test(the_track_shows_zones_runs_and_value),
+	    cmocka_unit_test(no_label_covers_the_ends_of_a_window),
 	    cmocka_unit_test(the_range_holds_the_runs_of_the_site),
 	    cmocka_unit_test(a_slow_machine_has_a_track_of_its_own),
 	    cmocka_unit_test(any_width_is_drawn),

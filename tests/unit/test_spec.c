@@ -40,6 +40,31 @@ limits_and_their_gaps_are_read(void **state)
 }
 
 static void
+a_cut_says_which_fraction_it_is_for(void **state)
+{
+	(void)state;
+	struct error_list errors;
+	struct spec *spec =
+	    read_spec("cut,0/4\nsize_mm,max_pct\n4,50\n", &errors);
+	assert_non_null(spec);
+	assert_true(spec->cut[0] == 0 && spec->cut[1] == 0.004);
+	spec_free(spec);
+	spec = read_spec("size_mm,max_pct\n4,50\n", &errors);
+	assert_non_null(spec);
+	assert_true(spec->cut[0] == 0 && spec->cut[1] == 0);
+	spec_free(spec);
+	static const char *const wrong[] = {"4/0", "x", "0/4/8", "-1/4", "4/"};
+	for (size_t i = 0; i < ARRAY_LEN(wrong); i++) {
+		char *text =
+		    xasprintf("cut,%s\nsize_mm,max_pct\n4,50\n", wrong[i]);
+		assert_null(read_spec(text, &errors));
+		assert_non_null(strstr(errors.item[0].text,
+		    "expected a fraction in mm such as 0/4"));
+		free(text);
+	}
+}
+
+static void
 a_spec_without_a_name_has_that_of_its_file(void **state)
 {
 	(void)state;
@@ -117,6 +142,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(limits_and_their_gaps_are_read),
+	    cmocka_unit_test(a_cut_says_which_fraction_it_is_for),
 	    cmocka_unit_test(a_spec_without_a_name_has_that_of_its_file),
 	    cmocka_unit_test(faults_have_their_place),
 	    cmocka_unit_test(a_file_that_is_not_there_is_the_systems),

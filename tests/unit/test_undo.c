@@ -129,6 +129,23 @@ expect_setting(const struct desk *desk, const struct setting *row,
 	free(text);
 }
 
+/* A value of a setting that is not its first. */
+static char *
+other_value(const struct command_option *o)
+{
+	switch (o->kind) {
+	case VALUE_CHOICE:
+		return xstrdup(strrchr(option_choices(o), ' ') + 1);
+	case VALUE_FILE:
+		return xstrdup("data/energy/vsi-79.csv");
+	case VALUE_TEXT:
+		return xstrdup(strcmp(o->name, "goal") == 0 ? "p80=5" : "p50");
+	default:
+		return xasprintf("%g", o->most);
+	}
+}
+
+/* What is of the looks only is no change that is undone. */
 static void
 every_setting_is_set_undone_and_reset(void **state)
 {
@@ -137,17 +154,17 @@ every_setting_is_set_undone_and_reset(void **state)
 	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
 		const struct command_option *o = &r->option;
 		char *first = settings_text(r, desk->session->first);
-		char *other = o->kind == VALUE_CHOICE
-				  ? xstrdup(strrchr(option_choices(o), ' ') + 1)
-				  : xasprintf("%g", o->most);
+		char *other = other_value(o);
 		char *line = xasprintf("set %s %s", o->name, other);
 		assert_string_not_equal(first, other);
 		desk_expect(desk, line);
 		expect_setting(desk, r, other, "set");
-		desk_expect(desk, "undo");
-		expect_setting(desk, r, first, "undo");
-		desk_expect(desk, "redo");
-		expect_setting(desk, r, other, "redo");
+		if (!r->looks) {
+			desk_expect(desk, "undo");
+			expect_setting(desk, r, first, "undo");
+			desk_expect(desk, "redo");
+			expect_setting(desk, r, other, "redo");
+		}
 		desk_expect(desk, "reset");
 		expect_setting(desk, r, first, "reset");
 		if (o->fallback[0] != '\0')

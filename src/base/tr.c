@@ -1,0 +1,110 @@
+/* The catalogues stand beside a program that was built and not installed, in
+ * locale/, else where those of the system are.  The state is that of libc.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/tr.h"
+
+#include <locale.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "config.h"
+
+#if HAVE_LIBINTL
+
+#include <libintl.h>
+#include <limits.h>
+#include <unistd.h>
+
+/* OFF has no catalogue. */
+static const char ON[] = PACKAGE, OFF[] = PACKAGE "-c";
+
+/* DIR/sv/LC_MESSAGES/tipspeed.mo */
+static void
+bind_catalogues(void)
+{
+	static const char BESIDE[] = "/locale";
+	char path[PATH_MAX];
+	ssize_t n = readlink("/proc/self/exe", path, sizeof path);
+	bool fits = n > 0 && (size_t)n < sizeof path - sizeof BESIDE;
+	path[fits ? n : 0] = '\0';
+	char *slash = strrchr(path, '/');
+	if (slash != NULL)
+		memcpy(slash, BESIDE, sizeof BESIDE);
+	bool beside = slash != NULL && access(path, R_OK) == 0;
+	bindtextdomain(ON, beside ? path : LOCALEDIR);
+	bind_textdomain_codeset(ON, "UTF-8");
+	textdomain(ON);
+}
+
+/* glibc heeds LANGUAGE in all locales but C, whichever there are; musl has any
+ * locale, and no LANGUAGE. */
+static void
+take_language(const char *language)
+{
+	setenv("LANGUAGE", language, 1);
+	if (setlocale(LC_MESSAGES, language) == NULL &&
+	    setlocale(LC_MESSAGES, "C.UTF-8") == NULL)
+		setlocale(LC_MESSAGES, "en_US.UTF-8");
+}
+
+bool
+tr_begin(const char *language)
+{
+	if (language != NULL)
+		take_language(language);
+	else
+		setlocale(LC_MESSAGES, "");
+	bind_catalogues();
+	/* The head of a catalogue is under the empty text. */
+	return language == NULL || strcmp(language, "en") == 0 ||
+	       strcmp(language, "C") == 0 || gettext("")[0] != '\0';
+}
+
+const char *
+tr(const char *text)
+{
+	return text[0] != '\0' ? gettext(text) : text;
+}
+
+const char *
+tr_n(const char *one, const char *several, unsigned long n)
+{
+	return ngettext(one, several, n);
+}
+
+bool
+tr_on(bool on)
+{
+	bool was = strcmp(textdomain(NULL), ON) == 0;
+	textdomain(on ? ON : OFF);
+	return was;
+}
+
+#else
+
+bool
+tr_begin(const char *language)
+{
+	return language == NULL || strcmp(language, "en") == 0 ||
+	       strcmp(language, "C") == 0;
+}
+
+const char *
+tr(const char *text)
+{
+	return text;
+}
+
+const char *
+tr_n(const char *one, const char *several, unsigned long n)
+{
+	return n == 1 ? one : several;
+}
+
+bool
+tr_on(bool on)
+{
+	return on;
+}
+
+#endif

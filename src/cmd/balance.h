@@ -1,0 +1,13 @@
+/* The ledger of mass from one speed to another, as why shows it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_BALANCE_H
+#define TIPSPEED_CMD_BALANCE_H
+
+#include "cmd/command.h"
+#include "cmd/session.h"
+
+/* Answers `why 69 79`: the second speed is the operand. */
+bool balance_answer(
+    struct session *s, const struct args *args, struct error *error);
+
+#endif

@@ -1,0 +1,333 @@
+/* blend: feeds mixed by mass, and what the site makes of them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/band.h"
+#include "cmd/data.h"
+#include "cmd/files.h"
+#include "cmd/load.h"
+#include "cmd/outlook.h"
+#include "cmd/parse.h"
+#include "cmd/table.h"
+#include "cmd/variant.h"
+#include "core/blend.h"
+#include "io/site_write.h"
+#include "io/units.h"
+
+/* One feed: its file, the sheet and the run of it, and its part. */
+struct part {
+	char *file;
+	struct site *sheet;
+	const struct psd *feed;
+	double share;
+};
+
+/* All of them [n], and what they make. */
+struct blend {
+	size_t n;
+	struct part *part;
+	double sum;
+	struct psd feed;
+	char *words, *of, *rock;
+};
+
+/* "a.csv=60", with a per cent sign or without. */
+static bool
+read_part(
+    struct session *s, const char *word, struct part *part, struct error *error)
+{
+	const char *equals = strrchr(word, '=');
+	size_t run;
+	if (equals == NULL || equals == word ||
+	    !value_number(equals + 1, "%", &part->share) ||
+	    !(part->share > 0) || part->share > 1e9)
+		return error_set(error, ERROR_USAGE,
+		    "blend: expected FILE=PART, a part by mass above 0; got "
+		    "'%s'\n"
+		    "for instance: blend a.csv=60 b.csv=40",
+		    word);
+	part->file = xstrndup(word, (size_t)(equals - word));
+	part->sheet = load_feed(s, part->file, &run, error);
+	if (part->sheet == NULL)
+		return false;
+	part->feed = &part->sheet->run[run].feed;
+	return true;
+}
+
+/* 0: made up, 1: not stated, 2: measured. */
+static int
+source_rank(const struct site *sheet)
+{
+	const char *kind = site_data_kind(sheet->provenance);
+	return site_data_made_up(sheet->provenance) ? 0
+	       : strcmp(kind, "not stated") == 0    ? 1
+						    : 2;
+}
+
+/* Their first clauses, each once, the worst first, as the first word says what
+ * all are; "" where no sheet states any. */
+static char *
+sources(const struct blend *b)
+{
+	char *list = xstrdup("");
+	bool any = false;
+	for (int rank = 0; rank <= 2; rank++)
+		for (size_t i = 0; i < b->n; i++) {
+			const struct site *sheet = b->part[i].sheet;
+			char *one = site_source(sheet, "not stated");
+			if (source_rank(sheet) == rank &&
+			    strstr(list, one) == NULL)
+				xlist(&list, ", ", "%s", one);
+			any = any || source_rank(sheet) != 1;
+			free(one);
+		}
+	if (!any)
+		list[0] = '\0';
+	return list;
+}
+
+/* "Granite", "Granite and Gneiss"; "" where no sheet states it. */
+static char *
+rocks(const struct blend *b)
+{
+	char *list = xstrdup("");
+	for (size_t i = 0; i < b->n; i++) {
+		const char *rock = b->part[i].sheet->rock;
+		bool known = rock[0] == '\0';
+		for (size_t k = 0; k < i; k++)
+			known =
+			    known || text_same(b->part[k].sheet->rock, rock);
+		if (!known)
+			xlist(&list, tr(" and "), "%s", rock);
+	}
+	return list;
+}
+
+static void
+mix(struct blend *b)
+{
+	const struct psd **feed = xcalloc(b->n, sizeof *feed);
+	double *share = xdoubles(b->n);
+	b->words = xstrdup("");
+	for (size_t i = 0; i < b->n; i++) {
+		feed[i] = b->part[i].feed;
+		share[i] = b->part[i].share;
+		b->sum += share[i];
+	}
+	for (size_t i = 0; i < b->n; i++)
+		xlist(&b->words, " + ", "%.3g %% %s", 100 * share[i] / b->sum,
+		    variant_file(b->part[i].file));
+	b->feed = blend_new(feed, share, b->n);
+	b->of = sources(b);
+	b->rock = rocks(b);
+	free(feed);
+	free(share);
+}
+
+static void
+blend_clear(struct blend *b)
+{
+	for (size_t i = 0; i < b->n; i++) {
+		free(b->part[i].file);
+		site_free(b->part[i].sheet);
+	}
+	free(b->part);
+	psd_free(&b->feed);
+	free(b->words);
+	free(b->of);
+	free(b->rock);
+}
+
+/* A row a sieve: each feed, the blend and, where there is one, its product. */
+static void
+add_rows(struct answer *r, const struct blend *b, const struct psd *sieves,
+    const struct prediction *p)
+{
+	answer_columns(r, "sieve_mm: sieve mm");
+	for (size_t i = 0; i < b->n; i++) {
+		char *key = xasprintf("feed_%zu_pct", i + 1);
+		char *head = xasprintf("%s %%", variant_file(b->part[i].file));
+		answer_column(r, key, head);
+		free(key);
+		free(head);
+	}
+	answer_columns(r, "feed_pct: blend %%");
+	if (p != NULL)
+		answer_columns(r, "passing_pct: product %%");
+	if (p != NULL && p->low != NULL)
+		answer_columns(r, "low_pct: low %%, high_pct: high %%");
+	for (size_t k = 0; k < sieves->n; k++) {
+		double x = sieves->size[k];
+		answer_cells(r, "%g", units_mm(x));
+		for (size_t i = 0; i < b->n; i++)
+			answer_cells(r, "%.1f",
+			    units_pct(psd_passing(b->part[i].feed, x)));
+		answer_cells(r, "%.1f", units_pct(psd_passing(&b->feed, x)));
+		if (p != NULL)
+			answer_cells(
+			    r, "%.1f", units_pct(p->product.passing[k]));
+		if (p != NULL && p->low != NULL)
+			answer_cells(r, "%.1f %.1f", units_pct(p->low[k]),
+			    units_pct(p->high[k]));
+	}
+}
+
+static void
+put_parts(struct fields *o, const struct blend *b)
+{
+	struct fields *list = fields_list(o, "parts");
+	for (size_t i = 0; i < b->n; i++)
+		fields_put(fields_object(list, NULL),
+		    "file %s part %g share_pct %g rock %s provenance %s",
+		    b->part[i].file, b->part[i].share,
+		    100 * b->part[i].share / b->sum, b->part[i].sheet->rock,
+		    b->part[i].sheet->provenance);
+	fields_numbers(o, "feed_sieve_mm", b->feed.size, b->feed.n, units_mm);
+	fields_numbers(o, "feed_pct", b->feed.passing, b->feed.n, units_pct);
+}
+
+static void
+note_parts(struct answer *r, const struct blend *b)
+{
+	if (fabs(b->sum - 100) > 1e-9 && fabs(b->sum - 1) > 1e-9)
+		answer_note(r,
+		    "the parts sum to %g, not to 100: taken in proportion",
+		    b->sum);
+}
+
+/* Which sheets end the blend. */
+static void
+note_finest(struct answer *r, const struct blend *b)
+{
+	double finest = b->feed.size[b->feed.n - 1];
+	char *unknown = xstrdup("");
+	for (size_t i = 0; i < b->n; i++) {
+		const struct psd *feed = b->part[i].feed;
+		double own = feed->size[feed->n - 1];
+		if (own == finest && feed->passing[feed->n - 1] > 0)
+			xlist(&unknown, ", ", "%s",
+			    variant_file(b->part[i].file));
+	}
+	if (unknown[0] != '\0')
+		answer_say(r, ANSWER_REMARK,
+		    "the blend is known down to %g mm, the finest sieve of %s",
+		    units_mm(finest), unknown);
+	free(unknown);
+}
+
+/* Only the feed: there is nothing to predict with. */
+static void
+give_feed(struct session *s, const struct blend *b, const char *why_not)
+{
+	struct answer *r = answer_new("blend");
+	answer_title(r, "blend of %s", b->words);
+	answer_site(r, "blend", b->of);
+	add_rows(r, b, &b->feed, NULL);
+	note_parts(r, b);
+	note_finest(r, b);
+	answer_note(r, "no product is predicted: %s", why_not);
+	fields_put(answer_fields(r), "feed %s", b->words);
+	put_parts(answer_fields(r), b);
+	session_answer(s, r);
+}
+
+/* With the product of the site in use, which has the blend now. */
+static void
+give_product(struct session *s, const struct blend *b, double v)
+{
+	const struct entry *entry = session_entry(s);
+	size_t run = site_run_at(entry->site, SITE_OTHER_FEED);
+	struct prediction p = outlook_predict(s, entry, v, run);
+	struct answer *r = answers_new(
+	    entry->site, "blend", "product at %g m/s (%.0f J/kg)", v, p.energy);
+	add_rows(r, b, &p.product, &p);
+	put_parts(answer_fields(r), b);
+	answers_put_prediction(s, answer_fields(r), &entry->params, &p);
+	note_parts(r, b);
+	answers_note_sizes(r, &p);
+	if (p.low != NULL) {
+		band_note(r, s, entry, true);
+		fields_numbers(
+		    answer_fields(r), "low_pct", p.low, p.product.n, units_pct);
+		fields_numbers(answer_fields(r), "high_pct", p.high,
+		    p.product.n, units_pct);
+		band_put(answer_fields(r), s, &p);
+	}
+	answers_note_doubt(s, r, v, run);
+	prediction_free(&p);
+	session_answer(s, r);
+}
+
+static void
+give(struct session *s, const struct args *args, const struct blend *b)
+{
+	struct error none = {0};
+	if (s->n_entry == 0) {
+		give_feed(s, b, "no site is loaded");
+		return;
+	}
+	if (!answers_ready(s, &none)) {
+		give_feed(s, b, none.text);
+		return;
+	}
+	struct variant_wish wish = {.feed = &b->feed,
+	    .from = b->words,
+	    .words = b->words,
+	    .of = b->of,
+	    .rock = b->rock};
+	double v = answers_speed(args, session_entry(s));
+	variant_begin(s, &wish);
+	give_product(s, b, v);
+	variant_end(s);
+}
+
+/* As a sheet that load and feed= read, with what is known of the parts. */
+static bool
+write_sheet(struct session *s, const struct args *args, const struct blend *b,
+    const char *path, struct error *error)
+{
+	size_t rows;
+	struct site *site = site_new(1);
+	char *was[] = {site->name, site->rock, site->provenance};
+	for (size_t i = 0; i < ARRAY_LEN(was); i++)
+		free(was[i]);
+	site->name = xasprintf(tr("blend of %s"), b->words);
+	site->rock = xstrdup(b->rock);
+	site->provenance = xstrdup(b->of);
+	site->run[0].feed = psd_copy(&b->feed);
+	bool good = data_may_write(s, args, path, error) &&
+		    site_save(site, path, &rows, error);
+	if (good) {
+		files_wrote(s, path);
+		session_note(s, "wrote %s: %zu rows", path, rows);
+	}
+	site_free(site);
+	return good;
+}
+
+bool
+cmd_blend(struct session *s, const struct args *args, struct error *error)
+{
+	struct blend b = {.part = xcalloc(args->n_operand, sizeof *b.part)};
+	bool good = true;
+	while (good && b.n < args->n_operand) {
+		good = read_part(s, args->operand[b.n], &b.part[b.n], error);
+		b.n++;
+	}
+	if (good) {
+		const struct value *out = args_value(args, "out");
+		mix(&b);
+		good =
+		    !out->given || write_sheet(s, args, &b, out->text, error);
+		if (good)
+			give(s, args, &b);
+	}
+	blend_clear(&b);
+	return good;
+}

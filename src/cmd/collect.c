@@ -1,0 +1,272 @@
+/* collect: the parts of many sites become the answer of one run, and the stores
+ * that they remembered sites in one store.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/files.h"
+#include "cmd/part.h"
+#include "cmd/scores.h"
+#include "cmd/table.h"
+#include "io/parts.h"
+
+/* Rows in the order of all sites, and within one as they were written. */
+static int
+by_index(const void *a, const void *b)
+{
+	const struct part_site *p = *(const struct part_site *const *)a;
+	const struct part_site *q = *(const struct part_site *const *)b;
+	if (p->index != q->index)
+		return p->index > q->index ? 1 : -1;
+	return (p > q) - (p < q);
+}
+
+/* The rows of all parts, [n], in order; the caller frees. */
+static const struct part_site **
+sorted(const struct parts *parts, size_t *n)
+{
+	size_t at = 0;
+	*n = 0;
+	for (size_t k = 0; k < parts->n; k++)
+		*n += parts->part[k].n;
+	const struct part_site **site = xcalloc(*n + 1, sizeof(*site));
+	for (size_t k = 0; k < parts->n; k++)
+		for (size_t i = 0; i < parts->part[k].n; i++)
+			site[at++] = &parts->part[k].site[i];
+	qsort(site, *n, sizeof(*site), by_index);
+	return site;
+}
+
+static struct answer *
+join_calibrated(const struct part_site *const *site, size_t n)
+{
+	struct answer *r = part_answer();
+	for (size_t i = 0; i < n; i++) {
+		const double *v = site[i]->number;
+		part_add(
+		    r, &(struct part_row){site[i]->text[0], site[i]->text[1],
+			   v[0], v[1], v[2], v[3], v[4], v[5]});
+	}
+	return r;
+}
+
+static struct answer *
+join_validated(const struct parts *parts, const struct part_site *const *site,
+    size_t n, struct error *error)
+{
+	struct scores scores = {.each = parts->part[0].each > 0};
+	struct answer *r = NULL;
+	for (size_t k = 0; k < parts->n; k++)
+		scores.left_out += parts->part[k].left_out;
+	for (size_t i = 0; i < n; i++)
+		scores_take(&scores, site[i]);
+	if (n > 0)
+		r = scores_answer(&scores);
+	else
+		error_set(error, ERROR_DATA,
+		    "no part has a run that was held out\n"
+		    "load sites with three speeds");
+	scores_clear(&scores);
+	return r;
+}
+
+/* A material of one of the stores. */
+struct material {
+	char *fold;
+	const struct stored *stored;
+	const char *path;
+	bool used;
+};
+
+/* What the stores have, by name. */
+struct shelf {
+	size_t n_list, n;
+	struct stored_list *list;
+	struct material *material;
+};
+
+static int
+by_fold(const void *a, const void *b)
+{
+	return strcmp(((const struct material *)a)->fold,
+	    ((const struct material *)b)->fold);
+}
+
+static bool
+read_store(const char *path, struct stored_list *list, struct error *error)
+{
+	struct store *store = store_new(path);
+	bool ok = store_list(store, list, error);
+	store_free(store);
+	return ok;
+}
+
+/* Each name is in one of the stores only. */
+static bool
+fill_shelf(
+    struct shelf *shelf, const char *const *path, size_t n, struct error *error)
+{
+	shelf->list = xcalloc(n, sizeof *shelf->list);
+	for (; shelf->n_list < n; shelf->n_list++)
+		if (!read_store(path[shelf->n_list],
+			&shelf->list[shelf->n_list], error))
+			return false;
+	for (size_t k = 0; k < n; k++)
+		for (size_t i = 0; i < shelf->list[k].n; i++) {
+			const struct stored *m = &shelf->list[k].item[i];
+			shelf->material = xrealloc(shelf->material,
+			    shelf->n + 1, sizeof *shelf->material);
+			shelf->material[shelf->n++] = (struct material){
+			    text_fold(m->name), m, path[k], false};
+		}
+	if (shelf->n > 1)
+		qsort(shelf->material, shelf->n, sizeof *shelf->material,
+		    by_fold);
+	for (size_t i = 1; i < shelf->n; i++) {
+		const struct material *a = &shelf->material[i - 1], *b = a + 1;
+		if (strcmp(a->fold, b->fold) == 0)
+			return error_at(error, ERROR_DATA, b->path, 0, 0,
+			    "material '%s' is in %s already\nleave one out",
+			    b->stored->name, a->path);
+	}
+	return true;
+}
+
+static void
+clear_shelf(struct shelf *shelf)
+{
+	for (size_t i = 0; i < shelf->n; i++)
+		free(shelf->material[i].fold);
+	for (size_t k = 0; k < shelf->n_list; k++)
+		stored_list_free(&shelf->list[k]);
+	free(shelf->material);
+	free(shelf->list);
+}
+
+/* The material of a site: of this very calibration, which its misfit tells to
+ * the last bit. */
+static struct material *
+material_of(const struct shelf *shelf, const struct part_site *site,
+    const char *version, struct error *error)
+{
+	enum { MISFIT = 3 };
+	struct material wanted = {.fold = text_fold(site->text[0])};
+	struct material *found = shelf->n > 0
+				     ? bsearch(&wanted, shelf->material,
+					   shelf->n, sizeof wanted, by_fold)
+				     : NULL;
+	free(wanted.fold);
+	if (found == NULL) {
+		error_set(error, ERROR_DATA,
+		    "%s was calibrated by a part, but is in none of the "
+		    "stores\n"
+		    "name the stores of all parts, each filled by 'remember "
+		    "all'",
+		    site->text[0]);
+		return NULL;
+	}
+	const struct stored *m = found->stored;
+	found->used = true;
+	if (m->misfit == site->number[MISFIT] &&
+	    strcmp(m->version, version) == 0)
+		return found;
+	error_at(error, ERROR_DATA, found->path, 0, 0,
+	    "expected '%s' as its part found it (misfit %.6g, version %s), got "
+	    "another calibration (misfit %.6g, version %s)\n"
+	    "make part and store again, in one run",
+	    m->name, site->number[MISFIT], version, m->misfit, m->version);
+	return NULL;
+}
+
+/* Puts the materials of the sites, in their order; there are no others. */
+static bool
+put_materials(struct session *s, const struct shelf *shelf,
+    const struct parts *parts, const struct part_site *const *site, size_t n,
+    bool replace, struct error *error)
+{
+	struct stored *item = xcalloc(n + 1, sizeof *item);
+	bool ok = true;
+	for (size_t i = 0; ok && i < n; i++) {
+		struct material *m =
+		    material_of(shelf, site[i], parts->part[0].version, error);
+		ok = m != NULL;
+		if (ok)
+			item[i] = *m->stored;
+	}
+	for (size_t i = 0; ok && i < shelf->n; i++)
+		if (!shelf->material[i].used)
+			ok = error_at(error, ERROR_DATA,
+			    shelf->material[i].path, 0, 0,
+			    "material '%s' is of none of the parts\n"
+			    "let each part begin with an empty store",
+			    shelf->material[i].stored->name);
+	ok = ok && store_put(s->store, item, n, replace, error);
+	if (ok)
+		session_note(s, "remembered %zu materials in %s", n,
+		    store_path(s->store));
+	free(item);
+	return ok;
+}
+
+static bool
+join_stores(struct session *s, const struct parts *parts,
+    const struct part_site *const *site, size_t n, const char *const *path,
+    size_t n_path, bool replace, struct error *error)
+{
+	struct shelf shelf = {0};
+	if (n_path == 0)
+		return true;
+	if (strcmp(parts->part[0].command, "calibrate") != 0)
+		return error_at(error, ERROR_DATA, path[0], 0, 0,
+		    "a store goes with the parts of 'calibrate all', got those "
+		    "of '%s all'\n"
+		    "collect the parts that remembered it",
+		    parts->part[0].command);
+	bool ok = fill_shelf(&shelf, path, n_path, error) &&
+		  put_materials(s, &shelf, parts, site, n, replace, error);
+	clear_shelf(&shelf);
+	return ok;
+}
+
+static bool
+give(struct session *s, const struct parts *parts, const char *const *store,
+    size_t n_store, bool replace, struct error *error)
+{
+	size_t n;
+	const struct part_site **site = sorted(parts, &n);
+	bool scores = strcmp(parts->part[0].command, "validate") == 0;
+	struct answer *r = NULL;
+	if (join_stores(s, parts, site, n, store, n_store, replace, error))
+		r = scores ? join_validated(parts, site, n, error)
+			   : join_calibrated(site, n);
+	free(site);
+	return r != NULL && session_answer(s, r);
+}
+
+bool
+cmd_collect(struct session *s, const struct args *args, struct error *error)
+{
+	struct parts parts = {0};
+	bool ok = true, replace = args_value(args, "replace")->choice == 1;
+	const char *store[OPERANDS];
+	size_t n_store = 0;
+	for (size_t i = 0; ok && i < args->n_operand; i++) {
+		const char *path = args->operand[i];
+		files_reads(s, path);
+		if (store_is(path))
+			store[n_store++] = path;
+		else
+			ok = parts_read(path, &parts, error);
+	}
+	if (ok && parts.n == 0)
+		ok = error_at(error, ERROR_DATA, store[0], 0, 0,
+		    "expected the parts that this store belongs to, too\n"
+		    "write them with: calibrate all part=I/N > FILE.json");
+	ok = ok && parts_agree(&parts, error) &&
+	     give(s, &parts, store, n_store, replace, error);
+	parts_free(&parts);
+	return ok;
+}

@@ -1,0 +1,593 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/conditions.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/grading.h"
+#include "cmd/outlook.h"
+#include "cmd/quantities.h"
+#include "io/units.h"
+
+static const char DIGITS[] = "0123456789";
+
+void
+conditions_add(struct condition_list *list, struct condition condition)
+{
+	list->at = xrealloc(list->at, list->n + 1, sizeof *list->at);
+	list->at[list->n++] = condition;
+}
+
+void
+conditions_free(struct condition_list *list)
+{
+	free(list->at);
+	*list = (struct condition_list){0};
+}
+
+static bool
+expected(const char *text, struct error *error)
+{
+	return error_set(error, ERROR_USAGE,
+	    "expected a condition: a quantity, then <, > or = and a limit, got "
+	    "'%s'\n"
+	    "write it in quotes: \"passing 2 = 40..50\", \"passing 0.063 < "
+	    "6\", \"P80 > 5\" or \"0/2 >= 30\"",
+	    text);
+}
+
+/* What a limit may be: "0 to 100 %". */
+static bool
+beyond(const char *text, const struct quantity *q, double most,
+    struct error *error)
+{
+	const char *unit = quantities_unit(q);
+	char *range = isfinite(most) ? xasprintf(tr("0 to %g %s"), most, unit)
+				     : xstrdup(tr("0 or more"));
+	error_set(error, ERROR_USAGE,
+	    "expected %s, got %s\nwrite a limit within that, or after = a "
+	    "range such as 40..50",
+	    range, text);
+	free(range);
+	return false;
+}
+
+static bool
+no_number(const char *text, const struct quantity *q, struct error *error)
+{
+	const char *unit = quantities_unit(q);
+	return error_set(error, ERROR_USAGE,
+	    "expected a limit in %s after the sign, got '%s'\n"
+	    "write a number, or after = a range such as 40..50",
+	    unit[0] != '\0' ? unit : tr("numbers"), text);
+}
+
+/* A number, which the quantity's unit may follow, in the unit of core. */
+static bool
+read_limit(const char *text, const struct quantity *q, double *limit,
+    struct error *error)
+{
+	char *copy = xstrdup(text), *word = text_trim(copy);
+	const char *unit = quantities_unit(q);
+	if (unit[0] != '\0' && text_ends(word, unit))
+		word[strlen(word) - strlen(unit)] = '\0';
+	word = text_trim(word);
+	double one = quantities_shown(q, 1);
+	double most = unit[0] == '%'   ? 100
+		      : unit[0] == 'm' ? SIZE_MOST_MM
+				       : INFINITY;
+	bool ok = text_number(word, limit) || no_number(word, q, error);
+	if (ok && (*limit < 0 || *limit > most))
+		ok = beyond(word, q, most, error);
+	*limit /= one;
+	free(copy);
+	return ok;
+}
+
+/* What stands between the ends of a range, and its length; NULL where there is
+ * one number only, which may have a sign of its own. */
+static const char *
+range_sign(const char *text, size_t *length)
+{
+	static const char *const SIGNS[] = {
+	    "..", " to ", " and ", "\xE2\x80\x93", "-"};
+	text += strspn(text, " ");
+	for (size_t i = 0; i < ARRAY_LEN(SIGNS); i++) {
+		const char *at = strstr(text, SIGNS[i]);
+		*length = strlen(SIGNS[i]);
+		if (at > text && (*at != '-' || !strchr("eE", at[-1])))
+			return at;
+	}
+	return NULL;
+}
+
+/* "40..50", or a number that is both. */
+static bool
+read_range(const char *text, struct condition *c, struct error *error)
+{
+	size_t length;
+	const char *sign = range_sign(text, &length);
+	if (sign == NULL) {
+		bool ok = read_limit(text, &c->quantity, &c->least, error);
+		c->most = c->least;
+		return ok;
+	}
+	char *low = xstrndup(text, (size_t)(sign - text));
+	bool ok = read_limit(low, &c->quantity, &c->least, error) &&
+		  read_limit(sign + length, &c->quantity, &c->most, error);
+	free(low);
+	if (!ok || c->least <= c->most)
+		return ok;
+	double least = quantities_shown(&c->quantity, c->least);
+	double most = quantities_shown(&c->quantity, c->most);
+	return error_set(error, ERROR_USAGE,
+	    "expected a range from low to high, got %g..%g\nwrite %g..%g",
+	    least, most, most, least);
+}
+
+/* Whether what is at a place of a text is a comma that stands for a decimal
+ * point: behind another a fraction may begin. */
+static bool
+is_decimal(const char *text, const char *at)
+{
+	size_t n = *at == ',' ? strspn(at + 1, DIGITS) : 0;
+	return n > 0 && at > text && strchr(DIGITS, at[-1]) != NULL &&
+	       at[1 + n] != '/';
+}
+
+static bool
+no_comma(const char *text, const char *comma, struct error *error)
+{
+	const char *from = comma;
+	while (from > text && strchr(DIGITS, from[-1]))
+		from--;
+	size_t n = (size_t)(comma - from);
+	size_t all = n + 1 + strspn(comma + 1, DIGITS);
+	char *got = xstrndup(from, all), *right = xstrdup(got);
+	right[n] = '.';
+	error_set(error, ERROR_USAGE,
+	    "expected a number, got '%s'\nuse a decimal point: %s", got, right);
+	free(got);
+	free(right);
+	return false;
+}
+
+/* The same with a sign for the words that stand for one; the caller frees. */
+static char *
+with_sign(const char *text)
+{
+	static const struct {
+		const char *words;
+		char sign;
+	} WORDS[] = {
+	    {" between ", '='}, {" at least ", '>'}, {" at most ", '<'}};
+	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
+		const char *at = strstr(text, WORDS[i].words);
+		if (at != NULL)
+			return xasprintf("%.*s %c %s", (int)(at - text), text,
+			    WORDS[i].sign, at + strlen(WORDS[i].words));
+	}
+	return xstrdup(text);
+}
+
+/* A quantity and a limit without a sign between them: which is meant nobody
+ * knows. */
+static bool
+no_sign(const char *text, const struct fraction *fraction, struct error *error)
+{
+	char *name = xstrdup(text);
+	struct condition c;
+	struct error none = {0};
+	bool found = false;
+	for (size_t n = strlen(text); n-- > 0 && !found;) {
+		if (text[n] != ' ')
+			continue;
+		name[n] = '\0';
+		found = quantities_read(
+			    name, &fraction->partition, &c.quantity, &none) &&
+			read_range(text + n, &c, &none);
+	}
+	if (!found) {
+		free(name);
+		return expected(text, error);
+	}
+	char *limit = xasprintf("%g", quantities_shown(&c.quantity, c.least));
+	if (c.least != c.most)
+		xappend(&limit, "..%g", quantities_shown(&c.quantity, c.most));
+	error_set(error, ERROR_USAGE,
+	    "expected <, > or = after the quantity, got '%s'\n"
+	    "write: %s = %s",
+	    text, text_trim(name), limit);
+	free(limit);
+	free(name);
+	return false;
+}
+
+static bool
+read_signed(const char *text, const struct fraction *fraction,
+    struct condition *c, struct error *error)
+{
+	size_t n = strcspn(text, "<>=");
+	if (n == 0)
+		return expected(text, error);
+	if (text[n] == '\0')
+		return no_sign(text, fraction, error);
+	char *name = xstrndup(text, n);
+	bool ok =
+	    quantities_read(name, &fraction->partition, &c->quantity, error) &&
+	    quantities_cut(&c->quantity, fraction, error);
+	free(name);
+	if (!ok)
+		return false;
+	const char *limit = text + n + 1;
+	limit += text[n] != '=' && *limit == '=';
+	c->least = c->most = NAN;
+	if (text[n] == '=')
+		return read_range(limit, c, error);
+	return read_limit(
+	    limit, &c->quantity, text[n] == '<' ? &c->most : &c->least, error);
+}
+
+bool
+conditions_read(const char *text, const struct fraction *fraction,
+    struct condition *c, struct error *error)
+{
+	for (const char *at = text; *at != '\0'; at++)
+		if (is_decimal(text, at))
+			return no_comma(text, at, error);
+	char *with = with_sign(text);
+	bool ok = read_signed(with, fraction, c, error);
+	free(with);
+	return ok;
+}
+
+size_t
+conditions_length(const char *list)
+{
+	size_t n = strcspn(list, ",;");
+	while (is_decimal(list, list + n))
+		n += 1 + strcspn(list + n + 1, ",;");
+	return n;
+}
+
+bool
+conditions_read_list(const char *text, const struct fraction *fraction,
+    struct condition_list *list, struct error *error)
+{
+	for (const char *at = text; *at != '\0';) {
+		struct condition c;
+		size_t length = conditions_length(at);
+		char *copy = xstrndup(at, length);
+		bool ok = conditions_read(text_trim(copy), fraction, &c, error);
+		free(copy);
+		if (!ok)
+			return false;
+		conditions_add(list, c);
+		at += length + (at[length] != '\0');
+	}
+	return true;
+}
+
+/* Adds those of an envelope that have a limit; what is said of those that the
+ * feed does not tell, which the caller frees. */
+static char *
+add_spec(struct condition_list *list, const struct spec *spec,
+    const struct fraction *fraction, const struct psd *feed)
+{
+	struct grading_limits l = grading_limits(spec, fraction, feed);
+	size_t unknown = 0;
+	for (size_t i = 0; i < l.n; i++)
+		if (!isnan(l.at[i].least) || !isnan(l.at[i].most))
+			conditions_add(list, l.at[i]);
+	for (size_t i = l.n_sieve; i < spec->n; i++)
+		unknown += !isnan(spec->least[i]) || !isnan(spec->most[i]);
+	char *words = xstrdup("");
+	if (unknown > 0)
+		xappend(&words,
+		    tr_n("%zu sieve finer than the feed's finest",
+			"%zu sieves finer than the feed's finest", unknown),
+		    unknown);
+	if (l.modulus_unknown)
+		xlist(&words, tr(" and "), "%s",
+		    tr("the fineness modulus, which needs finer sieves of the "
+		       "feed"));
+	free(l.at);
+	return words;
+}
+
+bool
+conditions_add_spec(const struct spec *spec, const struct fraction *fraction,
+    const struct psd *feed, struct condition_list *list, char **words,
+    struct error *error)
+{
+	struct fraction f = *fraction;
+	*words = NULL;
+	if (!fraction_screens(&f)) {
+		f.fine = spec->cut[0];
+		f.coarse = spec->cut[1];
+	}
+	size_t before = list->n;
+	char *unknown = add_spec(list, spec, &f, feed);
+	bool any = list->n > before;
+	if (any)
+		*words = xasprintf(tr("limits of %s%s%s"), spec->name,
+		    spec->source[0] != '\0' ? ": " : "", spec->source);
+	if (any && unknown[0] != '\0')
+		xappend(words, tr("; not checked: %s"), unknown);
+	free(unknown);
+	return any ||
+	       error_set(error, ERROR_DATA,
+		   "%s: none of its sieves is in the range of the feed's "
+		   "sieves",
+		   spec->name);
+}
+
+bool
+conditions_add_option(struct session *s, const struct args *args,
+    const struct fraction *fraction, const struct psd *feed,
+    struct condition_list *list, char **words, struct error *error)
+{
+	const struct value *name = args_value(args, "spec");
+	*words = NULL;
+	if (!name->given)
+		return true;
+	const struct spec *spec = grading_spec(s, name->text, error);
+	return spec != NULL &&
+	       conditions_add_spec(spec, fraction, feed, list, words, error);
+}
+
+bool
+conditions_covered(
+    const struct condition *c, const struct psd *feed, struct error *error)
+{
+	const double limit[] = {c->least, c->most};
+	bool ok = quantities_covered(&c->quantity, feed, error);
+	for (size_t i = 0; i < 2 && ok; i++) {
+		struct quantity at = {.kind = QUANTITY_PASSING, .x = limit[i]};
+		if (c->quantity.kind == QUANTITY_SIZE && !isnan(limit[i]))
+			ok = quantities_covered(&at, feed, error);
+	}
+	return ok;
+}
+
+bool
+conditions_add_operands(const struct args *args,
+    const struct fraction *fraction, const struct psd *feed,
+    struct condition_list *list, struct error *error)
+{
+	for (size_t i = 0; i < args->n_operand; i++) {
+		struct condition c;
+		if (!conditions_read(args->operand[i], fraction, &c, error) ||
+		    !conditions_covered(&c, feed, error))
+			return false;
+		if (c.least == c.most)
+			return error_set(error, ERROR_USAGE,
+			    "expected a range of values, got one: '%s'\n"
+			    "write a range such as 40..50; 'find' finds the "
+			    "speed for a single value",
+			    args->operand[i]);
+		conditions_add(list, c);
+	}
+	return true;
+}
+
+bool
+conditions_speeds(const struct args *args, const struct site *site,
+    double *from, double *to, struct error *error)
+{
+	site_reach(site, from, to);
+	*from = args_number(args, "from", *from);
+	*to = args_number(args, "to", *to);
+	return *from < *to || error_set(error, ERROR_USAGE,
+				  "expected from below to, got %g and %g m/s\n"
+				  "write from=65 to=85",
+				  *from, *to);
+}
+
+char *
+conditions_words(const struct condition *c)
+{
+	const struct quantity *q = &c->quantity;
+	char *words = quantities_words(q);
+	const char *unit = quantities_after(q);
+	double least = quantities_shown(q, c->least);
+	double most = quantities_shown(q, c->most);
+	if (isnan(least))
+		xappend(&words, tr(" at most %g%s"), most, unit);
+	else if (isnan(most))
+		xappend(&words, tr(" at least %g%s"), least, unit);
+	else if (c->least == c->most)
+		xappend(&words, " %g%s", most, unit);
+	else
+		xappend(&words, tr(" %g to %g%s"), least, most, unit);
+	return words;
+}
+
+char *
+conditions_list_words(const struct condition_list *list)
+{
+	char *words = xstrdup("");
+	for (size_t i = 0; i < list->n; i++) {
+		char *one = conditions_words(&list->at[i]);
+		xlist(&words, ", ", "%s", one);
+		free(one);
+	}
+	return words;
+}
+
+char *
+conditions_limit(const struct condition_list *list, struct window_limit limit)
+{
+	struct condition one = list->at[limit.i];
+	if (limit.most)
+		one.least = NAN;
+	else
+		one.most = NAN;
+	return conditions_words(&one);
+}
+
+/* Of condition i at the speed: value, low and high. */
+static void
+read_values(const struct session *s, const struct wanted *wanted, size_t i,
+    double value[static 3])
+{
+	value[0] = response_value(wanted->response, i);
+	response_band(wanted->response, i, settings_level(&s->set), value + 1);
+}
+
+static void
+put_condition(struct fields *o, const struct session *s,
+    const struct wanted *wanted, const struct window_found *w, size_t i)
+{
+	const struct condition *c = &wanted->at[i];
+	const struct quantity *q = &c->quantity;
+	struct window_limit limit;
+	double value[3], margin = window_margin_of(wanted, i, &limit);
+	char *key = quantities_key(q);
+	read_values(s, wanted, i, value);
+	fields_put(o,
+	    "quantity %s unit %s min %g max %g value %g low %g high %g "
+	    "margin_pct %g holds_from %g holds_to %g",
+	    key, quantities_unit(q), quantities_shown(q, c->least),
+	    quantities_shown(q, c->most), quantities_shown(q, value[0]),
+	    quantities_shown(q, value[1]), quantities_shown(q, value[2]),
+	    100 * margin, w->alone[i][0], w->alone[i][1]);
+	free(key);
+}
+
+void
+conditions_put(struct fields *o, const struct session *s,
+    const struct wanted *wanted, const struct window_found *w)
+{
+	struct fields *list = fields_list(o, "conditions");
+	for (size_t i = 0; i < wanted->n; i++)
+		put_condition(fields_object(list, NULL), s, wanted, w, i);
+}
+
+static void
+condition_row(struct answer *r, const struct session *s,
+    const struct wanted *wanted, const struct window_found *w, size_t i)
+{
+	const struct condition *c = &wanted->at[i];
+	const struct quantity *q = &c->quantity;
+	struct window_limit limit;
+	double value[3], margin = window_margin_of(wanted, i, &limit);
+	char *words = quantities_words(q), *key = quantities_key(q);
+	const char *unit = quantities_unit(q);
+	bool whole = quantities_decimals(q) == 1;
+	read_values(s, wanted, i, value);
+	char *name =
+	    xasprintf("%s%s%s", words, unit[0] != '\0' ? ", " : "", unit);
+	answer_name(r, key, name);
+	answer_cells(r, whole ? "%g %g %.1f" : "%g %g %.2f",
+	    quantities_shown(q, c->least), quantities_shown(q, c->most),
+	    quantities_shown(q, value[0]));
+	if (response_draws(wanted->response, i) != NULL)
+		answer_cells(r, whole ? "%.1f %.1f" : "%.2f %.2f",
+		    quantities_shown(q, value[1]),
+		    quantities_shown(q, value[2]));
+	answer_cells(r, "%.1f %.1f %.1f", isinf(margin) ? NAN : 100 * margin,
+	    w->alone[i][0], w->alone[i][1]);
+	free(name);
+	free(words);
+	free(key);
+}
+
+void
+conditions_rows(struct answer *r, const struct session *s,
+    const struct wanted *wanted, const struct window_found *w)
+{
+	answer_columns(r, "quantity: condition on, min, max, value");
+	if (response_draws(wanted->response, 0) != NULL)
+		answer_columns(r, "low, high");
+	answer_columns(r, "margin_pct: points, holds_from: from m/s, "
+			  "holds_to: to m/s");
+	for (size_t i = 0; i < wanted->n; i++)
+		condition_row(r, s, wanted, w, i);
+}
+
+struct wanted
+conditions_ask(const struct session *s, const struct entry *entry, size_t feed,
+    const struct condition_list *list, const struct quantity *more)
+{
+	struct quantity *q = xcalloc(list->n + 1, sizeof *q);
+	for (size_t i = 0; i < list->n; i++)
+		q[i] = list->at[i].quantity;
+	if (more != NULL)
+		q[list->n] = *more;
+	struct wanted wanted = {.n = list->n, .at = list->at};
+	wanted.response = outlook_response(s, entry, &entry->params, feed, q,
+	    list->n + (more != NULL ? 1 : 0));
+	free(q);
+	return wanted;
+}
+
+/* The two limits in the way of the nearest speed; beyond the speeds searched
+ * nothing is known. */
+static void
+note_ways(struct answer *r, const struct wanted *wanted,
+    const struct condition_list *list, const struct window_found *w)
+{
+	const struct window_limit limit[] = {w->low, w->high};
+	const double end[] = {wanted->from, wanted->to};
+	for (size_t k = 0; k < 2; k++) {
+		if (fabs(w->best - end[k]) < 1e-3) {
+			answer_say(r, ANSWER_REMARK,
+			    k == 0 ? N_("%g m/s is the end of the speeds "
+					"searched: from= searches slower ones")
+				   : N_("%g m/s is the end of the speeds "
+					"searched: to= searches faster ones"),
+			    end[k]);
+		} else if (limit[k].i != SIZE_MAX) {
+			char *words = conditions_limit(list, limit[k]);
+			answer_note(r,
+			    k == 0 ? N_("what binds slower: %s")
+				   : N_("what binds faster: %s"),
+			    words);
+			free(words);
+		}
+	}
+}
+
+void
+conditions_note_missed(struct answer *r, const struct wanted *wanted,
+    const struct condition_list *list, const struct window_found *w)
+{
+	const char *what =
+	    list->n > 1 ? tr("all conditions") : tr("the condition");
+	if (!isfinite(w->margin)) {
+		answer_note(r,
+		    "no speed from %g to %g m/s gives a value of each "
+		    "condition",
+		    wanted->from, wanted->to);
+	} else if (w->alike) {
+		struct window_limit limit;
+		response_at(wanted->response, w->best);
+		window_margin(wanted, &limit);
+		char *words = conditions_limit(list, limit);
+		answer_note(r,
+		    "no speed from %g to %g m/s meets %s: every speed misses "
+		    "%s alike, by %.1f points",
+		    wanted->from, wanted->to, what, words, -100 * w->margin);
+		free(words);
+	} else {
+		answer_note(r,
+		    "no speed from %g to %g m/s meets %s; the nearest is %.2f "
+		    "m/s, which misses by %.1f points",
+		    wanted->from, wanted->to, what, w->best, -100 * w->margin);
+		note_ways(r, wanted, list, w);
+	}
+}
+
+char *
+conditions_percent(double share)
+{
+	return share > 0.99   ? xstrdup(tr("over 99 %"))
+	       : share < 0.01 ? xstrdup(tr("under 1 %"))
+			      : xasprintf("%.0f %%", 100 * share);
+}

@@ -1,0 +1,90 @@
+/* Conditions on a product in words: "passing 2 = 40..50", "P80 > 5".
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_CONDITIONS_H
+#define TIPSPEED_CMD_CONDITIONS_H
+
+#include "cmd/command.h"
+#include "cmd/session.h"
+#include "core/window.h"
+
+/* A list that grows. */
+struct condition_list {
+	size_t n;
+	struct condition *at;
+};
+
+void conditions_add(struct condition_list *list, struct condition condition);
+void conditions_free(struct condition_list *list);
+
+/* Reads one: a quantity (quantities.h), then <, > or = and a number or, after
+ * =, a range, or the words for these; of the fraction where it names none.  A
+ * single number after = is both limits. */
+bool conditions_read(const char *text, const struct fraction *fraction,
+    struct condition *condition, struct error *error);
+
+/* How long the first of a list is, with commas between: a comma within a number
+ * is none of these. */
+size_t conditions_length(const char *list);
+
+/* Adds what a text has, with commas between. */
+bool conditions_read_list(const char *text, const struct fraction *fraction,
+    struct condition_list *list, struct error *error);
+
+/* Adds the operands of a call, which a feed has to tell of.  They are ranges:
+ * a single value holds at single speeds only. */
+bool conditions_add_operands(const struct args *args,
+    const struct fraction *fraction, const struct psd *feed,
+    struct condition_list *list, struct error *error);
+
+/* Adds the limits of an envelope (grading_limits) on a fraction, or where that
+ * is all of the product the one that the envelope is for.  words: what is to be
+ * said of it, or NULL, which the caller frees. */
+bool conditions_add_spec(const struct spec *spec,
+    const struct fraction *fraction, const struct psd *feed,
+    struct condition_list *list, char **words, struct error *error);
+
+/* The same of the envelope that the option spec of a call names, if it is
+ * given. */
+bool conditions_add_option(struct session *s, const struct args *args,
+    const struct fraction *fraction, const struct psd *feed,
+    struct condition_list *list, char **words, struct error *error);
+
+/* Whether a feed tells of the sizes that it needs, its limits among them. */
+bool conditions_covered(const struct condition *condition,
+    const struct psd *feed, struct error *error);
+
+/* The options from and to of a call, else site_reach. */
+bool conditions_speeds(const struct args *args, const struct site *site,
+    double *from, double *to, struct error *error);
+
+/* "passing 2 mm 40 to 50 %", "P80 at least 5 mm"; a limit of the list "passing
+ * 2 mm at most 50 %"; all of it with commas between; the caller frees. */
+char *conditions_words(const struct condition *condition);
+char *conditions_list_words(const struct condition_list *list);
+char *conditions_limit(
+    const struct condition_list *list, struct window_limit limit);
+
+/* Columns and a row for each condition: its limits, its value at the speed the
+ * response is at, with the band, the margin and where it alone holds. */
+void conditions_rows(struct answer *r, const struct session *s,
+    const struct wanted *wanted, const struct window_found *w);
+
+/* The same as objects of the list "conditions". */
+void conditions_put(struct fields *o, const struct session *s,
+    const struct wanted *wanted, const struct window_found *w);
+
+/* A response for the list's quantities and one more, or for NULL none; the
+ * list must outlive it, whose `response` is response_free's. */
+struct wanted conditions_ask(const struct session *s, const struct entry *entry,
+    size_t feed, const struct condition_list *list,
+    const struct quantity *more);
+
+/* What stands in the way where no speed meets the conditions. */
+void conditions_note_missed(struct answer *r, const struct wanted *wanted,
+    const struct condition_list *list, const struct window_found *w);
+
+/* "92 %"; draws alone never make sure: "over 99 %", "under 1 %".  The caller
+ * frees. */
+char *conditions_percent(double share);
+
+#endif

@@ -1,0 +1,234 @@
+/* Collects the parts of a document.  How they look is left to those who write
+ * it as HTML or PDF.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/document.h"
+
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+
+struct document *
+document_new(const char *made_by)
+{
+	struct document *d = xcalloc(1, sizeof *d);
+	d->made_by = xstrdup(made_by);
+	d->titled_by = SIZE_MAX;
+	d->out = text_memory(&d->text, &d->n_text);
+	return d;
+}
+
+void
+document_free(struct document *d)
+{
+	if (d == NULL)
+		return;
+	for (size_t i = 0; i < d->n; i++) {
+		free(d->part[i].text);
+		answer_free(d->part[i].answer);
+		if (d->part[i].chart != NULL)
+			chart_free(d->part[i].chart);
+	}
+	free(d->part);
+	if (d->out != NULL)
+		fclose(d->out);
+	free(d->text);
+	free(d->title);
+	free(d->made_by);
+	free(d);
+}
+
+FILE *
+document_out(struct document *d)
+{
+	return d->out;
+}
+
+static void
+append(struct document *d, struct document_part part)
+{
+	d->part = xrealloc(d->part, d->n + 1, sizeof *d->part);
+	d->part[d->n++] = part;
+}
+
+/* What was printed stands before what comes now.  Empty lines at both ends are
+ * there for a terminal. */
+static void
+take_text(struct document *d)
+{
+	fflush(d->out);
+	size_t n = d->n_text, from = d->taken;
+	d->taken = n;
+	while (n > from && d->text[n - 1] == '\n')
+		n--;
+	while (from < n && d->text[from] == '\n')
+		from++;
+	if (n > from)
+		append(d, (struct document_part){.kind = DOCUMENT_TEXT,
+			      .text = xstrndup(d->text + from, n - from)});
+}
+
+static void
+add(struct document *d, struct document_part part)
+{
+	take_text(d);
+	append(d, part);
+}
+
+void
+document_title(struct document *d, const char *title)
+{
+	free(d->title);
+	d->title = xstrdup(title);
+}
+
+void
+document_heading(struct document *d, const char *text)
+{
+	add(d, (struct document_part){
+		   .kind = DOCUMENT_HEADING, .text = xstrdup(text)});
+}
+
+void
+document_say(
+    struct document *d, enum document_kind kind, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	add(d, (struct document_part){
+		   .kind = kind, .text = xvasprintf(tr(format), ap)});
+	va_end(ap);
+}
+
+void
+document_light(struct document *d, enum light light, const char *words)
+{
+	add(d, (struct document_part){.kind = DOCUMENT_LIGHT,
+		   .light = light,
+		   .text = xstrdup(words)});
+}
+
+size_t
+document_answer(struct document *d, const struct answer *answer)
+{
+	add(d, (struct document_part){
+		   .kind = DOCUMENT_ANSWER, .answer = answer_shown(answer)});
+	return answer_view(answer).n_row;
+}
+
+void
+document_picture(struct document *d, struct chart *chart)
+{
+	add(d,
+	    (struct document_part){.kind = DOCUMENT_PICTURE, .chart = chart});
+}
+
+bool
+document_end(struct document *d)
+{
+	take_text(d);
+	for (size_t i = 0; i < d->n && d->title == NULL; i++) {
+		const struct document_part *p = &d->part[i];
+		const char *title = p->answer != NULL
+					? answer_view(p->answer).title
+				    : p->chart != NULL ? p->chart->title
+						       : NULL;
+		d->title = title != NULL ? xstrdup(title) : NULL;
+		d->titled_by = title != NULL ? i : SIZE_MAX;
+	}
+	if (d->title == NULL)
+		d->title = xstrdup(d->made_by);
+	d->one_page = d->one_page && d->n == 1;
+	return d->n > 0;
+}
+
+char *
+document_extent(const struct document *d)
+{
+	size_t tables = 0, images = 0, lines = 0;
+	for (size_t i = 0; i < d->n; i++) {
+		const struct document_part *p = &d->part[i];
+		images += p->kind == DOCUMENT_PICTURE;
+		tables +=
+		    p->answer != NULL && answer_view(p->answer).n_column > 0;
+		for (const char *c = p->text; c != NULL && *c != '\0'; c++)
+			lines += *c == '\n' || c[1] == '\0';
+	}
+	char *text = xstrdup("");
+	if (tables > 0)
+		xlist(&text, ", ", tr_n("%zu table", "%zu tables", tables),
+		    tables);
+	if (images > 0)
+		xlist(&text, ", ", tr_n("%zu image", "%zu images", images),
+		    images);
+	if (tables + images == 0)
+		xlist(&text, ", ", tr_n("%zu line", "%zu lines", lines), lines);
+	return text;
+}
+
+/* Of the longest word. */
+static int
+word_width(const char *text)
+{
+	int most = 0;
+	char *copy = xstrdup(text), *save = NULL;
+	for (char *word = strtok_r(copy, " ", &save); word != NULL;
+	     word = strtok_r(NULL, " ", &save)) {
+		int w = text_width(word);
+		most = w > most ? w : most;
+	}
+	free(copy);
+	return most;
+}
+
+/* Heads are broken, and sentences in a table. */
+static int
+column_width(const struct answer_view *v, size_t column)
+{
+	enum { MOST = 40 };
+	int width = word_width(v->head[column]);
+	for (size_t i = 0; i < v->n_row; i++) {
+		int w = text_width(v->cell[i * v->n_column + column].text);
+		width = w > width ? w : width;
+	}
+	return width < MOST ? width : MOST;
+}
+
+size_t
+document_block(const struct answer_view *v, size_t from)
+{
+	enum { WIDEST = 120, GAP = 2 };
+	int width = column_width(v, 0);
+	size_t to = from;
+	while (to < v->n_column) {
+		width += GAP + column_width(v, to);
+		if (width > WIDEST && to > from)
+			break;
+		to++;
+	}
+	return to;
+}
+
+bool
+document_is_number(const struct answer_view *v, size_t column)
+{
+	for (size_t i = 0; i < v->n_row; i++)
+		if (v->cell[i * v->n_column + column].is_text)
+			return false;
+	return v->n_row > 0;
+}
+
+char *
+document_line(const char **text)
+{
+	if (**text == '\0')
+		return NULL;
+	size_t n = strcspn(*text, "\n");
+	char *line = xstrndup(*text, n);
+	*text += n + ((*text)[n] == '\n');
+	return line;
+}

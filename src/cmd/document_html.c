@@ -1,0 +1,188 @@
+/* Writes a document as HTML that any browser shows and prints.  What a colour
+ * says stands there in words too.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/document_html.h"
+
+#include <stdlib.h>
+
+#include "base/text.h"
+#include "config.h"
+#include "plot/picture.h"
+
+/* No sign that XML would take for its own.  Colours of the lights are safe for
+ * red-green blindness. */
+static const char STYLE[] =
+    "body{font-family:Helvetica,Arial,'Liberation Sans',sans-serif;"
+    "font-size:15px;line-height:1.4;color:#000;background:#fff;"
+    "max-width:60rem;margin:1.5rem auto;padding:0 1rem}\n"
+    "h1{font-size:1.5em;line-height:1.2;margin:.5em 0}\n"
+    "h2{font-size:1.2em;margin:1.8em 0 .5em;padding-top:.4em;"
+    "border-top:1px solid #999}\n"
+    "h3{font-size:1em;margin:1.2em 0 .2em}\n"
+    "p{margin:.3em 0;max-width:46rem}\n"
+    ".about{color:#555}\n"
+    ".warning{font-weight:bold;border-left:.3em solid #000;"
+    "padding-left:.5em}\n"
+    ".light{font-size:1.1em;border:2px solid #000;border-left-width:1em;"
+    "padding:.4em .7em;margin:.8em 0}\n"
+    ".green{border-color:#00af00}\n"
+    ".amber{border-color:#d78700}\n"
+    ".red{border-color:#d70000}\n"
+    ".wide{overflow-x:auto;margin:.5em 0 .8em}\n"
+    "table{border-collapse:collapse;font-size:.9em;"
+    "font-variant-numeric:tabular-nums}\n"
+    "th,td{padding:.15em .7em .15em 0;text-align:left;vertical-align:top}\n"
+    "th{border-bottom:1px solid #000;vertical-align:bottom}\n"
+    "td{border-bottom:1px solid #ddd}\n"
+    "td:first-child:not(:only-child){white-space:pre}\n"
+    "th.n,td.n{text-align:right;padding:.15em 0 .15em .7em}\n"
+    "th.n+th:not(.n),td.n+td:not(.n){padding-left:1em}\n"
+    "figure{margin:.8em 0}\n"
+    "svg{max-width:100%;height:auto}\n"
+    "pre{font-size:.8em;line-height:1.25;overflow-x:auto;"
+    "background:#f5f5f5;padding:.6em}\n"
+    "footer{color:#555;font-size:.85em;margin-top:2em;"
+    "border-top:1px solid #999;padding-top:.4em}\n"
+    "@page{size:A4;margin:16mm 15mm}\n"
+    "@media print{\n"
+    "body{font-size:9.5pt;max-width:none;margin:0;padding:0}\n"
+    "h1,h2,h3,.about{break-after:avoid}\n"
+    "thead{display:table-header-group}\n"
+    "tr,figure,.light,.warning{break-inside:avoid}\n"
+    ".wide{overflow:visible}\n"
+    "pre{white-space:pre-wrap;overflow-wrap:anywhere;overflow:visible}\n"
+    "}\n";
+
+static void
+put(const char *before, const char *text, const char *after, FILE *out)
+{
+	fputs(before, out);
+	text_put_xml(text, out);
+	fputs(after, out);
+}
+
+static void
+put_cell(const struct answer_view *v, size_t row, size_t column, FILE *out)
+{
+	bool head = row == 0;
+	const char *text = head
+			       ? v->head[column]
+			       : v->cell[(row - 1) * v->n_column + column].text;
+	fprintf(out, "<%s%s%s>", head ? "th" : "td",
+	    head ? " scope=\"col\"" : "",
+	    document_is_number(v, column) ? " class=\"n\"" : "");
+	text_put_xml(text, out);
+	fputs(head ? "</th>" : "</td>", out);
+}
+
+/* The columns from `from` to before `to`, after the first one. */
+static void
+put_block(const struct answer_view *v, size_t from, size_t to, FILE *out)
+{
+	fputs("<div class=\"wide\"><table>\n<thead>", out);
+	for (size_t row = 0; row <= v->n_row; row++) {
+		fputs("<tr>", out);
+		for (size_t c = 0; c < to; c = c == 0 ? from : c + 1)
+			put_cell(v, row, c, out);
+		fputs(row == 0 ? "</tr></thead>\n<tbody>\n" : "</tr>\n", out);
+	}
+	fputs("</tbody></table></div>\n", out);
+}
+
+static void
+put_sentences(const struct answer_view *v, bool warnings, FILE *out)
+{
+	for (size_t i = 0; i < v->n_sentence; i++) {
+		const struct answer_sentence *said = &v->sentence[i];
+		if ((said->grade == ANSWER_WARNING) == warnings)
+			put(warnings ? "<p class=\"warning\">" : "<p>",
+			    said->text, "</p>\n", out);
+	}
+}
+
+/* top: its title is the document's. */
+static void
+put_answer(const struct answer *answer, bool top, FILE *out)
+{
+	struct answer_view v = answer_view(answer);
+	if (v.title != NULL && !top)
+		put("<h3>", v.title, "</h3>\n", out);
+	if (v.provenance != NULL)
+		put("<p class=\"about\">Data: ", v.provenance, "</p>\n", out);
+	put_sentences(&v, true, out);
+	for (size_t from = 1; v.n_row > 0;) {
+		size_t to = document_block(&v, from);
+		put_block(&v, from, to, out);
+		from = to;
+		if (from >= v.n_column)
+			break;
+	}
+	put_sentences(&v, false, out);
+}
+
+static void
+put_lines(const char *text, FILE *out)
+{
+	char *line;
+	fputs("<pre>", out);
+	while ((line = document_line(&text)) != NULL) {
+		put("", line, "\n", out);
+		free(line);
+	}
+	fputs("</pre>\n", out);
+}
+
+static void
+put_part(const struct document *d, size_t i, FILE *out)
+{
+	const struct document_part *p = &d->part[i];
+	switch (p->kind) {
+	case DOCUMENT_HEADING:
+		put("<h2>", p->text, "</h2>\n", out);
+		break;
+	case DOCUMENT_WORDS:
+		put("<p>", p->text, "</p>\n", out);
+		break;
+	case DOCUMENT_WARNING:
+		put("<p class=\"warning\">", p->text, "</p>\n", out);
+		break;
+	case DOCUMENT_LIGHT:
+		fprintf(out, "<p class=\"light %s\">", LIGHT_NAME[p->light]);
+		put("", p->text, "</p>\n", out);
+		break;
+	case DOCUMENT_TEXT:
+		put_lines(p->text, out);
+		break;
+	case DOCUMENT_ANSWER:
+		put_answer(p->answer, i == d->titled_by, out);
+		break;
+	case DOCUMENT_PICTURE:
+		fputs("<figure>\n", out);
+		picture_write(
+		    p->chart, PICTURE_INLINE, "tipspeed " PACKAGE_VERSION, out);
+		fputs("</figure>\n", out);
+		break;
+	}
+}
+
+char *
+document_html(const struct document *d, size_t *n)
+{
+	char *text = NULL;
+	FILE *out = text_memory(&text, n);
+	fprintf(out,
+	    "<!DOCTYPE html>\n"
+	    "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n"
+	    "<head>\n<meta charset=\"utf-8\"/>\n"
+	    "<meta http-equiv=\"Content-Security-Policy\" "
+	    "content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n"
+	    "<meta name=\"viewport\" content=\"width=device-width\"/>\n");
+	put("<title>", d->title, "</title>\n", out);
+	fprintf(out, "<style>\n%s</style>\n</head>\n<body>\n", STYLE);
+	put("<h1>", d->title, "</h1>\n", out);
+	for (size_t i = 0; i < d->n; i++)
+		put_part(d, i, out);
+	put("<footer>", d->made_by, "</footer>\n</body>\n</html>\n", out);
+	fclose(out);
+	return text;
+}

@@ -1,0 +1,13 @@
+/* Documents as a page of HTML.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_DOCUMENT_HTML_H
+#define TIPSPEED_CMD_DOCUMENT_HTML_H
+
+#include "cmd/document.h"
+
+/* The page, *n bytes, which the caller frees: HTML that is XML too, in one
+ * file, with images as SVG; nothing is fetched and no script runs.  The same
+ * document is the same bytes. */
+char *document_html(const struct document *document, size_t *n);
+
+#endif

@@ -1,0 +1,554 @@
+/* Lays a document out on pages of A4.  It is laid out several times: to count
+ * the pages, and where it is to be one page to find its scale.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/document_pdf.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "config.h"
+#include "plot/picture.h"
+
+/* Points.  LINE: of a line to the size of its letters. */
+static const double SHORT_SIDE = 595.28, LONG_SIDE = 841.89, MARGIN = 42,
+		    FOOT = 26, LINE = 1.3, GAP = 9;
+
+/* How a page is laid out; pages: how many there are, 0 where that is not known
+ * yet. */
+struct layout {
+	double scale;
+	bool across;
+	size_t pages;
+};
+
+/* What came of it; shrunk: a table has smaller letters than its layout has,
+ * because it is too wide for them. */
+struct outcome {
+	size_t pages;
+	bool shrunk;
+};
+
+struct press {
+	const struct document *document;
+	struct layout layout;
+	struct pen *pen;
+	double width, height; /* of the page */
+	double y;             /* below what is there */
+	size_t page;
+	bool shrunk; /* see outcome */
+};
+
+static struct pen_style
+letters(const struct press *p, double size, bool bold)
+{
+	return (struct pen_style){.size = size * p->layout.scale, .bold = bold};
+}
+
+static double
+inner_width(const struct press *p)
+{
+	return p->width - 2 * MARGIN;
+}
+
+/* From the margin to an end. */
+static void
+draw_line(struct press *p, double end, double y, double width)
+{
+	double x[] = {MARGIN, end}, at[] = {y, y};
+	p->pen->path(p->pen, x, at, 2,
+	    &(struct pen_stroke){SERIES_FEED, CHART_SOLID, width, PEN_OPEN});
+}
+
+static void
+draw_foot(struct press *p)
+{
+	struct pen_style style = {.size = 8};
+	double y = p->height - FOOT;
+	draw_line(p, p->width - MARGIN, y - 10, 0.4);
+	p->pen->text(p->pen, MARGIN, y, p->document->made_by, &style);
+	style.anchor = PEN_END;
+	char *number =
+	    xasprintf(tr("page %zu of %zu"), p->page, p->layout.pages);
+	p->pen->text(p->pen, p->width - MARGIN, y, number, &style);
+	free(number);
+}
+
+static void
+next_page(struct press *p)
+{
+	draw_foot(p);
+	p->pen->next(p->pen);
+	p->page++;
+	p->y = MARGIN;
+}
+
+/* Room for what is so high; true where that began a page. */
+static bool
+make_room(struct press *p, double height)
+{
+	if (p->y + height <= p->height - FOOT - 16 || p->y <= MARGIN)
+		return false;
+	next_page(p);
+	return true;
+}
+
+static void
+skip(struct press *p, double points)
+{
+	if (p->y > MARGIN)
+		p->y += points * p->layout.scale;
+}
+
+/* How many bytes of a text make its next line: whole words, or as much of a
+ * word as fits. */
+static size_t
+line_length(struct press *p, const char *text, double width,
+    const struct pen_style *style)
+{
+	size_t fits = 0;
+	for (size_t n = 0; text[n] != '\0';) {
+		const char *next = text + n;
+		text_next(&next);
+		size_t end = (size_t)(next - text);
+		char *part = xstrndup(text, end);
+		bool wide = p->pen->width(p->pen, part, style) > width;
+		free(part);
+		if (wide && n > 0)
+			return fits > 0 ? fits : n;
+		n = end;
+		if (text[n] == ' ' || text[n] == '\0')
+			fits = n;
+	}
+	return strlen(text);
+}
+
+/* A text as lines of at most a width. */
+struct lines {
+	size_t n;
+	char **line;
+};
+
+static struct lines
+break_lines(struct press *p, const char *words, double width,
+    const struct pen_style *style)
+{
+	struct lines lines = {0};
+	char *shown = text_shown(words);
+	const char *text = shown;
+	do {
+		size_t n = p->pen->width(p->pen, text, style) <= width
+			       ? strlen(text)
+			       : line_length(p, text, width, style);
+		lines.line =
+		    xrealloc(lines.line, lines.n + 1, sizeof *lines.line);
+		lines.line[lines.n++] = xstrndup(text, n);
+		text += n;
+		text += strspn(text, " ");
+	} while (*text != '\0');
+	free(shown);
+	return lines;
+}
+
+static void
+lines_free(struct lines *lines)
+{
+	for (size_t i = 0; i < lines->n; i++)
+		free(lines->line[i]);
+	free(lines->line);
+}
+
+/* A paragraph. */
+static void
+put_words(struct press *p, const char *text, const struct pen_style *style)
+{
+	double line = LINE * style->size;
+	struct lines lines = break_lines(p, text, inner_width(p), style);
+	for (size_t i = 0; i < lines.n; i++) {
+		make_room(p, line);
+		p->y += line;
+		p->pen->text(
+		    p->pen, MARGIN, p->y - 0.25 * line, lines.line[i], style);
+	}
+	lines_free(&lines);
+}
+
+/* A word in a frame, so that it is seen without its colour. */
+static void
+put_light(struct press *p, const struct document_part *part)
+{
+	static const enum series INKS[] = {
+	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
+	enum { PAD = 8 };
+	struct pen_style style = letters(p, 11, true);
+	double left = MARGIN, right = p->width - MARGIN;
+	struct lines lines =
+	    break_lines(p, part->text, inner_width(p) - 4 * PAD, &style);
+	double height = (double)lines.n * LINE * style.size + 2 * PAD;
+	skip(p, 4);
+	make_room(p, height);
+	double x[] = {left, right, right, left, left};
+	double y[] = {p->y, p->y, p->y + height, p->y + height, p->y};
+	double bar[] = {left, left + PAD, left + PAD, left};
+	struct pen_stroke stroke = {
+	    INKS[part->light], CHART_SOLID, 1.2, PEN_OPEN};
+	p->pen->path(p->pen, x, y, ARRAY_LEN(x), &stroke);
+	stroke.fill = PEN_FULL;
+	p->pen->path(p->pen, bar, y, ARRAY_LEN(bar), &stroke);
+	for (size_t i = 0; i < lines.n; i++)
+		p->pen->text(p->pen, left + 2 * PAD,
+		    p->y + PAD + ((double)i + 0.78) * LINE * style.size,
+		    lines.line[i], &style);
+	p->y += height;
+	skip(p, 6);
+	lines_free(&lines);
+}
+
+static void
+put_lines(struct press *p, const char *text)
+{
+	struct pen_style style = letters(p, 7.5, false);
+	char *line;
+	style.mono = true;
+	while ((line = document_line(&text)) != NULL) {
+		put_words(p, line, &style);
+		free(line);
+	}
+}
+
+/* Columns of a table that stand side by side, `column` [n], so wide each, with
+ * letters of a size. */
+struct grid {
+	const struct answer_view *view;
+	size_t n, *column;
+	double *width, size;
+};
+
+static double
+word_width(struct press *p, const char *text, const struct pen_style *style)
+{
+	double most = 0;
+	char *copy = xstrdup(text), *save = NULL;
+	for (char *word = strtok_r(copy, " ", &save); word != NULL;
+	     word = strtok_r(NULL, " ", &save))
+		most = fmax(most, p->pen->width(p->pen, word, style));
+	free(copy);
+	return most;
+}
+
+/* As wide as its numbers and the words of its head; a text is broken where the
+ * page has not that much.  Returns how wide all are. */
+static double
+measure(struct press *p, struct grid *g, double most)
+{
+	struct pen_style head = letters(p, g->size, true);
+	struct pen_style body = letters(p, g->size, false);
+	double sum = -GAP * p->layout.scale;
+	for (size_t i = 0; i < g->n; i++) {
+		size_t c = g->column[i];
+		double w = word_width(p, g->view->head[c], &head);
+		for (size_t r = 0; r < g->view->n_row; r++) {
+			const struct answer_cell *cell =
+			    &g->view->cell[r * g->view->n_column + c];
+			double its = p->pen->width(p->pen, cell->text, &body);
+			w = fmax(w, cell->is_text ? fmin(its, most) : its);
+		}
+		g->width[i] = w;
+		sum += w + GAP * p->layout.scale;
+	}
+	return sum;
+}
+
+/* Finds the widths: texts are broken first, then letters are smaller. */
+static void
+fit_grid(struct press *p, struct grid *g)
+{
+	double room = inner_width(p), most = room;
+	g->size = 8.5;
+	while (measure(p, g, most) > room && g->size > 4) {
+		if (most > 0.25 * room) {
+			most *= 0.9;
+		} else {
+			g->size *= 0.95;
+			p->shrunk = true;
+		}
+	}
+}
+
+/* A row, 0 the heads. */
+static void
+put_row(struct press *p, const struct grid *g, size_t row)
+{
+	struct pen_style style = letters(p, g->size, row == 0);
+	double line = LINE * style.size, x = MARGIN;
+	struct lines *cell = xcalloc(g->n, sizeof *cell);
+	size_t most = 1;
+	for (size_t i = 0; i < g->n; i++) {
+		size_t c = g->column[i];
+		cell[i] = break_lines(p,
+		    row == 0
+			? g->view->head[c]
+			: g->view->cell[(row - 1) * g->view->n_column + c].text,
+		    g->width[i] + 0.01, &style);
+		most = cell[i].n > most ? cell[i].n : most;
+	}
+	for (size_t k = 0; k < most; k++, x = MARGIN) {
+		make_room(p, line);
+		p->y += line;
+		for (size_t i = 0; i < g->n; i++) {
+			bool right = document_is_number(g->view, g->column[i]);
+			/* Heads stand at the foot of their row. */
+			size_t from = row == 0 ? most - cell[i].n : 0;
+			style.anchor = right ? PEN_END : PEN_START;
+			if (k >= from && k - from < cell[i].n)
+				p->pen->text(p->pen,
+				    x + (right ? g->width[i] : 0),
+				    p->y - 0.28 * line, cell[i].line[k - from],
+				    &style);
+			x += g->width[i] + GAP * p->layout.scale;
+		}
+	}
+	for (size_t i = 0; i < g->n; i++)
+		lines_free(&cell[i]);
+	free(cell);
+}
+
+static double
+rule_end(const struct press *p, const struct grid *g)
+{
+	double x = MARGIN - GAP * p->layout.scale;
+	for (size_t i = 0; i < g->n; i++)
+		x += g->width[i] + GAP * p->layout.scale;
+	return x;
+}
+
+/* The head again on every page. */
+static void
+put_grid(struct press *p, struct grid *g)
+{
+	double line = LINE * g->size * p->layout.scale;
+	fit_grid(p, g);
+	make_room(p, 5 * line);
+	for (size_t row = 0; row <= g->view->n_row; row++) {
+		bool again = row > 0 && make_room(p, line);
+		if (again)
+			put_row(p, g, 0);
+		if (again || row == 1) {
+			draw_line(p, rule_end(p, g), p->y, 0.7);
+			skip(p, 1.5);
+		}
+		put_row(p, g, row);
+	}
+	draw_line(p, rule_end(p, g), p->y + 1, 0.3);
+	skip(p, 5);
+}
+
+static void
+put_table(struct press *p, const struct answer_view *v)
+{
+	struct grid g = {.view = v,
+	    .column = xcalloc(v->n_column + 1, sizeof *g.column),
+	    .width = xdoubles(v->n_column + 1)};
+	for (size_t from = 1; v->n_row > 0;) {
+		size_t to = p->document->one_page ? v->n_column
+						  : document_block(v, from);
+		g.n = 0;
+		g.size = 8.5;
+		for (size_t c = 0; c < to; c = c == 0 ? from : c + 1)
+			g.column[g.n++] = c;
+		put_grid(p, &g);
+		from = to;
+		if (from >= v->n_column)
+			break;
+	}
+	free(g.column);
+	free(g.width);
+}
+
+static void
+put_sentences(struct press *p, const struct answer_view *v, bool warnings)
+{
+	struct pen_style style = letters(p, 9, warnings);
+	for (size_t i = 0; i < v->n_sentence; i++)
+		if ((v->sentence[i].grade == ANSWER_WARNING) == warnings) {
+			put_words(p, v->sentence[i].text, &style);
+			skip(p, 1.5);
+		}
+}
+
+/* What stays with the title on its page: a table, unless it is long. */
+static double
+kept_height(const struct press *p, const struct answer_view *v)
+{
+	static const double TITLE = 40, ROW = 8.5, LEAST = 60, LONG = 0.45;
+	double table =
+	    p->layout.scale * (TITLE + LINE * ROW * (double)(v->n_row + 2));
+	return table > LONG * p->height ? LEAST * p->layout.scale : table;
+}
+
+static void
+put_answer(struct press *p, const struct answer *answer, bool top)
+{
+	struct answer_view v = answer_view(answer);
+	struct pen_style title = letters(p, 9.5, true);
+	struct pen_style about = letters(p, 8, false);
+	about.series = SERIES_FEED;
+	skip(p, 6);
+	make_room(p, kept_height(p, &v));
+	if (v.title != NULL && !top)
+		put_words(p, v.title, &title);
+	if (v.provenance != NULL) {
+		char *text = xasprintf(tr("Data: %s"), v.provenance);
+		put_words(p, text, &about);
+		free(text);
+	}
+	put_sentences(p, &v, true);
+	skip(p, 3);
+	put_table(p, &v);
+	put_sentences(p, &v, false);
+}
+
+static void
+put_picture(struct press *p, const struct chart *chart)
+{
+	static const char PROGRAM[] = "tipspeed " PACKAGE_VERSION;
+	double scale = fmin(p->layout.scale, inner_width(p) / PICTURE_WIDTH);
+	double height = scale * picture_height(chart, PROGRAM);
+	skip(p, 6);
+	make_room(p, height);
+	p->pen->place(p->pen, MARGIN, p->y, scale);
+	picture_draw(chart, PROGRAM, p->pen);
+	p->pen->place(p->pen, 0, 0, 1);
+	p->y += height;
+}
+
+/* With what comes next, so that it is not the last on its page. */
+static void
+put_heading(struct press *p, size_t i)
+{
+	enum { OWN = 30, LEAST = 40 };
+	const struct document *d = p->document;
+	const struct answer *next = i + 1 < d->n ? d->part[i + 1].answer : NULL;
+	struct pen_style style = letters(p, 13, true);
+	double kept = LEAST * p->layout.scale;
+	if (next != NULL) {
+		struct answer_view v = answer_view(next);
+		kept = kept_height(p, &v);
+	}
+	skip(p, 14);
+	make_room(p, OWN * p->layout.scale + kept);
+	put_words(p, d->part[i].text, &style);
+	draw_line(p, p->width - MARGIN, p->y + 1, 0.7);
+	skip(p, 3);
+}
+
+static void
+put_part(struct press *p, size_t i)
+{
+	const struct document_part *part = &p->document->part[i];
+	struct pen_style style = letters(p, 9, part->kind == DOCUMENT_WARNING);
+	switch (part->kind) {
+	case DOCUMENT_HEADING:
+		put_heading(p, i);
+		break;
+	case DOCUMENT_WORDS:
+	case DOCUMENT_WARNING:
+		put_words(p, part->text, &style);
+		skip(p, 2);
+		break;
+	case DOCUMENT_LIGHT:
+		put_light(p, part);
+		break;
+	case DOCUMENT_TEXT:
+		put_lines(p, part->text);
+		break;
+	case DOCUMENT_ANSWER:
+		put_answer(p, part->answer, i == p->document->titled_by);
+		break;
+	case DOCUMENT_PICTURE:
+		put_picture(p, part->chart);
+		break;
+	}
+}
+
+/* Lays it all out.  NULL where that fails. */
+static char *
+lay_out(const struct document *d, struct layout layout, size_t *n,
+    struct outcome *outcome)
+{
+	char *bytes = NULL;
+	FILE *out = text_memory(&bytes, n);
+	struct press p = {.document = d,
+	    .layout = layout,
+	    .width = layout.across ? LONG_SIDE : SHORT_SIDE,
+	    .height = layout.across ? SHORT_SIDE : LONG_SIDE,
+	    .y = MARGIN,
+	    .page = 1};
+	p.pen = picture_pages(p.width, p.height, d->title, d->made_by, out);
+	bool ok = p.pen != NULL;
+	if (ok) {
+		struct pen_style title = letters(&p, 16, true);
+		put_words(&p, d->title, &title);
+		for (size_t i = 0; i < d->n; i++)
+			put_part(&p, i);
+		draw_foot(&p);
+		ok = p.pen->close(p.pen);
+	}
+	*outcome = (struct outcome){p.page, p.shrunk};
+	fclose(out);
+	if (!ok) {
+		free(bytes);
+		bytes = NULL;
+	}
+	return bytes;
+}
+
+static struct outcome
+try_layout(const struct document *d, struct layout layout)
+{
+	size_t n;
+	struct outcome outcome;
+	free(lay_out(d, layout, &n, &outcome));
+	return outcome;
+}
+
+/* The largest scale at which it is one page, upright or across, with tables
+ * that have letters as large as all else. */
+static struct layout
+one_page(const struct document *d)
+{
+	enum { STEPS = 7 };
+	struct layout best = {0.3, false, 0};
+	for (int across = 0; across < 2; across++) {
+		double low = best.scale, high = 2;
+		for (int i = 0; i < STEPS; i++) {
+			struct layout middle = {
+			    (low + high) / 2, across == 1, 0};
+			struct outcome o = try_layout(d, middle);
+			if (o.pages == 1 && !o.shrunk) {
+				low = middle.scale;
+				best = middle;
+			} else {
+				high = middle.scale;
+			}
+		}
+	}
+	return best;
+}
+
+char *
+document_pdf(const struct document *d, size_t *n, size_t *pages)
+{
+	struct layout layout =
+	    d->one_page ? one_page(d) : (struct layout){1, false, 0};
+	struct outcome outcome;
+	if (!picture_can(PICTURE_PDF))
+		return NULL;
+	layout.pages = try_layout(d, layout).pages;
+	char *bytes = lay_out(d, layout, n, &outcome);
+	*pages = outcome.pages;
+	return bytes;
+}

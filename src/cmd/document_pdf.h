@@ -1,0 +1,13 @@
+/* Documents on paper: A4, as PDF.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_DOCUMENT_PDF_H
+#define TIPSPEED_CMD_DOCUMENT_PDF_H
+
+#include "cmd/document.h"
+
+/* The file, *n bytes, which the caller frees; pages: how many it has.  NULL
+ * where this program draws no PDF, see picture_can.  The same document is the
+ * same bytes. */
+char *document_pdf(const struct document *document, size_t *n, size_t *pages);
+
+#endif

@@ -1,0 +1,183 @@
+/* drift: routine cuts on control charts against their predictions.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/light.h"
+#include "cmd/routine.h"
+#include "cmd/table.h"
+#include "io/units.h"
+
+static const uint64_t SEED = 1; /* of the simulated run lengths */
+
+/* What the CUSUM of the side that is nearer to its limit says. */
+static double
+larger(const struct drift_chart *c)
+{
+	return c->down > c->up ? -c->down : c->up;
+}
+
+static void
+add_rows(struct answer *a, const struct routine *r)
+{
+	answer_columns(a,
+	    "cut, date, speed: m/s, mean_points: mean, worst_points: most, "
+	    "worst_mm: mm, ewma: EWMA, ewma_limit: limit, cusum_up: up, "
+	    "cusum_down: down, tilt_cusum: tilt, state");
+	for (size_t j = 0; j < r->n; j++) {
+		const struct routine_cut *c = &r->cut[j];
+		const struct drift_point *p = &r->point[j];
+		const struct drift_chart *level = &p->chart[DRIFT_LEVEL];
+		const struct drift_chart *tilt = &p->chart[DRIFT_TILT];
+		double worst = c->measured[c->worst] - c->predicted[c->worst];
+		char *day = xstrndup(c->when, strcspn(c->when, " T"));
+		answer_cells(a, "%g", (double)(j + 1));
+		answer_name(a, c->when, day[0] != '\0' ? day : "-");
+		free(day);
+		answer_cells(a, "%g %.1f %.1f %g", c->speed, 100 * level->value,
+		    100 * worst, units_mm(c->size[c->worst]));
+		answer_cells(a, "%.1f %.1f %.1f %.1f %.1f %s", level->ewma,
+		    level->ewma_limit, level->up, level->down, larger(tilt),
+		    ROUTINE_STATE[p->state]);
+	}
+}
+
+/* "5 (2026-05-18)". */
+static char *
+name_of(const struct routine *r, size_t cut)
+{
+	const char *when = r->cut[cut].when;
+	return when[0] != '\0' ? xasprintf("%zu (%s)", cut + 1, when)
+			       : xasprintf("%zu", cut + 1);
+}
+
+/* The speeds of cuts from one on: "72, 76".  *n out: how many differ. */
+static char *
+speeds_from(const struct routine *r, size_t from, size_t *n)
+{
+	char *list = xstrdup("");
+	*n = 0;
+	for (size_t j = from; j < r->n; j++) {
+		bool known = false;
+		for (size_t i = from; i < j; i++)
+			known = known || r->cut[i].speed == r->cut[j].speed;
+		if (known)
+			continue;
+		xlist(&list, ", ", "%g", r->cut[j].speed);
+		++*n;
+	}
+	return list;
+}
+
+/* When to calibrate anew, and with what. */
+static void
+say_what_next(struct answer *a, const struct routine *r)
+{
+	size_t n;
+	if (r->point[r->n - 1].state == DRIFT_NONE) {
+		answer_note(a, "no need to calibrate anew");
+		return;
+	}
+	char *since = name_of(r, r->since), *first = name_of(r, r->first);
+	char *speeds = speeds_from(r, r->since, &n);
+	answer_note(a,
+	    "it began at about cut %s and was signalled after cut %s", since,
+	    first);
+	answer_note(a,
+	    n > 1 ? N_("calibrate anew only if it is to stay so: after cut "
+		       "%zu, on a site file of its own with the feed and the "
+		       "cuts from %s on (%s m/s)")
+		  : N_("calibrate anew only if it is to stay so: after cut "
+		       "%zu, on a site file of its own with the feed and the "
+		       "cuts from %s on (%s m/s) and one at another speed"),
+	    r->n, since, speeds);
+	free(since);
+	free(first);
+	free(speeds);
+}
+
+/* What the limits are, and how often they are passed by chance. */
+static void
+say_limits(struct answer *a, const struct routine *r)
+{
+	const struct drift_chart *last = &r->point[r->n - 1].chart[DRIFT_LEVEL];
+	const double shift = 0.005;
+	double quiet = drift_run_length(&r->rule, 0, SEED);
+	double found = drift_run_length(&r->rule, shift / last->sd, SEED);
+	answer_note(a,
+	    "a signal: EWMA beyond its limit or a CUSUM above %g, of the mean "
+	    "residual or of its tilt (coarse sieves less fine ones), in "
+	    "standard deviations; by chance, without drift, once in about %.0f "
+	    "cuts",
+	    r->rule.h, quiet > 100 ? 10 * round(quiet / 10) : quiet);
+	answer_note(a,
+	    "a mean of %.1f points finer or coarser is signalled "
+	    "after %.1f cuts on average",
+	    100 * shift, found);
+	fields_put(answer_fields(a), "false_signal_every %g found_after %g",
+	    quiet, found);
+	if (!r->drawn)
+		answer_say(a, ANSWER_WARNING,
+		    "limits are from 'set noise' alone: what is not known of "
+		    "the parameters comes on top of it, so that the charts "
+		    "signal more often");
+	if (!r->dated)
+		answer_say(a, ANSWER_REMARK,
+		    "not every cut has a date: they are in the order in which "
+		    "they were added");
+	if (r->training_only)
+		answer_say(a, ANSWER_REMARK,
+		    "compared with what the training runs alone predict: the "
+		    "site had some of the cuts when it was calibrated");
+}
+
+static void
+put_fields(struct answer *a, const struct routine *r)
+{
+	struct fields *o = answer_fields(a);
+	enum drift_state state = r->point[r->n - 1].state;
+	answer_put_rows(a, "cuts");
+	fields_put(o, "state %s signal %d k %g h %g lambda %g width %g",
+	    ROUTINE_STATE[state], state != DRIFT_NONE, r->rule.k, r->rule.h,
+	    r->rule.lambda, r->rule.width);
+	fields_put(o, "first_signal %g since %g running %zu",
+	    r->first < r->n ? (double)(r->first + 1) : (double)NAN,
+	    r->since < r->n ? (double)(r->since + 1) : (double)NAN, r->running);
+	fields_put(o, "worst_mm %g worst_points %g limits %s",
+	    units_mm(r->worst), 100 * r->by, r->drawn ? "posterior" : "noise");
+}
+
+bool
+cmd_drift(struct session *s, const struct args *args, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	struct drift_rule rule = DRIFT_RULE;
+	rule.k = args_value(args, "k")->number;
+	rule.h = args_value(args, "h")->number;
+	if (!answers_ready(s, error))
+		return false;
+	struct routine *r = routine_follow(s, entry, &rule, error);
+	if (r == NULL)
+		return false;
+	struct answer *a = answers_new(entry->site, "drift",
+	    tr_n("%zu routine cut against their predictions",
+		"%zu routine cuts against their predictions", r->n),
+	    r->n);
+	add_rows(a, r);
+	put_fields(a, r);
+	say_limits(a, r);
+	char *words = routine_words(r);
+	answer_say(a,
+	    r->point[r->n - 1].state == DRIFT_NONE ? ANSWER_PLAIN
+						   : ANSWER_WARNING,
+	    "%s", words);
+	say_what_next(a, r);
+	light_show(a, light_of(s, entry, NULL));
+	free(words);
+	routine_free(r);
+	return session_answer(s, a);
+}

@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/energies.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/files.h"
+
+static const double CUT = 10, DENSITY = 2700;
+
+struct collisions_way
+energies_way(void)
+{
+	return (struct collisions_way){
+	    .speed = NAN, .cut = CUT, .density = DENSITY};
+}
+
+void
+energies_free(struct energies *e)
+{
+	free(e->name);
+	free(e->path);
+	collisions_clear(&e->c);
+	free(e);
+}
+
+/* Whether the user wants no more; tells those who wait at a prompt how far it
+ * is. */
+static bool
+on_the_way(void *data, uint64_t rows)
+{
+	const struct session *s = data;
+	const uint64_t often = 1 << 21;
+	if (s->prompt && rows % often == 0)
+		session_note(
+		    s, "  %.1f million rows so far", (double)rows / 1e6);
+	return s->hooks.stop == NULL || !s->hooks.stop();
+}
+
+static char *
+name_of(const char *path)
+{
+	const char *slash = strrchr(path, '/');
+	char *name = xstrdup(slash != NULL ? slash + 1 : path);
+	char *dot = strrchr(name, '.');
+	if (dot != NULL && dot != name)
+		*dot = '\0';
+	return name;
+}
+
+const struct energies *
+energies_read(struct session *s, const char *path,
+    const struct collisions_way *way, struct error *error)
+{
+	struct error_list errors = {0};
+	struct collisions_way told = *way;
+	struct collisions c;
+	told.progress = on_the_way;
+	told.data = s;
+	files_reads(s, path);
+	if (way->particles != NULL)
+		files_reads(s, way->particles);
+	if (!collisions_read(path, &told, &c, &errors)) {
+		session_tell_faults(s, path, &errors, error);
+		return NULL;
+	}
+	struct energies *e = xcalloc(1, sizeof *e);
+	*e = (struct energies){.name = name_of(path),
+	    .path = xstrdup(path),
+	    .cut = way->cut,
+	    .c = c};
+	s->energies =
+	    xrealloc(s->energies, s->n_energies + 1, sizeof(*s->energies));
+	return s->energies[s->n_energies++] = e;
+}
+
+bool
+energies_set(struct session *s, const char *path, struct error *error)
+{
+	const struct energies *found = NULL;
+	if (text_same(path, "off")) {
+		s->set.energy = NULL;
+		s->set.model.impacts = (struct impacts){.n = 0};
+		return true;
+	}
+	for (size_t i = 0; i < s->n_energies; i++)
+		if (strcmp(s->energies[i]->path, path) == 0 ||
+		    strcmp(s->energies[i]->name, path) == 0)
+			found = s->energies[i];
+	struct collisions_way way = energies_way();
+	if (found == NULL)
+		found = energies_read(s, path, &way, error);
+	if (found == NULL)
+		return false;
+	if (!(found->c.spectrum->speed > 0))
+		return error_set(error, ERROR_USAGE,
+		    "expected collision energies of a known tip speed, got "
+		    "none\nload them with it: energy load %s speed=V",
+		    path);
+	struct impacts impacts =
+	    spectrum_impacts(found->c.spectrum, found->cut);
+	if (impacts.n == 0)
+		return error_set(error, ERROR_DATA,
+		    "expected impacts above %g J/kg in %s, got none\n"
+		    "load them with a lower cut=",
+		    found->cut, path);
+	if (s->energy == NULL)
+		s->energy = found;
+	s->set.energy = found->path;
+	s->set.model.impacts = impacts;
+	return true;
+}
+
+char *
+energies_words(const struct session *s)
+{
+	const struct impacts *i = &s->set.model.impacts;
+	const struct energies *e = NULL;
+	for (size_t j = 0; j < s->n_energies; j++)
+		if (s->energies[j]->path == s->set.energy)
+			e = s->energies[j];
+	if (i->n == 0 || e == NULL)
+		return NULL;
+	return xasprintf(tr("Eq 3 takes the collision energies of %s (%.2f "
+			    "impacts a particle above %g J/kg) instead of one "
+			    "impact at v^2/2: a simulation, not a measurement"),
+	    e->name, i->number, e->cut);
+}

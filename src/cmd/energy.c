@@ -1,0 +1,389 @@
+/* energy: collision energies loaded, shown, compared and judged.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/energies.h"
+#include "cmd/files.h"
+#include "cmd/table.h"
+#include "core/breakage.h"
+#include "io/file.h"
+#include "io/units.h"
+
+/* What is asked of energies.  cut J/kg; E of the speed asked about; scale: of
+ * the energies to it. */
+struct question {
+	const struct energies *e;
+	const struct spectrum *spectrum;
+	double cut, speed, E, scale;
+	const struct entry *entry; /* whose parameters find k; or NULL */
+};
+
+/* How Eq 3 of the entry sees a size: threshold E0_min / x^alpha, J/kg, and
+ * strength f_mat x^alpha; without parameters the cut and 0. */
+static double
+k_of(const struct question *q, const struct spectrum_size *of, double x)
+{
+	double e0 = q->cut * q->scale, f = 0;
+	if (!(q->E > 0))
+		return NAN;
+	if (q->entry != NULL && x > 0) {
+		const struct params *p = &q->entry->params;
+		double w = pow(x, params_value(p, "alpha"));
+		e0 = params_value(p, "e0_min") / w;
+		f = params_value(p, "f_mat") * w;
+	}
+	return spectrum_k(q->spectrum, of, q->E, e0, f);
+}
+
+static double
+first_share(const struct question *q, const struct spectrum_size *of)
+{
+	double all = spectrum_above(of, q->cut, false).energy;
+	if (!q->spectrum->ordered || !(all > 0))
+		return NAN;
+	return spectrum_above(of, q->cut, true).energy / all;
+}
+
+/* Their energy above the cut on average, over v^2/2. */
+static double
+mean_ratio(const struct question *q, const struct spectrum_size *of, bool first)
+{
+	struct spectrum_bin above = spectrum_above(of, q->cut, first);
+	return above.mass > 0 && q->E > 0
+		   ? q->scale * above.energy / above.mass / q->E
+		   : NAN;
+}
+
+static double
+share_below(const struct question *q, const struct spectrum_size *of)
+{
+	double all = spectrum_above(of, 0, false).mass;
+	return 1 - spectrum_above(of, q->cut, false).mass / all;
+}
+
+static void
+add_row(struct answer *r, const struct question *q,
+    const struct spectrum_size *of, double size)
+{
+	struct spectrum_bin above = spectrum_above(of, q->cut, false);
+	answer_missing(r, "all");
+	answer_cells(r, "%.1f", size);
+	answer_missing(r, "-");
+	answer_cells(r, "%g %.2f %.2f %.1f %.2f %.1f %.2f",
+	    q->spectrum->counted ? of->particles : NAN,
+	    spectrum_per_particle(q->spectrum, of, 0),
+	    spectrum_per_particle(q->spectrum, of, q->cut),
+	    above.mass > 0 ? q->scale * above.energy / above.mass : NAN,
+	    mean_ratio(q, of, false), 100 * first_share(q, of),
+	    k_of(q, of, of->size));
+}
+
+static void
+add_rows(struct answer *r, const struct question *q,
+    const struct spectrum_size *whole)
+{
+	answer_columns(r,
+	    "size_mm: size mm, particles, impacts: impacts each, above: above "
+	    "the cut, mean_j_kg: mean J/kg, mean_ratio: of v^2/2, "
+	    "first_pct: in the first %%, k");
+	for (size_t i = 0; i < q->spectrum->n && q->spectrum->n > 1; i++)
+		add_row(r, q, q->spectrum->size[i],
+		    units_mm(q->spectrum->size[i]->size));
+	add_row(r, q, whole, NAN);
+}
+
+/* The bins in use, for programs: energies at their middle, shares of the
+ * impacts by mass. */
+static void
+put_fields(struct answer *r, const struct question *q,
+    const struct spectrum_size *whole)
+{
+	double *e = xdoubles(SPECTRUM_BINS), *share = xdoubles(SPECTRUM_BINS);
+	double all = spectrum_above(whole, 0, false).mass;
+	size_t n = 0;
+	for (size_t b = 0; b < SPECTRUM_BINS; b++) {
+		const struct spectrum_bin *bin = &whole->all[b];
+		if (!(bin->mass > 0))
+			continue;
+		e[n] = q->scale * bin->energy / bin->mass;
+		share[n++] = bin->mass / all;
+	}
+	struct fields *f = answer_fields(r);
+	fields_put(f,
+	    "name %s speed %g impacts %llu rows %llu mass_kg %g "
+	    "share_below_pct %g cut_j_kg %g per_particle %g first_pct %g k %g",
+	    q->e->name, q->speed, (unsigned long long)q->e->c.impacts,
+	    (unsigned long long)q->e->c.rows,
+	    q->spectrum->counted ? whole->mass : NAN,
+	    100 * share_below(q, whole), q->scale * q->cut,
+	    spectrum_per_particle(q->spectrum, whole, q->cut),
+	    100 * first_share(q, whole), k_of(q, whole, whole->size));
+	struct fields *list = fields_object(f, "spectrum");
+	fields_numbers(list, "j_kg", e, n, NULL);
+	fields_numbers(list, "mass_share", share, n, NULL);
+	answer_put_rows(r, "sizes");
+	free(e);
+	free(share);
+}
+
+/* How many of the impacts can be taken as independent. */
+static double
+independent(const struct energies *e)
+{
+	struct spectrum_size *whole = spectrum_whole(e->c.spectrum);
+	double n =
+	    e->c.spectrum->counted ? whole->particles : (double)e->c.impacts;
+	free(whole);
+	return fmax(n, 1);
+}
+
+/* The other spectra beside this one, each scaled to its speed. */
+static void
+note_others(struct answer *r, const struct session *s, const struct question *q)
+{
+	for (size_t i = 0; i < s->n_energies; i++) {
+		const struct energies *o = s->energies[i];
+		const struct spectrum *other = o->c.spectrum;
+		if (o == q->e || !(other->speed > 0) || !(q->speed > 0) ||
+		    fabs(other->speed - q->spectrum->speed) < 1e-9)
+			continue;
+		double d = spectrum_distance(q->spectrum, other, q->cut);
+		/* Kolmogorov and Smirnov's 95 %, of particles: the impacts
+		 * of one depend on each other. */
+		double chance =
+		    1.36 * sqrt(1 / independent(q->e) + 1 / independent(o));
+		answer_note(r,
+		    d < chance
+			? N_("scaled by v^2, %s (%g m/s) and this one (%g m/s) "
+			     "differ by at most %.1f %% of the impacts, which "
+			     "chance may explain")
+			: N_("scaled by v^2, %s (%g m/s) and this one (%g m/s) "
+			     "differ by at most %.1f %% of the impacts: more "
+			     "than chance explains, so v^2 is not all"),
+		    o->name, other->speed, q->spectrum->speed, 100 * d);
+	}
+}
+
+/* Is one impact at v^2/2 a fair picture?  It is where what it needs holds
+ * within a quarter: k about 1, most energy in the first impact, and that near
+ * v^2/2. */
+static void
+judge(struct answer *r, const struct question *q,
+    const struct spectrum_size *whole)
+{
+	const double within = 0.8;
+	double k = k_of(q, whole, whole->size), ratio;
+	double first = first_share(q, whole);
+	ratio = mean_ratio(q, whole, q->spectrum->ordered);
+	if (!isfinite(k)) {
+		answer_say(r, ANSWER_REMARK,
+		    "without a tip speed nothing can be said of v^2/2: load "
+		    "them with speed=");
+		return;
+	}
+	bool once = k >= within && k <= 1 / within, hard = ratio >= within;
+	bool single = !(first < within);
+	answer_note(r,
+	    once && hard && single
+		? N_("one impact at v^2/2 is a fair picture here: k is near 1 "
+		     "and the first impact has most of the energy")
+	    : once
+		? N_("one impact at v^2/2 is fair for the sum alone here: k "
+		     "is near 1, but the energy is spread over impacts that "
+		     "are weaker than v^2/2")
+		: N_("one impact at v^2/2 is not a fair picture here: the "
+		     "impacts break as k impacts at v^2/2 would, and k is not "
+		     "near 1; a calibrated f_mat makes up for k"));
+	if (!q->spectrum->counted)
+		answer_say(r, ANSWER_REMARK,
+		    "particles were not counted: k is that of one impact from "
+		    "this spectrum");
+}
+
+/* How the rock of a site, whose parameters Eq 3 takes, sees the impacts. */
+static void
+note_site(struct answer *r, const struct question *q)
+{
+	double low = INFINITY, high = -INFINITY;
+	for (size_t i = 0; q->entry != NULL && i < q->spectrum->n; i++) {
+		const struct spectrum_size *of = q->spectrum->size[i];
+		double k = of->size > 0 ? k_of(q, of, of->size) : NAN;
+		low = fmin(low, isfinite(k) ? k : INFINITY);
+		high = fmax(high, isfinite(k) ? k : -INFINITY);
+	}
+	if (low > high)
+		return;
+	answer_note(r,
+	    high < 0.1
+		? N_("with the parameters of %s k is from %.2f to %.2f, for "
+		     "sizes that one impact at v^2/2 can break: of these "
+		     "impacts hardly any passes the threshold")
+		: N_("with the parameters of %s k is from %.2f to %.2f, for "
+		     "sizes that one impact at v^2/2 can break"),
+	    q->entry->site->name, low, high);
+}
+
+static void
+note_basis(struct answer *r, const struct question *q)
+{
+	if (q->entry != NULL)
+		answer_say(r, ANSWER_REMARK,
+		    "k of a size: by Eq 3 with the parameters of %s; of all, "
+		    "and without parameters: for weak rock with a threshold at "
+		    "the cut",
+		    q->entry->site->name);
+	else
+		answer_say(r, ANSWER_REMARK,
+		    "k: for weak rock with a threshold at the cut; with the "
+		    "parameters of a site it is that of Eq 3");
+	if (q->scale < 1 || q->scale > 1)
+		answer_say(r, ANSWER_REMARK,
+		    "energies and the cut scaled by v^2 from %g to %g m/s",
+		    q->spectrum->speed, q->speed);
+	answer_say(r, ANSWER_REMARK,
+	    "energies of a simulation hold for its own geometry, rock and "
+	    "contact model: see tipspeed-model(7)");
+}
+
+static bool
+usable(const struct entry *entry)
+{
+	return entry->has_params &&
+	       isfinite(params_value(&entry->params, "f_mat"));
+}
+
+static bool
+energy_show(struct session *s, const struct args *args, struct error *error)
+{
+	if (s->energy == NULL)
+		return error_set(error, ERROR_USAGE,
+		    "no collision energies are loaded\n"
+		    "load some: energy load FILE");
+	const struct spectrum *spectrum = s->energy->c.spectrum;
+	const struct value *speed = args_value(args, "speed");
+	struct question q = {.e = s->energy,
+	    .spectrum = spectrum,
+	    .cut = args_number(args, "cut", s->energy->cut),
+	    .speed = spectrum->speed,
+	    .scale = 1};
+	if (speed->given && !(spectrum->speed > 0))
+		return error_set(error, ERROR_USAGE,
+		    "expected energies of a known tip speed to scale, got "
+		    "none\nload them with it: energy load FILE speed=V");
+	if (speed->given) {
+		q.speed = speed->number;
+		q.scale = spectrum_scale(spectrum, q.speed);
+		q.cut /= q.scale;
+	}
+	q.E = q.speed > 0 ? energy_specific(q.speed) : NAN;
+	if (s->n_entry > 0 && usable(session_entry(s)))
+		q.entry = session_entry(s);
+	struct spectrum_size *whole = spectrum_whole(spectrum);
+	struct answer *r = answer_new("energy");
+	answer_title(r, "%s: collision energies above %g J/kg%s",
+	    s->energy->name, q.scale * q.cut,
+	    q.speed > 0 ? "" : tr(", tip speed not known"));
+	answer_sites(r, "", s->energy->c.about);
+	add_rows(r, &q, whole);
+	answer_note(r,
+	    "%llu impacts, %.1f %% below %g J/kg (by mass of the particles)",
+	    (unsigned long long)s->energy->c.impacts,
+	    100 * share_below(&q, whole), q.scale * q.cut);
+	note_others(r, s, &q);
+	judge(r, &q, whole);
+	note_site(r, &q);
+	note_basis(r, &q);
+	put_fields(r, &q, whole);
+	free(whole);
+	return session_answer(s, r);
+}
+
+static bool
+one_file(const struct args *args, struct error *error)
+{
+	return args->n_operand == 2 ||
+	       error_set(error, ERROR_USAGE,
+		   "energy %s: expected a file\n"
+		   "write energy load FILE, or energy write FILE",
+		   args->operand[0]);
+}
+
+static void
+take_note(struct energies *e, const char *note)
+{
+	if (note == NULL)
+		return;
+	free(e->c.about);
+	e->c.about = xstrdup(note);
+}
+
+static bool
+energy_load(struct session *s, const struct args *args, struct error *error)
+{
+	struct collisions_way way = energies_way();
+	const struct value *unit = args_value(args, "unit");
+	if (!one_file(args, error))
+		return false;
+	way.columns = args_value(args, "columns")->text;
+	way.particles = args_value(args, "particles")->text;
+	way.unit = !unit->given ? NULL : unit->choice == 0 ? "J/kg" : "m/s";
+	way.speed = args_number(args, "speed", NAN);
+	way.density = args_value(args, "density")->number;
+	way.cut = args_number(args, "cut", way.cut);
+	if (energies_read(s, args->operand[1], &way, error) == NULL)
+		return false;
+	struct energies *e = s->energies[s->n_energies - 1];
+	take_note(e, args_value(args, "note")->text);
+	s->energy = e;
+	session_note(s, "loaded %s: %s, %llu rows, %llu impacts%s", e->name,
+	    e->c.form, (unsigned long long)e->c.rows,
+	    (unsigned long long)e->c.impacts,
+	    e->c.spectrum->speed > 0 ? "" : tr("; tip speed not known"));
+	return true;
+}
+
+static void
+put_file(const void *data, FILE *out)
+{
+	const struct energies *e = data;
+	collisions_write(&e->c, e->name, out);
+}
+
+static bool
+energy_write(struct session *s, const struct args *args, struct error *error)
+{
+	if (!one_file(args, error))
+		return false;
+	const char *path = args->operand[1];
+	if (s->energy == NULL)
+		return error_set(error, ERROR_USAGE,
+		    "no collision energies are loaded\n"
+		    "load some: energy load FILE");
+	if (!files_may_write(s, path, error) ||
+	    !files_may_replace(s, path, error) ||
+	    !file_replace_by(path, FILE_SHARED, put_file, s->energy, error))
+		return false;
+	files_wrote(s, path);
+	session_note(s, "wrote %s", path);
+	return true;
+}
+
+bool
+cmd_energy(struct session *s, const struct args *args, struct error *error)
+{
+	if (args->n_operand == 0)
+		return energy_show(s, args, error);
+	if (strcmp(args->operand[0], "load") == 0)
+		return energy_load(s, args, error);
+	if (strcmp(args->operand[0], "write") == 0)
+		return energy_write(s, args, error);
+	return error_set(error, ERROR_USAGE,
+	    "expected load or write, got '%s'\n"
+	    "write energy load FILE, or energy alone to show them",
+	    args->operand[0]);
+}

@@ -1,0 +1,119 @@
+/* figures: single numbers of a product: sizes, moduli, shares of fractions.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <stdlib.h>
+
+#include "cmd/answers.h"
+#include "cmd/band.h"
+#include "cmd/outlook.h"
+#include "cmd/quantities.h"
+#include "cmd/table.h"
+
+/* What is shown unless told otherwise, as far as the feed tells. */
+#define USUAL "D10,P20,D50,P80,D90,cu,cc,fines,fm EN,fm ASTM,fm IS,fm DIN,fm GB"
+
+/* Those of the list that the feed tells of, in place; for a list that was asked
+ * for false where it does not. */
+static bool
+keep_covered(struct quantity *q, size_t *n, const struct psd *feed, bool asked,
+    struct error *error)
+{
+	size_t kept = 0;
+	for (size_t i = 0; i < *n; i++) {
+		struct error none = {0};
+		if (quantities_covered(&q[i], feed, asked ? error : &none))
+			q[kept++] = q[i];
+		else if (asked)
+			return false;
+	}
+	*n = kept;
+	return true;
+}
+
+/* The quantities of a call; the caller frees. */
+static struct quantity *
+read_wanted(const struct args *args, const struct psd *feed, size_t *n,
+    struct error *error)
+{
+	const struct value *of = args_value(args, "of");
+	struct fraction all;
+	if (!quantities_option(args, &all, error))
+		return NULL;
+	struct quantity *q = quantities_list(
+	    of->given ? of->text : USUAL, &all.partition, n, error);
+	bool ok = q != NULL;
+	for (size_t i = 0; ok && i < *n; i++)
+		ok = quantities_cut(&q[i], &all, error);
+	if (!ok || !keep_covered(q, n, feed, of->given, error)) {
+		free(q);
+		return NULL;
+	}
+	return q;
+}
+
+static void
+put_figure(struct fields *list, const struct quantity *q, double value,
+    const double range[2])
+{
+	struct fields *o = fields_object(list, NULL);
+	char *key = quantities_key(q);
+	fields_put(o, "quantity %s value %g unit %s low %g high %g", key,
+	    quantities_shown(q, value), quantities_unit(q),
+	    quantities_shown(q, range[0]), quantities_shown(q, range[1]));
+	free(key);
+}
+
+static void
+figure_row(struct answer *r, struct fields *list, const struct session *s,
+    struct response *all, size_t i, const struct quantity *q)
+{
+	double value = response_value(all, i), range[2],
+	       model = response_model(all, i);
+	bool whole = quantities_decimals(q) == 1;
+	char *words = quantities_words(q), *key = quantities_key(q);
+	response_band(all, i, settings_level(&s->set), range);
+	answer_name(r, key, words);
+	answer_cells(r, whole ? "%.1f" : "%.2f", quantities_shown(q, value));
+	answer_text(r, "%s", quantities_unit(q));
+	if (response_draws(all, i) != NULL)
+		answer_cells(r, whole ? "%.1f %.1f %.1f" : "%.2f %.2f %.2f",
+		    quantities_shown(q, range[0]),
+		    quantities_shown(q, range[1]), quantities_shown(q, model));
+	put_figure(list, q, value, range);
+	free(words);
+	free(key);
+}
+
+bool
+cmd_figures(struct session *s, const struct args *args, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	double v = answers_speed(args, entry);
+	size_t feed, n;
+	if (!answers_ready(s, error) ||
+	    !answers_feed(entry->site, args, v, &feed, error))
+		return false;
+	struct quantity *q =
+	    read_wanted(args, &entry->site->run[feed].feed, &n, error);
+	if (q == NULL)
+		return false;
+	struct response *all =
+	    outlook_response(s, entry, &entry->params, feed, q, n);
+	response_at(all, v);
+	bool band = n > 0 && response_draws(all, 0) != NULL;
+	struct answer *r = answers_new(
+	    entry->site, "figures", "figures of the product at %g m/s", v);
+	answer_columns(r, "quantity: figure, value, unit");
+	if (band)
+		answer_columns(r, "low, high, model: model alone");
+	fields_put(answer_fields(r), "speed %g extrapolated %d", v,
+	    answers_extrapolates(entry, v));
+	struct fields *list = fields_list(answer_fields(r), "figures");
+	for (size_t i = 0; i < n; i++)
+		figure_row(r, list, s, all, i, &q[i]);
+	if (band)
+		band_note(r, s, entry, true);
+	answers_note_doubt(s, r, v, feed);
+	response_free(all);
+	free(q);
+	return session_answer(s, r);
+}

@@ -1,0 +1,573 @@
+/* flow: tonnes an hour, what circulates, power and earnings.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/band.h"
+#include "cmd/conditions.h"
+#include "cmd/flow_chart.h"
+#include "cmd/light.h"
+#include "cmd/outlook.h"
+#include "cmd/pictures.h"
+#include "cmd/plant.h"
+#include "cmd/quantities.h"
+#include "cmd/table.h"
+#include "core/ensemble.h"
+#include "io/units.h"
+
+enum { DRAWS = POSTERIOR_DRAWS };
+
+/* The middle of values of draws, widened to hold the answer; NAN of a model
+ * alone. */
+static void
+range_of(const struct plant *p, const struct outcome *o, const double *draw,
+    double answer, double range[static 2])
+{
+	double value[DRAWS];
+	range[0] = range[1] = NAN;
+	if (o->flow.draws != DRAWS)
+		return;
+	memcpy(value, draw, sizeof value);
+	ensemble_middle(value, p->level, &range[0], &range[1]);
+	range[0] = fmin(range[0], answer);
+	range[1] = fmax(range[1], answer);
+}
+
+/* Of what goes into a unit, or for NULL in a stream. */
+static void
+range_tph(const struct plant *p, const struct outcome *o,
+    const struct unit *unit, size_t stream, double range[static 2])
+{
+	double draw[DRAWS];
+	for (size_t d = 0; d < o->flow.draws; d++)
+		draw[d] = unit != NULL
+			      ? flow_draw_into(&o->flow, unit, d)
+			      : o->flow.tph_draw[d * o->flow.n_stream + stream];
+	range_of(p, o, draw,
+	    unit != NULL ? flow_into(&o->flow, unit) : o->flow.tph[stream],
+	    range);
+}
+
+static void
+show_lines(const struct plant *p, const struct outcome *o, struct answer *r)
+{
+	const struct circuit *c = p->circuit;
+	struct plant_line *line =
+	    xcalloc(c->n_stream + c->n_unit, sizeof *line);
+	struct fields *list = fields_list(answer_fields(r), "fractions");
+	size_t n = plant_lines(p, o, line);
+	bool band = o->flow.draws == DRAWS, back = o->flow.circulating > 0;
+	answer_columns(r, "name: %s, tph: t/h",
+	    p->plan->from_file ? "product" : tr("fraction mm"));
+	if (band)
+		answer_columns(r, "low_tph: low, high_tph: high");
+	answer_columns(r, "share_pct: share %%");
+	if (back)
+		answer_columns(r, "circulating_tph: back t/h");
+	for (size_t i = 0; i < n; i++) {
+		const struct unit *unit = line[i].unit;
+		double range[2] = {0, 0},
+		       tph = unit != NULL ? flow_into(&o->flow, unit) : 0,
+		       around = unit != NULL ? 0 : o->flow.tph[line[i].stream];
+		if (unit != NULL)
+			range_tph(p, o, unit, 0, range);
+		else if (!band)
+			range[0] = range[1] = NAN;
+		double share = 100 * tph / c->tph;
+		answer_cells(r, "%s %.1f", line[i].name, tph);
+		if (band)
+			answer_cells(r, "%.1f %.1f", range[0], range[1]);
+		answer_cells(r, "%.1f", share);
+		if (back)
+			answer_cells(r, "%.1f", around);
+		fields_put(fields_object(list, NULL),
+		    "name %s tph %g share_pct %g low_tph %g high_tph %g "
+		    "circulating_tph %g price %g",
+		    line[i].name, tph, share, range[0], range[1], around,
+		    unit != NULL ? unit->price : NAN);
+	}
+	free(line);
+}
+
+/* All streams, for programs. */
+static void
+put_streams(const struct plant *p, const struct outcome *o, struct fields *all)
+{
+	struct fields *list = fields_list(all, "streams");
+	for (size_t i = 0; i < p->circuit->n_stream; i++) {
+		double range[2];
+		range_tph(p, o, NULL, i, range);
+		fields_put(fields_object(list, NULL),
+		    "name %s tph %g low_tph %g high_tph %g back %d",
+		    p->circuit->stream[i], o->flow.tph[i], range[0], range[1],
+		    o->flow.back[i]);
+	}
+}
+
+/* What circulates, and what the sums are out by. */
+static void
+note_balance(const struct plant *p, const struct outcome *o, struct answer *r)
+{
+	double range[2], tph = p->circuit->tph;
+	struct fields *f = answer_fields(r);
+	range_of(p, o, o->flow.circulating_draw, o->flow.circulating, range);
+	char *band = quantities_band(range[0], range[1], 1);
+	if (o->flow.circulating > 0)
+		answer_note(r,
+		    "circulating load %.1f t/h%s, %.0f %% of the new feed",
+		    o->flow.circulating, band, 100 * o->flow.circulating / tph);
+	free(band);
+	answer_note(r,
+	    tr_n(
+		"balance: %g t/h in, %g t/h out, %.0e t/h apart after %zu pass",
+		"balance: %g t/h in, %g t/h out, %.0e t/h apart after %zu "
+		"passes",
+		o->flow.passes),
+	    tph, round((tph - o->flow.balance) * 1e6) / 1e6,
+	    fabs(o->flow.balance), o->flow.passes);
+	fields_put(f, "circulating_tph %g balance_tph %g passes %zu",
+	    o->flow.circulating, o->flow.balance, o->flow.passes);
+	answers_put_pair(f, "circulating_range_tph", range[0], range[1]);
+}
+
+/* Rotor and cascade of each crusher. */
+static void
+note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
+{
+	struct fields *list = fields_list(answer_fields(r), "crushers");
+	for (size_t u = 0; u < p->circuit->n_unit; u++) {
+		const struct unit *unit = &p->circuit->unit[u];
+		if (unit->kind != UNIT_CRUSHER)
+			continue;
+		double all = flow_into(&o->flow, unit),
+		       rotor = all * plant_rotor_share(p, unit), range[2];
+		double speed = plant_speed(unit, o->speed);
+		range_tph(p, o, unit, 0, range);
+		if (all > rotor)
+			answer_note(r,
+			    "crusher at %g m/s: %.1f t/h, of which %.1f t/h "
+			    "through the rotor and %.1f t/h past it (%s)",
+			    speed, all, rotor, all - rotor,
+			    !(unit->cascade > 0) ? tr("fitted bypass")
+			    : p->bypass > 0 ? tr("cascade and fitted bypass")
+					    : tr("cascade"));
+		else
+			answer_note(r,
+			    "crusher at %g m/s: %.1f t/h, all through the "
+			    "rotor",
+			    speed, all);
+		fields_put(fields_object(list, NULL),
+		    "speed %g tph %g low_tph %g high_tph %g rotor_tph %g "
+		    "cascade_tph %g",
+		    speed, all, range[0], range[1], rotor, all - rotor);
+	}
+}
+
+/* Band of the power: the draws' and, where readings scatter, theirs. */
+static void
+power_range(
+    const struct plant *p, const struct outcome *o, double range[static 2])
+{
+	double half = 0;
+	for (size_t u = 0; u < p->circuit->n_unit; u++) {
+		const struct unit *unit = &p->circuit->unit[u];
+		if (unit->kind == UNIT_CRUSHER)
+			half +=
+			    power_half(&p->power, plant_speed(unit, o->speed),
+				flow_into(&o->flow, unit) *
+				    plant_rotor_share(p, unit),
+				p->level);
+	}
+	range_of(p, o, o->kw_draw, o->kw, range);
+	bool known = isfinite(half + range[0]);
+	range[0] = known ? fmax(range[0] - half, 0) : NAN;
+	range[1] = known ? range[1] + half : NAN;
+}
+
+/* Readings that no crusher can have had. */
+static void
+warn_power(const struct plant *p, struct answer *r)
+{
+	if (power_falls(p->plan->reading, p->plan->n_reading))
+		answer_say(r, ANSWER_WARNING,
+		    "the readings contradict the estimate of power: it cannot "
+		    "fall while the speed rises and the t/h do not fall; check "
+		    "them");
+	if (p->power.n > 0 && p->power.factor < 1)
+		answer_say(r, ANSWER_WARNING,
+		    "the readings give less power than the kinetic energy of "
+		    "what is thrown, which is not possible: check m/s, kW and "
+		    "t/h");
+}
+
+static void
+note_power(const struct plant *p, const struct outcome *o, struct answer *r)
+{
+	double range[2], t = p->circuit->tph;
+	char *words = plant_power_words(p);
+	struct fields *f = answer_fields(r);
+	power_range(p, o, range);
+	if (isfinite(range[0]))
+		answer_note(r, "power %.0f kW (%.0f to %.0f), %.2f kWh/t: %s",
+		    o->kw, range[0], range[1], o->kw / t, words);
+	else
+		answer_note(r,
+		    p->power.n == 0
+			? N_("power at least %.0f kW, %.2f kWh/t, no band: %s")
+			: N_("power %.0f kW, %.2f kWh/t, no band: %s"),
+		    o->kw, o->kw / t, words);
+	fields_put(f,
+	    "power_kw %g power_low_kw %g power_high_kw %g kwh_per_t %g "
+	    "power_from %s readings %zu idle_kw %g kinetic_factor %g",
+	    o->kw, range[0], range[1], o->kw / t,
+	    p->power.n > 0 ? "readings" : "kinetic energy", p->power.n,
+	    p->power.idle, p->power.factor);
+	free(words);
+}
+
+/* Earnings, which a product without a price adds nothing to. */
+static void
+note_money(const struct plant *p, const struct outcome *o, struct answer *r)
+{
+	double range[2];
+	if (!p->plan->priced)
+		return;
+	char *none = xstrdup("");
+	range_of(p, o, o->money_draw, o->money, range);
+	for (size_t u = 0; u < p->circuit->n_unit; u++) {
+		const struct unit *unit = &p->circuit->unit[u];
+		if (unit->kind == UNIT_STOCKPILE && isnan(unit->price))
+			xlist(&none, ", ", "%s", unit->name);
+	}
+	char *band = quantities_band(range[0], range[1], 2);
+	answer_note(r,
+	    !(p->plan->kwh > 0) ? N_("earnings %.2f an hour%s at %g m/s")
+	    : p->power.n > 0
+		? N_("earnings %.2f an hour%s at %g m/s, less the power")
+		: N_("earnings %.2f an hour%s at %g m/s, less the least power "
+		     "there can be"),
+	    o->money, band, o->speed);
+	free(band);
+	if (none[0] != '\0')
+		answer_say(
+		    r, ANSWER_REMARK, "no price, counted as 0: %s", none);
+	fields_put(answer_fields(r),
+	    "earnings %g earnings_low %g "
+	    "earnings_high %g",
+	    o->money, range[0], range[1]);
+	free(none);
+}
+
+/* The speeds that were looked at, m/s, what they earn, NAN where the circuit
+ * has no steady state, and in each draw. */
+enum { COARSE = 20, FINE = 10, LOOKED_AT = COARSE + 1 + FINE };
+struct search {
+	size_t n, best;
+	double from, to, step, speed[LOOKED_AT], money[LOOKED_AT];
+	double (*draw)[DRAWS];
+};
+
+static void
+look_at(struct search *search, const struct plant *p, double speed)
+{
+	struct outcome o = plant_at(p, speed);
+	size_t i = search->n++;
+	search->speed[i] = speed;
+	search->money[i] = o.flow.open ? NAN : o.money;
+	memcpy(search->draw[i], o.money_draw, sizeof o.money_draw);
+	flow_free(&o.flow);
+	if (isnan(search->money[search->best]) ||
+	    search->money[i] > search->money[search->best])
+		search->best = i;
+}
+
+/* Over all speeds, then in tenths of a step about the best. */
+static struct search
+search_best(const struct plant *p, double from, double to)
+{
+	struct search s = {.from = from,
+	    .to = to,
+	    .step = (to - from) / COARSE,
+	    .draw = xcalloc(LOOKED_AT, sizeof *s.draw)};
+	for (int i = 0; i <= COARSE; i++)
+		look_at(&s, p, i < COARSE ? from + i * s.step : to);
+	double middle = s.speed[s.best];
+	for (int i = -FINE / 2; i <= FINE / 2 && isfinite(s.money[s.best]);
+	     i++) {
+		double speed = middle + i * s.step / FINE;
+		if (i != 0 && speed >= from && speed <= to)
+			look_at(&s, p, speed);
+	}
+	return s;
+}
+
+/* Where the draws have their best. */
+static void
+best_range(const struct plant *p, const struct search *s, size_t draws,
+    double range[static 2])
+{
+	double best[DRAWS];
+	range[0] = range[1] = NAN;
+	if (draws != DRAWS)
+		return;
+	for (size_t d = 0; d < DRAWS; d++) {
+		size_t at = s->best;
+		for (size_t i = 0; i < s->n; i++)
+			if (isfinite(s->money[i]) &&
+			    s->draw[i][d] > s->draw[at][d])
+				at = i;
+		best[d] = s->speed[at];
+	}
+	ensemble_middle(best, p->level, &range[0], &range[1]);
+	range[0] = fmin(range[0], s->speed[s->best]);
+	range[1] = fmax(range[1], s->speed[s->best]);
+}
+
+/* What the best speed gains over the usual one, and whether that is more than
+ * what is not known. */
+static void
+note_gain(const struct plant *p, const struct outcome *best,
+    const struct outcome *usual, struct answer *r)
+{
+	double draw[DRAWS], gain = best->money - usual->money, range[2];
+	for (size_t d = 0; d < best->flow.draws; d++)
+		draw[d] = best->money_draw[d] - usual->money_draw[d];
+	range_of(p, best, draw, gain, range);
+	fields_put(answer_fields(r),
+	    "compared_speed %g compared_earnings %g gain %g gain_low %g "
+	    "gain_high %g",
+	    usual->speed, usual->money, gain, range[0], range[1]);
+	if (isnan(range[0])) {
+		answer_note(r, "%.2f an hour more than at %g m/s, no band",
+		    gain, usual->speed);
+		return;
+	}
+	answer_note(r, "%.2f an hour more than at %g m/s (%.2f to %.2f)", gain,
+	    usual->speed, range[0], range[1]);
+	double own[2];
+	range_of(p, best, best->money_draw, best->money, own);
+	if (range[0] < 0)
+		answer_say(r, ANSWER_WARNING,
+		    "the gain is not certain: the speed may as well lose");
+	else if (own[1] - own[0] > gain)
+		answer_say(r, ANSWER_REMARK,
+		    "the band of the earnings, %.2f wide, is wider than the "
+		    "gain: what both speeds earn is less certain than which "
+		    "earns more",
+		    own[1] - own[0]);
+}
+
+static void
+note_best(const struct plant *p, const struct search *s,
+    const struct outcome *best, struct answer *r)
+{
+	double range[2], v = s->speed[s->best];
+	size_t open = 0;
+	bool end = v <= s->from || v >= s->to;
+	best_range(p, s, best->flow.draws, range);
+	for (size_t i = 0; i < s->n; i++)
+		open += isnan(s->money[i]) ? 1 : 0;
+	if (isfinite(range[0]))
+		answer_note(r,
+		    end ? N_("best speed %.1f m/s (%.1f to %.1f) of %g to %g "
+			     "m/s, at the end of these")
+			: N_("best speed %.1f m/s (%.1f to %.1f) of %g to %g "
+			     "m/s"),
+		    v, range[0], range[1], s->from, s->to);
+	else
+		answer_note(r,
+		    end ? N_("best speed %.1f m/s, no band, of %g to %g m/s, "
+			     "at the end of these")
+			: N_("best speed %.1f m/s, no band, of %g to %g m/s"),
+		    v, s->from, s->to);
+	if (open > 0)
+		answer_say(r, ANSWER_REMARK,
+		    "at %zu of %zu speeds there is no steady state", open,
+		    s->n);
+	fields_put(
+	    answer_fields(r), "best_speed %g from %g to %g", v, s->from, s->to);
+	answers_put_pair(
+	    answer_fields(r), "best_speed_range", range[0], range[1]);
+}
+
+/* How far what goes into a crusher differs from the feed of the site, passing
+ * 0..1. */
+static double
+feed_difference(
+    const struct plant *p, const struct outcome *o, const struct unit *unit)
+{
+	size_t n = p->plan->n;
+	double most = 0, in = 0, feed = 0, all = flow_into(&o->flow, unit);
+	for (size_t i = n; i-- > 0 && all > 0;) {
+		for (size_t k = 0; k < unit->n_in; k++)
+			in += o->flow.mass[unit->in[k] * n + i] / all;
+		feed += p->plan->feed[i];
+		most = fmax(most, fabs(in - feed));
+	}
+	return most;
+}
+
+/* The light of each crusher's speed; a feed that what comes back has changed is
+ * judged as another feed would be. */
+static struct trust
+judge(const struct plant *p, const struct outcome *o)
+{
+	const double other = 0.1, strange = 0.3;
+	struct trust worst = {0};
+	const struct entry *entry = session_entry(p->s);
+	for (size_t u = 0; u < p->circuit->n_unit; u++) {
+		const struct unit *unit = &p->circuit->unit[u];
+		if (unit->kind != UNIT_CRUSHER)
+			continue;
+		struct prediction at = outlook_predict(p->s, entry,
+		    plant_speed(unit, o->speed), p->plan->feed_run);
+		struct trust t = light_of(p->s, entry, &at);
+		double off = feed_difference(p, o, unit);
+		if (off > other)
+			trust_add(&t, off > strange ? LIGHT_RED : LIGHT_AMBER,
+			    TRUST_FEED,
+			    xasprintf(
+				tr("what goes into the crusher differs by "
+				   "up to %.0f points from the site's "
+				   "feed: it may break differently"),
+				100 * off));
+		light_worse(&worst, t);
+		prediction_free(&at);
+	}
+	return worst;
+}
+
+static struct answer *
+answer_flow(const struct plant *p, const struct outcome *o)
+{
+	const struct entry *entry = session_entry(p->s);
+	const char *back = p->plan->back != NULL ? p->plan->back : "";
+	char *what =
+	    p->plan->from_file
+		? xstrdup(p->circuit->name[0] != '\0' ? p->circuit->name
+						      : "circuit of a file")
+	    : back[0] != '\0' ? xasprintf(tr("%s back to the crusher"), back)
+			      : xstrdup(tr("nothing goes back"));
+	struct answer *r = answers_new(entry->site, "flow",
+	    "%g t/h at %g m/s%s%s", p->circuit->tph, o->speed,
+	    p->plan->from_file || back[0] != '\0' ? ", " : "",
+	    p->plan->from_file || back[0] != '\0' ? what : "");
+	fields_put(answer_fields(r),
+	    "speed %g extrapolated %d feed_tph %g "
+	    "circuit %s",
+	    o->speed, answers_extrapolates(entry, o->speed), p->circuit->tph,
+	    what);
+	free(what);
+	warn_power(p, r);
+	show_lines(p, o, r);
+	note_balance(p, o, r);
+	note_crushers(p, o, r);
+	note_power(p, o, r);
+	note_money(p, o, r);
+	return r;
+}
+
+/* The rest of the answer, which it gives. */
+static bool
+finish(const struct plant *p, const struct outcome *o, struct answer *r)
+{
+	const struct entry *entry = session_entry(p->s);
+	put_streams(p, o, answer_fields(r));
+	if (o->flow.draws == DRAWS)
+		band_note(r, p->s, entry, true);
+	else
+		answer_say(
+		    r, ANSWER_REMARK, "%s", outlook_why_none(p->s, entry));
+	if (p->s->set.model.method == METHOD_CLASSES)
+		answer_say(r, ANSWER_REMARK,
+		    "method classes takes the classes of the screens here, "
+		    "which are finer than those of predict");
+	fields_put(answer_fields(r), "level %g", 100 * p->level);
+	const struct run *of = &entry->site->run[p->plan->feed_run];
+	if (answers_sampled(entry->site, p->plan->feed_run) &&
+	    fabs(of->speed - o->speed) > 1e-3)
+		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s%s",
+		    of->speed, of->repeat);
+	origin_note(r, entry);
+	answers_note_model(p->s, r, entry);
+	answers_note_variant(r, entry);
+	light_show(r, judge(p, o));
+	if (!pictures_wanted(p->s) || p->s->document != NULL)
+		return session_answer(p->s, r);
+	session_keep(p->s, r);
+	return true;
+}
+
+static bool
+flow_best(const struct plant *p, const struct args *args, struct error *error)
+{
+	const struct entry *entry = session_entry(p->s);
+	double reach[2];
+	site_reach(entry->site, &reach[0], &reach[1]);
+	reach[0] = args_number(args, "from", reach[0]);
+	reach[1] = args_number(args, "to", reach[1]);
+	if (!p->plan->priced)
+		return error_set(error, ERROR_USAGE,
+		    "best=on needs prices\n"
+		    "write: flow tph=120 prices=0/2:12,2/5:9 best=on");
+	if (reach[0] >= reach[1])
+		return error_set(error, ERROR_USAGE,
+		    "flow: expected from below to, got %g and %g m/s\n"
+		    "write: from=65 to=85",
+		    reach[0], reach[1]);
+	struct search search = search_best(p, reach[0], reach[1]);
+	struct outcome usual = plant_at(p, answers_speed(args, entry)),
+		       best = plant_at(p, search.speed[search.best]);
+	bool ok = !best.flow.open || plant_not_steady(p, &best, error);
+	if (ok) {
+		struct answer *r = answer_flow(p, &best);
+		note_best(p, &search, &best, r);
+		if (!usual.flow.open)
+			note_gain(p, &best, &usual, r);
+		finish(p, &best, r);
+	}
+	flow_free(&usual.flow);
+	flow_free(&best.flow);
+	free(search.draw);
+	return ok;
+}
+
+static bool
+flow_at(const struct plant *p, double speed, struct error *error)
+{
+	struct outcome o = plant_at(p, speed);
+	bool ok = !o.flow.open || plant_not_steady(p, &o, error);
+	if (ok)
+		finish(p, &o, answer_flow(p, &o));
+	flow_free(&o.flow);
+	return ok;
+}
+
+bool
+cmd_flow(struct session *s, const struct args *args, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	double v = answers_speed(args, entry);
+	bool best = args_value(args, "best")->choice == 1;
+	struct flow_plan plan;
+	size_t feed;
+	if (!answers_ready(s, error) ||
+	    !answers_feed(entry->site, args,
+		best ? answers_middle(entry->site) : v, &feed, error) ||
+	    !flow_plan_read(s, args, feed, &plan, error))
+		return false;
+	struct plant p = plant_new(s, &plan);
+	bool ok = best ? flow_best(&p, args, error) : flow_at(&p, v, error);
+	if (ok && pictures_wanted(s) && s->document == NULL) {
+		double from, to;
+		ok = conditions_speeds(args, entry->site, &from, &to, error) &&
+		     pictures_draw(s, flow_chart(&p, from, to), error);
+	}
+	plant_free(&p);
+	flow_plan_free(&plan);
+	return ok;
+}

@@ -1,0 +1,30 @@
+/* What flow is asked, as a circuit with its prices and its power.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_FLOW_PLAN_H
+#define TIPSPEED_CMD_FLOW_PLAN_H
+
+#include "cmd/command.h"
+#include "cmd/session.h"
+#include "core/circuit.h"
+#include "core/power.h"
+
+/* size [n], feed [n]: the classes and the feed's masses in them.  back: what
+ * goes back to the crusher, in words; NULL of a circuit of a file.  priced:
+ * there are prices; kwh: of a kWh, 0 where it has none. */
+struct flow_plan {
+	struct circuit *circuit;
+	char *back;
+	bool from_file, priced;
+	size_t n, feed_run;
+	double *size, *feed, kwh;
+	size_t n_reading;
+	struct reading *reading;
+	bool of_cuts; /* the readings are those of belt cuts */
+};
+
+/* Reads options and file. */
+bool flow_plan_read(struct session *s, const struct args *args, size_t feed_run,
+    struct flow_plan *plan, struct error *error);
+void flow_plan_free(struct flow_plan *plan);
+
+#endif

@@ -1,0 +1,344 @@
+/* The speeds are searched in parts, so that a screen stays live meanwhile.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/goals.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/grading.h"
+#include "cmd/quantities.h"
+
+static const struct fraction WHOLE = {.partition = {0, 1}};
+
+/* Speeds looked at in one go, m/s: some 10 ms. */
+static const double PART = 0.5;
+
+bool
+goals_set(const struct session *s)
+{
+	return s->set.goal[0] != '\0';
+}
+
+void
+goals_clear(struct goal *g)
+{
+	conditions_free(&g->list);
+	window_free(&g->found);
+	free(g->why);
+	free(g->met);
+	*g = (struct goal){.n_value = 0};
+}
+
+bool
+goals_is_condition(const char *text)
+{
+	return text[strcspn(text, "<>=")] != '\0' || quantities_begins(text);
+}
+
+static bool
+is_value(const struct condition *c)
+{
+	return c->least == c->most;
+}
+
+/* An envelope's limits of 100 to 100 % and 0 to 0 % are no single values: what
+ * rounds to them will do, and no more is there. */
+static bool
+read_spec(struct session *s, const char *name, const struct psd *feed,
+    struct condition_list *list, struct error *error)
+{
+	char *words = NULL;
+	const struct spec *spec = grading_spec(s, name, error);
+	size_t i = list->n;
+	bool ok =
+	    spec != NULL && (feed == NULL || conditions_add_spec(spec, &WHOLE,
+						 feed, list, &words, error));
+	for (; ok && i < list->n; i++) {
+		struct condition *c = &list->at[i];
+		if (is_value(c) && c->least > 0)
+			c->most = NAN;
+		else if (is_value(c))
+			c->least = NAN;
+	}
+	free(words);
+	return ok;
+}
+
+/* Adds one to the list, on that feed. */
+static bool
+read_one(struct session *s, const char *text, const struct psd *feed,
+    struct condition_list *list, struct error *error)
+{
+	struct condition c;
+	if (!goals_is_condition(text))
+		return read_spec(s, text, feed, list, error);
+	if (!conditions_read(text, &WHOLE, &c, error) ||
+	    (feed != NULL && !conditions_covered(&c, feed, error)))
+		return false;
+	conditions_add(list, c);
+	return true;
+}
+
+/* The single value goes last: what is before it is a window's. */
+static bool
+order(struct condition_list *list, size_t *n_value, struct error *error)
+{
+	size_t at = 0;
+	*n_value = 0;
+	for (size_t i = 0; i < list->n; i++)
+		if (is_value(&list->at[i])) {
+			at = i;
+			++*n_value;
+		}
+	if (*n_value > 1)
+		return error_set(error, ERROR_USAGE,
+		    "expected one single value, got %zu of them\n"
+		    "write ranges: passing 2 = 40..50",
+		    *n_value);
+	if (*n_value == 0)
+		return true;
+	struct condition last = list->at[list->n - 1];
+	list->at[list->n - 1] = list->at[at];
+	list->at[at] = last;
+	return true;
+}
+
+bool
+goals_read(struct session *s, const char *text, const struct psd *feed,
+    struct condition_list *list, size_t *n_value, struct error *error)
+{
+	for (const char *at = text; *at != '\0';) {
+		size_t length = conditions_length(at);
+		char *copy = xstrndup(at, length), *word = text_trim(copy);
+		bool ok =
+		    word[0] == '\0' || read_one(s, word, feed, list, error);
+		free(copy);
+		if (!ok)
+			return false;
+		at += length + (at[length] != '\0');
+	}
+	return order(list, n_value, error);
+}
+
+bool
+goals_known(const struct session *s, const struct goal *g)
+{
+	return goals_set(s) && g->why == NULL && g->parts > 0 &&
+	       g->done == g->parts;
+}
+
+/* Those of a part behind those of the parts before it. */
+static void
+join(struct window_found *all, const struct window_found *w)
+{
+	size_t n = all->n + w->n;
+	all->speed = xrealloc(all->speed, n, sizeof *all->speed);
+	all->certain = xrealloc(all->certain, n, sizeof *all->certain);
+	memcpy(all->speed + all->n, w->speed, w->n * sizeof *w->speed);
+	memcpy(all->certain + all->n, w->certain, w->n * sizeof *w->certain);
+	bool better = all->n == 0 || w->margin > all->margin;
+	all->best = better ? w->best : all->best;
+	all->margin = better ? w->margin : all->margin;
+	all->n = n;
+	all->inside = xrealloc(
+	    all->inside, all->n_inside + w->n_inside, sizeof *all->inside);
+	for (size_t k = 0; k < w->n_inside; k++) {
+		struct window_range *last =
+		    all->n_inside > 0 ? &all->inside[all->n_inside - 1] : NULL;
+		if (last != NULL && w->inside[k].from - last->to < 1e-6)
+			last->to = w->inside[k].to;
+		else
+			all->inside[all->n_inside++] = w->inside[k];
+	}
+}
+
+/* The speeds of the single value between two. */
+static void
+meet(struct goal *g, struct wanted *others)
+{
+	size_t i = others->n;
+	double value = g->list.at[i].least, *root,
+	       ends[] = {others->from, others->to};
+	size_t n = window_roots(others, i, value, &root);
+	for (size_t k = 0; k < n; k++) {
+		response_at(others->response, root[k]);
+		bool again =
+		    g->n_met > 0 && root[k] - g->met[g->n_met - 1] < 1e-6;
+		if (again || !window_holds(others))
+			continue;
+		g->met = xrealloc(g->met, g->n_met + 1, sizeof *g->met);
+		g->met[g->n_met++] = root[k];
+	}
+	for (size_t k = 0; k < 2; k++) {
+		response_at(others->response, ends[k]);
+		double miss =
+		    fabs(response_over(others->response, i, value, SIZE_MAX));
+		if (isnan(g->nearest) || miss < g->miss) {
+			g->miss = miss;
+			g->nearest = ends[k];
+		}
+	}
+	free(root);
+}
+
+/* What is set is read again: another feed may not tell of it. */
+static void
+begin(struct session *s, struct goal *g, size_t feed)
+{
+	const struct site *site = session_entry(s)->site;
+	struct error error = {0};
+	double from, to;
+	goals_clear(g);
+	site_reach(site, &from, &to);
+	g->feed = feed;
+	g->parts = (size_t)ceil((to - from) / PART - 1e-6);
+	g->nearest = g->certain[0] = g->certain[1] = NAN;
+	if (!goals_read(s, s->set.goal, &site->run[feed].feed, &g->list,
+		&g->n_value, &error))
+		g->why = xstrdup(error.text);
+}
+
+bool
+goals_pending(const struct session *s, const struct goal *g, size_t feed)
+{
+	bool begun = g->parts > 0 && g->feed == feed;
+	return goals_set(s) &&
+	       (!begun || (g->why == NULL && g->done < g->parts));
+}
+
+void
+goals_step(struct session *s, struct goal *g, size_t feed)
+{
+	const struct entry *entry = session_entry(s);
+	if (!goals_set(s))
+		return;
+	if (g->parts == 0 || g->feed != feed)
+		begin(s, g, feed);
+	if (g->why != NULL || g->done == g->parts)
+		return;
+	double from, to;
+	site_reach(entry->site, &from, &to);
+	struct wanted all = conditions_ask(s, entry, g->feed, &g->list, NULL);
+	all.n -= g->n_value;
+	all.from = from + PART * (double)g->done;
+	all.to = fmin(to, all.from + PART);
+	if (g->n_value > 0)
+		meet(g, &all);
+	if (all.n > 0) {
+		struct window_found w = window_find(&all);
+		join(&g->found, &w);
+		window_free(&w);
+	}
+	response_free(all.response);
+	g->done++;
+	if (g->done == g->parts && g->found.n > 0)
+		window_certain(&g->found, settings_level(&s->set), g->certain);
+}
+
+double
+goals_best(const struct session *s, const struct goal *g, double speed)
+{
+	if (!goals_known(s, g))
+		return NAN;
+	if (g->n_value == 0)
+		return g->found.best;
+	if (g->n_met == 0)
+		return g->list.n > 1 ? g->found.best : g->nearest;
+	size_t near = 0;
+	for (size_t i = 1; i < g->n_met; i++)
+		if (fabs(g->met[i] - speed) < fabs(g->met[near] - speed))
+			near = i;
+	return g->met[near];
+}
+
+/* "71.2", "65.0 to 70.1, 73.0 to 75.6". */
+static char *
+speeds_words(const struct goal *g)
+{
+	char *words = xstrdup("");
+	for (size_t i = 0; i < g->n_met; i++)
+		xlist(&words, ", ", "%.1f", g->met[i]);
+	for (size_t i = 0; i < g->found.n_inside && g->n_value == 0; i++)
+		xlist(&words, ", ", tr("%.1f to %.1f"), g->found.inside[i].from,
+		    g->found.inside[i].to);
+	return words;
+}
+
+/* Whether the one window is as sure as its band at all of its speeds. */
+static bool
+all_certain(const struct goal *g)
+{
+	const struct window_range *in = g->found.inside;
+	return g->n_value == 0 && g->found.n_inside == 1 &&
+	       fabs(in->from - g->certain[0]) < 0.05 &&
+	       fabs(in->to - g->certain[1]) < 0.05;
+}
+
+/* What of it lies beyond the speeds that were measured; "" where nothing
+ * does. */
+static const char *
+beyond_words(const struct session *s, const struct goal *g, double best)
+{
+	const struct entry *entry = &s->entry[s->current];
+	bool window = g->n_value == 0 && g->found.n_inside > 0;
+	if (isfinite(best) && answers_extrapolates(entry, best))
+		return window ? "best extrapolated" : "extrapolated";
+	for (size_t i = 0; i < g->found.n_inside && window; i++)
+		if (answers_extrapolates(entry, g->found.inside[i].from) ||
+		    answers_extrapolates(entry, g->found.inside[i].to))
+			return "partly extrapolated";
+	return "";
+}
+
+/* Where it is met, with how far to trust that; the nearest speed where it is
+ * not. */
+static char *
+outcome(const struct session *s, const struct goal *g, double speed, bool full)
+{
+	double best = goals_best(s, g, speed), level = settings_level(&s->set);
+	const char *beyond = beyond_words(s, g, best);
+	char *words, *speeds = speeds_words(g);
+	if (speeds[0] == '\0')
+		words = isfinite(best)
+			    ? xasprintf(tr("at no speed, nearest %.1f"), best)
+			    : xstrdup(tr("at no speed"));
+	else
+		words = xasprintf(tr("at %s%s"), speeds, full ? " m/s" : "");
+	free(speeds);
+	if (all_certain(g) && full)
+		xappend(&words, tr(", %.0f %% certain"), 100 * level);
+	else if (g->n_value == 0 && full && isfinite(g->certain[0]))
+		xappend(&words, tr(", %.0f %% certain %.1f to %.1f"),
+		    100 * level, g->certain[0], g->certain[1]);
+	if (beyond[0] != '\0')
+		xappend(&words, "%s%s", full ? ", " : " ?", full ? beyond : "");
+	return words;
+}
+
+char *
+goals_words(const struct session *s, const struct goal *g, double speed,
+    enum goals_length length)
+{
+	bool full = length == GOALS_FULL;
+	const char *text = s->set.goal;
+	if (!goals_set(s))
+		return xstrdup("");
+	if (g->why != NULL)
+		return xasprintf(
+		    tr("goal: %s"), full ? g->why : tr("not known"));
+	if (!goals_known(s, g))
+		return length == GOALS_SHORT
+			   ? xstrdup(tr("goal"))
+			   : xasprintf(tr("goal%s%s: being worked out"),
+				 full ? " " : "", full ? text : "");
+	char *end = outcome(s, g, speed, length != GOALS_SHORT);
+	char *words = full ? xasprintf(tr("goal %s: met %s"), text, end)
+			   : xasprintf(tr("goal %s"), end);
+	free(end);
+	return words;
+}

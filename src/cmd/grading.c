@@ -1,0 +1,601 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/grading.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/files.h"
+#include "cmd/outlook.h"
+#include "cmd/quantities.h"
+#include "io/standards.h"
+#include "io/units.h"
+
+static const struct spec *
+keep(struct session *s, struct spec *spec)
+{
+	s->specs = xrealloc(s->specs, s->n_spec + 1, sizeof(*s->specs));
+	return s->specs[s->n_spec++] = spec;
+}
+
+/* The envelope of that name that the session has already. */
+static const struct spec *
+kept(const struct session *s, const char *name)
+{
+	for (size_t i = 0; i < s->n_spec; i++)
+		if (s->specs[i]->standard[0] != '\0' &&
+		    strcmp(s->specs[i]->name, name) == 0)
+			return s->specs[i];
+	return NULL;
+}
+
+static const struct spec *
+shipped(struct session *s, const char *words, struct error *error)
+{
+	struct standards *all = standards_shipped();
+	const struct spec *found = standards_find(all, words, error);
+	const struct spec *same = found != NULL ? kept(s, found->name) : NULL;
+	for (size_t i = 0; found != NULL && same == NULL && i < all->n; i++) {
+		if (all->spec[i] != found)
+			continue;
+		same = keep(s, all->spec[i]);
+		all->spec[i] = NULL;
+	}
+	standards_free(all);
+	return same;
+}
+
+static const struct spec *
+of_file(struct session *s, const char *path, struct error *error)
+{
+	struct error_list errors = {0};
+	if (s->safe) {
+		error_set(error, ERROR_USAGE,
+		    "%s is off: it is a file\n"
+		    "name an envelope of 'spec list', or start the program "
+		    "without --safe",
+		    path);
+		return NULL;
+	}
+	files_reads(s, path);
+	struct spec *spec = spec_read(path, &errors);
+	if (spec == NULL) {
+		session_tell_faults(s, path, &errors, error);
+		return NULL;
+	}
+	if (spec->note[0] != '\0')
+		session_note(s, "%s: %s", path, spec->note);
+	return keep(s, spec);
+}
+
+const struct spec *
+grading_spec(struct session *s, const char *words, struct error *error)
+{
+	if (words != NULL)
+		return standards_is_path(words) ? of_file(s, words, error)
+						: shipped(s, words, error);
+	if (s->spec == NULL)
+		error_set(error, ERROR_USAGE,
+		    "no grading envelope is chosen\n"
+		    "run 'spec use NAME'; 'spec list' has the names, and a "
+		    "file's does as well");
+	return s->spec;
+}
+
+/* What a modulus has to be of a category, of which a buyer chooses one. */
+static const char CATEGORY[] = "FM category ";
+
+/* What the options say of screens; else the fraction that the envelope is
+ * for. */
+static bool
+take_fraction(const struct args *args, const struct spec *spec,
+    struct fraction *f, struct error *error)
+{
+	const struct value *cut = args_value(args, "cut");
+	bool off = cut->given && text_same(cut->text, "off");
+	*f = (struct fraction){.fine = spec->cut[0], .coarse = spec->cut[1]};
+	if (off)
+		*f = (struct fraction){0};
+	else if (cut->given && !quantities_fraction(cut->text, f, error))
+		return false;
+	f->partition.sharpness = args_value(args, "sharpness")->number;
+	f->partition.cut_size = args_value(args, "cut_size")->number / 100;
+	return true;
+}
+
+static bool
+begins(const char *text, const char *start)
+{
+	return strncmp(text, start, strlen(start)) == 0;
+}
+
+/* The modulus of a standard's sieves where it is that of a sand. */
+static const struct modulus *
+modulus_of(const struct spec *spec)
+{
+	const double sand = 0.006;
+	for (size_t i = 0; i < MODULI; i++)
+		if (spec->cut[0] <= 0 && spec->cut[1] > 0 &&
+		    spec->cut[1] < sand &&
+		    begins(spec->standard, MODULUS[i].name))
+			return &MODULUS[i];
+	return NULL;
+}
+
+/* The first limit of a standard on what begins so, or the one after another;
+ * NULL at the end. */
+static const struct standard_limit *
+next_limit(const struct standards *all, const char *standard, const char *item,
+    const struct standard_limit *after)
+{
+	for (size_t i = after != NULL ? (size_t)(after - all->limit) + 1 : 0;
+	     i < all->n_limit; i++)
+		if (strcmp(all->limit[i].standard, standard) == 0 &&
+		    begins(all->limit[i].item, item))
+			return &all->limit[i];
+	return NULL;
+}
+
+/* The limits on the modulus that a standard has of an aggregate as a whole, not
+ * of categories to choose from; NULL where it has none. */
+static const struct standard_limit *
+modulus_limit(const struct standards *all, const char *standard)
+{
+	const struct standard_limit *l = NULL;
+	while ((l = next_limit(all, standard, "FM ", l)) != NULL)
+		if (!begins(l->item, CATEGORY) && !isnan(l->least))
+			return l;
+	return NULL;
+}
+
+/* The limit of what stays between two neighbouring sieves, or NULL. */
+static const struct standard_limit *
+step_limit(const struct standards *all, const char *standard)
+{
+	return next_limit(all, standard, "between two consecutive", NULL);
+}
+
+static void
+add_modulus(struct grading_limits *l, const struct spec *spec,
+    const struct fraction *fraction, const struct psd *feed,
+    const struct standards *all)
+{
+	const struct standard_limit *fm = modulus_limit(all, spec->standard);
+	const struct modulus *m = modulus_of(spec);
+	if (fm == NULL || m == NULL)
+		return;
+	l->modulus_unknown = !psd_covers(feed, m->mm[m->n - 1] / 1000);
+	if (l->modulus_unknown)
+		return;
+	l->at[l->n++] =
+	    (struct condition){.quantity = {.kind = QUANTITY_MODULUS,
+				   .modulus = m,
+				   .fraction = *fraction},
+		.least = fm->least,
+		.most = fm->most};
+}
+
+static void
+add_step(struct grading_limits *l, const struct spec *spec,
+    const struct fraction *fraction, const struct standards *all)
+{
+	const struct standard_limit *step = step_limit(all, spec->standard);
+	if (step == NULL || l->n_sieve < 2)
+		return;
+	l->at[l->n++] = (struct condition){.quantity = {.kind = QUANTITY_STEP,
+					       .n_sieve = l->n_sieve,
+					       .sieve = spec->size,
+					       .fraction = *fraction},
+	    .least = NAN,
+	    .most = step->most / 100};
+}
+
+struct grading_limits
+grading_limits(const struct spec *spec, const struct fraction *fraction,
+    const struct psd *feed)
+{
+	enum { OTHERS = 2 };
+	struct grading_limits l = {
+	    .at = xcalloc(spec->n + OTHERS, sizeof *l.at)};
+	for (; l.n < spec->n && psd_covers(feed, spec->size[l.n]); l.n++)
+		l.at[l.n] =
+		    (struct condition){.quantity = {.kind = QUANTITY_PASSING,
+					   .x = spec->size[l.n],
+					   .fraction = *fraction},
+			.least = spec->least[l.n],
+			.most = spec->most[l.n]};
+	l.n_sieve = l.n;
+	struct standards *all = standards_shipped();
+	add_modulus(&l, spec, fraction, feed, all);
+	add_step(&l, spec, fraction, all);
+	standards_free(all);
+	return l;
+}
+
+static void
+ask(struct session *s, struct grading *g, size_t feed)
+{
+	const struct entry *entry = session_entry(s);
+	size_t n = g->limits.n;
+	struct quantity *asked = xcalloc(n + 2, sizeof *asked);
+	for (size_t i = 0; i < n; i++)
+		asked[i] = g->limits.at[i].quantity;
+	asked[n] =
+	    (struct quantity){.kind = QUANTITY_SHARE, .fraction = g->fraction};
+	asked[n + 1] = (struct quantity){.kind = QUANTITY_MODULUS,
+	    .modulus = g->modulus,
+	    .fraction = g->fraction};
+	g->conditions = (struct wanted){
+	    .response = outlook_response(s, entry, &entry->params, feed, asked,
+		n + (g->modulus != NULL ? 2 : 1)),
+	    .n = n,
+	    .at = g->limits.at};
+	free(asked);
+}
+
+/* Its fraction is there already. */
+static bool
+open_limits(
+    struct session *s, size_t feed, struct grading *g, struct error *error)
+{
+	const struct psd *from = &session_entry(s)->site->run[feed].feed;
+	g->modulus = modulus_of(g->spec);
+	g->limits = grading_limits(g->spec, &g->fraction, from);
+	if (g->limits.n_sieve == 0) {
+		free(g->limits.at);
+		return error_set(error, ERROR_DATA,
+		    "%s: none of its sieves is in the range of the feed's "
+		    "sieves",
+		    g->spec->name);
+	}
+	ask(s, g, feed);
+	return true;
+}
+
+bool
+grading_open(struct session *s, const struct args *args,
+    const struct spec *spec, size_t feed, struct grading *g,
+    struct error *error)
+{
+	*g = (struct grading){.spec = spec};
+	return take_fraction(args, spec, &g->fraction, error) &&
+	       open_limits(s, feed, g, error);
+}
+
+bool
+grading_in_use(
+    struct session *s, size_t feed, struct grading *g, struct error *error)
+{
+	const struct spec *spec = s->spec;
+	*g = (struct grading){.spec = spec,
+	    .fraction = {spec->cut[0], spec->cut[1], PARTITION_IDEAL}};
+	return open_limits(s, feed, g, error);
+}
+
+void
+grading_close(struct grading *g)
+{
+	response_free(g->conditions.response);
+	free(g->limits.at);
+}
+
+char *
+grading_words(const struct grading *g)
+{
+	char *fraction = quantities_fraction_words(&g->fraction);
+	char *words =
+	    fraction_screens(&g->fraction)
+		? xasprintf(tr("%s, fraction %s"), g->spec->name, fraction)
+		: xstrdup(g->spec->name);
+	free(fraction);
+	return words;
+}
+
+static const char *
+verdict_of(double value, double least, double most)
+{
+	const double exact = 1e-9;
+	if (value < least - exact)
+		return tr("below");
+	return value > most + exact ? tr("above") : "ok";
+}
+
+/* Of limit i at the speed the response is at. */
+static const char *
+verdict(const struct grading *g, size_t i)
+{
+	struct window_limit limit;
+	if (i >= g->limits.n_sieve && i < g->spec->n)
+		return tr("not known");
+	if (window_holds_of(&g->conditions, i))
+		return "ok";
+	window_margin_of(&g->conditions, i, &limit);
+	return limit.most ? tr("above") : tr("below");
+}
+
+/* The sieve that is furthest outside, its limit and its margin; how many are.
+ */
+static size_t
+worst_sieve(const struct grading *g, struct window_limit *worst, double *margin)
+{
+	size_t out = 0;
+	*margin = INFINITY;
+	for (size_t i = 0; i < g->limits.n_sieve; i++) {
+		struct window_limit limit;
+		double at = window_margin_of(&g->conditions, i, &limit);
+		out += !window_holds_of(&g->conditions, i);
+		if (at >= *margin)
+			continue;
+		*margin = at;
+		*worst = limit;
+	}
+	return out;
+}
+
+/* "fineness modulus (ASTM C136) 3.15 is above 3.1", with as many decimals as it
+ * takes to tell the two apart; of a limit that is not on a sieve. */
+static char *
+missed_words(const struct grading *g, size_t i)
+{
+	const struct condition *c = &g->limits.at[i];
+	struct quantity q = c->quantity;
+	const double near = 0.005;
+	struct window_limit limit;
+	window_margin_of(&g->conditions, i, &limit);
+	double most = quantities_shown(&q, limit.most ? c->most : c->least);
+	double is =
+	    quantities_shown(&q, response_value(g->conditions.response, i));
+	const char *unit = quantities_after(&q);
+	q.fraction = (struct fraction){0};
+	char *name = quantities_words(&q);
+	char *words = xasprintf(tr("%s %.*f%s is %s %g%s"), name,
+	    fabs(is - most) < near ? 4 : 2, is, unit,
+	    limit.most ? tr("above") : tr("below"), most, unit);
+	free(name);
+	return words;
+}
+
+char *
+grading_missed(const struct grading *g)
+{
+	struct window_limit worst = {0};
+	double margin;
+	size_t out = worst_sieve(g, &worst, &margin);
+	char *words = xstrdup("");
+	if (out > 0)
+		xappend(&words,
+		    tr("outside on %zu of %zu sieves; worst at %g mm: %.1f "
+		       "points "
+		       "%s"),
+		    out, g->limits.n_sieve, units_mm(g->spec->size[worst.i]),
+		    -100 * margin,
+		    worst.most ? tr("above max") : tr("below min"));
+	for (size_t i = g->limits.n_sieve; i < g->limits.n; i++)
+		if (!window_holds_of(&g->conditions, i)) {
+			char *one = missed_words(g, i);
+			bool first = words[0] == '\0';
+			xlist(&words, "; ",
+			    first ? tr("inside on all sieves, but %s") : "%s",
+			    one);
+			free(one);
+		}
+	return words;
+}
+
+void
+grading_put_worst(struct fields *o, const struct grading *g)
+{
+	struct window_limit worst = {0};
+	double margin;
+	bool out = worst_sieve(g, &worst, &margin) > 0;
+	fields_put(o, "worst_mm %g outside_pct %g",
+	    out ? units_mm(g->spec->size[worst.i]) : NAN,
+	    !out         ? 0
+	    : worst.most ? -100 * margin
+			 : 100 * margin);
+}
+
+void
+grading_rows(
+    struct answer *r, const struct session *s, struct grading *g, double v)
+{
+	const struct spec *spec = g->spec;
+	struct response *response = g->conditions.response;
+	bool band = response_draws(response, 0) != NULL;
+	response_at(response, v);
+	answer_columns(r, "sieve_mm: sieve mm, min_pct: min %%, max_pct: max "
+			  "%%");
+	answer_column(r, "passing_pct",
+	    fraction_screens(&g->fraction) ? N_("fraction %")
+					   : N_("product %"));
+	if (band)
+		answer_columns(r, "low_pct: low %%, high_pct: high %%");
+	answer_columns(r, "verdict");
+	for (size_t i = 0; i < spec->n; i++) {
+		bool known = i < g->limits.n_sieve;
+		double range[2] = {NAN, NAN};
+		if (known)
+			response_band(
+			    response, i, settings_level(&s->set), range);
+		answer_cells(r, "%g %g %g %.1f", units_mm(spec->size[i]),
+		    units_pct(spec->least[i]), units_pct(spec->most[i]),
+		    known ? units_pct(response_value(response, i)) : NAN);
+		if (band)
+			answer_cells(r, "%.1f %.1f", units_pct(range[0]),
+			    units_pct(range[1]));
+		answer_cells(r, "%s", verdict(g, i));
+	}
+}
+
+/* "ok" within the limits that are said of fine aggregate; of categories the
+ * names of those it is in; NULL where the standard has neither.  The caller
+ * frees. */
+static char *
+modulus_verdict(const struct standards *all, const struct spec *spec, double fm)
+{
+	const struct standard_limit *own = modulus_limit(all, spec->standard);
+	char *in = xstrdup("");
+	const struct standard_limit *l = NULL;
+	bool categories = next_limit(all, spec->standard, CATEGORY, l) != NULL;
+	while ((l = next_limit(all, spec->standard, CATEGORY, l)) != NULL)
+		if (fm >= l->least && fm <= l->most)
+			xlist(&in, tr(" and "), "%s",
+			    l->item + sizeof CATEGORY - 1);
+	char *words = NULL;
+	if (own != NULL)
+		words = xasprintf(tr("%s; limits %g to %g"),
+		    verdict_of(fm, own->least, own->most), own->least,
+		    own->most);
+	else if (categories)
+		words = in[0] == '\0' ? xstrdup(tr("in no category"))
+				      : xasprintf(tr("category %s"), in);
+	free(in);
+	return words;
+}
+
+static void
+note_modulus(struct answer *r, const struct session *s, const struct grading *g,
+    const struct standards *all)
+{
+	size_t i = g->limits.n + 1;
+	if (g->modulus == NULL)
+		return;
+	double range[2], fm = response_value(g->conditions.response, i);
+	char *is = modulus_verdict(all, g->spec, fm);
+	if (is == NULL)
+		return;
+	if (isnan(fm)) {
+		free(is);
+		answer_note(r,
+		    "fineness modulus not known: the feed was not sieved down "
+		    "to %g mm",
+		    g->modulus->mm[g->modulus->n - 1]);
+		return;
+	}
+	response_band(
+	    g->conditions.response, i, settings_level(&s->set), range);
+	char *band = quantities_band(range[0], range[1], 2);
+	answer_note(r, "fineness modulus (%s) %.2f%s: %s", g->modulus->standard,
+	    fm, band, is);
+	fields_put(answer_fields(r), "fm %g fm_standard %s fm_verdict %s", fm,
+	    g->modulus->standard, is);
+	free(band);
+	free(is);
+}
+
+/* The largest share between two neighbours of the envelope's sieves; at: the
+ * coarser of the two. */
+static double
+largest_step(const struct grading *g, size_t *at)
+{
+	double most = 0;
+	for (size_t i = 0; i + 1 < g->limits.n_sieve; i++) {
+		double step = response_value(g->conditions.response, i) -
+			      response_value(g->conditions.response, i + 1);
+		if (step <= most)
+			continue;
+		most = step;
+		*at = i;
+	}
+	return most;
+}
+
+static void
+step_range(const struct session *s, const struct grading *g, size_t at,
+    double range[2])
+{
+	double step[POSTERIOR_DRAWS];
+	const double *coarse = response_draws(g->conditions.response, at);
+	range[0] = range[1] = NAN;
+	if (coarse == NULL)
+		return;
+	const double *fine = response_draws(g->conditions.response, at + 1);
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
+		step[d] = 100 * (coarse[d] - fine[d]);
+	ensemble_middle(step, settings_level(&s->set), &range[0], &range[1]);
+}
+
+static void
+note_steps(struct answer *r, const struct session *s, const struct grading *g,
+    const struct standards *all)
+{
+	const struct standard_limit *l = step_limit(all, g->spec->standard);
+	if (l == NULL || g->limits.n_sieve < 2)
+		return;
+	size_t at = 0;
+	double range[2], step = 100 * largest_step(g, &at);
+	step_range(s, g, at, range);
+	char *band = quantities_band(range[0], range[1], 1);
+	const char *is = verdict_of(step, -INFINITY, l->most);
+	answer_note(r,
+	    "between two sieves at most %.1f %%%s, %g to %g mm: %s; limit %g",
+	    step, band, units_mm(g->spec->size[at]),
+	    units_mm(g->spec->size[at + 1]), is, l->most);
+	fields_put(answer_fields(r), "step_pct %g step_mm %g step_verdict %s",
+	    step, units_mm(g->spec->size[at]), is);
+	free(band);
+}
+
+/* Tolerances are about a grading that somebody has declared. */
+static void
+note_tolerances(
+    struct answer *r, const struct spec *spec, const struct standards *all)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < all->n_limit; i++)
+		n += strcmp(all->limit[i].standard, spec->standard) == 0 &&
+		     strstr(all->limit[i].item, "tolerance") != NULL;
+	if (n > 0)
+		answer_say(r, ANSWER_REMARK,
+		    "not checked: %zu tolerances of %s, which need a declared "
+		    "grading ('spec list limits')",
+		    n, spec->standard);
+}
+
+void
+grading_notes(
+    struct answer *r, const struct session *s, const struct grading *g)
+{
+	const struct spec *spec = g->spec;
+	struct standards *all = standards_shipped();
+	note_modulus(r, s, g, all);
+	note_steps(r, s, g, all);
+	if (fraction_screens(&g->fraction)) {
+		double share =
+		    100 * response_value(g->conditions.response, g->limits.n);
+		char *words = quantities_fraction_words(&g->fraction);
+		answer_note(r,
+		    g->fraction.partition.sharpness > 0
+			? N_("the fraction %s is %.1f %% of the product")
+			: N_("the fraction %s is %.1f %% of the product, by "
+			     "ideal screens"),
+		    words, share);
+		fields_put(answer_fields(r), "share_pct %g", share);
+		free(words);
+	}
+	if (g->limits.n_sieve < spec->n)
+		answer_say(r, ANSWER_REMARK,
+		    "not checked: %g mm and below, finer than the feed's "
+		    "finest sieve",
+		    units_mm(spec->size[g->limits.n_sieve]));
+	note_tolerances(r, spec, all);
+	if (spec->source[0] != '\0')
+		answer_say(r, ANSWER_REMARK, "limits: %s", spec->source);
+	standards_free(all);
+}
+
+void
+grading_put(struct answer *r, const struct grading *g)
+{
+	fields_put(answer_fields(r), "spec %s source %s", g->spec->name,
+	    g->spec->source);
+	if (fraction_screens(&g->fraction)) {
+		char *words = quantities_fraction_words(&g->fraction);
+		fields_put(answer_fields(r), "cut %s", words);
+		free(words);
+	}
+	answer_put_columns(r, "sieve_mm min_pct max_pct passing_pct verdict");
+}

@@ -1,0 +1,84 @@
+/* A grading envelope beside the product of the site in use, or the fraction of
+ * it that the envelope is for.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_GRADING_H
+#define TIPSPEED_CMD_GRADING_H
+
+#include <stdbool.h>
+
+#include "cmd/command.h"
+#include "cmd/session.h"
+#include "core/window.h"
+#include "io/spec.h"
+
+/* The envelope that words name: one that comes with the program, or that of a
+ * file; NULL words: the one chosen by `spec use`.  Kept by the session.  NULL
+ * with an error, of which faults of a file are told before. */
+const struct spec *grading_spec(
+    struct session *s, const char *words, struct error *error);
+
+/* What an envelope limits, as conditions [n] on a fraction: its first n_sieve
+ * sieves, those that the feed tells, with limits or without; then the fineness
+ * modulus and what stays between two sieves where the standard limits these.
+ * All that is asked of an envelope asks this.  The caller frees `at`, which
+ * points into the envelope.  modulus_unknown: it is limited, but the feed's
+ * sieves end too early. */
+struct grading_limits {
+	size_t n_sieve, n;
+	struct condition *at;
+	bool modulus_unknown;
+};
+struct grading_limits grading_limits(const struct spec *spec,
+    const struct fraction *fraction, const struct psd *feed);
+
+/* The limits as conditions on the fraction; behind these the share of the
+ * product that it is, and a fineness modulus where the envelope's standard has
+ * one, else NULL.  A limit of 100 % is met by what rounds to 100.0: no screen
+ * is perfect. */
+struct grading {
+	const struct spec *spec;
+	struct grading_limits limits;
+	struct fraction fraction;
+	const struct modulus *modulus;
+	struct wanted conditions;
+};
+
+/* feed: the run of the site in use whose feed to take.  The options cut,
+ * sharpness and cut_size say what screens do; cut=off: there are none. */
+bool grading_open(struct session *s, const struct args *args,
+    const struct spec *spec, size_t feed, struct grading *grading,
+    struct error *error);
+
+/* The one in use, for the fraction it is for, by screens without fault; asks no
+ * options. */
+bool grading_in_use(struct session *s, size_t feed, struct grading *grading,
+    struct error *error);
+void grading_close(struct grading *grading);
+
+/* "ASTM C33 fine aggregate, fraction 0/4.75".  The caller frees. */
+char *grading_words(const struct grading *grading);
+
+/* Columns and a row for each sieve at speed v: limits, passing and "ok",
+ * "above", "below" or "not known". */
+void grading_rows(struct answer *r, const struct session *s,
+    struct grading *grading, double v);
+
+/* What is missed at the speed the response is at, "outside on 2 of 7 sieves;
+ * worst at 4 mm: 3.1 points above max", "inside on all sieves, but fineness
+ * modulus (ASTM C136) 3.15 is above 3.1", or "" where all limits hold.  The
+ * caller frees. */
+char *grading_missed(const struct grading *grading);
+
+/* Its worst sieve there, worst_mm, and by how much, outside_pct: 0 where all
+ * sieves hold. */
+void grading_put_worst(struct fields *o, const struct grading *grading);
+
+/* Fineness modulus and steps between sieves, at that speed, where the standard
+ * limits them; where the limits are from, and what is not checked. */
+void grading_notes(
+    struct answer *r, const struct session *s, const struct grading *grading);
+
+/* Puts spec, source, cut and the columns of grading_rows into its JSON. */
+void grading_put(struct answer *r, const struct grading *grading);
+
+#endif

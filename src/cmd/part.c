@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/part.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "config.h"
+
+/* What engines tell a task of its place.  first: the number of the first task,
+ * or NULL where that is 0; step likewise, 1. */
+static const struct engine {
+	const char *number, *of, *first, *step;
+} ENGINES[] = {{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT",
+		   "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_STEP"},
+    {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", NULL, NULL}};
+
+static bool
+whole_of(const char *name, uint64_t fallback, uint64_t *value)
+{
+	const char *text = name != NULL ? getenv(name) : NULL;
+	*value = fallback;
+	return text == NULL || text_whole(text, value);
+}
+
+static bool
+check(const struct part *part, struct error *error)
+{
+	return (part->number >= 1 && part->number <= part->of) ||
+	       error_set(error, ERROR_USAGE,
+		   "expected a part from 1 to how many there are, got %zu/%zu "
+		   "(%s)\n"
+		   "the third of eight: part=3/8; all sites: part=1/1",
+		   part->number, part->of, part->from);
+}
+
+static bool
+read_engine(const struct engine *engine, struct part *part, struct error *error)
+{
+	uint64_t number, of, first, step;
+	bool good = whole_of(engine->number, 0, &number) &&
+		    whole_of(engine->of, 0, &of) &&
+		    whole_of(engine->first, 0, &first) &&
+		    whole_of(engine->step, 1, &step);
+	if (!good || step == 0 || number < first)
+		return error_set(error, ERROR_USAGE,
+		    "expected whole numbers in %s and %s\n"
+		    "say which part it is: part=3/8",
+		    engine->number, engine->of);
+	*part = (struct part){
+	    (size_t)((number - first) / step) + 1, (size_t)of, engine->number};
+	return check(part, error);
+}
+
+static bool
+part_read(const struct value *option, struct part *part, struct error *error)
+{
+	*part = (struct part){0};
+	for (size_t i = 0; !option->given && i < ARRAY_LEN(ENGINES); i++)
+		if (getenv(ENGINES[i].number) != NULL &&
+		    getenv(ENGINES[i].of) != NULL)
+			return read_engine(&ENGINES[i], part, error);
+	if (!option->given)
+		return true;
+	uint64_t number = 0, of = 0;
+	const char *slash = strchr(option->text, '/');
+	char *before = slash != NULL ? xstrndup(option->text,
+					   (size_t)(slash - option->text))
+				     : xstrdup("");
+	bool good = slash != NULL && text_whole(before, &number) &&
+		    text_whole(slash + 1, &of);
+	free(before);
+	*part = (struct part){(size_t)number, (size_t)of, "part"};
+	if (good)
+		return check(part, error);
+	return error_set(error, ERROR_USAGE,
+	    "expected part=I/N, got '%s'\nthe third of eight: part=3/8",
+	    option->text);
+}
+
+bool
+part_choose(
+    const struct args *args, bool all, struct part *part, struct error *error)
+{
+	const struct value *option = args_value(args, "part");
+	if (all)
+		return part_read(option, part, error);
+	return !option->given ||
+	       error_set(error, ERROR_USAGE,
+		   "part: expected '%s all', of which it is one\n"
+		   "write: %s all part=%s",
+		   args->command->name, args->command->name, option->text);
+}
+
+bool
+part_has(const struct part *part, size_t index)
+{
+	return part->of == 0 || index % part->of == part->number - 1;
+}
+
+struct answer *
+part_answer(void)
+{
+	struct answer *r = answer_new("calibrate");
+	answer_title(r, "all sites, calibrated");
+	answer_columns(r, "site, f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
+			  "holdout_pct: hold-out RMSE, remark");
+	return r;
+}
+
+void
+part_add(struct answer *answer, const struct part_row *row)
+{
+	answer_cells(answer, "%s %.3f %.2f %.3f %g %.2f %.2f %s", row->site,
+	    row->f_mat, row->e0_min, row->alpha, row->misfit, row->rmse_pct,
+	    row->holdout_pct, row->remark);
+}
+
+/* Collision energies are many numbers: their digest. */
+static void
+add_impacts(char **words, const struct impacts *impacts)
+{
+	uint64_t digest = text_digest(
+	    UINT64_C(0xcbf29ce484222325), &impacts->number, sizeof(double));
+	size_t size = impacts->n * sizeof(double);
+	if (impacts->n == 0)
+		return;
+	digest = text_digest(digest, impacts->share, size);
+	digest = text_digest(digest, impacts->ratio, size);
+	xappend(words, " energy=%zu/%016" PRIx64, impacts->n, digest);
+}
+
+char *
+part_options(const struct session *s, const struct calibrate_options *o,
+    const char *more)
+{
+	const struct breakage *of = BREAKAGES[o->settings.breakage];
+	const struct model_settings *m = &o->settings;
+	char *words = xasprintf(
+	    "seed=%llu population=%zu generations=%zu tolerance=%.17g "
+	    "stall=%zu polish=%d plain=%d train=%s model=%s method=%d "
+	    "appearance=%d k=%.17g bypass=%.17g noise=%.17g correction=%d",
+	    (unsigned long long)o->seed, o->population, o->generations,
+	    o->tolerance, o->stall, o->polish, o->plain, more, of->name,
+	    (int)m->method, (int)m->appearance, m->k, m->bypass, s->set.noise,
+	    (int)s->set.correction);
+	add_impacts(&words, &m->impacts);
+	for (size_t j = 0; j < of->n; j++)
+		xappend(&words, " %s=%.17g..%.17g", of->parameter[j].name,
+		    o->bounds.lower[j], o->bounds.upper[j]);
+	return words;
+}
+
+/* Of the names and numbers of all loaded sites, in their order. */
+static uint64_t
+digest_of(const struct session *s)
+{
+	uint64_t digest = 0xcbf29ce484222325;
+	for (size_t i = 0; i < s->n_entry; i++) {
+		char *text = xasprintf("%s %016" PRIx64 "\n", s->entry[i].key,
+		    s->entry[i].site->digest);
+		for (const char *p = text; *p != '\0'; p++)
+			digest = (digest ^ (unsigned char)*p) * 0x100000001b3;
+		free(text);
+	}
+	return digest;
+}
+
+void
+part_sign(struct answer *answer, const struct session *s,
+    const struct part *part, const size_t *index, size_t n, const char *options)
+{
+	char digest[17];
+	struct fields *o = fields_object(answer_fields(answer), "part");
+	snprintf(digest, sizeof digest, "%016" PRIx64, digest_of(s));
+	fields_put(o,
+	    "number %zu of %zu loaded %zu sites %s version %s "
+	    "options %s",
+	    part->number, part->of, s->n_entry, digest, PACKAGE_VERSION,
+	    options);
+	struct fields *list = fields_list(o, "index");
+	for (size_t i = 0; i < n; i++)
+		fields_put(list, "%zu", index[i]);
+}

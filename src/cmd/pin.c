@@ -1,0 +1,77 @@
+/* The prediction itself is kept, so that it stays what it was when the site is
+ * calibrated again.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/pin.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/outlook.h"
+#include "cmd/table.h"
+
+void
+pin_free(struct pin *pin)
+{
+	prediction_free(&pin->p);
+	free(pin->key);
+	free(pin);
+}
+
+static bool
+unpin(struct session *s, const char *word, struct error *error)
+{
+	if (strcmp(word, "off") != 0)
+		return error_set(error, ERROR_USAGE,
+		    "pin: expected options or off, got '%s'\n"
+		    "write: pin speed=74",
+		    word);
+	s->pin = NULL;
+	return true;
+}
+
+/* Without a speed that of the last prediction, with its feed. */
+static bool
+choose(const struct session *s, const struct entry *entry,
+    const struct args *args, double *speed, size_t *feed, struct error *error)
+{
+	double last = session_known(s, "predict", "speed");
+	double fed = session_known(s, "predict", "feed_mps");
+	bool given = args_value(args, "speed")->given || isnan(last);
+	*speed = given ? answers_speed(args, entry) : last;
+	if (!answers_feed(entry->site, args, *speed, feed, error))
+		return false;
+	if (!given && !args_value(args, "feed")->given && isfinite(fed) &&
+	    site_run_at(entry->site, fed) < entry->site->n_run)
+		*feed = site_run_at(entry->site, fed);
+	return true;
+}
+
+bool
+cmd_pin(struct session *s, const struct args *args, struct error *error)
+{
+	double speed;
+	size_t feed;
+	if (args->n_operand > 0)
+		return unpin(s, args->operand[0], error);
+	if (!session_need_site(s, "pin", error))
+		return false;
+	const struct entry *entry = session_entry(s);
+	struct params params = entry->params;
+	bool forming = answers_forming(s, &params);
+	if ((!forming && !answers_ready(s, error)) ||
+	    !choose(s, entry, args, &speed, &feed, error))
+		return false;
+	struct pin *pin = xcalloc(1, sizeof *pin);
+	*pin = (struct pin){.key = xstrdup(entry->key),
+	    .p = outlook_form(s, entry, &params, speed, feed)};
+	s->pins = xrealloc(s->pins, s->n_pin + 1, sizeof(*s->pins));
+	s->pin = s->pins[s->n_pin++] = pin;
+	session_note(s, "pinned %s at %.1f m/s%s", pin->key, speed,
+	    forming ? tr(", of the calibration that runs: save leaves it out")
+		    : "");
+	return true;
+}

@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/plant.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/outlook.h"
+
+struct plant
+plant_new(struct session *s, const struct flow_plan *plan)
+{
+	const struct entry *entry = session_entry(s);
+	const struct breakage *of = breakage_of(&entry->params);
+	struct plant p = {.s = s,
+	    .plan = plan,
+	    .circuit = plan->circuit,
+	    .crusher = outlook_crusher(s, entry, plan->size, plan->n),
+	    .own = xcalloc(plan->circuit->n_unit, sizeof(*p.own)),
+	    .power = power_fit(plan->reading, plan->n_reading),
+	    .bypass = of->bypass ? entry->params.at[of->n - 1] : 0,
+	    .level = settings_level(&s->set)};
+	for (size_t u = 0; u < p.circuit->n_unit; u++)
+		if (p.circuit->unit[u].speed > 0)
+			p.own[u] =
+			    crusher_at(p.crusher, p.circuit->unit[u].speed);
+	return p;
+}
+
+void
+plant_free(struct plant *p)
+{
+	for (size_t u = 0; u < p->circuit->n_unit; u++)
+		transfer_free(p->own[u]);
+	free(p->own);
+	crusher_free(p->crusher);
+}
+
+double
+plant_rotor_share(const struct plant *p, const struct unit *unit)
+{
+	return (1 - unit->cascade) * (1 - p->bypass);
+}
+
+double
+plant_speed(const struct unit *unit, double speed)
+{
+	return unit->speed > 0 ? unit->speed : speed;
+}
+
+/* Power and earnings of a draw. */
+static void
+count_draw(const struct plant *p, struct outcome *o, size_t d)
+{
+	double kw = 0, money = 0;
+	for (size_t u = 0; u < p->circuit->n_unit; u++) {
+		const struct unit *unit = &p->circuit->unit[u];
+		double tph = flow_draw_into(&o->flow, unit, d);
+		if (unit->kind == UNIT_CRUSHER)
+			kw += power_at(&p->power, plant_speed(unit, o->speed),
+			    tph * plant_rotor_share(p, unit));
+		if (unit->kind == UNIT_STOCKPILE && isfinite(unit->price))
+			money += tph * unit->price;
+	}
+	o->kw_draw[d] = kw;
+	o->money_draw[d] = money - kw * p->plan->kwh;
+	o->kw += kw / (double)o->flow.draws;
+	o->money += o->money_draw[d] / (double)o->flow.draws;
+}
+
+struct outcome
+plant_at(const struct plant *p, double speed)
+{
+	struct outcome o = {.speed = speed};
+	struct transfer *t = crusher_at(p->crusher, speed);
+	struct transfer **of = xcalloc(p->circuit->n_unit, sizeof(*of));
+	for (size_t u = 0; u < p->circuit->n_unit; u++)
+		of[u] = p->own[u] != NULL ? p->own[u] : t;
+	o.flow = circuit_flow(
+	    p->circuit, p->plan->feed, p->plan->size, p->plan->n, of);
+	for (size_t d = 0; d < o.flow.draws; d++)
+		count_draw(p, &o, d);
+	free(of);
+	transfer_free(t);
+	return o;
+}
+
+size_t
+plant_lines(
+    const struct plant *p, const struct outcome *o, struct plant_line *line)
+{
+	const struct circuit *c = p->circuit;
+	size_t n = 0;
+	for (size_t u = 0; u < c->n_unit; u++)
+		if (c->unit[u].kind == UNIT_STOCKPILE)
+			line[n++] = (struct plant_line){
+			    c->unit[u].name, &c->unit[u], c->unit[u].in[0]};
+	for (size_t i = 0; i < c->n_stream; i++)
+		if (o->flow.back[i])
+			line[n++] = (struct plant_line){c->stream[i], NULL, i};
+	/* Streams of the deck were made from coarse to fine. */
+	for (size_t i = 1; i < n && !p->plan->from_file; i++)
+		for (size_t k = i; k > 0 && line[k - 1].stream < line[k].stream;
+		     k--) {
+			struct plant_line other = line[k];
+			line[k] = line[k - 1];
+			line[k - 1] = other;
+		}
+	return n;
+}
+
+/* "7.3e+03 t/h circulate after 1000 passes". */
+bool
+plant_not_steady(
+    const struct plant *p, const struct outcome *o, struct error *error)
+{
+	return error_set(error, ERROR_NUMERIC,
+	    "the circuit does not become steady at %g m/s: after %d passes "
+	    "%.4g t/h circulate for %g t/h of new feed, and it still grows\n"
+	    "what goes back hardly breaks: send a coarser fraction back, take "
+	    "some of it out, or use a higher speed",
+	    o->speed, (int)CIRCUIT_PASSES, o->flow.circulating,
+	    p->circuit->tph);
+}
+
+char *
+plant_power_words(const struct plant *p)
+{
+	const struct power *w = &p->power;
+	const char *of =
+	    p->plan->of_cuts ? tr("of the belt cuts") : tr("given");
+	if (w->n == 0)
+		return xstrdup(
+		    tr("no motor readings: the kinetic energy alone, 1/2 v2 Q, "
+		       "which is a lower limit; give power=m/s:kW:t/h"));
+	char *words =
+	    xasprintf(tr_n("engineering estimate, %.3g kW + %.3g times the "
+			   "kinetic power 1/2 v2 Q, from %zu reading %s",
+			  "engineering estimate, %.3g kW + %.3g times the "
+			  "kinetic power 1/2 v2 Q, from %zu readings %s",
+			  w->n),
+		w->idle, w->factor, w->n, of);
+	if (w->no_idle)
+		xappend(&words,
+		    w->n == 1 ? tr("; one reading does not show the idle power")
+			      : tr("; they do not show the idle power"));
+	else if (isfinite(w->spread))
+		xappend(&words, tr(", which miss it by %.1f kW (RMS)"), w->rms);
+	return words;
+}

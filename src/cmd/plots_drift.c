@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/plots_drift.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/routine.h"
+#include "cmd/site_chart.h"
+
+/* Charts are drawn as shares of their limits, so that one picture holds them
+ * all: what stands beyond 1 or -1 signals. */
+enum shown { SHOWN_SINGLE, SHOWN_EWMA, SHOWN_UP, SHOWN_DOWN, SHOWN_TILT };
+
+static const struct {
+	const char *name;
+	struct chart_series look;
+} SHOWN[] = {[SHOWN_SINGLE] = {N_("each cut (1: 3 sd)"),
+		 {.series = SERIES_FEED, .line = CHART_MARKS, .mark = 'o'}},
+    [SHOWN_EWMA] = {"EWMA",
+	{.series = SERIES_KIND_1, .line = CHART_DASHED, .ascii = '-'}},
+    [SHOWN_UP] = {N_("CUSUM finer"),
+	{.series = SERIES_KIND_2, .line = CHART_SOLID, .ascii = '='}},
+    [SHOWN_DOWN] = {N_("CUSUM coarser"),
+	{.series = SERIES_KIND_3, .line = CHART_SOLID, .ascii = '#'}},
+    [SHOWN_TILT] = {N_("CUSUM of the tilt"),
+	{.series = SERIES_KIND_4, .line = CHART_LONG, .ascii = '%'}}};
+
+static double
+share(const struct drift_point *p, const struct drift_rule *rule, enum shown i)
+{
+	const struct drift_chart *level = &p->chart[DRIFT_LEVEL];
+	const struct drift_chart *tilt = &p->chart[DRIFT_TILT];
+	switch (i) {
+	case SHOWN_SINGLE:
+		return level->score / 3;
+	case SHOWN_EWMA:
+		return level->ewma / level->ewma_limit;
+	case SHOWN_UP:
+		return level->up / rule->h;
+	case SHOWN_DOWN:
+		return level->down > 0 ? -level->down / rule->h : 0;
+	case SHOWN_TILT:
+		return (tilt->down > tilt->up ? -tilt->down : tilt->up) /
+		       rule->h;
+	}
+	return NAN;
+}
+
+static void
+add_limits(struct chart *chart, double last)
+{
+	struct chart_series *limit = chart_add(chart,
+	    (struct chart_series){
+		.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '.'},
+	    5, N_("limits"));
+	const double x[] = {0, last, 0, 0, last}, y[] = {1, 1, NAN, -1, -1};
+	for (size_t i = 0; i < 5; i++) {
+		limit->x[i] = x[i];
+		limit->y[i] = y[i];
+	}
+}
+
+static void
+say(struct chart *chart, const struct routine *r)
+{
+	const char *from = r->cut[0].when, *to = r->cut[r->n - 1].when;
+	char *words = routine_words(r);
+	if (r->dated)
+		chart_note(chart, "cuts 1 to %zu: %s to %s", r->n, from, to);
+	chart_note(chart, "up: finer than predicted; down: coarser");
+	chart_note(chart, "%s", words);
+	free(words);
+}
+
+struct chart *
+plots_drift(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	(void)q;
+	const struct entry *entry = session_entry(s);
+	if (!answers_ready(s, error))
+		return NULL;
+	struct routine *r = routine_follow(s, entry, &DRIFT_RULE, error);
+	if (r == NULL)
+		return NULL;
+	double low = -1.2, high = 1.2, last = (double)r->n + 1;
+	for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++)
+		for (size_t j = 0; j < r->n; j++) {
+			double y = share(&r->point[j], &r->rule, (enum shown)i);
+			low = fmin(low, y);
+			high = fmax(high, y);
+		}
+	struct axis x = {.title = xstrdup(tr("cut")), .low = 0, .high = last};
+	size_t step = r->n / 20 + 1;
+	for (size_t j = 0; j < r->n; j += step) {
+		char *label = xasprintf("%zu", j + 1);
+		axis_add(&x, (double)(j + 1), label, 0);
+		free(label);
+	}
+	struct chart *chart = site_chart(entry->site, x,
+	    axis_linear(tr("share of the limit, -"), low, high),
+	    "routine cuts against their predictions");
+	add_limits(chart, last);
+	for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++) {
+		struct chart_series *series = chart_add(
+		    chart, SHOWN[i].look, r->n, "%s", tr(SHOWN[i].name));
+		for (size_t j = 0; j < r->n; j++) {
+			series->x[j] = (double)(j + 1);
+			series->y[j] =
+			    share(&r->point[j], &r->rule, (enum shown)i);
+		}
+	}
+	if (r->first < r->n)
+		chart_add_rule(chart, SERIES_BREAK, (double)(r->since + 1),
+		    "began at about cut %zu", r->since + 1);
+	say(chart, r);
+	routine_free(r);
+	return chart;
+}

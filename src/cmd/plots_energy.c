@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/plots_energy.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/energies.h"
+#include "cmd/site_chart.h"
+#include "core/breakage.h"
+
+/* Bins drawn as one: half an octave. */
+enum { TOGETHER = 8, POINTS = SPECTRUM_BINS / TOGETHER };
+
+/* Impacts a particle, or share of the impacts in %, in each half octave. */
+static void
+fill(struct chart_series *series, const struct spectrum *s,
+    const struct spectrum_size *whole, bool first)
+{
+	double all = spectrum_above(whole, 0, false).mass;
+	double per = s->counted ? whole->mass : all / 100;
+	for (size_t i = 0; i < POINTS; i++) {
+		double sum = 0;
+		for (size_t b = i * TOGETHER; b < (i + 1) * TOGETHER; b++)
+			sum +=
+			    first ? whole->first[b].mass : whole->all[b].mass;
+		series->x[i] = spectrum_edge(i * TOGETHER + TOGETHER / 2);
+		series->y[i] = sum / per;
+	}
+}
+
+static double
+highest(const struct chart *chart)
+{
+	double most = 0;
+	for (size_t i = 0; i < chart->n; i++)
+		for (size_t j = 0; j < chart->series[i].n; j++)
+			most = fmax(most, chart->series[i].y[j]);
+	return most;
+}
+
+static void
+add(struct chart *chart, const struct energies *e, bool main, size_t place)
+{
+	const struct spectrum *s = e->c.spectrum;
+	struct spectrum_size *whole = spectrum_whole(s);
+	const struct chart_series look = {
+	    .series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'};
+	const struct chart_series of_first = {
+	    .series = SERIES_FEED, .line = CHART_DASHED, .ascii = '-'};
+	char *speed =
+	    s->speed > 0 ? xasprintf(" (%g m/s)", s->speed) : xstrdup("");
+	fill(chart_add(chart, main ? look : site_chart_look(place), POINTS,
+		 "%s%s", e->name, speed),
+	    s, whole, false);
+	if (main && s->ordered)
+		fill(chart_add(chart, of_first, POINTS, "first above %g J/kg",
+			 e->cut),
+		    s, whole, true);
+	free(speed);
+	free(whole);
+}
+
+struct chart *
+plots_energy(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	(void)q;
+	const struct energies *e = s->energy;
+	if (e == NULL) {
+		error_set(error, ERROR_USAGE,
+		    "no collision energies are loaded\n"
+		    "load some: energy load FILE");
+		return NULL;
+	}
+	const struct spectrum *of = e->c.spectrum;
+	double E = of->speed > 0 ? energy_specific(of->speed) : NAN;
+	struct chart *chart = chart_new(tr("collision energies"),
+	    e->c.about[0] != '\0' ? e->c.about : tr("origin not stated"),
+	    axis_log(tr("energy of an impact, J/kg"), 0.01, fmax(1e4, 2 * E)),
+	    axis_linear("", 0, 1));
+	for (size_t i = 0; i < s->n_energies; i++)
+		if (s->energies[i] != e &&
+		    s->energies[i]->c.spectrum->counted == of->counted)
+			add(chart, s->energies[i], false, i);
+	add(chart, e, true, 0);
+	axis_free(&chart->y);
+	chart->y = axis_linear(of->counted ? tr("impacts a particle in half an "
+						"octave, -")
+					   : tr("impacts in half an octave, %"),
+	    0, highest(chart));
+	chart_add_rule(chart, SERIES_BREAK, e->cut, "cut %g J/kg", e->cut);
+	if (E > 0)
+		chart_add_rule(
+		    chart, SERIES_CROSSHAIR, E, "v^2/2: %.0f J/kg", E);
+	return chart;
+}

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/plots_limits.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/quantities.h"
+#include "cmd/screened.h"
+#include "io/spec.h"
+#include "io/units.h"
+
+const struct chart_series PLOTS_LIMITS[2] = {
+    {.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '\'', .mark = 'T'},
+    {.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '\'', .mark = 'L'}};
+
+static struct fraction
+fraction_of(const struct spec *spec)
+{
+	return (struct fraction){.fine = spec != NULL ? spec->cut[0] : 0,
+	    .coarse = spec != NULL ? spec->cut[1] : 0,
+	    .partition = PARTITION_IDEAL};
+}
+
+char *
+plots_limits_words(const struct session *s)
+{
+	struct fraction fraction = fraction_of(s->spec);
+	return fraction_screens(&fraction)
+		   ? quantities_fraction_words(&fraction)
+		   : xstrdup("");
+}
+
+/* One of the two limits, where there are any that the axis has. */
+static void
+add_limits(struct chart *chart, const struct spec *spec, bool least)
+{
+	const double *limit = least ? spec->least : spec->most;
+	size_t n = 0;
+	double *at = xdoubles(2 * spec->n);
+	for (size_t i = 0; i < spec->n; i++) {
+		double mm = units_mm(spec->size[i]);
+		if (mm < chart->x.low || mm > chart->x.high || isnan(limit[i]))
+			continue;
+		at[2 * n] = mm;
+		at[2 * n++ + 1] = units_pct(limit[i]);
+	}
+	if (n > 0) {
+		struct chart_series *series =
+		    chart_add(chart, PLOTS_LIMITS[least], n, "%s, %s",
+			least ? tr("min") : tr("max"), spec->name);
+		for (size_t i = 0; i < n; i++) {
+			series->x[i] = at[2 * i];
+			series->y[i] = at[2 * i + 1];
+		}
+	}
+	free(at);
+}
+
+void
+plots_limits_add(struct chart *chart, const struct session *s, bool notes)
+{
+	const struct spec *spec = s->spec;
+	if (spec == NULL)
+		return;
+	add_limits(chart, spec, false);
+	add_limits(chart, spec, true);
+	char *cut = plots_limits_words(s);
+	if (notes)
+		chart_note(chart, "limits%s%s: %s",
+		    cut[0] != '\0' ? tr(" of the fraction ") : "", cut,
+		    spec->source[0] != '\0' ? spec->source : spec->name);
+	free(cut);
+}
+
+bool
+plots_limits_fraction(const struct session *s, const struct entry *entry,
+    const struct prediction *whole, struct prediction *part)
+{
+	struct fraction fraction = fraction_of(s->spec);
+	if (!fraction_screens(&fraction))
+		return false;
+	/* With the cut's own sizes, so that the curve ends there. */
+	const double cut[] = {fraction.fine, fraction.coarse};
+	const struct psd *feed = &entry->site->run[whole->feed_run].feed;
+	const struct psd *sieves = &whole->product;
+	struct psd all = psd_new(sieves->n + ARRAY_LEN(cut));
+	all.n = sieves->n;
+	memcpy(all.size, sieves->size, sieves->n * sizeof *sieves->size);
+	for (size_t i = 0; i < ARRAY_LEN(cut); i++)
+		if (cut[i] > 0 && psd_covers(feed, cut[i]) &&
+		    cut[i] < sieves->size[0])
+			all.size[all.n++] = cut[i];
+	all.n = psd_sort(all.size, all.n, 0);
+	/* As it is drawn the curve of the whole tells enough; a response of its
+	 * own would take longer than all else in a step of the slider. */
+	struct psd curve = screened_measured(&whole->curve, &fraction);
+	for (size_t i = 0; i < all.n; i++)
+		all.passing[i] = psd_passing(&curve, all.size[i]);
+	psd_free(&curve);
+	*part = (struct prediction){.product = all};
+	return true;
+}

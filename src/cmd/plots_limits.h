@@ -1,0 +1,26 @@
+/* The grading envelope in use, in a plot of size distributions.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_PLOTS_LIMITS_H
+#define TIPSPEED_CMD_PLOTS_LIMITS_H
+
+#include "cmd/session.h"
+#include "core/predict.h"
+#include "plot/chart.h"
+
+/* Looks of the upper and the lower limits. */
+extern const struct chart_series PLOTS_LIMITS[2];
+
+/* Adds the limits on sieves within the axis, behind what is added later, and
+ * for people what they are; nothing where no envelope is chosen. */
+void plots_limits_add(struct chart *chart, const struct session *s, bool notes);
+
+/* The product of the fraction that the envelope in use is for, read off the
+ * prediction's curve, and nothing else of it; prediction_free.  False where it
+ * is for the product as it is. */
+bool plots_limits_fraction(const struct session *s, const struct entry *entry,
+    const struct prediction *whole, struct prediction *part);
+
+/* "0/4.75"; "" where there is none.  The caller frees. */
+char *plots_limits_words(const struct session *s);
+
+#endif

@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/plots_past.h"
+
+#include <math.h>
+#include <string.h>
+
+bool
+plots_past_runs(const struct session *s)
+{
+	return s->job.calibration != NULL && s->job.fits &&
+	       s->job.entry == s->current;
+}
+
+static void
+take_running(struct plots_past *past, const struct session *s)
+{
+	const struct job *job = &s->job;
+	struct calibrate_status st = calibration_status(job->calibration);
+	past->generation = calibration_history(job->calibration, &past->n);
+	past->bounds = calibration_bounds(job->calibration);
+	past->site = s->entry[s->current].site;
+	past->train = job->train;
+	past->settings = job->options.settings;
+	past->weight = calibration_weight(job->calibration);
+	past->misfit = st.best;
+	past->best = st.params;
+	past->polished = st.state != CALIBRATE_SEARCHING;
+}
+
+struct plots_past
+plots_past(const struct session *s)
+{
+	struct plots_past past = {0};
+	const struct history *h = s->entry[s->current].history;
+	if (plots_past_runs(s)) {
+		take_running(&past, s);
+	} else if (h != NULL) {
+		past = (struct plots_past){h->n, h->generation, &h->bounds,
+		    h->site, h->train, h->fit.settings, h->weight,
+		    h->fit.misfit, h->fit.params, true};
+	}
+	if (past.n == 0 || !past.polished)
+		return past;
+	struct params last = past.generation[past.n - 1].params;
+	params_scale(&last);
+	past.polished = memcmp(&last, &past.best, sizeof last) != 0;
+	return past;
+}
+
+size_t
+plots_past_at(const struct session *s, const struct plots_past *past,
+    size_t generation, struct error *error)
+{
+	if (past->n == 0)
+		error_set(error, ERROR_USAGE,
+		    "%s has not been calibrated in this session\n"
+		    "run 'calibrate' first",
+		    s->entry[s->current].site->name);
+	else if (generation <= past->n)
+		return generation > 0 ? generation - 1 : past->n - 1;
+	else
+		error_set(error, ERROR_USAGE,
+		    "there is no generation %zu, only %zu", generation,
+		    past->n);
+	return past->n;
+}
+
+struct params
+plots_past_best(const struct plots_past *past, size_t generation)
+{
+	return generation > 0 ? past->generation[generation - 1].params
+			      : past->best;
+}
+
+double
+plots_past_points(const struct plots_past *past, double misfit)
+{
+	bool good = isfinite(misfit) && misfit > 0 && past->weight > 0;
+	return good ? 100 * sqrt(misfit / past->weight) : NAN;
+}

@@ -1,0 +1,400 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/plots_response.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/conditions.h"
+#include "cmd/light.h"
+#include "cmd/outlook.h"
+#include "cmd/quantities.h"
+#include "cmd/screened.h"
+#include "cmd/site_chart.h"
+#include "core/predict.h"
+#include "io/units.h"
+
+/* The quantities drawn [n] with the limits on them, and their values at speeds
+ * [POINTS]: of the answer, and the ends of the band, NAN without. */
+enum { POINTS = 81, MOST = 12 };
+struct drawn {
+	size_t n, feed;
+	struct quantity q[MOST];
+	struct condition_list limits;
+	double from, to;
+	double (*value)[3]; /* [n * POINTS] */
+};
+
+static const struct partition IDEAL = {0, 1};
+
+/* Sieves whose passings are well apart at a speed: those nearest to 80, 50 and
+ * 20 %, and the finest one. */
+static void
+take_usual(struct session *s, struct drawn *d)
+{
+	static const double WANTED[] = {0.8, 0.5, 0.2, 0};
+	const struct entry *entry = session_entry(s);
+	struct prediction p =
+	    outlook_predict(s, entry, answers_middle(entry->site), d->feed);
+	const struct psd *product = &p.product;
+	for (size_t k = 0; k < ARRAY_LEN(WANTED); k++) {
+		size_t best = 0;
+		for (size_t i = 1; i < product->n; i++)
+			if (fabs(product->passing[i] - WANTED[k]) <
+			    fabs(product->passing[best] - WANTED[k]))
+				best = i;
+		struct quantity q = {
+		    .kind = QUANTITY_PASSING, .x = product->size[best]};
+		if (d->n == 0 || d->q[d->n - 1].x > q.x)
+			d->q[d->n++] = q;
+	}
+	prediction_free(&p);
+}
+
+static bool
+same_quantity(const struct quantity *a, const struct quantity *b)
+{
+	char *one = quantities_key(a), *two = quantities_key(b);
+	bool same = strcmp(one, two) == 0;
+	free(one);
+	free(two);
+	return same;
+}
+
+/* One that is there already is not drawn twice.  False where there are too
+ * many. */
+static bool
+take(struct drawn *d, const struct quantity *q)
+{
+	for (size_t i = 0; i < d->n; i++)
+		if (same_quantity(&d->q[i], q))
+			return true;
+	if (d->n == MOST)
+		return false;
+	d->q[d->n++] = *q;
+	return true;
+}
+
+static bool
+too_many(struct error *error)
+{
+	return error_set(error, ERROR_USAGE,
+	    "more than %d quantities are too many to draw\n"
+	    "choose some by of=",
+	    MOST);
+}
+
+/* What is asked for, each covered by the feed. */
+static bool
+read_drawn(struct session *s, const char *of_words, const char *limits,
+    struct drawn *d, struct error *error)
+{
+	const struct psd *feed = &session_entry(s)->site->run[d->feed].feed;
+	const struct fraction whole = {.partition = IDEAL};
+	size_t n = 0;
+	if (limits != NULL &&
+	    !conditions_read_list(limits, &whole, &d->limits, error))
+		return false;
+	for (size_t i = 0; i < d->limits.n; i++)
+		if (!conditions_covered(&d->limits.at[i], feed, error))
+			return false;
+	struct quantity *of = of_words != NULL
+				  ? quantities_list(of_words, &IDEAL, &n, error)
+				  : NULL;
+	if (of_words != NULL && of == NULL)
+		return false;
+	bool ok = true;
+	for (size_t i = 0; i < n && ok; i++)
+		ok = quantities_covered(&of[i], feed, error) &&
+		     (take(d, &of[i]) || too_many(error));
+	free(of);
+	for (size_t i = 0; i < d->limits.n && ok; i++)
+		ok = take(d, &d->limits.at[i].quantity) || too_many(error);
+	if (ok && d->n == 0)
+		take_usual(s, d);
+	return ok;
+}
+
+static double
+speed_at(const struct drawn *d, size_t k)
+{
+	return d->from + (d->to - d->from) * (double)k / (POINTS - 1);
+}
+
+/* Values as people see them. */
+static void
+look(struct session *s, struct drawn *d)
+{
+	const struct entry *entry = session_entry(s);
+	struct response *r =
+	    outlook_response(s, entry, &entry->params, d->feed, d->q, d->n);
+	d->value = xcalloc(d->n * POINTS, sizeof *d->value);
+	for (size_t k = 0; k < POINTS; k++) {
+		response_at(r, speed_at(d, k));
+		for (size_t i = 0; i < d->n; i++) {
+			double *value = d->value[i * POINTS + k];
+			value[0] = response_value(r, i);
+			response_band(r, i, settings_level(&s->set), value + 1);
+			for (size_t j = 0; j < 3; j++)
+				value[j] = quantities_shown(&d->q[i], value[j]);
+		}
+	}
+	response_free(r);
+}
+
+/* The looks of a quantity: colours in turn, which no run has; lines that
+ * differ without colour. */
+static struct chart_series
+line_look(size_t i)
+{
+	static const enum chart_line LINES[] = {
+	    CHART_SOLID, CHART_DASHED, CHART_LONG};
+	struct chart_series look = site_chart_look(i);
+	look.line = LINES[i % ARRAY_LEN(LINES)];
+	look.mark = 0;
+	return look;
+}
+
+static void
+add_line(struct chart *chart, const struct drawn *d, size_t i)
+{
+	const double(*value)[3] = (const double(*)[3])(d->value + i * POINTS);
+	char *name = quantities_words(&d->q[i]);
+	struct chart_series *line =
+	    chart_add(chart, line_look(i), POINTS, "%s", name);
+	free(name);
+	bool band = isfinite(value[0][1]) || isfinite(value[POINTS - 1][1]);
+	if (band)
+		chart_add_band(line);
+	for (size_t k = 0; k < POINTS; k++) {
+		line->x[k] = speed_at(d, k);
+		line->y[k] = value[k][0];
+		if (!band)
+			continue;
+		line->low[k] = isnan(value[k][1]) ? value[k][0] : value[k][1];
+		line->high[k] = isnan(value[k][2]) ? value[k][0] : value[k][2];
+	}
+}
+
+static void
+add_measured(struct chart *chart, const struct site *site,
+    const struct drawn *d, size_t i)
+{
+	const struct quantity *q = &d->q[i];
+	struct chart_series look = site_chart_look(i);
+	look.line = CHART_MARKS;
+	if (site_products(site) == 0)
+		return;
+	char *name = quantities_words(q);
+	struct chart_series *points =
+	    chart_add(chart, look, site->n_run, "measured %s", name);
+	free(name);
+	points->n = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct psd *product = &site->run[r].product;
+		double value =
+		    product->n > 0 ? screened_value(product, q) : NAN;
+		if (isnan(value))
+			continue;
+		points->x[points->n] = site->run[r].speed;
+		points->y[points->n++] = quantities_shown(q, value);
+	}
+}
+
+/* Level lines at the limits on a quantity. */
+static void
+add_limits(struct chart *chart, const struct drawn *d, size_t i)
+{
+	struct chart_series look = site_chart_look(i);
+	look.line = CHART_DOTTED;
+	look.ascii = '.';
+	look.mark = 0;
+	for (size_t k = 0; k < 2 * d->limits.n; k++) {
+		const struct condition *c = &d->limits.at[k / 2];
+		double limit = k % 2 == 0 ? c->least : c->most;
+		if (!same_quantity(&c->quantity, &d->q[i]) || isnan(limit))
+			continue;
+		char *words = conditions_limit(
+		    &d->limits, (struct window_limit){k / 2, k % 2 == 1});
+		struct chart_series *line =
+		    chart_add(chart, look, 2, "%s", words);
+		free(words);
+		for (size_t end = 0; end < 2; end++) {
+			line->x[end] = end == 0 ? d->from : d->to;
+			line->y[end] = quantities_shown(&c->quantity, limit);
+		}
+	}
+}
+
+/* A round axis that holds all of the chart. */
+static struct axis
+around(const struct chart *chart, const char *title)
+{
+	double low = INFINITY, high = -INFINITY;
+	for (size_t i = 0; i < chart->n; i++)
+		for (size_t k = 0; k < chart->series[i].n; k++) {
+			const struct chart_series *s = &chart->series[i];
+			if (isnan(s->y[k]))
+				continue;
+			low = fmin(low, s->low ? s->low[k] : s->y[k]);
+			high = fmax(high, s->low ? s->high[k] : s->y[k]);
+		}
+	return isfinite(low) ? axis_linear(title, low, high)
+			     : axis_linear(title, 0, 1);
+}
+
+/* The speeds that were measured. */
+static void
+add_reach(struct chart *chart, const struct entry *entry)
+{
+	double slowest, fastest;
+	if (!origin_reach(entry, &slowest, &fastest))
+		return;
+	char *words = answers_reach(entry, slowest, fastest);
+	chart_add_rule(chart, SERIES_BREAK, slowest, "%s", words);
+	free(words);
+	if (fastest > slowest)
+		chart_add_rule(
+		    chart, SERIES_BREAK, fastest, "to %g m/s", fastest);
+}
+
+/* Where all conditions hold, and the best speed. */
+static void
+add_window(
+    struct chart *chart, const struct drawn *d, const struct window_found *w)
+{
+	for (size_t k = 0; k < w->n_inside; k++) {
+		const struct window_range *in = &w->inside[k];
+		chart_add_rule(chart, SERIES_OTHER, in->from,
+		    "limits met from %.1f m/s", in->from);
+		chart_add_rule(
+		    chart, SERIES_OTHER, in->to, "to %.1f m/s", in->to);
+	}
+	if (d->limits.n > 0 && isfinite(w->margin))
+		chart_add_rule(chart, SERIES_CROSSHAIR, w->best, "%s %.1f m/s",
+		    w->n_inside > 0 ? tr("best") : tr("nearest"), w->best);
+}
+
+static void
+note_window(
+    struct chart *chart, const struct session *s, const struct window_found *w)
+{
+	double range[2], level = 100 * settings_level(&s->set);
+	window_certain(w, level / 100, range);
+	if (w->n_inside == 0)
+		chart_note(chart, "at no speed are all limits met");
+	if (isnan(w->best_certain))
+		return;
+	if (isfinite(range[0]))
+		chart_note(chart,
+		    "all limits met with %.0f %% certainty from %.1f to %.1f "
+		    "m/s",
+		    level, range[0], range[1]);
+	else
+		chart_note(chart,
+		    "at no speed are all limits met with %.0f %% certainty",
+		    level);
+}
+
+/* The chart of the quantities of one unit, or NULL where there are none. */
+static struct chart *
+unit_chart(struct session *s, const struct drawn *d, const char *unit)
+{
+	static const struct {
+		const char *unit, *title, *about;
+	} TITLES[] = {{"%", N_("share, %"), N_("shares")},
+	    {"mm", N_("size, mm"), N_("sizes")}};
+	const char *title = tr("value, -"), *about = tr("single figures");
+	const struct site *site = session_entry(s)->site;
+	size_t n = 0;
+	for (size_t i = 0; i < d->n; i++)
+		n += strcmp(quantities_unit(&d->q[i]), unit) == 0;
+	if (n == 0)
+		return NULL;
+	for (size_t i = 0; i < ARRAY_LEN(TITLES); i++)
+		if (strcmp(TITLES[i].unit, unit) == 0) {
+			title = tr(TITLES[i].title);
+			about = tr(TITLES[i].about);
+		}
+	struct chart *chart =
+	    site_chart(site, axis_linear(tr("tip speed, m/s"), d->from, d->to),
+		(struct axis){0}, "%s against tip speed", about);
+	for (size_t i = 0; i < d->n; i++)
+		if (strcmp(quantities_unit(&d->q[i]), unit) == 0) {
+			add_line(chart, d, i);
+			add_measured(chart, site, d, i);
+			add_limits(chart, d, i);
+		}
+	chart->y = around(chart, title);
+	add_reach(chart, session_entry(s));
+	return chart;
+}
+
+static struct chart *
+make_charts(struct session *s, const struct drawn *d)
+{
+	static const char *const UNITS[] = {"%", "mm", ""};
+	const struct entry *entry = session_entry(s);
+	struct chart *first = NULL, **next = &first, *last = NULL;
+	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++) {
+		*next = unit_chart(s, d, UNITS[i]);
+		if (*next != NULL) {
+			last = *next;
+			next = &last->below;
+		}
+	}
+	if (d->limits.n > 0) {
+		struct wanted wanted =
+		    conditions_ask(s, entry, d->feed, &d->limits, NULL);
+		wanted.from = d->from;
+		wanted.to = d->to;
+		struct window_found w = window_find(&wanted);
+		for (struct chart *c = first; c != NULL; c = c->below)
+			add_window(c, d, &w);
+		note_window(last, s, &w);
+		window_free(&w);
+		response_free(wanted.response);
+	}
+	double sampled = entry->site->run[d->feed].speed;
+	if (entry->site->individual_feeds && sampled != SITE_OTHER_FEED)
+		chart_note(last,
+		    "lines: the feed sampled at %g m/s; what was measured is "
+		    "of feeds of its own",
+		    sampled);
+	if (first->series[0].low != NULL)
+		chart_note(last, "shaded: %.0f %% uncertainty band",
+		    100 * settings_level(&s->set));
+	else
+		chart_note(last, "%s", outlook_why_none(s, entry));
+	/* Lines reach where nothing was measured, which add_reach tells: the
+	 * light is that of the middle, where it is as good as it gets. */
+	char *light = light_at(s, entry, answers_middle(entry->site), d->feed);
+	chart_note(last, "%s", light);
+	free(light);
+	return first;
+}
+
+struct chart *
+plots_response(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	double middle = answers_middle(entry->site);
+	struct drawn d = {0};
+	struct chart *chart = NULL;
+	if (!answers_known(s, entry, error))
+		return NULL;
+	d.feed = site_run_nearest(
+	    entry->site, q->feed_speed > 0 ? q->feed_speed : middle);
+	site_reach(entry->site, &d.from, &d.to);
+	if (read_drawn(s, q->of, q->limits, &d, error)) {
+		look(s, &d);
+		chart = make_charts(s, &d);
+	}
+	free(d.value);
+	conditions_free(&d.limits);
+	return chart;
+}

@@ -1,0 +1,389 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/plots_search.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include <gsl/gsl_sort_double.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/outlook.h"
+#include "cmd/site_chart.h"
+#include "core/breakage.h"
+#include "core/candidates.h"
+#include "core/sensitivity.h"
+#include "io/units.h"
+
+static struct candidates
+candidates_at(
+    const struct session *s, const struct plots_past *past, size_t generation)
+{
+	size_t at = generation > 0 ? generation : past->n;
+	struct params best = plots_past_best(past, generation);
+	return candidates_of(past->site, past->train, past->settings, s->isa,
+	    &past->generation[at - 1], &best);
+}
+
+/* How far one sample's passing near 50 % is from another's, points; assumed
+ * where nobody stated it. */
+static double
+noise_of(const struct session *s, bool *assumed)
+{
+	*assumed = !(s->set.noise > 0);
+	return *assumed ? units_pct(HYPER[HYPER_OWN].median) : s->set.noise;
+}
+
+static void
+add_noise(struct chart *chart, const struct session *s)
+{
+	bool assumed;
+	double noise = noise_of(s, &assumed);
+	struct chart_series *stripe = chart_add(chart,
+	    (struct chart_series){
+		.series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'},
+	    2,
+	    assumed ? N_("noise %.2g points (assumed)")
+		    : N_("noise %.2g points"),
+	    noise);
+	chart_add_band(stripe);
+	for (size_t i = 0; i < 2; i++) {
+		stripe->x[i] = i == 0 ? chart->x.low : chart->x.high;
+		stripe->low[i] = -noise;
+		stripe->high[i] = noise;
+	}
+}
+
+/* The cells of a run: from, and how many. */
+static size_t
+cells_of_run(const struct candidates *c, size_t from)
+{
+	size_t n = 0;
+	while (from + n < c->n && c->cell[from + n].run == c->cell[from].run)
+		n++;
+	return n;
+}
+
+struct chart_series
+plots_search_look(const struct site *site, size_t run, size_t nth)
+{
+	struct chart_series look = site_chart_look(nth);
+	look.series = site_chart_run(site, run, false).series;
+	return look;
+}
+
+/* nth of `runs`, side by side. */
+static void
+add_run(struct chart *chart, const struct candidates *c,
+    const struct site *site, size_t from, size_t nth, size_t runs)
+{
+	static const enum chart_line LINES[] = {
+	    CHART_LONG, CHART_SOLID, CHART_DOTTED};
+	static const char ASCII[] = "#|:";
+	size_t n = cells_of_run(c, from), kind = nth % ARRAY_LEN(LINES);
+	const struct run *run = &site->run[c->cell[from].run];
+	struct chart_series look =
+	    plots_search_look(site, c->cell[from].run, nth);
+	look.beside = (int)nth - (int)(runs - 1) / 2;
+	char mark = look.mark;
+	look.mark = 0;
+	look.bars = true;
+	look.line = LINES[kind];
+	look.ascii = ASCII[kind];
+	struct chart_series *bars = chart_add(
+	    chart, look, n, "%g m/s%s: middle 80 %%", run->speed, run->repeat);
+	chart_add_band(bars);
+	for (size_t i = 0; i < n; i++) {
+		bars->x[i] = units_mm(c->cell[from + i].size);
+		bars->y[i] = units_pct(c->cell[from + i].median);
+		bars->low[i] = units_pct(c->cell[from + i].p10);
+		bars->high[i] = units_pct(c->cell[from + i].p90);
+	}
+	look.mark = mark;
+	look.bars = false;
+	look.line = CHART_MARKS;
+	look.series = SERIES_PREDICTED;
+	look.lifted = true;
+	struct chart_series *best = chart_add(
+	    chart, look, n, "%g m/s%s: best", run->speed, run->repeat);
+	for (size_t i = 0; i < n; i++) {
+		best->x[i] = units_mm(c->cell[from + i].size);
+		best->y[i] = units_pct(c->cell[from + i].best);
+	}
+}
+
+static struct axis
+sieves_of(const struct candidates *c)
+{
+	const double margin = 1.1;
+	double *size = xdoubles(c->n);
+	for (size_t k = 0; k < c->n; k++)
+		size[k] = units_mm(c->cell[k].size);
+	struct axis axis = axis_sieves(tr("size, mm"), size, c->n);
+	/* Room for what is drawn beside the last one. */
+	axis.low /= margin;
+	axis.high *= margin;
+	free(size);
+	return axis;
+}
+
+struct chart *
+plots_search(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	const double straight = 0.1, most = 100;
+	struct plots_past past = plots_past(s);
+	size_t at = plots_past_at(s, &past, q->generation, error), runs = 0;
+	if (at == past.n)
+		return NULL;
+	struct candidates c = candidates_at(s, &past, q->generation);
+	struct chart *chart = site_chart(past.site, sieves_of(&c),
+	    axis_symlog(tr("candidate minus measured, points"), straight, most),
+	    "generation %zu of %zu%s", at + 1, past.n,
+	    q->generation == 0 && past.polished ? tr(", polished") : "");
+	add_noise(chart, s);
+	for (size_t k = 0; k < c.n; k += cells_of_run(&c, k))
+		runs++;
+	for (size_t k = 0, nth = 0; k < c.n; k += cells_of_run(&c, k), nth++)
+		add_run(chart, &c, past.site, k, nth, runs);
+	char *words = plots_search_words(s, &past, q->generation);
+	chart_note(chart, "%s", words);
+	free(words);
+	candidates_clear(&c);
+	return chart;
+}
+
+/* Fixed over the whole search, and over most searches. */
+static struct axis
+points_axis(const struct plots_past *past)
+{
+	double low = 0.1, high = 30;
+	for (size_t i = 0; i < past->n; i++) {
+		const struct calibrate_generation *g = &past->generation[i];
+		low = fmin(low, plots_past_points(past, g->best));
+		high = fmax(high, plots_past_points(past, g->median));
+	}
+	low = fmin(low, plots_past_points(past, past->misfit));
+	return axis_log(tr("difference, points RMS"), low, high);
+}
+
+struct chart *
+plots_search_convergence(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	struct plots_past past = plots_past(s);
+	size_t at = plots_past_at(s, &past, q->generation, error);
+	if (at == past.n)
+		return NULL;
+	struct chart *chart = site_chart(past.site,
+	    axis_linear(tr("generation"), 1, (double)past.n),
+	    points_axis(&past), "the search, %zu generations", past.n);
+	chart_add(chart,
+	    (struct chart_series){
+		.series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'},
+	    past.n, N_("median candidate"));
+	chart_add(chart,
+	    (struct chart_series){
+		.series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'},
+	    past.n, N_("best"));
+	struct chart_series *median = &chart->series[0], *best = median + 1;
+	for (size_t i = 0; i < past.n; i++) {
+		const struct calibrate_generation *g = &past.generation[i];
+		median->x[i] = best->x[i] = (double)(i + 1);
+		median->y[i] = plots_past_points(&past, g->median);
+		best->y[i] = plots_past_points(&past, g->best);
+	}
+	if (past.polished) {
+		struct chart_series *end = chart_add(chart,
+		    (struct chart_series){
+			.series = SERIES_PREDICTED, .mark = '*'},
+		    1, N_("polished"));
+		end->x[0] = (double)past.n;
+		end->y[0] = plots_past_points(&past, past.misfit);
+	}
+	if (q->generation > 0)
+		chart_add_rule(chart, SERIES_CROSSHAIR, (double)q->generation,
+		    "generation %zu", q->generation);
+	return chart;
+}
+
+/* What the calibration that the parameters are from knows of it now, once it
+ * is over. */
+static void
+add_drawn(struct session *s, const char *name, struct plots_strip *strip)
+{
+	const struct entry *entry = session_entry(s);
+	bool over = !session_busy(s) && entry->has_fit &&
+		    entry->origin != NULL &&
+		    entry->origin->spread == entry->history;
+	const struct posterior *p = over ? outlook_draws(s, entry) : NULL;
+	double value[POSTERIOR_DRAWS];
+	if (p == NULL)
+		return;
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
+		value[d] = params_value(&p->draw[d].params, name);
+	gsl_sort(value, 1, POSTERIOR_DRAWS);
+	strip->drawn[0] = value[POSTERIOR_DRAWS / 10];
+	strip->drawn[1] = value[POSTERIOR_DRAWS - 1 - POSTERIOR_DRAWS / 10];
+}
+
+struct plots_strip
+plots_search_strip(struct session *s, const struct plots_past *past,
+    size_t generation, size_t j)
+{
+	const double outer = 0.05;
+	size_t at = generation > 0 ? generation : past->n;
+	const struct calibrate_generation *g = &past->generation[at - 1];
+	const struct breakage *of = breakage_of(&g->params);
+	struct params best = plots_past_best(past, generation);
+	struct plots_strip strip = {.lower = past->bounds->lower[j],
+	    .upper = past->bounds->upper[j],
+	    .p10 = g->p10[j],
+	    .p90 = g->p90[j],
+	    .drawn = {NAN, NAN},
+	    .at_bound = sensitivity_on_bound(past->bounds, &best, j)};
+	double range = strip.upper - strip.lower;
+	strip.fixed = !(range > 0);
+	params_scale(&best);
+	strip.best = best.at[j];
+	if (j < of->gauge && !strip.fixed) {
+		candidates_spread(g, j, &strip.p10, &strip.p90);
+		strip.lower = -1;
+		strip.upper = 1;
+	} else
+		strip.near = !strip.fixed &&
+			     (strip.best - strip.lower < outer * range ||
+				 strip.upper - strip.best < outer * range);
+	if (generation == 0)
+		add_drawn(s, of->parameter[j].name, &strip);
+	return strip;
+}
+
+/* One row for each parameter, the first on top, half a row within the ends; not
+ * quite half, lest rounding put two into one row of cells. */
+static struct axis
+parameter_axis(const struct breakage *of)
+{
+	const double margin = 0.45;
+	struct axis axis = {.title = xstrdup("parameter"),
+	    .low = margin,
+	    .high = (double)of->n + margin};
+	for (size_t j = 0; j < of->n; j++)
+		axis_add(&axis, (double)(of->n - j), of->parameter[j].name, 0);
+	return axis;
+}
+
+/* Where a value lies within its bounds, %; NAN of a parameter held fixed. */
+static double
+share_of(const struct plots_strip *strip, double value)
+{
+	double range = strip->upper - strip->lower;
+	return strip->fixed ? NAN : 100 * (value - strip->lower) / range;
+}
+
+struct chart *
+plots_search_spread(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	struct plots_past past = plots_past(s);
+	size_t at = plots_past_at(s, &past, q->generation, error);
+	if (at == past.n)
+		return NULL;
+	const struct breakage *of = breakage_of(&past.generation[at].params);
+	struct chart *chart = site_chart(past.site,
+	    axis_linear(tr("position between the bounds, %"), 0, 100),
+	    parameter_axis(of), "candidates of generation %zu", at + 1);
+	/* Two ends and a lift of the pen. */
+	chart_add(chart,
+	    (struct chart_series){
+		.series = SERIES_FEED, .line = CHART_SOLID, .ascii = '='},
+	    3 * of->n, N_("middle 80 %%"));
+	chart_add(chart,
+	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'},
+	    of->n,
+	    q->generation == 0 && past.polished ? N_("polished") : N_("best"));
+	struct chart_series *spread = &chart->series[0], *best = spread + 1;
+	for (size_t j = 0; j < of->n; j++) {
+		struct plots_strip strip =
+		    plots_search_strip(s, &past, q->generation, j);
+		double row = strip.fixed ? NAN : (double)(of->n - j);
+		double end[3] = {share_of(&strip, strip.p10),
+		    share_of(&strip, strip.p90), NAN};
+		for (size_t k = 0; k < 3; k++) {
+			spread->x[3 * j + k] = k < 2 ? end[k] : 0;
+			spread->y[3 * j + k] = k < 2 ? row : NAN;
+		}
+		best->x[j] = share_of(&strip, strip.best);
+		best->y[j] = row;
+	}
+	chart_note(chart,
+	    "of beta only the ratios count: each over the largest "
+	    "of its candidate, from -1 to 1");
+	return chart;
+}
+
+/* "most candidates still miss 4 mm by 5.2 points at 69 m/s"; once half of them
+ * agree on the break size, that. */
+static char *
+search_words(
+    const struct session *s, const struct plots_past *past, size_t generation)
+{
+	const double agreed = 1.1;
+	bool assumed;
+	double noise = noise_of(s, &assumed);
+	struct candidates c = candidates_at(s, past, generation);
+	const struct candidates_cell *worst = candidates_worst(&c);
+	double miss = units_pct(fabs(worst->median));
+	const double *x = c.break_size;
+	char *words;
+	if (x[2] < agreed * x[0] && x[0] > 0)
+		words = xasprintf(tr("half of the candidates agree on a break "
+				     "size of %.*f mm at %g m/s"),
+		    x[1] < 0.001 ? 2 : 1, units_mm(x[1]), c.speed);
+	else if (miss > noise)
+		words =
+		    xasprintf(tr("most candidates still miss %.3g mm by %.*f "
+				 "points at %g m/s"),
+			units_mm(worst->size), miss < 9.95 ? 1 : 0, miss,
+			past->site->run[worst->run].speed);
+	else
+		words = xasprintf(
+		    tr("most candidates meet all sieves within %.2g "
+		       "points, with break sizes from %.2f to %.2f "
+		       "mm at %g m/s"),
+		    fmax(miss, 0.01), units_mm(x[0]), units_mm(x[2]), c.speed);
+	candidates_clear(&c);
+	return words;
+}
+
+static char *
+polish_words(const struct session *s, double points)
+{
+	struct calibrate_status st = calibration_status(s->job.calibration);
+	if (st.starts_done < st.starts)
+		return xasprintf(
+		    tr("polishing: start %zu of %zu, %.2f points RMS"),
+		    st.starts_done + 1, st.starts, points);
+	return xasprintf(tr("polishing: %zu of %zu trials without a gain, %.2f "
+			    "points RMS"),
+	    st.trials, st.trials_most, points);
+}
+
+char *
+plots_search_words(
+    struct session *s, const struct plots_past *past, size_t generation)
+{
+	double points = plots_past_points(past, past->misfit);
+	bool runs = generation == 0 && plots_past_runs(s);
+	enum calibrate_state state =
+	    runs ? calibration_status(s->job.calibration).state
+		 : CALIBRATE_SEARCHING;
+	if (state == CALIBRATE_POLISHING)
+		return polish_words(s, points);
+	if (session_busy(s) && state >= CALIBRATE_TOLERANCE)
+		return xstrdup(tr("posterior: drawing the parameters that the "
+				  "data allow"));
+	if (generation == 0 && past->polished && !plots_past_runs(s))
+		return xasprintf(tr("polished: %.2f points RMS"), points);
+	return search_words(s, past, generation);
+}

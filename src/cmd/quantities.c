@@ -1,0 +1,379 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/quantities.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "io/units.h"
+
+/* The size for fines, m. */
+#define FINES 0.000063
+
+static bool
+expected(const char *text, struct error *error)
+{
+	return error_set(error, ERROR_USAGE,
+	    "expected a quantity, got '%s'\n"
+	    "write one of: passing 2, P80, D10, fm EN, cu, cc, fines, 0/2; and "
+	    "of a fraction: passing 0.5 of 0/4",
+	    text);
+}
+
+/* A size in mm, which "mm" may follow, as m. */
+static bool
+read_size(const char *text, double *m)
+{
+	char *word = xstrdup(text);
+	double mm;
+	if (text_ends(word, "mm"))
+		word[strlen(word) - 2] = '\0';
+	bool ok =
+	    text_number(word, &mm) && mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM;
+	free(word);
+	if (ok)
+		*m = mm / 1000;
+	return ok;
+}
+
+bool
+quantities_fraction(
+    const char *text, struct fraction *fraction, struct error *error)
+{
+	const char *slash = strchr(text, '/');
+	double coarse = 0, fine = 0;
+	if (slash != NULL) {
+		char *lower = xstrndup(text, (size_t)(slash - text));
+		bool zero = text_number(lower, &fine) && fine == 0;
+		if (!zero && !read_size(lower, &fine))
+			slash = NULL;
+		free(lower);
+	}
+	if (slash == NULL || !read_size(slash + 1, &coarse) || fine >= coarse)
+		return error_set(error, ERROR_USAGE,
+		    "expected a fraction in mm, finer/coarser, got '%s'\n"
+		    "write one such as 0/4 or 4/8",
+		    text);
+	fraction->fine = fine;
+	fraction->coarse = coarse;
+	return true;
+}
+
+static bool
+read_modulus(const char *name, struct quantity *q, struct error *error)
+{
+	q->kind = QUANTITY_MODULUS;
+	for (size_t i = 0; i < MODULI; i++)
+		if (name[0] == '\0' || text_same(name, MODULUS[i].name)) {
+			q->modulus = &MODULUS[i];
+			return true;
+		}
+	return error_set(error, ERROR_USAGE,
+	    "expected the standard of a fineness modulus, got '%s'\n"
+	    "write fm EN, fm ASTM, fm IS, fm DIN or fm GB",
+	    name);
+}
+
+/* What follows a word at the start, without the blanks between; NULL where
+ * the text begins with another word. */
+static const char *
+after(const char *text, const char *word)
+{
+	size_t n = strlen(word);
+	if (strncasecmp(text, word, n) != 0)
+		return NULL;
+	return text + n + strspn(text + n, " _-");
+}
+
+static bool
+read_kind(const char *text, struct quantity *q, struct error *error)
+{
+	const char *rest;
+	double percent;
+	if (strcasecmp(text, "fines") == 0) {
+		q->kind = QUANTITY_PASSING;
+		q->x = FINES;
+	} else if ((rest = after(text, "passing")) != NULL) {
+		q->kind = QUANTITY_PASSING;
+		if (!read_size(rest, &q->x))
+			return expected(text, error);
+	} else if ((rest = after(text, "fm")) != NULL) {
+		return read_modulus(rest, q, error);
+	} else if (strcasecmp(text, "cu") == 0) {
+		q->kind = QUANTITY_UNIFORMITY;
+	} else if (strcasecmp(text, "cc") == 0) {
+		q->kind = QUANTITY_CURVATURE;
+	} else if (strchr(text, '/') != NULL) {
+		rest = after(text, "share");
+		q->kind = QUANTITY_SHARE;
+		return quantities_fraction(
+		    rest != NULL ? rest : text, &q->fraction, error);
+	} else if (strchr("PpDd", text[0]) != NULL &&
+		   text_number(text + (text[0] != '\0'), &percent) &&
+		   percent > 0 && percent < 100) {
+		q->kind = QUANTITY_SIZE;
+		q->x = percent / 100;
+	} else {
+		return expected(text, error);
+	}
+	return true;
+}
+
+bool
+quantities_read(const char *text, const struct partition *partition,
+    struct quantity *q, struct error *error)
+{
+	char *copy = xstrdup(text), *word = text_trim(copy);
+	char *of = strstr(word, " of ");
+	bool ok = true;
+	*q = (struct quantity){.kind = QUANTITY_SHARE};
+	if (of != NULL) {
+		*of = '\0';
+		ok =
+		    quantities_fraction(text_trim(of + 4), &q->fraction, error);
+	}
+	ok = ok && read_kind(text_trim(word), q, error);
+	if (ok && of != NULL && q->kind == QUANTITY_SHARE)
+		ok = expected(text, error);
+	q->fraction.partition = *partition;
+	free(copy);
+	return ok;
+}
+
+bool
+quantities_begins(const char *text)
+{
+	static const struct partition SHARP = {0, 1};
+	struct quantity q;
+	struct error error = {0};
+	char *word = xstrndup(text, strcspn(text, " \t<>="));
+	bool ok = strcasecmp(word, "passing") == 0 ||
+		  strcasecmp(word, "share") == 0 ||
+		  quantities_read(word, &SHARP, &q, &error);
+	free(word);
+	return ok;
+}
+
+struct quantity *
+quantities_list(const char *text, const struct partition *partition, size_t *n,
+    struct error *error)
+{
+	struct quantity *list = xcalloc(strlen(text) + 1, sizeof *list);
+	*n = 0;
+	for (const char *at = text; *at != '\0';) {
+		size_t length = strcspn(at, ",;");
+		char *word = xstrndup(at, length);
+		bool ok = quantities_read(word, partition, &list[*n], error);
+		free(word);
+		if (!ok) {
+			free(list);
+			return NULL;
+		}
+		++*n;
+		at += length + (at[length] != '\0');
+	}
+	return list;
+}
+
+bool
+quantities_cut(
+    struct quantity *q, const struct fraction *cut, struct error *error)
+{
+	if (q->kind == QUANTITY_SHARE && fraction_screens(cut))
+		return error_set(error, ERROR_USAGE,
+		    "%g/%g names a fraction itself, and cut= another one\n"
+		    "leave out cut=, or ask for it by itself: its share is "
+		    "that of the whole product",
+		    units_mm(q->fraction.fine), units_mm(q->fraction.coarse));
+	if (!fraction_screens(&q->fraction))
+		q->fraction = *cut;
+	return true;
+}
+
+bool
+quantities_covered(
+    const struct quantity *q, const struct psd *feed, struct error *error)
+{
+	double point[QUANTITY_POINTS];
+	size_t n = quantity_points(q, point);
+	for (size_t i = 0; i < n; i++)
+		if (!psd_covers(feed, point[i]))
+			return error_set(error, ERROR_USAGE,
+			    "%g mm is finer than the feed's finest sieve, %g "
+			    "mm\nuse a size on or above that sieve",
+			    units_mm(point[i]),
+			    units_mm(feed->size[feed->n - 1]));
+	return true;
+}
+
+char *
+quantities_fraction_words(const struct fraction *fraction)
+{
+	return xasprintf(
+	    "%g/%g", units_mm(fraction->fine), units_mm(fraction->coarse));
+}
+
+static char *
+kind_words(const struct quantity *q)
+{
+	switch (q->kind) {
+	case QUANTITY_PASSING:
+		return xasprintf(tr("passing %g mm"), units_mm(q->x));
+	case QUANTITY_SIZE:
+		return xasprintf("P%g", units_pct(q->x));
+	case QUANTITY_SHARE:
+		return quantities_fraction_words(&q->fraction);
+	case QUANTITY_MODULUS:
+		return xasprintf(
+		    tr("fineness modulus (%s)"), q->modulus->standard);
+	case QUANTITY_UNIFORMITY:
+		return xstrdup(tr("Cu (D60/D10)"));
+	case QUANTITY_CURVATURE:
+		return xstrdup(tr("Cc (D30^2/(D60 D10))"));
+	case QUANTITY_STEP:
+		return xstrdup(tr("between two sieves"));
+	}
+	return xstrdup("");
+}
+
+char *
+quantities_words(const struct quantity *q)
+{
+	char *words = kind_words(q);
+	if (q->kind == QUANTITY_SHARE || !fraction_screens(&q->fraction))
+		return words;
+	char *fraction = quantities_fraction_words(&q->fraction);
+	xappend(&words, " of %s", fraction);
+	free(fraction);
+	return words;
+}
+
+static char *
+kind_key(const struct quantity *q)
+{
+	switch (q->kind) {
+	case QUANTITY_PASSING:
+		return xasprintf("passing_%g", units_mm(q->x));
+	case QUANTITY_SIZE:
+		return xasprintf("p%g", units_pct(q->x));
+	case QUANTITY_SHARE:
+		return xstrdup("share");
+	case QUANTITY_MODULUS:
+		return xasprintf("fm_%s", q->modulus->name);
+	case QUANTITY_UNIFORMITY:
+		return xstrdup("cu");
+	case QUANTITY_CURVATURE:
+		return xstrdup("cc");
+	case QUANTITY_STEP:
+		return xstrdup("step");
+	}
+	return xstrdup("");
+}
+
+char *
+quantities_key(const struct quantity *q)
+{
+	char *key = kind_key(q);
+	const char *unit = quantities_unit(q);
+	if (fraction_screens(&q->fraction))
+		xappend(&key, "_%g_%g", units_mm(q->fraction.fine),
+		    units_mm(q->fraction.coarse));
+	if (unit[0] != '\0')
+		xappend(&key, "_%s", unit[0] == '%' ? "pct" : unit);
+	return key;
+}
+
+char *
+quantities_typed(const struct quantity *q)
+{
+	char *words;
+	switch (q->kind) {
+	case QUANTITY_SIZE:
+		words = xasprintf("p%g", units_pct(q->x));
+		break;
+	case QUANTITY_MODULUS:
+		words = xasprintf("fm %s", q->modulus->name);
+		break;
+	case QUANTITY_UNIFORMITY:
+		words = xstrdup("cu");
+		break;
+	case QUANTITY_CURVATURE:
+		words = xstrdup("cc");
+		break;
+	default:
+		return quantities_words(q);
+	}
+	if (fraction_screens(&q->fraction)) {
+		char *of = quantities_fraction_words(&q->fraction);
+		xappend(&words, " of %s", of);
+		free(of);
+	}
+	return words;
+}
+
+char *
+quantities_band(double low, double high, int decimals)
+{
+	return isfinite(low) && isfinite(high)
+		   ? xasprintf(
+			 tr(" (%.*f to %.*f)"), decimals, low, decimals, high)
+		   : xstrdup("");
+}
+
+const char *
+quantities_after(const struct quantity *q)
+{
+	static const char *const UNITS[] = {[QUANTITY_PASSING] = " %",
+	    [QUANTITY_SIZE] = " mm",
+	    [QUANTITY_SHARE] = " %",
+	    [QUANTITY_MODULUS] = "",
+	    [QUANTITY_UNIFORMITY] = "",
+	    [QUANTITY_CURVATURE] = "",
+	    [QUANTITY_STEP] = " %"};
+	return UNITS[q->kind];
+}
+
+const char *
+quantities_unit(const struct quantity *q)
+{
+	const char *after = quantities_after(q);
+	return after[0] == ' ' ? after + 1 : after;
+}
+
+double
+quantities_shown(const struct quantity *q, double value)
+{
+	const char *unit = quantities_unit(q);
+	return unit[0] == '%'   ? units_pct(value)
+	       : unit[0] == 'm' ? units_mm(value)
+				: value;
+}
+
+int
+quantities_decimals(const struct quantity *q)
+{
+	return quantities_unit(q)[0] == '%' ? 1 : 2;
+}
+
+bool
+quantities_option(
+    const struct args *args, struct fraction *fraction, struct error *error)
+{
+	const struct value *cut = args_value(args, "cut");
+	*fraction = (struct fraction){0};
+	if (cut->given && !quantities_fraction(cut->text, fraction, error))
+		return false;
+	if (!cut->given && (args_value(args, "sharpness")->given ||
+			       args_value(args, "cut_size")->given))
+		return error_set(error, ERROR_USAGE,
+		    "sharpness= and cut_size= describe the screens of cut=, "
+		    "which is not given\nadd a fraction such as cut=0/4");
+	fraction->partition.sharpness = args_value(args, "sharpness")->number;
+	fraction->partition.cut_size =
+	    args_value(args, "cut_size")->number / 100;
+	return true;
+}

@@ -1,0 +1,448 @@
+/* report: what other commands answer, one after the other, as a document.  What
+ * stands in it is the table of sections.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/conditions.h"
+#include "cmd/cut.h"
+#include "cmd/document.h"
+#include "cmd/journal.h"
+#include "cmd/light.h"
+#include "cmd/line.h"
+#include "cmd/outlook.h"
+#include "cmd/quantities.h"
+#include "cmd/table.h"
+#include "config.h"
+
+/* What a section needs of the session; without parameters it is said to be
+ * missing, what else is absent goes without saying. */
+enum need {
+	NEED_SITE,
+	NEED_PARAMS,
+	NEED_FIT,     /* a calibration of this session */
+	NEED_NONE,    /* no parameters */
+	NEED_SEVERAL, /* several sites with parameters */
+	NEED_CUTS,    /* added after the calibration */
+	NEED_SPEC,    /* an envelope in use */
+	NEED_CONDITIONS,
+	NEED_TPH
+};
+
+/* What is asked: a speed, m/s; the new feed, t/h, 0 where it is not given; and
+ * as a line has them behind a blank, "" where there are none: the conditions,
+ * each in quotes, the envelope, as an operand and as an option, what is
+ * screened, and the new feed.  list: the conditions, the envelope's too;
+ * wanted, found: where they hold, of a site with parameters. */
+struct ask {
+	double speed, tph;
+	char *conditions, *envelope, *spec, *cut, *rate;
+	struct condition_list list;
+	struct wanted wanted;
+	struct window_found found;
+};
+
+/* Headings, and the commands below each; NULL: below the heading before.
+ * SPEED and the words behind a command stand for what is asked. */
+static const struct section {
+	const char *heading, *line;
+	enum need need;
+} SECTIONS[] = {
+    {N_("Product at SPEED m/s"), "predict SPEEDCUT", NEED_PARAMS},
+    {NULL, "plot psd speed=SPEED band=on", NEED_PARAMS},
+    {N_("How sure the answer is"), "why SPEED", NEED_PARAMS},
+    {NULL, "uncertainty speed=SPEED", NEED_FIT},
+    {NULL, "advise speed=SPEED", NEED_FIT},
+    {N_("Other speeds"), "sweepCUT", NEED_PARAMS},
+    {NULL, "plot sweep", NEED_PARAMS},
+    {N_("Window"), "windowCONDITIONSSPECCUT", NEED_CONDITIONS},
+    {N_("Grading envelope"), "specENVELOPE speed=SPEEDCUT", NEED_SPEC},
+    {N_("Flow"), "flowRATE speed=SPEED", NEED_TPH},
+    {N_("Card"), "cardCONDITIONSRATESPECCUT", NEED_PARAMS},
+    {N_("Validation"), "validate", NEED_PARAMS},
+    {N_("Routine cuts"), "drift", NEED_CUTS},
+    {NULL, "plot drift", NEED_CUTS},
+    {N_("First estimate of the product at SPEED m/s"), "guess SPEED",
+	NEED_NONE},
+    {N_("Data"), "show site", NEED_SITE},
+    {NULL, "show feed", NEED_SITE},
+    {NULL, "show product", NEED_SITE},
+    {N_("Check and mends"), "check", NEED_SITE},
+    {N_("Fit"), "show params", NEED_PARAMS},
+    {NULL, "show model", NEED_PARAMS},
+    {NULL, "identify", NEED_FIT},
+    {NULL, "plot residuals", NEED_PARAMS},
+    {N_("All loaded sites"), "sites", NEED_SEVERAL},
+    {NULL, "validate all", NEED_SEVERAL},
+    {NULL, "plot parity", NEED_SEVERAL},
+};
+
+/* Whether a section is wanted as soon as there are parameters. */
+static bool
+is_asked(const struct ask *ask, enum need need)
+{
+	return need == NEED_PARAMS ||
+	       (need == NEED_CONDITIONS && ask->list.n > 0) ||
+	       (need == NEED_TPH && ask->tph > 0);
+}
+
+static bool
+is_met(const struct session *s, const struct ask *ask, enum need need)
+{
+	const struct entry *entry = &s->entry[s->current];
+	size_t known = 0;
+	for (size_t i = 0; i < s->n_entry; i++)
+		known += s->entry[i].has_params;
+	switch (need) {
+	case NEED_PARAMS:
+	case NEED_CONDITIONS:
+	case NEED_TPH:
+		return entry->has_params && is_asked(ask, need);
+	case NEED_FIT:
+		return entry->has_params && origin_fit(entry) != NULL;
+	case NEED_NONE:
+		return !entry->has_params;
+	case NEED_SEVERAL:
+		return known > 1;
+	case NEED_CUTS:
+		return entry->has_params && cut_later(s, entry).n > 0;
+	case NEED_SPEC:
+		return entry->has_params &&
+		       (s->spec != NULL || ask->spec[0] != '\0');
+	default:
+		return true;
+	}
+}
+
+/* The words with what is asked; the caller frees. */
+static char *
+filled(const char *words, const struct ask *ask)
+{
+	char speed[32], *text = xstrdup("");
+	const struct {
+		const char *word, *value;
+	} with[] = {{"SPEED", text_exact(ask->speed, speed)},
+	    {"SPEC", ask->spec}, {"CONDITIONS", ask->conditions},
+	    {"ENVELOPE", ask->envelope}, {"CUT", ask->cut},
+	    {"RATE", ask->rate}};
+	while (*words != '\0') {
+		size_t i = 0;
+		while (i < ARRAY_LEN(with) &&
+		       strncmp(words, with[i].word, strlen(with[i].word)) != 0)
+			i++;
+		if (i < ARRAY_LEN(with)) {
+			xappend(&text, "%s", with[i].value);
+			words += strlen(with[i].word);
+		} else {
+			xappend(&text, "%c", *words++);
+		}
+	}
+	return text;
+}
+
+/* Runs a line, whose answer then stands in the document; else why not.  A check
+ * that says no has answered. */
+static void
+run_line(struct session *s, const char *line)
+{
+	struct error error = {0};
+	size_t next;
+	if (session_line(s, line, 0, "report", 1, &next, &error) ||
+	    error.kind == ERROR_CHECK)
+		return;
+	document_say(s->document, DOCUMENT_WORDS, "No '%s' here: %s%s%s", line,
+	    error.text, error.hint[0] != '\0' ? "; " : "", error.hint);
+}
+
+static void
+put_sections(struct session *s, const struct ask *ask)
+{
+	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
+		const struct section *row = &SECTIONS[i];
+		if (!is_met(s, ask, row->need))
+			continue;
+		char *line = filled(row->line, ask);
+		if (row->heading != NULL) {
+			char *heading = filled(tr(row->heading), ask);
+			document_heading(s->document, heading);
+			free(heading);
+		}
+		run_line(s, line);
+		free(line);
+	}
+}
+
+/* What the data are, where they were not measured as a warning. */
+static void
+put_data(struct document *d, const struct site *site)
+{
+	char *from = site_source(site, "");
+	if (from[0] == '\0')
+		document_say(d, DOCUMENT_WARNING,
+		    "The site file does not state where its data are from.");
+	else if (site_data_made_up(from))
+		document_say(d, DOCUMENT_WARNING,
+		    "The data were not measured at a plant: %s.", from);
+	else
+		document_say(d, DOCUMENT_WORDS, "Data: %s.", from);
+	free(from);
+}
+
+static void
+put_light(struct session *s, const struct ask *ask)
+{
+	const struct entry *entry = session_entry(s);
+	size_t feed = site_run_nearest(entry->site, ask->speed);
+	struct prediction p = outlook_predict(s, entry, ask->speed, feed);
+	struct trust t = light_of(s, entry, &p);
+	char number[32];
+	char *words = xasprintf(tr("Trust: %s. %s the answer at %s m/s%s"),
+	    tr(LIGHT_NAME[t.light]),
+	    t.n == 0 ? tr("Nothing in the data or the fit casts doubt on")
+	    : t.light == LIGHT_RED ? tr("Do not rely on")
+				   : tr("Take care with"),
+	    text_exact(ask->speed, number), t.n == 0 ? "." : ":");
+	document_light(s->document, t.light, words);
+	for (size_t i = 0; i < t.n; i++)
+		document_say(s->document, DOCUMENT_WORDS, "%s: %s.",
+		    tr(LIGHT_NAME[t.reason[i].light]), t.reason[i].text);
+	free(words);
+	trust_free(&t);
+	prediction_free(&p);
+}
+
+/* "; met from 73.04 to 76.18 m/s", or the nearest miss. */
+static void
+append_window(char **words, const struct ask *ask)
+{
+	const struct window_found *w = &ask->found;
+	for (size_t k = 0; k < w->n_inside; k++)
+		xlist(words, k == 0 ? "; " : tr(" and "),
+		    k == 0 ? tr("met from %.2f to %.2f m/s")
+			   : tr("from %.2f to %.2f m/s"),
+		    w->inside[k].from, w->inside[k].to);
+	if (w->n_inside > 0)
+		return;
+	xappend(words,
+	    ask->list.n > 1
+		? tr("; no speed from %g to %g m/s meets all of them")
+		: tr("; no speed from %g to %g m/s meets it"),
+	    ask->wanted.from, ask->wanted.to);
+	if (isfinite(w->margin))
+		xappend(words,
+		    tr(", the nearest misses by %.1f points at %.2f "
+		       "m/s"),
+		    -100 * w->margin, w->best);
+}
+
+/* Whether the product at the report's speed is as it is wanted. */
+static void
+put_conditions(struct session *s, const struct ask *ask)
+{
+	struct window_limit limit;
+	if (!is_met(s, ask, NEED_CONDITIONS))
+		return;
+	response_at(ask->wanted.response, ask->speed);
+	bool met = window_margin(&ask->wanted, &limit) >= 0;
+	double share = window_certainty(&ask->wanted);
+	char number[32], *list = conditions_list_words(&ask->list);
+	char *words = xasprintf(tr("Conditions: %s: %s at %s m/s"), list,
+	    met ? tr("met") : tr("missed"), text_exact(ask->speed, number));
+	char *certain = conditions_percent(share);
+	if (!isnan(share))
+		xappend(&words,
+		    met ? tr(" (%s certain)") : tr(" (%s certain to be met)"),
+		    certain);
+	append_window(&words, ask);
+	document_say(
+	    s->document, met ? DOCUMENT_WORDS : DOCUMENT_WARNING, "%s.", words);
+	free(certain);
+	free(words);
+	free(list);
+}
+
+/* Instead of the light. */
+static void
+put_missing(struct session *s, const struct ask *ask)
+{
+	char *list = xstrdup("");
+	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
+		const struct section *row = &SECTIONS[i];
+		if (row->heading == NULL || !is_asked(ask, row->need))
+			continue;
+		char *heading = filled(tr(row->heading), ask);
+		xlist(&list, "; ", "%s", heading);
+		free(heading);
+	}
+	document_say(s->document, DOCUMENT_WARNING,
+	    "The site is not calibrated. Missing here: %s. Next step: run "
+	    "'calibrate', then 'report' again.",
+	    list);
+	free(list);
+}
+
+static void
+put_script(struct session *s, const struct ask *ask)
+{
+	struct error error = {0};
+	char number[32];
+	document_heading(s->document, tr("The script that makes this again"));
+	if (!journal_can_be_saved(s, &error)) {
+		document_say(s->document, DOCUMENT_WORDS, "None: %s; %s.",
+		    error.text, error.hint);
+		return;
+	}
+	FILE *out = document_out(s->document);
+	fprintf(out, "# A session of tipspeed %s, written by 'report'.\n",
+	    PACKAGE_VERSION);
+	journal_put(s, out);
+	fprintf(out, "report%s speed=%s%s%s%s > \"", ask->conditions,
+	    text_exact(ask->speed, number), ask->rate, ask->spec, ask->cut);
+	for (const char *p = s->file; *p != '\0'; p++)
+		fprintf(out, *p == '"' ? "\"\"" : "%c", *p);
+	fputs("\"\n", out);
+}
+
+static void
+compose(struct session *s, const struct ask *ask)
+{
+	char *label = session_label(session_entry(s)->site);
+	char *title = xasprintf(tr("Report: %s"), label);
+	document_title(s->document, title);
+	put_data(s->document, session_entry(s)->site);
+	put_conditions(s, ask);
+	if (is_met(s, ask, NEED_PARAMS))
+		put_light(s, ask);
+	else
+		put_missing(s, ask);
+	put_sections(s, ask);
+	put_script(s, ask);
+	free(title);
+	free(label);
+}
+
+/* Adds " name\"words\"". */
+static void
+add_quoted(char **text, const char *name, const char *words)
+{
+	xappend(text, " %s\"", name);
+	for (const char *p = words; *p != '\0'; p++)
+		xappend(text, *p == '"' ? "\"\"" : "%c", *p);
+	xappend(text, "\"");
+}
+
+static void
+take_words(const struct args *args, struct ask *ask)
+{
+	static const char *const CUT[] = {"cut", "sharpness", "cut_size"};
+	const struct value *tph = args_value(args, "tph"),
+			   *spec = args_value(args, "spec");
+	char number[32];
+	ask->conditions = xstrdup("");
+	for (size_t i = 0; i < args->n_operand; i++)
+		add_quoted(&ask->conditions, "", args->operand[i]);
+	ask->envelope = xstrdup("");
+	ask->spec = xstrdup("");
+	if (spec->given) {
+		add_quoted(&ask->envelope, "", spec->text);
+		add_quoted(&ask->spec, "spec=", spec->text);
+	}
+	ask->cut = xstrdup("");
+	for (size_t i = 0; i < ARRAY_LEN(CUT); i++) {
+		const struct value *value = args_value(args, CUT[i]);
+		if (value->given)
+			xappend(&ask->cut, " %s=%s", CUT[i], value->text);
+	}
+	ask->tph = tph->given ? tph->number : 0;
+	ask->rate = tph->given
+			? xasprintf(" tph=%s", text_exact(tph->number, number))
+			: xstrdup("");
+}
+
+/* The best speed of the window, as few decimals of it as still lie inside. */
+static double
+best_speed(const struct ask *ask)
+{
+	struct window_limit limit;
+	for (double steps = 10; steps <= 1000; steps *= 10) {
+		double v = round(steps * ask->found.best) / steps;
+		response_at(ask->wanted.response, v);
+		if (window_margin(&ask->wanted, &limit) >= 0)
+			return v;
+	}
+	return ask->found.best;
+}
+
+/* What could not be used is said before anything is written. */
+static bool
+read_ask(struct session *s, const struct args *args, struct ask *ask,
+    struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	const struct site *site = entry->site;
+	const struct psd *feed_psd;
+	struct fraction fraction;
+	size_t feed = site_run_nearest(site, answers_middle(site));
+	char *remark = NULL;
+	take_words(args, ask);
+	feed_psd = &site->run[feed].feed;
+	if (!quantities_option(args, &fraction, error) ||
+	    !conditions_add_operands(
+		args, &fraction, feed_psd, &ask->list, error) ||
+	    !conditions_add_option(
+		s, args, &fraction, feed_psd, &ask->list, &remark, error))
+		return false;
+	free(remark);
+	ask->speed = answers_speed(args, entry);
+	if (!is_met(s, ask, NEED_CONDITIONS))
+		return true;
+	ask->wanted = conditions_ask(s, entry, feed, &ask->list, NULL);
+	site_reach(site, &ask->wanted.from, &ask->wanted.to);
+	ask->found = window_find(&ask->wanted);
+	if (!args_value(args, "speed")->given && ask->found.n_inside > 0)
+		ask->speed = best_speed(ask);
+	return true;
+}
+
+static void
+ask_free(struct ask *ask)
+{
+	window_free(&ask->found);
+	response_free(ask->wanted.response);
+	conditions_free(&ask->list);
+	free(ask->conditions);
+	free(ask->envelope);
+	free(ask->spec);
+	free(ask->cut);
+	free(ask->rate);
+}
+
+bool
+cmd_report(struct session *s, const struct args *args, struct error *error)
+{
+	struct ask ask = {0};
+	if (s->document == NULL)
+		return error_set(error, ERROR_USAGE,
+		    "report: expected a file for it, .html or .pdf\n"
+		    "write: report > report.html");
+	bool ok = read_ask(s, args, &ask, error);
+	if (ok) {
+		/* What was answered before is still what assert asks. */
+		struct answer **kept = s->answer;
+		size_t n_kept = s->n_answer;
+		s->answer = NULL;
+		s->n_answer = 0;
+		compose(s, &ask);
+		session_forget(s);
+		free(s->answer);
+		s->answer = kept;
+		s->n_answer = n_kept;
+	}
+	ask_free(&ask);
+	return ok;
+}

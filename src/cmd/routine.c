@@ -1,0 +1,357 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/routine.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/cut.h"
+#include "cmd/outlook.h"
+#include "core/ensemble.h"
+#include "core/misfit.h"
+#include "core/product.h"
+#include "io/moment.h"
+#include "io/units.h"
+
+const char *const ROUTINE_STATE[5] = {[DRIFT_NONE] = "ok",
+    [DRIFT_COARSER] = N_("coarser"),
+    [DRIFT_FINER] = N_("finer"),
+    [DRIFT_FLATTER] = N_("flatter"),
+    [DRIFT_STEEPER] = N_("steeper")};
+
+/* The date of "72 m/s, 2026-05-03 10:15, cut.csv", in words and seconds. */
+static void
+put_date(struct routine_cut *c, const char *note)
+{
+	struct moment m;
+	const char *at = note != NULL ? strstr(note, ", ") : NULL;
+	size_t n = at != NULL ? strcspn(at + 2, ",") : 0;
+	char *text = xstrndup(at != NULL ? at + 2 : "", n);
+	c->time = NAN;
+	if (moment_read(text, &m) && m.has_date)
+		c->time = moment_seconds(&m, MOMENT_OPEN);
+	c->when = xstrdup(isnan(c->time) ? "" : text);
+	free(text);
+}
+
+/* Whether a run is a cut to be followed.  One that the calibration had seen is
+ * one where a note says so and it was not trained on: the training runs then
+ * predict it. */
+static bool
+is_routine(const struct entry *entry, size_t run, bool *seen)
+{
+	const struct site *site = entry->site;
+	const struct history *h =
+	    origin_fit(entry) != NULL ? entry->origin->spread : NULL;
+	bool noted = cut_heading(site, run) != NULL, trained = false;
+	*seen = false;
+	if (misfit_covered(&site->run[run]) == 0)
+		return false;
+	for (size_t r = 0; h != NULL && r < h->site->n_run; r++)
+		if (cut_is_same(&h->site->run[r], &site->run[run])) {
+			*seen = true;
+			trained = trained || h->train[r];
+		}
+	return noted ? !trained : entry->has_fit && !*seen;
+}
+
+/* The place of a run's note among the site's, which is that of its adding. */
+static size_t
+place_of(const struct site *site, const struct routine_cut *c)
+{
+	const char *note = cut_heading(site, c->run);
+	size_t i = 0;
+	while (i < site->n_note && site->note[i].value != note)
+		i++;
+	return i;
+}
+
+/* Few and nearly in order. */
+static void
+sort_cuts(struct routine *r, const struct site *site)
+{
+	r->dated = true;
+	for (size_t i = 0; i < r->n; i++)
+		r->dated = r->dated && !isnan(r->cut[i].time);
+	for (size_t i = 1; i < r->n; i++)
+		for (size_t j = i; j > 0; j--) {
+			struct routine_cut *a = &r->cut[j - 1], *b = a + 1;
+			size_t one = place_of(site, a), two = place_of(site, b);
+			bool later = r->dated && a->time != b->time
+					 ? a->time > b->time
+					 : one > two;
+			if (!later)
+				break;
+			struct routine_cut swap = *a;
+			*a = *b;
+			*b = swap;
+		}
+}
+
+static void
+find_cuts(struct routine *r, const struct entry *entry)
+{
+	const struct site *site = entry->site;
+	r->cut = xcalloc(site->n_run + 1, sizeof *r->cut);
+	for (size_t i = 0; i < site->n_run; i++) {
+		bool seen;
+		if (!is_routine(entry, i, &seen))
+			continue;
+		struct routine_cut *c = &r->cut[r->n++];
+		r->training_only = r->training_only || seen;
+		c->run = i;
+		c->speed = site->run[i].speed;
+		put_date(c, cut_heading(site, i));
+	}
+	sort_cuts(r, site);
+}
+
+/* The sieves that crushing can change, with what was measured. */
+static void
+put_sieves(struct routine_cut *c, const struct run *run)
+{
+	size_t n = misfit_covered(run), from = 0;
+	while (from + 1 < n &&
+	       !(psd_passing(&run->feed, run->product.size[from]) < 1))
+		from++;
+	c->n = n - from;
+	c->size = xdoubles(c->n);
+	c->measured = xdoubles(c->n);
+	c->predicted = xdoubles(c->n);
+	c->error = xdoubles(c->n * c->n);
+	memcpy(c->size, run->product.size + from, c->n * sizeof(double));
+	memcpy(c->measured, run->product.passing + from, c->n * sizeof(double));
+}
+
+static void
+predict_by_draws(
+    struct routine_cut *c, const struct psd *feed, const struct posterior *p)
+{
+	size_t n = c->n * POSTERIOR_DRAWS;
+	struct ensemble *e = ensemble_new(p, feed, c->size, c->n);
+	ensemble_at(e, c->speed);
+	ensemble_mean(e, c->predicted);
+	c->truth = xdoubles(n);
+	memcpy(c->truth, ensemble_products(e, ENSEMBLE_ANSWER),
+	    n * sizeof *c->truth);
+	ensemble_free(e);
+	drift_error(p, c->size, c->predicted, c->n, c->error);
+}
+
+static void
+predict_alone(struct routine_cut *c, const struct psd *feed,
+    const struct params *params, struct model_settings settings, double noise)
+{
+	struct model *model = model_new(feed, c->size, c->n, settings);
+	model_set(model, params);
+	model_product(model, c->speed, c->predicted);
+	model_free(model);
+	drift_known_error(noise, c->predicted, c->n, c->error);
+}
+
+static double
+residual(const struct routine_cut *c, size_t i)
+{
+	return c->measured[i] - c->predicted[i];
+}
+
+static void
+follow(struct routine *r)
+{
+	struct drift_cut *cut = xcalloc(r->n, sizeof *cut);
+	double **residuals = xcalloc(r->n, sizeof(*residuals));
+	r->point = xcalloc(r->n, sizeof *r->point);
+	for (size_t j = 0; j < r->n; j++) {
+		struct routine_cut *c = &r->cut[j];
+		double *off = residuals[j] = xdoubles(c->n);
+		for (size_t i = 0; i < c->n; i++) {
+			off[i] = residual(c, i);
+			if (fabs(off[i]) > fabs(off[c->worst]))
+				c->worst = i;
+		}
+		cut[j] = (struct drift_cut){c->n, c->size, off,
+		    c->truth != NULL ? POSTERIOR_DRAWS : 0, c->truth, c->error};
+	}
+	r->first = drift_follow(cut, r->n, &r->rule, r->point, &r->since);
+	for (size_t j = 0; j < r->n; j++)
+		free(residuals[j]);
+	free(residuals);
+	free(cut);
+}
+
+/* How many of the last cuts lie on one side, and where these differ most, of
+ * sieves that the last one has. */
+static void
+sum_up(struct routine *r)
+{
+	const struct routine_cut *last = &r->cut[r->n - 1];
+	bool above = r->point[r->n - 1].chart[DRIFT_LEVEL].value > 0;
+	while (r->running < r->n) {
+		const struct drift_point *p = &r->point[r->n - 1 - r->running];
+		if ((p->chart[DRIFT_LEVEL].value > 0) != above)
+			break;
+		r->running++;
+	}
+	for (size_t i = 0; i < last->n; i++) {
+		double sum = 0;
+		size_t n = 0;
+		for (size_t j = r->n - r->running; j < r->n; j++)
+			for (size_t k = 0; k < r->cut[j].n; k++) {
+				const struct routine_cut *c = &r->cut[j];
+				if (fabs(c->size[k] / last->size[i] - 1) > 1e-6)
+					continue;
+				sum += residual(c, k);
+				n++;
+			}
+		double mean = sum / (double)n;
+		if (fabs(mean) > fabs(r->by)) {
+			r->by = mean;
+			r->worst = last->size[i];
+		}
+	}
+}
+
+static struct routine *
+refuse(struct routine *r, const struct entry *entry, struct error *error)
+{
+	if (r->n == 0)
+		error_set(error, ERROR_USAGE,
+		    entry->has_fit
+			? N_("expected cuts that came after the calibration, "
+			     "got "
+			     "none\n"
+			     "add one: add cut.csv@72 date=2026-05-03")
+			: N_("expected routine cuts, got none\n"
+			     "add one: add cut.csv@72 date=2026-05-03"));
+	else
+		error_set(error, ERROR_USAGE,
+		    "expected a calibration or a known sampling error to find "
+		    "limits from, got neither\n"
+		    "run 'calibrate', or state the error of a passing: set "
+		    "noise 0.5");
+	routine_free(r);
+	return NULL;
+}
+
+struct routine *
+routine_follow(const struct session *s, const struct entry *entry,
+    const struct drift_rule *rule, struct error *error)
+{
+	struct routine *r = xcalloc(1, sizeof *r);
+	r->rule = *rule;
+	find_cuts(r, entry);
+	if (r->n == 0)
+		return refuse(r, entry, error);
+	const struct posterior *p = outlook_unseen(s, entry, r->training_only);
+	r->drawn = p != NULL;
+	if (!r->drawn && !(s->set.noise > 0))
+		return refuse(r, entry, error);
+	for (size_t j = 0; j < r->n; j++) {
+		struct routine_cut *c = &r->cut[j];
+		const struct run *run = &entry->site->run[c->run];
+		put_sieves(c, run);
+		if (r->drawn)
+			predict_by_draws(c, &run->feed, p);
+		else
+			predict_alone(c, &run->feed, &entry->params,
+			    s->set.model, s->set.noise / 100);
+	}
+	follow(r);
+	sum_up(r);
+	return r;
+}
+
+void
+routine_free(struct routine *r)
+{
+	for (size_t j = 0; r != NULL && j < r->n; j++) {
+		struct routine_cut *c = &r->cut[j];
+		free(c->when);
+		free(c->size);
+		free(c->measured);
+		free(c->predicted);
+		free(c->truth);
+		free(c->error);
+	}
+	if (r == NULL)
+		return;
+	free(r->cut);
+	free(r->point);
+	free(r);
+}
+
+/* "four times running". */
+static char *
+times(size_t n)
+{
+	static const char *const WORDS[] = {"", N_("once"), N_("twice running"),
+	    N_("three times running"), N_("four times running"),
+	    N_("five times running"), N_("six times running"),
+	    N_("seven times running"), N_("eight times running"),
+	    N_("nine times running"), N_("ten times running")};
+	return n < ARRAY_LEN(WORDS) ? xstrdup(tr(WORDS[n]))
+				    : xasprintf(tr("%zu times running"), n);
+}
+
+char *
+routine_words(const struct routine *r)
+{
+	static const char *const LOOK[] = {
+	    [DRIFT_COARSER] = N_("look at rotor tips, feed or screen cloth"),
+	    [DRIFT_FINER] =
+		N_("look at the rotor's speed, its feed rate and feed"),
+	    [DRIFT_FLATTER] = N_("look at screen cloth, feed and how cuts are "
+				 "taken"),
+	    [DRIFT_STEEPER] = N_("look at feed, loss of fines and how cuts are "
+				 "taken")};
+	enum drift_state state = r->point[r->n - 1].state;
+	if (state == DRIFT_NONE)
+		return r->first < r->n
+			   ? xasprintf(
+				 tr("back within the limits after a signal "
+				    "at cut %zu"),
+				 r->first + 1)
+			   : xstrdup(tr("the cuts are as predicted"));
+	char *most = xasprintf(tr("most at %g mm (%+.1f points on average)"),
+	    units_mm(r->worst), 100 * r->by);
+	bool tilt = state == DRIFT_FLATTER || state == DRIFT_STEEPER;
+	char *count = times(r->running);
+	char *words =
+	    tilt ? xasprintf(tr("a %s curve than predicted, %s: %s"),
+		       tr(ROUTINE_STATE[state]), most, tr(LOOK[state]))
+		 : xasprintf(tr("%s than predicted %s, %s: %s"),
+		       tr(ROUTINE_STATE[state]), count, most, tr(LOOK[state]));
+	free(count);
+	free(most);
+	return words;
+}
+
+char *
+routine_alarm(const struct session *s, const struct entry *entry)
+{
+	struct error error = {0};
+	if (!entry->has_fit || entry->history == NULL)
+		return NULL;
+	struct alarm *a = &entry->history->alarm;
+	const struct posterior *p = outlook_unseen(s, entry, false);
+	if (p == NULL)
+		return NULL;
+	if (a->site != entry->site || a->posterior != p) {
+		struct routine *r =
+		    routine_follow(s, entry, &DRIFT_RULE, &error);
+		a->site = entry->site;
+		a->posterior = p;
+		a->state = r != NULL ? r->point[r->n - 1].state : DRIFT_NONE;
+		routine_free(r);
+	}
+	if (a->state == DRIFT_NONE)
+		return NULL;
+	bool tilt = a->state == DRIFT_FLATTER || a->state == DRIFT_STEEPER;
+	return xasprintf(
+	    tilt ? tr("the last cuts have a curve that is %s than predicted: "
+		      "see 'drift'")
+		 : tr("the last cuts are %s than predicted: see 'drift'"),
+	    tr(ROUTINE_STATE[a->state]));
+}

@@ -1,0 +1,241 @@
+/* spec: grading envelopes chosen, listed, and the product compared with one.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/grading.h"
+#include "cmd/quantities.h"
+#include "cmd/table.h"
+#include "io/standards.h"
+#include "io/units.h"
+
+/* The operands from one on as one text: names have blanks.  NULL where there
+ * are none; else the caller frees. */
+static char *
+words_from(const struct args *args, size_t from)
+{
+	char *words = args->n_operand > from ? xstrdup("") : NULL;
+	for (size_t i = from; i < args->n_operand; i++)
+		xlist(&words, " ", "%s", args->operand[i]);
+	return words;
+}
+
+static char *
+cut_words(const struct spec *spec)
+{
+	struct fraction f = {.fine = spec->cut[0], .coarse = spec->cut[1]};
+	return fraction_screens(&f) ? quantities_fraction_words(&f)
+				    : xstrdup(tr("whole product"));
+}
+
+static bool
+use_spec(struct session *s, const struct args *args, struct error *error)
+{
+	char *words = words_from(args, 1);
+	if (words == NULL)
+		return error_set(error, ERROR_USAGE,
+		    "spec use: expected an envelope\n"
+		    "write spec use and a name of 'spec list', or a file");
+	const struct spec *spec = grading_spec(s, words, error);
+	free(words);
+	if (spec == NULL)
+		return false;
+	s->spec = spec;
+	char *cut = cut_words(spec);
+	session_note(s, "envelope: %s (%s): %s", spec->name, cut,
+	    spec->source[0] != '\0' ? spec->source : tr("source not stated"));
+	free(cut);
+	return true;
+}
+
+static bool
+spec_off(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	s->spec = NULL;
+	return true;
+}
+
+/* "2.4 to 4", "up to 45 %; maximum passing one and retained on next". */
+static char *
+limit_words(const struct standard_limit *l)
+{
+	const char *unit = l->unit[0] == '-' ? "" : l->unit;
+	char *words = isnan(l->least) ? xasprintf(tr("up to %g"), l->most)
+		      : l->least == l->most
+			  ? xasprintf("%g", l->most)
+			  : xasprintf(tr("%g to %g"), l->least, l->most);
+	xappend(&words, "%s%s%s%s", unit[0] != '\0' ? " " : "", unit,
+	    l->note[0] != '\0' ? "; " : "", l->note);
+	return words;
+}
+
+static void
+add_limits(struct answer *r, const struct standards *all)
+{
+	answer_columns(r, "limit, is");
+	for (size_t i = 0; i < all->n_limit; i++) {
+		const struct standard_limit *l = &all->limit[i];
+		char *words = limit_words(l);
+		char *name = xasprintf("%s: %s", l->standard, l->item);
+		answer_cells(r, "%s %s", name, words);
+		free(words);
+		free(name);
+	}
+	answer_for_programs(r);
+	answer_columns(r, "standard, limit, min, max, unit, note");
+	for (size_t i = 0; i < all->n_limit; i++) {
+		const struct standard_limit *l = &all->limit[i];
+		answer_cells(r, "%s %s %g %g %s %s", l->standard, l->item,
+		    l->least, l->most, l->unit, l->note);
+	}
+}
+
+static bool
+list_limits(struct session *s, const struct standards *all)
+{
+	struct answer *r = answer_new("spec");
+	answer_title(r, "limits of standards that are not on a passing");
+	add_limits(r, all);
+	answer_say(r, ANSWER_REMARK,
+	    "second-hand copies: check them against your own. Those on a "
+	    "fineness modulus and between two sieves are checked by 'spec'; "
+	    "tolerances need a declared grading");
+	return session_answer(s, r);
+}
+
+/* One envelope, sieve by sieve. */
+static bool
+list_one(struct session *s, const struct spec *spec)
+{
+	struct answer *r = answer_new("spec");
+	char *cut = cut_words(spec);
+	answer_title(r, "%s: limits of passing, %%; for %s", spec->name, cut);
+	free(cut);
+	answer_columns(
+	    r, "sieve_mm: sieve mm, min_pct: min %%, max_pct: max %%");
+	for (size_t i = 0; i < spec->n; i++)
+		answer_cells(r, "%g %g %g", units_mm(spec->size[i]),
+		    units_pct(spec->least[i]), units_pct(spec->most[i]));
+	answer_say(r, ANSWER_REMARK, "limits: %s", spec->source);
+	return session_answer(s, r);
+}
+
+static bool
+list_all(struct session *s, const struct standards *all, const bool *match)
+{
+	struct answer *r = answer_new("spec");
+	answer_title(r, "grading envelopes, for 'spec use'");
+	answer_columns(r, "cut: fraction mm, sieves, from_mm: from mm, to_mm: "
+			  "to mm, name");
+	for (size_t i = 0; i < all->n; i++) {
+		const struct spec *spec = all->spec[i];
+		char *cut = cut_words(spec);
+		if (match == NULL || match[i])
+			answer_cells(r, "%s %g %g %g %s", cut, (double)spec->n,
+			    units_mm(spec->size[spec->n - 1]),
+			    units_mm(spec->size[0]), spec->name);
+		free(cut);
+	}
+	if (s->spec != NULL)
+		answer_note(r, "in use: %s", s->spec->name);
+	answer_say(r, ANSWER_REMARK,
+	    "second-hand copies: check them against your own; 'spec list NAME' "
+	    "has the limits of one, 'spec list limits' those that are not on a "
+	    "passing");
+	return session_answer(s, r);
+}
+
+static bool
+list_specs(struct session *s, const struct args *args, struct error *error)
+{
+	char *words = words_from(args, 1);
+	struct standards *all = standards_shipped();
+	bool *match = xcalloc(all->n, sizeof *match), ok;
+	size_t n = words != NULL ? standards_match(all, words, match) : 0;
+	size_t at = 0;
+	while (at < all->n && !match[at])
+		at++;
+	if (words == NULL)
+		ok = list_all(s, all, NULL);
+	else if (strcmp(words, "limits") == 0)
+		ok = list_limits(s, all);
+	else if (n == 0)
+		ok = standards_find(all, words, error) != NULL;
+	else
+		ok = n == 1 ? list_one(s, all->spec[at])
+			    : list_all(s, all, match);
+	free(match);
+	free(words);
+	standards_free(all);
+	return ok;
+}
+
+/* What is wrong, in a line. */
+static void
+note_verdict(struct answer *r, const struct grading *g, double v)
+{
+	response_at(g->conditions.response, v);
+	double certain = window_certainty(&g->conditions);
+	char *missed = grading_missed(g);
+	fields_number(answer_fields(r), "certainty_pct", 100 * certain);
+	answer_note(
+	    r, "%s", missed[0] != '\0' ? missed : tr("meets the envelope"));
+	free(missed);
+	if (isfinite(certain))
+		answer_note(r,
+		    "the true product meets the checked limits with %.0f %% "
+		    "probability",
+		    100 * certain);
+}
+
+/* The product at a speed beside the envelope named, or the one in use. */
+static bool
+compare(struct session *s, const struct args *args, struct error *error)
+{
+	if (!session_need_site(s, "spec", error))
+		return false;
+	const struct entry *entry = session_entry(s);
+	double v = answers_speed(args, entry);
+	size_t feed;
+	struct grading g;
+	char *words = words_from(args, 0);
+	const struct spec *spec = grading_spec(s, words, error);
+	free(words);
+	if (spec == NULL || !answers_feed(entry->site, args, v, &feed, error) ||
+	    !grading_open(s, args, spec, feed, &g, error))
+		return false;
+	char *name = grading_words(&g);
+	struct answer *r =
+	    answers_new(entry->site, "spec", "%s at %g m/s", name, v);
+	free(name);
+	grading_rows(r, s, &g, v);
+	note_verdict(r, &g, v);
+	grading_notes(r, s, &g);
+	answers_note_doubt(s, r, v, feed);
+	fields_put(answer_fields(r), "speed %g extrapolated %d inside %d", v,
+	    answers_extrapolates(entry, v), window_holds(&g.conditions));
+	grading_put(r, &g);
+	session_answer(s, r);
+	grading_close(&g);
+	return true;
+}
+
+bool
+cmd_spec(struct session *s, const struct args *args, struct error *error)
+{
+	static const struct {
+		const char *verb;
+		command_run *run;
+	} VERBS[] = {
+	    {"use", use_spec}, {"list", list_specs}, {"off", spec_off}};
+	for (size_t i = 0; args->n_operand > 0 && i < ARRAY_LEN(VERBS); i++)
+		if (strcmp(args->operand[0], VERBS[i].verb) == 0)
+			return VERBS[i].run(s, args, error);
+	return compare(s, args, error);
+}

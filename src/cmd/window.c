@@ -1,0 +1,255 @@
+/* window: the speeds at which conditions hold.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/conditions.h"
+#include "cmd/outlook.h"
+#include "cmd/quantities.h"
+#include "cmd/table.h"
+
+/* What was asked, and what was found. */
+struct asking {
+	struct condition_list list;
+	char *limits; /* where those of an envelope are from; or NULL */
+	size_t feed;
+	struct wanted wanted;
+	struct window_found w;
+};
+
+static bool
+read_conditions(struct session *s, const struct args *args, struct asking *a,
+    struct error *error)
+{
+	struct fraction fraction;
+	const struct psd *feed = &session_entry(s)->site->run[a->feed].feed;
+	if (!quantities_option(args, &fraction, error) ||
+	    !conditions_add_operands(args, &fraction, feed, &a->list, error) ||
+	    !conditions_add_option(
+		s, args, &fraction, feed, &a->list, &a->limits, error))
+		return false;
+	return a->list.n > 0 || error_set(error, ERROR_USAGE,
+				    "expected conditions, got none\n"
+				    "write: window \"passing 2 = 40..50\" "
+				    "\"passing 0.063 < 6\", or window "
+				    "spec=FILE");
+}
+
+static void
+look(struct session *s, struct asking *a, double from, double to)
+{
+	a->wanted =
+	    conditions_ask(s, session_entry(s), a->feed, &a->list, NULL);
+	a->wanted.from = from;
+	a->wanted.to = to;
+	a->w = window_find(&a->wanted);
+	response_at(a->wanted.response, a->w.best);
+}
+
+/* "passing 0.5 mm binds below 71.5, passing 0.063 mm above 76.2 m/s"; one
+ * quantity may do both. */
+static void
+note_binding(struct answer *r, const struct asking *a)
+{
+	const struct window_range *in = window_around(&a->w);
+	char *words = xstrdup("");
+	if (in->low.i != SIZE_MAX) {
+		char *q = quantities_words(&a->list.at[in->low.i].quantity);
+		if (in->high.i == in->low.i)
+			xappend(&words,
+			    tr("%s binds below %.1f and above %.1f"), q,
+			    in->from, in->to);
+		else
+			xappend(&words, tr("%s binds below %.1f"), q, in->from);
+		free(q);
+	}
+	if (in->high.i != SIZE_MAX && in->high.i != in->low.i) {
+		char *q = quantities_words(&a->list.at[in->high.i].quantity);
+		if (words[0] == '\0')
+			xappend(&words, tr("%s binds above %.1f"), q, in->to);
+		else
+			xlist(&words, ", ", tr("%s above %.1f"), q, in->to);
+		free(q);
+	}
+	if (words[0] != '\0')
+		answer_note(r, "%s m/s", words);
+	else
+		answer_note(r, "no condition binds from %g to %g m/s",
+		    a->wanted.from, a->wanted.to);
+	free(words);
+}
+
+static void
+note_inside(struct answer *r, const struct asking *a)
+{
+	const struct window_found *w = &a->w;
+	char *ranges = xstrdup("");
+	for (size_t k = 0; k < w->n_inside; k++)
+		xlist(&ranges, tr(" and "), tr("from %.2f to %.2f m/s"),
+		    w->inside[k].from, w->inside[k].to);
+	answer_note(r,
+	    a->list.n > 1 ? N_("all conditions hold %s") : N_("it holds %s"),
+	    ranges);
+	note_binding(r, a);
+	if (isfinite(w->margin))
+		answer_note(r, "best %.1f m/s with %.1f points to spare",
+		    w->best, 100 * w->margin);
+	else
+		answer_note(r, "shown at %.1f m/s", w->best);
+	if (isfinite(w->margin) &&
+	    (w->best - a->wanted.from < 1e-3 || a->wanted.to - w->best < 1e-3))
+		answer_say(r, ANSWER_REMARK,
+		    "the best speed is the end of those searched: from= and "
+		    "to= search others");
+	free(ranges);
+}
+
+/* The most certain speed. */
+static size_t
+most_certain(const struct window_found *w)
+{
+	size_t most = 0;
+	for (size_t k = 0; k < w->n; k++)
+		if (w->certain[k] > w->certain[most])
+			most = k;
+	return most;
+}
+
+static void
+note_certain(struct answer *r, struct session *s, const struct asking *a)
+{
+	const struct window_found *w = &a->w;
+	double level = settings_level(&s->set), range[2];
+	window_certain(w, level, range);
+	size_t most = most_certain(w);
+	char *best = conditions_percent(w->best_certain);
+	char *highest = conditions_percent(w->certain[most]);
+	if (isnan(w->best_certain))
+		answer_note(r, "%s", outlook_why_none(s, session_entry(s)));
+	else if (isfinite(range[0]))
+		answer_note(r,
+		    "holds with %.0f %% certainty from %.1f to %.1f m/s; with "
+		    "%s at %.1f m/s",
+		    100 * level, range[0], range[1], best, w->best);
+	else if (w->certain[most] <= 0)
+		answer_note(r,
+		    "at no speed does it hold with %.0f %% certainty: it is "
+		    "under 1 %% at all of them",
+		    100 * level);
+	else
+		answer_note(r,
+		    "at no speed does it hold with %.0f %% certainty; most at "
+		    "%.1f m/s, with %s",
+		    100 * level, w->speed[most], highest);
+	free(best);
+	free(highest);
+	if (isfinite(range[0]))
+		answers_put_pair(
+		    answer_fields(r), "certain", range[0], range[1]);
+	else
+		fields_number(answer_fields(r), "certain", NAN);
+	fields_put(answer_fields(r), "certainty_pct %g level %g",
+	    100 * w->best_certain, 100 * level);
+}
+
+static void
+put_limits(struct fields *o, const struct asking *a)
+{
+	const struct window_limit limit[] = {a->w.low, a->w.high};
+	for (size_t k = 0; k < 2; k++) {
+		if (limit[k].i == SIZE_MAX) {
+			fields_number(
+			    o, k == 0 ? "binds_low" : "binds_high", NAN);
+			continue;
+		}
+		char *words = conditions_limit(&a->list, limit[k]);
+		fields_put(o, k == 0 ? "binds_low %s" : "binds_high %s", words);
+		free(words);
+	}
+}
+
+/* A window that goes on where nothing was measured. */
+static void
+note_beyond(struct answer *r, struct session *s, const struct asking *a)
+{
+	const struct entry *entry = session_entry(s);
+	const struct window_range *in = window_around(&a->w);
+	double slowest, fastest;
+	if (in == NULL || answers_extrapolates(entry, a->w.best) ||
+	    !origin_reach(entry, &slowest, &fastest) ||
+	    (in->from >= slowest && in->to <= fastest))
+		return;
+	char *speeds = answers_reach(entry, slowest, fastest);
+	answer_say(r, ANSWER_REMARK, "the window goes beyond the %s", speeds);
+	free(speeds);
+}
+
+static void
+put_window(struct fields *o, const struct asking *a, bool outside)
+{
+	const struct window_found *w = &a->w;
+	struct fields *inside = fields_list(o, "inside");
+	for (size_t k = 0; k < w->n_inside; k++)
+		fields_put(fields_list(inside, NULL), "%g %g",
+		    w->inside[k].from, w->inside[k].to);
+	fields_put(o, "best %g margin_pct %g from %g to %g extrapolated %d",
+	    w->best, 100 * w->margin, a->wanted.from, a->wanted.to, outside);
+	put_limits(o, a);
+}
+
+/* The same as a picture. */
+static void
+note_picture(struct answer *r, const struct args *args)
+{
+	char *limits = xstrdup("");
+	for (size_t i = 0; i < args->n_operand; i++)
+		xlist(&limits, ",", "%s", args->operand[i]);
+	if (args->n_operand > 0 && strchr(limits, '"') == NULL)
+		answer_note(r, "picture: plot response limits=\"%s\"", limits);
+	free(limits);
+}
+
+bool
+cmd_window(struct session *s, const struct args *args, struct error *error)
+{
+	const struct entry *entry = session_entry(s);
+	struct asking a = {0};
+	double from, to;
+	bool ok = answers_ready(s, error) &&
+		  conditions_speeds(args, entry->site, &from, &to, error) &&
+		  answers_feed(entry->site, args, answers_middle(entry->site),
+		      &a.feed, error) &&
+		  read_conditions(s, args, &a, error);
+	if (ok) {
+		look(s, &a, from, to);
+		struct answer *r =
+		    answers_new(entry->site, "window", "%s at %.1f m/s",
+			a.list.n > 1 ? tr("conditions") : tr("the condition"),
+			a.w.best);
+		conditions_rows(r, s, &a.wanted, &a.w);
+		conditions_put(answer_fields(r), s, &a.wanted, &a.w);
+		if (a.w.n_inside > 0)
+			note_inside(r, &a);
+		else
+			conditions_note_missed(r, &a.wanted, &a.list, &a.w);
+		put_window(answer_fields(r), &a,
+		    answers_extrapolates(entry, a.w.best));
+		note_certain(r, s, &a);
+		note_picture(r, args);
+		if (a.limits != NULL)
+			answer_say(r, ANSWER_REMARK, "%s", a.limits);
+		note_beyond(r, s, &a);
+		answers_note_doubt(s, r, a.w.best, a.feed);
+		response_free(a.wanted.response);
+		window_free(&a.w);
+		ok = session_answer(s, r);
+	}
+	conditions_free(&a.list);
+	free(a.limits);
+	return ok;
+}

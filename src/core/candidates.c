@@ -1,0 +1,134 @@
+/* The candidates that a generation kept, evaluated once more.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/candidates.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_sort_double.h>
+
+#include "base/xalloc.h"
+#include "core/kernel.h"
+#include "core/misfit.h"
+
+enum { MOST = CALIBRATE_KEPT };
+
+/* The value that a share of [n], which are put in order, lies below. */
+static double
+percentile(const double *sorted, size_t n, double share)
+{
+	return sorted[(size_t)(share * (double)(n - 1) + 0.5)];
+}
+
+static struct params
+kept(const struct calibrate_generation *g, size_t i)
+{
+	struct params p = {.breakage = g->params.breakage};
+	for (size_t j = 0; j < breakage_of(&p)->n; j++)
+		p.at[j] = (double)g->kept[j][i];
+	return p;
+}
+
+/* Their differences, [m->n_residual][MOST], as the search has them. */
+static void
+evaluate(const struct misfit *m, enum isa isa,
+    const struct calibrate_generation *g, double *difference)
+{
+	struct kernel *kernel = kernel_new(m, isa, 1);
+	double misfit[MOST], *theta[PARAMS_MOST] = {NULL};
+	for (size_t j = 0; j < m->of->n; j++) {
+		theta[j] = xdoubles(MOST);
+		for (size_t i = 0; i < g->n_kept; i++)
+			theta[j][i] = (double)g->kept[j][i];
+		/* Lanes beyond the last one are read. */
+		for (size_t i = g->n_kept; i < MOST; i++)
+			theta[j][i] = theta[j][0];
+	}
+	kernel_evaluate_part(kernel, (const double *const *)theta, 0, g->n_kept,
+	    0, &(struct kernel_out){misfit, difference, MOST});
+	for (size_t j = 0; j < m->of->n; j++)
+		free(theta[j]);
+	kernel_free(kernel);
+}
+
+static void
+take_break_sizes(
+    struct candidates *c, const struct calibrate_generation *g, double speed)
+{
+	double size[MOST] = {0};
+	c->speed = speed;
+	for (size_t i = 0; i < g->n_kept; i++) {
+		struct params p = kept(g, i);
+		size[i] = params_break_size(&p, speed);
+	}
+	gsl_sort(size, 1, g->n_kept);
+	for (size_t k = 0; k < 3; k++)
+		c->break_size[k] =
+		    percentile(size, g->n_kept, 0.25 * (double)(k + 1));
+}
+
+struct candidates
+candidates_of(const struct site *site, const bool *train,
+    struct model_settings settings, enum isa isa,
+    const struct calibrate_generation *g, const struct params *best)
+{
+	settings.breakage = (unsigned)g->params.breakage;
+	struct misfit *m = misfit_new(site, train, NULL, false, settings);
+	struct candidates c = {.n = m->n_residual,
+	    .cell = xcalloc(m->n_residual + 1, sizeof *c.cell)};
+	double *difference = xdoubles(m->n_residual * MOST);
+	double *of_best = xdoubles(m->n_residual);
+	evaluate(m, isa, g, difference);
+	misfit_differences(m, best, of_best);
+	size_t k = 0;
+	for (size_t r = 0; r < m->n_run; r++)
+		for (size_t i = 0; i < m->run[r].n; i++, k++) {
+			double *d = difference + k * MOST;
+			gsl_sort(d, 1, g->n_kept);
+			c.cell[k] =
+			    (struct candidates_cell){.run = m->run[r].run,
+				.size = m->run[r].sieve[i],
+				.p10 = percentile(d, g->n_kept, 0.1),
+				.median = percentile(d, g->n_kept, 0.5),
+				.p90 = percentile(d, g->n_kept, 0.9),
+				.best = of_best[k]};
+		}
+	take_break_sizes(&c, g, m->run[0].speed);
+	free(difference);
+	free(of_best);
+	misfit_free(m);
+	return c;
+}
+
+void
+candidates_clear(struct candidates *c)
+{
+	free(c->cell);
+	*c = (struct candidates){0};
+}
+
+const struct candidates_cell *
+candidates_worst(const struct candidates *c)
+{
+	const struct candidates_cell *worst = c->cell;
+	for (size_t k = 1; k < c->n; k++)
+		if (fabs(c->cell[k].median) > fabs(worst->median))
+			worst = &c->cell[k];
+	return worst;
+}
+
+void
+candidates_spread(
+    const struct calibrate_generation *g, size_t j, double *p10, double *p90)
+{
+	double value[MOST] = {0};
+	for (size_t i = 0; i < g->n_kept; i++) {
+		struct params p = kept(g, i);
+		params_scale(&p);
+		value[i] = p.at[j];
+	}
+	gsl_sort(value, 1, g->n_kept);
+	*p10 = percentile(value, g->n_kept, 0.1);
+	*p90 = percentile(value, g->n_kept, 0.9);
+}

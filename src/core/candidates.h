@@ -1,0 +1,45 @@
+/* How far the candidates of one generation lie from what was measured.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_CANDIDATES_H
+#define TIPSPEED_CORE_CANDIDATES_H
+
+#include "core/calibrate.h"
+#include "core/site.h"
+
+/* Simulated less measured passing at a sieve of a training run, 0..1: the 10th,
+ * 50th and 90th percentile of the candidates kept, and the best one's. */
+struct candidates_cell {
+	size_t run;
+	double size; /* m */
+	double p10, median, p90, best;
+};
+
+/* cell [n]: run by run, coarsest sieve first.  speed: the slowest trained on;
+ * break_size: the quartiles of the candidates' break sizes there, m, INFINITY
+ * where nothing breaks. */
+struct candidates {
+	size_t n;
+	struct candidates_cell *cell;
+	double speed, break_size[3];
+};
+
+/* Works them out from the candidates that a generation kept; nothing of that is
+ * done during the search.  settings, train [n_run]: of the search; best: on the
+ * accurate product, the others on the search's scheme.  The caller frees with
+ * candidates_clear. */
+struct candidates candidates_of(const struct site *site, const bool *train,
+    struct model_settings settings, enum isa isa,
+    const struct calibrate_generation *generation, const struct params *best);
+void candidates_clear(struct candidates *c);
+
+/* The cell that half of the candidates miss by most, in either direction;
+ * there is one. */
+const struct candidates_cell *candidates_worst(const struct candidates *c);
+
+/* The lowest and highest value of a parameter among the middle 80 % of the
+ * candidates, as it is reported: one of the gauge over the largest of its
+ * candidate (D4). */
+void candidates_spread(const struct calibrate_generation *generation, size_t j,
+    double *p10, double *p90);
+
+#endif

@@ -1,0 +1,374 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/circuit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+
+struct circuit *
+circuit_new(void)
+{
+	struct circuit *c = xcalloc(1, sizeof *c);
+	c->name = xstrdup("");
+	c->unit = xcalloc(CIRCUIT_UNITS, sizeof *c->unit);
+	c->stream = xcalloc(
+	    (size_t)CIRCUIT_UNITS * UNIT_STREAMS * 2, sizeof(*c->stream));
+	return c;
+}
+
+void
+circuit_free(struct circuit *c)
+{
+	if (c == NULL)
+		return;
+	for (size_t u = 0; u < c->n_unit; u++)
+		free(c->unit[u].name);
+	for (size_t i = 0; i < c->n_stream; i++)
+		free(c->stream[i]);
+	free(c->name);
+	free(c->unit);
+	free(c->stream);
+	free(c);
+}
+
+struct unit *
+circuit_unit(struct circuit *c, enum unit_kind kind, const char *name)
+{
+	if (c->n_unit == CIRCUIT_UNITS)
+		return NULL;
+	struct unit *unit = &c->unit[c->n_unit++];
+	*unit = (struct unit){.kind = kind,
+	    .name = xstrdup(name),
+	    .price = NAN,
+	    .partition = PARTITION_IDEAL};
+	return unit;
+}
+
+size_t
+circuit_stream(struct circuit *c, const char *name)
+{
+	size_t i = 0;
+	while (i < c->n_stream && strcmp(c->stream[i], name) != 0)
+		i++;
+	if (i == c->n_stream)
+		c->stream[c->n_stream++] = xstrdup(name);
+	return i;
+}
+
+static bool
+has(const size_t *list, size_t n, size_t what)
+{
+	for (size_t i = 0; i < n; i++)
+		if (list[i] == what)
+			return true;
+	return false;
+}
+
+size_t
+circuit_source(const struct circuit *c, size_t stream)
+{
+	size_t u = 0;
+	while (u < c->n_unit && !has(c->unit[u].out, c->unit[u].n_out, stream))
+		u++;
+	return u;
+}
+
+size_t
+circuit_use(const struct circuit *c, size_t stream)
+{
+	size_t u = 0;
+	while (u < c->n_unit && !has(c->unit[u].in, c->unit[u].n_in, stream))
+		u++;
+	return u;
+}
+
+/* A walk from the feed on.  order: units, each before all that it leads to but
+ * for loops, filled from the end; back: streams that lead to a unit which the
+ * walk is under way from. */
+struct walk {
+	const struct circuit *c;
+	enum { WALK_NEW, WALK_UNDER_WAY, WALK_DONE } state[CIRCUIT_UNITS];
+	size_t order[CIRCUIT_UNITS], first;
+	bool *back;
+};
+
+/* As deep as there are units. */
+static void
+walk_from(struct walk *w, size_t u)
+{
+	const struct unit *unit = &w->c->unit[u];
+	w->state[u] = WALK_UNDER_WAY;
+	for (size_t i = 0; i < unit->n_out; i++) {
+		size_t next = circuit_use(w->c, unit->out[i]);
+		if (next == w->c->n_unit)
+			continue;
+		if (w->state[next] == WALK_UNDER_WAY)
+			w->back[unit->out[i]] = true;
+		else if (w->state[next] == WALK_NEW)
+			walk_from(w, next);
+	}
+	w->state[u] = WALK_DONE;
+	w->order[--w->first] = u;
+}
+
+/* back [n_stream] out. */
+static struct walk
+walk_all(const struct circuit *c, bool *back)
+{
+	struct walk w = {.c = c, .first = c->n_unit, .back = back};
+	for (size_t u = 0; u < c->n_unit; u++)
+		if (c->unit[u].kind == UNIT_FEED)
+			walk_from(&w, u);
+	return w;
+}
+
+size_t
+circuit_unfed(const struct circuit *c)
+{
+	bool *back = xcalloc(c->n_stream + 1, sizeof *back);
+	struct walk w = walk_all(c, back);
+	size_t u = 0;
+	while (u < c->n_unit && w.state[u] != WALK_NEW)
+		u++;
+	free(back);
+	return u;
+}
+
+size_t
+circuit_trapped(const struct circuit *c)
+{
+	bool leads[CIRCUIT_UNITS] = {false};
+	for (size_t pass = 0; pass < c->n_unit; pass++)
+		for (size_t u = 0; u < c->n_unit; u++) {
+			const struct unit *unit = &c->unit[u];
+			if (unit->kind == UNIT_STOCKPILE)
+				leads[u] = true;
+			for (size_t i = 0; i < unit->n_out; i++) {
+				size_t to = circuit_use(c, unit->out[i]);
+				if (to < c->n_unit && leads[to])
+					leads[u] = true;
+			}
+		}
+	for (size_t i = 0; i < c->n_stream; i++) {
+		size_t to = circuit_use(c, i);
+		if (to < c->n_unit && !leads[to])
+			return i;
+	}
+	return c->n_stream;
+}
+
+/* A solution under way.  over [n_unit][classes]: share of each class that goes
+ * to a screen's oversize; mass [n_stream][classes], t/h; in, rotor, out
+ * [classes]: room for a unit's. */
+struct solving {
+	const struct circuit *c;
+	const double *feed;
+	size_t classes;
+	struct transfer *const *transfer;
+	struct walk walk;
+	double *over, *mass, *in, *rotor, *out;
+};
+
+static double
+total(const double *mass, size_t n)
+{
+	double sum = 0;
+	for (size_t i = 0; i < n; i++)
+		sum += mass[i];
+	return sum;
+}
+
+/* Replaces a stream; returns what it changed by. */
+static double
+put(struct solving *s, size_t stream, const double *mass, const double *share,
+    double of)
+{
+	double *to = s->mass + stream * s->classes, change = 0;
+	for (size_t i = 0; i < s->classes; i++) {
+		double now = mass[i] * (share != NULL ? share[i] : of);
+		change += fabs(now - to[i]);
+		to[i] = now;
+	}
+	return s->walk.back[stream] ? change : 0;
+}
+
+/* All out of a screen is from the same numbers, so that nothing is lost. */
+static double
+put_screen(struct solving *s, const struct unit *unit, size_t u)
+{
+	const double *over = s->over + u * s->classes;
+	double change = put(s, unit->out[0], s->in, over, 1);
+	for (size_t i = 0; i < s->classes; i++)
+		s->out[i] = s->in[i] - s->in[i] * over[i];
+	return change + put(s, unit->out[1], s->out, NULL, 1);
+}
+
+static double
+put_crusher(struct solving *s, const struct unit *unit, size_t u, size_t draw)
+{
+	for (size_t i = 0; i < s->classes; i++)
+		s->rotor[i] = s->in[i] * (1 - unit->cascade);
+	transfer_product(s->transfer[u], draw, s->rotor, s->out);
+	for (size_t i = 0; i < s->classes; i++)
+		s->out[i] += s->in[i] * unit->cascade;
+	return put(s, unit->out[0], s->out, NULL, 1);
+}
+
+/* Works one unit out; returns how much streams that close loops changed. */
+static double
+run_unit(struct solving *s, size_t u, size_t draw)
+{
+	const struct unit *unit = &s->c->unit[u];
+	double change = 0;
+	memset(s->in, 0, s->classes * sizeof *s->in);
+	for (size_t k = 0; k < unit->n_in; k++)
+		for (size_t i = 0; i < s->classes; i++)
+			s->in[i] += s->mass[unit->in[k] * s->classes + i];
+	switch (unit->kind) {
+	case UNIT_FEED:
+		return put(s, unit->out[0], s->feed, NULL, s->c->tph);
+	case UNIT_CRUSHER:
+		return put_crusher(s, unit, u, draw);
+	case UNIT_SCREEN:
+		return put_screen(s, unit, u);
+	case UNIT_SPLIT:
+		for (size_t k = 0; k < unit->n_out; k++)
+			change +=
+			    put(s, unit->out[k], s->in, NULL, unit->share[k]);
+		return change;
+	case UNIT_STOCKPILE:
+	case UNIT_KINDS:
+		break;
+	}
+	return 0;
+}
+
+/* Returns after how many passes it is steady; 0: it is not.  Begins with what
+ * the streams have. */
+static size_t
+solve(struct solving *s, size_t draw)
+{
+	const double steady = 1e-13;
+	for (size_t pass = 1; pass <= CIRCUIT_PASSES; pass++) {
+		double change = 0;
+		for (size_t k = s->walk.first; k < s->c->n_unit; k++)
+			change += run_unit(s, s->walk.order[k], draw);
+		if (change <= steady * s->c->tph)
+			return pass;
+	}
+	return 0;
+}
+
+/* Adds what was found in a draw to the flow. */
+static void
+keep(struct flow *flow, const struct solving *s, size_t draw, size_t passes)
+{
+	size_t n = s->classes;
+	double closing = s->c->tph,
+	       *tph = flow->tph_draw + draw * flow->n_stream;
+	for (size_t i = 0; i < flow->n_stream; i++) {
+		size_t to = circuit_use(s->c, i);
+		tph[i] = total(s->mass + i * n, n);
+		flow->tph[i] += tph[i] / (double)flow->draws;
+		if (flow->back[i])
+			flow->circulating_draw[draw] += tph[i];
+		if (s->c->unit[to].kind == UNIT_STOCKPILE)
+			closing -= tph[i];
+	}
+	flow->circulating += flow->circulating_draw[draw] / (double)flow->draws;
+	for (size_t i = 0; i < flow->n_stream * n; i++)
+		flow->mass[i] += s->mass[i] / (double)flow->draws;
+	if (!(fabs(closing) <= fabs(flow->balance)))
+		flow->balance = closing;
+	flow->passes = passes > flow->passes ? passes : flow->passes;
+	flow->open = passes == 0;
+	if (flow->open)
+		flow->circulating = flow->circulating_draw[draw];
+}
+
+static struct solving
+solving_new(const struct circuit *c, const double *feed, const double *size,
+    size_t classes, bool *back)
+{
+	struct solving s = {.c = c,
+	    .feed = feed,
+	    .classes = classes,
+	    .walk = walk_all(c, back),
+	    .over = xdoubles(c->n_unit * classes),
+	    .mass = xdoubles(c->n_stream * classes),
+	    .in = xdoubles(classes),
+	    .rotor = xdoubles(classes),
+	    .out = xdoubles(classes)};
+	for (size_t u = 0; u < c->n_unit; u++)
+		if (c->unit[u].kind == UNIT_SCREEN)
+			partition_classes(&c->unit[u].partition,
+			    c->unit[u].opening, size, classes,
+			    s.over + u * classes);
+	return s;
+}
+
+static void
+solving_free(struct solving *s)
+{
+	free(s->over);
+	free(s->mass);
+	free(s->in);
+	free(s->rotor);
+	free(s->out);
+}
+
+struct flow
+circuit_flow(const struct circuit *c, const double *feed, const double *size,
+    size_t classes, struct transfer *const *transfer)
+{
+	struct flow flow = {.n_stream = c->n_stream,
+	    .classes = classes,
+	    .draws = 1,
+	    .back = xcalloc(c->n_stream, sizeof *flow.back)};
+	for (size_t u = 0; u < c->n_unit; u++)
+		if (c->unit[u].kind == UNIT_CRUSHER)
+			flow.draws = transfer_draws(transfer[u]);
+	flow.tph = xdoubles(c->n_stream);
+	flow.tph_draw = xdoubles(flow.draws * c->n_stream);
+	flow.mass = xdoubles(c->n_stream * classes);
+	flow.circulating_draw = xdoubles(flow.draws);
+	struct solving s = solving_new(c, feed, size, classes, flow.back);
+	s.transfer = transfer;
+	/* The first that is not steady says enough: the others would take as
+	 * long. */
+	for (size_t d = 0; d < flow.draws && !flow.open; d++)
+		keep(&flow, &s, d, solve(&s, d));
+	solving_free(&s);
+	return flow;
+}
+
+void
+flow_free(struct flow *flow)
+{
+	free(flow->tph);
+	free(flow->tph_draw);
+	free(flow->mass);
+	free(flow->back);
+	free(flow->circulating_draw);
+	*flow = (struct flow){0};
+}
+
+double
+flow_into(const struct flow *flow, const struct unit *unit)
+{
+	double sum = 0;
+	for (size_t i = 0; i < unit->n_in; i++)
+		sum += flow->tph[unit->in[i]];
+	return sum;
+}
+
+double
+flow_draw_into(const struct flow *flow, const struct unit *unit, size_t draw)
+{
+	double sum = 0;
+	for (size_t i = 0; i < unit->n_in; i++)
+		sum += flow->tph_draw[draw * flow->n_stream + unit->in[i]];
+	return sum;
+}

@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/crusher.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "core/discrepancy.h"
+#include "core/ensemble.h"
+#include "core/product.h"
+
+enum { DRAWS = POSTERIOR_DRAWS };
+
+/* [n - 1], of each class but the pan: its ensemble, or without a posterior its
+ * model. */
+struct crusher {
+	const struct posterior *posterior;
+	size_t n;
+	double *size;
+	struct model **model;
+	struct ensemble **ensemble;
+};
+
+/* passing [draws][n - 1][n]: of the product of a class at the sizes;
+ * delta [draws][n] or NULL. */
+struct transfer {
+	size_t n, draws;
+	double *passing, *delta;
+	double *feed; /* [n], room for the passing masses of a feed */
+};
+
+struct crusher *
+crusher_new(const double *size, size_t n, const struct params *p,
+    struct model_settings settings, const struct posterior *posterior)
+{
+	struct crusher *c = xcalloc(1, sizeof *c);
+	*c = (struct crusher){.posterior = posterior,
+	    .n = n,
+	    .size = xdoubles(n),
+	    .model = xcalloc(n, sizeof(*c->model)),
+	    .ensemble = xcalloc(n, sizeof(*c->ensemble))};
+	memcpy(c->size, size, n * sizeof *size);
+	settings.bypass = 0;
+	for (size_t i = 0; i + 1 < n; i++) {
+		double bounds[2] = {size[i], size[i + 1]}, all[2] = {1, 0};
+		struct psd feed = {2, bounds, all};
+		if (posterior != NULL) {
+			c->ensemble[i] =
+			    ensemble_new(posterior, &feed, size, n);
+			ensemble_machine(c->ensemble[i], settings);
+			continue;
+		}
+		c->model[i] = model_new(&feed, size, n, settings);
+		model_set(c->model[i], p);
+	}
+	return c;
+}
+
+void
+crusher_free(struct crusher *c)
+{
+	if (c == NULL)
+		return;
+	for (size_t i = 0; i < c->n; i++) {
+		model_free(c->model[i]);
+		ensemble_free(c->ensemble[i]);
+	}
+	free(c->model);
+	free(c->ensemble);
+	free(c->size);
+	free(c);
+}
+
+/* Row by draw what the ensemble of a class has row by size. */
+static void
+take_class(struct transfer *t, size_t class, const double *P)
+{
+	for (size_t d = 0; d < t->draws; d++) {
+		double *row = t->passing + (d * (t->n - 1) + class) * t->n;
+		for (size_t i = 0; i < t->n; i++)
+			row[i] = P[i * DRAWS + d];
+	}
+}
+
+struct transfer *
+crusher_at(struct crusher *c, double v)
+{
+	struct transfer *t = xcalloc(1, sizeof *t);
+	size_t n = c->n;
+	t->n = n;
+	t->draws = c->posterior != NULL ? DRAWS : 1;
+	t->passing = xdoubles(t->draws * n * n);
+	t->feed = xdoubles(n);
+	for (size_t i = 0; i + 1 < n; i++) {
+		if (c->posterior == NULL) {
+			model_product(c->model[i], v, t->passing + i * n);
+			continue;
+		}
+		ensemble_at(c->ensemble[i], v);
+		take_class(
+		    t, i, ensemble_products(c->ensemble[i], ENSEMBLE_MODEL));
+	}
+	if (c->posterior == NULL || n < 2)
+		return t;
+	t->delta = xdoubles(DRAWS * n);
+	for (size_t d = 0; d < DRAWS; d++)
+		ensemble_delta(c->ensemble[0], d, t->delta + d * n);
+	return t;
+}
+
+void
+transfer_free(struct transfer *t)
+{
+	if (t == NULL)
+		return;
+	free(t->passing);
+	free(t->delta);
+	free(t->feed);
+	free(t);
+}
+
+size_t
+transfer_draws(const struct transfer *t)
+{
+	return t->draws;
+}
+
+/* Masses to passings, from the finest class on: below [n] of the feed. */
+static double
+sum_below(const double *mass, size_t n, double *below)
+{
+	double sum = 0;
+	for (size_t i = n; i-- > 0;) {
+		sum += mass[i];
+		below[i] = sum;
+	}
+	return sum;
+}
+
+void
+transfer_product(
+    const struct transfer *t, size_t draw, const double *in, double *out)
+{
+	size_t n = t->n;
+	const double *row = t->passing + draw * (n - 1) * n;
+	const double *delta = t->delta != NULL ? t->delta + draw * n : NULL;
+	double *feed = t->feed, *below = out, finer = 0;
+	double total = sum_below(in, n, feed);
+	for (size_t i = 0; i < n; i++)
+		below[i] = in[n - 1];
+	for (size_t j = 0; j + 1 < n; j++, row += n)
+		for (size_t i = 0; i < n && in[j] > 0; i++)
+			below[i] += in[j] * row[i];
+	for (size_t i = n; i-- > 0;) {
+		double least = fmax(feed[i], finer), P = below[i];
+		if (delta != NULL && total > 0)
+			P = total * discrepancy_answer(
+					P / total, delta[i], least / total);
+		P = fmin(fmax(P, least), total);
+		below[i] = P - finer;
+		finer = P;
+	}
+	/* The coarsest size passes all; what rounding lost is there. */
+	out[0] += total - finer;
+}
+
+void
+crusher_classes(
+    const struct psd *feed, const double *size, size_t n, double *out)
+{
+	for (size_t i = 0; i < n; i++)
+		out[i] = psd_passing(feed, size[i]) -
+			 (i + 1 < n ? psd_passing(feed, size[i + 1]) : 0);
+}

@@ -1,0 +1,44 @@
+/* A crusher for any feed: what it makes of each size class, at a speed.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_CRUSHER_H
+#define TIPSPEED_CORE_CRUSHER_H
+
+#include <stddef.h>
+
+#include "core/params.h"
+#include "core/psd.h"
+
+/* Classes between sizes [n], m, coarsest first: class i lies between sizes i
+ * and i + 1, with mass that is uniform in ln d, the last is the pan, which does
+ * not break.  A model's product is linear in the feed, so that the products of
+ * all feeds follow from those of the classes; what the model leaves out
+ * (discrepancy.h) follows from the product that it makes of the whole feed. */
+struct crusher;
+struct posterior;
+
+/* posterior: NULL for the model alone; else it must outlive the crusher.  What
+ * the settings lead past the rotor is left to the circuit. */
+struct crusher *crusher_new(const double *size, size_t n,
+    const struct params *p, struct model_settings settings,
+    const struct posterior *posterior);
+void crusher_free(struct crusher *crusher);
+
+/* What it does at tip speed v, m/s: once for each draw of the posterior, or
+ * for the model alone once. */
+struct transfer;
+struct transfer *crusher_at(struct crusher *crusher, double v);
+void transfer_free(struct transfer *t);
+size_t transfer_draws(const struct transfer *t);
+
+/* The product of masses in [n] by class, out [n], of one of them: as much comes
+ * out as goes in, and nothing coarser.  in and out are not the same; one thread
+ * at a time. */
+void transfer_product(
+    const struct transfer *t, size_t draw, const double *in, double *out);
+
+/* The masses of the classes in a curve, which passes all at its coarsest size,
+ * [n] out; they add up to 1. */
+void crusher_classes(
+    const struct psd *feed, const double *size, size_t n, double *out);
+
+#endif

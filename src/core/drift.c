@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/drift.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "core/discrepancy.h"
+#include "core/elementary.h"
+#include "core/rng.h"
+
+/* Half a standard deviation is half of the shift that the CUSUM is best at
+ * (Page); 0.2 and 3 are what textbooks have for the EWMA. */
+const struct drift_rule DRIFT_RULE = {
+    .k = 0.5, .h = 5, .lambda = 0.2, .width = 3};
+
+/* Sheets have a tenth of a point or less. */
+static const double ROUNDING = 0.0005;
+
+void
+drift_known_error(double noise, const double *passing, size_t n, double *error)
+{
+	for (size_t i = 0; i < n; i++)
+		for (size_t j = 0; j < n; j++) {
+			double sd = noise * discrepancy_h(passing[i]);
+			error[i * n + j] =
+			    i == j ? sd * sd + ROUNDING * ROUNDING : 0;
+		}
+}
+
+void
+drift_error(const struct posterior *p, const double *size,
+    const double *passing, size_t n, double *error)
+{
+	for (size_t i = 0; i < n; i++)
+		for (size_t j = 0; j <= i; j++) {
+			double apart = el_log(size[i]) - el_log(size[j]);
+			double sum = 0;
+			for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
+				const double *hyper = p->draw[d].hyper;
+				double own = hyper[HYPER_OWN];
+				sum += discrepancy_shared(apart, hyper) +
+				       (i == j ? own * own : 0);
+			}
+			sum *= discrepancy_h(passing[i]) *
+			       discrepancy_h(passing[j]) / POSTERIOR_DRAWS;
+			if (i == j)
+				sum += ROUNDING * ROUNDING;
+			error[i * n + j] = error[j * n + i] = sum;
+		}
+}
+
+static double
+dot(const double *a, const double *b, size_t n)
+{
+	double sum = 0;
+	for (size_t i = 0; i < n; i++)
+		sum += a[i] * b[i];
+	return sum;
+}
+
+/* One component of one sample: what it weighs each sieve by, and what the draws
+ * then say of it, less their mean. */
+struct weighed {
+	double *weight, *draw;
+};
+
+static void
+put_draws(const struct drift_cut *c, struct weighed *w)
+{
+	double mean = 0;
+	for (size_t d = 0; d < c->n_draw; d++) {
+		w->draw[d] = 0;
+		for (size_t i = 0; i < c->n; i++)
+			w->draw[d] +=
+			    w->weight[i] * c->truth[i * c->n_draw + d];
+		mean += w->draw[d] / (double)c->n_draw;
+	}
+	for (size_t d = 0; d < c->n_draw; d++)
+		w->draw[d] -= mean;
+}
+
+static double
+shared_covariance(const struct weighed *a, const struct weighed *b, size_t n)
+{
+	return n > 0 ? dot(a->draw, b->draw, n) / (double)n : 0;
+}
+
+/* Of two components of one sample. */
+static double
+covariance(
+    const struct drift_cut *c, const struct weighed *a, const struct weighed *b)
+{
+	double sum = shared_covariance(a, b, c->n_draw);
+	for (size_t i = 0; i < c->n; i++)
+		sum += a->weight[i] * dot(b->weight, c->error + i * c->n, c->n);
+	return sum;
+}
+
+/* The slope of the line of least squares, times the range of ln size; 0 of a
+ * single sieve. */
+static void
+put_tilt(const struct drift_cut *c, double *weight)
+{
+	double mean = 0, squares = 0;
+	for (size_t i = 0; i < c->n; i++)
+		mean += el_log(c->size[i]) / (double)c->n;
+	for (size_t i = 0; i < c->n; i++) {
+		weight[i] = el_log(c->size[i]) - mean;
+		squares += weight[i] * weight[i];
+	}
+	double range = c->n > 0 ? weight[0] - weight[c->n - 1] : 0;
+	for (size_t i = 0; i < c->n; i++)
+		weight[i] *= squares > 0 ? range / squares : 0;
+}
+
+static void
+weigh(const struct drift_cut *c, struct weighed w[static DRIFT_COMPONENTS])
+{
+	struct weighed *level = &w[DRIFT_LEVEL], *tilt = &w[DRIFT_TILT];
+	for (size_t k = 0; k < DRIFT_COMPONENTS; k++) {
+		w[k].weight = xdoubles(c->n);
+		w[k].draw = xdoubles(c->n_draw);
+	}
+	for (size_t i = 0; i < c->n; i++)
+		level->weight[i] = 1 / (double)c->n;
+	put_tilt(c, tilt->weight);
+	put_draws(c, level);
+	put_draws(c, tilt);
+	double share = covariance(c, level, tilt) / covariance(c, level, level);
+	bool single = !(tilt->weight[0] > 0);
+	for (size_t i = 0; i < c->n && !single; i++)
+		tilt->weight[i] -= share * level->weight[i];
+	put_draws(c, tilt);
+}
+
+/* The lower half of the covariance of a component's values [n * n], and its
+ * factor; w [n * DRIFT_COMPONENTS]. */
+static double *
+factor(const struct drift_cut *cut, const struct weighed *w, size_t n,
+    size_t component)
+{
+	double *L = xdoubles(n * n);
+	for (size_t i = 0; i < n; i++) {
+		const struct weighed *a = &w[i * DRIFT_COMPONENTS + component];
+		for (size_t j = 0; j < i; j++)
+			L[i * n + j] = shared_covariance(a,
+			    &w[j * DRIFT_COMPONENTS + component],
+			    cut[i].n_draw);
+		double own = covariance(&cut[i], a, a);
+		/* What has no weight is 0, of any variance. */
+		L[i * n + i] = own > 0 ? own : 1;
+	}
+	discrepancy_cholesky(L, n);
+	return L;
+}
+
+/* Moves the charts of a component on by its score, the n-th.  Returns -1, 0 or
+ * 1: where it stands beyond a limit. */
+static int
+move(struct drift_chart *c, const struct drift_rule *r, size_t n)
+{
+	double share = r->lambda / (2 - r->lambda) *
+		       -expm1(2 * (double)n * log1p(-r->lambda));
+	c->up = fmax(0, c->up + c->score - r->k);
+	c->down = fmax(0, c->down - c->score - r->k);
+	c->ewma += r->lambda * (c->score - c->ewma);
+	c->ewma_limit = r->width * sqrt(share);
+	bool above = c->up > r->h || c->ewma > c->ewma_limit;
+	bool below = c->down > r->h || c->ewma < -c->ewma_limit;
+	return above ? 1 : below ? -1 : 0;
+}
+
+/* The level first: a tilt comes with it where sizes move unlike. */
+static enum drift_state
+state_of(const int side[static DRIFT_COMPONENTS])
+{
+	return side[DRIFT_LEVEL] < 0   ? DRIFT_COARSER
+	       : side[DRIFT_LEVEL] > 0 ? DRIFT_FINER
+	       : side[DRIFT_TILT] < 0  ? DRIFT_FLATTER
+	       : side[DRIFT_TILT] > 0  ? DRIFT_STEEPER
+				       : DRIFT_NONE;
+}
+
+/* Where the CUSUM that signals after sample i last stood at 0, and one more. */
+static size_t
+began(const struct drift_point *point, size_t i)
+{
+	enum drift_state state = point[i].state;
+	size_t k = state == DRIFT_COARSER || state == DRIFT_FINER ? DRIFT_LEVEL
+								  : DRIFT_TILT;
+	bool up = state == DRIFT_FINER || state == DRIFT_STEEPER;
+	size_t since = i;
+	while (since > 0) {
+		const struct drift_chart *c = &point[since - 1].chart[k];
+		if (!((up ? c->up : c->down) > 0))
+			break;
+		since--;
+	}
+	return since;
+}
+
+/* The score of value i, given the first `known`, whose scores are there. */
+static double
+score_of(const double *L, size_t n, size_t i, size_t known, size_t k,
+    const struct drift_point *point)
+{
+	double expected = 0, variance = 0;
+	for (size_t j = 0; j < known; j++)
+		expected += L[i * n + j] * point[j].chart[k].score;
+	for (size_t j = known; j <= i; j++)
+		variance += L[i * n + j] * L[i * n + j];
+	return (point[i].chart[k].value - expected) / sqrt(variance);
+}
+
+size_t
+drift_follow(const struct drift_cut *cut, size_t n,
+    const struct drift_rule *rule, struct drift_point *point, size_t *since)
+{
+	struct weighed *w = xcalloc(n * DRIFT_COMPONENTS + 1, sizeof *w);
+	double *L[DRIFT_COMPONENTS];
+	size_t first = n;
+	for (size_t i = 0; i < n; i++)
+		weigh(&cut[i], &w[i * DRIFT_COMPONENTS]);
+	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
+		L[k] = factor(cut, w, n, k);
+	*since = n;
+	for (size_t i = 0; i < n; i++) {
+		int side[DRIFT_COMPONENTS];
+		for (size_t k = 0; k < DRIFT_COMPONENTS; k++) {
+			struct drift_chart *c = &point[i].chart[k];
+			*c = i > 0 ? point[i - 1].chart[k]
+				   : (struct drift_chart){0};
+			c->value = dot(w[i * DRIFT_COMPONENTS + k].weight,
+			    cut[i].residual, cut[i].n);
+			c->sd = sqrt(dot(L[k] + i * n, L[k] + i * n, i + 1));
+			c->score = score_of(
+			    L[k], n, i, i < *since ? i : *since, k, point);
+			side[k] = move(c, rule, i + 1);
+		}
+		point[i].state = state_of(side);
+		if (first == n && point[i].state != DRIFT_NONE) {
+			first = i;
+			*since = began(point, i);
+		}
+	}
+	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
+		free(L[k]);
+	for (size_t i = 0; i < n * DRIFT_COMPONENTS; i++) {
+		free(w[i].weight);
+		free(w[i].draw);
+	}
+	free(w);
+	return first;
+}
+
+double
+drift_run_length(const struct drift_rule *rule, double shift, uint64_t seed)
+{
+	enum { SEQUENCES = 2000, LONGEST = 20000, USE = 1 << 22 };
+	double sum = 0;
+	for (uint64_t q = 0; q < SEQUENCES; q++) {
+		struct rng_key key = rng_key(seed, q, USE);
+		struct drift_chart chart[DRIFT_COMPONENTS] = {{0}};
+		bool signal = false;
+		size_t n = 0;
+		while (!signal && n < LONGEST) {
+			for (size_t k = 0; k < DRIFT_COMPONENTS; k++) {
+				size_t at = n * DRIFT_COMPONENTS + k;
+				chart[k].score = rng_normal(key, (uint32_t)at) +
+						 (k == DRIFT_LEVEL ? shift : 0);
+				if (move(&chart[k], rule, n + 1) != 0)
+					signal = true;
+			}
+			n++;
+		}
+		sum += (double)n;
+	}
+	return sum / SEQUENCES;
+}

@@ -1,0 +1,84 @@
+/* Routine samples on control charts, against what is predicted for them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_DRIFT_H
+#define TIPSPEED_CORE_DRIFT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/posterior.h"
+
+/* What of a sample is followed: the mean of its residuals, measured less
+ * predicted, over the sieves; and the rise of their straight line in ln size
+ * from the finest to the coarsest sieve, less what that has in common with the
+ * mean.  Both are known to be 0 but for a variance that follows from the
+ * posterior. */
+enum drift_component { DRIFT_LEVEL, DRIFT_TILT, DRIFT_COMPONENTS };
+
+/* k, h: allowance and limit of the CUSUM, in standard deviations; lambda,
+ * width: weight of the newest in the EWMA, and its limit in standard
+ * deviations of its own. */
+struct drift_rule {
+	double k, h, lambda, width;
+};
+extern const struct drift_rule DRIFT_RULE;
+
+/* A sample.  size [n] m, coarsest first; residual [n] passing, 0..1.
+ * truth [n * n_draw] row by size: the answers of the draws, which are those of
+ * the next sample too, draw by draw; n_draw 0: they are certain.  error
+ * [n * n]: covariance of the error of one sample. */
+struct drift_cut {
+	size_t n;
+	const double *size, *residual;
+	size_t n_draw;
+	const double *truth, *error;
+};
+
+enum drift_state {
+	DRIFT_NONE,
+	DRIFT_COARSER,
+	DRIFT_FINER,
+	DRIFT_FLATTER,
+	DRIFT_STEEPER
+};
+
+/* One component after a sample.  value: passing, 0..1; sd: of it, before the
+ * samples before it are known; score: standard normal where nothing drifts,
+ * and independent of the others.  down is positive. */
+struct drift_chart {
+	double value, sd, score, ewma, ewma_limit, up, down;
+};
+struct drift_point {
+	struct drift_chart chart[DRIFT_COMPONENTS];
+	enum drift_state state;
+};
+
+/* Follows samples [n] in their order, point [n] out.  Returns the first sample
+ * after which a chart stands beyond its limit, n where none does; *since: the
+ * sample with which its CUSUM began to rise.
+ *
+ * What nobody knows of the truth is the same for all samples, so that their
+ * values are correlated, and charts of them would signal more often than they
+ * say.  The scores are the values less what those before let expect, over the
+ * standard deviation that is left: L^-1 value, L the Cholesky factor of their
+ * covariance.  After a signal nothing more is learnt from what came after
+ * `since`, lest the drift itself be expected.   Source: Hawkins 1987
+ * (self-starting CUSUM); Page 1954; Roberts 1959. */
+size_t drift_follow(const struct drift_cut *cut, size_t n,
+    const struct drift_rule *rule, struct drift_point *point, size_t *since);
+
+/* The mean number of samples to the first signal of any chart, where the level
+ * has moved by `shift` standard deviations: of 2000 simulated sequences.  Those
+ * longer than 20000 count as that. */
+double drift_run_length(
+    const struct drift_rule *rule, double shift, uint64_t seed);
+
+/* Covariance of the error of one sample of a product, passing [n] at size [n],
+ * mean over the draws: [n * n] out.  drift_known_error: of one with a standard
+ * deviation of 2 noise sqrt(P (1 - P)) at each sieve by itself. */
+void drift_error(const struct posterior *p, const double *size,
+    const double *passing, size_t n, double *error);
+void drift_known_error(
+    double noise, const double *passing, size_t n, double *error);
+
+#endif

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/ledger.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "core/predict.h"
+#include "core/product.h"
+
+/* Where the class alone goes: product [n] out, its share in each class. */
+static void
+follow(const struct psd *feed, const struct params *p,
+    struct model_settings settings, double v, size_t class, double *product)
+{
+	struct psd one = psd_copy(feed);
+	for (size_t i = 0; i < one.n; i++)
+		one.passing[i] = i <= class ? 1 : 0;
+	struct model *model = model_new(&one, one.size, one.n, settings);
+	model_set(model, p);
+	model_product(model, v, product);
+	for (size_t i = 0; i + 1 < one.n; i++)
+		product[i] -= product[i + 1];
+	model_free(model);
+	psd_free(&one);
+}
+
+static void
+enter(struct ledger *l, size_t class, double selected, const double *product)
+{
+	double feed = l->feed[class], stays = feed * product[class];
+	l->unbroken[class] = feed * fmax(1 - selected, 0);
+	l->unbroken[class] = fmin(l->unbroken[class], stays);
+	l->within[class] = stays - l->unbroken[class];
+	l->left[class] = feed - stays;
+	l->broken += feed - l->unbroken[class];
+	for (size_t i = class + 1; i < l->n; i++)
+		l->arrived[i] += feed * product[i];
+}
+
+struct ledger
+ledger_new(const struct psd *feed, const struct params *p,
+    struct model_settings settings, double v)
+{
+	size_t n = feed->n;
+	struct ledger l = {.n = n,
+	    .feed = xdoubles(n),
+	    .unbroken = xdoubles(n),
+	    .within = xdoubles(n),
+	    .left = xdoubles(n),
+	    .arrived = xdoubles(n),
+	    .product = xdoubles(n)};
+	double *S = xdoubles(n), *product = xdoubles(n);
+	predict_selection(feed, p, settings, v, S);
+	for (size_t i = 0; i < n; i++) {
+		double finer = i + 1 < n ? feed->passing[i + 1] : 0;
+		l.feed[i] = feed->passing[i] - finer;
+		follow(feed, p, settings, v, i, product);
+		enter(&l, i, S[i], product);
+	}
+	for (size_t i = 0; i < n; i++)
+		l.product[i] = l.unbroken[i] + l.within[i] + l.arrived[i];
+	free(S);
+	free(product);
+	return l;
+}
+
+void
+ledger_free(struct ledger *l)
+{
+	free(l->feed);
+	free(l->unbroken);
+	free(l->within);
+	free(l->left);
+	free(l->arrived);
+	free(l->product);
+}
+
+size_t
+ledger_most(const double *a, const double *b, size_t n)
+{
+	size_t most = 0;
+	for (size_t i = 1; i < n; i++) {
+		double at = a[i] - (b != NULL ? b[i] : 0);
+		double best = a[most] - (b != NULL ? b[most] : 0);
+		most = at > best ? i : most;
+	}
+	return most;
+}

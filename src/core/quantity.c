@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/quantity.h"
+
+#include <math.h>
+
+const struct modulus MODULUS[MODULI] = {
+    {"EN", "EN 12620", 6, {4, 2, 1, 0.5, 0.25, 0.125}, 0},
+    {"ASTM", "ASTM C136", 9, {37.5, 19, 9.5, 4.75, 2.36, 1.18, 0.6, 0.3, 0.15},
+	0},
+    {"IS", "IS 2386-1", 10, {80, 40, 20, 10, 4.75, 2.36, 1.18, 0.6, 0.3, 0.15},
+	0},
+    {"DIN", "DIN 1045-2, k-value", 9, {63, 31.5, 16, 8, 4, 2, 1, 0.5, 0.25}, 0},
+    {"GB", "GB/T 14684", 6, {4.75, 2.36, 1.18, 0.6, 0.3, 0.15}, 1},
+};
+
+static double
+modulus_read(const struct modulus *m, const struct psd *curve)
+{
+	double sum = 0, coarse = 0;
+	if (!psd_covers(curve, m->mm[m->n - 1] / 1000))
+		return NAN;
+	for (size_t i = 0; i < m->n; i++) {
+		double retained = 1 - psd_passing(curve, m->mm[i] / 1000);
+		sum += retained;
+		if (i == 0)
+			coarse = retained;
+	}
+	if (!m->sand)
+		return sum;
+	return (sum - (double)m->n * coarse) / (1 - coarse);
+}
+
+static double
+step_read(const struct quantity *q, const struct psd *curve)
+{
+	double most = 0;
+	if (q->n_sieve == 0 || !psd_covers(curve, q->sieve[q->n_sieve - 1]))
+		return NAN;
+	for (size_t i = 1; i < q->n_sieve; i++)
+		most = fmax(most, psd_passing(curve, q->sieve[i - 1]) -
+				      psd_passing(curve, q->sieve[i]));
+	return most;
+}
+
+double
+quantity_read(const struct quantity *q, const struct psd *curve, double share)
+{
+	switch (q->kind) {
+	case QUANTITY_SHARE:
+		return share;
+	case QUANTITY_PASSING:
+		return psd_covers(curve, q->x) ? psd_passing(curve, q->x) : NAN;
+	case QUANTITY_SIZE:
+		return psd_size(curve, q->x);
+	case QUANTITY_MODULUS:
+		return modulus_read(q->modulus, curve);
+	case QUANTITY_UNIFORMITY:
+		return psd_size(curve, 0.6) / psd_size(curve, 0.1);
+	case QUANTITY_CURVATURE:
+		return psd_size(curve, 0.3) * psd_size(curve, 0.3) /
+		       (psd_size(curve, 0.6) * psd_size(curve, 0.1));
+	case QUANTITY_STEP:
+		return step_read(q, curve);
+	}
+	return NAN;
+}
+
+/* What is missing at a size that a share should not pass. */
+static double
+short_at(const struct psd *curve, double share, double size)
+{
+	bool known = size > 0 && psd_covers(curve, size);
+	return known ? share - psd_passing(curve, size) : NAN;
+}
+
+double
+quantity_over(const struct quantity *q, double limit, double value,
+    const struct psd *curve)
+{
+	switch (q->kind) {
+	case QUANTITY_PASSING:
+	case QUANTITY_SHARE:
+	case QUANTITY_STEP:
+		return value - limit;
+	case QUANTITY_MODULUS:
+		return (value - limit) / (double)q->modulus->n;
+	case QUANTITY_SIZE:
+		return short_at(curve, q->x, limit);
+	case QUANTITY_UNIFORMITY:
+		return short_at(curve, 0.6, limit * psd_size(curve, 0.1));
+	case QUANTITY_CURVATURE:
+		return short_at(curve, 0.3,
+		    sqrt(limit * psd_size(curve, 0.6) * psd_size(curve, 0.1)));
+	}
+	return NAN;
+}
+
+size_t
+quantity_points(const struct quantity *q, double size[static QUANTITY_POINTS])
+{
+	size_t n = 0;
+	if (q->kind == QUANTITY_PASSING)
+		size[n++] = q->x;
+	if (q->kind == QUANTITY_MODULUS)
+		while (n < q->modulus->n) {
+			size[n] = q->modulus->mm[n] / 1000;
+			n++;
+		}
+	if (q->kind == QUANTITY_STEP)
+		for (; n < q->n_sieve && n < STEP_SIEVES; n++)
+			size[n] = q->sieve[n];
+	if (q->fraction.fine > 0)
+		size[n++] = q->fraction.fine;
+	if (q->fraction.coarse > 0)
+		size[n++] = q->fraction.coarse;
+	return n;
+}

@@ -1,0 +1,66 @@
+/* What is asked of a product: one number that is read off its curve.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_QUANTITY_H
+#define TIPSPEED_CORE_QUANTITY_H
+
+#include <stddef.h>
+
+#include "core/psd.h"
+#include "core/screening.h"
+
+/* A fineness modulus: the sum of the shares retained on the sieves of a
+ * standard, which say how coarse a sand is.  size [n] mm, coarsest first.
+ * sand: only what passes the coarsest of them counts,
+ *   (A2 + .. + A6 - 5 A1) / (1 - A1)
+ * A the cumulative shares retained, as in GB/T 14684. */
+enum { MODULUS_SIEVES = 10, MODULI = 5 };
+struct modulus {
+	const char *name, *standard;
+	size_t n;
+	double mm[MODULUS_SIEVES];
+	int sand;
+};
+extern const struct modulus MODULUS[MODULI];
+
+enum quantity_kind {
+	QUANTITY_PASSING,    /* at size x, m; 0..1 */
+	QUANTITY_SIZE,       /* that the share x passes: P80, D80; m */
+	QUANTITY_SHARE,      /* of the product that is in the fraction; 0..1 */
+	QUANTITY_MODULUS,    /* fineness modulus */
+	QUANTITY_UNIFORMITY, /* D60 / D10 */
+	QUANTITY_CURVATURE,  /* D30^2 / (D60 D10) */
+	QUANTITY_STEP /* the largest share between two neighbours of `sieve` */
+};
+
+/* Of the product, or of a screened fraction of it (screening.h). */
+struct quantity {
+	enum quantity_kind kind;
+	double x;
+	const struct modulus *modulus;
+	size_t n_sieve;
+	const double *sieve; /* [n_sieve] m, coarsest first; not owned */
+	struct fraction fraction;
+};
+
+/* Read off a curve, which is that of the fraction, `share` of
+ * the product is.  NAN where the curve does not reach so far. */
+double quantity_read(
+    const struct quantity *q, const struct psd *curve, double share);
+
+/* By how much the value read off that curve lies above a limit, in passing
+ * 0..1, so that all limits compare: the difference of a passing, share or step;
+ * what passes too little at the size that a limit of D or P is, or that a limit
+ * of Cu or Cc makes of the other sizes; and of a modulus the difference for
+ * each of its sieves.  Above 0 exactly where the value is above the limit; NAN
+ * where the curve does not tell. */
+double quantity_over(const struct quantity *q, double limit, double value,
+    const struct psd *curve);
+
+/* The sizes, m, at which the curve should have points, so that the value is
+ * exact: [QUANTITY_POINTS] out, with the first STEP_SIEVES of a step's sieves.
+ * Returns how many. */
+enum { STEP_SIEVES = 20, QUANTITY_POINTS = STEP_SIEVES + 2 };
+size_t quantity_points(
+    const struct quantity *q, double size[static QUANTITY_POINTS]);
+
+#endif

@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/response.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "core/product.h"
+
+enum { DRAWS = POSTERIOR_DRAWS };
+
+/* curve, part: room for a draw's.  speed: the one it is at. */
+struct response {
+	struct inverse inverse;
+	size_t n;
+	struct quantity *asked;
+	double **kept; /* [n][sizes] kept for its fraction; NULL: all */
+	double *value; /* [n] */
+	double **draw; /* [n][DRAWS] or NULL */
+	struct psd curve, part;
+	double speed;
+};
+
+/* The sizes of both lists, coarsest first. */
+static double *
+all_sizes(const struct psd *feed, const double *size, size_t *n,
+    const struct quantity *asked, size_t n_asked)
+{
+	double *all = xdoubles(*n + n_asked * QUANTITY_POINTS);
+	memcpy(all, size, *n * sizeof *size);
+	for (size_t i = 0; i < n_asked; i++) {
+		double point[QUANTITY_POINTS];
+		size_t more = quantity_points(&asked[i], point);
+		for (size_t k = 0; k < more; k++)
+			if (psd_covers(feed, point[k]))
+				all[(*n)++] = point[k];
+	}
+	*n = psd_sort(all, *n, 0);
+	return all;
+}
+
+struct response *
+response_new(const struct psd *feed, const double *size, size_t n,
+    const struct quantity *asked, size_t n_asked, const struct params *p,
+    struct model_settings settings, const struct posterior *posterior)
+{
+	struct response *r = xcalloc(1, sizeof *r);
+	double *all = all_sizes(feed, size, &n, asked, n_asked);
+	*r = (struct response){
+	    .inverse = inverse_new(feed, all, n, p, settings, posterior),
+	    .n = n_asked,
+	    .asked = xcalloc(n_asked, sizeof *asked),
+	    .kept = xcalloc(n_asked, sizeof *r->kept),
+	    .value = xdoubles(n_asked),
+	    .draw = xcalloc(n_asked, sizeof *r->draw),
+	    .part = psd_new(n)};
+	r->curve = psd_copy(&r->inverse.product);
+	memcpy(r->part.size, all, n * sizeof *all);
+	for (size_t i = 0; i < n_asked; i++) {
+		r->asked[i] = asked[i];
+		if (posterior != NULL)
+			r->draw[i] = xdoubles(DRAWS);
+		if (!fraction_screens(&asked[i].fraction))
+			continue;
+		r->kept[i] = xdoubles(n);
+		fraction_classes(&asked[i].fraction, all, n, r->kept[i]);
+	}
+	free(all);
+	return r;
+}
+
+void
+response_free(struct response *r)
+{
+	if (r == NULL)
+		return;
+	for (size_t i = 0; i < r->n; i++) {
+		free(r->kept[i]);
+		free(r->draw[i]);
+	}
+	inverse_free(&r->inverse);
+	psd_free(&r->curve);
+	psd_free(&r->part);
+	free(r->asked);
+	free(r->kept);
+	free(r->value);
+	free(r->draw);
+	free(r);
+}
+
+/* Of a curve of the product. */
+static double
+read_off(struct response *r, size_t i, const struct psd *curve)
+{
+	if (r->kept[i] == NULL)
+		return quantity_read(&r->asked[i], curve, 1);
+	double share = screening_part(curve, r->kept[i], &r->part);
+	return quantity_read(&r->asked[i], &r->part, share);
+}
+
+/* The curve of draw d. */
+static void
+take_draw(const struct response *r, size_t d, struct psd *curve)
+{
+	const double *P =
+	    ensemble_products(r->inverse.ensemble, ENSEMBLE_ANSWER) + d;
+	for (size_t k = 0; k < curve->n; k++)
+		curve->passing[k] = P[k * DRAWS];
+}
+
+void
+response_at(struct response *r, double v)
+{
+	const struct psd *product = inverse_at(&r->inverse, v);
+	r->speed = v;
+	for (size_t i = 0; i < r->n; i++)
+		r->value[i] = read_off(r, i, product);
+	for (size_t d = 0; d < DRAWS && r->inverse.ensemble != NULL; d++) {
+		take_draw(r, d, &r->curve);
+		for (size_t i = 0; i < r->n; i++)
+			r->draw[i][d] = read_off(r, i, &r->curve);
+	}
+}
+
+void
+response_take(struct response *r, double v, const struct psd *curve)
+{
+	struct psd *product = &r->inverse.product;
+	r->speed = v;
+	for (size_t k = 0; k < product->n; k++)
+		product->passing[k] = psd_passing(curve, product->size[k]);
+	for (size_t i = 0; i < r->n; i++)
+		r->value[i] = read_off(r, i, product);
+}
+
+double
+response_value(const struct response *r, size_t i)
+{
+	return r->value[i];
+}
+
+double
+response_model(struct response *r, size_t i)
+{
+	model_product(r->inverse.model, r->speed, r->curve.passing);
+	return read_off(r, i, &r->curve);
+}
+
+const double *
+response_draws(const struct response *r, size_t i)
+{
+	return r->draw[i];
+}
+
+double
+response_over(struct response *r, size_t i, double limit, size_t draw)
+{
+	const struct quantity *q = &r->asked[i];
+	double value = draw == SIZE_MAX ? r->value[i] : r->draw[i][draw];
+	bool read = q->kind == QUANTITY_SIZE ||
+		    q->kind == QUANTITY_UNIFORMITY ||
+		    q->kind == QUANTITY_CURVATURE;
+	if (!read)
+		return quantity_over(q, limit, value, NULL);
+	if (draw == SIZE_MAX)
+		memcpy(r->curve.passing, r->inverse.product.passing,
+		    r->curve.n * sizeof(double));
+	else
+		take_draw(r, draw, &r->curve);
+	if (r->kept[i] == NULL)
+		return quantity_over(q, limit, value, &r->curve);
+	screening_part(&r->curve, r->kept[i], &r->part);
+	return quantity_over(q, limit, value, &r->part);
+}
+
+void
+response_band(
+    const struct response *r, size_t i, double level, double range[static 2])
+{
+	double value[DRAWS];
+	range[0] = range[1] = NAN;
+	if (r->draw[i] == NULL)
+		return;
+	memcpy(value, r->draw[i], sizeof value);
+	ensemble_middle(value, level, &range[0], &range[1]);
+	range[0] = fmin(range[0], r->value[i]);
+	range[1] = fmax(range[1], r->value[i]);
+}
+
+struct psd
+response_part(const struct response *r, size_t i)
+{
+	struct psd part = psd_copy(&r->inverse.product);
+	if (r->kept[i] != NULL)
+		screening_part(&r->inverse.product, r->kept[i], &part);
+	return part;
+}

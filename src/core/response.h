@@ -1,0 +1,52 @@
+/* What is asked of the product of one feed, at any speed, with its band.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_RESPONSE_H
+#define TIPSPEED_CORE_RESPONSE_H
+
+#include "core/inverse.h"
+#include "core/quantity.h"
+
+/* Opaque; the posterior must outlive it. */
+struct response;
+
+/* size [n]: sizes that the curve has in any case, see predict_sizes, m,
+ * coarsest first; those that quantities [n_asked] need and the feed covers are
+ * added.  posterior: NULL for the model alone. */
+struct response *response_new(const struct psd *feed, const double *size,
+    size_t n, const struct quantity *asked, size_t n_asked,
+    const struct params *p, struct model_settings settings,
+    const struct posterior *posterior);
+void response_free(struct response *r);
+
+/* Moves to tip speed v, m/s. */
+void response_at(struct response *r, double v);
+
+/* The same for the answer alone, of its curve at that speed made before, and
+ * without the work of the draws, which stay where they were.  Values are exact
+ * where the curve has the sizes that the quantities need; between these they
+ * lie on its straight lines. */
+void response_take(struct response *r, double v, const struct psd *curve);
+
+/* Quantity i at that speed: of the answer, and of the model alone.  NAN where
+ * the curve does not reach so far. */
+double response_value(const struct response *r, size_t i);
+double response_model(struct response *r, size_t i);
+
+/* Its values in the draws, [POSTERIOR_DRAWS], borrowed; NULL of a model
+ * alone. */
+const double *response_draws(const struct response *r, size_t i);
+
+/* By how much it lies above a limit there, see quantity_over: of draw d, or for
+ * SIZE_MAX of the answer. */
+double response_over(struct response *r, size_t i, double limit, size_t draw);
+
+/* The middle `level` of them, widened to hold the value; NAN of a model
+ * alone. */
+void response_band(
+    const struct response *r, size_t i, double level, double range[static 2]);
+
+/* The answer's curve of a quantity's fraction at that speed, at the sizes of
+ * the product's curve; psd_free. */
+struct psd response_part(const struct response *r, size_t i);
+
+#endif

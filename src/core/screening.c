@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/screening.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "core/elementary.h"
+
+const struct partition PARTITION_IDEAL = {0, 1};
+
+double
+partition_oversize(const struct partition *p, double opening, double d)
+{
+	double ratio = d / (opening * (p->cut_size > 0 ? p->cut_size : 1));
+	if (!(p->sharpness > 0))
+		return ratio > 1;
+	/* Divided by e^a, so that nothing overflows. */
+	double far = el_exp(-p->sharpness);
+	double rest =
+	    (1 - far) /
+	    (el_exp(fmin(p->sharpness * (ratio - 1), 700)) + 1 - 2 * far);
+	return 1 - rest;
+}
+
+bool
+fraction_screens(const struct fraction *fraction)
+{
+	return fraction->fine > 0 || fraction->coarse > 0;
+}
+
+/* The mean over a class, by Gauss's four points in ln d; of an ideal screen the
+ * part of it above the cut. */
+static double
+class_mean(
+    const struct partition *p, double opening, double coarse, double fine)
+{
+	static const double AT[2] = {0.3399810435848563, 0.8611363115940526},
+			    WEIGHT[2] = {
+				0.6521451548625461, 0.3478548451374538};
+	double middle = el_log(coarse * fine) / 2,
+	       half = el_log(coarse / fine) / 2, sum = 0;
+	if (!(p->sharpness > 0)) {
+		double cut = opening * (p->cut_size > 0 ? p->cut_size : 1);
+		double above = el_log(coarse / cut) / (2 * half);
+		return fmin(fmax(above, 0), 1);
+	}
+	for (size_t i = 0; i < 2; i++)
+		for (double sign = -1; sign <= 1; sign += 2)
+			sum += WEIGHT[i] / 2 *
+			       partition_oversize(p, opening,
+				   el_exp(middle + sign * half * AT[i]));
+	return sum;
+}
+
+void
+partition_classes(const struct partition *p, double opening, const double *size,
+    size_t n, double *out)
+{
+	for (size_t i = 0; i + 1 < n; i++)
+		out[i] = class_mean(p, opening, size[i], size[i + 1]);
+	out[n - 1] = partition_oversize(p, opening, size[n - 1] / 2);
+}
+
+void
+fraction_classes(
+    const struct fraction *fraction, const double *size, size_t n, double *out)
+{
+	double *over = xdoubles(n);
+	for (size_t i = 0; i < n; i++)
+		out[i] = 1;
+	if (fraction->coarse > 0)
+		partition_classes(
+		    &fraction->partition, fraction->coarse, size, n, over);
+	for (size_t i = 0; i < n && fraction->coarse > 0; i++)
+		out[i] = 1 - over[i];
+	if (fraction->fine > 0)
+		partition_classes(
+		    &fraction->partition, fraction->fine, size, n, over);
+	for (size_t i = 0; i < n && fraction->fine > 0; i++)
+		out[i] *= over[i];
+	free(over);
+}
+
+double
+screening_part(const struct psd *product, const double *kept, struct psd *part)
+{
+	size_t n = product->n;
+	const double *P = product->passing;
+	double below = 0;
+	for (size_t i = n; i-- > 0;) {
+		double finer = i + 1 < n ? P[i + 1] : 0;
+		below += kept[i] * (P[i] - finer);
+		part->passing[i] = below;
+	}
+	double share = below + kept[0] * (1 - P[0]);
+	for (size_t i = 0; i < n && share > 0; i++)
+		part->passing[i] = fmin(part->passing[i] / share, 1);
+	return share;
+}

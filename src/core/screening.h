@@ -1,0 +1,54 @@
+/* Screens: which part of a product goes into a fraction such as 0/4.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_SCREENING_H
+#define TIPSPEED_CORE_SCREENING_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/psd.h"
+
+/* How well a screen separates: the share of a size d that goes to the
+ * oversize is
+ *   E(d) = 1 - (e^a - 1) / (e^(a d / d50) + e^a - 2)
+ * a the sharpness, d50 = cut_size times the opening, half of which goes either
+ * way.  Source: Whiten's efficiency curve without water (Napier-Munn et al.
+ * 1996, Mineral comminution circuits, ch. 9).  sharpness 0: an ideal screen,
+ * that cuts at d50. */
+struct partition {
+	double sharpness, cut_size;
+};
+extern const struct partition PARTITION_IDEAL;
+
+/* 0..1 of the size d, m, on a screen with that opening, m. */
+double partition_oversize(
+    const struct partition *partition, double opening, double d);
+
+/* What passes the screen `coarse` and stays on the screen `fine`, m; 0: there
+ * is no such screen.  All zeros: the whole product. */
+struct fraction {
+	double fine, coarse;
+	struct partition partition;
+};
+
+/* Whether it takes anything away. */
+bool fraction_screens(const struct fraction *fraction);
+
+/* What a screen sends to the oversize of each class between sizes [n] m,
+ * coarsest first, of mass that is uniform in ln d: class i lies between i and
+ * i + 1, the last is the pan, of half the finest size.  out [n], 0..1. */
+void partition_classes(const struct partition *partition, double opening,
+    const double *size, size_t n, double *out);
+
+/* What a fraction keeps of each of them, likewise. */
+void fraction_classes(
+    const struct fraction *fraction, const double *size, size_t n, double *out);
+
+/* The part of a product, of which so much of each class is kept [n]: its curve
+ * is written to part, of the same n.  Returns the share of the product's mass,
+ * where that is 0 the curve is 0.  What is above the coarsest size is kept as
+ * the class below it. */
+double screening_part(
+    const struct psd *product, const double *kept, struct psd *part);
+
+#endif

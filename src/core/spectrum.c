@@ -1,0 +1,226 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/spectrum.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+
+static const double BINS_PER_OCTAVE = 16, FIRST_OCTAVE = -10;
+
+struct spectrum *
+spectrum_new(void)
+{
+	struct spectrum *s = xcalloc(1, sizeof *s);
+	s->speed = NAN;
+	return s;
+}
+
+void
+spectrum_free(struct spectrum *s)
+{
+	if (s == NULL)
+		return;
+	for (size_t i = 0; i < s->n; i++)
+		free(s->size[i]);
+	free(s->size);
+	free(s);
+}
+
+double
+spectrum_edge(size_t bin)
+{
+	return exp2(FIRST_OCTAVE + (double)bin / BINS_PER_OCTAVE);
+}
+
+static size_t
+bin_of(double energy)
+{
+	if (!(energy > spectrum_edge(0)))
+		return 0;
+	double at = (log2(energy) - FIRST_OCTAVE) * BINS_PER_OCTAVE;
+	return at < SPECTRUM_BINS ? (size_t)at : SPECTRUM_BINS - 1;
+}
+
+static struct spectrum_size *
+of_size(struct spectrum *s, double size)
+{
+	double rounded = size > 0 ? exp2(round(4 * log2(size)) / 4) : 0;
+	size_t i = 0;
+	while (i < s->n && s->size[i]->size > rounded)
+		i++;
+	if (i < s->n && s->size[i]->size >= rounded)
+		return s->size[i];
+	s->size = xrealloc(s->size, s->n + 1, sizeof(*s->size));
+	memmove(&s->size[i + 1], &s->size[i], (s->n++ - i) * sizeof(*s->size));
+	s->size[i] = xcalloc(1, sizeof(**s->size));
+	s->size[i]->size = rounded;
+	return s->size[i];
+}
+
+static void
+add(struct spectrum_bin *to, double mass, double energy)
+{
+	to->mass += mass;
+	to->energy += energy;
+}
+
+void
+spectrum_impact(
+    struct spectrum *s, double size, double mass, double energy, bool first)
+{
+	struct spectrum_size *of = of_size(s, size);
+	size_t bin = bin_of(energy);
+	add(&of->all[bin], mass, mass * energy);
+	if (first)
+		add(&of->first[bin], mass, mass * energy);
+}
+
+void
+spectrum_first(struct spectrum *s, double size, double mass, double energy)
+{
+	struct spectrum_size *of = of_size(s, size);
+	add(&of->first[bin_of(energy)], mass, mass * energy);
+}
+
+void
+spectrum_particles(struct spectrum *s, double size, double number, double mass)
+{
+	struct spectrum_size *of = of_size(s, size);
+	of->particles += number;
+	of->mass += mass;
+}
+
+struct spectrum_size *
+spectrum_whole(const struct spectrum *s)
+{
+	struct spectrum_size *whole = xcalloc(1, sizeof *whole);
+	for (size_t i = 0; i < s->n; i++) {
+		const struct spectrum_size *of = s->size[i];
+		whole->particles += of->particles;
+		whole->mass += of->mass;
+		for (size_t b = 0; b < SPECTRUM_BINS; b++) {
+			add(&whole->all[b], of->all[b].mass, of->all[b].energy);
+			add(&whole->first[b], of->first[b].mass,
+			    of->first[b].energy);
+		}
+	}
+	return whole;
+}
+
+struct spectrum_bin
+spectrum_above(const struct spectrum_size *s, double cut, bool first)
+{
+	const struct spectrum_bin *bin = first ? s->first : s->all;
+	struct spectrum_bin sum = {0, 0};
+	size_t at = cut > 0 ? bin_of(cut) : 0;
+	for (size_t b = SPECTRUM_BINS; b-- > at;) {
+		double part = 1;
+		if (b == at && cut > spectrum_edge(at))
+			part =
+			    log2(spectrum_edge(at + 1) / cut) * BINS_PER_OCTAVE;
+		part = fmax(part, 0);
+		add(&sum, part * bin[b].mass, part * bin[b].energy);
+	}
+	return sum;
+}
+
+double
+spectrum_per_particle(
+    const struct spectrum *s, const struct spectrum_size *of, double cut)
+{
+	if (!s->counted || !(of->mass > 0))
+		return NAN;
+	return spectrum_above(of, cut, false).mass / of->mass;
+}
+
+double
+spectrum_scale(const struct spectrum *s, double speed)
+{
+	double ratio = speed / s->speed;
+	return ratio * ratio;
+}
+
+struct impacts
+spectrum_impacts(const struct spectrum *s, double cut)
+{
+	struct spectrum_size *whole = spectrum_whole(s);
+	struct spectrum_bin above = spectrum_above(whole, cut, false);
+	struct spectrum_bin node = {0, 0};
+	struct impacts to = {.n = 0};
+	double E = s->speed * s->speed / 2, done = 0;
+	double number = spectrum_per_particle(s, whole, cut);
+	to.number = isfinite(number) ? number : 1;
+	for (size_t b = bin_of(cut); b < SPECTRUM_BINS && above.mass > 0; b++) {
+		const struct spectrum_bin *bin = &whole->all[b];
+		double edge = spectrum_edge(b + 1);
+		bool cuts = cut > spectrum_edge(b) && cut < edge;
+		double part = cuts ? log2(edge / cut) * BINS_PER_OCTAVE : 1;
+		add(&node, part * bin->mass, part * bin->energy);
+		done += part * bin->energy;
+		double due = above.energy * (double)(to.n + 1) / IMPACTS_MOST;
+		bool last = b + 1 == SPECTRUM_BINS;
+		if (!(node.mass > 0) || (done < due * (1 - 1e-9) && !last))
+			continue;
+		to.share[to.n] = node.mass / above.mass;
+		to.ratio[to.n++] = node.energy / node.mass / E;
+		node = (struct spectrum_bin){0, 0};
+		if (to.n == IMPACTS_MOST)
+			break;
+	}
+	free(whole);
+	return to;
+}
+
+double
+spectrum_k(const struct spectrum *s, const struct spectrum_size *of, double E,
+    double e0, double f)
+{
+	double scale = E / (s->speed * s->speed / 2), kept = 0, over = 0;
+	double mass = 0;
+	for (size_t b = 0; b < SPECTRUM_BINS; b++) {
+		const struct spectrum_bin *bin = &of->all[b];
+		if (!(bin->mass > 0))
+			continue;
+		double e = scale * bin->energy / bin->mass - e0;
+		mass += bin->mass;
+		over += bin->mass * fmax(e, 0);
+		kept += bin->mass * exp(-f * fmax(e, 0));
+	}
+	if (!(E > e0) || !(over > 0))
+		return NAN;
+	double n = s->counted && of->mass > 0 ? mass / of->mass : 1;
+	double exponent = f > 0 ? -log(kept / mass) / f : over / mass;
+	return n * exponent / (E - e0);
+}
+
+/* Share of the impacts above cut that are above r v^2/2. */
+static double
+share_above(const struct spectrum_size *of, double v, double cut, double r)
+{
+	double from = fmax(cut, r * v * v / 2);
+	return spectrum_above(of, from, false).mass /
+	       spectrum_above(of, cut, false).mass;
+}
+
+double
+spectrum_distance(
+    const struct spectrum *a, const struct spectrum *b, double cut)
+{
+	double largest = 0, slower = fmin(a->speed, b->speed);
+	double least = cut / (slower * slower / 2);
+	struct spectrum_size *of_a = spectrum_whole(a);
+	struct spectrum_size *of_b = spectrum_whole(b);
+	for (size_t i = 0; i < 200; i++) {
+		double r = least * pow(2 / least, (double)i / 199);
+		double d = share_above(of_a, a->speed,
+			       least * a->speed * a->speed / 2, r) -
+			   share_above(of_b, b->speed,
+			       least * b->speed * b->speed / 2, r);
+		largest = fmax(largest, fabs(d));
+	}
+	free(of_a);
+	free(of_b);
+	return largest;
+}

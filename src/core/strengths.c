@@ -1,0 +1,19 @@
+/* D16.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/strengths.h"
+
+#include "core/elementary.h"
+
+/* Of the logarithm of harder over softer, see HACKING.md. */
+static const double SPREAD = 0.4;
+
+struct strengths
+strengths_at(const double x[static STRENGTHS_COORDINATES])
+{
+	if (!(x[0] > 0))
+		return (struct strengths){0, 1, 1};
+	double log_ratio = SPREAD * x[0], share = 1 / (1 + el_exp(-x[1]));
+	return (struct strengths){.share = share,
+	    .softer = el_exp(-share * log_ratio),
+	    .harder = el_exp((1 - share) * log_ratio)};
+}

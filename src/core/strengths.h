@@ -1,0 +1,23 @@
+/* Rock of two strengths.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_STRENGTHS_H
+#define TIPSPEED_CORE_STRENGTHS_H
+
+/* D16: a share of the rock has a higher threshold in Eq 3 than the rest,
+ *   product = (1 - share) product of softer e0_min
+ *	     + share product of harder e0_min
+ * where e0_min is the mean of the two by their shares, of logarithms:
+ * softer^(1 - share) harder^share = 1.  Of one strength share is 0, and both
+ * factors 1. */
+struct strengths {
+	double share, softer, harder;
+};
+
+/* Those at coordinates whose prior is normal, about 0 with a standard deviation
+ * of 1 each: 0.4 times the first is the logarithm of harder over softer, and
+ * where it is negative, in half of all cases, there is one strength; the second
+ * is the logit of the share. */
+enum { STRENGTHS_COORDINATES = 2 };
+struct strengths strengths_at(const double x[static STRENGTHS_COORDINATES]);
+
+#endif

@@ -1,0 +1,412 @@
+/* From rows such as "screen,crushed,8,oversize,fine" to a circuit.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/circuit_file.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "io/number.h"
+#include "io/source.h"
+#include "io/units.h"
+
+static const char *const WORDS[UNIT_KINDS] = {
+    "feed", "crusher", "screen", "split", "stockpile"};
+
+enum { STREAMS = CIRCUIT_UNITS * UNIT_STREAMS * 2 };
+
+/* A file that is read.  made, used [STREAMS]: where a stream comes from and
+ * goes to; row [CIRCUIT_UNITS]: where a unit stands; text of what is not there
+ * is NULL. */
+struct reading_circuit {
+	struct sheet *sheet;
+	struct circuit *circuit;
+	struct cell *made, *used, row[CIRCUIT_UNITS];
+};
+
+/* A part of a cell; text is of the cell's, which it may shorten. */
+static struct cell
+part_of(struct cell cell, char *from)
+{
+	while (*from == ' ' || *from == '\t')
+		from++;
+	cell.column += (int)(from - cell.text);
+	cell.text = text_trim(from);
+	cell.kind = CELL_TEXT;
+	return cell;
+}
+
+static bool
+stream_name(struct reading_circuit *r, struct cell cell)
+{
+	if (cell.text[0] != '\0' && strpbrk(cell.text, "+=") == NULL)
+		return true;
+	return sheet_wanted(r->sheet, cell, "the name of a stream",
+	    "name streams as you like, without + and =");
+}
+
+/* A stream that a unit makes. */
+static void
+add_out(struct reading_circuit *r, struct unit *unit, struct cell cell)
+{
+	if (!stream_name(r, cell))
+		return;
+	size_t i = circuit_stream(r->circuit, cell.text);
+	if (r->made[i].text != NULL)
+		sheet_fault(r->sheet, cell,
+		    "expected one source of '%.40s', got a second one\n"
+		    "line %d has the first: give one of the two another name, "
+		    "and join them where they are used: a + b",
+		    cell.text, r->made[i].line);
+	else if (unit->n_out < UNIT_STREAMS) {
+		r->made[i] = cell;
+		unit->out[unit->n_out++] = i;
+	}
+}
+
+static void
+add_in(struct reading_circuit *r, struct unit *unit, struct cell cell)
+{
+	if (!stream_name(r, cell))
+		return;
+	size_t i = circuit_stream(r->circuit, cell.text);
+	if (r->used[i].text != NULL)
+		sheet_fault(r->sheet, cell,
+		    "expected one use of '%.40s', got a second one\n"
+		    "line %d has the first: a split line shares a stream out",
+		    cell.text, r->used[i].line);
+	else if (unit->n_in < UNIT_STREAMS) {
+		r->used[i] = cell;
+		unit->in[unit->n_in++] = i;
+	}
+}
+
+/* "new + back" */
+static void
+add_ins(struct reading_circuit *r, struct unit *unit, struct cell cell)
+{
+	size_t n = 1;
+	for (const char *p = cell.text; *p != '\0'; p++)
+		n += *p == '+';
+	if (n > UNIT_STREAMS) {
+		sheet_fault(r->sheet, cell,
+		    "expected at most %d streams, got %zu\n"
+		    "join some of them before, in a crusher or a split",
+		    (int)UNIT_STREAMS, n);
+		return;
+	}
+	for (char *at = cell.text; at != NULL;) {
+		char *plus = strchr(at, '+');
+		if (plus != NULL)
+			*plus = '\0';
+		add_in(r, unit, part_of(cell, at));
+		at = plus != NULL ? plus + 1 : NULL;
+	}
+}
+
+static bool
+read_number(struct reading_circuit *r, struct cell cell, const char *wanted,
+    double least, double most, double *value)
+{
+	if (!number_read(r->sheet, cell, wanted, value))
+		return false;
+	if (*value >= least && *value <= most)
+		return true;
+	return sheet_wanted(
+	    r->sheet, cell, wanted, "see tipspeed-circuit(5) for units");
+}
+
+/* What may follow a row as key=value, of which kinds; scale: how many of the
+ * words' unit its member's is. */
+static const struct key {
+	const char *word, *wanted;
+	enum unit_kind kind;
+	double least, most, scale;
+	size_t offset;
+} KEYS[] = {
+    {"cascade", N_("a cascade from 0 to 90 %"), UNIT_CRUSHER, 0, 90, 100,
+	offsetof(struct unit, cascade)},
+    {"speed", N_("a tip speed from 1 to 200 m/s"), UNIT_CRUSHER, 1, 200, 1,
+	offsetof(struct unit, speed)},
+    {"sharpness", N_("a sharpness from 0.1 to 100"), UNIT_SCREEN, 0.1, 100, 1,
+	offsetof(struct unit, partition.sharpness)},
+    {"cut_size", N_("a cut size from 10 to 200 % of the opening"), UNIT_SCREEN,
+	10, 200, 100, offsetof(struct unit, partition.cut_size)},
+    {"price", N_("a price from -1e6 to 1e6"), UNIT_STOCKPILE, -1e6, 1e6, 1,
+	offsetof(struct unit, price)},
+};
+
+static const char *const HINTS[UNIT_KINDS] = {
+    [UNIT_FEED] = N_("write: feed,STREAM,120"),
+    [UNIT_CRUSHER] =
+	N_("write: crusher,FROM + FROM,TO, and after it cascade=10 "
+	   "or speed=74"),
+    [UNIT_SCREEN] = N_("write: screen,FROM,8,OVERSIZE,UNDERSIZE, and after it "
+		       "sharpness=6 or cut_size=95"),
+    [UNIT_SPLIT] = N_("write: split,FROM,TO=60,TO=40"),
+    [UNIT_STOCKPILE] =
+	N_("write: stockpile,FROM + FROM,NAME, and after it price=12")};
+
+/* One cell key=value. */
+static void
+read_key(struct reading_circuit *r, struct unit *unit, struct cell cell)
+{
+	char *sign = strchr(cell.text, '=');
+	for (size_t k = 0; sign != NULL && k < ARRAY_LEN(KEYS); k++) {
+		const struct key *key = &KEYS[k];
+		size_t n = strlen(key->word);
+		double value;
+		if (key->kind != unit->kind ||
+		    strncmp(cell.text, key->word, n) != 0 ||
+		    cell.text[n + strspn(cell.text + n, " ")] != '=')
+			continue;
+		struct cell number = part_of(cell, sign + 1);
+		if (read_number(r, number, key->wanted, key->least, key->most,
+			&value)) {
+			void *to = (char *)unit + key->offset;
+			*(double *)to = value / key->scale;
+		}
+		return;
+	}
+	sheet_wanted(r->sheet, cell, "the end of the line, or a setting", "%s",
+	    tr(HINTS[unit->kind]));
+}
+
+static void
+read_keys(struct reading_circuit *r, struct unit *unit, const struct row *row,
+    size_t from)
+{
+	for (size_t i = from; i < row->n; i++)
+		if (row->cell[i].text[0] != '\0')
+			read_key(r, unit, row->cell[i]);
+}
+
+static void
+read_feed(struct reading_circuit *r, struct unit *unit, const struct row *row)
+{
+	struct cell tph = sheet_cell(row, 2);
+	double value;
+	add_out(r, unit, sheet_cell(row, 1));
+	if (tph.text[0] != '\0' &&
+	    read_number(
+		r, tph, tr("a feed above 0, up to 1e5 t/h"), 1e-3, 1e5, &value))
+		r->circuit->tph = value;
+	read_keys(r, unit, row, 3);
+}
+
+static void
+read_crusher(
+    struct reading_circuit *r, struct unit *unit, const struct row *row)
+{
+	add_ins(r, unit, sheet_cell(row, 1));
+	add_out(r, unit, sheet_cell(row, 2));
+	read_keys(r, unit, row, 3);
+}
+
+static void
+read_screen(struct reading_circuit *r, struct unit *unit, const struct row *row)
+{
+	double mm = 1;
+	add_ins(r, unit, sheet_cell(row, 1));
+	read_number(r, sheet_cell(row, 2), tr("an opening in mm"),
+	    SIZE_LEAST_MM, SIZE_MOST_MM, &mm);
+	unit->opening = mm / 1000;
+	add_out(r, unit, sheet_cell(row, 3));
+	add_out(r, unit, sheet_cell(row, 4));
+	read_keys(r, unit, row, 5);
+}
+
+/* "a=60" or "a", which takes what is left.  Returns its share, NAN for that. */
+static double
+read_share(struct reading_circuit *r, struct unit *unit, struct cell cell)
+{
+	char *sign = strchr(cell.text, '=');
+	double share = NAN;
+	if (sign != NULL) {
+		*sign = '\0';
+		struct cell number = part_of(cell, sign + 1);
+		if (read_number(r, number, tr("a share from 0 to 100 %"), 0,
+			100, &share))
+			share /= 100;
+		else
+			share = 0;
+	}
+	add_out(r, unit, part_of(cell, cell.text));
+	return share;
+}
+
+static void
+read_split(struct reading_circuit *r, struct unit *unit, const struct row *row)
+{
+	const double exact = 1e-6;
+	double sum = 0;
+	size_t open = 0, n = row->n > 2 ? row->n - 2 : 0;
+	add_ins(r, unit, sheet_cell(row, 1));
+	if (n < 2 || n > UNIT_STREAMS) {
+		sheet_fault(r->sheet, row->cell[0],
+		    "expected a split into 2 to %d streams, got %zu\n%s",
+		    (int)UNIT_STREAMS, n, HINTS[UNIT_SPLIT]);
+		return;
+	}
+	for (size_t i = 0; i < n; i++) {
+		double share = read_share(r, unit, row->cell[i + 2]);
+		unit->share[i] = share;
+		open += isnan(share) ? 1 : 0;
+		sum += isnan(share) ? 0 : share;
+	}
+	if (open > 1 || sum > 1 + exact || (open == 0 && sum < 1 - exact))
+		sheet_fault(r->sheet, row->cell[2],
+		    "expected shares of 100 %% together, got %g %%%s\n"
+		    "one stream alone may be without a share: it takes the "
+		    "rest",
+		    round(sum * 1e8) / 1e6,
+		    open > 1 ? tr(" and the rest twice") : "");
+	for (size_t i = 0; i < n; i++)
+		unit->share[i] = isnan(unit->share[i]) ? fmax(1 - sum, 0)
+				 : open == 0           ? unit->share[i] / sum
+						       : unit->share[i];
+}
+
+static void
+read_stockpile(
+    struct reading_circuit *r, struct unit *unit, const struct row *row)
+{
+	struct cell from = sheet_cell(row, 1), name = sheet_cell(row, 2);
+	bool key = strchr(name.text, '=') != NULL;
+	free(unit->name);
+	unit->name =
+	    xstrdup(name.text[0] != '\0' && !key ? name.text : from.text);
+	add_ins(r, unit, from);
+	read_keys(r, unit, row, key ? 2 : 3);
+}
+
+static void
+read_row(struct reading_circuit *r, const struct row *row)
+{
+	static void (*const READ[UNIT_KINDS])(
+	    struct reading_circuit *, struct unit *, const struct row *) = {
+	    read_feed, read_crusher, read_screen, read_split, read_stockpile};
+	struct cell word = row->cell[0];
+	if (text_same(word.text, "circuit")) {
+		free(r->circuit->name);
+		r->circuit->name = xstrdup(sheet_cell(row, 1).text);
+		return;
+	}
+	for (size_t k = 0; k < UNIT_KINDS; k++) {
+		if (!text_same(word.text, WORDS[k]))
+			continue;
+		struct unit *unit =
+		    circuit_unit(r->circuit, (enum unit_kind)k, "");
+		if (unit == NULL) {
+			sheet_fault(r->sheet, word,
+			    "expected at most %d units, got more\n"
+			    "tipspeed is for small circuits",
+			    (int)CIRCUIT_UNITS);
+			return;
+		}
+		r->row[r->circuit->n_unit - 1] = word;
+		READ[k](r, unit, row);
+		return;
+	}
+	sheet_wanted(r->sheet, word,
+	    "circuit, feed, crusher, screen, split or stockpile",
+	    "each line begins with what it is; see tipspeed-circuit(5)");
+}
+
+/* Streams that come from nowhere or lead nowhere. */
+static void
+check_streams(struct reading_circuit *r)
+{
+	for (size_t i = 0; i < r->circuit->n_stream; i++) {
+		if (r->made[i].text == NULL)
+			sheet_wanted(r->sheet, r->used[i],
+			    "a stream that a unit makes",
+			    "no feed, crusher, screen or split of the file "
+			    "has it: is it written the same way there?");
+		else if (r->used[i].text == NULL)
+			sheet_wanted(r->sheet, r->made[i],
+			    "a stream that a unit takes",
+			    "nothing takes it: send it to a unit or add a "
+			    "line: stockpile,%.40s",
+			    r->made[i].text);
+	}
+}
+
+static void
+check_feeds(struct reading_circuit *r)
+{
+	size_t feeds = 0;
+	struct row none = {.line = 1, .end = 1};
+	struct cell second = {0};
+	for (size_t u = 0; u < r->circuit->n_unit; u++)
+		if (r->circuit->unit[u].kind == UNIT_FEED && feeds++ == 1)
+			second = r->row[u];
+	if (feeds == 0 && !r->sheet->lost)
+		sheet_fault(r->sheet, sheet_cell(&none, 0),
+		    "expected a line that begins with feed, got none\n%s",
+		    HINTS[UNIT_FEED]);
+	if (feeds > 1)
+		sheet_fault(r->sheet, second,
+		    "expected one feed, got a second one\n"
+		    "there is one feed, that of the site; a split shares it "
+		    "out");
+}
+
+/* Only of streams that all have a source and a use. */
+static void
+check_ways(struct reading_circuit *r)
+{
+	const struct circuit *c = r->circuit;
+	size_t unfed = circuit_unfed(c), trapped = circuit_trapped(c);
+	if (unfed < c->n_unit)
+		sheet_fault(r->sheet, r->row[unfed],
+		    "expected a way from the feed to this %s, got none\n"
+		    "what it takes comes from itself: see the lines of its "
+		    "streams",
+		    WORDS[c->unit[unfed].kind]);
+	else if (trapped < c->n_stream)
+		sheet_fault(r->sheet, r->made[trapped],
+		    "expected a way from '%.40s' to a stockpile, got a loop "
+		    "that never empties\n"
+		    "send a part of it, or of what becomes of it, to a "
+		    "stockpile",
+		    c->stream[trapped]);
+}
+
+static void
+read_sheet(struct reading_circuit *r)
+{
+	for (size_t i = 0; i < r->sheet->n_row; i++)
+		read_row(r, &r->sheet->row[i]);
+	check_feeds(r);
+	if (r->sheet->n_fault == 0)
+		check_streams(r);
+	if (r->sheet->n_fault == 0)
+		check_ways(r);
+}
+
+struct circuit *
+circuit_file_read(const char *path, struct error_list *errors)
+{
+	struct source source;
+	struct circuit *circuit = NULL;
+	if (source_read(path, errors, &source)) {
+		struct reading_circuit r = {.sheet = source.sheet[0],
+		    .circuit = circuit_new(),
+		    .made = xcalloc(STREAMS, sizeof *r.made),
+		    .used = xcalloc(STREAMS, sizeof *r.used)};
+		read_sheet(&r);
+		free(r.made);
+		free(r.used);
+		circuit = r.circuit;
+		if (r.sheet->n_fault > 0) {
+			circuit_free(circuit);
+			circuit = NULL;
+		}
+	}
+	source_free(&source);
+	return circuit;
+}

@@ -1,0 +1,15 @@
+/* Reads a circuit, see tipspeed-circuit(5).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_CIRCUIT_FILE_H
+#define TIPSPEED_IO_CIRCUIT_FILE_H
+
+#include "base/error.h"
+#include "core/circuit.h"
+
+/* A circuit that flows: every stream has one source and one use, every unit is
+ * fed, and all can reach a stockpile.  tph is 0 where the file leaves it open.
+ * NULL and all the faults of the file, each with its line and column, in
+ * errors, a list that the caller has zeroed. */
+struct circuit *circuit_file_read(const char *path, struct error_list *errors);
+
+#endif

@@ -1,0 +1,676 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/collisions.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "io/contacts.h"
+#include "io/textfile.h"
+#include "io/units.h"
+
+/* What a column has.  Those up to COL_ID2 are of contacts, in the order of the
+ * compute's own. */
+enum column {
+	COL_X1,
+	COL_VX1 = 6,
+	COL_ID1 = 12,
+	COL_ID2,
+	COL_ID,
+	COL_RADIUS,
+	COL_SIZE,
+	COL_MASS,
+	COL_VELOCITY,
+	COL_SPECIFIC,
+	COL_ENERGY,
+	COL_WEIGHT,
+	COL_LOW,
+	COL_HIGH,
+	COL_PARTICLES,
+	COL_PARTICLES_KG,
+	COL_IMPACTS_J,
+	COL_FIRST_KG,
+	COL_FIRST_J,
+	COLUMNS_ALL,
+	COL_NONE = COLUMNS_ALL
+};
+
+/* Heads in small letters and underscores, without their unit; scale: to SI
+ * where the head has no unit. */
+static const struct {
+	const char *head;
+	enum column column;
+} HEADS[] = {{"x1", COL_X1}, {"y1", COL_X1 + 1}, {"z1", COL_X1 + 2},
+    {"x2", COL_X1 + 3}, {"y2", COL_X1 + 4}, {"z2", COL_X1 + 5},
+    {"vx1", COL_VX1}, {"vy1", COL_VX1 + 1}, {"vz1", COL_VX1 + 2},
+    {"vx2", COL_VX1 + 3}, {"vy2", COL_VX1 + 4}, {"vz2", COL_VX1 + 5},
+    {"id1", COL_ID1}, {"id2", COL_ID2}, {"id", COL_ID}, {"particle_id", COL_ID},
+    {"radius", COL_RADIUS}, {"size", COL_SIZE}, {"diameter", COL_SIZE},
+    {"particle_size", COL_SIZE}, {"mass", COL_MASS},
+    {"particle_mass", COL_MASS}, {"velocity", COL_VELOCITY},
+    {"normal_velocity", COL_VELOCITY}, {"impact_velocity", COL_VELOCITY},
+    {"relative_velocity_normal", COL_VELOCITY},
+    {"normal_relative_velocity", COL_VELOCITY},
+    {"specific_energy", COL_SPECIFIC}, {"specific_impact_energy", COL_SPECIFIC},
+    {"specific_collision_energy", COL_SPECIFIC}, {"energy", COL_ENERGY},
+    {"impact_energy", COL_ENERGY}, {"collision_energy", COL_ENERGY},
+    {"dissipated_energy", COL_ENERGY}, {"total_energy_loss", COL_ENERGY},
+    {"normal_energy_loss", COL_ENERGY}, {"weight", COL_WEIGHT},
+    {"count", COL_WEIGHT}, {"frequency", COL_WEIGHT},
+    {"mass_share", COL_WEIGHT}, {"impacts", COL_WEIGHT}, {"low", COL_LOW},
+    {"from", COL_LOW}, {"high", COL_HIGH}, {"to", COL_HIGH},
+    {"particles", COL_PARTICLES}, {"particles_mass", COL_PARTICLES_KG},
+    {"impacts_energy", COL_IMPACTS_J}, {"first", COL_FIRST_KG},
+    {"first_energy", COL_FIRST_J}};
+
+/* Units at the end of a head, of energies what they make of the column. */
+static const struct {
+	const char *end, *unit;
+	double scale;
+} UNITS[] = {{"_j_kg", "J/kg", 1}, {"_kj_kg", "J/kg", 1e3},
+    {"_kwh_t", "J/kg", 3600}, {"_m_s", "m/s", 1}, {"_mm", "m", 1e-3},
+    {"_kg", "kg", 1}, {"_g", "kg", 1e-3}, {"_mj", "J", 1e-3}, {"_j", "J", 1},
+    {"_m", "m", 1}};
+
+enum { FIELDS_MOST = 64 };
+
+struct reading {
+	const char *path;
+	const struct collisions_way *way;
+	struct error_list *errors;
+	struct collisions *to;
+	FILE *in;
+	char *line;
+	size_t length, room;
+	int at;         /* line */
+	char separator; /* ' ': any blanks */
+	bool dump, headed;
+	size_t n;                        /* columns */
+	enum column column[FIELDS_MOST]; /* of each field */
+	double scale[FIELDS_MOST];
+	bool has[COLUMNS_ALL + 1];
+	double value[COLUMNS_ALL + 1]; /* of the row */
+	uint64_t told;                 /* impacts that the file says it has */
+	struct contacts *contacts;     /* of a dump, or NULL */
+};
+
+static bool
+fault(
+    struct reading *r, enum error_kind kind, const char *what, const char *hint)
+{
+	return error_at(error_add(r->errors), kind, r->path, r->at, 0, "%s\n%s",
+	    tr(what), tr(hint));
+}
+
+/* The next line without its end; false at the end of the file. */
+static bool
+next_line(struct reading *r)
+{
+	r->length = 0;
+	enum text_line read = text_line(&r->line, &r->length, &r->room, r->in);
+	if (r->length == 0 || read == TEXT_TOO_LONG)
+		return false;
+	r->at++;
+	while (r->length > 0 && strchr("\r\n", r->line[r->length - 1]) != NULL)
+		r->line[--r->length] = '\0';
+	return true;
+}
+
+/* The field at *s, which moves behind it, ended by a NUL; NULL after the
+ * last. */
+static char *
+next_field(const struct reading *r, char **s)
+{
+	char *begin = *s;
+	if (begin == NULL)
+		return NULL;
+	if (r->separator == ' ') {
+		begin += strspn(begin, " \t");
+		if (*begin == '\0')
+			return NULL;
+		*s = begin + strcspn(begin, " \t");
+	} else {
+		bool quoted = *begin == '"';
+		char *end = quoted ? strchr(begin + 1, '"') : begin;
+		*s = strchr(end != NULL ? end : begin, r->separator);
+	}
+	if (*s != NULL && **s != '\0')
+		*(*s)++ = '\0';
+	else
+		*s = NULL;
+	if (begin[0] == '"') {
+		begin++;
+		begin[strcspn(begin, "\"")] = '\0';
+	}
+	return begin;
+}
+
+/* "Relative Velocity Normal (m/s)" as relative_velocity_normal_m_s. */
+static char *
+plain_head(const char *head)
+{
+	char *plain = text_fold(head);
+	size_t n = 0;
+	for (const char *c = plain; *c != '\0'; c++) {
+		bool letter = isalnum((unsigned char)*c) != 0;
+		if (letter)
+			plain[n++] = *c;
+		else if (n > 0 && plain[n - 1] != '_')
+			plain[n++] = '_';
+	}
+	while (n > 0 && plain[n - 1] == '_')
+		n--;
+	plain[n] = '\0';
+	return plain;
+}
+
+static enum column
+find_head(const char *plain)
+{
+	for (size_t i = 0; i < ARRAY_LEN(HEADS); i++)
+		if (strcmp(plain, HEADS[i].head) == 0)
+			return HEADS[i].column;
+	return COL_NONE;
+}
+
+/* What a column is by its head; *scale: to SI. */
+static enum column
+column_of(const char *head, double *scale)
+{
+	char *plain = plain_head(head);
+	enum column column = find_head(plain);
+	const char *unit = "";
+	*scale = column == COL_SIZE ? 1e-3 : 1;
+	for (size_t i = 0; column == COL_NONE && i < ARRAY_LEN(UNITS); i++) {
+		if (!text_ends(plain, UNITS[i].end))
+			continue;
+		plain[strlen(plain) - strlen(UNITS[i].end)] = '\0';
+		column = find_head(plain);
+		unit = UNITS[i].unit;
+		*scale = UNITS[i].scale;
+		break;
+	}
+	if (column == COL_ENERGY && strcmp(unit, "J/kg") == 0)
+		column = COL_SPECIFIC;
+	if (column == COL_WEIGHT && strcmp(unit, "J") == 0)
+		column = COL_IMPACTS_J;
+	if (column == COL_FIRST_KG && strcmp(unit, "J") == 0)
+		column = COL_FIRST_J;
+	if (column == COL_PARTICLES && strcmp(unit, "kg") == 0)
+		column = COL_PARTICLES_KG;
+	if (strcmp(plain, "energy") == 0 && strcmp(unit, "m/s") == 0)
+		column = COL_NONE;
+	free(plain);
+	return column;
+}
+
+static void
+take_column(struct reading *r, const char *head)
+{
+	double scale = 1;
+	enum column column = column_of(head, &scale);
+	if (r->n >= FIELDS_MOST)
+		return;
+	if (column != COL_NONE && r->has[column])
+		column = COL_NONE;
+	r->column[r->n] = column;
+	r->scale[r->n++] = scale;
+	r->has[column] = true;
+}
+
+static void
+take_columns(struct reading *r, const char *heads, char separator)
+{
+	char *copy = xstrdup(heads), *rest = copy, *head, was = r->separator;
+	r->separator = separator;
+	r->n = 0;
+	memset(r->has, 0, sizeof r->has);
+	while ((head = next_field(r, &rest)) != NULL)
+		take_column(r, head);
+	r->separator = was;
+	free(copy);
+}
+
+static bool
+has_range(const struct reading *r, size_t from, size_t n)
+{
+	for (size_t i = 0; i < n; i++)
+		if (!r->has[from + i])
+			return false;
+	return true;
+}
+
+static bool
+has_energy(const struct reading *r)
+{
+	return r->has[COL_VELOCITY] || r->has[COL_SPECIFIC] ||
+	       (r->has[COL_ENERGY] && r->has[COL_MASS]) ||
+	       (r->has[COL_LOW] && r->has[COL_HIGH] && r->has[COL_WEIGHT]);
+}
+
+/* Whether the columns make energies; else what is missing, and how to name
+ * them. */
+static bool
+columns_do(struct reading *r)
+{
+	bool contacts = has_range(r, COL_X1, COL_ID2 + 1);
+	if (r->dump ? contacts : has_energy(r))
+		return true;
+	bool joules = r->has[COL_ENERGY] && !r->has[COL_MASS];
+	return fault(r, ERROR_DATA,
+	    r->dump ? N_("expected positions, velocities and ids of contacts, "
+			 "got other columns")
+	    : joules
+		? N_("expected a column with the mass of the particle beside "
+		     "its energy in J, got none")
+		: N_("expected a column of specific energy (J/kg) or normal "
+		     "velocity (m/s), got none"),
+	    r->dump
+		? N_("name them in their order: "
+		     "columns=x1,y1,z1,x2,y2,z2,vx1,vy1,vz1,vx2,vy2,vz2,id1,"
+		     "id2,-")
+		: N_("name the columns in their order: "
+		     "columns=-,velocity_m_s,mass_kg"));
+}
+
+/* "ITEM: ENTRIES c_touch[1] ..": without names they are in the compute's
+ * order. */
+static bool
+dump_columns(struct reading *r, const char *heads)
+{
+	static const char USUAL[] = "x1 y1 z1 x2 y2 z2 vx1 vy1 vz1 vx2 vy2 vz2 "
+				    "id1 id2";
+	if (r->way->columns != NULL)
+		take_columns(r, r->way->columns, ',');
+	else
+		take_columns(r, heads, ' ');
+	if (r->way->columns == NULL && r->has[COL_NONE] && r->n >= 14 &&
+	    !r->has[COL_X1] && strchr(heads, '[') != NULL) {
+		take_columns(r, USUAL, ' ');
+		r->to->form = tr("LIGGGHTS dump of contacts, its columns taken "
+				 "as pos, vel and id");
+	}
+	r->headed = true;
+	return columns_do(r);
+}
+
+/* The numbers of a row; false with a fault where a field is none. */
+static bool
+take_row(struct reading *r)
+{
+	char *rest = r->line;
+	for (size_t i = 0; i < r->n; i++) {
+		char *field = next_field(r, &rest), *end = NULL;
+		if (field == NULL)
+			return fault(r, ERROR_DATA,
+			    "expected a number in each column, got fewer",
+			    "is the file whole?");
+		if (r->column[i] == COL_NONE)
+			continue;
+		/* Safe: the program sets LC_CTYPE only, as in text_number. */
+		double v = strtod(field, &end);
+		if (end == field || end[strspn(end, " ")] != '\0' ||
+		    !isfinite(v))
+			return fault(r, ERROR_DATA,
+			    "expected a finite number, got other text",
+			    "check this row; numbers have a decimal point");
+		r->value[r->column[i]] = r->scale[i] * v;
+	}
+	r->to->rows++;
+	return true;
+}
+
+static bool
+going(struct reading *r)
+{
+	const uint64_t often = 1 << 17;
+	if (r->way->progress == NULL || r->to->rows % often != 0 ||
+	    r->way->progress(r->way->data, r->to->rows))
+		return true;
+	return error_at(error_add(r->errors), ERROR_CHECK, r->path, 0, 0,
+	    "stopped after %llu rows: nothing was loaded",
+	    (unsigned long long)r->to->rows);
+}
+
+static bool
+add_contact(struct reading *r)
+{
+	double id1 = r->value[COL_ID1], id2 = r->value[COL_ID2];
+	if (!(id1 >= 1 && id2 >= 1 && id1 <= CONTACTS_ID_MOST &&
+		id2 <= CONTACTS_ID_MOST) ||
+	    id1 > floor(id1) || id2 > floor(id2))
+		return fault(r, ERROR_DATA,
+		    "expected ids as whole numbers from 1 to 20 million, got "
+		    "others",
+		    "name the columns in their order: columns=");
+	contacts_add(r->contacts, (uint32_t)id1, (uint32_t)id2,
+	    &r->value[COL_X1], &r->value[COL_VX1]);
+	return true;
+}
+
+/* A dump: snapshots of a few lines of heads and then the rows. */
+static bool
+read_dump(struct reading *r)
+{
+	static const char ENTRIES[] = "ITEM: ENTRIES", ATOMS[] = "ITEM: ATOMS";
+	bool rows = false;
+	r->separator = ' ';
+	do {
+		if (strncmp(r->line, "ITEM:", 5) != 0) {
+			if (rows && (!take_row(r) || !add_contact(r)))
+				return false;
+			if (rows && !going(r))
+				return false;
+			continue;
+		}
+		rows = strncmp(r->line, ENTRIES, strlen(ENTRIES)) == 0;
+		if (strncmp(r->line, ATOMS, strlen(ATOMS)) == 0)
+			return fault(r, ERROR_DATA,
+			    "expected contacts (dump local), got atoms",
+			    "load the dump of contacts; this one may be its "
+			    "particles=");
+		if (rows && !r->headed &&
+		    !dump_columns(r, r->line + strlen(ENTRIES)))
+			return false;
+		if (rows && r->to->snapshots++ > 0)
+			contacts_snapshot(r->contacts);
+	} while (next_line(r));
+	return true;
+}
+
+/* Radii of ids: a LIGGGHTS dump of atoms, or a list with heads. */
+static bool
+read_particle(struct reading *r)
+{
+	if (!take_row(r))
+		return false;
+	double id = r->value[COL_ID];
+	double radius =
+	    r->has[COL_RADIUS] ? r->value[COL_RADIUS] : r->value[COL_SIZE] / 2;
+	if (!(id >= 1 && id <= CONTACTS_ID_MOST && radius > 0))
+		return fault(r, ERROR_DATA,
+		    "expected an id from 1 and a radius above 0, got others",
+		    "check this row");
+	contacts_particle(r->contacts, (uint32_t)id, radius);
+	return true;
+}
+
+static bool
+particle_heads(struct reading *r, const char *heads)
+{
+	take_columns(r, heads, r->separator);
+	if (r->has[COL_ID] && (r->has[COL_RADIUS] || r->has[COL_SIZE]))
+		return true;
+	return fault(r, ERROR_DATA,
+	    "expected columns id and radius, got others",
+	    "dump particles by: dump NAME all custom N FILE id radius");
+}
+
+static bool
+read_particles(struct reading *dump)
+{
+	static const char ATOMS[] = "ITEM: ATOMS";
+	const char *why;
+	struct collisions none = {0};
+	struct reading r = {.path = dump->way->particles,
+	    .way = dump->way,
+	    .errors = dump->errors,
+	    .to = &none,
+	    .separator = ' ',
+	    .contacts = dump->contacts};
+	r.in = textfile_open(r.path, &why);
+	if (r.in == NULL)
+		return error_at(error_add(r.errors), ERROR_SYSTEM, r.path, 0, 0,
+		    "cannot be read: %s\ncheck the name and the permissions",
+		    why);
+	bool ok = true, rows = false;
+	while (ok && next_line(&r)) {
+		bool item = strncmp(r.line, "ITEM:", 5) == 0;
+		bool atoms = strncmp(r.line, ATOMS, strlen(ATOMS)) == 0;
+		if (r.at == 1 && !item)
+			r.separator = strchr(r.line, ';')   ? ';'
+				      : strchr(r.line, ',') ? ','
+							    : ' ';
+		if (atoms || (r.at == 1 && !item))
+			ok = particle_heads(
+			    &r, r.line + (atoms ? strlen(ATOMS) : 0));
+		else if (!item && rows)
+			ok = read_particle(&r);
+		rows = atoms || (rows && !item) || (r.at == 1 && !item);
+	}
+	fclose(r.in);
+	free(r.line);
+	return ok;
+}
+
+/* A row of a table as energy, J/kg. */
+static double
+row_energy(const struct reading *r)
+{
+	const double *v = r->value;
+	if (r->has[COL_SPECIFIC])
+		return v[COL_SPECIFIC];
+	if (r->has[COL_VELOCITY])
+		return v[COL_VELOCITY] * v[COL_VELOCITY] / 2;
+	if (r->has[COL_ENERGY])
+		return v[COL_ENERGY] / v[COL_MASS];
+	if (r->has[COL_IMPACTS_J])
+		return v[COL_WEIGHT] > 0 ? v[COL_IMPACTS_J] / v[COL_WEIGHT] : 0;
+	return sqrt(fmax(v[COL_LOW], 0) * v[COL_HIGH]);
+}
+
+static bool
+take_impact(struct reading *r)
+{
+	struct spectrum *s = r->to->spectrum;
+	const double *v = r->value;
+	double size = r->has[COL_SIZE]     ? v[COL_SIZE]
+		      : r->has[COL_RADIUS] ? 2 * v[COL_RADIUS]
+					   : 0;
+	double mass = r->has[COL_WEIGHT] ? v[COL_WEIGHT]
+		      : r->has[COL_MASS] ? v[COL_MASS]
+					 : 1;
+	double e = row_energy(r);
+	if (!(e >= 0) || !(mass >= 0))
+		return fault(r, ERROR_DATA,
+		    "expected an energy and a weight of at least 0, got less",
+		    "check this row");
+	if (r->has[COL_PARTICLES] && v[COL_PARTICLES] > 0)
+		spectrum_particles(
+		    s, size, v[COL_PARTICLES], v[COL_PARTICLES_KG]);
+	if (mass > 0)
+		spectrum_impact(s, size, mass, e, false);
+	if (r->has[COL_FIRST_KG] && r->has[COL_FIRST_J] && v[COL_FIRST_KG] > 0)
+		spectrum_first(
+		    s, size, v[COL_FIRST_KG], v[COL_FIRST_J] / v[COL_FIRST_KG]);
+	r->to->impacts++;
+	return true;
+}
+
+/* A line "speed_m_s,69" or "provenance,.." above the heads; false where it is
+ * none. */
+static bool
+take_note(struct reading *r)
+{
+	char *copy = xstrdup(r->line), *rest = copy;
+	const char *key = next_field(r, &rest), *value = next_field(r, &rest);
+	double v;
+	bool ok = false;
+	if (key != NULL && value != NULL && strcmp(key, "speed_m_s") == 0 &&
+	    text_number(value, &v) && v > 0) {
+		r->to->spectrum->speed = v;
+		ok = true;
+	} else if (key != NULL && value != NULL &&
+		   strcmp(key, "provenance") == 0) {
+		free(r->to->about);
+		r->to->about = xstrdup(value);
+		ok = true;
+	} else if (key != NULL && value != NULL &&
+		   strcmp(key, "impacts") == 0 && text_whole(value, &r->told)) {
+		ok = true;
+	} else if (key != NULL && strcmp(key, "spectrum") == 0) {
+		ok = true;
+	}
+	free(copy);
+	return ok;
+}
+
+static char
+separator_of(const char *line)
+{
+	return strchr(line, '\t')  ? '\t'
+	       : strchr(line, ';') ? ';'
+	       : strchr(line, ',') ? ','
+				   : ' ';
+}
+
+/* The heads of a table, or what a list without them has. */
+static bool
+table_columns(struct reading *r, bool *is_row)
+{
+	char *copy = xstrdup(r->line), *rest = copy;
+	double v;
+	const char *first = next_field(r, &rest);
+	*is_row = first != NULL && text_number(first, &v);
+	bool two = next_field(r, &rest) != NULL;
+	free(copy);
+	if (r->way->columns != NULL)
+		take_columns(r, r->way->columns, ',');
+	else if (!*is_row)
+		take_columns(r, r->line, r->separator);
+	else if (r->way->unit == NULL)
+		return fault(r, ERROR_USAGE,
+		    "expected heads above the numbers, got none",
+		    "say what they are: unit=j_kg or unit=m_s, or columns=");
+	else
+		take_columns(r,
+		    strcmp(r->way->unit, "m/s") == 0
+			? two ? "velocity,weight" : "velocity"
+		    : two ? "specific_energy,weight"
+			  : "specific_energy",
+		    ',');
+	return columns_do(r);
+}
+
+static bool
+read_table(struct reading *r)
+{
+	bool ok = true, is_row = false;
+	r->separator = separator_of(r->line);
+	while (take_note(r))
+		if (!next_line(r))
+			return fault(r, ERROR_DATA, "expected rows, got none",
+			    "is the file whole?");
+	ok = table_columns(r, &is_row);
+	if (ok && is_row)
+		ok = take_row(r) && take_impact(r);
+	while (ok && next_line(r))
+		ok = r->length == 0 ||
+		     (take_row(r) && take_impact(r) && going(r));
+	if (r->told > 0)
+		r->to->impacts = r->told;
+	r->to->spectrum->counted = r->has[COL_PARTICLES];
+	r->to->spectrum->ordered = r->has[COL_FIRST_KG];
+	r->to->form =
+	    r->has[COL_LOW] ? tr("binned spectrum") : tr("list of impacts");
+	return ok;
+}
+
+static bool
+read_open(struct reading *r)
+{
+	if (!next_line(r))
+		return fault(r, ERROR_DATA, "expected collisions, got nothing",
+		    "is it the right file?");
+	r->dump = strncmp(r->line, "ITEM:", 5) == 0;
+	if (!r->dump)
+		return read_table(r);
+	r->to->form = tr("LIGGGHTS dump of contacts");
+	r->contacts =
+	    contacts_new(r->to->spectrum, r->way->cut, r->way->density);
+	bool ok =
+	    (r->way->particles == NULL || read_particles(r)) && read_dump(r);
+	if (ok)
+		r->to->impacts = contacts_end(r->contacts);
+	contacts_free(r->contacts);
+	return ok;
+}
+
+bool
+collisions_read(const char *path, const struct collisions_way *way,
+    struct collisions *c, struct error_list *errors)
+{
+	const char *why;
+	struct reading r = {
+	    .path = path, .way = way, .errors = errors, .to = c};
+	*c = (struct collisions){
+	    .spectrum = spectrum_new(), .about = xstrdup(""), .form = ""};
+	r.in = textfile_open(path, &why);
+	bool ok = r.in != NULL;
+	if (!ok)
+		error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
+		    "cannot be read: %s\ncheck the name and the permissions",
+		    why);
+	ok = ok && read_open(&r);
+	if (ok && ferror(r.in))
+		ok = fault(&r, ERROR_SYSTEM, "cannot be read to its end",
+		    "check the disk");
+	if (ok && c->impacts == 0)
+		ok = fault(&r, ERROR_DATA, "expected impacts, got none",
+		    "is it the right file?");
+	if (ok && isfinite(way->speed))
+		c->spectrum->speed = way->speed;
+	if (r.in != NULL)
+		fclose(r.in);
+	free(r.line);
+	if (!ok)
+		collisions_clear(c);
+	return ok;
+}
+
+void
+collisions_clear(struct collisions *c)
+{
+	spectrum_free(c->spectrum);
+	free(c->about);
+	*c = (struct collisions){.spectrum = NULL};
+}
+
+static void
+write_rows(const struct spectrum_size *of, FILE *out)
+{
+	bool begun = false;
+	for (size_t b = 0; b < SPECTRUM_BINS; b++) {
+		const double row[] = {units_mm(of->size),
+		    begun ? 0 : of->particles, begun ? 0 : of->mass,
+		    spectrum_edge(b), spectrum_edge(b + 1), of->all[b].mass,
+		    of->all[b].energy, of->first[b].mass, of->first[b].energy};
+		if (!(of->all[b].mass > 0) && (begun || !(of->mass > 0)))
+			continue;
+		for (size_t i = 0; i < ARRAY_LEN(row); i++)
+			fprintf(out, "%s%.9g", i > 0 ? "," : "", row[i]);
+		fputc('\n', out);
+		begun = true;
+	}
+}
+
+void
+collisions_write(const struct collisions *c, const char *name, FILE *out)
+{
+	char text[32];
+	const struct spectrum *s = c->spectrum;
+	fprintf(out, "spectrum,\"%s\"\nimpacts,%llu\n", name,
+	    (unsigned long long)c->impacts);
+	if (isfinite(s->speed))
+		fprintf(out, "speed_m_s,%s\n", text_exact(s->speed, text));
+	fprintf(out, "provenance,\"%s\"\n", c->about);
+	fputs("size_mm,particles,particles_kg,low_j_kg,high_j_kg,impacts_kg,"
+	      "impacts_j,first_kg,first_j\n",
+	    out);
+	for (size_t i = 0; i < s->n; i++)
+		write_rows(s->size[i], out);
+}

@@ -1,0 +1,34 @@
+/* Contacts of a simulation, in snapshots, merged into impacts of particles.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_CONTACTS_H
+#define TIPSPEED_IO_CONTACTS_H
+
+#include <stdint.h>
+
+#include "core/spectrum.h"
+
+enum { CONTACTS_ID_MOST = 20000000 };
+
+/* See collisions_read.  The spectrum is added to; the contacts of a snapshot
+ * and the particles are kept. */
+struct contacts;
+
+/* cut J/kg: an impact below is not a particle's first; density kg/m3. */
+struct contacts *contacts_new(struct spectrum *to, double cut, double density);
+void contacts_free(struct contacts *c);
+
+/* The radius of a particle, m. */
+void contacts_particle(struct contacts *c, uint32_t id, double radius);
+
+/* A contact of the snapshot: x, v [6] positions (m) and velocities (m/s). */
+void contacts_add(struct contacts *c, uint32_t id1, uint32_t id2,
+    const double *x, const double *v);
+
+/* The next snapshot begins: a contact that the last one did not have is
+ * over. */
+void contacts_snapshot(struct contacts *c);
+
+/* No more come.  Counts the particles and returns the impacts. */
+uint64_t contacts_end(struct contacts *c);
+
+#endif

@@ -1,0 +1,227 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/parts.h"
+
+#include <errno.h>
+#include <jansson.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+/* What commands write, and the second text of their rows; keys of the numbers,
+ * or NULL for a list. */
+static const struct kind {
+	const char *command, *text, *number[PART_NUMBERS];
+} KINDS[] = {
+    {"calibrate", "remark",
+	{"f_mat", "e0_min", "alpha", "misfit", "rmse_pct", "holdout_pct"}},
+    {"validate", "source", {NULL}}};
+
+static bool
+refuse(const char *path, struct error *error)
+{
+	return error_at(error, ERROR_DATA, path, 0, 0,
+	    "expected what 'calibrate all part=I/N' or 'validate all part=I/N' "
+	    "wrote as JSON\n"
+	    "write parts with: calibrate all part=I/N > FILE.json");
+}
+
+static bool
+take_text(const json_t *o, const char *key, char **text)
+{
+	const char *value = json_string_value(json_object_get(o, key));
+	*text = xstrdup(value != NULL ? value : "");
+	return value != NULL;
+}
+
+static bool
+take_whole(const json_t *value, size_t *whole)
+{
+	json_int_t n = json_integer_value(value);
+	*whole = n >= 0 ? (size_t)n : 0;
+	return json_is_integer(value) && n >= 0;
+}
+
+/* Number i of a row, which has a list of them or has it by its key; *there: it
+ * must be. */
+static const json_t *
+number_of(const json_t *row, const struct kind *kind, size_t i, bool *there)
+{
+	const char *key = kind->number[i];
+	*there = kind->number[0] == NULL || key != NULL;
+	return kind->number[0] == NULL
+		   ? json_array_get(json_object_get(row, "numbers"), i)
+	       : key != NULL ? json_object_get(row, key)
+			     : NULL;
+}
+
+static bool
+take_site(const json_t *row, const json_t *index, const struct kind *kind,
+    struct part_site *site)
+{
+	bool good = take_whole(index, &site->index), there;
+	good = take_text(row, "site", &site->text[0]) && good;
+	good = take_text(row, kind->text, &site->text[1]) && good;
+	for (size_t i = 0; i < PART_NUMBERS; i++) {
+		const json_t *value = number_of(row, kind, i, &there);
+		site->number[i] =
+		    json_is_number(value) ? json_number_value(value) : NAN;
+		good = good &&
+		       (!there || json_is_number(value) || json_is_null(value));
+	}
+	return good;
+}
+
+static const struct kind *
+kind_of(const char *command)
+{
+	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++)
+		if (strcmp(KINDS[i].command, command) == 0)
+			return &KINDS[i];
+	return NULL;
+}
+
+/* All that is taken is there to be freed, also where it is refused. */
+static bool
+take_part(const json_t *o, const char *path, struct part_file *part)
+{
+	const json_t *about = json_object_get(o, "part");
+	const json_t *rows = json_object_get(o, "rows");
+	const json_t *index = json_object_get(about, "index");
+	*part = (struct part_file){.path = xstrdup(path)};
+	bool good = take_text(o, "command", &part->command);
+	const struct kind *kind = kind_of(part->command);
+	good = take_text(about, "sites", &part->sites) && kind != NULL;
+	good = take_text(about, "version", &part->version) && good;
+	good = take_text(about, "options", &part->options) && good;
+	good = good &&
+	       take_whole(json_object_get(about, "number"), &part->number) &&
+	       take_whole(json_object_get(about, "of"), &part->of) &&
+	       take_whole(json_object_get(about, "loaded"), &part->loaded) &&
+	       json_array_size(index) == json_array_size(rows);
+	take_whole(json_object_get(o, "left_out"), &part->left_out);
+	take_whole(json_object_get(o, "each"), &part->each);
+	size_t n = good ? json_array_size(rows) : 0;
+	part->site = xcalloc(n + 1, sizeof *part->site);
+	for (size_t i = 0; i < n; i++, part->n++)
+		good = take_site(json_array_get(rows, i),
+			   json_array_get(index, i), kind, &part->site[i]) &&
+		       good;
+	for (size_t i = 0; i < n; i++)
+		good = good && part->of > 0 &&
+		       part->site[i].index < part->loaded &&
+		       part->site[i].index % part->of == part->number - 1;
+	return good;
+}
+
+bool
+parts_read(const char *path, struct parts *parts, struct error *error)
+{
+	FILE *in = fopen(path, "r");
+	if (in == NULL)
+		return error_at(error, ERROR_SYSTEM, path, 0, 0,
+		    "cannot be read: %s\ncheck the name", strerror(errno));
+	size_t before = parts->n;
+	bool good = true;
+	json_t *o;
+	json_error_t about = {.line = 0};
+	while (good &&
+	       (o = json_loadf(in, JSON_DISABLE_EOF_CHECK, &about)) != NULL) {
+		parts->part =
+		    xrealloc(parts->part, parts->n + 1, sizeof *parts->part);
+		good = take_part(o, path, &parts->part[parts->n++]);
+		json_decref(o);
+	}
+	/* After the last there is nothing but its end of line. */
+	good = good && parts->n > before &&
+	       json_error_code(&about) == json_error_premature_end_of_input;
+	bool read = !ferror(in);
+	fclose(in);
+	return (good && read) || refuse(path, error);
+}
+
+void
+parts_free(struct parts *parts)
+{
+	for (size_t k = 0; k < parts->n; k++) {
+		struct part_file *part = &parts->part[k];
+		for (size_t i = 0; i < part->n; i++) {
+			free(part->site[i].text[0]);
+			free(part->site[i].text[1]);
+		}
+		free(part->site);
+		free(part->path);
+		free(part->command);
+		free(part->sites);
+		free(part->version);
+		free(part->options);
+	}
+	free(parts->part);
+}
+
+/* What must be the same in all. */
+static bool
+same(const struct part_file *a, const struct part_file *b, const char *what,
+    const char *in_a, const char *in_b, struct error *error)
+{
+	return strcmp(in_a, in_b) == 0 ||
+	       error_at(error, ERROR_DATA, b->path, 0, 0,
+		   "expected the %s of %s (%s), got %s\n"
+		   "make this part again as the others were made",
+		   what, a->path, in_a, in_b);
+}
+
+static bool
+fits(const struct part_file *a, const struct part_file *b, struct error *error)
+{
+	if (!same(a, b, "command", a->command, b->command, error) ||
+	    !same(a, b, "version", a->version, b->version, error) ||
+	    !same(a, b, "options", a->options, b->options, error) ||
+	    !same(a, b, "sites", a->sites, b->sites, error))
+		return false;
+	return (a->of == b->of && a->loaded == b->loaded) ||
+	       error_at(error, ERROR_DATA, b->path, 0, 0,
+		   "expected a part of %zu, as %s is, got one of %zu\n"
+		   "make all parts with the same N in part=I/N",
+		   a->of, a->path, b->of);
+}
+
+static bool
+each_once(const struct parts *parts, struct error *error)
+{
+	size_t of = parts->part[0].of;
+	const char **path = xcalloc(of + 1, sizeof(*path));
+	bool good = true;
+	for (size_t k = 0; good && k < parts->n; k++) {
+		const struct part_file *part = &parts->part[k];
+		const char **at = &path[part->number];
+		good = *at == NULL ||
+		       error_at(error, ERROR_DATA, part->path, 0, 0,
+			   "part %zu of %zu is in %s already\nleave one out",
+			   part->number, of, *at);
+		*at = part->path;
+	}
+	for (size_t i = 1; good && i <= of; i++)
+		good = path[i] != NULL ||
+		       error_set(error, ERROR_DATA,
+			   "part %zu of %zu is missing\n"
+			   "make it with: %s all part=%zu/%zu > FILE.json",
+			   i, of, parts->part[0].command, i, of);
+	free(path);
+	return good;
+}
+
+bool
+parts_agree(const struct parts *parts, struct error *error)
+{
+	for (size_t k = 0; k < parts->n; k++) {
+		const struct part_file *part = &parts->part[k];
+		if (part->number < 1 || part->number > part->of)
+			return refuse(part->path, error);
+		if (!fits(&parts->part[0], part, error))
+			return false;
+	}
+	return each_once(parts, error);
+}

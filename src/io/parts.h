@@ -1,0 +1,42 @@
+/* Files that `calibrate all part=I/N` wrote, or `validate all part=I/N`.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_PARTS_H
+#define TIPSPEED_IO_PARTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/error.h"
+
+/* A row of a part, a site or one of its runs: text [2] is its name and its
+ * remark, or where its data are from; number what else it has, NAN where there
+ * is none. */
+enum { PART_NUMBERS = 23 };
+struct part_site {
+	size_t index; /* among all sites */
+	char *text[2];
+	double number[PART_NUMBERS];
+};
+
+/* A part, and where it was read.  sites: digest of all that were loaded.
+ * left_out, each: of validate. */
+struct part_file {
+	char *path, *command, *sites, *version, *options;
+	size_t number, of, loaded, left_out, each, n;
+	struct part_site *site;
+};
+
+struct parts {
+	size_t n;
+	struct part_file *part;
+};
+
+/* Adds the parts of a file, a line each. */
+bool parts_read(const char *path, struct parts *parts, struct error *error);
+void parts_free(struct parts *parts);
+
+/* Whether they are all the parts of one run, each once: of the same version,
+ * options and sites. */
+bool parts_agree(const struct parts *parts, struct error *error);
+
+#endif

@@ -1,0 +1,354 @@
+/* data/envelopes.csv and data/envelope-scalars.csv, and the names in them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/standards.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "io/number.h"
+#include "io/sheet.h"
+#include "io/textfile.h"
+
+/* Made from the two files at build time: their rows without the remarks. */
+extern const char *const ENVELOPES_TEXT[], *const ENVELOPE_SCALARS_TEXT[];
+
+enum { MOST_ROWS = 1000 };
+
+static const char COPY[] =
+    N_("transcribed from a second-hand copy: check it against your own");
+
+static double
+number_in(struct sheet *sheet, const struct row *row, size_t at)
+{
+	double value;
+	struct cell cell = sheet_cell(row, at);
+	if (cell.text[0] == '\0' ||
+	    !number_read(sheet, cell, tr("a number"), &value))
+		return NAN;
+	return value;
+}
+
+static struct spec *
+spec_of(const struct standards *all, const char *name)
+{
+	for (size_t i = 0; i < all->n; i++)
+		if (strcmp(all->spec[i]->name, name) == 0)
+			return all->spec[i];
+	return NULL;
+}
+
+/* Puts a row where it belongs, coarsest first; one on the same sieve is
+ * replaced. */
+static void
+put_row(struct spec *spec, double size, double least, double most)
+{
+	size_t i = 0, n = spec->n;
+	while (i < n && spec->size[i] > size)
+		i++;
+	bool there = i < n && spec->size[i] == size;
+	double **column[] = {&spec->size, &spec->least, &spec->most};
+	const double value[] = {size, least, most};
+	for (size_t c = 0; c < ARRAY_LEN(column); c++) {
+		double *x = *column[c];
+		if (!there) {
+			x = xrealloc(x, n + 1, sizeof *x);
+			memmove(x + i + 1, x + i, (n - i) * sizeof *x);
+		}
+		x[i] = value[c];
+		*column[c] = x;
+	}
+	spec->n += !there;
+}
+
+/* The envelope that a name in brackets goes on from, or NULL. */
+static const struct spec *
+base_of(const struct standards *all, const char *name)
+{
+	const char *bracket = strstr(name, " (");
+	if (bracket == NULL)
+		return NULL;
+	char *base = xstrndup(name, (size_t)(bracket - name));
+	const struct spec *spec = spec_of(all, base);
+	free(base);
+	return spec;
+}
+
+static struct spec *
+add_spec(struct standards *all, const char *standard, const char *name,
+    const char *cut, const char *source)
+{
+	struct spec *spec = spec_new();
+	free(spec->name);
+	free(spec->source);
+	free(spec->standard);
+	spec->name = xstrdup(name);
+	spec->standard = xstrdup(standard);
+	spec->source = xstrdup(source);
+	bool ok = spec_read_cut(cut, spec->cut);
+	assert(ok);
+	(void)ok;
+	const struct spec *base = base_of(all, name);
+	for (size_t i = 0; base != NULL && i < base->n; i++)
+		put_row(spec, base->size[i], base->least[i], base->most[i]);
+	all->spec = xrealloc(all->spec, all->n + 1, sizeof(*all->spec));
+	all->spec[all->n++] = spec;
+	return spec;
+}
+
+/* What a row's source says beyond that of the envelope's first row goes with
+ * its sieve: "0.15 mm: crushed stone sand: up to 20". */
+static void
+add_remark(struct spec *spec, const char *source, double mm)
+{
+	size_t n = strcspn(spec->source, ";");
+	size_t more = strlen(source);
+	if (strncmp(spec->source, source, n) != 0 || more < n + 4 ||
+	    source[n + 1] != '(')
+		return;
+	xappend(&spec->source, tr("; %g mm: %.*s"), mm, (int)(more - n - 3),
+	    source + n + 2);
+}
+
+static void
+read_envelope(struct standards *all, struct sheet *sheet, const struct row *row)
+{
+	enum { STANDARD, NAME, CUT, SIZE, LEAST, MOST, SOURCE };
+	const char *standard = sheet_cell(row, STANDARD).text;
+	const char *source = sheet_cell(row, SOURCE).text;
+	char *name = xasprintf("%s %s", standard, sheet_cell(row, NAME).text);
+	double mm = number_in(sheet, row, SIZE);
+	struct spec *spec = spec_of(all, name);
+	if (spec == NULL)
+		spec = add_spec(
+		    all, standard, name, sheet_cell(row, CUT).text, source);
+	put_row(spec, mm / 1000, number_in(sheet, row, LEAST) / 100,
+	    number_in(sheet, row, MOST) / 100);
+	add_remark(spec, source, mm);
+	free(name);
+}
+
+static void
+read_limit(struct standards *all, struct sheet *sheet, const struct row *row)
+{
+	enum { STANDARD, ITEM, LEAST, MOST, UNIT, NOTE };
+	all->limit = xrealloc(all->limit, all->n_limit + 1, sizeof *all->limit);
+	all->limit[all->n_limit++] = (struct standard_limit){
+	    .standard = xstrdup(sheet_cell(row, STANDARD).text),
+	    .item = xstrdup(sheet_cell(row, ITEM).text),
+	    .unit = xstrdup(sheet_cell(row, UNIT).text),
+	    .note = xstrdup(sheet_cell(row, NOTE).text),
+	    .least = number_in(sheet, row, LEAST),
+	    .most = number_in(sheet, row, MOST)};
+}
+
+/* Row by row, the heading left out. */
+static void
+read_text(struct standards *all, const char *name, const char *const *line,
+    void (*read)(struct standards *, struct sheet *, const struct row *))
+{
+	struct error_list errors = {0};
+	char *text = textfile_lines(line);
+	struct sheet *sheet = sheet_new(name, text, MOST_ROWS, &errors);
+	number_decide(sheet);
+	for (size_t i = 1; i < sheet->n_row; i++)
+		read(all, sheet, &sheet->row[i]);
+	/* They are part of the program: the tests read all of them. */
+	assert(sheet->n_fault == 0);
+	sheet_free(sheet);
+	free(text);
+}
+
+struct standards *
+standards_shipped(void)
+{
+	struct standards *all = xcalloc(1, sizeof *all);
+	read_text(all, "envelopes", ENVELOPES_TEXT, read_envelope);
+	read_text(all, "scalars", ENVELOPE_SCALARS_TEXT, read_limit);
+	for (size_t i = 0; i < all->n; i++)
+		xappend(&all->spec[i]->source, "; %s", tr(COPY));
+	return all;
+}
+
+void
+standards_free(struct standards *all)
+{
+	if (all == NULL)
+		return;
+	for (size_t i = 0; i < all->n; i++)
+		spec_free(all->spec[i]);
+	for (size_t i = 0; i < all->n_limit; i++) {
+		free(all->limit[i].standard);
+		free(all->limit[i].item);
+		free(all->limit[i].unit);
+		free(all->limit[i].note);
+	}
+	free(all->spec);
+	free(all->limit);
+	free(all);
+}
+
+static const char BETWEEN[] = " :;,()";
+
+/* The n letters of a word in a folded name: 0 it is not there, 1 a word of the
+ * name begins so, 2 it is one. */
+static int
+word_in(const char *name, const char *word, size_t n)
+{
+	int best = 0;
+	for (const char *p = name + strspn(name, BETWEEN); *p != '\0';) {
+		size_t own = strcspn(p, BETWEEN);
+		if (own >= n && strncmp(p, word, n) == 0)
+			best = own == n ? 2 : best > 1 ? best : 1;
+		p += own;
+		p += strspn(p, BETWEEN);
+	}
+	return best;
+}
+
+/* The least of that over all words. */
+static int
+words_in(const char *name, const char *words)
+{
+	char *folded = text_fold(name), *all = text_fold(words);
+	int least = 2;
+	for (const char *p = all + strspn(all, BETWEEN); *p != '\0';) {
+		size_t n = strcspn(p, BETWEEN);
+		int in = word_in(folded, p, n);
+		least = in < least ? in : least;
+		p += n;
+		p += strspn(p, BETWEEN);
+	}
+	free(all);
+	free(folded);
+	return least;
+}
+
+/* Whether words say enough to mean the plain one of an envelope's variants: a
+ * number of its standard, "C33", or all of its own name, "zone II"; "ASTM"
+ * alone does not. */
+static bool
+names_plain(const struct spec *spec, const char *folded)
+{
+	return folded[strcspn(folded, "0123456789")] != '\0' ||
+	       words_in(folded, spec->name + strlen(spec->standard)) == 2;
+}
+
+/* Whether a name is that other one of so many letters, or goes on after it. */
+static bool
+goes_on(const char *name, const char *other, size_t length)
+{
+	return strncmp(name, other, length) == 0 &&
+	       (name[length] == '\0' || name[length] == ' ');
+}
+
+/* Leaves of those marked the one whose name all the others begin with, if there
+ * is one and the words mean it.  Returns how many are left. */
+static size_t
+keep_base(
+    const struct standards *all, const char *folded, bool *match, size_t n)
+{
+	for (size_t i = 0; i < all->n; i++) {
+		const char *name = all->spec[i]->name;
+		size_t length = strlen(name), begin = 0;
+		for (size_t j = 0; j < all->n; j++)
+			begin += match[j] &&
+				 goes_on(all->spec[j]->name, name, length);
+		if (!match[i] || begin < n ||
+		    !names_plain(all->spec[i], folded))
+			continue;
+		memset(match, 0, all->n * sizeof *match);
+		match[i] = true;
+		return 1;
+	}
+	return n;
+}
+
+size_t
+standards_match(const struct standards *all, const char *words, bool *match)
+{
+	char *folded = text_fold(words);
+	size_t n = 0, full = 0;
+	int *in = xcalloc(all->n + 1, sizeof *in);
+	for (size_t i = 0; i < all->n; i++) {
+		in[i] = words_in(all->spec[i]->name, folded);
+		full += in[i] == 2;
+	}
+	for (size_t i = 0; i < all->n; i++)
+		n += match[i] = in[i] >= (full > 0 ? 2 : 1);
+	n = n > 1 ? keep_base(all, folded, match, n) : n;
+	free(in);
+	free(folded);
+	return n;
+}
+
+/* The envelope whose name is most like the words. */
+static const char *
+nearest(const struct standards *all, const char *words)
+{
+	const char *best = all->spec[0]->name;
+	size_t least = SIZE_MAX;
+	char *folded = text_fold(words);
+	for (size_t i = 0; i < all->n; i++) {
+		char *name = text_fold(all->spec[i]->name);
+		/* What was left out at its end is no mistake. */
+		if (strlen(name) > strlen(folded))
+			name[strlen(folded)] = '\0';
+		size_t d = text_distance(name, folded);
+		if (d < least) {
+			least = d;
+			best = all->spec[i]->name;
+		}
+		free(name);
+	}
+	free(folded);
+	return best;
+}
+
+const struct spec *
+standards_find(
+    const struct standards *all, const char *words, struct error *error)
+{
+	bool *match = xcalloc(all->n, sizeof *match);
+	size_t n = standards_match(all, words, match), at = 0;
+	while (at < all->n && !match[at])
+		at++;
+	char *list = xstrdup("");
+	for (size_t i = 0; i < all->n && n > 1; i++)
+		if (match[i])
+			xlist(&list, ", ", "%s", all->spec[i]->name);
+	free(match);
+	if (n == 0)
+		error_set(error, ERROR_USAGE,
+		    "there is no envelope '%s', and no such file\n"
+		    "did you mean '%s'? 'spec list' lists them",
+		    words, nearest(all, words));
+	else if (n > 1)
+		error_set(error, ERROR_USAGE,
+		    "'%s' is the name of %zu envelopes\n"
+		    "add a word: %s",
+		    words, n, list);
+	free(list);
+	return n == 1 ? all->spec[at] : NULL;
+}
+
+bool
+standards_is_path(const char *word)
+{
+	static const char *const BEGIN[] = {"/", "./", "../", "~"};
+	static const char *const END[] = {
+	    ".csv", ".tsv", ".txt", ".xlsx", ".ods"};
+	for (size_t i = 0; i < ARRAY_LEN(BEGIN); i++)
+		if (strncmp(word, BEGIN[i], strlen(BEGIN[i])) == 0)
+			return true;
+	for (size_t i = 0; i < ARRAY_LEN(END); i++)
+		if (text_ends(word, END[i]))
+			return true;
+	return access(word, F_OK) == 0;
+}

@@ -1,0 +1,25 @@
+/* Marks in parts of a cell, each with a shape of its own.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_PLOT_MARKS_H
+#define TIPSPEED_PLOT_MARKS_H
+
+#include <stdbool.h>
+
+/* What stands for an ASCII character: dots, 3 x 3, bit 3 * row + column;
+ * quarters, 2 x 2; on paper a shape of so many sides, the first corner at that
+ * part of a turn.  hollow: so that a line is seen to pass behind it. */
+struct mark {
+	char code;
+	unsigned dots, quarters;
+	int sides;
+	double turn;
+	bool hollow;
+};
+
+/* Of a character, NULL where there is none for it. */
+const struct mark *mark_of(char code);
+
+/* Character i of the full ones, or of the hollow ones, which take turns. */
+char mark_code(unsigned i, bool hollow);
+
+#endif

@@ -1,0 +1,37 @@
+/* A quantity over all speeds of the slider, in the same columns above its
+ * track.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_ABOVE_H
+#define TIPSPEED_UI_ABOVE_H
+
+#include "ui/tui_state.h"
+
+/* What was worked out; opaque. */
+struct above;
+
+struct above *above_new(void);
+void above_free(struct above *above);
+
+/* After a command: what was worked out is forgotten where it follows from
+ * something else now, and so is the goal's. */
+void above_look(struct tui *t);
+
+/* The quantity that is shown first: P80. */
+struct quantity above_usual(void);
+
+/* To the next one, or by -1 to the one before, that the feed tells of. */
+void above_next(struct tui *t, int by);
+
+/* Works out a part of the curve, or else of the goal, unless the slider has
+ * just been moved: some 10 ms.  Without a terminal all of it. */
+void above_update(struct tui *t);
+
+/* How long until there is such a part to work out, s; INFINITY: none. */
+double above_wait(const struct tui *t);
+
+/* Draws it, when all is known: its band as two thin edges, with gaps where
+ * speeds are extrapolated, limits on it as dotted lines, what was measured and
+ * where the slider stands as marks. */
+void above_draw(struct tui *t);
+
+#endif

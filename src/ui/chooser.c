@@ -1,0 +1,394 @@
+/* Lists, previews, and the command that opens what is chosen.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/chooser.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <curses.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "io/units.h"
+#include "ui/control.h"
+#include "ui/pane.h"
+#include "ui/screen.h"
+
+enum { ESCAPE = 27, DELETE = 127 };
+
+static void
+forget_preview(struct chooser *c)
+{
+	free(c->preview);
+	c->preview = NULL;
+	c->previewed = -1;
+}
+
+/* The items of the folder that have the word. */
+static void
+relist(struct chooser *c, const char *path)
+{
+	char *copy = xstrdup(path);
+	folder_free(&c->folder);
+	if (c->shipped)
+		folder_shipped(&c->folder);
+	else
+		folder_list(&c->folder, copy);
+	if (c->word.n > 0)
+		folder_narrow(&c->folder, c->word.text);
+	c->at = c->top = 0;
+	forget_preview(c);
+	free(copy);
+}
+
+static void
+list_all(struct chooser *c, const char *path)
+{
+	typing_begin(&c->word, "");
+	relist(c, path);
+}
+
+static void
+close_list(struct tui *t)
+{
+	folder_free(&t->chooser.folder);
+	forget_preview(&t->chooser);
+	t->chooser = (struct chooser){0};
+}
+
+bool
+chooser_open(struct tui *t, enum chooser_list what)
+{
+	if (t->session->safe) {
+		tui_say(t, true,
+		    "files are not opened with --safe: start the program "
+		    "without it");
+		return false;
+	}
+	close_list(t);
+	t->message[0] = '\0';
+	t->chooser.on = true;
+	t->chooser.shipped = what == CHOOSER_SHIPPED;
+	t->chooser.estimates = what == CHOOSER_FEEDS;
+	list_all(&t->chooser, "");
+	return true;
+}
+
+/* The line for guess, to be completed with what the sheet does not say: the
+ * cursor is where that goes. */
+static void
+type_guess(struct tui *t)
+{
+	static const char BEGIN[] = "guess rock=";
+	const struct site *site = tui_entry(t)->site;
+	const char *quote = strchr(site->rock, ' ') != NULL ? "\"" : "";
+	char *line = xasprintf("%s%s%s%s", BEGIN, quote, site->rock, quote);
+	if (site->top_size > 0)
+		xappend(&line, " top=%g", units_mm(site->top_size));
+	typing_begin(&t->typing, line);
+	if (site->rock[0] == '\0') {
+		t->typing.at = strlen(BEGIN);
+		tui_say(t, false,
+		    "type the rock, granite say, and Enter: the sheet does not "
+		    "state it");
+	}
+	free(line);
+}
+
+/* Runs the command as if a key had composed it, and says what is next. */
+static bool
+run(struct tui *t, const char *line, bool estimates)
+{
+	control_keep(t);
+	if (!control_run(t, line) || tui_entry(t) == NULL)
+		return false;
+	const struct entry *entry = tui_entry(t);
+	size_t products = site_products(entry->site);
+	char *label = session_label(entry->site);
+	if (estimates || products == 0)
+		type_guess(t);
+	else if (!entry->has_params)
+		tui_say(t, false, "loaded %s: f calibrates", label);
+	free(label);
+	return true;
+}
+
+static void
+enter(struct tui *t)
+{
+	struct chooser *c = &t->chooser;
+	if (c->folder.n == 0)
+		return;
+	const struct folder_item *item = &c->folder.item[c->at];
+	if (item->kind == FOLDER_ABOVE || item->kind == FOLDER_BELOW) {
+		char *into = folder_into(&c->folder, (size_t)c->at);
+		list_all(c, into);
+		free(into);
+		return;
+	}
+	char *line = folder_command(item);
+	if (run(t, line, c->estimates))
+		close_list(t);
+	free(line);
+}
+
+/* To the folder above. */
+static void
+go_up(struct tui *t)
+{
+	struct chooser *c = &t->chooser;
+	if (c->word.n > 0)
+		list_all(c, c->folder.path);
+	for (size_t i = 0; i < c->folder.n; i++)
+		if (c->folder.item[i].kind == FOLDER_ABOVE) {
+			c->at = (int)i;
+			enter(t);
+			return;
+		}
+}
+
+bool
+chooser_open_shipped(struct tui *t, const char *name)
+{
+	if (!chooser_open(t, CHOOSER_SHIPPED))
+		return false;
+	const struct folder *folder = &t->chooser.folder;
+	size_t i = 0;
+	while (i < folder->n && strcmp(folder->item[i].name, name) != 0)
+		i++;
+	char *line =
+	    i < folder->n ? folder_command(&folder->item[i]) : xstrdup("");
+	if (i == folder->n)
+		tui_say(t, true, "%s%s is not there: reinstall tipspeed",
+		    folder->path, name);
+	close_list(t);
+	bool good = line[0] != '\0' && run(t, line, false);
+	free(line);
+	return good;
+}
+
+static void
+move_by(struct tui *t, int by)
+{
+	t->message[0] = '\0';
+	t->chooser.at = pane_moved(t->chooser.at, by, t->chooser.folder.n);
+}
+
+/* Letters of names, and keys that take them back; false for others.  One that
+ * nothing has is not taken. */
+static bool
+narrow(struct tui *t, int code, bool special)
+{
+	struct chooser *c = &t->chooser;
+	bool back = code == DELETE || code == '\b' || code == ESCAPE,
+	     letter = code < DELETE && (isalnum(code) || strchr("._- ", code));
+	if (special || code == '\0' || (back ? c->word.n == 0 : !letter))
+		return false;
+	t->message[0] = '\0';
+	if (code == ESCAPE)
+		typing_begin(&c->word, "");
+	else
+		typing_letter(&c->word, code, false, VIEWER_WORD);
+	relist(c, c->folder.path);
+	if (c->folder.n == 0 && !back) {
+		tui_say(t, false, "nothing here has '%s'", c->word.text);
+		typing_letter(&c->word, DELETE, false, VIEWER_WORD);
+		relist(c, c->folder.path);
+	}
+	return true;
+}
+
+bool
+chooser_key(struct tui *t, int code, bool special)
+{
+	if (narrow(t, code, special))
+		return true;
+	const struct key *key = keys_find(code, t->page);
+	int page = t->places.body.rows > 3 ? t->places.body.rows - 2 : 1;
+	enum key_act act = key != NULL ? key->act : ACT_HELP;
+	bool end = code == KEY_END || code == KEY_HOME;
+	if (act == ACT_LIST)
+		move_by(t, key->amount);
+	else if (special && (code == KEY_NPAGE || code == KEY_PPAGE))
+		move_by(t, code == KEY_NPAGE ? page : -page);
+	else if (special && end)
+		move_by(t, code == KEY_END ? (int)t->chooser.folder.n
+					   : -t->chooser.at);
+	else if (code == '\n' || code == '\r' ||
+		 (act == ACT_MOVE && key->amount > 0))
+		enter(t);
+	else if (code == DELETE || code == '\b' || act == ACT_MOVE)
+		go_up(t);
+	else {
+		close_list(t);
+		return code == ESCAPE || act == ACT_STOP;
+	}
+	return true;
+}
+
+void
+chooser_update(struct tui *t)
+{
+	struct chooser *c = &t->chooser;
+	if (!c->on || c->folder.n == 0 || c->previewed == c->at)
+		return;
+	forget_preview(c);
+	c->preview = folder_preview(&c->folder.item[c->at]);
+	c->previewed = c->at;
+}
+
+/* A press chooses, a second one opens; the wheel moves. */
+static bool
+touch_item(struct tui *t, const struct touched *touched)
+{
+	if (touched->kind == TOUCH_UP || touched->kind == TOUCH_DOWN)
+		move_by(t, touched->kind == TOUCH_UP ? -1 : 1);
+	else if (touched->kind != TOUCH_PRESS || touched->item == SIZE_MAX)
+		return touched->kind == TOUCH_PRESS;
+	else if (t->chooser.at == (int)touched->item)
+		enter(t);
+	else
+		t->chooser.at = (int)touched->item;
+	return true;
+}
+
+static void
+draw_item(struct tui *t, const struct area *list, int row, size_t i)
+{
+	enum { NAME = 16 };
+	const struct chooser *c = &t->chooser;
+	const struct folder_item *item = &c->folder.item[i];
+	bool folder = item->kind == FOLDER_BELOW || item->kind == FOLDER_ABOVE;
+	unsigned look = (int)i == c->at              ? LOOK_REVERSE
+			: item->kind >= FOLDER_OTHER ? LOOK_DIM
+						     : LOOK_PLAIN;
+	screen_text(list, row, 0, look, " %-*s", list->columns - 1, "");
+	if (item->kind == FOLDER_RESULTS)
+		screen_text(
+		    list, row, 1, look, "%s  %s", item->name, item->about);
+	else if (item->about == NULL)
+		screen_text(
+		    list, row, 1, look, "%s%s", item->name, folder ? "/" : "");
+	else
+		screen_text(list, row, 1, look, "%-*.*s%s", NAME,
+		    (int)(strrchr(item->name, '.') - item->name), item->name,
+		    item->about);
+	touch_add(&t->touches,
+	    (struct area){list->row + row, list->column, 1, list->columns},
+	    touch_item, i);
+}
+
+static void
+draw_list(struct tui *t, const struct area *list)
+{
+	struct chooser *c = &t->chooser;
+	int most = (int)c->folder.n - list->rows;
+	if (c->top < c->at - list->rows + 1)
+		c->top = c->at - list->rows + 1;
+	if (c->top > c->at)
+		c->top = c->at;
+	if (c->top > most)
+		c->top = most > 0 ? most : 0;
+	for (int row = 0; row < list->rows && row + c->top < (int)c->folder.n;
+	     row++)
+		draw_item(t, list, row, (size_t)(row + c->top));
+	t->cursor = (struct cursor){list->row + c->at - c->top, list->column};
+}
+
+static void
+draw_preview(const struct tui *t, const struct area *area)
+{
+	const char *text = t->chooser.preview;
+	int row = 0;
+	for (unsigned look = LOOK_BOLD;
+	     text != NULL && *text != '\0' && row < area->rows;
+	     look = LOOK_PLAIN) {
+		size_t n = strcspn(text, "\n");
+		char *line = xstrndup(text, n);
+		row = screen_words(area, row, look, line);
+		free(line);
+		text += n + (text[n] == '\n');
+	}
+}
+
+static void
+draw_title(const struct tui *t, const struct area *area)
+{
+	const struct chooser *c = &t->chooser;
+	const char *folder =
+	    c->folder.path[0] != '\0' ? c->folder.path : tr("this folder");
+	int column = screen_text(area, 0, 0, LOOK_BOLD, "%s",
+	    c->estimates ? tr("sheet with a feed, in ")
+	    : c->shipped ? tr("sites that come with tipspeed, ")
+			 : tr("open a sheet, in "));
+	column = screen_text(area, 0, column, LOOK_BOLD, "%s", folder);
+	if (c->word.n > 0)
+		screen_text(area, 0, column, 0, ": what has '%s', %zu",
+		    c->word.text, c->folder.n);
+	else if (c->folder.why != NULL)
+		screen_text(area, 0, column, 0, ": %s", c->folder.why);
+	else if (c->folder.more)
+		screen_text(area, 0, column, 0, ": the first %zu", c->folder.n);
+}
+
+/* In the row of hints and the one above it, as on a page. */
+static void
+draw_message(const struct tui *t)
+{
+	struct area area = t->places.hints;
+	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
+	if (text_width(text) > area.columns && area.row > 1) {
+		area.row--;
+		area.rows++;
+	}
+	for (int row = 0; row < area.rows; row++)
+		screen_text(&area, row, 0, 0, "%*s", area.columns, "");
+	screen_words(&area, 0, LOOK_BOLD, text);
+	free(text);
+}
+
+/* The preview stands beside the list, or below it where that is narrow. */
+void
+chooser_draw(struct tui *t)
+{
+	enum { WIDE = 72, TALL = 10, LIST = 60 };
+	const struct area body = t->places.body;
+	struct area list = body, preview = body;
+	bool title = body.rows > 2;
+	touch_add(&t->touches, body, touch_item, SIZE_MAX);
+	if (title)
+		draw_title(t, &body);
+	list.row += title;
+	list.rows -= title;
+	preview = list;
+	preview.rows = 0;
+	if (body.columns >= WIDE + (t->chooser.shipped ? LIST - WIDE / 2 : 0)) {
+		bool full = t->chooser.shipped || body.columns / 2 >= LIST;
+		list.columns = full ? LIST : body.columns / 2;
+		preview = list;
+		preview.column = list.columns + 1;
+		preview.columns = body.columns - preview.column;
+		screen_wall(list.row, list.columns, list.rows);
+		preview.column++;
+		preview.columns--;
+	} else if (body.rows >= TALL) {
+		list.rows -= list.rows / 2;
+		preview.row = list.row + list.rows;
+		preview.rows = body.row + body.rows - preview.row;
+	}
+	draw_list(t, &list);
+	draw_preview(t, &preview);
+	if (t->message[0] != '\0') {
+		draw_message(t);
+		return;
+	}
+	pane_hints(t, LOOK_REVERSE,
+	    t->chooser.word.n > 0 ? N_("Esc all  Enter opens it  Up/Down")
+	    : t->chooser.shipped
+		? N_("Esc back  Enter opens it  Up/Down  letters narrow the "
+		     "list")
+		: N_("Esc back  Enter opens it  Up/Down  Left folder above  "
+		     "letters narrow the list"));
+}

@@ -1,0 +1,28 @@
+/* The list of files over the page: one is looked at, and opened.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_CHOOSER_H
+#define TIPSPEED_UI_CHOOSER_H
+
+#include "ui/tui_state.h"
+
+/* What is listed: the folder that the program runs in, the same for a feed that
+ * a product is estimated of, or the sites that come with the program.  False
+ * with a message under --safe. */
+enum chooser_list { CHOOSER_FILES, CHOOSER_FEEDS, CHOOSER_SHIPPED };
+bool chooser_open(struct tui *t, enum chooser_list list);
+
+/* Takes a key; false: the list is closed and the key is for what was below
+ * it. */
+bool chooser_key(struct tui *t, int code, bool special);
+
+/* Reads the file that is chosen, where it was not. */
+void chooser_update(struct tui *t);
+
+/* Draws it with its hints. */
+void chooser_draw(struct tui *t);
+
+/* Opens a site that comes with the program, by the name of its file; false with
+ * a message. */
+bool chooser_open_shipped(struct tui *t, const char *name);
+
+#endif

@@ -1,0 +1,109 @@
+/* A list of ways to a site.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/first.h"
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "ui/chooser.h"
+#include "ui/pane.h"
+#include "ui/screen.h"
+#include "ui/tour.h"
+
+static void
+open_sheet(struct tui *t)
+{
+	chooser_open(t, CHOOSER_FILES);
+}
+
+static void
+open_shipped(struct tui *t)
+{
+	chooser_open(t, CHOOSER_SHIPPED);
+}
+
+static void
+open_feed(struct tui *t)
+{
+	chooser_open(t, CHOOSER_FEEDS);
+}
+
+static const struct {
+	const char *name, *what;
+	void (*go)(struct tui *t);
+} WAYS[] = {{N_("Open a sheet"),
+		N_("Sieve analyses of the feed and of the product at two "
+		   "speeds or more, "
+		   "from Excel, LibreOffice or CSV. The list shows how each "
+		   "file would be "
+		   "read. Later: o."),
+		open_sheet},
+    {N_("Try a site that comes with tipspeed"),
+	N_("Quarries of the paper with their rock and tip speeds; their curves "
+	   "are reconstructed from it."),
+	open_shipped},
+    {N_("Estimate from rock type and top size"),
+	N_("Where only the feed was sampled: from the materials of other "
+	   "quarries, with a wide band. Choose the sheet with the feed, then "
+	   "complete the command."),
+	open_feed},
+    {N_("Take a tour"),
+	N_("Three steps on a site that comes with tipspeed: the curve, the "
+	   "speed, "
+	   "a fit. Esc leaves it at any time. Later: T."),
+	tour_begin}};
+
+static bool
+touch_way_of(struct tui *t, const struct touched *touched)
+{
+	if (touched->kind != TOUCH_PRESS)
+		return false;
+	t->first_at = (int)touched->item;
+	WAYS[touched->item].go(t);
+	return true;
+}
+
+bool
+first_key(struct tui *t, const struct key *key)
+{
+	if (key->act == ACT_LIST)
+		t->first_at =
+		    pane_moved(t->first_at, key->amount, ARRAY_LEN(WAYS));
+	else if (key->act == ACT_CHOOSE)
+		WAYS[t->first_at].go(t);
+	else
+		return false;
+	return true;
+}
+
+/* In the middle, with what the chosen one is for where there is room. */
+void
+first_draw(struct tui *t)
+{
+	enum { WIDEST = 64, GAPS = 3, WHAT = 4 };
+	struct area area = pane_list_area(t);
+	int n = ARRAY_LEN(WAYS);
+	if (area.columns > WIDEST) {
+		area.column += (area.columns - WIDEST) / 2;
+		area.columns = WIDEST;
+	}
+	bool title = area.rows >= n + 2, what = area.rows >= n + GAPS + WHAT;
+	int spare = area.rows - n - (title ? 2 : 0) - (what ? 1 + WHAT : 0);
+	int row = spare > 0 ? spare / 3 : 0;
+	if (title)
+		screen_text(&area, row, 0, LOOK_BOLD, "No site is loaded yet:");
+	row += title ? 2 : 0;
+	int top = t->first_at >= area.rows ? t->first_at - area.rows + 1 : 0;
+	for (int i = top; i < n; i++, row++) {
+		unsigned look = i == t->first_at ? LOOK_REVERSE : LOOK_PLAIN;
+		screen_text(&area, row, 0, look, " %s%*s", tr(WAYS[i].name),
+		    area.columns, "");
+		touch_add(&t->touches,
+		    (struct area){area.row + row, area.column, 1, area.columns},
+		    touch_way_of, (size_t)i);
+		if (i == t->first_at)
+			t->cursor =
+			    (struct cursor){area.row + row, area.column};
+	}
+	if (what)
+		screen_words(&area, row + 1, 0, tr(WAYS[t->first_at].what));
+}

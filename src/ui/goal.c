@@ -1,0 +1,275 @@
+/* * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/goal.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include <curses.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/grading.h"
+#include "cmd/quantities.h"
+#include "io/standards.h"
+#include "io/units.h"
+
+/* Screens separate sharply. */
+static const struct partition SHARP = {0, 1};
+
+bool
+goal_known(const struct tui *t)
+{
+	return goals_known(t->session, &t->goal);
+}
+
+bool
+goal_pending(const struct tui *t)
+{
+	return goals_pending(t->session, &t->goal, tui_feed(t));
+}
+
+double
+goal_best(const struct tui *t)
+{
+	return goals_best(t->session, &t->goal, t->tenths / 10.0);
+}
+
+char *
+goal_words(const struct tui *t, enum goals_length length)
+{
+	return goals_words(t->session, &t->goal, t->tenths / 10.0, length);
+}
+
+static const struct psd *
+feed_of(const struct tui *t)
+{
+	return &tui_entry(t)->site->run[tui_feed(t)].feed;
+}
+
+size_t
+goal_limits(const struct tui *t, double *speed, size_t most)
+{
+	const struct goal *g = &t->goal;
+	size_t n = 0;
+	if (!goal_known(t))
+		return 0;
+	for (size_t i = 0; i < g->n_met && n < most; i++)
+		speed[n++] = g->met[i];
+	/* A tenth within, where the slider can stand. */
+	for (size_t i = 0; i < g->found.n_inside && n + 2 <= most; i++) {
+		const struct window_range *in = &g->found.inside[i];
+		double low = ceil(10 * in->from - 1e-6) / 10,
+		       high = floor(10 * in->to + 1e-6) / 10;
+		speed[n++] = low <= high ? low : in->from;
+		speed[n++] = low <= high ? high : in->to;
+	}
+	if (n == 0 && most > 0)
+		speed[n++] = goal_best(t);
+	return n;
+}
+
+bool
+goal_holds(const struct tui *t, double from, double to, bool *certain)
+{
+	const struct goal *g = &t->goal;
+	bool holds = false;
+	*certain = false;
+	if (!goal_known(t))
+		return false;
+	for (size_t i = 0; i < g->n_met; i++)
+		holds = holds || (g->met[i] >= from && g->met[i] < to);
+	for (size_t i = 0; i < g->found.n_inside && g->n_value == 0; i++)
+		holds = holds || (g->found.inside[i].from < to &&
+				     g->found.inside[i].to >= from);
+	*certain = holds && g->n_value == 0 && g->certain[0] < to &&
+		   g->certain[1] >= from;
+	return holds;
+}
+
+void
+goal_open(struct tui *t)
+{
+	const struct entry *entry = tui_entry(t);
+	/* What a search has found so far is shown, too. */
+	if (entry == NULL || (!entry->has_params && t->shown.product.n == 0)) {
+		tui_say(t, true, "%s", tui_why_none(t));
+		return;
+	}
+	char *words = quantities_typed(&t->quantity);
+	char *line = goals_set(t->session) ? xstrdup(t->session->set.goal)
+					   : xasprintf("%s=", words);
+	t->message[0] = '\0';
+	t->goal_field = t->goal_fresh = true;
+	typing_begin(&t->typing, line);
+	free(words);
+	free(line);
+}
+
+/* What the words before a comma may become: quantities, and the envelopes that
+ * come with the program. */
+static void
+complete_goal(struct typing *y)
+{
+	static const char *const NAMES[] = {"p80=", "p50=", "p20=", "passing ",
+	    "fines<", "0/2>=", "fm EN=", "cu<", "cc<"};
+	char *text = xstrdup(y->text), *comma = strrchr(text, ',');
+	char *word = comma != NULL ? comma + 1 : text, *offers = xstrdup("");
+	word += strspn(word, " ");
+	char *first = NULL;
+	struct standards *standards = standards_shipped();
+	for (size_t i = 0; i < ARRAY_LEN(NAMES) + standards->n; i++) {
+		const char *name =
+		    i < ARRAY_LEN(NAMES)
+			? NAMES[i]
+			: standards->spec[i - ARRAY_LEN(NAMES)]->name;
+		if (strncasecmp(name, word, strlen(word)) != 0)
+			continue;
+		xlist(&offers, "  ", "%s", name);
+		if (first == NULL)
+			first = xstrdup(name);
+		else
+			first[text_shared(first, name)] = '\0';
+	}
+	standards_free(standards);
+	if (first != NULL && strlen(first) > strlen(word)) {
+		*word = '\0';
+		xappend(&text, "%s", first);
+		typing_begin(y, text);
+		free(offers);
+	} else {
+		free(y->offers);
+		y->offers = offers[0] != '\0' ? offers : NULL;
+		if (y->offers == NULL)
+			free(offers);
+	}
+	free(first);
+	free(text);
+}
+
+static void
+close_field(struct tui *t)
+{
+	typing_end(&t->typing);
+	t->goal_field = false;
+}
+
+/* The line that sets one, or takes it away; NULL where that changes nothing. */
+static char *
+set_goal(struct tui *t, const char *text)
+{
+	char *line = xstrdup("set goal \"");
+	close_field(t);
+	for (const char *p = text[0] != '\0' ? text : SETTINGS_NONE; *p != '\0';
+	     p++)
+		xappend(&line, *p == '"' ? "\"\"" : "%c", *p);
+	xappend(&line, "\"");
+	if (strcmp(text, t->session->set.goal) != 0)
+		return line;
+	free(line);
+	return NULL;
+}
+
+/* "p80" and "p80=" alone are to be looked at, and nothing is wanted of them. */
+static bool
+take_quantity(struct tui *t, const char *text, char **line)
+{
+	struct quantity q;
+	struct error error = {0};
+	char *copy = xstrdup(text);
+	size_t n = strlen(copy);
+	if (n > 0 && copy[n - 1] == '=')
+		copy[n - 1] = '\0';
+	bool ok = quantities_read(copy, &SHARP, &q, &error);
+	free(copy);
+	if (ok && quantities_covered(&q, feed_of(t), &error)) {
+		t->quantity = q;
+		*line = set_goal(t, "");
+	} else if (ok) {
+		tui_say(t, true, "%s: %s", error.text, error.hint);
+	}
+	return ok;
+}
+
+/* What is to be seen of conditions: that of the last, of an envelope's that of
+ * a sieve in the middle. */
+static struct quantity
+most_told(const struct condition_list *list)
+{
+	enum { MANY = 4 };
+	return list->at[list->n > MANY ? list->n / 2 : list->n - 1].quantity;
+}
+
+/* Enter: what cannot be read stays to be mended. */
+static char *
+take(struct tui *t)
+{
+	char *line = NULL;
+	struct condition_list list = {0};
+	struct error error = {0};
+	char *copy = xstrdup(t->typing.text), *text = text_trim(copy);
+	size_t n_value = 0;
+	t->message[0] = '\0';
+	if (text[0] == '\0' || strcasecmp(text, SETTINGS_NONE) == 0) {
+		line = set_goal(t, "");
+	} else if (take_quantity(t, text, &line)) {
+		/* said already */
+	} else if (goals_read(
+		       t->session, text, feed_of(t), &list, &n_value, &error)) {
+		if (list.n > 0)
+			t->quantity = most_told(&list);
+		line = set_goal(t, text);
+	} else {
+		tui_say(t, true, "%s%s%s", error.text,
+		    error.hint[0] != '\0' ? ": " : "", error.hint);
+	}
+	conditions_free(&list);
+	free(copy);
+	return line;
+}
+
+/* What stands there was only offered: a letter begins another quantity, a sign
+ * stands for its own, a number is a value of it; a comma adds to it. */
+static void
+begin_anew(struct tui *t, int code)
+{
+	if (code == ',' || code == ';')
+		return;
+	char *words = quantities_typed(&t->quantity);
+	if (!strchr("<>=", code))
+		xappend(&words, "=");
+	typing_begin(&t->typing, isalpha(code) ? "" : words);
+	free(words);
+}
+
+char *
+goal_key(struct tui *t, int code, bool special)
+{
+	struct typing *y = &t->typing;
+	if (!special && code == '\t') {
+		if (t->goal_fresh)
+			typing_begin(y, "");
+		t->goal_fresh = false;
+		complete_goal(y);
+		return NULL;
+	}
+	if (special && (code == KEY_UP || code == KEY_DOWN))
+		return NULL;
+	if (t->goal_fresh && !special && code > ' ' && code < 127)
+		begin_anew(t, code);
+	t->goal_fresh = false;
+	switch (typing_key(y, t->session, code, special)) {
+	case TYPING_DONE:
+		return take(t);
+	case TYPING_GIVEN_UP:
+		close_field(t);
+		break;
+	case TYPING_ON:
+		break;
+	}
+	return NULL;
+}

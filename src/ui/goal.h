@@ -1,0 +1,34 @@
+/* The goal on the full screen: the field that it is typed into, and where it is
+ * met along the track.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_GOAL_H
+#define TIPSPEED_UI_GOAL_H
+
+#include "cmd/goals.h"
+#include "ui/tui_state.h"
+
+/* Whether the goal that is set is worked out, or is to be. */
+bool goal_known(const struct tui *t);
+bool goal_pending(const struct tui *t);
+
+/* Opens the field, with the quantity above the track in it. */
+void goal_open(struct tui *t);
+
+/* Takes its keys; the command that Enter asks for, which the caller frees, or
+ * NULL. */
+char *goal_key(struct tui *t, int code, bool special);
+
+/* See goals_words. */
+char *goal_words(const struct tui *t, enum goals_length length);
+
+/* The best speed; NAN where none is known. */
+double goal_best(const struct tui *t);
+
+/* The speeds of the limits, in [most] out.  Returns how many. */
+size_t goal_limits(const struct tui *t, double *speed, size_t most);
+
+/* Whether all that is wanted holds between two speeds, and whether that is as
+ * sure as bands are. */
+bool goal_holds(const struct tui *t, double from, double to, bool *certain);
+
+#endif

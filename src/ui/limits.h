@@ -1,0 +1,18 @@
+/* The grading envelope in use, worked out at the slider's speed.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_LIMITS_H
+#define TIPSPEED_UI_LIMITS_H
+
+#include "cmd/grading.h"
+#include "ui/tui_state.h"
+
+/* As the slider or the session is now.  What does not change with the speed is
+ * kept; a step reads the curve of its prediction, without draws. */
+void limits_update(struct tui *t);
+void limits_free(struct tui *t);
+
+/* At that speed; NULL where no envelope is in use, none of its sieves is in the
+ * range of the feed's, or a calibration runs. */
+const struct grading *limits_now(const struct tui *t);
+
+#endif

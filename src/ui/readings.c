@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/readings.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "base/tr.h"
+#include "cmd/answers.h"
+#include "io/units.h"
+#include "ui/pane.h"
+#include "ui/screen.h"
+
+const char *
+readings_size(double mm, char text[static 24])
+{
+	if (isnan(mm))
+		snprintf(text, 24, tr("off sieves"));
+	else if (isinf(mm))
+		snprintf(text, 24, tr("none"));
+	else if (mm < 1000 * ANSWERS_NO_SIZE)
+		snprintf(text, 24, "all");
+	else
+		snprintf(text, 24, "%.2f mm", mm);
+	return text;
+}
+
+/* A row of the crosshair: what a curve passes there, and its size at the
+ * level, read from `finer`. */
+static void
+draw_reading(const struct tui *t, const struct area *area, int row,
+    unsigned look, const char *name, const struct psd *psd,
+    const struct psd *finer)
+{
+	double x = t->shown.product.size[t->cross_at];
+	char size[24] = "-";
+	double mm = 1000 * psd_size(finer, t->level / 100.0);
+	if (isfinite(mm))
+		readings_size(mm, size);
+	screen_text(area, row, 0, look, "%-8.8s", name);
+	if (psd_covers(psd, x))
+		screen_text(
+		    area, row, 8, look, "%5.1f %%", 100 * psd_passing(psd, x));
+	screen_text(area, row, 15, look, "%9s", size);
+}
+
+/* Between which sizes the level lies in the band, mm. */
+static void
+level_range(const struct prediction *p, int level, double range[2])
+{
+	double passing = level / 100.0;
+	struct psd edge = p->product;
+	edge.passing = p->high;
+	range[0] = 1000 * psd_size(&edge, passing);
+	edge.passing = p->low;
+	range[1] = 1000 * psd_size(&edge, passing);
+	/* Between sieves the band is a straight line, and the curve is not. */
+	double own = 1000 * psd_size(&p->curve, passing);
+	range[0] = own < range[0] ? own : range[0];
+	range[1] = own > range[1] ? own : range[1];
+	for (size_t k = 0; k < PSD_SIZES; k++)
+		for (size_t i = 0; i < 2 && passing == PSD_PASSING[k]; i++)
+			range[i] = 1000 * p->range[k][i];
+}
+
+/* One row, or two where there is room: the passing there, and the size at the
+ * level. */
+static int
+draw_band(const struct tui *t, const struct area *area, int row)
+{
+	const struct prediction *p = &t->shown;
+	double range[2];
+	if (!t->band || p->low == NULL)
+		return row;
+	screen_text(area, row++, 0, 0, "band %5.1f .. %.1f %%",
+	    100 * p->low[t->cross_at], 100 * p->high[t->cross_at]);
+	level_range(p, t->level, range);
+	if (row < area->rows && isfinite(range[0]) && isfinite(range[1]))
+		screen_text(area, row++, 0, 0, "     %5.2f .. %.2f mm",
+		    range[0], range[1]);
+	return row;
+}
+
+int
+readings_rows(const struct tui *t)
+{
+	enum { OTHERS = 3, BAND = 2 };
+	if (!t->cross || t->cross_at >= t->shown.product.n)
+		return 0;
+	return OTHERS + (int)site_products(tui_entry(t)->site) +
+	       (t->band && t->shown.low != NULL ? BAND : 0) +
+	       (t->pin.site[0] != '\0');
+}
+
+void
+readings_draw(struct tui *t, const struct area *area)
+{
+	const struct prediction *p = &t->shown;
+	const struct site *site = tui_entry(t)->site;
+	bool focus = t->focus == &page_predict, pin = t->pin.site[0] != '\0';
+	char name[40];
+	int row = 0, others = 1 + (t->band && p->low != NULL) + pin;
+	if (focus)
+		t->cursor = (struct cursor){area->row, area->column};
+	snprintf(name, sizeof name, tr("crosshair %g mm"),
+	    units_mm(p->product.size[t->cross_at]));
+	screen_text(area, row++, 0, focus ? LOOK_REVERSE : LOOK_BOLD,
+	    "%-18s%4d %%", name, t->level);
+	draw_reading(t, area, row++, 0, "feed", &p->feed, &p->feed);
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		if (run->product.n == 0 || row + others >= area->rows)
+			continue;
+		snprintf(name, sizeof name, tr("meas %g%s"), run->speed,
+		    run->repeat);
+		draw_reading(
+		    t, area, row++, 0, name, &run->product, &run->product);
+	}
+	draw_reading(t, area, row++, LOOK_BOLD, "PRED", &p->product, &p->curve);
+	if (pin)
+		draw_reading(t, area, row++, 0, "pinned", &t->kept.product,
+		    &t->kept.curve);
+	draw_band(t, area, row);
+}

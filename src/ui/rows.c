@@ -1,0 +1,226 @@
+/* Choosing, opening and filtering rows, whatever they show.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/rows.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "ui/pages.h"
+
+static const struct page_list *
+list_of(const struct tui *t)
+{
+	return pages_open(t)->list;
+}
+
+static size_t
+total(const struct tui *t)
+{
+	return list_of(t) != NULL ? list_of(t)->n(t) : 0;
+}
+
+static bool
+has_rows(const struct tui *t)
+{
+	return total(t) > 0;
+}
+
+static bool
+has_word(const struct tui *t, size_t i)
+{
+	if (t->filter.n == 0)
+		return true;
+	char *text = list_of(t)->text(t, i), *folded = text_fold(text);
+	char *wanted = text_fold(t->filter.text);
+	bool has = strstr(folded, wanted) != NULL;
+	free(text);
+	free(folded);
+	free(wanted);
+	return has;
+}
+
+size_t
+rows_next(const struct tui *t, size_t i)
+{
+	size_t n = total(t);
+	do
+		i++;
+	while (i < n && !has_word(t, i));
+	return i;
+}
+
+/* The one before i, or i itself. */
+static size_t
+before(const struct tui *t, size_t i)
+{
+	size_t to = i;
+	while (to-- > 0)
+		if (has_word(t, to))
+			return to;
+	return i;
+}
+
+size_t
+rows_count(const struct tui *t)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < total(t); i++)
+		n += has_word(t, i);
+	return n;
+}
+
+/* The cursor onto a row that is shown: there, after it, or before it. */
+static void
+settle(struct tui *t)
+{
+	size_t n = total(t), at = list_of(t)->at(t);
+	at = n == 0 ? 0 : at < n ? at : n - 1;
+	if (n > 0 && !has_word(t, at)) {
+		size_t next = rows_next(t, at);
+		at = next < n ? next : before(t, at);
+	}
+	list_of(t)->go(t, at);
+}
+
+static void
+move(struct tui *t, int by)
+{
+	settle(t);
+	size_t at = list_of(t)->at(t), n = total(t);
+	for (; by > 0 && rows_next(t, at) < n; by--)
+		at = rows_next(t, at);
+	for (; by < 0 && before(t, at) != at; by++)
+		at = before(t, at);
+	list_of(t)->go(t, at);
+}
+
+size_t
+rows_first(struct tui *t, size_t room)
+{
+	settle(t);
+	size_t top = list_of(t)->at(t);
+	if (!has_word(t, top))
+		return total(t);
+	/* What is shown reaches to the cursor, and further only where all that
+	 * is before it is shown. */
+	for (size_t i = 1; i < room && before(t, top) != top; i++)
+		top = before(t, top);
+	return top;
+}
+
+static void
+open_row(struct tui *t)
+{
+	if (list_of(t)->open != NULL && has_word(t, list_of(t)->at(t)))
+		list_of(t)->open(t);
+}
+
+static bool
+touch_row(struct tui *t, const struct touched *touched)
+{
+	/* Another page may have been opened since the frame was drawn. */
+	if (touched->kind != TOUCH_PRESS || list_of(t) == NULL)
+		return false;
+	size_t at = list_of(t)->at(t);
+	bool again = t->focus == pages_open(t) && at == touched->item;
+	t->focus = pages_open(t);
+	list_of(t)->go(t, touched->item);
+	if (again)
+		open_row(t);
+	return true;
+}
+
+static bool
+touch_wheel(struct tui *t, const struct touched *touched)
+{
+	if ((touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN) ||
+	    list_of(t) == NULL)
+		return false;
+	move(t, touched->kind == TOUCH_UP ? -1 : 1);
+	return true;
+}
+
+void
+rows_touch(struct tui *t, struct area area, size_t i)
+{
+	touch_add(&t->touches, area, touch_row, i);
+}
+
+void
+rows_wheel(struct tui *t, struct area area)
+{
+	touch_add(&t->touches, area, touch_wheel, 0);
+}
+
+static void
+start_word(struct tui *t)
+{
+	t->focus = pages_open(t);
+	t->message[0] = '\0';
+	t->filter.active = true;
+}
+
+/* What is the list's while the arrows move in it only. */
+static bool
+focused_key(struct tui *t, const struct key *key)
+{
+	enum { FAST = 50 };
+	int page = t->places.body.rows > 3 ? t->places.body.rows - 2 : 1;
+	bool to_end = key->act == ACT_TO && key->amount <= TO_MOST;
+	if (to_end)
+		move(t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);
+	else if (key->act == ACT_FINE && abs(key->amount) == FAST)
+		move(t, key->amount > 0 ? -page : page);
+	else if (key->act == ACT_MOVE && pages_open(t)->takes_focus)
+		move(t, key->amount);
+	else
+		return false;
+	return true;
+}
+
+bool
+rows_key(struct tui *t, const struct key *key)
+{
+	if (list_of(t) == NULL)
+		return false;
+	/* Several keys may come before the next frame. */
+	pages_update(t);
+	if (key->act == ACT_LIST) {
+		t->focus = pages_open(t);
+		move(t, key->amount);
+	} else if (key->act == ACT_CHOOSE && has_rows(t)) {
+		open_row(t);
+	} else if (key->act == ACT_FILTER) {
+		start_word(t);
+	} else {
+		return t->focus == pages_open(t) && focused_key(t, key);
+	}
+	return true;
+}
+
+bool
+rows_letter(struct tui *t, int code, bool special)
+{
+	if (!t->filter.active || list_of(t) == NULL)
+		return false;
+	if (code == '\n' || code == '\r') {
+		t->filter.active = false;
+		return true;
+	}
+	if (!typing_letter(&t->filter, code, special, VIEWER_WORD))
+		return false;
+	settle(t);
+	return true;
+}
+
+bool
+rows_forget(struct tui *t)
+{
+	if (!t->filter.active && t->filter.n == 0)
+		return false;
+	typing_begin(&t->filter, "");
+	t->filter.active = false;
+	return true;
+}

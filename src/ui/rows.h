@@ -1,0 +1,31 @@
+/* The list of a page: keys, mouse and a word after / go through its rows.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_ROWS_H
+#define TIPSPEED_UI_ROWS_H
+
+#include "ui/pane.h"
+
+/* Of the page that is open: how many rows of its list have the word that is
+ * looked for; without a word all have. */
+size_t rows_count(const struct tui *t);
+
+/* The first to draw, so that the one under the cursor is among `room` of them;
+ * and the next one after i to draw, at least the number of rows at the end. */
+size_t rows_first(struct tui *t, size_t room);
+size_t rows_next(const struct tui *t, size_t i);
+
+/* A row that is drawn there: a click chooses it, one on the chosen row opens
+ * it.  rows_wheel: the wheel goes through the list there. */
+void rows_touch(struct tui *t, struct area area, size_t i);
+void rows_wheel(struct tui *t, struct area area);
+
+/* What a key does in the list; false: it is none of the list's. */
+bool rows_key(struct tui *t, const struct key *key);
+
+/* A key while the word is typed; false: it is none of the word's. */
+bool rows_letter(struct tui *t, int code, bool special);
+
+/* No word any more; false: there was none. */
+bool rows_forget(struct tui *t);
+
+#endif

@@ -1,0 +1,385 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/search_side.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/light.h"
+#include "cmd/outlook.h"
+#include "cmd/plots_search.h"
+#include "ui/pane.h"
+#include "ui/screen.h"
+
+/* Columns of a parameter's row: name, lower bound, bar, upper bound, value; of
+ * a wide panel a remark as well. */
+enum { NAME = 7, BOUND = 6, VALUE = 8, SIGN = 1, REMARK = 12, WIDE = 48 };
+
+/* The least rows of the convergence. */
+enum { CONVERGENCE = 3 };
+
+/* What a row of the panel is drawn from. */
+struct row {
+	const struct area *side;
+	int row, width;
+	bool wide;
+};
+
+static size_t
+parameters(const struct plots_past *past)
+{
+	return breakage_of(&past->best)->n;
+}
+
+void
+search_side_choose(struct tui *t, int by)
+{
+	struct plots_past past = tui_past(t);
+	if (past.n == 0)
+		return;
+	/* The first key shows which one it is. */
+	int at = t->param_at > 0 ? (int)t->param_at - 1 : by > 0 ? -1 : 1;
+	t->param_at = (size_t)pane_moved(at, by, parameters(&past)) + 1;
+}
+
+void
+search_side_bounds(struct tui *t)
+{
+	struct plots_past past = tui_past(t);
+	if (past.n == 0)
+		return;
+	size_t j = t->param_at > 0 ? t->param_at - 1 : 0;
+	const struct breakage *of = breakage_of(&past.best);
+	const struct session *s = t->session;
+	/* Those of the next search; of another model the last one's. */
+	const struct bounds *now = s->set.model.breakage == past.best.breakage
+				       ? &s->set.bounds
+				       : past.bounds;
+	t->param_at = j + 1;
+	char *line = xasprintf("bounds %s ", of->parameter[j].name);
+	typing_begin(&t->typing, line);
+	free(line);
+	tui_say(t, false, "%s: %g..%g now; type low..high, or one value%s",
+	    of->parameter[j].name, now->lower[j], now->upper[j],
+	    j < of->gauge
+		? tr("; the bar has each beta over the largest, as only "
+		     "ratios matter")
+		: "");
+}
+
+static bool
+touch_parameter(struct tui *t, const struct touched *touched)
+{
+	if (touched->kind == TOUCH_PRESS) {
+		t->param_at = touched->item;
+		search_side_bounds(t);
+	}
+	return touched->kind == TOUCH_PRESS;
+}
+
+/* Where a value stands within its bounds, as a cell of a bar. */
+static int
+cell_of(const struct plots_strip *strip, double value, int width)
+{
+	double range = strip->upper - strip->lower;
+	double share = range > 0 ? (value - strip->lower) / range : 0.5;
+	share = share < 0 ? 0 : share > 1 ? 1 : share;
+	return (int)lround(share * (width - 1));
+}
+
+/* From one value to another by the same sign. */
+static void
+draw_span(const struct row *r, const struct plots_strip *strip,
+    const double *end, enum series series, const char *sign)
+{
+	int from = cell_of(strip, end[0], r->width);
+	int to = cell_of(strip, end[1], r->width);
+	for (int c = from; c <= to; c++)
+		screen_series(
+		    r->side, r->row, NAME + BOUND + 1 + c, series, 0, sign);
+}
+
+/* In few letters: "0.001", "2746". */
+static const char *
+number(double value, bool scaled, char text[static 24])
+{
+	if (scaled)
+		snprintf(text, 24, "%.3f", value);
+	else
+		snprintf(text, 24, "%.*g", fabs(value) >= 1000 ? 5 : 3, value);
+	return text;
+}
+
+/* What lies between the bounds: the middle 80 % of the draws and of the
+ * candidates, and the best. */
+static void
+draw_bar(const struct row *r, const struct plots_strip *strip)
+{
+	bool ascii = screen_charset() == CHARSET_ASCII;
+	int end = NAME + BOUND + 1 + r->width;
+	char text[24];
+	screen_text(r->side, r->row, NAME, LOOK_DIM, "%*s|", BOUND,
+	    number(strip->lower, false, text));
+	screen_text(r->side, r->row, end, LOOK_DIM, "|%-*s", BOUND,
+	    number(strip->upper, false, text));
+	if (isfinite(strip->drawn[0]))
+		draw_span(r, strip, strip->drawn, SERIES_BAND,
+		    ascii ? "-" : "\u2500");
+	draw_span(r, strip, (double[]){strip->p10, strip->p90}, SERIES_FEED,
+	    ascii ? "=" : "\u2501");
+	screen_series(r->side, r->row,
+	    NAME + BOUND + 1 + cell_of(strip, strip->best, r->width),
+	    SERIES_PREDICTED, LOOK_BOLD, "*");
+}
+
+/* "f_mat  0.01|  ==*=    |10    2.18"; of one held fixed the value alone. */
+static void
+draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
+    const struct plots_strip *strip)
+{
+	int at = NAME + 2 * (BOUND + 1) + r->width;
+	/* Without room for the remark a sign tells of the bound itself. */
+	bool marked = strip->at_bound || (r->wide && strip->near);
+	const char *remark = strip->at_bound ? "AT BOUND"
+			     : strip->near   ? "NEAR BOUND"
+					     : "";
+	char text[24];
+	screen_text(
+	    r->side, r->row, 0, chosen ? LOOK_REVERSE : LOOK_PLAIN, "%s", name);
+	/* Where a name in reverse is not seen. */
+	if (chosen)
+		screen_text(r->side, r->row, NAME - 1, LOOK_BOLD, ">");
+	if (strip->fixed)
+		screen_text(
+		    r->side, r->row, NAME + BOUND + 1, LOOK_DIM, "held fixed");
+	else
+		draw_bar(r, strip);
+	at = screen_text(r->side, r->row, at, marked ? LOOK_BOLD : LOOK_PLAIN,
+	    "%*s", VALUE - 1, number(strip->best, scaled, text));
+	if (marked)
+		screen_text(r->side, r->row, at, LOOK_BOLD, "!%s%s",
+		    r->wide ? " " : "", r->wide ? remark : "");
+}
+
+static int
+draw_parameters(struct tui *t, const struct plots_past *past, int row)
+{
+	const struct area *side = &t->places.side;
+	const struct breakage *of = breakage_of(&past->best);
+	bool wide = side->columns >= WIDE;
+	int rest = NAME + 2 * (BOUND + 1) + VALUE + (wide ? REMARK : SIGN);
+	struct row r = {side, row, side->columns - rest, wide};
+	bool end = t->generation == 0 && !session_fitting(t->session);
+	bool ascii = screen_charset() == CHARSET_ASCII;
+	screen_text(side, row, 0, LOOK_DIM, "%s 80 %%  * %s%s%s",
+	    ascii ? "=" : "\u2501", end ? tr("polished") : tr("best"),
+	    !end    ? ""
+	    : ascii ? tr("  - draws")
+		    : tr("  \u2500 draws"),
+	    wide ? "" : tr("  ! bound"));
+	r.width = r.width < 3 ? 3 : r.width;
+	for (size_t j = 0; j < of->n && r.row + 1 < side->rows; j++) {
+		struct plots_strip strip =
+		    plots_search_strip(t->session, past, t->generation, j);
+		r.row++;
+		draw_parameter(&r, of->parameter[j].name, j < of->gauge,
+		    t->param_at == j + 1, &strip);
+		touch_add(&t->touches,
+		    (struct area){
+			side->row + r.row, side->column, 1, side->columns},
+		    touch_parameter, j + 1);
+	}
+	return r.row + 1;
+}
+
+static const char *
+why_stopped(enum calibrate_state stop)
+{
+	return stop == CALIBRATE_TOLERANCE     ? tr("converged")
+	       : stop == CALIBRATE_STALLED     ? tr("stalled")
+	       : stop == CALIBRATE_GENERATIONS ? tr("limit reached")
+					       : tr("stopped");
+}
+
+/* "1.2 s, 350000 candidates a second, pace auto".  How much longer nobody
+ * knows: the polish ends when it finds nothing better. */
+static int
+draw_pace(const struct tui *t, int row)
+{
+	struct calibrate_status st =
+	    calibration_status(t->session->job.calibration);
+	double seconds = tui_searched(t);
+	char pace[32] = "full";
+	if (t->pace == PACE_AUTO)
+		snprintf(pace, sizeof pace, "auto");
+	else if (t->pace < PACE_FULL)
+		snprintf(pace, sizeof pace, "%g/s", PACES[t->pace]);
+	screen_text(&t->places.side, row, 0, LOOK_DIM,
+	    "%.1f s  %zu candidates  pace %s", seconds, st.evaluations, pace);
+	return row + 1;
+}
+
+/* "converged; seed 1; doubtful: ..", with the first reason. */
+static char *
+verdict_words(const struct tui *t, const struct entry *entry)
+{
+	struct trust light = light_of(t->session, entry, NULL);
+	char *words = xasprintf(tr("%s; seed %llu; %s%s%s"),
+	    why_stopped(entry->fit.stop), (unsigned long long)entry->fit.seed,
+	    light_verdict(t->session, entry, NULL), light.n > 0 ? ": " : "",
+	    light.n > 0 ? light.reason[0].text : "");
+	trust_free(&light);
+	return words;
+}
+
+/* R is of the parameter that agrees least; the light counts what the curves
+ * need. */
+static char *
+draws_words(const struct posterior *p, bool all)
+{
+	const double agree = 1.2; /* above, chains are said to differ */
+	bool differ = p->ratio > agree;
+	char *words = xasprintf(tr("%d draws, R %.2f: chains %s"),
+	    POSTERIOR_DRAWS, p->ratio, differ ? tr("differ") : tr("agree"));
+	if (differ && all)
+		xappend(&words,
+		    tr(" in a parameter (1: agree); the light counts the "
+		       "halves "
+		       "of the draws, %.2f sd apart"),
+		    p->drift);
+	return words;
+}
+
+/* Of what was found, only beside the end, in rows that parameters and
+ * convergence leave free. */
+static int
+draw_found(const struct tui *t, int row)
+{
+	const struct entry *entry = tui_entry(t);
+	const struct area *side = &t->places.side;
+	if (!entry->has_fit || t->generation > 0)
+		return row;
+	const struct posterior *p = outlook_draws(t->session, entry);
+	int heads = 1 + (int)breakage_of(&entry->params)->n;
+	int room = side->rows - row - heads - CONVERGENCE - (p != NULL);
+	char *words = verdict_words(t, entry);
+	int from = row;
+	row = screen_words_within(
+	    side, row, room > 1 ? room : 1, 0, words, " .. :why");
+	free(words);
+	if (p == NULL)
+		return row;
+	room -= row - from;
+	words = draws_words(p, room >= 3);
+	row = screen_words(side, row, 0, words);
+	free(words);
+	return row;
+}
+
+/* Where the search stood at the generation looked at, and what happened. */
+static int
+draw_words(const struct tui *t, const struct plots_past *past)
+{
+	const struct area *side = &t->places.side;
+	size_t at = tui_generation(t);
+	const struct calibrate_generation *g = &past->generation[at - 1];
+	bool end = t->generation == 0 && past->polished;
+	double best = plots_past_points(past, end ? past->misfit : g->best);
+	int row = 0;
+	screen_text(side, row++, 0, LOOK_BOLD, "%sgeneration %zu of %zu%s",
+	    session_busy(t->session) && t->held ? tr("PAUSED ") : "", at,
+	    past->n, end ? tr(", polished") : "");
+	screen_text(side, row++, 0, 0, "best %.2f, median %.2f points RMS",
+	    best, plots_past_points(past, g->median));
+	char *words = t->begun != NULL
+			  ? xstrdup(t->begun)
+			  : plots_search_words(t->session, past, t->generation);
+	row = screen_words(side, row, LOOK_BOLD, words);
+	free(words);
+	return session_fitting(t->session) ? draw_pace(t, row)
+					   : draw_found(t, row);
+}
+
+static void
+draw_convergence(struct tui *t, int row)
+{
+	enum { MOST = 20 };
+	struct area below = t->places.side;
+	below.row += row;
+	below.rows -= row;
+	below.rows = below.rows > MOST ? MOST : below.rows;
+	struct plot_request request = plots_request(PLOT_CONVERGENCE);
+	request.words = 0;
+	request.generation = t->generation;
+	if (below.rows >= CONVERGENCE && t->picture != PLOT_CONVERGENCE)
+		pane_plot(t, &request, &below);
+}
+
+/* "beta1=-0.000  .. alpha=1!" */
+static char *
+parameters_words(const struct tui *t, const struct plots_past *past)
+{
+	const struct breakage *of = breakage_of(&past->best);
+	char *words = xstrdup(""), text[24];
+	for (size_t j = 0; j < of->n; j++) {
+		struct plots_strip strip =
+		    plots_search_strip(t->session, past, t->generation, j);
+		xappend(&words, "%s%s=%s%s", j > 0 ? "  " : "",
+		    of->parameter[j].name,
+		    number(strip.best, j < of->gauge, text),
+		    strip.at_bound ? "!" : "");
+	}
+	return words;
+}
+
+/* Where there are no rows for strips: the same in words, and what happens. */
+static void
+draw_low(const struct tui *t, const struct plots_past *past)
+{
+	const struct area *side = &t->places.side;
+	const struct entry *entry = tui_entry(t);
+	size_t at = tui_generation(t);
+	bool over =
+	    t->generation == 0 && !session_busy(t->session) && entry->has_fit;
+	double points =
+	    t->generation == 0 ? past->misfit : past->generation[at - 1].best;
+	screen_text(side, 0, 0, LOOK_BOLD, "generation %zu: %.2f points RMS",
+	    at, plots_past_points(past, points));
+	char *words = parameters_words(t, past);
+	int row = screen_words_within(side, 1, side->rows - 1, 0, words, " ..");
+	free(words);
+	words = over ? verdict_words(t, entry)
+		     : plots_search_words(t->session, past, t->generation);
+	screen_words_within(
+	    side, row, side->rows - row, 0, words, over ? " .. :why" : " ..");
+	free(words);
+}
+
+void
+search_side_draw(struct tui *t)
+{
+	enum { LOW = 12 };
+	const struct area *side = &t->places.side;
+	struct plots_past past = tui_past(t);
+	if (side->rows == 0)
+		return;
+	screen_wall(side->row, t->places.wall, side->rows);
+	if (past.n > 0 && side->rows < LOW) {
+		draw_low(t, &past);
+		return;
+	}
+	if (past.n > 0) {
+		int row = draw_words(t, &past);
+		draw_convergence(t, draw_parameters(t, &past, row));
+		return;
+	}
+	bool can =
+	    tui_entry(t) == NULL || site_products(tui_entry(t)->site) > 0;
+	screen_text(side, 0, 0, 0, "%s",
+	    can ? tr("not calibrated yet: f starts")
+		: tr("no product: type :guess"));
+	screen_text(side, 1, 0, 0, "%s",
+	    can ? tr("+ and -: generations a second") : "");
+}

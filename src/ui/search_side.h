@@ -1,0 +1,17 @@
+/* The panel of the page Fit: where the search stands, the parameters within
+ * their bounds, and how it came together.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_SEARCH_SIDE_H
+#define TIPSPEED_UI_SEARCH_SIDE_H
+
+#include "ui/tui_state.h"
+
+void search_side_draw(struct tui *t);
+
+/* Chooses the next parameter or the one before. */
+void search_side_choose(struct tui *t, int by);
+
+/* Opens the bounds of the parameter chosen to be typed. */
+void search_side_bounds(struct tui *t);
+
+#endif

@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/sieve_table.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/site_chart.h"
+#include "io/units.h"
+#include "ui/pane.h"
+#include "ui/screen.h"
+
+/* Where the differences stand, and bars where there is room for a few cells. */
+enum { COMPARED = 18, BAR = 25, BAR_CELLS = 4 };
+
+/* What the product is compared with, and its colour: what is pinned, else the
+ * run measured at the nearest speed; NULL without either. */
+static const struct psd *
+compared(const struct tui *t, char name[static 40], enum series *series)
+{
+	const struct site *site = tui_entry(t)->site;
+	const struct run *nearest = NULL;
+	if (t->pin.site[0] != '\0') {
+		snprintf(name, 40, tr("vs pin"));
+		*series = SERIES_OTHER;
+		return &t->kept.product;
+	}
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		if (run->product.n > 0 &&
+		    (nearest == NULL ||
+			fabs(run->speed - t->now.speed) <
+			    fabs(nearest->speed - t->now.speed)))
+			nearest = run;
+	}
+	if (nearest == NULL)
+		return NULL;
+	snprintf(name, 40, tr("vs %g measured"), nearest->speed);
+	*series =
+	    site_chart_run(site, (size_t)(nearest - site->run), false).series;
+	return &nearest->product;
+}
+
+/* How far the product lies above what it is compared with, points. */
+static double
+difference(const struct tui *t, const struct psd *other, size_t i)
+{
+	double x = t->shown.product.size[i];
+	if (other == NULL || !psd_covers(other, x))
+		return NAN;
+	double off =
+	    100 * (t->shown.product.passing[i] - psd_passing(other, x));
+	/* Nothing is neither more nor less. */
+	return fabs(off) < 0.05 ? 0 : off;
+}
+
+/* What a full bar is, points: it changes seldom, and not where the scale of the
+ * strip does, or both would be written in one step. */
+static double
+full_bar(const struct tui *t, const struct psd *other)
+{
+	static const double FULL[] = {1.5, 3, 7, 15, 30, 70, 100};
+	double most = 0;
+	size_t at = 0;
+	for (size_t i = 0; i < t->shown.product.n; i++)
+		most = fmax(most, fabs(difference(t, other, i)));
+	while (at + 1 < ARRAY_LEN(FULL) && FULL[at] < most)
+		at++;
+	return FULL[at];
+}
+
+/* In eighths of a cell, or halves, or whole ones, as the characters allow. */
+static void
+draw_bar(const struct area *area, int row, double share)
+{
+	static const char *const EIGHTH[] = {"", "\u258f", "\u258e", "\u258d",
+	    "\u258c", "\u258b", "\u258a", "\u2589"};
+	enum charset charset = screen_charset();
+	int parts = charset == CHARSET_BRAILLE     ? 8
+		    : charset == CHARSET_QUADRANTS ? 2
+						   : 1,
+	    cells = area->columns - BAR,
+	    n = (int)lround(fmin(fabs(share), 1) * cells * parts);
+	for (int c = 0; c < n / parts; c++)
+		screen_text(area, row, BAR + c, 0, "%s",
+		    charset == CHARSET_ASCII ? "#" : "\u2588");
+	screen_text(
+	    area, row, BAR + n / parts, 0, "%s", EIGHTH[n % parts * 8 / parts]);
+}
+
+/* The crosshair on that sieve. */
+static bool
+touch_sieve(struct tui *t, const struct touched *touched)
+{
+	if (touched->kind != TOUCH_PRESS || touched->item >= t->shown.product.n)
+		return false;
+	t->cross = true;
+	t->cross_at = touched->item;
+	t->focus = &page_predict;
+	return true;
+}
+
+static void
+draw_sieve(
+    struct tui *t, const struct area *area, int row, size_t i, double off)
+{
+	const struct prediction *p = &t->shown;
+	unsigned look = t->cross && t->cross_at == i ? LOOK_BOLD : LOOK_PLAIN;
+	char sieve[24];
+	/* A longer name takes a blank of the next number. */
+	int n =
+	    snprintf(sieve, sizeof sieve, "%5g", units_mm(p->product.size[i]));
+	screen_text(area, row, 0, look, "%s%*.1f%6.1f", sieve, 11 - n,
+	    100 * p->feed.passing[i], 100 * p->product.passing[i]);
+	if (!isnan(off))
+		screen_text(area, row, COMPARED, look,
+		    off != 0 ? "%+5.1f" : "%5.1f", off);
+	touch_add(&t->touches,
+	    (struct area){area->row + row, area->column, 1, area->columns},
+	    touch_sieve, i);
+}
+
+/* Of row r of so many.  Where there are fewer rows than sieves these are from
+ * the coarsest that the feed does not pass to the finest: which ones does not
+ * change with the speed. */
+static size_t
+sieve_of(const struct tui *t, size_t r, size_t rows)
+{
+	const double all = 0.9995;
+	const struct psd *feed = &t->shown.feed;
+	size_t first = 0, gaps = rows - 1;
+	if (rows >= feed->n || rows < 2)
+		return r;
+	while (first + rows < feed->n && feed->passing[first] > all)
+		first++;
+	return first + (r * (feed->n - 1 - first) + gaps / 2) / gaps;
+}
+
+/* The row whose sieve gives way to that of the quantity over all speeds, where
+ * no row has it; else SIZE_MAX. */
+static size_t
+row_for_quantity(const struct tui *t, size_t rows, size_t *sieve)
+{
+	const struct psd *product = &t->shown.product;
+	const double same = 1e-3;
+	size_t best = 0;
+	*sieve = 0;
+	while (*sieve < product->n &&
+	       fabs(product->size[*sieve] / t->quantity.x - 1) > same)
+		++*sieve;
+	if (t->quantity.kind != QUANTITY_PASSING || *sieve == product->n ||
+	    rows >= product->n)
+		return SIZE_MAX;
+	for (size_t r = 1; r < rows; r++)
+		if (labs((long)sieve_of(t, r, rows) - (long)*sieve) <
+		    labs((long)sieve_of(t, best, rows) - (long)*sieve))
+			best = r;
+	return best;
+}
+
+int
+sieve_table_rows(const struct tui *t)
+{
+	return 1 + (int)t->shown.product.n;
+}
+
+void
+sieve_table_draw(struct tui *t, const struct area *area)
+{
+	size_t n = t->shown.product.n, rows = (size_t)area->rows - 1;
+	char name[40] = "";
+	enum series series = SERIES_TEXT;
+	const struct psd *other = compared(t, name, &series);
+	double full = full_bar(t, other);
+	/* "vs 74": of a name longer than its column the first words. */
+	if (COMPARED + (int)strlen(name) > area->columns)
+		*strrchr(name, ' ') = '\0';
+	screen_text(area, 0, 0, LOOK_DIM, "sieve  feed   now");
+	screen_series(area, 0, COMPARED, series, 0, name);
+	size_t wanted, at = row_for_quantity(t, rows, &wanted);
+	for (size_t r = 0; r < rows && r < n; r++) {
+		size_t i = r == at ? wanted : sieve_of(t, r, rows);
+		double off = difference(t, other, i);
+		draw_sieve(t, area, (int)r + 1, i, off);
+		if (area->columns >= BAR + BAR_CELLS && !isnan(off))
+			draw_bar(area, (int)r + 1, off / full);
+	}
+}

@@ -1,0 +1,407 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/track.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/answers.h"
+#include "cmd/quantities.h"
+#include "core/breakage.h"
+#include "io/units.h"
+#include "ui/goal.h"
+#include "ui/screen.h"
+
+enum { MOST_MARKS = 300 };
+
+struct track_signs
+track_signs(void)
+{
+	static const struct track_signs ASCII = {"*", "o", "?"},
+					UTF8 = {"\u25C6", "\u25C7", "?"};
+	return screen_charset() == CHARSET_ASCII ? ASCII : UTF8;
+}
+
+bool
+track_trained(const struct entry *entry, size_t run)
+{
+	const struct origin *o = entry->origin;
+	if (!origin_trained(entry))
+		return entry->train[run];
+	for (size_t i = 0; i < o->n_speed; i++)
+		if (o->speed[i] == entry->site->run[run].speed)
+			return true;
+	return false;
+}
+
+/* The speeds that were measured and those that the parameters were trained at,
+ * also where that was on another site.  Returns how many. */
+static size_t
+take_marks(const struct entry *entry, struct slider_range range,
+    struct slider_mark mark[static MOST_MARKS])
+{
+	const struct origin *o = entry->origin;
+	bool trained = origin_trained(entry);
+	size_t n = 0;
+	for (size_t i = 0; trained && i < o->n_speed && n < MOST_MARKS; i++)
+		mark[n++] = (struct slider_mark){
+		    slider_tenths(range, o->speed[i]), true};
+	for (size_t r = 0; r < entry->site->n_run && n < MOST_MARKS; r++) {
+		const struct run *run = &entry->site->run[r];
+		bool known = track_trained(entry, r);
+		if (run->product.n > 0 && (!trained || !known))
+			mark[n++] = (struct slider_mark){
+			    slider_tenths(range, run->speed), known};
+	}
+	return n;
+}
+
+bool
+track_touch(struct tui *t, const struct touched *touched)
+{
+	if (touched->kind != TOUCH_PRESS && touched->kind != TOUCH_DRAG)
+		return false;
+	struct area track = places_track(&t->places);
+	if (touched->kind == TOUCH_PRESS)
+		t->focus = NULL;
+	t->tenths = slider_at(tui_range(t),
+	    touched->area.column + touched->column - track.column,
+	    track.columns);
+	return true;
+}
+
+/* Whether all that is wanted holds somewhere in a cell of the track. */
+static bool
+cell_holds(
+    const struct tui *t, const struct area *track, int column, bool *certain)
+{
+	struct slider_range range = tui_range(t);
+	double cells = fmax(1, track->columns - 1),
+	       half = (range.most - range.least) / 20.0 / cells;
+	double speed = range.least / 10.0 + 2 * half * column;
+	return goal_holds(t, speed - half, speed + half, certain);
+}
+
+/* Where a window begins and ends, and where it does so for sure. */
+static bool *
+window_ends(const struct tui *t, const struct area *track)
+{
+	size_t n = (size_t)track->columns;
+	bool *end = xcalloc(n + 1, sizeof *end);
+	int was = 0;
+	for (size_t c = 0; c <= n; c++) {
+		bool certain = false;
+		int is = c < n && cell_holds(t, track, (int)c, &certain)
+			     ? 1 + certain
+			     : 0;
+		if (is > was)
+			end[c] = true;
+		else if (is < was)
+			end[c - 1] = true;
+		was = is;
+	}
+	return end;
+}
+
+/* Cells of the track: those of slider_draw, and a heavy line at the speeds at
+ * which all that is wanted holds, with gaps where that is not sure. */
+static void
+draw_cell(const struct tui *t, const struct area *track, int column, char sign)
+{
+	struct track_signs signs = track_signs();
+	bool ascii = screen_charset() == CHARSET_ASCII, certain;
+	const char letter[2] = {sign};
+	const char *text = sign == '|'             ? signs.trained
+			   : sign == 'o'           ? signs.held_out
+			   : sign == 'x'           ? signs.beyond
+			   : sign == '-' && !ascii ? "\u2500"
+						   : letter;
+	bool free = sign == '-' || (sign == 'x' && column % 2 == 0);
+	bool met = free && cell_holds(t, track, column, &certain);
+	if (met)
+		text = ascii ? (certain ? "#" : "=")
+			     : (certain ? "\u2501" : "\u254D");
+	unsigned look = met && certain ? LOOK_BOLD : LOOK_PLAIN;
+	screen_series(
+	    track, 0, column, met ? SERIES_OTHER : SERIES_TEXT, look, text);
+}
+
+void
+track_draw(struct tui *t)
+{
+	touch_add(&t->touches, t->places.track, track_touch, 0);
+	struct area track = places_track(&t->places);
+	const struct entry *entry = tui_entry(t);
+	struct slider_range range = tui_range(t);
+	struct slider_mark mark[MOST_MARKS];
+	size_t n = entry != NULL ? take_marks(entry, range, mark) : 0;
+	char *text = xcalloc((size_t)track.columns + 1, 1);
+	bool *kept = window_ends(t, &track);
+	int at =
+	    slider_draw(text, track.columns, range, t->tenths, mark, n, kept);
+	bool focus = t->focus == NULL;
+	const char *close = strchr(text + at, ']');
+	int length = close != NULL ? (int)(close - text) - at + 1 : 1;
+	for (int c = 0; c < track.columns; c++)
+		if (c < at || c >= at + length)
+			draw_cell(t, &track, c, text[c]);
+	screen_text(&track, 0, at, focus ? LOOK_REVERSE : LOOK_BOLD, "%.*s",
+	    length, text + at);
+	if (track.column > 0) {
+		screen_text(&t->places.track, 0, 0, 0, "%3d", range.least / 10);
+		screen_text(&t->places.track, 0, t->places.track.columns - 3, 0,
+		    "%d", range.most / 10);
+	}
+	free(kept);
+	free(text);
+	t->cursor.column = track.column + at + (length > 1 ? 1 : 0);
+}
+
+/* A part of the heading at several lengths, the longest first; at: the one
+ * shown; column: where. */
+enum { QUANTITY, GOAL, SPEED, SIGNS, PARTS };
+enum { LENGTHS = 5 };
+struct part {
+	size_t n, at;
+	char *text[LENGTHS];
+	unsigned look;
+	int column;
+};
+
+static void
+say(struct part *part, char *text)
+{
+	part->text[part->n++] = text;
+}
+
+static void
+say_quantity(const struct tui *t, struct part *part)
+{
+	const char *unit = quantities_unit(&t->quantity);
+	if (tui_entry(t) == NULL) {
+		say(part, xstrdup(""));
+		return;
+	}
+	char *words = quantities_words(&t->quantity);
+	xappend(&words, "%s%s", unit[0] != '\0' ? ", " : "", unit);
+	if (t->places.above.rows > 0 && !goals_set(t->session))
+		say(part, xasprintf(tr("%s at all speeds"), words));
+	if (t->places.above.rows > 0)
+		say(part, xstrdup(words));
+	say(part, xstrdup(""));
+	free(words);
+}
+
+static void
+say_goal(const struct tui *t, struct part *part)
+{
+	for (int length = 0; length < GOALS_LENGTHS; length++)
+		say(part, goal_words(t, (enum goals_length)length));
+	say(part, xstrdup(""));
+	part->look = LOOK_BOLD;
+}
+
+/* The rim of the rotor goes round at the tip speed. */
+static void
+say_speed(const struct tui *t, struct part *part)
+{
+	const struct entry *entry = tui_entry(t);
+	double v = t->tenths / 10.0;
+	double rotor = entry != NULL ? entry->site->rotor : 0;
+	char *words =
+	    xasprintf(tr("%.1f m/s  %.0f J/kg"), v, energy_specific(v));
+	char *turns = rotor > 0
+			  ? xasprintf(tr("  %.0f rpm"), units_rpm(v, rotor))
+			  : xstrdup("");
+	say(part, xasprintf(tr("rotor tip speed %s%s"), words, turns));
+	say(part, xasprintf("%s%s", words, turns));
+	say(part, words);
+	say(part, xasprintf("%.1f m/s", v));
+	say(part, xasprintf("%.1f", v));
+	free(turns);
+}
+
+/* A speed beyond those measured is not to be read without that. */
+static void
+say_signs(const struct tui *t, struct part *part)
+{
+	struct track_signs signs = track_signs();
+	bool beyond = t->shown.product.n > 0 &&
+		      answers_extrapolates(tui_entry(t), t->shown.speed);
+	char *word = xasprintf("%s %s", signs.beyond,
+	    beyond ? tr("EXTRAPOLATED") : tr("extrapolated"));
+	char *marks = xasprintf(
+	    tr("%s trained  %s held out"), signs.trained, signs.held_out);
+	say(part, xasprintf("%s  %s", word, marks));
+	say(part, xstrdup(beyond ? word : marks));
+	if (!beyond)
+		say(part, xstrdup(""));
+	part->look = beyond ? LOOK_BOLD : LOOK_DIM;
+	free(word);
+	free(marks);
+}
+
+/* With a rule before it. */
+static int
+width_of(const struct part *part)
+{
+	int width = text_width(part->text[part->at]);
+	return width > 0 ? width + 4 : 0;
+}
+
+/* Each is as short as can be, then grows in turn while there is room. */
+static void
+fit_parts(struct part part[static PARTS], int columns)
+{
+	static const size_t TURNS[] = {SPEED, QUANTITY, GOAL, GOAL, SPEED, GOAL,
+	    SPEED, SIGNS, SIGNS, QUANTITY, SPEED};
+	int width = 2;
+	for (size_t i = 0; i < PARTS; i++) {
+		part[i].at = part[i].n - 1;
+		width += width_of(&part[i]);
+	}
+	for (size_t k = 0; k < ARRAY_LEN(TURNS); k++) {
+		struct part *p = &part[TURNS[k]];
+		int was = width_of(p);
+		if (p->at == 0)
+			continue;
+		p->at--;
+		if (width - was + width_of(p) > columns)
+			p->at++;
+		width += width_of(p) - was;
+	}
+	int left = 0, right = columns - 2;
+	for (size_t i = 0; i < SPEED; i++) {
+		part[i].column = left + 2;
+		left += width_of(&part[i]);
+	}
+	for (size_t i = PARTS; i-- > SPEED;) {
+		right -= width_of(&part[i]);
+		part[i].column = right + 2;
+	}
+}
+
+void
+track_heading(struct tui *t)
+{
+	static const int KEY[PARTS] = {[QUANTITY] = 'y', [GOAL] = 't'};
+	const struct area *area = &t->places.caption;
+	struct part part[PARTS] = {0};
+	say_quantity(t, &part[QUANTITY]);
+	say_goal(t, &part[GOAL]);
+	say_speed(t, &part[SPEED]);
+	say_signs(t, &part[SIGNS]);
+	fit_parts(part, area->columns);
+	screen_rule(area);
+	for (size_t i = 0; i < PARTS; i++) {
+		const char *text = part[i].text[part[i].at];
+		int column = part[i].column > 0 ? part[i].column : 0;
+		if (text[0] != '\0')
+			screen_text(
+			    area, 0, column, part[i].look, " %s ", text);
+		if (KEY[i] != 0)
+			touch_add_key(&t->touches,
+			    (struct area){area->row, area->column + column, 1,
+				text_width(text)},
+			    KEY[i], false);
+		for (size_t k = 0; k < part[i].n; k++)
+			free(part[i].text[k]);
+	}
+}
+
+/* Where keys go to, in no order: the goal's limits, or what was measured. */
+static size_t
+stops(const struct tui *t, int tenths[static MOST_MARKS])
+{
+	double speed[MOST_MARKS];
+	struct slider_mark mark[MOST_MARKS];
+	struct slider_range range = tui_range(t);
+	size_t n = goal_limits(t, speed, MOST_MARKS);
+	for (size_t i = 0; i < n; i++)
+		tenths[i] = slider_tenths(range, speed[i]);
+	if (n > 0 || tui_entry(t) == NULL)
+		return n;
+	n = take_marks(tui_entry(t), range, mark);
+	for (size_t i = 0; i < n; i++)
+		tenths[i] = mark[i].tenths;
+	return n;
+}
+
+static void
+to_limit(struct tui *t, int by)
+{
+	int tenths[MOST_MARKS], best = t->tenths;
+	size_t n = stops(t, tenths);
+	for (size_t i = 0; i < n; i++) {
+		bool beyond = by * (tenths[i] - t->tenths) > 0;
+		if (beyond &&
+		    (best == t->tenths || by * (best - tenths[i]) > 0))
+			best = tenths[i];
+	}
+	if (best == t->tenths)
+		tui_say(t, false, "no %s %s",
+		    by > 0 ? tr("faster") : tr("slower"),
+		    goals_set(t->session)
+			? tr("limit: N goes to the best speed")
+			: tr("run: t sets a goal"));
+	t->tenths = best;
+}
+
+static void
+to_best(struct tui *t)
+{
+	double best = goal_best(t);
+	if (isfinite(best))
+		t->tenths = slider_tenths(tui_range(t), best);
+	else
+		tui_say(t, false,
+		    goals_set(t->session) ? N_("no best speed is known")
+					  : N_("no goal yet: t sets one"));
+}
+
+static bool
+is_pending(const struct tui *t)
+{
+	const struct entry *entry = tui_entry(t);
+	return entry != NULL && entry->has_params && goal_pending(t);
+}
+
+void
+track_go(struct tui *t, const struct key *key)
+{
+	if (is_pending(t) && session_fitting(t->session) == tui_entry(t)) {
+		tui_say(t, false,
+		    "the goal's speeds are known when the calibration ends");
+		return;
+	}
+	t->wish = key;
+	t->wish_from = t->tenths;
+	track_wished(t, t->aside);
+	if (t->wish != NULL)
+		tui_say(t, false,
+		    "the goal's speeds are being worked out: the slider then "
+		    "goes there; Esc: it stays");
+}
+
+void
+track_wished(struct tui *t, bool now)
+{
+	const struct key *key = t->wish;
+	if (key == NULL || t->tenths != t->wish_from) {
+		t->wish = NULL;
+		return;
+	}
+	while (now && is_pending(t))
+		goals_step(t->session, &t->goal, tui_feed(t));
+	if (is_pending(t))
+		return;
+	t->wish = NULL;
+	t->message[0] = '\0';
+	if (key->act == ACT_BEST)
+		to_best(t);
+	else
+		to_limit(t, key->amount);
+}

@@ -1,0 +1,37 @@
+/* The track of the slider on the screen, its heading, and where keys and mouse
+ * take the slider.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_TRACK_H
+#define TIPSPEED_UI_TRACK_H
+
+#include "ui/tui_state.h"
+
+void track_draw(struct tui *t);
+
+/* A rule with what stands above the track, the goal, the speed, and what the
+ * signs mean. */
+void track_heading(struct tui *t);
+
+/* Wherever it is pressed the slider goes, and follows; see touch_way. */
+bool track_touch(struct tui *t, const struct touched *touched);
+
+/* ACT_LIMIT: to the next speed at which a goal begins or ends to be met, or was
+ * measured where there is no goal; by -1 to the one before.  ACT_BEST: to the
+ * best speed of the goal.  While these are not known the key is kept. */
+void track_go(struct tui *t, const struct key *key);
+
+/* Does what the kept key is for, where the speeds are known or are to be worked
+ * out now.  Who has moved the slider since then wants something else. */
+void track_wished(struct tui *t, bool now);
+
+/* What stands where parameters were trained at, where a run was held out, and
+ * beyond all those speeds; UTF-8. */
+struct track_signs {
+	const char *trained, *held_out, *beyond;
+};
+struct track_signs track_signs(void);
+
+/* Whether parameters were trained at the speed of a run. */
+bool track_trained(const struct entry *entry, size_t run);
+
+#endif

@@ -1,0 +1,708 @@
+/* Blocks from the top down, filled by what is wanted most.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "ui/verdicts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "cmd/answers.h"
+#include "cmd/light.h"
+#include "cmd/quantities.h"
+#include "io/units.h"
+#include "ui/control.h"
+#include "ui/limits.h"
+#include "ui/pane.h"
+#include "ui/readings.h"
+#include "ui/screen.h"
+#include "ui/sieve_table.h"
+
+/* A row of numbers: its name, then these columns; where the panel is wide a
+ * band stands between value and change. */
+enum { VALUE = 5, UNIT = 12, BAND = 16, CHANGE_COLUMNS = 7, WIDE = 34 };
+
+/* What blocks are drawn from.  was: what changes are counted from, or NULL;
+ * reason: the one that is shown, in rows of the panel, or NULL; tph: what is
+ * fed, t/h, NAN where that is not known; back: what of it goes round, t/h. */
+struct panel {
+	struct tui *t;
+	const struct numbers *was;
+	struct trust light;
+	const char *reason;
+	int reason_rows;
+	double tph, back;
+};
+
+/* How many rows a block takes: at least, or it is left out, and where there is
+ * room. */
+struct wish {
+	int least, most;
+};
+
+static bool
+is_pinned(const struct tui *t)
+{
+	return t->pin.site[0] != '\0';
+}
+
+/* Not 0 as shown. */
+static bool
+is_seen(double change, int digits)
+{
+	return fabs(change) >= 0.5 * pow(10, -digits);
+}
+
+/* "-0.03", what is now less what was; nothing where that is 0 as shown. */
+static void
+draw_change(
+    const struct area *area, int row, double now, double was, int digits)
+{
+	if (isfinite(now) && isfinite(was) && is_seen(now - was, digits))
+		screen_text(area, row, area->columns - CHANGE_COLUMNS, 0,
+		    "%+*.*f", CHANGE_COLUMNS, digits, now - was);
+}
+
+/* "5.29..5.44" where the panel is wide; nothing without a band. */
+static void
+draw_range(
+    const struct area *area, int row, double low, double high, int digits)
+{
+	const double long_number = 100;
+	if (area->columns < WIDE || !isfinite(low) || !isfinite(high))
+		return;
+	screen_text(area, row, BAND, LOOK_DIM, "%.*f..%.*f",
+	    high < long_number ? digits : 0, low,
+	    high < long_number ? digits : 0, high);
+}
+
+static void
+draw_name(const struct area *area, int row, unsigned look, const char *name)
+{
+	screen_text(area, row, 0, look, "%s", name);
+}
+
+/* Draws a size or why there is none. */
+static void
+draw_size(const struct area *area, int row, unsigned look, double mm)
+{
+	char text[24];
+	if (!isfinite(mm) || mm < 1000 * ANSWERS_NO_SIZE)
+		screen_text(
+		    area, row, VALUE + 1, look, "%s", readings_size(mm, text));
+	else
+		screen_text(area, row, VALUE, look, "%6.2f mm", mm);
+}
+
+/* The speed, and what changes are counted from. */
+static struct wish
+speed_wish(const struct panel *p)
+{
+	const struct tui *t = p->t;
+	bool other = is_pinned(t) && strcmp(t->pin.site, t->now.site) != 0;
+	return (struct wish){1, other ? 2 : 1};
+}
+
+/* At the same speed: by another calibration, say. */
+static bool
+is_changed(const struct panel *p)
+{
+	bool changed = false;
+	for (int i = 0; i < PSD_SIZES && p->was != NULL; i++)
+		changed |= isfinite(p->was->size[i]) &&
+			   is_seen(p->t->now.size[i] - p->was->size[i], 2);
+	return changed;
+}
+
+static void
+draw_speed(struct panel *p, const struct area *area)
+{
+	const struct tui *t = p->t;
+	const bool since = p->was != NULL && p->was->speed != t->now.speed;
+	enum { FROM = 10 };
+	screen_text(area, 0, 0, LOOK_BOLD, "%.1f m/s", t->now.speed);
+	if (is_pinned(t))
+		screen_text(
+		    area, 0, FROM, LOOK_DIM, "vs pinned %.1f", t->pin.speed);
+	else if (since)
+		screen_text(
+		    area, 0, FROM, LOOK_DIM, "since %.1f", p->was->speed);
+	else if (is_changed(p))
+		screen_text(area, 0, FROM, LOOK_DIM, "vs last answer");
+	if (area->rows > 1)
+		screen_text(area, 1, 0, LOOK_DIM, "pinned: %s", t->pin.site);
+}
+
+static struct wish
+three(const struct panel *p)
+{
+	(void)p;
+	return (struct wish){PSD_SIZES, PSD_SIZES};
+}
+
+/* The crosshair where the curve passes so much. */
+static bool
+touch_size(struct tui *t, const struct touched *touched)
+{
+	const struct psd *product = &t->shown.product;
+	if (touched->kind != TOUCH_PRESS || product->n == 0)
+		return false;
+	t->level = (int)lround(100 * PSD_PASSING[touched->item]);
+	double mm = t->shown.size[touched->item];
+	t->cross = true;
+	t->cross_at = 0;
+	while (isfinite(mm) && t->cross_at + 1 < product->n &&
+	       product->size[t->cross_at + 1] >= mm)
+		t->cross_at++;
+	t->focus = &page_predict;
+	return true;
+}
+
+static void
+draw_sizes(struct panel *p, const struct area *area)
+{
+	static const char *const NAME[PSD_SIZES] = {"P20", "P50", "P80"};
+	struct tui *t = p->t;
+	for (int i = 0; i < PSD_SIZES; i++) {
+		const double *range = t->shown.range[i];
+		draw_name(area, i, LOOK_BOLD, NAME[i]);
+		draw_size(area, i, LOOK_BOLD, t->now.size[i]);
+		draw_range(area, i, 1000 * range[0], 1000 * range[1], 2);
+		if (p->was != NULL)
+			draw_change(
+			    area, i, t->now.size[i], p->was->size[i], 2);
+		touch_add(&t->touches,
+		    (struct area){
+			area->row + i, area->column, 1, area->columns},
+		    touch_size, (size_t)i);
+	}
+}
+
+static struct wish
+one_or_two(const struct panel *p)
+{
+	(void)p;
+	return (struct wish){1, 2};
+}
+
+static void
+draw_break(struct panel *p, const struct area *area)
+{
+	const struct tui *t = p->t;
+	const double *range = t->shown.range[ANSWERS_BREAK];
+	draw_name(area, 0, 0, tr("break"));
+	draw_size(area, 0, LOOK_PLAIN, t->now.break_mm);
+	draw_range(area, 0, 1000 * range[0], 1000 * range[1], 2);
+	if (p->was != NULL)
+		draw_change(area, 0, t->now.break_mm, p->was->break_mm, 2);
+	if (area->rows > 1)
+		screen_text(area, 1, 0, 0,
+		    area->columns < WIDE
+			? N_("%4.0f J/kg: %.0f %% broken")
+			: N_("%4.0f J/kg: %.0f %% of the feed breaks"),
+		    t->shown.energy, 100 * t->shown.selected);
+}
+
+/* Sizes that sand is sold by, mm. */
+static const double FRACTION_MM[NUMBERS_FRACTIONS] = {0.063, 2, 4};
+
+static int
+count_fractions(const struct panel *p)
+{
+	int n = 0;
+	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
+		n += !isnan(p->t->now.passing[i]);
+	return n;
+}
+
+static struct wish
+fractions_wish(const struct panel *p)
+{
+	int n = count_fractions(p);
+	return (struct wish){n, n};
+}
+
+/* The crosshair on the sieve, or the coarsest that is finer. */
+static bool
+touch_fraction(struct tui *t, const struct touched *touched)
+{
+	const struct psd *product = &t->shown.product;
+	const double near = 1.0001;
+	if (touched->kind != TOUCH_PRESS || product->n == 0)
+		return false;
+	t->cross = true;
+	t->cross_at = 0;
+	while (t->cross_at + 1 < product->n &&
+	       1000 * product->size[t->cross_at] >
+		   near * FRACTION_MM[touched->item])
+		t->cross_at++;
+	t->focus = &page_predict;
+	return true;
+}
+
+/* A row for each of them in a unit that 100 % is `all` of. */
+static int
+draw_shares(struct panel *p, const struct area *area, int row,
+    const char *const name[NUMBERS_FRACTIONS], double all, const char *unit)
+{
+	struct tui *t = p->t;
+	const struct prediction *shown = &t->shown;
+	struct psd low = shown->product, high = shown->product;
+	low.passing = shown->low;
+	high.passing = shown->high;
+	for (size_t i = 0; i < NUMBERS_FRACTIONS && row < area->rows; i++) {
+		double now = t->now.passing[i], part = all / 100;
+		if (isnan(now))
+			continue;
+		draw_name(area, row, 0, name[i]);
+		screen_text(
+		    area, row, VALUE + 1, 0, "%5.1f %s", now * part, unit);
+		if (shown->low != NULL)
+			draw_range(area, row,
+			    all * psd_passing(&low, FRACTION_MM[i] / 1000),
+			    all * psd_passing(&high, FRACTION_MM[i] / 1000), 1);
+		if (p->was != NULL)
+			draw_change(area, row, now * part,
+			    p->was->passing[i] * part, 1);
+		touch_add(&t->touches,
+		    (struct area){
+			area->row + row, area->column, 1, area->columns},
+		    touch_fraction, i);
+		row++;
+	}
+	return row;
+}
+
+static void
+draw_fractions(struct panel *p, const struct area *area)
+{
+	static const char *const NAME[] = {"<0.063", "0/2", "0/4"};
+	draw_shares(p, area, 0, NAME, 100, "%");
+}
+
+/* What the last flow was fed with: a share of that is a product's where all of
+ * it goes through the crusher once. */
+static struct wish
+tonnes_wish(const struct panel *p)
+{
+	int n = isnan(p->tph) ? 0 : p->back > 0 ? 2 : 1 + count_fractions(p);
+	return (struct wish){n, n};
+}
+
+static void
+draw_tonnes(struct panel *p, const struct area *area)
+{
+	static const char *const NAME[] = {"<0.063", "< 2", "< 4"};
+	if (p->back > 0) {
+		screen_text(
+		    area, 0, 0, 0, "%.6g t/h, %.1f go back", p->tph, p->back);
+		screen_text(area, 1, 0, LOOK_DIM, "at this speed: :flow");
+		return;
+	}
+	screen_text(area, 0, 0, LOOK_DIM, "of %.6g t/h, finer than mm", p->tph);
+	draw_shares(p, area, 1, NAME, p->tph, "t/h");
+}
+
+/* The heading says the verdict; a row each, or as many of the worst as there is
+ * room for. */
+static struct wish
+limits_wish(const struct panel *p)
+{
+	const struct grading *g = limits_now(p->t);
+	if (p->t->session->spec == NULL)
+		return (struct wish){0, 0};
+	return (struct wish){2, g == NULL ? 2 : 1 + (int)g->limits.n};
+}
+
+/* Limit i at the slider's speed: in, or by how much it is missed. */
+static void
+draw_limit(const struct area *area, int row, const struct grading *g, size_t i)
+{
+	const struct condition *c = &g->limits.at[i];
+	struct quantity q = c->quantity;
+	char name[16], limits[32] = "";
+	double least = quantities_shown(&q, c->least),
+	       most = quantities_shown(&q, c->most);
+	bool sieve = q.kind == QUANTITY_PASSING,
+	     in = window_holds_of(&g->conditions, i);
+	if (sieve)
+		snprintf(name, sizeof name, "%g", units_mm(q.x));
+	else
+		snprintf(name, sizeof name, "%s",
+		    q.kind == QUANTITY_MODULUS ? "FM" : "step");
+	if (isnan(most))
+		snprintf(limits, sizeof limits, ">= %g", least);
+	else if (isnan(least))
+		snprintf(limits, sizeof limits, "<= %g", most);
+	else
+		snprintf(limits, sizeof limits, "%g..%g", least, most);
+	draw_name(area, row, in ? LOOK_PLAIN : LOOK_BOLD, name);
+	screen_text(area, row, VALUE, 0,
+	    q.kind == QUANTITY_MODULUS ? "%6.2f" : "%6.1f",
+	    quantities_shown(&q, response_value(g->conditions.response, i)));
+	if (!isnan(least) || !isnan(most))
+		screen_text(area, row, UNIT, LOOK_DIM, "%s", limits);
+	screen_text(area, row, area->columns - 3, in ? LOOK_PLAIN : LOOK_BOLD,
+	    in ? N_(" in") : N_("OUT"));
+}
+
+/* Where limit i stands among all of them, that with the least margin first. */
+static size_t
+place_of_limit(const struct grading *g, size_t i)
+{
+	struct window_limit limit;
+	double margin = window_margin_of(&g->conditions, i, &limit);
+	size_t place = 0;
+	for (size_t k = 0; k < g->limits.n; k++) {
+		double other = window_margin_of(&g->conditions, k, &limit);
+		place += other < margin || (k < i && !(margin < other));
+	}
+	return place;
+}
+
+static bool
+touch_limits(struct tui *t, const struct touched *touched)
+{
+	if (touched->kind != TOUCH_PRESS)
+		return false;
+	control_typed(t, "spec");
+	return true;
+}
+
+static void
+draw_limits(struct panel *p, const struct area *area)
+{
+	struct tui *t = p->t;
+	const struct grading *g = limits_now(t);
+	struct area name = *area;
+	name.columns -= 4;
+	touch_add(&t->touches, *area, touch_limits, 0);
+	screen_text(&name, 0, 0, LOOK_DIM, "%s", t->session->spec->name);
+	if (g == NULL) {
+		screen_text(area, 1, 0, 0,
+		    session_busy(t->session) ? N_("after the calibration")
+					     : N_("not on the feed's sieves"));
+		return;
+	}
+	bool in = window_holds(&g->conditions);
+	screen_text(area, 0, area->columns - 3, in ? LOOK_BOLD : LOOK_REVERSE,
+	    in ? N_(" in") : N_("OUT"));
+	int row = 1;
+	for (size_t i = 0; i < g->limits.n; i++)
+		if ((int)place_of_limit(g, i) < area->rows - 1)
+			draw_limit(area, row++, g, i);
+}
+
+static struct wish
+readings_wish(const struct panel *p)
+{
+	enum { LEAST = 3 };
+	int n = readings_rows(p->t);
+	return (struct wish){n < LEAST ? n : LEAST, n};
+}
+
+static void
+draw_readings(struct panel *p, const struct area *area)
+{
+	readings_draw(p->t, area);
+}
+
+/* Of a few sieves nobody sees a curve. */
+static struct wish
+sieves_wish(const struct panel *p)
+{
+	enum { LEAST = 5 };
+	int n = sieve_table_rows(p->t);
+	return (struct wish){n < LEAST ? n : LEAST, n};
+}
+
+static void
+draw_sieves(struct panel *p, const struct area *area)
+{
+	sieve_table_draw(p->t, area);
+}
+
+static struct wish
+light_wish(const struct panel *p)
+{
+	enum { LOW = 16, FEW = 3, MANY = 6 };
+	int n = p->reason_rows;
+	int least = p->t->places.side.rows <= LOW ? FEW : MANY;
+	return (struct wish){1 + (n < least ? n : least), 1 + n};
+}
+
+static bool
+touch_light(struct tui *t, const struct touched *touched)
+{
+	if (touched->kind != TOUCH_PRESS)
+		return false;
+	control_typed(t, "why");
+	return true;
+}
+
+/* The first reason below it, as much of it as there is room for. */
+static void
+draw_light(struct panel *p, const struct area *area)
+{
+	static const unsigned LOOKS[] = {LOOK_PLAIN, LOOK_BOLD, LOOK_REVERSE};
+	static const enum series SERIES[] = {
+	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
+	const struct trust *light = &p->light;
+	const char *name = tr(LIGHT_NAME[light->light]);
+	int at = screen_text(area, 0, 0, LOOKS[light->light], "trust ");
+	at = screen_series(area, 0, at, SERIES[light->light],
+	    LOOKS[light->light] | LOOK_BOLD, name);
+	if (light->n > 0 && area->columns >= WIDE)
+		screen_text(area, 0, at, LOOKS[light->light],
+		    tr_n(", %zu reason, see :why", ", %zu reasons, see :why",
+			light->n),
+		    light->n);
+	else if (light->n > 0)
+		screen_text(area, 0, at, LOOKS[light->light], ", %zu, see :why",
+		    light->n);
+	if (p->reason != NULL)
+		screen_words_within(
+		    area, 1, area->rows - 1, 0, p->reason, " ..");
+	touch_add(&p->t->touches, *area, touch_light, 0);
+}
+
+static struct wish
+worth_wish(const struct panel *p)
+{
+	const struct entry *entry = tui_entry(p->t);
+	int n = entry->has_fit + isfinite(p->t->holdout);
+	return (struct wish){n > 0, n};
+}
+
+static void
+draw_worth(struct panel *p, const struct area *area)
+{
+	const struct tui *t = p->t;
+	bool held = isfinite(t->holdout);
+	int row = 0;
+	if (held)
+		screen_text(
+		    area, row++, 0, 0, "hold-out RMSE %.1f points", t->holdout);
+	if (tui_entry(t)->has_fit && row < area->rows)
+		screen_text(area, row, 0, 0, "fit RMSE %.2f points",
+		    100 * tui_entry(t)->fit.rmse);
+}
+
+/* From the top down.  rank: in this order they get the least rows they need,
+ * and then what they may have more; apart: a blank row above it where there is
+ * one left. */
+enum { BLOCKS = 10 };
+static const struct block {
+	int rank;
+	bool apart;
+	struct wish (*wish)(const struct panel *p);
+	void (*draw)(struct panel *p, const struct area *area);
+} BLOCK[BLOCKS] = {
+    {2, false, speed_wish, draw_speed},
+    {0, false, three, draw_sizes},
+    {5, false, one_or_two, draw_break},
+    {6, false, fractions_wish, draw_fractions},
+    {4, true, limits_wish, draw_limits},
+    {8, true, tonnes_wish, draw_tonnes},
+    {3, true, readings_wish, draw_readings},
+    {7, true, sieves_wish, draw_sieves},
+    {1, true, light_wish, draw_light},
+    {9, false, worth_wish, draw_worth},
+};
+
+/* Rows [BLOCKS] out for a panel of so many. */
+static void
+share_rows(const struct panel *p, int left, int rows[BLOCKS])
+{
+	struct wish wish[BLOCKS];
+	size_t at[BLOCKS];
+	for (size_t i = 0; i < BLOCKS; i++) {
+		wish[i] = BLOCK[i].wish(p);
+		at[BLOCK[i].rank] = i;
+	}
+	for (size_t r = 0; r < BLOCKS; r++) {
+		int least = wish[at[r]].least;
+		rows[at[r]] = least <= left ? least : 0;
+		left -= rows[at[r]];
+	}
+	for (size_t r = 0; r < BLOCKS; r++) {
+		int more = wish[at[r]].most - rows[at[r]];
+		if (rows[at[r]] == 0 || more <= 0)
+			continue;
+		more = more < left ? more : left;
+		rows[at[r]] += more;
+		left -= more;
+	}
+}
+
+/* A blank row above those that stand apart, where there are some left. */
+static void
+draw_blocks(struct panel *p)
+{
+	const struct area *side = &p->t->places.side;
+	int rows[BLOCKS], left = side->rows, row = 0;
+	share_rows(p, side->rows, rows);
+	for (size_t i = 0; i < BLOCKS; i++)
+		left -= rows[i];
+	for (size_t i = 0; i < BLOCKS; i++) {
+		if (rows[i] == 0)
+			continue;
+		if (BLOCK[i].apart && row > 0 && left > 0) {
+			left--;
+			row++;
+		}
+		BLOCK[i].draw(p, &(struct area){side->row + row, side->column,
+				     rows[i], side->columns});
+		row += rows[i];
+	}
+}
+
+/* What the newest flow was fed with, where that was of this site; what goes
+ * past the rotor counts as what goes back: neither is a share of the
+ * product. */
+static void
+take_tonnes(struct panel *p)
+{
+	const struct session *s = p->t->session;
+	p->tph = p->back = NAN;
+	for (size_t i = s->n_answer; i-- > 0;) {
+		const struct answer *a = s->answer[i];
+		if (strcmp(answer_command(a), "flow") != 0)
+			continue;
+		if (strcmp(answer_view(a).site, tui_entry(p->t)->site->name) !=
+		    0)
+			return;
+		p->tph = answer_number(a, "feed_tph");
+		p->back = answer_number(a, "circulating_tph") +
+			  fmax(answer_number(a, "crushers.cascade_tph"), 0);
+		return;
+	}
+}
+
+/* The first reason, but one that came with the slider's speed before those of
+ * all speeds. */
+static void
+take_light(struct panel *p)
+{
+	const struct tui *t = p->t;
+	p->light = light_of(t->session, tui_entry(t), &t->shown);
+	if (p->light.n == 0)
+		return;
+	size_t first = 0;
+	for (size_t i = p->light.n; i-- > 0;)
+		if (p->light.reason[i].cause == TRUST_BEYOND)
+			first = i;
+	p->reason = p->light.reason[first].text;
+	char *rows = text_wrapped(p->reason, t->places.side.columns);
+	for (const char *c = rows; *c != '\0'; c++)
+		p->reason_rows += *c == '\n';
+	free(rows);
+}
+
+/* Without a prediction there is what is pinned, and what to do. */
+static void
+draw_nothing(const struct tui *t)
+{
+	const struct area *side = &t->places.side;
+	const struct entry *entry = tui_entry(t);
+	/* The row of numbers has said it already. */
+	int row = t->places.numbers.rows == 0;
+	if (row > 0)
+		screen_text(side, 0, 0, 0, "nothing predicted yet");
+	screen_text(side, row, 0, 0,
+	    entry == NULL                    ? N_("o opens a sheet")
+	    : site_products(entry->site) > 0 ? N_("f calibrates")
+					     : N_("no product: type :guess"));
+	if (!is_pinned(t))
+		return;
+	row += 2;
+	screen_text(side, row++, 0, LOOK_BOLD, "pinned: %.1f m/s %s",
+	    t->pin.speed, t->pin.site);
+	for (int i = 0; i < PSD_SIZES; i++) {
+		screen_text(side, row + i, 0, 0, "P%.0f", 100 * PSD_PASSING[i]);
+		draw_size(side, row + i, LOOK_PLAIN, t->pin.size[i]);
+	}
+}
+
+void
+verdicts_draw(struct tui *t)
+{
+	const struct area *side = &t->places.side;
+	if (side->rows == 0)
+		return;
+	screen_wall(side->row, t->places.wall, side->rows);
+	if (t->now.site[0] == '\0') {
+		draw_nothing(t);
+		return;
+	}
+	struct panel p = {.t = t,
+	    .was = is_pinned(t)               ? &t->pin
+		   : t->pause.site[0] != '\0' ? &t->pause
+					      : NULL};
+	take_tonnes(&p);
+	take_light(&p);
+	draw_blocks(&p);
+	trust_free(&p.light);
+}
+
+/* The same in four characters at most, where there is little room: a number cut
+ * by its end would be another. */
+static const char *
+short_size(double mm, char text[static 24])
+{
+	if (isnan(mm))
+		snprintf(text, 24, "off");
+	else if (isinf(mm))
+		snprintf(text, 24, tr("none"));
+	else
+		snprintf(text, 24, "%.*f",
+		    mm < 9.995   ? 2
+		    : mm < 99.95 ? 1
+				 : 0,
+		    mm);
+	return text;
+}
+
+void
+verdicts_row(struct tui *t)
+{
+	const struct area *area = &t->places.numbers;
+	const struct prediction *p = &t->shown;
+	char a[24], b[24], c[24], d[24];
+	if (area->rows == 0)
+		return;
+	if (t->now.site[0] == '\0')
+		screen_text(area, 0, 0, 0,
+		    area->columns < 21 ? N_("not predicted yet")
+				       : N_("nothing predicted yet"));
+	else if (t->cross && t->cross_at < p->product.n) {
+		if (t->focus == &page_predict)
+			t->cursor =
+			    (struct cursor){area->row, t->places.side.column};
+		bool narrow = area->columns < 34;
+		double mm = 1000 * psd_size(&p->curve, t->level / 100.0);
+		screen_text(area, 0, 0, LOOK_BOLD,
+		    narrow ? N_("%g %.1f%% P%d %s mm")
+			   : N_("%g mm %.1f %%  %d %% %s"),
+		    units_mm(p->product.size[t->cross_at]),
+		    100 * p->product.passing[t->cross_at], t->level,
+		    narrow ? short_size(mm, a) : readings_size(mm, a));
+	} else if (area->columns < 34)
+		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",
+		    short_size(t->now.size[1], b),
+		    short_size(t->now.size[2], c));
+	else if (area->columns < 60)
+		screen_text(area, 0, 0, LOOK_BOLD, "P20 %s P50 %s P80 %s mm",
+		    short_size(t->now.size[0], a),
+		    short_size(t->now.size[1], b),
+		    short_size(t->now.size[2], c));
+	else
+		screen_text(area, 0, 0, LOOK_BOLD,
+		    "P20 %s  P50 %s  P80 %s  break size %s",
+		    readings_size(t->now.size[0], a),
+		    readings_size(t->now.size[1], b),
+		    readings_size(t->now.size[2], c),
+		    readings_size(t->now.break_mm, d));
+}

@@ -1,0 +1,14 @@
+/* What the slider's speed gives, beside the curves.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_UI_VERDICTS_H
+#define TIPSPEED_UI_VERDICTS_H
+
+#include "ui/tui_state.h"
+
+/* The side panel of page Predict. */
+void verdicts_draw(struct tui *t);
+
+/* The row of numbers that takes the side panel's place, on any page. */
+void verdicts_row(struct tui *t);
+
+#endif

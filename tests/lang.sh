@@ -1,0 +1,82 @@
+#!/bin/sh
+# Texts in other languages: each catalogue is whole, its formats take what the
+# program gives them, and what programs read is the same in all. tests/lang has runs
+# in Swedish, as tests/cases has in English; `RENEW=1` writes them anew.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "${srcdir:-.}/tests/tap.sh"
+here=$(pwd)
+srcdir=$(cd "$srcdir" && pwd)
+scratch
+
+# told NAME: passes when $dir/bad is empty, else shows it.
+told() {
+	remark "$dir/bad"
+	[ ! -s "$dir/bad" ]
+	result $? "$1"
+}
+
+if command -v xgettext >/dev/null && command -v msggrep >/dev/null; then
+	make -C "$here" -s texts.pot >/dev/null 2>&1
+	xgettext -L C --from-code=UTF-8 -k -kanswer_columns:2 -o "$dir/columns.pot" \
+		"$srcdir"/src/*/*.c 2>/dev/null
+fi
+for po in "$srcdir"/po/*.po; do
+	language=$(basename "$po" .po)
+	command -v msgfmt >/dev/null || continue
+	msgfmt -c -o /dev/null "$po" 2>"$dir/bad"
+	told "$language: formats and line ends as in English"
+	{
+		msgattrib --untranslated --no-wrap "$po"
+		msgattrib --only-fuzzy --no-wrap "$po"
+		msgattrib --only-obsolete --no-wrap "$po"
+		[ ! -f "$here/texts.pot" ] || msgcmp "$po" "$here/texts.pot" 2>&1
+	} | sed -n '/^$/d; 1,20p' >"$dir/bad"
+	told "$language: all is translated"
+	[ -s "$dir/columns.pot" ] || continue
+	# Keys of columns, which stand before a colon, are as in English.
+	msgmerge -q -N --no-wrap "$po" "$dir/columns.pot" | msgattrib --no-obsolete \
+		--no-wrap | awk '
+		function keys(text, n, i, cell, all) {
+			gsub(/^msg(id|str) "|"$/, "", text)
+			n = split(text, cell, ",")
+			for (i = 1; i <= n; i++) {
+				sub(/:.*/, "", cell[i])
+				gsub(/^ +| +$/, "", cell[i])
+				all = all cell[i] ","
+			}
+			return all
+		}
+		/^msgid "./ { was = $0 }
+		/^msgstr "[^"]/ && was != "" && keys($0) != keys(was) { print was; print }
+		/^msgstr/ { was = "" }' >"$dir/bad"
+	told "$language: keys of columns as in English"
+done
+
+mkdir "$dir/bin"
+ln -s "$TIPSPEED" "$dir/bin/tipspeed"
+PATH=$dir/bin:$PATH
+export LC_ALL=C.UTF-8
+cd "$dir" || exit 99
+for form in csv json; do
+	for language in en sv; do
+		tipspeed --lang=$language --format=$form data/sites/tierp.csv \
+			-c 'recall table3/tierp' -c 'predict 90' -c validate \
+			-c 'show site' -c 'check' -c 'why 74' -c 'find p80=5' \
+			>$language.$form 2>/dev/null
+	done
+	diff en.$form sv.$form >bad
+	told "$form is the same in Swedish"
+done
+for c in "$srcdir"/tests/lang/*/; do
+	name=$(basename "$c")
+	mkdir "$name"
+	ln -s "$dir/data" "$name/data"
+	(cd "$name" && sh "$c/cmd") >out 2>&1 </dev/null
+	[ "${RENEW:-}" != 1 ] || cp out "$c/expected"
+	diff "$c/expected" out >bad
+	told "in Swedish: $name"
+done
+tipspeed --lang=xx -c version >out 2>&1
+[ $? = 2 ] && grep -q "expected --lang" out
+result $? 'a language without a catalogue is refused'
+finish

@@ -1,0 +1,49 @@
+/* A full screen on the session of a desk, drawn aside, in the source tree.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_TESTS_UNIT_STAGE_H
+#define TIPSPEED_TESTS_UNIT_STAGE_H
+
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "desk.h"
+#include "ui/control.h"
+#include "ui/screen.h"
+#include "ui/shot.h"
+
+/* keys: how many were pressed, where a test counts them. */
+struct stage {
+	struct tui t;
+	struct desk *desk;
+	struct display *was;
+	size_t keys;
+};
+
+/* Runs `line` first, or nothing for NULL. */
+static inline struct stage *
+stage_new(
+    int rows, int columns, enum charset charset, int depth, const char *line)
+{
+	struct stage *stage = xcalloc(1, sizeof *stage);
+	void *desk;
+	desk_open(&desk);
+	stage->desk = desk;
+	if (line != NULL)
+		desk_expect(stage->desk, line);
+	stage->was = screen_aside(rows, columns, charset, depth);
+	control_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
+	return stage;
+}
+
+static inline int
+stage_close(void **state)
+{
+	struct stage *stage = *state;
+	void *desk = stage->desk;
+	control_end(&stage->t);
+	canvas_free(screen_back(stage->was));
+	free(stage);
+	return desk_close(&desk);
+}
+
+#endif

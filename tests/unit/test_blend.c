@@ -1,0 +1,131 @@
+/* Blends by mass, and feeds and machines that were not measured.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/blend.h"
+
+#include "core/inverse.h"
+#include "made.h"
+
+static void
+a_blend_is_the_mean_on_all_sieves(void **state)
+{
+	(void)state;
+	double size_a[] = {16e-3, 4e-3, 1e-3}, pass_a[] = {1, 0.5, 0.2};
+	double size_b[] = {8e-3, 2e-3, 0.25e-3}, pass_b[] = {1, 0.4, 0};
+	struct psd a = {3, size_a, pass_a}, b = {3, size_b, pass_b};
+	double part[] = {3, 1};
+	struct psd blend =
+	    blend_new((const struct psd *const[]){&a, &b}, part, 2);
+	/* b passes nothing below its finest sieve; a is not known there. */
+	double sieve[] = {16e-3, 8e-3, 4e-3, 2e-3, 1e-3};
+	double want[] = {1, (3 * 0.75 + 1) / 4, (3 * 0.5 + 0.7) / 4,
+	    (3 * 0.35 + 0.4) / 4, (3 * 0.2 + 0.4 * 2 / 3) / 4};
+	assert_int_equal(blend.n, 5);
+	for (size_t i = 0; i < 5; i++) {
+		expect_near("sieve", blend.size[i], sieve[i], 0);
+		expect_near("passing", blend.passing[i], want[i], 1e-12);
+	}
+	psd_free(&blend);
+}
+
+/* Whatever the feeds, and in parts of any sum. */
+static void
+a_blend_is_a_feed(void **state)
+{
+	(void)state;
+	struct draw draw = draw_start(72);
+	for (int k = 0; k < 200; k++) {
+		struct psd feed[3];
+		const struct psd *all[3];
+		double part[3];
+		for (size_t i = 0; i < 3; i++) {
+			feed[i] = made_any_feed(&draw);
+			all[i] = &feed[i];
+			part[i] = draw_log(&draw, 0.01, 100);
+		}
+		struct psd blend = blend_new(all, part, 3);
+		assert_true(blend.n > 0 && blend.passing[0] == 1);
+		for (size_t i = 1; i < blend.n; i++) {
+			assert_true(blend.size[i] < blend.size[i - 1]);
+			assert_true(
+			    blend.passing[i] <= blend.passing[i - 1] + 1e-15);
+			for (size_t j = 0; j < 3; j++)
+				assert_true(
+				    psd_covers(&feed[j], blend.size[i]));
+		}
+		psd_free(&blend);
+		for (size_t i = 0; i < 3; i++)
+			psd_free(&feed[i]);
+	}
+}
+
+/* Eq 2 is linear in the feed: the product of a blend is the blend of the
+ * products. */
+static void
+its_product_is_the_blend_of_products(void **state)
+{
+	(void)state;
+	struct site *site = made_site(&TABLE_3[TIERP], 0, 1);
+	struct params p = made_params(&TABLE_3[TIERP]);
+	const struct psd *feed[2] = {&site->run[0].feed, &site->run[2].feed};
+	double part[2] = {60, 40}, got[32], one[2][32];
+	struct psd blend = blend_new(feed, part, 2);
+	for (size_t k = 0; k < 3; k++) {
+		const struct psd *from = k < 2 ? feed[k] : &blend;
+		struct model *model = model_new(
+		    from, blend.size, blend.n, model_settings_default());
+		model_set(model, &p);
+		model_product(model, 74, k < 2 ? one[k] : got);
+		model_free(model);
+	}
+	for (size_t i = 0; i < blend.n; i++)
+		expect_near(
+		    "passing", got[i], 0.6 * one[0][i] + 0.4 * one[1][i], 1e-6);
+	psd_free(&blend);
+	site_free(site);
+}
+
+/* A share led past the rotor is mixed in (D14), whether the model alone is
+ * asked or has a bypass of its own; more impacts are more strength. */
+static void
+another_machine(void **state)
+{
+	(void)state;
+	struct site *site = made_site(&TABLE_3[TIERP], 0, 1);
+	struct params p = made_params(&TABLE_3[TIERP]), strong = p;
+	const struct psd *feed = &site->run[0].feed;
+	struct model_settings as = model_settings_default(), led = as,
+			      twice = as;
+	led.bypass = 0.25;
+	twice.k = 2;
+	strong.f_mat *= 2;
+	struct inverse i[4] = {
+	    inverse_new(feed, feed->size, feed->n, &p, as, NULL),
+	    inverse_new(feed, feed->size, feed->n, &p, led, NULL),
+	    inverse_new(feed, feed->size, feed->n, &p, twice, NULL),
+	    inverse_new(feed, feed->size, feed->n, &strong, as, NULL)};
+	for (size_t k = 0; k < 4; k++)
+		inverse_at(&i[k], 77);
+	for (size_t k = 0; k < feed->n; k++) {
+		expect_near("led past", i[1].product.passing[k],
+		    0.75 * i[0].product.passing[k] + 0.25 * feed->passing[k],
+		    1e-12);
+		expect_near("impacts", i[2].product.passing[k],
+		    i[3].product.passing[k], 1e-12);
+	}
+	assert_false(model_settings_same(&as, &led));
+	for (size_t k = 0; k < 4; k++)
+		inverse_free(&i[k]);
+	site_free(site);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(a_blend_is_the_mean_on_all_sieves),
+	    cmocka_unit_test(a_blend_is_a_feed),
+	    cmocka_unit_test(its_product_is_the_blend_of_products),
+	    cmocka_unit_test(another_machine),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

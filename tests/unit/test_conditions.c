@@ -1,0 +1,117 @@
+/* What a condition says, however it is written, and what is answered to one
+ * that says nothing.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/conditions.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "call.h"
+#include "cmd/goals.h"
+#include "cmd/quantities.h"
+#include "io/standards.h"
+
+static const struct fraction WHOLE = {.partition = {0, 1}};
+
+static void
+a_condition_says_the_same_in_other_words(void **state)
+{
+	static const struct {
+		const char *text;
+		double least, most;
+	} CASES[] = {{"passing 2 = 38..42", 38, 42},
+	    {"passing 2 mm = 38..42", 38, 42}, {"passing 2=38-42", 38, 42},
+	    {"passing 2 = 38 - 42 %", 38, 42},
+	    {"passing 2 = 38\xE2\x80\x93"
+	     "42",
+		38, 42},
+	    {"passing 2 mm = 38 to 42", 38, 42},
+	    {"passing 2 mm between 38 and 42", 38, 42},
+	    {"passing 2 at most 42", NAN, 42}, {"p80 at least 6.5", 6.5, NAN},
+	    {"P80=6.5 mm", 6.5, 6.5}, {"p80 = 6e-1", 0.6, 0.6},
+	    {"0/2 of 0/4 >= 30", NAN, NAN}};
+	(void)state;
+	for (size_t i = 0; i < ARRAY_LEN(CASES); i++) {
+		struct condition c;
+		struct error error = {0};
+		bool ok = conditions_read(CASES[i].text, &WHOLE, &c, &error);
+		bool any = !isnan(CASES[i].least) || !isnan(CASES[i].most);
+		assert_int_equal(ok, any);
+		const double got[] = {c.least, c.most},
+			     want[] = {CASES[i].least, CASES[i].most};
+		for (size_t k = 0; ok && k < 2; k++)
+			if (isnan(want[k]))
+				assert_true(isnan(got[k]));
+			else
+				assert_true(
+				    fabs(quantities_shown(&c.quantity, got[k]) -
+					 want[k]) < 1e-9);
+	}
+}
+
+static void
+what_to_write_is_said(void **state)
+{
+	static const struct {
+		const char *text, *hint;
+	} CASES[] = {{"P80=6,5", "use a decimal point: 6.5"},
+	    {"passing 0,063 < 6", "use a decimal point: 0.063"},
+	    {"passing 2 = 40,5..42", "use a decimal point: 40.5"},
+	    {"0/2 >= 30, P80=6,5", "use a decimal point: 6.5"},
+	    {"p80 6.5", "write: p80 = 6.5"}, {"p80 6.5 mm", "write: p80 = 6.5"},
+	    {"passing 2 mm 38-42", "write: passing 2 mm = 38..42"},
+	    {"P50 of 0/4 2", "write: P50 of 0/4 = 2"}};
+	(void)state;
+	for (size_t i = 0; i < ARRAY_LEN(CASES); i++) {
+		struct condition_list list = {0};
+		struct error error = {0};
+		assert_false(
+		    conditions_read_list(CASES[i].text, &WHOLE, &list, &error));
+		assert_string_equal(error.hint, CASES[i].hint);
+		conditions_free(&list);
+	}
+}
+
+static void
+a_comma_between_conditions_is_no_decimal_one(void **state)
+{
+	(void)state;
+	struct condition_list list = {0};
+	struct error error = {0};
+	assert_true(conditions_read_list(
+	    "P80=6,0/2>=30,passing 2=40..50; cu<7", &WHOLE, &list, &error));
+	assert_int_equal(list.n, 4);
+	conditions_free(&list);
+}
+
+static void
+a_quantity_is_no_envelope_and_no_envelope_a_quantity(void **state)
+{
+	static const char *const QUANTITIES[] = {"P80", "p80 6.5", "D10 1",
+	    "passing 2 mm between 38 and 42", "passing", "fines 6", "fm EN 2.7",
+	    "cu 5", "0/2 30", "share 0/2 30"};
+	struct standards *all = standards_shipped();
+	(void)state;
+	assert_true(all->n > 10);
+	for (size_t i = 0; i < all->n; i++)
+		assert_false(goals_is_condition(all->spec[i]->name));
+	for (size_t i = 0; i < ARRAY_LEN(QUANTITIES); i++)
+		assert_true(goals_is_condition(QUANTITIES[i]));
+	assert_false(goals_is_condition("p80.csv"));
+	assert_false(goals_is_condition("fines.csv"));
+	standards_free(all);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(a_condition_says_the_same_in_other_words),
+	    cmocka_unit_test(what_to_write_is_said),
+	    cmocka_unit_test(a_comma_between_conditions_is_no_decimal_one),
+	    cmocka_unit_test(
+		a_quantity_is_no_envelope_and_no_envelope_a_quantity),
+	};
+	return cmocka_run_group_tests_name("conditions", tests, NULL, NULL);
+}

@@ -1,0 +1,445 @@
+/* The first minute on the full screen: ways to a site, files, the tour.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <curses.h>
+
+#include "desk.h"
+#include "stage.h"
+
+#include "base/text.h"
+#include "ui/act.h"
+#include "ui/control.h"
+#include "ui/folder.h"
+#include "ui/frame.h"
+#include "ui/pages.h"
+#include "ui/screen.h"
+#include "ui/shot.h"
+
+static int
+stage_open(void **state)
+{
+	struct stage *stage = stage_new(24, 80, CHARSET_ASCII, 0, NULL);
+	frame_draw(&stage->t);
+	*state = stage;
+	return 0;
+}
+
+/* What the loop does with a key. */
+static void
+press(struct tui *t, const char *name)
+{
+	int code = 0;
+	assert_true(keys_code(name, &code));
+	act_key(t, code, code > 255);
+	t->clock++;
+	control_pump(t);
+	control_predict(t);
+	pages_update(t);
+	frame_draw(t);
+}
+
+static void
+type(struct tui *t, const char *text)
+{
+	while (*text != '\0') {
+		const char key[2] = {*text++, '\0'};
+		press(t, key[0] == ' ' ? "Space" : key);
+	}
+}
+
+/* Whether the frame shows the words, in one row. */
+static bool
+shows(const char *words)
+{
+	char *text = NULL;
+	size_t n = 0;
+	FILE *out = text_memory(&text, &n);
+	canvas_print(screen_frame(), 0, out);
+	fclose(out);
+	bool found = strstr(text, words) != NULL;
+	free(text);
+	return found;
+}
+
+static void
+choose(struct tui *t, const char *name)
+{
+	const struct folder *folder = &t->chooser.folder;
+	press(t, "Home");
+	for (size_t i = 1; i < folder->n &&
+			   strcmp(folder->item[t->chooser.at].name, name) != 0;
+	     i++)
+		press(t, "Down");
+	assert_string_equal(folder->item[t->chooser.at].name, name);
+}
+
+static void
+without_a_site_it_shows_what_can_be_done(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	assert_true(shows("Open a sheet"));
+	assert_true(shows("Take a tour"));
+	press(t, "Down");
+	assert_true(shows("Quarries of the paper"));
+	press(t, "Up");
+	press(t, "Up");
+	press(t, "Enter");
+	assert_true(t->chooser.on);
+	assert_true(shows("open a sheet, in this folder"));
+	press(t, "Esc");
+	assert_false(t->chooser.on);
+	assert_true(shows("Open a sheet"));
+}
+
+static void
+a_sheet_is_opened_by_a_command_that_can_be_undone(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(t, "o");
+	choose(t, "data");
+	press(t, "Enter");
+	choose(t, "sites");
+	press(t, "Right");
+	choose(t, "borlange.csv");
+	assert_true(shows("3 runs: 69, 74, 79 m/s"));
+	press(t, "Enter");
+	assert_false(t->chooser.on);
+	assert_string_equal(t->command, "load \"data/sites/borlange.csv\"");
+	assert_non_null(strstr(t->message, "f calibrates"));
+	assert_int_equal(stage->desk->session->n_entry, 1);
+	press(t, "u");
+	assert_int_equal(stage->desk->session->n_entry, 0);
+	assert_true(shows("Open a sheet"));
+}
+
+static void
+left_goes_to_the_folder_above(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	press(t, "o");
+	choose(t, "data");
+	press(t, "Enter");
+	assert_string_equal(t->chooser.folder.path, "data/");
+	press(t, "Left");
+	assert_string_equal(t->chooser.folder.path, "");
+	press(t, "Left");
+	press(t, "Left");
+	assert_string_equal(t->chooser.folder.path, "../../");
+	/* A key that is no letter closes the list and does what it does. */
+	press(t, ":");
+	assert_false(t->chooser.on);
+	assert_true(t->typing.active);
+}
+
+/* Not to one another, and to no line that cannot be run. */
+static void
+without_a_site_all_keys_lead_to_a_sheet(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	static const char *const ASKING[] = {"x", "f", "e", "c", "t"};
+	assert_false(shows("P80, mm"));
+	for (size_t i = 0; i < ARRAY_LEN(ASKING); i++) {
+		t->message[0] = '\0';
+		press(t, ASKING[i]);
+		assert_string_equal(t->message, TUI_NO_SITE);
+		assert_false(t->typing.active);
+		assert_int_equal(t->page, PAGE_PREDICT);
+	}
+	t->message[0] = '\0';
+	for (int page = PAGE_FIT; page <= PAGE_SITES; page++) {
+		press(t, (const char[]){(char)('1' + page), '\0'});
+		assert_false(shows(":load"));
+	}
+	assert_false(shows("Enter use it"));
+	assert_true(shows("o open a sheet"));
+	press(t, "o");
+	assert_true(t->chooser.on);
+}
+
+/* Only the program, in a folder. */
+static void
+the_tour_needs_no_installation(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	char folder[] = "/tmp/tipspeed-first-XXXXXX", was[4096];
+	assert_non_null(getcwd(was, sizeof was));
+	assert_non_null(mkdtemp(folder));
+	assert_int_equal(chdir(folder), 0);
+	press(t, "Down");
+	press(t, "Enter");
+	assert_in_range(t->chooser.folder.n, 15, 19);
+	type(t, "forsby");
+	press(t, "Enter");
+	assert_string_equal(tui_entry(t)->site->name, "Forsby");
+	press(t, "u");
+	press(t, "T");
+	assert_int_equal(chdir(was), 0);
+	rmdir(folder);
+	assert_int_equal(t->tour, 1);
+	assert_string_equal(tui_entry(t)->site->name, "Tierp");
+	assert_true(t->now.site[0] != '\0');
+}
+
+/* Not keys of the page behind it. */
+static void
+letters_narrow_the_list(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	press(t, "Down");
+	press(t, "Enter");
+	size_t all = t->chooser.folder.n;
+	type(t, "limestone");
+	assert_true(t->chooser.on);
+	assert_true(shows("what has 'limestone'"));
+	assert_in_range(t->chooser.folder.n, 1, all - 1);
+	press(t, "Esc");
+	assert_int_equal(t->chooser.folder.n, all);
+	type(t, "tierz");
+	assert_true(shows("nothing here has 'tierz'"));
+	assert_string_equal(t->chooser.word.text, "tier");
+	press(t, "Enter");
+	assert_string_equal(tui_entry(t)->site->name, "Tierp");
+	/* Left is the folder above, narrowed or not. */
+	press(t, "o");
+	type(t, "data");
+	press(t, "Enter");
+	type(t, "sit");
+	assert_int_equal(t->chooser.folder.n, 1);
+	press(t, "Left");
+	assert_string_equal(t->chooser.folder.path, "");
+	assert_int_equal(t->chooser.word.n, 0);
+	press(t, "Esc");
+	assert_false(t->chooser.on);
+}
+
+static void
+a_site_of_the_program_is_tried(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(t, "Down");
+	press(t, "Enter");
+	assert_int_equal(t->chooser.folder.n, 19);
+	choose(t, "tierp.csv");
+	assert_true(shows("tierp           Granite          "));
+	press(t, "Enter");
+	assert_string_equal(stage->desk->session->entry[0].site->name, "Tierp");
+}
+
+static void
+a_feed_fills_the_guess(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	char folder[] = "/tmp/tipspeed-first-XXXXXX", was[4096];
+	assert_non_null(getcwd(was, sizeof was));
+	assert_non_null(mkdtemp(folder));
+	assert_int_equal(chdir(folder), 0);
+	FILE *sheet = fopen("feed.csv", "w");
+	fputs("rock,Gneiss\ntop_size_mm,16\nsize_mm,feed\n16,100\n4,40\n1,9\n",
+	    sheet);
+	fclose(sheet);
+	press(t, "Down");
+	press(t, "Down");
+	press(t, "Enter");
+	choose(t, "feed.csv");
+	assert_true(shows("a feed, no product"));
+	press(t, "Enter");
+	assert_true(t->typing.active);
+	assert_string_equal(t->typing.text, "guess rock=Gneiss top=16");
+	/* What is not stated is typed where it belongs. */
+	sheet = fopen("feed.csv", "w");
+	fputs("top_size_mm,16\nsize_mm,feed\n16,100\n4,40\n1,9\n", sheet);
+	fclose(sheet);
+	press(t, "Esc");
+	press(t, "o");
+	choose(t, "feed.csv");
+	press(t, "Enter");
+	unlink("feed.csv");
+	assert_int_equal(chdir(was), 0);
+	rmdir(folder);
+	type(t, "granitegranite");
+	assert_string_equal(t->typing.text, "guess rock=granitegranite top=16");
+	press(t, "Enter");
+	assert_non_null(t->viewer.text);
+	assert_non_null(strstr(t->viewer.text,
+	    "no material is of the rock type 'granitegranite'"));
+}
+
+static void
+what_cannot_be_loaded_leaves_the_list_open(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	press(t, "o");
+	choose(t, "README.md");
+	press(t, "Enter");
+	assert_true(t->bad);
+	assert_true(t->chooser.on);
+	assert_true(shows("! README.md"));
+	press(t, "Down");
+	assert_false(shows("! README.md"));
+	press(t, "Esc");
+	assert_false(t->chooser.on);
+}
+
+static void
+the_mouse_chooses_and_opens(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	const struct places *l = &t->places;
+	press(t, "o");
+	int row = l->body.row + 2;
+	touch_mouse(t, &t->touches, TOUCH_PRESS, row, 3, act_key);
+	assert_int_equal(t->chooser.at, 1);
+	frame_draw(t);
+	touch_mouse(t, &t->touches, TOUCH_DOWN, row, 3, act_key);
+	assert_int_equal(t->chooser.at, 2);
+	frame_draw(t);
+	touch_mouse(t, &t->touches, TOUCH_PRESS, row + 1, 3, act_key);
+	assert_string_not_equal(t->chooser.folder.path, "");
+}
+
+static void
+safe_lists_no_files(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	stage->desk->session->safe = true;
+	static const char *const KEYS_THERE[] = {"o", "Enter", "T"};
+	for (size_t i = 0; i < ARRAY_LEN(KEYS_THERE); i++) {
+		t->message[0] = '\0';
+		press(t, KEYS_THERE[i]);
+		assert_false(t->chooser.on);
+		assert_int_equal(t->tour, 0);
+		assert_non_null(strstr(t->message, "--safe"));
+	}
+}
+
+/* The plot stands above it, and so does the track. */
+static void
+the_tour_waits_for_what_it_asks_for(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	int track = t->places.track.row;
+	press(t, "T");
+	assert_int_equal(t->tour, 1);
+	assert_true(shows("1 of 3"));
+	assert_true(t->now.site[0] != '\0');
+	assert_in_range(t->places.track.row, 1, track - 1);
+	press(t, "Right");
+	assert_int_equal(t->tour, 1);
+	press(t, "c");
+	assert_true(shows("2 of 3"));
+	press(t, "Tab");
+	assert_int_equal(t->tour, 2);
+	press(t, "Right");
+	assert_true(shows("3 of 3"));
+	type(t, ":find p80=nothing");
+	press(t, "Enter");
+	assert_int_equal(t->tour, 3);
+	type(t, ":find p80=5.2");
+	press(t, "Enter");
+	assert_int_equal(t->tour, 0);
+	press(t, "Esc");
+	assert_int_equal(t->places.track.row, track);
+	/* Again, though it was found before: now by a fit, to its end. */
+	press(t, "T");
+	press(t, "c");
+	press(t, "Tab");
+	press(t, "Left");
+	assert_int_equal(t->tour, 3);
+	press(t, "f");
+	for (int i = 0; i < 900 && session_busy(t->session); i++) {
+		assert_int_equal(t->tour, 3);
+		press(t, "b");
+	}
+	assert_int_equal(t->tour, 0);
+}
+
+static void
+esc_leaves_the_tour_at_any_step(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	for (size_t step = 1; step <= 2; step++) {
+		press(t, "T");
+		if (step == 2)
+			press(t, "c");
+		assert_int_equal(t->tour, step);
+		press(t, "Esc");
+		assert_int_equal(t->tour, 0);
+		assert_false(shows("tour:"));
+	}
+}
+
+static void
+strange_files_are_looked_at_without_being_read(void **state)
+{
+	(void)state;
+	char folder[] = "/tmp/tipspeed-first-XXXXXX", was[4096];
+	struct folder list;
+	assert_non_null(getcwd(was, sizeof was));
+	assert_non_null(mkdtemp(folder));
+	assert_int_equal(chdir(folder), 0);
+	assert_int_equal(mkfifo("pipe.csv", 0600), 0);
+	assert_int_equal(symlink("nowhere", "link.csv"), 0);
+	fclose(fopen("empty.csv", "w"));
+	fclose(fopen(".hidden.csv", "w"));
+	fclose(fopen("a\"b.csv", "w"));
+	fclose(fopen("big.csv", "w"));
+	assert_int_equal(truncate("big.csv", 5000000), 0);
+	FILE *results = fopen("a.csv", "w");
+	fputs("command,size_mm,feed\npredict,8,100\n", results);
+	fclose(results);
+	folder_list(&list, "");
+	assert_int_equal(list.n, 4);
+	assert_string_equal(list.item[3].name, "a.csv");
+	assert_string_equal(list.item[3].about, "results of predict");
+	char *big = folder_preview(&list.item[0]);
+	char *empty = folder_preview(&list.item[1]);
+	char *command = folder_command(&(struct folder_item){
+	    .name = (char *)"a=b.csv", .path = (char *)"a=b.csv"});
+	static const char *const NAMES[] = {"pipe.csv", "link.csv", "empty.csv",
+	    ".hidden.csv", "a\"b.csv", "big.csv", "a.csv"};
+	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++)
+		unlink(NAMES[i]);
+	assert_int_equal(chdir(was), 0);
+	rmdir(folder);
+	assert_string_equal(
+	    big, "large: not read for a preview; Enter loads it\n");
+	assert_string_equal(empty, "an empty file\n");
+	assert_string_equal(command, "load \"./a=b.csv\"");
+	assert_string_equal(list.item[2].name, "..");
+	free(big);
+	free(empty);
+	free(command);
+	folder_free(&list);
+}
+
+#define ON_STAGE(test) \
+	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    ON_STAGE(without_a_site_it_shows_what_can_be_done),
+	    ON_STAGE(a_sheet_is_opened_by_a_command_that_can_be_undone),
+	    ON_STAGE(left_goes_to_the_folder_above),
+	    ON_STAGE(without_a_site_all_keys_lead_to_a_sheet),
+	    ON_STAGE(the_tour_needs_no_installation),
+	    ON_STAGE(letters_narrow_the_list),
+	    ON_STAGE(a_site_of_the_program_is_tried),
+	    ON_STAGE(a_feed_fills_the_guess),
+	    ON_STAGE(what_cannot_be_loaded_leaves_the_list_open),
+	    ON_STAGE(the_mouse_chooses_and_opens),
+	    ON_STAGE(safe_lists_no_files),
+	    ON_STAGE(the_tour_waits_for_what_it_asks_for),
+	    ON_STAGE(esc_leaves_the_tour_at_any_step),
+	    cmocka_unit_test(strange_files_are_looked_at_without_being_read),
+	};
+	chdir_to_source();
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,373 @@
+/* Flows: circuits worked out by hand, balances, what the classes of a crusher
+ * add up to, and power.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/circuit.h"
+
+#include <stdlib.h>
+
+#include "core/ensemble.h"
+#include "core/power.h"
+#include "core/predict.h"
+#include "core/calibrate.h"
+#include "made.h"
+
+/* A crusher that breaks nothing at all, on so many classes. */
+static struct transfer *
+still(const double *size, size_t n)
+{
+	struct params p = made_params(&TABLE_3[TIERP]);
+	p.f_mat = 0;
+	struct crusher *c =
+	    crusher_new(size, n, &p, model_settings_default(), NULL);
+	struct transfer *t = crusher_at(c, 74);
+	crusher_free(c);
+	return t;
+}
+
+/* feed -> split a 60, b 40; a -> stockpile; b -> screen at 4 mm over c, under d;
+ * c and d -> stockpiles.  Feed 100 t/h: 50 % in 4..8 mm, 30 % in 2..4 mm, 20 %
+ * below.  By hand: a 60; b 40, of which c = 20 and d = 20. */
+static void
+a_circuit_without_a_loop_is_what_a_pencil_says(void **state)
+{
+	(void)state;
+	const double size[3] = {0.008, 0.004, 0.002}, feed[3] = {0.5, 0.3, 0.2};
+	struct circuit *c = circuit_new();
+	/* Not in the order of the flow. */
+	static const char *const PILES[] = {"c", "a", "d"};
+	for (size_t i = 0; i < 3; i++) {
+		struct unit *pile = circuit_unit(c, UNIT_STOCKPILE, PILES[i]);
+		pile->n_in = 1;
+		pile->in[0] = circuit_stream(c, PILES[i]);
+	}
+	struct unit *screen = circuit_unit(c, UNIT_SCREEN, "");
+	screen->opening = 0.004;
+	screen->n_in = 1;
+	screen->in[0] = circuit_stream(c, "b");
+	screen->n_out = 2;
+	screen->out[0] = circuit_stream(c, "c");
+	screen->out[1] = circuit_stream(c, "d");
+	struct unit *split = circuit_unit(c, UNIT_SPLIT, "");
+	split->n_in = 1;
+	split->in[0] = circuit_stream(c, "new");
+	split->n_out = 2;
+	split->out[0] = circuit_stream(c, "a");
+	split->out[1] = circuit_stream(c, "b");
+	split->share[0] = 0.6;
+	split->share[1] = 0.4;
+	struct unit *new = circuit_unit(c, UNIT_FEED, "");
+	new->n_out = 1;
+	new->out[0] = circuit_stream(c, "new");
+	c->tph = 100;
+	assert_int_equal(circuit_unfed(c), c->n_unit);
+	assert_int_equal(circuit_trapped(c), c->n_stream);
+	struct flow f = circuit_flow(c, feed, size, 3, NULL);
+	static const struct {
+		const char *name;
+		double tph;
+	} BY_HAND[] = {{"a", 60}, {"b", 40}, {"c", 20}, {"d", 20}};
+	for (size_t i = 0; i < ARRAY_LEN(BY_HAND); i++)
+		expect_near(BY_HAND[i].name,
+		    f.tph[circuit_stream(c, BY_HAND[i].name)], BY_HAND[i].tph,
+		    1e-12);
+	expect_near("balance", f.balance, 0, 1e-9);
+	assert_true(f.circulating == 0 && !f.open);
+	flow_free(&f);
+	circuit_free(c);
+}
+
+/* new + back -> crusher -> split back r, product. */
+static struct circuit *
+loop(double r)
+{
+	struct circuit *c = circuit_new();
+	size_t new = circuit_stream(c, "new"), back = circuit_stream(c, "back"),
+	       out = circuit_stream(c, "crushed"),
+	       product = circuit_stream(c, "product");
+	struct unit *u = circuit_unit(c, UNIT_FEED, "");
+	u->n_out = 1;
+	u->out[0] = new;
+	u = circuit_unit(c, UNIT_CRUSHER, "");
+	u->n_in = 2;
+	u->in[0] = new;
+	u->in[1] = back;
+	u->n_out = 1;
+	u->out[0] = out;
+	u = circuit_unit(c, UNIT_SPLIT, "");
+	u->n_in = 1;
+	u->in[0] = out;
+	u->n_out = 2;
+	u->out[0] = back;
+	u->out[1] = product;
+	u->share[0] = r;
+	u->share[1] = 1 - r;
+	u = circuit_unit(c, UNIT_STOCKPILE, "");
+	u->n_in = 1;
+	u->in[0] = product;
+	c->tph = 120;
+	return c;
+}
+
+/* 30 % of what the crusher gives goes back: the geometric series
+ * 120 (0.3 + 0.09 + ..) = 120 0.3 / 0.7 = 51.428571.. circulates, 171.428571..
+ * go into the crusher, 120 come out. */
+static void
+a_loop_is_a_geometric_series(void **state)
+{
+	(void)state;
+	const double size[2] = {0.008, 0.004}, feed[2] = {0.75, 0.25};
+	struct transfer *t = still(size, 2);
+	struct transfer *const of[4] = {NULL, t, NULL, NULL};
+	struct circuit *c = loop(0.3);
+	struct flow f = circuit_flow(c, feed, size, 2, of);
+	expect_near("circulates", f.circulating, 120 * 0.3 / 0.7, 1e-9);
+	expect_near("crusher", flow_into(&f, &c->unit[1]), 120 / 0.7, 1e-9);
+	expect_near("product", f.tph[3], 120, 1e-9);
+	expect_near("balance", f.balance, 0, 1e-9);
+	assert_true(f.back[1] && !f.back[0] && !f.back[2] && !f.open);
+	flow_free(&f);
+	circuit_free(c);
+	transfer_free(t);
+}
+
+/* At 97 % 33.3 times the feed circulates and is found; at 99 % the passes do
+ * not suffice, and nothing says otherwise. */
+static void
+a_loop_that_hardly_empties_is_left_open(void **state)
+{
+	(void)state;
+	const double size[2] = {0.008, 0.004}, feed[2] = {0.75, 0.25};
+	struct transfer *t = still(size, 2);
+	struct transfer *const of[4] = {NULL, t, NULL, NULL};
+	struct circuit *c = loop(0.97);
+	struct flow f = circuit_flow(c, feed, size, 2, of);
+	assert_false(f.open);
+	expect_near("97 %", f.circulating, 120 * 0.97 / 0.03, 1e-7);
+	expect_near("its balance", f.balance, 0, 1e-9);
+	flow_free(&f);
+	circuit_free(c);
+	c = loop(0.99);
+	f = circuit_flow(c, feed, size, 2, of);
+	assert_true(f.open);
+	flow_free(&f);
+	circuit_free(c);
+	transfer_free(t);
+}
+
+/* What comes back of a crusher by a screen, which breaks as it does: the coarse
+ * class is broken by half into the fine one each time, so that of 100 t/h coarse
+ * feed 50 + 25 + .. = 100 t/h circulate.  The half is made by a cascade of 50 %
+ * around a crusher that breaks all. */
+static void
+oversize_that_breaks_by_half_circulates_once(void **state)
+{
+	(void)state;
+	const double size[3] = {0.008, 0.004, 0.002};
+	const double feed[3] = {1, 0, 0};
+	struct circuit *c = loop(0.5);
+	struct unit *screen = &c->unit[2];
+	screen->kind = UNIT_SCREEN;
+	screen->opening = 0.004;
+	c->unit[1].cascade = 0.5;
+	c->tph = 100;
+	/* All that meets the rotor comes out below 4 mm. */
+	struct params p = made_params(&TABLE_3[TIERP]);
+	p.f_mat = 1e4;
+	p.e0_min = 0;
+	struct crusher *crusher =
+	    crusher_new(size, 3, &p, model_settings_default(), NULL);
+	struct transfer *t = crusher_at(crusher, 85);
+	struct transfer *const of[4] = {NULL, t, NULL, NULL};
+	double product[3];
+	transfer_product(t, 0, feed, product);
+	double stays = product[0];
+	struct flow f = circuit_flow(c, feed, size, 3, of);
+	/* With `stays` of it left by the rotor, (1 + stays) / 2 goes back. */
+	double r = (1 + stays) / 2;
+	expect_near("circulates", f.circulating, 100 * r / (1 - r), 1e-7);
+	expect_near("balance", f.balance, 0, 1e-9);
+	flow_free(&f);
+	circuit_free(c);
+	transfer_free(t);
+	crusher_free(crusher);
+}
+
+static void
+what_is_not_fed_and_what_never_leaves_is_found(void **state)
+{
+	(void)state;
+	struct circuit *c = loop(0.5);
+	/* A ring of its own that nothing feeds, and nothing leaves. */
+	struct unit *u = circuit_unit(c, UNIT_CRUSHER, "");
+	u->n_in = u->n_out = 1;
+	u->in[0] = u->out[0] = circuit_stream(c, "ring");
+	assert_int_equal(circuit_unfed(c), 4);
+	assert_int_equal(circuit_trapped(c), circuit_stream(c, "ring"));
+	assert_int_equal(circuit_source(c, circuit_stream(c, "ring")), 4);
+	circuit_free(c);
+}
+
+/* The model is linear in the feed: its classes' products add up to that of the
+ * whole. */
+static void
+classes_add_up_to_the_product_of_the_feed(void **state)
+{
+	(void)state;
+	for (size_t row = 0; row < 19; row++) {
+		struct site *site = made_site(&TABLE_3[row], 0, 1);
+		const struct psd *feed = &site->run[0].feed;
+		struct psd sizes = predict_sizes(site, feed);
+		struct params p = made_params(&TABLE_3[row]);
+		struct crusher *c = crusher_new(
+		    sizes.size, sizes.n, &p, model_settings_default(), NULL);
+		struct transfer *t = crusher_at(c, 74);
+		struct prediction whole =
+		    predict(site, &p, model_settings_default(), 74, 0);
+		double *in = xdoubles(sizes.n), *out = xdoubles(sizes.n);
+		double below = 0;
+		crusher_classes(feed, sizes.size, sizes.n, in);
+		transfer_product(t, 0, in, out);
+		for (size_t i = sizes.n; i-- > 0;) {
+			below += out[i];
+			expect_near("passing", below,
+			    psd_passing(&whole.curve, sizes.size[i]), 2e-7);
+		}
+		free(in);
+		free(out);
+		prediction_free(&whole);
+		transfer_free(t);
+		crusher_free(c);
+		psd_free(&sizes);
+		site_free(site);
+	}
+}
+
+/* Tierp, calibrated, with draws. */
+static struct posterior *
+drawn(const struct site *site, struct fit *fit)
+{
+	struct calibrate_options options = calibrate_options_default();
+	bool use[8] = {true, false, true};
+	options.population = 1000;
+	struct calibration *c = calibration_new(site, &options);
+	while (calibration_step(c) < CALIBRATE_TOLERANCE)
+		;
+	*fit = calibration_fit(c);
+	calibration_free(c);
+	struct posterior_options o = {.use = use,
+	    .settings = fit->settings,
+	    .bounds = options.bounds,
+	    .seed = 1,
+	    .threads = 1,
+	    .isa = ISA_BEST};
+	return posterior_new(site, &fit->params, &o);
+}
+
+/* The product of the feed's classes is in each draw that of the feed, to what
+ * the coarser scheme of the draws errs by; and in a circuit with 8/11.2 sent
+ * back all draws balance, and the answer is their mean. */
+static void
+each_draw_is_its_own_and_balances(void **state)
+{
+	(void)state;
+	enum { D = POSTERIOR_DRAWS };
+	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 4);
+	const struct psd *feed = &site->run[0].feed;
+	struct fit fit;
+	struct posterior *posterior = drawn(site, &fit);
+	struct psd sizes = predict_sizes(site, feed);
+	size_t n = sizes.n;
+	struct ensemble *e = ensemble_new(posterior, feed, sizes.size, n);
+	struct crusher *crusher =
+	    crusher_new(sizes.size, n, &fit.params, fit.settings, posterior);
+	struct transfer *t = crusher_at(crusher, 72);
+	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
+	double *in = xdoubles(n), *out = xdoubles(n);
+	ensemble_at(e, 72);
+	crusher_classes(feed, sizes.size, n, in);
+	for (size_t d = 0; d < D; d++) {
+		double below = 0;
+		transfer_product(t, d, in, out);
+		for (size_t i = n; i-- > 0;) {
+			below += out[i];
+			expect_near("draw", below, P[i * D + d], 2e-4);
+		}
+		expect_near("all of it", below, 1, 1e-14);
+	}
+	struct circuit *c = loop(0.5);
+	c->unit[2].kind = UNIT_SCREEN;
+	c->unit[2].opening = 0.008;
+	struct transfer *const of[4] = {NULL, t, NULL, NULL};
+	struct flow f = circuit_flow(c, in, sizes.size, n, of);
+	double mean = 0;
+	for (size_t d = 0; d < D; d++) {
+		mean += f.tph_draw[d * f.n_stream + 1] / D;
+		expect_near("out", f.tph_draw[d * f.n_stream + 3], 120, 1e-9);
+	}
+	assert_true(mean > 1 && !f.open);
+	expect_near("mean", f.circulating, mean, 1e-9);
+	expect_near("balance", f.balance, 0, 1e-9);
+	flow_free(&f);
+	circuit_free(c);
+	free(in);
+	free(out);
+	transfer_free(t);
+	crusher_free(crusher);
+	ensemble_free(e);
+	psd_free(&sizes);
+	posterior_free(posterior);
+	site_free(site);
+}
+
+/* P = 40 kW + 1.5 kinetic; at 72 m/s and 120 t/h that is 86.4 kW of kinetic
+ * power: 5184 / 2 J/kg times 33.33 kg/s. */
+static void
+power_is_found_again(void **state)
+{
+	(void)state;
+	expect_near("kinetic", power_kinetic(72, 120), 86.4, 1e-12);
+	struct reading r[4] = {
+	    {65, 0, 100}, {72, 0, 120}, {79, 0, 90}, {85, 0, 140}};
+	for (size_t i = 0; i < 4; i++)
+		r[i].kw = 40 + 1.5 * power_kinetic(r[i].speed, r[i].tph);
+	for (size_t n = 2; n <= 4; n++) {
+		struct power p = power_fit(r, n);
+		expect_near("idle", p.idle, 40, 1e-9);
+		expect_near("factor", p.factor, 1.5, 1e-11);
+		assert_true(isfinite(p.spread) == (n > 2));
+		assert_true(isfinite(power_half(&p, 74, 120, 0.8)) == (n > 2));
+	}
+	struct power one = power_fit(r + 1, 1), none = power_fit(NULL, 0);
+	assert_true(one.no_idle && one.idle == 0);
+	expect_near("one", one.factor, (40 + 1.5 * 86.4) / 86.4, 1e-12);
+	expect_near("none", power_at(&none, 72, 120), 86.4, 1e-12);
+	struct reading same[2] = {{72, 160, 120}, {72, 170, 120}};
+	struct power alike = power_fit(same, 2);
+	assert_true(alike.no_idle);
+	expect_near("alike", power_at(&alike, 72, 120), 165, 1e-9);
+	/* Readings 1, -2 and 1 kW off a line, at equal steps: in the middle half
+	 * of the 80 % band is t(0.9; 1) = 3.0777 times sqrt(6) sqrt(1/3). */
+	struct reading off[3] = {{60, 0, 100}, {60, 0, 110}, {60, 0, 120}};
+	for (size_t i = 0; i < 3; i++)
+		off[i].kw =
+		    40 + 2 * power_kinetic(60, off[i].tph) + (i == 1 ? -2 : 1);
+	struct power p = power_fit(off, 3);
+	expect_near("half", power_half(&p, 60, 110, 0.8),
+	    3.0776835 * sqrt(6) * sqrt(1.0 / 3), 1e-6);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(a_circuit_without_a_loop_is_what_a_pencil_says),
+	    cmocka_unit_test(a_loop_is_a_geometric_series),
+	    cmocka_unit_test(a_loop_that_hardly_empties_is_left_open),
+	    cmocka_unit_test(oversize_that_breaks_by_half_circulates_once),
+	    cmocka_unit_test(what_is_not_fed_and_what_never_leaves_is_found),
+	    cmocka_unit_test(classes_add_up_to_the_product_of_the_feed),
+	    cmocka_unit_test(each_draw_is_its_own_and_balances),
+	    cmocka_unit_test(power_is_found_again),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

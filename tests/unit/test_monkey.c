@@ -1,0 +1,220 @@
+/* Random keys, mouse, sizes and pasted text on the full screen: nothing may
+ * break, and afterwards it still answers.  A second by default;
+ * MONKEY_SECONDS=1800 for a night, MONKEY_SEED=N for one walk again.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <signal.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <curses.h>
+
+#include "desk.h"
+
+#include "base/text.h"
+#include "ui/act.h"
+#include "ui/control.h"
+#include "ui/frame.h"
+#include "ui/input.h"
+#include "ui/pages.h"
+#include "ui/screen.h"
+#include "ui/tui_state.h"
+
+/* SplitMix64: the same walk from the same seed everywhere. */
+static uint64_t state_of;
+
+static size_t
+below(size_t n)
+{
+	uint64_t z = (state_of += 0x9E3779B97F4A7C15U);
+	z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
+	z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
+	return (size_t)((z ^ (z >> 31)) % n);
+}
+
+/* Lines that bring up what keys alone seldom do. */
+static const char *const TYPED[] = {"load data/sites/bro.csv",
+    "load data/sites/tierp.csv", "use tierp", "use bro", "calibrate",
+    "help predict", "show params", "why", "spec data/specs/mine.csv",
+    "find p80=5.4", "predict 999", "plot parity", "reset", "undo", "redo",
+    "set k 2", "bounds e0_min 0..25", "describe psd", "check", "sweep",
+    "calibrate all", "set correction off", "params",
+
+    ("synth data/table3.csv "
+     "site=Tierp seed=9 speeds=58,61,64,67,70,73,76,79"),
+    "window", "guess", "screen", "plot response", "continue",
+    "load nothing.csv", "quit"};
+
+static int
+random_key(void)
+{
+	static const int OTHERS[] = {27, '\t', '\n', '\r', 127, '\b', 1, 3, 5,
+	    11, 12, 21, 23, KEY_UP, KEY_DOWN, KEY_DC, KEY_F(1), KEY_F(5),
+	    KEY_BTAB, KEY_ENTER, KEY_BACKSPACE, KEY_SLEFT, KEY_SRIGHT};
+	size_t keys = 0;
+	switch (below(4)) {
+	case 0:
+		return ' ' + (int)below(95);
+	case 1:
+		return OTHERS[below(ARRAY_LEN(OTHERS))];
+	default:
+		while (KEYS[keys].code != 0)
+			keys++;
+		return KEYS[below(keys)].code;
+	}
+}
+
+/* Any key, but none that hands over the program. */
+static bool
+answer(struct tui *t, int *code, bool *special)
+{
+	frame_draw(t);
+	*code = below(3) == 0 ? '\n' : below(3) == 0 ? 'y' : random_key();
+	*special = *code > 255;
+	/* A question that nothing else ends is given up. */
+	if (below(8) == 0) {
+		*code = 27;
+		*special = false;
+	}
+	return true;
+}
+
+static const struct tui_ways WAYS = {.answer = answer};
+
+static void
+paste(struct tui *t)
+{
+	input_paste(t, SCREEN_PASTE, true);
+	for (size_t n = below(300); n > 0; n--)
+		input_paste(t, (int)below(below(2) ? 127 : 0x3000), false);
+	if (below(4) > 0)
+		input_paste(t, SCREEN_PASTED, true);
+	else
+		input_end_paste(t);
+}
+
+static void
+type_line(struct tui *t)
+{
+	act_key(t, 27, false);
+	act_key(t, ':', false);
+	const char *line = TYPED[below(ARRAY_LEN(TYPED))];
+	while (*line != '\0')
+		act_key(t, (int)text_next(&line), false);
+	act_key(t, below(5) > 0 ? '\n' : '\t', false);
+}
+
+static void
+use_mouse(struct tui *t, int rows, int columns)
+{
+	enum touch_kind kind = (enum touch_kind)below(4);
+	int row = (int)below((size_t)rows + 2) - 1,
+	    column = (int)below((size_t)columns + 2) - 1;
+	touch_mouse(t, &t->touches, kind, row, column, act_key);
+	if (below(3) == 0)
+		touch_release(&t->touches);
+}
+
+/* All that the loop does between two keys. */
+static void
+go_on(struct tui *t)
+{
+	t->clock += (double)below(3) * 0.3;
+	control_pump(t);
+	control_predict(t);
+	pages_update(t);
+	frame_draw(t);
+	t->leave = t->session->quit = t->session->wants_tui = false;
+}
+
+static struct display *
+resize(struct display *was, int *rows, int *columns)
+{
+	static const int DEPTHS[] = {0, 8, 16, 256};
+	bool large = below(8) == 0;
+	*rows = 1 + (int)below(large ? 110 : 34);
+	*columns = 1 + (int)below(large ? 320 : 110);
+	canvas_free(screen_back(was));
+	return screen_aside(*rows, *columns, (enum charset)below(3),
+	    DEPTHS[below(ARRAY_LEN(DEPTHS))]);
+}
+
+/* Some hundred steps on a session of its own. */
+static void
+walk(uint64_t seed)
+{
+	enum { STEPS = 400 };
+	void *open;
+	struct tui t;
+	int rows = 24, columns = 80;
+	state_of = seed;
+	desk_open(&open);
+	struct desk *desk = open;
+	if (below(4) > 0)
+		desk_expect(desk, "load data/sites/bro.csv "
+				  "data/sites/ossjo.csv data/sites/tierp.csv");
+	/* From here on no file is written and no shell run. */
+	desk->session->safe = true;
+	struct display *was = screen_aside(rows, columns, CHARSET_BRAILLE, 256);
+	control_begin(&t, desk->session, &WAYS);
+	frame_draw(&t);
+	for (int i = 0; i < STEPS; i++) {
+		size_t what = below(40);
+		int code = random_key();
+		if (what == 0)
+			was = resize(was, &rows, &columns);
+		else if (what == 1)
+			paste(&t);
+		else if (what == 2)
+			type_line(&t);
+		else if (what < 10)
+			use_mouse(&t, rows, columns);
+		else
+			act_key(&t, code, code > 255);
+		/* Often more than one comes before a frame is drawn. */
+		if (below(4) > 0)
+			go_on(&t);
+	}
+	/* It still answers: from wherever it is, back, and on. */
+	input_end_paste(&t);
+	for (int i = 0; i < 12; i++)
+		act_key(&t, 27, false);
+	go_on(&t);
+	assert_false(t.typing.active || t.filter.active || t.cross);
+	assert_null(t.viewer.text);
+	assert_int_equal(t.page, PAGE_PREDICT);
+	assert_null(t.focus);
+	act_key(&t, 'q', false);
+	assert_true(t.leave);
+	control_end(&t);
+	canvas_free(screen_back(was));
+	desk_close(&open);
+}
+
+static void
+nothing_breaks(void **state)
+{
+	(void)state;
+	const char *seconds = getenv("MONKEY_SECONDS"),
+		   *seed = getenv("MONKEY_SEED");
+	time_t end = time(NULL) + (seconds != NULL ? atol(seconds) : 1);
+	uint64_t n = seed != NULL ? strtoull(seed, NULL, 10) : 1;
+	signal(SIGTSTP, SIG_IGN); /* ^Z is among the keys */
+	do {
+		/* What breaks says which walk it was. */
+		char line[64];
+		int length = snprintf(line, sizeof line, "# MONKEY_SEED=%llu\n",
+		    (unsigned long long)n);
+		if (seconds != NULL && n % 50 == 0)
+			assert_true(write(2, line, (size_t)length) == length);
+		walk(n++);
+	} while (seed == NULL && time(NULL) < end);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(nothing_breaks)};
+	chdir_to_source();
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,397 @@
+/* The pages of the full screen that show sheets and sites.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <string.h>
+
+#include <curses.h>
+
+#include "desk.h"
+#include "stage.h"
+
+#include "base/text.h"
+#include "cmd/fit.h"
+#include "ui/act.h"
+#include "ui/control.h"
+#include "ui/frame.h"
+#include "ui/pages.h"
+#include "ui/screen.h"
+#include "ui/shot.h"
+
+static int
+stage_open(void **state)
+{
+	struct stage *stage = stage_new(24, 80, CHARSET_ASCII, 0,
+	    "load data/sites/tierp.csv; load data/sites/kiruna.csv; load "
+	    "data/sites/gavle-11.2-2.csv");
+	*state = stage;
+	return 0;
+}
+
+/* What the loop does once. */
+static void
+turn(struct tui *t)
+{
+	control_pump(t);
+	control_predict(t);
+	pages_update(t);
+	frame_draw(t);
+}
+
+/* Keys by their names, spaces between. */
+static void
+press(struct tui *t, const char *names)
+{
+	char *copy = xstrdup(names), *left;
+	for (char *name = strtok_r(copy, " ", &left); name != NULL;
+	     name = strtok_r(NULL, " ", &left)) {
+		int code = 0;
+		assert_true(keys_code(name, &code));
+		act_key(t, code, code > 255);
+		control_predict(t);
+		pages_update(t);
+		frame_draw(t);
+	}
+	free(copy);
+}
+
+/* A row of the frame; the next one is drawn on the same terminal. */
+static const char *
+row_of(struct stage *stage, int row)
+{
+	static char text[400];
+	int rows, columns;
+	frame_draw(&stage->t);
+	screen_size(&rows, &columns);
+	struct canvas *frame = screen_back(stage->was);
+	for (int i = 0; i < columns; i++)
+		text[i] = (char)canvas_at(frame, i, row)->code;
+	text[columns] = '\0';
+	canvas_free(frame);
+	stage->was = screen_aside(rows, columns, CHARSET_ASCII, 0);
+	frame_draw(&stage->t);
+	return text;
+}
+
+static void
+resize(struct stage *stage, int rows, int columns)
+{
+	canvas_free(screen_back(stage->was));
+	stage->was = screen_aside(rows, columns, CHARSET_ASCII, 0);
+	frame_draw(&stage->t);
+}
+
+/* ---- Sites ---- */
+
+static void
+all_sites_are_calibrated_while_keys_are_taken(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	const struct session *s = t->session;
+	control_typed(t, "calibrate all");
+	assert_true(session_busy(s));
+	turn(t);
+	assert_int_equal(t->page, PAGE_SITES);
+	assert_true(s->entry[0].has_fit);
+	assert_true(session_busy(s));
+	assert_int_equal(s->job.entry, 1);
+	assert_non_null(strstr(row_of(stage, 2), "green"));
+	assert_non_null(strstr(row_of(stage, 3), "gen 0 "));
+	assert_non_null(strstr(row_of(stage, 4), "waiting"));
+	press(t, "Space");
+	turn(t);
+	assert_non_null(strstr(row_of(stage, 3), "paused"));
+	assert_int_equal(s->job.entry, 1);
+	press(t, "Space");
+	/* One does not open another meanwhile. */
+	press(t, "Enter");
+	assert_true(session_busy(s));
+	turn(t);
+	assert_true(s->entry[1].has_fit);
+	press(t, "s");
+	assert_false(session_busy(s));
+	assert_false(s->entry[2].has_fit);
+	assert_non_null(strstr(t->message, "keep their fits"));
+	press(t, "u");
+	assert_false(s->entry[0].has_fit);
+}
+
+static void
+what_it_ends_with_is_what_calibrate_all_says(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	control_typed(t, "calibrate all");
+	for (int i = 0; i < 3; i++)
+		turn(t);
+	assert_false(session_busy(t->session));
+	assert_non_null(strstr(t->message, "all sites are calibrated"));
+	struct fit found[3];
+	for (int i = 0; i < 3; i++)
+		found[i] = t->session->entry[i].fit;
+	desk_expect(stage->desk, "calibrate all");
+	for (int i = 0; i < 3; i++)
+		assert_memory_equal(&found[i].params,
+		    &t->session->entry[i].fit.params, sizeof found[i].params);
+}
+
+static void
+sites_are_sorted_by_a_key_or_a_click(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(t, "5");
+	assert_non_null(strstr(row_of(stage, 2), "tierp"));
+	press(t, "o o");
+	assert_non_null(strstr(row_of(stage, 1), "site^"));
+	assert_non_null(strstr(row_of(stage, 2), "gavle"));
+	assert_non_null(strstr(row_of(stage, 4), "tierp"));
+	press(t, "O");
+	assert_non_null(strstr(row_of(stage, 2), "tierp"));
+	const char *head = row_of(stage, 1);
+	int rock = (int)(strstr(head, "rock") - head);
+	assert_true(touch_mouse(t, &t->touches, TOUCH_PRESS, 1, rock, act_key));
+	assert_non_null(strstr(row_of(stage, 1), "rock^"));
+	assert_non_null(strstr(row_of(stage, 4), "Porphyry"));
+	/* Down goes down on the screen. */
+	t->site_at = t->row[0].entry;
+	press(t, "Down Down");
+	assert_int_equal(t->site_at, t->row[2].entry);
+}
+
+static void
+a_name_is_cut_when_nothing_else_is_left(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	const char *name = "a quarry with a name of fifty letters, no, of more";
+	free(t->session->entry[0].key);
+	t->session->entry[0].key = xstrdup(name);
+	t->rows_at = 0;
+	press(t, "5");
+	assert_non_null(strstr(row_of(stage, 2), name));
+	assert_non_null(strstr(row_of(stage, 1), "light"));
+	assert_null(strstr(row_of(stage, 1), "rock"));
+	resize(stage, 24, 40);
+	assert_non_null(strstr(row_of(stage, 2), "a quarry with a name"));
+	assert_non_null(strstr(row_of(stage, 1), "light"));
+}
+
+/* ---- Data ---- */
+
+static void
+a_doubtful_cell_is_marked_and_mended_by_a_key(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "use tierp");
+	desk_expect(stage->desk, "mend product@74 sieve=1 value=15.82");
+	desk_expect(stage->desk, "calibrate");
+	control_look(t);
+	press(t, "3");
+	const char *row = row_of(stage, 9);
+	assert_non_null(strstr(row, "15.82!"));
+	assert_int_equal(t->sheet.doctor.n, 1);
+	press(t, "!");
+	assert_ptr_equal(t->focus, &page_data);
+	assert_int_equal(t->sheet.row, 7);
+	assert_int_equal(t->sheet.at, 3);
+	bool said = false;
+	for (int i = 12; i < 20; i++)
+		said = said || strstr(row_of(stage, i), "product@74") != NULL;
+	assert_true(said);
+	press(t, "Enter");
+	assert_string_equal(t->command, "mend product@74 sieve=1 value=18.52");
+	assert_non_null(strstr(row_of(stage, 9), "18.52 "));
+	press(t, "u");
+	assert_non_null(strstr(row_of(stage, 9), "15.82!"));
+}
+
+static void
+all_columns_of_a_sheet_can_be_reached(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	control_typed(t, "use tierp");
+	resize(stage, 12, 40);
+	press(t, "3");
+	assert_non_null(strstr(row_of(stage, 1), "feed@69"));
+	press(t, "Down End Right Right Right Right Right Right");
+	assert_int_equal(t->sheet.at, 5);
+	assert_non_null(strstr(row_of(stage, 1), "79*"));
+	assert_null(strstr(row_of(stage, 1), "feed@69"));
+	const char *row = row_of(stage, t->cursor.row);
+	assert_non_null(strstr(row, "0.063"));
+	/* The slider again. */
+	int tenths = t->tenths;
+	press(t, "Tab Left");
+	assert_int_equal(t->sheet.at, 5);
+	assert_int_equal(t->tenths, tenths - 1);
+}
+
+/* ---- Parity ---- */
+
+static void
+parity_has_the_statistics_of_validate(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(t, "4");
+	assert_non_null(strstr(row_of(stage, 6), "no loaded site has"));
+	desk_expect(stage->desk, "calibrate all");
+	desk_expect(stage->desk, "validate all");
+	control_look(t);
+	press(t, "4");
+	assert_int_equal(t->parity.n, 3);
+	const struct session *s = t->session;
+	static const char *const PATHS[2][3] = {
+	    {"p20.rms_pct", "p50.rms_pct", "p80.rms_pct"},
+	    {"corrected.p20.rms_pct", "corrected.p50.rms_pct",
+		"corrected.p80.rms_pct"}};
+	for (size_t way = 0; way < 2; way++)
+		for (size_t i = 0; i < PSD_SIZES; i++)
+			assert_true(fabs(100 * t->parity.score[way][i].rms -
+					 session_known(s, "validate",
+					     PATHS[way][i])) < 1e-12);
+	press(t, "Down Down");
+	const struct chart *chart = t->parity.chart;
+	const struct chart_series *own = &chart->series[chart->n - 3];
+	assert_int_equal(t->parity.at, 2);
+	for (size_t i = 0; i < 3; i++) {
+		const struct chart_series *of = &chart->series[1 + i];
+		assert_true(own[i].y[0] == of->y[2] && own[i].lifted);
+		assert_int_equal(own[i].mark, of->mark);
+	}
+	/* A step of the slider compares nothing. */
+	const struct parity_point *was = t->parity.point;
+	press(t, "Tab Left");
+	assert_ptr_equal(t->parity.point, was);
+}
+
+/* Of one run each size has the mark that the legend says. */
+static void
+one_run_has_a_mark_for_each_size(void **state)
+{
+	enum { PLOT = 40 };
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "reset");
+	desk_expect(stage->desk, "load data/sites/tierp.csv");
+	desk_expect(
+	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
+	control_look(t);
+	press(t, "4");
+	assert_int_equal(t->parity.n, 1);
+	size_t n = 0;
+	for (int row = 2; row < 13; row++)
+		for (const char *c = row_of(stage, row), *end = c + PLOT;
+		     c < end; c++)
+			n += *c == 'v' || *c == '^' ? 1U : *c == '#' ? 100U : 0;
+	assert_int_equal(n, 2);
+}
+
+/* ---- Little room ---- */
+
+static bool
+frame_has(struct stage *stage, int rows, const char *text)
+{
+	for (int row = 0; row < rows; row++)
+		if (strstr(row_of(stage, row), text) != NULL)
+			return true;
+	return false;
+}
+
+static void
+small_screens_say_all_or_that_they_cut(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(
+	    stage->desk, "use tierp; calibrate generations=20 population=100");
+	control_look(t);
+	resize(stage, 12, 40);
+	press(t, "1");
+	assert_non_null(strstr(row_of(stage, 11), "? keys"));
+	assert_non_null(strstr(row_of(stage, 10), "READY"));
+	press(t, ": p");
+	assert_non_null(strstr(row_of(stage, 11), "Tab complete"));
+	press(t, "Tab");
+	assert_non_null(strstr(row_of(stage, 11), "predict"));
+	press(t, "Esc 2");
+	assert_true(frame_has(stage, 12, "beta1="));
+	assert_true(frame_has(stage, 12, "alpha="));
+	assert_true(frame_has(stage, 12, "seed 1"));
+	press(t, "5 g");
+	assert_true(frame_has(stage, 12, "beta1="));
+	assert_true(frame_has(stage, 12, ".."));
+	resize(stage, 24, 80);
+	assert_true(frame_has(stage, 24, "alpha="));
+	press(t, "1 ?");
+	resize(stage, 12, 40);
+	assert_non_null(strstr(row_of(stage, 2), " .."));
+}
+
+/* The mark of a value that is extrapolated is explained where it stands. */
+static void
+an_extrapolated_size_says_so(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "use tierp");
+	desk_expect(
+	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
+	control_look(t);
+	t->tenths = 840;
+	press(t, "5 g");
+	assert_true(frame_has(stage, 24, "? extrapolated: 84.0 m/s"));
+	t->tenths = 740;
+	control_look(t);
+	press(t, "5");
+	assert_false(frame_has(stage, 24, "? extrapolated:"));
+}
+
+/* Of sieves that there are rows for one is that which is asked about. */
+static void
+the_sieve_asked_about_has_a_row(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "use tierp");
+	desk_expect(
+	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
+	control_look(t);
+	resize(stage, 30, 100);
+	press(t, "1");
+	for (size_t i = 1; i < 4; i++) {
+		static const double MM[] = {0, 2, 1, 0.5};
+		static const char *const ROW[] = {
+		    "", "    2  16.6", "    1   8.4", "  0.5   4.3"};
+		t->quantity = (struct quantity){
+		    .kind = QUANTITY_PASSING, .x = MM[i] / 1000};
+		frame_draw(t);
+		assert_true(frame_has(stage, 30, ROW[i]));
+	}
+}
+
+#define ON_STAGE(test) \
+	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    ON_STAGE(all_sites_are_calibrated_while_keys_are_taken),
+	    ON_STAGE(what_it_ends_with_is_what_calibrate_all_says),
+	    ON_STAGE(sites_are_sorted_by_a_key_or_a_click),
+	    ON_STAGE(a_name_is_cut_when_nothing_else_is_left),
+	    ON_STAGE(a_doubtful_cell_is_marked_and_mended_by_a_key),
+	    ON_STAGE(all_columns_of_a_sheet_can_be_reached),
+	    ON_STAGE(parity_has_the_statistics_of_validate),
+	    ON_STAGE(one_run_has_a_mark_for_each_size),
+	    ON_STAGE(small_screens_say_all_or_that_they_cut),
+	    ON_STAGE(an_extrapolated_size_says_so),
+	    ON_STAGE(the_sieve_asked_about_has_a_row),
+	};
+	chdir_to_source();
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,464 @@
+/* What the mouse, Enter, Esc and a word after / do, and how many keys a
+ * question takes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <string.h>
+#include <unistd.h>
+
+#include <curses.h>
+
+#include "desk.h"
+#include "stage.h"
+
+#include "base/text.h"
+#include "ui/act.h"
+#include "ui/control.h"
+#include "ui/frame.h"
+#include "ui/pages.h"
+#include "ui/screen.h"
+#include "ui/shot.h"
+#include "ui/tui_state.h"
+
+enum { ROWS = 30, COLUMNS = 100 };
+
+static void
+settle(struct stage *stage)
+{
+	struct tui *t = &stage->t;
+	t->clock++;
+	control_predict(t);
+	pages_update(t);
+	frame_draw(t);
+}
+
+static int
+stage_open(void **state)
+{
+	struct stage *stage = stage_new(ROWS, COLUMNS, CHARSET_BRAILLE, 256,
+	    "load data/sites/tierp.csv data/sites/bro.csv "
+	    "data/sites/ossjo.csv; use tierp; calibrate; predict speed=74");
+	settle(stage);
+	*state = stage;
+	return 0;
+}
+
+/* Keys by their names, or letters, with blanks between them. */
+static void
+press(struct stage *stage, const char *names)
+{
+	char *copy = xstrdup(names), *save = NULL;
+	for (char *name = strtok_r(copy, " ", &save); name != NULL;
+	     name = strtok_r(NULL, " ", &save)) {
+		int code;
+		bool named = keys_code(name, &code);
+		const char *rest = name;
+		do {
+			if (!named)
+				code = (int)text_next(&rest);
+			act_key(&stage->t, code, code > 255);
+			stage->keys++;
+		} while (!named && *rest != '\0');
+		settle(stage);
+	}
+	free(copy);
+}
+
+/* Where text stands on the frame; the last place, as the hints are there. */
+static bool
+find_text(struct stage *stage, const char *text, int *row, int *column)
+{
+	struct canvas *frame = screen_back(stage->was);
+	bool found = false;
+	for (int r = 0; r < frame->rows; r++) {
+		char *line = xstrdup(""), code[5];
+		for (int c = 0; c < frame->columns; c++) {
+			uint32_t at = canvas_at(frame, c, r)->code;
+			/* One letter a cell, so that offsets are columns. */
+			xappend(&line, "%s",
+			    at > 0 && at < 128 ? canvas_utf8(at, code) : "~");
+		}
+		for (char *p = strstr(line, text); p != NULL;
+		     p = strstr(p + 1, text)) {
+			*row = r;
+			*column = (int)(p - line);
+			found = true;
+		}
+		free(line);
+	}
+	canvas_free(frame);
+	stage->was = screen_aside(ROWS, COLUMNS, CHARSET_BRAILLE, 256);
+	frame_draw(&stage->t);
+	return found;
+}
+
+static bool
+mouse(struct stage *stage, enum touch_kind kind, int row, int column)
+{
+	struct tui *t = &stage->t;
+	bool took = touch_mouse(t, &t->touches, kind, row, column, act_key);
+	touch_release(&t->touches);
+	settle(stage);
+	return took;
+}
+
+static void
+click(struct stage *stage, const char *text)
+{
+	int row = -1, column = -1;
+	if (!find_text(stage, text, &row, &column))
+		fail_msg("%s is not on the screen", text);
+	if (!mouse(stage, TOUCH_PRESS, row, column))
+		fail_msg("%s cannot be touched", text);
+}
+
+/* On every page, whatever its hints are: none names a key that is none. */
+static void
+hints_are_their_keys(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	for (int page = PAGE_PREDICT; page < PAGES; page++) {
+		pages_go(t, (enum page)page);
+		settle(stage);
+		size_t keys = 0;
+		for (size_t i = 0; i < t->touches.n; i++) {
+			const struct touch *at = &t->touches.at[i];
+			if (at->area.row != t->places.hints.row ||
+			    at->way != NULL)
+				continue;
+			assert_non_null(keys_find(at->code, t->page));
+			keys++;
+		}
+		assert_in_range(keys, 3, 20);
+	}
+	pages_go(t, PAGE_PREDICT);
+	settle(stage);
+	click(stage, "? keys");
+	assert_true(t->viewer.keys);
+	click(stage, "Esc back");
+	assert_null(t->viewer.text);
+	click(stage, ": predict");
+	assert_true(t->typing.active);
+	click(stage, "Esc give up");
+	assert_false(t->typing.active);
+	click(stage, " 5 Sites");
+	assert_int_equal(t->page, PAGE_SITES);
+	click(stage, "q quit");
+	assert_true(t->leave);
+}
+
+static void
+a_row_is_chosen_and_opened(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(stage, "5");
+	click(stage, "ossjo");
+	assert_int_equal(t->site_at, 2);
+	assert_int_equal(t->page, PAGE_SITES);
+	click(stage, "ossjo");
+	assert_int_equal(t->page, PAGE_PREDICT);
+	assert_string_equal(t->command, "use ossjo");
+	press(stage, "5 g");
+	assert_int_equal(t->site_at, 0);
+	press(stage, "End");
+	assert_int_equal(t->site_at, 2);
+	press(stage, "Home Down Enter");
+	assert_string_equal(t->command, "use bro");
+	assert_int_equal(t->page, PAGE_PREDICT);
+	assert_null(t->focus);
+}
+
+static void
+the_wheel_moves_what_is_under_it(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	const struct places *l = &t->places;
+	int tenths = t->tenths;
+	assert_true(mouse(stage, TOUCH_UP, l->plot.row + 2, 20));
+	assert_int_equal(t->tenths, tenths + 1);
+	assert_true(mouse(stage, TOUCH_DOWN, l->track.row, 20));
+	assert_int_equal(t->tenths, tenths);
+	assert_false(mouse(stage, TOUCH_UP, l->header.row, 1));
+	assert_false(mouse(stage, TOUCH_UP, l->hints.row, 1));
+	press(stage, "5");
+	assert_true(mouse(stage, TOUCH_DOWN, l->body.row + 2, 20));
+	assert_int_equal(t->site_at, 1);
+	press(stage, "?");
+	int at = t->viewer.at;
+	assert_true(mouse(stage, TOUCH_DOWN, l->body.row + 2, 20));
+	assert_int_equal(t->viewer.at, at + 1);
+	assert_int_equal(t->tenths, tenths);
+}
+
+/* Every mark of a run that is drawn in the middle of the plot says what it is,
+ * and the crosshair stands on its sieve. */
+static void
+a_click_on_the_plot_reads_it(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	const struct psd *p = &t->shown.product;
+	const struct area *plot = &t->places.plot;
+	size_t read = 0, runs = 0, before = (size_t)-1;
+	for (int column = plot->column; column < plot->columns; column++) {
+		t->message[0] = '\0';
+		bool took = mouse(
+		    stage, TOUCH_PRESS, plot->row + plot->rows / 2, column);
+		if (!took || !t->cross)
+			continue;
+		assert_true(t->cross_at < p->n);
+		/* From the finest to the coarsest. */
+		assert_true(t->cross_at <= before);
+		read += t->cross_at != before;
+		before = t->cross_at;
+		runs += strstr(t->message, "measured") != NULL;
+	}
+	assert_in_range(read, 8, p->n);
+	assert_in_range(runs, 1, plot->columns);
+	assert_true(t->cross && t->focus != NULL);
+}
+
+static void
+escape_goes_back_one_step_and_never_quits(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(stage, "5 / oss");
+	assert_true(t->filter.active);
+	press(stage, "Esc");
+	assert_false(t->filter.active);
+	assert_int_equal(t->filter.n, 0);
+	press(stage, "Esc");
+	assert_int_equal(t->page, PAGE_PREDICT);
+	press(stage, "c ?");
+	assert_true(t->cross && t->viewer.keys);
+	press(stage, "/ by Esc");
+	assert_true(t->viewer.keys && t->viewer.word.n == 0);
+	press(stage, "Esc");
+	assert_true(t->cross && t->viewer.text == NULL);
+	press(stage, "Esc");
+	assert_false(t->cross || t->focus != NULL);
+	press(stage, "2 Tab");
+	assert_non_null(t->focus);
+	press(stage, "Esc");
+	assert_true(t->focus == NULL && t->page == PAGE_FIT);
+	press(stage, "Esc");
+	assert_int_equal(t->page, PAGE_PREDICT);
+	for (int i = 0; i < 3; i++) {
+		press(stage, "Esc");
+		assert_false(t->leave);
+		assert_non_null(strstr(t->message, "q quits"));
+	}
+}
+
+static void
+a_word_filters_the_rows(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	int row, column;
+	press(stage, "5 / bro");
+	assert_int_equal(t->site_at, 1);
+	assert_true(find_text(stage, "/bro  1 of 3", &row, &column));
+	assert_false(find_text(stage, "  ossjo ", &row, &column));
+	press(stage, "Enter End Down Up");
+	assert_int_equal(t->site_at, 1);
+	press(stage, "Enter");
+	assert_string_equal(t->command, "use bro");
+	/* It is the page's, and gone with it. */
+	press(stage, "5");
+	assert_int_equal(t->filter.n, 0);
+	press(stage, "/ zzz");
+	assert_true(find_text(stage, "0 of 3", &row, &column));
+	press(stage, "Enter Enter");
+	assert_int_equal(t->page, PAGE_SITES);
+	/* Without a row of hints the word is seen, too. */
+	canvas_free(screen_back(stage->was));
+	stage->was = screen_aside(6, 40, CHARSET_ASCII, 0);
+	press(stage, "Esc / bro");
+	assert_int_equal(t->places.hints.rows, 0);
+	assert_int_equal(t->cursor.column, 4);
+	assert_true(find_text(stage, "/bro  1 of 3", &row, &column));
+	press(stage, "Esc 1 /");
+	assert_non_null(strstr(t->message, "no list"));
+}
+
+static void
+a_text_is_searched(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(stage, ": help Space calibrate Enter");
+	assert_non_null(t->viewer.text);
+	press(stage, "/ seed Enter");
+	int first = t->viewer.at;
+	assert_in_range(first, 0, t->viewer.lines - 1);
+	press(stage, "n");
+	int next = t->viewer.at;
+	assert_true(next > first);
+	press(stage, "N");
+	assert_int_equal(t->viewer.at, first);
+	press(stage, "N n");
+	assert_int_equal(t->viewer.at, first);
+	press(stage, "G");
+	assert_int_equal(
+	    t->viewer.top, t->viewer.lines - t->places.body.rows > 0
+			       ? t->viewer.lines - t->places.body.rows
+			       : 0);
+	press(stage, "Esc");
+	assert_non_null(t->viewer.text);
+	press(stage, "Esc");
+	assert_null(t->viewer.text);
+}
+
+/* But one that would change what is calculated is asked for again. */
+static void
+a_key_that_closes_a_text_is_not_lost(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(stage, "? 2");
+	assert_true(t->viewer.text == NULL && t->page == PAGE_FIT);
+	press(stage, ": seed ; Space help Enter");
+	press(stage, "1 c");
+	assert_true(t->cross);
+	press(stage, "? f");
+	assert_null(t->viewer.text);
+	assert_false(session_busy(t->session));
+	assert_non_null(strstr(t->message, "f again"));
+	press(stage, "? q");
+	assert_true(t->viewer.text == NULL && !t->leave);
+	press(stage, "? ?");
+	assert_null(t->viewer.text);
+	press(stage, "? 7 8 Enter");
+	assert_int_equal(t->tenths, 780);
+}
+
+static void
+a_click_in_the_list_of_keys_runs_it(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(stage, "?");
+	click(stage, "crosshair on or off");
+	assert_true(t->cross && t->viewer.text == NULL);
+}
+
+static void
+offers_are_taken_by_a_click(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(stage, ": plot Space p Tab");
+	assert_non_null(t->typing.offers);
+	click(stage, "parity");
+	assert_string_equal(t->typing.text, "plot parity ");
+	/* The slider is not moved while a line is typed. */
+	assert_false(mouse(stage, TOUCH_PRESS, t->places.track.row, 20));
+	int row, column;
+	assert_true(find_text(stage, ":plot parity", &row, &column));
+	assert_true(mouse(stage, TOUCH_PRESS, row, column + 3));
+	press(stage, "X");
+	assert_string_equal(t->typing.text, "plXot parity ");
+}
+
+/* Ways to answer of their own: what the mouse presses at a place. */
+static int asked_row, asked_column;
+
+static void
+note(struct tui *t, int code, bool special)
+{
+	t->pointed.is = true;
+	t->pointed.code = code;
+	t->pointed.special = special;
+}
+
+static bool
+point(struct tui *t, int *code, bool *special)
+{
+	frame_draw(t);
+	t->pointed.is = false;
+	/* Of what lies below the question nothing answers. */
+	touch_mouse(t, &t->touches, TOUCH_PRESS, 0, 99, note);
+	assert_false(t->pointed.is);
+	const struct cursor *end = &t->cursor;
+	touch_mouse(t, &t->touches, TOUCH_PRESS, end->row + asked_row,
+	    end->column + asked_column, note);
+	assert_true(t->pointed.is);
+	*code = t->pointed.code;
+	*special = t->pointed.special;
+	return true;
+}
+
+static void
+a_question_is_answered_by_the_mouse(void **state)
+{
+	struct stage *stage = *state;
+	static const struct tui_ways WAYS = {.answer = point};
+	struct session *s = stage->t.session;
+	stage->t.ways = &WAYS;
+	asked_row = 0;
+	asked_column = -3;
+	assert_true(s->hooks.confirm(s, "shall it?"));
+	asked_column = -1;
+	assert_false(s->hooks.confirm(s, "shall it?"));
+}
+
+/* What a dozen questions cost, in keys, from the page that opens. */
+static void
+little_is_typed(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	static const struct {
+		const char *what, *keys;
+		size_t most;
+	} ASKED[] = {{"read a sieve", "c Left Left", 3},
+	    {"open another site", "5 Down Enter", 3},
+	    {"open a site by its name", "5 / oss Enter Enter", 7},
+	    {"export the answer", "e", 1},
+	    {"find a key and run it", "? / band Enter", 8},
+	    {"keep and compare", "x L", 2}};
+	for (size_t i = 0; i < sizeof ASKED / sizeof ASKED[0]; i++) {
+		stage->keys = 0;
+		press(stage, ASKED[i].keys);
+		if (stage->keys > ASKED[i].most)
+			fail_msg(
+			    "%s takes %zu keys", ASKED[i].what, stage->keys);
+		bool done = i == 0   ? t->cross
+			    : i == 1 ? strcmp(t->command, "use bro") == 0
+			    : i == 2 ? strcmp(t->command, "use ossjo") == 0
+			    : i == 3 ? strstr(t->typing.text, ".csv") != NULL
+			    : i == 4 ? t->band
+				     : t->pin.site[0] != '\0';
+		if (!done)
+			fail_msg("%s: not done", ASKED[i].what);
+		press(stage, "Esc Esc Esc : use Space tierp Enter");
+		t->band = false;
+	}
+}
+
+#define ON_STAGE(test) \
+	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    ON_STAGE(hints_are_their_keys),
+	    ON_STAGE(a_row_is_chosen_and_opened),
+	    ON_STAGE(the_wheel_moves_what_is_under_it),
+	    ON_STAGE(a_click_on_the_plot_reads_it),
+	    ON_STAGE(escape_goes_back_one_step_and_never_quits),
+	    ON_STAGE(a_word_filters_the_rows),
+	    ON_STAGE(a_text_is_searched),
+	    ON_STAGE(a_key_that_closes_a_text_is_not_lost),
+	    ON_STAGE(a_click_in_the_list_of_keys_runs_it),
+	    ON_STAGE(offers_are_taken_by_a_click),
+	    ON_STAGE(a_question_is_answered_by_the_mouse),
+	    ON_STAGE(little_is_typed),
+	};
+	chdir_to_source();
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,289 @@
+/* The panel of verdicts and the second plot, at sizes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <string.h>
+
+#include "desk.h"
+
+#include "base/text.h"
+#include "core/response.h"
+#include "ui/act.h"
+#include "ui/control.h"
+#include "ui/frame.h"
+#include "ui/limits.h"
+#include "ui/pages.h"
+#include "ui/screen.h"
+#include "ui/shot.h"
+
+/* A full screen on the session of a desk. */
+struct stage {
+	struct tui t;
+	struct desk *desk;
+};
+
+static int
+stage_open(void **state)
+{
+	struct stage *stage = xcalloc(1, sizeof *stage);
+	void *desk;
+	desk_open(&desk);
+	stage->desk = desk;
+	desk_expect(stage->desk,
+	    "load data/sites/tierp.csv; calibrate; predict speed=74");
+	struct display *was = screen_aside(24, 80, CHARSET_ASCII, 0);
+	control_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
+	canvas_free(screen_back(was));
+	control_predict(&stage->t);
+	*state = stage;
+	return 0;
+}
+
+static int
+stage_close(void **state)
+{
+	struct stage *stage = *state;
+	void *desk = stage->desk;
+	control_end(&stage->t);
+	free(stage);
+	return desk_close(&desk);
+}
+
+/* The page at a size, as lines; the caller frees. */
+static char *
+page(struct tui *t, int rows, int columns)
+{
+	struct display *was = screen_aside(rows, columns, CHARSET_ASCII, 0);
+	char *text = NULL;
+	size_t n = 0;
+	control_predict(t);
+	pages_update(t);
+	frame_draw(t);
+	struct canvas *canvas = screen_back(was);
+	FILE *out = text_memory(&text, &n);
+	canvas_print(canvas, 0, out);
+	fclose(out);
+	canvas_free(canvas);
+	return text;
+}
+
+static void
+expect(struct tui *t, int rows, int columns, const char *words)
+{
+	char *text = page(t, rows, columns);
+	if (strstr(text, words) == NULL)
+		fail_msg("expected '%s', got\n%s", words, text);
+	free(text);
+}
+
+static void
+expect_none(struct tui *t, int rows, int columns, const char *words)
+{
+	char *text = page(t, rows, columns);
+	if (strstr(text, words) != NULL)
+		fail_msg("did not expect '%s' in\n%s", words, text);
+	free(text);
+}
+
+static void
+press(struct tui *t, const char *keys)
+{
+	while (*keys != '\0')
+		act_key(t, (int)text_next(&keys), false);
+	control_predict(t);
+	pages_update(t);
+}
+
+/* The most wanted where there is little room; with more of it the bands, the
+ * sieves, and all there is. */
+static void
+the_panel_is_filled_by_height_and_width(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	expect(t, 24, 80, "|P80    5.09 mm");
+	expect(t, 24, 80, "|trust green");
+	expect(t, 24, 80, "|0/4    66.1 %");
+	expect_none(t, 24, 80, "5.04..5.14");
+	expect(t, 30, 100, "| P80    5.09 mm  5.04..5.14");
+	expect(t, 30, 100, "| 0/4    66.1 %   65.6..66.6");
+	expect(t, 50, 160, "|     4  32.8  66.1  -0.1  #");
+	expect(t, 50, 160, "fit RMSE 0.30 points");
+	expect(t, 50, 160, "| 0.125   1.1   2.4  -0.1");
+	expect(t, 20, 34, "P80 5.09");
+	for (int rows = 1; rows < 60; rows += 7)
+		for (int columns = 1; columns < 250; columns += 13)
+			free(page(t, rows, columns));
+}
+
+static void
+changes_are_those_against_what_is_pinned(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	press(t, "x");
+	press(t, "LLL");
+	expect(t, 30, 100, "77.0 m/s  vs pinned 74.0");
+	expect(t, 30, 100, "| P80    4.96 mm  4.90..5.01   -0.13");
+	expect(t, 30, 100, "now vs pin");
+	expect(t, 30, 100, "+2.5");
+}
+
+/* What `spec` says at every speed, though a step does not move the draws. */
+static void
+a_verdict_is_that_of_the_envelope(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	size_t in_all = 0, all = 0;
+	press(t, ":spec use ASTM C33 fine aggregate\n\033");
+	t->tenths = tui_range(t).least;
+	for (; t->tenths <= tui_range(t).most; t->tenths++) {
+		control_predict(t);
+		pages_update(t);
+		const struct grading *g = limits_now(t);
+		assert_non_null(g);
+		bool in[32];
+		assert_in_range(g->limits.n, 1, 32);
+		double value = response_value(g->conditions.response, 3);
+		for (size_t i = 0; i < g->limits.n; i++)
+			in[i] = window_holds_of(&g->conditions, i);
+		response_at(g->conditions.response, t->tenths / 10.0);
+		for (size_t i = 0; i < g->limits.n; i++)
+			assert_int_equal(
+			    in[i], window_holds_of(&g->conditions, i));
+		assert_float_equal(
+		    value, response_value(g->conditions.response, 3), 0.002);
+		for (size_t i = 0; i < g->limits.n; i++, all++)
+			in_all += in[i];
+	}
+	assert_in_range(in_all, 1, all - 1);
+	t->tenths = 740;
+	expect(t, 30, 100, "| ASTM C33 fine aggregate");
+	expect(t, 30, 100, "OUT");
+	expect(t, 50, 160, "| FM");
+	press(t, ":spec off\n");
+	assert_null(limits_now(t));
+}
+
+static void
+tonnes_are_those_of_the_feed_that_flow_was_told(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	expect_none(t, 50, 160, "t/h");
+	press(t, ":flow tph=120\n\033");
+	expect(t, 50, 160, "| of 120 t/h, finer than mm");
+	expect(t, 50, 160, "| < 2    41.6 t/h 41.2..42.0");
+	press(t, ":flow tph=120 recycle=8/11.2\n\033");
+	expect(t, 50, 160, " go back");
+	expect_none(t, 50, 160, "finer than mm");
+	press(t, ":load data/sites/bro.csv\n\033:calibrate\n\033");
+	for (; session_busy(t->session); t->clock++)
+		control_pump(t);
+	press(t, "1");
+	expect_none(t, 50, 160, "t/h");
+}
+
+/* The first row of a frame that has the words. */
+static int
+row_of(struct canvas *canvas, const char *words)
+{
+	for (int row = 0; row < canvas->rows; row++) {
+		char line[101] = "";
+		for (int column = 0; column < 100; column++)
+			line[column] =
+			    (char)canvas_at(canvas, column, row)->code;
+		if (strstr(line, words) != NULL)
+			return row;
+	}
+	fail_msg("no row has '%s'", words);
+	return 0;
+}
+
+/* A press on the row of the panel that has the words. */
+static void
+touch(struct tui *t, const char *words)
+{
+	struct display *was = screen_aside(30, 100, CHARSET_ASCII, 0);
+	frame_draw(t);
+	struct canvas *canvas = screen_back(was);
+	int row = row_of(canvas, words);
+	canvas_free(canvas);
+	was = screen_aside(30, 100, CHARSET_ASCII, 0);
+	assert_true(touch_mouse(t, &t->touches, TOUCH_PRESS, row,
+	    t->places.side.column + 1, act_key));
+	touch_release(&t->touches);
+	canvas_free(screen_back(was));
+}
+
+static void
+rows_of_the_panel_can_be_touched(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	touch(t, "|   5.6");
+	assert_true(t->cross && t->focus != NULL);
+	assert_float_equal(t->shown.product.size[t->cross_at], 5.6e-3, 1e-9);
+	touch(t, "| P80");
+	assert_int_equal(t->level, 80);
+	assert_float_equal(t->shown.product.size[t->cross_at], 5.6e-3, 1e-9);
+	touch(t, "| 0/2");
+	assert_float_equal(t->shown.product.size[t->cross_at], 2e-3, 1e-9);
+	press(t, ":spec use ASTM C33 fine aggregate\n\033");
+	touch(t, "| ASTM C33");
+	assert_non_null(strstr(t->viewer.text, "ASTM C33 fine aggregate"));
+	press(t, "\033");
+	touch(t, "| trust");
+	assert_non_null(t->viewer.text);
+	assert_string_equal(t->command, "why speed=74.0");
+}
+
+static void
+a_light_tells_its_first_reason(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	press(t, ":params set beta1=1 f_mat=1 e0_min=10 alpha=0.5\n\033");
+	expect(t, 24, 80, "|trust red");
+	expect(t, 24, 80, "parameters set");
+}
+
+/* Drawn once, not at every step. */
+static void
+a_wide_screen_has_a_second_plot(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	free(page(t, 50, 199));
+	assert_int_equal(t->places.second.rows, 0);
+	expect(t, 50, 200, "against  tip speed, m/s");
+	assert_true(t->places.second.columns >= 58);
+	const struct second_plot *first = t->second_plot;
+	press(t, "L");
+	free(page(t, 50, 200));
+	assert_ptr_equal(t->second_plot, first);
+	press(t, "v");
+	assert_int_equal(t->second, SECOND_RESIDUALS);
+	expect(t, 50, 200, "predicted minus measured");
+	press(t, "v");
+	assert_int_equal(t->second, SECOND_RESPONSE);
+	press(t, "x");
+	press(t, ":load data/sites/bro.csv\n\033:calibrate\n\033");
+	for (; session_busy(t->session); t->clock++)
+		control_pump(t);
+	press(t, "1vv");
+	assert_int_equal(t->second, SECOND_OTHER);
+	expect(t, 50, 200, "Tierp, Granite, 11.2 mm: ");
+	assert_int_equal(t->session->current, 1);
+}
+
+#define ON_STAGE(test) \
+	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    ON_STAGE(the_panel_is_filled_by_height_and_width),
+	    ON_STAGE(changes_are_those_against_what_is_pinned),
+	    ON_STAGE(a_verdict_is_that_of_the_envelope),
+	    ON_STAGE(tonnes_are_those_of_the_feed_that_flow_was_told),
+	    ON_STAGE(rows_of_the_panel_can_be_touched),
+	    ON_STAGE(a_light_tells_its_first_reason),
+	    ON_STAGE(a_wide_screen_has_a_second_plot),
+	};
+	chdir_to_source();
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
