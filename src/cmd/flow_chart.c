@@ -73,10 +73,10 @@ flow_chart(const struct plant *p, double from, double to)
 		if (k == 0)
 			n = add_products(chart, p, &o, unit);
 		for (size_t i = 0; i < n; i++)
-			take_point(p, &o, unit[i], &chart->series[i], k);
+			take_point(p, &o, unit[i], chart->series[i], k);
 		flow_free(&o.flow);
 	}
-	if (n > 0 && chart->series[0].low != NULL)
+	if (n > 0 && chart->series[0]->low != NULL)
 		chart_note(chart, "band: %.0f %% uncertainty", 100 * p->level);
 	/* That of the middle speed: further out it is as good at most. */
 	char *light = light_at(

@@ -127,8 +127,8 @@ add_fields(struct answer *r, const struct chart *chart)
 {
 	answer_columns(r, "parameter, with, correlation");
 	for (size_t i = 0; i < chart->n; i++)
-		for (size_t j = 0; j < chart->series[i].n; j++) {
-			const struct chart_series *p = &chart->series[i];
+		for (size_t j = 0; j < chart->series[i]->n; j++) {
+			const struct chart_series *p = chart->series[i];
 			if (!isnan(p->field[j].value))
 				answer_cells(r, "%s %s %g",
 				    tick_at(&chart->y, p->y[j]),
@@ -170,7 +170,7 @@ chart_answer(const struct session *s, const struct chart *chart)
 {
 	struct answer *r = answer_new("plot");
 	bool several =
-	    chart->n > 0 && chart->series[chart->n - 1].whose != NULL;
+	    chart->n > 0 && chart->series[chart->n - 1]->whose != NULL;
 	answer_title(r, "%s", chart->title);
 	if (several)
 		answer_columns(r, "site, provenance");
@@ -178,7 +178,7 @@ chart_answer(const struct session *s, const struct chart *chart)
 		answer_site(r,
 		    s->n_entry > 0 ? s->entry[s->current].site->name : "",
 		    chart->about);
-	if (chart->n > 0 && chart->series[0].field != NULL) {
+	if (chart->n > 0 && chart->series[0]->field != NULL) {
 		add_fields(r, chart);
 		return r;
 	}
@@ -192,7 +192,7 @@ chart_answer(const struct session *s, const struct chart *chart)
 	answer_columns(r, "low, high");
 	for (const struct chart *c = chart; c != NULL; c = next_chart(c))
 		for (size_t i = 0; i < c->n; i++)
-			add_points(r, &c->series[i], several,
+			add_points(r, c->series[i], several,
 			    next_chart(chart) != NULL ? c->y.title : NULL);
 	free(x);
 	free(y);
@@ -526,8 +526,8 @@ say_points(struct tale *t, const struct chart_series *s)
 static void
 say_spread(struct tale *t)
 {
-	const struct chart_series *s = &t->chart->series[0];
-	const struct chart_series *best = &t->chart->series[1];
+	const struct chart_series *s = t->chart->series[0];
+	const struct chart_series *best = t->chart->series[1];
 	for (size_t j = 0; j < best->n; j++) {
 		const char *name = t->chart->y.tick[j].label;
 		if (isnan(best->x[j]))
@@ -547,7 +547,7 @@ say_fields(struct tale *t)
 	const double worth_saying = 0.5;
 	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
-		const struct chart_series *s = &c->series[i];
+		const struct chart_series *s = c->series[i];
 		char *list = xstrdup("");
 		for (size_t j = 0; j < s->n; j++)
 			if (fabs(s->field[j].value) >= worth_saying &&
@@ -569,7 +569,7 @@ say_fields(struct tale *t)
 static void
 say_difference(struct tale *t, const struct chart_series *other)
 {
-	const struct chart_series *top = &t->chart->series[t->chart->n - 1];
+	const struct chart_series *top = t->chart->series[t->chart->n - 1];
 	double most = 0, here = 0, there = 0, x = NAN;
 	for (size_t i = 0; i < other->n; i++) {
 		double y = chart_at(t->chart, top, other->x[i]);
@@ -592,16 +592,16 @@ say_series(struct tale *t)
 {
 	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
-		const struct chart_series *s = &c->series[i];
+		const struct chart_series *s = c->series[i];
 		if (s->line == CHART_MARKS && t->kind != PLOT_PSD)
 			say_points(t, s);
 		else if (s->series != SERIES_TEXT)
 			say_curve(t, s);
 	}
 	for (size_t i = 0; i + 1 < c->n && t->kind != PLOT_RESPONSE; i++)
-		if (c->series[c->n - 1].line != CHART_MARKS &&
-		    c->series[i].series != SERIES_TEXT)
-			say_difference(t, &c->series[i]);
+		if (c->series[c->n - 1]->line != CHART_MARKS &&
+		    c->series[i]->series != SERIES_TEXT)
+			say_difference(t, c->series[i]);
 }
 
 /* Of each difference where it is largest. */
@@ -610,7 +610,7 @@ say_strip(struct tale *t)
 {
 	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
-		const struct chart_series *s = &c->series[i];
+		const struct chart_series *s = c->series[i];
 		size_t most = 0;
 		for (size_t j = 0; j < s->n; j++)
 			if (!(fabs(s->y[j]) <= fabs(s->y[most])))
@@ -628,8 +628,8 @@ static void
 say_search(struct tale *t)
 {
 	for (size_t i = 0; i + 1 < t->chart->n; i++) {
-		const struct chart_series *s = &t->chart->series[i];
-		const struct chart_series *best = s + 1;
+		const struct chart_series *s = t->chart->series[i];
+		const struct chart_series *best = t->chart->series[i + 1];
 		size_t wide = 0, off = 0;
 		for (size_t j = 0; j < s->n && s->bars; j++) {
 			if (s->high[j] - s->low[j] >

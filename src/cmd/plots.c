@@ -279,9 +279,9 @@ note_crosshair(struct chart *chart, const struct plot_request *q,
 	char *sizes = xasprintf(tr("%g %% pass:"), level);
 	for (size_t i = 0; i < chart->n; i++) {
 		const char *comma = i + 1 < chart->n ? "," : "";
-		add_reading(&at, chart, &chart->series[i], chart_at, x, NULL);
+		add_reading(&at, chart, chart->series[i], chart_at, x, NULL);
 		add_reading(
-		    &sizes, chart, &chart->series[i], chart_at_y, level, range);
+		    &sizes, chart, chart->series[i], chart_at_y, level, range);
 		xappend(&at, "%s", comma);
 		xappend(&sizes, "%s", comma);
 	}
@@ -338,7 +338,7 @@ shade_prediction(
 		chart_note(chart, "%s", outlook_why_none(s, session_entry(s)));
 		return;
 	}
-	struct chart_series *series = &chart->series[chart->n - 1];
+	struct chart_series *series = chart->series[chart->n - 1];
 	chart_add_band(series);
 	for (size_t i = 0; i < series->n; i++) {
 		series->low[i] = units_pct(p->low[i]);
@@ -412,15 +412,15 @@ note_curves(struct chart *chart, struct session *s,
     const struct second *two, bool shade)
 {
 	const struct entry *entry = session_entry(s);
-	const struct chart_series *last = &chart->series[chart->n - 1];
+	struct chart_series **last = &chart->series[chart->n - 1];
 	if (one != NULL)
 		note_prediction(
-		    chart, s, q, entry, one, last->name, SERIES_BREAK);
+		    chart, s, q, entry, one, (*last)->name, SERIES_BREAK);
 	if (one != NULL && shade)
 		shade_prediction(chart, s, one);
 	if (two->p != NULL)
 		note_prediction(chart, s, q, two->whose, two->p,
-		    last[one != NULL ? -1 : 0].name, SERIES_OTHER);
+		    last[one != NULL ? -1 : 0]->name, SERIES_OTHER);
 }
 
 /* Named by its run where another one is nearer to the speed. */
@@ -589,9 +589,9 @@ around_zero(const struct chart *chart, const char *title)
 {
 	double low = 0, high = 0;
 	for (size_t i = 0; i < chart->n; i++)
-		for (size_t j = 0; j < chart->series[i].n; j++) {
-			low = fmin(low, chart->series[i].y[j]);
-			high = fmax(high, chart->series[i].y[j]);
+		for (size_t j = 0; j < chart->series[i]->n; j++) {
+			low = fmin(low, chart->series[i]->y[j]);
+			high = fmax(high, chart->series[i]->y[j]);
 		}
 	struct axis axis = axis_linear(title, low, high);
 	for (size_t i = 0; i < axis.n; i++)

@@ -36,8 +36,8 @@ points_axis(const struct chart *chart)
 	struct axis axis = {.title = xstrdup(tr("difference, points"))};
 	double most = 0;
 	for (size_t i = 0; i < chart->n; i++)
-		for (size_t j = 0; j < chart->series[i].n; j++)
-			most = fmax(most, fabs(chart->series[i].y[j]));
+		for (size_t j = 0; j < chart->series[i]->n; j++)
+			most = fmax(most, fabs(chart->series[i]->y[j]));
 	axis.high = limit_of(most);
 	axis.low = -axis.high;
 	add_tick(&axis, axis.low);
@@ -98,12 +98,12 @@ title_of(const struct chart_series *other, const struct chart_series *measured)
 void
 plots_difference(struct chart *chart, int rows, const bool *wanted)
 {
-	const struct chart_series *last = &chart->series[chart->n - 1];
+	const struct chart_series *last = chart->series[chart->n - 1];
 	const struct chart_series *other = NULL, *measured = NULL;
 	struct chart *strip =
 	    chart_new("", chart->about, axis_copy(&chart->x), (struct axis){0});
 	for (size_t i = 0; i + 1 < chart->n; i++) {
-		const struct chart_series *s = &chart->series[i];
+		const struct chart_series *s = chart->series[i];
 		if (s->series == SERIES_OTHER) {
 			other = s;
 			add_less(strip, chart, last, s, *last);

@@ -35,8 +35,8 @@ highest(const struct chart *chart)
 {
 	double most = 0;
 	for (size_t i = 0; i < chart->n; i++)
-		for (size_t j = 0; j < chart->series[i].n; j++)
-			most = fmax(most, chart->series[i].y[j]);
+		for (size_t j = 0; j < chart->series[i]->n; j++)
+			most = fmax(most, chart->series[i]->y[j]);
 	return most;
 }
 

@@ -235,8 +235,8 @@ around(const struct chart *chart, const char *title)
 {
 	double low = INFINITY, high = -INFINITY;
 	for (size_t i = 0; i < chart->n; i++)
-		for (size_t k = 0; k < chart->series[i].n; k++) {
-			const struct chart_series *s = &chart->series[i];
+		for (size_t k = 0; k < chart->series[i]->n; k++) {
+			const struct chart_series *s = chart->series[i];
 			if (isnan(s->y[k]))
 				continue;
 			low = fmin(low, s->low ? s->low[k] : s->y[k]);
@@ -364,7 +364,7 @@ make_charts(struct session *s, const struct drawn *d)
 		    "lines: the feed sampled at %g m/s; what was measured is "
 		    "of feeds of its own",
 		    sampled);
-	if (first->series[0].low != NULL)
+	if (first->series[0]->low != NULL)
 		chart_note(last, "shaded: %.0f %% uncertainty band",
 		    100 * settings_level(&s->set));
 	else

@@ -186,7 +186,8 @@ plots_search_convergence(
 	    (struct chart_series){
 		.series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'},
 	    past.n, N_("best"));
-	struct chart_series *median = &chart->series[0], *best = median + 1;
+	struct chart_series *median = chart->series[0];
+	struct chart_series *best = chart->series[1];
 	for (size_t i = 0; i < past.n; i++) {
 		const struct calibrate_generation *g = &past.generation[i];
 		median->x[i] = best->x[i] = (double)(i + 1);
@@ -302,7 +303,8 @@ plots_search_spread(
 	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'},
 	    of->n,
 	    q->generation == 0 && past.polished ? N_("polished") : N_("best"));
-	struct chart_series *spread = &chart->series[0], *best = spread + 1;
+	struct chart_series *spread = chart->series[0];
+	struct chart_series *best = chart->series[1];
 	for (size_t j = 0; j < of->n; j++) {
 		struct plots_strip strip =
 		    plots_search_strip(s, &past, q->generation, j);

@@ -25,7 +25,6 @@ free_series(struct chart_series *s)
 {
 	if (s->finer != NULL)
 		free_series(s->finer);
-	free(s->finer);
 	free(s->name);
 	free(s->x);
 	free(s->y);
@@ -39,6 +38,7 @@ free_series(struct chart_series *s)
 	for (size_t j = 0; j < s->n && s->field != NULL; j++)
 		free(s->field[j].label);
 	free(s->field);
+	free(s);
 }
 
 void
@@ -48,7 +48,7 @@ chart_free(struct chart *chart)
 		return;
 	chart_free(chart->below);
 	for (size_t i = 0; i < chart->n; i++)
-		free_series(&chart->series[i]);
+		free_series(chart->series[i]);
 	for (size_t i = 0; i < chart->n_rule; i++)
 		free(chart->rule[i].name);
 	for (size_t i = 0; i < chart->n_note; i++)
@@ -69,7 +69,8 @@ chart_add(struct chart *chart, struct chart_series look, size_t n,
 {
 	chart->series =
 	    xrealloc(chart->series, chart->n + 1, sizeof *chart->series);
-	struct chart_series *s = &chart->series[chart->n++];
+	struct chart_series *s = xcalloc(1, sizeof *s);
+	chart->series[chart->n++] = s;
 	*s = look;
 	va_list ap;
 	va_start(ap, name);

@@ -77,7 +77,7 @@ struct chart {
 	enum theme theme;
 	int strip;
 	size_t n, n_rule, n_note;
-	struct chart_series *series;
+	struct chart_series **series;
 	struct chart_rule *rule;
 	char **note;
 	struct chart *below;
@@ -90,7 +90,7 @@ void chart_free(struct chart *chart);
 
 /* A series of n points at zero, to be filled in. `look` is what tells it from
  * others without colour: its line, its ascii, its mark; its data are ignored.
- * Borrowed until the next. */
+ * Borrowed: it stays where it is as others are added. */
 struct chart_series *chart_add(struct chart *chart, struct chart_series look,
     size_t n, const char *name, ...) __attribute__((format(printf, 4, 5)));
 

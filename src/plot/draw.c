@@ -152,12 +152,12 @@ flow_legend(struct layout *l, int row)
 		const struct chart_rule *rule =
 		    i < c->n ? NULL : &c->rule[i - c->n];
 		enum series series =
-		    rule != NULL ? rule->series : c->series[i].series;
+		    rule != NULL ? rule->series : c->series[i]->series;
 		char *text = rule != NULL
 				 ? xasprintf("  %s", rule->name)
-				 : legend_text(&c->series[i], l->charset);
+				 : legend_text(c->series[i], l->charset);
 		int wide = text_width(text);
-		if (rule == NULL && c->series[i].name[0] == '\0') {
+		if (rule == NULL && c->series[i]->name[0] == '\0') {
 			free(text);
 			continue;
 		}
@@ -638,13 +638,13 @@ draw_fine_marks(struct brush *p)
 	const struct chart *c = p->at.chart;
 	size_t most = 0;
 	for (size_t i = 0; i < c->n; i++)
-		most = c->series[i].fine && c->series[i].n > most
-			   ? c->series[i].n
+		most = c->series[i]->fine && c->series[i]->n > most
+			   ? c->series[i]->n
 			   : most;
 	for (size_t point = 0; point < most; point++)
 		for (size_t turn = 0; turn < c->n; turn++) {
 			const struct chart_series *s =
-			    &c->series[(point + turn) % c->n];
+			    c->series[(point + turn) % c->n];
 			if (s->fine && point < s->n)
 				draw_mark(p, s, point);
 		}
@@ -776,19 +776,19 @@ draw_data(struct brush *p)
 {
 	const struct chart *c = p->at.chart;
 	for (size_t i = 0; i < c->n; i++)
-		if (!c->series[i].bars)
-			draw_band(p, &c->series[i]);
+		if (!c->series[i]->bars)
+			draw_band(p, c->series[i]);
 	draw_guides(p);
 	draw_rules(p);
 	for (size_t i = 0; i < c->n; i++)
-		if (c->series[i].bars)
-			draw_bars(p, &c->series[i]);
+		if (c->series[i]->bars)
+			draw_bars(p, c->series[i]);
 		else
-			draw_line(p, &c->series[i]);
+			draw_line(p, c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
-		clear_around(p, &c->series[i]);
+		clear_around(p, c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
-		draw_marks(p, &c->series[i]);
+		draw_marks(p, c->series[i]);
 	draw_fine_marks(p);
 }
 
@@ -812,7 +812,7 @@ find_mark(const struct layout *l, int column, int row, struct chart_found *f)
 {
 	int best = 4; /* more than of any neighbour */
 	for (size_t s = 0; s < l->chart->n; s++) {
-		const struct chart_series *of = &l->chart->series[s];
+		const struct chart_series *of = l->chart->series[s];
 		bool marks = of->mark != 0 || of->line == CHART_MARKS;
 		for (size_t i = 0; marks && i < of->n; i++) {
 			if (!isfinite(of->x[i]) || !isfinite(of->y[i]))
@@ -833,7 +833,7 @@ static void
 find_line(const struct layout *l, int row, struct chart_found *f)
 {
 	for (size_t s = l->chart->n; s-- > 0 && f->series == NULL;) {
-		const struct chart_series *of = &l->chart->series[s];
+		const struct chart_series *of = l->chart->series[s];
 		double y = chart_at(l->chart, of, f->x);
 		if (of->line == CHART_MARKS || isnan(y) ||
 		    abs(layout_row(l, y, 1) - row) > 1)

@@ -319,20 +319,20 @@ draw_data(struct page *p)
 	const struct chart *c = p->chart;
 	double foot = p->top + p->height;
 	for (size_t i = 0; i < c->n; i++)
-		if (!c->series[i].bars)
-			draw_band(p, &c->series[i]);
+		if (!c->series[i]->bars)
+			draw_band(p, c->series[i]);
 	for (size_t i = 0; i < c->n_rule; i++) {
 		double x = page_x(p, c->rule[i].x);
 		draw_rule(p, x, p->top, x, foot, rule_stroke(&c->rule[i]));
 	}
 	for (size_t i = 0; i < c->n; i++)
-		if (c->series[i].bars)
-			draw_spans(p, &c->series[i]);
+		if (c->series[i]->bars)
+			draw_spans(p, c->series[i]);
 		else
-			draw_line(p, &c->series[i]);
+			draw_line(p, c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
-		for (size_t j = 0; j < c->series[i].n; j++) {
-			const struct chart_series *s = &c->series[i];
+		for (size_t j = 0; j < c->series[i]->n; j++) {
+			const struct chart_series *s = c->series[i];
 			if (s->field != NULL)
 				draw_field(p, s, j);
 			else if (s->mark != 0 && isfinite(s->y[j]))
@@ -348,7 +348,7 @@ draw_legend(struct page *p)
 	double y = p->top + ROW / 2.0;
 	struct pen_style style = {.size = 8};
 	for (size_t i = 0; i < c->n + c->n_rule; i++, y += ROW) {
-		const struct chart_series *s = i < c->n ? &c->series[i] : NULL;
+		const struct chart_series *s = i < c->n ? c->series[i] : NULL;
 		const struct chart_rule *r = s ? NULL : &c->rule[i - c->n];
 		struct pen_stroke stroke =
 		    s != NULL

@@ -46,12 +46,12 @@ static void
 choose_points(struct parity *y)
 {
 	const struct validation *v = &y->point[y->at].v;
-	struct chart_series *of = &y->chart->series[y->chart->n - PSD_SIZES];
+	struct chart_series **of = y->chart->series + y->chart->n - PSD_SIZES;
 	for (size_t i = 0; i < PSD_SIZES && y->n > 1; i++) {
-		of[i].x[0] = 1000 * v->measured[i];
-		of[i].y[0] = isnan(v->measured[i])
-				 ? NAN
-				 : 1000 * v->size[VALIDATE_MODEL][i];
+		of[i]->x[0] = 1000 * v->measured[i];
+		of[i]->y[0] = isnan(v->measured[i])
+				  ? NAN
+				  : 1000 * v->size[VALIDATE_MODEL][i];
 	}
 }
 
@@ -61,7 +61,7 @@ static void
 add_chosen(struct chart *chart)
 {
 	for (size_t i = 0; i < PSD_SIZES; i++) {
-		struct chart_series look = chart->series[chart->n - PSD_SIZES];
+		struct chart_series look = *chart->series[chart->n - PSD_SIZES];
 		look.lifted = true;
 		chart_add(chart, look, 1, "%s", "");
 	}

@@ -50,7 +50,7 @@ any_size_is_exact_and_safe(void **state)
 	static const int sizes[][2] = {{20, 5}, {300, 100}, {1, 1}, {2, 3},
 	    {40, 12}, {80, 24}, {7, 40}, {300, 3}, {11, 6}};
 	struct chart *chart = with(SOLID);
-	chart_add_band(&chart->series[0]);
+	chart_add_band(chart->series[0]);
 	chart_add_rule(chart, SERIES_BREAK, 5, "break");
 	chart_note(chart, "a note of some words that are wrapped");
 	for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
@@ -391,9 +391,9 @@ points_outside_stay_off_the_axes(void **state)
 {
 	(void)state;
 	struct chart *chart = with(SOLID);
-	chart->series[0].y[0] = 1e9;
-	chart->series[0].y[N - 1] = -1e9;
-	chart->series[0].y[5] = NAN;
+	chart->series[0]->y[0] = 1e9;
+	chart->series[0]->y[N - 1] = -1e9;
+	chart->series[0]->y[5] = NAN;
 	struct canvas *c =
 	    chart_draw(chart, 78, 24, CHARSET_ASCII, CHART_TITLE);
 	int row = axis_row(c);
@@ -500,7 +500,7 @@ a_held_out_mark_is_hollow(void **state)
 	s->y[0] = 50;
 	int dots[2] = {0};
 	for (int k = 0; k < 2; k++) {
-		chart->series[1].mark = "Ox"[k];
+		chart->series[1]->mark = "Ox"[k];
 		struct canvas *c =
 		    chart_draw(chart, 60, 20, CHARSET_BRAILLE, 0);
 		for (int i = 0; i < c->columns * c->rows; i++)
@@ -520,7 +520,7 @@ banded(enum charset charset, double points, uint32_t code)
 	struct chart_series look = SOLID;
 	look.series = SERIES_PREDICTED;
 	struct chart *chart = with(look);
-	struct chart_series *s = &chart->series[0];
+	struct chart_series *s = chart->series[0];
 	chart_add_band(s);
 	for (size_t i = 0; i < N; i++) {
 		s->low[i] = fmax(0, s->y[i] - points);
@@ -578,7 +578,7 @@ values_are_read_off_straight_on_the_log(void **state)
 {
 	(void)state;
 	struct chart *chart = with(SOLID);
-	const struct chart_series *s = &chart->series[0];
+	const struct chart_series *s = chart->series[0];
 	assert_true(fabs(chart_at(chart, s, sqrt(2 * 4)) - 50) < 1e-9);
 	assert_true(fabs(chart_at_y(chart, s, 50) - sqrt(2 * 4)) < 1e-9);
 	assert_true(fabs(chart_at(chart, s, 22.4) - 100) < 1e-9);

@@ -255,12 +255,12 @@ parity_has_the_statistics_of_validate(void **state)
 					     PATHS[way][i])) < 1e-12);
 	press(t, "Down Down");
 	const struct chart *chart = t->parity.chart;
-	const struct chart_series *own = &chart->series[chart->n - 3];
+	struct chart_series **own = &chart->series[chart->n - 3];
 	assert_int_equal(t->parity.at, 2);
 	for (size_t i = 0; i < 3; i++) {
-		const struct chart_series *of = &chart->series[1 + i];
-		assert_true(own[i].y[0] == of->y[2] && own[i].lifted);
-		assert_int_equal(own[i].mark, of->mark);
+		const struct chart_series *of = chart->series[1 + i];
+		assert_true(own[i]->y[0] == of->y[2] && own[i]->lifted);
+		assert_int_equal(own[i]->mark, of->mark);
 	}
 	/* A step of the slider compares nothing. */
 	const struct parity_point *was = t->parity.point;

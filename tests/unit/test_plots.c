@@ -83,7 +83,7 @@ no_two_series_look_alike(void **state)
 		for (size_t i = 0; i < c->n; i++)
 			for (size_t j = 0; j < i; j++)
 				assert_false(
-				    look_alike(&c->series[i], &c->series[j]));
+				    look_alike(c->series[i], c->series[j]));
 		chart_free(c);
 	}
 }
@@ -109,7 +109,7 @@ colours_of_runs_are_of_runs_alone(void **state)
 		struct plot_request q = plots_request(NO_RUN[k]);
 		struct chart *c = chart_of(desk, &q);
 		for (size_t i = 0; i < c->n; i++)
-			assert_false(is_of_a_run(c->series[i].series));
+			assert_false(is_of_a_run(c->series[i]->series));
 		chart_free(c);
 	}
 	for (size_t k = 0; k < ARRAY_LEN(RUNS); k++) {
@@ -123,7 +123,7 @@ colours_of_runs_are_of_runs_alone(void **state)
 			} OF[] = {{"69 m/s", SERIES_MEASURED_1},
 			    {"74 m/s", SERIES_MEASURED_2},
 			    {"79 m/s", SERIES_MEASURED_3}};
-			const struct chart_series *s = &c->series[i];
+			const struct chart_series *s = c->series[i];
 			for (size_t r = 0; r < ARRAY_LEN(OF); r++)
 				if (is_of_a_run(s->series) &&
 				    strstr(s->name, OF[r].speed) != NULL) {
@@ -164,7 +164,7 @@ a_running_search_shows_its_best_so_far(void **state)
 		session_step(s);
 	struct plot_request q = plots_request(PLOT_CONVERGENCE);
 	struct chart *c = chart_of(desk, &q);
-	assert_int_equal(c->series[0].n, 5);
+	assert_int_equal(c->series[0]->n, 5);
 	chart_free(c);
 	struct params p, best = calibration_status(s->job.calibration).params;
 	q = plots_request(PLOT_PSD);
@@ -190,7 +190,7 @@ a_generation_shows_its_own_best(void **state)
 	assert_memory_equal(&p, &h->generation[6].params, sizeof p);
 	q.kind = PLOT_CONVERGENCE;
 	struct chart *c = chart_of(desk, &q);
-	assert_int_equal(c->series[0].n, h->n);
+	assert_int_equal(c->series[0]->n, h->n);
 	assert_true(c->n_rule == 1 && c->rule[0].x == 7);
 	chart_free(c);
 	q.generation = h->n + 1;
@@ -223,15 +223,16 @@ a_search_is_shown_on_a_scale_that_stays(void **state)
 		assert_true(c->y.low == end->y.low && c->y.high == end->y.high);
 		assert_true(d->y.low == all->y.low && d->y.high == all->y.high);
 		for (size_t i = 1; i < c->n; i += 2)
-			for (size_t j = 0; j < c->series[i].n; j++)
-				assert_true(
-				    c->series[i].low[j] <= c->series[i].y[j] &&
-				    c->series[i].y[j] <= c->series[i].high[j]);
+			for (size_t j = 0; j < c->series[i]->n; j++)
+				assert_true(c->series[i]->low[j] <=
+						c->series[i]->y[j] &&
+					    c->series[i]->y[j] <=
+						c->series[i]->high[j]);
 		chart_free(c);
 		chart_free(d);
 	}
 	/* What is told in points is what the fit says of itself. */
-	const struct chart_series *last = &all->series[all->n - 1];
+	const struct chart_series *last = all->series[all->n - 1];
 	assert_true(fabs(last->y[last->n - 1] - 100 * entry->fit.rmse) < 1e-6);
 	chart_free(end);
 	chart_free(all);
@@ -245,11 +246,11 @@ a_band_holds_the_prediction_of_a_fit(void **state)
 	q.band = true;
 	desk_expect(desk, PARAMS_SET);
 	struct chart *c = chart_of(desk, &q);
-	assert_null(c->series[c->n - 1].low);
+	assert_null(c->series[c->n - 1]->low);
 	chart_free(c);
 	desk_expect(desk, SEARCH);
 	c = chart_of(desk, &q);
-	const struct chart_series *s = &c->series[c->n - 1];
+	const struct chart_series *s = c->series[c->n - 1];
 	assert_non_null(s->low);
 	for (size_t i = 0; i < s->n; i++)
 		assert_true(s->low[i] <= s->y[i] && s->y[i] <= s->high[i]);
@@ -274,11 +275,11 @@ a_second_site_has_a_curve_of_its_own(void **state)
 	for (int way = 0; way < 2; way++) {
 		struct chart *c = chart_of(desk, &q);
 		size_t last = c->n - 1; /* bro has no parameters yet */
-		assert_string_equal(c->series[last].name,
+		assert_string_equal(c->series[last]->name,
 		    way == 0 ? "predicted tierp 70 m/s" : "pin tierp 70 m/s");
-		assert_int_equal(c->series[last].n, kept.product.n);
+		assert_int_equal(c->series[last]->n, kept.product.n);
 		for (size_t i = 0; i < kept.product.n; i++)
-			assert_true(fabs(c->series[last].y[i] -
+			assert_true(fabs(c->series[last]->y[i] -
 					 100 * kept.product.passing[i]) < 1e-9);
 		assert_int_equal(c->n_rule, 1);
 		assert_memory_equal(c->rule[0].name, "tierp: break size ", 18);
@@ -312,7 +313,7 @@ a_second_prediction_has_its_own_feed(void **state)
 		    outlook_form(s, entry, &entry->params, 74, feed);
 		q.other_feed = FEEDS[i];
 		struct chart *c = chart_of(desk, &q);
-		const struct chart_series *second = &c->series[c->n - 2];
+		const struct chart_series *second = c->series[c->n - 2];
 		assert_int_equal(second->series, SERIES_OTHER);
 		for (size_t j = 0; j < want.product.n; j++)
 			assert_true(fabs(second->y[j] -
@@ -348,9 +349,9 @@ differences_have_a_strip(void **state)
 	assert_true(strip->y.high == -strip->y.low);
 	double most = 0;
 	for (size_t i = 0; i < 2; i++) {
-		const struct chart_series *d = &strip->series[i];
-		const struct chart_series *one = &c->series[c->n - 1];
-		const struct chart_series *two = &c->series[c->n - 2];
+		const struct chart_series *d = strip->series[i];
+		const struct chart_series *one = c->series[c->n - 1];
+		const struct chart_series *two = c->series[c->n - 2];
 		for (size_t j = 0; j < d->n; j++)
 			most = fmax(most, fabs(d->y[j]));
 		for (size_t j = 0; j < d->n && d->line != CHART_MARKS; j++)
@@ -396,7 +397,7 @@ all_runs_are_drawn(void **state)
 	struct chart *c = chart_of(desk, &q);
 	size_t marks = 0;
 	for (size_t i = 0; i < c->n; i++)
-		marks += c->series[i].line == CHART_MARKS;
+		marks += c->series[i]->line == CHART_MARKS;
 	assert_int_equal(marks, PLOTS_MEASURED);
 	bool said = false;
 	for (size_t i = 0; i < c->n_note; i++)
