@@ -6,6 +6,9 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "core/elementary.h"
+#include "core/isa.h"
+
 /* D13 (Kennedy and O'Hagan 2001):
  *   measured = model + discrepancy + error of the sample
  * The discrepancy at a size s and a time t, which is 0 in the middle of the
@@ -76,12 +79,33 @@ discrepancy_answer(double P, double delta, double least)
 double discrepancy_prior(const double log_hyper[static HYPERS], double noise);
 
 /* rho(z, l) of above. */
-double discrepancy_rho(double apart, double length);
+static inline double
+discrepancy_rho(double apart, double length)
+{
+	double z = apart / length;
+	return z * z > 80 ? 0 : el_exp(-z * z / 2);
+}
 
 /* Covariance of an f, and of the shared error of a sample, between sizes whose
- * logarithms lie so far apart. */
-double discrepancy_covariance(double apart, const double hyper[static HYPERS]);
-double discrepancy_shared(double apart, const double hyper[static HYPERS]);
+ * logarithms lie so far apart.  The narrow part's length, and what no passing
+ * is trusted to more than: its rounding. */
+#define DISCREPANCY_NARROW 0.25
+#define DISCREPANCY_ROUNDING 0.0005
+
+static inline double
+discrepancy_covariance(double apart, const double hyper[static HYPERS])
+{
+	double wide = hyper[HYPER_DELTA], narrow = hyper[HYPER_NARROW];
+	return wide * wide * discrepancy_rho(apart, hyper[HYPER_LENGTH]) +
+	       narrow * narrow * discrepancy_rho(apart, DISCREPANCY_NARROW);
+}
+
+static inline double
+discrepancy_shared(double apart, const double hyper[static HYPERS])
+{
+	double shared = hyper[HYPER_SHARED];
+	return shared * shared * discrepancy_rho(apart, hyper[HYPER_LENGTH]);
+}
 
 /* A passing that was measured: ln of its size, in m, and t and h there. */
 struct cell {
@@ -89,22 +113,23 @@ struct cell {
 	double log_size, t, h;
 };
 
-/* Replaces the lower half of L [n * n], by rows, by its Cholesky factor, and
- * solves L z = d and L' x = z in place.  Plain loops, and not GSL's, whose last
- * bits depend on its version: a walk turns one bit into another walk. */
-void discrepancy_cholesky(double *L, size_t n);
-void discrepancy_forward(const double *L, size_t n, double *d);
-void discrepancy_backward(const double *L, size_t n, double *z);
+/* Replaces the upper half of U [n * n], by rows, of a symmetric matrix by its
+ * Cholesky factor L', and solves L z = d and L' x = z in place.  Plain loops,
+ * and not GSL's, whose last bits depend on its version: a walk turns one bit
+ * into another walk. */
+void discrepancy_cholesky(enum isa isa, double *U, size_t n);
+void discrepancy_forward(enum isa isa, const double *U, size_t n, double *d);
+void discrepancy_backward(const double *U, size_t n, double *z);
 
-/* The lower half of the covariance of what n measured passings and the model
- * differ by, L [n * n], and its factor. */
-void discrepancy_fill(const struct cell *cell, size_t n,
-    const double log_hyper[static HYPERS], double *L);
-void discrepancy_factor(const struct cell *cell, size_t n,
-    const double log_hyper[static HYPERS], double *L);
+/* The upper half of the covariance of what n measured passings and the model
+ * differ by, U [n * n], and its factor. */
+void discrepancy_fill(enum isa isa, const struct cell *cell, size_t n,
+    const double log_hyper[static HYPERS], double *U);
+void discrepancy_factor(enum isa isa, const struct cell *cell, size_t n,
+    const double log_hyper[static HYPERS], double *U);
 
 /* -ln of the probability of the differences d [n], but for a constant; they are
  * replaced by L^-1 d. */
-double discrepancy_level(const double *L, size_t n, double *d);
+double discrepancy_level(enum isa isa, const double *U, size_t n, double *d);
 
 #endif

@@ -134,25 +134,25 @@ weigh(const struct drift_cut *c, struct weighed w[static DRIFT_COMPONENTS])
 	put_draws(c, tilt);
 }
 
-/* The lower half of the covariance of a component's values [n * n], and its
+/* The upper half of the covariance of a component's values [n * n], and its
  * factor; w [n * DRIFT_COMPONENTS]. */
 static double *
 factor(const struct drift_cut *cut, const struct weighed *w, size_t n,
     size_t component)
 {
-	double *L = xdoubles(n * n);
+	double *U = xdoubles(n * n);
 	for (size_t i = 0; i < n; i++) {
 		const struct weighed *a = &w[i * DRIFT_COMPONENTS + component];
 		for (size_t j = 0; j < i; j++)
-			L[i * n + j] = shared_covariance(a,
+			U[j * n + i] = shared_covariance(a,
 			    &w[j * DRIFT_COMPONENTS + component],
 			    cut[i].n_draw);
 		double own = covariance(&cut[i], a, a);
 		/* What has no weight is 0, of any variance. */
-		L[i * n + i] = own > 0 ? own : 1;
+		U[i * n + i] = own > 0 ? own : 1;
 	}
-	discrepancy_cholesky(L, n);
-	return L;
+	discrepancy_cholesky(ISA_BEST, U, n);
+	return U;
 }
 
 /* Moves the charts of a component on by its score, the n-th.  Returns -1, 0 or
@@ -200,17 +200,26 @@ began(const struct drift_point *point, size_t i)
 	return since;
 }
 
+/* The variance of value i, given the first `known`; U: factor(). */
+static double
+variance_of(const double *U, size_t n, size_t i, size_t known)
+{
+	double sum = 0;
+	for (size_t j = known; j <= i; j++)
+		sum += U[j * n + i] * U[j * n + i];
+	return sum;
+}
+
 /* The score of value i, given the first `known`, whose scores are there. */
 static double
-score_of(const double *L, size_t n, size_t i, size_t known, size_t k,
+score_of(const double *U, size_t n, size_t i, size_t known, size_t k,
     const struct drift_point *point)
 {
-	double expected = 0, variance = 0;
+	double expected = 0;
 	for (size_t j = 0; j < known; j++)
-		expected += L[i * n + j] * point[j].chart[k].score;
-	for (size_t j = known; j <= i; j++)
-		variance += L[i * n + j] * L[i * n + j];
-	return (point[i].chart[k].value - expected) / sqrt(variance);
+		expected += U[j * n + i] * point[j].chart[k].score;
+	return (point[i].chart[k].value - expected) /
+	       sqrt(variance_of(U, n, i, known));
 }
 
 size_t
@@ -218,12 +227,12 @@ drift_follow(const struct drift_cut *cut, size_t n,
     const struct drift_rule *rule, struct drift_point *point, size_t *since)
 {
 	struct weighed *w = xcalloc(n * DRIFT_COMPONENTS + 1, sizeof *w);
-	double *L[DRIFT_COMPONENTS];
+	double *U[DRIFT_COMPONENTS];
 	size_t first = n;
 	for (size_t i = 0; i < n; i++)
 		weigh(&cut[i], &w[i * DRIFT_COMPONENTS]);
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
-		L[k] = factor(cut, w, n, k);
+		U[k] = factor(cut, w, n, k);
 	*since = n;
 	for (size_t i = 0; i < n; i++) {
 		int side[DRIFT_COMPONENTS];
@@ -233,9 +242,9 @@ drift_follow(const struct drift_cut *cut, size_t n,
 				   : (struct drift_chart){0};
 			c->value = dot(w[i * DRIFT_COMPONENTS + k].weight,
 			    cut[i].residual, cut[i].n);
-			c->sd = sqrt(dot(L[k] + i * n, L[k] + i * n, i + 1));
+			c->sd = sqrt(variance_of(U[k], n, i, 0));
 			c->score = score_of(
-			    L[k], n, i, i < *since ? i : *since, k, point);
+			    U[k], n, i, i < *since ? i : *since, k, point);
 			side[k] = move(c, rule, i + 1);
 		}
 		point[i].state = state_of(side);
@@ -245,7 +254,7 @@ drift_follow(const struct drift_cut *cut, size_t n,
 		}
 	}
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
-		free(L[k]);
+		free(U[k]);
 	for (size_t i = 0; i < n * DRIFT_COMPONENTS; i++) {
 		free(w[i].weight);
 		free(w[i].draw);

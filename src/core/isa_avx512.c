@@ -8,7 +8,9 @@
 #endif
 #define ISA avx512
 #define BREED_NAME breed_block_avx512
+#define TRIANGLE_NAME TRIANGLE_AVX512
 #include "core/kernel_body.h"
 /* Its own order: the models need the kernel. */
 #include "core/breakage_all.h"
 #include "core/breed_body.h"
+#include "core/triangle_body.h"

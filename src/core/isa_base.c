@@ -3,7 +3,9 @@
 #define LANES 2
 #define ISA base
 #define BREED_NAME breed_block_base
+#define TRIANGLE_NAME TRIANGLE_BASE
 #include "core/kernel_body.h"
 /* Its own order: the models need the kernel. */
 #include "core/breakage_all.h"
 #include "core/breed_body.h"
+#include "core/triangle_body.h"

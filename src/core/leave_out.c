@@ -46,12 +46,12 @@ static const double END = 0.0005;
  *   value   [n] differences from the fit, or ln(P / (1 - P)) less their mean
  *   slope   [n] change of value with the passing
  *   fixed   [n n] the part of the covariance that they do not change
- *   L       [n n] factor */
+ *   U       [n n] factor */
 struct block {
 	bool smooth;
 	size_t n, first; /* index of its first cell */
 	struct cell *cell;
-	double *value, *slope, *fixed, *L, *work;
+	double *value, *slope, *fixed, *U, *work;
 	double hyper[HYPERS]; /* logarithms */
 	double level;         /* with the prior, at hyper */
 };
@@ -96,7 +96,7 @@ smooth_fill(const struct block *b, double *K)
 				     discrepancy_rho(apart, 1);
 			double own = h[SMOOTH_OWN] * x->h * b->slope[i];
 			double least = ROUNDING * b->slope[i];
-			K[i * b->n + j] =
+			K[j * b->n + i] =
 			    k + (i == j ? own * own + least * least : 0);
 		}
 }
@@ -118,25 +118,25 @@ prior_of(const struct block *b, double noise)
 	return sum;
 }
 
-/* Fills L with the covariance, of which only the lower half counts. */
+/* Fills U with the covariance, of which only the upper half counts. */
 static void
 fill(struct block *b)
 {
 	if (b->smooth)
-		smooth_fill(b, b->L);
+		smooth_fill(b, b->U);
 	else
-		discrepancy_fill(b->cell, b->n, b->hyper, b->L);
+		discrepancy_fill(ISA_BEST, b->cell, b->n, b->hyper, b->U);
 	for (size_t i = 0; i < b->n * b->n; i++)
-		b->L[i] += b->fixed[i];
+		b->U[i] += b->fixed[i];
 }
 
 static double
 level_of(struct block *b, double noise)
 {
 	fill(b);
-	discrepancy_cholesky(b->L, b->n);
+	discrepancy_cholesky(ISA_BEST, b->U, b->n);
 	memcpy(b->work, b->value, b->n * sizeof *b->work);
-	double level = discrepancy_level(b->L, b->n, b->work);
+	double level = discrepancy_level(ISA_BEST, b->U, b->n, b->work);
 	return isfinite(level) ? level + prior_of(b, noise) : INFINITY;
 }
 
@@ -182,54 +182,54 @@ free_cell(struct leave_out *l, size_t cell, double sign)
 
 /* ---- The joint vector ---- */
 
-/* L of both blocks with what they share, [n n], which the caller frees. */
+/* The factor of both blocks with what they share, [n n], which the caller frees. */
 static double *
 joint_factor(struct leave_out *l)
 {
-	double *L = xdoubles(l->n * l->n);
+	double *U = xdoubles(l->n * l->n);
 	const struct block *p = &l->block[PRODUCTS], *f = &l->block[FEEDS];
 	for (size_t k = 0; k < BLOCKS; k++) {
 		struct block *b = &l->block[k];
 		fill(b);
 		for (size_t i = 0; i < b->n; i++)
-			for (size_t j = 0; j <= i; j++)
-				L[(b->first + i) * l->n + b->first + j] =
-				    b->L[i * b->n + j];
+			for (size_t j = i; j < b->n; j++)
+				U[(b->first + i) * l->n + b->first + j] =
+				    b->U[i * b->n + j];
 	}
 	for (size_t i = 0; i < f->n; i++)
 		for (size_t j = 0; j < p->n; j++)
-			L[(f->first + i) * l->n + j] = l->cross[i * p->n + j];
+			U[j * l->n + f->first + i] = l->cross[i * p->n + j];
 	for (size_t c = 0; c < l->n; c++)
 		for (size_t i = 0; i < f->n && l->dropped[c]; i++)
 			for (size_t j = 0; j < p->n; j++)
-				L[(f->first + i) * l->n + j] +=
+				U[j * l->n + f->first + i] +=
 				    FREE * FREE *
 				    l->shift[c * l->n + f->first + i] *
 				    l->shift[c * l->n + j];
-	discrepancy_cholesky(L, l->n);
-	return L;
+	discrepancy_cholesky(ISA_BEST, U, l->n);
+	return U;
 }
 
 /* L^-1 y of the whole vector, which the caller frees. */
 static double *
-joint_values(const struct leave_out *l, const double *L)
+joint_values(const struct leave_out *l, const double *U)
 {
 	double *y = xdoubles(l->n);
 	for (size_t k = 0; k < BLOCKS; k++)
 		memcpy(y + l->block[k].first, l->block[k].value,
 		    l->block[k].n * sizeof *y);
-	discrepancy_forward(L, l->n, y);
+	discrepancy_forward(ISA_BEST, U, l->n, y);
 	return y;
 }
 
 /* Puts z, and the shift's size as passing, of one cell. */
 static double
-shift_of(const struct leave_out *l, const double *L, const double *y,
+shift_of(const struct leave_out *l, const double *U, const double *y,
     size_t cell, double *shift, double *sd)
 {
 	double *u = xdoubles(l->n), dot = 0, squares = 0;
 	memcpy(u, l->shift + cell * l->n, l->n * sizeof *u);
-	discrepancy_forward(L, l->n, u);
+	discrepancy_forward(ISA_BEST, U, l->n, u);
 	for (size_t i = 0; i < l->n; i++) {
 		dot += u[i] * y[i];
 		squares += u[i] * u[i];
@@ -270,11 +270,11 @@ expect(const struct leave_out *l, struct leave_out_shift *s, double shift)
 static size_t
 candidates(struct leave_out *l, size_t *cell)
 {
-	double *L = joint_factor(l), *y = joint_values(l, L);
+	double *U = joint_factor(l), *y = joint_values(l, U);
 	double best[CLOSE] = {0}, shift, sd;
 	size_t n = 0;
 	for (size_t c = 0; c < l->n; c++) {
-		double z = fabs(shift_of(l, L, y, c, &shift, &sd));
+		double z = fabs(shift_of(l, U, y, c, &shift, &sd));
 		size_t at = n < CLOSE ? n : CLOSE;
 		if (l->dropped[c] || !isfinite(z))
 			continue;
@@ -290,7 +290,7 @@ candidates(struct leave_out *l, size_t *cell)
 			n += n < CLOSE;
 		}
 	}
-	free(L);
+	free(U);
 	free(y);
 	return n;
 }
@@ -314,10 +314,10 @@ look_closely(struct leave_out *l, size_t cell, double level)
 	free_cell(l, cell, 1);
 	s.gain = level - searched_level(l);
 	free_cell(l, cell, -1);
-	double *L = joint_factor(l), *y = joint_values(l, L);
-	s.z = shift_of(l, L, y, cell, &shift, &s.sd);
+	double *U = joint_factor(l), *y = joint_values(l, U);
+	s.z = shift_of(l, U, y, cell, &shift, &s.sd);
 	expect(l, &s, shift);
-	free(L);
+	free(U);
 	free(y);
 	for (size_t k = 0; k < BLOCKS; k++)
 		memcpy(l->block[k].hyper, was[k], sizeof was[k]);
@@ -567,7 +567,7 @@ block_new(struct block *b, bool smooth)
 	b->slope = xdoubles(b->n);
 	b->work = xdoubles(b->n);
 	b->fixed = xdoubles(b->n * b->n);
-	b->L = xdoubles(b->n * b->n);
+	b->U = xdoubles(b->n * b->n);
 }
 
 struct leave_out *
@@ -610,7 +610,7 @@ leave_out_free(struct leave_out *l)
 		free(b->slope);
 		free(b->work);
 		free(b->fixed);
-		free(b->L);
+		free(b->U);
 	}
 	free(l->of);
 	free(l->passing);

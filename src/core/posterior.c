@@ -47,7 +47,7 @@ enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
 struct chain {
 	double x[COORDINATES];
 	double likelihood, prior;
-	double *L, *d; /* factor, differences simulated - measured */
+	double *U, *d; /* factor, differences simulated - measured */
 };
 
 struct sampler {
@@ -55,8 +55,9 @@ struct sampler {
 	struct params fit;
 	struct bounds bounds;
 	struct sensitivity sensitivity;
-	double rms;    /* of the fit's differences */
-	double noise;  /* known, or 0 */
+	double rms;   /* of the fit's differences */
+	double noise; /* known, or 0 */
+	enum isa isa;
 	double middle; /* ln of the mean energy */
 	size_t held;   /* of the gauge: it stays 1 or -1 */
 	bool by_slope; /* coordinates of Eq 3, see params_of */
@@ -176,13 +177,13 @@ evaluate_trial(struct sampler *s, size_t i, double *work)
 	if (s->hyper) {
 		memcpy(trial->d, now->d, n * sizeof *now->d);
 		discrepancy_factor(
-		    s->cell, n, trial->x + PARAMS_MOST, trial->L);
+		    s->isa, s->cell, n, trial->x + PARAMS_MOST, trial->U);
 	}
 	for (size_t k = 0; k < n && !s->hyper; k++)
 		trial->d[k] = s->difference[0][k * HALF + i] + s->scheme[k];
 	memcpy(work, trial->d, n * sizeof *work);
 	trial->likelihood =
-	    discrepancy_level(s->hyper ? trial->L : now->L, n, work);
+	    discrepancy_level(s->isa, s->hyper ? trial->U : now->U, n, work);
 	trial->prior = prior_of(s, trial->x);
 	params_of(s, trial->x, at);
 	if (!is_within(s, at) || !isfinite(trial->likelihood))
@@ -294,7 +295,7 @@ take(struct chain *chain, struct chain *trial, bool hyper)
 	chain->prior = trial->prior;
 	swap(&chain->d, &trial->d);
 	if (hyper)
-		swap(&chain->L, &trial->L);
+		swap(&chain->U, &trial->U);
 }
 
 static void
@@ -352,7 +353,8 @@ scatter(const struct sampler *s, struct rng_key key, struct chain *c)
 			rng_normal(key, (uint32_t)(PARAMS_MOST + h));
 	for (size_t j = STRENGTHS; j < COORDINATES; j++)
 		c->x[j] = rng_normal(key, (uint32_t)j);
-	discrepancy_factor(s->cell, s->n_cell, c->x + PARAMS_MOST, c->L);
+	discrepancy_factor(
+	    s->isa, s->cell, s->n_cell, c->x + PARAMS_MOST, c->U);
 }
 
 static void
@@ -377,7 +379,7 @@ static void
 copy_chain(struct chain *to, const struct chain *from, size_t n)
 {
 	memcpy(to->x, from->x, sizeof to->x);
-	memcpy(to->L, from->L, n * n * sizeof *to->L);
+	memcpy(to->U, from->U, n * n * sizeof *to->U);
 	memcpy(to->d, from->d, n * sizeof *to->d);
 	to->likelihood = from->likelihood;
 	to->prior = from->prior;
@@ -529,17 +531,17 @@ normal(struct noise *noise)
 	return noise->sign * rng_normal(noise->key, noise->next++);
 }
 
-/* A Gaussian process at the knots, whose covariance has the factor L. */
+/* A Gaussian process at the knots, whose covariance has the factor U'. */
 static void
 draw_process(
-    const double *L, size_t n, struct noise *noise, double *f, double *work)
+    const double *U, size_t n, struct noise *noise, double *f, double *work)
 {
 	for (size_t i = 0; i < n; i++)
 		work[i] = normal(noise);
 	for (size_t i = 0; i < n; i++) {
 		f[i] = 0;
 		for (size_t k = 0; k <= i; k++)
-			f[i] += L[i * n + k] * work[k];
+			f[i] += U[k * n + i] * work[k];
 	}
 }
 
@@ -548,14 +550,14 @@ knots_factor(const struct posterior *p, const double *hyper,
     double covariance(double apart, const double hyper[static HYPERS]))
 {
 	size_t n = p->n_knot;
-	double *L = xdoubles(n * n), jitter = 1e-8 * covariance(0, hyper);
+	double *U = xdoubles(n * n), jitter = 1e-8 * covariance(0, hyper);
 	for (size_t i = 0; i < n; i++)
 		for (size_t j = 0; j <= i; j++)
-			L[i * n + j] =
+			U[j * n + i] =
 			    covariance(p->knot[i] - p->knot[j], hyper) +
 			    (i == j ? jitter : 0);
-	discrepancy_cholesky(L, n);
-	return L;
+	discrepancy_cholesky(ISA_BEST, U, n);
+	return U;
 }
 
 /* What the data of a made-up plant, with the processes as drawn from the prior
@@ -592,8 +594,8 @@ bring_to_data(const struct sampler *s, const struct posterior *p,
 	double term[DISCREPANCY_TERMS];
 	for (size_t i = 0; i < s->n_cell; i++)
 		d[i] = -chain->d[i] - d[i];
-	discrepancy_forward(chain->L, s->n_cell, d);
-	discrepancy_backward(chain->L, s->n_cell, d);
+	discrepancy_forward(s->isa, chain->U, s->n_cell, d);
+	discrepancy_backward(chain->U, s->n_cell, d);
 	for (size_t i = 0; i < s->n_cell; i++) {
 		const struct cell *c = &s->cell[i];
 		discrepancy_terms(c->t, draw->hyper[HYPER_SLOPE], term);
@@ -713,7 +715,7 @@ make_room(struct sampler *s)
 	for (size_t i = 0; i < CHAINS + HALF; i++) {
 		struct chain *c =
 		    i < CHAINS ? &s->chain[i] : &s->trial[i - CHAINS];
-		c->L = xdoubles(n * n);
+		c->U = xdoubles(n * n);
 		c->d = xdoubles(n);
 	}
 }
@@ -750,6 +752,7 @@ sampler_new(struct misfit *m, const struct params *fit,
 	s->bounds = *bounds;
 	s->seed = o->seed;
 	s->noise = o->noise;
+	s->isa = isa_usable(o->isa);
 	s->middle = el_log(mean_energy(m));
 	s->two = is_free(bounds, f + 1);
 	s->by_slope = s->two && is_free(bounds, f) && is_free(bounds, f + 2);
@@ -774,7 +777,7 @@ sampler_free(struct sampler *s)
 	for (size_t i = 0; i < CHAINS + HALF; i++) {
 		struct chain *c =
 		    i < CHAINS ? &s->chain[i] : &s->trial[i - CHAINS];
-		free(c->L);
+		free(c->U);
 		free(c->d);
 	}
 	for (size_t j = 0; j < PARAMS_MOST; j++)

@@ -202,29 +202,29 @@ first_signal(const struct plant *p, size_t n, uint64_t q)
 		size_t v = j % 3;
 		struct rng_key own = rng_key(13 + q, j, 6);
 		const double *hyper = p->posterior->draw[d].hyper;
-		double *L = xdoubles(p->n * p->n), *z = xdoubles(p->n);
+		double *U = xdoubles(p->n * p->n), *z = xdoubles(p->n);
 		for (size_t a = 0; a < p->n; a++) {
 			z[a] = rng_normal(own, (uint32_t)a);
 			for (size_t b = 0; b <= a; b++)
-				L[a * p->n + b] =
+				U[b * p->n + a] =
 				    discrepancy_shared(
 					log(p->size[a] / p->size[b]), hyper) +
 				    (a == b ? hyper[HYPER_OWN] *
 						  hyper[HYPER_OWN]
 					    : 0);
 		}
-		discrepancy_cholesky(L, p->n);
+		discrepancy_cholesky(ISA_BEST, U, p->n);
 		for (size_t a = 0; a < p->n; a++) {
 			double e = 0;
 			for (size_t b = 0; b <= a; b++)
-				e += L[a * p->n + b] * z[b];
+				e += U[b * p->n + a] * z[b];
 			residual[j * p->n + a] =
 			    p->truth[v][a * POSTERIOR_DRAWS + d] +
 			    discrepancy_h(p->mean[v][a]) * e - p->mean[v][a];
 		}
 		cut[j] = (struct drift_cut){p->n, p->size, residual + j * p->n,
 		    POSTERIOR_DRAWS, p->truth[v], p->error[v]};
-		free(L);
+		free(U);
 		free(z);
 	}
 	size_t first = drift_follow(cut, n, &DRIFT_RULE, point, &since);
