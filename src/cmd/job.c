@@ -708,17 +708,25 @@ job_options(const struct session *s)
 	return o;
 }
 
+/* Of many sites nobody watches a search: the starts that its polish needs are
+ * found by fewer candidates (HACKING has the count). */
+enum { POPULATION_OF_MANY = 2500 };
+
 static struct calibrate_options
-chosen_options(const struct session *s, const struct args *args)
+chosen_options(const struct session *s, const struct args *args, bool all)
 {
 	struct calibrate_options o = job_options(s);
+	const struct value *population = args_value(args, "population");
 	const struct value *seed = args_value(args, "seed");
 	const struct value *threads = args_value(args, "threads");
 	const struct value *polish = args_value(args, "polish");
 	o.plain = args_value(args, "preset")->choice == 1;
 	o.seed = seed->given ? seed->whole : o.seed;
 	o.threads = threads->given ? (unsigned)threads->whole : o.threads;
-	o.population = (size_t)args_value(args, "population")->whole;
+	if (population->given)
+		o.population = (size_t)population->whole;
+	else if (all && !o.plain)
+		o.population = POPULATION_OF_MANY;
 	o.generations = (size_t)args_value(args, "generations")->whole;
 	o.stall = (size_t)args_value(args, "stall")->whole;
 	o.tolerance = args_value(args, "tolerance")->number;
@@ -761,7 +769,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	bool all = args->n_operand > 0;
 	struct part part = {0};
 	struct job job = {.rounds = all ? &EVERY : &ALONE,
-	    .options = chosen_options(s, args),
+	    .options = chosen_options(s, args, all),
 	    .detail = args_value(args, "detail")->choice == 1,
 	    .pause_at = (size_t)args_value(args, "pause")->whole};
 	if (all && strcmp(args->operand[0], "all") != 0)

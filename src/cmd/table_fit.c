@@ -12,8 +12,8 @@
 static const struct command_option CALIBRATE_OPTIONS[] = {
     {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "",
 	"seed of the random numbers; default: the session's"},
-    {"population", VALUE_WHOLE, "", 8, 1e6, NULL, "8000",
-	"candidates per generation"},
+    {"population", VALUE_WHOLE, "", 8, 1e6, NULL, "",
+	"candidates per generation; default: 8000, or 2500 with all"},
     {"generations", VALUE_WHOLE, "", 1, 1e6, NULL, "800",
 	"largest number of generations"},
     {"tolerance", VALUE_NUMBER, "", 0, 1e3, NULL, "0.05",
