@@ -94,32 +94,66 @@ struct moments {
 	double of[SHAPES][MOMENTS];
 };
 
-/* S dF at one point, times each g_m. */
+/* S and its derivatives at the points of a panel: selection_by, in loops that
+ * a compiler makes vectors of. */
 static void
-add_S(const struct continuous *c, double t, double weight, void *data)
+shapes_at(const struct breaker *b, const double t[static GAUSS],
+    double shape[static SHAPES][GAUSS])
 {
-	struct moments *sum = data;
-	double S = selection_by(
-	    &c->b.impacts, c->b.p.at + F_MAT, c->b.k, c->b.E, t, NULL);
-	double x1 = el_exp(-t);
-	double g[MOMENTS] = {1, x1, x1 * x1, x1 * x1 * x1, t};
-	for (size_t m = 0; m < MOMENTS; m++)
-		sum->of[0][m] += weight * S * g[m];
+	const double *q = b->p.at + F_MAT;
+	double f = q[0] * b->k, w[GAUSS], lost[GAUSS];
+	for (size_t i = 0; i < GAUSS && b->impacts.n > 0; i++) {
+		double d[SHAPES] = {0};
+		d[0] = selection_by(&b->impacts, q, b->k, b->E, t[i], d + 1);
+		for (size_t s = 0; s < SHAPES; s++)
+			shape[s][i] = d[s];
+	}
+	if (b->impacts.n > 0)
+		return;
+	for (size_t i = 0; i < GAUSS; i++)
+		w[i] = el_exp(q[2] * t[i]);
+	for (size_t i = 0; i < GAUSS; i++)
+		lost[i] = el_expm1(-f * (w[i] * b->E - q[1]));
+	for (size_t i = 0; i < GAUSS; i++) {
+		double over = w[i] * b->E - q[1], kept = 1 + lost[i];
+		bool breaks = over > 0;
+		shape[0][i] = breaks ? -lost[i] : 0;
+		shape[1][i] = breaks ? b->k * over * kept : 0;
+		shape[2][i] = breaks ? -f * kept : 0;
+		shape[3][i] = breaks ? f * b->E * w[i] * t[i] * kept : 0;
+	}
 }
 
-/* And its derivatives. */
-static void
-add_shapes(const struct continuous *c, double t, double weight, void *data)
+/* S dF, and with more shapes its derivatives, times each g_m. */
+static inline void
+add_panel(const struct continuous *c, const struct panel *panel, size_t n,
+    struct moments *sum)
 {
-	struct moments *sum = data;
-	double shape[SHAPES] = {0};
-	shape[0] = selection_by(
-	    &c->b.impacts, c->b.p.at + F_MAT, c->b.k, c->b.E, t, shape + 1);
-	double x1 = el_exp(-t);
-	double g[MOMENTS] = {1, x1, x1 * x1, x1 * x1 * x1, t};
-	for (size_t i = 0; i < SHAPES; i++)
-		for (size_t m = 0; m < MOMENTS; m++)
-			sum->of[i][m] += weight * shape[i] * g[m];
+	double shape[SHAPES][GAUSS], x1[GAUSS];
+	shapes_at(&c->b, panel->t, shape);
+	for (size_t i = 0; i < GAUSS; i++)
+		x1[i] = el_exp(-panel->t[i]);
+	for (size_t i = 0; i < GAUSS; i++) {
+		double g[MOMENTS] = {1, x1[i], x1[i] * x1[i],
+		    x1[i] * x1[i] * x1[i], panel->t[i]};
+		for (size_t s = 0; s < n; s++) {
+			double mass = panel->weight[i] * shape[s][i];
+			for (size_t m = 0; m < MOMENTS; m++)
+				sum->of[s][m] += mass * g[m];
+		}
+	}
+}
+
+static void
+add_S(const struct continuous *c, const struct panel *panel, void *data)
+{
+	add_panel(c, panel, 1, data);
+}
+
+static void
+add_shapes(const struct continuous *c, const struct panel *panel, void *data)
+{
+	add_panel(c, panel, SHAPES, data);
 }
 
 static void

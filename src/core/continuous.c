@@ -129,10 +129,12 @@ go_to(struct continuous *c, double v)
 }
 
 static void
-add_point(const struct continuous *c, double t, double mass, void *data)
+add_points(const struct continuous *c, const struct panel *panel, void *data)
 {
 	size_t *n = data;
-	c->point[(*n)++] = (struct point){.t = t, .mass = mass};
+	for (size_t i = 0; i < GAUSS; i++)
+		c->point[(*n)++] =
+		    (struct point){.t = panel->t[i], .mass = panel->weight[i]};
 }
 
 /* The points, with S; gradient: with its derivatives. */
@@ -143,7 +145,7 @@ make_points(struct continuous *c, bool gradient)
 	c->n_point = 0;
 	for (size_t e = 0; e + 1 < c->n_edge; e++)
 		continuous_stretch(c, c->edge[e + 1], c->edge[e], c->density[e],
-		    add_point, &c->n_point);
+		    add_points, &c->n_point);
 	for (size_t i = 0; i < c->n_point; i++) {
 		struct point *p = &c->point[i];
 		p->S = b->model->selection(b, p->t, gradient ? p->dS : NULL);

@@ -50,12 +50,17 @@ void continuous_product(
     struct continuous *c, double v, double *passing, double *d_passing);
 double continuous_selected(struct continuous *c, double v);
 
-/* Calls add(c, t, weight, data) for the points of Gauss-Legendre panels over ln
- * x from a to b, within one class of that density and from where S begins. */
+/* Points of a Gauss-Legendre panel over ln x. */
+struct panel {
+	double t[GAUSS], weight[GAUSS];
+};
+
+/* Calls add(c, panel, data) for the panels over ln x from a to b, within one
+ * class of that density and from where S begins. */
 static inline void
 continuous_stretch(const struct continuous *c, double a, double b,
     double density,
-    void add(const struct continuous *c, double t, double weight, void *data),
+    void add(const struct continuous *c, const struct panel *panel, void *data),
     void *data)
 {
 	static const double X[GAUSS / 2] = {0.1834346424956498,
@@ -72,11 +77,14 @@ continuous_stretch(const struct continuous *c, double a, double b,
 			continue;
 		double end = more && c->stop[i] < b ? c->stop[i] : b;
 		double middle = (a + end) / 2, half = (end - a) / 2;
+		struct panel panel;
 		for (size_t q = 0; q < GAUSS / 2; q++) {
-			double weight = density * half * W[q];
-			add(c, middle - half * X[q], weight, data);
-			add(c, middle + half * X[q], weight, data);
+			panel.t[2 * q] = middle - half * X[q];
+			panel.t[2 * q + 1] = middle + half * X[q];
+			panel.weight[2 * q] = panel.weight[2 * q + 1] =
+			    density * half * W[q];
 		}
+		add(c, &panel, data);
 		a = end;
 	}
 }
