@@ -499,8 +499,22 @@ is_one_speed(const struct site *site)
 	return true;
 }
 
+/* What answers with now, and how to change that. */
+static void
+note_in_use(struct answer *r, const struct session *s, const struct ground *g)
+{
+	const struct entry *entry = &s->entry[g->entry];
+	const char *name = BREAKAGES[entry->has_params ? entry->params.breakage
+						       : s->set.model.breakage]
+			       ->name;
+	fields_put(answer_fields(r), "in_use %s", name);
+	answer_say(r, ANSWER_REMARK,
+	    "answers use %s; 'set model NAME', then 'calibrate', for another",
+	    name);
+}
+
 static struct answer *
-one_answer(const struct ground *g)
+one_answer(const struct session *s, const struct ground *g)
 {
 	struct verdict v = verdict_of(g, 1);
 	struct answer *r =
@@ -511,6 +525,7 @@ one_answer(const struct ground *g)
 		answer_say(r, ANSWER_WARNING,
 		    "all products are of one speed: this compares how models "
 		    "meet one curve, not what they make of the speed");
+	note_in_use(r, s, g);
 	note_rule(r, &v, g->each, true);
 	put_verdict(answer_fields(r), &v);
 	if (g->each)
@@ -570,7 +585,7 @@ end_league(struct session *s, void *of)
 	for (size_t i = 0; i < l->n; i++)
 		find_noise(&l->ground[i]);
 	session_answer(
-	    s, l->all ? all_answer(s, l) : one_answer(&l->ground[0]));
+	    s, l->all ? all_answer(s, l) : one_answer(s, &l->ground[0]));
 	league_drop(l);
 }
 

@@ -7,7 +7,6 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "core/triangle.h"
 
 /* Found by counting, with bench/coverage: what bands hold and how far answers
  * err where plants follow the model and where they do not. */
@@ -107,7 +106,7 @@ discrepancy_fill(enum isa isa, const struct cell *cell, size_t n,
 		hyper[i] = el_exp(log_hyper[i]);
 	int64_t *number = xcalloc(2 * n, sizeof *number);
 	double *column = xdoubles((4 + DISCREPANCY_TERMS) * n);
-	struct cells c = {.n = n,
+	struct cell_columns c = {.n = n,
 	    .own = hyper[HYPER_OWN] * hyper[HYPER_OWN],
 	    .size = number,
 	    .run = number + n,

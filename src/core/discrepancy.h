@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "core/elementary.h"
 #include "core/isa.h"
@@ -131,5 +132,27 @@ void discrepancy_factor(enum isa isa, const struct cell *cell, size_t n,
 /* -ln of the probability of the differences d [n], but for a constant; they are
  * replaced by L^-1 d. */
 double discrepancy_level(enum isa isa, const double *U, size_t n, double *d);
+
+/* ---- For discrepancy.c, compiled for each instruction set ---- */
+
+/* n cells in columns.  size, run: their numbers; term: as discrepancy_terms
+ * has them.  log_size: of the sizes; f, error: room for a number of each;
+ * own: the variance of an independent error. */
+struct cell_columns {
+	size_t n, sizes;
+	int64_t *size, *run;
+	double own;
+	double *h, *term[DISCREPANCY_TERMS];
+	double *log_size, *f, *error;
+};
+
+/* U [n * n]: the upper half of a symmetric matrix, by rows. */
+struct triangle {
+	void (*covariance)(const struct cell_columns *c,
+	    const double hyper[static HYPERS], double *U);
+	void (*cholesky)(double *U, size_t n);
+	void (*forward)(const double *U, size_t n, double *d);
+};
+extern const struct triangle TRIANGLE_BASE, TRIANGLE_AVX2, TRIANGLE_AVX512;
 
 #endif

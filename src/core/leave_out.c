@@ -182,7 +182,7 @@ free_cell(struct leave_out *l, size_t cell, double sign)
 
 /* ---- The joint vector ---- */
 
-/* The factor of both blocks with what they share, [n n], which the caller frees. */
+/* The factor of both blocks with what they share [n n], the caller's. */
 static double *
 joint_factor(struct leave_out *l)
 {

@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 
-#include "core/triangle.h"
+#include "core/discrepancy.h"
 
 /* Row i less what the rows above it take, in the order of these rows. */
 static inline void
@@ -53,8 +53,9 @@ forward(const double *U, size_t n, double *restrict d)
 /* Cell i with those from it on; of_f, of_error: covariances of its size with
  * the others. */
 static inline void
-covariance_row(const struct cells *c, size_t i, const double *restrict of_f,
-    const double *restrict of_error, double *restrict row)
+covariance_row(const struct cell_columns *c, size_t i,
+    const double *restrict of_f, const double *restrict of_error,
+    double *restrict row)
 {
 	const double *restrict h = c->h, *restrict t = c->term[0],
 			       *restrict u = c->term[1],
@@ -77,7 +78,8 @@ covariance_row(const struct cells *c, size_t i, const double *restrict of_f,
 /* Runs have the same sieves, mostly: the exponentials are of pairs of sizes,
  * and not of pairs of cells. */
 static void
-covariance(const struct cells *c, const double hyper[static HYPERS], double *U)
+covariance(
+    const struct cell_columns *c, const double hyper[static HYPERS], double *U)
 {
 	for (size_t s = 0; s < c->sizes; s++) {
 		double *restrict of_f = c->f, *restrict of_error = c->error;

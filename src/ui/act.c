@@ -63,8 +63,8 @@ next_focus(struct tui *t)
 	tui_say(t, false, "%s", "");
 }
 
-/* Puts a name for the file after `>`: "tierp-74.0.csv"; of the plot of two
- * predictions an image. */
+/* Puts a name for the file after `>`: "tierp-74.0.xlsx", which a spreadsheet
+ * opens whatever its decimal sign; of the plot of two predictions an image. */
 static void
 propose_file(const struct tui *t, char **line)
 {
@@ -72,7 +72,7 @@ propose_file(const struct tui *t, char **line)
 		return;
 	char *name = text_slug(tui_entry(t)->key);
 	xappend(line, "%s-%.1f.%s", name, t->tenths / 10.0,
-	    t->pin.site[0] != '\0' ? "svg" : "csv");
+	    t->pin.site[0] != '\0' ? "svg" : "xlsx");
 	free(name);
 }
 

@@ -241,13 +241,14 @@ draws_words(const struct posterior *p, bool all)
 {
 	const double agree = 1.2; /* above, chains are said to differ */
 	bool differ = p->ratio > agree;
-	char *words = xasprintf(tr("%d draws, R %.2f: chains %s"),
-	    POSTERIOR_DRAWS, p->ratio, differ ? tr("differ") : tr("agree"));
+	char *words = xasprintf(differ ? tr("%d draws, not all settled "
+					    "(R %.2f)")
+				       : tr("%d draws, settled (R %.2f)"),
+	    POSTERIOR_DRAWS, p->ratio);
 	if (differ && all)
 		xappend(&words,
-		    tr(" in a parameter (1: agree); the light counts the "
-		       "halves "
-		       "of the draws, %.2f sd apart"),
+		    tr(": rely on the curves; the light counts the halves of "
+		       "the draws, %.2f sd apart"),
 		    p->drift);
 	return words;
 }
