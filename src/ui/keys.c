@@ -103,7 +103,7 @@ const struct key KEYS[] = {
     {'d', "d", ON_ALL, ACT_TELL, 0, "describe %s",
 	"describe the plot of the page in words"},
     {'e', "e", ON_ALL, ACT_EXPORT, 0, "predict %s > ",
-	"export the prediction, pinned one too: .xlsx, .csv table, .svg plot"},
+	"export the prediction, a pinned one too: .xlsx, .csv, .svg"},
     {':', ":", ON_ALL, ACT_TYPE, 0, "",
 	"a command: find, spec, bounds ..; Tab completes, Up repeats"},
     {'u', "u", ON_ALL, ACT_RUN, 0, "undo", "undo the last change"},
