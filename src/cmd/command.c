@@ -16,9 +16,10 @@
 static const struct {
 	const char *name;
 	const struct command *command;
-} GROUPS[] = {{"data", TABLE_DATA}, {"fit", TABLE_FIT},
-    {"answers", TABLE_ANSWERS}, {"pictures", TABLE_PICTURES},
-    {"store", TABLE_STORE}, {"model", TABLE_MODEL}, {"session", TABLE_SESSION}};
+} GROUPS[] = {{N_("data"), TABLE_DATA}, {N_("fit"), TABLE_FIT},
+    {N_("answers"), TABLE_ANSWERS}, {N_("pictures"), TABLE_PICTURES},
+    {N_("store"), TABLE_STORE}, {N_("model"), TABLE_MODEL},
+    {N_("session"), TABLE_SESSION}};
 
 const struct command *
 command_next(const struct command *after)

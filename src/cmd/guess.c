@@ -206,7 +206,7 @@ note_sizes(struct answer *r, const struct guess *guess)
 	char *words[ANSWERS_SIZES];
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
 		words[i] = range_words(
-		    &guess->size[i], i == ANSWERS_BREAK ? "none" : none);
+		    &guess->size[i], i == ANSWERS_BREAK ? tr("none") : none);
 	answer_note(
 	    r, "P20 %s, P50 %s, P80 %s mm", words[0], words[1], words[2]);
 	answer_note(r, "break size %s mm", words[ANSWERS_BREAK]);

@@ -20,13 +20,13 @@
 static void
 print_start(FILE *out)
 {
-	fputs("In the order of work, for the site file quarry.csv:\n"
-	      "  load quarry.csv    check    calibrate    validate    predict "
-	      "74\n"
-	      "undo undoes the last change, quit exits; man tutorial is for "
-	      "the first hour.\n"
-	      "\n",
+	fputs(tr("In the order of work, for the site file quarry.csv:\n"
+		 "  load quarry.csv    check    calibrate    validate    "
+		 "predict 74\n"
+		 "undo undoes the last change, quit exits; man tutorial is for "
+		 "the first hour.\n"),
 	    out);
+	fputs("\n", out);
 }
 
 /* Help is words for people: among JSON or CSV it goes beside the results. */

@@ -98,8 +98,11 @@ usage_list(const char *group, FILE *out)
 		const char *its = command_group(c);
 		if (group != NULL && strcmp(group, its) != 0)
 			continue;
+		/* The name can be typed: help fit. */
 		if (strcmp(last, its) != 0)
-			fprintf(out, "%s\n", its);
+			fprintf(out,
+			    strcmp(tr(its), its) != 0 ? "%s (%s)\n" : "%s\n",
+			    tr(its), its);
 		last = its;
 		usage_brief(c, out);
 	}
