@@ -230,11 +230,11 @@ add_size(
 	if (!isfinite(range[1]))
 		return;
 	if (isfinite(range[0]))
-		xappend(list, tr(" (%.2f to "), 1000 * range[0]);
+		xappend(list, tr(" (%.2f to %.2f)"), 1000 * range[0],
+		    1000 * range[1]);
 	else
-		xappend(list, tr(" (below %g to "),
-		    units_mm(psd->size[psd->n - 1]));
-	xappend(list, "%.2f)", 1000 * range[1]);
+		xappend(list, tr(" (below %g to %.2f)"),
+		    units_mm(psd->size[psd->n - 1]), 1000 * range[1]);
 }
 
 void

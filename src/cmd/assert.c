@@ -136,8 +136,11 @@ cmd_assert(struct session *s, const struct args *args, struct error *error)
 		    word[1]);
 	if (result > 0)
 		return true;
+	if (has_within)
+		return error_set(error, ERROR_CHECK,
+		    "assertion failed: %s %s %s within %s: got %.6g and %.6g",
+		    word[0], word[1], word[2], word[4], a, b);
 	return error_set(error, ERROR_CHECK,
-	    "assertion failed: %s %s %s%s%s: got %.6g and %.6g", word[0],
-	    word[1], word[2], has_within ? tr(" within ") : "",
-	    has_within ? word[4] : "", a, b);
+	    "assertion failed: %s %s %s: got %.6g and %.6g", word[0], word[1],
+	    word[2], a, b);
 }

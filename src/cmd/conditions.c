@@ -393,18 +393,19 @@ char *
 conditions_words(const struct condition *c)
 {
 	const struct quantity *q = &c->quantity;
-	char *words = quantities_words(q);
+	char *of = quantities_words(q), *words;
 	const char *unit = quantities_after(q);
 	double least = quantities_shown(q, c->least);
 	double most = quantities_shown(q, c->most);
 	if (isnan(least))
-		xappend(&words, tr(" at most %g%s"), most, unit);
+		words = xasprintf(tr("%s at most %g%s"), of, most, unit);
 	else if (isnan(most))
-		xappend(&words, tr(" at least %g%s"), least, unit);
+		words = xasprintf(tr("%s at least %g%s"), of, least, unit);
 	else if (c->least == c->most)
-		xappend(&words, " %g%s", most, unit);
+		words = xasprintf("%s %g%s", of, most, unit);
 	else
-		xappend(&words, tr(" %g to %g%s"), least, most, unit);
+		words = xasprintf(tr("%s %g to %g%s"), of, least, most, unit);
+	free(of);
 	return words;
 }
 

@@ -241,11 +241,13 @@ note_nearest(struct answer *r, const struct basis *b)
 		answer_note(
 		    r, "nearest by top size (no rock type stated): %s", picked);
 	else
-		answer_note(r, "nearest by rock (%s, %zu of %zu)%s: %s",
-		    b->wanted.rock, same, b->n,
-		    b->wanted.top_size > 0 ? tr(" and top size")
-					   : tr(" (no top size stated)"),
-		    picked);
+		answer_note(r,
+		    b->wanted.top_size > 0
+			? N_("nearest by rock (%s, %zu of %zu) and top size: "
+			     "%s")
+			: N_("nearest by rock (%s, %zu of %zu; no top size "
+			     "stated): %s"),
+		    b->wanted.rock, same, b->n, picked);
 	free(picked);
 }
 

@@ -185,8 +185,11 @@ options_words(const struct session *s, const struct fit *fit)
 		sign = ",";
 	}
 	if (fit->edits > 0)
-		xappend(&words, tr("; bounds edited after generation %zu%s"),
-		    fit->edited_at, fit->edits > 1 ? tr(" and before") : "");
+		xappend(&words,
+		    fit->edits > 1
+			? tr("; bounds edited after generation %zu and before")
+			: tr("; bounds edited after generation %zu"),
+		    fit->edited_at);
 	for (size_t j = 0; j < BREAKAGES[model]->n; j++)
 		if (o->bounds.lower[j] != usual.lower[j] ||
 		    o->bounds.upper[j] != usual.upper[j])

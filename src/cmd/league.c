@@ -593,11 +593,12 @@ static char *
 at_model(const struct session *s)
 {
 	const struct league *l = s->job.of;
-	char *at = xasprintf(tr("league: %s, model %s"),
-	    s->entry[s->job.entry].key, name_of_row(l->model));
-	if (l->speed > 0)
-		xappend(&at, tr(" without %g m/s"), l->speed);
-	return at;
+	const char *key = s->entry[s->job.entry].key;
+	const char *model = name_of_row(l->model);
+	return l->speed > 0 ? xasprintf(tr("league: %s, model %s without %g "
+					   "m/s"),
+				  key, model, l->speed)
+			    : xasprintf(tr("league: %s, model %s"), key, model);
 }
 
 static const struct rounds LEAGUE = {next_round, NULL, take_round, end_league,

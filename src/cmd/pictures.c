@@ -516,9 +516,10 @@ say_points(struct tale *t, const struct chart_series *s)
 		shown++;
 	}
 	answer_note(t->answer,
-	    tr_n("%s, %zu point, across and up:%s%s",
-		"%s, %zu points, across and up:%s%s", s->n),
-	    s->name, s->n, text, s->n > FEW ? tr(" and more") : "");
+	    s->n > FEW ? N_("%s, %zu points, across and up:%s and more")
+		       : tr_n("%s, %zu point, across and up:%s",
+			     "%s, %zu points, across and up:%s", s->n),
+	    s->name, s->n, text);
 	free(text);
 }
 

@@ -68,10 +68,12 @@ plots_limits_add(struct chart *chart, const struct session *s, bool notes)
 	add_limits(chart, spec, false);
 	add_limits(chart, spec, true);
 	char *cut = plots_limits_words(s);
-	if (notes)
-		chart_note(chart, "limits%s%s: %s",
-		    cut[0] != '\0' ? tr(" of the fraction ") : "", cut,
-		    spec->source[0] != '\0' ? spec->source : spec->name);
+	const char *source =
+	    spec->source[0] != '\0' ? spec->source : spec->name;
+	if (notes && cut[0] != '\0')
+		chart_note(chart, "limits of the fraction %s: %s", cut, source);
+	else if (notes)
+		chart_note(chart, "limits: %s", source);
 	free(cut);
 }
 

@@ -294,10 +294,11 @@ ask_column(const struct site_request *q, const struct column *first, bool alone,
 	char *values = first_values(first->table, first->at);
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
 	char *what = xasprintf(
-	    tr("expected heads and numbers that tell what column %zu is%s, got "
-	       "'%.*s' above %s"),
-	    first->table->block->number[first->at],
-	    speed ? tr(" and its tip speed") : "", sheet_cut(first->head.text),
+	    speed ? tr("expected heads and numbers that tell what column %zu "
+		       "is and its tip speed, got '%.*s' above %s")
+		  : tr("expected heads and numbers that tell what column %zu "
+		       "is, got '%.*s' above %s"),
+	    first->table->block->number[first->at], sheet_cut(first->head.text),
 	    first->head.text, values);
 	refuse(q, first->table, first->head, ask, errors, what);
 	if (q->parts && speed && q->n == 1 && alone)

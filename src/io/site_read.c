@@ -105,11 +105,15 @@ check_repeats(const struct columns *t, const struct column *c)
 	if (c->role == PRODUCT || c->nth != 1 || own == products)
 		return;
 	sheet_fault(c->table->sheet, c->head,
-	    "duplicate column: expected one %s@%g%s, got %zu\n"
-	    "keep one for all products at this speed, or one for each in their "
-	    "order",
-	    SITE_ROLES[c->role], c->speed,
-	    products > 1 ? tr(" or one for each product") : "", own);
+	    products > 1
+		? N_("duplicate column: expected one %s@%g or one for each "
+		     "product, got %zu\n"
+		     "keep one for all products at this speed, or one for each "
+		     "in their order")
+		: N_("duplicate column: expected one %s@%g, got %zu\n"
+		     "keep one for all products at this speed, or one for each "
+		     "in their order"),
+	    SITE_ROLES[c->role], c->speed, own);
 }
 
 /* A feed for each product, a product for each standard deviation. */

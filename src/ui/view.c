@@ -400,9 +400,9 @@ draw_word(struct tui *t)
 	    v->keys
 		? xasprintf(tr("%zu keys"), keys_count(t->page, v->word.text))
 		: xasprintf(tr("%d lines"), count_found(v, 0, &number, &next));
-	int column = screen_text(hints, 0, at + 2, 0, "%s%.0d%s%s",
-	    number > 0 ? tr("line ") : "", number, number > 0 ? tr(" of ") : "",
-	    words);
+	int column = number > 0 ? screen_text(hints, 0, at + 2, 0,
+				      N_("line %d of %s"), number, words)
+				: screen_text(hints, 0, at + 2, 0, "%s", words);
 	free(words);
 	const char *keys = v->keys ? tr("Enter run it  Esc clear")
 			   : v->word.active
