@@ -321,7 +321,7 @@ outcome(const struct session *s, const struct goal *g, double speed, bool full)
 }
 
 char *
-goals_words(const struct session *s, const struct goal *g, double speed,
+goals_words(struct session *s, const struct goal *g, double speed,
     enum goals_length length)
 {
 	bool full = length == GOALS_FULL;
@@ -331,6 +331,8 @@ goals_words(const struct session *s, const struct goal *g, double speed,
 	if (g->why != NULL)
 		return xasprintf(
 		    tr("goal: %s"), full ? g->why : tr("not known"));
+	if (!session_entry(s)->has_params && length != GOALS_SHORT)
+		return xasprintf(tr("goal: %s"), tr("after a calibration"));
 	if (!goals_known(s, g))
 		return length == GOALS_SHORT
 			   ? xstrdup(tr("goal"))

@@ -154,7 +154,8 @@ is_sieve_head(const struct cell *cell)
 				     WORD_SUMS | WORD_GRAMS | WORD_SHARE |
 				     WORD_PERCENT | WORD_PAN;
 	size_t unknown;
-	if (cell->kind != CELL_TEXT || cell->text[0] == '\0' ||
+	/* "n.d." is no diameter. */
+	if (cell->kind != CELL_TEXT || number_absent(*cell) ||
 	    strpbrk(cell->text, "0123456789") != NULL ||
 	    text_same(cell->text, "top_size_mm"))
 		return false;

@@ -287,12 +287,46 @@ ask_table(const struct site_request *q, struct table *const *table,
 }
 
 /* What is the first column that is open, and how fast was it? */
+/* The only number of a column that is more than 100, if the others can be
+ * percentages; or NULL. */
+static const struct cell *
+above_100(const struct table *t, size_t at)
+{
+	const struct cell *above = NULL;
+	size_t n = 0, n_above = 0;
+	for (size_t r = 0; r < t->n_row; r++) {
+		double v;
+		const struct cell *cell = &t->row[r].cell[at];
+		if (!number_of(t->sheet, *cell, &v))
+			continue;
+		n++;
+		if (v < 0 || v > 100)
+			n_above++;
+		if (v > 100)
+			above = cell;
+	}
+	return n >= 4 && n_above == 1 ? above : NULL;
+}
+
 static bool
 ask_column(const struct site_request *q, const struct column *first, bool alone,
     struct site_ask *ask, struct error_list *errors)
 {
 	char *values = first_values(first->table, first->at);
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
+	const struct cell *above = above_100(first->table, first->at);
+	if (above != NULL) {
+		char *what = xasprintf(
+		    tr("expected at most 100 %% passing, got '%.*s': column "
+		       "%zu has no other number above 100; correct it if it "
+		       "is a slip"),
+		    sheet_cut(above->text), above->text,
+		    first->table->block->number[first->at]);
+		refuse(q, first->table, *above, ask, errors, what);
+		free(what);
+		free(values);
+		return true;
+	}
 	char *what = xasprintf(
 	    speed ? tr("expected heads and numbers that tell what column %zu "
 		       "is and its tip speed, got '%.*s' above %s")

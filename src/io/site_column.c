@@ -457,7 +457,7 @@ static void
 check_rise(struct column *c)
 {
 	struct table *t = c->table;
-	char p[32], q[32], mm[32];
+	char p[32], q[32], mm[32], other[32];
 	size_t last = t->n_row;
 	for (size_t i = 0; i < t->n_row; i++) {
 		if (isnan(c->pct[i]) || isnan(t->mm[i]))
@@ -467,10 +467,11 @@ check_rise(struct column *c)
 			sheet_fault(t->sheet, t->row[i].cell[c->at],
 			    "passing rises from %s to %s at %s mm (finer "
 			    "sieve, more passing)\n"
-			    "check this row and the one above: passing cannot "
+			    "check this row and that of %s mm: passing cannot "
 			    "rise on a finer sieve",
 			    text_exact(c->pct[last], p),
-			    text_exact(c->pct[i], q), text_exact(t->mm[i], mm));
+			    text_exact(c->pct[i], q), text_exact(t->mm[i], mm),
+			    text_exact(t->mm[last], other));
 		last = i;
 	}
 }

@@ -216,6 +216,7 @@ band(struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
 	t->band = !t->band;
+	t->message[0] = '\0';
 	if (!t->band || t->now.site[0] == '\0')
 		return;
 	bool known = t->shown.low != NULL;
@@ -469,6 +470,8 @@ digit_key(struct tui *t, int code, bool special)
 	     back = code == DELETE || code == '\b';
 	if (y->n == 0 && !(digit && (code == '0' || code > '0' + PAGES)))
 		return false;
+	if (code == ',')
+		code = '.';
 	if (back || ((digit || code == '.') && y->n < SPEED_LETTERS))
 		return typing_letter(y, code, special, SPEED_LETTERS);
 	if (code == '\n' || code == '\r') {

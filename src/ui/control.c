@@ -461,16 +461,15 @@ meeting(const struct tui *t, const char *line)
 	return bounds ? MEETS_BOUNDS : MEETS_END;
 }
 
-/* Whether a search may be stopped for a line: one that has changed the session
- * is not to leave a half-finished fit in the place of another unasked. */
+/* Whether a search may be stopped for a line: it is not to leave a half-finished
+ * fit in the place of another unasked. */
 static bool
 may_stop(struct tui *t, const char *line)
 {
 	struct session *s = t->session;
-	const struct command *command = command_of(line);
-	bool changes = command == NULL || command->flags & COMMAND_CHANGES;
 	const struct entry *fitting = session_fitting(s);
-	if (!changes || fitting == NULL || !fitting->has_fit ||
+	if (command_of(line) == command_find("quit") || fitting == NULL ||
+	    !fitting->has_fit ||
 	    s->hooks.confirm(s,
 		"this stops the calibration: is its best so far to replace "
 		"the fit there was?"))

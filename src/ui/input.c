@@ -31,7 +31,7 @@ is_taken(const struct tui *t, int code)
 	if (t->filter.active)
 		return true;
 	return t->speed.n > 0 && t->speed.n < SPEED_LETTERS &&
-	       (code == '.' || (code >= '0' && code <= '9'));
+	       (code == '.' || code == ',' || (code >= '0' && code <= '9'));
 }
 
 static void

@@ -938,7 +938,7 @@ e_proposes_a_file(void **state)
 	    "load data/sites/tierp.csv; calibrate; predict speed=74");
 	type(t, "e");
 	assert_string_equal(
-	    t->typing.text, "predict speed=74.0 > tierp-74.0.csv");
+	    t->typing.text, "predict speed=74.0 > tierp-74.0.xlsx");
 	type(t, "\033");
 	control_predict(t);
 	type(t, "xe");
@@ -1224,14 +1224,17 @@ a_line_stops_no_search_unsaid(void **state)
 	type(t, ":version\n");
 	assert_non_null(t->viewer.text);
 	assert_int_equal(asked, 0);
-	type(t, "\033:set k 1\n");
+	/* A question, too, would leave the half-finished fit. */
+	type(t, "\033:find p80=5\n");
 	assert_int_equal(asked, 1);
+	type(t, ":set k 1\n");
+	assert_int_equal(asked, 2);
 	assert_true(session_busy(s));
 	assert_true(tui_entry(t)->fit.misfit == best);
 	assert_non_null(strstr(t->message, "goes on"));
 	may = true;
 	type(t, ":set k 1\n");
-	assert_int_equal(asked, 2);
+	assert_int_equal(asked, 3);
 	assert_false(session_busy(s));
 	assert_non_null(strstr(t->message, "was stopped"));
 	assert_true(tui_entry(t)->fit.misfit > best);
