@@ -53,7 +53,7 @@ double goals_best(
  * certain to 75.3"; without what was set; without how certain; while it is not
  * known that it is being worked out; "" without a goal.  The caller frees. */
 enum goals_length { GOALS_FULL, GOALS_SPEEDS, GOALS_SHORT, GOALS_LENGTHS };
-char *goals_words(struct session *s, const struct goal *goal,
-    double speed, enum goals_length length);
+char *goals_words(struct session *s, const struct goal *goal, double speed,
+    enum goals_length length);
 
 #endif

@@ -461,8 +461,8 @@ meeting(const struct tui *t, const char *line)
 	return bounds ? MEETS_BOUNDS : MEETS_END;
 }
 
-/* Whether a search may be stopped for a line: it is not to leave a half-finished
- * fit in the place of another unasked. */
+/* Whether a search may be stopped for a line: it is not to leave a fit that is
+ * half finished in the place of another unasked. */
 static bool
 may_stop(struct tui *t, const char *line)
 {
