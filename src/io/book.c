@@ -177,7 +177,11 @@ put_cell(struct book *b, const struct page *p, lxw_col_t column,
     const char *head, const struct answer_cell *cell)
 {
 	double value = cell->number;
+	char text[32];
 	bool fixed = cell->decimals >= 0 && cell->decimals < DECIMALS;
+	/* 93.6 as in csv, and not 93.59999999999999. */
+	if (!cell->is_text && isfinite(value))
+		text_number(text_exact(value, text), &value);
 	if (is_sieve(head, cell, &value) || (!cell->is_text && isfinite(value)))
 		worksheet_write_number(p->sheet, p->row, column, value,
 		    fixed ? b->number[cell->decimals] : NULL);
