@@ -429,7 +429,7 @@ little_is_typed(void **state)
 		bool done = i == 0   ? t->cross
 			    : i == 1 ? strcmp(t->command, "use bro") == 0
 			    : i == 2 ? strcmp(t->command, "use ossjo") == 0
-			    : i == 3 ? strstr(t->typing.text, ".csv") != NULL
+			    : i == 3 ? strstr(t->typing.text, ".xlsx") != NULL
 			    : i == 4 ? t->band
 				     : t->pin.site[0] != '\0';
 		if (!done)
