@@ -246,10 +246,16 @@ command_limits(const struct command_option *o)
 		return list;
 	}
 	char *least = limit_text(o->least), *most = limit_text(o->most);
-	char *text = xasprintf("%s %s%s%s%s%s", least,
-	    most[0] != '\0' ? tr("to ") : tr("or more"), most,
-	    o->unit[0] != '\0' ? " " : "", o->unit,
-	    o->kind == VALUE_FEED ? tr(", or file") : "");
+	const char *blank = o->unit[0] != '\0' ? " " : "";
+	char *text =
+	    most[0] != '\0'
+		? xasprintf(tr("%s to %s%s%s"), least, most, blank, o->unit)
+		: xasprintf(tr("%s or more%s%s"), least, blank, o->unit);
+	if (o->kind == VALUE_FEED) {
+		char *range = text;
+		text = xasprintf(tr("%s, or file"), range);
+		free(range);
+	}
 	free(least);
 	free(most);
 	return text;

@@ -236,9 +236,13 @@ comparison(const struct session *s, const struct side side[2], bool sites)
 		char *both = xasprintf("%s, %s", a->name, b->name);
 		char *data = provenance(side);
 		bool with = a->with[0] != '\0';
-		answer_title(r, "%s and %s%s%s at %g m/s, %% passing", a->name,
-		    b->name, with ? tr(", with ") : "", a->with,
-		    side[0].p.speed);
+		if (with)
+			answer_title(r,
+			    "%s and %s, with %s, at %g m/s, %% passing",
+			    a->name, b->name, a->with, side[0].p.speed);
+		else
+			answer_title(r, "%s and %s at %g m/s, %% passing",
+			    a->name, b->name, side[0].p.speed);
 		answers_put_variant(r, a);
 		answer_sites(r, both, data);
 		free(both);

@@ -315,8 +315,10 @@ conditions_add_spec(const struct spec *spec, const struct fraction *fraction,
 	char *unknown = add_spec(list, spec, &f, feed);
 	bool any = list->n > before;
 	if (any)
-		*words = xasprintf(tr("limits of %s%s%s"), spec->name,
-		    spec->source[0] != '\0' ? ": " : "", spec->source);
+		*words = spec->source[0] != '\0'
+			     ? xasprintf(tr("limits of %s: %s"), spec->name,
+				   spec->source)
+			     : xasprintf(tr("limits of %s"), spec->name);
 	if (any && unknown[0] != '\0')
 		xappend(words, tr("; not checked: %s"), unknown);
 	free(unknown);

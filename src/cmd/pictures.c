@@ -450,11 +450,14 @@ say_axes(struct tale *t)
 		       : t->kind == PLOT_CORRELATION ? 2
 						     : 0; /* by parameters */
 	for (size_t i = 0; i < ARRAY_LEN(axes) - named; i++)
-		answer_note(t->answer, "%s: %s, from %.4g to %.4g%s",
-		    tr(ways[i]), axes[i]->title, axes[i]->low, axes[i]->high,
-		    axes[i]->log            ? tr(" on a log scale")
-		    : axes[i]->straight > 0 ? tr(" on a symmetric log scale")
-					    : "");
+		answer_note(t->answer,
+		    axes[i]->log ? N_("%s: %s, from %.4g to %.4g on a log "
+				      "scale")
+		    : axes[i]->straight > 0
+			? N_("%s: %s, from %.4g to %.4g on a symmetric log "
+			     "scale")
+			: N_("%s: %s, from %.4g to %.4g"),
+		    tr(ways[i]), axes[i]->title, axes[i]->low, axes[i]->high);
 }
 
 /* "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" of a product or a feed. */

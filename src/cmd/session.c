@@ -163,10 +163,14 @@ session_label(const struct site *site)
 			 ? xasprintf(tr(", %g mm"), units_mm(site->top_size))
 			 : xstrdup("");
 	bool rock = site->rock[0] != '\0', with = site->with[0] != '\0';
-	char *label = xasprintf("%s%s%s%s%s%s", site->name, rock ? ", " : "",
-	    site->rock, size, with ? tr(", with ") : "", site->with);
+	char *label = xasprintf(
+	    "%s%s%s%s", site->name, rock ? ", " : "", site->rock, size);
 	free(size);
-	return label;
+	if (!with)
+		return label;
+	char *all = xasprintf(tr("%s, with %s"), label, site->with);
+	free(label);
+	return all;
 }
 
 bool

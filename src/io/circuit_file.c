@@ -259,11 +259,15 @@ read_split(struct reading_circuit *r, struct unit *unit, const struct row *row)
 	}
 	if (open > 1 || sum > 1 + exact || (open == 0 && sum < 1 - exact))
 		sheet_fault(r->sheet, row->cell[2],
-		    "expected shares of 100 %% together, got %g %%%s\n"
-		    "one stream alone may be without a share: it takes the "
-		    "rest",
-		    round(sum * 1e8) / 1e6,
-		    open > 1 ? tr(" and the rest twice") : "");
+		    open > 1
+			? N_("expected shares of 100 %% together, got %g %% "
+			     "and the rest twice\n"
+			     "one stream alone may be without a share: it "
+			     "takes the rest")
+			: N_("expected shares of 100 %% together, got %g %%\n"
+			     "one stream alone may be without a share: it "
+			     "takes the rest"),
+		    round(sum * 1e8) / 1e6);
 	for (size_t i = 0; i < n; i++)
 		unit->share[i] = isnan(unit->share[i]) ? fmax(1 - sum, 0)
 				 : open == 0           ? unit->share[i] / sum
