@@ -8,8 +8,10 @@ cp man/tipspeed.1 man/tipspeed-tui.1 man/tipspeed-model.7 "$srcdir"/man/*.[57] "
 for page in "$dir"/man/*; do
 	name=$(basename "$page")
 	if command -v mandoc >/dev/null; then
-		# In the folder, so that pages find each other.
-		(cd "$dir/man" && mandoc -T lint -W style "$name") >"$dir/lint" 2>&1
+		# In the folder, so that pages find each other, and none that
+		# an installed tipspeed has.
+		(cd "$dir/man" && MANPATH=$dir/man mandoc -T lint -W style \
+			"$name") >"$dir/lint" 2>&1
 		[ ! -s "$dir/lint" ]
 		result $? "$name is free of lint"
 		remark "$dir/lint"

@@ -94,33 +94,21 @@ struct moments {
 	double of[SHAPES][MOMENTS];
 };
 
-/* S and its derivatives at the points of a panel: selection_by, in loops that
- * a compiler makes vectors of. */
+/* S and its derivatives at the points of a panel: selection_by. */
 static void
 shapes_at(const struct breaker *b, const double t[static GAUSS],
     double shape[static SHAPES][GAUSS])
 {
 	const double *q = b->p.at + F_MAT;
-	double f = q[0] * b->k, w[GAUSS], lost[GAUSS];
-	for (size_t i = 0; i < GAUSS && b->impacts.n > 0; i++) {
+	if (b->impacts.n == 0) {
+		selection_row(q, b->k, b->E, GAUSS, t, shape[0]);
+		return;
+	}
+	for (size_t i = 0; i < GAUSS; i++) {
 		double d[SHAPES] = {0};
 		d[0] = selection_by(&b->impacts, q, b->k, b->E, t[i], d + 1);
 		for (size_t s = 0; s < SHAPES; s++)
 			shape[s][i] = d[s];
-	}
-	if (b->impacts.n > 0)
-		return;
-	for (size_t i = 0; i < GAUSS; i++)
-		w[i] = el_exp(q[2] * t[i]);
-	for (size_t i = 0; i < GAUSS; i++)
-		lost[i] = el_expm1(-f * (w[i] * b->E - q[1]));
-	for (size_t i = 0; i < GAUSS; i++) {
-		double over = w[i] * b->E - q[1], kept = 1 + lost[i];
-		bool breaks = over > 0;
-		shape[0][i] = breaks ? -lost[i] : 0;
-		shape[1][i] = breaks ? b->k * over * kept : 0;
-		shape[2][i] = breaks ? -f * kept : 0;
-		shape[3][i] = breaks ? f * b->E * w[i] * t[i] * kept : 0;
 	}
 }
 

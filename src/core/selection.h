@@ -4,30 +4,45 @@
 #ifndef TIPSPEED_CORE_SELECTION_H
 #define TIPSPEED_CORE_SELECTION_H
 
+#include <stdbool.h>
+
 #include "core/breakage.h"
 #include "core/elementary.h"
 
-/* Selection: fraction of a size that breaks in k impacts.
+/* Selection at n sizes: fraction of each that breaks in k impacts.
  *   S = 1 - exp(-f_mat k (x^alpha E - E0_min)), 0 where the bracket is negative
  * q f_mat, e0_min, alpha; k number of impacts, >= 0; E specific energy, J/kg;
- * log_x ln of the size in m.  d [3]: its derivatives by q are added; or NULL.
- * Returns S in [0, 1].  Cannot fail.   Source: paper Eq 3.
+ * log_x [n], ln of the sizes in m.  shape [4 * n] becomes S, in [0, 1], then
+ * the derivatives by q, rows of n, in a loop that a compiler makes vectors of.
+ * Cannot fail.   Source: paper Eq 3.
  * D1: the minus sign and the floor at 0 are missing in print.
  * D2: x is in metres; in millimetres S would be 1 for every class. */
+static inline void
+selection_row(const double q[static 3], double k, double E, size_t n,
+    const double *log_x, double *shape)
+{
+	double f = q[0] * k;
+	for (size_t i = 0; i < n; i++) {
+		double w = el_exp(q[2] * log_x[i]), over = w * E - q[1];
+		double lost = el_expm1(-f * over), kept = 1 + lost;
+		bool breaks = over > 0;
+		shape[i] = breaks ? -lost : 0;
+		shape[n + i] = breaks ? k * over * kept : 0;
+		shape[2 * n + i] = breaks ? -f * kept : 0;
+		shape[3 * n + i] = breaks ? f * E * w * log_x[i] * kept : 0;
+	}
+}
+
+/* Selection at one size.  Its derivatives are added to d [3], if not NULL.
+ * Returns S. */
 static inline double
 selection(const double q[static 3], double k, double E, double log_x, double *d)
 {
-	double w = el_exp(q[2] * log_x), f = q[0] * k;
-	double over = w * E - q[1];
-	if (!(over > 0))
-		return 0;
-	double S = -el_expm1(-f * over), kept = 1 - S;
-	if (d != NULL) {
-		d[0] += k * over * kept;
-		d[1] += -f * kept;
-		d[2] += f * E * w * log_x * kept;
-	}
-	return S;
+	double shape[4];
+	selection_row(q, k, E, 1, &log_x, shape);
+	for (size_t i = 0; i < 3 && d != NULL; i++)
+		d[i] += shape[1 + i];
+	return shape[0];
 }
 
 /* The same with a spectrum of impacts in place of the single one (D15), see
