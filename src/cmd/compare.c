@@ -1,4 +1,5 @@
-/* compare: two speeds of a site, or two sites at a speed, side by side.
+/* compare: two speeds of a site, two sites at a speed, or a speed and what is
+ * pinned, side by side.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
@@ -10,6 +11,7 @@
 #include "cmd/entries.h"
 #include "cmd/light.h"
 #include "cmd/parse.h"
+#include "cmd/pin.h"
 #include "cmd/table.h"
 #include "cmd/outlook.h"
 #include "core/predict.h"
@@ -22,26 +24,34 @@ struct side {
 	struct prediction p;
 	double *draws;
 	char *head;
+	bool pinned;
 };
+
+static const char PIN[] = "pinned";
 
 /* Passing at a size, NAN where the side's sieves do not tell it. */
 static double
 passing_at(const struct side *side, double x)
 {
-	return psd_covers(&side->p.product, x)
-		   ? psd_passing(&side->p.product, x)
-		   : NAN;
+	const struct psd *p = side->pinned ? &side->p.curve : &side->p.product;
+	return psd_covers(p, x) ? psd_passing(p, x) : NAN;
 }
 
-/* Sieves of both, coarsest first; the caller frees. */
+/* Sieves of both, coarsest first; of one that is pinned those are left out that
+ * the other was not asked for.  The caller frees. */
 static double *
 all_sieves(const struct side side[2], size_t *n)
 {
-	const struct psd *a = &side[0].p.product, *b = &side[1].p.product;
-	double *x = xdoubles(a->n + b->n);
-	memcpy(x, a->size, a->n * sizeof *x);
-	memcpy(x + a->n, b->size, b->n * sizeof *x);
-	*n = psd_sort(x, a->n + b->n, 0);
+	double *x = xdoubles(side[0].p.product.n + side[1].p.product.n);
+	*n = 0;
+	for (size_t i = 0; i < 2; i++) {
+		const struct psd *p = &side[i].p.product;
+		if (side[i].pinned && !side[1 - i].pinned)
+			continue;
+		memcpy(x + *n, p->size, p->n * sizeof *x);
+		*n += p->n;
+	}
+	*n = psd_sort(x, *n, 0);
 	return x;
 }
 
@@ -190,6 +200,26 @@ comparison_notes(const struct session *s, struct answer *r,
 	light_show(r, light);
 }
 
+/* What is pinned stays as it was, so that nothing is known of how its draws go
+ * with others. */
+static bool
+take_pinned(struct session *s, struct side *side, struct error *error)
+{
+	const struct pin *pin = s->pin;
+	size_t at;
+	if (pin == NULL)
+		return error_set(error, ERROR_USAGE,
+		    "compare: nothing is pinned\n"
+		    "'pin speed=74' pins a prediction");
+	if (!session_find(s, pin->key, &at, error))
+		return false;
+	const struct entry *entry = &s->entry[at];
+	side->entry = entry;
+	side->p = prediction_copy(&pin->p);
+	side->pinned = true;
+	return true;
+}
+
 /* Side i: a loaded site at the speed of the option, with a feed of its own; or
  * the site in use at a speed, with one feed for both. */
 static bool
@@ -197,6 +227,8 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
     struct side *side, struct error *error)
 {
 	const char *word = args->operand[i];
+	if (strcmp(word, PIN) == 0)
+		return take_pinned(s, side, error);
 	double v = answers_speed(args, session_entry(s));
 	size_t at = s->current, feed;
 	if (sites && !session_find(s, word, &at, error))
@@ -218,46 +250,86 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 		memcpy(side->draws, ensemble_products(e, ENSEMBLE_ANSWER),
 		    size * sizeof *side->draws);
 	}
-	side->head = sites ? xstrdup(entry->key) : xasprintf("%g m/s", v);
 	return true;
 }
 
-static struct answer *
-comparison(const struct session *s, const struct side side[2], bool sites)
+/* What stands over the columns: what the two differ in. */
+static void
+name_sides(bool sites, struct side side[2])
+{
+	bool two = side[0].entry != side[1].entry;
+	for (size_t i = 0; i < 2; i++) {
+		const char *key = side[i].entry->key;
+		double v = side[i].p.speed;
+		char *speed = side[i].pinned ? xasprintf(tr("pinned %g m/s"), v)
+					     : xasprintf("%g m/s", v);
+		side[i].head = sites && !side[i].pinned ? xstrdup(key)
+			       : two ? xasprintf("%s %s", key, speed)
+				     : xstrdup(speed);
+		free(speed);
+	}
+}
+
+/* The heading of two sites. */
+static void
+head_sites(struct answer *r, const struct side side[2])
 {
 	const struct site *a = side[0].entry->site, *b = side[1].entry->site;
+	char *both = xasprintf("%s, %s", a->name, b->name);
+	char *data = provenance(side);
+	if (side[0].p.speed != side[1].p.speed)
+		answer_title(
+		    r, "%s and %s, %% passing", side[0].head, side[1].head);
+	else if (a->with[0] != '\0')
+		answer_title(r, "%s and %s, with %s, at %g m/s, %% passing",
+		    a->name, b->name, a->with, side[0].p.speed);
+	else
+		answer_title(r, "%s and %s at %g m/s, %% passing", a->name,
+		    b->name, side[0].p.speed);
+	answers_put_variant(r, a);
+	answer_sites(r, both, data);
+	free(both);
+	free(data);
+}
+
+/* Which feeds the two speeds of a site have. */
+static void
+note_feeds(struct answer *r, const struct side side[2])
+{
+	const struct site *site = side[0].entry->site;
+	const size_t feed[] = {side[0].p.feed_run, side[1].p.feed_run};
+	if (!answers_sampled(site, feed[0]) || !answers_sampled(site, feed[1]))
+		return;
+	if (feed[0] == feed[1])
+		answer_say(r, ANSWER_REMARK,
+		    "feed used for both: sampled at %g m/s",
+		    site->run[feed[0]].speed);
+	else
+		answer_say(r, ANSWER_REMARK,
+		    "feeds used: sampled at %g and %g m/s",
+		    site->run[feed[0]].speed, site->run[feed[1]].speed);
+}
+
+static struct answer *
+comparison(const struct session *s, const struct side side[2])
+{
+	bool sites = side[0].entry != side[1].entry;
 	size_t n;
 	double *x = all_sieves(side, &n);
 	struct answer *r =
 	    sites ? answer_new("compare")
-		  : answers_new(a, "compare", "%s and %s, %% passing",
-			side[0].head, side[1].head);
-	if (sites) {
-		char *both = xasprintf("%s, %s", a->name, b->name);
-		char *data = provenance(side);
-		bool with = a->with[0] != '\0';
-		if (with)
-			answer_title(r,
-			    "%s and %s, with %s, at %g m/s, %% passing",
-			    a->name, b->name, a->with, side[0].p.speed);
-		else
-			answer_title(r, "%s and %s at %g m/s, %% passing",
-			    a->name, b->name, side[0].p.speed);
-		answers_put_variant(r, a);
-		answer_sites(r, both, data);
-		free(both);
-		free(data);
-	}
+		  : answers_new(side[0].entry->site, "compare",
+			"%s and %s, %% passing", side[0].head, side[1].head);
+	if (sites)
+		head_sites(r, side);
 	comparison_rows(s, r, side, x, n);
 	if (side[0].draws != NULL && side[1].draws != NULL)
 		answer_say(r, ANSWER_REMARK,
 		    "low, high: of the difference, with %.0f %% probability",
 		    100 * settings_level(&s->set));
 	comparison_notes(s, r, side, x, n);
-	if (!sites && answers_sampled(a, side[0].p.feed_run))
-		answer_say(r, ANSWER_REMARK,
-		    "feed used for both: sampled at %g m/s",
-		    a->run[side[0].p.feed_run].speed);
+	if (!sites)
+		note_feeds(r, side);
 	fields_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
 	put_side(answer_fields(r), "a", &side[0], x, n);
 	put_side(answer_fields(r), "b", &side[1], x, n);
@@ -270,15 +342,20 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 {
 	struct side side[2] = {{0}};
 	double v;
-	bool sites = !value_number(args->operand[0], "m/s", &v) ||
-		     !value_number(args->operand[1], "m/s", &v);
+	bool sites = false;
+	for (size_t i = 0; i < 2; i++)
+		sites =
+		    sites || (strcmp(args->operand[i], PIN) != 0 &&
+				 !value_number(args->operand[i], "m/s", &v));
 	if (!sites && args_value(args, "speed")->given)
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected two speeds, or two sites and a speed");
 	bool ok = take_side(s, args, sites, 0, &side[0], error) &&
 		  take_side(s, args, sites, 1, &side[1], error);
-	if (ok)
-		session_answer(s, comparison(s, side, sites));
+	if (ok) {
+		name_sides(sites, side);
+		session_answer(s, comparison(s, side));
+	}
 	for (size_t i = 0; i < 2; i++) {
 		prediction_free(&side[i].p);
 		free(side[i].draws);

@@ -25,14 +25,22 @@ struct files {
 		char *path;
 		uint64_t digest;
 	} * reading;
+	char *holder; /* or NULL */
+	bool saved;
 };
+
+static struct files *
+files_of(struct session *s)
+{
+	if (s->files == NULL)
+		s->files = xcalloc(1, sizeof *s->files);
+	return s->files;
+}
 
 static void
 note(struct session *s, const char *path, bool written)
 {
-	struct files *f = s->files;
-	if (f == NULL)
-		f = s->files = xcalloc(1, sizeof *f);
+	struct files *f = files_of(s);
 	uint64_t digest = text_digest(TEXT_DIGEST_START, path, strlen(path));
 	for (size_t i = 0; i < f->n; i++)
 		if (f->known[i].digest == digest &&
@@ -94,10 +102,31 @@ files_wrote(struct session *s, const char *path)
 }
 
 void
+files_holds(struct session *s, const char *path, bool saved)
+{
+	struct files *f = files_of(s);
+	char *holder = xstrdup(path);
+	free(f->holder);
+	f->holder = holder;
+	f->saved = saved;
+	if (saved)
+		files_wrote(s, path);
+}
+
+const char *
+files_holder(const struct session *s, bool *saved)
+{
+	if (saved != NULL)
+		*saved = s->files != NULL && s->files->saved;
+	return s->files != NULL ? s->files->holder : NULL;
+}
+
+void
 files_free(struct files *files)
 {
 	if (files == NULL)
 		return;
+	free(files->holder);
 	for (size_t i = 0; i < files->n; i++)
 		free(files->known[i].path);
 	for (size_t i = 0; i < files->n_reading; i++)
@@ -107,17 +136,23 @@ files_free(struct files *files)
 	free(files);
 }
 
-/* Whether there is a file at path and a known one is the same. */
+/* Whether that is the one at path. */
+static bool
+is_file(const char *path, const struct stat *file)
+{
+	struct stat other;
+	return path != NULL && stat(path, &other) == 0 &&
+	       other.st_dev == file->st_dev && other.st_ino == file->st_ino;
+}
+
+/* Whether it is a known one. */
 static bool
 is_known(const struct session *s, const struct stat *file, bool written)
 {
-	struct stat other;
 	const struct files *f = s->files;
 	for (size_t i = 0; f != NULL && i < f->n; i++)
 		if (f->known[i].written == written &&
-		    stat(f->known[i].path, &other) == 0 &&
-		    other.st_dev == file->st_dev &&
-		    other.st_ino == file->st_ino)
+		    is_file(f->known[i].path, file))
 			return true;
 	return false;
 }
@@ -128,11 +163,8 @@ is_store(const struct session *s, const struct stat *file)
 	static const char *const PARTS[] = {"", "-wal", "-shm"};
 	bool same = false;
 	for (size_t i = 0; i < ARRAY_LEN(PARTS); i++) {
-		struct stat part;
 		char *path = xasprintf("%s%s", store_path(s->store), PARTS[i]);
-		same = same ||
-		       (stat(path, &part) == 0 && part.st_dev == file->st_dev &&
-			   part.st_ino == file->st_ino);
+		same = same || is_file(path, file);
 		free(path);
 	}
 	return same;
@@ -148,6 +180,11 @@ files_may_write(const struct session *s, const char *path, struct error *error)
 		return error_set(error, ERROR_SYSTEM,
 		    "%s is the store and cannot be overwritten by a result\n"
 		    "use another file name",
+		    path);
+	if (is_file(files_holder(s, NULL), &file))
+		return error_set(error, ERROR_SYSTEM,
+		    "%s holds this session and cannot be overwritten by a "
+		    "result\nuse another file name",
 		    path);
 	if (is_known(s, &file, false))
 		return error_set(error, ERROR_SYSTEM,

@@ -14,9 +14,16 @@
 void files_reads(struct session *s, const char *path);
 void files_wrote(struct session *s, const char *path);
 
+/* Notes the script that holds the session: it was restored from it, or saved to
+ * it. */
+void files_holds(struct session *s, const char *path, bool saved);
+
+/* That script, or NULL; saved: out, or NULL. */
+const char *files_holder(const struct session *s, bool *saved);
+
 /* True where path can be written and is nothing that the session has read
- * (sheet, script, envelope, store), by whatever name; else an error of kind
- * ERROR_SYSTEM. */
+ * (sheet, script, envelope, store), by whatever name, nor holds it; else an
+ * error of kind ERROR_SYSTEM. */
 bool files_may_write(
     const struct session *s, const char *path, struct error *error);
 

@@ -30,6 +30,7 @@ goals_clear(struct goal *g)
 	conditions_free(&g->list);
 	window_free(&g->found);
 	free(g->why);
+	free(g->missed);
 	free(g->met);
 	*g = (struct goal){.n_value = 0};
 }
@@ -186,6 +187,32 @@ meet(struct goal *g, struct wanted *others)
 	free(root);
 }
 
+/* What misses most at the best speed, where the goal is met at none. */
+static char *
+missed_words(const struct goal *g, struct wanted *all, double best)
+{
+	struct window_limit limit;
+	all->n = g->list.n;
+	if (g->n_met > 0 || (g->n_value == 0 && g->found.n_inside > 0) ||
+	    isnan(best))
+		return NULL;
+	response_at(all->response, best);
+	if (!isfinite(window_margin(all, &limit)))
+		return NULL;
+	const struct condition *c = &g->list.at[limit.i];
+	const struct quantity *q = &c->quantity;
+	const char *unit = quantities_unit(q);
+	char *name = quantities_words(q);
+	char *words = xasprintf("%s %.3g%s%s", name,
+	    quantities_shown(q, response_value(all->response, limit.i)),
+	    unit[0] != '\0' ? " " : "", unit);
+	if (!is_value(c))
+		xappend(&words, " (%s %g)", limit.most ? tr("max") : tr("min"),
+		    quantities_shown(q, limit.most ? c->most : c->least));
+	free(name);
+	return words;
+}
+
 /* What is set is read again: another feed may not tell of it. */
 static void
 begin(struct session *s, struct goal *g, size_t feed)
@@ -234,10 +261,13 @@ goals_step(struct session *s, struct goal *g, size_t feed)
 		join(&g->found, &w);
 		window_free(&w);
 	}
-	response_free(all.response);
 	g->done++;
 	if (g->done == g->parts && g->found.n > 0)
 		window_certain(&g->found, settings_level(&s->set), g->certain);
+	if (g->done == g->parts)
+		g->missed = missed_words(
+		    g, &all, goals_best(s, g, answers_usual(entry)));
+	response_free(all.response);
 }
 
 double
@@ -309,6 +339,8 @@ outcome(const struct session *s, const struct goal *g, double speed, bool full)
 			    : xstrdup(tr("at no speed"));
 	else
 		words = xasprintf(tr("at %s%s"), speeds, full ? " m/s" : "");
+	if (g->missed != NULL && full)
+		xappend(&words, ": %s", g->missed);
 	free(speeds);
 	if (all_certain(g) && full)
 		xappend(&words, tr(", %.0f %% certain"), 100 * level);

@@ -11,11 +11,12 @@
  *
  * What follows is known when `done` parts of the speeds are all: `found` of the
  * conditions that are ranges; met [n_met]: the speeds at which the single value
- * is reached and the ranges hold; nearest: the one that misses it least. */
+ * is reached and the ranges hold; nearest: the one that misses it least;
+ * missed: what is in the way where no speed will do, or NULL. */
 struct goal {
 	struct condition_list list;
 	size_t n_value;
-	char *why;
+	char *why, *missed;
 	size_t feed, done, parts;
 	struct window_found found;
 	size_t n_met;
@@ -50,8 +51,9 @@ double goals_best(
     const struct session *s, const struct goal *goal, double speed);
 
 /* "goal p80=5.4: met at 71.2 m/s", "goal p80>5: met at 65.0 to 75.6 m/s, 80 %
- * certain to 75.3"; without what was set; without how certain; while it is not
- * known that it is being worked out; "" without a goal.  The caller frees. */
+ * certain to 75.3", "goal p80=3: met at no speed, nearest 85.0: P80 4.8 mm";
+ * without what was set; without how certain; while it is not known that it is
+ * being worked out; "" without a goal.  The caller frees. */
 enum goals_length { GOALS_FULL, GOALS_SPEEDS, GOALS_SHORT, GOALS_LENGTHS };
 char *goals_words(struct session *s, const struct goal *goal, double speed,
     enum goals_length length);

@@ -75,18 +75,32 @@ restore(struct session *s, const char *path, struct error *error)
 	return true;
 }
 
+/* What was typed, with the ending where it has none.  The caller frees. */
+static char *
+script_name(const char *typed)
+{
+	const char *slash = strrchr(typed, '/');
+	const char *name = slash != NULL ? slash + 1 : typed;
+	bool bare = name[0] != '\0' && strchr(name, '.') == NULL;
+	return xasprintf("%s%s", typed, bare ? ".tip" : "");
+}
+
 bool
 cmd_restore(struct session *s, const struct args *args, struct error *error)
 {
 	if (args->n_operand == 0)
 		return keep_list(s);
-	if (strcmp(args->operand[0], "last") != 0) {
+	const char *typed = args->operand[0];
+	bool last = strcmp(typed, "last") == 0;
+	char *path = last                       ? keep_last(s, error)
+		     : access(typed, F_OK) == 0 ? xstrdup(typed)
+						: script_name(typed);
+	if (!last)
 		invocation_saved(s);
-		return restore(s, args->operand[0], error);
-	}
-	char *last = keep_last(s, error);
-	bool ok = last != NULL && restore(s, last, error);
-	free(last);
+	bool ok = path != NULL && restore(s, path, error);
+	if (ok && !last)
+		files_holds(s, path, false);
+	free(path);
 	return ok;
 }
 
@@ -220,25 +234,29 @@ put_script(const void *data, FILE *out)
 	journal_put(data, out);
 }
 
-/* What was typed, with the ending where it has none.  The caller frees. */
-static char *
-script_name(const char *typed)
+/* Where this session was saved before it is saved again unasked; what it was
+ * restored from is replaced where that is said. */
+static bool
+may_save(const struct session *s, const struct args *args, const char *path,
+    struct error *error)
 {
-	const char *slash = strrchr(typed, '/');
-	const char *name = slash != NULL ? slash + 1 : typed;
-	bool bare = name[0] != '\0' && strchr(name, '.') == NULL;
-	return xasprintf("%s%s", typed, bare ? ".tip" : "");
+	bool saved;
+	const char *holder = files_holder(s, &saved);
+	bool again = holder != NULL && strcmp(holder, path) == 0;
+	if (again && (saved || args_value(args, "replace")->choice == 1))
+		return file_may_write(path, error);
+	return data_may_write(s, args, path, error);
 }
 
 static bool
 save_as(struct session *s, const struct args *args, const char *path,
     struct error *error)
 {
-	if (!data_may_write(s, args, path, error) ||
+	if (!may_save(s, args, path, error) ||
 	    !journal_can_be_saved(s, error) ||
 	    !file_replace_by(path, FILE_SHARED, put_script, s, error))
 		return false;
-	files_wrote(s, path);
+	files_holds(s, path, true);
 	invocation_saved(s);
 	struct mark mark = journal_mark(s);
 	size_t n = mark.n - mark.start;

@@ -32,13 +32,36 @@ ends_word(char c, bool verbatim)
 	       (!verbatim && (c == '>' || c == '|'));
 }
 
+/* Where the quote ends that '...' or name='...' has; 0: this word is none of
+ * these, a ' of its own is a letter.  open: out, where it begins. */
+static size_t
+single_quoted(const char *line, size_t at, bool verbatim, size_t *open)
+{
+	size_t name = strspn(line + at, "abcdefghijklmnopqrstuvwxyz_");
+	*open = line[at + name] == '=' ? at + name + 1 : at;
+	if (line[*open] != '\'')
+		return 0;
+	size_t close = *open + 1 + strcspn(line + *open + 1, "'");
+	bool ends = line[close] != '\0' &&
+		    (line[close + 1] == '\0' ||
+			ends_word(line[close + 1], verbatim));
+	return ends ? close : 0;
+}
+
 /* Copies one word from *at on and moves *at after it. False on an open quote;
  * the caller frees the word in any case. */
 static bool
 take_word(const char *line, size_t *at, bool verbatim, char **word)
 {
 	bool quoted = false;
-	size_t i = *at;
+	size_t i = *at, open;
+	size_t close = single_quoted(line, *at, verbatim, &open);
+	if (close > 0) {
+		*word = xasprintf("%.*s%.*s", (int)(open - *at), line + *at,
+		    (int)(close - open - 1), line + open + 1);
+		*at = close + 1;
+		return true;
+	}
 	for (; line[i] != '\0' && (quoted || !ends_word(line[i], verbatim));
 	     i++)
 		quoted = quoted != (line[i] == '"');

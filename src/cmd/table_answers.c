@@ -235,7 +235,8 @@ const struct command TABLE_ANSWERS[] = {
 	.run = cmd_card},
     {.name = "compare",
 	.brief = "two speeds or two sites side by side",
-	.operands = {"SPEED SPEED | SITE SITE", {"SPEED SITE"}, 2, 2},
+	.operands = {"SPEED SPEED | SITE SITE | pinned SPEED",
+	    {"SPEED SITE pinned"}, 2, 2},
 	.flags = COMMAND_AT_SITE,
 	.option = COMPARE_OPTIONS,
 	.text =
@@ -243,7 +244,9 @@ const struct command TABLE_ANSWERS[] = {
 	    "with the same feed, or of two loaded sites at one speed, each "
 	    "with its own feed: passing sieve by sieve and the difference "
 	    "(second minus first), P20, P50 and P80, the fines and the break "
-	    "sizes. plot psd with other= or beside= draws both.",
+	    "sizes. 'pinned' is what pin has kept, with its own site and feed, "
+	    "and without a band of the difference. plot psd with other= or "
+	    "beside= draws both.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "compare 69 79",

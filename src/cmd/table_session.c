@@ -54,7 +54,8 @@ const struct command TABLE_SESSION[] = {
 	    "same place and the store has the recalled materials: a site file "
 	    "or a material with other numbers is refused. Results are saved "
 	    "with > FILE after a command, not with save. A name without an "
-	    "ending gets .tip.",
+	    "ending gets .tip. A file that this session was saved to before "
+	    "is saved again without replace=on.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
 		   "save plant",
 	.run = cmd_save},

@@ -191,6 +191,20 @@ above_wait(const struct tui *t)
 	return fmax(0, t->moved + PAUSE - session_clock());
 }
 
+/* What the heading has no room for on a narrow screen. */
+static void
+step_goal(struct tui *t)
+{
+	bool pending = goal_pending(t);
+	goals_step(t->session, &t->goal, tui_feed(t));
+	if (!pending || goal_pending(t) || t->goal.missed == NULL ||
+	    t->message[0] != '\0')
+		return;
+	char *words = goal_words(t, GOALS_FULL);
+	tui_say(t, false, "%s", words);
+	free(words);
+}
+
 void
 above_update(struct tui *t)
 {
@@ -201,7 +215,7 @@ above_update(struct tui *t)
 		if (now && !is_fresh(t))
 			work_out(t);
 		else if (now)
-			goals_step(t->session, &t->goal, tui_feed(t));
+			step_goal(t);
 	while (t->aside && (!is_fresh(t) || goal_pending(t)));
 }
 

@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <curses.h>
 
@@ -12,6 +13,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
+#include "cmd/files.h"
 #include "cmd/outlook.h"
 #include "cmd/fit.h"
 #include "ui/above.h"
@@ -64,16 +66,36 @@ next_focus(struct tui *t)
 }
 
 /* Puts a name for the file after `>`: "tierp-74.0.xlsx", which a spreadsheet
- * opens whatever its decimal sign; of the plot of two predictions an image. */
+ * opens whatever its decimal sign. */
 static void
 propose_file(const struct tui *t, char **line)
 {
 	if (tui_entry(t) == NULL)
 		return;
 	char *name = text_slug(tui_entry(t)->key);
-	xappend(line, "%s-%.1f.%s", name, t->tenths / 10.0,
-	    t->pin.site[0] != '\0' ? "svg" : "xlsx");
+	xappend(line, "%s-%.1f.xlsx", name, t->tenths / 10.0);
 	free(name);
+}
+
+/* The script that holds the session, or the first name of its site's that is
+ * free. */
+static char *
+save_line(const struct tui *t)
+{
+	bool saved;
+	const char *holder = files_holder(t->session, &saved);
+	if (holder != NULL)
+		return xasprintf(
+		    "save \"%s\"%s", holder, saved ? "" : " replace=on");
+	char *name =
+	    text_slug(tui_entry(t) != NULL ? tui_entry(t)->key : "session");
+	char *line = xasprintf("save %s.tip", name);
+	for (int i = 2; access(line + strlen("save "), F_OK) == 0; i++) {
+		free(line);
+		line = xasprintf("save %s-%d.tip", name, i);
+	}
+	free(name);
+	return line;
 }
 
 /* The command of a key that has one, with the speed or the picture in it.  The
@@ -82,16 +104,17 @@ static char *
 compose(const struct tui *t, const struct key *key)
 {
 	const char *hole = strstr(key->command, "%s");
+	if (key->act == ACT_SAVE)
+		return save_line(t);
 	if (hole == NULL)
 		return xstrdup(key->command);
 	char *(*words)(const struct tui *) = pages_open(t)->words;
 	words = words != NULL ? words : pane_curves_words;
 	char *where = key->act == ACT_TELL ? words(t) : tui_where(t);
 	char *line;
-	if (key->act == ACT_EXPORT && t->pin.site[0] != '\0') {
-		page_predict_beside(t, &where);
-		line = xasprintf("plot psd %s > ", where);
-	} else
+	if (key->act == ACT_EXPORT && t->pin.site[0] != '\0')
+		line = xasprintf("compare pinned %s > ", where);
+	else
 		line = xasprintf("%.*s%s%s", (int)(hole - key->command),
 		    key->command, where, hole + 2);
 	free(where);
@@ -104,7 +127,8 @@ static void
 run_key(struct tui *t, const struct key *key)
 {
 	char *line = compose(t, key);
-	if (key->act == ACT_TYPE || key->act == ACT_EXPORT) {
+	if (key->act == ACT_TYPE || key->act == ACT_EXPORT ||
+	    key->act == ACT_SAVE) {
 		t->message[0] = '\0';
 		typing_begin(&t->typing, line);
 	} else if (key->act == ACT_RUN || key->act == ACT_TELL) {
@@ -385,7 +409,8 @@ static bool
 is_about_speed(enum key_act act)
 {
 	return act == ACT_PIN || act == ACT_EXPORT || act == ACT_TELL ||
-	       act == ACT_TYPE || act == ACT_LIMIT || act == ACT_BEST;
+	       act == ACT_TYPE || act == ACT_SAVE || act == ACT_LIMIT ||
+	       act == ACT_BEST;
 }
 
 /* Does what a key is for; nothing for NULL. */
@@ -416,6 +441,7 @@ act(struct tui *t, const struct key *key)
 	case ACT_RUN:
 	case ACT_TELL:
 	case ACT_TYPE:
+	case ACT_SAVE:
 		run_key(t, key);
 		break;
 	case ACT_EXPORT:

@@ -158,17 +158,34 @@ close_field(struct tui *t)
 	t->goal_field = false;
 }
 
-/* The line that sets one, or takes it away; NULL where that changes nothing. */
+/* Adds a word in quotes. */
+static void
+add_quoted(char **line, const char *text)
+{
+	xappend(line, "\"");
+	for (const char *p = text; *p != '\0'; p++)
+		xappend(line, *p == '"' ? "\"\"" : "%c", *p);
+	xappend(line, "\"");
+}
+
+/* The line that sets one, or takes it away; NULL where that changes nothing.
+ * An envelope alone is also the one in use, so that its limits are drawn. */
 static char *
 set_goal(struct tui *t, const char *text)
 {
-	char *line = xstrdup("set goal \"");
+	const struct session *s = t->session;
+	bool envelope = text[0] != '\0' && !goals_is_condition(text) &&
+			conditions_length(text) == strlen(text);
+	char *line = xstrdup("");
 	close_field(t);
-	for (const char *p = text[0] != '\0' ? text : SETTINGS_NONE; *p != '\0';
-	     p++)
-		xappend(&line, *p == '"' ? "\"\"" : "%c", *p);
-	xappend(&line, "\"");
-	if (strcmp(text, t->session->set.goal) != 0)
+	if (envelope && !session_busy(s)) {
+		xappend(&line, "spec use ");
+		add_quoted(&line, text);
+		xappend(&line, "; ");
+	}
+	xappend(&line, "set goal ");
+	add_quoted(&line, text[0] != '\0' ? text : SETTINGS_NONE);
+	if (strcmp(text, s->set.goal) != 0)
 		return line;
 	free(line);
 	return NULL;

@@ -26,6 +26,7 @@ enum key_act {
 	ACT_CORRECT,  /* the next choice of `set correction` */
 	ACT_TELL,     /* describe what the page draws */
 	ACT_TYPE,     /* the command into the command line, to be completed */
+	ACT_SAVE,     /* the same, with a file name */
 	ACT_EXPORT,   /* the same; with one kept beside, both curves */
 	ACT_CROSS,    /* crosshair on or off */
 	ACT_BAND,     /* uncertainty on or off */

@@ -11,6 +11,7 @@
 #include "base/tr.h"
 #include "cmd/answers.h"
 #include "cmd/light.h"
+#include "cmd/plots_limits.h"
 #include "cmd/quantities.h"
 #include "io/units.h"
 #include "ui/control.h"
@@ -379,7 +380,10 @@ draw_limits(struct panel *p, const struct area *area)
 	struct area name = *area;
 	name.columns -= 4;
 	touch_add(&t->touches, *area, touch_limits, 0);
-	screen_text(&name, 0, 0, LOOK_DIM, "%s", t->session->spec->name);
+	char *cut = plots_limits_words(t->session);
+	screen_text(&name, 0, 0, LOOK_DIM, "%s%s%s", cut,
+	    cut[0] != '\0' ? ": " : "", t->session->spec->name);
+	free(cut);
 	if (g == NULL) {
 		screen_text(area, 1, 0, 0,
 		    session_busy(t->session) ? N_("after the calibration")
