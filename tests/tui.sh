@@ -115,7 +115,7 @@ keys : 'flow tph=120' Enter
 want '120 t/h at 78 m.s' "a command with a speed takes the slider's"
 keys q
 keys e
-want '^:.*psd speed=78\.0 feed=74 beside=pinned >' "e exports both"
+want '^:compare pinned 78\.0 feed=74 > tierp-78.0.xlsx' "e exports both"
 keys Escape x 7 4 Enter
 want '^: predict speed=74\.0 '
 keys : 'set k 1.'

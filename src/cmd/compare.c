@@ -206,12 +206,14 @@ static bool
 take_pinned(struct session *s, struct side *side, struct error *error)
 {
 	const struct pin *pin = s->pin;
-	size_t at;
+	size_t at = 0;
 	if (pin == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "compare: nothing is pinned\n"
 		    "'pin speed=74' pins a prediction");
-	if (!session_find(s, pin->key, &at, error))
+	while (at < s->n_entry && s->entry[at].site != pin->site)
+		at++;
+	if (at == s->n_entry && !session_find(s, pin->key, &at, error))
 		return false;
 	const struct entry *entry = &s->entry[at];
 	side->entry = entry;
@@ -220,27 +222,35 @@ take_pinned(struct session *s, struct side *side, struct error *error)
 	return true;
 }
 
+static bool
+is_pinned(const struct args *args, size_t i)
+{
+	return strcmp(args->operand[i], PIN) == 0;
+}
+
 /* Side i: a loaded site at the speed of the option, with a feed of its own; or
- * the site in use at a speed, with one feed for both. */
+ * the site in use at a speed, with one feed for both speeds, but beside what is
+ * pinned with that of predict. */
 static bool
 take_side(struct session *s, const struct args *args, bool sites, size_t i,
     struct side *side, struct error *error)
 {
 	const char *word = args->operand[i];
-	if (strcmp(word, PIN) == 0)
+	if (is_pinned(args, i))
 		return take_pinned(s, side, error);
 	double v = answers_speed(args, session_entry(s));
 	size_t at = s->current, feed;
 	if (sites && !session_find(s, word, &at, error))
 		return false;
 	const struct entry *entry = &s->entry[at];
-	double near = sites ? v : answers_middle(entry->site);
-	if (!answers_known(s, entry, error) ||
-	    !answers_feed(entry->site, args, near, &feed, error))
-		return false;
 	if (!sites && (!value_number(word, "m/s", &v) || v < 1 || v > 200))
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected speeds from 1 to 200 m/s, got %s", word);
+	double near =
+	    sites || is_pinned(args, 1 - i) ? v : answers_middle(entry->site);
+	if (!answers_known(s, entry, error) ||
+	    !answers_feed(entry->site, args, near, &feed, error))
+		return false;
 	side->entry = entry;
 	side->p = outlook_predict(s, entry, v, feed);
 	struct ensemble *e = outlook_ensemble(s, entry, feed);
@@ -345,7 +355,7 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 	bool sites = false;
 	for (size_t i = 0; i < 2; i++)
 		sites =
-		    sites || (strcmp(args->operand[i], PIN) != 0 &&
+		    sites || (!is_pinned(args, i) &&
 				 !value_number(args->operand[i], "m/s", &v));
 	if (!sites && args_value(args, "speed")->given)
 		return error_set(error, ERROR_USAGE,

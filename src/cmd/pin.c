@@ -66,7 +66,8 @@ cmd_pin(struct session *s, const struct args *args, struct error *error)
 	    !choose(s, entry, args, &speed, &feed, error))
 		return false;
 	struct pin *pin = xcalloc(1, sizeof *pin);
-	*pin = (struct pin){.key = xstrdup(entry->key),
+	*pin = (struct pin){.site = entry->site,
+	    .key = xstrdup(entry->key),
 	    .p = outlook_form(s, entry, &params, speed, feed)};
 	s->pins = xrealloc(s->pins, s->n_pin + 1, sizeof(*s->pins));
 	s->pin = s->pins[s->n_pin++] = pin;

@@ -5,8 +5,10 @@
 
 #include "cmd/session.h"
 
-/* key: of its site, which may no longer be loaded. */
+/* site, key: what it was of, which may no longer be loaded, or have another
+ * key. */
 struct pin {
+	const struct site *site;
 	char *key;
 	struct prediction p;
 };

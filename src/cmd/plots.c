@@ -736,7 +736,8 @@ parity_chart(
 		error_set(error, ERROR_USAGE,
 		    "no loaded site has both parameters and a product at a "
 		    "held-out speed\n"
-		    "load sites with three speeds, then run 'calibrate all'");
+		    "load sites with three speeds, then run 'calibrate', or "
+		    "'calibrate all' for all of them");
 	}
 	free(pairs.about);
 	free(pairs.entry);

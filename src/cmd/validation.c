@@ -682,7 +682,8 @@ validate_all(struct session *s, struct comparison *c, struct error *error)
 	else
 		error_set(error, ERROR_USAGE,
 		    "no loaded site has both a calibration and a held-out run\n"
-		    "load sites with three speeds, then run 'calibrate all'");
+		    "load sites with three speeds, then run 'calibrate', or "
+		    "'calibrate all' for all of them");
 	fail_late(s, &failed, n);
 	return error->kind == ERROR_NONE;
 }

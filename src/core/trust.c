@@ -13,6 +13,7 @@
 #include "core/misfit.h"
 #include "core/sensitivity.h"
 
+const double TRUST_SETTLED = 0.7;
 const char *const LIGHT_NAME[3] = {N_("green"), N_("amber"), N_("red")};
 
 /* What no passing is trusted to more than. */
@@ -249,7 +250,7 @@ judge_data(struct trust *t, const struct evidence *e)
 			tr("one speed, %g m/s, was measured: nothing shows "
 			   "what the speed does; add a cut at another"),
 			e->slowest));
-	if (e->drift > 0.7)
+	if (e->drift > TRUST_SETTLED)
 		trust_add(t, e->drift > 1.2 ? LIGHT_RED : LIGHT_AMBER,
 		    TRUST_FIT,
 		    xasprintf(

@@ -15,6 +15,9 @@
 enum light { LIGHT_GREEN, LIGHT_AMBER, LIGHT_RED };
 extern const char *const LIGHT_NAME[3];
 
+/* How far the two halves of the draws may lie apart, sd; see posterior.h. */
+extern const double TRUST_SETTLED;
+
 /* Above this RMSE (passing, 0..1) at the training runs a fit is called poor: a
  * careful sample repeats to 0.005 or 0.01. */
 #define FIT_POOR 0.02

@@ -65,37 +65,28 @@ next_focus(struct tui *t)
 	tui_say(t, false, "%s", "");
 }
 
-/* Puts a name for the file after `>`: "tierp-74.0.xlsx", which a spreadsheet
- * opens whatever its decimal sign. */
-static void
-propose_file(const struct tui *t, char **line)
-{
-	if (tui_entry(t) == NULL)
-		return;
-	char *name = text_slug(tui_entry(t)->key);
-	xappend(line, "%s-%.1f.xlsx", name, t->tenths / 10.0);
-	free(name);
-}
-
-/* The script that holds the session, or the first name of its site's that is
- * free. */
+/* A name for the file: "tierp-74.0.xlsx", which a spreadsheet opens whatever
+ * its decimal sign; for a session the script that holds it, or the first name
+ * that is free.  The caller frees. */
 static char *
-save_line(const struct tui *t)
+propose_file(const struct tui *t, const struct key *key)
 {
 	bool saved;
 	const char *holder = files_holder(t->session, &saved);
-	if (holder != NULL)
+	if (key->act == ACT_SAVE && holder != NULL)
 		return xasprintf(
-		    "save \"%s\"%s", holder, saved ? "" : " replace=on");
-	char *name =
+		    "\"%s\"%s", holder, saved ? "" : " replace=on");
+	char *slug =
 	    text_slug(tui_entry(t) != NULL ? tui_entry(t)->key : "session");
-	char *line = xasprintf("save %s.tip", name);
-	for (int i = 2; access(line + strlen("save "), F_OK) == 0; i++) {
-		free(line);
-		line = xasprintf("save %s-%d.tip", name, i);
+	char *name = key->act == ACT_SAVE
+			 ? xasprintf("%s.tip", slug)
+			 : xasprintf("%s-%.1f.xlsx", slug, t->tenths / 10.0);
+	for (int i = 2; key->act == ACT_SAVE && access(name, F_OK) == 0; i++) {
+		free(name);
+		name = xasprintf("%s-%d.tip", slug, i);
 	}
-	free(name);
-	return line;
+	free(slug);
+	return name;
 }
 
 /* The command of a key that has one, with the speed or the picture in it.  The
@@ -104,22 +95,18 @@ static char *
 compose(const struct tui *t, const struct key *key)
 {
 	const char *hole = strstr(key->command, "%s");
-	if (key->act == ACT_SAVE)
-		return save_line(t);
 	if (hole == NULL)
 		return xstrdup(key->command);
 	char *(*words)(const struct tui *) = pages_open(t)->words;
 	words = words != NULL ? words : pane_curves_words;
 	char *where = key->act == ACT_TELL ? words(t) : tui_where(t);
-	char *line;
-	if (key->act == ACT_EXPORT && t->pin.site[0] != '\0')
-		line = xasprintf("compare pinned %s > ", where);
-	else
-		line = xasprintf("%.*s%s%s", (int)(hole - key->command),
-		    key->command, where, hole + 2);
+	char *line = key->act == ACT_EXPORT
+			 ? tui_asks(t)
+			 : xasprintf("%.*s%s%s", (int)(hole - key->command),
+			       key->command, where, hole + 2);
 	free(where);
 	if (key->act == ACT_EXPORT)
-		propose_file(t, &line);
+		xappend(&line, " > ");
 	return line;
 }
 
@@ -127,10 +114,14 @@ static void
 run_key(struct tui *t, const struct key *key)
 {
 	char *line = compose(t, key);
-	if (key->act == ACT_TYPE || key->act == ACT_EXPORT ||
-	    key->act == ACT_SAVE) {
+	if (key->act == ACT_TYPE) {
 		t->message[0] = '\0';
 		typing_begin(&t->typing, line);
+	} else if (key->act == ACT_EXPORT || key->act == ACT_SAVE) {
+		char *name = propose_file(t, key);
+		t->message[0] = '\0';
+		typing_propose(&t->typing, line, name);
+		free(name);
 	} else if (key->act == ACT_RUN || key->act == ACT_TELL) {
 		control_typed(t, line);
 	} else {
@@ -340,6 +331,10 @@ static void
 leave_act(struct tui *t, const struct key *key)
 {
 	switch (key->act) {
+	case ACT_KEEP:
+	case ACT_STOP:
+		stop(t);
+		break;
 	case ACT_SUSPEND:
 		raise(SIGTSTP); /* the loop answers it */
 		break;
@@ -455,10 +450,6 @@ act(struct tui *t, const struct key *key)
 		break;
 	case ACT_HOLD:
 		hold(t, key);
-		break;
-	case ACT_KEEP:
-	case ACT_STOP:
-		stop(t);
 		break;
 	case ACT_PACE:
 		set_pace(t, key->amount);

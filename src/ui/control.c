@@ -577,6 +577,21 @@ asks_at_speed(const struct command *command)
 	       !(command->flags & COMMAND_CHANGES);
 }
 
+/* Whether a line has a speed among its operands, as in "compare pinned 72". */
+static bool
+names_speed(const struct command *asked, const char *rest)
+{
+	bool named = false;
+	char *copy = xstrndup(rest, strcspn(rest, ">|")), *save = NULL;
+	double v;
+	for (char *word = strtok_r(copy, " \t", &save); word != NULL;
+	     word = strtok_r(NULL, " \t", &save))
+		named |= value_number(word, "m/s", &v);
+	free(copy);
+	return named && asked->operands.usage != NULL &&
+	       strstr(asked->operands.usage, "SPEED") != NULL;
+}
+
 /* What a typed line means with the slider somewhere, see tui_where.  A question
  * about one speed is about that of the slider, where it is asked of no other:
  * "spec FILE" gets it.  The caller frees. */
@@ -596,7 +611,8 @@ meant_by(const char *line, const char *where)
 	bool said = strchr(line, ';') != NULL ||
 		    strstr(line, "speed=") != NULL ||
 		    strstr(line, "rpm=") != NULL ||
-		    (bare && *rest >= '0' && *rest <= '9');
+		    (bare && *rest >= '0' && *rest <= '9') ||
+		    names_speed(asked, rest);
 	bool own = strstr(line, "feed=") != NULL ||
 		   command_option_index(asked, "feed") == OPTIONS;
 	size_t length = own ? strcspn(where, " ") : strlen(where);
@@ -621,6 +637,13 @@ control_typed(struct tui *t, const char *line)
 }
 
 void
+control_show(struct tui *t, const char *line)
+{
+	if (control_run(t, line))
+		show_said(t);
+}
+
+void
 control_predict(struct tui *t)
 {
 	struct session *s = t->session;
@@ -636,9 +659,12 @@ control_predict(struct tui *t)
 	bool first = t->asked.tenths == 0;
 	if (t->asked.tenths == t->tenths && t->asked.feed_run == tui_feed(t))
 		return;
-	if (t->clock - t->moved > PAUSE || t->pause.site[0] == '\0' ||
-	    strcmp(t->pause.site, entry->key) != 0)
+	/* What a search had on its way is nothing to count from. */
+	if (!t->formed &&
+	    (t->clock - t->moved > PAUSE || t->pause.site[0] == '\0' ||
+		strcmp(t->pause.site, entry->key) != 0))
 		t->pause = t->now;
+	t->formed = forming;
 	if (!first)
 		t->moved = t->clock;
 	char *where = tui_where(t);

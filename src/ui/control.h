@@ -18,8 +18,10 @@ const struct tui *control_open(void);
  * it failed. */
 bool control_run(struct tui *t, const char *line);
 
-/* The same for a typed line: what it prints is shown. */
+/* The same for a typed line: what it prints is shown, but of a prediction that
+ * the page shows; control_show: that, too. */
 void control_typed(struct tui *t, const char *line);
+void control_show(struct tui *t, const char *line);
 
 /* Predicts at the slider's speed, where there is something to predict with and
  * it is not done already. */

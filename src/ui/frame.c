@@ -200,28 +200,34 @@ touch_offer(struct tui *t, const struct touched *touched)
 	return touched->kind == TOUCH_PRESS;
 }
 
-/* What a word may become; ".." where there is more. */
+/* What a word may become; ".." where there is more, which Tab shows. */
 static void
-draw_offers(struct tui *t, const struct area *area, const char *offers)
+draw_offers(struct tui *t, const struct area *area)
 {
-	bool more = text_width(offers) > area->columns;
-	char *text = xstrdup(offers), *save = NULL;
-	pane_cut(text, area->columns - (more ? 4 : 0));
+	struct typing *y = &t->typing;
+	enum { MORE = 3 };
 	int column = 0;
-	size_t i = 0;
-	for (char *offer = strtok_r(text, " ", &save); offer != NULL;
-	     offer = strtok_r(NULL, " ", &save)) {
-		int from = column;
-		column = screen_text(area, 0, from, 0, "%s", offer);
+	size_t i = y->from, n;
+	const char *offer = typing_offer(y, i, &n);
+	for (; offer != NULL; offer = typing_offer(y, ++i, &n)) {
+		char *text = xstrndup(offer, n);
+		int width = text_width(text), from = column,
+		    room = area->columns - from - MORE;
+		if (width > room && from > 0) {
+			free(text);
+			break;
+		}
+		column = screen_text(area, 0, from, 0, "%s", text);
 		touch_add(&t->touches,
 		    (struct area){
 			area->row, area->column + from, 1, column - from},
-		    touch_offer, i++);
+		    touch_offer, i);
 		column += 2;
+		free(text);
 	}
-	if (more)
-		screen_text(area, 0, column, 0, "..");
-	free(text);
+	y->shown = i - y->from;
+	if (offer != NULL || y->from > 0)
+		screen_text(area, 0, area->columns - MORE, 0, " ..");
 }
 
 /* A word that rows must have, and how many of them do. */
@@ -303,7 +309,7 @@ draw_note(struct tui *t, const struct area *note)
 	if (t->speed.text[0] != '\0') {
 		draw_speed(t, note);
 	} else if (t->typing.active && t->typing.offers != NULL) {
-		draw_offers(t, note, t->typing.offers);
+		draw_offers(t, note);
 	} else if (filters(t) && l->hints.rows == 0) {
 		screen_text(note, 0, 0, 0, "%*s", note->columns, "");
 		draw_filter(t, note);
@@ -339,7 +345,7 @@ draw_lower(struct tui *t)
 	/* What is typed leaves the row of hints alone. */
 	bool offers = t->typing.offers != NULL && l->hints.rows > 0;
 	if (note == line && typing && offers)
-		draw_offers(t, &l->hints, t->typing.offers);
+		draw_offers(t, &l->hints);
 	else if ((note == line && typing) || !draw_note(t, note))
 		draw_hints(t);
 }

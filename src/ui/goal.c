@@ -263,6 +263,19 @@ begin_anew(struct tui *t, int code)
 	free(words);
 }
 
+/* The number that stood for a value begins a fraction: "p80=0", then a /. */
+static void
+begin_fraction(struct typing *y)
+{
+	const char *sign = strchr(y->text, '=');
+	if (sign == NULL || sign[1] == '\0' ||
+	    sign[1 + strspn(sign + 1, "0123456789.")] != '\0')
+		return;
+	char *number = xstrdup(sign + 1);
+	typing_begin(y, number);
+	free(number);
+}
+
 char *
 goal_key(struct tui *t, int code, bool special)
 {
@@ -271,13 +284,17 @@ goal_key(struct tui *t, int code, bool special)
 		if (t->goal_fresh)
 			typing_begin(y, "");
 		t->goal_fresh = false;
+		size_t next = typing_next(y), n = y->n;
 		complete_goal(y);
+		y->from = y->n == n ? next : 0;
 		return NULL;
 	}
 	if (special && (code == KEY_UP || code == KEY_DOWN))
 		return NULL;
 	if (t->goal_fresh && !special && code > ' ' && code < 127)
 		begin_anew(t, code);
+	if (!special && code == '/')
+		begin_fraction(y);
 	t->goal_fresh = false;
 	switch (typing_key(y, t->session, code, special)) {
 	case TYPING_DONE:

@@ -2,11 +2,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ui/page_predict.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/units.h"
+#include "ui/control.h"
 #include "ui/first.h"
 #include "ui/limits.h"
 #include "ui/pages.h"
@@ -55,6 +57,18 @@ move_level(struct tui *t, int by)
 	t->level = to < LEAST ? LEAST : to > MOST ? MOST : to;
 }
 
+/* What the panel has no room for. */
+static void
+show_numbers(struct tui *t)
+{
+	char *line = tui_asks(t);
+	if (t->shown.product.n == 0)
+		tui_say(t, true, "%s", tui_why_none(t));
+	else
+		control_show(t, line);
+	free(line);
+}
+
 static bool
 act(struct tui *t, const struct key *key)
 {
@@ -64,6 +78,10 @@ act(struct tui *t, const struct key *key)
 		return first_key(t, key);
 	if (key->act == ACT_PICTURE) {
 		second_next(t);
+		return true;
+	}
+	if (key->act == ACT_CHOOSE) {
+		show_numbers(t);
 		return true;
 	}
 	if (t->focus != &page_predict || !moves)
@@ -162,8 +180,12 @@ hints(const struct tui *t)
 						"? keys  q quit  : command")
 	       : undone ? tr("<-/-> speed  U redo  ? keys  q quit  f fit  : "
 			     "command  c crosshair  x pin  e export  u undo")
-			: tr("<-/-> speed  ? keys  q quit  f fit  : command  c "
-			     "crosshair  x pin  e export  u undo");
+	       : t->left_out
+		   ? tr("<-/-> speed  Enter all numbers  ? keys  q quit  f fit "
+			" "
+			": command  c crosshair  x pin  e export  u undo")
+		   : tr("<-/-> speed  ? keys  q quit  f fit  : command  c "
+			"crosshair  x pin  e export  Enter numbers  u undo");
 }
 
 const struct page_ops page_predict = {.name = N_("Predict"),

@@ -234,23 +234,20 @@ verdict_words(const struct tui *t, const struct entry *entry)
 	return words;
 }
 
-/* R is of the parameter that agrees least; the light counts what the curves
- * need. */
+/* R is of the parameter that agrees least; whether the curves agree, which is
+ * what the light counts, does not follow from it. */
 static char *
 draws_words(const struct posterior *p, bool all)
 {
 	const double agree = 1.2; /* above, chains are said to differ */
 	bool differ = p->ratio > agree;
-	char *words = xasprintf(differ ? tr("%d draws, not all settled "
-					    "(R %.2f)")
-				       : tr("%d draws, settled (R %.2f)"),
+	return xasprintf(
+	    !differ ? tr("%d draws, settled (R %.2f)")
+	    : all && !(p->drift > TRUST_SETTLED)
+		? tr("%d draws agree on the curves, less on single "
+		     "parameters (R %.2f)")
+		: tr("%d draws, not all settled (R %.2f)"),
 	    POSTERIOR_DRAWS, p->ratio);
-	if (differ && all)
-		xappend(&words,
-		    tr(": rely on the curves; the light counts the halves of "
-		       "the draws, %.2f sd apart"),
-		    p->drift);
-	return words;
 }
 
 /* Of what was found, only beside the end, in rows that parameters and

@@ -39,9 +39,8 @@ compared(const struct tui *t, char name[static 40], enum series *series)
 	if (nearest == NULL)
 		return NULL;
 	snprintf(name, 40,
-	    fabs(nearest->speed - t->now.speed) < 0.05
-		? tr("vs %g measured")
-		: tr("from %g m/s"),
+	    fabs(nearest->speed - t->now.speed) < 0.05 ? tr("vs %g measured")
+						       : tr("from %g m/s"),
 	    nearest->speed);
 	*series =
 	    site_chart_run(site, (size_t)(nearest - site->run), false).series;

@@ -113,6 +113,8 @@ draw_cell(const struct tui *t, const struct area *track, int column, char sign)
 {
 	struct track_signs signs = track_signs();
 	bool ascii = screen_charset() == CHARSET_ASCII, certain;
+	if (sign == 'x' && tui_entry(t) == NULL)
+		sign = '-';
 	const char letter[2] = {sign};
 	const char *text = sign == '|'             ? signs.trained
 			   : sign == 'o'           ? signs.held_out
@@ -229,6 +231,10 @@ static void
 say_signs(const struct tui *t, struct part *part)
 {
 	struct track_signs signs = track_signs();
+	if (tui_entry(t) == NULL) {
+		say(part, xstrdup(""));
+		return;
+	}
 	bool beyond = t->shown.product.n > 0 &&
 		      answers_extrapolates(tui_entry(t), t->shown.speed);
 	char *word = xasprintf("%s %s", signs.beyond,

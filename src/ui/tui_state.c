@@ -61,6 +61,17 @@ tui_where(const struct tui *t)
 	    "speed=%.1f feed=%g", speed, entry->site->run[tui_feed(t)].speed);
 }
 
+char *
+tui_asks(const struct tui *t)
+{
+	char *where = tui_where(t);
+	char *line = t->pin.site[0] != '\0' ? xasprintf("compare pinned %s",
+						  where + strlen("speed="))
+					    : xasprintf("predict %s", where);
+	free(where);
+	return line;
+}
+
 struct plots_past
 tui_past(const struct tui *t)
 {

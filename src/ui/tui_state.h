@@ -226,6 +226,8 @@ struct tui {
 	char message[800];
 	bool bad;             /* the message is an error */
 	bool told;            /* it is of the command that moved the slider */
+	bool left_out;        /* the panel has more than it shows */
+	bool formed;          /* `now` is of a search that was under way */
 	const char *question; /* that waits for an answer, or NULL */
 	const struct inquiry *inquiry; /* likewise, for a line */
 	struct typing answer;          /* that line */
@@ -292,6 +294,10 @@ void tui_keep_feed(struct tui *t);
 /* Where the slider stands, as options of predict: "speed=77.0 feed=74", the
  * feed where it is not what predict takes by itself.  The caller frees. */
 char *tui_where(const struct tui *t);
+
+/* The command whose answer has all that is shown there: predict, or compare
+ * with what is pinned.  The caller frees. */
+char *tui_asks(const struct tui *t);
 
 /* The frame shown is no longer what there is: until the next nothing of it is
  * touched, as one event may come before that. */

@@ -23,23 +23,6 @@ put_text(struct typing *t, const char *text)
 	t->n = t->at = strlen(t->text);
 }
 
-void
-typing_begin(struct typing *t, const char *text)
-{
-	typing_end(t);
-	t->active = true;
-	t->back = 0;
-	put_text(t, text);
-}
-
-void
-typing_end(struct typing *t)
-{
-	free(t->offers);
-	t->offers = NULL;
-	t->active = false;
-}
-
 /* Puts text instead of the bytes from start to the cursor. */
 static void
 replace(struct typing *t, size_t start, const char *text, size_t n)
@@ -50,6 +33,32 @@ replace(struct typing *t, size_t start, const char *text, size_t n)
 	memcpy(t->text + start, text, n);
 	t->n = t->n - (t->at - start) + n;
 	t->at = start + n;
+}
+
+void
+typing_begin(struct typing *t, const char *text)
+{
+	typing_end(t);
+	t->active = true;
+	t->back = 0;
+	t->fresh = 0;
+	put_text(t, text);
+}
+
+void
+typing_propose(struct typing *t, const char *text, const char *name)
+{
+	typing_begin(t, text);
+	t->fresh = t->n;
+	replace(t, t->n, name, strlen(name));
+}
+
+void
+typing_end(struct typing *t)
+{
+	free(t->offers);
+	t->offers = NULL;
+	t->active = false;
 }
 
 static void
@@ -182,10 +191,33 @@ meaning(int code)
 	return 0;
 }
 
+const char *
+typing_offer(const struct typing *t, size_t n, size_t *length)
+{
+	const char *offer = t->offers;
+	while (offer != NULL && n-- > 0) {
+		offer = strstr(offer, "  ");
+		offer = offer != NULL ? offer + 2 : NULL;
+	}
+	const char *end = offer != NULL ? strstr(offer, "  ") : NULL;
+	*length = end != NULL     ? (size_t)(end - offer)
+		  : offer != NULL ? strlen(offer)
+				  : 0;
+	return offer;
+}
+
+size_t
+typing_next(const struct typing *t)
+{
+	size_t next = t->from + t->shown, length;
+	return typing_offer(t, next, &length) != NULL ? next : 0;
+}
+
 enum typing_result
 typing_key(struct typing *t, const struct session *s, int code, bool special)
 {
 	int key = special ? code : meaning(code);
+	size_t next = typing_next(t), n = t->n;
 	free(t->offers);
 	t->offers = NULL;
 	if (!special && (code == ESCAPE || code == CONTROL('C')))
@@ -204,22 +236,23 @@ typing_key(struct typing *t, const struct session *s, int code, bool special)
 		replace(t, word_before(t), "", 0);
 	else if (code == CONTROL('K'))
 		t->text[t->n = t->at] = '\0';
-	else if (code >= ' ')
+	else if (code >= ' ') {
+		if (t->fresh > 0)
+			t->text[t->n = t->at = t->fresh] = '\0';
 		insert(t, (unsigned)code);
+	}
+	t->fresh = 0;
+	t->from = code == '\t' && t->n == n ? next : 0;
 	return TYPING_ON;
 }
 
 void
 typing_take(struct typing *t, size_t n)
 {
-	const char *offer = t->offers;
-	while (offer != NULL && n-- > 0) {
-		offer = strstr(offer, "  ");
-		offer = offer != NULL ? offer + 2 : NULL;
-	}
+	size_t length;
+	const char *offer = typing_offer(t, n, &length);
 	if (offer == NULL)
 		return;
-	size_t length = strcspn(offer, " ");
 	bool open = length > 0 &&
 		    (offer[length - 1] == '=' || offer[length - 1] == '/');
 	replace(t, t->start, offer, length);

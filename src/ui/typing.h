@@ -11,24 +11,36 @@
 
 /* text [n], UTF-8; at: the cursor, an offset.  back: how many lines of the
  * history up; offers: what completion found for the word at `start`, for show,
- * or NULL. */
+ * two blanks between them, or NULL; from: the first that is shown, of so many;
+ * Tab again goes on to the next.  fresh: where a name begins that was proposed,
+ * which a letter replaces; or 0. */
 struct typing {
 	bool active;
 	char text[2000];
 	size_t n, at;
 	int back;
 	char *offers;
-	size_t start;
+	size_t start, from, shown, fresh;
 };
 
 enum typing_result { TYPING_ON, TYPING_DONE, TYPING_GIVEN_UP };
 
 void typing_begin(struct typing *t, const char *text);
 
+/* With a name proposed behind it. */
+void typing_propose(struct typing *t, const char *text, const char *name);
+
 /* Takes a key (code: of ncurses where special, else a character). */
 enum typing_result typing_key(
     struct typing *t, const struct session *s, int code, bool special);
 void typing_end(struct typing *t);
+
+/* Offer n, length bytes; NULL where there are not so many. */
+const char *typing_offer(const struct typing *t, size_t n, size_t *length);
+
+/* Where Tab goes on in the offers: behind those that are shown, or to the
+ * first. */
+size_t typing_next(const struct typing *t);
 
 /* Puts the n-th of the offers in place of the word. */
 void typing_take(struct typing *t, size_t n);

@@ -548,8 +548,10 @@ draw_blocks(struct panel *p)
 	const struct area *side = &p->t->places.side;
 	int rows[BLOCKS], left = side->rows, row = 0;
 	share_rows(p, side->rows, rows);
-	for (size_t i = 0; i < BLOCKS; i++)
+	for (size_t i = 0; i < BLOCKS; i++) {
 		left -= rows[i];
+		p->t->left_out |= rows[i] < BLOCK[i].wish(p).most;
+	}
 	for (size_t i = 0; i < BLOCKS; i++) {
 		if (rows[i] == 0)
 			continue;
@@ -634,6 +636,7 @@ void
 verdicts_draw(struct tui *t)
 {
 	const struct area *side = &t->places.side;
+	t->left_out = side->rows == 0 && t->now.site[0] != '\0';
 	if (side->rows == 0)
 		return;
 	screen_wall(side->row, t->places.wall, side->rows);
