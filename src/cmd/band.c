@@ -17,12 +17,13 @@ band_note(struct answer *r, const struct session *s, const struct entry *entry,
 	if (product)
 		answer_say(r, ANSWER_REMARK, "%s", outlook_words(s, entry));
 	answer_say(r, ANSWER_REMARK,
-	    "low, high: the true value lies between them with %.0f %% "
-	    "probability%s",
-	    100 * settings_level(&s->set),
-	    entry->has_fit ? ""
-			   : tr("; the difference between the two sites is not "
-				"included"));
+	    entry->has_fit
+		? N_("low, high: the true value lies between them with %.0f "
+		     "%% probability")
+		: N_("low, high: the true value lies between them with %.0f "
+		     "%% probability; the difference between the two sites is "
+		     "not included"),
+	    100 * settings_level(&s->set));
 }
 
 void

@@ -481,8 +481,12 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	session_answer(s, r);
 	if (ok)
 		return true;
-	return error_set(error, ERROR_CHECK,
+	error_set(error, ERROR_CHECK,
 	    "check found faults in the site file\n"
-	    "correct the spreadsheet, save it and load it again%s",
-	    mends ? tr("; or take a mend: mend 1") : "");
+	    "correct the spreadsheet, save it and load it again");
+	if (mends)
+		error_hint(error,
+		    "correct the spreadsheet, save it and load it again; or "
+		    "take a mend: mend 1");
+	return false;
 }

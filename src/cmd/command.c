@@ -265,8 +265,9 @@ char *
 command_option_words(const struct command_option *o)
 {
 	char *limits = command_limits(o);
-	char *words = xasprintf("%s (%s)%s%s", tr(o->brief), limits,
-	    o->fallback[0] != '\0' ? tr(", default ") : "", o->fallback);
+	char *words = xasprintf(
+	    o->fallback[0] != '\0' ? tr("%s (%s), default %s") : "%s (%s)%s",
+	    tr(o->brief), limits, o->fallback);
 	free(limits);
 	return words;
 }

@@ -320,7 +320,7 @@ conditions_add_spec(const struct spec *spec, const struct fraction *fraction,
 				   spec->source)
 			     : xasprintf(tr("limits of %s"), spec->name);
 	if (any && unknown[0] != '\0')
-		xappend(words, tr("; not checked: %s"), unknown);
+		xlist(words, "; ", tr("not checked: %s"), unknown);
 	free(unknown);
 	return any ||
 	       error_set(error, ERROR_DATA,

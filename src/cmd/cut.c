@@ -80,9 +80,8 @@ cut_words(const struct cut *c)
 			 "at %g mm, measured less predicted)"),
 		100 * c->rms, c->n, 100 * c->worst, units_mm(c->worst_sieve));
 	if (!c->no_band)
-		xappend(&words,
-		    tr(", %zu of %zu sieves within the %.0f %% band of one "
-		       "more "
+		xlist(&words, ", ",
+		    tr("%zu of %zu sieves within the %.0f %% band of one more "
 		       "sample"),
 		    c->inside, c->n, 100 * c->level);
 	return words;

@@ -285,9 +285,11 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 		q.entry = session_entry(s);
 	struct spectrum_size *whole = spectrum_whole(spectrum);
 	struct answer *r = answer_new("energy");
-	answer_title(r, "%s: collision energies above %g J/kg%s",
-	    s->energy->name, q.scale * q.cut,
-	    q.speed > 0 ? "" : tr(", tip speed not known"));
+	answer_title(r,
+	    q.speed > 0 ? N_("%s: collision energies above %g J/kg")
+			: N_("%s: collision energies above %g J/kg, tip speed "
+			     "not known"),
+	    s->energy->name, q.scale * q.cut);
 	answer_sites(r, "", s->energy->c.about);
 	add_rows(r, &q, whole);
 	answer_note(r,
@@ -340,10 +342,13 @@ energy_load(struct session *s, const struct args *args, struct error *error)
 	struct energies *e = s->energies[s->n_energies - 1];
 	take_note(e, args_value(args, "note")->text);
 	s->energy = e;
-	session_note(s, "loaded %s: %s, %llu rows, %llu impacts%s", e->name,
-	    e->c.form, (unsigned long long)e->c.rows,
-	    (unsigned long long)e->c.impacts,
-	    e->c.spectrum->speed > 0 ? "" : tr("; tip speed not known"));
+	session_note(s,
+	    e->c.spectrum->speed > 0
+		? N_("loaded %s: %s, %llu rows, %llu impacts")
+		: N_("loaded %s: %s, %llu rows, %llu impacts; tip speed not "
+		     "known"),
+	    e->name, e->c.form, (unsigned long long)e->c.rows,
+	    (unsigned long long)e->c.impacts);
 	return true;
 }
 

@@ -296,21 +296,20 @@ add_summary(
 	bool of_fit = strchr(verdict, ' ') == NULL;
 	char *held = session_speeds(entry->site, ", ", entry->train, false);
 	double holdout = fit_holdout_rmse(entry);
-	char *test = xstrdup("");
+	char *words = xasprintf(
+	    of_fit ? tr("%s fit: RMSE %.2f percentage points over %zu passings")
+		   : tr("%s: RMSE %.2f percentage points over %zu passings"),
+	    verdict, 100 * fit->rmse, fit->n_residual);
 	if (isfinite(holdout))
-		xappend(&test,
-		    strchr(held, ',') != NULL ? tr("; held-out %s m/s: up to "
-						   "%.2f")
-					      : tr("; held-out %s m/s: %.2f"),
+		xlist(&words, "; ",
+		    strchr(held, ',') != NULL
+			? tr("held-out %s m/s: up to %.2f")
+			: tr("held-out %s m/s: %.2f"),
 		    held, 100 * holdout);
-	answer_note(r,
-	    of_fit ? N_("%s fit: RMSE %.2f percentage points over %zu "
-			"passings%s")
-		   : N_("%s: RMSE %.2f percentage points over %zu passings%s"),
-	    verdict, 100 * fit->rmse, fit->n_residual, test);
+	answer_note(r, "%s", words);
 	if (isnan(holdout))
 		note_untested(r, entry);
-	free(test);
+	free(words);
 	free(held);
 }
 

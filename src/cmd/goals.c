@@ -343,9 +343,9 @@ outcome(const struct session *s, const struct goal *g, double speed, bool full)
 		xappend(&words, ": %s", g->missed);
 	free(speeds);
 	if (all_certain(g) && full)
-		xappend(&words, tr(", %.0f %% certain"), 100 * level);
+		xlist(&words, ", ", tr("%.0f %% certain"), 100 * level);
 	else if (g->n_value == 0 && full && isfinite(g->certain[0]))
-		xappend(&words, tr(", %.0f %% certain %.1f to %.1f"),
+		xlist(&words, ", ", tr("%.0f %% certain %.1f to %.1f"),
 		    100 * level, g->certain[0], g->certain[1]);
 	if (beyond[0] != '\0')
 		xappend(&words, "%s%s", full ? ", " : " ?", full ? beyond : "");

@@ -355,18 +355,17 @@ note_error(struct answer *r, const struct basis *b)
 		    "the band of so few materials is too narrow: it held "
 		    "%.0f %% of the passings of sites left out, instead of 80",
 		    100 * e->held);
-	char *held = b->n > 1 ? xasprintf(tr(", the band held %.0f %% of the "
-					     "passings"),
-				    100 * e->held)
-			      : xstrdup("");
 	answer_say(r, ANSWER_REMARK,
 	    "leave-one-site-out RMSE (%zu materials of Table 3): median %.1f "
-	    "points, worst %.1f (%s)%s; feed unchanged %.1f. These are "
+	    "points, worst %.1f (%s); feed unchanged %.1f. These are "
 	    "reconstructed data on synthetic feeds without sampling error: "
 	    "expect larger errors at a plant",
-	    e->n, 100 * e->median, 100 * e->worst, worst_name(b), held,
+	    e->n, 100 * e->median, 100 * e->worst, worst_name(b),
 	    100 * e->feed);
-	free(held);
+	if (b->n > 1)
+		answer_say(r, ANSWER_REMARK,
+		    "the band held %.0f %% of the passings of sites left out",
+		    100 * e->held);
 }
 
 /* Which material meets the site's one product best, beside the product of all:

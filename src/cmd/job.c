@@ -32,7 +32,7 @@ announce(struct session *s)
 			       : tr("calibrating %s on %s m/s%s"),
 	    entry->site->name, train, holdout);
 	if (model > 0)
-		xappend(&words, tr(", model %s"), BREAKAGES[model]->name);
+		xlist(&words, ", ", tr("model %s"), BREAKAGES[model]->name);
 	session_note(s, "%s", words);
 	free(words);
 	if (s->job.detail)
@@ -185,15 +185,15 @@ options_words(const struct session *s, const struct fit *fit)
 		sign = ",";
 	}
 	if (fit->edits > 0)
-		xappend(&words,
+		xlist(&words, "; ",
 		    fit->edits > 1
-			? tr("; bounds edited after generation %zu and before")
-			: tr("; bounds edited after generation %zu"),
+			? tr("bounds edited after generation %zu and before")
+			: tr("bounds edited after generation %zu"),
 		    fit->edited_at);
 	for (size_t j = 0; j < BREAKAGES[model]->n; j++)
 		if (o->bounds.lower[j] != usual.lower[j] ||
 		    o->bounds.upper[j] != usual.upper[j])
-			xappend(&words, tr("; bounds %s %g..%g"),
+			xlist(&words, "; ", tr("bounds %s %g..%g"),
 			    BREAKAGES[model]->parameter[j].name,
 			    o->bounds.lower[j], o->bounds.upper[j]);
 	return words;

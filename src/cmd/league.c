@@ -428,26 +428,26 @@ say_verdict(struct answer *r, const struct verdict *v)
 	char *open = names_of(v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 	char *out = names_of(v, LEAGUE_OUT_AICC, LEAGUE_OUT_ERROR);
 	const char *best = name_of_row(v->best);
-	char *ruled = out[0] != '\0' ? xasprintf(tr("; they rule out %s"), out)
-				     : xstrdup("");
 	if (v->can_tell)
 		answer_note(r,
 		    open[0] ? N_("the data can tell the models apart: %s and "
-				 "what extends it remain%s")
+				 "what extends it remain")
 			    : N_("the data can tell the models apart: %s "
-				 "remains%s"),
-		    name_of_row(v->simplest), ruled);
+				 "remains"),
+		    name_of_row(v->simplest));
 	else if (!v->ranked)
 		answer_note(r, "the data cannot rank the models: no AICc and "
 			       "no hold-out error");
 	else if (open[0] != '\0')
 		answer_note(r,
 		    tr_n("the data cannot tell the models apart: beside %s, %s "
-			 "remains possible%s",
+			 "remains possible",
 			"the data cannot tell the models apart: beside %s, %s "
-			"remain possible%s",
+			"remain possible",
 			strchr(open, ',') != NULL ? 2 : 1),
-		    best, open, ruled);
+		    best, open);
+	if (out[0] != '\0' && (v->can_tell || (v->ranked && open[0] != '\0')))
+		answer_note(r, "ruled out: %s", out);
 	if (v->winner != VALIDATE_MODEL)
 		answer_say(r, ANSWER_WARNING,
 		    "%s predicts the held-out runs better than the best model, "
@@ -456,7 +456,6 @@ say_verdict(struct answer *r, const struct verdict *v)
 		    100 * v->model[v->best].rmse);
 	free(open);
 	free(out);
-	free(ruled);
 }
 
 /* How to read it. */

@@ -533,14 +533,18 @@ find_feed(const struct site *site, const char *word, double speed, size_t *run,
 		    "%s: expected no speed, got %g m/s: its feed is of none\n"
 		    "leave out @%g",
 		    site->path, speed, speed);
+	else if (speed > 0 && !several)
+		error_set(error, ERROR_DATA,
+		    "%s: expected the speed of one of its samples, got %g "
+		    "m/s\n"
+		    "it has %s m/s, all with one feed: leave out @%g",
+		    site->path, speed, speeds, speed);
 	else if (speed > 0)
 		error_set(error, ERROR_DATA,
 		    "%s: expected the speed of one of its samples, got %g "
 		    "m/s\n"
-		    "it has %s m/s%s",
-		    site->path, speed, speeds,
-		    several ? ""
-			    : tr(", all with one feed: @ can be left out"));
+		    "it has %s m/s",
+		    site->path, speed, speeds);
 	else
 		error_set(error, ERROR_DATA,
 		    "%s: expected one feed, got one for each speed\n"

@@ -77,17 +77,17 @@ mend_call(const struct site *site, const struct mend *m)
 	return call;
 }
 
-/* What the mend would make of it: "; RMSE of the fit 1.52 -> 0.61 points". */
+/* What the mend would make of it. */
 static char *
 effect_of(const struct finding *f)
 {
 	char *text = xstrdup("");
 	if (!isnan(f->off[0]))
-		xappend(&text, tr("; off by %.2f points now, %.2f then"),
+		xlist(&text, "; ", tr("off by %.2f points now, %.2f then"),
 		    100 * f->off[0], 100 * f->off[1]);
 	if (!isnan(f->rmse[0]) && !isnan(f->rmse[1]))
-		xappend(&text,
-		    tr("; RMSE of the fit %.2f points now, %.2f then, and less "
+		xlist(&text, "; ",
+		    tr("RMSE of the fit %.2f points now, %.2f then, and less "
 		       "once calibrated again"),
 		    100 * f->rmse[0], 100 * f->rmse[1]);
 	return text;
@@ -99,7 +99,8 @@ mend_finding(const struct site *site, const struct finding *f)
 	const struct mend *m = &f->mend;
 	if (m->kind != MEND_READ && m->kind != MEND_OUT) {
 		char *words = mend_words(site, m), *effect = effect_of(f);
-		xappend(&words, "%s", effect);
+		if (effect[0] != '\0')
+			xlist(&words, "; ", "%s", effect);
 		free(effect);
 		return words;
 	}
@@ -129,7 +130,9 @@ put_one(struct answer *r, struct fields *list, const struct entry *entry,
 	char *words = mend_words(site, m), *effect = effect_of(f);
 	char *name = mend_column(site, m->feed, m->run);
 	char *call = mend_call(site, m);
-	answer_note(r, "mend %zu: %s%s", number, words, effect);
+	answer_note(r,
+	    effect[0] != '\0' ? "mend %zu: %s; %s" : "mend %zu: %s%s", number,
+	    words, effect);
 	struct fields *o = fields_object(list, NULL);
 	fields_put(o, "n %zu kind %s run %s sieve_mm %g from %g to %g", number,
 	    KINDS[m->kind], name, cell ? units_mm(m->size) : NAN,
@@ -326,9 +329,10 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	char *call = mend_call(entry->site, &mend);
 	invocation_reads(s, call);
 	bool fitted = session_mend(s, s->current, site);
-	session_note(s, "mended: %s%s", words,
-	    fitted ? tr("; the fit was of other numbers: calibrate again")
-		   : "");
+	session_note(s, "mended: %s", words);
+	if (fitted)
+		session_note(
+		    s, "  the fit was of other numbers: calibrate again");
 	session_note(s,
 	    "  its file stays as it is: 'write FILE' saves the mended sheet, "
 	    "'undo' takes the mend back");

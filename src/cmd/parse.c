@@ -42,9 +42,9 @@ single_quoted(const char *line, size_t at, bool verbatim, size_t *open)
 	if (line[*open] != '\'')
 		return 0;
 	size_t close = *open + 1 + strcspn(line + *open + 1, "'");
-	bool ends = line[close] != '\0' &&
-		    (line[close + 1] == '\0' ||
-			ends_word(line[close + 1], verbatim));
+	bool ends =
+	    line[close] != '\0' &&
+	    (line[close + 1] == '\0' || ends_word(line[close + 1], verbatim));
 	return ends ? close : 0;
 }
 

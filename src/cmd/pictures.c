@@ -343,8 +343,9 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 		: xasprintf(tr("tipspeed, full-screen mode: %s"), label);
 	char *from = entry != NULL ? site_source(entry->site, "") : xstrdup("");
 	char *about = xasprintf(
-	    tr("A text screen of %d columns and %d rows.%s%s"), canvas->columns,
-	    canvas->rows, from[0] ? tr(" Data: ") : "", from);
+	    from[0] ? tr("A text screen of %d columns and %d rows. Data: %s")
+		    : tr("A text screen of %d columns and %d rows.%s"),
+	    canvas->columns, canvas->rows, from);
 	bool ok = film != NULL ? film_write(film, colours, title, about, s->out)
 			       : picture_form_of(s->file, &form) &&
 				     picture_cells(canvas, colours, form, title,

@@ -71,8 +71,10 @@ cmd_pin(struct session *s, const struct args *args, struct error *error)
 	    .p = outlook_form(s, entry, &params, speed, feed)};
 	s->pins = xrealloc(s->pins, s->n_pin + 1, sizeof(*s->pins));
 	s->pin = s->pins[s->n_pin++] = pin;
-	session_note(s, "pinned %s at %.1f m/s%s", pin->key, speed,
-	    forming ? tr(", of the calibration that runs: save leaves it out")
-		    : "");
+	session_note(s,
+	    forming ? N_("pinned %s at %.1f m/s, of the calibration that runs: "
+			 "save leaves it out")
+		    : N_("pinned %s at %.1f m/s"),
+	    pin->key, speed);
 	return true;
 }

@@ -142,10 +142,11 @@ plant_power_words(const struct plant *p)
 			  w->n),
 		w->idle, w->factor, w->n, of);
 	if (w->no_idle)
-		xappend(&words,
-		    w->n == 1 ? tr("; one reading does not show the idle power")
-			      : tr("; they do not show the idle power"));
+		xlist(&words, "; ", "%s",
+		    w->n == 1 ? tr("one reading does not show the idle power")
+			      : tr("the readings do not show the idle power"));
 	else if (isfinite(w->spread))
-		xappend(&words, tr(", which miss it by %.1f kW (RMS)"), w->rms);
+		xlist(&words, "; ", tr("the readings miss it by %.1f kW (RMS)"),
+		    w->rms);
 	return words;
 }

@@ -315,11 +315,14 @@ note_prediction(struct chart *chart, const struct session *s,
 		snprintf(words[i], sizeof p20,
 		    isnan(p->size[i]) ? tr("outside") : "%.2f mm",
 		    1000 * p->size[i]);
-	bool beyond = whose != NULL && answers_extrapolates(whose, p->speed);
-	chart_note(chart, "%s: P20 %s, P50 %s, P80 %s%s%s%s", name, p20, p50,
-	    p80, beyond ? tr("; extrapolated") : "",
-	    p->low != NULL && whose != NULL ? "; " : "",
-	    p->low != NULL && whose != NULL ? outlook_words(s, whose) : "");
+	char *text =
+	    xasprintf("%s: P20 %s, P50 %s, P80 %s", name, p20, p50, p80);
+	if (whose != NULL && answers_extrapolates(whose, p->speed))
+		xlist(&text, "; ", "%s", tr("extrapolated"));
+	if (whose != NULL && p->low != NULL)
+		xlist(&text, "; ", "%s", outlook_words(s, whose));
+	chart_note(chart, "%s", text);
+	free(text);
 	if (whose == NULL || origin_key(whose) == whose->key)
 		return;
 	char *from = origin_sentence(whose);
@@ -344,13 +347,15 @@ shade_prediction(
 		series->low[i] = units_pct(p->low[i]);
 		series->high[i] = units_pct(p->high[i]);
 	}
-	char p50[64] = "";
 	const double *range = p->range[1];
 	if (isfinite(range[0]) && isfinite(range[1]))
-		snprintf(p50, sizeof p50, tr("; P50 %.2f to %.2f mm"),
-		    1000 * range[0], 1000 * range[1]);
-	chart_note(chart, "shaded: %.0f %% uncertainty band%s",
-	    100 * settings_level(&s->set), p50);
+		chart_note(chart,
+		    "shaded: %.0f %% uncertainty band; P50 %.2f to %.2f mm",
+		    100 * settings_level(&s->set), 1000 * range[0],
+		    1000 * range[1]);
+	else
+		chart_note(chart, "shaded: %.0f %% uncertainty band",
+		    100 * settings_level(&s->set));
 }
 
 /* A second prediction beside the first, and the site it is of; p NULL: there is

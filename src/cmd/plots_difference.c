@@ -86,11 +86,11 @@ title_of(const struct chart_series *other, const struct chart_series *measured)
 {
 	char *title = xstrdup(tr("points"));
 	if (other != NULL)
-		xappend(&title, tr("; line: less %s"),
+		xlist(&title, "; ", tr("line: less %s"),
 		    strncmp(other->name, "pin", 3) == 0 ? tr("pin")
 							: tr("the other"));
 	if (measured != NULL)
-		xappend(&title, tr("; marks: %.*s less predicted"),
+		xlist(&title, "; ", tr("marks: %.*s less predicted"),
 		    short_name(measured), measured->name);
 	return title;
 }

@@ -139,8 +139,10 @@ plots_search(
 	struct candidates c = candidates_at(s, &past, q->generation);
 	struct chart *chart = site_chart(past.site, sieves_of(&c),
 	    axis_symlog(tr("candidate minus measured, points"), straight, most),
-	    "generation %zu of %zu%s", at + 1, past.n,
-	    q->generation == 0 && past.polished ? tr(", polished") : "");
+	    q->generation == 0 && past.polished
+		? N_("generation %zu of %zu, polished")
+		: N_("generation %zu of %zu"),
+	    at + 1, past.n);
 	add_noise(chart, s);
 	for (size_t k = 0; k < c.n; k += cells_of_run(&c, k))
 		runs++;

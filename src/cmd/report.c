@@ -228,15 +228,13 @@ append_window(char **words, const struct ask *ask)
 		    w->inside[k].from, w->inside[k].to);
 	if (w->n_inside > 0)
 		return;
-	xappend(words,
-	    ask->list.n > 1
-		? tr("; no speed from %g to %g m/s meets all of them")
-		: tr("; no speed from %g to %g m/s meets it"),
+	xlist(words, "; ",
+	    ask->list.n > 1 ? tr("no speed from %g to %g m/s meets all of them")
+			    : tr("no speed from %g to %g m/s meets it"),
 	    ask->wanted.from, ask->wanted.to);
 	if (isfinite(w->margin))
-		xappend(words,
-		    tr(", the nearest misses by %.1f points at %.2f "
-		       "m/s"),
+		xlist(words, "; ",
+		    tr("the nearest misses by %.1f points at %.2f m/s"),
 		    -100 * w->margin, w->best);
 }
 
@@ -251,13 +249,14 @@ put_conditions(struct session *s, const struct ask *ask)
 	bool met = window_margin(&ask->wanted, &limit) >= 0;
 	double share = window_certainty(&ask->wanted);
 	char number[32], *list = conditions_list_words(&ask->list);
-	char *words = xasprintf(tr("Conditions: %s: %s at %s m/s"), list,
-	    met ? tr("met") : tr("missed"), text_exact(ask->speed, number));
 	char *certain = conditions_percent(share);
-	if (!isnan(share))
-		xappend(&words,
-		    met ? tr(" (%s certain)") : tr(" (%s certain to be met)"),
-		    certain);
+	char *words = xasprintf(
+	    isnan(share) ? (met ? tr("Conditions: %s: met at %s m/s")
+				: tr("Conditions: %s: missed at %s m/s"))
+	    : met        ? tr("Conditions: %s: met at %s m/s (%s certain)")
+		  : tr("Conditions: %s: missed at %s m/s (%s certain to be "
+		       "met)"),
+	    list, text_exact(ask->speed, number), certain);
 	append_window(&words, ask);
 	document_say(
 	    s->document, met ? DOCUMENT_WORDS : DOCUMENT_WARNING, "%s.", words);

@@ -225,12 +225,15 @@ say_measured(const struct subject *a)
 		struct validation v = validate_run(site, r, a->entry->train,
 		    &a->entry->params, a->s->set.model, NULL);
 		answer_note(a->answer,
-		    "The held-out product measured at %g m/s%s differs from "
-		    "the prediction by %.2f points (RMSE)%s",
-		    v.speed, site->run[r].repeat, 100 * v.rmse[VALIDATE_MODEL],
 		    validation_loses(&v)
-			? tr("; interpolating the training products is closer")
-			: "");
+			? N_("The held-out product measured at %g m/s%s "
+			     "differs from the prediction by %.2f points "
+			     "(RMSE); interpolating the training products is "
+			     "closer")
+			: N_("The held-out product measured at %g m/s%s "
+			     "differs from the prediction by %.2f points "
+			     "(RMSE)"),
+		    v.speed, site->run[r].repeat, 100 * v.rmse[VALIDATE_MODEL]);
 	}
 }
 

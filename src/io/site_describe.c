@@ -128,10 +128,12 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 		const char *place = place_of(table, n, k);
 		char *own = xstrdup("");
 		if (k == 0 || !is_like(table[k - 1], t))
-			xlist(&own, "; ", tr("sieves in %s %zu (%s%s)"),
+			xlist(&own, "; ",
+			    t->finest_first
+				? tr("sieves in %s %zu (%s, finest first)")
+				: tr("sieves in %s %zu (%s)"),
 			    t->block->across ? tr("line") : tr("column"),
-			    t->block->number[0], site_sieve_unit(t),
-			    t->finest_first ? tr(", finest first") : "");
+			    t->block->number[0], site_sieve_unit(t));
 		describe_samples(t, all, &own);
 		if (own[0] != '\0')
 			xlist(&text, "; ", "%s%s%s", place,

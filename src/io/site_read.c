@@ -369,7 +369,7 @@ leave_out_cells(struct reading *r)
 		}
 	}
 	if (more > 3)
-		xappend(&list, tr(" and %zu more"), more - 3);
+		xlist(&list, ", ", tr("%zu more"), more - 3);
 	if (more > 0)
 		leave_out(r->site, "cells without a number", "%s", list);
 	free(list);

@@ -112,7 +112,7 @@ add_remark(struct spec *spec, const char *source, double mm)
 	if (strncmp(spec->source, source, n) != 0 || more < n + 4 ||
 	    source[n + 1] != '(')
 		return;
-	xappend(&spec->source, tr("; %g mm: %.*s"), mm, (int)(more - n - 3),
+	xlist(&spec->source, "; ", "%g mm: %.*s", mm, (int)(more - n - 3),
 	    source + n + 2);
 }
 

@@ -216,12 +216,13 @@ pin(struct tui *t)
 		    was.site, was.speed);
 	else
 		tui_say(t, false,
-		    "pinned %s at %.1f m/s: go to another speed or site; e "
-		    "exports both%s",
-		    t->pin.site, t->pin.speed,
 		    session_busy(t->session)
-			? tr("; of a search that runs, it is not saved")
-			: "");
+			? N_("pinned %s at %.1f m/s: go to another speed or "
+			     "site; e exports both; of a search that runs, it "
+			     "is not saved")
+			: N_("pinned %s at %.1f m/s: go to another speed or "
+			     "site; e exports both"),
+		    t->pin.site, t->pin.speed);
 	free(where);
 	free(line);
 }
@@ -235,10 +236,12 @@ band(struct tui *t)
 	if (!t->band || t->now.site[0] == '\0')
 		return;
 	bool known = t->shown.low != NULL;
-	tui_say(t, false, "%s%s",
+	tui_say(t, false,
+	    known || (entry->has_fit && fit_too_few(&entry->fit))
+		? "%s%s"
+		: N_("%s%s; f calibrates"),
 	    known ? "" : outlook_why_none(t->session, entry),
-	    !known && entry->has_fit && fit_too_few(&entry->fit) ? ""
-	    : !known ? tr("; f calibrates")
+	    !known ? ""
 	    : screen_charset() != CHARSET_ASCII
 		? tr("band on: 80 % uncertainty")
 		: tr("band on: 80 % uncertainty; not visible where thinner "

@@ -78,10 +78,9 @@ under_way_words(const struct tui *t)
 		free(at);
 	}
 	if (session_busy(s)) {
-		xappend(&words, "\n");
-		xappend(&words, tr("generation %zu of %zu%s"),
+		xlist(&words, "\n", tr("generation %zu of %zu"),
 		    calibration_status(s->job.calibration).generation,
-		    s->job.options.generations, "");
+		    s->job.options.generations);
 	}
 	return words;
 }
@@ -608,11 +607,10 @@ meant_by(const char *line, const char *where)
 		return xstrdup(line);
 	/* A speed may also stand alone. */
 	bool bare = asked->bare == NULL || strcmp(asked->bare, "speed") == 0;
-	bool said = strchr(line, ';') != NULL ||
-		    strstr(line, "speed=") != NULL ||
-		    strstr(line, "rpm=") != NULL ||
-		    (bare && *rest >= '0' && *rest <= '9') ||
-		    names_speed(asked, rest);
+	bool said =
+	    strchr(line, ';') != NULL || strstr(line, "speed=") != NULL ||
+	    strstr(line, "rpm=") != NULL ||
+	    (bare && *rest >= '0' && *rest <= '9') || names_speed(asked, rest);
 	bool own = strstr(line, "feed=") != NULL ||
 		   command_option_index(asked, "feed") == OPTIONS;
 	size_t length = own ? strcspn(where, " ") : strlen(where);
@@ -741,10 +739,13 @@ finish(struct tui *t)
 	const struct entry *entry = tui_entry(t);
 	if (entry != NULL && entry->has_fit && error.kind == ERROR_NONE)
 		tui_say(t, false,
-		    "calibrated: %s, RMSE %.2f points, %zu generations%s",
+		    t->page == PAGE_FIT
+			? N_("calibrated: %s, RMSE %.2f points, %zu "
+			     "generations; Tab, arrows: show them")
+			: N_("calibrated: %s, RMSE %.2f points, %zu "
+			     "generations"),
 		    light_verdict(t->session, entry, NULL),
-		    100 * entry->fit.rmse, entry->fit.generations,
-		    t->page == PAGE_FIT ? tr("; Tab, arrows: show them") : "");
+		    100 * entry->fit.rmse, entry->fit.generations);
 }
 
 /* The job of these is over. */

@@ -152,19 +152,20 @@ draw_state(const struct tui *t, const struct area *area)
 	int column;
 	if (session_busy(s) && !s->job.fits) {
 		char *at = s->job.rounds->at(s);
-		column = screen_text(area, 0, 0, LOOK_BOLD, "%s  %s%s",
-		    t->held ? tr("PAUSED") : tr("WORKING"), at,
-		    area->columns < 60 ? "" : tr(": Esc stops"));
+		column = screen_text(area, 0, 0, LOOK_BOLD,
+		    area->columns < 60 ? "%s  %s" : N_("%s  %s: Esc stops"),
+		    t->held ? tr("PAUSED") : tr("WORKING"), at);
 		free(at);
 	} else if (session_busy(s)) {
 		struct calibrate_status st =
 		    calibration_status(s->job.calibration);
 		column = screen_text(area, 0, 0, LOOK_BOLD,
 		    area->columns < 34 ? "%s %zu/%zu"
-				       : N_("%s  generation %zu of %zu%s"),
+		    : st.state == CALIBRATE_POLISHING
+			? N_("%s  generation %zu of %zu, polishing")
+			: N_("%s  generation %zu of %zu"),
 		    t->held ? tr("PAUSED") : tr("CALIBRATING"), st.generation,
-		    s->job.options.generations,
-		    st.state == CALIBRATE_POLISHING ? tr(", polishing") : "");
+		    s->job.options.generations);
 	} else if (entry == NULL) {
 		column = screen_text(
 		    area, 0, 0, 0, "READY  no site: o opens a sheet");

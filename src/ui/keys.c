@@ -67,7 +67,7 @@ const struct key KEYS[] = {
     {'.', ".", ON_FIT, ACT_STEP, 0, NULL,
 	"one step of the search, then wait; or the next one"},
     {'\n', "Enter", ON_PREDICT, ACT_CHOOSE, 0, NULL,
-	"all numbers of the prediction, also of one that is pinned"},
+	"all numbers, also those of what is pinned"},
     {'\n', "Enter", ON_ALL & ~(ON_PREDICT | ON_FIT | ON_DATA), ACT_CHOOSE, 0,
 	NULL, "open the chosen row: use a site"},
     {'\n', "Enter", ON_DATA, ACT_MEND, 0, NULL,

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/job.h"
 #include "ui/terminal.h"
@@ -384,11 +385,14 @@ answer(const struct session *s)
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	clear_line();
 	fprintf(stderr,
-	    "%s: generation %zu of %zu, best %.4g, median %.4g, %.1f s%s\n",
+	    st.state == CALIBRATE_POLISHING
+		? tr("%s: generation %zu of %zu, best %.4g, median %.4g, %.1f "
+		     "s, polishing\n")
+		: tr("%s: generation %zu of %zu, best %.4g, median %.4g, %.1f "
+		     "s\n"),
 	    s->entry[s->job.entry].key, st.generation,
 	    s->job.options.generations, st.best, st.median,
-	    session_clock() - s->job.started,
-	    st.state == CALIBRATE_POLISHING ? ", polishing" : "");
+	    session_clock() - s->job.started);
 	asked = 0;
 }
 

@@ -61,12 +61,12 @@ search_side_bounds(struct tui *t)
 	char *line = xasprintf("bounds %s ", of->parameter[j].name);
 	typing_begin(&t->typing, line);
 	free(line);
-	tui_say(t, false, "%s: %g..%g now; type low..high, or one value%s",
-	    of->parameter[j].name, now->lower[j], now->upper[j],
+	tui_say(t, false,
 	    j < of->gauge
-		? tr("; the bar has each beta over the largest, as only "
-		     "ratios matter")
-		: "");
+		? N_("%s: %g..%g now; type low..high, or one value; the bar "
+		     "has each beta over the largest, as only ratios matter")
+		: N_("%s: %g..%g now; type low..high, or one value"),
+	    of->parameter[j].name, now->lower[j], now->upper[j]);
 }
 
 static bool
@@ -286,9 +286,11 @@ draw_words(const struct tui *t, const struct plots_past *past)
 	bool end = t->generation == 0 && past->polished;
 	double best = plots_past_points(past, end ? past->misfit : g->best);
 	int row = 0;
-	screen_text(side, row++, 0, LOOK_BOLD, "%sgeneration %zu of %zu%s",
+	screen_text(side, row++, 0, LOOK_BOLD,
+	    end ? N_("%sgeneration %zu of %zu, polished")
+		: N_("%sgeneration %zu of %zu"),
 	    session_busy(t->session) && t->held ? tr("PAUSED ") : "", at,
-	    past->n, end ? tr(", polished") : "");
+	    past->n);
 	screen_text(side, row++, 0, 0, "best %.2f, median %.2f points RMS",
 	    best, plots_past_points(past, g->median));
 	char *words = t->begun != NULL

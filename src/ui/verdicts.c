@@ -382,7 +382,7 @@ draw_limits(struct panel *p, const struct area *area)
 	touch_add(&t->touches, *area, touch_limits, 0);
 	char *cut = plots_limits_words(t->session);
 	screen_text(&name, 0, 0, LOOK_DIM, "%s%s%s", cut,
-	    cut[0] != '\0' ? ": " : "", t->session->spec->name);
+	    cut[0] != '\0' ? " " : "", t->session->spec->name);
 	free(cut);
 	if (g == NULL) {
 		screen_text(area, 1, 0, 0,

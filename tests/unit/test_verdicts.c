@@ -154,7 +154,7 @@ a_verdict_is_that_of_the_envelope(void **state)
 	}
 	assert_in_range(in_all, 1, all - 1);
 	t->tenths = 740;
-	expect(t, 30, 100, "| ASTM C33 fine aggregate");
+	expect(t, 30, 100, "| 0/4.75 ASTM C33 fine aggregate");
 	expect(t, 30, 100, "OUT");
 	expect(t, 50, 160, "| FM");
 	press(t, ":spec off\n");
@@ -224,7 +224,7 @@ rows_of_the_panel_can_be_touched(void **state)
 	touch(t, "| 0/2");
 	assert_float_equal(t->shown.product.size[t->cross_at], 2e-3, 1e-9);
 	press(t, ":spec use ASTM C33 fine aggregate\n\033");
-	touch(t, "| ASTM C33");
+	touch(t, "| 0/4.75 ASTM C33");
 	assert_non_null(strstr(t->viewer.text, "ASTM C33 fine aggregate"));
 	press(t, "\033");
 	touch(t, "| trust");
