@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -99,8 +100,16 @@ command_candidates(const char *name)
 const char *
 command_nearest(const char *name)
 {
+	/* What other programs call it. */
+	static const char *const OTHERS[][2] = {{"close", "drop"},
+	    {"delete", "drop"}, {"goal", "set goal"}, {"open", "load"},
+	    {"remove", "drop"}, {"rm", "drop"}, {"run", "calibrate"},
+	    {"speed", "predict"}, {"unload", "drop"}};
 	const char *nearest = NULL;
 	size_t least = 3; /* more edits than this is another word */
+	for (size_t i = 0; i < ARRAY_LEN(OTHERS); i++)
+		if (strcasecmp(OTHERS[i][0], name) == 0)
+			return OTHERS[i][1];
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		size_t d = text_distance(c->name, name);
 		size_t n = strlen(name);

@@ -11,7 +11,9 @@
 #include "cmd/entries.h"
 #include "cmd/light.h"
 #include "cmd/parse.h"
+#include "cmd/pictures.h"
 #include "cmd/pin.h"
+#include "cmd/plots.h"
 #include "cmd/table.h"
 #include "cmd/outlook.h"
 #include "core/predict.h"
@@ -93,7 +95,7 @@ difference_cells(struct answer *r, const struct session *s,
 		psd_free(&one);
 	}
 	ensemble_middle(difference, settings_level(&s->set), &low, &high);
-	answer_cells(r, size ? "%.2f %.2f" : "%.1f %.1f", low, high);
+	answer_cells(r, size ? "%+.2f %+.2f" : "%+.1f %+.1f", low, high);
 }
 
 static void
@@ -112,7 +114,7 @@ comparison_rows(const struct session *s, struct answer *r,
 		snprintf(head, sizeof head, "%g", units_mm(x[i]));
 		answer_name(r, key, head);
 		answer_missing(r, "-");
-		answer_cells(r, "%.1f %.1f %.1f", units_pct(a), units_pct(b),
+		answer_cells(r, "%.1f %.1f %+.1f", units_pct(a), units_pct(b),
 		    100 * (b - a));
 		difference_cells(r, s, side, &(struct asked){.x = x[i]});
 	}
@@ -121,7 +123,7 @@ comparison_rows(const struct session *s, struct answer *r,
 		answers_size_cell(r, &side[0].p, i);
 		answers_size_cell(r, &side[1].p, i);
 		answer_missing(r, "-");
-		answer_cells(r, "%.2f",
+		answer_cells(r, "%+.2f",
 		    answers_size(&side[1].p, i) - answers_size(&side[0].p, i));
 		if (i != ANSWERS_BREAK)
 			difference_cells(r, s, side,
@@ -347,6 +349,26 @@ comparison(const struct session *s, const struct side side[2])
 	return r;
 }
 
+/* Both curves as a picture, the second as the one that is looked at; what is
+ * pinned never is. */
+static bool
+draw_both(struct session *s, const struct side side[2], struct error *error)
+{
+	const struct side *one = &side[side[1].pinned ? 0 : 1];
+	const struct side *two = &side[side[1].pinned ? 1 : 0];
+	struct plot_request request = plots_request(PLOT_PSD);
+	request.site = one->entry->key;
+	request.speed = one->p.speed;
+	request.feed_speed = one->entry->site->run[one->p.feed_run].speed;
+	request.made = &one->p;
+	request.kept = two->pinned ? &s->pin->p : &two->p;
+	if (two->entry != one->entry)
+		request.beside = two->entry->key;
+	request.band = one->p.low != NULL;
+	struct chart *chart = plots_chart(s, &request, error);
+	return chart != NULL && pictures_draw(s, chart, error);
+}
+
 bool
 cmd_compare(struct session *s, const struct args *args, struct error *error)
 {
@@ -362,7 +384,9 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 		    "compare: expected two speeds, or two sites and a speed");
 	bool ok = take_side(s, args, sites, 0, &side[0], error) &&
 		  take_side(s, args, sites, 1, &side[1], error);
-	if (ok) {
+	if (ok && pictures_wanted(s)) {
+		ok = draw_both(s, side, error);
+	} else if (ok) {
 		name_sides(sites, side);
 		session_answer(s, comparison(s, side));
 	}

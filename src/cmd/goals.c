@@ -187,30 +187,62 @@ meet(struct goal *g, struct wanted *others)
 	free(root);
 }
 
-/* What misses most at the best speed, where the goal is met at none. */
-static char *
-missed_words(const struct goal *g, struct wanted *all, double best)
+/* A speed at which one can see what binds: where a window ends within the
+ * speeds looked at, or the best. */
+static double
+telling(const struct goal *g, double best, double from, double to)
 {
-	struct window_limit limit;
-	all->n = g->list.n;
-	if (g->n_met > 0 || (g->n_value == 0 && g->found.n_inside > 0) ||
-	    isnan(best))
-		return NULL;
-	response_at(all->response, best);
-	if (!isfinite(window_margin(all, &limit)))
-		return NULL;
-	const struct condition *c = &g->list.at[limit.i];
+	for (size_t i = 0; i < g->found.n_inside && g->n_value == 0; i++) {
+		const struct window_range *in = &g->found.inside[i];
+		if (in->to < to || in->from > from)
+			return in->to < to ? in->to : in->from;
+	}
+	return best;
+}
+
+/* What a condition misses, with as many digits as show it. */
+static char *
+missed_words(const struct condition *c, double value, bool most)
+{
 	const struct quantity *q = &c->quantity;
 	const char *unit = quantities_unit(q);
-	char *name = quantities_words(q);
-	char *words = xasprintf("%s %.3g%s%s", name,
-	    quantities_shown(q, response_value(all->response, limit.i)),
-	    unit[0] != '\0' ? " " : "", unit);
+	double bound = quantities_shown(q, most ? c->most : c->least);
+	char *name = quantities_words(q), number[32], edge[32];
+	int digits = 3;
+	snprintf(edge, sizeof edge, "%g", bound);
+	do
+		snprintf(number, sizeof number, "%.*g", digits++,
+		    quantities_shown(q, value));
+	while (strcmp(number, edge) == 0 && digits < 9);
+	char *words = xasprintf(
+	    "%s %s%s%s", name, number, unit[0] != '\0' ? " " : "", unit);
 	if (!is_value(c))
-		xappend(&words, " (%s %g)", limit.most ? tr("max") : tr("min"),
-		    quantities_shown(q, limit.most ? c->most : c->least));
+		xappend(&words, " (%s %s)", most ? tr("max") : tr("min"), edge);
 	free(name);
 	return words;
+}
+
+/* Which condition binds, and what misses most where the goal is met at no
+ * speed. */
+static void
+find_binding(struct session *s, struct goal *g, struct wanted *all)
+{
+	const struct entry *entry = session_entry(s);
+	struct window_limit limit;
+	double from, to, best = goals_best(s, g, answers_usual(entry));
+	site_reach(entry->site, &from, &to);
+	bool met = g->n_met > 0 || (g->n_value == 0 && g->found.n_inside > 0);
+	double at = telling(g, best, from, to);
+	all->n = g->list.n;
+	if (isnan(at))
+		return;
+	response_at(all->response, at);
+	if (!isfinite(window_margin(all, &limit)))
+		return;
+	g->binds = limit.i;
+	if (!met)
+		g->missed = missed_words(&g->list.at[limit.i],
+		    response_value(all->response, limit.i), limit.most);
 }
 
 /* What is set is read again: another feed may not tell of it. */
@@ -265,8 +297,7 @@ goals_step(struct session *s, struct goal *g, size_t feed)
 	if (g->done == g->parts && g->found.n > 0)
 		window_certain(&g->found, settings_level(&s->set), g->certain);
 	if (g->done == g->parts)
-		g->missed = missed_words(
-		    g, &all, goals_best(s, g, answers_usual(entry)));
+		find_binding(s, g, &all);
 	response_free(all.response);
 }
 
@@ -286,6 +317,17 @@ goals_best(const struct session *s, const struct goal *g, double speed)
 	return g->met[near];
 }
 
+void
+goals_tenths(const struct window_range *in, double *from, double *to)
+{
+	*from = ceil(10 * in->from - 1e-6) / 10;
+	*to = floor(10 * in->to + 1e-6) / 10;
+	if (*from > *to) {
+		*from = in->from;
+		*to = in->to;
+	}
+}
+
 /* "71.2", "65.0 to 70.1, 73.0 to 75.6". */
 static char *
 speeds_words(const struct goal *g)
@@ -293,9 +335,11 @@ speeds_words(const struct goal *g)
 	char *words = xstrdup("");
 	for (size_t i = 0; i < g->n_met; i++)
 		xlist(&words, ", ", "%.1f", g->met[i]);
-	for (size_t i = 0; i < g->found.n_inside && g->n_value == 0; i++)
-		xlist(&words, ", ", tr("%.1f to %.1f"), g->found.inside[i].from,
-		    g->found.inside[i].to);
+	for (size_t i = 0; i < g->found.n_inside && g->n_value == 0; i++) {
+		double from, to;
+		goals_tenths(&g->found.inside[i], &from, &to);
+		xlist(&words, ", ", tr("%.1f to %.1f"), from, to);
+	}
 	return words;
 }
 

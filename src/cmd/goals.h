@@ -12,12 +12,13 @@
  * What follows is known when `done` parts of the speeds are all: `found` of the
  * conditions that are ranges; met [n_met]: the speeds at which the single value
  * is reached and the ranges hold; nearest: the one that misses it least;
- * missed: what is in the way where no speed will do, or NULL. */
+ * missed: what is in the way where no speed will do, or NULL; binds: the
+ * condition that ends the window, or misses most. */
 struct goal {
 	struct condition_list list;
 	size_t n_value;
 	char *why, *missed;
-	size_t feed, done, parts;
+	size_t feed, done, parts, binds;
 	struct window_found found;
 	size_t n_met;
 	double *met, nearest, miss, certain[2];
@@ -49,6 +50,10 @@ void goals_step(struct session *s, struct goal *goal, size_t feed);
  * known. */
 double goals_best(
     const struct session *s, const struct goal *goal, double speed);
+
+/* The tenths of a m/s within a range, where the slider can stand; its ends
+ * where there are none. */
+void goals_tenths(const struct window_range *in, double *from, double *to);
 
 /* "goal p80=5.4: met at 71.2 m/s", "goal p80>5: met at 65.0 to 75.6 m/s, 80 %
  * certain to 75.3", "goal p80=3: met at no speed, nearest 85.0: P80 4.8 mm";

@@ -184,7 +184,8 @@ check_text(struct session *s, const struct setting *row,
 bool
 cmd_set(struct session *s, const struct args *args, struct error *error)
 {
-	const struct model_settings before = s->set.model;
+	const struct choices was = s->set;
+	const struct model_settings before = was.model;
 	bool any = false;
 	for (size_t i = 0; SETTINGS[i].option.name != NULL; i++) {
 		if (!args->value[i].given)
@@ -199,6 +200,9 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	}
 	if (!model_settings_same(&before, &s->set.model))
 		session_forget(s);
+	/* What is wanted is work, not looks. */
+	if (strcmp(was.goal, s->set.goal) != 0)
+		journal_changed(s);
 	/* What a site has stays as it is. */
 	if (s->set.model.breakage != before.breakage) {
 		const struct bounds usual = bounds_default(before.breakage);

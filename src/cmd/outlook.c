@@ -274,6 +274,9 @@ outlook_ensemble(
 	if (p == NULL)
 		return NULL;
 	struct history *h = entry->origin->spread;
+	/* A feed that all runs share is the same whichever it is asked of. */
+	if (!entry->site->individual_feeds)
+		feed_run = 0;
 	struct ensemble_of of = {p, entry->site, feed_run};
 	if (h->ensemble != NULL && memcmp(&of, &h->ensemble_of, sizeof of) == 0)
 		return h->ensemble;

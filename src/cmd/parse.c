@@ -642,8 +642,11 @@ unknown_command(const char *name, bool prompt, struct error *error)
 	char *several = command_candidates(name);
 	bool one = prompt && several[0] != '\0';
 	const char *near = one ? several : command_nearest(name);
+	double speed;
 	error_set(error, ERROR_USAGE, "there is no command '%s'", name);
-	if (prompt && strchr(several, ',') != NULL)
+	if (value_number(name, "m/s", &speed))
+		error_hint(error, "did you mean 'predict %s'?", name);
+	else if (prompt && strchr(several, ',') != NULL)
 		error_hint(error, "did you mean one of %s?", several);
 	else if (near != NULL)
 		error_hint(error, "did you mean '%s'?", near);

@@ -12,6 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
+#include "cmd/pin.h"
 #include "cmd/plots_difference.h"
 #include "cmd/plots_draws.h"
 #include "cmd/plots_drift.h"
@@ -106,7 +107,7 @@ add_product(struct curves *c, const struct prediction *p, char *name,
     struct chart_series look)
 {
 	add_curve(c, &p->product, name, look);
-	c->item[c->n - 1].finer = &p->curve;
+	c->item[c->n - 1].finer = p->curve.n > 0 ? &p->curve : NULL;
 }
 
 /* One that is kept with the curves. */
@@ -403,9 +404,10 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
 			    site->name, q->other_feed);
 		second->p = make_prediction(c, s, second->whose, own, v, feed);
 	}
-	char *name =
-	    xasprintf("%s %s%s%g m/s", kept ? tr("pin") : tr("predicted"),
-		beside ? q->beside : "", beside ? " " : "", second->p->speed);
+	char *name = xasprintf("%s %s%s%g m/s",
+	    s->pin != NULL && q->kept == &s->pin->p ? tr("pin")
+						    : tr("predicted"),
+	    beside ? q->beside : "", beside ? " " : "", second->p->speed);
 	add_product(c, second->p, name, OTHER);
 	return true;
 }

@@ -80,7 +80,7 @@ short_name(const struct chart_series *s)
 }
 
 /* What is shown, whatever the numbers: "points; line: less pin; marks: measured
- * 74 m/s less predicted". */
+ * 74 m/s less this prediction", which may be of another speed. */
 static char *
 title_of(const struct chart_series *other, const struct chart_series *measured)
 {
@@ -90,7 +90,7 @@ title_of(const struct chart_series *other, const struct chart_series *measured)
 		    strncmp(other->name, "pin", 3) == 0 ? tr("pin")
 							: tr("the other"));
 	if (measured != NULL)
-		xlist(&title, "; ", tr("marks: %.*s less predicted"),
+		xlist(&title, "; ", tr("marks: %.*s less this prediction"),
 		    short_name(measured), measured->name);
 	return title;
 }

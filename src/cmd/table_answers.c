@@ -237,7 +237,7 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "two speeds or two sites side by side",
 	.operands = {"SPEED SPEED | SITE SITE | pinned SPEED",
 	    {"SPEED SITE pinned"}, 2, 2},
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_AT_SITE | COMMAND_DRAWS,
 	.option = COMPARE_OPTIONS,
 	.text =
 	    "Compares the predicted products of the site in use at two speeds, "
@@ -245,8 +245,8 @@ const struct command TABLE_ANSWERS[] = {
 	    "with its own feed: passing sieve by sieve and the difference "
 	    "(second minus first), P20, P50 and P80, the fines and the break "
 	    "sizes. 'pinned' is what pin has kept, with its own site and feed, "
-	    "and without a band of the difference. plot psd with other= or "
-	    "beside= draws both.",
+	    "and without a band of the difference. > FILE.svg, .png or .pdf "
+	    "draws both.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "compare 69 79",
@@ -254,7 +254,7 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "pin",
 	.brief = "keep a prediction to compare others with",
 	.operands = {"[off]", {"off"}, 0, 1},
-	.flags = COMMAND_CHANGES | COMMAND_LOOKS | COMMAND_BESIDE,
+	.flags = COMMAND_CHANGES | COMMAND_BESIDE,
 	.option = PIN_OPTIONS,
 	.text = "Keeps the product of the site in use at a speed as it is "
 		"predicted now, also when the site is calibrated again: "

@@ -26,9 +26,9 @@ enum {
 	CHAINS = POSTERIOR_DRAWS / 2, /* which give two draws each */
 	HALF = CHAINS / 2,
 	RUNG = 10, /* generations */
-	WARM_UP = 200,
-	KEPT = 200,
-	HYPER_EVERY = 4, /* generations, one of the hyperparameters */
+	WARM_UP = 190,
+	KEPT = 60,
+	HYPER_EVERY = 6, /* generations, one of the hyperparameters */
 	LEAP_EVERY = 10, /* one that leaps from valley to valley */
 	STRENGTHS = PARAMS_MOST + HYPERS,
 	COORDINATES = STRENGTHS + STRENGTHS_COORDINATES,
@@ -37,7 +37,7 @@ enum {
 		       * of more sieves each tells little more */
 };
 
-static const double FIRST_RUNG = 0.02, RISE = 1.5;
+static const double FIRST_RUNG = 0.02, RISE = 1.25;
 
 enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
 

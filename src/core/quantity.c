@@ -2,6 +2,7 @@
 #include "core/quantity.h"
 
 #include <math.h>
+#include <string.h>
 
 const struct modulus MODULUS[MODULI] = {
     {"EN", "EN 12620", 6, {4, 2, 1, 0.5, 0.25, 0.125}, 0},
@@ -40,6 +41,14 @@ step_read(const struct quantity *q, const struct psd *curve)
 		most = fmax(most, psd_passing(curve, q->sieve[i - 1]) -
 				      psd_passing(curve, q->sieve[i]));
 	return most;
+}
+
+bool
+quantity_same(const struct quantity *a, const struct quantity *b)
+{
+	return a->kind == b->kind && a->x == b->x && a->modulus == b->modulus &&
+	       a->sieve == b->sieve &&
+	       memcmp(&a->fraction, &b->fraction, sizeof a->fraction) == 0;
 }
 
 double

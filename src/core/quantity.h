@@ -42,6 +42,9 @@ struct quantity {
 	struct fraction fraction;
 };
 
+/* Whether two are the same number of a product. */
+bool quantity_same(const struct quantity *a, const struct quantity *b);
+
 /* Read off a curve, which is that of the fraction, `share` of
  * the product is.  NAN where the curve does not reach so far. */
 double quantity_read(

@@ -290,9 +290,9 @@ judge_pattern(struct trust *t, const struct evidence *e)
 	if (more > 0)
 		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
 		    xasprintf(
-			tr("what the model leaves out (%.1f points) is as "
-			   "large as the sampling errors (%.1f): the answer "
-			   "is as much correction as model"),
+			tr("what the model leaves out (%.1f points) is no "
+			   "smaller than the sampling errors (%.1f): the "
+			   "answer is as much correction as model"),
 			100 * e->discrepancy, 100 * e->sampling));
 	if (drift > 0)
 		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,

@@ -193,9 +193,9 @@ add_text(struct answer *a, char *text)
 	add_cell(a, (struct answer_cell){true, NAN, -1, text, NULL});
 }
 
-/* decimals -1: as many digits as needed. */
+/* decimals -1: as many digits as needed; sign: + too. */
 static void
-add_number(struct answer *a, double value, int decimals)
+add_number(struct answer *a, double value, int decimals, bool sign)
 {
 	char *text;
 	if (!isfinite(value))
@@ -203,10 +203,10 @@ add_number(struct answer *a, double value, int decimals)
 	else if (decimals < 0)
 		text = xasprintf("%.6g", value);
 	else
-		text = xasprintf("%.*f", decimals, value);
+		text = xasprintf(sign ? "%+.*f" : "%.*f", decimals, value);
 	/* What rounds to nothing has no sign. */
-	if (text[0] == '-' && strpbrk(text, "123456789") == NULL &&
-	    isfinite(value))
+	if (strchr("+-", text[0]) != NULL && text[1] != '\0' &&
+	    strpbrk(text, "123456789") == NULL && isfinite(value))
 		memmove(text, text + 1, strlen(text));
 	add_cell(a, (struct answer_cell){false, value, decimals, text, NULL});
 }
@@ -217,12 +217,14 @@ answer_cells(struct answer *a, const char *format, ...)
 	va_list ap;
 	va_start(ap, format);
 	for (const char *p = format; (p = strchr(p, '%')) != NULL; p++) {
+		bool sign = p[1] == '+';
+		p += sign;
 		assert(p[1] == 's' || p[1] == '.' || p[1] == 'g');
 		if (p[1] == 's')
 			add_text(a, xstrdup(va_arg(ap, char *)));
 		else
 			add_number(a, va_arg(ap, double),
-			    p[1] == '.' ? atoi(p + 2) : -1);
+			    p[1] == '.' ? atoi(p + 2) : -1, sign);
 	}
 	va_end(ap);
 }

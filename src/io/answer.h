@@ -65,8 +65,9 @@ void answer_for_programs(struct answer *answer);
 
 /* Cells, which fill the columns from left to right, row by row: "%s %.2f %g",
  * with a space between two.  %s: a text; %.2f: a number, with so many decimals
- * for people; %g: with as many significant digits as needed, up to 6.  NAN is
- * shown as the words given by answer_missing, empty in csv and null in json. */
+ * for people, with a sign as %+.2f; %g: with as many significant digits as
+ * needed, up to 6.  NAN is shown as the words given by answer_missing, empty in
+ * csv and null in json. */
 void answer_cells(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

@@ -94,14 +94,6 @@ above_usual(void)
 	return usual(QUANTITY_SIZE, 0.8, 0);
 }
 
-static bool
-is_same(const struct quantity *a, const struct quantity *b)
-{
-	return a->kind == b->kind && a->x == b->x && a->modulus == b->modulus &&
-	       a->sieve == b->sieve &&
-	       memcmp(&a->fraction, &b->fraction, sizeof a->fraction) == 0;
-}
-
 static const struct psd *
 feed_of(const struct tui *t)
 {
@@ -122,11 +114,11 @@ above_next(struct tui *t, int by)
 	if (tui_entry(t) == NULL)
 		return;
 	for (int i = 0; i < n; i++)
-		if (is_same(&all[i], &t->quantity))
+		if (quantity_same(&all[i], &t->quantity))
 			at = i;
 	do
 		at = (at + by + n) % n;
-	while (!is_same(&all[at], &t->quantity) && at != 0 &&
+	while (!quantity_same(&all[at], &t->quantity) && at != 0 &&
 	       !quantities_covered(&all[at], feed_of(t), &error));
 	t->quantity = all[at];
 }
@@ -146,7 +138,7 @@ is_fresh(const struct tui *t)
 {
 	const struct above *a = t->above;
 	return a->n == POINTS && a->feed == tui_feed(t) &&
-	       is_same(&a->of, &t->quantity);
+	       quantity_same(&a->of, &t->quantity);
 }
 
 static double
@@ -163,7 +155,7 @@ work_out(struct tui *t)
 {
 	struct above *a = t->above;
 	const struct entry *entry = tui_entry(t);
-	if (a->feed != tui_feed(t) || !is_same(&a->of, &t->quantity))
+	if (a->feed != tui_feed(t) || !quantity_same(&a->of, &t->quantity))
 		a->n = 0;
 	a->feed = tui_feed(t);
 	a->of = t->quantity;
@@ -196,7 +188,7 @@ static void
 step_goal(struct tui *t)
 {
 	bool pending = goal_pending(t);
-	goals_step(t->session, &t->goal, tui_feed(t));
+	goal_step(t);
 	if (!pending || goal_pending(t) || t->goal.missed == NULL ||
 	    t->message[0] != '\0')
 		return;
@@ -361,7 +353,7 @@ take_limits(const struct tui *t, struct limit limit[static MOST_LIMITS])
 	for (size_t i = 0; i < list->n && n + 2 <= MOST_LIMITS; i++) {
 		const struct condition *c = &list->at[i];
 		bool value = c->least == c->most;
-		if (!is_same(&c->quantity, &t->quantity))
+		if (!quantity_same(&c->quantity, &t->quantity))
 			continue;
 		if (!isnan(c->least))
 			limit[n++] = (struct limit){

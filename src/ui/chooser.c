@@ -36,6 +36,8 @@ relist(struct chooser *c, const char *path)
 		folder_shipped(&c->folder);
 	else
 		folder_list(&c->folder, copy);
+	if (c->estimates)
+		folder_sheets(&c->folder);
 	if (c->word.n > 0)
 		folder_narrow(&c->folder, c->word.text);
 	c->at = c->top = 0;
@@ -265,7 +267,7 @@ draw_item(struct tui *t, const struct area *list, int row, size_t i)
 			: item->kind >= FOLDER_OTHER ? LOOK_DIM
 						     : LOOK_PLAIN;
 	screen_text(list, row, 0, look, " %-*s", list->columns - 1, "");
-	if (item->kind == FOLDER_RESULTS)
+	if (item->kind == FOLDER_RESULTS || item->kind == FOLDER_SESSION)
 		screen_text(
 		    list, row, 1, look, "%s  %s", item->name, item->about);
 	else if (item->about == NULL)

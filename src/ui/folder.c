@@ -38,7 +38,7 @@ static bool
 is_sheet(const char *name)
 {
 	static const char *const ENDS[] = {
-	    ".csv", ".ods", ".tip", ".tsv", ".txt", ".xlsx"};
+	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
 	char *folded = text_fold(name);
 	size_t i = 0;
 	while (i < ARRAY_LEN(ENDS) && !text_ends(folded, ENDS[i]))
@@ -83,6 +83,10 @@ add_entry(struct folder *folder, const char *name)
 		add(folder, FOLDER_RESULTS, name);
 		folder->item[folder->n - 1].about =
 		    xasprintf(tr("results of %s"), command);
+	} else if (known && S_ISREG(about.st_mode) && is_script(name)) {
+		add(folder, FOLDER_SESSION, name);
+		folder->item[folder->n - 1].about =
+		    xstrdup(tr("a saved session"));
 	} else if (known && S_ISREG(about.st_mode)) {
 		add(folder, is_sheet(name) ? FOLDER_SHEET : FOLDER_OTHER, name);
 	}
@@ -143,18 +147,46 @@ has_word(const char *text, const char *word)
 	return has;
 }
 
-void
-folder_narrow(struct folder *folder, const char *word)
+/* Leaves the items that are kept. */
+static void
+leave(struct folder *folder,
+    bool (*keep)(const struct folder_item *item, const char *word),
+    const char *word)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < folder->n; i++) {
 		struct folder_item *item = &folder->item[i];
-		if (has_word(item->name, word) || has_word(item->about, word))
+		if (keep(item, word))
 			folder->item[n++] = *item;
 		else
 			item_clear(item);
 	}
 	folder->n = n;
+}
+
+static bool
+item_has(const struct folder_item *item, const char *word)
+{
+	return has_word(item->name, word) || has_word(item->about, word);
+}
+
+static bool
+is_no_session(const struct folder_item *item, const char *word)
+{
+	(void)word;
+	return item->kind <= FOLDER_BELOW && item->kind != FOLDER_SESSION;
+}
+
+void
+folder_narrow(struct folder *folder, const char *word)
+{
+	leave(folder, item_has, word);
+}
+
+void
+folder_sheets(struct folder *folder)
+{
+	leave(folder, is_no_session, "");
 }
 
 /* The same sites, made from the table that they were made from: without an

@@ -10,6 +10,7 @@
 /* In the order that they are listed in. */
 enum folder_kind {
 	FOLDER_SHEET,
+	FOLDER_SESSION,
 	FOLDER_ABOVE,
 	FOLDER_BELOW,
 	FOLDER_OTHER,
@@ -17,8 +18,8 @@ enum folder_kind {
 };
 
 /* about: of a site that comes with the program, "Granite, 11.2 mm, 69 74 79
- * m/s"; of FOLDER_RESULTS "results of predict"; else NULL.  made: the command
- * that makes it, where there is no file. */
+ * m/s"; of FOLDER_RESULTS "results of predict", of FOLDER_SESSION what it is;
+ * else NULL.  made: the command that makes it, where there is no file. */
 struct folder_item {
 	enum folder_kind kind;
 	char *name, *path, *about, *made;
@@ -44,6 +45,9 @@ void folder_shipped(struct folder *folder);
 
 /* Leaves only what has the word in its name or in what it is about. */
 void folder_narrow(struct folder *folder, const char *word);
+
+/* Leaves sheets and folders. */
+void folder_sheets(struct folder *folder);
 
 void folder_free(struct folder *folder);
 

@@ -145,10 +145,11 @@ draw_message(const struct tui *t, const struct area *row)
 
 /* What the site's parameters are worth, or how the search stands. */
 static void
-draw_state(const struct tui *t, const struct area *area)
+draw_state(struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
+	char *verdict = verdicts_words(t);
 	int column;
 	if (session_busy(s) && !s->job.fits) {
 		char *at = s->job.rounds->at(s);
@@ -174,6 +175,8 @@ draw_state(const struct tui *t, const struct area *area)
 		    site_products(entry->site) > 0
 			? tr("not calibrated: f calibrates")
 			: tr("no product: type :guess"));
+	} else if (verdict[0] != '\0') {
+		column = screen_text(area, 0, 0, 0, "READY  %s", verdict);
 	} else if (entry->has_fit) {
 		column = screen_text(area, 0, 0, 0, "READY  %s%s",
 		    fit_too_few(&entry->fit) ? "" : tr("fit "),
@@ -182,6 +185,7 @@ draw_state(const struct tui *t, const struct area *area)
 		column = screen_text(
 		    area, 0, 0, 0, "READY  parameters %s", origin_words(entry));
 	}
+	free(verdict);
 	char right[64];
 	snprintf(right, sizeof right,
 	    t->mouse ? tr("mouse on  %s  %d colours")

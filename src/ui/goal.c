@@ -21,6 +21,9 @@
 /* Screens separate sharply. */
 static const struct partition SHARP = {0, 1};
 
+/* A list of more conditions is an envelope's. */
+enum { MANY = 4 };
+
 bool
 goal_known(const struct tui *t)
 {
@@ -60,14 +63,8 @@ goal_limits(const struct tui *t, double *speed, size_t most)
 		return 0;
 	for (size_t i = 0; i < g->n_met && n < most; i++)
 		speed[n++] = g->met[i];
-	/* A tenth within, where the slider can stand. */
-	for (size_t i = 0; i < g->found.n_inside && n + 2 <= most; i++) {
-		const struct window_range *in = &g->found.inside[i];
-		double low = ceil(10 * in->from - 1e-6) / 10,
-		       high = floor(10 * in->to + 1e-6) / 10;
-		speed[n++] = low <= high ? low : in->from;
-		speed[n++] = low <= high ? high : in->to;
-	}
+	for (size_t i = 0; i < g->found.n_inside && n + 2 <= most; i++, n += 2)
+		goals_tenths(&g->found.inside[i], &speed[n], &speed[n + 1]);
 	if (n == 0 && most > 0)
 		speed[n++] = goal_best(t);
 	return n;
@@ -193,7 +190,7 @@ set_goal(struct tui *t, const char *text)
 
 /* "p80" and "p80=" alone are to be looked at, and nothing is wanted of them. */
 static bool
-take_quantity(struct tui *t, const char *text, char **line)
+take_quantity(struct tui *t, const char *text)
 {
 	struct quantity q;
 	struct error error = {0};
@@ -205,7 +202,12 @@ take_quantity(struct tui *t, const char *text, char **line)
 	free(copy);
 	if (ok && quantities_covered(&q, feed_of(t), &error)) {
 		t->quantity = q;
-		*line = set_goal(t, "");
+		close_field(t);
+		if (goals_set(t->session))
+			tui_say(t, false,
+			    "above the track now: %s; the goal "
+			    "stays %s",
+			    text, t->session->set.goal);
 	} else if (ok) {
 		tui_say(t, true, "%s: %s", error.text, error.hint);
 	}
@@ -213,12 +215,27 @@ take_quantity(struct tui *t, const char *text, char **line)
 }
 
 /* What is to be seen of conditions: that of the last, of an envelope's that of
- * a sieve in the middle. */
+ * a sieve in the middle until it is known which one binds. */
 static struct quantity
 most_told(const struct condition_list *list)
 {
-	enum { MANY = 4 };
 	return list->at[list->n > MANY ? list->n / 2 : list->n - 1].quantity;
+}
+
+void
+goal_step(struct tui *t)
+{
+	struct goal *g = &t->goal;
+	bool pending = goal_pending(t);
+	goals_step(t->session, g, tui_feed(t));
+	if (!pending || !goal_known(t) ||
+	    goals_is_condition(t->session->set.goal))
+		return;
+	struct quantity first = most_told(&g->list);
+	const struct quantity *binds = &g->list.at[g->binds].quantity;
+	/* Not that of a list of sieves, which goes with the goal. */
+	if (quantity_same(&t->quantity, &first) && binds->sieve == NULL)
+		t->quantity = *binds;
 }
 
 /* Enter: what cannot be read stays to be mended. */
@@ -233,7 +250,7 @@ take(struct tui *t)
 	t->message[0] = '\0';
 	if (text[0] == '\0' || strcasecmp(text, SETTINGS_NONE) == 0) {
 		line = set_goal(t, "");
-	} else if (take_quantity(t, text, &line)) {
+	} else if (take_quantity(t, text)) {
 		/* said already */
 	} else if (goals_read(
 		       t->session, text, feed_of(t), &list, &n_value, &error)) {

@@ -11,6 +11,10 @@
 bool goal_known(const struct tui *t);
 bool goal_pending(const struct tui *t);
 
+/* Works out a part of it.  Of an envelope the quantity above the track is then
+ * that which binds. */
+void goal_step(struct tui *t);
+
 /* Opens the field, with the quantity above the track in it. */
 void goal_open(struct tui *t);
 

@@ -398,7 +398,7 @@ cell_words(const struct tui *t)
 	if (f != NULL) {
 		char *why = mend_finding(h->site, f),
 		     *call = mend_call(h->site, &f->mend);
-		words = xasprintf(tr("! %s: %s  Enter: %s"), name, why, call);
+		words = xasprintf(tr("! %s; Enter: %s"), why, call);
 		free(why);
 		free(call);
 	} else if (isnan(x))

@@ -7,6 +7,8 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/goals.h"
+#include "cmd/pin.h"
 #include "io/units.h"
 #include "ui/control.h"
 #include "ui/first.h"
@@ -33,7 +35,7 @@ draw(struct tui *t)
 	request.level = t->level;
 	if (t->pin.site[0] != '\0') {
 		request.beside = t->pin.site;
-		request.kept = &t->kept;
+		request.kept = &t->session->pin->p;
 	}
 	if (t->cross && t->cross_at < p->product.n)
 		request.crosshair_mm = units_mm(p->product.size[t->cross_at]);
@@ -174,18 +176,27 @@ static const char *
 hints(const struct tui *t)
 {
 	bool undone = t->command != NULL && strcmp(t->command, "undo") == 0;
-	return tui_entry(t) == NULL        ? tr(FIRST_HINTS)
-	       : t->focus == &page_predict ? tr("<-/-> sieve  Up/Down passing  "
-						"Tab speed  c no crosshair  "
-						"? keys  q quit  : command")
-	       : undone ? tr("<-/-> speed  U redo  ? keys  q quit  f fit  : "
-			     "command  c crosshair  x pin  e export  u undo")
-	       : t->left_out
-		   ? tr("<-/-> speed  Enter all numbers  ? keys  q quit  f fit "
-			" "
-			": command  c crosshair  x pin  e export  u undo")
-		   : tr("<-/-> speed  ? keys  q quit  f fit  : command  c "
-			"crosshair  x pin  e export  Enter numbers  u undo");
+	bool goal = goals_set(t->session);
+	if (tui_entry(t) == NULL)
+		return tr(FIRST_HINTS);
+	if (t->focus == &page_predict)
+		return tr("<-/-> sieve  Up/Down passing  Tab speed  c no "
+			  "crosshair  ? keys  q quit  : command");
+	if (undone)
+		return tr("<-/-> speed  U redo  ? keys  q quit  f fit  : "
+			  "command  t goal  x pin  e export  u undo");
+	if (goal && t->left_out)
+		return tr("<-/-> speed  n p limits  N best  ? keys  Enter all "
+			  "numbers  q quit  : command  x pin  e export  t "
+			  "goal");
+	if (goal)
+		return tr("<-/-> speed  n p limits  N best  ? keys  q quit  : "
+			  "command  x pin  e export  t goal  Enter numbers");
+	if (t->left_out)
+		return tr("<-/-> speed  t goal  ? keys  Enter all numbers  q "
+			  "quit  f fit  : command  x pin  e export  u undo");
+	return tr("<-/-> speed  t goal  ? keys  q quit  f fit  : command  "
+		  "x pin  e export  Enter numbers  c crosshair  u undo");
 }
 
 const struct page_ops page_predict = {.name = N_("Predict"),

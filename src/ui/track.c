@@ -348,11 +348,14 @@ to_limit(struct tui *t, int by)
 			best = tenths[i];
 	}
 	if (best == t->tenths)
-		tui_say(t, false, "no %s %s",
-		    by > 0 ? tr("faster") : tr("slower"),
+		tui_say(t, false,
 		    goals_set(t->session)
-			? tr("limit: N goes to the best speed")
-			: tr("run: t sets a goal"));
+			? (by > 0 ? N_("no faster limit: p goes to a slower "
+				       "one, N to the best speed")
+				  : N_("no slower limit: n goes to a faster "
+				       "one, N to the best speed"))
+		    : by > 0 ? N_("no faster run: t sets a goal")
+			     : N_("no slower run: t sets a goal"));
 	t->tenths = best;
 }
 
@@ -401,7 +404,7 @@ track_wished(struct tui *t, bool now)
 		return;
 	}
 	while (now && is_pending(t))
-		goals_step(t->session, &t->goal, tui_feed(t));
+		goal_step(t);
 	if (is_pending(t))
 		return;
 	t->wish = NULL;

@@ -36,6 +36,8 @@ size_t
 tui_feed(const struct tui *t)
 {
 	const struct site *site = tui_entry(t)->site;
+	if (!site->individual_feeds)
+		return 0;
 	size_t kept = site_run_at(site, t->feed);
 	return kept < site->n_run ? kept
 				  : site_run_nearest(site, t->tenths / 10.0);

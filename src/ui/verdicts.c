@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/tr.h"
+#include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/light.h"
 #include "cmd/plots_limits.h"
@@ -654,6 +655,25 @@ verdicts_draw(struct tui *t)
 	trust_free(&p.light);
 }
 
+char *
+verdicts_words(struct tui *t)
+{
+	const struct grading *g = limits_now(t);
+	char *words = xstrdup("");
+	if (t->page != PAGE_PREDICT || t->places.side.rows > 0 ||
+	    t->now.site[0] == '\0')
+		return words;
+	struct trust light = light_of(t->session, tui_entry(t), &t->shown);
+	xlist(&words, ", ", tr("trust %s"), tr(LIGHT_NAME[light.light]));
+	trust_free(&light);
+	if (g != NULL)
+		xlist(&words, ", ",
+		    window_holds(&g->conditions) ? tr("in %s")
+						 : tr("out of %s"),
+		    t->session->spec->name);
+	return words;
+}
+
 /* The same in four characters at most, where there is little room: a number cut
  * by its end would be another. */
 static const char *
@@ -678,7 +698,9 @@ verdicts_row(struct tui *t)
 	const struct area *area = &t->places.numbers;
 	const struct prediction *p = &t->shown;
 	char a[24], b[24], c[24], d[24];
-	if (area->rows == 0)
+	/* The list of sites tells of the marked one, which may be another. */
+	if (area->rows == 0 ||
+	    (t->page == PAGE_SITES && t->site_at != t->session->current))
 		return;
 	if (t->now.site[0] == '\0')
 		screen_text(area, 0, 0, 0,

@@ -284,12 +284,16 @@ moves(struct tui *t, const struct key *key, int code)
 }
 
 /* Whether it changes what is calculated: that is not done by a key which was
- * pressed to be rid of a text. */
+ * pressed to be rid of a text.  A first calibration takes the place of nothing.
+ */
 static bool
-changes(enum key_act act)
+changes(const struct tui *t, enum key_act act)
 {
-	return act == ACT_FIT || act == ACT_RUN || act == ACT_CORRECT ||
-	       act == ACT_KEEP || act == ACT_STOP;
+	const struct entry *entry = tui_entry(t);
+	bool first =
+	    entry != NULL && !entry->has_params && !session_busy(t->session);
+	return (act == ACT_FIT && !first) || act == ACT_RUN ||
+	       act == ACT_CORRECT || act == ACT_KEEP || act == ACT_STOP;
 }
 
 /* A key that is none of the text's has closed it: true where that is all that
@@ -303,9 +307,9 @@ only_closes(struct tui *t, const struct key *key, int code, bool keys)
 		return false;
 	if (key->act == ACT_LEAVE || (keys && key->act == ACT_HELP))
 		return true;
-	if (changes(key->act) && key->act != ACT_STOP)
+	if (changes(t, key->act) && key->act != ACT_STOP)
 		tui_say(t, false, "%s again: %s", key->name, key->what);
-	return changes(key->act);
+	return changes(t, key->act);
 }
 
 bool

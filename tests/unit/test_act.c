@@ -502,11 +502,11 @@ what_is_no_goal_stays_in_its_field(void **state)
 		type(t, ANEW[i].typed);
 		assert_string_equal(t->session->set.goal, ANEW[i].goal);
 	}
-	/* A sign of its own; a quantity alone is shown, and nothing wanted. */
+	/* A sign of its own; a quantity alone is shown, and the goal stays. */
 	type(t, "t<6\n");
 	assert_string_equal(t->session->set.goal, "p80<6");
 	type(t, "tpassing 4\n");
-	assert_string_equal(t->session->set.goal, "");
+	assert_string_equal(t->session->set.goal, "p80<6");
 	assert_int_equal(t->quantity.kind, QUANTITY_PASSING);
 	type(t, "tfin\t");
 	assert_string_equal(t->typing.text, "fines<");
@@ -516,6 +516,32 @@ what_is_no_goal_stays_in_its_field(void **state)
 	type(t, "t\025EN 12620 0/4\n");
 	draw_all(t);
 	assert_true(t->goal.list.n > 1);
+}
+
+/* Of an envelope that is shown which ends its window, and what stands there as
+ * the window's end is inside. */
+static void
+an_envelope_shows_what_binds(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	control_look(t);
+	type(t, "t\025IS 383:2016 zone I\n");
+	while (goal_pending(t))
+		goal_step(t);
+	const struct goal *g = &t->goal;
+	assert_true(g->n_value == 0 && g->found.n_inside == 1);
+	assert_true(
+	    quantity_same(&t->quantity, &g->list.at[g->binds].quantity));
+	double from, to;
+	goals_tenths(&g->found.inside[0], &from, &to);
+	assert_true(from >= g->found.inside[0].from - 1e-6);
+	assert_true(to <= g->found.inside[0].to + 1e-6);
+	assert_true(g->found.inside[0].to - to < 0.1);
+	goals_tenths(
+	    &(struct window_range){.from = 70.01, .to = 70.04}, &from, &to);
+	assert_true(from == 70.01 && to == 70.04);
 }
 
 static void
@@ -1366,55 +1392,56 @@ a_question_is_answered_by_y_alone(void **state)
 #define ON_STAGE(test) \
 	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
 
+static const struct CMUnitTest TESTS[] = {
+    ON_STAGE(a_step_predicts_once_and_says_nothing),
+    ON_STAGE(a_shows_the_answer_of_the_correction),
+    ON_STAGE(a_line_stops_no_search_unsaid),
+    ON_STAGE(a_size_is_one_number_everywhere),
+    ON_STAGE(undo_says_what_it_took_and_how_it_comes_back),
+    ON_STAGE(what_was_unpinned_can_be_pinned_again),
+    ON_STAGE(a_goal_takes_five_keys_and_is_met_where_find_says),
+    ON_STAGE(a_key_of_the_goal_waits_for_its_speeds),
+    ON_STAGE(a_goal_stays_known_until_something_else_is_asked),
+    ON_STAGE(a_goal_may_be_set_while_a_first_search_runs),
+    ON_STAGE(a_report_that_was_closed_is_shown_again),
+    ON_STAGE(the_crosshair_goes_to_both_ends_of_the_sieves),
+    ON_STAGE(the_chosen_parameter_and_those_at_bounds_are_marked),
+    ON_STAGE(the_limits_of_a_window_are_where_n_and_p_go),
+    ON_STAGE(what_is_no_goal_stays_in_its_field),
+    ON_STAGE(an_envelope_shows_what_binds),
+    ON_STAGE(y_goes_round_the_quantities_above_the_track),
+    ON_STAGE(every_letter_is_text_in_a_line),
+    ON_STAGE(what_is_completed_is_whole_letters),
+    ON_STAGE(the_keypad_has_an_enter),
+    ON_STAGE(a_word_too_long_to_find_does_nothing_else),
+    ON_STAGE(a_smaller_screen_shows_the_key_under_the_cursor),
+    ON_STAGE(text_wider_than_the_screen_is_read_to_its_end),
+    ON_STAGE(a_pause_is_no_part_of_the_search),
+    ON_STAGE(the_scrubber_has_the_keys_of_the_slider),
+    ON_STAGE(a_point_makes_one_generation),
+    ON_STAGE(bounds_are_typed_on_their_strip),
+    ON_STAGE(generations_are_slow_while_the_best_gains),
+    ON_STAGE(the_mouse_drags_the_scrubber_to_its_ends),
+    ON_STAGE(the_list_has_the_keys_of_other_pages),
+    ON_STAGE(a_colon_begins_a_line_over_what_fills_the_screen),
+    ON_STAGE(what_is_shown_is_saved_and_shown_again),
+    ON_STAGE(what_is_left_is_found_again),
+    ON_STAGE(long_commands_leave_the_screen_live),
+    ON_STAGE(the_draws_after_a_fit_can_be_watched),
+    ON_STAGE(e_proposes_a_file),
+    ON_STAGE(a_pinned_answer_keeps_its_feed),
+    ON_STAGE(d_tells_the_picture_of_the_page),
+    ON_STAGE(an_answer_is_measured_by_the_screen_and_not_by_the_text_before),
+    ON_STAGE(control_z_stops_wherever_it_is_typed),
+    ON_STAGE(what_is_pasted_is_no_keys),
+    ON_STAGE(what_is_pasted_goes_into_an_open_line_up_to_its_end),
+    ON_STAGE(ten_megabytes_are_pasted),
+    ON_STAGE(a_question_is_answered_by_y_alone),
+};
+
 int
 main(void)
 {
-	const struct CMUnitTest tests[] = {
-	    ON_STAGE(a_step_predicts_once_and_says_nothing),
-	    ON_STAGE(a_shows_the_answer_of_the_correction),
-	    ON_STAGE(a_line_stops_no_search_unsaid),
-	    ON_STAGE(a_size_is_one_number_everywhere),
-	    ON_STAGE(undo_says_what_it_took_and_how_it_comes_back),
-	    ON_STAGE(what_was_unpinned_can_be_pinned_again),
-	    ON_STAGE(a_goal_takes_five_keys_and_is_met_where_find_says),
-	    ON_STAGE(a_key_of_the_goal_waits_for_its_speeds),
-	    ON_STAGE(a_goal_stays_known_until_something_else_is_asked),
-	    ON_STAGE(a_goal_may_be_set_while_a_first_search_runs),
-	    ON_STAGE(a_report_that_was_closed_is_shown_again),
-	    ON_STAGE(the_crosshair_goes_to_both_ends_of_the_sieves),
-	    ON_STAGE(the_chosen_parameter_and_those_at_bounds_are_marked),
-	    ON_STAGE(the_limits_of_a_window_are_where_n_and_p_go),
-	    ON_STAGE(what_is_no_goal_stays_in_its_field),
-	    ON_STAGE(y_goes_round_the_quantities_above_the_track),
-	    ON_STAGE(every_letter_is_text_in_a_line),
-	    ON_STAGE(what_is_completed_is_whole_letters),
-	    ON_STAGE(the_keypad_has_an_enter),
-	    ON_STAGE(a_word_too_long_to_find_does_nothing_else),
-	    ON_STAGE(a_smaller_screen_shows_the_key_under_the_cursor),
-	    ON_STAGE(text_wider_than_the_screen_is_read_to_its_end),
-	    ON_STAGE(a_pause_is_no_part_of_the_search),
-	    ON_STAGE(the_scrubber_has_the_keys_of_the_slider),
-	    ON_STAGE(a_point_makes_one_generation),
-	    ON_STAGE(bounds_are_typed_on_their_strip),
-	    ON_STAGE(generations_are_slow_while_the_best_gains),
-	    ON_STAGE(the_mouse_drags_the_scrubber_to_its_ends),
-	    ON_STAGE(the_list_has_the_keys_of_other_pages),
-	    ON_STAGE(a_colon_begins_a_line_over_what_fills_the_screen),
-	    ON_STAGE(what_is_shown_is_saved_and_shown_again),
-	    ON_STAGE(what_is_left_is_found_again),
-	    ON_STAGE(long_commands_leave_the_screen_live),
-	    ON_STAGE(the_draws_after_a_fit_can_be_watched),
-	    ON_STAGE(e_proposes_a_file),
-	    ON_STAGE(a_pinned_answer_keeps_its_feed),
-	    ON_STAGE(d_tells_the_picture_of_the_page),
-	    ON_STAGE(
-		an_answer_is_measured_by_the_screen_and_not_by_the_text_before),
-	    ON_STAGE(control_z_stops_wherever_it_is_typed),
-	    ON_STAGE(what_is_pasted_is_no_keys),
-	    ON_STAGE(what_is_pasted_goes_into_an_open_line_up_to_its_end),
-	    ON_STAGE(ten_megabytes_are_pasted),
-	    ON_STAGE(a_question_is_answered_by_y_alone),
-	};
 	chdir_to_source();
-	return cmocka_run_group_tests(tests, NULL, NULL);
+	return cmocka_run_group_tests(TESTS, NULL, NULL);
 }

@@ -275,8 +275,8 @@ a_second_site_has_a_curve_of_its_own(void **state)
 	for (int way = 0; way < 2; way++) {
 		struct chart *c = chart_of(desk, &q);
 		size_t last = c->n - 1; /* bro has no parameters yet */
-		assert_string_equal(c->series[last]->name,
-		    way == 0 ? "predicted tierp 70 m/s" : "pin tierp 70 m/s");
+		assert_string_equal(
+		    c->series[last]->name, "predicted tierp 70 m/s");
 		assert_int_equal(c->series[last]->n, kept.product.n);
 		for (size_t i = 0; i < kept.product.n; i++)
 			assert_true(fabs(c->series[last]->y[i] -
@@ -338,8 +338,9 @@ differences_have_a_strip(void **state)
 	struct chart *c = chart_of(desk, &q);
 	assert_non_null(c->below);
 	assert_int_equal(c->below->n, 1);
-	assert_string_equal(
-	    c->below->title, "points; marks: measured 74 m/s less predicted");
+	assert_string_equal(c->below->title,
+	    "points; marks: measured 74 m/s less this "
+	    "prediction");
 	chart_free(c);
 	q.other_speed = 70;
 	c = chart_of(desk, &q);
