@@ -32,12 +32,13 @@ relist(struct chooser *c, const char *path)
 {
 	char *copy = xstrdup(path);
 	folder_free(&c->folder);
-	if (c->shipped)
+	if (c->list == CHOOSER_SHIPPED)
 		folder_shipped(&c->folder);
 	else
 		folder_list(&c->folder, copy);
-	if (c->estimates)
-		folder_sheets(&c->folder);
+	if (c->list == CHOOSER_FEEDS || c->list == CHOOSER_SESSIONS)
+		folder_only(&c->folder,
+		    c->list == CHOOSER_FEEDS ? FOLDER_SHEET : FOLDER_SESSION);
 	if (c->word.n > 0)
 		folder_narrow(&c->folder, c->word.text);
 	c->at = c->top = 0;
@@ -72,8 +73,7 @@ chooser_open(struct tui *t, enum chooser_list what)
 	close_list(t);
 	t->message[0] = '\0';
 	t->chooser.on = true;
-	t->chooser.shipped = what == CHOOSER_SHIPPED;
-	t->chooser.estimates = what == CHOOSER_FEEDS;
+	t->chooser.list = what;
 	list_all(&t->chooser, "");
 	return true;
 }
@@ -130,8 +130,8 @@ enter(struct tui *t)
 		free(into);
 		return;
 	}
-	char *line = folder_command(item);
-	if (run(t, line, c->estimates))
+	char *line = folder_command(item, c->list == CHOOSER_SESSIONS);
+	if (run(t, line, c->list == CHOOSER_FEEDS))
 		close_list(t);
 	free(line);
 }
@@ -160,8 +160,8 @@ chooser_open_shipped(struct tui *t, const char *name)
 	size_t i = 0;
 	while (i < folder->n && strcmp(folder->item[i].name, name) != 0)
 		i++;
-	char *line =
-	    i < folder->n ? folder_command(&folder->item[i]) : xstrdup("");
+	char *line = i < folder->n ? folder_command(&folder->item[i], false)
+				   : xstrdup("");
 	if (i == folder->n)
 		tui_say(t, true, "%s%s is not there: reinstall tipspeed",
 		    folder->path, name);
@@ -321,11 +321,13 @@ draw_title(const struct tui *t, const struct area *area)
 	const struct chooser *c = &t->chooser;
 	const char *folder =
 	    c->folder.path[0] != '\0' ? c->folder.path : tr("this folder");
-	int column = screen_text(area, 0, 0, LOOK_BOLD, "%s",
-	    c->estimates ? tr("sheet with a feed, in ")
-	    : c->shipped ? tr("sites that come with tipspeed, ")
-			 : tr("open a sheet, in "));
-	column = screen_text(area, 0, column, LOOK_BOLD, "%s", folder);
+	int column = screen_text(area, 0, 0, LOOK_BOLD,
+	    c->list == CHOOSER_FEEDS      ? N_("sheet with a feed, in %s")
+	    : c->list == CHOOSER_SESSIONS ? N_("saved sessions, in %s")
+	    : c->list == CHOOSER_SHIPPED
+		? N_("sites that come with tipspeed, %s")
+		: N_("open a sheet, in %s"),
+	    folder);
 	if (c->word.n > 0)
 		screen_text(area, 0, column, 0, ": what has '%s', %zu",
 		    c->word.text, c->folder.n);
@@ -358,6 +360,7 @@ chooser_draw(struct tui *t)
 	enum { WIDE = 72, TALL = 10, LIST = 60 };
 	const struct area body = t->places.body;
 	struct area list = body, preview = body;
+	bool shipped = t->chooser.list == CHOOSER_SHIPPED;
 	bool title = body.rows > 2;
 	touch_add(&t->touches, body, touch_item, SIZE_MAX);
 	if (title)
@@ -366,8 +369,8 @@ chooser_draw(struct tui *t)
 	list.rows -= title;
 	preview = list;
 	preview.rows = 0;
-	if (body.columns >= WIDE + (t->chooser.shipped ? LIST - WIDE / 2 : 0)) {
-		bool full = t->chooser.shipped || body.columns / 2 >= LIST;
+	if (body.columns >= WIDE + (shipped ? LIST - WIDE / 2 : 0)) {
+		bool full = shipped || body.columns / 2 >= LIST;
 		list.columns = full ? LIST : body.columns / 2;
 		preview = list;
 		preview.column = list.columns + 1;
@@ -388,7 +391,7 @@ chooser_draw(struct tui *t)
 	}
 	pane_hints(t, LOOK_REVERSE,
 	    t->chooser.word.n > 0 ? N_("Esc all  Enter opens it  Up/Down")
-	    : t->chooser.shipped
+	    : shipped
 		? N_("Esc back  Enter opens it  Up/Down  letters narrow the "
 		     "list")
 		: N_("Esc back  Enter opens it  Up/Down  Left folder above  "

@@ -5,10 +5,7 @@
 
 #include "ui/tui_state.h"
 
-/* What is listed: the folder that the program runs in, the same for a feed that
- * a product is estimated of, or the sites that come with the program.  False
- * with a message under --safe. */
-enum chooser_list { CHOOSER_FILES, CHOOSER_FEEDS, CHOOSER_SHIPPED };
+/* False with a message under --safe. */
 bool chooser_open(struct tui *t, enum chooser_list list);
 
 /* Takes a key; false: the list is closed and the key is for what was below

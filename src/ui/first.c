@@ -27,6 +27,12 @@ open_feed(struct tui *t)
 	chooser_open(t, CHOOSER_FEEDS);
 }
 
+static void
+open_session(struct tui *t)
+{
+	chooser_open(t, CHOOSER_SESSIONS);
+}
+
 static const struct {
 	const char *name, *what;
 	void (*go)(struct tui *t);
@@ -37,6 +43,10 @@ static const struct {
 		   "file would be "
 		   "read. Later: o."),
 		open_sheet},
+    {N_("Go on with a saved session"),
+	N_("What the key w has saved, a file that ends in .tip: its sites are "
+	   "there again, with their fits, the goal and what was pinned."),
+	open_session},
     {N_("Try a site that comes with tipspeed"),
 	N_("Quarries of the paper with their rock and tip speeds; their curves "
 	   "are reconstructed from it."),

@@ -147,16 +147,13 @@ has_word(const char *text, const char *word)
 	return has;
 }
 
-/* Leaves the items that are kept. */
-static void
-leave(struct folder *folder,
-    bool (*keep)(const struct folder_item *item, const char *word),
-    const char *word)
+void
+folder_narrow(struct folder *folder, const char *word)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < folder->n; i++) {
 		struct folder_item *item = &folder->item[i];
-		if (keep(item, word))
+		if (has_word(item->name, word) || has_word(item->about, word))
 			folder->item[n++] = *item;
 		else
 			item_clear(item);
@@ -164,29 +161,19 @@ leave(struct folder *folder,
 	folder->n = n;
 }
 
-static bool
-item_has(const struct folder_item *item, const char *word)
-{
-	return has_word(item->name, word) || has_word(item->about, word);
-}
-
-static bool
-is_no_session(const struct folder_item *item, const char *word)
-{
-	(void)word;
-	return item->kind <= FOLDER_BELOW && item->kind != FOLDER_SESSION;
-}
-
 void
-folder_narrow(struct folder *folder, const char *word)
+folder_only(struct folder *folder, enum folder_kind kind)
 {
-	leave(folder, item_has, word);
-}
-
-void
-folder_sheets(struct folder *folder)
-{
-	leave(folder, is_no_session, "");
+	size_t n = 0;
+	for (size_t i = 0; i < folder->n; i++) {
+		struct folder_item *item = &folder->item[i];
+		if (item->kind == kind || item->kind == FOLDER_ABOVE ||
+		    item->kind == FOLDER_BELOW)
+			folder->item[n++] = *item;
+		else
+			item_clear(item);
+	}
+	folder->n = n;
 }
 
 /* The same sites, made from the table that they were made from: without an
@@ -269,15 +256,17 @@ folder_into(const struct folder *folder, size_t item)
 /* A name of its own that has = would be taken for an option, as one with @ for
  * a speed. */
 char *
-folder_command(const struct folder_item *item)
+folder_command(const struct folder_item *item, bool anew)
 {
 	if (item->made != NULL)
 		return xstrdup(item->made);
 	bool plain = strchr(item->path, '/') != NULL ||
 		     strpbrk(item->path, "=@-") == NULL;
 	return xasprintf("%s \"%s%s\"",
-	    is_script(item->name) ? "source" : "load", plain ? "" : "./",
-	    item->path);
+	    !is_script(item->name) ? "load"
+	    : anew                 ? "restore"
+				   : "source",
+	    plain ? "" : "./", item->path);
 }
 
 static void

@@ -46,8 +46,8 @@ void folder_shipped(struct folder *folder);
 /* Leaves only what has the word in its name or in what it is about. */
 void folder_narrow(struct folder *folder, const char *word);
 
-/* Leaves sheets and folders. */
-void folder_sheets(struct folder *folder);
+/* Leaves folders, and files of that kind. */
+void folder_only(struct folder *folder, enum folder_kind kind);
 
 void folder_free(struct folder *folder);
 
@@ -55,8 +55,9 @@ void folder_free(struct folder *folder);
  * frees. */
 char *folder_into(const struct folder *folder, size_t item);
 
-/* The command that opens an item which is no folder.  The caller frees. */
-char *folder_command(const struct folder_item *item);
+/* The command that opens an item which is no folder; anew: a session takes the
+ * place of what there is.  The caller frees. */
+char *folder_command(const struct folder_item *item, bool anew);
 
 /* What load would say of a file, in lines, or what it would ask.  The file is
  * not read where that could take long.  The caller frees. */

@@ -114,11 +114,21 @@ struct cursor {
 };
 
 struct above;
-/* Files to open one of, over the page.  shipped: sites that come with the
- * program; estimates: a feed is looked for; word: that they have; preview: of
- * the item `previewed`, -1: of none. */
+/* What is listed: the folder that the program runs in, of that sheets with a
+ * feed that a product is estimated of, or saved sessions; or the sites that
+ * come with the program. */
+enum chooser_list {
+	CHOOSER_FILES,
+	CHOOSER_FEEDS,
+	CHOOSER_SESSIONS,
+	CHOOSER_SHIPPED
+};
+
+/* Files to open one of, over the page.  word: that they have; preview: of the
+ * item `previewed`, -1: of none. */
 struct chooser {
-	bool on, shipped, estimates;
+	bool on;
+	enum chooser_list list;
 	struct folder folder;
 	struct typing word;
 	int at, top, previewed;

@@ -83,7 +83,9 @@ without_a_site_it_shows_what_can_be_done(void **state)
 	assert_true(shows("Open a sheet"));
 	assert_true(shows("Take a tour"));
 	press(t, "Down");
+	press(t, "Down");
 	assert_true(shows("Quarries of the paper"));
+	press(t, "Up");
 	press(t, "Up");
 	press(t, "Up");
 	press(t, "Enter");
@@ -92,6 +94,31 @@ without_a_site_it_shows_what_can_be_done(void **state)
 	press(t, "Esc");
 	assert_false(t->chooser.on);
 	assert_true(shows("Open a sheet"));
+}
+
+/* Of saved sessions the list has nothing else but folders. */
+static void
+a_saved_session_is_restored(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	const struct folder *folder = &t->chooser.folder;
+	press(t, "Down");
+	press(t, "Enter");
+	assert_true(shows("saved sessions, in this folder"));
+	for (size_t i = 0; i < folder->n; i++)
+		assert_true(folder->item[i].kind == FOLDER_SESSION ||
+			    folder->item[i].kind == FOLDER_ABOVE ||
+			    folder->item[i].kind == FOLDER_BELOW);
+	choose(t, "doc");
+	press(t, "Enter");
+	choose(t, "demo.tip");
+	assert_int_equal(folder->item[t->chooser.at].kind, FOLDER_SESSION);
+	char *line = folder_command(&folder->item[t->chooser.at], true);
+	assert_string_equal(line, "restore \"doc/demo.tip\"");
+	free(line);
+	press(t, "Esc");
+	press(t, "Up");
 }
 
 static void
@@ -170,6 +197,7 @@ the_tour_needs_no_installation(void **state)
 	assert_non_null(mkdtemp(folder));
 	assert_int_equal(chdir(folder), 0);
 	press(t, "Down");
+	press(t, "Down");
 	press(t, "Enter");
 	assert_in_range(t->chooser.folder.n, 15, 19);
 	type(t, "forsby");
@@ -189,6 +217,7 @@ static void
 letters_narrow_the_list(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
+	press(t, "Down");
 	press(t, "Down");
 	press(t, "Enter");
 	size_t all = t->chooser.folder.n;
@@ -222,6 +251,7 @@ a_site_of_the_program_is_tried(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	press(t, "Down");
+	press(t, "Down");
 	press(t, "Enter");
 	assert_int_equal(t->chooser.folder.n, 19);
 	choose(t, "tierp.csv");
@@ -242,6 +272,7 @@ a_feed_fills_the_guess(void **state)
 	fputs("rock,Gneiss\ntop_size_mm,16\nsize_mm,feed\n16,100\n4,40\n1,9\n",
 	    sheet);
 	fclose(sheet);
+	press(t, "Down");
 	press(t, "Down");
 	press(t, "Down");
 	press(t, "Enter");
@@ -399,8 +430,10 @@ strange_files_are_looked_at_without_being_read(void **state)
 	assert_string_equal(list.item[3].about, "results of predict");
 	char *big = folder_preview(&list.item[0]);
 	char *empty = folder_preview(&list.item[1]);
-	char *command = folder_command(&(struct folder_item){
-	    .name = (char *)"a=b.csv", .path = (char *)"a=b.csv"});
+	char *command =
+	    folder_command(&(struct folder_item){.name = (char *)"a=b.csv",
+			       .path = (char *)"a=b.csv"},
+		false);
 	static const char *const NAMES[] = {"pipe.csv", "link.csv", "empty.csv",
 	    ".hidden.csv", "a\"b.csv", "big.csv", "a.csv"};
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++)
@@ -426,6 +459,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    ON_STAGE(without_a_site_it_shows_what_can_be_done),
+	    ON_STAGE(a_saved_session_is_restored),
 	    ON_STAGE(a_sheet_is_opened_by_a_command_that_can_be_undone),
 	    ON_STAGE(left_goes_to_the_folder_above),
 	    ON_STAGE(without_a_site_all_keys_lead_to_a_sheet),
