@@ -67,14 +67,21 @@ draw_change(
 		    "%+*.*f", CHANGE_COLUMNS, digits, now - was);
 }
 
-/* "5.29..5.44" where the panel is wide; nothing without a band. */
+/* "5.29..5.44" where the panel is wide, else half of that behind the number,
+ * "5.36\u00b10.08", with that unit; nothing without a band. */
 static void
-draw_range(
-    const struct area *area, int row, double low, double high, int digits)
+draw_range(const struct area *area, int row, double low, double high,
+    int digits, const char *unit)
 {
 	const double long_number = 100;
-	if (area->columns < WIDE || !isfinite(low) || !isfinite(high))
+	if (!isfinite(low) || !isfinite(high))
 		return;
+	if (area->columns < WIDE) {
+		if (screen_charset() != CHARSET_ASCII && high < long_number)
+			screen_text(area, row, UNIT - 1, LOOK_DIM,
+			    "\u00b1%.*f%s", digits, (high - low) / 2, unit);
+		return;
+	}
 	screen_text(area, row, BAND, LOOK_DIM, "%.*f..%.*f",
 	    high < long_number ? digits : 0, low,
 	    high < long_number ? digits : 0, high);
@@ -171,7 +178,7 @@ draw_sizes(struct panel *p, const struct area *area)
 		const double *range = t->shown.range[i];
 		draw_name(area, i, LOOK_BOLD, NAME[i]);
 		draw_size(area, i, LOOK_BOLD, t->now.size[i]);
-		draw_range(area, i, 1000 * range[0], 1000 * range[1], 2);
+		draw_range(area, i, 1000 * range[0], 1000 * range[1], 2, "");
 		if (p->was != NULL)
 			draw_change(
 			    area, i, t->now.size[i], p->was->size[i], 2);
@@ -196,7 +203,9 @@ draw_break(struct panel *p, const struct area *area)
 	const double *range = t->shown.range[ANSWERS_BREAK];
 	draw_name(area, 0, 0, tr("break"));
 	draw_size(area, 0, LOOK_PLAIN, t->now.break_mm);
-	draw_range(area, 0, 1000 * range[0], 1000 * range[1], 2);
+	/* A range that has the value at its end is no plus and minus. */
+	if (area->columns >= WIDE)
+		draw_range(area, 0, 1000 * range[0], 1000 * range[1], 2, "");
 	if (p->was != NULL)
 		draw_change(area, 0, t->now.break_mm, p->was->break_mm, 2);
 	if (area->rows > 1)
@@ -264,7 +273,8 @@ draw_shares(struct panel *p, const struct area *area, int row,
 		if (shown->low != NULL)
 			draw_range(area, row,
 			    all * psd_passing(&low, FRACTION_MM[i] / 1000),
-			    all * psd_passing(&high, FRACTION_MM[i] / 1000), 1);
+			    all * psd_passing(&high, FRACTION_MM[i] / 1000), 1,
+			    unit[0] == '%' ? " %" : "    ");
 		if (p->was != NULL)
 			draw_change(area, row, now * part,
 			    p->was->passing[i] * part, 1);
