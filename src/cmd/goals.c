@@ -286,6 +286,7 @@ goals_step(struct session *s, struct goal *g, size_t feed)
 	all.n -= g->n_value;
 	all.from = from + PART * (double)g->done;
 	all.to = fmin(to, all.from + PART);
+	all.coarse = true; /* the slider has no other speeds */
 	if (g->n_value > 0)
 		meet(g, &all);
 	if (all.n > 0) {

@@ -111,12 +111,18 @@ take_draw(const struct response *r, size_t d, struct psd *curve)
 }
 
 void
-response_at(struct response *r, double v)
+response_answer_at(struct response *r, double v)
 {
 	const struct psd *product = inverse_at(&r->inverse, v);
 	r->speed = v;
 	for (size_t i = 0; i < r->n; i++)
 		r->value[i] = read_off(r, i, product);
+}
+
+void
+response_at(struct response *r, double v)
+{
+	response_answer_at(r, v);
 	for (size_t d = 0; d < DRAWS && r->inverse.ensemble != NULL; d++) {
 		take_draw(r, d, &r->curve);
 		for (size_t i = 0; i < r->n; i++)

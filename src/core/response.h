@@ -18,8 +18,10 @@ struct response *response_new(const struct psd *feed, const double *size,
     const struct posterior *posterior);
 void response_free(struct response *r);
 
-/* Moves to tip speed v, m/s. */
+/* Moves to tip speed v, m/s; response_answer_at without the draws, which are of
+ * no speed then. */
 void response_at(struct response *r, double v);
+void response_answer_at(struct response *r, double v);
 
 /* The same for the answer alone, of its curve at that speed made before, and
  * without the work of the draws, which stay where they were.  Values are exact

@@ -136,7 +136,7 @@ window_certainty(const struct wanted *c)
 static double
 moved(const struct wanted *c, const struct side *side, double v)
 {
-	response_at(c->response, v);
+	response_answer_at(c->response, v);
 	return side_at(c, side, SIZE_MAX);
 }
 
@@ -144,7 +144,7 @@ static double
 margin_at(const struct wanted *c, double v)
 {
 	struct window_limit limit;
-	response_at(c->response, v);
+	response_answer_at(c->response, v);
 	return window_margin(c, &limit);
 }
 
@@ -340,7 +340,7 @@ binding(const struct wanted *c, double v)
 	struct window_limit limit = NONE;
 	if (v < c->from || v > c->to)
 		return limit;
-	response_at(c->response, v);
+	response_answer_at(c->response, v);
 	window_margin(c, &limit);
 	return limit;
 }
@@ -403,7 +403,7 @@ find_best(struct search *s, struct window_found *w, struct top best)
 	for (size_t k = 0; k < s->n; k++)
 		better(c, &best, s->v[k], s->margin[k]);
 	double a = fmax(best.v - STEP, c->from), b = fmin(best.v + STEP, c->to);
-	struct top top = climb(c, climbing, NULL, a, b);
+	struct top top = c->coarse ? best : climb(c, climbing, NULL, a, b);
 	if (top.f > best.f)
 		best = top;
 	w->best = best.v;
@@ -600,7 +600,7 @@ static double
 valued(const struct wanted *c, const void *of, double v)
 {
 	const struct side *side = of;
-	response_at(c->response, v);
+	response_answer_at(c->response, v);
 	double value = side->sign * response_value(c->response, side->i);
 	return isnan(value) ? -INFINITY : value;
 }

@@ -20,6 +20,7 @@ struct wanted {
 	size_t n;
 	const struct condition *at;
 	double from, to; /* speeds looked at, m/s */
+	bool coarse;     /* the best speed to a step only, 0.1 m/s */
 };
 
 /* One of the two limits of condition i; i SIZE_MAX: none. */

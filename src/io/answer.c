@@ -205,7 +205,7 @@ add_number(struct answer *a, double value, int decimals, bool sign)
 	else
 		text = xasprintf(sign ? "%+.*f" : "%.*f", decimals, value);
 	/* What rounds to nothing has no sign. */
-	if (strchr("+-", text[0]) != NULL && text[1] != '\0' &&
+	if ((text[0] == '-' || text[0] == '+') &&
 	    strpbrk(text, "123456789") == NULL && isfinite(value))
 		memmove(text, text + 1, strlen(text));
 	add_cell(a, (struct answer_cell){false, value, decimals, text, NULL});

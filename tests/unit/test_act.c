@@ -445,8 +445,9 @@ the_limits_of_a_window_are_where_n_and_p_go(void **state)
 	assert_int_equal(goal_limits(t, limit, 8), 2);
 	desk_expect(stage->desk, "window \"passing 2 = 33..35\" \"p80 > 5\"");
 	const struct session *s = t->session;
+	/* To a step of the slider. */
 	assert_float_equal(
-	    session_known(s, "window", "best"), goal_best(t), 1e-3);
+	    session_known(s, "window", "best"), goal_best(t), 0.1);
 	assert_int_equal(t->goal.found.n_inside, 1);
 	t->tenths = 650;
 	type(t, "n");

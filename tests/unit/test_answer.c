@@ -154,6 +154,26 @@ warnings_are_counted(void **state)
 	answer_free(a);
 }
 
+/* + where it is asked for, but none for what is 0 as shown or missing. */
+static void
+differences_have_a_sign(void **state)
+{
+	(void)state;
+	struct answer *a = answer_new("try");
+	answer_columns(a, "difference");
+	answer_cells(a, "%+.1f %+.1f", 1.25, -1.25);
+	answer_cells(a, "%+.1f %+.1f", 0.01, -0.01);
+	answer_missing(a, "");
+	answer_cells(a, "%+.1f %.1f", NAN, -0.01);
+	prints(a, ANSWER_CSV, 6,
+	    "command,difference\ntry,1.25\ntry,-1.25\n"
+	    "try,0.01\ntry,-0.01\ntry,\ntry,-0.01\n");
+	prints(a, ANSWER_TABLE, 6,
+	    "  difference\n        +1.2\n        -1.2\n         0.0\n"
+	    "         0.0\n  \n         0.0\n");
+	answer_free(a);
+}
+
 int
 main(void)
 {
@@ -164,6 +184,7 @@ main(void)
 	    cmocka_unit_test(sentences_alone_are_told_to_all),
 	    cmocka_unit_test(programs_may_have_a_table_of_their_own),
 	    cmocka_unit_test(warnings_are_counted),
+	    cmocka_unit_test(differences_have_a_sign),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
