@@ -14,7 +14,7 @@ same() {
 	remark difference
 	result $good "the screen $1 (make renew writes it anew)"
 }
-p50() { sed -n 's/.*P50  *\([0-9.]*\) mm.*/\1/p' screen | head -n 1; }
+p50() { sed -n 's/.*P50  *\([0-9.]*\)±.*/\1/p' screen | head -n 1; }
 # generation FILE: how far the search is on the screen kept there.
 generation() {
 	sed -n 's/.*generation \([0-9]*\) of .*/\1/p' "$1" | head -n 1
@@ -109,7 +109,7 @@ keys Down b c x
 want '74\.0 m/s  vs pinned 74\.0' "a prediction is kept beside"
 keys 7 8 Enter
 want '78\.0 m/s  vs pinned 74\.0'
-want 'P50  *2\.70 mm  *-0\.16' "with what is now less than it"
+want 'P50  *2\.70±0\.0[0-9]  *-0\.16' "with what is now less than it"
 want '%.*pin' "and a curve of its own"
 keys : 'flow tph=120' Enter
 want '120 t/h at 78 m.s' "a command with a speed takes the slider's"

@@ -391,10 +391,13 @@ draw_limits(struct panel *p, const struct area *area)
 	struct area name = *area;
 	name.columns -= 4;
 	touch_add(&t->touches, *area, touch_limits, 0);
-	char *cut = plots_limits_words(t->session);
-	screen_text(&name, 0, 0, LOOK_DIM, "%s%s%s", cut,
-	    cut[0] != '\0' ? " " : "", t->session->spec->name);
-	free(cut);
+	/* The fraction, where the name has room behind it. */
+	char *words = plots_limits_words(t->session);
+	xlist(&words, " ", "%s", t->session->spec->name);
+	bool fits = text_width(words) <= name.columns;
+	screen_text(
+	    &name, 0, 0, LOOK_DIM, "%s", fits ? words : t->session->spec->name);
+	free(words);
 	if (g == NULL) {
 		screen_text(area, 1, 0, 0,
 		    session_busy(t->session) ? N_("after the calibration")
