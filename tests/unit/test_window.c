@@ -71,7 +71,13 @@ ask(struct draw *draw, struct site *site, const struct params *p,
 static void
 settle(struct asked *a)
 {
-	a->c = (struct wanted){a->response, CONDITIONS, a->at, 65, 85};
+	a->c = (struct wanted){
+	    .response = a->response,
+	    .n = CONDITIONS,
+	    .at = a->at,
+	    .from = 65,
+	    .to = 85,
+	};
 }
 
 /* Whether value i keeps its limits, plainly; by how much of the limit at
