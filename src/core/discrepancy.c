@@ -117,6 +117,9 @@ discrepancy_fill(enum isa isa, const struct cell *cell, size_t n,
 	for (size_t k = 0; k < DISCREPANCY_TERMS; k++)
 		c.term[k] = column + (4 + k) * n;
 	c.sizes = number_sizes(cell, n, c.size);
+	size_t pairs = c.sizes * (c.sizes + 1) / 2;
+	c.pair[0] = xdoubles(2 * pairs);
+	c.pair[1] = c.pair[0] + pairs;
 	for (size_t i = 0; i < n; i++) {
 		c.run[i] = (int64_t)cell[i].run;
 		c.h[i] = cell[i].h;
@@ -126,6 +129,7 @@ discrepancy_fill(enum isa isa, const struct cell *cell, size_t n,
 			c.term[k][i] = term[k];
 	}
 	triangle_of(isa)->covariance(&c, hyper, U);
+	free(c.pair[0]);
 	free(column);
 	free(number);
 }

@@ -136,14 +136,15 @@ double discrepancy_level(enum isa isa, const double *U, size_t n, double *d);
 /* ---- For discrepancy.c, compiled for each instruction set ---- */
 
 /* n cells in columns.  size, run: their numbers; term: as discrepancy_terms
- * has them.  log_size: of the sizes; f, error: room for a number of each;
- * own: the variance of an independent error. */
+ * has them.  log_size: of the sizes; f, error: room for a number of each, and
+ * pair for two of each pair of them; own: the variance of an independent error.
+ */
 struct cell_columns {
 	size_t n, sizes;
 	int64_t *size, *run;
 	double own;
 	double *h, *term[DISCREPANCY_TERMS];
-	double *log_size, *f, *error;
+	double *log_size, *f, *error, *pair[2];
 };
 
 /* U [n * n]: the upper half of a symmetric matrix, by rows. */

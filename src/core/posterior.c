@@ -25,6 +25,7 @@
 enum {
 	CHAINS = POSTERIOR_DRAWS / 2, /* which give two draws each */
 	HALF = CHAINS / 2,
+	PART = 16, /* of a half, for one thread at a time */
 	RUNG = 10, /* generations */
 	WARM_UP = 190,
 	KEPT = 60,
@@ -72,8 +73,11 @@ struct sampler {
 	struct chain chain[CHAINS], trial[HALF];
 	size_t first; /* chain of the half that moves */
 	bool hyper;   /* the hyperparameters move, not the parameters */
-	/* Of the trials: parameters, e0_min of the harder rock and its share,
-	 * and differences, [1] of the harder rock. */
+	/* Of the trials, in the order in which they are evaluated, first the
+	 * n_two of two strengths: which they are, parameters, e0_min of the
+	 * harder rock and its share, and differences, [1] of the harder rock.
+	 */
+	size_t order[HALF], n_two;
 	double *theta[PARAMS_MOST], *harder, share_harder[HALF];
 	double *difference[2], *misfit;
 	size_t accepted, tried;
@@ -167,9 +171,11 @@ is_within(const struct sampler *s, const double *at)
 	return true;
 }
 
+/* at: its place in the order. */
 static void
-evaluate_trial(struct sampler *s, size_t i, double *work)
+evaluate_trial(struct sampler *s, size_t place, double *work)
 {
+	size_t i = s->order[place];
 	struct chain *trial = &s->trial[i];
 	const struct chain *now = &s->chain[s->first + i];
 	size_t n = s->n_cell;
@@ -180,7 +186,7 @@ evaluate_trial(struct sampler *s, size_t i, double *work)
 		    s->isa, s->cell, n, trial->x + PARAMS_MOST, trial->U);
 	}
 	for (size_t k = 0; k < n && !s->hyper; k++)
-		trial->d[k] = s->difference[0][k * HALF + i] + s->scheme[k];
+		trial->d[k] = s->difference[0][k * HALF + place] + s->scheme[k];
 	memcpy(work, trial->d, n * sizeof *work);
 	trial->likelihood =
 	    discrepancy_level(s->isa, s->hyper ? trial->U : now->U, n, work);
@@ -190,24 +196,24 @@ evaluate_trial(struct sampler *s, size_t i, double *work)
 		trial->prior = INFINITY;
 }
 
-/* Differences of the trials from..to-1, mixed of the two strengths where any of
- * them has two; the same bits for the others. */
+/* Differences of those from..to-1 in the order, mixed of the two strengths
+ * where there are two. */
 static void
 find_differences(struct sampler *s, size_t from, size_t to, unsigned thread)
 {
 	const double *theta[PARAMS_MOST];
-	bool two = false;
+	struct kernel_out soft = {s->misfit, s->difference[0], HALF};
+	struct kernel_out hard = {s->misfit, s->difference[1], HALF};
+	size_t two = s->n_two < to ? s->n_two : to;
 	for (size_t j = 0; j < s->of->n; j++)
 		theta[j] = s->theta[j];
-	for (size_t i = from; i < to; i++)
-		two = two || s->share_harder[i] > 0;
-	for (size_t part = 0; part < (two ? 2 : 1); part++) {
-		struct kernel_out out = {s->misfit, s->difference[part], HALF};
-		kernel_evaluate_part(s->kernel, theta, from, to, thread, &out);
-		theta[s->of->strength + 1] = s->harder;
-	}
-	for (size_t k = 0; k < s->n_cell && two; k++)
-		for (size_t i = from; i < to; i++) {
+	kernel_evaluate_part(s->kernel, theta, from, to, thread, &soft);
+	if (two <= from)
+		return;
+	theta[s->of->strength + 1] = s->harder;
+	kernel_evaluate_part(s->kernel, theta, from, two, thread, &hard);
+	for (size_t k = 0; k < s->n_cell; k++)
+		for (size_t i = from; i < two; i++) {
 			double *d = &s->difference[0][k * HALF + i];
 			double harder = s->difference[1][k * HALF + i];
 			*d += s->share_harder[i] * (harder - *d);
@@ -218,7 +224,7 @@ static void
 evaluate_part(void *data, size_t part, unsigned thread)
 {
 	struct sampler *s = data;
-	size_t from = part * KERNEL_LANES, to = from + KERNEL_LANES;
+	size_t from = part * PART, to = from + PART;
 	double *work = xdoubles(s->n_cell);
 	if (!s->hyper)
 		find_differences(s, from, to, thread);
@@ -234,21 +240,31 @@ strengths_of(const struct sampler *s, const double *x)
 		      : (struct strengths){0, 1, 1};
 }
 
+/* Puts trial i into a place of the order. */
+static void
+line_up(struct sampler *s, size_t i, struct strengths rock, size_t place)
+{
+	size_t e0 = s->of->strength + 1;
+	double at[PARAMS_MOST];
+	params_of(s, s->trial[i].x, at);
+	s->order[place] = i;
+	s->harder[place] = at[e0] * rock.harder;
+	s->share_harder[place] = rock.share;
+	at[e0] *= rock.softer;
+	for (size_t j = 0; j < s->of->n; j++)
+		s->theta[j][place] = at[j];
+}
+
 static void
 evaluate(struct sampler *s)
 {
-	size_t e0 = s->of->strength + 1;
+	size_t one = HALF;
+	s->n_two = 0;
 	for (size_t i = 0; i < HALF; i++) {
-		double at[PARAMS_MOST];
 		struct strengths rock = strengths_of(s, s->trial[i].x);
-		params_of(s, s->trial[i].x, at);
-		s->harder[i] = at[e0] * rock.harder;
-		s->share_harder[i] = rock.share;
-		at[e0] *= rock.softer;
-		for (size_t j = 0; j < s->of->n; j++)
-			s->theta[j][i] = at[j];
+		line_up(s, i, rock, rock.share > 0 ? s->n_two++ : --one);
 	}
-	pool_run(s->pool, HALF / KERNEL_LANES, evaluate_part, s);
+	pool_run(s->pool, HALF / PART, evaluate_part, s);
 }
 
 /* Where the chain goes of this index: along the difference of two of the other
@@ -828,6 +844,27 @@ posterior_begin(const struct site *site, const struct params *fit,
 
 /* Half of the draws come from the middle of the kept generations, half from
  * their end. */
+static size_t
+first_draw(const struct sampler *s)
+{
+	return s->generation == WARM_UP + KEPT ? CHAINS : 0;
+}
+
+static void
+draw_part(void *data, size_t part, unsigned thread)
+{
+	struct posterior_run *run = data;
+	struct sampler *s = run->s;
+	size_t first = first_draw(s);
+	(void)thread;
+	for (size_t i = part * PART; i < (part + 1) * PART; i++) {
+		struct noise noise = {
+		    rng_key(s->seed, i, USE_DRAW), 0, first == 0 ? 1 : -1};
+		make_draw(
+		    s, run->p, &s->chain[i], noise, &run->p->draw[first + i]);
+	}
+}
+
 bool
 posterior_step(struct posterior_run *run)
 {
@@ -842,13 +879,9 @@ posterior_step(struct posterior_run *run)
 		s->accepted = s->tried = 0;
 	else
 		add_to(run->sums, s);
-	size_t first = s->generation == WARM_UP + KEPT ? CHAINS : 0;
-	bool now = first > 0 || s->generation == WARM_UP + KEPT / 2;
-	for (size_t i = 0; i < CHAINS && now; i++) {
-		struct noise noise = {
-		    rng_key(s->seed, i, USE_DRAW), 0, first == 0 ? 1 : -1};
-		make_draw(s, p, &s->chain[i], noise, &p->draw[first + i]);
-	}
+	size_t first = first_draw(s);
+	if (first > 0 || s->generation == WARM_UP + KEPT / 2)
+		pool_run(s->pool, CHAINS / PART, draw_part, run);
 	if (first > 0)
 		find_convergence(p, s, run->sums);
 	return first > 0;

@@ -67,12 +67,12 @@ covariance_row(const struct cell_columns *c, size_t i,
 		double K = of_f[size[j]] *
 			   (own_t * t[j] + own_u * u[j] + own_v * v[j]);
 		double error = of_error[size[j]];
-		row[j] = K + (run[j] == own_run ? error : 0);
+		row[j] = (K + (run[j] == own_run ? error : 0)) * (own_h * h[j]);
 	}
-	row[i] += c->own;
-	for (size_t j = i; j < c->n; j++)
-		row[j] *= own_h * h[j];
-	row[i] += DISCREPANCY_ROUNDING * DISCREPANCY_ROUNDING;
+	double K =
+	    of_f[size[i]] * (own_t * own_t + own_u * own_u + own_v * own_v);
+	row[i] = (K + of_error[size[i]] + c->own) * (own_h * own_h) +
+		 DISCREPANCY_ROUNDING * DISCREPANCY_ROUNDING;
 }
 
 /* Runs have the same sieves, mostly: the exponentials are of pairs of sizes,
@@ -81,19 +81,27 @@ static void
 covariance(
     const struct cell_columns *c, const double hyper[static HYPERS], double *U)
 {
+	double *restrict f = c->pair[0], *restrict error = c->pair[1];
+	size_t pairs = 0;
+	for (size_t s = 0; s < c->sizes; s++)
+		for (size_t k = 0; k <= s; k++)
+			f[pairs++] = c->log_size[s] - c->log_size[k];
+	for (size_t i = 0; i < pairs; i++) {
+		double apart = f[i];
+		f[i] = discrepancy_covariance(apart, hyper);
+		error[i] = discrepancy_shared(apart, hyper);
+	}
 	for (size_t s = 0; s < c->sizes; s++) {
-		double *restrict of_f = c->f, *restrict of_error = c->error;
-		const double *restrict log_size = c->log_size;
-		double own = log_size[s];
 		for (size_t k = 0; k < c->sizes; k++) {
-			double apart = own - log_size[k];
-			of_f[k] = discrepancy_covariance(apart, hyper);
-			of_error[k] = discrepancy_shared(apart, hyper);
+			size_t more = s > k ? s : k, less = s > k ? k : s;
+			size_t pair = more * (more + 1) / 2 + less;
+			c->f[k] = f[pair];
+			c->error[k] = error[pair];
 		}
 		for (size_t i = 0; i < c->n; i++)
 			if (c->size[i] == (int64_t)s)
 				covariance_row(
-				    c, i, of_f, of_error, U + i * c->n);
+				    c, i, c->f, c->error, U + i * c->n);
 	}
 }
 
