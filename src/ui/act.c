@@ -26,7 +26,9 @@
 #include "ui/screen.h"
 #include "ui/tour.h"
 #include "ui/track.h"
+#include "ui/typed_line.h"
 #include "ui/view.h"
+#include "ui/watch.h"
 
 enum { ESCAPE = 27, DELETE = 127 };
 
@@ -123,9 +125,9 @@ run_key(struct tui *t, const struct key *key)
 		typing_propose(&t->typing, line, name);
 		free(name);
 	} else if (key->act == ACT_RUN || key->act == ACT_TELL) {
-		control_typed(t, line);
+		typed_line_run(t, line);
 	} else {
-		control_keep(t);
+		watch_keep(t);
 		control_run(t, line);
 	}
 	free(line);
@@ -140,7 +142,7 @@ correct(struct tui *t)
 	    [CORRECTION_OFF] = "all"};
 	char *line =
 	    xasprintf("set correction %s", NEXT[t->session->set.correction]);
-	control_typed(t, line);
+	typed_line_run(t, line);
 	free(line);
 }
 
@@ -171,7 +173,7 @@ hold(struct tui *t, const struct key *key)
 {
 	const struct session *s = t->session;
 	if (session_busy(s)) {
-		control_hold(t, !t->held);
+		watch_hold(t, !t->held);
 		tui_say(t, false,
 		    t->held ? N_("paused: Space continues") : N_("continuing"));
 	} else if (s->job.calibration != NULL) {
@@ -253,7 +255,7 @@ static void
 stop(struct tui *t)
 {
 	if (session_busy(t->session))
-		control_keep(t);
+		watch_keep(t);
 	else
 		tui_say(t, false, "no calibration to stop: q quits");
 }
@@ -308,7 +310,7 @@ back(struct tui *t)
 	if (rows_forget(t))
 		return;
 	if (session_busy(t->session) && !t->session->job.fits)
-		control_keep(t);
+		watch_keep(t);
 	else if (predict && t->cross)
 		page_predict_cross(t);
 	else if (t->focus != NULL && !pages_open(t)->takes_focus)
@@ -478,7 +480,7 @@ type_key(struct tui *t, int code, bool special)
 		return;
 	typing_end(y);
 	if (result == TYPING_DONE)
-		control_typed(t, y->text);
+		typed_line_run(t, y->text);
 }
 
 /* Digits of a speed; the first are pages, but after a 0. */

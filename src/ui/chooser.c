@@ -15,6 +15,7 @@
 #include "ui/control.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
+#include "ui/watch.h"
 
 enum { ESCAPE = 27, DELETE = 127 };
 
@@ -103,7 +104,7 @@ type_guess(struct tui *t)
 static bool
 run(struct tui *t, const char *line, bool estimates)
 {
-	control_keep(t);
+	watch_keep(t);
 	if (!control_run(t, line) || tui_entry(t) == NULL)
 		return false;
 	const struct entry *entry = tui_entry(t);

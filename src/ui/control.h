@@ -18,11 +18,6 @@ const struct tui *control_open(void);
  * it failed. */
 bool control_run(struct tui *t, const char *line);
 
-/* The same for a typed line: what it prints is shown, but of a prediction that
- * the page shows; control_show: that, too. */
-void control_typed(struct tui *t, const char *line);
-void control_show(struct tui *t, const char *line);
-
 /* Predicts at the slider's speed, where there is something to predict with and
  * it is not done already. */
 void control_predict(struct tui *t);
@@ -30,14 +25,13 @@ void control_predict(struct tui *t);
 /* Looks what the session is like after a command that was not run here. */
 void control_look(struct tui *t);
 
-/* Some steps of the calibration that runs, as many as are due. */
-void control_pump(struct tui *t);
+/* ---- For typed_line.c ---- */
 
-/* Lets the calibration that runs wait, or go on; makes one step of it. */
-void control_hold(struct tui *t, bool hold);
-void control_step(struct tui *t);
+/* The command of a line; NULL where it has several, or none of that name. */
+const struct command *control_command(const char *line);
 
-/* Stops the calibration that runs and keeps its best. */
-void control_keep(struct tui *t);
+/* Sets the page and the quantity shown, so that they are saved and come back.
+ */
+void control_set_looks(struct tui *t);
 
 #endif

@@ -14,6 +14,7 @@
 #include "ui/control.h"
 #include "ui/frame.h"
 #include "ui/screen.h"
+#include "ui/watch.h"
 
 /* Columns of the sieves, which stay, and of what is predicted. */
 enum { SIEVES = 9, PREDICTED = 9 };
@@ -199,7 +200,7 @@ mend(struct tui *t)
 	}
 	char *line = mend_call(h->site, &f->mend);
 	char *words = mend_words(h->site, &f->mend);
-	control_keep(t);
+	watch_keep(t);
 	if (control_run(t, line))
 		tui_say(t, false,
 		    "mended: %s; u takes it back, f calibrates again, :write "

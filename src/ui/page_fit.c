@@ -10,9 +10,9 @@
 #include "base/xalloc.h"
 #include "cmd/plots_search.h"
 #include "core/misfit.h"
-#include "ui/control.h"
 #include "ui/screen.h"
 #include "ui/search_side.h"
+#include "ui/watch.h"
 
 static bool
 touch_scrubber(struct tui *t, const struct touched *touched)
@@ -160,9 +160,9 @@ one_generation(struct tui *t)
 		move(t, 1);
 		return;
 	}
-	control_hold(t, true);
+	watch_hold(t, true);
 	t->generation = 0;
-	control_step(t);
+	watch_step(t);
 }
 
 /* Arrows to the sides go through the generations where these have the focus,

@@ -10,11 +10,11 @@
 #include "cmd/goals.h"
 #include "cmd/pin.h"
 #include "io/units.h"
-#include "ui/control.h"
 #include "ui/first.h"
 #include "ui/limits.h"
 #include "ui/pages.h"
 #include "ui/second.h"
+#include "ui/typed_line.h"
 #include "ui/verdicts.h"
 
 static void
@@ -67,7 +67,7 @@ show_numbers(struct tui *t)
 	if (t->shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
 	else
-		control_show(t, line);
+		typed_line_show(t, line);
 	free(line);
 }
 

@@ -22,6 +22,7 @@
 #include "ui/rows.h"
 #include "ui/screen.h"
 #include "ui/track.h"
+#include "ui/watch.h"
 
 enum column {
 	LIGHT,
@@ -599,7 +600,7 @@ choose(struct tui *t)
 	}
 	char *line = xasprintf(
 	    "use %s", t->site_at < s->n_entry ? s->entry[t->site_at].key : "");
-	control_keep(t);
+	watch_keep(t);
 	bool used = control_run(t, line);
 	free(line);
 	if (used)

@@ -14,6 +14,7 @@
 #include "ui/pump.h"
 #include "ui/screen.h"
 #include "ui/tui_state.h"
+#include "ui/watch.h"
 
 /* Of the keys those that are not pressed yet, while there are any. */
 static char *keys_left;
@@ -39,7 +40,7 @@ press(struct tui *t, int code, bool special, unsigned ms)
 {
 	act_key(t, code, special);
 	t->clock++;
-	control_pump(t);
+	watch_pump(t);
 	control_predict(t);
 	pages_update(t);
 	if (!asks)
@@ -211,7 +212,7 @@ draw_new(struct session *s, struct screen_request *request, struct error *error)
 	film = NULL;
 	/* Before the session has its streams again: what a search that ends
 	 * here says is not for the picture. */
-	control_keep(&t);
+	watch_keep(&t);
 	control_end(&t);
 	return ok;
 }

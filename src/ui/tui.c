@@ -24,6 +24,7 @@
 #include "ui/terminal.h"
 #include "ui/tui_state.h"
 #include "ui/typed.h"
+#include "ui/watch.h"
 
 /* What is pasted has ended where nothing more came for so long, s. */
 static const double PASTE_PAUSE = 2;
@@ -172,7 +173,7 @@ loop(struct tui *t)
 		t->clock = session_clock();
 		take_keys(t);
 		pump_watch(true);
-		control_pump(t);
+		watch_pump(t);
 		pump_watch(false);
 	}
 }

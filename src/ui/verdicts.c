@@ -15,12 +15,12 @@
 #include "cmd/plots_limits.h"
 #include "cmd/quantities.h"
 #include "io/units.h"
-#include "ui/control.h"
 #include "ui/limits.h"
 #include "ui/pane.h"
 #include "ui/readings.h"
 #include "ui/screen.h"
 #include "ui/sieve_table.h"
+#include "ui/typed_line.h"
 
 /* A row of numbers: its name, then these columns; where the panel is wide a
  * band stands between value and change. */
@@ -379,7 +379,7 @@ touch_limits(struct tui *t, const struct touched *touched)
 {
 	if (touched->kind != TOUCH_PRESS)
 		return false;
-	control_typed(t, "spec");
+	typed_line_run(t, "spec");
 	return true;
 }
 
@@ -456,7 +456,7 @@ touch_light(struct tui *t, const struct touched *touched)
 {
 	if (touched->kind != TOUCH_PRESS)
 		return false;
-	control_typed(t, "why");
+	typed_line_run(t, "why");
 	return true;
 }
 

@@ -26,6 +26,7 @@
 #include "ui/shot.h"
 #include "ui/track.h"
 #include "ui/tui_state.h"
+#include "ui/watch.h"
 
 static void
 type(struct tui *t, const char *text)
@@ -165,7 +166,7 @@ a_pause_is_no_part_of_the_search(void **state)
 	t->clock = 100;
 	type(t, "f");
 	t->clock = 103;
-	control_pump(t);
+	watch_pump(t);
 	type(t, " ");
 	t->clock = 160;
 	assert_float_equal(tui_searched(t), 3, 1e-9);
@@ -339,7 +340,7 @@ a_goal_may_be_set_while_a_first_search_runs(void **state)
 	type(t, ":load data/sites/tierp.csv\nt");
 	assert_false(t->typing.active);
 	type(t, "f");
-	control_pump(t);
+	watch_pump(t);
 	draw_all(t);
 	type(t, "tp80<5.2\n");
 	assert_string_equal(t->session->set.goal, "p80<5.2");
@@ -365,7 +366,7 @@ a_report_that_was_closed_is_shown_again(void **state)
 	assert_non_null(strstr(hints, "Esc stop"));
 	assert_null(strstr(hints, "generation"));
 	while (session_busy(t->session))
-		control_pump(t);
+		watch_pump(t);
 	assert_non_null(t->viewer.text);
 	char *report = xstrdup(t->viewer.text);
 	type(t, "1l");
@@ -583,7 +584,7 @@ a_point_makes_one_generation(void **state)
 	assert_int_equal(tui_past(t).n, 3);
 	/* A search that waits is not pumped. */
 	t->clock = 1000;
-	control_pump(t);
+	watch_pump(t);
 	assert_int_equal(tui_past(t).n, 3);
 	while (session_busy(t->session))
 		type(t, ".");
@@ -642,7 +643,7 @@ generations_are_slow_while_the_best_gains(void **state)
 	for (double clock = 0; tui_past(t).n < 40; clock += 0.001) {
 		size_t before = tui_past(t).n;
 		t->clock = t->due = clock;
-		control_pump(t);
+		watch_pump(t);
 		assert_int_equal(tui_past(t).n, before + 1);
 		slow = slow || t->due - clock > 0.2;
 		quick = quick || t->due - clock < 0.03;
@@ -843,11 +844,11 @@ what_is_left_is_found_again(void **state)
 	assert_true(t->pin.speed == 74);
 	/* A search goes on when a goal is set, which is saved nevertheless. */
 	type(t, "fy");
-	control_pump(t);
+	watch_pump(t);
 	assert_true(session_busy(s));
 	type(t, "tp80<5.3\n");
 	assert_true(session_busy(s));
-	control_keep(t);
+	watch_keep(t);
 	char *text = NULL;
 	size_t n = 0;
 	FILE *memory = open_memstream(&text, &n);
@@ -873,7 +874,7 @@ go_through(struct tui *t, const char *at)
 		control_predict(t);
 		assert_true(t->now.size[2] != p80);
 		assert_non_null(t->shown.low);
-		control_pump(t);
+		watch_pump(t);
 	}
 	assert_in_range(frames, 3, 100000);
 }
@@ -916,7 +917,7 @@ long_commands_leave_the_screen_live(void **state)
 		type(t, "\033");
 		assert_null(t->viewer.text);
 		type(t, LONG[i].line);
-		control_pump(t);
+		watch_pump(t);
 		type(t, "\033");
 		assert_false(session_busy(s));
 		assert_non_null(strstr(t->message, LONG[i].stopped));
@@ -942,7 +943,7 @@ the_draws_after_a_fit_can_be_watched(void **state)
 	type(t, "f");
 	size_t drawing = 0;
 	while (session_busy(s)) {
-		control_pump(t);
+		watch_pump(t);
 		if (!session_busy(s) ||
 		    calibration_status(s->job.calibration).state <
 			CALIBRATE_TOLERANCE)

@@ -17,6 +17,7 @@
 #include "ui/pages.h"
 #include "ui/screen.h"
 #include "ui/shot.h"
+#include "ui/watch.h"
 
 static int
 stage_open(void **state)
@@ -35,7 +36,7 @@ press(struct tui *t, const char *name)
 	assert_true(keys_code(name, &code));
 	act_key(t, code, code > 255);
 	t->clock++;
-	control_pump(t);
+	watch_pump(t);
 	control_predict(t);
 	pages_update(t);
 	frame_draw(t);

@@ -19,6 +19,7 @@
 #include "ui/pages.h"
 #include "ui/screen.h"
 #include "ui/tui_state.h"
+#include "ui/watch.h"
 
 /* SplitMix64: the same walk from the same seed everywhere. */
 static uint64_t state_of;
@@ -120,7 +121,7 @@ static void
 go_on(struct tui *t)
 {
 	t->clock += (double)below(3) * 0.3;
-	control_pump(t);
+	watch_pump(t);
 	control_predict(t);
 	pages_update(t);
 	frame_draw(t);

@@ -16,6 +16,8 @@
 #include "ui/pages.h"
 #include "ui/screen.h"
 #include "ui/shot.h"
+#include "ui/typed_line.h"
+#include "ui/watch.h"
 
 static int
 stage_open(void **state)
@@ -31,7 +33,7 @@ stage_open(void **state)
 static void
 turn(struct tui *t)
 {
-	control_pump(t);
+	watch_pump(t);
 	control_predict(t);
 	pages_update(t);
 	frame_draw(t);
@@ -88,7 +90,7 @@ all_sites_are_calibrated_while_keys_are_taken(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	const struct session *s = t->session;
-	control_typed(t, "calibrate all");
+	typed_line_run(t, "calibrate all");
 	assert_true(session_busy(s));
 	turn(t);
 	assert_int_equal(t->page, PAGE_SITES);
@@ -121,7 +123,7 @@ what_it_ends_with_is_what_calibrate_all_says(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	control_typed(t, "calibrate all");
+	typed_line_run(t, "calibrate all");
 	for (int i = 0; i < 3; i++)
 		turn(t);
 	assert_false(session_busy(t->session));
@@ -212,7 +214,7 @@ all_columns_of_a_sheet_can_be_reached(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	control_typed(t, "use tierp");
+	typed_line_run(t, "use tierp");
 	resize(stage, 12, 40);
 	press(t, "3");
 	assert_non_null(strstr(row_of(stage, 1), "feed@69"));

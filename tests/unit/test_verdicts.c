@@ -13,6 +13,7 @@
 #include "ui/pages.h"
 #include "ui/screen.h"
 #include "ui/shot.h"
+#include "ui/watch.h"
 
 /* A full screen on the session of a desk. */
 struct stage {
@@ -174,7 +175,7 @@ tonnes_are_those_of_the_feed_that_flow_was_told(void **state)
 	expect_none(t, 50, 160, "finer than mm");
 	press(t, ":load data/sites/bro.csv\n\033:calibrate\n\033");
 	for (; session_busy(t->session); t->clock++)
-		control_pump(t);
+		watch_pump(t);
 	press(t, "1");
 	expect_none(t, 50, 160, "t/h");
 }
@@ -262,7 +263,7 @@ a_wide_screen_has_a_second_plot(void **state)
 	press(t, "x");
 	press(t, ":load data/sites/bro.csv\n\033:calibrate\n\033");
 	for (; session_busy(t->session); t->clock++)
-		control_pump(t);
+		watch_pump(t);
 	press(t, "1vv");
 	assert_int_equal(t->second, SECOND_OTHER);
 	expect(t, 50, 200, "Tierp, Granite, 11.2 mm: ");
