@@ -11,17 +11,11 @@
 #include "cmd/scores.h"
 #include "io/units.h"
 
-/* "null": {"feed_rmse_pct": ..}, "winner". */
+/* "null", "winner". */
 static void
 put_null(struct fields *o, const double rmse[static VALIDATE_WAYS])
 {
-	struct fields *null = fields_object(o, "null");
-	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS;
-	     way++) {
-		char *key = xasprintf("%s_rmse_pct", SCORES_WAYS[way].key);
-		fields_number(null, key, 100 * rmse[way]);
-		free(key);
-	}
+	scores_put_null(o, rmse);
 	fields_put(o, "winner %s", SCORES_WAYS[validate_winner(rmse)].key);
 }
 

@@ -9,6 +9,7 @@
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/job.h"
+#include "cmd/scores.h"
 #include "cmd/table.h"
 #include "core/discrepancy.h"
 #include "core/league.h"
@@ -344,15 +345,6 @@ verdict_of(const struct ground *g, size_t n)
 	return v;
 }
 
-/* How the null models are called: in keys, and in sentences. */
-static const struct {
-	const char *key, *noun;
-} NULLS[VALIDATE_WAYS] = {
-    [VALIDATE_INTERPOLATION] = {N_("interpolation"), N_("interpolation")},
-    [VALIDATE_NEAREST] = {N_("nearest"),
-	N_("the product at the nearest training speed")},
-    [VALIDATE_FEED] = {N_("feed"), N_("the unchanged feed")}};
-
 static const char *const STANDINGS[] = {[LEAGUE_BEST] = N_("best"),
     [LEAGUE_POSSIBLE] = N_("possible"),
     [LEAGUE_OUT_AICC] = N_("out: AICc"),
@@ -377,19 +369,14 @@ put_verdict(struct fields *o, const struct verdict *v)
 		    name_of_row(m), 100 * v->model[m].rmse, v->model[m].aicc,
 		    v->misfit[m], v->parameters[m], v->cells,
 		    standing_of(v, m));
-	struct fields *null = fields_object(o, "null");
-	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
-		char *key = xasprintf("%s_rmse_pct", NULLS[way].key);
-		fields_number(null, key, 100 * v->rmse[way]);
-		free(key);
-	}
+	scores_put_null(o, v->rmse);
 	if (v->ranked)
 		fields_put(o, "best %s", name_of_row(v->best));
 	fields_put(o, "can_tell %d", v->can_tell);
 	if (v->can_tell)
 		fields_put(o, "simplest %s", name_of_row(v->simplest));
 	if (v->winner != VALIDATE_MODEL)
-		fields_put(o, "beaten_by %s", NULLS[v->winner].key);
+		fields_put(o, "beaten_by %s", SCORES_WAYS[v->winner].key);
 }
 
 /* The models, then those who need none; csv has the site in each row. */
@@ -406,8 +393,9 @@ add_rows(struct answer *r, const struct verdict *v)
 		    v->model[m].aicc - least, 100 * v->model[m].rmse,
 		    standing_of(v, m));
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
-		answer_cells(r, "%s %g %.5f %.1f %.1f %.2f %s", NULLS[way].key,
-		    NAN, NAN, NAN, NAN, 100 * v->rmse[way], tr("no model"));
+		answer_cells(r, "%s %g %.5f %.1f %.1f %.2f %s",
+		    SCORES_WAYS[way].key, NAN, NAN, NAN, NAN,
+		    100 * v->rmse[way], tr("no model"));
 }
 
 /* "grunditz, vogel": those of the standings from..to but one. */
@@ -452,8 +440,8 @@ say_verdict(struct answer *r, const struct verdict *v)
 		answer_say(r, ANSWER_WARNING,
 		    "%s predicts the held-out runs better than the best model, "
 		    "%s: RMSE %.2f against %.2f points",
-		    tr(NULLS[v->winner].noun), best, 100 * v->rmse[v->winner],
-		    100 * v->model[v->best].rmse);
+		    tr(SCORES_WAYS[v->winner].noun), best,
+		    100 * v->rmse[v->winner], 100 * v->model[v->best].rmse);
 	free(open);
 	free(out);
 }

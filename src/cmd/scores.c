@@ -20,6 +20,17 @@ const struct scores_way SCORES_WAYS[VALIDATE_WAYS] = {
 const char *const SCORES_SIZES[PSD_SIZES] = {"p20", "p50", "p80"};
 
 void
+scores_put_null(struct fields *o, const double rmse[static VALIDATE_WAYS])
+{
+	struct fields *null = fields_object(o, "null");
+	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
+		char *key = xasprintf("%s_rmse_pct", SCORES_WAYS[way].key);
+		fields_number(null, key, 100 * rmse[way]);
+		free(key);
+	}
+}
+
+void
 scores_add(struct scores *scores, const struct scored *item)
 {
 	scores->item =

@@ -16,6 +16,9 @@ struct scores_way {
 extern const struct scores_way SCORES_WAYS[VALIDATE_WAYS];
 extern const char *const SCORES_SIZES[PSD_SIZES];
 
+/* "null": {"feed_rmse_pct": ..}: what the null models err by, 0..1. */
+void scores_put_null(struct fields *o, const double rmse[static VALIDATE_WAYS]);
+
 /* A run that was compared: of which site, among all loaded ones; its key; where
  * its data are from. */
 struct scored {
