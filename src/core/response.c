@@ -7,13 +7,17 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "core/ensemble.h"
 #include "core/product.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };
 
-/* curve, part: room for a draw's.  speed: the one it is at. */
+/* ensemble: NULL for the model alone.  product: at `speed`, of the model, or
+ * the mean of the draws.  curve, part: room for a draw's. */
 struct response {
-	struct inverse inverse;
+	struct model *model;
+	struct ensemble *ensemble;
+	struct psd product;
 	size_t n;
 	struct quantity *asked;
 	double **kept; /* [n][sizes] kept for its fraction; NULL: all */
@@ -48,16 +52,22 @@ response_new(const struct psd *feed, const double *size, size_t n,
 {
 	struct response *r = xcalloc(1, sizeof *r);
 	double *all = all_sizes(feed, size, &n, asked, n_asked);
-	*r = (struct response){
-	    .inverse = inverse_new(feed, all, n, p, settings, posterior),
+	*r = (struct response){.model = model_new(feed, all, n, settings),
+	    .product = psd_new(n),
 	    .n = n_asked,
 	    .asked = xcalloc(n_asked, sizeof *asked),
 	    .kept = xcalloc(n_asked, sizeof *r->kept),
 	    .value = xdoubles(n_asked),
 	    .draw = xcalloc(n_asked, sizeof *r->draw),
 	    .part = psd_new(n)};
-	r->curve = psd_copy(&r->inverse.product);
+	model_set(r->model, p);
+	if (posterior != NULL) {
+		r->ensemble = ensemble_new(posterior, feed, all, n);
+		ensemble_machine(r->ensemble, settings);
+	}
+	memcpy(r->product.size, all, n * sizeof *all);
 	memcpy(r->part.size, all, n * sizeof *all);
+	r->curve = psd_copy(&r->product);
 	for (size_t i = 0; i < n_asked; i++) {
 		r->asked[i] = asked[i];
 		if (posterior != NULL)
@@ -80,7 +90,9 @@ response_free(struct response *r)
 		free(r->kept[i]);
 		free(r->draw[i]);
 	}
-	inverse_free(&r->inverse);
+	model_free(r->model);
+	ensemble_free(r->ensemble);
+	psd_free(&r->product);
 	psd_free(&r->curve);
 	psd_free(&r->part);
 	free(r->asked);
@@ -104,8 +116,7 @@ read_off(struct response *r, size_t i, const struct psd *curve)
 static void
 take_draw(const struct response *r, size_t d, struct psd *curve)
 {
-	const double *P =
-	    ensemble_products(r->inverse.ensemble, ENSEMBLE_ANSWER) + d;
+	const double *P = ensemble_products(r->ensemble, ENSEMBLE_ANSWER) + d;
 	for (size_t k = 0; k < curve->n; k++)
 		curve->passing[k] = P[k * DRAWS];
 }
@@ -113,17 +124,23 @@ take_draw(const struct response *r, size_t d, struct psd *curve)
 void
 response_answer_at(struct response *r, double v)
 {
-	const struct psd *product = inverse_at(&r->inverse, v);
+	double *passing = r->product.passing;
 	r->speed = v;
+	if (r->ensemble == NULL) {
+		model_product(r->model, v, passing);
+	} else {
+		ensemble_at(r->ensemble, v);
+		ensemble_mean(r->ensemble, passing);
+	}
 	for (size_t i = 0; i < r->n; i++)
-		r->value[i] = read_off(r, i, product);
+		r->value[i] = read_off(r, i, &r->product);
 }
 
 void
 response_at(struct response *r, double v)
 {
 	response_answer_at(r, v);
-	for (size_t d = 0; d < DRAWS && r->inverse.ensemble != NULL; d++) {
+	for (size_t d = 0; d < DRAWS && r->ensemble != NULL; d++) {
 		take_draw(r, d, &r->curve);
 		for (size_t i = 0; i < r->n; i++)
 			r->draw[i][d] = read_off(r, i, &r->curve);
@@ -133,7 +150,7 @@ response_at(struct response *r, double v)
 void
 response_take(struct response *r, double v, const struct psd *curve)
 {
-	struct psd *product = &r->inverse.product;
+	struct psd *product = &r->product;
 	r->speed = v;
 	for (size_t k = 0; k < product->n; k++)
 		product->passing[k] = psd_passing(curve, product->size[k]);
@@ -150,7 +167,7 @@ response_value(const struct response *r, size_t i)
 double
 response_model(struct response *r, size_t i)
 {
-	model_product(r->inverse.model, r->speed, r->curve.passing);
+	model_product(r->model, r->speed, r->curve.passing);
 	return read_off(r, i, &r->curve);
 }
 
@@ -171,7 +188,7 @@ response_over(struct response *r, size_t i, double limit, size_t draw)
 	if (!read)
 		return quantity_over(q, limit, value, NULL);
 	if (draw == SIZE_MAX)
-		memcpy(r->curve.passing, r->inverse.product.passing,
+		memcpy(r->curve.passing, r->product.passing,
 		    r->curve.n * sizeof(double));
 	else
 		take_draw(r, draw, &r->curve);
@@ -198,8 +215,8 @@ response_band(
 struct psd
 response_part(const struct response *r, size_t i)
 {
-	struct psd part = psd_copy(&r->inverse.product);
+	struct psd part = psd_copy(&r->product);
 	if (r->kept[i] != NULL)
-		screening_part(&r->inverse.product, r->kept[i], &part);
+		screening_part(&r->product, r->kept[i], &part);
 	return part;
 }

@@ -3,7 +3,8 @@
 #ifndef TIPSPEED_CORE_RESPONSE_H
 #define TIPSPEED_CORE_RESPONSE_H
 
-#include "core/inverse.h"
+#include "core/posterior.h"
+#include "core/psd.h"
 #include "core/quantity.h"
 
 /* Opaque; the posterior must outlive it. */

@@ -2,7 +2,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/blend.h"
 
-#include "core/inverse.h"
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "core/product.h"
 #include "made.h"
 
 static void
@@ -98,23 +101,24 @@ another_machine(void **state)
 	led.bypass = 0.25;
 	twice.k = 2;
 	strong.f_mat *= 2;
-	struct inverse i[4] = {
-	    inverse_new(feed, feed->size, feed->n, &p, as, NULL),
-	    inverse_new(feed, feed->size, feed->n, &p, led, NULL),
-	    inverse_new(feed, feed->size, feed->n, &p, twice, NULL),
-	    inverse_new(feed, feed->size, feed->n, &strong, as, NULL)};
-	for (size_t k = 0; k < 4; k++)
-		inverse_at(&i[k], 77);
+	const struct model_settings settings[4] = {as, led, twice, as};
+	double *product[4];
+	for (size_t k = 0; k < 4; k++) {
+		struct model *m =
+		    model_new(feed, feed->size, feed->n, settings[k]);
+		product[k] = xdoubles(feed->n);
+		model_set(m, k < 3 ? &p : &strong);
+		model_product(m, 77, product[k]);
+		model_free(m);
+	}
 	for (size_t k = 0; k < feed->n; k++) {
-		expect_near("led past", i[1].product.passing[k],
-		    0.75 * i[0].product.passing[k] + 0.25 * feed->passing[k],
-		    1e-12);
-		expect_near("impacts", i[2].product.passing[k],
-		    i[3].product.passing[k], 1e-12);
+		expect_near("led past", product[1][k],
+		    0.75 * product[0][k] + 0.25 * feed->passing[k], 1e-12);
+		expect_near("impacts", product[2][k], product[3][k], 1e-12);
 	}
 	assert_false(model_settings_same(&as, &led));
 	for (size_t k = 0; k < 4; k++)
-		inverse_free(&i[k]);
+		free(product[k]);
 	site_free(site);
 }
 
