@@ -96,7 +96,7 @@ holds(const struct asked *a, size_t i, double slack)
 static bool
 all_hold(const struct asked *a, double v, double slack)
 {
-	response_at(a->response, v);
+	response_answer_at(a->response, v);
 	for (size_t i = 0; i < CONDITIONS; i++)
 		if (!holds(a, i, slack))
 			return false;
@@ -128,7 +128,7 @@ check_sweep(const struct asked *a, const struct window_found *w)
 		if (!in && all_hold(a, v, -hair))
 			fail_msg("%g m/s is inside", v);
 		inside += in;
-		response_at(a->response, v);
+		response_answer_at(a->response, v);
 		double margin = window_margin(&a->c, &limit);
 		assert_true(margin <= w->margin + 1e-5);
 	}
