@@ -105,7 +105,8 @@ discrepancy_fill(enum isa isa, const struct cell *cell, size_t n,
 	for (size_t i = 0; i < HYPERS; i++)
 		hyper[i] = el_exp(log_hyper[i]);
 	int64_t *number = xcalloc(2 * n, sizeof *number);
-	double *column = xdoubles((4 + DISCREPANCY_TERMS) * n);
+	size_t pairs = n * (n + 1) / 2; /* of sizes, at most */
+	double *column = xdoubles((4 + DISCREPANCY_TERMS) * n + 2 * pairs);
 	struct cell_columns c = {.n = n,
 	    .own = hyper[HYPER_OWN] * hyper[HYPER_OWN],
 	    .size = number,
@@ -116,10 +117,9 @@ discrepancy_fill(enum isa isa, const struct cell *cell, size_t n,
 	    .error = column + 3 * n};
 	for (size_t k = 0; k < DISCREPANCY_TERMS; k++)
 		c.term[k] = column + (4 + k) * n;
-	c.sizes = number_sizes(cell, n, c.size);
-	size_t pairs = c.sizes * (c.sizes + 1) / 2;
-	c.pair[0] = xdoubles(2 * pairs);
+	c.pair[0] = column + (4 + DISCREPANCY_TERMS) * n;
 	c.pair[1] = c.pair[0] + pairs;
+	c.sizes = number_sizes(cell, n, c.size);
 	for (size_t i = 0; i < n; i++) {
 		c.run[i] = (int64_t)cell[i].run;
 		c.h[i] = cell[i].h;
@@ -129,7 +129,6 @@ discrepancy_fill(enum isa isa, const struct cell *cell, size_t n,
 			c.term[k][i] = term[k];
 	}
 	triangle_of(isa)->covariance(&c, hyper, U);
-	free(c.pair[0]);
 	free(column);
 	free(number);
 }

@@ -171,7 +171,7 @@ is_within(const struct sampler *s, const double *at)
 	return true;
 }
 
-/* at: its place in the order. */
+/* The trial at a place of the order. */
 static void
 evaluate_trial(struct sampler *s, size_t place, double *work)
 {
@@ -843,7 +843,7 @@ posterior_begin(const struct site *site, const struct params *fit,
 }
 
 /* Half of the draws come from the middle of the kept generations, half from
- * their end. */
+ * their end: the number of the first that are made of this one. */
 static size_t
 first_draw(const struct sampler *s)
 {

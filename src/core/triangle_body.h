@@ -63,7 +63,7 @@ covariance_row(const struct cell_columns *c, size_t i,
 	const int64_t *restrict size = c->size, *restrict run = c->run;
 	double own_h = h[i], own_t = t[i], own_u = u[i], own_v = v[i];
 	int64_t own_run = run[i];
-	for (size_t j = i; j < c->n; j++) {
+	for (size_t j = i + 1; j < c->n; j++) {
 		double K = of_f[size[j]] *
 			   (own_t * t[j] + own_u * u[j] + own_v * v[j]);
 		double error = of_error[size[j]];
