@@ -773,16 +773,31 @@ block_from(const struct table *t, const struct form *f, size_t from)
 	return b;
 }
 
+/* Where the last column is wrapped in a block that ends in it; 0: it is not. */
+static int
+wrapped_from(const struct table *t, const struct form *f, struct block b)
+{
+	size_t last = t->n_column - 1;
+	if (f->wraps)
+		return f->indent;
+	if (b.from == 0 || b.to <= last || f->number[last])
+		return 0;
+	int indent = 4 + f->width[0];
+	for (size_t c = b.from; c < last; c++)
+		indent += f->width[c] + 2;
+	return indent + f->width[last] > SCREEN ? indent : 0;
+}
+
 static void
 print_row(const struct table *t, const struct form *f, size_t row, bool head,
     struct block block, const char *between, FILE *out)
 {
-	bool wrap = f->wraps && between[1] != '|';
+	int indent = between[1] != '|' ? wrapped_from(t, f, block) : 0;
 	for (size_t c = 0; c < block.to; c = c == 0 ? block.from : c + 1) {
 		const char *text =
 		    head ? t->head[c] : t->cell[row * t->n_column + c].text;
-		if (wrap && c + 1 == t->n_column) {
-			print_sentence(text, f->indent, out);
+		if (indent > 0 && c + 1 == t->n_column) {
+			print_sentence(text, indent, out);
 			return;
 		}
 		bool last = c + 1 == block.to && between[1] != '|';
