@@ -9,11 +9,12 @@
 
 extern const struct breakage BREAKAGE_GRUNDITZ, BREAKAGE_GRUNDITZ_BYPASS,
     BREAKAGE_ENERGY, BREAKAGE_ENERGY_BYPASS, BREAKAGE_VOGEL,
-    BREAKAGE_VOGEL_BYPASS;
+    BREAKAGE_VOGEL_BYPASS, BREAKAGE_T10, BREAKAGE_T10_BYPASS;
 
 const struct breakage *const BREAKAGES[] = {&BREAKAGE_GRUNDITZ,
     &BREAKAGE_ENERGY, &BREAKAGE_VOGEL, &BREAKAGE_GRUNDITZ_BYPASS,
-    &BREAKAGE_ENERGY_BYPASS, &BREAKAGE_VOGEL_BYPASS, NULL};
+    &BREAKAGE_ENERGY_BYPASS, &BREAKAGE_VOGEL_BYPASS, &BREAKAGE_T10,
+    &BREAKAGE_T10_BYPASS, NULL};
 
 size_t
 breakage_count(void)
@@ -74,12 +75,14 @@ breakage_widened(const struct params *p, size_t wide)
 size_t
 breakage_wider(size_t breakage)
 {
+	size_t widest = breakage;
 	for (size_t i = 0; i < breakage_count(); i++)
-		if (has_all(i, breakage) &&
+		if (breakage_extends(i, breakage) &&
 		    BREAKAGES[i]->reference < BREAKAGES[i]->n &&
+		    BREAKAGES[i]->n > BREAKAGES[widest]->n &&
 		    BREAKAGES[i]->bypass == BREAKAGES[breakage]->bypass)
-			return i;
-	return breakage;
+			widest = i;
+	return widest;
 }
 
 const struct breakage *

@@ -116,8 +116,9 @@ bool breakage_extends(size_t wide, size_t narrow);
 /* Parameters of a model in one that extends it, the others at their start. */
 struct params breakage_widened(const struct params *p, size_t wide);
 
-/* Index of the model that has all parameters of another and lets the appearance
- * follow the energy (D12); the model itself where there is none. */
+/* Index of the widest model that has all parameters of another and lets the
+ * appearance follow the energy (D12, D17); the model itself where there is
+ * none. */
 size_t breakage_wider(size_t breakage);
 
 /* The model of the parameters. */

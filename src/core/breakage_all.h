@@ -3,4 +3,5 @@
 #include "core/breakage_grunditz.c"
 
 #include "core/breakage_energy.c"
+#include "core/breakage_t10.c"
 #include "core/breakage_vogel.c"

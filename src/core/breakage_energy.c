@@ -4,27 +4,19 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LANES
 
+#include "core/breakage_energy.h"
+
 #include <assert.h>
-#include <math.h>
 #include <stdlib.h>
 
-#include "base/tr.h"
 #include "base/xalloc.h"
-#include "core/appearance.h"
 #include "core/elementary.h"
-#include "core/breakage_grunditz.h"
 #include "core/selection.h"
 
 enum { GAMMA = 7, E_REF };
 
-/* (E / E_ref)^-gamma, ready behind the appearance; and ln (E / E_ref). */
-struct energy_own {
-	struct appearance appearance;
-	double exponent, log_ratio;
-};
-
-static void
-prepare(struct breaker *b)
+void
+energy_prepare(struct breaker *b)
 {
 	struct energy_own *own = (struct energy_own *)(void *)b->own;
 	static_assert(sizeof *own <= sizeof b->own, "room");
@@ -33,16 +25,16 @@ prepare(struct breaker *b)
 	own->exponent = el_exp(-b->p.at[GAMMA] * own->log_ratio);
 }
 
-static const struct energy_own *
-own_of(const struct breaker *b)
+const struct energy_own *
+energy_own(const struct breaker *b)
 {
 	return (const struct energy_own *)(const void *)b->own;
 }
 
-static double
-finer(const struct breaker *b, double log_u, double *d)
+double
+energy_finer(const struct breaker *b, double log_u, double *d)
 {
-	double base[4] = {0}, e = own_of(b)->exponent;
+	double base[4] = {0}, e = energy_own(b)->exponent;
 	double B = grunditz_finer(b, log_u, d != NULL ? base : NULL);
 	if (!(B > 0))
 		return 0;
@@ -51,22 +43,22 @@ finer(const struct breaker *b, double log_u, double *d)
 		return P;
 	for (size_t i = 0; i < 4; i++)
 		d[i] += e * P / B * base[i];
-	d[GAMMA] -= P * log_B * e * own_of(b)->log_ratio;
+	d[GAMMA] -= P * log_B * e * energy_own(b)->log_ratio;
 	return P;
 }
 
-static double
-density(const struct breaker *b, double u, double log_u, double log_x)
+double
+energy_density(const struct breaker *b, double u, double log_u, double log_x)
 {
 	(void)log_x;
 	const struct appearance *a = grunditz_appearance(b);
-	double p = appearance_density(a->beta, u), e = own_of(b)->exponent;
+	double p = appearance_density(a->beta, u), e = energy_own(b)->exponent;
 	double B = log_u < 0 ? grunditz_finer(b, log_u, NULL) : 1;
 	return B > 0 ? e * el_exp((e - 1) * el_log(B)) * p / a->total : 0;
 }
 
-static char *
-appearance_text(const struct params *p)
+char *
+energy_appearance_text(const struct params *p)
 {
 	char *cubic = grunditz_appearance_text(p);
 	char *text = xasprintf("%s; B at E is its B(u)^((E/%.4g)^-%.4g)", cubic,
@@ -75,22 +67,17 @@ appearance_text(const struct params *p)
 	return text;
 }
 
-static const struct param_info PARAMETERS[] = {GRUNDITZ_BETA,
-    SELECTION_PARAMETERS,
-    {"gamma", "-", 0, 2, -10, 10, 0,
-	N_("appearance: finer with energy where above 0"), 0.4},
-    {"e_ref", "J/kg", 0, 0, 1e-3, 1e6, NAN,
-	N_("energy at which beta holds: mean of the training runs"), 0},
-    BYPASS_PARAMETER};
+static const struct param_info PARAMETERS[] = {
+    GRUNDITZ_BETA, SELECTION_PARAMETERS, ENERGY_PARAMETERS, BYPASS_PARAMETER};
 
 KERNELS(energy);
 
 BREAKAGE_ROWS(ENERGY, "grunditz-energy",
     "the paper's, with finer progeny at higher energy (gamma)", 9,
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",
-    .reference = E_REF, .strength = 4, SELECTION_ROW, .prepare = prepare,
-    .finer = finer, .density = density, .breaks = grunditz_breaks,
-    .appearance_text = appearance_text, .kernel = KERNEL_ROW(energy))
+    .reference = E_REF, .strength = 4, SELECTION_ROW, .prepare = energy_prepare,
+    .finer = energy_finer, .density = energy_density, .breaks = grunditz_breaks,
+    .appearance_text = energy_appearance_text, .kernel = KERNEL_ROW(energy))
 
 #else /* LANES */
 

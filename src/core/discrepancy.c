@@ -15,7 +15,7 @@ const struct hyper_info HYPER[HYPERS] = {
     {"length", "l", 1, 0.4, N_("ln of sizes over which it is alike")},
     {"slope", "c", 0.5, 0.5, N_("how it changes with the speed")},
     {"narrow", "sigma_n", 0.0015, 1.2, N_("features of single sieves")},
-    {"shared", "sigma_s", 0.003, 0.7,
+    {"shared", "sigma_s", 0.004, 0.7,
 	N_("sampling error shared along a curve")},
     {"independent", "sigma_i", 0.0035, 0.3, N_("error of a single passing")},
 };
@@ -34,7 +34,7 @@ discrepancy_terms(double t, double slope, double term[static DISCREPANCY_TERMS])
 {
 	term[0] = 1;
 	term[1] = slope * t;
-	term[2] = slope * (t * t - 1) * 0.4;
+	term[2] = slope * (t * t - 1) * 0.3;
 }
 
 double
@@ -144,9 +144,17 @@ discrepancy_factor(enum isa isa, const struct cell *cell, size_t n,
 double
 discrepancy_level(enum isa isa, const double *U, size_t n, double *d)
 {
+	enum { AT_ONCE = 16 }; /* logarithms: their product is no less than
+				* 0.0005^16, see DISCREPANCY_ROUNDING */
 	double level = 0;
 	discrepancy_forward(isa, U, n, d);
 	for (size_t i = 0; i < n; i++)
-		level += d[i] * d[i] / 2 + el_log(U[i * n + i]);
+		level += d[i] * d[i] / 2;
+	for (size_t from = 0; from < n; from += AT_ONCE) {
+		double product = 1;
+		for (size_t i = from; i < n && i < from + AT_ONCE; i++)
+			product *= U[i * n + i];
+		level += el_log(product);
+	}
 	return level;
 }

@@ -15,7 +15,7 @@
  * The discrepancy at a size s and a time t, which is 0 in the middle of the
  * measured speeds and 1 where the energy is e^0.135 times that there, as from
  * 74 to 79 m/s:
- *   h(P) (f_0(s) + c t f_1(s) + 0.4 c (t^2 - 1) f_2(s)),  h = 2 sqrt(P (1 - P))
+ *   h(P) (f_0(s) + c t f_1(s) + 0.3 c (t^2 - 1) f_2(s)),  h = 2 sqrt(P (1 - P))
  * P is the model's passing; the f are independent Gaussian processes with the
  * covariance
  *   sigma_d^2 rho(ln s - ln s', l) + sigma_n^2 rho(ln s - ln s', 1/4)

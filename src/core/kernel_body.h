@@ -18,7 +18,7 @@
  * share that is crushed at all (D14). */
 struct block {
 	lanes f, e0, alpha, over_alpha, f_e0, log_e0, log_full, kept,
-	    over_total, own[6];
+	    over_total, own[7];
 	const struct impacts *impacts; /* NULL: a single one at v^2/2 */
 	const uint32_t *index;
 	const struct kernel_out *out;

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-enum { PARAMS_MOST = 10 };
+enum { PARAMS_MOST = 11 };
 
 /* Parameters with the breakage model that they belong to: at[j] is that of
  * row j of its table.  A plain value; zeros are the paper's model.  The names

@@ -26,7 +26,7 @@ struct sign {
 	double weak, strong;
 };
 static const struct sign SIZE = {1.6, 2.2}, ALIKE = {1.2, 2.2},
-			 MORE = {0.45, 0.6}, GAMMA = {2, 3};
+			 MORE = {0.45, 0.6}, FINER = {2, 3};
 
 /* In units of discrepancy_time, 5 m/s at 74: beyond the speeds. */
 static const double BEYOND = 1, FAR_BEYOND = 3;
@@ -109,14 +109,15 @@ read_draws(struct evidence *e, const struct posterior *p, const struct fit *fit,
     double finest)
 {
 	enum { N = POSTERIOR_DRAWS };
-	double off[N], error[N], gamma[N];
+	double off[N], error[N], finer[N];
 	double e0 = params_value(&fit->params, "e0_min");
 	e->more = e->unbounded = 0;
 	for (size_t i = 0; i < N; i++) {
 		const struct posterior_draw *d = &p->draw[i];
 		off[i] = hypot(d->hyper[HYPER_DELTA], d->hyper[HYPER_NARROW]);
 		error[i] = hypot(d->hyper[HYPER_SHARED], d->hyper[HYPER_OWN]);
-		gamma[i] = params_value(&d->params, "gamma");
+		finer[i] = params_value(&d->params, "gamma") +
+			   params_value(&d->params, "kappa");
 		e->more += off[i] > error[i] ? 1.0 / N : 0;
 		e->unbounded +=
 		    params_break_size_by(&d->params, &p->settings, e->slowest) <
@@ -125,8 +126,8 @@ read_draws(struct evidence *e, const struct posterior *p, const struct fit *fit,
 			? 1.0 / N
 			: 0;
 	}
-	e->gamma = gsl_stats_mean(gamma, 1, N);
-	e->gamma_sd = gsl_stats_sd(gamma, 1, N);
+	e->finer = gsl_stats_mean(finer, 1, N);
+	e->finer_sd = gsl_stats_sd(finer, 1, N);
 	e->discrepancy = median(off);
 	e->sampling = median(error);
 	e->ratio = p->ratio;
@@ -173,8 +174,8 @@ trust_evidence(const struct site *site, const bool *train, const bool *use,
 	    .discrepancy = NAN,
 	    .sampling = NAN,
 	    .more = NAN,
-	    .gamma = NAN,
-	    .gamma_sd = NAN,
+	    .finer = NAN,
+	    .finer_sd = NAN,
 	    .unbounded = NAN,
 	    .ratio = NAN,
 	    .drift = NAN,
@@ -268,9 +269,9 @@ strength(double value, struct sign sign)
 static void
 judge_pattern(struct trust *t, const struct evidence *e)
 {
-	double gamma = fabs(e->gamma) / e->gamma_sd;
+	double finer = fabs(e->finer) / e->finer_sd;
 	int size = strength(e->size, SIZE), alike = strength(e->alike, ALIKE);
-	int more = strength(e->more, MORE), drift = strength(gamma, GAMMA);
+	int more = strength(e->more, MORE), drift = strength(finer, FINER);
 	if (size + alike + more + drift < 2)
 		return;
 	if (size > 0)
@@ -298,11 +299,11 @@ judge_pattern(struct trust *t, const struct evidence *e)
 		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
 		    xasprintf(
 			tr("the residuals follow the speed, as if fragments "
-			   "got %s with energy (gamma %.2f \302\261 %.2f): "
-			   "beyond the measured speeds the answer rests on "
-			   "that"),
-			e->gamma > 0 ? tr("finer") : tr("coarser"), e->gamma,
-			e->gamma_sd));
+			   "got %s with energy (gamma + kappa %.2f "
+			   "\302\261 %.2f): beyond the measured speeds the "
+			   "answer rests on that"),
+			e->finer > 0 ? tr("finer") : tr("coarser"), e->finer,
+			e->finer_sd));
 }
 
 static void

@@ -45,9 +45,11 @@ struct evidence {
 	 * draws, passing 0..1; more: share of the draws in which the first is
 	 * the larger. */
 	double discrepancy, sampling, more;
-	double gamma, gamma_sd; /* NAN in a model without */
-	double unbounded;       /* share of the draws with no threshold */
-	double ratio, drift;    /* of the chains */
+	/* gamma + kappa (D12, D17): of both B(u) = 1/2 moves alike with the
+	 * energy.  NAN in a model without. */
+	double finer, finer_sd;
+	double unbounded;    /* share of the draws with no threshold */
+	double ratio, drift; /* of the chains */
 	double breaks; /* of the feed above the break size, slowest speed */
 	size_t speeds; /* how many inform it */
 	double slowest, fastest;   /* of these */

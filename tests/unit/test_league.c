@@ -6,6 +6,7 @@
 #include "made.h"
 
 #include "core/breakage.h"
+#include "core/discrepancy.h"
 #include "core/league.h"
 
 /* 12 ln(0.48 / 12) + 8 + 40 / 7, with the variance as the fourth parameter. */
@@ -43,7 +44,10 @@ the_error_of_a_difference_is_that_of_made_up_samples(void **state)
 	enum { N = 20, TIMES = 4000 };
 	struct league_cell cell[N];
 	double a[N], b[N], sum = 0, squares = 0;
-	const double own = 0.35 * 0.35 / (0.35 * 0.35 + 0.3 * 0.3);
+	const double i2 = HYPER[HYPER_OWN].median * HYPER[HYPER_OWN].median;
+	const double s2 =
+	    HYPER[HYPER_SHARED].median * HYPER[HYPER_SHARED].median;
+	const double own = i2 / (i2 + s2);
 	for (size_t i = 0; i < N; i++) {
 		/* So near each other that the shared part is one number. */
 		cell[i] = (struct league_cell){

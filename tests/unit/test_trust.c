@@ -118,8 +118,8 @@ static const struct evidence SOUND = {.cells = 24,
     .discrepancy = 0.002,
     .sampling = 0.005,
     .more = 0.1,
-    .gamma = 0.05,
-    .gamma_sd = 0.1,
+    .finer = 0.05,
+    .finer_sd = 0.1,
     .ratio = 1.3,
     .drift = 0.2,
     .breaks = 0.9,
@@ -138,7 +138,7 @@ test_reasons(void **state)
 	few.cells = 7;
 	slow.unbounded = 0.4;
 	drift.drift = 0.9;
-	bent.gamma = 0.5;
+	bent.finer = 0.5;
 	lost.holdout = (struct validation){.n_sieve = 9,
 	    .holdout = true,
 	    .speed = 74,
@@ -196,7 +196,7 @@ test_order(void **state)
 {
 	(void)state;
 	struct evidence e = SOUND;
-	e.gamma = 0.5;
+	e.finer = 0.5;
 	e.rmse = 0.05;
 	struct trust t = asked(&e, (struct trust_question){.speed = 110});
 	assert_int_equal(t.light, LIGHT_RED);

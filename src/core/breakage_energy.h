@@ -1,0 +1,37 @@
+/* What grunditz-energy shares with grunditz-t10.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_BREAKAGE_ENERGY_H
+#define TIPSPEED_CORE_BREAKAGE_ENERGY_H
+
+#include <math.h>
+
+#include "base/tr.h"
+#include "core/appearance.h"
+#include "core/breakage_grunditz.h"
+
+/* (E / E_ref)^-gamma, ready behind the appearance; and ln (E / E_ref). */
+struct energy_own {
+	struct appearance appearance;
+	double exponent, log_ratio;
+};
+
+#define ENERGY_PARAMETERS                                                  \
+	{"gamma", "-", 0, 2, -10, 10, 0,                                   \
+	    N_("appearance: finer with energy where above 0"), 0.4},       \
+	{                                                                  \
+		"e_ref", "J/kg", 0, 0, 1e-3, 1e6, NAN,                     \
+		    N_("energy at which beta holds: mean of the training " \
+		       "runs"),                                            \
+		    0                                                      \
+	}
+
+const struct energy_own *energy_own(const struct breaker *b);
+
+/* See the fields of struct breakage so called. */
+void energy_prepare(struct breaker *b);
+double energy_finer(const struct breaker *b, double log_u, double *d);
+double energy_density(
+    const struct breaker *b, double u, double log_u, double log_x);
+char *energy_appearance_text(const struct params *p);
+
+#endif

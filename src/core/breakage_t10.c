@@ -1,0 +1,139 @@
+/* grunditz-t10: grunditz-energy with progeny that get finer as t10 has it, too.
+ *   B_v(u) = 1 - (1 - B(u)^((E / E_ref)^-gamma))^((E / E_ref)^kappa)
+ * D17.  Of a t10 = 1 - exp(-b E) and its t_n = 1 - (1 - t10)^w(n) every
+ * -ln(1 - t_n) is proportional to E: kappa is 1 then, and gamma 0.  Source:
+ * Narayanan, S.S., Whiten, W.J. (1988), Determination of comminution
+ * characteristics from single-particle breakage tests and its application to
+ * ball-mill scale-up, Trans. Instn Min. Metall. C 97, 115-124.  Scalar, or with
+ * LANES.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+
+/* At u = 1 the density may be without bound; `classes` takes it from where so
+ * much is coarser, for the parent's own class.  And ln of it. */
+#define T10_LEAST 0.01
+#define T10_LOG_LEAST (-4.605170185988091)
+
+#ifndef LANES
+
+#include "core/breakage_energy.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+#include "core/elementary.h"
+#include "core/selection.h"
+
+enum { KAPPA = 9 };
+
+/* (E / E_ref)^kappa, ready behind what grunditz-energy has. */
+struct t10_own {
+	struct energy_own energy;
+	double exponent;
+};
+
+static double
+exponent(const struct breaker *b)
+{
+	return ((const struct t10_own *)(const void *)b->own)->exponent;
+}
+
+static void
+prepare(struct breaker *b)
+{
+	struct t10_own *own = (struct t10_own *)(void *)b->own;
+	static_assert(sizeof *own <= sizeof b->own, "room");
+	energy_prepare(b);
+	own->exponent = el_exp(b->p.at[KAPPA] * own->energy.log_ratio);
+}
+
+static double
+finer(const struct breaker *b, double log_u, double *d)
+{
+	double base[PARAMS_MOST] = {0}, r = exponent(b);
+	double B = energy_finer(b, log_u, d != NULL ? base : NULL);
+	double rest = el_log(fmax(1 - B, 1e-300)), coarser = el_exp(r * rest);
+	if (d == NULL)
+		return 1 - coarser;
+	for (size_t i = 0; i < KAPPA && B < 1; i++)
+		d[i] += r * coarser / (1 - B) * base[i];
+	d[KAPPA] -= r * rest * coarser * energy_own(b)->log_ratio;
+	return 1 - coarser;
+}
+
+static double
+density(const struct breaker *b, double u, double log_u, double log_x)
+{
+	double r = exponent(b);
+	double B = log_u < 0 ? energy_finer(b, log_u, NULL) : 1;
+	return r * el_exp((r - 1) * el_log(fmax(1 - B, T10_LEAST))) *
+	       energy_density(b, u, log_u, log_x);
+}
+
+static char *
+appearance_text(const struct params *p)
+{
+	char *energy = energy_appearance_text(p);
+	char *text = xasprintf("%s, and of 1 - B the power (E/%.4g)^%.4g",
+	    energy, params_value(p, "e_ref"), p->at[KAPPA]);
+	free(energy);
+	return text;
+}
+
+static const struct param_info PARAMETERS[] = {GRUNDITZ_BETA,
+    SELECTION_PARAMETERS, ENERGY_PARAMETERS,
+    {"kappa", "-", 0, 2, -10, 10, 0,
+	N_("appearance: finer with energy as t10 is, where above 0"), 0.3},
+    BYPASS_PARAMETER};
+
+KERNELS(t10);
+
+BREAKAGE_ROWS(T10, "grunditz-t10",
+    "grunditz-energy, with finer progeny as t10 has it too (kappa)", 10,
+    .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta", .reference = 8,
+    .strength = 4, SELECTION_ROW, .prepare = prepare, .finer = finer,
+    .density = density, .breaks = grunditz_breaks,
+    .appearance_text = appearance_text, .kernel = KERNEL_ROW(t10))
+
+#else /* LANES */
+
+static inline void
+t10_load(struct block *b, const double *const *theta, const uint32_t *index)
+{
+	energy_load(b, theta, index);
+	b->own[6] = lanes_gather(theta[9], index);
+}
+
+/* Powers of what is coarser than the nodes of grunditz-energy.  For integrals p
+ * at u = 1 is what leads from the node below to B = 1. */
+static inline lanes
+t10_nodes(const struct block *b, const struct plan *plan, struct node *node)
+{
+	lanes total = energy_nodes(b, plan, node);
+	for (size_t r = 0; r < plan->n_run; r++) {
+		struct node *at = node + r * KERNEL_NODES;
+		lanes e = lanes_exp_quick(
+		    lanes_min(b->own[6] * (plan->run[r].log_E - b->own[5]),
+			lanes_of(708)));
+		lanes top = e * at[0].p *
+			    lanes_exp_quick((e - 1) * lanes_of(T10_LOG_LEAST));
+		for (size_t n = 0; n + 1 < KERNEL_NODES; n++) {
+			lanes rest =
+			    lanes_max(1 - at[n].below, lanes_of(1e-300));
+			lanes coarser = lanes_exp_quick(
+			    lanes_max(e * lanes_log(rest), lanes_of(-708)));
+			at[n].below = 1 - coarser;
+			at[n].p *= e * coarser / rest;
+		}
+		at[0].p =
+		    (at[0].below - at[1].below) / plan->half_step[0] - at[1].p;
+		if (plan->method == METHOD_CLASSES)
+			at[0].p = top;
+	}
+	return total;
+}
+
+KERNEL(
+    t10, .strength = 4, .load = t10_load, .nodes = t10_nodes, .per_run = true)
+
+#endif
