@@ -109,7 +109,7 @@ keys Down b c x
 want '74\.0 m/s  vs pinned 74\.0' "a prediction is kept beside"
 keys 7 8 Enter
 want '78\.0 m/s  vs pinned 74\.0'
-want 'P50  *2\.70±0\.0[0-9]  *-0\.16' "with what is now less than it"
+want 'P50  *2\.77±0\.0[0-9]  *-0\.17' "with what is now less than it"
 want '%.*pin' "and a curve of its own"
 keys : 'flow tph=120' Enter
 want '120 t/h at 78 m.s' "a command with a speed takes the slider's"

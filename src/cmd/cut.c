@@ -17,7 +17,7 @@
 /* Whether a passing lies in the band of one more sample, to the hundredth of a
  * point that sheets are rounded to. */
 static bool
-is_inside(const struct ensemble *e, const struct prediction *p, double x,
+is_inside(struct ensemble *e, const struct prediction *p, double x,
     double passing, double level)
 {
 	const double rounding = 5e-4;

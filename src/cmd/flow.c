@@ -405,7 +405,7 @@ feed_difference(
 	for (size_t i = n; i-- > 0 && all > 0;) {
 		for (size_t k = 0; k < unit->n_in; k++)
 			in += o->flow.mass[unit->in[k] * n + i] / all;
-		feed += p->plan->feed[i];
+		feed += p->feed[i];
 		most = fmax(most, fabs(in - feed));
 	}
 	return most;

@@ -266,8 +266,6 @@ choose_sizes(const struct site *site, struct flow_plan *plan)
 			plan->size[plan->n++] =
 			    c->unit[u].opening * c->unit[u].partition.cut_size;
 	plan->n = drop_twins(plan->size, plan->n);
-	plan->feed = xdoubles(plan->n);
-	crusher_classes(feed, plan->size, plan->n, plan->feed);
 	psd_free(&all);
 }
 
@@ -457,7 +455,6 @@ flow_plan_free(struct flow_plan *plan)
 	circuit_free(plan->circuit);
 	free(plan->back);
 	free(plan->size);
-	free(plan->feed);
 	free(plan->reading);
 	*plan = (struct flow_plan){0};
 }

@@ -16,7 +16,7 @@ struct flow_plan {
 	char *back;
 	bool from_file, priced;
 	size_t n, feed_run;
-	double *size, *feed, kwh;
+	double *size, kwh;
 	size_t n_reading;
 	struct reading *reading;
 	bool of_cuts; /* the readings are those of belt cuts */

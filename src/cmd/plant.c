@@ -21,6 +21,9 @@ plant_new(struct session *s, const struct flow_plan *plan)
 	    .power = power_fit(plan->reading, plan->n_reading),
 	    .bypass = of->bypass ? entry->params.at[of->n - 1] : 0,
 	    .level = settings_level(&s->set)};
+	p.feed = xdoubles(plan->n);
+	crusher_classes(
+	    p.crusher, &entry->site->run[plan->feed_run].feed, p.feed);
 	for (size_t u = 0; u < p.circuit->n_unit; u++)
 		if (p.circuit->unit[u].speed > 0)
 			p.own[u] =
@@ -34,6 +37,7 @@ plant_free(struct plant *p)
 	for (size_t u = 0; u < p->circuit->n_unit; u++)
 		transfer_free(p->own[u]);
 	free(p->own);
+	free(p->feed);
 	crusher_free(p->crusher);
 }
 
@@ -77,8 +81,8 @@ plant_at(const struct plant *p, double speed)
 	struct transfer **of = xcalloc(p->circuit->n_unit, sizeof(*of));
 	for (size_t u = 0; u < p->circuit->n_unit; u++)
 		of[u] = p->own[u] != NULL ? p->own[u] : t;
-	o.flow = circuit_flow(
-	    p->circuit, p->plan->feed, p->plan->size, p->plan->n, of);
+	o.flow =
+	    circuit_flow(p->circuit, p->feed, p->plan->size, p->plan->n, of);
 	for (size_t d = 0; d < o.flow.draws; d++)
 		count_draw(p, &o, d);
 	free(of);

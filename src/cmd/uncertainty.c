@@ -24,7 +24,7 @@ static const char *const PARTS[ENSEMBLE_PARTS] = {
  * parameters. */
 static void
 add_parts(struct answer *r, const struct session *s, const struct prediction *p,
-    const struct ensemble *e)
+    struct ensemble *e)
 {
 	answer_columns(r, "sieve_mm: sieve mm, passing_pct: product %%, "
 			  "parameters_pct: model alone, answer_pct: answer, "
@@ -110,7 +110,7 @@ static struct answer *
 draws_answer(const struct session *s, const struct entry *entry,
     const struct posterior *p, const struct prediction *at, size_t n)
 {
-	const struct ensemble *e = outlook_ensemble(s, entry, at->feed_run);
+	struct ensemble *e = outlook_ensemble(s, entry, at->feed_run);
 	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
 	struct answer *r = answers_new(

@@ -18,10 +18,13 @@ struct plan;
 
 /* What is wanted of candidates, each in its place: the misfit, and where
  * difference is not NULL the weighted differences simulated - measured, that of
- * cell i (see struct plan_target) at difference[i * stride]. */
+ * cell i (see struct plan_target) at difference[i * stride].
+ * Where softer is not NULL, a share of the rock has that e0_min instead of the
+ * candidate's, which is no less (D16); share 0: all has the candidate's. */
 struct kernel_out {
 	double *misfit, *difference;
 	size_t stride;
+	const double *softer, *share;
 };
 
 /* A model's part of the search, see kernel_body.h.  Evaluates KERNEL_LANES

@@ -46,7 +46,9 @@ evaluate(const struct misfit *m, enum isa isa,
 			theta[j][i] = theta[j][0];
 	}
 	kernel_evaluate_part(kernel, (const double *const *)theta, 0, g->n_kept,
-	    0, &(struct kernel_out){misfit, difference, MOST});
+	    0,
+	    &(struct kernel_out){
+		.misfit = misfit, .difference = difference, .stride = MOST});
 	for (size_t j = 0; j < m->of->n; j++)
 		free(theta[j]);
 	kernel_free(kernel);

@@ -166,10 +166,15 @@ transfer_product(
 }
 
 void
-crusher_classes(
-    const struct psd *feed, const double *size, size_t n, double *out)
+crusher_classes(const struct crusher *c, const struct psd *feed, double *out)
 {
-	for (size_t i = 0; i < n; i++)
-		out[i] = psd_passing(feed, size[i]) -
-			 (i + 1 < n ? psd_passing(feed, size[i + 1]) : 0);
+	struct psd curve =
+	    c->posterior != NULL ? psd_curve(feed) : psd_copy(feed);
+	double finer = 0;
+	for (size_t i = c->n; i-- > 0;) {
+		double P = psd_passing(&curve, c->size[i]);
+		out[i] = P - finer;
+		finer = P;
+	}
+	psd_free(&curve);
 }

@@ -36,9 +36,10 @@ size_t transfer_draws(const struct transfer *t);
 void transfer_product(
     const struct transfer *t, size_t draw, const double *in, double *out);
 
-/* The masses of the classes in a curve, which passes all at its coarsest size,
- * [n] out; they add up to 1. */
+/* The masses of its classes in a feed, which passes all at its coarsest size,
+ * [n] out; they add up to 1.  For draws the feed is smooth between its sieves
+ * (D18). */
 void crusher_classes(
-    const struct psd *feed, const double *size, size_t n, double *out);
+    const struct crusher *c, const struct psd *feed, double *out);
 
 #endif

@@ -13,30 +13,25 @@
 #include "core/kernel.h"
 #include "core/product.h"
 
-/* The draws' parameters, in a block behind them the fit's, whose exact product
- * tells what the search's scheme errs by, and then those of the harder rock in
- * draws that have two strengths. */
-enum {
-	DRAWS = POSTERIOR_DRAWS,
-	FIT = DRAWS,
-	HARDER = FIT + KERNEL_LANES,
-	ALL = HARDER + DRAWS
-};
+/* The draws' parameters, and in a block behind them the fit's, whose exact
+ * product tells what the search's scheme errs by. */
+enum { DRAWS = POSTERIOR_DRAWS, FIT = DRAWS, ALL = FIT + KERNEL_LANES };
 
 struct ensemble {
 	const struct posterior *of;
 	size_t n;
 	struct kernel *kernel;
 	struct model *exact;
-	double *theta[PARAMS_MOST]; /* [ALL] */
-	double *product, *misfit;   /* [n * ALL], [ALL], of the scheme */
-	size_t n_two, two[DRAWS];   /* draws that have two strengths */
-	double *fit, *feed;         /* [n] */
-	size_t *knot;               /* [n]: between it and the next, */
-	double *share;              /* and how much it counts */
-	double *delta, *error;      /* at the knots, [n_knot * DRAWS] */
+	double *theta[PARAMS_MOST];            /* [ALL] */
+	double softer[ALL], share_softer[ALL]; /* see struct kernel_out */
+	double *product, *misfit; /* [n * ALL], [ALL], of the scheme */
+	double *fit, *feed;       /* [n] */
+	size_t *knot;             /* [n]: between it and the next, */
+	double *share;            /* and how much it counts */
+	double *delta, *error;    /* at the knots, [n_knot * DRAWS] */
 	/* [n + 1][DRAWS]: below the finest size is nothing. */
 	double *part[ENSEMBLE_PARTS];
+	bool sampled;        /* the samples are made */
 	double more, bypass; /* k and bypass of another machine */
 };
 
@@ -86,39 +81,34 @@ find_knots(struct ensemble *e, const double *size)
 	}
 }
 
-/* Parameters in a column, with so many times their e0_min. */
 static void
-set_column(struct ensemble *e, size_t column, const struct params *p, double by)
+set_column(struct ensemble *e, size_t column, const struct params *p,
+    const struct strengths *rock)
 {
-	size_t strength = breakage_of(p)->strength;
+	size_t f = breakage_of(p)->strength;
 	for (size_t j = 0; j < breakage_of(p)->n; j++)
 		e->theta[j][column] = p->at[j];
-	e->theta[strength][column] *= e->more;
-	e->theta[strength + 1][column] *= by;
+	e->theta[f][column] *= e->more;
+	e->theta[f + 1][column] *= rock->harder;
+	e->softer[column] = p->at[f + 1] * rock->softer;
+	e->share_softer[column] = rock->share > 0 ? 1 - rock->share : 0;
 }
 
 static void
 set_theta(struct ensemble *e)
 {
 	const struct posterior *p = e->of;
-	e->n_two = 0;
 	for (size_t i = FIT; i < ALL; i++)
-		set_column(e, i, &p->fit, 1);
-	for (size_t d = 0; d < DRAWS; d++) {
-		const struct params *own = &p->draw[d].params;
-		const struct strengths *rock = &p->draw[d].strengths;
-		set_column(e, d, own, rock->softer);
-		if (!(rock->share > 0))
-			continue;
-		set_column(e, HARDER + e->n_two, own, rock->harder);
-		e->two[e->n_two++] = d;
-	}
+		set_column(e, i, &p->fit, &(struct strengths){0, 1, 1});
+	for (size_t d = 0; d < DRAWS; d++)
+		set_column(e, d, &p->draw[d].params, &p->draw[d].strengths);
 }
 
 struct ensemble *
-ensemble_new(const struct posterior *p, const struct psd *feed,
+ensemble_new(const struct posterior *p, const struct psd *measured,
     const double *size, size_t n)
 {
+	struct psd curve = psd_curve(measured), *feed = &curve;
 	struct ensemble *e = xcalloc(1, sizeof *e);
 	*e = (struct ensemble){.of = p,
 	    .n = n,
@@ -140,6 +130,7 @@ ensemble_new(const struct posterior *p, const struct psd *feed,
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
 		e->part[i] = xdoubles((n + 1) * DRAWS);
 	find_knots(e, size);
+	psd_free(&curve);
 	return e;
 }
 
@@ -204,8 +195,7 @@ correction_left(const struct posterior *p, double v, double *at)
 	return there > 0 ? b.model->selection(&b, p->knot[0], NULL) / there : 0;
 }
 
-/* What the model leaves out at speed v, and the errors of a sample, at the
- * knots of each draw. */
+/* What the model leaves out at speed v, at the knots of each draw. */
 static void
 fill_knots(struct ensemble *e, double v)
 {
@@ -221,8 +211,6 @@ fill_knots(struct ensemble *e, double v)
 			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 				delta += left * term[j] * draw->term[j][k];
 			e->delta[k * DRAWS + d] = delta;
-			e->error[k * DRAWS + d] =
-			    draw->shared[k] + draw->own[k];
 		}
 	}
 }
@@ -236,28 +224,55 @@ ensemble_delta(const struct ensemble *e, size_t d, double *delta)
 	}
 }
 
-/* Row i of all parts; that of the next finer size is made. */
+/* Row i of model and answer; that of the next finer size is made. */
 static void
 fill_row(const struct ensemble *e, size_t i, double *restrict model,
-    double *restrict answer, double *restrict sample)
+    double *restrict answer)
 {
 	const double *P = e->product + i * ALL;
 	const double *delta = e->delta + e->knot[i] * DRAWS;
-	const double *error = e->error + e->knot[i] * DRAWS;
 	double share = e->share[i], rest = 1 - share;
 	double fit = e->fit[i], scheme = P[FIT], feed = e->feed[i];
 	for (size_t d = 0; d < DRAWS; d++) {
 		double p = discrepancy_within(P[d] + fit - scheme, feed);
 		double more = share * delta[d] + rest * delta[d + DRAWS];
-		double err = share * error[d] + rest * error[d + DRAWS];
 		double finer = answer[d + DRAWS];
-		double a =
-		    discrepancy_answer(p, more, finer > feed ? finer : feed);
 		model[d] = p;
-		answer[d] = a;
-		sample[d] = discrepancy_within(
-		    a + discrepancy_h(p) * err, sample[d + DRAWS]);
+		answer[d] =
+		    discrepancy_answer(p, more, finer > feed ? finer : feed);
 	}
+}
+
+/* Row i of the samples, likewise. */
+static void
+fill_samples(const struct ensemble *e, size_t i, double *restrict sample)
+{
+	const double *model = e->part[ENSEMBLE_MODEL] + i * DRAWS;
+	const double *answer = e->part[ENSEMBLE_ANSWER] + i * DRAWS;
+	const double *error = e->error + e->knot[i] * DRAWS;
+	double share = e->share[i], rest = 1 - share;
+	for (size_t d = 0; d < DRAWS; d++) {
+		double err = share * error[d] + rest * error[d + DRAWS];
+		sample[d] = discrepancy_within(
+		    answer[d] + discrepancy_h(model[d]) * err,
+		    sample[d + DRAWS]);
+	}
+}
+
+/* Most who ask want none. */
+static void
+make_samples(struct ensemble *e)
+{
+	const struct posterior *p = e->of;
+	if (e->sampled)
+		return;
+	for (size_t d = 0; d < DRAWS; d++)
+		for (size_t k = 0; k < p->n_knot; k++)
+			e->error[k * DRAWS + d] =
+			    p->draw[d].shared[k] + p->draw[d].own[k];
+	for (size_t i = e->n; i-- > 0;)
+		fill_samples(e, i, e->part[ENSEMBLE_SAMPLE] + i * DRAWS);
+	e->sampled = true;
 }
 
 /* What met the rotor, with what went by. */
@@ -271,44 +286,31 @@ add_bypass(struct ensemble *e)
 		}
 }
 
-/* Products of the harder rock into those of the draws. */
-static void
-mix_strengths(struct ensemble *e)
-{
-	for (size_t i = 0; i < e->n; i++) {
-		double *row = e->product + i * ALL;
-		for (size_t t = 0; t < e->n_two; t++) {
-			size_t d = e->two[t];
-			double share = e->of->draw[d].strengths.share;
-			row[d] += share * (row[HARDER + t] - row[d]);
-		}
-	}
-}
-
 void
 ensemble_at(struct ensemble *e, double v)
 {
-	struct kernel_out out = {e->misfit, e->product, ALL};
+	struct kernel_out out = {
+	    e->misfit, e->product, ALL, e->softer, e->share_softer};
 	kernel_set_speed(e->kernel, v);
 	const double *const *theta = (const double *const *)e->theta;
-	kernel_evaluate_part(e->kernel, theta, 0, HARDER, 0, &out);
-	if (e->n_two > 0)
-		kernel_evaluate_part(
-		    e->kernel, theta, HARDER, HARDER + e->n_two, 0, &out);
-	mix_strengths(e);
+	kernel_evaluate_part(e->kernel, theta, 0, ALL, 0, &out);
 	model_product(e->exact, v, e->fit);
 	fill_knots(e, v);
 	for (size_t i = e->n; i-- > 0;)
 		fill_row(e, i, e->part[ENSEMBLE_MODEL] + i * DRAWS,
-		    e->part[ENSEMBLE_ANSWER] + i * DRAWS,
-		    e->part[ENSEMBLE_SAMPLE] + i * DRAWS);
-	if (e->bypass > 0)
+		    e->part[ENSEMBLE_ANSWER] + i * DRAWS);
+	e->sampled = false;
+	if (e->bypass > 0) {
+		make_samples(e);
 		add_bypass(e);
+	}
 }
 
 const double *
-ensemble_products(const struct ensemble *e, enum ensemble_part part)
+ensemble_products(struct ensemble *e, enum ensemble_part part)
 {
+	if (part == ENSEMBLE_SAMPLE)
+		make_samples(e);
 	return e->part[part];
 }
 
@@ -347,10 +349,10 @@ ensemble_middle(double *value, double level, double *low, double *high)
 }
 
 void
-ensemble_band(const struct ensemble *e, enum ensemble_part part, size_t row,
+ensemble_band(struct ensemble *e, enum ensemble_part part, size_t row,
     double level, double *low, double *high)
 {
 	double value[DRAWS];
-	memcpy(value, e->part[part] + row * DRAWS, sizeof value);
+	memcpy(value, ensemble_products(e, part) + row * DRAWS, sizeof value);
 	ensemble_middle(value, level, low, high);
 }

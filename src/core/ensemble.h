@@ -10,7 +10,8 @@
  * outlive it. */
 struct ensemble;
 
-/* size [n] m, coarsest first, each covered by the feed. */
+/* size [n] m, coarsest first, each covered by the feed, which is taken smooth
+ * between its sieves (D18). */
 struct ensemble *ensemble_new(const struct posterior *posterior,
     const struct psd *feed, const double *size, size_t n);
 void ensemble_free(struct ensemble *e);
@@ -39,8 +40,7 @@ void ensemble_at(struct ensemble *e, double v);
 /* The products at that speed, [n * POSTERIOR_DRAWS] row by size, borrowed.
  * None is coarser than the feed, and each falls with the size, but for the
  * samples, which only fall. */
-const double *ensemble_products(
-    const struct ensemble *e, enum ensemble_part part);
+const double *ensemble_products(struct ensemble *e, enum ensemble_part part);
 
 /* What the model leaves out in a draw at that speed, over h, at the sizes, [n]
  * out: see discrepancy_answer. */
@@ -50,8 +50,8 @@ void ensemble_delta(const struct ensemble *e, size_t draw, double *delta);
 double ensemble_break_size(const struct ensemble *e, size_t draw, double v);
 
 /* The middle `level` of a row of products. */
-void ensemble_band(const struct ensemble *e, enum ensemble_part part,
-    size_t row, double level, double *low, double *high);
+void ensemble_band(struct ensemble *e, enum ensemble_part part, size_t row,
+    double level, double *low, double *high);
 
 /* The mean of the answers, [n] out: the best single one. */
 void ensemble_mean(const struct ensemble *e, double *passing);

@@ -19,6 +19,9 @@
 struct block {
 	lanes f, e0, alpha, over_alpha, f_e0, log_e0, log_full, kept,
 	    over_total, own[7];
+	/* Two strengths, where any lane has them: of the softer rock. */
+	bool two;
+	lanes softer, share;
 	const struct impacts *impacts; /* NULL: a single one at v^2/2 */
 	const uint32_t *index;
 	const struct kernel_out *out;
@@ -66,24 +69,36 @@ static const struct gauss GAUSS_3 = {3,
     {0.1127016653792583, 0.5, 0.8872983346207417},
     {5.0 / 18, 8.0 / 18, 5.0 / 18}};
 
+/* S is 0 below the size of log_e0 and 1 above that of log_full, where the
+ * exponent reaches FULL. */
+static inline void
+set_strength(struct block *b, lanes e0)
+{
+	double full = FULL;
+	if (b->impacts != NULL && b->impacts->number < 1)
+		full /= b->impacts->number;
+	b->e0 = e0;
+	b->f_e0 = b->f * e0;
+	b->log_e0 = lanes_log(e0);
+	b->log_full = lanes_log(full / b->f + e0);
+}
+
 INLINE void
 load(const struct lane_model *m, struct block *b, const struct plan *plan,
     const double *const *theta, const uint32_t *index)
 {
 	m->load(b, theta, index);
 	b->f = lanes_gather(theta[m->strength], index) * plan->k;
-	b->e0 = lanes_gather(theta[m->strength + 1], index);
 	b->alpha = lanes_gather(theta[m->strength + 2], index);
 	b->over_alpha = 1 / lanes_max(b->alpha, lanes_of(1e-9));
-	/* S is 0 below the size of the first and 1 above that of the second,
-	 * where the exponent reaches FULL. */
-	b->f_e0 = b->f * b->e0;
-	b->log_e0 = lanes_log(b->e0);
-	double full = FULL;
 	b->impacts = plan->impacts.n > 0 ? &plan->impacts : NULL;
-	if (b->impacts != NULL && b->impacts->number < 1)
-		full /= b->impacts->number;
-	b->log_full = lanes_log(full / b->f + b->e0);
+	set_strength(b, lanes_gather(theta[m->strength + 1], index));
+	b->two = false;
+	if (b->out->softer != NULL) {
+		b->softer = lanes_gather(b->out->softer, index);
+		b->share = lanes_gather(b->out->share, index);
+		b->two = lanes_any(b->share > 0.0);
+	}
 	if (plan->bypass > 0)
 		b->kept = 1 - lanes_gather(theta[plan->bypass], index);
 }
@@ -102,7 +117,7 @@ struct share {
 /* Workspace of a block, in the thread's scratch. */
 struct room {
 	lanes *from, *full;  /* [n_run] ln x* and ln x where S becomes 1 */
-	struct share *share; /* [n_run * n_class] */
+	struct share *share; /* [n_run * n_class], and as many again */
 	struct node *node;   /* [KERNEL_NODES] for each run, or once */
 	size_t n_full;       /* classes, from the coarsest, that break whole */
 	size_t n_active;     /* and those of which any lane breaks some */
@@ -265,6 +280,30 @@ shares(const struct block *b, const struct plan *plan, const struct gauss *g,
 	room->n_active = c;
 }
 
+/* The rock of two strengths breaks as its two parts do: the shares of the
+ * softer one into those of the other. */
+static inline void
+mix_softer(const struct block *b, const struct plan *plan,
+    const struct gauss *g, struct room *room)
+{
+	struct block soft = *b;
+	struct room other = *room;
+	size_t n = plan->n_class;
+	other.share += plan->n_run * n;
+	set_strength(&soft, b->softer);
+	shares(&soft, plan, g, &other);
+	for (size_t r = 0; r < plan->n_run; r++)
+		for (size_t c = room->n_full; c < other.n_active; c++) {
+			struct share *to = &room->share[r * n + c];
+			const struct share *of = &other.share[r * n + c];
+			if (c >= room->n_active)
+				to->mass = to->moment = lanes_of(0);
+			to->mass += b->share * (of->mass - to->mass);
+			to->moment += b->share * (of->moment - to->moment);
+		}
+	room->n_active = other.n_active;
+}
+
 /* B, not yet divided by the total. */
 static inline lanes
 view_B(const struct plan_view *v, const struct node *node)
@@ -293,11 +332,11 @@ whole_below(const struct plan_run *run, const struct plan_sieve *sieve,
 	return sum;
 }
 
-/* Adds that of the classes from..n-1, for two runs side by side, which look B
- * and p up but once where these are the same; the runs may be one. */
+/* Adds that of the classes from..n-1, for one run or a pair side by side, which
+ * looks B and p up but once where these are the same. */
 INLINE void
 add_split(const struct lane_model *m, const struct plan_sieve *sieve,
-    size_t from, size_t n, const struct node *const node[static 2],
+    size_t from, size_t n, bool pair, const struct node *const node[static 2],
     const struct share *share[static 2], lanes below[static 2])
 {
 	lanes first = below[0], second = below[1];
@@ -305,6 +344,8 @@ add_split(const struct lane_model *m, const struct plan_sieve *sieve,
 		lanes B = view_B(&sieve->view[c], node[0]);
 		lanes p = view_p(&sieve->view[c], node[0]);
 		first += share[0][c].mass * B - share[0][c].moment * p;
+		if (!pair)
+			continue;
 		if (m->per_run) {
 			B = view_B(&sieve->view[c], node[1]);
 			p = view_p(&sieve->view[c], node[1]);
@@ -341,7 +382,8 @@ sieve_squares(const struct lane_model *m, const struct plan *plan,
 	if (once)
 		whole = whole_below(&plan->run[0], sieve, full, room->node);
 	for (size_t r = 0; r < plan->n_run; r += 2) {
-		size_t other = r + 1 < plan->n_run ? r + 1 : r;
+		bool pair = r + 1 < plan->n_run;
+		size_t other = r + pair;
 		const struct plan_run *run[2] = {
 		    &plan->run[r], &plan->run[other]};
 		const struct share *share[2] = {room->share + r * plan->n_class,
@@ -352,15 +394,18 @@ sieve_squares(const struct lane_model *m, const struct plan *plan,
 			node[1] += other * KERNEL_NODES;
 		}
 		lanes below[2] = {whole, whole};
-		for (size_t i = 0; i < 2 && !once; i++)
+		for (size_t i = 0; i < 1 + (size_t)pair && !once; i++)
 			below[i] = whole_below(run[i], sieve, full, node[i]);
-		add_split(m, sieve, full, n, node, share, below);
+		if (pair)
+			add_split(m, sieve, full, n, true, node, share, below);
+		else
+			add_split(m, sieve, full, n, false, node, share, below);
 		if (m->at_sieve != NULL) {
 			lanes share_at = m->at_sieve(b, sieve->log_size);
 			below[0] *= share_at;
 			below[1] *= share_at;
 		}
-		for (size_t i = 0; i < 1 + (other > r); i++) {
+		for (size_t i = 0; i < 1 + (size_t)pair; i++) {
 			const struct plan_target *t = &run[i]->target[s];
 			squares += square(
 			    t, b, t->difference + below[i] * b->over_total);
@@ -377,12 +422,14 @@ continuous_block(const struct lane_model *m, const struct plan *plan,
 	size_t n_run = plan->n_run;
 	struct room room = {.from = at, .full = at + n_run};
 	room.share = (void *)(at + 2 * n_run);
-	room.node = (void *)(room.share + n_run * plan->n_class);
+	room.node = (void *)(room.share + 2 * n_run * plan->n_class);
 	tabulate(m, b, plan, &room);
 	if (smooth)
 		shares(b, plan, &GAUSS_2, &room);
 	else
 		shares(b, plan, &GAUSS_3, &room);
+	if (b->two)
+		mix_softer(b, plan, smooth ? &GAUSS_2 : &GAUSS_3, &room);
 	for (size_t s = 0; s < plan->n_sieve; s++)
 		sum += sieve_squares(m, plan, b, s, &room);
 	return sum;
@@ -395,6 +442,12 @@ classes_selection(const struct block *b, const struct plan_run *run, lanes *S)
 	for (size_t i = 0; i < run->n_size; i++) {
 		lanes w = lanes_exp(b->alpha * run->log_size[i]);
 		S[i] = lanes_selection(b, run->E, w, lanes_exp);
+		if (!b->two)
+			continue;
+		struct block soft = *b;
+		soft.f_e0 = b->f * b->softer;
+		lanes softer = lanes_selection(&soft, run->E, w, lanes_exp);
+		S[i] += b->share * (softer - S[i]);
 	}
 }
 

@@ -183,8 +183,8 @@ plan_continuous(struct plan *plan, const struct misfit *m)
 		}
 	}
 	plan_targets(plan, m);
-	plan->scratch =
-	    KERNEL_LANES * 2 * plan->n_run * (plan->n_class + 1 + KERNEL_NODES);
+	plan->scratch = KERNEL_LANES * 2 * plan->n_run *
+			(2 * plan->n_class + 1 + KERNEL_NODES);
 }
 
 static void

@@ -73,13 +73,12 @@ struct sampler {
 	struct chain chain[CHAINS], trial[HALF];
 	size_t first; /* chain of the half that moves */
 	bool hyper;   /* the hyperparameters move, not the parameters */
-	/* Of the trials, in the order in which they are evaluated, first the
-	 * n_two of two strengths: which they are, parameters, e0_min of the
-	 * harder rock and its share, and differences, [1] of the harder rock.
-	 */
-	size_t order[HALF], n_two;
-	double *theta[PARAMS_MOST], *harder, share_harder[HALF];
-	double *difference[2], *misfit;
+	/* Of the trials, in the order in which they are evaluated, first those
+	 * of two strengths: which they are, parameters, e0_min of the softer
+	 * rock and its share, and differences. */
+	size_t order[HALF];
+	double *theta[PARAMS_MOST], softer[HALF], share_softer[HALF];
+	double *difference, *misfit;
 	size_t accepted, tried;
 };
 
@@ -186,7 +185,7 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 		    s->isa, s->cell, n, trial->x + PARAMS_MOST, trial->U);
 	}
 	for (size_t k = 0; k < n && !s->hyper; k++)
-		trial->d[k] = s->difference[0][k * HALF + place] + s->scheme[k];
+		trial->d[k] = s->difference[k * HALF + place] + s->scheme[k];
 	memcpy(work, trial->d, n * sizeof *work);
 	trial->likelihood =
 	    discrepancy_level(s->isa, s->hyper ? trial->U : now->U, n, work);
@@ -196,28 +195,14 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 		trial->prior = INFINITY;
 }
 
-/* Differences of those from..to-1 in the order, mixed of the two strengths
- * where there are two. */
+/* Differences of those from..to-1 in the order. */
 static void
 find_differences(struct sampler *s, size_t from, size_t to, unsigned thread)
 {
-	const double *theta[PARAMS_MOST];
-	struct kernel_out soft = {s->misfit, s->difference[0], HALF};
-	struct kernel_out hard = {s->misfit, s->difference[1], HALF};
-	size_t two = s->n_two < to ? s->n_two : to;
-	for (size_t j = 0; j < s->of->n; j++)
-		theta[j] = s->theta[j];
-	kernel_evaluate_part(s->kernel, theta, from, to, thread, &soft);
-	if (two <= from)
-		return;
-	theta[s->of->strength + 1] = s->harder;
-	kernel_evaluate_part(s->kernel, theta, from, two, thread, &hard);
-	for (size_t k = 0; k < s->n_cell; k++)
-		for (size_t i = from; i < two; i++) {
-			double *d = &s->difference[0][k * HALF + i];
-			double harder = s->difference[1][k * HALF + i];
-			*d += s->share_harder[i] * (harder - *d);
-		}
+	struct kernel_out out = {
+	    s->misfit, s->difference, HALF, s->softer, s->share_softer};
+	kernel_evaluate_part(
+	    s->kernel, (const double *const *)s->theta, from, to, thread, &out);
 }
 
 static void
@@ -248,9 +233,9 @@ line_up(struct sampler *s, size_t i, struct strengths rock, size_t place)
 	double at[PARAMS_MOST];
 	params_of(s, s->trial[i].x, at);
 	s->order[place] = i;
-	s->harder[place] = at[e0] * rock.harder;
-	s->share_harder[place] = rock.share;
-	at[e0] *= rock.softer;
+	s->softer[place] = at[e0] * rock.softer;
+	s->share_softer[place] = rock.share > 0 ? 1 - rock.share : 0;
+	at[e0] *= rock.harder;
 	for (size_t j = 0; j < s->of->n; j++)
 		s->theta[j][place] = at[j];
 }
@@ -258,11 +243,10 @@ line_up(struct sampler *s, size_t i, struct strengths rock, size_t place)
 static void
 evaluate(struct sampler *s)
 {
-	size_t one = HALF;
-	s->n_two = 0;
+	size_t two = 0, one = HALF;
 	for (size_t i = 0; i < HALF; i++) {
 		struct strengths rock = strengths_of(s, s->trial[i].x);
-		line_up(s, i, rock, rock.share > 0 ? s->n_two++ : --one);
+		line_up(s, i, rock, rock.share > 0 ? two++ : --one);
 	}
 	pool_run(s->pool, HALF / PART, evaluate_part, s);
 }
@@ -723,9 +707,7 @@ make_room(struct sampler *s)
 	size_t n = s->n_cell;
 	for (size_t j = 0; j < s->of->n; j++)
 		s->theta[j] = xdoubles(HALF);
-	s->harder = xdoubles(HALF);
-	for (size_t part = 0; part < 2; part++)
-		s->difference[part] = xdoubles(n * HALF);
+	s->difference = xdoubles(n * HALF);
 	s->misfit = xdoubles(HALF);
 	s->scheme = xdoubles(n);
 	for (size_t i = 0; i < CHAINS + HALF; i++) {
@@ -740,14 +722,15 @@ make_room(struct sampler *s)
 static void
 measure_scheme(struct sampler *s, const double *d)
 {
-	struct kernel_out out = {s->misfit, s->difference[0], HALF};
+	struct kernel_out out = {
+	    .misfit = s->misfit, .difference = s->difference, .stride = HALF};
 	for (size_t j = 0; j < s->of->n; j++)
 		for (size_t i = 0; i < KERNEL_LANES; i++)
 			s->theta[j][i] = s->fit.at[j];
 	kernel_evaluate_part(s->kernel, (const double *const *)s->theta, 0,
 	    KERNEL_LANES, 0, &out);
 	for (size_t k = 0; k < s->n_cell; k++)
-		s->scheme[k] = d[k] - s->difference[0][k * HALF];
+		s->scheme[k] = d[k] - s->difference[k * HALF];
 }
 
 static bool
@@ -801,25 +784,37 @@ sampler_free(struct sampler *s)
 	kernel_free(s->kernel);
 	pool_free(s->pool);
 	free(s->cell);
-	free(s->harder);
-	free(s->difference[0]);
-	free(s->difference[1]);
+	free(s->difference);
 	free(s->misfit);
 	free(s->scheme);
 	free(s);
 }
 
 struct posterior_run {
+	struct site *site; /* with smooth feeds */
 	struct posterior *p;
 	struct misfit *m;
 	struct sampler *s;
 	struct sums *sums;
 };
 
+static struct site *
+with_smooth_feeds(const struct site *site)
+{
+	struct site *copy = site_copy(site);
+	for (size_t r = 0; r < copy->n_run; r++) {
+		struct psd curve = psd_curve(&copy->run[r].feed);
+		psd_free(&copy->run[r].feed);
+		copy->run[r].feed = curve;
+	}
+	return copy;
+}
+
 struct posterior_run *
-posterior_begin(const struct site *site, const struct params *fit,
+posterior_begin(const struct site *measured, const struct params *fit,
     const struct posterior_options *o)
 {
+	struct site *site = with_smooth_feeds(measured);
 	struct posterior *p = xcalloc(1, sizeof *p);
 	struct bounds bounds = o->bounds;
 	struct misfit *m = misfit_new(site, o->use, NULL, false, o->settings);
@@ -838,7 +833,8 @@ posterior_begin(const struct site *site, const struct params *fit,
 	make_knots(p, site, s);
 	start(s);
 	struct posterior_run *run = xcalloc(1, sizeof *run);
-	*run = (struct posterior_run){p, m, s, xcalloc(1, sizeof *run->sums)};
+	*run = (struct posterior_run){
+	    site, p, m, s, xcalloc(1, sizeof *run->sums)};
 	return run;
 }
 
@@ -896,6 +892,7 @@ posterior_end(struct posterior_run *run)
 	bool done = run->s->generation == WARM_UP + KEPT;
 	sampler_free(run->s);
 	misfit_free(run->m);
+	site_free(run->site);
 	free(run->sums);
 	free(run);
 	if (done)

@@ -58,13 +58,14 @@ struct posterior_options {
 	bool (*stop)(void);
 };
 
-/* p: the fit.  The same seed gives the same bits with any number of threads and
- * any instruction set.  NULL where stop said so meanwhile; posterior_free. */
+/* p: the fit.  Feeds are smooth between their sieves (D18).  The same seed
+ * gives the same bits with any number of threads and any instruction set.  NULL
+ * where stop said so meanwhile; posterior_free. */
 struct posterior *posterior_new(const struct site *site, const struct params *p,
     const struct posterior_options *options);
 
 /* The same in steps of less than a millisecond, of which the last says so and
- * `stop` has no part in; the site is to outlive it.  posterior_end frees it at
+ * `stop` has no part in.  posterior_end frees it at
  * any time, and gives NULL before the last. */
 struct posterior_run;
 struct posterior_run *posterior_begin(const struct site *site,

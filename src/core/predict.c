@@ -37,11 +37,12 @@ covered_sieves(const struct site *site, const struct psd *feed)
 struct psd
 predict_sizes(const struct site *site, const struct psd *feed)
 {
-	const double apart = 0.0953; /* ln 1.1 */
+	/* Closer where break sizes lie, and with them corners of the curve. */
+	const double coarse = 0.0953, fine = 0.14; /* in ln x */
 	struct psd sieves = covered_sieves(site, feed);
 	double span = el_log(sieves.size[0] / sieves.size[sieves.n - 1]);
 	struct psd psd =
-	    psd_new(sieves.n + (size_t)(span / apart) + site->n_shown);
+	    psd_new(sieves.n + (size_t)(span / coarse) + site->n_shown);
 	psd.n = 0;
 	for (size_t i = 0; i < sieves.n; i++) {
 		double x = sieves.size[i];
@@ -49,6 +50,7 @@ predict_sizes(const struct site *site, const struct psd *feed)
 		if (i + 1 == sieves.n)
 			break;
 		double gap = el_log(x / sieves.size[i + 1]);
+		double apart = x > sieves.size[0] / 10 ? coarse : fine;
 		double parts = floor(gap / apart) + 1;
 		for (double k = 1; k < parts; k++)
 			psd.size[psd.n++] = x * el_exp(-gap * k / parts);
@@ -142,7 +144,7 @@ size_of_draw(const struct psd *curve, const double *P, double level)
 
 /* The sizes of the draws' own curves. */
 static void
-spread_sizes(struct prediction *p, const struct ensemble *e, double level)
+spread_sizes(struct prediction *p, struct ensemble *e, double level)
 {
 	enum { N = POSTERIOR_DRAWS };
 	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);

@@ -47,8 +47,8 @@ struct prediction prediction_copy(const struct prediction *prediction);
 void prediction_free(struct prediction *prediction);
 
 /* The site's sieves that the feed covers, coarsest first, where neighbours lie
- * more than a tenth apart more between them, and those of site->shown; passings
- * 0.  psd_free. */
+ * more than a tenth apart more between them (below a tenth of the coarsest, a
+ * seventh), and those of site->shown; passings 0.  psd_free. */
 struct psd predict_sizes(const struct site *site, const struct psd *feed);
 
 /* Leaves the answer and takes its band away. */

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_interp.h>
+
 #include "base/xalloc.h"
 #include "core/elementary.h"
 
@@ -53,6 +55,52 @@ psd_passing(const struct psd *psd, double x)
 		       t * (psd->passing[i - 1] - psd->passing[i]);
 	}
 	return psd->passing[psd->n - 1];
+}
+
+/* Half octaves from one size to a finer one, at least 1. */
+static size_t
+half_octaves(double coarse, double fine)
+{
+	double n = 2 * el_log(coarse / fine) / el_log(2);
+	return n < 1.5 ? 1 : (size_t)(n + 0.5);
+}
+
+struct psd
+psd_curve(const struct psd *psd)
+{
+	size_t n = psd->n, points = n;
+	if (n < 3)
+		return psd_copy(psd);
+	double *x = xdoubles(n), *P = xdoubles(n); /* finest first */
+	for (size_t i = 0; i < n; i++) {
+		x[n - 1 - i] = el_log(psd->size[i]);
+		P[n - 1 - i] = psd->passing[i];
+	}
+	for (size_t i = 0; i + 1 < n; i++)
+		points += half_octaves(psd->size[i], psd->size[i + 1]) - 1;
+	struct psd curve = psd_new(points);
+	gsl_interp *smooth = gsl_interp_alloc(gsl_interp_steffen, n);
+	gsl_interp_init(smooth, x, P, n);
+	curve.n = 0;
+	for (size_t i = 0; i < n; i++) {
+		curve.size[curve.n] = psd->size[i];
+		curve.passing[curve.n++] = psd->passing[i];
+		if (i + 1 == n)
+			break;
+		size_t parts = half_octaves(psd->size[i], psd->size[i + 1]);
+		for (size_t j = 1; j < parts; j++) {
+			double share = (double)j / (double)parts;
+			double at = el_log(psd->size[i]);
+			at += share * (el_log(psd->size[i + 1]) - at);
+			curve.size[curve.n] = el_exp(at);
+			curve.passing[curve.n++] =
+			    gsl_interp_eval(smooth, x, P, at, NULL);
+		}
+	}
+	gsl_interp_free(smooth);
+	free(x);
+	free(P);
+	return curve;
 }
 
 bool

@@ -28,6 +28,11 @@ void psd_free(struct psd *psd);
  * sieves.  Asserts n >= 1 and x > 0. */
 double psd_passing(const struct psd *psd, double x);
 
+/* The same curve with a point more at every half octave or so between sieves
+ * that lie wider apart, on a smooth curve that rises where theirs do (Steffen's
+ * monotone cubic on log size): as plants' curves have no corners (D18). */
+struct psd psd_curve(const struct psd *psd);
+
 /* Whether both are the same to the last bit, and there is something. */
 bool psd_same(const struct psd *a, const struct psd *b);
 

@@ -417,7 +417,7 @@ trust_free(struct trust *t)
 }
 
 double
-trust_moves(const struct posterior *p, const struct ensemble *e, size_t n,
+trust_moves(const struct posterior *p, struct ensemble *e, size_t n,
     const char *parameter)
 {
 	enum { N = POSTERIOR_DRAWS };

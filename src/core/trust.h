@@ -114,8 +114,8 @@ void trust_free(struct trust *t);
 
 /* What one standard deviation of a parameter moves the answers of an ensemble
  * by, at its speed and on n sizes: root mean square, passing 0..1. */
-double trust_moves(const struct posterior *p, const struct ensemble *e,
-    size_t n, const char *parameter);
+double trust_moves(const struct posterior *p, struct ensemble *e, size_t n,
+    const char *parameter);
 
 /* The largest difference of two feeds, passing 0..1. */
 double trust_feed_difference(const struct psd *a, const struct psd *b);

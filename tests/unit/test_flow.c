@@ -225,7 +225,7 @@ classes_add_up_to_the_product_of_the_feed(void **state)
 		    predict(site, &p, model_settings_default(), 74, 0);
 		double *in = xdoubles(sizes.n), *out = xdoubles(sizes.n);
 		double below = 0;
-		crusher_classes(feed, sizes.size, sizes.n, in);
+		crusher_classes(c, feed, in);
 		transfer_product(t, 0, in, out);
 		for (size_t i = sizes.n; i-- > 0;) {
 			below += out[i];
@@ -284,7 +284,7 @@ each_draw_is_its_own_and_balances(void **state)
 	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
 	double *in = xdoubles(n), *out = xdoubles(n);
 	ensemble_at(e, 72);
-	crusher_classes(feed, sizes.size, n, in);
+	crusher_classes(crusher, feed, in);
 	for (size_t d = 0; d < D; d++) {
 		double below = 0;
 		transfer_product(t, d, in, out);

@@ -347,6 +347,66 @@ a_forced_set_is_lowered_to_the_processor(void **state)
 	site_free(site);
 }
 
+/* Rock of two strengths breaks as its two parts do: differences of both, by the
+ * share, to rounding; a candidate of one strength has the same bits beside them
+ * as alone. */
+static void
+check_strengths(const struct misfit *m)
+{
+	enum { N = 48, STRIDE = 64 };
+	const struct breakage *of = m->of;
+	size_t e0 = of->strength + 1, n = m->n_residual;
+	struct herd herd = herd_any(N, 5);
+	struct kernel *kernel = kernel_new(m, ISA_BEST, 1);
+	const double *const *theta = (const double *const *)herd.gene;
+	double misfit[STRIDE], softer[STRIDE], share[STRIDE];
+	double *hard = xdoubles(n * STRIDE), *soft = xdoubles(n * STRIDE);
+	double *both = xdoubles(n * STRIDE);
+	struct kernel_out out = {misfit, hard, STRIDE, NULL, NULL};
+	kernel_evaluate_part(kernel, theta, 0, N, 0, &out);
+	for (size_t i = 0; i < N; i++) {
+		softer[i] = herd.gene[e0][i] * (0.4 + 0.01 * (double)i);
+		share[i] = i % 3 == 0 ? 0 : (double)i / N;
+	}
+	out = (struct kernel_out){misfit, both, STRIDE, softer, share};
+	kernel_evaluate_part(kernel, theta, 0, N, 0, &out);
+	memcpy(herd.gene[e0], softer, N * sizeof *softer);
+	out = (struct kernel_out){misfit, soft, STRIDE, NULL, NULL};
+	kernel_evaluate_part(kernel, theta, 0, N, 0, &out);
+	double most = 0;
+	for (size_t i = 0; i < N; i++)
+		for (size_t c = 0; c < n; c++) {
+			size_t k = c * STRIDE + i;
+			double want = hard[k] + share[i] * (soft[k] - hard[k]);
+			most = fmax(most, fabs(soft[k] - hard[k]));
+			/* The softer may have been summed with fewer Gauss
+			 * points. */
+			if (share[i] == 0)
+				assert_true(both[k] == want);
+			else
+				expect_near("mixture", both[k], want, 2e-4);
+		}
+	assert_true(most > 0.1);
+	free(hard);
+	free(soft);
+	free(both);
+	herd_free(&herd);
+	kernel_free(kernel);
+}
+
+static void
+two_strengths_break_as_their_parts_do(void **state)
+{
+	(void)state;
+	struct site *site = made_site(&TABLE_3[TIERP], 1, 1);
+	for (int which = 0; which < 2; which++) {
+		struct misfit *m = misfit_of(site, settings_of(which));
+		check_strengths(m);
+		misfit_free(m);
+	}
+	site_free(site);
+}
+
 int
 main(void)
 {
@@ -363,6 +423,7 @@ main(void)
 	    cmocka_unit_test(the_order_of_candidates_does_not_matter),
 	    cmocka_unit_test(nothing_is_written_beyond_the_last_candidate),
 	    cmocka_unit_test(a_forced_set_is_lowered_to_the_processor),
+	    cmocka_unit_test(two_strengths_break_as_their_parts_do),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

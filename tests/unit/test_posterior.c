@@ -101,31 +101,34 @@ test_bounds(void **state)
 /* The exact product of parameters whose rock has two strengths. */
 static void
 exact_product(const struct params *p, const struct strengths *rock,
-    struct model_settings settings, const struct psd *feed, double v,
-    double *out)
+    struct model_settings settings, const struct psd *feed,
+    const struct psd *at, double v, double *out)
 {
-	double by[2] = {rock->softer, rock->harder}, *part = xdoubles(feed->n);
-	struct model *model = model_new(feed, feed->size, feed->n, settings);
-	memset(out, 0, feed->n * sizeof *out);
+	double by[2] = {rock->softer, rock->harder}, *part = xdoubles(at->n);
+	struct model *model = model_new(feed, at->size, at->n, settings);
+	memset(out, 0, at->n * sizeof *out);
 	for (size_t k = 0; k < 2; k++) {
 		struct params q = *p;
 		double share = k == 0 ? 1 - rock->share : rock->share;
 		q.at[breakage_of(p)->strength + 1] *= by[k];
 		model_set(model, &q);
 		model_product(model, v, part);
-		for (size_t i = 0; i < feed->n; i++)
+		for (size_t i = 0; i < at->n; i++)
 			out[i] += share * part[i];
 	}
 	model_free(model);
 	free(part);
 }
 
+/* Of a draw, from the smooth feed (D18). */
 static void
 mixed_product(const struct posterior *p, size_t d, const struct psd *feed,
     double v, double *out)
 {
+	struct psd curve = psd_curve(feed);
 	exact_product(&p->draw[d].params, &p->draw[d].strengths, p->settings,
-	    feed, v, out);
+	    &curve, feed, v, out);
+	psd_free(&curve);
 }
 
 static const struct strengths TWO_STRENGTHS = {0.5, 0.745356, 1.341641};
@@ -141,8 +144,8 @@ two_strengths(void)
 		struct run *run = &k.site->run[r];
 		struct psd all = psd_copy(&run->feed);
 		exact_product(&k.truth, &TWO_STRENGTHS,
-		    model_settings_default(), &run->feed, run->speed,
-		    all.passing);
+		    model_settings_default(), &run->feed, &run->feed,
+		    run->speed, all.passing);
 		for (size_t i = 0; i < run->product.n; i++)
 			run->product.passing[i] =
 			    psd_passing(&all, run->product.size[i]);
@@ -166,8 +169,9 @@ add_errors(
 	double *truth = xdoubles(feed->n), *fit = xdoubles(feed->n);
 	double *mean = xdoubles(feed->n);
 	exact_product(
-	    &k->truth, &TWO_STRENGTHS, k->fit.settings, feed, v, truth);
-	exact_product(&k->fit.params, &one, k->fit.settings, feed, v, fit);
+	    &k->truth, &TWO_STRENGTHS, k->fit.settings, feed, feed, v, truth);
+	exact_product(
+	    &k->fit.params, &one, k->fit.settings, feed, feed, v, fit);
 	ensemble_at(e, v);
 	ensemble_mean(e, mean);
 	for (size_t i = 0; i < feed->n; i++) {

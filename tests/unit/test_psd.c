@@ -41,6 +41,41 @@ the_widest_gap_counts_where_mass_lies_in_it(void **state)
 	assert_int_equal(psd_gap(&gaps), 1);
 }
 
+/* A power law at sieves two octaves apart: between them the curve comes closer
+ * than the straight line by far, and it keeps what was measured. */
+static void
+a_curve_is_smooth_where_sieves_lie_far_apart(void **state)
+{
+	(void)state;
+	double size[] = {32e-3, 16e-3, 4e-3, 1e-3, 0.7e-3}, passing[5];
+	struct psd psd = {5, size, passing};
+	for (size_t i = 0; i < 5; i++)
+		passing[i] = sqrt(size[i] / size[0]);
+	struct psd curve = psd_curve(&psd);
+	double worst = 0, straight = 0;
+	assert_int_equal(curve.n, 1 + 2 + 4 + 4 + 1);
+	for (size_t i = 0; i < 5; i++)
+		assert_true(psd_at_sieve(&curve, size[i]) == passing[i]);
+	for (size_t i = 0; i < curve.n; i++) {
+		double x = curve.size[i], want = sqrt(x / size[0]);
+		assert_true(
+		    i == 0 || (x < curve.size[i - 1] &&
+				  curve.passing[i] <= curve.passing[i - 1]));
+		worst = fmax(worst, fabs(curve.passing[i] - want));
+		straight = fmax(straight, fabs(psd_passing(&psd, x) - want));
+	}
+	assert_true(straight > 0.03 && worst < 0.008);
+	psd_free(&curve);
+	psd.n = 2;
+	curve = psd_curve(&psd);
+	assert_true(psd_same(&psd, &curve));
+	psd_free(&curve);
+	struct psd upper = {4, SIZES, PASSINGS};
+	curve = psd_curve(&upper);
+	assert_true(psd_same(&upper, &curve));
+	psd_free(&curve);
+}
+
 static void
 outside_the_sieves_the_end_values_hold(void **state)
 {
@@ -253,6 +288,7 @@ main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(passing_is_read_straight_on_log_size),
 	    cmocka_unit_test(outside_the_sieves_the_end_values_hold),
+	    cmocka_unit_test(a_curve_is_smooth_where_sieves_lie_far_apart),
 	    cmocka_unit_test(sizes_are_read_straight_on_log_size),
 	    cmocka_unit_test(sizes_outside_the_sieves_are_not_known),
 	    cmocka_unit_test(one_sieve_knows_its_own_size),
