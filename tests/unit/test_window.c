@@ -130,7 +130,10 @@ check_sweep(const struct asked *a, const struct window_found *w)
 		inside += in;
 		response_answer_at(a->response, v);
 		double margin = window_margin(&a->c, &limit);
-		assert_true(margin <= w->margin + 1e-5);
+		/* Corners of the curve make tops that differ by so little. */
+		if (!(margin <= w->margin + 2e-5))
+			fail_msg("%g m/s has %g more than %g at %g", v,
+			    margin - w->margin, w->margin, w->best);
 	}
 	return inside;
 }
