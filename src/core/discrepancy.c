@@ -61,6 +61,13 @@ triangle_of(enum isa isa)
 }
 
 void
+discrepancy_pairs(enum isa isa, size_t n, const double hyper[static HYPERS],
+    double *f, double *error)
+{
+	triangle_of(isa)->pairs(n, hyper, f, error);
+}
+
+void
 discrepancy_cholesky(enum isa isa, double *U, size_t n)
 {
 	triangle_of(isa)->cholesky(U, n);
@@ -144,7 +151,9 @@ discrepancy_factor(enum isa isa, const struct cell *cell, size_t n,
 double
 discrepancy_level(enum isa isa, const double *U, size_t n, double *d)
 {
-	enum { AT_ONCE = 16 }; /* logarithms: their product is no less than
+	enum {
+		AT_ONCE = 16
+	}; /* logarithms: their product is no less than
 				* 0.0005^16, see DISCREPANCY_ROUNDING */
 	double level = 0;
 	discrepancy_forward(isa, U, n, d);

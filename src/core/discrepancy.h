@@ -108,6 +108,19 @@ discrepancy_shared(double apart, const double hyper[static HYPERS])
 	return shared * shared * discrepancy_rho(apart, hyper[HYPER_LENGTH]);
 }
 
+/* Both of them for pairs of sizes: f [n], which holds how far apart their
+ * logarithms lie, becomes the first; error [n]: the second.  And the place of
+ * two sizes among the pairs, by the larger of their numbers. */
+void discrepancy_pairs(enum isa isa, size_t n,
+    const double hyper[static HYPERS], double *f, double *error);
+
+static inline size_t
+discrepancy_pair(size_t i, size_t j)
+{
+	size_t more = i > j ? i : j, less = i > j ? j : i;
+	return more * (more + 1) / 2 + less;
+}
+
 /* A passing that was measured: ln of its size, in m, and t and h there. */
 struct cell {
 	size_t run;
@@ -115,7 +128,7 @@ struct cell {
 };
 
 /* Replaces the upper half of U [n * n], by rows, of a symmetric matrix by its
- * Cholesky factor L', and solves L z = d and L' x = z in place.  Plain loops,
+ * Cholesky factor L' (what stands below is lost), and solves L z = d and L' x = z in place.  Plain loops,
  * and not GSL's, whose last bits depend on its version: a walk turns one bit
  * into another walk. */
 void discrepancy_cholesky(enum isa isa, double *U, size_t n);
@@ -149,6 +162,8 @@ struct cell_columns {
 
 /* U [n * n]: the upper half of a symmetric matrix, by rows. */
 struct triangle {
+	void (*pairs)(size_t n, const double hyper[static HYPERS], double *f,
+	    double *error);
 	void (*covariance)(const struct cell_columns *c,
 	    const double hyper[static HYPERS], double *U);
 	void (*cholesky)(double *U, size_t n);

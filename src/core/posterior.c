@@ -536,28 +536,55 @@ static void
 draw_process(
     const double *U, size_t n, struct noise *noise, double *f, double *work)
 {
-	for (size_t i = 0; i < n; i++)
-		work[i] = normal(noise);
 	for (size_t i = 0; i < n; i++) {
+		work[i] = normal(noise);
 		f[i] = 0;
-		for (size_t k = 0; k <= i; k++)
-			f[i] += U[k * n + i] * work[k];
 	}
+	for (size_t k = 0; k < n; k++)
+		for (size_t i = k; i < n; i++)
+			f[i] += U[k * n + i] * work[k];
 }
 
+/* Covariances of pairs of knots (discrepancy_pairs), and their factors. */
+struct knot_pairs {
+	double *f, *error;     /* [m * (m + 1) / 2] */
+	double *wide, *shared; /* [m * m] */
+};
+
 static double *
-knots_factor(const struct posterior *p, const double *hyper,
-    double covariance(double apart, const double hyper[static HYPERS]))
+knots_factor(enum isa isa, const double *pair, size_t m)
 {
-	size_t n = p->n_knot;
-	double *U = xdoubles(n * n), jitter = 1e-8 * covariance(0, hyper);
-	for (size_t i = 0; i < n; i++)
+	double *U = xdoubles(m * m);
+	for (size_t i = 0; i < m; i++) {
 		for (size_t j = 0; j <= i; j++)
-			U[j * n + i] =
-			    covariance(p->knot[i] - p->knot[j], hyper) +
-			    (i == j ? jitter : 0);
-	discrepancy_cholesky(ISA_BEST, U, n);
+			U[j * m + i] = pair[discrepancy_pair(i, j)];
+		U[i * m + i] += 1e-8 * pair[0];
+	}
+	discrepancy_cholesky(isa, U, m);
 	return U;
+}
+
+static struct knot_pairs
+knot_pairs_new(enum isa isa, const struct posterior *p, const double *hyper)
+{
+	size_t m = p->n_knot, n = 0, pairs = m * (m + 1) / 2;
+	struct knot_pairs k = {.f = xdoubles(pairs), .error = xdoubles(pairs)};
+	for (size_t i = 0; i < m; i++)
+		for (size_t j = 0; j <= i; j++)
+			k.f[n++] = p->knot[i] - p->knot[j];
+	discrepancy_pairs(isa, pairs, hyper, k.f, k.error);
+	k.wide = knots_factor(isa, k.f, m);
+	k.shared = knots_factor(isa, k.error, m);
+	return k;
+}
+
+static void
+knot_pairs_clear(struct knot_pairs *k)
+{
+	free(k->f);
+	free(k->error);
+	free(k->wide);
+	free(k->shared);
 }
 
 /* What the data of a made-up plant, with the processes as drawn from the prior
@@ -586,10 +613,12 @@ made_up_differences(const struct sampler *s, const struct posterior *p,
 }
 
 /* Brings processes from the prior to the data (Matheron's rule): adds what the
- * data say beyond those of the made-up plant. */
+ * data say beyond those of the made-up plant.  pair: knot_pairs.f, as the sizes
+ * of the cells are among the knots. */
 static void
 bring_to_data(const struct sampler *s, const struct posterior *p,
-    const struct chain *chain, struct posterior_draw *draw, double *d)
+    const struct chain *chain, const double *pair, struct posterior_draw *draw,
+    double *d)
 {
 	double term[DISCREPANCY_TERMS];
 	for (size_t i = 0; i < s->n_cell; i++)
@@ -598,12 +627,11 @@ bring_to_data(const struct sampler *s, const struct posterior *p,
 	discrepancy_backward(chain->U, s->n_cell, d);
 	for (size_t i = 0; i < s->n_cell; i++) {
 		const struct cell *c = &s->cell[i];
+		size_t at = knot_at(p, c->log_size);
 		discrepancy_terms(c->t, draw->hyper[HYPER_SLOPE], term);
 		for (size_t k = 0; k < p->n_knot; k++) {
-			double apart = p->knot[k] - c->log_size;
 			double gain =
-			    c->h * d[i] *
-			    discrepancy_covariance(apart, draw->hyper);
+			    c->h * d[i] * pair[discrepancy_pair(k, at)];
 			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 				draw->term[j][k] += term[j] * gain;
 		}
@@ -622,21 +650,19 @@ make_draw(const struct sampler *s, const struct posterior *p,
 	draw->strengths = strengths_of(s, chain->x);
 	for (size_t j = 0; j < HYPERS; j++)
 		draw->hyper[j] = el_exp(chain->x[PARAMS_MOST + j]);
-	double *wide = knots_factor(p, draw->hyper, discrepancy_covariance);
-	double *shared = knots_factor(p, draw->hyper, discrepancy_shared);
+	struct knot_pairs pairs = knot_pairs_new(s->isa, p, draw->hyper);
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++) {
 		draw->term[j] = xdoubles(m);
-		draw_process(wide, m, &noise, draw->term[j], work);
+		draw_process(pairs.wide, m, &noise, draw->term[j], work);
 	}
 	draw->shared = xdoubles(m);
-	draw_process(shared, m, &noise, draw->shared, work);
+	draw_process(pairs.shared, m, &noise, draw->shared, work);
 	draw->own = xdoubles(m);
 	for (size_t k = 0; k < m; k++)
 		draw->own[k] = draw->hyper[HYPER_OWN] * normal(&noise);
-	made_up_differences(s, p, draw, shared, &noise, d);
-	bring_to_data(s, p, chain, draw, d);
-	free(wide);
-	free(shared);
+	made_up_differences(s, p, draw, pairs.shared, &noise, d);
+	bring_to_data(s, p, chain, pairs.f, draw, d);
+	knot_pairs_clear(&pairs);
 	free(work);
 	free(d);
 }

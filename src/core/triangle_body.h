@@ -1,30 +1,43 @@
-/* Triangles and covariances by rows, whose innermost loops go along a row: a
- * compiler makes vectors of them that add in the order written, so that the
- * bits are the same for each instruction set.
+/* Triangles and covariances by rows.  Sums are added in the order written, so
+ * that the bits are the same for each instruction set.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
+#include <string.h>
 
 #include "core/discrepancy.h"
+#include "core/lanes.h"
 
-/* Row i less what the rows above it take, in the order of these rows. */
+/* Columns are taken so many at a time, counted from the last. */
+enum { TAKEN = 8, VECTORS = TAKEN / LANES };
+
+/* TAKEN numbers of `to`, less p times those of each of the rows, in the order
+ * of these.  row: of the first of them, n to each; p: of the first, step to the
+ * next. */
+static inline void
+take_rows(double *to, const double *row, const double *p, size_t step, size_t n,
+    size_t rows)
+{
+	lanes sum[VECTORS];
+	for (size_t v = 0; v < VECTORS; v++)
+		sum[v] = lanes_load(to + v * LANES);
+	for (size_t k = 0; k < rows; k++)
+		for (size_t v = 0; v < VECTORS; v++)
+			sum[v] -=
+			    p[k * step] * lanes_load(row + k * n + v * LANES);
+	memcpy(to, sum, sizeof sum);
+}
+
+/* Row i less what the rows above it take. */
 static inline void
 take_above(double *U, size_t n, size_t i)
 {
-	double *restrict row = U + i * n;
-	size_t k = 0;
-	for (; k + 4 <= i; k += 4) {
-		const double *a = U + k * n, *b = a + n, *c = b + n, *d = c + n;
-		double p = a[i], q = b[i], r = c[i], s = d[i];
-		for (size_t j = i; j < n; j++)
-			row[j] =
-			    row[j] - p * a[j] - q * b[j] - r * c[j] - s * d[j];
-	}
-	for (; k < i; k++) {
-		const double *a = U + k * n;
-		double p = a[i];
-		for (size_t j = i; j < n; j++)
-			row[j] -= p * a[j];
-	}
+	double *row = U + i * n;
+	size_t to = n;
+	for (; to > i && to >= TAKEN; to -= TAKEN)
+		take_rows(row + to - TAKEN, U + to - TAKEN, U + i, n, n, i);
+	for (size_t j = i; j < to; j++)
+		for (size_t k = 0; k < i; k++)
+			row[j] -= U[k * n + i] * U[k * n + j];
 }
 
 static void
@@ -40,13 +53,19 @@ cholesky(double *U, size_t n)
 }
 
 static void
-forward(const double *U, size_t n, double *restrict d)
+forward(const double *U, size_t n, double *d)
 {
-	for (size_t k = 0; k < n; k++) {
-		const double *row = U + k * n;
-		double z = d[k] /= row[k];
-		for (size_t j = k + 1; j < n; j++)
-			d[j] -= row[j] * z;
+	size_t from = 0, to = n % TAKEN;
+	for (; from < n; from = to, to += TAKEN) {
+		for (size_t k = from; k < to; k++) {
+			const double *row = U + k * n;
+			double z = d[k] /= row[k];
+			for (size_t j = k + 1; j < to; j++)
+				d[j] -= row[j] * z;
+		}
+		for (size_t j = to; j < n; j += TAKEN)
+			take_rows(
+			    d + j, U + from * n + j, d + from, 1, n, to - from);
 	}
 }
 
@@ -75,26 +94,32 @@ covariance_row(const struct cell_columns *c, size_t i,
 		 DISCREPANCY_ROUNDING * DISCREPANCY_ROUNDING;
 }
 
+static void
+pairs(size_t n, const double hyper[static HYPERS], double *restrict f,
+    double *restrict error)
+{
+	for (size_t i = 0; i < n; i++) {
+		double apart = f[i];
+		f[i] = discrepancy_covariance(apart, hyper);
+		error[i] = discrepancy_shared(apart, hyper);
+	}
+}
+
 /* Runs have the same sieves, mostly: the exponentials are of pairs of sizes,
  * and not of pairs of cells. */
 static void
 covariance(
     const struct cell_columns *c, const double hyper[static HYPERS], double *U)
 {
-	double *restrict f = c->pair[0], *restrict error = c->pair[1];
-	size_t pairs = 0;
+	double *f = c->pair[0], *error = c->pair[1];
+	size_t n = 0;
 	for (size_t s = 0; s < c->sizes; s++)
 		for (size_t k = 0; k <= s; k++)
-			f[pairs++] = c->log_size[s] - c->log_size[k];
-	for (size_t i = 0; i < pairs; i++) {
-		double apart = f[i];
-		f[i] = discrepancy_covariance(apart, hyper);
-		error[i] = discrepancy_shared(apart, hyper);
-	}
+			f[n++] = c->log_size[s] - c->log_size[k];
+	pairs(n, hyper, f, error);
 	for (size_t s = 0; s < c->sizes; s++) {
 		for (size_t k = 0; k < c->sizes; k++) {
-			size_t more = s > k ? s : k, less = s > k ? k : s;
-			size_t pair = more * (more + 1) / 2 + less;
+			size_t pair = discrepancy_pair(s, k);
 			c->f[k] = f[pair];
 			c->error[k] = error[pair];
 		}
@@ -105,4 +130,4 @@ covariance(
 	}
 }
 
-const struct triangle TRIANGLE_NAME = {covariance, cholesky, forward};
+const struct triangle TRIANGLE_NAME = {pairs, covariance, cholesky, forward};
