@@ -72,6 +72,29 @@ breakage_widened(const struct params *p, size_t wide)
 	return q;
 }
 
+struct params
+breakage_narrowed(const struct params *p)
+{
+	struct params best = *p;
+	size_t reference = breakage_of(p)->reference;
+	for (size_t i = 0; i < breakage_count(); i++) {
+		if (!breakage_extends(p->breakage, i) ||
+		    BREAKAGES[i]->n >= breakage_of(&best)->n)
+			continue;
+		struct params q = {.breakage = i};
+		for (size_t j = 0; j < BREAKAGES[i]->n; j++)
+			q.at[j] =
+			    params_value(p, BREAKAGES[i]->parameter[j].name);
+		struct params back = breakage_widened(&q, p->breakage);
+		if (reference < breakage_of(p)->n)
+			back.at[reference] = p->at[reference];
+		if (memcmp(back.at, p->at,
+			breakage_of(p)->n * sizeof *back.at) == 0)
+			best = q;
+	}
+	return best;
+}
+
 size_t
 breakage_wider(size_t breakage)
 {

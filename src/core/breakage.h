@@ -119,6 +119,10 @@ bool breakage_extends(size_t wide, size_t narrow);
 /* Parameters of a model in one that extends it, the others at their start. */
 struct params breakage_widened(const struct params *p, size_t wide);
 
+/* The other way: parameters in the smallest model it extends in which they make
+ * the same product, as all that this one lacks stands at its start. */
+struct params breakage_narrowed(const struct params *p);
+
 /* Index of the widest model that has all parameters of another and lets the
  * appearance follow the energy (D12, D17); the model itself where there is
  * none. */

@@ -128,9 +128,9 @@ struct cell {
 };
 
 /* Replaces the upper half of U [n * n], by rows, of a symmetric matrix by its
- * Cholesky factor L' (what stands below is lost), and solves L z = d and L' x = z in place.  Plain loops,
- * and not GSL's, whose last bits depend on its version: a walk turns one bit
- * into another walk. */
+ * Cholesky factor L' (what stands below is lost), and solves L z = d and
+ * L' x = z in place.  Plain loops, and not GSL's, whose last bits depend on its
+ * version: a walk turns one bit into another walk. */
 void discrepancy_cholesky(enum isa isa, double *U, size_t n);
 void discrepancy_forward(enum isa isa, const double *U, size_t n, double *d);
 void discrepancy_backward(const double *U, size_t n, double *z);

@@ -591,8 +591,8 @@ knot_pairs_clear(struct knot_pairs *k)
  * and errors alike, leave to be explained: d [n_cell] out. */
 static void
 made_up_differences(const struct sampler *s, const struct posterior *p,
-    const struct posterior_draw *draw, const double *shared,
-    struct noise *noise, double *d)
+    const struct posterior_draw *draw, double *const *process,
+    const double *shared, struct noise *noise, double *d)
 {
 	size_t m = p->n_knot;
 	double *error = xdoubles(m), *work = xdoubles(m);
@@ -605,7 +605,7 @@ made_up_differences(const struct sampler *s, const struct posterior *p,
 		double sum = error[k] + draw->hyper[HYPER_OWN] * normal(noise);
 		discrepancy_terms(c->t, draw->hyper[HYPER_SLOPE], term);
 		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
-			sum += term[j] * draw->term[j][k];
+			sum += term[j] * process[j][k];
 		d[i] = c->h * sum;
 	}
 	free(error);
@@ -617,8 +617,8 @@ made_up_differences(const struct sampler *s, const struct posterior *p,
  * of the cells are among the knots. */
 static void
 bring_to_data(const struct sampler *s, const struct posterior *p,
-    const struct chain *chain, const double *pair, struct posterior_draw *draw,
-    double *d)
+    const struct chain *chain, const double *pair, double slope,
+    double *const *process, double *d)
 {
 	double term[DISCREPANCY_TERMS];
 	for (size_t i = 0; i < s->n_cell; i++)
@@ -628,43 +628,51 @@ bring_to_data(const struct sampler *s, const struct posterior *p,
 	for (size_t i = 0; i < s->n_cell; i++) {
 		const struct cell *c = &s->cell[i];
 		size_t at = knot_at(p, c->log_size);
-		discrepancy_terms(c->t, draw->hyper[HYPER_SLOPE], term);
+		discrepancy_terms(c->t, slope, term);
 		for (size_t k = 0; k < p->n_knot; k++) {
 			double gain =
 			    c->h * d[i] * pair[discrepancy_pair(k, at)];
 			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
-				draw->term[j][k] += term[j] * gain;
+				process[j][k] += term[j] * gain;
 		}
 	}
 }
 
+/* Draw number `at`. */
 static void
-make_draw(const struct sampler *s, const struct posterior *p,
-    const struct chain *chain, struct noise noise, struct posterior_draw *draw)
+make_draw(const struct sampler *s, struct posterior *p,
+    const struct chain *chain, struct noise noise, size_t at)
 {
+	struct posterior_draw *draw = &p->draw[at];
 	size_t m = p->n_knot;
-	double *work = xdoubles(m), *d = xdoubles(s->n_cell);
+	double *room = xdoubles((DISCREPANCY_TERMS + 2) * m + s->n_cell);
+	double *process[DISCREPANCY_TERMS], *next = room;
 	draw->params = s->fit;
 	params_of(s, chain->x, draw->params.at);
 	params_scale(&draw->params);
 	draw->strengths = strengths_of(s, chain->x);
 	for (size_t j = 0; j < HYPERS; j++)
 		draw->hyper[j] = el_exp(chain->x[PARAMS_MOST + j]);
+	for (size_t j = 0; j < DISCREPANCY_TERMS; j++, next += m)
+		process[j] = next;
+	double *error = next, *work = error + m, *d = work + m;
 	struct knot_pairs pairs = knot_pairs_new(s->isa, p, draw->hyper);
-	for (size_t j = 0; j < DISCREPANCY_TERMS; j++) {
-		draw->term[j] = xdoubles(m);
-		draw_process(pairs.wide, m, &noise, draw->term[j], work);
-	}
-	draw->shared = xdoubles(m);
-	draw_process(pairs.shared, m, &noise, draw->shared, work);
-	draw->own = xdoubles(m);
+	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
+		draw_process(pairs.wide, m, &noise, process[j], work);
+	draw_process(pairs.shared, m, &noise, error, work);
 	for (size_t k = 0; k < m; k++)
-		draw->own[k] = draw->hyper[HYPER_OWN] * normal(&noise);
-	made_up_differences(s, p, draw, pairs.shared, &noise, d);
-	bring_to_data(s, p, chain, pairs.f, draw, d);
+		error[k] += draw->hyper[HYPER_OWN] * normal(&noise);
+	made_up_differences(s, p, draw, process, pairs.shared, &noise, d);
+	bring_to_data(
+	    s, p, chain, pairs.f, draw->hyper[HYPER_SLOPE], process, d);
+	for (size_t k = 0; k < m; k++) {
+		size_t place = k * POSTERIOR_DRAWS + at;
+		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
+			p->term[j][place] = process[j][k];
+		p->error[place] = error[k];
+	}
 	knot_pairs_clear(&pairs);
-	free(work);
-	free(d);
+	free(room);
 }
 
 static double
@@ -857,6 +865,9 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	for (size_t r = 0; r < m->n_run; r++)
 		p->slowest = fmin(p->slowest, m->run[r].speed);
 	make_knots(p, site, s);
+	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
+		p->term[j] = xdoubles(p->n_knot * POSTERIOR_DRAWS);
+	p->error = xdoubles(p->n_knot * POSTERIOR_DRAWS);
 	start(s);
 	struct posterior_run *run = xcalloc(1, sizeof *run);
 	*run = (struct posterior_run){
@@ -882,8 +893,7 @@ draw_part(void *data, size_t part, unsigned thread)
 	for (size_t i = part * PART; i < (part + 1) * PART; i++) {
 		struct noise noise = {
 		    rng_key(s->seed, i, USE_DRAW), 0, first == 0 ? 1 : -1};
-		make_draw(
-		    s, run->p, &s->chain[i], noise, &run->p->draw[first + i]);
+		make_draw(s, run->p, &s->chain[i], noise, first + i);
 	}
 }
 
@@ -942,12 +952,9 @@ posterior_free(struct posterior *p)
 {
 	if (p == NULL)
 		return;
-	for (size_t i = 0; i < POSTERIOR_DRAWS; i++) {
-		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
-			free(p->draw[i].term[j]);
-		free(p->draw[i].shared);
-		free(p->draw[i].own);
-	}
+	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
+		free(p->term[j]);
+	free(p->error);
 	free(p->knot);
 	free(p);
 }

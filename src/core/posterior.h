@@ -15,14 +15,11 @@
 
 enum { POSTERIOR_DRAWS = 256 };
 
-/* strengths: of the rock, where e0_min is its mean's (D16).
- * At the knots [n_knot]: the processes of the discrepancy (discrepancy.h), and
- * the errors of one more sample, shared and independent, over h. */
+/* strengths: of the rock, where e0_min is its mean's (D16). */
 struct posterior_draw {
 	struct params params; /* scaled */
 	struct strengths strengths;
 	double hyper[HYPERS];
-	double *term[DISCREPANCY_TERMS], *shared, *own;
 };
 
 /* settings: the model of the draws, which lets the appearance follow the energy
@@ -37,6 +34,10 @@ struct posterior {
 	double slowest; /* of the runs that inform it, m/s */
 	size_t n_knot;
 	double *knot; /* ln of sizes, coarsest first */
+	/* At the knots, [n_knot * POSTERIOR_DRAWS], a row of draws for each:
+	 * the processes of the discrepancy (discrepancy.h), and the errors of
+	 * one more sample, shared and independent together, over h. */
+	double *term[DISCREPANCY_TERMS], *error;
 	struct posterior_draw draw[POSTERIOR_DRAWS];
 	/* What shows that the chains converged.  ratio: Gelman and Rubin's R,
 	 * the largest of all coordinates, 1 at best; drift: how far the means

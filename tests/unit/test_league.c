@@ -150,6 +150,26 @@ models_extend_each_other(void **state)
 	assert_true(params_value(&q, "bypass") == 0);
 }
 
+static void
+what_changes_nothing_is_left_out(void **state)
+{
+	(void)state;
+	struct params p = made_params(&TABLE_3[TIERP]);
+	struct params wide =
+	    breakage_widened(&p, breakage_find("grunditz-t10"));
+	wide.at[breakage_parameter(breakage_of(&wide), "e_ref")] = 2700;
+	struct params q = breakage_narrowed(&wide);
+	assert_int_equal(q.breakage, p.breakage);
+	assert_memory_equal(q.at, p.at, breakage_of(&p)->n * sizeof *q.at);
+	wide.at[breakage_parameter(breakage_of(&wide), "gamma")] = 0.1;
+	q = breakage_narrowed(&wide);
+	assert_int_equal(q.breakage, breakage_find("grunditz-energy"));
+	assert_true(params_value(&q, "gamma") == 0.1);
+	assert_true(params_value(&q, "e_ref") == 2700);
+	wide.at[breakage_parameter(breakage_of(&wide), "kappa")] = 0.1;
+	assert_int_equal(breakage_narrowed(&wide).breakage, wide.breakage);
+}
+
 static struct fit
 calibrated(const struct site *site, size_t model, const struct params *start)
 {
@@ -209,6 +229,7 @@ main(void)
 	    cmocka_unit_test(extensions_of_the_best_are_no_rivals),
 	    cmocka_unit_test(runs_held_out_count_more),
 	    cmocka_unit_test(models_extend_each_other),
+	    cmocka_unit_test(what_changes_nothing_is_left_out),
 	    cmocka_unit_test(a_start_ends_where_a_search_does),
 	    cmocka_unit_test(the_scale_of_beta_does_not_count)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
