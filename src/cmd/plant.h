@@ -6,10 +6,9 @@
 #include "cmd/flow_plan.h"
 #include "core/crusher.h"
 
-/* A circuit with what its crushers are worked out by.  feed [plan->n]:
- * masses of the new feed.  own [n_unit]: of crushers that have a speed of their
- * own.  bypass: the fitted share that
- * misses the rotor; level: of bands. */
+/* A circuit with what its crushers are worked out by.  feed [plan->n]: masses
+ * of the new feed.  own [n_unit]: of crushers that have a speed of their own.
+ * bypass: the fitted share that misses the rotor; level: of bands. */
 struct plant {
 	struct session *s;
 	const struct flow_plan *plan;

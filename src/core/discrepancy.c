@@ -151,10 +151,9 @@ discrepancy_factor(enum isa isa, const struct cell *cell, size_t n,
 double
 discrepancy_level(enum isa isa, const double *U, size_t n, double *d)
 {
-	enum {
-		AT_ONCE = 16
-	}; /* logarithms: their product is no less than
-				* 0.0005^16, see DISCREPANCY_ROUNDING */
+	/* Logarithms of so many at once: their product is no less than
+	 * 0.0005^16, see DISCREPANCY_ROUNDING. */
+	enum { AT_ONCE = 16 };
 	double level = 0;
 	discrepancy_forward(isa, U, n, d);
 	for (size_t i = 0; i < n; i++)

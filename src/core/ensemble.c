@@ -91,7 +91,7 @@ set_column(struct ensemble *e, size_t column, const struct params *p,
 	e->theta[f][column] *= e->more;
 	e->theta[f + 1][column] *= rock->harder;
 	e->softer[column] = p->at[f + 1] * rock->softer;
-	e->share_softer[column] = rock->share > 0 ? 1 - rock->share : 0;
+	e->share_softer[column] = strengths_softer(rock);
 }
 
 static void
@@ -217,10 +217,12 @@ fill_knots(struct ensemble *e, double v)
 			factor[j][d] = left * term[j];
 	}
 	for (size_t i = 0; i < p->n_knot * DRAWS; i += DRAWS)
-		for (size_t d = 0; d < DRAWS; d++)
-			e->delta[i + d] = factor[0][d] * p->term[0][i + d] +
-					  factor[1][d] * p->term[1][i + d] +
-					  factor[2][d] * p->term[2][i + d];
+		for (size_t d = 0; d < DRAWS; d++) {
+			double sum = 0;
+			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
+				sum += factor[j][d] * p->term[j][i + d];
+			e->delta[i + d] = sum;
+		}
 }
 
 void

@@ -234,7 +234,7 @@ line_up(struct sampler *s, size_t i, struct strengths rock, size_t place)
 	params_of(s, s->trial[i].x, at);
 	s->order[place] = i;
 	s->softer[place] = at[e0] * rock.softer;
-	s->share_softer[place] = rock.share > 0 ? 1 - rock.share : 0;
+	s->share_softer[place] = strengths_softer(&rock);
 	at[e0] *= rock.harder;
 	for (size_t j = 0; j < s->of->n; j++)
 		s->theta[j][place] = at[j];

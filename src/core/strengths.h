@@ -13,6 +13,13 @@ struct strengths {
 	double share, softer, harder;
 };
 
+/* The share of the softer rock beside the harder, 0 where there is but one. */
+static inline double
+strengths_softer(const struct strengths *rock)
+{
+	return rock->share > 0 ? 1 - rock->share : 0;
+}
+
 /* Those at coordinates whose prior is normal, about 0 with a standard deviation
  * of 1 each: 0.4 times the first is the logarithm of harder over softer, and
  * where it is negative, in half of all cases, there is one strength; the second
