@@ -40,7 +40,7 @@ compared(const struct tui *t, char name[static 40], enum series *series)
 		return NULL;
 	snprintf(name, 40,
 	    fabs(nearest->speed - t->now.speed) < 0.05 ? tr("vs %g measured")
-						       : tr("from %g m/s"),
+						       : tr("vs %g m/s"),
 	    nearest->speed);
 	*series =
 	    site_chart_run(site, (size_t)(nearest - site->run), false).series;
