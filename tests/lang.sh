@@ -17,8 +17,8 @@ told() {
 
 if command -v xgettext >/dev/null && command -v msggrep >/dev/null; then
 	make -C "$here" -s texts.pot >/dev/null 2>&1
-	xgettext -L C --from-code=UTF-8 -k -kanswer_columns:2 -o "$dir/columns.pot" \
-		"$srcdir"/src/*/*.c 2>/dev/null
+	find "$srcdir/src" -name '*.c' | xgettext -L C --from-code=UTF-8 -k \
+		-kanswer_columns:2 -o "$dir/columns.pot" -f - 2>/dev/null
 fi
 for po in "$srcdir"/po/*.po; do
 	language=$(basename "$po" .po)

@@ -18,9 +18,9 @@ layer() {
 	name=$1
 	shift
 	allowed=$(printf '%s\n' "$name" "$@" | paste -sd '|' -)
-	grep -nE '^#include "[a-z]+/' "src/$name"/*.[ch] |
+	grep -rnE '^#include "[a-z]+/' "src/$name" |
 		grep -vE "#include \"($allowed)/" >"$tmp"
-none "$name includes only: $*"
+	none "$name includes only: $*"
 }
 layer base
 layer core base
@@ -29,13 +29,17 @@ layer plot base
 layer cmd io plot core base
 layer ui cmd io plot core base
 
+# of NAME PATTERN: the files of a layer, in whatever folders.
+of() {
+	find "src/$1" -name "$2" | LC_ALL=C sort
+}
 # Files of a layer that have grown into each other are one, or lack a third: none
 # includes, by way of others, one that includes it (.c and .h are taken as one).
 # What is left when files that include none of the rest, or that none of the rest
 # includes, are taken away again and again, is in such a circle or between two.
 circles() {
-	for f in "src/$1"/*.[ch]; do
-		sed -n "s,^#include \"$1/\(.*\)\.h\".*,$(basename "${f%.*}") \1,p" "$f"
+	for f in $(of "$1" '*.[ch]'); do
+		sed -n "s,^#include \"$1/\(.*/\)*\(.*\)\.h\".*,$(basename "${f%.*}") \2,p" "$f"
 	done | sort -u | awk -v layer="$1" '$1 != $2 { from[++n] = $1; to[n] = $2 }
 		END {
 			do {
@@ -60,7 +64,7 @@ circles() {
 }
 # What a header declares is defined in the .c of its name.
 at_home() {
-	for h in "src/$1"/*.h; do
+	for h in $(of "$1" '*.h'); do
 		c=${h%.h}.c
 		sed 's,/\*.*\*/,,; /\/\*/,/\*\//d; /^#/d' "$h" | awk '
 			/^(static|typedef)/ { skip = 1 }
@@ -83,8 +87,8 @@ done
 # What core must not use.
 for word in 'stdio\.h' 'time\.h' 'signal\.h' 'getenv' 'unistd\.h' 'locale\.h' \
 	'printf' 'errno'; do
-	grep -nwE "$word" src/core/*.[ch] >"$tmp"
-none "core is free of $word"
+	grep -rnwE "$word" src/core >"$tmp"
+	none "core is free of $word"
 done
 grep -lE 'sqlite3\.h' -r src | grep -v '^src/io/' >"$tmp"
 none "SQLite in io only"
@@ -107,14 +111,14 @@ awk 'FNR == 1 { all = "" }
 		    all ~ /%[-.*0-9]*s|puts\([^"]|fwrite/)
 			print FILENAME ":" FNR ": " all
 		all = ""
-	}' src/cmd/*.c src/ui/*.c src/main.c |
+	}' $(of cmd '*.c') $(of ui '*.c') src/main.c |
 	grep -v '^src/ui/\(batch\|pager\|pump\|repl\|typed\)\.c' >"$tmp"
 none "words of others are not printed as they are"
 
 # Variables outside functions: only constant tables, but for ui.
 awk '/^(static )?[a-z_ ]+\**[a-z_]+(\[.*\])?( = .*)?;$/ &&
 	!/const|typedef|extern|^struct [a-z_]+;|return/ { print FILENAME ": " $0 }' \
-	src/base/*.c src/core/*.c src/io/*.c src/plot/*.c src/cmd/*.c >"$tmp"
+	$(find src -name '*.c' ! -path 'src/ui/*' ! -path src/main.c) >"$tmp"
 none "no file-scope variables outside ui"
 
 # A function runs from the line of its name in column 0 to the closing brace.
@@ -124,23 +128,23 @@ awk 'FNR == 1 { name = "" }
 		if (FNR - start > 50)
 			print FILENAME ": " FNR - start " lines: " name
 		name = ""
-	}' src/*/*.[ch] src/*.c tests/unit/*.c >"$tmp"
+	}' $(find src -name '*.[ch]') tests/unit/*.c >"$tmp"
 none "no function over 50 lines"
 
 awk 'length > 0 {
 	line = $0; gsub(/\t/, "        ", line)
 	gsub(/[\200-\277]/, "", line)
 	if (length(line) > 80) print FILENAME ":" FNR ": " length(line)
-	}' src/*/*.[ch] src/*.c >"$tmp"
+	}' $(find src -name '*.[ch]') >"$tmp"
 none "no line over 80 columns"
 
-for f in src/*/*.c src/*/*.h; do
+for f in $(find src/*/ -name '*.[ch]'); do
 	head -n 12 "$f" | grep -q 'SPDX-License-Identifier' || echo "$f"
 done >"$tmp"
 none "every file opens with its duty and its licence"
 
-# Each .c in src/core with a header includes that header first.
-for f in src/*/*.c; do
+# A .c with a header of its name includes that first.
+for f in $(find src -name '*.c'); do
 	h=${f%.c}.h
 	[ -f "$h" ] || continue
 	first=$(grep -m1 '^#include' "$f")

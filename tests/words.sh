@@ -98,7 +98,7 @@ block environment | sed -n 's/^  \([A-Z_][A-Z_]*\)$/\1/p' >all
 section ENVIRONMENT | sed -n 's/^\.It Ev \([A-Z_]*\)$/\1/p' >in_manual
 same "variables: --help and manual" all in_manual
 {
-	cat "$srcdir"/src/*.c "$srcdir"/src/*/*.c | tr -s '\n\t ' '   ' |
+	find "$srcdir/src" -name '*.c' -exec cat {} + | tr -s '\n\t ' '   ' |
 		grep -oE '(getenv|home_path)\( ?"[A-Z_]+"' |
 		sed 's/.*"\(.*\)"/\1/' | sort -u
 	grep -oE 'setenv\("[A-Z]+' "$srcdir"/src/base/tr.c | sed 's/.*"//'
