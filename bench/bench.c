@@ -12,7 +12,7 @@
 #include "base/xalloc.h"
 #include "core/calibrate.h"
 #include "core/ga.h"
-#include "core/isa.h"
+#include "core/numeric/isa.h"
 #include "core/kernel.h"
 #include "core/misfit.h"
 #include "core/synth.h"

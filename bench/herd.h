@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 #include "core/kernel.h"
 #include "core/params.h"
-#include "core/rng.h"
+#include "core/numeric/rng.h"
 #include "measure.h"
 
 enum { HERD = 8000 };

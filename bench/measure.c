@@ -14,7 +14,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "core/isa.h"
+#include "core/numeric/isa.h"
 #include "io/site_read.h"
 
 double

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/rng.h"
+#include "core/numeric/rng.h"
 
 enum { TABLE = PLANT_TABLE, CLASSES = 300 };
 

@@ -13,7 +13,7 @@
 #include "cmd/complete.h"
 #include "cmd/line.h"
 #include "cmd/session.h"
-#include "core/rng.h"
+#include "core/numeric/rng.h"
 #include "measure.h"
 
 static const char BY_HAND[] = "params set beta1=0.2 beta2=0 beta3=0.1 beta4=0 "

@@ -8,7 +8,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 #include "cmd/fit.h"
 #include "cmd/light.h"
 #include "cmd/screened.h"

@@ -18,7 +18,7 @@
 #include "cmd/outlook.h"
 #include "cmd/table.h"
 #include "core/breakage.h"
-#include "core/rng.h"
+#include "core/numeric/rng.h"
 #include "io/units.h"
 
 /* What a drill begins with, and what samples cost: the rotor's speed has to be

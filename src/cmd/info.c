@@ -13,7 +13,7 @@
 #include "cmd/table.h"
 #include "cmd/usage.h"
 #include "config.h"
-#include "core/isa.h"
+#include "core/numeric/isa.h"
 #include "plot/picture.h"
 
 /* For somebody who sees the program for the first time. */

@@ -22,7 +22,7 @@
 #include "cmd/plots_search.h"
 #include "cmd/site_chart.h"
 #include "cmd/entries.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 #include "core/breakage.h"
 #include "core/misfit.h"
 #include "core/predict.h"

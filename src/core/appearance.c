@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 
 static double
 polynomial(const double beta[static 4], double u)

@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "core/isa.h"
+#include "core/numeric/isa.h"
 #include "core/params.h"
 
 struct plan;

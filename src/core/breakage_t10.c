@@ -21,7 +21,7 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 #include "core/selection.h"
 
 enum { KAPPA = 9 };

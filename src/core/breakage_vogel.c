@@ -11,7 +11,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 #include "core/selection.h"
 
 enum { Q_SLOPE, Q_0, Y_FINE, F_MAT };

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/rng.h"
+#include "core/numeric/rng.h"
 
 enum { BREED_GENES = 16, BREED_BLOCK = 8 };
 

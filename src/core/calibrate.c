@@ -18,11 +18,11 @@
 
 #include "base/pool.h"
 #include "base/xalloc.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 #include "core/ga.h"
 #include "core/kernel.h"
 #include "core/polish.h"
-#include "core/rng.h"
+#include "core/numeric/rng.h"
 
 enum {
 	SCOUTS = 16,             /* leaders kept of each early generation */

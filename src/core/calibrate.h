@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/isa.h"
+#include "core/numeric/isa.h"
 #include "core/sensitivity.h"
 #include "core/site.h"
 

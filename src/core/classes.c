@@ -7,7 +7,7 @@
 
 #include "base/xalloc.h"
 #include "core/appearance.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 
 /* n feed sieves make n classes: n - 1 intervals and the pan. */
 struct classes {

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 
 /* Values of -ln(1 - S) at which the panels end: 1 - S falls by e^-40 over them,
  * each short enough for eight points. */

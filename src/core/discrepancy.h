@@ -7,8 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/elementary.h"
-#include "core/isa.h"
+#include "core/numeric/elementary.h"
+#include "core/numeric/isa.h"
 
 /* D13 (Kennedy and O'Hagan 2001):
  *   measured = model + discrepancy + error of the sample

@@ -6,8 +6,8 @@
 
 #include "base/xalloc.h"
 #include "core/discrepancy.h"
-#include "core/elementary.h"
-#include "core/rng.h"
+#include "core/numeric/elementary.h"
+#include "core/numeric/rng.h"
 
 /* Half a standard deviation is half of the shift that the CUSUM is best at
  * (Page); 0.2 and 3 are what textbooks have for the EWMA. */

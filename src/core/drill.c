@@ -6,7 +6,7 @@
 
 #include "core/breakage.h"
 #include "core/product.h"
-#include "core/rng.h"
+#include "core/numeric/rng.h"
 
 enum { USE_PLANT = 1 << 23, TRIES = 1000 };
 

@@ -9,7 +9,7 @@
 
 #include "base/xalloc.h"
 #include "core/breakage.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 #include "core/kernel.h"
 #include "core/product.h"
 

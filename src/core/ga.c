@@ -10,8 +10,8 @@
 
 #include "base/xalloc.h"
 #include "core/breed.h"
-#include "core/elementary.h"
-#include "core/rng.h"
+#include "core/numeric/elementary.h"
+#include "core/numeric/rng.h"
 
 struct ga {
 	struct ga_options options;

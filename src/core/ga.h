@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/isa.h"
+#include "core/numeric/isa.h"
 
 /* Ask for candidates, evaluate them in any way, tell their misfits: that is one
  * generation.  Tournament selection, blend crossover, mutation, elitism.  The

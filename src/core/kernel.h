@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include "core/isa.h"
+#include "core/numeric/isa.h"
 #include "core/misfit.h"
 #include "core/plan.h"
 

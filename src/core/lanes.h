@@ -12,7 +12,7 @@
 #include <immintrin.h>
 #endif
 
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 
 typedef double lanes __attribute__((vector_size(8 * LANES)));
 typedef int64_t lanes_mask __attribute__((vector_size(8 * LANES)));

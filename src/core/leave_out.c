@@ -7,7 +7,7 @@
 
 #include "base/xalloc.h"
 #include "core/discrepancy.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 #include "core/misfit.h"
 #include "core/product.h"
 

@@ -8,7 +8,7 @@
 #include "base/xalloc.h"
 #include "core/appearance.h"
 #include "core/classes.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 
 /* Classes are at most this wide in ln x: a quarter octave and a little, so that
  * the steps of the EN 933 series (1.4, 1.43) make two. */

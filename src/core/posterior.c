@@ -17,9 +17,9 @@
 
 #include "base/pool.h"
 #include "base/xalloc.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 #include "core/kernel.h"
-#include "core/rng.h"
+#include "core/numeric/rng.h"
 #include "core/sensitivity.h"
 
 enum {

@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 #include "core/discrepancy.h"
-#include "core/isa.h"
+#include "core/numeric/isa.h"
 #include "core/params.h"
 #include "core/site.h"
 #include "core/strengths.h"

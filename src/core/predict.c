@@ -8,7 +8,7 @@
 
 #include "base/xalloc.h"
 #include "core/breakage.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 #include "core/product.h"
 
 /* Those of sizes [n], coarsest first, that the feed covers. */

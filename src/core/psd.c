@@ -10,7 +10,7 @@
 #include <gsl/gsl_interp.h>
 
 #include "base/xalloc.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 
 const double PSD_PASSING[PSD_SIZES] = {0.2, 0.5, 0.8};
 

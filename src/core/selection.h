@@ -7,7 +7,7 @@
 #include <stdbool.h>
 
 #include "core/breakage.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 
 /* Selection at n sizes: fraction of each that breaks in k impacts.
  *   S = 1 - exp(-f_mat k (x^alpha E - E0_min)), 0 where the bracket is negative

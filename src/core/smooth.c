@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 
 double
 smooth_bend(const struct psd *psd, size_t i)

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/strengths.h"
 
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 
 /* Of the logarithm of harder over softer, see HACKING.md. */
 static const double SPREAD = 0.4;

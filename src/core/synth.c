@@ -6,10 +6,10 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 #include "core/breakage.h"
 #include "core/product.h"
-#include "core/rng.h"
+#include "core/numeric/rng.h"
 
 /* EN 933-2, the basic series with set 1 above 4 mm; mm. */
 static const double SIEVES_MM[] = {

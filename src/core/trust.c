@@ -9,7 +9,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 #include "core/misfit.h"
 #include "core/sensitivity.h"
 

@@ -16,7 +16,7 @@
 #include "base/xalloc.h"
 #include "core/product.h"
 #include "core/psd.h"
-#include "core/rng.h"
+#include "core/numeric/rng.h"
 #include "core/synth.h"
 #include "paper.h"
 

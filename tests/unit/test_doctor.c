@@ -13,7 +13,7 @@
 #include "base/xalloc.h"
 #include "core/calibrate.h"
 #include "core/doctor.h"
-#include "core/rng.h"
+#include "core/numeric/rng.h"
 #include "core/synth.h"
 
 enum { SITES = 6 };

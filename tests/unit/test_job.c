@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/isa.h"
+#include "core/numeric/isa.h"
 #include "core/validate.h"
 
 static const char LOAD[] = "synth data/table3.csv site=Tierp seed=9";

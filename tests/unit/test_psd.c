@@ -4,7 +4,7 @@
 
 #include "made.h"
 
-#include "core/elementary.h"
+#include "core/numeric/elementary.h"
 
 static double SIZES[] = {22.4e-3, 16e-3, 11.2e-3, 8e-3, 4e-3, 1e-3, 63e-6};
 static double PASSINGS[] = {1, 1, 0.9, 0.6, 0.3, 0.3, 0.05};

@@ -15,7 +15,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "core/rng.h"
+#include "core/numeric/rng.h"
 
 /* Of these the ones that are installed; the program sets LC_CTYPE only. */
 static const char *const LOCALES[] = {"C", "C.UTF-8", "sv_SE.UTF-8",

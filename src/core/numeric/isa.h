@@ -1,7 +1,7 @@
 /* Instruction sets of the parts compiled for several.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_ISA_H
-#define TIPSPEED_CORE_ISA_H
+#ifndef TIPSPEED_CORE_NUMERIC_ISA_H
+#define TIPSPEED_CORE_NUMERIC_ISA_H
 
 /* In rising order; ISA_BEST picks at run time. */
 enum isa { ISA_BASE, ISA_AVX2, ISA_AVX512, ISA_BEST };

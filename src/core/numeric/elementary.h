@@ -5,8 +5,8 @@
  * one bit into another search.  These are plain double arithmetic without
  * branches, so that gcc turns a loop over lanes into vector code.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_ELEMENTARY_H
-#define TIPSPEED_CORE_ELEMENTARY_H
+#ifndef TIPSPEED_CORE_NUMERIC_ELEMENTARY_H
+#define TIPSPEED_CORE_NUMERIC_ELEMENTARY_H
 
 #include <stdint.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* What this processor can do.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/isa.h"
+#include "core/numeric/isa.h"
 
 #include <assert.h>
 

@@ -3,8 +3,8 @@
  * Nothing is carried from one number to the next, so the same seed gives the
  * same numbers with any number of threads and in any order of evaluation.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_RNG_H
-#define TIPSPEED_CORE_RNG_H
+#ifndef TIPSPEED_CORE_NUMERIC_RNG_H
+#define TIPSPEED_CORE_NUMERIC_RNG_H
 
 #include <stdint.h>
 
