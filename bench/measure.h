@@ -10,7 +10,7 @@
 #include "../tests/unit/paper.h"
 #include "core/calibrate.h"
 #include "core/misfit.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 
 /* Seconds of a clock that never goes back. */
 double measure_now(void);

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/site.h"
+#include "core/psd/site.h"
 
 enum { PLANT_TABLE = 600, PLANT_SIEVES = 16 };
 

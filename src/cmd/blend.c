@@ -16,7 +16,7 @@
 #include "cmd/parse.h"
 #include "cmd/table.h"
 #include "cmd/variant.h"
-#include "core/blend.h"
+#include "core/psd/blend.h"
 #include "io/site_write.h"
 #include "io/units.h"
 

@@ -8,7 +8,7 @@
 
 #include "core/calibrate.h"
 #include "core/drift.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 #include "core/trust.h"
 #include "io/answer.h"
 #include "io/stored.h"

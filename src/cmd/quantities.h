@@ -4,7 +4,7 @@
 #define TIPSPEED_CMD_QUANTITIES_H
 
 #include "cmd/command.h"
-#include "core/quantity.h"
+#include "core/psd/quantity.h"
 
 /* Reads one, of the whole product where it names no fraction; sizes in mm.
  * Screens separate as the partition says. */

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "core/site.h"
+#include "core/psd/site.h"
 #include "plot/chart.h"
 
 /* Title "Tierp, Granite, 11.2 mm: ..." and where the site's data are from; it

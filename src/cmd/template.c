@@ -7,7 +7,7 @@
 #include "base/xalloc.h"
 #include "cmd/session.h"
 #include "cmd/table.h"
-#include "core/psd.h"
+#include "core/psd/psd.h"
 #include "io/book.h"
 
 /* Basic set and set 1 of EN 933-2, with those of filler: what most laboratories

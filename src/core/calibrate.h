@@ -9,7 +9,7 @@
 
 #include "core/numeric/isa.h"
 #include "core/sensitivity.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 
 /* tolerance: the search ends when the median candidate's misfit is no more than
  * this share above the best one's; 0: never.  stall: it ends when the best has

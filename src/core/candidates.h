@@ -4,7 +4,7 @@
 #define TIPSPEED_CORE_CANDIDATES_H
 
 #include "core/calibrate.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 
 /* Simulated less measured passing at a sieve of a training run, 0..1: the 10th,
  * 50th and 90th percentile of the candidates kept, and the best one's. */

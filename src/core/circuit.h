@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "core/crusher.h"
-#include "core/screening.h"
+#include "core/psd/screening.h"
 
 /* A feed goes into one stream, a crusher and a stockpile make one stream or
  * none of all they take, a screen makes two: oversize, undersize; a split

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "core/breakage.h"
-#include "core/psd.h"
+#include "core/psd/psd.h"
 
 struct classes;
 

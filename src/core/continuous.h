@@ -4,7 +4,7 @@
 #define TIPSPEED_CORE_CONTINUOUS_H
 
 #include "core/breakage.h"
-#include "core/psd.h"
+#include "core/psd/psd.h"
 
 /* Panels end at so many values of the exponent of Eq 3 and, with a spectrum of
  * impacts, where each node of it begins to break and, of the weakest, at the

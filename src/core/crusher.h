@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "core/params.h"
-#include "core/psd.h"
+#include "core/psd/psd.h"
 
 /* Classes between sizes [n], m, coarsest first: class i lies between sizes i
  * and i + 1, with mass that is uniform in ln d, the last is the pan, which does

@@ -9,7 +9,7 @@
 #include "core/leave_out.h"
 #include "core/misfit.h"
 #include "core/polish.h"
-#include "core/smooth.h"
+#include "core/psd/smooth.h"
 
 /* After a calibration a cell is told of from this surprise on, of a product and
  * of a feed, where it is off by WORTH at least.  Counted with bench/doctor. */

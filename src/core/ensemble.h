@@ -4,7 +4,7 @@
 #define TIPSPEED_CORE_ENSEMBLE_H
 
 #include "core/posterior.h"
-#include "core/psd.h"
+#include "core/psd/psd.h"
 
 /* Products of all draws from one feed, at any speed.  The posterior must
  * outlive it. */

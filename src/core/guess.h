@@ -7,8 +7,8 @@
 #include <stddef.h>
 
 #include "core/params.h"
-#include "core/psd.h"
-#include "core/site.h"
+#include "core/psd/psd.h"
+#include "core/psd/site.h"
 
 /* A material to guess from, or what one is wanted for: then params are not
  * looked at.  rock: "" when not known; top_size m, 0 when not known.  settings:

@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "core/posterior.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 
 /* All passings of a site as one Gaussian vector.
  *

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "core/params.h"
-#include "core/psd.h"
+#include "core/psd/psd.h"
 
 /* Class i lies between the feed's sieves i and i + 1, the last is what passes
  * the finest.  All are shares of the mass of the whole feed, 0..1, [n] each:

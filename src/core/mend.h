@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "base/error.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 
 enum mend_kind {
 	MEND_READ,  /* a passing is read as `value` */

@@ -9,7 +9,7 @@
 #include "core/breakage.h"
 #include "core/params.h"
 #include "core/product.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 
 /* One training run as the misfit sees it: the product's sieves that the feed
  * covers.  weight multiplies a difference before it is squared. */

@@ -10,7 +10,7 @@
 #include "core/discrepancy.h"
 #include "core/numeric/isa.h"
 #include "core/params.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 #include "core/strengths.h"
 
 enum { POSTERIOR_DRAWS = 256 };

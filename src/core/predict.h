@@ -8,8 +8,8 @@
 
 #include "core/ensemble.h"
 #include "core/params.h"
-#include "core/screening.h"
-#include "core/site.h"
+#include "core/psd/screening.h"
+#include "core/psd/site.h"
 
 /* product, feed [same sieves]: all sieves of the site's feed and products that
  * the feed covers, or of site->shown.  curve: the product at these and more

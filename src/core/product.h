@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "core/params.h"
-#include "core/psd.h"
+#include "core/psd/psd.h"
 
 /* A workspace that turns parameters into products of one feed on a fixed list
  * of sieves.  Set the parameters once, then ask for any speed; neither

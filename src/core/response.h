@@ -4,8 +4,8 @@
 #define TIPSPEED_CORE_RESPONSE_H
 
 #include "core/posterior.h"
-#include "core/psd.h"
-#include "core/quantity.h"
+#include "core/psd/psd.h"
+#include "core/psd/quantity.h"
 
 /* Opaque; the posterior must outlive it. */
 struct response;

@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 #include "core/params.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 
 /* What a made-up site is made from. */
 struct synth {

@@ -8,7 +8,7 @@
 
 #include "core/params.h"
 #include "core/posterior.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 
 /* Who predicts: the model, the answer that the training runs correct it to, and
  * the null models that anyone has without one: the

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "core/site.h"
+#include "core/psd/site.h"
 #include "io/site_column.h"
 
 /* What is known beside the table.  rotor: its diameter, m; 0: not known.

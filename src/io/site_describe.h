@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_IO_SITE_DESCRIBE_H
 #define TIPSPEED_IO_SITE_DESCRIBE_H
 
-#include "core/site.h"
+#include "core/psd/site.h"
 #include "io/site_column.h"
 
 /* Sets site->read_as, "sieves in column 1 (mm); feed, product@69, @79 in 2 to 4

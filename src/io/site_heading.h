@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_IO_SITE_HEADING_H
 #define TIPSPEED_IO_SITE_HEADING_H
 
-#include "core/site.h"
+#include "core/psd/site.h"
 #include "io/layout.h"
 
 /* Reads the lines above the tables into the site: name, rock, rotor, others as

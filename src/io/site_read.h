@@ -5,7 +5,7 @@
 #define TIPSPEED_IO_SITE_READ_H
 
 #include "base/error.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 #include "io/site_request.h"
 
 /* Reads a site.  On success a site with digest and path (of the first file)

@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 #include "base/error.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 
 /* Writes the sheet: comma, decimal point, LF, no byte order mark; sizes in mm
  * to 9 decimals, passing and standard deviations in % to 12, a product that

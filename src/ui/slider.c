@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 #include "core/breakage.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 
 struct slider_range
 slider_range(const struct site *site)

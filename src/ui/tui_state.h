@@ -13,7 +13,7 @@
 #include "cmd/plots_past.h"
 #include "cmd/session.h"
 #include "core/doctor.h"
-#include "core/quantity.h"
+#include "core/psd/quantity.h"
 #include "core/trust.h"
 #include "ui/folder.h"
 #include "ui/keys.h"

@@ -15,7 +15,7 @@
 
 #include "base/xalloc.h"
 #include "core/product.h"
-#include "core/psd.h"
+#include "core/psd/psd.h"
 #include "core/numeric/rng.h"
 #include "core/synth.h"
 #include "paper.h"

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 #include "core/params.h"
-#include "core/psd.h"
+#include "core/psd/psd.h"
 
 static inline double
 naive_selection(const struct params *p, double v, double x)

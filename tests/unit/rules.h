@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "core/psd.h"
+#include "core/psd/psd.h"
 
 /* Sizes fall and are above 0, passing lies within 0..1 and never rises. */
 static inline bool

@@ -1,6 +1,6 @@
 /* Blends by mass, and feeds and machines that were not measured.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/blend.h"
+#include "core/psd/blend.h"
 
 #include <stdlib.h>
 

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "base/xalloc.h"
-#include "core/site.h"
+#include "core/psd/site.h"
 #include "ui/slider.h"
 
 enum { SLIDER_LEAST = 650, SLIDER_MOST = 850 };

@@ -1,6 +1,6 @@
 /* Cells that stand out: swapped digits are found, sound curves are left alone.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/smooth.h"
+#include "core/psd/smooth.h"
 
 #include <stdlib.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/quantity.h"
+#include "core/psd/quantity.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,12 +1,12 @@
 /* What is asked of a product: one number that is read off its curve.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_QUANTITY_H
-#define TIPSPEED_CORE_QUANTITY_H
+#ifndef TIPSPEED_CORE_PSD_QUANTITY_H
+#define TIPSPEED_CORE_PSD_QUANTITY_H
 
 #include <stddef.h>
 
-#include "core/psd.h"
-#include "core/screening.h"
+#include "core/psd/psd.h"
+#include "core/psd/screening.h"
 
 /* A fineness modulus: the sum of the shares retained on the sieves of a
  * standard, which say how coarse a sand is.  size [n] mm, coarsest first.

@@ -1,9 +1,9 @@
 /* Feeds mixed by mass.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_BLEND_H
-#define TIPSPEED_CORE_BLEND_H
+#ifndef TIPSPEED_CORE_PSD_BLEND_H
+#define TIPSPEED_CORE_PSD_BLEND_H
 
-#include "core/psd.h"
+#include "core/psd/psd.h"
 
 /* The blend of feeds [n], each passing 1 on its coarsest sieve, in parts by
  * mass > 0 of any sum.  Its sieves are those of all feeds, coarsest first, as

@@ -1,7 +1,7 @@
 /* Particle size distributions: passing against sieve size.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_PSD_H
-#define TIPSPEED_CORE_PSD_H
+#ifndef TIPSPEED_CORE_PSD_PSD_H
+#define TIPSPEED_CORE_PSD_PSD_H
 
 #include <stdbool.h>
 #include <stddef.h>

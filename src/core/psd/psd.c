@@ -1,6 +1,6 @@
 /* Sieve curves: reading between the sieves, both ways.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/psd.h"
+#include "core/psd/psd.h"
 
 #include <assert.h>
 #include <math.h>

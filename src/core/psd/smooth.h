@@ -1,11 +1,11 @@
 /* How far a point of a curve lies off its neighbours.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_SMOOTH_H
-#define TIPSPEED_CORE_SMOOTH_H
+#ifndef TIPSPEED_CORE_PSD_SMOOTH_H
+#define TIPSPEED_CORE_PSD_SMOOTH_H
 
 #include <stddef.h>
 
-#include "core/psd.h"
+#include "core/psd/psd.h"
 
 /* Passing at sieve i less that of the straight line, on log size, between its
  * two neighbours: -1..1, NAN at the two ends, which have one neighbour. */

@@ -1,6 +1,6 @@
 /* Sites and runs as plain data.  Files are read and written in io.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/site.h"
+#include "core/psd/site.h"
 
 #include <math.h>
 #include <stdlib.h>

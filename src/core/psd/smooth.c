@@ -1,6 +1,6 @@
 /* Bends of curves, one beside the other.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/smooth.h"
+#include "core/psd/smooth.h"
 
 #include <math.h>
 

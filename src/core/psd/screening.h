@@ -1,12 +1,12 @@
 /* Screens: which part of a product goes into a fraction such as 0/4.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_SCREENING_H
-#define TIPSPEED_CORE_SCREENING_H
+#ifndef TIPSPEED_CORE_PSD_SCREENING_H
+#define TIPSPEED_CORE_PSD_SCREENING_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/psd.h"
+#include "core/psd/psd.h"
 
 /* How well a screen separates: the share of a size d that goes to the
  * oversize is

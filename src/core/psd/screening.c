@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/screening.h"
+#include "core/psd/screening.h"
 
 #include <math.h>
 #include <stdlib.h>

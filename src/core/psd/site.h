@@ -1,13 +1,13 @@
 /* A site: the runs of one quarry's crusher, each with feed and product.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_SITE_H
-#define TIPSPEED_CORE_SITE_H
+#ifndef TIPSPEED_CORE_PSD_SITE_H
+#define TIPSPEED_CORE_PSD_SITE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/psd.h"
+#include "core/psd/psd.h"
 
 /* In place of the speed of a run: its feed is of another sheet and answers are
  * asked with it.  It is the last run of a copy (site_with_feed). */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/blend.h"
+#include "core/psd/blend.h"
 
 #include <stdbool.h>
 #include <string.h>
