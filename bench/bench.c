@@ -15,7 +15,7 @@
 #include "core/numeric/isa.h"
 #include "core/kernel.h"
 #include "core/misfit.h"
-#include "core/synth.h"
+#include "core/model/synth.h"
 #include "herd.h"
 #include "measure.h"
 

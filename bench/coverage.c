@@ -13,7 +13,7 @@
 #include "base/xalloc.h"
 #include "core/calibrate.h"
 #include "core/ensemble.h"
-#include "core/product.h"
+#include "core/model/product.h"
 #include "core/trust.h"
 #include "io/site_read.h"
 #include "measure.h"

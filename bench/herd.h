@@ -10,7 +10,7 @@
 #include "base/pool.h"
 #include "base/xalloc.h"
 #include "core/kernel.h"
-#include "core/params.h"
+#include "core/model/params.h"
 #include "core/numeric/rng.h"
 #include "measure.h"
 

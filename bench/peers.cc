@@ -26,7 +26,7 @@
 extern "C" {
 #include "core/calibrate.h"
 #include "core/misfit.h"
-#include "core/params.h"
+#include "core/model/params.h"
 #include "core/polish.h"
 #include "measure.h"
 }

@@ -7,7 +7,7 @@
 
 #include "cmd/command.h"
 #include "cmd/session.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/predict.h"
 
 /* A break size below this, m, is none: every size can break. */

@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 
 /* In the order of help and manual. */
 static const struct {

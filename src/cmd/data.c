@@ -14,7 +14,7 @@
 #include "cmd/files.h"
 #include "cmd/journal.h"
 #include "cmd/table.h"
-#include "core/synth.h"
+#include "core/model/synth.h"
 #include "io/plant_log.h"
 #include "io/site_write.h"
 #include "io/table3.h"

@@ -17,7 +17,7 @@
 #include "cmd/invocation.h"
 #include "cmd/outlook.h"
 #include "cmd/table.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/numeric/rng.h"
 #include "io/units.h"
 

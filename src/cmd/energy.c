@@ -10,7 +10,7 @@
 #include "cmd/energies.h"
 #include "cmd/files.h"
 #include "cmd/table.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "io/file.h"
 #include "io/units.h"
 

@@ -14,7 +14,7 @@
 #include "cmd/fit.h"
 #include "cmd/light.h"
 #include "cmd/table.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/validate.h"
 #include "io/units.h"
 

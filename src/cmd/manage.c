@@ -22,7 +22,7 @@
 #include "cmd/invocation.h"
 #include "cmd/undo.h"
 #include "config.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "io/file.h"
 
 bool

@@ -10,7 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/command.h"
 #include "cmd/usage.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 
 /* Text of a paragraph: a new sentence on a new line, as mdoc wants it, lines
  * short, and nothing that roff would take for a request. */

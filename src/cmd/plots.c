@@ -23,7 +23,7 @@
 #include "cmd/site_chart.h"
 #include "cmd/entries.h"
 #include "core/numeric/elementary.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/misfit.h"
 #include "core/predict.h"
 #include "core/validate.h"

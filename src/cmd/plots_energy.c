@@ -8,7 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/energies.h"
 #include "cmd/site_chart.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 
 /* Bins drawn as one: half an octave. */
 enum { TOGETHER = 8, POINTS = SPECTRUM_BINS / TOGETHER };

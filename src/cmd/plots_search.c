@@ -10,7 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/outlook.h"
 #include "cmd/site_chart.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/candidates.h"
 #include "core/sensitivity.h"
 #include "io/units.h"

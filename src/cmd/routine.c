@@ -11,7 +11,7 @@
 #include "cmd/outlook.h"
 #include "core/ensemble.h"
 #include "core/misfit.h"
-#include "core/product.h"
+#include "core/model/product.h"
 #include "io/moment.h"
 #include "io/units.h"
 

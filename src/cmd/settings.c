@@ -10,7 +10,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/parse.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 
 void
 settings_put(

@@ -13,8 +13,8 @@
 #include "cmd/model.h"
 #include "cmd/table.h"
 #include "cmd/outlook.h"
-#include "core/classes.h"
-#include "core/breakage.h"
+#include "core/model/classes.h"
+#include "core/model/breakage.h"
 #include "core/predict.h"
 #include "io/units.h"
 

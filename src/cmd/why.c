@@ -12,7 +12,7 @@
 #include "cmd/light.h"
 #include "cmd/table.h"
 #include "cmd/outlook.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/misfit.h"
 #include "core/validate.h"
 #include "io/units.h"

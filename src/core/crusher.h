@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include "core/params.h"
+#include "core/model/params.h"
 #include "core/psd/psd.h"
 
 /* Classes between sizes [n], m, coarsest first: class i lies between sizes i

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/breakage.h"
-#include "core/product.h"
+#include "core/model/breakage.h"
+#include "core/model/product.h"
 #include "core/numeric/rng.h"
 
 enum { USE_PLANT = 1 << 23, TRIES = 1000 };

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "core/synth.h"
+#include "core/model/synth.h"
 
 /* Speeds of samples and answers, m/s. */
 enum { DRILL_SLOWEST = 60, DRILL_FASTEST = 90 };

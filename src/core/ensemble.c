@@ -8,10 +8,10 @@
 #include <gsl/gsl_statistics_double.h>
 
 #include "base/xalloc.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/numeric/elementary.h"
 #include "core/kernel.h"
-#include "core/product.h"
+#include "core/model/product.h"
 
 /* The draws' parameters, and in a block behind them the fit's, whose exact
  * product tells what the search's scheme errs by. */

@@ -11,9 +11,9 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/predict.h"
-#include "core/synth.h"
+#include "core/model/synth.h"
 
 /* Same parameters, settings and top size, as Ubbarp and Gasgruvan have. */
 static bool

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/params.h"
+#include "core/model/params.h"
 #include "core/psd/psd.h"
 #include "core/psd/site.h"
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/ensemble.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };

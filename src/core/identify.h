@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CORE_IDENTIFY_H
 #define TIPSPEED_CORE_IDENTIFY_H
 
-#include "core/params.h"
+#include "core/model/params.h"
 #include "core/posterior.h"
 
 /* How far the data narrow a parameter, by the standard deviation of its draws

@@ -11,6 +11,6 @@
 #define TRIANGLE_NAME TRIANGLE_AVX2
 #include "core/kernel_body.h"
 /* Its own order: the models need the kernel. */
-#include "core/breakage_all.h"
+#include "core/model/breakage_all.h"
 #include "core/breed_body.h"
 #include "core/triangle_body.h"

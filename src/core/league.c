@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/discrepancy.h"
 
 /* AICc that rules a model out; standard errors that do, where RMSE differs by

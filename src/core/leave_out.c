@@ -9,7 +9,7 @@
 #include "core/discrepancy.h"
 #include "core/numeric/elementary.h"
 #include "core/misfit.h"
-#include "core/product.h"
+#include "core/model/product.h"
 
 /* CLOSE: so many candidates are looked at closely.  SEARCHED: with more cells
  * in a block its hyperparameters stay at their priors' medians, as the search

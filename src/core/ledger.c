@@ -6,7 +6,7 @@
 
 #include "base/xalloc.h"
 #include "core/predict.h"
-#include "core/product.h"
+#include "core/model/product.h"
 
 /* Where the class alone goes: product [n] out, its share in each class. */
 static void

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include "core/params.h"
+#include "core/model/params.h"
 #include "core/psd/psd.h"
 
 /* Class i lies between the feed's sieves i and i + 1, the last is what passes

@@ -6,9 +6,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/breakage.h"
-#include "core/params.h"
-#include "core/product.h"
+#include "core/model/breakage.h"
+#include "core/model/params.h"
+#include "core/model/product.h"
 #include "core/psd/site.h"
 
 /* One training run as the misfit sees it: the product's sieves that the feed

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/appearance.h"
-#include "core/classes.h"
+#include "core/model/appearance.h"
+#include "core/model/classes.h"
 #include "core/numeric/elementary.h"
 
 /* Classes are at most this wide in ln x: a quarter octave and a little, so that

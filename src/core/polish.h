@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "core/misfit.h"
-#include "core/params.h"
+#include "core/model/params.h"
 
 struct polish;
 

@@ -9,9 +9,9 @@
 
 #include "core/discrepancy.h"
 #include "core/numeric/isa.h"
-#include "core/params.h"
+#include "core/model/params.h"
 #include "core/psd/site.h"
-#include "core/strengths.h"
+#include "core/model/strengths.h"
 
 enum { POSTERIOR_DRAWS = 256 };
 

@@ -7,9 +7,9 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/numeric/elementary.h"
-#include "core/product.h"
+#include "core/model/product.h"
 
 /* Those of sizes [n], coarsest first, that the feed covers. */
 static struct psd

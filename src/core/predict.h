@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "core/ensemble.h"
-#include "core/params.h"
+#include "core/model/params.h"
 #include "core/psd/screening.h"
 #include "core/psd/site.h"
 

@@ -8,7 +8,7 @@
 
 #include "base/xalloc.h"
 #include "core/ensemble.h"
-#include "core/product.h"
+#include "core/model/product.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };
 

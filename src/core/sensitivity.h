@@ -4,7 +4,7 @@
 #define TIPSPEED_CORE_SENSITIVITY_H
 
 #include "core/misfit.h"
-#include "core/params.h"
+#include "core/model/params.h"
 
 /* The singular values of the Jacobian of the differences, its columns scaled by
  * the search ranges; of the parameters in the gauge the largest is held, as

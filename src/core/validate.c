@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 #include "core/ensemble.h"
 #include "core/misfit.h"
-#include "core/product.h"
+#include "core/model/product.h"
 
 /* Whether a product may be interpolated from. */
 static bool

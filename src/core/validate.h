@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/params.h"
+#include "core/model/params.h"
 #include "core/posterior.h"
 #include "core/psd/site.h"
 

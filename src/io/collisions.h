@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 #include "base/error.h"
-#include "core/spectrum.h"
+#include "core/model/spectrum.h"
 
 /* How a file is to be read.  columns: names of its columns in order, with
  * commas between, in place of those it has; NULL: as it has them.  particles:

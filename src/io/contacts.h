@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "core/spectrum.h"
+#include "core/model/spectrum.h"
 
 enum { CONTACTS_ID_MOST = 20000000 };
 

@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 #include "base/error.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 
 /* One material.  Text is never NULL and "" where nothing is known; a number is
  * then NAN and a whole number -1.  provenance: that of the site's data, so that

@@ -8,7 +8,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "io/sheet.h"
 #include "io/number.h"
 #include "io/textfile.h"

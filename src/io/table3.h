@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "base/error.h"
-#include "core/params.h"
+#include "core/model/params.h"
 
 /* One row, as printed.  top_size_mm mm; f_mat kg/(J m); e0_min J m/kg. */
 struct material {

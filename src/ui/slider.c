@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/psd/site.h"
 
 struct slider_range

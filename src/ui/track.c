@@ -10,7 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/quantities.h"
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "io/units.h"
 #include "ui/goal.h"
 #include "ui/screen.h"

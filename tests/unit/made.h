@@ -14,10 +14,10 @@
 #include <cmocka.h>
 
 #include "base/xalloc.h"
-#include "core/product.h"
+#include "core/model/product.h"
 #include "core/psd/psd.h"
 #include "core/numeric/rng.h"
-#include "core/synth.h"
+#include "core/model/synth.h"
 #include "paper.h"
 
 /* A row of Table 3, as printed. */

@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-#include "core/params.h"
+#include "core/model/params.h"
 #include "core/psd/psd.h"
 
 static inline double

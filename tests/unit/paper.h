@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_TESTS_PAPER_H
 #define TIPSPEED_TESTS_PAPER_H
 
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 
 enum { PARAM_COUNT = 7, PARAM_F_MAT = 4, PARAM_E0_MIN = 5, PARAM_ALPHA = 6 };
 

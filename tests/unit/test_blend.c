@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/product.h"
+#include "core/model/product.h"
 #include "made.h"
 
 static void

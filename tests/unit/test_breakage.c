@@ -7,9 +7,9 @@
 #include "made.h"
 #include "naive.h"
 
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/calibrate.h"
-#include "core/selection.h"
+#include "core/model/selection.h"
 
 enum { SIEVES = 16 };
 

@@ -14,7 +14,7 @@
 #include "core/calibrate.h"
 #include "core/doctor.h"
 #include "core/numeric/rng.h"
-#include "core/synth.h"
+#include "core/model/synth.h"
 
 enum { SITES = 6 };
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "made.h"
 
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/identify.h"
 
 enum { BETA2 = 1, F_MAT = 4, E0_MIN, ALPHA, GAMMA };

@@ -5,7 +5,7 @@
 
 #include "made.h"
 
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/discrepancy.h"
 #include "core/league.h"
 

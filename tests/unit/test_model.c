@@ -4,10 +4,10 @@
 
 #include "made.h"
 
-#include "core/appearance.h"
-#include "core/breakage.h"
-#include "core/classes.h"
-#include "core/selection.h"
+#include "core/model/appearance.h"
+#include "core/model/breakage.h"
+#include "core/model/classes.h"
+#include "core/model/selection.h"
 
 static const double SPEEDS[] = {65, 69, 74, 79, 85};
 

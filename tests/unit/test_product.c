@@ -5,8 +5,8 @@
 #include "made.h"
 #include "naive.h"
 
-#include "core/breakage.h"
-#include "core/product.h"
+#include "core/model/breakage.h"
+#include "core/model/product.h"
 
 enum { SIEVES = 16 };
 

@@ -4,7 +4,7 @@
 
 #include "made.h"
 
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/calibrate.h"
 #include "core/profile.h"
 

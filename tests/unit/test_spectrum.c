@@ -1,11 +1,11 @@
 /* Collision energies: bins, the model's quadrature of them, and the product
  * with them, against sums that take every impact by itself.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/spectrum.h"
+#include "core/model/spectrum.h"
 
 #include <stdlib.h>
 
-#include "core/selection.h"
+#include "core/model/selection.h"
 #include "herd.h"
 #include "made.h"
 

@@ -7,7 +7,7 @@
 #include "naive.h"
 #include "rules.h"
 
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/misfit.h"
 #include "core/predict.h"
 #include "core/validate.h"

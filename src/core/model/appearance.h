@@ -1,11 +1,11 @@
 /* Appearance (Eq 1): into which sizes a broken particle falls.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_APPEARANCE_H
-#define TIPSPEED_CORE_APPEARANCE_H
+#ifndef TIPSPEED_CORE_MODEL_APPEARANCE_H
+#define TIPSPEED_CORE_MODEL_APPEARANCE_H
 
 #include <stddef.h>
 
-#include "core/params.h"
+#include "core/model/params.h"
 
 /* Progeny finer than 2^-10 of the parent do not occur. */
 #define APPEARANCE_FINEST (1.0 / 1024)

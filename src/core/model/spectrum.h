@@ -1,12 +1,12 @@
 /* Collision energies: how often particles are hit, and how hard.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_SPECTRUM_H
-#define TIPSPEED_CORE_SPECTRUM_H
+#ifndef TIPSPEED_CORE_MODEL_SPECTRUM_H
+#define TIPSPEED_CORE_MODEL_SPECTRUM_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/params.h"
+#include "core/model/params.h"
 
 /* Bins of energy, sixteen to an octave from 2^-10 J/kg up; what lies outside
  * is in the first or the last. */

@@ -1,6 +1,6 @@
 /* The list of breakage models, and what follows from a row.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,11 +1,11 @@
 /* The method `classes`; used through product.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_CLASSES_H
-#define TIPSPEED_CORE_CLASSES_H
+#ifndef TIPSPEED_CORE_MODEL_CLASSES_H
+#define TIPSPEED_CORE_MODEL_CLASSES_H
 
 #include <stdbool.h>
 
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/psd/psd.h"
 
 struct classes;

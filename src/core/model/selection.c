@@ -1,6 +1,6 @@
 /* Eq 3 the other way round, and in words.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/selection.h"
+#include "core/model/selection.h"
 
 #include <math.h>
 

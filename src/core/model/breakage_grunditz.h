@@ -1,9 +1,9 @@
 /* What the paper's model shares with grunditz-energy.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_BREAKAGE_GRUNDITZ_H
-#define TIPSPEED_CORE_BREAKAGE_GRUNDITZ_H
+#ifndef TIPSPEED_CORE_MODEL_BREAKAGE_GRUNDITZ_H
+#define TIPSPEED_CORE_MODEL_BREAKAGE_GRUNDITZ_H
 
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 
 #define GRUNDITZ_BETA                                                          \
 	{"beta1", "-", -1000, 1000, -1e9, 1e9, 0, "appearance: constant term", \

@@ -1,12 +1,12 @@
 /* Selection (Eq 3): which fraction of each size breaks.  The search
  * has it for lanes, in kernel_body.h; test_kernel holds the two together.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_SELECTION_H
-#define TIPSPEED_CORE_SELECTION_H
+#ifndef TIPSPEED_CORE_MODEL_SELECTION_H
+#define TIPSPEED_CORE_MODEL_SELECTION_H
 
 #include <stdbool.h>
 
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/numeric/elementary.h"
 
 /* Selection at n sizes: fraction of each that breaks in k impacts.

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/spectrum.h"
+#include "core/model/spectrum.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,13 +1,13 @@
 /* What grunditz-energy shares with grunditz-t10.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_BREAKAGE_ENERGY_H
-#define TIPSPEED_CORE_BREAKAGE_ENERGY_H
+#ifndef TIPSPEED_CORE_MODEL_BREAKAGE_ENERGY_H
+#define TIPSPEED_CORE_MODEL_BREAKAGE_ENERGY_H
 
 #include <math.h>
 
 #include "base/tr.h"
-#include "core/appearance.h"
-#include "core/breakage_grunditz.h"
+#include "core/model/appearance.h"
+#include "core/model/breakage_grunditz.h"
 
 /* (E / E_ref)^-gamma, ready behind the appearance; and ln (E / E_ref). */
 struct energy_own {

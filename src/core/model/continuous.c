@@ -1,7 +1,7 @@
 /* Eq 2 in the limit of fine classes: S by Gauss-Legendre panels over the feed,
  * B from a table at each of their points as seen from each sieve.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/continuous.h"
+#include "core/model/continuous.h"
 
 #include <assert.h>
 #include <math.h>

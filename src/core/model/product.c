@@ -1,13 +1,13 @@
 /* One door to the two methods.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/product.h"
+#include "core/model/product.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/classes.h"
-#include "core/continuous.h"
+#include "core/model/classes.h"
+#include "core/model/continuous.h"
 
 /* One of continuous and classes is NULL. */
 struct model {

@@ -4,14 +4,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LANES
 
-#include "core/breakage_energy.h"
+#include "core/model/breakage_energy.h"
 
 #include <assert.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
-#include "core/selection.h"
+#include "core/model/selection.h"
 
 enum { GAMMA = 7, E_REF };
 

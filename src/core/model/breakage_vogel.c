@@ -12,7 +12,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
-#include "core/selection.h"
+#include "core/model/selection.h"
 
 enum { Q_SLOPE, Q_0, Y_FINE, F_MAT };
 

@@ -15,14 +15,14 @@
 
 #ifndef LANES
 
-#include "core/breakage_energy.h"
+#include "core/model/breakage_energy.h"
 
 #include <assert.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
-#include "core/selection.h"
+#include "core/model/selection.h"
 
 enum { KAPPA = 9 };
 

@@ -1,9 +1,9 @@
 /* The method `continuous`; used through product.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_CONTINUOUS_H
-#define TIPSPEED_CORE_CONTINUOUS_H
+#ifndef TIPSPEED_CORE_MODEL_CONTINUOUS_H
+#define TIPSPEED_CORE_MODEL_CONTINUOUS_H
 
-#include "core/breakage.h"
+#include "core/model/breakage.h"
 #include "core/psd/psd.h"
 
 /* Panels end at so many values of the exponent of Eq 3 and, with a spectrum of

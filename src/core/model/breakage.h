@@ -4,15 +4,15 @@
  * breakage_all.h.  What anything else does with a model, it does through the
  * row.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_BREAKAGE_H
-#define TIPSPEED_CORE_BREAKAGE_H
+#ifndef TIPSPEED_CORE_MODEL_BREAKAGE_H
+#define TIPSPEED_CORE_MODEL_BREAKAGE_H
 
 #include <stdalign.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 #include "core/numeric/isa.h"
-#include "core/params.h"
+#include "core/model/params.h"
 
 struct plan;
 

@@ -1,12 +1,12 @@
 /* Eq 2 to the letter: P = B S f + (I - S) f on the feed's size classes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/classes.h"
+#include "core/model/classes.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/appearance.h"
+#include "core/model/appearance.h"
 #include "core/numeric/elementary.h"
 
 /* n feed sieves make n classes: n - 1 intervals and the pan. */

@@ -1,6 +1,6 @@
 /* Eq 1: the progeny distribution, as a curve and as the matrix of Table 1.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/appearance.h"
+#include "core/model/appearance.h"
 
 #include <math.h>
 

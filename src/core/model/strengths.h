@@ -1,7 +1,7 @@
 /* Rock of two strengths.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_STRENGTHS_H
-#define TIPSPEED_CORE_STRENGTHS_H
+#ifndef TIPSPEED_CORE_MODEL_STRENGTHS_H
+#define TIPSPEED_CORE_MODEL_STRENGTHS_H
 
 /* D16: a share of the rock has a higher threshold in Eq 3 than the rest,
  *   product = (1 - share) product of softer e0_min

@@ -1,6 +1,6 @@
 /* D16.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/strengths.h"
+#include "core/model/strengths.h"
 
 #include "core/numeric/elementary.h"
 

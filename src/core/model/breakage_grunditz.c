@@ -2,16 +2,16 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LANES
 
-#include "core/breakage_grunditz.h"
+#include "core/model/breakage_grunditz.h"
 
 #include <assert.h>
 #include <math.h>
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/appearance.h"
-#include "core/continuous.h"
-#include "core/selection.h"
+#include "core/model/appearance.h"
+#include "core/model/continuous.h"
+#include "core/model/selection.h"
 
 /* Index of f_mat, which e0_min and alpha follow. */
 enum { F_MAT = 4 };

@@ -1,12 +1,12 @@
 /* Product (Eq 2): what leaves the crusher for a feed and a tip speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_PRODUCT_H
-#define TIPSPEED_CORE_PRODUCT_H
+#ifndef TIPSPEED_CORE_MODEL_PRODUCT_H
+#define TIPSPEED_CORE_MODEL_PRODUCT_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/params.h"
+#include "core/model/params.h"
 #include "core/psd/psd.h"
 
 /* A workspace that turns parameters into products of one feed on a fixed list

@@ -1,14 +1,14 @@
 /* Reconstructed and synthetic sites.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/synth.h"
+#include "core/model/synth.h"
 
 #include <math.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
-#include "core/breakage.h"
-#include "core/product.h"
+#include "core/model/breakage.h"
+#include "core/model/product.h"
 #include "core/numeric/rng.h"
 
 /* EN 933-2, the basic series with set 1 above 4 mm; mm. */

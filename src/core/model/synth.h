@@ -1,11 +1,11 @@
 /* Made-up runs from known parameters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_SYNTH_H
-#define TIPSPEED_CORE_SYNTH_H
+#ifndef TIPSPEED_CORE_MODEL_SYNTH_H
+#define TIPSPEED_CORE_MODEL_SYNTH_H
 
 #include <stdint.h>
 
-#include "core/params.h"
+#include "core/model/params.h"
 #include "core/psd/site.h"
 
 /* What a made-up site is made from. */

@@ -1,7 +1,7 @@
 /* The parameters of a breakage model and the settings that go with them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_PARAMS_H
-#define TIPSPEED_CORE_PARAMS_H
+#ifndef TIPSPEED_CORE_MODEL_PARAMS_H
+#define TIPSPEED_CORE_MODEL_PARAMS_H
 
 #include <stddef.h>
 
