@@ -11,7 +11,7 @@
 
 #include "base/pool.h"
 #include "base/xalloc.h"
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 #include "core/ensemble.h"
 #include "core/model/product.h"
 #include "core/trust.h"

@@ -11,7 +11,7 @@
 
 #include "base/pool.h"
 #include "base/xalloc.h"
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 #include "core/doctor.h"
 #include "core/numeric/rng.h"
 #include "measure.h"

@@ -9,7 +9,7 @@
 
 #include "base/pool.h"
 #include "base/xalloc.h"
-#include "core/kernel.h"
+#include "core/search/kernel.h"
 #include "core/model/params.h"
 #include "core/numeric/rng.h"
 #include "measure.h"

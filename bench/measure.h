@@ -8,8 +8,8 @@
 #include <stddef.h>
 
 #include "../tests/unit/paper.h"
-#include "core/calibrate.h"
-#include "core/misfit.h"
+#include "core/search/calibrate.h"
+#include "core/search/misfit.h"
 #include "core/psd/site.h"
 
 /* Seconds of a clock that never goes back. */

@@ -24,10 +24,10 @@
 #include <pagmo/types.hpp>
 
 extern "C" {
-#include "core/calibrate.h"
-#include "core/misfit.h"
+#include "core/search/calibrate.h"
+#include "core/search/misfit.h"
 #include "core/model/params.h"
-#include "core/polish.h"
+#include "core/search/polish.h"
 #include "measure.h"
 }
 #include "plain.h"

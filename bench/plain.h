@@ -13,7 +13,7 @@
 #include <vector>
 
 extern "C" {
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 }
 
 namespace plain

@@ -13,7 +13,7 @@
 #include "cmd/settings.h"
 #include "cmd/table.h"
 #include "core/advise.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "io/units.h"
 
 /* A sample that could be taken.  width: of the band, expected after it. */

@@ -13,7 +13,7 @@
 #include "cmd/fit.h"
 #include "cmd/mend.h"
 #include "cmd/table.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "io/units.h"
 
 /* Product coarser than feed by more than this is no sampling error. */

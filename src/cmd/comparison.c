@@ -7,7 +7,7 @@
 
 #include "base/xalloc.h"
 #include "core/ensemble.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "core/trust.h"
 
 void

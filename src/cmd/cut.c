@@ -10,7 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/outlook.h"
 #include "core/ensemble.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "core/predict.h"
 #include "io/units.h"
 

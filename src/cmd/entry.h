@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 #include "core/drift.h"
 #include "core/psd/site.h"
 #include "core/trust.h"

@@ -12,7 +12,7 @@
 #include "cmd/answers.h"
 #include "cmd/fit.h"
 #include "cmd/table.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "core/validate.h"
 #include "io/units.h"
 

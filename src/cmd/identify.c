@@ -9,7 +9,7 @@
 #include "cmd/outlook.h"
 #include "cmd/table.h"
 #include "core/identify.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "io/units.h"
 
 /* Correlation that makes a ridge; how many of them are told; a break size is

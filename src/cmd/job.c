@@ -16,7 +16,7 @@
 #include "cmd/outlook.h"
 #include "cmd/table.h"
 #include "cmd/invocation.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 
 /* Says beside the results what the job is about to do. */
 static void

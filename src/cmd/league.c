@@ -13,7 +13,7 @@
 #include "cmd/table.h"
 #include "core/discrepancy.h"
 #include "core/league.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "core/validate.h"
 
 /* The rows of a league: every breakage model and, where collision energies are

@@ -12,7 +12,7 @@
 #include "cmd/fit.h"
 #include "cmd/outlook.h"
 #include "cmd/routine.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "io/units.h"
 
 /* Below this width of a band, passing, no parameter moves the answer by what is

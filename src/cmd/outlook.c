@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/fit.h"
 #include "core/ensemble.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 
 /* The runs of the calibration that inform an answer, [n_run], which the caller
  * frees, and the place where what they say is kept. */

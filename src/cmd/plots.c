@@ -24,7 +24,7 @@
 #include "cmd/entries.h"
 #include "core/numeric/elementary.h"
 #include "core/model/breakage.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "core/predict.h"
 #include "core/validate.h"
 #include "io/units.h"

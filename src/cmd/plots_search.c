@@ -11,8 +11,8 @@
 #include "cmd/outlook.h"
 #include "cmd/site_chart.h"
 #include "core/model/breakage.h"
-#include "core/candidates.h"
-#include "core/sensitivity.h"
+#include "core/search/candidates.h"
+#include "core/search/sensitivity.h"
 #include "io/units.h"
 
 static struct candidates

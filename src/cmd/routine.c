@@ -10,7 +10,7 @@
 #include "cmd/cut.h"
 #include "cmd/outlook.h"
 #include "core/ensemble.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "core/model/product.h"
 #include "io/moment.h"
 #include "io/units.h"

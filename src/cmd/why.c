@@ -13,7 +13,7 @@
 #include "cmd/table.h"
 #include "cmd/outlook.h"
 #include "core/model/breakage.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "core/validate.h"
 #include "io/units.h"
 

@@ -7,8 +7,8 @@
 
 #include "base/xalloc.h"
 #include "core/leave_out.h"
-#include "core/misfit.h"
-#include "core/polish.h"
+#include "core/search/misfit.h"
+#include "core/search/polish.h"
 #include "core/psd/smooth.h"
 
 /* After a calibration a cell is told of from this surprise on, of a product and

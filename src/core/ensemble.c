@@ -10,7 +10,7 @@
 #include "base/xalloc.h"
 #include "core/model/breakage.h"
 #include "core/numeric/elementary.h"
-#include "core/kernel.h"
+#include "core/search/kernel.h"
 #include "core/model/product.h"
 
 /* The draws' parameters, and in a block behind them the fit's, whose exact

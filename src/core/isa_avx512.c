@@ -9,8 +9,8 @@
 #define ISA avx512
 #define BREED_NAME breed_block_avx512
 #define TRIANGLE_NAME TRIANGLE_AVX512
-#include "core/kernel_body.h"
+#include "core/search/kernel_body.h"
 /* Its own order: the models need the kernel. */
 #include "core/model/breakage_all.h"
-#include "core/breed_body.h"
+#include "core/search/ga_operators_body.h"
 #include "core/triangle_body.h"

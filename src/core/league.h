@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 
 /* Akaike's information criterion, corrected for few data, of least squares with
  * an unknown variance:

@@ -8,7 +8,7 @@
 #include "base/xalloc.h"
 #include "core/discrepancy.h"
 #include "core/numeric/elementary.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "core/model/product.h"
 
 /* CLOSE: so many candidates are looked at closely.  SEARCHED: with more cells

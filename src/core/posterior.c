@@ -18,9 +18,9 @@
 #include "base/pool.h"
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
-#include "core/kernel.h"
+#include "core/search/kernel.h"
 #include "core/numeric/rng.h"
-#include "core/sensitivity.h"
+#include "core/search/sensitivity.h"
 
 enum {
 	CHAINS = POSTERIOR_DRAWS / 2, /* which give two draws each */

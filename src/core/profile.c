@@ -4,7 +4,7 @@
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 
-#include "core/polish.h"
+#include "core/search/polish.h"
 
 /* Steps of one polish: its start is a neighbour's end. */
 enum { STEPS = 60 };

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CORE_PROFILE_H
 #define TIPSPEED_CORE_PROFILE_H
 
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 
 /* The lowest misfit, out [n], with parameter j held at each of x [n], rising,
  * and the others refitted within the bounds: polished from the fit outward,

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/discrepancy.h"
-#include "core/lanes.h"
+#include "core/search/lanes.h"
 
 /* Columns are taken so many at a time, counted from the last. */
 enum { TAKEN = 8, VECTORS = TAKEN / LANES };

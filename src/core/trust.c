@@ -10,8 +10,8 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
-#include "core/misfit.h"
-#include "core/sensitivity.h"
+#include "core/search/misfit.h"
+#include "core/search/sensitivity.h"
 
 const double TRUST_SETTLED = 0.7;
 const char *const LIGHT_NAME[3] = {N_("green"), N_("amber"), N_("red")};

@@ -7,7 +7,7 @@
 #ifndef TIPSPEED_CORE_TRUST_H
 #define TIPSPEED_CORE_TRUST_H
 
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 #include "core/ensemble.h"
 #include "core/posterior.h"
 #include "core/validate.h"

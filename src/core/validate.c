@@ -8,7 +8,7 @@
 
 #include "base/xalloc.h"
 #include "core/ensemble.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "core/model/product.h"
 
 /* Whether a product may be interpolated from. */

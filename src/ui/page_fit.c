@@ -9,7 +9,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/plots_search.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "ui/screen.h"
 #include "ui/search_side.h"
 #include "ui/watch.h"

@@ -13,7 +13,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "ui/frame.h"
 #include "ui/pump.h"
 #include "ui/screen.h"

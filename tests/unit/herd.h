@@ -8,7 +8,7 @@
 #include "made.h"
 
 #include "base/pool.h"
-#include "core/kernel.h"
+#include "core/search/kernel.h"
 
 /* Candidates of a model, gene[its n][n], readable as the kernel wants it. */
 struct herd {

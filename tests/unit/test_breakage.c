@@ -8,7 +8,7 @@
 #include "naive.h"
 
 #include "core/model/breakage.h"
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 #include "core/model/selection.h"
 
 enum { SIEVES = 16 };

@@ -6,9 +6,9 @@
 
 #include <stdatomic.h>
 
-#include "core/calibrate.h"
-#include "core/misfit.h"
-#include "core/sensitivity.h"
+#include "core/search/calibrate.h"
+#include "core/search/misfit.h"
+#include "core/search/sensitivity.h"
 
 static const double NOISE = 0.005;
 

@@ -5,8 +5,8 @@
 
 #include <stdlib.h>
 
-#include "core/candidates.h"
-#include "core/misfit.h"
+#include "core/search/candidates.h"
+#include "core/search/misfit.h"
 
 enum { TIERP_ROW = 2, POPULATION = 300, GENERATIONS = 12 };
 

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "base/xalloc.h"
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 #include "core/doctor.h"
 #include "core/numeric/rng.h"
 #include "core/model/synth.h"

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "made.h"
 
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 
 static struct calibrate_options
 options_for(unsigned threads, enum isa isa)

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 #include "core/predict.h"
 
 enum { RUNS_MOST = 6 };

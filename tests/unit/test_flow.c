@@ -8,7 +8,7 @@
 #include "core/ensemble.h"
 #include "core/power.h"
 #include "core/predict.h"
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 #include "made.h"
 
 /* A crusher that breaks nothing at all, on so many classes. */

@@ -3,8 +3,8 @@
 #include "made.h"
 #include "naive.h"
 
-#include "core/misfit.h"
-#include "core/polish.h"
+#include "core/search/misfit.h"
+#include "core/search/polish.h"
 
 /* Replaces the products by the model's own, neither noisy nor rounded. */
 static void

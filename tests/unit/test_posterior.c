@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 #include "core/ensemble.h"
 
 struct known {

@@ -5,7 +5,7 @@
 #include "made.h"
 
 #include "core/model/breakage.h"
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 #include "core/profile.h"
 
 enum { BETA2 = 1, BETA3, E0_MIN = 5, VALUES = 9 };

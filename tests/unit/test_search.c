@@ -4,7 +4,7 @@
 
 #include "made.h"
 
-#include "core/ga.h"
+#include "core/search/ga.h"
 
 enum { GENES = 7 };
 

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 #include "core/ensemble.h"
 #include "core/trust.h"
 

@@ -8,7 +8,7 @@
 #include "rules.h"
 
 #include "core/model/breakage.h"
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "core/predict.h"
 #include "core/validate.h"
 

@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 #include "core/predict.h"
 #include "made.h"
 

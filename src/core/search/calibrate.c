@@ -8,7 +8,7 @@
  * population still spans several valleys, are kept as starts beside the best of
  * the last one; and from the best of all short perturbations are tried until
  * none helps. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 
 #include <assert.h>
 #include <math.h>
@@ -19,9 +19,9 @@
 #include "base/pool.h"
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
-#include "core/ga.h"
-#include "core/kernel.h"
-#include "core/polish.h"
+#include "core/search/ga.h"
+#include "core/search/kernel.h"
+#include "core/search/polish.h"
 #include "core/numeric/rng.h"
 
 enum {

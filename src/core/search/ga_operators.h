@@ -1,7 +1,7 @@
 /* Breeding a generation, compiled once for each instruction set; used by ga.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_BREED_H
-#define TIPSPEED_CORE_BREED_H
+#ifndef TIPSPEED_CORE_SEARCH_GA_OPERATORS_H
+#define TIPSPEED_CORE_SEARCH_GA_OPERATORS_H
 
 #include <stdbool.h>
 #include <stddef.h>

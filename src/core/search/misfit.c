@@ -1,6 +1,6 @@
 /* Eq 5.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,13 +1,13 @@
 /* The batch kernel: the misfit of many candidates at once.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_KERNEL_H
-#define TIPSPEED_CORE_KERNEL_H
+#ifndef TIPSPEED_CORE_SEARCH_KERNEL_H
+#define TIPSPEED_CORE_SEARCH_KERNEL_H
 
 #include <stddef.h>
 
 #include "core/numeric/isa.h"
-#include "core/misfit.h"
-#include "core/plan.h"
+#include "core/search/misfit.h"
+#include "core/search/batch_plan.h"
 
 /* A search evaluates millions of candidates, so this computes the misfit of
  * misfit.h on a coarser scheme, lanes being candidates:

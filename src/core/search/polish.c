@@ -1,6 +1,6 @@
 /* Bounded Levenberg-Marquardt on the misfit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/polish.h"
+#include "core/search/polish.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -6,9 +6,9 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "core/kernel.h"
-#include "core/lanes.h"
-#include "core/plan.h"
+#include "core/search/kernel.h"
+#include "core/search/lanes.h"
+#include "core/search/batch_plan.h"
 
 /* Into each of the models the whole kernel is compiled again. */
 #define INLINE static inline __attribute__((always_inline))

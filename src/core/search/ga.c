@@ -1,6 +1,6 @@
 /* The genetic algorithm.  Its caller evaluates the candidates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/ga.h"
+#include "core/search/ga.h"
 
 #include <assert.h>
 #include <math.h>
@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/breed.h"
+#include "core/search/ga_operators.h"
 #include "core/numeric/elementary.h"
 #include "core/numeric/rng.h"
 

@@ -1,11 +1,11 @@
 /* Polish: from a good candidate to the bottom of its valley.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_POLISH_H
-#define TIPSPEED_CORE_POLISH_H
+#ifndef TIPSPEED_CORE_SEARCH_POLISH_H
+#define TIPSPEED_CORE_SEARCH_POLISH_H
 
 #include <stdbool.h>
 
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "core/model/params.h"
 
 struct polish;

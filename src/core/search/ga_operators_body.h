@@ -1,7 +1,7 @@
 /* Children from parents, LANES at a time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/breed.h"
-#include "core/lanes.h"
+#include "core/search/ga_operators.h"
+#include "core/search/lanes.h"
 
 static inline lanes
 uniform(struct rng_key key, size_t first)

@@ -1,14 +1,14 @@
 /* Calibration: the search for the parameters that explain a site's runs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_CALIBRATE_H
-#define TIPSPEED_CORE_CALIBRATE_H
+#ifndef TIPSPEED_CORE_SEARCH_CALIBRATE_H
+#define TIPSPEED_CORE_SEARCH_CALIBRATE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include "core/numeric/isa.h"
-#include "core/sensitivity.h"
+#include "core/search/sensitivity.h"
 #include "core/psd/site.h"
 
 /* tolerance: the search ends when the median candidate's misfit is no more than

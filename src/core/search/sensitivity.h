@@ -1,9 +1,9 @@
 /* How strongly the products of a fit answer to its parameters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_SENSITIVITY_H
-#define TIPSPEED_CORE_SENSITIVITY_H
+#ifndef TIPSPEED_CORE_SEARCH_SENSITIVITY_H
+#define TIPSPEED_CORE_SEARCH_SENSITIVITY_H
 
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 #include "core/model/params.h"
 
 /* The singular values of the Jacobian of the differences, its columns scaled by

@@ -1,6 +1,6 @@
 /* The scaled Jacobian of a fit, taken apart.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/sensitivity.h"
+#include "core/search/sensitivity.h"
 
 #include <gsl/gsl_linalg.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* Misfit (Eq 5): how far simulated products lie from measured ones.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_MISFIT_H
-#define TIPSPEED_CORE_MISFIT_H
+#ifndef TIPSPEED_CORE_SEARCH_MISFIT_H
+#define TIPSPEED_CORE_SEARCH_MISFIT_H
 
 #include <stdbool.h>
 #include <stddef.h>

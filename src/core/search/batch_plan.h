@@ -1,9 +1,9 @@
 /* What the kernel's variants share: the plan of one misfit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_PLAN_H
-#define TIPSPEED_CORE_PLAN_H
+#ifndef TIPSPEED_CORE_SEARCH_BATCH_PLAN_H
+#define TIPSPEED_CORE_SEARCH_BATCH_PLAN_H
 
-#include "core/misfit.h"
+#include "core/search/misfit.h"
 
 enum { KERNEL_NODES = 33 };
 

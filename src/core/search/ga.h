@@ -1,7 +1,7 @@
 /* A genetic algorithm with real genes in a box; knows nothing of crushing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_GA_H
-#define TIPSPEED_CORE_GA_H
+#ifndef TIPSPEED_CORE_SEARCH_GA_H
+#define TIPSPEED_CORE_SEARCH_GA_H
 
 #include <stdbool.h>
 #include <stddef.h>

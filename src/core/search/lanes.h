@@ -2,8 +2,8 @@
  * of each instruction set defines.  The compiler's vector extension lives here
  * and in kernel_body.h only.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_LANES_H
-#define TIPSPEED_CORE_LANES_H
+#ifndef TIPSPEED_CORE_SEARCH_LANES_H
+#define TIPSPEED_CORE_SEARCH_LANES_H
 
 #include <stdbool.h>
 #include <stddef.h>

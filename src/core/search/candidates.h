@@ -1,9 +1,9 @@
 /* How far the candidates of one generation lie from what was measured.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_CANDIDATES_H
-#define TIPSPEED_CORE_CANDIDATES_H
+#ifndef TIPSPEED_CORE_SEARCH_CANDIDATES_H
+#define TIPSPEED_CORE_SEARCH_CANDIDATES_H
 
-#include "core/calibrate.h"
+#include "core/search/calibrate.h"
 #include "core/psd/site.h"
 
 /* Simulated less measured passing at a sieve of a training run, 0..1: the 10th,

@@ -1,6 +1,6 @@
 /* Cuts a misfit into what the kernel sums: classes, sieves, weights.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/plan.h"
+#include "core/search/batch_plan.h"
 
 #include <math.h>
 #include <stdlib.h>

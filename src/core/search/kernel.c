@@ -1,6 +1,6 @@
 /* Picks the instruction set and hands it blocks of like candidates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/kernel.h"
+#include "core/search/kernel.h"
 
 #include <assert.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* The candidates that a generation kept, evaluated once more.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/candidates.h"
+#include "core/search/candidates.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,8 +9,8 @@
 #include <gsl/gsl_sort_double.h>
 
 #include "base/xalloc.h"
-#include "core/kernel.h"
-#include "core/misfit.h"
+#include "core/search/kernel.h"
+#include "core/search/misfit.h"
 
 enum { MOST = CALIBRATE_KEPT };
 
