@@ -12,7 +12,7 @@
 #include "base/pool.h"
 #include "base/xalloc.h"
 #include "core/search/calibrate.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 #include "core/model/product.h"
 #include "core/trust.h"
 #include "io/site_read.h"

@@ -8,7 +8,7 @@
 #include "base/tr.h"
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 
 void
 band_note(struct answer *r, const struct session *s, const struct entry *entry,

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 #include "core/trust.h"
 

@@ -4,7 +4,7 @@
 #define TIPSPEED_CMD_COMPARISON_H
 
 #include "cmd/part.h"
-#include "core/posterior.h"
+#include "core/posterior/posterior.h"
 #include "core/validate.h"
 
 /* A run that was compared, with what predicted it.  entry: its site's.  name:

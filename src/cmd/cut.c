@@ -9,7 +9,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/outlook.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 #include "core/predict.h"
 #include "io/units.h"

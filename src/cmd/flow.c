@@ -16,7 +16,7 @@
 #include "cmd/plant.h"
 #include "cmd/quantities.h"
 #include "cmd/table.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 #include "io/units.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };

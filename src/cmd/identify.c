@@ -8,7 +8,7 @@
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
 #include "cmd/table.h"
-#include "core/identify.h"
+#include "core/posterior/identify.h"
 #include "core/search/misfit.h"
 #include "io/units.h"
 

@@ -11,7 +11,7 @@
 #include "cmd/job.h"
 #include "cmd/scores.h"
 #include "cmd/table.h"
-#include "core/discrepancy.h"
+#include "core/posterior/discrepancy.h"
 #include "core/league.h"
 #include "core/search/misfit.h"
 #include "core/validate.h"

@@ -8,7 +8,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/fit.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 
 /* The runs of the calibration that inform an answer, [n_run], which the caller

@@ -6,7 +6,7 @@
 
 #include "cmd/session.h"
 #include "core/crusher.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 #include "core/predict.h"
 #include "core/response.h"
 

@@ -9,8 +9,8 @@
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
 #include "cmd/site_chart.h"
-#include "core/identify.h"
-#include "core/profile.h"
+#include "core/posterior/identify.h"
+#include "core/posterior/profile.h"
 
 /* The draws of the site in use, or NULL with an error. */
 static const struct posterior *

@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/cut.h"
 #include "cmd/outlook.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 #include "core/model/product.h"
 #include "io/moment.h"

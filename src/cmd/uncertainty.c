@@ -10,7 +10,7 @@
 #include "cmd/outlook.h"
 #include "cmd/settings.h"
 #include "cmd/table.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 #include "io/units.h"
 
 /* Beyond these the chains are said not to have converged. */

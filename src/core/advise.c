@@ -8,7 +8,7 @@
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_statistics_double.h>
 
-#include "core/posterior.h"
+#include "core/posterior/posterior.h"
 
 enum { N = POSTERIOR_DRAWS, MOST = 8 };
 

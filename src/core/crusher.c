@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/discrepancy.h"
-#include "core/ensemble.h"
+#include "core/posterior/discrepancy.h"
+#include "core/posterior/ensemble.h"
 #include "core/model/product.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };

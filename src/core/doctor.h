@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "core/mend.h"
-#include "core/posterior.h"
+#include "core/posterior/posterior.h"
 
 /* A mend that would make the sheet agree with itself.  It is only ever
  * proposed: whoever has the laboratory's sheet knows.

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/discrepancy.h"
+#include "core/posterior/discrepancy.h"
 #include "core/numeric/elementary.h"
 #include "core/numeric/rng.h"
 

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/posterior.h"
+#include "core/posterior/posterior.h"
 
 /* What of a sample is followed: the mean of its residuals, measured less
  * predicted, over the sieves; and the rise of their straight line in ln size

@@ -8,4 +8,4 @@
 /* Its own order: the models need the kernel. */
 #include "core/model/breakage_all.h"
 #include "core/search/ga_operators_body.h"
-#include "core/triangle_body.h"
+#include "core/posterior/triangle_body.h"

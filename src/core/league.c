@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "core/model/breakage.h"
-#include "core/discrepancy.h"
+#include "core/posterior/discrepancy.h"
 
 /* AICc that rules a model out; standard errors that do, where RMSE differs by
  * so much, 0..1: less is of no use to anybody, be it ever so certain. */

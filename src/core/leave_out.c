@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/discrepancy.h"
+#include "core/posterior/discrepancy.h"
 #include "core/numeric/elementary.h"
 #include "core/search/misfit.h"
 #include "core/model/product.h"

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/posterior.h"
+#include "core/posterior/posterior.h"
 #include "core/psd/site.h"
 
 /* All passings of a site as one Gaussian vector.

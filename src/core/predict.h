@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 #include "core/model/params.h"
 #include "core/psd/screening.h"
 #include "core/psd/site.h"

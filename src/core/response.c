@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 #include "core/model/product.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CORE_RESPONSE_H
 #define TIPSPEED_CORE_RESPONSE_H
 
-#include "core/posterior.h"
+#include "core/posterior/posterior.h"
 #include "core/psd/psd.h"
 #include "core/psd/quantity.h"
 

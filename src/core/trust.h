@@ -8,8 +8,8 @@
 #define TIPSPEED_CORE_TRUST_H
 
 #include "core/search/calibrate.h"
-#include "core/ensemble.h"
-#include "core/posterior.h"
+#include "core/posterior/ensemble.h"
+#include "core/posterior/posterior.h"
 #include "core/validate.h"
 
 enum light { LIGHT_GREEN, LIGHT_AMBER, LIGHT_RED };

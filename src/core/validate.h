@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "core/model/params.h"
-#include "core/posterior.h"
+#include "core/posterior/posterior.h"
 #include "core/psd/site.h"
 
 /* Who predicts: the model, the answer that the training runs correct it to, and

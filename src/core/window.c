@@ -9,7 +9,7 @@
 #include <gsl/gsl_sort_double.h>
 
 #include "base/xalloc.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 
 /* Steps of the speed, m/s; and how far apart the ends of a root's bracket
  * are. */

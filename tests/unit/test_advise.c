@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "core/advise.h"
-#include "core/posterior.h"
+#include "core/posterior/posterior.h"
 
 enum { N = POSTERIOR_DRAWS, ROWS = 12 };
 

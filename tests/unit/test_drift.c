@@ -7,7 +7,7 @@
 
 #include "core/search/calibrate.h"
 #include "core/drift.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 
 /* Montgomery, Introduction to Statistical Quality Control, table 9.4: the mean
  * run length of a CUSUM of both sides with k = 0.5.  There are two here, so

@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 #include "core/power.h"
 #include "core/predict.h"
 #include "core/search/calibrate.h"

@@ -3,7 +3,7 @@
 #include "made.h"
 
 #include "core/model/breakage.h"
-#include "core/identify.h"
+#include "core/posterior/identify.h"
 
 enum { BETA2 = 1, F_MAT = 4, E0_MIN, ALPHA, GAMMA };
 

@@ -6,7 +6,7 @@
 #include "made.h"
 
 #include "core/model/breakage.h"
-#include "core/discrepancy.h"
+#include "core/posterior/discrepancy.h"
 #include "core/league.h"
 
 /* 12 ln(0.48 / 12) + 8 + 40 / 7, with the variance as the fourth parameter. */

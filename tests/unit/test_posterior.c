@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "core/search/calibrate.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 
 struct known {
 	struct site *site;

@@ -6,7 +6,7 @@
 
 #include "core/model/breakage.h"
 #include "core/search/calibrate.h"
-#include "core/profile.h"
+#include "core/posterior/profile.h"
 
 enum { BETA2 = 1, BETA3, E0_MIN = 5, VALUES = 9 };
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "core/search/calibrate.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 #include "core/trust.h"
 
 struct known {

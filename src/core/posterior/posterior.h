@@ -1,13 +1,13 @@
 /* What is known after the data: draws of the parameters and of what the model
  * leaves out, as probable as model, measurements and priors make them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_POSTERIOR_H
-#define TIPSPEED_CORE_POSTERIOR_H
+#ifndef TIPSPEED_CORE_POSTERIOR_POSTERIOR_H
+#define TIPSPEED_CORE_POSTERIOR_POSTERIOR_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "core/discrepancy.h"
+#include "core/posterior/discrepancy.h"
 #include "core/numeric/isa.h"
 #include "core/model/params.h"
 #include "core/psd/site.h"

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/identify.h"
+#include "core/posterior/identify.h"
 
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <string.h>
 
 #include "core/model/breakage.h"
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };
 

@@ -1,6 +1,6 @@
 /* D13.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/discrepancy.h"
+#include "core/posterior/discrepancy.h"
 
 #include <math.h>
 #include <stdlib.h>

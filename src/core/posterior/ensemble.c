@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/ensemble.h"
+#include "core/posterior/ensemble.h"
 
 #include <math.h>
 #include <stdlib.h>

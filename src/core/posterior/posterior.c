@@ -9,7 +9,7 @@
  * begin in a valley which holds next to nothing stay there for thousands of
  * generations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/posterior.h"
+#include "core/posterior/posterior.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/discrepancy.h"
+#include "core/posterior/discrepancy.h"
 #include "core/search/lanes.h"
 
 /* Columns are taken so many at a time, counted from the last. */

@@ -1,7 +1,7 @@
 /* What a model leaves out, as a Gaussian process, and the errors of a sample.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_DISCREPANCY_H
-#define TIPSPEED_CORE_DISCREPANCY_H
+#ifndef TIPSPEED_CORE_POSTERIOR_DISCREPANCY_H
+#define TIPSPEED_CORE_POSTERIOR_DISCREPANCY_H
 
 #include <math.h>
 #include <stddef.h>

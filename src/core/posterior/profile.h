@@ -1,7 +1,7 @@
 /* The profile of the misfit over one parameter.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_PROFILE_H
-#define TIPSPEED_CORE_PROFILE_H
+#ifndef TIPSPEED_CORE_POSTERIOR_PROFILE_H
+#define TIPSPEED_CORE_POSTERIOR_PROFILE_H
 
 #include "core/search/misfit.h"
 

@@ -1,10 +1,10 @@
 /* What data say of parameters, read off the draws of the posterior.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_IDENTIFY_H
-#define TIPSPEED_CORE_IDENTIFY_H
+#ifndef TIPSPEED_CORE_POSTERIOR_IDENTIFY_H
+#define TIPSPEED_CORE_POSTERIOR_IDENTIFY_H
 
 #include "core/model/params.h"
-#include "core/posterior.h"
+#include "core/posterior/posterior.h"
 
 /* How far the data narrow a parameter, by the standard deviation of its draws
  * over that of its prior: determined below 0.1, poorly below 0.5. */

@@ -1,9 +1,9 @@
 /* The products of a posterior's draws, and the answer that they make.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_ENSEMBLE_H
-#define TIPSPEED_CORE_ENSEMBLE_H
+#ifndef TIPSPEED_CORE_POSTERIOR_ENSEMBLE_H
+#define TIPSPEED_CORE_POSTERIOR_ENSEMBLE_H
 
-#include "core/posterior.h"
+#include "core/posterior/posterior.h"
 #include "core/psd/psd.h"
 
 /* Products of all draws from one feed, at any speed.  The posterior must
