@@ -12,7 +12,7 @@
 #include "cmd/parse.h"
 #include "cmd/settings.h"
 #include "cmd/table.h"
-#include "core/advise.h"
+#include "core/answer/advise.h"
 #include "core/search/misfit.h"
 #include "io/units.h"
 

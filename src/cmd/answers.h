@@ -8,7 +8,7 @@
 #include "cmd/command.h"
 #include "cmd/session.h"
 #include "core/model/breakage.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 
 /* A break size below this, m, is none: every size can break. */
 #define ANSWERS_NO_SIZE 1e-6

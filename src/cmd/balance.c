@@ -10,7 +10,7 @@
 #include "cmd/light.h"
 #include "cmd/outlook.h"
 #include "cmd/parse.h"
-#include "core/ledger.h"
+#include "core/answer/mass_balance.h"
 #include "io/units.h"
 
 /* The site in use at two speeds with one feed. */

@@ -4,7 +4,7 @@
 #define TIPSPEED_CMD_BAND_H
 
 #include "cmd/session.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 
 /* Says what low and high are, and of a product which runs correct it; of
  * another site's parameters they are what its data leave open, and know nothing

@@ -16,7 +16,7 @@
 #include "cmd/plots.h"
 #include "cmd/table.h"
 #include "cmd/outlook.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "io/units.h"
 
 /* One of the two, with its name for people; draws: of its answers, row by size

@@ -5,7 +5,7 @@
 
 #include "cmd/command.h"
 #include "cmd/session.h"
-#include "core/window.h"
+#include "core/answer/window.h"
 
 /* A list that grows. */
 struct condition_list {

@@ -11,7 +11,7 @@
 #include "cmd/outlook.h"
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "io/units.h"
 
 /* Whether a passing lies in the band of one more sample, to the hundredth of a

@@ -14,7 +14,7 @@
 #include "cmd/outlook.h"
 #include "cmd/quantities.h"
 #include "cmd/table.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "io/units.h"
 
 /* What is wanted: one value of a quantity, or the most or the least of it, and

@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/files.h"
 #include "cmd/quantities.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "io/circuit_file.h"
 #include "io/units.h"
 

@@ -5,8 +5,8 @@
 
 #include "cmd/command.h"
 #include "cmd/session.h"
-#include "core/circuit.h"
-#include "core/power.h"
+#include "core/answer/circuit.h"
+#include "core/answer/power.h"
 
 /* size [n], feed [n]: the classes and the feed's masses in them.  back: what
  * goes back to the crusher, in words; NULL of a circuit of a file.  priced:

@@ -8,7 +8,7 @@
 
 #include "cmd/command.h"
 #include "cmd/session.h"
-#include "core/window.h"
+#include "core/answer/window.h"
 #include "io/spec.h"
 
 /* The envelope that words name: one that comes with the program, or that of a

@@ -1,7 +1,7 @@
 /* guess: a first product for a site with no calibration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
-#include "core/guess.h"
+#include "core/answer/guess.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #define TIPSPEED_CMD_LIGHT_H
 
 #include "cmd/session.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 
 /* Of the entry's answer p, or for NULL of its fit; trust_free. */
 struct trust light_of(const struct session *s, const struct entry *entry,

@@ -5,10 +5,10 @@
 #define TIPSPEED_CMD_OUTLOOK_H
 
 #include "cmd/session.h"
-#include "core/crusher.h"
+#include "core/answer/crusher.h"
 #include "core/posterior/ensemble.h"
-#include "core/predict.h"
-#include "core/response.h"
+#include "core/answer/predict.h"
+#include "core/answer/response.h"
 
 /* The posterior that all measured runs inform, or the training runs only, of
  * the calibration that found the entry's parameters, on this site or another

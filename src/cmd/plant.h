@@ -4,7 +4,7 @@
 #define TIPSPEED_CMD_PLANT_H
 
 #include "cmd/flow_plan.h"
-#include "core/crusher.h"
+#include "core/answer/crusher.h"
 
 /* A circuit with what its crushers are worked out by.  feed [plan->n]: masses
  * of the new feed.  own [n_unit]: of crushers that have a speed of their own.

@@ -25,7 +25,7 @@
 #include "core/numeric/elementary.h"
 #include "core/model/breakage.h"
 #include "core/search/misfit.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "core/validate.h"
 #include "io/units.h"
 #include "plot/marks.h"

@@ -4,7 +4,7 @@
 #define TIPSPEED_CMD_PLOTS_LIMITS_H
 
 #include "cmd/session.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "plot/chart.h"
 
 /* Looks of the upper and the lower limits. */

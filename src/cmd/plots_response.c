@@ -14,7 +14,7 @@
 #include "cmd/quantities.h"
 #include "cmd/screened.h"
 #include "cmd/site_chart.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "io/units.h"
 
 /* The quantities drawn [n] with the limits on them, and their values at speeds

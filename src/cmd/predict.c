@@ -16,7 +16,7 @@
 #include "cmd/table.h"
 #include "cmd/invocation.h"
 #include "cmd/outlook.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "core/validate.h"
 #include "io/units.h"
 

@@ -5,7 +5,7 @@
 
 #include "cmd/command.h"
 #include "cmd/session.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "core/psd/quantity.h"
 
 /* What is wanted of a prediction.  sieve [n] m, coarsest first; n is 0 where

@@ -5,7 +5,7 @@
 #define TIPSPEED_CMD_SETTINGS_H
 
 #include "cmd/command.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "io/answer.h"
 
 /* Which runs inform an answer beside the parameters (D13): every measured one,

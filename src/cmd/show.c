@@ -15,7 +15,7 @@
 #include "cmd/outlook.h"
 #include "core/model/classes.h"
 #include "core/model/breakage.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "io/units.h"
 
 static bool

@@ -11,7 +11,7 @@
 #include "cmd/table.h"
 #include "cmd/outlook.h"
 #include "cmd/screened.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "io/units.h"
 
 /* Rows of the two ends of a size's band. */

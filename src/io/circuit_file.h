@@ -4,7 +4,7 @@
 #define TIPSPEED_IO_CIRCUIT_FILE_H
 
 #include "base/error.h"
-#include "core/circuit.h"
+#include "core/answer/circuit.h"
 
 /* A circuit that flows: every stream has one source and one use, every unit is
  * fed, and all can reach a stockpile.  tph is 0 where the file leaves it open.

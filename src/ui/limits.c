@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/response.h"
+#include "core/answer/response.h"
 
 /* looked, feed: what it was opened for; open: it could be; tenths: where it
  * is. */

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "core/advise.h"
+#include "core/answer/advise.h"
 #include "core/posterior/posterior.h"
 
 enum { N = POSTERIOR_DRAWS, ROWS = 12 };

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 #include "core/search/calibrate.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 
 enum { RUNS_MOST = 6 };
 enum kind { ORDINARY, SHARED, FEW_SIEVES, MANY_RUNS, KINDS };

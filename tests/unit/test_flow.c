@@ -1,13 +1,13 @@
 /* Flows: circuits worked out by hand, balances, what the classes of a crusher
  * add up to, and power.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/circuit.h"
+#include "core/answer/circuit.h"
 
 #include <stdlib.h>
 
 #include "core/posterior/ensemble.h"
-#include "core/power.h"
-#include "core/predict.h"
+#include "core/answer/power.h"
+#include "core/answer/predict.h"
 #include "core/search/calibrate.h"
 #include "made.h"
 

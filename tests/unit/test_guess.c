@@ -6,8 +6,8 @@
 #include "made.h"
 #include "rules.h"
 
-#include "core/guess.h"
-#include "core/predict.h"
+#include "core/answer/guess.h"
+#include "core/answer/predict.h"
 
 enum { N = 19, UBBARP = 0, OSSJO = 5, GAVLE_4 = 9, GAVLE = 10, GAVLE_2 = 11 };
 enum { KALLERED = 12, ENHORNA = 13, FORSBY = 16, KIRUNA = 17, GASGRUVAN = 18 };

@@ -1,8 +1,8 @@
 /* The ledger of mass: it closes, and it adds up to the product.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/ledger.h"
+#include "core/answer/mass_balance.h"
 
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "made.h"
 
 static double

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 #include "core/search/calibrate.h"
-#include "core/predict.h"
-#include "core/response.h"
+#include "core/answer/predict.h"
+#include "core/answer/response.h"
 
 /* A curve whose every number is round. */
 static struct psd

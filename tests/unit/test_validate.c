@@ -9,7 +9,7 @@
 
 #include "core/model/breakage.h"
 #include "core/search/misfit.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "core/validate.h"
 
 static void

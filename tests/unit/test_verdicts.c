@@ -5,7 +5,7 @@
 #include "desk.h"
 
 #include "base/text.h"
-#include "core/response.h"
+#include "core/answer/response.h"
 #include "ui/act.h"
 #include "ui/control.h"
 #include "ui/frame.h"

@@ -1,12 +1,12 @@
 /* Windows against a sweep over the speeds in steps of 0.01 m/s, of random
  * conditions on random sites, with and without draws.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/window.h"
+#include "core/answer/window.h"
 
 #include <stdlib.h>
 
 #include "core/search/calibrate.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "made.h"
 
 enum { CONDITIONS = 3 };

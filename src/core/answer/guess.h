@@ -1,7 +1,7 @@
 /* A first guess for a site with no calibration, from materials of other sites.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_GUESS_H
-#define TIPSPEED_CORE_GUESS_H
+#ifndef TIPSPEED_CORE_ANSWER_GUESS_H
+#define TIPSPEED_CORE_ANSWER_GUESS_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/response.h"
+#include "core/answer/response.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* What is asked of the product of one feed, at any speed, with its band.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_RESPONSE_H
-#define TIPSPEED_CORE_RESPONSE_H
+#ifndef TIPSPEED_CORE_ANSWER_RESPONSE_H
+#define TIPSPEED_CORE_ANSWER_RESPONSE_H
 
 #include "core/posterior/posterior.h"
 #include "core/psd/psd.h"

@@ -1,7 +1,7 @@
 /* Prediction: the product of a site at any tip speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_PREDICT_H
-#define TIPSPEED_CORE_PREDICT_H
+#ifndef TIPSPEED_CORE_ANSWER_PREDICT_H
+#define TIPSPEED_CORE_ANSWER_PREDICT_H
 
 #include <stdbool.h>
 #include <stddef.h>

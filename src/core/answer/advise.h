@@ -1,7 +1,7 @@
 /* What one more sample would tell about an answer.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_ADVISE_H
-#define TIPSPEED_CORE_ADVISE_H
+#ifndef TIPSPEED_CORE_ANSWER_ADVISE_H
+#define TIPSPEED_CORE_ANSWER_ADVISE_H
 
 #include <stddef.h>
 

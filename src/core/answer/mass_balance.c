@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/ledger.h"
+#include "core/answer/mass_balance.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "core/model/product.h"
 
 /* Where the class alone goes: product [n] out, its share in each class. */

@@ -1,7 +1,7 @@
 /* Where the mass of a feed goes: a balance, class by class.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_LEDGER_H
-#define TIPSPEED_CORE_LEDGER_H
+#ifndef TIPSPEED_CORE_ANSWER_MASS_BALANCE_H
+#define TIPSPEED_CORE_ANSWER_MASS_BALANCE_H
 
 #include <stddef.h>
 

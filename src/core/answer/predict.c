@@ -1,6 +1,6 @@
 /* One product with what can be read off it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/predict.h"
+#include "core/answer/predict.h"
 
 #include <math.h>
 #include <stdlib.h>

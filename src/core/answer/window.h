@@ -1,11 +1,11 @@
 /* The speeds at which a product is as it is wanted.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_WINDOW_H
-#define TIPSPEED_CORE_WINDOW_H
+#ifndef TIPSPEED_CORE_ANSWER_WINDOW_H
+#define TIPSPEED_CORE_ANSWER_WINDOW_H
 
 #include <stdbool.h>
 
-#include "core/response.h"
+#include "core/answer/response.h"
 
 /* Limits of a quantity, in its own unit; NAN where there is none. */
 struct condition {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/circuit.h"
+#include "core/answer/circuit.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* A crusher for any feed: what it makes of each size class, at a speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_CRUSHER_H
-#define TIPSPEED_CORE_CRUSHER_H
+#ifndef TIPSPEED_CORE_ANSWER_CRUSHER_H
+#define TIPSPEED_CORE_ANSWER_CRUSHER_H
 
 #include <stddef.h>
 

@@ -1,11 +1,11 @@
 /* Circuits: what flows where around a crusher, in steady state.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_CIRCUIT_H
-#define TIPSPEED_CORE_CIRCUIT_H
+#ifndef TIPSPEED_CORE_ANSWER_CIRCUIT_H
+#define TIPSPEED_CORE_ANSWER_CIRCUIT_H
 
 #include <stdbool.h>
 
-#include "core/crusher.h"
+#include "core/answer/crusher.h"
 #include "core/psd/screening.h"
 
 /* A feed goes into one stream, a crusher and a stockpile make one stream or

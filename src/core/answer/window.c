@@ -1,6 +1,6 @@
 /* Steps over the speeds, roots between them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/window.h"
+#include "core/answer/window.h"
 
 #include <math.h>
 #include <stdint.h>

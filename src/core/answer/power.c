@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/power.h"
+#include "core/answer/power.h"
 
 #include <math.h>
 

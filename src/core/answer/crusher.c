@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/crusher.h"
+#include "core/answer/crusher.h"
 
 #include <math.h>
 #include <stdlib.h>

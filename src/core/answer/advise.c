@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/advise.h"
+#include "core/answer/advise.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* Nearest materials, their products, and what such guesses are worth.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/guess.h"
+#include "core/answer/guess.h"
 
 #include <assert.h>
 #include <math.h>
@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "core/model/breakage.h"
-#include "core/predict.h"
+#include "core/answer/predict.h"
 #include "core/model/synth.h"
 
 /* Same parameters, settings and top size, as Ubbarp and Gasgruvan have. */

@@ -1,7 +1,7 @@
 /* Power of a crusher's motor: an engineering estimate.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_POWER_H
-#define TIPSPEED_CORE_POWER_H
+#ifndef TIPSPEED_CORE_ANSWER_POWER_H
+#define TIPSPEED_CORE_ANSWER_POWER_H
 
 #include <stdbool.h>
 #include <stddef.h>
