@@ -14,7 +14,7 @@
 #include "core/search/calibrate.h"
 #include "core/posterior/ensemble.h"
 #include "core/model/product.h"
-#include "core/trust.h"
+#include "core/check/trust.h"
 #include "io/site_read.h"
 #include "measure.h"
 #include "plants.h"

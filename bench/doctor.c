@@ -12,7 +12,7 @@
 #include "base/pool.h"
 #include "base/xalloc.h"
 #include "core/search/calibrate.h"
-#include "core/doctor.h"
+#include "core/check/outliers.h"
 #include "core/numeric/rng.h"
 #include "measure.h"
 #include "plants.h"

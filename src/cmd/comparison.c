@@ -8,7 +8,7 @@
 #include "base/xalloc.h"
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
-#include "core/trust.h"
+#include "core/check/trust.h"
 
 void
 comparison_drop(void *of)

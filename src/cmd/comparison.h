@@ -5,7 +5,7 @@
 
 #include "cmd/part.h"
 #include "core/posterior/posterior.h"
-#include "core/validate.h"
+#include "core/check/validate.h"
 
 /* A run that was compared, with what predicted it.  entry: its site's.  name:
  * "74 (2)".  within: how many of its passings lie in the band for one more

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "core/trust.h"
+#include "core/check/trust.h"
 #include "io/answer.h"
 #include "plot/chart.h"
 

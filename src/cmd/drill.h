@@ -4,7 +4,7 @@
 #define TIPSPEED_CMD_DRILL_H
 
 #include "cmd/session.h"
-#include "core/drill.h"
+#include "core/check/drill.h"
 
 /* Samples were taken at speeds [n], m/s; answer: a speed, or NAN.  One never
  * changes once made: each sample makes another, so that a step can be undone

@@ -7,9 +7,9 @@
 #include <stdbool.h>
 
 #include "core/search/calibrate.h"
-#include "core/drift.h"
+#include "core/check/control_chart.h"
 #include "core/psd/site.h"
-#include "core/trust.h"
+#include "core/check/trust.h"
 #include "io/answer.h"
 #include "io/stored.h"
 

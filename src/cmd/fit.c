@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "core/validate.h"
+#include "core/check/validate.h"
 
 bool
 fit_breaks_nothing(const struct fit *fit)

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "cmd/session.h"
-#include "core/trust.h"
+#include "core/check/trust.h"
 
 /* True when the fit explains little that product = feed does not. */
 bool fit_breaks_nothing(const struct fit *fit);

@@ -15,7 +15,7 @@
 #include "cmd/light.h"
 #include "cmd/table.h"
 #include "core/model/breakage.h"
-#include "core/validate.h"
+#include "core/check/validate.h"
 #include "io/units.h"
 
 /* The speeds that were trained on, or the others. */

@@ -13,7 +13,7 @@
 #include "cmd/fit.h"
 #include "cmd/table.h"
 #include "core/search/misfit.h"
-#include "core/validate.h"
+#include "core/check/validate.h"
 #include "io/units.h"
 
 /* Of more materials only so many are looked at, the nearest; a band of all of

@@ -12,9 +12,9 @@
 #include "cmd/scores.h"
 #include "cmd/table.h"
 #include "core/posterior/discrepancy.h"
-#include "core/league.h"
+#include "core/check/league.h"
 #include "core/search/misfit.h"
-#include "core/validate.h"
+#include "core/check/validate.h"
 
 /* The rows of a league: every breakage model and, where collision energies are
  * set, the paper's with these (D15), the last. */

@@ -4,7 +4,7 @@
 #define TIPSPEED_CMD_MEND_H
 
 #include "cmd/session.h"
-#include "core/doctor.h"
+#include "core/check/outliers.h"
 
 /* What is wrong with an entry's sheet: by the posterior of its own calibration
  * where there is one, else by its curves alone; doctor_free. */

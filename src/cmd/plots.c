@@ -26,7 +26,7 @@
 #include "core/model/breakage.h"
 #include "core/search/misfit.h"
 #include "core/answer/predict.h"
-#include "core/validate.h"
+#include "core/check/validate.h"
 #include "io/units.h"
 #include "plot/marks.h"
 

@@ -17,7 +17,7 @@
 #include "cmd/invocation.h"
 #include "cmd/outlook.h"
 #include "core/answer/predict.h"
-#include "core/validate.h"
+#include "core/check/validate.h"
 #include "io/units.h"
 
 /* Which sizes break at this speed, in a sentence. */

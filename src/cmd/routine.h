@@ -1,11 +1,11 @@
 /* Routine cuts of a site: those that the prediction they are compared with has
- * not seen, on the control charts of core/drift.h.
+ * not seen, on the control charts of core/check/control_chart.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ROUTINE_H
 #define TIPSPEED_CMD_ROUTINE_H
 
 #include "cmd/session.h"
-#include "core/drift.h"
+#include "core/check/control_chart.h"
 
 /* A cut: the site's run; when, in words, or ""; time, s, or NAN.  size m,
  * measured and predicted passings [n] on the sieves that crushing can change.

@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_CMD_SCORES_H
 #define TIPSPEED_CMD_SCORES_H
 
-#include "core/validate.h"
+#include "core/check/validate.h"
 #include "io/answer.h"
 #include "io/parts.h"
 

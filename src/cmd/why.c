@@ -14,7 +14,7 @@
 #include "cmd/outlook.h"
 #include "core/model/breakage.h"
 #include "core/search/misfit.h"
-#include "core/validate.h"
+#include "core/check/validate.h"
 #include "io/units.h"
 
 /* Where a number begins to be worth a sentence. */

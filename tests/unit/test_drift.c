@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "core/search/calibrate.h"
-#include "core/drift.h"
+#include "core/check/control_chart.h"
 #include "core/posterior/ensemble.h"
 
 /* Montgomery, Introduction to Statistical Quality Control, table 9.4: the mean

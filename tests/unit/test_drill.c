@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-#include "core/drill.h"
+#include "core/check/drill.h"
 
 /* Of any seed: there are speeds that meet both conditions, and just beyond them
  * one is not met. */

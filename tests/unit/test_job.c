@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "core/numeric/isa.h"
-#include "core/validate.h"
+#include "core/check/validate.h"
 
 static const char LOAD[] = "synth data/table3.csv site=Tierp seed=9";
 static const char SEARCH[] =

@@ -7,7 +7,7 @@
 
 #include "core/model/breakage.h"
 #include "core/posterior/discrepancy.h"
-#include "core/league.h"
+#include "core/check/league.h"
 
 /* 12 ln(0.48 / 12) + 8 + 40 / 7, with the variance as the fourth parameter. */
 static void

@@ -9,7 +9,7 @@
 
 #include "core/search/calibrate.h"
 #include "core/posterior/ensemble.h"
-#include "core/trust.h"
+#include "core/check/trust.h"
 
 struct known {
 	struct site *site;

@@ -10,7 +10,7 @@
 #include "core/model/breakage.h"
 #include "core/search/misfit.h"
 #include "core/answer/predict.h"
-#include "core/validate.h"
+#include "core/check/validate.h"
 
 static void
 made_up_runs_are_the_models_products(void **state)

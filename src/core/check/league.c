@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/league.h"
+#include "core/check/league.h"
 
 #include <math.h>
 

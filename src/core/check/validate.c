@@ -1,6 +1,6 @@
 /* Hold-out runs, always beside null models.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/validate.h"
+#include "core/check/validate.h"
 
 #include <assert.h>
 #include <math.h>

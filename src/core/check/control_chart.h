@@ -1,7 +1,7 @@
 /* Routine samples on control charts, against what is predicted for them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_DRIFT_H
-#define TIPSPEED_CORE_DRIFT_H
+#ifndef TIPSPEED_CORE_CHECK_CONTROL_CHART_H
+#define TIPSPEED_CORE_CHECK_CONTROL_CHART_H
 
 #include <stddef.h>
 #include <stdint.h>

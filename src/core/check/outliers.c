@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/doctor.h"
+#include "core/check/outliers.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/leave_out.h"
+#include "core/check/loo.h"
 #include "core/search/misfit.h"
 #include "core/search/polish.h"
 #include "core/psd/smooth.h"

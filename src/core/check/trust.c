@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/trust.h"
+#include "core/check/trust.h"
 
 #include <math.h>
 #include <stdlib.h>

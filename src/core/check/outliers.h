@@ -1,12 +1,12 @@
 /* What is wrong with a sheet, and which mends would put it right.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_DOCTOR_H
-#define TIPSPEED_CORE_DOCTOR_H
+#ifndef TIPSPEED_CORE_CHECK_OUTLIERS_H
+#define TIPSPEED_CORE_CHECK_OUTLIERS_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/mend.h"
+#include "core/check/correction.h"
 #include "core/posterior/posterior.h"
 
 /* A mend that would make the sheet agree with itself.  It is only ever

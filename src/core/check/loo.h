@@ -1,7 +1,7 @@
 /* Each passing of a sheet against what all the others say of it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_LEAVE_OUT_H
-#define TIPSPEED_CORE_LEAVE_OUT_H
+#ifndef TIPSPEED_CORE_CHECK_LOO_H
+#define TIPSPEED_CORE_CHECK_LOO_H
 
 #include <stdbool.h>
 #include <stddef.h>

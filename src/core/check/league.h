@@ -1,8 +1,8 @@
 /* What tells models apart that were calibrated on the same runs: Akaike's
  * criterion, and how far they miss runs that were held out.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_LEAGUE_H
-#define TIPSPEED_CORE_LEAGUE_H
+#ifndef TIPSPEED_CORE_CHECK_LEAGUE_H
+#define TIPSPEED_CORE_CHECK_LEAGUE_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/leave_out.h"
+#include "core/check/loo.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Mends: changes of a site that somebody takes because a sheet is wrong.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_MEND_H
-#define TIPSPEED_CORE_MEND_H
+#ifndef TIPSPEED_CORE_CHECK_CORRECTION_H
+#define TIPSPEED_CORE_CHECK_CORRECTION_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/mend.h"
+#include "core/check/correction.h"
 
 #include <math.h>
 #include <stdlib.h>

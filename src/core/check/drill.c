@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/drill.h"
+#include "core/check/drill.h"
 
 #include <math.h>
 #include <stdlib.h>

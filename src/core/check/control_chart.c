@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/drift.h"
+#include "core/check/control_chart.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* A hidden plant to train at: known to nobody but its seed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_DRILL_H
-#define TIPSPEED_CORE_DRILL_H
+#ifndef TIPSPEED_CORE_CHECK_DRILL_H
+#define TIPSPEED_CORE_CHECK_DRILL_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* Validation: predicted against measured products at speeds held out.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_VALIDATE_H
-#define TIPSPEED_CORE_VALIDATE_H
+#ifndef TIPSPEED_CORE_CHECK_VALIDATE_H
+#define TIPSPEED_CORE_CHECK_VALIDATE_H
 
 #include <stdbool.h>
 #include <stddef.h>

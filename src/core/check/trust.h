@@ -4,13 +4,13 @@
  * model is wrong for this plant, or the samples are biased.  So reasons name
  * what was seen and what follows from it, and not the cause.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CORE_TRUST_H
-#define TIPSPEED_CORE_TRUST_H
+#ifndef TIPSPEED_CORE_CHECK_TRUST_H
+#define TIPSPEED_CORE_CHECK_TRUST_H
 
 #include "core/search/calibrate.h"
 #include "core/posterior/ensemble.h"
 #include "core/posterior/posterior.h"
-#include "core/validate.h"
+#include "core/check/validate.h"
 
 enum light { LIGHT_GREEN, LIGHT_AMBER, LIGHT_RED };
 extern const char *const LIGHT_NAME[3];
