@@ -11,7 +11,7 @@
 #include "cmd/files.h"
 #include "cmd/table.h"
 #include "core/model/breakage.h"
-#include "io/file.h"
+#include "io/fs/file.h"
 #include "io/units.h"
 
 /* What is asked of energies.  cut J/kg; E of the speed asked about; scale: of

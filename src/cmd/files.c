@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/file.h"
+#include "io/fs/file.h"
 
 struct files {
 	size_t n;

@@ -13,7 +13,7 @@
 #include "base/xalloc.h"
 #include "cmd/journal.h"
 #include "config.h"
-#include "io/kept.h"
+#include "io/fs/autosave_file.h"
 
 struct keep {
 	struct kept *kept;

@@ -23,7 +23,7 @@
 #include "cmd/undo.h"
 #include "config.h"
 #include "core/model/breakage.h"
-#include "io/file.h"
+#include "io/fs/file.h"
 
 bool
 cmd_drop(struct session *s, const struct args *args, struct error *error)

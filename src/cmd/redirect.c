@@ -20,7 +20,7 @@
 #include "cmd/output.h"
 #include "config.h"
 #include "io/book.h"
-#include "io/file.h"
+#include "io/fs/file.h"
 
 struct redirect {
 	enum target to;

@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/file.h"
+#include "io/fs/file.h"
 #include "io/sheet.h"
 
 /* A curve to write and the first of its sieves not yet written. */

@@ -18,7 +18,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "config.h"
-#include "io/home.h"
+#include "io/fs/xdg.h"
 
 /* How long to wait for another program. */
 enum { WAIT_MS = 5000, PAUSE_MS = 20 };

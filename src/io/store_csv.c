@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/file.h"
+#include "io/fs/file.h"
 #include "io/sheet.h"
 #include "io/textfile.h"
 #include "io/number.h"

@@ -20,7 +20,7 @@
 #include "cmd/complete.h"
 #include "cmd/script.h"
 #include "config.h"
-#include "io/home.h"
+#include "io/fs/xdg.h"
 #include "ui/batch.h"
 #include "ui/manpage.h"
 #include "ui/pager.h"

@@ -10,8 +10,8 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/file.h"
-#include "io/home.h"
+#include "io/fs/file.h"
+#include "io/fs/xdg.h"
 
 /* Lines held in memory; the file may have more. */
 enum { MOST = 5000 };

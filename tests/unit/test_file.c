@@ -1,6 +1,6 @@
 /* The one writer of files: rights, links, left-overs, full disks.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/file.h"
+#include "io/fs/file.h"
 
 #include <fcntl.h>
 #include <signal.h>

@@ -9,7 +9,7 @@
 #include "cmd/keep.h"
 #include "cmd/script.h"
 #include "cmd/invocation.h"
-#include "io/kept.h"
+#include "io/fs/autosave_file.h"
 #include "io/store.h"
 
 static char folder[] = "/tmp/tipspeed-keep-XXXXXX";

@@ -1,8 +1,8 @@
 /* Sessions that were not saved: a script for each program that had one, in
  * $XDG_STATE_HOME/tipspeed, by default in ~/.local/state.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_KEPT_H
-#define TIPSPEED_IO_KEPT_H
+#ifndef TIPSPEED_IO_FS_AUTOSAVE_FILE_H
+#define TIPSPEED_IO_FS_AUTOSAVE_FILE_H
 
 #include <stdbool.h>
 #include <stddef.h>

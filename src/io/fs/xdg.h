@@ -1,7 +1,7 @@
 /* The user's own files, where the XDG base directories have them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_HOME_H
-#define TIPSPEED_IO_HOME_H
+#ifndef TIPSPEED_IO_FS_XDG_H
+#define TIPSPEED_IO_FS_XDG_H
 
 /* tipspeed/NAME in the folder that the variable names, else in the folder of
  * HOME given; NULL where neither is known.  The caller frees. */

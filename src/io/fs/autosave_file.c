@@ -2,7 +2,7 @@
  * where all programs have the same number, as in containers, and a killed one
  * leaves none.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/kept.h"
+#include "io/fs/autosave_file.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -15,8 +15,8 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/file.h"
-#include "io/home.h"
+#include "io/fs/file.h"
+#include "io/fs/xdg.h"
 
 /* How many of other programs are left. */
 enum { MOST = 5 };

@@ -1,8 +1,8 @@
 /* Every file that the program writes: replaced whole or not at all, or added
  * to at its end.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_FILE_H
-#define TIPSPEED_IO_FILE_H
+#ifndef TIPSPEED_IO_FS_FILE_H
+#define TIPSPEED_IO_FS_FILE_H
 
 #include <stdbool.h>
 #include <stddef.h>

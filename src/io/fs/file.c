@@ -5,7 +5,7 @@
  * removes it.  Its name is random: process numbers come again, in containers
  * always.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/file.h"
+#include "io/fs/file.h"
 
 #include <dirent.h>
 #include <errno.h>

@@ -1,6 +1,6 @@
 /* Paths and folders of the user's own files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/home.h"
+#include "io/fs/xdg.h"
 
 #include <errno.h>
 #include <stdlib.h>
