@@ -12,7 +12,7 @@
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 #include "core/model/product.h"
-#include "io/moment.h"
+#include "io/cells/datetime.h"
 #include "io/units.h"
 
 const char *const ROUTINE_STATE[5] = {[DRIFT_NONE] = "ok",

@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/files.h"
 #include "cmd/table.h"
-#include "io/textfile.h"
+#include "io/cells/textfile.h"
 
 struct script {
 	struct script *outer;

@@ -13,7 +13,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/number.h"
+#include "io/cells/number.h"
 
 /* Decimals that have a format of their own. */
 enum { DECIMALS = 5 };

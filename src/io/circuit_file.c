@@ -9,8 +9,8 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/number.h"
-#include "io/source.h"
+#include "io/cells/number.h"
+#include "io/cells/source.h"
 #include "io/units.h"
 
 static const char *const WORDS[UNIT_KINDS] = {

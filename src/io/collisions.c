@@ -10,7 +10,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/contacts.h"
-#include "io/textfile.h"
+#include "io/cells/textfile.h"
 #include "io/units.h"
 
 /* What a column has.  Those up to COL_ID2 are of contacts, in the order of the

@@ -13,7 +13,7 @@
 #include "io/head.h"
 #include "io/sieve_size.h"
 #include "io/vocabulary.h"
-#include "io/number.h"
+#include "io/cells/number.h"
 
 enum {
 	MOST_HEADS = 6,

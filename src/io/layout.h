@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_IO_LAYOUT_H
 #define TIPSPEED_IO_LAYOUT_H
 
-#include "io/sheet.h"
+#include "io/cells/sheet.h"
 
 /* One table as if its sieves went down and its samples across.  All rows have
  * n_col cells, the first of which is the sieve's.  head: the rows above, from

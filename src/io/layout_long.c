@@ -10,7 +10,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/head.h"
-#include "io/number.h"
+#include "io/cells/number.h"
 #include "io/sieve_size.h"
 #include "io/vocabulary.h"
 

@@ -13,8 +13,8 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/head.h"
-#include "io/number.h"
-#include "io/source.h"
+#include "io/cells/number.h"
+#include "io/cells/source.h"
 #include "io/vocabulary.h"
 
 const char *const LOG_UNITS[LOG_COLUMNS] = {"rpm", "m/s", "kW", "t/h"};

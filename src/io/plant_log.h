@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 #include "base/error.h"
-#include "io/moment.h"
+#include "io/cells/datetime.h"
 
 /* What a log tells of each time: rpm, tip speed in m/s, kW, t/h. */
 enum log_column { LOG_RPM, LOG_SPEED, LOG_POWER, LOG_RATE, LOG_COLUMNS };

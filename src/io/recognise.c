@@ -12,7 +12,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/vocabulary.h"
-#include "io/number.h"
+#include "io/cells/number.h"
 
 /* Above this a tip speed is a slip of the pen; m/s. */
 static const double FASTEST = 200;

@@ -8,8 +8,8 @@
 #include <sys/stat.h>
 
 #include "base/xalloc.h"
-#include "io/sheet.h"
-#include "io/textfile.h"
+#include "io/cells/sheet.h"
+#include "io/cells/textfile.h"
 
 static bool
 says(const struct sheet *sheet, size_t row, size_t i, const char *text)

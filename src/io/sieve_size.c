@@ -9,7 +9,7 @@
 
 #include "base/text.h"
 #include "io/vocabulary.h"
-#include "io/number.h"
+#include "io/cells/number.h"
 
 struct sieve_unit
 sieve_unit_of(uint64_t means)

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "io/sheet.h"
+#include "io/cells/sheet.h"
 #include "io/sieve_names.h"
 
 /* What the head of the sieves tells: mm in the unit of their numbers, 0 where

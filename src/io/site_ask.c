@@ -13,7 +13,7 @@
 #include "io/recognise.h"
 #include "io/site_sieve.h"
 #include "io/vocabulary.h"
-#include "io/number.h"
+#include "io/cells/number.h"
 
 static bool
 add_name(struct names *names, char *part, struct error *error)

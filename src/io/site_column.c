@@ -11,7 +11,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/vocabulary.h"
-#include "io/number.h"
+#include "io/cells/number.h"
 
 const char *const SITE_ROLES[4] = {"feed", "product", "sd", ""};
 

@@ -12,7 +12,7 @@
 #include "io/head.h"
 #include "io/site_sieve.h"
 #include "io/vocabulary.h"
-#include "io/number.h"
+#include "io/cells/number.h"
 
 static const char *const NAMES[N_KEY] = {
     "site", "rock", "machine", "provenance", "top_size_mm"};

@@ -20,9 +20,9 @@
 #include "io/site_describe.h"
 #include "io/site_heading.h"
 #include "io/site_sieve.h"
-#include "io/source.h"
+#include "io/cells/source.h"
 #include "io/vocabulary.h"
-#include "io/number.h"
+#include "io/cells/number.h"
 
 /* One sheet of one file, with what was found on it. */
 struct page {

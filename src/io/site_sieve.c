@@ -12,7 +12,7 @@
 #include "base/xalloc.h"
 #include "io/units.h"
 #include "io/vocabulary.h"
-#include "io/number.h"
+#include "io/cells/number.h"
 
 /* Sieves of a crusher's product that are not said to be in mm are not taken for
  * it outside these, mm: what is coarser may be in um, what is finer in inches

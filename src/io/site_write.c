@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/fs/file.h"
-#include "io/sheet.h"
+#include "io/cells/sheet.h"
 
 /* A curve to write and the first of its sieves not yet written. */
 struct curve {

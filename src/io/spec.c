@@ -9,11 +9,11 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/sheet.h"
+#include "io/cells/sheet.h"
 #include "io/layout.h"
 #include "io/site_sieve.h"
-#include "io/source.h"
-#include "io/number.h"
+#include "io/cells/source.h"
+#include "io/cells/number.h"
 
 static const char *const HEADS[2] = {"min_pct", "max_pct"};
 

@@ -12,9 +12,9 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/number.h"
-#include "io/sheet.h"
-#include "io/textfile.h"
+#include "io/cells/number.h"
+#include "io/cells/sheet.h"
+#include "io/cells/textfile.h"
 
 /* Made from the two files at build time: their rows without the remarks. */
 extern const char *const ENVELOPES_TEXT[], *const ENVELOPE_SCALARS_TEXT[];

@@ -10,9 +10,9 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/fs/file.h"
-#include "io/sheet.h"
-#include "io/textfile.h"
-#include "io/number.h"
+#include "io/cells/sheet.h"
+#include "io/cells/textfile.h"
+#include "io/cells/number.h"
 
 /* More lines than that would not fit the 10 MB of a text file. */
 enum { MOST_ROWS = 10000 };

@@ -9,9 +9,9 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/model/breakage.h"
-#include "io/sheet.h"
-#include "io/number.h"
-#include "io/textfile.h"
+#include "io/cells/sheet.h"
+#include "io/cells/number.h"
+#include "io/cells/textfile.h"
 #include "io/units.h"
 
 /* Made from data/table3.csv at build time: its rows without the remarks. */

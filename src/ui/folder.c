@@ -14,10 +14,10 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session.h"
-#include "io/archive.h"
+#include "io/cells/archive.h"
 #include "io/results.h"
 #include "io/site_read.h"
-#include "io/textfile.h"
+#include "io/cells/textfile.h"
 #include "io/table3.h"
 #include "io/units.h"
 

@@ -6,7 +6,7 @@
 #include "cmd/cut.h"
 #include "cmd/inquiry.h"
 #include "desk.h"
-#include "io/moment.h"
+#include "io/cells/datetime.h"
 #include "io/plant_log.h"
 
 static char folder[] = "/tmp/tipspeed-add-XXXXXX";

@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "io/book.h"
-#include "io/source.h"
+#include "io/cells/source.h"
 
 static struct answer *
 new_answer(void)

@@ -9,7 +9,7 @@
 #include "cmd/journal.h"
 #include "cmd/undo.h"
 #include "desk.h"
-#include "io/xml.h"
+#include "io/cells/xml.h"
 #include "plot/picture.h"
 
 static const char HOSTILE[] =

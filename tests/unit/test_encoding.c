@@ -1,9 +1,9 @@
 /* Text comes out as people typed it, however it was coded.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/encoding.h"
+#include "io/cells/encoding.h"
 #include "sheets.h"
 
-#include "io/source.h"
+#include "io/cells/source.h"
 
 static void
 expect(const char *bytes, size_t n, enum encoding encoding, const char *text)

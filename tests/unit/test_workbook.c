@@ -3,9 +3,9 @@
 #include "books.h"
 #include "sheets.h"
 
-#include "io/shown.h"
-#include "io/source.h"
-#include "io/number.h"
+#include "io/cells/cell_format.h"
+#include "io/cells/source.h"
+#include "io/cells/number.h"
 
 static const char BOOK[] = "book.xlsx";
 

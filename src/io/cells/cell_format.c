@@ -1,6 +1,6 @@
 /* Format codes of workbooks, and their calendar.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/shown.h"
+#include "io/cells/cell_format.h"
 
 #include <ctype.h>
 #include <math.h>

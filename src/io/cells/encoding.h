@@ -1,7 +1,7 @@
 /* From the characters that a file is coded in to UTF-8.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_ENCODING_H
-#define TIPSPEED_IO_ENCODING_H
+#ifndef TIPSPEED_IO_CELLS_ENCODING_H
+#define TIPSPEED_IO_CELLS_ENCODING_H
 
 #include <stddef.h>
 

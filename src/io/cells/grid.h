@@ -1,9 +1,9 @@
 /* The sheets of a workbook while they are read, whatever kind it is of.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_GRID_H
-#define TIPSPEED_IO_GRID_H
+#ifndef TIPSPEED_IO_CELLS_GRID_H
+#define TIPSPEED_IO_CELLS_GRID_H
 
-#include "io/sheet.h"
+#include "io/cells/sheet.h"
 
 /* Of a workbook: the sheets with anything in them, and note: what else is to be
  * known ("sheet Log is not read: ..."), or "".  A sheet that is beyond the

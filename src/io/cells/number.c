@@ -1,6 +1,6 @@
 /* Decimal signs, thousands, and cells without a number.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/number.h"
+#include "io/cells/number.h"
 
 #include <ctype.h>
 #include <string.h>

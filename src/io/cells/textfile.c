@@ -1,6 +1,6 @@
 /* Reading bytes and telling text from what is not.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/textfile.h"
+#include "io/cells/textfile.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -15,7 +15,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/encoding.h"
+#include "io/cells/encoding.h"
 
 enum { MOST_BYTES = 10 * 1000 * 1000 };
 

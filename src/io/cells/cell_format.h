@@ -1,7 +1,7 @@
 /* How a spreadsheet shows a number: as one, as per cent, as a date.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_SHOWN_H
-#define TIPSPEED_IO_SHOWN_H
+#ifndef TIPSPEED_IO_CELLS_CELL_FORMAT_H
+#define TIPSPEED_IO_CELLS_CELL_FORMAT_H
 
 #include <stdbool.h>
 

@@ -1,7 +1,7 @@
 /* Dates and times of day as sheets and people write them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_MOMENT_H
-#define TIPSPEED_IO_MOMENT_H
+#ifndef TIPSPEED_IO_CELLS_DATETIME_H
+#define TIPSPEED_IO_CELLS_DATETIME_H
 
 #include <stdbool.h>
 

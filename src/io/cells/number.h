@@ -1,9 +1,9 @@
 /* Numbers of sheets, as several countries write them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_NUMBER_H
-#define TIPSPEED_IO_NUMBER_H
+#ifndef TIPSPEED_IO_CELLS_NUMBER_H
+#define TIPSPEED_IO_CELLS_NUMBER_H
 
-#include "io/sheet.h"
+#include "io/cells/sheet.h"
 
 /* Decides for the whole sheet which sign is the decimal one, by those numbers
  * that leave no choice (80,5; 1.250,5), of which most count.  Where there are

@@ -1,10 +1,10 @@
 /* Workbooks of LibreOffice (OpenDocument 1.0 to 1.4, spreadsheet).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_ODS_H
-#define TIPSPEED_IO_ODS_H
+#ifndef TIPSPEED_IO_CELLS_ODS_H
+#define TIPSPEED_IO_CELLS_ODS_H
 
-#include "io/archive.h"
-#include "io/grid.h"
+#include "io/cells/archive.h"
+#include "io/cells/grid.h"
 
 /* Reads all sheets that are not hidden.  NULL, or in words what is wrong with
  * the workbook, which the caller frees. */

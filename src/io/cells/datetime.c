@@ -1,6 +1,6 @@
 /* Zones are passed over: the clock on the wall is what the crew wrote down.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/moment.h"
+#include "io/cells/datetime.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -1,15 +1,15 @@
 /* Tells the kinds of workbooks apart, and what is none.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/workbook.h"
+#include "io/cells/workbook.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/archive.h"
-#include "io/ods.h"
-#include "io/xlsx.h"
+#include "io/cells/archive.h"
+#include "io/cells/ods.h"
+#include "io/cells/xlsx.h"
 
 static const char OLE[] = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1";
 

@@ -1,6 +1,6 @@
 /* libzip, with limits.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/archive.h"
+#include "io/cells/archive.h"
 
 #include <stdlib.h>
 

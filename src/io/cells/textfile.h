@@ -1,7 +1,7 @@
 /* A text file as a string of UTF-8, or what it is instead.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_TEXTFILE_H
-#define TIPSPEED_IO_TEXTFILE_H
+#ifndef TIPSPEED_IO_CELLS_TEXTFILE_H
+#define TIPSPEED_IO_CELLS_TEXTFILE_H
 
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
 /* XML as events, by expat, with limits.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_XML_H
-#define TIPSPEED_IO_XML_H
+#ifndef TIPSPEED_IO_CELLS_XML_H
+#define TIPSPEED_IO_CELLS_XML_H
 
 #include <stdbool.h>
 #include <stddef.h>

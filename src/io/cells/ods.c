@@ -1,7 +1,7 @@
 /* content.xml from its start to its end: styles, of which only whether a sheet
  * is shown counts, then sheets of rows of cells, which may be repeated.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/ods.h"
+#include "io/cells/ods.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -10,7 +10,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/xml.h"
+#include "io/cells/xml.h"
 
 /* Cells and rows that are repeated with something in them; beyond that a sheet
  * is too large in any case. */

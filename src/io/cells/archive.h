@@ -1,7 +1,7 @@
 /* The parts of a zip archive, which is what workbooks are.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_ARCHIVE_H
-#define TIPSPEED_IO_ARCHIVE_H
+#ifndef TIPSPEED_IO_CELLS_ARCHIVE_H
+#define TIPSPEED_IO_CELLS_ARCHIVE_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /* Names come from expat as "namespace name".
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/xml.h"
+#include "io/cells/xml.h"
 
 #include <stdint.h>
 #include <string.h>

@@ -1,9 +1,9 @@
 /* The sheets of a file, whatever kind of file it is.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_SOURCE_H
-#define TIPSPEED_IO_SOURCE_H
+#ifndef TIPSPEED_IO_CELLS_SOURCE_H
+#define TIPSPEED_IO_CELLS_SOURCE_H
 
-#include "io/sheet.h"
+#include "io/cells/sheet.h"
 
 /* sheet [n]: one of a text, each of a workbook's that can be seen.  note: what
  * was done to read it ("read as Windows-1252"), or "". */

@@ -1,8 +1,8 @@
 /* A CSV sheet as a grid of cells, each knowing its place in the file.  What
  * the cells mean is left to the reader of the sheet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_SHEET_H
-#define TIPSPEED_IO_SHEET_H
+#ifndef TIPSPEED_IO_CELLS_SHEET_H
+#define TIPSPEED_IO_CELLS_SHEET_H
 
 #include <stdbool.h>
 #include <stddef.h>

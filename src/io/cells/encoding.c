@@ -1,7 +1,7 @@
 /* Decodes by hand, as iconv's names and the letters it knows depend on the
  * system; composes by utf8proc.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/encoding.h"
+#include "io/cells/encoding.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,10 +1,10 @@
 /* Workbooks of Excel (ECMA-376, Office Open XML, transitional and strict).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_XLSX_H
-#define TIPSPEED_IO_XLSX_H
+#ifndef TIPSPEED_IO_CELLS_XLSX_H
+#define TIPSPEED_IO_CELLS_XLSX_H
 
-#include "io/archive.h"
-#include "io/grid.h"
+#include "io/cells/archive.h"
+#include "io/cells/grid.h"
 
 /* Reads all worksheets that are not hidden.  NULL, or in words what is wrong
  * with the workbook, which the caller frees. */

@@ -1,7 +1,7 @@
 /* From the bytes of a CSV file to a grid of cells.  A line is split by hand,
  * as no library keeps the columns of the cells.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/sheet.h"
+#include "io/cells/sheet.h"
 
 #include <stdarg.h>
 #include <stdio.h>

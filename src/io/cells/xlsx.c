@@ -1,7 +1,7 @@
 /* The parts of a workbook of Excel one after the other: what sheets there are,
  * strings, formats, then each sheet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/xlsx.h"
+#include "io/cells/xlsx.h"
 
 #include <ctype.h>
 #include <stdint.h>
@@ -11,8 +11,8 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/shown.h"
-#include "io/xml.h"
+#include "io/cells/cell_format.h"
+#include "io/cells/xml.h"
 
 /* Of these a file of 50 MB could hold millions. */
 enum { MOST_FORMATS = 100000, MOST_TABS = 1000 };

@@ -1,12 +1,12 @@
 /* Workbooks of spreadsheet programs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_WORKBOOK_H
-#define TIPSPEED_IO_WORKBOOK_H
+#ifndef TIPSPEED_IO_CELLS_WORKBOOK_H
+#define TIPSPEED_IO_CELLS_WORKBOOK_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "io/grid.h"
+#include "io/cells/grid.h"
 
 /* Whether bytes are a workbook, or some file like it, by what they begin with:
  * zip, or OLE, which are old workbooks and those with a password. */

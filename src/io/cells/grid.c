@@ -1,6 +1,6 @@
 /* Cells into sheets, with limits; how files hold them is left to xlsx and ods.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/grid.h"
+#include "io/cells/grid.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/encoding.h"
+#include "io/cells/encoding.h"
 
 /* Of a sheet, though its texts may stand in the file once for many cells. */
 enum { MOST_SHEETS = 200, MOST_BYTES = 10 * 1000 * 1000 };

@@ -1,13 +1,13 @@
 /* From a path to sheets.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/source.h"
+#include "io/cells/source.h"
 
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "io/textfile.h"
-#include "io/workbook.h"
-#include "io/number.h"
+#include "io/cells/textfile.h"
+#include "io/cells/workbook.h"
+#include "io/cells/number.h"
 
 /* A sieve sheet has some dozen lines, a log one for each minute of months. */
 enum { MOST_ROWS = 2000, MOST_LOG = 200000 };
