@@ -15,7 +15,7 @@
 #include "core/posterior/ensemble.h"
 #include "core/model/product.h"
 #include "core/check/trust.h"
-#include "io/site_read.h"
+#include "io/sitefile/site_read.h"
 #include "measure.h"
 #include "plants.h"
 

@@ -15,7 +15,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "core/numeric/isa.h"
-#include "io/site_read.h"
+#include "io/sitefile/site_read.h"
 
 double
 measure_now(void)

@@ -16,7 +16,7 @@
 #include "cmd/load.h"
 #include "cmd/log.h"
 #include "cmd/table.h"
-#include "io/head.h"
+#include "io/sitefile/column_header.h"
 
 /* What is known of each file [n] beside its numbers: its word as load has it,
  * its time in words, or "", and what the log says. */

@@ -14,7 +14,7 @@
 #include "cmd/table.h"
 #include "core/answer/advise.h"
 #include "core/search/misfit.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* A sample that could be taken.  width: of the band, expected after it. */
 struct candidate {

@@ -13,7 +13,7 @@
 #include "cmd/light.h"
 #include "cmd/screened.h"
 #include "cmd/outlook.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {
     "p20_mm", "p50_mm", "p80_mm", "break_mm"};

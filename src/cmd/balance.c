@@ -11,7 +11,7 @@
 #include "cmd/outlook.h"
 #include "cmd/parse.h"
 #include "core/answer/mass_balance.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* The site in use at two speeds with one feed. */
 struct balance {

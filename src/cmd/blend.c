@@ -17,8 +17,8 @@
 #include "cmd/table.h"
 #include "cmd/variant.h"
 #include "core/psd/blend.h"
-#include "io/site_write.h"
-#include "io/units.h"
+#include "io/sitefile/site_write.h"
+#include "io/sitefile/units.h"
 
 /* One feed: its file, the sheet and the run of it, and its part. */
 struct part {

@@ -14,7 +14,7 @@
 #include "cmd/plant.h"
 #include "cmd/quantities.h"
 #include "cmd/table.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* What is asked at every speed: P20, P50 and P80, then the user's figures;
  * limits, and tonnes. */

@@ -14,7 +14,7 @@
 #include "cmd/mend.h"
 #include "cmd/table.h"
 #include "core/search/misfit.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* Product coarser than feed by more than this is no sampling error. */
 static const double COARSER_FAULT = 0.02;

@@ -17,7 +17,7 @@
 #include "cmd/table.h"
 #include "cmd/outlook.h"
 #include "core/answer/predict.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* One of the two, with its name for people; draws: of its answers, row by size
  * of its curve, or NULL. */

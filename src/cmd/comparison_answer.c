@@ -9,7 +9,7 @@
 #include "cmd/answers.h"
 #include "cmd/job.h"
 #include "cmd/scores.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* "null", "winner". */
 static void

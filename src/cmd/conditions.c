@@ -12,7 +12,7 @@
 #include "cmd/grading.h"
 #include "cmd/outlook.h"
 #include "cmd/quantities.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 static const char DIGITS[] = "0123456789";
 

@@ -12,7 +12,7 @@
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 #include "core/answer/predict.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* Whether a passing lies in the band of one more sample, to the hundredth of a
  * point that sheets are rounded to. */

@@ -16,9 +16,9 @@
 #include "cmd/table.h"
 #include "core/model/synth.h"
 #include "io/plant_log.h"
-#include "io/site_write.h"
+#include "io/sitefile/site_write.h"
 #include "io/table3.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 bool
 cmd_sites(struct session *s, const struct args *args, struct error *error)

@@ -10,7 +10,7 @@
 #include "cmd/light.h"
 #include "cmd/routine.h"
 #include "cmd/table.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 static const uint64_t SEED = 1; /* of the simulated run lengths */
 

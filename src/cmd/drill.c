@@ -19,7 +19,7 @@
 #include "cmd/table.h"
 #include "core/model/breakage.h"
 #include "core/numeric/rng.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* What a drill begins with, and what samples cost: the rotor's speed has to be
  * changed for one at a new speed. */

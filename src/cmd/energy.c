@@ -12,7 +12,7 @@
 #include "cmd/table.h"
 #include "core/model/breakage.h"
 #include "io/fs/file.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* What is asked of energies.  cut J/kg; E of the speed asked about; scale: of
  * the energies to it. */

@@ -12,7 +12,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/job.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 static uint64_t
 digest_of(const char *text)

@@ -15,7 +15,7 @@
 #include "cmd/quantities.h"
 #include "cmd/table.h"
 #include "core/answer/predict.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* What is wanted: one value of a quantity, or the most or the least of it, and
  * the conditions that have to hold besides; on which feed, and between which

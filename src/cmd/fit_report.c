@@ -16,7 +16,7 @@
 #include "cmd/table.h"
 #include "core/model/breakage.h"
 #include "core/check/validate.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* The speeds that were trained on, or the others. */
 static void

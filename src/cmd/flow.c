@@ -17,7 +17,7 @@
 #include "cmd/quantities.h"
 #include "cmd/table.h"
 #include "core/posterior/ensemble.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };
 

@@ -11,7 +11,7 @@
 #include "cmd/quantities.h"
 #include "core/answer/predict.h"
 #include "io/circuit_file.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* Each fraction may need two screens and two stockpiles. */
 enum { FRACTIONS = CIRCUIT_UNITS / 5, EDGES = 2 * FRACTIONS };

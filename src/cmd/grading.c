@@ -12,7 +12,7 @@
 #include "cmd/outlook.h"
 #include "cmd/quantities.h"
 #include "io/standards.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 static const struct spec *
 keep(struct session *s, struct spec *spec)

@@ -14,7 +14,7 @@
 #include "cmd/table.h"
 #include "core/search/misfit.h"
 #include "core/check/validate.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* Of more materials only so many are looked at, the nearest; a band of all of
  * 100,000 would be no other and take seconds. */

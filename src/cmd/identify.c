@@ -10,7 +10,7 @@
 #include "cmd/table.h"
 #include "core/posterior/identify.h"
 #include "core/search/misfit.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* Correlation that makes a ridge; how many of them are told; a break size is
  * fixed where its standard deviation is below such a share of it, and open

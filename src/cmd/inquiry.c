@@ -11,8 +11,8 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/head.h"
-#include "io/vocabulary.h"
+#include "io/sitefile/column_header.h"
+#include "io/sitefile/lexicon.h"
 
 enum { WRONG = 160 };
 

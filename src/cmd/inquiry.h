@@ -5,7 +5,7 @@
 #define TIPSPEED_CMD_INQUIRY_H
 
 #include "cmd/session.h"
-#include "io/site_request.h"
+#include "io/sitefile/site_request.h"
 
 /* One question.  about: what it is about, a sentence.  ask: its columns are the
  * table shown with it (n 0: none), of which `at` is asked about.  text: the

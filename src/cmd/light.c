@@ -13,7 +13,7 @@
 #include "cmd/outlook.h"
 #include "cmd/routine.h"
 #include "core/search/misfit.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* Below this width of a band, passing, no parameter moves the answer by what is
  * worth a word; and that. */

@@ -18,9 +18,9 @@
 #include "cmd/journal.h"
 #include "cmd/log.h"
 #include "cmd/table.h"
-#include "io/head.h"
-#include "io/results.h"
-#include "io/site_read.h"
+#include "io/sitefile/column_header.h"
+#include "io/sitefile/results.h"
+#include "io/sitefile/site_read.h"
 
 enum { MOST_ROUNDS = 5 };
 

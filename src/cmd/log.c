@@ -13,7 +13,7 @@
 #include "cmd/inquiry.h"
 #include "cmd/journal.h"
 #include "cmd/table.h"
-#include "io/head.h"
+#include "io/sitefile/column_header.h"
 
 /* "1,440 rows", as people read long numbers. */
 static char *

@@ -13,7 +13,7 @@
 #include "cmd/invocation.h"
 #include "cmd/outlook.h"
 #include "cmd/table.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* The posterior of a calibration of this very site. */
 static const struct posterior *

@@ -27,7 +27,7 @@
 #include "core/search/misfit.h"
 #include "core/answer/predict.h"
 #include "core/check/validate.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 #include "plot/marks.h"
 
 /* The looks of a feed, or what lies behind, and of a single curve. */

@@ -10,7 +10,7 @@
 #include "cmd/quantities.h"
 #include "cmd/screened.h"
 #include "io/spec.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 const struct chart_series PLOTS_LIMITS[2] = {
     {.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '\'', .mark = 'T'},

@@ -15,7 +15,7 @@
 #include "cmd/screened.h"
 #include "cmd/site_chart.h"
 #include "core/answer/predict.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* The quantities drawn [n] with the limits on them, and their values at speeds
  * [POINTS]: of the answer, and the ends of the band, NAN without. */

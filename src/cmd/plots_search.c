@@ -13,7 +13,7 @@
 #include "core/model/breakage.h"
 #include "core/search/candidates.h"
 #include "core/search/sensitivity.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 static struct candidates
 candidates_at(

@@ -18,7 +18,7 @@
 #include "cmd/outlook.h"
 #include "core/answer/predict.h"
 #include "core/check/validate.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* Which sizes break at this speed, in a sentence. */
 static void

@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* The size for fines, m. */
 #define FINES 0.000063

@@ -13,7 +13,7 @@
 #include "core/search/misfit.h"
 #include "core/model/product.h"
 #include "io/cells/datetime.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 const char *const ROUTINE_STATE[5] = {[DRIFT_NONE] = "ok",
     [DRIFT_COARSER] = N_("coarser"),

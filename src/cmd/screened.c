@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/outlook.h"
 #include "cmd/quantities.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* Crushing makes nothing coarser: where all of the feed passes the finer of
  * ideal screens, so does the product. */

@@ -14,7 +14,7 @@
 #include "base/xalloc.h"
 #include "cmd/document.h"
 #include "io/book.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 struct entry *
 session_entry(struct session *s)

@@ -16,7 +16,7 @@
 #include "core/model/classes.h"
 #include "core/model/breakage.h"
 #include "core/answer/predict.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 static bool
 show_site(struct session *s, const struct args *args, struct error *error)

@@ -11,7 +11,7 @@
 #include "cmd/quantities.h"
 #include "cmd/table.h"
 #include "io/standards.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* The operands from one on as one text: names have blanks.  NULL where there
  * are none; else the caller frees. */

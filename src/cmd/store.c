@@ -19,7 +19,7 @@
 #include "cmd/invocation.h"
 #include "config.h"
 #include "io/store_csv.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* "fit", "set by hand" or "Table 3". */
 static const char *

@@ -12,7 +12,7 @@
 #include "cmd/outlook.h"
 #include "cmd/screened.h"
 #include "core/answer/predict.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* Rows of the two ends of a size's band. */
 static void

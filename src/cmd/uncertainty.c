@@ -11,7 +11,7 @@
 #include "cmd/settings.h"
 #include "cmd/table.h"
 #include "core/posterior/ensemble.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* Beyond these the chains are said not to have converged. */
 static const double DRIFT = 0.5, RATIO = 4;

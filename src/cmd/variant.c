@@ -10,8 +10,8 @@
 #include "base/xalloc.h"
 #include "cmd/load.h"
 #include "cmd/quantities.h"
-#include "io/head.h"
-#include "io/units.h"
+#include "io/sitefile/column_header.h"
+#include "io/sitefile/units.h"
 
 /* The entries as they are, [n], and what stands in for each. */
 struct stand_in {

@@ -15,7 +15,7 @@
 #include "core/model/breakage.h"
 #include "core/search/misfit.h"
 #include "core/check/validate.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* Where a number begins to be worth a sentence. */
 static const double FEW = 0.05;         /* of the feed above the break size */

@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 #include "io/cells/number.h"
 #include "io/cells/source.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 static const char *const WORDS[UNIT_KINDS] = {
     "feed", "crusher", "screen", "split", "stockpile"};

@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 #include "io/contacts.h"
 #include "io/cells/textfile.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* What a column has.  Those up to COL_ID2 are of contacts, in the order of the
  * compute's own. */

@@ -12,10 +12,10 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/head.h"
+#include "io/sitefile/column_header.h"
 #include "io/cells/number.h"
 #include "io/cells/source.h"
-#include "io/vocabulary.h"
+#include "io/sitefile/lexicon.h"
 
 const char *const LOG_UNITS[LOG_COLUMNS] = {"rpm", "m/s", "kW", "t/h"};
 

@@ -10,8 +10,8 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/cells/sheet.h"
-#include "io/layout.h"
-#include "io/site_sieve.h"
+#include "io/sitefile/layout.h"
+#include "io/sitefile/site_sieve.h"
 #include "io/cells/source.h"
 #include "io/cells/number.h"
 

@@ -14,7 +14,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/table3.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 #define AT(member) offsetof(struct stored, member)
 #define BEYOND 1e300

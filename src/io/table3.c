@@ -12,7 +12,7 @@
 #include "io/cells/sheet.h"
 #include "io/cells/number.h"
 #include "io/cells/textfile.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* Made from data/table3.csv at build time: its rows without the remarks. */
 extern const char *const TABLE3_TEXT[];

@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 #include "ui/control.h"
 #include "ui/pane.h"
 #include "ui/screen.h"

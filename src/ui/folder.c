@@ -15,11 +15,11 @@
 #include "base/xalloc.h"
 #include "cmd/session.h"
 #include "io/cells/archive.h"
-#include "io/results.h"
-#include "io/site_read.h"
+#include "io/sitefile/results.h"
+#include "io/sitefile/site_read.h"
 #include "io/cells/textfile.h"
 #include "io/table3.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* A longer list is no help, and a folder of a million files takes long. */
 enum { MOST_ITEMS = 2000 };

@@ -16,7 +16,7 @@
 #include "cmd/grading.h"
 #include "cmd/quantities.h"
 #include "io/standards.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 
 /* Screens separate sharply. */
 static const struct partition SHARP = {0, 1};

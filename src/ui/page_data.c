@@ -10,7 +10,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/mend.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 #include "ui/control.h"
 #include "ui/frame.h"
 #include "ui/screen.h"

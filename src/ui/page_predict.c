@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/goals.h"
 #include "cmd/pin.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 #include "ui/first.h"
 #include "ui/limits.h"
 #include "ui/pages.h"

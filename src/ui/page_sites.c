@@ -15,7 +15,7 @@
 #include "cmd/job.h"
 #include "cmd/light.h"
 #include "cmd/outlook.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 #include "ui/chooser.h"
 #include "ui/control.h"
 #include "ui/pages.h"

@@ -6,7 +6,7 @@
 
 #include "base/tr.h"
 #include "cmd/answers.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
 

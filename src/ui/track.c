@@ -11,7 +11,7 @@
 #include "cmd/answers.h"
 #include "cmd/quantities.h"
 #include "core/model/breakage.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 #include "ui/goal.h"
 #include "ui/screen.h"
 

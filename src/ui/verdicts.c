@@ -14,7 +14,7 @@
 #include "cmd/light.h"
 #include "cmd/plots_limits.h"
 #include "cmd/quantities.h"
-#include "io/units.h"
+#include "io/sitefile/units.h"
 #include "ui/limits.h"
 #include "ui/pane.h"
 #include "ui/readings.h"

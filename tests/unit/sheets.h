@@ -16,8 +16,8 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/site_read.h"
-#include "io/site_write.h"
+#include "io/sitefile/site_read.h"
+#include "io/sitefile/site_write.h"
 
 #define TOP "size_mm,feed,product@69,product@79\n"
 #define ROWS "8,100,100,100\n4,60,80,90\n1,10,20,30\n"

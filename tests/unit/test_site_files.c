@@ -3,7 +3,7 @@
 #include "rules.h"
 #include "sheets.h"
 
-#include "io/results.h"
+#include "io/sitefile/results.h"
 
 #include <signal.h>
 #include <sys/resource.h>

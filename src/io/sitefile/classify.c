@@ -1,0 +1,929 @@
+/* Heads say what they say; numbers say the rest, or that it cannot be told.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/classify.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "io/sitefile/lexicon.h"
+#include "io/cells/number.h"
+
+/* Above this a tip speed is a slip of the pen; m/s. */
+static const double FASTEST = 200;
+
+static const uint64_t ROLE_WORDS = WORD_FEED | WORD_PRODUCT | WORD_SD;
+static const uint64_t KIND_WORDS = WORD_PASSES | WORD_STAYS | WORD_SUMS;
+static const uint64_t SCALE_WORDS =
+    WORD_PERCENT | WORD_GRAMS | WORD_SHARE | WORD_MASS;
+
+static void __attribute__((format(printf, 2, 3)))
+assume(struct column *c, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	char *what = xvasprintf(tr(format), ap);
+	va_end(ap);
+	if (c->assumed == NULL)
+		c->assumed = what;
+	else {
+		xlist(&c->assumed, "\n", "%s", what);
+		free(what);
+	}
+}
+
+/* The head of column c in row r: its own cell, or the one that spreads from its
+ * left, as merged cells do (own: false). */
+static const struct cell *
+head_cell(const struct block *b, size_t r, size_t c, bool *own)
+{
+	const struct row *row = &b->head[r];
+	*own = row->cell[c].text[0] != '\0';
+	size_t k = c;
+	while (k > 0 && row->cell[k].text[0] == '\0')
+		k--;
+	if (*own)
+		return &row->cell[c];
+	return k > 0 && b->n_head > 1 ? &row->cell[k] : NULL;
+}
+
+/* Fills in what `said` lacks from a cell above. */
+static void
+merge(struct head *said, const struct head *more, bool own, bool titles)
+{
+	static const uint64_t GROUPS[3] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
+	    WORD_PASSES | WORD_STAYS | WORD_SUMS,
+	    WORD_PERCENT | WORD_GRAMS | WORD_SHARE | WORD_MASS};
+	uint64_t rest = ~(GROUPS[0] | GROUPS[1] | GROUPS[2]);
+	/* Of "Feed" above the next column, where this one has a speed of its
+	 * own, only the feed is meant. */
+	bool mean = !own && (said->means & WORD_MEAN) != 0;
+	bool feed = !own && (more->means & WORD_FEED) != 0 &&
+		    (said->speed > 0 || said->rpm > 0);
+	for (size_t i = feed ? 1 : 0; i < 3; i++)
+		if ((said->means & GROUPS[i]) == 0)
+			said->means |= more->means & GROUPS[i];
+	if (own)
+		said->means |= more->means & rest;
+	if (own && !titles)
+		said->unknown += more->unknown;
+	if (!mean && said->speed == 0 && (said->rpm == 0 || more->speed > 0)) {
+		said->speed = more->speed;
+		said->rpm = said->rpm > 0 ? said->rpm : more->rpm;
+		said->spread = !own && (more->speed > 0 || more->rpm > 0);
+		said->unit =
+		    said->unit == SPEED_NO_UNIT ? more->unit : said->unit;
+	}
+	if (said->n_number == 0) {
+		said->n_number = more->n_number;
+		memcpy(said->number, more->number, sizeof said->number);
+	}
+	said->several = said->several || more->several;
+}
+
+/* Of a row that its first cell labels: "Speed (m/s)", "Sample", "Date". */
+static void
+apply_label(const struct cell *label, struct head *head)
+{
+	struct head row = head_read(label->text);
+	if ((row.means & (WORD_OTHER | WORD_ROTOR)) != 0 &&
+	    (row.means & WORD_SPEED) == 0 && row.unit == SPEED_NO_UNIT) {
+		*head = (struct head){0};
+		return;
+	}
+	enum speed_unit unit = row.unit;
+	if (unit == SPEED_NO_UNIT && (row.means & WORD_RPM) != 0)
+		unit = SPEED_RPM;
+	bool speed = unit != SPEED_NO_UNIT || (row.means & WORD_SPEED) != 0;
+	/* "Speed (Hz)", "Belt speed m/s", "t/h": another quantity. */
+	bool other =
+	    row.unknown > 0 || (row.means & ~WORD_FILLER) == 0 ||
+	    row.n_number > 0 ||
+	    (row.means & (WORD_PERCENT | WORD_GRAMS | WORD_LIMIT)) != 0 ||
+	    (speed && (row.means & WORD_SAMPLE) != 0) ||
+	    (speed && (row.means & WORD_FEED) != 0);
+	if (other && head->unit == SPEED_NO_UNIT) {
+		head->n_number = 0;
+		return;
+	}
+	if (speed && head->n_number == 1 && head->unit == SPEED_NO_UNIT) {
+		if (unit == SPEED_NO_UNIT) {
+			head->means |= WORD_SPEED;
+			return;
+		}
+		head->unit = unit;
+		if (unit == SPEED_RPM)
+			head->rpm = head->number[0];
+		else
+			head->speed = head_mps(head->number[0], unit, 0);
+		head->n_number = 0;
+	} else if ((row.means & WORD_SAMPLE) != 0 && !speed) {
+		head->n_number = 0;
+	}
+}
+
+/* Everything that the heads of a column say. */
+static struct head
+read_heads(const struct block *b, size_t c)
+{
+	struct head said = {0};
+	for (size_t r = b->n_head; r-- > 0;) {
+		bool own;
+		const struct cell *cell = head_cell(b, r, c, &own);
+		if (cell == NULL || cell->kind == CELL_DATE)
+			continue;
+		struct head one = head_read(cell->text);
+		bool anchor = r == b->titles;
+		if (!anchor && b->head[r].cell[0].text[0] != '\0')
+			apply_label(&b->head[r].cell[0], &one);
+		merge(&said, &one, own, r < b->titles);
+	}
+	/* "speed 69" of a long table, "tip speed (m/s) 69" in one cell. */
+	if (said.speed == 0 && said.rpm == 0 && said.n_number == 1 &&
+	    said.unit != SPEED_NO_UNIT) {
+		if (said.unit == SPEED_RPM)
+			said.rpm = said.number[0];
+		else
+			said.speed = head_mps(said.number[0], said.unit, 0);
+		said.n_number = 0;
+	}
+	if (said.speed == 0 && said.rpm == 0 && said.n_number == 1 &&
+	    (said.means & WORD_RPM) != 0 && said.number[0] > 200) {
+		said.rpm = said.number[0];
+		said.n_number = 0;
+	}
+	return said;
+}
+
+/* The numbers of a column from coarse to fine, without the pan. */
+struct shape {
+	int n, rises, falls;
+	double first, last, most, sum; /* sum: with the pan */
+	bool has_pan;
+	double pan;
+};
+
+static struct shape
+shape_of(const struct column *c)
+{
+	const struct table *t = c->table;
+	struct shape s = {.first = NAN, .last = NAN, .pan = NAN};
+	double *raw = xdoubles(t->n_row);
+	site_column_raw(c, raw);
+	for (size_t i = 0; i < t->n_row; i++) {
+		double mm;
+		if (isnan(raw[i]))
+			continue;
+		if (sieve_size(t->sheet, t->row[i].cell[0], t->unit, &mm) ==
+		    SIEVE_IS_PAN) {
+			s.has_pan = true;
+			s.pan = raw[i];
+			s.sum += raw[i];
+			continue;
+		}
+		s.rises += raw[i] > s.last;
+		s.falls += raw[i] < s.last;
+		s.first = s.n == 0 ? raw[i] : s.first;
+		s.last = raw[i];
+		s.most = fmax(s.most, raw[i]);
+		s.sum += raw[i];
+		s.n++;
+	}
+	free(raw);
+	return s;
+}
+
+static bool
+near(double value, double whole, double percent)
+{
+	return fabs(value - whole) <= percent / 100 * whole;
+}
+
+/* The sum that a line below the table has, in the column's own unit; NAN. */
+static double
+stated_total(const struct column *c)
+{
+	const struct block *b = c->table->block;
+	double v;
+	for (size_t i = 0; i < b->n_foot; i++) {
+		uint64_t means = vocabulary_text(b->foot[i].cell[0].text, NULL);
+		if ((means & WORD_TOTAL) != 0 &&
+		    number_of(c->table->sheet, b->foot[i].cell[c->at], &v))
+			return v;
+	}
+	return NAN;
+}
+
+/* Of numbers that rise and fall, or of parts: what they are parts of. */
+static bool
+parts_scale(const struct shape *s, double total, enum unit_scale *scale)
+{
+	bool percent = near(s->sum, 100, 5) && s->most <= 100.5;
+	*scale = OF_100;
+	if (near(s->sum, 100, 1.05) && s->most <= 100.5)
+		*scale = OF_100;
+	else if (near(s->sum, 1, 1.05) && s->most <= 1.005)
+		*scale = OF_1;
+	else if (!percent && (s->has_pan || !isnan(total)))
+		*scale = OF_MASS;
+	else /* nearly 100, and neither 100 nor some mass */
+		return false;
+	return true;
+}
+
+/* What the numbers alone look like; false where they could be several
+ * things. */
+static bool
+guess_kind(const struct shape *s, double total, enum unit_kind *kind,
+    enum unit_scale *scale)
+{
+	bool hill = s->rises > 0 && s->falls > 0;
+	bool peak = s->first >= s->most && s->rises <= 1;
+	*scale = s->most <= 1 + 1e-9 ? OF_1 : OF_100;
+	if (hill && peak && (near(s->most, 100, 1) || near(s->most, 1, 1))) {
+		*kind = PASSING; /* and one cell is wrong */
+		return true;
+	}
+	if (hill) {
+		*kind = RETAINED;
+		return parts_scale(s, total, scale);
+	}
+	if (s->rises > 0) {
+		*kind = CUMULATIVE;
+		double end = s->has_pan ? s->pan : s->last;
+		if (s->has_pan && s->pan < s->last) {
+			*kind = RETAINED;
+			return parts_scale(s, total, scale);
+		}
+		if (end > 101)
+			*scale = OF_MASS;
+		return s->n > 2 && *scale != OF_MASS &&
+		       (near(end, 100, 10) || near(end, 1, 10)) &&
+		       s->sum > 1.2 * end;
+	}
+	*kind = PASSING;
+	if (s->most > 100.5) {
+		*kind = RETAINED;
+		*scale = OF_MASS;
+		return s->has_pan && s->n > 2 && s->pan > 0;
+	}
+	if (*scale == OF_1)
+		return near(s->first, 1, 0.1) && s->n > 2 && s->falls > 1;
+	return near(s->first, 100, 0.6) ||
+	       (!near(s->sum, 100, 3) && s->n > 2 && s->first > 20);
+}
+
+/* Whether numbers can be what the head says. */
+static bool
+agrees_with(const struct shape *s, enum unit_kind kind)
+{
+	bool falls = s->rises == 0 && s->falls > 0;
+	bool rises = s->falls == 0 && s->rises > 0;
+	bool hill = s->rises > 0 && s->falls > 0;
+	if (kind == PASSING)
+		return !rises && !(hill && s->first < 0.9 * s->most);
+	if (kind == CUMULATIVE)
+		return !falls && !(hill && s->last < 0.9 * s->most);
+	return !(falls && s->n > 2 && near(s->first, 100, 1)) &&
+	       !(falls && s->n > 2 && near(s->first, 1, 0.1));
+}
+
+/* Of a column that says "retained", and rises throughout: each sieve's, or
+ * cumulative?  False where both are possible. */
+static bool
+settle_rising(
+    struct column *c, const struct shape *s, double total, enum unit_kind *kind)
+{
+	bool share = s->most <= 100.5 && (c->said.means & WORD_GRAMS) == 0;
+	double whole = s->most <= 1.005 ? 1 : 100;
+	*kind = CUMULATIVE;
+	if (s->has_pan && s->pan < s->last)
+		*kind = RETAINED;
+	else if (share && near(s->sum, whole, 1.05))
+		*kind = RETAINED;
+	else if (share && s->sum > 1.05 * whole && near(s->most, whole, 25))
+		assume(c, "cumulative, as the parts would sum to %.3g", s->sum);
+	else if (!isnan(total) && near(s->sum, total, 1))
+		*kind = RETAINED;
+	else if (!(s->has_pan && !isnan(total) && near(s->pan, total, 0.1) &&
+		     s->sum > 1.05 * total))
+		return false;
+	return true;
+}
+
+/* The scale that the head states, checked against the numbers. */
+static bool
+settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
+    double total, enum unit_scale *scale)
+{
+	uint64_t means = c->said.means;
+	double whole = kind == RETAINED  ? s->sum
+		       : kind == PASSING ? s->first
+		       : s->has_pan      ? s->pan
+					 : s->last;
+	bool one = s->most <= 1 + 1e-9;
+	if ((means & WORD_PERCENT) != 0) {
+		*scale = OF_100;
+		if (!one || s->most <= 0)
+			return true;
+		*scale = OF_1;
+		assume(c, "fractions, as nothing is above 1");
+		return near(whole, 1, 1.05) && s->n > 2;
+	}
+	if ((means & WORD_GRAMS) != 0) {
+		*scale = OF_MASS;
+		return kind != PASSING;
+	}
+	if ((means & WORD_SHARE) != 0) {
+		*scale = one ? OF_1 : OF_100;
+		return one || (kind == PASSING && near(s->first, 100, 0.6));
+	}
+	if ((means & WORD_MASS) != 0 && kind != PASSING &&
+	    (s->has_pan || !isnan(total))) {
+		*scale = OF_MASS;
+		return true;
+	}
+	if (kind == RETAINED)
+		return parts_scale(s, total, scale);
+	*scale = one ? OF_1 : OF_100;
+	if (s->most > 100.5) {
+		*scale = OF_MASS;
+		return kind == CUMULATIVE && s->has_pan;
+	}
+	if (one && s->most > 0)
+		return near(whole, 1, 1.05) && s->n > 2;
+	return kind == PASSING || near(whole, 100, 25) ||
+	       (means & WORD_PERCENT) != 0;
+}
+
+/* Whether a head in the form of tipspeed-site(5) defines the unit: product@69
+ * is per cent passing, unless its numbers rise and fall.  Then *unit is it. */
+static bool
+is_defined(const struct column *c, const struct shape *s, size_t *unit)
+{
+	const struct block *b = c->table->block;
+	uint64_t words = c->said.means & (KIND_WORDS | SCALE_WORDS);
+	static const struct {
+		uint64_t words;
+		size_t unit;
+	} DEFINED[] = {{0, 0}, {WORD_PASSES | WORD_PERCENT, 1}, {WORD_SHARE, 2},
+	    {WORD_STAYS | WORD_GRAMS, 3}, {WORD_STAYS | WORD_PERCENT, 4},
+	    {WORD_STAYS | WORD_SHARE, 5},
+	    {WORD_SUMS | WORD_STAYS | WORD_GRAMS, 6},
+	    {WORD_SUMS | WORD_STAYS | WORD_PERCENT, 7},
+	    {WORD_SUMS | WORD_STAYS | WORD_SHARE, 8}};
+	if (b->n_head != 1 ||
+	    strncmp(b->head[0].cell[0].text, "size_", 5) != 0 || b->across ||
+	    c->said.unknown > 0)
+		return false;
+	for (size_t i = 0; i < ARRAY_LEN(DEFINED); i++)
+		if (DEFINED[i].words == words) {
+			*unit = DEFINED[i].unit;
+			return words != 0 || ((s->rises == 0 || s->falls == 0 ||
+						  near(s->first, 100, 0.6)) &&
+						 s->most > 1);
+		}
+	return false;
+}
+
+/* Whether the sieves are classes between two of them, as retained masses
+ * have. */
+static bool
+has_classes(const struct table *t)
+{
+	for (size_t i = 0; i < t->n_row; i++)
+		if (sieve_size_is_class(t->sheet, t->row[i].cell[0]))
+			return true;
+	return false;
+}
+
+static void
+find_unit(struct column *c, bool told)
+{
+	struct shape s = shape_of(c);
+	uint64_t kinds = c->said.means & KIND_WORDS;
+	uint64_t scales = c->said.means & SCALE_WORDS;
+	double total = stated_total(c);
+	enum unit_kind kind = PASSING;
+	enum unit_scale scale = OF_100;
+	bool sure = true;
+	if (c->role == SD || s.n == 0)
+		return;
+	bool classes = has_classes(c->table);
+	if (!classes && is_defined(c, &s, &c->unit))
+		return;
+	c->unit = 0;
+	if ((kinds & (WORD_PASSES | WORD_STAYS)) == 0) {
+		sure = guess_kind(&s, total, &kind, &scale);
+		if (kinds == WORD_SUMS && kind == RETAINED)
+			sure = false;
+		if (scales != 0) {
+			enum unit_scale told_scale = scale;
+			sure = settle_scale(c, &s, kind, total, &told_scale) &&
+			       sure;
+			scale = told_scale;
+		}
+		c->unit = site_unit_find(kind, scale);
+		if (kind != PASSING || scale != OF_100 || scales == 0)
+			assume(c, "as %s", tr(SITE_UNITS[c->unit].words));
+		c->open = c->open || !sure || (classes && kind != RETAINED);
+		return;
+	}
+	kind = (kinds & WORD_PASSES) != 0 ? PASSING
+	       : (kinds & WORD_SUMS) != 0 ? CUMULATIVE
+					  : RETAINED;
+	bool both = (kinds & WORD_PASSES) != 0 && (kinds & WORD_STAYS) != 0;
+	if (kind == RETAINED && s.falls == 0 && s.rises > 1 && !told)
+		sure = settle_rising(c, &s, total, &kind);
+	sure = settle_scale(c, &s, kind, total, &scale) && sure;
+	sure = sure && !both && (told || agrees_with(&s, kind));
+	if (scales == 0)
+		assume(c, "as %s",
+		    tr(SITE_UNITS[site_unit_find(kind, scale)].words));
+	if (kind == RETAINED && scale == OF_100 && s.falls > 0 &&
+	    s.rises == 0 && s.sum > 102)
+		sure = false;
+	c->unit = site_unit_find(kind, scale);
+	c->open = c->open || !sure || (classes && kind != RETAINED);
+}
+
+/* The one number without a unit that can be a tip speed in m/s: 63.6, not the 1
+ * of "Prov 1".  0 where there is none, or several.  A whole number from 40 to
+ * 99 counts unless it may be the sample's. */
+static double
+bare_speed(const struct head *said)
+{
+	double found = 0;
+	bool numbered =
+	    (said->means & WORD_SAMPLE) != 0 && (said->means & WORD_SPEED) == 0;
+	if ((said->means & WORD_OTHER) != 0)
+		return 0;
+	for (size_t i = 0; i < said->n_number; i++) {
+		double v = said->number[i];
+		bool whole = v == floor(v);
+		if (v < 30 || v > 100 || (whole && (numbered || v < 40)))
+			continue;
+		if (found > 0)
+			return 0;
+		found = v;
+	}
+	return found;
+}
+
+static void
+find_speed(struct column *c, const struct surroundings *near)
+{
+	const struct head *said = &c->said;
+	c->open = c->open || said->several;
+	if (said->speed > 0) {
+		c->speed = said->speed;
+	} else if (said->rpm > 0) {
+		c->rpm = said->rpm;
+		c->speed = head_mps(said->rpm, SPEED_RPM, near->rotor);
+		if (c->speed > 0)
+			assume(c, "%g rpm of a rotor of %g mm as %g m/s",
+			    c->rpm, 1000 * near->rotor, c->speed);
+	} else if (bare_speed(said) > 0 && said->unknown == 0) {
+		c->speed = bare_speed(said);
+		assume(c, "%g as m/s", c->speed);
+	} else if (near->speed > 0 && c->role == PRODUCT) {
+		c->speed = near->speed;
+	}
+	bool counted = said->rpm > 0 || said->unit == SPEED_FT_MIN;
+	if (c->speed > FASTEST || (counted && c->speed > 0 && c->speed < 20)) {
+		c->open = true;
+		c->speed = 0;
+	}
+	if (c->speed > 0)
+		c->speed = round(c->speed * 1e4) / 1e4;
+}
+
+static void
+find_role(struct column *c, const struct surroundings *near)
+{
+	uint64_t role = c->said.means & ROLE_WORDS;
+	uint64_t context = near->context & (WORD_FEED | WORD_PRODUCT);
+	bool speed = c->said.speed > 0 || c->said.rpm > 0;
+	c->role = NO_ROLE;
+	if ((role & WORD_SD) != 0)
+		c->role = SD;
+	else if (role == WORD_FEED)
+		c->role = FEED;
+	else if (role == WORD_PRODUCT)
+		c->role = PRODUCT;
+	else if (role != 0)
+		c->open = true;
+	else if (speed || near->speed > 0)
+		c->role = PRODUCT;
+	else if (context == WORD_FEED)
+		c->role = FEED;
+	else if (context == WORD_PRODUCT)
+		c->role = PRODUCT;
+	else if (bare_speed(&c->said) > 0 && c->said.unknown == 0)
+		c->role = PRODUCT;
+}
+
+static void __attribute__((format(printf, 3, 4)))
+leave_out(struct site *site, size_t number, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	char *what = xvasprintf(tr(format), ap);
+	va_end(ap);
+	char *where = xasprintf(tr("column %zu"), number);
+	site_add_note(&site->left_out, &site->n_left_out, where, what);
+	free(where);
+	free(what);
+}
+
+static bool
+has_words(const struct column *c, size_t *filled, size_t *numbers)
+{
+	double *raw = xdoubles(c->table->n_row);
+	*filled = *numbers = 0;
+	site_column_raw(c, raw);
+	for (size_t i = 0; i < c->table->n_row; i++) {
+		if (!number_absent(c->table->row[i].cell[c->at]))
+			*filled += 1;
+		if (!isnan(raw[i]))
+			*numbers += 1;
+	}
+	free(raw);
+	return *filled > 0 && *numbers * 2 < *filled;
+}
+
+/* 1, 2, 3 and so on, up or down, or one number throughout: no curve. */
+static bool
+is_count(const struct column *c)
+{
+	size_t n = c->table->n_row, steps = 0, same = 0, pairs = 0;
+	double *raw = xdoubles(n), last = NAN;
+	site_column_raw(c, raw);
+	for (size_t i = 0; i < n; last = raw[i++]) {
+		pairs += !isnan(raw[i]) && !isnan(last);
+		steps += fabs(raw[i] - last) == 1;
+		same += raw[i] == last;
+	}
+	bool whole = n > 0 && raw[0] == floor(raw[0]);
+	bool small = fabs(raw[0] - 1) < 2 || fabs(last - 1) < 2;
+	bool limit = same == pairs && (raw[0] == 100 || raw[0] == 0);
+	free(raw);
+	bool speed = same == pairs && c->said.speed == 0 &&
+		     c->said.unit != SPEED_NO_UNIT;
+	return pairs > 2 && (whole || speed) && !limit &&
+	       (c->said.means & ROLE_WORDS) == 0 &&
+	       ((steps == pairs && small) || same == pairs);
+}
+
+/* Whether a column is no sample, told to the site. */
+static bool
+is_no_sample(const struct column *c, struct site *site)
+{
+	const struct block *b = c->table->block;
+	size_t filled, numbers;
+	bool words = has_words(c, &filled, &numbers);
+	uint64_t means = c->said.means;
+	const char *head = c->head.text;
+	uint64_t sample = ROLE_WORDS | KIND_WORDS;
+	if (is_count(c)) {
+		leave_out(site, b->number[c->at],
+		    "row numbers, or the same "
+		    "number in each row");
+	} else if (filled == 0) {
+		leave_out(site, b->number[c->at], "it is empty");
+	} else if (words && (means & ROLE_WORDS) == 0) {
+		leave_out(site, b->number[c->at], "%s: it has words", head);
+	} else if ((means & WORD_LIMIT) != 0) {
+		leave_out(site, b->number[c->at],
+		    "%s: a limit, or calculated, or rejected", head);
+	} else if ((means & WORD_OTHER) != 0 && (means & sample) == 0) {
+		leave_out(site, b->number[c->at], "%s: no sample", head);
+	} else if ((means & (WORD_SIZE | WORD_MM | WORD_UM | WORD_MESH)) != 0 &&
+		   (means & (sample | SCALE_WORDS)) == 0 &&
+		   c->said.speed == 0) {
+		leave_out(site, b->number[c->at], "%s: the sieves again", head);
+	} else {
+		return false;
+	}
+	return true;
+}
+
+/* A column that has one speed for all rows: of a long table with one sample. */
+static void
+note_speed(struct table *t, size_t at, struct surroundings *near)
+{
+	struct column c = {
+	    .table = t, .at = at, .said = read_heads(t->block, at)};
+	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
+					WORD_PERCENT | WORD_GRAMS | WORD_FEED |
+					WORD_PRODUCT;
+	bool about =
+	    (c.said.means & WORD_SPEED) != 0 || c.said.unit != SPEED_NO_UNIT;
+	if (!about || c.said.speed > 0 || c.said.rpm > 0 ||
+	    (c.said.means & COUNTED) != 0)
+		return;
+	double *raw = xdoubles(t->n_row), v = NAN;
+	bool same = true;
+	site_column_raw(&c, raw);
+	for (size_t i = 0; i < t->n_row; i++) {
+		v = isnan(v) ? raw[i] : v;
+		same = same && !(raw[i] < v) && !(raw[i] > v);
+	}
+	free(raw);
+	if (same && v > 0)
+		near->speed = head_mps(v, c.said.unit, near->rotor);
+}
+
+void
+recognise_columns(struct table *t, const struct surroundings *near,
+    struct columns *all, struct site *site)
+{
+	const struct block *b = t->block;
+	struct surroundings around = *near;
+	near = &around;
+	for (size_t at = 1; at < b->n_col; at++)
+		note_speed(t, at, &around);
+	for (size_t at = 1; at < b->n_col; at++) {
+		struct column c = {.table = t, .at = at, .pan = NAN};
+		bool own = false;
+		c.head = t->row[0].cell[at];
+		for (size_t r = b->n_head; r-- > 0 && !own;) {
+			const struct cell *cell = head_cell(b, r, at, &own);
+			c.head = cell != NULL ? *cell : c.head;
+		}
+		c.said = read_heads(b, at);
+		if (is_no_sample(&c, site))
+			continue;
+		find_role(&c, near);
+		find_speed(&c, near);
+		/* Below a speed an empty cell may be the same, or forgotten. */
+		if (b->across && c.said.spread && c.role == PRODUCT)
+			c.open = true;
+		find_unit(&c, near->told);
+		all->column =
+		    xrealloc(all->column, all->n + 1, sizeof *all->column);
+		all->column[all->n++] = c;
+	}
+}
+
+static void
+drop(struct columns *all, size_t i)
+{
+	free(all->column[i].assumed);
+	all->n--;
+	memmove(&all->column[i], &all->column[i + 1],
+	    (all->n - i) * sizeof *all->column);
+}
+
+/* Masses are exact and have a pan; then what needs least done to it. */
+static int
+rank(const struct column *c)
+{
+	const struct site_unit *unit = &SITE_UNITS[c->unit];
+	if (c->open)
+		return 9;
+	if (unit->kind == RETAINED && unit->scale == OF_MASS)
+		return 0;
+	return unit->kind == PASSING ? 1 : unit->kind == CUMULATIVE ? 2 : 3;
+}
+
+/* Whether two columns are one sample in two quantities. */
+static bool
+is_same_sample(const struct column *a, const struct column *b)
+{
+	bool numbers =
+	    a->speed > 0 || (a->said.n_number == b->said.n_number &&
+				(a->said.n_number == 0 ||
+				    a->said.number[0] == b->said.number[0]));
+	return a->table == b->table && a->role == b->role && a->role != SD &&
+	       fabs(a->speed - b->speed) < 1e-3 && a->rpm == b->rpm &&
+	       numbers &&
+	       (SITE_UNITS[a->unit].kind != SITE_UNITS[b->unit].kind ||
+		   SITE_UNITS[a->unit].scale != SITE_UNITS[b->unit].scale);
+}
+
+/* It is compared with the other one, and not used. */
+static void
+mark_twin(struct column *c, const struct column *other)
+{
+	c->twin = other->table->block->number[other->at];
+	c->role = NO_ROLE;
+	c->open = false;
+}
+
+/* The words of the heads of a column that nobody knows, and ranges such as 0/4:
+ * what makes it another sample than its neighbours.  Signs of samples, of two
+ * letters at most, are left out.  The caller frees. */
+static char *
+own_words(const struct column *c)
+{
+	char *head = layout_head(c->table->block, c->at), *words = xstrdup("");
+	char *folded = text_fold(head);
+	for (char *p = folded; *p != '\0';) {
+		size_t n = strcspn(p, " ,;()[]@\n");
+		char *word = xstrndup(p, n);
+		bool range = strchr(word, '/') != NULL &&
+			     strspn(word, "0123456789/.") == n && n > 2;
+		bool letters = strpbrk(word, "0123456789") == NULL && n > 2 &&
+			       strcmp(word, "iii") != 0;
+		size_t unknown;
+		vocabulary_text(word, &unknown);
+		char *end = word + strcspn(word, "0123456789");
+		bool machine = *end != '\0' &&
+			       (vocabulary_word(word, (size_t)(end - word)) &
+				   WORD_MACHINE) != 0;
+		if (range || machine || (letters && unknown > 0))
+			xlist(&words, " ", "%s", word);
+		free(word);
+		p += n + (p[n] != '\0');
+	}
+	free(folded);
+	free(head);
+	return words;
+}
+
+/* Samples at one speed that are called by other words, or come from machines
+ * with other numbers, are perhaps no repeats. */
+static bool
+is_repeat(const struct column *a, const struct column *b)
+{
+	char *x = own_words(a), *y = own_words(b);
+	bool machine = ((a->said.means | b->said.means) & WORD_MACHINE) != 0;
+	bool same = strcmp(x, y) == 0 &&
+		    !(machine && a->said.n_number > 0 && b->said.n_number > 0 &&
+			a->said.number[0] != b->said.number[0]);
+	free(x);
+	free(y);
+	return same;
+}
+
+static void
+ask_repeats(struct columns *all, bool told)
+{
+	for (size_t i = 0; i < all->n && !told; i++)
+		for (size_t k = 0; k < i; k++) {
+			struct column *a = &all->column[i];
+			struct column *b = &all->column[k];
+			if (a->role != PRODUCT || b->role != PRODUCT ||
+			    !(a->speed > 0) ||
+			    fabs(a->speed - b->speed) > 1e-3 ||
+			    a->table != b->table || is_repeat(a, b))
+				continue;
+			a->open = b->open = true;
+		}
+}
+
+/* The mean of samples that are there themselves is no sample. */
+static void
+drop_means(struct columns *all, struct site *site)
+{
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		size_t others = 0;
+		for (size_t k = 0; k < all->n; k++) {
+			const struct column *o = &all->column[k];
+			others += k != i && o->role == c->role &&
+				  (o->said.means & WORD_MEAN) == 0 &&
+				  fabs(o->speed - c->speed) < 1e-3;
+		}
+		bool mean = (c->said.means & WORD_MEAN) != 0;
+		if (mean && others == 1 && c->speed > 0)
+			all->column[i].open = true;
+		if (!mean || (others < 2 && c->speed > 0) ||
+		    (others == 0 && all->n < 3))
+			continue;
+		leave_out(site, c->table->block->number[c->at],
+		    "%s: the mean of samples that are read", c->head.text);
+		drop(all, i--);
+	}
+}
+
+static void
+drop_twins(struct columns *all, struct site *site)
+{
+	for (size_t i = 0; i < all->n; i++)
+		for (size_t k = 0; k < all->n; k++) {
+			const struct column *a = &all->column[i];
+			const struct column *b = &all->column[k];
+			if (i == k || a->twin > 0 || b->twin > 0 ||
+			    !is_same_sample(a, b) || rank(a) < rank(b) ||
+			    (rank(a) == rank(b) && i < k))
+				continue;
+			leave_out(site, a->table->block->number[a->at],
+			    "%s: the sample of column %zu again, as %s",
+			    a->head.text, b->table->block->number[b->at],
+			    tr(SITE_UNITS[a->unit].words));
+			mark_twin(&all->column[i], b);
+			break;
+		}
+}
+
+/* A column that no head explains is left out where it looks like no curve. */
+static bool
+is_curve(const struct column *c)
+{
+	struct shape s = shape_of(c);
+	enum unit_kind kind;
+	enum unit_scale scale;
+	return s.n > 2 && guess_kind(&s, NAN, &kind, &scale);
+}
+
+/* The one feed is that of all runs, though the speed at its left spreads over
+ * it. */
+static void
+free_feed(struct columns *all)
+{
+	struct column *only = NULL;
+	size_t n = 0;
+	for (size_t i = 0; i < all->n; i++)
+		if (all->column[i].role == FEED) {
+			only = &all->column[i];
+			n++;
+		}
+	if (n == 1 && only->said.spread && all->n > 2)
+		only->speed = only->rpm = 0;
+}
+
+/* Where nothing is called feed, the one column without a role may be it. */
+static void
+guess_feed(struct columns *all, size_t feeds)
+{
+	struct column *only = NULL;
+	size_t n = 0;
+	for (size_t i = 0; i < all->n; i++) {
+		if (all->column[i].role != NO_ROLE)
+			continue;
+		only = &all->column[i];
+		n++;
+	}
+	if (n == 1 && feeds == 0)
+		only->role = FEED;
+}
+
+void
+recognise_settle(
+    struct columns *all, struct site *site, bool told, bool *wants_rotor)
+{
+	size_t feeds = 0, products = 0;
+	*wants_rotor = false;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		feeds += c->role == FEED;
+		products += c->role == PRODUCT;
+		*wants_rotor = *wants_rotor || (c->rpm > 0 && !(c->speed > 0));
+	}
+	for (size_t i = 0; i < all->n; i++) {
+		struct column *c = &all->column[i];
+		if (c->role != NO_ROLE)
+			continue;
+		bool unknown =
+		    c->said.unknown > 0 && !is_curve(c) &&
+		    (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
+		if (unknown && feeds + products > 0) {
+			leave_out(site, c->table->block->number[c->at],
+			    "%s: neither feed nor product", c->head.text);
+			drop(all, i--);
+			continue;
+		}
+		c->open = true;
+	}
+	drop_means(all, site);
+	guess_feed(all, feeds);
+	free_feed(all);
+	drop_twins(all, site);
+	ask_repeats(all, told);
+	for (size_t i = 0; i < all->n; i++) {
+		struct column *c = &all->column[i];
+		if (c->twin > 0)
+			continue;
+		c->open = c->open || (c->role == PRODUCT && !(c->speed > 0)) ||
+			  (c->role == SD && !(c->speed > 0));
+		c->nth = 0;
+		for (size_t k = 0; k < i; k++)
+			c->nth += all->column[k].role == c->role &&
+				  fabs(all->column[k].speed - c->speed) < 1e-3;
+	}
+}
+
+char *
+recognise_words(const struct column *c)
+{
+	char speed[32];
+	const char *role = c->role == NO_ROLE ? "product" : SITE_ROLES[c->role];
+	char *text = xstrdup(role);
+	bool wants = c->role != FEED;
+	if (c->speed > 0)
+		xappend(&text, "@%s", text_exact(c->speed, speed));
+	else if (wants)
+		xappend(&text, "@SPEED");
+	const char *suffix = SITE_UNITS[c->unit].suffix;
+	if (c->role != SD)
+		xappend(&text, " %s",
+		    suffix[0] != '\0' ? suffix + 1 : "passing_pct");
+	return text;
+}

@@ -1,0 +1,39 @@
+/* The heading of a column: what its words and numbers say.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_SITEFILE_COLUMN_HEADER_H
+#define TIPSPEED_IO_SITEFILE_COLUMN_HEADER_H
+
+#include <stdint.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+enum speed_unit {
+	SPEED_NO_UNIT,
+	SPEED_MPS,
+	SPEED_KMH,
+	SPEED_FT_MIN,
+	SPEED_FT_S,
+	SPEED_RPM
+};
+
+/* means: of all its words, see vocabulary.h.  unknown: words without a meaning.
+ * unit: of a speed, with or without a number.  speed: m/s, 0 where none is told
+ * in a unit of speed; rpm: 0 likewise.  number: the first of n_number numbers
+ * without any unit.  several: it tells two speeds.
+ * spread: its speed stands in a cell at its left. */
+enum { HEAD_NUMBERS = 4 };
+struct head {
+	uint64_t means;
+	size_t unknown, n_number;
+	enum speed_unit unit;
+	double speed, rpm, number[HEAD_NUMBERS];
+	bool several, spread;
+};
+
+/* Reads one cell of a head. */
+struct head head_read(const char *text);
+
+/* m/s of a number in a unit; of SPEED_RPM with the rotor's diameter in m. */
+double head_mps(double number, enum speed_unit unit, double rotor);
+
+#endif

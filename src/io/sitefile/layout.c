@@ -1,0 +1,697 @@
+/* A sheet is looked at as a grid, once as it is and once turned over, so that
+ * sieves always go down.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/layout.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/sitefile/column_header.h"
+#include "io/sitefile/sieve_size.h"
+#include "io/sitefile/lexicon.h"
+#include "io/cells/number.h"
+
+enum {
+	MOST_HEADS = 6,
+	MOST_TABLES = 64,
+	LEAST_WITHOUT_HEAD = 4 /* sieves of a table that nothing heads */
+};
+
+/* at [n_row * n_col], row by row.  line [n_row]: its number in the sheet, or
+ * the column's where the grid is turned over.  gap [n_row]: something empty is
+ * above it.  used [n_row * n_col]: cells that a table has taken. */
+struct grid {
+	struct sheet *sheet;
+	bool across;
+	size_t n_row, n_col;
+	struct cell *at;
+	size_t *row_number, *col_number;
+	bool *gap, *used;
+};
+
+static struct cell *
+cell_at(const struct grid *g, size_t r, size_t c)
+{
+	return &g->at[r * g->n_col + c];
+}
+
+static bool
+is_filled(const struct grid *g, size_t r, size_t c)
+{
+	return cell_at(g, r, c)->text[0] != '\0';
+}
+
+/* Whether only comments are between two lines of a sheet. */
+static bool
+is_next(const struct sheet *sheet, int line, int next)
+{
+	int comments = 0;
+	for (size_t i = 0; i < sheet->n_comment; i++)
+		comments += sheet->comment[i].line > line &&
+			    sheet->comment[i].line < next;
+	return next - line - 1 <= comments;
+}
+
+static bool
+in_range(struct layout_range range, int line, size_t column)
+{
+	return range.last_line == 0 ||
+	       (line >= range.first_line && line <= range.last_line &&
+		   (int)column >= range.first_column &&
+		   (int)column <= range.last_column);
+}
+
+static struct grid
+grid_new(struct sheet *sheet, struct layout_range range)
+{
+	struct grid g = {.sheet = sheet, .n_row = sheet->n_row};
+	for (size_t r = 0; r < g.n_row; r++)
+		g.n_col = sheet->row[r].n > g.n_col ? sheet->row[r].n : g.n_col;
+	g.at = xcalloc(g.n_row * g.n_col + 1, sizeof *g.at);
+	g.row_number = xcalloc(g.n_row + 1, sizeof *g.row_number);
+	g.col_number = xcalloc(g.n_col + 1, sizeof *g.col_number);
+	g.gap = xcalloc(g.n_row + 1, sizeof *g.gap);
+	g.used = xcalloc(g.n_row * g.n_col + 1, sizeof *g.used);
+	for (size_t c = 0; c < g.n_col; c++)
+		g.col_number[c] = c + 1;
+	for (size_t r = 0; r < g.n_row; r++) {
+		const struct row *row = &sheet->row[r];
+		g.row_number[r] = (size_t)row->line;
+		g.gap[r] = r > 0 && !is_next(sheet, row[-1].line, row->line);
+		for (size_t c = 0; c < g.n_col; c++) {
+			struct cell cell = sheet_cell(row, c);
+			if (!in_range(range, row->line, c + 1))
+				cell = sheet_cell(row, row->n_all);
+			*cell_at(&g, r, c) = cell;
+		}
+	}
+	return g;
+}
+
+/* R heads its tables without the column of row numbers: a line one cell short
+ * above lines that begin with 1, 2, 3. */
+static void
+shift_head(struct grid *g)
+{
+	size_t h = 0, wide = g->n_col;
+	double v;
+	while (h < g->n_row && (wide < 3 || is_filled(g, h, wide - 1)))
+		h++;
+	if (h != 0 || g->n_row < 4 || !is_filled(g, 0, wide - 2))
+		return;
+	for (size_t r = 1; r < g->n_row; r++)
+		if (!is_filled(g, r, wide - 1) ||
+		    !number_of(g->sheet, *cell_at(g, r, 0), &v) ||
+		    v != (double)r)
+			return;
+	struct cell none = *cell_at(g, 0, wide - 1);
+	for (size_t c = wide - 1; c > 0; c--)
+		*cell_at(g, 0, c) = *cell_at(g, 0, c - 1);
+	*cell_at(g, 0, 0) = none;
+}
+
+static struct grid
+grid_turned(const struct grid *g)
+{
+	struct grid t = {.sheet = g->sheet,
+	    .across = true,
+	    .n_row = g->n_col,
+	    .n_col = g->n_row};
+	t.at = xcalloc(t.n_row * t.n_col + 1, sizeof *t.at);
+	t.row_number = xcalloc(t.n_row + 1, sizeof *t.row_number);
+	t.col_number = xcalloc(t.n_col + 1, sizeof *t.col_number);
+	t.gap = xcalloc(t.n_row + 1, sizeof *t.gap);
+	t.used = xcalloc(t.n_row * t.n_col + 1, sizeof *t.used);
+	memcpy(t.row_number, g->col_number, t.n_row * sizeof *t.row_number);
+	memcpy(t.col_number, g->row_number, t.n_col * sizeof *t.col_number);
+	for (size_t r = 0; r < t.n_row; r++)
+		for (size_t c = 0; c < t.n_col; c++)
+			*cell_at(&t, r, c) = *cell_at(g, c, r);
+	return t;
+}
+
+static void
+grid_clear(struct grid *g)
+{
+	free(g->at);
+	free(g->row_number);
+	free(g->col_number);
+	free(g->gap);
+	free(g->used);
+}
+
+/* Whether a cell can head a column of sieves: a word for size or sieve, or a
+ * unit of size alone, and no word for something else. */
+static bool
+is_sieve_head(const struct cell *cell)
+{
+	static const uint64_t ELSE = WORD_PASSES | WORD_STAYS | WORD_FEED |
+				     WORD_PRODUCT | WORD_ROTOR | WORD_SPEED |
+				     WORD_SUMS | WORD_GRAMS | WORD_SHARE |
+				     WORD_PERCENT | WORD_PAN;
+	size_t unknown;
+	/* "n.d." is no diameter. */
+	if (cell->kind != CELL_TEXT || number_absent(*cell) ||
+	    strpbrk(cell->text, "0123456789") != NULL ||
+	    text_same(cell->text, "top_size_mm"))
+		return false;
+	uint64_t means = vocabulary_text(cell->text, &unknown);
+	uint64_t units = WORD_MM | WORD_UM | WORD_INCH | WORD_TYLER | WORD_BS;
+	/* A micrometre, too, in some languages: "My quarry" is a name. */
+	bool mine = unknown > 0 && strncasecmp(cell->text, "my ", 3) == 0;
+	if ((means & ELSE) != 0 || mine)
+		return false;
+	return (means & WORD_SIZE) != 0 ||
+	       ((means & units) != 0 && unknown <= 1 &&
+		   (means & ~units & ~WORD_FILLER) == 0);
+}
+
+static enum sieve_kind
+kind_at(const struct grid *g, size_t r, size_t c, double *mm)
+{
+	struct sieve_unit none = {0, SIEVE_NONE}, length = {1, SIEVE_NONE};
+	enum sieve_kind kind =
+	    sieve_size(g->sheet, *cell_at(g, r, c), none, mm);
+	return kind != SIEVE_IS_NONE
+		   ? kind
+		   : sieve_size(g->sheet, *cell_at(g, r, c), length, mm);
+}
+
+static bool
+is_sieve(const struct grid *g, size_t r, size_t c)
+{
+	double mm;
+	return kind_at(g, r, c, &mm) != SIEVE_IS_NONE;
+}
+
+/* A number in one of the columns after c, before end. */
+static bool
+has_numbers(const struct grid *g, size_t r, size_t c, size_t end)
+{
+	double v;
+	for (size_t k = c + 1; k < end; k++)
+		if (number_of(g->sheet, *cell_at(g, r, k), &v))
+			return true;
+	return false;
+}
+
+/* A table found: rows first to before last, its sieves in column c, headed in
+ * row head (g->n_row: by nothing), its numbers before column end.  score:
+ * openings that are those of real sieves. */
+struct place {
+	size_t c, head, first, last, end;
+	int score;
+};
+
+/* A row that says in words what it has: a sum, a loss. */
+static bool
+is_foot(const struct grid *g, size_t r, size_t c)
+{
+	const struct cell *cell = cell_at(g, r, c);
+	size_t unknown;
+	if (cell->text[0] == '\0' || is_sieve(g, r, c) ||
+	    strspn(cell->text, "0123456789.,") == strlen(cell->text))
+		return false;
+	uint64_t means = vocabulary_text(cell->text, &unknown);
+	return (means & (WORD_TOTAL | WORD_LOSS | WORD_WASHED)) != 0;
+}
+
+/* Whether a sieve with numbers follows right below. */
+static bool
+goes_on(const struct grid *g, size_t r, size_t c, size_t end)
+{
+	for (r++; r < g->n_row && !g->gap[r]; r++) {
+		if (is_sieve_head(cell_at(g, r, c)))
+			return false;
+		if (is_sieve(g, r, c) && has_numbers(g, r, c, end))
+			return true;
+	}
+	return false;
+}
+
+/* A row right below the sieves that has numbers, and for a sieve something that
+ * is none: it is no remark. */
+static bool
+is_unnamed(const struct grid *g, size_t r, size_t c, size_t end)
+{
+	const char *text = cell_at(g, r, c)->text;
+	bool word =
+	    text[0] != '\0' && strchr("-<>#+0123456789", text[0]) == NULL;
+	return !g->gap[r] && !word && has_numbers(g, r, c, end);
+}
+
+/* From the first sieve down to the last: a blank line ends the table unless
+ * another sieve follows, and so do sums and the head of another table. */
+static void
+find_end(const struct grid *g, struct place *p)
+{
+	int standard = 0;
+	p->last = p->first;
+	for (size_t r = p->first; r < g->n_row; r++) {
+		double mm;
+		enum sieve_kind kind = kind_at(g, r, p->c, &mm);
+		bool numbers = has_numbers(g, r, p->c, p->end);
+		if (is_sieve_head(cell_at(g, r, p->c)) ||
+		    (is_foot(g, r, p->c) && !goes_on(g, r, p->c, p->end)))
+			break;
+		if (r > p->first && g->gap[r] &&
+		    (kind == SIEVE_IS_NONE || !numbers))
+			break;
+		if (kind == SIEVE_IS_NONE)
+			continue;
+		p->last = r + 1;
+		standard += kind == SIEVE_IS_SIZE &&
+			    (isnan(mm) || sieve_names_standard(mm) ||
+				sieve_names_standard(mm / 1000) ||
+				sieve_names_series(cell_at(g, r, p->c)->text) !=
+				    SIEVE_NONE);
+	}
+	while (p->last < g->n_row && is_unnamed(g, p->last, p->c, p->end))
+		p->last++;
+	p->score = standard;
+}
+
+/* The column of the next head for sieves in a row, but for one right beside it,
+ * which has the same sieves in other words; n_col where there is none. */
+static size_t
+next_head(const struct grid *g, size_t r, size_t c)
+{
+	size_t k = c + 2;
+	while (k < g->n_col && !is_sieve_head(cell_at(g, r, k)))
+		k++;
+	return k < g->n_col ? k : g->n_col;
+}
+
+/* Tables under a head for sieves. */
+static size_t
+find_headed(const struct grid *g, struct place *place)
+{
+	size_t n = 0;
+	for (size_t r = 0; r < g->n_row; r++)
+		for (size_t c = 0; c < g->n_col; c++) {
+			struct place p = {
+			    c, r, r + 1, 0, next_head(g, r, c), 0};
+			if (!is_sieve_head(cell_at(g, r, c)))
+				continue;
+			while (p.first < g->n_row && p.first < r + 4 &&
+			       !is_sieve(g, p.first, c) &&
+			       !is_sieve_head(cell_at(g, p.first, c)))
+				p.first++;
+			if (p.first == g->n_row || !is_sieve(g, p.first, c))
+				continue;
+			find_end(g, &p);
+			if (p.last > p.first && n < MOST_TABLES)
+				place[n++] = p;
+		}
+	return n;
+}
+
+static bool
+is_pan_row(const struct grid *g, size_t r, size_t c)
+{
+	double mm;
+	return kind_at(g, r, c, &mm) == SIEVE_IS_PAN &&
+	       has_numbers(g, r, c, g->n_col);
+}
+
+/* Numbers that fall, or rise, and nearly all are openings of real sieves: a
+ * table without a head. */
+static size_t
+find_bare(const struct grid *g, struct place *place)
+{
+	size_t found = 0;
+	for (size_t c = 0; c < g->n_col; c++) {
+		for (size_t r = 0; r < g->n_row; r++) {
+			struct place p = {c, g->n_row, r, 0, g->n_col, 0};
+			double mm, last = NAN;
+			size_t rises = 0, falls = 0, n = 0;
+			if (kind_at(g, r, c, &mm) != SIEVE_IS_SIZE)
+				continue;
+			find_end(g, &p);
+			for (size_t i = r; i < p.last; i++) {
+				if (kind_at(g, i, c, &mm) != SIEVE_IS_SIZE)
+					continue;
+				rises += mm > last;
+				falls += mm < last;
+				last = mm;
+				n++;
+			}
+			while (p.first > 0 && is_pan_row(g, p.first - 1, c))
+				p.first--;
+			bool ordered = rises + 1 == n || falls + 1 == n;
+			if (n >= LEAST_WITHOUT_HEAD && ordered &&
+			    p.score * 5 >= (int)n * 4 && found < MOST_TABLES)
+				place[found++] = p;
+			r = p.last > r ? p.last - 1 : r;
+		}
+		if (found > 0)
+			return found;
+	}
+	return 0;
+}
+
+/* The tables of a column that somebody says has sieves: from a first one that
+ * has numbers beside it. */
+static size_t
+find_in(const struct grid *g, size_t c, struct place *place, size_t most)
+{
+	size_t n = 0;
+	for (size_t r = 0; r < g->n_row && n < most; r++) {
+		double mm;
+		struct place p = {c, r, r, 0, g->n_col, 0};
+		if (kind_at(g, r, c, &mm) == SIEVE_IS_NONE ||
+		    !has_numbers(g, r, c, g->n_col))
+			continue;
+		find_end(g, &p);
+		p.head = r > 0 ? r - 1 : g->n_row;
+		if (p.last >= p.first + 2)
+			place[n++] = p;
+		r = p.last > r ? p.last - 1 : r;
+	}
+	return n;
+}
+
+static size_t
+find_told(
+    const struct grid *g, const struct layout_range *range, struct place *place)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < range->n_sieves; i++)
+		for (size_t c = 0; c < g->n_col; c++)
+			if (g->col_number[c] == range->sieves[i])
+				n += find_in(g, c, place + n, MOST_TABLES - n);
+	return n;
+}
+
+/* Whether a row above the head of the sieves belongs to the heads: it says
+ * something of the columns, and is no key with its value and no title. */
+static bool
+is_head_row(const struct grid *g, size_t r, const struct place *p, size_t end)
+{
+	size_t filled = 0;
+	for (size_t k = p->c + 1; k < end; k++)
+		filled += is_filled(g, r, k);
+	if (filled == 0)
+		return false;
+	if (!is_filled(g, r, p->c))
+		return true;
+	if (vocabulary_key(cell_at(g, r, p->c)->text) != N_KEY)
+		return false;
+	struct head first = head_read(cell_at(g, r, p->c)->text);
+	bool of_columns =
+	    first.unit != SPEED_NO_UNIT ||
+	    (first.means & (WORD_SPEED | WORD_SAMPLE | WORD_SIZE)) != 0;
+	return filled > 1 || (of_columns && end == p->c + 2);
+}
+
+static struct row
+make_row(const struct grid *g, size_t r, const size_t *col, size_t n)
+{
+	struct row row = {.n = n, .n_all = n};
+	row.cell = xcalloc(n, sizeof *row.cell);
+	for (size_t i = 0; i < n; i++)
+		row.cell[i] = *cell_at(g, r, col[i]);
+	row.line = row.cell[0].line;
+	row.end = row.cell[n - 1].column;
+	return row;
+}
+
+static void
+add_row(const struct grid *g, size_t r, const size_t *col, size_t n,
+    struct row **list, size_t *n_list)
+{
+	*list = xrealloc(*list, *n_list + 1, sizeof **list);
+	(*list)[(*n_list)++] = make_row(g, r, col, n);
+	for (size_t i = 0; i < n; i++)
+		g->used[r * g->n_col + col[i]] = true;
+}
+
+/* The columns of a table: from its sieves to before `end`, and those at the
+ * left of the first table, each if it has anything below the heads. */
+static size_t
+list_columns(const struct grid *g, const struct place *p, size_t from,
+    size_t end, size_t *col)
+{
+	size_t n = 0;
+	col[n++] = p->c;
+	size_t first = p->head < g->n_row ? p->head : p->first;
+	bool empty = false;
+	for (size_t c = from; c < end; c++) {
+		bool filled = false, headed = false;
+		for (size_t r = first; r < p->last; r++)
+			filled = filled || is_filled(g, r, c);
+		for (size_t r = first; r < p->first; r++)
+			headed = headed || is_filled(g, r, c);
+		/* Beyond an empty column only heads show that it goes on. */
+		if (c > p->c && empty && filled && !headed)
+			break;
+		empty = !filled;
+		if (c != p->c && filled)
+			col[n++] = c;
+	}
+	return n;
+}
+
+static void
+take_block(const struct grid *g, const struct place *p, size_t from, size_t end,
+    struct layout *layout)
+{
+	size_t *col = xcalloc(g->n_col + 1, sizeof *col);
+	size_t n = list_columns(g, p, from, end, col);
+	struct block b = {.sheet = g->sheet, .across = g->across, .n_col = n};
+	size_t own = p->head < g->n_row ? p->head : p->first, top = own;
+	while (top > 0 && own - top < MOST_HEADS && !g->gap[top] &&
+	       is_head_row(g, top - 1, p, end) &&
+	       !g->used[(top - 1) * g->n_col + p->c])
+		top--;
+	for (size_t r = top; r < p->first; r++) {
+		bool mass =
+		    is_foot(g, r, p->c) && has_numbers(g, r, p->c, p->end);
+		if (!mass)
+			add_row(g, r, col, n, &b.head, &b.n_head);
+		b.titles += !mass && r < own;
+	}
+	for (size_t r = top; r < p->first; r++)
+		if (is_foot(g, r, p->c) && has_numbers(g, r, p->c, p->end))
+			add_row(g, r, col, n, &b.foot, &b.n_foot);
+	for (size_t r = p->first; r < p->last; r++)
+		add_row(g, r, col, n, &b.row, &b.n_row);
+	for (size_t r = p->last; r < g->n_row && is_foot(g, r, p->c); r++)
+		add_row(g, r, col, n, &b.foot, &b.n_foot);
+	b.number = xcalloc(n, sizeof *b.number);
+	for (size_t i = 0; i < n; i++)
+		b.number[i] = g->col_number[col[i]];
+	layout->block =
+	    xrealloc(layout->block, layout->n + 1, sizeof *layout->block);
+	layout->block[layout->n++] = b;
+	free(col);
+}
+
+static bool
+overlap(const struct place *a, const struct place *b)
+{
+	return a->first < b->last && b->first < a->last;
+}
+
+/* Of two heads above the same sieves the lower one, and of two columns of
+ * sieves side by side (No. and mm) the one with more openings; the other is a
+ * column of it. */
+static size_t
+drop_doubles(const struct grid *g, struct place *place, size_t n)
+{
+	size_t kept = 0;
+	for (size_t i = 0; i < n; i++) {
+		bool drop = false;
+		for (size_t k = 0; k < n && !drop; k++) {
+			const struct place *a = &place[i], *b = &place[k];
+			if (k == i || !overlap(a, b))
+				continue;
+			if (a->c == b->c)
+				drop = b->first - b->head < a->first - a->head;
+			else if (a->c + 1 == b->c || b->c + 1 == a->c)
+				drop =
+				    is_sieve_head(cell_at(g, a->head, a->c)) &&
+				    (b->score > a->score ||
+					(b->score == a->score && k < i));
+		}
+		if (!drop)
+			place[kept++] = place[i];
+	}
+	return kept;
+}
+
+static void
+take_blocks(const struct grid *g, const struct place *place, size_t n,
+    struct layout *layout)
+{
+	for (size_t i = 0; i < n; i++) {
+		const struct place *p = &place[i];
+		size_t from = 0, end = g->n_col;
+		for (size_t k = 0; k < n; k++) {
+			const struct place *other = &place[k];
+			if (k == i || !overlap(p, other))
+				continue;
+			if (other->c > p->c && other->c < end)
+				end = other->c;
+			if (other->c < p->c)
+				from = p->c;
+		}
+		take_block(g, p, from, end, layout);
+	}
+}
+
+static int
+total_score(const struct place *place, size_t n)
+{
+	int score = 0;
+	for (size_t i = 0; i < n; i++)
+		score += place[i].score + 1;
+	return score;
+}
+
+static void
+list_heading(const struct grid *g, struct layout *layout)
+{
+	layout->heading =
+	    xcalloc(g->sheet->n_row + 1, sizeof(*layout->heading));
+	for (size_t r = 0; r < g->sheet->n_row; r++) {
+		bool used = false;
+		const struct row *row = &g->sheet->row[r];
+		for (size_t c = 0; c < row->n; c++) {
+			size_t at =
+			    g->across ? c * g->n_col + r : r * g->n_col + c;
+			used = used || g->used[at];
+		}
+		if (!used)
+			layout->heading[layout->n_heading++] = row;
+		for (size_t c = 0; used && c < row->n; c++) {
+			size_t at =
+			    g->across ? c * g->n_col + r : r * g->n_col + c;
+			if (!g->used[at] && row->cell[c].text[0] != '\0' &&
+			    layout->beside.text == NULL)
+				layout->beside = row->cell[c];
+		}
+	}
+}
+
+static void
+rows_free(struct row *row, size_t n)
+{
+	for (size_t i = 0; i < n; i++)
+		free(row[i].cell);
+	free(row);
+}
+
+void
+layout_name(struct block *block, const size_t *number, const char *const *text,
+    size_t n_text)
+{
+	size_t n = 0;
+	struct row head = {.line = block->row[0].line};
+	head.cell = xcalloc(block->n_col, sizeof *head.cell);
+	for (size_t c = 0; c < block->n_col; c++) {
+		size_t i = 0;
+		while (i < n_text && number[i] != block->number[c])
+			i++;
+		if (i == n_text && c > 0)
+			continue;
+		struct cell cell = block->n_head > 0
+				       ? block->head[block->n_head - 1].cell[c]
+				       : block->row[0].cell[c];
+		block->text = xrealloc(
+		    block->text, block->n_text + 1, sizeof *block->text);
+		cell.kind = CELL_TEXT;
+		cell.text = block->text[block->n_text++] =
+		    xstrdup(i < n_text ? text[i] : "");
+		head.cell[n] = cell;
+		block->number[n] = block->number[c];
+		for (size_t r = 0; r < block->n_row; r++)
+			block->row[r].cell[n] = block->row[r].cell[c];
+		for (size_t r = 0; r < block->n_foot; r++)
+			block->foot[r].cell[n] = block->foot[r].cell[c];
+		n++;
+	}
+	rows_free(block->head, block->n_head);
+	block->head = xcalloc(1, sizeof *block->head);
+	head.n = head.n_all = n;
+	block->head[0] = head;
+	block->n_head = 1;
+	block->titles = 0;
+	block->n_col = n;
+	for (size_t r = 0; r < block->n_row; r++)
+		block->row[r].n = block->row[r].n_all = n;
+	for (size_t r = 0; r < block->n_foot; r++)
+		block->foot[r].n = block->foot[r].n_all = n;
+}
+
+char *
+layout_keep(struct block *b, char *text)
+{
+	b->text = xrealloc(b->text, b->n_text + 1, sizeof *b->text);
+	return b->text[b->n_text++] = text;
+}
+
+char *
+layout_head(const struct block *block, size_t c)
+{
+	char *text = xstrdup("");
+	for (size_t r = 0; r < block->n_head; r++)
+		if (block->head[r].cell[c].text[0] != '\0')
+			xlist(&text, " ", "%s", block->head[r].cell[c].text);
+	return text;
+}
+
+struct layout *
+layout_new(struct sheet *sheet, struct layout_range range)
+{
+	struct layout *layout = xcalloc(1, sizeof *layout);
+	struct place down[MOST_TABLES], across[MOST_TABLES];
+	struct grid g = grid_new(sheet, range);
+	shift_head(&g);
+	struct grid t = grid_turned(&g);
+	size_t n = find_headed(&g, down);
+	size_t m = find_headed(&t, across);
+	n = drop_doubles(&g, down, n);
+	m = drop_doubles(&t, across, m);
+	if (range.n_sieves > 0) {
+		n = find_told(&g, &range, down);
+		m = find_told(&t, &range, across);
+	} else if (n == 0 && m == 0) {
+		n = find_bare(&g, down);
+		m = n > 0 ? 0 : find_bare(&t, across);
+	}
+	bool turned = total_score(across, m) > total_score(down, n);
+	layout->across = turned;
+	take_blocks(
+	    turned ? &t : &g, turned ? across : down, turned ? m : n, layout);
+	list_heading(turned ? &t : &g, layout);
+	grid_clear(&g);
+	grid_clear(&t);
+	return layout;
+}
+
+void
+layout_block_clear(struct block *b)
+{
+	rows_free(b->head, b->n_head);
+	rows_free(b->row, b->n_row);
+	rows_free(b->foot, b->n_foot);
+	for (size_t i = 0; i < b->n_text; i++)
+		free(b->text[i]);
+	free(b->text);
+	free(b->number);
+}
+
+void
+layout_free(struct layout *layout)
+{
+	for (size_t i = 0; i < layout->n; i++)
+		layout_block_clear(&layout->block[i]);
+	free(layout->block);
+	free(layout->heading);
+	free(layout);
+}

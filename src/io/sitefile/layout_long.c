@@ -1,0 +1,323 @@
+/* A column for each sample, a row for each sieve of any of them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/layout_long.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "io/sitefile/column_header.h"
+#include "io/cells/number.h"
+#include "io/sitefile/sieve_size.h"
+#include "io/sitefile/lexicon.h"
+
+/* What a column of a long table is for: KEY tells samples apart and what they
+ * are, COUNT tells them apart only (a sample's number). */
+enum use { UNUSED, KEY, COUNT, VALUE };
+
+/* size [n_row]: index of the row's sieve among the n_size different ones, whose
+ * first rows are first [n_size].  sample [n_row]: likewise of its sample. */
+struct longer {
+	struct block *block;
+	enum use *use;
+	struct head *head;
+	double *mm;
+	size_t *size, *first, n_size;
+	size_t *sample, *lead, n_sample;
+};
+
+static bool
+is_numeric(const struct block *b, size_t c)
+{
+	double v;
+	size_t numbers = 0;
+	for (size_t r = 0; r < b->n_row; r++) {
+		struct cell cell = b->row[r].cell[c];
+		if (number_absent(cell))
+			continue;
+		size_t n = strlen(cell.text);
+		char last = n > 0 ? cell.text[n - 1] : '\0';
+		char copy[40];
+		if (n < sizeof copy && (last == '%' || last == 'g')) {
+			memcpy(copy, cell.text, n - 1);
+			copy[n - 1] = '\0';
+			cell.text = text_trim(copy);
+		}
+		if (!number_of(b->sheet, cell, &v))
+			return false;
+		numbers++;
+	}
+	return numbers > 0;
+}
+
+static enum use
+use_of(const struct block *b, size_t c, const struct head *head)
+{
+	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
+					WORD_PERCENT | WORD_GRAMS | WORD_MASS |
+					WORD_SHARE;
+	bool numeric = is_numeric(b, c);
+	if ((head->means & (WORD_OTHER | WORD_LIMIT)) != 0)
+		return UNUSED;
+	if (!numeric)
+		return KEY;
+	bool speed = head->speed > 0 || head->rpm > 0;
+	bool percent = (head->means & WORD_PERCENT) != 0;
+	if (!speed && !percent &&
+	    (head->unit != SPEED_NO_UNIT || (head->means & WORD_SPEED) != 0))
+		return KEY;
+	bool other = (head->means & (WORD_SAMPLE | WORD_SPEED)) != 0 &&
+		     (head->means & (COUNTED & ~WORD_PERCENT)) == 0;
+	if (other)
+		return COUNT; /* a number of the sample, or per cent of speed */
+	return VALUE;
+}
+
+/* Indices of the different sizes, coarsest first. */
+static void
+list_sizes(struct longer *l)
+{
+	const struct block *b = l->block;
+	struct sieve_unit unit = sieve_unit_of(l->head[0].means);
+	for (size_t r = 0; r < b->n_row; r++) {
+		enum sieve_kind kind =
+		    sieve_size(b->sheet, b->row[r].cell[0], unit, &l->mm[r]);
+		if (kind == SIEVE_IS_PAN)
+			l->mm[r] = 0;
+	}
+	for (size_t r = 0; r < b->n_row; r++) {
+		size_t i = 0;
+		while (i < l->n_size && l->mm[l->first[i]] != l->mm[r])
+			i++;
+		if (i < l->n_size || isnan(l->mm[r]))
+			continue;
+		for (i = l->n_size++;
+		     i > 0 && l->mm[l->first[i - 1]] < l->mm[r]; i--)
+			l->first[i] = l->first[i - 1];
+		l->first[i] = r;
+	}
+	for (size_t r = 0; r < b->n_row; r++)
+		for (size_t i = 0; i < l->n_size; i++)
+			if (l->mm[l->first[i]] == l->mm[r])
+				l->size[r] = i;
+}
+
+static bool
+is_same_sample(const struct longer *l, size_t a, size_t b)
+{
+	const struct block *block = l->block;
+	for (size_t c = 1; c < block->n_col; c++)
+		if ((l->use[c] == KEY || l->use[c] == COUNT) &&
+		    strcmp(block->row[a].cell[c].text,
+			block->row[b].cell[c].text) != 0)
+			return false;
+	return true;
+}
+
+static void
+list_samples(struct longer *l)
+{
+	for (size_t r = 0; r < l->block->n_row; r++) {
+		size_t i = 0;
+		while (i < l->n_sample && !is_same_sample(l, l->lead[i], r))
+			i++;
+		if (i == l->n_sample)
+			l->lead[l->n_sample++] = r;
+		l->sample[r] = i;
+	}
+}
+
+/* Whether sample a comes after b by the numbers of samples. */
+static bool
+is_later(const struct longer *l, size_t a, size_t b)
+{
+	const struct block *block = l->block;
+	for (size_t c = 1; c < block->n_col; c++) {
+		double x, y;
+		if (l->use[c] != COUNT ||
+		    !number_of(
+			block->sheet, block->row[l->lead[a]].cell[c], &x) ||
+		    !number_of(
+			block->sheet, block->row[l->lead[b]].cell[c], &y))
+			continue;
+		return x > y;
+	}
+	return false;
+}
+
+static void
+sort_samples(struct longer *l)
+{
+	for (size_t i = 1; i < l->n_sample; i++)
+		for (size_t k = i; k > 0 && is_later(l, k - 1, k); k--) {
+			size_t lead = l->lead[k];
+			l->lead[k] = l->lead[k - 1];
+			l->lead[k - 1] = lead;
+		}
+	for (size_t r = 0; r < l->block->n_row; r++)
+		for (size_t i = 0; i < l->n_sample; i++)
+			if (is_same_sample(l, l->lead[i], r))
+				l->sample[r] = i;
+}
+
+/* Whether each sample has each of its sieves once, and some sieve is there for
+ * several samples. */
+static bool
+is_long(const struct longer *l)
+{
+	size_t n = l->block->n_row;
+	bool values = false;
+	for (size_t c = 1; c < l->block->n_col; c++)
+		values = values || l->use[c] == VALUE;
+	if (!values || l->n_sample < 2 || 2 * n < 3 * l->n_size)
+		return false;
+	for (size_t a = 0; a < n; a++) {
+		if (isnan(l->mm[a]))
+			return false;
+		for (size_t b = 0; b < a; b++)
+			if (l->size[a] == l->size[b] &&
+			    l->sample[a] == l->sample[b])
+				return false;
+	}
+	return true;
+}
+
+static const char *
+unit_text(enum speed_unit unit)
+{
+	static const char *const TEXTS[] = {[SPEED_NO_UNIT] = "",
+	    [SPEED_MPS] = "m/s",
+	    [SPEED_KMH] = "km/h",
+	    [SPEED_FT_MIN] = "ft/min",
+	    [SPEED_FT_S] = "ft/s",
+	    [SPEED_RPM] = "rpm"};
+	return TEXTS[unit];
+}
+
+/* What heads a sample's column: "Product 69 m/s Passing %". */
+static char *
+sample_head(const struct longer *l, size_t sample, size_t value)
+{
+	const struct block *b = l->block;
+	char *text = xstrdup("");
+	for (size_t c = 1; c < b->n_col; c++) {
+		struct cell cell = b->row[l->lead[sample]].cell[c];
+		double v;
+		if (l->use[c] != KEY || number_absent(cell))
+			continue;
+		bool number = number_of(b->sheet, cell, &v);
+		enum speed_unit unit = l->head[c].unit;
+		if (unit == SPEED_NO_UNIT && (l->head[c].means & WORD_RPM) != 0)
+			unit = SPEED_RPM;
+		if (number && v == 0)
+			continue;
+		if (number && unit == SPEED_NO_UNIT &&
+		    (l->head[c].means & WORD_SPEED) != 0)
+			xlist(&text, " ", tr("speed %s"), cell.text);
+		else
+			xlist(&text, " ", "%s %s", cell.text,
+			    number ? unit_text(unit) : "");
+	}
+	char *own = layout_head(b, value);
+	xlist(&text, " ", "%s", own);
+	free(own);
+	return text;
+}
+
+/* An empty row of n cells at a place. */
+static struct row
+empty_row(size_t n, const struct row *from)
+{
+	struct row row = {.n = n,
+	    .n_all = n,
+	    .cell = xcalloc(n, sizeof(struct cell)),
+	    .line = from->line};
+	for (size_t c = 0; c < n; c++)
+		row.cell[c] = sheet_cell(from, from->n_all);
+	row.cell[0] = from->cell[0];
+	return row;
+}
+
+/* The wide table of a long one. */
+static void
+widen(struct longer *l)
+{
+	struct block *b = l->block, wide = *b;
+	size_t values = 0;
+	for (size_t c = 1; c < b->n_col; c++)
+		values += l->use[c] == VALUE;
+	wide.is_long = true;
+	wide.n_col = 1 + values * l->n_sample;
+	wide.n_head = 1;
+	wide.titles = 0;
+	wide.n_row = l->n_size;
+	wide.head = xcalloc(1, sizeof *wide.head);
+	wide.row = xcalloc(wide.n_row, sizeof *wide.row);
+	wide.number = xcalloc(wide.n_col, sizeof *wide.number);
+	const struct row *above =
+	    b->n_head > 0 ? &b->head[b->n_head - 1] : &b->row[0];
+	wide.head[0] = empty_row(wide.n_col, above);
+	for (size_t i = 0; i < wide.n_row; i++)
+		wide.row[i] = empty_row(wide.n_col, &b->row[l->first[i]]);
+	char *size = layout_head(b, 0);
+	wide.head[0].cell[0].text = layout_keep(&wide, size);
+	wide.number[0] = b->number[0];
+	size_t at = 1;
+	for (size_t s = 0; s < l->n_sample; s++)
+		for (size_t c = 1; c < b->n_col; c++) {
+			if (l->use[c] != VALUE)
+				continue;
+			struct cell head = b->row[l->lead[s]].cell[c];
+			head.kind = CELL_TEXT;
+			head.text = layout_keep(&wide, sample_head(l, s, c));
+			wide.head[0].cell[at] = head;
+			wide.number[at] = b->number[c];
+			for (size_t r = 0; r < b->n_row; r++)
+				if (l->sample[r] == s)
+					wide.row[l->size[r]].cell[at] =
+					    b->row[r].cell[c];
+			at++;
+		}
+	struct block old = *b;
+	wide.foot = NULL; /* sums of all samples together say nothing */
+	wide.n_foot = 0;
+	*b = wide;
+	old.text = NULL;
+	old.n_text = 0;
+	layout_block_clear(&old);
+}
+
+void
+layout_widen(struct block *block)
+{
+	size_t n = block->n_row;
+	struct longer l = {.block = block};
+	l.use = xcalloc(block->n_col, sizeof *l.use);
+	l.head = xcalloc(block->n_col, sizeof *l.head);
+	l.mm = xdoubles(n);
+	l.size = xcalloc(n, sizeof *l.size);
+	l.first = xcalloc(n, sizeof *l.first);
+	l.sample = xcalloc(n, sizeof *l.sample);
+	l.lead = xcalloc(n, sizeof *l.lead);
+	for (size_t c = 0; c < block->n_col; c++) {
+		char *text = layout_head(block, c);
+		l.head[c] = head_read(text);
+		l.use[c] = c > 0 ? use_of(block, c, &l.head[c]) : UNUSED;
+		free(text);
+	}
+	list_sizes(&l);
+	list_samples(&l);
+	sort_samples(&l);
+	if (is_long(&l))
+		widen(&l);
+	free(l.use);
+	free(l.head);
+	free(l.mm);
+	free(l.size);
+	free(l.first);
+	free(l.sample);
+	free(l.lead);
+}

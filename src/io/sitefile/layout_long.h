@@ -1,0 +1,12 @@
+/* Long (tidy) tables: a line has one number, with its sieve and its sample.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_SITEFILE_LAYOUT_LONG_H
+#define TIPSPEED_IO_SITEFILE_LAYOUT_LONG_H
+
+#include "io/sitefile/layout.h"
+
+/* Of a long table, which has a line for each sieve of each sample, makes one
+ * with a column for each sample; leaves others as they are. */
+void layout_widen(struct block *block);
+
+#endif

@@ -1,0 +1,271 @@
+/* One table of words: English, Swedish, German, French, Spanish, Portuguese,
+ * Finnish and some Norwegian, without accents.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/lexicon.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+/* The terms are those of ISO 3310 and EN 933-1 in each language, and what
+ * people write for them. */
+static const struct {
+	uint64_t means;
+	const char *words;
+} WORDS[] = {
+    {WORD_FEED,
+	"feed infeed headfeed inlet input before ingaende inmatning inmatat "
+	"pamatning matning fore aufgabe aufgabegut aufgabematerial zulauf "
+	"beschickung vorher alimentation entree avant alimentacion entrada "
+	"antes alimentacao syote syotto ennen pagang tilgang"},
+    {WORD_PRODUCT,
+	"product products prod produkt produkte produkter krossprodukt "
+	"utgaende output outlet discharge after crushed krossat krossad efter "
+	"austrag brechgut endprodukt nachher produit produits sortie apres "
+	"concasse broye producto productos salida triturado despues produto "
+	"produtos saida britado depois tuote tuotteen murske jalkeen"},
+    {WORD_SD, "sd stdev stddev std standardavvikelse standardabweichung "
+	      "keskihajonta desviacion desvio"},
+    {WORD_PASSES,
+	"passing passings pass passed passes finer undersize through "
+	"passerande passerar passerad genomgang genomfall durchgang "
+	"siebdurchgang durchgange siebdurchgange tamisat tamisats passant "
+	"passants pasa pasan pasante pasantes passante passantes passa "
+	"lapaisy lapaisee lapaiseva lapaissyt gjennomgang gennemfald"},
+    {WORD_STAYS,
+	"retained retaining ret oversize siktrest kvar stannat stannar "
+	"ruckstand siebruckstand ruckstande siebruckstande refus retenu "
+	"retenido retenidos retenida retido retida retidos jaanyt jaannos "
+	"seulajaannos seulalle rest coarser"},
+    {WORD_SUMS,
+	"cum cumul cumulative cumulated accumulated ack ackumulerad "
+	"ackumulerat kum kumulativ kumuliert kumulierte kumulierter cumule "
+	"cumules cumulee cumulees acum acumulado acumulada acumulados "
+	"acumuladas kumulatiivinen kumulatiivisesti summen kertyma"},
+    {WORD_SHARE,
+	"fraction fractions andel anteil anteile fraccion fracao osuus"},
+    {WORD_PERCENT,
+	"% pct percent percents percentage perc procent procentuell prozent "
+	"pourcent pourcentage porcentaje porciento ciento porcentagem "
+	"prosentti prosenttia prosent"},
+    {WORD_GRAMS, "g gr grm gms gram grams gramme grammes gramm gramos gramas "
+		 "grammaa kg kilo kilogram kilograms"},
+    {WORD_MASS,
+	"mass masses weight weights vikt massa masse massen poids peso pesos "
+	"paino gewicht"},
+    {WORD_SIZE,
+	"size sizes sieve sieves sievesize aperture apertures opening "
+	"openings screen screens particle grain diameter sikt siktar "
+	"siktstorlek maskvidd storlek kornstorlek sieb siebe siebweite "
+	"sieboffnung siebgrosse siebgro\xC3\x9F"
+	"e maschenweite korngrosse "
+	"korngro\xC3\x9F"
+	"e lochweite nennweite tamis maille mailles ouverture "
+	"diametre tamiz tamices malla mallas abertura apertura criba tamano "
+	"tamanho "
+	"peneira peneiras malha malhas seula seulan seulat seulakoko raekoko "
+	"silmakoko aukko aukkokoko dimension maskevidde kornstorrelse sikte d "
+	"luz"},
+    {WORD_SIZE | WORD_MESH, "mesh meshes"},
+    {WORD_TYLER, "tyler"},
+    {WORD_BS, "bs bss"},
+    {WORD_ASTM, "astm us ussieve"},
+    {WORD_MM, "mm millimeter millimetre millimetres millimetro milimetro"},
+    {WORD_UM, "um micron microns mikron micrometer micrometers micrometre "
+	      "micrometres mikrometer mikrometri my"},
+    {WORD_M, "m meter metre"},
+    {WORD_INCH, "in inch inches tum zoll pouce pouces pulgada pulgadas pulg "
+		"polegada polegadas tuuma tuumaa"},
+    {WORD_SPEED,
+	"speed velocity tip tipspeed hastighet periferihastighet "
+	"rotorhastighet geschwindigkeit umfangsgeschwindigkeit vitesse "
+	"velocidad velocidade nopeus kehanopeus"},
+    {WORD_SPEED | WORD_RPM, "rpm varvtal drehzahl upm umin pyorimisnopeus "
+			    "kierrosluku omdrejningstal"
+			    " turtall"},
+    {WORD_ROTOR, "rotor rotorn rotors roottori roottorin"},
+    {WORD_ROTOR | WORD_SIZE,
+	"rotordiameter rotordurchmesser rotordiam rotorhalkaisija"},
+    {WORD_LIMIT,
+	"min max minimum maximum spec specs specification limit limits lower "
+	"upper envelope krav grans undre ovre grenzwert grenze soll sollwert "
+	"target limite limites minimo maximo raja alaraja ylaraja vaatimus "
+	"norm norma norme unter ober"},
+    {WORD_OTHER,
+	"remark remarks note notes comment comments anm anmarkning "
+	"anmarkningar bemerkung bemerkungen remarque remarques observaciones "
+	"observacion observacoes observacao obs huom huomautus date datum "
+	"fecha data pvm paivamaara lab labor labno labnr laboratory id time "
+	"tid operator klockan "
+	"moisture fukt feuchte"},
+    {WORD_MEAN, "mean average avg mw moy ka median gj medel medelvarde snitt "
+		"mittel mittelwert moyenne "
+		"media medio promedio keskiarvo gjennomsnitt gemiddelde"},
+    {WORD_SAMPLE,
+	"sample samples prov provet provnr probe proben cut belt beltcut run "
+	"runs test trial forsok versuch essai echantillon muestra ensayo "
+	"amostra ensaio nayte koe bandprov band no nr n num nummer number "
+	"repeat rep"},
+    {WORD_PAN,
+	"pan bottom receiver rest botten trag bunn boden siebboden schale "
+	"auffangschale pfanne fond fondo fundo charola bandeja cazuela pohja "
+	"bund "
+	"receptor recipiente panela"},
+    {WORD_TOTAL,
+	"sum total totals totalt summa summe gesamt insgesamt somme suma "
+	"soma totale yhteensa"},
+    {WORD_TOTAL | WORD_WEIGHED, "einwaage invagt m1"},
+
+    {WORD_LOSS,
+	"loss losses forlust siktforlust verlust siebverlust perte pertes "
+	"perdida perdidas perda perdas havio havikki difference"},
+    {WORD_WASHED, "washed washing wash tvatt tvattforlust tvattat abschlammbar "
+		  "abschlammbare abgeschlammt lavage lave lavado lavagem pesu "
+		  "pesty pesun waschen "
+		  "gewaschen tvattning tvattad m2"},
+    {WORD_LIMIT,
+	"calculated calc berechnet beraknad beraknat beregnet calcule "
+	"calculado "
+	"laskettu predicted expected simulated simulerad model modell fit "
+	"fitted smoothed interpolated rejected outlier discarded kasserad "
+	"ungultig previous fuller theoretical teoretisk"},
+    {WORD_MACHINE, "vsi crusher kross brecher concasseur trituradora britador "
+		   "murskain line machine maskin"},
+    {WORD_FILLER,
+	"at vid material mangd on of the and by to for with a i pa av mit "
+	"bei der die das des du de la le en sur par del el por em o "
+	"wt gew vol masse-% m m-% the med och und et y e astia "
+	"kohti p v ms s mps peripheral periferi "
+	"analysis siktning each per je single individual einzeln parcial "
+	"partiel simple enskild nominal"},
+};
+
+/* Parts of compounds that say enough: Siebdurchgangsanteil. */
+static const struct {
+	const char *part;
+	uint64_t means;
+} PARTS[] = {{"summenruckstand", WORD_STAYS | WORD_SUMS},
+    {"summendurchgang", WORD_PASSES | WORD_SUMS}, {"durchgang", WORD_PASSES},
+    {"ruckstand", WORD_STAYS}, {"passerande", WORD_PASSES},
+    {"siktrest", WORD_STAYS}, {"lapaisy", WORD_PASSES}, {"cumul", WORD_SUMS},
+    {"kumul", WORD_SUMS}, {"ackumul", WORD_SUMS}, {"acumul", WORD_SUMS},
+    {"prozent", WORD_PERCENT}, {"procent", WORD_PERCENT},
+    {"percent", WORD_PERCENT}, {"hastighet", WORD_SPEED},
+    {"geschwindigkeit", WORD_SPEED}, {"drehzahl", WORD_SPEED | WORD_RPM},
+    {"varvtal", WORD_SPEED | WORD_RPM}, {"maschenweit", WORD_SIZE},
+    {"korngro", WORD_SIZE}, {"siebgro", WORD_SIZE}, {"siktstorl", WORD_SIZE},
+    {"maskvidd", WORD_SIZE}, {"siebweite", WORD_SIZE}, {"aufgabe", WORD_FEED},
+    {"produkt", WORD_PRODUCT}, {"retained", WORD_STAYS},
+    {"passing", WORD_PASSES}, {"product", WORD_PRODUCT}, {"feed", WORD_FEED},
+    {"syote", WORD_FEED}, {"jaav", WORD_STAYS}, {"tuote", WORD_PRODUCT},
+    {"gewicht", WORD_MASS}};
+
+/* Whether a list of words with spaces between has this one. */
+static bool
+lists(const char *words, const char *word, size_t n)
+{
+	for (const char *p = words; *p != '\0';) {
+		size_t length = strcspn(p, " ");
+		if (length == n && strncmp(p, word, n) == 0)
+			return true;
+		p += length;
+		p += *p == ' ';
+	}
+	return false;
+}
+
+uint64_t
+vocabulary_word(const char *word, size_t n)
+{
+	uint64_t means = 0;
+	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
+		if (lists(WORDS[i].words, word, n))
+			means |= WORDS[i].means;
+	for (size_t i = 0; means == 0 && i < ARRAY_LEN(PARTS); i++) {
+		size_t length = strlen(PARTS[i].part);
+		for (size_t at = 0; at + length <= n; at++)
+			if (strncmp(word + at, PARTS[i].part, length) == 0)
+				means |= PARTS[i].means;
+	}
+	return means;
+}
+
+uint64_t
+vocabulary_text(const char *text, size_t *unknown)
+{
+	static const char LETTERS[] = "abcdefghijklmnopqrstuvwxyz0123456789";
+	char *folded = text_fold(text);
+	uint64_t means = 0;
+	size_t none = 0;
+	for (char *p = folded; *p != '\0';) {
+		/* Both signs for micro; text_fold leaves them. */
+		char *word = p;
+		while (*p != '\0' &&
+		       (strchr(LETTERS, *p) != NULL || (*p & 0x80) != 0))
+			p++;
+		if (p == word)
+			p++;
+		if (word[0] == '%' || p > word + 1 ||
+		    strchr(LETTERS, word[0]) != NULL) {
+			bool micro = p - word == 3 && word[2] == 'm' &&
+				     (memcmp(word, "\xC2\xB5", 2) == 0 ||
+					 memcmp(word, "\xCE\xBC", 2) == 0);
+			uint64_t one =
+			    micro ? WORD_UM
+				  : vocabulary_word(word, (size_t)(p - word));
+			bool digits =
+			    strspn(word, "0123456789") >= (size_t)(p - word);
+			none += one == 0 && !digits;
+			means |= one;
+		}
+	}
+	free(folded);
+	if (unknown != NULL)
+		*unknown = none;
+	return means;
+}
+
+/* In the words of text_fold; the first of each is that of tipspeed-site(5). */
+static const char *const KEYS[N_KEY] = {
+    [KEY_SITE] =
+	"site|quarry|plant|anlaggning|bergtakt|takt|taktort|plats|werk|"
+	"steinbruch|anlage|carriere|cantera|planta|pedreira|louhos|"
+	"sorakuoppa|site name",
+    [KEY_ROCK] = "rock|rock type|bergart|gestein|gesteinsart|roche|roca|rocha|"
+		 "kivilaji",
+    [KEY_MACHINE] = "machine|crusher|maskin|kross|brecher|maschine|concasseur|"
+		    "trituradora|britador|murskain",
+    [KEY_PROVENANCE] = "provenance|source|ursprung|kalla|herkunft|provenienz|"
+		       "origine|procedencia|origen|origem|alkupera|lahde",
+    [KEY_TOP_SIZE] = "top_size_mm|top size mm|top size (mm)",
+};
+
+/* Whether a key is one of those of a list. */
+static bool
+is_one_of(const char *key, const char *list)
+{
+	char *folded = text_fold(key);
+	const char *word = text_trim(folded);
+	size_t n = strlen(word);
+	bool found = false;
+	for (const char *p = list; !found && n > 0;) {
+		size_t length = strcspn(p, "|");
+		found = length == n && strncmp(p, word, n) == 0;
+		if (p[length] == '\0')
+			break;
+		p += length + 1;
+	}
+	free(folded);
+	return found;
+}
+
+enum vocabulary_key
+vocabulary_key(const char *text)
+{
+	size_t k = 0;
+	while (k < N_KEY && !is_one_of(text, KEYS[k]))
+		k++;
+	return (enum vocabulary_key)k;
+}

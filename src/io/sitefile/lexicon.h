@@ -1,0 +1,64 @@
+/* What the words of sieve sheets mean, in the languages of their plants.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_SITEFILE_LEXICON_H
+#define TIPSPEED_IO_SITEFILE_LEXICON_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* What a word can mean; one may mean several, as a compound does. */
+#define WORD_FEED (UINT64_C(1) << 0)
+#define WORD_PRODUCT (UINT64_C(1) << 1)
+#define WORD_SD (UINT64_C(1) << 2)
+#define WORD_PASSES (UINT64_C(1) << 3)
+#define WORD_STAYS (UINT64_C(1) << 4)
+#define WORD_SUMS (UINT64_C(1) << 5) /* cumulative */
+#define WORD_SHARE (UINT64_C(1) << 6)
+#define WORD_PERCENT (UINT64_C(1) << 7)
+#define WORD_GRAMS (UINT64_C(1) << 8)
+#define WORD_MASS (UINT64_C(1) << 9)
+#define WORD_SIZE (UINT64_C(1) << 10)
+#define WORD_MM (UINT64_C(1) << 11)
+#define WORD_UM (UINT64_C(1) << 12)
+#define WORD_M (UINT64_C(1) << 13)
+#define WORD_INCH (UINT64_C(1) << 14)
+#define WORD_SPEED (UINT64_C(1) << 15)
+#define WORD_LIMIT (UINT64_C(1) << 16)  /* of a specification: no sample */
+#define WORD_OTHER (UINT64_C(1) << 17)  /* remark, date: no number of a sieve */
+#define WORD_SAMPLE (UINT64_C(1) << 18) /* a sample, of what is not said */
+#define WORD_PAN (UINT64_C(1) << 19)
+#define WORD_TOTAL (UINT64_C(1) << 20)
+#define WORD_LOSS (UINT64_C(1) << 21)
+#define WORD_WASHED (UINT64_C(1) << 22)
+#define WORD_ROTOR (UINT64_C(1) << 23)
+#define WORD_FILLER (UINT64_C(1) << 24)
+#define WORD_RPM (UINT64_C(1) << 25)
+#define WORD_MESH (UINT64_C(1) << 26)
+#define WORD_TYLER (UINT64_C(1) << 27)
+#define WORD_BS (UINT64_C(1) << 28)
+#define WORD_ASTM (UINT64_C(1) << 29)
+#define WORD_WEIGHED (UINT64_C(1) << 30) /* before sieving: M1 of EN 933-1 */
+#define WORD_MACHINE (UINT64_C(1) << 32)
+#define WORD_MEAN (UINT64_C(1) << 31) /* of several samples */
+
+/* The meanings of n bytes of text_fold's, one word; 0 where it is unknown. */
+uint64_t vocabulary_word(const char *word, size_t n);
+
+/* The meanings of all words of a text together.  unknown: how many words have
+ * none (NULL: not wanted). */
+uint64_t vocabulary_text(const char *text, size_t *unknown);
+
+/* What a line above the tables can tell by its first cell. */
+enum vocabulary_key {
+	KEY_SITE,
+	KEY_ROCK,
+	KEY_MACHINE,
+	KEY_PROVENANCE,
+	KEY_TOP_SIZE,
+	N_KEY
+};
+
+/* N_KEY where a text is none of them, but for case and accents. */
+enum vocabulary_key vocabulary_key(const char *text);
+
+#endif

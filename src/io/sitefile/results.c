@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/results.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "base/xalloc.h"
+#include "io/cells/sheet.h"
+#include "io/cells/textfile.h"
+
+static bool
+says(const struct sheet *sheet, size_t row, size_t i, const char *text)
+{
+	return row < sheet->n_row &&
+	       strcmp(sheet_cell(&sheet->row[row], i).text, text) == 0;
+}
+
+static char *
+first_word(const char *text)
+{
+	return xstrndup(text, strcspn(text, " "));
+}
+
+/* See tell_about in cmd/redirect.c: only results of a site name one. */
+static char *
+command_about(const struct sheet *sheet)
+{
+	static const char OURS[] = "tipspeed ";
+	size_t site = 0;
+	while (site < sheet->n_row && !says(sheet, site, 0, "site"))
+		site++;
+	bool ours = says(sheet, 0, 0, "program") &&
+		    strncmp(sheet_cell(&sheet->row[0], 1).text, OURS,
+			strlen(OURS)) == 0;
+	return ours && says(sheet, 1, 0, "command") && site < sheet->n_row
+		   ? first_word(sheet_cell(&sheet->row[1], 1).text)
+		   : NULL;
+}
+
+char *
+results_command(const struct sheet *sheet)
+{
+	bool table = says(sheet, 0, 0, "command") && sheet->row[0].n > 1 &&
+		     sheet->n_row > 1;
+	return table ? first_word(sheet->row[1].cell[0].text)
+		     : command_about(sheet);
+}
+
+char *
+results_command_in(const char *path)
+{
+	enum { ENOUGH = 4096 };
+	char bytes[ENOUGH], *text = NULL, *command = NULL;
+	const char *note;
+	struct error_list errors = {0};
+	struct stat about;
+	/* What is in a pipe can be read once. */
+	FILE *file = stat(path, &about) == 0 && S_ISREG(about.st_mode)
+			 ? fopen(path, "rb")
+			 : NULL;
+	size_t n = file != NULL ? fread(bytes, 1, sizeof bytes, file) : 0;
+	if (file != NULL)
+		fclose(file);
+	while (n > 0 && bytes[n - 1] != '\n')
+		n--;
+	if (n > 0)
+		text = textfile_text(path, bytes, n, &note, &errors);
+	if (text != NULL) {
+		struct sheet *sheet = sheet_new(path, text, ENOUGH, &errors);
+		command = results_command(sheet);
+		sheet_free(sheet);
+	}
+	free(text);
+	return command;
+}

@@ -1,0 +1,389 @@
+/* Questions about columns in the words that answer them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/site_ask.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "io/sitefile/classify.h"
+#include "io/sitefile/site_sieve.h"
+#include "io/sitefile/lexicon.h"
+#include "io/cells/number.h"
+
+static bool
+add_name(struct names *names, char *part, struct error *error)
+{
+	char *text = text_trim(part), *end;
+	unsigned long number = strtoul(text, &end, 10);
+	if (end == text || *end != '=' || number == 0 || number > 100000 ||
+	    end[1] == '\0')
+		return error_set(error, ERROR_USAGE,
+		    "expected NUMBER=WHAT in columns, got '%s'\n"
+		    "for instance: columns=\"1=sieve mm, 2=feed, "
+		    "3=product@69\"",
+		    text);
+	names->number =
+	    xrealloc(names->number, names->n + 1, sizeof *names->number);
+	names->text = xrealloc(names->text, names->n + 1, sizeof(*names->text));
+	names->number[names->n] = number;
+	names->text[names->n++] = xstrdup(text_trim(end + 1));
+	return true;
+}
+
+static void
+add_sieves(struct layout_range *range, size_t number)
+{
+	if (range->n_sieves < LAYOUT_SIEVES)
+		range->sieves[range->n_sieves++] = number;
+}
+
+bool
+names_read(struct names *names, const char *columns, struct layout_range *range,
+    struct error *error)
+{
+	if (columns == NULL)
+		return true;
+	char *copy = xstrdup(columns), *rest = copy;
+	bool good = true;
+	while (good && rest != NULL) {
+		char *part = rest;
+		rest = strchr(part, ',');
+		/* A comma within a speed: product@63,6. */
+		while (rest != NULL && isdigit((unsigned char)rest[1]) &&
+		       strchr(rest, '=') != NULL &&
+		       rest[1 + strspn(rest + 1, "0123456789")] != '=')
+			rest = strchr(rest + 1, ',');
+		if (rest != NULL)
+			*rest++ = '\0';
+		good = add_name(names, part, error);
+	}
+	free(copy);
+	for (size_t i = 0; i < names->n; i++) {
+		uint64_t means = vocabulary_text(names->text[i], NULL);
+		uint64_t other =
+		    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
+		if ((means & WORD_SIZE) != 0 && (means & other) == 0)
+			add_sieves(range, names->number[i]);
+	}
+	if (good && range->n_sieves == 0)
+		good = error_set(error, ERROR_USAGE,
+		    "expected a column of sieves in columns, got '%s'\n"
+		    "for instance: columns=\"1=sieve mm, 2=feed, "
+		    "3=product@69\"",
+		    columns);
+	return good;
+}
+
+uint64_t
+names_apply(const struct names *names, struct block *b)
+{
+	if (names->n == 0)
+		return 0;
+	uint64_t sieve = 0;
+	for (size_t i = 0; i < names->n; i++)
+		if (names->number[i] == b->number[0])
+			sieve = vocabulary_text(names->text[i], NULL);
+	layout_name(
+	    b, names->number, (const char *const *)names->text, names->n);
+	return sieve;
+}
+
+void
+names_clear(struct names *names)
+{
+	for (size_t i = 0; i < names->n; i++)
+		free(names->text[i]);
+	free(names->text);
+	free(names->number);
+}
+
+/* "A3" as column 1 and line 3. */
+static const char *
+read_corner(const char *p, int *column, int *line)
+{
+	*column = *line = 0;
+	for (; isalpha((unsigned char)*p) && *column < 1000; p++)
+		*column = 26 * *column + (toupper((unsigned char)*p) - 'A') + 1;
+	for (; isdigit((unsigned char)*p) && *line < 1000000; p++)
+		*line = 10 * *line + (*p - '0');
+	return *column > 0 && *line > 0 ? p : NULL;
+}
+
+bool
+range_read(const char *text, struct layout_range *range, struct error *error)
+{
+	if (text == NULL)
+		return true;
+	const char *p =
+	    read_corner(text, &range->first_column, &range->first_line);
+	if (p != NULL && *p == ':')
+		p = read_corner(p + 1, &range->last_column, &range->last_line);
+	else
+		p = NULL;
+	return (p != NULL && *p == '\0') ||
+	       error_set(error, ERROR_USAGE,
+		   "expected a range such as A3:F20, got '%s'\n"
+		   "the first is the cell at the top left, the second the one "
+		   "at the bottom right",
+		   text);
+}
+
+void
+open_numbers(struct open *open, const struct table *t)
+{
+	if (t->sheet->open.text == NULL || open->number.text != NULL)
+		return;
+	for (size_t r = 0; r < t->n_row; r++)
+		for (size_t c = 0; c < t->block->n_col; c++)
+			if (number_is_open(t->sheet, t->row[r].cell[c])) {
+				open->number = t->row[r].cell[c];
+				return;
+			}
+}
+
+/* "100, 97.8, 92.9": the first cells of a column. */
+static char *
+first_values(const struct table *t, size_t at)
+{
+	char *list = xstrdup("");
+	for (size_t r = 0, n = 0; r < t->n_row && n < 4; r++) {
+		const char *text = t->row[r].cell[at].text;
+		if (text[0] == '\0')
+			continue;
+		xlist(&list, " ", "%.*s", sheet_cut(text), text);
+		n++;
+	}
+	return list;
+}
+
+static void
+add_question(struct site_ask *ask, const struct table *t, size_t at,
+    const struct cell *head, char *guess, bool open)
+{
+	ask->column = xrealloc(ask->column, ask->n + 1, sizeof *ask->column);
+	ask->column[ask->n++] =
+	    (struct site_ask_column){.number = t->block->number[at],
+		.head = xstrndup(head->text, (size_t)sheet_cut(head->text)),
+		.values = first_values(t, at),
+		.guess = guess,
+		.open = open};
+}
+
+/* Everything as columns= would have it. */
+static void
+list_columns(struct site_ask *ask, struct table *const *table, size_t n_table,
+    const struct columns *all, bool sieves)
+{
+	char *text = xstrdup("");
+	for (size_t k = 0; k < n_table; k++) {
+		const struct table *t = table[k];
+		const struct block *b = t->block;
+		struct cell head = site_sieve_head(t);
+		char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
+		ask->across = b->across;
+		xlist(&text, ", ", "%zu=%s", b->number[0], sieve);
+		add_question(ask, t, 0, &head, sieve, sieves);
+		for (size_t i = 0; i < all->n; i++) {
+			const struct column *c = &all->column[i];
+			if (c->table != t || c->twin > 0)
+				continue;
+			char *guess = recognise_words(c);
+			xlist(&text, ", ", "%zu=%s", b->number[c->at], guess);
+			add_question(ask, t, c->at, &c->head, guess, c->open);
+		}
+	}
+	ask->settle = xasprintf("columns=\"%s\"", text);
+	free(text);
+}
+
+/* The files of the request, as load has them. */
+static char *
+list_files(const struct site_request *q, const char *settle)
+{
+	char *list = xstrdup("");
+	for (size_t i = 0; i < q->n; i++) {
+		bool quote = strpbrk(q->path[i], " \t;#'|>") != NULL;
+		xlist(&list, " ", "%s%s%s", quote ? "\"" : "", q->path[i],
+		    quote ? "\"" : "");
+		if (q->speed != NULL && q->speed[i] > 0)
+			xappend(&list, "@%g", q->speed[i]);
+	}
+	if (q->columns != NULL && strncmp(settle, "columns", 7) != 0)
+		xappend(&list, " columns=\"%s\"", q->columns);
+	if (q->sheet != NULL)
+		xappend(&list, " sheet=\"%s\"", q->sheet);
+	if (q->range != NULL)
+		xappend(&list, " range=%s", q->range);
+	if (q->decimal != '\0')
+		xappend(&list, " decimal=%s",
+		    q->decimal == ',' ? "comma" : "point");
+	if (q->rotor > 0)
+		xappend(&list, " rotor_mm=%g", 1000 * q->rotor);
+	return list;
+}
+
+static bool
+refuse(const struct site_request *q, const struct table *t, struct cell where,
+    struct site_ask *ask, struct error_list *errors, const char *what)
+{
+	char *files = list_files(q, ask->settle);
+	struct error *e = error_add(errors);
+	error_at(e, ERROR_DATA, t->sheet->path, where.line, where.column,
+	    "%s\nsay what it is: %s %s %s", what, q->parts ? "add" : "load",
+	    files, ask->settle);
+	free(files);
+	return true;
+}
+
+/* Several tables that each have a feed: which is the one? */
+static const struct table *
+second_feed(const struct columns *all)
+{
+	const struct table *first = NULL;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->role != FEED || c->speed > 0)
+			continue;
+		if (first != NULL && first != c->table)
+			return c->table;
+		first = c->table;
+	}
+	return NULL;
+}
+
+static bool
+ask_table(const struct site_request *q, struct table *const *table,
+    size_t n_table, const struct table *second, struct site_ask *ask,
+    struct error_list *errors)
+{
+	const struct table *first = table[0];
+	for (size_t i = 0; i < n_table; i++)
+		if (table[i]->sheet != second->sheet)
+			first = table[i];
+	if (first->sheet != second->sheet) {
+		ask->settle = xasprintf("sheet=\"%s\"", first->sheet->name);
+		return refuse(q, second, second->row[0].cell[0], ask, errors,
+		    tr("expected one site, got sheets with a feed each"));
+	}
+	const struct block *b = first->block;
+	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line, bottom = 0;
+	size_t right = 0, left = b->number[0];
+	for (size_t r = 0; r < b->n_row; r++)
+		bottom = b->row[r].line > bottom ? b->row[r].line : bottom;
+	for (size_t c = 0; c < b->n_col; c++) {
+		right = b->number[c] > right ? b->number[c] : right;
+		left = b->number[c] < left ? b->number[c] : left;
+	}
+	ask->settle = xasprintf("range=%c%d:%c%d", 'A' + (int)((left - 1) % 26),
+	    top, 'A' + (int)((right - 1) % 26), bottom);
+	return refuse(q, second, second->row[0].cell[0], ask, errors,
+	    tr("expected one site, got several tables that may be of different "
+	       "machines, days or limits"));
+}
+
+/* What is the first column that is open, and how fast was it? */
+/* The only number of a column that is more than 100, if the others can be
+ * percentages; or NULL. */
+static const struct cell *
+above_100(const struct table *t, size_t at)
+{
+	const struct cell *above = NULL;
+	size_t n = 0, n_above = 0;
+	for (size_t r = 0; r < t->n_row; r++) {
+		double v;
+		const struct cell *cell = &t->row[r].cell[at];
+		if (!number_of(t->sheet, *cell, &v))
+			continue;
+		n++;
+		if (v < 0 || v > 100)
+			n_above++;
+		if (v > 100)
+			above = cell;
+	}
+	return n >= 4 && n_above == 1 ? above : NULL;
+}
+
+static bool
+ask_column(const struct site_request *q, const struct column *first, bool alone,
+    struct site_ask *ask, struct error_list *errors)
+{
+	char *values = first_values(first->table, first->at);
+	bool speed = first->role == PRODUCT && !(first->speed > 0);
+	const struct cell *above = above_100(first->table, first->at);
+	if (above != NULL) {
+		char *what = xasprintf(
+		    tr("expected at most 100 %% passing, got '%.*s': column "
+		       "%zu has no other number above 100; correct it if it "
+		       "is a slip"),
+		    sheet_cut(above->text), above->text,
+		    first->table->block->number[first->at]);
+		refuse(q, first->table, *above, ask, errors, what);
+		free(what);
+		free(values);
+		return true;
+	}
+	char *what = xasprintf(
+	    speed ? tr("expected heads and numbers that tell what column %zu "
+		       "is and its tip speed, got '%.*s' above %s")
+		  : tr("expected heads and numbers that tell what column %zu "
+		       "is, got '%.*s' above %s"),
+	    first->table->block->number[first->at], sheet_cut(first->head.text),
+	    first->head.text, values);
+	refuse(q, first->table, first->head, ask, errors, what);
+	if (q->parts && speed && q->n == 1 && alone)
+		error_hint(&errors->item[0],
+		    "say its speed: add %s@SPEED, or with a log its time: add "
+		    "%s@2026-05-03T10:15",
+		    q->path[0], q->path[0]);
+	free(what);
+	free(values);
+	return true;
+}
+
+bool
+open_ask(const struct open *open, const struct site_request *q,
+    struct table *const *table, size_t n_table, const struct columns *all,
+    struct site_ask *ask, struct error_list *errors)
+{
+	const struct table *second = second_feed(all);
+	for (size_t i = 0; i < n_table && second == NULL; i++)
+		if (table[i]->block == open->other)
+			second = table[i];
+	const struct column *first = NULL;
+	for (size_t i = 0; i < all->n; i++)
+		if (all->column[i].open && first == NULL)
+			first = &all->column[i];
+	if (open->number.text != NULL) {
+		ask->settle = xstrdup("decimal=point|comma");
+		char *what = xasprintf(tr("expected a number that can be read "
+					  "in one way, got %s: a "
+					  "decimal sign, or thousands?"),
+		    open->number.text);
+		refuse(q, table[0], open->number, ask, errors, what);
+		free(what);
+		return true;
+	}
+	if (open->rotor) {
+		ask->settle = xstrdup("rotor_mm=DIAMETER");
+		return refuse(q, table[0], table[0]->row[0].cell[0], ask,
+		    errors,
+		    tr("expected tip speeds in m/s, got rpm without the "
+		       "rotor's diameter"));
+	}
+	if (second != NULL)
+		return ask_table(q, table, n_table, second, ask, errors);
+	if (first == NULL && !open->sieves)
+		return false;
+	list_columns(ask, table, n_table, all, open->sieves);
+	if (first == NULL)
+		return refuse(q, table[0], table[0]->row[0].cell[0], ask,
+		    errors,
+		    tr("expected the unit of the sieves, got none that "
+		       "fits their numbers"));
+	return ask_column(q, first, all->n == 1, ask, errors);
+}

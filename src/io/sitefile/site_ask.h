@@ -1,0 +1,46 @@
+/* What is open in a sheet, how that is asked, and the answers.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_SITEFILE_SITE_ASK_H
+#define TIPSPEED_IO_SITEFILE_SITE_ASK_H
+
+#include <stdint.h>
+
+#include "io/sitefile/site_column.h"
+#include "io/sitefile/site_request.h"
+
+/* The columns that were named by hand [n]. */
+struct names {
+	size_t n, *number;
+	char **text;
+};
+
+/* From "1=sieve um, 3=feed retained_g" (NULL: nothing is named); notes the
+ * column of the sieves in *range.  False with a usage error. */
+bool names_read(struct names *names, const char *columns,
+    struct layout_range *range, struct error *error);
+
+/* Heads a table by them; the meanings of what heads its sieves, 0: none. */
+uint64_t names_apply(const struct names *names, struct block *b);
+void names_clear(struct names *names);
+
+/* From "A3:F20"; NULL is everything. */
+bool range_read(
+    const char *text, struct layout_range *range, struct error *error);
+
+/* What could not be told.  number: a cell that could have a decimal sign or
+ * thousands; text NULL: there is none. */
+struct open {
+	bool rotor, sieves;
+	struct cell number;
+	const struct block *other; /* a table that may be another site's */
+};
+
+/* Notes numbers of the table whose sign is open. */
+void open_numbers(struct open *open, const struct table *t);
+
+/* Whether anything is open, which is then one fault, and is in *ask. */
+bool open_ask(const struct open *open, const struct site_request *request,
+    struct table *const *table, size_t n_table, const struct columns *all,
+    struct site_ask *ask, struct error_list *errors);
+
+#endif

@@ -1,0 +1,535 @@
+/* From the cells of a column to passing in percent.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/site_column.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "io/sitefile/lexicon.h"
+#include "io/cells/number.h"
+
+const char *const SITE_ROLES[4] = {"feed", "product", "sd", ""};
+
+const struct site_unit SITE_UNITS[SITE_N_UNIT] = {
+    {"", N_("% passing"), PASSING, OF_100, 100, N_("passing from 0 to 100 %")},
+    {"_passing_pct", N_("% passing"), PASSING, OF_100, 100,
+	N_("passing from 0 to 100 %")},
+    {"_fraction", N_("fraction passing"), PASSING, OF_1, 1,
+	N_("a fraction from 0 to 1")},
+    {"_retained_g", N_("mass retained"), RETAINED, OF_MASS, 1e12,
+	N_("mass retained, 0 g or more")},
+    {"_retained_pct", N_("% retained"), RETAINED, OF_100, 100,
+	N_("mass retained, 0 to 100 %")},
+    {"_retained_fraction", N_("fraction retained"), RETAINED, OF_1, 1,
+	N_("a fraction from 0 to 1")},
+    {"_cum_retained_g", N_("cumulative mass retained"), CUMULATIVE, OF_MASS,
+	1e12, N_("mass retained, 0 g or more")},
+    {"_cum_retained_pct", N_("% cumulative retained"), CUMULATIVE, OF_100, 100,
+	N_("mass retained, 0 to 100 %")},
+    {"_cum_retained_fraction", N_("cumulative fraction retained"), CUMULATIVE,
+	OF_1, 1, N_("a fraction from 0 to 1")},
+};
+
+size_t
+site_unit_find(enum unit_kind kind, enum unit_scale scale)
+{
+	size_t i = 0;
+	while (i < SITE_N_UNIT &&
+	       (SITE_UNITS[i].kind != kind || SITE_UNITS[i].scale != scale))
+		i++;
+	return i < SITE_N_UNIT ? i : 0;
+}
+
+/* Speeds nearer than this, m/s, are one run, as for site_run_at. */
+static const double SAME_SPEED = 1e-3;
+
+static bool
+is_of(const struct column *c, enum role role, double speed)
+{
+	return c->role == role && fabs(c->speed - speed) <= SAME_SPEED;
+}
+
+size_t
+site_column_repeats(const struct columns *all, enum role role, double speed)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < all->n; i++)
+		n += is_of(&all->column[i], role, speed);
+	return n;
+}
+
+struct column *
+site_column_find(
+    const struct columns *all, enum role role, double speed, size_t nth)
+{
+	size_t wanted = site_column_repeats(all, role, speed) > 1 ? nth : 0;
+	for (size_t i = 0; i < all->n; i++)
+		if (is_of(&all->column[i], role, speed) &&
+		    all->column[i].nth == wanted)
+			return &all->column[i];
+	return NULL;
+}
+
+/* Percent that the parts of a sieving may miss of the whole. */
+static const double SUM_TOLERANCE = 0.5;
+
+/* Of the mass put on the sieves, as EN 933-1 allows. */
+static const double MASS_TOLERANCE = 0.01;
+
+double
+site_column_round(double v, double per_unit)
+{
+	return round(v * per_unit) / per_unit + 0.0;
+}
+
+size_t
+site_column_count(const struct column *c)
+{
+	const struct table *t = c->table;
+	size_t n = 0;
+	for (size_t i = 0; i < t->n_row; i++)
+		n += t->mm[i] > 0 && !isnan(c->pct[i]);
+	return n;
+}
+
+/* "product_fraction@69": the header of c with another unit. */
+static const char *
+other_head(const struct column *c, const char *suffix, char buf[static 64])
+{
+	char speed[32] = "";
+	if (c->speed > 0)
+		text_exact(c->speed, speed);
+	snprintf(buf, 64, "%s%s%s%s", SITE_ROLES[c->role], suffix,
+	    c->speed > 0 ? "@" : "", speed);
+	return buf;
+}
+
+/* A cell without the unit that may follow its number: "97,5 %" of a share,
+ * "42 g" of a mass. */
+static struct cell
+without_unit(struct cell cell, bool mass, char copy[static 40])
+{
+	const char *UNITS[] = {
+	    mass ? "g" : "%", mass ? "gr" : "%", mass ? "gram" : "%"};
+	size_t n = strlen(cell.text);
+	if (cell.kind != CELL_TEXT || n == 0 || n >= 40)
+		return cell;
+	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++) {
+		size_t k = strlen(UNITS[i]);
+		if (n <= k || strcmp(cell.text + n - k, UNITS[i]) != 0)
+			continue;
+		n -= k;
+		if (n > 2 && memcmp(cell.text + n - 2, "\xC2\xA0", 2) == 0)
+			n -= 2;
+		memcpy(copy, cell.text, n);
+		copy[n] = '\0';
+		cell.text = text_trim(copy);
+		break;
+	}
+	return cell;
+}
+
+static bool
+of_mass(const struct column *c)
+{
+	return SITE_UNITS[c->unit].scale == OF_MASS;
+}
+
+/* "<0.1" of what was too little to tell. */
+static bool
+is_trace(const struct sheet *sheet, struct cell cell)
+{
+	double v;
+	bool less = cell.kind == CELL_TEXT && cell.text[0] == '<';
+	cell.text += less;
+	return less && number_of(sheet, cell, &v);
+}
+
+void
+site_column_raw(const struct column *c, double *raw)
+{
+	const struct sheet *sheet = c->table->sheet;
+	char copy[40];
+	for (size_t i = 0; i < c->table->n_row; i++) {
+		struct cell cell = c->table->row[i].cell[c->at];
+		bool none = number_absent(cell) || is_trace(sheet, cell);
+		if (none || (!number_of(sheet, without_unit(cell, true, copy),
+				 &raw[i]) &&
+				!number_of(sheet,
+				    without_unit(cell, false, copy), &raw[i])))
+			raw[i] = NAN;
+	}
+}
+
+static bool
+in_range(struct column *c, struct cell cell, double v)
+{
+	struct sheet *sheet = c->table->sheet;
+	char head[64];
+	if (c->role == SD && (v > 100 || site_column_round(v, 1e12) <= 0))
+		return sheet_wanted(sheet, cell,
+		    "a standard deviation above 0, up to 100",
+		    "write it in percentage points of passing");
+	if (v >= 0 && v <= SITE_UNITS[c->unit].most * (1 + 1e-9))
+		return true;
+	bool percent = SITE_UNITS[c->unit].scale == OF_1 && v > 1;
+	/* One percent in a column of fractions says it for all of them. */
+	if (percent && c->told_percent)
+		return false;
+	c->told_percent = c->told_percent || percent;
+	return sheet_wanted(sheet, cell, SITE_UNITS[c->unit].wanted,
+	    percent ? N_("change the column heading to %s")
+		    : N_("check the number%.0s"),
+	    other_head(c, "", head));
+}
+
+/* The pan holds what no sieve holds; a curve of passing ends there at 0. */
+static bool
+read_pan(struct column *c, struct cell cell, double v)
+{
+	const struct site_unit *unit = &SITE_UNITS[c->unit];
+	bool cumulative = unit->kind == CUMULATIVE;
+	c->pan = v;
+	if (unit->kind == RETAINED || unit->scale == OF_MASS)
+		return in_range(c, cell, v);
+	double end = cumulative ? unit->most : 0;
+	if (fabs(v - end) <= 0.01 * unit->most)
+		return true;
+	return sheet_wanted(c->table->sheet, cell,
+	    cumulative ? N_("100 % above the pan")
+		       : N_("nothing passing the pan"),
+	    "leave the cell empty, or say what the column has: "
+	    "product_retained_pct@69");
+}
+
+static void
+read_cells(struct column *c)
+{
+	struct table *t = c->table;
+	char copy[40];
+	bool retained = SITE_UNITS[c->unit].kind == RETAINED;
+	for (size_t i = 0; i < t->n_row; i++) {
+		struct cell cell = t->row[i].cell[c->at];
+		double v = 0;
+		c->pct[i] = NAN;
+		bool trace = is_trace(t->sheet, cell);
+		if (number_absent(cell) || (trace && !retained))
+			continue;
+		bool good = trace || number_read(t->sheet,
+					 without_unit(cell, of_mass(c), copy),
+					 tr("a number"), &v);
+		if (good && t->mm[i] <= 0)
+			good = read_pan(c, cell, v);
+		else if (good && (good = in_range(c, cell, v)))
+			c->pct[i] = v;
+		c->faulty = c->faulty || !good;
+	}
+}
+
+/* The number that a line below the table has for a column; NAN: none. */
+static double
+foot_value(const struct column *c, const struct row *row)
+{
+	double v;
+	char copy[40];
+	struct cell cell = row->cell[c->at];
+	if (number_absent(cell) ||
+	    !number_of(c->table->sheet, without_unit(cell, true, copy), &v))
+		return NAN;
+	return v;
+}
+
+/* Sieves above the first number of what is retained held nothing: a dash there,
+ * or no number, is 0. */
+static void
+fill_top(struct column *c)
+{
+	struct table *t = c->table;
+	size_t first = 0;
+	while (first < t->n_row && (isnan(c->pct[first]) || t->mm[first] <= 0))
+		first++;
+	if (SITE_UNITS[c->unit].kind == PASSING || c->role == SD || c->faulty ||
+	    first == t->n_row || c->pct[first] <= 0)
+		return;
+	for (size_t i = 0; i < first; i++)
+		c->pct[i] = t->mm[i] > 0 ? 0 : NAN;
+}
+
+/* What the lines below the table say of a column, in its unit.  total: the
+ * largest sum, NAN where there is none, whose cell is `where`; weighed: it is
+ * the mass before sieving, M1 of EN 933-1.  washed: what was washed out, told
+ * as such or by the masses before and after; odd: a mass about washing from
+ * which it does not follow. */
+struct foot {
+	double total, washed;
+	struct cell where, odd;
+	bool weighed;
+};
+
+static struct foot
+read_foot(const struct column *c, double sum)
+{
+	const struct block *block = c->table->block;
+	struct foot foot = {.total = NAN, .washed = 0, .where = c->head};
+	double before = NAN, after = NAN;
+	for (size_t i = 0; i < block->n_foot; i++) {
+		const struct row *row = &block->foot[i];
+		uint64_t means = vocabulary_text(row->cell[0].text, NULL);
+		double v = foot_value(c, row);
+		bool washing = (means & WORD_WASHED) != 0;
+		if (isnan(v)) {
+			continue;
+		} else if (washing && v < 0.2 * sum) {
+			foot.washed += v;
+		} else if (washing) { /* a mass, before or after it */
+			foot.odd = row->cell[c->at];
+			before = v > after || isnan(after) ? v : before;
+			after = isnan(after) || v < after ? v : after;
+			before = fmax(before, v);
+		} else if ((means & WORD_TOTAL) != 0 && !(v <= foot.total)) {
+			foot.total = v;
+			foot.where = row->cell[c->at];
+			foot.weighed = (means & WORD_WEIGHED) != 0;
+		}
+	}
+	if (!isnan(after) && before > after) {
+		foot.washed = before - after;
+		foot.total = isnan(foot.total) || before > foot.total
+				 ? before
+				 : foot.total;
+		foot.weighed = true;
+		foot.odd.text = NULL;
+	} else if (!isnan(after) && foot.total > after) {
+		foot.washed = foot.total - after;
+		foot.odd.text = NULL;
+	} else if (fabs(after - sum) <= MASS_TOLERANCE * sum) {
+		foot.odd.text = NULL; /* what went on the sieves */
+	}
+	return foot;
+}
+
+static double
+sum_of(const struct column *c)
+{
+	double sum = isnan(c->pan) ? 0 : c->pan;
+	for (size_t i = 0; i < c->table->n_row; i++)
+		sum += isnan(c->pct[i]) ? 0 : c->pct[i];
+	return sum;
+}
+
+/* Reads the lines below and adds what was washed out to the pan; false after a
+ * fault. */
+static bool
+take_foot(struct column *c, struct foot *foot)
+{
+	*foot = read_foot(c, sum_of(c));
+	if (foot->odd.text != NULL)
+		return sheet_fault(c->table->sheet, foot->odd,
+		    "expected the masses before and after washing, or what was "
+		    "washed out, got %s alone\n"
+		    "head the lines 'mass before washing' and 'mass after "
+		    "washing', or write the difference as 'washed out'",
+		    foot->odd.text);
+	if (foot->washed > 0)
+		c->pan = (isnan(c->pan) ? 0 : c->pan) + foot->washed;
+	return true;
+}
+
+/* Whether the sheet's own total is the sum of the column, or it has none. */
+static bool
+agrees(struct column *c, struct cell where, double total, double sum)
+{
+	if (isnan(total) || fabs(total - sum) <= MASS_TOLERANCE * total)
+		return true;
+	return sheet_fault(c->table->sheet, where,
+	    "expected %.9g g, the sum of column %s, got %s\n"
+	    "up to %g %% may be lost in sieving: were digits transposed, or a "
+	    "sieve forgotten?",
+	    site_column_round(sum, 1e6), c->head.text, where.text,
+	    100 * MASS_TOLERANCE);
+}
+
+static double
+tell_no_pan(struct column *c)
+{
+	sheet_fault(c->table->sheet, c->head,
+	    "expected the mass in the pan, got none in column %s\n"
+	    "add a last row: pan, with the mass below the finest sieve "
+	    "(0 if there was none), or a row total with the mass sieved",
+	    c->head.text);
+	return 0;
+}
+
+/* The mass that went on the sieves, in the column's unit; 0 after a fault. */
+static double
+total_mass(struct column *c)
+{
+	struct foot foot;
+	if (!take_foot(c, &foot))
+		return 0;
+	struct cell where = foot.where;
+	bool weighed = foot.weighed;
+	double total = foot.total, sum = sum_of(c);
+	bool cumulative = SITE_UNITS[c->unit].kind == CUMULATIVE;
+	if (cumulative && !isnan(c->pan))
+		return c->pan;
+	if (isnan(c->pan) && isnan(total))
+		return tell_no_pan(c);
+	if (cumulative)
+		return total;
+	if (isnan(c->pan) && total < sum * (1 - MASS_TOLERANCE)) {
+		agrees(c, where, total, sum);
+		return 0;
+	}
+	if (isnan(c->pan))
+		return fmax(total, sum);
+	if (!(sum > 0)) {
+		sheet_fault(c->table->sheet, c->head,
+		    "expected a mass, got 0 g in column %s\n"
+		    "fill the column or remove it",
+		    c->head.text);
+		return 0;
+	}
+	if (!agrees(c, where, total, sum))
+		return 0;
+	return weighed ? fmax(total, sum) : sum; /* as EN 933-1 counts */
+}
+
+/* Of percentages or fractions retained: what all of them are parts of. */
+static double
+total_share(struct column *c)
+{
+	char head[64];
+	struct foot foot;
+	double whole = SITE_UNITS[c->unit].most;
+	if (!take_foot(c, &foot))
+		return 0;
+	double sum = sum_of(c), off = (sum - whole) / whole * 100;
+	bool pan = !isnan(c->pan);
+	/* What is lost in sieving is missing from the sum. */
+	if (pan && off < -SUM_TOLERANCE && off >= -100 * MASS_TOLERANCE)
+		return sum;
+	if (off <= SUM_TOLERANCE && (!pan || off >= -SUM_TOLERANCE))
+		return whole;
+	sheet_fault(c->table->sheet, c->head,
+	    "expected retained %s that sum to %g, got %g in column %s\n"
+	    "check the numbers, or change the column heading to %s",
+	    whole > 1 ? tr("percentages") : tr("fractions"), whole,
+	    site_column_round(sum, 1e9), c->head.text,
+	    other_head(c, "_cum_retained_pct", head));
+	return 0;
+}
+
+/* To percent passing with 12 decimals, as site_write writes it. */
+static void
+convert(struct column *c)
+{
+	const struct site_unit *unit = &SITE_UNITS[c->unit];
+	struct table *t = c->table;
+	double total = unit->most;
+	if (c->faulty || t->lost)
+		total = 0;
+	else if (unit->scale == OF_MASS)
+		total = total_mass(c);
+	else if (unit->kind == RETAINED)
+		total = total_share(c);
+	double left = total;
+	c->faulty = c->faulty || total <= 0;
+	for (size_t i = 0; i < t->n_row; i++) {
+		double v = c->pct[i];
+		if (isnan(v))
+			continue;
+		left = unit->kind == RETAINED ? left - v : total - v;
+		if (unit->kind == PASSING)
+			v = 100 * v / unit->most;
+		else
+			v = total > 0 ? 100 * fmax(left, 0) / total : NAN;
+		c->pct[i] = site_column_round(v, 1e12);
+	}
+}
+
+static void
+check_rise(struct column *c)
+{
+	struct table *t = c->table;
+	char p[32], q[32], mm[32], other[32];
+	size_t last = t->n_row;
+	for (size_t i = 0; i < t->n_row; i++) {
+		if (isnan(c->pct[i]) || isnan(t->mm[i]))
+			continue;
+		bool finer = last < t->n_row && t->mm[i] < t->mm[last];
+		if (finer && c->pct[i] > c->pct[last])
+			sheet_fault(t->sheet, t->row[i].cell[c->at],
+			    "passing rises from %s to %s at %s mm (finer "
+			    "sieve, more passing)\n"
+			    "check this row and that of %s mm: passing cannot "
+			    "rise on a finer sieve",
+			    text_exact(c->pct[last], p),
+			    text_exact(c->pct[i], q), text_exact(t->mm[i], mm),
+			    text_exact(t->mm[last], other));
+		last = i;
+	}
+}
+
+/* The feed's largest grains must be known: some sieve passes them all. */
+static void
+check_coarsest(struct column *c)
+{
+	struct table *t = c->table;
+	static const double series[] = {63, 45, 31.5, 22.4, 16, 11.2, 8, 5.6, 4,
+	    2, 1, .5, .25, .125, .063}; /* EN 933, mm */
+	char p[32], mm[32], next[64];
+	size_t i = 0, s = ARRAY_LEN(series);
+	while (i < t->n_row && (isnan(c->pct[i]) || !(t->mm[i] > 0)))
+		i++;
+	if (i == t->n_row || c->pct[i] >= 100)
+		return;
+	while (s > 0 && series[s - 1] <= t->mm[i])
+		s--;
+	const char *all = SITE_UNITS[c->unit].kind != PASSING ? "0"
+			  : SITE_UNITS[c->unit].scale == OF_1 ? "1"
+							      : "100";
+	text_exact(t->mm[i], mm);
+	if (c->pct[i] < 95)
+		snprintf(
+		    next, sizeof next, tr("the coarser sieves, up to one"));
+	else if (s > 0)
+		snprintf(next, sizeof next, "%g mm", series[s - 1]);
+	else
+		snprintf(
+		    next, sizeof next, tr("a sieve coarser than %s mm"), mm);
+	sheet_fault(t->sheet, t->row[i].cell[c->at],
+	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
+	    "%s mm\n"
+	    "add %s with %s",
+	    text_exact(c->pct[i], p), mm, next, all);
+}
+
+void
+site_column_values(struct column *c)
+{
+	struct table *t = c->table;
+	c->pct = xdoubles(t->n_row);
+	c->pan = NAN;
+	read_cells(c);
+	fill_top(c);
+	if (c->role != SD) {
+		convert(c);
+		check_rise(c);
+	}
+	if (c->role == FEED && !c->faulty && !t->lost)
+		check_coarsest(c);
+	size_t least = c->role == FEED ? 2 : 1;
+	if (c->role == SD || c->twin > 0 || c->faulty || t->lost ||
+	    site_column_count(c) >= least)
+		return;
+	sheet_fault(t->sheet, c->head,
+	    "expected %zu or more sieves, got %zu in column %s\n"
+	    "fill the column or remove it",
+	    least, site_column_count(c), c->head.text);
+}

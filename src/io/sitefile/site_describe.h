@@ -1,0 +1,16 @@
+/* What a site was made of, in the two lines that load prints.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_SITEFILE_SITE_DESCRIBE_H
+#define TIPSPEED_IO_SITEFILE_SITE_DESCRIBE_H
+
+#include "core/psd/site.h"
+#include "io/sitefile/site_column.h"
+
+/* Sets site->read_as, "sieves in column 1 (mm); feed, product@69, @79 in 2 to 4
+ * (% passing)": "" where the heads are those of tipspeed-site(5).  Adds to
+ * site->assumed what columns were taken for without being stated, "columns 2 to
+ * 4 as % passing". */
+void site_describe(struct table *const *table, size_t n_table,
+    const struct columns *all, struct site *site);
+
+#endif

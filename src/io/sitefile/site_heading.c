@@ -1,0 +1,252 @@
+/* Keys in the languages of vocabulary.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/site_heading.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "io/sitefile/column_header.h"
+#include "io/sitefile/site_sieve.h"
+#include "io/sitefile/lexicon.h"
+#include "io/cells/number.h"
+
+static const char *const NAMES[N_KEY] = {
+    "site", "rock", "machine", "provenance", "top_size_mm"};
+
+static void
+take_value(struct site *site, enum vocabulary_key key, struct sheet *sheet,
+    struct cell cell)
+{
+	char **text[] = {
+	    &site->name, &site->rock, &site->machine, &site->provenance};
+	if (key != KEY_TOP_SIZE) {
+		free(*text[key]);
+		*text[key] = xstrdup(cell.text);
+		return;
+	}
+	double mm = site_sieve_mm(sheet, cell, 1, "a positive size in mm");
+	if (mm <= 0)
+		sheet_wanted(sheet, cell, "a positive size in mm",
+		    "write the size, or remove the line");
+	site->top_size = mm / 1000;
+}
+
+/* The first number of a text, as 900 of "900 mm". */
+static bool
+first_number(const struct sheet *sheet, struct cell cell, double *value)
+{
+	char copy[40];
+	size_t n = strspn(cell.text, "0123456789.,' ");
+	while (n > 0 && cell.text[n - 1] == ' ')
+		n--;
+	if (cell.kind == CELL_NUMBER || n == 0 || n >= sizeof copy)
+		return number_of(sheet, cell, value);
+	memcpy(copy, cell.text, n);
+	copy[n] = '\0';
+	cell.text = copy;
+	return number_of(sheet, cell, value);
+}
+
+/* The rotor's diameter, if the line tells it.  A number below 10 is in m. */
+static bool
+take_rotor(struct site *site, const struct sheet *sheet, struct cell key,
+    struct cell value)
+{
+	uint64_t means = vocabulary_text(key.text, NULL);
+	double number;
+	if ((means & WORD_ROTOR) == 0 || (means & WORD_SPEED) != 0 ||
+	    !first_number(sheet, value, &number))
+		return false;
+	means |= vocabulary_text(value.text, NULL);
+	double mm = number * (number < 10 ? 1000 : 1);
+	if ((means & WORD_INCH) != 0)
+		mm = 25.4 * number;
+	if (strstr(value.text, "cm") != NULL || strstr(key.text, "cm") != NULL)
+		mm = 10 * number;
+	if (mm < 100 || mm > 5000)
+		return false;
+	site->rotor = mm / 1000;
+	return true;
+}
+
+/* "tip speed; 70 m/s", "varvtal; 1350". */
+static bool
+take_speed(const struct sheet *sheet, struct cell key, struct cell value,
+    struct heading_speed *speed)
+{
+	struct head k = head_read(key.text), v = head_read(value.text);
+	double number;
+	enum speed_unit unit = k.unit;
+	if (unit == SPEED_NO_UNIT && (k.means & WORD_RPM) != 0)
+		unit = SPEED_RPM;
+	bool about = (k.means & WORD_SPEED) != 0 || k.unit != SPEED_NO_UNIT;
+	if (!about || (v.several && v.unit != SPEED_NO_UNIT))
+		return false;
+	if (v.speed > 0 || v.rpm > 0) {
+		speed->mps = v.speed > 0 ? v.speed : speed->mps;
+		speed->rpm = v.rpm > 0 ? v.rpm : speed->rpm;
+		return true;
+	}
+	if (!first_number(sheet, value, &number) || number <= 0)
+		return false;
+	if (unit == SPEED_RPM)
+		speed->rpm = number;
+	else if (unit != SPEED_NO_UNIT || number < 150)
+		speed->mps = head_mps(number, unit, 0);
+	else
+		return false;
+	return true;
+}
+
+/* "Speed: 70 m/s" in one cell. */
+static bool
+split_colon(struct cell *key, struct cell *value, char **left, char **right)
+{
+	const char *colon = strchr(key->text, ':');
+	if (colon == NULL || colon[1] == '\0' || colon == key->text)
+		return false;
+	*left = xstrndup(key->text, (size_t)(colon - key->text));
+	*right = xstrdup(colon + 1);
+	*value = *key;
+	key->text = text_trim(*left);
+	value->text = text_trim(*right);
+	value->kind = CELL_TEXT;
+	return value->text[0] != '\0' && key->text[0] != '\0';
+}
+
+/* The next key of a line from cell *at on, which moves after it and its value:
+ * the cells up to an empty one, or two of them.  Returns how many there are. */
+static size_t
+next_pair(const struct row *row, size_t *at, struct cell *key,
+    struct cell *value, struct cell *third)
+{
+	size_t n = 0, i = *at;
+	while (i < row->n && row->cell[i].text[0] == '\0')
+		i++;
+	*value = sheet_cell(row, row->n_all);
+	for (; i < row->n && (row->cell[i].text[0] != '\0' || n == 1); i++) {
+		if (row->cell[i].text[0] == '\0')
+			continue;
+		struct cell *slot[] = {key, value, third};
+		if (n < 3)
+			*slot[n] = row->cell[i];
+		n++;
+	}
+	*at = i;
+	return n;
+}
+
+/* "rock Granite" without a separator. */
+static bool
+begins_with_key(const char *text)
+{
+	for (size_t k = 0; k < N_KEY; k++)
+		if (strncasecmp(text, NAMES[k], strlen(NAMES[k])) == 0)
+			return true;
+	return false;
+}
+
+/* A line of numbers above the table that heads nothing. */
+static void
+leave_out_line(struct site *site, const struct cell *key)
+{
+	char *where = xasprintf(tr("line %d"), key->line);
+	char *what = xasprintf(tr("%.*s: numbers above the table"),
+	    sheet_cut(key->text), key->text);
+	site_add_note(&site->left_out, &site->n_left_out, where, what);
+	free(where);
+	free(what);
+}
+
+/* A pair of the line, or what there is of one; false at its end. */
+static bool
+read_pair(struct site *site, struct sheet *sheet, const struct row *row,
+    size_t *at, int seen[static N_KEY], struct heading_speed *speed)
+{
+	struct cell key = {0}, value, third;
+	char *left = NULL, *right = NULL;
+	size_t n = next_pair(row, at, &key, &value, &third);
+	if (n == 0)
+		return false;
+	if (n == 1 && split_colon(&key, &value, &left, &right))
+		n = 2;
+	size_t colon = strlen(key.text);
+	char *bare = xstrndup(key.text,
+	    colon > 1 && key.text[colon - 1] == ':' ? colon - 1 : colon);
+	enum vocabulary_key k = vocabulary_key(bare);
+	if (n == 1 && k == N_KEY && begins_with_key(key.text)) {
+		sheet_wanted(sheet, key, "a key and a value",
+		    "write key%cvalue, or begin a remark with #",
+		    sheet->separator);
+	} else if (n > 2 && k < N_KEY) {
+		sheet_wanted(sheet, third,
+		    "the end of the line after key and value",
+		    "quote a value that contains the separator, or begin a "
+		    "remark with #; with decimal commas, separate the cells "
+		    "with ;");
+	} else if (k < N_KEY && seen[k] > 0) {
+		sheet_fault(sheet, key,
+		    "duplicate key: %s is already in line %d\n"
+		    "remove one of the two lines",
+		    key.text, seen[k]);
+	} else if (k < N_KEY) {
+		take_value(site, k, sheet, value);
+	} else {
+		bool taken = n > 1 && (take_rotor(site, sheet, key, value) ||
+					  take_speed(sheet, key, value, speed));
+		double number;
+		if (n > 2 && number_of(sheet, third, &number))
+			leave_out_line(site, &key);
+		else if (!(taken && site->rotor > 0 &&
+			     strcmp(key.text, "rotor_mm") == 0))
+			site_add_note(&site->note, &site->n_note, key.text,
+			    n > 1 ? value.text : "");
+	}
+	if (k < N_KEY)
+		seen[k] = row->line;
+	free(left);
+	free(right);
+	free(bare);
+	return true;
+}
+
+void
+site_heading(const struct layout *layout, struct sheet *sheet,
+    struct site *site, struct heading_speed *speed)
+{
+	int seen[N_KEY] = {0};
+	int first = layout->n > 0 ? layout->block[0].row[0].line : 0;
+	for (size_t i = 0; i < layout->n; i++)
+		for (size_t r = 0; r < layout->block[i].n_row; r++)
+			for (size_t c = 0; c < layout->block[i].n_col; c++) {
+				int line = layout->block[i].row[r].cell[c].line;
+				first = line < first ? line : first;
+			}
+	for (size_t i = 0; i < layout->n_heading; i++)
+		if (layout->heading[i]->line < first)
+			for (size_t at = 0; read_pair(site, sheet,
+				 layout->heading[i], &at, seen, speed);)
+				;
+}
+
+char *
+site_heading_name(const char *path)
+{
+	const char *slash = strrchr(path, '/');
+	const char *name = slash != NULL ? slash + 1 : path;
+	const char *dot = strrchr(name, '.');
+	bool extension = dot != NULL && dot > name;
+	size_t n = extension ? (size_t)(dot - name) : strlen(name);
+	bool good = text_is_utf8(name, n);
+	char *copy = xstrndup(name, n);
+	for (char *p = copy; *p != '\0'; p++) {
+		unsigned char c = (unsigned char)*p;
+		if (c < 0x20 || c == 0x7F || (c >= 0x80 && !good))
+			*p = '_';
+	}
+	return copy;
+}

@@ -1,0 +1,22 @@
+/* The lines of a sheet that are no table: keys with their values, titles.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_SITEFILE_SITE_HEADING_H
+#define TIPSPEED_IO_SITEFILE_SITE_HEADING_H
+
+#include "core/psd/site.h"
+#include "io/sitefile/layout.h"
+
+/* Reads the lines above the tables into the site: name, rock, rotor, others as
+ * notes.  speed: m/s, or rpm as far as one is told for all samples; else 0 and
+ * untouched. */
+struct heading_speed {
+	double mps, rpm;
+};
+void site_heading(const struct layout *layout, struct sheet *sheet,
+    struct site *site, struct heading_speed *speed);
+
+/* The name of a file without folder and extension, as it can be written into a
+ * sheet.  The caller frees. */
+char *site_heading_name(const char *path);
+
+#endif

@@ -1,0 +1,758 @@
+/* From the sheets of one site or of its samples to the site: sheets come from
+ * source, tables from layout, what they hold from recognise.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/site_read.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "io/sitefile/layout_long.h"
+#include "io/sitefile/classify.h"
+#include "io/sitefile/results.h"
+#include "io/sitefile/site_ask.h"
+#include "io/sitefile/site_column.h"
+#include "io/sitefile/site_describe.h"
+#include "io/sitefile/site_heading.h"
+#include "io/sitefile/site_sieve.h"
+#include "io/cells/source.h"
+#include "io/sitefile/lexicon.h"
+#include "io/cells/number.h"
+
+/* One sheet of one file, with what was found on it. */
+struct page {
+	size_t file;
+	struct sheet *sheet;
+	struct layout *layout;
+};
+
+/* A site on its way.  table [n_table] and their columns in all; lost: something
+ * is at fault, so that what is missing cannot be judged. */
+struct reading {
+	const struct site_request *request;
+	struct error_list *errors;
+	struct site *site;
+	struct names names;
+	struct layout_range range;
+	size_t n_source, n_page, n_table;
+	struct source *source;
+	struct page *page;
+	struct table **table;
+	struct columns all;
+	struct open open;
+	bool lost;
+};
+
+static struct sheet *
+first_sheet(const struct reading *r)
+{
+	return r->page[0].sheet;
+}
+
+/* Without a table nothing else can be judged. */
+static void
+tell_no_table(struct sheet *sheet)
+{
+	struct row none = {.line = 1, .end = 1};
+	struct cell found =
+	    sheet->n_row > 0 ? sheet->row[0].cell[0] : sheet_cell(&none, 0);
+	for (size_t i = sheet->n_row; i-- > 0;) {
+		struct cell cell = sheet->row[i].cell[0];
+		double v;
+		if (number_of(sheet, cell, &v) ||
+		    (vocabulary_text(cell.text, NULL) & WORD_SIZE) != 0)
+			found = cell;
+	}
+	char c = sheet->separator == ';' ? ';' : ',';
+	bool heads = (vocabulary_text(found.text, NULL) & WORD_SIZE) != 0 &&
+		     found.line == sheet->row[sheet->n_row - 1].line;
+	if (heads) {
+		sheet_wanted(sheet, found,
+		    "a row for each sieve below this line",
+		    "add rows such as 22.4%c100%c100%c100", c, c, c);
+		return;
+	}
+	sheet_wanted(sheet, found, "a table of sieves",
+	    "begin it with a line of heads, "
+	    "size_mm%cfeed%cproduct@69%cproduct@79, then one line for each "
+	    "sieve; or see: template",
+	    c, c, c);
+}
+
+static size_t
+count_role(const struct columns *all, enum role role)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < all->n; i++)
+		n += all->column[i].role == role;
+	return n;
+}
+
+/* Of repeats at one speed, one feed serves all, or each product has its own;
+ * likewise standard deviations. */
+static void
+check_repeats(const struct columns *t, const struct column *c)
+{
+	if (!(c->speed > 0))
+		return;
+	size_t own = site_column_repeats(t, c->role, c->speed);
+	size_t products = site_column_repeats(t, PRODUCT, c->speed);
+	if (c->role == PRODUCT || c->nth != 1 || own == products)
+		return;
+	sheet_fault(c->table->sheet, c->head,
+	    products > 1
+		? N_("duplicate column: expected one %s@%g or one for each "
+		     "product, got %zu\n"
+		     "keep one for all products at this speed, or one for each "
+		     "in their order")
+		: N_("duplicate column: expected one %s@%g, got %zu\n"
+		     "keep one for all products at this speed, or one for each "
+		     "in their order"),
+	    SITE_ROLES[c->role], c->speed, own);
+}
+
+/* A feed for each product, a product for each standard deviation. */
+static void
+check_partner(const struct columns *t, const struct column *c)
+{
+	const struct column *shared = site_column_find(t, FEED, 0, 0);
+	bool alone = site_column_repeats(t, PRODUCT, c->speed) == 0;
+	check_repeats(t, c);
+	if (c->role == FEED && !(c->speed > 0) && c->nth == 1)
+		sheet_fault(c->table->sheet, c->head,
+		    "duplicate column: %s is already at column %d\n"
+		    "keep one of the two, or name the columns to read: load "
+		    "FILE columns=\"..\"",
+		    c->head.text, shared->head.column);
+	if (c->role == FEED && c->speed > 0 && shared != NULL)
+		sheet_fault(c->table->sheet, c->head,
+		    "expected one kind of feed, got feed and %s\n"
+		    "use one feed for all runs, or feed@SPEED for each run",
+		    c->head.text);
+	if (c->role == SD && alone)
+		sheet_fault(c->table->sheet, c->head,
+		    "expected a product for %s, got none\n"
+		    "add its product column, or remove this one",
+		    c->head.text);
+	if (c->role == PRODUCT && shared == NULL && count_role(t, FEED) > 0 &&
+	    site_column_repeats(t, FEED, c->speed) == 0)
+		sheet_fault(c->table->sheet, c->head,
+		    "expected a feed for %s, got none\n"
+		    "add a feed@ column with this speed",
+		    c->head.text);
+}
+
+/* Each product value needs a standard deviation, and the other way round. */
+static void
+check_sd(const struct columns *all, const struct column *product)
+{
+	const struct table *t = product->table;
+	const struct column *sd =
+	    site_column_find(all, SD, product->speed, product->nth);
+	if (sd != NULL && sd->table != t)
+		return;
+	for (size_t i = 0; i < t->n_row && sd != NULL; i++) {
+		struct cell a = t->row[i].cell[product->at];
+		struct cell b = t->row[i].cell[sd->at];
+		bool has = a.text[0] != '\0', has_sd = b.text[0] != '\0';
+		if (has == has_sd || !(t->mm[i] > 0))
+			continue;
+		sheet_wanted(t->sheet, b,
+		    has ? N_("a standard deviation")
+			: N_("no standard deviation without a product"),
+		    "%s",
+		    has ? tr("fill it, or remove the column")
+			: tr("leave both cells empty where the sieve was not "
+			     "used"));
+	}
+}
+
+/* Two quantities of one sample say the same, but for rounding and what was lost
+ * in sieving. */
+static void
+check_twin(const struct columns *all, const struct column *twin)
+{
+	const double far = 1.5;
+	const struct table *t = twin->table;
+	for (size_t k = 0; k < all->n; k++) {
+		const struct column *c = &all->column[k];
+		if (c->table != t || t->block->number[c->at] != twin->twin)
+			continue;
+		for (size_t i = 0; i < t->n_row; i++) {
+			if (!(fabs(c->pct[i] - twin->pct[i]) > far))
+				continue;
+			sheet_fault(t->sheet, t->row[i].cell[twin->at],
+			    "expected the sample of column %zu again, got "
+			    "%.4g %% passing and %.4g %%\n"
+			    "say which is to be read: load FILE "
+			    "columns=\"1=sieve mm, 2=feed, ..\"",
+			    twin->twin, c->pct[i], twin->pct[i]);
+			return;
+		}
+	}
+}
+
+/* Where the numbers of an empty table begin. */
+static struct cell
+first_empty(const struct table *t)
+{
+	const struct row *row = &t->row[0];
+	return row->n_all > 1 ? row->cell[1] : site_sieve_head(t);
+}
+
+/* What the sheets lack. */
+static void
+check_roles(struct reading *r)
+{
+	bool parts = r->request->parts;
+	if (r->all.n == 0)
+		sheet_fault(r->table[0]->sheet, first_empty(r->table[0]),
+		    "expected numbers below the heads, got none\n"
+		    "fill in the columns from this cell on; leave a cell empty "
+		    "only where a sieve was not used");
+	else if (count_role(&r->all, FEED) == 0 && !parts)
+		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
+		    "expected a feed column, got none\n"
+		    "add a column feed, or load the feed's file with it: load "
+		    "feed.csv %s@SPEED",
+		    r->request->path[0]);
+	else if (count_role(&r->all, PRODUCT) == 0 && parts)
+		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
+		    "expected a product, got a feed only\n"
+		    "add takes samples of product; load this file as a site");
+}
+
+static void
+read_columns(struct reading *r)
+{
+	struct columns *all = &r->all;
+	for (size_t i = 0; i < all->n; i++) {
+		struct column *c = &all->column[i];
+		site_column_values(c);
+		r->lost = r->lost || c->table->lost;
+	}
+	for (size_t i = 0; i < all->n; i++) {
+		if (all->column[i].twin > 0)
+			check_twin(all, &all->column[i]);
+		if (all->column[i].role == PRODUCT)
+			check_sd(all, &all->column[i]);
+		if (!r->lost)
+			check_partner(all, &all->column[i]);
+	}
+	if (!r->lost)
+		check_roles(r);
+}
+
+static struct psd
+make_psd(const struct column *c)
+{
+	const struct table *t = c->table;
+	struct psd psd = psd_new(site_column_count(c));
+	size_t n = 0;
+	for (size_t i = 0; i < t->n_row; i++) {
+		if (!(t->mm[i] > 0) || isnan(c->pct[i]))
+			continue;
+		psd.size[n] = t->mm[i] / 1000;
+		psd.passing[n++] = c->pct[i] / 100;
+	}
+	return psd;
+}
+
+/* nth: of the runs at its speed. */
+static void
+fill_run(const struct columns *t, const struct column *shared, struct run *run,
+    size_t nth)
+{
+	double v = run->speed;
+	const struct column *own = site_column_find(t, FEED, v, nth);
+	const struct column *product = site_column_find(t, PRODUCT, v, nth);
+	const struct column *sd = site_column_find(t, SD, v, nth);
+	if (site_column_repeats(t, PRODUCT, v) > 1)
+		snprintf(run->repeat, sizeof run->repeat, " (%u)",
+		    (unsigned)nth + 1);
+	if (shared != NULL || own != NULL)
+		run->feed = make_psd(shared != NULL ? shared : own);
+	if (product != NULL)
+		run->product = make_psd(product);
+	if (sd == NULL)
+		return;
+	struct psd deviation = make_psd(sd);
+	run->product_sd = deviation.passing;
+	free(deviation.size);
+}
+
+static int
+by_speed(const void *a, const void *b)
+{
+	const struct run *r = a, *s = b;
+	return (r->speed > s->speed) - (r->speed < s->speed);
+}
+
+/* A run for each product, and for each speed with no more than a feed of its
+ * own; where there is only the feed of all runs, one run without a speed. */
+static void
+make_runs(struct site *site, const struct columns *t)
+{
+	const struct column *shared = site_column_find(t, FEED, 0, 0);
+	site->individual_feeds = shared == NULL;
+	site->run = xrealloc(site->run, t->n, sizeof *site->run);
+	for (size_t i = 0; i < t->n; i++) {
+		const struct column *c = &t->column[i];
+		size_t n = site_column_repeats(t, PRODUCT, c->speed);
+		if (c->role == SD || !(c->speed > 0) ||
+		    site_run_at(site, c->speed) < site->n_run)
+			continue;
+		for (size_t k = 0; k == 0 || k < n; k++)
+			site->run[site->n_run++] =
+			    (struct run){.speed = c->speed};
+	}
+	if (site->n_run == 0)
+		site->run[site->n_run++] = (struct run){.speed = 0};
+	qsort(site->run, site->n_run, sizeof *site->run, by_speed);
+	for (size_t r = 0, first = 0; r < site->n_run; r++) {
+		first = site_run_repeats(site, r) ? first : r;
+		fill_run(t, shared, &site->run[r], r - first);
+	}
+	site->digest = site_digest(site);
+}
+
+static void __attribute__((format(printf, 3, 4)))
+leave_out(struct site *site, const char *where, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	char *what = xvasprintf(tr(format), ap);
+	va_end(ap);
+	site_add_note(&site->left_out, &site->n_left_out, where, what);
+	free(what);
+}
+
+/* Sieves without a number, and words below the table. */
+static void
+leave_out_rows(struct reading *r, const struct table *t)
+{
+	char where[32];
+	for (size_t i = 0; i < t->n_row; i++) {
+		bool values = !(t->mm[i] > 0);
+		for (size_t c = 0; c < r->all.n && !values; c++)
+			values = r->all.column[c].table == t &&
+				 !isnan(r->all.column[c].pct[i]);
+		snprintf(where, sizeof where, tr("line %d"), t->row[i].line);
+		if (!values)
+			leave_out(r->site, where, "the sieve %s has no numbers",
+			    t->row[i].cell[0].text);
+	}
+}
+
+/* Cells of the samples that say that there is no number, "-" or "<0.1". */
+static void
+leave_out_cells(struct reading *r)
+{
+	size_t more = 0;
+	char *list = xstrdup("");
+	for (size_t k = 0; k < r->all.n; k++) {
+		const struct column *c = &r->all.column[k];
+		for (size_t i = 0; i < c->table->n_row; i++) {
+			const char *text = c->table->row[i].cell[c->at].text;
+			bool read = !isnan(c->pct[i]) || c->table->mm[i] <= 0;
+			if (text[0] == '\0' || read || c->twin > 0)
+				continue;
+			if (more++ < 3)
+				xlist(&list, ", ", tr("'%.*s' in line %d"),
+				    sheet_cut(text), text,
+				    c->table->row[i].line);
+		}
+	}
+	if (more > 3)
+		xlist(&list, ", ", tr("%zu more"), more - 3);
+	if (more > 0)
+		leave_out(r->site, "cells without a number", "%s", list);
+	free(list);
+}
+
+/* Lines of sums that nothing could be compared with. */
+static void
+leave_out_sums(struct reading *r, const struct page *page)
+{
+	char where[32];
+	bool grams = false;
+	for (size_t c = 0; c < r->all.n; c++)
+		grams =
+		    grams || SITE_UNITS[r->all.column[c].unit].scale == OF_MASS;
+	for (size_t b = 0; b < page->layout->n && !grams; b++)
+		for (size_t i = 0; i < page->layout->block[b].n_foot; i++) {
+			const struct row *row = &page->layout->block[b].foot[i];
+			const char *text = row->cell[0].text;
+			snprintf(where, sizeof where, tr("line %d"), row->line);
+			if ((vocabulary_text(text, NULL) & WORD_TOTAL) != 0)
+				leave_out(r->site, where,
+				    "%s: sums are checked for grams only",
+				    text);
+		}
+}
+
+static void
+leave_out_foot(struct reading *r, const struct page *page)
+{
+	char where[32];
+	int first = page->layout->block[0].row[0].line;
+	leave_out_sums(r, page);
+	for (size_t i = 0; i < page->layout->n_heading; i++) {
+		const struct row *row = page->layout->heading[i];
+		size_t c = 0;
+		while (row->cell[c].text[0] == '\0')
+			c++;
+		snprintf(where, sizeof where, tr("line %d"), row->line);
+		const char *text = row->cell[c].text;
+		if (row->line > first)
+			leave_out(r->site, where,
+			    "remark below the table: %.*s", sheet_cut(text),
+			    text);
+	}
+}
+
+/* What stands in the table or below it and was not read.  A line that begins
+ * with # may be a sieve that somebody thought away. */
+static void
+tell_left_out(struct reading *r)
+{
+	char where[32];
+	for (size_t p = 0; p < r->n_page; p++) {
+		const struct page *page = &r->page[p];
+		if (page->layout->n == 0)
+			continue;
+		const struct block *b = &page->layout->block[0];
+		int head = b->n_head > 0 ? b->head[b->n_head - 1].line : 0;
+		for (size_t i = 0; i < page->sheet->n_comment; i++) {
+			const struct comment *c = &page->sheet->comment[i];
+			if (c->line <= head)
+				continue;
+			snprintf(where, sizeof where, tr("line %d"), c->line);
+			int shown = sheet_cut(c->text);
+			leave_out(r->site, where, "a comment: %.*s%s", shown,
+			    c->text, c->text[shown] != '\0' ? "..." : "");
+		}
+		leave_out_foot(r, page);
+		const struct cell *beside = &page->layout->beside;
+		snprintf(where, sizeof where, tr("line %d"), beside->line);
+		if (beside->text != NULL)
+			leave_out(r->site, where, "beside the table: %.*s",
+			    sheet_cut(beside->text), beside->text);
+	}
+	for (size_t i = 0; i < r->n_table; i++)
+		leave_out_rows(r, r->table[i]);
+	leave_out_cells(r);
+}
+
+/* "#4 = 4.75, No. 8 = 2.36" of the sieves that have names. */
+static void
+tell_names(struct reading *r)
+{
+	for (size_t k = 0; k < r->n_table; k++) {
+		const struct table *t = r->table[k];
+		for (size_t i = 0; i < t->n_row; i++) {
+			const char *text = t->row[i].cell[0].text;
+			double v;
+			bool bare = number_of(t->sheet, t->row[i].cell[0], &v);
+			if (t->mm[i] > 0 &&
+			    (sieve_names_series(text) != SIEVE_NONE ||
+				(bare && t->unit.series != SIEVE_NONE)))
+				xlist(&r->site->named, ", ", "%s = %g", text,
+				    t->mm[i]);
+		}
+	}
+}
+
+/* One cell with something in it: a title. */
+static bool
+is_alone(const struct row *row)
+{
+	size_t filled = 0;
+	for (size_t i = 0; i < row->n; i++)
+		filled += (size_t)(row->cell[i].text[0] != '\0');
+	return filled == 1;
+}
+
+/* Meanings of the words that stand next to a table and tell feed from product:
+ * its title, the name of its sheet or file. */
+static uint64_t
+context_of(const struct page *page, const struct block *b, const char *path,
+    struct surroundings *near)
+{
+	uint64_t means = vocabulary_text(page->sheet->name, NULL);
+	struct head name = head_read(page->sheet->name);
+	near->speed = near->speed > 0 ? near->speed : name.speed;
+	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line;
+	int left = b->row[0].cell[0].column;
+	for (size_t i = 0; i < page->layout->n_heading; i++) {
+		const struct row *row = page->layout->heading[i];
+		if (row->line >= top || row->line < top - 3 ||
+		    vocabulary_key(row->cell[0].text) != N_KEY)
+			continue;
+		for (size_t c = 0; c < row->n; c++) {
+			if (row->n > 1 && row->cell[c].column < left)
+				continue;
+			struct head title = head_read(row->cell[c].text);
+			uint64_t role =
+			    title.means & (WORD_FEED | WORD_PRODUCT);
+			near->strange =
+			    near->strange ||
+			    (is_alone(row) &&
+				(title.unknown > 0 ||
+				    (title.means & (WORD_LIMIT | WORD_MEAN |
+						       WORD_MACHINE)) != 0));
+			if (role == 0 && !(title.speed > 0))
+				continue;
+			means = role != 0 ? role : means;
+			if (title.speed > 0 && !title.several)
+				near->speed = title.speed;
+			break;
+		}
+	}
+	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0) {
+		char *stem = site_heading_name(path);
+		means |= vocabulary_text(stem, NULL);
+		free(stem);
+	}
+	return means;
+}
+
+static void
+read_block(struct reading *r, const struct page *page, struct block *b,
+    struct heading_speed told)
+{
+	enum sieve_certainty certainty;
+	const struct site_request *q = r->request;
+	double given = q->speed != NULL ? q->speed[page->file] : 0;
+	struct surroundings near = {
+	    .rotor = r->site->rotor, .told = r->names.n > 0};
+	near.speed = told.mps;
+	if (near.speed == 0 && told.rpm > 0) {
+		near.speed = head_mps(told.rpm, SPEED_RPM, near.rotor);
+		r->open.rotor = r->open.rotor || near.rotor == 0;
+	}
+	near.context = context_of(page, b, q->path[page->file], &near);
+	/* "Specification", "VSI 2" above a further table of the sheet. */
+	if (near.strange && b != &page->layout->block[0] && !near.told &&
+	    q->range == NULL)
+		r->open.other = b;
+	if (given > 0)
+		near.speed = given;
+	uint64_t sieve = names_apply(&r->names, b);
+	layout_widen(b);
+	struct table *t = xcalloc(1, sizeof *t);
+	*t = site_sieve_table(b, sieve, &certainty);
+	t->lost = page->sheet->lost;
+	r->table = xrealloc(r->table, r->n_table + 1, sizeof(*r->table));
+	r->table[r->n_table++] = t;
+	site_sieve_check(t);
+	r->open.sieves = r->open.sieves || certainty == SIEVES_OPEN;
+	if (certainty == SIEVES_ASSUMED)
+		xlist(&r->site->assumed, "; ", tr("sieves in %s"),
+		    site_sieve_unit(t));
+	r->lost = r->lost || t->lost;
+	size_t first = r->all.n;
+	recognise_columns(t, &near, &r->all, r->site);
+	for (size_t i = first; (given > 0 || q->parts) && i < r->all.n; i++)
+		if (r->all.column[i].role == NO_ROLE)
+			r->all.column[i].role = PRODUCT;
+	open_numbers(&r->open, t);
+}
+
+/* What a request says in words: columns=, range=. */
+static bool
+read_request(struct reading *r)
+{
+	const struct site_request *q = r->request;
+	struct error e;
+	if (names_read(&r->names, q->columns, &r->range, &e) &&
+	    range_read(q->range, &r->range, &e))
+		return true;
+	*error_add(r->errors) = e;
+	return false;
+}
+
+/* What was predicted is not read as measured, whatever columns= says. */
+static bool
+is_measured(const struct source *source)
+{
+	char *command = NULL;
+	size_t i = 0;
+	while (i < source->n && command == NULL)
+		command = results_command(source->sheet[i++]);
+	if (command != NULL)
+		sheet_fault(source->sheet[i - 1],
+		    source->sheet[i - 1]->row[0].cell[0],
+		    "expected a site file, got results of tipspeed's own "
+		    "(%s)\n"
+		    "load the sheet that they were made from; 'write' saves a "
+		    "site file",
+		    command);
+	free(command);
+	return command == NULL;
+}
+
+/* The sheets of a file that are wanted: the one with the name, or all. */
+static bool
+read_file(struct reading *r, size_t file)
+{
+	const struct site_request *q = r->request;
+	struct source *source = &r->source[r->n_source++];
+	if (!source_read(q->path[file], r->errors, source) ||
+	    !is_measured(source))
+		return false;
+	size_t before = r->n_page;
+	char *names = xstrdup("");
+	if (source->note[0] != '\0')
+		xlist(&r->site->remark, "; ", "%s", source->note);
+	for (size_t i = 0; i < source->n; i++) {
+		struct sheet *sheet = source->sheet[i];
+		xlist(&names, ", ", "%s", sheet->name);
+		if (q->sheet != NULL && !text_same(sheet->name, q->sheet))
+			continue;
+		if (q->decimal != '\0') {
+			sheet->decimal = q->decimal;
+			sheet->open.text = NULL;
+		}
+		site_sieve_numbers(sheet);
+		struct layout *layout = layout_new(sheet, r->range);
+		r->page = xrealloc(r->page, r->n_page + 1, sizeof *r->page);
+		r->page[r->n_page++] = (struct page){file, sheet, layout};
+		r->lost = r->lost || sheet->lost;
+	}
+	bool found = r->n_page > before;
+	if (!found)
+		error_at(error_add(r->errors), ERROR_DATA, q->path[file], 0, 0,
+		    "expected a sheet called %s, got none\n"
+		    "its sheets: %s",
+		    q->sheet != NULL ? q->sheet : tr("(any)"), names);
+	free(names);
+	return found;
+}
+
+/* Pages of a workbook without any table are no part of it. */
+static bool
+has_tables(struct reading *r)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < r->n_page; i++)
+		n += r->page[i].layout->n;
+	if (n == 0 && !r->lost)
+		tell_no_table(first_sheet(r));
+	return n > 0;
+}
+
+static void
+read_pages(struct reading *r)
+{
+	for (size_t i = 0; i < r->n_page; i++) {
+		const struct page *page = &r->page[i];
+		struct heading_speed told = {0};
+		if (page->layout->n == 0)
+			continue;
+		site_heading(page->layout, page->sheet, r->site, &told);
+		for (size_t b = 0; b < page->layout->n; b++)
+			read_block(r, page, &page->layout->block[b], told);
+	}
+}
+
+static size_t
+count_faults(const struct reading *r)
+{
+	return r->errors->n + r->errors->more;
+}
+
+static struct site *
+finish(struct reading *r)
+{
+	const struct site_request *q = r->request;
+	free(r->site->path);
+	r->site->path = xstrdup(q->path[0]);
+	if (r->site->name[0] == '\0') {
+		free(r->site->name);
+		r->site->name = site_heading_name(q->path[0]);
+	}
+	make_runs(r->site, &r->all);
+	tell_left_out(r);
+	tell_names(r);
+	site_describe(r->table, r->n_table, &r->all, r->site);
+	struct site *site = r->site;
+	r->site = NULL;
+	return site;
+}
+
+static void
+reading_clear(struct reading *r)
+{
+	for (size_t i = 0; i < r->all.n; i++) {
+		free(r->all.column[i].pct);
+		free(r->all.column[i].assumed);
+	}
+	free(r->all.column);
+	for (size_t i = 0; i < r->n_table; i++) {
+		free(r->table[i]->mm);
+		free(r->table[i]);
+	}
+	free(r->table);
+	for (size_t i = 0; i < r->n_page; i++)
+		layout_free(r->page[i].layout);
+	free(r->page);
+	for (size_t i = 0; i < r->n_source; i++)
+		source_free(&r->source[i]);
+	free(r->source);
+	names_clear(&r->names);
+	site_free(r->site);
+}
+
+static bool
+read_files(struct reading *r)
+{
+	for (size_t i = 0; i < r->request->n; i++)
+		if (!read_file(r, i))
+			return false;
+	return has_tables(r);
+}
+
+struct site *
+site_read_as(const struct site_request *request, struct error_list *errors,
+    struct site_ask *ask)
+{
+	struct site_ask none = {0};
+	struct site *site = NULL;
+	struct reading r = {
+	    .request = request, .errors = errors, .site = site_new(0)};
+	r.site->rotor = request->rotor;
+	r.source = xcalloc(request->n, sizeof *r.source);
+	if (read_request(&r) && read_files(&r)) {
+		read_pages(&r);
+		if (request->rotor > 0)
+			r.site->rotor = request->rotor;
+		recognise_settle(&r.all, r.site, r.names.n > 0, &r.open.rotor);
+		bool open = count_faults(&r) == 0 &&
+			    open_ask(&r.open, request, r.table, r.n_table,
+				&r.all, ask != NULL ? ask : &none, errors);
+		if (!open)
+			read_columns(&r);
+		if (ask != NULL) {
+			ask->no_feed = count_role(&r.all, FEED) == 0;
+			ask->no_product = count_role(&r.all, PRODUCT) == 0;
+		}
+		if (count_faults(&r) == 0)
+			site = finish(&r);
+	}
+	reading_clear(&r);
+	site_ask_clear(&none);
+	return site;
+}
+
+struct site *
+site_read(const char *path, struct error_list *errors)
+{
+	struct site_request request = {.n = 1, .path = &path};
+	return site_read_as(&request, errors, NULL);
+}

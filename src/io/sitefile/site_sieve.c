@@ -1,0 +1,401 @@
+/* From the first cells of the rows to sieve sizes, coarsest first.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/site_sieve.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "io/sitefile/units.h"
+#include "io/sitefile/lexicon.h"
+#include "io/cells/number.h"
+
+/* Sieves of a crusher's product that are not said to be in mm are not taken for
+ * it outside these, mm: what is coarser may be in um, what is finer in inches
+ * or metres. */
+static const double COARSEST_TOP = 500, LEAST_TOP = 4, COARSE_TOP = 150;
+
+double
+site_sieve_mm(
+    struct sheet *sheet, struct cell cell, double unit, const char *wanted)
+{
+	double v;
+	if (cell.text[0] == '\0') {
+		sheet_wanted(sheet, cell, wanted,
+		    "write the sieve size, or remove the row");
+		return NAN;
+	}
+	if (!number_read(sheet, cell, wanted, &v))
+		return NAN;
+	double mm = site_column_round(v * unit, 1e9);
+	if ((mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM) || v == 0)
+		return mm;
+	sheet_wanted(sheet, cell,
+	    v > 0 ? N_("a size from 1e-6 to 1e4 mm") : N_("a positive size"),
+	    "%s",
+	    v > 0 ? tr("check the number and its unit")
+		  : tr("write pan for what is below the finest sieve"));
+	return NAN;
+}
+
+/* Of a name that no sieve has. */
+static void
+tell_name(struct table *t, struct cell cell)
+{
+	if (sieve_names_series(cell.text) == SIEVE_MESH ||
+	    t->unit.series == SIEVE_MESH) {
+		sheet_wanted(t->sheet, cell, "a mesh number with its series",
+		    "write Tyler, BS or No. (ASTM E11) before the numbers, or "
+		    "head the column with it; or load FILE columns=\"%zu=sieve "
+		    "tyler, ..\"",
+		    t->block->number[0]);
+		return;
+	}
+	char *nearest = sieve_names_nearest(cell.text);
+	sheet_wanted(t->sheet, cell, "a sieve of ASTM E11",
+	    "use the nearest: %s; or begin a remark with # and a word, not a "
+	    "number alone",
+	    nearest);
+	free(nearest);
+}
+
+/* The size of a row; 0: pan; NAN after a fault. */
+static double
+row_mm(struct table *t, struct cell cell)
+{
+	double mm;
+	enum sieve_kind kind = sieve_size(t->sheet, cell, t->unit, &mm);
+	if (kind == SIEVE_IS_PAN)
+		return 0;
+	if (kind == SIEVE_IS_SIZE && isnan(mm)) {
+		tell_name(t, cell);
+		return NAN;
+	}
+	if (kind == SIEVE_IS_SIZE && mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM)
+		return mm;
+	if (isalpha((unsigned char)cell.text[0])) {
+		sheet_wanted(t->sheet, cell, "a sieve size or pan",
+		    "remove sums and remarks from the table, or begin their "
+		    "line with #");
+		return NAN;
+	}
+	return site_sieve_mm(t->sheet, cell, t->unit.mm > 0 ? t->unit.mm : 1,
+	    "a sieve size or pan");
+}
+
+/* Share of the sizes, times a factor, that are those of real sieves. */
+static double
+standard_share(const struct table *t, double factor, double *most)
+{
+	double n = 0, known = 0;
+	struct sieve_unit bare = {1, SIEVE_NONE};
+	*most = 0;
+	for (size_t i = 0; i < t->n_row; i++) {
+		double mm;
+		if (sieve_size(t->sheet, t->row[i].cell[0], bare, &mm) !=
+			SIEVE_IS_SIZE ||
+		    isnan(mm))
+			continue;
+		n++;
+		known += sieve_names_standard(mm * factor);
+		*most = fmax(*most, mm * factor);
+	}
+	return n > 0 ? known / n : 0;
+}
+
+/* Whether every size has its own unit or is a name. */
+static bool
+all_named(const struct table *t)
+{
+	double v;
+	size_t n = 0;
+	for (size_t i = 0; i < t->n_row; i++) {
+		struct cell cell = t->row[i].cell[0];
+		double mm;
+		struct sieve_unit none = {0, SIEVE_NONE};
+		if (sieve_size(t->sheet, cell, none, &mm) != SIEVE_IS_SIZE)
+			continue;
+		if (number_of(t->sheet, cell, &v))
+			return false;
+		n++;
+	}
+	return n > 0;
+}
+
+static bool
+all_whole(const struct table *t)
+{
+	double v;
+	for (size_t i = 0; i < t->n_row; i++)
+		if (number_of(t->sheet, t->row[i].cell[0], &v) && v != floor(v))
+			return false;
+	return true;
+}
+
+/* Takes mm or um for what has no unit, where the numbers leave no doubt. */
+static enum sieve_certainty
+find_unit(struct table *t)
+{
+	double most, share = standard_share(t, 1, &most);
+	bool mesh = t->unit.series == SIEVE_MESH && all_whole(t);
+	if (all_named(t))
+		return SIEVES_SAID;
+	if (t->unit.series != SIEVE_NONE && t->unit.series != SIEVE_MESH)
+		return SIEVES_SAID;
+	if (t->unit.mm > 0)
+		return most * t->unit.mm > COARSEST_TOP ||
+			       most * t->unit.mm < 0.1
+			   ? SIEVES_OPEN
+			   : SIEVES_SAID;
+	if (mesh)
+		return SIEVES_SAID; /* and each row is told to lack a series */
+	t->unit = (struct sieve_unit){1, SIEVE_NONE};
+	if (share >= 0.8 && most > LEAST_TOP && most <= COARSE_TOP)
+		return SIEVES_ASSUMED;
+	share = standard_share(t, 1e-3, &most);
+	if (share < 0.8 || most <= LEAST_TOP || most > COARSE_TOP)
+		return SIEVES_OPEN;
+	t->unit.mm = 1e-3;
+	return SIEVES_ASSUMED;
+}
+
+/* Where the sieves are there twice, as names and in mm, a row that has one of
+ * them only. */
+static void
+fill_names(struct table *t)
+{
+	static const uint64_t ELSE =
+	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
+	struct sieve_unit none = {0, SIEVE_NONE};
+	double mm;
+	for (size_t c = 1; c < t->block->n_col; c++) {
+		char *head = layout_head(t->block, c);
+		uint64_t means = vocabulary_text(head, NULL);
+		free(head);
+		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
+		    (means & ELSE) != 0)
+			continue;
+		for (size_t i = 0; i < t->n_row; i++)
+			if (t->row[i].cell[0].text[0] == '\0' &&
+			    sieve_size(t->sheet, t->row[i].cell[c], none,
+				&mm) != SIEVE_IS_NONE)
+				t->row[i].cell[0] = t->row[i].cell[c];
+	}
+}
+
+/* Whether sizes rise, or fall, without exception; NAN are passed over. */
+static bool
+is_ordered(const double *v, size_t n)
+{
+	int rises = 0, falls = 0, pairs = 0;
+	double last = NAN;
+	for (size_t i = 0; i < n; i++) {
+		if (isnan(v[i]))
+			continue;
+		pairs += !isnan(last);
+		rises += v[i] > last;
+		falls += v[i] < last;
+		last = v[i];
+	}
+	return rises == pairs || falls == pairs;
+}
+
+/* 2, 1, 500, 250: sieves below 1 mm are called by their um, as ISO 3310 does.
+ * Gives these, at one end of the table, their unit where that brings all into
+ * order. */
+static bool
+split_micro(struct table *t)
+{
+	size_t n = t->n_row, from = 0, to = 0;
+	double *v = xdoubles(n), number;
+	for (size_t i = 0; i < n; i++)
+		v[i] = number_of(t->sheet, t->row[i].cell[0], &number) &&
+			       number > 0
+			   ? number
+			   : NAN;
+	bool split = false;
+	for (size_t i = 1; i < n && !is_ordered(v, n) && to == 0; i++) {
+		from = v[i] > 10 * v[i - 1] ? i : 0;
+		to = v[i] > 10 * v[i - 1] ? n : 10 * v[i] < v[i - 1] ? i : 0;
+	}
+	for (size_t i = from; i < to; i++) {
+		split = v[i] >= 20 && v[i] < 1000;
+		v[i] /= 1000;
+		if (!split && !isnan(v[i]))
+			break;
+	}
+	split = split && is_ordered(v, n);
+	for (size_t i = from; split && i < to; i++) {
+		struct cell *cell = &t->row[i].cell[0];
+		if (isnan(v[i]))
+			continue;
+		cell->kind = CELL_TEXT;
+		cell->text =
+		    layout_keep(t->block, xasprintf("%s um", cell->text));
+	}
+	free(v);
+	return split;
+}
+
+/* Whether the sizes rise without exception. */
+static bool
+is_finest_first(const struct table *t)
+{
+	int rising = 0;
+	double last = NAN;
+	for (size_t i = 0; i < t->n_row; i++) {
+		double mm;
+		if (sieve_size(t->sheet, t->row[i].cell[0], t->unit, &mm) !=
+			SIEVE_IS_SIZE ||
+		    isnan(mm))
+			continue;
+		if (!isnan(last) && mm <= last)
+			return false;
+		rising += !isnan(last);
+		last = mm;
+	}
+	return rising > 0;
+}
+
+struct cell
+site_sieve_head(const struct table *t)
+{
+	const struct block *b = t->block;
+	return b->n_head > b->titles ? b->head[b->titles].cell[0]
+				     : t->row[0].cell[0];
+}
+
+/* Neighbours are compared, so that one wrong size is one fault. */
+static void
+check_order(struct table *t)
+{
+	size_t last = t->n_row;
+	for (size_t i = 0; i < t->n_row; i++) {
+		if (isnan(t->mm[i]))
+			continue;
+		struct cell cell = t->row[i].cell[0];
+		size_t twin = 0;
+		while (twin < i && t->mm[twin] != t->mm[i])
+			twin++;
+		if (twin < i)
+			sheet_fault(t->sheet, cell,
+			    "duplicate sieve: %s is already in line %d\n"
+			    "remove one of the two rows, or correct its size",
+			    cell.text, t->row[twin].line);
+		else if (last < t->n_row && t->mm[i] > t->mm[last])
+			sheet_fault(t->sheet, cell,
+			    "expected sieves coarsest first, got %s after %s\n"
+			    "sort the rows by size, largest first, or correct "
+			    "the size",
+			    cell.text, t->row[last].cell[0].text);
+		last = i;
+	}
+}
+
+struct table
+site_sieve_table(
+    struct block *block, uint64_t told, enum sieve_certainty *certainty)
+{
+	struct table t = {.sheet = block->sheet,
+	    .block = block,
+	    .n_row = block->n_row,
+	    .row = block->row};
+	char *head = layout_head(block, 0);
+	/* A head of speeds, beside sieves that nothing heads, tells no unit. */
+	struct head said = head_read(head);
+	bool speeds =
+	    said.unit != SPEED_NO_UNIT || (said.means & WORD_SPEED) != 0;
+	t.unit = sieve_unit_of(told != 0 ? told : speeds ? 0 : said.means);
+	free(head);
+	fill_names(&t);
+	bool lengths = t.unit.mm == 1 || t.unit.mm == 0;
+	bool split = lengths && t.unit.series == SIEVE_NONE && split_micro(&t);
+	if (split)
+		t.unit.mm = 1;
+	*certainty = find_unit(&t);
+	if (split && *certainty == SIEVES_SAID)
+		*certainty = SIEVES_ASSUMED;
+	bool own = strncmp(site_sieve_head(&t).text, "size_", 5) == 0;
+	if ((told != 0 || own) && *certainty == SIEVES_OPEN && t.unit.mm > 0)
+		*certainty = SIEVES_SAID;
+	t.finest_first = is_finest_first(&t);
+	for (size_t i = 0; t.finest_first && i < t.n_row / 2; i++) {
+		struct row row = t.row[i];
+		t.row[i] = t.row[t.n_row - 1 - i];
+		t.row[t.n_row - 1 - i] = row;
+	}
+	return t;
+}
+
+/* A number in a column that nothing heads: a decimal comma may have cut one in
+ * two. */
+static void
+check_heads(struct table *t)
+{
+	const struct block *b = t->block;
+	size_t heads = 0;
+	for (size_t c = 0; c < b->n_col; c++) {
+		char *head = layout_head(b, c);
+		heads = head[0] != '\0' ? c + 1 : heads;
+		free(head);
+	}
+	for (size_t i = 0; i < t->n_row && heads > 1; i++) {
+		size_t n = b->n_col;
+		while (n > heads && t->row[i].cell[n - 1].text[0] == '\0')
+			n--;
+		if (n == heads)
+			continue;
+		t->lost = true;
+		sheet_fault(t->sheet, t->row[i].cell[heads],
+		    "expected %zu cells as in line %d, got %zu\n"
+		    "%s",
+		    heads, b->head[b->n_head - 1].line, n,
+		    t->sheet->separator == ','
+			? "use ; between the cells if they have decimal "
+			  "commas; otherwise remove the last cells"
+			: tr("remove the last cells, or give their columns "
+			     "headings"));
+		return;
+	}
+}
+
+void
+site_sieve_check(struct table *t)
+{
+	check_heads(t);
+	t->mm = xdoubles(t->n_row);
+	for (size_t i = 0; i < t->n_row; i++) {
+		t->mm[i] = row_mm(t, t->row[i].cell[0]);
+		t->lost = t->lost || isnan(t->mm[i]);
+	}
+	check_order(t);
+}
+
+const char *
+site_sieve_unit(const struct table *t)
+{
+	static const char *const SERIES[] = {"mm", "ASTM E11", "in",
+	    N_("Tyler mesh"), N_("BS mesh"), N_("mesh")};
+	if (t->unit.series != SIEVE_NONE)
+		return SERIES[t->unit.series];
+	return t->unit.mm == 1e-3 ? "um" : t->unit.mm == 1e3 ? "m" : "mm";
+}
+
+void
+site_sieve_numbers(struct sheet *sheet)
+{
+	const char separator[] = {sheet->separator, '\0'};
+	for (size_t i = sheet->n_comment; !sheet->lost && i-- > 0;) {
+		const struct comment *c = &sheet->comment[i];
+		char *first =
+		    text_unquoted(c->text, strcspn(c->text, separator));
+		bool cells = c->text[strcspn(c->text, separator)] != '\0';
+		if (cells && sieve_names_is_number(first))
+			sheet_uncomment(sheet, i);
+		free(first);
+	}
+}

@@ -1,0 +1,39 @@
+/* The sieves of a table: openings, order, unit.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_SITEFILE_SITE_SIEVE_H
+#define TIPSPEED_IO_SITEFILE_SITE_SIEVE_H
+
+#include <stdint.h>
+
+#include "io/sitefile/site_column.h"
+
+/* What the unit of the sieves was taken for. */
+enum sieve_certainty {
+	SIEVES_SAID,    /* the sheet tells it */
+	SIEVES_ASSUMED, /* mm or um, as the openings are those of sieves */
+	SIEVES_OPEN     /* it could be several */
+};
+
+/* The table of a block.  told: the unit in the words of a head given by hand,
+ * see vocabulary.h, or 0. */
+struct table site_sieve_table(
+    struct block *block, uint64_t told, enum sieve_certainty *certainty);
+
+/* The cell that heads the sieves, or the first of them. */
+struct cell site_sieve_head(const struct table *t);
+
+/* Tells sizes that are wrong, out of order or there twice. */
+void site_sieve_check(struct table *t);
+
+/* "mm", "um", "in", "Tyler mesh": of a table's sieves. */
+const char *site_sieve_unit(const struct table *t);
+
+/* A size in mm to 9 decimals; NAN after a fault. */
+double site_sieve_mm(
+    struct sheet *sheet, struct cell cell, double unit, const char *wanted);
+
+/* Makes rows of the lines that begin with #4, # 4 or another number of ASTM
+ * E11, which the sheet took for comments. */
+void site_sieve_numbers(struct sheet *sheet);
+
+#endif

@@ -1,0 +1,186 @@
+/* From a site to its sheet, and the sheet safely to the disk.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/site_write.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/fs/file.h"
+#include "io/cells/sheet.h"
+
+/* A curve to write and the first of its sieves not yet written. */
+struct curve {
+	const char *role;
+	double speed; /* m/s; 0: without one in the header */
+	bool small;   /* written in fractions */
+	const struct psd *psd;
+	const double *value; /* [psd->n] fractions */
+	size_t next;
+};
+
+/* The reader takes percents that are all 1 or less for fractions, so a product
+ * like that is written in fractions, as are its repeats, which have one unit
+ * with it. */
+static bool
+is_small(const struct site *site, double speed)
+{
+	bool small = false;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		small = small || (run->speed == speed && run->product.n > 0 &&
+				     run->product.passing[0] <= 0.01);
+	}
+	return small;
+}
+
+static double
+size_mm(double size)
+{
+	return round(size * 1e12) / 1e9;
+}
+
+/* Of a fraction to 14 decimals: percent has 12. */
+static double
+as_written(const struct curve *c, double fraction)
+{
+	return round(fraction * 1e14) / (c->small ? 1e14 : 1e12);
+}
+
+static void
+write_line(const char *key, const char *value, FILE *out)
+{
+	sheet_write_cell(key, out);
+	fputc(',', out);
+	sheet_write_cell(value, out);
+	fputc('\n', out);
+}
+
+static void
+write_heading(const struct site *site, FILE *out)
+{
+	char top[32] = "", rotor[32] = "";
+	if (site->top_size > 0)
+		text_exact(size_mm(site->top_size), top);
+	if (site->rotor > 0)
+		text_exact(size_mm(site->rotor), rotor);
+	const char *const line[][2] = {{"site", site->name},
+	    {"rock", site->rock}, {"top_size_mm", top},
+	    {"machine", site->machine}, {"rotor_mm", rotor},
+	    {"provenance", site->provenance}};
+	for (size_t i = 0; i < ARRAY_LEN(line); i++)
+		if (line[i][1][0] != '\0')
+			write_line(line[i][0], line[i][1], out);
+	for (size_t i = 0; i < site->n_note; i++)
+		write_line(site->note[i].key, site->note[i].value, out);
+}
+
+/* One feed serves all runs, unless there are several or one of the runs has
+ * nothing but its feed, which no other column would name. */
+static bool
+has_own_feeds(const struct site *site)
+{
+	bool own = site->individual_feeds;
+	for (size_t r = 0; r < site->n_run; r++)
+		own = own || site->run[r].product.n == 0;
+	return own;
+}
+
+/* The columns in their order; room for three a run and one more. */
+static size_t
+list_curves(const struct site *site, struct curve *curve)
+{
+	bool own = has_own_feeds(site);
+	size_t n = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		const struct psd *feed = &run->feed;
+		const struct psd *product = &run->product;
+		if (own || r == 0)
+			curve[n++] =
+			    (struct curve){"feed", own ? run->speed : 0, false,
+				feed, feed->passing, 0};
+		if (product->n > 0)
+			curve[n++] = (struct curve){"product", run->speed,
+			    is_small(site, run->speed), product,
+			    product->passing, 0};
+		if (product->n > 0 && run->product_sd != NULL)
+			curve[n++] = (struct curve){"sd", run->speed, false,
+			    product, run->product_sd, 0};
+	}
+	return n;
+}
+
+/* The coarsest sieve not yet written, mm, or 0 when all are. */
+static double
+next_mm(const struct curve *curve, size_t n)
+{
+	double mm = 0;
+	for (size_t i = 0; i < n; i++) {
+		const struct curve *c = &curve[i];
+		if (c->next < c->psd->n)
+			mm = fmax(mm, size_mm(c->psd->size[c->next]));
+	}
+	return mm;
+}
+
+static void
+write_row(struct curve *curve, size_t n, double mm, FILE *out)
+{
+	char number[32];
+	fputs(text_exact(mm, number), out);
+	for (size_t i = 0; i < n; i++) {
+		struct curve *c = &curve[i];
+		fputc(',', out);
+		bool used = false;
+		for (; c->next < c->psd->n; c->next++) {
+			if (size_mm(c->psd->size[c->next]) < mm)
+				break;
+			if (!used)
+				fputs(
+				    text_exact(as_written(c, c->value[c->next]),
+					number),
+				    out);
+			used = true;
+		}
+	}
+	fputc('\n', out);
+}
+
+size_t
+site_write(const struct site *site, FILE *out)
+{
+	char number[32];
+	struct curve *curve = xcalloc(3 * site->n_run + 1, sizeof *curve);
+	size_t n = list_curves(site, curve);
+	write_heading(site, out);
+	fputs("size_mm", out);
+	for (size_t i = 0; i < n; i++) {
+		const struct curve *c = &curve[i];
+		fprintf(out, ",%s%s%s%s", c->role, c->small ? "_fraction" : "",
+		    c->speed > 0 ? "@" : "",
+		    c->speed > 0 ? text_exact(c->speed, number) : "");
+	}
+	fputc('\n', out);
+	size_t rows = 0;
+	for (double mm; (mm = next_mm(curve, n)) > 0; rows++)
+		write_row(curve, n, mm, out);
+	free(curve);
+	return rows;
+}
+
+bool
+site_save(const struct site *site, const char *path, size_t *rows,
+    struct error *error)
+{
+	char *text = NULL;
+	size_t n = 0;
+	FILE *memory = text_memory(&text, &n);
+	*rows = site_write(site, memory);
+	fclose(memory);
+	bool ok = file_replace(path, FILE_SHARED, text, n, error);
+	free(text);
+	return ok;
+}
