@@ -17,7 +17,7 @@
 #include "core/model/synth.h"
 #include "io/plant_log.h"
 #include "io/sitefile/site_write.h"
-#include "io/table3.h"
+#include "io/store/table3.h"
 #include "io/sitefile/units.h"
 
 bool

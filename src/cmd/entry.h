@@ -11,7 +11,7 @@
 #include "core/psd/site.h"
 #include "core/check/trust.h"
 #include "io/answer.h"
-#include "io/stored.h"
+#include "io/store/material.h"
 
 /* What a calibration left: what it found; its generations, [n], with the bounds
  * it searched in; and its site and training runs [n_run], from which follows,

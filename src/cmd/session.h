@@ -10,7 +10,7 @@
 #include "cmd/entry.h"
 #include "cmd/hooks.h"
 #include "cmd/settings.h"
-#include "io/store.h"
+#include "io/store/store.h"
 
 struct rounds;
 

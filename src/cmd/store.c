@@ -18,7 +18,7 @@
 #include "cmd/table.h"
 #include "cmd/invocation.h"
 #include "config.h"
-#include "io/store_csv.h"
+#include "io/store/store_csv.h"
 #include "io/sitefile/units.h"
 
 /* "fit", "set by hand" or "Table 3". */

@@ -18,7 +18,7 @@
 #include "io/sitefile/results.h"
 #include "io/sitefile/site_read.h"
 #include "io/cells/textfile.h"
-#include "io/table3.h"
+#include "io/store/table3.h"
 #include "io/sitefile/units.h"
 
 /* A longer list is no help, and a folder of a million files takes long. */

@@ -22,8 +22,8 @@
 #include "io/sitefile/site_read.h"
 #include "io/sitefile/site_write.h"
 #include "io/spec.h"
-#include "io/store_csv.h"
-#include "io/table3.h"
+#include "io/store/store_csv.h"
+#include "io/store/table3.h"
 
 /* Steps of calibrations that a script is given. */
 enum { STEPS = 10 };

@@ -12,7 +12,7 @@
 
 #include "made.h"
 
-#include "io/store.h"
+#include "io/store/store.h"
 
 /* A folder of the test's own, and a store in it. */
 struct shelf {

@@ -10,7 +10,7 @@
 #include "cmd/script.h"
 #include "cmd/invocation.h"
 #include "io/fs/autosave_file.h"
-#include "io/store.h"
+#include "io/store/store.h"
 
 static char folder[] = "/tmp/tipspeed-keep-XXXXXX";
 

@@ -11,7 +11,7 @@
 #include "cmd/command.h"
 #include "cmd/entries.h"
 #include "cmd/job.h"
-#include "io/stored.h"
+#include "io/store/material.h"
 
 /* A row of Table 3 under its own name. */
 static void

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "shelf.h"
 
-#include "io/store_csv.h"
+#include "io/store/store_csv.h"
 
 static void
 export_and_import_go_round(void **state)

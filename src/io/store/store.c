@@ -3,7 +3,7 @@
  * SQLite is set up so that a kill at any moment loses nothing that was said to
  * be stored: a write-ahead log, synced at every commit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/store.h"
+#include "io/store/store.h"
 
 #include <errno.h>
 #include <inttypes.h>

@@ -1,7 +1,7 @@
 /* The fields of a material as one table, which the file, its CSV form and what
  * is shown are read from.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/stored.h"
+#include "io/store/material.h"
 
 #include <assert.h>
 #include <ctype.h>
@@ -13,7 +13,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/table3.h"
+#include "io/store/table3.h"
 #include "io/sitefile/units.h"
 
 #define AT(member) offsetof(struct stored, member)

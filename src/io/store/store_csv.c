@@ -1,6 +1,6 @@
 /* Export and import.  Quotes, line numbers and decimal signs are sheet's.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/store_csv.h"
+#include "io/store/store_csv.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Reads rows of material parameters, as Table 3 of the paper has them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_TABLE3_H
-#define TIPSPEED_IO_TABLE3_H
+#ifndef TIPSPEED_IO_STORE_TABLE3_H
+#define TIPSPEED_IO_STORE_TABLE3_H
 
 #include <stdbool.h>
 #include <stddef.h>

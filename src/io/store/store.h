@@ -1,14 +1,14 @@
 /* The store: the user's own calibrations in a file that outlives the session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_STORE_H
-#define TIPSPEED_IO_STORE_H
+#ifndef TIPSPEED_IO_STORE_STORE_H
+#define TIPSPEED_IO_STORE_STORE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include "base/error.h"
-#include "io/stored.h"
+#include "io/store/material.h"
 
 /* A file is opened for each call and closed after it, so that nothing is lost
  * when the file is moved away, or the program killed, in between.  What has

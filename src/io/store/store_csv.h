@@ -1,12 +1,12 @@
 /* Materials as a CSV sheet, to move them between stores and to keep safe.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_STORE_CSV_H
-#define TIPSPEED_IO_STORE_CSV_H
+#ifndef TIPSPEED_IO_STORE_STORE_CSV_H
+#define TIPSPEED_IO_STORE_STORE_CSV_H
 
 #include <stdbool.h>
 
 #include "base/error.h"
-#include "io/stored.h"
+#include "io/store/material.h"
 
 /* Writes a line of column names and one for each material, numbers exact, to a
  * file that is there whole or not at all.  What was read from a sheet is

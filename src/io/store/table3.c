@@ -1,6 +1,6 @@
 /* data/table3.csv and files like it.  Cells and their places are sheet's.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/table3.h"
+#include "io/store/table3.h"
 
 #include <assert.h>
 #include <stdlib.h>

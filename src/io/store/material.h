@@ -1,8 +1,8 @@
 /* A material of the store: parameters of a breakage model with where they are
  * from.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_STORED_H
-#define TIPSPEED_IO_STORED_H
+#ifndef TIPSPEED_IO_STORE_MATERIAL_H
+#define TIPSPEED_IO_STORE_MATERIAL_H
 
 #include <stdbool.h>
 #include <stddef.h>
