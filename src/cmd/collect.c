@@ -11,7 +11,7 @@
 #include "cmd/part.h"
 #include "cmd/scores.h"
 #include "cmd/table.h"
-#include "io/parts.h"
+#include "io/formats/shards.h"
 
 /* Rows in the order of all sites, and within one as they were written. */
 static int

@@ -15,7 +15,7 @@
 #include "cmd/answers.h"
 #include "cmd/command.h"
 #include "cmd/parse.h"
-#include "io/standards.h"
+#include "io/formats/standards.h"
 
 /* A completion being made.  typed: the word so far, without its quotes; quoted:
  * whether it began with one. */

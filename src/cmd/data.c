@@ -15,7 +15,7 @@
 #include "cmd/journal.h"
 #include "cmd/table.h"
 #include "core/model/synth.h"
-#include "io/plant_log.h"
+#include "io/formats/plant_log.h"
 #include "io/sitefile/site_write.h"
 #include "io/store/table3.h"
 #include "io/sitefile/units.h"

@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #include "core/check/trust.h"
-#include "io/answer.h"
+#include "io/formats/answer.h"
 #include "plot/chart.h"
 
 /* A part, in the order in which it was added.  text: of all but answers and

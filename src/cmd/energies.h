@@ -4,7 +4,7 @@
 #define TIPSPEED_CMD_ENERGIES_H
 
 #include "cmd/session.h"
-#include "io/collisions.h"
+#include "io/formats/collisions.h"
 
 /* A file that was read; never changed after.  name: the file's without its
  * ending; cut: that it was read with, J/kg. */

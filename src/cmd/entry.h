@@ -10,7 +10,7 @@
 #include "core/check/control_chart.h"
 #include "core/psd/site.h"
 #include "core/check/trust.h"
-#include "io/answer.h"
+#include "io/formats/answer.h"
 #include "io/store/material.h"
 
 /* What a calibration left: what it found; its generations, [n], with the bounds

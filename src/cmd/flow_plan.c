@@ -10,7 +10,7 @@
 #include "cmd/files.h"
 #include "cmd/quantities.h"
 #include "core/answer/predict.h"
-#include "io/circuit_file.h"
+#include "io/formats/circuit_file.h"
 #include "io/sitefile/units.h"
 
 /* Each fraction may need two screens and two stockpiles. */

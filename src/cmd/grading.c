@@ -11,7 +11,7 @@
 #include "cmd/files.h"
 #include "cmd/outlook.h"
 #include "cmd/quantities.h"
-#include "io/standards.h"
+#include "io/formats/standards.h"
 #include "io/sitefile/units.h"
 
 static const struct spec *

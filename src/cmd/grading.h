@@ -9,7 +9,7 @@
 #include "cmd/command.h"
 #include "cmd/session.h"
 #include "core/answer/window.h"
-#include "io/spec.h"
+#include "io/formats/spec.h"
 
 /* The envelope that words name: one that comes with the program, or that of a
  * file; NULL words: the one chosen by `spec use`.  Kept by the session.  NULL

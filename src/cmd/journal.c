@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/settings.h"
-#include "io/standards.h"
+#include "io/formats/standards.h"
 
 struct journal {
 	size_t n, start;

@@ -17,8 +17,8 @@
 #include "cmd/invocation.h"
 #include "cmd/undo.h"
 #include "cmd/variant.h"
-#include "io/plant_log.h"
-#include "io/spec.h"
+#include "io/formats/plant_log.h"
+#include "io/formats/spec.h"
 
 struct session *
 session_new(FILE *out, FILE *notes)

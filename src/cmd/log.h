@@ -5,7 +5,7 @@
 
 #include "cmd/command.h"
 #include "cmd/session.h"
-#include "io/plant_log.h"
+#include "io/formats/plant_log.h"
 
 /* load FILE.. as=log: the log that cuts are looked up in. */
 bool log_load(struct session *s, const struct args *args, struct error *error);

@@ -6,7 +6,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/answer.h"
+#include "io/formats/answer.h"
 #include "plot/picture.h"
 
 static const struct output OUTPUTS[] = {

@@ -6,7 +6,7 @@
 
 #include "cmd/command.h"
 #include "cmd/session.h"
-#include "io/answer.h"
+#include "io/formats/answer.h"
 
 /* Part `number`, from 1, of `of`: every so many-th site.  of 0: none, all sites
  * are taken.  from: what told it, "part" or a variable of the environment. */

@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/quantities.h"
 #include "cmd/screened.h"
-#include "io/spec.h"
+#include "io/formats/spec.h"
 #include "io/sitefile/units.h"
 
 const struct chart_series PLOTS_LIMITS[2] = {

@@ -19,7 +19,7 @@
 #include "cmd/document_pdf.h"
 #include "cmd/output.h"
 #include "config.h"
-#include "io/book.h"
+#include "io/formats/book.h"
 #include "io/fs/file.h"
 
 struct redirect {

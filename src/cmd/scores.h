@@ -5,8 +5,8 @@
 #define TIPSPEED_CMD_SCORES_H
 
 #include "core/check/validate.h"
-#include "io/answer.h"
-#include "io/parts.h"
+#include "io/formats/answer.h"
+#include "io/formats/shards.h"
 
 /* How each way is called: in keys, over its column, and in sentences; and each
  * size in keys. */

@@ -13,7 +13,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/document.h"
-#include "io/book.h"
+#include "io/formats/book.h"
 #include "io/sitefile/units.h"
 
 struct entry *

@@ -6,7 +6,7 @@
 
 #include "cmd/command.h"
 #include "core/answer/predict.h"
-#include "io/answer.h"
+#include "io/formats/answer.h"
 
 /* Which runs inform an answer beside the parameters (D13): every measured one,
  * the training runs only, or none. */

@@ -10,7 +10,7 @@
 #include "cmd/grading.h"
 #include "cmd/quantities.h"
 #include "cmd/table.h"
-#include "io/standards.h"
+#include "io/formats/standards.h"
 #include "io/sitefile/units.h"
 
 /* The operands from one on as one text: names have blanks.  NULL where there

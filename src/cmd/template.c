@@ -8,7 +8,7 @@
 #include "cmd/session.h"
 #include "cmd/table.h"
 #include "core/psd/psd.h"
-#include "io/book.h"
+#include "io/formats/book.h"
 
 /* Basic set and set 1 of EN 933-2, with those of filler: what most laboratories
  * in Europe have. */

@@ -15,7 +15,7 @@
 #include "cmd/answers.h"
 #include "cmd/grading.h"
 #include "cmd/quantities.h"
-#include "io/standards.h"
+#include "io/formats/standards.h"
 #include "io/sitefile/units.h"
 
 /* Screens separate sharply. */

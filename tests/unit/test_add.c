@@ -7,7 +7,7 @@
 #include "cmd/inquiry.h"
 #include "desk.h"
 #include "io/cells/datetime.h"
-#include "io/plant_log.h"
+#include "io/formats/plant_log.h"
 
 static char folder[] = "/tmp/tipspeed-add-XXXXXX";
 

@@ -11,7 +11,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "io/answer.h"
+#include "io/formats/answer.h"
 
 /* Prints the answer and compares; frees nothing. */
 static void

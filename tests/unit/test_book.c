@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "io/book.h"
+#include "io/formats/book.h"
 #include "io/cells/source.h"
 
 static struct answer *

@@ -1,6 +1,6 @@
 /* The reader of circuits: what a file says, and where its faults are.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/circuit_file.h"
+#include "io/formats/circuit_file.h"
 
 #include <math.h>
 

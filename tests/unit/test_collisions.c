@@ -1,7 +1,7 @@
 /* Collision energies are read from dumps, tables, lists and spectra, or
  * refused.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/collisions.h"
+#include "io/formats/collisions.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -10,7 +10,7 @@
 #include "call.h"
 #include "cmd/goals.h"
 #include "cmd/quantities.h"
-#include "io/standards.h"
+#include "io/formats/standards.h"
 
 static const struct fraction WHOLE = {.partition = {0, 1}};
 

@@ -1,6 +1,6 @@
 /* Grading envelopes are read, or refused with the place of each fault.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/spec.h"
+#include "io/formats/spec.h"
 
 #include <math.h>
 

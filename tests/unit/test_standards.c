@@ -1,7 +1,7 @@
 /* The envelopes that come with the program are all there, have the fraction
  * they describe, and are found by what people call them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/standards.h"
+#include "io/formats/standards.h"
 
 #include <math.h>
 

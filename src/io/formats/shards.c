@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/parts.h"
+#include "io/formats/shards.h"
 
 #include <errno.h>
 #include <jansson.h>

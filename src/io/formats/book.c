@@ -1,6 +1,6 @@
 /* libxlsxwriter, which writes into a file: here one without a name.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/book.h"
+#include "io/formats/book.h"
 
 #include <errno.h>
 #include <math.h>

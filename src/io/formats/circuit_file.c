@@ -1,6 +1,6 @@
 /* From rows such as "screen,crushed,8,oversize,fine" to a circuit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/circuit_file.h"
+#include "io/formats/circuit_file.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,14 +1,14 @@
 /* The grading envelopes that come with the program, and the limits of the same
  * standards that are not on a passing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_STANDARDS_H
-#define TIPSPEED_IO_STANDARDS_H
+#ifndef TIPSPEED_IO_FORMATS_STANDARDS_H
+#define TIPSPEED_IO_FORMATS_STANDARDS_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "base/error.h"
-#include "io/spec.h"
+#include "io/formats/spec.h"
 
 /* A limit as printed; least, most: NAN where there is none; unit: "-" of a
  * number without.  note: "" or what the standard says of it. */

@@ -1,8 +1,8 @@
 /* Answers: what a command returns, and how tables, spreadsheets, documents and
  * programs show it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_ANSWER_H
-#define TIPSPEED_IO_ANSWER_H
+#ifndef TIPSPEED_IO_FORMATS_ANSWER_H
+#define TIPSPEED_IO_FORMATS_ANSWER_H
 
 #include <stdbool.h>
 #include <stddef.h>

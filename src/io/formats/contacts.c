@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/contacts.h"
+#include "io/formats/contacts.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -1,7 +1,7 @@
 /* Files that `calibrate all part=I/N` wrote, or `validate all part=I/N`.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_PARTS_H
-#define TIPSPEED_IO_PARTS_H
+#ifndef TIPSPEED_IO_FORMATS_SHARDS_H
+#define TIPSPEED_IO_FORMATS_SHARDS_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /* From a sheet of cells to the limits of a grading.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/spec.h"
+#include "io/formats/spec.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,10 +1,10 @@
 /* Results as a workbook of Excel, .xlsx.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_BOOK_H
-#define TIPSPEED_IO_BOOK_H
+#ifndef TIPSPEED_IO_FORMATS_BOOK_H
+#define TIPSPEED_IO_FORMATS_BOOK_H
 
 #include "base/error.h"
-#include "io/answer.h"
+#include "io/formats/answer.h"
 
 /* A workbook while it is put together.  The same results are the same bytes. */
 struct book;

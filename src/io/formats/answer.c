@@ -1,7 +1,7 @@
 /* Collects answers and renders them.  What they contain is left to the
  * commands.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/answer.h"
+#include "io/formats/answer.h"
 
 #include <assert.h>
 #include <ctype.h>

@@ -1,7 +1,7 @@
 /* Reads a grading envelope, see tipspeed-spec(5).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_SPEC_H
-#define TIPSPEED_IO_SPEC_H
+#ifndef TIPSPEED_IO_FORMATS_SPEC_H
+#define TIPSPEED_IO_FORMATS_SPEC_H
 
 #include <stdbool.h>
 #include <stddef.h>

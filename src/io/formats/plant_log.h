@@ -1,7 +1,7 @@
 /* What a plant's own system logged: speed, power and feed rate over time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_PLANT_LOG_H
-#define TIPSPEED_IO_PLANT_LOG_H
+#ifndef TIPSPEED_IO_FORMATS_PLANT_LOG_H
+#define TIPSPEED_IO_FORMATS_PLANT_LOG_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/collisions.h"
+#include "io/formats/collisions.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/contacts.h"
+#include "io/formats/contacts.h"
 #include "io/cells/textfile.h"
 #include "io/sitefile/units.h"
 

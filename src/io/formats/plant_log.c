@@ -1,7 +1,7 @@
 /* Finds the times first, then the columns beside them by their heads; what is
  * no number is passed over, as logs are full of it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/plant_log.h"
+#include "io/formats/plant_log.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* data/envelopes.csv and data/envelope-scalars.csv, and the names in them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/standards.h"
+#include "io/formats/standards.h"
 
 #include <assert.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* Contacts of a simulation, in snapshots, merged into impacts of particles.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_CONTACTS_H
-#define TIPSPEED_IO_CONTACTS_H
+#ifndef TIPSPEED_IO_FORMATS_CONTACTS_H
+#define TIPSPEED_IO_FORMATS_CONTACTS_H
 
 #include <stdint.h>
 

@@ -1,7 +1,7 @@
 /* Reads a circuit, see tipspeed-circuit(5).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_CIRCUIT_FILE_H
-#define TIPSPEED_IO_CIRCUIT_FILE_H
+#ifndef TIPSPEED_IO_FORMATS_CIRCUIT_FILE_H
+#define TIPSPEED_IO_FORMATS_CIRCUIT_FILE_H
 
 #include "base/error.h"
 #include "core/answer/circuit.h"

@@ -1,7 +1,7 @@
 /* Reads collision energies: dumps of contacts, exports, lists, spectra.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_IO_COLLISIONS_H
-#define TIPSPEED_IO_COLLISIONS_H
+#ifndef TIPSPEED_IO_FORMATS_COLLISIONS_H
+#define TIPSPEED_IO_FORMATS_COLLISIONS_H
 
 #include <stdbool.h>
 #include <stdint.h>
