@@ -16,7 +16,7 @@
 #include "cmd/load.h"
 #include "cmd/line.h"
 #include "cmd/session.h"
-#include "cmd/usage.h"
+#include "cmd/lang/usage.h"
 #include "config.h"
 #include "ui/batch.h"
 #include "ui/pump.h"

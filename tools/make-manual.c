@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cmd/manual.h"
+#include "cmd/lang/manual.h"
 #include "ui/keys.h"
 
 static void

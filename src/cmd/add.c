@@ -15,7 +15,7 @@
 #include "cmd/invocation.h"
 #include "cmd/load.h"
 #include "cmd/log.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "io/sitefile/column_header.h"
 
 /* What is known of each file [n] beside its numbers: its word as load has it,

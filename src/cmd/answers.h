@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "cmd/session.h"
 #include "core/model/breakage.h"
 #include "core/answer/predict.h"

@@ -10,7 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/files.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 
 const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED] = {
     {"p20", "predict", "p20_mm"}, {"p50", "predict", "p50_mm"},

@@ -9,7 +9,7 @@
 #include "cmd/answers.h"
 #include "cmd/light.h"
 #include "cmd/outlook.h"
-#include "cmd/parse.h"
+#include "cmd/lang/parse.h"
 #include "core/answer/mass_balance.h"
 #include "io/sitefile/units.h"
 

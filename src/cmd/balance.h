@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_BALANCE_H
 #define TIPSPEED_CMD_BALANCE_H
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "cmd/session.h"
 
 /* Answers `why 69 79`: the second speed is the operand. */

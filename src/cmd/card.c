@@ -13,7 +13,7 @@
 #include "cmd/outlook.h"
 #include "cmd/plant.h"
 #include "cmd/quantities.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "io/sitefile/units.h"
 
 /* What is asked at every speed: P20, P50 and P80, then the user's figures;

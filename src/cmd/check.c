@@ -12,7 +12,7 @@
 #include "cmd/entries.h"
 #include "cmd/fit.h"
 #include "cmd/mend.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 

@@ -10,7 +10,7 @@
 #include "cmd/files.h"
 #include "cmd/part.h"
 #include "cmd/scores.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "io/formats/shards.h"
 
 /* Rows in the order of all sites, and within one as they were written. */

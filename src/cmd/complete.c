@@ -13,8 +13,8 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/command.h"
-#include "cmd/parse.h"
+#include "cmd/lang/command.h"
+#include "cmd/lang/parse.h"
 #include "io/formats/standards.h"
 
 /* A completion being made.  typed: the word so far, without its quotes; quoted:

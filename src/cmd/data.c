@@ -13,7 +13,7 @@
 #include "cmd/entries.h"
 #include "cmd/files.h"
 #include "cmd/journal.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "core/model/synth.h"
 #include "io/formats/plant_log.h"
 #include "io/sitefile/site_write.h"

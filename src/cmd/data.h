@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "cmd/session.h"
 
 /* False, with an error, where a file is there already and the call does not say

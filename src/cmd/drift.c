@@ -9,7 +9,7 @@
 #include "cmd/answers.h"
 #include "cmd/light.h"
 #include "cmd/routine.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "io/sitefile/units.h"
 
 static const uint64_t SEED = 1; /* of the simulated run lengths */

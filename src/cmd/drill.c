@@ -16,7 +16,7 @@
 #include "cmd/entries.h"
 #include "cmd/invocation.h"
 #include "cmd/outlook.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "core/model/breakage.h"
 #include "core/numeric/rng.h"
 #include "io/sitefile/units.h"

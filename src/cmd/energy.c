@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/energies.h"
 #include "cmd/files.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "core/model/breakage.h"
 #include "io/fs/file.h"
 #include "io/sitefile/units.h"

@@ -6,7 +6,7 @@
 #include "cmd/band.h"
 #include "cmd/outlook.h"
 #include "cmd/quantities.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 
 /* What is shown unless told otherwise, as far as the feed tells. */
 #define USUAL "D10,P20,D50,P80,D90,cu,cc,fines,fm EN,fm ASTM,fm IS,fm DIN,fm GB"

@@ -13,7 +13,7 @@
 #include "cmd/grading.h"
 #include "cmd/outlook.h"
 #include "cmd/quantities.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 

@@ -13,7 +13,7 @@
 #include "cmd/outlook.h"
 #include "cmd/fit.h"
 #include "cmd/light.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "core/model/breakage.h"
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"

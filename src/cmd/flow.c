@@ -15,7 +15,7 @@
 #include "cmd/pictures.h"
 #include "cmd/plant.h"
 #include "cmd/quantities.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "core/posterior/ensemble.h"
 #include "io/sitefile/units.h"
 

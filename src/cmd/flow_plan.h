@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_FLOW_PLAN_H
 #define TIPSPEED_CMD_FLOW_PLAN_H
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "cmd/session.h"
 #include "core/answer/circuit.h"
 #include "core/answer/power.h"

@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "cmd/session.h"
 #include "core/answer/window.h"
 #include "io/formats/spec.h"

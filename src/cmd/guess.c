@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/fit.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "core/search/misfit.h"
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"

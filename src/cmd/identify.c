@@ -7,7 +7,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "core/posterior/identify.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"

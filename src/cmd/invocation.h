@@ -5,8 +5,8 @@
 
 #include <stdbool.h>
 
-#include "cmd/command.h"
-#include "cmd/parse.h"
+#include "cmd/lang/command.h"
+#include "cmd/lang/parse.h"
 #include "cmd/session.h"
 
 struct invocation;

@@ -14,7 +14,7 @@
 #include "cmd/part.h"
 #include "cmd/fit_report.h"
 #include "cmd/outlook.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "cmd/invocation.h"
 #include "core/search/misfit.h"
 

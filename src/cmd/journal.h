@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "cmd/command.h"
-#include "cmd/parse.h"
+#include "cmd/lang/command.h"
+#include "cmd/lang/parse.h"
 #include "cmd/session.h"
 
 /* A place in the journal; start: where the last reset left it.  state: the

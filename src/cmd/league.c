@@ -10,7 +10,7 @@
 #include "cmd/fit.h"
 #include "cmd/job.h"
 #include "cmd/scores.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "core/posterior/discrepancy.h"
 #include "core/check/league.h"
 #include "core/search/misfit.h"

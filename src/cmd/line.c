@@ -11,7 +11,7 @@
 #include "cmd/job.h"
 #include "cmd/journal.h"
 #include "cmd/keep.h"
-#include "cmd/parse.h"
+#include "cmd/lang/parse.h"
 #include "cmd/pin.h"
 #include "cmd/script.h"
 #include "cmd/invocation.h"

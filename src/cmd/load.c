@@ -17,7 +17,7 @@
 #include "cmd/invocation.h"
 #include "cmd/journal.h"
 #include "cmd/log.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/results.h"
 #include "io/sitefile/site_read.h"

@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_CMD_LOAD_H
 #define TIPSPEED_CMD_LOAD_H
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "cmd/session.h"
 
 /* Loads files, each "FILE" or "FILE@SPEED", and says so beside the results: as

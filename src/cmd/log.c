@@ -12,7 +12,7 @@
 #include "cmd/files.h"
 #include "cmd/inquiry.h"
 #include "cmd/journal.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "io/sitefile/column_header.h"
 
 /* "1,440 rows", as people read long numbers. */

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_LOG_H
 #define TIPSPEED_CMD_LOG_H
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "cmd/session.h"
 #include "io/formats/plant_log.h"
 

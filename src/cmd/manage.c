@@ -18,7 +18,7 @@
 #include "cmd/quantities.h"
 #include "cmd/script.h"
 #include "cmd/settings.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "cmd/invocation.h"
 #include "cmd/undo.h"
 #include "config.h"

@@ -12,7 +12,7 @@
 #include "cmd/entries.h"
 #include "cmd/invocation.h"
 #include "cmd/outlook.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "io/sitefile/units.h"
 
 /* The posterior of a calibration of this very site. */

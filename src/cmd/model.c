@@ -13,7 +13,7 @@
 #include "cmd/band.h"
 #include "cmd/entries.h"
 #include "cmd/outlook.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 
 const char *const MODEL_FORMS[3] = {"ratio", "progeny_mm", "parent_mm"};
 

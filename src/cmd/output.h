@@ -5,8 +5,8 @@
 
 #include <stdbool.h>
 
-#include "cmd/command.h"
-#include "cmd/parse.h"
+#include "cmd/lang/command.h"
+#include "cmd/lang/parse.h"
 
 /* OUTPUT_ANSWERS: one after the other, in one of ANSWER_FORMATS; OUTPUT_HTML,
  * OUTPUT_PDF: put together in a document. */

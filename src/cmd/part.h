@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_CMD_PART_H
 #define TIPSPEED_CMD_PART_H
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "cmd/session.h"
 #include "io/formats/answer.h"
 

@@ -15,7 +15,7 @@
 #include "cmd/goals.h"
 #include "cmd/line.h"
 #include "cmd/pin.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "config.h"
 #include "plot/picture.h"
 

@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 
 void
 pin_free(struct pin *pin)

@@ -13,7 +13,7 @@
 #include "cmd/pictures.h"
 #include "cmd/plots.h"
 #include "cmd/screened.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "cmd/invocation.h"
 #include "cmd/outlook.h"
 #include "core/answer/predict.h"

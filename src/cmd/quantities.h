@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_QUANTITIES_H
 #define TIPSPEED_CMD_QUANTITIES_H
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "core/psd/quantity.h"
 
 /* Reads one, of the whole product where it names no fraction; sizes in mm.

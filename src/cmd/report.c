@@ -17,7 +17,7 @@
 #include "cmd/line.h"
 #include "cmd/outlook.h"
 #include "cmd/quantities.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "config.h"
 
 /* What a section needs of the session; without parameters it is said to be

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_SCREENED_H
 #define TIPSPEED_CMD_SCREENED_H
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "cmd/session.h"
 #include "core/answer/predict.h"
 #include "core/psd/quantity.h"

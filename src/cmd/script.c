@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/files.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "io/cells/textfile.h"
 
 struct script {

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "cmd/parse.h"
+#include "cmd/lang/parse.h"
 #include "cmd/session.h"
 
 /* Each opens a script within the one that is read now; the driver takes its

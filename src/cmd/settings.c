@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "base/xalloc.h"
-#include "cmd/parse.h"
+#include "cmd/lang/parse.h"
 #include "core/model/breakage.h"
 
 void

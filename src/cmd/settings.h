@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_CMD_SETTINGS_H
 #define TIPSPEED_CMD_SETTINGS_H
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "core/answer/predict.h"
 #include "io/formats/answer.h"
 

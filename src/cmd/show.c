@@ -11,7 +11,7 @@
 #include "cmd/entries.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "cmd/outlook.h"
 #include "core/model/classes.h"
 #include "core/model/breakage.h"

@@ -9,7 +9,7 @@
 #include "cmd/answers.h"
 #include "cmd/grading.h"
 #include "cmd/quantities.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "io/formats/standards.h"
 #include "io/sitefile/units.h"
 

@@ -15,7 +15,7 @@
 #include "cmd/files.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "cmd/invocation.h"
 #include "config.h"
 #include "io/store/store_csv.h"

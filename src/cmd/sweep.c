@@ -8,7 +8,7 @@
 #include "cmd/answers.h"
 #include "cmd/band.h"
 #include "cmd/light.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "cmd/outlook.h"
 #include "cmd/screened.h"
 #include "core/answer/predict.h"

@@ -1,6 +1,6 @@
 /* Commands that answer, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 
 #define SPEED_OPTION                                                      \
 	{                                                                 \

@@ -1,6 +1,6 @@
 /* Commands that read, show and write sheets, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 
 static const struct command_option SHOW_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",

@@ -1,6 +1,6 @@
 /* Commands that draw, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 
 #include "cmd/plot_request.h"
 

@@ -1,6 +1,6 @@
 /* Commands about the session itself, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 
 static const struct command_option SAVE_OPTIONS[] = {
     {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",

@@ -1,6 +1,6 @@
 /* Commands about the store, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 
 static const struct command_option MATERIALS_OPTIONS[] = {
     {"rock", VALUE_TEXT, "", 0, 0, NULL, "",

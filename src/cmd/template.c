@@ -6,7 +6,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/session.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "core/psd/psd.h"
 #include "io/formats/book.h"
 

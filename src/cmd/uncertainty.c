@@ -9,7 +9,7 @@
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
 #include "cmd/settings.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "core/posterior/ensemble.h"
 #include "io/sitefile/units.h"
 

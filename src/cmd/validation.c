@@ -17,7 +17,7 @@
 #include "cmd/outlook.h"
 #include "cmd/part.h"
 #include "cmd/scores.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 
 /* Compares the held-out runs of an entry. */
 static void

@@ -8,7 +8,7 @@
 #ifndef TIPSPEED_CMD_VARIANT_H
 #define TIPSPEED_CMD_VARIANT_H
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "cmd/session.h"
 
 /* What is asked for.  feed: borrowed, NULL for the sites' own; from: where it

@@ -10,7 +10,7 @@
 #include "cmd/balance.h"
 #include "cmd/fit.h"
 #include "cmd/light.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "cmd/outlook.h"
 #include "core/model/breakage.h"
 #include "core/search/misfit.h"

@@ -11,7 +11,7 @@
 #include "cmd/conditions.h"
 #include "cmd/outlook.h"
 #include "cmd/quantities.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 
 /* What was asked, and what was found. */
 struct asking {

@@ -11,7 +11,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "cmd/fit.h"
 #include "cmd/invocation.h"
 #include "cmd/job.h"

@@ -12,8 +12,8 @@
 #include <cmocka.h>
 
 #include "base/xalloc.h"
-#include "cmd/command.h"
-#include "cmd/parse.h"
+#include "cmd/lang/command.h"
+#include "cmd/lang/parse.h"
 
 static const struct place CALL_PLACE = {.file = "script.tip", .line = 3};
 

@@ -8,7 +8,7 @@
 #include "desk.h"
 #include "made.h"
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "cmd/complete.h"
 #include "cmd/entries.h"
 

@@ -8,7 +8,7 @@
 #include "paper.h"
 #include "made.h"
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 #include "cmd/entries.h"
 #include "cmd/job.h"
 #include "io/store/material.h"

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "cmd/settings.h"
-#include "cmd/table.h"
+#include "cmd/lang/table.h"
 #include "cmd/invocation.h"
 #include "cmd/undo.h"
 #include "desk.h"

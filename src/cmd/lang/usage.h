@@ -1,12 +1,12 @@
 /* What the program reads from its command line and environment, and what it
  * ends with, as data: for getopt, --help, the manual and shell completion.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_USAGE_H
-#define TIPSPEED_CMD_USAGE_H
+#ifndef TIPSPEED_CMD_LANG_USAGE_H
+#define TIPSPEED_CMD_LANG_USAGE_H
 
 #include <stdio.h>
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 
 /* An option of the command line.  code: what getopt_long returns for it, the
  * letter where it has one.  argument: its name in usage, or NULL.  choices:

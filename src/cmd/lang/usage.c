@@ -1,6 +1,6 @@
 /* The command line's words, and the command table's for people.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/usage.h"
+#include "cmd/lang/usage.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
  * results go; what may stand after an option; words as options and operands of
  * a command.  The grammar is that of tipspeed(1), COMMAND LANGUAGE.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/parse.h"
+#include "cmd/lang/parse.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -1,15 +1,15 @@
 /* The tables as mdoc, and as a script for bash.  Run at build time by
  * tools/make-manual.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/manual.h"
+#include "cmd/lang/manual.h"
 
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "cmd/command.h"
-#include "cmd/usage.h"
+#include "cmd/lang/command.h"
+#include "cmd/lang/usage.h"
 #include "core/model/breakage.h"
 
 /* Text of a paragraph: a new sentence on a new line, as mdoc wants it, lines

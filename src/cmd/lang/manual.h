@@ -1,8 +1,8 @@
 /* What is made from the tables at build time: parts of the manual, and
  * completion of the command line by the shell.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_MANUAL_H
-#define TIPSPEED_CMD_MANUAL_H
+#ifndef TIPSPEED_CMD_LANG_MANUAL_H
+#define TIPSPEED_CMD_LANG_MANUAL_H
 
 #include <stdio.h>
 

@@ -1,6 +1,6 @@
 /* Looking things up in the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 
 #include <assert.h>
 #include <math.h>

@@ -1,13 +1,13 @@
 /* From a line of text to calls of commands.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_PARSE_H
-#define TIPSPEED_CMD_PARSE_H
+#ifndef TIPSPEED_CMD_LANG_PARSE_H
+#define TIPSPEED_CMD_LANG_PARSE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "base/error.h"
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 
 /* Where a line comes from, for messages.  prompt: it was typed at a prompt,
  * where names of commands may be cut short.  column: of the character that a

@@ -3,8 +3,8 @@
  * The parser, usage lines, help, the manual's COMMANDS section and several
  * tests read this table; to add a command is to add a row and a function.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_COMMAND_H
-#define TIPSPEED_CMD_COMMAND_H
+#ifndef TIPSPEED_CMD_LANG_COMMAND_H
+#define TIPSPEED_CMD_LANG_COMMAND_H
 
 #include <stdbool.h>
 #include <stddef.h>

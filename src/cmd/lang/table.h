@@ -1,9 +1,9 @@
 /* What the rows of the command table run.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_TABLE_H
-#define TIPSPEED_CMD_TABLE_H
+#ifndef TIPSPEED_CMD_LANG_TABLE_H
+#define TIPSPEED_CMD_LANG_TABLE_H
 
-#include "cmd/command.h"
+#include "cmd/lang/command.h"
 
 command_run cmd_load, cmd_add, cmd_sites, cmd_use, cmd_drop, cmd_check,
     cmd_mend, cmd_show, cmd_synth, cmd_template, cmd_write;
