@@ -8,7 +8,7 @@
 #include "cmd/answers.h"
 #include "cmd/band.h"
 #include "cmd/conditions.h"
-#include "cmd/document.h"
+#include "cmd/document/document.h"
 #include "cmd/light.h"
 #include "cmd/outlook.h"
 #include "cmd/plant.h"

@@ -11,7 +11,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/document.h"
+#include "cmd/document/document.h"
 #include "cmd/goals.h"
 #include "cmd/line.h"
 #include "cmd/pin.h"

@@ -11,7 +11,7 @@
 #include "cmd/answers.h"
 #include "cmd/conditions.h"
 #include "cmd/cut.h"
-#include "cmd/document.h"
+#include "cmd/document/document.h"
 #include "cmd/journal.h"
 #include "cmd/light.h"
 #include "cmd/line.h"

@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/document.h"
+#include "cmd/document/document.h"
 #include "io/formats/book.h"
 #include "io/sitefile/units.h"
 

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "cmd/document_html.h"
-#include "cmd/document_pdf.h"
+#include "cmd/document/html.h"
+#include "cmd/document/pdf.h"
 #include "cmd/journal.h"
 #include "cmd/undo.h"
 #include "desk.h"

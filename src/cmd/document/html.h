@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_DOCUMENT_HTML_H
 #define TIPSPEED_CMD_DOCUMENT_HTML_H
 
-#include "cmd/document.h"
+#include "cmd/document/document.h"
 
 /* The page, *n bytes, which the caller frees: HTML that is XML too, in one
  * file, with images as SVG; nothing is fetched and no script runs.  The same

@@ -1,7 +1,7 @@
 /* Documents: what commands answer, for a browser or for paper.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_DOCUMENT_H
-#define TIPSPEED_CMD_DOCUMENT_H
+#ifndef TIPSPEED_CMD_DOCUMENT_DOCUMENT_H
+#define TIPSPEED_CMD_DOCUMENT_DOCUMENT_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_DOCUMENT_PDF_H
 #define TIPSPEED_CMD_DOCUMENT_PDF_H
 
-#include "cmd/document.h"
+#include "cmd/document/document.h"
 
 /* The file, *n bytes, which the caller frees; pages: how many it has.  NULL
  * where this program draws no PDF, see picture_can.  The same document is the

@@ -1,7 +1,7 @@
 /* Writes a document as HTML that any browser shows and prints.  What a colour
  * says stands there in words too.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/document_html.h"
+#include "cmd/document/html.h"
 
 #include <stdlib.h>
 

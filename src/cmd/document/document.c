@@ -1,7 +1,7 @@
 /* Collects the parts of a document.  How they look is left to those who write
  * it as HTML or PDF.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/document.h"
+#include "cmd/document/document.h"
 
 #include <stdarg.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* Lays a document out on pages of A4.  It is laid out several times: to count
  * the pages, and where it is to be one page to find its scale.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/document_pdf.h"
+#include "cmd/document/pdf.h"
 
 #include <math.h>
 #include <stdlib.h>
