@@ -12,7 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/complete.h"
 #include "cmd/line.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/numeric/rng.h"
 #include "measure.h"
 

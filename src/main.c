@@ -15,7 +15,7 @@
 #include "base/xalloc.h"
 #include "cmd/load.h"
 #include "cmd/line.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "cmd/lang/usage.h"
 #include "config.h"
 #include "ui/batch.h"

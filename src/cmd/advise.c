@@ -10,7 +10,7 @@
 #include "cmd/light.h"
 #include "cmd/outlook.h"
 #include "cmd/lang/parse.h"
-#include "cmd/settings.h"
+#include "cmd/session/settings.h"
 #include "cmd/lang/table.h"
 #include "core/answer/advise.h"
 #include "core/search/misfit.h"

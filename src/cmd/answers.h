@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "cmd/lang/command.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/model/breakage.h"
 #include "core/answer/predict.h"
 

@@ -9,7 +9,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/files.h"
+#include "cmd/session/files.h"
 #include "cmd/lang/table.h"
 
 const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED] = {

@@ -4,7 +4,7 @@
 #define TIPSPEED_CMD_BALANCE_H
 
 #include "cmd/lang/command.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* Answers `why 69 79`: the second speed is the operand. */
 bool balance_answer(

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_BAND_H
 #define TIPSPEED_CMD_BAND_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/answer/predict.h"
 
 /* Says what low and high are, and of a product which runs correct it; of

@@ -10,7 +10,7 @@
 #include "cmd/answers.h"
 #include "cmd/band.h"
 #include "cmd/data.h"
-#include "cmd/files.h"
+#include "cmd/session/files.h"
 #include "cmd/load.h"
 #include "cmd/outlook.h"
 #include "cmd/lang/parse.h"

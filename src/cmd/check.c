@@ -9,7 +9,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/entries.h"
+#include "cmd/session/sites.h"
 #include "cmd/fit.h"
 #include "cmd/mend.h"
 #include "cmd/lang/table.h"

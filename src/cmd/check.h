@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_CHECK_H
 #define TIPSPEED_CMD_CHECK_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* Says beside the results where a run's product is coarser than its feed; the
  * numbers stay as they are. */

@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/files.h"
+#include "cmd/session/files.h"
 #include "cmd/part.h"
 #include "cmd/scores.h"
 #include "cmd/lang/table.h"

@@ -8,7 +8,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/entries.h"
+#include "cmd/session/sites.h"
 #include "cmd/light.h"
 #include "cmd/lang/parse.h"
 #include "cmd/pictures.h"

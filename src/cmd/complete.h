@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* One thing that may stand there.  text: as it is typed, with its quotes.
  * append: what comes next once it is chosen: a space, '=' after an option, or

@@ -4,7 +4,7 @@
 #define TIPSPEED_CMD_CONDITIONS_H
 
 #include "cmd/lang/command.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/answer/window.h"
 
 /* A list that grows. */

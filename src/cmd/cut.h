@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_CUT_H
 #define TIPSPEED_CMD_CUT_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* Over the sieves of a run's product that crushing can change, [n]: root mean
  * square of measured less predicted, and the largest of these with its sieve,

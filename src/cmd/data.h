@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "cmd/lang/command.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* False, with an error, where a file is there already and the call does not say
  * replace=on, or where it is none to be replaced, see files.h. */

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_DRILL_H
 #define TIPSPEED_CMD_DRILL_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/check/drill.h"
 
 /* Samples were taken at speeds [n], m/s; answer: a speed, or NAN.  One never

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/check/trust.h"
 
 /* True when the fit explains little that product = feed does not. */

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_FIT_REPORT_H
 #define TIPSPEED_CMD_FIT_REPORT_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* A site's fit, with its fields; seconds: how long it took.  detail: with the
  * table of its parameters and what the search did, which programs have in any

@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/files.h"
+#include "cmd/session/files.h"
 #include "cmd/quantities.h"
 #include "core/answer/predict.h"
 #include "io/formats/circuit_file.h"

@@ -4,7 +4,7 @@
 #define TIPSPEED_CMD_FLOW_PLAN_H
 
 #include "cmd/lang/command.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/answer/circuit.h"
 #include "core/answer/power.h"
 

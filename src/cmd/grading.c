@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/files.h"
+#include "cmd/session/files.h"
 #include "cmd/outlook.h"
 #include "cmd/quantities.h"
 #include "io/formats/standards.h"

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 
 #include "cmd/lang/command.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/answer/window.h"
 #include "io/formats/spec.h"
 

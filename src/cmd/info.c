@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "cmd/lang/table.h"
 #include "cmd/lang/usage.h"
 #include "config.h"

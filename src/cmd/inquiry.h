@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_CMD_INQUIRY_H
 #define TIPSPEED_CMD_INQUIRY_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "io/sitefile/site_request.h"
 
 /* One question.  about: what it is about, a sentence.  ask: its columns are the

@@ -15,7 +15,7 @@
 #include "cmd/fit_report.h"
 #include "cmd/outlook.h"
 #include "cmd/lang/table.h"
-#include "cmd/invocation.h"
+#include "cmd/session/turn.h"
 #include "core/search/misfit.h"
 
 /* Says beside the results what the job is about to do. */

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_JOB_H
 #define TIPSPEED_CMD_JOB_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* A round: a site, the runs it is trained on, its calibration; stop: whether
  * somebody waits, or NULL. */

@@ -8,7 +8,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/cut.h"
-#include "cmd/energies.h"
+#include "cmd/session/energies.h"
 #include "cmd/fit.h"
 #include "cmd/outlook.h"
 #include "cmd/routine.h"

@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_CMD_LIGHT_H
 #define TIPSPEED_CMD_LIGHT_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/answer/predict.h"
 
 /* Of the entry's answer p, or for NULL of its fit; trust_free. */

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_LINE_H
 #define TIPSPEED_CMD_LINE_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 struct session *session_new(FILE *out, FILE *notes);
 void session_free(struct session *s);

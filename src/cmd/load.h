@@ -5,7 +5,7 @@
 #define TIPSPEED_CMD_LOAD_H
 
 #include "cmd/lang/command.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* Loads files, each "FILE" or "FILE@SPEED", and says so beside the results: as
  * one site where a speed is given or none of them is complete, else a site

@@ -9,9 +9,9 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/files.h"
+#include "cmd/session/files.h"
 #include "cmd/inquiry.h"
-#include "cmd/journal.h"
+#include "cmd/session/journal.h"
 #include "cmd/lang/table.h"
 #include "io/sitefile/column_header.h"
 

@@ -4,7 +4,7 @@
 #define TIPSPEED_CMD_LOG_H
 
 #include "cmd/lang/command.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "io/formats/plant_log.h"
 
 /* load FILE.. as=log: the log that cuts are looked up in. */

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_MEND_H
 #define TIPSPEED_CMD_MEND_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/check/outliers.h"
 
 /* What is wrong with an entry's sheet: by the posterior of its own calibration

@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/band.h"
-#include "cmd/entries.h"
+#include "cmd/session/sites.h"
 #include "cmd/outlook.h"
 #include "cmd/lang/table.h"
 

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_MODEL_H
 #define TIPSPEED_CMD_MODEL_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* Names of the appearance forms, in the order of the enum. */
 extern const char *const MODEL_FORMS[3];

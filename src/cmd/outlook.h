@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_CMD_OUTLOOK_H
 #define TIPSPEED_CMD_OUTLOOK_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/answer/crusher.h"
 #include "core/posterior/ensemble.h"
 #include "core/answer/predict.h"

@@ -5,7 +5,7 @@
 #define TIPSPEED_CMD_PART_H
 
 #include "cmd/lang/command.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "io/formats/answer.h"
 
 /* Part `number`, from 1, of `of`: every so many-th site.  of 0: none, all sites

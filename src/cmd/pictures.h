@@ -7,7 +7,7 @@
 
 #include "cmd/lang/command.h"
 #include "cmd/plots.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "plot/film.h"
 
 /* A picture of the full screen.  columns, rows: 0: as the one that is open,

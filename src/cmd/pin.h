@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_PIN_H
 #define TIPSPEED_CMD_PIN_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* site, key: what it was of, which may no longer be loaded, or have another
  * key. */

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_PLOT_REQUEST_H
 #define TIPSPEED_CMD_PLOT_REQUEST_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "plot/draw.h"
 
 enum plot_kind {

@@ -21,7 +21,7 @@
 #include "cmd/plots_response.h"
 #include "cmd/plots_search.h"
 #include "cmd/site_chart.h"
-#include "cmd/entries.h"
+#include "cmd/session/sites.h"
 #include "core/numeric/elementary.h"
 #include "core/model/breakage.h"
 #include "core/search/misfit.h"

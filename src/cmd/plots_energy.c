@@ -6,7 +6,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/energies.h"
+#include "cmd/session/energies.h"
 #include "cmd/site_chart.h"
 #include "core/model/breakage.h"
 

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_PLOTS_LIMITS_H
 #define TIPSPEED_CMD_PLOTS_LIMITS_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/answer/predict.h"
 #include "plot/chart.h"
 

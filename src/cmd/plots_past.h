@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_PLOTS_PAST_H
 #define TIPSPEED_CMD_PLOTS_PAST_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* Of the calibration under way, else of the site's last one.  n is 0 where
  * there is none.  site, train: what was fitted; weight: see

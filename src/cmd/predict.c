@@ -14,7 +14,7 @@
 #include "cmd/plots.h"
 #include "cmd/screened.h"
 #include "cmd/lang/table.h"
-#include "cmd/invocation.h"
+#include "cmd/session/turn.h"
 #include "cmd/outlook.h"
 #include "core/answer/predict.h"
 #include "core/check/validate.h"

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_PREDICT_H
 #define TIPSPEED_CMD_PREDICT_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* Predicts as the command `predict` that the line is, and says nothing: the
  * session keeps the answer, the journal the line, and the value is for whoever

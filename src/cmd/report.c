@@ -12,7 +12,7 @@
 #include "cmd/conditions.h"
 #include "cmd/cut.h"
 #include "cmd/document/document.h"
-#include "cmd/journal.h"
+#include "cmd/session/journal.h"
 #include "cmd/light.h"
 #include "cmd/line.h"
 #include "cmd/outlook.h"

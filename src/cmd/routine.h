@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_CMD_ROUTINE_H
 #define TIPSPEED_CMD_ROUTINE_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/check/control_chart.h"
 
 /* A cut: the site's run; when, in words, or ""; time, s, or NAN.  size m,

@@ -4,7 +4,7 @@
 #define TIPSPEED_CMD_SCREENED_H
 
 #include "cmd/lang/command.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/answer/predict.h"
 #include "core/psd/quantity.h"
 

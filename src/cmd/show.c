@@ -8,7 +8,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/entries.h"
+#include "cmd/session/sites.h"
 #include "cmd/fit.h"
 #include "cmd/model.h"
 #include "cmd/lang/table.h"

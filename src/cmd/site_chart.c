@@ -6,7 +6,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "plot/marks.h"
 
 struct chart *

@@ -1,6 +1,6 @@
 /* Commands that set the model, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "cmd/lang/table.h"
 
 #define AT(member) .offset = offsetof(struct choices, member)

@@ -5,7 +5,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "cmd/lang/table.h"
 #include "core/psd/psd.h"
 #include "io/formats/book.h"

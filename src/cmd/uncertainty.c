@@ -8,7 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
-#include "cmd/settings.h"
+#include "cmd/session/settings.h"
 #include "cmd/lang/table.h"
 #include "core/posterior/ensemble.h"
 #include "io/sitefile/units.h"

@@ -11,7 +11,7 @@
 #include "cmd/comparison.h"
 #include "cmd/comparison_answer.h"
 #include "cmd/fit.h"
-#include "cmd/invocation.h"
+#include "cmd/session/turn.h"
 #include "cmd/job.h"
 #include "cmd/light.h"
 #include "cmd/outlook.h"

@@ -9,7 +9,7 @@
 #define TIPSPEED_CMD_VARIANT_H
 
 #include "cmd/lang/command.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* What is asked for.  feed: borrowed, NULL for the sites' own; from: where it
  * is from, for programs; words: for people; of: what its sheet says of its

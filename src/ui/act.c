@@ -13,7 +13,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers.h"
-#include "cmd/files.h"
+#include "cmd/session/files.h"
 #include "cmd/outlook.h"
 #include "cmd/fit.h"
 #include "ui/above.h"

@@ -8,8 +8,8 @@
 
 #include "base/text.h"
 #include "base/tr.h"
-#include "cmd/keep.h"
-#include "cmd/script.h"
+#include "cmd/session/autosave.h"
+#include "cmd/session/script.h"
 #include "ui/driver.h"
 #include "ui/pump.h"
 #include "ui/terminal.h"

@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "ui/pager.h"
 
 /* Each returns the exit status so far: 0, or that of the first error, which

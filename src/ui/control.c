@@ -13,7 +13,7 @@
 #include "cmd/answers.h"
 #include "cmd/lang/command.h"
 #include "cmd/fit.h"
-#include "cmd/invocation.h"
+#include "cmd/session/turn.h"
 #include "cmd/job.h"
 #include "cmd/line.h"
 #include "cmd/pin.h"

@@ -6,8 +6,8 @@
 
 #include "cmd/job.h"
 #include "cmd/line.h"
-#include "cmd/script.h"
-#include "cmd/invocation.h"
+#include "cmd/session/script.h"
+#include "cmd/session/turn.h"
 #include "ui/pump.h"
 
 /* Ends what the line has under way after an error or an interruption; the

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_UI_DRIVER_H
 #define TIPSPEED_UI_DRIVER_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "ui/pager.h"
 
 /* In what drivers differ: what they are given to show. */

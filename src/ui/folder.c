@@ -13,7 +13,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "io/cells/archive.h"
 #include "io/sitefile/results.h"
 #include "io/sitefile/site_read.h"

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* What a line has to say, held back until it is known how tall it is.  The
  * session's results go to file, and with them its notes while they are held. */

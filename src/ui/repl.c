@@ -18,7 +18,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/complete.h"
-#include "cmd/script.h"
+#include "cmd/session/script.h"
 #include "config.h"
 #include "io/fs/xdg.h"
 #include "ui/batch.h"

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_UI_REPL_H
 #define TIPSPEED_UI_REPL_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* Says what this is and runs the user's init file; before the files of the
  * command line are opened. */

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 enum colour { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER };
 

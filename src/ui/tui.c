@@ -10,7 +10,7 @@
 
 #include <curses.h>
 
-#include "cmd/keep.h"
+#include "cmd/session/autosave.h"
 #include "ui/above.h"
 #include "ui/act.h"
 #include "ui/control.h"

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_UI_TUI_H
 #define TIPSPEED_UI_TUI_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* Opens the full screen until it is left.  Where the terminal cannot show it,
  * says so beside the results and comes back.  Returns the exit status: 0, or

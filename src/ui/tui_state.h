@@ -11,7 +11,7 @@
 #include "cmd/goals.h"
 #include "cmd/plots.h"
 #include "cmd/plots_past.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "core/check/outliers.h"
 #include "core/psd/quantity.h"
 #include "core/check/trust.h"

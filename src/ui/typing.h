@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* text [n], UTF-8; at: the cursor, an offset.  back: how many lines of the
  * history up; offers: what completion found for the word at `start`, for show,

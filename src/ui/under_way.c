@@ -7,7 +7,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/job.h"
-#include "cmd/script.h"
+#include "cmd/session/script.h"
 #include "ui/pump.h"
 #include "ui/said.h"
 #include "ui/view.h"

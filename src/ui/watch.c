@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "base/tr.h"
-#include "cmd/invocation.h"
+#include "cmd/session/turn.h"
 #include "cmd/job.h"
 #include "cmd/light.h"
 #include "ui/control.h"

@@ -12,7 +12,7 @@
 #include "stage.h"
 
 #include "base/text.h"
-#include "cmd/journal.h"
+#include "cmd/session/journal.h"
 #include "cmd/plots_search.h"
 #include "ui/above.h"
 #include "ui/act.h"

@@ -10,7 +10,7 @@
 
 #include "cmd/lang/command.h"
 #include "cmd/complete.h"
-#include "cmd/entries.h"
+#include "cmd/session/sites.h"
 
 /* The candidates at the end of a line, each with what follows it, between
  * bars: "off |on ".  The caller frees. */

@@ -6,9 +6,9 @@
 
 #include "desk.h"
 
-#include "cmd/keep.h"
-#include "cmd/script.h"
-#include "cmd/invocation.h"
+#include "cmd/session/autosave.h"
+#include "cmd/session/script.h"
+#include "cmd/session/turn.h"
 #include "io/fs/autosave_file.h"
 #include "io/store/store.h"
 

@@ -10,7 +10,7 @@
 #include "cmd/answers.h"
 #include "cmd/outlook.h"
 #include "cmd/plots.h"
-#include "cmd/invocation.h"
+#include "cmd/session/turn.h"
 
 static const char PARAMS_SET[] =
     "params set f_mat=2.18 e0_min=16.74 alpha=0.96";

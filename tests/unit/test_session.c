@@ -9,7 +9,7 @@
 #include "made.h"
 
 #include "cmd/lang/command.h"
-#include "cmd/entries.h"
+#include "cmd/session/sites.h"
 #include "cmd/job.h"
 #include "io/store/material.h"
 

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 
-#include "cmd/entries.h"
+#include "cmd/session/sites.h"
 #include "desk.h"
 #include "made.h"
 

@@ -3,10 +3,10 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cmd/settings.h"
+#include "cmd/session/settings.h"
 #include "cmd/lang/table.h"
-#include "cmd/invocation.h"
-#include "cmd/undo.h"
+#include "cmd/session/turn.h"
+#include "cmd/session/undo.h"
 #include "desk.h"
 
 static int

@@ -24,7 +24,7 @@ first_word(const char *text)
 	return xstrndup(text, strcspn(text, " "));
 }
 
-/* See tell_about in cmd/redirect.c: only results of a site name one. */
+/* See tell_about in cmd/session/redirect.c: only results of a site name one. */
 static char *
 command_about(const struct sheet *sheet)
 {

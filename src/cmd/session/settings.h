@@ -1,8 +1,8 @@
 /* Settings: what is said of each and where it is kept is a row of SETTINGS;
  * set, undo, save, reset and help follow from it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_SETTINGS_H
-#define TIPSPEED_CMD_SETTINGS_H
+#ifndef TIPSPEED_CMD_SESSION_SETTINGS_H
+#define TIPSPEED_CMD_SESSION_SETTINGS_H
 
 #include "cmd/lang/command.h"
 #include "core/answer/predict.h"

@@ -1,7 +1,7 @@
 /* What goes with every command: where its results go, how long it takes,
  * what of it can be undone and saved.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/invocation.h"
+#include "cmd/session/turn.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -9,11 +9,11 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/files.h"
-#include "cmd/keep.h"
-#include "cmd/output.h"
-#include "cmd/redirect.h"
-#include "cmd/undo.h"
+#include "cmd/session/files.h"
+#include "cmd/session/autosave.h"
+#include "cmd/session/output.h"
+#include "cmd/session/redirect.h"
+#include "cmd/session/undo.h"
 
 /* Invocations nest: the commands of a script run within that of its source. */
 struct invocation {

@@ -2,7 +2,7 @@
  * compared, so that links are known for what they are, and so is a file that
  * somebody else has put in place of another.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/files.h"
+#include "cmd/session/files.h"
 
 #include <stdlib.h>
 #include <string.h>

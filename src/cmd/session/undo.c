@@ -1,7 +1,7 @@
 /* A step holds the session before it and, once undone, after it, with the lines
  * of the journal in between.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/undo.h"
+#include "cmd/session/undo.h"
 
 #include <stdint.h>
 #include <stdlib.h>

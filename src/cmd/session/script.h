@@ -1,13 +1,13 @@
 /* The scripts a session is reading, one within the other.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_SCRIPT_H
-#define TIPSPEED_CMD_SCRIPT_H
+#ifndef TIPSPEED_CMD_SESSION_SCRIPT_H
+#define TIPSPEED_CMD_SESSION_SCRIPT_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
 #include "cmd/lang/parse.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* Each opens a script within the one that is read now; the driver takes its
  * lines until it is at its end.  File: false where it cannot be read, or there

@@ -1,6 +1,6 @@
 /* What all commands need of the session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 #include <assert.h>
 #include <math.h>

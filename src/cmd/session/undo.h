@@ -1,13 +1,13 @@
 /* Steps back and forth, and what they go between.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_UNDO_H
-#define TIPSPEED_CMD_UNDO_H
+#ifndef TIPSPEED_CMD_SESSION_UNDO_H
+#define TIPSPEED_CMD_SESSION_UNDO_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "cmd/journal.h"
-#include "cmd/session.h"
+#include "cmd/session/journal.h"
+#include "cmd/session/session.h"
 
 /* All of a session that can be undone, and the place in its journal, at one
  * moment. */

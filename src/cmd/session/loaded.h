@@ -1,8 +1,8 @@
 /* A loaded site with what is known of it: its parameters, where they are from,
  * which goes with them wherever they go, and what a calibration left.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_ENTRY_H
-#define TIPSPEED_CMD_ENTRY_H
+#ifndef TIPSPEED_CMD_SESSION_LOADED_H
+#define TIPSPEED_CMD_SESSION_LOADED_H
 
 #include <stdbool.h>
 

@@ -1,7 +1,7 @@
 /* Keeps what a command prints until it is done, then hands it over: so a
  * command that fails leaves a file as it was.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/redirect.h"
+#include "cmd/session/redirect.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -14,10 +14,10 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/files.h"
+#include "cmd/session/files.h"
 #include "cmd/document/html.h"
 #include "cmd/document/pdf.h"
-#include "cmd/output.h"
+#include "cmd/session/output.h"
 #include "config.h"
 #include "io/formats/book.h"
 #include "io/fs/file.h"

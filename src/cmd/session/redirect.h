@@ -1,13 +1,13 @@
 /* Results of one command into a file or a shell command.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_REDIRECT_H
-#define TIPSPEED_CMD_REDIRECT_H
+#ifndef TIPSPEED_CMD_SESSION_REDIRECT_H
+#define TIPSPEED_CMD_SESSION_REDIRECT_H
 
 #include <stdbool.h>
 
 #include "cmd/lang/command.h"
 #include "cmd/lang/parse.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 struct redirect;
 

@@ -1,6 +1,6 @@
 /* The loaded sites of a session, and their keys.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/entries.h"
+#include "cmd/session/sites.h"
 
 #include <inttypes.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/output.h"
+#include "cmd/session/output.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* The file is written after each command and not at the end: at a fault, or
  * without memory, it would be too late.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/keep.h"
+#include "cmd/session/autosave.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/journal.h"
+#include "cmd/session/journal.h"
 #include "config.h"
 #include "io/fs/autosave_file.h"
 

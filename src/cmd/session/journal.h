@@ -1,14 +1,14 @@
 /* What led to the session's state and results, as lines of a script.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_JOURNAL_H
-#define TIPSPEED_CMD_JOURNAL_H
+#ifndef TIPSPEED_CMD_SESSION_JOURNAL_H
+#define TIPSPEED_CMD_SESSION_JOURNAL_H
 
 #include <stddef.h>
 #include <stdint.h>
 
 #include "cmd/lang/command.h"
 #include "cmd/lang/parse.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* A place in the journal; start: where the last reset left it.  state: the
  * number of what the session is like there, which undo and redo bring back. */

@@ -1,7 +1,7 @@
 /* Lines from files, streams and the command line alike.  Leaves to the driver
  * to run them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/script.h"
+#include "cmd/session/script.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/files.h"
+#include "cmd/session/files.h"
 #include "cmd/lang/table.h"
 #include "io/cells/textfile.h"
 

@@ -1,9 +1,9 @@
 /* The loaded sites: adding, finding, dropping.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_ENTRIES_H
-#define TIPSPEED_CMD_ENTRIES_H
+#ifndef TIPSPEED_CMD_SESSION_SITES_H
+#define TIPSPEED_CMD_SESSION_SITES_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* Adds a site, which the session then owns, and makes it the one in use.  It
  * replaces a site that was read from the same file. */

@@ -1,7 +1,7 @@
 /* What commands ask of the driver.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_HOOKS_H
-#define TIPSPEED_CMD_HOOKS_H
+#ifndef TIPSPEED_CMD_SESSION_HOOKS_H
+#define TIPSPEED_CMD_SESSION_HOOKS_H
 
 #include <stdbool.h>
 

@@ -1,6 +1,6 @@
 /* Commands that succeeded, in a form that can be run again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/journal.h"
+#include "cmd/session/journal.h"
 
 #include <ctype.h>
 #include <inttypes.h>
@@ -11,7 +11,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/settings.h"
+#include "cmd/session/settings.h"
 #include "io/formats/standards.h"
 
 struct journal {

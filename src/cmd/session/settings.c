@@ -1,6 +1,6 @@
 /* Settings by their rows, and seed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/settings.h"
+#include "cmd/session/settings.h"
 
 #include <assert.h>
 #include <stdio.h>

@@ -1,13 +1,13 @@
 /* What of a session was not saved, kept so that nothing that ends the program
  * loses it.  The drivers with somebody at a terminal begin with it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_KEEP_H
-#define TIPSPEED_CMD_KEEP_H
+#ifndef TIPSPEED_CMD_SESSION_AUTOSAVE_H
+#define TIPSPEED_CMD_SESSION_AUTOSAVE_H
 
 #include <stdbool.h>
 
 #include "base/error.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* From now on each command that changes something has the session written to a
  * file in the user's folder, see kept.h, until it is saved.  What it is like

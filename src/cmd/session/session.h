@@ -1,15 +1,15 @@
 /* A session: what has been loaded, set and found so far.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_SESSION_H
-#define TIPSPEED_CMD_SESSION_H
+#ifndef TIPSPEED_CMD_SESSION_SESSION_H
+#define TIPSPEED_CMD_SESSION_SESSION_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
 #include "base/error.h"
-#include "cmd/entry.h"
-#include "cmd/hooks.h"
-#include "cmd/settings.h"
+#include "cmd/session/loaded.h"
+#include "cmd/session/hooks.h"
+#include "cmd/session/settings.h"
 #include "io/store/store.h"
 
 struct rounds;

@@ -1,7 +1,7 @@
 /* Forms of the files that results go to, by the ends of their names.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_OUTPUT_H
-#define TIPSPEED_CMD_OUTPUT_H
+#ifndef TIPSPEED_CMD_SESSION_OUTPUT_H
+#define TIPSPEED_CMD_SESSION_OUTPUT_H
 
 #include <stdbool.h>
 

@@ -1,13 +1,13 @@
 /* A command under way: from its first word to the end of its job or script.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_INVOCATION_H
-#define TIPSPEED_CMD_INVOCATION_H
+#ifndef TIPSPEED_CMD_SESSION_TURN_H
+#define TIPSPEED_CMD_SESSION_TURN_H
 
 #include <stdbool.h>
 
 #include "cmd/lang/command.h"
 #include "cmd/lang/parse.h"
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 struct invocation;
 

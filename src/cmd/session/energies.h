@@ -1,9 +1,9 @@
 /* Collision energies that the session has.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_ENERGIES_H
-#define TIPSPEED_CMD_ENERGIES_H
+#ifndef TIPSPEED_CMD_SESSION_ENERGIES_H
+#define TIPSPEED_CMD_SESSION_ENERGIES_H
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 #include "io/formats/collisions.h"
 
 /* A file that was read; never changed after.  name: the file's without its

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/energies.h"
+#include "cmd/session/energies.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/files.h"
+#include "cmd/session/files.h"
 
 static const double CUT = 10, DENSITY = 2700;
 

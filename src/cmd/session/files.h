@@ -1,14 +1,14 @@
 /* What the session has read and written: no result replaces a sheet that it was
  * made from.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_FILES_H
-#define TIPSPEED_CMD_FILES_H
+#ifndef TIPSPEED_CMD_SESSION_FILES_H
+#define TIPSPEED_CMD_SESSION_FILES_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-#include "cmd/session.h"
+#include "cmd/session/session.h"
 
 /* Notes a file that a command is about to read, or has written. */
 void files_reads(struct session *s, const char *path);

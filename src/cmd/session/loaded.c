@@ -1,6 +1,6 @@
 /* What belongs to a loaded site, and where its parameters are from.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/entry.h"
+#include "cmd/session/loaded.h"
 
 #include <math.h>
 #include <stdlib.h>
