@@ -10,7 +10,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/check.h"
-#include "cmd/cut.h"
+#include "cmd/ask/fraction.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/turn.h"
 #include "cmd/load.h"

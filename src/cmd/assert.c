@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
+#include "cmd/ask/answers.h"
 #include "cmd/session/files.h"
 #include "cmd/lang/table.h"
 

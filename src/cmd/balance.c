@@ -6,9 +6,9 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/light.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/trust_light.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/lang/parse.h"
 #include "core/answer/mass_balance.h"
 #include "io/sitefile/units.h"

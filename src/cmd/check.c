@@ -10,7 +10,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/sites.h"
-#include "cmd/fit.h"
+#include "cmd/ask/fit.h"
 #include "cmd/mend.h"
 #include "cmd/lang/table.h"
 #include "core/search/misfit.h"

@@ -6,7 +6,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
+#include "cmd/ask/answers.h"
 #include "cmd/job.h"
 #include "cmd/scores.h"
 #include "io/sitefile/units.h"

@@ -12,7 +12,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
+#include "cmd/ask/answers.h"
 #include "cmd/lang/command.h"
 #include "cmd/lang/parse.h"
 #include "io/formats/standards.h"

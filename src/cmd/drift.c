@@ -6,9 +6,9 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/light.h"
-#include "cmd/routine.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/trust_light.h"
+#include "cmd/ask/routine.h"
 #include "cmd/lang/table.h"
 #include "io/sitefile/units.h"
 

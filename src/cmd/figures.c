@@ -2,10 +2,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
-#include "cmd/answers.h"
-#include "cmd/band.h"
-#include "cmd/outlook.h"
-#include "cmd/quantities.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/band.h"
+#include "cmd/ask/outlook.h"
+#include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
 
 /* What is shown unless told otherwise, as far as the feed tells. */

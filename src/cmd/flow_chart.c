@@ -6,7 +6,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/light.h"
+#include "cmd/ask/trust_light.h"
 #include "cmd/site_chart.h"
 
 /* Each point solves the circuit for all draws. */

@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
-#include "cmd/quantities.h"
+#include "cmd/ask/quantity_words.h"
 #include "core/answer/predict.h"
 #include "io/formats/circuit_file.h"
 #include "io/sitefile/units.h"

@@ -9,8 +9,8 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/fit.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/fit.h"
 #include "cmd/lang/table.h"
 #include "core/search/misfit.h"
 #include "core/check/validate.h"

@@ -5,8 +5,8 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 #include "core/posterior/identify.h"
 #include "core/search/misfit.h"

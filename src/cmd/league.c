@@ -6,8 +6,8 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/fit.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/fit.h"
 #include "cmd/job.h"
 #include "cmd/scores.h"
 #include "cmd/lang/table.h"

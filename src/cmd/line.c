@@ -12,11 +12,11 @@
 #include "cmd/session/journal.h"
 #include "cmd/session/autosave.h"
 #include "cmd/lang/parse.h"
-#include "cmd/pin.h"
+#include "cmd/ask/pin.h"
 #include "cmd/session/script.h"
 #include "cmd/session/turn.h"
 #include "cmd/session/undo.h"
-#include "cmd/variant.h"
+#include "cmd/ask/scenario.h"
 #include "io/formats/plant_log.h"
 #include "io/formats/spec.h"
 

@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/turn.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 #include "io/sitefile/units.h"
 

@@ -9,10 +9,10 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/band.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/band.h"
 #include "cmd/session/sites.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 
 const char *const MODEL_FORMS[3] = {"ratio", "progeny_mm", "parent_mm"};

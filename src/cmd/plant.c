@@ -6,7 +6,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/outlook.h"
 
 struct plant
 plant_new(struct session *s, const struct flow_plan *plan)

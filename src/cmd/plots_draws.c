@@ -6,8 +6,8 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/site_chart.h"
 #include "core/posterior/identify.h"
 #include "core/posterior/profile.h"

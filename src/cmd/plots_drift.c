@@ -6,8 +6,8 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/routine.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/routine.h"
 #include "cmd/site_chart.h"
 
 /* Charts are drawn as shares of their limits, so that one picture holds them

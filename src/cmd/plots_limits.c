@@ -7,8 +7,8 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/quantities.h"
-#include "cmd/screened.h"
+#include "cmd/ask/quantity_words.h"
+#include "cmd/ask/screened.h"
 #include "io/formats/spec.h"
 #include "io/sitefile/units.h"
 

@@ -8,7 +8,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/site_chart.h"
 #include "core/model/breakage.h"
 #include "core/search/candidates.h"

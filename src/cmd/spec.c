@@ -6,9 +6,9 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/grading.h"
-#include "cmd/quantities.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/envelope.h"
+#include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
 #include "io/formats/standards.h"
 #include "io/sitefile/units.h"

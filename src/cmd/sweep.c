@@ -5,12 +5,12 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/band.h"
-#include "cmd/light.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/band.h"
+#include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
-#include "cmd/outlook.h"
-#include "cmd/screened.h"
+#include "cmd/ask/outlook.h"
+#include "cmd/ask/screened.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 

@@ -6,8 +6,8 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/session/settings.h"
 #include "cmd/lang/table.h"
 #include "core/posterior/ensemble.h"

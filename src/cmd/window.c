@@ -7,10 +7,10 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/conditions.h"
-#include "cmd/outlook.h"
-#include "cmd/quantities.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/condition.h"
+#include "cmd/ask/outlook.h"
+#include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
 
 /* What was asked, and what was found. */

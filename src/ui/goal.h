@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_UI_GOAL_H
 #define TIPSPEED_UI_GOAL_H
 
-#include "cmd/goals.h"
+#include "cmd/ask/goals.h"
 #include "ui/tui_state.h"
 
 /* Whether the goal that is set is worked out, or is to be. */

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_UI_LIMITS_H
 #define TIPSPEED_UI_LIMITS_H
 
-#include "cmd/grading.h"
+#include "cmd/ask/envelope.h"
 #include "ui/tui_state.h"
 
 /* As the slider or the session is now.  What does not change with the speed is

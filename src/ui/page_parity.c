@@ -11,8 +11,8 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/outlook.h"
 #include "core/search/misfit.h"
 #include "ui/frame.h"
 #include "ui/pump.h"

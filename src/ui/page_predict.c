@@ -7,8 +7,8 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/goals.h"
-#include "cmd/pin.h"
+#include "cmd/ask/goals.h"
+#include "cmd/ask/pin.h"
 #include "io/sitefile/units.h"
 #include "ui/first.h"
 #include "ui/limits.h"

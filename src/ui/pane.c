@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/site_chart.h"
 #include "cmd/plots_limits.h"
 #include "ui/screen.h"

@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "base/tr.h"
-#include "cmd/answers.h"
+#include "cmd/ask/answers.h"
 #include "io/sitefile/units.h"
 #include "ui/pane.h"
 #include "ui/screen.h"

@@ -7,8 +7,8 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/light.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/trust_light.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/plots_search.h"
 #include "ui/pane.h"
 #include "ui/screen.h"

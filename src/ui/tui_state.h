@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #include "base/tr.h"
-#include "cmd/goals.h"
+#include "cmd/ask/goals.h"
 #include "cmd/plots.h"
 #include "cmd/plots_past.h"
 #include "cmd/session/session.h"

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cmd/cut.h"
+#include "cmd/ask/fraction.h"
 #include "cmd/inquiry.h"
 #include "desk.h"
 #include "io/cells/datetime.h"

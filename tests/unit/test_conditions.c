@@ -1,15 +1,15 @@
 /* What a condition says, however it is written, and what is answered to one
  * that says nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/conditions.h"
+#include "cmd/ask/condition.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "call.h"
-#include "cmd/goals.h"
-#include "cmd/quantities.h"
+#include "cmd/ask/goals.h"
+#include "cmd/ask/quantity_words.h"
 #include "io/formats/standards.h"
 
 static const struct fraction WHOLE = {.partition = {0, 1}};

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "cmd/answers.h"
-#include "cmd/outlook.h"
-#include "cmd/light.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/outlook.h"
+#include "cmd/ask/trust_light.h"
 #include "desk.h"
 
 /* Whether the newest results have the text, and the former ones forgotten. */

@@ -9,7 +9,7 @@
 #include "stage.h"
 
 #include "base/text.h"
-#include "cmd/fit.h"
+#include "cmd/ask/fit.h"
 #include "ui/act.h"
 #include "ui/control.h"
 #include "ui/frame.h"

@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/plots.h"
 #include "cmd/session/turn.h"
 

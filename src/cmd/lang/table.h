@@ -28,7 +28,7 @@ command_run cmd_drill, cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
 		    "sheet, FILE or FILE@SPEED"                          \
 	}
 
-/* What another machine does otherwise, see cmd/variant.h. */
+/* What another machine does otherwise, see cmd/ask/scenario.h. */
 #define TABLE_MACHINE                                                     \
 	{"cascade", VALUE_NUMBER, "%", 0, 90, NULL, "",                   \
 	    "share of the feed led past the rotor, beside what the "      \
@@ -47,7 +47,7 @@ command_run cmd_drill, cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
 		    "diameter of the rotor; default: that of the site" \
 	}
 
-/* Sieves of one's own choice, see cmd/variant.h. */
+/* Sieves of one's own choice, see cmd/ask/scenario.h. */
 #define TABLE_SIEVES                                                \
 	{                                                           \
 		"sieves", VALUE_NUMBERS, "mm", 1e-6, 1e4, NULL, "", \

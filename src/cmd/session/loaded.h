@@ -68,7 +68,7 @@ struct origin {
 	struct history *spread; /* the calibration, where it was here */
 };
 
-/* What answers are asked of instead of what was measured; see cmd/variant.h.
+/* What answers are asked of instead of what was measured; see cmd/ask/scenario.h.
  * own: the entry as it is.  rock: of the other feed, "" where not stated or
  * there is none.  rotor: m, 0: not known; other_rotor: it is not the one that
  * was measured with.  bypass: share of the feed led past the rotor; k: impacts,

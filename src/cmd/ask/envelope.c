@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/grading.h"
+#include "cmd/ask/envelope.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,8 +9,8 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
-#include "cmd/outlook.h"
-#include "cmd/quantities.h"
+#include "cmd/ask/outlook.h"
+#include "cmd/ask/quantity_words.h"
 #include "io/formats/standards.h"
 #include "io/sitefile/units.h"
 

@@ -1,8 +1,8 @@
 /* A grading envelope beside the product of the site in use, or the fraction of
  * it that the envelope is for.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_GRADING_H
-#define TIPSPEED_CMD_GRADING_H
+#ifndef TIPSPEED_CMD_ASK_ENVELOPE_H
+#define TIPSPEED_CMD_ASK_ENVELOPE_H
 
 #include <stdbool.h>
 

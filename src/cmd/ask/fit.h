@@ -1,7 +1,7 @@
 /* What a fit is worth.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_FIT_H
-#define TIPSPEED_CMD_FIT_H
+#ifndef TIPSPEED_CMD_ASK_FIT_H
+#define TIPSPEED_CMD_ASK_FIT_H
 
 #include <stdbool.h>
 

@@ -1,7 +1,7 @@
 /* Quantities in words: "passing 2", "P80", "fm EN", "0/2", "P50 of 0/4".
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_QUANTITIES_H
-#define TIPSPEED_CMD_QUANTITIES_H
+#ifndef TIPSPEED_CMD_ASK_QUANTITY_WORDS_H
+#define TIPSPEED_CMD_ASK_QUANTITY_WORDS_H
 
 #include "cmd/lang/command.h"
 #include "core/psd/quantity.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/quantities.h"
+#include "cmd/ask/quantity_words.h"
 
 #include <math.h>
 #include <stdlib.h>

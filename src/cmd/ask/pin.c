@@ -1,7 +1,7 @@
 /* The prediction itself is kept, so that it stays what it was when the site is
  * calibrated again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/pin.h"
+#include "cmd/ask/pin.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,8 +9,8 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 
 void

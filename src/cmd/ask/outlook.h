@@ -1,8 +1,8 @@
 /* What a site is predicted with: its parameters alone, or with what was drawn
  * from the posterior of the calibration that found them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_OUTLOOK_H
-#define TIPSPEED_CMD_OUTLOOK_H
+#ifndef TIPSPEED_CMD_ASK_OUTLOOK_H
+#define TIPSPEED_CMD_ASK_OUTLOOK_H
 
 #include "cmd/session/session.h"
 #include "core/answer/crusher.h"

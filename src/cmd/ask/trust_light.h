@@ -1,8 +1,8 @@
 /* How far an answer holds, as commands and the full screen say it: one light
  * and its reasons.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_LIGHT_H
-#define TIPSPEED_CMD_LIGHT_H
+#ifndef TIPSPEED_CMD_ASK_TRUST_LIGHT_H
+#define TIPSPEED_CMD_ASK_TRUST_LIGHT_H
 
 #include "cmd/session/session.h"
 #include "core/answer/predict.h"

@@ -1,7 +1,7 @@
 /* Commands that answer, and what they have in common.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_ANSWERS_H
-#define TIPSPEED_CMD_ANSWERS_H
+#ifndef TIPSPEED_CMD_ASK_ANSWERS_H
+#define TIPSPEED_CMD_ASK_ANSWERS_H
 
 #include <stdbool.h>
 
@@ -37,7 +37,7 @@ bool answers_forming(const struct session *s, struct params *params);
 bool answers_extrapolates(const struct entry *entry, double speed);
 
 /* The run whose feed to take: that of another sheet, where the call asks with
- * one (cmd/variant.h); at the speed that the option feed names; else the run
+ * one (cmd/ask/scenario.h); at the speed that the option feed names; else the run
  * nearest to the speed given. */
 bool answers_feed(const struct site *site, const struct args *args,
     double speed, size_t *run, struct error *error);

@@ -1,13 +1,13 @@
 /* Uncertainty as commands show it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/band.h"
+#include "cmd/ask/band.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "base/tr.h"
-#include "cmd/answers.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/outlook.h"
 #include "core/posterior/ensemble.h"
 
 void

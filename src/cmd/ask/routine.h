@@ -1,8 +1,8 @@
 /* Routine cuts of a site: those that the prediction they are compared with has
  * not seen, on the control charts of core/check/control_chart.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_ROUTINE_H
-#define TIPSPEED_CMD_ROUTINE_H
+#ifndef TIPSPEED_CMD_ASK_ROUTINE_H
+#define TIPSPEED_CMD_ASK_ROUTINE_H
 
 #include "cmd/session/session.h"
 #include "core/check/control_chart.h"

@@ -1,7 +1,7 @@
 /* A prediction that is kept beside the one shown.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_PIN_H
-#define TIPSPEED_CMD_PIN_H
+#ifndef TIPSPEED_CMD_ASK_PIN_H
+#define TIPSPEED_CMD_ASK_PIN_H
 
 #include "cmd/session/session.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/variant.h"
+#include "cmd/ask/scenario.h"
 
 #include <assert.h>
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/load.h"
-#include "cmd/quantities.h"
+#include "cmd/ask/quantity_words.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/units.h"
 

@@ -1,6 +1,6 @@
 /* What the commands that answer have in common.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/answers.h"
+#include "cmd/ask/answers.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -9,10 +9,10 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
-#include "cmd/fit.h"
-#include "cmd/light.h"
-#include "cmd/screened.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/fit.h"
+#include "cmd/ask/trust_light.h"
+#include "cmd/ask/screened.h"
+#include "cmd/ask/outlook.h"
 #include "io/sitefile/units.h"
 
 const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {

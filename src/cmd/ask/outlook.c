@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/outlook.h"
+#include "cmd/ask/outlook.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/fit.h"
+#include "cmd/ask/fit.h"
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/cut.h"
+#include "cmd/ask/fraction.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/outlook.h"
+#include "cmd/ask/outlook.h"
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 #include "core/answer/predict.h"

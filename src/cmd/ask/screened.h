@@ -1,7 +1,7 @@
 /* A prediction of a screened fraction.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_SCREENED_H
-#define TIPSPEED_CMD_SCREENED_H
+#ifndef TIPSPEED_CMD_ASK_SCREENED_H
+#define TIPSPEED_CMD_ASK_SCREENED_H
 
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"

@@ -1,7 +1,7 @@
 /* Conditions on a product in words: "passing 2 = 40..50", "P80 > 5".
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_CONDITIONS_H
-#define TIPSPEED_CMD_CONDITIONS_H
+#ifndef TIPSPEED_CMD_ASK_CONDITION_H
+#define TIPSPEED_CMD_ASK_CONDITION_H
 
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"

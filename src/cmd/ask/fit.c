@@ -1,6 +1,6 @@
 /* What a fit is worth.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/fit.h"
+#include "cmd/ask/fit.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/light.h"
+#include "cmd/ask/trust_light.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -7,11 +7,11 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/cut.h"
+#include "cmd/ask/fraction.h"
 #include "cmd/session/energies.h"
-#include "cmd/fit.h"
-#include "cmd/outlook.h"
-#include "cmd/routine.h"
+#include "cmd/ask/fit.h"
+#include "cmd/ask/outlook.h"
+#include "cmd/ask/routine.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 

@@ -1,10 +1,10 @@
 /* The goal that is set: what is wanted of the product, and at which speeds it
  * is so.  Conditions as `find` and `window` read them, or an envelope.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_GOALS_H
-#define TIPSPEED_CMD_GOALS_H
+#ifndef TIPSPEED_CMD_ASK_GOALS_H
+#define TIPSPEED_CMD_ASK_GOALS_H
 
-#include "cmd/conditions.h"
+#include "cmd/ask/condition.h"
 
 /* list: the conditions; one that is a single value, n_value of them, stands
  * last.  why: what is in the way, or NULL.

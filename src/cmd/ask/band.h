@@ -1,7 +1,7 @@
 /* How far a fit and its products are open, as commands say it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_BAND_H
-#define TIPSPEED_CMD_BAND_H
+#ifndef TIPSPEED_CMD_ASK_BAND_H
+#define TIPSPEED_CMD_ASK_BAND_H
 
 #include "cmd/session/session.h"
 #include "core/answer/predict.h"

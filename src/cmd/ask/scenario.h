@@ -5,8 +5,8 @@
  * entry, answers_feed the feed, light.c has the reasons, and the copy's `with`
  * tells them in every title.  Afterwards all is as before.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_VARIANT_H
-#define TIPSPEED_CMD_VARIANT_H
+#ifndef TIPSPEED_CMD_ASK_SCENARIO_H
+#define TIPSPEED_CMD_ASK_SCENARIO_H
 
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"

@@ -1,6 +1,6 @@
 /* The speeds are searched in parts, so that a screen stays live meanwhile.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/goals.h"
+#include "cmd/ask/goals.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,9 +9,9 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/answers.h"
-#include "cmd/grading.h"
-#include "cmd/quantities.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/envelope.h"
+#include "cmd/ask/quantity_words.h"
 
 static const struct fraction WHOLE = {.partition = {0, 1}};
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/screened.h"
+#include "cmd/ask/screened.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -7,8 +7,8 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/outlook.h"
-#include "cmd/quantities.h"
+#include "cmd/ask/outlook.h"
+#include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
 
 /* Crushing makes nothing coarser: where all of the feed passes the finer of

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/conditions.h"
+#include "cmd/ask/condition.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -9,9 +9,9 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/grading.h"
-#include "cmd/outlook.h"
-#include "cmd/quantities.h"
+#include "cmd/ask/envelope.h"
+#include "cmd/ask/outlook.h"
+#include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
 
 static const char DIGITS[] = "0123456789";
