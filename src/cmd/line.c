@@ -8,7 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/session/energies.h"
 #include "cmd/session/files.h"
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "cmd/session/journal.h"
 #include "cmd/session/autosave.h"
 #include "cmd/lang/parse.h"

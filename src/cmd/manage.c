@@ -12,7 +12,7 @@
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
 #include "cmd/ask/goals.h"
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "cmd/session/journal.h"
 #include "cmd/session/autosave.h"
 #include "cmd/ask/quantity_words.h"

@@ -10,7 +10,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/session/sites.h"
 #include "cmd/ask/fit.h"
-#include "cmd/model.h"
+#include "cmd/fit/params.h"
 #include "cmd/lang/table.h"
 #include "cmd/ask/outlook.h"
 #include "core/model/classes.h"

@@ -14,7 +14,7 @@
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
 #include "cmd/ask/fit.h"
-#include "cmd/model.h"
+#include "cmd/fit/params.h"
 #include "cmd/lang/table.h"
 #include "cmd/session/turn.h"
 #include "config.h"

@@ -14,7 +14,7 @@
 #include "cmd/lang/command.h"
 #include "cmd/ask/fit.h"
 #include "cmd/session/turn.h"
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "cmd/line.h"
 #include "cmd/ask/pin.h"
 #include "cmd/predict.h"

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "cmd/line.h"
 #include "cmd/session/script.h"
 #include "cmd/session/turn.h"

@@ -9,7 +9,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/fit.h"
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "cmd/ask/trust_light.h"
 #include "ui/above.h"
 #include "ui/chooser.h"

@@ -12,7 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/fit.h"
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
 #include "io/sitefile/units.h"

@@ -15,7 +15,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "ui/terminal.h"
 
 static volatile sig_atomic_t noted, asked, watching, stopped, woken, resized;

@@ -9,7 +9,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/lang/command.h"
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "cmd/line.h"
 #include "cmd/lang/parse.h"
 #include "ui/control.h"

@@ -6,7 +6,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "cmd/session/script.h"
 #include "ui/pump.h"
 #include "ui/said.h"

@@ -5,7 +5,7 @@
 
 #include "base/tr.h"
 #include "cmd/session/turn.h"
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "cmd/ask/trust_light.h"
 #include "ui/control.h"
 #include "ui/pump.h"

@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/session/sites.h"
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "cmd/line.h"
 #include "cmd/session/script.h"
 #include "cmd/session/turn.h"

@@ -14,7 +14,7 @@
 #include <cmocka.h>
 
 #include "base/xalloc.h"
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "cmd/line.h"
 
 /* A session whose results and notes are kept. */

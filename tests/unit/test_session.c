@@ -10,7 +10,7 @@
 
 #include "cmd/lang/command.h"
 #include "cmd/session/sites.h"
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "io/store/material.h"
 
 /* A row of Table 3 under its own name. */

@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 #include "io/sitefile/units.h"
 
 static uint64_t

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/part.h"
+#include "cmd/fit/part.h"
 
 #include <inttypes.h>
 #include <stdlib.h>

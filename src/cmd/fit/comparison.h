@@ -1,9 +1,9 @@
 /* Runs compared with what predicts them: what validate works on.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_COMPARISON_H
-#define TIPSPEED_CMD_COMPARISON_H
+#ifndef TIPSPEED_CMD_FIT_COMPARISON_H
+#define TIPSPEED_CMD_FIT_COMPARISON_H
 
-#include "cmd/part.h"
+#include "cmd/fit/part.h"
 #include "core/posterior/posterior.h"
 #include "core/check/validate.h"
 

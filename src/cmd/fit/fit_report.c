@@ -1,6 +1,6 @@
 /* The table of a fit and its fields; history: the generations of the search.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/fit_report.h"
+#include "cmd/fit/fit_report.h"
 
 #include <math.h>
 #include <stdlib.h>

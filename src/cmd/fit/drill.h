@@ -1,7 +1,7 @@
 /* A drill under way: a hidden plant, and what was asked of it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_DRILL_H
-#define TIPSPEED_CMD_DRILL_H
+#ifndef TIPSPEED_CMD_FIT_DRILL_H
+#define TIPSPEED_CMD_FIT_DRILL_H
 
 #include "cmd/session/session.h"
 #include "core/check/drill.h"

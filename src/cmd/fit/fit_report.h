@@ -1,7 +1,7 @@
 /* A fit as calibrate shows it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_FIT_REPORT_H
-#define TIPSPEED_CMD_FIT_REPORT_H
+#ifndef TIPSPEED_CMD_FIT_FIT_REPORT_H
+#define TIPSPEED_CMD_FIT_FIT_REPORT_H
 
 #include "cmd/session/session.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/comparison.h"
+#include "cmd/fit/comparison.h"
 
 #include <math.h>
 #include <stdlib.h>

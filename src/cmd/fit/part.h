@@ -1,8 +1,8 @@
 /* A part of many sites, for one of several programs that share them, and the
  * table of sites that the parts are joined to again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_PART_H
-#define TIPSPEED_CMD_PART_H
+#ifndef TIPSPEED_CMD_FIT_PART_H
+#define TIPSPEED_CMD_FIT_PART_H
 
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"

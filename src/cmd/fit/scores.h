@@ -1,8 +1,8 @@
 /* What `validate all` sums up: the runs of many sites, of one program or of the
  * parts that several wrote.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_SCORES_H
-#define TIPSPEED_CMD_SCORES_H
+#ifndef TIPSPEED_CMD_FIT_SCORES_H
+#define TIPSPEED_CMD_FIT_SCORES_H
 
 #include "core/check/validate.h"
 #include "io/formats/answer.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/scores.h"
+#include "cmd/fit/scores.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Calibrations: started, paused, ended and summed up.  The driver pumps them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/job.h"
+#include "cmd/fit/job.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,8 +11,8 @@
 #include "base/xalloc.h"
 #include "cmd/ask/fit.h"
 #include "cmd/ask/trust_light.h"
-#include "cmd/part.h"
-#include "cmd/fit_report.h"
+#include "cmd/fit/part.h"
+#include "cmd/fit/fit_report.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 #include "cmd/session/turn.h"

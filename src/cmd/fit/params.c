@@ -1,6 +1,6 @@
 /* Parameters and their bounds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/model.h"
+#include "cmd/fit/params.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
  * Nothing that a command shows or saves has the truth before the answer: the
  * site has its samples, the journal the seed and what was asked.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/drill.h"
+#include "cmd/fit/drill.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* The calibration under way, as its driver and other commands see it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_JOB_H
-#define TIPSPEED_CMD_JOB_H
+#ifndef TIPSPEED_CMD_FIT_JOB_H
+#define TIPSPEED_CMD_FIT_JOB_H
 
 #include "cmd/session/session.h"
 

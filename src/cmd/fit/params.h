@@ -1,7 +1,7 @@
 /* Commands about the model: params, bounds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_MODEL_H
-#define TIPSPEED_CMD_MODEL_H
+#ifndef TIPSPEED_CMD_FIT_PARAMS_H
+#define TIPSPEED_CMD_FIT_PARAMS_H
 
 #include "cmd/session/session.h"
 

@@ -8,8 +8,8 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
-#include "cmd/part.h"
-#include "cmd/scores.h"
+#include "cmd/fit/part.h"
+#include "cmd/fit/scores.h"
 #include "cmd/lang/table.h"
 #include "io/formats/shards.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/comparison_answer.h"
+#include "cmd/fit/comparison_answer.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -7,8 +7,8 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/job.h"
-#include "cmd/scores.h"
+#include "cmd/fit/job.h"
+#include "cmd/fit/scores.h"
 #include "io/sitefile/units.h"
 
 /* "null", "winner". */
