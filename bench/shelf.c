@@ -10,8 +10,8 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/complete.h"
-#include "cmd/line.h"
+#include "cmd/run/complete.h"
+#include "cmd/run/line.h"
 #include "cmd/session/session.h"
 #include "core/numeric/rng.h"
 #include "measure.h"

@@ -14,7 +14,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/load.h"
-#include "cmd/line.h"
+#include "cmd/run/line.h"
 #include "cmd/session/session.h"
 #include "cmd/lang/usage.h"
 #include "config.h"

@@ -13,7 +13,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/document/document.h"
 #include "cmd/ask/goals.h"
-#include "cmd/line.h"
+#include "cmd/run/line.h"
 #include "cmd/ask/pin.h"
 #include "cmd/lang/table.h"
 #include "config.h"

@@ -14,7 +14,7 @@
 #include "cmd/document/document.h"
 #include "cmd/session/journal.h"
 #include "cmd/ask/trust_light.h"
-#include "cmd/line.h"
+#include "cmd/run/line.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"

@@ -15,7 +15,7 @@
 #include "cmd/ask/fit.h"
 #include "cmd/session/turn.h"
 #include "cmd/fit/job.h"
-#include "cmd/line.h"
+#include "cmd/run/line.h"
 #include "cmd/ask/pin.h"
 #include "cmd/predict.h"
 #include "cmd/ask/quantity_words.h"

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "cmd/fit/job.h"
-#include "cmd/line.h"
+#include "cmd/run/line.h"
 #include "cmd/session/script.h"
 #include "cmd/session/turn.h"
 #include "ui/pump.h"

@@ -17,7 +17,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/complete.h"
+#include "cmd/run/complete.h"
 #include "cmd/session/script.h"
 #include "config.h"
 #include "io/fs/xdg.h"

@@ -10,7 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/lang/command.h"
 #include "cmd/fit/job.h"
-#include "cmd/line.h"
+#include "cmd/run/line.h"
 #include "cmd/lang/parse.h"
 #include "ui/control.h"
 #include "ui/pump.h"

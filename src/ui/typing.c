@@ -11,7 +11,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cmd/complete.h"
+#include "cmd/run/complete.h"
 
 #define CONTROL(letter) ((letter)&0x1F)
 enum { ESCAPE = 27, DELETE = 127 };

@@ -13,7 +13,7 @@
 #include "base/xalloc.h"
 #include "cmd/session/sites.h"
 #include "cmd/fit/job.h"
-#include "cmd/line.h"
+#include "cmd/run/line.h"
 #include "cmd/session/script.h"
 #include "cmd/session/turn.h"
 #include "io/formats/circuit_file.h"

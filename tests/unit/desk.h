@@ -15,7 +15,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/fit/job.h"
-#include "cmd/line.h"
+#include "cmd/run/line.h"
 
 /* A session whose results and notes are kept. */
 struct desk {

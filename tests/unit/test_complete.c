@@ -9,7 +9,7 @@
 #include "made.h"
 
 #include "cmd/lang/command.h"
-#include "cmd/complete.h"
+#include "cmd/run/complete.h"
 #include "cmd/session/sites.h"
 
 /* The candidates at the end of a line, each with what follows it, between

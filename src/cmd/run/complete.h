@@ -1,7 +1,7 @@
 /* Completion: what may stand at the cursor, from the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_COMPLETE_H
-#define TIPSPEED_CMD_COMPLETE_H
+#ifndef TIPSPEED_CMD_RUN_COMPLETE_H
+#define TIPSPEED_CMD_RUN_COMPLETE_H
 
 #include <stddef.h>
 

@@ -1,7 +1,7 @@
 /* Lines of a session: it is made to run them, and drivers hand them in.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_LINE_H
-#define TIPSPEED_CMD_LINE_H
+#ifndef TIPSPEED_CMD_RUN_LINE_H
+#define TIPSPEED_CMD_RUN_LINE_H
 
 #include "cmd/session/session.h"
 

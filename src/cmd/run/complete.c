@@ -1,7 +1,7 @@
 /* Finds the word at the cursor, what the table says of its place, and what
  * there is of that kind.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/complete.h"
+#include "cmd/run/complete.h"
 
 #include <assert.h>
 #include <ctype.h>

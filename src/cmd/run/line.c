@@ -1,6 +1,6 @@
 /* The running of lines, and a session from its beginning to its end.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/line.h"
+#include "cmd/run/line.h"
 
 #include <stdlib.h>
 #include <string.h>
