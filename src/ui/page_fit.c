@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "cmd/plots_search.h"
+#include "cmd/draw/plots_search.h"
 #include "core/search/misfit.h"
 #include "ui/screen.h"
 #include "ui/search_side.h"

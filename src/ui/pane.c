@@ -10,8 +10,8 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/site_chart.h"
-#include "cmd/plots_limits.h"
+#include "cmd/draw/site_chart.h"
+#include "cmd/draw/plots_limits.h"
 #include "ui/screen.h"
 
 struct area

@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/plots_search.h"
+#include "cmd/draw/plots_search.h"
 #include "ui/pane.h"
 #include "ui/screen.h"
 

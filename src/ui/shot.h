@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_UI_SHOT_H
 #define TIPSPEED_UI_SHOT_H
 
-#include "cmd/pictures.h"
+#include "cmd/draw/plot.h"
 #include "ui/tui_state.h"
 
 /* Drawn aside of any terminal; the next key that is pressed answers. */

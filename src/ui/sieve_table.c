@@ -8,7 +8,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/site_chart.h"
+#include "cmd/draw/site_chart.h"
 #include "io/sitefile/units.h"
 #include "ui/pane.h"
 #include "ui/screen.h"

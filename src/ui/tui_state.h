@@ -9,8 +9,8 @@
 
 #include "base/tr.h"
 #include "cmd/ask/goals.h"
-#include "cmd/plots.h"
-#include "cmd/plots_past.h"
+#include "cmd/draw/plots.h"
+#include "cmd/draw/plots_past.h"
 #include "cmd/session/session.h"
 #include "core/check/outliers.h"
 #include "core/psd/quantity.h"

@@ -12,7 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/trust_light.h"
-#include "cmd/plots_limits.h"
+#include "cmd/draw/plots_limits.h"
 #include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
 #include "ui/limits.h"

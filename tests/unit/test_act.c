@@ -13,7 +13,7 @@
 
 #include "base/text.h"
 #include "cmd/session/journal.h"
-#include "cmd/plots_search.h"
+#include "cmd/draw/plots_search.h"
 #include "ui/above.h"
 #include "ui/act.h"
 #include "ui/control.h"

@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/plots.h"
+#include "cmd/draw/plots.h"
 #include "cmd/session/turn.h"
 
 static const char PARAMS_SET[] =

@@ -1,7 +1,7 @@
 /* The grading envelope in use, in a plot of size distributions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_PLOTS_LIMITS_H
-#define TIPSPEED_CMD_PLOTS_LIMITS_H
+#ifndef TIPSPEED_CMD_DRAW_PLOTS_LIMITS_H
+#define TIPSPEED_CMD_DRAW_PLOTS_LIMITS_H
 
 #include "cmd/session/session.h"
 #include "core/answer/predict.h"

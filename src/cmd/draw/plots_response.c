@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/plots_response.h"
+#include "cmd/draw/plots_response.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
-#include "cmd/site_chart.h"
+#include "cmd/draw/site_chart.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/plots_past.h"
+#include "cmd/draw/plots_past.h"
 
 #include <math.h>
 #include <string.h>

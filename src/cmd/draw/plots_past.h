@@ -1,7 +1,7 @@
 /* What is known of the search of the site in use.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_PLOTS_PAST_H
-#define TIPSPEED_CMD_PLOTS_PAST_H
+#ifndef TIPSPEED_CMD_DRAW_PLOTS_PAST_H
+#define TIPSPEED_CMD_DRAW_PLOTS_PAST_H
 
 #include "cmd/session/session.h"
 

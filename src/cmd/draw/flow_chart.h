@@ -1,7 +1,7 @@
 /* Tonnes of a circuit's products against the speed, as a picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_FLOW_CHART_H
-#define TIPSPEED_CMD_FLOW_CHART_H
+#ifndef TIPSPEED_CMD_DRAW_FLOW_CHART_H
+#define TIPSPEED_CMD_DRAW_FLOW_CHART_H
 
 #include "cmd/plant.h"
 #include "plot/chart.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/plots_energy.h"
+#include "cmd/draw/plots_energy.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/energies.h"
-#include "cmd/site_chart.h"
+#include "cmd/draw/site_chart.h"
 #include "core/model/breakage.h"
 
 /* Bins drawn as one: half an octave. */

@@ -1,11 +1,11 @@
 /* Plots of a search: how far its candidates lie from what was measured, how
  * they came together, and where they lie within the bounds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_PLOTS_SEARCH_H
-#define TIPSPEED_CMD_PLOTS_SEARCH_H
+#ifndef TIPSPEED_CMD_DRAW_PLOTS_SEARCH_H
+#define TIPSPEED_CMD_DRAW_PLOTS_SEARCH_H
 
-#include "cmd/plot_request.h"
-#include "cmd/plots_past.h"
+#include "cmd/draw/plot_request.h"
+#include "cmd/draw/plots_past.h"
 
 plot_make plots_search, plots_search_convergence, plots_search_spread;
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/lang/table.h"
 
-#include "cmd/plot_request.h"
+#include "cmd/draw/plot_request.h"
 
 #define WHAT_OPTIONS                                                           \
 	{"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                       \

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/flow_chart.h"
+#include "cmd/draw/flow_chart.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/trust_light.h"
-#include "cmd/site_chart.h"
+#include "cmd/draw/site_chart.h"
 
 /* Each point solves the circuit for all draws. */
 enum { POINTS = 21, DRAWS = POSTERIOR_DRAWS };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/plots_draws.h"
+#include "cmd/draw/plots_draws.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/site_chart.h"
+#include "cmd/draw/site_chart.h"
 #include "core/posterior/identify.h"
 #include "core/posterior/profile.h"
 

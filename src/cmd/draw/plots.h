@@ -1,9 +1,9 @@
 /* Plots of a session: which curves each kind has.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_PLOTS_H
-#define TIPSPEED_CMD_PLOTS_H
+#ifndef TIPSPEED_CMD_DRAW_PLOTS_H
+#define TIPSPEED_CMD_DRAW_PLOTS_H
 
-#include "cmd/plot_request.h"
+#include "cmd/draw/plot_request.h"
 
 /* Of that kind with nothing else asked for: NANs, ASCII, with a legend. */
 struct plot_request plots_request(enum plot_kind kind);

@@ -1,9 +1,9 @@
 /* The plot of routine cuts.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_PLOTS_DRIFT_H
-#define TIPSPEED_CMD_PLOTS_DRIFT_H
+#ifndef TIPSPEED_CMD_DRAW_PLOTS_DRIFT_H
+#define TIPSPEED_CMD_DRAW_PLOTS_DRIFT_H
 
-#include "cmd/plot_request.h"
+#include "cmd/draw/plot_request.h"
 
 /* The control charts of the site in use, as `drift` has them. */
 plot_make plots_drift;

@@ -1,12 +1,12 @@
 /* Commands that draw.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_PICTURES_H
-#define TIPSPEED_CMD_PICTURES_H
+#ifndef TIPSPEED_CMD_DRAW_PLOT_H
+#define TIPSPEED_CMD_DRAW_PLOT_H
 
 #include <stdbool.h>
 
 #include "cmd/lang/command.h"
-#include "cmd/plots.h"
+#include "cmd/draw/plots.h"
 #include "cmd/session/session.h"
 #include "plot/film.h"
 

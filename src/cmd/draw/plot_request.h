@@ -1,7 +1,7 @@
 /* What to plot: the kinds, and what may be asked of them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_PLOT_REQUEST_H
-#define TIPSPEED_CMD_PLOT_REQUEST_H
+#ifndef TIPSPEED_CMD_DRAW_PLOT_REQUEST_H
+#define TIPSPEED_CMD_DRAW_PLOT_REQUEST_H
 
 #include "cmd/session/session.h"
 #include "plot/draw.h"

@@ -1,7 +1,7 @@
 /* Plots of a session: what all kinds share, the kinds by what they show, and
  * which function makes each.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/plots.h"
+#include "cmd/draw/plots.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,14 +13,14 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/pin.h"
-#include "cmd/plots_difference.h"
-#include "cmd/plots_draws.h"
-#include "cmd/plots_drift.h"
-#include "cmd/plots_energy.h"
-#include "cmd/plots_limits.h"
-#include "cmd/plots_response.h"
-#include "cmd/plots_search.h"
-#include "cmd/site_chart.h"
+#include "cmd/draw/plots_difference.h"
+#include "cmd/draw/plots_draws.h"
+#include "cmd/draw/plots_drift.h"
+#include "cmd/draw/plots_energy.h"
+#include "cmd/draw/plots_limits.h"
+#include "cmd/draw/plots_response.h"
+#include "cmd/draw/plots_search.h"
+#include "cmd/draw/site_chart.h"
 #include "cmd/session/sites.h"
 #include "core/numeric/elementary.h"
 #include "core/model/breakage.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/plots_limits.h"
+#include "cmd/draw/plots_limits.h"
 
 #include <math.h>
 #include <stdlib.h>

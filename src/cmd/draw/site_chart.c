@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/site_chart.h"
+#include "cmd/draw/site_chart.h"
 
 #include <stdarg.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* A chart about a site.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_SITE_CHART_H
-#define TIPSPEED_CMD_SITE_CHART_H
+#ifndef TIPSPEED_CMD_DRAW_SITE_CHART_H
+#define TIPSPEED_CMD_DRAW_SITE_CHART_H
 
 #include <stdbool.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/plots_difference.h"
+#include "cmd/draw/plots_difference.h"
 
 #include <math.h>
 #include <stdlib.h>

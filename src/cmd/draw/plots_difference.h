@@ -1,7 +1,7 @@
 /* Differences of curves as a strip below them, magnified.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_PLOTS_DIFFERENCE_H
-#define TIPSPEED_CMD_PLOTS_DIFFERENCE_H
+#ifndef TIPSPEED_CMD_DRAW_PLOTS_DIFFERENCE_H
+#define TIPSPEED_CMD_DRAW_PLOTS_DIFFERENCE_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/plots_search.h"
+#include "cmd/draw/plots_search.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/site_chart.h"
+#include "cmd/draw/site_chart.h"
 #include "core/model/breakage.h"
 #include "core/search/candidates.h"
 #include "core/search/sensitivity.h"

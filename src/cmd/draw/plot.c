@@ -1,7 +1,7 @@
 /* plot: a picture as text, its numbers, or a file for a paper; describe: a plot
  * in sentences, made from the data that plot draws; screen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/pictures.h"
+#include "cmd/draw/plot.h"
 
 #include <math.h>
 #include <stdlib.h>

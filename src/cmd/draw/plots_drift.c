@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/plots_drift.h"
+#include "cmd/draw/plots_drift.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/routine.h"
-#include "cmd/site_chart.h"
+#include "cmd/draw/site_chart.h"
 
 /* Charts are drawn as shares of their limits, so that one picture holds them
  * all: what stands beyond 1 or -1 signals. */
