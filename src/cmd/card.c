@@ -11,7 +11,7 @@
 #include "cmd/document/document.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/plant.h"
+#include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
 #include "io/sitefile/units.h"

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_DRAW_FLOW_CHART_H
 #define TIPSPEED_CMD_DRAW_FLOW_CHART_H
 
-#include "cmd/plant.h"
+#include "cmd/plant/plant.h"
 #include "plot/chart.h"
 
 /* A line with its band for each product, t/h, at speeds from..to, m/s; a gap

@@ -13,7 +13,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plot.h"
-#include "cmd/plant.h"
+#include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
 #include "core/posterior/ensemble.h"

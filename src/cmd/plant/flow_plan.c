@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/flow_plan.h"
+#include "cmd/plant/flow_plan.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,9 +1,9 @@
 /* A crusher with its screens, worked out at a speed: tonnes, power, earnings.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_PLANT_H
-#define TIPSPEED_CMD_PLANT_H
+#ifndef TIPSPEED_CMD_PLANT_PLANT_H
+#define TIPSPEED_CMD_PLANT_PLANT_H
 
-#include "cmd/flow_plan.h"
+#include "cmd/plant/flow_plan.h"
 #include "core/answer/crusher.h"
 
 /* A circuit with what its crushers are worked out by.  feed [plan->n]: masses

@@ -1,7 +1,7 @@
 /* What flow is asked, as a circuit with its prices and its power.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_FLOW_PLAN_H
-#define TIPSPEED_CMD_FLOW_PLAN_H
+#ifndef TIPSPEED_CMD_PLANT_FLOW_PLAN_H
+#define TIPSPEED_CMD_PLANT_FLOW_PLAN_H
 
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/plant.h"
+#include "cmd/plant/plant.h"
 
 #include <math.h>
 #include <stdlib.h>
