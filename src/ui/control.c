@@ -17,7 +17,7 @@
 #include "cmd/fit/job.h"
 #include "cmd/run/line.h"
 #include "cmd/ask/pin.h"
-#include "cmd/predict.h"
+#include "cmd/answers/predict.h"
 #include "cmd/ask/quantity_words.h"
 #include "ui/above.h"
 #include "ui/dialogue.h"

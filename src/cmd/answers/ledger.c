@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/balance.h"
+#include "cmd/answers/ledger.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* predict without its words, for a slider.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_PREDICT_H
-#define TIPSPEED_CMD_PREDICT_H
+#ifndef TIPSPEED_CMD_ANSWERS_PREDICT_H
+#define TIPSPEED_CMD_ANSWERS_PREDICT_H
 
 #include "cmd/session/session.h"
 

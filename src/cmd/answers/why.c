@@ -7,7 +7,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/balance.h"
+#include "cmd/answers/ledger.h"
 #include "cmd/ask/fit.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"

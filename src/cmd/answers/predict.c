@@ -1,6 +1,6 @@
 /* predict: what comes out at a speed, and how far to trust it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/predict.h"
+#include "cmd/answers/predict.h"
 
 #include <math.h>
 #include <stdlib.h>

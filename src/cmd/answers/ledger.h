@@ -1,7 +1,7 @@
 /* The ledger of mass from one speed to another, as why shows it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_BALANCE_H
-#define TIPSPEED_CMD_BALANCE_H
+#ifndef TIPSPEED_CMD_ANSWERS_LEDGER_H
+#define TIPSPEED_CMD_ANSWERS_LEDGER_H
 
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"
