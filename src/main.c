@@ -13,7 +13,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/load.h"
+#include "cmd/sheets/load.h"
 #include "cmd/run/line.h"
 #include "cmd/session/session.h"
 #include "cmd/lang/usage.h"

@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_UI_DIALOGUE_H
 #define TIPSPEED_UI_DIALOGUE_H
 
-#include "cmd/inquiry.h"
+#include "cmd/sheets/ask_user.h"
 #include "ui/tui_state.h"
 
 /* See session->hooks.question. */

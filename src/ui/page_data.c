@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "cmd/mend.h"
+#include "cmd/sheets/mend.h"
 #include "io/sitefile/units.h"
 #include "ui/control.h"
 #include "ui/frame.h"

@@ -5,7 +5,7 @@
 
 #include <signal.h>
 
-#include "cmd/inquiry.h"
+#include "cmd/sheets/ask_user.h"
 
 /* From now on SIGINT, SIGTERM and SIGHUP are noted, and SIGUSR1 asks a
  * calibration for a line about itself. */

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "cmd/ask/fraction.h"
-#include "cmd/inquiry.h"
+#include "cmd/sheets/ask_user.h"
 #include "desk.h"
 #include "io/cells/datetime.h"
 #include "io/formats/plant_log.h"

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "cmd/inquiry.h"
+#include "cmd/sheets/ask_user.h"
 #include "desk.h"
 
 /* Who sits there: gives these answers, separated by |, and notes what was

@@ -8,7 +8,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/load.h"
+#include "cmd/sheets/load.h"
 #include "cmd/ask/quantity_words.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/units.h"

@@ -1,7 +1,7 @@
 /* Mends of the site in use.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_MEND_H
-#define TIPSPEED_CMD_MEND_H
+#ifndef TIPSPEED_CMD_SHEETS_MEND_H
+#define TIPSPEED_CMD_SHEETS_MEND_H
 
 #include "cmd/session/session.h"
 #include "core/check/outliers.h"

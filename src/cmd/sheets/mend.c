@@ -1,6 +1,6 @@
 /* mend: takes one of the mends that check proposes, or one that is told.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/mend.h"
+#include "cmd/sheets/mend.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 /* Questions about a sheet, for somebody who sits there, and what the answers
  * mean.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_INQUIRY_H
-#define TIPSPEED_CMD_INQUIRY_H
+#ifndef TIPSPEED_CMD_SHEETS_ASK_USER_H
+#define TIPSPEED_CMD_SHEETS_ASK_USER_H
 
 #include "cmd/session/session.h"
 #include "io/sitefile/site_request.h"

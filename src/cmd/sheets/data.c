@@ -1,6 +1,6 @@
 /* Sheets in and out.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/data.h"
+#include "cmd/sheets/data.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/log.h"
+#include "cmd/sheets/log.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -10,7 +10,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
-#include "cmd/inquiry.h"
+#include "cmd/sheets/ask_user.h"
 #include "cmd/session/journal.h"
 #include "cmd/lang/table.h"
 #include "io/sitefile/column_header.h"

@@ -10,7 +10,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/data.h"
+#include "cmd/sheets/data.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
 #include "cmd/ask/fit.h"

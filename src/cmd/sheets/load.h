@@ -1,8 +1,8 @@
 /* Sheets in: of one site in one file or several, with what is asked about
  * them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_LOAD_H
-#define TIPSPEED_CMD_LOAD_H
+#ifndef TIPSPEED_CMD_SHEETS_LOAD_H
+#define TIPSPEED_CMD_SHEETS_LOAD_H
 
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"

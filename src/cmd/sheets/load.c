@@ -1,6 +1,6 @@
 /* load: from files to sites, by way of questions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/load.h"
+#include "cmd/sheets/load.h"
 
 #include <dirent.h>
 #include <stdlib.h>
@@ -10,13 +10,13 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/check.h"
+#include "cmd/sheets/check.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
-#include "cmd/inquiry.h"
+#include "cmd/sheets/ask_user.h"
 #include "cmd/session/turn.h"
 #include "cmd/session/journal.h"
-#include "cmd/log.h"
+#include "cmd/sheets/log.h"
 #include "cmd/lang/table.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/results.h"

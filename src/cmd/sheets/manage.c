@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/data.h"
+#include "cmd/sheets/data.h"
 #include "cmd/session/energies.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"

@@ -1,7 +1,7 @@
 /* Questions about a sheet: the table, one question after the other, answers.
  * Who asks, and where, is the driver's business.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/inquiry.h"
+#include "cmd/sheets/ask_user.h"
 
 #include <stdio.h>
 #include <stdlib.h>

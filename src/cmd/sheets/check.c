@@ -1,6 +1,6 @@
 /* check: the search for faults in site files.  It reports and changes nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/check.h"
+#include "cmd/sheets/check.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/session/sites.h"
 #include "cmd/ask/fit.h"
-#include "cmd/mend.h"
+#include "cmd/sheets/mend.h"
 #include "cmd/lang/table.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"

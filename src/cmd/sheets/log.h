@@ -1,7 +1,7 @@
 /* The plant log of a session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_LOG_H
-#define TIPSPEED_CMD_LOG_H
+#ifndef TIPSPEED_CMD_SHEETS_LOG_H
+#define TIPSPEED_CMD_SHEETS_LOG_H
 
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"

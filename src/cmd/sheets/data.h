@@ -1,7 +1,7 @@
 /* Commands about sheets: load, sites, use, check, synth, write.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_DATA_H
-#define TIPSPEED_CMD_DATA_H
+#ifndef TIPSPEED_CMD_SHEETS_DATA_H
+#define TIPSPEED_CMD_SHEETS_DATA_H
 
 #include <stdbool.h>
 

@@ -1,7 +1,7 @@
 /* What check finds that is reported elsewhere too.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_CHECK_H
-#define TIPSPEED_CMD_CHECK_H
+#ifndef TIPSPEED_CMD_SHEETS_CHECK_H
+#define TIPSPEED_CMD_SHEETS_CHECK_H
 
 #include "cmd/session/session.h"
 
