@@ -18,12 +18,12 @@
 #include "cmd/session/session.h"
 #include "cmd/lang/usage.h"
 #include "config.h"
-#include "ui/batch.h"
-#include "ui/pump.h"
-#include "ui/repl.h"
-#include "ui/rescue.h"
+#include "cli/batch.h"
+#include "cli/pump.h"
+#include "cli/repl.h"
+#include "cli/restore.h"
 #include "ui/shot.h"
-#include "ui/terminal.h"
+#include "cli/terminal.h"
 #include "ui/tui.h"
 
 /* One -c or -f, in the order given. */

@@ -87,7 +87,7 @@ same "exit statuses: --help and manual" all in_manual
 	sed -n 's/^	ERROR_[A-Z]* = \([0-9]*\).*/\1/p' \
 		"$srcdir/src/base/error.h"
 	# 128 and the signals that are caught to end the program.
-	grep -oE 'sigaction\(SIG(HUP|INT|TERM)' "$srcdir/src/ui/pump.c" |
+	grep -oE 'sigaction\(SIG(HUP|INT|TERM)' "$srcdir/src/cli/pump.c" |
 		sed 's/.*SIGHUP/129/; s/.*SIGINT/130/; s/.*SIGTERM/143/' |
 		sort -u
 } >in_source

@@ -12,7 +12,7 @@
 
 #include "ui/act.h"
 #include "ui/dialogue.h"
-#include "ui/pump.h"
+#include "cli/pump.h"
 #include "ui/screen.h"
 
 /* Longer than any line may be. */

@@ -15,7 +15,7 @@
 #include "cmd/ask/outlook.h"
 #include "core/search/misfit.h"
 #include "ui/frame.h"
-#include "ui/pump.h"
+#include "cli/pump.h"
 #include "ui/screen.h"
 
 /* ---- What is compared ---- */

@@ -17,8 +17,8 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "ui/rescue.h"
-#include "ui/terminal.h"
+#include "cli/restore.h"
+#include "cli/terminal.h"
 
 /* screen: NULL where nothing is shown, only drawn.  frame: the last one, or
  * NULL; shown: that which ncurses has, or NULL, when it is to have all anew.

@@ -11,7 +11,7 @@
 #include "ui/control.h"
 #include "ui/frame.h"
 #include "ui/pages.h"
-#include "ui/pump.h"
+#include "cli/pump.h"
 #include "ui/screen.h"
 #include "ui/tui_state.h"
 #include "ui/watch.h"

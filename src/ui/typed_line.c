@@ -13,9 +13,9 @@
 #include "cmd/run/line.h"
 #include "cmd/lang/parse.h"
 #include "ui/control.h"
-#include "ui/pump.h"
+#include "cli/pump.h"
 #include "ui/said.h"
-#include "ui/typed.h"
+#include "cli/history.h"
 #include "ui/view.h"
 #include "ui/watch.h"
 

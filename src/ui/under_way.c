@@ -8,7 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/fit/job.h"
 #include "cmd/session/script.h"
-#include "ui/pump.h"
+#include "cli/pump.h"
 #include "ui/said.h"
 #include "ui/view.h"
 

@@ -8,7 +8,7 @@
 #include "cmd/fit/job.h"
 #include "cmd/ask/trust_light.h"
 #include "ui/control.h"
-#include "ui/pump.h"
+#include "cli/pump.h"
 #include "ui/said.h"
 
 void

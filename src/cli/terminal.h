@@ -1,7 +1,7 @@
 /* What the terminal is and can do.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_TERMINAL_H
-#define TIPSPEED_UI_TERMINAL_H
+#ifndef TIPSPEED_CLI_TERMINAL_H
+#define TIPSPEED_CLI_TERMINAL_H
 
 #include <stdbool.h>
 

@@ -1,6 +1,6 @@
 /* The plain driver: reads lines, runs them, prints errors.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/batch.h"
+#include "cli/batch.h"
 
 #include <signal.h>
 #include <stdlib.h>
@@ -10,9 +10,9 @@
 #include "base/tr.h"
 #include "cmd/session/autosave.h"
 #include "cmd/session/script.h"
-#include "ui/driver.h"
-#include "ui/pump.h"
-#include "ui/terminal.h"
+#include "cli/driver.h"
+#include "cli/pump.h"
+#include "cli/terminal.h"
 
 /* The line at fault, cut to fit a screen, and a caret under the column. */
 static void

@@ -1,10 +1,10 @@
 /* The loop of every driver: a line, the scripts it opens, the jobs it starts.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_DRIVER_H
-#define TIPSPEED_UI_DRIVER_H
+#ifndef TIPSPEED_CLI_DRIVER_H
+#define TIPSPEED_CLI_DRIVER_H
 
 #include "cmd/session/session.h"
-#include "ui/pager.h"
+#include "cli/pager.h"
 
 /* In what drivers differ: what they are given to show. */
 struct driver {

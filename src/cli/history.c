@@ -1,6 +1,6 @@
 /* The history's file is only ever appended to, a line a write.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/typed.h"
+#include "cli/history.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Shows pages of the manual.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_MANPAGE_H
-#define TIPSPEED_UI_MANPAGE_H
+#ifndef TIPSPEED_CLI_MANPAGE_H
+#define TIPSPEED_CLI_MANPAGE_H
 
 #include <stdbool.h>
 

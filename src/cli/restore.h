@@ -1,7 +1,7 @@
 /* Puts the terminal right on every way out of the full screen and the prompt.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_RESCUE_H
-#define TIPSPEED_UI_RESCUE_H
+#ifndef TIPSPEED_CLI_RESTORE_H
+#define TIPSPEED_CLI_RESTORE_H
 
 /* Notes how the terminal is set, before the screen is opened. */
 void rescue_note(void);

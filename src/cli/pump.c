@@ -1,6 +1,6 @@
 /* The job, pumped.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/pump.h"
+#include "cli/pump.h"
 
 #include <errno.h>
 #include <math.h>
@@ -16,7 +16,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/fit/job.h"
-#include "ui/terminal.h"
+#include "cli/terminal.h"
 
 static volatile sig_atomic_t noted, asked, watching, stopped, woken, resized;
 

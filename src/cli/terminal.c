@@ -1,6 +1,6 @@
 /* The terminal, asked.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/terminal.h"
+#include "cli/terminal.h"
 
 #include <langinfo.h>
 #include <stddef.h>

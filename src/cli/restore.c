@@ -1,7 +1,7 @@
 /* What is written in a signal handler is prepared before: nothing there may
  * take memory or ask ncurses.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/rescue.h"
+#include "cli/restore.h"
 
 #include <signal.h>
 #include <stdbool.h>

@@ -1,7 +1,7 @@
 /* Runs the session's job and shows how it goes; what signals ask for.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_PUMP_H
-#define TIPSPEED_UI_PUMP_H
+#ifndef TIPSPEED_CLI_PUMP_H
+#define TIPSPEED_CLI_PUMP_H
 
 #include <signal.h>
 

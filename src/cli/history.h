@@ -1,7 +1,7 @@
 /* The history: lines typed at the prompt, kept from one session to the next.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_TYPED_H
-#define TIPSPEED_UI_TYPED_H
+#ifndef TIPSPEED_CLI_HISTORY_H
+#define TIPSPEED_CLI_HISTORY_H
 
 #include <stdbool.h>
 

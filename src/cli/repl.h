@@ -1,7 +1,7 @@
 /* The prompt: readline on a terminal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_REPL_H
-#define TIPSPEED_UI_REPL_H
+#ifndef TIPSPEED_CLI_REPL_H
+#define TIPSPEED_CLI_REPL_H
 
 #include "cmd/session/session.h"
 

@@ -1,6 +1,6 @@
 /* Measures text against the screen; runs the user's pager.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/pager.h"
+#include "cli/pager.h"
 
 #include <signal.h>
 #include <stdlib.h>
@@ -10,8 +10,8 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "ui/pump.h"
-#include "ui/terminal.h"
+#include "cli/pump.h"
+#include "cli/terminal.h"
 
 /* What a shell ends with when there is no such program. */
 enum { NO_PROGRAM = 127 };

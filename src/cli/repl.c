@@ -2,7 +2,7 @@
  * program waits: in pselect at the prompt, and while a command runs.  So none
  * finds readline or the session half done.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/repl.h"
+#include "cli/repl.h"
 
 #include <errno.h>
 #include <math.h>
@@ -21,13 +21,13 @@
 #include "cmd/session/script.h"
 #include "config.h"
 #include "io/fs/xdg.h"
-#include "ui/batch.h"
-#include "ui/manpage.h"
-#include "ui/pager.h"
-#include "ui/pump.h"
-#include "ui/rescue.h"
-#include "ui/terminal.h"
-#include "ui/typed.h"
+#include "cli/batch.h"
+#include "cli/manpage.h"
+#include "cli/pager.h"
+#include "cli/pump.h"
+#include "cli/restore.h"
+#include "cli/terminal.h"
+#include "cli/history.h"
 
 /* readline's callbacks have no argument to pass this by.  before: the lines of
  * a command that goes on, joined. */

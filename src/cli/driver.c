@@ -1,6 +1,6 @@
 /* Commands never loop, so that every driver stays live: this does.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/driver.h"
+#include "cli/driver.h"
 
 #include <stdlib.h>
 
@@ -8,7 +8,7 @@
 #include "cmd/run/line.h"
 #include "cmd/session/script.h"
 #include "cmd/session/turn.h"
-#include "ui/pump.h"
+#include "cli/pump.h"
 
 /* Ends what the line has under way after an error or an interruption; the
  * latter keeps the results so far. */

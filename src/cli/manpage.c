@@ -1,6 +1,6 @@
 /* Finds a page of the manual and hands it to man(1).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/manpage.h"
+#include "cli/manpage.h"
 
 #include <limits.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Shows text, through a pager where it is taller than the screen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_PAGER_H
-#define TIPSPEED_UI_PAGER_H
+#ifndef TIPSPEED_CLI_PAGER_H
+#define TIPSPEED_CLI_PAGER_H
 
 #include <stddef.h>
 #include <stdio.h>

@@ -1,12 +1,12 @@
 /* Runs scripts: from the command line, files, standard input, or typed lines.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_BATCH_H
-#define TIPSPEED_UI_BATCH_H
+#ifndef TIPSPEED_CLI_BATCH_H
+#define TIPSPEED_CLI_BATCH_H
 
 #include <stdio.h>
 
 #include "cmd/session/session.h"
-#include "ui/pager.h"
+#include "cli/pager.h"
 
 /* Each returns the exit status so far: 0, or that of the first error, which
  * ends a script and is printed to stderr with its line and a caret. */
