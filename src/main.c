@@ -22,9 +22,9 @@
 #include "cli/pump.h"
 #include "cli/repl.h"
 #include "cli/restore.h"
-#include "ui/shot.h"
+#include "tui/script_terminal.h"
 #include "cli/terminal.h"
-#include "ui/tui.h"
+#include "tui/tui.h"
 
 /* One -c or -f, in the order given. */
 struct action {

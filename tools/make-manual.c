@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "cmd/lang/manual.h"
-#include "ui/keys.h"
+#include "tui/keys.h"
 
 static void
 print_texts(FILE *out)

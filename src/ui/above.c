@@ -15,7 +15,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
 #include "ui/goal.h"
-#include "ui/screen.h"
+#include "tui/screen.h"
 #include "ui/track.h"
 
 /* Speeds worked out in one go, and how long the slider stands still before

@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_UI_ABOVE_H
 #define TIPSPEED_UI_ABOVE_H
 
-#include "ui/tui_state.h"
+#include "tui/tui_state.h"
 
 /* What was worked out; opaque. */
 struct above;

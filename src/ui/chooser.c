@@ -12,10 +12,10 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/units.h"
-#include "ui/control.h"
-#include "ui/pane.h"
-#include "ui/screen.h"
-#include "ui/watch.h"
+#include "tui/control.h"
+#include "tui/pane.h"
+#include "tui/screen.h"
+#include "tui/watch.h"
 
 enum { ESCAPE = 27, DELETE = 127 };
 

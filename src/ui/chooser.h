@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_UI_CHOOSER_H
 #define TIPSPEED_UI_CHOOSER_H
 
-#include "ui/tui_state.h"
+#include "tui/tui_state.h"
 
 /* False with a message under --safe. */
 bool chooser_open(struct tui *t, enum chooser_list list);

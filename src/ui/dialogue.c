@@ -11,8 +11,8 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "ui/pane.h"
-#include "ui/screen.h"
+#include "tui/pane.h"
+#include "tui/screen.h"
 
 enum typing_result
 dialogue_key(struct tui *t, int code, bool special)

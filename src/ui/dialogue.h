@@ -5,7 +5,7 @@
 #define TIPSPEED_UI_DIALOGUE_H
 
 #include "cmd/sheets/ask_user.h"
-#include "ui/tui_state.h"
+#include "tui/tui_state.h"
 
 /* See session->hooks.question. */
 char *dialogue_ask(struct tui *t, const struct inquiry *q);

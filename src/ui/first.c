@@ -5,9 +5,9 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "ui/chooser.h"
-#include "ui/pane.h"
-#include "ui/screen.h"
-#include "ui/tour.h"
+#include "tui/pane.h"
+#include "tui/screen.h"
+#include "tui/tour.h"
 
 static void
 open_sheet(struct tui *t)

@@ -4,7 +4,7 @@
 #define TIPSPEED_UI_FIRST_H
 
 #include "base/tr.h"
-#include "ui/tui_state.h"
+#include "tui/tui_state.h"
 
 /* Draws it in the body. */
 void first_draw(struct tui *t);

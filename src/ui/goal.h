@@ -5,7 +5,7 @@
 #define TIPSPEED_UI_GOAL_H
 
 #include "cmd/ask/goals.h"
-#include "ui/tui_state.h"
+#include "tui/tui_state.h"
 
 /* Whether the goal that is set is worked out, or is to be. */
 bool goal_known(const struct tui *t);

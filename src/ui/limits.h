@@ -4,7 +4,7 @@
 #define TIPSPEED_UI_LIMITS_H
 
 #include "cmd/ask/envelope.h"
-#include "ui/tui_state.h"
+#include "tui/tui_state.h"
 
 /* As the slider or the session is now.  What does not change with the speed is
  * kept; a step reads the curve of its prediction, without draws. */

@@ -1,7 +1,7 @@
 /* The page Data: the sheet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
-#include "ui/pane.h"
+#include "tui/pane.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,10 +11,10 @@
 #include "base/xalloc.h"
 #include "cmd/sheets/mend.h"
 #include "io/sitefile/units.h"
-#include "ui/control.h"
-#include "ui/frame.h"
-#include "ui/screen.h"
-#include "ui/watch.h"
+#include "tui/control.h"
+#include "tui/frame.h"
+#include "tui/screen.h"
+#include "tui/watch.h"
 
 /* Columns of the sieves, which stay, and of what is predicted. */
 enum { SIEVES = 9, PREDICTED = 9 };

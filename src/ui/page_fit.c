@@ -1,7 +1,7 @@
 /* The Fit page: the search, generation by generation, while it runs and after.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
-#include "ui/pane.h"
+#include "tui/pane.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -10,9 +10,9 @@
 #include "base/xalloc.h"
 #include "cmd/draw/plots_search.h"
 #include "core/search/misfit.h"
-#include "ui/screen.h"
+#include "tui/screen.h"
 #include "ui/search_side.h"
-#include "ui/watch.h"
+#include "tui/watch.h"
 
 static bool
 touch_scrubber(struct tui *t, const struct touched *touched)

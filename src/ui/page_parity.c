@@ -2,7 +2,7 @@
  * sites.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
-#include "ui/pane.h"
+#include "tui/pane.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -14,9 +14,9 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
 #include "core/search/misfit.h"
-#include "ui/frame.h"
+#include "tui/frame.h"
 #include "cli/pump.h"
-#include "ui/screen.h"
+#include "tui/screen.h"
 
 /* ---- What is compared ---- */
 

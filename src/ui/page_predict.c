@@ -12,9 +12,9 @@
 #include "io/sitefile/units.h"
 #include "ui/first.h"
 #include "ui/limits.h"
-#include "ui/pages.h"
+#include "tui/pages.h"
 #include "ui/second.h"
-#include "ui/typed_line.h"
+#include "tui/cmdline.h"
 #include "ui/verdicts.h"
 
 static void

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_UI_PAGE_PREDICT_H
 #define TIPSPEED_UI_PAGE_PREDICT_H
 
-#include "ui/pane.h"
+#include "tui/pane.h"
 
 /* The crosshair on, which opens the page, or off. */
 void page_predict_cross(struct tui *t);

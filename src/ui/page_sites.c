@@ -1,7 +1,7 @@
 /* The page Sites: what each loaded site is and how far it is calibrated.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
-#include "ui/pane.h"
+#include "tui/pane.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -17,12 +17,12 @@
 #include "cmd/ask/outlook.h"
 #include "io/sitefile/units.h"
 #include "ui/chooser.h"
-#include "ui/control.h"
-#include "ui/pages.h"
+#include "tui/control.h"
+#include "tui/pages.h"
 #include "ui/rows.h"
-#include "ui/screen.h"
+#include "tui/screen.h"
 #include "ui/track.h"
-#include "ui/watch.h"
+#include "tui/watch.h"
 
 enum column {
 	LIGHT,

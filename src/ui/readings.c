@@ -7,8 +7,8 @@
 #include "base/tr.h"
 #include "cmd/ask/answers.h"
 #include "io/sitefile/units.h"
-#include "ui/pane.h"
-#include "ui/screen.h"
+#include "tui/pane.h"
+#include "tui/screen.h"
 
 const char *
 readings_size(double mm, char text[static 24])

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_UI_READINGS_H
 #define TIPSPEED_UI_READINGS_H
 
-#include "ui/tui_state.h"
+#include "tui/tui_state.h"
 
 /* Rows that it takes where there is room: 0 where it is off. */
 int readings_rows(const struct tui *t);

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "ui/pages.h"
+#include "tui/pages.h"
 
 static const struct page_list *
 list_of(const struct tui *t)

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_UI_ROWS_H
 #define TIPSPEED_UI_ROWS_H
 
-#include "ui/pane.h"
+#include "tui/pane.h"
 
 /* Of the page that is open: how many rows of its list have the word that is
  * looked for; without a word all have. */

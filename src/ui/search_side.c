@@ -10,8 +10,8 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plots_search.h"
-#include "ui/pane.h"
-#include "ui/screen.h"
+#include "tui/pane.h"
+#include "tui/screen.h"
 
 /* Columns of a parameter's row: name, lower bound, bar, upper bound, value; of
  * a wide panel a remark as well. */

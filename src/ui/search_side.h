@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_UI_SEARCH_SIDE_H
 #define TIPSPEED_UI_SEARCH_SIDE_H
 
-#include "ui/tui_state.h"
+#include "tui/tui_state.h"
 
 void search_side_draw(struct tui *t);
 

@@ -6,8 +6,8 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "ui/pane.h"
-#include "ui/screen.h"
+#include "tui/pane.h"
+#include "tui/screen.h"
 
 /* Drawn of what: another of any of these is drawn again. */
 struct second_of {

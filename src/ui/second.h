@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_UI_SECOND_H
 #define TIPSPEED_UI_SECOND_H
 
-#include "ui/tui_state.h"
+#include "tui/tui_state.h"
 
 /* In its place, where it has one. */
 void second_draw(struct tui *t);

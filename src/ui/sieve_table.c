@@ -10,8 +10,8 @@
 #include "base/xalloc.h"
 #include "cmd/draw/site_chart.h"
 #include "io/sitefile/units.h"
-#include "ui/pane.h"
-#include "ui/screen.h"
+#include "tui/pane.h"
+#include "tui/screen.h"
 
 /* Where the differences stand, and bars where there is room for a few cells. */
 enum { COMPARED = 18, BAR = 25, BAR_CELLS = 4 };

@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_UI_SIEVE_TABLE_H
 #define TIPSPEED_UI_SIEVE_TABLE_H
 
-#include "ui/tui_state.h"
+#include "tui/tui_state.h"
 
 /* Rows of all its sieves, with the heading. */
 int sieve_table_rows(const struct tui *t);

@@ -13,7 +13,7 @@
 #include "core/model/breakage.h"
 #include "io/sitefile/units.h"
 #include "ui/goal.h"
-#include "ui/screen.h"
+#include "tui/screen.h"
 
 enum { MOST_MARKS = 300 };
 

@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_UI_TRACK_H
 #define TIPSPEED_UI_TRACK_H
 
-#include "ui/tui_state.h"
+#include "tui/tui_state.h"
 
 void track_draw(struct tui *t);
 

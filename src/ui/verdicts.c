@@ -16,11 +16,11 @@
 #include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
 #include "ui/limits.h"
-#include "ui/pane.h"
+#include "tui/pane.h"
 #include "ui/readings.h"
-#include "ui/screen.h"
+#include "tui/screen.h"
 #include "ui/sieve_table.h"
-#include "ui/typed_line.h"
+#include "tui/cmdline.h"
 
 /* A row of numbers: its name, then these columns; where the panel is wide a
  * band stands between value and change. */

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_UI_VERDICTS_H
 #define TIPSPEED_UI_VERDICTS_H
 
-#include "ui/tui_state.h"
+#include "tui/tui_state.h"
 
 /* The side panel of page Predict. */
 void verdicts_draw(struct tui *t);

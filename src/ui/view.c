@@ -11,8 +11,8 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "ui/pane.h"
-#include "ui/screen.h"
+#include "tui/pane.h"
+#include "tui/screen.h"
 
 enum { ESCAPE = 27 };
 

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_UI_VIEW_H
 #define TIPSPEED_UI_VIEW_H
 
-#include "ui/tui_state.h"
+#include "tui/tui_state.h"
 
 /* Shows text, which it takes. */
 void view_text(struct tui *t, char *text);

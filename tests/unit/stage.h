@@ -7,9 +7,9 @@
 
 #include "base/xalloc.h"
 #include "desk.h"
-#include "ui/control.h"
-#include "ui/screen.h"
-#include "ui/shot.h"
+#include "tui/control.h"
+#include "tui/screen.h"
+#include "tui/script_terminal.h"
 
 /* keys: how many were pressed, where a test counts them. */
 struct stage {

@@ -10,14 +10,14 @@
 #include "stage.h"
 
 #include "base/text.h"
-#include "ui/act.h"
-#include "ui/control.h"
-#include "ui/folder.h"
-#include "ui/frame.h"
-#include "ui/pages.h"
-#include "ui/screen.h"
-#include "ui/shot.h"
-#include "ui/watch.h"
+#include "tui/keymap.h"
+#include "tui/control.h"
+#include "tui/folder.h"
+#include "tui/frame.h"
+#include "tui/pages.h"
+#include "tui/screen.h"
+#include "tui/script_terminal.h"
+#include "tui/watch.h"
 
 static int
 stage_open(void **state)

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "ui/keys.h"
+#include "tui/keys.h"
 
 static void
 no_key_means_two_things(void **state)

@@ -12,14 +12,14 @@
 #include "desk.h"
 
 #include "base/text.h"
-#include "ui/act.h"
-#include "ui/control.h"
-#include "ui/frame.h"
-#include "ui/input.h"
-#include "ui/pages.h"
-#include "ui/screen.h"
-#include "ui/tui_state.h"
-#include "ui/watch.h"
+#include "tui/keymap.h"
+#include "tui/control.h"
+#include "tui/frame.h"
+#include "tui/input.h"
+#include "tui/pages.h"
+#include "tui/screen.h"
+#include "tui/tui_state.h"
+#include "tui/watch.h"
 
 /* SplitMix64: the same walk from the same seed everywhere. */
 static uint64_t state_of;

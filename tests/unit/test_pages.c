@@ -10,14 +10,14 @@
 
 #include "base/text.h"
 #include "cmd/ask/fit.h"
-#include "ui/act.h"
-#include "ui/control.h"
-#include "ui/frame.h"
-#include "ui/pages.h"
-#include "ui/screen.h"
-#include "ui/shot.h"
-#include "ui/typed_line.h"
-#include "ui/watch.h"
+#include "tui/keymap.h"
+#include "tui/control.h"
+#include "tui/frame.h"
+#include "tui/pages.h"
+#include "tui/screen.h"
+#include "tui/script_terminal.h"
+#include "tui/cmdline.h"
+#include "tui/watch.h"
 
 static int
 stage_open(void **state)

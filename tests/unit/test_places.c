@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "base/xalloc.h"
-#include "ui/places.h"
+#include "tui/layout.h"
 
 static void
 expect_apart(const struct places *l, int rows, int columns)

@@ -10,13 +10,13 @@
 #include "stage.h"
 
 #include "base/text.h"
-#include "ui/act.h"
-#include "ui/control.h"
-#include "ui/frame.h"
-#include "ui/pages.h"
-#include "ui/screen.h"
-#include "ui/shot.h"
-#include "ui/tui_state.h"
+#include "tui/keymap.h"
+#include "tui/control.h"
+#include "tui/frame.h"
+#include "tui/pages.h"
+#include "tui/screen.h"
+#include "tui/script_terminal.h"
+#include "tui/tui_state.h"
 
 enum { ROWS = 30, COLUMNS = 100 };
 

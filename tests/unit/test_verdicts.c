@@ -6,14 +6,14 @@
 
 #include "base/text.h"
 #include "core/answer/response.h"
-#include "ui/act.h"
-#include "ui/control.h"
-#include "ui/frame.h"
+#include "tui/keymap.h"
+#include "tui/control.h"
+#include "tui/frame.h"
 #include "ui/limits.h"
-#include "ui/pages.h"
-#include "ui/screen.h"
-#include "ui/shot.h"
-#include "ui/watch.h"
+#include "tui/pages.h"
+#include "tui/screen.h"
+#include "tui/script_terminal.h"
+#include "tui/watch.h"
 
 /* A full screen on the session of a desk. */
 struct stage {

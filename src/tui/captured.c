@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/captured.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "tui/screen.h"
+#include "ui/view.h"
+
+/* What is said next is for this screen, which has no use for escapes. */
+void
+said_forget(struct tui *t)
+{
+	struct screen screen = {.drawing = screen_charset() != CHARSET_ASCII};
+	screen_size(&screen.rows, &screen.columns);
+	t->session->screen = screen;
+	rewind(t->said);
+	fflush(t->said);
+}
+
+void
+said_error(void *t, const struct error *e, const char *line, const char *name)
+{
+	char place[sizeof e->file + 32] = "";
+	(void)line, (void)name;
+	if (e->line > 0)
+		snprintf(place, sizeof place, "%s:%d:%d: ", e->file, e->line,
+		    e->column);
+	tui_say(t, true, "%s%s%s%s", place, e->text,
+	    e->hint[0] != '\0' ? ": " : "", e->hint);
+}
+
+void
+said_show(struct tui *t)
+{
+	fflush(t->said);
+	size_t n = t->said_n;
+	while (n > 0 && t->said_text[n - 1] == '\n')
+		n--;
+	char *text = xstrndup(t->said_text, n);
+	if (strchr(text, '\n') != NULL) {
+		view_text(t, text);
+		return;
+	}
+	if (n > 0)
+		tui_say(t, false, "%s", text);
+	free(text);
+}

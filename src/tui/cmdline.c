@@ -1,0 +1,276 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/cmdline.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/lang/command.h"
+#include "cmd/fit/job.h"
+#include "cmd/run/line.h"
+#include "cmd/lang/parse.h"
+#include "tui/control.h"
+#include "cli/pump.h"
+#include "tui/captured.h"
+#include "cli/history.h"
+#include "ui/view.h"
+#include "tui/watch.h"
+
+/* Stops no search, and the screen stays as it stands until it is drawn. */
+static void
+draw_screen(struct tui *t, const char *line)
+{
+	struct error error = {0};
+	size_t next;
+	said_forget(t);
+	bool ok = session_line(t->session, line, 0, "typed", 0, &next, &error);
+	free(t->command);
+	t->command = xstrdup(line);
+	t->failed = !ok;
+	t->message[0] = '\0';
+	if (ok)
+		said_show(t);
+	else
+		said_error(t, &error, line, "typed");
+}
+
+/* What a shell command wrote stays until it is read. */
+static void
+await_return(void)
+{
+	fputs(tr("\n"
+		 "[Return: back]"),
+	    stdout);
+	fflush(stdout);
+	/* ^C has ended the shell command. */
+	pump_forget_interrupt();
+	pump_answer(NULL);
+}
+
+/* Whether the page Predict shows all that a line asks: the site's product at a
+ * speed, with a feed and a machine of its own. */
+static bool
+only_moves(const char *line)
+{
+	static const char *const MORE[] = {
+	    " rotor_mm=", " cascade=", " k=", " sieves=", " cut="};
+	if (strncmp(line, "predict", 7) != 0 || strchr(line, '>') != NULL)
+		return false;
+	for (size_t i = 0; i < ARRAY_LEN(MORE); i++)
+		if (strstr(line, MORE[i]) != NULL)
+			return false;
+	const char *feed = strstr(line, "feed=");
+	if (feed == NULL)
+		return true;
+	double speed;
+	char *word = xstrndup(feed + 5, strcspn(feed + 5, " ;"));
+	bool own = value_number(word, "m/s", &speed);
+	free(word);
+	return own;
+}
+
+/* What a line does to a search that is under way. */
+enum meeting {
+	MEETS_NONE,   /* goes on beside it; what is no command does nothing */
+	MEETS_BOUNDS, /* has it go on within these */
+	MEETS_END     /* stops it */
+};
+
+static enum meeting
+meeting(const struct tui *t, const char *line)
+{
+	const struct command *command = control_command(line);
+	if (!session_busy(t->session))
+		return MEETS_NONE;
+	if (command == NULL)
+		return strchr(line, ';') == NULL ? MEETS_NONE : MEETS_END;
+	bool bounds = command == command_find("bounds");
+	bool asks = strpbrk(line + strspn(line, " \t"), " \t") == NULL;
+	if (command->flags & COMMAND_BESIDE || (bounds && asks))
+		return MEETS_NONE;
+	return bounds ? MEETS_BOUNDS : MEETS_END;
+}
+
+/* Whether a search may be stopped for a line: it is not to leave a fit that is
+ * half finished in the place of another unasked. */
+static bool
+may_stop(struct tui *t, const char *line)
+{
+	struct session *s = t->session;
+	const struct entry *fitting = session_fitting(s);
+	if (control_command(line) == command_find("quit") || fitting == NULL ||
+	    !fitting->has_fit ||
+	    s->hooks.confirm(s,
+		"this stops the calibration: is its best so far to replace "
+		"the fit there was?"))
+		return true;
+	tui_say(t, false,
+	    "the calibration goes on, the command was not run: s stops it, u "
+	    "brings the former fit back");
+	return false;
+}
+
+/* On within bounds that were edited in a search; where it was paused the user
+ * says when. */
+static void
+go_on_within(struct tui *t, bool edited)
+{
+	bool on = t->session->job.paused;
+	if (control_run(t, on ? "continue" : "calibrate") && on && edited)
+		tui_say(t, false, "continues within the new bounds");
+}
+
+/* Says more behind what a line has said, where no text has opened. */
+static void
+say_more(struct tui *t, const char *more)
+{
+	char *said = xstrdup(t->message);
+	if (t->viewer.text == NULL)
+		tui_say(t, t->bad, "%s%s%s", said, said[0] != '\0' ? "; " : "",
+		    more);
+	free(said);
+}
+
+/* What a line that was run has said; of a search that it began the page
+ * tells. */
+static void
+tell(struct tui *t, const char *line, bool ok, bool began)
+{
+	bool moved_only = only_moves(line);
+	fflush(t->said);
+	/* What a check found, the other faults of a sheet. */
+	if (!ok && t->said_n > 0)
+		text_wrap(t->message, 0, 78, t->said);
+	if (!began && (ok ? !moved_only : t->said_n > 0))
+		said_show(t);
+}
+
+static void
+run_typed(struct tui *t, const char *line)
+{
+	if (line[strspn(line, " \t")] == '\0')
+		return;
+	struct session *s = t->session;
+	const struct bounds before = s->set.bounds;
+	const bool was_busy = session_busy(s);
+	const char *useless = was_busy ? s->job.rounds->useless : NULL;
+	bool searching = was_busy && !t->held;
+	enum meeting meets = meeting(t, line);
+	if (control_command(line) == command_find("screen")) {
+		draw_screen(t, line);
+		return;
+	}
+	if (meets == MEETS_END && !may_stop(t, line))
+		return;
+	if (meets != MEETS_NONE)
+		watch_keep(t);
+	if (control_command(line) == command_find("save"))
+		control_set_looks(t);
+	/* Only a shell command may write past the session's streams. */
+	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
+	if (aside)
+		t->ways->leave();
+	bool ok = control_run(t, line);
+	if (aside) {
+		await_return();
+		t->ways->come_back();
+	}
+	bool edited = memcmp(&before, &s->set.bounds, sizeof before) != 0;
+	if (searching && (meets == MEETS_BOUNDS || edited) &&
+	    !session_busy(s)) {
+		go_on_within(t, edited);
+		return;
+	}
+	if (ok && edited)
+		tui_say(t, false, "f calibrates within these bounds");
+	bool beside = was_busy && meets == MEETS_NONE;
+	tell(t, line, ok, session_busy(s) && !beside);
+	/* Who has moved the slider may have meant that. */
+	if (ok && control_command(line) == command_find("undo"))
+		say_more(t, tr("U brings it back (moves of the slider are not "
+			       "undone)"));
+	else if (was_busy && meets == MEETS_END && !session_busy(s))
+		say_more(t,
+		    useless != NULL
+			? useless
+			: tr("the calibration was stopped, its best is kept"));
+}
+
+/* Whether a command answers for one speed; pictures, data that are shown and
+ * changes are of what they say. */
+static bool
+asks_at_speed(const struct command *command)
+{
+	const char *group = command_group(command);
+	return command_option_index(command, "speed") < OPTIONS &&
+	       strcmp(group, "pictures") != 0 && strcmp(group, "data") != 0 &&
+	       !(command->flags & COMMAND_CHANGES);
+}
+
+/* Whether a line has a speed among its operands, as in "compare pinned 72". */
+static bool
+names_speed(const struct command *asked, const char *rest)
+{
+	bool named = false;
+	char *copy = xstrndup(rest, strcspn(rest, ">|")), *save = NULL;
+	double v;
+	for (char *word = strtok_r(copy, " \t", &save); word != NULL;
+	     word = strtok_r(NULL, " \t", &save))
+		named |= value_number(word, "m/s", &v);
+	free(copy);
+	return named && asked->operands.usage != NULL &&
+	       strstr(asked->operands.usage, "SPEED") != NULL;
+}
+
+/* What a typed line means with the slider somewhere, see tui_where.  A question
+ * about one speed is about that of the slider, where it is asked of no other:
+ * "spec FILE" gets it.  The caller frees. */
+static char *
+meant_by(const char *line, const char *where)
+{
+	size_t from = strspn(line, " \t"), n = strcspn(line + from, " \t>|");
+	const char *word = line + from, *rest = word + n;
+	rest += strspn(rest, " \t");
+	char *name = xstrndup(word, n);
+	const struct command *asked = command_called(name, true);
+	free(name);
+	if (asked == NULL || !asks_at_speed(asked))
+		return xstrdup(line);
+	/* A speed may also stand alone. */
+	bool bare = asked->bare == NULL || strcmp(asked->bare, "speed") == 0;
+	bool said =
+	    strchr(line, ';') != NULL || strstr(line, "speed=") != NULL ||
+	    strstr(line, "rpm=") != NULL ||
+	    (bare && *rest >= '0' && *rest <= '9') || names_speed(asked, rest);
+	bool own = strstr(line, "feed=") != NULL ||
+		   command_option_index(asked, "feed") == OPTIONS;
+	size_t length = own ? strcspn(where, " ") : strlen(where);
+	if (!said)
+		return xasprintf("%s %.*s%s%s", asked->name, (int)length, where,
+		    *rest != '\0' ? " " : "", rest);
+	return xstrdup(line);
+}
+
+void
+typed_line_run(struct tui *t, const char *line)
+{
+	char *where = tui_where(t);
+	char *meant = meant_by(line, where);
+	if (!t->aside && line[strspn(line, " \t")] != '\0')
+		typed_add(line);
+	run_typed(t, meant);
+	t->told = t->message[0] != '\0';
+	view_message(t);
+	free(where);
+	free(meant);
+}
+
+void
+typed_line_show(struct tui *t, const char *line)
+{
+	if (control_run(t, line))
+		said_show(t);
+}

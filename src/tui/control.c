@@ -1,0 +1,413 @@
+/* The full screen on a session: lines that are run, and what it is like after.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/control.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/ask/answers.h"
+#include "cmd/lang/command.h"
+#include "cmd/ask/fit.h"
+#include "cmd/session/turn.h"
+#include "cmd/fit/job.h"
+#include "cmd/run/line.h"
+#include "cmd/ask/pin.h"
+#include "cmd/answers/predict.h"
+#include "cmd/ask/quantity_words.h"
+#include "ui/above.h"
+#include "ui/dialogue.h"
+#include "cli/driver.h"
+#include "tui/folder.h"
+#include "ui/limits.h"
+#include "tui/pane.h"
+#include "cli/pump.h"
+#include "tui/captured.h"
+#include "tui/screen.h"
+#include "ui/second.h"
+#include "ui/track.h"
+#include "tui/script_progress.h"
+#include "ui/view.h"
+
+/* session->hooks.confirm and `screen` have no argument to pass it by. */
+static struct tui *open;
+
+/* A slider that stood still for so long has paused, s. */
+static const double PAUSE = 0.7;
+
+/* No progress but what is drawn of it. */
+static bool
+work(struct session *s)
+{
+	while (session_busy(s) && pump_signal() == 0) {
+		session_step(s);
+		under_way_draw(open);
+	}
+	return pump_signal() == 0;
+}
+
+const struct command *
+control_command(const char *line)
+{
+	size_t at = strspn(line, " \t"), n = strcspn(line + at, " \t>|");
+	if (strchr(line, ';') != NULL)
+		return NULL;
+	char *word = xstrndup(line + at, n);
+	const struct command *command = command_called(word, true);
+	free(word);
+	return command;
+}
+
+/* Of the site with that key. */
+static struct numbers
+numbers_of(const struct session *s, const char *key, const struct prediction *p)
+{
+	static const double sizes[NUMBERS_FRACTIONS] = {0.063e-3, 2e-3, 4e-3};
+	struct numbers n = {.speed = p->speed};
+	if (p->product.n == 0)
+		return n;
+	snprintf(n.site, sizeof n.site, "%s", key);
+	for (size_t i = 0; i < s->n_entry; i++) {
+		const struct site *site = s->entry[i].site;
+		if (strcmp(s->entry[i].key, key) == 0 &&
+		    p->feed_run < site->n_run &&
+		    answers_sampled(site, p->feed_run))
+			n.feed = site->run[p->feed_run].speed;
+	}
+	for (size_t i = 0; i < 3; i++)
+		n.size[i] = answers_size(p, i);
+	n.break_mm = answers_size(p, ANSWERS_BREAK);
+	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
+		n.passing[i] = psd_covers(&p->product, sizes[i])
+				   ? 100 * psd_passing(&p->product, sizes[i])
+				   : NAN;
+	return n;
+}
+
+/* What the session has pinned. */
+static void
+look_at_pin(struct tui *t)
+{
+	const struct pin *pin = t->session->pin;
+	t->kept = pin != NULL ? pin->p : (struct prediction){0};
+	t->pin = numbers_of(t->session, pin != NULL ? pin->key : "", &t->kept);
+}
+
+static void
+forget(struct tui *t)
+{
+	prediction_free(&t->shown);
+	t->shown = (struct prediction){0};
+	t->now = (struct numbers){0};
+	t->asked.tenths = 0;
+}
+
+/* What the session is like after any command. */
+void
+control_look(struct tui *t)
+{
+	const struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	t->session->wants_tui = false;
+	t->rows_at = 0;
+	t->n_row = 0;
+	tui_forget_parity(&t->parity);
+	t->looked++;
+	above_look(t);
+	look_at_pin(t);
+	tui_untouch(t);
+	if (isnan(session_known(s, "predict", "speed")))
+		forget(t);
+	if (t->site_at >= s->n_entry)
+		t->site_at = s->current;
+	if (t->cross_at >= t->shown.product.n)
+		t->cross_at = 0;
+	t->holdout = entry != NULL && entry->has_fit
+			 ? 100 * fit_holdout_rmse(entry)
+			 : NAN;
+	tui_look_at(t, t->generation);
+}
+
+/* The page and the quantity that are set. */
+static void
+take_looks(struct tui *t)
+{
+	static const struct partition SHARP = {0, 1};
+	const struct choices *set = &t->session->set;
+	struct error error = {0};
+	if (!quantities_read(set->quantity, &SHARP, &t->quantity, &error))
+		t->quantity = above_usual();
+	t->page = (enum page)set->page;
+	tui_untouch(t);
+}
+
+void
+control_set_looks(struct tui *t)
+{
+	static const char *const NAMES[PAGES] = {
+	    "predict", "fit", "data", "parity", "sites"};
+	struct session *s = t->session;
+	struct error error = {0};
+	size_t next;
+	char *quantity = quantities_typed(&t->quantity);
+	char *line =
+	    xasprintf("set page %s quantity \"%s\"", NAMES[t->page], quantity);
+	said_forget(t);
+	if (s->set.page != t->page || strcmp(s->set.quantity, quantity) != 0)
+		session_line(s, line, 0, "typed", 0, &next, &error);
+	free(quantity);
+	free(line);
+}
+
+/* Whether a line has set others than there were; what is undone has not. */
+static bool
+sets_looks(const struct choices *was, const struct choices *is)
+{
+	return was->page != is->page ||
+	       strcmp(was->quantity, is->quantity) != 0;
+}
+
+/* The line has begun what takes long. */
+static void
+begin_job(struct tui *t, const char *line)
+{
+	const struct command *command = control_command(line);
+	const struct job *job = &t->session->job;
+	t->job = command != NULL ? command->name : NULL;
+	t->held = false;
+	t->generation = 0;
+	t->due = t->started = t->clock;
+	if (calibration_status(job->calibration).generation == 0)
+		t->ran = 0;
+	if (job->fits && !job->rounds->alone) {
+		t->page = PAGE_SITES;
+		tui_untouch(t);
+		t->focus = &page_sites;
+	}
+}
+
+static bool
+run(struct tui *t, const char *line)
+{
+	struct session *s = t->session;
+	const struct choices was = s->set;
+	bool was_busy = session_busy(s);
+	char site[sizeof t->now.site] = "";
+	if (tui_entry(t) != NULL)
+		snprintf(site, sizeof site, "%s", tui_entry(t)->key);
+	said_forget(t);
+	const struct driver d = {.session = s,
+	    .of = t,
+	    .fail = said_error,
+	    .begins = under_way_begins,
+	    .work = work,
+	    .watches = true};
+	/* A signal is no error: what was found before it stays. */
+	bool ok = driver_line(&d, line, "typed", 0) == 0 || pump_signal() != 0;
+	under_way_end(t, control_command(line) == command_find("restore"), ok);
+	struct slider_range range = tui_range(t);
+	double said = session_known(s, "predict find", "speed");
+	if (slider_has(range, said))
+		t->tenths = slider_tenths(range, said);
+	if (tui_entry(t) != NULL && !slider_has(range, t->tenths / 10.0))
+		t->tenths = slider_tenths(range, answers_usual(tui_entry(t)));
+	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
+	if (other) {
+		t->asked.tenths = 0;
+		t->site_at = s->current;
+		t->feed = 0;
+	}
+	/* Another answer is shown where other runs correct the model. */
+	if (s->set.correction != was.correction)
+		t->asked.tenths = 0;
+	if (sets_looks(&was, &s->set) && strcmp(line, "undo") != 0 &&
+	    strcmp(line, "redo") != 0)
+		take_looks(t);
+	tui_keep_feed(t);
+	control_look(t);
+	if (session_busy(s) && !was_busy)
+		begin_job(t, line);
+	return ok;
+}
+
+bool
+control_run(struct tui *t, const char *line)
+{
+	free(t->command);
+	t->command = xstrdup(line);
+	t->message[0] = '\0';
+	bool ok = run(t, line);
+	t->failed = !ok;
+	if (!ok)
+		view_message(t);
+	return ok;
+}
+
+void
+control_predict(struct tui *t)
+{
+	struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	track_wished(t, false);
+	bool told = t->told;
+	t->told = false;
+	bool forming = entry != NULL && session_busy(s) &&
+		       s->job.entry == s->current &&
+		       calibration_status(s->job.calibration).generation > 0;
+	if (entry == NULL || (!entry->has_params && !forming))
+		return;
+	bool first = t->asked.tenths == 0;
+	if (t->asked.tenths == t->tenths && t->asked.feed_run == tui_feed(t))
+		return;
+	/* What a search had on its way is nothing to count from. */
+	if (!t->formed &&
+	    (t->clock - t->moved > PAUSE || t->pause.site[0] == '\0' ||
+		strcmp(t->pause.site, entry->key) != 0))
+		t->pause = t->now;
+	t->formed = forming;
+	if (!first)
+		t->moved = t->clock;
+	char *where = tui_where(t);
+	char *line = xasprintf("predict %s", where);
+	struct error error = {0};
+	prediction_free(&t->shown);
+	t->shown = (struct prediction){0};
+	if (!predict_step(
+		s, t->tenths / 10.0, tui_feed(t), line, &t->shown, &error))
+		said_error(t, &error, line, "typed");
+	if ((!first && !told) || t->command == NULL) {
+		free(t->command);
+		t->command = xstrdup(line);
+		t->failed = false;
+	}
+	if (!first && !told)
+		t->message[0] = '\0';
+	tui_keep_feed(t);
+	t->asked.tenths = t->tenths;
+	t->asked.feed_run = tui_feed(t);
+	t->now = numbers_of(s, entry->key, &t->shown);
+	free(where);
+	free(line);
+}
+
+const struct tui *
+control_open(void)
+{
+	return open;
+}
+
+static bool
+confirm(struct session *s, const char *question)
+{
+	int code = 0;
+	bool special = false;
+	if (open->ways->is_away != NULL && open->ways->is_away())
+		return pump_confirm(s, question);
+	open->question = question;
+	bool got = open->ways->answer(open, &code, &special);
+	open->question = NULL;
+	return got && !special && (code == 'y' || code == 'Y');
+}
+
+static char *
+question(struct session *s, const struct inquiry *q)
+{
+	bool away = open->ways->is_away != NULL && open->ways->is_away();
+	return away ? pump_question(s, q) : dialogue_ask(open, q);
+}
+
+/* At the end of a search, before there is a result to draw. */
+static void
+begins(const char *what)
+{
+	if (open->ways->show == NULL || open->page != PAGE_FIT ||
+	    !session_busy(open->session) || open->begun != NULL)
+		return;
+	open->begun = what;
+	open->ways->show(open);
+	open->begun = NULL;
+}
+
+/* The speed last predicted, else the usual one of the site. */
+static int
+first_speed(const struct session *s)
+{
+	double speed = session_known(s, "predict find", "speed");
+	const struct entry *e = s->n_entry > 0 ? &s->entry[s->current] : NULL;
+	struct slider_range range = slider_range(e != NULL ? e->site : NULL);
+	if (slider_has(range, speed))
+		return slider_tenths(range, speed);
+	return e != NULL ? slider_tenths(range, answers_usual(e)) : 740;
+}
+
+void
+control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
+{
+	*t = (struct tui){.session = s,
+	    .ways = ways,
+	    .aside = ways->leave == NULL,
+	    .tenths = first_speed(s),
+	    .site_at = s->current,
+	    .mouse = screen_mouse(true),
+	    .pace = PACE_AUTO,
+	    .picture = PLOT_SEARCH,
+	    .level = 50,
+	    .above = above_new(),
+	    .holdout = NAN,
+	    .before = {
+		s->out, s->notes, s->hooks, s->prompt, s->typed_at, s->screen}};
+	s->hooks.confirm = confirm;
+	s->hooks.question = question;
+	s->prompt = true;
+	s->typed_at = s->scripts;
+	s->hooks.show_page = NULL;
+	s->hooks.begins = begins;
+	s->hooks.run_screen = NULL;
+	tui_keep_feed(t);
+	t->said = text_memory(&t->said_text, &t->said_n);
+	s->out = s->notes = t->said;
+	take_looks(t);
+	control_look(t);
+	open = t;
+}
+
+void
+control_end(struct tui *t)
+{
+	struct session *s = t->session;
+	struct error error = {0};
+	if (!t->aside)
+		control_set_looks(t);
+	open = NULL;
+	s->out = t->before.out;
+	s->notes = t->before.notes;
+	s->hooks = t->before.hooks;
+	s->prompt = t->before.prompt;
+	s->typed_at = t->before.typed_at;
+	s->screen = t->before.screen;
+	if (session_busy(s)) {
+		session_pause(s);
+		session_settle(s, true, &error);
+	}
+	fclose(t->said);
+	free(t->said_text);
+	typing_end(&t->typing);
+	view_close(t);
+	free(t->closed);
+	prediction_free(&t->shown);
+	free(t->command);
+	free(t->row);
+	above_free(t->above);
+	goals_clear(&t->goal);
+	tui_forget_sheet(&t->sheet);
+	tui_forget_parity(&t->parity);
+	folder_free(&t->chooser.folder);
+	free(t->chooser.preview);
+	limits_free(t);
+	second_free(t);
+	touch_free(&t->touches);
+}

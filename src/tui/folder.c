@@ -1,0 +1,394 @@
+/* Folders are read, and their sheets, by the reader of sites itself.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/folder.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/session/session.h"
+#include "io/cells/archive.h"
+#include "io/sitefile/results.h"
+#include "io/sitefile/site_read.h"
+#include "io/cells/textfile.h"
+#include "io/store/table3.h"
+#include "io/sitefile/units.h"
+
+/* A longer list is no help, and a folder of a million files takes long. */
+enum { MOST_ITEMS = 2000 };
+
+/* Of a sheet that is read for a look: it is to be there at once.  Workbooks are
+ * larger unpacked. */
+enum { MOST_BYTES = 300 * 1000, UNPACKED_TIMES = 10 };
+
+static bool
+is_script(const char *name)
+{
+	return text_ends(name, ".tip");
+}
+
+static bool
+is_sheet(const char *name)
+{
+	static const char *const ENDS[] = {
+	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
+	char *folded = text_fold(name);
+	size_t i = 0;
+	while (i < ARRAY_LEN(ENDS) && !text_ends(folded, ENDS[i]))
+		i++;
+	free(folded);
+	return i < ARRAY_LEN(ENDS);
+}
+
+static int
+compare(const void *a, const void *b)
+{
+	const struct folder_item *x = a, *y = b;
+	return x->kind != y->kind ? (x->kind > y->kind) - (x->kind < y->kind)
+				  : strcmp(x->name, y->name);
+}
+
+static void
+add(struct folder *folder, enum folder_kind kind, const char *name)
+{
+	folder->item =
+	    xrealloc(folder->item, folder->n + 1, sizeof *folder->item);
+	folder->item[folder->n++] = (struct folder_item){.kind = kind,
+	    .name = xstrdup(name),
+	    .path = xasprintf("%s%s", folder->path, name)};
+}
+
+/* A quote in a name could not be typed; a pipe is waited for. */
+static void
+add_entry(struct folder *folder, const char *name)
+{
+	struct stat about;
+	if (name[0] == '.' || strchr(name, '"') != NULL)
+		return;
+	char *path = xasprintf("%s%s", folder->path, name);
+	bool known = stat(path, &about) == 0;
+	char *command =
+	    known && is_sheet(name) ? results_command_in(path) : NULL;
+	free(path);
+	if (known && S_ISDIR(about.st_mode)) {
+		add(folder, FOLDER_BELOW, name);
+	} else if (command != NULL) {
+		add(folder, FOLDER_RESULTS, name);
+		folder->item[folder->n - 1].about =
+		    xasprintf(tr("results of %s"), command);
+	} else if (known && S_ISREG(about.st_mode) && is_script(name)) {
+		add(folder, FOLDER_SESSION, name);
+		folder->item[folder->n - 1].about =
+		    xstrdup(tr("a saved session"));
+	} else if (known && S_ISREG(about.st_mode)) {
+		add(folder, is_sheet(name) ? FOLDER_SHEET : FOLDER_OTHER, name);
+	}
+	free(command);
+}
+
+void
+folder_list(struct folder *folder, const char *path)
+{
+	*folder = (struct folder){.path = xstrdup(path)};
+	DIR *dir = opendir(path[0] != '\0' ? path : ".");
+	if (dir == NULL)
+		folder->why = strerror(errno);
+	add(folder, FOLDER_ABOVE, "..");
+	if (dir == NULL)
+		return;
+	for (struct dirent *e; !folder->more && (e = readdir(dir)) != NULL;) {
+		add_entry(folder, e->d_name);
+		folder->more = folder->n >= MOST_ITEMS;
+	}
+	closedir(dir);
+	qsort(folder->item, folder->n, sizeof *folder->item, compare);
+}
+
+/* "Granite, 11.2 mm, 69 74 79 m/s"; NULL where it is no site. */
+static char *
+about_site(const char *path)
+{
+	struct error_list errors = {0};
+	struct site *site = site_read(path, &errors);
+	if (site == NULL)
+		return NULL;
+	char *speeds = session_speeds(site, " ", NULL, false);
+	char *about = xasprintf("%-16s %5.4g mm  %s m/s", site->rock,
+	    units_mm(site->top_size), speeds);
+	free(speeds);
+	site_free(site);
+	return about;
+}
+
+static void
+item_clear(struct folder_item *item)
+{
+	free(item->name);
+	free(item->path);
+	free(item->about);
+	free(item->made);
+}
+
+static bool
+has_word(const char *text, const char *word)
+{
+	char *folded = text_fold(text != NULL ? text : ""),
+	     *wanted = text_fold(word);
+	bool has = strstr(folded, wanted) != NULL;
+	free(folded);
+	free(wanted);
+	return has;
+}
+
+void
+folder_narrow(struct folder *folder, const char *word)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < folder->n; i++) {
+		struct folder_item *item = &folder->item[i];
+		if (has_word(item->name, word) || has_word(item->about, word))
+			folder->item[n++] = *item;
+		else
+			item_clear(item);
+	}
+	folder->n = n;
+}
+
+void
+folder_only(struct folder *folder, enum folder_kind kind)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < folder->n; i++) {
+		struct folder_item *item = &folder->item[i];
+		if (item->kind == kind || item->kind == FOLDER_ABOVE ||
+		    item->kind == FOLDER_BELOW)
+			folder->item[n++] = *item;
+		else
+			item_clear(item);
+	}
+	folder->n = n;
+}
+
+/* The same sites, made from the table that they were made from: without an
+ * installation there are no files of them. */
+static void
+add_made(struct folder *folder)
+{
+	struct materials *m = materials_table3();
+	for (size_t i = 0; i < m->n; i++) {
+		const struct material *row = &m->row[i];
+		char *slug = text_slug(row->site);
+		char *name = xasprintf("%s.csv", slug);
+		bool again = false;
+		for (size_t k = 0; k < folder->n && !again; k++)
+			again = strcmp(folder->item[k].name, name) == 0;
+		if (!again) {
+			add(folder, FOLDER_SHEET, name);
+			struct folder_item *item = &folder->item[folder->n - 1];
+			item->about = xasprintf(
+			    "%-16s %5.4g mm", row->rock, row->top_size_mm);
+			item->made = xasprintf(
+			    "synth table3 \"site=%s\" seed=9", row->site);
+		}
+		free(name);
+		free(slug);
+	}
+	materials_free(m);
+	free(folder->path);
+	folder->path = xstrdup(tr("from Table 3"));
+	folder->why = NULL;
+}
+
+void
+folder_shipped(struct folder *folder)
+{
+	static const char TREE[] = "data/sites/";
+	bool tree = access(TREE, R_OK) == 0;
+	folder_list(folder, tree ? TREE : SITES_DIR "/");
+	size_t n = 0;
+	for (size_t i = 0; i < folder->n; i++) {
+		struct folder_item *item = &folder->item[i];
+		if (item->kind == FOLDER_SHEET)
+			item->about = about_site(item->path);
+		if (item->kind == FOLDER_SHEET && item->about != NULL)
+			folder->item[n++] = *item;
+		else
+			item_clear(item);
+	}
+	folder->n = n;
+	if (n == 0)
+		add_made(folder);
+}
+
+void
+folder_free(struct folder *folder)
+{
+	for (size_t i = 0; i < folder->n; i++)
+		item_clear(&folder->item[i]);
+	free(folder->item);
+	free(folder->path);
+	*folder = (struct folder){0};
+}
+
+char *
+folder_into(const struct folder *folder, size_t item)
+{
+	const char *path = folder->path;
+	size_t n = strlen(path);
+	if (folder->item[item].kind == FOLDER_BELOW)
+		return xasprintf("%s%s/", path, folder->item[item].name);
+	if (strcmp(path, "/") == 0)
+		return xstrdup("/");
+	if (n == 0 || strcmp(path, "../") == 0 || text_ends(path, "/../"))
+		return xasprintf("%s../", path);
+	for (n--; n > 0 && path[n - 1] != '/';)
+		n--;
+	return xstrndup(path, n);
+}
+
+/* A name of its own that has = would be taken for an option, as one with @ for
+ * a speed. */
+char *
+folder_command(const struct folder_item *item, bool anew)
+{
+	if (item->made != NULL)
+		return xstrdup(item->made);
+	bool plain = strchr(item->path, '/') != NULL ||
+		     strpbrk(item->path, "=@-") == NULL;
+	return xasprintf("%s \"%s%s\"",
+	    !is_script(item->name) ? "load"
+	    : anew                 ? "restore"
+				   : "source",
+	    plain ? "" : "./", item->path);
+}
+
+static void
+say(FILE *out, const char *what, const char *text)
+{
+	if (text[0] != '\0')
+		fprintf(out, "%s%s\n", what, text);
+}
+
+static void
+say_site(const struct site *site, FILE *out)
+{
+	size_t n, products = site_products(site);
+	char *label = session_label(site);
+	char *speeds = session_speeds(site, ", ", NULL, false);
+	double *sieve = site_sieves(site, &n);
+	fprintf(out, "%s\n", label);
+	if (products > 0)
+		fprintf(out,
+		    tr_n(
+			"%zu run: %s m/s\n", "%zu runs: %s m/s\n", site->n_run),
+		    site->n_run, speeds);
+	else
+		fprintf(out, tr("a feed, no product\n"));
+	if (n > 0)
+		fprintf(out, tr("%zu sieves, %g to %g mm\n"), n,
+		    units_mm(sieve[n - 1]), units_mm(sieve[0]));
+	say(out, tr("read: "), site->read_as);
+	say(out, tr("likely, not stated: "), site->assumed);
+	say(out, "", site->remark);
+	for (size_t i = 0; i < site->n_left_out; i++)
+		fprintf(out, tr("not read: %s, %s\n"), site->left_out[i].key,
+		    site->left_out[i].value);
+	say(out, tr("data: "), site->provenance);
+	free(sieve);
+	free(speeds);
+	free(label);
+}
+
+static void
+say_faults(
+    const struct error_list *errors, const struct site_ask *ask, FILE *out)
+{
+	enum { MOST = 3 };
+	if (ask->settle != NULL)
+		fputs(tr("load asks about it:\n"), out);
+	for (size_t i = 0; i < errors->n && i < MOST; i++) {
+		const struct error *e = &errors->item[i];
+		if (e->line > 0)
+			fprintf(out, tr("line %zu: "), (size_t)e->line);
+		fprintf(out, "%s\n", e->text);
+		say(out, "", e->hint);
+	}
+	if (errors->n > MOST)
+		fprintf(out, tr("and %zu more\n"), errors->n - MOST);
+	for (size_t i = 0; i < ask->n; i++)
+		fprintf(out, "  %zu %s: %s%s\n", ask->column[i].number,
+		    ask->column[i].head, ask->column[i].guess,
+		    ask->column[i].open ? "?" : "");
+}
+
+static void
+say_sheet(const char *path, FILE *out)
+{
+	const double any = 0;
+	const struct site_request request = {
+	    .n = 1, .path = &path, .speed = &any};
+	struct error_list errors = {0};
+	struct site_ask ask = {0};
+	struct site *site = site_read_as(&request, &errors, &ask);
+	if (site != NULL)
+		say_site(site, out);
+	else
+		say_faults(&errors, &ask, out);
+	site_ask_clear(&ask);
+	site_free(site);
+}
+
+/* Bytes to read, unpacked where it is an archive. */
+static double
+bytes_of(const char *path, double bytes)
+{
+	size_t n = 0;
+	char *wrong = NULL;
+	struct error_list errors = {0};
+	if (bytes > MOST_BYTES)
+		return bytes;
+	char *content = textfile_bytes(path, &n, &errors);
+	struct archive *archive =
+	    content != NULL ? archive_open(content, n, &wrong) : NULL;
+	if (archive != NULL)
+		bytes = archive_unpacked(archive) / UNPACKED_TIMES;
+	archive_close(archive);
+	free(wrong);
+	free(content);
+	return bytes;
+}
+
+char *
+folder_preview(const struct folder_item *item)
+{
+	char *text = NULL;
+	size_t n = 0;
+	struct stat about;
+	if (item->kind == FOLDER_BELOW)
+		return xstrdup(tr("a folder\n"));
+	if (item->kind == FOLDER_ABOVE)
+		return xstrdup(tr("the folder above\n"));
+	if (item->made != NULL)
+		return xstrdup(tr("made from the parameters of Table 3, not "
+				  "measured\n"));
+	if (is_script(item->name))
+		return xstrdup(tr("a script of commands, which Enter runs\n"));
+	if (stat(item->path, &about) != 0)
+		return xasprintf("%s\n", strerror(errno));
+	if (about.st_size == 0)
+		return xstrdup(tr("an empty file\n"));
+	if (bytes_of(item->path, (double)about.st_size) > MOST_BYTES)
+		return xstrdup(tr("large: not read for a preview; Enter loads "
+				  "it\n"));
+	FILE *out = text_memory(&text, &n);
+	say_sheet(item->path, out);
+	fclose(out);
+	return text;
+}

@@ -1,0 +1,482 @@
+/* What stands around every page: heading, slider, last command, state, hints.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/frame.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/ask/fit.h"
+#include "cmd/fit/job.h"
+#include "cmd/ask/trust_light.h"
+#include "ui/above.h"
+#include "ui/chooser.h"
+#include "ui/dialogue.h"
+#include "tui/pages.h"
+#include "ui/rows.h"
+#include "tui/screen.h"
+#include "tui/tour.h"
+#include "ui/track.h"
+#include "ui/verdicts.h"
+#include "ui/view.h"
+
+/* How a page is called in the heading: in full, by its number but for the one
+ * that is open, or all by their numbers. */
+static const char *
+tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
+{
+	bool here = p == t->page;
+	const char *name = columns >= 76 || (here && columns >= 34)
+			       ? tr(PAGE_OPS[p]->name)
+			       : "";
+	const char *gap = name[0] != '\0' ? " " : "";
+	const char *open = here ? "[" : columns >= 76 ? " " : "";
+	snprintf(
+	    text, 24, "%s%zu%s%s%s", open, p + 1, gap, name, here ? "]" : "");
+	return text;
+}
+
+static void
+draw_header(struct tui *t)
+{
+	const struct area *area = &t->places.header;
+	const struct entry *entry = tui_entry(t);
+	char text[24];
+	int help = area->columns >= 76 ? 8 : 0, column = area->columns - help;
+	for (size_t p = 0; p < PAGES; p++)
+		column -= (int)strlen(tab_text(t, p, area->columns, text)) + 1;
+	struct area left = *area;
+	left.columns = column < 1 ? 0 : column - 1;
+	char *label = entry != NULL       ? session_label(entry->site)
+		      : left.columns < 18 ? xstrdup(tr("no site"))
+					  : xstrdup(tr("no site is loaded"));
+	bool room = text_width(label) + 11 <= left.columns,
+	     fits = text_width(label) < left.columns || entry == NULL;
+	screen_text(&left, 0, 0, LOOK_BOLD, "%s%s",
+	    room ? tr("tipspeed  ") : "", fits ? label : entry->site->name);
+	free(label);
+	column = column < 0 ? 0 : column;
+	for (size_t p = 0; p < PAGES; p++) {
+		int from = column;
+		column = screen_text(area, 0, column,
+		    p == t->page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
+		    tab_text(t, p, area->columns, text));
+		touch_add_key(&t->touches,
+		    (struct area){area->row, from, 1, column - from},
+		    '1' + (int)p, false);
+		column++;
+	}
+	if (help == 0)
+		return;
+	screen_text(area, 0, column, LOOK_DIM, " ? help");
+	touch_add_key(
+	    &t->touches, (struct area){area->row, column, 1, help}, '?', false);
+}
+
+/* The cursor goes where the line is clicked on, item being its first byte that
+ * is shown. */
+static bool
+touch_line(struct tui *t, const struct touched *touched)
+{
+	const char *at = t->typing.text + touched->item;
+	char left[TEXT_SHOWN];
+	if (touched->kind != TOUCH_PRESS)
+		return false;
+	for (int c = 1; c < touched->column && *at != '\0';)
+		c += text_show(&at, left);
+	t->typing.at = (size_t)(at - t->typing.text);
+	return true;
+}
+
+/* Returns the column of the cursor in it. */
+static int
+draw_command(struct tui *t, const struct area *area)
+{
+	const struct typing *y = &t->typing;
+	if (y->active) {
+		/* The line moves to the left where it is too long. */
+		char *head = xstrndup(y->text, y->at);
+		const char *prompt = t->goal_field ? "goal: " : ":";
+		int before = text_width(head);
+		int room = area->columns - (int)strlen(prompt) - 1;
+		free(head);
+		const char *shown = y->text;
+		char left[TEXT_SHOWN];
+		while (before > room && *shown != '\0')
+			before -= text_show(&shown, left);
+		screen_text(area, 0, 0, LOOK_BOLD, "%s%s", prompt, shown);
+		touch_add(
+		    &t->touches, *area, touch_line, (size_t)(shown - y->text));
+		return (int)strlen(prompt) + before;
+	}
+	touch_add_key(&t->touches, *area, ':', false);
+	const char *tail =
+	    t->failed ? tr("(failed)") : tr("(last action, as a command)");
+	int column = screen_text(
+	    area, 0, 0, 0, ": %s", t->command != NULL ? t->command : "");
+	if (t->command != NULL &&
+	    column + 4 + (int)strlen(tail) < area->columns)
+		screen_text(area, 0, area->columns - (int)strlen(tail) - 1,
+		    LOOK_DIM, "%s", tail);
+	return 0;
+}
+
+/* One too long for its row goes on in the row of hints, or begins in that of
+ * the command where there are none.  Returns whether it takes the hints. */
+static bool
+draw_message(const struct tui *t, const struct area *row)
+{
+	struct area area = *row;
+	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
+	bool wide = text_width(text) > area.columns,
+	     hints = wide && t->places.hints.rows > 0;
+	if (wide)
+		area.rows = places_message_rows(&t->places);
+	if (area.rows == 2 && !hints)
+		area.row--;
+	for (int r = 0; r < area.rows; r++)
+		screen_text(&area, r, 0, 0, "%*s", area.columns, "");
+	screen_words(&area, 0, t->bad ? LOOK_BOLD : LOOK_PLAIN, text);
+	free(text);
+	return hints;
+}
+
+/* What the site's parameters are worth, or how the search stands. */
+static void
+draw_state(struct tui *t, const struct area *area)
+{
+	const struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	char *verdict = verdicts_words(t);
+	int column;
+	if (session_busy(s) && !s->job.fits) {
+		char *at = s->job.rounds->at(s);
+		column = screen_text(area, 0, 0, LOOK_BOLD,
+		    area->columns < 60 ? "%s  %s" : N_("%s  %s: Esc stops"),
+		    t->held ? tr("PAUSED") : tr("WORKING"), at);
+		free(at);
+	} else if (session_busy(s)) {
+		struct calibrate_status st =
+		    calibration_status(s->job.calibration);
+		column = screen_text(area, 0, 0, LOOK_BOLD,
+		    area->columns < 34 ? "%s %zu/%zu"
+		    : st.state == CALIBRATE_POLISHING
+			? N_("%s  generation %zu of %zu, polishing")
+			: N_("%s  generation %zu of %zu"),
+		    t->held ? tr("PAUSED") : tr("CALIBRATING"), st.generation,
+		    s->job.options.generations);
+	} else if (entry == NULL) {
+		column = screen_text(
+		    area, 0, 0, 0, "READY  no site: o opens a sheet");
+	} else if (!entry->has_params) {
+		column = screen_text(area, 0, 0, 0, "READY  %s",
+		    site_products(entry->site) > 0
+			? tr("not calibrated: f calibrates")
+			: tr("no product: type :guess"));
+	} else if (verdict[0] != '\0') {
+		column = screen_text(area, 0, 0, 0, "READY  %s", verdict);
+	} else if (entry->has_fit) {
+		column = screen_text(area, 0, 0, 0, "READY  %s%s",
+		    fit_too_few(&entry->fit) ? "" : tr("fit "),
+		    light_verdict(s, entry, NULL));
+	} else {
+		column = screen_text(
+		    area, 0, 0, 0, "READY  parameters %s", origin_words(entry));
+	}
+	free(verdict);
+	char right[64];
+	snprintf(right, sizeof right,
+	    t->mouse ? tr("mouse on  %s  %d colours")
+		     : tr("mouse off  %s  %d colours"),
+	    screen_charset() == CHARSET_ASCII ? tr("ascii") : tr("utf8"),
+	    screen_depth());
+	int from = area->columns - (int)strlen(right) - 1;
+	if (from > column + 2)
+		screen_text(area, 0, from, LOOK_DIM, "%s", right);
+}
+
+static bool
+touch_offer(struct tui *t, const struct touched *touched)
+{
+	if (touched->kind == TOUCH_PRESS)
+		typing_take(&t->typing, touched->item);
+	return touched->kind == TOUCH_PRESS;
+}
+
+/* What a word may become; ".." where there is more, which Tab shows. */
+static void
+draw_offers(struct tui *t, const struct area *area)
+{
+	struct typing *y = &t->typing;
+	enum { MORE = 3 };
+	int column = 0;
+	size_t i = y->from, n;
+	const char *offer = typing_offer(y, i, &n);
+	for (; offer != NULL; offer = typing_offer(y, ++i, &n)) {
+		char *text = xstrndup(offer, n);
+		int width = text_width(text), from = column,
+		    room = area->columns - from - MORE;
+		if (width > room && from > 0) {
+			free(text);
+			break;
+		}
+		column = screen_text(area, 0, from, 0, "%s", text);
+		touch_add(&t->touches,
+		    (struct area){
+			area->row, area->column + from, 1, column - from},
+		    touch_offer, i);
+		column += 2;
+		free(text);
+	}
+	y->shown = i - y->from;
+	if (offer != NULL || y->from > 0)
+		screen_text(area, 0, area->columns - MORE, 0, " ..");
+}
+
+/* A word that rows must have, and how many of them do. */
+static void
+draw_filter(struct tui *t, const struct area *area)
+{
+	const char *keys = tr("Enter keep it  Esc all rows");
+	int at = screen_text(area, 0, 0, LOOK_BOLD, "/%s", t->filter.text);
+	int column = screen_text(area, 0, at + 2, 0, "%zu of %zu",
+	    rows_count(t), pages_open(t)->list->n(t));
+	if (column + 2 + text_width(keys) <= area->columns) {
+		screen_text(area, 0, column + 2, LOOK_DIM, "%s", keys);
+		pane_touch_hints(t, area->row, area->column + column + 2, keys);
+	}
+	if (t->filter.active && area->rows > 0)
+		t->cursor = (struct cursor){area->row, at};
+}
+
+static bool
+filters(const struct tui *t)
+{
+	return (t->filter.active || t->filter.n > 0) &&
+	       pages_open(t)->list != NULL;
+}
+
+static void
+draw_hints(struct tui *t)
+{
+	const struct page_ops *page = pages_open(t);
+	if (t->typing.active && t->goal_field)
+		pane_hints(t, LOOK_DIM,
+		    t->typing.n > 0
+			? N_("Enter set it  Tab complete  ^U clear  "
+			     "Esc give up")
+			: N_("Enter no goal  Tab offers  Esc give up"));
+	else if (t->typing.active && strstr(t->typing.text, " > ") != NULL)
+		pane_hints(t, LOOK_DIM,
+		    "Enter write  Esc give up  ending: .csv .xlsx .json table, "
+		    ".svg .png .pdf plot");
+	else if (t->typing.active)
+		pane_hints(t, LOOK_DIM,
+		    "Enter run  Tab complete  Up earlier lines  Esc give up");
+	else if (t->speed.n > 0)
+		pane_hints(t, LOOK_DIM, "Enter go there  Esc give up");
+	else if (filters(t))
+		draw_filter(t, &t->places.hints);
+	else
+		pane_hints(t, LOOK_DIM,
+		    page->hints != NULL ? page->hints : page->hints_now(t));
+}
+
+/* A speed being typed. */
+static void
+draw_speed(struct tui *t, const struct area *note)
+{
+	bool narrow = note->columns < 24;
+	int at = screen_text(note, 0, 0, LOOK_BOLD,
+	    narrow ? "%s" : N_("speed: %s"), t->speed.text);
+	screen_text(note, 0, at, LOOK_BOLD,
+	    narrow ? N_("_ m/s, Enter") : N_("_ m/s (Enter)"));
+	t->cursor = (struct cursor){note->row, at};
+}
+
+/* Whether the state takes the row of the command: it has none of its own, and
+ * how good a fit is matters more; on the least screens while it changes. */
+static bool
+tells_state(const struct tui *t)
+{
+	const struct places *l = &t->places;
+	return l->status.rows == 0 &&
+	       (l->hints.rows > 0 || session_busy(t->session));
+}
+
+/* Where messages stand; returns whether one takes the hints. */
+static bool
+draw_note(struct tui *t, const struct area *note)
+{
+	const struct places *l = &t->places;
+	if (t->speed.text[0] != '\0') {
+		draw_speed(t, note);
+	} else if (t->typing.active && t->typing.offers != NULL) {
+		draw_offers(t, note);
+	} else if (filters(t) && l->hints.rows == 0) {
+		screen_text(note, 0, 0, 0, "%*s", note->columns, "");
+		draw_filter(t, note);
+	} else if (t->message[0] != '\0' && note != &l->track) {
+		return draw_message(t, note);
+	} else if (note == &l->status || tells_state(t)) {
+		draw_state(t, note);
+	}
+	return false;
+}
+
+static void
+draw_lower(struct tui *t)
+{
+	struct places *l = &t->places;
+	const struct area *note = l->status.rows > 0    ? &l->status
+				  : l->command.rows > 0 ? &l->command
+							: &l->track;
+	const struct area *line = l->command.rows > 0 ? &l->command : &l->track;
+	bool typing = t->typing.active;
+	bool taken = line == note &&
+		     (t->message[0] || t->speed.text[0] || tells_state(t));
+	/* Nothing else is touched by mistake while a line is typed. */
+	if (typing)
+		touch_clear(&t->touches);
+	if (typing || (l->command.rows > 0 && !taken)) {
+		if (typing && line == &l->track)
+			screen_text(line, 0, 0, 0, "%*s", line->columns, "");
+		int at = draw_command(t, line);
+		if (typing)
+			t->cursor = (struct cursor){line->row, at};
+	}
+	/* What is typed leaves the row of hints alone. */
+	bool offers = t->typing.offers != NULL && l->hints.rows > 0;
+	if (note == line && typing && offers)
+		draw_offers(t, &l->hints);
+	else if ((note == line && typing) || !draw_note(t, note))
+		draw_hints(t);
+}
+
+/* Over the last rows of whatever the screen shows, at any size. */
+static void
+draw_question(struct tui *t, int rows, int columns)
+{
+	char *asks = xasprintf("%s y/n", t->question),
+	     *text = text_wrapped(asks, columns);
+	int n = 0;
+	for (const char *p = text; *p != '\0'; p++)
+		n += *p == '\n';
+	struct area area = {rows - n, 0, n, columns};
+	for (int r = 0; r < n; r++)
+		screen_text(&area, r, 0, 0, "%*s", columns, "");
+	screen_words(&area, 0, LOOK_BOLD, asks);
+	text[strlen(text) - 1] = '\0';
+	const char *last = strrchr(text, '\n');
+	int end = text_width(last != NULL ? last + 1 : text);
+	t->cursor = (struct cursor){rows - 1, end};
+	/* It ends with "y/n"; the mouse has no other answer. */
+	touch_clear(&t->touches);
+	touch_add_key(&t->touches,
+	    (struct area){rows - 1, end < 4 ? 0 : end - 4, 1, 2}, 'y', false);
+	touch_add_key(
+	    &t->touches, (struct area){rows - 1, end - 1, 1, 2}, 'n', false);
+	free(text);
+	free(asks);
+}
+
+static void
+draw_page(struct tui *t)
+{
+	const struct page_ops *page = pages_open(t);
+	const struct area *caption = &t->places.caption;
+	if (caption->rows > 0 &&
+	    (page->caption == NULL || !page->caption(t, caption)))
+		track_heading(t);
+	if (page->above)
+		above_draw(t);
+	verdicts_row(t);
+	page->draw(t);
+	draw_lower(t);
+}
+
+/* Over the track, what is drawn about it, and the plot. */
+static bool
+touch_wheel(struct tui *t, const struct touched *touched)
+{
+	int by = touched->kind == TOUCH_UP ? 1 : -1;
+	if (touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN)
+		return false;
+	t->tenths = slider_clamp(tui_range(t), t->tenths + by);
+	return true;
+}
+
+/* Over text it scrolls. */
+static bool
+touch_text(struct tui *t, const struct touched *touched)
+{
+	if (touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN)
+		return false;
+	view_scroll(t, touched->kind == TOUCH_UP ? -1 : 1);
+	return true;
+}
+
+static int
+side_columns(const struct page_ops *page, int columns)
+{
+	enum { MIDDLE = 100, WIDE = 120 };
+	if (columns >= WIDE)
+		return page->wide_side;
+	return columns >= MIDDLE && page->middle_side > 0 ? page->middle_side
+							  : page->side;
+}
+
+/* What is drawn later lies on top and may take it instead. */
+static void
+add_wheel(struct tui *t, bool viewing)
+{
+	const struct places *l = &t->places;
+	struct touches *touches = &t->touches;
+	const struct area over[] = {l->plot, l->legend, l->strip, l->numbers,
+	    l->caption, l->above, l->track};
+	if (viewing)
+		touch_add(touches, l->body, touch_text, 0);
+	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
+		touch_add(touches, over[i], touch_wheel, 0);
+	if (!viewing && pages_open(t)->list != NULL)
+		rows_wheel(t, l->body);
+}
+
+void
+frame_draw(struct tui *t)
+{
+	int rows, columns;
+	screen_theme(t->session->set.theme);
+	screen_begin(&rows, &columns);
+	const struct page_ops *page = pages_open(t);
+	int tour = tour_rows(t, rows, columns), left = rows - tour;
+	bool viewing = t->viewer.text != NULL, list = t->chooser.on && !viewing;
+	t->places = viewing || list
+			? places_text(left, columns)
+			: places_make(left, columns,
+			      (struct places_ask){side_columns(page, columns),
+				  page->strip, page->above, page->second});
+	touch_clear(&t->touches);
+	t->n_drawn = 0;
+	t->shows = page;
+	add_wheel(t, viewing);
+	draw_header(t);
+	t->cursor = (struct cursor){t->places.track.row, 0};
+	if (t->places.track.rows > 0)
+		track_draw(t);
+	if (viewing)
+		view_draw(t);
+	else if (list)
+		chooser_draw(t);
+	else
+		draw_page(t);
+	if (tour > 0)
+		tour_draw(t, &(struct area){left, 0, tour, columns});
+	if (t->question != NULL && !viewing)
+		draw_question(t, rows, columns);
+	if (t->inquiry != NULL)
+		dialogue_draw(t, rows, columns);
+	screen_show(t->cursor.row, t->cursor.column);
+}

@@ -1,0 +1,144 @@
+/* What ncurses makes of the bytes, and what it leaves to others.  Of what is
+ * pasted the first line is typed: lines put together could mean something else,
+ * and what nobody has seen is not to be run.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/input.h"
+
+#include <poll.h>
+#include <unistd.h>
+#include <wchar.h>
+
+#include <curses.h>
+
+#include "tui/keymap.h"
+#include "ui/dialogue.h"
+#include "cli/pump.h"
+#include "tui/screen.h"
+
+/* Longer than any line may be. */
+enum { MOST = 2000 };
+
+/* Whether a line takes the character; a speed has but few. */
+static bool
+is_taken(const struct tui *t, int code)
+{
+	if (t->inquiry != NULL)
+		return true;
+	if (t->question != NULL || t->typing.active)
+		return t->question == NULL;
+	if (t->viewer.text != NULL)
+		return t->viewer.word.active;
+	if (t->filter.active)
+		return true;
+	return t->speed.n > 0 && t->speed.n < SPEED_LETTERS &&
+	       (code == '.' || code == ',' || (code >= '0' && code <= '9'));
+}
+
+static void
+take(struct tui *t, int code)
+{
+	struct paste *p = &t->paste;
+	bool ends = code == '\n' || code == '\r';
+	code = code == '\t' ? ' ' : code;
+	if (ends && p->taken > 0)
+		p->ended = true;
+	/* Controls, those beyond ASCII too. */
+	if (code < ' ' || (code >= 127 && code < 160))
+		return;
+	if (p->ended || p->taken >= MOST || !is_taken(t, code)) {
+		p->left = p->left || code != ' ';
+		return;
+	}
+	p->taken++;
+	if (t->inquiry != NULL)
+		dialogue_key(t, code, false);
+	else
+		act_key(t, code, false);
+}
+
+void
+input_end_paste(struct tui *t)
+{
+	const struct paste *p = &t->paste;
+	if (p->left && p->taken == 0)
+		tui_say(t, false,
+		    "pasted text was ignored: press : first, then paste into "
+		    "the command line");
+	else if (p->left)
+		tui_say(t, false,
+		    "only part of the pasted text was used: the command line "
+		    "holds one line");
+	t->paste.on = false;
+}
+
+bool
+input_paste(struct tui *t, int code, bool special)
+{
+	if (special && code == SCREEN_PASTE)
+		t->paste = (struct paste){.on = true};
+	else if (!t->paste.on)
+		return false;
+	else if (special && code == SCREEN_PASTED)
+		input_end_paste(t);
+	else if (!special)
+		take(t, code);
+	return true;
+}
+
+/* The rest of a sequence that the terminal's description does not have would be
+ * taken for keys. True where there was one: it came with its Escape at once. */
+static bool
+pass_over_sequence(void)
+{
+	wint_t code = 0;
+	int got = get_wch(&code);
+	if (got == OK && (code == '[' || code == 'O')) {
+		bool long_one = code == '[';
+		do
+			got = get_wch(&code);
+		while (got == OK && long_one && code < '@');
+		if (got == KEY_CODE_YES)
+			ungetch((int)code);
+		return true;
+	}
+	if (got == OK)
+		unget_wch((wchar_t)code);
+	else if (got == KEY_CODE_YES)
+		ungetch((int)code);
+	return false;
+}
+
+/* Whether there is more to read: bytes that are no character end get_wch, too.
+ */
+static bool
+more_waits(void)
+{
+	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
+	return poll(&in, 1, 0) > 0 && in.revents == POLLIN;
+}
+
+bool
+input_key(struct tui *t, int *code, bool *special)
+{
+	enum { ESCAPE = 27, MUCH = 4096 };
+	wint_t c = 0;
+	int got;
+	for (int n = 1; pump_signal() == 0; n++) {
+		if (n % MUCH == 0)
+			pump_let_in();
+		got = get_wch(&c);
+		if (got == ERR && !more_waits())
+			return false;
+		if (got == ERR || (got == KEY_CODE_YES && c == KEY_RESIZE))
+			continue;
+		if (!t->paste.on && got == OK && c == ESCAPE &&
+		    pass_over_sequence())
+			continue;
+		*code = (int)c;
+		*special = got == KEY_CODE_YES;
+		if (!input_paste(t, *code, *special))
+			return true;
+		t->pasted = session_clock();
+	}
+	return false;
+}

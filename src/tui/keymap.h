@@ -1,0 +1,16 @@
+/* What keys and mouse do on the full screen.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_TUI_KEYMAP_H
+#define TIPSPEED_TUI_KEYMAP_H
+
+#include "tui/tui_state.h"
+
+/* Takes one key: code as ncurses has it; special: one with a name, no
+ * character; the mouse is one such, whose event ncurses holds. */
+void act_key(struct tui *t, int code, bool special);
+
+/* While an answer is waited for: what the mouse did, from the event ncurses
+ * holds.  True where that is a key, which answers. */
+bool act_pointed(struct tui *t, int *code, bool *special);
+
+#endif

@@ -1,0 +1,345 @@
+/* The table of keys.  Only the names of keys are taken from curses here: who
+ * prints the manual does not link it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/keys.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <curses.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+
+#define CONTROL(letter) ((letter)&0x1F)
+
+#define PREDICT "predict %s"
+
+const struct key KEYS[] = {
+    {KEY_LEFT, "Left, h", ON_ALL, ACT_MOVE, -1, PREDICT,
+	"speed down by 0.1 m/s; or move what Tab chose to the left"},
+    {KEY_RIGHT, "Right, l", ON_ALL, ACT_MOVE, 1, PREDICT,
+	"speed up by 0.1 m/s; or move what Tab chose to the right"},
+    {KEY_SLEFT, "Shift-Left, H", ON_ALL, ACT_FINE, -10, PREDICT,
+	"speed down by 1 m/s; or ten generations"},
+    {KEY_SRIGHT, "Shift-Right, L", ON_ALL, ACT_FINE, 10, PREDICT,
+	"speed up by 1 m/s; or ten generations"},
+    {KEY_NPAGE, "PgDn", ON_ALL, ACT_FINE, -50, PREDICT,
+	"speed down by 5 m/s; or fifty generations"},
+    {KEY_PPAGE, "PgUp", ON_ALL, ACT_FINE, 50, PREDICT,
+	"speed up by 5 m/s; or fifty generations"},
+    {KEY_HOME, "Home, g", ON_ALL, ACT_TO, TO_LEAST, PREDICT,
+	"to the slow end of the track; to the first of a list"},
+    {KEY_END, "End, G", ON_ALL, ACT_TO, TO_MOST, PREDICT,
+	"to the fast end of the track; to the last of a list"},
+    {'[', "[", ON_ALL, ACT_TO, TO_SLOWEST, PREDICT,
+	"to the slowest run, and its feed"},
+    {']', "]", ON_ALL, ACT_TO, TO_FASTEST, PREDICT,
+	"to the fastest run, and its feed"},
+    {'m', "m", ON_ALL, ACT_TO, TO_MIDDLE, PREDICT,
+	"to the middle, and the feed nearest to it"},
+    {'t', "t", ON_ALL, ACT_GOAL, 0, NULL,
+	"set a goal: p80=5.4, passing 2 = 40..50, an envelope; or none"},
+    {'n', "n", ON_ALL, ACT_LIMIT, 1, NULL,
+	"to the next speed where the goal begins or ends, or run"},
+    {'p', "p", ON_ALL, ACT_LIMIT, -1, NULL, "to the one before"},
+    {'N', "N", ON_ALL, ACT_BEST, 0, NULL, "to the best speed of the goal"},
+    {'y', "y", ON_PREDICT, ACT_QUANTITY, 1, NULL,
+	"next quantity above the track: P80, P50 .."},
+    {'Y', "Y", ON_PREDICT, ACT_QUANTITY, -1, NULL, "the one before"},
+    {'\t', "Tab", ON_ALL, ACT_FOCUS, 1, NULL,
+	"choose what arrows move: speed, crosshair, generation, list"},
+    {KEY_BTAB, "Shift-Tab", ON_ALL, ACT_FOCUS, -1, NULL,
+	"choose the previous one"},
+    {'1', "1", ON_ALL, ACT_PAGE, PAGE_PREDICT, NULL, "page Predict"},
+    {'2', "2", ON_ALL, ACT_PAGE, PAGE_FIT, NULL, "page Fit"},
+    {'3', "3", ON_ALL, ACT_PAGE, PAGE_DATA, NULL, "page Data"},
+    {'4', "4", ON_ALL, ACT_PAGE, PAGE_PARITY, NULL, "page Parity"},
+    {'5', "5", ON_ALL, ACT_PAGE, PAGE_SITES, NULL, "page Sites"},
+    {KEY_UP, "Up, k", ON_ALL, ACT_LIST, -1, NULL,
+	"up in a list; to a higher passing for the crosshair's sizes"},
+    {KEY_DOWN, "Down, j", ON_ALL, ACT_LIST, 1, NULL,
+	"down in a list; to a lower passing"},
+    {'\n', "Enter", ON_FIT, ACT_CHOOSE, 0, NULL,
+	"type bounds of the parameter Up and Down choose"},
+    {'.', ".", ON_FIT, ACT_STEP, 0, NULL,
+	"one step of the search, then wait; or the next one"},
+    {'\n', "Enter", ON_PREDICT, ACT_CHOOSE, 0, NULL,
+	"all numbers, also those of what is pinned"},
+    {'\n', "Enter", ON_ALL & ~(ON_PREDICT | ON_FIT | ON_DATA), ACT_CHOOSE, 0,
+	NULL, "open the chosen row: use a site"},
+    {'\n', "Enter", ON_DATA, ACT_MEND, 0, NULL,
+	"mend the doubtful cell; u takes it back"},
+    {'!', "!", ON_DATA, ACT_DOUBT, 0, NULL,
+	"to the next doubtful cell of the sheet"},
+    {'o', "o", ON_SITES, ACT_SORT, 1, NULL,
+	"sort by the next column, or click a heading"},
+    {'O', "O", ON_SITES, ACT_SORT, -1, NULL, "sort the other way round"},
+    {'/', "/", ON_ALL, ACT_FILTER, 0, NULL,
+	"show the rows of a list that have a word; search a text"},
+    {27, "Esc", ON_ALL, ACT_BACK, 0, NULL,
+	"one step back: from a word, the crosshair, a page; never quits"},
+    {'o', "o", ON_ALL & ~ON_SITES, ACT_FILES, 0, NULL,
+	"open a sheet: a list of files, with a preview of each"},
+    {'c', "c", ON_ALL, ACT_CROSS, 0, NULL,
+	"crosshair on or off: reads the curves at a sieve"},
+    {'b', "b", ON_ALL, ACT_BAND, 0, NULL,
+	"uncertainty band on or off, if known"},
+    {'a', "a", ON_ALL, ACT_CORRECT, 0, "set correction",
+	"runs that correct the answer: all, the training runs, none"},
+    {'x', "x", ON_ALL, ACT_PIN, 0, NULL,
+	"pin this prediction for comparison; again: unpin"},
+    {'v', "v", ON_FIT, ACT_PICTURE, 1, NULL,
+	"the next plot: search, curves, convergence, spread"},
+    {'v', "v", ON_PREDICT, ACT_PICTURE, 1, NULL,
+	"another second plot, from 200 columns on"},
+    {'f', "f", ON_ALL, ACT_FIT, 0, "calibrate", "calibrate, or start again"},
+    {' ', "Space", ON_ALL, ACT_HOLD, 0, "continue",
+	"pause or resume the calibration; once stopped: continue"},
+    {'s', "s", ON_ALL, ACT_KEEP, 0, NULL,
+	"stop the calibration and keep the best"},
+    {'+', "+, =", ON_ALL, ACT_PACE, 1, NULL, "more generations a second"},
+    {'-', "-", ON_ALL, ACT_PACE, -1, NULL, "fewer generations a second"},
+    {'d', "d", ON_ALL, ACT_TELL, 0, "describe %s",
+	"describe the plot of the page in words"},
+    {'e', "e", ON_ALL, ACT_EXPORT, 0, "predict %s > ",
+	"export the prediction, a pinned one too: .xlsx, .csv, .svg"},
+    {':', ":", ON_ALL, ACT_TYPE, 0, "",
+	"a command: find, spec, bounds ..; Tab completes, Up repeats"},
+    {'u', "u", ON_ALL, ACT_RUN, 0, "undo", "undo the last change"},
+    {'U', "U", ON_ALL, ACT_RUN, 0, "redo", "redo it"},
+    {'w', "w", ON_ALL, ACT_SAVE, 0, "save ",
+	"save the session as a script, under the name that is proposed"},
+    {'V', "V", ON_ALL, ACT_AGAIN, 0, NULL,
+	"show the last text again: an answer, a report"},
+    {KEY_F(1), "?, F1", ON_ALL, ACT_HELP, 0, NULL, "this list"},
+    {'T', "T", ON_ALL, ACT_TOUR, 0, NULL, "a tour in three steps; Esc ends it"},
+    {'M', "M", ON_ALL, ACT_MOUSE, 0, NULL,
+	"mouse on or off; Shift and drag selects text"},
+    {CONTROL('L'), "^L", ON_ALL, ACT_REDRAW, 0, NULL, "redraw"},
+    {CONTROL('C'), "^C", ON_ALL, ACT_STOP, 0, NULL,
+	"stop the calibration and keep the best"},
+    {CONTROL('Z'), "^Z", ON_ALL, ACT_SUSPEND, 0, NULL,
+	"to the shell; fg comes back"},
+    {'q', "q", ON_ALL, ACT_LEAVE, 0, NULL, "quit full-screen mode"},
+    {.code = 0}};
+
+/* Whether one of the names of a row, "Left, h", is this. */
+static bool
+has_name(const char *names, const char *name)
+{
+	size_t n = strlen(name);
+	while (names != NULL) {
+		if (strncmp(names, name, n) == 0 &&
+		    (names[n] == ',' || names[n] == '\0'))
+			return true;
+		names = strstr(names, ", ");
+		names = names != NULL ? names + 2 : NULL;
+	}
+	return false;
+}
+
+const struct key *
+keys_find(int code, enum page page)
+{
+	if (code == '\r')
+		code = '\n';
+	const char letter[2] = {code < 127 ? (char)code : '\0'};
+	for (const struct key *k = KEYS; k->code != 0; k++)
+		if ((k->pages & (1U << page)) &&
+		    (k->code == code ||
+			(letter[0] > ' ' && has_name(k->name, letter))))
+			return k;
+	return NULL;
+}
+
+bool
+keys_code(const char *name, int *code)
+{
+	static const struct {
+		const char *name;
+		int code;
+	} MORE[] = {{"Backspace", KEY_BACKSPACE}, {"Delete", KEY_DC},
+	    {"<-", KEY_LEFT}, {"->", KEY_RIGHT}};
+	*code = (unsigned char)name[0];
+	if (name[0] != '\0' && name[1] == '\0')
+		return *code > ' ' && *code < 127;
+	for (const struct key *k = KEYS; k->code != 0; k++)
+		if (has_name(k->name, name)) {
+			*code = k->code;
+			return true;
+		}
+	for (size_t i = 0; i < ARRAY_LEN(MORE); i++)
+		if (strcmp(MORE[i].name, name) == 0) {
+			*code = MORE[i].code;
+			return true;
+		}
+	return false;
+}
+
+/* The only page a key is there on, in words; "" where it is on all. */
+static const char *
+only_on(const struct key *k)
+{
+	return k->pages == ON_FIT       ? N_(" (page Fit)")
+	       : k->pages == ON_PREDICT ? N_(" (page Predict)")
+	       : k->pages == ON_SITES   ? N_(" (page Sites)")
+	       : k->pages == ON_DATA    ? N_(" (page Data)")
+					: "";
+}
+
+/* Of the keys that are there on all pages those that do most on some. */
+static bool
+is_own(const struct key *k, enum page page)
+{
+	enum {
+		PREDICT_S = 1 << PAGE_PREDICT,
+		LISTS = 1 << PAGE_DATA | ON_SITES
+	};
+	static const unsigned OWN[] = {[ACT_MOVE] = PREDICT_S,
+	    [ACT_FINE] = PREDICT_S,
+	    [ACT_TO] = PREDICT_S,
+	    [ACT_CROSS] = PREDICT_S,
+	    [ACT_BAND] = PREDICT_S,
+	    [ACT_CORRECT] = PREDICT_S,
+	    [ACT_PIN] = PREDICT_S,
+	    [ACT_EXPORT] = PREDICT_S,
+	    [ACT_FIT] = ON_FIT,
+	    [ACT_HOLD] = ON_FIT,
+	    [ACT_KEEP] = ON_FIT,
+	    [ACT_PACE] = ON_FIT,
+	    [ACT_LIST] = LISTS,
+	    [ACT_CHOOSE] = LISTS,
+	    [ACT_FILTER] = LISTS};
+	unsigned own = k->pages;
+	if (own == ON_ALL)
+		own = k->act < ARRAY_LEN(OWN) ? OWN[k->act] : 0;
+	return own & (1U << page);
+}
+
+static char *
+line_of(const struct key *k)
+{
+	if (k->code == 0)
+		return xstrdup(tr(k->what));
+	return xasprintf("  %-15s %s%s", k->name, tr(k->what), tr(only_on(k)));
+}
+
+static bool
+has_word(const struct key *k, const char *word)
+{
+	char *line = line_of(k), *folded = text_fold(line);
+	char *wanted = text_fold(word);
+	bool has = strstr(folded, wanted) != NULL;
+	free(line);
+	free(folded);
+	free(wanted);
+	return has;
+}
+
+enum { LINES_MOST = ARRAY_LEN(KEYS) + 1 };
+
+/* The lines of the list, headings with a code of 0; returns how many. */
+static size_t
+list_lines(
+    enum page page, const char *word, const struct key *line[static LINES_MOST])
+{
+	static const struct key HEADS[] = {
+	    {.what = N_("On this page")}, {.what = N_("On all pages")}};
+	size_t n = 0;
+	for (size_t part = 0; part < ARRAY_LEN(HEADS); part++) {
+		size_t head = n++;
+		line[head] = &HEADS[part];
+		for (const struct key *k = KEYS; k->code != 0; k++)
+			if (is_own(k, page) == (part == 0) && has_word(k, word))
+				line[n++] = k;
+		if (n == head + 1)
+			n = head;
+	}
+	return n;
+}
+
+void
+keys_list(enum page page, const char *word, FILE *out)
+{
+	const struct key *line[LINES_MOST];
+	size_t n = list_lines(page, word, line);
+	for (size_t i = 0; i < n; i++) {
+		char *text = line_of(line[i]);
+		fprintf(out, "%s\n", text);
+		free(text);
+	}
+	if (n == 0)
+		fprintf(out,
+		    tr("  no key for '%s'; search the commands: Esc, Esc, "
+		       "then\n"
+		       "  :apropos %s\n"),
+		    word, word);
+	if (word[0] == '\0')
+		fprintf(out,
+		    tr("  digits, Enter   type a speed: 74, 9.1, 012.5 (1 to "
+		       "%d "
+		       "are pages)\n"
+		       "  mouse           a click on the plot reads it there; "
+		       "on "
+		       "a "
+		       "row chooses it,\n"
+		       "                  again opens it; on a key's hint "
+		       "presses "
+		       "it; track: drag\n"),
+		    PAGES);
+}
+
+const struct key *
+keys_nth(enum page page, const char *word, size_t n)
+{
+	const struct key *line[LINES_MOST];
+	size_t lines = list_lines(page, word, line);
+	return n < lines && line[n]->code != 0 ? line[n] : NULL;
+}
+
+size_t
+keys_count(enum page page, const char *word)
+{
+	const struct key *line[LINES_MOST];
+	size_t keys = 0, n = list_lines(page, word, line);
+	for (size_t i = 0; i < n; i++)
+		keys += line[i]->code != 0;
+	return keys;
+}
+
+void
+keys_manual(FILE *out)
+{
+	fputs(".Bl -tag -width Shift-Right\n", out);
+	for (const struct key *k = KEYS; k->code != 0; k++) {
+		/* The control characters of mdoc would be taken as such. */
+		fprintf(out, ".It %s%s\n%s%s.\n",
+		    k->name[1] == '\0' ? "\\&" : "", k->name, k->what,
+		    only_on(k));
+		if (k->command != NULL && k->command[0] != '\0' &&
+		    (k->act == ACT_RUN || k->act == ACT_TELL))
+			fprintf(out, "Runs\n.Ic %.*s .\n",
+			    (int)strcspn(k->command, " "), k->command);
+	}
+	fprintf(out,
+	    ".It digits, Enter\nType a speed; 1 to %d are pages, so that one "
+	    "which begins with them\nis typed with a 0 before it: 012.5.\n"
+	    ".It mouse\nClick on the track or drag along it to set the "
+	    "speed;\nthe wheel over it or the plot moves it by 0.1 m/s.\n"
+	    "A click on the plot puts the crosshair on the nearest sieve and "
+	    "says what\nis drawn there, one on a row chooses it, a second one "
+	    "opens it.\nThe name of a page opens it; a hint in the last row is "
+	    "its key, and the row\nof the command begins one.\nOver a list or "
+	    "a text the wheel goes through it.\n.El\n",
+	    PAGES);
+}
+
+void
+keys_texts(void (*print)(const char *text, FILE *out), FILE *out)
+{
+	for (const struct key *k = KEYS; k->code != 0; k++)
+		print(k->what, out);
+}

@@ -1,0 +1,156 @@
+/* Arithmetic of rows and columns: no terminal, no session.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/layout.h"
+
+#include <stddef.h>
+
+#include "base/xalloc.h"
+
+bool
+area_has(const struct area *a, int row, int column)
+{
+	return row >= a->row && row < a->row + a->rows && column >= a->column &&
+	       column < a->column + a->columns;
+}
+
+/* One row at the bottom of what is left. */
+static struct area
+take_bottom(struct area *left)
+{
+	left->rows--;
+	return (struct area){left->row + left->rows, 0, 1, left->columns};
+}
+
+/* The least rows of the screen at which each part is there. */
+enum {
+	FOR_NUMBERS = 2,
+	FOR_COMMAND = 3,
+	FOR_HEADER = 4,
+	FOR_CAPTION = 5,
+	FOR_HINTS = 7,
+	FOR_PLOT = 11,
+	FOR_STATUS = 15,
+	FOR_SIDE = 18,
+	FOR_LEGEND = 20,
+	FOR_ABOVE = 24,
+	FOR_STRIP = 30
+};
+/* Narrower, a plot, a legend or a panel says nothing. */
+enum { PLOT_COLUMNS = 34, LEGEND_COLUMNS = 50, PANEL = 24 };
+/* From so many columns on there is room for a second plot; for a blank column
+ * between a wall and its text. */
+enum { FOR_SECOND = 200, FOR_GAP = 100 };
+
+/* So many rows at the bottom of what is left: with the rows of the screen they
+ * become more. */
+static struct area
+take_rows(struct area *left, int rows, int least, int every)
+{
+	struct area area = *left;
+	area.rows = 3 + (rows - least) / every;
+	left->rows -= area.rows;
+	area.row = left->row + left->rows;
+	return area;
+}
+
+static void
+split_body(struct places *l, int rows, int side_columns)
+{
+	bool side = rows >= FOR_SIDE && side_columns > 0 &&
+		    l->body.columns - side_columns >= PLOT_COLUMNS;
+	l->plot = l->body;
+	if (rows < FOR_PLOT) {
+		l->plot.rows = 0;
+		l->side = l->body;
+		l->side.rows *= side_columns > 0 && l->body.columns >= PANEL;
+	}
+	if (!side)
+		return;
+	int gap = l->body.columns >= FOR_GAP ? 1 : 0;
+	l->plot.columns -= side_columns + 1 + gap;
+	l->side = l->body;
+	l->wall = l->plot.columns;
+	l->side.column = l->wall + 1 + gap;
+	l->side.columns = side_columns;
+}
+
+/* Two of five columns: the curves stay the larger one. */
+static void
+split_plot(struct places *l)
+{
+	l->second = l->plot;
+	l->second.columns = l->plot.columns * 2 / 5;
+	l->plot.columns -= l->second.columns + 1;
+	l->second.column = l->plot.column + l->plot.columns + 2;
+	l->second.columns--;
+}
+
+struct places
+places_make(int rows, int columns, struct places_ask ask)
+{
+	struct places l = {.wall = -1, .body = {0, 0, rows, columns}};
+	struct area *left = &l.body;
+	if (rows >= FOR_HEADER) {
+		l.header = (struct area){0, 0, 1, columns};
+		left->row++;
+		left->rows--;
+	}
+	const struct {
+		int least;
+		struct area *area;
+	} bottom[] = {{FOR_HINTS, &l.hints}, {FOR_STATUS, &l.status},
+	    {FOR_COMMAND, &l.command}, {1, &l.track}};
+	for (size_t i = 0; i < ARRAY_LEN(bottom); i++)
+		if (rows >= bottom[i].least)
+			*bottom[i].area = take_bottom(left);
+	enum { EVERY = 10 };
+	if (ask.above && rows >= FOR_ABOVE)
+		l.above = take_rows(left, rows, FOR_ABOVE, EVERY);
+	if (rows >= FOR_CAPTION)
+		l.caption = take_bottom(left);
+	bool side = rows >= FOR_SIDE && ask.side_columns > 0 &&
+		    columns - ask.side_columns > PLOT_COLUMNS;
+	if (rows >= FOR_NUMBERS && !side)
+		l.numbers = take_bottom(left);
+	if (rows >= FOR_LEGEND && columns >= LEGEND_COLUMNS)
+		l.legend = take_bottom(left);
+	split_body(&l, rows, ask.side_columns);
+	if (ask.second && columns >= FOR_SECOND && l.plot.rows > 0)
+		split_plot(&l);
+	if (ask.strip && rows >= FOR_STRIP) {
+		l.strip = take_rows(&l.plot, rows + EVERY, FOR_STRIP, EVERY);
+		l.strip.row = l.plot.row + l.plot.rows;
+	}
+	return l;
+}
+
+struct places
+places_text(int rows, int columns)
+{
+	enum { FOR_TEXT_HINTS = 3, FOR_TEXT_HEADER = 8 };
+	struct places l = {.body = {0, 0, rows, columns}};
+	if (rows >= FOR_TEXT_HINTS)
+		l.hints = take_bottom(&l.body);
+	if (rows >= FOR_TEXT_HEADER) {
+		l.header = (struct area){0, 0, 1, columns};
+		l.body.row++;
+		l.body.rows--;
+	}
+	return l;
+}
+
+struct area
+places_track(const struct places *l)
+{
+	struct area track = l->track;
+	bool ends = track.columns >= 30;
+	track.column += ends ? 4 : 0;
+	track.columns -= ends ? 8 : 0;
+	return track;
+}
+
+int
+places_message_rows(const struct places *l)
+{
+	return l->hints.rows + l->status.rows > 0 ? 2 : 1;
+}

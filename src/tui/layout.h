@@ -1,0 +1,48 @@
+/* Where the parts of the full screen stand at a size.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_TUI_LAYOUT_H
+#define TIPSPEED_TUI_LAYOUT_H
+
+#include <stdbool.h>
+
+/* What a page wants beside its body: columns of a side panel, or 0; a strip
+ * for differences below the plot; what is asked at all speeds, above the
+ * track; a second plot where there are columns for it. */
+struct places_ask {
+	int side_columns;
+	bool strip, above, second;
+};
+
+/* From the top left of the screen; of no rows: left out. */
+struct area {
+	int row, column, rows, columns;
+};
+
+/* body: all between header and caption, a rule with words; plot, second and
+ * side are its parts.  wall: the column of the line before side, -1: none. */
+struct places {
+	int wall;
+	struct area header, body, plot, side, legend, strip, numbers, caption,
+	    second, above, track, command, status, hints;
+};
+
+/* Any size of at least 1 x 1.  What there is no room for drops in this order:
+ * strip, above, legend, side panel (a row of numbers takes its place), status
+ * (the row of the command takes its place), plot (the side panel has its rows),
+ * hints, caption, header, command; track and numbers go last. */
+struct places places_make(int rows, int columns, struct places_ask ask);
+
+/* The same for text on all of the screen: between header and hints, as long as
+ * there is room for these. */
+struct places places_text(int rows, int columns);
+
+/* The track of the slider without its ends. */
+struct area places_track(const struct places *l);
+
+/* How many rows a message may have. */
+int places_message_rows(const struct places *l);
+
+/* Whether a cell lies in the area. */
+bool area_has(const struct area *area, int row, int column);
+
+#endif

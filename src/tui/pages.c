@@ -1,0 +1,52 @@
+/* The table of pages.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/pages.h"
+
+#include "ui/above.h"
+#include "ui/chooser.h"
+#include "tui/tour.h"
+
+const struct page_ops *const PAGE_OPS[PAGES] = {[PAGE_PREDICT] = &page_predict,
+    [PAGE_FIT] = &page_fit,
+    [PAGE_DATA] = &page_data,
+    [PAGE_PARITY] = &page_parity,
+    [PAGE_SITES] = &page_sites};
+
+const struct page_ops *
+pages_open(const struct tui *t)
+{
+	return PAGE_OPS[t->page];
+}
+
+bool
+pages_can_focus(const struct tui *t)
+{
+	const struct page_ops *ops = pages_open(t);
+	return ops->takes_focus || (ops->list != NULL && ops->list->n(t) > 0) ||
+	       (ops->can_focus != NULL && ops->can_focus(t));
+}
+
+void
+pages_go(struct tui *t, enum page page)
+{
+	if (t->page != page) {
+		t->filter = (struct typing){0};
+		tui_untouch(t);
+	}
+	t->page = page;
+	const struct page_ops *ops = pages_open(t);
+	if (ops->takes_focus)
+		t->focus = ops;
+	else if (t->focus != ops || !pages_can_focus(t))
+		t->focus = NULL;
+}
+
+void
+pages_update(struct tui *t)
+{
+	tour_update(t);
+	chooser_update(t);
+	above_update(t);
+	if (pages_open(t)->update != NULL)
+		pages_open(t)->update(t);
+}

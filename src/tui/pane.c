@@ -1,0 +1,273 @@
+/* What pages draw with.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/pane.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/ask/outlook.h"
+#include "cmd/draw/site_chart.h"
+#include "cmd/draw/plots_limits.h"
+#include "tui/screen.h"
+
+struct area
+pane_list_area(const struct tui *t)
+{
+	struct area area = t->places.body;
+	area.rows += t->places.legend.rows;
+	return area;
+}
+
+/* Says what is drawn there, and has the page do what it does with the place. */
+static bool
+touch_plot(struct tui *t, const struct touched *touched)
+{
+	if (touched->kind != TOUCH_PRESS && touched->kind != TOUCH_DRAG)
+		return false;
+	struct plots_found found;
+	if (touched->item >= t->n_drawn)
+		return true;
+	const struct plot_request *request = &t->drawn[touched->item].request;
+	if (!plots_find(t->session, request, touched->area.columns,
+		touched->area.rows, touched->column, touched->row, &found))
+		return true;
+	void (*point)(struct tui *, enum plot_kind, double, double) =
+	    t->shows->point;
+	if (point != NULL)
+		point(t, request->kind, found.x, found.y);
+	if (found.words != NULL)
+		tui_say(t, false, "%s", found.words);
+	free(found.words);
+	return true;
+}
+
+void
+pane_plot(
+    struct tui *t, const struct plot_request *request, const struct area *area)
+{
+	struct error error = {0};
+	struct plot_request r = *request;
+	if (area->rows < 1 || area->columns < 1)
+		return;
+	r.charset = screen_charset();
+	struct canvas *canvas =
+	    plots_draw(t->session, &r, area->columns, area->rows, &error);
+	if (canvas != NULL) {
+		screen_canvas(area, canvas);
+		canvas_free(canvas);
+		if (t->n_drawn == PLOTS_DRAWN)
+			return;
+		t->drawn[t->n_drawn].request = r;
+		touch_add(&t->touches, *area, touch_plot, t->n_drawn++);
+		return;
+	}
+	int row = screen_words(area, area->rows / 3, LOOK_BOLD, error.text);
+	screen_words(area, row, 0, error.hint);
+}
+
+/* A curve's name after those to its left, where there is room for all of it.
+ * Returns the column after. */
+static int
+draw_name(const struct tui *t, int column, enum series series, unsigned look,
+    const char *text)
+{
+	const struct area *area = &t->places.legend;
+	int from = column > 0 ? column + 2 : 0;
+	if (from + text_width(text) > area->columns)
+		return column;
+	return screen_series(area, 0, from, series, look, text);
+}
+
+/* Of an envelope in use, and the fraction that it is for. */
+static void
+draw_limits(const struct tui *t, int column, bool ascii)
+{
+	char text[40], *words = plots_limits_words(t->session);
+	snprintf(text, sizeof text, "%s %s", ascii ? "@" : "\u2501", words);
+	if (t->session->spec != NULL)
+		column = draw_name(t, column, SERIES_TEXT, 0, tr("T L limits"));
+	if (words[0] != '\0')
+		draw_name(t, column, SERIES_PREDICTED, 0, text);
+	free(words);
+}
+
+/* What was measured: each run's mark, and how many have none. */
+static int
+draw_runs(const struct tui *t, int column, const struct entry *entry)
+{
+	const struct site *site = entry->site;
+	char text[64];
+	for (size_t r = 0; r < site->n_run; r++) {
+		bool held_out = !entry->train[r];
+		if (site_run_repeats(site, r) ||
+		    !site_run_is_near(
+			site, r, t->tenths / 10.0, PLOTS_MEASURED))
+			continue;
+		struct chart_series look = site_chart_run(site, r, held_out);
+		char *sample = chart_sample(&look, screen_charset());
+		snprintf(text, sizeof text, "%s %g%s", sample,
+		    site->run[r].speed, held_out ? tr(" held out") : "");
+		free(sample);
+		column = draw_name(t, column, look.series, LOOK_BOLD, text);
+	}
+	if (plots_left_out(site) > 0) {
+		snprintf(text, sizeof text, tr("+%zu not drawn"),
+		    plots_left_out(site));
+		column = draw_name(t, column, SERIES_TEXT, 0, text);
+	}
+	return column;
+}
+
+/* One row, where the plot's own legend would leave the plot little room; the
+ * runs are those of plots_psd. */
+static void
+draw_legend(const struct tui *t, const struct plot_request *request)
+{
+	const struct entry *entry = tui_entry(t);
+	bool ascii = screen_charset() == CHARSET_ASCII;
+	char text[40], sample[16] = "";
+	int column = 0;
+	if (entry == NULL)
+		return;
+	const struct site *site = entry->site;
+	if (t->now.site[0] != '\0') {
+		snprintf(text, sizeof text, tr("%s predicted%s"),
+		    ascii ? "#" : "\u2500",
+		    outlook_short(t->session, &t->shown));
+		column =
+		    draw_name(t, column, SERIES_PREDICTED, LOOK_BOLD, text);
+	}
+	if (request->kept != NULL)
+		column = draw_name(t, column, SERIES_OTHER, 0,
+		    ascii ? tr("% pinned") : tr("\u254C pinned"));
+	column = draw_runs(t, column, entry);
+	if (site->individual_feeds)
+		snprintf(
+		    sample, sizeof sample, " %g", site->run[tui_feed(t)].speed);
+	snprintf(
+	    text, sizeof text, tr("%s feed%s"), ascii ? "." : "\u2508", sample);
+	column = draw_name(t, column, SERIES_FEED, 0, text);
+	if (t->now.site[0] == '\0')
+		return;
+	column = draw_name(t, column, SERIES_BREAK, 0,
+	    ascii ? tr(": break size") : tr("\u250A break size"));
+	draw_limits(t, column, ascii);
+}
+
+void
+pane_curves(struct tui *t, struct plot_request *request, bool notes)
+{
+	enum { TALL = 20 };
+	struct area plot = t->places.plot;
+	bool below = request->kind != PLOT_PSD && t->places.legend.rows > 0;
+	request->strip = t->places.strip.rows;
+	plot.rows += t->places.strip.rows;
+	if (request->strip == 0 && (plot.rows >= TALL || below)) {
+		request->words |= CHART_LEGEND | (notes ? CHART_NOTES : 0);
+		plot.rows += t->places.legend.rows;
+	} else if (t->places.legend.rows > 0)
+		draw_legend(t, request);
+	pane_plot(t, request, &plot);
+}
+
+void
+pane_cut(char *words, int columns)
+{
+	while (text_width(words) > columns) {
+		char *cut = NULL;
+		for (char *p = strstr(words, "  "); p != NULL;
+		     p = strstr(p + 2, "  "))
+			cut = p;
+		if (cut == NULL)
+			break;
+		*cut = '\0';
+	}
+}
+
+/* The keys named at its start, "Up/Down": a click on one of them is that one,
+ * and where there is one only the words after it are, too. */
+static void
+touch_hint(struct tui *t, int row, int column, const char *hint, size_t n)
+{
+	size_t word = strcspn(hint, " "), from = 0;
+	word = word < n ? word : n;
+	while (from < word) {
+		/* "/" is a key, too. */
+		size_t end = from + 1 + strcspn(hint + from + 1, "/ ");
+		end = end < word ? end : word;
+		char *name = xstrndup(hint + from, end - from);
+		size_t till = from == 0 && end == word ? n : end;
+		int code;
+		if (keys_code(name, &code))
+			touch_add_key(&t->touches,
+			    (struct area){
+				row, column + (int)from, 1, (int)(till - from)},
+			    code, code > 255);
+		free(name);
+		from = end + 1;
+	}
+}
+
+void
+pane_touch_hints(struct tui *t, int row, int column, const char *hints)
+{
+	while (*hints != '\0') {
+		const char *end = strstr(hints, "  ");
+		size_t n = end != NULL ? (size_t)(end - hints) : strlen(hints);
+		char *hint = xstrndup(hints, n);
+		touch_hint(t, row, column, hint, n);
+		column += text_width(hint) + 2;
+		free(hint);
+		hints += n + strspn(hints + n, " ");
+	}
+}
+
+/* Each key, the first word of its hint, stands out of what it does. */
+static void
+draw_hints(const struct area *area, unsigned look, const char *hints)
+{
+	int column = 0;
+	screen_text(area, 0, 0, look, "%s", hints);
+	while (look == LOOK_DIM && *hints != '\0') {
+		const char *end = strstr(hints, "  ");
+		size_t n =
+		    end != NULL ? (size_t)(end - hints) + 2 : strlen(hints);
+		char *hint = xstrndup(hints, n);
+		screen_text(area, 0, column, LOOK_BOLD, "%.*s",
+		    (int)strcspn(hint, " "), hint);
+		column += text_width(hint);
+		free(hint);
+		hints += n;
+	}
+}
+
+void
+pane_hints(struct tui *t, unsigned look, const char *hints)
+{
+	const struct area *area = &t->places.hints;
+	char text[128];
+	snprintf(text, sizeof text, "%s", tr(hints));
+	pane_cut(text, area->columns);
+	draw_hints(area, look, text);
+	if (area->rows > 0)
+		pane_touch_hints(t, area->row, area->column, text);
+}
+
+char *
+pane_curves_words(const struct tui *t)
+{
+	char *where = tui_where(t), *words = xasprintf("psd %s", where);
+	free(where);
+	return words;
+}
+
+int
+pane_moved(int at, int by, size_t n)
+{
+	int to = at + by;
+	return n == 0 || to < 0 ? 0 : to >= (int)n ? (int)n - 1 : to;
+}

@@ -1,0 +1,468 @@
+/* A frame is drawn on a canvas, and ncurses shows it: nothing else here is of
+ * ncurses, and nothing of what is shown.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/screen.h"
+
+#include <limits.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+#include <wchar.h>
+
+#include <curses.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cli/restore.h"
+#include "cli/terminal.h"
+
+/* screen: NULL where nothing is shown, only drawn.  frame: the last one, or
+ * NULL; shown: that which ncurses has, or NULL, when it is to have all anew.
+ * ncurses keeps its state by itself, too. */
+static struct display {
+	SCREEN *screen;
+	bool utf8, mouse, only_text;
+	int depth, rows, columns;
+	enum charset charset;
+	enum theme theme;
+	short pair[SERIES_COUNT]; /* 0 without colours */
+	struct canvas *frame, *shown;
+} is;
+
+static void
+forget_shown(void)
+{
+	canvas_free(is.shown);
+	is.shown = NULL;
+}
+
+/* Series of one colour share a pair: ncurses would write the colour again from
+ * one to the other. */
+static void
+set_colours(bool colour)
+{
+	forget_shown();
+	is.depth = 0;
+	memset(is.pair, 0, sizeof is.pair);
+	if (!colour || !has_colors() || start_color() != OK)
+		return;
+	use_default_colors();
+	is.depth = COLORS >= 256 ? 256 : COLORS >= 16 ? 16 : 8;
+	for (int i = 0; i < SERIES_COUNT; i++) {
+		int of = palette_colour((enum series)i, is.depth, is.theme);
+		int j = 0;
+		while (palette_colour((enum series)j, is.depth, is.theme) != of)
+			j++;
+		is.pair[i] = (short)(j + 1);
+		init_pair(is.pair[i], (short)(of % is.depth), -1);
+	}
+	/* From a colour to a pair takes 5 bytes, to no pair at all 11. */
+	bkgdset(' ' | COLOR_PAIR(is.pair[SERIES_TEXT]));
+}
+
+static void
+set_modes(void)
+{
+	raw();
+	noecho();
+	nonl();
+	keypad(stdscr, TRUE);
+	nodelay(stdscr, TRUE);
+	meta(stdscr, TRUE);
+	set_escdelay(25);
+	/* What most terminals send, whatever their description says. */
+	define_key("\033[1;2D", KEY_SLEFT);
+	define_key("\033[1;2C", KEY_SRIGHT);
+	define_key("\033[1~", KEY_HOME);
+	define_key("\033[4~", KEY_END);
+	define_key("\033[5~", KEY_PPAGE);
+	define_key("\033[6~", KEY_NPAGE);
+	define_key("\033[200~", SCREEN_PASTE);
+	define_key("\033[201~", SCREEN_PASTED);
+	/* The Linux console's description makes a key of its own of ^Z. */
+	define_key("\032", 0);
+}
+
+/* Has pasted text marked, where unknown modes of this kind are passed over. */
+static void
+mark_pastes(bool on)
+{
+	const char *cup = tigetstr("cup");
+	if (cup == NULL || strncmp(cup, "\033[", 2) != 0)
+		return;
+	putp(on ? "\033[?2004h" : "\033[?2004l");
+	fflush(stdout);
+}
+
+void
+screen_theme(enum theme theme)
+{
+	bool other = theme != is.theme;
+	is.theme = theme;
+	if (other && is.screen != NULL && is.depth > 0)
+		set_colours(true);
+}
+
+bool
+screen_open(bool colour)
+{
+	if (terminal_is_dumb())
+		return false;
+	is.screen = newterm(NULL, stdout, stdin);
+	if (is.screen == NULL)
+		return false;
+	if (tigetstr("cup") == NULL) {
+		endwin();
+		delscreen(is.screen);
+		return false;
+	}
+	rescue_screen();
+	is.utf8 = terminal_is_utf8();
+	is.charset = terminal_draws() ? CHARSET_BRAILLE : CHARSET_ASCII;
+	set_modes();
+	set_colours(colour);
+	mark_pastes(true);
+	return true;
+}
+
+/* Not every terminal has a second screen to leave: where the picture stays, the
+ * shell goes on in a row of its own. */
+static void
+end_screen(void)
+{
+	screen_mouse(false);
+	mark_pastes(false);
+	move(LINES - 1, 0);
+	clrtoeol();
+	refresh();
+	endwin();
+}
+
+void
+screen_close(void)
+{
+	end_screen();
+	delscreen(is.screen);
+	canvas_free(is.frame);
+	forget_shown();
+	is = (struct display){0};
+}
+
+struct display *
+screen_aside(int rows, int columns, enum charset charset, int depth)
+{
+	struct display *was = xcalloc(1, sizeof *was);
+	*was = is;
+	is = (struct display){.rows = rows,
+	    .columns = columns,
+	    .charset = charset,
+	    .depth = depth,
+	    .utf8 = true};
+	return was;
+}
+
+struct canvas *
+screen_back(struct display *was)
+{
+	struct canvas *frame = is.frame;
+	is = *was;
+	free(was);
+	return frame;
+}
+
+const struct canvas *
+screen_frame(void)
+{
+	return is.frame;
+}
+
+void
+screen_only_text(bool on)
+{
+	is.only_text = on;
+}
+
+void
+screen_size(int *rows, int *columns)
+{
+	*rows = is.rows;
+	*columns = is.columns;
+}
+
+enum charset
+screen_charset(void)
+{
+	return is.charset;
+}
+
+int
+screen_depth(void)
+{
+	return is.depth;
+}
+
+/* The Linux console says that it has a mouse; but it is gpm's, which tells
+ * nobody of it in this way. */
+static bool
+has_mouse_keys(void)
+{
+	if (strncmp(termname(), "linux", 5) == 0)
+		return false;
+	const char *keys = tigetstr("kmous");
+	return keys != NULL && keys != (const char *)-1 && keys[0] != '\0';
+}
+
+/* ncurses asks for clicks only: 1002 reports motion while a button is held. */
+bool
+screen_mouse(bool on)
+{
+	if (is.screen == NULL)
+		return true;
+	if (on && !has_mouse_keys())
+		return false;
+	if (on)
+		mousemask(ALL_MOUSE_EVENTS | REPORT_MOUSE_POSITION, NULL);
+	if (on || is.mouse)
+		putp(on ? "\033[?1002h" : "\033[?1002l");
+	if (!on)
+		mousemask(0, NULL);
+	mouseinterval(0);
+	fflush(stdout);
+	is.mouse = on;
+	return true;
+}
+
+bool
+screen_mouse_on(void)
+{
+	return is.mouse;
+}
+
+void
+screen_leave(void)
+{
+	bool mouse = is.mouse;
+	def_prog_mode();
+	end_screen();
+	is.mouse = mouse;
+	fflush(stdout);
+}
+
+void
+screen_return(void)
+{
+	reset_prog_mode();
+	bool mouse = is.mouse;
+	screen_resize();
+	refresh();
+	mark_pastes(true);
+	if (mouse)
+		screen_mouse(true);
+}
+
+void
+screen_resize(void)
+{
+	struct winsize size = {0};
+	if (is.screen == NULL)
+		return;
+	forget_shown();
+	/* Without memory for it, ncurses 6.4 has spoilt the heap. */
+	if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 &&
+	    size.ws_col > 0 && resizeterm(size.ws_row, size.ws_col) == ERR)
+		xalloc_fail();
+	clearok(curscr, TRUE);
+}
+
+void
+screen_begin(int *rows, int *columns)
+{
+	if (is.screen != NULL)
+		getmaxyx(stdscr, is.rows, is.columns);
+	if (is.shown != NULL &&
+	    (is.shown->rows != is.rows || is.shown->columns != is.columns))
+		forget_shown();
+	canvas_free(is.frame);
+	is.frame = canvas_new(is.columns, is.rows);
+	is.frame->theme = is.theme;
+	screen_size(rows, columns);
+}
+
+static void
+put_cell(int row, int column, uint32_t code, unsigned look, enum series series)
+{
+	if (row < 0 || row >= is.rows || column < 0 || column >= is.columns)
+		return;
+	*canvas_at(is.frame, column, row) = (struct canvas_cell){
+	    code, (unsigned char)series, (unsigned char)look};
+}
+
+int
+screen_series(const struct area *area, int row, int column, enum series series,
+    unsigned look, const char *text)
+{
+	if (row < 0 || row >= area->rows || column < 0)
+		return column;
+	return canvas_text_within(is.frame, area->column + column,
+		   area->row + row, area->column + area->columns, text, series,
+		   look) -
+	       area->column;
+}
+
+int
+screen_text(const struct area *area, int row, int column, unsigned look,
+    const char *format, ...)
+{
+	char text[512];
+	va_list ap;
+	va_start(ap, format);
+	vsnprintf(text, sizeof text, tr(format), ap);
+	va_end(ap);
+	return screen_series(area, row, column, SERIES_TEXT, look, text);
+}
+
+int
+screen_words_within(const struct area *area, int row, int rows, unsigned look,
+    const char *text, const char *more)
+{
+	char *wrapped = text_wrapped(text, area->columns), *save = NULL;
+	struct area within = *area;
+	for (char *line = strtok_r(wrapped, "\n", &save);
+	     line != NULL && rows > 0; line = strtok_r(NULL, "\n", &save)) {
+		bool cut = --rows == 0 && *save != '\0';
+		within.columns = area->columns - (cut ? text_width(more) : 0);
+		int end =
+		    screen_series(&within, row, 0, SERIES_TEXT, look, line);
+		if (cut)
+			screen_series(area, row, end, SERIES_TEXT, look, more);
+		row++;
+	}
+	free(wrapped);
+	return row;
+}
+
+int
+screen_words(const struct area *area, int row, unsigned look, const char *text)
+{
+	return screen_words_within(area, row, INT_MAX, look, text, "");
+}
+
+void
+screen_rule(const struct area *area)
+{
+	bool lines = is.charset != CHARSET_ASCII;
+	for (int c = 0; c < area->columns && area->rows > 0 && !is.only_text;
+	     c++)
+		put_cell(area->row, area->column + c, lines ? 0x2500 : '-',
+		    LOOK_DIM, SERIES_TEXT);
+}
+
+void
+screen_wall(int row, int column, int rows)
+{
+	bool lines = is.charset != CHARSET_ASCII;
+	for (int r = 0; r < rows && !is.only_text; r++)
+		put_cell(row + r, column, lines ? 0x2502 : '|', LOOK_DIM,
+		    SERIES_TEXT);
+}
+
+void
+screen_canvas(const struct area *area, const struct canvas *canvas)
+{
+	if (is.only_text)
+		return;
+	for (int r = 0; r < area->rows && r < canvas->rows; r++)
+		for (int c = 0; c < area->columns && c < canvas->columns; c++) {
+			const struct canvas_cell *at =
+			    &canvas->cell[r * canvas->columns + c];
+			if (at->code != 0)
+				put_cell(area->row + r, area->column + c,
+				    at->code, at->attribute,
+				    (enum series)at->series);
+		}
+}
+
+/* Where there are eight colours, a bright one is a bold one. */
+static attr_t
+attributes(const struct canvas_cell *cell)
+{
+	unsigned look = cell->attribute;
+	enum series series = (enum series)cell->series;
+	bool faint = canvas_is_faint(is.frame, cell, is.depth);
+	bool bright =
+	    is.depth == 8 && palette_colour(series, is.depth, is.theme) >= 8;
+	return ((look & LOOK_BOLD) || bright ? A_BOLD : 0) |
+	       (faint ? A_DIM : 0) | ((look & LOOK_REVERSE) ? A_REVERSE : 0);
+}
+
+/* A letter without its accent, where there is nothing but ASCII. */
+static wchar_t
+bare_letter(uint32_t code)
+{
+	char letter[5], *folded = text_fold(canvas_utf8(code, letter));
+	char bare = folded[0] > 0 && folded[1] == '\0' ? folded[0] : '?';
+	bool capital = code >= 0xC0 && code < 0xDF && bare >= 'a';
+	free(folded);
+	return capital ? bare - 'a' + 'A' : bare;
+}
+
+static void
+show_cell(int row, int column, const struct canvas_cell *from)
+{
+	wchar_t text[2] = {(wchar_t)from->code, 0};
+	short pair = is.pair[from->series];
+	cchar_t cell;
+	if (!is.utf8 && from->code > 126)
+		text[0] = bare_letter(from->code);
+	setcchar(&cell, text, attributes(from), pair, NULL);
+	mvadd_wch(row, column, &cell);
+}
+
+static bool
+is_same(const struct canvas_cell *a, const struct canvas_cell *b)
+{
+	return a->code == b->code && a->series == b->series &&
+	       a->attribute == b->attribute;
+}
+
+/* Hands over a cell; the right half of a wide letter comes with its left. */
+static void
+put(int row, int column)
+{
+	static const struct canvas_cell BLANK = {' ', SERIES_TEXT, LOOK_PLAIN};
+	const struct canvas_cell *at = canvas_at(is.frame, column, row);
+	if (at->code == 0 && column > 0 && text_columns(at[-1].code) == 2)
+		return;
+	bool blank = at->code == 0 ||
+		     (at->code == ' ' && !(at->attribute & CELL_REVERSE));
+	show_cell(row, column, blank ? &BLANK : at);
+}
+
+/* What is as it was shown last ncurses has already. */
+void
+screen_show(int row, int column)
+{
+	if (is.screen == NULL)
+		return;
+	const struct canvas *was = is.shown;
+	if (was == NULL)
+		erase();
+	for (int r = 0; r < is.rows; r++)
+		for (int c = 0; c < is.columns; c++) {
+			int i = r * is.columns + c;
+			if (was == NULL ||
+			    !is_same(&is.frame->cell[i], &was->cell[i]))
+				put(r, c);
+		}
+	move(row < is.rows ? row : is.rows - 1,
+	    column < is.columns ? column : is.columns - 1);
+	wnoutrefresh(stdscr);
+	doupdate();
+	forget_shown();
+	is.shown = is.frame;
+	is.frame = NULL;
+}

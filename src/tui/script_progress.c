@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/script_progress.h"
+
+#include <signal.h>
+#include <stdlib.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/fit/job.h"
+#include "cmd/session/script.h"
+#include "cli/pump.h"
+#include "tui/captured.h"
+#include "ui/view.h"
+
+/* "4 of 15: validate", and what a search of it is at; the caller frees. */
+static char *
+under_way_words(const struct tui *t)
+{
+	const struct session *s = t->session;
+	char *words = xasprintf("%s  %s", tr("WORKING"), t->under_way);
+	if (session_busy(s) && !s->job.fits) {
+		char *at = s->job.rounds->at(s);
+		xappend(&words, "\n%s", at);
+		free(at);
+	}
+	if (session_busy(s)) {
+		xlist(&words, "\n", tr("generation %zu of %zu"),
+		    calibration_status(s->job.calibration).generation,
+		    s->job.options.generations);
+	}
+	return words;
+}
+
+/* In the midst of a script no page can be drawn: what it would show changes
+ * with every command. */
+static void
+draw(struct tui *t, bool begins)
+{
+	const double often = 0.1; /* s; what is over by then is not shown */
+	double now = session_clock();
+	if (t->under_way == NULL || t->ways->stopped == NULL ||
+	    now - t->ran_from < often ||
+	    (!begins && now - t->drawn_at < often) || t->ways->is_away())
+		return;
+	view_text(t, under_way_words(t));
+	t->ways->show(t);
+	view_close(t);
+	t->drawn_at = now;
+	if (t->ways->stopped(t)) {
+		raise(SIGINT);
+		pump_let_in();
+	}
+}
+
+void
+under_way_begins(void *of, const char *line)
+{
+	struct tui *t = of;
+	struct script_place at = script_place(t->session);
+	if (t->under_way == NULL)
+		t->ran_from = session_clock();
+	free(t->under_way);
+	t->under_way = at.of > 0
+			   ? xasprintf(tr("%zu of %zu: %s"), at.at, at.of, line)
+			   : xstrdup(line);
+	draw(t, true);
+}
+
+void
+under_way_draw(struct tui *t)
+{
+	draw(t, false);
+}
+
+void
+under_way_end(struct tui *t, bool restores, bool ok)
+{
+	if (t->under_way == NULL)
+		return;
+	view_close(t);
+	if (pump_signal() == SIGINT) {
+		pump_forget_interrupt();
+		said_forget(t);
+		tui_say(t, false,
+		    "stopped at %s: what was done before stays, u undoes it",
+		    t->under_way);
+	} else if (ok) {
+		const struct entry *entry = tui_entry(t);
+		const size_t n = t->session->n_entry;
+		if (restores)
+			said_forget(t);
+		char *words =
+		    entry == NULL
+			? xstrdup(tr("no site is loaded"))
+			: xasprintf(
+			      tr_n("%zu site is loaded, %s is in use",
+				  "%zu sites are loaded, %s is in use", n),
+			      n, entry->key);
+		tui_say(t, false, "%s: %s",
+		    restores ? tr("restored") : tr("the script has run"),
+		    words);
+		free(words);
+	}
+	t->told = true;
+	free(t->under_way);
+	t->under_way = NULL;
+}

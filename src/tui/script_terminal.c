@@ -1,0 +1,245 @@
+/* Presses keys by their names and draws frames without a terminal.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/script_terminal.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "tui/keymap.h"
+#include "tui/control.h"
+#include "tui/frame.h"
+#include "tui/pages.h"
+#include "cli/pump.h"
+#include "tui/screen.h"
+#include "tui/tui_state.h"
+#include "tui/watch.h"
+
+/* Of the keys those that are not pressed yet, while there are any. */
+static char *keys_left;
+static char *letters; /* of one of them, typed into an answer */
+static bool asks;     /* a question stands on the picture */
+
+/* Where frames are recorded, or NULL, and how long each is shown. */
+static struct film *film;
+static unsigned frame_ms;
+
+static void
+draw(struct tui *t, unsigned ms)
+{
+	frame_draw(t);
+	if (film != NULL)
+		film_add(film, screen_frame(), ms);
+}
+
+/* What the loop does between two keys; the clock goes on by a second, so that
+ * the same keys give the same picture on any machine. */
+static void
+press(struct tui *t, int code, bool special, unsigned ms)
+{
+	act_key(t, code, special);
+	t->clock++;
+	watch_pump(t);
+	control_predict(t);
+	pages_update(t);
+	if (!asks)
+		draw(t, ms);
+}
+
+/* The next of the keys answers; without one the picture is that of the
+ * question. */
+static bool
+answer(struct tui *t, int *code, bool *special)
+{
+	*special = false;
+	draw(t, frame_ms);
+	if (letters == NULL || *letters == '\0')
+		letters =
+		    keys_left != NULL ? strtok_r(NULL, " ", &keys_left) : NULL;
+	if (letters != NULL && keys_code(letters, code)) {
+		*special = *code > 255;
+		letters = NULL;
+		return true;
+	}
+	asks = letters == NULL || t->inquiry == NULL;
+	if (asks)
+		return false;
+	const char *next = letters;
+	*code = (int)text_next(&next);
+	letters += next - letters;
+	return true;
+}
+
+const struct tui_ways SHOT_WAYS = {.answer = answer};
+
+/* A word that is typed: a speed, or into a line. */
+static bool
+is_typed(const struct tui *t, const char *word)
+{
+	return t->typing.active || t->viewer.word.active || t->filter.active ||
+	       word[strspn(word, "0123456789.")] == '\0';
+}
+
+/* Takes "*5" off the end of a word: how often a key is pressed. */
+static long
+times(char *word)
+{
+	enum { MOST = 9999 };
+	char *sign = strrchr(word, '*'), *end;
+	if (sign == NULL || sign == word || sign[1] < '0' || sign[1] > '9')
+		return 1;
+	long n = strtol(sign + 1, &end, 10);
+	if (*end != '\0')
+		return 1;
+	*sign = '\0';
+	return n > MOST ? MOST : n;
+}
+
+static bool
+press_word(struct tui *t, char *word, struct error *error)
+{
+	enum { LETTERS = 4 };
+	int code;
+	long n = is_typed(t, word) ? 1 : times(word);
+	if (strcmp(word, "^Z") == 0) {
+		error_set(error, ERROR_USAGE,
+		    "^Z needs a shell, and there is none here");
+		return error_hint(error, "leave it out");
+	}
+	if (keys_code(word, &code)) {
+		for (; n > 0 && !t->leave && pump_signal() == 0; n--)
+			press(t, code, code > 255, frame_ms);
+		return true;
+	}
+	if (!is_typed(t, word)) {
+		error_set(error, ERROR_USAGE, "there is no key '%s'", word);
+		return error_hint(error,
+		    "use the names of tipspeed-tui(1), separated by "
+		    "spaces: keys=\"Left Space c\"");
+	}
+	const char *letter = word;
+	while (*letter != '\0')
+		press(t, (int)text_next(&letter), false, frame_ms / LETTERS);
+	return true;
+}
+
+static bool
+press_all(struct tui *t, const char *keys, struct error *error)
+{
+	char *copy = xstrdup(keys);
+	bool ok = true;
+	asks = false;
+	for (char *word = strtok_r(copy, " ", &keys_left);
+	     ok && word != NULL && !t->leave && !t->session->quit;
+	     word = strtok_r(NULL, " ", &keys_left)) {
+		ok = press_word(t, word, error);
+		if (ok && pump_signal() != 0)
+			ok = error_set(error, ERROR_SYSTEM,
+			    "interrupted at the key '%s'", word);
+	}
+	free(copy);
+	keys_left = letters = NULL;
+	return ok;
+}
+
+/* What describe calls the plot of the page, where there is one. */
+static char *
+picture_of(const struct tui *t)
+{
+	char *(*words)(const struct tui *) = pages_open(t)->words;
+	return t->n_drawn == 0 ? NULL
+	       : words != NULL ? words(t)
+			       : pane_curves_words(t);
+}
+
+/* The open one, as it stands; the copy is drawn, so that nothing of it
+ * changes. */
+static bool
+draw_open(struct screen_request *request, struct error *error)
+{
+	struct tui t = *control_open();
+	if (request->keys[0] != '\0') {
+		error_set(error, ERROR_USAGE,
+		    "keys= is for use outside full-screen mode");
+		return error_hint(
+		    error, "press the keys here, then type :screen");
+	}
+	if (request->film != NULL)
+		return error_set(error, ERROR_USAGE,
+		    "frames= is for use outside full-screen mode\n"
+		    "record with: tipspeed -c \"screen keys=.. frames=400 > "
+		    "demo.svg\"");
+	if (request->page > 0)
+		t.page = (enum page)(request->page - 1);
+	t.row = NULL;
+	t.rows_at = 0;
+	t.touches = (struct touches){0};
+	t.sheet.sieve = NULL;
+	t.sheet.column = NULL;
+	t.sheet.doctor = (struct doctor){0};
+	tui_forget_sheet(&t.sheet);
+	t.parity.point = NULL;
+	t.parity.chart = NULL;
+	tui_forget_parity(&t.parity);
+	pages_update(&t);
+	frame_draw(&t);
+	free(t.row);
+	tui_forget_sheet(&t.sheet);
+	tui_forget_parity(&t.parity);
+	touch_free(&t.touches);
+	return true;
+}
+
+static bool
+draw_new(struct session *s, struct screen_request *request, struct error *error)
+{
+	struct tui t;
+	control_begin(&t, s, &SHOT_WAYS);
+	control_predict(&t);
+	film = request->film;
+	frame_ms = request->frame_ms;
+	if (request->page > 0) {
+		frame_draw(&t);
+		press(&t, '0' + request->page, false, frame_ms);
+	} else {
+		pages_update(&t);
+		draw(&t, frame_ms);
+	}
+	bool ok = press_all(&t, request->keys, error);
+	if (ok && request->words && t.viewer.text == NULL)
+		request->picture = picture_of(&t);
+	film = NULL;
+	/* Before the session has its streams again: what a search that ends
+	 * here says is not for the picture. */
+	watch_keep(&t);
+	control_end(&t);
+	return ok;
+}
+
+struct canvas *
+shot_draw(
+    struct session *s, struct screen_request *request, struct error *error)
+{
+	struct screen_request r = *request;
+	bool open = control_open() != NULL;
+	int rows = 30, columns = 100;
+	if (open)
+		screen_size(&rows, &columns);
+	r.rows = r.rows > 0 ? r.rows : rows;
+	r.columns = r.columns > 0 ? r.columns : columns;
+	if (open && !r.charset_asked)
+		r.charset = screen_charset();
+	if (open && !r.colours_asked)
+		r.colours = screen_depth();
+	struct display *was =
+	    screen_aside(r.rows, r.columns, r.charset, r.colours);
+	screen_only_text(r.words);
+	bool ok = open ? draw_open(&r, error) : draw_new(s, &r, error);
+	struct canvas *canvas = screen_back(was);
+	request->picture = r.picture;
+	if (ok)
+		return canvas;
+	canvas_free(canvas);
+	return NULL;
+}

@@ -1,0 +1,235 @@
+/* The full screen's loop: waits, takes keys, moves the session, draws.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/tui.h"
+
+#include <math.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <curses.h>
+
+#include "cmd/session/autosave.h"
+#include "ui/above.h"
+#include "tui/keymap.h"
+#include "tui/control.h"
+#include "tui/frame.h"
+#include "tui/input.h"
+#include "cli/manpage.h"
+#include "tui/pages.h"
+#include "cli/pump.h"
+#include "cli/restore.h"
+#include "tui/screen.h"
+#include "cli/terminal.h"
+#include "tui/tui_state.h"
+#include "cli/history.h"
+#include "tui/watch.h"
+
+/* What is pasted has ended where nothing more came for so long, s. */
+static const double PASTE_PAUSE = 2;
+
+static bool aside; /* somebody else has the terminal */
+
+/* How long to wait, s, for the next generation that is due, or for the end of
+ * what is pasted; INFINITY: for ever. */
+static double
+patience(const struct tui *t)
+{
+	double left = t->paste.on ? PASTE_PAUSE : INFINITY;
+	bool asks = t->question != NULL || t->inquiry != NULL;
+	if (!asks && session_busy(t->session) && !t->held)
+		left = t->pace == PACE_FULL
+			   ? 0
+			   : fmin(left, t->due - session_clock());
+	if (!asks)
+		left = fmin(left, above_wait(t));
+	return left > 0 ? left : 0;
+}
+
+/* Who is given the terminal is stopped with the program, as the shell waits for
+ * both. */
+static void
+leave(void)
+{
+	aside = true;
+	screen_leave();
+	pump_note_stop(false);
+	pump_free_signals();
+}
+
+static void
+come_back(void)
+{
+	pump_hold_signals();
+	pump_note_stop(true);
+	pump_forget_interrupt();
+	screen_return();
+	aside = false;
+}
+
+static void
+stop_here(struct tui *t)
+{
+	double left = session_clock();
+	screen_leave();
+	pump_suspend();
+	pump_forget_interrupt();
+	screen_return();
+	t->started += session_clock() - left;
+}
+
+/* Everything that was typed and dragged; only the newest speed is predicted. */
+static void
+take_keys(struct tui *t)
+{
+	int code;
+	bool special;
+	while (!t->leave && !t->session->quit && input_key(t, &code, &special))
+		act_key(t, code, special);
+	/* Its end does not come: keys are keys again. */
+	if (t->paste.on && session_clock() - t->pasted >= PASTE_PAUSE)
+		input_end_paste(t);
+}
+
+/* A terminal that was closed under the program without a hang-up: reading it
+ * would go round for ever. */
+static void
+notice_end(void)
+{
+	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
+	if (poll(&in, 1, 0) <= 0 || !(in.revents & (POLLHUP | POLLERR)))
+		return;
+	/* pselect lets no signal in while there is something to read. */
+	raise(SIGHUP);
+	pump_let_in();
+}
+
+/* One frame, until something happens. */
+static void
+show(struct tui *t)
+{
+	frame_draw(t);
+	pump_watch(false);
+	pump_wait(patience(t));
+	notice_end();
+	int news = pump_news();
+	if (news & PUMP_STOP) {
+		stop_here(t);
+		news = pump_news();
+	}
+	if (news & (PUMP_WAKE | PUMP_SIZE))
+		screen_resize();
+}
+
+static bool
+is_away(void)
+{
+	return aside;
+}
+
+/* False at a signal. */
+static bool
+answer(struct tui *t, int *code, bool *special)
+{
+	enum { STOP = 26 };
+	bool done = false;
+	while (!done && pump_signal() == 0) {
+		show(t);
+		done = input_key(t, code, special);
+		if (done && *special && *code == KEY_MOUSE) {
+			done = act_pointed(t, code, special);
+		} else if (done && !*special && *code == STOP) {
+			done = false;
+			raise(SIGTSTP);
+		}
+	}
+	return done;
+}
+
+/* Keys that come before their time are lost. */
+static bool
+stopped(struct tui *t)
+{
+	enum { ESCAPE = 27, INTERRUPT = 3 };
+	int code;
+	bool special, stops = false;
+	pump_let_in();
+	while (input_key(t, &code, &special))
+		stops = stops ||
+			(!special && (code == ESCAPE || code == INTERRUPT));
+	return stops;
+}
+
+static void
+loop(struct tui *t)
+{
+	while (!t->leave && !t->session->quit && pump_signal() == 0) {
+		t->clock = session_clock();
+		pump_watch(true);
+		control_predict(t);
+		pages_update(t);
+		show(t);
+		t->clock = session_clock();
+		take_keys(t);
+		pump_watch(true);
+		watch_pump(t);
+		pump_watch(false);
+	}
+}
+
+/* man(1) wants the terminal for itself. */
+static bool
+show_page(const char *page)
+{
+	leave();
+	bool shown = manpage_show(page);
+	come_back();
+	return shown;
+}
+
+/* What was kept of the last session. */
+static void
+offer_last(struct tui *t)
+{
+	char *offer = keep_begin(t->session);
+	if (offer != NULL)
+		tui_say(t, false, "%s", offer);
+	free(offer);
+}
+
+int
+tui_run(struct session *s)
+{
+	static const struct tui_ways WAYS = {
+	    answer, frame_draw, leave, come_back, is_away, stopped};
+	struct sigaction was[3];
+	struct tui t;
+	bool history = typed_is_open();
+	/* What it says of a history that cannot be kept is not for ncurses. */
+	if (!history)
+		typed_open(!s->safe);
+	rescue_note();
+	pump_hold_signals();
+	pump_take_terminal(was);
+	bool opened = screen_open(terminal_colour());
+	if (opened) {
+		control_begin(&t, s, &WAYS);
+		s->hooks.show_page = show_page;
+		offer_last(&t);
+		loop(&t);
+		control_end(&t);
+		screen_close();
+		rescue_done();
+	}
+	pump_give_terminal(was);
+	pump_free_signals();
+	if (!history)
+		typed_close();
+	if (!opened) {
+		session_note(s, "this terminal cannot show full-screen mode: "
+				"check TERM, or use 'predict' without it");
+		return ERROR_SYSTEM;
+	}
+	return pump_status();
+}

@@ -1,0 +1,13 @@
+/* The full screen: the session with its curves, moved by keys and mouse.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_TUI_TUI_H
+#define TIPSPEED_TUI_TUI_H
+
+#include "cmd/session/session.h"
+
+/* Opens the full screen until it is left.  Where the terminal cannot show it,
+ * says so beside the results and comes back.  Returns the exit status: 0, or
+ * what a signal asks for, see pump_status. */
+int tui_run(struct session *s);
+
+#endif

@@ -1,0 +1,153 @@
+/* What follows from the state of the full screen.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/tui_state.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+
+const double PACES[PACE_COUNT] = {0, 1, 2, 5, 10, 20, 50, INFINITY};
+
+const struct entry *
+tui_entry(const struct tui *t)
+{
+	const struct session *s = t->session;
+	return s->n_entry > 0 ? &s->entry[s->current] : NULL;
+}
+
+const char *
+tui_why_none(const struct tui *t)
+{
+	return tui_entry(t) == NULL ? TUI_NO_SITE
+				    : tr("no prediction yet: f calibrates");
+}
+
+struct slider_range
+tui_range(const struct tui *t)
+{
+	const struct entry *entry = tui_entry(t);
+	return slider_range(entry != NULL ? entry->site : NULL);
+}
+
+size_t
+tui_feed(const struct tui *t)
+{
+	const struct site *site = tui_entry(t)->site;
+	if (!site->individual_feeds)
+		return 0;
+	size_t kept = site_run_at(site, t->feed);
+	return kept < site->n_run ? kept
+				  : site_run_nearest(site, t->tenths / 10.0);
+}
+
+void
+tui_keep_feed(struct tui *t)
+{
+	double feed = session_known(t->session, "predict", "feed_mps");
+	if (isfinite(feed))
+		t->feed = feed;
+}
+
+char *
+tui_where(const struct tui *t)
+{
+	const struct entry *entry = tui_entry(t);
+	double speed = t->tenths / 10.0;
+	if (entry == NULL || !entry->site->individual_feeds ||
+	    tui_feed(t) == site_run_nearest(entry->site, speed))
+		return xasprintf("speed=%.1f", speed);
+	return xasprintf(
+	    "speed=%.1f feed=%g", speed, entry->site->run[tui_feed(t)].speed);
+}
+
+char *
+tui_asks(const struct tui *t)
+{
+	char *where = tui_where(t);
+	char *line = t->pin.site[0] != '\0' ? xasprintf("compare pinned %s",
+						  where + strlen("speed="))
+					    : xasprintf("predict %s", where);
+	free(where);
+	return line;
+}
+
+struct plots_past
+tui_past(const struct tui *t)
+{
+	return tui_entry(t) != NULL ? plots_past(t->session)
+				    : (struct plots_past){0};
+}
+
+size_t
+tui_steps(const struct tui *t)
+{
+	struct plots_past past = tui_past(t);
+	return past.n + (past.n > 0 && past.polished);
+}
+
+size_t
+tui_step(const struct tui *t)
+{
+	size_t n = tui_steps(t);
+	return t->generation > 0 && t->generation < n ? t->generation : n;
+}
+
+void
+tui_look_at(struct tui *t, size_t step)
+{
+	t->generation = step < tui_steps(t) ? step : 0;
+}
+
+size_t
+tui_generation(const struct tui *t)
+{
+	size_t n = tui_past(t).n, step = tui_step(t);
+	return step < n ? step : n;
+}
+
+double
+tui_searched(const struct tui *t)
+{
+	return t->ran + (t->held ? 0 : t->clock - t->started);
+}
+
+void
+tui_untouch(struct tui *t)
+{
+	touch_clear(&t->touches);
+	touch_release(&t->touches);
+	t->n_drawn = 0;
+}
+
+void
+tui_forget_sheet(struct sheet *sheet)
+{
+	free(sheet->sieve);
+	free(sheet->column);
+	doctor_free(&sheet->doctor);
+	*sheet = (struct sheet){.row = sheet->row,
+	    .at = sheet->at,
+	    .top = sheet->top,
+	    .left = sheet->left};
+}
+
+void
+tui_forget_parity(struct parity *parity)
+{
+	free(parity->point);
+	chart_free(parity->chart);
+	*parity = (struct parity){.at = parity->at, .top = parity->top};
+}
+
+void
+tui_say(struct tui *t, bool bad, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	vsnprintf(t->message, sizeof t->message, tr(format), ap);
+	va_end(ap);
+	t->bad = bad;
+}

@@ -1,0 +1,323 @@
+/* What the full screen knows beside the session.  The panes read it; keys and
+ * commands change it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_TUI_TUI_STATE_H
+#define TIPSPEED_TUI_TUI_STATE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "base/tr.h"
+#include "cmd/ask/goals.h"
+#include "cmd/draw/plots.h"
+#include "cmd/draw/plots_past.h"
+#include "cmd/session/session.h"
+#include "core/check/outliers.h"
+#include "core/psd/quantity.h"
+#include "core/check/trust.h"
+#include "tui/folder.h"
+#include "tui/keys.h"
+#include "tui/layout.h"
+#include "ui/slider.h"
+#include "tui/hits.h"
+#include "ui/typing.h"
+
+/* The numbers of a prediction, for a difference: P20, P50 and P80 and the break
+ * size, mm; passing at 0.063, 2 and 4 mm, %, NAN where these lie off its
+ * sieves; feed: m/s of the run that it was sampled in, 0: one for all. */
+enum { NUMBERS_FRACTIONS = 3 };
+struct numbers {
+	char site[64];
+	double speed, feed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
+};
+
+/* What the second plot is of; the other site is the one that is pinned. */
+enum second { SECOND_RESPONSE, SECOND_RESIDUALS, SECOND_OTHER, SECONDS };
+
+/* Text on the whole screen: lines from `top` on, of these what is right of the
+ * column `left`.  text NULL: none.  keys: the list of keys, of those that have
+ * the word; one of them, `at`, can be run.  Of other text `at` is the line with
+ * the word that was found. */
+struct viewer {
+	char *text;
+	int top, lines, left, columns;
+	bool keys, report; /* what a long job has ended with */
+	int at;
+	struct typing word;
+};
+
+/* Plots of one frame that can be pointed at. */
+enum { PLOTS_DRAWN = 4 };
+
+/* How many letters such a word may have, and a speed. */
+enum { VIEWER_WORD = 31, SPEED_LETTERS = 7 };
+
+/* A loaded site, entry of the session, at the slider's speed: P50 in mm,
+ * whether that is beyond the speeds trained on; the RMSE at those held out,
+ * points; NAN: none; and the light of its parameters, where it is lit, with
+ * what a fit of its own is called, or NULL. */
+struct site_row {
+	size_t entry;
+	const char *verdict;
+	double p50, holdout;
+	bool beyond, lit;
+	enum light light;
+};
+
+/* The sheet on the Data page: its sieves, m, its columns, a feed or a product
+ * of a run each, and the digits that its cells want; the cell of the cursor and
+ * the first one shown; what the doctor found, where it has looked. */
+struct sheet_column {
+	bool feed;
+	size_t run;
+};
+struct sheet {
+	const struct site *site; /* NULL: none yet */
+	size_t n, n_column;
+	double *sieve;
+	struct sheet_column *column;
+	int digits, width;
+	size_t row, at, top, left;
+	bool looked, calibrated;
+	double misfit; /* of the calibration by which it looked */
+	struct doctor doctor;
+};
+
+/* All sites' held-out runs on the Parity page, compared site by site: `next`
+ * is the one to compare, n_entry when all are; by how many the chosen one is
+ * below the first, and the first one shown; the plot, or why there is none. */
+struct parity_point {
+	size_t entry;
+	struct validation v;
+};
+struct parity {
+	size_t next, n, at, top;
+	struct parity_point *point;
+	struct validate_score score[VALIDATE_NULL][PSD_SIZES];
+	struct chart *chart;
+	struct error error;
+};
+
+/* Columns of the Sites page. */
+enum { SITE_COLUMNS = 12 };
+
+/* Text being pasted: how many of its characters were typed, whether its first
+ * line has ended, and whether something was not taken. */
+struct paste {
+	bool on, ended, left;
+	size_t taken;
+};
+
+/* A cell of the screen. */
+struct cursor {
+	int row, column;
+};
+
+struct above;
+/* What is listed: the folder that the program runs in, of that sheets with a
+ * feed that a product is estimated of, or saved sessions; or the sites that
+ * come with the program. */
+enum chooser_list {
+	CHOOSER_FILES,
+	CHOOSER_FEEDS,
+	CHOOSER_SESSIONS,
+	CHOOSER_SHIPPED
+};
+
+/* Files to open one of, over the page.  word: that they have; preview: of the
+ * item `previewed`, -1: of none. */
+struct chooser {
+	bool on;
+	enum chooser_list list;
+	struct folder folder;
+	struct typing word;
+	int at, top, previewed;
+	char *preview;
+};
+
+struct inquiry;
+struct limits;
+struct second_plot;
+struct page_ops;
+struct tui;
+
+/* How a full screen is shown. */
+struct tui_ways {
+	/* The next key for t->question or t->inquiry; false: none comes. */
+	bool (*answer)(struct tui *t, int *code, bool *special);
+	/* Draws a frame in the midst of a step; NULL: nobody sees it. */
+	void (*show)(struct tui *t);
+	/* Leaves terminal and signals to somebody else, and takes them back;
+	 * NULL where it is drawn without a terminal. */
+	void (*leave)(void), (*come_back)(void);
+	bool (*is_away)(void); /* NULL: never */
+	/* Amid a step, whether Esc or ^C was pressed; NULL: never. */
+	bool (*stopped)(struct tui *t);
+};
+
+struct tui {
+	struct session *session;
+	const struct tui_ways *ways;
+	struct places places;
+	enum page page;
+	/* Of which page the arrows move what it has; NULL: the slider. */
+	const struct page_ops *focus;
+	struct cursor cursor; /* on the focus */
+	bool aside;           /* drawn without a terminal */
+	double clock;   /* s; a step with every key where it is drawn aside */
+	double started; /* the search or its last part, by that clock */
+	double ran;     /* s of its parts before */
+	int tenths;     /* of the slider */
+	double feed;    /* m/s of the run whose feed is kept; 0: none */
+	struct quantity quantity; /* above the track */
+	struct above *above;      /* what is drawn there, see above.h */
+	struct goal goal;         /* the one that is set, see goals.h */
+	bool goal_field; /* the line typed is that; fresh: as it was offered */
+	bool goal_fresh;
+	const struct key *wish; /* of its speeds, pressed before they are */
+	int wish_from;          /* known, and where the slider then stood */
+	struct {
+		int tenths; /* 0: not yet */
+		size_t feed_run;
+	} asked;                 /* what was last predicted */
+	double moved;            /* when the slider last was */
+	struct prediction shown; /* at the slider's speed; product.n 0: none */
+	struct numbers now, pause, pin; /* site "": none */
+	struct prediction kept;         /* whose numbers are in pin, borrowed */
+	bool cross, band, mouse;
+	struct touches touches; /* of the frame shown */
+	struct {
+		struct plot_request request;
+		struct area area;
+	} drawn[PLOTS_DRAWN]; /* its plots */
+	size_t n_drawn;
+	const struct page_ops *shows; /* whose these are */
+	size_t cross_at;              /* a sieve of the prediction */
+	int level;            /* passing that the crosshair reads sizes at, % */
+	size_t site_at;       /* of the Sites page */
+	struct sheet sheet;   /* of the Data page */
+	struct parity parity; /* of the Parity page */
+	struct site_row *row; /* [n_row] of the Sites page as sorted, owned */
+	size_t n_row;
+	int site_width[SITE_COLUMNS]; /* what the texts of each want */
+	int sort; /* 1 + the column sorted by; 0: as they were loaded */
+	bool sort_down;
+	int rows_at;           /* tenths they are of; 0: of another session */
+	size_t looked;         /* counts what may have changed the session */
+	struct limits *limits; /* see limits.h, owned, or NULL */
+	enum second second;    /* right of the curves */
+	struct second_plot *second_plot; /* see second.h, likewise */
+	char *under_way;   /* line of a script that is run, or NULL */
+	double ran_from;   /* when its script began, s */
+	double drawn_at;   /* when that was last drawn */
+	const char *begun; /* what takes a moment just now, or NULL */
+	enum plot_kind picture;
+	bool held;            /* the calibration waits */
+	int pace;             /* index of PACES */
+	double due;           /* when the next generation is */
+	size_t generation;    /* looked at, 1..; 0: the end so far */
+	size_t param_at;      /* chosen on the page Fit, 1..; 0: none */
+	double holdout;       /* RMSE of the site in use, points, or NAN */
+	struct typing typing; /* a command */
+	struct typing speed;
+	struct typing filter; /* a word that rows of a list must have */
+	struct paste paste;
+	double pasted; /* when its last character came */
+	struct viewer viewer;
+	char *closed; /* the text that was closed last, or NULL */
+	struct chooser chooser;
+	int first_at;      /* of what can be done first */
+	size_t tour;       /* its step, 1..; 0: none is shown */
+	int tour_tenths;   /* of the slider when that began */
+	double tour_found; /* by `find`, m/s, likewise; or NAN */
+	char *command;     /* the last one, for show */
+	const char *job;   /* name of that which began the job, or NULL */
+	bool failed;       /* it did */
+	char message[800];
+	bool bad;             /* the message is an error */
+	bool told;            /* it is of the command that moved the slider */
+	bool left_out;        /* the panel has more than it shows */
+	bool formed;          /* `now` is of a search that was under way */
+	const char *question; /* that waits for an answer, or NULL */
+	const struct inquiry *inquiry; /* likewise, for a line */
+	struct typing answer;          /* that line */
+	int inquiry_up;                /* rows its table is moved up */
+	struct {
+		bool is, special;
+		int code;
+	} pointed;  /* the key that the mouse pressed for an answer */
+	FILE *said; /* what commands print */
+	char *said_text;
+	size_t said_n;
+	bool leave;
+	/* The session's, which it gets back. */
+	struct {
+		FILE *out, *notes;
+		struct hooks hooks;
+		bool prompt;
+		size_t typed_at;
+		struct screen screen;
+	} before;
+};
+
+/* Generations a second; the last: as many as can be. */
+enum {
+	PACE_AUTO, /* slow while the best gains much */
+	PACE_USUAL = 5,
+	PACE_FULL = 7,
+	PACE_COUNT
+};
+extern const double PACES[PACE_COUNT];
+
+/* What is known of the search of the site in use, see plots.h. */
+struct plots_past tui_past(const struct tui *t);
+
+/* The steps of the search: its generations, and one for the polish where that
+ * found better.  The one looked at, 1..; and to look at it: at the last of a
+ * search that runs, those which follow are. */
+size_t tui_steps(const struct tui *t);
+size_t tui_step(const struct tui *t);
+void tui_look_at(struct tui *t, size_t step);
+
+/* The generation looked at, 1..n, at the polish the last. */
+size_t tui_generation(const struct tui *t);
+
+/* How long the search under way has run, s: pauses do not count. */
+double tui_searched(const struct tui *t);
+
+/* The site in use, or NULL. */
+const struct entry *tui_entry(const struct tui *t);
+
+/* What to do first where there is none, and where nothing is predicted. */
+#define TUI_NO_SITE N_("no site is loaded: o opens a sheet")
+const char *tui_why_none(const struct tui *t);
+
+/* The speeds of the slider at that site. */
+struct slider_range tui_range(const struct tui *t);
+
+/* The run of that site whose feed the slider predicts with, whatever its speed:
+ * what changes while it moves is what the speed does.  It is the one that the
+ * last prediction took, or stood nearest when there was none. */
+size_t tui_feed(const struct tui *t);
+void tui_keep_feed(struct tui *t);
+
+/* Where the slider stands, as options of predict: "speed=77.0 feed=74", the
+ * feed where it is not what predict takes by itself.  The caller frees. */
+char *tui_where(const struct tui *t);
+
+/* The command whose answer has all that is shown there: predict, or compare
+ * with what is pinned.  The caller frees. */
+char *tui_asks(const struct tui *t);
+
+/* The frame shown is no longer what there is: until the next nothing of it is
+ * touched, as one event may come before that. */
+void tui_untouch(struct tui *t);
+/* Forgets what was worked out, but not where the cursor is. */
+void tui_forget_sheet(struct sheet *sheet);
+void tui_forget_parity(struct parity *parity);
+
+/* A line for the message row. */
+void tui_say(struct tui *t, bool bad, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+#endif

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/watch.h"
+
+#include <stdlib.h>
+
+#include "base/tr.h"
+#include "cmd/session/turn.h"
+#include "cmd/fit/job.h"
+#include "cmd/ask/trust_light.h"
+#include "tui/control.h"
+#include "cli/pump.h"
+#include "tui/captured.h"
+
+void
+watch_keep(struct tui *t)
+{
+	struct session *s = t->session;
+	if (!session_busy(s))
+		return;
+	struct error error = {0};
+	bool alone = s->job.rounds->alone;
+	const char *useless = s->job.rounds->useless;
+	session_pause(s);
+	session_settle(s, true, &error);
+	t->ran = tui_searched(t);
+	t->held = false;
+	t->asked.tenths = 0;
+	control_look(t);
+	tui_say(t, false, "%s",
+	    useless != NULL ? useless
+	    : alone
+		? tr("stopped, the best is kept: Space continues, f starts "
+		     "again, both within the current bounds; u undoes it")
+		: tr("stopped: the sites calibrated so far keep their fits; u "
+		     "undoes it"));
+}
+
+/* The last calibration of several: their table is what they end with. */
+static void
+finish_all(struct tui *t)
+{
+	struct error error = {0};
+	if (!session_settle(t->session, true, &error))
+		said_error(t, &error, "", "");
+	else
+		tui_say(t, false,
+		    "all sites are calibrated: Enter opens one, :validate all "
+		    "compares them with their held-out runs");
+	t->held = false;
+	control_look(t);
+}
+
+/* The calibration has come to its end. */
+static void
+finish(struct tui *t)
+{
+	struct error error = {0};
+	if (!session_settle(t->session, true, &error))
+		said_error(t, &error, "", "");
+	t->held = false;
+	control_look(t);
+	const struct entry *entry = tui_entry(t);
+	if (entry != NULL && entry->has_fit && error.kind == ERROR_NONE)
+		tui_say(t, false,
+		    t->page == PAGE_FIT
+			? N_("calibrated: %s, RMSE %.2f points, %zu "
+			     "generations; Tab, arrows: show them")
+			: N_("calibrated: %s, RMSE %.2f points, %zu "
+			     "generations"),
+		    light_verdict(t->session, entry, NULL),
+		    100 * entry->fit.rmse, entry->fit.generations);
+}
+
+/* The job of these is over. */
+static void
+finish_rounds(struct tui *t, const struct rounds *rounds)
+{
+	struct error error = {0};
+	if (rounds->at == NULL) {
+		(rounds->alone ? finish : finish_all)(t);
+		return;
+	}
+	t->held = false;
+	control_look(t);
+	said_show(t);
+	if (!session_settle(t->session, true, &error))
+		said_error(t, &error, "", "");
+	else if (t->viewer.text != NULL) {
+		t->viewer.report = true;
+		tui_say(t, false, "%s: done, V shows it again",
+		    t->job != NULL ? t->job : t->command);
+	}
+}
+
+/* Whether the search is over and what is drawn of its end under way. */
+static bool
+is_drawing(const struct session *s)
+{
+	return session_busy(s) &&
+	       calibration_status(s->job.calibration).state >=
+		   CALIBRATE_TOLERANCE;
+}
+
+void
+watch_hold(struct tui *t, bool hold)
+{
+	if (hold == t->held)
+		return;
+	t->ran = tui_searched(t);
+	t->held = hold;
+	t->due = t->started = t->clock;
+}
+
+void
+watch_step(struct tui *t)
+{
+	if (!session_busy(t->session))
+		return;
+	const struct rounds *rounds = t->session->job.rounds;
+	do
+		session_step(t->session);
+	while (session_busy(t->session) && is_drawing(t->session));
+	t->asked.tenths = 0;
+	if (!session_busy(t->session))
+		finish_rounds(t, rounds);
+}
+
+/* Generations a second: fewer where the last one gained much. */
+static double
+pace_now(const struct tui *t)
+{
+	enum { QUICK = 40, USUAL = 12, SLOW = 4 };
+	const double much = 0.2, little = 0.02;
+	struct plots_past past = tui_past(t);
+	const struct calibrate_generation *g = past.generation;
+	if (t->pace != PACE_AUTO)
+		return PACES[t->pace];
+	if (past.n < 2 || past.polished)
+		return USUAL;
+	double gain = 1 - g[past.n - 1].best / g[past.n - 2].best;
+	return gain >= much ? SLOW : gain >= little ? USUAL : QUICK;
+}
+
+void
+watch_pump(struct tui *t)
+{
+	static const double FRAME = 0.02; /* s, at full pace */
+	struct session *s = t->session;
+	if (!session_busy(s) || t->held)
+		return;
+	double began = session_clock();
+	/* Of several nobody watches the generations. */
+	const struct rounds *rounds = s->job.rounds;
+	int pace = rounds->alone && !is_drawing(s) ? t->pace : PACE_FULL;
+	size_t entry = s->job.entry;
+	if (pace < PACE_FULL && t->clock < t->due)
+		return;
+	do {
+		/* What each round says is not for a result. */
+		if (rounds->at != NULL)
+			said_forget(t);
+		session_step(s);
+	} while (session_busy(s) && pump_signal() == 0 &&
+		 entry == s->job.entry &&
+		 (pace == PACE_FULL || is_drawing(s)) &&
+		 (t->aside ||
+		     (!pump_waited_for() && session_clock() - began < FRAME)));
+	if (pace < PACE_FULL)
+		t->due = t->clock + 1 / pace_now(t);
+	if (entry == s->current && rounds->at == NULL)
+		t->asked.tenths = 0;
+	if (!session_busy(s))
+		finish_rounds(t, rounds);
+	else if (rounds->at == NULL && entry != s->job.entry)
+		control_look(t);
+}

@@ -1,0 +1,18 @@
+/* What runs for long, watched on the full screen.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_TUI_WATCH_H
+#define TIPSPEED_TUI_WATCH_H
+
+#include "tui/tui_state.h"
+
+/* Some steps of the calibration that runs, as many as are due. */
+void watch_pump(struct tui *t);
+
+/* Lets the calibration that runs wait, or go on; makes one step of it. */
+void watch_hold(struct tui *t, bool hold);
+void watch_step(struct tui *t);
+
+/* Stops the calibration that runs and keeps its best. */
+void watch_keep(struct tui *t);
+
+#endif
