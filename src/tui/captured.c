@@ -7,7 +7,7 @@
 
 #include "base/xalloc.h"
 #include "tui/screen.h"
-#include "ui/view.h"
+#include "tui/widgets/view.h"
 
 /* What is said next is for this screen, which has no use for escapes. */
 void

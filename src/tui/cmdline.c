@@ -16,7 +16,7 @@
 #include "cli/pump.h"
 #include "tui/captured.h"
 #include "cli/history.h"
-#include "ui/view.h"
+#include "tui/widgets/view.h"
 #include "tui/watch.h"
 
 /* Stops no search, and the screen stays as it stands until it is drawn. */

@@ -11,16 +11,16 @@
 #include "cmd/ask/fit.h"
 #include "cmd/fit/job.h"
 #include "cmd/ask/trust_light.h"
-#include "ui/above.h"
-#include "ui/chooser.h"
-#include "ui/dialogue.h"
+#include "tui/widgets/response_strip.h"
+#include "tui/widgets/file_picker.h"
+#include "tui/widgets/dialog.h"
 #include "tui/pages.h"
-#include "ui/rows.h"
+#include "tui/widgets/list.h"
 #include "tui/screen.h"
 #include "tui/tour.h"
-#include "ui/track.h"
-#include "ui/verdicts.h"
-#include "ui/view.h"
+#include "tui/widgets/track.h"
+#include "tui/widgets/panel.h"
+#include "tui/widgets/view.h"
 
 /* How a page is called in the heading: in full, by its number but for the one
  * that is open, or all by their numbers. */

@@ -11,7 +11,7 @@
 #include <curses.h>
 
 #include "tui/keymap.h"
-#include "ui/dialogue.h"
+#include "tui/widgets/dialog.h"
 #include "cli/pump.h"
 #include "tui/screen.h"
 

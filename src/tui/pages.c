@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/pages.h"
 
-#include "ui/above.h"
-#include "ui/chooser.h"
+#include "tui/widgets/response_strip.h"
+#include "tui/widgets/file_picker.h"
 #include "tui/tour.h"
 
 const struct page_ops *const PAGE_OPS[PAGES] = {[PAGE_PREDICT] = &page_predict,

@@ -10,7 +10,7 @@
 #include "cmd/session/script.h"
 #include "cli/pump.h"
 #include "tui/captured.h"
-#include "ui/view.h"
+#include "tui/widgets/view.h"
 
 /* "4 of 15: validate", and what a search of it is at; the caller frees. */
 static char *

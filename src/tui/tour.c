@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "ui/chooser.h"
+#include "tui/widgets/file_picker.h"
 #include "tui/control.h"
 #include "tui/screen.h"
 

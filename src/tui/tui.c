@@ -11,7 +11,7 @@
 #include <curses.h>
 
 #include "cmd/session/autosave.h"
-#include "ui/above.h"
+#include "tui/widgets/response_strip.h"
 #include "tui/keymap.h"
 #include "tui/control.h"
 #include "tui/frame.h"

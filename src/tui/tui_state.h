@@ -18,9 +18,9 @@
 #include "tui/folder.h"
 #include "tui/keys.h"
 #include "tui/layout.h"
-#include "ui/slider.h"
+#include "tui/widgets/slider.h"
 #include "tui/hits.h"
-#include "ui/typing.h"
+#include "tui/widgets/edit.h"
 
 /* The numbers of a prediction, for a difference: P20, P50 and P80 and the break
  * size, mm; passing at 0.063, 2 and 4 mm, %, NAN where these lie off its

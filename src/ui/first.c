@@ -4,7 +4,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "ui/chooser.h"
+#include "tui/widgets/file_picker.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
 #include "tui/tour.h"

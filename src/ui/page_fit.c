@@ -11,7 +11,7 @@
 #include "cmd/draw/plots_search.h"
 #include "core/search/misfit.h"
 #include "tui/screen.h"
-#include "ui/search_side.h"
+#include "tui/widgets/search_side.h"
 #include "tui/watch.h"
 
 static bool

@@ -11,11 +11,11 @@
 #include "cmd/ask/pin.h"
 #include "io/sitefile/units.h"
 #include "ui/first.h"
-#include "ui/limits.h"
+#include "tui/widgets/envelope_check.h"
 #include "tui/pages.h"
-#include "ui/second.h"
+#include "tui/widgets/second_plot.h"
 #include "tui/cmdline.h"
-#include "ui/verdicts.h"
+#include "tui/widgets/panel.h"
 
 static void
 draw(struct tui *t)

@@ -16,12 +16,12 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
 #include "io/sitefile/units.h"
-#include "ui/chooser.h"
+#include "tui/widgets/file_picker.h"
 #include "tui/control.h"
 #include "tui/pages.h"
-#include "ui/rows.h"
+#include "tui/widgets/list.h"
 #include "tui/screen.h"
-#include "ui/track.h"
+#include "tui/widgets/track.h"
 #include "tui/watch.h"
 
 enum column {

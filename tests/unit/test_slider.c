@@ -10,7 +10,7 @@
 
 #include "base/xalloc.h"
 #include "core/psd/site.h"
-#include "ui/slider.h"
+#include "tui/widgets/slider.h"
 
 enum { SLIDER_LEAST = 650, SLIDER_MOST = 850 };
 static const struct slider_range ALL = {SLIDER_LEAST, SLIDER_MOST};

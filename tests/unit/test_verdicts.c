@@ -9,7 +9,7 @@
 #include "tui/keymap.h"
 #include "tui/control.h"
 #include "tui/frame.h"
-#include "ui/limits.h"
+#include "tui/widgets/envelope_check.h"
 #include "tui/pages.h"
 #include "tui/screen.h"
 #include "tui/script_terminal.h"

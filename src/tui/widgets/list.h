@@ -1,7 +1,7 @@
 /* The list of a page: keys, mouse and a word after / go through its rows.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_ROWS_H
-#define TIPSPEED_UI_ROWS_H
+#ifndef TIPSPEED_TUI_WIDGETS_LIST_H
+#define TIPSPEED_TUI_WIDGETS_LIST_H
 
 #include "tui/pane.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/limits.h"
+#include "tui/widgets/envelope_check.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* What the crosshair reads, and sizes in words.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_READINGS_H
-#define TIPSPEED_UI_READINGS_H
+#ifndef TIPSPEED_TUI_WIDGETS_READOUT_H
+#define TIPSPEED_TUI_WIDGETS_READOUT_H
 
 #include "tui/tui_state.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/search_side.h"
+#include "tui/widgets/search_side.h"
 
 #include <math.h>
 #include <stdio.h>

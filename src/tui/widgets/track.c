@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/track.h"
+#include "tui/widgets/track.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "core/model/breakage.h"
 #include "io/sitefile/units.h"
-#include "ui/goal.h"
+#include "tui/widgets/goal.h"
 #include "tui/screen.h"
 
 enum { MOST_MARKS = 300 };

@@ -1,6 +1,6 @@
 /* Choosing, opening and filtering rows, whatever they show.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/rows.h"
+#include "tui/widgets/list.h"
 
 #include <limits.h>
 #include <stdlib.h>

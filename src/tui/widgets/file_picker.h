@@ -1,7 +1,7 @@
 /* The list of files over the page: one is looked at, and opened.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_CHOOSER_H
-#define TIPSPEED_UI_CHOOSER_H
+#ifndef TIPSPEED_TUI_WIDGETS_FILE_PICKER_H
+#define TIPSPEED_TUI_WIDGETS_FILE_PICKER_H
 
 #include "tui/tui_state.h"
 

@@ -1,6 +1,6 @@
 /* Lists, previews, and the command that opens what is chosen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/chooser.h"
+#include "tui/widgets/file_picker.h"
 
 #include <ctype.h>
 #include <stdlib.h>

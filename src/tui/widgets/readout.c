@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/readings.h"
+#include "tui/widgets/readout.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/sieve_table.h"
+#include "tui/widgets/sieve_table.h"
 
 #include <math.h>
 #include <stdio.h>

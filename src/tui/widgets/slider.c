@@ -1,6 +1,6 @@
 /* The slider's arithmetic and drawing: no terminal, no session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/slider.h"
+#include "tui/widgets/slider.h"
 
 #include <math.h>
 #include <stdio.h>

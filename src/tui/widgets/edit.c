@@ -1,6 +1,6 @@
 /* Editing of one line: no screen here.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/typing.h"
+#include "tui/widgets/edit.h"
 
 #include <stdio.h>
 #include <stdlib.h>

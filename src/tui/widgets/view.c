@@ -1,6 +1,6 @@
 /* Scrolling, choosing, drawing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/view.h"
+#include "tui/widgets/view.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* The slider: a speed as a whole number of 0.1 m/s, and its track.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_SLIDER_H
-#define TIPSPEED_UI_SLIDER_H
+#ifndef TIPSPEED_TUI_WIDGETS_SLIDER_H
+#define TIPSPEED_TUI_WIDGETS_SLIDER_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,8 +1,8 @@
 /* The track of the slider on the screen, its heading, and where keys and mouse
  * take the slider.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_TRACK_H
-#define TIPSPEED_UI_TRACK_H
+#ifndef TIPSPEED_TUI_WIDGETS_TRACK_H
+#define TIPSPEED_TUI_WIDGETS_TRACK_H
 
 #include "tui/tui_state.h"
 

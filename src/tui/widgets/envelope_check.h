@@ -1,7 +1,7 @@
 /* The grading envelope in use, worked out at the slider's speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_LIMITS_H
-#define TIPSPEED_UI_LIMITS_H
+#ifndef TIPSPEED_TUI_WIDGETS_ENVELOPE_CHECK_H
+#define TIPSPEED_TUI_WIDGETS_ENVELOPE_CHECK_H
 
 #include "cmd/ask/envelope.h"
 #include "tui/tui_state.h"

@@ -1,8 +1,8 @@
 /* The product at the slider's speed sieve by sieve, beside what it is compared
  * with.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_SIEVE_TABLE_H
-#define TIPSPEED_UI_SIEVE_TABLE_H
+#ifndef TIPSPEED_TUI_WIDGETS_SIEVE_TABLE_H
+#define TIPSPEED_TUI_WIDGETS_SIEVE_TABLE_H
 
 #include "tui/tui_state.h"
 

@@ -1,8 +1,8 @@
 /* The panel of the page Fit: where the search stands, the parameters within
  * their bounds, and how it came together.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_SEARCH_SIDE_H
-#define TIPSPEED_UI_SEARCH_SIDE_H
+#ifndef TIPSPEED_TUI_WIDGETS_SEARCH_SIDE_H
+#define TIPSPEED_TUI_WIDGETS_SEARCH_SIDE_H
 
 #include "tui/tui_state.h"
 

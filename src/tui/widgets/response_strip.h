@@ -1,8 +1,8 @@
 /* A quantity over all speeds of the slider, in the same columns above its
  * track.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_ABOVE_H
-#define TIPSPEED_UI_ABOVE_H
+#ifndef TIPSPEED_TUI_WIDGETS_RESPONSE_STRIP_H
+#define TIPSPEED_TUI_WIDGETS_RESPONSE_STRIP_H
 
 #include "tui/tui_state.h"
 

@@ -1,7 +1,7 @@
 /* Text on the whole screen: what commands print, and the list of keys.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_VIEW_H
-#define TIPSPEED_UI_VIEW_H
+#ifndef TIPSPEED_TUI_WIDGETS_VIEW_H
+#define TIPSPEED_TUI_WIDGETS_VIEW_H
 
 #include "tui/tui_state.h"
 

@@ -1,5 +1,5 @@
 /* * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/goal.h"
+#include "tui/widgets/goal.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -1,8 +1,8 @@
 /* A question about a sheet on the full screen: a box with the table of its
  * columns and a line to answer in.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_DIALOGUE_H
-#define TIPSPEED_UI_DIALOGUE_H
+#ifndef TIPSPEED_TUI_WIDGETS_DIALOG_H
+#define TIPSPEED_TUI_WIDGETS_DIALOG_H
 
 #include "cmd/sheets/ask_user.h"
 #include "tui/tui_state.h"

@@ -1,8 +1,8 @@
 /* What is being typed on the full screen: a line, with completion and history,
  * or a word or number of a few letters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_TYPING_H
-#define TIPSPEED_UI_TYPING_H
+#ifndef TIPSPEED_TUI_WIDGETS_EDIT_H
+#define TIPSPEED_TUI_WIDGETS_EDIT_H
 
 #include <stdbool.h>
 #include <stddef.h>

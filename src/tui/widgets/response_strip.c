@@ -1,7 +1,7 @@
 /* Some speeds at a time are worked out between two keys; a step of the slider
  * moves the mark only.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/above.h"
+#include "tui/widgets/response_strip.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,9 +14,9 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
-#include "ui/goal.h"
+#include "tui/widgets/goal.h"
 #include "tui/screen.h"
-#include "ui/track.h"
+#include "tui/widgets/track.h"
 
 /* Speeds worked out in one go, and how long the slider stands still before
  * that, s. */

@@ -1,6 +1,6 @@
 /* Blocks from the top down, filled by what is wanted most.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/verdicts.h"
+#include "tui/widgets/panel.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,11 +15,11 @@
 #include "cmd/draw/plots_limits.h"
 #include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
-#include "ui/limits.h"
+#include "tui/widgets/envelope_check.h"
 #include "tui/pane.h"
-#include "ui/readings.h"
+#include "tui/widgets/readout.h"
 #include "tui/screen.h"
-#include "ui/sieve_table.h"
+#include "tui/widgets/sieve_table.h"
 #include "tui/cmdline.h"
 
 /* A row of numbers: its name, then these columns; where the panel is wide a

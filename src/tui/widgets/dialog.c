@@ -2,7 +2,7 @@
  * else may be answered, what the question is about, the keys, the table but for
  * the row asked about.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/dialogue.h"
+#include "tui/widgets/dialog.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/second.h"
+#include "tui/widgets/second_plot.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* What the slider's speed gives, beside the curves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_VERDICTS_H
-#define TIPSPEED_UI_VERDICTS_H
+#ifndef TIPSPEED_TUI_WIDGETS_PANEL_H
+#define TIPSPEED_TUI_WIDGETS_PANEL_H
 
 #include "tui/tui_state.h"
 

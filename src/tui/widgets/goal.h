@@ -1,8 +1,8 @@
 /* The goal on the full screen: the field that it is typed into, and where it is
  * met along the track.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_GOAL_H
-#define TIPSPEED_UI_GOAL_H
+#ifndef TIPSPEED_TUI_WIDGETS_GOAL_H
+#define TIPSPEED_TUI_WIDGETS_GOAL_H
 
 #include "cmd/ask/goals.h"
 #include "tui/tui_state.h"

@@ -1,8 +1,8 @@
 /* The second plot of page Predict, right of the curves on a screen that is wide
  * enough: what does not change with the slider.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_SECOND_H
-#define TIPSPEED_UI_SECOND_H
+#ifndef TIPSPEED_TUI_WIDGETS_SECOND_PLOT_H
+#define TIPSPEED_TUI_WIDGETS_SECOND_PLOT_H
 
 #include "tui/tui_state.h"
 
