@@ -20,7 +20,7 @@
 #include "tui/widgets/file_picker.h"
 #include "tui/control.h"
 #include "tui/widgets/goal.h"
-#include "ui/page_predict.h"
+#include "tui/pages/page_predict.h"
 #include "tui/pages.h"
 #include "tui/widgets/list.h"
 #include "tui/screen.h"

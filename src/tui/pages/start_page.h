@@ -1,7 +1,7 @@
 /* The first minute: what can be done while there is no site.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_FIRST_H
-#define TIPSPEED_UI_FIRST_H
+#ifndef TIPSPEED_TUI_PAGES_START_PAGE_H
+#define TIPSPEED_TUI_PAGES_START_PAGE_H
 
 #include "base/tr.h"
 #include "tui/tui_state.h"

@@ -1,6 +1,6 @@
 /* A list of ways to a site.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/first.h"
+#include "tui/pages/start_page.h"
 
 #include "base/tr.h"
 #include "base/xalloc.h"

@@ -1,7 +1,7 @@
 /* The page Predict: the curves, and the numbers at the slider's speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_UI_PAGE_PREDICT_H
-#define TIPSPEED_UI_PAGE_PREDICT_H
+#ifndef TIPSPEED_TUI_PAGES_PAGE_PREDICT_H
+#define TIPSPEED_TUI_PAGES_PAGE_PREDICT_H
 
 #include "tui/pane.h"
 

@@ -1,6 +1,6 @@
 /* The page Predict: the curves, and the numbers at the slider's speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "ui/page_predict.h"
+#include "tui/pages/page_predict.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +10,7 @@
 #include "cmd/ask/goals.h"
 #include "cmd/ask/pin.h"
 #include "io/sitefile/units.h"
-#include "ui/first.h"
+#include "tui/pages/start_page.h"
 #include "tui/widgets/envelope_check.h"
 #include "tui/pages.h"
 #include "tui/widgets/second_plot.h"
