@@ -27,12 +27,40 @@ layer core base
 layer io core base
 layer plot base
 layer cmd io plot core base
-layer ui cmd io plot core base
+layer cli cmd io plot core base
+layer tui cli cmd io plot core base
 
 # of NAME PATTERN: the files of a layer, in whatever folders.
 of() {
 	find "src/$1" -name "$2" | LC_ALL=C sort
 }
+# rooms LAYER FOLDER...: the folders of a layer stand in this order: none includes
+# from one behind it, but for the pairs in `upward`, of which there are to be fewer.
+# Files that stand in no folder may include from all.
+upward='cmd/ask/scenario.c cmd/sheets/load.h
+cmd/draw/flow_chart.h cmd/plant/plant.h
+cmd/session/sites.c cmd/fit/job.h'
+rooms() {
+	layer=$1
+	shift
+	grep -roE "^#include \"$layer/[a-z]+/[a-z_0-9]+.h" "src/$layer"/*/ |
+		sed 's,^src/,,; s,:#include ",/,' |
+		awk -F/ -v order="$*" 'BEGIN {
+			n = split(order, names, " ")
+			for (i = 1; i <= n; i++)
+				place[names[i]] = i
+		}
+		place[$2] < place[$(NF - 1)] || !place[$2] {
+			print $1 "/" $2 "/" $3, $(NF - 2) "/" $(NF - 1) "/" $NF
+		}' | grep -vxF "$upward" >"$tmp"
+	none "folders of $layer in order: $*"
+}
+rooms core numeric psd model search posterior answer check
+rooms io fs cells sitefile store formats
+rooms cmd lang document session ask fit run draw plant answers sheets
+grep -rl '^#include "tui/pages/' src/tui/widgets >"$tmp"
+none "widgets know no page"
+
 # Files of a layer that have grown into each other are one, or lack a third: none
 # includes, by way of others, one that includes it (.c and .h are taken as one).
 # What is left when files that include none of the rest, or that none of the rest
@@ -79,7 +107,7 @@ at_home() {
 	done >"$tmp"
 	none "headers of $1 declare what the .c of their name defines"
 }
-for layer in base core io plot cmd ui; do
+for layer in base core io plot cmd cli tui; do
 	circles $layer
 	at_home $layer
 done
@@ -94,10 +122,10 @@ grep -lE 'sqlite3\.h' -r src | grep -v '^src/io/' >"$tmp"
 none "SQLite in io only"
 grep -lE 'cairo' -r src | grep -v '^src/plot/' >"$tmp"
 none "cairo in plot only"
-grep -lE 'readline/' -r src | grep -v '^src/ui/' >"$tmp"
-none "readline in ui only"
-grep -lE 'n?curses\.h' -r src | grep -v '^src/ui/' >"$tmp"
-none "ncurses in ui only"
+grep -lE 'readline/' -r src | grep -vE '^src/(cli/|tui/widgets/edit\.c)' >"$tmp"
+none "readline in cli, its history in the full screen's editor"
+grep -lE 'n?curses\.h' -r src | grep -vE '^src/(tui/|cli/(restore|terminal)\.)' >"$tmp"
+none "ncurses in tui, and where a terminal is asked or put right"
 
 # Words reach a terminal by reports, notes, errors, canvases and text_put, which
 # show what it would act on; the files left out print their own words.
@@ -111,15 +139,18 @@ awk 'FNR == 1 { all = "" }
 		    all ~ /%[-.*0-9]*s|puts\([^"]|fwrite/)
 			print FILENAME ":" FNR ": " all
 		all = ""
-	}' $(of cmd '*.c') $(of ui '*.c') src/main.c |
-	grep -v '^src/ui/\(batch\|pager\|pump\|repl\|typed\)\.c' >"$tmp"
+	}' $(of cmd '*.c') $(of cli '*.c') $(of tui '*.c') \
+		src/main.c |
+	grep -v '^src/cli/\(batch\|pager\|pump\|repl\|history\)\.c' >"$tmp"
 none "words of others are not printed as they are"
 
-# Variables outside functions: only constant tables, but for ui.
+# Variables outside functions: only constant tables, but for
+# those of terminals.
 awk '/^(static )?[a-z_ ]+\**[a-z_]+(\[.*\])?( = .*)?;$/ &&
 	!/const|typedef|extern|^struct [a-z_]+;|return/ { print FILENAME ": " $0 }' \
-	$(find src -name '*.c' ! -path 'src/ui/*' ! -path src/main.c) >"$tmp"
-none "no file-scope variables outside ui"
+	$(find src -name '*.c' ! -path 'src/[ct][lu]i/*' ! -path src/main.c) \
+	>"$tmp"
+none "no file-scope variables outside cli and tui"
 
 # A function runs from the line of its name in column 0 to the closing brace.
 awk 'FNR == 1 { name = "" }
@@ -151,6 +182,10 @@ for f in $(find src -name '*.c'); do
 	[ "$first" = "#include \"${h#src/}\"" ] || echo "$f: $first"
 done >"$tmp"
 none "a file includes its own header first"
+
+find src -name '*.[ch]' -printf '%h\n' | sort | uniq -c |
+	awk '$1 > 42 { print $2 ": " $1 " files" }' >"$tmp"
+none "no folder with more than 42 files"
 
 grep -nwE 'TODO|FIXME|XXX' -r src tests/unit man >"$tmp"
 none "no marks left"

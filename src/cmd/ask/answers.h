@@ -37,8 +37,8 @@ bool answers_forming(const struct session *s, struct params *params);
 bool answers_extrapolates(const struct entry *entry, double speed);
 
 /* The run whose feed to take: that of another sheet, where the call asks with
- * one (cmd/ask/scenario.h); at the speed that the option feed names; else the run
- * nearest to the speed given. */
+ * one (cmd/ask/scenario.h); at the speed that the option feed names; else the
+ * run nearest to the speed given. */
 bool answers_feed(const struct site *site, const struct args *args,
     double speed, size_t *run, struct error *error);
 

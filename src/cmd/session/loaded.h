@@ -68,11 +68,11 @@ struct origin {
 	struct history *spread; /* the calibration, where it was here */
 };
 
-/* What answers are asked of instead of what was measured; see cmd/ask/scenario.h.
- * own: the entry as it is.  rock: of the other feed, "" where not stated or
- * there is none.  rotor: m, 0: not known; other_rotor: it is not the one that
- * was measured with.  bypass: share of the feed led past the rotor; k: impacts,
- * 0: as set. */
+/* What answers are asked of instead of what was measured; see
+ * cmd/ask/scenario.h.  own: the entry as it is.  rock: of the other feed, ""
+ * where not stated or there is none.  rotor: m, 0: not known; other_rotor: it
+ * is not the one that was measured with.  bypass: share of the feed led past
+ * the rotor; k: impacts, 0: as set. */
 struct variant {
 	const struct entry *own;
 	bool feed, other_rotor;
