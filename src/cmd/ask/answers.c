@@ -237,26 +237,6 @@ add_size(
 		    units_mm(psd->size[psd->n - 1]), 1000 * range[1]);
 }
 
-/* Sizes of the answer are those of its curve, of what was measured straight
- * between sieves: who compares the two has to know where that makes more of a
- * difference than the band has room for. */
-static void
-note_straight(struct answer *r, const struct prediction *p)
-{
-	char *sizes = xstrdup("");
-	for (size_t i = 0; i < PSD_SIZES; i++) {
-		double x = psd_size(&p->product, PSD_PASSING[i]);
-		if (x < p->range[i][0] || x > p->range[i][1])
-			xlist(&sizes, ", ", "P%g %.2f", 100 * PSD_PASSING[i],
-			    1000 * x);
-	}
-	if (sizes[0] != '\0')
-		answer_note(r,
-		    "straight between sieves, as of measured products: %s mm",
-		    sizes);
-	free(sizes);
-}
-
 void
 answers_note_sizes(struct answer *r, const struct prediction *p)
 {
@@ -265,7 +245,6 @@ answers_note_sizes(struct answer *r, const struct prediction *p)
 		add_size(&sizes, &p->curve, PSD_PASSING[i], p->range[i]);
 	answer_note(r, "%s", sizes);
 	free(sizes);
-	note_straight(r, p);
 }
 
 void

@@ -35,18 +35,44 @@ struct ensemble {
 	double more, bypass; /* k and bypass of another machine */
 };
 
+/* The same curve with a point at each of sizes [n], coarsest first, and more
+ * between these where they lie more than a tenth apart, or below a tenth of the
+ * coarsest a seventh: the kernel's classes end at the points of a feed. */
+static struct psd
+refined(const struct psd *feed, const double *size, size_t n)
+{
+	const double coarse = 0.0953, fine = 0.14; /* in ln x */
+	double span = el_log(size[0] / size[n - 1]);
+	struct psd curve = psd_new(feed->n + n + (size_t)(span / coarse));
+	memcpy(curve.size, feed->size, feed->n * sizeof *feed->size);
+	curve.n = feed->n;
+	for (size_t i = 0; i + 1 < n; i++) {
+		double gap = el_log(size[i] / size[i + 1]);
+		double apart = size[i] > size[0] / 10 ? coarse : fine;
+		double parts = floor(gap / apart) + 1;
+		for (double k = 0; k < parts; k++)
+			curve.size[curve.n++] =
+			    size[i] * el_exp(-gap * k / parts);
+	}
+	curve.n = psd_sort(curve.size, curve.n, 0);
+	for (size_t i = 0; i < curve.n; i++)
+		curve.passing[i] = psd_passing(feed, curve.size[i]);
+	return curve;
+}
+
 /* Passings less 0 are differences from sieves at which nothing passes. */
 static struct kernel *
-kernel_of(const struct posterior *p, const struct psd *feed, const double *size,
-    size_t n)
+kernel_of(const struct posterior *p, const struct psd *smooth,
+    const double *size, size_t n)
 {
+	struct psd feed = refined(smooth, size, n);
 	double *sieve = xdoubles(n), *none = xdoubles(n), *one = xdoubles(n);
 	memcpy(sieve, size, n * sizeof *size);
 	for (size_t i = 0; i < n; i++)
 		one[i] = 1;
 	struct misfit_run run = {.speed = 1,
 	    .run_weight = 1,
-	    .feed = *feed,
+	    .feed = feed,
 	    .n = n,
 	    .sieve = sieve,
 	    .measured = none,
@@ -57,6 +83,7 @@ kernel_of(const struct posterior *p, const struct psd *feed, const double *size,
 	    .n_residual = n,
 	    .run = &run};
 	struct kernel *kernel = kernel_new(&m, ISA_BEST, 1);
+	psd_free(&feed);
 	free(sieve);
 	free(none);
 	free(one);
