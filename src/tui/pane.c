@@ -145,9 +145,8 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 		column = draw_name(t, column, SERIES_OTHER, 0,
 		    ascii ? tr("% pinned") : tr("\u254C pinned"));
 	column = draw_runs(t, column, entry);
-	if (site->individual_feeds)
-		snprintf(
-		    sample, sizeof sample, " %g", site->run[tui_feed(t)].speed);
+	if (site->individual_feeds && t->feed > 0)
+		snprintf(sample, sizeof sample, " %g", t->feed);
 	snprintf(
 	    text, sizeof text, tr("%s feed%s"), ascii ? "." : "\u2508", sample);
 	column = draw_name(t, column, SERIES_FEED, 0, text);

@@ -16,6 +16,7 @@
 #include "cmd/draw/plots.h"
 #include "cmd/lang/table.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/feed.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
@@ -248,10 +249,8 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 	if (!sites && (!value_number(word, "m/s", &v) || v < 1 || v > 200))
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected speeds from 1 to 200 m/s, got %s", word);
-	double near =
-	    sites || is_pinned(args, 1 - i) ? v : answers_middle(entry->site);
 	if (!answers_known(s, entry, error) ||
-	    !answers_feed(entry->site, args, near, &feed, error))
+	    !feed_choose(entry->site, args, &feed, error))
 		return false;
 	side->entry = entry;
 	side->p = outlook_predict(s, entry, v, feed);
@@ -310,16 +309,13 @@ note_feeds(struct answer *r, const struct side side[2])
 {
 	const struct site *site = side[0].entry->site;
 	const size_t feed[] = {side[0].p.feed_run, side[1].p.feed_run};
-	if (!answers_sampled(site, feed[0]) || !answers_sampled(site, feed[1]))
-		return;
-	if (feed[0] == feed[1])
-		answer_say(r, ANSWER_REMARK,
-		    "feed used for both: sampled at %g m/s",
-		    site->run[feed[0]].speed);
+	char *one = feed_words(site, feed[0]), *two = feed_words(site, feed[1]);
+	if (feed[0] == feed[1] || one == NULL || two == NULL)
+		feed_note(r, site, feed[0]);
 	else
-		answer_say(r, ANSWER_REMARK,
-		    "feeds used: sampled at %g and %g m/s",
-		    site->run[feed[0]].speed, site->run[feed[1]].speed);
+		answer_say(r, ANSWER_REMARK, "feeds: %s; %s", one, two);
+	free(one);
+	free(two);
 }
 
 static struct answer *
@@ -359,7 +355,8 @@ draw_both(struct session *s, const struct side side[2], struct error *error)
 	struct plot_request request = plots_request(PLOT_PSD);
 	request.site = one->entry->key;
 	request.speed = one->p.speed;
-	request.feed_speed = one->entry->site->run[one->p.feed_run].speed;
+	double feed = feed_speed(one->entry->site, one->p.feed_run);
+	request.feed_speed = feed > 0 ? feed : 0;
 	request.made = &one->p;
 	request.kept = two->pinned ? &s->pin->p : &two->p;
 	if (two->entry != one->entry)

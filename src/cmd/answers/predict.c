@@ -16,6 +16,8 @@
 #include "cmd/lang/table.h"
 #include "cmd/session/turn.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/feed.h"
+#include "cmd/ask/moved.h"
 #include "core/answer/predict.h"
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
@@ -61,7 +63,7 @@ static void
 note_feed_gaps(
     struct answer *r, const struct site *site, const struct prediction *p)
 {
-	const struct psd *feed = &site->run[p->feed_run].feed;
+	const struct psd *feed = site_feed(site, p->feed_run);
 	char *list = xstrdup("");
 	for (size_t i = 0; i < p->feed.n; i++)
 		if (isnan(psd_at_sieve(feed, p->feed.size[i])))
@@ -122,26 +124,33 @@ measured_at(const struct site *site, double speed, const struct run **first)
 	return n;
 }
 
-/* The measured products of runs [n] there, of the fraction that is asked for;
- * the caller frees all. */
+/* The measured products of runs [n] there, of the feed and the fraction that
+ * are asked for; the caller frees all. */
 static struct psd *
-measured_parts(const struct run *run, size_t n, const struct fraction *fraction)
+measured_parts(const struct session *s, const struct params *params,
+    const struct run *run, size_t n, const struct prediction *p)
 {
+	const struct entry *entry = &s->entry[s->current];
+	size_t first = (size_t)(run - entry->site->run);
 	struct psd *part = xcalloc(n, sizeof *part);
 	for (size_t k = 0; k < n; k++)
-		part[k] = screened_measured(&run[k].product, fraction);
+		part[k] = screened_measured(
+		    moved_product(s, entry, params, first + k, p->feed_run),
+		    &p->fraction);
 	return part;
 }
 
 /* A row a sieve; between: NULL for none; model: with it and the speed in
  * columns of their own, for files, or NULL; alone: with the model alone. */
 static void
-add_rows(struct answer *r, const struct site *site, const struct prediction *p,
-    const double *between, const char *model, bool alone)
+add_rows(struct answer *r, const struct session *s, const struct params *params,
+    const struct prediction *p, const double *between, const char *model,
+    bool alone)
 {
+	const struct site *site = s->entry[s->current].site;
 	const struct run *run;
 	size_t n = measured_at(site, p->speed, &run);
-	struct psd *part = measured_parts(run, n, &p->fraction);
+	struct psd *part = measured_parts(s, params, run, n, p);
 	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
 	if (p->low != NULL)
@@ -183,8 +192,9 @@ add_rows(struct answer *r, const struct site *site, const struct prediction *p,
 
 static struct answer *
 prediction_answer(struct session *s, const struct prediction *p,
-    const double *between, const char *model, bool detail)
+    const struct params *params, const double *between, bool detail)
 {
+	const char *model = breakage_of(params)->name;
 	const struct site *site = session_entry(s)->site;
 	char *fraction = screened_title(p);
 	char *more =
@@ -198,9 +208,9 @@ prediction_answer(struct session *s, const struct prediction *p,
 	free(band);
 	free(more);
 	free(fraction);
-	add_rows(r, site, p, between, NULL, detail);
+	add_rows(r, s, params, p, between, NULL, detail);
 	answer_for_programs(r);
-	add_rows(r, site, p, between, model, true);
+	add_rows(r, s, params, p, between, model, true);
 	return r;
 }
 
@@ -240,7 +250,7 @@ note_usual(struct answer *r, struct session *s, const struct params *params,
 		band_note(r, s, entry, true);
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
 		note_breakage(
-		    r, params, &entry->site->run[p->feed_run].feed, p);
+		    r, params, site_feed(entry->site, p->feed_run), p);
 }
 
 /* The answer with what is to be said of it; wanted: with the interpolated
@@ -251,8 +261,7 @@ explained(struct session *s, const struct prediction *p,
 {
 	const struct entry *entry = session_entry(s);
 	double *between = wanted ? interpolated(entry->site, p) : NULL;
-	struct answer *r =
-	    prediction_answer(s, p, between, breakage_of(params)->name, detail);
+	struct answer *r = prediction_answer(s, p, params, between, detail);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, params, p);
 	screened_note(r, p);
@@ -263,7 +272,7 @@ explained(struct session *s, const struct prediction *p,
 	}
 	note_usual(r, s, params, p, detail);
 	note_feed_gaps(r, entry->site, p);
-	note_wide_gap(r, &entry->site->run[p->feed_run].feed);
+	note_wide_gap(r, site_feed(entry->site, p->feed_run));
 	if (session_fitting(s) == session_entry(s))
 		answer_say(r, ANSWER_REMARK,
 		    "predicted with the best parameters so far");
@@ -291,7 +300,8 @@ draw_curves(struct session *s, const struct prediction *p, struct error *error)
 	enum { WIDTH = 78, HEIGHT = 24 };
 	struct plot_request request = plots_request(PLOT_PSD);
 	request.speed = p->speed;
-	request.feed_speed = session_entry(s)->site->run[p->feed_run].speed;
+	double feed = feed_speed(session_entry(s)->site, p->feed_run);
+	request.feed_speed = feed > 0 ? feed : 0;
 	request.band = pictures_wanted(s) && p->low != NULL;
 	if (!pictures_wanted(s))
 		request.strip = 0;
@@ -354,12 +364,12 @@ predict_as_set(struct session *s, const struct args *args, struct error *error)
 		return false;
 	double speed = answers_speed(args, entry);
 	size_t feed;
-	if (!answers_feed(entry->site, args, speed, &feed, error))
+	if (!feed_choose(entry->site, args, &feed, error))
 		return false;
 	bool wanted = args_value(args, "interpolated")->choice == 1;
 	struct screened screened;
 	if (!screened_read(
-		args, &entry->site->run[feed].feed, &screened, error) ||
+		args, site_feed(entry->site, feed), &screened, error) ||
 	    !whole_for(args, &screened, error))
 		return false;
 	struct prediction p = outlook_form(s, entry, &params, speed, feed);

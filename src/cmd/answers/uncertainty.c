@@ -10,6 +10,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/session/settings.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/feed.h"
 #include "core/posterior/ensemble.h"
 #include "io/sitefile/units.h"
 
@@ -197,7 +198,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct error *error)
 		    args->operand[0]);
 	take_settings(s, args);
 	if (!answers_ready(s, error) ||
-	    !answers_feed(entry->site, args, speed, &feed, error))
+	    !feed_choose(entry->site, args, &feed, error))
 		return false;
 	struct prediction at = outlook_predict(s, entry, speed, feed);
 	if (at.low == NULL) {

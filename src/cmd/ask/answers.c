@@ -13,6 +13,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/screened.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/feed.h"
 #include "io/sitefile/units.h"
 
 const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {
@@ -82,32 +83,6 @@ answers_forming(const struct session *s, struct params *params)
 	if (st.generation > 0)
 		*params = st.params;
 	return st.generation > 0;
-}
-
-bool
-answers_feed(const struct site *site, const struct args *args, double speed,
-    size_t *run, struct error *error)
-{
-	const struct value *feed = args_value(args, "feed");
-	*run = site_run_at(site, SITE_OTHER_FEED);
-	if (*run < site->n_run)
-		return true;
-	*run = site_run_nearest(site, speed);
-	if (!feed->given)
-		return true;
-	*run = site_run_at(site, feed->number);
-	if (*run < site->n_run)
-		return true;
-	return error_set(error, ERROR_USAGE,
-	    "%s has no feed sampled at %g m/s\n"
-	    "run 'show feed' for its feeds",
-	    site->name, feed->number);
-}
-
-bool
-answers_sampled(const struct site *site, size_t feed_run)
-{
-	return site->individual_feeds && site->run[feed_run].speed > 0;
 }
 
 bool
@@ -317,7 +292,6 @@ answers_note_doubt(
     struct session *s, struct answer *r, double speed, size_t feed_run)
 {
 	const struct entry *entry = session_entry(s);
-	const struct site *site = entry->site;
 	/* Of a feed alone a search that found nothing has no speed. */
 	struct prediction p = {0};
 	if (speed > 0)
@@ -334,10 +308,7 @@ answers_note_doubt(
 		    speed, speeds);
 		free(speeds);
 	}
-	if (answers_sampled(site, feed_run) &&
-	    fabs(site->run[feed_run].speed - speed) > 1e-3)
-		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s%s",
-		    site->run[feed_run].speed, site->run[feed_run].repeat);
+	feed_note(r, entry->site, feed_run);
 	answers_note_variant(r, entry);
 	answers_note_model(s, r, entry);
 	light_show(r, light);
@@ -379,8 +350,7 @@ answers_put_prediction(struct session *s, struct fields *o,
 	screened_put(o, p);
 	fields_put(o, "model %s", breakage_of(params)->name);
 	fit_put_params(o, params);
-	double sampled = entry->site->run[p->feed_run].speed;
-	fields_put(o, ".feed_mps %g", sampled >= 0 ? sampled : NAN);
+	fields_put(o, ".feed_mps %g", feed_speed(entry->site, p->feed_run));
 	if (entry->has_fit)
 		fields_put(o, "verdict %s", light_verdict(s, entry, p));
 	if (entry->origin != NULL && entry->origin->stored)

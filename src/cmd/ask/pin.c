@@ -12,6 +12,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/feed.h"
 
 void
 pin_free(struct pin *pin)
@@ -42,7 +43,7 @@ choose(const struct session *s, const struct entry *entry,
 	double fed = session_known(s, "predict", "feed_mps");
 	bool given = args_value(args, "speed")->given || isnan(last);
 	*speed = given ? answers_speed(args, entry) : last;
-	if (!answers_feed(entry->site, args, *speed, feed, error))
+	if (!feed_choose(entry->site, args, feed, error))
 		return false;
 	if (!given && !args_value(args, "feed")->given && isfinite(fed) &&
 	    site_run_at(entry->site, fed) < entry->site->n_run)

@@ -8,6 +8,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/feed.h"
 #include "cmd/ask/condition.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
@@ -92,7 +93,7 @@ static bool
 read_drawn(struct session *s, const char *of_words, const char *limits,
     struct drawn *d, struct error *error)
 {
-	const struct psd *feed = &session_entry(s)->site->run[d->feed].feed;
+	const struct psd *feed = site_feed(session_entry(s)->site, d->feed);
 	const struct fraction whole = {.partition = IDEAL};
 	size_t n = 0;
 	if (limits != NULL &&
@@ -358,12 +359,10 @@ make_charts(struct session *s, const struct drawn *d)
 		window_free(&w);
 		response_free(wanted.response);
 	}
-	double sampled = entry->site->run[d->feed].speed;
-	if (entry->site->individual_feeds && sampled != SITE_OTHER_FEED)
-		chart_note(last,
-		    "lines: the feed sampled at %g m/s; what was measured is "
-		    "of feeds of its own",
-		    sampled);
+	char *feed = feed_words(entry->site, d->feed);
+	if (feed != NULL)
+		chart_note(last, "feed: %s", feed);
+	free(feed);
 	if (first->series[0]->low != NULL)
 		chart_note(last, "shaded: %.0f %% uncertainty band",
 		    100 * settings_level(&s->set));
@@ -382,13 +381,11 @@ plots_response(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
-	double middle = answers_middle(entry->site);
 	struct drawn d = {0};
 	struct chart *chart = NULL;
 	if (!answers_known(s, entry, error))
 		return NULL;
-	d.feed = site_run_nearest(
-	    entry->site, q->feed_speed > 0 ? q->feed_speed : middle);
+	d.feed = feed_at(entry->site, q->feed_speed);
 	site_reach(entry->site, &d.from, &d.to);
 	if (read_drawn(s, q->of, q->limits, &d, error)) {
 		look(s, &d);

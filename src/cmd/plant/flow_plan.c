@@ -251,7 +251,7 @@ static void
 choose_sizes(const struct site *site, struct flow_plan *plan)
 {
 	enum { MOST = 120 };
-	const struct psd *feed = &site->run[plan->feed_run].feed;
+	const struct psd *feed = site_feed(site, plan->feed_run);
 	struct psd all = predict_sizes(site, feed);
 	struct circuit *c = plan->circuit;
 	const struct psd *from = all.n <= MOST ? &all : feed;
@@ -274,7 +274,7 @@ static bool
 check_screens(
     const struct site *site, const struct flow_plan *plan, struct error *error)
 {
-	const struct psd *feed = &site->run[plan->feed_run].feed;
+	const struct psd *feed = site_feed(site, plan->feed_run);
 	for (size_t u = 0; u < plan->circuit->n_unit; u++) {
 		const struct unit *unit = &plan->circuit->unit[u];
 		double cut = unit->opening * unit->partition.cut_size;

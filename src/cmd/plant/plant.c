@@ -23,7 +23,7 @@ plant_new(struct session *s, const struct flow_plan *plan)
 	    .level = settings_level(&s->set)};
 	p.feed = xdoubles(plan->n);
 	crusher_classes(
-	    p.crusher, &entry->site->run[plan->feed_run].feed, p.feed);
+	    p.crusher, site_feed(entry->site, plan->feed_run), p.feed);
 	for (size_t u = 0; u < p.circuit->n_unit; u++)
 		if (p.circuit->unit[u].speed > 0)
 			p.own[u] =

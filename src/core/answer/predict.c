@@ -84,7 +84,7 @@ struct prediction
 predict(const struct site *site, const struct params *p,
     struct model_settings settings, double speed, size_t feed_run)
 {
-	const struct psd *feed = &site->run[feed_run].feed;
+	const struct psd *feed = site_feed(site, feed_run);
 	struct prediction out = {.speed = speed,
 	    .energy = energy_specific(speed),
 	    .feed_run = feed_run,
