@@ -253,6 +253,68 @@ note_usual(struct answer *r, struct session *s, const struct params *params,
 		    r, params, site_feed(entry->site, p->feed_run), p);
 }
 
+/* The place among sieves of 2 mm, else of the one that half passes most
+ * nearly. */
+static size_t
+usual_sieve(const struct psd *product)
+{
+	size_t middle = 0;
+	for (size_t i = 0; i < product->n; i++) {
+		if (fabs(product->size[i] - 2e-3) < 1e-9)
+			return i;
+		if (fabs(product->passing[i] - 0.5) <
+		    fabs(product->passing[middle] - 0.5))
+			middle = i;
+	}
+	return middle;
+}
+
+/* What one more sample would show there, passing 0..1. */
+static bool
+sample_band(const struct session *s, const struct entry *entry,
+    const struct prediction *p, double sieve, double range[static 2])
+{
+	struct ensemble *e = outlook_ensemble(s, entry, p->feed_run);
+	size_t row = 0;
+	while (row < p->curve.n && p->curve.size[row] != sieve)
+		row++;
+	if (e == NULL || row == p->curve.n)
+		return false;
+	ensemble_at(e, p->speed);
+	ensemble_band(e, ENSEMBLE_SAMPLE, row, settings_level(&s->set),
+	    &range[0], &range[1]);
+	return true;
+}
+
+/* "8 times in 10", "with 95 % probability".  The caller frees. */
+static char *
+chance_words(double level)
+{
+	double tenths = 10 * level;
+	return fabs(tenths - round(tenths)) < 1e-9
+		   ? xasprintf(tr("%.0f times in 10"), tenths)
+		   : xasprintf(tr("with %g %% probability"), 100 * level);
+}
+
+/* How sure, in one sentence about one number (D22). */
+static void
+note_sure(struct answer *r, const struct session *s, const struct prediction *p)
+{
+	const struct entry *entry = &s->entry[s->current];
+	char *chance = chance_words(settings_level(&s->set));
+	size_t i = usual_sieve(&p->product);
+	double mm = units_mm(p->product.size[i]), sample[2];
+	if (!fraction_screens(&p->fraction) &&
+	    sample_band(s, entry, p, p->product.size[i], sample))
+		answer_note(r,
+		    "at %.1f m/s %.1f %% passes %g mm: %s between %.1f and "
+		    "%.1f; a new belt cut between %.1f and %.1f",
+		    p->speed, units_pct(p->product.passing[i]), mm, chance,
+		    units_pct(p->low[i]), units_pct(p->high[i]),
+		    units_pct(sample[0]), units_pct(sample[1]));
+	free(chance);
+}
+
 /* The answer with what is to be said of it; wanted: with the interpolated
  * products. */
 static struct answer *
@@ -264,6 +326,8 @@ explained(struct session *s, const struct prediction *p,
 	struct answer *r = prediction_answer(s, p, params, between, detail);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, params, p);
+	if (p->low != NULL)
+		note_sure(r, s, p);
 	screened_note(r, p);
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {
