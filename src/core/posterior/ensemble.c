@@ -15,7 +15,12 @@
 
 /* The draws' parameters, and in a block behind them the fit's, whose exact
  * product tells what the search's scheme errs by. */
-enum { DRAWS = POSTERIOR_DRAWS, FIT = DRAWS, ALL = FIT + KERNEL_LANES };
+enum {
+	DRAWS = POSTERIOR_DRAWS,
+	FIT = DRAWS,
+	ALL = FIT + KERNEL_LANES,
+	RISING = 41
+};
 
 struct ensemble {
 	const struct posterior *of;
@@ -31,7 +36,10 @@ struct ensemble {
 	double *delta;            /* at the knots, [n_knot * DRAWS] */
 	/* [n + 1][DRAWS]: below the finest size is nothing. */
 	double *part[ENSEMBLE_PARTS];
-	bool sampled;        /* the samples are made */
+	bool sampled; /* the samples are made */
+	/* Answers at the speeds of a grid, which do not fall from one to the
+	 * next, [RISING][n * DRAWS]; NULL: not made yet. */
+	double *rising;
 	double more, bypass; /* k and bypass of another machine */
 };
 
@@ -169,6 +177,13 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 	return e;
 }
 
+static void
+forget_rising(struct ensemble *e)
+{
+	free(e->rising);
+	e->rising = NULL;
+}
+
 void
 ensemble_machine(struct ensemble *e, struct model_settings settings)
 {
@@ -180,6 +195,7 @@ ensemble_machine(struct ensemble *e, struct model_settings settings)
 	set_exact(e, p);
 	set_theta(e);
 	e->bypass = settings.bypass;
+	forget_rising(e);
 }
 
 void
@@ -200,6 +216,7 @@ ensemble_free(struct ensemble *e)
 	free(e->knot);
 	free(e->share);
 	free(e->delta);
+	forget_rising(e);
 	free(e);
 }
 
@@ -318,8 +335,9 @@ add_bypass(struct ensemble *e)
 		}
 }
 
-void
-ensemble_at(struct ensemble *e, double v)
+/* Model and answer at speed v as the draws have them. */
+static void
+draws_at(struct ensemble *e, double v)
 {
 	struct kernel_out out = {
 	    e->misfit, e->product, ALL, e->softer, e->share_softer};
@@ -331,6 +349,85 @@ ensemble_at(struct ensemble *e, double v)
 	for (size_t i = e->n; i-- > 0;)
 		fill_row(e, i, e->part[ENSEMBLE_MODEL] + i * DRAWS,
 		    e->part[ENSEMBLE_ANSWER] + i * DRAWS);
+}
+
+/* Speed k of the grid, m/s. */
+static double
+grid_speed(const struct ensemble *e, size_t k)
+{
+	const struct posterior *p = e->of;
+	return p->from + (p->to - p->from) * (double)k / (RISING - 1);
+}
+
+/* The nearest values that do not fall, in the least squares sense: neighbours
+ * that fall are pooled (Barlow and others 1972, ch. 1).  The values stand
+ * `apart`. */
+static void
+pool_falling(double *value, size_t apart)
+{
+	double mean[RISING];
+	size_t count[RISING], n = 0;
+	for (size_t k = 0; k < RISING; k++) {
+		mean[n] = value[k * apart];
+		count[n++] = 1;
+		for (; n > 1 && mean[n - 2] > mean[n - 1]; n--) {
+			double a = (double)count[n - 2],
+			       b = (double)count[n - 1];
+			mean[n - 2] =
+			    (a * mean[n - 2] + b * mean[n - 1]) / (a + b);
+			count[n - 2] += count[n - 1];
+		}
+	}
+	for (size_t i = 0, k = 0; i < n; i++)
+		for (size_t j = 0; j < count[i]; j++, k++)
+			value[k * apart] = mean[i];
+}
+
+static void
+make_rising(struct ensemble *e)
+{
+	size_t size = e->n * DRAWS;
+	e->rising = xdoubles(RISING * size);
+	for (size_t k = 0; k < RISING; k++) {
+		draws_at(e, grid_speed(e, k));
+		memcpy(e->rising + k * size, e->part[ENSEMBLE_ANSWER],
+		    size * sizeof(double));
+	}
+	for (size_t i = 0; i < size; i++)
+		pool_falling(e->rising + i, size);
+}
+
+/* Faster is never coarser (D23): no passing of a draw falls with the speed.  At
+ * the speeds of the grid it is the nearest curve that does not, between them
+ * the draw as it is, as far as its neighbours there let it. */
+static void
+keep_rising(struct ensemble *e, double v)
+{
+	size_t size = e->n * DRAWS, last = RISING - 1;
+	double step = (e->of->to - e->of->from) / (double)last;
+	double place = (v - e->of->from) / step;
+	size_t k = place <= 0              ? 0
+		   : place >= (double)last ? last
+					   : (size_t)place;
+	const double *below = e->rising + k * size;
+	const double *above = e->rising + (k < last ? k + 1 : last) * size;
+	double *answer = e->part[ENSEMBLE_ANSWER];
+	for (size_t i = 0; i < size; i++) {
+		double least = place < 0 ? -INFINITY : below[i];
+		double most = place < 0              ? below[i]
+			      : place > (double)last ? INFINITY
+						     : above[i];
+		answer[i] = fmin(fmax(answer[i], least), most);
+	}
+}
+
+void
+ensemble_at(struct ensemble *e, double v)
+{
+	if (e->rising == NULL)
+		make_rising(e);
+	draws_at(e, v);
+	keep_rising(e, v);
 	e->sampled = false;
 	if (e->bypass > 0) {
 		make_samples(e);
