@@ -19,7 +19,9 @@ enum {
 	DRAWS = POSTERIOR_DRAWS,
 	FIT = DRAWS,
 	ALL = FIT + KERNEL_LANES,
-	RISING = 41
+	EVEN = 40,
+	BEYOND = 10,
+	RISING = EVEN + 1 + 2 * BEYOND
 };
 
 struct ensemble {
@@ -38,33 +40,26 @@ struct ensemble {
 	double *part[ENSEMBLE_PARTS];
 	bool sampled; /* the samples are made */
 	/* Answers at the speeds of a grid, which do not fall from one to the
-	 * next, [RISING][n * DRAWS]; NULL: not made yet. */
+	 * next, and which of them are means of some that would have fallen,
+	 * [RISING][n * DRAWS]; NULL: not made yet. */
 	double *rising;
+	bool *pooled;
 	double more, bypass; /* k and bypass of another machine */
 };
 
 /* The same curve with a point at each of sizes [n], coarsest first, and more
- * between these where they lie more than a tenth apart, or below a tenth of the
- * coarsest a seventh: the kernel's classes end at the points of a feed. */
+ * between these: the kernel's classes end at the points of a feed. */
 static struct psd
 refined(const struct psd *feed, const double *size, size_t n)
 {
-	const double coarse = 0.0953, fine = 0.14; /* in ln x */
-	double span = el_log(size[0] / size[n - 1]);
-	struct psd curve = psd_new(feed->n + n + (size_t)(span / coarse));
+	struct psd fine = psd_refined(size, n);
+	struct psd curve = psd_new(feed->n + fine.n);
 	memcpy(curve.size, feed->size, feed->n * sizeof *feed->size);
-	curve.n = feed->n;
-	for (size_t i = 0; i + 1 < n; i++) {
-		double gap = el_log(size[i] / size[i + 1]);
-		double apart = size[i] > size[0] / 10 ? coarse : fine;
-		double parts = floor(gap / apart) + 1;
-		for (double k = 0; k < parts; k++)
-			curve.size[curve.n++] =
-			    size[i] * el_exp(-gap * k / parts);
-	}
+	memcpy(curve.size + feed->n, fine.size, fine.n * sizeof *fine.size);
 	curve.n = psd_sort(curve.size, curve.n, 0);
 	for (size_t i = 0; i < curve.n; i++)
 		curve.passing[i] = psd_passing(feed, curve.size[i]);
+	psd_free(&fine);
 	return curve;
 }
 
@@ -181,7 +176,9 @@ static void
 forget_rising(struct ensemble *e)
 {
 	free(e->rising);
+	free(e->pooled);
 	e->rising = NULL;
+	e->pooled = NULL;
 }
 
 void
@@ -351,19 +348,42 @@ draws_at(struct ensemble *e, double v)
 		    e->part[ENSEMBLE_ANSWER] + i * DRAWS);
 }
 
-/* Speed k of the grid, m/s. */
+/* Speed k of the grid, m/s: even over the speeds that are looked at, and further
+ * and further apart beyond them, down to 0.4 of the slowest and up to 2.2 of the
+ * fastest. */
 static double
 grid_speed(const struct ensemble *e, size_t k)
 {
 	const struct posterior *p = e->of;
-	return p->from + (p->to - p->from) * (double)k / (RISING - 1);
+	const double apart = 0.01;
+	if (k < BEYOND) {
+		double n = (double)(BEYOND - k);
+		return p->from * fmax(0.01, 1 - apart * n * (n + 1) / 2);
+	}
+	k -= BEYOND;
+	if (k <= EVEN)
+		return p->from + (p->to - p->from) * (double)k / EVEN;
+	double n = (double)(k - EVEN);
+	return p->to * (1 + 2 * apart * n * (n + 1) / 2);
+}
+
+/* The grid's last speed that is not above v, or its first. */
+static size_t
+grid_place(const struct ensemble *e, double v)
+{
+	size_t low = 0, high = RISING - 1;
+	while (low + 1 < high) {
+		size_t middle = (low + high) / 2;
+		*(grid_speed(e, middle) <= v ? &low : &high) = middle;
+	}
+	return low;
 }
 
 /* The nearest values that do not fall, in the least squares sense: neighbours
- * that fall are pooled (Barlow and others 1972, ch. 1).  The values stand
- * `apart`. */
+ * that fall are pooled (Barlow and others 1972, ch. 1).  Values and marks of the
+ * pooled stand `apart`. */
 static void
-pool_falling(double *value, size_t apart)
+pool_falling(double *value, bool *pooled, size_t apart)
 {
 	double mean[RISING];
 	size_t count[RISING], n = 0;
@@ -379,8 +399,10 @@ pool_falling(double *value, size_t apart)
 		}
 	}
 	for (size_t i = 0, k = 0; i < n; i++)
-		for (size_t j = 0; j < count[i]; j++, k++)
+		for (size_t j = 0; j < count[i]; j++, k++) {
 			value[k * apart] = mean[i];
+			pooled[k * apart] = count[i] > 1;
+		}
 }
 
 static void
@@ -388,36 +410,36 @@ make_rising(struct ensemble *e)
 {
 	size_t size = e->n * DRAWS;
 	e->rising = xdoubles(RISING * size);
+	e->pooled = xcalloc(RISING * size, sizeof *e->pooled);
 	for (size_t k = 0; k < RISING; k++) {
 		draws_at(e, grid_speed(e, k));
 		memcpy(e->rising + k * size, e->part[ENSEMBLE_ANSWER],
 		    size * sizeof(double));
 	}
 	for (size_t i = 0; i < size; i++)
-		pool_falling(e->rising + i, size);
+		pool_falling(e->rising + i, e->pooled + i, size);
 }
 
 /* Faster is never coarser (D23): no passing of a draw falls with the speed.  At
- * the speeds of the grid it is the nearest curve that does not, between them
- * the draw as it is, as far as its neighbours there let it. */
+ * the speeds of the grid it is the nearest curve that does not; between two of
+ * which one was pooled it is straight, else the draw as it is. */
 static void
 keep_rising(struct ensemble *e, double v)
 {
-	size_t size = e->n * DRAWS, last = RISING - 1;
-	double step = (e->of->to - e->of->from) / (double)last;
-	double place = (v - e->of->from) / step;
-	size_t k = place <= 0              ? 0
-		   : place >= (double)last ? last
-					   : (size_t)place;
-	const double *below = e->rising + k * size;
-	const double *above = e->rising + (k < last ? k + 1 : last) * size;
-	double *answer = e->part[ENSEMBLE_ANSWER];
+	size_t size = e->n * DRAWS, k = grid_place(e, v);
+	const double *below = e->rising + k * size, *above = below + size;
+	const bool *pooled = e->pooled + k * size;
+	double from = grid_speed(e, k), to = grid_speed(e, k + 1);
+	double *answer = e->part[ENSEMBLE_ANSWER], t = (v - from) / (to - from);
 	for (size_t i = 0; i < size; i++) {
-		double least = place < 0 ? -INFINITY : below[i];
-		double most = place < 0              ? below[i]
-			      : place > (double)last ? INFINITY
-						     : above[i];
-		answer[i] = fmin(fmax(answer[i], least), most);
+		if (v < from)
+			answer[i] = fmin(answer[i], below[i]);
+		else if (v > to)
+			answer[i] = fmax(answer[i], above[i]);
+		else if (pooled[i] || pooled[i + size])
+			answer[i] = below[i] + t * (above[i] - below[i]);
+		else
+			answer[i] = fmin(fmax(answer[i], below[i]), above[i]);
 	}
 }
 
