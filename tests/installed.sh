@@ -1,8 +1,9 @@
 #!/bin/sh
 # What an installed program finds by itself, from an empty folder: its sites by
-# their names.
+# their names.  What its package wants to be built.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
+here=$(pwd)
 scratch
 ${MAKE:-make} install "DESTDIR=$dir/root" >"$dir/log" 2>&1
 result $? "make install below another root"
@@ -30,4 +31,31 @@ for name in tierp.csv ../tierp ./bro nowhere; do
 done
 "$program" --safe -c 'load bro' 2>&1 | grep -q '^-c:1:1: load is off'
 result $? "--safe has names off as files"
+
+# The line of make deb that builds, with a dpkg that has nothing installed: what it
+# misses without the tests is nothing that only they need.
+cd "$here" || exit 99
+if [ -d "$srcdir/debian" ] && command -v dpkg-checkbuilddeps >/dev/null; then
+	mkdir "$dir/admin" "$dir/bin" "$dir/package"
+	: >"$dir/admin/status"
+	cp -R "$srcdir/debian" "$dir/package"
+	printf '#!/bin/sh\ndpkg-checkbuilddeps --admindir="%s" 2>&1\n' \
+		"$dir/admin" >"$dir/bin/dpkg-buildpackage"
+	chmod +x "$dir/bin/dpkg-buildpackage"
+	# misses OPTIONS: what dpkg says.
+	misses() {
+		export DEB_BUILD_OPTIONS="$1"
+		line=$(${MAKE:-make} -n -o dist deb | grep dpkg-buildpackage |
+			sed 's/^cd [^ ]* && //')
+		(cd "$dir/package" && PATH="$dir/bin:$PATH" sh -c "$line") \
+			>"$dir/missed"
+		grep -q libgsl-dev "$dir/missed"
+	}
+	misses parallel=2 && grep -q 'expect.*cmocka.*mandoc.*tmux' "$dir/missed"
+	result $? "make deb wants what tests need"
+	misses 'nocheck parallel=2' &&
+		! grep -qE 'expect|cmocka|mandoc|tmux' "$dir/missed"
+	result $? "but not with nocheck"
+	remark "$dir/missed"
+fi
 finish
