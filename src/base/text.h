@@ -26,8 +26,8 @@ char *text_trim(char *s);
  * caller frees. */
 char *text_fold(const char *s);
 
-/* text_fold, with every run of other than letters of any script, digits and
- * points turned into one '-'; empty where there are none. */
+/* text_fold, with every run of other than letters of any script, digits, points
+ * and underscores turned into one '-'; empty where there are none. */
 char *text_slug(const char *s);
 
 /* n bytes without the quotes (") in them; two within quotes are one.  The

@@ -139,7 +139,9 @@ static const struct {
     {"łódź", "łodź", "łodź"}, {"Borla\xCC\x88nge", "borlange", "borlange"},
     {"採石場 2", "採石場 2", "採石場-2"}, {"a–b·c", "a–b·c", "a-b-c"},
     {"採\xE3\x80\x80場", "採\xE3\x80\x80場", "採-場"}, {"", "", ""},
-    {"--", "--", ""}, {"→", "→", ""}};
+    {"--", "--", ""},
+    {"Hallbrook_grams2", "hallbrook_grams2", "hallbrook_grams2"},
+    {"a _b", "a _b", "a-_b"}, {"→", "→", ""}};
 
 static void
 check_names(void)
