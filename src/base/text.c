@@ -76,6 +76,21 @@ text_exact(double value, char buf[static 32])
 	return buf;
 }
 
+const char *
+text_apart(double value, double other, char buf[static 32])
+{
+	enum { SHORT = 7, LEAST = 4, MOST = 17 };
+	double apart = fabs(value - other) / 10;
+	snprintf(buf, 32, "%.*g", SHORT, value);
+	for (int digits = LEAST; digits <= MOST && strtod(buf, NULL) != value;
+	     digits++) {
+		snprintf(buf, 32, "%.*g", digits, value);
+		if (fabs(strtod(buf, NULL) - value) <= apart)
+			break;
+	}
+	return buf;
+}
+
 char *
 text_trim(char *s)
 {
