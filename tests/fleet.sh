@@ -200,5 +200,26 @@ result $? 'a file by another name is known'
 	2>refusal
 [ $? -eq 2 ] && grep -q 'got 4/3' refusal
 result $? 'part 4 of 3 is refused'
+
+# unready STATUS WORDS SITES OPTIONS: validate all of sites without parameters.
+printf 'site,Feed only\nsize_mm,feed\n8,100\n4,60\n2,20\n' >feed.csv
+unready() {
+	"$TIPSPEED" -c "load $3" -c "validate all $4" >out 2>refusal
+	[ $? -eq "$1" ] && { [ "$1" -eq 0 ] || [ ! -s out ]; } &&
+		grep -q "$2" refusal
+}
+one=data/sites/tierp.csv
+unready 2 'no site of part 1/3 has both a calibration' $one part=1/3 &&
+	grep -q "run 'calibrate all part=1/3'" refusal
+result $? 'a part that was not calibrated is refused'
+unready 0 '' $one part=2/3 && unready 0 '' "feed.csv $one" part=1/2
+result $? 'one without a site to calibrate is a part'
+unready 2 'no site of part 1/2' feed.csv part=1/2 &&
+	unready 3 'products at three or more speeds' feed.csv \
+		'part=1/2 holdout=each'
+result $? 'but not where no site could be'
+unready 0 '' $one 'part=2/3 holdout=each' &&
+	unready 0 '' "feed.csv $one" 'part=1/2 holdout=each'
+result $? 'nor with holdout=each'
 [ "$bad" -eq 0 ] || remark log
 finish

@@ -20,6 +20,7 @@
 #include "cmd/lang/table.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/results.h"
+#include "io/fs/shipped.h"
 #include "io/sitefile/site_read.h"
 
 enum { MOST_ROUNDS = 5 };
@@ -414,6 +415,7 @@ list_folder(
 		   "name the folder that has them");
 }
 
+/* A file that is there comes before a shipped site of its name. */
 static bool
 list_words(
     struct listed *list, size_t n, const char *const *word, struct error *error)
@@ -422,7 +424,11 @@ list_words(
 	for (size_t i = 0; i < n && good; i++) {
 		DIR *dir = opendir(word[i]);
 		if (dir == NULL) {
-			listed_add(list, xstrdup(word[i]));
+			char *path = access(word[i], F_OK) != 0
+					 ? shipped_path(word[i])
+					 : NULL;
+			listed_add(
+			    list, path != NULL ? path : xstrdup(word[i]));
 			continue;
 		}
 		good = list_folder(list, dir, word[i], error);

@@ -179,6 +179,7 @@ check_twin(const struct columns *all, const struct column *twin)
 {
 	const double far = 1.5;
 	const struct table *t = twin->table;
+	char one[32], other[32];
 	for (size_t k = 0; k < all->n; k++) {
 		const struct column *c = &all->column[k];
 		if (c->table != t || t->block->number[c->at] != twin->twin)
@@ -188,10 +189,12 @@ check_twin(const struct columns *all, const struct column *twin)
 				continue;
 			sheet_fault(t->sheet, t->row[i].cell[twin->at],
 			    "expected the sample of column %zu again, got "
-			    "%.4g %% passing and %.4g %%\n"
+			    "%s %% passing and %s %%\n"
 			    "say which is to be read: load FILE "
 			    "columns=\"1=sieve mm, 2=feed, ..\"",
-			    twin->twin, c->pct[i], twin->pct[i]);
+			    twin->twin,
+			    text_apart(c->pct[i], twin->pct[i], one),
+			    text_apart(twin->pct[i], c->pct[i], other));
 			return;
 		}
 	}
