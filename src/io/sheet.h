@@ -42,7 +42,8 @@ struct comment {
 
 /* Blank lines are left out of row[], and lines that start with # are in
  * comment[] instead.  n_fault counts the faults told so far; lost: a line is
- * not in row[]. */
+ * not in row[]; too_large: nor is what comes after it, so that the rest is not
+ * worth looking at. */
 struct sheet {
 	char *path;
 	char *name;       /* in a workbook; "" of a text */
@@ -51,7 +52,7 @@ struct sheet {
 	bool mixed;       /* a second decimal sign was reported */
 	struct cell open; /* a number that may have one, or thousands:
 			   * 1,250; text is NULL where there is none */
-	bool lost;
+	bool lost, too_large;
 	size_t n_row, most_rows, n_fault;
 	struct row *row;
 	size_t n_comment;
