@@ -64,6 +64,12 @@ grid_notes(struct grid *g)
 }
 
 void
+grid_more(struct grid *g, int most)
+{
+	grid_note(g, "more than %d sheets: the others are not read", most);
+}
+
+void
 grid_begin(struct grid *g, const char *name)
 {
 	g->now = sheet_begin(g->path, name, g->most_rows, g->errors);

@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_IO_GRID_H
 #define TIPSPEED_IO_GRID_H
 
-#include "base/tr.h"
 #include "io/sheet.h"
 
 /* Of a workbook: the sheets with anything in them, and note: what else is to be
@@ -58,7 +57,7 @@ void grid_note(struct grid *grid, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void grid_notes(struct grid *grid);
 
-/* Of a workbook with more sheets than these, for grid_note. */
-#define GRID_MORE_SHEETS N_("more than %d sheets: the others are not read")
+/* The workbook has more sheets than these. */
+void grid_more(struct grid *grid, int most);
 
 #endif

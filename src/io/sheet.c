@@ -221,11 +221,12 @@ free_row(struct row *row)
 static bool
 add_row(struct sheet *sheet, const char *line, int number)
 {
-	if (strlen(line) > MOST_LINE || sheet->n_row == sheet->most_rows) {
+	if (strlen(line) > sheet->most_line ||
+	    sheet->n_row == sheet->most_rows) {
 		sheet_fault(sheet, (struct cell){.line = number, .column = 1},
-		    "more than %zu lines, or %d bytes in a line\n"
+		    "more than %zu lines, or %zu bytes in a line\n"
 		    "a site file has a few kB: is this the right file?",
-		    sheet->most_rows, MOST_LINE);
+		    sheet->most_rows, sheet->most_line);
 		sheet->lost = sheet->too_large = true;
 		return false;
 	}
@@ -389,18 +390,35 @@ find_separator(const char *text, struct error_list *errors)
 	return SIGNS[best];
 }
 
-struct sheet *
-sheet_new(
-    const char *path, char *text, size_t most_rows, struct error_list *errors)
+static struct sheet *
+split(const char *path, char *text, size_t most_rows, size_t most_line,
+    struct error_list *errors)
 {
 	struct sheet *sheet = xcalloc(1, sizeof *sheet);
 	sheet->path = xstrdup(path);
 	sheet->name = xstrdup("");
 	sheet->errors = errors;
 	sheet->most_rows = most_rows;
+	sheet->most_line = most_line;
 	sheet->separator = find_separator(text, errors);
 	split_text(sheet, text);
 	return sheet;
+}
+
+struct sheet *
+sheet_new(
+    const char *path, char *text, size_t most_rows, struct error_list *errors)
+{
+	return split(path, text, most_rows, MOST_LINE, errors);
+}
+
+struct sheet *
+sheet_new_own(const char *path, char *text, struct error_list *errors)
+{
+	size_t lines = 1, length = strlen(text);
+	for (const char *p = text; *p != '\0'; p++)
+		lines += *p == '\n' || *p == '\r';
+	return split(path, text, lines, length, errors);
 }
 
 struct sheet *

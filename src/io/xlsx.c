@@ -110,7 +110,7 @@ begin_workbook(void *data, const char *name, const char *const *attribute)
 		return;
 	if (b->n_tab == MOST_TABS) {
 		if (b->more++ == 0)
-			grid_note(b->grid, GRID_MORE_SHEETS, MOST_TABS);
+			grid_more(b->grid, MOST_TABS);
 		return;
 	}
 	b->tab = xrealloc(b->tab, b->n_tab + 1, sizeof *b->tab);
