@@ -88,9 +88,8 @@ same "exit statuses: --help and manual" all in_manual
 		"$srcdir/src/base/error.h"
 	# 128 and the signals that are caught to end the program.
 	grep -oE 'sigaction\(SIG(HUP|INT|TERM)' "$srcdir/src/cli/pump.c" |
-		sed 's/.*SIGHUP/129/; s/.*SIGINT/130/; s/.*SIGTERM/143/' |
-		sort -u
-} >in_source
+		sed 's/.*SIGHUP/129/; s/.*SIGINT/130/; s/.*SIGTERM/143/'
+} | sort -nu >in_source
 same "exit statuses: --help and source" all in_source
 
 # The one that is met least: what goes back hardly breaks.

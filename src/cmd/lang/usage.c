@@ -77,7 +77,8 @@ const struct usage_word USAGE_STATUS[] = {{"0", "All commands succeeded."},
     {"129", "Ended by a hang-up, after the best so far was printed."},
     {"130", "Interrupted from the keyboard. A calibration stops after the "
 	    "current generation or step and prints the best found so far. At "
-	    "the prompt, 'continue' continues it."},
+	    "the prompt, 'continue' continues it. Of a file that was being "
+	    "read nothing is taken."},
     {"143", "Ended by kill, after the best so far was printed."},
     {.name = NULL}};
 
