@@ -4,6 +4,7 @@
 #   expected  what they print, standard error included
 #   status    their exit status, where it is not 0
 # `make renew` writes expected and status anew: look at the difference.
+#   SHARD=k SHARDS=n   the k-th, the k + n-th .. of them; all without
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
 scratch
@@ -11,7 +12,10 @@ mkdir "$dir/bin"
 ln -s "$TIPSPEED" "$dir/bin/tipspeed"
 PATH=$dir/bin:$PATH
 cases=$(cd "$srcdir/tests/cases" && pwd)
+at=0
 for c in "$cases"/*/; do
+	at=$((at + 1))
+	[ $((at % ${SHARDS:-1})) -eq $((${SHARD:-0} % ${SHARDS:-1})) ] || continue
 	name=$(basename "$c")
 	mkdir "$dir/$name"
 	ln -s "$dir/data" "$dir/$name/data"

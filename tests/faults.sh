@@ -3,10 +3,8 @@
 # preloaded), or a call to the system (strace, because what stdio and SQLite call
 # cannot be preloaded).  Then the status is not 0, or all is as without the fault;
 # no signal ends it; files are old or new, never torn; and nothing is left over.
-#   MOST=N  about so many faults of each kind and part; 0: all (make check-faults)
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
-MOST=${MOST-40}
 shim=$PWD/tests/faults/allocate.so
 skip_all() {
 	echo "1..0 # SKIP $1"
@@ -119,8 +117,11 @@ with status 0, $torn torn, $spared excepted"
 }
 runs=0 signals=0 wrong=0 torn=0 spared=0
 
-# stride N: every how many of N there are to be.
-stride() { [ "$MOST" -eq 0 ] && echo 1 || echo $((($1 + MOST - 1) / MOST)); }
+# stride N: every how many of N faults of a kind and part there are to be.
+stride() {
+	most=$(often 6 "$1")
+	echo $((($1 + most - 1) / most))
+}
 
 allocations() {
 	export FAULT_COUNT="$dir/count"

@@ -5,7 +5,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
 scratch
-seeds=${TIPSPEED_TEST_SEEDS:-10}
+seeds=$(often 2 10)
 for f in "$dir"/data/sites/*.csv; do
 	name=$(basename "$f" .csv)
 	i=0

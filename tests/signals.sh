@@ -73,4 +73,39 @@ for seconds in 0.7 1.5 3 5; do
 	[ $status -eq 130 ] && [ $took -lt 1000 ]
 	result $? "400 sieves, after $seconds s: INT is answered in time"
 done
+
+# Reading is stopped as soon: a sheet of 1,900 sieves and 200 runs, again and again.
+awk 'BEGIN {
+	printf "size_mm,feed"
+	for (k = 0; k < 200; k++)
+		printf ",product@%g", 60 + k / 10
+	print ""
+	for (i = 0; i < 1900; i++) {
+		printf "%.6g,%.5g", 22.4 * exp(-i * log(355) / 1899), 100 - i / 20
+		for (k = 0; k < 200; k++)
+			printf ",%.5g", 100 - i / 21
+		print ""
+	}
+}' >wide.csv
+for signal in INT TERM; do
+	want=130
+	[ $signal = INT ] || want=143
+	i=0
+	while [ $i -lt 100 ]; do
+		echo 'load wide.csv'
+		i=$((i + 1))
+	done >loads.tip
+	env --default-signal=INT "$TIPSPEED" --store=:memory: loads.tip >out 2>log &
+	pid=$!
+	sleep 0.7
+	from=$(date +%s%N)
+	kill -s $signal $pid
+	wait $pid
+	status=$?
+	took=$((($(date +%s%N) - from) / 1000000))
+	echo "# $took ms"
+	[ $status -eq $want ] && [ $took -lt 1000 ] &&
+		grep -q 'loads.tip:[0-9]*: interrupted' log
+	result $? "$signal is answered in time while a sheet is read"
+done
 finish

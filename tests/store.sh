@@ -6,7 +6,7 @@
 . "${srcdir:-.}/tests/tap.sh"
 scratch
 cd "$dir" || exit 99
-KILLS=220
+KILLS=$(often 30 300)
 params='params set f_mat=2 e0_min=17 alpha=0.95'
 
 # remembers PREFIX N: a script that remembers PREFIX-1, PREFIX-2, ...
@@ -64,7 +64,7 @@ while read -r delay; do
 	said=$((said + $(names said | wc -l)))
 done <delays
 echo "# $cut killed while writing; $said remembered before"
-[ $cut -ge 200 ] && [ $said -ge 50 ]
+[ $cut -ge $((KILLS * 9 / 10)) ] && [ $said -ge $((KILLS / 4)) ]
 result $? "programs were killed in the middle of writes"
 [ $broken -eq 0 ]
 result $? "after each kill the store is whole"

@@ -23,6 +23,14 @@ finish() {
 	exit $?
 }
 
+# often FEW MANY: how often a test repeats what it tries, FEW times in `make check`,
+# MANY in `make check-long`.  TIPSPEED_TEST_LONG says how far between, 0 to 1.
+often() {
+	awk -v few="$1" -v many="$2" -v share="${TIPSPEED_TEST_LONG:-0}" 'BEGIN {
+		share += 0
+		print few + int((many - few) * (share < 1 ? share : 1)) }'
+}
+
 # A folder of its own, with data/ as the shipped one.
 scratch() {
 	dir=$(mktemp -d) || exit 99

@@ -88,10 +88,16 @@ same "exit statuses: --help and manual" all in_manual
 		"$srcdir/src/base/error.h"
 	# 128 and the signals that are caught to end the program.
 	grep -oE 'sigaction\(SIG(HUP|INT|TERM)' "$srcdir/src/cli/pump.c" |
-		sed 's/.*SIGHUP/129/; s/.*SIGINT/130/; s/.*SIGTERM/143/' |
-		sort -u
-} >in_source
+		sed 's/.*SIGHUP/129/; s/.*SIGINT/130/; s/.*SIGTERM/143/'
+} | sort -nu >in_source
 same "exit statuses: --help and source" all in_source
+
+# The one that is met least: what goes back hardly breaks.
+"$TIPSPEED" data/sites/tierp.csv -c 'params set f_mat=2.18 e0_min=16.74 alpha=0.96' \
+	-c 'flow tph=100 fractions=0/22.4 recycle=0/22.4' >out 2>err
+[ $? -eq 4 ] && grep -q 'circulate for 100 t/h' err &&
+	awk '/^  4$/ { h = 1; next } /^  [0-9]/ { h = 0 } h' help | grep -q circuit
+result $? "status 4: a circuit that does not become steady, as --help says"
 
 # Variables, also those of the source.
 block environment | sed -n 's/^  \([A-Z_][A-Z_]*\)$/\1/p' >all

@@ -2,12 +2,12 @@
 # Every writer, killed in the midst (kill -9): a file is what it was or what it
 # was to be, a left-over blocks nothing, and the next run removes it.  In a PID
 # namespace, where there may be one, the program has the same number each time,
-# as in a container.  KILLS=300 is the full measure.
+# as in a container.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
 scratch
 cd "$dir" || exit 99
-KILLS=${KILLS:-40}
+KILLS=$(often 10 300)
 inside=
 [ "$(unshare --pid --fork sh -c 'echo $$' 2>/dev/null)" != 1 ] ||
 	inside="unshare --pid --fork --kill-child=KILL"

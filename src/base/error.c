@@ -108,6 +108,16 @@ error_add(struct error_list *list)
 	return &beyond;
 }
 
+bool
+error_stopped(struct error_list *list)
+{
+	if (list->stopped || list->stop == NULL || !list->stop())
+		return list->stopped;
+	list->stopped = true;
+	error_set(error_add(list), ERROR_STOPPED, "interrupted");
+	return true;
+}
+
 /* Lines that fit stay as they are, spaces and all: they may quote somebody. */
 static void
 print_line(char *line, bool wrap, int margin, FILE *out)

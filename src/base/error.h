@@ -15,7 +15,10 @@ enum error_kind {
 	ERROR_USAGE = 2,   /* a command that cannot be understood */
 	ERROR_DATA = 3,    /* a file whose contents are wrong */
 	ERROR_NUMERIC = 4, /* a computation without an answer */
-	ERROR_SYSTEM = 5   /* a file or resource the system refused */
+	ERROR_SYSTEM = 5,  /* a file or resource the system refused */
+	/* Nobody waits for it any more.  130 is that of INT; where another
+	 * signal came the driver has its own. */
+	ERROR_STOPPED = 130
 };
 
 /* A plain value: nothing to free.  line and column count from 1; 0: none.
@@ -31,9 +34,12 @@ struct error {
 };
 
 /* Several faults of one file, in the order found; further ones are counted
- * only. */
+ * only.  stop: whether nobody waits for the file any more; NULL: never.
+ * stopped: it said so. */
 struct error_list {
 	size_t n, more;
+	bool (*stop)(void);
+	bool stopped;
 	struct error item[20];
 };
 
@@ -65,6 +71,11 @@ bool error_hint(struct error *e, const char *format, ...)
 /* One more fault in the list, or one more counted.  Returns where it goes,
  * never NULL. */
 struct error *error_add(struct error_list *list);
+
+/* Whether whoever reads the file is to come to an end, which each loop over its
+ * contents asks now and then.  Once true it stays so, and the list has a fault
+ * of kind ERROR_STOPPED. */
+bool error_stopped(struct error_list *list);
 
 /* "file:line:column: text", or in a workbook "file, B5: text", and, where there
  * is one, the hint below it.  A hint goes on after a margin where the screen

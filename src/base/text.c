@@ -76,6 +76,21 @@ text_exact(double value, char buf[static 32])
 	return buf;
 }
 
+const char *
+text_apart(double value, double other, char buf[static 32])
+{
+	enum { SHORT = 7, LEAST = 4, MOST = 17 };
+	double apart = fabs(value - other) / 10;
+	snprintf(buf, 32, "%.*g", SHORT, value);
+	for (int digits = LEAST; digits <= MOST && strtod(buf, NULL) != value;
+	     digits++) {
+		snprintf(buf, 32, "%.*g", digits, value);
+		if (fabs(strtod(buf, NULL) - value) <= apart)
+			break;
+	}
+	return buf;
+}
+
 char *
 text_trim(char *s)
 {
@@ -131,15 +146,17 @@ text_is_hidden(uint32_t code)
 	return i < ARRAY_LEN(RANGES) && code >= RANGES[i][0];
 }
 
-/* Bytes of the letter, digit or point at p; 0 where there is something else.
- * Beyond ASCII all are letters but the signs of Latin 1 (U+0080..BF, the signs
- * of times and division), U+2000..2FFF and the punctuation of U+3000..303F. */
+/* Bytes of the letter, digit, point or underscore at p; 0 where there is
+ * something else.  Beyond ASCII all are letters but the signs of Latin 1
+ * (U+0080..BF, the signs of times and division), U+2000..2FFF and the
+ * punctuation of U+3000..303F. */
 static size_t
 letter_bytes(const char *p)
 {
 	unsigned char c = (unsigned char)p[0], d = (unsigned char)p[1];
 	if (c < 0x80)
-		return is_digit(*p) || (*p >= 'a' && *p <= 'z') || *p == '.';
+		return is_digit(*p) || (*p >= 'a' && *p <= 'z') || *p == '.' ||
+		       *p == '_';
 	if (c < 0xC3 || c == 0xE2 || (c == 0xC3 && (d == 0x97 || d == 0xB7)) ||
 	    (c == 0xE3 && d == 0x80))
 		return 0;

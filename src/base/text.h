@@ -18,6 +18,11 @@ bool text_whole(const char *s, uint64_t *value);
 /* Shortest decimal form that reads back as the same double; buf of 32. */
 const char *text_exact(double value, char buf[static 32]);
 
+/* A number for a message that sets it against another: the same where that is
+ * short, as what somebody has typed is; else, of what was worked out, as few
+ * digits as keep the two apart, four at least. */
+const char *text_apart(double value, double other, char buf[static 32]);
+
 /* Without spaces at both ends, in place; returns a pointer into s. */
 char *text_trim(char *s);
 
@@ -26,8 +31,8 @@ char *text_trim(char *s);
  * caller frees. */
 char *text_fold(const char *s);
 
-/* text_fold, with every run of other than letters of any script, digits and
- * points turned into one '-'; empty where there are none. */
+/* text_fold, with every run of other than letters of any script, digits, points
+ * and underscores turned into one '-'; empty where there are none. */
 char *text_slug(const char *s);
 
 /* n bytes without the quotes (") in them; two within quotes are one.  The

@@ -35,6 +35,18 @@ interrupt(
 	return pump_status();
 }
 
+/* A command did nothing: it could not, or a signal came before it was done. */
+static int
+fail(const struct driver *d, const struct error *e, const char *line,
+    const char *name, int number)
+{
+	if (e->kind != ERROR_STOPPED)
+		d->fail(d->of, e, line, name);
+	else if (d->interrupted != NULL)
+		d->interrupted(name, number);
+	return pump_signal() != 0 ? pump_status() : (int)e->kind;
+}
+
 /* What the commands so far began. */
 static int
 go_through(const struct driver *d, size_t depth, const char *line,
@@ -69,8 +81,7 @@ driver_line(
 		pager_show(d->pager);
 		if (!ok) {
 			fflush(s->out);
-			d->fail(d->of, &error, line, name);
-			return (int)error.kind;
+			return fail(d, &error, line, name, number);
 		}
 		if (d->watches && number == 0 && session_busy(s) &&
 		    s->scripts == depth && line[at] == '\0')

@@ -20,8 +20,9 @@
 
 static volatile sig_atomic_t noted, asked, watching, stopped, woken, resized;
 
-/* Signals that are let in while the program waits. */
+/* Signals that are let in while the program waits; holding: others are held. */
 static sigset_t let_in;
+static volatile sig_atomic_t holding;
 
 static void
 on_signal(int signal)
@@ -77,11 +78,13 @@ pump_hold_signals(void)
 	for (size_t i = 0; i < ARRAY_LEN(ANSWERED); i++)
 		sigaddset(&held, ANSWERED[i]);
 	sigprocmask(SIG_BLOCK, &held, &let_in);
+	holding = 1;
 }
 
 void
 pump_free_signals(void)
 {
+	holding = 0;
 	sigprocmask(SIG_SETMASK, &let_in, NULL);
 }
 
@@ -297,11 +300,12 @@ pump_waited_for(void)
 {
 	sigset_t held;
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
-	if (noted != 0 || !watching)
+	if (noted != 0 || !holding)
 		return noted != 0;
 	sigpending(&held);
 	return sigismember(&held, SIGINT) || sigismember(&held, SIGTERM) ||
-	       sigismember(&held, SIGHUP) || poll(&in, 1, 0) > 0;
+	       sigismember(&held, SIGHUP) ||
+	       (watching && poll(&in, 1, 0) > 0);
 }
 
 /* What a terminal shows while a calibration runs: one line, four times a

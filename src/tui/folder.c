@@ -16,6 +16,7 @@
 #include "cmd/session/session.h"
 #include "io/cells/archive.h"
 #include "io/sitefile/results.h"
+#include "io/fs/shipped.h"
 #include "io/sitefile/site_read.h"
 #include "io/cells/textfile.h"
 #include "io/store/table3.h"
@@ -209,9 +210,9 @@ add_made(struct folder *folder)
 void
 folder_shipped(struct folder *folder)
 {
-	static const char TREE[] = "data/sites/";
-	bool tree = access(TREE, R_OK) == 0;
-	folder_list(folder, tree ? TREE : SITES_DIR "/");
+	char *path = shipped_folder();
+	folder_list(folder, path);
+	free(path);
 	size_t n = 0;
 	for (size_t i = 0; i < folder->n; i++) {
 		struct folder_item *item = &folder->item[i];

@@ -113,6 +113,23 @@ too_fast_make(struct plan *p)
 	instead_of_speeds(p, "", 690, 50, " m/s");
 }
 
+/* Numbers that are no tip speed as they stand: a power, two of them, a part. */
+static void
+odd_numbers_make(struct plan *p)
+{
+	static const struct {
+		const char *before;
+		double first;
+		const char *after;
+	} ODD[] = {{"@7.4e", 1, ""}, {"@1E+0", 2, ""}, {"@1e", 9, ""},
+	    {"@1 0", 70, ""}, {"@", 6, " 9"}, {"@", 69, "..70"},
+	    {"@", 74, " or 75"}, {"@.", 69, ""}, {"7.4e", 1, " m/s"},
+	    {"", 69, "..70 m/s"}, {"", 74, " or 75 m/s"},
+	    {"", 69, " - 70 m/s"}};
+	size_t i = p->seed / 7 % ARRAY_LEN(ODD);
+	instead_of_speeds(p, ODD[i].before, ODD[i].first, 1, ODD[i].after);
+}
+
 static void
 two_feeds_make(struct plan *p)
 {
@@ -552,6 +569,7 @@ const struct trap TRAPS[] = {
     {"envelope", plain, NULL, envelope_make, true},
     {"numbers only", plain, NULL, numbers_make, true},
     {"prose", plain, NULL, prose_make, true},
+    {"odd numbers for speeds", plain, NULL, odd_numbers_make, true},
 };
 
 size_t

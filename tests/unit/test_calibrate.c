@@ -1,12 +1,12 @@
 /* Calibrations of made-up sites: curves are recovered, results do not hang on
  * seed or threads, and each option does what it says.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "made.h"
+#include "fitted.h"
+#include "often.h"
 #include "naive.h"
 
 #include <stdatomic.h>
 
-#include "core/search/calibrate.h"
 #include "core/search/misfit.h"
 #include "core/search/sensitivity.h"
 
@@ -30,17 +30,6 @@ small_options(uint64_t seed)
 	return options;
 }
 
-static struct fit
-fit_of(const struct site *site, const struct calibrate_options *options)
-{
-	struct calibration *c = calibration_new(site, options);
-	while (calibration_step(c) < CALIBRATE_TOLERANCE)
-		;
-	struct fit fit = calibration_fit(c);
-	calibration_free(c);
-	return fit;
-}
-
 /* Parameters are not: E0_min, alpha and f_mat trade off.  Össjö (row 5) breaks
  * nothing. */
 static void
@@ -49,11 +38,11 @@ curves_are_recovered_at_the_speed_held_out(void **state)
 	(void)state;
 	static const size_t rows[] = {2, 5, 8, 9, 12, 17};
 	for (size_t i = 0; i < ARRAY_LEN(rows); i++)
-		for (uint64_t seed = 1; seed <= 2; seed++) {
+		for (uint64_t seed = 1; seed <= often(1, 2); seed++) {
 			const struct table_row *row = &TABLE_3[rows[i]];
 			struct site *site = made_site(row, NOISE, 10 * seed);
 			struct calibrate_options o = full_options(seed);
-			struct fit fit = fit_of(site, &o);
+			struct fit fit = fitted(site, &o);
 			struct params truth = made_params(row);
 			double found[20], exact[20];
 			made_product(&site->run[1], &fit.params, found);
@@ -77,7 +66,7 @@ any_seed_finds_the_same_misfit(void **state)
 		struct site *site = made_site(&TABLE_3[rows[i]], NOISE, 9);
 		for (uint64_t seed = 1; seed <= 3; seed++) {
 			struct calibrate_options o = full_options(seed);
-			struct fit fit = fit_of(site, &o);
+			struct fit fit = fitted(site, &o);
 			if (seed == 1)
 				first = fit.misfit;
 			expect_near("misfit", fit.misfit, first, 1e-6 * first);
@@ -104,20 +93,20 @@ threads_and_instructions_do_not_change_a_bit(void **state)
 	struct site *site = made_site(&TABLE_3[TIERP], NOISE, 3);
 	for (uint64_t seed = 1; seed <= 2; seed++) {
 		struct calibrate_options o = small_options(seed);
-		struct fit one = fit_of(site, &o), again = fit_of(site, &o);
+		struct fit one = fitted(site, &o), again = fitted(site, &o);
 		expect_same_fit(&one, &again);
 		o.threads = 2;
-		struct fit two = fit_of(site, &o);
+		struct fit two = fitted(site, &o);
 		expect_same_fit(&one, &two);
 		o.isa = ISA_BASE;
-		struct fit base = fit_of(site, &o);
+		struct fit base = fitted(site, &o);
 		expect_same_fit(&one, &base);
 	}
 	struct calibrate_options o = small_options(1);
 	o.polish = false;
-	struct fit one = fit_of(site, &o);
+	struct fit one = fitted(site, &o);
 	o.seed = 2;
-	struct fit other = fit_of(site, &o);
+	struct fit other = fitted(site, &o);
 	assert_true(one.misfit != other.misfit);
 	site_free(site);
 }
@@ -142,7 +131,7 @@ a_search_ends_for_the_reason_it_gives(void **state)
 		o.stall = rows[i].stall;
 		o.generations = rows[i].generations;
 		o.polish = i % 2 == 0;
-		struct fit fit = fit_of(site, &o);
+		struct fit fit = fitted(site, &o);
 		assert_int_equal(fit.stop, rows[i].stop);
 		assert_string_equal(
 		    calibrate_state_name(fit.stop), rows[i].name);
@@ -235,7 +224,7 @@ a_fit_says_where_it_is_from(void **state)
 	struct params early = calibration_status(c).params;
 	assert_true(largest_beta(&early) == 1);
 	calibration_free(c);
-	struct fit fit = fit_of(site, &o);
+	struct fit fit = fitted(site, &o);
 	double feed = 0, squares = 0, passing[20];
 	size_t n = 0;
 	for (size_t r = 0; r < 3; r += 2) {
@@ -269,16 +258,16 @@ bounds_hold_and_are_told(void **state)
 	(void)state;
 	struct site *site = made_site(&TABLE_3[TIERP], NOISE, 6);
 	struct calibrate_options o = small_options(1);
-	struct fit fit = fit_of(site, &o);
+	struct fit fit = fitted(site, &o);
 	assert_false(fit.on_bound[PARAM_E0_MIN]);
 	o.bounds.upper[PARAM_E0_MIN] = 10;
-	fit = fit_of(site, &o);
+	fit = fitted(site, &o);
 	assert_true(fit.params.e0_min == 10);
 	assert_true(fit.on_bound[PARAM_E0_MIN]);
 	o.bounds = bounds_default(0);
 	o.bounds.lower[PARAM_F_MAT] = o.bounds.upper[PARAM_F_MAT] = 1.2;
 	o.bounds.lower[PARAM_ALPHA] = o.bounds.upper[PARAM_ALPHA] = 0.97;
-	fit = fit_of(site, &o);
+	fit = fitted(site, &o);
 	assert_true(fit.params.f_mat == 1.2 && fit.params.alpha == 0.97);
 	assert_false(fit.on_bound[PARAM_F_MAT]);
 	assert_false(fit.on_bound[PARAM_ALPHA]);
@@ -293,14 +282,14 @@ other_runs_may_train(void **state)
 	const bool slow[3] = {true, true, false}, all[3] = {true, true, true};
 	size_t n = site->run[0].product.n;
 	struct calibrate_options o = full_options(1);
-	struct fit outer = fit_of(site, &o);
+	struct fit outer = fitted(site, &o);
 	assert_int_equal(outer.n_residual, 2 * n);
 	o.train = slow;
-	struct fit slower = fit_of(site, &o);
+	struct fit slower = fitted(site, &o);
 	assert_int_equal(slower.n_residual, 2 * n);
 	assert_true(slower.misfit != outer.misfit);
 	o.train = all;
-	struct fit three = fit_of(site, &o);
+	struct fit three = fitted(site, &o);
 	assert_int_equal(three.n_residual, 3 * n);
 	assert_true(three.misfit > fmax(outer.misfit, slower.misfit));
 	site_free(site);
@@ -314,17 +303,17 @@ weights_of_runs_and_sieves_count(void **state)
 	const bool slow[3] = {true, false, false};
 	const double only_slow[3] = {1, 1, 0};
 	struct calibrate_options o = full_options(1);
-	struct fit plain = fit_of(site, &o);
+	struct fit plain = fitted(site, &o);
 	o.run_weight = only_slow;
-	struct fit weighted = fit_of(site, &o);
+	struct fit weighted = fitted(site, &o);
 	o.run_weight = NULL;
 	o.train = slow;
-	struct fit alone = fit_of(site, &o);
+	struct fit alone = fitted(site, &o);
 	expect_near(
 	    "weight 0", weighted.misfit, alone.misfit, 1e-6 * alone.misfit);
 	o.train = NULL;
 	o.by_sd = true; /* of a sheet that states none: nothing changes */
-	struct fit none = fit_of(site, &o);
+	struct fit none = fitted(site, &o);
 	expect_near("no sd", none.misfit, plain.misfit, 1e-9 * plain.misfit);
 	for (size_t r = 0; r < 3; r++) {
 		size_t n = site->run[r].product.n;
@@ -332,7 +321,7 @@ weights_of_runs_and_sieves_count(void **state)
 		for (size_t i = 0; i < n; i++)
 			site->run[r].product_sd[i] = 0.005;
 	}
-	struct fit same = fit_of(site, &o);
+	struct fit same = fitted(site, &o);
 	double scaled = plain.misfit / (0.005 * 0.005);
 	expect_near("same sd", same.misfit, scaled, 1e-6 * scaled);
 	expect_near("rmse", same.rmse, plain.rmse, 1e-6 * plain.rmse);
@@ -346,7 +335,7 @@ classes_are_calibrated_too(void **state)
 	struct site *site = made_site(&TABLE_3[TIERP], 0, 9);
 	struct calibrate_options o = small_options(1);
 	o.settings.method = METHOD_CLASSES;
-	struct fit fit = fit_of(site, &o);
+	struct fit fit = fitted(site, &o);
 	const bool ends[3] = {true, false, true};
 	struct misfit *m = misfit_new(site, ends, NULL, false, o.settings);
 	double misfit = misfit_at(m, &fit.params);
@@ -377,7 +366,7 @@ a_step_that_is_stopped_is_made_anew(void **state)
 	(void)state;
 	struct site *site = made_site(&TABLE_3[TIERP], NOISE, 9);
 	struct calibrate_options o = small_options(1);
-	struct fit whole = fit_of(site, &o);
+	struct fit whole = fitted(site, &o);
 	o.stop = now_and_then;
 	o.threads = 2;
 	struct calibration *c = calibration_new(site, &o);

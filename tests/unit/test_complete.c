@@ -291,6 +291,41 @@ files_and_folders(void **state)
 	rmdir(folder);
 }
 
+/* Sites that come with the program, where no file begins so. */
+static void
+shipped_sites(void **state)
+{
+	struct desk *desk = *state;
+	char folder[] = "/tmp/tipspeed-test-XXXXXX", was[4096];
+	assert_non_null(getcwd(was, sizeof was));
+	assert_non_null(mkdtemp(folder));
+	assert_int_equal(chdir(folder), 0);
+	assert_int_equal(mkdir("data", 0700), 0);
+	assert_int_equal(mkdir("data/sites", 0700), 0);
+	touch("data/sites/tierp.csv");
+	touch("data/sites/sky.csv");
+	touch("data/sites/notes.txt");
+	expect(desk, "load tie", 5, "tierp ");
+	expect(desk, "load Ti", 5, "tierp ");
+	expect(desk, "load sky s", 9, "sheet=|skip=|sky ");
+	expect(desk, "load no", 5, "");
+	expect(desk, "load dat", 5, "data/|dates=");
+	expect(desk, "add tie", 4, "");
+	desk->session->safe = true;
+	expect(desk, "load tie", 5, "");
+	desk->session->safe = false;
+	touch("tie.csv");
+	expect(desk, "load tie", 5, "tie.csv ");
+	unlink("tie.csv");
+	unlink("data/sites/tierp.csv");
+	unlink("data/sites/sky.csv");
+	unlink("data/sites/notes.txt");
+	rmdir("data/sites");
+	rmdir("data");
+	assert_int_equal(chdir(was), 0);
+	rmdir(folder);
+}
+
 /* Whatever is typed, at whatever place: no crash, and in order. */
 static void
 any_line_at_any_cursor(void **state)
@@ -329,6 +364,7 @@ main(void)
 	    at_desk(nothing_in_a_comment),
 	    at_desk(only_what_is_before_the_cursor_counts),
 	    at_desk(files_and_folders),
+	    at_desk(shipped_sites),
 	    at_desk(any_line_at_any_cursor),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

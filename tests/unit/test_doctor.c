@@ -1,17 +1,10 @@
 /* What is wrong with a sheet is found, and mends do what they say.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
+#include "fitted.h"
 
-#include <cmocka.h>
+#include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/search/calibrate.h"
 #include "core/check/outliers.h"
 #include "core/numeric/rng.h"
 #include "core/model/synth.h"
@@ -40,20 +33,9 @@ static struct posterior *
 posterior_of(const struct site *site)
 {
 	bool use[3] = {true, true, true};
-	struct calibrate_options o = calibrate_options_default();
-	o.population = 500;
-	struct calibration *c = calibration_new(site, &o);
-	while (calibration_step(c) <= CALIBRATE_POLISHING)
-		;
-	struct fit fit = calibration_fit(c);
-	calibration_free(c);
-	return posterior_new(site, &fit.params,
-	    &(struct posterior_options){.use = use,
-		.settings = fit.settings,
-		.bounds = o.bounds,
-		.seed = 1,
-		.threads = 1,
-		.isa = ISA_BEST});
+	struct calibrate_options o = quick_options(1);
+	struct fit fit = fitted(site, &o);
+	return drawn(site, &fit, &o, use);
 }
 
 /* The first sieve at which a passing of the product can be so much more and

@@ -56,11 +56,12 @@ read_page(struct document *d)
 	static const struct xml_events events = {begin, end, text};
 	struct found f = {.words = xstrdup("")};
 	size_t n;
+	struct error_list errors = {0};
 	assert_true(document_end(d));
 	char *page = document_html(d, &n);
 	assert_int_equal(strncmp(page, TYPE, strlen(TYPE)), 0);
-	char *wrong =
-	    xml_read(page + strlen(TYPE), n - strlen(TYPE), &events, &f);
+	char *wrong = xml_read(
+	    page + strlen(TYPE), n - strlen(TYPE), &events, &f, &errors);
 	if (wrong != NULL)
 		fail_msg("%s", wrong);
 	assert_null(strstr(page, "url("));

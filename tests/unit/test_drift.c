@@ -1,11 +1,10 @@
 /* Control charts: how often they signal without and with drift, and that what
  * is not known of the truth does not make them signal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "made.h"
+#include "fitted.h"
 
 #include <stdlib.h>
 
-#include "core/search/calibrate.h"
 #include "core/check/control_chart.h"
 #include "core/posterior/ensemble.h"
 
@@ -154,21 +153,9 @@ plant(void)
 {
 	static const bool use[3] = {true, false, true};
 	struct plant p = {.site = made_site(&TABLE_3[TIERP], 0.005, 3)};
-	struct calibrate_options o = calibrate_options_default();
-	o.population = 1000;
-	o.seed = 3;
-	struct calibration *c = calibration_new(p.site, &o);
-	while (calibration_step(c) < CALIBRATE_TOLERANCE)
-		;
-	struct fit fit = calibration_fit(c);
-	calibration_free(c);
-	struct posterior_options options = {.use = use,
-	    .settings = fit.settings,
-	    .bounds = o.bounds,
-	    .seed = 3,
-	    .threads = 1,
-	    .isa = ISA_BEST};
-	p.posterior = posterior_new(p.site, &fit.params, &options);
+	struct calibrate_options o = quick_options(3);
+	struct fit fit = fitted(p.site, &o);
+	p.posterior = drawn(p.site, &fit, &o, use);
 	p.feed = &p.site->run[1].feed;
 	p.n = p.feed->n - 1;
 	p.size = p.feed->size + 1;

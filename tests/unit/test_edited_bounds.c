@@ -1,8 +1,6 @@
 /* A search whose bounds are edited in its midst goes on from where it is.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "made.h"
-
-#include "core/search/calibrate.h"
+#include "fitted.h"
 
 static struct calibrate_options
 options_for(unsigned threads, enum isa isa)
@@ -20,16 +18,6 @@ steps(struct calibration *c, size_t n)
 {
 	while (n-- > 0)
 		calibration_step(c);
-}
-
-static struct fit
-end(struct calibration *c)
-{
-	while (calibration_step(c) < CALIBRATE_TOLERANCE)
-		;
-	struct fit fit = calibration_fit(c);
-	calibration_free(c);
-	return fit;
 }
 
 static struct bounds
@@ -73,13 +61,13 @@ narrower_bounds_hold_from_the_next_generation(void **state)
 		expect_inside(&b, &g[n - 1].params);
 		assert_true(g[n - 1].p90[PARAM_E0_MIN] <= middle / 2);
 	}
-	struct fit fit = end(c);
+	struct fit fit = fitted_by(c);
 	assert_true(fit.params.e0_min <= middle / 2);
 	assert_true(fit.on_bound[PARAM_E0_MIN]);
 	assert_int_equal(fit.edits, 1);
 	assert_int_equal(fit.edited_at, 20);
 	o.bounds = b;
-	struct fit anew = end(calibration_new(site, &o));
+	struct fit anew = fitted_by(calibration_new(site, &o));
 	expect_near("misfit", fit.misfit, anew.misfit, 1e-6 * anew.misfit);
 	assert_int_equal(anew.edits, 0);
 	site_free(site);
@@ -91,7 +79,7 @@ wider_bounds_are_used(void **state)
 	(void)state;
 	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 6);
 	struct calibrate_options o = options_for(1, ISA_BEST);
-	struct fit anew = end(calibration_new(site, &o));
+	struct fit anew = fitted_by(calibration_new(site, &o));
 	struct bounds wide = o.bounds;
 	o.bounds = with(wide, PARAM_E0_MIN, 0, 10);
 	struct calibration *c = calibration_new(site, &o);
@@ -101,7 +89,7 @@ wider_bounds_are_used(void **state)
 	assert_true(calibration_status(c).best == best);
 	calibration_step(c);
 	assert_true(calibration_status(c).best <= best);
-	struct fit fit = end(c);
+	struct fit fit = fitted_by(c);
 	assert_true(fit.params.e0_min > 11);
 	expect_near("misfit", fit.misfit, anew.misfit, 1e-6 * anew.misfit);
 	site_free(site);
@@ -114,7 +102,7 @@ the_polish_begins_again_within_them(void **state)
 	(void)state;
 	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 6);
 	struct calibrate_options o = options_for(1, ISA_BEST);
-	struct fit usual = end(calibration_new(site, &o));
+	struct fit usual = fitted_by(calibration_new(site, &o));
 	struct calibration *c = calibration_new(site, &o);
 	while (calibration_step(c) == CALIBRATE_SEARCHING)
 		;
@@ -126,7 +114,7 @@ the_polish_begins_again_within_them(void **state)
 	assert_true(calibration_fit(c).params.alpha == 0.5);
 	assert_true(calibration_fit(c).misfit > usual.misfit);
 	calibration_set_bounds(c, &o.bounds);
-	struct fit fit = end(c);
+	struct fit fit = fitted_by(c);
 	assert_int_equal(fit.edits, 2);
 	assert_int_equal(fit.edited_at, usual.generations);
 	expect_near("misfit", fit.misfit, usual.misfit, 1e-6 * usual.misfit);
@@ -144,7 +132,7 @@ edited(const struct site *site, unsigned threads, enum isa isa)
 	steps(c, 13);
 	b = with(b, PARAM_E0_MIN, 2, 40);
 	calibration_set_bounds(c, &b);
-	return end(c);
+	return fitted_by(c);
 }
 
 static void

@@ -8,8 +8,7 @@
 #include "core/posterior/ensemble.h"
 #include "core/answer/power.h"
 #include "core/answer/predict.h"
-#include "core/search/calibrate.h"
-#include "made.h"
+#include "fitted.h"
 
 /* A crusher that breaks nothing at all, on so many classes. */
 static struct transfer *
@@ -244,23 +243,12 @@ classes_add_up_to_the_product_of_the_feed(void **state)
 
 /* Tierp, calibrated, with draws. */
 static struct posterior *
-drawn(const struct site *site, struct fit *fit)
+posterior_of(const struct site *site, struct fit *fit)
 {
-	struct calibrate_options options = calibrate_options_default();
 	bool use[8] = {true, false, true};
-	options.population = 1000;
-	struct calibration *c = calibration_new(site, &options);
-	while (calibration_step(c) < CALIBRATE_TOLERANCE)
-		;
-	*fit = calibration_fit(c);
-	calibration_free(c);
-	struct posterior_options o = {.use = use,
-	    .settings = fit->settings,
-	    .bounds = options.bounds,
-	    .seed = 1,
-	    .threads = 1,
-	    .isa = ISA_BEST};
-	return posterior_new(site, &fit->params, &o);
+	struct calibrate_options o = quick_options(1);
+	*fit = fitted(site, &o);
+	return drawn(site, fit, &o, use);
 }
 
 /* The product of the feed's classes is in each draw that of the feed, to what
@@ -274,7 +262,7 @@ each_draw_is_its_own_and_balances(void **state)
 	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 4);
 	const struct psd *feed = &site->run[0].feed;
 	struct fit fit;
-	struct posterior *posterior = drawn(site, &fit);
+	struct posterior *posterior = posterior_of(site, &fit);
 	struct psd sieves = predict_sizes(site, feed);
 	struct psd sizes = psd_refined(sieves.size, sieves.n);
 	size_t n = sizes.n;

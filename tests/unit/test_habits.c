@@ -1,7 +1,6 @@
 /* Sheets made by crossing habits at random are read rightly, asked about or
  * refused, and never read wrongly in silence.
  *
- * TIPSPEED_TEST_HABITS: how many sheets, 2000 unless told.
  * TIPSPEED_TEST_HABIT_SEED: one sheet alone, which is shown.
  * TIPSPEED_TEST_ENCODINGS=0: all in UTF-8.
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -15,6 +14,7 @@
 #include "base/text.h"
 #include "desk.h"
 #include "habits.h"
+#include "often.h"
 
 enum verdict { RIGHT, ASKED, REFUSED, WRONG, N_VERDICT };
 static const char *const VERDICTS[] = {"right", "asked", "refused", "wrong"};
@@ -412,7 +412,7 @@ no_sheet_is_read_wrongly(void **state)
 	struct tally tally = {0};
 	char *path = folder();
 	uint64_t one = from_environment("TIPSPEED_TEST_HABIT_SEED", 0);
-	uint64_t n = from_environment("TIPSPEED_TEST_HABITS", 2000);
+	uint64_t n = often(400, 2000);
 	for (uint64_t seed = one > 0 ? one : 1;
 	     seed <= (one > 0 ? one : n * A_TRAP_IN / (A_TRAP_IN - 1));
 	     seed++) {

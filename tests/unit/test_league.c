@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
-#include "made.h"
+#include "fitted.h"
 
 #include "core/model/breakage.h"
 #include "core/posterior/discrepancy.h"
@@ -178,12 +178,7 @@ calibrated(const struct site *site, size_t model, const struct params *start)
 	o.settings.breakage = (unsigned)model;
 	o.bounds = bounds_default(model);
 	o.start = start;
-	struct calibration *c = calibration_new(site, &o);
-	while (calibration_step(c) < CALIBRATE_TOLERANCE)
-		;
-	struct fit fit = calibration_fit(c);
-	calibration_free(c);
-	return fit;
+	return fitted(site, &o);
 }
 
 static void

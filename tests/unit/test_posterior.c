@@ -1,12 +1,12 @@
 /* The posterior: the same bits anywhere, bounds kept, parts told apart, and
  * bands that hold the truth.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "made.h"
+#include "fitted.h"
+#include "often.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/search/calibrate.h"
 #include "core/posterior/ensemble.h"
 
 struct known {
@@ -24,14 +24,8 @@ known(size_t row, double noise, uint64_t seed)
 	struct known k = {.site = made_site(&TABLE_3[row], noise, seed),
 	    .truth = made_params(&TABLE_3[row]),
 	    .use = {true, false, true},
-	    .options = calibrate_options_default()};
-	k.options.population = 1000;
-	k.options.seed = seed;
-	struct calibration *c = calibration_new(k.site, &k.options);
-	while (calibration_step(c) < CALIBRATE_TOLERANCE)
-		;
-	k.fit = calibration_fit(c);
-	calibration_free(c);
+	    .options = quick_options(seed)};
+	k.fit = fitted(k.site, &k.options);
 	return k;
 }
 
@@ -153,11 +147,7 @@ two_strengths(void)
 			    psd_passing(&all, run->product.size[i]);
 		psd_free(&all);
 	}
-	struct calibration *c = calibration_new(k.site, &k.options);
-	while (calibration_step(c) < CALIBRATE_TOLERANCE)
-		;
-	k.fit = calibration_fit(c);
-	calibration_free(c);
+	k.fit = fitted(k.site, &k.options);
 	return k;
 }
 
@@ -319,13 +309,13 @@ count(const struct known *k, struct ensemble *e, size_t *in, size_t *all)
 	free(truth);
 }
 
-/* Of 20 calibrations; bench/coverage counts thousands. */
+/* Of a few calibrations; bench/coverage counts thousands. */
 static void
 test_bands_hold(void **state)
 {
 	(void)state;
 	size_t in = 0, all = 0;
-	for (uint64_t seed = 1; seed <= 20; seed++) {
+	for (uint64_t seed = 1; seed <= often(8, 20); seed++) {
 		struct known k = known(TIERP, 0.005, seed);
 		struct posterior *p = posterior_of(&k, 1, ISA_BEST);
 		const struct psd *feed = &k.site->run[1].feed;

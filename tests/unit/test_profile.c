@@ -2,10 +2,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
-#include "made.h"
+#include "fitted.h"
 
 #include "core/model/breakage.h"
-#include "core/search/calibrate.h"
 #include "core/posterior/profile.h"
 
 enum { BETA2 = 1, BETA3, E0_MIN = 5, VALUES = 9 };
@@ -16,12 +15,7 @@ calibrated(const struct site *site, const struct bounds *bounds)
 	struct calibrate_options o = calibrate_options_default();
 	o.population = 4000;
 	o.bounds = *bounds;
-	struct calibration *c = calibration_new(site, &o);
-	while (calibration_step(c) < CALIBRATE_TOLERANCE)
-		;
-	struct fit fit = calibration_fit(c);
-	calibration_free(c);
-	return fit;
+	return fitted(site, &o);
 }
 
 /* The fit is the lowest point, the profile rises from it, and at a value it is

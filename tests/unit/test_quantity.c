@@ -1,11 +1,10 @@
 /* Quantities of a product and of its screened fractions, by hand and at any
  * speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "made.h"
+#include "fitted.h"
 
 #include <stdlib.h>
 
-#include "core/search/calibrate.h"
 #include "core/answer/predict.h"
 #include "core/answer/response.h"
 
@@ -146,21 +145,10 @@ static struct known
 known(void)
 {
 	struct known k = {.site = made_site(&TABLE_3[TIERP], 0.005, 4)};
-	struct calibrate_options options = calibrate_options_default();
 	bool use[8] = {true, false, true};
-	options.population = 1000;
-	struct calibration *c = calibration_new(k.site, &options);
-	while (calibration_step(c) < CALIBRATE_TOLERANCE)
-		;
-	k.fit = calibration_fit(c);
-	calibration_free(c);
-	struct posterior_options o = {.use = use,
-	    .settings = k.fit.settings,
-	    .bounds = options.bounds,
-	    .seed = 1,
-	    .threads = 1,
-	    .isa = ISA_BEST};
-	k.posterior = posterior_new(k.site, &k.fit.params, &o);
+	struct calibrate_options o = quick_options(1);
+	k.fit = fitted(k.site, &o);
+	k.posterior = drawn(k.site, &k.fit, &o, use);
 	return k;
 }
 

@@ -76,6 +76,30 @@ sites_of_any_name_have_keys_of_their_own(void **state)
 	}
 }
 
+/* The key of a site is its name, underscores and all; who types '-' for one
+ * reaches it where no other site has that name. */
+static void
+an_underscore_stays_in_a_key(void **state)
+{
+	struct desk *desk = *state;
+	static const char *const names[] = {"Wash_plant 2", "pit_3", "pit-3"};
+	static const char *const keys[] = {"wash_plant-2", "pit_3", "pit-3"};
+	size_t index = 99;
+	for (size_t i = 0; i < ARRAY_LEN(names); i++) {
+		struct site *site = made_site(&TABLE_3[0], 0.005, 9);
+		free(site->name);
+		site->name = xstrdup(names[i]);
+		session_add(desk->session, site);
+		assert_string_equal(desk->session->entry[i].key, keys[i]);
+		assert_true(find(desk, keys[i], &index));
+		assert_int_equal(index, i);
+	}
+	assert_true(find(desk, "pit_3", &index));
+	assert_int_equal(index, 1);
+	assert_true(find(desk, "wash-plant-2", &index));
+	assert_int_equal(index, 0);
+}
+
 static void
 an_unknown_site_lists_what_is_loaded(void **state)
 {
@@ -424,6 +448,7 @@ main(void)
 	const struct CMUnitTest tests[] = {
 	    at_desk(sites_are_found_without_case_and_accents),
 	    at_desk(sites_of_any_name_have_keys_of_their_own),
+	    at_desk(an_underscore_stays_in_a_key),
 	    at_desk(an_unknown_site_lists_what_is_loaded),
 	    at_desk(an_ambiguous_name_lists_the_keys),
 	    at_desk(every_key_reaches_its_site),

@@ -28,6 +28,34 @@ export_and_import_go_round(void **state)
 	stored_list_free(&again);
 }
 
+/* 12,000 materials, of which 500 have a note of 25,000 letters: 15 MB. */
+static void
+a_large_export_is_imported(void **state)
+{
+	enum { MANY = 12000, LONG = 500, LETTERS = 25000 };
+	struct shelf *shelf = *state;
+	struct error_list errors = {0};
+	struct stored_list all = {0}, again = {0};
+	char *note = xcalloc(LETTERS + 1, 1), name[16];
+	memset(note, 'a', LETTERS);
+	for (size_t i = 0; i < MANY; i++) {
+		snprintf(name, sizeof name, "m%zu", i);
+		struct stored m = sparse(name);
+		if (i < LONG)
+			put_text(&m, "note", note);
+		stored_list_add(&all, m);
+	}
+	assert_true(store_csv_save(&all, shelf->csv, &shelf->error));
+	if (!store_csv_read(shelf->csv, NULL, &again, &errors))
+		fail_msg("%s", errors.item[0].text);
+	assert_int_equal(again.n, MANY);
+	expect_same(&all.item[0], &again.item[0]);
+	expect_same(&all.item[MANY - 1], &again.item[MANY - 1]);
+	free(note);
+	stored_list_free(&all);
+	stored_list_free(&again);
+}
+
 /* Head and one row of an export, with a word of the row replaced. */
 static void
 expect_fault(struct shelf *shelf, const char *old, const char *new, int line,
@@ -120,6 +148,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(export_and_import_go_round),
+	    cmocka_unit_test(a_large_export_is_imported),
 	    cmocka_unit_test(faults_of_an_import_have_their_place),
 	    cmocka_unit_test(table_3_is_in_the_program),
 	    cmocka_unit_test(dates_are_days_of_the_calendar),

@@ -128,6 +128,28 @@ exact_is_as_short_as_can_be(void **state)
 		    text_exact(exact[i].value, buf), exact[i].text);
 }
 
+/* What was typed stays; what was worked out has no more digits than it takes to
+ * see that it is not the other. */
+static void
+a_number_apart_from_another(void **state)
+{
+	(void)state;
+	static const struct {
+		double value, other;
+		const char *text;
+	} pairs[] = {{96.702355913035, 100, "96.7"}, {62, 71, "62"},
+	    {62.125, 71, "62.125"}, {99.99968, 100, "99.99968"},
+	    {99.999683217, 100, "99.9997"},
+	    {62.123456789, 62.123456, "62.1234568"}, {100, 99.5, "100"},
+	    {0.353553391, 0.5, "0.3536"}, {-3.0000000001, 5, "-3"},
+	    {1e-6, 0, "1e-06"}, {1.0 / 3, 1.0 / 3, "0.3333333333333333"}};
+	char buf[32];
+	for (size_t i = 0; i < ARRAY_LEN(pairs); i++)
+		assert_string_equal(
+		    text_apart(pairs[i].value, pairs[i].other, buf),
+		    pairs[i].text);
+}
+
 static const struct {
 	const char *name, *folded, *slug;
 } NAMES[] = {{"Borlänge", "borlange", "borlange"}, {"Össjö", "ossjo", "ossjo"},
@@ -139,7 +161,9 @@ static const struct {
     {"łódź", "łodź", "łodź"}, {"Borla\xCC\x88nge", "borlange", "borlange"},
     {"採石場 2", "採石場 2", "採石場-2"}, {"a–b·c", "a–b·c", "a-b-c"},
     {"採\xE3\x80\x80場", "採\xE3\x80\x80場", "採-場"}, {"", "", ""},
-    {"--", "--", ""}, {"→", "→", ""}};
+    {"--", "--", ""},
+    {"Hallbrook_grams2", "hallbrook_grams2", "hallbrook_grams2"},
+    {"a _b", "a _b", "a-_b"}, {"→", "→", ""}};
 
 static void
 check_names(void)
@@ -371,6 +395,7 @@ main(void)
 	    cmocka_unit_test(whole_numbers_go_to_2_to_the_64),
 	    cmocka_unit_test(any_double_comes_back_to_the_bit),
 	    cmocka_unit_test(exact_is_as_short_as_can_be),
+	    cmocka_unit_test(a_number_apart_from_another),
 	    cmocka_unit_test(names_lose_case_and_accents_in_every_locale),
 	    cmocka_unit_test(trimming_takes_blanks_and_no_letters),
 	    cmocka_unit_test(distance_counts_edits),

@@ -35,7 +35,8 @@ stage_open(void **state)
 {
 	struct stage *stage = stage_new(ROWS, COLUMNS, CHARSET_BRAILLE, 256,
 	    "load data/sites/tierp.csv data/sites/bro.csv "
-	    "data/sites/ossjo.csv; use tierp; calibrate; predict speed=74");
+	    "data/sites/ossjo.csv; use tierp; calibrate population=200; "
+	    "predict speed=74");
 	settle(stage);
 	*state = stage;
 	return 0;

@@ -1,13 +1,12 @@
 /* The light: green where the model is right, never where it is far off, and
  * each reason where it belongs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "made.h"
+#include "fitted.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/search/calibrate.h"
 #include "core/posterior/ensemble.h"
 #include "core/check/trust.h"
 
@@ -23,21 +22,10 @@ static struct known
 known(struct site *site)
 {
 	struct known k = {.site = site, .use = {true, true, true}};
-	struct calibrate_options o = calibrate_options_default();
-	o.population = 1000;
+	struct calibrate_options o = quick_options(1);
 	misfit_default_train(site, k.train);
-	struct calibration *c = calibration_new(site, &o);
-	while (calibration_step(c) < CALIBRATE_TOLERANCE)
-		;
-	k.fit = calibration_fit(c);
-	calibration_free(c);
-	struct posterior_options p = {.use = k.use,
-	    .settings = k.fit.settings,
-	    .bounds = o.bounds,
-	    .seed = 1,
-	    .threads = 2,
-	    .isa = ISA_BEST};
-	struct posterior *posterior = posterior_new(site, &k.fit.params, &p);
+	k.fit = fitted(site, &o);
+	struct posterior *posterior = drawn(site, &k.fit, &o, k.use);
 	k.e = trust_evidence(
 	    site, k.train, k.use, &k.fit, &o.bounds, posterior, 0);
 	posterior_free(posterior);

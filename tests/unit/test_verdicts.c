@@ -28,8 +28,7 @@ stage_open(void **state)
 	void *desk;
 	desk_open(&desk);
 	stage->desk = desk;
-	desk_expect(stage->desk,
-	    "load data/sites/tierp.csv; calibrate; predict speed=74");
+	desk_expect(stage->desk, TIERP_CALIBRATED "; predict speed=74");
 	struct display *was = screen_aside(24, 80, CHARSET_ASCII, 0);
 	control_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
 	canvas_free(screen_back(was));

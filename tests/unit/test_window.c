@@ -5,9 +5,9 @@
 
 #include <stdlib.h>
 
-#include "core/search/calibrate.h"
 #include "core/answer/predict.h"
-#include "made.h"
+#include "fitted.h"
+#include "often.h"
 
 enum { CONDITIONS = 3 };
 
@@ -182,9 +182,9 @@ static void
 windows_are_those_of_a_sweep(void **state)
 {
 	(void)state;
-	struct draw draw = draw_start(7);
-	size_t count[2] = {0};
-	for (size_t n = 0; n < 60; n++) {
+	struct draw draw = draw_start(1);
+	size_t count[2] = {0}, times = often(20, 60);
+	for (size_t n = 0; n < times; n++) {
 		size_t row = (size_t)draw_between(&draw, 0, 19);
 		struct site *site = made_site(&TABLE_3[row], 0, 1);
 		struct params p = n % 3 == 0 ? made_any_params(&draw)
@@ -194,30 +194,19 @@ windows_are_those_of_a_sweep(void **state)
 		site_free(site);
 	}
 	/* The test is of little use unless both kinds are met. */
-	assert_in_range(count[0], 10, 55);
-	assert_in_range(count[1], 1, 60);
+	assert_in_range(count[0], times / 6, times * 11 / 12);
+	assert_in_range(count[1], 1, times);
 }
 
 /* Calibrated at 69 and 79 m/s. */
 static struct posterior *
-drawn(struct site *site, struct params *p)
+posterior_of(const struct site *site, struct params *p)
 {
 	static const bool use[3] = {true, false, true};
-	struct calibrate_options options = calibrate_options_default();
-	options.population = 1000;
-	struct calibration *c = calibration_new(site, &options);
-	while (calibration_step(c) < CALIBRATE_TOLERANCE)
-		;
-	struct fit fit = calibration_fit(c);
-	calibration_free(c);
+	struct calibrate_options o = quick_options(1);
+	struct fit fit = fitted(site, &o);
 	*p = fit.params;
-	return posterior_new(site, &fit.params,
-	    &(struct posterior_options){.use = use,
-		.settings = fit.settings,
-		.bounds = options.bounds,
-		.seed = 1,
-		.threads = 1,
-		.isa = ISA_BEST});
+	return drawn(site, &fit, &o, use);
 }
 
 /* Draw by draw at each step, plainly. */
@@ -258,15 +247,15 @@ certainty_is_counted_of_the_draws(void **state)
 	struct draw draw = draw_start(3);
 	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 3);
 	struct params p;
-	struct posterior *posterior = drawn(site, &p);
+	struct posterior *posterior = posterior_of(site, &p);
 	size_t count[2] = {0};
-	for (size_t n = 0; n < 6; n++) {
+	for (size_t n = 0; n < often(2, 6); n++) {
 		struct asked a = ask(&draw, site, &p, posterior);
 		settle(&a);
 		struct window_found w = window_find(&a.c);
 		check_certain(&a, &w);
 		window_free(&w);
-		if (n < 2)
+		if (n < often(1, 2))
 			check(&a, count);
 		else
 			response_free(a.response);
@@ -284,7 +273,7 @@ a_speed_is_found_again_from_its_value(void **state)
 	struct draw draw = draw_start(11);
 	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 3);
 	struct params p;
-	struct posterior *posterior = drawn(site, &p);
+	struct posterior *posterior = posterior_of(site, &p);
 	for (size_t n = 0; n < 6; n++) {
 		struct asked a = ask(&draw, site, &p, posterior);
 		double v = draw_between(&draw, 70, 80), range[2], *root;

@@ -8,6 +8,13 @@
 		    "rotor tip speed; default: a held-out speed, else 74" \
 	}
 
+#define LAST_SPEED_OPTION                                                    \
+	{                                                                    \
+		"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",              \
+		    "rotor tip speed; default: as last predicted, with its " \
+		    "feed"                                                   \
+	}
+
 static const struct command_option PREDICT_OPTIONS[] = {SPEED_OPTION,
     TABLE_TURNS, TABLE_FEED, TABLE_MACHINE,
     {"curve", VALUE_CHOICE, "", 0, 0, "off on", "off",
@@ -80,9 +87,7 @@ static const struct command_option COMPARE_OPTIONS[] = {
 	"speed for two sites; default: a held-out speed, else 74"},
     TABLE_FEED, TABLE_MACHINE, TABLE_SIEVES, {.name = NULL}};
 
-static const struct command_option PIN_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
-	"rotor tip speed; default: as last predicted, with its feed"},
+static const struct command_option PIN_OPTIONS[] = {LAST_SPEED_OPTION,
     {"feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"take the feed sampled at this speed"},
     {.name = NULL}};
@@ -157,7 +162,7 @@ static const struct command_option SPEC_OPTIONS[] = {SPEED_OPTION, TABLE_TURNS,
 
 /* Of why. */
 static const struct command_option AT_SPEED_OPTIONS[] = {
-    SPEED_OPTION, TABLE_TURNS, TABLE_FEED, TABLE_MACHINE, {.name = NULL}};
+    LAST_SPEED_OPTION, TABLE_TURNS, TABLE_FEED, TABLE_MACHINE, {.name = NULL}};
 
 static const struct command_option ADVISE_OPTIONS[] = {
     SPEED_OPTION, TABLE_FEED, {.name = NULL}};

@@ -52,20 +52,21 @@ say_breakage(const struct subject *a)
 		    "nothing breaks and the feed is unchanged");
 	else if (p->break_size >= a->feed->size[0])
 		answer_note(a->answer,
-		    "At %g m/s only particles of %.3g mm or more break, and "
+		    "At %.4g m/s only particles of %.3g mm or more break, and "
 		    "the feed has none above %g mm: the feed is unchanged",
 		    p->speed, 1000 * p->break_size, units_mm(a->feed->size[0]));
 	else if (p->break_size < ANSWERS_NO_SIZE)
 		answer_note(a->answer,
 		    "With %s every size can break; %.0f %% of the feed does at "
-		    "%g m/s",
+		    "%.4g m/s",
 		    params_value(&a->entry->params, "e0_min") <= 0
 			? "e0_min = 0"
 			: tr("so low an alpha"),
 		    100 * does, p->speed);
 	else
 		answer_note(a->answer,
-		    "At %g m/s an impact has %.0f J/kg, which breaks particles "
+		    "At %.4g m/s an impact has %.0f J/kg, which breaks "
+		    "particles "
 		    "of %.3g mm or more; %.0f %% of the feed is that coarse, "
 		    "and %.0f %% of the feed breaks",
 		    p->speed, p->energy, 1000 * p->break_size, 100 * can,
@@ -132,17 +133,17 @@ say_trained(const struct subject *a)
 	}
 	char *speeds = answers_reach(entry, slow, fast);
 	if (!answers_extrapolates(entry, v)) {
-		answer_note(a->answer, "%g m/s is within the %s", v, speeds);
+		answer_note(a->answer, "%.4g m/s is within the %s", v, speeds);
 		free(speeds);
 		return;
 	}
 	double near = v > fast ? fast : slow;
 	double more = energy_specific(v) / energy_specific(near) - 1;
 	answer_say(a->answer, ANSWER_WARNING,
-	    more > 0 ? N_("%g m/s is outside the %s: an impact has %.1f %% "
+	    more > 0 ? N_("%.4g m/s is outside the %s: an impact has %.1f %% "
 			  "more energy than at %g m/s, and no measurement "
 			  "shows the effect")
-		     : N_("%g m/s is outside the %s: an impact has %.1f %% "
+		     : N_("%.4g m/s is outside the %s: an impact has %.1f %% "
 			  "less energy than at %g m/s, and no measurement "
 			  "shows the effect"),
 	    v, speeds, 100 * fabs(more), near);
@@ -264,15 +265,15 @@ cmd_why(struct session *s, const struct args *args, struct error *error)
 	if (args->n_operand > 0)
 		return balance_answer(s, args, error);
 	const struct entry *entry = session_entry(s);
-	double v = answers_speed(args, entry);
+	double v;
 	size_t run;
-	if (!feed_choose(entry->site, args, &run, error))
+	if (!answers_last(s, args, &v, &run, error))
 		return false;
 	struct subject a = {.s = s,
 	    .entry = entry,
 	    .feed = site_feed(entry->site, run),
 	    .p = outlook_predict(s, entry, v, run),
-	    .answer = answers_new(entry->site, "why", "why, at %g m/s", v)};
+	    .answer = answers_new(entry->site, "why", "why, at %.4g m/s", v)};
 	fields_put(answer_fields(a.answer), "speed %g", v);
 	say_breakage(&a);
 	say_how_much(&a);

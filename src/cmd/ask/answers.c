@@ -138,6 +138,23 @@ answers_speed(const struct args *args, const struct entry *entry)
 	return speed->given ? speed->number : answers_usual(entry);
 }
 
+bool
+answers_last(const struct session *s, const struct args *args, double *speed,
+    size_t *feed_run, struct error *error)
+{
+	const struct entry *entry = &s->entry[s->current];
+	double last = session_known(s, "predict", "speed");
+	double fed = session_known(s, "predict", "feed_mps");
+	bool given = args_value(args, "speed")->given || isnan(last);
+	*speed = given ? answers_speed(args, entry) : last;
+	if (!feed_choose(entry->site, args, feed_run, error))
+		return false;
+	if (!given && !args_value(args, "feed")->given && isfinite(fed) &&
+	    site_run_at(entry->site, fed) < entry->site->n_run)
+		*feed_run = site_run_at(entry->site, fed);
+	return true;
+}
+
 double *
 answers_speeds(const struct site *site, size_t *n)
 {

@@ -46,6 +46,11 @@ double answers_finer(
 double answers_speed(const struct args *args, const struct entry *entry);
 double answers_usual(const struct entry *entry);
 
+/* The speed and the feed that the options name; without a speed those last
+ * predicted at the site in use, and where there are none the usual ones. */
+bool answers_last(const struct session *s, const struct args *args,
+    double *speed, size_t *feed_run, struct error *error);
+
 /* Round speeds over site_reach, seven at most.  The caller frees. */
 double *answers_speeds(const struct site *site, size_t *n);
 

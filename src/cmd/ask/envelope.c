@@ -51,7 +51,7 @@ shipped(struct session *s, const char *words, struct error *error)
 static const struct spec *
 of_file(struct session *s, const char *path, struct error *error)
 {
-	struct error_list errors = {0};
+	struct error_list errors = {.stop = s->hooks.stop};
 	if (s->safe) {
 		error_set(error, ERROR_USAGE,
 		    "%s is off: it is a file\n"

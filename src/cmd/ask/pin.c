@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/pin.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -34,23 +33,6 @@ unpin(struct session *s, const char *word, struct error *error)
 	return true;
 }
 
-/* Without a speed that of the last prediction, with its feed. */
-static bool
-choose(const struct session *s, const struct entry *entry,
-    const struct args *args, double *speed, size_t *feed, struct error *error)
-{
-	double last = session_known(s, "predict", "speed");
-	double fed = session_known(s, "predict", "feed_mps");
-	bool given = args_value(args, "speed")->given || isnan(last);
-	*speed = given ? answers_speed(args, entry) : last;
-	if (!feed_choose(entry->site, args, feed, error))
-		return false;
-	if (!given && !args_value(args, "feed")->given && isfinite(fed) &&
-	    site_run_at(entry->site, fed) < entry->site->n_run)
-		*feed = site_run_at(entry->site, fed);
-	return true;
-}
-
 bool
 cmd_pin(struct session *s, const struct args *args, struct error *error)
 {
@@ -64,7 +46,7 @@ cmd_pin(struct session *s, const struct args *args, struct error *error)
 	struct params params = entry->params;
 	bool forming = answers_forming(s, &params);
 	if ((!forming && !answers_ready(s, error)) ||
-	    !choose(s, entry, args, &speed, &feed, error))
+	    !answers_last(s, args, &speed, &feed, error))
 		return false;
 	struct pin *pin = xcalloc(1, sizeof *pin);
 	*pin = (struct pin){.site = entry->site,

@@ -175,6 +175,30 @@ find_calibrated(const struct session *s, struct comparison *c, size_t *index,
 	return n;
 }
 
+/* Whether a site has speeds enough to hold one out. */
+static bool
+has_speeds(const struct entry *entry)
+{
+	return job_speeds(entry->site) >= JOB_FOR_EACH;
+}
+
+/* Whether nothing to compare is what a part may come to: none of its sites was
+ * forgotten that could have been calibrated, and others' are not all like
+ * them. */
+static bool
+may_be_empty(const struct session *s, const struct part *part)
+{
+	bool others = false, forgotten = false;
+	for (size_t i = 0; i < s->n_entry; i++) {
+		const struct entry *entry = &s->entry[i];
+		others = others || entry->has_fit || has_speeds(entry);
+		forgotten =
+		    forgotten ||
+		    (part_has(part, i) && !entry->has_fit && has_speeds(entry));
+	}
+	return part->of > 0 && others && !forgotten;
+}
+
 /* What the fits are of that parts made elsewhere must have too: seeds and
  * options, each once. */
 static char *
@@ -207,10 +231,16 @@ validate_all(struct session *s, struct comparison *c, struct error *error)
 	free(fits);
 	if (!whole)
 		session_note(s, "stopped before all sites were compared");
-	else if (c->n > 0 || c->part.of > 0)
+	else if (c->n > 0 || may_be_empty(s, &c->part))
 		give_all(s, c);
 	else if (failed.n > 0)
 		*error = failed.first;
+	else if (c->part.of > 0)
+		error_set(error, ERROR_USAGE,
+		    "no site of part %zu/%zu has both a calibration and a "
+		    "held-out run\n"
+		    "run 'calibrate all part=%zu/%zu' before it",
+		    c->part.number, c->part.of, c->part.number, c->part.of);
 	else
 		error_set(error, ERROR_USAGE,
 		    "no loaded site has both a calibration and a held-out run\n"
@@ -323,19 +353,20 @@ static const struct rounds EACH = {next_speed, NULL, take_speed, end_speeds,
     comparison_drop, false, at_speed,
     N_("stopped before all speeds were predicted"), follow_speed};
 
-/* Whether the part has a site of enough speeds; without, it is a part, too. */
+/* Sites of the part without enough speeds, where there are no others in it
+ * though other parts have them: that is a part, too. */
 static bool
-has_speeds(const struct session *s, struct comparison *c)
+holds_none(const struct session *s, const struct part *part, size_t *left_out)
 {
-	size_t n = 0, of = 0;
-	for (size_t i = 0; i < s->n_entry; i++)
-		if (part_has(&c->part, i)) {
-			of++;
-			n += job_speeds(s->entry[i].site) >= JOB_FOR_EACH;
-		}
-	if (n == 0)
-		c->left_out = of;
-	return n > 0;
+	size_t n = 0, all = 0;
+	*left_out = 0;
+	for (size_t i = 0; i < s->n_entry; i++) {
+		bool able = has_speeds(&s->entry[i]);
+		all += able;
+		n += able && part_has(part, i);
+		*left_out += !able && part_has(part, i);
+	}
+	return part->of > 0 && n == 0 && all > 0;
 }
 
 /* Calibrates without each speed in turn; c is the job's. */
@@ -350,7 +381,9 @@ validate_each(struct session *s, struct comparison *c, struct error *error)
 	    .apart = c->all,
 	    .options = job_options(s)};
 	c->options = part_options(s, &job.options, "each");
-	if (c->part.of > 0 && !has_speeds(s, c)) {
+	size_t left_out;
+	if (holds_none(s, &c->part, &left_out)) {
+		c->left_out = left_out;
 		end_speeds(s, c);
 		return true;
 	}

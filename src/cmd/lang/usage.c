@@ -69,15 +69,16 @@ const struct usage_word USAGE_STATUS[] = {{"0", "All commands succeeded."},
     {"3", "Bad data: a site file, a grading envelope or a table of "
 	  "parameters has a fault, or the store is damaged or not one of "
 	  "this program's."},
-    {"4", "A computation has no result. Reserved: no command of this version "
-	  "ends with it."},
+    {"4", "A computation has no result: in a circuit of flow or card, what "
+	  "goes back grows without end."},
     {"5", "System error: a file cannot be read or written, a shell command "
 	  "failed, the store is in use by another program, or memory has run "
 	  "out."},
     {"129", "Ended by a hang-up, after the best so far was printed."},
     {"130", "Interrupted from the keyboard. A calibration stops after the "
 	    "current generation or step and prints the best found so far. At "
-	    "the prompt, 'continue' continues it."},
+	    "the prompt, 'continue' continues it. Of a file that was being "
+	    "read nothing is taken."},
     {"143", "Ended by kill, after the best so far was printed."},
     {.name = NULL}};
 

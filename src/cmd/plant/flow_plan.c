@@ -211,7 +211,7 @@ read_file(struct session *s, const struct args *args, struct flow_plan *plan,
 	static const char *const OF_FILE[] = {
 	    "fractions", "recycle", "cascade", "sharpness", "cut_size"};
 	const char *path = args_value(args, "circuit")->text;
-	struct error_list errors = {0};
+	struct error_list errors = {.stop = s->hooks.stop};
 	for (size_t i = 0; i < ARRAY_LEN(OF_FILE); i++)
 		if (args_value(args, OF_FILE[i])->given)
 			return error_set(error, ERROR_USAGE,

@@ -15,6 +15,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/lang/command.h"
 #include "cmd/lang/parse.h"
+#include "io/fs/shipped.h"
 #include "io/formats/standards.h"
 
 /* A completion being made.  typed: the word so far, without its quotes; quoted:
@@ -201,6 +202,33 @@ offer_files(struct work *w)
 	closedir(dir);
 }
 
+/* Sites that load knows by name, where no file begins so: they are what one
+ * has typed the beginning of, and no list of what there is. */
+static void
+offer_shipped(struct work *w)
+{
+	static const char END[] = ".csv";
+	char *typed = text_fold(w->typed);
+	bool other = w->session->safe || typed[0] == '\0';
+	for (size_t i = 0; i < w->result->n; i++)
+		other = other || w->result->candidate[i].append != '=';
+	char *path = shipped_folder();
+	DIR *dir = other ? NULL : opendir(path);
+	free(path);
+	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
+		char *name = xstrdup(e->d_name);
+		if (text_ends(name, END) &&
+		    strncmp(name, typed, strlen(typed)) == 0) {
+			name[strlen(name) - strlen(END)] = '\0';
+			put(w, name, ' ');
+		}
+		free(name);
+	}
+	if (dir != NULL)
+		closedir(dir);
+	free(typed);
+}
+
 /* The words in capitals of the table. */
 static const struct {
 	const char *word;
@@ -208,7 +236,8 @@ static const struct {
 } KINDS[] = {{"ANSWER", offer_answers}, {"COMMAND", offer_commands},
     {"FILE", offer_files}, {"GROUP", offer_groups},
     {"MATERIAL", offer_materials}, {"PARAMETER", offer_parameters},
-    {"SITE", offer_sites}, {"SPEC", offer_specs}, {"SPEED", offer_speeds}};
+    {"SHIPPED", offer_shipped}, {"SITE", offer_sites}, {"SPEC", offer_specs},
+    {"SPEED", offer_speeds}};
 
 static void
 offer_kind(struct work *w, const char *word)

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/lang/parse.h"
 #include "cmd/session/session.h"
 #include "cmd/lang/table.h"
 #include "cmd/lang/usage.h"
@@ -133,15 +134,38 @@ cmd_apropos(struct session *s, const struct args *args, struct error *error)
 	    args->operand[0]);
 }
 
+/* The help of a command, where no page has that name. */
+static bool
+explain(const struct session *s, const struct command_option *page,
+    const char *name, struct error *error)
+{
+	struct value value;
+	const struct command *command = command_find(name);
+	const char *near = command_nearest(name);
+	if (command != NULL) {
+		usage_command(command, help_stream(s));
+		return true;
+	}
+	value_take(page, name, &value, error);
+	if (error->hint[0] == '\0' && near != NULL)
+		error_hint(error, "did you mean '%s'?", near);
+	else if (error->hint[0] == '\0')
+		error_hint(error, "name a command instead: man find");
+	return false;
+}
+
 bool
 cmd_man(struct session *s, const struct args *args, struct error *error)
 {
-	(void)error;
 	/* In the order of the choices in the table. */
 	static const char *const PAGES[] = {"tipspeed.1", "tipspeed-tutorial.7",
 	    "tipspeed-tui.1", "tipspeed-site.5", "tipspeed-spec.5",
 	    "tipspeed-model.7", "tipspeed-circuit.5"};
+	const struct command_option *page = command_option_at(args->command, 0);
+	const char *word = args->n_operand > 0 ? args->operand[0] : NULL;
 	size_t i = args_value(args, "page")->choice;
+	if (word != NULL && !text_choice(option_choices(page), word, &i))
+		return explain(s, page, word, error);
 	assert(i < ARRAY_LEN(PAGES));
 	if (!s->safe && s->hooks.show_page != NULL &&
 	    s->hooks.show_page(PAGES[i]))

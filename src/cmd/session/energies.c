@@ -56,7 +56,7 @@ const struct energies *
 energies_read(struct session *s, const char *path,
     const struct collisions_way *way, struct error *error)
 {
-	struct error_list errors = {0};
+	struct error_list errors = {.stop = s->hooks.stop};
 	struct collisions_way told = *way;
 	struct collisions c;
 	told.progress = on_the_way;

@@ -144,9 +144,8 @@ journal_settings(struct session *s)
 	}
 }
 
-/* Appends a word, in quotes where it would not be read as one. */
-static void
-put_word(char **line, const char *word)
+void
+journal_word(char **line, const char *word)
 {
 	bool plain = word[0] != '\0' && strpbrk(word, " \t;#\"|>\\") == NULL;
 	xappend(line, plain ? " " : " \"");
@@ -168,7 +167,7 @@ put_path(char **line, const char *key, const char *path)
 	char *whole = xasprintf("%s%s%s%s%s", key != NULL ? key : "",
 	    key != NULL ? "=" : "", rooted ? "" : folder, rooted ? "" : "/",
 	    path);
-	put_word(line, whole);
+	journal_word(line, whole);
 	free(whole);
 }
 
@@ -251,7 +250,7 @@ journal_line(const struct args *args, const struct words *words)
 		else if (is_path(args, word))
 			put_path(&line, NULL, word);
 		else
-			put_word(&line, word);
+			journal_word(&line, word);
 	}
 	return line;
 }

@@ -48,6 +48,9 @@ void journal_restart(struct session *s);
 /* Lines for what the command line has set. */
 void journal_settings(struct session *s);
 
+/* Appends " WORD" to a line, in quotes where it would not be read as one. */
+void journal_word(char **line, const char *word);
+
 /* The call as a line that means the same in any folder and script: full name,
  * absolute paths.  pause= is left out: it is put in as it turned out.  The
  * caller frees. */

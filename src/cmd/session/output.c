@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/output.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/session/journal.h"
 #include "io/formats/answer.h"
 #include "plot/picture.h"
 
@@ -31,6 +33,26 @@ output_of(const struct command *command, const struct words *words)
 		    (o->kind != OUTPUT_PICTURE || draws))
 			break;
 	return o;
+}
+
+/* A kind of workbook that is not written: the same line with one that is. */
+static bool
+no_book(const struct command *command, const struct words *words,
+    struct error *error)
+{
+	const char *target = words->target, *end = strrchr(target, '.');
+	char *line = xstrdup(command->name);
+	for (size_t i = 1; i < words->n; i++)
+		journal_word(&line, words->text[i]);
+	char *file = xasprintf("%.*s.xlsx", (int)(end - target), target);
+	xappend(&line, " >");
+	journal_word(&line, file);
+	error_set(error, ERROR_USAGE,
+	    "cannot write %s workbooks, only .xlsx (%s)\nwrite: %s", end,
+	    target, line);
+	free(file);
+	free(line);
+	return false;
 }
 
 /* An image wants a command that draws. */
@@ -76,10 +98,7 @@ output_allowed(const struct command *command, const struct words *words,
 		return true;
 	for (size_t i = 0; i < ARRAY_LEN(OTHER_BOOKS); i++)
 		if (text_ends(target, OTHER_BOOKS[i]))
-			return error_set(error, ERROR_USAGE,
-			    "cannot write this kind of workbook (%s)\n"
-			    "write > FILE.xlsx instead, or > FILE.csv",
-			    target);
+			return no_book(command, words, error);
 	bool image = picture_form_of(target, &form);
 	enum output_kind kind = output_of(command, words)->kind;
 	if (image && !picture_can(form))

@@ -27,6 +27,8 @@ bool
 session_tell_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error)
 {
+	if (errors->stopped) /* what was found on the way is not all */
+		return error_set(error, ERROR_STOPPED, "interrupted");
 	for (size_t i = 0; i + 1 < errors->n && s->notes != NULL; i++)
 		error_print(&errors->item[i], s->notes);
 	*error = errors->item[errors->n - 1];

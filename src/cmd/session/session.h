@@ -124,7 +124,8 @@ bool session_need_site(
 void session_forget(struct session *s);
 
 /* The faults of a file: the last becomes the error, those before it are printed
- * to notes, so that they are shown in order.  Returns false. */
+ * to notes, so that they are shown in order; where reading was stopped, that
+ * alone.  Returns false. */
 bool session_tell_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error);
 

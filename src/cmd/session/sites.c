@@ -229,6 +229,16 @@ session_grow(struct session *s, struct site *site, const size_t *from)
 	own_site(s, site);
 }
 
+/* The slug of a name, with '-' for '_', as somebody may type it from memory. */
+static char *
+loose_slug(const char *name)
+{
+	char *slug = name_slug(name);
+	for (char *p = slug; *p != '\0'; p++)
+		*p = *p == '_' ? '-' : *p;
+	return slug;
+}
+
 /* How well a loaded site answers to a name: 0 not, 1 by its name, 2 by name and
  * top size, 3 by its key. */
 static int
@@ -236,18 +246,20 @@ answers(const struct entry *entry, const char *wanted)
 {
 	char *name = name_slug(entry->site->name);
 	char *sized = xasprintf("%s/%g", name, units_mm(entry->site->top_size));
-	char *folded = text_fold(wanted), *slug = name_slug(wanted);
+	char *folded = text_fold(wanted), *slug = loose_slug(wanted);
+	char *loose = loose_slug(entry->site->name);
 	int match = 0;
 	if (strcmp(entry->key, folded) == 0)
 		match = 3;
 	else if (strcmp(sized, folded) == 0)
 		match = 2;
-	else if (strcmp(name, slug) == 0)
+	else if (strcmp(loose, slug) == 0)
 		match = 1;
 	free(name);
 	free(sized);
 	free(folded);
 	free(slug);
+	free(loose);
 	return match;
 }
 

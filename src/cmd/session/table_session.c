@@ -169,12 +169,15 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_apropos},
     {.name = "man",
 	.brief = "show a page of the manual",
+	.operands = {"[PAGE|COMMAND]",
+	    {"tipspeed tutorial tui site spec model circuit COMMAND", ""}, 0,
+	    1},
 	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
-	.bare = "page",
 	.option = MAN_OPTIONS,
 	.text = "At the prompt, shows the page with man(1). Elsewhere, or "
-		"without man(1), prints the list of commands.",
-	.example = "man site",
+		"without man(1), prints the list of commands. Of a COMMAND "
+		"that no page is called after it prints what help does.",
+	.example = "man find",
 	.run = cmd_man},
     {.name = "version",
 	.brief = "show the version of the program",

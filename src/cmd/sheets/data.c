@@ -122,7 +122,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 		if (speeds->list[i] <= speeds->list[i - 1])
 			return error_set(error, ERROR_USAGE,
 			    "expected speeds from slow to fast, each once");
-	struct error_list errors = {0};
+	struct error_list errors = {.stop = s->hooks.stop};
 	bool built_in = strcmp(args->operand[0], "table3") == 0;
 	if (!built_in)
 		files_reads(s, args->operand[0]);

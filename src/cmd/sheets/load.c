@@ -20,6 +20,7 @@
 #include "cmd/lang/table.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/results.h"
+#include "io/fs/shipped.h"
 #include "io/sitefile/site_read.h"
 
 enum { MOST_ROUNDS = 5 };
@@ -47,7 +48,7 @@ split_speed(const char *word, char **path, double *speed, struct error *error)
 	char **copy = path;
 	(*copy)[at - word] = '\0';
 	*speed = head.speed;
-	if (head.speed > 0 && head.speed <= 200)
+	if (head.speed > 0 && head.speed <= 200 && !head.several)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "expected a tip speed in m/s after @, got '%s'\n"
@@ -191,7 +192,7 @@ static struct site *
 read_site(struct session *s, struct load *l, struct error *error)
 {
 	for (int round = 0;; round++) {
-		struct error_list errors = {0};
+		struct error_list errors = {.stop = s->hooks.stop};
 		struct site_ask ask = {0};
 		struct site *site = site_read_as(&l->request, &errors, &ask);
 		bool again = site == NULL && round < MOST_ROUNDS &&
@@ -230,10 +231,11 @@ load_as_one(struct session *s, struct load *l, struct error *error)
 
 /* What a file alone lacks of a site. */
 static void
-look_into(struct load *l, size_t i, bool *feed, bool *product)
+look_into(const struct session *s, struct load *l, size_t i, bool *feed,
+    bool *product)
 {
 	struct site_request one = l->request;
-	struct error_list errors = {0};
+	struct error_list errors = {.stop = s->hooks.stop};
 	struct site_ask ask = {0};
 	one.n = 1;
 	one.path = &l->request.path[i];
@@ -247,7 +249,7 @@ look_into(struct load *l, size_t i, bool *feed, bool *product)
 /* Whether files are parts of one site: none of them is complete, and one feed
  * serves the others' products.  The first that is complete tells. */
 static bool
-are_parts(struct load *l)
+are_parts(const struct session *s, struct load *l)
 {
 	size_t feeds = 0, n = l->request.n;
 	for (size_t i = 0; i < n; i++)
@@ -255,7 +257,7 @@ are_parts(struct load *l)
 			return true; /* it was said so */
 	for (size_t i = 0; i < n; i++) {
 		bool feed, product;
-		look_into(l, i, &feed, &product);
+		look_into(s, l, i, &feed, &product);
 		if (!feed && !product)
 			return false;
 		feeds += feed;
@@ -292,7 +294,8 @@ static bool
 load_each(struct session *s, struct load *l, bool skip, struct error *error)
 {
 	struct unread unread = {0};
-	for (size_t i = 0; i < l->request.n; i++) {
+	bool stopped = false;
+	for (size_t i = 0; i < l->request.n && !stopped; i++) {
 		struct load one = *l;
 		struct error fault = {0};
 		one.request.n = 1;
@@ -302,7 +305,9 @@ load_each(struct session *s, struct load *l, bool skip, struct error *error)
 		one.columns = l->columns != NULL ? xstrdup(l->columns) : NULL;
 		one.sheet = l->sheet != NULL ? xstrdup(l->sheet) : NULL;
 		one.range = l->range != NULL ? xstrdup(l->range) : NULL;
-		if (!load_as_one(s, &one, &fault)) {
+		bool loaded = load_as_one(s, &one, &fault);
+		stopped = fault.kind == ERROR_STOPPED;
+		if (!loaded) {
 			unread.fault = xrealloc(
 			    unread.fault, unread.n + 1, sizeof *unread.fault);
 			unread.fault[unread.n++] = fault;
@@ -311,7 +316,11 @@ load_each(struct session *s, struct load *l, bool skip, struct error *error)
 		free(one.sheet);
 		free(one.range);
 	}
-	bool good = tell_unread(s, &unread, l->request.n, skip, error);
+	bool good = false;
+	if (stopped) /* those before stay, as the lines of a script do */
+		*error = unread.fault[unread.n - 1];
+	else
+		good = tell_unread(s, &unread, l->request.n, skip, error);
 	free(unread.fault);
 	return good;
 }
@@ -321,7 +330,7 @@ run(struct session *s, struct load *l, bool skip, struct error *error)
 {
 	if (l->request.n == 1 && !skip)
 		return load_as_one(s, l, error);
-	if (l->request.n > 1 && are_parts(l))
+	if (l->request.n > 1 && are_parts(s, l))
 		return load_as_one(s, l, error);
 	if (l->digest != NULL)
 		return error_set(error, ERROR_USAGE,
@@ -414,6 +423,7 @@ list_folder(
 		   "name the folder that has them");
 }
 
+/* A file that is there comes before a shipped site of its name. */
 static bool
 list_words(
     struct listed *list, size_t n, const char *const *word, struct error *error)
@@ -422,7 +432,11 @@ list_words(
 	for (size_t i = 0; i < n && good; i++) {
 		DIR *dir = opendir(word[i]);
 		if (dir == NULL) {
-			listed_add(list, xstrdup(word[i]));
+			char *path = access(word[i], F_OK) != 0
+					 ? shipped_path(word[i])
+					 : NULL;
+			listed_add(
+			    list, path != NULL ? path : xstrdup(word[i]));
 			continue;
 		}
 		good = list_folder(list, dir, word[i], error);

@@ -132,7 +132,7 @@ static struct plant_log *
 read_log(struct session *s, struct log_request *q, struct error *error)
 {
 	for (;;) {
-		struct error_list errors = {0};
+		struct error_list errors = {.stop = s->hooks.stop};
 		bool open;
 		struct plant_log *log = plant_log_read(q, &errors, &open);
 		if (log != NULL)

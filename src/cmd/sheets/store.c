@@ -413,7 +413,7 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
 	bool replace = args_value(args, "replace")->choice == 1;
-	struct error_list errors = {0};
+	struct error_list errors = {.stop = s->hooks.stop};
 	struct stored_list there = {0}, list = {0};
 	bool ok = store_list(s->store, &there, error);
 	files_reads(s, path);

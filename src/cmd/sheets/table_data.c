@@ -108,7 +108,7 @@ static const struct command_option ENERGY_OPTIONS[] = {
 const struct command TABLE_DATA[] = {
     {.name = "load",
 	.brief = "read the sieve sheets of a site",
-	.operands = {"FILE|FOLDER...", {"FILE"}, 1, OPERANDS - 1},
+	.operands = {"FILE|FOLDER|NAME...", {"FILE SHIPPED"}, 1, OPERANDS - 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.option = LOAD_OPTIONS,
 	.text =
@@ -119,7 +119,9 @@ const struct command TABLE_DATA[] = {
 	    "the command that settles it. Files are one site where a tip "
 	    "speed follows a name, or none has both feed and product: load "
 	    "feed.csv cut1.csv@70 cut2.csv@75. A folder stands for the sheets "
-	    "in it; results of tipspeed's own are not read as sheets. A sheet "
+	    "in it; results of tipspeed's own are not read as sheets. NAME is "
+	    "a site that comes with the program, where no file has that name: "
+	    "load tierp. A sheet "
 	    "with faults is refused, each fault with its place; "
 	    "the sites already loaded stay, and of several files the others "
 	    "are loaded: those with faults are told at the end, where a script "

@@ -15,6 +15,9 @@
 /* Of a sheet, though its texts may stand in the file once for many cells. */
 enum { MOST_SHEETS = 200, MOST_BYTES = 10 * 1000 * 1000 };
 
+/* Of a cell, which in Excel has 32,767 letters at most; and of notes. */
+enum { MOST_CELL = 100 * 1000, MOST_NOTES = 20, MOST_NOTE = 400 };
+
 struct grid
 grid_new(const char *path, size_t most_rows, struct error_list *errors)
 {
@@ -38,12 +41,32 @@ grid_clear(struct grid *g)
 void
 grid_note(struct grid *g, const char *format, ...)
 {
+	if (g->n_note++ >= MOST_NOTES)
+		return;
 	va_list ap;
 	va_start(ap, format);
 	char *text = xvasprintf(tr(format), ap);
 	va_end(ap);
-	xlist(&g->note, "; ", "%s", text);
+	size_t n = strlen(text);
+	for (n = n > MOST_NOTE ? MOST_NOTE : n; (text[n] & 0xC0) == 0x80; n--)
+		;
+	xlist(&g->note, "; ", "%.*s%s", (int)n, text,
+	    text[n] != '\0' ? "..." : "");
 	free(text);
+}
+
+void
+grid_notes(struct grid *g)
+{
+	if (g->n_note > MOST_NOTES)
+		xlist(&g->note, "; ", tr("%zu more remarks on its sheets"),
+		    g->n_note - MOST_NOTES);
+}
+
+void
+grid_more(struct grid *g, int most)
+{
+	grid_note(g, "more than %d sheets: the others are not read", most);
 }
 
 void
@@ -82,12 +105,13 @@ grid_end(struct grid *g)
 	g->sheet[g->n++] = sheet;
 }
 
-/* Takes the text of the cell. */
-static void
+/* Takes the text of the cell; false where it is empty. */
+static bool
 put(struct grid *g, struct cell cell)
 {
+	bool filled = cell.text[0] != '\0';
 	g->bytes += strlen(cell.text);
-	if (cell.text[0] != '\0' && g->too_big == NULL) {
+	if (filled && g->too_big == NULL) {
 		if (g->bytes > MOST_BYTES)
 			g->too_big = tr("more than 10 MB of text");
 		else if (!sheet_has_room(g->now, cell))
@@ -95,15 +119,20 @@ put(struct grid *g, struct cell cell)
 					 ? tr("more than 256 columns")
 					 : tr("too many rows");
 	}
-	if (cell.text[0] == '\0' || g->too_big != NULL)
+	if (!filled || g->too_big != NULL)
 		free(cell.text);
 	else
 		sheet_put(g->now, cell);
+	return filled;
 }
 
-void
+bool
 grid_put_text(struct grid *g, struct cell where, const char *text)
 {
+	if (g->too_big == NULL && strlen(text) > MOST_CELL)
+		g->too_big = tr("more than 100 kB of text in a cell");
+	if (g->too_big != NULL) /* the rest is not worth looking at */
+		return true;
 	char *line = encoding_compose(text), *to = line;
 	for (const char *p = line; *p != '\0'; p++) {
 		bool blank = *p == '\n' || *p == '\r' || *p == '\t';
@@ -117,7 +146,7 @@ grid_put_text(struct grid *g, struct cell where, const char *text)
 	where.text = xstrdup(said);
 	where.kind = CELL_TEXT;
 	free(line);
-	put(g, where);
+	return put(g, where);
 }
 
 /* A hundred times 0.975 is 97.5, and not what the last bit makes of it. */
@@ -131,7 +160,7 @@ percent(double value)
 	return v;
 }
 
-void
+bool
 grid_put_number(
     struct grid *g, struct cell where, double value, const char *unit)
 {
@@ -140,24 +169,25 @@ grid_put_number(
 	where.number = strcmp(unit, "%") == 0 ? percent(value) : value;
 	where.text = xasprintf("%s%s%s", text_exact(where.number, text),
 	    unit[0] != '\0' ? " " : "", unit);
-	put(g, where);
+	return put(g, where);
 }
 
-void
+bool
 grid_put_date(struct grid *g, struct cell where, const char *text)
 {
 	where.text = xstrdup(text);
 	where.kind = CELL_DATE;
-	put(g, where);
+	return put(g, where);
 }
 
-void
+bool
 grid_put_formula(struct grid *g, struct cell where, const char *formula)
 {
 	char *text = xasprintf("=%s", formula + (formula[0] == '='));
 	g->unsolved = true;
-	grid_put_text(g, where, text);
+	bool filled = grid_put_text(g, where, text);
 	free(text);
+	return filled;
 }
 
 void

@@ -16,6 +16,7 @@ struct grid {
 	size_t n;
 	struct sheet **sheet;
 	char *note;
+	size_t n_note;
 	struct sheet *now;   /* the one that is being read */
 	const char *too_big; /* why it is left out, or NULL */
 	size_t bytes;        /* of its texts */
@@ -32,25 +33,31 @@ void grid_clear(struct grid *grid);
 void grid_begin(struct grid *grid, const char *name);
 void grid_end(struct grid *grid);
 
-/* A cell of the sheet; line and column are set.  An empty one is nothing.
- * Text becomes one line without spaces at its ends, its letters composed. */
-void grid_put_text(struct grid *grid, struct cell where, const char *text);
+/* A cell of the sheet; line and column are set.  An empty one is nothing, of
+ * which false tells.  Text becomes one line without spaces at its ends, its
+ * letters composed; of more than 100 kB the sheet is left out. */
+bool grid_put_text(struct grid *grid, struct cell where, const char *text);
 
 /* A number as shown: unit "%" for one whose cell shows a hundred times as much,
  * another unit, or "". */
-void grid_put_number(
+bool grid_put_number(
     struct grid *grid, struct cell where, double value, const char *unit);
-void grid_put_date(struct grid *grid, struct cell where, const char *text);
+bool grid_put_date(struct grid *grid, struct cell where, const char *text);
 
 /* A formula without its result; the cell has the formula as its text. */
-void grid_put_formula(
+bool grid_put_formula(
     struct grid *grid, struct cell where, const char *formula);
 
 /* The sheet has rows or columns that are not seen: they are read. */
 void grid_hidden(struct grid *grid);
 
-/* One more thing to be known of the workbook. */
+/* One more thing to be known of the workbook; after 20 they are counted only,
+ * which grid_notes adds when all are there. */
 void grid_note(struct grid *grid, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+void grid_notes(struct grid *grid);
+
+/* The workbook has more sheets than these. */
+void grid_more(struct grid *grid, int most);
 
 #endif

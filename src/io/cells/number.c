@@ -82,7 +82,8 @@ number_decide(struct sheet *sheet)
 	size_t points = 0, commas = 0;
 	char first = '\0';
 	sheet->open = (struct cell){0};
-	for (size_t r = 0; r < sheet->n_row; r++)
+	for (size_t r = 0; r < sheet->n_row && !error_stopped(sheet->errors);
+	     r++)
 		for (size_t i = 0; i < sheet->row[r].n; i++) {
 			struct cell cell = sheet->row[r].cell[i];
 			char sign = cell.kind == CELL_TEXT

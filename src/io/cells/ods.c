@@ -14,7 +14,7 @@
 
 /* Cells and rows that are repeated with something in them; beyond that a sheet
  * is too large in any case. */
-enum { MOST_REPEATS = 5000 };
+enum { MOST_REPEATS = 5000, MOST_TABLES = 1000 };
 
 /* value: as its type tells, else NULL.  said: what people see. */
 struct content {
@@ -27,7 +27,7 @@ struct content {
 struct reading {
 	struct grid *grid;
 	char *style; /* of sheets, that is being read, or NULL */
-	size_t n_hidden;
+	size_t n_table, n_hidden;
 	char **hidden; /* styles of sheets that are not shown */
 	/* How deep in the sheet, 0: in none; in its cell, its paragraphs. */
 	int table, cell, paragraph;
@@ -109,11 +109,14 @@ begin_table(struct reading *r, const char *const *attribute)
 	const char *name = xml_attribute(attribute, "table:1.0 name");
 	const char *style = xml_attribute(attribute, "table:1.0 style-name");
 	name = name != NULL ? name : "";
-	r->visible = !is_hidden(r, style);
+	bool more = ++r->n_table > MOST_TABLES;
+	r->visible = !more && !is_hidden(r, style);
 	r->at = (struct cell){.line = 1};
 	if (r->visible)
 		grid_begin(r->grid, name);
-	else
+	else if (more && r->n_table == MOST_TABLES + 1)
+		grid_more(r->grid, MOST_TABLES);
+	else if (!more)
 		grid_note(r->grid, "sheet %s is hidden and not read", name);
 }
 
@@ -214,23 +217,21 @@ on_text(void *data, const char *text, size_t n)
 }
 
 /* "PT10H15M00S" as 10:15. */
-static void
+static bool
 put_time(struct grid *grid, struct cell at, const char *value)
 {
 	int h, m, n = 0;
 	char text[32], second[8] = "";
-	if (sscanf(value, "PT%4dH%2dM%n", &h, &m, &n) != 2 || n == 0) {
-		grid_put_date(grid, at, value);
-		return;
-	}
+	if (sscanf(value, "PT%4dH%2dM%n", &h, &m, &n) != 2 || n == 0)
+		return grid_put_date(grid, at, value);
 	if (strncmp(value + n, "00", 2) != 0 && strlen(value + n) > 2)
 		snprintf(second, sizeof second, ":%.2s", value + n);
 	snprintf(text, sizeof text, "%02d:%02d%s", h, m, second);
-	grid_put_date(grid, at, text);
+	return grid_put_date(grid, at, text);
 }
 
 /* Without seconds where there are none, as from a workbook of Excel. */
-static void
+static bool
 put_date(struct grid *grid, struct cell at, const char *value)
 {
 	const char *t = strchr(value, 'T');
@@ -241,7 +242,7 @@ put_date(struct grid *grid, struct cell at, const char *value)
 	else if (t != NULL && n >= 19 && strncmp(t + 6, ":00", 3) == 0)
 		n = (size_t)(t - value) + 6;
 	snprintf(text, sizeof text, "%.*s", (int)(n < 31 ? n : 31), value);
-	grid_put_date(grid, at, text);
+	return grid_put_date(grid, at, text);
 }
 
 /* "m/s" of a cell that shows "69 m/s", or nothing. */
@@ -257,7 +258,8 @@ unit_of(const char *said, char unit[static 16])
 	    unit, 16, "%s", n > 0 && word && strlen(rest) < 16 ? rest : "");
 }
 
-static void
+/* Puts a cell; false where it has nothing in it. */
+static bool
 put_content(struct grid *grid, struct cell at, const struct content *c)
 {
 	double number;
@@ -267,26 +269,28 @@ put_content(struct grid *grid, struct cell at, const struct content *c)
 	bool numeric = strcmp(type, "float") == 0 ||
 		       strcmp(type, "currency") == 0 ||
 		       strcmp(type, "percentage") == 0;
-	unit_of(said, unit);
 	if (c->failed)
-		grid_put_text(grid, at, said[0] != '\0' ? said : "#VALUE!");
-	else if (numeric && c->value != NULL && text_number(c->value, &number))
-		grid_put_number(grid, at, number, type[0] == 'p' ? "%" : unit);
-	else if (strcmp(type, "date") == 0 && c->value != NULL)
-		put_date(grid, at, c->value);
-	else if (strcmp(type, "time") == 0 && c->value != NULL)
-		put_time(grid, at, c->value);
-	else if (strcmp(type, "boolean") == 0 && c->value != NULL)
-		grid_put_text(
+		return grid_put_text(
+		    grid, at, said[0] != '\0' ? said : "#VALUE!");
+	if (numeric && c->value != NULL && text_number(c->value, &number)) {
+		unit_of(said, unit);
+		return grid_put_number(
+		    grid, at, number, type[0] == 'p' ? "%" : unit);
+	}
+	if (strcmp(type, "date") == 0 && c->value != NULL)
+		return put_date(grid, at, c->value);
+	if (strcmp(type, "time") == 0 && c->value != NULL)
+		return put_time(grid, at, c->value);
+	if (strcmp(type, "boolean") == 0 && c->value != NULL)
+		return grid_put_text(
 		    grid, at, strcmp(c->value, "true") == 0 ? "TRUE" : "FALSE");
-	else if (strcmp(type, "string") == 0 && c->value != NULL)
-		grid_put_text(grid, at, c->value);
-	else if (c->formula != NULL && type[0] == '\0' && said[0] == '\0')
-		grid_put_formula(grid, at,
+	if (strcmp(type, "string") == 0 && c->value != NULL)
+		return grid_put_text(grid, at, c->value);
+	if (c->formula != NULL && type[0] == '\0' && said[0] == '\0')
+		return grid_put_formula(grid, at,
 		    strchr(c->formula, '=') != NULL ? strchr(c->formula, '=')
 						    : c->formula);
-	else
-		grid_put_text(grid, at, said);
+	return grid_put_text(grid, at, said);
 }
 
 /* Keeps the cell for its row; most are empty. */
@@ -305,21 +309,36 @@ end_cell(struct reading *r)
 		r->at.column += (int)r->cells;
 }
 
+/* Puts a cell of a row as often as it stands in a line; false where it has
+ * nothing in it. */
+static bool
+put_kept(const struct reading *r, const struct kept *kept, int line)
+{
+	struct cell at = {.line = line, .column = kept->column};
+	for (size_t k = 0;
+	     k < kept->repeats && k < MOST_REPEATS && r->grid->too_big == NULL;
+	     k++, at.column++)
+		if (!put_content(r->grid, at, &kept->content))
+			return false;
+	return true;
+}
+
 static void
 end_row(struct reading *r)
 {
 	size_t most = r->rows < MOST_REPEATS ? r->rows : MOST_REPEATS;
-	for (size_t line = 0; line < most && r->n_kept > 0; line++)
-		for (size_t i = 0; i < r->n_kept && r->visible; i++)
-			for (size_t k = 0;
-			     k < r->kept[i].repeats && k < MOST_REPEATS &&
-			     r->grid->too_big == NULL;
-			     k++) {
-				struct cell at = {
-				    .line = r->at.line + (int)line,
-				    .column = r->kept[i].column + (int)k};
-				put_content(r->grid, at, &r->kept[i].content);
-			}
+	for (size_t line = 0;
+	     line < most && r->n_kept > 0 && r->visible &&
+	     r->grid->too_big == NULL && !error_stopped(r->grid->errors);
+	     line++) {
+		size_t n = 0;
+		for (size_t i = 0; i < r->n_kept; i++)
+			if (put_kept(r, &r->kept[i], r->at.line + (int)line))
+				r->kept[n++] = r->kept[i];
+			else
+				clear(&r->kept[i].content);
+		r->n_kept = n;
+	}
 	for (size_t i = 0; i < r->n_kept; i++)
 		clear(&r->kept[i].content);
 	r->n_kept = 0;
@@ -359,7 +378,7 @@ ods_read(struct archive *archive, struct grid *grid)
 	if (bytes == NULL)
 		return wrong;
 	struct reading r = {.grid = grid};
-	char *fault = xml_read(bytes, n, &EVENTS, &r);
+	char *fault = xml_read(bytes, n, &EVENTS, &r, grid->errors);
 	free(bytes);
 	if (fault != NULL)
 		wrong = xasprintf("content.xml: %s", fault);

@@ -221,12 +221,13 @@ free_row(struct row *row)
 static bool
 add_row(struct sheet *sheet, const char *line, int number)
 {
-	if (strlen(line) > MOST_LINE || sheet->n_row == sheet->most_rows) {
+	if (strlen(line) > sheet->most_line ||
+	    sheet->n_row == sheet->most_rows) {
 		sheet_fault(sheet, (struct cell){.line = number, .column = 1},
-		    "more than %zu lines, or %d bytes in a line\n"
+		    "more than %zu lines, or %zu bytes in a line\n"
 		    "a site file has a few kB: is this the right file?",
-		    sheet->most_rows, MOST_LINE);
-		sheet->lost = true;
+		    sheet->most_rows, sheet->most_line);
+		sheet->lost = sheet->too_large = true;
 		return false;
 	}
 	struct row *row = &sheet->row[sheet->n_row];
@@ -311,7 +312,8 @@ static void
 split_text(struct sheet *sheet, char *text)
 {
 	sheet->row = xcalloc(sheet->most_rows, sizeof *sheet->row);
-	for (int number = 1; *text != '\0'; number++) {
+	for (int number = 1; *text != '\0' && !error_stopped(sheet->errors);
+	     number++) {
 		int ends;
 		size_t n = line_length(text, &ends);
 		bool pair = text[n] == '\r' && text[n + 1] == '\n';
@@ -335,8 +337,8 @@ is_numbers(const char *line, char separator)
 	const char *sieve = "\" +-.,0123456789eE#NOno/inch\xC2\xBA\xB0\xA0";
 	size_t n = strcspn(line, stop);
 	const char *second = line + n + 1;
-	return line[n] == separator && strcspn(line, "0123456789") < n &&
-	       strspn(line, sieve) >= n &&
+	return line[n] == separator && strspn(line, sieve) >= n &&
+	       strcspn(line, "0123456789") < n &&
 	       strspn(second, digits) >= strcspn(second, stop);
 }
 
@@ -358,7 +360,7 @@ has_sign(const char *line, char sign)
  * in most lines, as decimal commas may be more than the semicolons between
  * them. */
 static char
-find_separator(const char *text)
+find_separator(const char *text, struct error_list *errors)
 {
 	static const char SIGNS[] = ";\t,";
 	size_t numbers[3] = {0}, lines[3] = {0}, filled = 0;
@@ -367,6 +369,8 @@ find_separator(const char *text)
 			continue;
 		if (*p == '#')
 			continue;
+		if (error_stopped(errors))
+			break;
 		filled += strcspn(p, "\r\n") > strspn(p, " \t;,");
 		for (size_t i = 0; i < 3; i++) {
 			numbers[i] += is_numbers(p, SIGNS[i]);
@@ -386,18 +390,35 @@ find_separator(const char *text)
 	return SIGNS[best];
 }
 
-struct sheet *
-sheet_new(
-    const char *path, char *text, size_t most_rows, struct error_list *errors)
+static struct sheet *
+split(const char *path, char *text, size_t most_rows, size_t most_line,
+    struct error_list *errors)
 {
 	struct sheet *sheet = xcalloc(1, sizeof *sheet);
 	sheet->path = xstrdup(path);
 	sheet->name = xstrdup("");
 	sheet->errors = errors;
 	sheet->most_rows = most_rows;
-	sheet->separator = find_separator(text);
+	sheet->most_line = most_line;
+	sheet->separator = find_separator(text, errors);
 	split_text(sheet, text);
 	return sheet;
+}
+
+struct sheet *
+sheet_new(
+    const char *path, char *text, size_t most_rows, struct error_list *errors)
+{
+	return split(path, text, most_rows, MOST_LINE, errors);
+}
+
+struct sheet *
+sheet_new_own(const char *path, char *text, struct error_list *errors)
+{
+	size_t lines = 1, length = strlen(text);
+	for (const char *p = text; *p != '\0'; p++)
+		lines += *p == '\n' || *p == '\r';
+	return split(path, text, lines, length, errors);
 }
 
 struct sheet *
@@ -418,9 +439,16 @@ sheet_begin(const char *path, const char *name, size_t most_rows,
 static size_t
 rows_to(const struct sheet *sheet, int line)
 {
-	size_t n = sheet->n_row;
-	while (n > 0 && sheet->row[n - 1].line > line)
-		n--;
+	size_t n = 0, end = sheet->n_row;
+	if (end > 0 && sheet->row[end - 1].line <= line) /* as they come */
+		return end;
+	while (n < end) {
+		size_t middle = n + (end - n) / 2;
+		if (sheet->row[middle].line > line)
+			end = middle;
+		else
+			n = middle + 1;
+	}
 	return n;
 }
 

@@ -42,7 +42,8 @@ struct comment {
 
 /* Blank lines are left out of row[], and lines that start with # are in
  * comment[] instead.  n_fault counts the faults told so far; lost: a line is
- * not in row[]. */
+ * not in row[]; too_large: nor is what comes after it, so that the rest is not
+ * worth looking at. */
 struct sheet {
 	char *path;
 	char *name;       /* in a workbook; "" of a text */
@@ -51,8 +52,8 @@ struct sheet {
 	bool mixed;       /* a second decimal sign was reported */
 	struct cell open; /* a number that may have one, or thousands:
 			   * 1,250; text is NULL where there is none */
-	bool lost;
-	size_t n_row, most_rows, n_fault;
+	bool lost, too_large;
+	size_t n_row, most_rows, most_line, n_fault;
 	struct row *row;
 	size_t n_comment;
 	struct comment *comment;
@@ -66,6 +67,11 @@ struct sheet {
 struct sheet *sheet_new(
     const char *path, char *text, size_t most_rows, struct error_list *errors);
 void sheet_free(struct sheet *sheet);
+
+/* The same of a text that the program itself may have written, with as many
+ * lines as there are, however long. */
+struct sheet *sheet_new_own(
+    const char *path, char *text, struct error_list *errors);
 
 /* A sheet of a workbook, with tabs between its cells where a message shows one.
  * sheet_put: one more cell, in any order, whose text it takes.  sheet_end: all

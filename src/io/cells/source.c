@@ -28,7 +28,7 @@ read_workbook(const char *path, const char *bytes, size_t n, size_t most_rows,
 	source->note = grid.note;
 	for (size_t i = 0; i < source->n; i++)
 		number_decide(source->sheet[i]);
-	return true;
+	return !errors->stopped;
 }
 
 static bool
@@ -44,8 +44,10 @@ read_text(const char *path, const char *bytes, size_t n, size_t most_rows,
 	source->sheet = xcalloc(1, sizeof(*source->sheet));
 	source->sheet[source->n++] =
 	    sheet_new(path, source->text, most_rows, errors);
+	if (source->sheet[0]->too_large || errors->stopped)
+		return false;
 	number_decide(source->sheet[0]);
-	return true;
+	return !errors->stopped;
 }
 
 static bool

@@ -17,7 +17,8 @@
 #include "base/xalloc.h"
 #include "io/cells/encoding.h"
 
-enum { MOST_BYTES = 10 * 1000 * 1000 };
+static const size_t MOST_BYTES = 10 * 1000 * 1000,
+		    MOST_OWN = 1000 * 1000 * 1000;
 
 /* Offset of the first control character, NUL among them, or n. */
 static size_t
@@ -60,12 +61,13 @@ is_blank(const char *bytes, size_t n)
 }
 
 static char *
-refuse_size(const char *path, double bytes, struct error_list *errors)
+refuse_size(
+    const char *path, double bytes, size_t most, struct error_list *errors)
 {
 	error_at(error_add(errors), ERROR_DATA, path, 0, 0,
 	    "expected at most %d MB, got %.1f MB\n"
 	    "a site file has a few kB: is this the right file?",
-	    MOST_BYTES / 1000000, bytes / 1e6);
+	    (int)(most / 1000000), bytes / 1e6);
 	return NULL;
 }
 
@@ -114,11 +116,11 @@ textfile_text(const char *path, const char *bytes, size_t n, const char **note,
 /* Reads to the end, or until it is too much, in growing pieces, because a pipe
  * does not know its size.  NULL with errno set when the system refuses. */
 static char *
-load(FILE *file, size_t *n)
+load(FILE *file, size_t most, size_t *n)
 {
 	char *bytes = NULL;
 	*n = 0;
-	for (size_t got = 1, room = 0; got > 0 && *n <= MOST_BYTES; *n += got) {
+	for (size_t got = 1, room = 0; got > 0 && *n <= most; *n += got) {
 		if (*n == room) {
 			room = room * 2 + 16384;
 			bytes = xrealloc(bytes, room, 1);
@@ -195,8 +197,8 @@ textfile_open(const char *path, const char **why)
 	return file;
 }
 
-char *
-textfile_bytes(const char *path, size_t *n, struct error_list *errors)
+static char *
+read_bytes(const char *path, size_t most, size_t *n, struct error_list *errors)
 {
 	const char *why;
 	FILE *file = textfile_open(path, &why);
@@ -205,27 +207,45 @@ textfile_bytes(const char *path, size_t *n, struct error_list *errors)
 	struct stat about;
 	char *bytes = NULL;
 	if (fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode) &&
-	    about.st_size > MOST_BYTES)
-		refuse_size(path, (double)about.st_size, errors);
-	else if ((bytes = load(file, n)) == NULL)
+	    about.st_size > (off_t)most)
+		refuse_size(path, (double)about.st_size, most, errors);
+	else if ((bytes = load(file, most, n)) == NULL)
 		refuse_system(path, strerror(errno), errors);
 	fclose(file);
-	if (bytes == NULL || *n <= MOST_BYTES)
+	if (bytes == NULL || *n <= most)
 		return bytes;
 	free(bytes);
-	return refuse_size(path, (double)*n, errors);
+	return refuse_size(path, (double)*n, most, errors);
+}
+
+char *
+textfile_bytes(const char *path, size_t *n, struct error_list *errors)
+{
+	return read_bytes(path, MOST_BYTES, n, errors);
+}
+
+static char *
+read_whole(const char *path, size_t most, struct error_list *errors)
+{
+	size_t n;
+	const char *note;
+	char *bytes = read_bytes(path, most, &n, errors), *text = NULL;
+	if (bytes != NULL)
+		text = textfile_text(path, bytes, n, &note, errors);
+	free(bytes);
+	return text;
 }
 
 char *
 textfile_read(const char *path, struct error_list *errors)
 {
-	size_t n;
-	const char *note;
-	char *bytes = textfile_bytes(path, &n, errors), *text = NULL;
-	if (bytes != NULL)
-		text = textfile_text(path, bytes, n, &note, errors);
-	free(bytes);
-	return text;
+	return read_whole(path, MOST_BYTES, errors);
+}
+
+char *
+textfile_read_own(const char *path, struct error_list *errors)
+{
+	return read_whole(path, MOST_OWN, errors);
 }
 
 char *

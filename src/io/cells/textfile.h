@@ -27,6 +27,9 @@ char *textfile_text(const char *path, const char *bytes, size_t n,
 /* Both of these in one, without the note. */
 char *textfile_read(const char *path, struct error_list *errors);
 
+/* The same of what the program itself may have written, of up to 1000 MB. */
+char *textfile_read_own(const char *path, struct error_list *errors);
+
 /* The lines of a file that was made part of the program, up to NULL, as one
  * text, which the caller frees. */
 char *textfile_lines(const char *const *line);

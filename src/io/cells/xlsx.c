@@ -37,7 +37,7 @@ struct book {
 	struct archive *archive;
 	struct grid *grid;
 	bool from_1904;
-	size_t n_tab;
+	size_t n_tab, more; /* more: those left out */
 	struct tab *tab;
 	/* All shared strings, each with a NUL; where they begin. */
 	struct pieces string;
@@ -71,7 +71,7 @@ read_part(struct book *b, const char *name, const struct xml_events *events,
 	char *bytes = archive_part(b->archive, name, &n, &wrong);
 	if (bytes == NULL)
 		return wrong;
-	char *fault = xml_read(bytes, n, events, data);
+	char *fault = xml_read(bytes, n, events, data, b->grid->errors);
 	free(bytes);
 	if (fault != NULL)
 		wrong = xasprintf("%s: %s", name, fault);
@@ -106,8 +106,13 @@ begin_workbook(void *data, const char *name, const char *const *attribute)
 	const char *title = xml_attribute(attribute, "name");
 	const char *id = xml_attribute(attribute, " id");
 	const char *state = xml_attribute(attribute, "state");
-	if (title == NULL || id == NULL || b->n_tab == MOST_TABS)
+	if (title == NULL || id == NULL)
 		return;
+	if (b->n_tab == MOST_TABS) {
+		if (b->more++ == 0)
+			grid_more(b->grid, MOST_TABS);
+		return;
+	}
 	b->tab = xrealloc(b->tab, b->n_tab + 1, sizeof *b->tab);
 	b->tab[b->n_tab++] = (struct tab){.name = xstrdup(title),
 	    .id = xstrdup(id),

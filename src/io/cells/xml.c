@@ -3,6 +3,7 @@
 #include "io/cells/xml.h"
 
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <expat.h>
@@ -11,13 +12,21 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 
-enum { MOST_DEPTH = 100 };
+/* OFTEN: events between two questions whether to stop. */
+enum {
+	MOST_DEPTH = 100,
+	MOST_ATTRIBUTES = 1000,
+	MOST_NAME = 200,
+	OFTEN = 1024
+};
 
 struct reading {
 	XML_Parser parser;
 	const struct xml_events *events;
 	void *data;
+	struct error_list *errors;
 	int depth;
+	size_t n; /* events so far */
 	const char *wrong;
 };
 
@@ -26,6 +35,34 @@ give_up(struct reading *r, const char *wrong)
 {
 	r->wrong = wrong;
 	XML_StopParser(r->parser, XML_FALSE);
+}
+
+static void
+notice_stop(struct reading *r)
+{
+	if (r->wrong == NULL && ++r->n % OFTEN == 0 && error_stopped(r->errors))
+		give_up(r, tr("interrupted"));
+}
+
+/* A namespace is copied into each name that is in it, which for a million of
+ * long ones would take for ever.  Attributes here are as they are written. */
+static void XMLCALL
+on_names(void *data, const XML_Char *name, const XML_Char **attribute)
+{
+	static const char NAMESPACE[] = "xmlns";
+	struct reading *r = data;
+	size_t n = 0;
+	bool many = false;
+	(void)name;
+	for (; attribute[0] != NULL && !many; attribute += 2)
+		many =
+		    ++n > MOST_ATTRIBUTES ||
+		    (strncmp(attribute[0], NAMESPACE, strlen(NAMESPACE)) == 0 &&
+			strlen(attribute[1]) > MOST_NAME);
+	if (many && r->wrong == NULL)
+		give_up(r, tr("an element has more names than a spreadsheet "
+			      "program writes"));
+	notice_stop(r);
 }
 
 static const char *
@@ -41,6 +78,7 @@ on_begin(void *data, const XML_Char *name, const XML_Char **attribute)
 	struct reading *r = data;
 	if (r->wrong == NULL && ++r->depth > MOST_DEPTH)
 		give_up(r, tr("its elements are too deep within each other"));
+	notice_stop(r);
 	if (r->wrong == NULL)
 		r->events->begin(
 		    r->data, local(name), (const char *const *)attribute);
@@ -74,29 +112,42 @@ on_doctype(void *data, const XML_Char *name, const XML_Char *system,
 	give_up(data, tr("it has a document type"));
 }
 
-char *
-xml_read(
-    const char *bytes, size_t n, const struct xml_events *events, void *data)
+/* In words what is wrong, or NULL. */
+static char *
+parse(struct reading *r, XML_Parser parser, XML_StartElementHandler begin,
+    const char *bytes, size_t n)
 {
-	struct reading r = {.parser = XML_ParserCreateNS(NULL, ' '),
-	    .events = events,
-	    .data = data};
-	XML_SetUserData(r.parser, &r);
-	XML_SetElementHandler(r.parser, on_begin, on_end);
-	if (events->text != NULL)
-		XML_SetCharacterDataHandler(r.parser, on_text);
-	XML_SetStartDoctypeDeclHandler(r.parser, on_doctype);
+	r->parser = parser;
+	XML_SetUserData(parser, r);
+	XML_SetStartElementHandler(parser, begin);
+	XML_SetStartDoctypeDeclHandler(parser, on_doctype);
 	char *wrong = NULL;
 	/* At once: a long name in pieces is looked at from its start for each
 	 * of them. */
-	if (XML_Parse(r.parser, bytes, (int)n, 1) != XML_STATUS_OK)
+	if (XML_Parse(parser, bytes, (int)n, 1) != XML_STATUS_OK)
 		wrong = xasprintf(tr("%s in line %lu"),
-		    r.wrong != NULL
-			? r.wrong
-			: XML_ErrorString(XML_GetErrorCode(r.parser)),
-		    (unsigned long)XML_GetCurrentLineNumber(r.parser));
-	XML_ParserFree(r.parser);
+		    r->wrong != NULL
+			? r->wrong
+			: XML_ErrorString(XML_GetErrorCode(parser)),
+		    (unsigned long)XML_GetCurrentLineNumber(parser));
+	XML_ParserFree(parser);
 	return wrong;
+}
+
+char *
+xml_read(const char *bytes, size_t n, const struct xml_events *events,
+    void *data, struct error_list *errors)
+{
+	struct reading r = {.events = events, .data = data, .errors = errors};
+	char *wrong = parse(&r, XML_ParserCreate(NULL), on_names, bytes, n);
+	if (r.wrong != NULL)
+		return wrong;
+	free(wrong); /* and told again, with what else there is */
+	XML_Parser parser = XML_ParserCreateNS(NULL, ' ');
+	XML_SetEndElementHandler(parser, on_end);
+	if (events->text != NULL)
+		XML_SetCharacterDataHandler(parser, on_text);
+	return parse(&r, parser, on_begin, bytes, n);
 }
 
 const char *

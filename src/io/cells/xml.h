@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/error.h"
+
 /* begin, end: of an element, by its name without a prefix.  text: n bytes of
  * UTF-8, perhaps a part of what stands between two tags; NULL: not asked. */
 struct xml_events {
@@ -17,10 +19,11 @@ struct xml_events {
 
 /* Goes through a document of n bytes.  NULL, or in words what is wrong with it,
  * which the caller frees: it is not well-formed, has elements within each other
- * more than 100 deep, or a document type, whose entities could stand for more
- * than there is. */
-char *xml_read(
-    const char *bytes, size_t n, const struct xml_events *events, void *data);
+ * more than 100 deep, with more than 1000 attributes or in a namespace of more
+ * than 200 letters, or a document type, whose entities could stand for more
+ * than there is; or errors say that it is to stop. */
+char *xml_read(const char *bytes, size_t n, const struct xml_events *events,
+    void *data, struct error_list *errors);
 
 /* An attribute's value, or NULL.  name: "r" without a namespace; "office:1.0
  * value" by how the namespace ends. */

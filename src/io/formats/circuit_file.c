@@ -406,7 +406,7 @@ circuit_file_read(const char *path, struct error_list *errors)
 		free(r.made);
 		free(r.used);
 		circuit = r.circuit;
-		if (r.sheet->n_fault > 0) {
+		if (r.sheet->n_fault > 0 || errors->stopped) {
 			circuit_free(circuit);
 			circuit = NULL;
 		}

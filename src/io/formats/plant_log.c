@@ -301,7 +301,8 @@ find_order(struct reading *r, bool *open)
 	struct moment m;
 	struct cell other = {.text = NULL}, undecided = {.text = NULL};
 	r->order = r->request->order;
-	for (size_t i = r->first; i < r->sheet->n_row; i++) {
+	for (size_t i = r->first;
+	     i < r->sheet->n_row && !error_stopped(r->errors); i++) {
 		if (!moment_at(r, i, r->date, &m) || m.plain)
 			continue;
 		if (m.order == MOMENT_OPEN)
@@ -363,7 +364,8 @@ read_numbers(struct reading *r, const struct row *row)
 static void
 read_rows(struct reading *r)
 {
-	for (size_t i = r->first; i < r->sheet->n_row; i++) {
+	for (size_t i = r->first;
+	     i < r->sheet->n_row && !error_stopped(r->errors); i++) {
 		struct moment day, clock = {.has_time = false};
 		bool good = moment_at(r, i, r->date, &day) && day.has_date;
 		double time =
@@ -390,7 +392,8 @@ read_rows(struct reading *r)
 static bool
 check_numbers(struct reading *r)
 {
-	for (size_t i = r->first; i < r->sheet->n_row; i++)
+	for (size_t i = r->first;
+	     i < r->sheet->n_row && !error_stopped(r->errors); i++)
 		for (size_t c = 0; c < r->n_column; c++) {
 			struct cell cell = sheet_cell(&r->sheet->row[i], c);
 			if (r->kind[c] < LOG_COLUMNS &&

@@ -229,7 +229,7 @@ spec_read(const char *path, struct error_list *errors)
 			free(spec->name);
 			spec->name = xstrdup(path);
 		}
-		if (source.sheet[0]->n_fault > 0) {
+		if (source.sheet[0]->n_fault > 0 || errors->stopped) {
 			spec_free(spec);
 			spec = NULL;
 		}

@@ -176,11 +176,9 @@ shape_of(const struct column *c)
 	double *raw = xdoubles(t->n_row);
 	site_column_raw(c, raw);
 	for (size_t i = 0; i < t->n_row; i++) {
-		double mm;
 		if (isnan(raw[i]))
 			continue;
-		if (sieve_size(t->sheet, t->row[i].cell[0], t->unit, &mm) ==
-		    SIEVE_IS_PAN) {
+		if (!isnan(t->mm[i]) && t->mm[i] <= 0) {
 			s.has_pan = true;
 			s.pan = raw[i];
 			s.sum += raw[i];
@@ -646,9 +644,10 @@ recognise_columns(struct table *t, const struct surroundings *near,
 	const struct block *b = t->block;
 	struct surroundings around = *near;
 	near = &around;
-	for (size_t at = 1; at < b->n_col; at++)
+	struct error_list *errors = t->sheet->errors;
+	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++)
 		note_speed(t, at, &around);
-	for (size_t at = 1; at < b->n_col; at++) {
+	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++) {
 		struct column c = {.table = t, .at = at, .pan = NAN};
 		bool own = false;
 		c.head = t->row[0].cell[at];
@@ -669,6 +668,13 @@ recognise_columns(struct table *t, const struct surroundings *near,
 		    xrealloc(all->column, all->n + 1, sizeof *all->column);
 		all->column[all->n++] = c;
 	}
+}
+
+/* Nobody waits for the columns any more. */
+static bool
+is_stopped(const struct columns *all)
+{
+	return all->n > 0 && error_stopped(all->column[0].table->sheet->errors);
 }
 
 static void
@@ -747,42 +753,47 @@ own_words(const struct column *c)
 	return words;
 }
 
-/* Samples at one speed that are called by other words, or come from machines
- * with other numbers, are perhaps no repeats. */
+/* Samples at one speed that are called by other words (own_words of each), or
+ * come from machines with other numbers, are perhaps no repeats. */
 static bool
-is_repeat(const struct column *a, const struct column *b)
+is_repeat(const struct column *a, const char *x, const struct column *b,
+    const char *y)
 {
-	char *x = own_words(a), *y = own_words(b);
 	bool machine = ((a->said.means | b->said.means) & WORD_MACHINE) != 0;
-	bool same = strcmp(x, y) == 0 &&
-		    !(machine && a->said.n_number > 0 && b->said.n_number > 0 &&
-			a->said.number[0] != b->said.number[0]);
-	free(x);
-	free(y);
-	return same;
+	return strcmp(x, y) == 0 &&
+	       !(machine && a->said.n_number > 0 && b->said.n_number > 0 &&
+		   a->said.number[0] != b->said.number[0]);
 }
 
 static void
-ask_repeats(struct columns *all, bool told)
+ask_repeats(struct columns *all)
 {
-	for (size_t i = 0; i < all->n && !told; i++)
+	char **words = xcalloc(all->n, sizeof(*words));
+	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
+		struct column *a = &all->column[i];
+		if (a->role != PRODUCT || !(a->speed > 0))
+			continue;
+		words[i] = own_words(a);
 		for (size_t k = 0; k < i; k++) {
-			struct column *a = &all->column[i];
 			struct column *b = &all->column[k];
-			if (a->role != PRODUCT || b->role != PRODUCT ||
-			    !(a->speed > 0) ||
+			if (words[k] == NULL ||
 			    fabs(a->speed - b->speed) > 1e-3 ||
-			    a->table != b->table || is_repeat(a, b))
+			    a->table != b->table ||
+			    is_repeat(a, words[i], b, words[k]))
 				continue;
 			a->open = b->open = true;
 		}
+	}
+	for (size_t i = 0; i < all->n; i++)
+		free(words[i]);
+	free(words);
 }
 
 /* The mean of samples that are there themselves is no sample. */
 static void
 drop_means(struct columns *all, struct site *site)
 {
-	for (size_t i = 0; i < all->n; i++) {
+	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
 		const struct column *c = &all->column[i];
 		size_t others = 0;
 		for (size_t k = 0; k < all->n; k++) {
@@ -806,7 +817,7 @@ drop_means(struct columns *all, struct site *site)
 static void
 drop_twins(struct columns *all, struct site *site)
 {
-	for (size_t i = 0; i < all->n; i++)
+	for (size_t i = 0; i < all->n && !is_stopped(all); i++)
 		for (size_t k = 0; k < all->n; k++) {
 			const struct column *a = &all->column[i];
 			const struct column *b = &all->column[k];
@@ -877,7 +888,7 @@ recognise_settle(
 		products += c->role == PRODUCT;
 		*wants_rotor = *wants_rotor || (c->rpm > 0 && !(c->speed > 0));
 	}
-	for (size_t i = 0; i < all->n; i++) {
+	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
 		struct column *c = &all->column[i];
 		if (c->role != NO_ROLE)
 			continue;
@@ -896,8 +907,9 @@ recognise_settle(
 	guess_feed(all, feeds);
 	free_feed(all);
 	drop_twins(all, site);
-	ask_repeats(all, told);
-	for (size_t i = 0; i < all->n; i++) {
+	if (!told)
+		ask_repeats(all);
+	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
 		struct column *c = &all->column[i];
 		if (c->twin > 0)
 			continue;

@@ -107,6 +107,18 @@ plain_blanks(char *s)
 	*to = '\0';
 }
 
+/* Bytes of what may stand between thousands at p; 0: nothing that may. */
+static size_t
+group_at(const char *p)
+{
+	static const char *const GROUPS[] = {
+	    " ", "'", "\xE2\x80\x99", "\xCA\xBC"};
+	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)
+		if (strncmp(p, GROUPS[i], strlen(GROUPS[i])) == 0)
+			return strlen(GROUPS[i]);
+	return 0;
+}
+
 /* A number at *text, which moves after it: 63,6 or 63.6, 1 350 or 1,350 where
  * rpm follow.  False for dates, times and ranges (0/8, 2026-05-03), which are
  * moved over. */
@@ -133,12 +145,13 @@ number_at(const char **text, double *value)
 	}
 	*text = p;
 	const char *blank = *p == ' ' ? p + 1 : p;
-	if (parts == 1 && after == 0 && *p == ' ' && n <= 3 &&
-	    strspn(p + 1, DIGITS) == 3) {
-		const char *unit = p + 4 + strspn(p + 4, " ");
-		if (has_thousands(unit_at(unit, &k))) {
-			strncat(copy, p + 1, 3);
-			*text = p + 4;
+	size_t group = group_at(p);
+	if (parts == 1 && after == 0 && group > 0 && n <= 3 &&
+	    strspn(p + group, DIGITS) == 3) {
+		const char *end = p + group + 3;
+		if (has_thousands(unit_at(end + strspn(end, " "), &k))) {
+			strncat(copy, end - 3, 3);
+			*text = end;
 		}
 	} else if (after == 3 && has_thousands(unit_at(blank, &k))) {
 		memmove(strchr(copy, '.'), strchr(copy, '.') + 1, 4);
@@ -172,10 +185,98 @@ take_number(struct head *head, const char **text, double value, bool at)
 	head->unit = unit;
 }
 
+/* The number before the one that is looked at.  at: a speed because of its @
+ * alone.  end: where it ends; NULL: there is none. */
+struct before {
+	const char *end;
+	double value;
+	bool at;
+};
+
+/* Whether n bytes say "or", "to", "..": that two numbers are one thing.  */
+static bool
+is_link(const char *text, size_t n)
+{
+	static const char *const LINKS[] = {"..", "...", "\xE2\x80\xA6", "&",
+	    "+", "or", "and", "to", "oder", "und", "bis", "eller", "och",
+	    "till", "til", "ou", "et", "tai", "ja"};
+	for (size_t i = 0; i < ARRAY_LEN(LINKS); i++)
+		if (strlen(LINKS[i]) == n && strncmp(text, LINKS[i], n) == 0)
+			return true;
+	return false;
+}
+
+/* Whether a number that begins at `text` is no more than a part of a speed,
+ * together with the one before: @6 9, @69..70, 74 or 75 m/s.  In "Cut 3 - 69
+ * m/s" it is not.  unit: it has one of speed. */
+static bool
+is_part(const struct before *before, const char *text, double value, bool unit)
+{
+	static const char *const DASHES[] = {
+	    "-", "\xE2\x80\x93", "\xE2\x80\x94", "/", "~"};
+	if (before->end == NULL || (!before->at && !unit))
+		return false;
+	const char *gap = before->end + strspn(before->end, " ");
+	size_t n = (size_t)(text - gap);
+	while (n > 0 && gap[n - 1] == ' ')
+		n--;
+	if (n == 0)
+		return before->at;
+	bool near = before->at || (value < 1.5 * before->value &&
+				      before->value < 1.5 * value);
+	for (size_t i = 0; near && i < ARRAY_LEN(DASHES); i++)
+		if (strlen(DASHES[i]) == n && strncmp(gap, DASHES[i], n) == 0)
+			return true;
+	return is_link(gap, n);
+}
+
+/* Whether what stands around a number makes another one of it: 7.4e1, .69,
+ * 1E+02.  from, to: of its digits in the text; at: @ is before it. */
+static bool
+is_cut(const char *text, const char *from, const char *to, bool at)
+{
+	const char *p = from;
+	while (p > text && isalpha((unsigned char)p[-1]))
+		p--;
+	if (p > text && p < from && isdigit((unsigned char)p[-1]))
+		return true;
+	if (from > text && from[-1] == '+')
+		return true;
+	if (from > text && from[-1] == '.' &&
+	    (from == text + 1 || !is_letter(from[-2])))
+		return true;
+	return at && *to != '\0' && strchr(" ,;:()[]_\"", *to) == NULL &&
+	       !(*to == '.' && (to[1] == ' ' || to[1] == '\0'));
+}
+
+/* Takes the number at *text, which moves after it. */
+static void
+read_number(struct head *head, const char *start, const char **text, bool at,
+    struct before *before)
+{
+	const char *from = *text;
+	double value;
+	size_t n;
+	bool inside = from > start && is_letter(from[-1]);
+	bool minus = from > start + 1 && from[-1] == '-' && at;
+	bool good = number_at(text, &value);
+	const char *to = *text;
+	bool speed = unit_at(to + strspn(to, " "), &n) != SPEED_NO_UNIT;
+	at = at && good;
+	head->several =
+	    head->several || minus ||
+	    (good && (at || speed) && is_cut(start, from, to, at && !speed)) ||
+	    (good && is_part(before, from, value, speed));
+	if (good && (!inside || speed))
+		take_number(head, text, value, at);
+	*before = (struct before){good ? to : NULL, value, at && !speed};
+}
+
 struct head
 head_read(const char *text)
 {
 	struct head head = {0};
+	struct before before = {0};
 	char *folded = text_fold(text);
 	plain_blanks(folded);
 	char *words = xcalloc(strlen(folded) + 1, 1);
@@ -183,7 +284,6 @@ head_read(const char *text)
 	bool at = false;
 	for (const char *p = folded; *p != '\0';) {
 		bool inside = p > folded && is_letter(p[-1]);
-		double value;
 		enum speed_unit unit = inside ? SPEED_NO_UNIT : unit_at(p, &k);
 		if (unit != SPEED_NO_UNIT) {
 			if (head.unit == SPEED_NO_UNIT)
@@ -191,17 +291,11 @@ head_read(const char *text)
 			p += k;
 			words[n++] = ' ';
 		} else if (isdigit((unsigned char)*p)) {
-			bool minus = p > folded + 1 && p[-1] == '-' && at;
-			bool good = number_at(&p, &value);
-			head.several = head.several || minus;
-			bool speed =
-			    unit_at(p + strspn(p, " "), &k) != SPEED_NO_UNIT;
-			if (good && (!inside || speed))
-				take_number(&head, &p, value, at);
+			read_number(&head, folded, &p, at, &before);
 			words[n++] = ' ';
 			at = false;
 		} else {
-			at = *p == '@' || (at && strchr(" -", *p) != NULL);
+			at = *p == '@' || (at && strchr(" -.+", *p) != NULL);
 			words[n++] = *p == '@' ? ' ' : *p;
 			p++;
 		}

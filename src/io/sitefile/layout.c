@@ -21,22 +21,47 @@ enum {
 	LEAST_WITHOUT_HEAD = 4 /* sieves of a table that nothing heads */
 };
 
-/* at [n_row * n_col], row by row.  line [n_row]: its number in the sheet, or
- * the column's where the grid is turned over.  gap [n_row]: something empty is
- * above it.  used [n_row * n_col]: cells that a table has taken. */
+/* What a cell can be in a table; each is found when it is first asked.  kind
+ * and mm: as a sieve. */
+struct nature {
+	enum {
+		HAS_HEAD = 1,
+		IS_HEAD = 2,
+		HAS_FOOT = 4,
+		IS_FOOT = 8,
+		HAS_KIND = 16
+	} bits;
+	enum sieve_kind kind;
+	double mm;
+};
+
+/* at, nature, used [n_row * n_col]: cells, what they can be, and whether a
+ * table has taken them; a row is `down` after the one above, a column `right`
+ * after the one before, so that the grid turned over has the same.  row_number
+ * [n_row]: in the sheet, or the column's where the grid is turned over.  gap
+ * [n_row]: something empty is above it.  number [n_row * n_col], row by row:
+ * the first column from there on that has a number, n_col: none has. */
 struct grid {
 	struct sheet *sheet;
 	bool across;
-	size_t n_row, n_col;
+	size_t n_row, n_col, down, right;
 	struct cell *at;
+	struct nature *nature;
 	size_t *row_number, *col_number;
 	bool *gap, *used;
+	unsigned *number;
 };
+
+static size_t
+index_at(const struct grid *g, size_t r, size_t c)
+{
+	return r * g->down + c * g->right;
+}
 
 static struct cell *
 cell_at(const struct grid *g, size_t r, size_t c)
 {
-	return &g->at[r * g->n_col + c];
+	return &g->at[index_at(g, r, c)];
 }
 
 static bool
@@ -45,14 +70,14 @@ is_filled(const struct grid *g, size_t r, size_t c)
 	return cell_at(g, r, c)->text[0] != '\0';
 }
 
-/* Whether only comments are between two lines of a sheet. */
+/* Whether only comments are between two lines of a sheet; *i: the first of them
+ * that may be, which moves on, as lines are asked from the top. */
 static bool
-is_next(const struct sheet *sheet, int line, int next)
+is_next(const struct sheet *sheet, int line, int next, size_t *i)
 {
 	int comments = 0;
-	for (size_t i = 0; i < sheet->n_comment; i++)
-		comments += sheet->comment[i].line > line &&
-			    sheet->comment[i].line < next;
+	for (; *i < sheet->n_comment && sheet->comment[*i].line < next; ++*i)
+		comments += sheet->comment[*i].line > line;
 	return next - line - 1 <= comments;
 }
 
@@ -65,13 +90,33 @@ in_range(struct layout_range range, int line, size_t column)
 		   (int)column <= range.last_column);
 }
 
+/* Of a grid whose cells are all there. */
+static void
+find_numbers(struct grid *g)
+{
+	double v;
+	g->number = xcalloc(g->n_row * g->n_col + 1, sizeof *g->number);
+	for (size_t r = 0; r < g->n_row && !error_stopped(g->sheet->errors);
+	     r++) {
+		unsigned next = (unsigned)g->n_col;
+		for (size_t c = g->n_col; c-- > 0;) {
+			if (number_of(g->sheet, *cell_at(g, r, c), &v))
+				next = (unsigned)c;
+			g->number[r * g->n_col + c] = next;
+		}
+	}
+}
+
 static struct grid
 grid_new(struct sheet *sheet, struct layout_range range)
 {
-	struct grid g = {.sheet = sheet, .n_row = sheet->n_row};
+	struct grid g = {.sheet = sheet, .n_row = sheet->n_row, .right = 1};
+	size_t comment = 0;
 	for (size_t r = 0; r < g.n_row; r++)
 		g.n_col = sheet->row[r].n > g.n_col ? sheet->row[r].n : g.n_col;
+	g.down = g.n_col;
 	g.at = xcalloc(g.n_row * g.n_col + 1, sizeof *g.at);
+	g.nature = xcalloc(g.n_row * g.n_col + 1, sizeof *g.nature);
 	g.row_number = xcalloc(g.n_row + 1, sizeof *g.row_number);
 	g.col_number = xcalloc(g.n_col + 1, sizeof *g.col_number);
 	g.gap = xcalloc(g.n_row + 1, sizeof *g.gap);
@@ -81,7 +126,8 @@ grid_new(struct sheet *sheet, struct layout_range range)
 	for (size_t r = 0; r < g.n_row; r++) {
 		const struct row *row = &sheet->row[r];
 		g.row_number[r] = (size_t)row->line;
-		g.gap[r] = r > 0 && !is_next(sheet, row[-1].line, row->line);
+		g.gap[r] =
+		    r > 0 && !is_next(sheet, row[-1].line, row->line, &comment);
 		for (size_t c = 0; c < g.n_col; c++) {
 			struct cell cell = sheet_cell(row, c);
 			if (!in_range(range, row->line, c + 1))
@@ -114,40 +160,44 @@ shift_head(struct grid *g)
 	*cell_at(g, 0, 0) = none;
 }
 
+/* The same cells. */
 static struct grid
 grid_turned(const struct grid *g)
 {
 	struct grid t = {.sheet = g->sheet,
 	    .across = true,
 	    .n_row = g->n_col,
-	    .n_col = g->n_row};
-	t.at = xcalloc(t.n_row * t.n_col + 1, sizeof *t.at);
-	t.row_number = xcalloc(t.n_row + 1, sizeof *t.row_number);
-	t.col_number = xcalloc(t.n_col + 1, sizeof *t.col_number);
+	    .n_col = g->n_row,
+	    .down = g->right,
+	    .right = g->down,
+	    .at = g->at,
+	    .nature = g->nature,
+	    .row_number = g->col_number,
+	    .col_number = g->row_number,
+	    .used = g->used};
 	t.gap = xcalloc(t.n_row + 1, sizeof *t.gap);
-	t.used = xcalloc(t.n_row * t.n_col + 1, sizeof *t.used);
-	memcpy(t.row_number, g->col_number, t.n_row * sizeof *t.row_number);
-	memcpy(t.col_number, g->row_number, t.n_col * sizeof *t.col_number);
-	for (size_t r = 0; r < t.n_row; r++)
-		for (size_t c = 0; c < t.n_col; c++)
-			*cell_at(&t, r, c) = *cell_at(g, c, r);
+	find_numbers(&t);
 	return t;
 }
 
 static void
 grid_clear(struct grid *g)
 {
+	free(g->gap);
+	free(g->number);
+	if (g->across) /* the rest is the other's */
+		return;
 	free(g->at);
+	free(g->nature);
 	free(g->row_number);
 	free(g->col_number);
-	free(g->gap);
 	free(g->used);
 }
 
 /* Whether a cell can head a column of sieves: a word for size or sieve, or a
  * unit of size alone, and no word for something else. */
 static bool
-is_sieve_head(const struct cell *cell)
+can_head(const struct cell *cell)
 {
 	static const uint64_t ELSE = WORD_PASSES | WORD_STAYS | WORD_FEED |
 				     WORD_PRODUCT | WORD_ROTOR | WORD_SPEED |
@@ -155,8 +205,8 @@ is_sieve_head(const struct cell *cell)
 				     WORD_PERCENT | WORD_PAN;
 	size_t unknown;
 	/* "n.d." is no diameter. */
-	if (cell->kind != CELL_TEXT || number_absent(*cell) ||
-	    strpbrk(cell->text, "0123456789") != NULL ||
+	if (cell->kind != CELL_TEXT || cell->text[0] == '\0' ||
+	    strpbrk(cell->text, "0123456789") != NULL || number_absent(*cell) ||
 	    text_same(cell->text, "top_size_mm"))
 		return false;
 	uint64_t means = vocabulary_text(cell->text, &unknown);
@@ -170,15 +220,31 @@ is_sieve_head(const struct cell *cell)
 		   (means & ~units & ~WORD_FILLER) == 0);
 }
 
+static bool
+is_sieve_head(const struct grid *g, size_t r, size_t c)
+{
+	struct nature *nature = &g->nature[index_at(g, r, c)];
+	if ((nature->bits & HAS_HEAD) == 0)
+		nature->bits |=
+		    HAS_HEAD | (can_head(cell_at(g, r, c)) ? IS_HEAD : 0);
+	return (nature->bits & IS_HEAD) != 0;
+}
+
 static enum sieve_kind
 kind_at(const struct grid *g, size_t r, size_t c, double *mm)
 {
 	struct sieve_unit none = {0, SIEVE_NONE}, length = {1, SIEVE_NONE};
-	enum sieve_kind kind =
-	    sieve_size(g->sheet, *cell_at(g, r, c), none, mm);
-	return kind != SIEVE_IS_NONE
-		   ? kind
-		   : sieve_size(g->sheet, *cell_at(g, r, c), length, mm);
+	struct nature *nature = &g->nature[index_at(g, r, c)];
+	const struct cell *cell = cell_at(g, r, c);
+	if ((nature->bits & HAS_KIND) == 0) {
+		nature->bits |= HAS_KIND;
+		nature->kind = sieve_size(g->sheet, *cell, none, &nature->mm);
+		if (nature->kind == SIEVE_IS_NONE)
+			nature->kind =
+			    sieve_size(g->sheet, *cell, length, &nature->mm);
+	}
+	*mm = nature->mm;
+	return nature->kind;
 }
 
 static bool
@@ -192,11 +258,7 @@ is_sieve(const struct grid *g, size_t r, size_t c)
 static bool
 has_numbers(const struct grid *g, size_t r, size_t c, size_t end)
 {
-	double v;
-	for (size_t k = c + 1; k < end; k++)
-		if (number_of(g->sheet, *cell_at(g, r, k), &v))
-			return true;
-	return false;
+	return c + 1 < end && g->number[r * g->n_col + c + 1] < end;
 }
 
 /* A table found: rows first to before last, its sieves in column c, headed in
@@ -209,7 +271,7 @@ struct place {
 
 /* A row that says in words what it has: a sum, a loss. */
 static bool
-is_foot(const struct grid *g, size_t r, size_t c)
+can_foot(const struct grid *g, size_t r, size_t c)
 {
 	const struct cell *cell = cell_at(g, r, c);
 	size_t unknown;
@@ -220,17 +282,26 @@ is_foot(const struct grid *g, size_t r, size_t c)
 	return (means & (WORD_TOTAL | WORD_LOSS | WORD_WASHED)) != 0;
 }
 
-/* Whether a sieve with numbers follows right below. */
 static bool
+is_foot(const struct grid *g, size_t r, size_t c)
+{
+	struct nature *nature = &g->nature[index_at(g, r, c)];
+	if ((nature->bits & HAS_FOOT) == 0)
+		nature->bits |= HAS_FOOT | (can_foot(g, r, c) ? IS_FOOT : 0);
+	return (nature->bits & IS_FOOT) != 0;
+}
+
+/* Where a sieve with numbers follows right below; n_row: it ends before. */
+static size_t
 goes_on(const struct grid *g, size_t r, size_t c, size_t end)
 {
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
-		if (is_sieve_head(cell_at(g, r, c)))
-			return false;
+		if (is_sieve_head(g, r, c))
+			break;
 		if (is_sieve(g, r, c) && has_numbers(g, r, c, end))
-			return true;
+			return r;
 	}
-	return false;
+	return g->n_row;
 }
 
 /* A row right below the sieves that has numbers, and for a sieve something that
@@ -250,13 +321,16 @@ static void
 find_end(const struct grid *g, struct place *p)
 {
 	int standard = 0;
+	size_t known = 0; /* it goes on to there */
 	p->last = p->first;
 	for (size_t r = p->first; r < g->n_row; r++) {
 		double mm;
 		enum sieve_kind kind = kind_at(g, r, p->c, &mm);
 		bool numbers = has_numbers(g, r, p->c, p->end);
-		if (is_sieve_head(cell_at(g, r, p->c)) ||
-		    (is_foot(g, r, p->c) && !goes_on(g, r, p->c, p->end)))
+		if (is_sieve_head(g, r, p->c))
+			break;
+		if (r >= known && is_foot(g, r, p->c) &&
+		    (known = goes_on(g, r, p->c, p->end)) == g->n_row)
 			break;
 		if (r > p->first && g->gap[r] &&
 		    (kind == SIEVE_IS_NONE || !numbers))
@@ -281,7 +355,7 @@ static size_t
 next_head(const struct grid *g, size_t r, size_t c)
 {
 	size_t k = c + 2;
-	while (k < g->n_col && !is_sieve_head(cell_at(g, r, k)))
+	while (k < g->n_col && !is_sieve_head(g, r, k))
 		k++;
 	return k < g->n_col ? k : g->n_col;
 }
@@ -291,15 +365,16 @@ static size_t
 find_headed(const struct grid *g, struct place *place)
 {
 	size_t n = 0;
-	for (size_t r = 0; r < g->n_row; r++)
+	for (size_t r = 0; r < g->n_row && !error_stopped(g->sheet->errors);
+	     r++)
 		for (size_t c = 0; c < g->n_col; c++) {
+			if (!is_sieve_head(g, r, c))
+				continue;
 			struct place p = {
 			    c, r, r + 1, 0, next_head(g, r, c), 0};
-			if (!is_sieve_head(cell_at(g, r, c)))
-				continue;
 			while (p.first < g->n_row && p.first < r + 4 &&
 			       !is_sieve(g, p.first, c) &&
-			       !is_sieve_head(cell_at(g, p.first, c)))
+			       !is_sieve_head(g, p.first, c))
 				p.first++;
 			if (p.first == g->n_row || !is_sieve(g, p.first, c))
 				continue;
@@ -325,7 +400,8 @@ find_bare(const struct grid *g, struct place *place)
 {
 	size_t found = 0;
 	for (size_t c = 0; c < g->n_col; c++) {
-		for (size_t r = 0; r < g->n_row; r++) {
+		for (size_t r = 0;
+		     r < g->n_row && !error_stopped(g->sheet->errors); r++) {
 			struct place p = {c, g->n_row, r, 0, g->n_col, 0};
 			double mm, last = NAN;
 			size_t rises = 0, falls = 0, n = 0;
@@ -360,7 +436,9 @@ static size_t
 find_in(const struct grid *g, size_t c, struct place *place, size_t most)
 {
 	size_t n = 0;
-	for (size_t r = 0; r < g->n_row && n < most; r++) {
+	for (size_t r = 0;
+	     r < g->n_row && n < most && !error_stopped(g->sheet->errors);
+	     r++) {
 		double mm;
 		struct place p = {c, r, r, 0, g->n_col, 0};
 		if (kind_at(g, r, c, &mm) == SIEVE_IS_NONE ||
@@ -427,7 +505,7 @@ add_row(const struct grid *g, size_t r, const size_t *col, size_t n,
 	*list = xrealloc(*list, *n_list + 1, sizeof **list);
 	(*list)[(*n_list)++] = make_row(g, r, col, n);
 	for (size_t i = 0; i < n; i++)
-		g->used[r * g->n_col + col[i]] = true;
+		g->used[index_at(g, r, col[i])] = true;
 }
 
 /* The columns of a table: from its sieves to before `end`, and those at the
@@ -466,7 +544,7 @@ take_block(const struct grid *g, const struct place *p, size_t from, size_t end,
 	size_t own = p->head < g->n_row ? p->head : p->first, top = own;
 	while (top > 0 && own - top < MOST_HEADS && !g->gap[top] &&
 	       is_head_row(g, top - 1, p, end) &&
-	       !g->used[(top - 1) * g->n_col + p->c])
+	       !g->used[index_at(g, top - 1, p->c)])
 		top--;
 	for (size_t r = top; r < p->first; r++) {
 		bool mass =
@@ -513,10 +591,9 @@ drop_doubles(const struct grid *g, struct place *place, size_t n)
 			if (a->c == b->c)
 				drop = b->first - b->head < a->first - a->head;
 			else if (a->c + 1 == b->c || b->c + 1 == a->c)
-				drop =
-				    is_sieve_head(cell_at(g, a->head, a->c)) &&
-				    (b->score > a->score ||
-					(b->score == a->score && k < i));
+				drop = is_sieve_head(g, a->head, a->c) &&
+				       (b->score > a->score ||
+					   (b->score == a->score && k < i));
 		}
 		if (!drop)
 			place[kept++] = place[i];
@@ -563,14 +640,14 @@ list_heading(const struct grid *g, struct layout *layout)
 		const struct row *row = &g->sheet->row[r];
 		for (size_t c = 0; c < row->n; c++) {
 			size_t at =
-			    g->across ? c * g->n_col + r : r * g->n_col + c;
+			    g->across ? index_at(g, c, r) : index_at(g, r, c);
 			used = used || g->used[at];
 		}
 		if (!used)
 			layout->heading[layout->n_heading++] = row;
 		for (size_t c = 0; used && c < row->n; c++) {
 			size_t at =
-			    g->across ? c * g->n_col + r : r * g->n_col + c;
+			    g->across ? index_at(g, c, r) : index_at(g, r, c);
 			if (!g->used[at] && row->cell[c].text[0] != '\0' &&
 			    layout->beside.text == NULL)
 				layout->beside = row->cell[c];
@@ -652,6 +729,7 @@ layout_new(struct sheet *sheet, struct layout_range range)
 	struct place down[MOST_TABLES], across[MOST_TABLES];
 	struct grid g = grid_new(sheet, range);
 	shift_head(&g);
+	find_numbers(&g);
 	struct grid t = grid_turned(&g);
 	size_t n = find_headed(&g, down);
 	size_t m = find_headed(&t, across);
@@ -669,8 +747,8 @@ layout_new(struct sheet *sheet, struct layout_range range)
 	take_blocks(
 	    turned ? &t : &g, turned ? across : down, turned ? m : n, layout);
 	list_heading(turned ? &t : &g, layout);
-	grid_clear(&g);
 	grid_clear(&t);
+	grid_clear(&g);
 	return layout;
 }
 

@@ -18,8 +18,13 @@
  * are, COUNT tells them apart only (a sample's number). */
 enum use { UNUSED, KEY, COUNT, VALUE };
 
+/* Of the wide table: what more than a sheet's own limits would make, and what
+ * columns are compared each with all others for. */
+enum { MOST_CELLS = 2000 * 256, MOST_COLUMNS = 4000 };
+
 /* size [n_row]: index of the row's sieve among the n_size different ones, whose
- * first rows are first [n_size].  sample [n_row]: likewise of its sample. */
+ * first rows are first [n_size].  sample [n_row]: likewise of its sample, whose
+ * cells have the digest mark [n_row]. */
 struct longer {
 	struct block *block;
 	enum use *use;
@@ -27,6 +32,7 @@ struct longer {
 	double *mm;
 	size_t *size, *first, n_size;
 	size_t *sample, *lead, n_sample;
+	uint64_t *mark;
 };
 
 static bool
@@ -117,12 +123,28 @@ is_same_sample(const struct longer *l, size_t a, size_t b)
 	return true;
 }
 
+/* Of the cells that tell row r's sample from others. */
+static uint64_t
+mark_of(const struct longer *l, size_t r)
+{
+	uint64_t mark = TEXT_DIGEST_START;
+	for (size_t c = 1; c < l->block->n_col; c++) {
+		const char *text = l->block->row[r].cell[c].text;
+		if (l->use[c] == KEY || l->use[c] == COUNT)
+			mark = text_digest(mark, text, strlen(text) + 1);
+	}
+	return mark;
+}
+
 static void
 list_samples(struct longer *l)
 {
 	for (size_t r = 0; r < l->block->n_row; r++) {
 		size_t i = 0;
-		while (i < l->n_sample && !is_same_sample(l, l->lead[i], r))
+		l->mark[r] = mark_of(l, r);
+		while (
+		    i < l->n_sample && (l->mark[l->lead[i]] != l->mark[r] ||
+					   !is_same_sample(l, l->lead[i], r)))
 			i++;
 		if (i == l->n_sample)
 			l->lead[l->n_sample++] = r;
@@ -130,37 +152,66 @@ list_samples(struct longer *l)
 	}
 }
 
-/* Whether sample a comes after b by the numbers of samples. */
+/* Whether sample a comes after b by their numbers: number [n], NAN where a
+ * sample has none. */
 static bool
-is_later(const struct longer *l, size_t a, size_t b)
+is_later(const double *a, const double *b, size_t n)
 {
-	const struct block *block = l->block;
-	for (size_t c = 1; c < block->n_col; c++) {
-		double x, y;
-		if (l->use[c] != COUNT ||
-		    !number_of(
-			block->sheet, block->row[l->lead[a]].cell[c], &x) ||
-		    !number_of(
-			block->sheet, block->row[l->lead[b]].cell[c], &y))
-			continue;
-		return x > y;
-	}
+	for (size_t i = 0; i < n; i++)
+		if (!isnan(a[i]) && !isnan(b[i]))
+			return a[i] > b[i];
 	return false;
 }
 
+/* The numbers of samples [n_sample][n], and how many each has. */
+static double *
+sample_numbers(const struct longer *l, size_t *n)
+{
+	const struct block *b = l->block;
+	*n = 0;
+	for (size_t c = 1; c < b->n_col; c++)
+		*n += l->use[c] == COUNT;
+	double *number = xdoubles(l->n_sample * *n), *to = number;
+	for (size_t s = 0; s < l->n_sample; s++)
+		for (size_t c = 1; c < b->n_col; c++) {
+			struct cell cell = b->row[l->lead[s]].cell[c];
+			if (l->use[c] != COUNT)
+				continue;
+			if (!number_of(b->sheet, cell, to))
+				*to = NAN;
+			to++;
+		}
+	return number;
+}
+
+/* place [n_sample]: in what order samples come. */
 static void
 sort_samples(struct longer *l)
 {
-	for (size_t i = 1; i < l->n_sample; i++)
-		for (size_t k = i; k > 0 && is_later(l, k - 1, k); k--) {
-			size_t lead = l->lead[k];
-			l->lead[k] = l->lead[k - 1];
-			l->lead[k - 1] = lead;
-		}
+	size_t n, n_sample = l->n_sample;
+	double *number = sample_numbers(l, &n);
+	size_t *order = xcalloc(n_sample, sizeof *order);
+	size_t *place = xcalloc(n_sample, sizeof *place);
+	size_t *lead = xcalloc(n_sample, sizeof *lead);
+	for (size_t i = 0; i < n_sample; i++) {
+		size_t k = i;
+		for (; k > 0 &&
+		       is_later(&number[order[k - 1] * n], &number[i * n], n);
+		     k--)
+			order[k] = order[k - 1];
+		order[k] = i;
+	}
+	for (size_t i = 0; i < n_sample; i++) {
+		place[order[i]] = i;
+		lead[i] = l->lead[order[i]];
+	}
 	for (size_t r = 0; r < l->block->n_row; r++)
-		for (size_t i = 0; i < l->n_sample; i++)
-			if (is_same_sample(l, l->lead[i], r))
-				l->sample[r] = i;
+		l->sample[r] = place[l->sample[r]];
+	free(l->lead);
+	l->lead = lead;
+	free(number);
+	free(order);
+	free(place);
 }
 
 /* Whether each sample has each of its sieves once, and some sieve is there for
@@ -241,6 +292,24 @@ empty_row(size_t n, const struct row *from)
 	return row;
 }
 
+/* Whether the wide table has room for what the long one says; false with a
+ * fault. */
+static bool
+has_room(const struct longer *l)
+{
+	const struct block *b = l->block;
+	size_t values = 0, most = MOST_CELLS / l->n_size;
+	for (size_t c = 1; c < b->n_col; c++)
+		values += l->use[c] == VALUE;
+	most = (most < MOST_COLUMNS ? most : MOST_COLUMNS) / values;
+	return l->n_sample <= most ||
+	       sheet_fault(b->sheet, b->row[0].cell[0],
+		   "expected a long table of at most %zu samples, got %zu with "
+		   "%zu columns of numbers each\n"
+		   "divide it, or read a part of it: load %s range=A1:F500",
+		   most, l->n_sample, values, b->sheet->path);
+}
+
 /* The wide table of a long one. */
 static void
 widen(struct longer *l)
@@ -274,13 +343,15 @@ widen(struct longer *l)
 			head.kind = CELL_TEXT;
 			head.text = layout_keep(&wide, sample_head(l, s, c));
 			wide.head[0].cell[at] = head;
-			wide.number[at] = b->number[c];
-			for (size_t r = 0; r < b->n_row; r++)
-				if (l->sample[r] == s)
-					wide.row[l->size[r]].cell[at] =
-					    b->row[r].cell[c];
-			at++;
+			wide.number[at++] = b->number[c];
 		}
+	for (size_t r = 0; r < b->n_row; r++) {
+		struct cell *to =
+		    &wide.row[l->size[r]].cell[1 + values * l->sample[r]];
+		for (size_t c = 1; c < b->n_col; c++)
+			if (l->use[c] == VALUE)
+				*to++ = b->row[r].cell[c];
+	}
 	struct block old = *b;
 	wide.foot = NULL; /* sums of all samples together say nothing */
 	wide.n_foot = 0;
@@ -290,10 +361,11 @@ widen(struct longer *l)
 	layout_block_clear(&old);
 }
 
-void
+bool
 layout_widen(struct block *block)
 {
 	size_t n = block->n_row;
+	bool good = true;
 	struct longer l = {.block = block};
 	l.use = xcalloc(block->n_col, sizeof *l.use);
 	l.head = xcalloc(block->n_col, sizeof *l.head);
@@ -302,6 +374,7 @@ layout_widen(struct block *block)
 	l.first = xcalloc(n, sizeof *l.first);
 	l.sample = xcalloc(n, sizeof *l.sample);
 	l.lead = xcalloc(n, sizeof *l.lead);
+	l.mark = xcalloc(n, sizeof *l.mark);
 	for (size_t c = 0; c < block->n_col; c++) {
 		char *text = layout_head(block, c);
 		l.head[c] = head_read(text);
@@ -311,7 +384,7 @@ layout_widen(struct block *block)
 	list_sizes(&l);
 	list_samples(&l);
 	sort_samples(&l);
-	if (is_long(&l))
+	if (is_long(&l) && (good = has_room(&l)))
 		widen(&l);
 	free(l.use);
 	free(l.head);
@@ -320,4 +393,6 @@ layout_widen(struct block *block)
 	free(l.first);
 	free(l.sample);
 	free(l.lead);
+	free(l.mark);
+	return good;
 }

@@ -3,10 +3,13 @@
 #ifndef TIPSPEED_IO_SITEFILE_LAYOUT_LONG_H
 #define TIPSPEED_IO_SITEFILE_LAYOUT_LONG_H
 
+#include <stdbool.h>
+
 #include "io/sitefile/layout.h"
 
 /* Of a long table, which has a line for each sieve of each sample, makes one
- * with a column for each sample; leaves others as they are. */
-void layout_widen(struct block *block);
+ * with a column for each sample; leaves others as they are.  False, with a
+ * fault, where there are too many samples. */
+bool layout_widen(struct block *block);
 
 #endif

@@ -3,6 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/lexicon.h"
 
+#include <assert.h>
+#include <limits.h>
+#include <pthread.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -162,34 +166,94 @@ static const struct {
     {"syote", WORD_FEED}, {"jaav", WORD_STAYS}, {"tuote", WORD_PRODUCT},
     {"gewicht", WORD_MASS}};
 
-/* Whether a list of words with spaces between has this one. */
-static bool
-lists(const char *words, const char *word, size_t n)
+struct known {
+	const char *word;
+	size_t n;
+	uint64_t means;
+};
+
+/* All words, each once, by their bytes; and the two letters that parts begin
+ * with, so that a long text is passed over at the cost of its bytes. */
+struct index {
+	struct known word[1024];
+	size_t n, longest;
+	bool begins[UCHAR_MAX + 1][UCHAR_MAX + 1];
+};
+
+/* The one there is, which vocabulary_word fills. */
+static struct index *
+index_here(void)
 {
-	for (const char *p = words; *p != '\0';) {
-		size_t length = strcspn(p, " ");
-		if (length == n && strncmp(p, word, n) == 0)
-			return true;
-		p += length;
-		p += *p == ' ';
+	static struct index index;
+	return &index;
+}
+
+static int
+by_bytes(const void *a, const void *b)
+{
+	const struct known *x = a, *y = b;
+	int order = memcmp(x->word, y->word, x->n < y->n ? x->n : y->n);
+	return order != 0 ? order : (x->n > y->n) - (x->n < y->n);
+}
+
+static void
+fill_index(void)
+{
+	struct index *index = index_here();
+	struct known *word = index->word;
+	size_t n = 0, all = 0;
+	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
+		for (const char *p = WORDS[i].words; *p != '\0';) {
+			size_t length = strcspn(p, " ");
+			assert(all < ARRAY_LEN(index->word));
+			word[all++] = (struct known){p, length, WORDS[i].means};
+			if (length > index->longest)
+				index->longest = length;
+			p += length + (p[length] == ' ');
+		}
+	qsort(word, all, sizeof *word, by_bytes);
+	for (size_t i = 0; i < all; i++)
+		if (n > 0 && by_bytes(&word[n - 1], &word[i]) == 0)
+			word[n - 1].means |= word[i].means;
+		else
+			word[n++] = word[i];
+	index->n = n;
+	for (size_t i = 0; i < ARRAY_LEN(PARTS); i++) {
+		const unsigned char *p = (const unsigned char *)PARTS[i].part;
+		index->begins[p[0]][p[1]] = true;
 	}
-	return false;
+}
+
+/* What the first of PARTS says that a word has in it. */
+static uint64_t
+part_of(const struct index *index, const char *word, size_t n)
+{
+	const unsigned char *p = (const unsigned char *)word;
+	size_t best = ARRAY_LEN(PARTS);
+	for (size_t at = 0; at + 1 < n; at++) {
+		if (!index->begins[p[at]][p[at + 1]])
+			continue;
+		for (size_t i = 0; i < best; i++) {
+			size_t length = strlen(PARTS[i].part);
+			if (length <= n - at &&
+			    memcmp(word + at, PARTS[i].part, length) == 0)
+				best = i;
+		}
+	}
+	return best < ARRAY_LEN(PARTS) ? PARTS[best].means : 0;
 }
 
 uint64_t
 vocabulary_word(const char *word, size_t n)
 {
-	uint64_t means = 0;
-	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
-		if (lists(WORDS[i].words, word, n))
-			means |= WORDS[i].means;
-	for (size_t i = 0; means == 0 && i < ARRAY_LEN(PARTS); i++) {
-		size_t length = strlen(PARTS[i].part);
-		for (size_t at = 0; at + length <= n; at++)
-			if (strncmp(word + at, PARTS[i].part, length) == 0)
-				means |= PARTS[i].means;
-	}
-	return means;
+	static pthread_once_t once = PTHREAD_ONCE_INIT;
+	const struct index *index = index_here();
+	const struct known wanted = {word, n, 0}, *found = NULL;
+	pthread_once(&once, fill_index);
+	if (n > 0 && n <= index->longest)
+		found = bsearch(&wanted, index->word, index->n,
+		    sizeof index->word[0], by_bytes);
+	return found != NULL ? found->means : part_of(index, word, n);
 }
 
 uint64_t

@@ -469,9 +469,10 @@ check_rise(struct column *c)
 			    "sieve, more passing)\n"
 			    "check this row and that of %s mm: passing cannot "
 			    "rise on a finer sieve",
-			    text_exact(c->pct[last], p),
-			    text_exact(c->pct[i], q), text_exact(t->mm[i], mm),
-			    text_exact(t->mm[last], other));
+			    text_apart(c->pct[last], c->pct[i], p),
+			    text_apart(c->pct[i], c->pct[last], q),
+			    text_apart(t->mm[i], t->mm[last], mm),
+			    text_apart(t->mm[last], t->mm[i], other));
 		last = i;
 	}
 }
@@ -494,7 +495,7 @@ check_coarsest(struct column *c)
 	const char *all = SITE_UNITS[c->unit].kind != PASSING ? "0"
 			  : SITE_UNITS[c->unit].scale == OF_1 ? "1"
 							      : "100";
-	text_exact(t->mm[i], mm);
+	text_apart(t->mm[i], 0, mm);
 	if (c->pct[i] < 95)
 		snprintf(
 		    next, sizeof next, tr("the coarser sieves, up to one"));
@@ -507,7 +508,7 @@ check_coarsest(struct column *c)
 	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
 	    "%s mm\n"
 	    "add %s with %s",
-	    text_exact(c->pct[i], p), mm, next, all);
+	    text_apart(c->pct[i], 100, p), mm, next, all);
 }
 
 void

@@ -61,7 +61,8 @@ tell_no_table(struct sheet *sheet)
 	struct row none = {.line = 1, .end = 1};
 	struct cell found =
 	    sheet->n_row > 0 ? sheet->row[0].cell[0] : sheet_cell(&none, 0);
-	for (size_t i = sheet->n_row; i-- > 0;) {
+	for (size_t i = sheet->n_row;
+	     i-- > 0 && !error_stopped(sheet->errors);) {
 		struct cell cell = sheet->row[i].cell[0];
 		double v;
 		if (number_of(sheet, cell, &v) ||
@@ -179,6 +180,7 @@ check_twin(const struct columns *all, const struct column *twin)
 {
 	const double far = 1.5;
 	const struct table *t = twin->table;
+	char one[32], other[32];
 	for (size_t k = 0; k < all->n; k++) {
 		const struct column *c = &all->column[k];
 		if (c->table != t || t->block->number[c->at] != twin->twin)
@@ -188,10 +190,12 @@ check_twin(const struct columns *all, const struct column *twin)
 				continue;
 			sheet_fault(t->sheet, t->row[i].cell[twin->at],
 			    "expected the sample of column %zu again, got "
-			    "%.4g %% passing and %.4g %%\n"
+			    "%s %% passing and %s %%\n"
 			    "say which is to be read: load FILE "
 			    "columns=\"1=sieve mm, 2=feed, ..\"",
-			    twin->twin, c->pct[i], twin->pct[i]);
+			    twin->twin,
+			    text_apart(c->pct[i], twin->pct[i], one),
+			    text_apart(twin->pct[i], c->pct[i], other));
 			return;
 		}
 	}
@@ -231,12 +235,12 @@ static void
 read_columns(struct reading *r)
 {
 	struct columns *all = &r->all;
-	for (size_t i = 0; i < all->n; i++) {
+	for (size_t i = 0; i < all->n && !error_stopped(r->errors); i++) {
 		struct column *c = &all->column[i];
 		site_column_values(c);
 		r->lost = r->lost || c->table->lost;
 	}
-	for (size_t i = 0; i < all->n; i++) {
+	for (size_t i = 0; i < all->n && !error_stopped(r->errors); i++) {
 		if (all->column[i].twin > 0)
 			check_twin(all, &all->column[i]);
 		if (all->column[i].role == PRODUCT)
@@ -544,7 +548,10 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	if (given > 0)
 		near.speed = given;
 	uint64_t sieve = names_apply(&r->names, b);
-	layout_widen(b);
+	if (!layout_widen(b)) {
+		r->lost = true;
+		return;
+	}
 	struct table *t = xcalloc(1, sizeof *t);
 	*t = site_sieve_table(b, sieve, &certainty);
 	t->lost = page->sheet->lost;
@@ -610,7 +617,7 @@ read_file(struct reading *r, size_t file)
 	char *names = xstrdup("");
 	if (source->note[0] != '\0')
 		xlist(&r->site->remark, "; ", "%s", source->note);
-	for (size_t i = 0; i < source->n; i++) {
+	for (size_t i = 0; i < source->n && !error_stopped(r->errors); i++) {
 		struct sheet *sheet = source->sheet[i];
 		xlist(&names, ", ", "%s", sheet->name);
 		if (q->sheet != NULL && !text_same(sheet->name, q->sheet))
@@ -656,7 +663,8 @@ read_pages(struct reading *r)
 		if (page->layout->n == 0)
 			continue;
 		site_heading(page->layout, page->sheet, r->site, &told);
-		for (size_t b = 0; b < page->layout->n; b++)
+		for (size_t b = 0;
+		     b < page->layout->n && !error_stopped(r->errors); b++)
 			read_block(r, page, &page->layout->block[b], told);
 	}
 }
@@ -713,7 +721,7 @@ static bool
 read_files(struct reading *r)
 {
 	for (size_t i = 0; i < r->request->n; i++)
-		if (!read_file(r, i))
+		if (!read_file(r, i) || error_stopped(r->errors))
 			return false;
 	return has_tables(r);
 }

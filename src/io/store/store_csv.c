@@ -14,9 +14,6 @@
 #include "io/cells/textfile.h"
 #include "io/cells/number.h"
 
-/* More lines than that would not fit the 10 MB of a text file. */
-enum { MOST_ROWS = 10000 };
-
 /* A column: a field of FIELDS, or a parameter of some model. */
 struct column {
 	const struct field *field; /* NULL: a parameter */
@@ -213,24 +210,77 @@ take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 	}
 }
 
-static void
-check_name(struct sheet *sheet, struct cell cell,
-    const struct stored_list *there, const struct stored_list *list)
+/* Names as they are compared [n], sorted; at: of which material. */
+struct names {
+	size_t n;
+	struct name {
+		char *fold;
+		size_t at;
+	} * name;
+};
+
+static int
+by_name(const void *a, const void *b)
 {
-	if (stored_find(list, cell.text) != NULL)
-		sheet_fault(sheet, cell, "duplicate name: %.60s", cell.text);
-	else if (there != NULL && stored_find(there, cell.text) != NULL)
-		sheet_fault(sheet, cell,
-		    "expected a new name, but the store already has '%.60s'\n"
-		    "use replace=on to replace it",
-		    cell.text);
+	const struct name *x = a, *y = b;
+	int order = strcmp(x->fold, y->fold);
+	return order != 0 ? order : (x->at > y->at) - (x->at < y->at);
+}
+
+static int
+to_name(const void *fold, const void *b)
+{
+	return strcmp(fold, ((const struct name *)b)->fold);
+}
+
+static struct names
+names_of(const struct stored_list *list)
+{
+	struct names names = {.n = list != NULL ? list->n : 0};
+	names.name = xcalloc(names.n + 1, sizeof *names.name);
+	for (size_t i = 0; i < names.n; i++)
+		names.name[i] = (struct name){text_fold(list->item[i].name), i};
+	qsort(names.name, names.n, sizeof *names.name, by_name);
+	return names;
+}
+
+static void
+names_clear(struct names *names)
+{
+	for (size_t i = 0; i < names->n; i++)
+		free(names->name[i].fold);
+	free(names->name);
+}
+
+/* list: of the rows after the head; column: of their names. */
+static void
+check_names(struct sheet *sheet, size_t column, const struct stored_list *there,
+    const struct stored_list *list)
+{
+	struct names own = names_of(list), others = names_of(there);
+	for (size_t i = 0; i < own.n; i++) {
+		const struct name *name = &own.name[i];
+		struct cell cell =
+		    sheet_cell(&sheet->row[1 + name->at], column);
+		if (i > 0 && strcmp(name->fold, name[-1].fold) == 0)
+			sheet_fault(
+			    sheet, cell, "duplicate name: %.60s", cell.text);
+		else if (bsearch(name->fold, others.name, others.n,
+			     sizeof *others.name, to_name) != NULL)
+			sheet_fault(sheet, cell,
+			    "expected a new name, but the store already has "
+			    "'%.60s'\n"
+			    "use replace=on to replace it",
+			    cell.text);
+	}
+	names_clear(&own);
+	names_clear(&others);
 }
 
 /* The model first: its parameters depend on it. */
 static void
 read_row(struct sheet *sheet, const struct row *row,
-    const struct column *column, size_t n, const struct stored_list *there,
-    struct stored_list *list)
+    const struct column *column, size_t n, struct stored_list *list)
 {
 	struct stored m = stored_new();
 	if (row->n > sheet->row[0].n)
@@ -250,7 +300,6 @@ read_row(struct sheet *sheet, const struct row *row,
 			 !isnan(params_value(&m.params, param->name)))
 			take_param(sheet, cell, param, &m);
 	}
-	check_name(sheet, sheet_cell(row, column[0].at), there, list);
 	stored_list_add(list, m);
 }
 
@@ -258,10 +307,10 @@ bool
 store_csv_read(const char *path, const struct stored_list *there,
     struct stored_list *list, struct error_list *errors)
 {
-	char *text = textfile_read(path, errors);
+	char *text = textfile_read_own(path, errors);
 	if (text == NULL)
 		return false;
-	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
+	struct sheet *sheet = sheet_new_own(path, text, errors);
 	number_decide(sheet);
 	struct column column[COLUMNS];
 	bool *all = xcalloc(breakage_count(), sizeof *all);
@@ -279,9 +328,12 @@ store_csv_read(const char *path, const struct stored_list *there,
 			sheet->n_row),
 		    sheet->n_row);
 	bool head = sheet->n_fault == 0;
-	for (size_t i = 1; head && i < sheet->n_row; i++)
-		read_row(sheet, &sheet->row[i], column, n, there, list);
-	bool ok = sheet->n_fault == 0;
+	for (size_t i = 1; head && i < sheet->n_row && !error_stopped(errors);
+	     i++)
+		read_row(sheet, &sheet->row[i], column, n, list);
+	if (head && !errors->stopped)
+		check_names(sheet, column[0].at, there, list);
+	bool ok = sheet->n_fault == 0 && !errors->stopped;
 	sheet_free(sheet);
 	free(text);
 	return ok;

@@ -1,0 +1,60 @@
+/* A program that was moved, or installed below another root, has its sites
+ * beside it; else they are where it was to be installed.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/fs/shipped.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+
+/* A folder of the one that holds the folder of the program; NULL where it is
+ * not there. */
+static char *
+beside(const char *folder)
+{
+	char self[PATH_MAX];
+	ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
+	self[n > 0 ? n : 0] = '\0';
+	for (int up = 0; up < 2; up++) {
+		char *slash = strrchr(self, '/');
+		if (slash == NULL)
+			return NULL;
+		*slash = '\0';
+	}
+	char *path = xasprintf("%s/%s/", self, folder);
+	if (access(path, R_OK) == 0)
+		return path;
+	free(path);
+	return NULL;
+}
+
+char *
+shipped_folder(void)
+{
+	static const char TREE[] = "data/sites/";
+	static const char *const BESIDE[] = {
+	    "data/sites", "share/tipspeed/sites"};
+	char *folder = access(TREE, R_OK) == 0 ? xstrdup(TREE) : NULL;
+	for (size_t i = 0; folder == NULL && i < ARRAY_LEN(BESIDE); i++)
+		folder = beside(BESIDE[i]);
+	return folder != NULL ? folder : xstrdup(SITES_DIR "/");
+}
+
+char *
+shipped_path(const char *name)
+{
+	if (strchr(name, '/') != NULL)
+		return NULL;
+	char *slug = text_slug(name), *folder = shipped_folder();
+	char *path = xasprintf("%s%s.csv", folder, slug);
+	free(folder);
+	free(slug);
+	if (access(path, R_OK) == 0)
+		return path;
+	free(path);
+	return NULL;
+}

@@ -1,0 +1,14 @@
+/* The sites that come with the program.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_IO_FS_SHIPPED_H
+#define TIPSPEED_IO_FS_SHIPPED_H
+
+/* The folder they are in, with its "/": data/sites/ in the tree, or where the
+ * program was installed.  It need not be there.  The caller frees. */
+char *shipped_folder(void);
+
+/* The file of a site by its name alone ("tierp", "Gävle 4"); NULL where the
+ * name has a folder, or no site of it is shipped.  The caller frees. */
+char *shipped_path(const char *name);
+
+#endif
