@@ -41,14 +41,31 @@ tui_feed(const struct tui *t)
 	return feed_at(tui_entry(t)->site, t->feed);
 }
 
+/* What measured products are moved by: the parameters of the prediction beside
+ * them, in room for them; or NULL. */
+static const struct params *
+moving_params(const struct tui *t, struct params *room)
+{
+	const struct entry *entry = tui_entry(t);
+	*room = entry->params;
+	return answers_forming(t->session, room) || entry->has_params ? room
+								      : NULL;
+}
+
 const struct psd *
 tui_measured(const struct tui *t, size_t run)
 {
-	const struct entry *entry = tui_entry(t);
-	struct params params = entry->params;
-	bool known = answers_forming(t->session, &params) || entry->has_params;
-	return moved_product(
-	    t->session, entry, known ? &params : NULL, run, tui_feed(t));
+	struct params room;
+	return moved_product(t->session, tui_entry(t), moving_params(t, &room),
+	    run, tui_feed(t));
+}
+
+bool
+tui_moved(const struct tui *t)
+{
+	struct params room;
+	return moved_most(t->session, tui_entry(t), moving_params(t, &room),
+		   tui_feed(t)) > MOVED_TOLD;
 }
 
 void

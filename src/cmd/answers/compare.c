@@ -303,19 +303,24 @@ head_sites(struct answer *r, const struct side side[2])
 	free(data);
 }
 
-/* Which feeds the two speeds of a site have. */
+/* Which feeds the two have. */
 static void
 note_feeds(struct answer *r, const struct side side[2])
 {
 	const struct site *site = side[0].entry->site;
-	const size_t feed[] = {side[0].p.feed_run, side[1].p.feed_run};
-	char *one = feed_words(site, feed[0]), *two = feed_words(site, feed[1]);
-	if (feed[0] == feed[1] || one == NULL || two == NULL)
-		feed_note(r, site, feed[0]);
-	else
-		answer_say(r, ANSWER_REMARK, "feeds: %s; %s", one, two);
-	free(one);
-	free(two);
+	if (side[1].entry->site == site &&
+	    side[0].p.feed_run == side[1].p.feed_run) {
+		feed_note(r, site, side[0].p.feed_run);
+		return;
+	}
+	for (size_t i = 0; i < 2; i++) {
+		char *words =
+		    feed_words(side[i].entry->site, side[i].p.feed_run);
+		if (words != NULL)
+			answer_say(r, ANSWER_REMARK, "feed of %s: %s",
+			    side[i].head, words);
+		free(words);
+	}
 }
 
 static struct answer *
@@ -336,8 +341,7 @@ comparison(const struct session *s, const struct side side[2])
 		    "low, high: of the difference, with %.0f %% probability",
 		    100 * settings_level(&s->set));
 	comparison_notes(s, r, side, x, n);
-	if (!sites)
-		note_feeds(r, side);
+	note_feeds(r, side);
 	fields_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
 	put_side(answer_fields(r), "a", &side[0], x, n);
 	put_side(answer_fields(r), "b", &side[1], x, n);

@@ -87,14 +87,22 @@ note_wide_gap(struct answer *r, const struct psd *feed)
 		    units_mm(feed->size[i]), units_mm(feed->size[i + 1]));
 }
 
-/* Measured products interpolated in speed squared at each sieve, [n]; NULL
- * where no measured runs lie on both sides of the speed, or were measured with
- * another feed or machine. */
+/* Measured products, moved to the feed, interpolated in speed squared at each
+ * sieve, [n]; NULL where no measured runs lie on both sides of the speed, or
+ * were measured with another feed or machine. */
 static double *
-interpolated(const struct site *site, const struct prediction *p)
+interpolated(const struct session *s, const struct params *params,
+    const struct prediction *p)
 {
-	if (site->with[0] != '\0')
+	const struct entry *entry = &s->entry[s->current];
+	if (entry->site->with[0] != '\0')
 		return NULL;
+	struct site *site = site_copy(entry->site);
+	for (size_t r = 0; r < site->n_run; r++) {
+		psd_free(&site->run[r].product);
+		site->run[r].product =
+		    psd_copy(moved_product(s, entry, params, r, p->feed_run));
+	}
 	bool *measured = xcalloc(site->n_run, sizeof *measured);
 	double *passing = NULL;
 	for (size_t r = 0; r < site->n_run; r++)
@@ -106,6 +114,7 @@ interpolated(const struct site *site, const struct prediction *p)
 			    site, measured, p->speed, p->product.size[i]);
 	}
 	free(measured);
+	site_free(site);
 	return passing;
 }
 
@@ -253,22 +262,6 @@ note_usual(struct answer *r, struct session *s, const struct params *params,
 		    r, params, site_feed(entry->site, p->feed_run), p);
 }
 
-/* The place among sieves of 2 mm, else of the one that half passes most
- * nearly. */
-static size_t
-usual_sieve(const struct psd *product)
-{
-	size_t middle = 0;
-	for (size_t i = 0; i < product->n; i++) {
-		if (fabs(product->size[i] - 2e-3) < 1e-9)
-			return i;
-		if (fabs(product->passing[i] - 0.5) <
-		    fabs(product->passing[middle] - 0.5))
-			middle = i;
-	}
-	return middle;
-}
-
 /* What one more sample would show there, passing 0..1. */
 static bool
 sample_band(const struct session *s, const struct entry *entry,
@@ -302,7 +295,7 @@ note_sure(struct answer *r, const struct session *s, const struct prediction *p)
 {
 	const struct entry *entry = &s->entry[s->current];
 	char *chance = chance_words(settings_level(&s->set));
-	size_t i = usual_sieve(&p->product);
+	size_t i = answers_sieve(&p->product);
 	double mm = units_mm(p->product.size[i]), sample[2];
 	if (!fraction_screens(&p->fraction) &&
 	    sample_band(s, entry, p, p->product.size[i], sample))
@@ -315,6 +308,22 @@ note_sure(struct answer *r, const struct session *s, const struct prediction *p)
 	free(chance);
 }
 
+/* That what was measured stands beside the answer as it would be of its feed. */
+static void
+note_moved(struct answer *r, const struct session *s,
+    const struct params *params, const struct prediction *p, bool between)
+{
+	const struct entry *entry = &s->entry[s->current];
+	const struct run *first;
+	double most = moved_most(s, entry, params, p->feed_run);
+	bool shown = between || measured_at(entry->site, p->speed, &first) > 0;
+	if (shown && most > MOVED_TOLD)
+		answer_note(r,
+		    "measured products moved to this feed, by up to %.1f "
+		    "points",
+		    100 * most);
+}
+
 /* The answer with what is to be said of it; wanted: with the interpolated
  * products. */
 static struct answer *
@@ -322,7 +331,7 @@ explained(struct session *s, const struct prediction *p,
     const struct params *params, bool wanted, bool detail)
 {
 	const struct entry *entry = session_entry(s);
-	double *between = wanted ? interpolated(entry->site, p) : NULL;
+	double *between = wanted ? interpolated(s, params, p) : NULL;
 	struct answer *r = prediction_answer(s, p, params, between, detail);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, params, p);
@@ -350,6 +359,7 @@ explained(struct session *s, const struct prediction *p,
 			: N_("no interpolation: %g m/s is not between measured "
 			     "runs"),
 		    p->speed);
+	note_moved(r, s, params, p, between != NULL);
 	note_only_check(r, s, entry);
 	answers_note_doubt(s, r, p->speed, p->feed_run);
 	free(between);

@@ -395,7 +395,7 @@ const struct command TABLE_ANSWERS[] = {
 	.run = cmd_spec},
     {.name = "uncertainty",
 	.brief = "what makes the answer uncertain, and its draws",
-	.operands = {"[draws]", {"draws"}, 0, 1},
+	.operands = {"[SPEED] [draws]", {"SPEED draws", "draws"}, 0, 2},
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_LOOKS,
 	.option = UNCERTAINTY_OPTIONS,
 	.text =
@@ -405,11 +405,13 @@ const struct command TABLE_ANSWERS[] = {
 	    "band of predict; and of one more sample with its error, which is "
 	    "where a new measurement is expected. Below it are the sizes of "
 	    "these errors as the data show "
-	    "them. level= and noise= are settings, kept for the commands that "
+	    "them, and where feeds were sampled with several runs, how far the "
+	    "product moves with them. level= and noise= are settings, kept for "
+	    "the commands that "
 	    "follow. 'uncertainty draws > FILE.csv' writes the draws: "
 	    "parameters, errors and product of each. See UNCERTAINTY in "
 	    "tipspeed-model(7).",
-	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty speed=85",
+	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty 85",
 	.run = cmd_uncertainty},
     {.name = "advise",
 	.brief = "which sample next narrows a band most",

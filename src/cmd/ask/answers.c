@@ -138,6 +138,20 @@ answers_speed(const struct args *args, const struct entry *entry)
 	return speed->given ? speed->number : answers_usual(entry);
 }
 
+size_t
+answers_sieve(const struct psd *product)
+{
+	size_t middle = 0;
+	for (size_t i = 0; i < product->n; i++) {
+		if (fabs(product->size[i] - 2e-3) < 1e-9)
+			return i;
+		if (fabs(product->passing[i] - 0.5) <
+		    fabs(product->passing[middle] - 0.5))
+			middle = i;
+	}
+	return middle;
+}
+
 bool
 answers_last(const struct session *s, const struct args *args, double *speed,
     size_t *feed_run, struct error *error)

@@ -79,7 +79,9 @@ void
 feed_note(struct answer *r, const struct site *site, size_t run)
 {
 	char *words = feed_words(site, run);
-	if (words != NULL)
+	if (words != NULL) {
 		answer_say(r, ANSWER_REMARK, "feed: %s", words);
+		fields_put(answer_fields(r), "feed %s", words);
+	}
 	free(words);
 }

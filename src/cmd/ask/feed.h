@@ -27,7 +27,7 @@ double feed_speed(const struct site *site, size_t run);
  * another sheet, which titles say.  The caller frees. */
 char *feed_words(const struct site *site, size_t run);
 
-/* Says it below an answer: "feed: " and those words. */
+/* Says it below an answer, "feed: " and those words, which are its key feed. */
 void feed_note(struct answer *r, const struct site *site, size_t run);
 
 #endif

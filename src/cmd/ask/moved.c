@@ -15,6 +15,7 @@ struct moved {
 	const struct site *site;
 	uint64_t digest;
 	const struct posterior *posterior;
+	struct params drawn; /* first of its draws, as addresses come again */
 	struct params params;
 	struct model_settings settings;
 	size_t feed, n;
@@ -81,6 +82,12 @@ move_run(struct moved *m, const struct session *s, const struct entry *entry,
 	prediction_free(&own);
 }
 
+void
+moved_forget(struct moved *m)
+{
+	clear(m);
+}
+
 static const struct moved *
 moved_by(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run)
@@ -89,15 +96,19 @@ moved_by(const struct session *s, const struct entry *entry,
 	const struct site *site = entry->site;
 	const struct posterior *posterior = outlook_answering(s, entry, params);
 	struct model_settings settings = outlook_settings(s, entry);
+	const struct params *drawn =
+	    posterior != NULL ? &posterior->draw[0].params : params;
 	if (m->site == site && m->digest == site->digest &&
 	    m->feed == feed_run && m->posterior == posterior &&
 	    memcmp(&m->params, params, sizeof *params) == 0 &&
+	    memcmp(&m->drawn, drawn, sizeof *drawn) == 0 &&
 	    model_settings_same(&m->settings, &settings))
 		return m;
 	clear(m);
 	*m = (struct moved){.site = site,
 	    .digest = site->digest,
 	    .posterior = posterior,
+	    .drawn = *drawn,
 	    .params = *params,
 	    .settings = settings,
 	    .feed = feed_run,
@@ -122,7 +133,8 @@ double
 moved_most(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run)
 {
-	if (params == NULL || !entry->site->individual_feeds)
+	const struct site *site = entry->site;
+	if (params == NULL || !site->individual_feeds || site->with[0] != '\0')
 		return 0;
 	return moved_by(s, entry, params, feed_run)->most;
 }

@@ -19,6 +19,9 @@ struct moved;
 struct moved *moved_new(void);
 void moved_free(struct moved *moved);
 
+/* Keeps nothing; to be told where a site goes. */
+void moved_forget(struct moved *moved);
+
 /* The product of a run moved to a feed, see site_feed, by parameters as
  * outlook_form takes them; as measured where there are none (NULL), where the
  * feeds are the same, and at sieves that the run's feed lacks.  Borrowed, until
@@ -27,7 +30,9 @@ const struct psd *moved_product(const struct session *s,
     const struct entry *entry, const struct params *params, size_t run,
     size_t feed_run);
 
-/* The largest move of any run of those parameters and that feed, 0..1. */
+/* The largest move of any run of those parameters and that feed, 0..1; 0 with
+ * another sheet's feed or another machine, beside which nothing measured is
+ * shown. */
 double moved_most(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run);
 

@@ -9,9 +9,11 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/feed.h"
+#include "cmd/ask/moved.h"
 #include "cmd/ask/condition.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/draw/plots.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
 #include "cmd/draw/site_chart.h"
@@ -181,13 +183,14 @@ add_line(struct chart *chart, const struct drawn *d, size_t i)
 }
 
 static void
-add_measured(struct chart *chart, const struct site *site,
-    const struct drawn *d, size_t i)
+add_measured(struct chart *chart, const struct session *s,
+    const struct entry *entry, const struct drawn *d, size_t i)
 {
+	const struct site *site = entry->site;
 	const struct quantity *q = &d->q[i];
 	struct chart_series look = site_chart_look(i);
 	look.line = CHART_MARKS;
-	if (site_products(site) == 0)
+	if (site_products(site) == 0 || site->with[0] != '\0')
 		return;
 	char *name = quantities_words(q);
 	struct chart_series *points =
@@ -195,7 +198,8 @@ add_measured(struct chart *chart, const struct site *site,
 	free(name);
 	points->n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
-		const struct psd *product = &site->run[r].product;
+		const struct psd *product =
+		    moved_product(s, entry, &entry->params, r, d->feed);
 		double value =
 		    product->n > 0 ? screened_value(product, q) : NAN;
 		if (isnan(value))
@@ -326,7 +330,7 @@ unit_chart(struct session *s, const struct drawn *d, const char *unit)
 	for (size_t i = 0; i < d->n; i++)
 		if (strcmp(quantities_unit(&d->q[i]), unit) == 0) {
 			add_line(chart, d, i);
-			add_measured(chart, site, d, i);
+			add_measured(chart, s, session_entry(s), d, i);
 			add_limits(chart, d, i);
 		}
 	chart->y = around(chart, title);
@@ -363,6 +367,7 @@ make_charts(struct session *s, const struct drawn *d)
 	if (feed != NULL)
 		chart_note(last, "feed: %s", feed);
 	free(feed);
+	plots_note_moved(last, s, entry, &entry->params, d->feed);
 	if (first->series[0]->low != NULL)
 		chart_note(last, "shaded: %.0f %% uncertainty band",
 		    100 * settings_level(&s->set));

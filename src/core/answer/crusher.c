@@ -183,7 +183,7 @@ crusher_at(struct crusher *c, double v)
 			model_product(c->model[i], v, t->passing + i * n);
 			continue;
 		}
-		ensemble_at(c->ensemble[i], v);
+		ensemble_draws_at(c->ensemble[i], v);
 		take_class(
 		    t, i, ensemble_products(c->ensemble[i], ENSEMBLE_MODEL));
 	}

@@ -332,9 +332,8 @@ add_bypass(struct ensemble *e)
 		}
 }
 
-/* Model and answer at speed v as the draws have them. */
-static void
-draws_at(struct ensemble *e, double v)
+void
+ensemble_draws_at(struct ensemble *e, double v)
 {
 	struct kernel_out out = {
 	    e->misfit, e->product, ALL, e->softer, e->share_softer};
@@ -346,6 +345,7 @@ draws_at(struct ensemble *e, double v)
 	for (size_t i = e->n; i-- > 0;)
 		fill_row(e, i, e->part[ENSEMBLE_MODEL] + i * DRAWS,
 		    e->part[ENSEMBLE_ANSWER] + i * DRAWS);
+	e->sampled = false;
 }
 
 /* Speed k of the grid, m/s: even over the speeds that are looked at, and further
@@ -412,7 +412,7 @@ make_rising(struct ensemble *e)
 	e->rising = xdoubles(RISING * size);
 	e->pooled = xcalloc(RISING * size, sizeof *e->pooled);
 	for (size_t k = 0; k < RISING; k++) {
-		draws_at(e, grid_speed(e, k));
+		ensemble_draws_at(e, grid_speed(e, k));
 		memcpy(e->rising + k * size, e->part[ENSEMBLE_ANSWER],
 		    size * sizeof(double));
 	}
@@ -448,9 +448,8 @@ ensemble_at(struct ensemble *e, double v)
 {
 	if (e->rising == NULL)
 		make_rising(e);
-	draws_at(e, v);
+	ensemble_draws_at(e, v);
 	keep_rising(e, v);
-	e->sampled = false;
 	if (e->bypass > 0) {
 		make_samples(e);
 		add_bypass(e);
