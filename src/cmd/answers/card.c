@@ -306,6 +306,7 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 	if (response_draws(all->response, 0) != NULL)
 		band_note(r, s, entry, true);
 	origin_note(r, entry);
+	feed_note(r, entry->site, all->feed);
 	light_show(r, light);
 	return r;
 }
