@@ -115,8 +115,7 @@ draw_runs(const struct tui *t, int column, const struct entry *entry)
 		column = draw_name(t, column, look.series, LOOK_BOLD, text);
 	}
 	if (tui_moved(t))
-		column = draw_name(
-		    t, column, SERIES_TEXT, 0, tr("moved to this feed"));
+		column = draw_name(t, column, SERIES_TEXT, 0, tr("moved"));
 	if (plots_left_out(site) > 0) {
 		snprintf(text, sizeof text, tr("+%zu not drawn"),
 		    plots_left_out(site));

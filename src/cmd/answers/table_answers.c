@@ -306,8 +306,8 @@ const struct command TABLE_ANSWERS[] = {
 	    "the other conditions, and the rest are named. If "
 	    "there is none, the products at both ends are shown, or the "
 	    "nearest speed and what fails. Without from= and to= it "
-	    "searches the speeds of sweep. The same feed is used for all "
-	    "speeds: that of the middle run, unless feed= is given.",
+	    "searches the speeds of sweep, all with one feed: the mean of "
+	    "those sampled, unless feed= is given.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "find p80=5\nfind passing=40 at=2\n"
@@ -422,8 +422,8 @@ const struct command TABLE_ANSWERS[] = {
 		"size in mm, at a speed. For a repeat at each measured speed "
 		"and a sample at each round one, it shows how wide the "
 		"uncertainty band is expected to be after it; see UNCERTAINTY "
-		"in tipspeed-model(7). Where the feed used was sampled with "
-		"another run, it also shows what the feeds change.",
+		"in tipspeed-model(7). Where several feeds were sampled, "
+		"it also shows what they change.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nadvise p80\n"
 		   "advise passing 2 speed=85",
 	.run = cmd_advise},

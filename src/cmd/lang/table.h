@@ -25,7 +25,8 @@ command_run cmd_drill, cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
 	{                                                                \
 		"feed", VALUE_FEED, "m/s", 1, 200, NULL, "",             \
 		    "take the feed sampled at this speed, or that of a " \
-		    "sheet, FILE or FILE@SPEED"                          \
+		    "sheet, FILE or FILE@SPEED; default: the mean of "   \
+		    "those sampled"                                      \
 	}
 
 /* What another machine does otherwise, see cmd/ask/scenario.h. */
