@@ -304,8 +304,7 @@ pump_waited_for(void)
 		return noted != 0;
 	sigpending(&held);
 	return sigismember(&held, SIGINT) || sigismember(&held, SIGTERM) ||
-	       sigismember(&held, SIGHUP) ||
-	       (watching && poll(&in, 1, 0) > 0);
+	       sigismember(&held, SIGHUP) || (watching && poll(&in, 1, 0) > 0);
 }
 
 /* What a terminal shows while a calibration runs: one line, four times a
