@@ -297,11 +297,11 @@ pump_waited_for(void)
 {
 	sigset_t held;
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
-	if (noted != 0 || !watching)
-		return noted != 0;
+	if (noted != 0)
+		return true;
 	sigpending(&held);
 	return sigismember(&held, SIGINT) || sigismember(&held, SIGTERM) ||
-	       sigismember(&held, SIGHUP) || poll(&in, 1, 0) > 0;
+	       sigismember(&held, SIGHUP) || (watching && poll(&in, 1, 0) > 0);
 }
 
 /* What a terminal shows while a calibration runs: one line, four times a
