@@ -79,4 +79,22 @@ done
 tipspeed --lang=xx -c version >out 2>&1
 [ $? = 2 ] && grep -q "expected --lang" out
 result $? 'a language without a catalogue is refused'
+
+# A catalogue from elsewhere, which a path in the place of a language would name: made
+# up, with texts that write where they like.
+mkdir -p away/bin/locale away/LC_MESSAGES
+cp "$TIPSPEED" away/bin/tipspeed
+if command -v msgfmt >/dev/null; then
+	printf 'msgid "%s"\nmsgstr "%s"\n\n' '' 'Content-Type: text/plain; charset=UTF-8\n' \
+		"there is no command '%s'" 'FOREIGN %n%n%n' |
+		msgfmt -o away/LC_MESSAGES/tipspeed.mo -
+	for path in ../.. sv:../..; do
+		LANGUAGE=$path away/bin/tipspeed --safe -c nonsense >out 2>&1
+		[ $? = 2 ] && grep -q "there is no command 'nonsense'" out
+		result $? "LANGUAGE=$path names no catalogue"
+	done
+	LANGUAGE=../.. away/bin/tipspeed --safe --lang=../.. -c nonsense >out 2>&1
+	[ $? = 2 ] && grep -q "expected --lang with a language .*, got '\.\./\.\.'" out
+	result $? "nor does --lang=../.., which says so"
+fi
 finish

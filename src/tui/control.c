@@ -39,13 +39,15 @@ static struct tui *open;
 /* A slider that stood still for so long has paused, s. */
 static const double PAUSE = 0.7;
 
-/* No progress but what is drawn of it. */
+/* No progress but what is drawn of it.  Signals are held on the screen, and are
+ * let in between two steps. */
 static bool
 work(struct session *s)
 {
 	while (session_busy(s) && pump_signal() == 0) {
 		session_step(s);
 		under_way_draw(open);
+		pump_let_in();
 	}
 	return pump_signal() == 0;
 }

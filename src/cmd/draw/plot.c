@@ -690,7 +690,8 @@ say_goal(struct tale *t, struct session *s, const struct plot_request *request)
 	    isnan(request->speed) ? answers_middle(site) : request->speed;
 	size_t feed = site_run_nearest(
 	    site, request->feed_speed != 0 ? request->feed_speed : speed);
-	while (goals_pending(s, &goal, feed))
+	while (goals_pending(s, &goal, feed) &&
+	       (s->hooks.stop == NULL || !s->hooks.stop()))
 		goals_step(s, &goal, feed);
 	char *words = goals_words(s, &goal, speed, GOALS_FULL);
 	answer_note(t->answer, "%s", words);
