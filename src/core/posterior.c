@@ -17,6 +17,7 @@
 
 #include "base/pool.h"
 #include "base/xalloc.h"
+#include "core/covariance.h"
 #include "core/elementary.h"
 #include "core/kernel.h"
 #include "core/rng.h"
@@ -34,8 +35,8 @@ enum {
 	STRENGTHS = PARAMS_MOST + HYPERS,
 	COORDINATES = STRENGTHS + STRENGTHS_COORDINATES,
 	NUMBERS = 64, /* random ones of a chain and generation */
-	CELLS = 96    /* passings taken, as their covariance is factored often:
-		       * of more sieves each tells little more */
+	LEAST = 8     /* passings taken of each of many runs; of few as many as
+		       * make one matrix: more tell little more */
 };
 
 static const double FIRST_RUNG = 0.02, RISE = 1.25;
@@ -48,7 +49,7 @@ enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
 struct chain {
 	double x[COORDINATES];
 	double likelihood, prior;
-	double *U, *d; /* factor, differences simulated - measured */
+	double *U, *d; /* covariance_factor, simulated - measured */
 };
 
 struct sampler {
@@ -65,6 +66,7 @@ struct sampler {
 	bool two;      /* the rock may have two strengths */
 	size_t n_cell;
 	struct cell *cell;
+	struct covariance *covariance;
 	double *scheme; /* what the kernel's differences err by, at the fit */
 	struct kernel *kernel;
 	struct pool *pool;
@@ -181,14 +183,14 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 	double at[PARAMS_MOST];
 	if (s->hyper) {
 		memcpy(trial->d, now->d, n * sizeof *now->d);
-		discrepancy_factor(
-		    s->isa, s->cell, n, trial->x + PARAMS_MOST, trial->U);
+		covariance_factor(
+		    s->covariance, trial->x + PARAMS_MOST, trial->U);
 	}
 	for (size_t k = 0; k < n && !s->hyper; k++)
 		trial->d[k] = s->difference[k * HALF + place] + s->scheme[k];
 	memcpy(work, trial->d, n * sizeof *work);
 	trial->likelihood =
-	    discrepancy_level(s->isa, s->hyper ? trial->U : now->U, n, work);
+	    covariance_level(s->covariance, s->hyper ? trial->U : now->U, work);
 	trial->prior = prior_of(s, trial->x);
 	params_of(s, trial->x, at);
 	if (!is_within(s, at) || !isfinite(trial->likelihood))
@@ -353,8 +355,7 @@ scatter(const struct sampler *s, struct rng_key key, struct chain *c)
 			rng_normal(key, (uint32_t)(PARAMS_MOST + h));
 	for (size_t j = STRENGTHS; j < COORDINATES; j++)
 		c->x[j] = rng_normal(key, (uint32_t)j);
-	discrepancy_factor(
-	    s->isa, s->cell, s->n_cell, c->x + PARAMS_MOST, c->U);
+	covariance_factor(s->covariance, c->x + PARAMS_MOST, c->U);
 }
 
 static void
@@ -376,11 +377,12 @@ start(struct sampler *s)
 }
 
 static void
-copy_chain(struct chain *to, const struct chain *from, size_t n)
+copy_chain(const struct sampler *s, struct chain *to, const struct chain *from)
 {
+	size_t room = covariance_room(s->covariance);
 	memcpy(to->x, from->x, sizeof to->x);
-	memcpy(to->U, from->U, n * n * sizeof *to->U);
-	memcpy(to->d, from->d, n * sizeof *to->d);
+	memcpy(to->U, from->U, room * sizeof *to->U);
+	memcpy(to->d, from->d, s->n_cell * sizeof *to->d);
 	to->likelihood = from->likelihood;
 	to->prior = from->prior;
 }
@@ -410,7 +412,7 @@ climb(struct sampler *s, double share)
 		for (; copies[i] > 1; copies[i]--) {
 			while (copies[spare] > 0)
 				spare++;
-			copy_chain(&s->chain[spare], &s->chain[i], s->n_cell);
+			copy_chain(s, &s->chain[spare], &s->chain[i]);
 			copies[spare] = 1;
 		}
 }
@@ -485,15 +487,23 @@ make_knots(
     struct posterior *p, const struct site *site, const struct sampler *s)
 {
 	const double most = 0.2;
-	double *at = xdoubles(s->n_cell + 2 * site->n_run);
+	double *at = xdoubles(s->n_cell + 2 * site->n_run + 2);
 	size_t n = 0;
 	for (size_t i = 0; i < s->n_cell; i++)
 		at[n++] = s->cell[i].log_size;
+	double coarsest = 0, finest = INFINITY;
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct psd *feed = &site->run[r].feed;
+		coarsest = fmax(coarsest, feed->size[0]);
+		finest = fmin(finest, feed->size[feed->n - 1]);
+		/* Of many runs the ends of all may be any number. */
+		if (s->n_cell > COVARIANCE_FEW)
+			continue;
 		at[n++] = el_log(feed->size[0]);
 		at[n++] = el_log(feed->size[feed->n - 1]);
 	}
+	at[n++] = el_log(coarsest);
+	at[n++] = el_log(finest);
 	n = psd_sort(at, n, 1e-9);
 	p->knot = xdoubles(n + (size_t)((at[0] - at[n - 1]) / most) + 2);
 	p->knot[p->n_knot++] = at[0];
@@ -555,12 +565,7 @@ static double *
 knots_factor(enum isa isa, const double *pair, size_t m)
 {
 	double *U = xdoubles(m * m);
-	for (size_t i = 0; i < m; i++) {
-		for (size_t j = 0; j <= i; j++)
-			U[j * m + i] = pair[discrepancy_pair(i, j)];
-		U[i * m + i] += 1e-8 * pair[0];
-	}
-	discrepancy_cholesky(isa, U, m);
+	discrepancy_factor_pairs(isa, pair, m, U);
 	return U;
 }
 
@@ -623,8 +628,7 @@ bring_to_data(const struct sampler *s, const struct posterior *p,
 	double term[DISCREPANCY_TERMS];
 	for (size_t i = 0; i < s->n_cell; i++)
 		d[i] = -chain->d[i] - d[i];
-	discrepancy_forward(s->isa, chain->U, s->n_cell, d);
-	discrepancy_backward(chain->U, s->n_cell, d);
+	covariance_solve(s->covariance, chain->U, d);
 	for (size_t i = 0; i < s->n_cell; i++) {
 		const struct cell *c = &s->cell[i];
 		size_t at = knot_at(p, c->log_size);
@@ -747,7 +751,7 @@ make_room(struct sampler *s)
 	for (size_t i = 0; i < CHAINS + HALF; i++) {
 		struct chain *c =
 		    i < CHAINS ? &s->chain[i] : &s->trial[i - CHAINS];
-		c->U = xdoubles(n * n);
+		c->U = xdoubles(covariance_room(s->covariance));
 		c->d = xdoubles(n);
 	}
 }
@@ -798,6 +802,7 @@ sampler_new(struct misfit *m, const struct params *fit,
 	s->kernel = kernel_new(m, o->isa, o->threads);
 	s->pool = pool_new(o->threads);
 	make_cells(s, m, d);
+	s->covariance = covariance_new(s->isa, s->cell, s->n_cell);
 	make_room(s);
 	measure_scheme(s, d);
 	free(d);
@@ -817,6 +822,7 @@ sampler_free(struct sampler *s)
 		free(s->theta[j]);
 	kernel_free(s->kernel);
 	pool_free(s->pool);
+	covariance_free(s->covariance);
 	free(s->cell);
 	free(s->difference);
 	free(s->misfit);
@@ -857,7 +863,8 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	p->bounds = bounds;
 	misfit_free(m);
 	m = misfit_new(site, o->use, NULL, false, p->settings);
-	misfit_thin(m, CELLS / m->n_run < 8 ? 8 : CELLS / m->n_run);
+	size_t most = COVARIANCE_FEW / m->n_run;
+	misfit_thin(m, most < LEAST ? LEAST : most);
 	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);
 	p->n_cell = s->n_cell;
 	p->middle = s->middle;
