@@ -67,7 +67,7 @@ draw(const struct session *s, const struct entry *entry, const bool *use,
 	bool done = false;
 	for (size_t i = 0; !done && (steps == 0 || i < steps); i++) {
 		done = posterior_step(h->drawing);
-		if (!done && steps == 0 && h->stop != NULL && h->stop())
+		if (!done && h->stop != NULL && h->stop())
 			return;
 	}
 	if (!done)
@@ -127,7 +127,7 @@ informing(const struct session *s)
 bool
 outlook_draw(const struct session *s, const struct entry *entry)
 {
-	enum { STEPS = 8 };
+	enum { STEPS = 16 };
 	return !has_draws(entry) ||
 	       drawn(s, entry, informing(s), STEPS) != NULL;
 }

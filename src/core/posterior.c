@@ -74,6 +74,7 @@ struct sampler {
 	double share; /* of the likelihood that counts */
 	struct chain chain[CHAINS], trial[HALF];
 	size_t first; /* chain of the half that moves */
+	bool started; /* both halves */
 	bool hyper;   /* the hyperparameters move, not the parameters */
 	/* Of the trials, in the order in which they are evaluated, first those
 	 * of two strengths: which they are, parameters, e0_min of the softer
@@ -314,19 +315,29 @@ accept(struct sampler *s, size_t i, struct rng_key key)
 	take(now, trial, s->hyper);
 }
 
-static void
-generation(struct sampler *s)
+/* On to the other half; true when both have had their turn. */
+static bool
+turn(struct sampler *s)
+{
+	s->first = HALF - s->first;
+	return s->first == 0;
+}
+
+/* Moves a half; true when that was a generation. */
+static bool
+move_half(struct sampler *s)
 {
 	struct rng_key key = rng_key(s->seed, s->generation, USE_MOVE);
 	s->hyper = s->generation % HYPER_EVERY == HYPER_EVERY - 1;
-	for (s->first = 0; s->first < CHAINS; s->first += HALF) {
-		for (size_t i = 0; i < HALF; i++)
-			propose(s, i, key);
-		evaluate(s);
-		for (size_t i = 0; i < HALF; i++)
-			accept(s, i, key);
-	}
+	for (size_t i = 0; i < HALF; i++)
+		propose(s, i, key);
+	evaluate(s);
+	for (size_t i = 0; i < HALF; i++)
+		accept(s, i, key);
+	if (!turn(s))
+		return false;
 	s->generation++;
+	return true;
 }
 
 /* Puts a chain somewhere about the fit, as far along each direction of the
@@ -359,21 +370,19 @@ scatter(const struct sampler *s, struct rng_key key, struct chain *c)
 }
 
 static void
-start(struct sampler *s)
+start_half(struct sampler *s)
 {
 	s->hyper = false;
 	s->share = FIRST_RUNG;
-	for (s->first = 0; s->first < CHAINS; s->first += HALF) {
-		for (size_t i = 0; i < HALF; i++) {
-			struct chain *c = &s->chain[s->first + i];
-			scatter(
-			    s, rng_key(s->seed, s->first + i, USE_START), c);
-			memcpy(s->trial[i].x, c->x, sizeof c->x);
-		}
-		evaluate(s);
-		for (size_t i = 0; i < HALF; i++)
-			take(&s->chain[s->first + i], &s->trial[i], false);
+	for (size_t i = 0; i < HALF; i++) {
+		struct chain *c = &s->chain[s->first + i];
+		scatter(s, rng_key(s->seed, s->first + i, USE_START), c);
+		memcpy(s->trial[i].x, c->x, sizeof c->x);
 	}
+	evaluate(s);
+	for (size_t i = 0; i < HALF; i++)
+		take(&s->chain[s->first + i], &s->trial[i], false);
+	s->started = turn(s);
 }
 
 static void
@@ -875,7 +884,6 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 		p->term[j] = xdoubles(p->n_knot * POSTERIOR_DRAWS);
 	p->error = xdoubles(p->n_knot * POSTERIOR_DRAWS);
-	start(s);
 	struct posterior_run *run = xcalloc(1, sizeof *run);
 	*run = (struct posterior_run){
 	    site, p, m, s, xcalloc(1, sizeof *run->sums)};
@@ -911,7 +919,12 @@ posterior_step(struct posterior_run *run)
 	struct posterior *p = run->p;
 	if (s->generation == WARM_UP + KEPT)
 		return true;
-	generation(s);
+	if (!s->started) {
+		start_half(s);
+		return false;
+	}
+	if (!move_half(s))
+		return false;
 	if (s->generation % RUNG == 0 && s->share < 1)
 		climb(s, fmin(1, RISE * s->share));
 	if (s->generation <= WARM_UP)

@@ -65,9 +65,9 @@ struct posterior_options {
 struct posterior *posterior_new(const struct site *site, const struct params *p,
     const struct posterior_options *options);
 
-/* The same in steps of less than a millisecond, of which the last says so and
- * `stop` has no part in.  posterior_end frees it at
- * any time, and gives NULL before the last. */
+/* The same in steps of less than a millisecond, of many runs some ten, of which
+ * the last says so and `stop` has no part in.  posterior_end frees it at any
+ * time, and gives NULL before the last. */
 struct posterior_run;
 struct posterior_run *posterior_begin(const struct site *site,
     const struct params *p, const struct posterior_options *options);

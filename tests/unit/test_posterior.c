@@ -403,6 +403,39 @@ test_many_runs(void **state)
 	site_free(same);
 }
 
+static size_t asked;
+
+static bool
+ask(void)
+{
+	asked++;
+	return false;
+}
+
+static bool
+ask_once(void)
+{
+	asked++;
+	return true;
+}
+
+/* Whoever waits is asked for after each half of a generation, from the first
+ * on. */
+static void
+test_stop(void **state)
+{
+	(void)state;
+	struct site *site;
+	asked = 0;
+	posterior_free(draw_many(&site, 1, ISA_BEST, ask));
+	site_free(site);
+	assert_in_range(asked, 2 * 200, 2 * 250);
+	asked = 0;
+	assert_null(draw_many(&site, 1, ISA_BEST, ask_once));
+	site_free(site);
+	assert_int_equal(asked, 1);
+}
+
 /* Of another machine: what goes by the rotor is mixed into every draw, more
  * impacts break more, and the machine that was measured changes nothing. */
 static void
@@ -485,6 +518,7 @@ main(void)
 	    cmocka_unit_test(test_many_sieves),
 	    cmocka_unit_test(test_bands_hold),
 	    cmocka_unit_test(test_many_runs),
+	    cmocka_unit_test(test_stop),
 	    cmocka_unit_test(test_machine),
 	    cmocka_unit_test(what_nothing_breaks_is_not_corrected),
 	};
