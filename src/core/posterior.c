@@ -859,6 +859,25 @@ with_smooth_feeds(const struct site *site)
 	return copy;
 }
 
+/* Those of the runs that inform the draws, [n_run], which the caller frees. */
+static bool *
+choose_runs(const struct site *site, const bool *use)
+{
+	size_t n = 0, at = 0, next = 0;
+	bool *taken = xcalloc(site->n_run, sizeof *taken);
+	for (size_t r = 0; r < site->n_run; r++)
+		n += use[r] && misfit_covered(&site->run[r]) > 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (!use[r] || misfit_covered(&site->run[r]) == 0)
+			continue;
+		taken[r] = n <= POSTERIOR_RUNS ||
+			   at == next * (n - 1) / (POSTERIOR_RUNS - 1);
+		next += taken[r];
+		at++;
+	}
+	return taken;
+}
+
 struct posterior_run *
 posterior_begin(const struct site *measured, const struct params *fit,
     const struct posterior_options *o)
@@ -866,12 +885,14 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	struct site *site = with_smooth_feeds(measured);
 	struct posterior *p = xcalloc(1, sizeof *p);
 	struct bounds bounds = o->bounds;
-	struct misfit *m = misfit_new(site, o->use, NULL, false, o->settings);
+	bool *use = choose_runs(site, o->use);
+	struct misfit *m = misfit_new(site, use, NULL, false, o->settings);
 	p->settings = o->settings;
 	p->fit = widen(fit, mean_energy(m), &p->settings, &bounds);
 	p->bounds = bounds;
 	misfit_free(m);
-	m = misfit_new(site, o->use, NULL, false, p->settings);
+	m = misfit_new(site, use, NULL, false, p->settings);
+	free(use);
 	size_t most = COVARIANCE_FEW / m->n_run;
 	misfit_thin(m, most < LEAST ? LEAST : most);
 	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);

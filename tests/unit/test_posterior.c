@@ -334,18 +334,18 @@ test_bands_hold(void **state)
 
 /* ---- Many runs ---- */
 
-enum { MANY = 20 };
+enum { MANY = 20, TOO_MANY = 60 };
 
 /* The draws of a made-up site of many runs, that of its true parameters in the
  * place of a fit. */
 static struct posterior *
-draw_many(
-    struct site **site, unsigned threads, enum isa isa, bool (*stop)(void))
+draw_many(struct site **site, size_t n, unsigned threads, enum isa isa,
+    bool (*stop)(void))
 {
-	double speed[MANY];
-	bool use[MANY];
-	for (size_t r = 0; r < MANY; r++) {
-		speed[r] = 66 + 18 * (double)r / (MANY - 1);
+	double speed[TOO_MANY];
+	bool use[TOO_MANY];
+	for (size_t r = 0; r < n; r++) {
+		speed[r] = 66 + 18 * (double)r / (double)(n - 1);
 		use[r] = true;
 	}
 	*site = synth_site(&(struct synth){.top_size = 0.0112,
@@ -353,7 +353,7 @@ draw_many(
 	    .n = 1,
 	    .noise = 0.005,
 	    .seed = 5,
-	    .n_speed = MANY,
+	    .n_speed = n,
 	    .speed = speed});
 	struct params truth = made_params(&TABLE_3[TIERP]);
 	return posterior_new(*site, &truth,
@@ -373,8 +373,8 @@ test_many_runs(void **state)
 {
 	(void)state;
 	struct site *site, *same;
-	struct posterior *p = draw_many(&site, 1, ISA_BASE, NULL);
-	struct posterior *q = draw_many(&same, 3, ISA_BEST, NULL);
+	struct posterior *p = draw_many(&site, MANY, 1, ISA_BASE, NULL);
+	struct posterior *q = draw_many(&same, MANY, 3, ISA_BEST, NULL);
 	assert_memory_equal(p->draw, q->draw, sizeof p->draw);
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 		assert_memory_equal(p->term[j], q->term[j],
@@ -403,6 +403,19 @@ test_many_runs(void **state)
 	site_free(same);
 }
 
+/* Of more than POSTERIOR_RUNS so many are taken, the slowest among them. */
+static void
+test_too_many_runs(void **state)
+{
+	(void)state;
+	struct site *site;
+	struct posterior *p = draw_many(&site, TOO_MANY, 1, ISA_BEST, NULL);
+	assert_in_range(p->n_cell, POSTERIOR_RUNS, 8 * POSTERIOR_RUNS);
+	assert_true(p->slowest == site->run[0].speed);
+	posterior_free(p);
+	site_free(site);
+}
+
 static size_t asked;
 
 static bool
@@ -427,11 +440,11 @@ test_stop(void **state)
 	(void)state;
 	struct site *site;
 	asked = 0;
-	posterior_free(draw_many(&site, 1, ISA_BEST, ask));
+	posterior_free(draw_many(&site, MANY, 1, ISA_BEST, ask));
 	site_free(site);
 	assert_in_range(asked, 2 * 200, 2 * 250);
 	asked = 0;
-	assert_null(draw_many(&site, 1, ISA_BEST, ask_once));
+	assert_null(draw_many(&site, MANY, 1, ISA_BEST, ask_once));
 	site_free(site);
 	assert_int_equal(asked, 1);
 }
@@ -518,6 +531,7 @@ main(void)
 	    cmocka_unit_test(test_many_sieves),
 	    cmocka_unit_test(test_bands_hold),
 	    cmocka_unit_test(test_many_runs),
+	    cmocka_unit_test(test_too_many_runs),
 	    cmocka_unit_test(test_stop),
 	    cmocka_unit_test(test_machine),
 	    cmocka_unit_test(what_nothing_breaks_is_not_corrected),
