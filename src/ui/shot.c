@@ -153,12 +153,10 @@ picture_of(const struct tui *t)
 			       : pane_curves_words(t);
 }
 
-/* The open one, as it stands; the copy is drawn, so that nothing of it
- * changes. */
+/* The open one as it stands, drawn from a state of its own. */
 static bool
 draw_open(struct screen_request *request, struct error *error)
 {
-	struct tui t = *control_open();
 	if (request->keys[0] != '\0') {
 		error_set(error, ERROR_USAGE,
 		    "keys= is for use outside full-screen mode");
@@ -170,24 +168,12 @@ draw_open(struct screen_request *request, struct error *error)
 		    "frames= is for use outside full-screen mode\n"
 		    "record with: tipspeed -c \"screen keys=.. frames=400 > "
 		    "demo.svg\"");
+	struct tui *t = control_beside();
 	if (request->page > 0)
-		t.page = (enum page)(request->page - 1);
-	t.row = NULL;
-	t.rows_at = 0;
-	t.touches = (struct touches){0};
-	t.sheet.sieve = NULL;
-	t.sheet.column = NULL;
-	t.sheet.doctor = (struct doctor){0};
-	tui_forget_sheet(&t.sheet);
-	t.parity.point = NULL;
-	t.parity.chart = NULL;
-	tui_forget_parity(&t.parity);
-	pages_update(&t);
-	frame_draw(&t);
-	free(t.row);
-	tui_forget_sheet(&t.sheet);
-	tui_forget_parity(&t.parity);
-	touch_free(&t.touches);
+		pages_go(t, (enum page)(request->page - 1));
+	pages_update(t);
+	frame_draw(t);
+	control_drop(t);
 	return true;
 }
 

@@ -717,6 +717,64 @@ a_colon_begins_a_line_over_what_fills_the_screen(void **state)
 	assert_string_equal(t->typing.text, "undo");
 }
 
+/* What is on the frame. */
+static char *
+frame_text(void)
+{
+	char *text = NULL;
+	size_t n = 0;
+	FILE *out = text_memory(&text, &n);
+	canvas_print(screen_frame(), 0, out);
+	fclose(out);
+	while (n > 0 && text[n - 1] == '\n')
+		text[--n] = '\0';
+	return text;
+}
+
+static void
+a_picture_of_the_open_screen_owns_its_own(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	stage->desk->session->hooks.draw_screen = shot_draw;
+	canvas_free(screen_back(stage->was));
+	stage->was = screen_aside(50, 170, CHARSET_ASCII, 0);
+	desk_expect(stage->desk,
+	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate; "
+	    "pin speed=70; use bro; calibrate");
+	control_look(t);
+	draw_all(t);
+	/* On a terminal a goal is worked out part by part. */
+	t->aside = false;
+	t->moved = -1e9;
+	type(t, "tp80=5..5.3\n");
+	while (goal_pending(t)) {
+		type(t, ":screen\n");
+		assert_non_null(t->viewer.text);
+		type(t, "\033");
+		draw_all(t);
+	}
+	assert_true(goal_known(t));
+	t->aside = true;
+	type(t, ":spec use EN 12620 0/4\n");
+	for (enum page page = 0; page < PAGES; page++) {
+		act_key(t, '1' + (int)page, false);
+		type(t, ":screen\n:screen width=150 height=48\n\033");
+		t->message[0] = '\0';
+		draw_all(t);
+		char *before = frame_text();
+		type(t, ":screen\n");
+		assert_string_equal(t->viewer.text, before);
+		type(t, "\033");
+		t->message[0] = '\0';
+		draw_all(t);
+		free(before);
+	}
+	/* Nothing that was drawn beside it has moved it. */
+	type(t, "1:screen page=5\n\033");
+	assert_int_equal(t->page, PAGE_PREDICT);
+}
+
 /* The frame as it is drawn once the loop has gone round, but for the rows of
  * the last command and of what it said. */
 static char *
@@ -1426,6 +1484,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(the_mouse_drags_the_scrubber_to_its_ends),
     ON_STAGE(the_list_has_the_keys_of_other_pages),
     ON_STAGE(a_colon_begins_a_line_over_what_fills_the_screen),
+    ON_STAGE(a_picture_of_the_open_screen_owns_its_own),
     ON_STAGE(what_is_shown_is_saved_and_shown_again),
     ON_STAGE(what_is_left_is_found_again),
     ON_STAGE(long_commands_leave_the_screen_live),
