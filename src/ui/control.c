@@ -342,6 +342,18 @@ form(struct tui *t)
 	t->now = numbers_of(s, entry->key, &t->shown);
 }
 
+/* What was said and typed. */
+static void
+copy_words(struct tui *t)
+{
+	if (open->command != NULL)
+		t->command = xstrdup(open->command);
+	snprintf(t->message, sizeof t->message, "%s", open->message);
+	typing_begin(&t->speed, open->speed.text);
+	typing_begin(&t->filter, open->filter.text);
+	t->filter.active = open->filter.active;
+}
+
 /* A new state begins with what is chosen, as plain values; what follows from
  * these is worked out for it, so that the two own nothing together. */
 struct tui *
@@ -386,12 +398,7 @@ control_beside(void)
 	    .job = open->job,
 	    .failed = open->failed,
 	    .bad = open->bad};
-	if (open->command != NULL)
-		t->command = xstrdup(open->command);
-	snprintf(t->message, sizeof t->message, "%s", open->message);
-	typing_begin(&t->speed, open->speed.text);
-	typing_begin(&t->filter, open->filter.text);
-	t->filter.active = open->filter.active;
+	copy_words(t);
 	control_look(t);
 	form(t);
 	/* The crosshair's sieve is one of that prediction. */
