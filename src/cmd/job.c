@@ -885,6 +885,13 @@ take_bounds(struct session *s)
 	if (memcmp(&s->set.bounds, &job->options.bounds,
 		sizeof s->set.bounds) == 0)
 		return;
+	/* Only its draws are missing. */
+	if (calibration_status(job->calibration).state >= CALIBRATE_TOLERANCE) {
+		session_note(s,
+		    "  the search has ended; 'calibrate' begins within the "
+		    "edited bounds");
+		return;
+	}
 	job->options.bounds = s->set.bounds;
 	calibration_set_bounds(job->calibration, &s->set.bounds);
 	session_note(s,

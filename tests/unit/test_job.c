@@ -308,6 +308,24 @@ edited_bounds_are_told(void **state)
 	    "bounds f_mat 0.5..0.7"));
 }
 
+/* While its light is drawn the search is over. */
+static void
+bounds_come_too_late_for_what_has_ended(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	start(desk, "calibrate population=600");
+	while (
+	    calibration_status(s->job.calibration).state < CALIBRATE_TOLERANCE)
+		session_step(s);
+	assert_true(session_busy(s));
+	assert_int_equal(session_pause(s), STOPPED_TAKEN);
+	struct fit want = session_entry(s)->fit;
+	desk_expect(desk, "bounds e0_min 0..9; continue");
+	expect_same(&session_entry(s)->fit, &want);
+	assert_non_null(strstr(desk->notes, "begins within the edited"));
+}
+
 /* A line's notes, as one line. */
 static const char *
 noted(struct desk *desk, const char *line)
@@ -515,6 +533,7 @@ main(void)
 	    WITH_SITE(standard_deviations_weigh_when_asked_for),
 	    WITH_SITE(edited_bounds_are_told),
 	    WITH_SITE(a_stop_leaves_a_better_fit_until_it_is_accepted),
+	    WITH_SITE(bounds_come_too_late_for_what_has_ended),
 	    WITH_SITE(what_is_better_is_said_by_the_job),
 	    WITH_SITE(all_that_are_stopped_keep_a_better_fit),
 	    WITH_SITE(a_step_is_named_that_the_bounds_allow),
