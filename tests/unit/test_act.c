@@ -732,6 +732,41 @@ frame_text(void)
 }
 
 static void
+labels_are_evenly_apart_on_the_tallest_screen(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	double last = NAN, step = NAN;
+	size_t n = 0;
+	canvas_free(screen_back(stage->was));
+	stage->was = screen_aside(1000, 100, CHARSET_ASCII, 0);
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	control_look(t);
+	draw_all(t);
+	char *text = frame_text();
+	int row = 0, from = t->places.above.row,
+	    to = from + t->places.above.rows;
+	assert_true(t->places.above.rows > 64);
+	for (const char *line = text; *line != '\0';
+	     line += strcspn(line, "\n"), line += *line == '\n', row++) {
+		double value;
+		char head[5];
+		size_t length = strcspn(line, "\n");
+		snprintf(head, sizeof head, "%.*s",
+		    length < 4 ? (int)length : 4, line);
+		char *word = text_trim(head);
+		if (row < from || row >= to || !text_number(word, &value))
+			continue;
+		if (n++ > 1)
+			assert_true(fabs(last - value - step) < 1e-6);
+		step = last - value;
+		last = value;
+	}
+	assert_true(n > 20);
+	free(text);
+}
+
+static void
 a_picture_of_the_open_screen_owns_its_own(void **state)
 {
 	struct stage *stage = *state;
@@ -1512,6 +1547,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(the_mouse_drags_the_scrubber_to_its_ends),
     ON_STAGE(the_list_has_the_keys_of_other_pages),
     ON_STAGE(a_colon_begins_a_line_over_what_fills_the_screen),
+    ON_STAGE(labels_are_evenly_apart_on_the_tallest_screen),
     ON_STAGE(a_picture_of_the_open_screen_owns_its_own),
     ON_STAGE(what_is_shown_is_saved_and_shown_again),
     ON_STAGE(what_is_left_is_found_again),
