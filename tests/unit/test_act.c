@@ -766,6 +766,29 @@ labels_are_evenly_apart_on_the_tallest_screen(void **state)
 	free(text);
 }
 
+/* Each is drawn, so that no line may ask for any number of them. */
+static void
+so_many_keys_are_pressed_and_no_more(void **state)
+{
+	struct screen_request request = {.rows = 5, .columns = 20};
+	struct stage *stage = *state;
+	struct error error = {0};
+	static const char *const MANY[] = {
+	    "Right*10000", "Left*9000 Right*1000", "Up*99999999999999999999"};
+	control_end(&stage->t);
+	for (size_t i = 0; i < ARRAY_LEN(MANY); i++) {
+		request.keys = MANY[i];
+		assert_null(shot_draw(stage->desk->session, &request, &error));
+		assert_non_null(strstr(error.text, "at most 9999 keys"));
+	}
+	request.keys = "Left*9000 Right*999";
+	struct canvas *canvas =
+	    shot_draw(stage->desk->session, &request, &error);
+	assert_non_null(canvas);
+	canvas_free(canvas);
+	control_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
+}
+
 static void
 a_picture_of_the_open_screen_owns_its_own(void **state)
 {
@@ -1548,6 +1571,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(the_list_has_the_keys_of_other_pages),
     ON_STAGE(a_colon_begins_a_line_over_what_fills_the_screen),
     ON_STAGE(labels_are_evenly_apart_on_the_tallest_screen),
+    ON_STAGE(so_many_keys_are_pressed_and_no_more),
     ON_STAGE(a_picture_of_the_open_screen_owns_its_own),
     ON_STAGE(what_is_shown_is_saved_and_shown_again),
     ON_STAGE(what_is_left_is_found_again),
