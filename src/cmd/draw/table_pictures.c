@@ -63,7 +63,7 @@ static const struct command_option SCREEN_OPTIONS[] = {
 	"number of colours; auto: those of the terminal, 256 in an image"},
     {"keys", VALUE_TEXT, "", 0, 0, NULL, "",
 	"keys to press first, named as in tipspeed-tui(1); Right*5: five "
-	"times"},
+	"times; 9999 in all"},
     {"frames", VALUE_NUMBER, "ms", 20, 10000, NULL, "",
 	"record: a frame a key, each shown for so long"},
     {.name = NULL}};
