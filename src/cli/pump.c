@@ -101,9 +101,12 @@ wait_with(const sigset_t *mask, double seconds)
 		   mask) > 0;
 }
 
+/* What was let in before is not to wait for what comes next. */
 bool
 pump_wait(double seconds)
 {
+	if (noted != 0 || stopped || woken || resized)
+		return false;
 	return wait_with(&let_in, seconds);
 }
 

@@ -328,6 +328,7 @@ static void
 hang_up(int signal)
 {
 	kill(-job, signal);
+	kill(-job, SIGCONT);
 }
 
 /* Stands for a shell with job control, so that ^Z stops the program and this
@@ -567,6 +568,9 @@ end(struct course *c, const struct walk *w)
 	if (c->over)
 		return true;
 	double began = now(), used = processor_time(c->program);
+	/* A ^Z that meets a pager before it is one stops that alone, and no
+	 * shell is told. */
+	kill(-c->program, SIGCONT);
 	if (w->ending != 0)
 		kill(c->program, w->ending);
 	else
