@@ -148,20 +148,30 @@ take_looks(struct tui *t)
 	tui_untouch(t);
 }
 
+/* The page as `set` would be given it; the caller frees. */
+static char *
+page_text(enum page page)
+{
+	const struct choices set = {.page = page};
+	const struct setting *row = SETTINGS;
+	while (strcmp(row->option.name, "page") != 0)
+		row++;
+	return settings_text(row, &set);
+}
+
 void
 control_set_looks(struct tui *t)
 {
-	static const char *const NAMES[PAGES] = {
-	    "predict", "fit", "data", "parity", "sites"};
 	struct session *s = t->session;
 	struct error error = {0};
 	size_t next;
+	char *page = page_text(t->page);
 	char *quantity = quantities_typed(&t->quantity);
-	char *line =
-	    xasprintf("set page %s quantity \"%s\"", NAMES[t->page], quantity);
+	char *line = xasprintf("set page %s quantity \"%s\"", page, quantity);
 	said_forget(t);
 	if (s->set.page != t->page || strcmp(s->set.quantity, quantity) != 0)
 		session_line(s, line, 0, "typed", 0, &next, &error);
+	free(page);
 	free(quantity);
 	free(line);
 }

@@ -55,7 +55,7 @@ static const struct command_option SCREEN_OPTIONS[] = {
 	"default: that of full-screen mode if it is open, else 100"},
     {"height", VALUE_NUMBER, "rows", 1, 1000, NULL, "",
 	"default: that of full-screen mode if it is open, else 30"},
-    {"page", VALUE_CHOICE, "", 0, 0, "predict fit data parity sites", "",
+    {"page", VALUE_CHOICE, "", 0, 0, SETTINGS_PAGES, "",
 	"the page to show; default: the open page, else predict"},
     {"charset", VALUE_CHOICE, "", 0, 0, "auto ascii quadrants braille", "auto",
 	"characters that lines are drawn with"},
