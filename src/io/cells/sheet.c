@@ -201,8 +201,8 @@ split_line(struct sheet *sheet, const char *text, struct row *row)
 			return true;
 		step(&c);
 	}
-	return sheet_fault(sheet,
-	    (struct cell){.line = row->line, .column = c.column},
+	struct cell end = {.line = row->line, .column = c.column};
+	return sheet_fault(sheet, end,
 	    "more than %d cells in a line\n"
 	    "a site file has a few columns: is this the right file?",
 	    MOST_CELLS);
@@ -221,9 +221,10 @@ free_row(struct row *row)
 static bool
 add_row(struct sheet *sheet, const char *line, int number)
 {
+	struct cell start = {.line = number, .column = 1};
 	if (strlen(line) > sheet->most_line ||
 	    sheet->n_row == sheet->most_rows) {
-		sheet_fault(sheet, (struct cell){.line = number, .column = 1},
+		sheet_fault(sheet, start,
 		    "more than %zu lines, or %zu bytes in a line\n"
 		    "a site file has a few kB: is this the right file?",
 		    sheet->most_rows, sheet->most_line);
