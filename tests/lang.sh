@@ -52,6 +52,15 @@ for po in "$srcdir"/po/*.po; do
 	told "$language: keys of columns as in English"
 done
 
+# xgettext takes the commas of a compound literal for those between arguments: a text
+# after one would be in no catalogue.
+marks=$(awk '/^translating/ { on = 1 } on && /:/ { print } !/\\$/ { on = 0 }' \
+	"$srcdir/Makefile.am" | grep -oE '[a-z_]+:[0-9]' | sed 's/:.//' | paste -sd'|' -)
+find "$srcdir/src" -name '*.c' -exec grep -PzoH \
+	"\\b($marks)\\([^;\"]*\\{[^}\"]*,[^}\"]*\\}[^\"(;]*\"[^\"]*[A-Za-z]{2}" {} + |
+	tr '\0' '\n' >"$dir/bad"
+told 'no text to be translated stands after a compound literal'
+
 mkdir "$dir/bin"
 ln -s "$TIPSPEED" "$dir/bin/tipspeed"
 PATH=$dir/bin:$PATH
