@@ -238,6 +238,6 @@ plant_site(const struct plant *p, uint64_t number)
 			memcpy(
 			    run->feed.passing, feed, p->n_sieve * sizeof *feed);
 	}
-	site->digest = site_digest(site);
+	site_settle(site);
 	return site;
 }

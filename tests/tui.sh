@@ -511,7 +511,7 @@ result $? "--reset-tty writes what mends a terminal"
 start 80 24 sh -c "\"\$TIPSPEED\" data/sites/tierp.csv --linear -c tui"
 want 'tierp>$' "--linear opens the prompt"
 keys 'plot psd' Enter
-want 'feed: from 0.56 % at 0.063 mm'
+want 'feed: from 0.453 % at 0.063 mm'
 ! grep -q '┬\|--+--' screen
 result $? "and plot tells its picture there"
 finish

@@ -77,8 +77,7 @@ numbers_of(const struct session *s, const char *key, const struct prediction *p)
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct site *site = s->entry[i].site;
 		if (strcmp(s->entry[i].key, key) == 0 &&
-		    p->feed_run < site->n_run &&
-		    answers_sampled(site, p->feed_run))
+		    p->feed_run < site->n_run && site->individual_feeds)
 			n.feed = site->run[p->feed_run].speed;
 	}
 	for (size_t i = 0; i < 3; i++)

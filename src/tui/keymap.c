@@ -32,7 +32,6 @@
 
 enum { ESCAPE = 27, DELETE = 127 };
 
-/* Of a run its feed is taken, too: the curves then meet what was measured. */
 static void
 to_run(struct tui *t, struct slider_range range, const struct site *site,
     int where)
@@ -41,7 +40,6 @@ to_run(struct tui *t, struct slider_range range, const struct site *site,
 		       : where == TO_FASTEST ? site->run[site->n_run - 1].speed
 					     : answers_middle(site);
 	t->tenths = slider_tenths(range, speed);
-	t->feed = site->run[site_run_nearest(site, speed)].speed;
 }
 
 static void

@@ -114,6 +114,8 @@ draw_runs(const struct tui *t, int column, const struct entry *entry)
 		free(sample);
 		column = draw_name(t, column, look.series, LOOK_BOLD, text);
 	}
+	if (tui_moved(t))
+		column = draw_name(t, column, SERIES_TEXT, 0, tr("moved"));
 	if (plots_left_out(site) > 0) {
 		snprintf(text, sizeof text, tr("+%zu not drawn"),
 		    plots_left_out(site));
@@ -145,9 +147,8 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 		column = draw_name(t, column, SERIES_OTHER, 0,
 		    ascii ? tr("% pinned") : tr("\u254C pinned"));
 	column = draw_runs(t, column, entry);
-	if (site->individual_feeds)
-		snprintf(
-		    sample, sizeof sample, " %g", site->run[tui_feed(t)].speed);
+	if (site->individual_feeds && t->feed > 0)
+		snprintf(sample, sizeof sample, " %g", t->feed);
 	snprintf(
 	    text, sizeof text, tr("%s feed%s"), ascii ? "." : "\u2508", sample);
 	column = draw_name(t, column, SERIES_FEED, 0, text);

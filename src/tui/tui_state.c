@@ -8,6 +8,9 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/feed.h"
+#include "cmd/ask/moved.h"
 
 const double PACES[PACE_COUNT] = {0, 1, 2, 5, 10, 20, 50, INFINITY};
 
@@ -35,20 +38,41 @@ tui_range(const struct tui *t)
 size_t
 tui_feed(const struct tui *t)
 {
-	const struct site *site = tui_entry(t)->site;
-	if (!site->individual_feeds)
-		return 0;
-	size_t kept = site_run_at(site, t->feed);
-	return kept < site->n_run ? kept
-				  : site_run_nearest(site, t->tenths / 10.0);
+	return feed_at(tui_entry(t)->site, t->feed);
+}
+
+/* What measured products are moved by: the parameters of the prediction beside
+ * them, in room for them; or NULL. */
+static const struct params *
+moving_params(const struct tui *t, struct params *room)
+{
+	const struct entry *entry = tui_entry(t);
+	*room = entry->params;
+	return answers_forming(t->session, room) || entry->has_params ? room
+								      : NULL;
+}
+
+const struct psd *
+tui_measured(const struct tui *t, size_t run)
+{
+	struct params room;
+	return moved_product(t->session, tui_entry(t), moving_params(t, &room),
+	    run, tui_feed(t));
+}
+
+bool
+tui_moved(const struct tui *t)
+{
+	struct params room;
+	return moved_most(t->session, tui_entry(t), moving_params(t, &room),
+		   tui_feed(t)) > MOVED_TOLD;
 }
 
 void
 tui_keep_feed(struct tui *t)
 {
 	double feed = session_known(t->session, "predict", "feed_mps");
-	if (isfinite(feed))
-		t->feed = feed;
+	t->feed = isfinite(feed) ? feed : 0;
 }
 
 char *
@@ -56,11 +80,9 @@ tui_where(const struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
 	double speed = t->tenths / 10.0;
-	if (entry == NULL || !entry->site->individual_feeds ||
-	    tui_feed(t) == site_run_nearest(entry->site, speed))
+	if (entry == NULL || !entry->site->individual_feeds || !(t->feed > 0))
 		return xasprintf("speed=%.1f", speed);
-	return xasprintf(
-	    "speed=%.1f feed=%g", speed, entry->site->run[tui_feed(t)].speed);
+	return xasprintf("speed=%.1f feed=%g", speed, t->feed);
 }
 
 char *

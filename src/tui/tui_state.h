@@ -168,7 +168,7 @@ struct tui {
 	double started; /* the search or its last part, by that clock */
 	double ran;     /* s of its parts before */
 	int tenths;     /* of the slider */
-	double feed;    /* m/s of the run whose feed is kept; 0: none */
+	double feed;    /* m/s of the run whose feed is taken; 0: the mean */
 	struct quantity quantity; /* above the track */
 	struct above *above;      /* what is drawn there, see above.h */
 	struct goal goal;         /* the one that is set, see goals.h */
@@ -300,6 +300,13 @@ struct slider_range tui_range(const struct tui *t);
  * last prediction took, or stood nearest when there was none. */
 size_t tui_feed(const struct tui *t);
 void tui_keep_feed(struct tui *t);
+
+/* The measured product of a run as it stands beside the prediction, see
+ * moved_product. */
+const struct psd *tui_measured(const struct tui *t, size_t run);
+
+/* Whether they were moved by so much that it has to be told. */
+bool tui_moved(const struct tui *t);
 
 /* Where the slider stands, as options of predict: "speed=77.0 feed=74", the
  * feed where it is not what predict takes by itself.  The caller frees. */

@@ -1,6 +1,7 @@
 /* Blends by mass, and feeds and machines that were not measured.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/psd/blend.h"
+#include "core/psd/reference.h"
 
 #include <stdlib.h>
 
@@ -122,6 +123,69 @@ another_machine(void **state)
 	site_free(site);
 }
 
+/* D19: feeds that are the same count once, and one that ends early cuts nothing
+ * off: below its end the mean falls as the other does. */
+static void
+the_mean_of_feeds(void **state)
+{
+	(void)state;
+	double size_a[] = {16e-3, 4e-3, 1e-3}, pass_a[] = {1, 0.5, 0.2};
+	double size_b[] = {16e-3, 4e-3, 1e-3, 0.5e-3, 0.25e-3};
+	double pass_b[] = {1, 0.7, 0.4, 0.1, 0};
+	struct psd a = {3, size_a, pass_a}, b = {5, size_b, pass_b};
+	const struct psd *const feed[] = {&a, &b, &b};
+	struct psd mean = reference_mean(feed, 3);
+	double want[] = {1, 0.6, 0.3, 0.3 * 0.1 / 0.4, 0}, sieve;
+	assert_int_equal(mean.n, 5);
+	for (size_t i = 0; i < 5; i++) {
+		expect_near("sieve", mean.size[i], size_b[i], 0);
+		expect_near("passing", mean.passing[i], want[i], 1e-12);
+	}
+	expect_near("spread", reference_spread(feed, 3, &sieve), 0.2, 1e-12);
+	psd_free(&mean);
+	mean = reference_mean(&feed[1], 2);
+	assert_true(psd_same(&mean, &b));
+	expect_near("none", reference_spread(&feed[1], 2, &sieve), 0, 0);
+	psd_free(&mean);
+}
+
+/* Whatever they are, the mean is a feed, between the least and the largest where
+ * all of them tell. */
+static void
+the_mean_is_a_feed(void **state)
+{
+	(void)state;
+	struct draw draw = draw_start(73);
+	for (int k = 0; k < 200; k++) {
+		struct psd feed[3];
+		const struct psd *all[3];
+		for (size_t i = 0; i < 3; i++) {
+			feed[i] = made_any_feed(&draw);
+			all[i] = &feed[i];
+		}
+		struct psd mean = reference_mean(all, 3);
+		for (size_t i = 0; i < mean.n; i++) {
+			double x = mean.size[i], least = 1, most = 0;
+			bool known = true;
+			for (size_t j = 0; j < 3; j++) {
+				double P = psd_passing(all[j], x);
+				known = known && psd_covers(all[j], x);
+				least = fmin(least, P);
+				most = fmax(most, P);
+			}
+			assert_true(i == 0 || mean.passing[i] <=
+						  mean.passing[i - 1] + 1e-12);
+			assert_true(mean.passing[i] >= 0);
+			assert_true(
+			    !known || (mean.passing[i] >= least - 1e-12 &&
+					  mean.passing[i] <= most + 1e-12));
+		}
+		psd_free(&mean);
+		for (size_t i = 0; i < 3; i++)
+			psd_free(&feed[i]);
+	}
+}
+
 int
 main(void)
 {
@@ -130,6 +194,8 @@ main(void)
 	    cmocka_unit_test(a_blend_is_a_feed),
 	    cmocka_unit_test(its_product_is_the_blend_of_products),
 	    cmocka_unit_test(another_machine),
+	    cmocka_unit_test(the_mean_of_feeds),
+	    cmocka_unit_test(the_mean_is_a_feed),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

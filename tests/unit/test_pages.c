@@ -391,7 +391,7 @@ the_sieve_asked_about_has_a_row(void **state)
 	for (size_t i = 1; i < 4; i++) {
 		static const double MM[] = {0, 2, 1, 0.5};
 		static const char *const ROW[] = {
-		    "", "    2  16.6", "    1   8.4", "  0.5   4.3"};
+		    "", "    2  15.4", "    1   7.6", "  0.5   3.7"};
 		t->quantity = (struct quantity){
 		    .kind = QUANTITY_PASSING, .x = MM[i] / 1000};
 		frame_draw(t);

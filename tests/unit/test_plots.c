@@ -8,6 +8,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/feed.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plots.h"
 #include "cmd/session/turn.h"
@@ -269,8 +270,7 @@ a_second_site_has_a_curve_of_its_own(void **state)
 	q.beside = "tierp";
 	desk_expect(desk, PARAMS_SET);
 	const struct entry *entry = session_entry(s);
-	struct prediction kept =
-	    outlook_predict(s, entry, 70, site_run_nearest(entry->site, 70));
+	struct prediction kept = outlook_predict(s, entry, 70, SITE_MEAN_FEED);
 	desk_expect(desk, "load data/sites/bro.csv");
 	for (int way = 0; way < 2; way++) {
 		struct chart *c = chart_of(desk, &q);
@@ -308,7 +308,7 @@ a_second_prediction_has_its_own_feed(void **state)
 	q.other_speed = 74;
 	for (size_t i = 0; i < 2; i++) {
 		const struct entry *entry = session_entry(s);
-		size_t feed = site_run_at(entry->site, i == 0 ? 79 : 69);
+		size_t feed = feed_at(entry->site, FEEDS[i]);
 		struct prediction want =
 		    outlook_form(s, entry, &entry->params, 74, feed);
 		q.other_feed = FEEDS[i];

@@ -149,8 +149,11 @@ test_reasons(void **state)
 	    {&SOUND, {.speed = 74, .feed = 0.12}, LIGHT_AMBER, "12 points"},
 	    {&SOUND, {.speed = 74, .bound = "f_mat", .bound_moves = 0.01},
 		LIGHT_AMBER, "f_mat is at its bound"},
-	    {&SOUND, {.speed = 86}, LIGHT_AMBER, "7.0 m/s faster"},
-	    {&SOUND, {.speed = 66}, LIGHT_GREEN, NULL},
+	    {&SOUND, {.speed = 86}, LIGHT_AMBER, "7.0 m/s beyond"},
+	    {&SOUND, {.speed = 68.9}, LIGHT_AMBER, "0.1 m/s beyond"},
+	    {&SOUND, {.speed = 59}, LIGHT_AMBER, "10.0 m/s beyond"},
+	    {&SOUND, {.speed = 58.9}, LIGHT_RED, "which span 10.0"},
+	    {&SOUND, {.speed = 69}, LIGHT_GREEN, NULL},
 	    {&SOUND, {.speed = 74}, LIGHT_GREEN, NULL},
 	};
 	for (size_t i = 0; i < ARRAY_LEN(want); i++) {

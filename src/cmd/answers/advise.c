@@ -12,6 +12,7 @@
 #include "cmd/lang/parse.h"
 #include "cmd/session/settings.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/feed.h"
 #include "core/answer/advise.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
@@ -47,7 +48,7 @@ answer_draws(const struct session *s, const struct entry *entry,
 	enum { N = POSTERIOR_DRAWS };
 	struct ensemble *e = outlook_ensemble(s, entry, w->feed);
 	struct psd curve =
-	    predict_sizes(entry->site, &entry->site->run[w->feed].feed);
+	    predict_sizes(entry->site, site_feed(entry->site, w->feed));
 	bool known = true;
 	ensemble_at(e, w->speed);
 	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
@@ -105,7 +106,7 @@ static struct ensemble *
 sieved(
     const struct session *s, const struct entry *entry, size_t feed, size_t *n)
 {
-	const struct psd *from = &entry->site->run[feed].feed;
+	const struct psd *from = site_feed(entry->site, feed);
 	double *sieve = site_sieves(entry->site, n);
 	while (*n > 0 && !psd_covers(from, sieve[*n - 1]))
 		(*n)--;
@@ -141,8 +142,9 @@ note_feed(struct answer *r, const struct session *s, const struct entry *entry,
 {
 	const struct site *site = entry->site;
 	double low = INFINITY, high = -INFINITY;
-	for (size_t i = 0; i < site->n_run && answers_sampled(site, w->feed);
-	     i++) {
+	for (size_t i = 0; i < site->n_run && site->individual_feeds; i++) {
+		if (!(site->run[i].speed > 0))
+			continue;
 		struct prediction p =
 		    predict(site, &entry->params, s->set.model, w->speed, i);
 		double value = value_of(&p.curve, w);
@@ -150,12 +152,13 @@ note_feed(struct answer *r, const struct session *s, const struct entry *entry,
 		high = fmax(high, value);
 		prediction_free(&p);
 	}
-	if (!(high > low) || fabs(site->run[w->feed].speed - w->speed) < 1e-3)
+	if (!(high > low))
 		return;
+	feed_note(r, site, w->feed);
 	answer_say(r, ANSWER_REMARK,
-	    "feed used: sampled at %g m/s; with the feeds of the other runs "
-	    "%s is %.3g to %.3g %s: sample the feed with the product",
-	    site->run[w->feed].speed, w->name, low, high, w->unit);
+	    "with the feeds as they were sampled %s is %.3g to %.3g %s: sample "
+	    "the feed with the product",
+	    w->name, low, high, w->unit);
 	fields_put(answer_fields(r), "feeds_low %g feeds_high %g", low, high);
 }
 
@@ -254,7 +257,7 @@ advise(struct session *s, const struct entry *entry, struct wanted *w,
     struct error *error)
 {
 	double answer[POSTERIOR_DRAWS];
-	const struct psd *feed = &entry->site->run[w->feed].feed;
+	const struct psd *feed = site_feed(entry->site, w->feed);
 	if (outlook_ensemble(s, entry, w->feed) == NULL)
 		return error_set(error, ERROR_USAGE, "%s\n%s",
 		    outlook_why_none(s, entry),
@@ -283,7 +286,7 @@ cmd_advise(struct session *s, const struct args *args, struct error *error)
 	const struct entry *entry = session_entry(s);
 	struct wanted w = {.speed = answers_speed(args, entry)};
 	bool ok = answers_ready(s, error) &&
-		  answers_feed(entry->site, args, w.speed, &w.feed, error) &&
+		  feed_choose(entry->site, args, &w.feed, error) &&
 		  take_quantity(args, &w, error) && advise(s, entry, &w, error);
 	free(w.name);
 	return ok;

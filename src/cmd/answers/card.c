@@ -14,6 +14,7 @@
 #include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/feed.h"
 #include "io/sitefile/units.h"
 
 /* What is asked at every speed: P20, P50 and P80, then the user's figures;
@@ -119,7 +120,7 @@ read_asked(struct session *s, struct asked *all, const struct args *args,
     double slowest, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
-	const struct psd *feed = &entry->site->run[all->feed].feed;
+	const struct psd *feed = site_feed(entry->site, all->feed);
 	bool ok =
 	    add_list(all, "P20,P50,P80", args, feed, error) &&
 	    add_list(all, args_value(args, "of")->text, args, feed, error) &&
@@ -305,6 +306,7 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 	if (response_draws(all->response, 0) != NULL)
 		band_note(r, s, entry, true);
 	origin_note(r, entry);
+	feed_note(r, entry->site, all->feed);
 	light_show(r, light);
 	return r;
 }
@@ -316,8 +318,7 @@ cmd_card(struct session *s, const struct args *args, struct error *error)
 	struct asked all = {0};
 	size_t n;
 	if (!answers_ready(s, error) ||
-	    !answers_feed(entry->site, args, answers_middle(entry->site),
-		&all.feed, error))
+	    !feed_choose(entry->site, args, &all.feed, error))
 		return false;
 	double *speed = card_speeds(args, entry->site, &n);
 	bool ok = read_asked(s, &all, args, speed[n - 1], error);

@@ -16,6 +16,7 @@
 #include "cmd/draw/plots.h"
 #include "cmd/lang/table.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/feed.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
@@ -248,10 +249,8 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 	if (!sites && (!value_number(word, "m/s", &v) || v < 1 || v > 200))
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected speeds from 1 to 200 m/s, got %s", word);
-	double near =
-	    sites || is_pinned(args, 1 - i) ? v : answers_middle(entry->site);
 	if (!answers_known(s, entry, error) ||
-	    !answers_feed(entry->site, args, near, &feed, error))
+	    !feed_choose(entry->site, args, &feed, error))
 		return false;
 	side->entry = entry;
 	side->p = outlook_predict(s, entry, v, feed);
@@ -304,22 +303,24 @@ head_sites(struct answer *r, const struct side side[2])
 	free(data);
 }
 
-/* Which feeds the two speeds of a site have. */
+/* Which feeds the two have. */
 static void
 note_feeds(struct answer *r, const struct side side[2])
 {
 	const struct site *site = side[0].entry->site;
-	const size_t feed[] = {side[0].p.feed_run, side[1].p.feed_run};
-	if (!answers_sampled(site, feed[0]) || !answers_sampled(site, feed[1]))
+	if (side[1].entry->site == site &&
+	    side[0].p.feed_run == side[1].p.feed_run) {
+		feed_note(r, site, side[0].p.feed_run);
 		return;
-	if (feed[0] == feed[1])
-		answer_say(r, ANSWER_REMARK,
-		    "feed used for both: sampled at %g m/s",
-		    site->run[feed[0]].speed);
-	else
-		answer_say(r, ANSWER_REMARK,
-		    "feeds used: sampled at %g and %g m/s",
-		    site->run[feed[0]].speed, site->run[feed[1]].speed);
+	}
+	for (size_t i = 0; i < 2; i++) {
+		char *words =
+		    feed_words(side[i].entry->site, side[i].p.feed_run);
+		if (words != NULL)
+			answer_say(r, ANSWER_REMARK, "feed of %s: %s",
+			    side[i].head, words);
+		free(words);
+	}
 }
 
 static struct answer *
@@ -340,8 +341,7 @@ comparison(const struct session *s, const struct side side[2])
 		    "low, high: of the difference, with %.0f %% probability",
 		    100 * settings_level(&s->set));
 	comparison_notes(s, r, side, x, n);
-	if (!sites)
-		note_feeds(r, side);
+	note_feeds(r, side);
 	fields_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
 	put_side(answer_fields(r), "a", &side[0], x, n);
 	put_side(answer_fields(r), "b", &side[1], x, n);
@@ -359,7 +359,8 @@ draw_both(struct session *s, const struct side side[2], struct error *error)
 	struct plot_request request = plots_request(PLOT_PSD);
 	request.site = one->entry->key;
 	request.speed = one->p.speed;
-	request.feed_speed = one->entry->site->run[one->p.feed_run].speed;
+	double feed = feed_speed(one->entry->site, one->p.feed_run);
+	request.feed_speed = feed > 0 ? feed : 0;
 	request.made = &one->p;
 	request.kept = two->pinned ? &s->pin->p : &two->p;
 	if (two->entry != one->entry)

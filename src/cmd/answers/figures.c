@@ -7,6 +7,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/feed.h"
 
 /* What is shown unless told otherwise, as far as the feed tells. */
 #define USUAL "D10,P20,D50,P80,D90,cu,cc,fines,fm EN,fm ASTM,fm IS,fm DIN,fm GB"
@@ -90,10 +91,10 @@ cmd_figures(struct session *s, const struct args *args, struct error *error)
 	double v = answers_speed(args, entry);
 	size_t feed, n;
 	if (!answers_ready(s, error) ||
-	    !answers_feed(entry->site, args, v, &feed, error))
+	    !feed_choose(entry->site, args, &feed, error))
 		return false;
 	struct quantity *q =
-	    read_wanted(args, &entry->site->run[feed].feed, &n, error);
+	    read_wanted(args, site_feed(entry->site, feed), &n, error);
 	if (q == NULL)
 		return false;
 	struct response *all =

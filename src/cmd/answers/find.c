@@ -14,6 +14,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/feed.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
@@ -165,7 +166,7 @@ static bool
 read_goal(struct session *s, const struct args *args, struct goal *goal,
     struct error *error)
 {
-	const struct psd *feed = &session_entry(s)->site->run[goal->feed].feed;
+	const struct psd *feed = site_feed(session_entry(s)->site, goal->feed);
 	struct fraction fraction;
 	if (!quantities_option(args, &fraction, error))
 		return false;
@@ -529,9 +530,7 @@ answer_goal(struct session *s, struct goal *goal)
 	note_finding(r, s, goal, &f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
-	double near = entry->site->run[goal->feed].speed;
-	if (near == SITE_OTHER_FEED)
-		near = answers_middle(entry->site);
+	double near = answers_middle(entry->site);
 	answers_note_doubt(s, r, found ? f.speed : near, goal->feed);
 	put_goal(answer_fields(r), goal, f.speed, f.range);
 	response_at(goal->wanted.response, found ? f.speed : f.w.best);
@@ -652,7 +651,7 @@ cmd_find(struct session *s, const struct args *args, struct error *error)
 	if (!answers_ready(s, error) ||
 	    !conditions_speeds(
 		args, site, &goal.wanted.from, &goal.wanted.to, error) ||
-	    !answers_feed(site, args, answers_middle(site), &goal.feed, error))
+	    !feed_choose(site, args, &goal.feed, error))
 		return false;
 	return wishes_spec(s, args) ? answer_spec(s, args, &goal, error)
 				    : find_goal(s, args, &goal, error);

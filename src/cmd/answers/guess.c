@@ -12,6 +12,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/fit.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/feed.h"
 #include "core/search/misfit.h"
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
@@ -424,7 +425,7 @@ cmd_guess(struct session *s, const struct args *args, struct error *error)
 	size_t feed;
 	struct basis b = {.n = 0};
 	bool ok = find_wanted(site, args, &b.wanted, error) &&
-		  answers_feed(site, args, speed, &feed, error) &&
+		  feed_choose(site, args, &feed, error) &&
 		  basis_read(&b, s->store, error);
 	if (ok) {
 		basis_fill(&b);

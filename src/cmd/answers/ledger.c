@@ -10,6 +10,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/parse.h"
+#include "cmd/ask/feed.h"
 #include "core/answer/mass_balance.h"
 #include "io/sitefile/units.h"
 
@@ -212,10 +213,7 @@ give(struct balance *b)
 	program_rows(r, b);
 	note_ways(r, b);
 	note_correction(r, b);
-	if (answers_sampled(entry->site, b->p[0].feed_run))
-		answer_say(r, ANSWER_REMARK,
-		    "feed used for both: sampled at %g m/s",
-		    entry->site->run[b->p[0].feed_run].speed);
+	feed_note(r, entry->site, b->p[0].feed_run);
 	for (size_t k = 0; k < 2; k++)
 		if (answers_extrapolates(entry, b->p[k].speed))
 			answer_say(r, ANSWER_WARNING,
@@ -242,11 +240,10 @@ balance_answer(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "why: expected speeds from 1 to 200 m/s, got %s",
 		    args->operand[0]);
-	if (!answers_feed(
-		entry->site, args, answers_middle(entry->site), &run, error))
+	if (!feed_choose(entry->site, args, &run, error))
 		return false;
 	struct balance b = {
-	    .s = s, .entry = entry, .feed = &entry->site->run[run].feed};
+	    .s = s, .entry = entry, .feed = site_feed(entry->site, run)};
 	for (size_t k = 0; k < 2; k++) {
 		b.p[k] = outlook_predict(s, entry, v[k], run);
 		b.of[k] = ledger_new(

@@ -16,6 +16,8 @@
 #include "cmd/lang/table.h"
 #include "cmd/session/turn.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/feed.h"
+#include "cmd/ask/moved.h"
 #include "core/answer/predict.h"
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
@@ -61,7 +63,7 @@ static void
 note_feed_gaps(
     struct answer *r, const struct site *site, const struct prediction *p)
 {
-	const struct psd *feed = &site->run[p->feed_run].feed;
+	const struct psd *feed = site_feed(site, p->feed_run);
 	char *list = xstrdup("");
 	for (size_t i = 0; i < p->feed.n; i++)
 		if (isnan(psd_at_sieve(feed, p->feed.size[i])))
@@ -85,14 +87,22 @@ note_wide_gap(struct answer *r, const struct psd *feed)
 		    units_mm(feed->size[i]), units_mm(feed->size[i + 1]));
 }
 
-/* Measured products interpolated in speed squared at each sieve, [n]; NULL
- * where no measured runs lie on both sides of the speed, or were measured with
- * another feed or machine. */
+/* Measured products, moved to the feed, interpolated in speed squared at each
+ * sieve, [n]; NULL where no measured runs lie on both sides of the speed, or
+ * were measured with another feed or machine. */
 static double *
-interpolated(const struct site *site, const struct prediction *p)
+interpolated(const struct session *s, const struct params *params,
+    const struct prediction *p)
 {
-	if (site->with[0] != '\0')
+	const struct entry *entry = &s->entry[s->current];
+	if (entry->site->with[0] != '\0')
 		return NULL;
+	struct site *site = site_copy(entry->site);
+	for (size_t r = 0; r < site->n_run; r++) {
+		psd_free(&site->run[r].product);
+		site->run[r].product =
+		    psd_copy(moved_product(s, entry, params, r, p->feed_run));
+	}
 	bool *measured = xcalloc(site->n_run, sizeof *measured);
 	double *passing = NULL;
 	for (size_t r = 0; r < site->n_run; r++)
@@ -104,6 +114,7 @@ interpolated(const struct site *site, const struct prediction *p)
 			    site, measured, p->speed, p->product.size[i]);
 	}
 	free(measured);
+	site_free(site);
 	return passing;
 }
 
@@ -122,26 +133,33 @@ measured_at(const struct site *site, double speed, const struct run **first)
 	return n;
 }
 
-/* The measured products of runs [n] there, of the fraction that is asked for;
- * the caller frees all. */
+/* The measured products of runs [n] there, of the feed and the fraction that
+ * are asked for; the caller frees all. */
 static struct psd *
-measured_parts(const struct run *run, size_t n, const struct fraction *fraction)
+measured_parts(const struct session *s, const struct params *params,
+    const struct run *run, size_t n, const struct prediction *p)
 {
+	const struct entry *entry = &s->entry[s->current];
+	size_t first = (size_t)(run - entry->site->run);
 	struct psd *part = xcalloc(n, sizeof *part);
 	for (size_t k = 0; k < n; k++)
-		part[k] = screened_measured(&run[k].product, fraction);
+		part[k] = screened_measured(
+		    moved_product(s, entry, params, first + k, p->feed_run),
+		    &p->fraction);
 	return part;
 }
 
 /* A row a sieve; between: NULL for none; model: with it and the speed in
  * columns of their own, for files, or NULL; alone: with the model alone. */
 static void
-add_rows(struct answer *r, const struct site *site, const struct prediction *p,
-    const double *between, const char *model, bool alone)
+add_rows(struct answer *r, const struct session *s, const struct params *params,
+    const struct prediction *p, const double *between, const char *model,
+    bool alone)
 {
+	const struct site *site = s->entry[s->current].site;
 	const struct run *run;
 	size_t n = measured_at(site, p->speed, &run);
-	struct psd *part = measured_parts(run, n, &p->fraction);
+	struct psd *part = measured_parts(s, params, run, n, p);
 	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
 	if (p->low != NULL)
@@ -183,8 +201,9 @@ add_rows(struct answer *r, const struct site *site, const struct prediction *p,
 
 static struct answer *
 prediction_answer(struct session *s, const struct prediction *p,
-    const double *between, const char *model, bool detail)
+    const struct params *params, const double *between, bool detail)
 {
+	const char *model = breakage_of(params)->name;
 	const struct site *site = session_entry(s)->site;
 	char *fraction = screened_title(p);
 	char *more =
@@ -198,9 +217,9 @@ prediction_answer(struct session *s, const struct prediction *p,
 	free(band);
 	free(more);
 	free(fraction);
-	add_rows(r, site, p, between, NULL, detail);
+	add_rows(r, s, params, p, between, NULL, detail);
 	answer_for_programs(r);
-	add_rows(r, site, p, between, model, true);
+	add_rows(r, s, params, p, between, model, true);
 	return r;
 }
 
@@ -240,7 +259,69 @@ note_usual(struct answer *r, struct session *s, const struct params *params,
 		band_note(r, s, entry, true);
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
 		note_breakage(
-		    r, params, &entry->site->run[p->feed_run].feed, p);
+		    r, params, site_feed(entry->site, p->feed_run), p);
+}
+
+/* What one more sample would show there, passing 0..1. */
+static bool
+sample_band(const struct session *s, const struct entry *entry,
+    const struct prediction *p, double sieve, double range[static 2])
+{
+	struct ensemble *e = outlook_ensemble(s, entry, p->feed_run);
+	size_t row = 0;
+	while (row < p->curve.n && p->curve.size[row] != sieve)
+		row++;
+	if (e == NULL || row == p->curve.n)
+		return false;
+	ensemble_at(e, p->speed);
+	ensemble_band(e, ENSEMBLE_SAMPLE, row, settings_level(&s->set),
+	    &range[0], &range[1]);
+	return true;
+}
+
+/* "8 times in 10", "with 95 % probability".  The caller frees. */
+static char *
+chance_words(double level)
+{
+	double tenths = 10 * level;
+	return fabs(tenths - round(tenths)) < 1e-9
+		   ? xasprintf(tr("%.0f times in 10"), tenths)
+		   : xasprintf(tr("with %g %% probability"), 100 * level);
+}
+
+/* How sure, in one sentence about one number (D22). */
+static void
+note_sure(struct answer *r, const struct session *s, const struct prediction *p)
+{
+	const struct entry *entry = &s->entry[s->current];
+	char *chance = chance_words(settings_level(&s->set));
+	size_t i = answers_sieve(&p->product);
+	double mm = units_mm(p->product.size[i]), sample[2];
+	if (!fraction_screens(&p->fraction) &&
+	    sample_band(s, entry, p, p->product.size[i], sample))
+		answer_note(r,
+		    "at %.1f m/s %.1f %% passes %g mm: %s between %.1f and "
+		    "%.1f; a new belt cut between %.1f and %.1f",
+		    p->speed, units_pct(p->product.passing[i]), mm, chance,
+		    units_pct(p->low[i]), units_pct(p->high[i]),
+		    units_pct(sample[0]), units_pct(sample[1]));
+	free(chance);
+}
+
+/* That what was measured stands beside the answer as it would be of its feed. */
+static void
+note_moved(struct answer *r, const struct session *s,
+    const struct params *params, const struct prediction *p, bool between)
+{
+	const struct entry *entry = &s->entry[s->current];
+	const struct run *first;
+	double most = moved_most(s, entry, params, p->feed_run);
+	bool shown = between || measured_at(entry->site, p->speed, &first) > 0;
+	if (shown && most > MOVED_TOLD)
+		answer_note(r,
+		    "measured products moved to this feed, by up to %.1f "
+		    "points",
+		    100 * most);
 }
 
 /* The answer with what is to be said of it; wanted: with the interpolated
@@ -250,11 +331,12 @@ explained(struct session *s, const struct prediction *p,
     const struct params *params, bool wanted, bool detail)
 {
 	const struct entry *entry = session_entry(s);
-	double *between = wanted ? interpolated(entry->site, p) : NULL;
-	struct answer *r =
-	    prediction_answer(s, p, between, breakage_of(params)->name, detail);
+	double *between = wanted ? interpolated(s, params, p) : NULL;
+	struct answer *r = prediction_answer(s, p, params, between, detail);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, params, p);
+	if (p->low != NULL)
+		note_sure(r, s, p);
 	screened_note(r, p);
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {
@@ -263,7 +345,7 @@ explained(struct session *s, const struct prediction *p,
 	}
 	note_usual(r, s, params, p, detail);
 	note_feed_gaps(r, entry->site, p);
-	note_wide_gap(r, &entry->site->run[p->feed_run].feed);
+	note_wide_gap(r, site_feed(entry->site, p->feed_run));
 	if (session_fitting(s) == session_entry(s))
 		answer_say(r, ANSWER_REMARK,
 		    "predicted with the best parameters so far");
@@ -277,6 +359,7 @@ explained(struct session *s, const struct prediction *p,
 			: N_("no interpolation: %g m/s is not between measured "
 			     "runs"),
 		    p->speed);
+	note_moved(r, s, params, p, between != NULL);
 	note_only_check(r, s, entry);
 	answers_note_doubt(s, r, p->speed, p->feed_run);
 	free(between);
@@ -291,7 +374,8 @@ draw_curves(struct session *s, const struct prediction *p, struct error *error)
 	enum { WIDTH = 78, HEIGHT = 24 };
 	struct plot_request request = plots_request(PLOT_PSD);
 	request.speed = p->speed;
-	request.feed_speed = session_entry(s)->site->run[p->feed_run].speed;
+	double feed = feed_speed(session_entry(s)->site, p->feed_run);
+	request.feed_speed = feed > 0 ? feed : 0;
 	request.band = pictures_wanted(s) && p->low != NULL;
 	if (!pictures_wanted(s))
 		request.strip = 0;
@@ -354,12 +438,12 @@ predict_as_set(struct session *s, const struct args *args, struct error *error)
 		return false;
 	double speed = answers_speed(args, entry);
 	size_t feed;
-	if (!answers_feed(entry->site, args, speed, &feed, error))
+	if (!feed_choose(entry->site, args, &feed, error))
 		return false;
 	bool wanted = args_value(args, "interpolated")->choice == 1;
 	struct screened screened;
 	if (!screened_read(
-		args, &entry->site->run[feed].feed, &screened, error) ||
+		args, site_feed(entry->site, feed), &screened, error) ||
 	    !whole_for(args, &screened, error))
 		return false;
 	struct prediction p = outlook_form(s, entry, &params, speed, feed);

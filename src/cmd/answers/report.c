@@ -197,8 +197,8 @@ static void
 put_light(struct session *s, const struct ask *ask)
 {
 	const struct entry *entry = session_entry(s);
-	size_t feed = site_run_nearest(entry->site, ask->speed);
-	struct prediction p = outlook_predict(s, entry, ask->speed, feed);
+	struct prediction p =
+	    outlook_predict(s, entry, ask->speed, SITE_MEAN_FEED);
 	struct trust t = light_of(s, entry, &p);
 	char number[32];
 	char *words = xasprintf(tr("Trust: %s. %s the answer at %s m/s%s"),
@@ -386,10 +386,9 @@ read_ask(struct session *s, const struct args *args, struct ask *ask,
 	const struct site *site = entry->site;
 	const struct psd *feed_psd;
 	struct fraction fraction;
-	size_t feed = site_run_nearest(site, answers_middle(site));
 	char *remark = NULL;
 	take_words(args, ask);
-	feed_psd = &site->run[feed].feed;
+	feed_psd = site_feed(site, SITE_MEAN_FEED);
 	if (!quantities_option(args, &fraction, error) ||
 	    !conditions_add_operands(
 		args, &fraction, feed_psd, &ask->list, error) ||
@@ -400,7 +399,8 @@ read_ask(struct session *s, const struct args *args, struct ask *ask,
 	ask->speed = answers_speed(args, entry);
 	if (!is_met(s, ask, NEED_CONDITIONS))
 		return true;
-	ask->wanted = conditions_ask(s, entry, feed, &ask->list, NULL);
+	ask->wanted =
+	    conditions_ask(s, entry, SITE_MEAN_FEED, &ask->list, NULL);
 	site_reach(site, &ask->wanted.from, &ask->wanted.to);
 	ask->found = window_find(&ask->wanted);
 	if (!args_value(args, "speed")->given && ask->found.n_inside > 0)

@@ -13,6 +13,7 @@
 #include "cmd/fit/params.h"
 #include "cmd/lang/table.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/feed.h"
 #include "core/model/classes.h"
 #include "core/model/breakage.h"
 #include "core/answer/predict.h"
@@ -230,9 +231,8 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 		return false;
 	const struct entry *entry = session_entry(s);
 	double v = answers_speed(args, entry);
-	size_t run = site_run_nearest(entry->site, v);
-	const struct psd *feed = &entry->site->run[run].feed;
-	struct prediction p = outlook_predict(s, entry, v, run);
+	const struct psd *feed = site_feed(entry->site, SITE_MEAN_FEED);
+	struct prediction p = outlook_predict(s, entry, v, SITE_MEAN_FEED);
 	double *S = xdoubles(feed->n);
 	predict_selection(feed, &entry->params, s->set.model, v, S);
 	struct answer *r = answers_new(
@@ -249,9 +249,7 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	if (isfinite(p.break_size) && p.break_size > 0)
 		answer_note(r, "particles of %.3g mm or more can break",
 		    1000 * p.break_size);
-	if (entry->site->individual_feeds)
-		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s",
-		    entry->site->run[run].speed);
+	feed_note(r, entry->site, SITE_MEAN_FEED);
 	free(S);
 	prediction_free(&p);
 	return session_answer(s, r);

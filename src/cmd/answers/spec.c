@@ -10,6 +10,7 @@
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/feed.h"
 #include "io/formats/standards.h"
 #include "io/sitefile/units.h"
 
@@ -207,7 +208,7 @@ compare(struct session *s, const struct args *args, struct error *error)
 	char *words = words_from(args, 0);
 	const struct spec *spec = grading_spec(s, words, error);
 	free(words);
-	if (spec == NULL || !answers_feed(entry->site, args, v, &feed, error) ||
+	if (spec == NULL || !feed_choose(entry->site, args, &feed, error) ||
 	    !grading_open(s, args, spec, feed, &g, error))
 		return false;
 	char *name = grading_words(&g);

@@ -11,6 +11,7 @@
 #include "cmd/lang/table.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/screened.h"
+#include "cmd/ask/feed.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
@@ -117,10 +118,7 @@ sweep_answer(
 	if (band && across)
 		band_note(r, s, entry, true);
 	origin_note(r, entry);
-	if (answers_sampled(entry->site, p[0].feed_run))
-		answer_say(r, ANSWER_REMARK,
-		    "feed used for all speeds: sampled at %g m/s",
-		    entry->site->run[p[0].feed_run].speed);
+	feed_note(r, entry->site, p[0].feed_run);
 	if (outside && across)
 		answer_say(r, ANSWER_WARNING,
 		    "speeds marked * are outside the training speeds");
@@ -139,10 +137,9 @@ cmd_sweep(struct session *s, const struct args *args, struct error *error)
 	size_t n = speeds->n, feed;
 	struct screened screened;
 	if (!answers_ready(s, error) ||
-	    !answers_feed(
-		entry->site, args, answers_middle(entry->site), &feed, error) ||
+	    !feed_choose(entry->site, args, &feed, error) ||
 	    !screened_read(
-		args, &entry->site->run[feed].feed, &screened, error))
+		args, site_feed(entry->site, feed), &screened, error))
 		return false;
 	double *usual = n == 0 ? answers_speeds(entry->site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : speeds->list;

@@ -306,8 +306,8 @@ const struct command TABLE_ANSWERS[] = {
 	    "the other conditions, and the rest are named. If "
 	    "there is none, the products at both ends are shown, or the "
 	    "nearest speed and what fails. Without from= and to= it "
-	    "searches the speeds of sweep. The same feed is used for all "
-	    "speeds: that of the middle run, unless feed= is given.",
+	    "searches the speeds of sweep, all with one feed: the mean of "
+	    "those sampled, unless feed= is given.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "find p80=5\nfind passing=40 at=2\n"
@@ -395,7 +395,7 @@ const struct command TABLE_ANSWERS[] = {
 	.run = cmd_spec},
     {.name = "uncertainty",
 	.brief = "what makes the answer uncertain, and its draws",
-	.operands = {"[draws]", {"draws"}, 0, 1},
+	.operands = {"[SPEED] [draws]", {"SPEED draws", "draws"}, 0, 2},
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_LOOKS,
 	.option = UNCERTAINTY_OPTIONS,
 	.text =
@@ -405,11 +405,13 @@ const struct command TABLE_ANSWERS[] = {
 	    "band of predict; and of one more sample with its error, which is "
 	    "where a new measurement is expected. Below it are the sizes of "
 	    "these errors as the data show "
-	    "them. level= and noise= are settings, kept for the commands that "
+	    "them, and where feeds were sampled with several runs, how far the "
+	    "product moves with them. level= and noise= are settings, kept for "
+	    "the commands that "
 	    "follow. 'uncertainty draws > FILE.csv' writes the draws: "
 	    "parameters, errors and product of each. See UNCERTAINTY in "
 	    "tipspeed-model(7).",
-	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty speed=85",
+	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty 85",
 	.run = cmd_uncertainty},
     {.name = "advise",
 	.brief = "which sample next narrows a band most",
@@ -420,8 +422,8 @@ const struct command TABLE_ANSWERS[] = {
 		"size in mm, at a speed. For a repeat at each measured speed "
 		"and a sample at each round one, it shows how wide the "
 		"uncertainty band is expected to be after it; see UNCERTAINTY "
-		"in tipspeed-model(7). Where the feed used was sampled with "
-		"another run, it also shows what the feeds change.",
+		"in tipspeed-model(7). Where several feeds were sampled, "
+		"it also shows what they change.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nadvise p80\n"
 		   "advise passing 2 speed=85",
 	.run = cmd_advise},

@@ -9,7 +9,9 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/session/settings.h"
+#include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/feed.h"
 #include "core/posterior/ensemble.h"
 #include "io/sitefile/units.h"
 
@@ -149,6 +151,31 @@ draws_answer(const struct session *s, const struct entry *entry,
 	return r;
 }
 
+/* How far tomorrow's feed may be from the mean is another question, which the
+ * answer of each feed that was sampled tells best. */
+static void
+note_feeds(struct answer *r, const struct session *s, const struct entry *entry,
+    const struct prediction *at)
+{
+	const struct site *site = entry->site;
+	size_t i = answers_sieve(&at->product);
+	double x = at->product.size[i], most = 0;
+	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
+	for (size_t run = 0; run < site->n_run && !other; run++) {
+		struct prediction p = outlook_predict(s, entry, at->speed, run);
+		double P = psd_at_sieve(&p.product, x);
+		if (isfinite(P))
+			most = fmax(most, fabs(P - at->product.passing[i]));
+		prediction_free(&p);
+	}
+	if (!(most > 0))
+		return;
+	answer_note(r,
+	    "feeds as they varied move what passes %g mm by up to %.1f points",
+	    units_mm(x), 100 * most);
+	fields_put(answer_fields(r), "feeds_move_pct %g", 100 * most);
+}
+
 static struct answer *
 parts_answer(const struct session *s, const struct entry *entry,
     const struct posterior *p, const struct prediction *at)
@@ -166,6 +193,9 @@ parts_answer(const struct session *s, const struct entry *entry,
 	answer_note(r, "%s", outlook_words(s, entry));
 	add_hyper(r, s, p);
 	note_strengths(r, p);
+	if (entry->site->individual_feeds)
+		note_feeds(r, s, entry, at);
+	feed_note(r, entry->site, at->feed_run);
 	note_chains(r, p);
 	return r;
 }
@@ -184,20 +214,43 @@ take_settings(struct session *s, const struct args *args)
 	}
 }
 
+/* A speed, as of predict, and "draws", in any order. */
+static bool
+take_words(
+    const struct args *args, double *speed, bool *draws, struct error *error)
+{
+	bool given = args_value(args, "speed")->given;
+	for (size_t i = 0; i < args->n_operand; i++) {
+		const char *word = args->operand[i];
+		double v;
+		bool number = value_number(word, "m/s", &v) && v >= 1 &&
+			      v <= 200 && !given;
+		if (number)
+			*speed = v;
+		else if (strcmp(word, "draws") == 0 && !*draws)
+			*draws = true;
+		else
+			return error_set(error, ERROR_USAGE,
+			    "uncertainty: expected a speed or draws, got '%s'\n"
+			    "write: uncertainty 74",
+			    word);
+		given = given || number;
+	}
+	return true;
+}
+
 bool
 cmd_uncertainty(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
 	double speed = answers_speed(args, entry);
+	bool draws = false;
 	size_t feed;
-	if (args->n_operand > 0 && strcmp(args->operand[0], "draws") != 0)
-		return error_set(error, ERROR_USAGE,
-		    "uncertainty: expected options or draws, got '%s'\n"
-		    "write: uncertainty speed=74",
-		    args->operand[0]);
+	if (!take_words(args, &speed, &draws, error))
+		return false;
 	take_settings(s, args);
 	if (!answers_ready(s, error) ||
-	    !answers_feed(entry->site, args, speed, &feed, error))
+	    !feed_choose(entry->site, args, &feed, error))
 		return false;
 	struct prediction at = outlook_predict(s, entry, speed, feed);
 	if (at.low == NULL) {
@@ -208,7 +261,6 @@ cmd_uncertainty(struct session *s, const struct args *args, struct error *error)
 					      : tr("'set' shows the settings"));
 	}
 	const struct posterior *p = outlook_draws(s, entry);
-	bool draws = args->n_operand > 0;
 	size_t n = (size_t)args_value(args, "n")->whole;
 	session_answer(s, draws ? draws_answer(s, entry, p, &at, n)
 				: parts_answer(s, entry, p, &at));

@@ -12,6 +12,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/feed.h"
 #include "core/model/breakage.h"
 #include "core/search/misfit.h"
 #include "core/check/validate.h"
@@ -256,17 +257,6 @@ say_data(const struct subject *a)
 	free(from);
 }
 
-/* Where it is not the one that predict takes by itself. */
-static void
-say_feed(const struct subject *a)
-{
-	const struct site *site = a->entry->site;
-	if (site->run[a->p.feed_run].speed >= 0 &&
-	    a->p.feed_run != site_run_nearest(site, a->p.speed))
-		answer_note(a->answer, "The feed used was sampled at %g m/s",
-		    site->run[a->p.feed_run].speed);
-}
-
 bool
 cmd_why(struct session *s, const struct args *args, struct error *error)
 {
@@ -281,11 +271,10 @@ cmd_why(struct session *s, const struct args *args, struct error *error)
 		return false;
 	struct subject a = {.s = s,
 	    .entry = entry,
-	    .feed = &entry->site->run[run].feed,
+	    .feed = site_feed(entry->site, run),
 	    .p = outlook_predict(s, entry, v, run),
 	    .answer = answers_new(entry->site, "why", "why, at %.4g m/s", v)};
 	fields_put(answer_fields(a.answer), "speed %g", v);
-	say_feed(&a);
 	say_breakage(&a);
 	say_how_much(&a);
 	say_response(&a);
@@ -294,6 +283,7 @@ cmd_why(struct session *s, const struct args *args, struct error *error)
 	say_light(&a);
 	say_fit(&a);
 	say_data(&a);
+	feed_note(a.answer, entry->site, run);
 	prediction_free(&a.p);
 	return session_answer(s, a.answer);
 }

@@ -12,6 +12,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/feed.h"
 
 /* What was asked, and what was found. */
 struct asking {
@@ -27,7 +28,7 @@ read_conditions(struct session *s, const struct args *args, struct asking *a,
     struct error *error)
 {
 	struct fraction fraction;
-	const struct psd *feed = &session_entry(s)->site->run[a->feed].feed;
+	const struct psd *feed = site_feed(session_entry(s)->site, a->feed);
 	if (!quantities_option(args, &fraction, error) ||
 	    !conditions_add_operands(args, &fraction, feed, &a->list, error) ||
 	    !conditions_add_option(
@@ -222,8 +223,7 @@ cmd_window(struct session *s, const struct args *args, struct error *error)
 	double from, to;
 	bool ok = answers_ready(s, error) &&
 		  conditions_speeds(args, entry->site, &from, &to, error) &&
-		  answers_feed(entry->site, args, answers_middle(entry->site),
-		      &a.feed, error) &&
+		  feed_choose(entry->site, args, &a.feed, error) &&
 		  read_conditions(s, args, &a, error);
 	if (ok) {
 		look(s, &a, from, to);

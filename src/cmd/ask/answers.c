@@ -13,6 +13,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/screened.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/feed.h"
 #include "io/sitefile/units.h"
 
 const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {
@@ -85,32 +86,6 @@ answers_forming(const struct session *s, struct params *params)
 }
 
 bool
-answers_feed(const struct site *site, const struct args *args, double speed,
-    size_t *run, struct error *error)
-{
-	const struct value *feed = args_value(args, "feed");
-	*run = site_run_at(site, SITE_OTHER_FEED);
-	if (*run < site->n_run)
-		return true;
-	*run = site_run_nearest(site, speed);
-	if (!feed->given)
-		return true;
-	*run = site_run_at(site, feed->number);
-	if (*run < site->n_run)
-		return true;
-	return error_set(error, ERROR_USAGE,
-	    "%s has no feed sampled at %g m/s\n"
-	    "run 'show feed' for its feeds",
-	    site->name, feed->number);
-}
-
-bool
-answers_sampled(const struct site *site, size_t feed_run)
-{
-	return site->individual_feeds && site->run[feed_run].speed > 0;
-}
-
-bool
 answers_extrapolates(const struct entry *entry, double speed)
 {
 	double slowest, fastest;
@@ -163,6 +138,20 @@ answers_speed(const struct args *args, const struct entry *entry)
 	return speed->given ? speed->number : answers_usual(entry);
 }
 
+size_t
+answers_sieve(const struct psd *product)
+{
+	size_t middle = 0;
+	for (size_t i = 0; i < product->n; i++) {
+		if (fabs(product->size[i] - 2e-3) < 1e-9)
+			return i;
+		if (fabs(product->passing[i] - 0.5) <
+		    fabs(product->passing[middle] - 0.5))
+			middle = i;
+	}
+	return middle;
+}
+
 bool
 answers_last(const struct session *s, const struct args *args, double *speed,
     size_t *feed_run, struct error *error)
@@ -172,7 +161,7 @@ answers_last(const struct session *s, const struct args *args, double *speed,
 	double fed = session_known(s, "predict", "feed_mps");
 	bool given = args_value(args, "speed")->given || isnan(last);
 	*speed = given ? answers_speed(args, entry) : last;
-	if (!answers_feed(entry->site, args, *speed, feed_run, error))
+	if (!feed_choose(entry->site, args, feed_run, error))
 		return false;
 	if (!given && !args_value(args, "feed")->given && isfinite(fed) &&
 	    site_run_at(entry->site, fed) < entry->site->n_run)
@@ -254,26 +243,6 @@ add_size(
 		    units_mm(psd->size[psd->n - 1]), 1000 * range[1]);
 }
 
-/* Sizes of the answer are those of its curve, of what was measured straight
- * between sieves: who compares the two has to know where that makes more of a
- * difference than the band has room for. */
-static void
-note_straight(struct answer *r, const struct prediction *p)
-{
-	char *sizes = xstrdup("");
-	for (size_t i = 0; i < PSD_SIZES; i++) {
-		double x = psd_size(&p->product, PSD_PASSING[i]);
-		if (x < p->range[i][0] || x > p->range[i][1])
-			xlist(&sizes, ", ", "P%g %.2f", 100 * PSD_PASSING[i],
-			    1000 * x);
-	}
-	if (sizes[0] != '\0')
-		answer_note(r,
-		    "straight between sieves, as of measured products: %s mm",
-		    sizes);
-	free(sizes);
-}
-
 void
 answers_note_sizes(struct answer *r, const struct prediction *p)
 {
@@ -282,7 +251,6 @@ answers_note_sizes(struct answer *r, const struct prediction *p)
 		add_size(&sizes, &p->curve, PSD_PASSING[i], p->range[i]);
 	answer_note(r, "%s", sizes);
 	free(sizes);
-	note_straight(r, p);
 }
 
 void
@@ -355,7 +323,6 @@ answers_note_doubt(
     struct session *s, struct answer *r, double speed, size_t feed_run)
 {
 	const struct entry *entry = session_entry(s);
-	const struct site *site = entry->site;
 	/* Of a feed alone a search that found nothing has no speed. */
 	struct prediction p = {0};
 	if (speed > 0)
@@ -372,10 +339,7 @@ answers_note_doubt(
 		    speed, speeds);
 		free(speeds);
 	}
-	if (answers_sampled(site, feed_run) &&
-	    fabs(site->run[feed_run].speed - speed) > 1e-3)
-		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s%s",
-		    site->run[feed_run].speed, site->run[feed_run].repeat);
+	feed_note(r, entry->site, feed_run);
 	answers_note_variant(r, entry);
 	answers_note_model(s, r, entry);
 	light_show(r, light);
@@ -417,8 +381,7 @@ answers_put_prediction(struct session *s, struct fields *o,
 	screened_put(o, p);
 	fields_put(o, "model %s", breakage_of(params)->name);
 	fit_put_params(o, params);
-	double sampled = entry->site->run[p->feed_run].speed;
-	fields_put(o, ".feed_mps %g", sampled >= 0 ? sampled : NAN);
+	fields_put(o, ".feed_mps %g", feed_speed(entry->site, p->feed_run));
 	if (entry->has_fit)
 		fields_put(o, "verdict %s", light_verdict(s, entry, p));
 	if (entry->origin != NULL && entry->origin->stored)

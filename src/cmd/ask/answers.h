@@ -36,15 +36,6 @@ bool answers_forming(const struct session *s, struct params *params);
  * were measured where that is not known. */
 bool answers_extrapolates(const struct entry *entry, double speed);
 
-/* The run whose feed to take: that of another sheet, where the call asks with
- * one (cmd/ask/scenario.h); at the speed that the option feed names; else the
- * run nearest to the speed given. */
-bool answers_feed(const struct site *site, const struct args *args,
-    double speed, size_t *run, struct error *error);
-
-/* Whether the feed of the run is one of several, sampled at its speed. */
-bool answers_sampled(const struct site *site, size_t feed_run);
-
 /* B(u) at the breaker's speed, of a parent of the site's top size where it
  * depends on that. */
 double answers_finer(
@@ -63,10 +54,12 @@ bool answers_last(const struct session *s, const struct args *args,
 /* Round speeds over site_reach, seven at most.  The caller frees. */
 double *answers_speeds(const struct site *site, size_t *n);
 
-/* Where speeds are compared one feed serves for all, so that what differs is
- * what the speed does: that of the run nearest to this speed, m/s; 74 where the
- * site has a feed only. */
+/* The middle of the speeds measured, m/s; 74 where the site has a feed only. */
 double answers_middle(const struct site *site);
+
+/* The sieve whose passing stands for a product where a sentence has one: that of
+ * 2 mm, else the one that half passes most nearly. */
+size_t answers_sieve(const struct psd *product);
 
 /* Keeps a prediction as the newest answer of `predict`. */
 void answers_keep(

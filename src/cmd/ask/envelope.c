@@ -241,7 +241,7 @@ static bool
 open_limits(
     struct session *s, size_t feed, struct grading *g, struct error *error)
 {
-	const struct psd *from = &session_entry(s)->site->run[feed].feed;
+	const struct psd *from = site_feed(session_entry(s)->site, feed);
 	g->modulus = modulus_of(g->spec);
 	g->limits = grading_limits(g->spec, &g->fraction, from);
 	if (g->limits.n_sieve == 0) {

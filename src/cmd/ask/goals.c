@@ -257,7 +257,7 @@ begin(struct session *s, struct goal *g, size_t feed)
 	g->feed = feed;
 	g->parts = (size_t)ceil((to - from) / PART - 1e-6);
 	g->nearest = g->certain[0] = g->certain[1] = NAN;
-	if (!goals_read(s, s->set.goal, &site->run[feed].feed, &g->list,
+	if (!goals_read(s, s->set.goal, site_feed(site, feed), &g->list,
 		&g->n_value, &error))
 		g->why = xstrdup(error.text);
 }

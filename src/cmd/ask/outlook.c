@@ -184,7 +184,7 @@ outlook_feed_difference(
 		if (use[r])
 			least = fmin(
 			    least, trust_feed_difference(&h->site->run[r].feed,
-				       &entry->site->run[feed_run].feed));
+				       site_feed(entry->site, feed_run)));
 	free(use);
 	return least;
 }
@@ -244,16 +244,23 @@ are_own(const struct entry *entry, const struct params *params)
 	return memcmp(params, &entry->params, sizeof *params) == 0;
 }
 
+const struct posterior *
+outlook_answering(const struct session *s, const struct entry *entry,
+    const struct params *params)
+{
+	return are_own(entry, params) ? answering(s, entry) : NULL;
+}
+
 struct response *
 outlook_response(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run, const struct quantity *asked,
     size_t n)
 {
-	const struct psd *feed = &entry->site->run[feed_run].feed;
+	const struct psd *feed = site_feed(entry->site, feed_run);
 	struct psd sizes = predict_sizes(entry->site, feed);
 	struct response *r = response_new(feed, sizes.size, sizes.n, asked, n,
 	    params, outlook_settings(s, entry),
-	    are_own(entry, params) ? answering(s, entry) : NULL);
+	    outlook_answering(s, entry, params));
 	psd_free(&sizes);
 	return r;
 }
@@ -281,7 +288,7 @@ outlook_ensemble(
 	if (h->ensemble != NULL && memcmp(&of, &h->ensemble_of, sizeof of) == 0)
 		return h->ensemble;
 	ensemble_free(h->ensemble);
-	const struct psd *feed = &entry->site->run[feed_run].feed;
+	const struct psd *feed = site_feed(entry->site, feed_run);
 	struct psd sizes = predict_sizes(entry->site, feed);
 	h->ensemble = ensemble_new(p, feed, sizes.size, sizes.n);
 	ensemble_machine(h->ensemble, outlook_settings(s, entry));

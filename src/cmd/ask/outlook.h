@@ -73,6 +73,11 @@ struct response *outlook_response(const struct session *s,
     const struct entry *entry, const struct params *params, size_t feed_run,
     const struct quantity *asked, size_t n);
 
+/* What the entry's answers are drawn from, formed with these parameters; NULL:
+ * they are the model alone. */
+const struct posterior *outlook_answering(const struct session *s,
+    const struct entry *entry, const struct params *params);
+
 /* The crusher of the entry's answers, for any feed, with classes between sizes
  * [n]; crusher_free. */
 struct crusher *outlook_crusher(const struct session *s,

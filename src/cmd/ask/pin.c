@@ -11,6 +11,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/feed.h"
 
 void
 pin_free(struct pin *pin)

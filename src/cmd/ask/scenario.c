@@ -8,6 +8,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/moved.h"
 #include "cmd/sheets/load.h"
 #include "cmd/ask/quantity_words.h"
 #include "io/sitefile/column_header.h"
@@ -95,6 +96,7 @@ variant_end(struct session *s)
 {
 	struct stand_in *all = s->stand_in;
 	assert(s->n_entry == all->n);
+	moved_forget(s->moved);
 	for (size_t i = 0; i < all->n; i++) {
 		struct entry *entry = &s->entry[i];
 		for (size_t k = 0; k < all->n; k++) {

@@ -2,7 +2,7 @@
  *
  * While it runs, every loaded site is a copy that has them, so that whatever
  * the command asks is answered with them: outlook.c takes the machine from the
- * entry, answers_feed the feed, light.c has the reasons, and the copy's `with`
+ * entry, feed_choose the feed, light.c has the reasons, and the copy's `with`
  * tells them in every title.  Afterwards all is as before.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_SCENARIO_H

@@ -112,7 +112,7 @@ screened_take(const struct session *s, const struct entry *entry,
     const struct params *params, const struct screened *wanted,
     struct prediction *p)
 {
-	const struct psd *feed = &entry->site->run[p->feed_run].feed;
+	const struct psd *feed = site_feed(entry->site, p->feed_run);
 	bool screens = fraction_screens(&wanted->fraction);
 	if (!screens && wanted->n == 0)
 		return;

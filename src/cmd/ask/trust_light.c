@@ -211,7 +211,8 @@ judge(const struct session *s, const struct entry *entry,
 		judge_variant(&t, s, entry, e);
 	if (p != NULL)
 		q.width = mean_width(p);
-	if (p != NULL && e != NULL)
+	if (p != NULL && e != NULL && entry->variant != NULL &&
+	    entry->variant->feed)
 		q.feed = outlook_feed_difference(s, entry, p->feed_run);
 	if (q.width > NARROW && e != NULL)
 		find_bound(s, entry, p, &q);

@@ -16,6 +16,7 @@
 #include "cmd/run/line.h"
 #include "cmd/ask/pin.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/feed.h"
 #include "config.h"
 #include "plot/picture.h"
 
@@ -62,9 +63,10 @@ read_request(const struct session *s, const struct args *args,
 	if (args_value(args, "feed")->given && s->n_entry > 0) {
 		const struct site *site = s->entry[s->current].site;
 		size_t run;
-		if (!answers_feed(site, args, 0, &run, error))
+		if (!feed_choose(site, args, &run, error))
 			return false;
-		request->feed_speed = site->run[run].speed;
+		request->feed_speed =
+		    run < site->n_run ? site->run[run].speed : 0;
 	}
 	request->level = args_value(args, "level")->number;
 	request->band = args_value(args, "band")->choice == 1;
@@ -688,8 +690,7 @@ say_goal(struct tale *t, struct session *s, const struct plot_request *request)
 	const struct site *site = session_entry(s)->site;
 	double speed =
 	    isnan(request->speed) ? answers_middle(site) : request->speed;
-	size_t feed = site_run_nearest(
-	    site, request->feed_speed != 0 ? request->feed_speed : speed);
+	size_t feed = feed_at(site, request->feed_speed);
 	while (goals_pending(s, &goal, feed) &&
 	       (s->hooks.stop == NULL || !s->hooks.stop()))
 		goals_step(s, &goal, feed);

@@ -11,6 +11,8 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/feed.h"
+#include "cmd/ask/moved.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/pin.h"
 #include "cmd/draw/plots_difference.h"
@@ -182,13 +184,15 @@ plots_left_out(const struct site *site)
 
 /* Nothing where another feed or machine is asked about. */
 static void
-add_measured(struct curves *c, const struct entry *entry, double speed)
+add_measured(struct curves *c, const struct session *s,
+    const struct entry *entry, const struct params *params, double speed,
+    size_t feed)
 {
 	const struct site *site = entry->site;
 	for (size_t i = 0; i < site->n_run && site->with[0] == '\0'; i++) {
 		if (!site_run_is_near(site, i, speed, PLOTS_MEASURED))
 			continue;
-		add_curve(c, &site->run[i].product,
+		add_curve(c, moved_product(s, entry, params, i, feed),
 		    xasprintf(tr("measured %g m/s%s"), site->run[i].speed,
 			site->run[i].repeat),
 		    site_chart_run(site, i, !entry->train[i]));
@@ -209,6 +213,14 @@ note_measured(
 	if (plots_left_out(site) > 0)
 		chart_note(chart, "%zu measured runs are not drawn",
 		    plots_left_out(site));
+}
+
+void
+plots_note_moved(struct chart *chart, const struct session *s,
+    const struct entry *entry, const struct params *params, size_t feed)
+{
+	if (moved_most(s, entry, params, feed) > MOVED_TOLD)
+		chart_note(chart, "measured products moved to this feed");
 }
 
 /* Below curves whose last one is the prediction. */
@@ -393,11 +405,11 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
 	if (!kept) {
 		const struct site *site = second->whose->site;
 		double v = isnan(q->other_speed) ? speed : q->other_speed;
+		if (i != s->current)
+			feed = SITE_MEAN_FEED;
 		if (q->other_feed != 0)
-			feed = site_run_at(site, q->other_feed);
-		else if (i != s->current)
-			feed = site_run_nearest(site, v);
-		if (feed >= site->n_run)
+			feed = feed_at(site, q->other_feed);
+		if (q->other_feed != 0 && feed >= site->n_run)
 			return error_set(error, ERROR_USAGE,
 			    "%s has no feed sampled at %g m/s\n"
 			    "run 'show feed' for its feeds",
@@ -430,18 +442,15 @@ note_curves(struct chart *chart, struct session *s,
 		    last[one != NULL ? -1 : 0]->name, SERIES_OTHER);
 }
 
-/* Named by its run where another one is nearer to the speed. */
+/* Named by its run where it is that of one of several. */
 static void
-add_feed(struct curves *c, const struct plot_request *q,
-    const struct site *site, size_t run, double speed)
+add_feed(struct curves *c, const struct site *site, size_t run)
 {
-	bool sampled =
-	    answers_sampled(site, run) &&
-	    (!(q->words & CHART_NOTES) || run != site_run_nearest(site, speed));
-	add_curve(c, &site->run[run].feed,
-	    sampled ? xasprintf(tr("feed %g m/s%s"), site->run[run].speed,
-			  site->run[run].repeat)
-		    : xstrdup(tr("feed")),
+	bool one = run < site->n_run && site->individual_feeds;
+	add_curve(c, site_feed(site, run),
+	    one ? xasprintf(tr("feed %g m/s%s"), site->run[run].speed,
+		      site->run[run].repeat)
+		: xstrdup(tr("feed")),
 	    FEED);
 }
 
@@ -489,8 +498,7 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
 	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
-	size_t feed =
-	    site_run_nearest(site, q->feed_speed != 0 ? q->feed_speed : speed);
+	size_t feed = feed_at(site, q->feed_speed);
 	struct curves c = {0};
 	struct params params = {0};
 	struct error unknown = {0};
@@ -501,8 +509,8 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 		*error = unknown;
 		return NULL;
 	}
-	add_feed(&c, q, site, feed, speed);
-	add_measured(&c, entry, speed);
+	add_feed(&c, site, feed);
+	add_measured(&c, s, entry, known ? &params : NULL, speed, feed);
 	const struct prediction *one =
 	    known ? make_first(&c, s, q, &params, speed, feed) : NULL;
 	if (!add_second(
@@ -527,6 +535,7 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	else if (q->strip > 0)
 		add_strip(chart, &c, q->strip);
 	note_measured(chart, &c, site);
+	plots_note_moved(chart, s, entry, known ? &params : NULL, feed);
 	if (!isnan(q->crosshair_mm))
 		note_crosshair(chart, q, one);
 	free_curves(&c);
@@ -551,9 +560,8 @@ sweep_chart(
 		    n, ARRAY_LEN(c.prediction));
 		return NULL;
 	}
-	size_t feed = site_run_nearest(
-	    site, q->feed_speed != 0 ? q->feed_speed : answers_middle(site));
-	add_curve(&c, &site->run[feed].feed, xstrdup(tr("feed")), FEED);
+	size_t feed = feed_at(site, q->feed_speed);
+	add_curve(&c, site_feed(site, feed), xstrdup(tr("feed")), FEED);
 	double *usual = n == 0 ? answers_speeds(site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : q->speeds;
 	for (size_t i = 0; i < n; i++)
@@ -628,7 +636,7 @@ residuals_chart(
 		return NULL;
 	}
 	double middle = answers_middle(site);
-	add_measured(&c, session_entry(s), middle);
+	add_measured(&c, s, session_entry(s), NULL, middle, SITE_MEAN_FEED);
 	struct chart *chart = site_chart(site, sieves_of(&c), (struct axis){0},
 	    "predicted minus measured, sieve by sieve");
 	for (size_t i = 0; i < site->n_run; i++) {
@@ -791,7 +799,7 @@ selection_chart(
 	struct params params;
 	if (!plots_params(s, q, &params, error))
 		return NULL;
-	const struct psd *feed = &site->run[site_run_nearest(site, speed)].feed;
+	const struct psd *feed = site_feed(site, feed_at(site, q->feed_speed));
 	struct curves c = {0};
 	add_curve(&c, feed, xstrdup(""), FEED);
 	struct chart *chart = site_chart(site, sieves_of(&c),

@@ -86,7 +86,7 @@ plots_limits_fraction(const struct session *s, const struct entry *entry,
 		return false;
 	/* With the cut's own sizes, so that the curve ends there. */
 	const double cut[] = {fraction.fine, fraction.coarse};
-	const struct psd *feed = &entry->site->run[whole->feed_run].feed;
+	const struct psd *feed = site_feed(entry->site, whole->feed_run);
 	const struct psd *sieves = &whole->product;
 	struct psd all = psd_new(sieves->n + ARRAY_LEN(cut));
 	all.n = sieves->n;

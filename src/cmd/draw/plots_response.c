@@ -8,9 +8,12 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/feed.h"
+#include "cmd/ask/moved.h"
 #include "cmd/ask/condition.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/draw/plots.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
 #include "cmd/draw/site_chart.h"
@@ -92,7 +95,7 @@ static bool
 read_drawn(struct session *s, const char *of_words, const char *limits,
     struct drawn *d, struct error *error)
 {
-	const struct psd *feed = &session_entry(s)->site->run[d->feed].feed;
+	const struct psd *feed = site_feed(session_entry(s)->site, d->feed);
 	const struct fraction whole = {.partition = IDEAL};
 	size_t n = 0;
 	if (limits != NULL &&
@@ -180,13 +183,14 @@ add_line(struct chart *chart, const struct drawn *d, size_t i)
 }
 
 static void
-add_measured(struct chart *chart, const struct site *site,
-    const struct drawn *d, size_t i)
+add_measured(struct chart *chart, const struct session *s,
+    const struct entry *entry, const struct drawn *d, size_t i)
 {
+	const struct site *site = entry->site;
 	const struct quantity *q = &d->q[i];
 	struct chart_series look = site_chart_look(i);
 	look.line = CHART_MARKS;
-	if (site_products(site) == 0)
+	if (site_products(site) == 0 || site->with[0] != '\0')
 		return;
 	char *name = quantities_words(q);
 	struct chart_series *points =
@@ -194,7 +198,8 @@ add_measured(struct chart *chart, const struct site *site,
 	free(name);
 	points->n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
-		const struct psd *product = &site->run[r].product;
+		const struct psd *product =
+		    moved_product(s, entry, &entry->params, r, d->feed);
 		double value =
 		    product->n > 0 ? screened_value(product, q) : NAN;
 		if (isnan(value))
@@ -325,7 +330,7 @@ unit_chart(struct session *s, const struct drawn *d, const char *unit)
 	for (size_t i = 0; i < d->n; i++)
 		if (strcmp(quantities_unit(&d->q[i]), unit) == 0) {
 			add_line(chart, d, i);
-			add_measured(chart, site, d, i);
+			add_measured(chart, s, session_entry(s), d, i);
 			add_limits(chart, d, i);
 		}
 	chart->y = around(chart, title);
@@ -358,12 +363,11 @@ make_charts(struct session *s, const struct drawn *d)
 		window_free(&w);
 		response_free(wanted.response);
 	}
-	double sampled = entry->site->run[d->feed].speed;
-	if (entry->site->individual_feeds && sampled != SITE_OTHER_FEED)
-		chart_note(last,
-		    "lines: the feed sampled at %g m/s; what was measured is "
-		    "of feeds of its own",
-		    sampled);
+	char *feed = feed_words(entry->site, d->feed);
+	if (feed != NULL)
+		chart_note(last, "feed: %s", feed);
+	free(feed);
+	plots_note_moved(last, s, entry, &entry->params, d->feed);
 	if (first->series[0]->low != NULL)
 		chart_note(last, "shaded: %.0f %% uncertainty band",
 		    100 * settings_level(&s->set));
@@ -382,13 +386,11 @@ plots_response(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
-	double middle = answers_middle(entry->site);
 	struct drawn d = {0};
 	struct chart *chart = NULL;
 	if (!answers_known(s, entry, error))
 		return NULL;
-	d.feed = site_run_nearest(
-	    entry->site, q->feed_speed > 0 ? q->feed_speed : middle);
+	d.feed = feed_at(entry->site, q->feed_speed);
 	site_reach(entry->site, &d.from, &d.to);
 	if (read_drawn(s, q->of, q->limits, &d, error)) {
 		look(s, &d);

@@ -6,7 +6,8 @@
 
 #define WHAT_OPTIONS                                                           \
 	{"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                       \
-	    "rotor tip speed of psd and selection; default: the middle run"},  \
+	    "rotor tip speed of psd and selection; default: the middle of "    \
+	    "the runs"},                                                       \
 	    TABLE_FEED,                                                        \
 	    {"other", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                   \
 		"another speed for comparison"},                               \

@@ -115,8 +115,8 @@ add_band(struct answer *r, struct session *s, const struct drill *d)
 		return;
 	}
 	const struct entry *entry = &s->entry[at];
-	struct prediction p = outlook_predict(
-	    s, entry, d->answer, site_run_nearest(entry->site, d->answer));
+	struct prediction p =
+	    outlook_predict(s, entry, d->answer, SITE_MEAN_FEED);
 	const struct psd *curve = &p.product;
 	double *truth = xdoubles(curve->n), worst = 0;
 	drill_truth(&d->plant, d->answer, curve->size, curve->n, truth);

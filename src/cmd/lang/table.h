@@ -20,12 +20,13 @@ command_run cmd_drill, cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
     cmd_source, cmd_echo, cmd_timing, cmd_assert, cmd_help, cmd_apropos,
     cmd_man, cmd_version, cmd_tui, cmd_quit;
 
-/* An option of commands that predict, see answers_feed. */
+/* An option of commands that predict, see feed_choose. */
 #define TABLE_FEED                                                       \
 	{                                                                \
 		"feed", VALUE_FEED, "m/s", 1, 200, NULL, "",             \
 		    "take the feed sampled at this speed, or that of a " \
-		    "sheet, FILE or FILE@SPEED"                          \
+		    "sheet, FILE or FILE@SPEED; default: the mean of "   \
+		    "those sampled"                                      \
 	}
 
 /* What another machine does otherwise, see cmd/ask/scenario.h. */

@@ -16,6 +16,7 @@
 #include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/feed.h"
 #include "core/posterior/ensemble.h"
 #include "io/sitefile/units.h"
 
@@ -487,11 +488,7 @@ finish(const struct plant *p, const struct outcome *o, struct answer *r)
 		    "method classes takes the classes of the screens here, "
 		    "which are finer than those of predict");
 	fields_put(answer_fields(r), "level %g", 100 * p->level);
-	const struct run *of = &entry->site->run[p->plan->feed_run];
-	if (answers_sampled(entry->site, p->plan->feed_run) &&
-	    fabs(of->speed - o->speed) > 1e-3)
-		answer_say(r, ANSWER_REMARK, "feed used: sampled at %g m/s%s",
-		    of->speed, of->repeat);
+	feed_note(r, entry->site, p->plan->feed_run);
 	origin_note(r, entry);
 	answers_note_model(p->s, r, entry);
 	answers_note_variant(r, entry);
@@ -556,8 +553,7 @@ cmd_flow(struct session *s, const struct args *args, struct error *error)
 	struct flow_plan plan;
 	size_t feed;
 	if (!answers_ready(s, error) ||
-	    !answers_feed(entry->site, args,
-		best ? answers_middle(entry->site) : v, &feed, error) ||
+	    !feed_choose(entry->site, args, &feed, error) ||
 	    !flow_plan_read(s, args, feed, &plan, error))
 		return false;
 	struct plant p = plant_new(s, &plan);

@@ -251,8 +251,9 @@ static void
 choose_sizes(const struct site *site, struct flow_plan *plan)
 {
 	enum { MOST = 120 };
-	const struct psd *feed = &site->run[plan->feed_run].feed;
-	struct psd all = predict_sizes(site, feed);
+	const struct psd *feed = site_feed(site, plan->feed_run);
+	struct psd sieves = predict_sizes(site, feed);
+	struct psd all = psd_refined(sieves.size, sieves.n);
 	struct circuit *c = plan->circuit;
 	const struct psd *from = all.n <= MOST ? &all : feed;
 	size_t step = (from->n + MOST - 1) / MOST;
@@ -267,6 +268,7 @@ choose_sizes(const struct site *site, struct flow_plan *plan)
 			    c->unit[u].opening * c->unit[u].partition.cut_size;
 	plan->n = drop_twins(plan->size, plan->n);
 	psd_free(&all);
+	psd_free(&sieves);
 }
 
 /* Screens finer than what is known of the feed. */
@@ -274,7 +276,7 @@ static bool
 check_screens(
     const struct site *site, const struct flow_plan *plan, struct error *error)
 {
-	const struct psd *feed = &site->run[plan->feed_run].feed;
+	const struct psd *feed = site_feed(site, plan->feed_run);
 	for (size_t u = 0; u < plan->circuit->n_unit; u++) {
 		const struct unit *unit = &plan->circuit->unit[u];
 		double cut = unit->opening * unit->partition.cut_size;

@@ -22,8 +22,11 @@ plant_new(struct session *s, const struct flow_plan *plan)
 	    .bypass = of->bypass ? entry->params.at[of->n - 1] : 0,
 	    .level = settings_level(&s->set)};
 	p.feed = xdoubles(plan->n);
-	crusher_classes(
-	    p.crusher, &entry->site->run[plan->feed_run].feed, p.feed);
+	const struct psd *feed = site_feed(entry->site, plan->feed_run);
+	crusher_classes(p.crusher, feed, p.feed);
+	struct psd sieves = predict_sizes(entry->site, feed);
+	crusher_match(p.crusher, feed, sieves.size, sieves.n);
+	psd_free(&sieves);
 	for (size_t u = 0; u < p.circuit->n_unit; u++)
 		if (p.circuit->unit[u].speed > 0)
 			p.own[u] =

@@ -12,6 +12,7 @@
 #include "cmd/session/journal.h"
 #include "cmd/session/autosave.h"
 #include "cmd/lang/parse.h"
+#include "cmd/ask/moved.h"
 #include "cmd/ask/pin.h"
 #include "cmd/session/script.h"
 #include "cmd/session/turn.h"
@@ -30,6 +31,7 @@ session_new(FILE *out, FILE *notes)
 	s->notes = notes;
 	s->journal = journal_new();
 	s->undo = undo_new();
+	s->moved = moved_new();
 	s->store = store_new(":memory:");
 	return s;
 }
@@ -44,6 +46,7 @@ session_free(struct session *s)
 	struct error stopped = {0};
 	session_settle(s, false, &stopped);
 	keep_end(s);
+	moved_free(s->moved);
 	entries_free(s->entry, s->n_entry);
 	for (size_t i = 0; i < s->n_site; i++)
 		site_free(s->site[i]);

@@ -95,6 +95,7 @@ struct session {
 	const struct spec *spec; /* envelope chosen, or NULL */
 	size_t n_spec;
 	struct spec **specs;   /* every one there was */
+	struct moved *moved;   /* see moved.h */
 	const struct pin *pin; /* see pin.h, or NULL */
 	size_t n_pin;
 	struct pin **pins;             /* every one there was */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "core/numeric/elementary.h"
 #include "core/posterior/discrepancy.h"
 #include "core/posterior/ensemble.h"
 #include "core/model/product.h"
@@ -16,17 +17,25 @@ enum { DRAWS = POSTERIOR_DRAWS };
  * model. */
 struct crusher {
 	const struct posterior *posterior;
+	struct params params;
+	struct model_settings settings;
 	size_t n;
 	double *size;
+	/* Of the question's feed: its masses [n], and at the sieves [n_sieve],
+	 * which are its sizes number `at`, its product; or NULL. */
+	double *feed;
+	size_t n_sieve, *at;
+	struct model *whole;
+	struct ensemble *whole_draws;
 	struct model **model;
 	struct ensemble **ensemble;
 };
 
 /* passing [draws][n - 1][n]: of the product of a class at the sizes;
- * delta [draws][n] or NULL. */
+ * delta, more [draws][n] or NULL; more: see crusher_match. */
 struct transfer {
 	size_t n, draws;
-	double *passing, *delta;
+	double *passing, *delta, *more;
 	double *feed; /* [n], room for the passing masses of a feed */
 };
 
@@ -36,12 +45,14 @@ crusher_new(const double *size, size_t n, const struct params *p,
 {
 	struct crusher *c = xcalloc(1, sizeof *c);
 	*c = (struct crusher){.posterior = posterior,
+	    .params = *p,
 	    .n = n,
 	    .size = xdoubles(n),
 	    .model = xcalloc(n, sizeof(*c->model)),
 	    .ensemble = xcalloc(n, sizeof(*c->ensemble))};
 	memcpy(c->size, size, n * sizeof *size);
 	settings.bypass = 0;
+	c->settings = settings;
 	for (size_t i = 0; i + 1 < n; i++) {
 		double bounds[2] = {size[i], size[i + 1]}, all[2] = {1, 0};
 		struct psd feed = {2, bounds, all};
@@ -66,10 +77,42 @@ crusher_free(struct crusher *c)
 		model_free(c->model[i]);
 		ensemble_free(c->ensemble[i]);
 	}
+	model_free(c->whole);
+	ensemble_free(c->whole_draws);
+	free(c->feed);
+	free(c->at);
 	free(c->model);
 	free(c->ensemble);
 	free(c->size);
 	free(c);
+}
+
+void
+crusher_match(
+    struct crusher *c, const struct psd *feed, const double *sieve, size_t n)
+{
+	c->feed = xdoubles(c->n);
+	c->at = xcalloc(n, sizeof *c->at);
+	crusher_classes(c, feed, c->feed);
+	double *known = xdoubles(n);
+	for (size_t i = 0, k = 0; i < n; i++) {
+		while (k + 1 < c->n && c->size[k] > sieve[i] * (1 + 1e-9))
+			k++;
+		if (fabs(c->size[k] - sieve[i]) > 1e-9 * sieve[i])
+			continue;
+		known[c->n_sieve] = sieve[i];
+		c->at[c->n_sieve++] = k;
+	}
+	sieve = known;
+	n = c->n_sieve;
+	if (c->posterior != NULL) {
+		c->whole_draws = ensemble_new(c->posterior, feed, sieve, n);
+		ensemble_machine(c->whole_draws, c->settings);
+	} else {
+		c->whole = model_new(feed, sieve, n, c->settings);
+		model_set(c->whole, &c->params);
+	}
+	free(known);
 }
 
 /* Row by draw what the ensemble of a class has row by size. */
@@ -81,6 +124,49 @@ take_class(struct transfer *t, size_t class, const double *P)
 		for (size_t i = 0; i < t->n; i++)
 			row[i] = P[i * DRAWS + d];
 	}
+}
+
+/* What the prediction has more than the sum of the classes, at all sizes:
+ * straight on log size between the sieves. */
+static void
+match_draw(const struct crusher *c, struct transfer *t, size_t d,
+    const double *P, size_t apart, double *out)
+{
+	double *more = t->more + d * c->n, below = 0;
+	transfer_product(t, d, c->feed, out);
+	for (size_t i = c->n; i-- > 0;) {
+		below += out[i];
+		out[i] = below;
+	}
+	for (size_t i = 0; i < c->n_sieve; i++)
+		more[c->at[i]] = P[i * apart] - out[c->at[i]];
+	for (size_t i = 0; i + 1 < c->n_sieve; i++) {
+		size_t a = c->at[i], b = c->at[i + 1];
+		double width = el_log(c->size[a] / c->size[b]);
+		for (size_t k = a + 1; k < b; k++)
+			more[k] = more[b] +
+				  (more[a] - more[b]) *
+				      el_log(c->size[k] / c->size[b]) / width;
+	}
+}
+
+static void
+match(struct crusher *c, struct transfer *t, double v)
+{
+	double *P = xdoubles(c->n_sieve), *out = xdoubles(c->n);
+	t->more = xdoubles(t->draws * c->n);
+	if (c->posterior != NULL)
+		ensemble_at(c->whole_draws, v);
+	else
+		model_product(c->whole, v, P);
+	const double *draws =
+	    c->posterior != NULL
+		? ensemble_products(c->whole_draws, ENSEMBLE_ANSWER)
+		: P;
+	for (size_t d = 0; d < t->draws; d++)
+		match_draw(c, t, d, draws + d, t->draws, out);
+	free(out);
+	free(P);
 }
 
 struct transfer *
@@ -97,15 +183,17 @@ crusher_at(struct crusher *c, double v)
 			model_product(c->model[i], v, t->passing + i * n);
 			continue;
 		}
-		ensemble_at(c->ensemble[i], v);
+		ensemble_draws_at(c->ensemble[i], v);
 		take_class(
 		    t, i, ensemble_products(c->ensemble[i], ENSEMBLE_MODEL));
 	}
-	if (c->posterior == NULL || n < 2)
-		return t;
-	t->delta = xdoubles(DRAWS * n);
-	for (size_t d = 0; d < DRAWS; d++)
-		ensemble_delta(c->ensemble[0], d, t->delta + d * n);
+	if (c->posterior != NULL && n > 1) {
+		t->delta = xdoubles(DRAWS * n);
+		for (size_t d = 0; d < DRAWS; d++)
+			ensemble_delta(c->ensemble[0], d, t->delta + d * n);
+	}
+	if (c->feed != NULL)
+		match(c, t, v);
 	return t;
 }
 
@@ -116,6 +204,7 @@ transfer_free(struct transfer *t)
 		return;
 	free(t->passing);
 	free(t->delta);
+	free(t->more);
 	free(t->feed);
 	free(t);
 }
@@ -145,6 +234,7 @@ transfer_product(
 	size_t n = t->n;
 	const double *row = t->passing + draw * (n - 1) * n;
 	const double *delta = t->delta != NULL ? t->delta + draw * n : NULL;
+	const double *more = t->more != NULL ? t->more + draw * n : NULL;
 	double *feed = t->feed, *below = out, finer = 0;
 	double total = sum_below(in, n, feed);
 	for (size_t i = 0; i < n; i++)
@@ -157,6 +247,8 @@ transfer_product(
 		if (delta != NULL && total > 0)
 			P = total * discrepancy_answer(
 					P / total, delta[i], least / total);
+		if (more != NULL)
+			P += total * more[i];
 		P = fmin(fmax(P, least), total);
 		below[i] = P - finer;
 		finer = P;

@@ -23,6 +23,13 @@ struct crusher *crusher_new(const double *size, size_t n,
     const struct posterior *posterior);
 void crusher_free(struct crusher *crusher);
 
+/* The feed of the question, with the sieves [n], m, coarsest first, at which a
+ * prediction of its product is made: at those that are sizes of the crusher it
+ * then makes that product of this feed, and of others one that differs from the
+ * sum of the classes' as much, for each t. */
+void crusher_match(struct crusher *c, const struct psd *feed,
+    const double *sieve, size_t n);
+
 /* What it does at tip speed v, m/s: once for each draw of the posterior, or
  * for the model alone once. */
 struct transfer;

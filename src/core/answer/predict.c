@@ -37,29 +37,15 @@ covered_sieves(const struct site *site, const struct psd *feed)
 struct psd
 predict_sizes(const struct site *site, const struct psd *feed)
 {
-	/* Closer where break sizes lie, and with them corners of the curve. */
-	const double coarse = 0.0953, fine = 0.14; /* in ln x */
 	struct psd sieves = covered_sieves(site, feed);
-	double span = el_log(sieves.size[0] / sieves.size[sieves.n - 1]);
-	struct psd psd =
-	    psd_new(sieves.n + (size_t)(span / coarse) + site->n_shown);
-	psd.n = 0;
-	for (size_t i = 0; i < sieves.n; i++) {
-		double x = sieves.size[i];
-		psd.size[psd.n++] = x;
-		if (i + 1 == sieves.n)
-			break;
-		double gap = el_log(x / sieves.size[i + 1]);
-		double apart = x > sieves.size[0] / 10 ? coarse : fine;
-		double parts = floor(gap / apart) + 1;
-		for (double k = 1; k < parts; k++)
-			psd.size[psd.n++] = x * el_exp(-gap * k / parts);
-	}
-	psd_free(&sieves);
 	struct psd shown = covered(site->shown, site->n_shown, feed);
-	for (size_t i = 0; i < shown.n; i++)
-		psd.size[psd.n++] = shown.size[i];
+	struct psd psd = psd_new(sieves.n + shown.n);
+	memcpy(psd.size, sieves.size, sieves.n * sizeof *psd.size);
+	if (shown.n > 0)
+		memcpy(psd.size + sieves.n, shown.size,
+		    shown.n * sizeof *psd.size);
 	psd.n = psd_sort(psd.size, psd.n, 0);
+	psd_free(&sieves);
 	psd_free(&shown);
 	return psd;
 }
@@ -98,7 +84,7 @@ struct prediction
 predict(const struct site *site, const struct params *p,
     struct model_settings settings, double speed, size_t feed_run)
 {
-	const struct psd *feed = &site->run[feed_run].feed;
+	const struct psd *feed = site_feed(site, feed_run);
 	struct prediction out = {.speed = speed,
 	    .energy = energy_specific(speed),
 	    .feed_run = feed_run,

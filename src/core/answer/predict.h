@@ -12,8 +12,8 @@
 #include "core/psd/site.h"
 
 /* product, feed [same sieves]: all sieves of the site's feed and products that
- * the feed covers, or of site->shown.  curve: the product at these and more
- * sizes (predict_sizes), from which sizes are read.  model [product.n]: the
+ * the feed covers, or of site->shown.  curve: the product at predict_sizes, from
+ * which sizes are read straight on log size (D20).  model [product.n]: the
  * product of the model alone.  low, high [product.n], range: the band; NULL and
  * NAN without.  Sizes in m; NAN where they lie outside the sieves. */
 struct prediction {
@@ -46,9 +46,8 @@ struct prediction predict(const struct site *site, const struct params *p,
 struct prediction prediction_copy(const struct prediction *prediction);
 void prediction_free(struct prediction *prediction);
 
-/* The site's sieves that the feed covers, coarsest first, where neighbours lie
- * more than a tenth apart more between them (below a tenth of the coarsest, a
- * seventh), and those of site->shown; passings 0.  psd_free. */
+/* The site's sieves that the feed covers and those of site->shown, coarsest
+ * first; passings 0.  psd_free. */
 struct psd predict_sizes(const struct site *site, const struct psd *feed);
 
 /* Leaves the answer and takes its band away. */

@@ -7,17 +7,22 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "core/numeric/elementary.h"
 #include "core/posterior/ensemble.h"
 #include "core/model/product.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };
 
 /* ensemble: NULL for the model alone.  product: at `speed`, of the model, or
- * the mean of the draws.  curve, part: room for a draw's. */
+ * the mean of the draws, at the sieves and at the sizes that quantities need,
+ * each `share` of the way from the sieve below `above` to it.  curve, part: room
+ * for a draw's; sieve [n_sieve]: room for passings at the sieves. */
 struct response {
 	struct model *model;
 	struct ensemble *ensemble;
 	struct psd product;
+	size_t *above;
+	double *share, *sieve;
 	size_t n;
 	struct quantity *asked;
 	double **kept; /* [n][sizes] kept for its fraction; NULL: all */
@@ -45,28 +50,64 @@ all_sizes(const struct psd *feed, const double *size, size_t *n,
 	return all;
 }
 
+/* Where the sizes of the product lie among the sieves. */
+static void
+place(struct response *r, const double *sieve, size_t n)
+{
+	for (size_t k = 0, i = 0; k < r->product.n; k++) {
+		double x = r->product.size[k];
+		while (i + 2 < n && sieve[i + 1] >= x)
+			i++;
+		bool only = n < 2 || x >= sieve[i];
+		r->above[k] = i;
+		r->share[k] = only ? 1
+				   : el_log(x / sieve[i + 1]) /
+					 el_log(sieve[i] / sieve[i + 1]);
+		r->share[k] = fmax(r->share[k], 0);
+	}
+}
+
+/* A curve at all sizes from passings at the sieves, which stand `apart`. */
+static void
+read_between(
+    const struct response *r, const double *P, size_t apart, struct psd *curve)
+{
+	for (size_t k = 0; k < curve->n; k++) {
+		const double *above = P + r->above[k] * apart;
+		double t = r->share[k];
+		curve->passing[k] =
+		    t < 1 ? t * above[0] + (1 - t) * above[apart] : above[0];
+	}
+}
+
 struct response *
 response_new(const struct psd *feed, const double *size, size_t n,
     const struct quantity *asked, size_t n_asked, const struct params *p,
     struct model_settings settings, const struct posterior *posterior)
 {
 	struct response *r = xcalloc(1, sizeof *r);
+	size_t n_sieve = n;
 	double *all = all_sizes(feed, size, &n, asked, n_asked);
-	*r = (struct response){.model = model_new(feed, all, n, settings),
-	    .product = psd_new(n),
-	    .n = n_asked,
-	    .asked = xcalloc(n_asked, sizeof *asked),
-	    .kept = xcalloc(n_asked, sizeof *r->kept),
-	    .value = xdoubles(n_asked),
-	    .draw = xcalloc(n_asked, sizeof *r->draw),
-	    .part = psd_new(n)};
+	*r =
+	    (struct response){.model = model_new(feed, size, n_sieve, settings),
+		.product = psd_new(n),
+		.above = xcalloc(n, sizeof *r->above),
+		.share = xdoubles(n),
+		.sieve = xdoubles(n_sieve),
+		.n = n_asked,
+		.asked = xcalloc(n_asked, sizeof *asked),
+		.kept = xcalloc(n_asked, sizeof *r->kept),
+		.value = xdoubles(n_asked),
+		.draw = xcalloc(n_asked, sizeof *r->draw),
+		.part = psd_new(n)};
 	model_set(r->model, p);
 	if (posterior != NULL) {
-		r->ensemble = ensemble_new(posterior, feed, all, n);
+		r->ensemble = ensemble_new(posterior, feed, size, n_sieve);
 		ensemble_machine(r->ensemble, settings);
 	}
 	memcpy(r->product.size, all, n * sizeof *all);
 	memcpy(r->part.size, all, n * sizeof *all);
+	place(r, size, n_sieve);
 	r->curve = psd_copy(&r->product);
 	for (size_t i = 0; i < n_asked; i++) {
 		r->asked[i] = asked[i];
@@ -95,6 +136,9 @@ response_free(struct response *r)
 	psd_free(&r->product);
 	psd_free(&r->curve);
 	psd_free(&r->part);
+	free(r->above);
+	free(r->share);
+	free(r->sieve);
 	free(r->asked);
 	free(r->kept);
 	free(r->value);
@@ -117,21 +161,20 @@ static void
 take_draw(const struct response *r, size_t d, struct psd *curve)
 {
 	const double *P = ensemble_products(r->ensemble, ENSEMBLE_ANSWER) + d;
-	for (size_t k = 0; k < curve->n; k++)
-		curve->passing[k] = P[k * DRAWS];
+	read_between(r, P, DRAWS, curve);
 }
 
 void
 response_answer_at(struct response *r, double v)
 {
-	double *passing = r->product.passing;
 	r->speed = v;
 	if (r->ensemble == NULL) {
-		model_product(r->model, v, passing);
+		model_product(r->model, v, r->sieve);
 	} else {
 		ensemble_at(r->ensemble, v);
-		ensemble_mean(r->ensemble, passing);
+		ensemble_mean(r->ensemble, r->sieve);
 	}
+	read_between(r, r->sieve, 1, &r->product);
 	for (size_t i = 0; i < r->n; i++)
 		r->value[i] = read_off(r, i, &r->product);
 }
@@ -167,7 +210,8 @@ response_value(const struct response *r, size_t i)
 double
 response_model(struct response *r, size_t i)
 {
-	model_product(r->model, r->speed, r->curve.passing);
+	model_product(r->model, r->speed, r->sieve);
+	read_between(r, r->sieve, 1, &r->curve);
 	return read_off(r, i, &r->curve);
 }
 

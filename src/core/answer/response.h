@@ -10,9 +10,9 @@
 /* Opaque; the posterior must outlive it. */
 struct response;
 
-/* size [n]: sizes that the curve has in any case, see predict_sizes, m,
- * coarsest first; those that quantities [n_asked] need and the feed covers are
- * added.  posterior: NULL for the model alone. */
+/* size [n]: the sieves, m, coarsest first, see predict_sizes; what lies between
+ * them is read straight on log size (D20), also at the sizes that quantities
+ * [n_asked] need.  posterior: NULL for the model alone. */
 struct response *response_new(const struct psd *feed, const double *size,
     size_t n, const struct quantity *asked, size_t n_asked,
     const struct params *p, struct model_settings settings,
@@ -25,9 +25,7 @@ void response_at(struct response *r, double v);
 void response_answer_at(struct response *r, double v);
 
 /* The same for the answer alone, of its curve at that speed made before, and
- * without the work of the draws, which stay where they were.  Values are exact
- * where the curve has the sizes that the quantities need; between these they
- * lie on its straight lines. */
+ * without the work of the draws, which stay where they were. */
 void response_take(struct response *r, double v, const struct psd *curve);
 
 /* Quantity i at that speed: of the answer, and of the model alone.  NAN where

@@ -290,7 +290,7 @@ mend_site(const struct site *from, const struct mend *mend, struct error *error)
 	change(site, from, mend);
 	if (is_site(site)) {
 		add_provenance(site, from, mend);
-		site->digest = site_digest(site);
+		site_settle(site);
 		return site;
 	}
 	site_free(site);

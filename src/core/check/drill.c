@@ -131,7 +131,7 @@ drill_feed(const struct drill_plant *plant)
 	struct site *made = make(plant, 74, 0), *site = site_new(1);
 	site->top_size = plant->made.top_size;
 	site->run[0].feed = psd_copy(&made->run[0].feed);
-	site->digest = site_digest(site);
+	site_settle(site);
 	site_free(made);
 	return site;
 }

@@ -28,8 +28,8 @@ struct sign {
 static const struct sign SIZE = {1.6, 2.2}, ALIKE = {1.2, 2.2},
 			 MORE = {0.45, 0.6}, FINER = {2, 3};
 
-/* In units of discrepancy_time, 5 m/s at 74: beyond the speeds. */
-static const double BEYOND = 1, FAR_BEYOND = 3;
+/* Where one speed was measured, this share of it counts as the span of several. */
+static const double SPAN_OF_ONE = 0.1;
 
 /* Mean width of a band, and a difference of feeds, passing. */
 static const double WIDE = 0.05, VERY_WIDE = 0.15, OTHER_FEED = 0.1,
@@ -351,16 +351,21 @@ judge_speed(struct trust *t, const struct evidence *e, double v)
 {
 	bool slow = v<e->slowest - 1e-9, fast = v> e->fastest + 1e-9;
 	double end = slow ? e->slowest : e->fastest;
-	double beyond = fabs(discrepancy_time(v, 0) - discrepancy_time(end, 0));
+	double span = e->fastest - e->slowest, beyond = fabs(v - end);
 	if (!slow && !fast)
 		return;
-	if (beyond > BEYOND)
-		trust_add(t, beyond > FAR_BEYOND ? LIGHT_RED : LIGHT_AMBER,
-		    TRUST_BEYOND,
-		    xasprintf(
-			tr("%g m/s is %.1f m/s %s than any measured speed: "
-			   "no measurement shows what happens there"),
-			v, fabs(v - end), slow ? tr("slower") : tr("faster")));
+	if (!(span > 0))
+		span = SPAN_OF_ONE * e->slowest;
+	if (beyond > span + 1e-9)
+		trust_add(t, LIGHT_RED, TRUST_BEYOND,
+		    xasprintf(tr("%.1f m/s beyond the measured speeds, which "
+				 "span %.1f: too far for an answer to rely on"),
+			beyond, span));
+	else
+		trust_add(t, LIGHT_AMBER, TRUST_BEYOND,
+		    xasprintf(tr("%.1f m/s beyond the measured speeds: there "
+				 "the model answers, no measurement"),
+			beyond));
 	if (slow)
 		judge_slow(t, e);
 }

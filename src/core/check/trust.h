@@ -65,8 +65,8 @@ struct evidence trust_evidence(const struct site *site, const bool *train,
 struct trust_question {
 	double speed; /* m/s; 0: none, the fit is meant */
 	double width; /* of the band, mean over the sieves, passing 0..1 */
-	/* The largest difference between the feed taken and the nearest of
-	 * those the fit was made with, passing 0..1. */
+	/* Of a feed that was not sampled here: the largest difference from the
+	 * nearest of those the fit was made with, passing 0..1. */
 	double feed;
 	/* A parameter on a bound, and what the answer would move by, were it
 	 * free to move on by its standard deviation. */

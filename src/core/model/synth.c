@@ -111,6 +111,6 @@ synth_site(const struct synth *s)
 		run->product = make_product(s, &run->feed, s->speed[r],
 		    rng_key(s->seed ^ numbers, r, USE_PRODUCT));
 	}
-	site->digest = site_digest(site);
+	site_settle(site);
 	return site;
 }

@@ -15,7 +15,14 @@
 
 /* The draws' parameters, and in a block behind them the fit's, whose exact
  * product tells what the search's scheme errs by. */
-enum { DRAWS = POSTERIOR_DRAWS, FIT = DRAWS, ALL = FIT + KERNEL_LANES };
+enum {
+	DRAWS = POSTERIOR_DRAWS,
+	FIT = DRAWS,
+	ALL = FIT + KERNEL_LANES,
+	EVEN = 40,
+	BEYOND = 10,
+	RISING = EVEN + 1 + 2 * BEYOND
+};
 
 struct ensemble {
 	const struct posterior *of;
@@ -31,22 +38,44 @@ struct ensemble {
 	double *delta;            /* at the knots, [n_knot * DRAWS] */
 	/* [n + 1][DRAWS]: below the finest size is nothing. */
 	double *part[ENSEMBLE_PARTS];
-	bool sampled;        /* the samples are made */
+	bool sampled; /* the samples are made */
+	/* Answers at the speeds of a grid, which do not fall from one to the
+	 * next, and which of them are means of some that would have fallen,
+	 * [RISING][n * DRAWS]; NULL: not made yet. */
+	double *rising;
+	bool *pooled;
 	double more, bypass; /* k and bypass of another machine */
 };
 
+/* The same curve with a point at each of sizes [n], coarsest first, and more
+ * between these: the kernel's classes end at the points of a feed. */
+static struct psd
+refined(const struct psd *feed, const double *size, size_t n)
+{
+	struct psd fine = psd_refined(size, n);
+	struct psd curve = psd_new(feed->n + fine.n);
+	memcpy(curve.size, feed->size, feed->n * sizeof *feed->size);
+	memcpy(curve.size + feed->n, fine.size, fine.n * sizeof *fine.size);
+	curve.n = psd_sort(curve.size, curve.n, 0);
+	for (size_t i = 0; i < curve.n; i++)
+		curve.passing[i] = psd_passing(feed, curve.size[i]);
+	psd_free(&fine);
+	return curve;
+}
+
 /* Passings less 0 are differences from sieves at which nothing passes. */
 static struct kernel *
-kernel_of(const struct posterior *p, const struct psd *feed, const double *size,
-    size_t n)
+kernel_of(const struct posterior *p, const struct psd *smooth,
+    const double *size, size_t n)
 {
+	struct psd feed = refined(smooth, size, n);
 	double *sieve = xdoubles(n), *none = xdoubles(n), *one = xdoubles(n);
 	memcpy(sieve, size, n * sizeof *size);
 	for (size_t i = 0; i < n; i++)
 		one[i] = 1;
 	struct misfit_run run = {.speed = 1,
 	    .run_weight = 1,
-	    .feed = *feed,
+	    .feed = feed,
 	    .n = n,
 	    .sieve = sieve,
 	    .measured = none,
@@ -57,6 +86,7 @@ kernel_of(const struct posterior *p, const struct psd *feed, const double *size,
 	    .n_residual = n,
 	    .run = &run};
 	struct kernel *kernel = kernel_new(&m, ISA_BEST, 1);
+	psd_free(&feed);
 	free(sieve);
 	free(none);
 	free(one);
@@ -142,6 +172,15 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 	return e;
 }
 
+static void
+forget_rising(struct ensemble *e)
+{
+	free(e->rising);
+	free(e->pooled);
+	e->rising = NULL;
+	e->pooled = NULL;
+}
+
 void
 ensemble_machine(struct ensemble *e, struct model_settings settings)
 {
@@ -153,6 +192,7 @@ ensemble_machine(struct ensemble *e, struct model_settings settings)
 	set_exact(e, p);
 	set_theta(e);
 	e->bypass = settings.bypass;
+	forget_rising(e);
 }
 
 void
@@ -173,6 +213,7 @@ ensemble_free(struct ensemble *e)
 	free(e->knot);
 	free(e->share);
 	free(e->delta);
+	forget_rising(e);
 	free(e);
 }
 
@@ -292,7 +333,7 @@ add_bypass(struct ensemble *e)
 }
 
 void
-ensemble_at(struct ensemble *e, double v)
+ensemble_draws_at(struct ensemble *e, double v)
 {
 	struct kernel_out out = {
 	    e->misfit, e->product, ALL, e->softer, e->share_softer};
@@ -305,6 +346,110 @@ ensemble_at(struct ensemble *e, double v)
 		fill_row(e, i, e->part[ENSEMBLE_MODEL] + i * DRAWS,
 		    e->part[ENSEMBLE_ANSWER] + i * DRAWS);
 	e->sampled = false;
+}
+
+/* Speed k of the grid, m/s: even over the speeds that are looked at, and further
+ * and further apart beyond them, down to 0.4 of the slowest and up to 2.2 of the
+ * fastest. */
+static double
+grid_speed(const struct ensemble *e, size_t k)
+{
+	const struct posterior *p = e->of;
+	const double apart = 0.01;
+	if (k < BEYOND) {
+		double n = (double)(BEYOND - k);
+		return p->from * fmax(0.01, 1 - apart * n * (n + 1) / 2);
+	}
+	k -= BEYOND;
+	if (k <= EVEN)
+		return p->from + (p->to - p->from) * (double)k / EVEN;
+	double n = (double)(k - EVEN);
+	return p->to * (1 + 2 * apart * n * (n + 1) / 2);
+}
+
+/* The grid's last speed that is not above v, or its first. */
+static size_t
+grid_place(const struct ensemble *e, double v)
+{
+	size_t low = 0, high = RISING - 1;
+	while (low + 1 < high) {
+		size_t middle = (low + high) / 2;
+		*(grid_speed(e, middle) <= v ? &low : &high) = middle;
+	}
+	return low;
+}
+
+/* The nearest values that do not fall, in the least squares sense: neighbours
+ * that fall are pooled (Barlow and others 1972, ch. 1).  Values and marks of the
+ * pooled stand `apart`. */
+static void
+pool_falling(double *value, bool *pooled, size_t apart)
+{
+	double mean[RISING];
+	size_t count[RISING], n = 0;
+	for (size_t k = 0; k < RISING; k++) {
+		mean[n] = value[k * apart];
+		count[n++] = 1;
+		for (; n > 1 && mean[n - 2] > mean[n - 1]; n--) {
+			double a = (double)count[n - 2],
+			       b = (double)count[n - 1];
+			mean[n - 2] =
+			    (a * mean[n - 2] + b * mean[n - 1]) / (a + b);
+			count[n - 2] += count[n - 1];
+		}
+	}
+	for (size_t i = 0, k = 0; i < n; i++)
+		for (size_t j = 0; j < count[i]; j++, k++) {
+			value[k * apart] = mean[i];
+			pooled[k * apart] = count[i] > 1;
+		}
+}
+
+static void
+make_rising(struct ensemble *e)
+{
+	size_t size = e->n * DRAWS;
+	e->rising = xdoubles(RISING * size);
+	e->pooled = xcalloc(RISING * size, sizeof *e->pooled);
+	for (size_t k = 0; k < RISING; k++) {
+		ensemble_draws_at(e, grid_speed(e, k));
+		memcpy(e->rising + k * size, e->part[ENSEMBLE_ANSWER],
+		    size * sizeof(double));
+	}
+	for (size_t i = 0; i < size; i++)
+		pool_falling(e->rising + i, e->pooled + i, size);
+}
+
+/* Faster is never coarser (D23): no passing of a draw falls with the speed.  At
+ * the speeds of the grid it is the nearest curve that does not; between two of
+ * which one was pooled it is straight, else the draw as it is. */
+static void
+keep_rising(struct ensemble *e, double v)
+{
+	size_t size = e->n * DRAWS, k = grid_place(e, v);
+	const double *below = e->rising + k * size, *above = below + size;
+	const bool *pooled = e->pooled + k * size;
+	double from = grid_speed(e, k), to = grid_speed(e, k + 1);
+	double *answer = e->part[ENSEMBLE_ANSWER], t = (v - from) / (to - from);
+	for (size_t i = 0; i < size; i++) {
+		if (v < from)
+			answer[i] = fmin(answer[i], below[i]);
+		else if (v > to)
+			answer[i] = fmax(answer[i], above[i]);
+		else if (pooled[i] || pooled[i + size])
+			answer[i] = below[i] + t * (above[i] - below[i]);
+		else
+			answer[i] = fmin(fmax(answer[i], below[i]), above[i]);
+	}
+}
+
+void
+ensemble_at(struct ensemble *e, double v)
+{
+	if (e->rising == NULL)
+		make_rising(e);
+	ensemble_draws_at(e, v);
+	keep_rising(e, v);
 	if (e->bypass > 0) {
 		make_samples(e);
 		add_bypass(e);

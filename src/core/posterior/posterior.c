@@ -899,6 +899,7 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	p->n_cell = s->n_cell;
 	p->middle = s->middle;
 	p->slowest = INFINITY;
+	site_reach(site, &p->from, &p->to);
 	for (size_t r = 0; r < m->n_run; r++)
 		p->slowest = fmin(p->slowest, m->run[r].speed);
 	make_knots(p, site, s);

@@ -103,6 +103,26 @@ psd_curve(const struct psd *psd)
 	return curve;
 }
 
+struct psd
+psd_refined(const double *size, size_t n)
+{
+	const double coarse = 0.0953, fine = 0.14; /* in ln x */
+	double span = el_log(size[0] / size[n - 1]);
+	struct psd psd = psd_new(n + (size_t)(span / coarse));
+	psd.n = 0;
+	for (size_t i = 0; i < n; i++) {
+		psd.size[psd.n++] = size[i];
+		if (i + 1 == n)
+			break;
+		double gap = el_log(size[i] / size[i + 1]);
+		double apart = size[i] > size[0] / 10 ? coarse : fine;
+		double parts = floor(gap / apart) + 1;
+		for (double k = 1; k < parts; k++)
+			psd.size[psd.n++] = size[i] * el_exp(-gap * k / parts);
+	}
+	return psd;
+}
+
 bool
 psd_same(const struct psd *a, const struct psd *b)
 {

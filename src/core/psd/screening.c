@@ -29,8 +29,8 @@ fraction_screens(const struct fraction *fraction)
 	return fraction->fine > 0 || fraction->coarse > 0;
 }
 
-/* The mean over a class, by Gauss's four points in ln d; of an ideal screen the
- * part of it above the cut. */
+/* The mean over a class, by Gauss's four points in ln d for every third of an
+ * octave or less; of an ideal screen the part of it above the cut. */
 static double
 class_mean(
     const struct partition *p, double opening, double coarse, double fine)
@@ -38,19 +38,23 @@ class_mean(
 	static const double AT[2] = {0.3399810435848563, 0.8611363115940526},
 			    WEIGHT[2] = {
 				0.6521451548625461, 0.3478548451374538};
-	double middle = el_log(coarse * fine) / 2,
-	       half = el_log(coarse / fine) / 2, sum = 0;
+	double width = el_log(coarse / fine), sum = 0;
 	if (!(p->sharpness > 0)) {
 		double cut = opening * (p->cut_size > 0 ? p->cut_size : 1);
-		double above = el_log(coarse / cut) / (2 * half);
+		double above = el_log(coarse / cut) / width;
 		return fmin(fmax(above, 0), 1);
 	}
-	for (size_t i = 0; i < 2; i++)
-		for (double sign = -1; sign <= 1; sign += 2)
-			sum += WEIGHT[i] / 2 *
-			       partition_oversize(p, opening,
-				   el_exp(middle + sign * half * AT[i]));
-	return sum;
+	double parts = floor(width / 0.25) + 1, half = width / parts / 2;
+	for (double k = 0; k < parts; k++) {
+		double middle = el_log(fine) + (2 * k + 1) * half;
+		for (size_t i = 0; i < 2; i++)
+			for (double sign = -1; sign <= 1; sign += 2)
+				sum +=
+				    WEIGHT[i] / 2 *
+				    partition_oversize(p, opening,
+					el_exp(middle + sign * half * AT[i]));
+	}
+	return sum / parts;
 }
 
 void

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "core/psd/reference.h"
 
 struct site *
 site_new(size_t n_run)
@@ -87,6 +88,7 @@ site_copy(const struct site *from)
 	to->rotor = from->rotor;
 	to->individual_feeds = from->individual_feeds;
 	to->digest = from->digest;
+	to->mean_feed = psd_copy(&from->mean_feed);
 	for (size_t r = 0; r < from->n_run; r++)
 		to->run[r] = run_copy(&from->run[r]);
 	for (size_t i = 0; i < from->n_note; i++)
@@ -113,6 +115,7 @@ site_free(struct site *site)
 		return;
 	for (size_t r = 0; r < site->n_run; r++)
 		run_clear(&site->run[r]);
+	psd_free(&site->mean_feed);
 	notes_free(site->note, site->n_note);
 	notes_free(site->left_out, site->n_left_out);
 	free(site->named);
@@ -274,8 +277,54 @@ site_with_cuts(const struct site *site, const struct site *cuts, size_t *from)
 	if (to->n_run > 1 && !(to->run[0].speed > 0))
 		drop_run(to, 0, from);
 	number_repeats(to);
-	to->digest = site_digest(to);
+	site_settle(to);
 	return to;
+}
+
+/* The feeds that were sampled, [n_run]; the caller frees. */
+static const struct psd **
+sampled_feeds(const struct site *site, size_t *n)
+{
+	const struct psd **feed = xcalloc(site->n_run, sizeof *feed);
+	*n = 0;
+	for (size_t r = 0; r < site->n_run; r++)
+		if (site->run[r].speed >= 0 && site->run[r].feed.n > 0)
+			feed[(*n)++] = &site->run[r].feed;
+	return feed;
+}
+
+void
+site_settle(struct site *site)
+{
+	site->digest = site_digest(site);
+	psd_free(&site->mean_feed);
+	if (!site->individual_feeds)
+		return;
+	size_t n;
+	const struct psd **feed = sampled_feeds(site, &n);
+	site->mean_feed = reference_mean(feed, n);
+	free(feed);
+}
+
+const struct psd *
+site_feed(const struct site *site, size_t run)
+{
+	size_t other = site_run_at(site, SITE_OTHER_FEED);
+	if (run < site->n_run)
+		return &site->run[run].feed;
+	if (other < site->n_run)
+		return &site->run[other].feed;
+	return site->mean_feed.n > 0 ? &site->mean_feed : &site->run[0].feed;
+}
+
+double
+site_feeds_differ(const struct site *site, double *sieve)
+{
+	size_t n;
+	const struct psd **feed = sampled_feeds(site, &n);
+	double most = reference_spread(feed, n, sieve);
+	free(feed);
+	return most;
 }
 
 double *

@@ -13,6 +13,10 @@
  * asked with it.  It is the last run of a copy (site_with_feed). */
 #define SITE_OTHER_FEED (-1.0)
 
+/* In place of the index of a run whose feed is taken: the mean of those that
+ * were sampled (D19). */
+#define SITE_MEAN_FEED SIZE_MAX
+
 /* One sampling at a rotor tip speed.  product.n is 0 where only the feed was
  * sampled.  product_sd: standard deviation of each product passing, 0..1, or
  * NULL. */
@@ -39,6 +43,7 @@ struct site {
 	double top_size; /* m; 0 when not stated */
 	double rotor;    /* diameter, m; 0 when not stated */
 	bool individual_feeds;
+	struct psd mean_feed; /* of several feeds; site_settle */
 	size_t n_run;
 	struct run *run;
 	size_t n_note;
@@ -83,8 +88,21 @@ struct site *site_with_feed(const struct site *site, const struct psd *feed,
 struct site *site_with_cuts(
     const struct site *site, const struct site *cuts, size_t *from);
 
-/* Digest of everything a calibration depends on; site_read sets it. */
+/* Digest of everything a calibration depends on. */
 uint64_t site_digest(const struct site *site);
+
+/* Works out what follows from the runs, digest and mean feed: whoever makes or
+ * changes runs ends with it. */
+void site_settle(struct site *site);
+
+/* The feed of a run, or for SITE_MEAN_FEED the one that a question has where it
+ * names none: the mean of the distinct feeds that were sampled (reference.h), or
+ * that of another sheet, where the site is a copy with one. */
+const struct psd *site_feed(const struct site *site, size_t run);
+
+/* The largest difference in passing, 0..1, between two of its feeds, and the
+ * sieve, m; 0 where there is one feed. */
+double site_feeds_differ(const struct site *site, double *sieve);
 
 /* The sieves of all feeds and products, m, coarsest first, each once: [*n],
  * which the caller frees. */

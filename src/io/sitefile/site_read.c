@@ -322,7 +322,7 @@ make_runs(struct site *site, const struct columns *t)
 		first = site_run_repeats(site, r) ? first : r;
 		fill_run(t, shared, &site->run[r], r - first);
 	}
-	site->digest = site_digest(site);
+	site_settle(site);
 }
 
 static void __attribute__((format(printf, 3, 4)))

@@ -77,9 +77,7 @@ row_at(struct site_row *row, const struct tui *t)
 	row->beyond = false;
 	if (!answers_known(s, e, &error))
 		return;
-	size_t feed = e == tui_entry(t)
-			  ? tui_feed(t)
-			  : site_run_nearest(e->site, answers_middle(e->site));
+	size_t feed = e == tui_entry(t) ? tui_feed(t) : SITE_MEAN_FEED;
 	struct prediction p = outlook_predict(s, e, speed, feed);
 	row->p50 = 1000 * p.p50;
 	row->beyond = answers_extrapolates(e, speed);

@@ -51,7 +51,7 @@ goal_words(const struct tui *t, enum goals_length length)
 static const struct psd *
 feed_of(const struct tui *t)
 {
-	return &tui_entry(t)->site->run[tui_feed(t)].feed;
+	return site_feed(tui_entry(t)->site, tui_feed(t));
 }
 
 size_t

@@ -112,8 +112,8 @@ readings_draw(struct tui *t, const struct area *area)
 			continue;
 		snprintf(name, sizeof name, tr("meas %g%s"), run->speed,
 		    run->repeat);
-		draw_reading(
-		    t, area, row++, 0, name, &run->product, &run->product);
+		draw_reading(t, area, row++, 0, name, tui_measured(t, r),
+		    tui_measured(t, r));
 	}
 	draw_reading(t, area, row++, LOOK_BOLD, "PRED", &p->product, &p->curve);
 	if (pin)

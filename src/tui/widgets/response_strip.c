@@ -97,7 +97,7 @@ above_usual(void)
 static const struct psd *
 feed_of(const struct tui *t)
 {
-	return &tui_entry(t)->site->run[tui_feed(t)].feed;
+	return site_feed(tui_entry(t)->site, tui_feed(t));
 }
 
 void
@@ -369,7 +369,7 @@ take_limits(const struct tui *t, struct limit limit[static MOST_LIMITS])
 static double
 measured_at(const struct tui *t, size_t run)
 {
-	const struct psd *product = &tui_entry(t)->site->run[run].product;
+	const struct psd *product = tui_measured(t, run);
 	return product->n > 0 ? quantities_shown(&t->quantity,
 				    screened_value(product, &t->quantity))
 			      : NAN;
@@ -498,7 +498,6 @@ draw_cells(const struct cells *p)
 		}
 }
 
-/* Runs of another feed than the curve's are faint. */
 static void
 draw_marks(const struct tui *t, const struct cells *p)
 {
@@ -509,14 +508,13 @@ draw_marks(const struct tui *t, const struct cells *p)
 	    (double)(t->tenths - range.least) / (range.most - range.least);
 	for (size_t r = 0; r < entry->site->n_run; r++) {
 		double value = measured_at(t, r);
-		bool own = !entry->site->individual_feeds || r == tui_feed(t);
 		if (isnan(value))
 			continue;
 		screen_series(&p->area, row_of(p, value),
 		    slider_column(range,
 			slider_tenths(range, entry->site->run[r].speed),
 			p->area.columns),
-		    SERIES_TEXT, own ? LOOK_BOLD : LOOK_DIM,
+		    SERIES_TEXT, LOOK_BOLD,
 		    track_trained(entry, r) ? signs.trained : signs.held_out);
 	}
 	double value = value_at(t->above, share, 0);

@@ -42,9 +42,9 @@ compared(const struct tui *t, char name[static 40], enum series *series)
 	    fabs(nearest->speed - t->now.speed) < 0.05 ? tr("vs %g measured")
 						       : tr("vs %g m/s"),
 	    nearest->speed);
-	*series =
-	    site_chart_run(site, (size_t)(nearest - site->run), false).series;
-	return &nearest->product;
+	size_t run = (size_t)(nearest - site->run);
+	*series = site_chart_run(site, run, false).series;
+	return tui_measured(t, run);
 }
 
 /* How far the product lies above what it is compared with, points. */

@@ -1,0 +1,87 @@
+/* One place chooses the feed (D19), and one names it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/ask/feed.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "io/sitefile/units.h"
+
+bool
+feed_choose(const struct site *site, const struct args *args, size_t *run,
+    struct error *error)
+{
+	const struct value *feed = args_value(args, "feed");
+	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
+	*run = SITE_MEAN_FEED;
+	if (other || !feed->given)
+		return true;
+	*run = site_run_at(site, feed->number);
+	if (*run < site->n_run)
+		return true;
+	return error_set(error, ERROR_USAGE,
+	    "%s has no feed sampled at %g m/s\n"
+	    "run 'show feed' for its feeds",
+	    site->name, feed->number);
+}
+
+size_t
+feed_at(const struct site *site, double speed)
+{
+	size_t run = speed > 0 ? site_run_at(site, speed) : site->n_run;
+	return run < site->n_run ? run : SITE_MEAN_FEED;
+}
+
+double
+feed_speed(const struct site *site, size_t run)
+{
+	return run < site->n_run && site->run[run].speed >= 0
+		   ? site->run[run].speed
+		   : NAN;
+}
+
+/* "69, 74, 79": each speed once. */
+static char *
+sampled_speeds(const struct site *site)
+{
+	char *speeds = xstrdup("");
+	for (size_t r = 0; r < site->n_run; r++)
+		if (site->run[r].speed > 0 && !site_run_repeats(site, r))
+			xlist(&speeds, ", ", "%g", site->run[r].speed);
+	return speeds;
+}
+
+char *
+feed_words(const struct site *site, size_t run)
+{
+	double sieve, most;
+	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
+	if (!site->individual_feeds || other)
+		return NULL;
+	if (run < site->n_run)
+		return xasprintf(tr("sampled at %g m/s%s"),
+		    site->run[run].speed, site->run[run].repeat);
+	most = site_feeds_differ(site, &sieve);
+	if (!(most > 0))
+		return NULL;
+	char *speeds = sampled_speeds(site);
+	char *words = xasprintf(tr("mean of those sampled at %s m/s, which "
+				   "differ by up to %.1f points at %g mm"),
+	    speeds, 100 * most, units_mm(sieve));
+	free(speeds);
+	return words;
+}
+
+void
+feed_note(struct answer *r, const struct site *site, size_t run)
+{
+	char *words = feed_words(site, run);
+	if (words != NULL) {
+		answer_say(r, ANSWER_REMARK, "feed: %s", words);
+		fields_put(answer_fields(r), "feed %s", words);
+	}
+	free(words);
+}

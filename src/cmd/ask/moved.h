@@ -1,0 +1,39 @@
+/* Measured products moved to the feed that an answer has, to stand beside it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_ASK_MOVED_H
+#define TIPSPEED_CMD_ASK_MOVED_H
+
+#include "cmd/session/session.h"
+
+/* Where runs have feeds of their own, what was measured at a speed and what is
+ * predicted there differ by the feeds too.  Moved (D19) it is
+ *   measured + P(feed of the answer, v) - P(feed of the run, v)
+ * with P the answer at the run's speed v, so that its distance from the
+ * answer's curve is the misfit.  What is compared with a measurement, as by
+ * validate, is never moved. */
+struct moved;
+
+/* A move above this, 0..1, is told beside a picture. */
+#define MOVED_TOLD 0.003
+
+struct moved *moved_new(void);
+void moved_free(struct moved *moved);
+
+/* Keeps nothing; to be told where a site goes. */
+void moved_forget(struct moved *moved);
+
+/* The product of a run moved to a feed, see site_feed, by parameters as
+ * outlook_form takes them; as measured where there are none (NULL), where the
+ * feeds are the same, and at sieves that the run's feed lacks.  Borrowed, until
+ * another site, feed or other parameters are asked for. */
+const struct psd *moved_product(const struct session *s,
+    const struct entry *entry, const struct params *params, size_t run,
+    size_t feed_run);
+
+/* The largest move of any run of those parameters and that feed, 0..1; 0 with
+ * another sheet's feed or another machine, beside which nothing measured is
+ * shown. */
+double moved_most(const struct session *s, const struct entry *entry,
+    const struct params *params, size_t feed_run);
+
+#endif

@@ -1,0 +1,89 @@
+/* The mean of several sieve curves, some of which may end before others.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/psd/reference.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/xalloc.h"
+
+/* Those of feeds [n] that are not the same as one before; returns how many. */
+static size_t
+distinct(const struct psd *const *feed, size_t n, const struct psd **out)
+{
+	size_t kept = 0;
+	for (size_t i = 0; i < n; i++) {
+		size_t k = 0;
+		while (k < kept && !psd_same(out[k], feed[i]))
+			k++;
+		if (k == kept && feed[i]->n > 0)
+			out[kept++] = feed[i];
+	}
+	return kept;
+}
+
+/* The sieves of all, coarsest first; passings 0. */
+static struct psd
+all_sieves(const struct psd *const *feed, size_t n)
+{
+	size_t room = 0;
+	for (size_t i = 0; i < n; i++)
+		room += feed[i]->n;
+	struct psd all = psd_new(room);
+	all.n = 0;
+	for (size_t i = 0; i < n; i++)
+		for (size_t k = 0; k < feed[i]->n; k++)
+			all.size[all.n++] = feed[i]->size[k];
+	all.n = psd_sort(all.size, all.n, 0);
+	return all;
+}
+
+struct psd
+reference_mean(const struct psd *const *feed, size_t n)
+{
+	const struct psd **own = xcalloc(n, sizeof *own);
+	n = distinct(feed, n, own);
+	struct psd mean = all_sieves(own, n);
+	for (size_t k = 0; k < mean.n; k++) {
+		double x = mean.size[k], above = k > 0 ? mean.size[k - 1] : x;
+		double here = 0, before = 0;
+		size_t known = 0;
+		for (size_t i = 0; i < n; i++) {
+			if (!psd_covers(own[i], x))
+				continue;
+			known++;
+			here += psd_passing(own[i], x);
+			before += psd_passing(own[i], above);
+		}
+		/* Where one has ended the mean falls as the others do. */
+		mean.passing[k] = known == n ? here / (double)n
+				  : before > 0
+				      ? mean.passing[k - 1] * here / before
+				      : 0;
+	}
+	free(own);
+	return mean;
+}
+
+double
+reference_spread(const struct psd *const *feed, size_t n, double *sieve)
+{
+	struct psd all = all_sieves(feed, n);
+	double most = 0;
+	*sieve = 0;
+	for (size_t k = 0; k < all.n; k++) {
+		double x = all.size[k], least = 1, largest = 0;
+		for (size_t i = 0; i < n; i++) {
+			if (!psd_covers(feed[i], x))
+				continue;
+			least = fmin(least, psd_passing(feed[i], x));
+			largest = fmax(largest, psd_passing(feed[i], x));
+		}
+		if (largest - least <= most)
+			continue;
+		most = largest - least;
+		*sieve = x;
+	}
+	psd_free(&all);
+	return most;
+}

@@ -1,0 +1,355 @@
+/* One question, one answer (D19, D20): whichever command, plot or step of the
+ * slider is asked, the same numbers come out, with the same band.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "desk.h"
+#include "made.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cmd/answers/predict.h"
+#include "cmd/ask/outlook.h"
+#include "cmd/draw/plots.h"
+#include "core/answer/predict.h"
+
+enum { COLUMNS = 40 };
+
+/* What is asked, at tip speed v, m/s: with options beside it; and what predict
+ * answers to it, in % and mm. */
+struct question {
+	double v;
+	const char *with;
+	struct psd product;
+	double *low, *high, *model;
+	double size[PSD_SIZES];
+};
+
+/* The cells of a line of CSV, cut in place; returns how many. */
+static size_t
+cut_cells(char *line, char *cell[static COLUMNS])
+{
+	size_t n = 0;
+	bool quoted = false, ended = false;
+	cell[n++] = line;
+	for (char *c = line; !ended; c++) {
+		quoted = quoted != (*c == '"');
+		ended = *c == '\0' || *c == '\n';
+		if (!ended && (*c != ',' || quoted))
+			continue;
+		*c = '\0';
+		if (!ended && n < COLUMNS)
+			cell[n++] = c + 1;
+	}
+	return n;
+}
+
+/* Whether a cell has these words, or this number. */
+static bool
+is(const char *cell, const char *at)
+{
+	char *end;
+	double v = strtod(at, &end);
+	return strcmp(cell, at) == 0 ||
+	       (*end == '\0' && fabs(strtod(cell, NULL) - v) < 1e-9);
+}
+
+/* What a line says as CSV, at the row whose column `key` is `at`, or at the
+ * first; NAN where there is no such row or column. */
+static double
+said_of(struct desk *desk, const char *key, const char *at, const char *column)
+{
+	char *copy = xstrdup(desk->out), *rest = NULL, *cell[COLUMNS];
+	double found = NAN;
+	size_t k = COLUMNS, wanted = COLUMNS;
+	for (char *line = strtok_r(copy, "\n", &rest);
+	     isnan(found) && line != NULL; line = strtok_r(NULL, "\n", &rest)) {
+		size_t n = cut_cells(line, cell);
+		bool head = k == COLUMNS && wanted == COLUMNS;
+		for (size_t i = 0; i < n && head; i++) {
+			k = key != NULL && strcmp(cell[i], key) == 0 ? i : k;
+			wanted = strcmp(cell[i], column) == 0 ? i : wanted;
+		}
+		if (head || wanted >= n)
+			continue;
+		if (key == NULL || (k < n && is(cell[k], at)))
+			found = cell[wanted][0] != '\0'
+				    ? strtod(cell[wanted], NULL)
+				    : NAN;
+	}
+	free(copy);
+	return found;
+}
+
+static double
+said(struct desk *desk, const char *key, double mm, const char *column)
+{
+	char at[40];
+	snprintf(at, sizeof at, "%.17g", mm);
+	return said_of(desk, key, at, column);
+}
+
+/* Runs a line whose results alone are then in desk->out. */
+static void __attribute__((format(printf, 2, 3)))
+ask(struct desk *desk, const char *format, ...)
+{
+	va_list args;
+	char line[400];
+	va_start(args, format);
+	vsnprintf(line, sizeof line, format, args);
+	va_end(args);
+	fflush(desk->out_file);
+	rewind(desk->out_file);
+	desk_expect(desk, line);
+	fputc('\0', desk->out_file);
+	fflush(desk->out_file);
+}
+
+static void
+same(const struct question *q, const char *view, const char *what, double got,
+    double want)
+{
+	if (!(fabs(got - want) <= 1e-9) && !(isnan(got) && isnan(want)))
+		fail_msg("%s of %s at %.17g m/s%s: %.12g, of predict %.12g",
+		    what, view, q->v, q->with, got, want);
+}
+
+static void
+ask_predict(struct desk *desk, struct question *q)
+{
+	struct prediction p;
+	ask(desk, "predict %.17g%s", q->v, q->with);
+	static const char *const SIZE[PSD_SIZES] = {
+	    "p20_mm", "p50_mm", "p80_mm"};
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		q->size[i] = session_known(desk->session, "predict", SIZE[i]);
+	/* Its sieves. */
+	p = outlook_predict(
+	    desk->session, session_entry(desk->session), q->v, SITE_MEAN_FEED);
+	q->product = psd_copy(&p.product);
+	q->low = xdoubles(p.product.n);
+	q->high = xdoubles(p.product.n);
+	q->model = xdoubles(p.product.n);
+	for (size_t i = 0; i < p.product.n; i++) {
+		double mm = 1000 * p.product.size[i];
+		q->product.passing[i] =
+		    said(desk, "sieve_mm", mm, "passing_pct");
+		q->low[i] = said(desk, "sieve_mm", mm, "low_pct");
+		q->high[i] = said(desk, "sieve_mm", mm, "high_pct");
+		q->model[i] = said(desk, "sieve_mm", mm, "model_pct");
+		if (isnan(q->model[i]))
+			q->model[i] = q->product.passing[i];
+		assert_true(isfinite(q->product.passing[i]));
+	}
+	prediction_free(&p);
+}
+
+static void
+ask_sweep(struct desk *desk, const struct question *q)
+{
+	ask(desk, "sweep speeds=%.17g%s", q->v, q->with);
+	for (size_t i = 0; i < q->product.n; i++) {
+		double mm = 1000 * q->product.size[i];
+		same(q, "sweep", "passing",
+		    said(desk, "sieve_mm", mm, "passing_pct"),
+		    q->product.passing[i]);
+		same(q, "sweep", "low", said(desk, "sieve_mm", mm, "low_pct"),
+		    q->low[i]);
+		same(q, "sweep", "high", said(desk, "sieve_mm", mm, "high_pct"),
+		    q->high[i]);
+	}
+}
+
+/* What is asked of a sieve, and of a size, by figures, card, compare, flow. */
+static void
+ask_figures(struct desk *desk, const struct question *q, size_t i)
+{
+	double mm = 1000 * q->product.size[i];
+	ask(desk, "figures %.17g of=\"passing %g\"%s", q->v, mm, q->with);
+	same(q, "figures", "passing", said(desk, NULL, 0, "value"),
+	    q->product.passing[i]);
+	same(q, "figures", "low", said(desk, NULL, 0, "low"), q->low[i]);
+	same(q, "figures", "high", said(desk, NULL, 0, "high"), q->high[i]);
+	ask(desk, "figures %.17g of=P50%s", q->v, q->with);
+	same(q, "figures", "P50", said(desk, NULL, 0, "value"), q->size[1]);
+	char column[40];
+	snprintf(column, sizeof column, "passing_%g_pct", mm);
+	ask(desk, "card speeds=%.17g of=\"passing %g\"%s", q->v, mm, q->with);
+	same(q, "card", "passing", said(desk, NULL, 0, column),
+	    q->product.passing[i]);
+	same(q, "card", "P20", said(desk, NULL, 0, "p20_mm"), q->size[0]);
+	same(q, "card", "P80", said(desk, NULL, 0, "p80_mm"), q->size[2]);
+	ask(desk, "compare %.17g 77%s", q->v, q->with);
+	snprintf(column, sizeof column, "passing_pct@%g", mm);
+	same(q, "compare", "passing", said_of(desk, "quantity", column, "a"),
+	    q->product.passing[i]);
+	ask(desk, "flow tph=100 speed=%.17g fractions=0/%g%s", q->v, mm,
+	    q->with);
+	same(q, "flow", "passing", said(desk, NULL, 0, "share_pct"),
+	    q->product.passing[i]);
+	same(q, "flow", "low", said(desk, NULL, 0, "low_tph"), q->low[i]);
+}
+
+/* The balance of masses is that of the model alone. */
+static void
+ask_why(struct desk *desk, const struct question *q)
+{
+	ask(desk, "why %.17g 77%s", q->v, q->with);
+	double below = 0;
+	for (size_t i = q->product.n; i-- > 0;) {
+		double to = 1000 * q->product.size[i];
+		same(q, "why", "passing",
+		    below + said(desk, "to_mm", to, "product_pct"),
+		    q->model[i]);
+		below = q->model[i];
+	}
+}
+
+/* There and back: at the speed that is found the goal is met. */
+static void
+ask_find(struct desk *desk, const struct question *q)
+{
+	if (q->v < 66 || q->v > 84)
+		return;
+	ask(desk, "find p50=%.17g%s", q->size[1], q->with);
+	double v = session_known(desk->session, "find", "speed");
+	ask(desk, "predict %.17g%s", v, q->with);
+	same(q, "find and back", "P50",
+	    session_known(desk->session, "predict", "p50_mm"), q->size[1]);
+}
+
+static void
+ask_spec(struct desk *desk, const struct question *q, size_t i)
+{
+	char path[] = "/tmp/agreeXXXXXX";
+	int fd = mkstemp(path);
+	assert_true(fd >= 0);
+	FILE *file = fdopen(fd, "w");
+	double mm = 1000 * q->product.size[i];
+	fprintf(file,
+	    "spec,one\nsource,made up\nsize_mm,min_pct,max_pct\n"
+	    "%g,0,100\n",
+	    mm);
+	fclose(file);
+	ask(desk, "spec %s speed=%.17g%s", path, q->v, q->with);
+	same(q, "spec", "passing", said(desk, "sieve_mm", mm, "passing_pct"),
+	    q->product.passing[i]);
+	same(
+	    q, "spec", "low", said(desk, "sieve_mm", mm, "low_pct"), q->low[i]);
+	unlink(path);
+}
+
+static const struct chart_series *
+predicted(const struct chart *chart)
+{
+	for (size_t k = 0; k < chart->n; k++)
+		if (strncmp(chart->series[k]->name, "predicted", 9) == 0)
+			return chart->series[k];
+	fail_msg("nothing predicted is drawn");
+	return NULL;
+}
+
+/* Pictures and steps of the slider, which know of no other feed than the
+ * site's. */
+static void
+ask_plots(struct desk *desk, const struct question *q, size_t i)
+{
+	struct session *s = desk->session;
+	struct error error = {0};
+	struct plot_request request = plots_request(PLOT_PSD);
+	request.speed = q->v;
+	request.feed_speed = 0;
+	struct chart *chart = plots_chart(s, &request, &error);
+	const struct chart_series *line = predicted(chart);
+	for (size_t k = 0; k < line->n; k++)
+		same(q, "plot psd", "passing", line->y[k],
+		    100 * psd_passing(&q->product, line->x[k] / 1000) / 100);
+	chart_free(chart);
+	request = plots_request(PLOT_RESPONSE);
+	char of[60];
+	snprintf(of, sizeof of, "passing %g,P50", 1000 * q->product.size[i]);
+	request.of = of;
+	chart = plots_chart(s, &request, &error);
+	const double want[] = {q->product.passing[i], q->size[1]};
+	const struct chart *at = chart;
+	for (size_t c = 0; c < 2; c++, at = at->below)
+		for (size_t k = 0; k < at->series[0]->n; k++)
+			if (fabs(at->series[0]->x[k] - q->v) < 1e-9)
+				same(q, "plot response", of,
+				    at->series[0]->y[k], want[c]);
+	chart_free(chart);
+	struct prediction p;
+	assert_true(
+	    predict_step(s, q->v, SITE_MEAN_FEED, "predict", &p, &error));
+	for (size_t k = 0; k < p.product.n; k++)
+		same(q, "a step of the slider", "passing",
+		    100 * p.product.passing[k], q->product.passing[k]);
+	same(q, "a step of the slider", "P50", 1000 * p.p50, q->size[1]);
+	prediction_free(&p);
+}
+
+static size_t
+below(struct draw *draw, size_t n)
+{
+	return (size_t)draw_between(draw, 0, (double)n - 1e-9);
+}
+
+static void
+ask_all(struct desk *desk, struct question *q, struct draw *draw)
+{
+	ask_predict(desk, q);
+	size_t i;
+	do
+		i = below(draw, q->product.n);
+	while (q->product.passing[i] > 95 || q->product.passing[i] < 2);
+	ask_sweep(desk, q);
+	ask_figures(desk, q, i);
+	ask_why(desk, q);
+	ask_find(desk, q);
+	ask_spec(desk, q, i);
+	if (q->with[0] == '\0')
+		ask_plots(desk, q, i);
+	psd_free(&q->product);
+	free(q->low);
+	free(q->high);
+	free(q->model);
+}
+
+/* The response's points are a quarter of a m/s apart: speeds are such. */
+static void
+all_give_the_same(void **state)
+{
+	static const char *const SITE[] = {"Umeå", "Tierp", "Kiruna", "Gävle"},
+				 *const WITH[] = {
+				     "", " feed=79", " cascade=12.5", " k=1.2"};
+	struct desk *desk = *state;
+	struct draw draw = draw_start(30);
+	for (size_t n = 0; n < ARRAY_LEN(SITE); n++) {
+		char line[200];
+		snprintf(line, sizeof line,
+		    "synth data/table3.csv site=%s seed=%u; "
+		    "calibrate population=200; set format csv",
+		    SITE[n], 1 + (unsigned)below(&draw, 1000));
+		desk_expect(desk, line);
+		for (size_t k = 0; k < ARRAY_LEN(WITH); k++) {
+			struct question q = {
+			    .v = 65 + 0.25 * (double)below(&draw, 81),
+			    .with = WITH[(n + k) % ARRAY_LEN(WITH)]};
+			if (n == 2)
+				desk_expect(desk, "set correction off");
+			ask_all(desk, &q, &draw);
+		}
+		desk_expect(desk, "set correction all");
+		desk_expect(desk, "set format table");
+	}
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test_setup_teardown(
+		all_give_the_same, desk_open, desk_close),
+	};
+	chdir_to_source();
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
