@@ -4,6 +4,7 @@
 #include "desk.h"
 #include "made.h"
 
+#include <glob.h>
 #include <math.h>
 #include <string.h>
 
@@ -343,12 +344,49 @@ all_give_the_same(void **state)
 	}
 }
 
+/* Every shipped site's measured P20, P50 and P80 of each run, asked with its
+ * feed: the range of speeds that find states has the speed at which it was
+ * measured in 7 of 10, though what was measured has the error of its sample. */
+static void
+find_holds_what_was_measured(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	double held = 0, stated = 0;
+	glob_t found;
+	assert_int_equal(glob("data/sites/*.csv", 0, NULL, &found), 0);
+	for (size_t f = 0; f < found.gl_pathc; f++) {
+		ask(desk, "load %s; calibrate population=200",
+		    found.gl_pathv[f]);
+		const struct site *site = session_entry(s)->site;
+		for (size_t k = 0; k < PSD_SIZES * site->n_run; k++) {
+			const struct run *run = &site->run[k / PSD_SIZES];
+			double P = PSD_PASSING[k % PSD_SIZES];
+			ask(desk, "find p%g=%.10g feed=%g", 100 * P,
+			    1000 * psd_size(&run->product, P), run->speed);
+			double low = session_known(s, "find", "speed_low");
+			double high = session_known(s, "find", "speed_high");
+			double v = session_known(s, "find", "speed");
+			if (isnan(low) && isnan(high) && isnan(v))
+				continue;
+			stated++;
+			held += !(low > run->speed) && !(high < run->speed);
+		}
+	}
+	globfree(&found);
+	expect_near("ranges stated", stated, 171, 171 / 10.0);
+	if (held < 0.7 * stated)
+		fail_msg("held %g of %g", held, stated);
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test_setup_teardown(
 		all_give_the_same, desk_open, desk_close),
+	    cmocka_unit_test_setup_teardown(
+		find_holds_what_was_measured, desk_open, desk_close),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);

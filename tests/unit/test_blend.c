@@ -149,8 +149,8 @@ the_mean_of_feeds(void **state)
 	psd_free(&mean);
 }
 
-/* Whatever they are, the mean is a feed, between the least and the largest where
- * all of them tell. */
+/* Whatever they are, the mean is a feed, between the least and the largest
+ * where all of them tell. */
 static void
 the_mean_is_a_feed(void **state)
 {

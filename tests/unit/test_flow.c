@@ -251,9 +251,30 @@ posterior_of(const struct site *site, struct fit *fit)
 	return drawn(site, fit, &o, use);
 }
 
-/* The product of the feed's classes is in each draw that of the feed, to what
- * the coarser scheme of the draws errs by; and in a circuit with 8/11.2 sent
- * back all draws balance, and the answer is their mean. */
+/* At the sieves each draw's product of the feed's classes is that of the feed,
+ * P [sieves.n][draws]. */
+static void
+expect_products(struct transfer *t, const double *in, const struct psd *sizes,
+    const struct psd *sieves, const double *P)
+{
+	enum { D = POSTERIOR_DRAWS };
+	double *out = xdoubles(sizes->n);
+	for (size_t d = 0; d < D; d++) {
+		double below = 0;
+		transfer_product(t, d, in, out);
+		for (size_t i = sizes->n, k = sieves->n; i-- > 0;) {
+			below += out[i];
+			if (k > 0 && sieves->size[k - 1] == sizes->size[i])
+				expect_near(
+				    "draw", below, P[--k * D + d], 1e-12);
+		}
+		expect_near("all of it", below, 1, 1e-14);
+	}
+	free(out);
+}
+
+/* In a circuit with 8/11.2 sent back all draws balance, and the answer is their
+ * mean. */
 static void
 each_draw_is_its_own_and_balances(void **state)
 {
@@ -273,21 +294,10 @@ each_draw_is_its_own_and_balances(void **state)
 	crusher_match(crusher, feed, sieves.size, sieves.n);
 	struct transfer *t = crusher_at(crusher, 72);
 	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
-	double *in = xdoubles(n), *out = xdoubles(n);
+	double *in = xdoubles(n);
 	ensemble_at(e, 72);
 	crusher_classes(crusher, feed, in);
-	for (size_t d = 0; d < D; d++) {
-		double below = 0;
-		transfer_product(t, d, in, out);
-		for (size_t i = n; i-- > 0;) {
-			below += out[i];
-			for (size_t k = 0; k < sieves.n; k++)
-				if (sieves.size[k] == sizes.size[i])
-					expect_near(
-					    "draw", below, P[k * D + d], 1e-12);
-		}
-		expect_near("all of it", below, 1, 1e-14);
-	}
+	expect_products(t, in, &sizes, &sieves, P);
 	struct circuit *c = loop(0.5);
 	c->unit[2].kind = UNIT_SCREEN;
 	c->unit[2].opening = 0.008;
@@ -304,7 +314,6 @@ each_draw_is_its_own_and_balances(void **state)
 	flow_free(&f);
 	circuit_free(c);
 	free(in);
-	free(out);
 	transfer_free(t);
 	crusher_free(crusher);
 	ensemble_free(e);

@@ -308,7 +308,8 @@ note_sure(struct answer *r, const struct session *s, const struct prediction *p)
 	free(chance);
 }
 
-/* That what was measured stands beside the answer as it would be of its feed. */
+/* That what was measured stands beside the answer as it would be of its
+ * feed. */
 static void
 note_moved(struct answer *r, const struct session *s,
     const struct params *params, const struct prediction *p, bool between)

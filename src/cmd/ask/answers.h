@@ -57,8 +57,8 @@ double *answers_speeds(const struct site *site, size_t *n);
 /* The middle of the speeds measured, m/s; 74 where the site has a feed only. */
 double answers_middle(const struct site *site);
 
-/* The sieve whose passing stands for a product where a sentence has one: that of
- * 2 mm, else the one that half passes most nearly. */
+/* The sieve whose passing stands for a product where a sentence has one: that
+ * of 2 mm, else the one that half passes most nearly. */
 size_t answers_sieve(const struct psd *product);
 
 /* Keeps a prediction as the newest answer of `predict`. */

@@ -10,7 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/outlook.h"
 
-/* What it was made for; product [n]: of each run, n 0 where it has none. */
+/* What it was made for; product [n]: of each run that was asked for. */
 struct moved {
 	const struct site *site;
 	uint64_t digest;
@@ -47,14 +47,29 @@ moved_free(struct moved *m)
 	free(m);
 }
 
-/* By what the answers of the two feeds differ at a sieve; 0 where one of them
- * does not tell. */
-static double
-shift(const struct prediction *to, const struct prediction *own, double x)
+/* The answer of a run's own feed at its speed, at the sieves of its product,
+ * passing 0..1, NAN where the feed does not tell; the caller frees.  Beside the
+ * answers of the entry, so that their draws stay at hand. */
+static double *
+own_answer(const struct moved *m, const struct session *s,
+    const struct entry *entry, size_t run)
 {
-	double difference =
-	    psd_at_sieve(&to->curve, x) - psd_at_sieve(&own->curve, x);
-	return isfinite(difference) ? difference : 0;
+	const struct psd *product = &entry->site->run[run].product;
+	struct quantity *asked = xcalloc(product->n, sizeof *asked);
+	double *passing = xdoubles(product->n);
+	for (size_t i = 0; i < product->n; i++)
+		asked[i] = (struct quantity){
+		    .kind = QUANTITY_PASSING, .x = product->size[i]};
+	struct response *r =
+	    outlook_response(s, entry, &m->params, run, asked, product->n);
+	response_answer_at(r, entry->site->run[run].speed);
+	for (size_t i = 0; i < product->n; i++)
+		passing[i] = psd_covers(&entry->site->run[run].feed, asked[i].x)
+				 ? response_value(r, i)
+				 : NAN;
+	response_free(r);
+	free(asked);
+	return passing;
 }
 
 /* Passings stay between 0 and 1, and fall with the size. */
@@ -69,17 +84,19 @@ move_run(struct moved *m, const struct session *s, const struct entry *entry,
 		return;
 	struct prediction to =
 	    outlook_form(s, entry, &m->params, r->speed, m->feed);
-	struct prediction own =
-	    outlook_form(s, entry, &m->params, r->speed, run);
+	double *own = own_answer(m, s, entry, run);
 	for (size_t i = 0; i < product->n; i++) {
-		double more = shift(&to, &own, product->size[i]);
+		double more =
+		    psd_at_sieve(&to.curve, product->size[i]) - own[i];
+		if (!isfinite(more))
+			more = 0;
 		double most = i > 0 ? product->passing[i - 1] : 1;
 		product->passing[i] =
 		    fmin(fmax(product->passing[i] + more, 0), most);
 		m->most = fmax(m->most, fabs(more));
 	}
 	prediction_free(&to);
-	prediction_free(&own);
+	free(own);
 }
 
 void
@@ -88,7 +105,7 @@ moved_forget(struct moved *m)
 	clear(m);
 }
 
-static const struct moved *
+static struct moved *
 moved_by(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run)
 {
@@ -114,8 +131,6 @@ moved_by(const struct session *s, const struct entry *entry,
 	    .feed = feed_run,
 	    .n = site->n_run,
 	    .product = xcalloc(site->n_run, sizeof *m->product)};
-	for (size_t r = 0; r < m->n; r++)
-		move_run(m, s, entry, r);
 	return m;
 }
 
@@ -126,7 +141,10 @@ moved_product(const struct session *s, const struct entry *entry,
 	const struct psd *measured = &entry->site->run[run].product;
 	if (params == NULL || !entry->site->individual_feeds)
 		return measured;
-	return &moved_by(s, entry, params, feed_run)->product[run];
+	struct moved *m = moved_by(s, entry, params, feed_run);
+	if (measured->n > 0 && m->product[run].n == 0)
+		move_run(m, s, entry, run);
+	return &m->product[run];
 }
 
 double

@@ -215,14 +215,6 @@ note_measured(
 		    plots_left_out(site));
 }
 
-void
-plots_note_moved(struct chart *chart, const struct session *s,
-    const struct entry *entry, const struct params *params, size_t feed)
-{
-	if (moved_most(s, entry, params, feed) > MOVED_TOLD)
-		chart_note(chart, "measured products moved to this feed");
-}
-
 /* Below curves whose last one is the prediction. */
 static void
 add_strip(struct chart *chart, const struct curves *c, int rows)
@@ -535,7 +527,7 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	else if (q->strip > 0)
 		add_strip(chart, &c, q->strip);
 	note_measured(chart, &c, site);
-	plots_note_moved(chart, s, entry, known ? &params : NULL, feed);
+	site_chart_moved(chart, s, entry, known ? &params : NULL, feed);
 	if (!isnan(q->crosshair_mm))
 		note_crosshair(chart, q, one);
 	free_curves(&c);

@@ -38,9 +38,4 @@ bool plots_params(const struct session *s, const struct plot_request *request,
 enum { PLOTS_MEASURED = 12 };
 size_t plots_left_out(const struct site *site);
 
-/* Says below a chart where its measured products were moved to the feed by so
- * much that it has to be known, see moved_product. */
-void plots_note_moved(struct chart *chart, const struct session *s,
-    const struct entry *entry, const struct params *params, size_t feed);
-
 #endif

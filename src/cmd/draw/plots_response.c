@@ -13,7 +13,6 @@
 #include "cmd/ask/condition.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/draw/plots.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
 #include "cmd/draw/site_chart.h"
@@ -367,7 +366,7 @@ make_charts(struct session *s, const struct drawn *d)
 	if (feed != NULL)
 		chart_note(last, "feed: %s", feed);
 	free(feed);
-	plots_note_moved(last, s, entry, &entry->params, d->feed);
+	site_chart_moved(last, s, entry, &entry->params, d->feed);
 	if (first->series[0]->low != NULL)
 		chart_note(last, "shaded: %.0f %% uncertainty band",
 		    100 * settings_level(&s->set));

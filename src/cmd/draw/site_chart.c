@@ -6,7 +6,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/session/session.h"
+#include "cmd/ask/moved.h"
 #include "plot/marks.h"
 
 struct chart *
@@ -53,4 +53,12 @@ site_chart_run(const struct site *site, size_t run, bool held_out)
 	    .line = CHART_MARKS,
 	    .mark = mark_code(i, held_out),
 	    .fine = true};
+}
+
+void
+site_chart_moved(struct chart *chart, const struct session *s,
+    const struct entry *entry, const struct params *params, size_t feed)
+{
+	if (moved_most(s, entry, params, feed) > MOVED_TOLD)
+		chart_note(chart, "measured products moved to this feed");
 }

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 
+#include "cmd/session/session.h"
 #include "core/psd/site.h"
 #include "plot/chart.h"
 
@@ -21,5 +22,10 @@ struct chart_series site_chart_look(size_t i);
  * ones where the model was fitted to it.  Repeats look alike. */
 struct chart_series site_chart_run(
     const struct site *site, size_t run, bool held_out);
+
+/* Says below a chart where its measured products were moved to the feed by so
+ * much that it has to be known, see moved_product. */
+void site_chart_moved(struct chart *chart, const struct session *s,
+    const struct entry *entry, const struct params *params, size_t feed);
 
 #endif

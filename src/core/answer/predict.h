@@ -12,8 +12,8 @@
 #include "core/psd/site.h"
 
 /* product, feed [same sieves]: all sieves of the site's feed and products that
- * the feed covers, or of site->shown.  curve: the product at predict_sizes, from
- * which sizes are read straight on log size (D20).  model [product.n]: the
+ * the feed covers, or of site->shown.  curve: the product at predict_sizes,
+ * from which sizes are read straight on log size (D20).  model [product.n]: the
  * product of the model alone.  low, high [product.n], range: the band; NULL and
  * NAN without.  Sizes in m; NAN where they lie outside the sieves. */
 struct prediction {
@@ -39,8 +39,8 @@ struct prediction {
 	bool no_daughters; /* p(u) is 0 everywhere: product = feed */
 };
 
-/* feed_run: the run whose feed to take, as a rule site_run_nearest of the
- * speed. Cannot fail; free with prediction_free. */
+/* feed_run: the run whose feed to take, or SITE_MEAN_FEED, see site_feed.
+ * Cannot fail; free with prediction_free. */
 struct prediction predict(const struct site *site, const struct params *p,
     struct model_settings settings, double speed, size_t feed_run);
 struct prediction prediction_copy(const struct prediction *prediction);

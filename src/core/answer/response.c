@@ -15,8 +15,8 @@ enum { DRAWS = POSTERIOR_DRAWS };
 
 /* ensemble: NULL for the model alone.  product: at `speed`, of the model, or
  * the mean of the draws, at the sieves and at the sizes that quantities need,
- * each `share` of the way from the sieve below `above` to it.  curve, part: room
- * for a draw's; sieve [n_sieve]: room for passings at the sieves. */
+ * each `share` of the way from the sieve below `above` to it.  curve, part:
+ * room for a draw's; sieve [n_sieve]: room for passings at the sieves. */
 struct response {
 	struct model *model;
 	struct ensemble *ensemble;

@@ -28,7 +28,8 @@ struct sign {
 static const struct sign SIZE = {1.6, 2.2}, ALIKE = {1.2, 2.2},
 			 MORE = {0.45, 0.6}, FINER = {2, 3};
 
-/* Where one speed was measured, this share of it counts as the span of several. */
+/* Where one speed was measured, this share of it counts as the span of
+ * several. */
 static const double SPAN_OF_ONE = 0.1;
 
 /* Mean width of a band, and a difference of feeds, passing. */

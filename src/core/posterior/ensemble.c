@@ -348,9 +348,9 @@ ensemble_draws_at(struct ensemble *e, double v)
 	e->sampled = false;
 }
 
-/* Speed k of the grid, m/s: even over the speeds that are looked at, and further
- * and further apart beyond them, down to 0.4 of the slowest and up to 2.2 of the
- * fastest. */
+/* Speed k of the grid, m/s: even over the speeds that are looked at, and
+ * further and further apart beyond them, down to 0.4 of the slowest and up to
+ * 2.2 of the fastest. */
 static double
 grid_speed(const struct ensemble *e, size_t k)
 {
@@ -380,8 +380,8 @@ grid_place(const struct ensemble *e, double v)
 }
 
 /* The nearest values that do not fall, in the least squares sense: neighbours
- * that fall are pooled (Barlow and others 1972, ch. 1).  Values and marks of the
- * pooled stand `apart`. */
+ * that fall are pooled (Barlow and others 1972, ch. 1).  Values and marks of
+ * the pooled stand `apart`. */
 static void
 pool_falling(double *value, bool *pooled, size_t apart)
 {

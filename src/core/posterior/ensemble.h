@@ -37,9 +37,9 @@ size_t ensemble_sizes(const struct ensemble *e);
 /* Moves to tip speed v, m/s. */
 void ensemble_at(struct ensemble *e, double v);
 
-/* The same for who wants model and differences only: what no speed changes, that
- * no passing falls with it and what goes by the rotor, is left out, and the work
- * for that, which is that of some sixty speeds once. */
+/* The same for who wants model and differences only: that no passing falls with
+ * the speed, and what goes by the rotor, is left out, and with it the work of
+ * some sixty speeds once. */
 void ensemble_draws_at(struct ensemble *e, double v);
 
 /* The products at that speed, [n * POSTERIOR_DRAWS] row by size, borrowed.

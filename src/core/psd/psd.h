@@ -33,9 +33,10 @@ double psd_passing(const struct psd *psd, double x);
  * monotone cubic on log size): as plants' curves have no corners (D18). */
 struct psd psd_curve(const struct psd *psd);
 
-/* Sizes [n], m, coarsest first, and where neighbours lie more than a tenth apart
- * more between them (below a tenth of the coarsest, a seventh), as closely as
- * break sizes and corners of a product want them; passings 0.  psd_free. */
+/* Sizes [n], m, coarsest first, and where neighbours lie more than a tenth
+ * apart more between them (below a tenth of the coarsest, a seventh), as
+ * closely as break sizes and corners of a product want them; passings 0.
+ * psd_free. */
 struct psd psd_refined(const double *size, size_t n);
 
 /* Whether both are the same to the last bit, and there is something. */

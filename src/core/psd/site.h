@@ -96,8 +96,8 @@ uint64_t site_digest(const struct site *site);
 void site_settle(struct site *site);
 
 /* The feed of a run, or for SITE_MEAN_FEED the one that a question has where it
- * names none: the mean of the distinct feeds that were sampled (reference.h), or
- * that of another sheet, where the site is a copy with one. */
+ * names none: the mean of the distinct feeds that were sampled (reference.h),
+ * or that of another sheet, where the site is a copy with one. */
 const struct psd *site_feed(const struct site *site, size_t run);
 
 /* The largest difference in passing, 0..1, between two of its feeds, and the
