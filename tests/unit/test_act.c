@@ -226,6 +226,27 @@ draw_all(struct tui *t)
 	frame_draw(t);
 }
 
+/* It is set for whatever site comes next. */
+static void
+a_goal_outlives_its_site(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk,
+	    "load data/sites/tierp.csv; params set f_mat=1 e0_min=16 alpha=1");
+	control_look(t);
+	draw_all(t);
+	type(t, "tp80=5.4\n");
+	draw_all(t);
+	assert_true(goal_known(t));
+	type(t, ":drop tierp\n");
+	draw_all(t);
+	assert_string_equal(t->session->set.goal, "p80=5.4");
+	assert_false(goal_known(t));
+	type(t, ":load data/sites/tierp.csv\n");
+	draw_all(t);
+}
+
 /* From the fitted start: t, the value, Enter; find must say the same. */
 static void
 a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
@@ -1545,6 +1566,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(a_size_is_one_number_everywhere),
     ON_STAGE(undo_says_what_it_took_and_how_it_comes_back),
     ON_STAGE(what_was_unpinned_can_be_pinned_again),
+    ON_STAGE(a_goal_outlives_its_site),
     ON_STAGE(a_goal_takes_five_keys_and_is_met_where_find_says),
     ON_STAGE(a_key_of_the_goal_waits_for_its_speeds),
     ON_STAGE(a_goal_stays_known_until_something_else_is_asked),
