@@ -191,6 +191,26 @@ go_on(struct tui *t)
 	t->leave = t->session->quit = t->session->wants_tui = false;
 }
 
+/* A key, a size, the mouse, or something typed. */
+static void
+one_step(struct tui *t)
+{
+	size_t what = below(40);
+	int code = random_key();
+	if (what == 0)
+		resize();
+	else if (what == 1)
+		paste(t);
+	else if (what == 2)
+		type_line(t);
+	else if (what == 3)
+		type_more(t);
+	else if (what < 10)
+		use_mouse(t);
+	else
+		act_key(t, code, code > 255);
+}
+
 /* Some hundred steps on a session of its own. */
 static void
 walk(uint64_t seed)
@@ -215,20 +235,7 @@ walk(uint64_t seed)
 	t.aside = below(2) == 0;
 	frame_draw(&t);
 	for (int i = 0; i < STEPS; i++) {
-		size_t what = below(40);
-		int code = random_key();
-		if (what == 0)
-			resize();
-		else if (what == 1)
-			paste(&t);
-		else if (what == 2)
-			type_line(&t);
-		else if (what == 3)
-			type_more(&t);
-		else if (what < 10)
-			use_mouse(&t);
-		else
-			act_key(&t, code, code > 255);
+		one_step(&t);
 		/* Often more than one comes before a frame is drawn. */
 		if (below(4) > 0)
 			go_on(&t);
