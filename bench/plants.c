@@ -165,7 +165,7 @@ plant_of(enum law law, uint64_t number)
 	for (size_t i = 0; i < p.n_sieve; i++)
 		p.sieve[i] = p.top * (law == FEW ? FEW_SIEVES[i] : SIEVES[i]);
 	p.n_run = law == FIVE ? 5 : law == TWO ? 2 : 3;
-	memcpy(p.speed, TIPS, sizeof p.speed);
+	memcpy(p.speed, TIPS, sizeof TIPS);
 	if (law == TWO)
 		p.speed[1] = 79;
 	if (law == FIVE) {
@@ -173,6 +173,14 @@ plant_of(enum law law, uint64_t number)
 		memcpy(p.speed, MORE, sizeof MORE);
 	}
 	return p;
+}
+
+void
+plant_measure(struct plant *p, size_t n_run)
+{
+	p->n_run = n_run;
+	for (size_t r = 0; r < n_run; r++)
+		p->speed[r] = 66 + 18 * (double)r / (double)(n_run - 1);
 }
 
 /* Errors of a curve: independent, and one shared along it. */

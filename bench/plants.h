@@ -9,7 +9,7 @@
 
 #include "core/psd/site.h"
 
-enum { PLANT_TABLE = 600, PLANT_SIEVES = 16 };
+enum { PLANT_TABLE = 600, PLANT_SIEVES = 16, PLANT_RUNS = 256 };
 
 enum law {
 	RIGHT,
@@ -36,11 +36,14 @@ struct plant {
 	double own, shared; /* errors, passing */
 	double feed_own;    /* of the feed as the sheet has it */
 	size_t n_sieve, n_run;
-	double sieve[PLANT_SIEVES], speed[6]; /* m, m/s */
+	double sieve[PLANT_SIEVES], speed[PLANT_RUNS]; /* m, m/s */
 };
 
 /* The plant of that number: a law and a number always make the same one. */
 struct plant plant_of(enum law law, uint64_t number);
+
+/* Measures it at so many speeds, evenly from 66 to 84 m/s. */
+void plant_measure(struct plant *p, size_t n_run);
 
 /* Its sheet, with the errors of that number. */
 struct site *plant_site(const struct plant *p, uint64_t number);

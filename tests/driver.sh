@@ -8,7 +8,7 @@
 set -u
 logs=$1
 shift
-trs= log= name= was=
+trs='' log='' name='' was=''
 for word in "$@"; do
 	case $was in
 	--test-name) name=$word ;;

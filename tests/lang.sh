@@ -52,6 +52,15 @@ for po in "$srcdir"/po/*.po; do
 	told "$language: keys of columns as in English"
 done
 
+# xgettext takes the commas of a compound literal for those between arguments: a text
+# after one would be in no catalogue.
+marks=$(awk '/^translating/ { on = 1 } on && /:/ { print } !/\\$/ { on = 0 }' \
+	"$srcdir/Makefile.am" | grep -oE '[a-z_]+:[0-9]' | sed 's/:.//' | paste -sd'|' -)
+find "$srcdir/src" -name '*.c' -exec grep -PzoH \
+	"\\b($marks)\\([^;\"]*\\{[^}\"]*,[^}\"]*\\}[^\"(;]*\"[^\"]*[A-Za-z]{2}" {} + |
+	tr '\0' '\n' >"$dir/bad"
+told 'no text to be translated stands after a compound literal'
+
 mkdir "$dir/bin"
 ln -s "$TIPSPEED" "$dir/bin/tipspeed"
 PATH=$dir/bin:$PATH
@@ -79,4 +88,22 @@ done
 tipspeed --lang=xx -c version >out 2>&1
 [ $? = 2 ] && grep -q "expected --lang" out
 result $? 'a language without a catalogue is refused'
+
+# A catalogue from elsewhere, which a path in the place of a language would name: made
+# up, with texts that write where they like.
+mkdir -p away/bin/locale away/LC_MESSAGES
+cp "$TIPSPEED" away/bin/tipspeed
+if command -v msgfmt >/dev/null; then
+	printf 'msgid "%s"\nmsgstr "%s"\n\n' '' 'Content-Type: text/plain; charset=UTF-8\n' \
+		"there is no command '%s'" 'FOREIGN %n%n%n' |
+		msgfmt -o away/LC_MESSAGES/tipspeed.mo -
+	for path in ../.. sv:../..; do
+		LANGUAGE=$path away/bin/tipspeed --safe -c nonsense >out 2>&1
+		[ $? = 2 ] && grep -q "there is no command 'nonsense'" out
+		result $? "LANGUAGE=$path names no catalogue"
+	done
+	LANGUAGE=../.. away/bin/tipspeed --safe --lang=../.. -c nonsense >out 2>&1
+	[ $? = 2 ] && grep -q "expected --lang with a language .*, got '\.\./\.\.'" out
+	result $? "nor does --lang=../.., which says so"
+fi
 finish

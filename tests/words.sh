@@ -110,7 +110,7 @@ same "variables: --help and manual" all in_manual
 	grep -oE 'setenv\("[A-Z]+' "$srcdir"/src/base/tr.c | sed 's/.*"//'
 	cat "$srcdir"/src/*.c "$srcdir"/src/base/tr.c |
 		grep -oE 'setlocale\(LC_[A-Z]+' | sed 's/setlocale(//' | sort -u
-} >in_source
+} | sort -u >in_source
 same "variables: --help and source" all in_source
 
 # Pages.

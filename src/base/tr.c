@@ -36,6 +36,14 @@ bind_catalogues(void)
 	textdomain(ON);
 }
 
+/* A path instead of a language would name a catalogue from elsewhere, whose
+ * texts are formats that nobody has checked. */
+static bool
+is_path(const char *language)
+{
+	return strchr(language, '/') != NULL;
+}
+
 /* glibc heeds LANGUAGE in all locales but C, whichever there are; musl has any
  * locale, and no LANGUAGE. */
 static void
@@ -50,6 +58,11 @@ take_language(const char *language)
 bool
 tr_begin(const char *language)
 {
+	const char *wanted = getenv("LANGUAGE");
+	if (language != NULL && is_path(language))
+		return false;
+	if (wanted != NULL && is_path(wanted))
+		unsetenv("LANGUAGE");
 	if (language != NULL)
 		take_language(language);
 	else

@@ -20,9 +20,8 @@
 
 static volatile sig_atomic_t noted, asked, watching, stopped, woken, resized;
 
-/* Signals that are let in while the program waits; holding: others are held. */
+/* Signals that are let in while the program waits. */
 static sigset_t let_in;
-static volatile sig_atomic_t holding;
 
 static void
 on_signal(int signal)
@@ -78,13 +77,11 @@ pump_hold_signals(void)
 	for (size_t i = 0; i < ARRAY_LEN(ANSWERED); i++)
 		sigaddset(&held, ANSWERED[i]);
 	sigprocmask(SIG_BLOCK, &held, &let_in);
-	holding = 1;
 }
 
 void
 pump_free_signals(void)
 {
-	holding = 0;
 	sigprocmask(SIG_SETMASK, &let_in, NULL);
 }
 
@@ -104,9 +101,12 @@ wait_with(const sigset_t *mask, double seconds)
 		   mask) > 0;
 }
 
+/* What was let in before is not to wait for what comes next. */
 bool
 pump_wait(double seconds)
 {
+	if (noted != 0 || stopped || woken || resized)
+		return false;
 	return wait_with(&let_in, seconds);
 }
 
@@ -300,12 +300,11 @@ pump_waited_for(void)
 {
 	sigset_t held;
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
-	if (noted != 0 || !holding)
-		return noted != 0;
+	if (noted != 0)
+		return true;
 	sigpending(&held);
 	return sigismember(&held, SIGINT) || sigismember(&held, SIGTERM) ||
-	       sigismember(&held, SIGHUP) ||
-	       (watching && poll(&in, 1, 0) > 0);
+	       sigismember(&held, SIGHUP) || (watching && poll(&in, 1, 0) > 0);
 }
 
 /* What a terminal shows while a calibration runs: one line, four times a

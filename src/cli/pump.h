@@ -64,7 +64,7 @@ char *pump_ask(struct session *s, const struct inquiry *inquiry,
  * it; 0 without one. */
 int pump_status(void);
 
-/* For session.stop, from any thread: a signal came, or is held back; or, while
+/* For session.stop, from any thread: a signal came or is held back; or, while
  * `keys` was the last that pump_watch was told, a key was pressed. */
 bool pump_waited_for(void);
 void pump_watch(bool keys);

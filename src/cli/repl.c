@@ -28,22 +28,15 @@
 #include "cli/restore.h"
 #include "cli/terminal.h"
 #include "cli/history.h"
+#include "cli/history_search.h"
 
-/* readline's callbacks have no argument to pass this by.  before: the lines of
- * a command that goes on, joined. */
+/* What readline calls has no argument to pass this by.  before: the lines of a
+ * command that goes on, joined; given: bytes that no_key made up. */
 static struct {
 	struct session *session;
-	char *before, *line;
-	bool done;
+	char *before;
+	size_t given;
 } at;
-
-static void
-on_line(char *line)
-{
-	rl_callback_handler_remove();
-	at.line = line;
-	at.done = true;
-}
 
 /* How many bytes all candidates begin with. */
 static size_t
@@ -123,6 +116,31 @@ prompt(const struct session *s)
 	    colour ? "\001\033[0m\002" : "", state);
 }
 
+/* readline asks the terminal itself only where it is given no size.  8.2
+ * divides by what is left of one row of two columns, and with up to 11 columns,
+ * where the terminal does not wrap, it looks for the cursor for ever. */
+static void
+take_size(void)
+{
+	enum { ROWS = 2, COLUMNS = 20 };
+	int rows, columns;
+	terminal_size(&rows, &columns);
+	rl_set_screen_size(
+	    rows > ROWS ? rows : ROWS, columns > COLUMNS ? columns : COLUMNS);
+}
+
+/* Where the prompt is broken depends on the columns; a search has one of its
+ * own meanwhile. */
+static void
+fit_prompt(void)
+{
+	if (RL_ISSTATE(RL_STATE_ISEARCH | RL_STATE_NSEARCH))
+		return;
+	char *text = xstrdup(rl_prompt);
+	rl_set_prompt(text);
+	free(text);
+}
+
 /* ^Z, and the terminal again when the program goes on; another size. */
 static void
 answer_signals(void)
@@ -139,38 +157,24 @@ answer_signals(void)
 		rl_prep_terminal(1);
 		rl_on_new_line();
 	}
-	if (news & (PUMP_WAKE | PUMP_SIZE))
-		rl_resize_terminal();
-	if (news & PUMP_WAKE)
+	if (news & (PUMP_WAKE | PUMP_SIZE)) {
+		rl_clear_visible_line();
+		take_size();
+		fit_prompt();
 		rl_forced_update_display();
-}
-
-/* For readline.  ^C empties the terminal's queue, also between pselect and
- * here, and readline's own reading would then wait for a key with signals held.
- * At a signal any harmless byte will do: the line is dropped. */
-static int
-on_read(FILE *in)
-{
-	unsigned char c = 0;
-	pump_free_signals();
-	ssize_t got = 0;
-	do
-		got = pump_signal() == 0 ? read(fileno(in), &c, 1) : 1;
-	while (got < 0 && errno == EINTR);
-	pump_hold_signals();
-	return got == 1 ? c : EOF;
-}
-
-/* Reads up to the end of a line or a signal that is not answered here. */
-static void
-wait_for_line(void)
-{
-	while (!at.done && pump_signal() == 0) {
-		if (pump_wait(INFINITY))
-			rl_callback_read_char();
-		else
-			answer_signals();
 	}
+}
+
+/* Waits for a key; false at a signal that is not answered here. */
+static bool
+wait_for_key(void)
+{
+	while (pump_signal() == 0) {
+		if (pump_wait(INFINITY))
+			return true;
+		answer_signals();
+	}
+	return false;
 }
 
 static bool
@@ -179,31 +183,66 @@ pastes_in_brackets(void)
 	return strcmp(rl_variable_value("enable-bracketed-paste"), "on") == 0;
 }
 
+/* What readline gets for a key at a signal and at the end of input: what has it
+ * drop the line and return.  Where it reads on for more than a command it gets
+ * the end of a paste first, which must not end otherwise (readline 8.2 then
+ * reads past its text). */
+static int
+no_key(void)
+{
+	static const char END[] = "\033[201~";
+	if (!RL_ISSTATE(RL_STATE_READCMD))
+		return at.given < sizeof END - 1 ? END[at.given++] : EOF;
+	rl_point = rl_end;
+	rl_redisplay();
+	if (pump_signal() == SIGINT)
+		fputs("^C", rl_outstream);
+	return READERR;
+}
+
+/* For readline.  ^C empties the terminal's queue, also between pselect and
+ * here, and readline's own reading would then wait for a key with signals held.
+ */
+static int
+on_read(FILE *in)
+{
+	unsigned char c;
+	while (wait_for_key()) {
+		ssize_t got = -1;
+		errno = EINTR;
+		pump_free_signals();
+		if (pump_signal() == 0)
+			got = read(fileno(in), &c, 1);
+		pump_hold_signals();
+		if (got == 1)
+			return c;
+		if (got == 0 || errno != EINTR)
+			break;
+	}
+	return no_key();
+}
+
 /* A line as typed, which the caller frees; NULL at the end of input or at a
- * signal. */
+ * signal.  Not by readline's callbacks: those of 8.2 jump to where they no
+ * longer are when a sequence of keys that means nothing ends a search. */
 static char *
 read_line(const char *text)
 {
 	struct sigaction was[3];
 	pump_hold_signals();
 	pump_take_terminal(was);
-	at.line = NULL;
-	at.done = false;
-	rl_reset_screen_size();
+	at.given = 0;
+	take_size();
 	rescue_prompt(pastes_in_brackets() ? "\033[?2004l\r\n" : "\n");
-	rl_callback_handler_install(text, on_line);
-	wait_for_line();
-	if (!at.done) {
-		rl_callback_sigcleanup();
-		rl_point = rl_end;
-		rl_redisplay();
-		fputs(pump_ended() ? "\n" : "^C\n", rl_outstream);
-		rl_callback_handler_remove();
-	}
+	char *line = readline(text);
 	rescue_done();
+	/* readline ends the line itself, but only where it turns bracketed
+	 * paste off. */
+	if (line == NULL && !pastes_in_brackets())
+		fputc('\n', rl_outstream);
 	pump_give_terminal(was);
 	pump_free_signals();
-	return at.line;
+	return line;
 }
 
 static void
@@ -275,7 +314,9 @@ set_up(struct session *s)
 	rl_completer_quote_characters = "";
 	if (s->safe)
 		setenv("INPUTRC", "/dev/null", 1);
+	typed_search_names();
 	rl_initialize();
+	typed_search_keys();
 	if (s->safe)
 		confine_readline();
 	/* Text is UTF-8 in every locale: its bytes are no meta keys. */
@@ -303,15 +344,6 @@ repl_begin(struct session *s)
 	s->hooks.question = pump_question;
 }
 
-/* At the end of input readline ends the line itself, but only where it turns
- * bracketed paste off. */
-static void
-end_line(void)
-{
-	if (!pastes_in_brackets())
-		fputc('\n', stdout);
-}
-
 /* For readline: what is no command has no completion. */
 static char **
 complete_nothing(const char *text, int start, int end)
@@ -327,8 +359,6 @@ read_answer(const char *text)
 	rl_attempted_completion_function = complete_nothing;
 	char *line = read_line(text);
 	rl_attempted_completion_function = on_complete;
-	if (line == NULL && pump_signal() == 0)
-		fputc('\n', rl_outstream);
 	if (line == NULL || text_is_utf8(line, strlen(line)))
 		return line;
 	free(line);
@@ -360,7 +390,6 @@ repl_run(struct session *s)
 			take_lines(s, typed, &number);
 			free(typed);
 		} else if (pump_signal() == 0) {
-			end_line();
 			break;
 		}
 		if (pump_signal() != 0)

@@ -94,25 +94,6 @@ meeting(const struct tui *t, const char *line)
 	return bounds ? MEETS_BOUNDS : MEETS_END;
 }
 
-/* Whether a search may be stopped for a line: it is not to leave a fit that is
- * half finished in the place of another unasked. */
-static bool
-may_stop(struct tui *t, const char *line)
-{
-	struct session *s = t->session;
-	const struct entry *fitting = session_fitting(s);
-	if (control_command(line) == command_find("quit") || fitting == NULL ||
-	    !fitting->has_fit ||
-	    s->hooks.confirm(s,
-		"this stops the calibration: is its best so far to replace "
-		"the fit there was?"))
-		return true;
-	tui_say(t, false,
-	    "the calibration goes on, the command was not run: s stops it, u "
-	    "brings the former fit back");
-	return false;
-}
-
 /* On within bounds that were edited in a search; where it was paused the user
  * says when. */
 static void
@@ -156,17 +137,16 @@ run_typed(struct tui *t, const char *line)
 	struct session *s = t->session;
 	const struct bounds before = s->set.bounds;
 	const bool was_busy = session_busy(s);
-	const char *useless = was_busy ? s->job.rounds->useless : NULL;
+	const char *stopped = "";
 	bool searching = was_busy && !t->held;
 	enum meeting meets = meeting(t, line);
 	if (control_command(line) == command_find("screen")) {
 		draw_screen(t, line);
 		return;
 	}
-	if (meets == MEETS_END && !may_stop(t, line))
-		return;
 	if (meets != MEETS_NONE)
-		watch_keep(t);
+		stopped = watch_keep(t);
+	bool paused = s->job.paused;
 	if (control_command(line) == command_find("save"))
 		control_set_looks(t);
 	/* Only a shell command may write past the session's streams. */
@@ -192,11 +172,9 @@ run_typed(struct tui *t, const char *line)
 	if (ok && control_command(line) == command_find("undo"))
 		say_more(t, tr("U brings it back (moves of the slider are not "
 			       "undone)"));
-	else if (was_busy && meets == MEETS_END && !session_busy(s))
-		say_more(t,
-		    useless != NULL
-			? useless
-			: tr("the calibration was stopped, its best is kept"));
+	else if (meets == MEETS_END && !session_busy(s) &&
+		 s->job.paused == paused)
+		say_more(t, stopped);
 }
 
 /* Whether a command answers for one speed; pictures, data that are shown and

@@ -16,6 +16,7 @@
 #include "cmd/session/turn.h"
 #include "cmd/fit/job.h"
 #include "cmd/run/line.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/ask/pin.h"
 #include "cmd/answers/predict.h"
 #include "cmd/ask/quantity_words.h"
@@ -39,13 +40,15 @@ static struct tui *open;
 /* A slider that stood still for so long has paused, s. */
 static const double PAUSE = 0.7;
 
-/* No progress but what is drawn of it. */
+/* No progress but what is drawn of it.  Signals are held on the screen, and are
+ * let in between two steps. */
 static bool
 work(struct session *s)
 {
 	while (session_busy(s) && pump_signal() == 0) {
 		session_step(s);
 		under_way_draw(open);
+		pump_let_in();
 	}
 	return pump_signal() == 0;
 }
@@ -144,20 +147,30 @@ take_looks(struct tui *t)
 	tui_untouch(t);
 }
 
+/* The page as `set` would be given it; the caller frees. */
+static char *
+page_text(enum page page)
+{
+	const struct choices set = {.page = page};
+	const struct setting *row = SETTINGS;
+	while (strcmp(row->option.name, "page") != 0)
+		row++;
+	return settings_text(row, &set);
+}
+
 void
 control_set_looks(struct tui *t)
 {
-	static const char *const NAMES[PAGES] = {
-	    "predict", "fit", "data", "parity", "sites"};
 	struct session *s = t->session;
 	struct error error = {0};
 	size_t next;
+	char *page = page_text(t->page);
 	char *quantity = quantities_typed(&t->quantity);
-	char *line =
-	    xasprintf("set page %s quantity \"%s\"", NAMES[t->page], quantity);
+	char *line = xasprintf("set page %s quantity \"%s\"", page, quantity);
 	said_forget(t);
 	if (s->set.page != t->page || strcmp(s->set.quantity, quantity) != 0)
 		session_line(s, line, 0, "typed", 0, &next, &error);
+	free(page);
 	free(quantity);
 	free(line);
 }
@@ -299,6 +312,118 @@ control_open(void)
 	return open;
 }
 
+/* All that a state owns. */
+static void
+free_all(struct tui *t)
+{
+	if (t->said != NULL)
+		fclose(t->said);
+	free(t->said_text);
+	typing_end(&t->typing);
+	view_close(t);
+	free(t->closed);
+	prediction_free(&t->shown);
+	free(t->command);
+	free(t->row);
+	above_free(t->above);
+	goals_clear(&t->goal);
+	tui_forget_sheet(&t->sheet);
+	tui_forget_parity(&t->parity);
+	folder_free(&t->chooser.folder);
+	free(t->chooser.preview);
+	limits_free(t);
+	second_free(t);
+	touch_free(&t->touches);
+}
+
+/* The prediction at the slider, of which the session is not told. */
+static void
+form(struct tui *t)
+{
+	const struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	if (entry == NULL)
+		return;
+	struct params params = entry->params;
+	if (!answers_forming(s, &params) && !entry->has_params)
+		return;
+	prediction_free(&t->shown);
+	t->shown =
+	    outlook_form(s, entry, &params, t->tenths / 10.0, tui_feed(t));
+	t->now = numbers_of(s, entry->key, &t->shown);
+}
+
+/* What was said and typed. */
+static void
+copy_words(struct tui *t)
+{
+	if (open->command != NULL)
+		t->command = xstrdup(open->command);
+	snprintf(t->message, sizeof t->message, "%s", open->message);
+	typing_begin(&t->speed, open->speed.text);
+	typing_begin(&t->filter, open->filter.text);
+	t->filter.active = open->filter.active;
+}
+
+/* A new state begins with what is chosen, as plain values; what follows from
+ * these is worked out for it, so that the two own nothing together. */
+struct tui *
+control_beside(void)
+{
+	struct tui *t = xcalloc(1, sizeof *t);
+	*t = (struct tui){.session = open->session,
+	    .ways = open->ways,
+	    .page = open->page,
+	    .focus = open->focus,
+	    .aside = true,
+	    .clock = open->clock,
+	    .started = open->started,
+	    .ran = open->ran,
+	    .tenths = open->tenths,
+	    .feed = open->feed,
+	    .quantity = open->quantity,
+	    .above = above_new(),
+	    .pause = open->pause,
+	    .cross = open->cross,
+	    .band = open->band,
+	    .mouse = open->mouse,
+	    .cross_at = open->cross_at,
+	    .level = open->level,
+	    .site_at = open->site_at,
+	    .sheet = {.row = open->sheet.row,
+		.at = open->sheet.at,
+		.top = open->sheet.top,
+		.left = open->sheet.left},
+	    .parity = {.at = open->parity.at, .top = open->parity.top},
+	    .sort = open->sort,
+	    .sort_down = open->sort_down,
+	    .second = open->second,
+	    .picture = open->picture,
+	    .held = open->held,
+	    .pace = open->pace,
+	    .generation = open->generation,
+	    .param_at = open->param_at,
+	    .tour = open->tour,
+	    .tour_tenths = open->tour_tenths,
+	    .tour_found = open->tour_found,
+	    .job = open->job,
+	    .failed = open->failed,
+	    .bad = open->bad};
+	copy_words(t);
+	control_look(t);
+	form(t);
+	/* The crosshair's sieve is one of that prediction. */
+	t->cross_at = open->cross_at < t->shown.product.n ? open->cross_at : 0;
+	return t;
+}
+
+void
+control_drop(struct tui *t)
+{
+	free_all(t);
+	free(t);
+}
+
 static bool
 confirm(struct session *s, const char *question)
 {
@@ -392,21 +517,5 @@ control_end(struct tui *t)
 		session_pause(s);
 		session_settle(s, true, &error);
 	}
-	fclose(t->said);
-	free(t->said_text);
-	typing_end(&t->typing);
-	view_close(t);
-	free(t->closed);
-	prediction_free(&t->shown);
-	free(t->command);
-	free(t->row);
-	above_free(t->above);
-	goals_clear(&t->goal);
-	tui_forget_sheet(&t->sheet);
-	tui_forget_parity(&t->parity);
-	folder_free(&t->chooser.folder);
-	free(t->chooser.preview);
-	limits_free(t);
-	second_free(t);
-	touch_free(&t->touches);
+	free_all(t);
 }

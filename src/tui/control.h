@@ -14,6 +14,13 @@ void control_end(struct tui *t);
 /* The one that is open, or NULL. */
 const struct tui *control_open(void);
 
+/* Another one that shows the same, for a frame beside it: nothing that is done
+ * to it touches the open one, and control_drop is its end.  What a member
+ * shows is copied there by its name, so that one which owns something is never
+ * owned twice. */
+struct tui *control_beside(void);
+void control_drop(struct tui *t);
+
 /* Runs a line that a key composed, and shows it.  False with a message where
  * it failed. */
 bool control_run(struct tui *t, const char *line);

@@ -85,17 +85,28 @@ input_paste(struct tui *t, int code, bool special)
 	return true;
 }
 
+/* Signals are let in meanwhile: ncurses waits for the end of what begins as a
+ * click, and where that was cut off, for ever. */
+static int
+next(wint_t *code)
+{
+	pump_free_signals();
+	int got = get_wch(code);
+	pump_hold_signals();
+	return got;
+}
+
 /* The rest of a sequence that the terminal's description does not have would be
  * taken for keys. True where there was one: it came with its Escape at once. */
 static bool
 pass_over_sequence(void)
 {
 	wint_t code = 0;
-	int got = get_wch(&code);
+	int got = next(&code);
 	if (got == OK && (code == '[' || code == 'O')) {
 		bool long_one = code == '[';
 		do
-			got = get_wch(&code);
+			got = next(&code);
 		while (got == OK && long_one && code < '@');
 		if (got == KEY_CODE_YES)
 			ungetch((int)code);
@@ -120,13 +131,10 @@ more_waits(void)
 bool
 input_key(struct tui *t, int *code, bool *special)
 {
-	enum { ESCAPE = 27, MUCH = 4096 };
+	enum { ESCAPE = 27 };
 	wint_t c = 0;
-	int got;
-	for (int n = 1; pump_signal() == 0; n++) {
-		if (n % MUCH == 0)
-			pump_let_in();
-		got = get_wch(&c);
+	while (pump_signal() == 0) {
+		int got = next(&c);
 		if (got == ERR && !more_waits())
 			return false;
 		if (got == ERR || (got == KEY_CODE_YES && c == KEY_RESIZE))

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/script_terminal.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -85,7 +86,6 @@ is_typed(const struct tui *t, const char *word)
 static long
 times(char *word)
 {
-	enum { MOST = 9999 };
 	char *sign = strrchr(word, '*'), *end;
 	if (sign == NULL || sign == word || sign[1] < '0' || sign[1] > '9')
 		return 1;
@@ -93,11 +93,26 @@ times(char *word)
 	if (*end != '\0')
 		return 1;
 	*sign = '\0';
-	return n > MOST ? MOST : n;
+	return n;
+}
+
+/* Each key is a frame that is drawn, and may be a prediction. */
+static bool
+count_keys(const char *word, long n, long *pressed, struct error *error)
+{
+	enum { MOST = 9999 };
+	if (n <= MOST - *pressed) {
+		*pressed += n;
+		return true;
+	}
+	return error_set(error, ERROR_USAGE,
+	    "keys: expected at most %d keys, got %ld with '%s'\n"
+	    "press fewer: Right*5 counts as five",
+	    (int)MOST, n > LONG_MAX - *pressed ? LONG_MAX : *pressed + n, word);
 }
 
 static bool
-press_word(struct tui *t, char *word, struct error *error)
+press_word(struct tui *t, char *word, long *pressed, struct error *error)
 {
 	enum { LETTERS = 4 };
 	int code;
@@ -107,7 +122,10 @@ press_word(struct tui *t, char *word, struct error *error)
 		    "^Z needs a shell, and there is none here");
 		return error_hint(error, "leave it out");
 	}
-	if (keys_code(word, &code)) {
+	bool key = keys_code(word, &code);
+	if (!count_keys(word, key ? n : text_width(word), pressed, error))
+		return false;
+	if (key) {
 		for (; n > 0 && !t->leave && pump_signal() == 0; n--)
 			press(t, code, code > 255, frame_ms);
 		return true;
@@ -129,11 +147,12 @@ press_all(struct tui *t, const char *keys, struct error *error)
 {
 	char *copy = xstrdup(keys);
 	bool ok = true;
+	long pressed = 0;
 	asks = false;
 	for (char *word = strtok_r(copy, " ", &keys_left);
 	     ok && word != NULL && !t->leave && !t->session->quit;
 	     word = strtok_r(NULL, " ", &keys_left)) {
-		ok = press_word(t, word, error);
+		ok = press_word(t, word, &pressed, error);
 		if (ok && pump_signal() != 0)
 			ok = error_set(error, ERROR_SYSTEM,
 			    "interrupted at the key '%s'", word);
@@ -153,12 +172,10 @@ picture_of(const struct tui *t)
 			       : pane_curves_words(t);
 }
 
-/* The open one, as it stands; the copy is drawn, so that nothing of it
- * changes. */
+/* The open one as it stands, drawn from a state of its own. */
 static bool
 draw_open(struct screen_request *request, struct error *error)
 {
-	struct tui t = *control_open();
 	if (request->keys[0] != '\0') {
 		error_set(error, ERROR_USAGE,
 		    "keys= is for use outside full-screen mode");
@@ -170,24 +187,12 @@ draw_open(struct screen_request *request, struct error *error)
 		    "frames= is for use outside full-screen mode\n"
 		    "record with: tipspeed -c \"screen keys=.. frames=400 > "
 		    "demo.svg\"");
+	struct tui *t = control_beside();
 	if (request->page > 0)
-		t.page = (enum page)(request->page - 1);
-	t.row = NULL;
-	t.rows_at = 0;
-	t.touches = (struct touches){0};
-	t.sheet.sieve = NULL;
-	t.sheet.column = NULL;
-	t.sheet.doctor = (struct doctor){0};
-	tui_forget_sheet(&t.sheet);
-	t.parity.point = NULL;
-	t.parity.chart = NULL;
-	tui_forget_parity(&t.parity);
-	pages_update(&t);
-	frame_draw(&t);
-	free(t.row);
-	tui_forget_sheet(&t.sheet);
-	tui_forget_parity(&t.parity);
-	touch_free(&t.touches);
+		pages_go(t, (enum page)(request->page - 1));
+	pages_update(t);
+	frame_draw(t);
+	control_drop(t);
 	return true;
 }
 

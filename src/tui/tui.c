@@ -85,8 +85,11 @@ take_keys(struct tui *t)
 {
 	int code;
 	bool special;
-	while (!t->leave && !t->session->quit && input_key(t, &code, &special))
+	while (!t->leave && !t->session->quit && pump_signal() == 0 &&
+	       input_key(t, &code, &special)) {
 		act_key(t, code, special);
+		pump_let_in();
+	}
 	/* Its end does not come: keys are keys again. */
 	if (t->paste.on && session_clock() - t->pasted >= PASTE_PAUSE)
 		input_end_paste(t);

@@ -11,28 +11,47 @@
 #include "cli/pump.h"
 #include "tui/captured.h"
 
-void
+/* What is said of one that was stopped, by what became of it: in full, and
+ * behind what a line has said that stopped it. */
+static const struct {
+	const char *all, *behind;
+} STOPS[] = {
+    [STOPPED_EMPTY] = {N_("stopped before its first generation: f starts "
+			  "again"),
+	N_("the calibration was stopped before its first generation")},
+    [STOPPED_TAKEN] = {N_("stopped, the best is kept: Space continues, f "
+			  "starts again, both within the current bounds; u "
+			  "undoes it"),
+	N_("the calibration was stopped, its best is kept")},
+    [STOPPED_WORSE] = {N_("stopped: the site's parameters fit better and "
+			  "stay; Space continues, :accept takes the stopped "
+			  "ones"),
+	N_("the calibration was stopped: the site's parameters fit better "
+	   "and stay; :accept takes the stopped ones")}};
+
+const char *
 watch_keep(struct tui *t)
 {
 	struct session *s = t->session;
 	if (!session_busy(s))
-		return;
+		return "";
 	struct error error = {0};
 	bool alone = s->job.rounds->alone;
 	const char *useless = s->job.rounds->useless;
-	session_pause(s);
+	enum stopped stopped = session_pause(s);
 	session_settle(s, true, &error);
 	t->ran = tui_searched(t);
 	t->held = false;
 	t->asked.tenths = 0;
 	control_look(t);
-	tui_say(t, false, "%s",
+	const char *said =
 	    useless != NULL ? useless
 	    : alone
-		? tr("stopped, the best is kept: Space continues, f starts "
-		     "again, both within the current bounds; u undoes it")
+		? tr(STOPS[stopped].all)
 		: tr("stopped: the sites calibrated so far keep their fits; u "
-		     "undoes it"));
+		     "undoes it");
+	tui_say(t, false, "%s", said);
+	return useless == NULL && alone ? tr(STOPS[stopped].behind) : said;
 }
 
 /* The last calibration of several: their table is what they end with. */

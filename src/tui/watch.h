@@ -12,7 +12,9 @@ void watch_pump(struct tui *t);
 void watch_hold(struct tui *t, bool hold);
 void watch_step(struct tui *t);
 
-/* Stops the calibration that runs and keeps its best. */
-void watch_keep(struct tui *t);
+/* Stops the calibration that runs, see session_pause, and says what became of
+ * it.  Returns the same for behind something else that is said; "" where none
+ * ran. */
+const char *watch_keep(struct tui *t);
 
 #endif

@@ -226,6 +226,27 @@ draw_all(struct tui *t)
 	frame_draw(t);
 }
 
+/* It is set for whatever site comes next. */
+static void
+a_goal_outlives_its_site(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk,
+	    "load data/sites/tierp.csv; params set f_mat=1 e0_min=16 alpha=1");
+	control_look(t);
+	draw_all(t);
+	type(t, "tp80=5.4\n");
+	draw_all(t);
+	assert_true(goal_known(t));
+	type(t, ":drop tierp\n");
+	draw_all(t);
+	assert_string_equal(t->session->set.goal, "p80=5.4");
+	assert_false(goal_known(t));
+	type(t, ":load data/sites/tierp.csv\n");
+	draw_all(t);
+}
+
 /* From the fitted start: t, the value, Enter; find must say the same. */
 static void
 a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
@@ -714,6 +735,122 @@ a_colon_begins_a_line_over_what_fills_the_screen(void **state)
 	assert_string_equal(t->typing.text, "bounds");
 	type(t, "\033?:undo");
 	assert_string_equal(t->typing.text, "undo");
+}
+
+/* What is on the frame. */
+static char *
+frame_text(void)
+{
+	char *text = NULL;
+	size_t n = 0;
+	FILE *out = text_memory(&text, &n);
+	canvas_print(screen_frame(), 0, out);
+	fclose(out);
+	while (n > 0 && text[n - 1] == '\n')
+		text[--n] = '\0';
+	return text;
+}
+
+static void
+labels_are_evenly_apart_on_the_tallest_screen(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	double last = NAN, step = NAN;
+	size_t n = 0;
+	canvas_free(screen_back(stage->was));
+	stage->was = screen_aside(1000, 100, CHARSET_ASCII, 0);
+	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
+	control_look(t);
+	draw_all(t);
+	char *text = frame_text();
+	int row = 0, from = t->places.above.row,
+	    to = from + t->places.above.rows;
+	assert_true(t->places.above.rows > 64);
+	for (const char *line = text; *line != '\0';
+	     line += strcspn(line, "\n"), line += *line == '\n', row++) {
+		double value;
+		char head[5];
+		size_t length = strcspn(line, "\n");
+		snprintf(head, sizeof head, "%.*s",
+		    length < 4 ? (int)length : 4, line);
+		char *word = text_trim(head);
+		if (row < from || row >= to || !text_number(word, &value))
+			continue;
+		if (n++ > 1)
+			assert_true(fabs(last - value - step) < 1e-6);
+		step = last - value;
+		last = value;
+	}
+	assert_true(n > 20);
+	free(text);
+}
+
+/* Each is drawn, so that no line may ask for any number of them. */
+static void
+so_many_keys_are_pressed_and_no_more(void **state)
+{
+	struct screen_request request = {.rows = 5, .columns = 20};
+	struct stage *stage = *state;
+	struct error error = {0};
+	static const char *const MANY[] = {
+	    "Right*10000", "Left*9000 Right*1000", "Up*99999999999999999999"};
+	control_end(&stage->t);
+	for (size_t i = 0; i < ARRAY_LEN(MANY); i++) {
+		request.keys = MANY[i];
+		assert_null(shot_draw(stage->desk->session, &request, &error));
+		assert_non_null(strstr(error.text, "at most 9999 keys"));
+	}
+	request.keys = "Left*9000 Right*999";
+	struct canvas *canvas =
+	    shot_draw(stage->desk->session, &request, &error);
+	assert_non_null(canvas);
+	canvas_free(canvas);
+	control_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
+}
+
+static void
+a_picture_of_the_open_screen_owns_its_own(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	stage->desk->session->hooks.draw_screen = shot_draw;
+	canvas_free(screen_back(stage->was));
+	stage->was = screen_aside(50, 170, CHARSET_ASCII, 0);
+	desk_expect(stage->desk,
+	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate; "
+	    "pin speed=70; use bro; calibrate");
+	control_look(t);
+	draw_all(t);
+	/* On a terminal a goal is worked out part by part. */
+	t->aside = false;
+	t->moved = -1e9;
+	type(t, "tp80=5..5.3\n");
+	while (goal_pending(t)) {
+		type(t, ":screen\n");
+		assert_non_null(t->viewer.text);
+		type(t, "\033");
+		draw_all(t);
+	}
+	assert_true(goal_known(t));
+	t->aside = true;
+	type(t, ":spec use EN 12620 0/4\n");
+	for (enum page page = 0; page < PAGES; page++) {
+		act_key(t, '1' + (int)page, false);
+		type(t, ":screen\n:screen width=150 height=48\n\033");
+		t->message[0] = '\0';
+		draw_all(t);
+		char *before = frame_text();
+		type(t, ":screen\n");
+		assert_string_equal(t->viewer.text, before);
+		type(t, "\033");
+		t->message[0] = '\0';
+		draw_all(t);
+		free(before);
+	}
+	/* Nothing that was drawn beside it has moved it. */
+	type(t, "1:screen page=5\n\033");
+	assert_int_equal(t->page, PAGE_PREDICT);
 }
 
 /* The frame as it is drawn once the loop has gone round, but for the rows of
@@ -1221,20 +1358,7 @@ what_was_unpinned_can_be_pinned_again(void **state)
 	assert_false(tui_entry(t)->has_fit);
 }
 
-static bool may;
-static size_t asked;
-
-static bool
-answer_may(struct session *s, const char *question)
-{
-	(void)s;
-	(void)question;
-	asked++;
-	return may;
-}
-
-/* What only reads leaves a search alone; what stops it asks where a fit would
- * be replaced, and tells. */
+/* What only reads leaves a search alone; what stops it tells. */
 static void
 a_line_stops_no_search_unsaid(void **state)
 {
@@ -1243,7 +1367,6 @@ a_line_stops_no_search_unsaid(void **state)
 	desk_expect(((struct stage *)*state)->desk,
 	    TIERP_CALIBRATED "; predict speed=74");
 	control_look(t);
-	s->hooks.confirm = answer_may;
 	const double best = tui_entry(t)->fit.misfit;
 	type(t, "f.. ");
 	static const char *const BESIDE[] = {":help\n\033", ":hlep\n", "d\033",
@@ -1255,21 +1378,62 @@ a_line_stops_no_search_unsaid(void **state)
 	}
 	type(t, ":version\n");
 	assert_non_null(t->viewer.text);
-	assert_int_equal(asked, 0);
-	/* A question, too, would leave the half-finished fit. */
-	type(t, "\033:find p80=5\n");
-	assert_int_equal(asked, 1);
-	type(t, ":set k 1\n");
-	assert_int_equal(asked, 2);
-	assert_true(session_busy(s));
-	assert_true(tui_entry(t)->fit.misfit == best);
-	assert_non_null(strstr(t->message, "goes on"));
-	may = true;
-	type(t, ":set k 1\n");
-	assert_int_equal(asked, 3);
+	type(t, "\033:set k 1\n");
 	assert_false(session_busy(s));
 	assert_non_null(strstr(t->message, "was stopped"));
+	assert_non_null(strstr(t->message, ":accept"));
+	assert_true(tui_entry(t)->fit.misfit == best);
+	type(t, " ");
+	assert_true(session_busy(s));
+	type(t, ":accept\n\033");
 	assert_true(tui_entry(t)->fit.misfit > best);
+	type(t, "u");
+	assert_true(tui_entry(t)->fit.misfit == best);
+}
+
+/* A re-fit that is half done replaces no better one, whatever stops it. */
+static void
+no_way_to_stop_a_search_loses_a_better_fit(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	struct session *s = t->session;
+	desk_expect(stage->desk,
+	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate; "
+	    "predict speed=74");
+	control_look(t);
+	draw_all(t);
+	const double best = tui_entry(t)->fit.misfit;
+	/* "55" is Sites, and no speed; Enter there uses the site: the one in
+	 * use is only looked at. */
+	t->site_at = s->current;
+	type(t, "f..55\n");
+	assert_true(session_busy(s) && t->page == PAGE_PREDICT);
+	t->site_at = 0;
+	static const char *const WAYS[] = {"s", "\003", "55\n", "5\n", "f\003",
+	    ":use bro\n", ":find p80=5\n\033", ":sweep\n\033",
+	    ":load data/sites/ossjo.csv\n", ":set k 2\nu", ":hlep; use bro\n",
+	    ":validate\n\033", ":league\ns", ":continue\ns", ":calibrate\ns",
+	    ":calibrate all pause=2\n"};
+	for (size_t i = 0; i < ARRAY_LEN(WAYS); i++) {
+		type(t, "1f..");
+		assert_true(session_busy(s));
+		type(t, WAYS[i]);
+		for (int step = 0; step < 9 && session_busy(s); step++)
+			watch_step(t);
+		if (session_busy(s))
+			type(t, "s");
+		type(t, ":use tierp\n");
+		draw_all(t);
+		assert_string_equal(tui_entry(t)->key, "tierp");
+		assert_true(tui_entry(t)->fit.misfit == best);
+	}
+	/* The last way is to quit, or a signal. */
+	type(t, "1f..");
+	control_end(t);
+	assert_false(session_busy(s));
+	assert_true(session_entry(s)->fit.misfit == best);
+	control_begin(t, s, &SHOT_WAYS);
 }
 
 static volatile sig_atomic_t stops;
@@ -1398,9 +1562,11 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(a_step_predicts_once_and_says_nothing),
     ON_STAGE(a_shows_the_answer_of_the_correction),
     ON_STAGE(a_line_stops_no_search_unsaid),
+    ON_STAGE(no_way_to_stop_a_search_loses_a_better_fit),
     ON_STAGE(a_size_is_one_number_everywhere),
     ON_STAGE(undo_says_what_it_took_and_how_it_comes_back),
     ON_STAGE(what_was_unpinned_can_be_pinned_again),
+    ON_STAGE(a_goal_outlives_its_site),
     ON_STAGE(a_goal_takes_five_keys_and_is_met_where_find_says),
     ON_STAGE(a_key_of_the_goal_waits_for_its_speeds),
     ON_STAGE(a_goal_stays_known_until_something_else_is_asked),
@@ -1426,6 +1592,9 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(the_mouse_drags_the_scrubber_to_its_ends),
     ON_STAGE(the_list_has_the_keys_of_other_pages),
     ON_STAGE(a_colon_begins_a_line_over_what_fills_the_screen),
+    ON_STAGE(labels_are_evenly_apart_on_the_tallest_screen),
+    ON_STAGE(so_many_keys_are_pressed_and_no_more),
+    ON_STAGE(a_picture_of_the_open_screen_owns_its_own),
     ON_STAGE(what_is_shown_is_saved_and_shown_again),
     ON_STAGE(what_is_left_is_found_again),
     ON_STAGE(long_commands_leave_the_screen_live),

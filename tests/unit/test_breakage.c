@@ -361,8 +361,13 @@ each_model_finds_its_own_products(void **state)
 {
 	(void)state;
 	struct draw draw = draw_start(75);
+	bool all = often(0, 1) > 0;
 	for (size_t m = 0; m < breakage_count(); m++) {
 		struct params truth = near(m, &draw);
+		/* One with a bypass for all, as they differ in the law. */
+		if (strstr(BREAKAGES[m]->name, "+bypass") != NULL && !all &&
+		    strncmp(BREAKAGES[m]->name, "grunditz+", 9) != 0)
+			continue;
 		size_t gamma = breakage_parameter(BREAKAGES[m], "gamma");
 		if (gamma < BREAKAGES[m]->n) {
 			truth.at[gamma] = 0.4;

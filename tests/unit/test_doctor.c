@@ -279,6 +279,36 @@ little_is_looked_at_too(void **state)
 	site_free(site);
 }
 
+/* Of so many passings that each beside all others would take minutes it says
+ * that it does not look, and still finds a column that was copied. */
+static void
+too_many_are_not_looked_at(void **state)
+{
+	(void)state;
+	enum { RUNS = 120 };
+	double speed[RUNS];
+	for (size_t r = 0; r < RUNS; r++)
+		speed[r] = 66 + 0.15 * (double)r;
+	struct site *site = synth_site(&(struct synth){.top_size = 0.0112,
+	    .params = {.beta = {0.2, 1, -1, 0.5},
+		.f_mat = 2,
+		.e0_min = 16,
+		.alpha = 0.95},
+	    .n = 1,
+	    .seed = 1,
+	    .n_speed = RUNS,
+	    .speed = speed});
+	struct run *run = site->run;
+	psd_free(&run[1].product);
+	run[1].product = psd_copy(&run[0].product);
+	struct doctor d = doctor_look(site, NULL, 0);
+	assert_in_range(d.unseen, DOCTOR_CELLS + 1, RUNS * 20);
+	assert_int_equal(d.n, 1);
+	assert_int_equal(d.finding[0].mend.kind, MEND_DROP);
+	doctor_free(&d);
+	site_free(site);
+}
+
 int
 main(void)
 {
@@ -289,6 +319,7 @@ main(void)
 	    cmocka_unit_test(a_large_slip_is_no_exchange),
 	    cmocka_unit_test(mends_say_what_they_did),
 	    cmocka_unit_test(little_is_looked_at_too),
+	    cmocka_unit_test(too_many_are_not_looked_at),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

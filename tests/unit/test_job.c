@@ -65,6 +65,8 @@ a_stopped_calibration_goes_on_to_the_same_bits(void **state)
 	struct fit want = whole(desk);
 	static const int at[] = {1, 15, 40, 43};
 	for (size_t i = 0; i < ARRAY_LEN(at); i++) {
+		/* Without a fit the stopped one is taken. */
+		desk_expect(desk, "undo");
 		start(desk, SEARCH);
 		steps(desk, at[i]);
 		session_pause(desk->session);
@@ -293,6 +295,8 @@ edited_bounds_are_told(void **state)
 	const struct entry *entry = session_entry(desk->session);
 	whole(desk);
 	assert_null(strstr(entry->options, "edited"));
+	desk_expect(desk, "undo");
+	entry = session_entry(desk->session);
 	start(desk, SEARCH);
 	steps(desk, 5);
 	session_pause(desk->session);
@@ -304,27 +308,124 @@ edited_bounds_are_told(void **state)
 	    "bounds f_mat 0.5..0.7"));
 }
 
-/* A line's notes. */
+/* While its light is drawn the search is over. */
+static void
+bounds_come_too_late_for_what_has_ended(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	start(desk, "calibrate population=600");
+	while (
+	    calibration_status(s->job.calibration).state < CALIBRATE_TOLERANCE)
+		session_step(s);
+	assert_true(session_busy(s));
+	assert_int_equal(session_pause(s), STOPPED_TAKEN);
+	struct fit want = session_entry(s)->fit;
+	desk_expect(desk, "bounds e0_min 0..9; continue");
+	expect_same(&session_entry(s)->fit, &want);
+	assert_non_null(strstr(desk->notes, "begins within the edited"));
+}
+
+/* A line's notes, as one line. */
 static const char *
 noted(struct desk *desk, const char *line)
 {
 	size_t before = desk->n_notes;
 	desk_expect(desk, line);
+	for (char *p = desk->notes + before; *p != '\0'; p++)
+		*p = *p == '\n' ? ' ' : *p;
 	return desk->notes + before;
 }
 
 static void
-a_stop_that_left_a_worse_fit_names_undo(void **state)
+a_stop_leaves_a_better_fit_until_it_is_accepted(void **state)
 {
 	struct desk *desk = *state;
-	static const char worse[] = "the former fit was better";
-	whole(desk);
-	const char *line = "calibrate population=64 seed=3 pause=2";
-	assert_non_null(strstr(noted(desk, line), worse));
-	assert_null(strstr(noted(desk, "undo; undo"), worse));
+	const struct entry *entry;
+	static const char worse[] = "fit better",
+			  line[] = "calibrate population=64 seed=3 pause=2";
+	struct fit want = whole(desk);
+	size_t printed = desk->n_out;
 	const char *notes = noted(desk, line);
+	assert_non_null(strstr(notes, worse));
+	assert_non_null(strstr(notes, "'accept' takes the stopped ones"));
+	assert_int_equal(desk->n_out, printed);
+	expect_same(&session_entry(desk->session)->fit, &want);
+	desk_expect(desk, "accept");
+	entry = session_entry(desk->session);
+	assert_int_equal(entry->fit.stop, CALIBRATE_STOPPED);
+	assert_int_equal(entry->fit.generations, 2);
+	assert_true(entry->fit.misfit > want.misfit);
+	assert_true(desk->n_out > printed);
+	desk_expect(desk, "undo");
+	expect_same(&session_entry(desk->session)->fit, &want);
+	/* One that goes on to its end was asked for. */
+	notes = noted(desk, "calibrate population=64 seed=3 generations=3 "
+			    "polish=off pause=2; continue");
+	assert_non_null(strstr(notes, worse));
+	entry = session_entry(desk->session);
+	assert_int_equal(entry->fit.stop, CALIBRATE_GENERATIONS);
+	assert_true(entry->fit.misfit > want.misfit);
+	desk_expect(desk, "undo");
+	expect_same(&session_entry(desk->session)->fit, &want);
+	/* Without one the stopped best is better than nothing. */
+	desk_expect(desk, "undo");
+	notes = noted(desk, line);
 	assert_null(strstr(notes, worse));
 	assert_non_null(strstr(notes, "undo or calibrate again"));
+	assert_true(session_entry(desk->session)->has_fit);
+}
+
+/* Better by what the calibration goes by, wherever the parameters are from. */
+static void
+what_is_better_is_said_by_the_job(void **state)
+{
+	struct desk *desk = *state;
+	const struct session *s = desk->session;
+	static const char worse[] = "fit better";
+	desk_expect(desk, "params set f_mat=0.9 e0_min=20 alpha=0.5");
+	assert_null(
+	    strstr(noted(desk, "calibrate population=64 pause=5"), worse));
+	assert_true(session_entry(desk->session)->has_fit);
+	/* The fit of all runs, on the ends; of another model. */
+	desk_expect(desk, "calibrate population=600 train=all");
+	struct fit want = session_entry(desk->session)->fit;
+	assert_non_null(
+	    strstr(noted(desk, "calibrate population=64 pause=1"), worse));
+	expect_same(&session_entry(desk->session)->fit, &want);
+	assert_non_null(strstr(noted(desk, "set model vogel; calibrate "
+					   "population=64 pause=1"),
+	    worse));
+	expect_same(&session_entry(desk->session)->fit, &want);
+	assert_true(s->job.paused && s->job.held_back);
+	/* With as many impacts that fit is nothing worth. */
+	assert_null(strstr(noted(desk, "set model grunditz; set k 5; calibrate "
+				       "population=600 pause=8"),
+	    worse));
+	assert_int_equal(
+	    session_entry(desk->session)->fit.stop, CALIBRATE_STOPPED);
+}
+
+/* Sites that were done are; the one under way keeps what is better. */
+static void
+all_that_are_stopped_keep_a_better_fit(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	desk_expect(desk, "load data/sites/bro.csv; calibrate all "
+			  "population=600");
+	struct fit first = s->entry[0].fit, second = s->entry[1].fit;
+	start(desk, "calibrate all population=64 generations=3 polish=off");
+	while (s->job.entry == 0)
+		session_step(s);
+	steps(desk, 2);
+	assert_int_equal(session_pause(s), STOPPED_WORSE);
+	fflush(desk->notes_file);
+	assert_non_null(strstr(desk->notes, "bro: stopped at generation 2"));
+	assert_true(s->entry[0].fit.misfit > first.misfit);
+	expect_same(&s->entry[1].fit, &second);
+	assert_false(session_busy(s));
+	assert_null(s->job.calibration);
 }
 
 /* What is named as poorly determined can be changed so: not past a bound, but
@@ -431,7 +532,10 @@ main(void)
 	    WITH_SITE(a_flat_direction_raises_the_misfit_by_a_tenth),
 	    WITH_SITE(standard_deviations_weigh_when_asked_for),
 	    WITH_SITE(edited_bounds_are_told),
-	    WITH_SITE(a_stop_that_left_a_worse_fit_names_undo),
+	    WITH_SITE(a_stop_leaves_a_better_fit_until_it_is_accepted),
+	    WITH_SITE(bounds_come_too_late_for_what_has_ended),
+	    WITH_SITE(what_is_better_is_said_by_the_job),
+	    WITH_SITE(all_that_are_stopped_keep_a_better_fit),
 	    WITH_SITE(a_step_is_named_that_the_bounds_allow),
 	    WITH_SITE(the_generations_stay_with_their_site),
 	    WITH_SITE(a_league_leaves_the_fit_alone),

@@ -18,6 +18,7 @@
 #include "tui/input.h"
 #include "tui/pages.h"
 #include "tui/screen.h"
+#include "tui/script_terminal.h"
 #include "tui/tui_state.h"
 #include "tui/watch.h"
 
@@ -43,8 +44,26 @@ static const char *const TYPED[] = {"load data/sites/bro.csv",
 
     ("synth data/table3.csv "
      "site=Tierp seed=9 speeds=58,61,64,67,70,73,76,79"),
-    "window", "guess", "screen", "plot response", "continue",
-    "load nothing.csv", "quit"};
+    "window", "guess", "screen", "screen page=sites width=200 height=60",
+    "screen page=parity", "plot response", "continue", "accept",
+    "load nothing.csv", "load data/sites/atle.csv", "drop", "quit",
+    "set goal \"p80=5..5.3\"", "set goal \"p80=5.4, passing 2 > 30\"",
+    "set goal \"EN 12620 0/4\"", "set goal none", "set quantity p50", "spec",
+    "spec use EN 12620 0/4", "spec off", "pin speed=70", "pin speed=76 feed=69",
+    "pin off", "compare pinned 74", "set page data", "set model vogel",
+    "set model grunditz", "set theme light", "league", "validate",
+    "validate holdout=each", "figures 72", "flow", "history", "uncertainty",
+    "calibrate pause=3", "bounds default", "card", "report", "identify",
+    "remember mine", "recall table3/tierp", "predict 76 feed=69",
+    "source data/scripts/none.tip", "set correction all"};
+
+/* A goal, typed into its field, and a speed; what is left open is given up by
+ * the next. */
+static const char *const GOALS[] = {"p80=5..5.3\n", "5.4\n", "<6\n",
+    ",fines<9\n", "p50\n", "EN 12620 0/4\n", "passing 2 = 33..35, p80 > 5\n",
+    "fm\n", "p80=1e9\n", "none\n", "\025\n", "p80=5", "cu<\t\n"};
+static const char *const SPEEDS[] = {"72.3\n", "069\n", "85\n", "0200\n", "6.5",
+    "55\n", "999\n", "7,4\n", "01\n", "9\177"};
 
 static int
 random_key(void)
@@ -65,10 +84,31 @@ random_key(void)
 	}
 }
 
-/* Any key, but none that hands over the program. */
+/* The terminal that there was before, and the size of the one drawn aside. */
+static struct display *before;
+static int rows, columns;
+
+static void
+resize(void)
+{
+	static const int DEPTHS[] = {0, 8, 16, 256};
+	static const int MOST[][2] = {{34, 110}, {5, 20}, {200, 400}};
+	size_t size = below(8);
+	const int *most = MOST[size < ARRAY_LEN(MOST) ? size : 0];
+	rows = 1 + (int)below((size_t)most[0]);
+	columns = 1 + (int)below((size_t)most[1]);
+	canvas_free(screen_back(before));
+	before = screen_aside(rows, columns, (enum charset)below(3),
+	    DEPTHS[below(ARRAY_LEN(DEPTHS))]);
+}
+
+/* Any key, but none that hands over the program; the size may be another in the
+ * midst of a question. */
 static bool
 answer(struct tui *t, int *code, bool *special)
 {
+	if (below(6) == 0)
+		resize();
 	frame_draw(t);
 	*code = below(3) == 0 ? '\n' : below(3) == 0 ? 'y' : random_key();
 	*special = *code > 255;
@@ -95,18 +135,41 @@ paste(struct tui *t)
 }
 
 static void
+type_text(struct tui *t, const char *text)
+{
+	while (*text != '\0')
+		act_key(t, (int)text_next(&text), false);
+}
+
+static void
 type_line(struct tui *t)
 {
 	act_key(t, 27, false);
 	act_key(t, ':', false);
-	const char *line = TYPED[below(ARRAY_LEN(TYPED))];
-	while (*line != '\0')
-		act_key(t, (int)text_next(&line), false);
+	type_text(t, TYPED[below(ARRAY_LEN(TYPED))]);
 	act_key(t, below(5) > 0 ? '\n' : '\t', false);
 }
 
+/* Something is set and at once drawn beside: what both states know of it is
+ * half worked out. */
 static void
-use_mouse(struct tui *t, int rows, int columns)
+type_more(struct tui *t)
+{
+	type_text(t, "\033\0331");
+	if (below(2) == 0) {
+		type_text(t, SPEEDS[below(ARRAY_LEN(SPEEDS))]);
+	} else {
+		act_key(t, 't', false);
+		type_text(t, GOALS[below(ARRAY_LEN(GOALS))]);
+	}
+	for (size_t n = below(4); n > 0; n--)
+		pages_update(t);
+	if (below(2) == 0)
+		type_text(t, "\033:screen\n");
+}
+
+static void
+use_mouse(struct tui *t)
 {
 	enum touch_kind kind = (enum touch_kind)below(4);
 	int row = (int)below((size_t)rows + 2) - 1,
@@ -128,16 +191,24 @@ go_on(struct tui *t)
 	t->leave = t->session->quit = t->session->wants_tui = false;
 }
 
-static struct display *
-resize(struct display *was, int *rows, int *columns)
+/* A key, a size, the mouse, or something typed. */
+static void
+one_step(struct tui *t)
 {
-	static const int DEPTHS[] = {0, 8, 16, 256};
-	bool large = below(8) == 0;
-	*rows = 1 + (int)below(large ? 110 : 34);
-	*columns = 1 + (int)below(large ? 320 : 110);
-	canvas_free(screen_back(was));
-	return screen_aside(*rows, *columns, (enum charset)below(3),
-	    DEPTHS[below(ARRAY_LEN(DEPTHS))]);
+	size_t what = below(40);
+	int code = random_key();
+	if (what == 0)
+		resize();
+	else if (what == 1)
+		paste(t);
+	else if (what == 2)
+		type_line(t);
+	else if (what == 3)
+		type_more(t);
+	else if (what < 10)
+		use_mouse(t);
+	else
+		act_key(t, code, code > 255);
 }
 
 /* Some hundred steps on a session of its own. */
@@ -147,31 +218,24 @@ walk(uint64_t seed)
 	enum { STEPS = 400 };
 	void *open;
 	struct tui t;
-	int rows = 24, columns = 80;
+	rows = 24;
+	columns = 80;
 	state_of = seed;
 	desk_open(&open);
 	struct desk *desk = open;
 	if (below(4) > 0)
 		desk_expect(desk, "load data/sites/bro.csv "
 				  "data/sites/ossjo.csv data/sites/tierp.csv");
+	desk->session->hooks.draw_screen = shot_draw;
 	/* From here on no file is written and no shell run. */
 	desk->session->safe = true;
-	struct display *was = screen_aside(rows, columns, CHARSET_BRAILLE, 256);
+	before = screen_aside(rows, columns, CHARSET_BRAILLE, 256);
 	control_begin(&t, desk->session, &WAYS);
+	/* On a terminal what takes long is worked out part by part. */
+	t.aside = below(2) == 0;
 	frame_draw(&t);
 	for (int i = 0; i < STEPS; i++) {
-		size_t what = below(40);
-		int code = random_key();
-		if (what == 0)
-			was = resize(was, &rows, &columns);
-		else if (what == 1)
-			paste(&t);
-		else if (what == 2)
-			type_line(&t);
-		else if (what < 10)
-			use_mouse(&t, rows, columns);
-		else
-			act_key(&t, code, code > 255);
+		one_step(&t);
 		/* Often more than one comes before a frame is drawn. */
 		if (below(4) > 0)
 			go_on(&t);
@@ -188,7 +252,7 @@ walk(uint64_t seed)
 	act_key(&t, 'q', false);
 	assert_true(t.leave);
 	control_end(&t);
-	canvas_free(screen_back(was));
+	canvas_free(screen_back(before));
 	desk_close(&open);
 }
 

@@ -82,6 +82,30 @@ resize(struct stage *stage, int rows, int columns)
 	frame_draw(&stage->t);
 }
 
+/* Each has its number, a key, and a word by which it is saved. */
+static void
+every_page_is_opened_and_saved(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	size_t words = 0, at;
+	for (const char *p = SETTINGS_PAGES; *p != '\0'; p++)
+		words += p[0] == ' ' || p[1] == '\0';
+	assert_int_equal(words, PAGES);
+	for (enum page page = PAGES; page-- > 0;) {
+		char *word = text_fold(PAGE_OPS[page]->name);
+		assert_true(text_choice(SETTINGS_PAGES, word, &at));
+		free(word);
+		assert_int_equal(at, page);
+		act_key(t, '1' + (int)page, false);
+		turn(t);
+		assert_int_equal(t->page, page);
+		control_set_looks(t);
+		assert_int_equal(t->session->set.page, page);
+		assert_false(t->bad);
+	}
+}
+
 /* ---- Sites ---- */
 
 static void
@@ -382,6 +406,7 @@ int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
+	    ON_STAGE(every_page_is_opened_and_saved),
 	    ON_STAGE(all_sites_are_calibrated_while_keys_are_taken),
 	    ON_STAGE(what_it_ends_with_is_what_calibrate_all_says),
 	    ON_STAGE(sites_are_sorted_by_a_key_or_a_click),

@@ -120,7 +120,7 @@ static const struct {
     {"set metod classes", 5, "no option 'metod'", "'method'"},
     {"sweep 85..65", 7, "from low to high", ""},
     {"sweep 65..85:0", 7, "got 0", ""},
-    {"sweep 65..85:0.002", 7, "at most 2000 steps, got 10000", ""},
+    {"sweep 65..85:0.002", 7, "at most 2000 steps, got 10000", "larger step"},
     {"sweep 65..", 7, "got ''", ""}, {"sweep 65..300", 7, "1 to 200 m/s", ""},
     {"sweep 65,x", 7, "got 'x'", ""}, {"sweep ,", 7, "speeds: expected", ""},
     {"sweep 65,,75", 7, "got ''", ""}, {"sweep 65,75,", 7, "got ''", ""},
@@ -134,6 +134,26 @@ static const struct {
     {"predict > a | b", 13, "nothing after the file 'a'", "one >"},
     {"predict > \"a", 11, "quote", "closing"},
     {"åäö \"Borl", 5, "quote", "closing"}};
+
+/* As many as a range may have. */
+static void
+a_list_of_numbers_has_an_end(void **state)
+{
+	(void)state;
+	char *line = xstrdup("sweep 65");
+	for (size_t n = 1; n < 2000; n++)
+		xappend(&line, ",65");
+	struct call *call = call_parse(line);
+	assert_non_null(call->command);
+	call_free(call);
+	xappend(&line, ",65");
+	call = call_parse(line);
+	assert_null(call->command);
+	assert_non_null(
+	    strstr(call->error.text, "at most 2000 numbers, got 2001"));
+	call_free(call);
+	free(line);
+}
 
 static void
 faults_are_told_with_their_place(void **state)
@@ -283,6 +303,7 @@ main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(lines_are_split_into_words),
 	    cmocka_unit_test(a_line_can_be_taken_up_in_its_midst),
+	    cmocka_unit_test(a_list_of_numbers_has_an_end),
 	    cmocka_unit_test(faults_are_told_with_their_place),
 	    cmocka_unit_test(results_go_where_the_line_says),
 	    cmocka_unit_test(a_setting_is_given_once),

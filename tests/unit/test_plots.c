@@ -452,10 +452,33 @@ odd_sheets_are_drawn(void **state)
 	}
 }
 
+static bool
+stop_at_once(void)
+{
+	return true;
+}
+
+/* A signal is answered while the speeds of a goal are looked for. */
+static void
+a_description_is_stopped(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, PARAMS_SET);
+	desk_expect(desk, "set goal p80=5..5.3");
+	desk->session->hooks.stop = stop_at_once;
+	desk_expect(desk, "describe psd");
+	assert_non_null(strstr(desk->out, "being worked out"));
+	desk->session->hooks.stop = NULL;
+	desk_expect(desk, "describe psd");
+	assert_non_null(strstr(desk->out, "p80=5..5.3: met"));
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test_setup_teardown(
+		a_description_is_stopped, open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(
 		every_kind_fits_every_size, open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(

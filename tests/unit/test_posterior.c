@@ -330,6 +330,123 @@ test_bands_hold(void **state)
 	assert_in_range(in, all * 72 / 100, all * 96 / 100);
 }
 
+/* ---- Many runs ---- */
+
+enum { MANY = 20, TOO_MANY = 60 };
+
+/* The draws of a made-up site of many runs, that of its true parameters in the
+ * place of a fit. */
+static struct posterior *
+draw_many(struct site **site, size_t n, unsigned threads, enum isa isa,
+    bool (*stop)(void))
+{
+	double speed[TOO_MANY];
+	bool use[TOO_MANY];
+	for (size_t r = 0; r < n; r++) {
+		speed[r] = 66 + 18 * (double)r / (double)(n - 1);
+		use[r] = true;
+	}
+	*site = synth_site(&(struct synth){.top_size = 0.0112,
+	    .params = made_params(&TABLE_3[TIERP]),
+	    .n = 1,
+	    .noise = 0.005,
+	    .seed = 5,
+	    .n_speed = n,
+	    .speed = speed});
+	struct params truth = made_params(&TABLE_3[TIERP]);
+	return posterior_new(*site, &truth,
+	    &(struct posterior_options){.use = use,
+		.settings = model_settings_default(),
+		.bounds = bounds_default(0),
+		.seed = 5,
+		.threads = threads,
+		.isa = isa,
+		.stop = stop});
+}
+
+/* They draw the same anywhere, too, and tell more than three do: the answer
+ * is nearer to the truth than the errors of one sample. */
+static void
+test_many_runs(void **state)
+{
+	(void)state;
+	struct site *site, *same;
+	struct posterior *p = draw_many(&site, MANY, 1, ISA_BASE, NULL);
+	struct posterior *q = draw_many(&same, MANY, 3, ISA_BEST, NULL);
+	assert_memory_equal(p->draw, q->draw, sizeof p->draw);
+	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
+		assert_memory_equal(p->term[j], q->term[j],
+		    p->n_knot * POSTERIOR_DRAWS * sizeof *p->error);
+	struct run *run = &site->run[MANY / 2];
+	size_t n = run->product.n, held = 0;
+	struct ensemble *e = ensemble_new(p, &run->feed, run->product.size, n);
+	double *truth = xdoubles(n), *answer = xdoubles(n), low, high;
+	struct params params = made_params(&TABLE_3[TIERP]);
+	made_product(run, &params, truth);
+	ensemble_at(e, run->speed);
+	ensemble_mean(e, answer);
+	for (size_t i = 0; i < n; i++) {
+		ensemble_band(e, ENSEMBLE_ANSWER, i, 0.9, &low, &high);
+		expect_near("answer", answer[i], truth[i], 0.004);
+		held += truth[i] > low - 1e-4 && truth[i] < high + 1e-4;
+		assert_true(high - low < 0.01);
+	}
+	assert_in_range(held, n * 2 / 3, n);
+	free(truth);
+	free(answer);
+	ensemble_free(e);
+	posterior_free(p);
+	posterior_free(q);
+	site_free(site);
+	site_free(same);
+}
+
+/* Of more than POSTERIOR_RUNS so many are taken, the slowest among them. */
+static void
+test_too_many_runs(void **state)
+{
+	(void)state;
+	struct site *site;
+	struct posterior *p = draw_many(&site, TOO_MANY, 1, ISA_BEST, NULL);
+	assert_in_range(p->n_cell, POSTERIOR_RUNS, 8 * POSTERIOR_RUNS);
+	assert_true(p->slowest == site->run[0].speed);
+	posterior_free(p);
+	site_free(site);
+}
+
+static size_t asked;
+
+static bool
+ask(void)
+{
+	asked++;
+	return false;
+}
+
+static bool
+ask_once(void)
+{
+	asked++;
+	return true;
+}
+
+/* Whoever waits is asked for after each half of a generation, from the first
+ * on. */
+static void
+test_stop(void **state)
+{
+	(void)state;
+	struct site *site;
+	asked = 0;
+	posterior_free(draw_many(&site, MANY, 1, ISA_BEST, ask));
+	site_free(site);
+	assert_in_range(asked, 2 * 200, 2 * 250);
+	asked = 0;
+	assert_null(draw_many(&site, MANY, 1, ISA_BEST, ask_once));
+	site_free(site);
+	assert_int_equal(asked, 1);
+}
+
 /* Of another machine: what goes by the rotor is mixed into every draw, more
  * impacts break more, and the machine that was measured changes nothing. */
 static void
@@ -440,6 +557,9 @@ main(void)
 	    cmocka_unit_test(test_parts),
 	    cmocka_unit_test(test_many_sieves),
 	    cmocka_unit_test(test_bands_hold),
+	    cmocka_unit_test(test_many_runs),
+	    cmocka_unit_test(test_too_many_runs),
+	    cmocka_unit_test(test_stop),
 	    cmocka_unit_test(test_machine),
 	    cmocka_unit_test(what_nothing_breaks_is_not_corrected),
 	    cmocka_unit_test(faster_is_never_coarser),

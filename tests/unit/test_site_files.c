@@ -115,9 +115,9 @@ large_garbage_is_refused(void **state)
 	char *bytes = xcalloc(N + 1, 1);
 	static const struct {
 		const char *fill, *part;
-	} garbage[] = {{"lorem ipsum\n", "more than 2000 lines"},
+	} garbage[] = {{"lorem ipsum\n", "more than 20000 lines"},
 	    {"lorem ipsum ", "20000 bytes"}, {",", "20000 bytes"},
-	    {"\"", "20000 bytes"}, {"1,2,3\n", "more than 2000 lines"},
+	    {"\"", "20000 bytes"}, {"1,2,3\n", "more than 20000 lines"},
 	    {"#\n", "a table of sieves"}, {"\n ", "empty file"}};
 	for (size_t i = 0; i < ARRAY_LEN(garbage); i++) {
 		for (size_t k = 0; k < N; k++)

@@ -408,7 +408,8 @@ goals_words(struct session *s, const struct goal *g, double speed,
 	if (g->why != NULL)
 		return xasprintf(
 		    tr("goal: %s"), full ? g->why : tr("not known"));
-	if (!session_entry(s)->has_params && length != GOALS_SHORT)
+	bool fitted = s->n_entry > 0 && session_entry(s)->has_params;
+	if (!fitted && length != GOALS_SHORT)
 		return xasprintf(tr("goal: %s"), tr("after a calibration"));
 	if (!goals_known(s, g))
 		return length == GOALS_SHORT

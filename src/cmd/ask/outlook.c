@@ -67,7 +67,7 @@ draw(const struct session *s, const struct entry *entry, const bool *use,
 	bool done = false;
 	for (size_t i = 0; !done && (steps == 0 || i < steps); i++) {
 		done = posterior_step(h->drawing);
-		if (!done && steps == 0 && h->stop != NULL && h->stop())
+		if (!done && h->stop != NULL && h->stop())
 			return;
 	}
 	if (!done)
@@ -127,7 +127,7 @@ informing(const struct session *s)
 bool
 outlook_draw(const struct session *s, const struct entry *entry)
 {
-	enum { STEPS = 8 };
+	enum { STEPS = 16 };
 	return !has_draws(entry) ||
 	       drawn(s, entry, informing(s), STEPS) != NULL;
 }
@@ -343,11 +343,29 @@ outlook_why_none(const struct session *s, const struct entry *entry)
 					"settings");
 }
 
+/* Whether there are more runs to inform the answers than draws take. */
+static bool
+too_many(const struct session *s, const struct entry *entry)
+{
+	const struct history *h = entry->origin->spread;
+	size_t place, n = 0;
+	bool *use = used_runs(h, informing(s), &place);
+	for (size_t r = 0; r < h->site->n_run; r++)
+		n += use[r];
+	free(use);
+	return n > POSTERIOR_RUNS;
+}
+
+_Static_assert(POSTERIOR_RUNS == 40, "the words of outlook_words");
+
 const char *
 outlook_words(const struct session *s, const struct entry *entry)
 {
 	if (answering(s, entry) == NULL)
 		return tr("the model alone");
+	if (too_many(s, entry))
+		return tr("model corrected by 40 of the runs, from the "
+			  "slowest to the fastest");
 	bool former = entry->has_fit &&
 		      entry->history->site->digest != entry->site->digest;
 	return s->set.correction == CORRECTION_TRAIN

@@ -691,7 +691,8 @@ say_goal(struct tale *t, struct session *s, const struct plot_request *request)
 	double speed =
 	    isnan(request->speed) ? answers_middle(site) : request->speed;
 	size_t feed = feed_at(site, request->feed_speed);
-	while (goals_pending(s, &goal, feed))
+	while (goals_pending(s, &goal, feed) &&
+	       (s->hooks.stop == NULL || !s->hooks.stop()))
 		goals_step(s, &goal, feed);
 	char *words = goals_words(s, &goal, speed, GOALS_FULL);
 	answer_note(t->answer, "%s", words);

@@ -56,7 +56,7 @@ static const struct command_option SCREEN_OPTIONS[] = {
 	"default: that of full-screen mode if it is open, else 100"},
     {"height", VALUE_NUMBER, "rows", 1, 1000, NULL, "",
 	"default: that of full-screen mode if it is open, else 30"},
-    {"page", VALUE_CHOICE, "", 0, 0, "predict fit data parity sites", "",
+    {"page", VALUE_CHOICE, "", 0, 0, SETTINGS_PAGES, "",
 	"the page to show; default: the open page, else predict"},
     {"charset", VALUE_CHOICE, "", 0, 0, "auto ascii quadrants braille", "auto",
 	"characters that lines are drawn with"},
@@ -64,7 +64,7 @@ static const struct command_option SCREEN_OPTIONS[] = {
 	"number of colours; auto: those of the terminal, 256 in an image"},
     {"keys", VALUE_TEXT, "", 0, 0, NULL, "",
 	"keys to press first, named as in tipspeed-tui(1); Right*5: five "
-	"times"},
+	"times; 9999 in all"},
     {"frames", VALUE_NUMBER, "ms", 20, 10000, NULL, "",
 	"record: a frame a key, each shown for so long"},
     {.name = NULL}};

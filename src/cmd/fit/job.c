@@ -549,50 +549,107 @@ session_rounds(struct session *s)
 	free(ahead);
 }
 
-/* The misfit of the site's fit where that is one of the same runs, so that the
- * two compare; else INFINITY. */
+/* What the parameters of the job's site come to by all that the job goes by:
+ * its runs, weights and settings; INFINITY where it has none, or these cannot
+ * have that breakage model. */
 static double
-former_misfit(const struct entry *entry, const struct job *job)
+present_misfit(const struct session *s)
 {
-	bool same =
-	    entry->has_fit && memcmp(entry->train, job->train,
-				  entry->site->n_run * sizeof *job->train) == 0;
-	return same ? entry->fit.misfit : INFINITY;
+	const struct entry *entry = &s->entry[s->job.entry];
+	struct calibrate_options options = s->job.options;
+	size_t breakage = entry->params.breakage;
+	struct error error;
+	options.train = s->job.train;
+	options.run_weight = s->job.run_weight;
+	options.settings.breakage = (unsigned)breakage;
+	if (!entry->has_params ||
+	    !fit_settings_agree(&options.settings, breakage, &error))
+		return INFINITY;
+	struct misfit *m = calibrate_misfit(entry->site, &options);
+	double misfit = misfit_at(m, &entry->params);
+	misfit_free(m);
+	return misfit;
 }
 
-void
+/* Whether the best of a search that is stopped becomes its site's: a better fit
+ * is not given up for one that is half done.  What has come to its end, and
+ * only wants its draws, is no such. */
+static bool
+is_worth_taking(const struct job *job, double best, double present)
+{
+	return calibration_status(job->calibration).state >=
+		   CALIBRATE_TOLERANCE ||
+	       !isfinite(present) || best < present;
+}
+
+static void
+tell_stop(const struct session *s, double best, double present, bool taken)
+{
+	struct calibrate_status st = calibration_status(s->job.calibration);
+	if (taken && s->job.rounds->alone)
+		session_note(s,
+		    "stopped at generation %zu of %zu, best misfit %.4g kept: "
+		    "continue, accept, undo or calibrate again",
+		    st.generation, s->job.options.generations, best);
+	else if (s->job.rounds->alone)
+		session_note(s,
+		    "stopped at generation %zu of %zu, best misfit %.4g; the "
+		    "site's parameters fit better (misfit %.4g) and stay: "
+		    "'accept' takes the stopped ones, 'continue' goes on",
+		    st.generation, s->job.options.generations, best, present);
+	else if (!taken)
+		session_note(s,
+		    "%s: stopped at generation %zu of %zu, best misfit %.4g; "
+		    "the site's parameters fit better (misfit %.4g) and "
+		    "stay",
+		    s->entry[s->job.entry].key, st.generation,
+		    s->job.options.generations, best, present);
+}
+
+/* Before its first generation there is nothing to keep.  What it gave its site
+ * when it was stopped before is half done, too, and may be outside bounds that
+ * were edited since: it is compared with what was there before that. */
+static enum stopped
+keep_best(struct session *s)
+{
+	struct job *job = &s->job;
+	const struct params *params = &s->entry[job->entry].params;
+	if (calibration_status(job->calibration).generation == 0)
+		return STOPPED_EMPTY;
+	double best = calibration_fit(job->calibration).misfit;
+	if (!job->gave || memcmp(&job->given, params, sizeof *params) != 0)
+		job->before = present_misfit(s);
+	bool taken = is_worth_taking(job, best, job->before);
+	if (taken) {
+		job->rounds->take(s);
+		job->given = *params;
+		job->gave = true;
+	}
+	tell_stop(s, best, job->before, taken);
+	return taken ? STOPPED_TAKEN : STOPPED_WORSE;
+}
+
+enum stopped
 session_pause(struct session *s)
 {
 	if (!session_busy(s))
-		return;
+		return STOPPED_EMPTY;
 	const char *useless = s->job.rounds->useless;
 	if (useless != NULL) {
 		session_stop(s);
 		session_note(s, "%s", useless);
-		return;
+		return STOPPED_EMPTY;
 	}
-	struct calibrate_status st = calibration_status(s->job.calibration);
-	const struct entry *entry = &s->entry[s->job.entry];
-	double former = former_misfit(entry, &s->job);
-	/* Before its first generation there is nothing to keep. */
-	if (st.generation > 0)
-		s->job.rounds->take(s);
+	enum stopped stopped = keep_best(s);
 	invocation_stopped(s, s->job.step);
-	if (!s->job.rounds->alone || st.generation == 0) {
+	if (!s->job.rounds->alone || stopped == STOPPED_EMPTY) {
 		end_rounds(s);
-		return;
+		return stopped;
 	}
 	s->job.paused = true;
+	s->job.held_back = stopped == STOPPED_WORSE;
 	s->job.stopped = session_clock();
-	session_note(s,
-	    "stopped at generation %zu of %zu, best misfit %.4g kept: "
-	    "continue, accept, undo or calibrate again",
-	    st.generation, s->job.options.generations, entry->fit.misfit);
-	if (entry->fit.misfit > former)
-		session_note(s,
-		    "the former fit was better (misfit %.4g): 'undo' brings "
-		    "it back",
-		    former);
+	return stopped;
 }
 
 void
@@ -828,6 +885,13 @@ take_bounds(struct session *s)
 	if (memcmp(&s->set.bounds, &job->options.bounds,
 		sizeof s->set.bounds) == 0)
 		return;
+	/* Only its draws are missing. */
+	if (calibration_status(job->calibration).state >= CALIBRATE_TOLERANCE) {
+		session_note(s,
+		    "  the search has ended; 'calibrate' begins within the "
+		    "edited bounds");
+		return;
+	}
 	job->options.bounds = s->set.bounds;
 	calibration_set_bounds(job->calibration, &s->set.bounds);
 	session_note(s,
@@ -851,7 +915,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 		invocation_joins(s);
 	s->job.pause_at = (size_t)pause->whole;
 	s->job.started += session_clock() - s->job.stopped;
-	s->job.paused = false;
+	s->job.paused = s->job.held_back = false;
 	s->job.invocation = s->invocation;
 	return true;
 }
@@ -862,6 +926,8 @@ cmd_accept(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	if (!need_paused(s, "accept", error))
 		return false;
+	if (s->job.held_back)
+		s->job.rounds->take(s);
 	job_free(&s->job);
 	return true;
 }

@@ -72,9 +72,12 @@ void session_rounds(struct session *s);
 /* Discards a calibration that was stopped, and says so. */
 void session_let_go(struct session *s);
 
-/* Stops the job for the user: the best so far becomes the site's fit, and
- * `continue` goes on from there. */
-void session_pause(struct session *s);
+/* Stops the job for the user, and `continue` goes on from there.  The best so
+ * far becomes the site's fit, unless the parameters that the site has fit
+ * better: these stay then, and `accept` takes the stopped ones.  Nothing comes
+ * of what had no generation yet, or is of no use when stopped. */
+enum stopped { STOPPED_EMPTY, STOPPED_TAKEN, STOPPED_WORSE };
+enum stopped session_pause(struct session *s);
 
 /* Ends the job, and keeps nothing of it. */
 void session_stop(struct session *s);

@@ -106,7 +106,11 @@ const struct command TABLE_FIT[] = {
 	.run = cmd_continue},
     {.name = "accept",
 	.brief = "keep the best of a stopped calibration as it is",
-	.text = "The parameters are already in use; this discards what "
+	.flags = COMMAND_CHANGES,
+	.text = "A calibration that is stopped gives its site the best "
+		"parameters so far, unless those that the site had fit better "
+		"on the same runs and settings: these stay then, and accept "
+		"takes the stopped ones. It discards what "
 		"'continue' would need.",
 	.example = "load data/sites/tierp.csv\ncalibrate pause=10\naccept",
 	.run = cmd_accept},

@@ -54,8 +54,8 @@ const struct setting SETTINGS[] = {
     {{"quantity", VALUE_TEXT, "", 0, 0, NULL, "p80",
 	 "what full-screen mode shows above the track of the speed"},
 	AT(quantity), .looks = true},
-    {{"page", VALUE_CHOICE, "", 0, 0, "predict fit data parity sites",
-	 "predict", "page that full-screen mode opens on"},
+    {{"page", VALUE_CHOICE, "", 0, 0, SETTINGS_PAGES, "predict",
+	 "page that full-screen mode opens on"},
 	AT(page), .looks = true},
     {.offset = 0}};
 

@@ -298,12 +298,14 @@ add_number(const struct command_option *option, const char *word,
 	return true;
 }
 
+/* Numbers of one value: each may be a prediction, which takes memory. */
+enum { NUMBERS_MOST = 2000 };
+
 /* a..b or a..b:step; the step defaults to 1. */
 static bool
 range(const struct command_option *option, char *word, char *dots,
     struct value *value, struct error *error)
 {
-	enum { MOST = 2000 };
 	double from, to, step = 1;
 	char *colon = strchr(dots + 2, ':');
 	*dots = '\0';
@@ -322,10 +324,11 @@ range(const struct command_option *option, char *word, char *dots,
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected a range from low to high, got %g to %g",
 		    option->name, from, to);
-	if (steps >= MOST)
+	if (steps >= NUMBERS_MOST)
 		return error_set(error, ERROR_USAGE,
-		    "%s: expected a range of at most %d steps, got %.0f",
-		    option->name, (int)MOST, steps);
+		    "%s: expected a range of at most %d steps, got %.0f\n"
+		    "use a larger step, or several parts",
+		    option->name, (int)NUMBERS_MOST, steps);
 	for (double i = 0; i <= steps; i++) {
 		value->list = xrealloc(value->list, value->n + 1, sizeof from);
 		value->list[value->n++] = from + i * step;
@@ -358,6 +361,11 @@ numbers(const struct command_option *option, const char *word,
 	if (ok && value->n == 0)
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected numbers (65,74 or 65..85:5)", option->name);
+	if (ok && value->n > NUMBERS_MOST)
+		return error_set(error, ERROR_USAGE,
+		    "%s: expected at most %d numbers, got %zu\n"
+		    "leave some out, or give them in several parts",
+		    option->name, (int)NUMBERS_MOST, value->n);
 	return ok;
 }
 

@@ -12,8 +12,9 @@ struct screen_request;
 struct session;
 
 struct hooks {
-	void (*tidy)(void); /* clears progress off the line of a note; NULL:
-			       there is none */
+	/* Clears progress off the line for a note or an answer; NULL: there is
+	 * none. */
+	void (*tidy)(void);
 	bool (*stop)(void); /* whether the user waits for what takes long to
 			       end; NULL: never */
 	/* Something that takes a moment begins: in a few words what; NULL:

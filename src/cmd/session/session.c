@@ -104,6 +104,8 @@ bool
 session_answer(struct session *s, struct answer *answer)
 {
 	const struct answer_form *form = &ANSWER_FORMATS[s->set.format];
+	if (s->hooks.tidy != NULL)
+		s->hooks.tidy();
 	if (s->book != NULL)
 		s->rows += book_add(s->book, answer);
 	else if (s->document != NULL)

@@ -30,12 +30,16 @@ struct job {
 	bool fits;          /* its rounds are of their sites' own fits */
 	bool detail;        /* tells of the search, and all of the fit */
 	bool paused;        /* stopped by ^C; `continue` goes on */
+	bool held_back;     /* its site's parameters were better and stayed */
+	bool gave;          /* its site `given` when it was last stopped */
 	bool taken;         /* its fit is in its site, and draws of it follow */
 	bool newest;        /* paused, and undo would begin with it */
 	bool apart;         /* rounds can be calibrated side by side */
 	size_t step;        /* of all rounds so far */
 	size_t pause_at;    /* step to stop after; 0: none */
 	double *run_weight; /* [n_run] of the site, or NULL */
+	struct params given;
+	double before; /* misfit of what the site had instead, or INFINITY */
 };
 
 /* The terminal that results go to.  columns: 0 where they go elsewhere;

@@ -16,6 +16,9 @@ enum correction { CORRECTION_ALL, CORRECTION_TRAIN, CORRECTION_OFF };
 enum { SETTINGS_TEXT = 200 };
 #define SETTINGS_NONE "none"
 
+/* The pages of the full screen, as enum page of tui/keys.h has them. */
+#define SETTINGS_PAGES "predict fit data parity sites"
+
 /* What is set, as against loaded: by bounds, seed, timing and the SETTINGS. */
 struct choices {
 	struct model_settings model;

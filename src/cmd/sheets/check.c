@@ -439,6 +439,12 @@ check_site(
 	check_wide(r, entry);
 	struct doctor d = mend_look(s, entry);
 	check_cells(r, entry, &d);
+	if (d.unseen > 0)
+		finding(r, entry, false, "all runs",
+		    "%zu passings are too many to set each against all others, "
+		    "of which check takes %d: single wrong ones are not looked "
+		    "for; check fewer runs at a time",
+		    d.unseen, DOCTOR_CELLS);
 	if (!mend_is_calibrated(s, entry))
 		check_fit(r, entry);
 	check_twins(s, r, index);

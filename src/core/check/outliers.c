@@ -581,6 +581,17 @@ measure(struct doctor *d, const struct site *site, const struct posterior *p)
 	}
 }
 
+static size_t
+count_cells(const struct site *site)
+{
+	size_t n = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		n += site->run[r].product.n;
+		n += r == 0 || site->individual_feeds ? site->run[r].feed.n : 0;
+	}
+	return n;
+}
+
 /* Leaves out what cannot be done, as of a run that is the only one. */
 static void
 keep_possible(struct doctor *d, const struct site *site)
@@ -610,9 +621,13 @@ doctor_look(
 	}
 	bool columns = d.n > 0;
 	find_copies(&d, site);
-	if (!columns && posterior != NULL)
+	size_t cells = count_cells(site);
+	if (cells > DOCTOR_CELLS)
+		d.unseen = cells;
+	bool look = !columns && d.unseen == 0;
+	if (look && posterior != NULL)
 		find_surprising(&d, site, posterior, noise);
-	if (!columns && posterior == NULL) {
+	if (look && posterior == NULL) {
 		find_bent(&d, site, true, noise);
 		find_bent(&d, site, false, noise);
 	}

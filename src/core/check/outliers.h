@@ -25,9 +25,13 @@ struct finding {
 	double off[2], rmse[2];
 };
 
+/* unseen: the passings of the sheet, where they are more than DOCTOR_CELLS, so
+ * that none was set against all others (a matrix of them); else 0. */
+enum { DOCTOR_CELLS = 1000 };
 struct doctor {
 	size_t n;
 	struct finding *finding;
+	size_t unseen;
 };
 
 /* posterior: of this very site, or NULL.  noise: known error of a passing,

@@ -68,6 +68,17 @@ discrepancy_pairs(enum isa isa, size_t n, const double hyper[static HYPERS],
 }
 
 void
+discrepancy_factor_pairs(enum isa isa, const double *pair, size_t n, double *U)
+{
+	for (size_t i = 0; i < n; i++) {
+		for (size_t j = 0; j <= i; j++)
+			U[j * n + i] = pair[discrepancy_pair(i, j)];
+		U[i * n + i] += 1e-8 * pair[0];
+	}
+	discrepancy_cholesky(isa, U, n);
+}
+
+void
 discrepancy_cholesky(enum isa isa, double *U, size_t n)
 {
 	triangle_of(isa)->cholesky(U, n);

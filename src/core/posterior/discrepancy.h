@@ -121,6 +121,11 @@ discrepancy_pair(size_t i, size_t j)
 	return more * (more + 1) / 2 + less;
 }
 
+/* The factor U [n * n] of the covariance of n sizes, of whose pairs these are;
+ * the diagonal a little more, as sizes may lie close together. */
+void discrepancy_factor_pairs(
+    enum isa isa, const double *pair, size_t n, double *U);
+
 /* A passing that was measured: ln of its size, in m, and t and h there. */
 struct cell {
 	size_t run;

@@ -17,6 +17,7 @@
 
 #include "base/pool.h"
 #include "base/xalloc.h"
+#include "core/posterior/covariance.h"
 #include "core/numeric/elementary.h"
 #include "core/search/kernel.h"
 #include "core/numeric/rng.h"
@@ -34,8 +35,8 @@ enum {
 	STRENGTHS = PARAMS_MOST + HYPERS,
 	COORDINATES = STRENGTHS + STRENGTHS_COORDINATES,
 	NUMBERS = 64, /* random ones of a chain and generation */
-	CELLS = 96    /* passings taken, as their covariance is factored often:
-		       * of more sieves each tells little more */
+	LEAST = 8     /* passings taken of each of many runs; of few as many as
+		       * make one matrix: more tell little more */
 };
 
 static const double FIRST_RUNG = 0.02, RISE = 1.25;
@@ -48,7 +49,7 @@ enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
 struct chain {
 	double x[COORDINATES];
 	double likelihood, prior;
-	double *U, *d; /* factor, differences simulated - measured */
+	double *U, *d; /* covariance_factor, simulated - measured */
 };
 
 struct sampler {
@@ -65,6 +66,7 @@ struct sampler {
 	bool two;      /* the rock may have two strengths */
 	size_t n_cell;
 	struct cell *cell;
+	struct covariance *covariance;
 	double *scheme; /* what the kernel's differences err by, at the fit */
 	struct kernel *kernel;
 	struct pool *pool;
@@ -72,6 +74,7 @@ struct sampler {
 	double share; /* of the likelihood that counts */
 	struct chain chain[CHAINS], trial[HALF];
 	size_t first; /* chain of the half that moves */
+	bool started; /* both halves */
 	bool hyper;   /* the hyperparameters move, not the parameters */
 	/* Of the trials, in the order in which they are evaluated, first those
 	 * of two strengths: which they are, parameters, e0_min of the softer
@@ -181,14 +184,14 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 	double at[PARAMS_MOST];
 	if (s->hyper) {
 		memcpy(trial->d, now->d, n * sizeof *now->d);
-		discrepancy_factor(
-		    s->isa, s->cell, n, trial->x + PARAMS_MOST, trial->U);
+		covariance_factor(
+		    s->covariance, trial->x + PARAMS_MOST, trial->U);
 	}
 	for (size_t k = 0; k < n && !s->hyper; k++)
 		trial->d[k] = s->difference[k * HALF + place] + s->scheme[k];
 	memcpy(work, trial->d, n * sizeof *work);
 	trial->likelihood =
-	    discrepancy_level(s->isa, s->hyper ? trial->U : now->U, n, work);
+	    covariance_level(s->covariance, s->hyper ? trial->U : now->U, work);
 	trial->prior = prior_of(s, trial->x);
 	params_of(s, trial->x, at);
 	if (!is_within(s, at) || !isfinite(trial->likelihood))
@@ -312,19 +315,29 @@ accept(struct sampler *s, size_t i, struct rng_key key)
 	take(now, trial, s->hyper);
 }
 
-static void
-generation(struct sampler *s)
+/* On to the other half; true when both have had their turn. */
+static bool
+turn(struct sampler *s)
+{
+	s->first = HALF - s->first;
+	return s->first == 0;
+}
+
+/* Moves a half; true when that was a generation. */
+static bool
+move_half(struct sampler *s)
 {
 	struct rng_key key = rng_key(s->seed, s->generation, USE_MOVE);
 	s->hyper = s->generation % HYPER_EVERY == HYPER_EVERY - 1;
-	for (s->first = 0; s->first < CHAINS; s->first += HALF) {
-		for (size_t i = 0; i < HALF; i++)
-			propose(s, i, key);
-		evaluate(s);
-		for (size_t i = 0; i < HALF; i++)
-			accept(s, i, key);
-	}
+	for (size_t i = 0; i < HALF; i++)
+		propose(s, i, key);
+	evaluate(s);
+	for (size_t i = 0; i < HALF; i++)
+		accept(s, i, key);
+	if (!turn(s))
+		return false;
 	s->generation++;
+	return true;
 }
 
 /* Puts a chain somewhere about the fit, as far along each direction of the
@@ -353,34 +366,32 @@ scatter(const struct sampler *s, struct rng_key key, struct chain *c)
 			rng_normal(key, (uint32_t)(PARAMS_MOST + h));
 	for (size_t j = STRENGTHS; j < COORDINATES; j++)
 		c->x[j] = rng_normal(key, (uint32_t)j);
-	discrepancy_factor(
-	    s->isa, s->cell, s->n_cell, c->x + PARAMS_MOST, c->U);
+	covariance_factor(s->covariance, c->x + PARAMS_MOST, c->U);
 }
 
 static void
-start(struct sampler *s)
+start_half(struct sampler *s)
 {
 	s->hyper = false;
 	s->share = FIRST_RUNG;
-	for (s->first = 0; s->first < CHAINS; s->first += HALF) {
-		for (size_t i = 0; i < HALF; i++) {
-			struct chain *c = &s->chain[s->first + i];
-			scatter(
-			    s, rng_key(s->seed, s->first + i, USE_START), c);
-			memcpy(s->trial[i].x, c->x, sizeof c->x);
-		}
-		evaluate(s);
-		for (size_t i = 0; i < HALF; i++)
-			take(&s->chain[s->first + i], &s->trial[i], false);
+	for (size_t i = 0; i < HALF; i++) {
+		struct chain *c = &s->chain[s->first + i];
+		scatter(s, rng_key(s->seed, s->first + i, USE_START), c);
+		memcpy(s->trial[i].x, c->x, sizeof c->x);
 	}
+	evaluate(s);
+	for (size_t i = 0; i < HALF; i++)
+		take(&s->chain[s->first + i], &s->trial[i], false);
+	s->started = turn(s);
 }
 
 static void
-copy_chain(struct chain *to, const struct chain *from, size_t n)
+copy_chain(const struct sampler *s, struct chain *to, const struct chain *from)
 {
+	size_t room = covariance_room(s->covariance);
 	memcpy(to->x, from->x, sizeof to->x);
-	memcpy(to->U, from->U, n * n * sizeof *to->U);
-	memcpy(to->d, from->d, n * sizeof *to->d);
+	memcpy(to->U, from->U, room * sizeof *to->U);
+	memcpy(to->d, from->d, s->n_cell * sizeof *to->d);
 	to->likelihood = from->likelihood;
 	to->prior = from->prior;
 }
@@ -410,7 +421,7 @@ climb(struct sampler *s, double share)
 		for (; copies[i] > 1; copies[i]--) {
 			while (copies[spare] > 0)
 				spare++;
-			copy_chain(&s->chain[spare], &s->chain[i], s->n_cell);
+			copy_chain(s, &s->chain[spare], &s->chain[i]);
 			copies[spare] = 1;
 		}
 }
@@ -485,15 +496,23 @@ make_knots(
     struct posterior *p, const struct site *site, const struct sampler *s)
 {
 	const double most = 0.2;
-	double *at = xdoubles(s->n_cell + 2 * site->n_run);
+	double *at = xdoubles(s->n_cell + 2 * site->n_run + 2);
 	size_t n = 0;
 	for (size_t i = 0; i < s->n_cell; i++)
 		at[n++] = s->cell[i].log_size;
+	double coarsest = 0, finest = INFINITY;
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct psd *feed = &site->run[r].feed;
+		coarsest = fmax(coarsest, feed->size[0]);
+		finest = fmin(finest, feed->size[feed->n - 1]);
+		/* Of many runs the ends of all may be any number. */
+		if (s->n_cell > COVARIANCE_FEW)
+			continue;
 		at[n++] = el_log(feed->size[0]);
 		at[n++] = el_log(feed->size[feed->n - 1]);
 	}
+	at[n++] = el_log(coarsest);
+	at[n++] = el_log(finest);
 	n = psd_sort(at, n, 1e-9);
 	p->knot = xdoubles(n + (size_t)((at[0] - at[n - 1]) / most) + 2);
 	p->knot[p->n_knot++] = at[0];
@@ -555,12 +574,7 @@ static double *
 knots_factor(enum isa isa, const double *pair, size_t m)
 {
 	double *U = xdoubles(m * m);
-	for (size_t i = 0; i < m; i++) {
-		for (size_t j = 0; j <= i; j++)
-			U[j * m + i] = pair[discrepancy_pair(i, j)];
-		U[i * m + i] += 1e-8 * pair[0];
-	}
-	discrepancy_cholesky(isa, U, m);
+	discrepancy_factor_pairs(isa, pair, m, U);
 	return U;
 }
 
@@ -623,8 +637,7 @@ bring_to_data(const struct sampler *s, const struct posterior *p,
 	double term[DISCREPANCY_TERMS];
 	for (size_t i = 0; i < s->n_cell; i++)
 		d[i] = -chain->d[i] - d[i];
-	discrepancy_forward(s->isa, chain->U, s->n_cell, d);
-	discrepancy_backward(chain->U, s->n_cell, d);
+	covariance_solve(s->covariance, chain->U, d);
 	for (size_t i = 0; i < s->n_cell; i++) {
 		const struct cell *c = &s->cell[i];
 		size_t at = knot_at(p, c->log_size);
@@ -747,7 +760,7 @@ make_room(struct sampler *s)
 	for (size_t i = 0; i < CHAINS + HALF; i++) {
 		struct chain *c =
 		    i < CHAINS ? &s->chain[i] : &s->trial[i - CHAINS];
-		c->U = xdoubles(n * n);
+		c->U = xdoubles(covariance_room(s->covariance));
 		c->d = xdoubles(n);
 	}
 }
@@ -798,6 +811,7 @@ sampler_new(struct misfit *m, const struct params *fit,
 	s->kernel = kernel_new(m, o->isa, o->threads);
 	s->pool = pool_new(o->threads);
 	make_cells(s, m, d);
+	s->covariance = covariance_new(s->isa, s->cell, s->n_cell);
 	make_room(s);
 	measure_scheme(s, d);
 	free(d);
@@ -817,6 +831,7 @@ sampler_free(struct sampler *s)
 		free(s->theta[j]);
 	kernel_free(s->kernel);
 	pool_free(s->pool);
+	covariance_free(s->covariance);
 	free(s->cell);
 	free(s->difference);
 	free(s->misfit);
@@ -844,6 +859,25 @@ with_smooth_feeds(const struct site *site)
 	return copy;
 }
 
+/* Those of the runs that inform the draws, [n_run], which the caller frees. */
+static bool *
+choose_runs(const struct site *site, const bool *use)
+{
+	size_t n = 0, at = 0, next = 0;
+	bool *taken = xcalloc(site->n_run, sizeof *taken);
+	for (size_t r = 0; r < site->n_run; r++)
+		n += use[r] && misfit_covered(&site->run[r]) > 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (!use[r] || misfit_covered(&site->run[r]) == 0)
+			continue;
+		taken[r] = n <= POSTERIOR_RUNS ||
+			   at == next * (n - 1) / (POSTERIOR_RUNS - 1);
+		next += taken[r];
+		at++;
+	}
+	return taken;
+}
+
 struct posterior_run *
 posterior_begin(const struct site *measured, const struct params *fit,
     const struct posterior_options *o)
@@ -851,13 +885,16 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	struct site *site = with_smooth_feeds(measured);
 	struct posterior *p = xcalloc(1, sizeof *p);
 	struct bounds bounds = o->bounds;
-	struct misfit *m = misfit_new(site, o->use, NULL, false, o->settings);
+	bool *use = choose_runs(site, o->use);
+	struct misfit *m = misfit_new(site, use, NULL, false, o->settings);
 	p->settings = o->settings;
 	p->fit = widen(fit, mean_energy(m), &p->settings, &bounds);
 	p->bounds = bounds;
 	misfit_free(m);
-	m = misfit_new(site, o->use, NULL, false, p->settings);
-	misfit_thin(m, CELLS / m->n_run < 8 ? 8 : CELLS / m->n_run);
+	m = misfit_new(site, use, NULL, false, p->settings);
+	free(use);
+	size_t most = COVARIANCE_FEW / m->n_run;
+	misfit_thin(m, most < LEAST ? LEAST : most);
 	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);
 	p->n_cell = s->n_cell;
 	p->middle = s->middle;
@@ -869,7 +906,6 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 		p->term[j] = xdoubles(p->n_knot * POSTERIOR_DRAWS);
 	p->error = xdoubles(p->n_knot * POSTERIOR_DRAWS);
-	start(s);
 	struct posterior_run *run = xcalloc(1, sizeof *run);
 	*run = (struct posterior_run){
 	    site, p, m, s, xcalloc(1, sizeof *run->sums)};
@@ -905,7 +941,12 @@ posterior_step(struct posterior_run *run)
 	struct posterior *p = run->p;
 	if (s->generation == WARM_UP + KEPT)
 		return true;
-	generation(s);
+	if (!s->started) {
+		start_half(s);
+		return false;
+	}
+	if (!move_half(s))
+		return false;
 	if (s->generation % RUNG == 0 && s->share < 1)
 		climb(s, fmin(1, RISE * s->share));
 	if (s->generation <= WARM_UP)

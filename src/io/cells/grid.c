@@ -19,12 +19,10 @@ enum { MOST_SHEETS = 200, MOST_BYTES = 10 * 1000 * 1000 };
 enum { MOST_CELL = 100 * 1000, MOST_NOTES = 20, MOST_NOTE = 400 };
 
 struct grid
-grid_new(const char *path, size_t most_rows, struct error_list *errors)
+grid_new(const char *path, struct sheet_limits most, struct error_list *errors)
 {
-	return (struct grid){.path = path,
-	    .most_rows = most_rows,
-	    .errors = errors,
-	    .note = xstrdup("")};
+	return (struct grid){
+	    .path = path, .most = most, .errors = errors, .note = xstrdup("")};
 }
 
 void
@@ -72,7 +70,7 @@ grid_more(struct grid *g, int most)
 void
 grid_begin(struct grid *g, const char *name)
 {
-	g->now = sheet_begin(g->path, name, g->most_rows, g->errors);
+	g->now = sheet_begin(g->path, name, g->most, g->errors);
 	g->too_big = g->n == MOST_SHEETS ? tr("more than 200 sheets") : NULL;
 	g->bytes = 0;
 	g->unsolved = g->hidden = false;
@@ -117,7 +115,7 @@ put(struct grid *g, struct cell cell)
 		else if (!sheet_has_room(g->now, cell))
 			g->too_big = cell.column > 256
 					 ? tr("more than 256 columns")
-					 : tr("too many rows");
+					 : tr("too many rows or cells");
 	}
 	if (!filled || g->too_big != NULL)
 		free(cell.text);

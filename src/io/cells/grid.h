@@ -11,7 +11,7 @@
  * its sieves. */
 struct grid {
 	const char *path; /* borrowed, as is errors */
-	size_t most_rows;
+	struct sheet_limits most;
 	struct error_list *errors;
 	size_t n;
 	struct sheet **sheet;
@@ -24,7 +24,7 @@ struct grid {
 };
 
 struct grid grid_new(
-    const char *path, size_t most_rows, struct error_list *errors);
+    const char *path, struct sheet_limits most, struct error_list *errors);
 
 /* What was not handed on. */
 void grid_clear(struct grid *grid);

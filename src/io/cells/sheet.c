@@ -201,8 +201,8 @@ split_line(struct sheet *sheet, const char *text, struct row *row)
 			return true;
 		step(&c);
 	}
-	return sheet_fault(sheet,
-	    (struct cell){.line = row->line, .column = c.column},
+	struct cell end = {.line = row->line, .column = c.column};
+	return sheet_fault(sheet, end,
 	    "more than %d cells in a line\n"
 	    "a site file has a few columns: is this the right file?",
 	    MOST_CELLS);
@@ -216,29 +216,57 @@ free_row(struct row *row)
 	free(row->cell);
 }
 
+/* For one more row. */
+static void
+make_room(struct sheet *sheet)
+{
+	if (sheet->n_row < sheet->room)
+		return;
+	sheet->room = sheet->room > 0 ? 2 * sheet->room : 64;
+	sheet->row = xrealloc(sheet->row, sheet->room, sizeof *sheet->row);
+}
+
+static size_t
+most_cells(const struct sheet *sheet)
+{
+	return sheet->most.cells > 0 ? sheet->most.cells
+				     : sheet->most.rows * MOST_CELLS;
+}
+
 /* Rows without a word are left out.  False: the limits say that this is no
  * sheet. */
 static bool
 add_row(struct sheet *sheet, const char *line, int number)
 {
+	struct cell start = {.line = number, .column = 1};
 	if (strlen(line) > sheet->most_line ||
-	    sheet->n_row == sheet->most_rows) {
-		sheet_fault(sheet, (struct cell){.line = number, .column = 1},
+	    sheet->n_row == sheet->most.rows) {
+		sheet_fault(sheet, start,
 		    "more than %zu lines, or %zu bytes in a line\n"
 		    "a site file has a few kB: is this the right file?",
-		    sheet->most_rows, sheet->most_line);
+		    sheet->most.rows, sheet->most_line);
 		sheet->lost = sheet->too_large = true;
 		return false;
 	}
+	make_room(sheet);
 	struct row *row = &sheet->row[sheet->n_row];
 	*row = (struct row){.line = number, .end = 1};
 	bool good = split_line(sheet, line, row);
 	sheet->lost = sheet->lost || !good;
-	if (good && row->n > 0)
-		sheet->n_row++;
-	else
+	if (!good || row->n == 0) {
 		free_row(row);
-	return true;
+		return true;
+	}
+	sheet->n_row++;
+	sheet->wide = row->n_all > sheet->wide ? row->n_all : sheet->wide;
+	if (sheet->n_row <= most_cells(sheet) / sheet->wide)
+		return true;
+	sheet_fault(sheet, start,
+	    "expected at most %zu cells, got %zu lines of up to %zu\n"
+	    "a site file has a few kB: is this the right file?",
+	    most_cells(sheet), sheet->n_row, sheet->wide);
+	sheet->lost = sheet->too_large = true;
+	return false;
 }
 
 /* Comments wait for the reader of the sheet; "sep=;", which some spreadsheets
@@ -269,9 +297,10 @@ sheet_uncomment(struct sheet *sheet, size_t i)
 	    (--sheet->n_comment - i) * sizeof comment);
 	if (comment.row.cell == NULL)
 		add_row(sheet, comment.text, comment.line);
-	else if (sheet->n_row < sheet->most_rows)
+	else if (sheet->n_row < sheet->most.rows) {
+		make_room(sheet);
 		sheet->row[sheet->n_row++] = comment.row;
-	else
+	} else
 		free_row(&comment.row);
 	if (sheet->n_row == last)
 		return;
@@ -311,7 +340,6 @@ line_length(char *text, int *ends)
 static void
 split_text(struct sheet *sheet, char *text)
 {
-	sheet->row = xcalloc(sheet->most_rows, sizeof *sheet->row);
 	for (int number = 1; *text != '\0' && !error_stopped(sheet->errors);
 	     number++) {
 		int ends;
@@ -391,14 +419,14 @@ find_separator(const char *text, struct error_list *errors)
 }
 
 static struct sheet *
-split(const char *path, char *text, size_t most_rows, size_t most_line,
+split(const char *path, char *text, struct sheet_limits most, size_t most_line,
     struct error_list *errors)
 {
 	struct sheet *sheet = xcalloc(1, sizeof *sheet);
 	sheet->path = xstrdup(path);
 	sheet->name = xstrdup("");
 	sheet->errors = errors;
-	sheet->most_rows = most_rows;
+	sheet->most = most;
 	sheet->most_line = most_line;
 	sheet->separator = find_separator(text, errors);
 	split_text(sheet, text);
@@ -406,10 +434,10 @@ split(const char *path, char *text, size_t most_rows, size_t most_line,
 }
 
 struct sheet *
-sheet_new(
-    const char *path, char *text, size_t most_rows, struct error_list *errors)
+sheet_new(const char *path, char *text, struct sheet_limits most,
+    struct error_list *errors)
 {
-	return split(path, text, most_rows, MOST_LINE, errors);
+	return split(path, text, most, MOST_LINE, errors);
 }
 
 struct sheet *
@@ -418,20 +446,20 @@ sheet_new_own(const char *path, char *text, struct error_list *errors)
 	size_t lines = 1, length = strlen(text);
 	for (const char *p = text; *p != '\0'; p++)
 		lines += *p == '\n' || *p == '\r';
-	return split(path, text, lines, length, errors);
+	struct sheet_limits most = {.rows = lines};
+	return split(path, text, most, length, errors);
 }
 
 struct sheet *
-sheet_begin(const char *path, const char *name, size_t most_rows,
+sheet_begin(const char *path, const char *name, struct sheet_limits most,
     struct error_list *errors)
 {
 	struct sheet *sheet = xcalloc(1, sizeof *sheet);
 	sheet->path = xstrdup(path);
 	sheet->name = xstrdup(name);
 	sheet->errors = errors;
-	sheet->most_rows = most_rows;
+	sheet->most = most;
 	sheet->separator = '\t';
-	sheet->row = xcalloc(most_rows, sizeof *sheet->row);
 	return sheet;
 }
 
@@ -457,8 +485,10 @@ sheet_has_room(const struct sheet *sheet, struct cell cell)
 {
 	size_t n = rows_to(sheet, cell.line);
 	bool has_row = n > 0 && sheet->row[n - 1].line == cell.line;
-	return cell.column <= MOST_CELLS &&
-	       (has_row || sheet->n_row < sheet->most_rows);
+	size_t rows = sheet->n_row + !has_row, wide = (size_t)cell.column;
+	wide = wide > sheet->wide ? wide : sheet->wide;
+	return wide <= MOST_CELLS && rows <= sheet->most.rows &&
+	       rows <= most_cells(sheet) / wide;
 }
 
 /* The row of a line, a new one in its place where there is none yet. */
@@ -466,6 +496,7 @@ static struct row *
 row_at(struct sheet *sheet, int line)
 {
 	size_t n = rows_to(sheet, line);
+	make_room(sheet);
 	struct row *row = &sheet->row[n];
 	if (n > 0 && row[-1].line == line)
 		return &row[-1];
@@ -486,6 +517,7 @@ sheet_put(struct sheet *sheet, struct cell cell)
 		    .text = xstrdup(""), .line = row->line, .column = row->end};
 	free(row->cell[at].text);
 	row->cell[at] = cell;
+	sheet->wide = row->n_all > sheet->wide ? row->n_all : sheet->wide;
 	if (cell.text[0] != '\0' && row->n <= at)
 		row->n = at + 1;
 }

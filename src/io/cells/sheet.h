@@ -40,6 +40,12 @@ struct comment {
 	struct row row; /* of a workbook */
 };
 
+/* cells: of a grid of all rows, each as long as the longest; 0: of rows with
+ * 256 cells. */
+struct sheet_limits {
+	size_t rows, cells;
+};
+
 /* Blank lines are left out of row[], and lines that start with # are in
  * comment[] instead.  n_fault counts the faults told so far; lost: a line is
  * not in row[]; too_large: nor is what comes after it, so that the rest is not
@@ -53,19 +59,21 @@ struct sheet {
 	struct cell open; /* a number that may have one, or thousands:
 			   * 1,250; text is NULL where there is none */
 	bool lost, too_large;
-	size_t n_row, most_rows, most_line, n_fault;
+	struct sheet_limits most;
+	size_t n_row, room, most_line, n_fault; /* room: for rows */
+	size_t wide;                            /* cells of the longest row */
 	struct row *row;
 	size_t n_comment;
 	struct comment *comment;
 	struct error_list *errors; /* borrowed */
 };
 
-/* Splits a text of UTF-8 with LF, CRLF or CR line ends, at most most_rows lines
- * of cells and 256 cells a line, and takes it apart doing so; it must outlive
- * the sheet.  Faults are put into errors (never NULL): a line with wrong quotes
+/* Splits a text of UTF-8 with LF, CRLF or CR line ends, within limits and at
+ * most 256 cells a line, and takes it apart doing so; it must outlive the
+ * sheet.  Faults are put into errors (never NULL): a line with wrong quotes
  * is left out, one beyond the limits ends the sheet. */
-struct sheet *sheet_new(
-    const char *path, char *text, size_t most_rows, struct error_list *errors);
+struct sheet *sheet_new(const char *path, char *text, struct sheet_limits most,
+    struct error_list *errors);
 void sheet_free(struct sheet *sheet);
 
 /* The same of a text that the program itself may have written, with as many
@@ -76,8 +84,8 @@ struct sheet *sheet_new_own(
 /* A sheet of a workbook, with tabs between its cells where a message shows one.
  * sheet_put: one more cell, in any order, whose text it takes.  sheet_end: all
  * are there; until then no row is a comment. */
-struct sheet *sheet_begin(const char *path, const char *name, size_t most_rows,
-    struct error_list *errors);
+struct sheet *sheet_begin(const char *path, const char *name,
+    struct sheet_limits most, struct error_list *errors);
 void sheet_put(struct sheet *sheet, struct cell cell);
 void sheet_end(struct sheet *sheet);
 

@@ -9,15 +9,17 @@
 #include "io/cells/workbook.h"
 #include "io/cells/number.h"
 
-/* A sieve sheet has some dozen lines, a log one for each minute of months. */
-enum { MOST_ROWS = 2000, MOST_LOG = 200000 };
+/* A sieve sheet has some dozen lines, a long table some for each of its
+ * samples, a log one for each minute of months. */
+static const struct sheet_limits SITE = {20000, SOURCE_MOST_CELLS},
+				 LOG = {.rows = 200000};
 
 /* Takes the sheets and the note. */
 static bool
-read_workbook(const char *path, const char *bytes, size_t n, size_t most_rows,
-    struct error_list *errors, struct source *source)
+read_workbook(const char *path, const char *bytes, size_t n,
+    struct sheet_limits most, struct error_list *errors, struct source *source)
 {
-	struct grid grid = grid_new(path, most_rows, errors);
+	struct grid grid = grid_new(path, most, errors);
 	if (!workbook_read(bytes, n, &grid)) {
 		grid_clear(&grid);
 		return false;
@@ -32,8 +34,8 @@ read_workbook(const char *path, const char *bytes, size_t n, size_t most_rows,
 }
 
 static bool
-read_text(const char *path, const char *bytes, size_t n, size_t most_rows,
-    struct error_list *errors, struct source *source)
+read_text(const char *path, const char *bytes, size_t n,
+    struct sheet_limits most, struct error_list *errors, struct source *source)
 {
 	const char *note;
 	source->text = textfile_text(path, bytes, n, &note, errors);
@@ -43,7 +45,7 @@ read_text(const char *path, const char *bytes, size_t n, size_t most_rows,
 	source->note = xstrdup(note);
 	source->sheet = xcalloc(1, sizeof(*source->sheet));
 	source->sheet[source->n++] =
-	    sheet_new(path, source->text, most_rows, errors);
+	    sheet_new(path, source->text, most, errors);
 	if (source->sheet[0]->too_large || errors->stopped)
 		return false;
 	number_decide(source->sheet[0]);
@@ -51,7 +53,7 @@ read_text(const char *path, const char *bytes, size_t n, size_t most_rows,
 }
 
 static bool
-read_rows(const char *path, size_t most_rows, struct error_list *errors,
+read_rows(const char *path, struct sheet_limits most, struct error_list *errors,
     struct source *source)
 {
 	size_t n;
@@ -59,10 +61,9 @@ read_rows(const char *path, size_t most_rows, struct error_list *errors,
 	char *bytes = textfile_bytes(path, &n, errors);
 	if (bytes == NULL)
 		return false;
-	bool good =
-	    workbook_is(bytes, n)
-		? read_workbook(path, bytes, n, most_rows, errors, source)
-		: read_text(path, bytes, n, most_rows, errors, source);
+	bool good = workbook_is(bytes, n)
+			? read_workbook(path, bytes, n, most, errors, source)
+			: read_text(path, bytes, n, most, errors, source);
 	free(bytes);
 	return good;
 }
@@ -70,14 +71,14 @@ read_rows(const char *path, size_t most_rows, struct error_list *errors,
 bool
 source_read(const char *path, struct error_list *errors, struct source *source)
 {
-	return read_rows(path, MOST_ROWS, errors, source);
+	return read_rows(path, SITE, errors, source);
 }
 
 bool
 source_read_log(
     const char *path, struct error_list *errors, struct source *source)
 {
-	return read_rows(path, MOST_LOG, errors, source);
+	return read_rows(path, LOG, errors, source);
 }
 
 void

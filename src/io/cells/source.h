@@ -13,6 +13,10 @@ struct source {
 	char *note, *text;
 };
 
+/* What a sheet is that source_read takes: of a grid of its rows, each as long
+ * as the longest. */
+enum { SOURCE_MOST_CELLS = 2000 * 256 };
+
 /* Reads a file.  errors: as for site_read; the sheets go on adding to it.
  * False after a fault that leaves nothing to look at.  The caller frees in
  * either case. */

@@ -399,7 +399,8 @@ book_add_text(struct book *b, const char *name, const char *text)
 	enum { MOST_ROWS = 2000 };
 	struct error_list errors = {0};
 	char *copy = xstrdup(text);
-	struct sheet *sheet = sheet_new("", copy, MOST_ROWS, &errors);
+	const struct sheet_limits most = {.rows = MOST_ROWS};
+	struct sheet *sheet = sheet_new("", copy, most, &errors);
 	struct page p = add_page(b, name);
 	for (size_t i = 0; i < sheet->n_row; i++)
 		put_row(b, &p, sheet, &sheet->row[i]);

@@ -155,7 +155,8 @@ read_text(struct standards *all, const char *name, const char *const *line,
 {
 	struct error_list errors = {0};
 	char *text = textfile_lines(line);
-	struct sheet *sheet = sheet_new(name, text, MOST_ROWS, &errors);
+	const struct sheet_limits most = {.rows = MOST_ROWS};
+	struct sheet *sheet = sheet_new(name, text, most, &errors);
 	number_decide(sheet);
 	for (size_t i = 1; i < sheet->n_row; i++)
 		read(all, sheet, &sheet->row[i]);

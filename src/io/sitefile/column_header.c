@@ -186,11 +186,12 @@ take_number(struct head *head, const char **text, double value, bool at)
 }
 
 /* The number before the one that is looked at.  at: a speed because of its @
- * alone.  end: where it ends; NULL: there is none. */
+ * alone.  unit: it has one of speed.  end: where it ends, with its unit; NULL:
+ * there is none. */
 struct before {
 	const char *end;
 	double value;
-	bool at;
+	bool at, unit;
 };
 
 /* Whether n bytes say "or", "to", "..": that two numbers are one thing.  */
@@ -204,6 +205,23 @@ is_link(const char *text, size_t n)
 		if (strlen(LINKS[i]) == n && strncmp(text, LINKS[i], n) == 0)
 			return true;
 	return false;
+}
+
+/* Whether a number without a unit of speed, at `text`, may be meant for the one
+ * before it, which is a speed already: @74 approx 75, 74 m/s or 75.  Words that
+ * say what it is instead, as in @74 sample 3, are those of the vocabulary. */
+static bool
+is_rival(const struct before *before, const char *text, double value)
+{
+	bool near = value < 1.5 * before->value && before->value < 1.5 * value;
+	if (before->end == NULL || !(before->at || (before->unit && near)))
+		return false;
+	size_t unknown;
+	char *gap = xasprintf("%.*s", (int)(text - before->end), before->end);
+	uint64_t means = vocabulary_text(gap, &unknown);
+	free(gap);
+	return unknown > 0 ||
+	       (before->unit && (means & ~(uint64_t)WORD_FILLER) == 0);
 }
 
 /* Whether a number that begins at `text` is no more than a part of a speed,
@@ -266,10 +284,14 @@ read_number(struct head *head, const char *start, const char **text, bool at,
 	head->several =
 	    head->several || minus ||
 	    (good && (at || speed) && is_cut(start, from, to, at && !speed)) ||
-	    (good && is_part(before, from, value, speed));
+	    (good && is_part(before, from, value, speed)) ||
+	    (good && !inside && !speed &&
+		!other_unit_at(to + strspn(to, " ")) &&
+		is_rival(before, from, value));
 	if (good && (!inside || speed))
 		take_number(head, text, value, at);
-	*before = (struct before){good ? to : NULL, value, at && !speed};
+	*before = (struct before){
+	    good ? (speed ? *text : to) : NULL, value, at && !speed, speed};
 }
 
 struct head

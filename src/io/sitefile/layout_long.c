@@ -11,6 +11,7 @@
 #include "base/xalloc.h"
 #include "io/sitefile/column_header.h"
 #include "io/cells/number.h"
+#include "io/cells/source.h"
 #include "io/sitefile/sieve_size.h"
 #include "io/sitefile/lexicon.h"
 
@@ -18,9 +19,8 @@
  * are, COUNT tells them apart only (a sample's number). */
 enum use { UNUSED, KEY, COUNT, VALUE };
 
-/* Of the wide table: what more than a sheet's own limits would make, and what
- * columns are compared each with all others for. */
-enum { MOST_CELLS = 2000 * 256, MOST_COLUMNS = 4000 };
+/* Of the wide table, whose columns are compared each with all others. */
+enum { MOST_COLUMNS = 4000 };
 
 /* size [n_row]: index of the row's sieve among the n_size different ones, whose
  * first rows are first [n_size].  sample [n_row]: likewise of its sample, whose
@@ -82,33 +82,45 @@ use_of(const struct block *b, size_t c, const struct head *head)
 	return VALUE;
 }
 
+/* A row with what it is sorted by. */
+struct ranked {
+	double by;
+	size_t row;
+};
+
+/* The largest first; of the same, the upper row. */
+static int
+compare_ranked(const void *a, const void *b)
+{
+	const struct ranked *x = a, *y = b;
+	if (x->by != y->by)
+		return x->by > y->by ? -1 : 1;
+	return (x->row > y->row) - (x->row < y->row);
+}
+
 /* Indices of the different sizes, coarsest first. */
 static void
 list_sizes(struct longer *l)
 {
 	const struct block *b = l->block;
 	struct sieve_unit unit = sieve_unit_of(l->head[0].means);
+	struct ranked *ranked = xcalloc(b->n_row, sizeof *ranked);
+	size_t n = 0;
 	for (size_t r = 0; r < b->n_row; r++) {
 		enum sieve_kind kind =
 		    sieve_size(b->sheet, b->row[r].cell[0], unit, &l->mm[r]);
 		if (kind == SIEVE_IS_PAN)
 			l->mm[r] = 0;
+		if (!isnan(l->mm[r]))
+			ranked[n++] = (struct ranked){l->mm[r], r};
 	}
-	for (size_t r = 0; r < b->n_row; r++) {
-		size_t i = 0;
-		while (i < l->n_size && l->mm[l->first[i]] != l->mm[r])
-			i++;
-		if (i < l->n_size || isnan(l->mm[r]))
-			continue;
-		for (i = l->n_size++;
-		     i > 0 && l->mm[l->first[i - 1]] < l->mm[r]; i--)
-			l->first[i] = l->first[i - 1];
-		l->first[i] = r;
+	qsort(ranked, n, sizeof *ranked, compare_ranked);
+	for (size_t i = 0; i < n; i++) {
+		if (i == 0 || ranked[i].by != ranked[i - 1].by)
+			l->first[l->n_size++] = ranked[i].row;
+		l->size[ranked[i].row] = l->n_size - 1;
 	}
-	for (size_t r = 0; r < b->n_row; r++)
-		for (size_t i = 0; i < l->n_size; i++)
-			if (l->mm[l->first[i]] == l->mm[r])
-				l->size[r] = i;
+	free(ranked);
 }
 
 static bool
@@ -136,20 +148,29 @@ mark_of(const struct longer *l, size_t r)
 	return mark;
 }
 
+/* Samples are looked up by their marks, from the place of the mark on. */
 static void
 list_samples(struct longer *l)
 {
-	for (size_t r = 0; r < l->block->n_row; r++) {
-		size_t i = 0;
+	size_t n = l->block->n_row, room = 2 * n + 1;
+	size_t *known =
+	    xcalloc(room, sizeof *known); /* samples from 1; 0: no */
+	for (size_t r = 0; r < n; r++) {
 		l->mark[r] = mark_of(l, r);
-		while (
-		    i < l->n_sample && (l->mark[l->lead[i]] != l->mark[r] ||
-					   !is_same_sample(l, l->lead[i], r)))
-			i++;
-		if (i == l->n_sample)
+		size_t at = (size_t)(l->mark[r] % room);
+		for (; known[at] != 0; at = (at + 1) % room) {
+			size_t lead = l->lead[known[at] - 1];
+			if (l->mark[lead] == l->mark[r] &&
+			    is_same_sample(l, lead, r))
+				break;
+		}
+		if (known[at] == 0) {
 			l->lead[l->n_sample++] = r;
-		l->sample[r] = i;
+			known[at] = l->n_sample;
+		}
+		l->sample[r] = known[at] - 1;
 	}
+	free(known);
 }
 
 /* Whether sample a comes after b by their numbers: number [n], NAN where a
@@ -220,20 +241,23 @@ static bool
 is_long(const struct longer *l)
 {
 	size_t n = l->block->n_row;
-	bool values = false;
+	bool good = true, values = false;
 	for (size_t c = 1; c < l->block->n_col; c++)
 		values = values || l->use[c] == VALUE;
 	if (!values || l->n_sample < 2 || 2 * n < 3 * l->n_size)
 		return false;
-	for (size_t a = 0; a < n; a++) {
-		if (isnan(l->mm[a]))
-			return false;
-		for (size_t b = 0; b < a; b++)
-			if (l->size[a] == l->size[b] &&
-			    l->sample[a] == l->sample[b])
-				return false;
+	struct ranked *ranked = xcalloc(n, sizeof *ranked);
+	for (size_t r = 0; r < n && good; r++) {
+		good = !isnan(l->mm[r]);
+		/* Exact: both are below the number of rows. */
+		ranked[r].by = (double)l->sample[r] * (double)l->n_size +
+			       (double)l->size[r];
 	}
-	return true;
+	qsort(ranked, n, sizeof *ranked, compare_ranked);
+	for (size_t i = 1; i < n && good; i++)
+		good = ranked[i].by != ranked[i - 1].by;
+	free(ranked);
+	return good;
 }
 
 static const char *
@@ -298,7 +322,7 @@ static bool
 has_room(const struct longer *l)
 {
 	const struct block *b = l->block;
-	size_t values = 0, most = MOST_CELLS / l->n_size;
+	size_t values = 0, most = SOURCE_MOST_CELLS / l->n_size;
 	for (size_t c = 1; c < b->n_col; c++)
 		values += l->use[c] == VALUE;
 	most = (most < MOST_COLUMNS ? most : MOST_COLUMNS) / values;
@@ -375,7 +399,8 @@ layout_widen(struct block *block)
 	l.sample = xcalloc(n, sizeof *l.sample);
 	l.lead = xcalloc(n, sizeof *l.lead);
 	l.mark = xcalloc(n, sizeof *l.mark);
-	for (size_t c = 0; c < block->n_col; c++) {
+	for (size_t c = 0;
+	     c < block->n_col && !error_stopped(block->sheet->errors); c++) {
 		char *text = layout_head(block, c);
 		l.head[c] = head_read(text);
 		l.use[c] = c > 0 ? use_of(block, c, &l.head[c]) : UNUSED;
@@ -383,9 +408,10 @@ layout_widen(struct block *block)
 	}
 	list_sizes(&l);
 	list_samples(&l);
-	sort_samples(&l);
-	if (is_long(&l) && (good = has_room(&l)))
+	if (is_long(&l) && (good = has_room(&l))) {
+		sort_samples(&l);
 		widen(&l);
+	}
 	free(l.use);
 	free(l.head);
 	free(l.mm);

@@ -69,7 +69,8 @@ results_command_in(const char *path)
 	if (n > 0)
 		text = textfile_text(path, bytes, n, &note, &errors);
 	if (text != NULL) {
-		struct sheet *sheet = sheet_new(path, text, ENOUGH, &errors);
+		const struct sheet_limits most = {.rows = ENOUGH};
+		struct sheet *sheet = sheet_new(path, text, most, &errors);
 		command = results_command(sheet);
 		sheet_free(sheet);
 	}

@@ -274,11 +274,13 @@ static void
 check_order(struct table *t)
 {
 	size_t last = t->n_row;
+	double least = INFINITY;
 	for (size_t i = 0; i < t->n_row; i++) {
 		if (isnan(t->mm[i]))
 			continue;
 		struct cell cell = t->row[i].cell[0];
-		size_t twin = 0;
+		size_t twin = t->mm[i] < least ? i : 0; /* in order: none */
+		least = fmin(least, t->mm[i]);
 		while (twin < i && t->mm[twin] != t->mm[i])
 			twin++;
 		if (twin < i)

@@ -319,8 +319,9 @@ store_csv_read(const char *path, const struct stored_list *there,
 	free(all);
 	if (sheet->n_row > 0)
 		read_head(sheet, column, n);
+	const struct cell start = {.line = 1, .column = 1};
 	if (sheet->n_row < 2 && sheet->n_fault == 0)
-		sheet_fault(sheet, (struct cell){.line = 1, .column = 1},
+		sheet_fault(sheet, start,
 		    tr_n("expected a line of column names and a line for each "
 			 "material, got %zu line",
 			"expected a line of column names and a line for each "

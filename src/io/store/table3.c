@@ -62,7 +62,8 @@ take_text(const char *path, char *text, struct error_list *errors)
 {
 	if (text == NULL)
 		return NULL;
-	struct sheet *sheet = sheet_new(path, text, MOST_ROWS, errors);
+	const struct sheet_limits most = {.rows = MOST_ROWS};
+	struct sheet *sheet = sheet_new(path, text, most, errors);
 	number_decide(sheet);
 	struct materials *m = xcalloc(1, sizeof *m);
 	size_t i = 1; /* after the heading */

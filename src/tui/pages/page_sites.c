@@ -596,6 +596,11 @@ choose(struct tui *t)
 		    "calibrating all sites: s stops, then Enter opens one");
 		return;
 	}
+	/* The site in use is only looked at, and what runs goes on. */
+	if (session_busy(s) && t->site_at == s->current) {
+		pages_go(t, PAGE_PREDICT);
+		return;
+	}
 	char *line = xasprintf(
 	    "use %s", t->site_at < s->n_entry ? s->entry[t->site_at].key : "");
 	watch_keep(t);

@@ -458,14 +458,14 @@ draw_labels(const struct tui *t, const struct cells *p)
 {
 	struct limit limit[MOST_LIMITS];
 	size_t n = take_limits(t, limit);
-	unsigned long taken = 0;
 	if (p->area.column == 0)
 		return;
+	bool *taken = xcalloc((size_t)p->area.rows, sizeof *taken);
 	for (size_t i = 0; i < n; i++)
 		if (has_level(p, limit[i].value)) {
 			int row = row_of(p, limit[i].value);
 			draw_label(t, row, LOOK_BOLD, limit[i].value);
-			taken |= 1UL << row;
+			taken[row] = true;
 		}
 	static const double ROUND[] = {1, 2, 5};
 	double span = p->high - p->low, step = 0;
@@ -475,11 +475,12 @@ draw_labels(const struct tui *t, const struct cells *p)
 		step = ROUND[i % 3] * ten * (i < 3 ? 1 : 10);
 	for (double v = ceil(p->low / step) * step; v <= p->high; v += step) {
 		int row = row_of(p, v);
-		if (row < 0 || row >= p->area.rows || taken >> row & 1)
+		if (row < 0 || row >= p->area.rows || taken[row])
 			continue;
 		draw_label(t, row, LOOK_PLAIN, fabs(v) < step / 2 ? 0 : v);
-		taken |= 1UL << row;
+		taken[row] = true;
 	}
+	free(taken);
 }
 
 static void

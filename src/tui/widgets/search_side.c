@@ -221,7 +221,8 @@ draw_pace(const struct tui *t, int row)
 	return row + 1;
 }
 
-/* "converged; seed 1; doubtful: ..", with the first reason. */
+/* "converged; seed 1; doubtful: ..", with the first reason; where the search
+ * that is shown has not replaced it, that. */
 static char *
 verdict_words(const struct tui *t, const struct entry *entry)
 {
@@ -231,7 +232,11 @@ verdict_words(const struct tui *t, const struct entry *entry)
 	    light_verdict(t->session, entry, NULL), light.n > 0 ? ": " : "",
 	    light.n > 0 ? light.reason[0].text : "");
 	trust_free(&light);
-	return words;
+	if (!plots_past_runs(t->session) || !t->session->job.held_back)
+		return words;
+	char *stays = xasprintf(tr("stopped; the fit that stays: %s"), words);
+	free(words);
+	return stays;
 }
 
 /* R is of the parameter that agrees least; whether the curves agree, which is

@@ -1,0 +1,386 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/posterior/covariance.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+
+enum { TERMS = DISCREPANCY_TERMS, SIZES = COVARIANCE_SIZES };
+
+/* Of many cells only: size [n] is the number of each one's size, first
+ * [blocks + 1] the first cell of each run.  Where a factor has what: at
+ * [blocks] of E, one after the other; of the K that all processes share; of A;
+ * and the slope, in the end. */
+struct covariance {
+	enum isa isa;
+	size_t n;
+	struct cell *cell;
+	bool many;
+	size_t sizes, *size;
+	double log_size[SIZES];
+	size_t blocks, largest, *first, *at, at_K, at_A, at_slope;
+};
+
+/* ---- The plan ---- */
+
+/* Gives each cell the number of its size.  False where there are too many. */
+static bool
+number_sizes(struct covariance *c)
+{
+	c->sizes = 0;
+	for (size_t i = 0; i < c->n; i++) {
+		size_t s = 0;
+		while (s < c->sizes && c->log_size[s] != c->cell[i].log_size)
+			s++;
+		if (s == SIZES)
+			return false;
+		if (s == c->sizes)
+			c->log_size[c->sizes++] = c->cell[i].log_size;
+		c->size[i] = s;
+	}
+	return true;
+}
+
+/* Moves each cell's size to the nearest of SIZES, from the finest to the
+ * coarsest. */
+static void
+move_sizes(struct cell *cell, size_t n)
+{
+	double least = INFINITY, most = -INFINITY;
+	for (size_t i = 0; i < n; i++) {
+		least = fmin(least, cell[i].log_size);
+		most = fmax(most, cell[i].log_size);
+	}
+	double step = (most - least) / (SIZES - 1);
+	for (size_t i = 0; i < n; i++)
+		cell[i].log_size =
+		    least + step * round((cell[i].log_size - least) / step);
+}
+
+static void
+find_blocks(struct covariance *c)
+{
+	c->first = xcalloc(c->n + 1, sizeof *c->first);
+	c->at = xcalloc(c->n + 1, sizeof *c->at);
+	for (size_t i = 1; i <= c->n; i++) {
+		if (i < c->n && c->cell[i].run == c->cell[i - 1].run)
+			continue;
+		size_t b = c->blocks++, n = i - c->first[b];
+		c->first[b + 1] = i;
+		c->at[b + 1] = c->at[b] + n * n;
+		c->largest = n > c->largest ? n : c->largest;
+	}
+	c->at_K = c->at[c->blocks];
+	c->at_A = c->at_K + c->sizes * c->sizes;
+	c->at_slope = c->at_A + TERMS * TERMS * c->sizes * c->sizes;
+}
+
+struct covariance *
+covariance_new(enum isa isa, struct cell *cell, size_t n)
+{
+	struct covariance *c = xcalloc(1, sizeof *c);
+	*c = (struct covariance){.isa = isa,
+	    .n = n,
+	    .many = n > COVARIANCE_FEW,
+	    .cell = xcalloc(n, sizeof *cell)};
+	memcpy(c->cell, cell, n * sizeof *cell);
+	if (!c->many)
+		return c;
+	c->size = xcalloc(n, sizeof *c->size);
+	if (!number_sizes(c)) {
+		move_sizes(cell, n);
+		memcpy(c->cell, cell, n * sizeof *cell);
+		number_sizes(c);
+	}
+	find_blocks(c);
+	return c;
+}
+
+void
+covariance_free(struct covariance *c)
+{
+	if (c == NULL)
+		return;
+	free(c->cell);
+	free(c->size);
+	free(c->first);
+	free(c->at);
+	free(c);
+}
+
+size_t
+covariance_room(const struct covariance *c)
+{
+	return c->many ? c->at_slope + 1 : c->n * c->n;
+}
+
+/* ---- The factor of many ---- */
+
+/* The covariances of pairs of sizes, [2][SIZES * (SIZES + 1) / 2]: those of a
+ * process, and of the error that a run's cells share. */
+struct size_pairs {
+	double f[SIZES * (SIZES + 1) / 2], error[SIZES * (SIZES + 1) / 2];
+};
+
+static void
+fill_pairs(const struct covariance *c, const double hyper[static HYPERS],
+    struct size_pairs *pairs)
+{
+	size_t n = 0;
+	for (size_t s = 0; s < c->sizes; s++)
+		for (size_t k = 0; k <= s; k++)
+			pairs->f[n++] = c->log_size[s] - c->log_size[k];
+	discrepancy_pairs(c->isa, n, hyper, pairs->f, pairs->error);
+}
+
+static void
+factor_block(const struct covariance *c, size_t b,
+    const struct size_pairs *pairs, double own, double *U)
+{
+	size_t first = c->first[b], n = c->first[b + 1] - first;
+	const struct cell *cell = c->cell + first;
+	const size_t *size = c->size + first;
+	for (size_t i = 0; i < n; i++) {
+		for (size_t j = i; j < n; j++) {
+			size_t pair = discrepancy_pair(size[i], size[j]);
+			U[i * n + j] =
+			    pairs->error[pair] * cell[i].h * cell[j].h;
+		}
+		U[i * n + i] += own * own * cell[i].h * cell[i].h +
+				DISCREPANCY_ROUNDING * DISCREPANCY_ROUNDING;
+	}
+	discrepancy_cholesky(c->isa, U, n);
+}
+
+/* Adds a run's part of B' E^-1 B to G, a square of the sizes for each pair of
+ * terms, without the slope; work [largest * largest]. */
+static void
+add_block(const struct covariance *c, size_t b, const double *U, double *G,
+    double *work)
+{
+	size_t first = c->first[b], n = c->first[b + 1] - first, S = c->sizes;
+	double term[TERMS];
+	discrepancy_terms(c->cell[first].t, 1, term);
+	for (size_t i = 0; i < n; i++) {
+		double *column = work + i * n;
+		memset(column, 0, n * sizeof *column);
+		column[i] = c->cell[first + i].h;
+		discrepancy_forward(c->isa, U, n, column);
+	}
+	for (size_t i = 0; i < n; i++)
+		for (size_t j = 0; j < n; j++) {
+			double sum = 0, *to = G + c->size[first + i] * S +
+					      c->size[first + j];
+			for (size_t k = 0; k < n; k++)
+				sum += work[i * n + k] * work[j * n + k];
+			for (size_t p = 0; p < TERMS; p++)
+				for (size_t q = p; q < TERMS; q++, to += S * S)
+					*to += term[p] * term[q] * sum;
+		}
+}
+
+/* to = U G U', [n * n]; U: the upper half. */
+static void
+put_between(
+    const double *U, const double *G, size_t n, double *work, double *to)
+{
+	for (size_t i = 0; i < n; i++)
+		for (size_t j = 0; j < n; j++) {
+			work[i * n + j] = 0;
+			for (size_t k = i; k < n; k++)
+				work[i * n + j] += U[i * n + k] * G[k * n + j];
+		}
+	for (size_t i = 0; i < n; i++)
+		for (size_t j = 0; j < n; j++) {
+			to[i * n + j] = 0;
+			for (size_t k = j; k < n; k++)
+				to[i * n + j] += work[i * n + k] * U[j * n + k];
+		}
+}
+
+/* What the slope does to a process. */
+static double
+scale_of(const struct covariance *c, const double *factor, size_t term)
+{
+	return term == 0 ? 1 : factor[c->at_slope];
+}
+
+static void
+factor_coupling(const struct covariance *c, const double *G, double *factor)
+{
+	size_t S = c->sizes, m = TERMS * S;
+	double *A = factor + c->at_A;
+	double *work = xdoubles(2 * S * S), *part = work + S * S;
+	for (size_t j = 0; j < TERMS; j++)
+		for (size_t k = j; k < TERMS; k++, G += S * S) {
+			double scale =
+			    scale_of(c, factor, j) * scale_of(c, factor, k);
+			put_between(factor + c->at_K, G, S, work, part);
+			for (size_t i = 0; i < S * S; i++)
+				A[(j * S + i / S) * m + k * S + i % S] =
+				    scale * part[i];
+		}
+	for (size_t i = 0; i < m; i++)
+		A[i * m + i] += 1;
+	discrepancy_cholesky(c->isa, A, m);
+	free(work);
+}
+
+static void
+factor_many(const struct covariance *c, const double log_hyper[static HYPERS],
+    double *factor)
+{
+	enum { PAIRS = TERMS * (TERMS + 1) / 2 };
+	struct size_pairs pairs;
+	double hyper[HYPERS];
+	for (size_t i = 0; i < HYPERS; i++)
+		hyper[i] = el_exp(log_hyper[i]);
+	factor[c->at_slope] = hyper[HYPER_SLOPE];
+	fill_pairs(c, hyper, &pairs);
+	discrepancy_factor_pairs(c->isa, pairs.f, c->sizes, factor + c->at_K);
+	double *G = xdoubles(PAIRS * c->sizes * c->sizes);
+	double *work = xdoubles(c->largest * c->largest);
+	for (size_t b = 0; b < c->blocks; b++) {
+		double *U = factor + c->at[b];
+		factor_block(c, b, &pairs, hyper[HYPER_OWN], U);
+		add_block(c, b, U, G, work);
+	}
+	factor_coupling(c, G, factor);
+	free(G);
+	free(work);
+}
+
+/* ---- Its use ---- */
+
+/* Adds B' d of a run to f, a number for each term and size, without the
+ * slope; or B f to d. */
+static void
+add_gathered(const struct covariance *c, size_t b, const double *d, double *f)
+{
+	double term[TERMS];
+	discrepancy_terms(c->cell[c->first[b]].t, 1, term);
+	for (size_t i = c->first[b]; i < c->first[b + 1]; i++)
+		for (size_t j = 0; j < TERMS; j++)
+			f[j * c->sizes + c->size[i]] +=
+			    term[j] * c->cell[i].h * d[i];
+}
+
+static void
+add_spread(const struct covariance *c, size_t b, const double *f, double *d)
+{
+	double term[TERMS];
+	discrepancy_terms(c->cell[c->first[b]].t, 1, term);
+	for (size_t i = c->first[b]; i < c->first[b + 1]; i++)
+		for (size_t j = 0; j < TERMS; j++)
+			d[i] += term[j] * c->cell[i].h *
+				f[j * c->sizes + c->size[i]];
+}
+
+/* L' f of each process with the slope, or L f, in place: in the order in which
+ * nothing is overwritten that is still to be read. */
+static void
+times_upper(const struct covariance *c, const double *factor, double *f)
+{
+	const double *K = factor + c->at_K;
+	size_t S = c->sizes;
+	for (size_t j = 0; j < TERMS; j++, f += S)
+		for (size_t i = 0; i < S; i++) {
+			double sum = 0;
+			for (size_t k = i; k < S; k++)
+				sum += K[i * S + k] * f[k];
+			f[i] = scale_of(c, factor, j) * sum;
+		}
+}
+
+static void
+times_lower(const struct covariance *c, const double *factor, double *f)
+{
+	const double *K = factor + c->at_K;
+	size_t S = c->sizes;
+	for (size_t j = 0; j < TERMS; j++, f += S)
+		for (size_t i = S; i-- > 0;) {
+			double sum = 0;
+			for (size_t k = 0; k <= i; k++)
+				sum += K[k * S + i] * f[k];
+			f[i] = scale_of(c, factor, j) * sum;
+		}
+}
+
+double
+covariance_level(const struct covariance *c, const double *factor, double *d)
+{
+	if (!c->many)
+		return discrepancy_level(c->isa, factor, c->n, d);
+	double f[TERMS * SIZES] = {0}, level = 0;
+	size_t m = TERMS * c->sizes;
+	for (size_t b = 0; b < c->blocks; b++) {
+		size_t first = c->first[b], n = c->first[b + 1] - first;
+		const double *U = factor + c->at[b];
+		level += discrepancy_level(c->isa, U, n, d + first);
+		discrepancy_backward(U, n, d + first);
+		add_gathered(c, b, d, f);
+	}
+	times_upper(c, factor, f);
+	level += discrepancy_level(c->isa, factor + c->at_A, m, f);
+	for (size_t i = 0; i < m; i++)
+		level -= f[i] * f[i];
+	return level;
+}
+
+/* E^-1 d of a run. */
+static void
+solve_block(
+    const struct covariance *c, const double *factor, size_t b, double *d)
+{
+	size_t first = c->first[b], n = c->first[b + 1] - first;
+	const double *U = factor + c->at[b];
+	discrepancy_forward(c->isa, U, n, d + first);
+	discrepancy_backward(U, n, d + first);
+}
+
+static void
+solve_many(const struct covariance *c, const double *factor, double *d)
+{
+	const double *A = factor + c->at_A;
+	double f[TERMS * SIZES] = {0}, *less = xdoubles(c->n);
+	size_t m = TERMS * c->sizes;
+	for (size_t b = 0; b < c->blocks; b++) {
+		solve_block(c, factor, b, d);
+		add_gathered(c, b, d, f);
+	}
+	times_upper(c, factor, f);
+	discrepancy_forward(c->isa, A, m, f);
+	discrepancy_backward(A, m, f);
+	times_lower(c, factor, f);
+	for (size_t b = 0; b < c->blocks; b++) {
+		add_spread(c, b, f, less);
+		solve_block(c, factor, b, less);
+	}
+	for (size_t i = 0; i < c->n; i++)
+		d[i] -= less[i];
+	free(less);
+}
+
+void
+covariance_factor(const struct covariance *c,
+    const double log_hyper[static HYPERS], double *factor)
+{
+	if (c->many)
+		factor_many(c, log_hyper, factor);
+	else
+		discrepancy_factor(c->isa, c->cell, c->n, log_hyper, factor);
+}
+
+void
+covariance_solve(const struct covariance *c, const double *factor, double *d)
+{
+	if (c->many) {
+		solve_many(c, factor, d);
+		return;
+	}
+	discrepancy_forward(c->isa, factor, c->n, d);
+	discrepancy_backward(factor, c->n, d);
+}

@@ -1,0 +1,47 @@
+/* The covariance of what measured passings and the model differ by (D13),
+ * factored: of few passings and of many.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_POSTERIOR_COVARIANCE_H
+#define TIPSPEED_CORE_POSTERIOR_COVARIANCE_H
+
+#include <stddef.h>
+
+#include "core/posterior/discrepancy.h"
+
+/* Up to COVARIANCE_FEW cells: one matrix of all.  More: runs have nothing in
+ * common but the processes f of the discrepancy, whose values at the sizes of
+ * the cells are few, whatever the number of runs.  With B the factors of these
+ * values in the cells, K their covariance and E that of the samples' errors, a
+ * block for each run, the covariance is
+ *   C = B K B' + E,   K = L L',   A = 1 + L' B' E^-1 B L
+ *   C^-1 = E^-1 - E^-1 B L A^-1 L' B' E^-1,   |C| = |E| |A|
+ * (Rasmussen and Williams 2006, A.9): exact, in time and room proportional to
+ * the runs.  Of more than COVARIANCE_SIZES different sizes the discrepancy and
+ * the shared errors are taken at the nearest of so many, as far apart from one
+ * another; the model is not. */
+enum { COVARIANCE_FEW = 96, COVARIANCE_SIZES = COVARIANCE_FEW / 3 };
+
+struct covariance;
+
+/* cell [n]: read, not kept, those of a run one after the other; the sizes of
+ * many may be moved, as above.  covariance_free. */
+struct covariance *covariance_new(enum isa isa, struct cell *cell, size_t n);
+void covariance_free(struct covariance *covariance);
+
+/* Numbers that a factor takes. */
+size_t covariance_room(const struct covariance *covariance);
+
+/* factor [room] out. */
+void covariance_factor(const struct covariance *covariance,
+    const double log_hyper[static HYPERS], double *factor);
+
+/* -ln of the probability of the differences d [n], but for a constant; what
+ * they hold after is of no use. */
+double covariance_level(
+    const struct covariance *covariance, const double *factor, double *d);
+
+/* C^-1 d in place. */
+void covariance_solve(
+    const struct covariance *covariance, const double *factor, double *d);
+
+#endif
