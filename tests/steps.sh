@@ -14,18 +14,23 @@ HOME=$dir
 export HOME
 unset NO_COLOR TIPSPEED_COLOR
 # steps KEYS: how many bytes each step writes after these keys, to the file steps;
-# sets most.
+# sets most, and ends: the most of the four at the ends of the measured speeds, where
+# the light and its words change with all else that says so (D21).
 steps()
 {
 	LC_ALL=C.UTF-8 timeout -k 2 100 expect "$script" "$TIPSPEED" \
 		data/sites/tierp.csv "$1" >steps
-	most=$(sort -n steps | tail -n 1)
+	at='(68.9|69.0|79.0|79.1)$'
+	most=$(grep -Ev " $at" steps | sort -n | tail -n 1)
+	ends=$(grep -E " $at" steps | sort -n | tail -n 1)
 }
 steps ''
 [ "$(wc -l <steps)" -eq 400 ]
 result $? "every step from 65 to 85 m/s and back writes something"
 [ "${most%% *}" -lt 900 ]
 result $? "a step writes less than 900 bytes (most, and at: $most)"
+[ "${ends%% *}" -lt 1000 ]
+result $? "one over an end of the measured speeds less than 1000 (most, and at: $ends)"
 steps "$(printf 'bt5.2\r')"
 [ "$(wc -l <steps)" -eq 400 ] && [ "${most%% *}" -lt 900 ]
 result $? "with a goal and the band less than 900 (most, and at: $most)"

@@ -27,8 +27,8 @@ void crusher_free(struct crusher *crusher);
  * prediction of its product is made: at those that are sizes of the crusher it
  * then makes that product of this feed, and of others one that differs from the
  * sum of the classes' as much, for each t. */
-void crusher_match(struct crusher *c, const struct psd *feed,
-    const double *sieve, size_t n);
+void crusher_match(
+    struct crusher *c, const struct psd *feed, const double *sieve, size_t n);
 
 /* What it does at tip speed v, m/s: once for each draw of the posterior, or
  * for the model alone once. */

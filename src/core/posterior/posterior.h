@@ -33,8 +33,8 @@ struct posterior {
 	struct params fit;
 	struct bounds bounds;
 	size_t n_cell;
-	double middle;  /* ln of the mean energy, J/kg, where t is 0 */
-	double slowest; /* of the runs that inform it, m/s */
+	double middle;   /* ln of the mean energy, J/kg, where t is 0 */
+	double slowest;  /* of the runs that inform it, m/s */
 	double from, to; /* speeds that are looked at, see site_reach */
 	size_t n_knot;
 	double *knot; /* ln of sizes, coarsest first */
