@@ -1207,6 +1207,7 @@ a_step_predicts_once_and_says_nothing(void **state)
 	    TIERP_CALIBRATED "; predict speed=74");
 	control_predict(t);
 	type(t, "xbc");
+	frame_draw(t); /* what was measured is moved to the feed once */
 	FILE *said = s->out,
 	     *heard = s->out = s->notes = text_memory(&text, &n);
 	for (int i = 0; i < 30; i++) {
