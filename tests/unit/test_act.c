@@ -247,6 +247,24 @@ a_goal_outlives_its_site(void **state)
 	draw_all(t);
 }
 
+/* Also where a first search has some on their way. */
+static void
+an_envelope_waits_for_parameters(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(
+	    stage->desk, "load data/sites/tierp.csv; spec use EN 12620 0/4");
+	assert_false(desk_say(stage->desk, "spec"));
+	assert_non_null(
+	    strstr(stage->desk->error.text, "has no parameters yet"));
+	assert_false(desk_say(stage->desk, "spec EN 12620 0/4"));
+	control_look(t);
+	type(t, "f..:spec\n");
+	draw_all(t);
+	assert_false(t->failed && t->message[0] == '\0');
+}
+
 /* From the fitted start: t, the value, Enter; find must say the same. */
 static void
 a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
@@ -1567,6 +1585,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(a_size_is_one_number_everywhere),
     ON_STAGE(undo_says_what_it_took_and_how_it_comes_back),
     ON_STAGE(what_was_unpinned_can_be_pinned_again),
+    ON_STAGE(an_envelope_waits_for_parameters),
     ON_STAGE(a_goal_outlives_its_site),
     ON_STAGE(a_goal_takes_five_keys_and_is_met_where_find_says),
     ON_STAGE(a_key_of_the_goal_waits_for_its_speeds),

@@ -208,7 +208,8 @@ compare(struct session *s, const struct args *args, struct error *error)
 	char *words = words_from(args, 0);
 	const struct spec *spec = grading_spec(s, words, error);
 	free(words);
-	if (spec == NULL || !feed_choose(entry->site, args, &feed, error) ||
+	if (spec == NULL || !answers_ready(s, error) ||
+	    !feed_choose(entry->site, args, &feed, error) ||
 	    !grading_open(s, args, spec, feed, &g, error))
 		return false;
 	char *name = grading_words(&g);
