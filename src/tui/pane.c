@@ -101,6 +101,7 @@ draw_runs(const struct tui *t, int column, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	char text[64];
+	bool moved = false;
 	for (size_t r = 0; r < site->n_run; r++) {
 		bool held_out = !entry->train[r];
 		if (site_run_repeats(site, r) ||
@@ -113,8 +114,9 @@ draw_runs(const struct tui *t, int column, const struct entry *entry)
 		    site->run[r].speed, held_out ? tr(" held out") : "");
 		free(sample);
 		column = draw_name(t, column, look.series, LOOK_BOLD, text);
+		moved = moved || tui_moved(t, r);
 	}
-	if (tui_moved(t))
+	if (moved)
 		column = draw_name(t, column, SERIES_TEXT, 0, tr("moved"));
 	if (plots_left_out(site) > 0) {
 		snprintf(text, sizeof text, tr("+%zu not drawn"),

@@ -61,10 +61,10 @@ tui_measured(const struct tui *t, size_t run)
 }
 
 bool
-tui_moved(const struct tui *t)
+tui_moved(const struct tui *t, size_t run)
 {
 	struct params room;
-	return moved_most(t->session, tui_entry(t), moving_params(t, &room),
+	return moved_by(t->session, tui_entry(t), moving_params(t, &room), run,
 		   tui_feed(t)) > MOVED_TOLD;
 }
 

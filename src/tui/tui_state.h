@@ -305,8 +305,8 @@ void tui_keep_feed(struct tui *t);
  * moved_product. */
 const struct psd *tui_measured(const struct tui *t, size_t run);
 
-/* Whether they were moved by so much that it has to be told. */
-bool tui_moved(const struct tui *t);
+/* Whether it was moved by so much that it has to be told. */
+bool tui_moved(const struct tui *t, size_t run);
 
 /* Where the slider stands, as options of predict: "speed=77.0 feed=74", the
  * feed where it is not what predict takes by itself.  The caller frees. */

@@ -315,10 +315,13 @@ note_moved(struct answer *r, const struct session *s,
     const struct params *params, const struct prediction *p, bool between)
 {
 	const struct entry *entry = &s->entry[s->current];
-	const struct run *first;
-	double most = moved_most(s, entry, params, p->feed_run);
-	bool shown = between || measured_at(entry->site, p->speed, &first) > 0;
-	if (shown && most > MOVED_TOLD)
+	const struct site *site = entry->site;
+	double most = 0;
+	for (size_t k = 0; k < site->n_run; k++)
+		if (between || fabs(site->run[k].speed - p->speed) <= 1e-3)
+			most = fmax(
+			    most, moved_by(s, entry, params, k, p->feed_run));
+	if (most > MOVED_TOLD)
 		answer_note(r,
 		    "measured products moved to this feed, by up to %.1f "
 		    "points",

@@ -10,7 +10,8 @@
 #include "base/xalloc.h"
 #include "cmd/ask/outlook.h"
 
-/* What it was made for; product [n]: of each run that was asked for. */
+/* What it was made for; product, most [n]: of each run that was asked for, and
+ * how far it was moved. */
 struct moved {
 	const struct site *site;
 	uint64_t digest;
@@ -20,7 +21,7 @@ struct moved {
 	struct model_settings settings;
 	size_t feed, n;
 	struct psd *product;
-	double most;
+	double *most;
 };
 
 struct moved *
@@ -35,6 +36,7 @@ clear(struct moved *m)
 	for (size_t r = 0; r < m->n; r++)
 		psd_free(&m->product[r]);
 	free(m->product);
+	free(m->most);
 	*m = (struct moved){0};
 }
 
@@ -93,7 +95,7 @@ move_run(struct moved *m, const struct session *s, const struct entry *entry,
 		double most = i > 0 ? product->passing[i - 1] : 1;
 		product->passing[i] =
 		    fmin(fmax(product->passing[i] + more, 0), most);
-		m->most = fmax(m->most, fabs(more));
+		m->most[run] = fmax(m->most[run], fabs(more));
 	}
 	prediction_free(&to);
 	free(own);
@@ -106,7 +108,7 @@ moved_forget(struct moved *m)
 }
 
 static struct moved *
-moved_by(const struct session *s, const struct entry *entry,
+moved_of(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run)
 {
 	struct moved *m = s->moved;
@@ -130,7 +132,8 @@ moved_by(const struct session *s, const struct entry *entry,
 	    .settings = settings,
 	    .feed = feed_run,
 	    .n = site->n_run,
-	    .product = xcalloc(site->n_run, sizeof *m->product)};
+	    .product = xcalloc(site->n_run, sizeof *m->product),
+	    .most = xdoubles(site->n_run)};
 	return m;
 }
 
@@ -141,18 +144,19 @@ moved_product(const struct session *s, const struct entry *entry,
 	const struct psd *measured = &entry->site->run[run].product;
 	if (params == NULL || !entry->site->individual_feeds)
 		return measured;
-	struct moved *m = moved_by(s, entry, params, feed_run);
+	struct moved *m = moved_of(s, entry, params, feed_run);
 	if (measured->n > 0 && m->product[run].n == 0)
 		move_run(m, s, entry, run);
 	return &m->product[run];
 }
 
 double
-moved_most(const struct session *s, const struct entry *entry,
-    const struct params *params, size_t feed_run)
+moved_by(const struct session *s, const struct entry *entry,
+    const struct params *params, size_t run, size_t feed_run)
 {
 	const struct site *site = entry->site;
 	if (params == NULL || !site->individual_feeds || site->with[0] != '\0')
 		return 0;
-	return moved_by(s, entry, params, feed_run)->most;
+	moved_product(s, entry, params, run, feed_run);
+	return s->moved->most[run];
 }

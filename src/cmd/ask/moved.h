@@ -30,10 +30,9 @@ const struct psd *moved_product(const struct session *s,
     const struct entry *entry, const struct params *params, size_t run,
     size_t feed_run);
 
-/* The largest move of those products that were asked for with them, 0..1; 0
- * with another sheet's feed or another machine, beside which nothing measured
- * is shown. */
-double moved_most(const struct session *s, const struct entry *entry,
-    const struct params *params, size_t feed_run);
+/* The largest move of a passing of that product, 0..1; 0 with another sheet's
+ * feed or another machine, beside which nothing measured is shown. */
+double moved_by(const struct session *s, const struct entry *entry,
+    const struct params *params, size_t run, size_t feed_run);
 
 #endif

@@ -73,7 +73,8 @@ plots_params(const struct session *s, const struct plot_request *request,
 
 /* Curves to be drawn on one axis.  psd is borrowed, or of a prediction that
  * is kept for it; finer: the same curve at more sizes, or NULL.  near: of what
- * was measured nearest to the speed. */
+ * was measured nearest to the speed; moved: how far any of that, see
+ * moved_by. */
 struct curves {
 	size_t n, n_prediction;
 	struct {
@@ -82,6 +83,7 @@ struct curves {
 		bool near;
 		struct chart_series look;
 	} * item;
+	double moved;
 	struct prediction prediction[8];
 };
 
@@ -197,6 +199,7 @@ add_measured(struct curves *c, const struct session *s,
 			site->run[i].repeat),
 		    site_chart_run(site, i, !entry->train[i]));
 		c->item[c->n - 1].near = site_run_is_near(site, i, speed, 1);
+		c->moved = fmax(c->moved, moved_by(s, entry, params, i, feed));
 	}
 }
 
@@ -527,7 +530,7 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	else if (q->strip > 0)
 		add_strip(chart, &c, q->strip);
 	note_measured(chart, &c, site);
-	site_chart_moved(chart, s, entry, known ? &params : NULL, feed);
+	site_chart_moved(chart, c.moved);
 	if (!isnan(q->crosshair_mm))
 		note_crosshair(chart, q, one);
 	free_curves(&c);

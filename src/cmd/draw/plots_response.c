@@ -20,13 +20,14 @@
 #include "io/sitefile/units.h"
 
 /* The quantities drawn [n] with the limits on them, and their values at speeds
- * [POINTS]: of the answer, and the ends of the band, NAN without. */
+ * [POINTS]: of the answer, and the ends of the band, NAN without.  moved: how
+ * far any measured product, see moved_by. */
 enum { POINTS = 81, MOST = 12 };
 struct drawn {
 	size_t n, feed;
 	struct quantity q[MOST];
 	struct condition_list limits;
-	double from, to;
+	double from, to, moved;
 	double (*value)[3]; /* [n * POINTS] */
 };
 
@@ -183,7 +184,7 @@ add_line(struct chart *chart, const struct drawn *d, size_t i)
 
 static void
 add_measured(struct chart *chart, const struct session *s,
-    const struct entry *entry, const struct drawn *d, size_t i)
+    const struct entry *entry, struct drawn *d, size_t i)
 {
 	const struct site *site = entry->site;
 	const struct quantity *q = &d->q[i];
@@ -205,6 +206,8 @@ add_measured(struct chart *chart, const struct session *s,
 			continue;
 		points->x[points->n] = site->run[r].speed;
 		points->y[points->n++] = quantities_shown(q, value);
+		d->moved = fmax(
+		    d->moved, moved_by(s, entry, &entry->params, r, d->feed));
 	}
 }
 
@@ -305,7 +308,7 @@ note_window(
 
 /* The chart of the quantities of one unit, or NULL where there are none. */
 static struct chart *
-unit_chart(struct session *s, const struct drawn *d, const char *unit)
+unit_chart(struct session *s, struct drawn *d, const char *unit)
 {
 	static const struct {
 		const char *unit, *title, *about;
@@ -338,7 +341,7 @@ unit_chart(struct session *s, const struct drawn *d, const char *unit)
 }
 
 static struct chart *
-make_charts(struct session *s, const struct drawn *d)
+make_charts(struct session *s, struct drawn *d)
 {
 	static const char *const UNITS[] = {"%", "mm", ""};
 	const struct entry *entry = session_entry(s);
@@ -366,7 +369,7 @@ make_charts(struct session *s, const struct drawn *d)
 	if (feed != NULL)
 		chart_note(last, "feed: %s", feed);
 	free(feed);
-	site_chart_moved(last, s, entry, &entry->params, d->feed);
+	site_chart_moved(last, d->moved);
 	if (first->series[0]->low != NULL)
 		chart_note(last, "shaded: %.0f %% uncertainty band",
 		    100 * settings_level(&s->set));

@@ -56,9 +56,8 @@ site_chart_run(const struct site *site, size_t run, bool held_out)
 }
 
 void
-site_chart_moved(struct chart *chart, const struct session *s,
-    const struct entry *entry, const struct params *params, size_t feed)
+site_chart_moved(struct chart *chart, double most)
 {
-	if (moved_most(s, entry, params, feed) > MOVED_TOLD)
+	if (most > MOVED_TOLD)
 		chart_note(chart, "measured products moved to this feed");
 }

@@ -24,8 +24,7 @@ struct chart_series site_chart_run(
     const struct site *site, size_t run, bool held_out);
 
 /* Says below a chart where its measured products were moved to the feed by so
- * much that it has to be known, see moved_product. */
-void site_chart_moved(struct chart *chart, const struct session *s,
-    const struct entry *entry, const struct params *params, size_t feed);
+ * much, 0..1, that it has to be known, see moved_by. */
+void site_chart_moved(struct chart *chart, double most);
 
 #endif
