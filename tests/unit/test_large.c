@@ -97,11 +97,18 @@ reading_stops_when_it_is_told_to(void **state)
 	}
 }
 
+static int
+remove_sheet(void **state)
+{
+	(void)state;
+	return remove(PATH);
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(the_cost_of_reading_grows_with_the_cells),
 	    cmocka_unit_test(reading_stops_when_it_is_told_to)};
-	return cmocka_run_group_tests(tests, NULL, NULL);
+	return cmocka_run_group_tests(tests, NULL, remove_sheet);
 }
