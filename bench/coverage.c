@@ -62,7 +62,8 @@ score_at(const struct plant *p, const struct site *site, const struct fit *fit,
     struct ensemble *view, double v, struct score *score)
 {
 	enum { N = POSTERIOR_DRAWS };
-	const struct psd *feed = &site->run[0].feed;
+	const struct psd *feed = site_feed(site, SITE_MEAN_FEED);
+	double asked[PLANT_SIEVES];
 	size_t n = p->n_sieve;
 	double *answer = xdoubles(n * N), *alone = xdoubles(n);
 	struct model *model = model_new(feed, p->sieve, n, fit->settings);
@@ -71,8 +72,10 @@ score_at(const struct plant *p, const struct site *site, const struct fit *fit,
 	ensemble_at(view, v);
 	memcpy(answer, ensemble_products(view, ENSEMBLE_ANSWER),
 	    n * N * sizeof *answer);
+	for (size_t i = 0; i < n; i++)
+		asked[i] = psd_passing(feed, p->sieve[i]);
 	for (size_t i = 0; i < n; i++) {
-		double P = plant_product(p, p->feed_n, v, p->sieve[i]);
+		double P = plant_truth(p, asked, v, p->sieve[i]);
 		double *row = answer + i * N, mean = 0;
 		if (p->sieve[i] > 1.5 * p->top ||
 		    plant_feed(p, p->sieve[i], p->feed_n) >= 1)
@@ -161,8 +164,8 @@ one_plant(void *data, size_t piece, unsigned thread)
 		.isa = ISA_BEST});
 	task->seconds[piece] = measure_now() - began;
 	task->convergence[piece] = posterior->drift;
-	struct ensemble *view =
-	    ensemble_new(posterior, &site->run[0].feed, p.sieve, p.n_sieve);
+	struct ensemble *view = ensemble_new(
+	    posterior, site_feed(site, SITE_MEAN_FEED), p.sieve, p.n_sieve);
 	struct evidence evidence =
 	    trust_evidence(site, use, use, &fit, &o.bounds, posterior, 0);
 	for (size_t a = 0; a < ASKED; a++) {

@@ -11,7 +11,8 @@ enum { TABLE = PLANT_TABLE, CLASSES = 300 };
 
 const char *const LAW_NAME[LAWS] = {"Eqs 1-3", "finer with energy",
     "strongly finer, energies spread", "shared errors", "bypass", "feed drift",
-    "t10", "two strengths", "few sieves", "five runs", "two runs"};
+    "t10", "two strengths", "few sieves", "five runs", "two runs",
+    "individual feeds"};
 
 struct dice {
 	struct rng_key key;
@@ -84,25 +85,72 @@ breaks(const struct plant *p, double x, double E)
 	return p->share * part[0] + (1 - p->share) * part[1];
 }
 
-double
-plant_product(const struct plant *p, double n, double v, double s)
+/* A feed with an exponent, and by so much more at the plant's sieves, straight
+ * in ln x between them; NULL: by nothing. */
+struct feed {
+	double n;
+	const double *more;
+};
+
+static double
+feed_passing(const struct plant *p, const struct feed *feed, double x)
+{
+	double P = plant_feed(p, x, feed->n);
+	const double *size = p->sieve;
+	size_t i = 0;
+	if (feed->more == NULL || x >= size[0])
+		return P;
+	while (i < p->n_sieve && size[i] > x)
+		i++;
+	if (i == p->n_sieve)
+		return P;
+	double t = log(x / size[i]) / log(size[i - 1] / size[i]);
+	return P + feed->more[i] + t * (feed->more[i - 1] - feed->more[i]);
+}
+
+static double
+product(const struct plant *p, const struct feed *feed, double v, double s)
 {
 	static const double SPREAD[5] = {0.55, 0.8, 1, 1.2, 1.45};
-	double E = v * v / 2, P = plant_feed(p, s, n);
+	double E = v * v / 2, P = feed_passing(p, feed, s);
 	size_t spread = p->law == STRONG ? 5 : 1;
 	double top = log(2 * p->top), width = (top - log(s)) / CLASSES;
 	for (size_t c = 0; c < CLASSES; c++) {
 		double a = exp(top - width * (double)c);
 		double b = exp(top - width * (double)(c + 1));
 		double x = sqrt(a * b);
-		double mass = plant_feed(p, a, n) - plant_feed(p, b, n);
+		double mass =
+		    feed_passing(p, feed, a) - feed_passing(p, feed, b);
 		for (size_t i = 0; i < spread; i++) {
 			double e = spread > 1 ? E * SPREAD[i] : E;
 			P += mass * breaks(p, x, e) * finer(p, s / x, x, e) /
 			     (double)spread;
 		}
 	}
-	return (1 - p->bypass) * P + p->bypass * plant_feed(p, s, n);
+	return (1 - p->bypass) * P + p->bypass * feed_passing(p, feed, s);
+}
+
+double
+plant_product(const struct plant *p, double n, double v, double s)
+{
+	return product(p, &(struct feed){n, NULL}, v, s);
+}
+
+double
+plant_truth(const struct plant *p, const double *asked, double v, double s)
+{
+	double more[PLANT_SIEVES], sum = 0, n_run = (double)p->n_run;
+	if (p->law != INDIVIDUAL)
+		return plant_product(p, p->feed_n, v, s);
+	for (size_t i = 0; i < p->n_sieve; i++) {
+		more[i] = asked[i];
+		for (size_t r = 0; r < p->n_run; r++)
+			more[i] -=
+			    plant_feed(p, p->sieve[i], p->run_n[r]) / n_run;
+	}
+	for (size_t r = 0; r < p->n_run; r++)
+		sum += product(p, &(struct feed){p->run_n[r], more}, v, s);
+	return sum / n_run;
 }
 
 static void
@@ -172,6 +220,11 @@ plant_of(enum law law, uint64_t number)
 		static const double MORE[5] = {66, 69, 74, 79, 82};
 		memcpy(p.speed, MORE, sizeof MORE);
 	}
+	struct dice feeds = {rng_key(number, law, 80), 0};
+	for (size_t r = 0; r < PLANT_RUNS; r++)
+		p.run_n[r] = law == INDIVIDUAL
+				 ? p.feed_n * (1 + 0.06 * normal(&feeds))
+				 : p.feed_n;
 	return p;
 }
 
@@ -219,7 +272,7 @@ plant_site(const struct plant *p, uint64_t number)
 		add_errors(p, p->feed_own, 0, &other, feed);
 	for (size_t r = 0; r < p->n_run; r++) {
 		struct run *run = &site->run[r];
-		double n = p->feed_n;
+		double n = p->run_n[r];
 		if (p->law == DRIFT)
 			n *= 1 + 0.04 * normal(&d);
 		run->speed = p->speed[r];
@@ -229,11 +282,13 @@ plant_site(const struct plant *p, uint64_t number)
 			double s = p->sieve[i];
 			run->feed.size[i] = run->product.size[i] = s;
 			run->feed.passing[i] =
-			    round(plant_feed(p, s, p->feed_n) * 1e4) / 1e4;
+			    round(plant_feed(p, s, p->run_n[r]) * 1e4) / 1e4;
 			run->product.passing[i] =
 			    i == 0 ? 1 : plant_product(p, n, run->speed, s);
 		}
 		add_errors(p, p->own, p->shared, &d, run->product.passing);
+		if (p->law == INDIVIDUAL)
+			add_errors(p, p->own, 0, &other, run->feed.passing);
 		if (p->feed_own > 0)
 			memcpy(
 			    run->feed.passing, feed, p->n_sieve * sizeof *feed);

@@ -23,6 +23,7 @@ enum law {
 	FEW,
 	FIVE,
 	TWO,
+	INDIVIDUAL,
 	LAWS
 };
 
@@ -37,6 +38,7 @@ struct plant {
 	double feed_own;    /* of the feed as the sheet has it */
 	size_t n_sieve, n_run;
 	double sieve[PLANT_SIEVES], speed[PLANT_RUNS]; /* m, m/s */
+	double run_n[PLANT_RUNS]; /* feed_n of what met the rotor in a run */
 };
 
 /* The plant of that number: a law and a number always make the same one. */
@@ -52,5 +54,11 @@ struct site *plant_site(const struct plant *p, uint64_t number);
  * size s, m. */
 double plant_feed(const struct plant *p, double x, double n);
 double plant_product(const struct plant *p, double n, double v, double s);
+
+/* The true product of the feed that answers are asked with.  Where each run has
+ * its own: of equal parts of them, as asked [n_sieve] has their mean at the
+ * plant's sieves, errors of its sampling included. */
+double plant_truth(
+    const struct plant *p, const double *asked, double v, double s);
 
 #endif
