@@ -19,9 +19,11 @@ enum {
 	DRAWS = POSTERIOR_DRAWS,
 	FIT = DRAWS,
 	ALL = FIT + KERNEL_LANES,
-	EVEN = 40,
-	BEYOND = 10,
-	RISING = EVEN + 1 + 2 * BEYOND
+	EVEN = 24,
+	BEYOND = 80,
+	SLOWEST = BEYOND, /* that is looked at, of the speeds of the grid, */
+	FASTEST = BEYOND + EVEN,
+	RISING = FASTEST + 1 + BEYOND
 };
 
 struct ensemble {
@@ -40,10 +42,12 @@ struct ensemble {
 	double *part[ENSEMBLE_PARTS];
 	bool sampled; /* the samples are made */
 	/* Answers at the speeds of a grid, which do not fall from one to the
-	 * next, and which of them are means of some that would have fallen,
-	 * [RISING][n * DRAWS]; NULL: not made yet. */
-	double *rising;
-	bool *pooled;
+	 * next, and which of them are not as they were drawn, each
+	 * [n * DRAWS]; made for its speeds slowest to fastest, NULL for the
+	 * others. */
+	double *rising[RISING];
+	bool *moved[RISING];
+	size_t slowest, fastest;
 	double more, bypass; /* k and bypass of another machine */
 };
 
@@ -175,10 +179,12 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 static void
 forget_rising(struct ensemble *e)
 {
-	free(e->rising);
-	free(e->pooled);
-	e->rising = NULL;
-	e->pooled = NULL;
+	for (size_t k = 0; k < RISING; k++) {
+		free(e->rising[k]);
+		free(e->moved[k]);
+		e->rising[k] = NULL;
+		e->moved[k] = NULL;
+	}
 }
 
 void
@@ -348,30 +354,26 @@ ensemble_draws_at(struct ensemble *e, double v)
 	e->sampled = false;
 }
 
-/* Speed k of the grid, m/s: even over the speeds that are looked at, and
- * further and further apart beyond them, down to 0.4 of the slowest and up to
- * 2.2 of the fastest. */
+/* Speed k of the grid, m/s: even over the speeds that are looked at, and 2 %
+ * apart beyond them, down to a fifth of the slowest and up to five times the
+ * fastest. */
 static double
 grid_speed(const struct ensemble *e, size_t k)
 {
 	const struct posterior *p = e->of;
-	const double apart = 0.01;
-	if (k < BEYOND) {
-		double n = (double)(BEYOND - k);
-		return p->from * fmax(0.01, 1 - apart * n * (n + 1) / 2);
-	}
-	k -= BEYOND;
-	if (k <= EVEN)
-		return p->from + (p->to - p->from) * (double)k / EVEN;
-	double n = (double)(k - EVEN);
-	return p->to * (1 + 2 * apart * n * (n + 1) / 2);
+	const double apart = 0.02;
+	if (k < SLOWEST)
+		return p->from * el_exp(-apart * (double)(SLOWEST - k));
+	if (k > FASTEST)
+		return p->to * el_exp(apart * (double)(k - FASTEST));
+	return p->from + (p->to - p->from) * (double)(k - SLOWEST) / EVEN;
 }
 
-/* The grid's last speed that is not above v, or its first. */
+/* The grid's last speed but one that is made and not above v, or the first. */
 static size_t
 grid_place(const struct ensemble *e, double v)
 {
-	size_t low = 0, high = RISING - 1;
+	size_t low = e->slowest, high = e->fastest;
 	while (low + 1 < high) {
 		size_t middle = (low + high) / 2;
 		*(grid_speed(e, middle) <= v ? &low : &high) = middle;
@@ -379,16 +381,16 @@ grid_place(const struct ensemble *e, double v)
 	return low;
 }
 
-/* The nearest values that do not fall, in the least squares sense: neighbours
- * that fall are pooled (Barlow and others 1972, ch. 1).  Values and marks of
- * the pooled stand `apart`. */
+/* Values i of the speeds that are looked at become the nearest that do not
+ * fall, in the least squares sense: neighbours that fall are pooled (Barlow and
+ * others 1972, ch. 1). */
 static void
-pool_falling(double *value, bool *pooled, size_t apart)
+pool_falling(struct ensemble *e, size_t i)
 {
-	double mean[RISING];
-	size_t count[RISING], n = 0;
-	for (size_t k = 0; k < RISING; k++) {
-		mean[n] = value[k * apart];
+	double mean[EVEN + 1];
+	size_t count[EVEN + 1], n = 0;
+	for (size_t k = SLOWEST; k <= FASTEST; k++) {
+		mean[n] = e->rising[k][i];
 		count[n++] = 1;
 		for (; n > 1 && mean[n - 2] > mean[n - 1]; n--) {
 			double a = (double)count[n - 2],
@@ -398,45 +400,76 @@ pool_falling(double *value, bool *pooled, size_t apart)
 			count[n - 2] += count[n - 1];
 		}
 	}
-	for (size_t i = 0, k = 0; i < n; i++)
-		for (size_t j = 0; j < count[i]; j++, k++) {
-			value[k * apart] = mean[i];
-			pooled[k * apart] = count[i] > 1;
+	for (size_t block = 0, k = SLOWEST; block < n; block++)
+		for (size_t j = 0; j < count[block]; j++, k++) {
+			e->rising[k][i] = mean[block];
+			e->moved[k][i] = count[block] > 1;
 		}
+}
+
+/* The answers at speed k of the grid, as drawn. */
+static void
+draw_grid(struct ensemble *e, size_t k)
+{
+	size_t size = e->n * DRAWS;
+	ensemble_draws_at(e, grid_speed(e, k));
+	e->rising[k] = xdoubles(size);
+	e->moved[k] = xcalloc(size, sizeof **e->moved);
+	memcpy(e->rising[k], e->part[ENSEMBLE_ANSWER], size * sizeof(double));
 }
 
 static void
 make_rising(struct ensemble *e)
 {
-	size_t size = e->n * DRAWS;
-	e->rising = xdoubles(RISING * size);
-	e->pooled = xcalloc(RISING * size, sizeof *e->pooled);
-	for (size_t k = 0; k < RISING; k++) {
-		ensemble_draws_at(e, grid_speed(e, k));
-		memcpy(e->rising + k * size, e->part[ENSEMBLE_ANSWER],
-		    size * sizeof(double));
+	for (size_t k = SLOWEST; k <= FASTEST; k++)
+		draw_grid(e, k);
+	for (size_t i = 0; i < e->n * DRAWS; i++)
+		pool_falling(e, i);
+	e->slowest = SLOWEST;
+	e->fastest = FASTEST;
+}
+
+/* What is asked for beyond the speeds that are looked at changes nothing within
+ * them: it is kept from falling by the next speed that is nearer to them. */
+static void
+widen_rising(struct ensemble *e, double v)
+{
+	while (e->slowest > 0 && v < grid_speed(e, e->slowest)) {
+		size_t k = --e->slowest;
+		draw_grid(e, k);
+		for (size_t i = 0; i < e->n * DRAWS; i++) {
+			double above = e->rising[k + 1][i];
+			e->moved[k][i] = e->rising[k][i] > above;
+			e->rising[k][i] = fmin(e->rising[k][i], above);
+		}
 	}
-	for (size_t i = 0; i < size; i++)
-		pool_falling(e->rising + i, e->pooled + i, size);
+	while (e->fastest + 1 < RISING && v > grid_speed(e, e->fastest)) {
+		size_t k = ++e->fastest;
+		draw_grid(e, k);
+		for (size_t i = 0; i < e->n * DRAWS; i++) {
+			double below = e->rising[k - 1][i];
+			e->moved[k][i] = e->rising[k][i] < below;
+			e->rising[k][i] = fmax(e->rising[k][i], below);
+		}
+	}
 }
 
 /* Faster is never coarser (D23): no passing of a draw falls with the speed.  At
  * the speeds of the grid it is the nearest curve that does not; between two of
- * which one was pooled it is straight, else the draw as it is. */
+ * which one was moved it is straight, else the draw as it is. */
 static void
 keep_rising(struct ensemble *e, double v)
 {
-	size_t size = e->n * DRAWS, k = grid_place(e, v);
-	const double *below = e->rising + k * size, *above = below + size;
-	const bool *pooled = e->pooled + k * size;
+	size_t k = grid_place(e, v);
+	const double *below = e->rising[k], *above = e->rising[k + 1];
 	double from = grid_speed(e, k), to = grid_speed(e, k + 1);
 	double *answer = e->part[ENSEMBLE_ANSWER], t = (v - from) / (to - from);
-	for (size_t i = 0; i < size; i++) {
+	for (size_t i = 0; i < e->n * DRAWS; i++) {
 		if (v < from)
 			answer[i] = fmin(answer[i], below[i]);
 		else if (v > to)
 			answer[i] = fmax(answer[i], above[i]);
-		else if (pooled[i] || pooled[i + size])
+		else if (e->moved[k][i] || e->moved[k + 1][i])
 			answer[i] = below[i] + t * (above[i] - below[i]);
 		else
 			answer[i] = fmin(fmax(answer[i], below[i]), above[i]);
@@ -446,8 +479,9 @@ keep_rising(struct ensemble *e, double v)
 void
 ensemble_at(struct ensemble *e, double v)
 {
-	if (e->rising == NULL)
+	if (e->rising[SLOWEST] == NULL)
 		make_rising(e);
+	widen_rising(e, v);
 	ensemble_draws_at(e, v);
 	keep_rising(e, v);
 	if (e->bypass > 0) {
