@@ -108,8 +108,7 @@ static const struct evidence SOUND = {.cells = 24,
     .more = 0.1,
     .finer = 0.05,
     .finer_sd = 0.1,
-    .ratio = 1.3,
-    .drift = 0.2,
+    .halves = 0.1,
     .breaks = 0.9,
     .speeds = 3,
     .slowest = 69,
@@ -120,13 +119,18 @@ static void
 test_reasons(void **state)
 {
 	(void)state;
-	struct evidence poor = SOUND, few = SOUND, slow = SOUND, drift = SOUND,
-			lost = SOUND, bent = SOUND;
+	struct evidence poor = SOUND, few = SOUND, slow = SOUND,
+			unsettled = SOUND, lost = SOUND, bent = SOUND,
+			sizeless = SOUND, exchanged = SOUND;
 	poor.rmse = 0.03;
 	few.cells = 7;
 	slow.unbounded = 0.4;
-	drift.drift = 0.9;
+	unsettled.halves = 0.3;
 	bent.finer = 0.5;
+	sizeless.all_break = true;
+	exchanged.against.slow = 69;
+	exchanged.against.fast = 74;
+	exchanged.against.order = (struct order){0.06, 0.004, 0.03};
 	lost.holdout = (struct validation){.n_sieve = 9,
 	    .holdout = true,
 	    .speed = 74,
@@ -141,8 +145,11 @@ test_reasons(void **state)
 	    {&few, {.speed = 74}, LIGHT_RED, "7 passings cannot determine 7"},
 	    {&slow, {.speed = 68}, LIGHT_AMBER, "bounded from above (40 %"},
 	    {&slow, {.speed = 74}, LIGHT_GREEN, NULL},
-	    {&drift, {.speed = 74}, LIGHT_AMBER, "0.9 sd"},
+	    {&unsettled, {.speed = 74}, LIGHT_AMBER, "30 % of its width"},
 	    {&bent, {.speed = 74}, LIGHT_AMBER, "finer with energy"},
+	    {&sizeless, {.speed = 74}, LIGHT_AMBER, "no break size"},
+	    {&exchanged, {.speed = 74}, LIGHT_RED,
+		"run at 74 m/s is coarser than that at 69, by 6.0 points at 4"},
 	    {&lost, {.speed = 74}, LIGHT_AMBER, "0.40 points RMSE"},
 	    {&SOUND, {.speed = 74, .width = 0.08}, LIGHT_AMBER, "8 points"},
 	    {&SOUND, {.speed = 74, .width = 0.2}, LIGHT_RED, "20 points"},
@@ -163,6 +170,26 @@ test_reasons(void **state)
 		assert_true(t.n == 0 || names(&t, want[i].words));
 		trust_free(&t);
 	}
+}
+
+/* Products exchanged between two runs are named, where each run has its own
+ * feed, too: the fit moves them to one. */
+static void
+test_exchanged(void **state)
+{
+	(void)state;
+	struct site *site = made_site(&TABLE_3[TIERP], 0.002, 1);
+	struct psd product = site->run[0].product;
+	assert_true(site->individual_feeds);
+	struct known k = known(site);
+	assert_true(k.e.against.order.most == 0);
+	site->run[0].product = site->run[1].product;
+	site->run[1].product = product;
+	k = known(site);
+	assert_true(k.e.against.order.most > 0.02);
+	assert_float_equal(k.e.against.slow, 69, 1e-9);
+	assert_float_equal(k.e.against.fast, 74, 1e-9);
+	site_free(site);
 }
 
 /* Two weak signs make what one does not. */
@@ -218,6 +245,7 @@ main(void)
 	    cmocka_unit_test(test_right),
 	    cmocka_unit_test(test_wrong),
 	    cmocka_unit_test(test_reasons),
+	    cmocka_unit_test(test_exchanged),
 	    cmocka_unit_test(test_signs),
 	    cmocka_unit_test(test_order),
 	    cmocka_unit_test(test_feeds),

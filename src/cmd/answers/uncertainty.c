@@ -15,9 +15,6 @@
 #include "core/posterior/ensemble.h"
 #include "io/sitefile/units.h"
 
-/* Beyond these the chains are said not to have converged. */
-static const double DRIFT = 0.5, RATIO = 4;
-
 static const char *const PARTS[ENSEMBLE_PARTS] = {
     "parameters_pct", "answer_pct", "sample_pct"};
 
@@ -93,18 +90,20 @@ note_strengths(struct answer *r, const struct posterior *p)
 }
 
 static void
-note_chains(struct answer *r, const struct posterior *p)
+note_draws(
+    struct answer *r, const struct posterior *p, const struct evidence *e)
 {
-	bool poor = p->drift > DRIFT || p->ratio > RATIO;
-	fields_put(answer_fields(r), "draws %g ratio %g drift %g accepted %g",
-	    (double)POSTERIOR_DRAWS, p->ratio, p->drift, p->accepted);
-	answer_say(r, poor ? ANSWER_WARNING : ANSWER_REMARK,
-	    poor ? N_("%d draws that have not converged: the two halves differ "
-		      "by %.2f standard deviations, R %.2f, %.0f %% of the "
-		      "moves accepted")
-		 : N_("%d draws: the two halves differ by %.2f standard "
-		      "deviations, R %.2f, %.0f %% of the moves accepted"),
-	    POSTERIOR_DRAWS, p->drift, p->ratio, 100 * p->accepted);
+	bool settled = !(e->halves > DRAWS_SETTLED);
+	fields_put(answer_fields(r),
+	    "draws %g halves_pct %g ratio %g drift %g accepted %g",
+	    (double)POSTERIOR_DRAWS, 100 * e->halves, p->ratio, p->drift,
+	    p->accepted);
+	answer_say(r, settled ? ANSWER_REMARK : ANSWER_WARNING,
+	    settled ? N_("%d draws: their two halves differ by %.0f %% of the "
+			 "band's width")
+		    : N_("%d draws that have not settled: their two halves "
+			 "differ by %.0f %% of the band's width"),
+	    POSTERIOR_DRAWS, 100 * e->halves);
 }
 
 /* A row a draw: what it was made of and what it answers. */
@@ -196,7 +195,7 @@ parts_answer(const struct session *s, const struct entry *entry,
 	if (entry->site->individual_feeds)
 		note_feeds(r, s, entry, at);
 	feed_note(r, entry->site, at->feed_run);
-	note_chains(r, p);
+	note_draws(r, p, outlook_evidence(s, entry));
 	return r;
 }
 

@@ -13,6 +13,7 @@
 #include "cmd/ask/fit.h"
 #include "cmd/sheets/mend.h"
 #include "cmd/lang/table.h"
+#include "core/check/order.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
@@ -127,30 +128,6 @@ check_run(struct answer *r, const struct entry *entry, const struct run *run)
 	return !fault;
 }
 
-/* How far the slower run's product passes above the faster one's: at the sieve
- * where by most, and in the mean of all, passing 0..1. */
-static double
-find_fall(
-    const struct run *slow, const struct run *fast, double *at, double *mean)
-{
-	double most = 0, sum = 0, n = 0;
-	for (size_t j = 0; j < fast->product.n; j++) {
-		double x = fast->product.size[j];
-		if (!psd_covers(&slow->product, x))
-			continue;
-		double by =
-		    psd_passing(&slow->product, x) - fast->product.passing[j];
-		sum += by;
-		n++;
-		if (by > most) {
-			most = by;
-			*at = x;
-		}
-	}
-	*mean = n > 0 ? sum / n : 0;
-	return most;
-}
-
 /* "69, 79 m/s", "69 (1), 69 (2) m/s".  The caller frees. */
 static char *
 place_of_two(const struct run *a, const struct run *b)
@@ -187,36 +164,32 @@ check_repeats(struct answer *r, const struct entry *entry)
 		for (size_t k = i; site_run_repeats(site, k); k--) {
 			const struct run *a = &site->run[k - 1];
 			const struct run *b = &site->run[i];
-			double mean, at = 0, other = 0,
-				     most = find_fall(a, b, &at, &mean),
-				     least = find_fall(b, a, &other, &mean);
-			if (fmax(most, least) <= far)
+			struct order fall = order_of(&a->product, &b->product);
+			struct order rise = order_of(&b->product, &a->product);
+			if (rise.most > fall.most)
+				fall = rise;
+			if (fall.most <= far)
 				continue;
 			char *where = place_of_two(a, b);
 			finding(r, entry, false, where,
 			    "two products at one speed differ by %.2f points "
 			    "at %g mm, where repeat samples agree within 1: "
 			    "were samples mixed up or digits transposed?",
-			    100 * fmax(most, least),
-			    units_mm(most >= least ? at : other));
+			    100 * fall.most, units_mm(fall.at));
 			free(where);
 		}
 }
 
-/* Passing that falls from a slower to a faster run by more than sampling does:
- * a faster rotor breaks more.  A fault where it falls on the whole, or by more
- * than any sampling at one sieve: of 180 sheets with noise of 1 point 29 fall
- * by more than 2 points somewhere, 3 are called faults. */
+/* Passing that falls from a slower to a faster run by more than sampling does: a
+ * fault, unless their feeds may differ so. */
 static bool
 check_pair(struct answer *r, const struct entry *entry, const struct run *slow,
     const struct run *fast)
 {
-	const double on_the_whole = 0.003, far = 0.05;
 	const struct site *site = entry->site;
-	double at = 0, mean, most = find_fall(slow, fast, &at, &mean);
-	bool fault =
-	    !site->individual_feeds && (mean > on_the_whole || most > far);
-	if (most <= COARSER_FAULT)
+	struct order fall = order_of(&slow->product, &fast->product);
+	bool fault = !site->individual_feeds && order_wrong(&fall);
+	if (fall.most <= ORDER_NOTABLE)
 		return true;
 	char *where = place_of_two(slow, fast);
 	const char *why =
@@ -226,7 +199,7 @@ check_pair(struct answer *r, const struct entry *entry, const struct run *slow,
 			 "were transposed there");
 	finding(r, entry, fault, where,
 	    "the faster run's product is coarser by %.2f points at %g mm: %s",
-	    100 * most, units_mm(at), why);
+	    100 * fall.most, units_mm(fall.at), why);
 	free(where);
 	return !fault;
 }

@@ -10,10 +10,10 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
+#include "core/model/product.h"
 #include "core/search/misfit.h"
 #include "core/search/sensitivity.h"
 
-const double TRUST_SETTLED = 0.7;
 const char *const LIGHT_NAME[3] = {N_("green"), N_("amber"), N_("red")};
 
 /* What no passing is trusted to more than. */
@@ -131,8 +131,22 @@ read_draws(struct evidence *e, const struct posterior *p, const struct fit *fit,
 	e->finer_sd = gsl_stats_sd(finer, 1, N);
 	e->discrepancy = median(off);
 	e->sampling = median(error);
-	e->ratio = p->ratio;
-	e->drift = p->drift;
+}
+
+/* At the slowest and the fastest speed measured and midway. */
+static double
+halves_apart(const struct evidence *e, const struct posterior *p,
+    const struct site *site, const double *sieve, size_t n)
+{
+	struct ensemble *of =
+	    ensemble_new(p, site_feed(site, SITE_MEAN_FEED), sieve, n);
+	double most = 0;
+	for (int i = 0; i <= 2; i++)
+		most = fmax(
+		    most, ensemble_halves(of,
+			      e->slowest + i * (e->fastest - e->slowest) / 2));
+	ensemble_free(of);
+	return most;
 }
 
 static void
@@ -162,6 +176,65 @@ find_speeds(struct evidence *e, const struct misfit *m)
 	}
 }
 
+/* Adds to passings [n] what a feed gives at speed v, times `share`. */
+static void
+add_product(double *passing, const struct psd *feed, const double *sieve,
+    size_t n, const struct fit *fit, double v, double share)
+{
+	double *product = xdoubles(n);
+	struct model *model = model_new(feed, sieve, n, fit->settings);
+	model_set(model, &fit->params);
+	model_product(model, v, product);
+	for (size_t i = 0; i < n; i++)
+		passing[i] += share * product[i];
+	model_free(model);
+	free(product);
+}
+
+/* A run's product as the fit moves it to the site's mean feed (D19), at the
+ * sieves that both feeds cover; psd_free. */
+static struct psd
+moved_product(const struct site *site, size_t r, const struct fit *fit)
+{
+	const struct run *run = &site->run[r];
+	const struct psd *mean = site_feed(site, SITE_MEAN_FEED);
+	struct psd p = psd_copy(&run->product);
+	p.n = misfit_covered(run);
+	while (p.n > 0 && !psd_covers(mean, p.size[p.n - 1]))
+		p.n--;
+	if (site->individual_feeds && p.n > 0) {
+		add_product(p.passing, mean, p.size, p.n, fit, run->speed, 1);
+		add_product(
+		    p.passing, &run->feed, p.size, p.n, fit, run->speed, -1);
+	}
+	return p;
+}
+
+static void
+find_against(struct evidence *e, const struct site *site, const bool *use,
+    const struct fit *fit)
+{
+	struct psd *moved = xcalloc(site->n_run, sizeof *moved);
+	for (size_t r = 0; r < site->n_run; r++)
+		if (use[r])
+			moved[r] = moved_product(site, r, fit);
+	for (size_t r = 0; r < site->n_run; r++)
+		for (size_t k = 0; k < r; k++) {
+			const struct run *slow = &site->run[k],
+					 *fast = &site->run[r];
+			struct order o = order_of(&moved[k], &moved[r]);
+			if (slow->speed < fast->speed && order_wrong(&o) &&
+			    o.most > e->against.order.most) {
+				e->against.slow = slow->speed;
+				e->against.fast = fast->speed;
+				e->against.order = o;
+			}
+		}
+	for (size_t r = 0; r < site->n_run; r++)
+		psd_free(&moved[r]);
+	free(moved);
+}
+
 struct evidence
 trust_evidence(const struct site *site, const bool *train, const bool *use,
     const struct fit *fit, const struct bounds *bounds,
@@ -178,8 +251,7 @@ trust_evidence(const struct site *site, const bool *train, const bool *use,
 	    .finer = NAN,
 	    .finer_sd = NAN,
 	    .unbounded = NAN,
-	    .ratio = NAN,
-	    .drift = NAN,
+	    .halves = NAN,
 	    .breaks = share_broken(m, &fit->params)};
 	double *d = xdoubles(m->n_residual);
 	size_t n;
@@ -188,8 +260,14 @@ trust_evidence(const struct site *site, const bool *train, const bool *use,
 	weigh_residuals(&e, m, d, take_steps(m, fit, bounds, d), noise);
 	find_speeds(&e, m);
 	find_holdout(&e, site, train, fit);
-	if (posterior != NULL)
+	find_against(&e, site, use, fit);
+	e.all_break = !isnan(params_value(&fit->params, "e0_min")) &&
+		      params_break_size_by(&fit->params, &fit->settings,
+			  e.slowest) < sieve[n - 1];
+	if (posterior != NULL) {
 		read_draws(&e, posterior, fit, sieve[n - 1]);
+		e.halves = halves_apart(&e, posterior, site, sieve, n);
+	}
 	free(sieve);
 	free(d);
 	misfit_free(m);
@@ -252,13 +330,29 @@ judge_data(struct trust *t, const struct evidence *e)
 			tr("one speed, %g m/s, was measured: nothing shows "
 			   "what the speed does; add a cut at another"),
 			e->slowest));
-	if (e->drift > TRUST_SETTLED)
-		trust_add(t, e->drift > 1.2 ? LIGHT_RED : LIGHT_AMBER,
-		    TRUST_FIT,
+	if (e->against.order.most > 0)
+		trust_add(t, LIGHT_RED, TRUST_DATA,
 		    xasprintf(
-			tr("the uncertainty band has not converged (its two "
-			   "halves differ by %.1f sd): it may be too narrow"),
-			e->drift));
+			tr("the run at %g m/s is coarser than that at %g, "
+			   "by %.1f points at %g mm: exchanged, or "
+			   "another feed? look with 'check'"),
+			e->against.fast, e->against.slow,
+			100 * e->against.order.most,
+			1e3 * e->against.order.at));
+	if (e->all_break)
+		trust_add(t, LIGHT_AMBER, TRUST_FIT,
+		    xasprintf(
+			tr("the fit has no break size: by it particles of "
+			   "every size break at %g m/s, and nothing tells what "
+			   "a slower rotor leaves whole; measure slower"),
+			e->slowest));
+	if (e->halves > DRAWS_SETTLED)
+		trust_add(t, LIGHT_AMBER, TRUST_FIT,
+		    xasprintf(
+			tr("the draws of the band have not settled (its two "
+			   "halves differ by %.0f %% of its width): it may be "
+			   "too narrow or too wide"),
+			100 * e->halves));
 }
 
 static int

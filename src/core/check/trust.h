@@ -10,13 +10,15 @@
 #include "core/search/calibrate.h"
 #include "core/posterior/ensemble.h"
 #include "core/posterior/posterior.h"
+#include "core/check/order.h"
 #include "core/check/validate.h"
 
 enum light { LIGHT_GREEN, LIGHT_AMBER, LIGHT_RED };
 extern const char *const LIGHT_NAME[3];
 
-/* How far the two halves of the draws may lie apart, sd; see posterior.h. */
-extern const double TRUST_SETTLED;
+/* How far the two halves of the draws may lie apart, in widths of the band
+ * (ensemble_halves); above, they are unsettled. */
+#define DRAWS_SETTLED 0.25
 
 /* Above this RMSE (passing, 0..1) at the training runs a fit is called poor: a
  * careful sample repeats to 0.005 or 0.01. */
@@ -48,12 +50,19 @@ struct evidence {
 	/* gamma + kappa (D12, D17): of both B(u) = 1/2 moves alike with the
 	 * energy.  NAN in a model without. */
 	double finer, finer_sd;
-	double unbounded;    /* share of the draws with no threshold */
-	double ratio, drift; /* of the chains */
-	double breaks; /* of the feed above the break size, slowest speed */
-	size_t speeds; /* how many inform it */
+	double unbounded; /* share of the draws with no threshold */
+	double halves;    /* ensemble_halves, the worst of three speeds */
+	double breaks;    /* of the feed above the break size, slowest speed */
+	bool all_break;   /* there the fit breaks the finest sieve's size */
+	size_t speeds;    /* how many inform it */
 	double slowest, fastest;   /* of these */
 	struct validation holdout; /* the worst; n_sieve 0: none was */
+	/* Of the runs used, moved to one feed, the two that contradict most
+	 * that faster is finer, m/s; most 0: none do. */
+	struct {
+		double slow, fast;
+		struct order order;
+	} against;
 };
 
 /* noise: known error of a single passing, 0..1; 0: as usual. */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include "base/xalloc.h"
@@ -539,4 +540,41 @@ ensemble_band(struct ensemble *e, enum ensemble_part part, size_t row,
 	double value[DRAWS];
 	memcpy(value, ensemble_products(e, part) + row * DRAWS, sizeof value);
 	ensemble_middle(value, level, low, high);
+}
+
+/* Mean, low and high of n values, which it sorts; 80 %. */
+static void
+read_half(double *value, size_t n, double at[3])
+{
+	size_t cut = (size_t)(0.1 * (double)n);
+	gsl_sort(value, 1, n);
+	at[0] = gsl_stats_mean(value, 1, n);
+	at[1] = value[cut];
+	at[2] = value[n - 1 - cut];
+}
+
+double
+ensemble_halves(struct ensemble *e, double v)
+{
+	enum { HALF = DRAWS / 2 };
+	const double rounding = 0.001;
+	double sum = 0, n = 0;
+	ensemble_draws_at(e, v);
+	for (size_t i = 0; i < e->n; i++) {
+		const double *P = e->part[ENSEMBLE_ANSWER] + i * DRAWS;
+		double value[DRAWS], whole[3], first[3], second[3], most = 0;
+		memcpy(value, P, sizeof value);
+		read_half(value, HALF, first);
+		read_half(value + HALF, HALF, second);
+		memcpy(value, P, sizeof value);
+		read_half(value, DRAWS, whole);
+		double width = whole[2] - whole[1];
+		if (width < rounding)
+			continue;
+		for (size_t j = 0; j < 3; j++)
+			most = fmax(most, fabs(second[j] - first[j]));
+		sum += most * most / (width * width);
+		n++;
+	}
+	return n > 0 ? sqrt(sum / n) : 0;
 }

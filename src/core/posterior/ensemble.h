@@ -65,4 +65,10 @@ void ensemble_mean(const struct ensemble *e, double *passing);
  * NAN counts as the least, and is an end where it is found there. */
 void ensemble_middle(double *value, double level, double *low, double *high);
 
+/* How far the draws' two halves, which were taken at different times, lie apart
+ * at speed v: their means or the ends of their bands, whichever differ more,
+ * over the width of the band; root mean square over the sizes at which it is
+ * wider than what sheets are rounded to. */
+double ensemble_halves(struct ensemble *e, double v);
+
 #endif

@@ -239,20 +239,13 @@ verdict_words(const struct tui *t, const struct entry *entry)
 	return stays;
 }
 
-/* R is of the parameter that agrees least; whether the curves agree, which is
- * what the light counts, does not follow from it. */
 static char *
-draws_words(const struct posterior *p, bool all)
+draws_words(const struct evidence *e)
 {
-	const double agree = 1.2; /* above, chains are said to differ */
-	bool differ = p->ratio > agree;
-	return xasprintf(
-	    !differ ? tr("%d draws, settled (R %.2f)")
-	    : all && !(p->drift > TRUST_SETTLED)
-		? tr("%d draws agree on the curves, less on single "
-		     "parameters (R %.2f)")
-		: tr("%d draws, not all settled (R %.2f)"),
-	    POSTERIOR_DRAWS, p->ratio);
+	return xasprintf(e->halves > DRAWS_SETTLED
+			     ? tr("%d draws, not settled")
+			     : tr("%d draws, settled"),
+	    POSTERIOR_DRAWS);
 }
 
 /* Of what was found, only beside the end, in rows that parameters and
@@ -275,7 +268,7 @@ draw_found(const struct tui *t, int row)
 	if (p == NULL)
 		return row;
 	room -= row - from;
-	words = draws_words(p, room >= 3);
+	words = draws_words(outlook_evidence(t->session, entry));
 	row = screen_words(side, row, 0, words);
 	free(words);
 	return row;
