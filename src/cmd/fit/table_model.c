@@ -31,7 +31,7 @@ const struct setting SETTINGS[] = {
 	 "known standard deviation of a single passing around 50 %; 0: as the "
 	 "data show it"},
 	AT(noise)},
-    {{"draw_seed", VALUE_WHOLE, "", 0, 4294967295.0, NULL, "1",
+    {{"draw_seed", VALUE_WHOLE, "", 0, 999999, NULL, "1",
 	 "seed of the draws that answers and bands are made of; with another "
 	 "they change by what chance leaves in them"},
 	AT(draw_seed)},
