@@ -1,6 +1,6 @@
 #!/bin/sh
-# Every shipped site: the same misfit from different seeds, from the first of them the
-# bits of tests/golden/calibrate, and a predicted curve at the held-out speed within
+# Every shipped site: the same misfit from different seeds of the search and the same
+# answers to the last bit, from the first of them the bits of tests/golden/calibrate, and a predicted curve at the held-out speed within
 # the stated sampling noise of the curve that the site was made from.
 # `make renew-seeds` writes the bits anew: a change of them wants a reason.
 # SPDX-License-Identifier: GPL-3.0-or-later
@@ -11,10 +11,15 @@ golden=$srcdir/tests/golden/calibrate
 [ "${RENEW:-}" != 1 ] || golden=$dir/golden
 for f in "$dir"/data/sites/*.csv; do
 	name=$(basename "$f" .csv)
+	p80=$("$TIPSPEED" --format=json "$f" -c 'calibrate; predict 74' 2>"$dir/log" |
+		sed -n 's/.*"p80_mm":\([^,]*\),.*/\1/p' | tail -1)
 	i=0
 	while [ $i -lt "$seeds" ]; do
 		i=$((i + 1))
 		echo "calibrate seed=$i"
+		echo 'predict 72'
+		echo 'predict 85'
+		echo "find p80=$p80"
 	done >"$dir/script"
 	"$TIPSPEED" --format=json "$f" <"$dir/script" \
 		>"$dir/out" 2>"$dir/log" || remark "$dir/log"
@@ -27,6 +32,11 @@ for f in "$dir"/data/sites/*.csv; do
 			low, high, NR
 		    exit !(NR == want && low > 0 && high <= low * (1 + 1e-6)) }'
 	result $? "$name: the same misfit from $seeds seeds"
+	grep -E '"command":"(predict|find)"' "$dir/out" | sort | uniq -c |
+		awk -v want="$seeds" '$1 != want { print "# " substr($0, 1, 300) }
+			$1 == want { n++ }
+			END { exit !(n == 3 && NR == 3) }'
+	result $? "$name: the same answers from $seeds seeds"
 	sed -n 's/.*"seed":1,.*\("misfit":[^,]*\),.*\("params":{[^}]*}\).*/\1 \2/p' \
 		"$dir/out" | sed "s/^/$name /" >"$dir/bits"
 	[ "${RENEW:-}" != 1 ] || cat "$dir/bits" >>"$golden"

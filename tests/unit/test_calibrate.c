@@ -75,6 +75,31 @@ any_seed_finds_the_same_misfit(void **state)
 	}
 }
 
+/* Of every breakage model, and with more runs than the two of the default. */
+static void
+any_seed_ends_at_the_same_parameters(void **state)
+{
+	(void)state;
+	static const bool ALL[3] = {true, true, true};
+	struct site *site = made_site(&TABLE_3[TIERP], NOISE, 3);
+	for (unsigned model = 0; model < breakage_count(); model++) {
+		struct fit first = {0};
+		for (uint64_t seed = 1; seed <= often(2, 5); seed++) {
+			struct calibrate_options o = quick_options(seed);
+			o.settings.breakage = model;
+			o.bounds = bounds_default(model);
+			o.train = model % 2 == 0 ? NULL : ALL;
+			struct fit fit = fitted(site, &o);
+			first = seed == 1 ? fit : first;
+			assert_true(fit.converged);
+			assert_memory_equal(
+			    &fit.params, &first.params, sizeof fit.params);
+			assert_true(fit.misfit == first.misfit);
+		}
+	}
+	site_free(site);
+}
+
 static void
 expect_same_fit(const struct fit *a, const struct fit *b)
 {
@@ -415,6 +440,7 @@ main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(curves_are_recovered_at_the_speed_held_out),
 	    cmocka_unit_test(any_seed_finds_the_same_misfit),
+	    cmocka_unit_test(any_seed_ends_at_the_same_parameters),
 	    cmocka_unit_test(threads_and_instructions_do_not_change_a_bit),
 	    cmocka_unit_test(a_search_ends_for_the_reason_it_gives),
 	    cmocka_unit_test(a_stopped_search_keeps_its_best),

@@ -5,6 +5,7 @@
 
 #include "core/search/misfit.h"
 #include "core/search/polish.h"
+#include "core/search/settle.h"
 
 /* Replaces the products by the model's own, neither noisy nor rounded. */
 static void
@@ -114,6 +115,70 @@ polish_leaves_a_bound_that_does_not_hold_it(void **state)
 	polish_free(polish);
 	misfit_free(m);
 	site_free(site);
+}
+
+/* From wherever near the bottom, with the misfit no larger, and what is on a
+ * bound still there. */
+static void
+settling_ends_at_the_same_bits(void **state)
+{
+	(void)state;
+	struct draw draw = draw_start(77);
+	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 2);
+	struct misfit *m =
+	    misfit_new(site, OUTER, NULL, false, model_settings_default());
+	struct polish *polish = polish_new(m);
+	for (int k = 0; k < 2; k++) {
+		struct bounds b = bounds_default(0);
+		struct params p = made_params(&TABLE_3[TIERP]), first;
+		b.upper[PARAM_ALPHA] = k == 0 ? 1.3 : 0.9;
+		p.alpha = fmin(p.alpha, b.upper[PARAM_ALPHA]);
+		struct polish_result r = polish_run(polish, &b, 1000, NULL, &p);
+		assert_true(r.converged);
+		if (k == 1)
+			assert_true(p.alpha == 0.9);
+		for (int i = 0; i < 8; i++) {
+			struct params q = p;
+			for (size_t j = 0; j < PARAM_COUNT; j++) {
+				double by = draw_between(&draw, -1e-7, 1e-7);
+				bool held = j == PARAM_ALPHA && k == 1;
+				q.at[j] *= held ? 1 : 1 + by;
+			}
+			params_scale(&q);
+			assert_true(settle(m, &b, &q));
+			assert_true(misfit_at(m, &q) <= r.misfit * (1 + 1e-12));
+			assert_true(q.alpha == 0.9 || k == 0);
+			if (i == 0)
+				first = q;
+			assert_memory_equal(&q, &first, sizeof q);
+		}
+	}
+	polish_free(polish);
+	misfit_free(m);
+	site_free(site);
+}
+
+/* Where fewer passings are compared than parameters move, or nothing breaks,
+ * nothing is moved. */
+static void
+what_is_open_is_not_settled(void **state)
+{
+	(void)state;
+	for (int k = 0; k < 2; k++) {
+		const struct table_row *row = &TABLE_3[k == 0 ? TIERP : 5];
+		struct site *site = made_site(row, 0, 2);
+		struct params p = made_params(row), before = p;
+		struct bounds b = bounds_default(0);
+		make_exact(site, &p);
+		site->run[0].product.n = k == 0 ? 3 : site->run[0].product.n;
+		site->run[2].product.n = k == 0 ? 3 : site->run[2].product.n;
+		struct misfit *m = misfit_new(
+		    site, OUTER, NULL, false, model_settings_default());
+		assert_false(settle(m, &b, &p));
+		assert_memory_equal(&p, &before, sizeof p);
+		misfit_free(m);
+		site_free(site);
+	}
 }
 
 static void
@@ -233,6 +298,8 @@ main(void)
 	    cmocka_unit_test(polish_goes_to_the_bottom_of_an_exact_valley),
 	    cmocka_unit_test(polish_is_never_worse_and_keeps_to_the_bounds),
 	    cmocka_unit_test(polish_leaves_a_bound_that_does_not_hold_it),
+	    cmocka_unit_test(settling_ends_at_the_same_bits),
+	    cmocka_unit_test(what_is_open_is_not_settled),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -440,7 +440,7 @@ test_stop(void **state)
 	asked = 0;
 	posterior_free(draw_many(&site, MANY, 1, ISA_BEST, ask));
 	site_free(site);
-	assert_in_range(asked, 2 * 200, 2 * 250);
+	assert_in_range(asked, 2 * 250, 2 * 300);
 	asked = 0;
 	assert_null(draw_many(&site, MANY, 1, ISA_BEST, ask_once));
 	site_free(site);

@@ -114,23 +114,39 @@ static const struct evidence SOUND = {.cells = 24,
     .slowest = 69,
     .fastest = 79};
 
+/* Runs that were exchanged, and a fit by which all sizes break. */
+static void
+test_sense(void **state)
+{
+	(void)state;
+	struct evidence sizeless = SOUND, exchanged = SOUND;
+	sizeless.all_break = true;
+	exchanged.against.slow = 69;
+	exchanged.against.fast = 74;
+	exchanged.against.order = (struct order){0.06, 0.004, 0.03};
+	struct trust t = asked(&sizeless, (struct trust_question){.speed = 74});
+	assert_int_equal(t.light, LIGHT_AMBER);
+	assert_true(names(&t, "no break size"));
+	trust_free(&t);
+	t = asked(&exchanged, (struct trust_question){.speed = 74});
+	assert_int_equal(t.light, LIGHT_RED);
+	assert_true(names(&t, "run at 74 m/s is coarser than that at 69, by "
+			      "6.0 points at 4"));
+	trust_free(&t);
+}
+
 /* Each reason alone, its light and its words. */
 static void
 test_reasons(void **state)
 {
 	(void)state;
 	struct evidence poor = SOUND, few = SOUND, slow = SOUND,
-			unsettled = SOUND, lost = SOUND, bent = SOUND,
-			sizeless = SOUND, exchanged = SOUND;
+			unsettled = SOUND, lost = SOUND, bent = SOUND;
 	poor.rmse = 0.03;
 	few.cells = 7;
 	slow.unbounded = 0.4;
 	unsettled.halves = 0.3;
 	bent.finer = 0.5;
-	sizeless.all_break = true;
-	exchanged.against.slow = 69;
-	exchanged.against.fast = 74;
-	exchanged.against.order = (struct order){0.06, 0.004, 0.03};
 	lost.holdout = (struct validation){.n_sieve = 9,
 	    .holdout = true,
 	    .speed = 74,
@@ -147,9 +163,6 @@ test_reasons(void **state)
 	    {&slow, {.speed = 74}, LIGHT_GREEN, NULL},
 	    {&unsettled, {.speed = 74}, LIGHT_AMBER, "30 % of its width"},
 	    {&bent, {.speed = 74}, LIGHT_AMBER, "finer with energy"},
-	    {&sizeless, {.speed = 74}, LIGHT_AMBER, "no break size"},
-	    {&exchanged, {.speed = 74}, LIGHT_RED,
-		"run at 74 m/s is coarser than that at 69, by 6.0 points at 4"},
 	    {&lost, {.speed = 74}, LIGHT_AMBER, "0.40 points RMSE"},
 	    {&SOUND, {.speed = 74, .width = 0.08}, LIGHT_AMBER, "8 points"},
 	    {&SOUND, {.speed = 74, .width = 0.2}, LIGHT_RED, "20 points"},
@@ -245,6 +258,7 @@ main(void)
 	    cmocka_unit_test(test_right),
 	    cmocka_unit_test(test_wrong),
 	    cmocka_unit_test(test_reasons),
+	    cmocka_unit_test(test_sense),
 	    cmocka_unit_test(test_exchanged),
 	    cmocka_unit_test(test_signs),
 	    cmocka_unit_test(test_order),

@@ -57,7 +57,7 @@ draw(const struct session *s, const struct entry *entry, const bool *use,
 		struct posterior_options o = {.use = use,
 		    .settings = fit->settings,
 		    .bounds = h->bounds,
-		    .seed = fit->seed,
+		    .seed = s->set.draw_seed,
 		    .threads = s->set.threads,
 		    .isa = s->isa,
 		    .noise = s->set.noise / 100};
@@ -84,8 +84,8 @@ drawn(const struct session *s, const struct entry *entry,
 	struct history *h = entry->origin->spread;
 	size_t place;
 	bool *use = used_runs(h, correction, &place);
-	if (h->noise != s->set.noise)
-		history_redraw(h, s->set.noise);
+	if (h->noise != s->set.noise || h->draw_seed != s->set.draw_seed)
+		history_redraw(h, s->set.noise, s->set.draw_seed);
 	if (h->posterior[place] == NULL)
 		draw(s, entry, use, place, steps);
 	free(use);
@@ -102,7 +102,7 @@ outlook_beside(const struct session *s, const struct entry *entry)
 	const struct posterior_options o = {.use = h->train,
 	    .settings = fit->settings,
 	    .bounds = h->bounds,
-	    .seed = fit->seed,
+	    .seed = s->set.draw_seed,
 	    .threads = 1,
 	    .isa = s->isa,
 	    .noise = s->set.noise / 100};

@@ -31,6 +31,10 @@ const struct setting SETTINGS[] = {
 	 "known standard deviation of a single passing around 50 %; 0: as the "
 	 "data show it"},
 	AT(noise)},
+    {{"draw_seed", VALUE_WHOLE, "", 0, 999999, NULL, "1",
+	 "seed of the draws that answers and bands are made of; with another "
+	 "they change by what chance leaves in them"},
+	AT(draw_seed)},
     {{"threads", VALUE_WHOLE, "", 1, 64, NULL, "",
 	 "threads of a calibration; default: one for each processor"},
 	AT(threads)},

@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 
 void
-history_redraw(struct history *h, double noise)
+history_redraw(struct history *h, double noise, unsigned seed)
 {
 	for (size_t i = 0; i < ARRAY_LEN(h->posterior); i++) {
 		posterior_free(h->posterior[i]);
@@ -26,6 +26,7 @@ history_redraw(struct history *h, double noise)
 	h->later.site = NULL;
 	h->alarm.site = NULL;
 	h->noise = noise;
+	h->draw_seed = seed;
 }
 
 void
@@ -46,7 +47,7 @@ history_drop(struct history *h)
 {
 	if (h == NULL || --h->holders > 0)
 		return;
-	history_redraw(h, 0);
+	history_redraw(h, 0, 0);
 	free(h->generation);
 	free(h->train);
 	free(h);

@@ -33,7 +33,8 @@ struct history {
 	size_t drawn;
 	struct evidence *evidence[2];
 	double weight; /* see calibration_weight */
-	double noise;  /* that they were drawn with */
+	double noise;  /* that they were drawn with, and from */
+	unsigned draw_seed;
 	struct ensemble *ensemble;
 	struct later {
 		const struct site *site; /* NULL: not compared yet */
@@ -115,8 +116,8 @@ void entry_clear(struct entry *entry);
 /* Gives a share in it up; NULL is allowed. */
 void history_drop(struct history *history);
 
-/* Forgets what was drawn, which is to be drawn with another noise. */
-void history_redraw(struct history *history, double noise);
+/* Forgets what was drawn, which is to be drawn with another noise or seed. */
+void history_redraw(struct history *history, double noise, unsigned seed);
 
 /* Forgets what was worked out for a site that goes. */
 void history_forget(struct history *history, const struct site *site);

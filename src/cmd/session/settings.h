@@ -28,8 +28,9 @@ struct choices {
 	uint64_t seed;
 	unsigned threads;
 	enum correction correction;
-	unsigned level; /* of bands: 0 80 %, 1 90 % */
-	double noise;   /* points, of a passing at 50 %; 0: not known */
+	unsigned level;     /* of bands: 0 80 %, 1 90 % */
+	double noise;       /* points, of a passing at 50 %; 0: not known */
+	unsigned draw_seed; /* of the draws behind answers and bands */
 	enum answer_format format;
 	unsigned semicolon; /* 1: in csv, with decimal commas */
 	unsigned theme;     /* enum theme */

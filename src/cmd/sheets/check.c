@@ -180,8 +180,8 @@ check_repeats(struct answer *r, const struct entry *entry)
 		}
 }
 
-/* Passing that falls from a slower to a faster run by more than sampling does: a
- * fault, unless their feeds may differ so. */
+/* Passing that falls from a slower to a faster run by more than sampling does:
+ * a fault, unless their feeds may differ so. */
 static bool
 check_pair(struct answer *r, const struct entry *entry, const struct run *slow,
     const struct run *fast)

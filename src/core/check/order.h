@@ -7,8 +7,9 @@
 
 #include "core/psd/psd.h"
 
-/* How far the slower run's product passes above the faster one's, passing 0..1:
- * at the sieve `at`, m, where by most, and in the mean of the sieves of both. */
+/* How far the slower run's product passes above the faster one's, passing
+ * 0..1: at the sieve `at`, m, where by most, and in the mean of the sieves of
+ * both. */
 struct order {
 	double most, at, mean;
 };

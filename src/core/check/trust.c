@@ -330,6 +330,19 @@ judge_data(struct trust *t, const struct evidence *e)
 			tr("one speed, %g m/s, was measured: nothing shows "
 			   "what the speed does; add a cut at another"),
 			e->slowest));
+	if (e->halves > DRAWS_SETTLED)
+		trust_add(t, LIGHT_AMBER, TRUST_FIT,
+		    xasprintf(
+			tr("the draws of the band have not settled (its two "
+			   "halves differ by %.0f %% of its width): it may be "
+			   "too narrow or too wide"),
+			100 * e->halves));
+}
+
+/* What the runs contradict, and what the fit says that no crusher does. */
+static void
+judge_sense(struct trust *t, const struct evidence *e)
+{
 	if (e->against.order.most > 0)
 		trust_add(t, LIGHT_RED, TRUST_DATA,
 		    xasprintf(
@@ -346,13 +359,6 @@ judge_data(struct trust *t, const struct evidence *e)
 			   "every size break at %g m/s, and nothing tells what "
 			   "a slower rotor leaves whole; measure slower"),
 			e->slowest));
-	if (e->halves > DRAWS_SETTLED)
-		trust_add(t, LIGHT_AMBER, TRUST_FIT,
-		    xasprintf(
-			tr("the draws of the band have not settled (its two "
-			   "halves differ by %.0f %% of its width): it may be "
-			   "too narrow or too wide"),
-			100 * e->halves));
 }
 
 static int
@@ -495,6 +501,7 @@ trust_judge(
     struct trust *t, const struct evidence *e, const struct trust_question *q)
 {
 	judge_data(t, e);
+	judge_sense(t, e);
 	judge_holdout(t, e);
 	judge_pattern(t, e);
 	if (q->speed > 0)

@@ -27,9 +27,9 @@ enum {
 	CHAINS = POSTERIOR_DRAWS / 2, /* which give two draws each */
 	HALF = CHAINS / 2,
 	PART = 16, /* of a half, for one thread at a time */
-	RUNG = 8,  /* generations */
-	WARM_UP = 150,
-	KEPT = 50,
+	RUNG = 7,  /* generations */
+	WARM_UP = 130,
+	KEPT = 120,
 	HYPER_EVERY = 6, /* generations, one of the hyperparameters */
 	LEAP_EVERY = 10, /* one that leaps from valley to valley */
 	STRENGTHS = PARAMS_MOST + HYPERS,

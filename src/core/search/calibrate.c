@@ -22,6 +22,7 @@
 #include "core/search/ga.h"
 #include "core/search/kernel.h"
 #include "core/search/polish.h"
+#include "core/search/settle.h"
 #include "core/numeric/rng.h"
 
 enum {
@@ -293,6 +294,8 @@ end_phase(struct calibration *c)
 {
 	bool used = ga_status(c->ga).generation >= c->options.generations;
 	if (!c->nested || used) {
+		if (c->converged && settle(c->misfit, &c->box, &c->best))
+			c->best_misfit = misfit_at(c->misfit, &c->best);
 		c->state = c->stop;
 		return;
 	}

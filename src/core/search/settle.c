@@ -1,0 +1,226 @@
+/* Newton's method on the gradient of the misfit.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/search/settle.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "core/model/breakage.h"
+
+enum { STEPS = 40 };
+
+/* Of a parameter's range, for the gauge twice its largest: the least step that
+ * tells anything, the longest that is still beside where it began, that by
+ * which derivatives are compared, what the way begins anew at whole numbers of,
+ * and how near a bound is on it. */
+static const double AT_REST = 1e-11, BESIDE = 1e-2, APART = 1e-6,
+		    COARSE = 0x1p-24, ON_BOUND = 1e-9;
+/* Of the misfit: what is next to nothing, as for the polish, for where B is
+ * from a table the derivatives are right to its step only; and the misfit of a
+ * fit without residuals. */
+static const double NOTHING = 1e-9, EXACT = 1e-24;
+
+struct newton {
+	struct misfit *misfit;
+	const struct bounds *bounds;
+	size_t n, column[PARAMS_MOST]; /* that move */
+	double range[PARAMS_MOST];     /* of all */
+	double *r, *J, *r_beside, *J_beside;
+	double H[PARAMS_MOST][PARAMS_MOST]; /* see find_curvature */
+};
+
+/* Puts what is on a bound but for rounding there. */
+static void
+bring_to_bounds(const struct bounds *b, struct params *p)
+{
+	for (size_t j = 0; j < breakage_of(p)->n; j++) {
+		double near = ON_BOUND * (b->upper[j] - b->lower[j]);
+		if (p->at[j] - b->lower[j] < near)
+			p->at[j] = b->lower[j];
+		else if (b->upper[j] - p->at[j] < near)
+			p->at[j] = b->upper[j];
+	}
+}
+
+/* All move but those on a bound and, as only the direction of the gauge counts,
+ * the largest of it. */
+static void
+find_columns(struct newton *w, const struct params *p)
+{
+	const struct breakage *of = breakage_of(p);
+	size_t largest = 0;
+	for (size_t j = 1; j < of->gauge; j++)
+		if (fabs(p->at[j]) > fabs(p->at[largest]))
+			largest = j;
+	w->n = 0;
+	for (size_t j = 0; j < of->n; j++) {
+		double lower = w->bounds->lower[j], upper = w->bounds->upper[j];
+		w->range[j] =
+		    j < of->gauge ? 2 * fabs(p->at[largest]) : upper - lower;
+		bool held = of->gauge > 0 && j == largest;
+		if (!held && p->at[j] > lower && p->at[j] < upper)
+			w->column[w->n++] = j;
+	}
+}
+
+/* The gradient over the ranges, half of it, g [n]; returns the misfit. */
+static double
+find_gradient(struct newton *w, const struct params *p, double *g)
+{
+	size_t rows = w->misfit->n_residual, width = w->misfit->of->n;
+	double misfit = misfit_jacobian(w->misfit, p, w->r, w->J);
+	for (size_t c = 0; c < w->n; c++) {
+		size_t j = w->column[c];
+		g[c] = 0;
+		for (size_t i = 0; i < rows; i++)
+			g[c] += w->r[i] * w->J[i * width + j];
+		g[c] *= w->range[j];
+	}
+	return misfit;
+}
+
+/* Adds what the residuals r curve along a parameter to its row of H: by how
+ * much J changes from one side to the other. */
+static void
+add_bend(struct newton *w, const struct params *p, size_t c)
+{
+	size_t rows = w->misfit->n_residual, width = w->misfit->of->n;
+	for (int side = -1; side <= 1; side += 2) {
+		struct params q = *p;
+		q.at[w->column[c]] += side * APART * w->range[w->column[c]];
+		misfit_jacobian(w->misfit, &q, w->r_beside, w->J_beside);
+		for (size_t d = 0; d < w->n; d++) {
+			size_t j = w->column[d];
+			double sum = 0;
+			for (size_t i = 0; i < rows; i++)
+				sum += w->r[i] * w->J_beside[i * width + j];
+			w->H[c][d] += side * sum * w->range[j] / (2 * APART);
+		}
+	}
+}
+
+/* Half the derivative of the gradient where r and J are of, over the ranges. */
+static void
+find_curvature(struct newton *w, const struct params *p)
+{
+	size_t rows = w->misfit->n_residual, width = w->misfit->of->n;
+	memset(w->H, 0, sizeof w->H);
+	for (size_t c = 0; c < w->n; c++)
+		add_bend(w, p, c);
+	for (size_t c = 0; c < w->n; c++)
+		for (size_t d = 0; d <= c; d++) {
+			const double *a = w->J + w->column[c],
+				     *b = w->J + w->column[d];
+			double sum = 0;
+			for (size_t i = 0; i < rows; i++)
+				sum += a[i * width] * b[i * width];
+			sum *= w->range[w->column[c]] * w->range[w->column[d]];
+			sum += (w->H[c][d] + w->H[d][c]) / 2;
+			w->H[c][d] = w->H[d][c] = sum;
+		}
+}
+
+/* Makes of H its Cholesky factor, below and on the diagonal.  False where it
+ * has none, as where a direction is open. */
+static bool
+factor(struct newton *w)
+{
+	const double open = 1e-13; /* of what stands on the diagonal */
+	for (size_t c = 0; c < w->n; c++) {
+		double least = open * w->H[c][c];
+		for (size_t d = 0; d <= c; d++) {
+			double sum = w->H[c][d];
+			for (size_t k = 0; k < d; k++)
+				sum -= w->H[c][k] * w->H[d][k];
+			if (c == d && !(sum > least))
+				return false;
+			w->H[c][d] = c == d ? sqrt(sum) : sum / w->H[d][d];
+		}
+	}
+	return true;
+}
+
+/* x = H^-1 x. */
+static void
+solve(const struct newton *w, double *x)
+{
+	for (size_t c = 0; c < w->n; c++) {
+		for (size_t k = 0; k < c; k++)
+			x[c] -= w->H[c][k] * x[k];
+		x[c] /= w->H[c][c];
+	}
+	for (size_t c = w->n; c-- > 0;) {
+		for (size_t k = c + 1; k < w->n; k++)
+			x[c] -= w->H[k][c] * x[k];
+		x[c] /= w->H[c][c];
+	}
+}
+
+/* Moves *p by less and less, until rounding alone is left of the steps. */
+static bool
+descend(struct newton *w, struct params *p)
+{
+	double g[PARAMS_MOST], before = INFINITY;
+	double misfit = find_gradient(w, p, g);
+	find_curvature(w, p);
+	if (!isfinite(misfit) || !factor(w))
+		return false;
+	for (int i = 0; i < STEPS; i++) {
+		double most = 0;
+		solve(w, g);
+		for (size_t c = 0; c < w->n; c++) {
+			size_t j = w->column[c];
+			p->at[j] -= g[c] * w->range[j];
+			most = fmax(most, fabs(g[c]));
+			if (!(p->at[j] > w->bounds->lower[j] &&
+				p->at[j] < w->bounds->upper[j]))
+				return false;
+		}
+		if (!(most < BESIDE))
+			return false;
+		if (most < AT_REST && most > before / 4)
+			return true;
+		before = most;
+		find_gradient(w, p, g);
+	}
+	return before < AT_REST;
+}
+
+/* The nearest parameters of few digits. */
+static struct params
+coarse(const struct newton *w, const struct params *p)
+{
+	struct params q = *p;
+	for (size_t c = 0; c < w->n; c++) {
+		size_t j = w->column[c];
+		double unit = COARSE * w->range[j];
+		double lower = w->bounds->lower[j];
+		q.at[j] = lower + unit * round((p->at[j] - lower) / unit);
+	}
+	return q;
+}
+
+bool
+settle(struct misfit *m, const struct bounds *bounds, struct params *p)
+{
+	size_t rows = m->n_residual, width = m->of->n;
+	double *room = xdoubles(2 * rows * (width + 1));
+	struct newton w = {.misfit = m, .bounds = bounds};
+	w.r = room;
+	w.r_beside = w.r + rows;
+	w.J = w.r_beside + rows;
+	w.J_beside = w.J + rows * width;
+	struct params near = *p;
+	bring_to_bounds(bounds, &near);
+	find_columns(&w, &near);
+	bool found = w.n > 0 && rows >= w.n && descend(&w, &near);
+	struct params q = coarse(&w, &near);
+	found = found && descend(&w, &q) &&
+		misfit_at(m, &q) <= misfit_at(m, p) * (1 + NOTHING) + EXACT;
+	if (found)
+		*p = q;
+	free(room);
+	return found;
+}
