@@ -48,8 +48,9 @@ moving_params(const struct tui *t, struct params *room)
 {
 	const struct entry *entry = tui_entry(t);
 	*room = entry->params;
-	return answers_forming(t->session, room) || entry->has_params ? room
-								      : NULL;
+	return answers_forming(t->session, entry, room) || entry->has_params
+		   ? room
+		   : NULL;
 }
 
 const struct psd *
@@ -99,7 +100,7 @@ tui_asks(const struct tui *t)
 struct plots_past
 tui_past(const struct tui *t)
 {
-	return tui_entry(t) != NULL ? plots_past(t->session)
+	return tui_entry(t) != NULL ? plots_past(t->session, tui_entry(t))
 				    : (struct plots_past){0};
 }
 

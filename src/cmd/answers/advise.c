@@ -7,6 +7,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/parse.h"
@@ -280,14 +281,19 @@ advise(struct session *s, const struct entry *entry, struct wanted *w,
 	return session_answer(s, r);
 }
 
+static bool
+answer(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
+{
+	struct wanted w = {.speed = q->speed, .feed = q->feed};
+	bool ok = answers_ready(s, error) && take_quantity(args, &w, error) &&
+		  advise(s, q->entry, &w, error);
+	free(w.name);
+	return ok;
+}
+
 bool
 cmd_advise(struct session *s, const struct args *args, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	struct wanted w = {.speed = answers_speed(args, entry)};
-	bool ok = answers_ready(s, error) &&
-		  feed_choose(entry->site, args, &w.feed, error) &&
-		  take_quantity(args, &w, error) && advise(s, entry, &w, error);
-	free(w.name);
-	return ok;
+	return question_run(s, args, answer, error);
 }

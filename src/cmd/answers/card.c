@@ -6,6 +6,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/band.h"
 #include "cmd/ask/condition.h"
 #include "cmd/document/document.h"
@@ -20,7 +21,8 @@
 /* What is asked at every speed: P20, P50 and P80, then the user's figures;
  * limits, and tonnes. */
 struct asked {
-	size_t n, feed;
+	const struct question *question;
+	size_t n;
 	struct quantity *q;
 	struct response *response;
 	struct condition_list list; /* limits of the product, or none */
@@ -35,18 +37,16 @@ struct asked {
 
 /* Adds the quantities of a text to the list. */
 static bool
-add_list(struct asked *all, const char *text, const struct args *args,
-    const struct psd *feed, struct error *error)
+add_list(struct asked *all, const char *text, const struct psd *feed,
+    struct error *error)
 {
-	struct fraction fraction;
+	const struct fraction *fraction = &all->question->fraction;
 	size_t n;
-	if (!quantities_option(args, &fraction, error))
-		return false;
 	struct quantity *q =
-	    quantities_list(text, &fraction.partition, &n, error);
+	    quantities_list(text, &fraction->partition, &n, error);
 	bool ok = q != NULL;
 	for (size_t i = 0; ok && i < n; i++)
-		ok = quantities_cut(&q[i], &fraction, error) &&
+		ok = quantities_cut(&q[i], fraction, error) &&
 		     quantities_covered(&q[i], feed, error);
 	for (size_t i = 0; ok && i < n; i++) {
 		all->q = xrealloc(all->q, all->n + 1, sizeof *all->q);
@@ -60,12 +60,11 @@ static bool
 read_limits(struct session *s, struct asked *all, const struct args *args,
     const struct psd *feed, struct error *error)
 {
-	struct fraction fraction;
-	return quantities_option(args, &fraction, error) &&
-	       conditions_add_operands(
-		   args, &fraction, feed, &all->list, error) &&
+	const struct fraction *fraction = &all->question->fraction;
+	return conditions_add_operands(
+		   args, fraction, feed, &all->list, error) &&
 	       conditions_add_option(
-		   s, args, &fraction, feed, &all->list, &all->limits, error);
+		   s, args, fraction, feed, &all->list, &all->limits, error);
 }
 
 static void
@@ -91,7 +90,8 @@ read_flow(struct session *s, struct asked *all, const struct args *args,
 	    "fractions", "recycle", "power", "prices", "kwh"};
 	if (args_value(args, "tph")->given ||
 	    args_value(args, "circuit")->given)
-		return flow_plan_read(s, args, all->feed, &all->plan, error);
+		return flow_plan_read(
+		    s, args, all->question, &all->plan, error);
 	for (size_t i = 0; i < ARRAY_LEN(WITH_FEED); i++)
 		if (args_value(args, WITH_FEED[i])->given)
 			return error_set(error, ERROR_USAGE,
@@ -119,20 +119,19 @@ static bool
 read_asked(struct session *s, struct asked *all, const struct args *args,
     double slowest, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	const struct psd *feed = site_feed(entry->site, all->feed);
-	bool ok =
-	    add_list(all, "P20,P50,P80", args, feed, error) &&
-	    add_list(all, args_value(args, "of")->text, args, feed, error) &&
-	    read_limits(s, all, args, feed, error) &&
-	    read_flow(s, all, args, error);
+	const struct entry *entry = all->question->entry;
+	size_t run = all->question->feed;
+	const struct psd *feed = site_feed(entry->site, run);
+	bool ok = add_list(all, "P20,P50,P80", feed, error) &&
+		  add_list(all, args_value(args, "of")->text, feed, error) &&
+		  read_limits(s, all, args, feed, error) &&
+		  read_flow(s, all, args, error);
 	if (!ok)
 		return false;
-	all->response = outlook_response(
-	    s, entry, &entry->params, all->feed, all->q, all->n);
+	all->response =
+	    outlook_response(s, entry, &entry->params, run, all->q, all->n);
 	if (all->list.n > 0)
-		all->wanted =
-		    conditions_ask(s, entry, all->feed, &all->list, NULL);
+		all->wanted = conditions_ask(s, entry, run, &all->list, NULL);
 	all->flows = all->plan.circuit != NULL;
 	if (!all->flows)
 		return true;
@@ -220,11 +219,11 @@ add_row(struct answer *r, struct session *s, struct asked *all, double v,
     struct trust *worst)
 {
 	enum { P80 = 2 };
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = all->question->entry;
 	double rotor = entry->site->rotor, range[2];
 	response_at(all->response, v);
 	response_band(all->response, P80, settings_level(&s->set), range);
-	struct prediction p = outlook_predict(s, entry, v, all->feed);
+	struct prediction p = outlook_predict(s, entry, v, all->question->feed);
 	struct trust light = light_of(s, entry, &p);
 	answer_cells(r, "%g", v);
 	if (rotor > 0)
@@ -294,7 +293,7 @@ card_speeds(const struct args *args, const struct site *site, size_t *n)
 static struct answer *
 card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = all->question->entry;
 	struct answer *r =
 	    answers_new(entry->site, "card", "what each tip speed gives");
 	struct trust light = light_of(s, entry, NULL);
@@ -306,21 +305,20 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 	if (response_draws(all->response, 0) != NULL)
 		band_note(r, s, entry, true);
 	origin_note(r, entry);
-	feed_note(r, entry->site, all->feed);
+	feed_note(r, entry->site, all->question->feed);
 	light_show(r, light);
 	return r;
 }
 
-bool
-cmd_card(struct session *s, const struct args *args, struct error *error)
+static bool
+card(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	struct asked all = {0};
+	struct asked all = {.question = q};
 	size_t n;
-	if (!answers_ready(s, error) ||
-	    !feed_choose(entry->site, args, &all.feed, error))
+	if (!answers_ready(s, error))
 		return false;
-	double *speed = card_speeds(args, entry->site, &n);
+	double *speed = card_speeds(args, q->entry->site, &n);
 	bool ok = read_asked(s, &all, args, speed[n - 1], error);
 	if (ok && s->document != NULL)
 		s->document->one_page = true;
@@ -329,4 +327,10 @@ cmd_card(struct session *s, const struct args *args, struct error *error)
 	free(speed);
 	asked_free(&all);
 	return ok;
+}
+
+bool
+cmd_card(struct session *s, const struct args *args, struct error *error)
+{
+	return question_run(s, args, card, error);
 }

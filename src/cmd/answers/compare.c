@@ -8,6 +8,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/session/sites.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/parse.h"
@@ -24,6 +25,7 @@
  * of its curve, or NULL. */
 struct side {
 	const struct entry *entry;
+	struct question q;
 	struct prediction p;
 	double *draws;
 	char *head;
@@ -31,6 +33,12 @@ struct side {
 };
 
 static const char PIN[] = "pinned";
+
+static bool
+are_two(const struct side side[2])
+{
+	return entry_loaded(side[0].entry) != entry_loaded(side[1].entry);
+}
 
 /* Passing at a size, NAN where the side's sieves do not tell it. */
 static double
@@ -191,7 +199,7 @@ comparison_notes(const struct session *s, struct answer *r,
 		if (answers_extrapolates(entry, side[i].p.speed))
 			answer_say(r, ANSWER_WARNING,
 			    "%s is outside the training speeds", side[i].head);
-		if (i == 1 && entry == side[0].entry)
+		if (i == 1 && !are_two(side))
 			continue;
 		origin_note(r, entry);
 		if (i == 0)
@@ -241,20 +249,23 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 	const char *word = args->operand[i];
 	if (is_pinned(args, i))
 		return take_pinned(s, side, error);
-	double v = answers_speed(args, session_entry(s));
-	size_t at = s->current, feed;
+	double v = args_number(args, "speed", answers_usual(session_entry(s)));
+	size_t at = s->current;
 	if (sites && !session_find(s, word, &at, error))
 		return false;
-	const struct entry *entry = &s->entry[at];
 	if (!sites && (!value_number(word, "m/s", &v) || v < 1 || v > 200))
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected speeds from 1 to 200 m/s, got %s", word);
-	if (!answers_known(s, entry, error) ||
-	    !feed_choose(entry->site, args, &feed, error))
+	const struct question *like = i > 0 ? &side[-1].q : NULL;
+	if (!answers_known(s, &s->entry[at], error) ||
+	    !(like != NULL && like->named != NULL
+		    ? question_too(
+			  s, &s->entry[at], args, like, &side->q, error)
+		    : question_of(s, &s->entry[at], args, &side->q, error)))
 		return false;
-	side->entry = entry;
-	side->p = outlook_predict(s, entry, v, feed);
-	struct ensemble *e = outlook_ensemble(s, entry, feed);
+	const struct entry *entry = side->entry = side->q.entry;
+	side->p = outlook_predict(s, entry, v, side->q.feed);
+	struct ensemble *e = outlook_ensemble(s, entry, side->q.feed);
 	size_t size = side->p.curve.n * POSTERIOR_DRAWS;
 	if (e != NULL) {
 		side->draws = xdoubles(size);
@@ -268,7 +279,7 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 static void
 name_sides(bool sites, struct side side[2])
 {
-	bool two = side[0].entry != side[1].entry;
+	bool two = are_two(side);
 	for (size_t i = 0; i < 2; i++) {
 		const char *key = side[i].entry->key;
 		double v = side[i].p.speed;
@@ -308,8 +319,7 @@ static void
 note_feeds(struct answer *r, const struct side side[2])
 {
 	const struct site *site = side[0].entry->site;
-	if (side[1].entry->site == site &&
-	    side[0].p.feed_run == side[1].p.feed_run) {
+	if (!are_two(side) && side[0].p.feed_run == side[1].p.feed_run) {
 		feed_note(r, site, side[0].p.feed_run);
 		return;
 	}
@@ -326,7 +336,7 @@ note_feeds(struct answer *r, const struct side side[2])
 static struct answer *
 comparison(const struct session *s, const struct side side[2])
 {
-	bool sites = side[0].entry != side[1].entry;
+	bool sites = are_two(side);
 	size_t n;
 	double *x = all_sieves(side, &n);
 	struct answer *r =
@@ -357,13 +367,13 @@ draw_both(struct session *s, const struct side side[2], struct error *error)
 	const struct side *one = &side[side[1].pinned ? 0 : 1];
 	const struct side *two = &side[side[1].pinned ? 1 : 0];
 	struct plot_request request = plots_request(PLOT_PSD);
-	request.site = one->entry->key;
+	request.entry = one->entry;
 	request.speed = one->p.speed;
 	double feed = feed_speed(one->entry->site, one->p.feed_run);
 	request.feed_speed = feed > 0 ? feed : 0;
 	request.made = &one->p;
 	request.kept = two->pinned ? &s->pin->p : &two->p;
-	if (two->entry != one->entry)
+	if (are_two(side))
 		request.beside = two->entry->key;
 	request.band = one->p.low != NULL;
 	struct chart *chart = plots_chart(s, &request, error);
@@ -393,6 +403,7 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 	}
 	for (size_t i = 0; i < 2; i++) {
 		prediction_free(&side[i].p);
+		question_free(s, &side[i].q);
 		free(side[i].draws);
 		free(side[i].head);
 	}

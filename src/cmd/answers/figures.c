@@ -3,11 +3,11 @@
 #include <stdlib.h>
 
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/band.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/feed.h"
 
 /* What is shown unless told otherwise, as far as the feed tells. */
 #define USUAL "D10,P20,D50,P80,D90,cu,cc,fines,fm EN,fm ASTM,fm IS,fm DIN,fm GB"
@@ -32,18 +32,17 @@ keep_covered(struct quantity *q, size_t *n, const struct psd *feed, bool asked,
 
 /* The quantities of a call; the caller frees. */
 static struct quantity *
-read_wanted(const struct args *args, const struct psd *feed, size_t *n,
+read_wanted(const struct args *args, const struct question *question, size_t *n,
     struct error *error)
 {
 	const struct value *of = args_value(args, "of");
-	struct fraction all;
-	if (!quantities_option(args, &all, error))
-		return NULL;
+	const struct fraction *all = &question->fraction;
+	const struct psd *feed = question_feed(question);
 	struct quantity *q = quantities_list(
-	    of->given ? of->text : USUAL, &all.partition, n, error);
+	    of->given ? of->text : USUAL, &all->partition, n, error);
 	bool ok = q != NULL;
 	for (size_t i = 0; ok && i < *n; i++)
-		ok = quantities_cut(&q[i], &all, error);
+		ok = quantities_cut(&q[i], all, error);
 	if (!ok || !keep_covered(q, n, feed, of->given, error)) {
 		free(q);
 		return NULL;
@@ -84,21 +83,20 @@ figure_row(struct answer *r, struct fields *list, const struct session *s,
 	free(key);
 }
 
-bool
-cmd_figures(struct session *s, const struct args *args, struct error *error)
+static bool
+figures(struct session *s, const struct args *args, struct question *question,
+    struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	double v = answers_speed(args, entry);
-	size_t feed, n;
-	if (!answers_ready(s, error) ||
-	    !feed_choose(entry->site, args, &feed, error))
-		return false;
-	struct quantity *q =
-	    read_wanted(args, site_feed(entry->site, feed), &n, error);
+	const struct entry *entry = question->entry;
+	double v = question->speed;
+	size_t n;
+	struct quantity *q = answers_ready(s, error)
+				 ? read_wanted(args, question, &n, error)
+				 : NULL;
 	if (q == NULL)
 		return false;
 	struct response *all =
-	    outlook_response(s, entry, &entry->params, feed, q, n);
+	    outlook_response(s, entry, &entry->params, question->feed, q, n);
 	response_at(all, v);
 	bool band = n > 0 && response_draws(all, 0) != NULL;
 	struct answer *r = answers_new(
@@ -113,8 +111,14 @@ cmd_figures(struct session *s, const struct args *args, struct error *error)
 		figure_row(r, list, s, all, i, &q[i]);
 	if (band)
 		band_note(r, s, entry, true);
-	answers_note_doubt(s, r, v, feed);
+	answers_note_doubt(s, r, question->entry, question->feed, v);
 	response_free(all);
 	free(q);
 	return session_answer(s, r);
+}
+
+bool
+cmd_figures(struct session *s, const struct args *args, struct error *error)
+{
+	return question_run(s, args, figures, error);
 }

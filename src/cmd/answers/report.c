@@ -9,6 +9,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/condition.h"
 #include "cmd/ask/fraction.h"
 #include "cmd/document/document.h"
@@ -42,6 +43,7 @@ enum need {
 struct ask {
 	double speed, tph;
 	char *conditions, *envelope, *spec, *cut, *rate;
+	const struct question *q;
 	struct condition_list list;
 	struct wanted wanted;
 	struct window_found found;
@@ -196,9 +198,9 @@ put_data(struct document *d, const struct site *site)
 static void
 put_light(struct session *s, const struct ask *ask)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = ask->q->entry;
 	struct prediction p =
-	    outlook_predict(s, entry, ask->speed, SITE_MEAN_FEED);
+	    outlook_predict(s, entry, ask->speed, ask->q->feed);
 	struct trust t = light_of(s, entry, &p);
 	char number[32];
 	char *words = xasprintf(tr("Trust: %s. %s the answer at %s m/s%s"),
@@ -382,28 +384,24 @@ static bool
 read_ask(struct session *s, const struct args *args, struct ask *ask,
     struct error *error)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = ask->q->entry;
 	const struct site *site = entry->site;
-	const struct psd *feed_psd;
-	struct fraction fraction;
+	const struct psd *feed = site_feed(site, ask->q->feed);
+	const struct fraction *fraction = &ask->q->fraction;
 	char *remark = NULL;
 	take_words(args, ask);
-	feed_psd = site_feed(site, SITE_MEAN_FEED);
-	if (!quantities_option(args, &fraction, error) ||
-	    !conditions_add_operands(
-		args, &fraction, feed_psd, &ask->list, error) ||
+	if (!conditions_add_operands(args, fraction, feed, &ask->list, error) ||
 	    !conditions_add_option(
-		s, args, &fraction, feed_psd, &ask->list, &remark, error))
+		s, args, fraction, feed, &ask->list, &remark, error))
 		return false;
 	free(remark);
-	ask->speed = answers_speed(args, entry);
+	ask->speed = ask->q->speed;
 	if (!is_met(s, ask, NEED_CONDITIONS))
 		return true;
-	ask->wanted =
-	    conditions_ask(s, entry, SITE_MEAN_FEED, &ask->list, NULL);
+	ask->wanted = conditions_ask(s, entry, ask->q->feed, &ask->list, NULL);
 	site_reach(site, &ask->wanted.from, &ask->wanted.to);
 	ask->found = window_find(&ask->wanted);
-	if (!args_value(args, "speed")->given && ask->found.n_inside > 0)
+	if (!ask->q->speed_given && ask->found.n_inside > 0)
 		ask->speed = best_speed(ask);
 	return true;
 }
@@ -421,10 +419,11 @@ ask_free(struct ask *ask)
 	free(ask->rate);
 }
 
-bool
-cmd_report(struct session *s, const struct args *args, struct error *error)
+static bool
+report(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	struct ask ask = {0};
+	struct ask ask = {.q = q};
 	if (s->document == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "report: expected a file for it, .html or .pdf\n"
@@ -444,4 +443,10 @@ cmd_report(struct session *s, const struct args *args, struct error *error)
 	}
 	ask_free(&ask);
 	return ok;
+}
+
+bool
+cmd_report(struct session *s, const struct args *args, struct error *error)
+{
+	return question_run(s, args, report, error);
 }

@@ -7,6 +7,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/session/settings.h"
 #include "cmd/lang/parse.h"
@@ -186,7 +187,7 @@ parts_answer(const struct session *s, const struct entry *entry,
 	add_parts(r, s, at, outlook_ensemble(s, entry, at->feed_run));
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * settings_level(&s->set),
-	    s->set.correction == CORRECTION_ALL ? "all" : "train");
+	    outlook_correction(s, entry) == CORRECTION_ALL ? "all" : "train");
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
 		answer_put_columns(r, PARTS[i]);
 	answer_put_columns(r, "sieve_mm passing_pct");
@@ -216,17 +217,17 @@ take_settings(struct session *s, const struct args *args)
 
 /* A speed, as of predict, and "draws", in any order. */
 static bool
-take_words(
-    const struct args *args, double *speed, bool *draws, struct error *error)
+take_words(const struct args *args, struct question *q, bool *draws,
+    struct error *error)
 {
-	bool given = args_value(args, "speed")->given;
+	bool given = q->speed_given;
 	for (size_t i = 0; i < args->n_operand; i++) {
 		const char *word = args->operand[i];
 		double v;
 		bool number = value_number(word, "m/s", &v) && v >= 1 &&
 			      v <= 200 && !given;
 		if (number)
-			*speed = v;
+			q->speed = v;
 		else if (strcmp(word, "draws") == 0 && !*draws)
 			*draws = true;
 		else
@@ -239,20 +240,18 @@ take_words(
 	return true;
 }
 
-bool
-cmd_uncertainty(struct session *s, const struct args *args, struct error *error)
+static bool
+uncertainty(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	double speed = answers_speed(args, entry);
+	const struct entry *entry = q->entry;
 	bool draws = false;
-	size_t feed;
-	if (!take_words(args, &speed, &draws, error))
+	if (!take_words(args, q, &draws, error))
 		return false;
 	take_settings(s, args);
-	if (!answers_ready(s, error) ||
-	    !feed_choose(entry->site, args, &feed, error))
+	if (!answers_ready(s, error))
 		return false;
-	struct prediction at = outlook_predict(s, entry, speed, feed);
+	struct prediction at = outlook_predict(s, entry, q->speed, q->feed);
 	if (at.low == NULL) {
 		prediction_free(&at);
 		return error_set(error, ERROR_USAGE, "%s\n%s",
@@ -266,4 +265,10 @@ cmd_uncertainty(struct session *s, const struct args *args, struct error *error)
 				: parts_answer(s, entry, p, &at));
 	prediction_free(&at);
 	return true;
+}
+
+bool
+cmd_uncertainty(struct session *s, const struct args *args, struct error *error)
+{
+	return question_run(s, args, uncertainty, error);
 }

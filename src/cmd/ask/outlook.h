@@ -10,6 +10,10 @@
 #include "core/answer/predict.h"
 #include "core/answer/response.h"
 
+/* The runs that inform the entry's answers: as set, or as it is asked. */
+enum correction outlook_correction(
+    const struct session *s, const struct entry *entry);
+
 /* The posterior that all measured runs inform, or the training runs only, of
  * the calibration that found the entry's parameters, on this site or another
  * one; drawn when first asked for, which takes 0.1 s.  NULL where no
@@ -103,6 +107,7 @@ const char *outlook_words(const struct session *s, const struct entry *entry);
 /* The same behind a name in a legend: ", all runs", ", training runs", or ""
  * where the prediction is the model alone and nothing else was asked for;
  * ", model" where it is what was asked for. */
-const char *outlook_short(const struct session *s, const struct prediction *p);
+const char *outlook_short(const struct session *s, const struct entry *entry,
+    const struct prediction *p);
 
 #endif

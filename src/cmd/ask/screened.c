@@ -29,12 +29,10 @@ check_any(const struct fraction *fraction, const struct psd *feed,
 }
 
 bool
-screened_read(const struct args *args, const struct psd *feed,
+screened_read(const struct fraction *fraction, const struct psd *feed,
     struct screened *wanted, struct error *error)
 {
-	*wanted = (struct screened){0};
-	if (!quantities_option(args, &wanted->fraction, error))
-		return false;
+	*wanted = (struct screened){.fraction = *fraction};
 	struct quantity share = {
 	    .kind = QUANTITY_SHARE, .fraction = wanted->fraction};
 	return quantities_covered(&share, feed, error) &&

@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_CMD_ASK_SCREENED_H
 #define TIPSPEED_CMD_ASK_SCREENED_H
 
-#include "cmd/lang/command.h"
 #include "cmd/session/session.h"
 #include "core/answer/predict.h"
 #include "core/psd/quantity.h"
@@ -16,9 +15,8 @@ struct screened {
 	double *sieve;
 };
 
-/* The options of TABLE_CUT; false where the feed does not tell of these
- * sizes. */
-bool screened_read(const struct args *args, const struct psd *feed,
+/* A fraction; false where the feed does not tell of it. */
+bool screened_read(const struct fraction *fraction, const struct psd *feed,
     struct screened *wanted, struct error *error);
 
 /* Turns the prediction, made with these parameters, into that. */

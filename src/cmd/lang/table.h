@@ -20,7 +20,7 @@ command_run cmd_drill, cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
     cmd_source, cmd_echo, cmd_timing, cmd_assert, cmd_help, cmd_apropos,
     cmd_man, cmd_version, cmd_tui, cmd_quit;
 
-/* An option of commands that predict, see feed_choose. */
+/* An option of commands that predict, see question_read. */
 #define TABLE_FEED                                                       \
 	{                                                                \
 		"feed", VALUE_FEED, "m/s", 1, 200, NULL, "",             \
@@ -29,7 +29,7 @@ command_run cmd_drill, cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
 		    "those sampled"                                      \
 	}
 
-/* What another machine does otherwise, see cmd/ask/scenario.h. */
+/* What another machine does otherwise, see cmd/ask/question.h. */
 #define TABLE_MACHINE                                                     \
 	{"cascade", VALUE_NUMBER, "%", 0, 90, NULL, "",                   \
 	    "share of the feed led past the rotor, beside what the "      \
@@ -48,7 +48,7 @@ command_run cmd_drill, cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
 		    "diameter of the rotor; default: that of the site" \
 	}
 
-/* Sieves of one's own choice, see cmd/ask/scenario.h. */
+/* Sieves of one's own choice, see cmd/ask/question.h. */
 #define TABLE_SIEVES                                                \
 	{                                                           \
 		"sieves", VALUE_NUMBERS, "mm", 1e-6, 1e4, NULL, "", \

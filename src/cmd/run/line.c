@@ -17,7 +17,6 @@
 #include "cmd/session/script.h"
 #include "cmd/session/turn.h"
 #include "cmd/session/undo.h"
-#include "cmd/ask/scenario.h"
 #include "io/formats/plant_log.h"
 #include "io/formats/spec.h"
 
@@ -87,7 +86,7 @@ run_words(struct session *s, const struct words *words, struct place place,
 		      session_need_site(s, command->name, error)) &&
 		  invocation_begin(s, &args, words, place, error);
 	if (ok) {
-		ok = variant_run(s, &args, error);
+		ok = command->run(s, &args, error);
 		invocation_ran(s);
 		if (!ok || invocation_over(s))
 			ok = invocation_end(s, ok, error);

@@ -60,7 +60,6 @@ struct keep;
 struct script;
 struct invocation;
 struct undo;
-struct stand_in;
 
 struct session {
 	size_t n_entry, current; /* current is meaningful when n_entry > 0 */
@@ -106,10 +105,8 @@ struct session {
 	struct journal *journal;
 	struct keep *keep; /* what is not saved, see keep.h; NULL: no matter */
 	struct undo *undo;
-	struct stand_in *stand_in; /* of the command under way, see variant.h;
-				    * or NULL */
-	struct script *script;     /* scripts being read, innermost first */
-	size_t scripts;            /* how many */
+	struct script *script;         /* scripts being read, innermost first */
+	size_t scripts;                /* how many */
 	struct invocation *invocation; /* commands under way, innermost first */
 	struct store *store; /* ":memory:" until another is put here */
 	bool wants_tui; /* the driver opens the full screen, then goes on */

@@ -15,7 +15,8 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/scenario.h"
+#include "cmd/ask/feed.h"
+#include "cmd/ask/question.h"
 #include "core/psd/blend.h"
 #include "io/sitefile/site_write.h"
 #include "io/sitefile/units.h"
@@ -122,7 +123,7 @@ mix(struct blend *b)
 	}
 	for (size_t i = 0; i < b->n; i++)
 		xlist(&b->words, " + ", "%.3g %% %s", 100 * share[i] / b->sum,
-		    variant_file(b->part[i].file));
+		    feed_file(b->part[i].file));
 	b->feed = blend_new(feed, share, b->n);
 	b->of = sources(b);
 	b->rock = rocks(b);
@@ -152,7 +153,7 @@ add_rows(struct answer *r, const struct blend *b, const struct psd *sieves,
 	answer_columns(r, "sieve_mm: sieve mm");
 	for (size_t i = 0; i < b->n; i++) {
 		char *key = xasprintf("feed_%zu_pct", i + 1);
-		char *head = xasprintf("%s %%", variant_file(b->part[i].file));
+		char *head = xasprintf("%s %%", feed_file(b->part[i].file));
 		answer_column(r, key, head);
 		free(key);
 		free(head);
@@ -211,8 +212,7 @@ note_finest(struct answer *r, const struct blend *b)
 		const struct psd *feed = b->part[i].feed;
 		double own = feed->size[feed->n - 1];
 		if (own == finest && feed->passing[feed->n - 1] > 0)
-			xlist(&unknown, ", ", "%s",
-			    variant_file(b->part[i].file));
+			xlist(&unknown, ", ", "%s", feed_file(b->part[i].file));
 	}
 	if (unknown[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
@@ -239,16 +239,16 @@ give_feed(struct session *s, const struct blend *b, const char *why_not)
 
 /* With the product of the site in use, which has the blend now. */
 static void
-give_product(struct session *s, const struct blend *b, double v)
+give_product(struct session *s, const struct question *q, const struct blend *b)
 {
-	const struct entry *entry = session_entry(s);
-	size_t run = site_run_at(entry->site, SITE_OTHER_FEED);
-	struct prediction p = outlook_predict(s, entry, v, run);
+	const struct entry *entry = q->entry;
+	double v = q->speed;
+	struct prediction p = outlook_predict(s, entry, v, q->feed);
 	struct answer *r = answers_new(
 	    entry->site, "blend", "product at %g m/s (%.0f J/kg)", v, p.energy);
 	add_rows(r, b, &p.product, &p);
 	put_parts(answer_fields(r), b);
-	answers_put_prediction(s, answer_fields(r), &entry->params, &p);
+	answers_put_prediction(s, answer_fields(r), entry, &entry->params, &p);
 	note_parts(r, b);
 	answers_note_sizes(r, &p);
 	if (p.low != NULL) {
@@ -259,7 +259,7 @@ give_product(struct session *s, const struct blend *b, double v)
 		    p.product.n, units_pct);
 		band_put(answer_fields(r), s, &p);
 	}
-	answers_note_doubt(s, r, v, run);
+	answers_note_doubt(s, r, q->entry, q->feed, v);
 	prediction_free(&p);
 	session_answer(s, r);
 }
@@ -276,15 +276,15 @@ give(struct session *s, const struct args *args, const struct blend *b)
 		give_feed(s, b, none.text);
 		return;
 	}
-	struct variant_wish wish = {.feed = &b->feed,
-	    .from = b->words,
-	    .words = b->words,
-	    .of = b->of,
-	    .rock = b->rock};
-	double v = answers_speed(args, session_entry(s));
-	variant_begin(s, &wish);
-	give_product(s, b, v);
-	variant_end(s);
+	const struct other_feed feed = {
+	    &b->feed, b->words, b->words, b->of, b->rock};
+	const struct scenario scenario = {
+	    .feed = &feed, .correction = s->set.correction};
+	struct question q;
+	question_make(s, session_entry(s), &scenario, &q);
+	q.speed = args_number(args, "speed", answers_usual(session_entry(s)));
+	give_product(s, &q, b);
+	question_free(s, &q);
 }
 
 /* As a sheet that load and feed= read, with what is known of the parts. */
