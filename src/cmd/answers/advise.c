@@ -281,19 +281,13 @@ advise(struct session *s, const struct entry *entry, struct wanted *w,
 	return session_answer(s, r);
 }
 
-static bool
-answer(struct session *s, const struct args *args, struct question *q,
+bool
+cmd_advise(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	struct wanted w = {.speed = q->speed, .feed = q->feed};
-	bool ok = answers_ready(s, error) && take_quantity(args, &w, error) &&
-		  advise(s, q->entry, &w, error);
+	bool ok =
+	    take_quantity(args, &w, error) && advise(s, q->entry, &w, error);
 	free(w.name);
 	return ok;
-}
-
-bool
-cmd_advise(struct session *s, const struct args *args, struct error *error)
-{
-	return question_run(s, args, answer, error);
 }

@@ -310,14 +310,12 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 	return r;
 }
 
-static bool
-card(struct session *s, const struct args *args, struct question *q,
+bool
+cmd_card(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	struct asked all = {.question = q};
 	size_t n;
-	if (!answers_ready(s, error))
-		return false;
 	double *speed = card_speeds(args, q->entry->site, &n);
 	bool ok = read_asked(s, &all, args, speed[n - 1], error);
 	if (ok && s->document != NULL)
@@ -327,10 +325,4 @@ card(struct session *s, const struct args *args, struct question *q,
 	free(speed);
 	asked_free(&all);
 	return ok;
-}
-
-bool
-cmd_card(struct session *s, const struct args *args, struct error *error)
-{
-	return question_run(s, args, card, error);
 }

@@ -83,16 +83,14 @@ figure_row(struct answer *r, struct fields *list, const struct session *s,
 	free(key);
 }
 
-static bool
-figures(struct session *s, const struct args *args, struct question *question,
-    struct error *error)
+bool
+cmd_figures(struct session *s, const struct args *args,
+    struct question *question, struct error *error)
 {
 	const struct entry *entry = question->entry;
 	double v = question->speed;
 	size_t n;
-	struct quantity *q = answers_ready(s, error)
-				 ? read_wanted(args, question, &n, error)
-				 : NULL;
+	struct quantity *q = read_wanted(args, question, &n, error);
 	if (q == NULL)
 		return false;
 	struct response *all =
@@ -115,10 +113,4 @@ figures(struct session *s, const struct args *args, struct question *question,
 	response_free(all);
 	free(q);
 	return session_answer(s, r);
-}
-
-bool
-cmd_figures(struct session *s, const struct args *args, struct error *error)
-{
-	return question_run(s, args, figures, error);
 }

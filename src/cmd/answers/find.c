@@ -647,21 +647,14 @@ find_goal(struct session *s, const struct args *args, struct goal *goal,
 	return ok;
 }
 
-static bool
-find(struct session *s, const struct args *args, struct question *q,
+bool
+cmd_find(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	struct goal goal = {.kind = GOAL_VALUE, .question = q};
-	if (!answers_ready(s, error) ||
-	    !conditions_speeds(args, q->entry->site, &goal.wanted.from,
+	if (!conditions_speeds(args, q->entry->site, &goal.wanted.from,
 		&goal.wanted.to, error))
 		return false;
 	return wishes_spec(s, args) ? answer_spec(s, args, &goal, error)
 				    : find_goal(s, args, &goal, error);
-}
-
-bool
-cmd_find(struct session *s, const struct args *args, struct error *error)
-{
-	return question_run(s, args, find, error);
 }

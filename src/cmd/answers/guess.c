@@ -418,8 +418,8 @@ give_guess(struct session *s, const struct site *site, const struct basis *b,
 	session_answer(s, r);
 }
 
-static bool
-guess_answer(struct session *s, const struct args *args, struct question *q,
+bool
+cmd_guess(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct site *site = q->entry->site;
@@ -436,10 +436,4 @@ guess_answer(struct session *s, const struct args *args, struct question *q,
 	}
 	basis_free(&b);
 	return ok;
-}
-
-bool
-cmd_guess(struct session *s, const struct args *args, struct error *error)
-{
-	return question_run(s, args, guess_answer, error);
 }

@@ -438,8 +438,8 @@ whole_for(const struct args *args, const struct screened *screened,
 	    "fraction\nleave out cut=, or write plot response");
 }
 
-static bool
-predict_answer(struct session *s, const struct args *args, struct question *q,
+bool
+cmd_predict(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct entry *entry = q->entry;
@@ -470,10 +470,4 @@ predict_answer(struct session *s, const struct args *args, struct question *q,
 	bool ok = (!picture && !curve) || draw_curves(s, q, &p, error);
 	prediction_free(&p);
 	return ok;
-}
-
-bool
-cmd_predict(struct session *s, const struct args *args, struct error *error)
-{
-	return question_run(s, args, predict_answer, error);
 }

@@ -419,8 +419,8 @@ ask_free(struct ask *ask)
 	free(ask->rate);
 }
 
-static bool
-report(struct session *s, const struct args *args, struct question *q,
+bool
+cmd_report(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	struct ask ask = {.q = q};
@@ -443,10 +443,4 @@ report(struct session *s, const struct args *args, struct question *q,
 	}
 	ask_free(&ask);
 	return ok;
-}
-
-bool
-cmd_report(struct session *s, const struct args *args, struct error *error)
-{
-	return question_run(s, args, report, error);
 }

@@ -127,16 +127,15 @@ sweep_answer(const struct session *s, const struct entry *entry,
 	return r;
 }
 
-static bool
-sweep(struct session *s, const struct args *args, struct question *q,
+bool
+cmd_sweep(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct entry *entry = q->entry;
 	const struct value *speeds = args_value(args, "speeds");
 	size_t n = speeds->n;
 	struct screened screened;
-	if (!answers_ready(s, error) ||
-	    !screened_read(&q->fraction, question_feed(q), &screened, error))
+	if (!screened_read(&q->fraction, question_feed(q), &screened, error))
 		return false;
 	double *usual = n == 0 ? answers_speeds(entry->site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : speeds->list;
@@ -153,10 +152,4 @@ sweep(struct session *s, const struct args *args, struct question *q,
 		prediction_free(&p[i]);
 	free(p);
 	return session_answer(s, r);
-}
-
-bool
-cmd_sweep(struct session *s, const struct args *args, struct error *error)
-{
-	return question_run(s, args, sweep, error);
 }

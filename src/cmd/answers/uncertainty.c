@@ -240,8 +240,8 @@ take_words(const struct args *args, struct question *q, bool *draws,
 	return true;
 }
 
-static bool
-uncertainty(struct session *s, const struct args *args, struct question *q,
+bool
+cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct entry *entry = q->entry;
@@ -249,8 +249,6 @@ uncertainty(struct session *s, const struct args *args, struct question *q,
 	if (!take_words(args, q, &draws, error))
 		return false;
 	take_settings(s, args);
-	if (!answers_ready(s, error))
-		return false;
 	struct prediction at = outlook_predict(s, entry, q->speed, q->feed);
 	if (at.low == NULL) {
 		prediction_free(&at);
@@ -265,10 +263,4 @@ uncertainty(struct session *s, const struct args *args, struct question *q,
 				: parts_answer(s, entry, p, &at));
 	prediction_free(&at);
 	return true;
-}
-
-bool
-cmd_uncertainty(struct session *s, const struct args *args, struct error *error)
-{
-	return question_run(s, args, uncertainty, error);
 }

@@ -258,12 +258,10 @@ say_data(const struct subject *a)
 	free(from);
 }
 
-static bool
-why(struct session *s, const struct args *args, struct question *q,
+bool
+cmd_why(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	if (!answers_ready(s, error))
-		return false;
 	if (args->n_operand > 0)
 		return balance_answer(s, args, q, error);
 	question_as_last(s, args, q);
@@ -287,10 +285,4 @@ why(struct session *s, const struct args *args, struct question *q,
 	feed_note(a.answer, entry->site, run);
 	prediction_free(&a.p);
 	return session_answer(s, a.answer);
-}
-
-bool
-cmd_why(struct session *s, const struct args *args, struct error *error)
-{
-	return question_run(s, args, why, error);
 }

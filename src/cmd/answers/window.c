@@ -213,15 +213,14 @@ note_picture(struct answer *r, const struct args *args)
 	free(limits);
 }
 
-static bool
-window(struct session *s, const struct args *args, struct question *q,
+bool
+cmd_window(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct entry *entry = q->entry;
 	struct asking a = {.q = q};
 	double from, to;
-	bool ok = answers_ready(s, error) &&
-		  conditions_speeds(args, entry->site, &from, &to, error) &&
+	bool ok = conditions_speeds(args, entry->site, &from, &to, error) &&
 		  read_conditions(s, args, &a, error);
 	if (ok) {
 		look(s, &a, from, to);
@@ -250,10 +249,4 @@ window(struct session *s, const struct args *args, struct question *q,
 	conditions_free(&a.list);
 	free(a.limits);
 	return ok;
-}
-
-bool
-cmd_window(struct session *s, const struct args *args, struct error *error)
-{
-	return question_run(s, args, window, error);
 }

@@ -302,12 +302,14 @@ question_read(struct session *s, const struct args *args, struct question *q,
 }
 
 bool
-question_run(struct session *s, const struct args *args,
-    question_answer *answer, struct error *error)
+question_run(struct session *s, const struct args *args, command_answer *answer,
+    struct error *error)
 {
-	struct question q;
-	bool ok =
-	    question_read(s, args, &q, error) && answer(s, args, &q, error);
+	struct question q = {.entry = NULL};
+	bool known = (args->command->flags & COMMAND_KNOWN) != 0;
+	bool ok = (!known || answers_ready(s, error)) &&
+		  question_read(s, args, &q, error) &&
+		  answer(s, args, &q, error);
 	question_free(s, &q);
 	return ok;
 }

@@ -57,10 +57,8 @@ bool question_too(struct session *s, const struct entry *loaded,
     struct error *error);
 
 /* Reads the question of a call, has it answered, and frees it. */
-typedef bool question_answer(
-    struct session *, const struct args *, struct question *, struct error *);
 bool question_run(struct session *s, const struct args *args,
-    question_answer *answer, struct error *error);
+    command_answer *answer, struct error *error);
 
 /* The question about a loaded site as it stands, with the mean of its feeds, or
  * as the scenario has it. */

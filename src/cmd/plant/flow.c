@@ -545,14 +545,13 @@ flow_at(const struct plant *p, double speed, struct error *error)
 	return ok;
 }
 
-static bool
-flow(struct session *s, const struct args *args, struct question *q,
+bool
+cmd_flow(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	bool best = args_value(args, "best")->choice == 1;
 	struct flow_plan plan;
-	if (!answers_ready(s, error) ||
-	    !flow_plan_read(s, args, q, &plan, error))
+	if (!flow_plan_read(s, args, q, &plan, error))
 		return false;
 	struct plant p = plant_new(s, &plan);
 	bool ok =
@@ -566,10 +565,4 @@ flow(struct session *s, const struct args *args, struct question *q,
 	plant_free(&p);
 	flow_plan_free(&plan);
 	return ok;
-}
-
-bool
-cmd_flow(struct session *s, const struct args *args, struct error *error)
-{
-	return question_run(s, args, flow, error);
 }

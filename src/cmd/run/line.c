@@ -14,6 +14,7 @@
 #include "cmd/lang/parse.h"
 #include "cmd/ask/moved.h"
 #include "cmd/ask/pin.h"
+#include "cmd/ask/question.h"
 #include "cmd/session/script.h"
 #include "cmd/session/turn.h"
 #include "cmd/session/undo.h"
@@ -86,7 +87,9 @@ run_words(struct session *s, const struct words *words, struct place place,
 		      session_need_site(s, command->name, error)) &&
 		  invocation_begin(s, &args, words, place, error);
 	if (ok) {
-		ok = command->run(s, &args, error);
+		ok = command->answer != NULL
+			 ? question_run(s, &args, command->answer, error)
+			 : command->run(s, &args, error);
 		invocation_ran(s);
 		if (!ok || invocation_over(s))
 			ok = invocation_end(s, ok, error);
