@@ -146,8 +146,8 @@ note_feed(struct answer *r, const struct session *s, const struct entry *entry,
 	for (size_t i = 0; i < site->n_run && site->individual_feeds; i++) {
 		if (!(site->run[i].speed > 0))
 			continue;
-		struct prediction p =
-		    predict(site, &entry->params, s->set.model, w->speed, i);
+		struct prediction p = predict(site, &entry->params,
+		    outlook_settings(s, entry), w->speed, i);
 		double value = value_of(&p.curve, w);
 		low = fmin(low, value);
 		high = fmax(high, value);

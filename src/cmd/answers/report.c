@@ -37,12 +37,12 @@ enum need {
 
 /* What is asked: a speed, m/s; the new feed, t/h, 0 where it is not given; and
  * as a line has them behind a blank, "" where there are none: the conditions,
- * each in quotes, the envelope, as an operand and as an option, what is
- * screened, and the new feed.  list: the conditions, the envelope's too;
- * wanted, found: where they hold, of a site with parameters. */
+ * each in quotes, the envelope, as an operand and as an option, what else the
+ * question has, what is screened, and the new feed.  list: the conditions, the
+ * envelope's too; wanted, found: where they hold, of a site with parameters. */
 struct ask {
 	double speed, tph;
-	char *conditions, *envelope, *spec, *cut, *rate;
+	char *conditions, *envelope, *spec, *asked, *cut, *rate;
 	const struct question *q;
 	struct condition_list list;
 	struct wanted wanted;
@@ -55,17 +55,17 @@ static const struct section {
 	const char *heading, *line;
 	enum need need;
 } SECTIONS[] = {
-    {N_("Product at SPEED m/s"), "predict SPEEDCUT", NEED_PARAMS},
-    {NULL, "plot psd speed=SPEED band=on", NEED_PARAMS},
-    {N_("How sure the answer is"), "why SPEED", NEED_PARAMS},
-    {NULL, "uncertainty speed=SPEED", NEED_FIT},
-    {NULL, "advise speed=SPEED", NEED_FIT},
-    {N_("Other speeds"), "sweepCUT", NEED_PARAMS},
-    {NULL, "plot sweep", NEED_PARAMS},
-    {N_("Window"), "windowCONDITIONSSPECCUT", NEED_CONDITIONS},
-    {N_("Grading envelope"), "specENVELOPE speed=SPEEDCUT", NEED_SPEC},
-    {N_("Flow"), "flowRATE speed=SPEED", NEED_TPH},
-    {N_("Card"), "cardCONDITIONSRATESPECCUT", NEED_PARAMS},
+    {N_("Product at SPEED m/s"), "predict SPEEDASKEDCUT", NEED_PARAMS},
+    {NULL, "plot psd speed=SPEED band=onASKED", NEED_PARAMS},
+    {N_("How sure the answer is"), "why SPEEDASKED", NEED_PARAMS},
+    {NULL, "uncertainty speed=SPEEDASKED", NEED_FIT},
+    {NULL, "advise speed=SPEEDASKED", NEED_FIT},
+    {N_("Other speeds"), "sweepASKEDCUT", NEED_PARAMS},
+    {NULL, "plot sweepASKED", NEED_PARAMS},
+    {N_("Window"), "windowCONDITIONSSPECASKEDCUT", NEED_CONDITIONS},
+    {N_("Grading envelope"), "specENVELOPE speed=SPEEDASKEDCUT", NEED_SPEC},
+    {N_("Flow"), "flowRATE speed=SPEEDASKED", NEED_TPH},
+    {N_("Card"), "cardCONDITIONSRATESPECASKEDCUT", NEED_PARAMS},
     {N_("Validation"), "validate", NEED_PARAMS},
     {N_("Routine cuts"), "drift", NEED_CUTS},
     {NULL, "plot drift", NEED_CUTS},
@@ -130,8 +130,8 @@ filled(const char *words, const struct ask *ask)
 		const char *word, *value;
 	} with[] = {{"SPEED", text_exact(ask->speed, speed)},
 	    {"SPEC", ask->spec}, {"CONDITIONS", ask->conditions},
-	    {"ENVELOPE", ask->envelope}, {"CUT", ask->cut},
-	    {"RATE", ask->rate}};
+	    {"ENVELOPE", ask->envelope}, {"ASKED", ask->asked},
+	    {"CUT", ask->cut}, {"RATE", ask->rate}};
 	while (*words != '\0') {
 		size_t i = 0;
 		while (i < ARRAY_LEN(with) &&
@@ -302,8 +302,9 @@ put_script(struct session *s, const struct ask *ask)
 	fprintf(out, "# A session of tipspeed %s, written by 'report'.\n",
 	    PACKAGE_VERSION);
 	journal_put(s, out);
-	fprintf(out, "report%s speed=%s%s%s%s > \"", ask->conditions,
-	    text_exact(ask->speed, number), ask->rate, ask->spec, ask->cut);
+	fprintf(out, "report%s speed=%s%s%s%s%s > \"", ask->conditions,
+	    text_exact(ask->speed, number), ask->rate, ask->spec, ask->asked,
+	    ask->cut);
 	for (const char *p = s->file; *p != '\0'; p++)
 		fprintf(out, *p == '"' ? "\"\"" : "%c", *p);
 	fputs("\"\n", out);
@@ -312,10 +313,11 @@ put_script(struct session *s, const struct ask *ask)
 static void
 compose(struct session *s, const struct ask *ask)
 {
-	char *label = session_label(session_entry(s)->site);
+	const struct site *site = ask->q->entry->site;
+	char *label = session_label(site);
 	char *title = xasprintf(tr("Report: %s"), label);
 	document_title(s->document, title);
-	put_data(s->document, session_entry(s)->site);
+	put_data(s->document, site);
 	put_conditions(s, ask);
 	if (is_met(s, ask, NEED_PARAMS))
 		put_light(s, ask);
@@ -337,10 +339,27 @@ add_quoted(char **text, const char *name, const char *words)
 	xappend(text, "\"");
 }
 
+/* " cut=\"0/4\"", of those that are given; the caller frees. */
+static char *
+options_words(const struct args *args, const char *const *name, size_t n)
+{
+	char *words = xstrdup("");
+	for (size_t i = 0; i < n; i++) {
+		const struct value *value = args_value(args, name[i]);
+		char *key = xasprintf("%s=", name[i]);
+		if (value->given)
+			add_quoted(&words, key, value->text);
+		free(key);
+	}
+	return words;
+}
+
 static void
 take_words(const struct args *args, struct ask *ask)
 {
 	static const char *const CUT[] = {"cut", "sharpness", "cut_size"};
+	static const char *const ASKED[] = {
+	    "feed", "rotor_mm", "cascade", "k", "correction"};
 	const struct value *tph = args_value(args, "tph"),
 			   *spec = args_value(args, "spec");
 	char number[32];
@@ -353,12 +372,8 @@ take_words(const struct args *args, struct ask *ask)
 		add_quoted(&ask->envelope, "", spec->text);
 		add_quoted(&ask->spec, "spec=", spec->text);
 	}
-	ask->cut = xstrdup("");
-	for (size_t i = 0; i < ARRAY_LEN(CUT); i++) {
-		const struct value *value = args_value(args, CUT[i]);
-		if (value->given)
-			xappend(&ask->cut, " %s=%s", CUT[i], value->text);
-	}
+	ask->cut = options_words(args, CUT, ARRAY_LEN(CUT));
+	ask->asked = options_words(args, ASKED, ARRAY_LEN(ASKED));
 	ask->tph = tph->given ? tph->number : 0;
 	ask->rate = tph->given
 			? xasprintf(" tph=%s", text_exact(tph->number, number))
@@ -415,6 +430,7 @@ ask_free(struct ask *ask)
 	free(ask->conditions);
 	free(ask->envelope);
 	free(ask->spec);
+	free(ask->asked);
 	free(ask->cut);
 	free(ask->rate);
 }

@@ -16,15 +16,13 @@
 	}
 
 static const struct command_option PREDICT_OPTIONS[] = {SPEED_OPTION,
-    TABLE_TURNS, TABLE_FEED, TABLE_MACHINE,
+    TABLE_TURNS, TABLE_QUESTION,
     {"curve", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"draw feed, measured and predicted as text"},
     {"interpolated", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"add the measured products interpolated at this speed"},
     {"band", VALUE_CHOICE, "", 0, 0, "off on", "on",
 	"show the uncertainty band of a calibrated product"},
-    {"correction", VALUE_CHOICE, "", 0, 0, "all train off", "all",
-	"runs that correct the model, for this prediction; default: as set"},
     {"detail", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"on: show the model alone, specific energy and break size too"},
     TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
@@ -43,13 +41,13 @@ static const struct command_option REPORT_OPTIONS[] = {
 	"new feed, for a section with its flow"},
     {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
 	"grading envelope: a name of 'spec list', or a file"},
-    TABLE_CUT, {.name = NULL}};
+    TABLE_TURNS, TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option SWEEP_OPTIONS[] = {
     {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",
 	"rotor tip speeds; default 65..85:5, extended or moved to cover the "
 	"runs"},
-    TABLE_FEED, TABLE_MACHINE, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
+    TABLE_QUESTION, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
 
 /* A crusher with its screens, of flow and card, see flow_plan_read. */
 #define FLOW_PARTS                                                          \
@@ -80,12 +78,12 @@ static const struct command_option CARD_OPTIONS[] = {
     FLOW_PARTS,
     {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
 	"grading envelope: a name of 'spec list', or a file"},
-    TABLE_FEED, TABLE_MACHINE, TABLE_CUT, {.name = NULL}};
+    TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option COMPARE_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"speed for two sites; default: a held-out speed, else 74"},
-    TABLE_FEED, TABLE_MACHINE, TABLE_SIEVES, {.name = NULL}};
+    TABLE_QUESTION, TABLE_SIEVES, {.name = NULL}};
 
 static const struct command_option PIN_OPTIONS[] = {LAST_SPEED_OPTION,
     {"feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
@@ -104,24 +102,24 @@ static const struct command_option FIND_OPTIONS[] = {
 	"slowest speed; default 65, or less to cover the runs"},
     {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"fastest speed; default 85, or more to cover the runs"},
-    TABLE_FEED, TABLE_MACHINE, TABLE_CUT, {.name = NULL}};
+    TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option FIGURES_OPTIONS[] = {SPEED_OPTION,
     TABLE_TURNS,
     {"of", VALUE_TEXT, "", 0, 0, NULL, "",
 	"figures, with commas between: P80, passing 2, fm EN, 0/4, P50 of 0/4"},
-    TABLE_FEED, TABLE_MACHINE, TABLE_CUT, {.name = NULL}};
+    TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option FLOW_OPTIONS[] = {
     {"tph", VALUE_NUMBER, "t/h", 1e-3, 1e5, NULL, "", "new feed"}, SPEED_OPTION,
-    FLOW_PARTS, TABLE_SCREENS, TABLE_MACHINE, TABLE_TURNS,
+    FLOW_PARTS, TABLE_SCREENS, TABLE_TURNS,
     {"best", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"find the speed that earns most"},
     {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"slowest speed of best=on; default 65, or less to cover the runs"},
     {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"fastest speed of best=on; default 85, or more to cover the runs"},
-    TABLE_FEED, {.name = NULL}};
+    TABLE_QUESTION, {.name = NULL}};
 
 static const struct command_option WINDOW_OPTIONS[] = {
     {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
@@ -130,16 +128,17 @@ static const struct command_option WINDOW_OPTIONS[] = {
 	"slowest speed; default 65, or less to cover the runs"},
     {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"fastest speed; default 85, or more to cover the runs"},
-    TABLE_CUT, TABLE_FEED, {.name = NULL}};
+    TABLE_CUT, TABLE_QUESTION, {.name = NULL}};
 
 static const struct command_option UNCERTAINTY_OPTIONS[] = {SPEED_OPTION,
+    TABLE_TURNS,
     {"level", VALUE_CHOICE, "%", 0, 0, "80 90", "80",
 	"probability of the bands; 'set level' sets it too"},
     {"noise", VALUE_NUMBER, "points", 0, 10, NULL, "0",
 	"known standard deviation of a single passing around 50 %; 0: as the "
 	"data show it"},
     {"n", VALUE_WHOLE, "", 1, 256, NULL, "200", "how many draws to write"},
-    TABLE_FEED, TABLE_SIEVES, {.name = NULL}};
+    TABLE_QUESTION, TABLE_SIEVES, {.name = NULL}};
 
 static const struct command_option VALIDATE_OPTIONS[] = {
     {"holdout", VALUE_CHOICE, "", 0, 0, "untrained each", "untrained",
@@ -157,15 +156,15 @@ static const struct command_option DRIFT_OPTIONS[] = {
 	"limit of the CUSUM: higher signals later and less often by chance"},
     {.name = NULL}};
 
-static const struct command_option SPEC_OPTIONS[] = {SPEED_OPTION, TABLE_TURNS,
-    TABLE_FEED, TABLE_MACHINE, TABLE_CUT, {.name = NULL}};
+static const struct command_option SPEC_OPTIONS[] = {
+    SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 /* Of why. */
 static const struct command_option AT_SPEED_OPTIONS[] = {
-    LAST_SPEED_OPTION, TABLE_TURNS, TABLE_FEED, TABLE_MACHINE, {.name = NULL}};
+    LAST_SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, {.name = NULL}};
 
 static const struct command_option ADVISE_OPTIONS[] = {
-    SPEED_OPTION, TABLE_FEED, {.name = NULL}};
+    SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, {.name = NULL}};
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",

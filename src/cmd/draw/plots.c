@@ -769,19 +769,21 @@ sample(double low, double high, size_t i)
 
 static void
 add_selection(struct chart *chart, const struct session *s,
-    const struct params *params, double speed, struct chart_series look)
+    const struct entry *entry, const struct params *params, double speed,
+    struct chart_series look)
 {
+	struct model_settings settings = outlook_settings(s, entry);
 	struct chart_series *series =
 	    chart_add(chart, look, SAMPLES, "%g m/s", speed);
 	struct breaker b;
-	breaker_set(&b, params, &s->set.model);
+	breaker_set(&b, params, &settings);
 	breaker_at(&b, speed);
 	for (size_t i = 0; i < SAMPLES; i++) {
 		series->x[i] = sample(chart->x.low, chart->x.high, i);
 		series->y[i] = 100 * b.model->selection(
 					 &b, el_log(series->x[i] / 1000), NULL);
 	}
-	double mm = 1000 * params_break_size_by(params, &s->set.model, speed);
+	double mm = 1000 * params_break_size_by(params, &settings, speed);
 	chart_add_rule(chart,
 	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm,
 	    "break size %.2f mm at %g m/s", mm, speed);
@@ -804,11 +806,11 @@ selection_chart(
 	    "selection function (Eq 3)");
 	free_curves(&c);
 	if (!isnan(q->other_speed))
-		add_selection(chart, s, &params, q->other_speed,
+		add_selection(chart, s, q->entry, &params, q->other_speed,
 		    (struct chart_series){.series = SERIES_OTHER,
 			.line = CHART_LONG,
 			.ascii = '%'});
-	add_selection(chart, s, &params, speed, PREDICTED);
+	add_selection(chart, s, q->entry, &params, speed, PREDICTED);
 	return chart;
 }
 

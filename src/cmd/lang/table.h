@@ -30,23 +30,28 @@ command_run cmd_drill, cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
 		    "those sampled"                                      \
 	}
 
-/* What another machine does otherwise, see cmd/ask/question.h. */
-#define TABLE_MACHINE                                                     \
-	{"cascade", VALUE_NUMBER, "%", 0, 90, NULL, "",                   \
-	    "share of the feed led past the rotor, beside what the "      \
-	    "measured runs had"},                                         \
-	{                                                                 \
-		"k", VALUE_NUMBER, "", 0.01, 100, NULL, "",               \
-		    "impacts of a particle; default: as set, see 'set k'" \
+/* What all questions may be asked with: another feed or machine, and the runs
+ * that inform the answer, see cmd/ask/question.h. */
+#define TABLE_QUESTION                                                     \
+	TABLE_FEED,                                                        \
+	    {"rotor_mm", VALUE_NUMBER, "mm", 100, 5000, NULL, "",          \
+		"diameter of the rotor; default: that of the site"},       \
+	    {"cascade", VALUE_NUMBER, "%", 0, 90, NULL, "",                \
+		"share of the feed led past the rotor, beside what the "   \
+		"measured runs had"},                                      \
+	    {"k", VALUE_NUMBER, "", 0.01, 100, NULL, "",                   \
+		"impacts of a particle; default: as set, see 'set k'"},    \
+	{                                                                  \
+		"correction", VALUE_CHOICE, "", 0, 0, "all train off", "", \
+		    "runs that correct the model, for this answer; "       \
+		    "default: as set"                                      \
 	}
 
 /* A speed by the rotor's turns. */
 #define TABLE_TURNS                                                    \
-	{"rpm", VALUE_NUMBER, "rpm", 1, 20000, NULL, "",               \
-	    "turns of the rotor a minute, in place of a speed"},       \
 	{                                                              \
-		"rotor_mm", VALUE_NUMBER, "mm", 100, 5000, NULL, "",   \
-		    "diameter of the rotor; default: that of the site" \
+		"rpm", VALUE_NUMBER, "rpm", 1, 20000, NULL, "",        \
+		    "turns of the rotor a minute, in place of a speed" \
 	}
 
 /* Sieves of one's own choice, see cmd/ask/question.h. */
