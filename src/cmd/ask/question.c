@@ -10,10 +10,10 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/blended.h"
 #include "cmd/ask/feed.h"
 #include "cmd/ask/moved.h"
 #include "cmd/ask/quantity_words.h"
-#include "cmd/sheets/load.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/units.h"
 
@@ -98,8 +98,7 @@ question_make(const struct session *s, const struct entry *loaded,
 struct named {
 	struct scenario scenario;
 	struct other_feed feed;
-	struct site *sheet;
-	char *words;
+	struct blended blend;
 	double *sieve, speed;
 };
 
@@ -108,8 +107,7 @@ named_free(struct named *r)
 {
 	if (r == NULL)
 		return;
-	site_free(r->sheet);
-	free(r->words);
+	blended_clear(&r->blend);
 	free(r->sieve);
 	free(r);
 }
@@ -178,22 +176,21 @@ read_speed(const struct args *args, const struct site *site, struct named *r,
 		   name, r->speed, w->rpm, units_mm(diameter));
 }
 
-/* The sheet that the option feed names, where it names one. */
+/* The sheets that the option feed names, where it names any. */
 static bool
 read_feed(struct session *s, const struct args *args, struct named *r,
     struct error *error)
 {
 	const struct value *feed = given(args, "feed");
-	size_t i = command_option_index(args->command, "feed"), run;
+	size_t i = command_option_index(args->command, "feed");
+	struct blended *b = &r->blend;
 	if (feed == NULL ||
 	    !value_is_file(command_option_at(args->command, i), feed))
 		return true;
-	r->sheet = load_feed(s, feed->text, &run, error);
-	if (r->sheet == NULL)
+	if (!blended_read(s, feed->text, b, error))
 		return false;
-	r->words = xasprintf(tr("feed %s"), feed_file(feed->text));
-	r->feed = (struct other_feed){&r->sheet->run[run].feed, feed->text,
-	    r->words, r->sheet->provenance, r->sheet->rock};
+	r->feed = (struct other_feed){&b->feed,
+	    b->n == 1 ? feed->text : b->words, b->words, b->of, b->rock};
 	r->scenario.feed = &r->feed;
 	return true;
 }

@@ -26,8 +26,9 @@ command_run cmd_drill, cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
 	{                                                                \
 		"feed", VALUE_FEED, "m/s", 1, 200, NULL, "",             \
 		    "take the feed sampled at this speed, or that of a " \
-		    "sheet, FILE or FILE@SPEED; default: the mean of "   \
-		    "those sampled"                                      \
+		    "sheet, FILE or FILE@SPEED, or a blend such as "     \
+		    "a.csv*0.6+b.csv*0.4; default: the mean of those "   \
+		    "sampled"                                            \
 	}
 
 /* What all questions may be asked with: another feed or machine, and the runs
