@@ -139,7 +139,7 @@ blended_read(
 {
 	double share, sum = 0;
 	size_t length;
-	*b = (struct blended){0};
+	*b = (struct blended){.text = xstrdup(text)};
 	value_feed(text, &length, &share);
 	if (isnan(share))
 		return read_one(s, text, b, error);
@@ -169,7 +169,31 @@ blended_clear(struct blended *b)
 	}
 	free(b->part);
 	psd_free(&b->feed);
+	free(b->text);
 	free(b->words);
 	free(b->of);
 	free(b->rock);
+}
+
+void
+blended_free(struct blended *b)
+{
+	if (b == NULL)
+		return;
+	blended_clear(b);
+	free(b);
+}
+
+const struct blended *
+blended_set(struct session *s, const char *text, struct error *error)
+{
+	if (s->fed != NULL && strcmp(s->fed->text, text) == 0)
+		return s->fed;
+	struct blended *b = xcalloc(1, sizeof *b);
+	if (!blended_read(s, text, b, error)) {
+		blended_free(b);
+		return NULL;
+	}
+	blended_free(s->fed);
+	return s->fed = b;
 }

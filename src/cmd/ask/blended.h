@@ -13,14 +13,15 @@ struct blend_part {
 	double share;
 };
 
-/* All of them [n], and what they make.  words: "60 % a.csv + 40 % b.csv"; of:
- * what the sheets say of their data; rock: "Granite and Gneiss", or "". */
+/* All of them [n], and what they make.  text: as they were named; words:
+ * "60 % a.csv + 40 % b.csv"; of: what the sheets say of their data; rock:
+ * "Granite and Gneiss", or "". */
 struct blended {
 	size_t n;
 	struct blend_part *part;
 	double sum;
 	struct psd feed;
-	char *words, *of, *rock;
+	char *text, *words, *of, *rock;
 };
 
 /* Adds the feed that load_feed reads of FILE or FILE@SPEED. */
@@ -35,5 +36,10 @@ void blended_mix(struct blended *b);
 bool blended_read(struct session *s, const char *text, struct blended *b,
     struct error *error);
 void blended_clear(struct blended *b);
+
+/* The same of what is set, which the session keeps; NULL with an error. */
+const struct blended *blended_set(
+    struct session *s, const char *text, struct error *error);
+void blended_free(struct blended *b);
 
 #endif

@@ -14,6 +14,7 @@
 #include "cmd/ask/feed.h"
 #include "cmd/ask/moved.h"
 #include "cmd/ask/quantity_words.h"
+#include "cmd/lang/parse.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/units.h"
 
@@ -176,21 +177,45 @@ read_speed(const struct args *args, const struct site *site, struct named *r,
 		   name, r->speed, w->rpm, units_mm(diameter));
 }
 
-/* The sheets that the option feed names, where it names any. */
+/* What the option feed names, or the setting does where it is not given; NULL
+ * of a command that has no such option. */
+static const char *
+feed_asked(
+    const struct session *s, const struct args *args, struct value *value)
+{
+	const struct value *feed = given(args, "feed");
+	size_t i = command_option_index(args->command, "feed");
+	struct error none = {0};
+	if (i == OPTIONS)
+		return NULL;
+	const struct command_option *option =
+	    command_option_at(args->command, i);
+	*value = (struct value){.given = true};
+	value_take(
+	    option, feed != NULL ? feed->text : s->set.feed, value, &none);
+	return value->text;
+}
+
+/* The sheets that are named, where any are. */
 static bool
 read_feed(struct session *s, const struct args *args, struct named *r,
     struct error *error)
 {
-	const struct value *feed = given(args, "feed");
+	struct value feed;
+	const char *text = feed_asked(s, args, &feed);
 	size_t i = command_option_index(args->command, "feed");
-	struct blended *b = &r->blend;
-	if (feed == NULL ||
-	    !value_is_file(command_option_at(args->command, i), feed))
+	const struct blended *b = &r->blend;
+	if (text == NULL ||
+	    !value_is_file(command_option_at(args->command, i), &feed))
 		return true;
-	if (!blended_read(s, feed->text, b, error))
+	if (given(args, "feed") == NULL)
+		b = blended_set(s, text, error);
+	else if (!blended_read(s, text, &r->blend, error))
 		return false;
-	r->feed = (struct other_feed){&b->feed,
-	    b->n == 1 ? feed->text : b->words, b->words, b->of, b->rock};
+	if (b == NULL)
+		return false;
+	r->feed = (struct other_feed){
+	    &b->feed, b->n == 1 ? text : b->words, b->words, b->of, b->rock};
 	r->scenario.feed = &r->feed;
 	return true;
 }
@@ -221,17 +246,18 @@ read_sieves(const struct args *args, const struct site *site, struct named *r,
 
 /* The run of the site whose feed is named by its speed. */
 static bool
-choose_feed(const struct args *args, struct question *q, struct error *error)
+choose_feed(const struct session *s, const struct args *args,
+    struct question *q, struct error *error)
 {
-	const struct value *feed = given(args, "feed");
+	struct value feed;
 	const struct site *site = q->entry->site;
-	if (feed == NULL || q->variant.feed)
+	if (feed_asked(s, args, &feed) == NULL || !(feed.number > 0))
 		return true;
-	q->feed = site_run_at(site, feed->number);
+	q->feed = site_run_at(site, feed.number);
 	return q->feed < site->n_run || error_set(error, ERROR_USAGE,
 					    "%s has no feed sampled at %g m/s\n"
 					    "run 'show feed' for its feeds",
-					    site->name, feed->number);
+					    site->name, feed.number);
 }
 
 /* cut=off is the whole product, as it is where an envelope is for a fraction;
@@ -260,7 +286,8 @@ settle(const struct session *s, const struct entry *loaded,
 	q->named = own;
 	q->speed_given = r->speed > 0;
 	q->speed = q->speed_given ? r->speed : answers_usual(loaded);
-	return choose_feed(args, q, error) && read_fraction(s, args, q, error);
+	return choose_feed(s, args, q, error) &&
+	       read_fraction(s, args, q, error);
 }
 
 bool
@@ -321,7 +348,7 @@ question_as_last(
 	if (q->speed_given || isnan(last))
 		return;
 	q->speed = last;
-	if (given(args, "feed") == NULL && isfinite(fed) &&
+	if (given(args, "feed") == NULL && !q->variant.feed && isfinite(fed) &&
 	    site_run_at(site, fed) < site->n_run)
 		q->feed = site_run_at(site, fed);
 }

@@ -22,13 +22,13 @@ command_run cmd_drill, cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
     cmd_man, cmd_version, cmd_tui, cmd_quit;
 
 /* An option of commands that predict, see question_read. */
-#define TABLE_FEED                                                       \
-	{                                                                \
-		"feed", VALUE_FEED, "m/s", 1, 200, NULL, "",             \
-		    "take the feed sampled at this speed, or that of a " \
-		    "sheet, FILE or FILE@SPEED, or a blend such as "     \
-		    "a.csv*0.6+b.csv*0.4; default: the mean of those "   \
-		    "sampled"                                            \
+#define TABLE_FEED                                                        \
+	{                                                                 \
+		"feed", VALUE_FEED, "m/s", 1, 200, NULL, "",              \
+		    "take the feed sampled at this speed, or that of a "  \
+		    "sheet, FILE or FILE@SPEED, or a blend such as "      \
+		    "a.csv*0.6+b.csv*0.4, or the mean of those sampled; " \
+		    "default: as set, the mean"                           \
 	}
 
 /* What all questions may be asked with: another feed or machine, and the runs

@@ -12,6 +12,7 @@
 #include "cmd/session/journal.h"
 #include "cmd/session/autosave.h"
 #include "cmd/lang/parse.h"
+#include "cmd/ask/blended.h"
 #include "cmd/ask/moved.h"
 #include "cmd/ask/pin.h"
 #include "cmd/ask/question.h"
@@ -47,6 +48,7 @@ session_free(struct session *s)
 	session_settle(s, false, &stopped);
 	keep_end(s);
 	moved_free(s->moved);
+	blended_free(s->fed);
 	entries_free(s->entry, s->n_entry);
 	for (size_t i = 0; i < s->n_site; i++)
 		site_free(s->site[i]);

@@ -220,11 +220,18 @@ given_by(const struct args *args, const char *word, bool *file)
 	return NULL;
 }
 
-/* Whether a word is an operand of the call that is a path. */
+/* Whether a word is an operand of the call that is a path, or the value of a
+ * setting that is. */
 static bool
 is_path(const struct args *args, const char *word)
 {
-	size_t i = 0, which;
+	const struct command_option *o;
+	size_t i, which;
+	for (i = 0; (o = command_option_at(args->command, i)) != NULL; i++)
+		if (args->value[i].text == word &&
+		    value_is_file(o, &args->value[i]))
+			return true;
+	i = 0;
 	while (i < args->n_operand && args->operand[i] != word)
 		i++;
 	if (i == args->n_operand)

@@ -55,6 +55,7 @@ struct drill;
 struct spec;
 struct energies;
 struct pin;
+struct blended;
 struct journal;
 struct keep;
 struct script;
@@ -93,8 +94,9 @@ struct session {
 	struct drill **drills;   /* every state there was of any */
 	const struct spec *spec; /* envelope chosen, or NULL */
 	size_t n_spec;
-	struct spec **specs;   /* every one there was */
-	struct moved *moved;   /* see moved.h */
+	struct spec **specs; /* every one there was */
+	struct moved *moved; /* see moved.h */
+	struct blended *fed; /* sheets of 'set feed', see blended.h, or NULL */
 	const struct pin *pin; /* see pin.h, or NULL */
 	size_t n_pin;
 	struct pin **pins;             /* every one there was */
