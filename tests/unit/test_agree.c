@@ -252,6 +252,13 @@ ask_others(struct desk *desk, const struct question *q, size_t i)
 	    q->v + 1e-9, q->with);
 	same(q, "window", "passing", said(desk, NULL, 0, "value"),
 	    q->product.passing[i]);
+	char column[40];
+	snprintf(column, sizeof column, "passing_pct@%g", mm);
+	ask(desk, "predict %.17g cut=0/8%s", q->v, q->with);
+	double part = said(desk, "sieve_mm", mm, "passing_pct");
+	ask(desk, "compare %.17g 77 cut=0/8%s", q->v, q->with);
+	same(q, "compare", "passing of a fraction",
+	    said_of(desk, "quantity", column, "a"), part);
 	if (isnan(q->low[i]))
 		return;
 	ask(desk, "uncertainty %.17g%s", q->v, q->with);

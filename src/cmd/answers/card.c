@@ -11,6 +11,7 @@
 #include "cmd/ask/condition.h"
 #include "cmd/document/document.h"
 #include "cmd/ask/trust_light.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
@@ -24,7 +25,7 @@ struct asked {
 	const struct question *question;
 	size_t n;
 	struct quantity *q;
-	struct response *response;
+	struct forecast *forecast;
 	struct condition_list list; /* limits of the product, or none */
 	char *limits; /* where those of an envelope are from, or NULL */
 	struct wanted wanted;
@@ -78,7 +79,7 @@ asked_free(struct asked *all)
 	free(all->limits);
 	conditions_free(&all->list);
 	response_free(all->wanted.response);
-	response_free(all->response);
+	forecast_close(all->forecast);
 }
 
 /* Tonnes are wanted where there is a feed or a circuit. */
@@ -128,8 +129,7 @@ read_asked(struct session *s, struct asked *all, const struct args *args,
 		  read_flow(s, all, args, error);
 	if (!ok)
 		return false;
-	all->response =
-	    outlook_response(s, entry, &entry->params, run, all->q, all->n);
+	all->forecast = forecast_open(s, all->question, all->q, all->n);
 	if (all->list.n > 0)
 		all->wanted = conditions_ask(s, entry, run, &all->list, NULL);
 	all->flows = all->plan.circuit != NULL;
@@ -220,9 +220,9 @@ add_row(struct answer *r, struct session *s, struct asked *all, double v,
 {
 	enum { P80 = 2 };
 	const struct entry *entry = all->question->entry;
-	double rotor = entry->site->rotor, range[2];
-	response_at(all->response, v);
-	response_band(all->response, P80, settings_level(&s->set), range);
+	double rotor = entry->site->rotor;
+	forecast_at(all->forecast, v);
+	struct figure p80 = forecast_figure(all->forecast, P80);
 	struct prediction p = outlook_predict(s, entry, v, all->question->feed);
 	struct trust light = light_of(s, entry, &p);
 	answer_cells(r, "%g", v);
@@ -230,11 +230,11 @@ add_row(struct answer *r, struct session *s, struct asked *all, double v,
 		answer_cells(r, "%.0f", units_rpm(v, rotor));
 	for (size_t i = 0; i < all->n; i++) {
 		double value = quantities_shown(
-		    &all->q[i], response_value(all->response, i));
+		    &all->q[i], forecast_figure(all->forecast, i).value);
 		bool one = quantities_decimals(&all->q[i]) == 1;
 		answer_cells(r, one ? "%.1f" : "%.2f", value);
 	}
-	answer_cells(r, "%.2f %.2f", 1000 * range[0], 1000 * range[1]);
+	answer_cells(r, "%.2f %.2f", 1000 * p80.low, 1000 * p80.high);
 	if (all->flows)
 		add_flow(r, all, v);
 	if (all->list.n > 0)
@@ -302,7 +302,7 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 		add_row(r, s, all, speed[i], &light);
 	note_limits(r, all);
 	note_flow(r, all);
-	if (response_draws(all->response, 0) != NULL)
+	if (forecast_draws(all->forecast, 0) != NULL)
 		band_note(r, s, entry, true);
 	origin_note(r, entry);
 	feed_note(r, entry->site, all->question->feed);

@@ -5,7 +5,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/band.h"
-#include "cmd/ask/outlook.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
 
@@ -51,34 +51,32 @@ read_wanted(const struct args *args, const struct question *question, size_t *n,
 }
 
 static void
-put_figure(struct fields *list, const struct quantity *q, double value,
-    const double range[2])
+put_figure(
+    struct fields *list, const struct quantity *q, const struct figure *f)
 {
 	struct fields *o = fields_object(list, NULL);
 	char *key = quantities_key(q);
 	fields_put(o, "quantity %s value %g unit %s low %g high %g", key,
-	    quantities_shown(q, value), quantities_unit(q),
-	    quantities_shown(q, range[0]), quantities_shown(q, range[1]));
+	    quantities_shown(q, f->value), quantities_unit(q),
+	    quantities_shown(q, f->low), quantities_shown(q, f->high));
 	free(key);
 }
 
 static void
-figure_row(struct answer *r, struct fields *list, const struct session *s,
-    struct response *all, size_t i, const struct quantity *q)
+figure_row(struct answer *r, struct fields *list, struct forecast *all,
+    size_t i, const struct quantity *q)
 {
-	double value = response_value(all, i), range[2],
-	       model = response_model(all, i);
+	struct figure f = forecast_figure(all, i);
 	bool whole = quantities_decimals(q) == 1;
 	char *words = quantities_words(q), *key = quantities_key(q);
-	response_band(all, i, settings_level(&s->set), range);
 	answer_name(r, key, words);
-	answer_cells(r, whole ? "%.1f" : "%.2f", quantities_shown(q, value));
+	answer_cells(r, whole ? "%.1f" : "%.2f", quantities_shown(q, f.value));
 	answer_text(r, "%s", quantities_unit(q));
-	if (response_draws(all, i) != NULL)
+	if (forecast_draws(all, i) != NULL)
 		answer_cells(r, whole ? "%.1f %.1f %.1f" : "%.2f %.2f %.2f",
-		    quantities_shown(q, range[0]),
-		    quantities_shown(q, range[1]), quantities_shown(q, model));
-	put_figure(list, q, value, range);
+		    quantities_shown(q, f.low), quantities_shown(q, f.high),
+		    quantities_shown(q, forecast_model(all, i)));
+	put_figure(list, q, &f);
 	free(words);
 	free(key);
 }
@@ -93,10 +91,9 @@ cmd_figures(struct session *s, const struct args *args,
 	struct quantity *q = read_wanted(args, question, &n, error);
 	if (q == NULL)
 		return false;
-	struct response *all =
-	    outlook_response(s, entry, &entry->params, question->feed, q, n);
-	response_at(all, v);
-	bool band = n > 0 && response_draws(all, 0) != NULL;
+	struct forecast *all = forecast_open(s, question, q, n);
+	forecast_at(all, v);
+	bool band = n > 0 && forecast_draws(all, 0) != NULL;
 	struct answer *r = answers_new(
 	    entry->site, "figures", "figures of the product at %g m/s", v);
 	answer_columns(r, "quantity: figure, value, unit");
@@ -106,11 +103,11 @@ cmd_figures(struct session *s, const struct args *args,
 	    answers_extrapolates(entry, v));
 	struct fields *list = fields_list(answer_fields(r), "figures");
 	for (size_t i = 0; i < n; i++)
-		figure_row(r, list, s, all, i, &q[i]);
+		figure_row(r, list, all, i, &q[i]);
 	if (band)
 		band_note(r, s, entry, true);
 	answers_note_doubt(s, r, question->entry, question->feed, v);
-	response_free(all);
+	forecast_close(all);
 	free(q);
 	return session_answer(s, r);
 }

@@ -83,7 +83,7 @@ static const struct command_option CARD_OPTIONS[] = {
 static const struct command_option COMPARE_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"speed for two sites; default: a held-out speed, else 74"},
-    TABLE_QUESTION, TABLE_SIEVES, {.name = NULL}};
+    TABLE_QUESTION, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option PIN_OPTIONS[] = {LAST_SPEED_OPTION,
     {"feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
@@ -164,7 +164,7 @@ static const struct command_option AT_SPEED_OPTIONS[] = {
     LAST_SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, {.name = NULL}};
 
 static const struct command_option ADVISE_OPTIONS[] = {
-    SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, {.name = NULL}};
+    SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",

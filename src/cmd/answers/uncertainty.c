@@ -8,6 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/session/settings.h"
 #include "cmd/lang/parse.h"
@@ -108,17 +109,34 @@ note_chains(struct answer *r, const struct posterior *p)
 	    POSTERIOR_DRAWS, p->drift, p->ratio, 100 * p->accepted);
 }
 
+/* The sizes and the passing of each sieve, at the speed asked about. */
+static struct forecast *
+forecast_all(const struct session *s, const struct question *q,
+    const struct prediction *at)
+{
+	size_t n = PSD_SIZES + at->product.n;
+	struct quantity *all = xcalloc(n, sizeof *all);
+	for (size_t i = 0; i < n; i++)
+		all[i] = i < PSD_SIZES
+			     ? (struct quantity){.kind = QUANTITY_SIZE,
+				   .x = PSD_PASSING[i]}
+			     : (struct quantity){.kind = QUANTITY_PASSING,
+				   .x = at->product.size[i - PSD_SIZES]};
+	struct forecast *f = forecast_open(s, q, all, n);
+	forecast_at(f, at->speed);
+	free(all);
+	return f;
+}
+
 /* A row a draw: what it was made of and what it answers. */
 static struct answer *
-draws_answer(const struct session *s, const struct entry *entry,
+draws_answer(const struct session *s, const struct question *q,
     const struct posterior *p, const struct prediction *at, size_t n)
 {
-	struct ensemble *e = outlook_ensemble(s, entry, at->feed_run);
-	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
+	struct forecast *f = forecast_all(s, q, at);
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
 	struct answer *r = answers_new(
-	    entry->site, "uncertainty", "draws at %.1f m/s", at->speed);
-	struct psd one = psd_copy(&at->curve);
+	    q->entry->site, "uncertainty", "draws at %.1f m/s", at->speed);
 	answer_columns(r, "draw: draw");
 	for (size_t j = 0; j < of->n; j++)
 		answer_columns(r, "%s", of->parameter[j].name);
@@ -139,16 +157,13 @@ draws_answer(const struct session *s, const struct entry *entry,
 		    e0 * p->draw[d].strengths.harder);
 		for (size_t h = 0; h < HYPERS; h++)
 			answer_cells(r, "%.6g", p->draw[d].hyper[h]);
-		for (size_t k = 0; k < one.n; k++)
-			one.passing[k] = P[k * POSTERIOR_DRAWS + d];
 		for (size_t k = 0; k < PSD_SIZES; k++)
-			answer_cells(
-			    r, "%.4f", 1000 * psd_size(&one, PSD_PASSING[k]));
+			answer_cells(r, "%.4f", 1000 * forecast_draws(f, k)[d]);
 		for (size_t i = 0; i < at->product.n; i++)
 			answer_cells(r, "%.4f",
-			    units_pct(psd_at_sieve(&one, at->product.size[i])));
+			    100 * forecast_draws(f, PSD_SIZES + i)[d]);
 	}
-	psd_free(&one);
+	forecast_close(f);
 	return r;
 }
 
@@ -259,7 +274,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	}
 	const struct posterior *p = outlook_draws(s, entry);
 	size_t n = (size_t)args_value(args, "n")->whole;
-	session_answer(s, draws ? draws_answer(s, entry, p, &at, n)
+	session_answer(s, draws ? draws_answer(s, q, p, &at, n)
 				: parts_answer(s, entry, p, &at));
 	prediction_free(&at);
 	return true;
