@@ -142,7 +142,6 @@ note_feed(struct answer *r, const struct session *s, const struct wanted *w)
 	}
 	if (!(high > low))
 		return;
-	feed_note(r, site, w->question->feed);
 	answer_say(r, ANSWER_REMARK,
 	    "with the feeds as they were sampled %s is %.3g to %.3g %s: sample "
 	    "the feed with the product",
@@ -270,7 +269,8 @@ advise(struct session *s, struct wanted *w, struct error *error)
 		    w->name, w->question->speed);
 	struct prediction p =
 	    outlook_predict(s, entry, w->question->speed, w->question->feed);
-	light_show(r, light_of(s, entry, &p));
+	answers_show_basis(
+	    s, r, entry, w->question->feed, false, light_of(s, entry, &p));
 	prediction_free(&p);
 	return session_answer(s, r);
 }

@@ -302,11 +302,8 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 		add_row(r, s, all, speed[i], &light);
 	note_limits(r, all);
 	note_flow(r, all);
-	if (forecast_draws(all->forecast, 0) != NULL)
-		band_note(r, s, entry, true);
-	origin_note(r, entry);
-	feed_note(r, entry->site, all->question->feed);
-	light_show(r, light);
+	answers_show_basis(s, r, entry, all->question->feed,
+	    forecast_draws(all->forecast, 0) != NULL, light);
 	return r;
 }
 

@@ -4,7 +4,7 @@
 
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
-#include "cmd/ask/band.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
@@ -105,7 +105,7 @@ cmd_figures(struct session *s, const struct args *args,
 	for (size_t i = 0; i < n; i++)
 		figure_row(r, list, all, i, &q[i]);
 	if (band)
-		band_note(r, s, entry, true);
+		outlook_note(r, s, entry, true);
 	answers_note_doubt(s, r, question->entry, question->feed, v);
 	forecast_close(all);
 	free(q);

@@ -214,7 +214,6 @@ give(struct balance *b)
 	program_rows(r, b);
 	note_ways(r, b);
 	note_correction(r, b);
-	feed_note(r, entry->site, b->p[0].feed_run);
 	for (size_t k = 0; k < 2; k++)
 		if (answers_extrapolates(entry, b->p[k].speed))
 			answer_say(r, ANSWER_WARNING,
@@ -222,11 +221,9 @@ give(struct balance *b)
 			    b->p[k].speed);
 	answer_note(r, "picture: plot psd speed=%g other=%g", b->p[0].speed,
 	    b->p[1].speed);
-	origin_note(r, entry);
-	answers_note_variant(r, entry);
-	answers_note_model(b->s, r, entry);
 	put_balance(answer_fields(r), b);
-	light_show(r, light_worst(b->s, entry, b->p, 2));
+	answers_show_basis(b->s, r, entry, b->p[0].feed_run, false,
+	    light_worst(b->s, entry, b->p, 2));
 	session_answer(b->s, r);
 }
 

@@ -255,7 +255,7 @@ note_usual(struct answer *r, const struct session *s, const struct entry *entry,
 	bool unusual =
 	    outlook_correction(s, entry) != CORRECTION_ALL || !entry->has_fit;
 	if (p->low != NULL && (detail || unusual))
-		band_note(r, s, entry, true);
+		outlook_note(r, s, entry, true);
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
 		note_breakage(
 		    r, params, site_feed(entry->site, p->feed_run), p);

@@ -113,16 +113,11 @@ sweep_answer(const struct session *s, const struct entry *entry,
 	(across ? sweep_across : answers_speed_rows)(r, entry, p, n);
 	answer_for_programs(r);
 	sweep_long(r, entry, p, n);
-	if (band && across)
-		band_note(r, s, entry, true);
-	origin_note(r, entry);
-	feed_note(r, entry->site, p[0].feed_run);
 	if (outside && across)
 		answer_say(r, ANSWER_WARNING,
 		    "speeds marked * are outside the training speeds");
-	answers_note_variant(r, entry);
-	answers_note_model(s, r, entry);
-	light_show(r, light_worst(s, entry, p, n));
+	answers_show_basis(s, r, entry, p[0].feed_run, band && across,
+	    light_worst(s, entry, p, n));
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	return r;
 }

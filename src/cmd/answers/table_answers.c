@@ -86,8 +86,8 @@ static const struct command_option COMPARE_OPTIONS[] = {
     TABLE_QUESTION, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option PIN_OPTIONS[] = {LAST_SPEED_OPTION,
-    {"feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
-	"take the feed sampled at this speed"},
+    {"feed", VALUE_FEED, "m/s", 1, 200, NULL, "",
+	"take the feed sampled at this speed, or the mean"},
     {.name = NULL}};
 
 static const struct command_option FIND_OPTIONS[] = {

@@ -13,7 +13,7 @@
 #include "cmd/session/settings.h"
 #include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/feed.h"
+#include "cmd/ask/trust_light.h"
 #include "core/posterior/ensemble.h"
 #include "io/sitefile/units.h"
 
@@ -211,8 +211,9 @@ parts_answer(const struct session *s, const struct entry *entry,
 	note_strengths(r, p);
 	if (entry->site->individual_feeds)
 		note_feeds(r, s, entry, at);
-	feed_note(r, entry->site, at->feed_run);
 	note_chains(r, p);
+	answers_show_basis(
+	    s, r, entry, at->feed_run, false, light_of(s, entry, at));
 	return r;
 }
 

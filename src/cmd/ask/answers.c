@@ -285,6 +285,34 @@ answers_note_variant(struct answer *r, const struct entry *entry)
 		    units_mm(v->rotor));
 }
 
+/* A speed beyond those that were measured, where the light does not say so. */
+static void
+note_beyond(
+    struct answer *r, const struct entry *entry, double speed, bool said)
+{
+	double slowest, fastest;
+	if (said || !(speed > 0) || !origin_reach(entry, &slowest, &fastest) ||
+	    !answers_extrapolates(entry, speed))
+		return;
+	char *speeds = answers_reach(entry, slowest, fastest);
+	answer_say(
+	    r, ANSWER_WARNING, "%.1f m/s is outside the %s", speed, speeds);
+	free(speeds);
+}
+
+void
+answers_show_basis(const struct session *s, struct answer *r,
+    const struct entry *entry, size_t feed_run, bool band, struct trust light)
+{
+	if (band)
+		outlook_note(r, s, entry, true);
+	origin_note(r, entry);
+	feed_note(r, entry->site, feed_run);
+	answers_note_variant(r, entry);
+	answers_note_model(s, r, entry);
+	light_show(r, light);
+}
+
 void
 answers_note_doubt(const struct session *s, struct answer *r,
     const struct entry *entry, size_t feed_run, double speed)
@@ -295,20 +323,9 @@ answers_note_doubt(const struct session *s, struct answer *r,
 		p = outlook_predict(s, entry, speed, feed_run);
 	struct trust light = light_of(s, entry, speed > 0 ? &p : NULL);
 	prediction_free(&p);
-	double slowest, fastest;
-	origin_note(r, entry);
-	bool said = light.n > 0 && light.reason[0].cause == TRUST_BEYOND;
-	if (speed > 0 && !said && origin_reach(entry, &slowest, &fastest) &&
-	    answers_extrapolates(entry, speed)) {
-		char *speeds = answers_reach(entry, slowest, fastest);
-		answer_say(r, ANSWER_WARNING, "%.1f m/s is outside the %s",
-		    speed, speeds);
-		free(speeds);
-	}
-	feed_note(r, entry->site, feed_run);
-	answers_note_variant(r, entry);
-	answers_note_model(s, r, entry);
-	light_show(r, light);
+	note_beyond(r, entry, speed,
+	    light.n > 0 && light.reason[0].cause == TRUST_BEYOND);
+	answers_show_basis(s, r, entry, feed_run, false, light);
 }
 
 const char *

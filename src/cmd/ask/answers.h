@@ -93,8 +93,14 @@ char *answers_reach(const struct entry *entry, double slowest, double fastest);
  * asked with one. */
 void answers_note_variant(struct answer *r, const struct entry *entry);
 
-/* Notes on how far to trust an answer for a site with the feed of a run at a
- * speed, with its light. */
+/* What an answer rests on, behind all else: which runs correct it and what low
+ * and high are, where it shows a band; where the parameters are from, the feed,
+ * the model, and the light, which is freed. */
+void answers_show_basis(const struct session *s, struct answer *r,
+    const struct entry *entry, size_t feed_run, bool band, struct trust light);
+
+/* The same of an answer at one speed, with whether that is beyond the measured
+ * ones. */
 void answers_note_doubt(const struct session *s, struct answer *r,
     const struct entry *entry, size_t feed_run, double speed);
 

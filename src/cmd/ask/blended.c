@@ -175,6 +175,12 @@ blended_clear(struct blended *b)
 	free(b->rock);
 }
 
+const char *
+blended_from(const struct blended *b)
+{
+	return b->n == 1 ? b->text : b->words;
+}
+
 void
 blended_free(struct blended *b)
 {

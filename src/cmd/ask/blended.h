@@ -37,6 +37,9 @@ bool blended_read(struct session *s, const char *text, struct blended *b,
     struct error *error);
 void blended_clear(struct blended *b);
 
+/* Where the feed is from, for programs; borrowed. */
+const char *blended_from(const struct blended *b);
+
 /* The same of what is set, which the session keeps; NULL with an error. */
 const struct blended *blended_set(
     struct session *s, const char *text, struct error *error);

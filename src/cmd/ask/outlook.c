@@ -394,3 +394,19 @@ outlook_short(const struct session *s, const struct entry *entry,
 	return p->low != NULL || asked == CORRECTION_OFF ? tr(WORDS[asked])
 							 : "";
 }
+
+void
+outlook_note(struct answer *r, const struct session *s,
+    const struct entry *entry, bool product)
+{
+	if (product)
+		answer_say(r, ANSWER_REMARK, "%s", outlook_words(s, entry));
+	answer_say(r, ANSWER_REMARK,
+	    entry->has_fit
+		? N_("low, high: the true value lies between them with %.0f "
+		     "%% probability")
+		: N_("low, high: the true value lies between them with %.0f "
+		     "%% probability; the difference between the two sites is "
+		     "not included"),
+	    100 * settings_level(&s->set));
+}

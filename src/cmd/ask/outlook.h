@@ -9,6 +9,7 @@
 #include "core/posterior/ensemble.h"
 #include "core/answer/predict.h"
 #include "core/answer/response.h"
+#include "io/formats/answer.h"
 
 /* The runs that inform the entry's answers: as set, or as it is asked. */
 enum correction outlook_correction(
@@ -104,9 +105,15 @@ const char *outlook_why_none(
  * all runs", "corrected by the training runs", "model alone". */
 const char *outlook_words(const struct session *s, const struct entry *entry);
 
-/* The same behind a name in a legend: ", all runs", ", training runs", or ""
- * where the prediction is the model alone and nothing else was asked for;
- * ", model" where it is what was asked for. */
+/* Says what low and high are, and of a product which runs correct it; of
+ * another site's parameters they are what its data leave open, and know nothing
+ * of the difference between the two. */
+void outlook_note(struct answer *r, const struct session *s,
+    const struct entry *entry, bool product);
+
+/* What outlook_words has, behind a name in a legend: ", all runs", ", training
+ * runs", or "" where the prediction is the model alone and nothing else was
+ * asked for; ", model" where it is what was asked for. */
 const char *outlook_short(const struct session *s, const struct entry *entry,
     const struct prediction *p);
 

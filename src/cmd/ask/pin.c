@@ -43,6 +43,12 @@ keep(struct session *s, const struct args *args, struct question *q,
 	bool forming = answers_forming(s, entry, &params);
 	if (!forming && !answers_ready(s, error))
 		return false;
+	if (q->variant.feed)
+		return error_set(error, ERROR_USAGE,
+		    "pin: expected a feed that was sampled at the site, got "
+		    "%s\n"
+		    "write: pin speed=74 feed=mean",
+		    q->entry->site->feed_from);
 	question_as_last(s, args, q);
 	struct pin *pin = xcalloc(1, sizeof *pin);
 	*pin = (struct pin){.site = entry->site,

@@ -10,7 +10,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/blended.h"
 #include "cmd/ask/feed.h"
 #include "cmd/ask/moved.h"
 #include "cmd/ask/quantity_words.h"
@@ -49,10 +48,10 @@ with_words(const struct scenario *w)
 static struct site *
 site_as_asked(const struct site *own, const struct scenario *w)
 {
-	const struct other_feed *f = w->feed;
-	struct site *site = f != NULL
-				? site_with_feed(own, f->psd, f->from, f->of)
-				: site_copy(own);
+	const struct blended *f = w->feed;
+	struct site *site =
+	    f != NULL ? site_with_feed(own, &f->feed, blended_from(f), f->of)
+		      : site_copy(own);
 	free(site->with);
 	site->with = with_words(w);
 	site->n_shown = w->n_sieve;
@@ -98,7 +97,6 @@ question_make(const struct session *s, const struct entry *loaded,
  * given. */
 struct named {
 	struct scenario scenario;
-	struct other_feed feed;
 	struct blended blend;
 	double *sieve, speed;
 };
@@ -204,20 +202,14 @@ read_feed(struct session *s, const struct args *args, struct named *r,
 	struct value feed;
 	const char *text = feed_asked(s, args, &feed);
 	size_t i = command_option_index(args->command, "feed");
-	const struct blended *b = &r->blend;
 	if (text == NULL ||
 	    !value_is_file(command_option_at(args->command, i), &feed))
 		return true;
 	if (given(args, "feed") == NULL)
-		b = blended_set(s, text, error);
-	else if (!blended_read(s, text, &r->blend, error))
-		return false;
-	if (b == NULL)
-		return false;
-	r->feed = (struct other_feed){
-	    &b->feed, b->n == 1 ? text : b->words, b->words, b->of, b->rock};
-	r->scenario.feed = &r->feed;
-	return true;
+		r->scenario.feed = blended_set(s, text, error);
+	else if (blended_read(s, text, &r->blend, error))
+		r->scenario.feed = &r->blend;
+	return r->scenario.feed != NULL;
 }
 
 /* Sieves of one's own choice, which the feeds have to tell of. */
@@ -236,8 +228,8 @@ read_sieves(const struct args *args, const struct site *site, struct named *r,
 	w->sieve = r->sieve;
 	struct quantity finest = {
 	    .kind = QUANTITY_PASSING, .x = r->sieve[w->n_sieve - 1]};
-	bool ok =
-	    w->feed == NULL || quantities_covered(&finest, w->feed->psd, error);
+	bool ok = w->feed == NULL ||
+		  quantities_covered(&finest, &w->feed->feed, error);
 	for (size_t i = 0; i < site->n_run && ok && w->feed == NULL; i++)
 		ok = site->run[i].feed.n == 0 ||
 		     quantities_covered(&finest, &site->run[i].feed, error);

@@ -4,6 +4,7 @@
 #ifndef TIPSPEED_CMD_ASK_QUESTION_H
 #define TIPSPEED_CMD_ASK_QUESTION_H
 
+#include "cmd/ask/blended.h"
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"
 #include "core/psd/screening.h"
@@ -24,18 +25,11 @@ struct question {
 	struct named *named; /* what the call named */
 };
 
-/* Another feed.  from: where it is from, for programs; words: for people; of:
- * what its sheet says of its data; rock: or "". */
-struct other_feed {
-	const struct psd *psd;
-	const char *from, *words, *of, *rock;
-};
-
 /* What is asked otherwise than the site is loaded.  feed: NULL for its own;
  * rotor: m, 0: not given; rpm likewise; bypass: 0..1; k: 0: as set.
  * sieve [n_sieve]: sieves to show, m, coarsest first. */
 struct scenario {
-	const struct other_feed *feed;
+	const struct blended *feed;
 	double rotor, rpm, bypass, k;
 	enum correction correction;
 	size_t n_sieve;

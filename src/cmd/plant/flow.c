@@ -479,9 +479,8 @@ finish(const struct plant *p, const struct outcome *o, struct answer *r)
 {
 	const struct entry *entry = p->plan->question->entry;
 	put_streams(p, o, answer_fields(r));
-	if (o->flow.draws == DRAWS)
-		band_note(r, p->s, entry, true);
-	else
+	bool band = o->flow.draws == DRAWS;
+	if (!band)
 		answer_say(
 		    r, ANSWER_REMARK, "%s", outlook_why_none(p->s, entry));
 	if (p->s->set.model.method == METHOD_CLASSES)
@@ -489,11 +488,8 @@ finish(const struct plant *p, const struct outcome *o, struct answer *r)
 		    "method classes takes the classes of the screens here, "
 		    "which are finer than those of predict");
 	fields_put(answer_fields(r), "level %g", 100 * p->level);
-	feed_note(r, entry->site, p->plan->question->feed);
-	origin_note(r, entry);
-	answers_note_model(p->s, r, entry);
-	answers_note_variant(r, entry);
-	light_show(r, judge(p, o));
+	answers_show_basis(
+	    p->s, r, entry, p->plan->question->feed, band, judge(p, o));
 	if (!pictures_wanted(p->s) || p->s->document != NULL)
 		return session_answer(p->s, r);
 	session_keep(p->s, r);

@@ -149,7 +149,7 @@ give_product(
 	note_parts(r, b);
 	answers_note_sizes(r, &p);
 	if (p.low != NULL) {
-		band_note(r, s, entry, true);
+		outlook_note(r, s, entry, true);
 		fields_numbers(
 		    answer_fields(r), "low_pct", p.low, p.product.n, units_pct);
 		fields_numbers(answer_fields(r), "high_pct", p.high,
@@ -173,10 +173,8 @@ give(struct session *s, const struct args *args, const struct blended *b)
 		give_feed(s, b, none.text);
 		return;
 	}
-	const struct other_feed feed = {
-	    &b->feed, b->words, b->words, b->of, b->rock};
 	const struct scenario scenario = {
-	    .feed = &feed, .correction = s->set.correction};
+	    .feed = b, .correction = s->set.correction};
 	struct question q;
 	question_make(s, session_entry(s), &scenario, &q);
 	q.speed = args_number(args, "speed", answers_usual(session_entry(s)));
