@@ -248,7 +248,6 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 		return take_pinned(s, args, side, error);
 	double v = args_number(args, "speed", answers_usual(session_entry(s)));
 	size_t at = s->current;
-	struct screened screened;
 	if (sites && !session_find(s, word, &at, error))
 		return false;
 	if (!sites && (!value_number(word, "m/s", &v) || v < 1 || v > 200))
@@ -259,14 +258,11 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 	    !(like != NULL && like->named != NULL
 		    ? question_too(
 			  s, &s->entry[at], args, like, &side->q, error)
-		    : question_of(s, &s->entry[at], args, &side->q, error)) ||
-	    !screened_read(
-		&side->q.fraction, question_feed(&side->q), &screened, error))
+		    : question_of(s, &s->entry[at], args, &side->q, error)))
 		return false;
 	const struct entry *entry = side->entry = side->q.entry;
-	side->p = outlook_predict(s, entry, v, side->q.feed);
-	screened_take(s, entry, &entry->params, &screened, &side->p);
-	return true;
+	return screened_predict(s, entry, &entry->params, &side->q.fraction, v,
+	    side->q.feed, &side->p, error);
 }
 
 /* What stands over the columns: what the two differ in. */

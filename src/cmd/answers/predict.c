@@ -426,12 +426,12 @@ predict_step(struct session *s, double speed, size_t feed_run, const char *line,
 
 /* Interpolated products and curves are those of the whole product. */
 static bool
-whole_for(const struct args *args, const struct screened *screened,
+whole_for(const struct args *args, const struct fraction *fraction,
     struct error *error)
 {
 	bool asked = args_value(args, "interpolated")->choice == 1 ||
 		     args_value(args, "curve")->choice == 1;
-	if (!asked || !fraction_screens(&screened->fraction))
+	if (!asked || !fraction_screens(fraction))
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "interpolated= and curve= show the whole product, not a "
@@ -444,15 +444,13 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	struct params params;
-	struct screened screened;
+	struct prediction p;
 	bool wanted = args_value(args, "interpolated")->choice == 1;
 	if (!take_params(s, entry, &params, error) ||
-	    !screened_read(&q->fraction, question_feed(q), &screened, error) ||
-	    !whole_for(args, &screened, error))
+	    !whole_for(args, &q->fraction, error) ||
+	    !screened_predict(
+		s, entry, &params, &q->fraction, q->speed, q->feed, &p, error))
 		return false;
-	struct prediction p =
-	    outlook_form(s, entry, &params, q->speed, q->feed);
-	screened_take(s, entry, &params, &screened, &p);
 	const struct value *asked = args_value(args, "band");
 	if (asked->choice == 0)
 		prediction_drop_band(&p);

@@ -129,22 +129,20 @@ cmd_sweep(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	const struct value *speeds = args_value(args, "speeds");
 	size_t n = speeds->n;
-	struct screened screened;
-	if (!screened_read(&q->fraction, question_feed(q), &screened, error))
-		return false;
 	double *usual = n == 0 ? answers_speeds(entry->site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : speeds->list;
 	struct prediction *p = xcalloc(n, sizeof *p);
-	bool outside = false;
-	for (size_t i = 0; i < n; i++) {
-		p[i] = outlook_predict(s, entry, speed[i], q->feed);
-		screened_take(s, entry, &entry->params, &screened, &p[i]);
+	bool outside = false, ok = true;
+	for (size_t i = 0; i < n && ok; i++) {
+		ok = screened_predict(s, entry, &entry->params, &q->fraction,
+		    speed[i], q->feed, &p[i], error);
 		outside = outside || answers_extrapolates(entry, speed[i]);
 	}
 	free(usual);
-	struct answer *r = sweep_answer(s, entry, p, n, outside);
+	if (ok)
+		session_answer(s, sweep_answer(s, entry, p, n, outside));
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(p);
-	return session_answer(s, r);
+	return ok;
 }

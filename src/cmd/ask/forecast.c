@@ -8,7 +8,11 @@
 #include "base/xalloc.h"
 #include "cmd/ask/outlook.h"
 
+/* Its draws are those of the question's other answers, which are kept until
+ * another site or feed is asked about. */
 struct forecast {
+	const struct session *s;
+	const struct question *q;
 	struct response *response;
 	double level;
 };
@@ -18,8 +22,10 @@ forecast_open(const struct session *s, const struct question *q,
     const struct quantity *quantity, size_t n)
 {
 	struct forecast *f = xcalloc(1, sizeof *f);
-	*f = (struct forecast){.response = outlook_response(s, q->entry,
-				   &q->entry->params, q->feed, quantity, n),
+	*f = (struct forecast){.s = s,
+	    .q = q,
+	    .response = outlook_reader(
+		s, q->entry, &q->entry->params, q->feed, quantity, n),
 	    .level = settings_level(&s->set)};
 	return f;
 }
@@ -36,7 +42,9 @@ forecast_close(struct forecast *f)
 void
 forecast_at(struct forecast *f, double speed)
 {
-	response_at(f->response, speed);
+	const struct entry *entry = f->q->entry;
+	outlook_read_at(
+	    f->s, entry, &entry->params, f->q->feed, f->response, speed);
 }
 
 struct figure
@@ -75,10 +83,4 @@ forecast_difference(
 		more[d] = b[d] - a[d];
 	ensemble_middle(more, one->level, &f.low, &f.high);
 	return f;
-}
-
-struct response *
-forecast_response(struct forecast *f)
-{
-	return f->response;
 }

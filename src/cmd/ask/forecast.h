@@ -12,7 +12,7 @@ struct figure {
 	double value, low, high;
 };
 
-/* Opaque; the question, and the draws of its site, must outlive it. */
+/* Opaque; the question must outlive it. */
 struct forecast;
 
 /* Of quantities [n]; forecast_close. */
@@ -37,8 +37,5 @@ const double *forecast_draws(const struct forecast *f, size_t i);
  * where they are not. */
 struct figure forecast_difference(
     const struct forecast *one, const struct forecast *two, size_t i);
-
-/* The response behind it, for conditions; borrowed. */
-struct response *forecast_response(struct forecast *f);
 
 #endif

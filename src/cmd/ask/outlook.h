@@ -78,6 +78,15 @@ struct response *outlook_response(const struct session *s,
     const struct entry *entry, const struct params *params, size_t feed_run,
     const struct quantity *asked, size_t n);
 
+/* The same without draws of its own: outlook_read_at moves it to a speed with
+ * those that outlook_ensemble keeps. */
+struct response *outlook_reader(const struct session *s,
+    const struct entry *entry, const struct params *params, size_t feed_run,
+    const struct quantity *asked, size_t n);
+void outlook_read_at(const struct session *s, const struct entry *entry,
+    const struct params *params, size_t feed_run, struct response *r,
+    double speed);
+
 /* What the entry's answers are drawn from, formed with these parameters; NULL:
  * they are the model alone. */
 const struct posterior *outlook_answering(const struct session *s,
