@@ -345,7 +345,7 @@ form(struct tui *t)
 	if (entry == NULL)
 		return;
 	struct params params = entry->params;
-	if (!answers_forming(s, &params) && !entry->has_params)
+	if (!answers_forming(s, entry, &params) && !entry->has_params)
 		return;
 	prediction_free(&t->shown);
 	t->shown =

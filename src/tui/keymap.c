@@ -38,7 +38,7 @@ to_run(struct tui *t, struct slider_range range, const struct site *site,
 {
 	double speed = where == TO_SLOWEST   ? site->run[0].speed
 		       : where == TO_FASTEST ? site->run[site->n_run - 1].speed
-					     : answers_middle(site);
+					     : site_middle(site);
 	t->tenths = slider_tenths(range, speed);
 }
 

@@ -141,7 +141,7 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 	if (t->now.site[0] != '\0') {
 		snprintf(text, sizeof text, tr("%s predicted%s"),
 		    ascii ? "#" : "\u2500",
-		    outlook_short(t->session, &t->shown));
+		    outlook_short(t->session, tui_entry(t), &t->shown));
 		column =
 		    draw_name(t, column, SERIES_PREDICTED, LOOK_BOLD, text);
 	}

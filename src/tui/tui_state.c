@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -48,8 +49,9 @@ moving_params(const struct tui *t, struct params *room)
 {
 	const struct entry *entry = tui_entry(t);
 	*room = entry->params;
-	return answers_forming(t->session, room) || entry->has_params ? room
-								      : NULL;
+	return answers_forming(t->session, entry, room) || entry->has_params
+		   ? room
+		   : NULL;
 }
 
 const struct psd *
@@ -80,8 +82,13 @@ tui_where(const struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
 	double speed = t->tenths / 10.0;
-	if (entry == NULL || !entry->site->individual_feeds || !(t->feed > 0))
-		return xasprintf("speed=%.1f", speed);
+	/* What is set is of commands: the slider has the mean. */
+	bool mean = !(t->feed > 0) && t->session->set.feed[0] != '\0' &&
+		    strcmp(t->session->set.feed, "mean") != 0;
+	if (entry == NULL || mean || !entry->site->individual_feeds ||
+	    !(t->feed > 0))
+		return xasprintf(
+		    mean ? "speed=%.1f feed=mean" : "speed=%.1f", speed);
 	return xasprintf("speed=%.1f feed=%g", speed, t->feed);
 }
 
@@ -99,7 +106,7 @@ tui_asks(const struct tui *t)
 struct plots_past
 tui_past(const struct tui *t)
 {
-	return tui_entry(t) != NULL ? plots_past(t->session)
+	return tui_entry(t) != NULL ? plots_past(t->session, tui_entry(t))
 				    : (struct plots_past){0};
 }
 

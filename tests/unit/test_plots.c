@@ -169,6 +169,7 @@ a_running_search_shows_its_best_so_far(void **state)
 	chart_free(c);
 	struct params p, best = calibration_status(s->job.calibration).params;
 	q = plots_request(PLOT_PSD);
+	q.entry = session_entry(s);
 	assert_true(plots_params(s, &q, &p, &desk->error));
 	assert_memory_equal(&p, &best, sizeof p);
 	while (session_busy(s))
@@ -186,6 +187,7 @@ a_generation_shows_its_own_best(void **state)
 	const struct history *h = session_entry(desk->session)->history;
 	struct plot_request q = plots_request(PLOT_PSD);
 	struct params p = {0};
+	q.entry = session_entry(desk->session);
 	q.generation = 7;
 	assert_true(plots_params(desk->session, &q, &p, &desk->error));
 	assert_memory_equal(&p, &h->generation[6].params, sizeof p);

@@ -7,8 +7,12 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/trust_light.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/quantity_words.h"
+#include "cmd/ask/screened.h"
 #include "cmd/lang/parse.h"
 #include "cmd/session/settings.h"
 #include "cmd/lang/table.h"
@@ -23,42 +27,27 @@ struct candidate {
 	bool repeat;
 };
 
-/* What is asked: a passing at size x, m, or where that is 0 the size that so
- * much passes. */
+/* What is asked, and how it is called. */
 struct wanted {
-	double speed, x, passing;
-	size_t feed;
+	const struct question *question;
+	struct quantity q;
 	char *name;
 	const char *unit;
 };
 
-static double
-value_of(const struct psd *curve, const struct wanted *w)
-{
-	return w->x > 0 ? units_pct(psd_passing(curve, w->x))
-			: 1000 * psd_size(curve, w->passing);
-}
-
-/* The draws of the answer, [POSTERIOR_DRAWS] out.  False where one lies outside
- * the sieves. */
+/* The draws of the answer, as people see them, [POSTERIOR_DRAWS] out.  False
+ * where one lies outside the sieves. */
 static bool
-answer_draws(const struct session *s, const struct entry *entry,
-    const struct wanted *w, double *value)
+answer_draws(const struct session *s, const struct wanted *w, double *value)
 {
-	enum { N = POSTERIOR_DRAWS };
-	struct ensemble *e = outlook_ensemble(s, entry, w->feed);
-	struct psd curve =
-	    predict_sizes(entry->site, site_feed(entry->site, w->feed));
+	struct forecast *f = forecast_open(s, w->question, &w->q, 1);
 	bool known = true;
-	ensemble_at(e, w->speed);
-	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
-	for (size_t d = 0; d < N; d++) {
-		for (size_t i = 0; i < curve.n; i++)
-			curve.passing[i] = P[i * N + d];
-		value[d] = value_of(&curve, w);
+	forecast_at(f, w->question->speed);
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
+		value[d] = quantities_shown(&w->q, forecast_draws(f, 0)[d]);
 		known = known && isfinite(value[d]);
 	}
-	psd_free(&curve);
+	forecast_close(f);
 	return known;
 }
 
@@ -101,29 +90,27 @@ by_width(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* The sieves of the site's products that the feed covers. */
+/* Of samples at the sieves of the site's products that the feed covers. */
 static struct ensemble *
-sieved(
-    const struct session *s, const struct entry *entry, size_t feed, size_t *n)
+sieved(const struct session *s, const struct question *q, size_t *n)
 {
-	const struct psd *from = site_feed(entry->site, feed);
-	double *sieve = site_sieves(entry->site, n);
+	const struct psd *from = question_feed(q);
+	double *sieve = site_sieves(q->entry->site, n);
 	while (*n > 0 && !psd_covers(from, sieve[*n - 1]))
 		(*n)--;
 	struct ensemble *e =
-	    ensemble_new(outlook_draws(s, entry), from, sieve, *n);
+	    ensemble_new(outlook_draws(s, q->entry), from, sieve, *n);
 	free(sieve);
 	return e;
 }
 
 /* Sorts the candidates by what they leave of a width. */
 static void
-weigh(const struct session *s, const struct entry *entry,
-    const struct wanted *w, const double *answer, double width,
-    struct candidate *c, size_t n)
+weigh(const struct session *s, const struct wanted *w, const double *answer,
+    double width, struct candidate *c, size_t n)
 {
 	size_t sieves;
-	struct ensemble *e = sieved(s, entry, w->feed, &sieves);
+	struct ensemble *e = sieved(s, w->question, &sieves);
 	for (size_t i = 0; i < n; i++) {
 		ensemble_at(e, c[i].speed);
 		double share = advise_share(
@@ -137,24 +124,24 @@ weigh(const struct session *s, const struct entry *entry,
 /* Where each run has a feed of its own the product is as uncertain as the
  * feed. */
 static void
-note_feed(struct answer *r, const struct session *s, const struct entry *entry,
-    const struct wanted *w)
+note_feed(struct answer *r, const struct session *s, const struct wanted *w)
 {
+	const struct entry *entry = w->question->entry;
 	const struct site *site = entry->site;
 	double low = INFINITY, high = -INFINITY;
 	for (size_t i = 0; i < site->n_run && site->individual_feeds; i++) {
 		if (!(site->run[i].speed > 0))
 			continue;
-		struct prediction p =
-		    predict(site, &entry->params, s->set.model, w->speed, i);
-		double value = value_of(&p.curve, w);
+		struct prediction p = predict(site, &entry->params,
+		    outlook_settings(s, entry), w->question->speed, i);
+		double value =
+		    quantities_shown(&w->q, screened_value(&p.curve, &w->q));
 		low = fmin(low, value);
 		high = fmax(high, value);
 		prediction_free(&p);
 	}
 	if (!(high > low))
 		return;
-	feed_note(r, site, w->feed);
 	answer_say(r, ANSWER_REMARK,
 	    "with the feeds as they were sampled %s is %.3g to %.3g %s: sample "
 	    "the feed with the product",
@@ -172,7 +159,8 @@ note_best(struct answer *r, const struct session *s, const struct wanted *w,
 		answer_note(r,
 		    "no single sample narrows the %.0f %% band of %s at %g "
 		    "m/s (%.2g %s wide) by more than %.0f %%: take several",
-		    level, w->name, w->speed, width, w->unit, fmax(less, 0));
+		    level, w->name, w->question->speed, width, w->unit,
+		    fmax(less, 0));
 	else
 		answer_note(r,
 		    best->repeat
@@ -182,15 +170,15 @@ note_best(struct answer *r, const struct session *s, const struct wanted *w,
 			: N_("a sample at %g m/s is expected to narrow the "
 			     "%.0f %% band of %s at %g m/s most: from %.2g to "
 			     "%.2g %s, by %.0f %%"),
-		    best->speed, level, w->name, w->speed, width, best->width,
-		    w->unit, less);
+		    best->speed, level, w->name, w->question->speed, width,
+		    best->width, w->unit, less);
 }
 
 /* NULL where there is no band to narrow. */
 static struct answer *
-advice(const struct session *s, const struct entry *entry,
-    const struct wanted *w, double *answer)
+advice(const struct session *s, const struct wanted *w, double *answer)
 {
+	const struct entry *entry = w->question->entry;
 	size_t n;
 	double ends[2], *copy = xdoubles(POSTERIOR_DRAWS);
 	memcpy(copy, answer, POSTERIOR_DRAWS * sizeof *copy);
@@ -199,25 +187,26 @@ advice(const struct session *s, const struct entry *entry,
 	double width = ends[1] - ends[0];
 	if (!(width > 0))
 		return NULL;
-	struct candidate *c = candidates(entry->site, w->speed, &n);
-	weigh(s, entry, w, answer, width, c, n);
+	struct candidate *c = candidates(entry->site, w->question->speed, &n);
+	weigh(s, w, answer, width, c, n);
 	struct answer *r = answers_new(entry->site, "advise",
-	    "what to sample next, for %s at %g m/s", w->name, w->speed);
+	    "what to sample next, for %s at %g m/s", w->name,
+	    w->question->speed);
 	answer_columns(r,
 	    "speed: sample at m/s, kind, width_%s: band after "
 	    "%s, narrower_pct: narrower %%",
-	    w->x > 0 ? "points" : "mm", w->unit);
+	    w->q.kind == QUANTITY_PASSING ? "points" : "mm", w->unit);
 	for (size_t i = 0; i < n; i++)
 		answer_cells(r, "%g %s %.3f %.0f", c[i].speed,
 		    c[i].repeat ? tr("repeat") : tr("new"), c[i].width,
 		    100 * (1 - c[i].width / width));
 	struct fields *o = answer_fields(r);
 	fields_put(o, "quantity %s speed %g low %g high %g width %g", w->name,
-	    w->speed, ends[0], ends[1], width);
+	    w->question->speed, ends[0], ends[1], width);
 	fields_put(o, "best_mps %g best_width %g", c[0].speed, c[0].width);
 	answer_put_rows(r, "samples");
 	note_best(r, s, w, &c[0], width);
-	note_feed(r, s, entry, w);
+	note_feed(r, s, w);
 	free(c);
 	return r;
 }
@@ -233,17 +222,23 @@ take_quantity(const struct args *args, struct wanted *w, struct error *error)
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		char *name = xasprintf("p%.0f", 100 * PSD_PASSING[i]);
 		if (strcmp(word, name) == 0 && args->n_operand < 2) {
-			w->passing = PSD_PASSING[i];
+			w->q.kind = QUANTITY_SIZE;
+			w->q.x = PSD_PASSING[i];
 			w->name = xasprintf("P%.0f", 100 * PSD_PASSING[i]);
 			w->unit = "mm";
 		}
 		free(name);
 	}
 	if (strcmp(word, "passing") == 0 && size) {
-		w->x = mm / 1000;
+		w->q.kind = QUANTITY_PASSING;
+		w->q.x = mm / 1000;
 		w->name = xasprintf(tr("the passing at %g mm"), mm);
 		w->unit = tr("points");
 	}
+	char *of = quantities_fraction_words(&w->q.fraction);
+	if (w->name != NULL && fraction_screens(&w->q.fraction))
+		xappend(&w->name, tr(" of %s"), of);
+	free(of);
 	return w->name != NULL ||
 	       error_set(error, ERROR_USAGE,
 		   "advise: expected p20, p50, p80, or passing and a size in "
@@ -253,41 +248,39 @@ take_quantity(const struct args *args, struct wanted *w, struct error *error)
 }
 
 static bool
-advise(struct session *s, const struct entry *entry, struct wanted *w,
-    struct error *error)
+advise(struct session *s, struct wanted *w, struct error *error)
 {
 	double answer[POSTERIOR_DRAWS];
-	const struct psd *feed = site_feed(entry->site, w->feed);
-	if (outlook_ensemble(s, entry, w->feed) == NULL)
+	const struct entry *entry = w->question->entry;
+	if (outlook_answering(s, entry, &entry->params) == NULL)
 		return error_set(error, ERROR_USAGE, "%s\n%s",
 		    outlook_why_none(s, entry),
 		    tr("advise needs an answer with a band: run 'calibrate'"));
-	if ((w->x > 0 && !psd_covers(feed, w->x)) ||
-	    !answer_draws(s, entry, w, answer))
+	if (!answer_draws(s, w, answer))
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s lies outside the sieves\n"
 		    "ask for another size",
-		    w->name, w->speed);
-	struct answer *r = advice(s, entry, w, answer);
+		    w->name, w->question->speed);
+	struct answer *r = advice(s, w, answer);
 	if (r == NULL)
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s is the same in all draws: no sample can "
 		    "narrow its band",
-		    w->name, w->speed);
-	struct prediction p = outlook_predict(s, entry, w->speed, w->feed);
-	light_show(r, light_of(s, entry, &p));
+		    w->name, w->question->speed);
+	struct prediction p =
+	    outlook_predict(s, entry, w->question->speed, w->question->feed);
+	answers_show_basis(
+	    s, r, entry, w->question->feed, false, light_of(s, entry, &p));
 	prediction_free(&p);
 	return session_answer(s, r);
 }
 
 bool
-cmd_advise(struct session *s, const struct args *args, struct error *error)
+cmd_advise(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	struct wanted w = {.speed = answers_speed(args, entry)};
-	bool ok = answers_ready(s, error) &&
-		  feed_choose(entry->site, args, &w.feed, error) &&
-		  take_quantity(args, &w, error) && advise(s, entry, &w, error);
+	struct wanted w = {.question = q, .q.fraction = q->fraction};
+	bool ok = take_quantity(args, &w, error) && advise(s, &w, error);
 	free(w.name);
 	return ok;
 }

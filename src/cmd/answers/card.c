@@ -6,10 +6,12 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/band.h"
 #include "cmd/ask/condition.h"
 #include "cmd/document/document.h"
 #include "cmd/ask/trust_light.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
@@ -20,9 +22,10 @@
 /* What is asked at every speed: P20, P50 and P80, then the user's figures;
  * limits, and tonnes. */
 struct asked {
-	size_t n, feed;
+	const struct question *question;
+	size_t n;
 	struct quantity *q;
-	struct response *response;
+	struct forecast *forecast;
 	struct condition_list list; /* limits of the product, or none */
 	char *limits; /* where those of an envelope are from, or NULL */
 	struct wanted wanted;
@@ -35,18 +38,16 @@ struct asked {
 
 /* Adds the quantities of a text to the list. */
 static bool
-add_list(struct asked *all, const char *text, const struct args *args,
-    const struct psd *feed, struct error *error)
+add_list(struct asked *all, const char *text, const struct psd *feed,
+    struct error *error)
 {
-	struct fraction fraction;
+	const struct fraction *fraction = &all->question->fraction;
 	size_t n;
-	if (!quantities_option(args, &fraction, error))
-		return false;
 	struct quantity *q =
-	    quantities_list(text, &fraction.partition, &n, error);
+	    quantities_list(text, &fraction->partition, &n, error);
 	bool ok = q != NULL;
 	for (size_t i = 0; ok && i < n; i++)
-		ok = quantities_cut(&q[i], &fraction, error) &&
+		ok = quantities_cut(&q[i], fraction, error) &&
 		     quantities_covered(&q[i], feed, error);
 	for (size_t i = 0; ok && i < n; i++) {
 		all->q = xrealloc(all->q, all->n + 1, sizeof *all->q);
@@ -60,12 +61,11 @@ static bool
 read_limits(struct session *s, struct asked *all, const struct args *args,
     const struct psd *feed, struct error *error)
 {
-	struct fraction fraction;
-	return quantities_option(args, &fraction, error) &&
-	       conditions_add_operands(
-		   args, &fraction, feed, &all->list, error) &&
+	const struct fraction *fraction = &all->question->fraction;
+	return conditions_add_operands(
+		   args, fraction, feed, &all->list, error) &&
 	       conditions_add_option(
-		   s, args, &fraction, feed, &all->list, &all->limits, error);
+		   s, args, fraction, feed, &all->list, &all->limits, error);
 }
 
 static void
@@ -79,7 +79,7 @@ asked_free(struct asked *all)
 	free(all->limits);
 	conditions_free(&all->list);
 	response_free(all->wanted.response);
-	response_free(all->response);
+	forecast_close(all->forecast);
 }
 
 /* Tonnes are wanted where there is a feed or a circuit. */
@@ -91,7 +91,8 @@ read_flow(struct session *s, struct asked *all, const struct args *args,
 	    "fractions", "recycle", "power", "prices", "kwh"};
 	if (args_value(args, "tph")->given ||
 	    args_value(args, "circuit")->given)
-		return flow_plan_read(s, args, all->feed, &all->plan, error);
+		return flow_plan_read(
+		    s, args, all->question, &all->plan, error);
 	for (size_t i = 0; i < ARRAY_LEN(WITH_FEED); i++)
 		if (args_value(args, WITH_FEED[i])->given)
 			return error_set(error, ERROR_USAGE,
@@ -119,20 +120,18 @@ static bool
 read_asked(struct session *s, struct asked *all, const struct args *args,
     double slowest, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	const struct psd *feed = site_feed(entry->site, all->feed);
-	bool ok =
-	    add_list(all, "P20,P50,P80", args, feed, error) &&
-	    add_list(all, args_value(args, "of")->text, args, feed, error) &&
-	    read_limits(s, all, args, feed, error) &&
-	    read_flow(s, all, args, error);
+	const struct entry *entry = all->question->entry;
+	size_t run = all->question->feed;
+	const struct psd *feed = site_feed(entry->site, run);
+	bool ok = add_list(all, "P20,P50,P80", feed, error) &&
+		  add_list(all, args_value(args, "of")->text, feed, error) &&
+		  read_limits(s, all, args, feed, error) &&
+		  read_flow(s, all, args, error);
 	if (!ok)
 		return false;
-	all->response = outlook_response(
-	    s, entry, &entry->params, all->feed, all->q, all->n);
+	all->forecast = forecast_open(s, all->question, all->q, all->n);
 	if (all->list.n > 0)
-		all->wanted =
-		    conditions_ask(s, entry, all->feed, &all->list, NULL);
+		all->wanted = conditions_ask(s, entry, run, &all->list, NULL);
 	all->flows = all->plan.circuit != NULL;
 	if (!all->flows)
 		return true;
@@ -220,22 +219,22 @@ add_row(struct answer *r, struct session *s, struct asked *all, double v,
     struct trust *worst)
 {
 	enum { P80 = 2 };
-	const struct entry *entry = session_entry(s);
-	double rotor = entry->site->rotor, range[2];
-	response_at(all->response, v);
-	response_band(all->response, P80, settings_level(&s->set), range);
-	struct prediction p = outlook_predict(s, entry, v, all->feed);
+	const struct entry *entry = all->question->entry;
+	double rotor = entry->site->rotor;
+	forecast_at(all->forecast, v);
+	struct figure p80 = forecast_figure(all->forecast, P80);
+	struct prediction p = outlook_predict(s, entry, v, all->question->feed);
 	struct trust light = light_of(s, entry, &p);
 	answer_cells(r, "%g", v);
 	if (rotor > 0)
 		answer_cells(r, "%.0f", units_rpm(v, rotor));
 	for (size_t i = 0; i < all->n; i++) {
 		double value = quantities_shown(
-		    &all->q[i], response_value(all->response, i));
+		    &all->q[i], forecast_figure(all->forecast, i).value);
 		bool one = quantities_decimals(&all->q[i]) == 1;
 		answer_cells(r, one ? "%.1f" : "%.2f", value);
 	}
-	answer_cells(r, "%.2f %.2f", 1000 * range[0], 1000 * range[1]);
+	answer_cells(r, "%.2f %.2f", 1000 * p80.low, 1000 * p80.high);
 	if (all->flows)
 		add_flow(r, all, v);
 	if (all->list.n > 0)
@@ -294,7 +293,7 @@ card_speeds(const struct args *args, const struct site *site, size_t *n)
 static struct answer *
 card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = all->question->entry;
 	struct answer *r =
 	    answers_new(entry->site, "card", "what each tip speed gives");
 	struct trust light = light_of(s, entry, NULL);
@@ -303,24 +302,18 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 		add_row(r, s, all, speed[i], &light);
 	note_limits(r, all);
 	note_flow(r, all);
-	if (response_draws(all->response, 0) != NULL)
-		band_note(r, s, entry, true);
-	origin_note(r, entry);
-	feed_note(r, entry->site, all->feed);
-	light_show(r, light);
+	answers_show_basis(s, r, entry, all->question->feed,
+	    forecast_draws(all->forecast, 0) != NULL, light);
 	return r;
 }
 
 bool
-cmd_card(struct session *s, const struct args *args, struct error *error)
+cmd_card(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	struct asked all = {0};
+	struct asked all = {.question = q};
 	size_t n;
-	if (!answers_ready(s, error) ||
-	    !feed_choose(entry->site, args, &all.feed, error))
-		return false;
-	double *speed = card_speeds(args, entry->site, &n);
+	double *speed = card_speeds(args, q->entry->site, &n);
 	bool ok = read_asked(s, &all, args, speed[n - 1], error);
 	if (ok && s->document != NULL)
 		s->document->one_page = true;

@@ -8,6 +8,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/session/sites.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/parse.h"
@@ -15,22 +16,29 @@
 #include "cmd/ask/pin.h"
 #include "cmd/draw/plots.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/screened.h"
 #include "cmd/ask/feed.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
-/* One of the two, with its name for people; draws: of its answers, row by size
- * of its curve, or NULL. */
+/* One of the two, with its name for people. */
 struct side {
 	const struct entry *entry;
+	struct question q;
 	struct prediction p;
-	double *draws;
 	char *head;
 	bool pinned;
 };
 
 static const char PIN[] = "pinned";
+
+static bool
+are_two(const struct side side[2])
+{
+	return entry_loaded(side[0].entry) != entry_loaded(side[1].entry);
+}
 
 /* Passing at a size, NAN where the side's sieves do not tell it. */
 static double
@@ -58,55 +66,45 @@ all_sieves(const struct side side[2], size_t *n)
 	return x;
 }
 
-/* What a curve is asked for: the passing at a size, in points, or where that is
- * 0 the size that so much passes, in mm. */
-struct asked {
-	double x, passing;
-};
-
-static double
-value_of(const struct psd *curve, const struct asked *asked)
+/* What both are asked for, the passings of sieves [n] and the sizes, at the
+ * speed of each; NULL of what is pinned. */
+static struct forecast *
+side_forecast(
+    const struct session *s, const struct side *side, const double *x, size_t n)
 {
-	if (asked->x == 0)
-		return 1000 * psd_size(curve, asked->passing);
-	return psd_covers(curve, asked->x)
-		   ? units_pct(psd_passing(curve, asked->x))
-		   : NAN;
+	struct quantity *q = xcalloc(n + PSD_SIZES, sizeof *q);
+	for (size_t i = 0; i < n + PSD_SIZES; i++)
+		q[i] = (struct quantity){
+		    .kind = i < n ? QUANTITY_PASSING : QUANTITY_SIZE,
+		    .x = i < n ? x[i] : PSD_PASSING[i - n],
+		    .fraction = side->q.fraction};
+	struct forecast *f =
+	    side->pinned ? NULL : forecast_open(s, &side->q, q, n + PSD_SIZES);
+	if (f != NULL)
+		forecast_at(f, side->p.speed);
+	free(q);
+	return f;
 }
 
-/* Cells for the two ends of b - a over the draws, which go together where both
- * are of one posterior and are independent where they are not. */
+/* Cells for the two ends of b - a. */
 static void
-difference_cells(struct answer *r, const struct session *s,
-    const struct side side[2], const struct asked *asked)
+difference_cells(
+    struct answer *r, struct forecast *const f[2], size_t i, bool size)
 {
-	enum { N = POSTERIOR_DRAWS };
-	double difference[N] = {0}, low, high;
-	bool size = asked->x == 0;
-	if (side[0].draws == NULL || side[1].draws == NULL)
-		return;
-	for (size_t i = 0; i < 2; i++) {
-		struct psd one = psd_copy(&side[i].p.curve);
-		for (size_t d = 0; d < N; d++) {
-			for (size_t k = 0; k < one.n; k++)
-				one.passing[k] = side[i].draws[k * N + d];
-			double value = value_of(&one, asked);
-			difference[d] += i == 0 ? -value : value;
-		}
-		psd_free(&one);
-	}
-	ensemble_middle(difference, settings_level(&s->set), &low, &high);
-	answer_cells(r, size ? "%+.2f %+.2f" : "%+.1f %+.1f", low, high);
+	struct figure more = forecast_difference(f[0], f[1], i);
+	double unit = size ? 1000 : 100;
+	answer_cells(r, size ? "%+.2f %+.2f" : "%+.1f %+.1f", unit * more.low,
+	    unit * more.high);
 }
 
 static void
-comparison_rows(const struct session *s, struct answer *r,
-    const struct side side[2], const double *x, size_t n)
+comparison_rows(struct answer *r, const struct side side[2],
+    struct forecast *const f[2], bool band, const double *x, size_t n)
 {
 	char key[40], head[24];
 	answer_columns(r, "quantity: sieve mm, a: %s, b: %s, difference",
 	    side[0].head, side[1].head);
-	if (side[0].draws != NULL && side[1].draws != NULL)
+	if (band)
 		answer_columns(r, "low, high");
 	for (size_t i = 0; i < n; i++) {
 		double a = passing_at(&side[0], x[i]);
@@ -117,7 +115,8 @@ comparison_rows(const struct session *s, struct answer *r,
 		answer_missing(r, "-");
 		answer_cells(r, "%.1f %.1f %+.1f", units_pct(a), units_pct(b),
 		    100 * (b - a));
-		difference_cells(r, s, side, &(struct asked){.x = x[i]});
+		if (band)
+			difference_cells(r, f, i, false);
 	}
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
 		answer_name(r, ANSWERS_KEYS[i], ANSWERS_HEADS[i]);
@@ -126,10 +125,9 @@ comparison_rows(const struct session *s, struct answer *r,
 		answer_missing(r, "-");
 		answer_cells(r, "%+.2f",
 		    answers_size(&side[1].p, i) - answers_size(&side[0].p, i));
-		if (i != ANSWERS_BREAK)
-			difference_cells(r, s, side,
-			    &(struct asked){.passing = PSD_PASSING[i]});
-		else if (side[0].draws != NULL && side[1].draws != NULL)
+		if (band && i != ANSWERS_BREAK)
+			difference_cells(r, f, n + i, true);
+		else if (band)
 			answer_cells(r, "%.2f %.2f", NAN, NAN);
 	}
 }
@@ -146,6 +144,7 @@ put_side(struct fields *o, const char *key, const struct side *side,
 	for (size_t i = 0; i < n; i++)
 		fields_put(passing, "%g", units_pct(passing_at(side, x[i])));
 	answers_put_sizes(one, &side->p);
+	screened_put(one, &side->p);
 	origin_put(one, side->entry);
 }
 
@@ -191,7 +190,7 @@ comparison_notes(const struct session *s, struct answer *r,
 		if (answers_extrapolates(entry, side[i].p.speed))
 			answer_say(r, ANSWER_WARNING,
 			    "%s is outside the training speeds", side[i].head);
-		if (i == 1 && entry == side[0].entry)
+		if (i == 1 && !are_two(side))
 			continue;
 		origin_note(r, entry);
 		if (i == 0)
@@ -206,10 +205,16 @@ comparison_notes(const struct session *s, struct answer *r,
 /* What is pinned stays as it was, so that nothing is known of how its draws go
  * with others. */
 static bool
-take_pinned(struct session *s, struct side *side, struct error *error)
+take_pinned(struct session *s, const struct args *args, struct side *side,
+    struct error *error)
 {
 	const struct pin *pin = s->pin;
 	size_t at = 0;
+	if (args_value(args, "cut")->given)
+		return error_set(error, ERROR_USAGE,
+		    "compare: expected no cut= with what is pinned, which is "
+		    "the whole product\n"
+		    "leave out cut=, or write two speeds");
 	if (pin == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "compare: nothing is pinned\n"
@@ -240,35 +245,31 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 {
 	const char *word = args->operand[i];
 	if (is_pinned(args, i))
-		return take_pinned(s, side, error);
-	double v = answers_speed(args, session_entry(s));
-	size_t at = s->current, feed;
+		return take_pinned(s, args, side, error);
+	double v = args_number(args, "speed", answers_usual(session_entry(s)));
+	size_t at = s->current;
 	if (sites && !session_find(s, word, &at, error))
 		return false;
-	const struct entry *entry = &s->entry[at];
 	if (!sites && (!value_number(word, "m/s", &v) || v < 1 || v > 200))
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected speeds from 1 to 200 m/s, got %s", word);
-	if (!answers_known(s, entry, error) ||
-	    !feed_choose(entry->site, args, &feed, error))
+	const struct question *like = i > 0 ? &side[-1].q : NULL;
+	if (!answers_known(s, &s->entry[at], error) ||
+	    !(like != NULL && like->named != NULL
+		    ? question_too(
+			  s, &s->entry[at], args, like, &side->q, error)
+		    : question_of(s, &s->entry[at], args, &side->q, error)))
 		return false;
-	side->entry = entry;
-	side->p = outlook_predict(s, entry, v, feed);
-	struct ensemble *e = outlook_ensemble(s, entry, feed);
-	size_t size = side->p.curve.n * POSTERIOR_DRAWS;
-	if (e != NULL) {
-		side->draws = xdoubles(size);
-		memcpy(side->draws, ensemble_products(e, ENSEMBLE_ANSWER),
-		    size * sizeof *side->draws);
-	}
-	return true;
+	const struct entry *entry = side->entry = side->q.entry;
+	return screened_predict(s, entry, &entry->params, &side->q.fraction, v,
+	    side->q.feed, &side->p, error);
 }
 
 /* What stands over the columns: what the two differ in. */
 static void
 name_sides(bool sites, struct side side[2])
 {
-	bool two = side[0].entry != side[1].entry;
+	bool two = are_two(side);
 	for (size_t i = 0; i < 2; i++) {
 		const char *key = side[i].entry->key;
 		double v = side[i].p.speed;
@@ -283,20 +284,20 @@ name_sides(bool sites, struct side side[2])
 
 /* The heading of two sites. */
 static void
-head_sites(struct answer *r, const struct side side[2])
+head_sites(struct answer *r, const struct side side[2], const char *fraction)
 {
 	const struct site *a = side[0].entry->site, *b = side[1].entry->site;
 	char *both = xasprintf("%s, %s", a->name, b->name);
 	char *data = provenance(side);
 	if (side[0].p.speed != side[1].p.speed)
-		answer_title(
-		    r, "%s and %s, %% passing", side[0].head, side[1].head);
+		answer_title(r, "%s and %s, %% passing%s", side[0].head,
+		    side[1].head, fraction);
 	else if (a->with[0] != '\0')
-		answer_title(r, "%s and %s, with %s, at %g m/s, %% passing",
-		    a->name, b->name, a->with, side[0].p.speed);
+		answer_title(r, "%s and %s, with %s, at %g m/s, %% passing%s",
+		    a->name, b->name, a->with, side[0].p.speed, fraction);
 	else
-		answer_title(r, "%s and %s at %g m/s, %% passing", a->name,
-		    b->name, side[0].p.speed);
+		answer_title(r, "%s and %s at %g m/s, %% passing%s", a->name,
+		    b->name, side[0].p.speed, fraction);
 	answers_put_variant(r, a);
 	answer_sites(r, both, data);
 	free(both);
@@ -308,8 +309,7 @@ static void
 note_feeds(struct answer *r, const struct side side[2])
 {
 	const struct site *site = side[0].entry->site;
-	if (side[1].entry->site == site &&
-	    side[0].p.feed_run == side[1].p.feed_run) {
+	if (!are_two(side) && side[0].p.feed_run == side[1].p.feed_run) {
 		feed_note(r, site, side[0].p.feed_run);
 		return;
 	}
@@ -326,25 +326,35 @@ note_feeds(struct answer *r, const struct side side[2])
 static struct answer *
 comparison(const struct session *s, const struct side side[2])
 {
-	bool sites = side[0].entry != side[1].entry;
 	size_t n;
 	double *x = all_sieves(side, &n);
-	struct answer *r =
-	    sites ? answer_new("compare")
-		  : answers_new(side[0].entry->site, "compare",
-			"%s and %s, %% passing", side[0].head, side[1].head);
-	if (sites)
-		head_sites(r, side);
-	comparison_rows(s, r, side, x, n);
-	if (side[0].draws != NULL && side[1].draws != NULL)
+	struct forecast *f[2];
+	for (size_t i = 0; i < 2; i++)
+		f[i] = side_forecast(s, &side[i], x, n);
+	bool band = f[0] != NULL && f[1] != NULL &&
+		    forecast_draws(f[0], n) != NULL &&
+		    forecast_draws(f[1], n) != NULL;
+	char *fraction = screened_title(&side[0].p);
+	struct answer *r = are_two(side)
+			       ? answer_new("compare")
+			       : answers_new(side[0].entry->site, "compare",
+				     "%s and %s, %% passing%s", side[0].head,
+				     side[1].head, fraction);
+	if (are_two(side))
+		head_sites(r, side, fraction);
+	comparison_rows(r, side, f, band, x, n);
+	if (band)
 		answer_say(r, ANSWER_REMARK,
 		    "low, high: of the difference, with %.0f %% probability",
 		    100 * settings_level(&s->set));
 	comparison_notes(s, r, side, x, n);
 	note_feeds(r, side);
 	fields_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
-	put_side(answer_fields(r), "a", &side[0], x, n);
-	put_side(answer_fields(r), "b", &side[1], x, n);
+	for (size_t i = 0; i < 2; i++) {
+		put_side(answer_fields(r), i == 0 ? "a" : "b", &side[i], x, n);
+		forecast_close(f[i]);
+	}
+	free(fraction);
 	free(x);
 	return r;
 }
@@ -354,16 +364,20 @@ comparison(const struct session *s, const struct side side[2])
 static bool
 draw_both(struct session *s, const struct side side[2], struct error *error)
 {
+	if (fraction_screens(&side[0].p.fraction))
+		return error_set(error, ERROR_USAGE,
+		    "the picture shows the whole product, not a fraction\n"
+		    "leave out cut=");
 	const struct side *one = &side[side[1].pinned ? 0 : 1];
 	const struct side *two = &side[side[1].pinned ? 1 : 0];
 	struct plot_request request = plots_request(PLOT_PSD);
-	request.site = one->entry->key;
+	request.entry = one->entry;
 	request.speed = one->p.speed;
 	double feed = feed_speed(one->entry->site, one->p.feed_run);
 	request.feed_speed = feed > 0 ? feed : 0;
 	request.made = &one->p;
 	request.kept = two->pinned ? &s->pin->p : &two->p;
-	if (two->entry != one->entry)
+	if (are_two(side))
 		request.beside = two->entry->key;
 	request.band = one->p.low != NULL;
 	struct chart *chart = plots_chart(s, &request, error);
@@ -393,7 +407,7 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 	}
 	for (size_t i = 0; i < 2; i++) {
 		prediction_free(&side[i].p);
-		free(side[i].draws);
+		question_free(s, &side[i].q);
 		free(side[i].head);
 	}
 	return ok;

@@ -3,11 +3,11 @@
 #include <stdlib.h>
 
 #include "cmd/ask/answers.h"
-#include "cmd/ask/band.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/feed.h"
 
 /* What is shown unless told otherwise, as far as the feed tells. */
 #define USUAL "D10,P20,D50,P80,D90,cu,cc,fines,fm EN,fm ASTM,fm IS,fm DIN,fm GB"
@@ -32,18 +32,17 @@ keep_covered(struct quantity *q, size_t *n, const struct psd *feed, bool asked,
 
 /* The quantities of a call; the caller frees. */
 static struct quantity *
-read_wanted(const struct args *args, const struct psd *feed, size_t *n,
+read_wanted(const struct args *args, const struct question *question, size_t *n,
     struct error *error)
 {
 	const struct value *of = args_value(args, "of");
-	struct fraction all;
-	if (!quantities_option(args, &all, error))
-		return NULL;
+	const struct fraction *all = &question->fraction;
+	const struct psd *feed = question_feed(question);
 	struct quantity *q = quantities_list(
-	    of->given ? of->text : USUAL, &all.partition, n, error);
+	    of->given ? of->text : USUAL, &all->partition, n, error);
 	bool ok = q != NULL;
 	for (size_t i = 0; ok && i < *n; i++)
-		ok = quantities_cut(&q[i], &all, error);
+		ok = quantities_cut(&q[i], all, error);
 	if (!ok || !keep_covered(q, n, feed, of->given, error)) {
 		free(q);
 		return NULL;
@@ -52,55 +51,49 @@ read_wanted(const struct args *args, const struct psd *feed, size_t *n,
 }
 
 static void
-put_figure(struct fields *list, const struct quantity *q, double value,
-    const double range[2])
+put_figure(
+    struct fields *list, const struct quantity *q, const struct figure *f)
 {
 	struct fields *o = fields_object(list, NULL);
 	char *key = quantities_key(q);
 	fields_put(o, "quantity %s value %g unit %s low %g high %g", key,
-	    quantities_shown(q, value), quantities_unit(q),
-	    quantities_shown(q, range[0]), quantities_shown(q, range[1]));
+	    quantities_shown(q, f->value), quantities_unit(q),
+	    quantities_shown(q, f->low), quantities_shown(q, f->high));
 	free(key);
 }
 
 static void
-figure_row(struct answer *r, struct fields *list, const struct session *s,
-    struct response *all, size_t i, const struct quantity *q)
+figure_row(struct answer *r, struct fields *list, struct forecast *all,
+    size_t i, const struct quantity *q)
 {
-	double value = response_value(all, i), range[2],
-	       model = response_model(all, i);
+	struct figure f = forecast_figure(all, i);
 	bool whole = quantities_decimals(q) == 1;
 	char *words = quantities_words(q), *key = quantities_key(q);
-	response_band(all, i, settings_level(&s->set), range);
 	answer_name(r, key, words);
-	answer_cells(r, whole ? "%.1f" : "%.2f", quantities_shown(q, value));
+	answer_cells(r, whole ? "%.1f" : "%.2f", quantities_shown(q, f.value));
 	answer_text(r, "%s", quantities_unit(q));
-	if (response_draws(all, i) != NULL)
+	if (forecast_draws(all, i) != NULL)
 		answer_cells(r, whole ? "%.1f %.1f %.1f" : "%.2f %.2f %.2f",
-		    quantities_shown(q, range[0]),
-		    quantities_shown(q, range[1]), quantities_shown(q, model));
-	put_figure(list, q, value, range);
+		    quantities_shown(q, f.low), quantities_shown(q, f.high),
+		    quantities_shown(q, forecast_model(all, i)));
+	put_figure(list, q, &f);
 	free(words);
 	free(key);
 }
 
 bool
-cmd_figures(struct session *s, const struct args *args, struct error *error)
+cmd_figures(struct session *s, const struct args *args,
+    struct question *question, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	double v = answers_speed(args, entry);
-	size_t feed, n;
-	if (!answers_ready(s, error) ||
-	    !feed_choose(entry->site, args, &feed, error))
-		return false;
-	struct quantity *q =
-	    read_wanted(args, site_feed(entry->site, feed), &n, error);
+	const struct entry *entry = question->entry;
+	double v = question->speed;
+	size_t n;
+	struct quantity *q = read_wanted(args, question, &n, error);
 	if (q == NULL)
 		return false;
-	struct response *all =
-	    outlook_response(s, entry, &entry->params, feed, q, n);
-	response_at(all, v);
-	bool band = n > 0 && response_draws(all, 0) != NULL;
+	struct forecast *all = forecast_open(s, question, q, n);
+	forecast_at(all, v);
+	bool band = n > 0 && forecast_draws(all, 0) != NULL;
 	struct answer *r = answers_new(
 	    entry->site, "figures", "figures of the product at %g m/s", v);
 	answer_columns(r, "quantity: figure, value, unit");
@@ -110,11 +103,11 @@ cmd_figures(struct session *s, const struct args *args, struct error *error)
 	    answers_extrapolates(entry, v));
 	struct fields *list = fields_list(answer_fields(r), "figures");
 	for (size_t i = 0; i < n; i++)
-		figure_row(r, list, s, all, i, &q[i]);
+		figure_row(r, list, all, i, &q[i]);
 	if (band)
-		band_note(r, s, entry, true);
-	answers_note_doubt(s, r, v, feed);
-	response_free(all);
+		outlook_note(r, s, entry, true);
+	answers_note_doubt(s, r, question->entry, question->feed, v);
+	forecast_close(all);
 	free(q);
 	return session_answer(s, r);
 }

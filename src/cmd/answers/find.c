@@ -9,12 +9,12 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/condition.h"
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/feed.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
@@ -27,8 +27,7 @@ struct goal {
 	struct condition target; /* both limits the value */
 	struct condition_list others;
 	char *limits; /* where those of an envelope are from; or NULL */
-	const struct entry *entry;
-	size_t feed;
+	const struct question *question;
 	struct wanted wanted; /* the others; then the target's quantity */
 };
 
@@ -166,13 +165,12 @@ static bool
 read_goal(struct session *s, const struct args *args, struct goal *goal,
     struct error *error)
 {
-	const struct psd *feed = site_feed(session_entry(s)->site, goal->feed);
-	struct fraction fraction;
-	if (!quantities_option(args, &fraction, error))
-		return false;
-	read_options(args, &fraction, goal);
+	const struct question *q = goal->question;
+	const struct psd *feed = question_feed(q);
+	const struct fraction *fraction = &q->fraction;
+	read_options(args, fraction, goal);
 	for (size_t i = 0; i < args->n_operand; i++)
-		if (!read_operand(args->operand[i], &fraction, goal, error))
+		if (!read_operand(args->operand[i], fraction, goal, error))
 			return false;
 	if (!check_goal(args, goal, error) ||
 	    !conditions_covered(&goal->target, feed, error))
@@ -181,7 +179,7 @@ read_goal(struct session *s, const struct args *args, struct goal *goal,
 		if (!conditions_covered(&goal->others.at[i], feed, error))
 			return false;
 	return conditions_add_option(
-	    s, args, &fraction, feed, &goal->others, &goal->limits, error);
+	    s, args, fraction, feed, &goal->others, &goal->limits, error);
 }
 
 /* The target's, as people see it. */
@@ -279,7 +277,7 @@ beyond(const struct entry *entry, double v)
 {
 	double slowest, fastest;
 	if (!origin_reach(entry, &slowest, &fastest))
-		slowest = fastest = answers_middle(entry->site);
+		slowest = fastest = site_middle(entry->site);
 	return fmax(0, fmax(slowest - v, v - fastest));
 }
 
@@ -312,7 +310,7 @@ search(const struct session *s, const struct goal *goal)
 		return f;
 	}
 	f.n = window_roots(c, c->n, goal->target.least, &f.root);
-	choose(goal->entry, goal, &f);
+	choose(goal->question->entry, goal, &f);
 	/* As another value is to be looked for elsewhere, so is its range. */
 	double about = isnan(f.speed) ? (c->from + c->to) / 2 : f.speed;
 	window_spread(c, c->n, goal->target.least, about,
@@ -341,7 +339,8 @@ note_speed(struct answer *r, const struct session *s, const struct goal *goal,
 	for (size_t i = 0; i < f->n; i++)
 		if (f->root[i] != f->speed)
 			answer_note(r, "also at %.2f m/s%s", f->root[i],
-			    answers_extrapolates(goal->entry, f->root[i])
+			    answers_extrapolates(
+				goal->question->entry, f->root[i])
 				? tr(", extrapolated")
 				: "");
 }
@@ -513,7 +512,7 @@ note_finding(struct answer *r, const struct session *s, const struct goal *goal,
 static void
 answer_goal(struct session *s, struct goal *goal)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = goal->question->entry;
 	struct finding f = search(s, goal);
 	bool found = !isnan(f.speed);
 	double speed[2] = {
@@ -521,27 +520,29 @@ answer_goal(struct session *s, struct goal *goal)
 	size_t n = found ? 1 : 2;
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
-		p[i] = outlook_predict(s, entry, speed[i], goal->feed);
+		p[i] =
+		    outlook_predict(s, entry, speed[i], goal->question->feed);
 	session_forget(s);
 	char *words = goal_words(goal);
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speed for %s", words);
-	answers_speed_rows(s, r, p, n);
+	answers_speed_rows(r, entry, p, n);
 	note_finding(r, s, goal, &f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
-	double near = answers_middle(entry->site);
-	answers_note_doubt(s, r, found ? f.speed : near, goal->feed);
+	double near = site_middle(entry->site);
+	answers_note_doubt(s, r, goal->question->entry, goal->question->feed,
+	    found ? f.speed : near);
 	put_goal(answer_fields(r), goal, f.speed, f.range);
 	response_at(goal->wanted.response, found ? f.speed : f.w.best);
 	if (goal->wanted.n > 0)
 		conditions_put(answer_fields(r), s, &goal->wanted, &f.w);
 	if (goal->wanted.n > 0)
 		fields_put(answer_fields(r), "holds %d", f.holds);
-	answers_put_products(s, answer_fields(r), p, n);
+	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_answer(s, r);
 	if (found)
-		answers_keep(s, &entry->params, &p[0]);
+		answers_keep(s, entry, &entry->params, &p[0]);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	window_free(&f.w);
@@ -588,11 +589,12 @@ static bool
 answer_spec(struct session *s, const struct args *args, const struct goal *goal,
     struct error *error)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = goal->question->entry;
 	const struct spec *spec =
 	    grading_spec(s, args_value(args, "spec")->text, error);
 	struct grading g;
-	if (spec == NULL || !grading_open(s, args, spec, goal->feed, &g, error))
+	if (spec == NULL ||
+	    !grading_open(s, args, spec, goal->question, &g, error))
 		return false;
 	g.conditions.from = goal->wanted.from;
 	g.conditions.to = goal->wanted.to;
@@ -609,7 +611,8 @@ answer_spec(struct session *s, const struct args *args, const struct goal *goal,
 	if (response_draws(g.conditions.response, 0) != NULL)
 		note_certain(r, s, certain);
 	grading_notes(r, s, &g);
-	answers_note_doubt(s, r, v, goal->feed);
+	answers_note_doubt(
+	    s, r, goal->question->entry, goal->question->feed, v);
 	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g",
@@ -631,8 +634,9 @@ find_goal(struct session *s, const struct args *args, struct goal *goal,
 	double from = goal->wanted.from, to = goal->wanted.to;
 	bool ok = read_goal(s, args, goal, error);
 	if (ok) {
-		goal->wanted = conditions_ask(s, session_entry(s), goal->feed,
-		    &goal->others, &goal->target.quantity);
+		goal->wanted = conditions_ask(s, goal->question->entry,
+		    goal->question->feed, &goal->others,
+		    &goal->target.quantity);
 		goal->wanted.from = from;
 		goal->wanted.to = to;
 		answer_goal(s, goal);
@@ -644,14 +648,12 @@ find_goal(struct session *s, const struct args *args, struct goal *goal,
 }
 
 bool
-cmd_find(struct session *s, const struct args *args, struct error *error)
+cmd_find(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	const struct site *site = session_entry(s)->site;
-	struct goal goal = {.kind = GOAL_VALUE, .entry = session_entry(s)};
-	if (!answers_ready(s, error) ||
-	    !conditions_speeds(
-		args, site, &goal.wanted.from, &goal.wanted.to, error) ||
-	    !feed_choose(site, args, &goal.feed, error))
+	struct goal goal = {.kind = GOAL_VALUE, .question = q};
+	if (!conditions_speeds(args, q->entry->site, &goal.wanted.from,
+		&goal.wanted.to, error))
 		return false;
 	return wishes_spec(s, args) ? answer_spec(s, args, &goal, error)
 				    : find_goal(s, args, &goal, error);

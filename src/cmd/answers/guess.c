@@ -10,9 +10,9 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/fit.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/feed.h"
 #include "core/search/misfit.h"
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
@@ -404,12 +404,13 @@ note_best(struct answer *r, const struct site *site, const struct basis *b)
 }
 
 static void
-give_guess(struct session *s, const struct basis *b, const struct guess *guess)
+give_guess(struct session *s, const struct site *site, const struct basis *b,
+    const struct guess *guess)
 {
-	struct answer *r = guess_table(session_entry(s)->site, guess);
+	struct answer *r = guess_table(site, guess);
 	note_sizes(r, guess);
 	note_materials(r, b);
-	note_best(r, session_entry(s)->site, b);
+	note_best(r, site, b);
 	note_reach(r, b, guess->speed);
 	note_error(r, b);
 	put_guess(r, b, guess);
@@ -418,21 +419,19 @@ give_guess(struct session *s, const struct basis *b, const struct guess *guess)
 }
 
 bool
-cmd_guess(struct session *s, const struct args *args, struct error *error)
+cmd_guess(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	const struct site *site = session_entry(s)->site;
-	double speed = answers_speed(args, session_entry(s));
-	size_t feed;
+	const struct site *site = q->entry->site;
 	struct basis b = {.n = 0};
 	bool ok = find_wanted(site, args, &b.wanted, error) &&
-		  feed_choose(site, args, &feed, error) &&
 		  basis_read(&b, s->store, error);
 	if (ok) {
 		basis_fill(&b);
-		basis_pick(&b, args_value(args, "nearest"), speed);
+		basis_pick(&b, args_value(args, "nearest"), q->speed);
 		struct guess guess =
-		    guess_product(site, feed, b.m, b.pick, b.n, speed);
-		give_guess(s, &b, &guess);
+		    guess_product(site, q->feed, b.m, b.pick, b.n, q->speed);
+		give_guess(s, site, &b, &guess);
 		guess_free(&guess);
 	}
 	basis_free(&b);

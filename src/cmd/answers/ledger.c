@@ -7,6 +7,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/parse.h"
@@ -213,7 +214,6 @@ give(struct balance *b)
 	program_rows(r, b);
 	note_ways(r, b);
 	note_correction(r, b);
-	feed_note(r, entry->site, b->p[0].feed_run);
 	for (size_t k = 0; k < 2; k++)
 		if (answers_extrapolates(entry, b->p[k].speed))
 			answer_say(r, ANSWER_WARNING,
@@ -221,31 +221,27 @@ give(struct balance *b)
 			    b->p[k].speed);
 	answer_note(r, "picture: plot psd speed=%g other=%g", b->p[0].speed,
 	    b->p[1].speed);
-	origin_note(r, entry);
-	answers_note_variant(r, entry);
-	answers_note_model(b->s, r, entry);
 	put_balance(answer_fields(r), b);
-	light_show(r, light_worst(b->s, entry, b->p, 2));
+	answers_show_basis(b->s, r, entry, b->p[0].feed_run, false,
+	    light_worst(b->s, entry, b->p, 2));
 	session_answer(b->s, r);
 }
 
 bool
-balance_answer(struct session *s, const struct args *args, struct error *error)
+balance_answer(struct session *s, const struct args *args,
+    const struct question *q, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	double v[2] = {answers_speed(args, entry), 0};
-	size_t run;
+	const struct entry *entry = q->entry;
+	double v[2] = {q->speed, 0};
 	if (!value_number(args->operand[0], "m/s", &v[1]) || v[1] < 1 ||
 	    v[1] > 200)
 		return error_set(error, ERROR_USAGE,
 		    "why: expected speeds from 1 to 200 m/s, got %s",
 		    args->operand[0]);
-	if (!feed_choose(entry->site, args, &run, error))
-		return false;
 	struct balance b = {
-	    .s = s, .entry = entry, .feed = site_feed(entry->site, run)};
+	    .s = s, .entry = entry, .feed = site_feed(entry->site, q->feed)};
 	for (size_t k = 0; k < 2; k++) {
-		b.p[k] = outlook_predict(s, entry, v[k], run);
+		b.p[k] = outlook_predict(s, entry, v[k], q->feed);
 		b.of[k] = ledger_new(
 		    b.feed, &entry->params, outlook_settings(s, entry), v[k]);
 	}

@@ -12,6 +12,7 @@
 #include "cmd/ask/fraction.h"
 #include "cmd/draw/plot.h"
 #include "cmd/draw/plots.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/screened.h"
 #include "cmd/lang/table.h"
 #include "cmd/session/turn.h"
@@ -91,10 +92,9 @@ note_wide_gap(struct answer *r, const struct psd *feed)
  * sieve, [n]; NULL where no measured runs lie on both sides of the speed, or
  * were measured with another feed or machine. */
 static double *
-interpolated(const struct session *s, const struct params *params,
-    const struct prediction *p)
+interpolated(const struct session *s, const struct entry *entry,
+    const struct params *params, const struct prediction *p)
 {
-	const struct entry *entry = &s->entry[s->current];
 	if (entry->site->with[0] != '\0')
 		return NULL;
 	struct site *site = site_copy(entry->site);
@@ -136,10 +136,10 @@ measured_at(const struct site *site, double speed, const struct run **first)
 /* The measured products of runs [n] there, of the feed and the fraction that
  * are asked for; the caller frees all. */
 static struct psd *
-measured_parts(const struct session *s, const struct params *params,
-    const struct run *run, size_t n, const struct prediction *p)
+measured_parts(const struct session *s, const struct entry *entry,
+    const struct params *params, const struct run *run, size_t n,
+    const struct prediction *p)
 {
-	const struct entry *entry = &s->entry[s->current];
 	size_t first = (size_t)(run - entry->site->run);
 	struct psd *part = xcalloc(n, sizeof *part);
 	for (size_t k = 0; k < n; k++)
@@ -152,14 +152,13 @@ measured_parts(const struct session *s, const struct params *params,
 /* A row a sieve; between: NULL for none; model: with it and the speed in
  * columns of their own, for files, or NULL; alone: with the model alone. */
 static void
-add_rows(struct answer *r, const struct session *s, const struct params *params,
-    const struct prediction *p, const double *between, const char *model,
-    bool alone)
+add_rows(struct answer *r, const struct session *s, const struct entry *entry,
+    const struct params *params, const struct prediction *p,
+    const double *between, const char *model, bool alone)
 {
-	const struct site *site = s->entry[s->current].site;
 	const struct run *run;
-	size_t n = measured_at(site, p->speed, &run);
-	struct psd *part = measured_parts(s, params, run, n, p);
+	size_t n = measured_at(entry->site, p->speed, &run);
+	struct psd *part = measured_parts(s, entry, params, run, n, p);
 	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
 	if (p->low != NULL)
@@ -200,11 +199,11 @@ add_rows(struct answer *r, const struct session *s, const struct params *params,
 }
 
 static struct answer *
-prediction_answer(struct session *s, const struct prediction *p,
-    const struct params *params, const double *between, bool detail)
+prediction_answer(const struct session *s, const struct entry *entry,
+    const struct prediction *p, const struct params *params,
+    const double *between, bool detail)
 {
 	const char *model = breakage_of(params)->name;
-	const struct site *site = session_entry(s)->site;
 	char *fraction = screened_title(p);
 	char *more =
 	    detail ? xasprintf(tr(" (%.0f J/kg)"), p->energy) : xstrdup("");
@@ -212,14 +211,14 @@ prediction_answer(struct session *s, const struct prediction *p,
 	    !detail && p->low != NULL
 		? xasprintf(tr(", %.0f %% band"), 100 * settings_level(&s->set))
 		: xstrdup("");
-	struct answer *r = answers_new(site, "predict",
+	struct answer *r = answers_new(entry->site, "predict",
 	    "product at %.1f m/s%s%s%s", p->speed, more, fraction, band);
 	free(band);
 	free(more);
 	free(fraction);
-	add_rows(r, s, params, p, between, NULL, detail);
+	add_rows(r, s, entry, params, p, between, NULL, detail);
 	answer_for_programs(r);
-	add_rows(r, s, params, p, between, model, true);
+	add_rows(r, s, entry, params, p, between, model, true);
 	return r;
 }
 
@@ -230,7 +229,7 @@ note_only_check(
     struct answer *r, const struct session *s, const struct entry *entry)
 {
 	size_t run;
-	if (session_busy(s) || entry->variant != NULL ||
+	if (session_busy(s) || entry->site != entry_loaded(entry)->site ||
 	    !cut_is_only_check(entry, &run))
 		return;
 	struct cut cut = cut_compare(s, entry, run);
@@ -250,13 +249,13 @@ note_only_check(
 /* Which sizes break, and which runs correct the model: in detail, or where it
  * is not as usual. */
 static void
-note_usual(struct answer *r, struct session *s, const struct params *params,
-    const struct prediction *p, bool detail)
+note_usual(struct answer *r, const struct session *s, const struct entry *entry,
+    const struct params *params, const struct prediction *p, bool detail)
 {
-	const struct entry *entry = session_entry(s);
-	bool unusual = s->set.correction != CORRECTION_ALL || !entry->has_fit;
+	bool unusual =
+	    outlook_correction(s, entry) != CORRECTION_ALL || !entry->has_fit;
 	if (p->low != NULL && (detail || unusual))
-		band_note(r, s, entry, true);
+		outlook_note(r, s, entry, true);
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
 		note_breakage(
 		    r, params, site_feed(entry->site, p->feed_run), p);
@@ -291,9 +290,9 @@ chance_words(double level)
 
 /* How sure, in one sentence about one number (D22). */
 static void
-note_sure(struct answer *r, const struct session *s, const struct prediction *p)
+note_sure(struct answer *r, const struct session *s, const struct entry *entry,
+    const struct prediction *p)
 {
-	const struct entry *entry = &s->entry[s->current];
 	char *chance = chance_words(settings_level(&s->set));
 	size_t i = answers_sieve(&p->product);
 	double mm = units_mm(p->product.size[i]), sample[2];
@@ -311,10 +310,9 @@ note_sure(struct answer *r, const struct session *s, const struct prediction *p)
 /* That what was measured stands beside the answer as it would be of its
  * feed. */
 static void
-note_moved(struct answer *r, const struct session *s,
+note_moved(struct answer *r, const struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p, bool between)
 {
-	const struct entry *entry = &s->entry[s->current];
 	const struct site *site = entry->site;
 	double most = 0;
 	for (size_t k = 0; k < site->n_run; k++)
@@ -331,41 +329,43 @@ note_moved(struct answer *r, const struct session *s,
 /* The answer with what is to be said of it; wanted: with the interpolated
  * products. */
 static struct answer *
-explained(struct session *s, const struct prediction *p,
-    const struct params *params, bool wanted, bool detail)
+explained(const struct session *s, const struct question *q,
+    const struct prediction *p, const struct params *params, bool wanted,
+    bool detail)
 {
-	const struct entry *entry = session_entry(s);
-	double *between = wanted ? interpolated(s, params, p) : NULL;
-	struct answer *r = prediction_answer(s, p, params, between, detail);
+	const struct entry *entry = q->entry;
+	double *between = wanted ? interpolated(s, entry, params, p) : NULL;
+	struct answer *r =
+	    prediction_answer(s, entry, p, params, between, detail);
 	struct fields *o = answer_fields(r);
-	answers_put_prediction(s, o, params, p);
+	answers_put_prediction(s, o, entry, params, p);
 	if (p->low != NULL)
-		note_sure(r, s, p);
+		note_sure(r, s, entry, p);
 	screened_note(r, p);
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {
 		answer_put_columns(r, "low_pct high_pct");
 		band_put(o, s, p);
 	}
-	note_usual(r, s, params, p, detail);
+	note_usual(r, s, entry, params, p, detail);
 	note_feed_gaps(r, entry->site, p);
 	note_wide_gap(r, site_feed(entry->site, p->feed_run));
-	if (session_fitting(s) == session_entry(s))
+	if (session_fitting(s) == entry_loaded(entry))
 		answer_say(r, ANSWER_REMARK,
 		    "predicted with the best parameters so far");
 	if (between != NULL)
 		answer_put_columns(r, "interpolated_pct");
 	else if (wanted)
 		answer_say(r, ANSWER_REMARK,
-		    entry->variant != NULL
+		    entry->site->with[0] != '\0'
 			? N_("no interpolation: at %g m/s nothing was measured "
 			     "with this feed and machine")
 			: N_("no interpolation: %g m/s is not between measured "
 			     "runs"),
 		    p->speed);
-	note_moved(r, s, params, p, between != NULL);
+	note_moved(r, s, entry, params, p, between != NULL);
 	note_only_check(r, s, entry);
-	answers_note_doubt(s, r, p->speed, p->feed_run);
+	answers_note_doubt(s, r, q->entry, q->feed, p->speed);
 	free(between);
 	return r;
 }
@@ -373,12 +373,14 @@ explained(struct session *s, const struct prediction *p,
 /* The psd plot of the prediction: with its band as a picture where one is
  * wanted, else in plain text wherever it goes. */
 static bool
-draw_curves(struct session *s, const struct prediction *p, struct error *error)
+draw_curves(struct session *s, const struct question *q,
+    const struct prediction *p, struct error *error)
 {
 	enum { WIDTH = 78, HEIGHT = 24 };
 	struct plot_request request = plots_request(PLOT_PSD);
+	request.entry = q->entry;
 	request.speed = p->speed;
-	double feed = feed_speed(session_entry(s)->site, p->feed_run);
+	double feed = feed_speed(q->entry->site, p->feed_run);
 	request.feed_speed = feed > 0 ? feed : 0;
 	request.band = pictures_wanted(s) && p->low != NULL;
 	if (!pictures_wanted(s))
@@ -397,13 +399,15 @@ draw_curves(struct session *s, const struct prediction *p, struct error *error)
 	return true;
 }
 
-/* What the site in use is predicted with; while it is being calibrated, the
- * best so far. */
+/* What a site is predicted with; while it is being calibrated, the best so
+ * far. */
 static bool
-take_params(struct session *s, struct params *params, struct error *error)
+take_params(const struct session *s, const struct entry *entry,
+    struct params *params, struct error *error)
 {
-	*params = session_entry(s)->params;
-	return answers_forming(s, params) || answers_ready(s, error);
+	*params = entry->params;
+	return answers_forming(s, entry, params) ||
+	       answers_known(s, entry, error);
 }
 
 bool
@@ -411,52 +415,47 @@ predict_step(struct session *s, double speed, size_t feed_run, const char *line,
     struct prediction *p, struct error *error)
 {
 	struct params params;
-	if (!take_params(s, &params, error))
+	const struct entry *entry = session_entry(s);
+	if (!take_params(s, entry, &params, error))
 		return false;
-	*p = outlook_form(s, session_entry(s), &params, speed, feed_run);
-	answers_keep(s, &params, p);
+	*p = outlook_form(s, entry, &params, speed, feed_run);
+	answers_keep(s, entry, &params, p);
 	invocation_asked(s, "predict", line);
 	return true;
 }
 
 /* Interpolated products and curves are those of the whole product. */
 static bool
-whole_for(const struct args *args, const struct screened *screened,
+whole_for(const struct args *args, const struct fraction *fraction,
     struct error *error)
 {
 	bool asked = args_value(args, "interpolated")->choice == 1 ||
 		     args_value(args, "curve")->choice == 1;
-	if (!asked || !fraction_screens(&screened->fraction))
+	if (!asked || !fraction_screens(fraction))
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "interpolated= and curve= show the whole product, not a "
 	    "fraction\nleave out cut=, or write plot response");
 }
 
-static bool
-predict_as_set(struct session *s, const struct args *args, struct error *error)
+bool
+cmd_predict(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	struct entry *entry = session_entry(s);
+	const struct entry *entry = q->entry;
 	struct params params;
-	if (!take_params(s, &params, error))
-		return false;
-	double speed = answers_speed(args, entry);
-	size_t feed;
-	if (!feed_choose(entry->site, args, &feed, error))
-		return false;
+	struct prediction p;
 	bool wanted = args_value(args, "interpolated")->choice == 1;
-	struct screened screened;
-	if (!screened_read(
-		args, site_feed(entry->site, feed), &screened, error) ||
-	    !whole_for(args, &screened, error))
+	if (!take_params(s, entry, &params, error) ||
+	    !whole_for(args, &q->fraction, error) ||
+	    !screened_predict(
+		s, entry, &params, &q->fraction, q->speed, q->feed, &p, error))
 		return false;
-	struct prediction p = outlook_form(s, entry, &params, speed, feed);
-	screened_take(s, entry, &params, &screened, &p);
 	const struct value *asked = args_value(args, "band");
 	if (asked->choice == 0)
 		prediction_drop_band(&p);
 	struct answer *r = explained(
-	    s, &p, &params, wanted, args_value(args, "detail")->choice == 1);
+	    s, q, &p, &params, wanted, args_value(args, "detail")->choice == 1);
 	if (asked->given && asked->choice == 1 && p.low == NULL)
 		answer_note(r, "%s", outlook_why_none(s, entry));
 	bool picture = pictures_wanted(s) && s->document == NULL;
@@ -466,19 +465,7 @@ predict_as_set(struct session *s, const struct args *args, struct error *error)
 		session_keep(s, r);
 	else
 		session_answer(s, r);
-	bool ok = (!picture && !curve) || draw_curves(s, &p, error);
+	bool ok = (!picture && !curve) || draw_curves(s, q, &p, error);
 	prediction_free(&p);
-	return ok;
-}
-
-bool
-cmd_predict(struct session *s, const struct args *args, struct error *error)
-{
-	const struct value *correction = args_value(args, "correction");
-	enum correction before = s->set.correction;
-	if (correction->given)
-		s->set.correction = (enum correction)correction->choice;
-	bool ok = predict_as_set(s, args, error);
-	s->set.correction = before;
 	return ok;
 }

@@ -9,6 +9,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/condition.h"
 #include "cmd/ask/fraction.h"
 #include "cmd/document/document.h"
@@ -36,12 +37,13 @@ enum need {
 
 /* What is asked: a speed, m/s; the new feed, t/h, 0 where it is not given; and
  * as a line has them behind a blank, "" where there are none: the conditions,
- * each in quotes, the envelope, as an operand and as an option, what is
- * screened, and the new feed.  list: the conditions, the envelope's too;
- * wanted, found: where they hold, of a site with parameters. */
+ * each in quotes, the envelope, as an operand and as an option, what else the
+ * question has, what is screened, and the new feed.  list: the conditions, the
+ * envelope's too; wanted, found: where they hold, of a site with parameters. */
 struct ask {
 	double speed, tph;
-	char *conditions, *envelope, *spec, *cut, *rate;
+	char *conditions, *envelope, *spec, *asked, *cut, *rate;
+	const struct question *q;
 	struct condition_list list;
 	struct wanted wanted;
 	struct window_found found;
@@ -53,17 +55,17 @@ static const struct section {
 	const char *heading, *line;
 	enum need need;
 } SECTIONS[] = {
-    {N_("Product at SPEED m/s"), "predict SPEEDCUT", NEED_PARAMS},
-    {NULL, "plot psd speed=SPEED band=on", NEED_PARAMS},
-    {N_("How sure the answer is"), "why SPEED", NEED_PARAMS},
-    {NULL, "uncertainty speed=SPEED", NEED_FIT},
-    {NULL, "advise speed=SPEED", NEED_FIT},
-    {N_("Other speeds"), "sweepCUT", NEED_PARAMS},
-    {NULL, "plot sweep", NEED_PARAMS},
-    {N_("Window"), "windowCONDITIONSSPECCUT", NEED_CONDITIONS},
-    {N_("Grading envelope"), "specENVELOPE speed=SPEEDCUT", NEED_SPEC},
-    {N_("Flow"), "flowRATE speed=SPEED", NEED_TPH},
-    {N_("Card"), "cardCONDITIONSRATESPECCUT", NEED_PARAMS},
+    {N_("Product at SPEED m/s"), "predict SPEEDASKEDCUT", NEED_PARAMS},
+    {NULL, "plot psd speed=SPEED band=onASKED", NEED_PARAMS},
+    {N_("How sure the answer is"), "why SPEEDASKED", NEED_PARAMS},
+    {NULL, "uncertainty speed=SPEEDASKED", NEED_FIT},
+    {NULL, "advise speed=SPEEDASKED", NEED_FIT},
+    {N_("Other speeds"), "sweepASKEDCUT", NEED_PARAMS},
+    {NULL, "plot sweepASKED", NEED_PARAMS},
+    {N_("Window"), "windowCONDITIONSSPECASKEDCUT", NEED_CONDITIONS},
+    {N_("Grading envelope"), "specENVELOPE speed=SPEEDASKEDCUT", NEED_SPEC},
+    {N_("Flow"), "flowRATE speed=SPEEDASKED", NEED_TPH},
+    {N_("Card"), "cardCONDITIONSRATESPECASKEDCUT", NEED_PARAMS},
     {N_("Validation"), "validate", NEED_PARAMS},
     {N_("Routine cuts"), "drift", NEED_CUTS},
     {NULL, "plot drift", NEED_CUTS},
@@ -128,8 +130,8 @@ filled(const char *words, const struct ask *ask)
 		const char *word, *value;
 	} with[] = {{"SPEED", text_exact(ask->speed, speed)},
 	    {"SPEC", ask->spec}, {"CONDITIONS", ask->conditions},
-	    {"ENVELOPE", ask->envelope}, {"CUT", ask->cut},
-	    {"RATE", ask->rate}};
+	    {"ENVELOPE", ask->envelope}, {"ASKED", ask->asked},
+	    {"CUT", ask->cut}, {"RATE", ask->rate}};
 	while (*words != '\0') {
 		size_t i = 0;
 		while (i < ARRAY_LEN(with) &&
@@ -196,9 +198,9 @@ put_data(struct document *d, const struct site *site)
 static void
 put_light(struct session *s, const struct ask *ask)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = ask->q->entry;
 	struct prediction p =
-	    outlook_predict(s, entry, ask->speed, SITE_MEAN_FEED);
+	    outlook_predict(s, entry, ask->speed, ask->q->feed);
 	struct trust t = light_of(s, entry, &p);
 	char number[32];
 	char *words = xasprintf(tr("Trust: %s. %s the answer at %s m/s%s"),
@@ -300,8 +302,9 @@ put_script(struct session *s, const struct ask *ask)
 	fprintf(out, "# A session of tipspeed %s, written by 'report'.\n",
 	    PACKAGE_VERSION);
 	journal_put(s, out);
-	fprintf(out, "report%s speed=%s%s%s%s > \"", ask->conditions,
-	    text_exact(ask->speed, number), ask->rate, ask->spec, ask->cut);
+	fprintf(out, "report%s speed=%s%s%s%s%s > \"", ask->conditions,
+	    text_exact(ask->speed, number), ask->rate, ask->spec, ask->asked,
+	    ask->cut);
 	for (const char *p = s->file; *p != '\0'; p++)
 		fprintf(out, *p == '"' ? "\"\"" : "%c", *p);
 	fputs("\"\n", out);
@@ -310,10 +313,11 @@ put_script(struct session *s, const struct ask *ask)
 static void
 compose(struct session *s, const struct ask *ask)
 {
-	char *label = session_label(session_entry(s)->site);
+	const struct site *site = ask->q->entry->site;
+	char *label = session_label(site);
 	char *title = xasprintf(tr("Report: %s"), label);
 	document_title(s->document, title);
-	put_data(s->document, session_entry(s)->site);
+	put_data(s->document, site);
 	put_conditions(s, ask);
 	if (is_met(s, ask, NEED_PARAMS))
 		put_light(s, ask);
@@ -335,10 +339,27 @@ add_quoted(char **text, const char *name, const char *words)
 	xappend(text, "\"");
 }
 
+/* " cut=\"0/4\"", of those that are given; the caller frees. */
+static char *
+options_words(const struct args *args, const char *const *name, size_t n)
+{
+	char *words = xstrdup("");
+	for (size_t i = 0; i < n; i++) {
+		const struct value *value = args_value(args, name[i]);
+		char *key = xasprintf("%s=", name[i]);
+		if (value->given)
+			add_quoted(&words, key, value->text);
+		free(key);
+	}
+	return words;
+}
+
 static void
 take_words(const struct args *args, struct ask *ask)
 {
 	static const char *const CUT[] = {"cut", "sharpness", "cut_size"};
+	static const char *const ASKED[] = {
+	    "feed", "rotor_mm", "cascade", "k", "correction"};
 	const struct value *tph = args_value(args, "tph"),
 			   *spec = args_value(args, "spec");
 	char number[32];
@@ -351,12 +372,8 @@ take_words(const struct args *args, struct ask *ask)
 		add_quoted(&ask->envelope, "", spec->text);
 		add_quoted(&ask->spec, "spec=", spec->text);
 	}
-	ask->cut = xstrdup("");
-	for (size_t i = 0; i < ARRAY_LEN(CUT); i++) {
-		const struct value *value = args_value(args, CUT[i]);
-		if (value->given)
-			xappend(&ask->cut, " %s=%s", CUT[i], value->text);
-	}
+	ask->cut = options_words(args, CUT, ARRAY_LEN(CUT));
+	ask->asked = options_words(args, ASKED, ARRAY_LEN(ASKED));
 	ask->tph = tph->given ? tph->number : 0;
 	ask->rate = tph->given
 			? xasprintf(" tph=%s", text_exact(tph->number, number))
@@ -382,28 +399,24 @@ static bool
 read_ask(struct session *s, const struct args *args, struct ask *ask,
     struct error *error)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = ask->q->entry;
 	const struct site *site = entry->site;
-	const struct psd *feed_psd;
-	struct fraction fraction;
+	const struct psd *feed = site_feed(site, ask->q->feed);
+	const struct fraction *fraction = &ask->q->fraction;
 	char *remark = NULL;
 	take_words(args, ask);
-	feed_psd = site_feed(site, SITE_MEAN_FEED);
-	if (!quantities_option(args, &fraction, error) ||
-	    !conditions_add_operands(
-		args, &fraction, feed_psd, &ask->list, error) ||
+	if (!conditions_add_operands(args, fraction, feed, &ask->list, error) ||
 	    !conditions_add_option(
-		s, args, &fraction, feed_psd, &ask->list, &remark, error))
+		s, args, fraction, feed, &ask->list, &remark, error))
 		return false;
 	free(remark);
-	ask->speed = answers_speed(args, entry);
+	ask->speed = ask->q->speed;
 	if (!is_met(s, ask, NEED_CONDITIONS))
 		return true;
-	ask->wanted =
-	    conditions_ask(s, entry, SITE_MEAN_FEED, &ask->list, NULL);
+	ask->wanted = conditions_ask(s, entry, ask->q->feed, &ask->list, NULL);
 	site_reach(site, &ask->wanted.from, &ask->wanted.to);
 	ask->found = window_find(&ask->wanted);
-	if (!args_value(args, "speed")->given && ask->found.n_inside > 0)
+	if (!ask->q->speed_given && ask->found.n_inside > 0)
 		ask->speed = best_speed(ask);
 	return true;
 }
@@ -417,14 +430,16 @@ ask_free(struct ask *ask)
 	free(ask->conditions);
 	free(ask->envelope);
 	free(ask->spec);
+	free(ask->asked);
 	free(ask->cut);
 	free(ask->rate);
 }
 
 bool
-cmd_report(struct session *s, const struct args *args, struct error *error)
+cmd_report(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	struct ask ask = {0};
+	struct ask ask = {.q = q};
 	if (s->document == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "report: expected a file for it, .html or .pdf\n"

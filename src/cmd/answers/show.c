@@ -230,7 +230,7 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	if (!answers_ready(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	double v = answers_speed(args, entry);
+	double v = args_number(args, "speed", answers_usual(entry));
 	const struct psd *feed = site_feed(entry->site, SITE_MEAN_FEED);
 	struct prediction p = outlook_predict(s, entry, v, SITE_MEAN_FEED);
 	double *S = xdoubles(feed->n);
@@ -334,7 +334,7 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 			      : params_start(s->set.model.breakage);
 	struct breaker b;
 	breaker_set(&b, &p, &s->set.model);
-	breaker_at(&b, answers_middle(entry->site));
+	breaker_at(&b, site_middle(entry->site));
 	double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
 	classes_sizes(feed, x);
 	classes_matrix(&b, s->set.model.appearance, x, feed->n, a);

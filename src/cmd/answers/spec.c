@@ -7,10 +7,10 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/feed.h"
 #include "io/formats/standards.h"
 #include "io/sitefile/units.h"
 
@@ -197,20 +197,17 @@ note_verdict(struct answer *r, const struct grading *g, double v)
 
 /* The product at a speed beside the envelope named, or the one in use. */
 static bool
-compare(struct session *s, const struct args *args, struct error *error)
+compare(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	if (!session_need_site(s, "spec", error))
-		return false;
-	const struct entry *entry = session_entry(s);
-	double v = answers_speed(args, entry);
-	size_t feed;
+	const struct entry *entry = q->entry;
+	double v = q->speed;
 	struct grading g;
 	char *words = words_from(args, 0);
 	const struct spec *spec = grading_spec(s, words, error);
 	free(words);
 	if (spec == NULL || !answers_ready(s, error) ||
-	    !feed_choose(entry->site, args, &feed, error) ||
-	    !grading_open(s, args, spec, feed, &g, error))
+	    !grading_open(s, args, spec, q, &g, error))
 		return false;
 	char *name = grading_words(&g);
 	struct answer *r =
@@ -219,7 +216,7 @@ compare(struct session *s, const struct args *args, struct error *error)
 	grading_rows(r, s, &g, v);
 	note_verdict(r, &g, v);
 	grading_notes(r, s, &g);
-	answers_note_doubt(s, r, v, feed);
+	answers_note_doubt(s, r, q->entry, q->feed, v);
 	fields_put(answer_fields(r), "speed %g extrapolated %d inside %d", v,
 	    answers_extrapolates(entry, v), window_holds(&g.conditions));
 	grading_put(r, &g);
@@ -239,5 +236,6 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; args->n_operand > 0 && i < ARRAY_LEN(VERBS); i++)
 		if (strcmp(args->operand[0], VERBS[i].verb) == 0)
 			return VERBS[i].run(s, args, error);
-	return compare(s, args, error);
+	return session_need_site(s, "spec", error) &&
+	       question_run(s, args, compare, error);
 }

@@ -10,6 +10,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/screened.h"
 #include "cmd/ask/feed.h"
 #include "core/answer/predict.h"
@@ -31,10 +32,9 @@ size_band(struct answer *r, const struct prediction *p, size_t n, size_t size)
 
 /* Sieves down, speeds across: for as many speeds as fit a screen. */
 static void
-sweep_across(
-    struct session *s, struct answer *r, const struct prediction *p, size_t n)
+sweep_across(struct answer *r, const struct entry *entry,
+    const struct prediction *p, size_t n)
 {
-	const struct entry *entry = session_entry(s);
 	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%");
 	for (size_t i = 0; i < n; i++) {
 		bool outside = answers_extrapolates(entry, p[i].speed);
@@ -81,10 +81,9 @@ sweep_row(struct answer *r, const struct prediction *p, size_t j, bool outside)
 
 /* One row a speed and sieve: for spreadsheets and programs. */
 static void
-sweep_long(
-    struct session *s, struct answer *r, const struct prediction *p, size_t n)
+sweep_long(struct answer *r, const struct entry *entry,
+    const struct prediction *p, size_t n)
 {
-	const struct entry *entry = session_entry(s);
 	answer_columns(r, "speed: m/s, extrapolated, sieve_mm: sieve mm, "
 			  "feed_pct: feed %%, passing_pct: product %%, "
 			  "low_pct: low %%, high_pct: high %%, "
@@ -101,59 +100,49 @@ sweep_long(
 /* The answer of all predictions; outside: one of them lies outside the training
  * speeds. */
 static struct answer *
-sweep_answer(
-    struct session *s, const struct prediction *p, size_t n, bool outside)
+sweep_answer(const struct session *s, const struct entry *entry,
+    const struct prediction *p, size_t n, bool outside)
 {
 	enum { ACROSS = 7 };
-	const struct entry *entry = session_entry(s);
 	bool band = p[0].low != NULL, across = n <= ACROSS;
 	char *fraction = screened_title(&p[0]);
 	struct answer *r = answers_new(entry->site, "sweep",
 	    "products, %% passing%s%s%s", fraction, band ? ", " : "",
 	    band ? outlook_words(s, entry) : "");
 	free(fraction);
-	(across ? sweep_across : answers_speed_rows)(s, r, p, n);
+	(across ? sweep_across : answers_speed_rows)(r, entry, p, n);
 	answer_for_programs(r);
-	sweep_long(s, r, p, n);
-	if (band && across)
-		band_note(r, s, entry, true);
-	origin_note(r, entry);
-	feed_note(r, entry->site, p[0].feed_run);
+	sweep_long(r, entry, p, n);
 	if (outside && across)
 		answer_say(r, ANSWER_WARNING,
 		    "speeds marked * are outside the training speeds");
-	answers_note_variant(r, entry);
-	answers_note_model(s, r, entry);
-	light_show(r, light_worst(s, entry, p, n));
-	answers_put_products(s, answer_fields(r), p, n);
+	answers_show_basis(s, r, entry, p[0].feed_run, band && across,
+	    light_worst(s, entry, p, n));
+	answers_put_products(s, answer_fields(r), entry, p, n);
 	return r;
 }
 
 bool
-cmd_sweep(struct session *s, const struct args *args, struct error *error)
+cmd_sweep(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = q->entry;
 	const struct value *speeds = args_value(args, "speeds");
-	size_t n = speeds->n, feed;
-	struct screened screened;
-	if (!answers_ready(s, error) ||
-	    !feed_choose(entry->site, args, &feed, error) ||
-	    !screened_read(
-		args, site_feed(entry->site, feed), &screened, error))
-		return false;
+	size_t n = speeds->n;
 	double *usual = n == 0 ? answers_speeds(entry->site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : speeds->list;
 	struct prediction *p = xcalloc(n, sizeof *p);
-	bool outside = false;
-	for (size_t i = 0; i < n; i++) {
-		p[i] = outlook_predict(s, entry, speed[i], feed);
-		screened_take(s, entry, &entry->params, &screened, &p[i]);
+	bool outside = false, ok = true;
+	for (size_t i = 0; i < n && ok; i++) {
+		ok = screened_predict(s, entry, &entry->params, &q->fraction,
+		    speed[i], q->feed, &p[i], error);
 		outside = outside || answers_extrapolates(entry, speed[i]);
 	}
 	free(usual);
-	struct answer *r = sweep_answer(s, p, n, outside);
+	if (ok)
+		session_answer(s, sweep_answer(s, entry, p, n, outside));
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(p);
-	return session_answer(s, r);
+	return ok;
 }

@@ -16,15 +16,13 @@
 	}
 
 static const struct command_option PREDICT_OPTIONS[] = {SPEED_OPTION,
-    TABLE_TURNS, TABLE_FEED, TABLE_MACHINE,
+    TABLE_TURNS, TABLE_QUESTION,
     {"curve", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"draw feed, measured and predicted as text"},
     {"interpolated", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"add the measured products interpolated at this speed"},
     {"band", VALUE_CHOICE, "", 0, 0, "off on", "on",
 	"show the uncertainty band of a calibrated product"},
-    {"correction", VALUE_CHOICE, "", 0, 0, "all train off", "all",
-	"runs that correct the model, for this prediction; default: as set"},
     {"detail", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"on: show the model alone, specific energy and break size too"},
     TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
@@ -43,13 +41,13 @@ static const struct command_option REPORT_OPTIONS[] = {
 	"new feed, for a section with its flow"},
     {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
 	"grading envelope: a name of 'spec list', or a file"},
-    TABLE_CUT, {.name = NULL}};
+    TABLE_TURNS, TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option SWEEP_OPTIONS[] = {
     {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",
 	"rotor tip speeds; default 65..85:5, extended or moved to cover the "
 	"runs"},
-    TABLE_FEED, TABLE_MACHINE, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
+    TABLE_QUESTION, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
 
 /* A crusher with its screens, of flow and card, see flow_plan_read. */
 #define FLOW_PARTS                                                          \
@@ -80,16 +78,16 @@ static const struct command_option CARD_OPTIONS[] = {
     FLOW_PARTS,
     {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
 	"grading envelope: a name of 'spec list', or a file"},
-    TABLE_FEED, TABLE_MACHINE, TABLE_CUT, {.name = NULL}};
+    TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option COMPARE_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"speed for two sites; default: a held-out speed, else 74"},
-    TABLE_FEED, TABLE_MACHINE, TABLE_SIEVES, {.name = NULL}};
+    TABLE_QUESTION, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option PIN_OPTIONS[] = {LAST_SPEED_OPTION,
-    {"feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
-	"take the feed sampled at this speed"},
+    {"feed", VALUE_FEED, "m/s", 1, 200, NULL, "",
+	"take the feed sampled at this speed, or the mean"},
     {.name = NULL}};
 
 static const struct command_option FIND_OPTIONS[] = {
@@ -104,24 +102,24 @@ static const struct command_option FIND_OPTIONS[] = {
 	"slowest speed; default 65, or less to cover the runs"},
     {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"fastest speed; default 85, or more to cover the runs"},
-    TABLE_FEED, TABLE_MACHINE, TABLE_CUT, {.name = NULL}};
+    TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option FIGURES_OPTIONS[] = {SPEED_OPTION,
     TABLE_TURNS,
     {"of", VALUE_TEXT, "", 0, 0, NULL, "",
 	"figures, with commas between: P80, passing 2, fm EN, 0/4, P50 of 0/4"},
-    TABLE_FEED, TABLE_MACHINE, TABLE_CUT, {.name = NULL}};
+    TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option FLOW_OPTIONS[] = {
     {"tph", VALUE_NUMBER, "t/h", 1e-3, 1e5, NULL, "", "new feed"}, SPEED_OPTION,
-    FLOW_PARTS, TABLE_SCREENS, TABLE_MACHINE, TABLE_TURNS,
+    FLOW_PARTS, TABLE_SCREENS, TABLE_TURNS,
     {"best", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"find the speed that earns most"},
     {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"slowest speed of best=on; default 65, or less to cover the runs"},
     {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"fastest speed of best=on; default 85, or more to cover the runs"},
-    TABLE_FEED, {.name = NULL}};
+    TABLE_QUESTION, {.name = NULL}};
 
 static const struct command_option WINDOW_OPTIONS[] = {
     {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
@@ -130,16 +128,17 @@ static const struct command_option WINDOW_OPTIONS[] = {
 	"slowest speed; default 65, or less to cover the runs"},
     {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"fastest speed; default 85, or more to cover the runs"},
-    TABLE_CUT, TABLE_FEED, {.name = NULL}};
+    TABLE_CUT, TABLE_QUESTION, {.name = NULL}};
 
 static const struct command_option UNCERTAINTY_OPTIONS[] = {SPEED_OPTION,
+    TABLE_TURNS,
     {"level", VALUE_CHOICE, "%", 0, 0, "80 90", "80",
 	"probability of the bands; 'set level' sets it too"},
     {"noise", VALUE_NUMBER, "points", 0, 10, NULL, "0",
 	"known standard deviation of a single passing around 50 %; 0: as the "
 	"data show it"},
     {"n", VALUE_WHOLE, "", 1, 256, NULL, "200", "how many draws to write"},
-    TABLE_FEED, TABLE_SIEVES, {.name = NULL}};
+    TABLE_QUESTION, TABLE_SIEVES, {.name = NULL}};
 
 static const struct command_option VALIDATE_OPTIONS[] = {
     {"holdout", VALUE_CHOICE, "", 0, 0, "untrained each", "untrained",
@@ -157,15 +156,15 @@ static const struct command_option DRIFT_OPTIONS[] = {
 	"limit of the CUSUM: higher signals later and less often by chance"},
     {.name = NULL}};
 
-static const struct command_option SPEC_OPTIONS[] = {SPEED_OPTION, TABLE_TURNS,
-    TABLE_FEED, TABLE_MACHINE, TABLE_CUT, {.name = NULL}};
+static const struct command_option SPEC_OPTIONS[] = {
+    SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 /* Of why. */
 static const struct command_option AT_SPEED_OPTIONS[] = {
-    LAST_SPEED_OPTION, TABLE_TURNS, TABLE_FEED, TABLE_MACHINE, {.name = NULL}};
+    LAST_SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, {.name = NULL}};
 
 static const struct command_option ADVISE_OPTIONS[] = {
-    SPEED_OPTION, TABLE_FEED, {.name = NULL}};
+    SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
@@ -193,7 +192,7 @@ const struct command TABLE_ANSWERS[] = {
 	    "ends in .svg, .png "
 	    "or .pdf gets the curves, as plot psd draws them.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74",
-	.run = cmd_predict},
+	.answer = cmd_predict},
     {.name = "blend",
 	.brief = "mix feeds by mass, and predict the product",
 	.operands = {"FILE=PART FILE=PART..", {"FILE"}, 2, 20},
@@ -213,7 +212,7 @@ const struct command TABLE_ANSWERS[] = {
 	.run = cmd_blend},
     {.name = "sweep",
 	.brief = "products over a range of speeds",
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.bare = "speeds",
 	.option = SWEEP_OPTIONS,
 	.text =
@@ -222,11 +221,11 @@ const struct command TABLE_ANSWERS[] = {
 	    "m/s and the runs outside that range; if all runs are below "
 	    "32.5 or above 170 m/s, it covers only the range around them.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nsweep 65,74,85",
-	.run = cmd_sweep},
+	.answer = cmd_sweep},
     {.name = "card",
 	.brief = "one page for the cabin: what each speed gives",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.option = CARD_OPTIONS,
 	.text =
 	    "One row a speed, in m/s and, where the site states the rotor's "
@@ -237,7 +236,7 @@ const struct command TABLE_ANSWERS[] = {
 	    "'card > card.pdf' is a page to be pinned up.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "card of=\"passing 2,fines\" tph=120 fractions=0/2,2/5,5/8",
-	.run = cmd_card},
+	.answer = cmd_card},
     {.name = "compare",
 	.brief = "two speeds or two sites side by side",
 	.operands = {"SPEED SPEED | SITE SITE | pinned SPEED",
@@ -270,7 +269,7 @@ const struct command TABLE_ANSWERS[] = {
 	.run = cmd_pin},
     {.name = "figures",
 	.brief = "sizes, moduli and shares of a product",
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.bare = "speed",
 	.option = FIGURES_OPTIONS,
 	.text =
@@ -285,11 +284,11 @@ const struct command TABLE_ANSWERS[] = {
 	    "reach are left out, or missing.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nfigures 72\n"
 		   "figures 72 of=\"D10,fm EN of 0/4,0/2\"",
-	.run = cmd_figures},
+	.answer = cmd_figures},
     {.name = "find",
 	.brief = "find the speed that gives a wanted product",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.option = FIND_OPTIONS,
 	.text =
 	    "The inverse of predict: finds the tip speed for a P20, P50 or "
@@ -315,10 +314,10 @@ const struct command TABLE_ANSWERS[] = {
 		   "find \"max passing 2\" \"P80 > 5\"\n"
 		   "find spec=data/specs/en-12620-0-8.csv\n"
 		   "find spec=\"EN 12620 0/8\"",
-	.run = cmd_find},
+	.answer = cmd_find},
     {.name = "flow",
 	.brief = "tonnes of each fraction, what goes back, power, earnings",
-	.flags = COMMAND_AT_SITE | COMMAND_DRAWS,
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_DRAWS,
 	.bare = "tph",
 	.option = FLOW_OPTIONS,
 	.text =
@@ -339,11 +338,11 @@ const struct command TABLE_ANSWERS[] = {
 		   "prices=0/2:12,2/5:9,5/8:7 kwh=0.15 best=on\n"
 		   "flow circuit=data/circuits/two-decks.csv\n"
 		   "flow tph=120 recycle=8/11.2 > flow.svg",
-	.run = cmd_flow},
+	.answer = cmd_flow},
     {.name = "window",
 	.brief = "the speeds at which conditions hold",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.option = WINDOW_OPTIONS,
 	.text =
 	    "A condition is a quantity of figures and a limit, in quotes: "
@@ -365,7 +364,7 @@ const struct command TABLE_ANSWERS[] = {
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "window \"passing 2 = 30..36\" \"P80 > 5\"",
-	.run = cmd_window},
+	.answer = cmd_window},
     {.name = "spec",
 	.brief = "compare the product with a grading envelope",
 	.operands = {"[use NAME|list [NAME|limits]|off|NAME|FILE]",
@@ -396,7 +395,8 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "uncertainty",
 	.brief = "what makes the answer uncertain, and its draws",
 	.operands = {"[SPEED] [draws]", {"SPEED draws", "draws"}, 0, 2},
-	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_LOOKS,
+	.flags =
+	    COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_CHANGES | COMMAND_LOOKS,
 	.option = UNCERTAINTY_OPTIONS,
 	.text =
 	    "Shows half the width of the uncertainty band at a speed, sieve by "
@@ -412,11 +412,11 @@ const struct command TABLE_ANSWERS[] = {
 	    "parameters, errors and product of each. See UNCERTAINTY in "
 	    "tipspeed-model(7).",
 	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty 85",
-	.run = cmd_uncertainty},
+	.answer = cmd_uncertainty},
     {.name = "advise",
 	.brief = "which sample next narrows a band most",
 	.operands = {"[QUANTITY] [SIZE]", {"p20 p50 p80 passing", ""}, 0, 2},
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.option = ADVISE_OPTIONS,
 	.text = "The quantity is p20, p50, p80 (the default), or passing and a "
 		"size in mm, at a speed. For a repeat at each measured speed "
@@ -426,7 +426,7 @@ const struct command TABLE_ANSWERS[] = {
 		"it also shows what they change.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nadvise p80\n"
 		   "advise passing 2 speed=85",
-	.run = cmd_advise},
+	.answer = cmd_advise},
     {.name = "validate",
 	.brief = "compare predictions with the held-out runs",
 	.operands = {"[all]", {"all"}, 0, 1},
@@ -483,7 +483,7 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "why",
 	.brief = "explain the numbers at a speed, or from one to another",
 	.operands = {"[SPEED]", {"SPEED"}, 0, 1},
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.bare = "speed",
 	.option = AT_SPEED_OPTIONS,
 	.text =
@@ -498,7 +498,7 @@ const struct command TABLE_ANSWERS[] = {
 	    "classes lose and gain most. All columns are shares of the feed's "
 	    "mass and sum to 100 %.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nwhy 85\nwhy 69 79",
-	.run = cmd_why},
+	.answer = cmd_why},
     {.name = "drift",
 	.brief = "follow routine cuts on control charts",
 	.flags = COMMAND_AT_SITE,
@@ -540,5 +540,5 @@ const struct command TABLE_ANSWERS[] = {
 	    "missing is stated.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "report \"passing 2 = 30..36\" > tierp.html",
-	.run = cmd_report},
+	.answer = cmd_report},
     {.name = NULL}};

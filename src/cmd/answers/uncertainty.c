@@ -7,11 +7,13 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/session/settings.h"
 #include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/feed.h"
+#include "cmd/ask/trust_light.h"
 #include "core/posterior/ensemble.h"
 #include "io/sitefile/units.h"
 
@@ -106,17 +108,34 @@ note_draws(
 	    POSTERIOR_DRAWS, 100 * e->halves);
 }
 
+/* The sizes and the passing of each sieve, at the speed asked about. */
+static struct forecast *
+forecast_all(const struct session *s, const struct question *q,
+    const struct prediction *at)
+{
+	size_t n = PSD_SIZES + at->product.n;
+	struct quantity *all = xcalloc(n, sizeof *all);
+	for (size_t i = 0; i < n; i++)
+		all[i] = i < PSD_SIZES
+			     ? (struct quantity){.kind = QUANTITY_SIZE,
+				   .x = PSD_PASSING[i]}
+			     : (struct quantity){.kind = QUANTITY_PASSING,
+				   .x = at->product.size[i - PSD_SIZES]};
+	struct forecast *f = forecast_open(s, q, all, n);
+	forecast_at(f, at->speed);
+	free(all);
+	return f;
+}
+
 /* A row a draw: what it was made of and what it answers. */
 static struct answer *
-draws_answer(const struct session *s, const struct entry *entry,
+draws_answer(const struct session *s, const struct question *q,
     const struct posterior *p, const struct prediction *at, size_t n)
 {
-	struct ensemble *e = outlook_ensemble(s, entry, at->feed_run);
-	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
+	struct forecast *f = forecast_all(s, q, at);
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
 	struct answer *r = answers_new(
-	    entry->site, "uncertainty", "draws at %.1f m/s", at->speed);
-	struct psd one = psd_copy(&at->curve);
+	    q->entry->site, "uncertainty", "draws at %.1f m/s", at->speed);
 	answer_columns(r, "draw: draw");
 	for (size_t j = 0; j < of->n; j++)
 		answer_columns(r, "%s", of->parameter[j].name);
@@ -137,16 +156,13 @@ draws_answer(const struct session *s, const struct entry *entry,
 		    e0 * p->draw[d].strengths.harder);
 		for (size_t h = 0; h < HYPERS; h++)
 			answer_cells(r, "%.6g", p->draw[d].hyper[h]);
-		for (size_t k = 0; k < one.n; k++)
-			one.passing[k] = P[k * POSTERIOR_DRAWS + d];
 		for (size_t k = 0; k < PSD_SIZES; k++)
-			answer_cells(
-			    r, "%.4f", 1000 * psd_size(&one, PSD_PASSING[k]));
+			answer_cells(r, "%.4f", 1000 * forecast_draws(f, k)[d]);
 		for (size_t i = 0; i < at->product.n; i++)
 			answer_cells(r, "%.4f",
-			    units_pct(psd_at_sieve(&one, at->product.size[i])));
+			    100 * forecast_draws(f, PSD_SIZES + i)[d]);
 	}
-	psd_free(&one);
+	forecast_close(f);
 	return r;
 }
 
@@ -185,7 +201,7 @@ parts_answer(const struct session *s, const struct entry *entry,
 	add_parts(r, s, at, outlook_ensemble(s, entry, at->feed_run));
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * settings_level(&s->set),
-	    s->set.correction == CORRECTION_ALL ? "all" : "train");
+	    outlook_correction(s, entry) == CORRECTION_ALL ? "all" : "train");
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
 		answer_put_columns(r, PARTS[i]);
 	answer_put_columns(r, "sieve_mm passing_pct");
@@ -194,8 +210,9 @@ parts_answer(const struct session *s, const struct entry *entry,
 	note_strengths(r, p);
 	if (entry->site->individual_feeds)
 		note_feeds(r, s, entry, at);
-	feed_note(r, entry->site, at->feed_run);
 	note_draws(r, p, outlook_evidence(s, entry));
+	answers_show_basis(
+	    s, r, entry, at->feed_run, false, light_of(s, entry, at));
 	return r;
 }
 
@@ -215,17 +232,17 @@ take_settings(struct session *s, const struct args *args)
 
 /* A speed, as of predict, and "draws", in any order. */
 static bool
-take_words(
-    const struct args *args, double *speed, bool *draws, struct error *error)
+take_words(const struct args *args, struct question *q, bool *draws,
+    struct error *error)
 {
-	bool given = args_value(args, "speed")->given;
+	bool given = q->speed_given;
 	for (size_t i = 0; i < args->n_operand; i++) {
 		const char *word = args->operand[i];
 		double v;
 		bool number = value_number(word, "m/s", &v) && v >= 1 &&
 			      v <= 200 && !given;
 		if (number)
-			*speed = v;
+			q->speed = v;
 		else if (strcmp(word, "draws") == 0 && !*draws)
 			*draws = true;
 		else
@@ -239,19 +256,15 @@ take_words(
 }
 
 bool
-cmd_uncertainty(struct session *s, const struct args *args, struct error *error)
+cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	double speed = answers_speed(args, entry);
+	const struct entry *entry = q->entry;
 	bool draws = false;
-	size_t feed;
-	if (!take_words(args, &speed, &draws, error))
+	if (!take_words(args, q, &draws, error))
 		return false;
 	take_settings(s, args);
-	if (!answers_ready(s, error) ||
-	    !feed_choose(entry->site, args, &feed, error))
-		return false;
-	struct prediction at = outlook_predict(s, entry, speed, feed);
+	struct prediction at = outlook_predict(s, entry, q->speed, q->feed);
 	if (at.low == NULL) {
 		prediction_free(&at);
 		return error_set(error, ERROR_USAGE, "%s\n%s",
@@ -261,7 +274,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct error *error)
 	}
 	const struct posterior *p = outlook_draws(s, entry);
 	size_t n = (size_t)args_value(args, "n")->whole;
-	session_answer(s, draws ? draws_answer(s, entry, p, &at, n)
+	session_answer(s, draws ? draws_answer(s, q, p, &at, n)
 				: parts_answer(s, entry, p, &at));
 	prediction_free(&at);
 	return true;

@@ -7,6 +7,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/answers/ledger.h"
 #include "cmd/ask/fit.h"
 #include "cmd/ask/trust_light.h"
@@ -219,7 +220,7 @@ say_measured(const struct subject *a)
 {
 	const struct site *site = a->entry->site;
 	size_t r = site_run_at(site, a->p.speed);
-	for (size_t first = r; a->entry->variant == NULL && r < site->n_run &&
+	for (size_t first = r; site->with[0] == '\0' && r < site->n_run &&
 			       site->run[r].speed == site->run[first].speed;
 	     r++) {
 		if (a->entry->train[r] || misfit_covered(&site->run[r]) == 0)
@@ -258,17 +259,15 @@ say_data(const struct subject *a)
 }
 
 bool
-cmd_why(struct session *s, const struct args *args, struct error *error)
+cmd_why(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	if (!answers_ready(s, error))
-		return false;
 	if (args->n_operand > 0)
-		return balance_answer(s, args, error);
-	const struct entry *entry = session_entry(s);
-	double v;
-	size_t run;
-	if (!answers_last(s, args, &v, &run, error))
-		return false;
+		return balance_answer(s, args, q, error);
+	question_as_last(s, args, q);
+	const struct entry *entry = q->entry;
+	double v = q->speed;
+	size_t run = q->feed;
 	struct subject a = {.s = s,
 	    .entry = entry,
 	    .feed = site_feed(entry->site, run),

@@ -8,17 +8,17 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/condition.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/feed.h"
 
 /* What was asked, and what was found. */
 struct asking {
 	struct condition_list list;
 	char *limits; /* where those of an envelope are from; or NULL */
-	size_t feed;
+	const struct question *q;
 	struct wanted wanted;
 	struct window_found w;
 };
@@ -27,12 +27,11 @@ static bool
 read_conditions(struct session *s, const struct args *args, struct asking *a,
     struct error *error)
 {
-	struct fraction fraction;
-	const struct psd *feed = site_feed(session_entry(s)->site, a->feed);
-	if (!quantities_option(args, &fraction, error) ||
-	    !conditions_add_operands(args, &fraction, feed, &a->list, error) ||
+	const struct fraction *fraction = &a->q->fraction;
+	const struct psd *feed = question_feed(a->q);
+	if (!conditions_add_operands(args, fraction, feed, &a->list, error) ||
 	    !conditions_add_option(
-		s, args, &fraction, feed, &a->list, &a->limits, error))
+		s, args, fraction, feed, &a->list, &a->limits, error))
 		return false;
 	return a->list.n > 0 || error_set(error, ERROR_USAGE,
 				    "expected conditions, got none\n"
@@ -44,8 +43,7 @@ read_conditions(struct session *s, const struct args *args, struct asking *a,
 static void
 look(struct session *s, struct asking *a, double from, double to)
 {
-	a->wanted =
-	    conditions_ask(s, session_entry(s), a->feed, &a->list, NULL);
+	a->wanted = conditions_ask(s, a->q->entry, a->q->feed, &a->list, NULL);
 	a->wanted.from = from;
 	a->wanted.to = to;
 	a->w = window_find(&a->wanted);
@@ -131,7 +129,7 @@ note_certain(struct answer *r, struct session *s, const struct asking *a)
 	char *best = conditions_percent(w->best_certain);
 	char *highest = conditions_percent(w->certain[most]);
 	if (isnan(w->best_certain))
-		answer_note(r, "%s", outlook_why_none(s, session_entry(s)));
+		answer_note(r, "%s", outlook_why_none(s, a->q->entry));
 	else if (isfinite(range[0]))
 		answer_note(r,
 		    "holds with %.0f %% certainty from %.1f to %.1f m/s; with "
@@ -176,9 +174,9 @@ put_limits(struct fields *o, const struct asking *a)
 
 /* A window that goes on where nothing was measured. */
 static void
-note_beyond(struct answer *r, struct session *s, const struct asking *a)
+note_beyond(struct answer *r, const struct asking *a)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = a->q->entry;
 	const struct window_range *in = window_around(&a->w);
 	double slowest, fastest;
 	if (in == NULL || answers_extrapolates(entry, a->w.best) ||
@@ -216,14 +214,13 @@ note_picture(struct answer *r, const struct args *args)
 }
 
 bool
-cmd_window(struct session *s, const struct args *args, struct error *error)
+cmd_window(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	struct asking a = {0};
+	const struct entry *entry = q->entry;
+	struct asking a = {.q = q};
 	double from, to;
-	bool ok = answers_ready(s, error) &&
-		  conditions_speeds(args, entry->site, &from, &to, error) &&
-		  feed_choose(entry->site, args, &a.feed, error) &&
+	bool ok = conditions_speeds(args, entry->site, &from, &to, error) &&
 		  read_conditions(s, args, &a, error);
 	if (ok) {
 		look(s, &a, from, to);
@@ -243,8 +240,8 @@ cmd_window(struct session *s, const struct args *args, struct error *error)
 		note_picture(r, args);
 		if (a.limits != NULL)
 			answer_say(r, ANSWER_REMARK, "%s", a.limits);
-		note_beyond(r, s, &a);
-		answers_note_doubt(s, r, a.w.best, a.feed);
+		note_beyond(r, &a);
+		answers_note_doubt(s, r, q->entry, q->feed, a.w.best);
 		response_free(a.wanted.response);
 		window_free(&a.w);
 		ok = session_answer(s, r);

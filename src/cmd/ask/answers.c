@@ -74,10 +74,11 @@ answers_ready(struct session *s, struct error *error)
 }
 
 bool
-answers_forming(const struct session *s, struct params *params)
+answers_forming(
+    const struct session *s, const struct entry *entry, struct params *params)
 {
 	const struct entry *fitting = session_fitting(s);
-	if (fitting == NULL || fitting != &s->entry[s->current])
+	if (fitting == NULL || fitting != entry_loaded(entry))
 		return false;
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	if (st.generation > 0)
@@ -105,20 +106,10 @@ answers_finer(const struct breaker *b, double u, const struct site *site)
 }
 
 double
-answers_middle(const struct site *site)
-{
-	const double usual = 74;
-	size_t other = site_run_at(site, SITE_OTHER_FEED);
-	size_t last = other > 0 ? other - 1 : 0;
-	double middle = (site->run[0].speed + site->run[last].speed) / 2;
-	return middle > 0 ? middle : usual;
-}
-
-double
 answers_usual(const struct entry *entry)
 {
 	const double usual = 74;
-	double from, to, speed = 0, middle = answers_middle(entry->site);
+	double from, to, speed = 0, middle = site_middle(entry->site);
 	for (size_t r = 0; r < entry->site->n_run; r++) {
 		const struct run *run = &entry->site->run[r];
 		if (!entry->train[r] && run->product.n > 0 &&
@@ -129,13 +120,6 @@ answers_usual(const struct entry *entry)
 		return speed;
 	site_reach(entry->site, &from, &to);
 	return usual >= from && usual <= to ? usual : middle;
-}
-
-double
-answers_speed(const struct args *args, const struct entry *entry)
-{
-	const struct value *speed = args_value(args, "speed");
-	return speed->given ? speed->number : answers_usual(entry);
 }
 
 size_t
@@ -150,23 +134,6 @@ answers_sieve(const struct psd *product)
 			middle = i;
 	}
 	return middle;
-}
-
-bool
-answers_last(const struct session *s, const struct args *args, double *speed,
-    size_t *feed_run, struct error *error)
-{
-	const struct entry *entry = &s->entry[s->current];
-	double last = session_known(s, "predict", "speed");
-	double fed = session_known(s, "predict", "feed_mps");
-	bool given = args_value(args, "speed")->given || isnan(last);
-	*speed = given ? answers_speed(args, entry) : last;
-	if (!feed_choose(entry->site, args, feed_run, error))
-		return false;
-	if (!given && !args_value(args, "feed")->given && isfinite(fed) &&
-	    site_run_at(entry->site, fed) < entry->site->n_run)
-		*feed_run = site_run_at(entry->site, fed);
-	return true;
 }
 
 double *
@@ -186,11 +153,11 @@ answers_speeds(const struct site *site, size_t *n)
 }
 
 void
-answers_keep(
-    struct session *s, const struct params *params, const struct prediction *p)
+answers_keep(struct session *s, const struct entry *entry,
+    const struct params *params, const struct prediction *p)
 {
 	struct answer *answer = answer_new("predict");
-	answers_put_prediction(s, answer_fields(answer), params, p);
+	answers_put_prediction(s, answer_fields(answer), entry, params, p);
 	session_keep(s, answer);
 }
 
@@ -318,31 +285,47 @@ answers_note_variant(struct answer *r, const struct entry *entry)
 		    units_mm(v->rotor));
 }
 
-void
-answers_note_doubt(
-    struct session *s, struct answer *r, double speed, size_t feed_run)
+/* A speed beyond those that were measured, where the light does not say so. */
+static void
+note_beyond(
+    struct answer *r, const struct entry *entry, double speed, bool said)
 {
-	const struct entry *entry = session_entry(s);
+	double slowest, fastest;
+	if (said || !(speed > 0) || !origin_reach(entry, &slowest, &fastest) ||
+	    !answers_extrapolates(entry, speed))
+		return;
+	char *speeds = answers_reach(entry, slowest, fastest);
+	answer_say(
+	    r, ANSWER_WARNING, "%.1f m/s is outside the %s", speed, speeds);
+	free(speeds);
+}
+
+void
+answers_show_basis(const struct session *s, struct answer *r,
+    const struct entry *entry, size_t feed_run, bool band, struct trust light)
+{
+	if (band)
+		outlook_note(r, s, entry, true);
+	origin_note(r, entry);
+	feed_note(r, entry->site, feed_run);
+	answers_note_variant(r, entry);
+	answers_note_model(s, r, entry);
+	light_show(r, light);
+}
+
+void
+answers_note_doubt(const struct session *s, struct answer *r,
+    const struct entry *entry, size_t feed_run, double speed)
+{
 	/* Of a feed alone a search that found nothing has no speed. */
 	struct prediction p = {0};
 	if (speed > 0)
 		p = outlook_predict(s, entry, speed, feed_run);
 	struct trust light = light_of(s, entry, speed > 0 ? &p : NULL);
 	prediction_free(&p);
-	double slowest, fastest;
-	origin_note(r, entry);
-	bool said = light.n > 0 && light.reason[0].cause == TRUST_BEYOND;
-	if (speed > 0 && !said && origin_reach(entry, &slowest, &fastest) &&
-	    answers_extrapolates(entry, speed)) {
-		char *speeds = answers_reach(entry, slowest, fastest);
-		answer_say(r, ANSWER_WARNING, "%.1f m/s is outside the %s",
-		    speed, speeds);
-		free(speeds);
-	}
-	feed_note(r, entry->site, feed_run);
-	answers_note_variant(r, entry);
-	answers_note_model(s, r, entry);
-	light_show(r, light);
+	note_beyond(r, entry, speed,
+	    light.n > 0 && light.reason[0].cause == TRUST_BEYOND);
+	answers_show_basis(s, r, entry, feed_run, false, light);
 }
 
 const char *
@@ -365,10 +348,10 @@ answers_put_sizes(struct fields *o, const struct prediction *p)
 }
 
 void
-answers_put_prediction(struct session *s, struct fields *o,
-    const struct params *params, const struct prediction *p)
+answers_put_prediction(const struct session *s, struct fields *o,
+    const struct entry *entry, const struct params *params,
+    const struct prediction *p)
 {
-	const struct entry *entry = session_entry(s);
 	const struct psd *product = &p->product;
 	fields_put(o, "speed %g extrapolated %d method %s", p->speed,
 	    answers_extrapolates(entry, p->speed),
@@ -390,27 +373,26 @@ answers_put_prediction(struct session *s, struct fields *o,
 }
 
 void
-answers_put_products(
-    struct session *s, struct fields *o, const struct prediction *p, size_t n)
+answers_put_products(const struct session *s, struct fields *o,
+    const struct entry *entry, const struct prediction *p, size_t n)
 {
 	struct fields *list = fields_list(o, "products");
 	for (size_t i = 0; i < n; i++) {
 		struct fields *product = fields_object(list, NULL);
 		fields_put(product, "command %s site %s", "predict",
-		    session_entry(s)->site->name);
+		    entry->site->name);
 		answers_put_prediction(
-		    s, product, &session_entry(s)->params, &p[i]);
-		struct trust light = light_of(s, session_entry(s), &p[i]);
+		    s, product, entry, &entry->params, &p[i]);
+		struct trust light = light_of(s, entry, &p[i]);
 		light_put(product, &light);
 		trust_free(&light);
 	}
 }
 
 void
-answers_speed_rows(
-    struct session *s, struct answer *r, const struct prediction *p, size_t n)
+answers_speed_rows(struct answer *r, const struct entry *entry,
+    const struct prediction *p, size_t n)
 {
-	const struct entry *entry = session_entry(s);
 	answer_columns(r, "speed: m/s, energy_j_kg: J/kg, break_mm: break mm, "
 			  "p20_mm: P20 mm, p50_mm: P50 mm, p80_mm: P80 mm");
 	char *head = xasprintf(

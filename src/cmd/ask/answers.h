@@ -28,9 +28,9 @@ bool answers_known(
     const struct session *s, const struct entry *entry, struct error *error);
 bool answers_ready(struct session *s, struct error *error);
 
-/* While the site in use is being calibrated: true, with the best parameters so
- * far. */
-bool answers_forming(const struct session *s, struct params *params);
+/* While the site is being calibrated: true, with the best parameters so far. */
+bool answers_forming(
+    const struct session *s, const struct entry *entry, struct params *params);
 
 /* Whether a speed lies outside those that the parameters were trained at, or
  * were measured where that is not known. */
@@ -41,29 +41,20 @@ bool answers_extrapolates(const struct entry *entry, double speed);
 double answers_finer(
     const struct breaker *b, double u, const struct site *site);
 
-/* The speed that the option names; else that of the held-out run nearest to the
- * middle, else 74 m/s, or the middle where that is beyond site_reach. */
-double answers_speed(const struct args *args, const struct entry *entry);
+/* The speed asked about where none is named: that of the held-out run nearest
+ * to the middle, else 74 m/s, or the middle where that is beyond site_reach. */
 double answers_usual(const struct entry *entry);
-
-/* The speed and the feed that the options name; without a speed those last
- * predicted at the site in use, and where there are none the usual ones. */
-bool answers_last(const struct session *s, const struct args *args,
-    double *speed, size_t *feed_run, struct error *error);
 
 /* Round speeds over site_reach, seven at most.  The caller frees. */
 double *answers_speeds(const struct site *site, size_t *n);
-
-/* The middle of the speeds measured, m/s; 74 where the site has a feed only. */
-double answers_middle(const struct site *site);
 
 /* The sieve whose passing stands for a product where a sentence has one: that
  * of 2 mm, else the one that half passes most nearly. */
 size_t answers_sieve(const struct psd *product);
 
 /* Keeps a prediction as the newest answer of `predict`. */
-void answers_keep(
-    struct session *s, const struct params *params, const struct prediction *p);
+void answers_keep(struct session *s, const struct entry *entry,
+    const struct params *params, const struct prediction *p);
 
 /* The sizes every prediction has. */
 enum { ANSWERS_P20, ANSWERS_P50, ANSWERS_P80, ANSWERS_BREAK, ANSWERS_SIZES };
@@ -102,14 +93,20 @@ char *answers_reach(const struct entry *entry, double slowest, double fastest);
  * asked with one. */
 void answers_note_variant(struct answer *r, const struct entry *entry);
 
-/* Notes on how far to trust an answer for the site in use at a speed from the
- * feed of a run, with its light. */
-void answers_note_doubt(
-    struct session *s, struct answer *r, double speed, size_t feed_run);
+/* What an answer rests on, behind all else: which runs correct it and what low
+ * and high are, where it shows a band; where the parameters are from, the feed,
+ * the model, and the light, which is freed. */
+void answers_show_basis(const struct session *s, struct answer *r,
+    const struct entry *entry, size_t feed_run, bool band, struct trust light);
+
+/* The same of an answer at one speed, with whether that is beyond the measured
+ * ones. */
+void answers_note_doubt(const struct session *s, struct answer *r,
+    const struct entry *entry, size_t feed_run, double speed);
 
 /* Columns and a row for each prediction: energy, break size, P20, P50, P80. */
-void answers_speed_rows(
-    struct session *s, struct answer *r, const struct prediction *p, size_t n);
+void answers_speed_rows(struct answer *r, const struct entry *entry,
+    const struct prediction *p, size_t n);
 
 /* Puts [low, high]; and "p20_mm" to "break_mm" of a prediction. */
 void answers_put_pair(
@@ -121,9 +118,10 @@ const char *answers_method(enum method method);
 
 /* The JSON object of predict, see tipspeed(1), OUTPUT; and the list of several,
  * "products" of an object. */
-void answers_put_prediction(struct session *s, struct fields *o,
-    const struct params *params, const struct prediction *p);
-void answers_put_products(
-    struct session *s, struct fields *o, const struct prediction *p, size_t n);
+void answers_put_prediction(const struct session *s, struct fields *o,
+    const struct entry *entry, const struct params *params,
+    const struct prediction *p);
+void answers_put_products(const struct session *s, struct fields *o,
+    const struct entry *entry, const struct prediction *p, size_t n);
 
 #endif

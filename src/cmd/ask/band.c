@@ -5,26 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/tr.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
 #include "core/posterior/ensemble.h"
-
-void
-band_note(struct answer *r, const struct session *s, const struct entry *entry,
-    bool product)
-{
-	if (product)
-		answer_say(r, ANSWER_REMARK, "%s", outlook_words(s, entry));
-	answer_say(r, ANSWER_REMARK,
-	    entry->has_fit
-		? N_("low, high: the true value lies between them with %.0f "
-		     "%% probability")
-		: N_("low, high: the true value lies between them with %.0f "
-		     "%% probability; the difference between the two sites is "
-		     "not included"),
-	    100 * settings_level(&s->set));
-}
 
 void
 band_parameter(const struct posterior *p, const struct session *s,

@@ -6,12 +6,6 @@
 #include "cmd/session/session.h"
 #include "core/answer/predict.h"
 
-/* Says what low and high are, and of a product which runs correct it; of
- * another site's parameters they are what its data leave open, and know nothing
- * of the difference between the two. */
-void band_note(struct answer *r, const struct session *s,
-    const struct entry *entry, bool product);
-
 /* The middle of the draws of parameter j of a fit's model, widened to hold the
  * fit's value. */
 void band_parameter(const struct posterior *p, const struct session *s,

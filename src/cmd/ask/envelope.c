@@ -10,6 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/quantity_words.h"
 #include "io/formats/standards.h"
 #include "io/sitefile/units.h"
@@ -216,9 +217,9 @@ grading_limits(const struct spec *spec, const struct fraction *fraction,
 }
 
 static void
-ask(struct session *s, struct grading *g, size_t feed)
+ask(const struct session *s, const struct entry *entry, struct grading *g,
+    size_t feed)
 {
-	const struct entry *entry = session_entry(s);
 	size_t n = g->limits.n;
 	struct quantity *asked = xcalloc(n + 2, sizeof *asked);
 	for (size_t i = 0; i < n; i++)
@@ -238,10 +239,10 @@ ask(struct session *s, struct grading *g, size_t feed)
 
 /* Its fraction is there already. */
 static bool
-open_limits(
-    struct session *s, size_t feed, struct grading *g, struct error *error)
+open_limits(const struct session *s, const struct entry *entry, size_t feed,
+    struct grading *g, struct error *error)
 {
-	const struct psd *from = site_feed(session_entry(s)->site, feed);
+	const struct psd *from = site_feed(entry->site, feed);
 	g->modulus = modulus_of(g->spec);
 	g->limits = grading_limits(g->spec, &g->fraction, from);
 	if (g->limits.n_sieve == 0) {
@@ -251,28 +252,28 @@ open_limits(
 		    "sieves",
 		    g->spec->name);
 	}
-	ask(s, g, feed);
+	ask(s, entry, g, feed);
 	return true;
 }
 
 bool
-grading_open(struct session *s, const struct args *args,
-    const struct spec *spec, size_t feed, struct grading *g,
+grading_open(const struct session *s, const struct args *args,
+    const struct spec *spec, const struct question *q, struct grading *g,
     struct error *error)
 {
 	*g = (struct grading){.spec = spec};
 	return take_fraction(args, spec, &g->fraction, error) &&
-	       open_limits(s, feed, g, error);
+	       open_limits(s, q->entry, q->feed, g, error);
 }
 
 bool
-grading_in_use(
-    struct session *s, size_t feed, struct grading *g, struct error *error)
+grading_in_use(const struct session *s, const struct entry *entry, size_t feed,
+    struct grading *g, struct error *error)
 {
 	const struct spec *spec = s->spec;
 	*g = (struct grading){.spec = spec,
 	    .fraction = {spec->cut[0], spec->cut[1], PARTITION_IDEAL}};
-	return open_limits(s, feed, g, error);
+	return open_limits(s, entry, feed, g, error);
 }
 
 void

@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-#include "cmd/lang/command.h"
+#include "cmd/ask/question.h"
 #include "cmd/session/session.h"
 #include "core/answer/window.h"
 #include "io/formats/spec.h"
@@ -43,16 +43,16 @@ struct grading {
 	struct wanted conditions;
 };
 
-/* feed: the run of the site in use whose feed to take.  The options cut,
- * sharpness and cut_size say what screens do; cut=off: there are none. */
-bool grading_open(struct session *s, const struct args *args,
-    const struct spec *spec, size_t feed, struct grading *grading,
+/* The options cut, sharpness and cut_size of the call say what screens do;
+ * cut=off: there are none. */
+bool grading_open(const struct session *s, const struct args *args,
+    const struct spec *spec, const struct question *q, struct grading *grading,
     struct error *error);
 
-/* The one in use, for the fraction it is for, by screens without fault; asks no
- * options. */
-bool grading_in_use(struct session *s, size_t feed, struct grading *grading,
-    struct error *error);
+/* The one in use, for the fraction it is for, by screens without fault, and the
+ * feed of a run of the entry. */
+bool grading_in_use(const struct session *s, const struct entry *entry,
+    size_t feed, struct grading *grading, struct error *error);
 void grading_close(struct grading *grading);
 
 /* "ASTM C33 fine aggregate, fraction 0/4.75".  The caller frees. */

@@ -1,32 +1,15 @@
-/* One place chooses the feed (D19), and one names it.
+/* How feeds are called; question.c chooses one (D19).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/feed.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/units.h"
-
-bool
-feed_choose(const struct site *site, const struct args *args, size_t *run,
-    struct error *error)
-{
-	const struct value *feed = args_value(args, "feed");
-	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
-	*run = SITE_MEAN_FEED;
-	if (other || !feed->given)
-		return true;
-	*run = site_run_at(site, feed->number);
-	if (*run < site->n_run)
-		return true;
-	return error_set(error, ERROR_USAGE,
-	    "%s has no feed sampled at %g m/s\n"
-	    "run 'show feed' for its feeds",
-	    site->name, feed->number);
-}
 
 size_t
 feed_at(const struct site *site, double speed)
@@ -84,4 +67,11 @@ feed_note(struct answer *r, const struct site *site, size_t run)
 		fields_put(answer_fields(r), "feed %s", words);
 	}
 	free(words);
+}
+
+const char *
+feed_file(const char *path)
+{
+	const char *slash = strrchr(path, '/');
+	return slash != NULL ? slash + 1 : path;
 }

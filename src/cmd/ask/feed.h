@@ -5,17 +5,11 @@
 
 #include <stdbool.h>
 
-#include "cmd/lang/command.h"
 #include "core/psd/site.h"
 #include "io/formats/answer.h"
 
-/* The run whose feed to take, for site_feed: that sampled at the speed which
- * the option feed names, else SITE_MEAN_FEED, which is the feed of another
- * sheet where the call asks with one (cmd/ask/scenario.h). */
-bool feed_choose(const struct site *site, const struct args *args, size_t *run,
-    struct error *error);
-
-/* The same of a speed, m/s: 0 or a speed without a feed is the mean. */
+/* The run whose feed was sampled at a speed, m/s, for site_feed; SITE_MEAN_FEED
+ * of 0 and of a speed without one. */
 size_t feed_at(const struct site *site, double speed);
 
 /* The speed at which that feed was sampled, m/s; NAN of the mean of several,
@@ -29,5 +23,8 @@ char *feed_words(const struct site *site, size_t run);
 
 /* Says it below an answer, "feed: " and those words, which are its key feed. */
 void feed_note(struct answer *r, const struct site *site, size_t run);
+
+/* A path without its folders, for titles; borrowed. */
+const char *feed_file(const char *path);
 
 #endif

@@ -225,9 +225,9 @@ missed_words(const struct condition *c, double value, bool most)
 /* Which condition binds, and what misses most where the goal is met at no
  * speed. */
 static void
-find_binding(struct session *s, struct goal *g, struct wanted *all)
+find_binding(const struct session *s, const struct entry *entry, struct goal *g,
+    struct wanted *all)
 {
-	const struct entry *entry = session_entry(s);
 	struct window_limit limit;
 	double from, to, best = goals_best(s, g, answers_usual(entry));
 	site_reach(entry->site, &from, &to);
@@ -247,9 +247,8 @@ find_binding(struct session *s, struct goal *g, struct wanted *all)
 
 /* What is set is read again: another feed may not tell of it. */
 static void
-begin(struct session *s, struct goal *g, size_t feed)
+begin(struct session *s, const struct site *site, struct goal *g, size_t feed)
 {
-	const struct site *site = session_entry(s)->site;
 	struct error error = {0};
 	double from, to;
 	goals_clear(g);
@@ -271,13 +270,13 @@ goals_pending(const struct session *s, const struct goal *g, size_t feed)
 }
 
 void
-goals_step(struct session *s, struct goal *g, size_t feed)
+goals_step(
+    struct session *s, const struct entry *entry, struct goal *g, size_t feed)
 {
-	const struct entry *entry = session_entry(s);
 	if (!goals_set(s))
 		return;
 	if (g->parts == 0 || g->feed != feed)
-		begin(s, g, feed);
+		begin(s, entry->site, g, feed);
 	if (g->why != NULL || g->done == g->parts)
 		return;
 	double from, to;
@@ -298,7 +297,7 @@ goals_step(struct session *s, struct goal *g, size_t feed)
 	if (g->done == g->parts && g->found.n > 0)
 		window_certain(&g->found, settings_level(&s->set), g->certain);
 	if (g->done == g->parts)
-		find_binding(s, g, &all);
+		find_binding(s, entry, g, &all);
 	response_free(all.response);
 }
 
@@ -357,9 +356,8 @@ all_certain(const struct goal *g)
 /* What of it lies beyond the speeds that were measured; "" where nothing
  * does. */
 static const char *
-beyond_words(const struct session *s, const struct goal *g, double best)
+beyond_words(const struct entry *entry, const struct goal *g, double best)
 {
-	const struct entry *entry = &s->entry[s->current];
 	bool window = g->n_value == 0 && g->found.n_inside > 0;
 	if (isfinite(best) && answers_extrapolates(entry, best))
 		return window ? "best extrapolated" : "extrapolated";
@@ -373,10 +371,11 @@ beyond_words(const struct session *s, const struct goal *g, double best)
 /* Where it is met, with how far to trust that; the nearest speed where it is
  * not. */
 static char *
-outcome(const struct session *s, const struct goal *g, double speed, bool full)
+outcome(const struct session *s, const struct entry *entry,
+    const struct goal *g, double speed, bool full)
 {
 	double best = goals_best(s, g, speed), level = settings_level(&s->set);
-	const char *beyond = beyond_words(s, g, best);
+	const char *beyond = beyond_words(entry, g, best);
 	char *words, *speeds = speeds_words(g);
 	if (speeds[0] == '\0')
 		words = isfinite(best)
@@ -398,8 +397,8 @@ outcome(const struct session *s, const struct goal *g, double speed, bool full)
 }
 
 char *
-goals_words(struct session *s, const struct goal *g, double speed,
-    enum goals_length length)
+goals_words(const struct session *s, const struct entry *entry,
+    const struct goal *g, double speed, enum goals_length length)
 {
 	bool full = length == GOALS_FULL;
 	const char *text = s->set.goal;
@@ -408,7 +407,7 @@ goals_words(struct session *s, const struct goal *g, double speed,
 	if (g->why != NULL)
 		return xasprintf(
 		    tr("goal: %s"), full ? g->why : tr("not known"));
-	bool fitted = s->n_entry > 0 && session_entry(s)->has_params;
+	bool fitted = entry != NULL && entry->has_params;
 	if (!fitted && length != GOALS_SHORT)
 		return xasprintf(tr("goal: %s"), tr("after a calibration"));
 	if (!goals_known(s, g))
@@ -416,7 +415,7 @@ goals_words(struct session *s, const struct goal *g, double speed,
 			   ? xstrdup(tr("goal"))
 			   : xasprintf(tr("goal%s%s: being worked out"),
 				 full ? " " : "", full ? text : "");
-	char *end = outcome(s, g, speed, length != GOALS_SHORT);
+	char *end = outcome(s, entry, g, speed, length != GOALS_SHORT);
 	char *words = full ? xasprintf(tr("goal %s: met %s"), text, end)
 			   : xasprintf(tr("goal %s"), end);
 	free(end);

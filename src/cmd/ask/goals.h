@@ -44,7 +44,8 @@ void goals_clear(struct goal *goal);
 bool goals_known(const struct session *s, const struct goal *goal);
 bool goals_pending(
     const struct session *s, const struct goal *goal, size_t feed);
-void goals_step(struct session *s, struct goal *goal, size_t feed);
+void goals_step(struct session *s, const struct entry *entry, struct goal *goal,
+    size_t feed);
 
 /* The best speed, of several the one nearest to `speed`; NAN where none is
  * known. */
@@ -60,7 +61,7 @@ void goals_tenths(const struct window_range *in, double *from, double *to);
  * without what was set; without how certain; while it is not known that it is
  * being worked out; "" without a goal.  The caller frees. */
 enum goals_length { GOALS_FULL, GOALS_SPEEDS, GOALS_SHORT, GOALS_LENGTHS };
-char *goals_words(struct session *s, const struct goal *goal, double speed,
-    enum goals_length length);
+char *goals_words(const struct session *s, const struct entry *entry,
+    const struct goal *goal, double speed, enum goals_length length);
 
 #endif

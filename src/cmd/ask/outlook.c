@@ -95,7 +95,7 @@ drawn(const struct session *s, const struct entry *entry,
 struct posterior *
 outlook_beside(const struct session *s, const struct entry *entry)
 {
-	if (!has_draws(entry) || s->set.correction == CORRECTION_OFF)
+	if (!has_draws(entry) || outlook_correction(s, entry) == CORRECTION_OFF)
 		return NULL;
 	const struct history *h = entry->origin->spread;
 	const struct fit *fit = origin_fit(entry);
@@ -116,12 +116,20 @@ outlook_posterior(const struct session *s, const struct entry *entry,
 	return has_draws(entry) ? drawn(s, entry, correction, 0) : NULL;
 }
 
-/* The runs that inform the answers that are set. */
-static enum correction
-informing(const struct session *s)
+enum correction
+outlook_correction(const struct session *s, const struct entry *entry)
 {
-	return s->set.correction == CORRECTION_ALL ? CORRECTION_ALL
-						   : CORRECTION_TRAIN;
+	return entry->variant != NULL ? entry->variant->correction
+				      : s->set.correction;
+}
+
+/* The runs that inform the entry's answers. */
+static enum correction
+informing(const struct session *s, const struct entry *entry)
+{
+	return outlook_correction(s, entry) == CORRECTION_ALL
+		   ? CORRECTION_ALL
+		   : CORRECTION_TRAIN;
 }
 
 bool
@@ -129,13 +137,13 @@ outlook_draw(const struct session *s, const struct entry *entry)
 {
 	enum { STEPS = 16 };
 	return !has_draws(entry) ||
-	       drawn(s, entry, informing(s), STEPS) != NULL;
+	       drawn(s, entry, informing(s, entry), STEPS) != NULL;
 }
 
 const struct posterior *
 outlook_draws(const struct session *s, const struct entry *entry)
 {
-	return outlook_posterior(s, entry, informing(s));
+	return outlook_posterior(s, entry, informing(s, entry));
 }
 
 const struct evidence *
@@ -146,7 +154,7 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 		return NULL;
 	struct history *h = entry->origin->spread;
 	size_t place;
-	bool *use = used_runs(h, informing(s), &place);
+	bool *use = used_runs(h, informing(s, entry), &place);
 	struct evidence **e = &h->evidence[place];
 	/* They may have been stopped before. */
 	const struct posterior *p = outlook_draws(s, entry);
@@ -165,7 +173,7 @@ outlook_undrawn(const struct session *s, const struct entry *entry)
 {
 	struct history *h = entry->origin->spread;
 	size_t place;
-	bool *use = used_runs(h, informing(s), &place);
+	bool *use = used_runs(h, informing(s, entry), &place);
 	struct evidence e = trust_evidence(h->site, h->train, use,
 	    origin_fit(entry), &h->bounds, NULL, s->set.noise);
 	free(use);
@@ -179,7 +187,7 @@ outlook_feed_difference(
 	const struct history *h = entry->origin->spread;
 	double least = INFINITY;
 	size_t place;
-	bool *use = used_runs(h, informing(s), &place);
+	bool *use = used_runs(h, informing(s, entry), &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		if (use[r])
 			least = fmin(
@@ -221,8 +229,8 @@ outlook_settings(const struct session *s, const struct entry *entry)
 static const struct posterior *
 answering(const struct session *s, const struct entry *entry)
 {
-	bool off =
-	    s->set.correction == CORRECTION_OFF || session_fitting(s) != NULL;
+	bool off = outlook_correction(s, entry) == CORRECTION_OFF ||
+		   session_fitting(s) != NULL;
 	bool none = off || !as_fitted(s, entry) || is_open(s, entry);
 	return none ? NULL : outlook_draws(s, entry);
 }
@@ -234,7 +242,7 @@ outlook_unseen(
 	if (!as_fitted(s, entry) || is_open(s, entry))
 		return NULL;
 	return outlook_posterior(
-	    s, entry, training_only ? CORRECTION_TRAIN : informing(s));
+	    s, entry, training_only ? CORRECTION_TRAIN : informing(s, entry));
 }
 
 /* Whether these are the entry's own parameters. */
@@ -251,18 +259,49 @@ outlook_answering(const struct session *s, const struct entry *entry,
 	return are_own(entry, params) ? answering(s, entry) : NULL;
 }
 
+/* posterior: NULL for a response that has no draws of its own. */
+static struct response *
+response_of(const struct session *s, const struct entry *entry,
+    const struct params *params, size_t feed_run, const struct quantity *asked,
+    size_t n, const struct posterior *posterior)
+{
+	const struct psd *feed = site_feed(entry->site, feed_run);
+	struct psd sizes = predict_sizes(entry->site, feed);
+	struct response *r = response_new(feed, sizes.size, sizes.n, asked, n,
+	    params, outlook_settings(s, entry), posterior);
+	psd_free(&sizes);
+	return r;
+}
+
 struct response *
 outlook_response(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run, const struct quantity *asked,
     size_t n)
 {
-	const struct psd *feed = site_feed(entry->site, feed_run);
-	struct psd sizes = predict_sizes(entry->site, feed);
-	struct response *r = response_new(feed, sizes.size, sizes.n, asked, n,
-	    params, outlook_settings(s, entry),
+	return response_of(s, entry, params, feed_run, asked, n,
 	    outlook_answering(s, entry, params));
-	psd_free(&sizes);
-	return r;
+}
+
+struct response *
+outlook_reader(const struct session *s, const struct entry *entry,
+    const struct params *params, size_t feed_run, const struct quantity *asked,
+    size_t n)
+{
+	return response_of(s, entry, params, feed_run, asked, n, NULL);
+}
+
+void
+outlook_read_at(const struct session *s, const struct entry *entry,
+    const struct params *params, size_t feed_run, struct response *r,
+    double speed)
+{
+	struct ensemble *e = are_own(entry, params)
+				 ? outlook_ensemble(s, entry, feed_run)
+				 : NULL;
+	if (e != NULL)
+		response_borrow_at(r, e, speed);
+	else
+		response_at(r, speed);
 }
 
 struct crusher *
@@ -327,7 +366,7 @@ outlook_why_none(const struct session *s, const struct entry *entry)
 	       : fit_too_few(fit)
 		   ? tr("no uncertainty band: too few data for the number of "
 			"parameters")
-	       : s->set.correction == CORRECTION_OFF
+	       : outlook_correction(s, entry) == CORRECTION_OFF
 		   ? tr("no uncertainty band for the model alone: 'set "
 			"correction "
 			"all' has one")
@@ -349,7 +388,7 @@ too_many(const struct session *s, const struct entry *entry)
 {
 	const struct history *h = entry->origin->spread;
 	size_t place, n = 0;
-	bool *use = used_runs(h, informing(s), &place);
+	bool *use = used_runs(h, informing(s, entry), &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		n += use[r];
 	free(use);
@@ -368,7 +407,7 @@ outlook_words(const struct session *s, const struct entry *entry)
 			  "slowest to the fastest");
 	bool former = entry->has_fit &&
 		      entry->history->site->digest != entry->site->digest;
-	return s->set.correction == CORRECTION_TRAIN
+	return outlook_correction(s, entry) == CORRECTION_TRAIN
 		   ? tr("model corrected by the training runs")
 	       : former ? tr("model corrected by the runs measured before the "
 			     "calibration, not by those added since")
@@ -376,11 +415,29 @@ outlook_words(const struct session *s, const struct entry *entry)
 }
 
 const char *
-outlook_short(const struct session *s, const struct prediction *p)
+outlook_short(const struct session *s, const struct entry *entry,
+    const struct prediction *p)
 {
 	static const char *const WORDS[] = {[CORRECTION_ALL] = N_(", all runs"),
 	    [CORRECTION_TRAIN] = N_(", training runs"),
 	    [CORRECTION_OFF] = N_(", model")};
-	bool asked = s->set.correction == CORRECTION_OFF;
-	return p->low != NULL || asked ? tr(WORDS[s->set.correction]) : "";
+	enum correction asked = outlook_correction(s, entry);
+	return p->low != NULL || asked == CORRECTION_OFF ? tr(WORDS[asked])
+							 : "";
+}
+
+void
+outlook_note(struct answer *r, const struct session *s,
+    const struct entry *entry, bool product)
+{
+	if (product)
+		answer_say(r, ANSWER_REMARK, "%s", outlook_words(s, entry));
+	answer_say(r, ANSWER_REMARK,
+	    entry->has_fit
+		? N_("low, high: the true value lies between them with %.0f "
+		     "%% probability")
+		: N_("low, high: the true value lies between them with %.0f "
+		     "%% probability; the difference between the two sites is "
+		     "not included"),
+	    100 * settings_level(&s->set));
 }

@@ -9,6 +9,11 @@
 #include "core/posterior/ensemble.h"
 #include "core/answer/predict.h"
 #include "core/answer/response.h"
+#include "io/formats/answer.h"
+
+/* The runs that inform the entry's answers: as set, or as it is asked. */
+enum correction outlook_correction(
+    const struct session *s, const struct entry *entry);
 
 /* The posterior that all measured runs inform, or the training runs only, of
  * the calibration that found the entry's parameters, on this site or another
@@ -73,6 +78,15 @@ struct response *outlook_response(const struct session *s,
     const struct entry *entry, const struct params *params, size_t feed_run,
     const struct quantity *asked, size_t n);
 
+/* The same without draws of its own: outlook_read_at moves it to a speed with
+ * those that outlook_ensemble keeps. */
+struct response *outlook_reader(const struct session *s,
+    const struct entry *entry, const struct params *params, size_t feed_run,
+    const struct quantity *asked, size_t n);
+void outlook_read_at(const struct session *s, const struct entry *entry,
+    const struct params *params, size_t feed_run, struct response *r,
+    double speed);
+
 /* What the entry's answers are drawn from, formed with these parameters; NULL:
  * they are the model alone. */
 const struct posterior *outlook_answering(const struct session *s,
@@ -100,9 +114,16 @@ const char *outlook_why_none(
  * all runs", "corrected by the training runs", "model alone". */
 const char *outlook_words(const struct session *s, const struct entry *entry);
 
-/* The same behind a name in a legend: ", all runs", ", training runs", or ""
- * where the prediction is the model alone and nothing else was asked for;
- * ", model" where it is what was asked for. */
-const char *outlook_short(const struct session *s, const struct prediction *p);
+/* Says what low and high are, and of a product which runs correct it; of
+ * another site's parameters they are what its data leave open, and know nothing
+ * of the difference between the two. */
+void outlook_note(struct answer *r, const struct session *s,
+    const struct entry *entry, bool product);
+
+/* What outlook_words has, behind a name in a legend: ", all runs", ", training
+ * runs", or "" where the prediction is the model alone and nothing else was
+ * asked for; ", model" where it is what was asked for. */
+const char *outlook_short(const struct session *s, const struct entry *entry,
+    const struct prediction *p);
 
 #endif

@@ -9,9 +9,9 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/feed.h"
 
 void
 pin_free(struct pin *pin)
@@ -33,31 +33,41 @@ unpin(struct session *s, const char *word, struct error *error)
 	return true;
 }
 
-bool
-cmd_pin(struct session *s, const struct args *args, struct error *error)
+/* Also what a calibration under way has found so far. */
+static bool
+keep(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	double speed;
-	size_t feed;
-	if (args->n_operand > 0)
-		return unpin(s, args->operand[0], error);
-	if (!session_need_site(s, "pin", error))
-		return false;
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = q->entry;
 	struct params params = entry->params;
-	bool forming = answers_forming(s, &params);
-	if ((!forming && !answers_ready(s, error)) ||
-	    !answers_last(s, args, &speed, &feed, error))
+	bool forming = answers_forming(s, entry, &params);
+	if (!forming && !answers_ready(s, error))
 		return false;
+	if (q->variant.feed)
+		return error_set(error, ERROR_USAGE,
+		    "pin: expected a feed that was sampled at the site, got "
+		    "%s\n"
+		    "write: pin speed=74 feed=mean",
+		    q->entry->site->feed_from);
+	question_as_last(s, args, q);
 	struct pin *pin = xcalloc(1, sizeof *pin);
 	*pin = (struct pin){.site = entry->site,
 	    .key = xstrdup(entry->key),
-	    .p = outlook_form(s, entry, &params, speed, feed)};
+	    .p = outlook_form(s, entry, &params, q->speed, q->feed)};
 	s->pins = xrealloc(s->pins, s->n_pin + 1, sizeof(*s->pins));
 	s->pin = s->pins[s->n_pin++] = pin;
 	session_note(s,
 	    forming ? N_("pinned %s at %.1f m/s, of the calibration that runs: "
 			 "save leaves it out")
 		    : N_("pinned %s at %.1f m/s"),
-	    pin->key, speed);
+	    pin->key, q->speed);
 	return true;
+}
+
+bool
+cmd_pin(struct session *s, const struct args *args, struct error *error)
+{
+	return args->n_operand > 0 ? unpin(s, args->operand[0], error)
+				   : session_need_site(s, "pin", error) &&
+					 question_run(s, args, keep, error);
 }

@@ -360,15 +360,16 @@ quantities_decimals(const struct quantity *q)
 }
 
 bool
-quantities_option(
-    const struct args *args, struct fraction *fraction, struct error *error)
+quantities_option(const struct args *args, struct fraction *fraction,
+    bool alone, struct error *error)
 {
 	const struct value *cut = args_value(args, "cut");
 	*fraction = (struct fraction){0};
 	if (cut->given && !quantities_fraction(cut->text, fraction, error))
 		return false;
-	if (!cut->given && (args_value(args, "sharpness")->given ||
-			       args_value(args, "cut_size")->given))
+	if (!cut->given && !alone &&
+	    (args_value(args, "sharpness")->given ||
+		args_value(args, "cut_size")->given))
 		return error_set(error, ERROR_USAGE,
 		    "sharpness= and cut_size= describe the screens of cut=, "
 		    "which is not given\nadd a fraction such as cut=0/4");

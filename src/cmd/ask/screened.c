@@ -28,22 +28,9 @@ check_any(const struct fraction *fraction, const struct psd *feed,
 	    units_mm(edge));
 }
 
-bool
-screened_read(const struct args *args, const struct psd *feed,
-    struct screened *wanted, struct error *error)
-{
-	*wanted = (struct screened){0};
-	if (!quantities_option(args, &wanted->fraction, error))
-		return false;
-	struct quantity share = {
-	    .kind = QUANTITY_SHARE, .fraction = wanted->fraction};
-	return quantities_covered(&share, feed, error) &&
-	       check_any(&wanted->fraction, feed, error);
-}
-
 /* What is read off: the share, the passing of each sieve, then the sizes. */
 static struct quantity *
-asked_of(const struct screened *wanted, const struct psd *sieves)
+asked_of(const struct fraction *fraction, const struct psd *sieves)
 {
 	struct quantity *asked =
 			    xcalloc(sieves->n + 1 + PSD_SIZES, sizeof *asked),
@@ -56,37 +43,12 @@ asked_of(const struct screened *wanted, const struct psd *sieves)
 		*q++ = (struct quantity){
 		    .kind = QUANTITY_SIZE, .x = PSD_PASSING[i]};
 	while (q-- > asked)
-		q->fraction = wanted->fraction;
+		q->fraction = *fraction;
 	return asked;
 }
 
-/* Room for other sieves: [n] of the site's, or those wanted. */
 static void
-set_sieves(
-    struct prediction *p, const struct psd *feed, const struct screened *wanted)
-{
-	bool band = p->low != NULL;
-	if (wanted->n == 0)
-		return;
-	psd_free(&p->product);
-	psd_free(&p->feed);
-	free(p->model);
-	free(p->low);
-	free(p->high);
-	p->product = psd_new(wanted->n);
-	memcpy(
-	    p->product.size, wanted->sieve, wanted->n * sizeof *wanted->sieve);
-	p->feed = psd_copy(&p->product);
-	for (size_t i = 0; i < wanted->n; i++)
-		p->feed.passing[i] = psd_passing(feed, wanted->sieve[i]);
-	p->model = xdoubles(wanted->n);
-	p->low = band ? xdoubles(wanted->n) : NULL;
-	p->high = band ? xdoubles(wanted->n) : NULL;
-}
-
-static void
-read_response(
-    struct prediction *p, struct response *r, double level, bool screens)
+read_response(struct prediction *p, struct response *r, double level)
 {
 	size_t n = p->product.n;
 	p->share = response_value(r, 0);
@@ -101,34 +63,36 @@ read_response(
 		p->low[i] = range[0];
 		p->high[i] = range[1];
 	}
-	for (size_t i = 0; i < PSD_SIZES && screens; i++) {
+	for (size_t i = 0; i < PSD_SIZES; i++) {
 		p->size[i] = response_value(r, n + 1 + i);
 		response_band(r, n + 1 + i, level, p->range[i]);
 	}
+	psd_free(&p->curve);
+	p->curve = response_part(r, 0);
 }
 
-void
-screened_take(const struct session *s, const struct entry *entry,
-    const struct params *params, const struct screened *wanted,
-    struct prediction *p)
+bool
+screened_predict(const struct session *s, const struct entry *entry,
+    const struct params *params, const struct fraction *fraction, double speed,
+    size_t feed_run, struct prediction *p, struct error *error)
 {
-	const struct psd *feed = site_feed(entry->site, p->feed_run);
-	bool screens = fraction_screens(&wanted->fraction);
-	if (!screens && wanted->n == 0)
-		return;
-	set_sieves(p, feed, wanted);
-	struct quantity *asked = asked_of(wanted, &p->product);
-	struct response *r = outlook_response(
-	    s, entry, params, p->feed_run, asked, p->product.n + 1 + PSD_SIZES);
-	response_at(r, p->speed);
-	read_response(p, r, settings_level(&s->set), screens);
-	p->fraction = wanted->fraction;
-	if (screens) {
-		psd_free(&p->curve);
-		p->curve = response_part(r, 0);
-	}
+	const struct psd *feed = site_feed(entry->site, feed_run);
+	struct quantity share = {.kind = QUANTITY_SHARE, .fraction = *fraction};
+	if (!quantities_covered(&share, feed, error) ||
+	    !check_any(fraction, feed, error))
+		return false;
+	*p = outlook_form(s, entry, params, speed, feed_run);
+	if (!fraction_screens(fraction))
+		return true;
+	struct quantity *asked = asked_of(fraction, &p->product);
+	struct response *r = outlook_reader(
+	    s, entry, params, feed_run, asked, p->product.n + 1 + PSD_SIZES);
+	outlook_read_at(s, entry, params, feed_run, r, speed);
+	read_response(p, r, settings_level(&s->set));
+	p->fraction = *fraction;
 	response_free(r);
 	free(asked);
+	return true;
 }
 
 /* share: of the product that the part is. */

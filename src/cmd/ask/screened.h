@@ -3,28 +3,15 @@
 #ifndef TIPSPEED_CMD_ASK_SCREENED_H
 #define TIPSPEED_CMD_ASK_SCREENED_H
 
-#include "cmd/lang/command.h"
 #include "cmd/session/session.h"
 #include "core/answer/predict.h"
 #include "core/psd/quantity.h"
 
-/* What is wanted of a prediction.  sieve [n] m, coarsest first; n is 0 where
- * they are to stay. */
-struct screened {
-	struct fraction fraction;
-	size_t n;
-	double *sieve;
-};
-
-/* The options of TABLE_CUT; false where the feed does not tell of these
- * sizes. */
-bool screened_read(const struct args *args, const struct psd *feed,
-    struct screened *wanted, struct error *error);
-
-/* Turns the prediction, made with these parameters, into that. */
-void screened_take(const struct session *s, const struct entry *entry,
-    const struct params *params, const struct screened *wanted,
-    struct prediction *p);
+/* The product of the entry at a speed, or a fraction of it, as outlook_form has
+ * it; false where the feed does not tell of that. */
+bool screened_predict(const struct session *s, const struct entry *entry,
+    const struct params *params, const struct fraction *fraction, double speed,
+    size_t feed_run, struct prediction *p, struct error *error);
 
 /* What was measured, of that fraction; psd_free. */
 struct psd screened_measured(

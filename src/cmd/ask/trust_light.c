@@ -203,8 +203,7 @@ judge(const struct session *s, const struct entry *entry,
 	struct trust_question q = {.speed = p != NULL ? p->speed : 0};
 	struct evidence reach = reach_of(entry);
 	/* What was measured is judged as it was measured. */
-	const struct entry *own =
-	    entry->variant != NULL ? entry->variant->own : entry;
+	const struct entry *own = entry_loaded(entry);
 	if (later)
 		judge_later(&t, s, own);
 	if (entry->variant != NULL)
@@ -232,7 +231,7 @@ light_of(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
 	struct trust t = {0};
-	if (p != NULL && session_fitting(s) == entry) {
+	if (p != NULL && session_fitting(s) == entry_loaded(entry)) {
 		trust_add(&t, LIGHT_AMBER, TRUST_FIT,
 		    xstrdup(tr("a calibration is running: parameters change")));
 		return t;

@@ -60,7 +60,7 @@ struct chart *
 flow_chart(const struct plant *p, double from, double to)
 {
 	const struct circuit *c = p->circuit;
-	struct chart *chart = site_chart(session_entry(p->s)->site,
+	struct chart *chart = site_chart(p->plan->question->entry->site,
 	    axis_linear(tr("tip speed, m/s"), from, to),
 	    axis_linear("t/h", 0, c->tph), "products of %g t/h against speed",
 	    c->tph);
@@ -79,8 +79,8 @@ flow_chart(const struct plant *p, double from, double to)
 	if (n > 0 && chart->series[0]->low != NULL)
 		chart_note(chart, "band: %.0f %% uncertainty", 100 * p->level);
 	/* That of the middle speed: further out it is as good at most. */
-	char *light = light_at(
-	    p->s, session_entry(p->s), (from + to) / 2, p->plan->feed_run);
+	char *light = light_at(p->s, p->plan->question->entry, (from + to) / 2,
+	    p->plan->question->feed);
 	chart_note(chart, "%s", light);
 	free(light);
 	free(unit);

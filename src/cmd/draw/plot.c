@@ -13,8 +13,10 @@
 #include "cmd/ask/answers.h"
 #include "cmd/document/document.h"
 #include "cmd/ask/goals.h"
+#include "cmd/ask/question.h"
 #include "cmd/run/line.h"
 #include "cmd/ask/pin.h"
+#include "cmd/session/sites.h"
 #include "cmd/lang/table.h"
 #include "cmd/ask/feed.h"
 #include "config.h"
@@ -60,14 +62,6 @@ read_request(const struct session *s, const struct args *args,
 	request->param = args_value(args, "param")->text;
 	request->of = args_value(args, "of")->text;
 	request->limits = args_value(args, "limits")->text;
-	if (args_value(args, "feed")->given && s->n_entry > 0) {
-		const struct site *site = s->entry[s->current].site;
-		size_t run;
-		if (!feed_choose(site, args, &run, error))
-			return false;
-		request->feed_speed =
-		    run < site->n_run ? site->run[run].speed : 0;
-	}
 	request->level = args_value(args, "level")->number;
 	request->band = args_value(args, "band")->choice == 1;
 	request->generation = (size_t)args_value(args, "generation")->whole;
@@ -76,15 +70,57 @@ read_request(const struct session *s, const struct args *args,
 	return read_sites(s, args, request, error);
 }
 
-/* The chart that the call asks for, by its kind and the options that plot and
- * describe have in common; see plots_chart.  request: out. */
-static struct chart *
-asked_chart(struct session *s, const struct args *args,
-    struct plot_request *request, struct error *error)
+/* What a call asks for: of its site, and of the one beside. */
+struct asked {
+	struct plot_request request;
+	struct question q, second;
+};
+
+/* plots_chart tells of what is not loaded.  The speed of a feed names one of
+ * the first site alone. */
+static bool
+read_questions(struct session *s, const struct args *args, struct asked *a,
+    struct error *error)
 {
-	return read_request(s, args, request, error)
-		   ? plots_chart(s, request, error)
+	struct plot_request *r = &a->request;
+	struct error none = {0};
+	size_t at = s->current, beside;
+	if (s->n_entry == 0 ||
+	    (r->site != NULL && !session_find(s, r->site, &at, &none)))
+		return true;
+	if (!question_of(s, &s->entry[at], args, &a->q, error))
+		return false;
+	double feed = feed_speed(a->q.entry->site, a->q.feed);
+	r->entry = a->q.entry;
+	r->feed_speed = feed > 0 ? feed : 0;
+	if (a->q.speed_given && r->made == NULL)
+		r->speed = a->q.speed;
+	if (r->beside == NULL || !session_find(s, r->beside, &beside, &none))
+		return true;
+	question_too(s, &s->entry[beside], args, &a->q, &a->second, &none);
+	r->second = a->second.entry;
+	return true;
+}
+
+/* The chart that the call asks for, by its kind and the options that plot and
+ * describe have in common; see plots_chart.  asked_free, also where it is
+ * NULL. */
+static struct chart *
+asked_chart(struct session *s, const struct args *args, struct asked *a,
+    struct error *error)
+{
+	*a = (struct asked){0};
+	return read_request(s, args, &a->request, error) &&
+		       read_questions(s, args, a, error)
+		   ? plots_chart(s, &a->request, error)
 		   : NULL;
+}
+
+static void
+asked_free(struct session *s, struct asked *a)
+{
+	question_free(s, &a->q);
+	question_free(s, &a->second);
 }
 
 /* "passing_pct" of "passing, %".  The caller frees. */
@@ -683,32 +719,33 @@ say_chart(struct tale *t)
 static void
 say_goal(struct tale *t, struct session *s, const struct plot_request *request)
 {
+	const struct entry *entry = request->entry;
 	struct goal goal = {.n_value = 0};
 	if (t->kind != PLOT_PSD || !goals_set(s) || session_busy(s) ||
-	    request->site != NULL || !session_entry(s)->has_params)
+	    request->site != NULL || !entry->has_params)
 		return;
-	const struct site *site = session_entry(s)->site;
+	const struct site *site = entry->site;
 	double speed =
-	    isnan(request->speed) ? answers_middle(site) : request->speed;
+	    isnan(request->speed) ? site_middle(site) : request->speed;
 	size_t feed = feed_at(site, request->feed_speed);
 	while (goals_pending(s, &goal, feed) &&
 	       (s->hooks.stop == NULL || !s->hooks.stop()))
-		goals_step(s, &goal, feed);
-	char *words = goals_words(s, &goal, speed, GOALS_FULL);
+		goals_step(s, entry, &goal, feed);
+	char *words = goals_words(s, entry, &goal, speed, GOALS_FULL);
 	answer_note(t->answer, "%s", words);
 	fields_put(answer_fields(t->answer), "goal %s", words);
 	free(words);
 	goals_clear(&goal);
 }
 
-bool
-cmd_describe(struct session *s, const struct args *args, struct error *error)
+static bool
+describe(struct session *s, const struct args *args, struct asked *a,
+    struct error *error)
 {
-	struct plot_request request;
-	struct chart *chart = asked_chart(s, args, &request, error);
+	struct chart *chart = asked_chart(s, args, a, error);
 	if (chart == NULL)
 		return false;
-	struct tale t = {chart, request.kind, answer_new("describe")};
+	struct tale t = {chart, a->request.kind, answer_new("describe")};
 	answer_title(t.answer, "%s", chart->title);
 	answer_sites(t.answer,
 	    s->n_entry > 0 ? session_entry(s)->site->name : "", chart->about);
@@ -716,20 +753,30 @@ cmd_describe(struct session *s, const struct args *args, struct error *error)
 	    args->operand[0], chart->title, chart->about);
 	for (t.chart = chart; t.chart != NULL; t.chart = t.chart->below)
 		say_chart(&t);
-	say_goal(&t, s, &request);
+	say_goal(&t, s, &a->request);
 	chart_free(chart);
 	return session_answer(s, t.answer);
+}
+
+bool
+cmd_describe(struct session *s, const struct args *args, struct error *error)
+{
+	struct asked a;
+	bool ok = describe(s, args, &a, error);
+	asked_free(s, &a);
+	return ok;
 }
 
 bool
 cmd_plot(struct session *s, const struct args *args, struct error *error)
 {
 	enum { AUTO };
-	struct plot_request request;
+	struct asked a;
 	bool grid = s->file == NULL && s->set.format == ANSWER_TABLE;
 	if (grid && s->linear && s->screen.columns > 0)
 		return cmd_describe(s, args, error);
-	struct chart *chart = asked_chart(s, args, &request, error);
+	struct chart *chart = asked_chart(s, args, &a, error);
+	asked_free(s, &a);
 	if (chart == NULL)
 		return false;
 	size_t choice = args_value(args, "charset")->choice;

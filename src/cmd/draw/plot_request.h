@@ -31,8 +31,11 @@ enum plot_kind {
 
 struct plot_request {
 	enum plot_kind kind;
-	const char *site;   /* of this loaded site; NULL: of the one in use */
-	double speed;       /* of psd, selection; NAN: the middle of the
+	const char *site; /* of this loaded site; NULL: of the one in use */
+	const struct entry *entry, /* it, as it is asked about, see question.h;
+				    * NULL: as it is loaded */
+	    *second;               /* the same of `beside` */
+	double speed;              /* of psd, selection; NAN: the middle of the
 			      * site's speeds */
 	double other_speed; /* a second prediction beside the first, or NAN */
 	double other_feed;  /* psd: the run whose feed it takes, as feed_speed;
@@ -62,9 +65,9 @@ struct plot_request {
 	const char *of, *limits; /* response: quantities and conditions in
 				  * words, with commas between; NULL: as
 				  * usual, none */
-	double feed_speed; /* psd, sweep: take the feed sampled at this speed,
-			    * SITE_OTHER_FEED: that of another sheet; 0: the
-			    * nearest one, of sweep to the middle */
+	double feed_speed; /* psd, sweep: take the feed sampled at this speed;
+			    * 0: the mean, or that of another sheet which
+			    * entry has */
 };
 
 /* What draws a kind: the chart, which the caller frees with chart_free, or NULL

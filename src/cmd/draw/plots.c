@@ -55,11 +55,11 @@ bool
 plots_params(const struct session *s, const struct plot_request *request,
     struct params *params, struct error *error)
 {
-	const struct entry *entry = &s->entry[s->current];
-	struct plots_past past = plots_past(s);
-	bool search = request->generation > 0 || plots_past_runs(s);
+	const struct entry *entry = request->entry;
+	struct plots_past past = plots_past(s, entry);
+	bool search = request->generation > 0 || plots_past_runs(s, entry);
 	if (search && past.n > 0) {
-		if (plots_past_at(s, &past, request->generation, error) ==
+		if (plots_past_at(entry, &past, request->generation, error) ==
 		    past.n)
 			return false;
 		*params = plots_past_best(&past, request->generation);
@@ -342,11 +342,11 @@ note_prediction(struct chart *chart, const struct session *s,
 /* The shade of a prediction with the site's own parameters, whose series is the
  * chart's last. */
 static void
-shade_prediction(
-    struct chart *chart, struct session *s, const struct prediction *p)
+shade_prediction(struct chart *chart, const struct session *s,
+    const struct entry *entry, const struct prediction *p)
 {
 	if (p->low == NULL) {
-		chart_note(chart, "%s", outlook_why_none(s, session_entry(s)));
+		chart_note(chart, "%s", outlook_why_none(s, entry));
 		return;
 	}
 	struct chart_series *series = chart->series[chart->n - 1];
@@ -380,17 +380,19 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
     const struct params *own, double speed, size_t feed, struct second *second,
     struct error *error)
 {
-	size_t i = s->current;
+	size_t i;
 	struct error gone = {0};
 	bool beside = q->beside != NULL, kept = q->kept != NULL;
 	*second = (struct second){.p = q->kept};
 	if (beside && session_find(s, q->beside, &i, kept ? &gone : error))
-		second->whose = &s->entry[i];
+		second->whose = q->second != NULL ? q->second : &s->entry[i];
 	else if (beside && !kept)
 		return false;
 	else if (!beside)
-		second->whose = session_entry(s);
-	if (!kept && i != s->current) {
+		second->whose = q->entry;
+	bool other = second->whose != NULL &&
+		     entry_loaded(second->whose) != entry_loaded(q->entry);
+	if (!kept && other) {
 		if (!answers_known(s, second->whose, error))
 			return false;
 		own = &second->whose->params;
@@ -400,7 +402,7 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
 	if (!kept) {
 		const struct site *site = second->whose->site;
 		double v = isnan(q->other_speed) ? speed : q->other_speed;
-		if (i != s->current)
+		if (other)
 			feed = SITE_MEAN_FEED;
 		if (q->other_feed != 0)
 			feed = feed_at(site, q->other_feed);
@@ -425,13 +427,13 @@ note_curves(struct chart *chart, struct session *s,
     const struct plot_request *q, const struct prediction *one,
     const struct second *two, bool shade)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = q->entry;
 	struct chart_series **last = &chart->series[chart->n - 1];
 	if (one != NULL)
 		note_prediction(
 		    chart, s, q, entry, one, (*last)->name, SERIES_BREAK);
 	if (one != NULL && shade)
-		shade_prediction(chart, s, one);
+		shade_prediction(chart, s, entry, one);
 	if (two->p != NULL)
 		note_prediction(chart, s, q, two->whose, two->p,
 		    last[one != NULL ? -1 : 0]->name, SERIES_OTHER);
@@ -470,7 +472,7 @@ add_predicted(struct curves *c, const struct session *s,
 	add_product(c, p,
 	    q->words & CHART_NOTES
 		? xasprintf(tr("predicted %g m/s"), p->speed)
-		: xasprintf(tr("predicted%s"), outlook_short(s, p)),
+		: xasprintf(tr("predicted%s"), outlook_short(s, q->entry, p)),
 	    PREDICTED);
 }
 
@@ -479,7 +481,7 @@ static const struct prediction *
 make_first(struct curves *c, struct session *s, const struct plot_request *q,
     const struct params *params, double speed, size_t feed)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = q->entry;
 	const struct prediction *one =
 	    q->made != NULL ? q->made
 			    : make_prediction(c, s, entry, params, speed, feed);
@@ -490,9 +492,9 @@ make_first(struct curves *c, struct session *s, const struct plot_request *q,
 static struct chart *
 psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = q->entry;
 	const struct site *site = entry->site;
-	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
+	double speed = isnan(q->speed) ? site_middle(site) : q->speed;
 	size_t feed = feed_at(site, q->feed_speed);
 	struct curves c = {0};
 	struct params params = {0};
@@ -541,7 +543,7 @@ static struct chart *
 sweep_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = q->entry;
 	const struct site *site = entry->site;
 	size_t n = q->n_speed;
 	struct curves c = {0};
@@ -575,10 +577,10 @@ sweep_chart(
 /* The product of a run and the prediction for it at the sieves that its feed
  * covers: differences in points. */
 static void
-add_residuals(struct chart *chart, struct session *s, size_t run,
-    const struct params *params, struct chart_series look)
+add_residuals(struct chart *chart, const struct session *s,
+    const struct entry *entry, size_t run, const struct params *params,
+    struct chart_series look)
 {
-	const struct entry *entry = session_entry(s);
 	const struct run *r = &entry->site->run[run];
 	size_t n = misfit_covered(r);
 	struct prediction p =
@@ -613,7 +615,7 @@ static struct chart *
 residuals_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct site *site = session_entry(s)->site;
+	const struct site *site = q->entry->site;
 	struct params params;
 	struct curves c = {0};
 	if (!plots_params(s, q, &params, error))
@@ -630,8 +632,8 @@ residuals_chart(
 		    site->name);
 		return NULL;
 	}
-	double middle = answers_middle(site);
-	add_measured(&c, s, session_entry(s), NULL, middle, SITE_MEAN_FEED);
+	double middle = site_middle(site);
+	add_measured(&c, s, q->entry, NULL, middle, SITE_MEAN_FEED);
 	struct chart *chart = site_chart(site, sieves_of(&c), (struct axis){0},
 	    "predicted minus measured, sieve by sieve");
 	for (size_t i = 0; i < site->n_run; i++) {
@@ -639,10 +641,10 @@ residuals_chart(
 		    misfit_covered(&site->run[i]) == 0)
 			continue;
 		struct chart_series look =
-		    site_chart_run(site, i, !session_entry(s)->train[i]);
+		    site_chart_run(site, i, !q->entry->train[i]);
 		look.line = CHART_SOLID;
 		look.ascii = look.mark;
-		add_residuals(chart, s, i, &params, look);
+		add_residuals(chart, s, q->entry, i, &params, look);
 	}
 	chart->y = around_zero(chart, "difference, points");
 	free_curves(&c);
@@ -767,19 +769,21 @@ sample(double low, double high, size_t i)
 
 static void
 add_selection(struct chart *chart, const struct session *s,
-    const struct params *params, double speed, struct chart_series look)
+    const struct entry *entry, const struct params *params, double speed,
+    struct chart_series look)
 {
+	struct model_settings settings = outlook_settings(s, entry);
 	struct chart_series *series =
 	    chart_add(chart, look, SAMPLES, "%g m/s", speed);
 	struct breaker b;
-	breaker_set(&b, params, &s->set.model);
+	breaker_set(&b, params, &settings);
 	breaker_at(&b, speed);
 	for (size_t i = 0; i < SAMPLES; i++) {
 		series->x[i] = sample(chart->x.low, chart->x.high, i);
 		series->y[i] = 100 * b.model->selection(
 					 &b, el_log(series->x[i] / 1000), NULL);
 	}
-	double mm = 1000 * params_break_size_by(params, &s->set.model, speed);
+	double mm = 1000 * params_break_size_by(params, &settings, speed);
 	chart_add_rule(chart,
 	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm,
 	    "break size %.2f mm at %g m/s", mm, speed);
@@ -789,8 +793,8 @@ static struct chart *
 selection_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct site *site = session_entry(s)->site;
-	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
+	const struct site *site = q->entry->site;
+	double speed = isnan(q->speed) ? site_middle(site) : q->speed;
 	struct params params;
 	if (!plots_params(s, q, &params, error))
 		return NULL;
@@ -802,11 +806,11 @@ selection_chart(
 	    "selection function (Eq 3)");
 	free_curves(&c);
 	if (!isnan(q->other_speed))
-		add_selection(chart, s, &params, q->other_speed,
+		add_selection(chart, s, q->entry, &params, q->other_speed,
 		    (struct chart_series){.series = SERIES_OTHER,
 			.line = CHART_LONG,
 			.ascii = '%'});
-	add_selection(chart, s, &params, speed, PREDICTED);
+	add_selection(chart, s, q->entry, &params, speed, PREDICTED);
 	return chart;
 }
 
@@ -824,8 +828,8 @@ appearance_chart(
 		    "run 'show appearance' for the matrix of any form");
 		return NULL;
 	}
-	const struct site *site = session_entry(s)->site;
-	double speed = isnan(q->speed) ? answers_middle(site) : q->speed;
+	const struct site *site = q->entry->site;
+	double speed = isnan(q->speed) ? site_middle(site) : q->speed;
 	struct breaker b;
 	breaker_set(&b, &params, &s->set.model);
 	breaker_at(&b, speed);
@@ -900,13 +904,12 @@ list_some(const struct session *s, struct stored_list *list, size_t *apart,
 static struct chart *
 map_chart(struct session *s, const struct plot_request *q, struct error *error)
 {
-	(void)q;
 	struct stored_list list = {0};
 	size_t apart;
 	char number[32];
 	if (!list_some(s, &list, &apart, error))
 		return NULL;
-	const struct entry *entry = s->n_entry > 0 ? session_entry(s) : NULL;
+	const struct entry *entry = q->entry;
 	if (entry != NULL && !entry->has_params)
 		entry = NULL;
 	double f_mat = 0, low = INFINITY, high = 0;
@@ -962,13 +965,14 @@ plots_chart(
 	if (!KINDS[request->kind].any_site &&
 	    !session_need_site(s, "this plot", error))
 		return NULL;
-	size_t current = s->current, at = current;
+	size_t at = s->current;
 	if (request->site != NULL &&
 	    !session_find(s, request->site, &at, error))
 		return NULL;
-	s->current = at;
-	struct chart *chart = KINDS[request->kind].make(s, request, error);
-	s->current = current;
+	struct plot_request as = *request;
+	if (as.entry == NULL && s->n_entry > 0)
+		as.entry = &s->entry[at];
+	struct chart *chart = KINDS[as.kind].make(s, &as, error);
 	if (chart != NULL)
 		chart->theme = (enum theme)s->set.theme;
 	return chart;

@@ -14,10 +14,9 @@
 
 /* The draws of the site in use, or NULL with an error. */
 static const struct posterior *
-drawn(struct session *s, struct error *error)
+drawn(const struct session *s, const struct entry *entry, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	if (!answers_ready(s, error))
+	if (!answers_known(s, entry, error))
 		return NULL;
 	const struct posterior *p = outlook_draws(s, entry);
 	if (p == NULL)
@@ -85,9 +84,8 @@ struct chart *
 plots_draws_correlation(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	(void)q;
 	size_t column[PARAMS_MOST];
-	const struct posterior *p = drawn(s, error);
+	const struct posterior *p = drawn(s, q->entry, error);
 	if (p == NULL)
 		return NULL;
 	size_t n = find_free(p, column);
@@ -97,7 +95,7 @@ plots_draws_correlation(
 		    "run 'bounds default' and 'calibrate'");
 		return NULL;
 	}
-	struct chart *chart = site_chart(session_entry(s)->site,
+	struct chart *chart = site_chart(q->entry->site,
 	    names_axis(p, column, n, false), names_axis(p, column, n, true),
 	    "correlations of %d draws", POSTERIOR_DRAWS);
 	add_fields(chart, p, column, n, true);
@@ -122,11 +120,10 @@ struct profiled {
 };
 
 static bool
-find_profiled(struct session *s, const char *name, struct profiled *a,
-    struct error *error)
+find_profiled(const struct session *s, const struct entry *entry,
+    const char *name, struct profiled *a, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	if (!answers_ready(s, error))
+	if (!answers_known(s, entry, error))
 		return false;
 	if (origin_fit(entry) == NULL)
 		return error_set(error, ERROR_USAGE,
@@ -272,7 +269,7 @@ plots_draws_profile(
 	struct profiled a;
 	double draws[POSTERIOR_DRAWS], reach[2], *draw = NULL;
 	if (!find_profiled(
-		s, q->param != NULL ? q->param : "e0_min", &a, error))
+		s, q->entry, q->param != NULL ? q->param : "e0_min", &a, error))
 		return NULL;
 	for (size_t d = 0; a.p != NULL && d < POSTERIOR_DRAWS; d++) {
 		draw = draws;
@@ -280,10 +277,10 @@ plots_draws_profile(
 	}
 	find_reach(&a, draw, reach);
 	char *title = xasprintf("%s, %s", a.info->name, a.info->unit);
-	struct chart *chart = site_chart(session_entry(s)->site,
-	    axis_linear(title, reach[0], reach[1]),
-	    axis_percent(tr("relative to the most probable, %")),
-	    "what the data say of %s", a.info->name);
+	struct chart *chart =
+	    site_chart(q->entry->site, axis_linear(title, reach[0], reach[1]),
+		axis_percent(tr("relative to the most probable, %")),
+		"what the data say of %s", a.info->name);
 	free(title);
 	add_profile(chart, &a);
 	if (draw != NULL)

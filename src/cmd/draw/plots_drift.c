@@ -79,9 +79,8 @@ struct chart *
 plots_drift(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	(void)q;
-	const struct entry *entry = session_entry(s);
-	if (!answers_ready(s, error))
+	const struct entry *entry = entry_loaded(q->entry);
+	if (!answers_known(s, entry, error))
 		return NULL;
 	struct routine *r = routine_follow(s, entry, &DRIFT_RULE, error);
 	if (r == NULL)

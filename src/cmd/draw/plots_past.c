@@ -5,39 +5,41 @@
 #include <string.h>
 
 bool
-plots_past_runs(const struct session *s)
+plots_past_runs(const struct session *s, const struct entry *entry)
 {
 	return s->job.calibration != NULL && s->job.fits &&
-	       s->job.entry == s->current;
+	       &s->entry[s->job.entry] == entry_loaded(entry);
 }
 
 static void
-take_running(struct plots_past *past, const struct session *s)
+take_running(
+    struct plots_past *past, const struct session *s, const struct entry *entry)
 {
 	const struct job *job = &s->job;
 	struct calibrate_status st = calibration_status(job->calibration);
 	past->generation = calibration_history(job->calibration, &past->n);
 	past->bounds = calibration_bounds(job->calibration);
-	past->site = s->entry[s->current].site;
+	past->site = entry->site;
 	past->train = job->train;
 	past->settings = job->options.settings;
 	past->weight = calibration_weight(job->calibration);
 	past->misfit = st.best;
 	past->best = st.params;
 	past->polished = st.state != CALIBRATE_SEARCHING;
+	past->runs = true;
 }
 
 struct plots_past
-plots_past(const struct session *s)
+plots_past(const struct session *s, const struct entry *entry)
 {
 	struct plots_past past = {0};
-	const struct history *h = s->entry[s->current].history;
-	if (plots_past_runs(s)) {
-		take_running(&past, s);
+	const struct history *h = entry->history;
+	if (plots_past_runs(s, entry)) {
+		take_running(&past, s, entry);
 	} else if (h != NULL) {
 		past = (struct plots_past){h->n, h->generation, &h->bounds,
 		    h->site, h->train, h->fit.settings, h->weight,
-		    h->fit.misfit, h->fit.params, true};
+		    h->fit.misfit, h->fit.params, true, false};
 	}
 	if (past.n == 0 || !past.polished)
 		return past;
@@ -48,14 +50,14 @@ plots_past(const struct session *s)
 }
 
 size_t
-plots_past_at(const struct session *s, const struct plots_past *past,
+plots_past_at(const struct entry *entry, const struct plots_past *past,
     size_t generation, struct error *error)
 {
 	if (past->n == 0)
 		error_set(error, ERROR_USAGE,
 		    "%s has not been calibrated in this session\n"
 		    "run 'calibrate' first",
-		    s->entry[s->current].site->name);
+		    entry->site->name);
 	else if (generation <= past->n)
 		return generation > 0 ? generation - 1 : past->n - 1;
 	else

@@ -24,6 +24,7 @@
  * far any measured product, see moved_by. */
 enum { POINTS = 81, MOST = 12 };
 struct drawn {
+	const struct entry *entry;
 	size_t n, feed;
 	struct quantity q[MOST];
 	struct condition_list limits;
@@ -39,9 +40,9 @@ static void
 take_usual(struct session *s, struct drawn *d)
 {
 	static const double WANTED[] = {0.8, 0.5, 0.2, 0};
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = d->entry;
 	struct prediction p =
-	    outlook_predict(s, entry, answers_middle(entry->site), d->feed);
+	    outlook_predict(s, entry, site_middle(entry->site), d->feed);
 	const struct psd *product = &p.product;
 	for (size_t k = 0; k < ARRAY_LEN(WANTED); k++) {
 		size_t best = 0;
@@ -95,7 +96,7 @@ static bool
 read_drawn(struct session *s, const char *of_words, const char *limits,
     struct drawn *d, struct error *error)
 {
-	const struct psd *feed = site_feed(session_entry(s)->site, d->feed);
+	const struct psd *feed = site_feed(d->entry->site, d->feed);
 	const struct fraction whole = {.partition = IDEAL};
 	size_t n = 0;
 	if (limits != NULL &&
@@ -131,7 +132,7 @@ speed_at(const struct drawn *d, size_t k)
 static void
 look(struct session *s, struct drawn *d)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = d->entry;
 	struct response *r =
 	    outlook_response(s, entry, &entry->params, d->feed, d->q, d->n);
 	d->value = xcalloc(d->n * POINTS, sizeof *d->value);
@@ -315,7 +316,7 @@ unit_chart(struct session *s, struct drawn *d, const char *unit)
 	} TITLES[] = {{"%", N_("share, %"), N_("shares")},
 	    {"mm", N_("size, mm"), N_("sizes")}};
 	const char *title = tr("value, -"), *about = tr("single figures");
-	const struct site *site = session_entry(s)->site;
+	const struct site *site = d->entry->site;
 	size_t n = 0;
 	for (size_t i = 0; i < d->n; i++)
 		n += strcmp(quantities_unit(&d->q[i]), unit) == 0;
@@ -332,11 +333,11 @@ unit_chart(struct session *s, struct drawn *d, const char *unit)
 	for (size_t i = 0; i < d->n; i++)
 		if (strcmp(quantities_unit(&d->q[i]), unit) == 0) {
 			add_line(chart, d, i);
-			add_measured(chart, s, session_entry(s), d, i);
+			add_measured(chart, s, d->entry, d, i);
 			add_limits(chart, d, i);
 		}
 	chart->y = around(chart, title);
-	add_reach(chart, session_entry(s));
+	add_reach(chart, d->entry);
 	return chart;
 }
 
@@ -344,7 +345,7 @@ static struct chart *
 make_charts(struct session *s, struct drawn *d)
 {
 	static const char *const UNITS[] = {"%", "mm", ""};
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = d->entry;
 	struct chart *first = NULL, **next = &first, *last = NULL;
 	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++) {
 		*next = unit_chart(s, d, UNITS[i]);
@@ -377,7 +378,7 @@ make_charts(struct session *s, struct drawn *d)
 		chart_note(last, "%s", outlook_why_none(s, entry));
 	/* Lines reach where nothing was measured, which add_reach tells: the
 	 * light is that of the middle, where it is as good as it gets. */
-	char *light = light_at(s, entry, answers_middle(entry->site), d->feed);
+	char *light = light_at(s, entry, site_middle(entry->site), d->feed);
 	chart_note(last, "%s", light);
 	free(light);
 	return first;
@@ -387,8 +388,8 @@ struct chart *
 plots_response(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	struct drawn d = {0};
+	const struct entry *entry = q->entry;
+	struct drawn d = {.entry = entry};
 	struct chart *chart = NULL;
 	if (!answers_known(s, entry, error))
 		return NULL;

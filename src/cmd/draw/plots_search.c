@@ -132,8 +132,9 @@ plots_search(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	const double straight = 0.1, most = 100;
-	struct plots_past past = plots_past(s);
-	size_t at = plots_past_at(s, &past, q->generation, error), runs = 0;
+	struct plots_past past = plots_past(s, q->entry);
+	size_t at = plots_past_at(q->entry, &past, q->generation, error),
+	       runs = 0;
 	if (at == past.n)
 		return NULL;
 	struct candidates c = candidates_at(s, &past, q->generation);
@@ -173,8 +174,8 @@ struct chart *
 plots_search_convergence(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	struct plots_past past = plots_past(s);
-	size_t at = plots_past_at(s, &past, q->generation, error);
+	struct plots_past past = plots_past(s, q->entry);
+	size_t at = plots_past_at(q->entry, &past, q->generation, error);
 	if (at == past.n)
 		return NULL;
 	struct chart *chart = site_chart(past.site,
@@ -288,8 +289,8 @@ struct chart *
 plots_search_spread(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	struct plots_past past = plots_past(s);
-	size_t at = plots_past_at(s, &past, q->generation, error);
+	struct plots_past past = plots_past(s, q->entry);
+	size_t at = plots_past_at(q->entry, &past, q->generation, error);
 	if (at == past.n)
 		return NULL;
 	const struct breakage *of = breakage_of(&past.generation[at].params);
@@ -378,7 +379,7 @@ plots_search_words(
     struct session *s, const struct plots_past *past, size_t generation)
 {
 	double points = plots_past_points(past, past->misfit);
-	bool runs = generation == 0 && plots_past_runs(s);
+	bool runs = generation == 0 && past->runs;
 	enum calibrate_state state =
 	    runs ? calibration_status(s->job.calibration).state
 		 : CALIBRATE_SEARCHING;
@@ -387,7 +388,7 @@ plots_search_words(
 	if (session_busy(s) && state >= CALIBRATE_TOLERANCE)
 		return xstrdup(tr("posterior: drawing the parameters that the "
 				  "data allow"));
-	if (generation == 0 && past->polished && !plots_past_runs(s))
+	if (generation == 0 && past->polished && !past->runs)
 		return xasprintf(tr("polished: %.2f points RMS"), points);
 	return search_words(s, past, generation);
 }

@@ -8,7 +8,7 @@
 	{"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                       \
 	    "rotor tip speed of psd and selection; default: the middle of "    \
 	    "the runs"},                                                       \
-	    TABLE_FEED,                                                        \
+	    TABLE_TURNS, TABLE_QUESTION,                                       \
 	    {"other", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                   \
 		"another speed for comparison"},                               \
 	    {"other_feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",              \

@@ -268,7 +268,7 @@ add_search(struct answer *r, const struct session *s, const struct entry *entry,
 	add_warnings(r, entry);
 	add_flat(r, fit, bounds);
 	if (u != NULL)
-		band_note(r, s, entry, false);
+		outlook_note(r, s, entry, false);
 }
 
 /* What would test a fit of which no speed was held out. */

@@ -49,7 +49,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 		answer_cells(r, "%s %s", info->unit, tr(info->meaning));
 	}
 	if (u != NULL)
-		band_note(r, s, entry, false);
+		outlook_note(r, s, entry, false);
 	origin_note(r, entry);
 	return session_answer(s, r);
 }

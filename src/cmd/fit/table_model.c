@@ -51,6 +51,10 @@ const struct setting SETTINGS[] = {
 	 "colours for any terminal, or of high contrast for a dark or a light "
 	 "one"},
 	AT(theme)},
+    {{"feed", VALUE_FEED, "m/s", 1, 200, NULL, "mean",
+	 "feed of answers: mean, of those sampled; a speed, of that sample; or "
+	 "a sheet's or a blend, as feed= names it"},
+	AT(feed)},
     {{"goal", VALUE_TEXT, "", 0, 0, NULL, "none",
 	 "what is wanted of the product: p80=5.4, \"passing 2 = 40..50\", an "
 	 "envelope"},

@@ -286,8 +286,9 @@ bool
 value_is_file(const struct command_option *option, const struct value *value)
 {
 	bool feed = option->kind == VALUE_FEED && value->number == 0;
-	bool off = value->given && strcmp(value->text, "off") == 0;
-	return value->given && ((option->kind == VALUE_FILE && !off) || feed);
+	return value->given && ((option->kind == VALUE_FILE &&
+				    strcmp(value->text, "off") != 0) ||
+				   (feed && strcmp(value->text, "mean") != 0));
 }
 
 const struct value *

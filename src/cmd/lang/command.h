@@ -72,19 +72,25 @@ struct args {
 /* What a command does.  False with an error where it cannot. */
 typedef bool command_run(struct session *, const struct args *, struct error *);
 
+/* What one does that answers a question (cmd/ask/question.h). */
+struct question;
+typedef bool command_answer(
+    struct session *, const struct args *, struct question *, struct error *);
+
 /* What the session has to know of a command. */
 enum command_flag {
-	COMMAND_CHANGES = 1,  /* changes the session: can be undone */
-	COMMAND_FILES = 2,    /* operands are files: refused by --safe */
-	COMMAND_VERBATIM = 4, /* > and | are words like others */
-	COMMAND_UNSAVED = 8,  /* save leaves it out, or it sees to it itself */
-	COMMAND_LATEST = 16,  /* of several in a row save keeps the last */
-	COMMAND_DRAWS = 32,   /* may write into a picture's file */
-	COMMAND_AT_SITE = 64, /* needs a site to work on */
-	COMMAND_LOOKS = 128,  /* what it changes alone is not worth keeping */
-	COMMAND_PARAMS = 256, /* its options are the models' parameters */
-	COMMAND_SPEC = 512,   /* operands are as VALUE_SPEC */
-	COMMAND_BESIDE = 1024 /* on the screen a search goes on beside it */
+	COMMAND_CHANGES = 1,   /* changes the session: can be undone */
+	COMMAND_FILES = 2,     /* operands are files: refused by --safe */
+	COMMAND_VERBATIM = 4,  /* > and | are words like others */
+	COMMAND_UNSAVED = 8,   /* save leaves it out, or it sees to it itself */
+	COMMAND_LATEST = 16,   /* of several in a row save keeps the last */
+	COMMAND_DRAWS = 32,    /* may write into a picture's file */
+	COMMAND_AT_SITE = 64,  /* needs a site to work on */
+	COMMAND_LOOKS = 128,   /* what it changes alone is not worth keeping */
+	COMMAND_PARAMS = 256,  /* its options are the models' parameters */
+	COMMAND_SPEC = 512,    /* operands are as VALUE_SPEC */
+	COMMAND_BESIDE = 1024, /* on the screen a search goes on beside it */
+	COMMAND_KNOWN = 2048   /* its answer needs the site's parameters */
 };
 
 /* What a command works on: as shown in usage, or NULL; at least `least` and at
@@ -110,7 +116,9 @@ struct command {
 	const struct command_option *option;
 	const struct setting *setting;
 	const char *text, *example;
+	/* One of the two. */
 	command_run *run;
+	command_answer *answer;
 };
 
 /* The table's parts, a file for each group; each ends with a name of NULL. */

@@ -229,6 +229,29 @@ value_number(const char *word, const char *unit, double *value)
 	return ok;
 }
 
+const char *
+value_feed(const char *text, size_t *length, double *share)
+{
+	for (const char *star = strchr(text, '*'); star != NULL;
+	     star = strchr(star + 1, '*')) {
+		size_t n = strspn(star + 1, "0123456789.");
+		bool percent = star[1 + n] == '%';
+		const char *end = star + 1 + n + (percent ? 1 : 0);
+		char *number = xstrndup(star + 1, n);
+		bool ok =
+		    (*end == '+' || *end == '\0') && text_number(number, share);
+		free(number);
+		if (!ok)
+			continue;
+		*length = (size_t)(star - text);
+		*share /= percent ? 100 : 1;
+		return *end == '+' ? end + 1 : NULL;
+	}
+	*length = strlen(text);
+	*share = NAN;
+	return NULL;
+}
+
 /* A control room shows the rotor's turns. */
 static const char TURNS[] =
     N_("is this rpm? tip speed (m/s) = 3.1416 x rotor diameter (m) x rpm / 60");

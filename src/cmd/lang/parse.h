@@ -63,4 +63,9 @@ bool value_take(const struct command_option *option, const char *word,
 /* A number, with its unit or without: 69, 69m/s. */
 bool value_number(const char *word, const char *unit, double *value);
 
+/* The first feed of a blend "a.csv*0.6+b.csv*40%": how long its name is, and
+ * its share; NAN, and all of the text, where it has none.  Returns the next
+ * one, or NULL after the last. */
+const char *value_feed(const char *text, size_t *length, double *share);
+
 #endif

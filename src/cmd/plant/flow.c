@@ -7,6 +7,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/band.h"
 #include "cmd/ask/condition.h"
 #include "cmd/draw/flow_chart.h"
@@ -419,13 +420,13 @@ judge(const struct plant *p, const struct outcome *o)
 {
 	const double other = 0.1, strange = 0.3;
 	struct trust worst = {0};
-	const struct entry *entry = session_entry(p->s);
+	const struct entry *entry = p->plan->question->entry;
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
 		struct prediction at = outlook_predict(p->s, entry,
-		    plant_speed(unit, o->speed), p->plan->feed_run);
+		    plant_speed(unit, o->speed), p->plan->question->feed);
 		struct trust t = light_of(p->s, entry, &at);
 		double off = feed_difference(p, o, unit);
 		if (off > other)
@@ -445,7 +446,7 @@ judge(const struct plant *p, const struct outcome *o)
 static struct answer *
 answer_flow(const struct plant *p, const struct outcome *o)
 {
-	const struct entry *entry = session_entry(p->s);
+	const struct entry *entry = p->plan->question->entry;
 	const char *back = p->plan->back != NULL ? p->plan->back : "";
 	char *what =
 	    p->plan->from_file
@@ -476,11 +477,10 @@ answer_flow(const struct plant *p, const struct outcome *o)
 static bool
 finish(const struct plant *p, const struct outcome *o, struct answer *r)
 {
-	const struct entry *entry = session_entry(p->s);
+	const struct entry *entry = p->plan->question->entry;
 	put_streams(p, o, answer_fields(r));
-	if (o->flow.draws == DRAWS)
-		band_note(r, p->s, entry, true);
-	else
+	bool band = o->flow.draws == DRAWS;
+	if (!band)
 		answer_say(
 		    r, ANSWER_REMARK, "%s", outlook_why_none(p->s, entry));
 	if (p->s->set.model.method == METHOD_CLASSES)
@@ -488,11 +488,8 @@ finish(const struct plant *p, const struct outcome *o, struct answer *r)
 		    "method classes takes the classes of the screens here, "
 		    "which are finer than those of predict");
 	fields_put(answer_fields(r), "level %g", 100 * p->level);
-	feed_note(r, entry->site, p->plan->feed_run);
-	origin_note(r, entry);
-	answers_note_model(p->s, r, entry);
-	answers_note_variant(r, entry);
-	light_show(r, judge(p, o));
+	answers_show_basis(
+	    p->s, r, entry, p->plan->question->feed, band, judge(p, o));
 	if (!pictures_wanted(p->s) || p->s->document != NULL)
 		return session_answer(p->s, r);
 	session_keep(p->s, r);
@@ -502,7 +499,7 @@ finish(const struct plant *p, const struct outcome *o, struct answer *r)
 static bool
 flow_best(const struct plant *p, const struct args *args, struct error *error)
 {
-	const struct entry *entry = session_entry(p->s);
+	const struct entry *entry = p->plan->question->entry;
 	double reach[2];
 	site_reach(entry->site, &reach[0], &reach[1]);
 	reach[0] = args_number(args, "from", reach[0]);
@@ -517,7 +514,7 @@ flow_best(const struct plant *p, const struct args *args, struct error *error)
 		    "write: from=65 to=85",
 		    reach[0], reach[1]);
 	struct search search = search_best(p, reach[0], reach[1]);
-	struct outcome usual = plant_at(p, answers_speed(args, entry)),
+	struct outcome usual = plant_at(p, p->plan->question->speed),
 		       best = plant_at(p, search.speed[search.best]);
 	bool ok = !best.flow.open || plant_not_steady(p, &best, error);
 	if (ok) {
@@ -545,22 +542,20 @@ flow_at(const struct plant *p, double speed, struct error *error)
 }
 
 bool
-cmd_flow(struct session *s, const struct args *args, struct error *error)
+cmd_flow(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	const struct entry *entry = session_entry(s);
-	double v = answers_speed(args, entry);
 	bool best = args_value(args, "best")->choice == 1;
 	struct flow_plan plan;
-	size_t feed;
-	if (!answers_ready(s, error) ||
-	    !feed_choose(entry->site, args, &feed, error) ||
-	    !flow_plan_read(s, args, feed, &plan, error))
+	if (!flow_plan_read(s, args, q, &plan, error))
 		return false;
 	struct plant p = plant_new(s, &plan);
-	bool ok = best ? flow_best(&p, args, error) : flow_at(&p, v, error);
+	bool ok =
+	    best ? flow_best(&p, args, error) : flow_at(&p, q->speed, error);
 	if (ok && pictures_wanted(s) && s->document == NULL) {
 		double from, to;
-		ok = conditions_speeds(args, entry->site, &from, &to, error) &&
+		ok = conditions_speeds(
+			 args, q->entry->site, &from, &to, error) &&
 		     pictures_draw(s, flow_chart(&p, from, to), error);
 	}
 	plant_free(&p);

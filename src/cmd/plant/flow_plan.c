@@ -251,7 +251,7 @@ static void
 choose_sizes(const struct site *site, struct flow_plan *plan)
 {
 	enum { MOST = 120 };
-	const struct psd *feed = site_feed(site, plan->feed_run);
+	const struct psd *feed = site_feed(site, plan->question->feed);
 	struct psd sieves = predict_sizes(site, feed);
 	struct psd all = psd_refined(sieves.size, sieves.n);
 	struct circuit *c = plan->circuit;
@@ -276,7 +276,7 @@ static bool
 check_screens(
     const struct site *site, const struct flow_plan *plan, struct error *error)
 {
-	const struct psd *feed = site_feed(site, plan->feed_run);
+	const struct psd *feed = site_feed(site, plan->question->feed);
 	for (size_t u = 0; u < plan->circuit->n_unit; u++) {
 		const struct unit *unit = &plan->circuit->unit[u];
 		double cut = unit->opening * unit->partition.cut_size;
@@ -431,11 +431,11 @@ read_power(const struct args *args, const struct site *site,
 }
 
 bool
-flow_plan_read(struct session *s, const struct args *args, size_t feed_run,
-    struct flow_plan *plan, struct error *error)
+flow_plan_read(struct session *s, const struct args *args,
+    const struct question *q, struct flow_plan *plan, struct error *error)
 {
-	const struct site *site = session_entry(s)->site;
-	*plan = (struct flow_plan){.feed_run = feed_run};
+	const struct site *site = q->entry->site;
+	*plan = (struct flow_plan){.question = q};
 	bool ok = args_value(args, "circuit")->given
 		      ? read_file(s, args, plan, error)
 		      : read_options(args, plan, error);

@@ -3,19 +3,20 @@
 #ifndef TIPSPEED_CMD_PLANT_FLOW_PLAN_H
 #define TIPSPEED_CMD_PLANT_FLOW_PLAN_H
 
-#include "cmd/lang/command.h"
+#include "cmd/ask/question.h"
 #include "cmd/session/session.h"
 #include "core/answer/circuit.h"
 #include "core/answer/power.h"
 
-/* size [n], feed [n]: the classes and the feed's masses in them.  back: what
+/* question: borrowed.  size [n]: the classes.  back: what
  * goes back to the crusher, in words; NULL of a circuit of a file.  priced:
  * there are prices; kwh: of a kWh, 0 where it has none. */
 struct flow_plan {
 	struct circuit *circuit;
 	char *back;
 	bool from_file, priced;
-	size_t n, feed_run;
+	const struct question *question;
+	size_t n;
 	double *size, kwh;
 	size_t n_reading;
 	struct reading *reading;
@@ -23,8 +24,8 @@ struct flow_plan {
 };
 
 /* Reads options and file. */
-bool flow_plan_read(struct session *s, const struct args *args, size_t feed_run,
-    struct flow_plan *plan, struct error *error);
+bool flow_plan_read(struct session *s, const struct args *args,
+    const struct question *q, struct flow_plan *plan, struct error *error);
 void flow_plan_free(struct flow_plan *plan);
 
 #endif

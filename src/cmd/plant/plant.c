@@ -11,7 +11,7 @@
 struct plant
 plant_new(struct session *s, const struct flow_plan *plan)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = plan->question->entry;
 	const struct breakage *of = breakage_of(&entry->params);
 	struct plant p = {.s = s,
 	    .plan = plan,
@@ -22,7 +22,7 @@ plant_new(struct session *s, const struct flow_plan *plan)
 	    .bypass = of->bypass ? entry->params.at[of->n - 1] : 0,
 	    .level = settings_level(&s->set)};
 	p.feed = xdoubles(plan->n);
-	const struct psd *feed = site_feed(entry->site, plan->feed_run);
+	const struct psd *feed = site_feed(entry->site, plan->question->feed);
 	crusher_classes(p.crusher, feed, p.feed);
 	struct psd sieves = predict_sizes(entry->site, feed);
 	crusher_match(p.crusher, feed, sieves.size, sieves.n);

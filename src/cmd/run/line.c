@@ -12,12 +12,13 @@
 #include "cmd/session/journal.h"
 #include "cmd/session/autosave.h"
 #include "cmd/lang/parse.h"
+#include "cmd/ask/blended.h"
 #include "cmd/ask/moved.h"
 #include "cmd/ask/pin.h"
+#include "cmd/ask/question.h"
 #include "cmd/session/script.h"
 #include "cmd/session/turn.h"
 #include "cmd/session/undo.h"
-#include "cmd/ask/scenario.h"
 #include "io/formats/plant_log.h"
 #include "io/formats/spec.h"
 
@@ -47,6 +48,7 @@ session_free(struct session *s)
 	session_settle(s, false, &stopped);
 	keep_end(s);
 	moved_free(s->moved);
+	blended_free(s->fed);
 	entries_free(s->entry, s->n_entry);
 	for (size_t i = 0; i < s->n_site; i++)
 		site_free(s->site[i]);
@@ -87,7 +89,9 @@ run_words(struct session *s, const struct words *words, struct place place,
 		      session_need_site(s, command->name, error)) &&
 		  invocation_begin(s, &args, words, place, error);
 	if (ok) {
-		ok = variant_run(s, &args, error);
+		ok = command->answer != NULL
+			 ? question_run(s, &args, command->answer, error)
+			 : command->run(s, &args, error);
 		invocation_ran(s);
 		if (!ok || invocation_over(s))
 			ok = invocation_end(s, ok, error);

@@ -155,18 +155,32 @@ journal_word(char **line, const char *word)
 		xappend(line, "\"");
 }
 
-/* From the root, as the option key where that is not NULL; links are left as
- * they are. */
+/* From the root; links are left as they are. */
 static void
-put_path(char **line, const char *key, const char *path)
+add_rooted(char **word, const char *path)
 {
 	char folder[4096];
 	bool rooted = path[0] == '/' || getcwd(folder, sizeof folder) == NULL;
 	while (strncmp(path, "./", 2) == 0)
 		path += 2;
-	char *whole = xasprintf("%s%s%s%s%s", key != NULL ? key : "",
-	    key != NULL ? "=" : "", rooted ? "" : folder, rooted ? "" : "/",
-	    path);
+	xappend(word, "%s%s%s", rooted ? "" : folder, rooted ? "" : "/", path);
+}
+
+/* As the option key where that is not NULL; of a blend of feeds each path. */
+static void
+put_path(char **line, const char *key, const char *path)
+{
+	char *whole = key != NULL ? xasprintf("%s=", key) : xstrdup("");
+	for (const char *at = path, *next; at != NULL; at = next) {
+		size_t length;
+		double share;
+		next = value_feed(at, &length, &share);
+		char *one = xstrndup(at, length);
+		add_rooted(&whole, one);
+		size_t rest = next != NULL ? (size_t)(next - at) : strlen(at);
+		xappend(&whole, "%.*s", (int)(rest - length), at + length);
+		free(one);
+	}
 	journal_word(line, whole);
 	free(whole);
 }
@@ -206,11 +220,18 @@ given_by(const struct args *args, const char *word, bool *file)
 	return NULL;
 }
 
-/* Whether a word is an operand of the call that is a path. */
+/* Whether a word is an operand of the call that is a path, or the value of a
+ * setting that is. */
 static bool
 is_path(const struct args *args, const char *word)
 {
-	size_t i = 0, which;
+	const struct command_option *o;
+	size_t i, which;
+	for (i = 0; (o = command_option_at(args->command, i)) != NULL; i++)
+		if (args->value[i].text == word &&
+		    value_is_file(o, &args->value[i]))
+			return true;
+	i = 0;
 	while (i < args->n_operand && args->operand[i] != word)
 		i++;
 	if (i == args->n_operand)

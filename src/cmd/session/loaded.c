@@ -42,6 +42,12 @@ history_forget(struct history *h, const struct site *site)
 	h->ensemble = NULL;
 }
 
+const struct entry *
+entry_loaded(const struct entry *entry)
+{
+	return entry->variant != NULL ? entry->variant->own : entry;
+}
+
 void
 history_drop(struct history *h)
 {

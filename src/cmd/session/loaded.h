@@ -11,6 +11,7 @@
 #include "core/psd/site.h"
 #include "core/check/trust.h"
 #include "io/formats/answer.h"
+#include "cmd/session/settings.h"
 #include "io/store/material.h"
 
 /* What a calibration left: what it found; its generations, [n], with the bounds
@@ -70,15 +71,17 @@ struct origin {
 };
 
 /* What answers are asked of instead of what was measured; see
- * cmd/ask/scenario.h.  own: the entry as it is.  rock: of the other feed, ""
+ * cmd/ask/question.h.  own: the entry as it is.  rock: of the other feed, ""
  * where not stated or there is none.  rotor: m, 0: not known; other_rotor: it
  * is not the one that was measured with.  bypass: share of the feed led past
- * the rotor; k: impacts, 0: as set. */
+ * the rotor; k: impacts, 0: as set.  correction: runs that inform the
+ * answer. */
 struct variant {
 	const struct entry *own;
 	bool feed, other_rotor;
 	char *rock;
 	double rotor, measured_rotor, bypass, k;
+	enum correction correction;
 };
 
 /* By which one of many sites is found: digests of its name as in keys, of its
@@ -112,6 +115,9 @@ struct entry entry_copy(const struct entry *from);
 
 /* Frees what it owns. */
 void entry_clear(struct entry *entry);
+
+/* The site as it is loaded, of one that is asked about otherwise. */
+const struct entry *entry_loaded(const struct entry *entry);
 
 /* Gives a share in it up; NULL is allowed. */
 void history_drop(struct history *history);

@@ -55,12 +55,12 @@ struct drill;
 struct spec;
 struct energies;
 struct pin;
+struct blended;
 struct journal;
 struct keep;
 struct script;
 struct invocation;
 struct undo;
-struct stand_in;
 
 struct session {
 	size_t n_entry, current; /* current is meaningful when n_entry > 0 */
@@ -94,8 +94,9 @@ struct session {
 	struct drill **drills;   /* every state there was of any */
 	const struct spec *spec; /* envelope chosen, or NULL */
 	size_t n_spec;
-	struct spec **specs;   /* every one there was */
-	struct moved *moved;   /* see moved.h */
+	struct spec **specs; /* every one there was */
+	struct moved *moved; /* see moved.h */
+	struct blended *fed; /* sheets of 'set feed', see blended.h, or NULL */
 	const struct pin *pin; /* see pin.h, or NULL */
 	size_t n_pin;
 	struct pin **pins;             /* every one there was */
@@ -106,10 +107,8 @@ struct session {
 	struct journal *journal;
 	struct keep *keep; /* what is not saved, see keep.h; NULL: no matter */
 	struct undo *undo;
-	struct stand_in *stand_in; /* of the command under way, see variant.h;
-				    * or NULL */
-	struct script *script;     /* scripts being read, innermost first */
-	size_t scripts;            /* how many */
+	struct script *script;         /* scripts being read, innermost first */
+	size_t scripts;                /* how many */
 	struct invocation *invocation; /* commands under way, innermost first */
 	struct store *store; /* ":memory:" until another is put here */
 	bool wants_tui; /* the driver opens the full screen, then goes on */

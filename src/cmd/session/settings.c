@@ -20,7 +20,7 @@ settings_put(
 	/* What is in a file is read by cmd_set. */
 	if (row->option.kind == VALUE_FILE)
 		return;
-	if (row->option.kind == VALUE_TEXT) {
+	if (row->option.kind == VALUE_TEXT || row->option.kind == VALUE_FEED) {
 		bool none = strcmp(value->text, SETTINGS_NONE) == 0;
 		snprintf(place, SETTINGS_TEXT, "%s", none ? "" : value->text);
 		return;
@@ -43,7 +43,7 @@ settings_text(const struct setting *row, const struct choices *set)
 	unsigned whole;
 	if (row->option.kind == VALUE_FILE)
 		return xstrdup(set->energy != NULL ? set->energy : "off");
-	if (row->option.kind == VALUE_TEXT)
+	if (row->option.kind == VALUE_TEXT || row->option.kind == VALUE_FEED)
 		return xstrdup(place[0] != '\0' ? place : SETTINGS_NONE);
 	if (row->option.kind == VALUE_NUMBER) {
 		memcpy(&number, place, sizeof number);

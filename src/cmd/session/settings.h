@@ -40,7 +40,9 @@ struct choices {
 	/* What is wanted of the product, see goals.h; and the quantity that the
 	 * full screen has above its track.  "": none. */
 	char goal[SETTINGS_TEXT], quantity[SETTINGS_TEXT];
-	unsigned page; /* of the full screen that is open */
+	char
+	    feed[SETTINGS_TEXT]; /* of answers, as of feed=: "mean" or others */
+	unsigned page;           /* of the full screen that is open */
 };
 
 /* What is set in a session that has just begun. */

@@ -11,148 +11,45 @@
 #include "cmd/ask/band.h"
 #include "cmd/sheets/data.h"
 #include "cmd/session/files.h"
-#include "cmd/sheets/load.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/scenario.h"
-#include "core/psd/blend.h"
+#include "cmd/ask/blended.h"
+#include "cmd/ask/feed.h"
+#include "cmd/ask/question.h"
 #include "io/sitefile/site_write.h"
 #include "io/sitefile/units.h"
-
-/* One feed: its file, the sheet and the run of it, and its part. */
-struct part {
-	char *file;
-	struct site *sheet;
-	const struct psd *feed;
-	double share;
-};
-
-/* All of them [n], and what they make. */
-struct blend {
-	size_t n;
-	struct part *part;
-	double sum;
-	struct psd feed;
-	char *words, *of, *rock;
-};
 
 /* "a.csv=60", with a per cent sign or without. */
 static bool
 read_part(
-    struct session *s, const char *word, struct part *part, struct error *error)
+    struct session *s, const char *word, struct blended *b, struct error *error)
 {
 	const char *equals = strrchr(word, '=');
-	size_t run;
+	double share;
 	if (equals == NULL || equals == word ||
-	    !value_number(equals + 1, "%", &part->share) ||
-	    !(part->share > 0) || part->share > 1e9)
+	    !value_number(equals + 1, "%", &share) || !(share > 0) ||
+	    share > 1e9)
 		return error_set(error, ERROR_USAGE,
 		    "blend: expected FILE=PART, a part by mass above 0; got "
 		    "'%s'\n"
 		    "for instance: blend a.csv=60 b.csv=40",
 		    word);
-	part->file = xstrndup(word, (size_t)(equals - word));
-	part->sheet = load_feed(s, part->file, &run, error);
-	if (part->sheet == NULL)
-		return false;
-	part->feed = &part->sheet->run[run].feed;
-	return true;
-}
-
-/* 0: made up, 1: not stated, 2: measured. */
-static int
-source_rank(const struct site *sheet)
-{
-	const char *kind = site_data_kind(sheet->provenance);
-	return site_data_made_up(sheet->provenance) ? 0
-	       : strcmp(kind, "not stated") == 0    ? 1
-						    : 2;
-}
-
-/* Their first clauses, each once, the worst first, as the first word says what
- * all are; "" where no sheet states any. */
-static char *
-sources(const struct blend *b)
-{
-	char *list = xstrdup("");
-	bool any = false;
-	for (int rank = 0; rank <= 2; rank++)
-		for (size_t i = 0; i < b->n; i++) {
-			const struct site *sheet = b->part[i].sheet;
-			char *one = site_source(sheet, "not stated");
-			if (source_rank(sheet) == rank &&
-			    strstr(list, one) == NULL)
-				xlist(&list, ", ", "%s", one);
-			any = any || source_rank(sheet) != 1;
-			free(one);
-		}
-	if (!any)
-		list[0] = '\0';
-	return list;
-}
-
-/* "Granite", "Granite and Gneiss"; "" where no sheet states it. */
-static char *
-rocks(const struct blend *b)
-{
-	char *list = xstrdup("");
-	for (size_t i = 0; i < b->n; i++) {
-		const char *rock = b->part[i].sheet->rock;
-		bool known = rock[0] == '\0';
-		for (size_t k = 0; k < i; k++)
-			known =
-			    known || text_same(b->part[k].sheet->rock, rock);
-		if (!known)
-			xlist(&list, tr(" and "), "%s", rock);
-	}
-	return list;
-}
-
-static void
-mix(struct blend *b)
-{
-	const struct psd **feed = xcalloc(b->n, sizeof *feed);
-	double *share = xdoubles(b->n);
-	b->words = xstrdup("");
-	for (size_t i = 0; i < b->n; i++) {
-		feed[i] = b->part[i].feed;
-		share[i] = b->part[i].share;
-		b->sum += share[i];
-	}
-	for (size_t i = 0; i < b->n; i++)
-		xlist(&b->words, " + ", "%.3g %% %s", 100 * share[i] / b->sum,
-		    variant_file(b->part[i].file));
-	b->feed = blend_new(feed, share, b->n);
-	b->of = sources(b);
-	b->rock = rocks(b);
-	free(feed);
-	free(share);
-}
-
-static void
-blend_clear(struct blend *b)
-{
-	for (size_t i = 0; i < b->n; i++) {
-		free(b->part[i].file);
-		site_free(b->part[i].sheet);
-	}
-	free(b->part);
-	psd_free(&b->feed);
-	free(b->words);
-	free(b->of);
-	free(b->rock);
+	char *file = xstrndup(word, (size_t)(equals - word));
+	bool ok = blended_add(s, file, share, b, error);
+	free(file);
+	return ok;
 }
 
 /* A row a sieve: each feed, the blend and, where there is one, its product. */
 static void
-add_rows(struct answer *r, const struct blend *b, const struct psd *sieves,
+add_rows(struct answer *r, const struct blended *b, const struct psd *sieves,
     const struct prediction *p)
 {
 	answer_columns(r, "sieve_mm: sieve mm");
 	for (size_t i = 0; i < b->n; i++) {
 		char *key = xasprintf("feed_%zu_pct", i + 1);
-		char *head = xasprintf("%s %%", variant_file(b->part[i].file));
+		char *head = xasprintf("%s %%", feed_file(b->part[i].file));
 		answer_column(r, key, head);
 		free(key);
 		free(head);
@@ -179,7 +76,7 @@ add_rows(struct answer *r, const struct blend *b, const struct psd *sieves,
 }
 
 static void
-put_parts(struct fields *o, const struct blend *b)
+put_parts(struct fields *o, const struct blended *b)
 {
 	struct fields *list = fields_list(o, "parts");
 	for (size_t i = 0; i < b->n; i++)
@@ -193,7 +90,7 @@ put_parts(struct fields *o, const struct blend *b)
 }
 
 static void
-note_parts(struct answer *r, const struct blend *b)
+note_parts(struct answer *r, const struct blended *b)
 {
 	if (fabs(b->sum - 100) > 1e-9 && fabs(b->sum - 1) > 1e-9)
 		answer_note(r,
@@ -203,7 +100,7 @@ note_parts(struct answer *r, const struct blend *b)
 
 /* Which sheets end the blend. */
 static void
-note_finest(struct answer *r, const struct blend *b)
+note_finest(struct answer *r, const struct blended *b)
 {
 	double finest = b->feed.size[b->feed.n - 1];
 	char *unknown = xstrdup("");
@@ -211,8 +108,7 @@ note_finest(struct answer *r, const struct blend *b)
 		const struct psd *feed = b->part[i].feed;
 		double own = feed->size[feed->n - 1];
 		if (own == finest && feed->passing[feed->n - 1] > 0)
-			xlist(&unknown, ", ", "%s",
-			    variant_file(b->part[i].file));
+			xlist(&unknown, ", ", "%s", feed_file(b->part[i].file));
 	}
 	if (unknown[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
@@ -223,7 +119,7 @@ note_finest(struct answer *r, const struct blend *b)
 
 /* Only the feed: there is nothing to predict with. */
 static void
-give_feed(struct session *s, const struct blend *b, const char *why_not)
+give_feed(struct session *s, const struct blended *b, const char *why_not)
 {
 	struct answer *r = answer_new("blend");
 	answer_title(r, "blend of %s", b->words);
@@ -239,33 +135,34 @@ give_feed(struct session *s, const struct blend *b, const char *why_not)
 
 /* With the product of the site in use, which has the blend now. */
 static void
-give_product(struct session *s, const struct blend *b, double v)
+give_product(
+    struct session *s, const struct question *q, const struct blended *b)
 {
-	const struct entry *entry = session_entry(s);
-	size_t run = site_run_at(entry->site, SITE_OTHER_FEED);
-	struct prediction p = outlook_predict(s, entry, v, run);
+	const struct entry *entry = q->entry;
+	double v = q->speed;
+	struct prediction p = outlook_predict(s, entry, v, q->feed);
 	struct answer *r = answers_new(
 	    entry->site, "blend", "product at %g m/s (%.0f J/kg)", v, p.energy);
 	add_rows(r, b, &p.product, &p);
 	put_parts(answer_fields(r), b);
-	answers_put_prediction(s, answer_fields(r), &entry->params, &p);
+	answers_put_prediction(s, answer_fields(r), entry, &entry->params, &p);
 	note_parts(r, b);
 	answers_note_sizes(r, &p);
 	if (p.low != NULL) {
-		band_note(r, s, entry, true);
+		outlook_note(r, s, entry, true);
 		fields_numbers(
 		    answer_fields(r), "low_pct", p.low, p.product.n, units_pct);
 		fields_numbers(answer_fields(r), "high_pct", p.high,
 		    p.product.n, units_pct);
 		band_put(answer_fields(r), s, &p);
 	}
-	answers_note_doubt(s, r, v, run);
+	answers_note_doubt(s, r, q->entry, q->feed, v);
 	prediction_free(&p);
 	session_answer(s, r);
 }
 
 static void
-give(struct session *s, const struct args *args, const struct blend *b)
+give(struct session *s, const struct args *args, const struct blended *b)
 {
 	struct error none = {0};
 	if (s->n_entry == 0) {
@@ -276,20 +173,18 @@ give(struct session *s, const struct args *args, const struct blend *b)
 		give_feed(s, b, none.text);
 		return;
 	}
-	struct variant_wish wish = {.feed = &b->feed,
-	    .from = b->words,
-	    .words = b->words,
-	    .of = b->of,
-	    .rock = b->rock};
-	double v = answers_speed(args, session_entry(s));
-	variant_begin(s, &wish);
-	give_product(s, b, v);
-	variant_end(s);
+	const struct scenario scenario = {
+	    .feed = b, .correction = s->set.correction};
+	struct question q;
+	question_make(s, session_entry(s), &scenario, &q);
+	q.speed = args_number(args, "speed", answers_usual(session_entry(s)));
+	give_product(s, &q, b);
+	question_free(s, &q);
 }
 
 /* As a sheet that load and feed= read, with what is known of the parts. */
 static bool
-write_sheet(struct session *s, const struct args *args, const struct blend *b,
+write_sheet(struct session *s, const struct args *args, const struct blended *b,
     const char *path, struct error *error)
 {
 	size_t rows;
@@ -314,20 +209,18 @@ write_sheet(struct session *s, const struct args *args, const struct blend *b,
 bool
 cmd_blend(struct session *s, const struct args *args, struct error *error)
 {
-	struct blend b = {.part = xcalloc(args->n_operand, sizeof *b.part)};
+	struct blended b = {0};
 	bool good = true;
-	while (good && b.n < args->n_operand) {
-		good = read_part(s, args->operand[b.n], &b.part[b.n], error);
-		b.n++;
-	}
+	for (size_t i = 0; good && i < args->n_operand; i++)
+		good = read_part(s, args->operand[i], &b, error);
 	if (good) {
 		const struct value *out = args_value(args, "out");
-		mix(&b);
+		blended_mix(&b);
 		good =
 		    !out->given || write_sheet(s, args, &b, out->text, error);
 		if (good)
 			give(s, args, &b);
 	}
-	blend_clear(&b);
+	blended_clear(&b);
 	return good;
 }

@@ -11,6 +11,7 @@
 #include "cmd/session/energies.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
+#include "cmd/ask/blended.h"
 #include "cmd/ask/goals.h"
 #include "cmd/fit/job.h"
 #include "cmd/session/journal.h"
@@ -167,13 +168,17 @@ check_text(struct session *s, const struct setting *row,
 	struct condition_list list = {0};
 	struct quantity q;
 	size_t n_value;
-	if (row->option.kind != VALUE_TEXT ||
-	    strcmp(value->text, SETTINGS_NONE) == 0)
+	bool text = row->option.kind == VALUE_TEXT ||
+		    (row->option.kind == VALUE_FEED &&
+			value_is_file(&row->option, value));
+	if (!text || strcmp(value->text, SETTINGS_NONE) == 0)
 		return true;
 	if (strlen(value->text) >= SETTINGS_TEXT)
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected %d letters at most", row->option.name,
 		    SETTINGS_TEXT - 1);
+	if (row->offset == offsetof(struct choices, feed))
+		return blended_set(s, value->text, error) != NULL;
 	if (row->offset == offsetof(struct choices, quantity))
 		return quantities_read(value->text, &SHARP, &q, error);
 	bool ok = goals_read(s, value->text, NULL, &list, &n_value, error);

@@ -133,5 +133,5 @@ const struct command TABLE_STORE[] = {
 	    "that of these estimates, on reconstructed data. An estimate "
 	    "from other quarries is not a calibration.",
 	.example = "load data/sites/tierp.csv\nguess rock=granite top=11.2",
-	.run = cmd_guess},
+	.answer = cmd_guess},
     {.name = NULL}};

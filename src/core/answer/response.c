@@ -191,6 +191,16 @@ response_at(struct response *r, double v)
 }
 
 void
+response_borrow_at(struct response *r, struct ensemble *e, double v)
+{
+	for (size_t i = 0; i < r->n && r->draw[i] == NULL; i++)
+		r->draw[i] = xdoubles(DRAWS);
+	r->ensemble = e;
+	response_at(r, v);
+	r->ensemble = NULL;
+}
+
+void
 response_take(struct response *r, double v, const struct psd *curve)
 {
 	struct psd *product = &r->product;

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CORE_ANSWER_RESPONSE_H
 #define TIPSPEED_CORE_ANSWER_RESPONSE_H
 
-#include "core/posterior/posterior.h"
+#include "core/posterior/ensemble.h"
 #include "core/psd/psd.h"
 #include "core/psd/quantity.h"
 
@@ -23,6 +23,10 @@ void response_free(struct response *r);
  * no speed then. */
 void response_at(struct response *r, double v);
 void response_answer_at(struct response *r, double v);
+
+/* Moves to a speed with the draws of an ensemble of the same feed and sieves,
+ * which is borrowed for that; of a response without a posterior. */
+void response_borrow_at(struct response *r, struct ensemble *e, double v);
 
 /* The same for the answer alone, of its curve at that speed made before, and
  * without the work of the draws, which stay where they were. */

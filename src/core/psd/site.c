@@ -431,6 +431,16 @@ site_add_source(char **list, const struct site *site)
 static const char *const MADE_UP[] = {
     N_("reconstructed"), N_("synthetic"), N_("made up"), N_("simulated")};
 
+double
+site_middle(const struct site *site)
+{
+	const double usual = 74;
+	size_t other = site_run_at(site, SITE_OTHER_FEED);
+	size_t last = other > 0 ? other - 1 : 0;
+	double middle = (site->run[0].speed + site->run[last].speed) / 2;
+	return middle > 0 ? middle : usual;
+}
+
 const char *
 site_data_kind(const char *provenance)
 {

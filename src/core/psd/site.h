@@ -138,6 +138,9 @@ bool site_run_is_near(
  * of the slowest at least.  site: or NULL. */
 void site_reach(const struct site *site, double *from, double *to);
 
+/* The middle of the speeds measured, m/s; 74 where there is a feed only. */
+double site_middle(const struct site *site);
+
 /* What data of that provenance are: "reconstructed", "synthetic", "made up" or
  * "simulated", as it begins; "not stated" where it says that or is empty; in
  * all other words "measured", says who wrote them. */

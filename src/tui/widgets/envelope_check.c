@@ -68,8 +68,8 @@ limits_update(struct tui *t)
 		t->limits = xcalloc(1, sizeof *t->limits);
 		t->limits->looked = t->looked;
 		t->limits->feed = tui_feed(t);
-		t->limits->open = grading_in_use(
-		    t->session, t->limits->feed, &t->limits->grading, &error);
+		t->limits->open = grading_in_use(t->session, tui_entry(t),
+		    t->limits->feed, &t->limits->grading, &error);
 	}
 	if (t->limits->open && t->limits->tenths != t->tenths)
 		move(t, &t->limits->grading.conditions);

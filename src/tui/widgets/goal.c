@@ -45,7 +45,8 @@ goal_best(const struct tui *t)
 char *
 goal_words(const struct tui *t, enum goals_length length)
 {
-	return goals_words(t->session, &t->goal, t->tenths / 10.0, length);
+	return goals_words(
+	    t->session, tui_entry(t), &t->goal, t->tenths / 10.0, length);
 }
 
 static const struct psd *
@@ -227,7 +228,7 @@ goal_step(struct tui *t)
 {
 	struct goal *g = &t->goal;
 	bool pending = goal_pending(t);
-	goals_step(t->session, g, tui_feed(t));
+	goals_step(t->session, tui_entry(t), g, tui_feed(t));
 	if (!pending || !goal_known(t) ||
 	    goals_is_condition(t->session->set.goal))
 		return;

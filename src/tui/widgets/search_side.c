@@ -232,7 +232,8 @@ verdict_words(const struct tui *t, const struct entry *entry)
 	    light_verdict(t->session, entry, NULL), light.n > 0 ? ": " : "",
 	    light.n > 0 ? light.reason[0].text : "");
 	trust_free(&light);
-	if (!plots_past_runs(t->session) || !t->session->job.held_back)
+	if (!plots_past_runs(t->session, tui_entry(t)) ||
+	    !t->session->job.held_back)
 		return words;
 	char *stays = xasprintf(tr("stopped; the fit that stays: %s"), words);
 	free(words);

@@ -1,0 +1,205 @@
+/* Mixes feeds of sheets and tells what they are.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/ask/blended.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/ask/feed.h"
+#include "cmd/lang/parse.h"
+#include "cmd/sheets/load.h"
+#include "core/psd/blend.h"
+
+bool
+blended_add(struct session *s, const char *file, double share,
+    struct blended *b, struct error *error)
+{
+	size_t run;
+	struct site *sheet = load_feed(s, file, &run, error);
+	if (sheet == NULL)
+		return false;
+	b->part = xrealloc(b->part, b->n + 1, sizeof *b->part);
+	b->part[b->n++] = (struct blend_part){
+	    xstrdup(file), sheet, &sheet->run[run].feed, share};
+	return true;
+}
+
+/* 0: made up, 1: not stated, 2: measured. */
+static int
+source_rank(const struct site *sheet)
+{
+	const char *kind = site_data_kind(sheet->provenance);
+	return site_data_made_up(sheet->provenance) ? 0
+	       : strcmp(kind, "not stated") == 0    ? 1
+						    : 2;
+}
+
+/* Their first clauses, each once, the worst first, as the first word says what
+ * all are; "" where no sheet states any. */
+static char *
+sources(const struct blended *b)
+{
+	char *list = xstrdup("");
+	bool any = false;
+	for (int rank = 0; rank <= 2; rank++)
+		for (size_t i = 0; i < b->n; i++) {
+			const struct site *sheet = b->part[i].sheet;
+			char *one = site_source(sheet, "not stated");
+			if (source_rank(sheet) == rank &&
+			    strstr(list, one) == NULL)
+				xlist(&list, ", ", "%s", one);
+			any = any || source_rank(sheet) != 1;
+			free(one);
+		}
+	if (!any)
+		list[0] = '\0';
+	return list;
+}
+
+/* "Granite", "Granite and Gneiss"; "" where no sheet states it. */
+static char *
+rocks(const struct blended *b)
+{
+	char *list = xstrdup("");
+	for (size_t i = 0; i < b->n; i++) {
+		const char *rock = b->part[i].sheet->rock;
+		bool known = rock[0] == '\0';
+		for (size_t k = 0; k < i; k++)
+			known =
+			    known || text_same(b->part[k].sheet->rock, rock);
+		if (!known)
+			xlist(&list, tr(" and "), "%s", rock);
+	}
+	return list;
+}
+
+void
+blended_mix(struct blended *b)
+{
+	const struct psd **feed = xcalloc(b->n, sizeof *feed);
+	double *share = xdoubles(b->n);
+	b->words = xstrdup("");
+	for (size_t i = 0; i < b->n; i++) {
+		feed[i] = b->part[i].feed;
+		share[i] = b->part[i].share;
+		b->sum += share[i];
+	}
+	for (size_t i = 0; i < b->n; i++)
+		xlist(&b->words, " + ", "%.3g %% %s", 100 * share[i] / b->sum,
+		    feed_file(b->part[i].file));
+	b->feed = blend_new(feed, share, b->n);
+	b->of = sources(b);
+	b->rock = rocks(b);
+	free(feed);
+	free(share);
+}
+
+/* The feed of one sheet as it is. */
+static bool
+read_one(
+    struct session *s, const char *file, struct blended *b, struct error *error)
+{
+	if (!blended_add(s, file, 1, b, error))
+		return false;
+	b->feed = psd_copy(b->part[0].feed);
+	b->words = xasprintf(tr("feed %s"), feed_file(file));
+	b->of = xstrdup(b->part[0].sheet->provenance);
+	b->rock = xstrdup(b->part[0].sheet->rock);
+	return true;
+}
+
+static bool
+add_term(struct session *s, const char *at, size_t length, double share,
+    struct blended *b, struct error *error)
+{
+	char *file = xstrndup(at, length);
+	bool ok = length > 0 && share > 0 && share <= 1;
+	if (!ok)
+		error_set(error, ERROR_USAGE,
+		    isnan(share)
+			? N_("feed: expected FILE*SHARE, got '%s' without a "
+			     "share\n"
+			     "write: feed=a.csv*0.6+b.csv*0.4")
+			: N_("feed: expected a share above 0 and up to 1 (or "
+			     "100 %%) of each sheet, got that of '%s'\n"
+			     "write: feed=a.csv*0.6+b.csv*0.4"),
+		    file);
+	ok = ok && blended_add(s, file, share, b, error);
+	free(file);
+	return ok;
+}
+
+bool
+blended_read(
+    struct session *s, const char *text, struct blended *b, struct error *error)
+{
+	double share, sum = 0;
+	size_t length;
+	*b = (struct blended){.text = xstrdup(text)};
+	value_feed(text, &length, &share);
+	if (isnan(share))
+		return read_one(s, text, b, error);
+	for (const char *at = text, *next; at != NULL; at = next) {
+		next = value_feed(at, &length, &share);
+		if (!add_term(s, at, length, share, b, error))
+			return false;
+		sum += share;
+	}
+	if (fabs(sum - 1) > 1e-6)
+		return error_set(error, ERROR_USAGE,
+		    "feed: expected shares that sum to 1 (or 100 %%), got "
+		    "%.6g\n"
+		    "write: feed=a.csv*0.6+b.csv*0.4; 'blend' takes parts of "
+		    "any sum",
+		    sum);
+	blended_mix(b);
+	return true;
+}
+
+void
+blended_clear(struct blended *b)
+{
+	for (size_t i = 0; i < b->n; i++) {
+		free(b->part[i].file);
+		site_free(b->part[i].sheet);
+	}
+	free(b->part);
+	psd_free(&b->feed);
+	free(b->text);
+	free(b->words);
+	free(b->of);
+	free(b->rock);
+}
+
+const char *
+blended_from(const struct blended *b)
+{
+	return b->n == 1 ? b->text : b->words;
+}
+
+void
+blended_free(struct blended *b)
+{
+	if (b == NULL)
+		return;
+	blended_clear(b);
+	free(b);
+}
+
+const struct blended *
+blended_set(struct session *s, const char *text, struct error *error)
+{
+	if (s->fed != NULL && strcmp(s->fed->text, text) == 0)
+		return s->fed;
+	struct blended *b = xcalloc(1, sizeof *b);
+	if (!blended_read(s, text, b, error)) {
+		blended_free(b);
+		return NULL;
+	}
+	blended_free(s->fed);
+	return s->fed = b;
+}

@@ -1,0 +1,48 @@
+/* Feeds of other sheets, one or several mixed by mass.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_ASK_BLENDED_H
+#define TIPSPEED_CMD_ASK_BLENDED_H
+
+#include "cmd/session/session.h"
+
+/* One feed: its file, the sheet, its feed, and its part. */
+struct blend_part {
+	char *file;
+	struct site *sheet;
+	const struct psd *feed;
+	double share;
+};
+
+/* All of them [n], and what they make.  text: as they were named; words:
+ * "60 % a.csv + 40 % b.csv"; of: what the sheets say of their data; rock:
+ * "Granite and Gneiss", or "". */
+struct blended {
+	size_t n;
+	struct blend_part *part;
+	double sum;
+	struct psd feed;
+	char *text, *words, *of, *rock;
+};
+
+/* Adds the feed that load_feed reads of FILE or FILE@SPEED. */
+bool blended_add(struct session *s, const char *file, double share,
+    struct blended *b, struct error *error);
+
+/* Mixes them, in parts of any sum. */
+void blended_mix(struct blended *b);
+
+/* Reads FILE, or a blend "a.csv*0.6+b.csv*0.4", whose shares sum to 1; false
+ * with an error.  blended_clear, in any case. */
+bool blended_read(struct session *s, const char *text, struct blended *b,
+    struct error *error);
+void blended_clear(struct blended *b);
+
+/* Where the feed is from, for programs; borrowed. */
+const char *blended_from(const struct blended *b);
+
+/* The same of what is set, which the session keeps; NULL with an error. */
+const struct blended *blended_set(
+    struct session *s, const char *text, struct error *error);
+void blended_free(struct blended *b);
+
+#endif

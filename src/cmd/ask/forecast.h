@@ -1,0 +1,41 @@
+/* What is forecast of a product: any quantity at any speed, of one question.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_ASK_FORECAST_H
+#define TIPSPEED_CMD_ASK_FORECAST_H
+
+#include "cmd/ask/question.h"
+#include "core/answer/response.h"
+
+/* A quantity of the answer with its band; NAN where the curve does not reach so
+ * far, and where there is no band. */
+struct figure {
+	double value, low, high;
+};
+
+/* Opaque; the question must outlive it. */
+struct forecast;
+
+/* Of quantities [n]; forecast_close. */
+struct forecast *forecast_open(const struct session *s,
+    const struct question *q, const struct quantity *quantity, size_t n);
+void forecast_close(struct forecast *f);
+
+/* Moves to a speed, m/s. */
+void forecast_at(struct forecast *f, double speed);
+
+struct figure forecast_figure(const struct forecast *f, size_t i);
+
+/* The same of the model alone. */
+double forecast_model(struct forecast *f, size_t i);
+
+/* Its values in the draws, [POSTERIOR_DRAWS], borrowed; NULL where the answer
+ * is the model alone. */
+const double *forecast_draws(const struct forecast *f, size_t i);
+
+/* How much more the second has of quantity i than the first, each at its speed.
+ * Their draws go together where both are of one posterior and are independent
+ * where they are not. */
+struct figure forecast_difference(
+    const struct forecast *one, const struct forecast *two, size_t i);
+
+#endif

@@ -1,0 +1,352 @@
+/* Questions are read here from the options of a call, and nowhere else.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/ask/question.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/feed.h"
+#include "cmd/ask/moved.h"
+#include "cmd/ask/quantity_words.h"
+#include "cmd/lang/parse.h"
+#include "io/sitefile/column_header.h"
+#include "io/sitefile/units.h"
+
+/* The rotor that the parameters of an entry were measured with, m; 0: not
+ * known. */
+static double
+measured_rotor(const struct entry *entry)
+{
+	bool known = entry->origin != NULL && entry->origin->spread != NULL;
+	return known ? entry->origin->spread->site->rotor : entry->site->rotor;
+}
+
+/* "feed b.csv, cascade 10 %". */
+static char *
+with_words(const struct scenario *w)
+{
+	char *words = xstrdup("");
+	if (w->feed != NULL)
+		xlist(&words, ", ", "%s", w->feed->words);
+	if (w->rpm > 0)
+		xlist(&words, ", ", tr("%g rpm"), w->rpm);
+	if (w->rotor > 0)
+		xlist(&words, ", ", tr("rotor %g mm"), units_mm(w->rotor));
+	if (w->bypass > 0)
+		xlist(&words, ", ", tr("cascade %g %%"), 100 * w->bypass);
+	if (w->k > 0)
+		xlist(&words, ", ", "k %g", w->k);
+	return words;
+}
+
+/* A site with what is asked otherwise; it goes with the question. */
+static struct site *
+site_as_asked(const struct site *own, const struct scenario *w)
+{
+	const struct blended *f = w->feed;
+	struct site *site =
+	    f != NULL ? site_with_feed(own, &f->feed, blended_from(f), f->of)
+		      : site_copy(own);
+	free(site->with);
+	site->with = with_words(w);
+	site->n_shown = w->n_sieve;
+	site->shown = xdoubles(w->n_sieve);
+	for (size_t i = 0; i < w->n_sieve; i++)
+		site->shown[i] = w->sieve[i];
+	return site;
+}
+
+void
+question_make(const struct session *s, const struct entry *loaded,
+    const struct scenario *w, struct question *q)
+{
+	bool feed = w->feed != NULL;
+	double rotor = measured_rotor(loaded);
+	bool machine = w->rotor > 0 || w->rpm > 0 || w->bypass > 0 || w->k > 0;
+	*q = (struct question){.entry = loaded, .feed = SITE_MEAN_FEED};
+	if (!feed && !machine && w->n_sieve == 0 &&
+	    w->correction == s->set.correction)
+		return;
+	q->variant = (struct variant){.own = loaded,
+	    .feed = feed,
+	    .rock = xstrdup(feed ? w->feed->rock : ""),
+	    .rotor = w->rotor,
+	    .measured_rotor = rotor,
+	    .other_rotor =
+		w->rotor > 0 && rotor > 0 && fabs(w->rotor - rotor) > 5e-4,
+	    .bypass = w->bypass,
+	    .k = w->k,
+	    .correction = w->correction};
+	q->own = *loaded;
+	q->own.variant = &q->variant;
+	q->entry = &q->own;
+	if (!feed && !machine && w->n_sieve == 0)
+		return;
+	size_t runs = loaded->site->n_run;
+	q->own.site = site_as_asked(loaded->site, w);
+	q->own.train = xcalloc(runs + 1, sizeof *q->own.train);
+	memcpy(q->own.train, loaded->train, runs * sizeof *q->own.train);
+}
+
+/* What the options name, with what is read for it; speed is 0 where none is
+ * given. */
+struct named {
+	struct scenario scenario;
+	struct blended blend;
+	double *sieve, speed;
+};
+
+static void
+named_free(struct named *r)
+{
+	if (r == NULL)
+		return;
+	blended_clear(&r->blend);
+	free(r->sieve);
+	free(r);
+}
+
+void
+question_free(struct session *s, struct question *q)
+{
+	const struct variant *v = &q->variant;
+	named_free(q->named);
+	if (v->own == NULL)
+		return;
+	if (q->own.site != v->own->site) {
+		moved_forget(s->moved);
+		history_forget(q->own.history, q->own.site);
+		if (q->own.origin != NULL)
+			history_forget(q->own.origin->spread, q->own.site);
+		site_free(q->own.site);
+		free(q->own.train);
+	}
+	free(q->variant.rock);
+}
+
+/* The option's value where the command has it and it was given, else NULL. */
+static const struct value *
+given(const struct args *args, const char *name)
+{
+	size_t i = command_option_index(args->command, name);
+	return i < OPTIONS && args->value[i].given ? &args->value[i] : NULL;
+}
+
+static double
+number_of(const struct args *args, const char *name)
+{
+	const struct value *value = given(args, name);
+	return value != NULL ? value->number : 0;
+}
+
+/* Turns of the rotor are a speed. */
+static bool
+read_speed(const struct args *args, const struct site *site, struct named *r,
+    struct error *error)
+{
+	struct scenario *w = &r->scenario;
+	w->rotor = number_of(args, "rotor_mm") / 1000;
+	w->rpm = number_of(args, "rpm");
+	r->speed = number_of(args, "speed");
+	if (!(w->rpm > 0))
+		return true;
+	double diameter = w->rotor > 0 ? w->rotor : site->rotor;
+	const char *name = args->command->name;
+	if (r->speed > 0)
+		return error_set(error, ERROR_USAGE,
+		    "%s: expected a speed or rpm, got both", name);
+	if (!(diameter > 0))
+		return error_set(error, ERROR_USAGE,
+		    "%s: expected the rotor's diameter with rpm, which %s does "
+		    "not state\n"
+		    "write: %s rpm=%g rotor_mm=DIAMETER, or a line rotor_mm in "
+		    "the site file",
+		    name, site->name, name, w->rpm);
+	r->speed = head_mps(w->rpm, SPEED_RPM, diameter);
+	return (r->speed >= 1 && r->speed <= 200) ||
+	       error_set(error, ERROR_USAGE,
+		   "%s: expected a tip speed from 1 to 200 m/s, got %g (%g "
+		   "rpm with a rotor of %g mm)",
+		   name, r->speed, w->rpm, units_mm(diameter));
+}
+
+/* What the option feed names, or the setting does where it is not given; NULL
+ * of a command that has no such option. */
+static const char *
+feed_asked(
+    const struct session *s, const struct args *args, struct value *value)
+{
+	const struct value *feed = given(args, "feed");
+	size_t i = command_option_index(args->command, "feed");
+	struct error none = {0};
+	if (i == OPTIONS)
+		return NULL;
+	const struct command_option *option =
+	    command_option_at(args->command, i);
+	*value = (struct value){.given = true};
+	value_take(
+	    option, feed != NULL ? feed->text : s->set.feed, value, &none);
+	return value->text;
+}
+
+/* The sheets that are named, where any are. */
+static bool
+read_feed(struct session *s, const struct args *args, struct named *r,
+    struct error *error)
+{
+	struct value feed;
+	const char *text = feed_asked(s, args, &feed);
+	size_t i = command_option_index(args->command, "feed");
+	if (text == NULL ||
+	    !value_is_file(command_option_at(args->command, i), &feed))
+		return true;
+	if (given(args, "feed") == NULL)
+		r->scenario.feed = blended_set(s, text, error);
+	else if (blended_read(s, text, &r->blend, error))
+		r->scenario.feed = &r->blend;
+	return r->scenario.feed != NULL;
+}
+
+/* Sieves of one's own choice, which the feeds have to tell of. */
+static bool
+read_sieves(const struct args *args, const struct site *site, struct named *r,
+    struct error *error)
+{
+	const struct value *sieves = given(args, "sieves");
+	struct scenario *w = &r->scenario;
+	if (sieves == NULL)
+		return true;
+	r->sieve = xdoubles(sieves->n);
+	for (size_t i = 0; i < sieves->n; i++)
+		r->sieve[i] = sieves->list[i] / 1000;
+	w->n_sieve = psd_sort(r->sieve, sieves->n, 1e-12);
+	w->sieve = r->sieve;
+	struct quantity finest = {
+	    .kind = QUANTITY_PASSING, .x = r->sieve[w->n_sieve - 1]};
+	bool ok = w->feed == NULL ||
+		  quantities_covered(&finest, &w->feed->feed, error);
+	for (size_t i = 0; i < site->n_run && ok && w->feed == NULL; i++)
+		ok = site->run[i].feed.n == 0 ||
+		     quantities_covered(&finest, &site->run[i].feed, error);
+	return ok;
+}
+
+/* The run of the site whose feed is named by its speed. */
+static bool
+choose_feed(const struct session *s, const struct args *args,
+    struct question *q, struct error *error)
+{
+	struct value feed;
+	const struct site *site = q->entry->site;
+	if (feed_asked(s, args, &feed) == NULL || !(feed.number > 0))
+		return true;
+	q->feed = site_run_at(site, feed.number);
+	return q->feed < site->n_run || error_set(error, ERROR_USAGE,
+					    "%s has no feed sampled at %g m/s\n"
+					    "run 'show feed' for its feeds",
+					    site->name, feed.number);
+}
+
+/* cut=off is the whole product, as it is where an envelope is for a fraction;
+ * where one is asked for, screens without cut= are those of its fraction. */
+static bool
+read_fraction(const struct session *s, const struct args *args,
+    struct question *q, struct error *error)
+{
+	const struct value *cut = given(args, "cut");
+	bool envelope = (args->command->flags & COMMAND_SPEC) != 0 ||
+			given(args, "spec") != NULL || s->spec != NULL;
+	if (command_option_index(args->command, "cut") == OPTIONS ||
+	    (cut != NULL && text_same(cut->text, "off")))
+		return true;
+	return quantities_option(args, &q->fraction, envelope, error);
+}
+
+/* The question, of what was read for it or for another one. */
+static bool
+settle(const struct session *s, const struct entry *loaded,
+    const struct args *args, const struct named *r, struct question *q,
+    struct error *error)
+{
+	struct named *own = q->named;
+	question_make(s, loaded, &r->scenario, q);
+	q->named = own;
+	q->speed_given = r->speed > 0;
+	q->speed = q->speed_given ? r->speed : answers_usual(loaded);
+	return choose_feed(s, args, q, error) &&
+	       read_fraction(s, args, q, error);
+}
+
+bool
+question_of(struct session *s, const struct entry *loaded,
+    const struct args *args, struct question *q, struct error *error)
+{
+	struct named *r = xcalloc(1, sizeof *r);
+	const struct value *correction = given(args, "correction");
+	*q = (struct question){.entry = loaded, .named = r};
+	r->scenario =
+	    (struct scenario){.bypass = number_of(args, "cascade") / 100,
+		.k = number_of(args, "k"),
+		.correction = correction != NULL
+				  ? (enum correction)correction->choice
+				  : s->set.correction};
+	return read_speed(args, loaded->site, r, error) &&
+	       read_feed(s, args, r, error) &&
+	       read_sieves(args, loaded->site, r, error) &&
+	       settle(s, loaded, args, r, q, error);
+}
+
+bool
+question_too(struct session *s, const struct entry *loaded,
+    const struct args *args, const struct question *like, struct question *q,
+    struct error *error)
+{
+	*q = (struct question){.entry = loaded};
+	return settle(s, loaded, args, like->named, q, error);
+}
+
+bool
+question_read(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
+{
+	return question_of(s, session_entry(s), args, q, error);
+}
+
+bool
+question_run(struct session *s, const struct args *args, command_answer *answer,
+    struct error *error)
+{
+	struct question q = {.entry = NULL};
+	bool known = (args->command->flags & COMMAND_KNOWN) != 0;
+	bool ok = (!known || answers_ready(s, error)) &&
+		  question_read(s, args, &q, error) &&
+		  answer(s, args, &q, error);
+	question_free(s, &q);
+	return ok;
+}
+
+void
+question_as_last(
+    const struct session *s, const struct args *args, struct question *q)
+{
+	double last = session_known(s, "predict", "speed");
+	double fed = session_known(s, "predict", "feed_mps");
+	const struct site *site = q->entry->site;
+	if (q->speed_given || isnan(last))
+		return;
+	q->speed = last;
+	if (given(args, "feed") == NULL && !q->variant.feed && isfinite(fed) &&
+	    site_run_at(site, fed) < site->n_run)
+		q->feed = site_run_at(site, fed);
+}
+
+const struct psd *
+question_feed(const struct question *q)
+{
+	return site_feed(q->entry->site, q->feed);
+}
