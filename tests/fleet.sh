@@ -153,7 +153,7 @@ refuses 'is in part1.db already\|is in again.db already' \
 	$parts part1.db part2.db part3.db again.db
 result $? 'a material that is there twice is refused'
 "$TIPSPEED" --store=other.db -c 'synth table.csv' -c \
-	'calibrate all population=500 generations=25 part=2/3 > /dev/null' \
+	'calibrate all train=all part=2/3 > /dev/null' \
 	-c 'remember all' >>log 2>&1
 refuses 'got another calibration' $parts part1.db other.db part3.db
 result $? 'one of another calibration is refused'

@@ -377,7 +377,8 @@ all_give_the_same(void **state)
 
 /* Every shipped site's measured P20, P50 and P80 of each run, asked with its
  * feed: the range of speeds that find states has the speed at which it was
- * measured in 7 of 10, though what was measured has the error of its sample. */
+ * measured in two of three.  80 % are stated, of the true product's speed; what
+ * was measured has the error of its sample beside. */
 static void
 find_holds_what_was_measured(void **state)
 {
@@ -405,8 +406,9 @@ find_holds_what_was_measured(void **state)
 		}
 	}
 	globfree(&found);
+	print_message("# the range held %g of %g\n", held, stated);
 	expect_near("ranges stated", stated, 171, 171 / 10.0);
-	if (held < 0.7 * stated)
+	if (held < 0.66 * stated)
 		fail_msg("held %g of %g", held, stated);
 }
 
