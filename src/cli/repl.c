@@ -117,16 +117,20 @@ prompt(const struct session *s)
 }
 
 /* readline asks the terminal itself only where it is given no size.  8.2
- * divides by what is left of one row of two columns, and with up to 11 columns,
- * where the terminal does not wrap, it looks for the cursor for ever. */
+ * divides by what is left of one row of two columns, and where the cursor
+ * cannot go up, so that a line is scrolled, it looks for it for ever if the
+ * prompt with its invisible characters is as wide as the screen. */
 static void
-take_size(void)
+take_size(const char *prompt)
 {
 	enum { ROWS = 2, COLUMNS = 20 };
-	int rows, columns;
+	int rows, columns, least = COLUMNS;
+	const char *up = rl_get_termcap("up");
 	terminal_size(&rows, &columns);
+	if (up == NULL || up[0] == '\0')
+		least += (int)strlen(prompt);
 	rl_set_screen_size(
-	    rows > ROWS ? rows : ROWS, columns > COLUMNS ? columns : COLUMNS);
+	    rows > ROWS ? rows : ROWS, columns > least ? columns : least);
 }
 
 /* Where the prompt is broken depends on the columns; a search has one of its
@@ -159,7 +163,7 @@ answer_signals(void)
 	}
 	if (news & (PUMP_WAKE | PUMP_SIZE)) {
 		rl_clear_visible_line();
-		take_size();
+		take_size(rl_prompt);
 		fit_prompt();
 		rl_forced_update_display();
 	}
@@ -232,7 +236,7 @@ read_line(const char *text)
 	pump_hold_signals();
 	pump_take_terminal(was);
 	at.given = 0;
-	take_size();
+	take_size(text);
 	rescue_prompt(pastes_in_brackets() ? "\033[?2004l\r\n" : "\n");
 	char *line = readline(text);
 	rescue_done();

@@ -243,9 +243,8 @@ verdict_words(const struct tui *t, const struct entry *entry)
 static char *
 draws_words(const struct evidence *e)
 {
-	return xasprintf(e->halves > DRAWS_SETTLED
-			     ? tr("%d draws, not settled")
-			     : tr("%d draws, settled"),
+	return xasprintf(e->halves > DRAWS_SETTLED ? tr("%d draws, not settled")
+						   : tr("%d draws, settled"),
 	    POSTERIOR_DRAWS);
 }
 
