@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include "base/xalloc.h"
@@ -518,15 +517,22 @@ ensemble_mean(const struct ensemble *e, double *passing)
 	}
 }
 
+/* The ends of the middle `level` of n values, which it puts in another order. */
+static void
+find_middle(double *value, size_t n, double level, double *low, double *high)
+{
+	size_t cut = (size_t)floor((1 - level) / 2 * (double)n + 0.5);
+	*low = gsl_stats_select(value, 1, n, cut);
+	*high = gsl_stats_select(value, 1, n, n - 1 - cut);
+}
+
 void
 ensemble_middle(double *value, double level, double *low, double *high)
 {
-	size_t cut = (size_t)floor((1 - level) / 2 * DRAWS + 0.5);
 	for (size_t i = 0; i < DRAWS; i++)
 		if (isnan(value[i]))
 			value[i] = -INFINITY;
-	*low = gsl_stats_select(value, 1, DRAWS, cut);
-	*high = gsl_stats_select(value, 1, DRAWS, DRAWS - 1 - cut);
+	find_middle(value, DRAWS, level, low, high);
 	if (*low < -1e300)
 		*low = NAN;
 	if (*high < -1e300)
@@ -542,38 +548,28 @@ ensemble_band(struct ensemble *e, enum ensemble_part part, size_t row,
 	ensemble_middle(value, level, low, high);
 }
 
-/* Mean, low and high of n values, which it sorts; 80 %. */
-static void
-read_half(double *value, size_t n, double at[3])
-{
-	size_t cut = (size_t)(0.1 * (double)n);
-	gsl_sort(value, 1, n);
-	at[0] = gsl_stats_mean(value, 1, n);
-	at[1] = value[cut];
-	at[2] = value[n - 1 - cut];
-}
-
 double
 ensemble_halves(struct ensemble *e, double v)
 {
 	enum { HALF = DRAWS / 2 };
-	const double rounding = 0.001;
+	const double rounding = 0.001, level = 0.8;
 	double sum = 0, n = 0;
 	ensemble_draws_at(e, v);
 	for (size_t i = 0; i < e->n; i++) {
 		const double *P = e->part[ENSEMBLE_ANSWER] + i * DRAWS;
-		double value[DRAWS], whole[3], first[3], second[3], most = 0;
+		double value[DRAWS], low[3], high[3];
 		memcpy(value, P, sizeof value);
-		read_half(value, HALF, first);
-		read_half(value + HALF, HALF, second);
-		memcpy(value, P, sizeof value);
-		read_half(value, DRAWS, whole);
-		double width = whole[2] - whole[1];
+		double off = gsl_stats_mean(value, 1, HALF) -
+			     gsl_stats_mean(value + HALF, 1, HALF);
+		find_middle(value, HALF, level, &low[0], &high[0]);
+		find_middle(value + HALF, HALF, level, &low[1], &high[1]);
+		find_middle(value, DRAWS, level, &low[2], &high[2]);
+		double width = high[2] - low[2];
 		if (width < rounding)
 			continue;
-		for (size_t j = 0; j < 3; j++)
-			most = fmax(most, fabs(second[j] - first[j]));
-		sum += most * most / (width * width);
+		off = fmax(fabs(off), fabs(low[1] - low[0]));
+		off = fmax(off, fabs(high[1] - high[0])) / width;
+		sum += off * off;
 		n++;
 	}
 	return n > 0 ? sqrt(sum / n) : 0;
