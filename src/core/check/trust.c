@@ -333,9 +333,10 @@ judge_data(struct trust *t, const struct evidence *e)
 	if (e->halves > DRAWS_SETTLED)
 		trust_add(t, LIGHT_AMBER, TRUST_FIT,
 		    xasprintf(
-			tr("the draws of the band have not settled (its two "
-			   "halves differ by %.0f %% of its width): it may be "
-			   "too narrow or too wide"),
+			tr("the band has not settled (two halves of its draws "
+			   "differ by %.0f %% of its width): it may be too "
+			   "narrow or too wide; compare with 'set draw_seed "
+			   "2'"),
 			100 * e->halves));
 }
 
@@ -347,17 +348,18 @@ judge_sense(struct trust *t, const struct evidence *e)
 		trust_add(t, LIGHT_RED, TRUST_DATA,
 		    xasprintf(
 			tr("the run at %g m/s is coarser than that at %g, "
-			   "by %.1f points at %g mm: exchanged, or "
-			   "another feed? look with 'check'"),
+			   "by %.1f points at %g mm: exchanged, or another "
+			   "feed? run 'check'"),
 			e->against.fast, e->against.slow,
 			100 * e->against.order.most,
 			1e3 * e->against.order.at));
 	if (e->all_break)
 		trust_add(t, LIGHT_AMBER, TRUST_FIT,
 		    xasprintf(
-			tr("the fit has no break size: by it particles of "
-			   "every size break at %g m/s, and nothing tells what "
-			   "a slower rotor leaves whole; measure slower"),
+			tr("the fit has no break size: in it particles of "
+			   "every size break at %g m/s, so it cannot tell what "
+			   "a slower rotor leaves whole; add a run at a lower "
+			   "speed"),
 			e->slowest));
 }
 
