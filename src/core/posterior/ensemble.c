@@ -517,7 +517,8 @@ ensemble_mean(const struct ensemble *e, double *passing)
 	}
 }
 
-/* The ends of the middle `level` of n values, which it puts in another order. */
+/* The ends of the middle `level` of n values, which it puts in another
+ * order. */
 static void
 find_middle(double *value, size_t n, double level, double *low, double *high)
 {
