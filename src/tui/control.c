@@ -53,6 +53,16 @@ work(struct session *s)
 	return pump_signal() == 0;
 }
 
+/* What reads much asks in the midst of a line, of which Esc is then heard; the
+ * threads of a search ask too, and draw nothing. */
+static bool
+stops(void)
+{
+	if (!session_busy(open->session))
+		under_way_draw(open);
+	return open->before.hooks.stop != NULL && open->before.hooks.stop();
+}
+
 const struct command *
 control_command(const char *line)
 {
@@ -218,6 +228,7 @@ run(struct tui *t, const char *line)
 	    .begins = under_way_begins,
 	    .work = work,
 	    .watches = true};
+	under_way_typed(t, line);
 	/* A signal is no error: what was found before it stays. */
 	bool ok = driver_line(&d, line, "typed", 0) == 0 || pump_signal() != 0;
 	under_way_end(t, control_command(line) == command_find("restore"), ok);
@@ -490,6 +501,7 @@ control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 	s->typed_at = s->scripts;
 	s->hooks.show_page = NULL;
 	s->hooks.begins = begins;
+	s->hooks.stop = stops;
 	s->hooks.run_screen = NULL;
 	tui_keep_feed(t);
 	t->said = text_memory(&t->said_text, &t->said_n);

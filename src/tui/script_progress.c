@@ -36,10 +36,11 @@ under_way_words(const struct tui *t)
 static void
 draw(struct tui *t, bool begins)
 {
-	const double often = 0.1; /* s; what is over by then is not shown */
+	/* s; what is over by then is not shown */
+	const double often = 0.1, patience = t->of_script ? often : 0.3;
 	double now = session_clock();
 	if (t->under_way == NULL || t->ways->stopped == NULL ||
-	    now - t->ran_from < often ||
+	    now - t->ran_from < patience ||
 	    (!begins && now - t->drawn_at < often) || t->ways->is_away())
 		return;
 	view_text(t, under_way_words(t));
@@ -53,12 +54,22 @@ draw(struct tui *t, bool begins)
 }
 
 void
+under_way_typed(struct tui *t, const char *line)
+{
+	t->ran_from = session_clock();
+	free(t->under_way);
+	t->under_way = xstrdup(line);
+	t->of_script = false;
+}
+
+void
 under_way_begins(void *of, const char *line)
 {
 	struct tui *t = of;
 	struct script_place at = script_place(t->session);
-	if (t->under_way == NULL)
+	if (!t->of_script)
 		t->ran_from = session_clock();
+	t->of_script = true;
 	free(t->under_way);
 	t->under_way = at.of > 0
 			   ? xasprintf(tr("%zu of %zu: %s"), at.at, at.of, line)
@@ -75,16 +86,20 @@ under_way_draw(struct tui *t)
 void
 under_way_end(struct tui *t, bool restores, bool ok)
 {
-	if (t->under_way == NULL)
-		return;
-	view_close(t);
-	if (pump_signal() == SIGINT) {
+	bool told = t->of_script || t->drawn_at >= t->ran_from;
+	if (told)
+		view_close(t);
+	if (told && pump_signal() == SIGINT) {
 		pump_forget_interrupt();
 		said_forget(t);
-		tui_say(t, false,
-		    "stopped at %s: what was done before stays, u undoes it",
-		    t->under_way);
-	} else if (ok) {
+		if (t->of_script)
+			tui_say(t, false,
+			    "stopped at %s: what was done before stays, "
+			    "u undoes it",
+			    t->under_way);
+		else
+			tui_say(t, false, "stopped: %s", t->under_way);
+	} else if (ok && t->of_script) {
 		const struct entry *entry = tui_entry(t);
 		const size_t n = t->session->n_entry;
 		if (restores)
@@ -101,7 +116,7 @@ under_way_end(struct tui *t, bool restores, bool ok)
 		    words);
 		free(words);
 	}
-	t->told = true;
+	t->told = t->told || told;
 	free(t->under_way);
 	t->under_way = NULL;
 }

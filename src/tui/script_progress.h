@@ -1,9 +1,13 @@
-/* A script that runs, told on the full screen: what it is at, and Esc stops it.
+/* A line or a script that runs, told on the full screen: what it is at, and Esc
+ * stops it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_SCRIPT_PROGRESS_H
 #define TIPSPEED_TUI_SCRIPT_PROGRESS_H
 
 #include "tui/tui_state.h"
+
+/* A line that was typed runs from now on. */
+void under_way_typed(struct tui *t, const char *line);
 
 /* See struct driver, of = struct tui *: the line, after which somebody looks
  * for Esc again. */

@@ -207,8 +207,9 @@ struct tui {
 	struct limits *limits; /* see limits.h, owned, or NULL */
 	enum second second;    /* right of the curves */
 	struct second_plot *second_plot; /* see second.h, likewise */
-	char *under_way;   /* line of a script that is run, or NULL */
-	double ran_from;   /* when its script began, s */
+	char *under_way;   /* line that is run, or NULL */
+	bool of_script;    /* it is one of a script */
+	double ran_from;   /* when it or its script began, s */
 	double drawn_at;   /* when that was last drawn */
 	const char *begun; /* what takes a moment just now, or NULL */
 	enum plot_kind picture;

@@ -331,6 +331,17 @@ hang_up(int signal)
 	kill(-job, SIGCONT);
 }
 
+/* False at its end. */
+static bool
+wait_for_stop(pid_t pid)
+{
+	siginfo_t what;
+	while (
+	    waitid(P_PID, (id_t)pid, &what, WEXITED | WSTOPPED | WNOWAIT) != 0)
+		;
+	return what.si_code == CLD_STOPPED;
+}
+
 /* Stands for a shell with job control, so that ^Z stops the program and this
  * goes on with it, and a terminal that goes hangs it up. */
 static void
@@ -365,13 +376,20 @@ be_shell(const struct walk *w, const char *terminal, int tell)
 	news.program = pid;
 	ssize_t written = write(tell, &news, sizeof news);
 	int status;
-	while (waitpid(pid, &status, WUNTRACED) == pid && WIFSTOPPED(status)) {
-		news.changed |= !same_settings(&was);
+	while (wait_for_stop(pid)) {
+		bool changed = !same_settings(&was);
+		siginfo_t what = {0};
+		/* Who was told to go on meanwhile may have the terminal. */
+		waitid(P_PID, (id_t)pid, &what, WSTOPPED | WNOHANG);
+		if (what.si_pid != pid)
+			continue;
+		news.changed |= changed;
 		tcsetpgrp(0, getpgrp());
 		nap(3);
 		tcsetpgrp(0, pid);
 		kill(-pid, SIGCONT);
 	}
+	waitpid(pid, &status, 0);
 	news.changed |= !same_settings(&was);
 	news.status = status;
 	written += write(tell, &news, sizeof news);
